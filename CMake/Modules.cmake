@@ -1,0 +1,11 @@
+# The modules of Shapeton, each one after all it depends on. This list is the only place that names them;
+# ModuleLayeringTest checks that no include points to a later one.
+set(Shapeton_MODULES
+  Core/CommandLine
+  Core/Report
+  Bridge/VTKGlue
+  IO/DicomSeries
+  Filtering/ShapeDiffusion
+  Visualization/ShapeRendering
+  Phantom/ShapePhantom
+)

@@ -1,0 +1,110 @@
+# What a module's files call. The names and meanings are those of ITK's own build, so that the same module folder also
+# builds inside an ITK source tree; ITK's versions of these macros refuse to work on an installed ITK.
+
+include(GenerateExportHeader)
+include(ShapetonITKTargets)
+
+# itk_module(<name> [ENABLE_SHARED] DEPENDS ... PRIVATE_DEPENDS ... COMPILE_DEPENDS ... TEST_DEPENDS ... DESCRIPTION "...")
+# Called by itk-module.cmake; records the declaration.
+macro(itk_module name)
+  cmake_parse_arguments(_module "ENABLE_SHARED;EXCLUDE_FROM_DEFAULT" "DESCRIPTION"
+    "DEPENDS;PRIVATE_DEPENDS;COMPILE_DEPENDS;TEST_DEPENDS;FACTORY_NAMES" ${ARGN})
+  set(itk-module ${name})
+  foreach(kind DEPENDS PRIVATE_DEPENDS COMPILE_DEPENDS TEST_DEPENDS)
+    set(itk-module_${kind} ${_module_${kind}})
+  endforeach()
+endmacro()
+
+# Links modules, ours and ITK's, by their names.
+function(shapeton_link_modules target scope)
+  foreach(module IN LISTS ARGN)
+    if(TARGET Shapeton::${module})
+      target_link_libraries(${target} ${scope} Shapeton::${module})
+    else()
+      shapeton_itk_targets(${module})
+      set_property(GLOBAL APPEND PROPERTY SHAPETON_ITK_MODULES ${module})
+      target_link_libraries(${target} ${scope} ITK::${module}Module)
+    endif()
+  endforeach()
+endfunction()
+
+# itk_module_add_library(<name> <sources...>): called by src/CMakeLists.txt.
+function(itk_module_add_library name)
+  add_library(${name} ${ARGN})
+  generate_export_header(${name} EXPORT_FILE_NAME ${PROJECT_BINARY_DIR}/include/${name}Export.h
+    EXPORT_MACRO_NAME ${name}_EXPORT NO_EXPORT_MACRO_NAME ${name}_HIDDEN STATIC_DEFINE ITK_STATIC)
+  set_target_properties(${name} PROPERTIES
+    CXX_VISIBILITY_PRESET hidden VISIBILITY_INLINES_HIDDEN ON
+    VERSION ${Shapeton_VERSION} SOVERSION ${Shapeton_VERSION_MAJOR})
+  target_include_directories(${name} PUBLIC
+    $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/include> $<BUILD_INTERFACE:${PROJECT_BINARY_DIR}/include>)
+  shapeton_link_modules(${name} PUBLIC ${itk-module_DEPENDS} ${itk-module_COMPILE_DEPENDS})
+  shapeton_link_modules(${name} PRIVATE ${itk-module_PRIVATE_DEPENDS})
+  install(FILES ${PROJECT_BINARY_DIR}/include/${name}Export.h DESTINATION ${Shapeton_INSTALL_INCLUDE_DIR})
+endfunction()
+
+# itk_module_impl(): called by the module's CMakeLists.txt after project() and find_package().
+macro(itk_module_impl)
+  if(EXISTS ${PROJECT_SOURCE_DIR}/src/CMakeLists.txt)
+    add_subdirectory(src)
+    set(_scope PUBLIC)
+  else()
+    add_library(${itk-module} INTERFACE)
+    target_include_directories(${itk-module} INTERFACE $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/include>)
+    shapeton_link_modules(${itk-module} INTERFACE ${itk-module_DEPENDS} ${itk-module_COMPILE_DEPENDS})
+    set(_scope INTERFACE)
+  endif()
+  add_library(Shapeton::${itk-module} ALIAS ${itk-module})
+  target_compile_features(${itk-module} ${_scope} cxx_std_17)
+  target_include_directories(${itk-module} ${_scope} $<INSTALL_INTERFACE:${Shapeton_INSTALL_INCLUDE_DIR}>)
+  install(TARGETS ${itk-module} EXPORT ShapetonTargets DESTINATION ${CMAKE_INSTALL_LIBDIR})
+  install(DIRECTORY include/ DESTINATION ${Shapeton_INSTALL_INCLUDE_DIR} FILES_MATCHING PATTERN "*.h" PATTERN "*.hxx")
+  if(BUILD_TESTING)
+    shapeton_header_self_compile_test(${itk-module})
+    if(EXISTS ${PROJECT_SOURCE_DIR}/test/CMakeLists.txt)
+      add_subdirectory(test)
+    endif()
+  endif()
+endmacro()
+
+# Every public header compiles on its own: one translation unit for each.
+function(shapeton_header_self_compile_test module)
+  file(GLOB headers CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/include/*.h)
+  set(sources "")
+  foreach(header IN LISTS headers)
+    get_filename_component(name ${header} NAME)
+    set(source ${PROJECT_BINARY_DIR}/HeaderTest/${name}.cxx)
+    file(CONFIGURE OUTPUT ${source} CONTENT "#include \"${name}\"\n#include \"${name}\"\n")
+    list(APPEND sources ${source})
+  endforeach()
+  if(sources)
+    add_library(${module}HeaderTest OBJECT ${sources})
+    target_link_libraries(${module}HeaderTest PRIVATE Shapeton::${module})
+  endif()
+endfunction()
+
+# ---- tests ----
+
+# itk_module_test(): called first in test/CMakeLists.txt.
+macro(itk_module_test)
+  set(${itk-module}-Test_LIBRARIES Shapeton::${itk-module})
+  foreach(_dependency IN LISTS itk-module_TEST_DEPENDS)
+    if(TARGET Shapeton::${_dependency})
+      list(APPEND ${itk-module}-Test_LIBRARIES Shapeton::${_dependency})
+    else()
+      shapeton_itk_targets(${_dependency})
+      list(APPEND ${itk-module}-Test_LIBRARIES ITK::${_dependency}Module)
+    endif()
+  endforeach()
+endmacro()
+
+# creategoogletestdriver(<kit> "<libraries>" "<sources>"): one executable <kit>GTestDriver; each TEST is a ctest.
+function(creategoogletestdriver kit libraries sources)
+  add_executable(${kit}GTestDriver ${sources})
+  target_link_libraries(${kit}GTestDriver PRIVATE ${libraries} GTest::gtest_main)
+  target_compile_definitions(${kit}GTestDriver PRIVATE
+    SHAPETON_TEST_TEMPORARY_DIR="${Shapeton_BINARY_DIR}/Testing/Temporary")
+  gtest_discover_tests(${kit}GTestDriver DISCOVERY_TIMEOUT 120
+    PROPERTIES LABELS ${itk-module} SKIP_REGULAR_EXPRESSION "\\[  SKIPPED \\]"
+      ENVIRONMENT "SHAPETON_TEST_DATA_DIR=${SHAPETON_TEST_DATA_DIR}")
+endfunction()

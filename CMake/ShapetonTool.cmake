@@ -1,0 +1,69 @@
+# shapeton_add_tool(<Name> MODULES a b ...)
+# <Name>.cxx + <Name>.xml -> bin/<Name>, with the XML inside (--xml prints it) and beside it (3D Slicer reads that one).
+# The target is <Name>, or <Name>Tool where a module has that name.
+function(shapeton_add_tool name)
+  cmake_parse_arguments(PARSE_ARGV 1 tool "" "" "MODULES;LIBRARIES")
+  set(xml ${CMAKE_CURRENT_SOURCE_DIR}/${name}.xml)
+  set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${xml})
+  file(READ ${xml} text)
+  file(CONFIGURE OUTPUT ${CMAKE_CURRENT_BINARY_DIR}/${name}XML.h @ONLY
+    CONTENT "// Generated from @name@.xml\nstatic const char ToolXML[] = R\"__XML__(@text@)__XML__\";\n")
+  configure_file(${xml} ${CMAKE_RUNTIME_OUTPUT_DIRECTORY}/${name}.xml COPYONLY)
+  shapeton_tool_target(target ${name})
+  add_executable(${target} ${name}.cxx)
+  target_include_directories(${target} PRIVATE ${CMAKE_CURRENT_BINARY_DIR})
+  shapeton_link_modules(${target} PRIVATE CommandLine ${tool_MODULES})
+  target_link_libraries(${target} PRIVATE ${tool_LIBRARIES})
+  set_target_properties(${target} PROPERTIES OUTPUT_NAME ${name} INSTALL_RPATH "$ORIGIN/../..")
+  install(TARGETS ${target} RUNTIME DESTINATION ${Shapeton_INSTALL_TOOLS_DIR})
+  install(FILES ${xml} DESTINATION ${Shapeton_INSTALL_TOOLS_DIR})
+  if(BUILD_TESTING)
+    add_test(NAME ${name}XML COMMAND ${CMAKE_COMMAND} -DTOOL=$<TARGET_FILE:${target}> -DXML=${xml}
+      -P ${Shapeton_SOURCE_DIR}/CMake/CheckToolXML.cmake)
+    add_test(NAME ${name}XMLLint COMMAND ToolXMLLint ${xml})
+    set_tests_properties(${name}XML ${name}XMLLint PROPERTIES LABELS Applications)
+    if(EXISTS ${CMAKE_CURRENT_SOURCE_DIR}/Testing/CMakeLists.txt)
+      add_subdirectory(Testing)
+    endif()
+  endif()
+endfunction()
+
+# The name of a tool's target.
+function(shapeton_tool_target variable name)
+  if(TARGET Shapeton::${name})
+    set(name ${name}Tool)
+  endif()
+  set(${variable} ${name} PARENT_SCOPE)
+endfunction()
+
+# shapeton_tool_test(NAME <name> [STATUS <exit status>] [STDOUT <regex>] [STDERR <regex>] [DATA] COMMAND <tool> <arguments...>)
+# Runs a tool; the exit status must be the one asked for (default 0), stderr empty when it is 0 and one line otherwise.
+# DATA: the test reads SHAPETON_TEST_DATA_DIR and is reported as skipped where that is not set.
+function(shapeton_tool_test)
+  cmake_parse_arguments(PARSE_ARGV 0 test "DATA" "NAME;STATUS;STDOUT;STDERR" "COMMAND")
+  if(NOT test_STATUS)
+    set(test_STATUS 0)
+  endif()
+  list(POP_FRONT test_COMMAND tool)
+  shapeton_tool_target(tool ${tool})
+  add_test(NAME ${test_NAME} COMMAND ${CMAKE_COMMAND} -DTOOL=$<TARGET_FILE:${tool}> "-DARGUMENTS=${test_COMMAND}"
+    -DSTATUS=${test_STATUS} "-DSTDOUT=${test_STDOUT}" "-DSTDERR=${test_STDERR}" -DNEEDS_DATA=${test_DATA}
+    "-DDATA_DIR=${SHAPETON_TEST_DATA_DIR}"
+    -P ${Shapeton_SOURCE_DIR}/CMake/RunTool.cmake)
+  set_tests_properties(${test_NAME} PROPERTIES LABELS Applications SKIP_REGULAR_EXPRESSION "SHAPETON_TEST_DATA_DIR is not set")
+endfunction()
+
+# shapeton_compare_test(NAME <name> DEPENDS <test that writes it> OUTPUT <file> BASELINE <file> [TOLERANCE <t>] [PIXELS <n>])
+# Compares an image with its baseline by itkTestDriver: at most PIXELS pixels (default 0) may differ by more than TOLERANCE.
+function(shapeton_compare_test)
+  cmake_parse_arguments(PARSE_ARGV 0 test "" "NAME;OUTPUT;BASELINE;TOLERANCE;PIXELS;DEPENDS" "")
+  if(NOT test_TOLERANCE)
+    set(test_TOLERANCE 1e-5)
+  endif()
+  if(NOT test_PIXELS)
+    set(test_PIXELS 0)
+  endif()
+  add_test(NAME ${test_NAME} COMMAND itkTestDriver --compare ${test_OUTPUT} ${test_BASELINE}
+    --compareIntensityTolerance ${test_TOLERANCE} --compareNumberOfPixelsTolerance ${test_PIXELS} --no-process)
+  set_tests_properties(${test_NAME} PROPERTIES LABELS Applications DEPENDS "${test_DEPENDS}")
+endfunction()

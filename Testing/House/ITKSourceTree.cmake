@@ -1,0 +1,87 @@
+# Configures a module inside an ITK source tree and compiles it there: the modules are valid ITK modules.
+# The tree is not touched: a shadow of symbolic links to it holds our modules in Modules/External.
+#   cmake -DITK_SOURCE_DIR=... -DMODULE=<Group/Name> -DSHAPETON_SOURCE_DIR=... -DWORK_DIR=... -P ITKSourceTree.cmake
+cmake_minimum_required(VERSION 3.22)
+
+if(NOT ITK_SOURCE_DIR)
+  set(ITK_SOURCE_DIR "$ENV{ITK_SOURCE_DIR}")
+endif()
+if(NOT ITK_SOURCE_DIR)
+  message("ITK_SOURCE_DIR is not set")
+  return()
+endif()
+if(NOT EXISTS ${ITK_SOURCE_DIR}/CMake/ITKModuleEnablement.cmake)
+  message(FATAL_ERROR "${ITK_SOURCE_DIR} is no ITK source tree")
+endif()
+include(${SHAPETON_SOURCE_DIR}/CMake/Modules.cmake)
+
+# Links `to` to everything in `from` but `except`.
+function(mirror from to except)
+  file(MAKE_DIRECTORY ${to})
+  file(GLOB entries RELATIVE ${from} ${from}/* ${from}/.clang-format)
+  list(REMOVE_ITEM entries ${except})
+  foreach(entry IN LISTS entries)
+    file(CREATE_LINK ${from}/${entry} ${to}/${entry} SYMBOLIC)
+  endforeach()
+endfunction()
+
+# Stands in for ITK's macro while an itk-module.cmake is read: keeps the names of our modules.
+macro(itk_module)
+  foreach(_word ${ARGN})
+    if(_word IN_LIST names)
+      list(APPEND dependencies ${_word})
+    endif()
+  endforeach()
+endmacro()
+
+# Links a module, and before it those of ours that it depends on, into the shadow.
+function(link_module path)
+  get_filename_component(name ${path} NAME)
+  if(EXISTS ${shadow}/Modules/External/${name})
+    return()
+  endif()
+  file(CREATE_LINK ${SHAPETON_SOURCE_DIR}/Modules/${path} ${shadow}/Modules/External/${name} SYMBOLIC)
+  set(dependencies "")
+  include(${SHAPETON_SOURCE_DIR}/Modules/${path}/itk-module.cmake)
+  foreach(dependency IN LISTS dependencies)
+    list(FIND names ${dependency} position)
+    list(GET Shapeton_MODULES ${position} dependencyPath)
+    link_module(${dependencyPath})
+  endforeach()
+endfunction()
+
+function(run)
+  execute_process(COMMAND ${ARGN} OUTPUT_VARIABLE out ERROR_VARIABLE out RESULT_VARIABLE status)
+  if(NOT status EQUAL 0)
+    message(FATAL_ERROR "status ${status}: ${ARGN}\n${out}")
+  endif()
+  set(out "${out}" PARENT_SCOPE)
+endfunction()
+
+set(names "")
+foreach(path IN LISTS Shapeton_MODULES)
+  get_filename_component(name ${path} NAME)
+  list(APPEND names ${name})
+endforeach()
+get_filename_component(module ${MODULE} NAME)
+set(shadow ${WORK_DIR}/source)
+set(build ${WORK_DIR}/build)
+file(REMOVE_RECURSE ${WORK_DIR})
+mirror(${ITK_SOURCE_DIR} ${shadow} Modules)
+mirror(${ITK_SOURCE_DIR}/Modules ${shadow}/Modules External)
+file(MAKE_DIRECTORY ${shadow}/Modules/External)
+link_module(${MODULE})
+
+run(${CMAKE_COMMAND} -S ${shadow} -B ${build} -G Ninja -DCMAKE_BUILD_TYPE=Release -DCMAKE_CXX_STANDARD=17
+  -DBUILD_SHARED_LIBS=ON -DBUILD_TESTING=OFF -DBUILD_EXAMPLES=OFF -DITK_BUILD_DEFAULT_MODULES=OFF -DModule_${module}=ON)
+
+# The objects of the module alone: they need the headers of the modules it depends on, not their libraries.
+run(${CMAKE_COMMAND} -E chdir ${build} ninja -t targets all)
+string(REGEX MATCHALL "[^\n]*/${module}\\.dir/[^\n:]*\\.o:" objects "${out}")
+list(TRANSFORM objects REPLACE ":$" "")
+if(NOT objects)
+  message(FATAL_ERROR "the ITK build has no objects of ${module}")
+endif()
+run(${CMAKE_COMMAND} --build ${build} --target ${objects})
+list(LENGTH objects count)
+message("${module}: ${count} objects built inside ${ITK_SOURCE_DIR}")

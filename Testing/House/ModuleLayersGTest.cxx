@@ -1,0 +1,132 @@
+#include "MadeUpTree.h"
+#include "ModuleLayers.h"
+
+namespace
+{
+using house::CheckModuleLayers;
+using house::ToText;
+
+/** Two floors, Low and High, in order. */
+class ModuleLayers : public house::MadeUpTree
+{
+protected:
+  void
+  SetUp() override
+  {
+    MadeUpTree::SetUp();
+    this->Write("CMake/Modules.cmake",
+                "# names\nset(Shapeton_MODULES\n  Core/Low # the first\n  Filtering/Middle\n  Filtering/High\n)\n");
+    this->Declare("Core/Low", "Low DEPENDS ITKCommon DESCRIPTION \"${DOCUMENTATION}\"");
+    this->Declare("Filtering/Middle", "Middle DEPENDS Low");
+    this->Declare("Filtering/High", "High\n  ENABLE_SHARED\n  DEPENDS Middle\n  TEST_DEPENDS ITKGoogleTest");
+    this->Write("Modules/Core/Low/include/itkLow.h",
+                "#include \"LowExport.h\"\n#include \"itkImage.h\"\n#include <vector>\n");
+    this->Write("Modules/Filtering/Middle/include/itkMiddle.h", "#include \"itkLow.h\"\n");
+    this->Write("Modules/Filtering/High/include/itkHigh.h", "  #  include <itkLow.h>\n");
+    this->Write("Modules/Filtering/High/src/itkHigh.cxx", "#include \"itkHigh.h\"\n#include \"MiddleExport.h\"\n");
+  }
+
+  void
+  Declare(const std::string & folder, const std::string & arguments) const
+  {
+    this->Write("Modules/" + folder + "/itk-module.cmake",
+                "set(DOCUMENTATION \"Shapes (of things).\")\nitk_module(" + arguments + ")\n");
+  }
+
+  void
+  ExpectFault(const std::string & message) const
+  {
+    const std::string faults = ToText(CheckModuleLayers(m_Root));
+    EXPECT_NE(faults.find(message), std::string::npos) << "[" << faults << "]";
+  }
+};
+
+TEST_F(ModuleLayers, AcceptGoodOrder) { EXPECT_EQ(ToText(CheckModuleLayers(m_Root)), ""); }
+
+TEST_F(ModuleLayers, RefuseAnIncludeOfALaterModule)
+{
+  this->Write("Modules/Core/Low/src/itkLow.cxx", "#include \"itkLow.h\"\n#include \"itkHigh.h\"\n");
+  this->ExpectFault("Modules/Core/Low/src/itkLow.cxx:2: includes itkHigh.h of High, a later module");
+}
+
+TEST_F(ModuleLayers, RefuseAnIncludeOfAnUndeclaredModule)
+{
+  this->Declare("Filtering/Middle", "Middle DEPENDS ITKCommon");
+  this->ExpectFault("Modules/Filtering/Middle/include/itkMiddle.h:1: includes itkLow.h of Low, which its");
+}
+
+TEST_F(ModuleLayers, DistinguishPublicPrivateAndTestDependencies)
+{
+  this->Declare("Filtering/Middle", "Middle PRIVATE_DEPENDS Low");
+  this->ExpectFault("Modules/Filtering/Middle/include/itkMiddle.h:1: includes itkLow.h of Low");
+  this->ExpectFault("Modules/Filtering/High/include/itkHigh.h:1: includes itkLow.h of Low");
+
+  this->Declare("Filtering/Middle", "Middle TEST_DEPENDS Low");
+  this->Write("Modules/Filtering/Middle/include/itkMiddle.h", "");
+  this->Write("Modules/Filtering/High/include/itkHigh.h", "");
+  this->Write("Modules/Filtering/Middle/test/itkMiddleGTest.cxx", "#include \"itkLow.h\"\n");
+  EXPECT_EQ(ToText(CheckModuleLayers(m_Root)), "");
+  this->Write("Modules/Filtering/Middle/src/itkMiddle.cxx", "#include \"itkLow.h\"\n");
+  this->ExpectFault("Modules/Filtering/Middle/src/itkMiddle.cxx:1: includes itkLow.h of Low");
+}
+
+TEST_F(ModuleLayers, RefuseADependencyOnALaterModule)
+{
+  this->Declare("Core/Low", "Low PRIVATE_DEPENDS ITKCommon High");
+  this->ExpectFault("Modules/Core/Low/itk-module.cmake: PRIVATE_DEPENDS names High, which is no earlier module");
+}
+
+TEST_F(ModuleLayers, RefuseADependencyOnItself)
+{
+  this->Declare("Core/Low", "Low DEPENDS Low");
+  this->ExpectFault("DEPENDS names Low, which is no earlier module");
+}
+
+TEST_F(ModuleLayers, RefuseAnUnknownDependency)
+{
+  this->Declare("Core/Low", "Low DEPENDS Lower");
+  this->ExpectFault("DEPENDS names Lower, which is no module");
+}
+
+TEST_F(ModuleLayers, RefuseAnotherName)
+{
+  this->Declare("Core/Low", "Lo DEPENDS ITKCommon");
+  this->ExpectFault("must declare itk_module(Low)");
+}
+
+TEST_F(ModuleLayers, RefuseAModuleThatTheListLacks)
+{
+  this->Declare("Mesh/New", "New DEPENDS ITKCommon");
+  this->ExpectFault("Modules/Mesh/New/itk-module.cmake: is no module of CMake/Modules.cmake");
+}
+
+TEST_F(ModuleLayers, RefuseAListedModuleWithoutFolder)
+{
+  this->Write("CMake/Modules.cmake", "set(Shapeton_MODULES Core/Low Filtering/Middle Filtering/High Mesh/New)\n");
+  this->ExpectFault("names the module Mesh/New, which has no itk-module.cmake");
+}
+
+TEST_F(ModuleLayers, RefuseAnEmptyList)
+{
+  this->Write("CMake/Modules.cmake", "");
+  this->ExpectFault("CMake/Modules.cmake: names no module");
+}
+
+TEST_F(ModuleLayers, RefuseAPathThatLeavesItsFolder)
+{
+  this->Write("Modules/Core/Low/src/itkLow.cxx", "#include \"../include/itkLow.h\"\n");
+  this->ExpectFault("includes ../include/itkLow.h, which leaves its folder");
+}
+
+TEST_F(ModuleLayers, RefuseAHeaderNameTwice)
+{
+  this->Write("Modules/Filtering/High/include/itkLow.h", "");
+  this->ExpectFault("the header name itkLow.h is taken by the module");
+}
+
+TEST(ModuleLayersOfThisRepository, AreKept)
+{
+  const house::Faults faults = CheckModuleLayers(SHAPETON_SOURCE_DIR);
+  EXPECT_TRUE(faults.empty()) << ToText(faults);
+}
+} // namespace

@@ -1,0 +1,55 @@
+# Functions of the scripts in this folder; sourced, never run.
+# shellcheck shell=bash
+
+set -euo pipefail
+
+repository=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd -P)
+buildRoot=${SHAPETON_BUILD_DIR:-$repository/build}
+export repository buildRoot
+
+say() { printf '%s\n' "$*"; }
+
+step() { printf '\n==> %s\n' "$*"; }
+
+# fail MESSAGE [STATUS]: one line on stderr; 2 is wrong usage, 3 an unsuitable input, 1 everything else.
+fail() {
+  printf '%s: %s\n' "$(basename "$0")" "$1" >&2
+  exit "${2:-1}"
+}
+
+# usage: prints the comment at the head of the calling script, which is its documentation.
+usage() { sed -n '2,/^[^#]/{/^#/!d;s/^# \{0,1\}//;p;}' "$0"; }
+
+# needs_value OPTION COUNT: COUNT is the number of words from the option on.
+needs_value() { [ "$2" -ge 2 ] || fail "$1 needs a value; see --help" 2; }
+
+cores() { getconf _NPROCESSORS_ONLN; }
+
+# build_jobs: a compiler of ITK and VTK code takes up to 1.5 GB.
+build_jobs() {
+  local jobs memory
+  jobs=$(cores)
+  memory=$(awk '/^MemAvailable:/ { print int($2 / 1500000) }' /proc/meminfo)
+  [ "$memory" -ge 1 ] || memory=1
+  [ "$memory" -lt "$jobs" ] && jobs=$memory
+  printf '%s\n' "$jobs"
+}
+
+# configure TREE [CMAKE ARGUMENTS...]: configures the tree of a preset of CMakePresets.json.
+configure() {
+  local tree=$1
+  shift
+  mkdir -p "$buildRoot/$tree" || fail "cannot write $buildRoot; set SHAPETON_BUILD_DIR to a folder that can be written"
+  (cd "$repository" && cmake --preset "$tree" -B "$buildRoot/$tree" "$@" >"$buildRoot/$tree/configure.log" 2>&1) || {
+    cat "$buildRoot/$tree/configure.log" >&2
+    fail "the configuration of $buildRoot/$tree failed; see above"
+  }
+}
+
+# build TREE [TARGETS...]: all targets when none is named.
+build() {
+  local tree=$1
+  shift
+  cmake --build "$buildRoot/$tree" --parallel "$(build_jobs)" ${1:+--target "$@"} ||
+    fail "the build of $buildRoot/$tree failed; see above"
+}
