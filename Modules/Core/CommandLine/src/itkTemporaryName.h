@@ -1,0 +1,20 @@
+#ifndef itkTemporaryName_h
+#define itkTemporaryName_h
+
+#include <cstddef>
+#include <filesystem>
+#include <string>
+
+namespace itk
+{
+/** A hidden name beside `target` with its extension, ".heat.<machine>-<process>-<number>.part.nii.gz" for
+ * "heat.nii.gz". ".nii.gz" counts as one extension because writers choose the format by it. */
+std::filesystem::path
+TemporaryNameFor(const std::filesystem::path & target, std::size_t number);
+
+/** Whether a process of this machine that no longer exists has made a file of this temporary name. */
+bool
+IsLeftover(const std::string & name);
+} // namespace itk
+
+#endif

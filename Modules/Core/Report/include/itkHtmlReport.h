@@ -1,0 +1,53 @@
+#ifndef itkHtmlReport_h
+#define itkHtmlReport_h
+
+#include "ReportExport.h"
+#include "itkCsvTable.h"
+
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace itk
+{
+/** \class HtmlReport
+ * \brief One HTML file that opens without a network or other files: styles and pictures are inside it.
+ *
+ * Text is UTF-8 and is escaped. The page is HTML 5 and well-formed XML. The bytes depend on the content alone.
+ *
+ * \ingroup Report
+ */
+class Report_EXPORT HtmlReport
+{
+public:
+  explicit HtmlReport(const std::string & title);
+  ~HtmlReport();
+
+  void
+  AddHeading(const std::string & text);
+  void
+  AddParagraph(const std::string & text);
+  /** A box for what a reader must not miss, for example a warning. */
+  void
+  AddNote(const std::string & text);
+  /** Embeds a PNG file. Throws InputError when it cannot be read or is none. The caption is its alternative text, too.
+   */
+  void
+  AddPicture(const std::string & pngPath, const std::string & caption);
+  void
+  AddTable(const CsvTable & table, const std::string & caption);
+  /** Two columns: name and value. */
+  void
+  AddFacts(const std::vector<std::pair<std::string, std::string>> & facts);
+
+  /** Throws OutputError. */
+  void
+  Write(const std::string & path) const;
+
+private:
+  std::string m_Title;
+  std::string m_Body;
+};
+} // namespace itk
+
+#endif

@@ -1,0 +1,28 @@
+#ifndef itkJson_h
+#define itkJson_h
+
+#include "ReportExport.h"
+
+#include <nlohmann/json.hpp>
+
+#include <string>
+
+namespace itk
+{
+/** A JSON document that keeps the order of its keys.
+ * \ingroup Report */
+using Json = nlohmann::ordered_json;
+
+/** Writes a document, indented by two spaces, with a final newline. Malformed UTF-8 becomes U+FFFD, a number that is
+ * not finite becomes null. Throws OutputError.
+ * \ingroup Report */
+Report_EXPORT void
+WriteJson(const Json & document, const std::string & path);
+
+/** Reads a document. Throws InputError that names the file and the line and column of the fault.
+ * \ingroup Report */
+Report_EXPORT Json
+ReadJson(const std::string & path);
+} // namespace itk
+
+#endif
