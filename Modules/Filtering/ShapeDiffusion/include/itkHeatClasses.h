@@ -1,0 +1,32 @@
+#ifndef itkHeatClasses_h
+#define itkHeatClasses_h
+
+#include "ShapeDiffusionExport.h"
+#include "itkHeatHistogram.h"
+
+#include <cstdint>
+#include <vector>
+
+namespace itk
+{
+/** A class of voxels with similar heat: one line of the heat histogram (dissertation 2.3.3).
+ * \ingroup ShapeDiffusion */
+struct HeatClass
+{
+  /** 0 is the background; 1 the class of least heat; similar classes have neighbouring numbers. */
+  unsigned int label{ 0 };
+  /** The class holds lowerHeat <= heat < upperHeat. */
+  double        lowerHeat{ 0.0 };
+  double        upperHeat{ 0.0 };
+  double        meanHeat{ 0.0 };
+  std::uint64_t voxels{ 0 };
+  double        volume{ 0.0 }; ///< mm^3
+  /** Number of components, closed off by edges of zero weight, that lie in the class. */
+  std::uint64_t components{ 0 };
+  /** Scale-normalised companion (an isoperimetric number): mean over the class's components, weighted by voxels;
+   * 0 when the class holds no closed component. */
+  double normalizedHeat{ 0.0 };
+};
+} // namespace itk
+
+#endif

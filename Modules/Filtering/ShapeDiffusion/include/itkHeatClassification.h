@@ -1,0 +1,59 @@
+#ifndef itkHeatClassification_h
+#define itkHeatClassification_h
+
+#include "itkHeatClasses.h"
+#include "itkShapeComponents.h"
+
+#include "itkImage.h"
+
+#include <vector>
+
+namespace itk
+{
+/** What counts as a class.
+ * \ingroup ShapeDiffusion */
+struct HeatClassificationRule
+{
+  /** At most so many classes besides the background; in [1, 254]. */
+  unsigned int maximumNumberOfClasses{ 12 };
+  /** The least share of all voxels above the background that makes a class; in [0, 1]. */
+  double minimumShare{ 0.0005 };
+  /** Two neighbouring peaks are two classes when the lower one is at least so many times the valley between them. */
+  double minimumPeakToValley{ 2.0 };
+};
+
+/** The classes of one row of a heat histogram: its peaks, cut at the valleys between them (dissertation 2.3.3: converged
+ * heats are lines, similar shapes lie near each other). Ascending in heat and without gaps from the background (class 0,
+ * heat below 2^-16) to the greatest heat; labels count from 0, so that similar classes have neighbouring labels.
+ * The row is smoothed over about 1 % of the heat first; peaks that the rule rejects join the neighbour beyond the
+ * shallower valley. voxels, meanHeat are those of the row's counts; components, volume and normalizedHeat stay 0.
+ * \ingroup ShapeDiffusion */
+ShapeDiffusion_EXPORT std::vector<HeatClass>
+                      FindHeatClasses(const HeatHistogram & histogram, std::size_t row, const HeatClassificationRule & rule = {});
+
+/** The label of each voxel by its heat. Fills in the exact voxels, meanHeat and volume of the classes.
+ * \ingroup ShapeDiffusion */
+ShapeDiffusion_EXPORT Image<unsigned char, 3>::Pointer
+                      LabelHeat(const Image<float, 3> * heat, std::vector<HeatClass> & classes);
+
+/** Fills in components and normalizedHeat of the classes in which the closed components' converged heats lie.
+ * \ingroup ShapeDiffusion */
+ShapeDiffusion_EXPORT void
+AssignComponents(const std::vector<ShapeComponent> & components, std::vector<HeatClass> & classes);
+/** The classes of a heat volume and the label of each voxel.
+ * \ingroup ShapeDiffusion */
+struct HeatClassification
+{
+  std::vector<HeatClass>           classes;
+  Image<unsigned char, 3>::Pointer labels;
+};
+
+/** FindHeatClasses, LabelHeat and AssignComponents in one.
+ * \ingroup ShapeDiffusion */
+ShapeDiffusion_EXPORT HeatClassification
+                      ClassifyHeat(const Image<float, 3> *             heat,
+                                   const std::vector<ShapeComponent> & components = {},
+                                   const HeatClassificationRule &      rule = {});
+} // namespace itk
+
+#endif

@@ -1,0 +1,241 @@
+#include "itkHeatClassification.h"
+
+#include "itkImageRegionConstIterator.h"
+#include "itkImageRegionIterator.h"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+namespace itk
+{
+namespace
+{
+/** Bins [first, end) around one peak of the smoothed row. */
+struct Hill
+{
+  unsigned int first;
+  unsigned int end;
+  double       peak;
+  double       mass; // voxels, not smoothed
+};
+
+/** Voxels for each unit of log(heat): bins are wider at the start of each octave. */
+std::vector<double>
+SmoothedDensity(const std::uint32_t * counts)
+{
+  constexpr int                   radius = 4;
+  constexpr std::array<double, 5> kernel = { 0.2, 0.175, 0.12, 0.065, 0.04 }; // about a Gaussian of 1.9 bins: 0.7 %
+  constexpr auto                  last = static_cast<int>(HeatHistogram::NumberOfBins) - 1;
+  std::vector<double>             density(HeatHistogram::NumberOfBins, 0.0);
+  for (int bin = 1; bin < last; ++bin)
+  {
+    density[bin] = counts[bin] / std::log(HeatHistogram::LowerEdge(bin + 1) / HeatHistogram::LowerEdge(bin));
+  }
+  density[last] = counts[last] / std::log1p(1.0 / HeatHistogram::BinsPerOctave); // heat 1 alone
+  std::vector<double> smooth(HeatHistogram::NumberOfBins, 0.0);
+  for (int bin = 1; bin <= last; ++bin)
+  {
+    for (int offset = -radius; offset <= radius; ++offset)
+    {
+      const int neighbour = bin + offset;
+      if (neighbour >= 1 && neighbour <= last)
+      {
+        smooth[bin] += kernel[std::abs(offset)] * density[neighbour];
+      }
+    }
+  }
+  return smooth;
+}
+
+std::vector<Hill>
+FindHills(const std::vector<double> & smooth, const std::uint32_t * counts)
+{
+  std::vector<Hill> hills;
+  const auto        bins = static_cast<unsigned int>(smooth.size());
+  for (unsigned int bin = 1; bin < bins;)
+  {
+    Hill hill{ bin, bin, 0.0, 0.0 };
+    while (bin < bins && (hill.end == hill.first || smooth[bin] >= smooth[bin - 1])) // up
+    {
+      hill.end = ++bin;
+    }
+    while (bin < bins && smooth[bin] <= smooth[bin - 1] && !(smooth[bin] == 0.0 && smooth[bin - 1] == 0.0)) // down
+    {
+      hill.end = ++bin;
+    }
+    while (bin < bins && smooth[bin] == 0.0) // half of an empty stretch would do: the cut lies in it either way
+    {
+      hill.end = ++bin;
+    }
+    for (unsigned int k = hill.first; k < hill.end; ++k)
+    {
+      hill.peak = std::max(hill.peak, smooth[k]);
+      hill.mass += counts[k];
+    }
+    if (hill.mass > 0.0)
+    {
+      hills.push_back(hill);
+    }
+  }
+  return hills;
+}
+
+/** Joins the hill least worth keeping with a neighbour until all satisfy the rule. */
+void
+JoinHills(std::vector<Hill> & hills, const std::vector<double> & smooth, const HeatClassificationRule & rule)
+{
+  double total = 0.0;
+  for (const Hill & hill : hills)
+  {
+    total += hill.mass;
+  }
+  const auto valley = [&](std::size_t left) { // between hill `left` and the next one
+    double least = std::numeric_limits<double>::max();
+    for (unsigned int bin = hills[left].end - 1; bin <= hills[left + 1].first && bin < smooth.size(); ++bin)
+    {
+      least = std::min(least, smooth[bin]);
+    }
+    return least;
+  };
+  while (hills.size() > 1)
+  {
+    // Worth: by how much the lower of two peaks rises above their valley, times its mass; hills too small count least.
+    std::size_t weakest = 0;
+    double      least = std::numeric_limits<double>::max();
+    bool        allowed = hills.size() <= rule.maximumNumberOfClasses;
+    for (std::size_t i = 0; i + 1 < hills.size(); ++i)
+    {
+      const double low = std::min(hills[i].peak, hills[i + 1].peak);
+      const double ratio = low / std::max(valley(i), 1e-3 * low);
+      const double mass = std::min(hills[i].mass, hills[i + 1].mass);
+      const bool   keep = ratio >= rule.minimumPeakToValley && mass >= rule.minimumShare * total;
+      const double worth = (keep ? 1e12 : 0.0) + std::log(ratio) * mass / total;
+      allowed &= keep;
+      if (worth < least)
+      {
+        least = worth;
+        weakest = i;
+      }
+    }
+    if (allowed)
+    {
+      return;
+    }
+    Hill & joined = hills[weakest];
+    Hill & next = hills[weakest + 1];
+    joined = { joined.first, next.end, std::max(joined.peak, next.peak), joined.mass + next.mass };
+    hills.erase(hills.begin() + static_cast<std::ptrdiff_t>(weakest) + 1);
+  }
+}
+
+unsigned int
+LabelOf(float heat, const std::vector<HeatClass> & classes)
+{
+  const auto above = std::upper_bound(
+    classes.begin(), classes.end(), static_cast<double>(heat), [](double h, const HeatClass & c) { return h < c.lowerHeat; });
+  return above == classes.begin() ? 0 : (above - 1)->label;
+}
+} // namespace
+
+std::vector<HeatClass>
+FindHeatClasses(const HeatHistogram & histogram, std::size_t row, const HeatClassificationRule & rule)
+{
+  if (rule.maximumNumberOfClasses < 1 || rule.maximumNumberOfClasses > 254)
+  {
+    throw std::invalid_argument("the greatest number of classes must lie between 1 and 254");
+  }
+  const std::uint32_t * const counts = histogram.GetRow(row);
+  const auto                  smooth = SmoothedDensity(counts);
+  std::vector<Hill>           hills = FindHills(smooth, counts);
+  JoinHills(hills, smooth, rule);
+
+  std::vector<HeatClass> classes(hills.size() + 1);
+  classes[0].voxels = counts[0];
+  classes[0].upperHeat = HeatHistogram::LowerEdge(1);
+  for (std::size_t i = 0; i < hills.size(); ++i)
+  {
+    HeatClass & heatClass = classes[i + 1];
+    heatClass.label = static_cast<unsigned int>(i + 1);
+    heatClass.lowerHeat = classes[i].upperHeat;
+    heatClass.upperHeat = i + 1 < hills.size() ? HeatHistogram::LowerEdge(hills[i].end) : 2.0; // heat 1 belongs to it
+    for (unsigned int bin = hills[i].first; bin < hills[i].end; ++bin)
+    {
+      heatClass.voxels += counts[bin];
+      heatClass.meanHeat +=
+        counts[bin] * 0.5 * (HeatHistogram::LowerEdge(bin) + HeatHistogram::LowerEdge(bin + 1));
+    }
+    heatClass.meanHeat /= static_cast<double>(heatClass.voxels);
+  }
+  if (!hills.empty())
+  {
+    classes.back().upperHeat = 1.0;
+  }
+  return classes;
+}
+
+Image<unsigned char, 3>::Pointer
+LabelHeat(const Image<float, 3> * heat, std::vector<HeatClass> & classes)
+{
+  auto labels = Image<unsigned char, 3>::New();
+  labels->CopyInformation(heat);
+  labels->SetRegions(heat->GetBufferedRegion());
+  labels->Allocate();
+  std::vector<double> sums(classes.size(), 0.0);
+  for (auto & heatClass : classes)
+  {
+    heatClass.voxels = 0;
+  }
+  ImageRegionConstIterator<Image<float, 3>>    in(heat, heat->GetBufferedRegion());
+  ImageRegionIterator<Image<unsigned char, 3>> out(labels, heat->GetBufferedRegion());
+  for (; !in.IsAtEnd(); ++in, ++out)
+  {
+    const unsigned int label = LabelOf(in.Get(), classes);
+    out.Set(static_cast<unsigned char>(label));
+    ++classes[label].voxels;
+    sums[label] += in.Get();
+  }
+  const auto & spacing = heat->GetSpacing();
+  for (auto & heatClass : classes)
+  {
+    heatClass.meanHeat = heatClass.voxels > 0 ? sums[heatClass.label] / heatClass.voxels : heatClass.meanHeat;
+    heatClass.volume = heatClass.voxels * spacing[0] * spacing[1] * spacing[2];
+  }
+  return labels;
+}
+
+void
+AssignComponents(const std::vector<ShapeComponent> & components, std::vector<HeatClass> & classes)
+{
+  std::vector<double> voxels(classes.size(), 0.0);
+  for (const auto & component : components)
+  {
+    if (!component.closed)
+    {
+      continue;
+    }
+    const unsigned int label = LabelOf(static_cast<float>(component.convergedHeat), classes);
+    ++classes[label].components;
+    classes[label].normalizedHeat += component.voxels * component.normalizedHeat;
+    voxels[label] += component.voxels;
+  }
+  for (auto & heatClass : classes)
+  {
+    heatClass.normalizedHeat /= std::max(1.0, voxels[heatClass.label]);
+  }
+}
+
+HeatClassification
+ClassifyHeat(const Image<float, 3> *             heat,
+             const std::vector<ShapeComponent> & components,
+             const HeatClassificationRule &      rule)
+{
+  HeatHistogram histogram({ 0 });
+  histogram.AddToRow(0, heat->GetBufferPointer(), heat->GetBufferedRegion().GetNumberOfPixels());
+  HeatClassification classification;
+  classification.classes = FindHeatClasses(histogram, 0, rule);
+  classification.labels = LabelHeat(heat, classification.classes);
+  AssignComponents(components, classification.classes);
+  return classification;
+}
+} // namespace itk

@@ -1,0 +1,56 @@
+#ifndef itkParallelRows_h
+#define itkParallelRows_h
+
+#include "itkMultiThreaderBase.h"
+
+#include <algorithm>
+#include <atomic>
+
+namespace itk
+{
+/** The number of threads that ITK's settings allow. */
+inline unsigned int
+NumberOfThreads()
+{
+  return std::max<unsigned int>(1, MultiThreaderBase::GetGlobalDefaultNumberOfThreads());
+}
+
+/** Runs `body(worker)` on `workers` workers of ITK's threader. A worker may start after another one has ended. */
+template <typename TBody>
+void
+ParallelWorkers(unsigned int workers, const TBody & body)
+{
+  if (workers <= 1)
+  {
+    body(0U);
+    return;
+  }
+  auto threader = MultiThreaderBase::New();
+  threader->SetNumberOfWorkUnits(workers);
+  threader->ParallelizeArray(
+    0, workers, [&body](SizeValueType worker) { body(static_cast<unsigned int>(worker)); }, nullptr);
+}
+
+/** Calls `body(i, worker)` for 0 <= i < number, each i once, in no certain order. */
+template <typename TBody>
+void
+ParallelForWorkers(std::size_t number, const TBody & body)
+{
+  std::atomic<std::size_t> next{ 0 };
+  ParallelWorkers(static_cast<unsigned int>(std::min<std::size_t>(NumberOfThreads(), number)), [&](unsigned int worker) {
+    for (std::size_t i = next++; i < number; i = next++)
+    {
+      body(i, worker);
+    }
+  });
+}
+
+template <typename TBody>
+void
+ParallelFor(std::size_t number, const TBody & body)
+{
+  ParallelForWorkers(number, [&body](std::size_t i, unsigned int) { body(i); });
+}
+} // namespace itk
+
+#endif

@@ -1,0 +1,82 @@
+#include "ValidationReport.h"
+
+#include "itkAutomaticParameters.h"
+#include "itkHeatDiffusionSolver.h"
+#include "itkShapeDiffusionTestVolumes.h"
+
+using namespace itk;
+
+namespace
+{
+constexpr double dt = HeatDiffusionSolver::MaximumTimeStepLength;
+
+/** The largest error of all recorded fields against the same steps in double precision. */
+double
+LargestError(const test::Volume &                       volume,
+             const VolumeGradientOperator::Parameters & parameters,
+             HeatDiffusionSolver::Method                method,
+             const std::vector<std::uint64_t> &         steps)
+{
+  const VolumeGradientOperator    volumeGradient(volume.values.data(), volume.size, parameters);
+  std::vector<std::vector<float>> fields(steps.size(), std::vector<float>(volume.values.size()));
+  PaddedField                     heat(volumeGradient.GetGrid());
+  volumeGradient.ComputeInitialHeat(heat);
+  HeatDiffusionSolver solver(volumeGradient, method, dt, 1e-5);
+  const std::size_t   nx = volume.size[0];
+  solver.Run(heat, steps.back(), steps, [&](std::size_t i, std::size_t row, const float * values, unsigned int) {
+    std::copy(values, values + nx, fields[i].data() + row * nx);
+  });
+  test::BruteForce brute(volume, parameters, dt);
+  double           largest = 0.0;
+  std::uint64_t    step = 0;
+  for (std::size_t i = 0; i < steps.size(); ++i)
+  {
+    for (; step < steps[i]; ++step)
+    {
+      brute.Step();
+    }
+    largest = std::max(largest, test::LargestDifference(fields[i], brute.heat));
+  }
+  return largest;
+}
+} // namespace
+
+void
+ValidateAccuracyOfHeat(const ValidationSettings & settings, ValidationReport & report)
+{
+  report.AddText("The heat of every recorded step against the same explicit steps in double precision, for volumes of balls and "
+                 "boxes in noise. Bound: 1e-5, the default tolerance.");
+  CsvTable table({ "side, voxels", "spacing, mm", "p", "solver", "rows", "last step", "largest error", "bound", "" });
+  const std::uint64_t last = settings.quick ? 1000 : 10000;
+  const auto          add = [&](std::size_t side, double p, const std::array<double, 3> & spacing, HeatDiffusionSolver::Method method, std::size_t rows) {
+    const test::Volume volume = test::MakeScene({ side, side, side }, 0.05);
+    const auto         steps = MakeSnapshotSteps(last, rows, SnapshotSpacing::Logarithmic);
+    const double       error = LargestError(volume, volume.Parameters(p, spacing), method, steps);
+    table.AddRow({ std::to_string(side),
+                   CsvTable::Number(spacing[0]) + ", " + CsvTable::Number(spacing[1]) + ", " + CsvTable::Number(spacing[2]),
+                   CsvTable::Number(p),
+                   method == HeatDiffusionSolver::Method::Chebyshev ? "chebyshev" : "explicit",
+                   std::to_string(steps.size()),
+                   std::to_string(last),
+                   CsvTable::Rounded(error, 2),
+                   "1e-5",
+                   report.Check(error <= 1e-5) });
+  };
+  using Method = HeatDiffusionSolver::Method;
+  const std::array<double, 3> cubic = { { 1.0, 1.0, 1.0 } };
+  const std::array<double, 3> anisotropic = { { 0.7, 0.9, 2.5 } };
+  const std::size_t           side = settings.quick ? 16 : 32;
+  for (const double p : { 2.0, 5.0, 7.0, 15.0 })
+  {
+    add(side, p, cubic, Method::Chebyshev, 512);
+    add(side, p, anisotropic, Method::Chebyshev, 512);
+  }
+  add(side, 7.0, cubic, Method::Chebyshev, 2); // the last step alone, in one go
+  add(side, 7.0, cubic, Method::Explicit, 20);
+  if (!settings.quick)
+  {
+    add(64, 7.0, cubic, Method::Chebyshev, 512);
+    add(64, 10.0, anisotropic, Method::Chebyshev, 2);
+  }
+  report.AddTable(table);
+}

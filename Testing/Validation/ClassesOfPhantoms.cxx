@@ -1,0 +1,113 @@
+#include "ValidationReport.h"
+
+#include "itkCumulativeHeatDiffusionImageFilter.h"
+#include "itkHeatClassification.h"
+#include "itkShapePhantomImageSource.h"
+
+#include <map>
+#include <numeric>
+
+using namespace itk;
+
+namespace
+{
+/** The share of an object's voxels that lie in the class which holds most of them, mean over the objects; and how many classes
+ * such objects are the main one of. */
+struct Agreement
+{
+  double      purity{ 0.0 };
+  std::size_t objects{ 0 };
+  std::size_t classes{ 0 };
+};
+
+Agreement
+Compare(const Image<unsigned char, 3> * truth, const Image<unsigned char, 3> * labels)
+{
+  std::map<int, std::map<int, double>> counts;
+  const std::size_t                    voxels = truth->GetLargestPossibleRegion().GetNumberOfPixels();
+  for (std::size_t i = 0; i < voxels; ++i)
+  {
+    counts[truth->GetBufferPointer()[i]][labels->GetBufferPointer()[i]] += 1.0;
+  }
+  counts.erase(0);
+  Agreement          agreement;
+  std::map<int, int> classes;
+  for (const auto & object : counts)
+  {
+    double total = 0.0, best = 0.0;
+    int    main = 0;
+    for (const auto & count : object.second)
+    {
+      total += count.second;
+      main = count.second > best ? count.first : main;
+      best = std::max(best, count.second);
+    }
+    ++classes[main];
+    agreement.purity += best / total;
+  }
+  agreement.objects = counts.size();
+  agreement.classes = classes.size();
+  agreement.purity /= std::max<std::size_t>(1, agreement.objects);
+  return agreement;
+}
+
+Agreement
+RunPhantom(const std::string & preset, unsigned int side, double noise, double blur, std::uint64_t seed)
+{
+  auto source = ShapePhantomImageSource::New();
+  source->SetScene(ShapeScene::Load(preset));
+  source->SetSize(Image<short, 3>::SizeType::Filled(side));
+  source->SetNoiseStandardDeviation(noise);
+  source->SetBlur(blur);
+  source->SetSeed(seed);
+  source->CenterOutput();
+  source->Update();
+  auto filter = CumulativeHeatDiffusionImageFilter<Image<short, 3>>::New();
+  filter->SetInput(source->GetOutput());
+  filter->AutomaticPOn();
+  filter->SetTimeSteps(100000);
+  filter->WantComponentsOn();
+  filter->Update();
+  const auto classification = ClassifyHeat(filter->GetOutput(), filter->GetResult().components);
+  return Compare(source->GetLabelOutput(), classification.labels);
+}
+} // namespace
+
+void
+ValidateClassesOfPhantoms(const ValidationSettings & settings, ValidationReport & report)
+{
+  const unsigned int side = settings.quick ? 48 : 96;
+  const unsigned int seeds = settings.quick ? 1 : 10;
+  report.AddText("Phantoms of " + std::to_string(side) + "^3 voxels with Gaussian noise (contrast 1000 HU), seeds 100 to " +
+                 std::to_string(99 + seeds) + ", automatic p, 100,000 steps. Purity: the share of an object's voxels in the class that "
+                 "holds most of them, mean over the objects; with the 95 % confidence interval over the seeds. Bound without "
+                 "blur: mean purity at least 0.9 and a class of its own for each object. With blur, edges leak by design (an edge spread over k voxels needs p above k / contrast): "
+                 "reported without a bound.");
+  CsvTable table({ "phantom", "noise SD, HU", "blur, voxels", "seeds", "purity", "objects", "classes", "" });
+  for (const std::string preset : { "figure2.7a", "figure2.7b" })
+  {
+    for (const auto & c : { std::array<double, 2>{ 0.0, 0.0 }, { 20.0, 0.0 }, { 50.0, 0.0 }, { 20.0, 0.7 } })
+    {
+      std::vector<double> purities, classes;
+      Agreement           agreement;
+      bool                distinct = true;
+      for (unsigned int seed = 100; seed < 100 + (c[0] > 0.0 ? seeds : 1); ++seed)
+      {
+        agreement = RunPhantom(preset, side, c[0], c[1], seed);
+        purities.push_back(agreement.purity);
+        classes.push_back(static_cast<double>(agreement.classes));
+        distinct &= agreement.classes == agreement.objects;
+      }
+      const double mean = std::accumulate(purities.begin(), purities.end(), 0.0) / purities.size();
+      table.AddRow({ preset,
+                     CsvTable::Number(c[0]),
+                     CsvTable::Number(c[1]),
+                     std::to_string(purities.size()),
+                     MeanWithInterval(purities),
+                     std::to_string(agreement.objects),
+                     MeanWithInterval(classes),
+                     c[1] == 0.0 ? report.Check(mean >= 0.9 && distinct) : "" });
+    }
+  }
+  report.AddTable(table);
+}

@@ -1,0 +1,98 @@
+// Regenerates the tables of the validation report: Validation [--quick] [--output FOLDER] [PART]
+#include "ValidationReport.h"
+
+#include <cstdio>
+#include <cstdlib>
+#include <filesystem>
+#include <functional>
+
+namespace
+{
+struct Part
+{
+  std::string name;
+  std::string title;
+  std::function<void(const ValidationSettings &, ValidationReport &)> run;
+};
+
+const std::vector<Part> parts = {
+  { "heat-accuracy", "Accuracy of the heat", ValidateAccuracyOfHeat },
+  { "heat-shapes", "Heat of known shapes", ValidateHeatOfShapes },
+  { "heat-figures", "Figures 2.4, 2.5 and 2.7 of the dissertation", ValidateFiguresOfChapter2 },
+  { "heat-classes", "Classes of phantoms with noise", ValidateClassesOfPhantoms },
+  { "heat-organs", "Heat classes and organs of a real abdomen", ValidateOrgansOfAbdomen },
+};
+
+int
+Fail(const std::string & message)
+{
+  std::fprintf(stderr, "Validation: %s\n", message.c_str());
+  return 2;
+}
+
+std::string
+PartNames()
+{
+  std::string names;
+  for (const Part & part : parts)
+  {
+    names += (names.empty() ? "" : ", ") + part.name;
+  }
+  return names;
+}
+} // namespace
+
+int
+main(int argc, char * argv[])
+{
+  ValidationSettings settings;
+  std::string        output = ".";
+  std::string        wanted;
+  for (int i = 1; i < argc; ++i)
+  {
+    const std::string argument = argv[i];
+    if (argument == "--quick")
+    {
+      settings.quick = true;
+    }
+    else if (argument == "--output" && i + 1 < argc)
+    {
+      output = argv[++i];
+    }
+    else if (argument.empty() || argument[0] == '-' || !wanted.empty())
+    {
+      return Fail("usage: Validation [--quick] [--output FOLDER] [PART], PART one of " + PartNames());
+    }
+    else
+    {
+      wanted = argument;
+    }
+  }
+  if (const char * const folder = std::getenv("SHAPETON_TEST_DATA_DIR"))
+  {
+    settings.dataFolder = folder;
+  }
+  std::filesystem::create_directories(output);
+  unsigned int failures = 0;
+  unsigned int done = 0;
+  for (const Part & part : parts)
+  {
+    if (!wanted.empty() && wanted != part.name)
+    {
+      continue;
+    }
+    ValidationReport report(part.title);
+    report.AddText(std::string("Made by `Utilities/run-validation ") + (settings.quick ? "--quick " : "") + part.name + "`.");
+    part.run(settings, report);
+    report.Write(output + '/' + part.name + ".md");
+    std::printf("%-16s %s\n", part.name.c_str(), report.GetNumberOfFailures() == 0 ? "pass" : "FAIL");
+    std::fflush(stdout);
+    failures += report.GetNumberOfFailures();
+    ++done;
+  }
+  if (done == 0)
+  {
+    return Fail("no part \"" + wanted + "\"; the parts are " + PartNames());
+  }
+  return failures == 0 ? 0 : 1;
+}

@@ -1,0 +1,80 @@
+#include "ValidationReport.h"
+
+#include <array>
+#include <cmath>
+#include <fstream>
+#include <numeric>
+#include <stdexcept>
+
+ValidationReport::ValidationReport(const std::string & title)
+  : m_Page("# " + title + "\n\n")
+{}
+
+void
+ValidationReport::AddText(const std::string & text)
+{
+  m_Page += text + "\n\n";
+}
+
+void
+ValidationReport::AddTable(const itk::CsvTable & table)
+{
+  const auto line = [this](const std::vector<std::string> & cells) {
+    for (const auto & cell : cells)
+    {
+      m_Page += "| " + cell + ' ';
+    }
+    m_Page += "|\n";
+  };
+  line(table.GetColumns());
+  line(std::vector<std::string>(table.GetColumns().size(), "---"));
+  for (const auto & row : table.GetRows())
+  {
+    line(row);
+  }
+  m_Page += '\n';
+}
+
+std::string
+ValidationReport::Check(bool passed)
+{
+  ++m_Checks;
+  m_Failures += passed ? 0 : 1;
+  return passed ? "pass" : "FAIL";
+}
+
+void
+ValidationReport::Write(const std::string & path) const
+{
+  std::ofstream os(path);
+  os << m_Page << m_Checks - m_Failures << " of " << m_Checks << " checks passed.\n";
+  os.close();
+  if (!os)
+  {
+    throw std::runtime_error("cannot write " + path);
+  }
+}
+
+std::string
+MeanWithInterval(const std::vector<double> & values)
+{
+  const double n = static_cast<double>(values.size());
+  const double mean = std::accumulate(values.begin(), values.end(), 0.0) / n;
+  std::string  text = itk::CsvTable::Rounded(mean, 4);
+  if (values.size() < 2)
+  {
+    return text + " (one sample)";
+  }
+  double squares = 0.0;
+  for (const double value : values)
+  {
+    squares += (value - mean) * (value - mean);
+  }
+  // 97.5 % quantiles of Student's t for 1 to 30 degrees of freedom.
+  static const std::array<double, 30> t = { 12.706, 4.303, 3.182, 2.776, 2.571, 2.447, 2.365, 2.306, 2.262, 2.228,
+                                            2.201,  2.179, 2.160, 2.145, 2.131, 2.120, 2.110, 2.101, 2.093, 2.086,
+                                            2.080,  2.074, 2.069, 2.064, 2.060, 2.056, 2.052, 2.048, 2.045, 2.042 };
+  const double quantile = values.size() <= t.size() + 1 ? t[values.size() - 2] : 1.96;
+  const double half = quantile * std::sqrt(squares / (n - 1.0) / n);
+  return text + " [" + itk::CsvTable::Rounded(mean - half, 4) + ", " + itk::CsvTable::Rounded(mean + half, 4) + "]";
+}

@@ -1,0 +1,59 @@
+#ifndef ValidationReport_h
+#define ValidationReport_h
+
+#include "itkCsvTable.h"
+
+#include <string>
+#include <vector>
+
+/** One page of the validation report in Markdown: text, tables, and checks that pass or fail. */
+class ValidationReport
+{
+public:
+  explicit ValidationReport(const std::string & title);
+
+  void
+  AddText(const std::string & text);
+  void
+  AddTable(const itk::CsvTable & table);
+
+  /** Notes the check and returns "pass" or "FAIL" for a table; failures are counted. */
+  std::string
+  Check(bool passed);
+
+  unsigned int
+  GetNumberOfFailures() const
+  {
+    return m_Failures;
+  }
+  void
+  Write(const std::string & path) const;
+
+private:
+  std::string  m_Page;
+  unsigned int m_Checks{ 0 };
+  unsigned int m_Failures{ 0 };
+};
+
+/** "mean [lower, upper]": the mean and its 95 % confidence interval by the t distribution. */
+std::string
+MeanWithInterval(const std::vector<double> & values);
+
+/** What a part may use. */
+struct ValidationSettings
+{
+  bool        quick{ false };
+  std::string dataFolder; ///< empty where there is no real data
+};
+void
+ValidateAccuracyOfHeat(const ValidationSettings & settings, ValidationReport & report);
+void
+ValidateHeatOfShapes(const ValidationSettings & settings, ValidationReport & report);
+void
+ValidateFiguresOfChapter2(const ValidationSettings & settings, ValidationReport & report);
+void
+ValidateClassesOfPhantoms(const ValidationSettings & settings, ValidationReport & report);
+void
+ValidateOrgansOfAbdomen(const ValidationSettings & settings, ValidationReport & report);
+
+#endif
