@@ -1,0 +1,27 @@
+#include "DicomSeriesToImageXML.h"
+
+#include "itkCommandLine.h"
+#include "itkVolumeReader.h"
+#include "itkVolumeWriter.h"
+
+int
+main(int argc, char * argv[])
+{
+  return itk::CommandLine::Run(ToolXML, argc, argv, [](itk::CommandLine & commandLine) {
+    const std::string output = commandLine.OutputOf("outputVolume");
+    commandLine.Progress("Reading", 0.0);
+    constexpr bool    allowSingleSlice = true;
+    const itk::Volume volume = itk::ReadVolume(commandLine, "inputVolume", allowSingleSlice);
+    commandLine.Progress("Writing", 0.7);
+    const auto whole = itk::ToShort(volume.image);
+    if (whole)
+    {
+      itk::WriteVolume(whole.GetPointer(), output, commandLine.GetProvenance());
+    }
+    else
+    {
+      itk::WriteVolume(volume.image.GetPointer(), output, commandLine.GetProvenance());
+    }
+    commandLine.Progress("Writing", 1.0);
+  });
+}

@@ -1,0 +1,25 @@
+// DicomFaultyInputs FOLDER: writes sound and faulty inputs for the tests of tools.
+#include "itkDicomFixture.h"
+
+#include <exception>
+#include <iostream>
+
+int
+main(int argc, char * argv[])
+{
+  if (argc != 2)
+  {
+    std::cerr << "usage: DicomFaultyInputs FOLDER\n";
+    return 2;
+  }
+  try
+  {
+    itk::WriteFaultyInputs(argv[1]);
+  }
+  catch (const std::exception & error)
+  {
+    std::cerr << error.what() << "\n";
+    return 1;
+  }
+  return 0;
+}
