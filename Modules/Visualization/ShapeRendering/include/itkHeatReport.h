@@ -1,0 +1,83 @@
+#ifndef itkHeatReport_h
+#define itkHeatReport_h
+
+#include "ShapeRenderingExport.h"
+
+#include "itkCsvTable.h"
+#include "itkCumulativeHeatDiffusion.h"
+#include "itkHeatAxis.h"
+#include "itkHeatClasses.h"
+#include "itkHeatHistogram.h"
+#include "itkImage.h"
+#include "itkShapeTransferFunction.h"
+#include "itkSliceMontage.h"
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace itk
+{
+/** What a report on cumulative heat diffusion tells. The pointers are not owned and must not be null.
+ * \ingroup ShapeRendering */
+struct HeatReportContent
+{
+  using Facts = std::vector<std::pair<std::string, std::string>>;
+
+  std::string title{ "Cumulative heat diffusion" };
+  /** What was analysed, for example its name, modality, repairs. The geometry of `grey` is added. */
+  Facts input;
+  /** The parameters of the run, and where automatic ones come from. */
+  Facts                    parameters;
+  Facts                    provenance;
+  std::vector<std::string> warnings;
+
+  const HeatHistogram * histogram{ nullptr };
+  HeatScale             scale{ HeatScale::Equalized };
+  /** Marked in the histogram. */
+  std::vector<std::uint64_t> markedTimeSteps;
+
+  /** The intensity image and the heat, on one grid. */
+  const Image<float, 3> * grey{ nullptr };
+  const Image<float, 3> * heat{ nullptr };
+  /** The time step that `heat` shows, where that is known. */
+  std::optional<std::uint64_t> timeStep;
+  /** Grey values of the slices. */
+  IntensityWindow window;
+
+  /** The classes of `heat`. */
+  std::vector<HeatClass> classes;
+  /** What the rendering shows; by default ShapeTransferFunction::FromClasses. */
+  std::optional<ShapeTransferFunction> transferFunction;
+};
+
+/** Maps the final path of a file to the path to write it to, for example CommandLine::Output.
+ * \ingroup ShapeRendering */
+using OutputPath = std::function<std::string(const std::string &)>;
+
+/** Writes a report into an existing folder: index.html (self-contained), histogram.png, slices-heat.png,
+ * slices-classes.png, rendering.png, classes.csv and report.json. Equal content gives equal bytes. Throws OutputError,
+ * and std::invalid_argument for incomplete content. \ingroup ShapeRendering */
+ShapeRendering_EXPORT void
+WriteHeatReport(const HeatReportContent & content, const std::string & folder, const OutputPath & outputPath);
+
+/** The classes as a table: label, lowerHeat, upperHeat, meanHeat, voxels, volume (mm^3), components, normalizedHeat,
+ * and the colour in pictures ("#rrggbb"; empty for the background). \ingroup ShapeRendering */
+ShapeRendering_EXPORT CsvTable
+ClassTable(const std::vector<HeatClass> & classes, const HeatAxis & axis);
+
+/** The counts of a heat histogram that are not 0, in 32 ranges for each factor of two of the heat: timeStep, lowerHeat,
+ * upperHeat, voxels. \ingroup ShapeRendering */
+ShapeRendering_EXPORT CsvTable
+HistogramTable(const HeatHistogram & histogram);
+
+/** The parameters of a run in words, with the reason where a parameter was chosen from the data.
+ * \ingroup ShapeRendering */
+ShapeRendering_EXPORT HeatReportContent::Facts
+RunFacts(const CumulativeHeatDiffusionResult & result);
+} // namespace itk
+
+#endif

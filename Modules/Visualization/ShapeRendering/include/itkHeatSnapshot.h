@@ -1,0 +1,47 @@
+#ifndef itkHeatSnapshot_h
+#define itkHeatSnapshot_h
+
+#include "ShapeRenderingExport.h"
+
+#include "itkImage.h"
+
+#include <cstdint>
+#include <optional>
+#include <string>
+
+namespace itk
+{
+/** A heat volume on disk and the time step that it shows, where that is known.
+ * \ingroup ShapeRendering */
+struct HeatSnapshot
+{
+  std::string                  path;
+  std::optional<std::uint64_t> timeStep;
+};
+
+/** Finds a heat volume.
+ *
+ * `path` is a heat volume, or a folder of snapshots named heat-<time step, 9 digits>.nrrd. `timeStep` picks a snapshot
+ * of a folder (by default the last one); of a single volume, it must agree with the time step in its header (key
+ * `timeStep`, NRRD), where there is one. Throws InputError for a path that is missing and for a folder without
+ * snapshots, and UsageError for a time step that is not there, with those that are. \ingroup ShapeRendering */
+ShapeRendering_EXPORT HeatSnapshot
+FindHeatSnapshot(const std::string & path, std::optional<std::uint64_t> timeStep = {});
+
+/** The name of a snapshot in its folder: "heat-000001000.nrrd" for time step 1000.
+ * \ingroup ShapeRendering */
+ShapeRendering_EXPORT std::string
+                      HeatSnapshotName(std::uint64_t timeStep);
+
+/** Throws InputError, which names `path`, when a value is not in [0, 1] (within 1e-4): such a volume is no heat.
+ * \ingroup ShapeRendering */
+ShapeRendering_EXPORT void
+RequireHeat(const Image<float, 3> * heat, const std::string & path);
+
+/** Whether two volumes have the same size and all their voxels lie at the same places, to a hundredth of the smallest
+ * spacing. \ingroup ShapeRendering */
+ShapeRendering_EXPORT bool
+HaveSameGrid(const ImageBase<3> * a, const ImageBase<3> * b);
+} // namespace itk
+
+#endif

@@ -1,0 +1,293 @@
+#include "itkHeatReport.h"
+
+#include "itkAxisTicks.h"
+#include "itkColorMap.h"
+#include "itkHeatHistogramPicture.h"
+#include "itkHtmlReport.h"
+#include "itkJson.h"
+#include "itkTransferFunctionPicture.h"
+
+#include <numeric>
+#include <stdexcept>
+
+namespace itk
+{
+namespace
+{
+using Facts = HeatReportContent::Facts;
+
+std::string
+Joined(const double (&values)[3])
+{
+  return CsvTable::Rounded(values[0], 6) + ", " + CsvTable::Rounded(values[1], 6) + ", " +
+         CsvTable::Rounded(values[2], 6);
+}
+
+Facts
+GeometryOf(const ImageBase<3> * image)
+{
+  const auto   size = image->GetLargestPossibleRegion().GetSize();
+  const auto & direction = image->GetDirection();
+  const double spacing[3] = { image->GetSpacing()[0], image->GetSpacing()[1], image->GetSpacing()[2] };
+  const double origin[3] = { image->GetOrigin()[0], image->GetOrigin()[1], image->GetOrigin()[2] };
+  std::string  cosines;
+  for (unsigned int axis = 0; axis < 3; ++axis)
+  {
+    const double column[3] = { direction[0][axis], direction[1][axis], direction[2][axis] };
+    cosines += (axis == 0 ? "(" : " (") + Joined(column) + ")";
+  }
+  return { { "Size, voxels",
+             std::to_string(size[0]) + " x " + std::to_string(size[1]) + " x " + std::to_string(size[2]) },
+           { "Spacing, mm", Joined(spacing) },
+           { "Origin, mm (LPS)", Joined(origin) },
+           { "Directions of the axes (LPS)", cosines } };
+}
+
+Facts
+Combined(Facts facts, const Facts & more)
+{
+  facts.insert(facts.end(), more.begin(), more.end());
+  return facts;
+}
+
+/** The table for people: rounded, with volumes in ml. */
+CsvTable
+ReadableClassTable(const std::vector<HeatClass> & classes, const HeatAxis & axis)
+{
+  CsvTable table({ "class",
+                   "colour",
+                   "heat from",
+                   "to",
+                   "mean heat",
+                   "voxels",
+                   "volume, ml",
+                   "closed components",
+                   "scale-normalized heat" });
+  for (const HeatClass & heatClass : classes)
+  {
+    const bool isBackground = heatClass.label == 0;
+    table.AddRow({ isBackground ? "background" : std::to_string(heatClass.label),
+                   isBackground ? "" : HexOf(axis.ColorOf(heatClass.meanHeat)),
+                   CsvTable::Rounded(heatClass.lowerHeat, 4),
+                   CsvTable::Rounded(heatClass.upperHeat, 4),
+                   CsvTable::Rounded(heatClass.meanHeat, 4),
+                   GroupedDigits(heatClass.voxels),
+                   CsvTable::Rounded(heatClass.volume / 1000.0, 4),
+                   std::to_string(heatClass.components),
+                   heatClass.components == 0 ? "" : CsvTable::Rounded(heatClass.normalizedHeat, 4) });
+  }
+  return table;
+}
+
+Json
+JsonOf(const Facts & facts)
+{
+  Json object = Json::object();
+  for (const auto & [name, value] : facts)
+  {
+    object[name] = value;
+  }
+  return object;
+}
+
+Json
+JsonOf(const std::vector<HeatClass> & classes, const HeatAxis & axis)
+{
+  Json list = Json::array();
+  for (const HeatClass & heatClass : classes)
+  {
+    list.push_back({ { "label", heatClass.label },
+                     { "lowerHeat", heatClass.lowerHeat },
+                     { "upperHeat", heatClass.upperHeat },
+                     { "meanHeat", heatClass.meanHeat },
+                     { "voxels", heatClass.voxels },
+                     { "volume", heatClass.volume },
+                     { "components", heatClass.components },
+                     { "normalizedHeat", heatClass.normalizedHeat },
+                     { "color", heatClass.label == 0 ? "" : HexOf(axis.ColorOf(heatClass.meanHeat)) } });
+  }
+  return list;
+}
+
+Json
+JsonOf(const HeatReportContent & content, const HeatAxis & axis, const ShapeTransferFunction & transferFunction)
+{
+  Json document;
+  document["title"] = content.title;
+  document["input"] = JsonOf(Combined(content.input, GeometryOf(content.grey)));
+  document["parameters"] = JsonOf(content.parameters);
+  if (content.timeStep)
+  {
+    document["timeStep"] = *content.timeStep;
+  }
+  document["classes"] = JsonOf(content.classes, axis);
+  document["transferFunction"] = transferFunction.ToText();
+  document["warnings"] = content.warnings;
+  document["provenance"] = JsonOf(content.provenance);
+  return document;
+}
+
+Picture::Pointer
+HistogramPicture(const HeatReportContent & content)
+{
+  HeatHistogramPictureOptions options;
+  options.scale = content.scale;
+  options.classes = content.classes;
+  options.markedTimeSteps = content.markedTimeSteps;
+  return DrawHeatHistogram(*content.histogram, options);
+}
+
+Picture::Pointer
+Slices(const HeatReportContent &        content,
+       const std::string &              title,
+       const HeatColoring &             coloring,
+       const std::vector<LegendEntry> & legend)
+{
+  SliceMontageOptions options;
+  options.title = title;
+  options.window = content.window;
+  options.legend = legend;
+  return DrawSliceMontage(content.grey, content.heat, coloring, options);
+}
+
+void
+AddSummary(HtmlReport & html, const HeatReportContent & content)
+{
+  html.AddParagraph("For research use. This is not a diagnosis and not a medical device.");
+  for (const std::string & warning : content.warnings)
+  {
+    html.AddNote(warning);
+  }
+  html.AddHeading("Input");
+  html.AddFacts(Combined(content.input, GeometryOf(content.grey)));
+  html.AddHeading("Parameters");
+  html.AddFacts(content.parameters);
+}
+
+void
+AddReadingGuide(HtmlReport & html)
+{
+  html.AddHeading("How to read the pictures");
+  html.AddParagraph(
+    "Every voxel starts with heat where the image has edges; with each time step heat flows to neighbours of "
+    "similar intensity and hardly across edges. What is closed off by edges ends at one heat of its own, which "
+    "depends on its shape and size; what is open to the border of the volume loses its heat and joins the "
+    "background.");
+  html.AddParagraph(
+    "Histogram: time runs downwards, heat to the right. A vertical line at the bottom is an object, or several "
+    "objects of similar shape. Few time steps (top) show local shape such as edges and corners, many (bottom) "
+    "whole objects. On the equalized scale, room is given by the number of voxels, so distances along the axis "
+    "are no differences of heat: read the numbers.");
+  html.AddParagraph(
+    "Colours are the same in all pictures: the colour of a heat is its place on the histogram's axis, from blue "
+    "(least heat) to red (most). Similar heats have similar colours. A class is a range of heats; two objects "
+    "may share a class without being alike in any other way, and one organ may fall into several classes. "
+    "Heat depends on size too: it is lower for a larger object of the same shape. The scale-normalized heat "
+    "of closed components makes up for that.");
+}
+} // namespace
+
+CsvTable
+ClassTable(const std::vector<HeatClass> & classes, const HeatAxis & axis)
+{
+  CsvTable table(
+    { "label", "lowerHeat", "upperHeat", "meanHeat", "voxels", "volume", "components", "normalizedHeat", "color" });
+  for (const HeatClass & heatClass : classes)
+  {
+    table.AddRow({ std::to_string(heatClass.label),
+                   CsvTable::Number(heatClass.lowerHeat),
+                   CsvTable::Number(heatClass.upperHeat),
+                   CsvTable::Number(heatClass.meanHeat),
+                   std::to_string(heatClass.voxels),
+                   CsvTable::Number(heatClass.volume),
+                   std::to_string(heatClass.components),
+                   CsvTable::Number(heatClass.normalizedHeat),
+                   heatClass.label == 0 ? "" : HexOf(axis.ColorOf(heatClass.meanHeat)) });
+  }
+  return table;
+}
+
+CsvTable
+HistogramTable(const HeatHistogram & histogram)
+{
+  constexpr unsigned int width = HeatHistogram::BinsPerOctave / 32;
+  CsvTable               table({ "timeStep", "lowerHeat", "upperHeat", "voxels" });
+  for (std::size_t row = 0; row < histogram.GetNumberOfRows(); ++row)
+  {
+    for (unsigned int first = 0, end = 1; first < HeatHistogram::NumberOfBins; first = end, end += width)
+    {
+      const std::uint32_t * const counts = histogram.GetRow(row);
+      const auto                  voxels = std::accumulate(counts + first, counts + end, std::uint64_t{ 0 });
+      if (voxels > 0)
+      {
+        table.AddRow({ std::to_string(histogram.GetTimeSteps()[row]),
+                       CsvTable::Number(HeatHistogram::LowerEdge(first)),
+                       CsvTable::Number(HeatHistogram::LowerEdge(end)),
+                       std::to_string(voxels) });
+      }
+    }
+  }
+  return table;
+}
+
+HeatReportContent::Facts
+RunFacts(const CumulativeHeatDiffusionResult & result)
+{
+  Facts facts = { { "Intensity window",
+                    CsvTable::Number(result.windowLower) + " to " + CsvTable::Number(result.windowUpper) },
+                  { "p", CsvTable::Rounded(result.p.p, 6) } };
+  if (!result.p.reason.empty())
+  {
+    facts.emplace_back("Why this p", result.p.reason);
+  }
+  facts.emplace_back("Time steps", std::to_string(result.timeStep) + (result.steady ? ": the heat is steady" : ""));
+  facts.emplace_back("Time step length", CsvTable::Rounded(result.timeStepLength, 6));
+  facts.emplace_back("Applications of the operator", std::to_string(result.operatorApplications));
+  return facts;
+}
+
+void
+WriteHeatReport(const HeatReportContent & content, const std::string & folder, const OutputPath & outputPath)
+{
+  if (!content.histogram || !content.grey || !content.heat)
+  {
+    throw std::invalid_argument("a heat report needs a histogram, an image and a heat volume");
+  }
+  const HeatAxis              axis(*content.histogram, content.scale);
+  const ShapeTransferFunction transferFunction =
+    content.transferFunction ? *content.transferFunction : ShapeTransferFunction::FromClasses(content.classes, axis);
+  const std::string time =
+    content.timeStep ? " after " + GroupedDigits(*content.timeStep) + " time steps" : std::string();
+
+  HtmlReport html(content.title);
+  AddSummary(html, content);
+  const auto addPicture = [&](const std::string & name, const Picture * picture, const std::string & caption) {
+    const std::string path = outputPath(folder + "/" + name);
+    WritePng(picture, path);
+    html.AddPicture(path, caption);
+  };
+  html.AddHeading("Heat histogram");
+  addPicture("histogram.png",
+             HistogramPicture(content),
+             "Numbers of voxels by heat and time step; the bars below are the classes.");
+  html.AddHeading("Classes");
+  html.AddTable(ReadableClassTable(content.classes, axis), "Classes" + time + ", by heat");
+  addPicture("slices-classes.png",
+             Slices(content, "Classes" + time, ColorByClass(content.classes, axis), LegendOf(content.classes, axis)),
+             "Slices of the input, coloured by class.");
+  addPicture(
+    "slices-heat.png", Slices(content, "Heat" + time, ColorByHeat(axis), {}), "Slices of the input, coloured by heat.");
+  html.AddHeading("Shape-based transfer function");
+  addPicture(
+    "rendering.png",
+    DrawTransferFunction(content.grey, content.heat, transferFunction, "Transfer function" + time, content.window),
+    "The heat volume with the lines " + transferFunction.ToText());
+  AddReadingGuide(html);
+  html.AddHeading("Provenance");
+  html.AddFacts(content.provenance);
+
+  ClassTable(content.classes, axis).Write(outputPath(folder + "/classes.csv"));
+  WriteJson(JsonOf(content, axis, transferFunction), outputPath(folder + "/report.json"));
+  html.Write(outputPath(folder + "/index.html"));
+}
+} // namespace itk

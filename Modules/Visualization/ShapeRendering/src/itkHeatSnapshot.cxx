@@ -1,0 +1,189 @@
+#include "itkHeatSnapshot.h"
+
+#include "itkMetaDataObject.h"
+#include "itkNrrdImageIO.h"
+#include "itkToolError.h"
+
+#include <algorithm>
+#include <charconv>
+#include <filesystem>
+#include <map>
+
+namespace itk
+{
+namespace
+{
+constexpr char        prefix[] = "heat-";
+constexpr char        suffix[] = ".nrrd";
+constexpr std::size_t digits = 9;
+
+std::optional<std::uint64_t>
+WholeNumber(const std::string & text)
+{
+  std::uint64_t value = 0;
+  const auto    result = std::from_chars(text.data(), text.data() + text.size(), value);
+  const bool    isWhole = result.ec == std::errc() && result.ptr == text.data() + text.size();
+  return isWhole ? std::optional<std::uint64_t>(value) : std::nullopt;
+}
+
+std::optional<std::uint64_t>
+TimeStepOfName(const std::string & name)
+{
+  const std::size_t fixed = sizeof(prefix) - 1 + sizeof(suffix) - 1;
+  if (name.size() < fixed + digits || name.rfind(prefix, 0) != 0 ||
+      name.compare(name.size() - (sizeof(suffix) - 1), std::string::npos, suffix) != 0)
+  {
+    return std::nullopt;
+  }
+  return WholeNumber(name.substr(sizeof(prefix) - 1, name.size() - fixed));
+}
+
+std::map<std::uint64_t, std::string>
+SnapshotsIn(const std::string & folder)
+{
+  std::map<std::uint64_t, std::string> snapshots;
+  std::error_code                      error;
+  for (std::filesystem::directory_iterator entry(folder, error), end; !error && entry != end; entry.increment(error))
+  {
+    const auto timeStep = TimeStepOfName(entry->path().filename().string());
+    if (timeStep)
+    {
+      snapshots[*timeStep] = entry->path().string();
+    }
+  }
+  if (error)
+  {
+    throw InputError("cannot read the folder " + folder + ": " + error.message());
+  }
+  return snapshots;
+}
+
+/** The first time steps, and the last one. */
+std::string
+ListOf(const std::map<std::uint64_t, std::string> & snapshots)
+{
+  constexpr std::size_t greatestNumber = 12;
+  std::string           list;
+  std::size_t           number = 0;
+  for (const auto & snapshot : snapshots)
+  {
+    if (number < greatestNumber)
+    {
+      list += (list.empty() ? "" : ", ") + std::to_string(snapshot.first);
+    }
+    ++number;
+  }
+  return number > greatestNumber ? list + ", ... " + std::to_string(snapshots.rbegin()->first) : list;
+}
+
+HeatSnapshot
+FindInFolder(const std::string & folder, std::optional<std::uint64_t> timeStep)
+{
+  const std::map<std::uint64_t, std::string> snapshots = SnapshotsIn(folder);
+  if (snapshots.empty())
+  {
+    throw InputError("the folder " + folder + " holds no heat-<time step>.nrrd: give a folder written by " +
+                     "CumulativeHeatDiffusion --snapshotFolder, or a heat volume");
+  }
+  const auto found = timeStep ? snapshots.find(*timeStep) : std::prev(snapshots.end());
+  if (found == snapshots.end())
+  {
+    throw UsageError("the folder " + folder + " holds no snapshot of time step " + std::to_string(*timeStep) +
+                     ": there are " + ListOf(snapshots));
+  }
+  return { found->second, found->first };
+}
+
+std::optional<std::uint64_t>
+TimeStepInHeader(const std::string & path)
+{
+  auto reader = NrrdImageIO::New();
+  if (!reader->CanReadFile(path.c_str()))
+  {
+    return std::nullopt;
+  }
+  try
+  {
+    reader->SetFileName(path);
+    reader->ReadImageInformation();
+  }
+  catch (const ExceptionObject &)
+  {
+    throw InputError("cannot read the header of " + path + ": write the heat volume again");
+  }
+  std::string text;
+  return ExposeMetaData(reader->GetMetaDataDictionary(), "timeStep", text) ? WholeNumber(text) : std::nullopt;
+}
+} // namespace
+
+HeatSnapshot
+FindHeatSnapshot(const std::string & path, std::optional<std::uint64_t> timeStep)
+{
+  if (!std::filesystem::exists(path))
+  {
+    throw InputError("there is no heat volume " + path + ": give a heat volume or a folder of snapshots");
+  }
+  if (std::filesystem::is_directory(path))
+  {
+    return FindInFolder(path, timeStep);
+  }
+  const std::optional<std::uint64_t> stated = TimeStepInHeader(path);
+  if (timeStep && stated && *timeStep != *stated)
+  {
+    throw UsageError("the heat volume " + path + " shows time step " + std::to_string(*stated) + ", not " +
+                     std::to_string(*timeStep) + ": leave out the time step, or give a folder of snapshots");
+  }
+  return { path, stated ? stated : timeStep };
+}
+
+std::string
+HeatSnapshotName(std::uint64_t timeStep)
+{
+  const std::string number = std::to_string(timeStep);
+  return prefix + std::string(digits - std::min(number.size(), digits), '0') + number + suffix;
+}
+
+void
+RequireHeat(const Image<float, 3> * heat, const std::string & path)
+{
+  constexpr float     tolerance = 1e-4F;
+  const float * const values = heat->GetBufferPointer();
+  const bool isHeat = std::all_of(values, values + heat->GetBufferedRegion().GetNumberOfPixels(), [&](float value) {
+    return value >= -tolerance && value <= 1.0F + tolerance;
+  });
+  if (!isHeat)
+  {
+    throw InputError(path +
+                     " is no heat volume, its values are not in [0, 1]: give one written by CumulativeHeatDiffusion");
+  }
+}
+
+bool
+HaveSameGrid(const ImageBase<3> * a, const ImageBase<3> * b)
+{
+  const ImageRegion<3> region = a->GetLargestPossibleRegion();
+  if (region != b->GetLargestPossibleRegion())
+  {
+    return false;
+  }
+  const auto & spacing = a->GetSpacing();
+  const double tolerance = 0.01 * std::min({ spacing[0], spacing[1], spacing[2] });
+  for (unsigned int corner = 0; corner < 8; ++corner)
+  {
+    Index<3> index = region.GetIndex();
+    for (unsigned int axis = 0; axis < 3; ++axis)
+    {
+      index[axis] += (corner >> axis) & 1U ? static_cast<IndexValueType>(region.GetSize(axis)) - 1 : 0;
+    }
+    ImageBase<3>::PointType pointA;
+    ImageBase<3>::PointType pointB;
+    a->TransformIndexToPhysicalPoint(index, pointA);
+    b->TransformIndexToPhysicalPoint(index, pointB);
+    if (pointA.EuclideanDistanceTo(pointB) > tolerance)
+    {
+      return false;
+    }
+  }
+  return true;
+}
+} // namespace itk
