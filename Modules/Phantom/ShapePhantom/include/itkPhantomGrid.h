@@ -1,0 +1,29 @@
+#ifndef itkPhantomGrid_h
+#define itkPhantomGrid_h
+
+#include "ShapePhantomExport.h"
+
+#include "itkImageBase.h"
+
+namespace itk
+{
+class CommandLine;
+
+/** The voxels of a phantom.
+ * \ingroup ShapePhantom */
+struct PhantomGrid
+{
+  ImageBase<3>::SizeType      size;
+  ImageBase<3>::SpacingType   spacing; ///< mm
+  ImageBase<3>::DirectionType direction;
+};
+
+/** Reads the options size (three integers from 2), spacing (three numbers from 0.001 to 1000 mm) and direction (nine
+ * numbers, row by row; orthonormal to 0.001, which is removed) of a tool. `bytesPerVoxel` is what the tool will hold in
+ * memory. Throws UsageError, also when the volume does not fit into the memory of the machine.
+ * \ingroup ShapePhantom */
+ShapePhantom_EXPORT PhantomGrid
+ReadPhantomGrid(const CommandLine & commandLine, double bytesPerVoxel);
+} // namespace itk
+
+#endif
