@@ -174,7 +174,7 @@ Diffuse(CommandLine & commandLine)
   WarnOf(commandLine, filter, snapshotSteps);
   if (filter->GetAutomaticP())
   {
-    commandLine.AddProvenance("automatic.p", itk::CsvTable::Number(filter->GetResult().p.p));
+    commandLine.AddProvenance("option.p", itk::CsvTable::Number(filter->GetResult().p.p));
   }
 
   WriteHeat(commandLine, filter->GetOutput(), filter->GetResult().timeStep, heatFile);

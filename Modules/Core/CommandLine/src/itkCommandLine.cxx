@@ -479,10 +479,13 @@ CommandLine::GetProvenance() const
   provenance.insert(provenance.end(), m_State->facts.begin(), m_State->facts.end());
   for (const auto & parameter : m_State->module.parameters)
   {
+    const std::string key = "option." + parameter.name;
+    const bool        isStated = std::any_of(
+      m_State->facts.begin(), m_State->facts.end(), [&key](const auto & fact) { return fact.first == key; });
     const std::string value = m_State->IsInProvenance(parameter) ? m_State->ProvenanceOf(parameter) : "";
-    if (!value.empty() && (parameter.tag != "boolean" || value == "true"))
+    if (!isStated && !value.empty() && (parameter.tag != "boolean" || value == "true"))
     {
-      provenance.emplace_back("option." + parameter.name, value);
+      provenance.emplace_back(key, value);
     }
   }
   return provenance;

@@ -1,0 +1,303 @@
+// FuzzInputs --files N --seed S [--folder DIR]
+//
+// Spoils DICOM, NRRD, NIfTI and MetaImage files and gives them to the readers. A reader may read such a file or refuse
+// it by an InputError; it may not crash, hang, take memory without bound, or draw a report from a sanitizer. A file
+// that made it do so is kept and named, and the exit status is 1.
+// The files are made in a new folder inside DIR (default: the folder for temporary files), which goes when there was no
+// fault. --self-test: checks that each of these faults is noticed.
+
+#include "FuzzMutation.h"
+#include "FuzzSeeds.h"
+#include "FuzzTrial.h"
+
+#include "itkDicomFixture.h"
+#include "itkDicomSeriesScan.h"
+#include "itkToolError.h"
+#include "itkVolumeReader.h"
+
+#include <csignal>
+#include <cstdlib>
+#include <cstring>
+#include <filesystem>
+#include <iostream>
+#include <list>
+#include <map>
+#include <memory>
+#include <string>
+#include <thread>
+#include <unistd.h>
+#include <vector>
+
+namespace
+{
+namespace fs = std::filesystem;
+
+struct Options
+{
+  std::size_t   files{ 2000 };
+  std::uint64_t seed{ 1 };
+  std::string   folder;
+  bool          isSelfTest{ false };
+};
+
+bool
+ParseNumber(const char * text, std::uint64_t & number)
+{
+  char * end = nullptr;
+  number = std::strtoull(text, &end, 10);
+  return *text >= '0' && *text <= '9' && *end == '\0';
+}
+
+bool
+Parse(int argc, char * argv[], Options & options)
+{
+  for (int i = 1; i < argc; ++i)
+  {
+    const std::string  name = argv[i];
+    const char * const value = i + 1 < argc ? argv[i + 1] : "";
+    std::uint64_t      number = 0;
+    if (name == "--self-test")
+    {
+      options.isSelfTest = true;
+      continue;
+    }
+    ++i;
+    if (name == "--files" && ParseNumber(value, number))
+    {
+      options.files = number;
+    }
+    else if (name == "--seed" && ParseNumber(value, number))
+    {
+      options.seed = number;
+    }
+    else if (name == "--folder" && *value != '\0')
+    {
+      options.folder = value;
+    }
+    else
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+/** Scans and reads a file as the tools do, with all repairs; a DICOM file also among sound slices of its series. */
+bool
+ReadAll(const std::string & path, const std::string & soundFolder)
+{
+  itk::VolumeReadOptions options;
+  options.resampleGaps = options.deshear = options.dropDuplicates = options.allowSingleSlice = true;
+  bool       isRead = false;
+  const auto attempt = [&](const std::string & input) {
+    try
+    {
+      itk::ReadVolume(input, options);
+      isRead = true;
+    }
+    catch (const itk::InputError &)
+    {}
+  };
+  attempt(path);
+  if (fs::path(path).extension() == ".dcm")
+  {
+    const std::string folder = path + ".series";
+    fs::create_directory(folder);
+    fs::create_symlink(path, folder + "/mutant.dcm");
+    fs::create_directory_symlink(soundFolder, folder + "/sound");
+    attempt(folder);
+    fs::remove_all(folder);
+  }
+  return isRead;
+}
+
+/** Runs trials, several at once, and counts what comes out. */
+class Campaign
+{
+public:
+  void
+  Start(const std::string & path, const FuzzTrial::Reader & reader)
+  {
+    const std::size_t most = std::max(1u, std::thread::hardware_concurrency());
+    while (m_Running.size() >= most)
+    {
+      this->Collect();
+    }
+    m_Running.push_back(std::make_unique<FuzzTrial>(path, path + ".log", reader));
+  }
+
+  void
+  Finish()
+  {
+    while (!m_Running.empty())
+    {
+      this->Collect();
+    }
+  }
+
+  int
+  Report(const Options & options) const
+  {
+    std::cout << m_Read + m_Refused + m_Faults << " files, seed " << options.seed << ": " << m_Read << " read, "
+              << m_Refused << " refused, " << m_Faults << " faults\n";
+    for (const auto & contained : m_Contained)
+    {
+      std::cout << "  contained crashes in " << contained.first << ": " << contained.second << "\n";
+    }
+    return m_Faults > 0 ? 1 : 0;
+  }
+
+  std::size_t
+  GetFaults() const
+  {
+    return m_Faults;
+  }
+
+private:
+  void
+  Collect()
+  {
+    for (auto trial = m_Running.begin(); trial != m_Running.end();)
+    {
+      if ((*trial)->HasEnded())
+      {
+        this->Count(**trial);
+        trial = m_Running.erase(trial);
+      }
+      else
+      {
+        ++trial;
+      }
+    }
+    usleep(2000);
+  }
+
+  void
+  Count(const FuzzTrial & trial)
+  {
+    const FuzzOutcome & outcome = trial.GetOutcome();
+    m_Read += outcome.kind == FuzzOutcome::Kind::read ? 1 : 0;
+    m_Refused += outcome.kind == FuzzOutcome::Kind::refused ? 1 : 0;
+    if (outcome.kind == FuzzOutcome::Kind::fault)
+    {
+      ++m_Faults;
+      std::cout << "FAULT " << outcome.reason << "\n  kept: " << trial.GetPath() << "\n" << std::flush;
+    }
+    if (!outcome.contained.empty())
+    {
+      ++m_Contained[outcome.contained];
+    }
+  }
+
+  std::list<std::unique_ptr<FuzzTrial>> m_Running;
+  std::size_t                           m_Read{ 0 };
+  std::size_t                           m_Refused{ 0 };
+  std::size_t                           m_Faults{ 0 };
+  std::map<std::string, std::size_t>    m_Contained;
+};
+
+int
+Fuzz(const Options & options)
+{
+  const std::string       sound = itk::MakeFolder(options.folder + "/sound");
+  const itk::DicomFixture fixture;
+  auto                    slices = fixture.MakeSeries();
+  slices.erase(slices.begin() + 2); // the place of the mutants
+  itk::SaveDicom(slices, sound);
+  const auto seeds = MakeFuzzSeeds(options.folder);
+  Campaign   campaign;
+  for (std::size_t i = 0; i < options.files; ++i)
+  {
+    FuzzRandom        random(options.seed, i);
+    const FuzzSeed &  seed = seeds[i % seeds.size()];
+    const FuzzSeed &  other = seeds[random.Below(seeds.size())];
+    const std::string bytes = Mutate(seed.bytes, other.bytes, random);
+    const std::string path =
+      options.folder + "/mutant-" + std::to_string(options.seed) + "-" + std::to_string(i) + seed.extension;
+    itk::WriteText(path, seed.isGzipped ? Gzip(bytes) : bytes);
+    campaign.Start(path, [&sound](const std::string & file) { return ReadAll(file, sound); });
+  }
+  campaign.Finish();
+  return campaign.Report(options);
+}
+
+// ---- self-test: readers with the faults that must be noticed ----
+
+[[noreturn]] void
+Overflow()
+{
+#if defined(__SANITIZE_ADDRESS__)
+  const auto    block = std::make_unique<char[]>(8);
+  volatile char sink = block.get()[8 + (getpid() == 0 ? 1 : 0)];
+  static_cast<void>(sink);
+#endif
+  std::raise(SIGSEGV);
+  std::abort();
+}
+
+int
+SelfTest(const Options & options)
+{
+  const std::vector<std::pair<std::string, FuzzTrial::Reader>> faulty = {
+    { "crash", [](const std::string &) -> bool { Overflow(); } },
+    { "abort", [](const std::string &) -> bool { std::abort(); } },
+    { "exit", [](const std::string &) -> bool { _exit(0); } },
+    { "exception", [](const std::string &) -> bool { throw std::logic_error("not an InputError"); } },
+    { "memory",
+      [](const std::string &) {
+        std::vector<char>                                      block(std::size_t(1600) << 20, 'x');
+        return block[block.size() / 2] == 'x';
+      } }
+  };
+  int missed = 0;
+  for (const auto & reader : faulty)
+  {
+    const std::string path = options.folder + "/" + reader.first;
+    itk::WriteText(path, "x");
+    Campaign campaign;
+    campaign.Start(path, reader.second);
+    campaign.Finish();
+    if (campaign.GetFaults() != 1)
+    {
+      std::cout << "not noticed: " << reader.first << "\n";
+      ++missed;
+    }
+  }
+  Campaign sound;
+  itk::WriteText(options.folder + "/sound", "x");
+  sound.Start(options.folder + "/sound", [](const std::string &) { return true; });
+  sound.Finish();
+  std::cout << faulty.size() - static_cast<std::size_t>(missed) << " of " << faulty.size() << " faults noticed\n";
+  return missed == 0 && sound.GetFaults() == 0 ? 0 : 1;
+}
+} // namespace
+
+int
+main(int argc, char * argv[])
+{
+  Options options;
+  if (!Parse(argc, argv, options))
+  {
+    std::cerr << "usage: FuzzInputs --files N --seed S [--folder DIR]\n";
+    return 2;
+  }
+  try
+  {
+    const fs::path parent = options.folder.empty() ? fs::temp_directory_path() : fs::path(options.folder);
+    fs::create_directories(parent);
+    // A folder of its own: what lies beside it is not ours to remove.
+    options.folder = (fs::canonical(parent) / ("FuzzInputs-" + std::to_string(getpid()))).string();
+    itk::MakeFolder(options.folder);
+    const int status = options.isSelfTest ? SelfTest(options) : Fuzz(options);
+    if (status == 0)
+    {
+      fs::remove_all(options.folder);
+    }
+    return status;
+  }
+  catch (const std::exception & error)
+  {
+    std::cerr << error.what() << "\n";
+    return 1;
+  }
+}
