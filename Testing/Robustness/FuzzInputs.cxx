@@ -15,6 +15,7 @@
 #include "itkToolError.h"
 #include "itkVolumeReader.h"
 
+#include <chrono>
 #include <csignal>
 #include <cstdlib>
 #include <cstring>
@@ -24,6 +25,7 @@
 #include <map>
 #include <memory>
 #include <string>
+#include <sys/wait.h>
 #include <thread>
 #include <unistd.h>
 #include <vector>
@@ -115,6 +117,8 @@ ReadAll(const std::string & path, const std::string & soundFolder)
 class Campaign
 {
 public:
+  explicit Campaign(std::chrono::seconds limit) : m_Limit(limit) {}
+
   void
   Start(const std::string & path, const FuzzTrial::Reader & reader)
   {
@@ -123,7 +127,7 @@ public:
     {
       this->Collect();
     }
-    m_Running.push_back(std::make_unique<FuzzTrial>(path, path + ".log", reader));
+    m_Running.push_back(std::make_unique<FuzzTrial>(path, path + ".log", reader, m_Limit));
   }
 
   void
@@ -189,6 +193,7 @@ private:
     }
   }
 
+  std::chrono::seconds                  m_Limit;
   std::list<std::unique_ptr<FuzzTrial>> m_Running;
   std::size_t                           m_Read{ 0 };
   std::size_t                           m_Refused{ 0 };
@@ -205,7 +210,7 @@ Fuzz(const Options & options)
   slices.erase(slices.begin() + 2); // the place of the mutants
   itk::SaveDicom(slices, sound);
   const auto seeds = MakeFuzzSeeds(options.folder);
-  Campaign   campaign;
+  Campaign   campaign(std::chrono::seconds(60));
   for (std::size_t i = 0; i < options.files; ++i)
   {
     FuzzRandom        random(options.seed, i);
@@ -224,37 +229,60 @@ Fuzz(const Options & options)
 // ---- self-test: readers with the faults that must be noticed ----
 
 [[noreturn]] void
-Overflow()
+Crash()
 {
 #if defined(__SANITIZE_ADDRESS__)
-  const auto    block = std::make_unique<char[]>(8);
-  volatile char sink = block.get()[8 + (getpid() == 0 ? 1 : 0)];
-  static_cast<void>(sink);
+  volatile std::size_t beyond = 9;
+  const auto           block = std::make_unique<char[]>(8);
+  static_cast<void>(*const_cast<volatile char *>(&block[beyond])); // ends with a report and exit status 1
 #endif
   std::raise(SIGSEGV);
   std::abort();
 }
 
+#if defined(__SANITIZE_ADDRESS__)
+/** Sound on the outside: only the report of the sanitizer tells. */
+bool
+CrashInChild(const std::string &)
+{
+  const pid_t child = fork();
+  if (child == 0)
+  {
+    Crash();
+  }
+  waitpid(child, nullptr, 0);
+  return true;
+}
+#endif
+
 int
 SelfTest(const Options & options)
 {
-  const std::vector<std::pair<std::string, FuzzTrial::Reader>> faulty = {
-    { "crash", [](const std::string &) -> bool { Overflow(); } },
+  std::vector<std::pair<std::string, FuzzTrial::Reader>> faulty = {
+    { "crash", [](const std::string &) -> bool { Crash(); } },
     { "abort", [](const std::string &) -> bool { std::abort(); } },
     { "exit", [](const std::string &) -> bool { _exit(0); } },
     { "exception", [](const std::string &) -> bool { throw std::logic_error("not an InputError"); } },
+    { "hang",
+      [](const std::string &) {
+        sleep(600);
+        return true;
+      } },
     { "memory",
       [](const std::string &) {
-        std::vector<char>                                      block(std::size_t(1600) << 20, 'x');
+        std::vector<char>                                block(std::size_t(1600) << 20, 'x');
         return block[block.size() / 2] == 'x';
       } }
   };
+#if defined(__SANITIZE_ADDRESS__)
+  faulty.emplace_back("reportOfChild", CrashInChild);
+#endif
   int missed = 0;
   for (const auto & reader : faulty)
   {
     const std::string path = options.folder + "/" + reader.first;
     itk::WriteText(path, "x");
-    Campaign campaign;
+    Campaign campaign(std::chrono::seconds(3));
     campaign.Start(path, reader.second);
     campaign.Finish();
     if (campaign.GetFaults() != 1)
@@ -263,7 +291,7 @@ SelfTest(const Options & options)
       ++missed;
     }
   }
-  Campaign sound;
+  Campaign sound(std::chrono::seconds(60));
   itk::WriteText(options.folder + "/sound", "x");
   sound.Start(options.folder + "/sound", [](const std::string &) { return true; });
   sound.Finish();

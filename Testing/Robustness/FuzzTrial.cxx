@@ -20,8 +20,6 @@ constexpr int Read = 40;
 constexpr int Refused = 41;
 constexpr int WrongException = 42;
 
-constexpr auto LongestTime = std::chrono::seconds(60);
-
 // The mutants have a few thousand bytes. A sanitizer keeps freed memory for a while.
 #if defined(__SANITIZE_ADDRESS__)
 constexpr long MostKilobytes = 1500 * 1024;
@@ -129,8 +127,11 @@ FirstReport(const std::string & log)
 }
 } // namespace
 
-FuzzTrial::FuzzTrial(const std::string & path, const std::string & log, const Reader & reader)
-  : m_Path(path), m_Log(log), m_Start(std::chrono::steady_clock::now())
+FuzzTrial::FuzzTrial(const std::string &  path,
+                     const std::string &  log,
+                     const Reader &       reader,
+                     std::chrono::seconds limit)
+  : m_Path(path), m_Log(log), m_Start(std::chrono::steady_clock::now()), m_Limit(limit)
 {
   m_Child = fork();
   if (m_Child == 0)
@@ -151,7 +152,7 @@ FuzzTrial::HasEnded()
   const pid_t ended = wait4(m_Child, &status, WNOHANG, &usage);
   if (ended == 0)
   {
-    if (std::chrono::steady_clock::now() - m_Start > LongestTime && !m_IsOutOfTime)
+    if (std::chrono::steady_clock::now() - m_Start > m_Limit && !m_IsOutOfTime)
     {
       m_IsOutOfTime = true;
       kill(-m_Child, SIGKILL);
@@ -175,7 +176,7 @@ FuzzTrial::Judge(int status, long peakKilobytes)
   m_Outcome.kind = FuzzOutcome::Kind::fault;
   if (m_IsOutOfTime)
   {
-    m_Outcome.reason = "hang: more than 60 s";
+    m_Outcome.reason = "hang: more than " + std::to_string(m_Limit.count()) + " s";
   }
   else if (WIFSIGNALED(status))
   {

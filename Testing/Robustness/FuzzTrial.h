@@ -30,8 +30,8 @@ public:
    * InputError; any other exception is a fault. */
   using Reader = std::function<bool(const std::string & path)>;
 
-  /** Starts the work; `path` is removed at the end unless the outcome is a fault. */
-  FuzzTrial(const std::string & path, const std::string & log, const Reader & reader);
+  /** Starts the work, for at most `limit`; `path` is removed at the end unless the outcome is a fault. */
+  FuzzTrial(const std::string & path, const std::string & log, const Reader & reader, std::chrono::seconds limit);
 
   /** True when the child has ended or has been ended. */
   bool
@@ -56,6 +56,7 @@ private:
   std::string                           m_Log;
   pid_t                                 m_Child{ -1 };
   std::chrono::steady_clock::time_point m_Start;
+  std::chrono::seconds                  m_Limit;
   bool                                  m_IsOutOfTime{ false };
   FuzzOutcome                           m_Outcome;
 };

@@ -5,6 +5,7 @@ itk_module(Report
   DEPENDS
     CommandLine
   TEST_DEPENDS
+    ITKExpat
     ITKGoogleTest
   DESCRIPTION "${DOCUMENTATION}"
 )

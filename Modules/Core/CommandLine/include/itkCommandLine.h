@@ -137,8 +137,7 @@ public:
   Provenance
   GetProvenance() const;
 
-  /** Adds a fact to the provenance, for example the repair that was made to the input. A fact "option.<name>" stands in
-   * place of the option's own value, where that was chosen from the data. */
+  /** Adds a fact to the provenance, for example the repair that was made to the input. */
   void
   AddProvenance(const std::string & key, const std::string & value);
 

@@ -156,6 +156,8 @@ struct CommandLine::State
 
   const Parameter &
   Find(const std::string & name) const;
+  void
+  CheckInteger(const std::string & name) const;
   const std::vector<std::string> *
   FindGiven(const std::string & name) const;
   bool
@@ -184,6 +186,16 @@ CommandLine::State::Find(const std::string & name) const
     throw std::logic_error("the module description has no parameter \"" + name + '"');
   }
   return *parameter;
+}
+
+// A double need not fit into an int.
+void
+CommandLine::State::CheckInteger(const std::string & name) const
+{
+  if (!this->Find(name).IsInteger())
+  {
+    throw std::logic_error("\"" + name + "\" is no integer parameter");
+  }
 }
 
 // Null when the default holds.
@@ -368,6 +380,7 @@ CommandLine::GetDouble(const std::string & name) const
 int
 CommandLine::GetInteger(const std::string & name) const
 {
+  m_State->CheckInteger(name);
   return static_cast<int>(this->GetDouble(name));
 }
 
@@ -398,6 +411,7 @@ CommandLine::GetDoubles(const std::string & name) const
 std::vector<int>
 CommandLine::GetIntegers(const std::string & name) const
 {
+  m_State->CheckInteger(name);
   const std::vector<double> numbers = this->GetDoubles(name);
   return std::vector<int>(numbers.begin(), numbers.end());
 }
@@ -479,13 +493,10 @@ CommandLine::GetProvenance() const
   provenance.insert(provenance.end(), m_State->facts.begin(), m_State->facts.end());
   for (const auto & parameter : m_State->module.parameters)
   {
-    const std::string key = "option." + parameter.name;
-    const bool        isStated = std::any_of(
-      m_State->facts.begin(), m_State->facts.end(), [&key](const auto & fact) { return fact.first == key; });
     const std::string value = m_State->IsInProvenance(parameter) ? m_State->ProvenanceOf(parameter) : "";
-    if (!isStated && !value.empty() && (parameter.tag != "boolean" || value == "true"))
+    if (!value.empty() && (parameter.tag != "boolean" || value == "true"))
     {
-      provenance.emplace_back(key, value);
+      provenance.emplace_back("option." + parameter.name, value);
     }
   }
   return provenance;

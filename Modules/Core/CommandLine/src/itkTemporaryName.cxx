@@ -20,7 +20,7 @@ const std::string mark = ".part";
 // Process numbers mean something only inside one process name space of one host: of a run on another one that shares
 // the folder nothing can be known.
 std::string
-MachineTag()
+ComputeMachineTag()
 {
   char host[256] = {};
   gethostname(host, sizeof(host) - 1);
@@ -35,6 +35,13 @@ MachineTag()
   {
     tag += "0123456789abcdef"[hash >> shift & 15];
   }
+  return tag;
+}
+
+const std::string &
+MachineTag()
+{
+  static const std::string tag = ComputeMachineTag();
   return tag;
 }
 

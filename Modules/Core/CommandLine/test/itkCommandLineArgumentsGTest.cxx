@@ -307,6 +307,19 @@ TEST(CommandLineArguments, NamesThatTheXMLLacksAreMistakesOfTheProgram)
   EXPECT_EQ(outcome.err, "TestTool: the module description has no parameter \"delta\"\n");
 }
 
+TEST(CommandLineArguments, IntegersAreOnlyThoseOfIntegerParameters)
+{
+  const Body         bodies[] = { [](itk::CommandLine & commandLine) { commandLine.GetInteger("gamma"); },
+                          [](itk::CommandLine & commandLine) { commandLine.GetIntegers("window"); } };
+  const char * const names[] = { "gamma", "window" };
+  for (int i = 0; i < 2; ++i)
+  {
+    const auto outcome = RunWithOptions({}, bodies[i]);
+    EXPECT_EQ(outcome.status, 1);
+    EXPECT_EQ(outcome.err, std::string("TestTool: \"") + names[i] + "\" is no integer parameter\n");
+  }
+}
+
 const char * const multipleXml = R"(<executable><title>T</title><version>1</version><parameters>
   <image><name>reference</name><index>0</index></image>
   <image multiple="true"><name>inputs</name><index>1</index></image>

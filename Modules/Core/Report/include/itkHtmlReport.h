@@ -13,7 +13,7 @@ namespace itk
 /** \class HtmlReport
  * \brief One HTML file that opens without a network or other files: styles and pictures are inside it.
  *
- * Text is UTF-8 and is escaped. The page is HTML 5 and well-formed XML. The bytes depend on the content alone.
+ * Text is UTF-8 and is escaped. The page is HTML 5, and well-formed XML too. The bytes depend on the content alone.
  *
  * \ingroup Report
  */

@@ -26,12 +26,12 @@ struct HeatClassificationRule
  * heats are lines, similar shapes lie near each other). Ascending in heat and without gaps from the background (class 0,
  * heat below 2^-16) to the greatest heat; labels count from 0, so that similar classes have neighbouring labels.
  * The row is smoothed over about 1 % of the heat first; peaks that the rule rejects join the neighbour beyond the
- * shallower valley. voxels, meanHeat are those of the row's counts; components, volume and normalizedHeat stay 0.
+ * shallower valley. voxels and meanHeat are those of the row's counts; the other measures stay 0.
  * \ingroup ShapeDiffusion */
 ShapeDiffusion_EXPORT std::vector<HeatClass>
                       FindHeatClasses(const HeatHistogram & histogram, std::size_t row, const HeatClassificationRule & rule = {});
 
-/** The label of each voxel by its heat. Fills in the exact voxels, meanHeat and volume of the classes.
+/** The label of each voxel by its heat. Fills in the exact voxels, meanHeat, volume and borderShare of the classes.
  * \ingroup ShapeDiffusion */
 ShapeDiffusion_EXPORT Image<unsigned char, 3>::Pointer
                       LabelHeat(const Image<float, 3> * heat, std::vector<HeatClass> & classes);

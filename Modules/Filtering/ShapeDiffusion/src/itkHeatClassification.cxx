@@ -1,6 +1,7 @@
 #include "itkHeatClassification.h"
 
 #include "itkImageRegionConstIterator.h"
+#include "itkImageRegionConstIteratorWithIndex.h"
 #include "itkImageRegionIterator.h"
 
 #include <algorithm>
@@ -136,6 +137,31 @@ LabelOf(float heat, const std::vector<HeatClass> & classes)
     classes.begin(), classes.end(), static_cast<double>(heat), [](double h, const HeatClass & c) { return h < c.lowerHeat; });
   return above == classes.begin() ? 0 : (above - 1)->label;
 }
+void
+MeasureBorder(const Image<unsigned char, 3> * labels, std::vector<HeatClass> & classes)
+{
+  const auto region = labels->GetBufferedRegion();
+  const auto size = region.GetSize();
+  double     total = 0.0;
+  for (ImageRegionConstIteratorWithIndex<Image<unsigned char, 3>> it(labels, region); !it.IsAtEnd(); ++it)
+  {
+    bool atBorder = false;
+    for (unsigned int axis = 0; axis < 3; ++axis)
+    {
+      const auto place = it.GetIndex()[axis] - region.GetIndex(axis);
+      atBorder |= place == 0 || place + 1 == static_cast<IndexValueType>(size[axis]);
+    }
+    if (atBorder)
+    {
+      classes[it.Get()].borderShare += 1.0;
+      total += 1.0;
+    }
+  }
+  for (auto & heatClass : classes)
+  {
+    heatClass.borderShare /= std::max(1.0, total);
+  }
+}
 } // namespace
 
 std::vector<HeatClass>
@@ -200,7 +226,9 @@ LabelHeat(const Image<float, 3> * heat, std::vector<HeatClass> & classes)
   {
     heatClass.meanHeat = heatClass.voxels > 0 ? sums[heatClass.label] / heatClass.voxels : heatClass.meanHeat;
     heatClass.volume = heatClass.voxels * spacing[0] * spacing[1] * spacing[2];
+    heatClass.borderShare = 0.0;
   }
+  MeasureBorder(labels, classes);
   return labels;
 }
 

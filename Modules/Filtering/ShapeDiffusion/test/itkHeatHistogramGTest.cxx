@@ -160,6 +160,29 @@ TEST(HeatClassification, AColdVolumeHasOnlyBackground)
   EXPECT_EQ(LabelHeat(MakeHeatImage(heats), classes)->GetPixel({ { 3, 0, 0 } }), 0);
 }
 
+TEST(HeatClassification, TheSurroundingsHoldTheBorder)
+{
+  auto heat = Image<float, 3>::New();
+  heat->SetRegions(Image<float, 3>::SizeType{ { 10, 10, 10 } });
+  heat->Allocate();
+  heat->FillBuffer(0.01F);
+  for (IndexValueType z = 2; z < 8; ++z)
+  {
+    for (IndexValueType y = 2; y < 8; ++y)
+    {
+      for (IndexValueType x = 2; x < 10; ++x)
+      {
+        heat->SetPixel({ { x, y, z } }, 0.2F); // reaches one side
+      }
+    }
+  }
+  const auto classification = ClassifyHeat(heat);
+  ASSERT_EQ(classification.classes.size(), 3U);
+  const double border = 1000.0 - 512.0;
+  EXPECT_NEAR(classification.classes[2].borderShare, 36.0 / border, 1e-12);
+  EXPECT_NEAR(classification.classes[1].borderShare, (border - 36.0) / border, 1e-12);
+}
+
 TEST(HeatClassification, ComponentsJoinTheClassOfTheirConvergedHeat)
 {
   std::vector<HeatClass> classes(3);

@@ -233,7 +233,6 @@ TEST(ShapePhantomImageSource, CubeOfFigure24IsExact)
   const Counts counts = Count(source->GetLabelOutput());
   EXPECT_EQ(counts.voxels, 16.0 * 16.0 * 16.0);
   EXPECT_EQ(counts.faces, 6.0 * 16.0 * 16.0);
-  const std::string image = BytesOf(source->GetOutput());
   EXPECT_EQ(source->GetOutput()->GetPixel({ { 16, 16, 16 } }), 1000);
   EXPECT_EQ(source->GetOutput()->GetPixel({ { 7, 16, 16 } }), 0);
   EXPECT_EQ(source->GetOutput()->GetPixel({ { 8, 16, 16 } }), 1000);

@@ -64,8 +64,8 @@ using OutputPath = std::function<std::string(const std::string &)>;
 ShapeRendering_EXPORT void
 WriteHeatReport(const HeatReportContent & content, const std::string & folder, const OutputPath & outputPath);
 
-/** The classes as a table: label, lowerHeat, upperHeat, meanHeat, voxels, volume (mm^3), components, normalizedHeat,
- * and the colour in pictures ("#rrggbb"; empty for the background). \ingroup ShapeRendering */
+/** The classes as a table: label, lowerHeat, upperHeat, meanHeat, voxels, volume (mm^3), borderShare, components,
+ * normalizedHeat, and the colour in pictures ("#rrggbb"; empty for the background). \ingroup ShapeRendering */
 ShapeRendering_EXPORT CsvTable
 ClassTable(const std::vector<HeatClass> & classes, const HeatAxis & axis);
 
@@ -77,7 +77,7 @@ HistogramTable(const HeatHistogram & histogram);
 /** The parameters of a run in words, with the reason where a parameter was chosen from the data.
  * \ingroup ShapeRendering */
 ShapeRendering_EXPORT HeatReportContent::Facts
-RunFacts(const CumulativeHeatDiffusionResult & result);
+                      RunFacts(const CumulativeHeatDiffusionResult & result);
 } // namespace itk
 
 #endif

@@ -56,7 +56,8 @@ public:
   static ShapeTransferFunction
   Parse(const std::string & text);
 
-  /** One line for each class but the background: its colour is that of its mean heat on the axis, so that similar
+  /** One line for each class but the background and, where there are others, the surroundings (borderShare above one
+   * half), which would hide them: its colour is that of its mean heat on the axis, so that similar
    * classes look similar; large classes are made more transparent, so that small ones inside them stay visible. Where
    * there are more than MaximumNumberOfLines classes, those with neighbouring heats are joined until few enough are
    * left, the closest ones on the axis first; the joined range includes the heats between them. */

@@ -88,7 +88,7 @@ private:
  * Direct volume rendering by ray casting on the CPU; needs neither a display nor a graphics driver. Each voxel is
  * classified by its own heat and colour and opacity are interpolated: heat is not, because between an object and the
  * background it would pass through the heats of all other objects and paint their colours around this one. Opacity is
- * for a path of one smallest spacing; what is transparent is drawn more at its surface than inside, so that objects
+ * for a path of one smallest spacing; of what is transparent little more than the surface is drawn, so that objects
  * inside others can be seen. Light comes from over the viewer's left shoulder. Origin, spacing and direction cosines
  * are respected. Equal input gives equal bytes for any number of threads; ITK's global default number is used.
  *

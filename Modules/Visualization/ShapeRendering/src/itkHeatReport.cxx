@@ -61,6 +61,7 @@ ReadableClassTable(const std::vector<HeatClass> & classes, const HeatAxis & axis
                    "mean heat",
                    "voxels",
                    "volume, ml",
+                   "share of the border",
                    "closed components",
                    "scale-normalized heat" });
   for (const HeatClass & heatClass : classes)
@@ -73,6 +74,7 @@ ReadableClassTable(const std::vector<HeatClass> & classes, const HeatAxis & axis
                    CsvTable::Rounded(heatClass.meanHeat, 4),
                    GroupedDigits(heatClass.voxels),
                    CsvTable::Rounded(heatClass.volume / 1000.0, 4),
+                   CsvTable::Rounded(heatClass.borderShare, 2),
                    std::to_string(heatClass.components),
                    heatClass.components == 0 ? "" : CsvTable::Rounded(heatClass.normalizedHeat, 4) });
   }
@@ -102,6 +104,7 @@ JsonOf(const std::vector<HeatClass> & classes, const HeatAxis & axis)
                      { "meanHeat", heatClass.meanHeat },
                      { "voxels", heatClass.voxels },
                      { "volume", heatClass.volume },
+                     { "borderShare", heatClass.borderShare },
                      { "components", heatClass.components },
                      { "normalizedHeat", heatClass.normalizedHeat },
                      { "color", heatClass.label == 0 ? "" : HexOf(axis.ColorOf(heatClass.meanHeat)) } });
@@ -181,7 +184,8 @@ AddReadingGuide(HtmlReport & html)
   html.AddParagraph(
     "Colours are the same in all pictures: the colour of a heat is its place on the histogram's axis, from blue "
     "(least heat) to red (most). Similar heats have similar colours. A class is a range of heats; two objects "
-    "may share a class without being alike in any other way, and one organ may fall into several classes. "
+    "may share a class without being alike in any other way, and one organ may fall into several classes. The class "
+    "that holds most of the volume's border is what surrounds the objects; the rendering leaves it out. "
     "Heat depends on size too: it is lower for a larger object of the same shape. The scale-normalized heat "
     "of closed components makes up for that.");
 }
@@ -190,8 +194,16 @@ AddReadingGuide(HtmlReport & html)
 CsvTable
 ClassTable(const std::vector<HeatClass> & classes, const HeatAxis & axis)
 {
-  CsvTable table(
-    { "label", "lowerHeat", "upperHeat", "meanHeat", "voxels", "volume", "components", "normalizedHeat", "color" });
+  CsvTable table({ "label",
+                   "lowerHeat",
+                   "upperHeat",
+                   "meanHeat",
+                   "voxels",
+                   "volume",
+                   "borderShare",
+                   "components",
+                   "normalizedHeat",
+                   "color" });
   for (const HeatClass & heatClass : classes)
   {
     table.AddRow({ std::to_string(heatClass.label),
@@ -200,6 +212,7 @@ ClassTable(const std::vector<HeatClass> & classes, const HeatAxis & axis)
                    CsvTable::Number(heatClass.meanHeat),
                    std::to_string(heatClass.voxels),
                    CsvTable::Number(heatClass.volume),
+                   CsvTable::Rounded(heatClass.borderShare, 6),
                    std::to_string(heatClass.components),
                    CsvTable::Number(heatClass.normalizedHeat),
                    heatClass.label == 0 ? "" : HexOf(axis.ColorOf(heatClass.meanHeat)) });

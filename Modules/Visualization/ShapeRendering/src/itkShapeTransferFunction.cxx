@@ -299,6 +299,12 @@ ShapeTransferFunction::FromClasses(const std::vector<HeatClass> & classes, const
   std::copy_if(classes.begin(), classes.end(), std::back_inserter(objects), [](const HeatClass & heatClass) {
     return heatClass.label != 0 && heatClass.upperHeat - heatClass.lowerHeat >= narrowestLine;
   });
+  const auto surroundings = std::find_if(
+    objects.begin(), objects.end(), [](const HeatClass & heatClass) { return heatClass.borderShare > 0.5; });
+  if (surroundings != objects.end() && objects.size() > 1)
+  {
+    objects.erase(surroundings);
+  }
   std::sort(
     objects.begin(), objects.end(), [](const HeatClass & a, const HeatClass & b) { return a.lowerHeat < b.lowerHeat; });
   while (objects.size() > MaximumNumberOfLines)

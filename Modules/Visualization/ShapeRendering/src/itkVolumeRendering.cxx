@@ -182,8 +182,10 @@ private:
     const std::array<float, 3> perVoxel = isUniform ? std::array<float, 3>{} : m_Volume.GradientAt(position);
     const float                steepness = std::min(
       4.0F * std::sqrt(perVoxel[0] * perVoxel[0] + perVoxel[1] * perVoxel[1] + perVoxel[2] * perVoxel[2]), 1.0F);
-    // What is opaque stays so; what is transparent is mostly surface.
-    const float opacity = sample[3] * (sample[3] + (1.0F - sample[3]) * std::min(steepness / sample[3], 1.0F));
+    // What is opaque is so all through; of what is transparent little more than the surface is drawn.
+    const float power2 = sample[3] * sample[3];
+    const float inside = power2 * power2;
+    const float opacity = sample[3] * (inside + (1.0F - inside) * std::min(steepness / sample[3], 1.0F));
     const float ofSample = visible * (1.0F - std::sqrt(1.0F - std::min(opacity, 1.0F)));
     float       brightness = ambient + diffuse;
     float       highlight = 0.0F;

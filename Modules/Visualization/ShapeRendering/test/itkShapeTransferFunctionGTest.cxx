@@ -347,6 +347,21 @@ TEST(ShapeTransferFunction, ClassesBecomeLinesInTheColourOfTheirHeat)
   EXPECT_DOUBLE_EQ(lines[0].opacity, 0.1); // 27 times the voxels
 }
 
+TEST(ShapeTransferFunction, TheSurroundingsAreNoLineUnlessThereIsNothingElse)
+{
+  const itk::HeatHistogram    histogram({ 0 });
+  const itk::HeatAxis         axis(histogram);
+  std::vector<itk::HeatClass> classes{ MakeClass(0, 0.0, 0.05, 900),
+                                       MakeClass(1, 0.05, 0.3, 5000),
+                                       MakeClass(2, 0.3, 0.5, 1000) };
+  classes[1].borderShare = 0.9;
+  const auto lines = itk::ShapeTransferFunction::FromClasses(classes, axis).GetLines();
+  ASSERT_EQ(lines.size(), 1U);
+  EXPECT_EQ(lines[0].lowerHeat, 0.3);
+  classes.pop_back();
+  EXPECT_EQ(itk::ShapeTransferFunction::FromClasses(classes, axis).GetLines().size(), 1U);
+}
+
 TEST(ShapeTransferFunction, TooManyClassesAreJoinedWhereTheyAreClosest)
 {
   itk::HeatHistogram          histogram({ 0 });

@@ -1,0 +1,96 @@
+#include "itkJson.h"
+#include "itkFileBytes.h"
+#include "itkReportFolder.h"
+
+#include "gtest/gtest.h"
+
+#include <cmath>
+#include <limits>
+
+namespace
+{
+using reporttest::Folder;
+using reporttest::MessageOf;
+
+/** The message about a file with this content, without its name. */
+std::string
+FaultOf(const std::string & text)
+{
+  const Folder      folder;
+  const std::string path = folder / "x.json";
+  itk::WriteFileBytes(path, text);
+  std::string message = MessageOf([&] { itk::ReadJson(path); });
+  if (const auto name = message.find('"' + path + '"'); name != std::string::npos)
+  {
+    message.replace(name, path.size() + 2, "FILE");
+  }
+  return message;
+}
+
+TEST(Json, KeepsTheOrderOfItsKeysAndEndsWithANewline)
+{
+  const Folder folder;
+  itk::Json    document;
+  document["zebra"] = 1;
+  document["ant"] = { 1.5, true, nullptr, "text" };
+  document["empty"] = itk::Json::object();
+  itk::WriteJson(document, folder / "a.json");
+  EXPECT_EQ(
+    itk::ReadFileBytes(folder / "a.json"),
+    "{\n  \"zebra\": 1,\n  \"ant\": [\n    1.5,\n    true,\n    null,\n    \"text\"\n  ],\n  \"empty\": {}\n}\n");
+  EXPECT_EQ(itk::ReadJson(folder / "a.json"), document);
+  EXPECT_EQ(itk::ReadJson(folder / "a.json").begin().key(), "zebra");
+}
+
+TEST(Json, NumbersAndTextsComeBack)
+{
+  const Folder folder;
+  itk::Json    document = itk::Json::array();
+  for (const double value : { 0.1, 1.0 / 3.0, 1e-300, -5e-324, std::numeric_limits<double>::max() })
+  {
+    document.push_back(value);
+  }
+  document.push_back(std::numeric_limits<std::int64_t>::min());
+  document.push_back("quote \" backslash \\ newline \n nul " + std::string(1, '\0') + " \xC3\xA4 \xF0\x9F\xA6\xB4");
+  itk::WriteJson(document, folder / "a.json");
+  EXPECT_EQ(itk::ReadJson(folder / "a.json"), document);
+}
+
+TEST(Json, WhatItCannotHoldIsReplaced)
+{
+  const Folder folder;
+  itk::WriteJson({ { "bytes", "a\xFFz" }, { "nan", std::nan("") } }, folder / "a.json");
+  const itk::Json document = itk::ReadJson(folder / "a.json");
+  EXPECT_EQ(document.at("bytes"), "a\xEF\xBF\xBDz");
+  EXPECT_TRUE(document.at("nan").is_null());
+}
+
+TEST(Json, FaultsHaveAPlace)
+{
+  EXPECT_EQ(FaultOf(""), "3 FILE is not valid JSON at line 1, column 1; correct the file there");
+  EXPECT_EQ(FaultOf("x"), "3 FILE is not valid JSON at line 1, column 1; correct the file there");
+  EXPECT_EQ(FaultOf("{\n  \"a\": 1,\n  \"b\" 2\n}\n"),
+            "3 FILE is not valid JSON at line 3, column 7; correct the file there");
+  EXPECT_EQ(FaultOf("[1, 2\n"), "3 FILE is not valid JSON at line 2, column 1; correct the file there");
+  EXPECT_EQ(FaultOf("[1] 2"), "3 FILE is not valid JSON at line 1, column 5; correct the file there");
+  EXPECT_EQ(FaultOf("[NaN]"), "3 FILE is not valid JSON at line 1, column 2; correct the file there");
+  EXPECT_EQ(FaultOf("[\"\xFF\"]"), "3 FILE is not valid JSON at line 1, column 3; correct the file there");
+  EXPECT_EQ(FaultOf("[1e999]"), "3 FILE holds a number that is too large; correct the file");
+}
+
+TEST(Json, HostileFilesAreRefusedWithoutACrash)
+{
+  EXPECT_EQ(FaultOf(std::string(1000000, '[')),
+            "3 FILE is not valid JSON at line 1, column 1000001; correct the file there");
+  EXPECT_EQ(FaultOf(std::string(100000, '[') + std::string(100000, ']')), "no error");
+}
+
+TEST(Json, FilesThatCannotBeReadOrWritten)
+{
+  EXPECT_EQ(MessageOf([] { itk::ReadJson("missing.json"); }),
+            "3 cannot read \"missing.json\": No such file or directory; check the name and its permissions");
+  EXPECT_EQ(MessageOf([] { itk::ReadJson("."); }), "3 cannot read \".\": Is a directory; give the name of a file");
+  EXPECT_EQ(MessageOf([] { itk::WriteJson({}, "/dev/full"); }),
+            "1 cannot write \"/dev/full\": No space left on device; free some space or choose another folder");
+}
+} // namespace
