@@ -39,7 +39,9 @@ build_jobs() {
 configure() {
   local tree=$1
   shift
-  mkdir -p "$buildRoot/$tree" || fail "cannot write $buildRoot; set SHAPETON_BUILD_DIR to a folder that can be written"
+  if ! mkdir -p "$buildRoot/$tree" 2>/dev/null || [ ! -w "$buildRoot/$tree" ]; then
+    fail "cannot write $buildRoot; set SHAPETON_BUILD_DIR to a folder that can be written"
+  fi
   (cd "$repository" && cmake --preset "$tree" -B "$buildRoot/$tree" "$@" >"$buildRoot/$tree/configure.log" 2>&1) || {
     cat "$buildRoot/$tree/configure.log" >&2
     fail "the configuration of $buildRoot/$tree failed; see above"

@@ -4,14 +4,13 @@
 #include "itkCommandLine.h"
 #include "itkCumulativeHeatDiffusionImageFilter.h"
 #include "itkHeatClassification.h"
-#include "itkHeatHistogramPicture.h"
 #include "itkHeatReport.h"
 #include "itkHeatSnapshot.h"
 #include "itkToolError.h"
 #include "itkVolumeReader.h"
 #include "itkVolumeWriter.h"
 
-#include <algorithm>
+#include <set>
 
 namespace
 {
@@ -20,39 +19,37 @@ using ImageType = itk::Image<float, 3>;
 using FilterType = itk::CumulativeHeatDiffusionImageFilter<ImageType>;
 
 void
-CheckUsage(const CommandLine & commandLine)
+Require(bool condition, const std::string & message)
 {
-  const auto window = commandLine.GetDoubles("intensityWindow");
-  if (!window.empty() && (window.size() != 2 || !(window[0] < window[1])))
+  if (!condition)
   {
-    throw itk::UsageError("--intensityWindow needs two numbers, the lower one first, for example -160,240");
-  }
-  if (commandLine.GetFlag("autoParameters") && commandLine.IsGiven("p"))
-  {
-    throw itk::UsageError("--autoParameters chooses p; give either it or --p");
-  }
-  if (commandLine.IsGiven("snapshotSteps") != commandLine.IsGiven("snapshotFolder"))
-  {
-    throw itk::UsageError("--snapshotSteps and --snapshotFolder go together; give both");
-  }
-  for (const int step : commandLine.GetIntegers("snapshotSteps"))
-  {
-    if (step < 0 || step > commandLine.GetInteger("timeSteps"))
-    {
-      throw itk::UsageError("--snapshotSteps: " + std::to_string(step) + " does not lie between 0 and --timeSteps");
-    }
-  }
-  for (const std::string name : { "outputHeat", "initialHeatOutput", "labels" })
-  {
-    if (commandLine.IsGiven(name))
-    {
-      itk::RequireVolumeName(commandLine.GetString(name));
-    }
+    throw itk::UsageError(message);
   }
 }
 
 void
-Configure(const CommandLine & commandLine, FilterType * filter)
+CheckUsage(const CommandLine & commandLine)
+{
+  const auto window = commandLine.GetDoubles("intensityWindow");
+  Require(window.empty() || (window.size() == 2 && window[0] < window[1]),
+          "--intensityWindow needs two numbers, the lower one first, for example -160,240");
+  Require(!commandLine.GetFlag("autoParameters") || !commandLine.IsGiven("p"),
+          "--autoParameters chooses p; give either it or --p");
+  Require(commandLine.IsGiven("snapshotSteps") == commandLine.IsGiven("snapshotFolder"),
+          "--snapshotSteps and --snapshotFolder go together; give both");
+  for (const int step : commandLine.GetIntegers("snapshotSteps"))
+  {
+    Require(step >= 0 && step <= commandLine.GetInteger("timeSteps"),
+            "--snapshotSteps: " + std::to_string(step) + " does not lie between 0 and --timeSteps");
+  }
+  for (const std::string name : { "outputHeat", "initialHeatOutput", "labels" })
+  {
+    itk::RequireVolumeName(commandLine.GetString(name));
+  }
+}
+
+void
+Configure(CommandLine & commandLine, FilterType * filter)
 {
   if (const auto window = commandLine.GetDoubles("intensityWindow"); !window.empty())
   {
@@ -63,6 +60,10 @@ Configure(const CommandLine & commandLine, FilterType * filter)
   const bool asPublished = commandLine.GetString("conductance") == "published";
   filter->SetP(commandLine.GetDouble("p"));
   filter->SetAutomaticP(automatic);
+  if (automatic)
+  {
+    commandLine.AddProvenance("option.p", "automatic");
+  }
   filter->SetTimeSteps(commandLine.GetInteger("timeSteps"));
   filter->SetTimeStepLength(commandLine.GetDouble("timeStepLength"));
   filter->SetTolerance(commandLine.GetDouble("tolerance"));
@@ -70,15 +71,6 @@ Configure(const CommandLine & commandLine, FilterType * filter)
   filter->SetIgnoreSpacing(commandLine.GetFlag("ignoreSpacing"));
   filter->SetMethod(isExplicit ? FilterType::Method::Explicit : FilterType::Method::Chebyshev);
   filter->SetConductance(asPublished ? FilterType::Conductance::Published : FilterType::Conductance::Physical);
-}
-
-void
-RequestHistogram(const CommandLine & commandLine, FilterType * filter)
-{
-  const auto spacing = commandLine.GetString("snapshotSpacing") == "linear" ? itk::SnapshotSpacing::Linear
-                                                                            : itk::SnapshotSpacing::Logarithmic;
-  filter->SetHistogramSteps(
-    itk::MakeSnapshotSteps(filter->GetTimeSteps(), commandLine.GetInteger("snapshots"), spacing));
 }
 
 void
@@ -93,10 +85,9 @@ WriteHeat(const CommandLine & commandLine, const ImageType * heat, std::uint64_t
 std::vector<std::uint64_t>
 RequestSnapshots(CommandLine & commandLine, FilterType * filter)
 {
-  const auto                 given = commandLine.GetIntegers("snapshotSteps");
-  std::vector<std::uint64_t> steps(given.begin(), given.end());
-  std::sort(steps.begin(), steps.end());
-  steps.erase(std::unique(steps.begin(), steps.end()), steps.end());
+  const auto                       given = commandLine.GetIntegers("snapshotSteps");
+  const std::set<std::uint64_t>    distinct(given.begin(), given.end());
+  const std::vector<std::uint64_t> steps(distinct.begin(), distinct.end());
   if (!steps.empty())
   {
     const std::string folder = commandLine.GetString("snapshotFolder");
@@ -106,25 +97,6 @@ RequestSnapshots(CommandLine & commandLine, FilterType * filter)
     });
   }
   return steps;
-}
-
-void
-WarnOf(CommandLine & commandLine, const FilterType * filter, const std::vector<std::uint64_t> & snapshotSteps)
-{
-  const auto & result = filter->GetResult();
-  if (result.windowLower == result.windowUpper)
-  {
-    commandLine.Warn("all voxels have the same intensity: the heat is 0 everywhere");
-  }
-  if (!snapshotSteps.empty() && snapshotSteps.back() > result.timeStep)
-  {
-    commandLine.Warn("the heat is steady after " + std::to_string(result.timeStep) +
-                     " steps: snapshots of later steps were not written");
-  }
-  if (filter->GetUntilSteady() && !result.steady)
-  {
-    commandLine.Warn("the heat is not yet steady after " + std::to_string(result.timeStep) + " steps");
-  }
 }
 
 itk::HeatReportContent
@@ -166,17 +138,24 @@ Diffuse(CommandLine & commandLine)
   filter->SetWantComponents(wantClasses);
   if (wantReport || !pictureFile.empty() || !tableFile.empty())
   {
-    RequestHistogram(commandLine, filter);
+    const bool isLinear = commandLine.GetString("snapshotSpacing") == "linear";
+    filter->SetHistogramSteps(
+      itk::MakeSnapshotSteps(filter->GetTimeSteps(),
+                             commandLine.GetInteger("snapshots"),
+                             isLinear ? itk::SnapshotSpacing::Linear : itk::SnapshotSpacing::Logarithmic));
   }
   const auto snapshotSteps = RequestSnapshots(commandLine, filter);
   commandLine.Watch(filter, "Diffusing heat", 0.0, 0.95);
   filter->Update();
-  WarnOf(commandLine, filter, snapshotSteps);
+  const auto lastSnapshot = snapshotSteps.empty() ? 0 : snapshotSteps.back();
+  for (const auto & remark : itk::RunRemarks(filter->GetResult(), filter->GetUntilSteady(), lastSnapshot))
+  {
+    commandLine.Warn(remark);
+  }
   if (filter->GetAutomaticP())
   {
-    commandLine.AddProvenance("option.p", itk::CsvTable::Number(filter->GetResult().p.p));
+    commandLine.AddProvenance("chosen.p", itk::CsvTable::Number(filter->GetResult().p.p));
   }
-
   WriteHeat(commandLine, filter->GetOutput(), filter->GetResult().timeStep, heatFile);
   if (!initialHeatFile.empty())
   {
@@ -195,24 +174,21 @@ Diffuse(CommandLine & commandLine)
   }
   if (!classFile.empty())
   {
-    itk::ClassTable(content.classes, itk::HeatAxis(filter->GetResult().histogram, content.scale)).Write(classFile);
+    itk::ClassTable(content).Write(classFile);
   }
   if (!pictureFile.empty())
   {
-    itk::HeatHistogramPictureOptions options;
-    options.scale = content.scale;
-    options.markedTimeSteps = snapshotSteps;
-    options.classes = content.classes;
-    itk::WritePng(itk::DrawHeatHistogram(*content.histogram, options), pictureFile);
+    itk::WritePng(itk::DrawHistogram(content), pictureFile);
   }
   if (!tableFile.empty())
   {
-    itk::HistogramTable(filter->GetResult().histogram).Write(tableFile);
+    itk::HistogramTable(*content.histogram).Write(tableFile);
   }
   if (wantReport)
   {
     commandLine.MakeFolder(commandLine.GetString("report"));
-    itk::WriteHeatReport(content, commandLine.GetString("report"), [&](const std::string & path) { return commandLine.Output(path); });
+    itk::WriteHeatReport(
+      content, commandLine.GetString("report"), [&](const std::string & path) { return commandLine.Output(path); });
   }
   commandLine.RecordRun(output + ".run.json");
 }

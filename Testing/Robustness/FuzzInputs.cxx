@@ -210,7 +210,7 @@ Fuzz(const Options & options)
   slices.erase(slices.begin() + 2); // the place of the mutants
   itk::SaveDicom(slices, sound);
   const auto seeds = MakeFuzzSeeds(options.folder);
-  Campaign   campaign(std::chrono::seconds(60));
+  Campaign   campaign(std::chrono::seconds(120)); // the readers give up earlier
   for (std::size_t i = 0; i < options.files; ++i)
   {
     FuzzRandom        random(options.seed, i);

@@ -60,6 +60,10 @@ TextOf(const std::string & path)
 std::string
 LibraryOf(const std::string & frame)
 {
+  if (frame.find("/libsanitizer/") != std::string::npos)
+  {
+    return {};
+  }
   const auto open = frame.rfind('(');
   const auto plus = frame.find('+', open);
   if (open == std::string::npos || plus == std::string::npos)

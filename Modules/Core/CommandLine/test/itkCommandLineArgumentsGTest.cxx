@@ -296,6 +296,22 @@ TEST(CommandLineArguments, MessagesAreOneLineWithoutControlCharacters)
                   "--gamma: \"a b [31mc d?\" is not a number");
 }
 
+TEST(CommandLineArguments, MalformedUTF8InMessagesBecomesQuestionMarks)
+{
+  const std::pair<std::string, std::string> cases[] = {
+    { "\xC3\xA4\xE2\x82\xAC\xF0\x9F\xA6\xB4", "\xC3\xA4\xE2\x82\xAC\xF0\x9F\xA6\xB4" }, // characters of 2, 3, 4 bytes
+    { "\xED\x9F\xBF\xEE\x80\x80\xF4\x8F\xBF\xBF", "\xED\x9F\xBF\xEE\x80\x80\xF4\x8F\xBF\xBF" }, // beside the excluded
+    { "\x80|\xBF|\xFE|\xFF", "?|?|?|?" },
+    { "\xC3|\xE2\x82|\xF0\x9F\xA6", "?|??|???" },                            // cut off
+    { "\xC0\xAF|\xC1\xBF|\xE0\x80\xAF|\xF0\x80\x80\xAF", "??|??|???|????" }, // longer than needed
+    { "\xED\xA0\x80|\xF4\x90\x80\x80|\xF5\x80\x80\x80", "???|????|????" },   // no character
+  };
+  for (const auto & [text, shown] : cases)
+  {
+    ExpectBadOption({ "--gamma", text }, "--gamma: \"" + shown + "\" is not a number");
+  }
+}
+
 TEST(CommandLineArguments, NamesThatTheXMLLacksAreMistakesOfTheProgram)
 {
   const auto outcome = RunWithOptions({}, [](itk::CommandLine & commandLine) {

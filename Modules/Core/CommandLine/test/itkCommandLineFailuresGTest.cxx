@@ -100,6 +100,14 @@ TEST(CommandLineFailures, MessagesOfITKLoseLocationClassAndPointer)
   });
   EXPECT_EQ(rethrown.err, "TestTool: no luck\n");
 
+  const auto nested = Fail([](itk::CommandLine &) {
+    itkGenericExceptionMacro("Foo(0x7ffd20): not done:\nITK ERROR: Bar(0x7ffd10): no luck");
+  });
+  EXPECT_EQ(nested.err, "TestTool: no luck\n");
+
+  const auto noObject = Fail([](itk::CommandLine &) { itkGenericExceptionMacro("the offset (0x10): too large"); });
+  EXPECT_EQ(noObject.err, "TestTool: the offset (0x10): too large\n");
+
   const auto plain =
     Fail([](itk::CommandLine &) { throw itk::ExceptionObject("/there/itkFoo.h", 7, "  plain \n\n words ", "loc"); });
   EXPECT_EQ(plain.err, "TestTool: plain words\n");

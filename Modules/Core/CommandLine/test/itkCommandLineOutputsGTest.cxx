@@ -140,6 +140,29 @@ TEST(CommandLineOutputs, TheLongestNameOfAFileSystemWorks)
   EXPECT_EQ(NamesIn(), Words({ stem + ".nrrd", stem + "y.csv", std::string(255, 'z'), umlauts + ".nrrd" }));
 }
 
+TEST(CommandLineOutputs, ShorteningCutsNoCharacterInTwo)
+{
+  const Scratch scratch;
+  for (const std::string start : { "a", "aa", "aaa" })
+  {
+    std::string name = start;
+    while (name.size() < 248)
+    {
+      name += "\xE2\x82\xAC"; // the euro sign
+    }
+    const auto        outcome = RunWithOptions({}, [&name](itk::CommandLine & commandLine) {
+      const std::string temporary = commandLine.Output(name + ".nrrd");
+      WriteText(temporary, newText);
+      std::cout << fs::path(temporary).filename().string();
+    });
+    const std::string kept = outcome.out.substr(1, outcome.out.rfind(".part") - 1); // stem and tag
+    const std::string stem = kept.substr(0, kept.rfind('.'));
+    EXPECT_GT(stem.size(), 200u);
+    EXPECT_EQ(name.compare(0, stem.size(), stem), 0);
+    EXPECT_EQ((stem.size() - start.size()) % 3, 0u) << "whole euro signs";
+  }
+}
+
 TEST(CommandLineOutputs, NamesThatAreShortenedAlikeStayTwoFiles)
 {
   const Scratch     scratch;
@@ -251,7 +274,7 @@ INSTANTIATE_TEST_SUITE_P(Requests,
                          CommandLineKilled,
                          testing::Values(SIGTERM, SIGINT, SIGHUP, SIGQUIT, SIGPIPE, SIGXCPU, SIGALRM),
                          NameOfSignal);
-#ifndef __SANITIZE_ADDRESS__ // which reports crashes itself
+#if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__) // which report crashes themselves
 INSTANTIATE_TEST_SUITE_P(Crashes, CommandLineKilled, testing::Values(SIGABRT, SIGSEGV, SIGBUS, SIGFPE), NameOfSignal);
 #endif
 
@@ -637,6 +660,33 @@ TEST(CommandLineOutputs, AFailedRunRemovesTheFoldersItMadeWhenTheyAreEmpty)
   EXPECT_EQ(NamesIn(), Words({ "old", "used" }));
   EXPECT_TRUE(NamesIn("old").empty());
   EXPECT_EQ(NamesIn("used"), Words({ "notes.txt" }));
+}
+
+TEST(CommandLineOutputs, AFolderStaysAfterARunThatSucceeds)
+{
+  const Scratch scratch;
+  const auto    outcome = InProcess([] {
+    const int status =
+      RunHere({ "in", "out" }, [](itk::CommandLine & commandLine) { commandLine.MakeFolder("a/empty one"); });
+    raise(SIGTERM); // what comes after the run does not touch it either
+    return status;
+  });
+  EXPECT_EQ(outcome.status, -SIGTERM);
+  EXPECT_EQ(NamesIn("a"), Words({ "empty one" }));
+}
+
+TEST(CommandLineOutputs, AFolderThatAnotherRunMakesMeanwhileIsNotRemoved)
+{
+  const Scratch scratch;
+  const auto    outcome = InProcess([] {
+    faultySystem.losesRaceForFolder = true;
+    return RunHere({ "in", "out" }, [](itk::CommandLine & commandLine) {
+      commandLine.MakeFolder("a/b");
+      throw itk::InputError("no");
+    });
+  });
+  EXPECT_EQ(outcome.status, 3) << outcome.err;
+  EXPECT_EQ(NamesIn("a"), Words({ "b" }));
 }
 
 TEST(CommandLineOutputs, FoldersThatCannotBeMade)

@@ -4,6 +4,7 @@
 #include <csignal>
 
 #include <dlfcn.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 namespace tooltest
@@ -44,4 +45,15 @@ rename(const char * from, const char * to) noexcept
   }
   static const auto system = reinterpret_cast<int (*)(const char *, const char *)>(dlsym(RTLD_NEXT, "rename"));
   return system(from, to);
+}
+
+extern "C" int
+mkdir(const char * path, mode_t mode) noexcept
+{
+  static const auto system = reinterpret_cast<int (*)(const char *, mode_t)>(dlsym(RTLD_NEXT, "mkdir"));
+  if (faultySystem.losesRaceForFolder)
+  {
+    system(path, mode);
+  }
+  return system(path, mode);
 }

@@ -67,9 +67,9 @@ public:
   static void
   CountHeats(const float * heats, std::size_t number, std::uint32_t * counts);
 
-  /** The equalisation of 2.3.1: the share, in [0, 1], of all counts of all rows, without bin 0, that lie below the lower
-   * edge of each bin (NumberOfBins + 1 values, ascending from 0 to 1). One map for all rows, so that a converged line
-   * stays at one place. */
+  /** The equalisation of 2.3.1: the share, in [0, 1], of the counts without bin 0 that lie below the lower edge of each bin, mean
+   * over the rows (NumberOfBins + 1 values, ascending from 0 to 1). One map for all rows, so that a converged line stays at
+   * one place; each row counts the same, so that objects that keep their heat get room when the rest has cooled. */
   std::vector<double>
   GetEqualization() const;
 

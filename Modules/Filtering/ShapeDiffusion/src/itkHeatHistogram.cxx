@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <stdexcept>
 
 namespace itk
@@ -75,9 +76,11 @@ HeatHistogram::GetEqualization() const
   std::vector<double> below(NumberOfBins + 1, 0.0);
   for (std::size_t row = 0; row < this->GetNumberOfRows(); ++row)
   {
-    for (unsigned int bin = 1; bin < NumberOfBins; ++bin)
+    const std::uint32_t * const counts = this->GetRow(row);
+    const double                total = std::accumulate(counts + 1, counts + NumberOfBins, 0.0);
+    for (unsigned int bin = 1; bin < NumberOfBins && total > 0.0; ++bin)
     {
-      below[bin + 1] += this->GetCount(row, bin);
+      below[bin + 1] += counts[bin] / total;
     }
   }
   for (unsigned int bin = 1; bin <= NumberOfBins; ++bin)

@@ -55,6 +55,18 @@ TEST(HeatHistogram, EqualizationGivesEachHeatTheShareOfTheVoxelsBelowIt)
   EXPECT_DOUBLE_EQ(place[HeatHistogram::BinOf(0.9F)], 0.9);
 }
 
+TEST(HeatHistogram, EqualizationCountsEachRowTheSame)
+{
+  HeatHistogram            histogram({ 0, 10 });
+  const std::vector<float> many(1000, 0.01F);
+  const std::vector<float> few(10, 0.5F);
+  histogram.AddToRow(0, many.data(), many.size());
+  histogram.AddToRow(1, few.data(), few.size());
+  const auto place = histogram.GetEqualization();
+  EXPECT_DOUBLE_EQ(place[HeatHistogram::BinOf(0.01F) + 1], 0.5);
+  EXPECT_DOUBLE_EQ(place[HeatHistogram::BinOf(0.5F)], 0.5);
+}
+
 TEST(HeatHistogramFilter, RefusesStepsOutOfOrder)
 {
   auto heat = Image<float, 3>::New();

@@ -22,10 +22,10 @@ using VolumeMetadata = std::vector<std::pair<std::string, std::string>>;
 DicomSeries_EXPORT VolumeMetadata
 ProvenanceMetadata(const CommandLine & commandLine);
 
-/** `path`, when WriteVolume can write it; UsageError otherwise. For a check before a long computation.
- * \ingroup DicomSeries */
+/** `path`, when it is empty (no output is wanted) or WriteVolume can write it; UsageError otherwise. For a check before
+ * a long computation. \ingroup DicomSeries */
 DicomSeries_EXPORT const std::string &
-RequireVolumeName(const std::string & path);
+                         RequireVolumeName(const std::string & path);
 
 /** Writes NRRD, NIfTI or MetaImage by the extension of `path`; labels (integer pixels) compressed, float pixels raw.
  * The file is read back before the function returns, so that a full disk is noticed. Throws OutputError, and

@@ -410,7 +410,9 @@ ReadDicomSlices(const std::vector<const DicomSlice *> & slices,
   {
     bytes = std::max(bytes, BytesOf(*slice, pixels));
   }
-  const ContainedProcess::Limits limits{ (std::size_t(768) << 20) + 16 * bytes, 120, 900 };
+  // JPEG 2000 takes about a second for 10 MB.
+  const auto                     seconds = static_cast<unsigned int>(20 + bytes / 1000000);
+  const ContainedProcess::Limits limits{ (std::size_t(512) << 20) + 16 * bytes, seconds, 600 + seconds };
   const std::size_t              threads = MultiThreaderBase::GetGlobalDefaultNumberOfThreads();
   const std::size_t count = std::min({ slices.size(), std::max<std::size_t>(threads, 1), MaximumProcesses });
 

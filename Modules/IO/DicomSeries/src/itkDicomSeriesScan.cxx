@@ -76,7 +76,7 @@ ParseFiles(const std::vector<std::string> & paths)
     throw std::runtime_error("DCMTK's data dictionary is missing; install dcmtk or set DCMDICTPATH");
   }
   ContainedProcess process(
-    [](const std::string & path, char *) { return ParseInChild(path); }, 0, { std::size_t(768) << 20, 30, 300 });
+    [](const std::string & path, char *) { return ParseInChild(path); }, 0, { std::size_t(512) << 20, 15, 600 });
   std::vector<DicomFile> files;
   files.reserve(paths.size());
   for (const std::string & path : paths)

@@ -230,11 +230,12 @@ Contained(const std::function<std::string()> & work)
   }
 }
 
+/** For work on `bytes` bytes of voxels; a slow machine handles a megabyte in a second. */
 ContainedProcess::Limits
 LimitsFor(double bytes)
 {
-  const double seconds = 60 + bytes / 5e6;
-  return { static_cast<std::size_t>((512u << 20) + 3 * bytes),
+  const double seconds = 10 + bytes / 1e6;
+  return { static_cast<std::size_t>((256u << 20) + 3 * bytes),
            static_cast<unsigned int>(seconds),
            static_cast<unsigned int>(600 + seconds) };
 }

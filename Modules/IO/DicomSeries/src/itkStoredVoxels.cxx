@@ -159,6 +159,11 @@ LocateMetaVoxels(const std::string & path)
   {
     Refuse(path, "this is no MetaImage file: it has no ElementDataFile");
   }
+  const std::string dimensions = header.ValueOf("ndims", '=');
+  if (dimensions.size() != 1 || dimensions < "1" || dimensions > "9") // MetaIO would loop over any number
+  {
+    Refuse(path, "this is no MetaImage file: its NDims is no number of dimensions");
+  }
   StoredVoxels      voxels{ path, header.bytes };
   const std::string detached = header.ValueOf("elementdatafile", '=');
   if (LowerCase(detached) != "local")

@@ -220,7 +220,10 @@ ProvenanceMetadata(const CommandLine & commandLine)
 const std::string &
 RequireVolumeName(const std::string & path)
 {
-  MakeImageIO(path);
+  if (!path.empty())
+  {
+    MakeImageIO(path);
+  }
   return path;
 }
 

@@ -69,6 +69,14 @@ WriteHeatReport(const HeatReportContent & content, const std::string & folder, c
 ShapeRendering_EXPORT CsvTable
 ClassTable(const std::vector<HeatClass> & classes, const HeatAxis & axis);
 
+/** The class table of the report. \ingroup ShapeRendering */
+ShapeRendering_EXPORT CsvTable
+ClassTable(const HeatReportContent & content);
+
+/** The histogram of the report, with its marks and classes. \ingroup ShapeRendering */
+ShapeRendering_EXPORT Picture::Pointer
+                      DrawHistogram(const HeatReportContent & content);
+
 /** The counts of a heat histogram that are not 0, in 32 ranges for each factor of two of the heat: timeStep, lowerHeat,
  * upperHeat, voxels. \ingroup ShapeRendering */
 ShapeRendering_EXPORT CsvTable
@@ -78,6 +86,11 @@ HistogramTable(const HeatHistogram & histogram);
  * \ingroup ShapeRendering */
 ShapeRendering_EXPORT HeatReportContent::Facts
                       RunFacts(const CumulativeHeatDiffusionResult & result);
+
+/** What the user of a run should know: a constant volume, a heat that is not steady although that was asked for,
+ * snapshots up to `lastSnapshotStep` that the steady state cut off. \ingroup ShapeRendering */
+ShapeRendering_EXPORT std::vector<std::string>
+RunRemarks(const CumulativeHeatDiffusionResult & result, bool untilSteady, std::uint64_t lastSnapshotStep);
 } // namespace itk
 
 #endif

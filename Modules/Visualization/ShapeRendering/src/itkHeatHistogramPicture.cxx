@@ -18,7 +18,7 @@ constexpr int classStripHeight = 44;
 constexpr int tickLength = 6;
 // A bin is drawn at most this wide: on the equalised axis a converged line owns a large share of the counts and of the
 // axis, but is to look like a line.
-constexpr double greatestBinWidth = 6.0;
+constexpr double greatestLineWidth = 6.0;
 
 const RGBColor ink = MakeColor(30, 32, 38);
 const RGBColor faintInk = MakeColor(96, 100, 110);
@@ -69,24 +69,43 @@ public:
   }
 
 private:
-  /** Spreads the counts of a bin over the columns it covers, each from half a pixel left to half a pixel right of it.
-   */
+  /** Adds the counts of a bin: in rows where its neighbours hold counts as well, over all columns that it covers; in
+   * others, as a line in its middle. */
   void
   AddBin(const HeatHistogram & histogram, unsigned int bin, double left, double right)
   {
     const double center = 0.5 * (left + right);
-    const double width = std::clamp(right - left, 1e-6, greatestBinWidth);
-    const int    first = std::max(static_cast<int>(std::lround(center - 0.5 * width)), 0);
-    const int    last = std::min(static_cast<int>(std::lround(center + 0.5 * width)), m_Columns - 1);
+    const double width = std::max(right - left, 1e-6);
+    for (std::size_t row = 0; row < histogram.GetNumberOfRows(); ++row)
+    {
+      if (const std::uint32_t count = histogram.GetCount(row, bin); count > 0)
+      {
+        const bool isLine = width > greatestLineWidth && !IsPartOfSpread(histogram, row, bin);
+        this->AddCount(row, count, center, isLine ? greatestLineWidth : width);
+      }
+    }
+  }
+
+  static bool
+  IsPartOfSpread(const HeatHistogram & histogram, std::size_t row, unsigned int bin)
+  {
+    const std::uint32_t least = histogram.GetCount(row, bin) / 8;
+    return bin > 1 && bin + 1 < HeatHistogram::NumberOfBins && histogram.GetCount(row, bin - 1) > least &&
+           histogram.GetCount(row, bin + 1) > least;
+  }
+
+  /** Spreads a count over the columns around a place, each from half a pixel left to half a pixel right of it. */
+  void
+  AddCount(std::size_t row, std::uint32_t count, double center, double width)
+  {
+    const int first = std::max(static_cast<int>(std::lround(center - 0.5 * width)), 0);
+    const int last = std::min(static_cast<int>(std::lround(center + 0.5 * width)), m_Columns - 1);
     for (int column = first; column <= last; ++column)
     {
       const double overlap =
         std::min(center + 0.5 * width, column + 0.5) - std::max(center - 0.5 * width, column - 0.5);
       const double share = first == last ? 1.0 : std::max(overlap, 0.0) / width;
-      for (std::size_t row = 0; row < histogram.GetNumberOfRows(); ++row)
-      {
-        m_Counts[row * m_Columns + column] += static_cast<float>(histogram.GetCount(row, bin) * share);
-      }
+      m_Counts[row * m_Columns + column] += static_cast<float>(count * share);
     }
   }
 

@@ -131,16 +131,6 @@ JsonOf(const HeatReportContent & content, const HeatAxis & axis, const ShapeTran
 }
 
 Picture::Pointer
-HistogramPicture(const HeatReportContent & content)
-{
-  HeatHistogramPictureOptions options;
-  options.scale = content.scale;
-  options.classes = content.classes;
-  options.markedTimeSteps = content.markedTimeSteps;
-  return DrawHeatHistogram(*content.histogram, options);
-}
-
-Picture::Pointer
 Slices(const HeatReportContent &        content,
        const std::string &              title,
        const HeatColoring &             coloring,
@@ -220,6 +210,22 @@ ClassTable(const std::vector<HeatClass> & classes, const HeatAxis & axis)
   return table;
 }
 
+Picture::Pointer
+DrawHistogram(const HeatReportContent & content)
+{
+  HeatHistogramPictureOptions options;
+  options.scale = content.scale;
+  options.classes = content.classes;
+  options.markedTimeSteps = content.markedTimeSteps;
+  return DrawHeatHistogram(*content.histogram, options);
+}
+
+CsvTable
+ClassTable(const HeatReportContent & content)
+{
+  return ClassTable(content.classes, HeatAxis(*content.histogram, content.scale));
+}
+
 CsvTable
 HistogramTable(const HeatHistogram & histogram)
 {
@@ -259,6 +265,26 @@ RunFacts(const CumulativeHeatDiffusionResult & result)
   return facts;
 }
 
+std::vector<std::string>
+RunRemarks(const CumulativeHeatDiffusionResult & result, bool untilSteady, std::uint64_t lastSnapshotStep)
+{
+  std::vector<std::string> remarks;
+  const std::string        steps = std::to_string(result.timeStep) + " steps";
+  if (result.windowLower == result.windowUpper)
+  {
+    remarks.push_back("all voxels have the same intensity: the heat is 0 everywhere");
+  }
+  if (lastSnapshotStep > result.timeStep)
+  {
+    remarks.push_back("the heat is steady after " + steps + ": snapshots of later steps were not written");
+  }
+  if (untilSteady && !result.steady)
+  {
+    remarks.push_back("the heat is not yet steady after " + steps);
+  }
+  return remarks;
+}
+
 void
 WriteHeatReport(const HeatReportContent & content, const std::string & folder, const OutputPath & outputPath)
 {
@@ -281,7 +307,7 @@ WriteHeatReport(const HeatReportContent & content, const std::string & folder, c
   };
   html.AddHeading("Heat histogram");
   addPicture("histogram.png",
-             HistogramPicture(content),
+             DrawHistogram(content),
              "Numbers of voxels by heat and time step; the bars below are the classes.");
   html.AddHeading("Classes");
   html.AddTable(ReadableClassTable(content.classes, axis), "Classes" + time + ", by heat");

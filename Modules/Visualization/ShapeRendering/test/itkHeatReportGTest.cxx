@@ -163,3 +163,30 @@ TEST_F(HeatReport, ABackgroundAloneIsReportedToo)
   const std::string folder = itk::TemporaryFolder("report-background");
   EXPECT_NO_THROW(itk::WriteHeatReport(m_Content, folder, inPlace));
 }
+
+TEST(HeatTables, TheHistogramTableHoldsEveryVoxelInItsRange)
+{
+  itk::HeatHistogram       histogram({ 0, 50 });
+  const std::vector<float> heats{ 0.0F, 0.0F, 0.25F, 0.2501F, 1.0F };
+  histogram.AddToRow(1, heats.data(), heats.size());
+  const itk::CsvTable table = itk::HistogramTable(histogram);
+  ASSERT_EQ(table.GetRows().size(), 3U);
+  EXPECT_EQ(table.GetRows()[0], (std::vector<std::string>{ "50", "0", "1.52587890625e-05", "2" }));
+  EXPECT_EQ(table.GetRows()[1][1], "0.25");
+  EXPECT_EQ(table.GetRows()[1][3], "2");
+  EXPECT_EQ(table.GetRows()[2][2], "1");
+}
+
+TEST(HeatTables, RemarksTellWhatIsNotAsExpected)
+{
+  itk::CumulativeHeatDiffusionResult result;
+  result.timeStep = 500;
+  result.windowUpper = 1.0;
+  EXPECT_TRUE(itk::RunRemarks(result, false, 500).empty());
+  EXPECT_EQ(itk::RunRemarks(result, true, 0).size(), 1U);
+  result.steady = true;
+  EXPECT_TRUE(itk::RunRemarks(result, true, 0).empty());
+  EXPECT_EQ(itk::RunRemarks(result, true, 501).size(), 1U);
+  result.windowUpper = 0.0;
+  EXPECT_EQ(itk::RunRemarks(result, true, 501).size(), 2U);
+}
