@@ -10,6 +10,7 @@ itk_module(ShapeRendering
     ShapeDiffusion
     ITKCommon
   PRIVATE_DEPENDS
+    DicomSeries
     ITKIOImageBase
     ITKIONRRD
     ITKIOPNG

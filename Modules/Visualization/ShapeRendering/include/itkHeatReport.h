@@ -87,6 +87,13 @@ HistogramTable(const HeatHistogram & histogram);
 ShapeRendering_EXPORT HeatReportContent::Facts
                       RunFacts(const CumulativeHeatDiffusionResult & result);
 
+/** A report on a run with its parameters, histogram, images and time step; the arguments must outlive it.
+ * \ingroup ShapeRendering */
+ShapeRendering_EXPORT HeatReportContent
+MakeReportContent(const CumulativeHeatDiffusionResult & result,
+                  const Image<float, 3> *               grey,
+                  const Image<float, 3> *               heat);
+
 /** What the user of a run should know: a constant volume, a heat that is not steady although that was asked for,
  * snapshots up to `lastSnapshotStep` that the steady state cut off. \ingroup ShapeRendering */
 ShapeRendering_EXPORT std::vector<std::string>

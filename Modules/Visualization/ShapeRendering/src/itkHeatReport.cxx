@@ -265,6 +265,20 @@ RunFacts(const CumulativeHeatDiffusionResult & result)
   return facts;
 }
 
+HeatReportContent
+MakeReportContent(const CumulativeHeatDiffusionResult & result,
+                  const Image<float, 3> *               grey,
+                  const Image<float, 3> *               heat)
+{
+  HeatReportContent content;
+  content.parameters = RunFacts(result);
+  content.histogram = &result.histogram;
+  content.grey = grey;
+  content.heat = heat;
+  content.timeStep = result.timeStep;
+  return content;
+}
+
 std::vector<std::string>
 RunRemarks(const CumulativeHeatDiffusionResult & result, bool untilSteady, std::uint64_t lastSnapshotStep)
 {
