@@ -174,6 +174,22 @@ TEST_F(DicomSeriesScan, AcquisitionNumbersOfTheStepsOfOneScanAreNot)
   EXPECT_TRUE(scan.series[0].IsUsable());
 }
 
+TEST_F(DicomSeriesScan, BlocksOfOneScanThatShareASliceAreADuplicate)
+{
+  const std::string folder = itk::TestFolder();
+  DicomFixture      fixture;
+  auto              files = fixture.MakeSeries();
+  files.push_back(fixture.MakeSlice(fixture.SlicePosition(2 * fixture.sliceSpacing), 7));
+  for (std::size_t i = 0; i < files.size(); ++i)
+  {
+    itk::SetText(*files[i], DCM_AcquisitionNumber, i < 3 ? "1" : "2"); // 0 2 4 and 4 6 8 10 mm, each regular
+  }
+  itk::SaveDicom(files, folder);
+  const DicomScan scan = itk::ScanDicom(folder);
+  ASSERT_EQ(scan.series.size(), 1u);
+  EXPECT_EQ(DefectNames(scan.series[0]), std::vector<std::string>{ "duplicateIdentical" });
+}
+
 TEST_F(DicomSeriesScan, SymbolicLinksAreFollowedOnce)
 {
   const std::string folder = itk::TestFolder();

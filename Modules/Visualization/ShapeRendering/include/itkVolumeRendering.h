@@ -7,6 +7,8 @@
 #include "itkPicture.h"
 #include "itkShapeTransferFunction.h"
 
+#include <optional>
+
 namespace itk
 {
 /** How a volume is looked at.
@@ -21,7 +23,9 @@ struct VolumeRenderingOptions
   /** Pixels. */
   unsigned int width{ 800 };
   unsigned int height{ 600 };
-  /** 1 shows the whole volume from any side; larger values enlarge its centre. */
+  /** The part of the volume that fills the picture; by default all of it. The rest is seen where there is room. */
+  std::optional<ImageRegion<3>> focus;
+  /** 1 shows the whole focus from any side; larger values enlarge its centre. */
   double zoom{ 1.0 };
   /** Orientation letters at the borders and a scale bar. */
   bool annotations{ true };
@@ -30,7 +34,7 @@ struct VolumeRenderingOptions
 /** \class PatientView
  * \brief A parallel projection of patient space (LPS, mm) onto the pixels of a picture.
  *
- * The centre of the volume lies in the centre of the picture; all lengths have one scale.
+ * The centre of the focus lies in the centre of the picture; all lengths have one scale.
  *
  * \ingroup ShapeRendering
  */
@@ -47,7 +51,7 @@ public:
   Point<double, 2>
   Project(const PointType & point) const;
 
-  /** The point of the picture plane (through the centre of the volume) that is seen in pixel (x, y). */
+  /** The point of the picture plane (through the centre of the focus) that is seen in pixel (x, y). */
   PointType
   PointOfPixel(double x, double y) const;
 
@@ -98,6 +102,11 @@ ShapeRendering_EXPORT Picture::Pointer
                       RenderVolume(const Image<float, 3> *        heat,
                                    const ShapeTransferFunction &  transferFunction,
                                    const VolumeRenderingOptions & options = {});
+
+/** The smallest region that holds all voxels with a line of the transfer function; empty where there is none.
+ * \ingroup ShapeRendering */
+ShapeRendering_EXPORT std::optional<ImageRegion<3>>
+                      VisibleRegion(const Image<float, 3> * heat, const ShapeTransferFunction & transferFunction);
 } // namespace itk
 
 #endif

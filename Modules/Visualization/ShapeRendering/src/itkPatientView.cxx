@@ -32,9 +32,8 @@ CosineOfDegrees(double degrees)
 }
 
 ImageBase<3>::PointType
-PointAt(const ImageBase<3> * volume, const double share[3])
+PointAt(const ImageBase<3> * volume, const ImageRegion<3> & region, const double share[3])
 {
-  const ImageRegion<3>       region = volume->GetLargestPossibleRegion();
   ContinuousIndex<double, 3> index;
   for (unsigned int axis = 0; axis < 3; ++axis)
   {
@@ -66,13 +65,14 @@ PatientView::PatientView(const ImageBase<3> * volume, const VolumeRenderingOptio
   m_Up = CrossProduct(m_Right, m_Forward);
 
   const double middle[3] = { 0.5, 0.5, 0.5 };
-  m_Center = PointAt(volume, middle);
+  const auto   region = options.focus.value_or(volume->GetLargestPossibleRegion());
+  m_Center = PointAt(volume, region, middle);
   double halfWidth = 0.0;
   double halfHeight = 0.0;
   for (unsigned int corner = 0; corner < 8; ++corner)
   {
     const double     share[3] = { corner & 1 ? 1.0 : 0.0, corner & 2 ? 1.0 : 0.0, corner & 4 ? 1.0 : 0.0 };
-    const VectorType offset = PointAt(volume, share) - m_Center;
+    const VectorType offset = PointAt(volume, region, share) - m_Center;
     halfWidth = std::max(halfWidth, std::fabs(offset * m_Right));
     halfHeight = std::max(halfHeight, std::fabs(offset * m_Up));
   }

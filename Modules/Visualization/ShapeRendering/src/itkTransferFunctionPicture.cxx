@@ -62,6 +62,7 @@ DrawTransferFunction(const Image<float, 3> *       grey,
   view.elevation = 15.0;
   view.width = renderingWidth;
   view.height = renderingHeight;
+  view.focus = VisibleRegion(heat, transferFunction);
   const auto rendering = RenderVolume(heat, transferFunction, view);
 
   const int top = margin + titleHeight;

@@ -1,6 +1,7 @@
 #include "itkVolumeRendering.h"
 
 #include "itkClassifiedVolume.h"
+#include "itkImageRegionConstIteratorWithIndex.h"
 #include "itkMultiThreaderBase.h"
 #include "itkPatientOrientation.h"
 #include "itkScaleBar.h"
@@ -245,6 +246,36 @@ Annotate(Picture * picture, const PatientView & view)
   DrawScaleBar(picture, 12, height - 12, width / 4, view.GetMillimetresPerPixel(), annotation);
 }
 } // namespace
+
+std::optional<ImageRegion<3>>
+VisibleRegion(const Image<float, 3> * heat, const ShapeTransferFunction & transferFunction)
+{
+  const auto region = heat->GetBufferedRegion();
+  Index<3>   first = region.GetUpperIndex();
+  Index<3>   last = region.GetIndex();
+  bool       any = false;
+  for (ImageRegionConstIteratorWithIndex<Image<float, 3>> it(heat, region); !it.IsAtEnd(); ++it)
+  {
+    if (transferFunction.LineOf(it.Get()) < 0)
+    {
+      continue;
+    }
+    any = true;
+    for (unsigned int axis = 0; axis < 3; ++axis)
+    {
+      first[axis] = std::min(first[axis], it.GetIndex()[axis]);
+      last[axis] = std::max(last[axis], it.GetIndex()[axis]);
+    }
+  }
+  if (!any)
+  {
+    return {};
+  }
+  ImageRegion<3> visible;
+  visible.SetIndex(first);
+  visible.SetUpperIndex(last);
+  return visible;
+}
 
 Picture::Pointer
 RenderVolume(const Image<float, 3> *        heat,

@@ -346,6 +346,27 @@ TEST(VolumeRendering, Baseline)
   itk::ExpectBaseline(itk::RenderVolume(MakePhantom(), function, options), "itkVolumeRendering.png");
 }
 
+TEST(VisibleRegion, HoldsTheVoxelsOfTheLinesAndFillsThePicture)
+{
+  const auto image = MakeObliqueGrid();
+  FillBall(image, redCenter, 7.0, redHeat);
+  const auto lines = itk::ShapeTransferFunction::Parse(threeLines);
+  const auto visible = itk::VisibleRegion(image, lines);
+  ASSERT_TRUE(visible.has_value());
+  EXPECT_NEAR(visible->GetSize(0), 14, 1);
+  EXPECT_NEAR(visible->GetSize(1) * 1.5, 14, 2);
+  EXPECT_NEAR(visible->GetSize(2) * 2.5, 14, 3);
+
+  itk::VolumeRenderingOptions options;
+  options.focus = visible;
+  const itk::PatientView view(image, options);
+  const auto             place = view.Project(redCenter);
+  EXPECT_NEAR(place[0], 0.5 * (options.width - 1), 1.5 / view.GetMillimetresPerPixel());
+  EXPECT_NEAR(place[1], 0.5 * (options.height - 1), 1.5 / view.GetMillimetresPerPixel());
+  EXPECT_LT(view.GetMillimetresPerPixel() * options.height, 40.0); // 14 mm, turned, and a margin
+  EXPECT_FALSE(itk::VisibleRegion(image, itk::ShapeTransferFunction::Parse("0.7-0.8:red:1")).has_value());
+}
+
 TEST(PatientView, AxesOfTheFourSides)
 {
   const auto image = MakeObliqueGrid();
