@@ -1,5 +1,5 @@
-// Cumulative heat diffusion of 256^3 voxels beside its peers, all in one process: the memory roofline (a triad), a plain
-// scalar loop, and ITK's gradient anisotropic diffusion. Prints absolute times, then the ratios of medians.
+// Cumulative heat diffusion of 256^3 voxels beside its peers, all in one process: the memory roofline (a triad), a
+// plain scalar loop, and ITK's gradient anisotropic diffusion. Prints absolute times, then the ratios of medians.
 #include "ScalarPeer.h"
 
 #include "itkAutomaticParameters.h"
@@ -36,7 +36,8 @@ MakeIntensities()
         auto hash = static_cast<std::uint32_t>((z * side + y) * side + x) * 2654435761U;
         hash = (hash ^ hash >> 15) * 0x7feb352dU;
         float value = 20.0F + 10.0F * std::sin(0.05F * x) * std::cos(0.04F * y + 0.03F * z);
-        for (const auto & ball : { std::array<float, 5>{ 80, 90, 100, 40, 120 }, { 170, 150, 140, 55, 200 }, { 60, 190, 180, 25, 250 } })
+        for (const auto & ball :
+             { std::array<float, 5>{ 80, 90, 100, 40, 120 }, { 170, 150, 140, 55, 200 }, { 60, 190, 180, 25, 250 } })
         {
           const float distance = std::hypot(x - ball[0], y - ball[1], z - ball[2]) - ball[3];
           const float share = std::clamp(0.5F - distance / 2.0F, 0.0F, 1.0F);
@@ -68,7 +69,7 @@ struct Setting
   Parameters(const std::vector<float> & intensities)
   {
     VolumeGradientOperator::Parameters parameters;
-    const auto ends = std::minmax_element(intensities.begin(), intensities.end());
+    const auto                         ends = std::minmax_element(intensities.begin(), intensities.end());
     parameters.lower = *ends.first;
     parameters.upper = *ends.second;
     return parameters;
@@ -226,9 +227,10 @@ Snapshots(benchmark::State & state)
   for (auto _ : state)
   {
     HeatDiffusionSolver solver(s.volumeGradient, HeatDiffusionSolver::Method::Chebyshev, dt, 1e-5);
-    solver.Run(s.even, state.range(0), steps, [&](std::size_t snapshot, std::size_t, const float * heat, unsigned int worker) {
-      HeatHistogram::CountHeats(heat, side, counts[worker].data() + snapshot * HeatHistogram::NumberOfBins);
-    });
+    solver.Run(
+      s.even, state.range(0), steps, [&](std::size_t snapshot, std::size_t, const float * heat, unsigned int worker) {
+        HeatHistogram::CountHeats(heat, side, counts[worker].data() + snapshot * HeatHistogram::NumberOfBins);
+      });
     state.counters["applications"] = static_cast<double>(solver.GetNumberOfApplications());
   }
   s.Reset();
@@ -279,25 +281,31 @@ main(int argc, char * argv[])
   Reporter reporter;
   benchmark::RunSpecifiedBenchmarks(&reporter);
   auto &       ms = reporter.milliseconds;
-  const double bandwidth = 12.0 * voxels / ms["Triad"];                     // bytes per millisecond
-  const auto   roofline = [&](double step) { return 20.0 * voxels / bandwidth / step; }; // read heat, 3 weights; write heat
+  const double bandwidth = 12.0 * voxels / ms["Triad"]; // bytes per millisecond
+  const auto   roofline = [&](double step) {
+    return 20.0 * voxels / bandwidth / step;
+  }; // read heat, 3 weights; write heat
   const double tiled = ms["Tiled"] / 16.0;
-  std::printf("\n256^3 voxels, p = 7, %u threads; triad %.1f GB/s; per voxel and step: scalar loop %.3f ns, sweep %.3f ns, "
-              "tiled %.3f ns, tiled compensated %.3f ns\n",
-              NumberOfThreads(),
-              bandwidth * 1e-6,
-              ms["Scalar"] * 1e6 / voxels,
-              ms["Sweep"] * 1e6 / voxels,
-              tiled * 1e6 / voxels,
-              ms["TiledCompensated"] / 16.0 * 1e6 / voxels);
+  std::printf(
+    "\n256^3 voxels, p = 7, %u threads; triad %.1f GB/s; per voxel and step: scalar loop %.3f ns, sweep %.3f ns, "
+    "tiled %.3f ns, tiled compensated %.3f ns\n",
+    NumberOfThreads(),
+    bandwidth * 1e-6,
+    ms["Scalar"] * 1e6 / voxels,
+    ms["Sweep"] * 1e6 / voxels,
+    tiled * 1e6 / voxels,
+    ms["TiledCompensated"] / 16.0 * 1e6 / voxels);
   PrintRatio("sweep / roofline at 20 bytes per voxel and step", roofline(ms["Sweep"]), 0.55);
   PrintRatio("time-tiled steps / roofline", roofline(tiled), 1.0);
   PrintRatio("time-tiled steps with compensated sums / roofline", roofline(ms["TiledCompensated"] / 16.0), 1.0);
   PrintRatio("time-tiled step against the scalar loop", ms["Scalar"] / tiled, 3.5);
-  PrintRatio("time-tiled step against an iteration of ITK's filter", ms["ItkGradientAnisotropicDiffusion"] / 5.0 / tiled, 100.0);
+  PrintRatio(
+    "time-tiled step against an iteration of ITK's filter", ms["ItkGradientAnisotropicDiffusion"] / 5.0 / tiled, 100.0);
   PrintRatio("heat after 100,000 steps against the scalar loop*", 1e5 * ms["Scalar"] / ms["FinalState/100000"], 150.0);
-  PrintRatio("heat after 1,000,000 steps against the scalar loop*", 1e6 * ms["Scalar"] / ms["FinalState/1000000"], 150.0);
-  PrintRatio("512 histogram rows to 100,000 against the scalar loop*", 1e5 * ms["Scalar"] / ms["Snapshots/100000"], 50.0);
+  PrintRatio(
+    "heat after 1,000,000 steps against the scalar loop*", 1e6 * ms["Scalar"] / ms["FinalState/1000000"], 150.0);
+  PrintRatio(
+    "512 histogram rows to 100,000 against the scalar loop*", 1e5 * ms["Scalar"] / ms["Snapshots/100000"], 50.0);
   std::printf("* its time for so many steps is extrapolated from its time per step\n");
   return 0;
 }

@@ -17,8 +17,9 @@ ScalarStep(const itk::VolumeGradientOperator & volumeGradient, const float * f, 
       for (std::size_t i = row; i < row + grid.GetSize()[0]; ++i)
       {
         const float heat = f[i];
-        out[i] = heat + dt * (cx[i] * (f[i + 1] - heat) + cx[i - 1] * (f[i - 1] - heat) + cy[i] * (f[i + sy] - heat) +
-                              cy[i - sy] * (f[i - sy] - heat) + cz[i] * (f[i + sz] - heat) + cz[i - sz] * (f[i - sz] - heat));
+        out[i] =
+          heat + dt * (cx[i] * (f[i + 1] - heat) + cx[i - 1] * (f[i - 1] - heat) + cy[i] * (f[i + sy] - heat) +
+                       cy[i - sy] * (f[i - sy] - heat) + cz[i] * (f[i + sz] - heat) + cz[i - sz] * (f[i - sz] - heat));
       }
     }
   }

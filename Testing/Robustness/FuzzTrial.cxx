@@ -20,6 +20,9 @@ constexpr int Read = 40;
 constexpr int Refused = 41;
 constexpr int WrongException = 42;
 
+/** What stands for a library when a contained process has reached its limit of memory. */
+constexpr const char * MemoryLimit = "(limit of memory)";
+
 // The mutants have a few thousand bytes. A sanitizer keeps freed memory for a while.
 #if defined(__SANITIZE_ADDRESS__)
 constexpr long MostKilobytes = 1500 * 1024;
@@ -113,7 +116,8 @@ LibraryAtFault(const std::string & log)
       }
     }
   }
-  return "unknown";
+  // Where the limit has been reached, the sanitizer has no memory left to print a stack.
+  return log.find("allocator is out of memory") != std::string::npos ? MemoryLimit : "unknown";
 }
 
 std::string

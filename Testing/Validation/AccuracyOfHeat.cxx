@@ -44,23 +44,29 @@ LargestError(const test::Volume &                       volume,
 void
 ValidateAccuracyOfHeat(const ValidationSettings & settings, ValidationReport & report)
 {
-  report.AddText("The heat of every recorded step against the same explicit steps in double precision, for volumes of balls and "
-                 "boxes in noise. Bound: 1e-5, the default tolerance.");
+  report.AddText(
+    "The heat of every recorded step against the same explicit steps in double precision, for volumes of balls and "
+    "boxes in noise. Bound: 1e-5, the default tolerance.");
   CsvTable table({ "side, voxels", "spacing, mm", "p", "solver", "rows", "last step", "largest error", "bound", "" });
   const std::uint64_t last = settings.quick ? 1000 : 10000;
-  const auto          add = [&](std::size_t side, double p, const std::array<double, 3> & spacing, HeatDiffusionSolver::Method method, std::size_t rows) {
+  const auto          add = [&](std::size_t                   side,
+                       double                        p,
+                       const std::array<double, 3> & spacing,
+                       HeatDiffusionSolver::Method   method,
+                       std::size_t                   rows) {
     const test::Volume volume = test::MakeScene({ side, side, side }, 0.05);
     const auto         steps = MakeSnapshotSteps(last, rows, SnapshotSpacing::Logarithmic);
     const double       error = LargestError(volume, volume.Parameters(p, spacing), method, steps);
-    table.AddRow({ std::to_string(side),
-                   CsvTable::Number(spacing[0]) + ", " + CsvTable::Number(spacing[1]) + ", " + CsvTable::Number(spacing[2]),
-                   CsvTable::Number(p),
-                   method == HeatDiffusionSolver::Method::Chebyshev ? "chebyshev" : "explicit",
-                   std::to_string(steps.size()),
-                   std::to_string(last),
-                   CsvTable::Rounded(error, 2),
-                   "1e-5",
-                   report.Check(error <= 1e-5) });
+    table.AddRow(
+      { std::to_string(side),
+        CsvTable::Number(spacing[0]) + ", " + CsvTable::Number(spacing[1]) + ", " + CsvTable::Number(spacing[2]),
+        CsvTable::Number(p),
+        method == HeatDiffusionSolver::Method::Chebyshev ? "chebyshev" : "explicit",
+        std::to_string(steps.size()),
+        std::to_string(last),
+        CsvTable::Rounded(error, 2),
+        "1e-5",
+        report.Check(error <= 1e-5) });
   };
   using Method = HeatDiffusionSolver::Method;
   const std::array<double, 3> cubic = { { 1.0, 1.0, 1.0 } };

@@ -41,12 +41,13 @@ HeatAt(const VolumeGradientOperator & volumeGradient, const std::vector<std::uin
 void
 Figure24(ValidationReport & report)
 {
-  constexpr std::size_t volumeSide = 64, side = 40, first = 12, last = 51, middle = 31;
-  const test::Volume    volume = Cube(volumeSide, side);
+  constexpr std::size_t            volumeSide = 64, side = 40, first = 12, last = 51, middle = 31;
+  const test::Volume               volume = Cube(volumeSide, side);
   const VolumeGradientOperator     volumeGradient(volume.values.data(), volume.size, volume.Parameters(7.0));
   const std::vector<std::uint64_t> steps{ 0, 20, 100, 750, 900, 1000, 1100, 4000, 20000 };
   const auto                       fields = HeatAt(volumeGradient, steps);
-  report.AddText("## Figure 2.4: a cube\n\nHeat of a cube of side 40 in 64^3 (p = 7) at its corner, the middle of an edge, the middle "
+  report.AddText("## Figure 2.4: a cube\n\nHeat of a cube of side 40 in 64^3 (p = 7) at its corner, the middle of an "
+                 "edge, the middle "
                  "of a face and its centre.");
   CsvTable table({ "steps", "corner", "edge", "face", "centre", "corner > edge > face > centre" });
   for (std::size_t i = 0; i < steps.size(); ++i)
@@ -54,7 +55,9 @@ Figure24(ValidationReport & report)
     const auto at = [&](std::size_t x, std::size_t y, std::size_t z) {
       return static_cast<double>(fields[i][(z * volumeSide + y) * volumeSide + x]);
     };
-    const std::array<double, 4> heat = { at(first, first, last), at(first, first, middle), at(first, middle, middle), at(middle, middle, middle) };
+    const std::array<double, 4> heat = {
+      at(first, first, last), at(first, first, middle), at(first, middle, middle), at(middle, middle, middle)
+    };
     const bool ordered = heat[0] > heat[1] && heat[1] > heat[2] && heat[2] > heat[3];
     table.AddRow({ std::to_string(steps[i]),
                    CsvTable::Rounded(heat[0], 4),
@@ -64,10 +67,11 @@ Figure24(ValidationReport & report)
                    steps[i] <= 1100 ? report.Check(ordered) : (ordered ? "yes" : "no") });
   }
   report.AddTable(table);
-  report.AddText("It holds that corners keep most heat, then edges, then faces, at all the steps of the figure, and that flat parts "
-                 "even out first. The steps at which a feature 'is captured' depend on the cube's size, the time step and the "
-                 "threshold of the rendering, none of which the dissertation gives; the whole cube "
-                 "reaches one heat, 1 / 40, after about 4,000 of our steps.");
+  report.AddText(
+    "It holds that corners keep most heat, then edges, then faces, at all the steps of the figure, and that flat parts "
+    "even out first. The steps at which a feature 'is captured' depend on the cube's size, the time step and the "
+    "threshold of the rendering, none of which the dissertation gives; the whole cube "
+    "reaches one heat, 1 / 40, after about 4,000 of our steps.");
 }
 
 double
@@ -93,8 +97,9 @@ Figure25(const ValidationSettings & settings, ValidationReport & report)
   const std::size_t            cube = side / 2;
   const test::Volume           volume = Cube(side, cube);
   const VolumeGradientOperator volumeGradient(volume.values.data(), volume.size, volume.Parameters(7.0));
-  report.AddText("## Figure 2.5: cumulative and conventional diffusion\n\nA cube of side " + std::to_string(cube) + " in " +
-                 std::to_string(side) + "^3. Correlation over the voxels of the cube of the heat after so many steps of each.");
+  report.AddText("## Figure 2.5: cumulative and conventional diffusion\n\nA cube of side " + std::to_string(cube) +
+                 " in " + std::to_string(side) +
+                 "^3. Correlation over the voxels of the cube of the heat after so many steps of each.");
   const auto inside = [&](const std::vector<float> & field) {
     std::vector<float> values;
     for (std::size_t i = 0; i < field.size(); ++i)
@@ -118,15 +123,18 @@ Figure25(const ValidationSettings & settings, ValidationReport & report)
     {
       const double correlation = Correlation(inside(cumulative[i]), inside(conventional));
       atThirty.push_back(correlation);
-      table.AddRow({ std::to_string(cumulativeSteps[i]), std::to_string(conventionalSteps), CsvTable::Rounded(correlation, 4) });
+      table.AddRow(
+        { std::to_string(cumulativeSteps[i]), std::to_string(conventionalSteps), CsvTable::Rounded(correlation, 4) });
     }
   }
   report.AddTable(table);
   report.AddText("The patterns are alike while corners and edges stand out (best correlation " +
-                 CsvTable::Rounded(*std::max_element(atThirty.begin(), atThirty.end()), 3) + ", bound 0.9: " +
-                 report.Check(*std::max_element(atThirty.begin(), atThirty.end()) > 0.9) +
-                 "). At steady state they are not 'identical' as 2.3.2 says: cumulative diffusion ends at the mean initial heat, 1 / " +
-                 std::to_string(cube) + ", conventional diffusion at 1 / (number of voxels) = 1 / " + std::to_string(cube * cube * cube) + ".");
+                 CsvTable::Rounded(*std::max_element(atThirty.begin(), atThirty.end()), 3) +
+                 ", bound 0.9: " + report.Check(*std::max_element(atThirty.begin(), atThirty.end()) > 0.9) +
+                 "). At steady state they are not 'identical' as 2.3.2 says: cumulative diffusion ends at the mean "
+                 "initial heat, 1 / " +
+                 std::to_string(cube) + ", conventional diffusion at 1 / (number of voxels) = 1 / " +
+                 std::to_string(cube * cube * cube) + ".");
 }
 
 void
@@ -137,9 +145,9 @@ Figure27(const std::string & preset, const ValidationSettings & settings, Valida
   source->SetSize(Image<short, 3>::SizeType::Filled(settings.quick ? 48 : 96));
   source->CenterOutput();
   source->Update();
-  const auto *       image = source->GetOutput();
-  const std::size_t  side = image->GetLargestPossibleRegion().GetSize(0);
-  test::Volume       volume({ side, side, side });
+  const auto *      image = source->GetOutput();
+  const std::size_t side = image->GetLargestPossibleRegion().GetSize(0);
+  test::Volume      volume({ side, side, side });
   std::copy_n(image->GetBufferPointer(), volume.values.size(), volume.values.begin());
   const VolumeGradientOperator volumeGradient(volume.values.data(), volume.size, volume.Parameters(7.0));
   PaddedField                  heat(volumeGradient.GetGrid());
@@ -167,9 +175,11 @@ ValidateFiguresOfChapter2(const ValidationSettings & settings, ValidationReport 
   Figure24(report);
   Figure25(settings, report);
   Figure27("figure2.7a", settings, report);
-  report.AddText("Each object is a line, as published. The two spheres are not close to each other and far from the cube: their heats "
+  report.AddText("Each object is a line, as published. The two spheres are not close to each other and far from the "
+                 "cube: their heats "
                  "differ by the ratio of their radii. The scale-normalised value does what the figure claims.");
   Figure27("figure2.7b", settings, report);
-  report.AddText("The four lines are apart, and a line does not tell a cube from a cuboid of another size. The scale-normalised value "
+  report.AddText("The four lines are apart, and a line does not tell a cube from a cuboid of another size. The "
+                 "scale-normalised value "
                  "groups the cubes and the cuboids.");
 }

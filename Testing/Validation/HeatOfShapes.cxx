@@ -23,7 +23,8 @@ Measure(std::size_t side, const Distance & distance)
 {
   test::Volume volume({ side, side, side });
   const double middle = (side - 1) / 2.0;
-  volume.Fill([&](double x, double y, double z) { return distance(x - middle, y - middle, z - middle) <= 0.0 ? 1.0 : 0.0; });
+  volume.Fill(
+    [&](double x, double y, double z) { return distance(x - middle, y - middle, z - middle) <= 0.0 ? 1.0 : 0.0; });
   const VolumeGradientOperator volumeGradient(volume.values.data(), volume.size, volume.Parameters(7.0));
   PaddedField                  heat(volumeGradient.GetGrid());
   volumeGradient.ComputeInitialHeat(heat);
@@ -63,33 +64,44 @@ TurnedCube(double side, double degrees)
 void
 ValidateHeatOfShapes(const ValidationSettings & settings, ValidationReport & report)
 {
-  report.AddText(
-    "Closed binary objects, p = 7. Their converged heat is (cut faces) / (6 voxels): 0.75 / radius for a sphere, 1 / side for a "
-    "cube. It is found exactly from the components, and by 1,000,000 steps (bound of the difference: 1e-5). It depends on size and "
-    "on rotation; the scale-normalised companion, area / (6 volume^(2/3)), hardly does (bounds: 3 % for spheres, 0.94 +- 0.06 for "
-    "cubes of side 20, whose exact value is 1; 13 directions see flat faces a little low).");
-  CsvTable    table({ "object", "voxels", "closed form", "heat, exact", "heat after 1e6 steps", "", "scale-normalised", "" });
-  const auto add = [&](const std::string & name, const Measured & m, double closedForm, double normalized, double bound) {
-    table.AddRow({ name,
-                   std::to_string(m.component.voxels),
-                   CsvTable::Rounded(closedForm, 4),
-                   CsvTable::Rounded(m.component.convergedHeat, 5),
-                   CsvTable::Rounded(m.heatAfterManySteps, 5),
-                   report.Check(std::abs(m.component.convergedHeat - m.heatAfterManySteps) <= 1e-5),
-                   CsvTable::Rounded(m.component.normalizedHeat, 4),
-                   report.Check(std::abs(m.component.normalizedHeat - normalized) <= bound) });
-  };
+  report.AddText("Closed binary objects, p = 7. Their converged heat is (cut faces) / (6 voxels): 0.75 / radius for a "
+                 "sphere, 1 / side for a "
+                 "cube. It is found exactly from the components, and by 1,000,000 steps (bound of the difference: "
+                 "1e-5). It depends on size and "
+                 "on rotation; the scale-normalised companion, area / (6 volume^(2/3)), hardly does (bounds: 3 % for "
+                 "spheres, 0.94 +- 0.06 for "
+                 "cubes of side 20, whose exact value is 1; 13 directions see flat faces a little low).");
+  CsvTable table(
+    { "object", "voxels", "closed form", "heat, exact", "heat after 1e6 steps", "", "scale-normalised", "" });
+  const auto add =
+    [&](const std::string & name, const Measured & m, double closedForm, double normalized, double bound) {
+      table.AddRow({ name,
+                     std::to_string(m.component.voxels),
+                     CsvTable::Rounded(closedForm, 4),
+                     CsvTable::Rounded(m.component.convergedHeat, 5),
+                     CsvTable::Rounded(m.heatAfterManySteps, 5),
+                     report.Check(std::abs(m.component.convergedHeat - m.heatAfterManySteps) <= 1e-5),
+                     CsvTable::Rounded(m.component.normalizedHeat, 4),
+                     report.Check(std::abs(m.component.normalizedHeat - normalized) <= bound) });
+    };
   const double sphere = 4.0 * M_PI / (6.0 * std::pow(4.0 / 3.0 * M_PI, 2.0 / 3.0));
   for (const double radius : settings.quick ? std::vector<double>{ 8.0 } : std::vector<double>{ 4.0, 8.0, 16.0 })
   {
-    add("sphere, radius " + CsvTable::Number(radius), Measure(44, Sphere(radius)), 0.75 / radius, sphere, 0.03 * sphere);
+    add(
+      "sphere, radius " + CsvTable::Number(radius), Measure(44, Sphere(radius)), 0.75 / radius, sphere, 0.03 * sphere);
   }
-  for (const double degrees : settings.quick ? std::vector<double>{ 0.0, 30.0 } : std::vector<double>{ 0.0, 10.0, 20.0, 30.0, 45.0 })
+  for (const double degrees :
+       settings.quick ? std::vector<double>{ 0.0, 30.0 } : std::vector<double>{ 0.0, 10.0, 20.0, 30.0, 45.0 })
   {
-    add("cube, side 20, turned by " + CsvTable::Number(degrees), Measure(44, TurnedCube(20.0, degrees)), 1.0 / 20.0, 0.94, 0.06);
+    add("cube, side 20, turned by " + CsvTable::Number(degrees),
+        Measure(44, TurnedCube(20.0, degrees)),
+        1.0 / 20.0,
+        0.94,
+        0.06);
   }
   report.AddTable(table);
-  report.AddText("Section 2.3.4 of the dissertation says that the heat is invariant to scale and orientation. Neither holds: "
-                 "spheres of radius 4, 8 and 16 end at three heats that halve, and a cube turned by 30 degrees holds a fifth more "
-                 "heat than the same cube along the axes, because a slanted face cuts more edges of the grid.");
+  report.AddText(
+    "Section 2.3.4 of the dissertation says that the heat is invariant to scale and orientation. Neither holds: "
+    "spheres of radius 4, 8 and 16 end at three heats that halve, and a cube turned by 30 degrees holds a fifth more "
+    "heat than the same cube along the axes, because a slanted face cuts more edges of the grid.");
 }

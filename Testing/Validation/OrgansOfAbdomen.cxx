@@ -64,9 +64,11 @@ ValidateOrgansOfAbdomen(const ValidationSettings & settings, ValidationReport & 
   }
   const Volume ct = ReadVolume(folder + "/example_ct.nii.gz");
   const Volume organs = ReadVolume(folder + "/example_seg.nii.gz");
-  report.AddText("The abdomen CT of TotalSegmentator's tests (122 x 101 x 112 voxels of 3 mm, Apache-2.0) and its organ labels. Window "
+  report.AddText("The abdomen CT of TotalSegmentator's tests (122 x 101 x 112 voxels of 3 mm, Apache-2.0) and its "
+                 "organ labels. Window "
                  "-160 to 240 HU, p = 7. For each organ the class of heat with the greatest Dice overlap.");
-  for (const std::uint64_t steps : settings.quick ? std::vector<std::uint64_t>{ 1000 } : std::vector<std::uint64_t>{ 100, 1000, 100000 })
+  for (const std::uint64_t steps :
+       settings.quick ? std::vector<std::uint64_t>{ 1000 } : std::vector<std::uint64_t>{ 100, 1000, 100000 })
   {
     auto filter = CumulativeHeatDiffusionImageFilter<Volume::ImageType>::New();
     filter->SetInput(ct.image);
@@ -74,8 +76,9 @@ ValidateOrgansOfAbdomen(const ValidationSettings & settings, ValidationReport & 
     filter->SetTimeSteps(steps);
     filter->Update();
     const auto classification = ClassifyHeat(filter->GetOutput());
-    report.AddText("## After " + std::to_string(steps) + " steps: " + std::to_string(classification.classes.size() - 1) + " classes");
-    CsvTable table({ "organ label", "voxels", "best class", "Dice" });
+    report.AddText("## After " + std::to_string(steps) +
+                   " steps: " + std::to_string(classification.classes.size() - 1) + " classes");
+    CsvTable            table({ "organ label", "voxels", "best class", "Dice" });
     std::vector<double> dice;
     for (const auto & organ : CompareOrgans(organs.image, classification.labels))
     {
@@ -91,7 +94,10 @@ ValidateOrgansOfAbdomen(const ValidationSettings & settings, ValidationReport & 
     report.AddTable(table);
     report.AddText("Mean Dice over " + std::to_string(dice.size()) + " organs: " + MeanWithInterval(dice) + ".");
   }
-  report.AddText("An honest word: heat classes are no organ segmentation. Soft-tissue organs touch over edges of a few HU, heat flows "
-                 "between them, and many organs share a class. What the classes tell apart are air, lung and gas, fat, the soft-tissue "
-                 "body as a whole, and dense bone; the dissertation itself calls the result a weak segmentation (2.5).");
+  report.AddText(
+    "An honest word: heat classes are no organ segmentation. Soft-tissue organs touch over edges of a few HU, heat "
+    "flows "
+    "between them, and many organs share a class. What the classes tell apart are air, lung and gas, fat, the "
+    "soft-tissue "
+    "body as a whole, and dense bone; the dissertation itself calls the result a weak segmentation (2.5).");
 }

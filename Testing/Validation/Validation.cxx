@@ -10,8 +10,8 @@ namespace
 {
 struct Part
 {
-  std::string name;
-  std::string title;
+  std::string                                                         name;
+  std::string                                                         title;
   std::function<void(const ValidationSettings &, ValidationReport &)> run;
 };
 
@@ -82,7 +82,8 @@ main(int argc, char * argv[])
       continue;
     }
     ValidationReport report(part.title);
-    report.AddText(std::string("Made by `Utilities/run-validation ") + (settings.quick ? "--quick " : "") + part.name + "`.");
+    report.AddText(std::string("Made by `Utilities/run-validation ") + (settings.quick ? "--quick " : "") + part.name +
+                   "`.");
     part.run(settings, report);
     report.Write(output + '/' + part.name + ".md");
     std::printf("%-16s %s\n", part.name.c_str(), report.GetNumberOfFailures() == 0 ? "pass" : "FAIL");

@@ -6,9 +6,7 @@
 #include <numeric>
 #include <stdexcept>
 
-ValidationReport::ValidationReport(const std::string & title)
-  : m_Page("# " + title + "\n\n")
-{}
+ValidationReport::ValidationReport(const std::string & title) : m_Page("# " + title + "\n\n") {}
 
 void
 ValidationReport::AddText(const std::string & text)
@@ -74,7 +72,7 @@ MeanWithInterval(const std::vector<double> & values)
   static const std::array<double, 30> t = { 12.706, 4.303, 3.182, 2.776, 2.571, 2.447, 2.365, 2.306, 2.262, 2.228,
                                             2.201,  2.179, 2.160, 2.145, 2.131, 2.120, 2.110, 2.101, 2.093, 2.086,
                                             2.080,  2.074, 2.069, 2.064, 2.060, 2.056, 2.052, 2.048, 2.045, 2.042 };
-  const double quantile = values.size() <= t.size() + 1 ? t[values.size() - 2] : 1.96;
-  const double half = quantile * std::sqrt(squares / (n - 1.0) / n);
+  const double                        quantile = values.size() <= t.size() + 1 ? t[values.size() - 2] : 1.96;
+  const double                        half = quantile * std::sqrt(squares / (n - 1.0) / n);
   return text + " [" + itk::CsvTable::Rounded(mean - half, 4) + ", " + itk::CsvTable::Rounded(mean + half, 4) + "]";
 }

@@ -67,6 +67,7 @@ public:
    * Numbers, enumerations and constraints have been checked; a name the XML lacks throws std::logic_error. A number
    * that has neither a value nor a default throws UsageError when it is asked for; a vector is empty then. */
   ///@{
+  /** True when the parameter has a value other than its default: 3D Slicer passes the defaults as well. */
   bool
   IsGiven(const std::string & name) const;
   std::string

@@ -41,6 +41,20 @@ ReadBoolean(const std::string & option, const std::string & value)
   return value == "true";
 }
 
+/** 3D Slicer passes every option, those that the user has left alone with their default. */
+bool
+IsDefault(const Parameter & parameter, const std::string & value)
+{
+  const bool mayBeEmpty = parameter.IsVector() || parameter.tag == "string";
+  if (value.empty() && parameter.defaultValue.empty() && mayBeEmpty)
+  {
+    return true;
+  }
+  CheckValue(parameter, value);
+  return !parameter.defaultValue.empty() &&
+         CanonicalValue(parameter, value) == CanonicalValue(parameter, parameter.defaultValue);
+}
+
 /** Walks once through the arguments. */
 class Parser
 {
@@ -124,6 +138,10 @@ private:
     if (!parameter.multiple)
     {
       m_Result.given.erase(parameter.name); // the last one counts
+      if (IsDefault(parameter, value))
+      {
+        return;
+      }
     }
     this->Store(parameter, value);
   }

@@ -90,7 +90,7 @@ TEST(CommandLineArguments, AValueMayContainEqualsSignsAndBlanks)
 {
   EXPECT_EQ(StringOf("seriesUID", { "--seriesUID=a=b" }), "a=b");
   EXPECT_EQ(StringOf("seriesUID", { "--seriesUID", "a=b c" }), "a=b c");
-  EXPECT_EQ(StringOf("seriesUID", { "--seriesUID=" }), "");
+  EXPECT_EQ(StringOf("seriesUID", { "--seriesUID=" }), "(not given)");
   EXPECT_EQ(StringOf("seriesUID", { "--seriesUID=--gamma" }), "--gamma");
 }
 
@@ -310,6 +310,22 @@ TEST(CommandLineArguments, MalformedUTF8InMessagesBecomesQuestionMarks)
   {
     ExpectBadOption({ "--gamma", text }, "--gamma: \"" + shown + "\" is not a number");
   }
+}
+
+TEST(CommandLineArguments, AnOptionLeftAtItsDefaultIsNotGiven)
+{
+  const auto isGiven = [](const std::vector<std::string> & options) {
+    return RunWithOptions(options, [](itk::CommandLine & commandLine) { std::cout << commandLine.IsGiven("gamma"); })
+      .out;
+  };
+  const std::string theDefault =
+    RunWithOptions({}, [](itk::CommandLine & commandLine) { std::cout << commandLine.GetString("gamma"); }).out;
+  ASSERT_FALSE(theDefault.empty());
+  EXPECT_EQ(isGiven({}), "0");
+  EXPECT_EQ(isGiven({ "--gamma", theDefault }), "0");
+  EXPECT_EQ(isGiven({ "--gamma", theDefault + (theDefault.find('.') == std::string::npos ? ".0" : "0") }), "0");
+  EXPECT_EQ(isGiven({ "--gamma", "0.125" }), "1");
+  EXPECT_EQ(isGiven({ "--gamma", "0.125", "--gamma", theDefault }), "0");
 }
 
 TEST(CommandLineArguments, NamesThatTheXMLLacksAreMistakesOfTheProgram)

@@ -88,10 +88,10 @@ TEST(CommandLineProvenance, HasNoThreadsPathsOrReturnValues)
 TEST(CommandLineProvenance, AnInputStatedByItsIdentityIsNotStatedByItsNameToo)
 {
   const std::string provenance =
-    ProvenanceWith({ "--source", "/home/me/shape.json" },
+    ProvenanceWith({ "--source", "/data/me/shape.json" },
                    [](itk::CommandLine & commandLine) { commandLine.AddInput("source", "sha256:00ff"); });
   EXPECT_NE(provenance.find("input.source = sha256:00ff\n"), std::string::npos);
-  EXPECT_EQ(provenance.find("/home/me"), std::string::npos) << provenance;
+  EXPECT_EQ(provenance.find("/data/me"), std::string::npos) << provenance;
   EXPECT_NE(ProvenanceWith({ "--source", "figure2.4" }).find("option.source = figure2.4\n"), std::string::npos);
 }
 

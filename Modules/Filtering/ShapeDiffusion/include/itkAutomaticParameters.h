@@ -18,23 +18,22 @@ struct AutomaticP
   /** Standard deviation of the difference of neighbours that noise alone makes, in units of the intensity window. */
   double noise{ 0.0 };
   /** Lower quartile of the half gradients across edges, in units of the intensity window. */
-  double edgeContrast{ 0.0 };
+  double      edgeContrast{ 0.0 };
   std::string reason;
 };
 
-/** Chooses p so that edges insulate and noise does not: 1 / p is the geometric mean of edgeContrast and of what noise reaches,
- * four times its standard deviation or a quarter of edgeContrast; p lies in [1, 50] (the future work of 7.2.2 of the
- * dissertation). Noise is 3.138 times the lower quartile of the half gradients that are
- * not 0, provided that at least one pair of neighbours in ten differs at all; edges are pairs whose half gradient exceeds
- * four times the noise and both half gradients beside it on the same axis.
- * `spacing` along the axes in any unit; half gradients are taken as in VolumeGradientOperator.
- * \ingroup ShapeDiffusion */
+/** Chooses p so that edges insulate and noise does not: 1 / p is the geometric mean of edgeContrast and of what noise
+ * reaches, four times its standard deviation or a quarter of edgeContrast; p lies in [1, 50] (the future work of 7.2.2
+ * of the dissertation). Noise is 3.138 times the lower quartile of the half gradients that are not 0, provided that at
+ * least one pair of neighbours in ten differs at all; edges are pairs whose half gradient exceeds four times the noise
+ * and both half gradients beside it on the same axis. `spacing` along the axes in any unit; half gradients are taken as
+ * in VolumeGradientOperator. \ingroup ShapeDiffusion */
 ShapeDiffusion_EXPORT AutomaticP
-                      ChooseP(const float *                      intensities,
-                              const std::array<std::size_t, 3> & size,
-                              const std::array<double, 3> &      spacing,
-                              double                             lower,
-                              double                             upper);
+ChooseP(const float *                      intensities,
+        const std::array<std::size_t, 3> & size,
+        const std::array<double, 3> &      spacing,
+        double                             lower,
+        double                             upper);
 
 /** How the recorded time steps lie on the time axis.
  * \ingroup ShapeDiffusion */

@@ -11,10 +11,9 @@
 
 namespace itk
 {
-/** The heat that stays on its source when each voxel in turn is the only one with heat: `sourceHeat` times the diagonal of
- * (1 - dt L)^timeSteps, in double precision; see ConventionalHeatDiffusionImageFilter. `heat` holds as many values as the
- * volume has voxels, x fastest.
- * \ingroup ShapeDiffusion */
+/** The heat that stays on its source when each voxel in turn is the only one with heat: `sourceHeat` times the diagonal
+ * of (1 - dt L)^timeSteps, in double precision; see ConventionalHeatDiffusionImageFilter. `heat` holds as many values
+ * as the volume has voxels, x fastest. \ingroup ShapeDiffusion */
 ShapeDiffusion_EXPORT void
 DiffuseConventionalHeat(const VolumeGradientOperator &      volumeGradient,
                         double                              timeStepLength,
@@ -26,11 +25,12 @@ DiffuseConventionalHeat(const VolumeGradientOperator &      volumeGradient,
 /** \class ConventionalHeatDiffusionImageFilter
  * \brief Heat diffusion from one voxel at a time (dissertation 2.2.1): the slow reference that CHD replaces.
  *
- * Each voxel is the source once: it alone holds SourceHeat, heat flows for TimeSteps steps by the same operator as in CHD, and
- * what is left on the source is its value. The cost grows with the square of the number of voxels: for small volumes.
+ * Each voxel is the source once: it alone holds SourceHeat, heat flows for TimeSteps steps by the same operator as in
+ * CHD, and what is left on the source is its value. The cost grows with the square of the number of voxels: for small
+ * volumes.
  *
- * At steady state a closed component of n voxels holds SourceHeat / n, and not its mean initial heat: unlike what 2.3.2 says,
- * conventional and cumulative diffusion do not agree there.
+ * At steady state a closed component of n voxels holds SourceHeat / n, and not its mean initial heat: unlike what 2.3.2
+ * says, conventional and cumulative diffusion do not agree there.
  *
  * \par Inputs and Outputs
  * Input: a scalar volume of finite intensities. Output: the heat, float, on the grid of the input.
@@ -38,8 +38,7 @@ DiffuseConventionalHeat(const VolumeGradientOperator &      volumeGradient,
  * \ingroup ShapeDiffusion
  */
 template <typename TInputImage>
-class ITK_TEMPLATE_EXPORT ConventionalHeatDiffusionImageFilter
-  : public ImageToImageFilter<TInputImage, Image<float, 3>>
+class ITK_TEMPLATE_EXPORT ConventionalHeatDiffusionImageFilter : public ImageToImageFilter<TInputImage, Image<float, 3>>
 {
 public:
   ITK_DISALLOW_COPY_AND_MOVE(ConventionalHeatDiffusionImageFilter);

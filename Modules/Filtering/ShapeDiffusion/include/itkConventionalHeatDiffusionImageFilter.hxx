@@ -34,7 +34,8 @@ ConventionalHeatDiffusionImageFilter<TInputImage>::GenerateData()
 {
   const TInputImage * const input = this->GetInput();
   const auto                region = input->GetBufferedRegion();
-  const std::vector<float>  intensities(input->GetBufferPointer(), input->GetBufferPointer() + region.GetNumberOfPixels());
+  const std::vector<float>  intensities(input->GetBufferPointer(),
+                                       input->GetBufferPointer() + region.GetNumberOfPixels());
   this->AllocateOutputs();
   std::array<std::size_t, 3> size{};
   std::copy_n(region.GetSize().begin(), 3, size.begin());
@@ -58,12 +59,8 @@ ConventionalHeatDiffusionImageFilter<TInputImage>::GenerateData()
   try
   {
     const VolumeGradientOperator volumeGradient(intensities.data(), size, parameters);
-    DiffuseConventionalHeat(volumeGradient,
-                            m_TimeStepLength,
-                            m_TimeSteps,
-                            m_SourceHeat,
-                            this->GetOutput()->GetBufferPointer(),
-                            progress);
+    DiffuseConventionalHeat(
+      volumeGradient, m_TimeStepLength, m_TimeSteps, m_SourceHeat, this->GetOutput()->GetBufferPointer(), progress);
   }
   catch (const std::invalid_argument & error)
   {

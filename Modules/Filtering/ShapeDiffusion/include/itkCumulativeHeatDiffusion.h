@@ -18,12 +18,12 @@ struct CumulativeHeatDiffusionSettings
 {
   VolumeGradientOperator::Parameters volumeGradient;
   /** Let ChooseP() find p from the data. */
-  bool                               automaticP{ false };
-  HeatDiffusionSolver::Method        method{ HeatDiffusionSolver::Method::Chebyshev };
-  std::uint64_t                      timeSteps{ 100000 };
-  double                             timeStepLength{ HeatDiffusionSolver::MaximumTimeStepLength };
-  double                             tolerance{ 1e-5 };
-  bool                               untilSteady{ false };
+  bool                        automaticP{ false };
+  HeatDiffusionSolver::Method method{ HeatDiffusionSolver::Method::Chebyshev };
+  std::uint64_t               timeSteps{ 100000 };
+  double                      timeStepLength{ HeatDiffusionSolver::MaximumTimeStepLength };
+  double                      tolerance{ 1e-5 };
+  bool                        untilSteady{ false };
   /** Rows of the heat histogram; ascending. */
   std::vector<std::uint64_t> histogramSteps;
   /** Steps whose heat is handed out; ascending. */
@@ -53,19 +53,18 @@ struct CumulativeHeatDiffusionResult
  * \ingroup ShapeDiffusion */
 using HeatSnapshotConsumer = std::function<void(std::uint64_t step, const std::vector<float> & heat)>;
 
-/** Cumulative heat diffusion of a volume: all voxels are sources at once (dissertation 2.2.1). `intensities`, `heat` and
- * `initialHeat` (may be null) hold size[0] * size[1] * size[2] values, x fastest; `intensities` and `heat` may be the same
- * array. `progress` is called on this thread and may throw to abort. This is the one implementation; the filter and
- * the tools call it.
- * \ingroup ShapeDiffusion */
+/** Cumulative heat diffusion of a volume: all voxels are sources at once (dissertation 2.2.1). `intensities`, `heat`
+ * and `initialHeat` (may be null) hold size[0] * size[1] * size[2] values, x fastest; `intensities` and `heat` may be
+ * the same array. `progress` is called on this thread and may throw to abort. This is the one implementation; the
+ * filter and the tools call it. \ingroup ShapeDiffusion */
 ShapeDiffusion_EXPORT CumulativeHeatDiffusionResult
-                      DiffuseCumulativeHeat(const float *                           intensities,
-                                            const std::array<std::size_t, 3> &      size,
-                                            const CumulativeHeatDiffusionSettings & settings,
-                                            float *                                 heat,
-                                            float *                                 initialHeat = nullptr,
-                                            const HeatSnapshotConsumer &            consumer = {},
-                                            const HeatDiffusionSolver::Progress &   progress = {});
+DiffuseCumulativeHeat(const float *                           intensities,
+                      const std::array<std::size_t, 3> &      size,
+                      const CumulativeHeatDiffusionSettings & settings,
+                      float *                                 heat,
+                      float *                                 initialHeat = nullptr,
+                      const HeatSnapshotConsumer &            consumer = {},
+                      const HeatDiffusionSolver::Progress &   progress = {});
 } // namespace itk
 
 #endif

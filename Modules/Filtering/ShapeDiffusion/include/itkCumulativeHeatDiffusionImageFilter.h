@@ -13,18 +13,18 @@ namespace itk
  * \brief Describes each voxel by the heat that it holds after diffusion from all voxels at once (CHD).
  *
  * Each voxel starts with the initial heat (2.3) and heat flows between neighbours by the volume gradient operator
- * (2.4)-(2.6): f_i += dt * sum_j c_ij (f_j - f_i). Few steps show local shape (edges, corners), many steps whole objects:
- * a closed object ends at the mean of its initial heat, which its shape and size decide.
+ * (2.4)-(2.6): f_i += dt * sum_j c_ij (f_j - f_i). Few steps show local shape (edges, corners), many steps whole
+ * objects: a closed object ends at the mean of its initial heat, which its shape and size decide.
  *
  * \par Inputs and Outputs
  * Input: a scalar volume of finite intensities. Output 0: the heat after the last step, in [0, 1], float, on the grid
- * of the input. Output 1: the initial heat. After Update() GetResult() holds the step that was reached, the heat histogram and the
- * components.
+ * of the input. Output 1: the initial heat. After Update() GetResult() holds the step that was reached, the heat
+ * histogram and the components.
  *
  * \par Parameters
- * See the setters. The filter works on the whole volume at once; its threads follow ITK's global setting. It needs about
- * 8 single-precision fields of the volume, 13 when a histogram is asked for. Results have the same bytes for any number of
- * threads.
+ * See the setters. The filter works on the whole volume at once; its threads follow ITK's global setting. It needs
+ * about 8 single-precision fields of the volume, 13 when a histogram is asked for. Results have the same bytes for any
+ * number of threads.
  *
  * Source: Gurijala, Shape-based analysis, chapter 2. Differences: the time step and the scaling of intensities are not
  * given there; (2.4) is read as a product on anisotropic grids; steps are taken by a Chebyshev expansion.
@@ -55,7 +55,8 @@ public:
   itkSetMacro(P, double);
   itkGetConstMacro(P, double);
 
-  /** Let ChooseP() find p from noise and edges; P is then not used. GetResult() tells the choice and why. Default off. */
+  /** Let ChooseP() find p from noise and edges; P is then not used. GetResult() tells the choice and why. Default off.
+   */
   itkSetMacro(AutomaticP, bool);
   itkGetConstMacro(AutomaticP, bool);
   itkBooleanMacro(AutomaticP);
@@ -76,8 +77,8 @@ public:
   itkSetMacro(Tolerance, double);
   itkGetConstMacro(Tolerance, double);
 
-  /** Intensities that map to 0 and to 1, for CT in Hounsfield units. Default: the least and the greatest intensity, which
-   * GetResult() tells. */
+  /** Intensities that map to 0 and to 1, for CT in Hounsfield units. Default: the least and the greatest intensity,
+   * which GetResult() tells. */
   void
   SetIntensityWindow(double lower, double upper);
 

@@ -152,9 +152,10 @@ CumulativeHeatDiffusionImageFilter<TInputImage>::GenerateData()
   }
   else
   {
-    std::transform(input->GetBufferPointer(), input->GetBufferPointer() + number, heat->GetBufferPointer(), [](auto value) {
-      return static_cast<float>(value);
-    });
+    std::transform(input->GetBufferPointer(),
+                   input->GetBufferPointer() + number,
+                   heat->GetBufferPointer(),
+                   [](auto value) { return static_cast<float>(value); });
   }
   const auto progress = [this](double share) {
     this->UpdateProgress(static_cast<float>(share));
@@ -165,15 +166,14 @@ CumulativeHeatDiffusionImageFilter<TInputImage>::GenerateData()
   };
   try
   {
-    m_Result = DiffuseCumulativeHeat(intensities,
-                                     size,
-                                     this->MakeSettings(intensities, size),
-                                     heat->GetBufferPointer(),
-                                     m_WantInitialHeat ? initialHeat->GetBufferPointer() : nullptr,
-                                     [this](std::uint64_t step, const std::vector<float> & values) {
-                                       this->HandOut(step, values);
-                                     },
-                                     progress);
+    m_Result = DiffuseCumulativeHeat(
+      intensities,
+      size,
+      this->MakeSettings(intensities, size),
+      heat->GetBufferPointer(),
+      m_WantInitialHeat ? initialHeat->GetBufferPointer() : nullptr,
+      [this](std::uint64_t step, const std::vector<float> & values) { this->HandOut(step, values); },
+      progress);
   }
   catch (const std::invalid_argument & error)
   {

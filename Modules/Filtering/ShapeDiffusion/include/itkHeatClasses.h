@@ -21,8 +21,8 @@ struct HeatClass
   double        meanHeat{ 0.0 };
   std::uint64_t voxels{ 0 };
   double        volume{ 0.0 }; ///< mm^3
-  /** The share of the voxels at the border of the volume that lie in the class. Where it is above one half, the class is what
-   * surrounds the objects, and its heat leaves through the border. */
+  /** The share of the voxels at the border of the volume that lie in the class. Where it is above one half, the class
+   * is what surrounds the objects, and its heat leaves through the border. */
   double borderShare{ 0.0 };
   /** Number of components, closed off by edges of zero weight, that lie in the class. */
   std::uint64_t components{ 0 };

@@ -18,9 +18,9 @@ namespace itk
  * precision near 3e-6 where t explicit steps in single precision lose 1e-4.
  * Explicit: the steps one by one, with compensated (Kahan) sums.
  *
- * Many fields in between cost little more than the last one: after 16 explicit steps the time is cut into intervals with
- * an end / start ratio of at most 2.5, one Chebyshev pass gives the fields at seven Lobatto nodes in log(t), and any field
- * in between is their barycentric combination (error below 1.1e-6 for every decay rate).
+ * Many fields in between cost little more than the last one: after 16 explicit steps the time is cut into intervals
+ * with an end / start ratio of at most 2.5, one Chebyshev pass gives the fields at seven Lobatto nodes in log(t), and
+ * any field in between is their barycentric combination (error below 1.1e-6 for every decay rate).
  *
  * Results are the same bytes for any number of threads and on every CPU.
  *
@@ -35,18 +35,20 @@ public:
     Explicit
   };
 
-  /** The largest allowed time step. Stability needs 1/6 on a cubic grid, but at 1/6 checkerboard modes decay as slowly as
-   * smooth ones. */
+  /** The largest allowed time step. Stability needs 1/6 on a cubic grid, but at 1/6 checkerboard modes decay as slowly
+   * as smooth ones. */
   static constexpr double MaximumTimeStepLength = 1.0 / 12.0;
 
   /** `timeStepLength` dt in (0, 1/12]; `tolerance` of the heat, in [1e-6, 1]; throws std::invalid_argument.
    * The operator must outlive the solver. */
-  HeatDiffusionSolver(const VolumeGradientOperator & volumeGradient, Method method, double timeStepLength, double tolerance);
+  HeatDiffusionSolver(const VolumeGradientOperator & volumeGradient,
+                      Method                         method,
+                      double                         timeStepLength,
+                      double                         tolerance);
 
-  /** Receives row `row` = y + ny * z of the heat after steps[snapshot]; called from several threads, `worker` tells them
-   * apart and is less than the number of ITK's threads. */
-  using Visitor =
-    std::function<void(std::size_t snapshot, std::size_t row, const float * heat, unsigned int worker)>;
+  /** Receives row `row` = y + ny * z of the heat after steps[snapshot]; called from several threads, `worker` tells
+   * them apart and is less than the number of ITK's threads. */
+  using Visitor = std::function<void(std::size_t snapshot, std::size_t row, const float * heat, unsigned int worker)>;
 
   /** Told the progress in [0, 1] on the calling thread; may throw to abort. */
   using Progress = std::function<void(double)>;
@@ -56,8 +58,8 @@ public:
     m_Progress = std::move(progress);
   }
 
-  /** Stop as soon as the heat is steady: over a time interval of ratio 2.5 at most the share `voxels` of all voxels changes
-   * by more than `change` times the greatest heat. Off by default. */
+  /** Stop as soon as the heat is steady: over a time interval of ratio 2.5 at most the share `voxels` of all voxels
+   * changes by more than `change` times the greatest heat. Off by default. */
   struct SteadyRule
   {
     double change{ 0.01 };
@@ -70,11 +72,14 @@ public:
     m_SteadyRule = rule;
   }
 
-  /** Carries `heat` from step 0 to `lastStep` (or the step where it is steady) and shows the visitor the heat after each of
-   * `steps` (ascending, none beyond `lastStep`; those beyond the step that was reached are left out). Returns the
-   * step that was reached. */
+  /** Carries `heat` from step 0 to `lastStep` (or the step where it is steady) and shows the visitor the heat after
+   * each of `steps` (ascending, none beyond `lastStep`; those beyond the step that was reached are left out). Returns
+   * the step that was reached. */
   std::uint64_t
-  Run(PaddedField & heat, std::uint64_t lastStep, const std::vector<std::uint64_t> & steps = {}, const Visitor & visitor = {});
+  Run(PaddedField &                      heat,
+      std::uint64_t                      lastStep,
+      const std::vector<std::uint64_t> & steps = {},
+      const Visitor &                    visitor = {});
 
   /** True when the last Run ended because the heat was steady. */
   bool
@@ -90,8 +95,8 @@ public:
     return m_Applications;
   }
 
-  /** Coefficients c_k, k = 0, 1, ..., of (1 - beta (1 - x) / 2)^steps = sum c_k T_k(x) on [-1, 1], cut off where the rest
-   * is below `tolerance`; beta = dt lambda_max in (0, 1]. */
+  /** Coefficients c_k, k = 0, 1, ..., of (1 - beta (1 - x) / 2)^steps = sum c_k T_k(x) on [-1, 1], cut off where the
+   * rest is below `tolerance`; beta = dt lambda_max in (0, 1]. */
   static std::vector<double>
   ChebyshevCoefficients(std::uint64_t steps, double beta, double tolerance);
 

@@ -11,9 +11,9 @@ namespace itk
 /** \class HeatHistogram
  * \brief Counts of voxels by heat, one row for each recorded time step (dissertation 2.3.1, Figures 2.3 to 2.7).
  *
- * Heat lies in [0, 1]. Bins are fine: BinsPerOctave equal ones for each factor of two from 2^-Octaves to 1, so that lines
- * close to each other stay apart at any heat; bin 0 counts all heat below 2^-Octaves: the background, whose heat has
- * left through the boundary of the volume. Coarser pictures are made from these counts.
+ * Heat lies in [0, 1]. Bins are fine: BinsPerOctave equal ones for each factor of two from 2^-Octaves to 1, so that
+ * lines close to each other stay apart at any heat; bin 0 counts all heat below 2^-Octaves: the background, whose heat
+ * has left through the boundary of the volume. Coarser pictures are made from these counts.
  *
  * \ingroup ShapeDiffusion
  */
@@ -67,9 +67,10 @@ public:
   static void
   CountHeats(const float * heats, std::size_t number, std::uint32_t * counts);
 
-  /** The equalisation of 2.3.1: the share, in [0, 1], of the counts without bin 0 that lie below the lower edge of each bin, mean
-   * over the rows (NumberOfBins + 1 values, ascending from 0 to 1). One map for all rows, so that a converged line stays at
-   * one place; each row counts the same, so that objects that keep their heat get room when the rest has cooled. */
+  /** The equalisation of 2.3.1: the share, in [0, 1], of the counts without bin 0 that lie below the lower edge of each
+   * bin, mean over the rows (NumberOfBins + 1 values, ascending from 0 to 1). One map for all rows, so that a converged
+   * line stays at one place; each row counts the same, so that objects that keep their heat get room when the rest has
+   * cooled. */
   std::vector<double>
   GetEqualization() const;
 

@@ -17,13 +17,14 @@ namespace itk
  *   halfGradient = |I_i - I_j| / res_k,   weight = clamp(1 - p * halfGradient, 0, 1)      (2.5, 2.6)
  *
  * where res_k = h_k / h_min is the distance of the neighbours relative to the smallest spacing, so that p keeps its
- * meaning. The Laplacian of an anisotropic grid does not cancel as it does in (2.4) on a cubic one: the conductance of an
- * edge is weight * (h_min / h_k)^2 (Physical, the default; (2.4) writes a sum, ours is a product) or the weight alone
- * (Published). The diffusion uses the conductances, the initial heat the weights.
+ * meaning. The Laplacian of an anisotropic grid does not cancel as it does in (2.4) on a cubic one: the conductance of
+ * an edge is weight * (h_min / h_k)^2 (Physical, the default; (2.4) writes a sum, ours is a product) or the weight
+ * alone (Published). The diffusion uses the conductances, the initial heat the weights.
  *
  * The volume is extended by one layer that repeats the border intensities (weight 1) and stays at heat 0.
  *
- * Source: Gurijala, Shape-based analysis, chapter 2. The source does not say how I is scaled; the window is our reading.
+ * Source: Gurijala, Shape-based analysis, chapter 2. The source does not say how I is scaled; the window is our
+ * reading.
  *
  * \ingroup ShapeDiffusion
  */
@@ -50,7 +51,9 @@ public:
 
   /** `intensities`: size[0] * size[1] * size[2] values, x fastest. Throws std::invalid_argument for parameters out of
    * range and for intensities that are not finite. When lower == upper the volume counts as constant. */
-  VolumeGradientOperator(const float * intensities, const std::array<std::size_t, 3> & size, const Parameters & parameters);
+  VolumeGradientOperator(const float *                      intensities,
+                         const std::array<std::size_t, 3> & size,
+                         const Parameters &                 parameters);
 
   /** (2.6) for intensities in [0, 1]; `resolution` is res_k >= 1. */
   static double
@@ -95,8 +98,8 @@ public:
   void
   ComputeInitialHeat(PaddedField & heat) const;
 
-  /** An upper bound of the eigenvalues of the diffusion operator L, (L f)_i = sum_j c_ij (f_i - f_j): 12 on a cubic grid.
-   * Gershgorin: twice the largest sum of conductances that the grid allows. */
+  /** An upper bound of the eigenvalues of the diffusion operator L, (L f)_i = sum_j c_ij (f_i - f_j): 12 on a cubic
+   * grid. Gershgorin: twice the largest sum of conductances that the grid allows. */
   double
   GetEigenvalueBound() const;
 

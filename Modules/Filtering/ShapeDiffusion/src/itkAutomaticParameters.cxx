@@ -66,7 +66,9 @@ CountHalfGradients(const float *                      intensities,
           {
             continue;
           }
-          const auto   half = [&](std::size_t i) { return std::abs(scaled(i + strides[axis]) - scaled(i)) / resolution[axis]; };
+          const auto half = [&](std::size_t i) {
+            return std::abs(scaled(i + strides[axis]) - scaled(i)) / resolution[axis];
+          };
           const double value = half(voxel);
           if (!peaksOnly || (value > half(voxel - strides[axis]) && value >= half(voxel + strides[axis])))
           {
@@ -78,7 +80,8 @@ CountHalfGradients(const float *                      intensities,
   });
   for (std::size_t worker = 1; worker < histograms.size(); ++worker)
   {
-    std::transform(histograms[0].begin(), histograms[0].end(), histograms[worker].begin(), histograms[0].begin(), std::plus<>());
+    std::transform(
+      histograms[0].begin(), histograms[0].end(), histograms[worker].begin(), histograms[0].begin(), std::plus<>());
   }
   return histograms[0];
 }
@@ -117,13 +120,14 @@ ChooseP(const float *                      intensities,
   const double cut = std::sqrt(reach * std::max(choice.edgeContrast, reach));
   choice.p = std::clamp(1.0 / cut, 1.0, 50.0);
   char text[240];
-  std::snprintf(text,
-                sizeof(text),
-                "neighbours differ by %.4f of the intensity window where there is noise (standard deviation) and by more "
-                "than %.4f at three edges in four: edges insulate from 1/p = %.4f on",
-                choice.noise,
-                choice.edgeContrast,
-                1.0 / choice.p);
+  std::snprintf(
+    text,
+    sizeof(text),
+    "neighbours differ by %.4f of the intensity window where there is noise (standard deviation) and by more "
+    "than %.4f at three edges in four: edges insulate from 1/p = %.4f on",
+    choice.noise,
+    choice.edgeContrast,
+    1.0 / choice.p);
   choice.reason = text;
   return choice;
 }

@@ -96,12 +96,12 @@ private:
     this->ForBox([this](std::size_t i) { m_Heat[i] = m_Next[i] = 0.0; });
   }
 
-  const VolumeGradientOperator &  m_VolumeGradient;
-  double                          m_TimeStepLength;
-  std::vector<double>             m_Heat;
-  std::vector<double>             m_Next;
-  std::array<std::ptrdiff_t, 3>   m_First{ { 0, 0, 0 } };
-  std::array<std::ptrdiff_t, 3>   m_Last{ { -1, -1, -1 } };
+  const VolumeGradientOperator & m_VolumeGradient;
+  double                         m_TimeStepLength;
+  std::vector<double>            m_Heat;
+  std::vector<double>            m_Next;
+  std::array<std::ptrdiff_t, 3>  m_First{ { 0, 0, 0 } };
+  std::array<std::ptrdiff_t, 3>  m_Last{ { -1, -1, -1 } };
 };
 } // namespace
 

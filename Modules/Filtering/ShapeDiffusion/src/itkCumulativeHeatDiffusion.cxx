@@ -31,7 +31,9 @@ Unpad(const PaddedGrid & grid, const PaddedField & field, float * values)
 class SnapshotSorter
 {
 public:
-  SnapshotSorter(const PaddedGrid & grid, const CumulativeHeatDiffusionSettings & settings, const HeatSnapshotConsumer & consumer)
+  SnapshotSorter(const PaddedGrid &                      grid,
+                 const CumulativeHeatDiffusionSettings & settings,
+                 const HeatSnapshotConsumer &            consumer)
     : m_RowLength(grid.GetSize()[0])
     , m_RowsPerVolume(grid.GetSize()[1] * grid.GetSize()[2])
     , m_Consumer(consumer)
@@ -160,7 +162,7 @@ DiffuseCumulativeHeat(const float *                           intensities,
     parameters.p = result.p.p;
   }
   const VolumeGradientOperator volumeGradient(intensities, size, parameters);
-  HeatDiffusionSolver solver(volumeGradient, settings.method, settings.timeStepLength, settings.tolerance);
+  HeatDiffusionSolver          solver(volumeGradient, settings.method, settings.timeStepLength, settings.tolerance);
   if (settings.untilSteady)
   {
     solver.StopWhenSteady({});
@@ -184,12 +186,13 @@ DiffuseCumulativeHeat(const float *                           intensities,
       progress(share);
     }
   });
-  result.timeStep = solver.Run(field,
-                               settings.timeSteps,
-                               sorter.GetSteps(),
-                               [&sorter](std::size_t snapshot, std::size_t row, const float * values, unsigned int worker) {
-                                 sorter.Visit(snapshot, row, values, worker);
-                               });
+  result.timeStep =
+    solver.Run(field,
+               settings.timeSteps,
+               sorter.GetSteps(),
+               [&sorter](std::size_t snapshot, std::size_t row, const float * values, unsigned int worker) {
+                 sorter.Visit(snapshot, row, values, worker);
+               });
   sorter.Deliver();
   Unpad(volumeGradient.GetGrid(), field, heat);
   result.steady = solver.IsSteady();

@@ -115,8 +115,8 @@ Combine(float * out, const std::array<const float *, NumberOfNodes> & nodes, std
   SHAPETON_INDEPENDENT
   for (std::size_t i = 0; i < n; ++i)
   {
-    const float sum =
-      ((w0 * nodes[0][i] + w1 * nodes[1][i]) + (w2 * nodes[2][i] + w3 * nodes[3][i])) + ((w4 * nodes[4][i] + w5 * nodes[5][i]) + w6 * nodes[6][i]);
+    const float sum = ((w0 * nodes[0][i] + w1 * nodes[1][i]) + (w2 * nodes[2][i] + w3 * nodes[3][i])) +
+                      ((w4 * nodes[4][i] + w5 * nodes[5][i]) + w6 * nodes[6][i]);
     out[i] = sum > 0.0F ? sum : 0.0F;
   }
 }

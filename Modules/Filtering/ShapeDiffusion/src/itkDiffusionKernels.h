@@ -13,9 +13,9 @@ namespace DiffusionKernels
 /** Where the edges and neighbours of a row lie. */
 struct Edges
 {
-  const float * x;
-  const float * y;
-  const float * z;
+  const float *  x;
+  const float *  y;
+  const float *  z;
   std::ptrdiff_t strideY;
   std::ptrdiff_t strideZ;
 };

@@ -18,6 +18,7 @@ struct Hill
   unsigned int first;
   unsigned int end;
   double       peak;
+  unsigned int peakBin;
   double       mass; // voxels, not smoothed
 };
 
@@ -56,7 +57,7 @@ FindHills(const std::vector<double> & smooth, const std::uint32_t * counts)
   const auto        bins = static_cast<unsigned int>(smooth.size());
   for (unsigned int bin = 1; bin < bins;)
   {
-    Hill hill{ bin, bin, 0.0, 0.0 };
+    Hill hill{ bin, bin, 0.0, bin, 0.0 };
     while (bin < bins && (hill.end == hill.first || smooth[bin] >= smooth[bin - 1])) // up
     {
       hill.end = ++bin;
@@ -71,6 +72,7 @@ FindHills(const std::vector<double> & smooth, const std::uint32_t * counts)
     }
     for (unsigned int k = hill.first; k < hill.end; ++k)
     {
+      hill.peakBin = smooth[k] > hill.peak ? k : hill.peakBin;
       hill.peak = std::max(hill.peak, smooth[k]);
       hill.mass += counts[k];
     }
@@ -123,18 +125,36 @@ JoinHills(std::vector<Hill> & hills, const std::vector<double> & smooth, const H
     {
       return;
     }
-    Hill & joined = hills[weakest];
-    Hill & next = hills[weakest + 1];
-    joined = { joined.first, next.end, std::max(joined.peak, next.peak), joined.mass + next.mass };
+    Hill &       joined = hills[weakest];
+    Hill &       next = hills[weakest + 1];
+    const Hill & higher = joined.peak >= next.peak ? joined : next;
+    joined = { joined.first, next.end, higher.peak, higher.peakBin, joined.mass + next.mass };
     hills.erase(hills.begin() + static_cast<std::ptrdiff_t>(weakest) + 1);
   }
+}
+
+HeatClass
+MakeClass(const Hill & hill, const std::uint32_t * counts)
+{
+  HeatClass heatClass;
+  heatClass.lowerHeat = HeatHistogram::LowerEdge(hill.first);
+  heatClass.upperHeat = HeatHistogram::LowerEdge(hill.end);
+  for (unsigned int bin = hill.first; bin < hill.end; ++bin)
+  {
+    heatClass.voxels += counts[bin];
+    heatClass.meanHeat += counts[bin] * 0.5 * (HeatHistogram::LowerEdge(bin) + HeatHistogram::LowerEdge(bin + 1));
+  }
+  heatClass.meanHeat /= static_cast<double>(std::max<std::uint64_t>(1, heatClass.voxels));
+  return heatClass;
 }
 
 unsigned int
 LabelOf(float heat, const std::vector<HeatClass> & classes)
 {
-  const auto above = std::upper_bound(
-    classes.begin(), classes.end(), static_cast<double>(heat), [](double h, const HeatClass & c) { return h < c.lowerHeat; });
+  const auto above =
+    std::upper_bound(classes.begin(), classes.end(), static_cast<double>(heat), [](double h, const HeatClass & c) {
+      return h < c.lowerHeat;
+    });
   return above == classes.begin() ? 0 : (above - 1)->label;
 }
 void
@@ -175,25 +195,25 @@ FindHeatClasses(const HeatHistogram & histogram, std::size_t row, const HeatClas
   const auto                  smooth = SmoothedDensity(counts);
   std::vector<Hill>           hills = FindHills(smooth, counts);
   JoinHills(hills, smooth, rule);
-
-  std::vector<HeatClass> classes(hills.size() + 1);
-  classes[0].voxels = counts[0];
-  classes[0].upperHeat = HeatHistogram::LowerEdge(1);
-  for (std::size_t i = 0; i < hills.size(); ++i)
+  Hill background{ 0, 1, 0.0, 0, 0.0 };
+  while (!hills.empty() && HeatHistogram::LowerEdge(hills.front().peakBin) < rule.backgroundHeat)
   {
-    HeatClass & heatClass = classes[i + 1];
-    heatClass.label = static_cast<unsigned int>(i + 1);
-    heatClass.lowerHeat = classes[i].upperHeat;
-    heatClass.upperHeat = i + 1 < hills.size() ? HeatHistogram::LowerEdge(hills[i].end) : 2.0; // heat 1 belongs to it
-    for (unsigned int bin = hills[i].first; bin < hills[i].end; ++bin)
-    {
-      heatClass.voxels += counts[bin];
-      heatClass.meanHeat +=
-        counts[bin] * 0.5 * (HeatHistogram::LowerEdge(bin) + HeatHistogram::LowerEdge(bin + 1));
-    }
-    heatClass.meanHeat /= static_cast<double>(heatClass.voxels);
+    background.end = hills.front().end;
+    hills.erase(hills.begin());
   }
-  if (!hills.empty())
+  hills.insert(hills.begin(), background);
+
+  std::vector<HeatClass> classes;
+  for (const Hill & hill : hills)
+  {
+    classes.push_back(MakeClass(hill, counts));
+    classes.back().label = static_cast<unsigned int>(classes.size() - 1);
+    if (classes.size() > 1)
+    {
+      classes.back().lowerHeat = classes[classes.size() - 2].upperHeat; // no gap between classes
+    }
+  }
+  if (classes.size() > 1)
   {
     classes.back().upperHeat = 1.0;
   }

@@ -32,8 +32,8 @@ constexpr TimeTileShape chebyshevTile{ 16, 16, 8 };
 constexpr double        intervalRatio = 2.5;
 constexpr std::uint64_t explicitStart = 16;
 
-// A long stretch of time is cut where the ratio to its start would exceed this: rounding errors grow with the degree of an
-// expansion and with the fine detail of its start, which the stretch before has smoothed away.
+// A long stretch of time is cut where the ratio to its start would exceed this: rounding errors grow with the degree of
+// an expansion and with the fine detail of its start, which the stretch before has smoothed away.
 constexpr std::uint64_t longestRatio = 32;
 constexpr std::uint64_t shortestStretch = 1000;
 
@@ -87,7 +87,10 @@ LobattoNodes(std::uint64_t start, std::uint64_t end)
 }
 
 bool
-IsSteadyBetween(const PaddedGrid & grid, const PaddedField & before, const PaddedField & after, const HeatDiffusionSolver::SteadyRule & rule)
+IsSteadyBetween(const PaddedGrid &                      grid,
+                const PaddedField &                     before,
+                const PaddedField &                     after,
+                const HeatDiffusionSolver::SteadyRule & rule)
 {
   const std::size_t          nx = grid.GetSize()[0];
   const std::size_t          ny = grid.GetSize()[1];
@@ -114,7 +117,10 @@ IsSteadyBetween(const PaddedGrid & grid, const PaddedField & before, const Padde
 } // namespace
 
 std::vector<HeatDiffusionSolver::Interval>
-HeatDiffusionSolver::PlanIntervals(std::uint64_t start, std::uint64_t last, const std::vector<std::uint64_t> & steps, bool checkSteady)
+HeatDiffusionSolver::PlanIntervals(std::uint64_t                      start,
+                                   std::uint64_t                      last,
+                                   const std::vector<std::uint64_t> & steps,
+                                   bool                               checkSteady)
 {
   std::vector<Interval> plan;
   std::size_t           snapshot = std::upper_bound(steps.begin(), steps.end(), start) - steps.begin();
@@ -125,8 +131,8 @@ HeatDiffusionSolver::PlanIntervals(std::uint64_t start, std::uint64_t last, cons
     {
       end /= longestRatio;
     }
-    Interval interval{ start, std::max(end, start + 1), snapshot, {}, false };
-    const auto ratioEnd = static_cast<std::uint64_t>(std::max(start * intervalRatio, explicitStart * 1.0));
+    Interval          interval{ start, std::max(end, start + 1), snapshot, {}, false };
+    const auto        ratioEnd = static_cast<std::uint64_t>(std::max(start * intervalRatio, explicitStart * 1.0));
     const std::size_t few = NumberOfNodes - 1;
     if (checkSteady)
     {
@@ -195,9 +201,7 @@ HeatDiffusionSolver::InterpolationWeights(const Interval & interval, std::uint64
 class HeatDiffusionSolver::Workspace
 {
 public:
-  explicit Workspace(const PaddedGrid & grid)
-    : m_Grid(grid)
-  {}
+  explicit Workspace(const PaddedGrid & grid) : m_Grid(grid) {}
 
   PaddedField &
   Get(std::size_t number)
@@ -210,7 +214,7 @@ public:
   }
 
 private:
-  const PaddedGrid &       m_Grid;
+  const PaddedGrid &      m_Grid;
   std::deque<PaddedField> m_Fields; // growing leaves references valid
 };
 
@@ -218,12 +222,10 @@ HeatDiffusionSolver::HeatDiffusionSolver(const VolumeGradientOperator & volumeGr
                                          Method                         method,
                                          double                         timeStepLength,
                                          double                         tolerance)
-  : m_VolumeGradient(volumeGradient)
-  , m_Method(method)
-  , m_TimeStepLength(timeStepLength)
-  , m_Tolerance(tolerance)
+  : m_VolumeGradient(volumeGradient), m_Method(method), m_TimeStepLength(timeStepLength), m_Tolerance(tolerance)
 {
-  if (!(timeStepLength > 0.0) || timeStepLength > MaximumTimeStepLength * (1.0 + 1e-6)) // 0.08333333 is meant to be 1/12
+  if (!(timeStepLength > 0.0) ||
+      timeStepLength > MaximumTimeStepLength * (1.0 + 1e-6)) // 0.08333333 is meant to be 1/12
   {
     throw std::invalid_argument("the length of a time step must be positive and at most 1/12");
   }
@@ -347,18 +349,15 @@ HeatDiffusionSolver::Expand(const PaddedField &                start,
   for (std::size_t done = 0; done < degree; done += chebyshevTile.steps)
   {
     // An even number of terms, so that they can be added in pairs.
-    const auto count = static_cast<unsigned int>(std::min<std::size_t>(chebyshevTile.steps, (degree - done + 1) / 2 * 2));
-    float *    buffers[2] = { even.GetData(), odd.GetData() };
+    const auto count =
+      static_cast<unsigned int>(std::min<std::size_t>(chebyshevTile.steps, (degree - done + 1) / 2 * 2));
+    float * buffers[2] = { even.GetData(), odd.GetData() };
     RunTimeTiles(grid, count, chebyshevTile, [&](unsigned int s, std::size_t row) {
       const std::size_t   k = done + s;
       const float * const current = buffers[(k + 1) % 2] + row;
       float * const       next = buffers[k % 2] + row;
-      DiffusionKernels::ChebyshevStep(EdgesOfRow(m_VolumeGradient, row),
-                                      current,
-                                      next,
-                                      difference.GetData() + row,
-                                      nx,
-                                      k == 1 ? step : 2.0F * step);
+      DiffusionKernels::ChebyshevStep(
+        EdgesOfRow(m_VolumeGradient, row), current, next, difference.GetData() + row, nx, k == 1 ? step : 2.0F * step);
       for (std::size_t g = 0; k % 2 == 0 && g < results.size(); ++g)
       {
         if (k - 1 < coefficients[g].size())
@@ -377,9 +376,7 @@ class HeatDiffusionSolver::Recorder
 {
 public:
   Recorder(const PaddedGrid & grid, const std::vector<std::uint64_t> & steps, const Visitor & visitor)
-    : m_Grid(grid)
-    , m_Steps(steps)
-    , m_Visitor(visitor)
+    : m_Grid(grid), m_Steps(steps), m_Visitor(visitor)
   {}
 
   /** The next requested step, or `otherwise` when there is none before it. */
@@ -452,7 +449,10 @@ HeatDiffusionSolver::Run(PaddedField &                      heat,
 }
 
 std::uint64_t
-HeatDiffusionSolver::RunExplicitly(PaddedField & heat, std::uint64_t lastStep, Recorder & recorder, Workspace & workspace)
+HeatDiffusionSolver::RunExplicitly(PaddedField & heat,
+                                   std::uint64_t lastStep,
+                                   Recorder &    recorder,
+                                   Workspace &   workspace)
 {
   const PaddedGrid & grid = m_VolumeGradient.GetGrid();
   m_PlannedApplications = static_cast<double>(lastStep);

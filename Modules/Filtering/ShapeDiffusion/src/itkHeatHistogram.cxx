@@ -9,8 +9,7 @@
 namespace itk
 {
 HeatHistogram::HeatHistogram(std::vector<std::uint64_t> timeSteps)
-  : m_TimeSteps(std::move(timeSteps))
-  , m_Counts(m_TimeSteps.size() * NumberOfBins, 0)
+  : m_TimeSteps(std::move(timeSteps)), m_Counts(m_TimeSteps.size() * NumberOfBins, 0)
 {
   if (!std::is_sorted(m_TimeSteps.begin(), m_TimeSteps.end()))
   {

@@ -23,7 +23,8 @@ HeatHistogramFilter::AddHeat(const HeatImageType * heat, std::uint64_t timeStep)
 {
   if (!m_TimeSteps.empty() && timeStep < m_TimeSteps.back())
   {
-    itkExceptionMacro("time step " << timeStep << " comes after " << m_TimeSteps.back() << "; add heats in ascending order");
+    itkExceptionMacro("time step " << timeStep << " comes after " << m_TimeSteps.back()
+                                   << "; add heats in ascending order");
   }
   this->SetNthInput(m_TimeSteps.size(), const_cast<HeatImageType *>(heat));
   m_TimeSteps.push_back(timeStep);

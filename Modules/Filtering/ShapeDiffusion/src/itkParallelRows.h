@@ -37,12 +37,13 @@ void
 ParallelForWorkers(std::size_t number, const TBody & body)
 {
   std::atomic<std::size_t> next{ 0 };
-  ParallelWorkers(static_cast<unsigned int>(std::min<std::size_t>(NumberOfThreads(), number)), [&](unsigned int worker) {
-    for (std::size_t i = next++; i < number; i = next++)
-    {
-      body(i, worker);
-    }
-  });
+  ParallelWorkers(static_cast<unsigned int>(std::min<std::size_t>(NumberOfThreads(), number)),
+                  [&](unsigned int worker) {
+                    for (std::size_t i = next++; i < number; i = next++)
+                    {
+                      body(i, worker);
+                    }
+                  });
 }
 
 template <typename TBody>

@@ -16,11 +16,7 @@ constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
 class DisjointSets
 {
 public:
-  explicit DisjointSets(std::size_t number)
-    : m_Parents(number)
-  {
-    std::iota(m_Parents.begin(), m_Parents.end(), 0U);
-  }
+  explicit DisjointSets(std::size_t number) : m_Parents(number) { std::iota(m_Parents.begin(), m_Parents.end(), 0U); }
 
   std::uint32_t
   Find(std::uint32_t i)
@@ -48,9 +44,9 @@ private:
 DisjointSets
 JoinVoxels(const VolumeGradientOperator & op)
 {
-  const auto & grid = op.GetGrid();
-  const auto & size = grid.GetSize();
-  DisjointSets sets(grid.GetNumberOfVoxels());
+  const auto &                     grid = op.GetGrid();
+  const auto &                     size = grid.GetSize();
+  DisjointSets                     sets(grid.GetNumberOfVoxels());
   const std::array<std::size_t, 3> strides = { 1, size[0], size[0] * size[1] };
   std::uint32_t                    voxel = 0;
   for (std::size_t z = 0; z < size[2]; ++z)
@@ -223,15 +219,14 @@ CroftonWeights(const std::array<double, 3> & spacing)
   std::array<double, 13> weights{};
   for (int i = 0; i < samples; ++i)
   {
-    const double z = (i + 0.5) / samples; // a half sphere is enough
-    const double r = std::sqrt(1.0 - z * z);
+    const double                z = (i + 0.5) / samples; // a half sphere is enough
+    const double                r = std::sqrt(1.0 - z * z);
     const std::array<double, 3> direction = { r * std::cos(i * goldenAngle), r * std::sin(i * goldenAngle), z };
     unsigned int                nearest = 0;
     double                      best = -1.0;
     for (unsigned int d = 0; d < axes.size(); ++d)
     {
-      const double cosine =
-        std::abs(axes[d][0] * direction[0] + axes[d][1] * direction[1] + axes[d][2] * direction[2]);
+      const double cosine = std::abs(axes[d][0] * direction[0] + axes[d][1] * direction[1] + axes[d][2] * direction[2]);
       if (cosine > best)
       {
         best = cosine;

@@ -20,8 +20,8 @@ struct TimeTileShape
   unsigned int   steps;
 };
 
-/** Calls `operation(step, row)` for steps 1 .. `steps` and all rows of the grid, in an order that respects the stencil: a
- * row's step s comes after step s-1 of itself and its four neighbours, and before their step s+1.
+/** Calls `operation(step, row)` for steps 1 .. `steps` and all rows of the grid, in an order that respects the stencil:
+ * a row's step s comes after step s-1 of itself and its four neighbours, and before their step s+1.
  *
  * Tiles of rows are carried through all steps while they lie in the cache; each step moves a tile by one row and one
  * slice towards the origin (time skewing), so that all it needs is its own or was done by tiles before it. Two buffers,
@@ -44,7 +44,8 @@ RunTimeTiles(const PaddedGrid & grid, unsigned int steps, const TimeTileShape & 
   std::vector<Tile> order; // by diagonals: what a tile waits for stands before it
   for (std::ptrdiff_t diagonal = 0; diagonal < tilesY + tilesZ - 1; ++diagonal)
   {
-    for (std::ptrdiff_t z = std::max<std::ptrdiff_t>(0, diagonal - tilesY + 1); z <= std::min(diagonal, tilesZ - 1); ++z)
+    for (std::ptrdiff_t z = std::max<std::ptrdiff_t>(0, diagonal - tilesY + 1); z <= std::min(diagonal, tilesZ - 1);
+         ++z)
     {
       order.push_back({ diagonal - z, z });
     }
@@ -73,8 +74,8 @@ RunTimeTiles(const PaddedGrid & grid, unsigned int steps, const TimeTileShape & 
       }
     }
   };
-  // Tiles are taken in order, so whatever a tile waits for has been taken by a worker that runs: no deadlock, however few
-  // of the workers the threader really starts.
+  // Tiles are taken in order, so whatever a tile waits for has been taken by a worker that runs: no deadlock, however
+  // few of the workers the threader really starts.
   const auto workers = std::min<std::size_t>(NumberOfThreads(), std::min(tilesY, tilesZ));
   ParallelWorkers(static_cast<unsigned int>(workers), [&](unsigned int) {
     const DiffusionKernels::FlushToZero flushToZero;

@@ -19,7 +19,8 @@ CheckParameters(const VolumeGradientOperator::Parameters & parameters)
   }
   if (!std::isfinite(parameters.lower) || !std::isfinite(parameters.upper))
   {
-    throw std::invalid_argument("the volume or the intensity window holds values that are not finite (NaN or infinity)");
+    throw std::invalid_argument(
+      "the volume or the intensity window holds values that are not finite (NaN or infinity)");
   }
   if (parameters.upper < parameters.lower)
   {
@@ -84,8 +85,7 @@ private:
 VolumeGradientOperator::VolumeGradientOperator(const float *                      intensities,
                                                const std::array<std::size_t, 3> & size,
                                                const Parameters &                 parameters)
-  : m_Grid(size)
-  , m_Parameters(parameters)
+  : m_Grid(size), m_Parameters(parameters)
 {
   CheckParameters(parameters);
   const double smallest = *std::min_element(parameters.spacing.begin(), parameters.spacing.end());
@@ -115,7 +115,7 @@ VolumeGradientOperator::ComputeConductances(const float * intensities)
     }
     for (std::ptrdiff_t y = -1; y < static_cast<std::ptrdiff_t>(size[1]); ++y)
     {
-      const double * const row = slice.Row(y);
+      const double * const                row = slice.Row(y);
       const std::array<const double *, 3> successors = { row + 1, slice.Row(y + 1), above.Row(y) };
       for (unsigned int axis = 0; axis < 3; ++axis)
       {
@@ -137,8 +137,8 @@ VolumeGradientOperator::ComputeConductances(const float * intensities)
 void
 VolumeGradientOperator::ComputeInitialHeat(PaddedField & heat) const
 {
-  const auto &       size = m_Grid.GetSize();
-  std::vector<float> largest(size[2], 0.0F);
+  const auto &         size = m_Grid.GetSize();
+  std::vector<float>   largest(size[2], 0.0F);
   std::array<float, 3> inverse{};
   for (unsigned int axis = 0; axis < 3; ++axis)
   {

@@ -3,7 +3,6 @@
 #include "itkHeatHistogramFilter.h"
 #include "itkShapeDiffusionTestVolumes.h"
 
-
 #include <gtest/gtest.h>
 
 #include <map>
@@ -50,9 +49,8 @@ Sphere(std::size_t side, double radius)
 {
   test::Volume volume({ side, side, side });
   const double centre = (side - 1) / 2.0;
-  volume.Fill([&](double x, double y, double z) {
-    return std::hypot(x - centre, y - centre, z - centre) <= radius ? 1.0 : 0.0;
-  });
+  volume.Fill(
+    [&](double x, double y, double z) { return std::hypot(x - centre, y - centre, z - centre) <= radius ? 1.0 : 0.0; });
   return volume;
 }
 } // namespace
@@ -65,7 +63,8 @@ TEST(CumulativeHeatDiffusionImageFilter, ASphereConvergesToThreeQuartersOverItsR
     filter->WantComponentsOn();
     filter->Update();
     const float centre = filter->GetOutput()->GetPixel({ { 20, 20, 20 } });
-    // A voxel sphere has the cut faces of its projections, 6 pi r^2, and the volume 4/3 pi r^3, both within a voxel's size.
+    // A voxel sphere has the cut faces of its projections, 6 pi r^2, and the volume 4/3 pi r^3, both within a voxel's
+    // size.
     EXPECT_NEAR(centre * radius, 0.75, 0.75 / radius * 0.5);
     const auto & components = filter->GetResult().components;
     ASSERT_EQ(components.size(), 2U);
@@ -157,9 +156,9 @@ TEST(CumulativeHeatDiffusionImageFilter, IntegerPixelsGiveTheHeatOfEqualFloats)
 
 TEST(CumulativeHeatDiffusionImageFilter, KeepsAnObliqueAnisotropicGeometry)
 {
-  const auto            image = MakeImage<float>(test::MakeScene({ 9, 8, 7 }, 0.1));
+  const auto                     image = MakeImage<float>(test::MakeScene({ 9, 8, 7 }, 0.1));
   Image<float, 3>::DirectionType direction;
-  const double c = std::cos(0.4), s = std::sin(0.4);
+  const double                   c = std::cos(0.4), s = std::sin(0.4);
   direction(0, 0) = c;
   direction(0, 1) = -s;
   direction(0, 2) = 0.0;
@@ -211,9 +210,9 @@ TEST(CumulativeHeatDiffusionImageFilter, AVolumeOfOneSliceOrOneVoxelIsNoSpecialC
 {
   for (const test::Size & size : { test::Size{ 1, 1, 1 }, test::Size{ 9, 8, 1 }, test::Size{ 1, 1, 30 } })
   {
-    const test::Volume               volume = test::MakeScene(size, 0.5);
-    const auto                       parameters = volume.Parameters(7.0);
-    test::BruteForce                 brute(volume, parameters, 1.0 / 12.0);
+    const test::Volume volume = test::MakeScene(size, 0.5);
+    const auto         parameters = volume.Parameters(7.0);
+    test::BruteForce   brute(volume, parameters, 1.0 / 12.0);
     for (int step = 0; step < 40; ++step)
     {
       brute.Step();
@@ -228,9 +227,9 @@ TEST(CumulativeHeatDiffusionImageFilter, AVolumeOfOneSliceOrOneVoxelIsNoSpecialC
 
 TEST(CumulativeHeatDiffusionImageFilter, HistogramAndSnapshotsAgree)
 {
-  const auto image = MakeImage<float>(test::MakeScene({ 30, 20, 25 }, 0.05));
-  const auto steps = MakeSnapshotSteps(2000, 30, SnapshotSpacing::Logarithmic);
-  auto       filter = MakeFilter(image.GetPointer(), 2000);
+  const auto                                        image = MakeImage<float>(test::MakeScene({ 30, 20, 25 }, 0.05));
+  const auto                                        steps = MakeSnapshotSteps(2000, 30, SnapshotSpacing::Logarithmic);
+  auto                                              filter = MakeFilter(image.GetPointer(), 2000);
   std::map<std::uint64_t, Image<float, 3>::Pointer> snapshots;
   filter->SetHistogramSteps(steps);
   filter->SetSnapshotSteps(steps, [&](std::uint64_t step, const Image<float, 3> * heat) {

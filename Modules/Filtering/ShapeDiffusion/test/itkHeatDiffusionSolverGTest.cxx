@@ -30,13 +30,13 @@ struct Trajectory
 
 Trajectory
 Diffuse(const VolumeGradientOperator &     volumeGradient,
-    Method                             method,
-    std::uint64_t                      lastStep,
-    const std::vector<std::uint64_t> & steps,
-    double                             timeStepLength = dt,
-    bool                               untilSteady = false)
+        Method                             method,
+        std::uint64_t                      lastStep,
+        const std::vector<std::uint64_t> & steps,
+        double                             timeStepLength = dt,
+        bool                               untilSteady = false)
 {
-  const PaddedGrid & grid = volumeGradient.GetGrid();
+  const PaddedGrid &  grid = volumeGradient.GetGrid();
   HeatDiffusionSolver solver(volumeGradient, method, timeStepLength, 1e-5);
   if (untilSteady)
   {
@@ -99,9 +99,8 @@ TEST(HeatDiffusionSolver, EverySnapshotMatchesBruteForce)
     double                p;
     std::array<double, 3> spacing;
   };
-  for (const Case & c : { Case{ 2.0, { { 1.0, 1.0, 1.0 } } },
-                          Case{ 7.0, { { 1.0, 1.0, 1.0 } } },
-                          Case{ 15.0, { { 0.7, 0.9, 2.5 } } } })
+  for (const Case & c :
+       { Case{ 2.0, { { 1.0, 1.0, 1.0 } } }, Case{ 7.0, { { 1.0, 1.0, 1.0 } } }, Case{ 15.0, { { 0.7, 0.9, 2.5 } } } })
   {
     const Volume                 volume = MakeScene({ 32, 32, 32 }, 0.05);
     const auto                   parameters = volume.Parameters(c.p, c.spacing);
@@ -167,7 +166,8 @@ TEST(HeatDiffusionSolver, AnEigenfunctionOfTheFreeVolumeDecaysAsItsEigenvalueSay
     {
       for (std::size_t x = 0; x < 15; ++x)
       {
-        const double h = std::sin(M_PI * (x + 1) / 16.0) * std::sin(M_PI * (y + 1) / 11.0) * std::sin(M_PI * (z + 1) / 13.0);
+        const double h =
+          std::sin(M_PI * (x + 1) / 16.0) * std::sin(M_PI * (y + 1) / 11.0) * std::sin(M_PI * (z + 1) / 13.0);
         heat.GetData()[grid.GetRow(y, z) + x] = static_cast<float>(h);
         expected.push_back(h * std::pow(1.0 - dt * eigenvalue, t));
       }
@@ -186,11 +186,11 @@ TEST(HeatDiffusionSolver, AClosedObjectKeepsItsHeatAndEndsAtItsMean)
   };
   volume.Fill([&](std::size_t x, std::size_t y, std::size_t z) { return inside(x, y, z) ? 1.0 : 0.0; });
   const VolumeGradientOperator volumeGradient(volume.values.data(), volume.size, volume.Parameters(7.0));
-  const auto                   trajectory = Diffuse(volumeGradient, Method::Chebyshev, 1000000, { 0, 50, 1000, 1000000 });
-  std::vector<double>          sums;
+  const auto          trajectory = Diffuse(volumeGradient, Method::Chebyshev, 1000000, { 0, 50, 1000, 1000000 });
+  std::vector<double> sums;
   for (const auto & field : trajectory.fields)
   {
-    double sum = 0.0;
+    double      sum = 0.0;
     std::size_t i = 0;
     for (std::size_t z = 0; z < 24; ++z)
       for (std::size_t y = 0; y < 24; ++y)
@@ -229,13 +229,17 @@ TEST(HeatDiffusionSolver, ThreadsDoNotChangeABit)
     for (const unsigned int threads : { 1, 2, 3, 8 })
     {
       MultiThreaderBase::SetGlobalDefaultNumberOfThreads(threads);
-      const auto trajectory = Diffuse(volumeGradient, method, method == Method::Explicit ? 100 : 3000, method == Method::Explicit ? std::vector<std::uint64_t>{ 7, 100 } : steps);
+      const auto trajectory = Diffuse(volumeGradient,
+                                      method,
+                                      method == Method::Explicit ? 100 : 3000,
+                                      method == Method::Explicit ? std::vector<std::uint64_t>{ 7, 100 } : steps);
       if (threads == 1)
       {
         first = trajectory;
         continue;
       }
-      EXPECT_EQ(std::memcmp(trajectory.last.data(), first.last.data(), first.last.size() * sizeof(float)), 0) << threads;
+      EXPECT_EQ(std::memcmp(trajectory.last.data(), first.last.data(), first.last.size() * sizeof(float)), 0)
+        << threads;
       EXPECT_EQ(trajectory.fields, first.fields) << threads;
     }
   }

@@ -161,6 +161,21 @@ TEST(HeatClassification, AnEvenSpreadOverOctavesIsOneClass)
   EXPECT_EQ(FindHeatClasses(histogram, 0).size(), 2U);
 }
 
+TEST(HeatClassification, LinesBelowTheBackgroundHeatAreBackground)
+{
+  std::vector<float> heats(1000, 0.0F);
+  AddPeak(heats, 0.0002, 0.000005, 2000);
+  AddPeak(heats, 0.0006, 0.00001, 2000);
+  AddPeak(heats, 0.002, 0.00001, 2000);
+  HeatHistogram histogram({ 0 });
+  histogram.AddToRow(0, heats.data(), heats.size());
+  const auto classes = FindHeatClasses(histogram, 0);
+  ASSERT_EQ(classes.size(), 2U);
+  EXPECT_EQ(classes[0].voxels, 5000U);
+  EXPECT_NEAR(classes[1].meanHeat, 0.002, 0.00002);
+  EXPECT_EQ(classes[1].lowerHeat, classes[0].upperHeat);
+}
+
 TEST(HeatClassification, AColdVolumeHasOnlyBackground)
 {
   const std::vector<float> heats(64, 0.0F);

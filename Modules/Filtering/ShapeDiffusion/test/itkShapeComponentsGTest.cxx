@@ -59,9 +59,9 @@ TEST(ShapeComponents, FindsEachObjectWithItsExactConvergedHeat)
 {
   Volume volume({ 30, 20, 20 });
   volume.Fill([](std::size_t x, std::size_t y, std::size_t z) {
-    const bool a = x >= 2 && x < 7 && y >= 3 && y < 8 && z >= 4 && z < 9;      // a cube of side 5
-    const bool b = x >= 12 && x < 22 && y >= 5 && y < 9 && z >= 10 && z < 14;  // 10 x 4 x 4
-    const bool c = x >= 26 && y >= 3 && y < 8 && z >= 3 && z < 8;              // touches the border
+    const bool a = x >= 2 && x < 7 && y >= 3 && y < 8 && z >= 4 && z < 9;     // a cube of side 5
+    const bool b = x >= 12 && x < 22 && y >= 5 && y < 9 && z >= 10 && z < 14; // 10 x 4 x 4
+    const bool c = x >= 26 && y >= 3 && y < 8 && z >= 3 && z < 8;             // touches the border
     return a || b || c ? 1.0 : 0.0;
   });
   const auto components = Find(volume);
@@ -96,8 +96,7 @@ TEST(ShapeComponents, RotationMattersLessToTheNormalizedHeatThanToTheHeat)
   for (const double degrees : { 0.0, 10.0, 20.0, 30.0, 45.0 })
   {
     const double c = std::cos(degrees * M_PI / 180.0), s = std::sin(degrees * M_PI / 180.0);
-    const auto   cube =
-      Measure([=](double x, double y, double z) { return Box(c * x + s * y, c * y - s * x, z, 10.0); });
+    const auto cube = Measure([=](double x, double y, double z) { return Box(c * x + s * y, c * y - s * x, z, 10.0); });
     heats.push_back(cube.convergedHeat);
     normalized.push_back(cube.normalizedHeat);
     EXPECT_NEAR(cube.normalizedHeat, 0.94, 0.06) << degrees; // flat faces lie a little low with 13 directions
@@ -113,8 +112,8 @@ TEST(ShapeComponents, RotationMattersLessToTheNormalizedHeatThanToTheHeat)
 TEST(ShapeComponents, AnAnisotropicGridMeasuresTheSameSphere)
 {
   const double radius = 12.0;
-  const auto   sphere = Measure([=](double x, double y, double z) { return std::hypot(x, y, z) - radius; },
-                              { { 0.7, 0.7, 1.4 } });
+  const auto   sphere =
+    Measure([=](double x, double y, double z) { return std::hypot(x, y, z) - radius; }, { { 0.7, 0.7, 1.4 } });
   EXPECT_NEAR(sphere.volume, 4.0 / 3.0 * M_PI * radius * radius * radius, 0.02 * 7238.0);
   EXPECT_NEAR(sphere.surfaceArea, 4.0 * M_PI * radius * radius, 0.05 * 1810.0);
 }

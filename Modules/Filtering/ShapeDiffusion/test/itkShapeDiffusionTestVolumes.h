@@ -21,10 +21,7 @@ struct Volume
   Size               size;
   std::vector<float> values;
 
-  explicit Volume(const Size & s, float value = 0.0F)
-    : size(s)
-    , values(s[0] * s[1] * s[2], value)
-  {}
+  explicit Volume(const Size & s, float value = 0.0F) : size(s), values(s[0] * s[1] * s[2], value) {}
 
   float &
   At(std::size_t x, std::size_t y, std::size_t z)
@@ -105,7 +102,8 @@ public:
     const double smallest = *std::min_element(parameters.spacing.begin(), parameters.spacing.end());
     const auto   scaled = [&](std::ptrdiff_t x, std::ptrdiff_t y, std::ptrdiff_t z) {
       const auto inside = [](std::ptrdiff_t i, std::size_t n) { return std::clamp<std::ptrdiff_t>(i, 0, n - 1); };
-      const auto value = volume.values[(inside(z, m_Size[2]) * m_Size[1] + inside(y, m_Size[1])) * m_Size[0] + inside(x, m_Size[0])];
+      const auto value =
+        volume.values[(inside(z, m_Size[2]) * m_Size[1] + inside(y, m_Size[1])) * m_Size[0] + inside(x, m_Size[0])];
       return std::clamp((value - parameters.lower) / (parameters.upper - parameters.lower), 0.0, 1.0);
     };
     double largest = 0.0;

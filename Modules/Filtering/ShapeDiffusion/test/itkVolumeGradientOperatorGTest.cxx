@@ -23,7 +23,8 @@ TEST(VolumeGradientOperator, RoundingOfAnInsulatingEdgeIsNoLeak)
   // 1 - 10 * 0.1 is not 0 in floating point for all of these pairs.
   for (int i = 0; i < 10; ++i)
   {
-    EXPECT_EQ(VolumeGradientOperator::EdgeWeight(VolumeGradientOperator::HalfGradient(0.1 * i, 0.1 * (i + 1), 1.0), 10.0), 0.0);
+    EXPECT_EQ(
+      VolumeGradientOperator::EdgeWeight(VolumeGradientOperator::HalfGradient(0.1 * i, 0.1 * (i + 1), 1.0), 10.0), 0.0);
   }
 }
 
@@ -32,7 +33,7 @@ TEST(VolumeGradientOperator, ConductancesOfAnAnisotropicVolume)
   Volume volume({ 4, 3, 3 });
   volume.Fill([](double x, double, double z) { return 0.2 * x + 0.1 * z; });
   const VolumeGradientOperator::Parameters parameters = volume.Parameters(2.0, { { 0.5, 1.0, 2.0 } });
-  const double range = parameters.upper - parameters.lower;
+  const double                             range = parameters.upper - parameters.lower;
 
   const VolumeGradientOperator physical(volume.values.data(), volume.size, parameters);
   const std::size_t            i = physical.GetGrid().GetRow(1, 1) + 1;
@@ -50,9 +51,9 @@ TEST(VolumeGradientOperator, ConductancesOfAnAnisotropicVolume)
 
 TEST(VolumeGradientOperator, AConstantVolumeHasNoInitialHeat)
 {
-  const Volume                             volume({ 5, 6, 7 }, 3.5F);
-  const VolumeGradientOperator             volumeGradient(volume.values.data(), volume.size, volume.Parameters(7.0));
-  PaddedField                              heat(volumeGradient.GetGrid());
+  const Volume                 volume({ 5, 6, 7 }, 3.5F);
+  const VolumeGradientOperator volumeGradient(volume.values.data(), volume.size, volume.Parameters(7.0));
+  PaddedField                  heat(volumeGradient.GetGrid());
   volumeGradient.ComputeInitialHeat(heat);
   for (const float h : Values(volumeGradient.GetGrid(), heat))
   {

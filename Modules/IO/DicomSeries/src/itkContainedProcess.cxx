@@ -4,11 +4,11 @@
 #include <chrono>
 #include <csignal>
 #include <cstdint>
-#include <cstdio>
 #include <cstdlib>
 #include <cstring>
 #include <exception>
 #include <fcntl.h>
+#include <fstream>
 #include <new>
 #include <poll.h>
 #include <sys/mman.h>
@@ -110,34 +110,31 @@ ReceiveAll(int channel, char * data, std::size_t size, Clock::time_point deadlin
   return Transfer::complete;
 }
 
+template <typename TResource> // an enumeration in glibc, a number elsewhere
 void
-SetLimit(int resource, rlim_t value)
+SetLimit(TResource resource, rlim_t value)
 {
   rlimit limit{};
-  getrlimit(static_cast<__rlimit_resource_t>(resource), &limit);
+  getrlimit(resource, &limit);
   limit.rlim_cur = limit.rlim_max == RLIM_INFINITY || value < limit.rlim_max ? value : limit.rlim_max;
-  setrlimit(static_cast<__rlimit_resource_t>(resource), &limit);
+  setrlimit(resource, &limit);
 }
 
 /** Limits what the process may allocate beyond what it has inherited. */
 void
 LimitMemory(std::size_t bytes)
 {
-  unsigned long size = 0;
-  unsigned long data = 0;
-  std::FILE *   status = std::fopen("/proc/self/statm", "r");
-  if (!status || std::fscanf(status, "%lu %*u %*u %*u %*u %lu", &size, &data) != 2)
+  // Pages: whole size, resident, shared, text, nothing, data and stack. All stay 0 where there is no such file.
+  unsigned long pages[6] = {};
+  std::ifstream status("/proc/self/statm");
+  for (unsigned long & number : pages)
   {
-    size = data = 0;
-  }
-  if (status)
-  {
-    std::fclose(status);
+    status >> number;
   }
   const auto page = static_cast<rlim_t>(sysconf(_SC_PAGESIZE));
-  SetLimit(RLIMIT_DATA, data * page + bytes);
+  SetLimit(RLIMIT_DATA, pages[5] * page + bytes);
 #if !defined(__SANITIZE_ADDRESS__) // the sanitizer has reserved terabytes of address space
-  SetLimit(RLIMIT_AS, size * page + bytes);
+  SetLimit(RLIMIT_AS, pages[0] * page + bytes);
 #endif
 }
 

@@ -24,7 +24,6 @@ namespace itk
 {
 namespace
 {
-namespace fs = std::filesystem;
 using ComponentEnum = ImageIOBase::IOComponentEnum;
 
 // Directions are stored as float or as short decimals.
@@ -107,7 +106,7 @@ bool
 HasShearedSform(const MetaDataDictionary & dictionary)
 {
   std::string code;
-  if (!ExposeMetaData(dictionary, "sform_code", code) || std::atoi(code.c_str()) <= 0)
+  if (!ExposeMetaData(dictionary, "sform_code", code) || std::strtol(code.c_str(), nullptr, 10) <= 0)
   {
     return false;
   }

@@ -13,6 +13,15 @@
 #include <random>
 #include <sys/resource.h>
 
+#if defined(__SANITIZE_ADDRESS__)
+/** NrrdIO leaks its messages when it cannot write. */
+extern "C" const char *
+__lsan_default_suppressions()
+{
+  return "leak:libITKNrrdIO";
+}
+#endif
+
 namespace
 {
 using itk::Contains;
