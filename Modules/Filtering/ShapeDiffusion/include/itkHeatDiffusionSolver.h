@@ -123,9 +123,15 @@ private:
                  Recorder &                         recorder,
                  Workspace &                        workspace);
 
+  /** Whether the rounding errors of explicit steps are carried along; a few steps do without. */
+  enum class Sums
+  {
+    Plain,
+    Compensated
+  };
   /** `heat` carried on by explicit steps. */
   void
-  Advance(PaddedField & heat, std::uint64_t steps, Workspace & workspace);
+  Advance(PaddedField & heat, std::uint64_t steps, Sums sums, Workspace & workspace);
   /** results[g] = sum_k coefficients[g][k] T_k(X) start, X the operator mapped to [-1, 1]. */
   void
   Expand(const PaddedField &                start,

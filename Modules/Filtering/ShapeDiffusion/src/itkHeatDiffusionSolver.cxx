@@ -288,7 +288,7 @@ HeatDiffusionSolver::ReportProgress(double applications)
 }
 
 void
-HeatDiffusionSolver::Advance(PaddedField & heat, std::uint64_t steps, Workspace & workspace)
+HeatDiffusionSolver::Advance(PaddedField & heat, std::uint64_t steps, Sums sums, Workspace & workspace)
 {
   const PaddedGrid & grid = m_VolumeGradient.GetGrid();
   const std::size_t  nx = grid.GetSize()[0];
@@ -301,12 +301,15 @@ HeatDiffusionSolver::Advance(PaddedField & heat, std::uint64_t steps, Workspace 
     const auto count = static_cast<unsigned int>(std::min<std::uint64_t>(steps, explicitTile.steps));
     float *    buffers[2] = { heat.GetData(), other.GetData() };
     RunTimeTiles(grid, count, explicitTile, [&](unsigned int step, std::size_t row) {
-      DiffusionKernels::CompensatedStep(EdgesOfRow(m_VolumeGradient, row),
-                                        buffers[(step + 1) % 2] + row,
-                                        buffers[step % 2] + row,
-                                        rest.GetData() + row,
-                                        nx,
-                                        dt);
+      const auto    edges = EdgesOfRow(m_VolumeGradient, row);
+      const float * current = buffers[(step + 1) % 2] + row;
+      float *       next = buffers[step % 2] + row;
+      if (sums == Sums::Plain)
+      {
+        DiffusionKernels::ExplicitStep(edges, current, next, nx, dt);
+        return;
+      }
+      DiffusionKernels::CompensatedStep(edges, current, next, rest.GetData() + row, nx, dt);
     });
     if (count % 2 == 1)
     {
@@ -471,7 +474,7 @@ HeatDiffusionSolver::RunExplicitly(PaddedField & heat,
     while (step < end)
     {
       const std::uint64_t next = recorder.Next(end);
-      this->Advance(heat, next - step, workspace);
+      this->Advance(heat, next - step, Sums::Compensated, workspace);
       step = next;
       recorder.Show(heat, step);
     }
@@ -497,7 +500,7 @@ HeatDiffusionSolver::RunByExpansion(PaddedField &                      heat,
   while (step < start)
   {
     const std::uint64_t next = recorder.Next(start);
-    this->Advance(heat, next - step, workspace);
+    this->Advance(heat, next - step, Sums::Plain, workspace);
     step = next;
     recorder.Show(heat, step);
   }

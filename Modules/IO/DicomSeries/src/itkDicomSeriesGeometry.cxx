@@ -116,8 +116,8 @@ FindGaps(const std::vector<SlicePlace> & slices, const std::vector<unsigned int>
     else if (multiple > 1)
     {
       const auto missing = static_cast<unsigned int>(std::min(multiple - 1, 1e9));
-      geometry.gaps.push_back({ firsts[i - 1], missing });
-      gapsByPosition.push_back({ i - 1, missing });
+      geometry.gaps.push_back({ firsts[i - 1], firsts[i], missing });
+      gapsByPosition.push_back({ i - 1, i, missing });
     }
   }
   if (odd.empty() && geometry.gaps.empty())

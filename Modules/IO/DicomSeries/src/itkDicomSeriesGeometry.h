@@ -24,10 +24,11 @@ struct SlicesGeometry
     unsigned int count;
   };
   std::vector<Duplicate> duplicates;
-  /** A distance of more than one slice: the slice before it, and the number of slices that are missing. */
+  /** A distance of more than one slice: the slices before and after it, and the number of slices that are missing. */
   struct Gap
   {
     unsigned int before;
+    unsigned int after;
     unsigned int missing;
   };
   std::vector<Gap> gaps;

@@ -2,8 +2,7 @@
 
 #include "itkContainedProcess.h"
 #include "itkDicomFile.h"
-#include "itkDicomPixels.h"
-#include "itkDicomSeriesGeometry.h"
+#include "itkDicomSeriesDefects.h"
 #include "itkFileWalk.h"
 #include "itkToolError.h"
 
@@ -13,12 +12,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 #include <filesystem>
 #include <map>
-#include <numeric>
 #include <set>
-#include <sstream>
 
 namespace itk
 {
@@ -279,202 +275,6 @@ SplitByAcquisition(Items items)
 
 // ---- defects ----
 
-std::string
-Count(std::size_t count, const std::string & noun)
-{
-  return std::to_string(count) + " " + noun + (count == 1 ? "" : "s");
-}
-
-std::string
-Millimetres(double value)
-{
-  std::ostringstream text;
-  text.imbue(std::locale::classic());
-  text.precision(6);
-  text << value << " mm";
-  return text.str();
-}
-
-std::string
-NameOf(const DicomSlice & slice, std::size_t index)
-{
-  std::string name =
-    "slice " + std::to_string(index + 1) + " (" + std::filesystem::path(slice.file).filename().string();
-  return name + (slice.frame > 0 ? ", frame " + std::to_string(slice.frame + 1) : "") + ")";
-}
-
-std::vector<unsigned int>
-AllIndices(const DicomSeries & series)
-{
-  std::vector<unsigned int> indices(series.slices.size());
-  std::iota(indices.begin(), indices.end(), 0U);
-  return indices;
-}
-
-class DefectList
-{
-public:
-  explicit DefectList(DicomSeries & series) : m_Series(series) {}
-
-  void
-  Add(DicomDefectKind kind, const std::string & message, const std::vector<unsigned int> & indices)
-  {
-    DicomDefect defect{ kind, message, {}, {} };
-    for (const unsigned int index : indices)
-    {
-      const std::string & file = m_Series.slices[index].file;
-      if (defect.files.empty() || defect.files.back() != file)
-      {
-        defect.files.push_back(file);
-      }
-      defect.slices.push_back(index + 1);
-    }
-    m_Series.defects.push_back(std::move(defect));
-  }
-
-  std::string
-  Name(unsigned int index) const
-  {
-    return NameOf(m_Series.slices[index], index);
-  }
-
-private:
-  DicomSeries & m_Series;
-};
-
-bool
-HaveEqualPixels(const DicomSeries & series, const SlicesGeometry::Duplicate & duplicate)
-{
-  std::vector<const DicomSlice *> slices;
-  for (unsigned int i = 0; i < duplicate.count; ++i)
-  {
-    slices.push_back(&series.slices[duplicate.first + i]);
-  }
-  const std::size_t  pixels = std::size_t(series.size[0]) * series.size[1];
-  std::vector<float> first(pixels);
-  std::vector<float> other(pixels);
-  ReadDicomSlices({ slices[0] }, series.size[0], series.size[1], first.data());
-  for (std::size_t i = 1; i < slices.size(); ++i)
-  {
-    ReadDicomSlices({ slices[i] }, series.size[0], series.size[1], other.data());
-    if (std::memcmp(first.data(), other.data(), pixels * sizeof(float)) != 0)
-    {
-      return false;
-    }
-  }
-  return true;
-}
-
-/** Pixels that cannot be read are not known to be equal. */
-bool
-AreIdentical(const DicomSeries & series, const SlicesGeometry::Duplicate & duplicate)
-{
-  try
-  {
-    return HaveEqualPixels(series, duplicate);
-  }
-  catch (const InputError &)
-  {
-    return false;
-  }
-}
-
-void
-AddDuplicates(DicomSeries & series, const SlicesGeometry & geometry)
-{
-  const bool                isReadable = !series.Has(DicomDefectKind::unsupportedTransferSyntax);
-  std::vector<unsigned int> indices[2];
-  unsigned int              positions[2] = { 0, 0 };
-  for (const auto & duplicate : geometry.duplicates)
-  {
-    const int kind = isReadable && AreIdentical(series, duplicate) ? 0 : 1;
-    ++positions[kind];
-    for (unsigned int i = 0; i < duplicate.count; ++i)
-    {
-      indices[kind].push_back(duplicate.first + i);
-    }
-  }
-  DefectList   defects(series);
-  const char * endings[] = { " with equal pixels, the first: ", " with different pixels, the first: " };
-  for (const int kind : { 0, 1 })
-  {
-    if (!indices[kind].empty())
-    {
-      defects.Add(kind == 0 ? DicomDefectKind::duplicateIdentical : DicomDefectKind::duplicateConflicting,
-                  Count(positions[kind], "position") + " with several slices" + endings[kind] +
-                    defects.Name(indices[kind][0]) + " and " + defects.Name(indices[kind][1]),
-                  indices[kind]);
-    }
-  }
-}
-
-void
-AddGaps(DicomSeries & series, const SlicesGeometry & geometry)
-{
-  if (geometry.gaps.empty())
-  {
-    return;
-  }
-  DefectList                defects(series);
-  std::vector<unsigned int> indices;
-  std::size_t               missing = 0;
-  for (const auto & gap : geometry.gaps)
-  {
-    missing += gap.missing;
-    indices.push_back(gap.before);
-    indices.push_back(gap.before + 1);
-  }
-  std::string message = Count(missing, "slice") + (missing == 1 ? " is" : " are") + " missing";
-  message += geometry.gaps.size() > 1 ? " in " + Count(geometry.gaps.size(), "gap") + ", the first" : "";
-  defects.Add(DicomDefectKind::gap,
-              message + " between " + defects.Name(indices[0]) + " and " + defects.Name(indices[1]),
-              indices);
-}
-
-void
-AddVariableSpacing(DicomSeries & series, const SlicesGeometry & geometry)
-{
-  if (!geometry.isVariable)
-  {
-    return;
-  }
-  double lowest = series.slices.back().position;
-  double highest = 0;
-  for (std::size_t i = 1; i < series.slices.size(); ++i)
-  {
-    const double distance = series.slices[i].position - series.slices[i - 1].position;
-    if (distance > PositionTolerance(geometry.spacing))
-    {
-      lowest = std::min(lowest, distance);
-      highest = std::max(highest, distance);
-    }
-  }
-  DefectList defects(series);
-  defects.Add(DicomDefectKind::variableSpacing,
-              "the distance of slices varies from " + Millimetres(lowest) + " to " + Millimetres(highest) +
-                ", first at " + defects.Name(geometry.unusual.front()),
-              geometry.unusual);
-}
-
-void
-AddShear(DicomSeries & series, const SlicesGeometry & geometry)
-{
-  if (!geometry.isSheared)
-  {
-    return;
-  }
-  std::ostringstream tilt;
-  tilt.imbue(std::locale::classic());
-  tilt.precision(3);
-  tilt << geometry.tiltDegrees;
-  DefectList(series).Add(DicomDefectKind::shear,
-                         geometry.isLinearShear
-                           ? "the line through the slices is tilted against their normal by " + tilt.str() +
-                               " degrees (gantry tilt)"
-                           : std::string("the slices are displaced against one another within their planes"),
-                         AllIndices(series));
-}
-
 /** Defects that the headers of single files tell. */
 void
 AddFileDefects(DicomSeries & series, const Items & items)
@@ -492,26 +292,27 @@ AddFileDefects(DicomSeries & series, const Items & items)
       unsupported.push_back(i);
     }
   }
-  DefectList defects(series);
   if (!truncated.empty())
   {
     const std::string & reason = items[truncated.front()].file->truncation;
-    defects.Add(DicomDefectKind::truncated,
-                Count(truncated.size(), "slice") + (truncated.size() == 1 ? " is" : " are") +
-                  " truncated: " + defects.Name(truncated.front()) + ": " + reason,
-                truncated);
+    AddDefect(series,
+              DicomDefectKind::truncated,
+              Count(truncated.size(), "slice") + (truncated.size() == 1 ? " is" : " are") +
+                " truncated: " + NameOfSlice(series, truncated.front()) + ": " + reason,
+              truncated);
   }
   if (!unsupported.empty())
   {
-    defects.Add(DicomDefectKind::unsupportedTransferSyntax,
-                "the encoding " + items[unsupported.front()].file->transferSyntax + " is not supported, " +
-                  defects.Name(unsupported.front()),
-                unsupported);
+    AddDefect(series,
+              DicomDefectKind::unsupportedTransferSyntax,
+              "the encoding " + items[unsupported.front()].file->transferSyntax + " is not supported, " +
+                NameOfSlice(series, unsupported.front()),
+              unsupported);
   }
 }
 
 void
-AddGeometryDefects(DicomSeries & series, const Items & items)
+ExamineGeometry(DicomSeries & series, const Items & items)
 {
   const SlicesGeometry geometry = ExamineItems(items);
   series.spacing[2] = geometry.spacing;
@@ -524,10 +325,7 @@ AddGeometryDefects(DicomSeries & series, const Items & items)
       series.slices[i].offset[1] = places[i].offset[1];
     }
   }
-  AddDuplicates(series, geometry);
-  AddGaps(series, geometry);
-  AddVariableSpacing(series, geometry);
-  AddShear(series, geometry);
+  AddGeometryDefects(series, geometry);
 }
 
 // ---- series ----
@@ -613,11 +411,11 @@ MakeSeries(Items items)
   }
   if (frame.isLocalizer)
   {
-    DefectList(series).Add(DicomDefectKind::localizer, "planning images (localizer), no volume", AllIndices(series));
+    AddDefect(series, DicomDefectKind::localizer, "planning images (localizer), no volume", AllIndices(series));
   }
   else if (series.refusal.empty())
   {
-    AddGeometryDefects(series, items);
+    ExamineGeometry(series, items);
   }
   if (items.size() == 1 && series.refusal.empty())
   {
@@ -664,10 +462,11 @@ NumberParts(std::vector<DicomSeries> & parts, unsigned int volumes)
     parts[i].parts = static_cast<unsigned int>(parts.size());
     if (volumes > 1 && !IsBesideTheVolume(parts[i]))
     {
-      DefectList(parts[i]).Add(DicomDefectKind::mixedSeries,
-                               "one Series Instance UID holds images of " + std::to_string(parts.size()) +
-                                 " kinds (columns x rows x slices): " + ListParts(parts),
-                               AllIndices(parts[i]));
+      AddDefect(parts[i],
+                DicomDefectKind::mixedSeries,
+                "one Series Instance UID holds images of " + std::to_string(parts.size()) +
+                  " kinds (columns x rows x slices): " + ListParts(parts),
+                AllIndices(parts[i]));
     }
   }
 }
@@ -741,58 +540,6 @@ CollectSeries(const std::vector<DicomFile> & files, DicomScan & scan)
   });
 }
 } // namespace
-
-const char *
-GetDicomDefectName(DicomDefectKind kind)
-{
-  switch (kind)
-  {
-    case DicomDefectKind::duplicateIdentical:
-      return "duplicateIdentical";
-    case DicomDefectKind::duplicateConflicting:
-      return "duplicateConflicting";
-    case DicomDefectKind::gap:
-      return "gap";
-    case DicomDefectKind::variableSpacing:
-      return "variableSpacing";
-    case DicomDefectKind::shear:
-      return "shear";
-    case DicomDefectKind::localizer:
-      return "localizer";
-    case DicomDefectKind::mixedSeries:
-      return "mixedSeries";
-    case DicomDefectKind::truncated:
-      return "truncated";
-    case DicomDefectKind::unsupportedTransferSyntax:
-      return "unsupportedTransferSyntax";
-    default:
-      return "notAnImage";
-  }
-}
-
-const char *
-GetDicomDefectAdvice(DicomDefectKind kind)
-{
-  switch (kind)
-  {
-    case DicomDefectKind::duplicateIdentical:
-    case DicomDefectKind::duplicateConflicting:
-      return "--dropDuplicates keeps the first slice of each position";
-    case DicomDefectKind::gap:
-    case DicomDefectKind::variableSpacing:
-      return "--resampleGaps interpolates";
-    case DicomDefectKind::shear:
-      return "--deshear resamples onto perpendicular axes";
-    case DicomDefectKind::mixedSeries:
-      return "choose one part by --seriesUID UID#PART";
-    case DicomDefectKind::localizer:
-      return "choose a series with a volume";
-    case DicomDefectKind::unsupportedTransferSyntax:
-      return "convert the files to an uncompressed or JPEG encoding";
-    default:
-      return "copy the files from their source again";
-  }
-}
 
 std::string
 DicomSeries::GetSelector() const

@@ -14,9 +14,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
-#include <filesystem>
-#include <fstream>
-#include <limits>
+#include <functional>
 #include <sstream>
 #include <unistd.h>
 

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <csignal>
 #include <cstdlib>
 #include <cstring>
@@ -51,7 +52,7 @@ Misbehave(const std::string & request, char * shared)
   }
   if (shared)
   {
-    std::memcpy(shared, request.data(), request.size());
+    std::copy(request.begin(), request.end(), shared);
   }
   return request + request;
 }

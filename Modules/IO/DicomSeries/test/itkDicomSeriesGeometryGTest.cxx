@@ -78,6 +78,15 @@ TEST(DicomSeriesGeometry, GapsAreCounted)
   EXPECT_DOUBLE_EQ(geometry.spacing, 1.0);
 }
 
+TEST(DicomSeriesGeometry, AGapBehindADuplicate)
+{
+  const SlicesGeometry geometry = Examine({ 0, 1, 2, 2, 4, 5 });
+  ASSERT_EQ(geometry.gaps.size(), 1u);
+  EXPECT_EQ(geometry.gaps[0].before, 2u);
+  EXPECT_EQ(geometry.gaps[0].after, 4u);
+  EXPECT_EQ(geometry.gaps[0].missing, 1u);
+}
+
 TEST(DicomSeriesGeometry, ADoubledDistanceForGoodIsVariableSpacing)
 {
   const SlicesGeometry geometry = Examine({ 0, 1, 2, 3, 4, 5, 7, 9, 11, 13 });
