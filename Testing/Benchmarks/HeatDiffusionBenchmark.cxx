@@ -1,5 +1,6 @@
 // Cumulative heat diffusion of 256^3 voxels beside its peers, all in one process: the memory roofline (a triad), a
 // plain scalar loop, and ITK's gradient anisotropic diffusion. Prints absolute times, then the ratios of medians.
+#include "BenchmarkVolume.h"
 #include "ScalarPeer.h"
 
 #include "itkAutomaticParameters.h"
@@ -24,37 +25,11 @@ constexpr std::size_t side = 256;
 constexpr double      voxels = static_cast<double>(side) * side * side;
 constexpr float       dt = 1.0F / 12.0F;
 
-std::vector<float>
-MakeIntensities()
-{
-  std::vector<float> intensities(side * side * side);
-  ParallelFor(side, [&](std::size_t z) {
-    for (std::size_t y = 0; y < side; ++y)
-    {
-      for (std::size_t x = 0; x < side; ++x)
-      {
-        auto hash = static_cast<std::uint32_t>((z * side + y) * side + x) * 2654435761U;
-        hash = (hash ^ hash >> 15) * 0x7feb352dU;
-        float value = 20.0F + 10.0F * std::sin(0.05F * x) * std::cos(0.04F * y + 0.03F * z);
-        for (const auto & ball :
-             { std::array<float, 5>{ 80, 90, 100, 40, 120 }, { 170, 150, 140, 55, 200 }, { 60, 190, 180, 25, 250 } })
-        {
-          const float distance = std::hypot(x - ball[0], y - ball[1], z - ball[2]) - ball[3];
-          const float share = std::clamp(0.5F - distance / 2.0F, 0.0F, 1.0F);
-          value = value * (1.0F - share) + ball[4] * share;
-        }
-        intensities[(z * side + y) * side + x] = value + (hash >> 8) * (12.0F / 16777216.0F) - 6.0F;
-      }
-    }
-  });
-  return intensities;
-}
-
 /** The volume, its operator with p = 7, and fields to work on. */
 struct Setting
 {
   Setting()
-    : intensities(MakeIntensities())
+    : intensities(MakeBenchmarkVolume({ side, side, side }))
     , volumeGradient(intensities.data(), { side, side, side }, Parameters(intensities))
     , initial(volumeGradient.GetGrid())
     , even(volumeGradient.GetGrid())
@@ -236,12 +211,14 @@ Snapshots(benchmark::State & state)
   s.Reset();
 }
 
-BENCHMARK(Triad)->Unit(benchmark::kMillisecond)->UseRealTime()->MinTime(1.0);
-BENCHMARK(Scalar)->Unit(benchmark::kMillisecond)->UseRealTime()->Iterations(10);
-BENCHMARK(Sweep)->Unit(benchmark::kMillisecond)->UseRealTime()->Iterations(50);
-BENCHMARK(Tiled)->Unit(benchmark::kMillisecond)->UseRealTime()->Iterations(8);
-BENCHMARK(TiledCompensated)->Unit(benchmark::kMillisecond)->UseRealTime()->Iterations(8);
-BENCHMARK(ItkGradientAnisotropicDiffusion)->Unit(benchmark::kMillisecond)->UseRealTime()->Iterations(1);
+// Bandwidth changes from second to second on shared machines: peers take turns in random order, and medians count.
+constexpr int turns = 7;
+BENCHMARK(Triad)->Unit(benchmark::kMillisecond)->UseRealTime()->Iterations(40)->Repetitions(turns);
+BENCHMARK(Scalar)->Unit(benchmark::kMillisecond)->UseRealTime()->Iterations(4)->Repetitions(turns);
+BENCHMARK(Sweep)->Unit(benchmark::kMillisecond)->UseRealTime()->Iterations(20)->Repetitions(turns);
+BENCHMARK(Tiled)->Unit(benchmark::kMillisecond)->UseRealTime()->Iterations(3)->Repetitions(turns);
+BENCHMARK(TiledCompensated)->Unit(benchmark::kMillisecond)->UseRealTime()->Iterations(3)->Repetitions(turns);
+BENCHMARK(ItkGradientAnisotropicDiffusion)->Unit(benchmark::kMillisecond)->UseRealTime()->Iterations(1)->Repetitions(3);
 BENCHMARK(FinalState)->Arg(100000)->Arg(1000000)->Unit(benchmark::kMillisecond)->UseRealTime()->Iterations(1);
 BENCHMARK(Snapshots)->Arg(100000)->Unit(benchmark::kMillisecond)->UseRealTime()->Iterations(1);
 
@@ -276,7 +253,12 @@ PrintRatio(const char * text, double ratio, double asked)
 int
 main(int argc, char * argv[])
 {
-  benchmark::Initialize(&argc, argv);
+  std::vector<char *> arguments(argv, argv + argc);
+  std::string         interleaving = "--benchmark_enable_random_interleaving=true";
+  std::string         medians = "--benchmark_report_aggregates_only=true";
+  arguments.insert(arguments.begin() + 1, { interleaving.data(), medians.data() });
+  int number = static_cast<int>(arguments.size());
+  benchmark::Initialize(&number, arguments.data());
   Setting::Get();
   Reporter reporter;
   benchmark::RunSpecifiedBenchmarks(&reporter);
