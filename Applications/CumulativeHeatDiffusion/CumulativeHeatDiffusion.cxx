@@ -139,7 +139,6 @@ Diffuse(CommandLine & commandLine)
   {
     files.WriteInitialHeat(filter->GetInitialHeatOutput());
   }
-  commandLine.RecordRun(commandLine.GetString("outputHeat") + ".run.json");
 }
 } // namespace
 

@@ -44,7 +44,13 @@ Load(const Row & row, bool & real)
   {
     return MakeBenchmarkVolume(row.size);
   }
-  const itk::Volume   volume = itk::ReadVolume(path);
+  const itk::Volume volume = itk::ReadVolume(path);
+  const auto        size = volume.image->GetBufferedRegion().GetSize();
+  if (!std::equal(size.begin(), size.end(), row.size.begin()))
+  {
+    std::fprintf(stderr, "%s does not have the published size\n", path.c_str());
+    std::exit(1);
+  }
   const float * const first = volume.image->GetBufferPointer();
   return std::vector<float>(first, first + volume.image->GetBufferedRegion().GetNumberOfPixels());
 }

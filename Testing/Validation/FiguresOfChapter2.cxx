@@ -137,10 +137,12 @@ Figure25(const ValidationSettings & settings, ValidationReport & report)
                  std::to_string(cube * cube * cube) + ".");
 }
 
-void
+/** The lines of a phantom at steady state, largest object first. */
+std::vector<ShapeComponent>
 Figure27(const std::string & preset, const ValidationSettings & settings, ValidationReport & report)
 {
-  auto source = ShapePhantomImageSource::New();
+  std::vector<ShapeComponent> objects;
+  auto                        source = ShapePhantomImageSource::New();
   source->SetScene(ShapeScene::Load(preset));
   source->SetSize(Image<short, 3>::SizeType::Filled(settings.quick ? 48 : 96));
   source->CenterOutput();
@@ -159,6 +161,7 @@ Figure27(const std::string & preset, const ValidationSettings & settings, Valida
     if (component.closed)
     {
       const auto & at = component.index;
+      objects.push_back(component);
       table.AddRow({ std::to_string(at[0]) + ", " + std::to_string(at[1]) + ", " + std::to_string(at[2]),
                      std::to_string(component.voxels),
                      CsvTable::Rounded(component.convergedHeat, 4),
@@ -166,6 +169,7 @@ Figure27(const std::string & preset, const ValidationSettings & settings, Valida
     }
   }
   report.AddTable(table);
+  return objects;
 }
 } // namespace
 
@@ -174,12 +178,27 @@ ValidateFiguresOfChapter2(const ValidationSettings & settings, ValidationReport 
 {
   Figure24(report);
   Figure25(settings, report);
-  Figure27("figure2.7a", settings, report);
-  report.AddText("Each object is a line, as published. The two spheres are not close to each other and far from the "
-                 "cube: their heats "
-                 "differ by the ratio of their radii. The scale-normalised value does what the figure claims.");
-  Figure27("figure2.7b", settings, report);
-  report.AddText("The four lines are apart, and a line does not tell a cube from a cuboid of another size. The "
-                 "scale-normalised value "
-                 "groups the cubes and the cuboids.");
+  const auto   a = Figure27("figure2.7a", settings, report); // large sphere, cube, small sphere
+  const bool   threeLines = a.size() == 3;
+  const double ratio = threeLines ? a[2].convergedHeat / a[0].convergedHeat : 0.0;
+  const double companions = threeLines ? a[2].normalizedHeat / a[0].normalizedHeat : 0.0;
+  report.AddText(
+    "Each object is a line, as published (three objects: " + report.Check(threeLines) +
+    "). The two spheres are not close to each other and far from the cube: their heats differ by a factor of " +
+    CsvTable::Rounded(ratio, 3) + ", the ratio of their radii, 2 (within 10 %: " +
+    report.Check(std::abs(ratio - 2.0) < 0.2) + "). Their scale-normalised values differ by a factor of " +
+    CsvTable::Rounded(companions, 3) + " (1 within 5 %: " + report.Check(std::abs(companions - 1.0) < 0.05) +
+    "), which is what the figure claims for the heat.");
+  const auto b = Figure27("figure2.7b", settings, report);
+  double     closest = 1.0;
+  for (std::size_t i = 0; i < b.size(); ++i)
+  {
+    for (std::size_t j = 0; j < i; ++j)
+    {
+      closest = std::min(closest, std::abs(b[i].convergedHeat / b[j].convergedHeat - 1.0));
+    }
+  }
+  report.AddText("Four objects, four lines at least " + CsvTable::Rounded(100.0 * closest, 2) +
+                 " % apart (bound 1 %: " + report.Check(b.size() == 4 && closest > 0.01) +
+                 "). A line does not tell a cube from a cuboid of another size.");
 }

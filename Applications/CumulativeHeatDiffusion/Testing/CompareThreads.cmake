@@ -1,13 +1,18 @@
-set(files heat.nrrd labels.nrrd histogram.png histogram.csv classes.csv
-  report/index.html report/report.json report/rendering.png report/slices-heat.png)
 foreach(threads 1 2 3 8)
   set(folder ${OUT}/${threads})
   file(MAKE_DIRECTORY ${folder})
   execute_process(COMMAND ${TOOL} ${INPUT} ${folder}/heat.nrrd --timeSteps 2000 --snapshots 50 --labels ${folder}/labels.nrrd
     --histogram ${folder}/histogram.png --histogramTable ${folder}/histogram.csv --classTable ${folder}/classes.csv
+    --initialHeatOutput ${folder}/initial.nrrd --snapshotSteps 10,500 --snapshotFolder ${folder}/snapshots
     --report ${folder}/report --threads ${threads} --quiet RESULT_VARIABLE status ERROR_VARIABLE errors)
   if(NOT status EQUAL 0)
     message(FATAL_ERROR "${threads} threads: status ${status}: ${errors}")
+  endif()
+  file(GLOB_RECURSE files RELATIVE ${folder} ${folder}/*)
+  list(REMOVE_ITEM files heat.nrrd.run.json)
+  list(LENGTH files number)
+  if(number LESS 15)
+    message(FATAL_ERROR "only ${number} files: ${files}")
   endif()
   foreach(file IN LISTS files)
     file(SHA256 ${folder}/${file} hash)

@@ -210,8 +210,9 @@ CommandLine::State::FindGiven(const std::string & name) const
 bool
 CommandLine::State::IsInProvenance(const Parameter & parameter) const
 {
-  const bool isStated =
-    std::any_of(facts.begin(), facts.end(), [&](const auto & fact) { return fact.first == "input." + parameter.name; });
+  const bool isStated = std::any_of(facts.begin(), facts.end(), [&](const auto & fact) {
+    return fact.first == "input." + parameter.name || fact.first == "option." + parameter.name;
+  });
   return !parameter.IsPath() && parameter.channel != "output" && parameter.name != "threads" && !isStated;
 }
 

@@ -43,7 +43,8 @@ enum class SnapshotSpacing
   Logarithmic
 };
 
-/** About `number` distinct steps from 0 to `last`, both included; fewer when there are not so many.
+/** At most `number` distinct steps from 0 to `last`, both included: fewer where rounding makes steps equal, as it does
+ * with the first ones of a logarithmic spacing (512 to 100,000 give 388).
  * \ingroup ShapeDiffusion */
 ShapeDiffusion_EXPORT std::vector<std::uint64_t>
                       MakeSnapshotSteps(std::uint64_t last, std::size_t number, SnapshotSpacing spacing);

@@ -62,7 +62,7 @@ ConventionalHeatDiffusionImageFilter<TInputImage>::GenerateData()
     DiffuseConventionalHeat(
       volumeGradient, m_TimeStepLength, m_TimeSteps, m_SourceHeat, this->GetOutput()->GetBufferPointer(), progress);
   }
-  catch (const std::invalid_argument & error)
+  catch (const std::logic_error & error)
   {
     itkExceptionMacro(<< error.what());
   }

@@ -44,6 +44,7 @@ struct CumulativeHeatDiffusionResult
   double                      timeStepLength{ 0.0 };
   std::uint64_t               timeStep{ 0 }; ///< the last step that was taken
   bool                        steady{ false };
+  bool                        cold{ false }; ///< no edge in the volume: the heat is 0 everywhere
   std::uint64_t               operatorApplications{ 0 };
   HeatHistogram               histogram;
   std::vector<ShapeComponent> components;

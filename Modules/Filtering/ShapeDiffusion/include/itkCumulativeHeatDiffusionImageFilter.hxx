@@ -172,10 +172,12 @@ CumulativeHeatDiffusionImageFilter<TInputImage>::GenerateData()
       this->MakeSettings(intensities, size),
       heat->GetBufferPointer(),
       m_WantInitialHeat ? initialHeat->GetBufferPointer() : nullptr,
-      [this](std::uint64_t step, const std::vector<float> & values) { this->HandOut(step, values); },
+      m_SnapshotConsumer
+        ? [this](std::uint64_t step, const std::vector<float> & values) { this->HandOut(step, values); }
+        : HeatSnapshotConsumer(),
       progress);
   }
-  catch (const std::invalid_argument & error)
+  catch (const std::logic_error & error)
   {
     itkExceptionMacro(<< error.what());
   }

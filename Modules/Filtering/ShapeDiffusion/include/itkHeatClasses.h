@@ -24,7 +24,7 @@ struct HeatClass
   /** The share of the voxels at the border of the volume that lie in the class. Where it is above one half, the class
    * is what surrounds the objects, and its heat leaves through the border. */
   double borderShare{ 0.0 };
-  /** Number of components, closed off by edges of zero weight, that lie in the class. */
+  /** Number of converged components of at least 27 voxels, closed off by edges of zero weight, in the class. */
   std::uint64_t components{ 0 };
   /** Scale-normalised companion (an isoperimetric number): mean over the class's components, weighted by voxels;
    * 0 when the class holds no closed component. */

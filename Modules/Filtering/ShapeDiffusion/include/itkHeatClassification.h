@@ -28,9 +28,9 @@ struct HeatClassificationRule
 /** The classes of one row of a heat histogram: its peaks, cut at the valleys between them (dissertation 2.3.3:
  * converged heats are lines, similar shapes lie near each other). Ascending in heat and without gaps from the
  * background (class 0) to the greatest heat; labels count from 0, so that similar classes have
- * neighbouring labels. The row is smoothed over about 1 % of the heat first; peaks that the rule rejects join the
- * neighbour beyond the shallower valley. voxels and meanHeat are those of the row's counts; the other measures stay 0.
- * \ingroup ShapeDiffusion */
+ * neighbouring labels. The row is smoothed over about half a per cent of the heat first; peaks that the rule rejects
+ * join the neighbour beyond the shallower valley. voxels and meanHeat are those of the row's counts; the other measures
+ * stay 0. \ingroup ShapeDiffusion */
 ShapeDiffusion_EXPORT std::vector<HeatClass>
 FindHeatClasses(const HeatHistogram & histogram, std::size_t row, const HeatClassificationRule & rule = {});
 
@@ -39,10 +39,14 @@ FindHeatClasses(const HeatHistogram & histogram, std::size_t row, const HeatClas
 ShapeDiffusion_EXPORT Image<unsigned char, 3>::Pointer
                       LabelHeat(const Image<float, 3> * heat, std::vector<HeatClass> & classes);
 
-/** Fills in components and normalizedHeat of the classes in which the closed components' converged heats lie.
+/** Fills in components and normalizedHeat of the classes: each closed component that has converged (its heat is within
+ * 5 % of its convergedHeat) counts in the class of its first voxel.
  * \ingroup ShapeDiffusion */
 ShapeDiffusion_EXPORT void
-AssignComponents(const std::vector<ShapeComponent> & components, std::vector<HeatClass> & classes);
+AssignComponents(const std::vector<ShapeComponent> & components,
+                 const Image<float, 3> *             heat,
+                 std::vector<HeatClass> &            classes);
+
 /** The classes of a heat volume and the label of each voxel.
  * \ingroup ShapeDiffusion */
 struct HeatClassification

@@ -72,7 +72,8 @@ CountHalfGradients(const float *                      intensities,
           const double value = half(voxel);
           if (!peaksOnly || (value > half(voxel - strides[axis]) && value >= half(voxel + strides[axis])))
           {
-            ++histograms[worker][std::min(bins - 1, static_cast<std::size_t>(value * bins))];
+            ++histograms[worker]
+                        [value < 1.0 ? static_cast<std::size_t>(value * bins) : bins - 1]; // NaN is refused later
           }
         }
       }

@@ -117,6 +117,10 @@ DiffuseConventionalHeat(const VolumeGradientOperator &      volumeGradient,
   {
     throw std::invalid_argument("the length of a time step must be positive and at most 1/12");
   }
+  if (timeSteps < 1)
+  {
+    throw std::invalid_argument("the number of time steps must be at least 1");
+  }
   if (!(sourceHeat > 0.0) || sourceHeat > 1.0)
   {
     throw std::invalid_argument("the heat of the source must be positive and at most 1");

@@ -4,10 +4,13 @@
 #include <algorithm>
 #include <atomic>
 #include <cstring>
+#include <functional>
 #include <iterator>
+#include <limits>
 #include <map>
 #include <memory>
 #include <mutex>
+#include <stdexcept>
 
 namespace itk
 {
@@ -27,6 +30,40 @@ Unpad(const PaddedGrid & grid, const PaddedField & field, float * values)
   }
 }
 
+void
+CheckSteps(const std::vector<std::uint64_t> & steps, std::uint64_t last)
+{
+  const bool ascend = std::adjacent_find(steps.begin(), steps.end(), std::greater_equal<>()) == steps.end();
+  if (!ascend || (!steps.empty() && steps.back() > last))
+  {
+    throw std::invalid_argument("the steps to record must ascend and none may lie beyond the last step");
+  }
+}
+
+void
+CheckSettings(const std::array<std::size_t, 3> &      size,
+              const CumulativeHeatDiffusionSettings & settings,
+              const HeatSnapshotConsumer &            consumer)
+{
+  CheckSteps(settings.histogramSteps, settings.timeSteps);
+  CheckSteps(settings.snapshotSteps, settings.timeSteps);
+  if (!settings.snapshotSteps.empty() && !consumer)
+  {
+    throw std::invalid_argument("snapshots are asked for but nothing takes them");
+  }
+  if (size[0] * size[1] * size[2] >= std::numeric_limits<std::uint32_t>::max())
+  {
+    throw std::length_error("the volume has 2^32 voxels or more; crop it");
+  }
+}
+
+bool
+IsZero(const PaddedGrid & grid, const PaddedField & field)
+{
+  const float * const data = field.GetData();
+  return std::all_of(data, data + grid.GetLength(), [](float value) { return value == 0.0F; });
+}
+
 /** Sorts what the solver shows into histogram rows and whole volumes. */
 class SnapshotSorter
 {
@@ -37,7 +74,7 @@ public:
     : m_RowLength(grid.GetSize()[0])
     , m_RowsPerVolume(grid.GetSize()[1] * grid.GetSize()[2])
     , m_Consumer(consumer)
-    , m_Counts(settings.histogramSteps.empty() ? 0 : NumberOfThreads())
+    , m_Counts(NumberOfTables(settings.histogramSteps.size()))
   {
     std::set_union(settings.histogramSteps.begin(),
                    settings.histogramSteps.end(),
@@ -50,9 +87,9 @@ public:
     {
       m_HistogramRow[this->Find(settings.histogramSteps[row])] = static_cast<std::ptrdiff_t>(row);
     }
-    for (auto & counts : m_Counts)
+    for (auto & table : m_Counts)
     {
-      counts.assign(settings.histogramSteps.size() * HeatHistogram::NumberOfBins, 0);
+      table.counts.assign(settings.histogramSteps.size() * HeatHistogram::NumberOfBins, 0);
     }
     for (const std::uint64_t step : settings.snapshotSteps)
     {
@@ -72,8 +109,10 @@ public:
   {
     if (m_HistogramRow[snapshot] >= 0)
     {
+      CountTable &                      table = m_Counts[worker % m_Counts.size()];
+      const std::lock_guard<std::mutex> lock(table.mutex);
       HeatHistogram::CountHeats(
-        heat, m_RowLength, m_Counts[worker].data() + m_HistogramRow[snapshot] * HeatHistogram::NumberOfBins);
+        heat, m_RowLength, table.counts.data() + m_HistogramRow[snapshot] * HeatHistogram::NumberOfBins);
     }
     if (const auto found = m_Volumes.find(snapshot); found != m_Volumes.end())
     {
@@ -107,11 +146,11 @@ public:
   {
     const auto    end = std::upper_bound(histogramSteps.begin(), histogramSteps.end(), lastStep);
     HeatHistogram histogram(std::vector<std::uint64_t>(histogramSteps.begin(), end));
-    for (const auto & counts : m_Counts)
+    for (const auto & table : m_Counts)
     {
       for (std::size_t row = 0; row < histogram.GetNumberOfRows(); ++row)
       {
-        histogram.AddToRow(row, counts.data() + row * HeatHistogram::NumberOfBins);
+        histogram.AddToRow(row, table.counts.data() + row * HeatHistogram::NumberOfBins);
       }
     }
     return histogram;
@@ -125,6 +164,22 @@ private:
     std::atomic<std::size_t> rows{ 0 };
   };
 
+  /** Counts of all rows; each worker mostly has its own. */
+  struct CountTable
+  {
+    std::mutex                 mutex;
+    std::vector<std::uint32_t> counts;
+  };
+
+  /** One for each thread, but no more than 256 MB of them. */
+  static std::size_t
+  NumberOfTables(std::size_t rows)
+  {
+    constexpr std::size_t budget = std::size_t{ 1 } << 28;
+    const std::size_t     bytes = std::max<std::size_t>(1, rows * HeatHistogram::NumberOfBins * sizeof(std::uint32_t));
+    return rows == 0 ? 0 : std::clamp<std::size_t>(budget / bytes, 1, NumberOfThreads());
+  }
+
   std::size_t
   Find(std::uint64_t step) const
   {
@@ -136,7 +191,7 @@ private:
   const HeatSnapshotConsumer &                   m_Consumer;
   std::vector<std::uint64_t>                     m_Steps;
   std::vector<std::ptrdiff_t>                    m_HistogramRow; // of each step, or -1
-  std::vector<std::vector<std::uint32_t>>        m_Counts;       // of each worker
+  std::vector<CountTable>                        m_Counts;
   std::map<std::size_t, std::unique_ptr<Volume>> m_Volumes;
 };
 } // namespace
@@ -150,6 +205,7 @@ DiffuseCumulativeHeat(const float *                           intensities,
                       const HeatSnapshotConsumer &            consumer,
                       const HeatDiffusionSolver::Progress &   progress)
 {
+  CheckSettings(size, settings, consumer);
   auto                          parameters = settings.volumeGradient;
   CumulativeHeatDiffusionResult result;
   result.p.p = parameters.p;
@@ -169,6 +225,7 @@ DiffuseCumulativeHeat(const float *                           intensities,
   }
   PaddedField field(volumeGradient.GetGrid());
   volumeGradient.ComputeInitialHeat(field);
+  result.cold = IsZero(volumeGradient.GetGrid(), field);
 
   if (settings.wantComponents)
   {

@@ -26,15 +26,14 @@ struct Hill
 std::vector<double>
 SmoothedDensity(const std::uint32_t * counts)
 {
-  constexpr int                   radius = 4;
-  constexpr std::array<double, 5> kernel = { 0.2, 0.175, 0.12, 0.065, 0.04 }; // about a Gaussian of 1.9 bins: 0.7 %
+  constexpr int                   radius = 2;
+  constexpr std::array<double, 3> kernel = { 0.36, 0.24, 0.08 }; // about a Gaussian of 1.1 bins: 0.4 % of the heat
   constexpr auto                  last = static_cast<int>(HeatHistogram::NumberOfBins) - 1;
   std::vector<double>             density(HeatHistogram::NumberOfBins, 0.0);
-  for (int bin = 1; bin < last; ++bin)
+  for (int bin = 1; bin <= last; ++bin)
   {
     density[bin] = counts[bin] / std::log(HeatHistogram::LowerEdge(bin + 1) / HeatHistogram::LowerEdge(bin));
   }
-  density[last] = counts[last] / std::log1p(1.0 / HeatHistogram::BinsPerOctave); // heat 1 alone
   std::vector<double> smooth(HeatHistogram::NumberOfBins, 0.0);
   for (int bin = 1; bin <= last; ++bin)
   {
@@ -103,17 +102,17 @@ JoinHills(std::vector<Hill> & hills, const std::vector<double> & smooth, const H
   };
   while (hills.size() > 1)
   {
-    // Worth: by how much the lower of two peaks rises above their valley, times its mass; hills too small count least.
-    std::size_t weakest = 0;
-    double      least = std::numeric_limits<double>::max();
-    bool        allowed = hills.size() <= rule.maximumNumberOfClasses;
+    // What breaks the rule goes first, then what rises least above its valley, by its mass.
+    std::size_t             weakest = 0;
+    std::pair<bool, double> least{ true, std::numeric_limits<double>::max() };
+    bool                    allowed = hills.size() <= rule.maximumNumberOfClasses;
     for (std::size_t i = 0; i + 1 < hills.size(); ++i)
     {
       const double low = std::min(hills[i].peak, hills[i + 1].peak);
       const double ratio = low / std::max(valley(i), 1e-3 * low);
       const double mass = std::min(hills[i].mass, hills[i + 1].mass);
       const bool   keep = ratio >= rule.minimumPeakToValley && mass >= rule.minimumShare * total;
-      const double worth = (keep ? 1e12 : 0.0) + std::log(ratio) * mass / total;
+      const auto   worth = std::make_pair(keep, std::log(ratio) * mass);
       allowed &= keep;
       if (worth < least)
       {
@@ -253,16 +252,25 @@ LabelHeat(const Image<float, 3> * heat, std::vector<HeatClass> & classes)
 }
 
 void
-AssignComponents(const std::vector<ShapeComponent> & components, std::vector<HeatClass> & classes)
+AssignComponents(const std::vector<ShapeComponent> & components,
+                 const Image<float, 3> *             heat,
+                 std::vector<HeatClass> &            classes)
 {
+  const auto          first = heat->GetBufferedRegion().GetIndex();
   std::vector<double> voxels(classes.size(), 0.0);
   for (const auto & component : components)
   {
-    if (!component.closed)
+    Index<3> index = first;
+    for (unsigned int axis = 0; axis < 3; ++axis)
+    {
+      index[axis] += static_cast<IndexValueType>(component.index[axis]);
+    }
+    const float now = heat->GetPixel(index);
+    if (!component.closed || std::abs(now - component.convergedHeat) > 0.05 * component.convergedHeat)
     {
       continue;
     }
-    const unsigned int label = LabelOf(static_cast<float>(component.convergedHeat), classes);
+    const unsigned int label = LabelOf(now, classes);
     ++classes[label].components;
     classes[label].normalizedHeat += component.voxels * component.normalizedHeat;
     voxels[label] += component.voxels;
@@ -283,7 +291,7 @@ ClassifyHeat(const Image<float, 3> *             heat,
   HeatClassification classification;
   classification.classes = FindHeatClasses(histogram, 0, rule);
   classification.labels = LabelHeat(heat, classification.classes);
-  AssignComponents(components, classification.classes);
+  AssignComponents(components, heat, classification.classes);
   return classification;
 }
 } // namespace itk

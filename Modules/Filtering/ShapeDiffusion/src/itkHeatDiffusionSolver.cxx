@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstring>
 #include <deque>
+#include <functional>
 #include <stdexcept>
 
 namespace itk
@@ -28,7 +29,7 @@ using DiffusionKernels::NumberOfNodes;
 constexpr TimeTileShape explicitTile{ 32, 32, 16 };
 constexpr TimeTileShape chebyshevTile{ 16, 16, 8 };
 
-// Time intervals with this end / start ratio and seven nodes give 1.1e-6; see the class documentation.
+// Time intervals with this end / start ratio and seven nodes give 1.3e-6; see the class documentation.
 constexpr double        intervalRatio = 2.5;
 constexpr std::uint64_t explicitStart = 16;
 
@@ -94,17 +95,14 @@ IsSteadyBetween(const PaddedGrid &                      grid,
 {
   const std::size_t          nx = grid.GetSize()[0];
   const std::size_t          ny = grid.GetSize()[1];
-  std::vector<float>         largest(grid.GetSize()[2], 0.0F);
+  const auto                 change = static_cast<float>(rule.change);
+  const auto                 least = static_cast<float>(rule.leastHeat);
   std::vector<std::uint64_t> moved(grid.GetSize()[2], 0);
-  ForAllRows(grid, [&](std::size_t row, std::size_t place, unsigned int) {
-    const float * const heat = after.GetData() + place;
-    largest[row / ny] = std::max(largest[row / ny], *std::max_element(heat, heat + nx));
-  });
-  const auto threshold = static_cast<float>(rule.change * *std::max_element(largest.begin(), largest.end()));
   ForAllRows(grid, [&](std::size_t row, std::size_t place, unsigned int) {
     for (std::size_t i = place; i < place + nx; ++i)
     {
-      moved[row / ny] += std::abs(after.GetData()[i] - before.GetData()[i]) > threshold ? 1 : 0;
+      const float heat = after.GetData()[i];
+      moved[row / ny] += std::abs(heat - before.GetData()[i]) > change * std::max(heat, least) ? 1 : 0;
     }
   });
   std::uint64_t total = 0;
@@ -129,10 +127,10 @@ HeatDiffusionSolver::PlanIntervals(std::uint64_t                      start,
     std::uint64_t end = last;
     while (end > shortestStretch && end > longestRatio * start)
     {
-      end /= longestRatio;
+      end = (end + longestRatio - 1) / longestRatio;
     }
-    Interval          interval{ start, std::max(end, start + 1), snapshot, {}, false };
-    const auto        ratioEnd = static_cast<std::uint64_t>(std::max(start * intervalRatio, explicitStart * 1.0));
+    Interval   interval{ start, std::max(end, start + 1), snapshot, {}, false };
+    const auto ratioEnd = static_cast<std::uint64_t>(std::ceil(std::max(start * intervalRatio, explicitStart * 1.0)));
     const std::size_t few = NumberOfNodes - 1;
     if (checkSteady)
     {
@@ -252,6 +250,8 @@ HeatDiffusionSolver::ChebyshevCoefficients(std::uint64_t steps, double beta, dou
     const double sine = std::sin(0.5 * M_PI * (j + 0.5) / points);
     samples[j] = std::exp(t * std::log1p(-beta * sine * sine)); // (1 - x) / 2 = sine^2
   }
+  // Late samples underflow to 0: for a billion steps all but a few thousand of them.
+  const std::size_t   used = std::find(samples.begin(), samples.end(), 0.0) - samples.begin();
   std::vector<double> coefficients(degree + 1);
   ParallelFor(degree + 1, [&](std::size_t k) {
     const double angle = M_PI * k / points;
@@ -259,7 +259,7 @@ HeatDiffusionSolver::ChebyshevCoefficients(std::uint64_t steps, double beta, dou
     double       previous = std::cos(0.5 * angle);
     double       cosine = previous;
     double       sum = 0.0;
-    for (std::size_t j = 0; j < points; ++j) // cos(k pi (j + 1/2) / points) by recurrence
+    for (std::size_t j = 0; j < used; ++j) // cos(k pi (j + 1/2) / points) by recurrence
     {
       sum += samples[j] * cosine;
       const double following = twice * cosine - previous;
@@ -403,10 +403,32 @@ public:
 
   /** Interpolates all requested steps of the interval between the fields at its nodes. */
   void
-  ShowInterpolated(const Interval & interval, const PaddedField & start, const std::vector<PaddedField *> & nodes)
+  ShowInterpolated(const Interval &                   interval,
+                   const PaddedField &                start,
+                   const std::vector<PaddedField *> & nodes,
+                   const std::function<void()> &      afterGroup)
+  {
+    while (m_Next < interval.endSnapshot)
+    {
+      const std::size_t end = std::min(m_Next + snapshotsAtOnce, interval.endSnapshot);
+      this->ShowGroup(interval, start, nodes, end);
+      m_Next = end;
+      afterGroup();
+    }
+  }
+
+private:
+  // Whole volumes that a visitor collects are complete after each group: few of them are open at once.
+  static constexpr std::size_t snapshotsAtOnce = 4;
+
+  void
+  ShowGroup(const Interval &                   interval,
+            const PaddedField &                start,
+            const std::vector<PaddedField *> & nodes,
+            std::size_t                        end) const
   {
     std::vector<std::array<float, NumberOfNodes>> weights;
-    for (std::size_t snapshot = m_Next; snapshot < interval.endSnapshot; ++snapshot)
+    for (std::size_t snapshot = m_Next; snapshot < end; ++snapshot)
     {
       weights.push_back(InterpolationWeights(interval, m_Steps[snapshot]));
     }
@@ -422,10 +444,8 @@ public:
         m_Visitor(m_Next + i, row, buffers[worker].data(), worker);
       }
     });
-    m_Next = interval.endSnapshot;
   }
 
-private:
   const PaddedGrid &                 m_Grid;
   const std::vector<std::uint64_t> & m_Steps;
   const Visitor &                    m_Visitor;
@@ -438,7 +458,8 @@ HeatDiffusionSolver::Run(PaddedField &                      heat,
                          const std::vector<std::uint64_t> & steps,
                          const Visitor &                    visitor)
 {
-  if (!std::is_sorted(steps.begin(), steps.end()) || (!steps.empty() && steps.back() > lastStep))
+  const bool ascend = std::adjacent_find(steps.begin(), steps.end(), std::greater_equal<>()) == steps.end();
+  if (!ascend || (!steps.empty() && steps.back() > lastStep))
   {
     throw std::invalid_argument("the steps to record must ascend and none may lie beyond the last step");
   }
@@ -463,10 +484,12 @@ HeatDiffusionSolver::RunExplicitly(PaddedField & heat,
   while (step < lastStep && !m_Steady)
   {
     // Stretches of the time ratio, for the check of the steady state.
-    const auto end = m_StopWhenSteady
-                       ? std::min(lastStep, std::max(explicitStart, static_cast<std::uint64_t>(step * intervalRatio)))
-                       : lastStep;
-    const bool check = m_StopWhenSteady && step > 0;
+    const auto end =
+      m_StopWhenSteady
+        ? std::min(lastStep, std::max(explicitStart, static_cast<std::uint64_t>(std::ceil(step * intervalRatio))))
+        : lastStep;
+    const std::uint64_t start = step;
+    const bool          check = m_StopWhenSteady && start > 0;
     if (check)
     {
       CopyField(grid, heat, workspace.Get(2));
@@ -478,7 +501,7 @@ HeatDiffusionSolver::RunExplicitly(PaddedField & heat,
       step = next;
       recorder.Show(heat, step);
     }
-    m_Steady = check && IsSteadyBetween(grid, workspace.Get(2), heat, m_SteadyRule);
+    m_Steady = check && end >= intervalRatio * start && IsSteadyBetween(grid, workspace.Get(2), heat, m_SteadyRule);
   }
   return step;
 }
@@ -520,16 +543,19 @@ HeatDiffusionSolver::RunByExpansion(PaddedField &                      heat,
     }
     if (plan[i].interpolate)
     {
-      recorder.ShowInterpolated(plan[i], heat, nodes);
+      recorder.ShowInterpolated(plan[i], heat, nodes, [this] { this->ReportProgress(0.0); });
     }
     else
     {
       for (std::size_t k = 0; k < nodes.size(); ++k)
       {
         recorder.Show(*nodes[k], plan[i].nodes[k]);
+        this->ReportProgress(0.0); // lets the visitor hand out what is complete
       }
     }
-    m_Steady = m_StopWhenSteady && IsSteadyBetween(grid, heat, *nodes.back(), m_SteadyRule);
+    // A last interval that was cut short is too short to tell.
+    m_Steady = m_StopWhenSteady && plan[i].end >= intervalRatio * plan[i].start &&
+               IsSteadyBetween(grid, heat, *nodes.back(), m_SteadyRule);
     std::swap(heat, *nodes.back());
     step = plan[i].end;
   }

@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <atomic>
+#include <exception>
+#include <mutex>
 
 namespace itk
 {
@@ -15,7 +17,9 @@ NumberOfThreads()
   return std::max<unsigned int>(1, MultiThreaderBase::GetGlobalDefaultNumberOfThreads());
 }
 
-/** Runs `body(worker)` on `workers` workers of ITK's threader. A worker may start after another one has ended. */
+/** Runs `body(worker)` on `workers` workers of ITK's threader. A worker may start after another one has ended. The
+ * first exception is thrown again when all workers have ended; ITK's threader would lose those of all workers but one.
+ */
 template <typename TBody>
 void
 ParallelWorkers(unsigned int workers, const TBody & body)
@@ -25,10 +29,29 @@ ParallelWorkers(unsigned int workers, const TBody & body)
     body(0U);
     return;
   }
-  auto threader = MultiThreaderBase::New();
+  std::mutex         mutex;
+  std::exception_ptr failure;
+  auto               threader = MultiThreaderBase::New();
   threader->SetNumberOfWorkUnits(workers);
   threader->ParallelizeArray(
-    0, workers, [&body](SizeValueType worker) { body(static_cast<unsigned int>(worker)); }, nullptr);
+    0,
+    workers,
+    [&](SizeValueType worker) {
+      try
+      {
+        body(static_cast<unsigned int>(worker));
+      }
+      catch (...)
+      {
+        const std::lock_guard<std::mutex> lock(mutex);
+        failure = failure ? failure : std::current_exception();
+      }
+    },
+    nullptr);
+  if (failure)
+  {
+    std::rethrow_exception(failure);
+  }
 }
 
 /** Calls `body(i, worker)` for 0 <= i < number, each i once, in no certain order. */

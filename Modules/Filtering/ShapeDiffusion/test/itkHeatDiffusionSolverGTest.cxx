@@ -266,6 +266,59 @@ TEST(HeatDiffusionSolver, StopsWhenSteadyAndNotBefore)
   }
 }
 
+TEST(HeatDiffusionSolver, ALastStretchThatIsTooShortIsNotCalledSteady)
+{
+  Volume volume({ 40, 40, 40 });
+  volume.Fill([](std::size_t x, std::size_t y, std::size_t z) {
+    return std::min({ x, y, z }) >= 4 && std::max({ x, y, z }) < 36 ? 1.0 : 0.0;
+  });
+  const VolumeGradientOperator volumeGradient(volume.values.data(), volume.size, volume.Parameters(7.0));
+  for (const Method method : { Method::Chebyshev, Method::Explicit })
+  {
+    // Stretches end at 16, 40, 100, 250, 625; the cube is steady much later.
+    for (const std::uint64_t last : { 17, 41, 101, 251, 626, 627 })
+    {
+      EXPECT_FALSE(Diffuse(volumeGradient, method, last, {}, dt, true).steady) << last;
+    }
+  }
+}
+
+TEST(HeatDiffusionSolver, AHotVoxelDoesNotHideThatOthersStillMove)
+{
+  const auto stop = [](bool withHotVoxel) {
+    Volume volume({ 30, 30, 30 });
+    volume.Fill([](std::size_t x, std::size_t y, std::size_t z) {
+      return std::min({ x, y, z }) >= 3 && std::max({ x, y, z }) < 27 ? 0.5 : 0.0;
+    });
+    volume.At(0, 0, 0) = 1.0F; // the same window in both
+    volume.At(28, 1, 28) = withHotVoxel ? 1.0F : 0.0F;
+    const VolumeGradientOperator volumeGradient(volume.values.data(), volume.size, volume.Parameters(7.0));
+    return Diffuse(volumeGradient, Method::Chebyshev, 1000000, {}, dt, true).lastStep;
+  };
+  EXPECT_EQ(stop(true), stop(false));
+}
+
+TEST(HeatDiffusionSolver, AFailureInAnyThreadReachesTheCaller)
+{
+  const Volume                 volume = MakeScene({ 16, 16, 16 }, 0.05);
+  const VolumeGradientOperator volumeGradient(volume.values.data(), volume.size, volume.Parameters(7.0));
+  const auto                   before = MultiThreaderBase::GetGlobalDefaultNumberOfThreads();
+  MultiThreaderBase::SetGlobalDefaultNumberOfThreads(4);
+  for (const std::size_t failing : { 0, 100, 255 })
+  {
+    HeatDiffusionSolver solver(volumeGradient, Method::Chebyshev, dt, 1e-5);
+    PaddedField         heat(volumeGradient.GetGrid());
+    const auto          visitor = [failing](std::size_t, std::size_t row, const float *, unsigned int) {
+      if (row == failing)
+      {
+        throw std::runtime_error("row");
+      }
+    };
+    EXPECT_THROW(solver.Run(heat, 10, { 5 }, visitor), std::runtime_error);
+  }
+  MultiThreaderBase::SetGlobalDefaultNumberOfThreads(before);
+}
+
 TEST(HeatDiffusionSolver, ProgressAscendsToOneAndMayAbort)
 {
   const Volume                 volume = MakeScene({ 16, 16, 16 }, 0.05);
@@ -295,4 +348,5 @@ TEST(HeatDiffusionSolver, RefusesWhatItCannotDo)
   const auto          ignore = [](std::size_t, std::size_t, const float *, unsigned int) {};
   EXPECT_THROW(solver.Run(heat, 10, { 5, 3 }, ignore), std::invalid_argument);
   EXPECT_THROW(solver.Run(heat, 10, { 5, 11 }, ignore), std::invalid_argument);
+  EXPECT_THROW(solver.Run(heat, 10, { 5, 5 }, ignore), std::invalid_argument);
 }

@@ -210,7 +210,7 @@ TEST(HeatClassification, TheSurroundingsHoldTheBorder)
   EXPECT_NEAR(classification.classes[1].borderShare, (border - 36.0) / border, 1e-12);
 }
 
-TEST(HeatClassification, ComponentsJoinTheClassOfTheirConvergedHeat)
+TEST(HeatClassification, ConvergedComponentsJoinTheClassOfTheirHeat)
 {
   std::vector<HeatClass> classes(3);
   classes[0].upperHeat = classes[1].lowerHeat = 1e-5;
@@ -218,16 +218,18 @@ TEST(HeatClassification, ComponentsJoinTheClassOfTheirConvergedHeat)
   classes[2].upperHeat = 1.0;
   classes[1].label = 1;
   classes[2].label = 2;
-  std::vector<ShapeComponent> components(4);
-  const std::vector<double>   heats{ 0.1, 0.12, 0.2, 0.0 };
-  for (std::size_t i = 0; i < 4; ++i)
+  std::vector<ShapeComponent> components(5);
+  const std::vector<double>   heats{ 0.1, 0.12, 0.2, 0.0, 0.3 };
+  for (std::size_t i = 0; i < 5; ++i)
   {
-    components[i].closed = i < 3;
+    components[i].index = { i, 0, 0 };
+    components[i].closed = i != 3;
     components[i].voxels = 100 * (i + 1);
     components[i].convergedHeat = heats[i];
     components[i].normalizedHeat = 0.8 + 0.1 * i;
   }
-  AssignComponents(components, classes);
+  const auto heat = MakeHeatImage({ 0.1F, 0.123F, 0.2F, 0.0F, 0.1F }); // the last one is far from converged
+  AssignComponents(components, heat, classes);
   EXPECT_EQ(classes[0].components, 0U);
   EXPECT_EQ(classes[1].components, 2U);
   EXPECT_EQ(classes[2].components, 1U);

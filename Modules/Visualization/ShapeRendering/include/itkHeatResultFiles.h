@@ -17,8 +17,8 @@ class CommandLine;
  * \brief The files that a tool of heat diffusion writes, by the parameters of its XML.
  *
  * outputHeat, initialHeatOutput and labels are volumes, classTable and histogramTable CSV, histogram a PNG, report a
- * folder. Those that were not given are not written. Volumes carry the provenance of the run, heat also its time step
- * (key `timeStep`).
+ * folder. Those that were not given are not written. A record of the run (`<outputHeat>.run.json`) is. Volumes carry
+ * the provenance of the run, heat also its time step (key `timeStep`).
  *
  * \ingroup ShapeRendering
  */

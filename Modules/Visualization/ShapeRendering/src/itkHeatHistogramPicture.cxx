@@ -294,7 +294,7 @@ DrawHeatTicks(Picture * picture, const HeatAxis & axis, const PlotArea & area, i
   }
 }
 
-/** A bar from the lower to the upper heat of each class, its number below, on the first of three lines with room for
+/** A bar from the lower to the upper heat of each class, its number below, on the first of two lines with room for
  * it. */
 void
 DrawClasses(Picture *                      picture,

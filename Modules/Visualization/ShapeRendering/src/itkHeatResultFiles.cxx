@@ -25,7 +25,13 @@ HeatResultFiles::HeatResultFiles(CommandLine & commandLine)
   , m_Histogram(commandLine.OutputOf("histogram"))
   , m_HistogramTable(commandLine.OutputOf("histogramTable"))
   , m_Report(commandLine.GetString("report"))
-{}
+{
+  commandLine.RecordRun(commandLine.GetString("outputHeat") + ".run.json");
+  if (!m_Report.empty())
+  {
+    commandLine.MakeFolder(m_Report);
+  }
+}
 
 void
 HeatResultFiles::Write(const HeatReportContent & content, const Image<unsigned char, 3> * labels) const
@@ -49,7 +55,6 @@ HeatResultFiles::Write(const HeatReportContent & content, const Image<unsigned c
   }
   if (!m_Report.empty())
   {
-    m_CommandLine.MakeFolder(m_Report);
     WriteHeatReport(content, m_Report, [this](const std::string & path) { return m_CommandLine.Output(path); });
   }
 }

@@ -19,10 +19,10 @@ namespace
 const RGBColor background = MakeColor(18, 19, 25);
 const RGBColor annotation = MakeColor(214, 218, 226);
 
-// Blinn-Phong, as written to the volume property.
+// Blinn-Phong, with the numbers of the volume property (see ShapeTransferFunction).
 constexpr float ambient = 0.3F;
-constexpr float diffuse = 0.65F;
-constexpr float specular = 0.18F;
+constexpr float diffuse = 0.6F;
+constexpr float specular = 0.2F;
 
 using Vector3 = Vector<double, 3>;
 

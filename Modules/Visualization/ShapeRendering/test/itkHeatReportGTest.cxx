@@ -187,6 +187,6 @@ TEST(HeatTables, RemarksTellWhatIsNotAsExpected)
   result.steady = true;
   EXPECT_TRUE(itk::RunRemarks(result, true, 0).empty());
   EXPECT_EQ(itk::RunRemarks(result, true, 501).size(), 1U);
-  result.windowUpper = 0.0;
+  result.cold = true;
   EXPECT_EQ(itk::RunRemarks(result, true, 501).size(), 2U);
 }
