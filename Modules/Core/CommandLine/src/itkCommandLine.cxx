@@ -21,6 +21,7 @@
 #include <cstdio>
 #include <cstring>
 #include <ctime>
+#include <filesystem>
 #include <iostream>
 #include <map>
 #include <new>
@@ -160,6 +161,8 @@ struct CommandLine::State
   CheckInteger(const std::string & name) const;
   const std::vector<std::string> *
   FindGiven(const std::string & name) const;
+  void
+  RequireNoInput(const std::string & path) const;
   bool
   IsInProvenance(const Parameter & parameter) const;
   std::string
@@ -195,6 +198,25 @@ CommandLine::State::CheckInteger(const std::string & name) const
   if (!this->Find(name).IsInteger())
   {
     throw std::logic_error("\"" + name + "\" is no integer parameter");
+  }
+}
+
+// An output never replaces an input of the same run.
+void
+CommandLine::State::RequireNoInput(const std::string & path) const
+{
+  for (const auto & parameter : module.parameters)
+  {
+    const auto * values =
+      parameter.channel == "input" && parameter.IsPath() ? this->FindGiven(parameter.name) : nullptr;
+    for (const auto & value : values ? *values : std::vector<std::string>())
+    {
+      std::error_code error;
+      if (std::filesystem::equivalent(value, path, error))
+      {
+        throw UsageError("the output " + Quoted(path) + " is an input of this run; give another name");
+      }
+    }
   }
 }
 
@@ -420,6 +442,7 @@ CommandLine::GetIntegers(const std::string & name) const
 std::string
 CommandLine::Output(const std::string & path)
 {
+  m_State->RequireNoInput(path);
   return m_State->outputs.Add(path);
 }
 

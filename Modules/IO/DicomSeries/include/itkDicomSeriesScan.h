@@ -70,6 +70,8 @@ struct DicomPixelFormat
   bool          isSigned{ false };
   double        slope{ 1.0 };
   double        intercept{ 0.0 };
+  /** The header has a slope or an intercept. Slices with and without are in different units: a mixed series. */
+  bool hasRescale{ false };
   /** Stored values in [paddingLow, paddingHigh] are no measurement (Pixel Padding Value). */
   bool         hasPadding{ false };
   std::int64_t paddingLow{ 0 };

@@ -237,6 +237,7 @@ ReadRescale(const FrameAttributes & attributes, DicomPixelFormat & pixels, std::
       refusal = "Rescale Slope or Intercept is no number";
     }
   }
+  pixels.hasRescale = item->tagExistsWithValue(DCM_RescaleSlope) || item->tagExistsWithValue(DCM_RescaleIntercept);
   pixels.slope = GetNumber(*item, DCM_RescaleSlope, 1.0);
   pixels.intercept = GetNumber(*item, DCM_RescaleIntercept, 0.0);
   if (pixels.slope == 0)

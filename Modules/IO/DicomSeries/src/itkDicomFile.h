@@ -98,7 +98,8 @@ Transmit(TStream & stream, TFile & file)
     auto &   pixels = frame.pixels;
     stream & frame.hasGeometry & frame.position & frame.orientation & frame.spacing & frame.thickness & frame
       .isLocalizer & frame.acquisition & pixels.bitsAllocated & pixels.bitsStored & pixels.highBit & pixels
-      .isSigned & pixels.slope & pixels.intercept & pixels.hasPadding & pixels.paddingLow & pixels.paddingHigh;
+      .isSigned & pixels.hasRescale & pixels.slope & pixels.intercept & pixels.hasPadding & pixels.paddingLow & pixels
+      .paddingHigh;
   }
 }
 } // namespace itk

@@ -117,6 +117,7 @@ BelongTogether(const Item & a, const Item & b)
     return true;
   }
   return a.frame->hasGeometry == b.frame->hasGeometry && a.frame->isLocalizer == b.frame->isLocalizer &&
+         a.frame->pixels.hasRescale == b.frame->pixels.hasRescale && // else some slices would be in other units
          AreClose(a.frame->orientation, b.frame->orientation, 6, CosineTolerance) &&
          AreClose(a.frame->spacing, b.frame->spacing, 2, PixelSpacingTolerance * a.frame->spacing[0]);
 }

@@ -51,7 +51,12 @@ std::string
 RefusalOf(const DicomSeries & series, const VolumeReadOptions & options)
 {
   const bool isChosenPart = series.parts > 1 && options.seriesUID == series.GetSelector();
-  for (const DicomDefect & defect : series.defects)
+  // Slices that do not fit the others leave gaps: that they do not fit is to be told first.
+  std::vector<DicomDefect> defects = series.defects;
+  std::stable_partition(defects.begin(), defects.end(), [](const DicomDefect & defect) {
+    return defect.kind == DicomDefectKind::mixedSeries;
+  });
+  for (const DicomDefect & defect : defects)
   {
     if (!IsRepaired(defect.kind, options, isChosenPart))
     {
@@ -179,11 +184,12 @@ SelectOnlyOne(const DicomScan & scan, const VolumeReadOptions & options)
     Refuse(scan.path,
            std::to_string(usable.size()) + " usable volumes; choose one by --seriesUID: " + List(usable, Describe));
   }
-  if (usable.size() == 1)
+  const auto volumes = Select(scan, IsVolumeLike);
+  // A single slice is taken where nothing else is meant, and not in place of a volume that is irregular.
+  if (usable.size() == 1 && (volumes.empty() || !usable.front()->isSingleSlice))
   {
     return *usable.front();
   }
-  const auto volumes = Select(scan, IsVolumeLike);
   const auto all = Select(scan, [](const DicomSeries &) { return true; });
   const auto explain = [&](const DicomSeries & series) { return Describe(series) + ": " + RefusalOf(series, options); };
   Refuse(scan.path, List(volumes.empty() ? all : volumes, explain));
@@ -273,6 +279,10 @@ ReadVolume(const std::string & path, const VolumeReadOptions & options)
   if (!fs::exists(path, error))
   {
     Refuse(path, error ? "cannot be read: " + error.message() : "does not exist");
+  }
+  if (!fs::is_directory(path, error) && !fs::is_regular_file(path, error))
+  {
+    Refuse(path, "is neither a file nor a folder; name the volume or its folder");
   }
   const bool isImageFile = IsImageFile(path) && !fs::is_directory(path, error);
   if (isImageFile && !options.seriesUID.empty())

@@ -3,6 +3,7 @@
 #include "itkDicomSeriesScan.h"
 
 #include <filesystem>
+#include <sys/stat.h>
 
 namespace
 {
@@ -165,6 +166,36 @@ TEST(VolumeReader, EachSliceHasItsOwnRescale)
     files.push_back(fixture.MakeSlice(fixture.SlicePosition(2.0 * i), static_cast<int>(i) + 1));
   }
   EXPECT_LT(LargestDeviation(ReadSaved(files), DicomFixture::Ramp), 0.5 * 6 / 64 + 1e-4);
+}
+
+TEST(VolumeReader, ASliceWithoutTheRescaleOfTheOthersMakesAMixedSeries)
+{
+  auto files = DicomFixture().MakeSeries();
+  files[2]->getDataset()->findAndDeleteElement(DCM_RescaleSlope);
+  files[2]->getDataset()->findAndDeleteElement(DCM_RescaleIntercept);
+  EXPECT_NE(RefusalOf(files).find("mixedSeries"), std::string::npos);
+}
+
+TEST(VolumeReader, AStraySliceIsNotTakenInPlaceOfAnIrregularSeries)
+{
+  const std::string folder = TestFolder();
+  DicomFixture      fixture;
+  auto              files = fixture.MakeSeries();
+  files.erase(files.begin() + 2);
+  SaveDicom(files, folder);
+  fixture.seriesUID += ".9";
+  SaveDicom(*fixture.MakeSlice(fixture.SlicePosition(50.0), 1), folder + "/stray.dcm");
+  VolumeReadOptions options;
+  options.allowSingleSlice = true;
+  EXPECT_NE(InputErrorOf([&] { ReadVolume(folder, options); }).find("gap"), std::string::npos);
+  EXPECT_EQ(ReadVolume(folder + "/stray.dcm", options).image->GetLargestPossibleRegion().GetSize(2), 1U);
+}
+
+TEST(VolumeReader, ANamedPipeIsRefusedAndNotWaitedFor)
+{
+  const std::string path = TestFolder() + "/pipe.nrrd";
+  ASSERT_EQ(mkfifo(path.c_str(), 0600), 0);
+  EXPECT_NE(InputErrorOf([&] { ReadVolume(path); }).find("neither a file nor a folder"), std::string::npos);
 }
 
 TEST(VolumeReader, StoredBits)

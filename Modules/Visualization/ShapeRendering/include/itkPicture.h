@@ -34,7 +34,7 @@ using Picture = Image<RGBColor, 2>;
 ShapeRendering_EXPORT Picture::Pointer
                       NewPicture(unsigned int width, unsigned int height, const RGBColor & background);
 
-/** Writes PNG, whatever the extension of `path`, and reads it back, so that a full disk is noticed. Throws OutputError.
+/** Writes PNG, whatever the extension of `path`. Throws OutputError, also when the disk is full.
  * \ingroup ShapeRendering */
 ShapeRendering_EXPORT void
 WritePng(const Picture * picture, const std::string & path);

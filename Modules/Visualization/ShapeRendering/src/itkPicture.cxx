@@ -1,18 +1,19 @@
 #include "itkPicture.h"
 
-#include "itkImageFileReader.h"
-#include "itkImageFileWriter.h"
-#include "itkPNGImageIO.h"
+#include "itkFileBytes.h"
 #include "itkToolError.h"
 
 #include <vtkFreeTypeTools.h>
 #include <vtkImageData.h>
 #include <vtkNew.h>
+#include <vtkPNGWriter.h>
 #include <vtkStdString.h>
 #include <vtkTextProperty.h>
+#include <vtkUnsignedCharArray.h>
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <stdexcept>
 
 namespace itk
@@ -50,23 +51,27 @@ IsInside(const Picture * picture, int x, int y)
   return x >= 0 && y >= 0 && x < WidthOf(picture) && y < HeightOf(picture);
 }
 
-Picture::Pointer
-ReadBack(const std::string & path)
+/** As PNG in memory: a failing disk is then met by plain writing, and not inside of an image library. */
+std::string
+EncodePng(const Picture * picture)
 {
-  auto reader = ImageFileReader<Picture>::New();
-  reader->SetImageIO(PNGImageIO::New());
-  reader->SetFileName(path);
-  reader->Update();
-  return reader->GetOutput();
-}
-
-bool
-HaveSamePixels(const Picture * a, const Picture * b)
-{
-  return a->GetBufferedRegion().GetSize() == b->GetBufferedRegion().GetSize() &&
-         std::equal(a->GetBufferPointer(),
-                    a->GetBufferPointer() + a->GetBufferedRegion().GetNumberOfPixels(),
-                    b->GetBufferPointer());
+  const auto           size = picture->GetBufferedRegion().GetSize();
+  const auto           width = static_cast<int>(size[0]);
+  const auto           height = static_cast<int>(size[1]);
+  vtkNew<vtkImageData> image;
+  image->SetDimensions(width, height, 1);
+  image->AllocateScalars(VTK_UNSIGNED_CHAR, 3);
+  for (int y = 0; y < height; ++y) // rows of VTK run upwards
+  {
+    const RGBColor * const row = picture->GetBufferPointer() + static_cast<std::size_t>(y) * size[0];
+    std::memcpy(image->GetScalarPointer(0, height - 1 - y, 0), row, 3 * size[0]);
+  }
+  vtkNew<vtkPNGWriter> writer;
+  writer->WriteToMemoryOn();
+  writer->SetInputData(image);
+  writer->Write();
+  vtkUnsignedCharArray * const bytes = writer->GetResult();
+  return std::string(reinterpret_cast<const char *>(bytes->GetPointer(0)), bytes->GetNumberOfValues());
 }
 
 /** The coverage of a text: 4 components for each pixel, the last one is it; the extent is relative to the upright,
@@ -135,23 +140,7 @@ NewPicture(unsigned int width, unsigned int height, const RGBColor & background)
 void
 WritePng(const Picture * picture, const std::string & path)
 {
-  try
-  {
-    auto writer = ImageFileWriter<Picture>::New();
-    writer->SetImageIO(PNGImageIO::New());
-    writer->SetInput(picture);
-    writer->SetFileName(path);
-    writer->UseCompressionOn();
-    writer->Update();
-    if (!HaveSamePixels(ReadBack(path), picture))
-    {
-      throw OutputError("the picture " + path + " was not written whole: is the disk full?");
-    }
-  }
-  catch (const ExceptionObject & error)
-  {
-    throw OutputError("cannot write the picture " + path + ": is the folder there, writable and not full?");
-  }
+  WriteFileBytes(path, EncodePng(picture));
 }
 
 void

@@ -3,7 +3,10 @@
 
 #include "itkToolError.h"
 
+#include <csignal>
 #include <stdexcept>
+
+#include <sys/resource.h>
 
 namespace
 {
@@ -57,6 +60,27 @@ TEST(Picture, PngKeepsEveryPixel)
   itk::WritePng(picture, folder + "/no-extension");
   EXPECT_EQ(itk::GreatestDifference(picture, itk::ReadPng(folder + "/a.png")), 0);
   EXPECT_EQ(itk::BytesOf(folder + "/a.png"), itk::BytesOf(folder + "/no-extension"));
+}
+
+TEST(Picture, AFullDiskIsAnOutputErrorAtEverySize)
+{
+  const auto picture = itk::NewPicture(300, 200, itk::MakeColor(1, 2, 3));
+  for (unsigned int i = 0; i < 300 * 200; ++i) // does not compress well
+  {
+    picture->GetBufferPointer()[i] = itk::MakeColor(i * 7919 >> 3, i * 104729 >> 5, i * 1299709 >> 7);
+  }
+  rlimit before{};
+  getrlimit(RLIMIT_FSIZE, &before);
+  const auto handler = std::signal(SIGXFSZ, SIG_IGN);
+  for (const rlim_t bytes : { 1, 100, 2000, 5000, 20000 })
+  {
+    rlimit small = before;
+    small.rlim_cur = bytes;
+    setrlimit(RLIMIT_FSIZE, &small);
+    EXPECT_THROW(itk::WritePng(picture, SHAPETON_TEST_TEMPORARY_DIR "/full.png"), itk::OutputError) << bytes;
+    setrlimit(RLIMIT_FSIZE, &before);
+  }
+  std::signal(SIGXFSZ, handler);
 }
 
 TEST(Picture, FailuresToWriteAreOutputErrors)
