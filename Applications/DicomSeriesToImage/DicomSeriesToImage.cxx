@@ -8,7 +8,9 @@ int
 main(int argc, char * argv[])
 {
   return itk::CommandLine::Run(ToolXML, argc, argv, [](itk::CommandLine & commandLine) {
-    const std::string output = commandLine.OutputOf("outputVolume");
+    const std::string name = itk::RequireVolumeName(commandLine.GetString("outputVolume"));
+    const std::string output = commandLine.Output(name);
+    commandLine.RecordRun(name + ".run.json");
     commandLine.Progress("Reading", 0.0);
     constexpr bool    allowSingleSlice = true;
     const itk::Volume volume = itk::ReadVolume(commandLine, "inputVolume", allowSingleSlice);
@@ -16,11 +18,11 @@ main(int argc, char * argv[])
     const auto whole = itk::ToShort(volume.image);
     if (whole)
     {
-      itk::WriteVolume(whole.GetPointer(), output, commandLine.GetProvenance());
+      itk::WriteVolume(whole.GetPointer(), output, itk::ProvenanceMetadata(commandLine));
     }
     else
     {
-      itk::WriteVolume(volume.image.GetPointer(), output, commandLine.GetProvenance());
+      itk::WriteVolume(volume.image.GetPointer(), output, itk::ProvenanceMetadata(commandLine));
     }
     commandLine.Progress("Writing", 1.0);
   });

@@ -174,6 +174,24 @@ SelectByUID(const DicomScan & scan, const VolumeReadOptions & options)
   return *list.front();
 }
 
+/** The images of the same series that are no slices: a gap may be theirs. */
+std::string
+UnusableSlicesOf(const DicomSeries & series, const DicomScan & scan)
+{
+  std::string text;
+  for (const DicomSeries & other : scan.series)
+  {
+    const bool isUnusable = other.uid == series.uid && &other != &series && !other.refusal.empty();
+    if (isUnusable && !other.slices.empty() && !other.Has(DicomDefectKind::localizer))
+    {
+      text += "; not usable of this series: " + other.slices.front().file +
+              (other.slices.size() > 1 ? " and " + std::to_string(other.slices.size() - 1) + " more" : "") + ": " +
+              other.refusal;
+    }
+  }
+  return text;
+}
+
 const DicomSeries &
 SelectOnlyOne(const DicomScan & scan, const VolumeReadOptions & options)
 {
@@ -191,7 +209,9 @@ SelectOnlyOne(const DicomScan & scan, const VolumeReadOptions & options)
     return *usable.front();
   }
   const auto all = Select(scan, [](const DicomSeries &) { return true; });
-  const auto explain = [&](const DicomSeries & series) { return Describe(series) + ": " + RefusalOf(series, options); };
+  const auto explain = [&](const DicomSeries & series) {
+    return Describe(series) + ": " + RefusalOf(series, options) + UnusableSlicesOf(series, scan);
+  };
   Refuse(scan.path, List(volumes.empty() ? all : volumes, explain));
 }
 

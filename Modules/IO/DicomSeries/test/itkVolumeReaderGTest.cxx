@@ -176,6 +176,15 @@ TEST(VolumeReader, ASliceWithoutTheRescaleOfTheOthersMakesAMixedSeries)
   EXPECT_NE(RefusalOf(files).find("mixedSeries"), std::string::npos);
 }
 
+TEST(VolumeReader, ASliceWithoutPositionIsNamedBesideTheGapItLeaves)
+{
+  auto files = DicomFixture().MakeSeries();
+  files[2]->getDataset()->findAndDeleteElement(DCM_ImagePositionPatient);
+  const std::string refusal = RefusalOf(files);
+  EXPECT_NE(refusal.find("gap"), std::string::npos);
+  EXPECT_NE(refusal.find("im0003.dcm"), std::string::npos) << refusal;
+}
+
 TEST(VolumeReader, AStraySliceIsNotTakenInPlaceOfAnIrregularSeries)
 {
   const std::string folder = TestFolder();
