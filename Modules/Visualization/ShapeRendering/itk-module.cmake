@@ -12,9 +12,10 @@ itk_module(ShapeRendering
   PRIVATE_DEPENDS
     DicomSeries
     ITKIOImageBase
+    ITKIOMeta
     ITKIONRRD
-    ITKIOPNG
   TEST_DEPENDS
+    DicomSeries
     ITKGoogleTest
     ITKIOImageBase
     ITKIONRRD

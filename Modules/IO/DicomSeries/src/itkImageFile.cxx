@@ -428,6 +428,22 @@ CheckFinite(const std::string & path, const Volume::ImageType * image)
   Refuse(path, text.str());
 }
 
+/** Whole numbers are exact up to 2^24 in single precision. */
+void
+NoteRounding(const ImageHeader & header, Volume & volume)
+{
+  const auto type = static_cast<ComponentEnum>(header.componentType);
+  const bool isWide = type == ComponentEnum::INT || type == ComponentEnum::UINT || type == ComponentEnum::LONG ||
+                      type == ComponentEnum::ULONG || type == ComponentEnum::LONGLONG ||
+                      type == ComponentEnum::ULONGLONG;
+  const float * const voxels = volume.image->GetBufferPointer();
+  const std::size_t   count = volume.image->GetLargestPossibleRegion().GetNumberOfPixels();
+  if (isWide && std::any_of(voxels, voxels + count, [](float value) { return std::abs(value) >= 16777216.0F; }))
+  {
+    volume.notes.push_back("intensities of 2^24 and more are rounded to single precision: small differences are lost");
+  }
+}
+
 Volume::ImageType::Pointer
 MakeImage(const ImageHeader & header)
 {
@@ -524,6 +540,7 @@ ReadImageFile(const std::string & path)
   Volume       volume;
   volume.image = ReadImage(path, format, stored, header, bytes);
   CheckFinite(path, volume.image);
+  NoteRounding(header, volume);
   volume.identity = IdentityOf(path, stored);
   return volume;
 }

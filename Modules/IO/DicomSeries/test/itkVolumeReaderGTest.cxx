@@ -200,6 +200,18 @@ TEST(VolumeReader, AStraySliceIsNotTakenInPlaceOfAnIrregularSeries)
   EXPECT_EQ(ReadVolume(folder + "/stray.dcm", options).image->GetLargestPossibleRegion().GetSize(2), 1U);
 }
 
+TEST(VolumeReader, IntegersThatSinglePrecisionRoundsAreNoted)
+{
+  const std::string header = "NRRD0004\ntype: uint\ndimension: 3\nspace: left-posterior-superior\nsizes: 2 2 2\n"
+                             "space directions: (1,0,0) (0,1,0) (0,0,1)\nencoding: ascii\nspace origin: (0,0,0)\n\n";
+  const std::string folder = TestFolder();
+  itk::WriteText(folder + "/small.nrrd", header + "0 1 2 3 4 5 6 16777215\n");
+  itk::WriteText(folder + "/large.nrrd", header + "0 1 2 3 4 5 6 4294967295\n");
+  EXPECT_TRUE(ReadVolume(folder + "/small.nrrd").notes.empty());
+  ASSERT_EQ(ReadVolume(folder + "/large.nrrd").notes.size(), 1U);
+  EXPECT_NE(ReadVolume(folder + "/large.nrrd").notes[0].find("single precision"), std::string::npos);
+}
+
 TEST(VolumeReader, ANamedPipeIsRefusedAndNotWaitedFor)
 {
   const std::string path = TestFolder() + "/pipe.nrrd";

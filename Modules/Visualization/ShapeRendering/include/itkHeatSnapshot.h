@@ -23,8 +23,8 @@ struct HeatSnapshot
  *
  * `path` is a heat volume, or a folder of snapshots named heat-<time step, 9 digits>.nrrd. `timeStep` picks a snapshot
  * of a folder (by default the last one); of a single volume, it must agree with the time step in its header (key
- * `timeStep`, NRRD), where there is one. Throws InputError for a path that is missing and for a folder without
- * snapshots, and UsageError for a time step that is not there, with those that are. \ingroup ShapeRendering */
+ * `timeStep`; NRRD and MetaImage), where there is one. Throws InputError for a path that is missing and for a folder
+ * without snapshots, and UsageError for a time step that is not there, with those that are. \ingroup ShapeRendering */
 ShapeRendering_EXPORT HeatSnapshot
 FindHeatSnapshot(const std::string & path, std::optional<std::uint64_t> timeStep = {});
 

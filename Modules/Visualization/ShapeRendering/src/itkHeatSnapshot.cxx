@@ -1,6 +1,7 @@
 #include "itkHeatSnapshot.h"
 
 #include "itkMetaDataObject.h"
+#include "itkMetaImageIO.h"
 #include "itkNrrdImageIO.h"
 #include "itkToolError.h"
 
@@ -8,6 +9,7 @@
 #include <charconv>
 #include <filesystem>
 #include <map>
+#include <vector>
 
 namespace itk
 {
@@ -97,11 +99,15 @@ FindInFolder(const std::string & folder, std::optional<std::uint64_t> timeStep)
 std::optional<std::uint64_t>
 TimeStepInHeader(const std::string & path)
 {
-  auto reader = NrrdImageIO::New();
-  if (!reader->CanReadFile(path.c_str()))
+  const std::vector<ImageIOBase::Pointer> formats = { NrrdImageIO::New().GetPointer(),
+                                                      MetaImageIO::New().GetPointer() };
+  const auto                              format = std::find_if(
+    formats.begin(), formats.end(), [&path](const ImageIOBase::Pointer & io) { return io->CanReadFile(path.c_str()); });
+  if (format == formats.end())
   {
-    return std::nullopt;
+    return std::nullopt; // NIfTI has no room for it
   }
+  const ImageIOBase::Pointer & reader = *format;
   try
   {
     reader->SetFileName(path);

@@ -5,6 +5,7 @@
 #include "itkMetaDataObject.h"
 #include "itkNrrdImageIO.h"
 #include "itkToolError.h"
+#include "itkVolumeWriter.h"
 
 namespace
 {
@@ -79,6 +80,18 @@ TEST(HeatSnapshot, AVolumeShowsTheTimeStepOfItsHeader)
   EXPECT_NE(MessageOf<itk::UsageError>(folder + "/stated.nrrd", 751).find("750"), std::string::npos);
   EXPECT_FALSE(itk::FindHeatSnapshot(folder + "/silent.nrrd").timeStep);
   EXPECT_EQ(*itk::FindHeatSnapshot(folder + "/silent.nrrd", 3).timeStep, 3U);
+}
+
+TEST(HeatSnapshot, AMetaImageShowsItsTimeStepToo)
+{
+  auto heat = itk::Image<float, 3>::New();
+  heat->SetRegions(itk::Image<float, 3>::SizeType{ { 3, 3, 3 } });
+  heat->Allocate();
+  heat->FillBuffer(0.5F);
+  const std::string path = SHAPETON_TEST_TEMPORARY_DIR "/stated.mha";
+  itk::WriteVolume(heat.GetPointer(), path, { { "timeStep", "50" } });
+  EXPECT_EQ(itk::FindHeatSnapshot(path).timeStep, std::optional<std::uint64_t>(50));
+  EXPECT_THROW(itk::FindHeatSnapshot(path, 49), itk::UsageError);
 }
 
 TEST(HeatSnapshot, WhatIsMissingIsNamed)
