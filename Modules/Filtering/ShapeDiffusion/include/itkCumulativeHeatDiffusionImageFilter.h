@@ -176,4 +176,12 @@ private:
 #  include "itkCumulativeHeatDiffusionImageFilter.hxx"
 #endif
 
+namespace itk
+{
+// Compiled once, in the library.
+extern template class ShapeDiffusion_EXPORT CumulativeHeatDiffusionImageFilter<Image<float, 3>>;
+extern template class ShapeDiffusion_EXPORT CumulativeHeatDiffusionImageFilter<Image<short, 3>>;
+extern template class ShapeDiffusion_EXPORT CumulativeHeatDiffusionImageFilter<Image<unsigned char, 3>>;
+} // namespace itk
+
 #endif
