@@ -1,14 +1,13 @@
 #include "itkDicomSeriesDefects.h"
 
 #include "itkDicomPixels.h"
+#include "itkNumberText.h"
 #include "itkToolError.h"
 
 #include <algorithm>
 #include <cstring>
 #include <filesystem>
-#include <locale>
 #include <numeric>
-#include <sstream>
 
 namespace itk
 {
@@ -17,11 +16,7 @@ namespace
 std::string
 Millimetres(double value)
 {
-  std::ostringstream text;
-  text.imbue(std::locale::classic());
-  text.precision(6);
-  text << value << " mm";
-  return text.str();
+  return NumberText(value) + " mm";
 }
 
 bool
@@ -146,15 +141,11 @@ AddShear(DicomSeries & series, const SlicesGeometry & geometry)
   {
     return;
   }
-  std::ostringstream tilt;
-  tilt.imbue(std::locale::classic());
-  tilt.precision(3);
-  tilt << geometry.tiltDegrees;
   AddDefect(series,
             DicomDefectKind::shear,
-            geometry.isLinearShear
-              ? "the line through the slices is tilted against their normal by " + tilt.str() + " degrees (gantry tilt)"
-              : std::string("the slices are displaced against one another within their planes"),
+            geometry.isLinearShear ? "the line through the slices is tilted against their normal by " +
+                                       NumberText(geometry.tiltDegrees, 3) + " degrees (gantry tilt)"
+                                   : std::string("the slices are displaced against one another within their planes"),
             AllIndices(series));
 }
 } // namespace

@@ -1,11 +1,11 @@
 #include "itkDicomSeriesListing.h"
 
 #include "itkJson.h"
+#include "itkNumberText.h"
 
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
-#include <sstream>
 #include <vector>
 
 namespace itk
@@ -19,16 +19,6 @@ using Row = std::vector<std::string>;
 constexpr double AxisCosine = 0.9962;
 
 constexpr std::size_t LongestFileList = 20;
-
-std::string
-Number(double value)
-{
-  std::ostringstream text;
-  text.imbue(std::locale::classic());
-  text.precision(5);
-  text << value;
-  return text.str();
-}
 
 std::string
 PlaneOf(const DicomSeries & series)
@@ -62,8 +52,8 @@ SpacingOf(const DicomSeries & series)
   {
     return "-";
   }
-  const std::string plane = Number(series.spacing[0]) + " x " + Number(series.spacing[1]);
-  return series.spacing[2] > 0 ? plane + " x " + Number(series.spacing[2]) : plane;
+  const std::string plane = NumberText(series.spacing[0], 5) + " x " + NumberText(series.spacing[1], 5);
+  return series.spacing[2] > 0 ? plane + " x " + NumberText(series.spacing[2], 5) : plane;
 }
 
 /** "yes", or the reasons in a few words. */

@@ -3,13 +3,13 @@
 #include "itkDicomPixels.h"
 #include "itkDicomSeriesGeometry.h"
 #include "itkImageFile.h"
+#include "itkNumberText.h"
 #include "itkSha256.h"
 #include "itkToolError.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <sstream>
 
 namespace itk
 {
@@ -23,16 +23,6 @@ constexpr double IndexTolerance = 1e-6;
 
 // A grid this much larger than the slices themselves is no repair.
 constexpr double LargestGrowth = 4;
-
-std::string
-Number(double value)
-{
-  std::ostringstream text;
-  text.imbue(std::locale::classic());
-  text.precision(6);
-  text << value;
-  return text.str();
-}
 
 std::string
 Count(std::size_t count, const std::string & noun)
@@ -155,7 +145,7 @@ FillPadding(const DicomSeries & series, ImageType * image, Volume & volume)
   {
     std::replace_if(
       voxels, voxels + count, [](float value) { return std::isnan(value); }, lowest);
-    volume.notes.push_back(Count(padding, "padding pixel") + " set to the lowest intensity, " + Number(lowest));
+    volume.notes.push_back(Count(padding, "padding pixel") + " set to the lowest intensity, " + NumberText(lowest));
   }
 }
 
@@ -260,7 +250,7 @@ Deshear(const DicomSeries & series, const Slices & slices, const ImageType * sta
   }
   volume.repairs.push_back("deshear: " + Count(slices.size(), "slice") +
                            " moved within their planes by linear interpolation, uncovered voxels set to " +
-                           Number(outside));
+                           NumberText(outside));
   return image;
 }
 
@@ -294,7 +284,7 @@ ResampleGaps(const DicomSeries & series, const Slices & slices, const ImageType 
   if (steps > LargestGrowth * static_cast<double>(slices.size()) + 1)
   {
     Refuse(series,
-           "the gaps are too wide: " + Number(steps + 1) + " slices would be made from " +
+           "the gaps are too wide: " + NumberText(steps + 1) + " slices would be made from " +
              std::to_string(slices.size()));
   }
   const double        spacing = length / steps;
@@ -321,8 +311,8 @@ ResampleGaps(const DicomSeries & series, const Slices & slices, const ImageType 
     interpolated += fraction > 0 ? 1 : 0;
   }
   volume.repairs.push_back("resampleGaps: " + Count(slices.size(), "slice") + " resampled to " +
-                           std::to_string(size[2]) + " at " + Number(spacing) + " mm, " + std::to_string(interpolated) +
-                           " of them by linear interpolation");
+                           std::to_string(size[2]) + " at " + NumberText(spacing) + " mm, " +
+                           std::to_string(interpolated) + " of them by linear interpolation");
   return image;
 }
 
@@ -357,7 +347,7 @@ AddNotes(const DicomSeries & series, Volume & volume)
   {
     const double thickness = series.slices.front().thickness;
     volume.notes.push_back(thickness > 0
-                             ? "a single slice; its spacing is its Slice Thickness, " + Number(thickness) + " mm"
+                             ? "a single slice; its spacing is its Slice Thickness, " + NumberText(thickness) + " mm"
                              : std::string("a single slice without Slice Thickness; its spacing is set to 1 mm"));
   }
 }
