@@ -2,6 +2,7 @@
 # ModuleLayeringTest checks that no include points to a later one.
 set(Shapeton_MODULES
   Core/CommandLine
+  Core/CounterRandom
   Core/Report
   Bridge/VTKGlue
   IO/DicomSeries

@@ -5,6 +5,8 @@ itk_module(ShapeDiffusion
   ENABLE_SHARED
   DEPENDS
     ITKCommon
+  PRIVATE_DEPENDS
+    CounterRandom
   TEST_DEPENDS
     ITKGoogleTest
     ITKTestKernel

@@ -7,6 +7,8 @@ itk_module(ShapePhantom
     CommandLine
     Report
     ITKCommon
+  PRIVATE_DEPENDS
+    CounterRandom
   TEST_DEPENDS
     ITKGoogleTest
   DESCRIPTION "${DOCUMENTATION}"

@@ -1,5 +1,7 @@
 #include "itkCounterNoise.h"
 
+#include "itkPhilox.h"
+
 #include <array>
 #include <cmath>
 
@@ -9,27 +11,13 @@ namespace
 {
 constexpr double ln2 = 0.693147180559945309417232121458;
 
-// Philox4x32-10: ten rounds of multiply, xor and swap; 64 of the 128 bits are used.
+// 64 of the 128 bits of a block.
 std::uint64_t
 RandomBits(std::uint64_t seed, std::uint64_t counter)
 {
-  std::array<std::uint32_t, 4> x{
-    { static_cast<std::uint32_t>(counter), static_cast<std::uint32_t>(counter >> 32), 0, 0 }
-  };
-  std::uint32_t key0 = static_cast<std::uint32_t>(seed);
-  std::uint32_t key1 = static_cast<std::uint32_t>(seed >> 32);
-  for (int round = 0; round < 10; ++round)
-  {
-    const std::uint64_t product0 = std::uint64_t{ 0xD2511F53U } * x[0];
-    const std::uint64_t product1 = std::uint64_t{ 0xCD9E8D57U } * x[2];
-    x = { { static_cast<std::uint32_t>(product1 >> 32) ^ x[1] ^ key0,
-            static_cast<std::uint32_t>(product1),
-            static_cast<std::uint32_t>(product0 >> 32) ^ x[3] ^ key1,
-            static_cast<std::uint32_t>(product0) } };
-    key0 += 0x9E3779B9U;
-    key1 += 0xBB67AE85U;
-  }
-  return (std::uint64_t{ x[0] } << 32) | x[1];
+  const auto words =
+    Philox4x32(seed, { static_cast<std::uint32_t>(counter), static_cast<std::uint32_t>(counter >> 32), 0, 0 });
+  return (std::uint64_t{ words.a } << 32) | words.b;
 }
 
 // ln x = e ln 2 + 2 artanh((m - 1) / (m + 1)), sqrt(1/2) <= m < sqrt(2).

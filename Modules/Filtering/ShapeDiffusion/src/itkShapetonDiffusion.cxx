@@ -1,0 +1,552 @@
+#include "itkShapetonDiffusion.h"
+
+#include "itkParallelRows.h"
+#include "itkShapetonKernels.h"
+#include "itkShapetonPlacement.h"
+#include "itkShapetonRecords.h"
+#include "itkShapetonTraversal.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <sstream>
+#include <stdexcept>
+
+namespace itk
+{
+namespace
+{
+using namespace ShapetonKernels;
+
+/** So many shapetons are moved together: what they need next is fetched while the others move. */
+constexpr std::size_t GroupSize = 256;
+/** Shapeton steps between two calls of the observer: some hundredths of a second. */
+constexpr std::uint64_t EndpointBlock = std::uint64_t{ 1 } << 19;
+constexpr std::uint64_t TraversalBlock = std::uint64_t{ 1 } << 16;
+/** The steady rule looks at so many steps and allows so many of them to fail. */
+constexpr std::uint64_t HistoryLength = 50;
+constexpr int           AllowedFailures = 5;
+/** Mean number of visits of the voxels reached when the automatic rule is satisfied. */
+constexpr double WantedVisits = 100.0;
+
+/** What counting visits one by one finds out. `old` is the count before a visit; the order of visits is arbitrary, but
+ * these sums do not depend on it. */
+struct Tally
+{
+  std::uint64_t sumOfOld{ 0 };
+  std::uint32_t maximum{ 0 };
+  std::uint64_t reached{ 0 };
+  std::uint64_t objectsReached{ 0 };
+
+  void
+  Add(const Tally & other)
+  {
+    sumOfOld += other.sumOfOld;
+    maximum = std::max(maximum, other.maximum);
+    reached += other.reached;
+    objectsReached += other.objectsReached;
+  }
+};
+
+void
+CheckSettings(const ShapetonDiffusionSettings & settings, const std::array<std::size_t, 3> & size)
+{
+  if (settings.shapetons < 1)
+  {
+    throw std::invalid_argument("at least one shapeton is needed");
+  }
+  if (!(settings.distance > 0.0 && settings.distance <= 1.0))
+  {
+    throw std::invalid_argument("the distance must lie in (0, 1], in units of the longest side of the volume");
+  }
+  constexpr std::size_t limit = std::size_t{ 1 } << 31;
+  if (size[0] == 0 || size[1] == 0 || size[2] == 0)
+  {
+    throw std::invalid_argument("the volume is empty");
+  }
+  if (std::max({ size[0], size[1], size[2] }) >= limit || size[0] * size[1] >= limit ||
+      size[0] * size[1] * size[2] >= limit)
+  {
+    throw std::length_error("the volume has 2^31 voxels or more; crop it");
+  }
+}
+
+VolumeGradientOperator::Parameters
+WeightsAlone(VolumeGradientOperator::Parameters parameters)
+{
+  parameters.conductance = VolumeGradientOperator::Conductance::Published;
+  return parameters;
+}
+
+std::string
+Text(double value)
+{
+  std::ostringstream text;
+  text.precision(std::numeric_limits<double>::max_digits10);
+  text << value;
+  return text.str();
+}
+} // namespace
+
+const char *
+NameOf(DirectionSampling sampling)
+{
+  return sampling == DirectionSampling::SolidAngle   ? "solidAngle"
+         : sampling == DirectionSampling::SectorArea ? "sectorArea"
+                                                     : "uniform";
+}
+
+const char *
+NameOf(PathRule rule)
+{
+  return rule == PathRule::Endpoint ? "endpoint" : "traversal";
+}
+
+const char *
+NameOf(ShapetonPlacement placement)
+{
+  return placement == ShapetonPlacement::Uniform ? "uniform" : "initialHeat";
+}
+
+struct ShapetonDiffusion::Impl
+{
+  Impl(const float *                      intensities,
+       const std::array<std::size_t, 3> & volumeSize,
+       const ShapetonDiffusionSettings &  given,
+       const unsigned char *              mask,
+       std::uint32_t *                    visitsOfVoxels,
+       const std::function<void()> &      poll)
+    : settings(given)
+    , size(volumeSize)
+    , visits(visitsOfVoxels)
+    , kernels(GetBest())
+    , records(intensities, size, WeightsAlone(settings.volumeGradient), mask, poll)
+  {
+    measures.objectVoxels = records.GetNumberOfObjectVoxels();
+    DescribeSurroundings();
+    const std::size_t length = (settings.shapetons + Granularity - 1) / Granularity * Granularity;
+    for (auto & axis : places)
+    {
+      axis.assign(length, 0.0F);
+    }
+    voxels.assign(length, 0);
+    ParallelFor(size[2], [this](std::size_t z) { std::fill_n(visits + z * size[0] * size[1], size[0] * size[1], 0U); });
+    poll();
+    Place(mask);
+    CountTrapped();
+  }
+
+  std::uint64_t
+  BlockLength() const
+  {
+    return settings.pathRule == PathRule::Traversal ? TraversalBlock : EndpointBlock;
+  }
+
+  std::size_t
+  NumberOfVoxels() const
+  {
+    return size[0] * size[1] * size[2];
+  }
+
+  void
+  DescribeSurroundings()
+  {
+    const auto & spacing = settings.volumeGradient.spacing;
+    const double side = std::max({ size[0] * spacing[0], size[1] * spacing[1], size[2] * spacing[2] });
+    surroundings.records = records.GetData();
+    surroundings.visits = visits;
+    for (unsigned int axis = 0; axis < 3; ++axis)
+    {
+      surroundings.size[axis] = static_cast<std::int32_t>(size[axis]);
+      surroundings.step[axis] = static_cast<float>(settings.distance * side / spacing[axis]);
+    }
+  }
+
+  void
+  Place(const unsigned char * mask)
+  {
+    const Shapetons all = Group(0, settings.shapetons);
+    const bool      byInitialHeat = settings.placement == ShapetonPlacement::InitialHeat;
+    if (byInitialHeat || mask)
+    {
+      PlaceByDensity(surroundings, all, settings.seed, records, byInitialHeat, mask);
+    }
+    else
+    {
+      PlaceUniformly(surroundings, all, settings.seed);
+    }
+  }
+
+  Shapetons
+  Group(std::size_t first, std::size_t number)
+  {
+    return { static_cast<std::uint32_t>(first), number,
+             places[0].data() + first,          places[1].data() + first,
+             places[2].data() + first,          voxels.data() + first };
+  }
+
+  /** One step of a group: directions, move. */
+  void
+  Move(const Shapetons & group, std::uint64_t step) const
+  {
+    alignas(64) float components[3][GroupSize];
+    const Directions  directions{ components[0], components[1], components[2] };
+    const Random      random{ settings.seed, step };
+    const Draw        draw = settings.directionSampling == DirectionSampling::SolidAngle   ? kernels.drawBySolidAngle
+                             : settings.directionSampling == DirectionSampling::SectorArea ? kernels.drawBySectorArea
+                                                                                           : kernels.drawUniformly;
+    draw(surroundings, group, random, table, directions);
+    if (settings.pathRule == PathRule::Traversal)
+    {
+      TraverseVoxels(surroundings, group, random, directions);
+    }
+    else
+    {
+      kernels.move(surroundings, group, directions);
+    }
+  }
+
+  template <bool VShared>
+  Tally
+  Count(const Shapetons & group) const
+  {
+    Tally tally;
+    for (std::size_t i = 0; i < group.number; ++i)
+    {
+      const std::uint32_t voxel = group.voxel[i];
+      std::uint32_t       old = 0;
+      if constexpr (VShared)
+      {
+        old = __atomic_fetch_add(visits + voxel, 1U, __ATOMIC_RELAXED);
+      }
+      else
+      {
+        old = visits[voxel]++;
+      }
+      tally.sumOfOld += old;
+      tally.maximum = std::max(tally.maximum, old + 1);
+      if (old == 0)
+      {
+        ++tally.reached;
+        tally.objectsReached += records.GetRecord(voxel)[MarksOfRecord] & ObjectMark;
+      }
+    }
+    return tally;
+  }
+
+  /** Small groups of work do not pay for a second thread. */
+  static unsigned int
+  WorkersFor(std::uint64_t shapetonSteps)
+  {
+    return static_cast<unsigned int>(std::clamp<std::uint64_t>(shapetonSteps / 4096, 1, NumberOfThreads()));
+  }
+
+  template <typename TBody>
+  void
+  ForGroups(std::size_t first, std::size_t number, std::uint64_t shapetonSteps, const TBody & body)
+  {
+    const std::size_t        groups = (number + GroupSize - 1) / GroupSize;
+    std::atomic<std::size_t> next{ 0 };
+    const unsigned int       workers = WorkersFor(shapetonSteps);
+    ParallelWorkers(workers, [&](unsigned int) {
+      for (std::size_t i = next++; i < groups; i = next++)
+      {
+        const std::size_t begin = i * GroupSize;
+        body(Group(first + begin, std::min(GroupSize, number - begin)), workers > 1);
+      }
+    });
+  }
+
+  /** Steps [begin, end) of shapetons [first, first + number). */
+  Tally
+  TakeSteps(std::size_t first, std::size_t number, std::uint64_t begin, std::uint64_t end)
+  {
+    Tally      whole;
+    std::mutex mutex;
+    ForGroups(first, number, number * (end - begin), [&](const Shapetons & group, bool shared) {
+      Tally tally;
+      for (std::uint64_t step = begin; step < end; ++step)
+      {
+        Move(group, step);
+        tally.Add(shared ? Count<true>(group) : Count<false>(group));
+      }
+      const std::lock_guard<std::mutex> lock(mutex);
+      whole.Add(tally);
+    });
+    return whole;
+  }
+
+  /** The visits of the shapetons' voxels, summed over the shapetons, and how many are trapped. */
+  std::pair<std::uint64_t, std::uint32_t>
+  SumOverShapetons()
+  {
+    std::uint64_t sum = 0;
+    std::uint32_t trapped = 0;
+    std::mutex    mutex;
+    ForGroups(0, settings.shapetons, settings.shapetons, [&](const Shapetons & group, bool) {
+      std::uint64_t groupSum = 0;
+      std::uint32_t groupTrapped = 0;
+      for (std::size_t i = 0; i < group.number; ++i)
+      {
+        groupSum += visits[group.voxel[i]];
+        groupTrapped += (records.GetRecord(group.voxel[i])[MarksOfRecord] & TrapMark) != 0;
+      }
+      const std::lock_guard<std::mutex> lock(mutex);
+      sum += groupSum;
+      trapped += groupTrapped;
+    });
+    return { sum, trapped };
+  }
+
+  void
+  CountTrapped()
+  {
+    measures.trappedShapetons = SumOverShapetons().second;
+  }
+
+  void
+  Note(const Tally & tally, std::uint64_t number)
+  {
+    // A count that grows from `old` by one grows by 2 old + 1 in its square.
+    sumOfSquares += 2.0 * static_cast<double>(tally.sumOfOld) + static_cast<double>(number);
+    measures.maximumVisits = std::max(measures.maximumVisits, tally.maximum);
+    measures.voxelsReached += tally.reached;
+    measures.objectVoxelsReached += tally.objectsReached;
+  }
+
+  /** Takes steps up to `end`, the last one measured. The work is cut where the observer may abort. */
+  void
+  Advance(std::uint64_t end, const Observer & observer)
+  {
+    const std::uint64_t begin = measures.step + 1;
+    const std::uint64_t number = settings.shapetons;
+    if (measures.maximumVisits + number * (end - begin + 1) > std::numeric_limits<std::uint32_t>::max())
+    {
+      throw std::overflow_error("a voxel has been visited four thousand million times, more than can be counted; take "
+                                "fewer steps or shapetons");
+    }
+    if (end > begin)
+    {
+      Note(TakeSteps(0, number, begin, end), number * (end - begin));
+    }
+    const double        squaresBefore = sumOfSquares;
+    const std::uint32_t maximumBefore = measures.maximumVisits;
+    Tally               tally;
+    for (std::uint64_t first = 0; first < number; first += BlockLength())
+    {
+      const std::uint64_t part = std::min(BlockLength(), number - first);
+      tally.Add(TakeSteps(first, part, end, end + 1));
+      if (observer && first + part < number)
+      {
+        observer(measures); // of the steps before this one
+      }
+    }
+    Note(tally, number);
+    measures.step = end;
+    const auto [sum, trapped] = SumOverShapetons();
+    measures.trappedShapetons = trapped;
+    Measure(tally, sum, squaresBefore, maximumBefore);
+  }
+
+  /** (3.10) for the step whose tally this is. With S the counts before, c those of the step, and n shapetons:
+   * sumOfOld = sum S c + (sum c^2 - n) / 2, and `sumAfter` = sum (S + c) c. */
+  void
+  Measure(const Tally & tally, std::uint64_t sumAfter, double squaresBefore, std::uint32_t maximumBefore)
+  {
+    const double n = settings.shapetons;
+    const double squares = 2.0 * static_cast<double>(sumAfter - tally.sumOfOld) - n; // sum c^2
+    const double products = static_cast<double>(sumAfter) - squares;                 // sum S c
+    const double maximum = measures.maximumVisits;
+    // The density was S / maximumBefore and is (S + c) / maximum.
+    const double shrinking = maximumBefore == 0 ? 0.0 : 1.0 / maximum - 1.0 / maximumBefore;
+    measures.change =
+      shrinking * shrinking * squaresBefore + 2.0 * shrinking * products / maximum + squares / (maximum * maximum);
+    const double reached = static_cast<double>(measures.voxelsReached);
+    const double mean = n * static_cast<double>(measures.step) / reached;
+    const double wanted = WantedVisits * maximum / mean;
+    measures.automaticEpsilon = n * (1.0 + n / reached) / (wanted * wanted);
+  }
+
+  void
+  Test(const SteadyRule & rule)
+  {
+    const double   epsilon = rule.automatic ? measures.automaticEpsilon : rule.epsilon;
+    constexpr auto mask = (std::uint64_t{ 1 } << HistoryLength) - 1;
+    history = (history << 1 | (measures.change <= epsilon ? 1U : 0U)) & mask;
+    tested = std::min(tested + 1, HistoryLength);
+    measures.steady =
+      tested == HistoryLength && __builtin_popcountll(history) >= static_cast<int>(HistoryLength) - AllowedFailures;
+  }
+
+  std::vector<std::pair<std::string, std::string>>
+  Identity() const
+  {
+    const auto & parameters = settings.volumeGradient;
+    return { { "size", std::to_string(size[0]) + " " + std::to_string(size[1]) + " " + std::to_string(size[2]) },
+             { "spacing",
+               Text(parameters.spacing[0]) + " " + Text(parameters.spacing[1]) + " " + Text(parameters.spacing[2]) },
+             { "p", Text(parameters.p) },
+             { "intensity window", Text(parameters.lower) + " " + Text(parameters.upper) },
+             { "number of shapetons", std::to_string(settings.shapetons) },
+             { "distance", Text(settings.distance) },
+             { "direction sampling", NameOf(settings.directionSampling) },
+             { "path rule", NameOf(settings.pathRule) },
+             { "placement", NameOf(settings.placement) },
+             { "seed", std::to_string(settings.seed) },
+             { "volume or mask (checksum of the edge weights)", std::to_string(records.GetChecksum()) } };
+  }
+
+  /** What the sums over all voxels were when a state was taken. */
+  void
+  MeasureAgain()
+  {
+    sumOfSquares = 0.0;
+    measures.maximumVisits = 0;
+    measures.voxelsReached = 0;
+    measures.objectVoxelsReached = 0;
+    for (std::size_t voxel = 0; voxel < NumberOfVoxels(); ++voxel)
+    {
+      if (const std::uint32_t count = visits[voxel])
+      {
+        sumOfSquares += static_cast<double>(count) * count;
+        measures.maximumVisits = std::max(measures.maximumVisits, count);
+        ++measures.voxelsReached;
+        measures.objectVoxelsReached += records.GetRecord(voxel)[MarksOfRecord] & ObjectMark;
+      }
+    }
+  }
+
+  const ShapetonDiffusionSettings   settings;
+  const std::array<std::size_t, 3>  size;
+  std::uint32_t * const             visits;
+  const Set &                       kernels;
+  const ThetaTable                  table;
+  const ShapetonRecords             records;
+  Surroundings                      surroundings{};
+  std::array<std::vector<float>, 3> places;
+  std::vector<std::uint32_t>        voxels;
+  ShapetonMeasures                  measures;
+  double                            sumOfSquares{ 0.0 };
+  std::uint64_t                     history{ 0 };
+  std::uint64_t                     tested{ 0 };
+};
+
+ShapetonDiffusion::ShapetonDiffusion(const float *                      intensities,
+                                     const std::array<std::size_t, 3> & size,
+                                     const ShapetonDiffusionSettings &  settings,
+                                     const unsigned char *              mask,
+                                     std::uint32_t *                    visits,
+                                     const std::function<void()> &      poll)
+{
+  CheckSettings(settings, size);
+  m_Impl = std::make_unique<Impl>(
+    intensities, size, settings, mask, visits, poll ? poll : [] {});
+}
+
+ShapetonDiffusion::~ShapetonDiffusion() = default;
+
+void
+ShapetonDiffusion::Run(std::uint64_t lastStep, const std::optional<SteadyRule> & rule, const Observer & observer)
+{
+  Impl &              impl = *m_Impl;
+  const std::uint64_t stride = rule ? 1 : std::max<std::uint64_t>(1, impl.BlockLength() / impl.settings.shapetons);
+  std::uint64_t       unreported = 0;
+  while (impl.measures.step < lastStep && !(rule && impl.measures.steady))
+  {
+    const std::uint64_t before = impl.measures.step;
+    impl.Advance(std::min(lastStep, (before / stride + 1) * stride), observer);
+    if (rule)
+    {
+      impl.Test(*rule);
+    }
+    unreported += (impl.measures.step - before) * impl.settings.shapetons;
+    if (observer && unreported >= impl.BlockLength() / 2)
+    {
+      observer(impl.measures);
+      unreported = 0;
+    }
+  }
+  if (observer)
+  {
+    observer(impl.measures);
+  }
+}
+
+const ShapetonMeasures &
+ShapetonDiffusion::GetMeasures() const
+{
+  return m_Impl->measures;
+}
+
+const float *
+ShapetonDiffusion::GetPlaces(unsigned int axis) const
+{
+  return m_Impl->places[axis].data();
+}
+
+ShapetonState
+ShapetonDiffusion::GetState() const
+{
+  ShapetonState state;
+  state.identity = m_Impl->Identity();
+  state.step = m_Impl->measures.step;
+  state.change = m_Impl->measures.change;
+  state.steadyHistory = m_Impl->history;
+  state.testedSteps = m_Impl->tested;
+  for (unsigned int axis = 0; axis < 3; ++axis)
+  {
+    state.places[axis].assign(m_Impl->places[axis].begin(), m_Impl->places[axis].begin() + m_Impl->settings.shapetons);
+  }
+  state.visits.assign(m_Impl->visits, m_Impl->visits + m_Impl->NumberOfVoxels());
+  return state;
+}
+
+void
+ShapetonDiffusion::SetState(const ShapetonState & state)
+{
+  Impl &     impl = *m_Impl;
+  const auto own = impl.Identity();
+  for (std::size_t i = 0; i < own.size(); ++i)
+  {
+    const bool known = i < state.identity.size() && state.identity[i].first == own[i].first;
+    if (!known || state.identity[i].second != own[i].second)
+    {
+      throw std::invalid_argument("the saved state belongs to another run: its " + own[i].first + " is " +
+                                  (known ? state.identity[i].second : "missing") + ", here it is " + own[i].second);
+    }
+  }
+  if (state.visits.size() != impl.NumberOfVoxels() || state.places[0].size() != impl.settings.shapetons)
+  {
+    throw std::invalid_argument("the saved state is incomplete");
+  }
+  for (unsigned int axis = 0; axis < 3; ++axis)
+  {
+    const auto & places = state.places[axis];
+    const auto   outside = [&](float place) { return !(place >= 0.0F && place < static_cast<float>(impl.size[axis])); };
+    if (std::any_of(places.begin(), places.end(), outside))
+    {
+      throw std::invalid_argument("the saved state has shapetons outside the volume");
+    }
+    std::copy(places.begin(), places.end(), impl.places[axis].begin());
+  }
+  for (std::size_t i = 0; i < impl.settings.shapetons; ++i)
+  {
+    const auto index = [&](unsigned int axis) { return static_cast<std::size_t>(impl.places[axis][i]); };
+    impl.voxels[i] = static_cast<std::uint32_t>((index(2) * impl.size[1] + index(1)) * impl.size[0] + index(0));
+  }
+  std::copy(state.visits.begin(), state.visits.end(), impl.visits);
+  impl.measures.step = state.step;
+  impl.measures.change = state.change;
+  impl.history = state.steadyHistory;
+  impl.tested = state.testedSteps;
+  impl.MeasureAgain();
+  impl.CountTrapped();
+}
+
+double
+EquivalentHeatTimeSteps(double steps, double stepInVoxels, double timeStepLength)
+{
+  const double variance = stepInVoxels <= 1.0 ? 0.5 * stepInVoxels : stepInVoxels * stepInVoxels / 3.0 + 1.0 / 6.0;
+  return steps * variance / (2.0 * timeStepLength);
+}
+} // namespace itk
