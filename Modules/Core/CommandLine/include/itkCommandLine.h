@@ -44,7 +44,8 @@ class ProcessObject;
  * killed run leaves neither a half-written file nor a damaged old one. What SIGKILL leaves is removed by the next run
  * that writes to the folder. A symbolic link stays and the file it names is replaced; a hard link is separated, so the
  * old result stays under its other name. The new file has the permissions of the old one, or those of the umask. Only
- * regular files are replaced: a folder, a device, a pipe or a write-protected file is refused before the work.
+ * regular files are replaced, and no input of the run: a folder, a device, a pipe or a write-protected file is refused
+ * before the work.
  *
  * \ingroup CommandLine
  */
@@ -99,6 +100,17 @@ public:
   /** Output(GetString(name)); empty when the option was not given. */
   std::string
   OutputOf(const std::string & name);
+
+  /** Gives the file that was written to Output(path) its final name now, while the run goes on; after that
+   * Output(path) may be asked for again. For what is watched meanwhile or needed after a crash, such as previews and
+   * checkpoints. Throws OutputError. */
+  void
+  Publish(const std::string & path);
+
+  /** Lets an output replace the file of this input parameter, which has been read: a checkpoint that a run goes on from
+   * and replaces. */
+  void
+  AllowReplacing(const std::string & name);
 
   /** Makes a folder for outputs, parents included; throws OutputError. A folder made by a run that fails is removed
    * again when it is empty. */

@@ -25,6 +25,7 @@
 #include <iostream>
 #include <map>
 #include <new>
+#include <set>
 
 #include <fcntl.h>
 #include <unistd.h>
@@ -151,6 +152,7 @@ struct CommandLine::State
   Provenance                                  facts;
   std::vector<std::string>                    runRecords; // temporary names
   OutputFiles                                 outputs;
+  std::set<std::string>                       replaceable; // inputs that an output may replace
   ProgressDisplay                             display;
   const std::chrono::system_clock::time_point start{ std::chrono::system_clock::now() };
   const std::chrono::steady_clock::time_point steadyStart{ std::chrono::steady_clock::now() };
@@ -207,8 +209,9 @@ CommandLine::State::RequireNoInput(const std::string & path) const
 {
   for (const auto & parameter : module.parameters)
   {
-    const auto * values =
-      parameter.channel == "input" && parameter.IsPath() ? this->FindGiven(parameter.name) : nullptr;
+    const auto * values = parameter.channel == "input" && parameter.IsPath() && replaceable.count(parameter.name) == 0
+                            ? this->FindGiven(parameter.name)
+                            : nullptr;
     for (const auto & value : values ? *values : std::vector<std::string>())
     {
       std::error_code error;
@@ -444,6 +447,19 @@ CommandLine::Output(const std::string & path)
 {
   m_State->RequireNoInput(path);
   return m_State->outputs.Add(path);
+}
+
+void
+CommandLine::AllowReplacing(const std::string & name)
+{
+  m_State->Find(name);
+  m_State->replaceable.insert(name);
+}
+
+void
+CommandLine::Publish(const std::string & path)
+{
+  m_State->outputs.Publish(path);
 }
 
 std::string

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cerrno>
 #include <cstdio>
+#include <stdexcept>
 #include <system_error>
 
 #include <fcntl.h>
@@ -185,7 +186,7 @@ OutputFiles::Add(const std::string & path)
     throw UsageError("two outputs have the same name \"" + path + "\"; give each its own");
   }
   this->RemoveLeftovers(target.parent_path());
-  const std::string temporary = TemporaryNameFor(target, m_Files.size()).string();
+  const std::string temporary = TemporaryNameFor(target, m_Added++).string();
   RemovalAtDeath    removal(temporary);
   CheckCreation(path, temporary);
   m_Files.push_back({ path, target, temporary, std::move(removal) });
@@ -220,29 +221,58 @@ OutputFiles::MakeFolder(const std::string & path)
   }
 }
 
+// Checks that the file was written, and makes it durable.
+void
+OutputFiles::Finish(const File & file)
+{
+  if (!fs::exists(file.temporary))
+  {
+    ThrowCannotWrite(file.path, "the program wrote nothing", "report this as a bug");
+  }
+  if (const int error = Sync(file.temporary))
+  {
+    ThrowCannotWrite(file.path, error);
+  }
+  KeepPermissions(file.target, file.temporary);
+}
+
+void
+OutputFiles::Rename(const File & file)
+{
+  if (std::rename(file.temporary.c_str(), file.target.c_str()) != 0)
+  {
+    ThrowCannotWrite(file.path, std::generic_category().message(errno), "choose another name");
+  }
+}
+
+void
+OutputFiles::Publish(const std::string & path)
+{
+  const fs::path target = ResolveTarget(path);
+  const auto     file =
+    std::find_if(m_Files.begin(), m_Files.end(), [&](const File & candidate) { return candidate.target == target; });
+  if (file == m_Files.end())
+  {
+    throw std::logic_error("\"" + path + "\" is no output of this run that waits to be published");
+  }
+  Finish(*file);
+  const DeathDelay delay;
+  Rename(*file);
+  m_Files.erase(file);
+}
+
 void
 OutputFiles::Commit()
 {
   for (const File & file : m_Files)
   {
-    if (!fs::exists(file.temporary))
-    {
-      ThrowCannotWrite(file.path, "the program wrote nothing", "report this as a bug");
-    }
-    if (const int error = Sync(file.temporary))
-    {
-      ThrowCannotWrite(file.path, error);
-    }
-    KeepPermissions(file.target, file.temporary);
+    Finish(file);
   }
   {
     const DeathDelay delay;
     for (const File & file : m_Files)
     {
-      if (std::rename(file.temporary.c_str(), file.target.c_str()) != 0)
-      {
-        ThrowCannotWrite(file.path, std::generic_category().message(errno), "choose another name");
-      }
+      Rename(file);
     }
     m_Files.clear();
     m_Folders.clear();

@@ -4,6 +4,7 @@
 #include "itkRemovalAtDeath.h"
 
 #include <filesystem>
+#include <list>
 #include <set>
 #include <string>
 #include <vector>
@@ -29,6 +30,10 @@ public:
   void
   MakeFolder(const std::string & path);
 
+  /** Makes one file durable and gives it its final name now; its path may be added again. Throws OutputError. */
+  void
+  Publish(const std::string & path);
+
   /** Makes the files durable and gives them their final names. Throws OutputError. */
   void
   Commit();
@@ -49,8 +54,13 @@ private:
 
   void
   RemoveLeftovers(const std::filesystem::path & folder);
+  static void
+  Finish(const File & file);
+  static void
+  Rename(const File & file);
 
-  std::vector<File>               m_Files;
+  std::list<File>                 m_Files;
+  std::size_t                     m_Added{ 0 };
   std::vector<Folder>             m_Folders; // made by us, parents first
   std::set<std::filesystem::path> m_TidyFolders;
 };

@@ -214,6 +214,42 @@ TEST(CommandLineOutputs, WhatTheBodyDidNotWriteIsAFailureOfAll)
   EXPECT_EQ(ReadText("a.nrrd"), oldText);
 }
 
+TEST(CommandLineOutputs, PublishedOnesAreThereWhileTheRunGoesOnAndAfterItFails)
+{
+  const Scratch scratch;
+  WriteText("preview.png", oldText);
+  const auto outcome = RunWithOptions({}, [](itk::CommandLine & commandLine) {
+    for (const char * const text : { "one", "two", "three" })
+    {
+      const std::string temporary = commandLine.Output("preview.png");
+      WriteText(temporary, text);
+      EXPECT_NE(ReadText("preview.png"), text);
+      commandLine.Publish("preview.png");
+      EXPECT_EQ(ReadText("preview.png"), text);
+      EXPECT_EQ(NamesIn(), Words({ "preview.png" }));
+    }
+    commandLine.Output("preview.png"); // and the run fails before it is written
+    throw std::runtime_error("enough");
+  });
+  EXPECT_EQ(outcome.status, 1);
+  EXPECT_EQ(ReadText("preview.png"), "three");
+  EXPECT_EQ(NamesIn(), Words({ "preview.png" }));
+}
+
+TEST(CommandLineOutputs, OnlyWhatWasWrittenCanBePublished)
+{
+  const Scratch scratch;
+  const auto    unwritten = RunWithOptions({}, [](itk::CommandLine & commandLine) {
+    commandLine.Output("a.png");
+    commandLine.Publish("a.png");
+  });
+  EXPECT_EQ(unwritten.status, 1);
+  EXPECT_NE(unwritten.err.find("wrote nothing"), std::string::npos) << unwritten.err;
+  const auto unknown = RunWithOptions({}, [](itk::CommandLine & commandLine) { commandLine.Publish("b.png"); });
+  EXPECT_EQ(unknown.status, 1);
+  EXPECT_EQ(NamesIn(), Words());
+}
+
 TEST(CommandLineOutputs, TheBodyMayChangeTheFolder)
 {
   const Scratch scratch;

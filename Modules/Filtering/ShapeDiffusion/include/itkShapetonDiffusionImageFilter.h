@@ -12,6 +12,16 @@
 
 namespace itk
 {
+/** \class ShapetonInputError
+ * \brief The input of shapeton diffusion leaves no place for shapetons, or its initial state belongs to another run.
+ * \ingroup ShapeDiffusion */
+class ShapetonInputError : public ExceptionObject
+{
+public:
+  using ExceptionObject::ExceptionObject;
+  itkTypeMacro(ShapetonInputError, ExceptionObject);
+};
+
 /** \class ShapetonDiffusionImageFilter
  * \brief Describes each voxel by the number of visits of particles that wander through the volume (shapeton diffusion).
  *
@@ -31,6 +41,10 @@ namespace itk
  * \par Going on
  * GetState() gives all that is needed to go on; a filter with the same input and settings and SetInitialState() ends,
  * byte for byte, as if it had run from the start.
+ *
+ * \par Errors
+ * ShapetonInputError for an empty mask, for a volume without initial heat where shapetons are to be placed by it, and
+ * for an initial state of another run; ExceptionObject for settings out of range.
  *
  * Results have the same bytes for any number of threads, which follow ITK's global setting, and on any CPU. Memory: 20
  * bytes a voxel besides the input, 4 more unless its pixels are float.

@@ -169,7 +169,14 @@ ShapetonDiffusionImageFilter<TInputImage>::PlaceShapetons()
                                                     [this] { this->ThrowIfAborted(); });
   if (m_InitialState)
   {
-    m_Diffusion->SetState(*m_InitialState);
+    try
+    {
+      m_Diffusion->SetState(*m_InitialState);
+    }
+    catch (const std::invalid_argument & error)
+    {
+      throw ShapetonInputError(__FILE__, __LINE__, error.what(), ITK_LOCATION);
+    }
   }
 }
 
@@ -240,6 +247,10 @@ ShapetonDiffusionImageFilter<TInputImage>::GenerateData()
     {
       m_FinalState = m_Diffusion->GetState();
     }
+  }
+  catch (const std::domain_error & error)
+  {
+    throw ShapetonInputError(__FILE__, __LINE__, error.what(), ITK_LOCATION);
   }
   catch (const std::logic_error & error)
   {

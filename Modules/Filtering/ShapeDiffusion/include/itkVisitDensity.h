@@ -2,7 +2,7 @@
 #define itkVisitDensity_h
 
 #include "ShapeDiffusionExport.h"
-#include "itkHeatHistogram.h"
+#include "itkHeatClassification.h"
 
 #include "itkImage.h"
 
@@ -15,9 +15,20 @@ namespace itk
 ShapeDiffusion_EXPORT Image<float, 3>::Pointer
                       NormalizeVisits(const Image<std::uint32_t, 3> * visits);
 
-/** Counts the voxels by their normalised visits in a row of a histogram. \ingroup ShapeDiffusion */
+/** The greatest number of visits of a voxel. \ingroup ShapeDiffusion */
+ShapeDiffusion_EXPORT std::uint32_t
+                      GreatestVisits(const Image<std::uint32_t, 3> * visits);
+
+/** Counts the voxels by their normalised visits in a row of a histogram. A number of visits n stands for all from n -
+ * 1/2 to n + 1/2, so that small numbers make no comb of lines; voxels without visits lie in bin 0.
+ * \ingroup ShapeDiffusion */
 ShapeDiffusion_EXPORT void
 AddVisitsToRow(const Image<std::uint32_t, 3> * visits, std::size_t row, HeatHistogram & histogram);
+
+/** The classes of a volume of visits and the label of each voxel, by their histogram as ClassifyHeat() finds those of
+ * heat. The background are voxels without visits. `density` is that of NormalizeVisits(). \ingroup ShapeDiffusion */
+ShapeDiffusion_EXPORT HeatClassification
+ClassifyVisits(const Image<std::uint32_t, 3> * visits, const Image<float, 3> * density);
 } // namespace itk
 
 #endif

@@ -3,6 +3,8 @@
 #include "itkParallelRows.h"
 
 #include <algorithm>
+#include <cmath>
+#include <map>
 #include <mutex>
 #include <vector>
 
@@ -20,8 +22,46 @@ ForSlices(const Image<std::uint32_t, 3> * visits, const TBody & body)
   ParallelFor(size[2], [&](std::size_t z) { body(z * length, length); });
 }
 
-float
-ScaleOf(const Image<std::uint32_t, 3> * visits)
+/** How many voxels have so many visits. */
+std::map<std::uint32_t, std::uint64_t>
+VoxelsByVisits(const Image<std::uint32_t, 3> * visits)
+{
+  constexpr std::uint32_t                few = 1U << 16; // most voxels have fewer: counted without a search
+  std::vector<std::uint64_t>             small(few, 0);
+  std::map<std::uint32_t, std::uint64_t> voxels;
+  const std::uint32_t * const            begin = visits->GetBufferPointer();
+  std::for_each(begin, begin + visits->GetBufferedRegion().GetNumberOfPixels(), [&](std::uint32_t count) {
+    ++(count < few ? small[count] : voxels[count]);
+  });
+  for (std::uint32_t count = 0; count < few; ++count)
+  {
+    if (small[count] > 0)
+    {
+      voxels[count] = small[count];
+    }
+  }
+  return voxels;
+}
+
+/** Spreads `voxels` evenly over the densities from `lower` to `upper`, whole voxels to each bin. */
+void
+Spread(double lower, double upper, std::uint64_t voxels, std::vector<std::uint32_t> & counts)
+{
+  std::uint64_t placed = 0;
+  for (unsigned int bin = HeatHistogram::BinOf(static_cast<float>(lower)); placed < voxels; ++bin)
+  {
+    const double share =
+      bin + 1 >= HeatHistogram::NumberOfBins ? 1.0 : (HeatHistogram::LowerEdge(bin + 1) - lower) / (upper - lower);
+    const auto below =
+      share >= 1.0 ? voxels : static_cast<std::uint64_t>(std::floor(share * static_cast<double>(voxels)));
+    counts[bin] += static_cast<std::uint32_t>(below - std::min(below, placed));
+    placed = std::max(placed, below);
+  }
+}
+} // namespace
+
+std::uint32_t
+GreatestVisits(const Image<std::uint32_t, 3> * visits)
 {
   std::uint32_t greatest = 0;
   std::mutex    mutex;
@@ -31,17 +71,8 @@ ScaleOf(const Image<std::uint32_t, 3> * visits)
     const std::lock_guard<std::mutex> lock(mutex);
     greatest = std::max(greatest, ours);
   });
-  return greatest == 0 ? 0.0F : 1.0F / static_cast<float>(greatest);
+  return greatest;
 }
-
-void
-Scale(const std::uint32_t * visits, std::size_t number, float scale, float * density)
-{
-  std::transform(visits, visits + number, density, [scale](std::uint32_t count) {
-    return std::min(1.0F, static_cast<float>(count) * scale);
-  });
-}
-} // namespace
 
 Image<float, 3>::Pointer
 NormalizeVisits(const Image<std::uint32_t, 3> * visits)
@@ -50,9 +81,13 @@ NormalizeVisits(const Image<std::uint32_t, 3> * visits)
   density->CopyInformation(visits);
   density->SetRegions(visits->GetBufferedRegion());
   density->Allocate();
-  const float scale = ScaleOf(visits);
+  const std::uint32_t greatest = GreatestVisits(visits);
+  const float         scale = greatest == 0 ? 0.0F : 1.0F / static_cast<float>(greatest);
   ForSlices(visits, [&](std::size_t first, std::size_t number) {
-    Scale(visits->GetBufferPointer() + first, number, scale, density->GetBufferPointer() + first);
+    const std::uint32_t * const begin = visits->GetBufferPointer() + first;
+    std::transform(begin, begin + number, density->GetBufferPointer() + first, [scale](std::uint32_t count) {
+      return std::min(1.0F, static_cast<float>(count) * scale);
+    });
   });
   return density;
 }
@@ -60,15 +95,33 @@ NormalizeVisits(const Image<std::uint32_t, 3> * visits)
 void
 AddVisitsToRow(const Image<std::uint32_t, 3> * visits, std::size_t row, HeatHistogram & histogram)
 {
-  const float scale = ScaleOf(visits);
-  std::mutex  mutex;
-  ForSlices(visits, [&](std::size_t first, std::size_t number) {
-    std::vector<float>         density(number);
-    std::vector<std::uint32_t> counts(HeatHistogram::NumberOfBins, 0);
-    Scale(visits->GetBufferPointer() + first, number, scale, density.data());
-    HeatHistogram::CountHeats(density.data(), number, counts.data());
-    const std::lock_guard<std::mutex> lock(mutex);
-    histogram.AddToRow(row, counts.data());
-  });
+  const auto                 voxels = VoxelsByVisits(visits);
+  const double               greatest = voxels.empty() ? 0.0 : voxels.rbegin()->first;
+  std::vector<std::uint32_t> counts(HeatHistogram::NumberOfBins, 0);
+  for (const auto & [count, number] : voxels)
+  {
+    if (count == 0)
+    {
+      counts[0] += static_cast<std::uint32_t>(number);
+    }
+    else
+    {
+      Spread((count - 0.5) / greatest, (count + 0.5) / greatest, number, counts);
+    }
+  }
+  histogram.AddToRow(row, counts.data());
+}
+
+HeatClassification
+ClassifyVisits(const Image<std::uint32_t, 3> * visits, const Image<float, 3> * density)
+{
+  HeatHistogram histogram({ 0 });
+  AddVisitsToRow(visits, 0, histogram);
+  HeatClassificationRule rule;
+  rule.backgroundHeat = 0.5 / std::max(1U, GreatestVisits(visits));
+  HeatClassification classification;
+  classification.classes = FindHeatClasses(histogram, 0, rule);
+  classification.labels = LabelHeat(density, classification.classes);
+  return classification;
 }
 } // namespace itk

@@ -73,6 +73,16 @@ ReadVolume(const std::string & path, const VolumeReadOptions & options = {});
  * \ingroup DicomSeries */
 DicomSeries_EXPORT Volume
 ReadVolume(CommandLine & commandLine, const std::string & parameter, bool allowSingleSlice = false);
+/** Whether two volumes have the same size and all their voxels lie at the same places, to a hundredth of the smallest
+ * spacing. \ingroup DicomSeries */
+DicomSeries_EXPORT bool
+HaveSameGrid(const ImageBase<3> * a, const ImageBase<3> * b);
+
+/** Reads a mask for a tool: the voxels of the volume that the input `parameter` names, 1 where they are not 0. Adds its
+ * identity to the provenance. Throws InputError where it has another grid than `image`, or no voxel other than 0.
+ * \ingroup DicomSeries */
+DicomSeries_EXPORT Image<unsigned char, 3>::Pointer
+                   ReadMask(CommandLine & commandLine, const std::string & parameter, const ImageBase<3> * image);
 } // namespace itk
 
 #endif

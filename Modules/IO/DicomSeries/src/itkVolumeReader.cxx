@@ -335,4 +335,60 @@ ReadVolume(CommandLine & commandLine, const std::string & parameter, bool allowS
   }
   return volume;
 }
+
+bool
+HaveSameGrid(const ImageBase<3> * a, const ImageBase<3> * b)
+{
+  const ImageRegion<3> region = a->GetLargestPossibleRegion();
+  if (region != b->GetLargestPossibleRegion())
+  {
+    return false;
+  }
+  const auto & spacing = a->GetSpacing();
+  const double tolerance = 0.01 * std::min({ spacing[0], spacing[1], spacing[2] });
+  for (unsigned int corner = 0; corner < 8; ++corner)
+  {
+    Index<3> index = region.GetIndex();
+    for (unsigned int axis = 0; axis < 3; ++axis)
+    {
+      index[axis] += (corner >> axis) & 1U ? static_cast<IndexValueType>(region.GetSize(axis)) - 1 : 0;
+    }
+    ImageBase<3>::PointType pointA;
+    ImageBase<3>::PointType pointB;
+    a->TransformIndexToPhysicalPoint(index, pointA);
+    b->TransformIndexToPhysicalPoint(index, pointB);
+    if (pointA.EuclideanDistanceTo(pointB) > tolerance)
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+Image<unsigned char, 3>::Pointer
+ReadMask(CommandLine & commandLine, const std::string & parameter, const ImageBase<3> * image)
+{
+  const std::string path = commandLine.GetString(parameter);
+  VolumeReadOptions options;
+  options.allowSingleSlice = true;
+  const Volume volume = ReadVolume(path, options);
+  commandLine.AddInput(parameter, volume.identity);
+  if (!HaveSameGrid(image, volume.image))
+  {
+    Refuse(path, "the mask differs in size or place from the volume: give a mask made on that volume");
+  }
+  auto mask = Image<unsigned char, 3>::New();
+  mask->CopyInformation(image);
+  mask->SetRegions(image->GetLargestPossibleRegion());
+  mask->Allocate();
+  const float * const begin = volume.image->GetBufferPointer();
+  const float * const end = begin + volume.image->GetLargestPossibleRegion().GetNumberOfPixels();
+  std::transform(
+    begin, end, mask->GetBufferPointer(), [](float value) { return static_cast<unsigned char>(value != 0.0F); });
+  if (std::all_of(begin, end, [](float value) { return value == 0.0F; }))
+  {
+    Refuse(path, "the mask is empty: it needs voxels other than 0");
+  }
+  return mask;
+}
 } // namespace itk

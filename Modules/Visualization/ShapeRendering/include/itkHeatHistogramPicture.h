@@ -7,6 +7,7 @@
 #include "itkHeatClasses.h"
 #include "itkHeatHistogram.h"
 #include "itkPicture.h"
+#include "itkShapeQuantity.h"
 
 #include <cstdint>
 #include <string>
@@ -18,8 +19,11 @@ namespace itk
  * \ingroup ShapeRendering */
 struct HeatHistogramPictureOptions
 {
-  std::string title{ "Heat histogram" };
-  HeatScale   scale{ HeatScale::Equalized };
+  std::string   title{ "Heat histogram" };
+  ShapeQuantity quantity;
+  HeatScale     scale{ HeatScale::Equalized };
+  /** The histogram that lays out the axis and its colours; by default the one that is drawn. */
+  const HeatHistogram * axisHistogram{ nullptr };
   /** Only these heats, equalised anew inside them; by default all. */
   HeatRange range;
   /** Time steps marked by pink lines (Figure 2.4); those outside the recorded ones are left out. */

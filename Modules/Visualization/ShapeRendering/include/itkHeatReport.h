@@ -9,6 +9,7 @@
 #include "itkHeatClasses.h"
 #include "itkHeatHistogram.h"
 #include "itkImage.h"
+#include "itkShapeQuantity.h"
 #include "itkShapeTransferFunction.h"
 #include "itkSliceMontage.h"
 
@@ -21,13 +22,21 @@
 
 namespace itk
 {
-/** What a report on cumulative heat diffusion tells. The pointers are not owned and must not be null.
+/** How to read the pictures of heat, in paragraphs.
+ * \ingroup ShapeRendering */
+ShapeRendering_EXPORT std::vector<std::string>
+                      ReadingGuideOfHeat();
+
+/** What a report on diffusion tells, of heat or of shapetons. The pointers are not owned and must not be null.
  * \ingroup ShapeRendering */
 struct HeatReportContent
 {
   using Facts = std::vector<std::pair<std::string, std::string>>;
 
   std::string title{ "Cumulative heat diffusion" };
+  /** What `heat` holds. */
+  ShapeQuantity            quantity;
+  std::vector<std::string> readingGuide = ReadingGuideOfHeat();
   /** What was analysed, for example its name, modality, repairs. The geometry of `grey` is added. */
   Facts input;
   /** The parameters of the run, and where automatic ones come from. */
@@ -36,6 +45,8 @@ struct HeatReportContent
   std::vector<std::string> warnings;
 
   const HeatHistogram * histogram{ nullptr };
+  /** Lays out axis and colours in its place, where given. */
+  const HeatHistogram * axisHistogram{ nullptr };
   HeatScale             scale{ HeatScale::Equalized };
   /** Marked in the histogram. */
   std::vector<std::uint64_t> markedTimeSteps;
@@ -58,16 +69,18 @@ struct HeatReportContent
  * \ingroup ShapeRendering */
 using OutputPath = std::function<std::string(const std::string &)>;
 
-/** Writes a report into an existing folder: index.html (self-contained), histogram.png, slices-heat.png,
+/** Writes a report into an existing folder: index.html (self-contained), histogram.png, slices-heat.png
+ * (named by the quantity),
  * slices-classes.png, rendering.png, classes.csv and report.json. Equal content gives equal bytes. Throws OutputError,
  * and std::invalid_argument for incomplete content. \ingroup ShapeRendering */
 ShapeRendering_EXPORT void
 WriteHeatReport(const HeatReportContent & content, const std::string & folder, const OutputPath & outputPath);
 
 /** The classes as a table: label, lowerHeat, upperHeat, meanHeat, voxels, volume (mm^3), borderShare, components,
- * normalizedHeat, and the colour in pictures ("#rrggbb"; empty for the background). \ingroup ShapeRendering */
+ * normalizedHeat, and the colour in pictures ("#rrggbb"; empty for the background). For visits, Density in place of
+ * Heat, and meanVisits in place of components and normalizedHeat. \ingroup ShapeRendering */
 ShapeRendering_EXPORT CsvTable
-ClassTable(const std::vector<HeatClass> & classes, const HeatAxis & axis);
+ClassTable(const std::vector<HeatClass> & classes, const HeatAxis & axis, const ShapeQuantity & quantity = {});
 
 /** The class table of the report. \ingroup ShapeRendering */
 ShapeRendering_EXPORT CsvTable
@@ -80,7 +93,7 @@ ShapeRendering_EXPORT Picture::Pointer
 /** The counts of a heat histogram that are not 0, in 32 ranges for each factor of two of the heat: timeStep, lowerHeat,
  * upperHeat, voxels. \ingroup ShapeRendering */
 ShapeRendering_EXPORT CsvTable
-HistogramTable(const HeatHistogram & histogram);
+HistogramTable(const HeatHistogram & histogram, const ShapeQuantity & quantity = {});
 
 /** The parameters of a run in words, with the reason where a parameter was chosen from the data.
  * \ingroup ShapeRendering */

@@ -37,11 +37,6 @@ ShapeRendering_EXPORT std::string
  * \ingroup ShapeRendering */
 ShapeRendering_EXPORT void
 RequireHeat(const Image<float, 3> * heat, const std::string & path);
-
-/** Whether two volumes have the same size and all their voxels lie at the same places, to a hundredth of the smallest
- * spacing. \ingroup ShapeRendering */
-ShapeRendering_EXPORT bool
-HaveSameGrid(const ImageBase<3> * a, const ImageBase<3> * b);
 } // namespace itk
 
 #endif

@@ -6,6 +6,7 @@
 #include "itkHeatColoring.h"
 #include "itkImage.h"
 #include "itkPicture.h"
+#include "itkShapeQuantity.h"
 
 #include <optional>
 #include <string>
@@ -65,10 +66,10 @@ ShapeRendering_EXPORT Picture::Pointer
 ShapeRendering_EXPORT int
 DrawLegend(Picture * picture, const std::vector<LegendEntry> & legend, int left, int top, int bottom);
 
-/** A legend for the classes but the background: number, mean heat.
+/** A legend for the classes but the background: number, mean value.
  * \ingroup ShapeRendering */
 ShapeRendering_EXPORT std::vector<LegendEntry>
-                      LegendOf(const std::vector<HeatClass> & classes, const HeatAxis & axis);
+LegendOf(const std::vector<HeatClass> & classes, const HeatAxis & axis, const ShapeQuantity & quantity = {});
 
 /** A legend for the lines of a transfer function: range of heats.
  * \ingroup ShapeRendering */

@@ -384,13 +384,19 @@ DrawTitles(Picture * picture, const HeatHistogramPictureOptions & options, const
 {
   const int         left = area.left - backgroundLineWidth - backgroundLineGap;
   const int         width = static_cast<int>(options.width) - left - 8;
-  const std::string key = "colour: heat; brightness: number of voxels, logarithmic; white line at the left: background";
-  TextStyle         title = Style(24, HorizontalAnchor::Left, VerticalAnchor::Top);
+  const std::string key = "colour: " + options.quantity.name +
+                          "; brightness: number of voxels, logarithmic; white line at the left: background";
+  TextStyle title = Style(24, HorizontalAnchor::Left, VerticalAnchor::Top);
   title.bold = true;
   DrawText(picture, options.title, left, 14, FitText(options.title, title, width));
   const TextStyle style = Style(15, HorizontalAnchor::Left, VerticalAnchor::Top, faintInk);
   DrawText(picture, key, left, 48, FitText(key, style, width));
-  std::string name = axis.GetScale() == HeatScale::Equalized ? "heat, on the equalized scale" : "heat";
+  std::string name = options.quantity.name;
+  if (options.quantity.greatestVisits > 0)
+  {
+    name += " (1: " + GroupedDigits(options.quantity.greatestVisits) + " visits)";
+  }
+  name += axis.GetScale() == HeatScale::Equalized ? ", on the equalized scale" : "";
   if (options.range.upper > 0.0)
   {
     name += ", only " + HeatLabel(options.range.lower) + " to " + HeatLabel(options.range.upper);
@@ -427,7 +433,7 @@ DrawHeatHistogram(const HeatHistogram & histogram, const HeatHistogramPictureOpt
   {
     throw std::invalid_argument("the picture of a heat histogram needs at least 600 x 400 pixels");
   }
-  const HeatAxis axis(histogram, options.scale, options.range);
+  const HeatAxis axis(options.axisHistogram ? *options.axisHistogram : histogram, options.scale, options.range);
   const PlotArea area = PlotAreaOf(options);
   const TimeAxis time(histogram.GetTimeSteps(), area);
   auto           picture = NewPicture(options.width, options.height, paper);

@@ -43,40 +43,58 @@ GeometryOf(const ImageBase<3> * image)
            { "Directions of the axes (LPS)", cosines } };
 }
 
+template <typename TItem>
+void
+Append(std::vector<TItem> & items, const std::vector<TItem> & more)
+{
+  items.insert(items.end(), more.begin(), more.end());
+}
+
 Facts
 Combined(Facts facts, const Facts & more)
 {
-  facts.insert(facts.end(), more.begin(), more.end());
+  Append(facts, more);
   return facts;
+}
+
+/** Visits are whole numbers, and components are sought for heat alone. */
+bool
+HasComponents(const ShapeQuantity & quantity)
+{
+  return quantity.greatestVisits == 0;
 }
 
 /** The table for people: rounded, with volumes in ml. */
 CsvTable
-ReadableClassTable(const std::vector<HeatClass> & classes, const HeatAxis & axis)
+ReadableClassTable(const std::vector<HeatClass> & classes, const HeatAxis & axis, const ShapeQuantity & quantity)
 {
-  CsvTable table({ "class",
-                   "colour",
-                   "heat from",
-                   "to",
-                   "mean heat",
-                   "voxels",
-                   "volume, ml",
-                   "share of the border",
-                   "closed components",
-                   "scale-normalized heat" });
+  std::vector<std::string> columns = { "class",  "colour",     quantity.name + " from", "to", "mean " + quantity.name,
+                                       "voxels", "volume, ml", "share of the border" };
+  Append(columns,
+         HasComponents(quantity) ? std::vector<std::string>{ "closed components", "scale-normalized heat" }
+                                 : std::vector<std::string>{ "mean number of visits" });
+  CsvTable table(columns);
   for (const HeatClass & heatClass : classes)
   {
-    const bool isBackground = heatClass.label == 0;
-    table.AddRow({ isBackground ? "background" : std::to_string(heatClass.label),
-                   isBackground ? "" : HexOf(axis.ColorOf(heatClass.meanHeat)),
-                   CsvTable::Rounded(heatClass.lowerHeat, 4),
-                   CsvTable::Rounded(heatClass.upperHeat, 4),
-                   CsvTable::Rounded(heatClass.meanHeat, 4),
-                   GroupedDigits(heatClass.voxels),
-                   CsvTable::Rounded(heatClass.volume / 1000.0, 4),
-                   CsvTable::Rounded(heatClass.borderShare, 2),
-                   std::to_string(heatClass.components),
-                   heatClass.components == 0 ? "" : CsvTable::Rounded(heatClass.normalizedHeat, 4) });
+    const bool               isBackground = heatClass.label == 0;
+    std::vector<std::string> row = { isBackground ? "background" : std::to_string(heatClass.label),
+                                     isBackground ? "" : HexOf(axis.ColorOf(heatClass.meanHeat)),
+                                     CsvTable::Rounded(heatClass.lowerHeat, 4),
+                                     CsvTable::Rounded(heatClass.upperHeat, 4),
+                                     CsvTable::Rounded(heatClass.meanHeat, 4),
+                                     GroupedDigits(heatClass.voxels),
+                                     CsvTable::Rounded(heatClass.volume / 1000.0, 4),
+                                     CsvTable::Rounded(heatClass.borderShare, 2) };
+    if (HasComponents(quantity))
+    {
+      row.push_back(std::to_string(heatClass.components));
+      row.push_back(heatClass.components == 0 ? "" : CsvTable::Rounded(heatClass.normalizedHeat, 4));
+    }
+    else
+    {
+      row.push_back(CsvTable::Rounded(heatClass.meanHeat * quantity.greatestVisits, 4));
+    }
+    table.AddRow(row);
   }
   return table;
 }
@@ -93,21 +111,29 @@ JsonOf(const Facts & facts)
 }
 
 Json
-JsonOf(const std::vector<HeatClass> & classes, const HeatAxis & axis)
+JsonOf(const std::vector<HeatClass> & classes, const HeatAxis & axis, const ShapeQuantity & quantity)
 {
   Json list = Json::array();
   for (const HeatClass & heatClass : classes)
   {
-    list.push_back({ { "label", heatClass.label },
-                     { "lowerHeat", heatClass.lowerHeat },
-                     { "upperHeat", heatClass.upperHeat },
-                     { "meanHeat", heatClass.meanHeat },
-                     { "voxels", heatClass.voxels },
-                     { "volume", heatClass.volume },
-                     { "borderShare", heatClass.borderShare },
-                     { "components", heatClass.components },
-                     { "normalizedHeat", heatClass.normalizedHeat },
-                     { "color", heatClass.label == 0 ? "" : HexOf(axis.ColorOf(heatClass.meanHeat)) } });
+    Json entry = { { "label", heatClass.label },
+                   { "lower" + quantity.GetTitle(), heatClass.lowerHeat },
+                   { "upper" + quantity.GetTitle(), heatClass.upperHeat },
+                   { "mean" + quantity.GetTitle(), heatClass.meanHeat },
+                   { "voxels", heatClass.voxels },
+                   { "volume", heatClass.volume },
+                   { "borderShare", heatClass.borderShare } };
+    if (HasComponents(quantity))
+    {
+      entry["components"] = heatClass.components;
+      entry["normalizedHeat"] = heatClass.normalizedHeat;
+    }
+    else
+    {
+      entry["meanVisits"] = heatClass.meanHeat * quantity.greatestVisits;
+    }
+    entry["color"] = heatClass.label == 0 ? "" : HexOf(axis.ColorOf(heatClass.meanHeat));
+    list.push_back(entry);
   }
   return list;
 }
@@ -123,7 +149,7 @@ JsonOf(const HeatReportContent & content, const HeatAxis & axis, const ShapeTran
   {
     document["timeStep"] = *content.timeStep;
   }
-  document["classes"] = JsonOf(content.classes, axis);
+  document["classes"] = JsonOf(content.classes, axis, content.quantity);
   document["transferFunction"] = transferFunction.ToText();
   document["warnings"] = content.warnings;
   document["provenance"] = JsonOf(content.provenance);
@@ -143,6 +169,18 @@ Slices(const HeatReportContent &        content,
   return DrawSliceMontage(content.grey, content.heat, coloring, options);
 }
 
+HeatAxis
+AxisOf(const HeatReportContent & content)
+{
+  return HeatAxis(content.axisHistogram ? *content.axisHistogram : *content.histogram, content.scale);
+}
+
+std::string
+TitleOfHistogram(const ShapeQuantity & quantity)
+{
+  return quantity.GetTitle() + " histogram";
+}
+
 void
 AddSummary(HtmlReport & html, const HeatReportContent & content)
 {
@@ -158,54 +196,67 @@ AddSummary(HtmlReport & html, const HeatReportContent & content)
 }
 
 void
-AddReadingGuide(HtmlReport & html)
+AddReadingGuide(HtmlReport & html, const std::vector<std::string> & guide)
 {
   html.AddHeading("How to read the pictures");
-  html.AddParagraph(
+  for (const std::string & paragraph : guide)
+  {
+    html.AddParagraph(paragraph);
+  }
+}
+} // namespace
+
+std::vector<std::string>
+ReadingGuideOfHeat()
+{
+  return {
     "Every voxel starts with heat where the image has edges; with each time step heat flows to neighbours of "
     "similar intensity and hardly across edges. What is closed off by edges ends at one heat of its own, which "
     "depends on its shape and size; what is open to the border of the volume loses its heat and joins the "
-    "background.");
-  html.AddParagraph(
+    "background.",
     "Histogram: time runs downwards, heat to the right. A vertical line at the bottom is an object, or several "
     "objects of similar shape. Few time steps (top) show local shape such as edges and corners, many (bottom) "
     "whole objects. On the equalized scale, room is given by the number of voxels, so distances along the axis "
-    "are no differences of heat: read the numbers.");
-  html.AddParagraph(
+    "are no differences of heat: read the numbers.",
     "Colours are the same in all pictures: the colour of a heat is its place on the histogram's axis, from blue "
     "(least heat) to red (most). Similar heats have similar colours. A class is a range of heats; two objects "
     "may share a class without being alike in any other way, and one organ may fall into several classes. The class "
     "that holds most of the volume's border is what surrounds the objects; the rendering leaves it out. "
     "Heat depends on size too: it is lower for a larger object of the same shape. The scale-normalized heat "
-    "of closed components makes up for that.");
+    "of closed components makes up for that."
+  };
 }
-} // namespace
 
 CsvTable
-ClassTable(const std::vector<HeatClass> & classes, const HeatAxis & axis)
+ClassTable(const std::vector<HeatClass> & classes, const HeatAxis & axis, const ShapeQuantity & quantity)
 {
-  CsvTable table({ "label",
-                   "lowerHeat",
-                   "upperHeat",
-                   "meanHeat",
-                   "voxels",
-                   "volume",
-                   "borderShare",
-                   "components",
-                   "normalizedHeat",
-                   "color" });
+  const std::string        title = quantity.GetTitle();
+  std::vector<std::string> columns = { "label",  "lower" + title, "upper" + title, "mean" + title,
+                                       "voxels", "volume",        "borderShare" };
+  Append(columns,
+         HasComponents(quantity) ? std::vector<std::string>{ "components", "normalizedHeat", "color" }
+                                 : std::vector<std::string>{ "meanVisits", "color" });
+  CsvTable table(columns);
   for (const HeatClass & heatClass : classes)
   {
-    table.AddRow({ std::to_string(heatClass.label),
-                   CsvTable::Number(heatClass.lowerHeat),
-                   CsvTable::Number(heatClass.upperHeat),
-                   CsvTable::Number(heatClass.meanHeat),
-                   std::to_string(heatClass.voxels),
-                   CsvTable::Number(heatClass.volume),
-                   CsvTable::Rounded(heatClass.borderShare, 6),
-                   std::to_string(heatClass.components),
-                   CsvTable::Number(heatClass.normalizedHeat),
-                   heatClass.label == 0 ? "" : HexOf(axis.ColorOf(heatClass.meanHeat)) });
+    std::vector<std::string> row = { std::to_string(heatClass.label),
+                                     CsvTable::Number(heatClass.lowerHeat),
+                                     CsvTable::Number(heatClass.upperHeat),
+                                     CsvTable::Number(heatClass.meanHeat),
+                                     std::to_string(heatClass.voxels),
+                                     CsvTable::Number(heatClass.volume),
+                                     CsvTable::Rounded(heatClass.borderShare, 6) };
+    if (HasComponents(quantity))
+    {
+      row.push_back(std::to_string(heatClass.components));
+      row.push_back(CsvTable::Number(heatClass.normalizedHeat));
+    }
+    else
+    {
+      row.push_back(CsvTable::Rounded(heatClass.meanHeat * quantity.greatestVisits, 6));
+    }
+    row.push_back(heatClass.label == 0 ? "" : HexOf(axis.ColorOf(heatClass.meanHeat)));
+    table.AddRow(row);
   }
   return table;
 }
@@ -214,6 +265,9 @@ Picture::Pointer
 DrawHistogram(const HeatReportContent & content)
 {
   HeatHistogramPictureOptions options;
+  options.title = TitleOfHistogram(content.quantity);
+  options.quantity = content.quantity;
+  options.axisHistogram = content.axisHistogram;
   options.scale = content.scale;
   options.classes = content.classes;
   options.markedTimeSteps = content.markedTimeSteps;
@@ -223,14 +277,14 @@ DrawHistogram(const HeatReportContent & content)
 CsvTable
 ClassTable(const HeatReportContent & content)
 {
-  return ClassTable(content.classes, HeatAxis(*content.histogram, content.scale));
+  return ClassTable(content.classes, AxisOf(content), content.quantity);
 }
 
 CsvTable
-HistogramTable(const HeatHistogram & histogram)
+HistogramTable(const HeatHistogram & histogram, const ShapeQuantity & quantity)
 {
   constexpr unsigned int width = HeatHistogram::BinsPerOctave / 32;
-  CsvTable               table({ "timeStep", "lowerHeat", "upperHeat", "voxels" });
+  CsvTable               table({ "timeStep", "lower" + quantity.GetTitle(), "upper" + quantity.GetTitle(), "voxels" });
   for (std::size_t row = 0; row < histogram.GetNumberOfRows(); ++row)
   {
     for (unsigned int first = 0, end = 1; first < HeatHistogram::NumberOfBins; first = end, end += width)
@@ -313,7 +367,7 @@ WriteHeatReport(const HeatReportContent & content, const std::string & folder, c
   {
     throw std::invalid_argument("a heat report needs a histogram, an image and a heat volume");
   }
-  const HeatAxis              axis(*content.histogram, content.scale);
+  const HeatAxis              axis = AxisOf(content);
   const ShapeTransferFunction transferFunction =
     content.transferFunction ? *content.transferFunction : ShapeTransferFunction::FromClasses(content.classes, axis);
   const std::string time =
@@ -326,27 +380,30 @@ WriteHeatReport(const HeatReportContent & content, const std::string & folder, c
     WritePng(picture, path);
     html.AddPicture(path, caption);
   };
-  html.AddHeading("Heat histogram");
+  const ShapeQuantity & quantity = content.quantity;
+  html.AddHeading(TitleOfHistogram(quantity));
   addPicture("histogram.png",
              DrawHistogram(content),
-             "Numbers of voxels by heat and time step; the bars below are the classes.");
+             "Numbers of voxels by " + quantity.name + " and time step; the bars below are the classes.");
   html.AddHeading("Classes");
-  html.AddTable(ReadableClassTable(content.classes, axis), "Classes" + time + ", by heat");
-  addPicture("slices-classes.png",
-             Slices(content, "Classes" + time, ColorByClass(content.classes, axis), LegendOf(content.classes, axis)),
-             "Slices of the input, coloured by class.");
+  html.AddTable(ReadableClassTable(content.classes, axis, quantity), "Classes" + time + ", by " + quantity.name);
   addPicture(
-    "slices-heat.png", Slices(content, "Heat" + time, ColorByHeat(axis), {}), "Slices of the input, coloured by heat.");
+    "slices-classes.png",
+    Slices(content, "Classes" + time, ColorByClass(content.classes, axis), LegendOf(content.classes, axis, quantity)),
+    "Slices of the input, coloured by class.");
+  addPicture("slices-" + quantity.name + ".png",
+             Slices(content, quantity.GetTitle() + time, ColorByHeat(axis), {}),
+             "Slices of the input, coloured by " + quantity.name + ".");
   html.AddHeading("Shape-based transfer function");
   addPicture(
     "rendering.png",
     DrawTransferFunction(content.grey, content.heat, transferFunction, "Transfer function" + time, content.window),
-    "The heat volume with the lines " + transferFunction.ToText());
-  AddReadingGuide(html);
+    "The " + quantity.name + " volume with the lines " + transferFunction.ToText());
+  AddReadingGuide(html, content.readingGuide);
   html.AddHeading("Provenance");
   html.AddFacts(content.provenance);
 
-  ClassTable(content.classes, axis).Write(outputPath(folder + "/classes.csv"));
+  ClassTable(content.classes, axis, quantity).Write(outputPath(folder + "/classes.csv"));
   WriteJson(JsonOf(content, axis, transferFunction), outputPath(folder + "/report.json"));
   html.Write(outputPath(folder + "/index.html"));
 }

@@ -2,20 +2,10 @@
 
 #include "itkCommandLine.h"
 #include "itkHeatSnapshot.h"
-#include "itkVolumeWriter.h"
+#include "itkVolumeOutput.h"
 
 namespace itk
 {
-namespace
-{
-std::string
-VolumeOutput(CommandLine & commandLine, const std::string & parameter)
-{
-  RequireVolumeName(commandLine.GetString(parameter));
-  return commandLine.OutputOf(parameter);
-}
-} // namespace
-
 HeatResultFiles::HeatResultFiles(CommandLine & commandLine)
   : m_CommandLine(commandLine)
   , m_Heat(VolumeOutput(commandLine, "outputHeat"))

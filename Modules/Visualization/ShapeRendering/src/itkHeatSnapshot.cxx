@@ -163,33 +163,4 @@ RequireHeat(const Image<float, 3> * heat, const std::string & path)
                      " is no heat volume, its values are not in [0, 1]: give one written by CumulativeHeatDiffusion");
   }
 }
-
-bool
-HaveSameGrid(const ImageBase<3> * a, const ImageBase<3> * b)
-{
-  const ImageRegion<3> region = a->GetLargestPossibleRegion();
-  if (region != b->GetLargestPossibleRegion())
-  {
-    return false;
-  }
-  const auto & spacing = a->GetSpacing();
-  const double tolerance = 0.01 * std::min({ spacing[0], spacing[1], spacing[2] });
-  for (unsigned int corner = 0; corner < 8; ++corner)
-  {
-    Index<3> index = region.GetIndex();
-    for (unsigned int axis = 0; axis < 3; ++axis)
-    {
-      index[axis] += (corner >> axis) & 1U ? static_cast<IndexValueType>(region.GetSize(axis)) - 1 : 0;
-    }
-    ImageBase<3>::PointType pointA;
-    ImageBase<3>::PointType pointB;
-    a->TransformIndexToPhysicalPoint(index, pointA);
-    b->TransformIndexToPhysicalPoint(index, pointB);
-    if (pointA.EuclideanDistanceTo(pointB) > tolerance)
-    {
-      return false;
-    }
-  }
-  return true;
-}
 } // namespace itk

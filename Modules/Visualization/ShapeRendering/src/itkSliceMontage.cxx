@@ -376,7 +376,11 @@ DrawSliceMontage(const Image<float, 3> *     grey,
   style.size = 22;
   style.bold = true;
   style.color = ink;
-  DrawText(picture, options.title, margin, margin, style);
+  DrawText(picture,
+           options.title,
+           margin,
+           margin,
+           FitText(options.title, style, static_cast<int>(options.width) - 2 * margin));
   style.size = 15;
   style.bold = false;
   int left = margin;
@@ -425,15 +429,16 @@ DrawLegend(Picture * picture, const std::vector<LegendEntry> & legend, int left,
 }
 
 std::vector<LegendEntry>
-LegendOf(const std::vector<HeatClass> & classes, const HeatAxis & axis)
+LegendOf(const std::vector<HeatClass> & classes, const HeatAxis & axis, const ShapeQuantity & quantity)
 {
   std::vector<LegendEntry> legend;
   for (const HeatClass & heatClass : classes)
   {
     if (heatClass.label != 0)
     {
-      legend.push_back({ axis.ColorOf(heatClass.meanHeat),
-                         "class " + std::to_string(heatClass.label) + ": heat " + HeatLabel(heatClass.meanHeat) });
+      legend.push_back(
+        { axis.ColorOf(heatClass.meanHeat),
+          "class " + std::to_string(heatClass.label) + ": " + quantity.name + " " + HeatLabel(heatClass.meanHeat) });
     }
   }
   return legend;

@@ -1,4 +1,5 @@
 #include "itkHeatSnapshot.h"
+#include "itkVolumeReader.h"
 #include "itkPictureTestUtilities.h"
 
 #include "itkImageFileWriter.h"

@@ -1,0 +1,39 @@
+# The same bytes of every file but the run record for 1, 2, 3 and 8 threads, and for a run in two parts.
+set(options --shapetons 20000 --timeSteps 300 --distance 0.03 --seed 5 --quiet)
+set(results --labels labels.nrrd --classTable classes.csv --checkpoint end.state)
+
+function(run folder)
+  file(MAKE_DIRECTORY ${folder})
+  execute_process(COMMAND ${TOOL} ${INPUT} density.nrrd ${options} ${ARGN} WORKING_DIRECTORY ${folder}
+    RESULT_VARIABLE status ERROR_VARIABLE errors)
+  if(NOT status EQUAL 0)
+    message(FATAL_ERROR "${folder}: status ${status}: ${errors}")
+  endif()
+endfunction()
+
+function(compare folder other)
+  foreach(file IN LISTS ARGN)
+    file(SHA256 ${folder}/${file} hash)
+    file(SHA256 ${other}/${file} otherHash)
+    if(NOT hash STREQUAL otherHash)
+      message(FATAL_ERROR "${file} differs between ${folder} and ${other}")
+    endif()
+  endforeach()
+endfunction()
+
+file(REMOVE_RECURSE ${OUT})
+foreach(threads 1 2 3 8)
+  run(${OUT}/${threads} ${results} --report report --threads ${threads})
+  file(GLOB_RECURSE files RELATIVE ${OUT}/${threads} ${OUT}/${threads}/*)
+  list(REMOVE_ITEM files density.nrrd.run.json)
+  list(LENGTH files number)
+  if(number LESS 10)
+    message(FATAL_ERROR "only ${number} files: ${files}")
+  endif()
+  compare(${OUT}/1 ${OUT}/${threads} ${files})
+endforeach()
+
+# The state of the first part is replaced by that of the second.
+run(${OUT}/parts --checkpoint end.state --timeSteps 117)
+run(${OUT}/parts ${results} --resume end.state)
+compare(${OUT}/1 ${OUT}/parts density.nrrd labels.nrrd classes.csv end.state)
