@@ -4,8 +4,10 @@
 #include "itkHeatClassification.h"
 #include "itkHeatReport.h"
 #include "itkHeatSnapshot.h"
+#include "itkShapetonResultFiles.h"
 #include "itkToolError.h"
 #include "itkTransferFunctionPicture.h"
+#include "itkVisitDensity.h"
 #include "itkVolumeReader.h"
 
 #include <filesystem>
@@ -13,12 +15,14 @@
 namespace
 {
 using ImageType = itk::Image<float, 3>;
+using VisitsType = itk::Image<std::uint32_t, 3>;
 
-/** The intensities and the heat, on one grid. */
+/** The intensities and the heat, or what shapetons visited, on one grid. */
 struct Volumes
 {
   itk::Volume                  input;
-  ImageType::Pointer           heat;
+  ImageType::Pointer           heat;   // or the density of visits
+  VisitsType::Pointer          visits; // null for heat
   std::optional<std::uint64_t> timeStep;
 };
 
@@ -39,7 +43,8 @@ ReadVolumes(itk::CommandLine & commandLine)
   commandLine.Progress("Reading", 0.2);
   const itk::Volume heat = itk::ReadVolume(snapshot.path);
   commandLine.AddInput("heatVolume", heat.identity);
-  volumes.heat = heat.image;
+  volumes.visits = itk::VisitsOf(heat.image, snapshot);
+  volumes.heat = volumes.visits ? itk::NormalizeVisits(volumes.visits) : heat.image;
   itk::RequireHeat(volumes.heat, snapshot.path);
   if (!itk::HaveSameGrid(volumes.input.image, volumes.heat))
   {
@@ -49,12 +54,38 @@ ReadVolumes(itk::CommandLine & commandLine)
   return volumes;
 }
 
-itk::HeatHistogram
-HistogramOf(const Volumes & volumes)
+itk::ShapeQuantity
+QuantityOf(const Volumes & volumes)
 {
-  itk::HeatHistogram histogram({ volumes.timeStep.value_or(0) });
-  histogram.AddToRow(0, volumes.heat->GetBufferPointer(), volumes.heat->GetBufferedRegion().GetNumberOfPixels());
-  return histogram;
+  return volumes.visits ? itk::ShapeQuantity::Density(itk::GreatestVisits(volumes.visits)) : itk::ShapeQuantity();
+}
+
+/** The histogram of the volume, its classes, and the histogram that lays out axis and colours. */
+struct Analysis
+{
+  itk::HeatHistogram          histogram;
+  std::vector<itk::HeatClass> classes;
+  itk::HeatHistogram          axis;
+};
+
+Analysis
+Analyse(const Volumes & volumes)
+{
+  Analysis analysis;
+  analysis.histogram = itk::HeatHistogram({ volumes.timeStep.value_or(0) });
+  if (volumes.visits)
+  {
+    itk::AddVisitsToRow(volumes.visits, 0, analysis.histogram);
+    analysis.classes = itk::ClassifyVisits(volumes.visits, volumes.heat).classes;
+    analysis.axis = itk::BalanceClasses(analysis.histogram, 0, analysis.classes);
+    return analysis;
+  }
+  analysis.histogram.AddToRow(
+    0, volumes.heat->GetBufferPointer(), volumes.heat->GetBufferedRegion().GetNumberOfPixels());
+  analysis.classes = itk::FindHeatClasses(analysis.histogram, 0);
+  itk::LabelHeat(volumes.heat, analysis.classes);
+  analysis.axis = analysis.histogram;
+  return analysis;
 }
 
 /** The lines that the user gave, if any. */
@@ -79,15 +110,15 @@ LinesOfClasses(itk::CommandLine & commandLine, const std::vector<itk::HeatClass>
 std::string
 TitleOf(const Volumes & volumes)
 {
-  return volumes.timeStep ? "Heat after " + std::to_string(*volumes.timeStep) + " time steps" : "Heat";
+  const std::string title = QuantityOf(volumes).GetTitle();
+  return volumes.timeStep ? title + " after " + std::to_string(*volumes.timeStep) + " time steps" : title;
 }
 
 void
-WriteReport(itk::CommandLine &                  commandLine,
-            const Volumes &                     volumes,
-            const itk::HeatHistogram &          histogram,
-            const std::vector<itk::HeatClass> & classes,
-            const itk::ShapeTransferFunction &  transferFunction)
+WriteReport(itk::CommandLine &                 commandLine,
+            const Volumes &                    volumes,
+            const Analysis &                   analysis,
+            const itk::ShapeTransferFunction & transferFunction)
 {
   const std::string folder = commandLine.GetString("report");
   commandLine.MakeFolder(folder);
@@ -98,11 +129,14 @@ WriteReport(itk::CommandLine &                  commandLine,
                          { "Time step", volumes.timeStep ? std::to_string(*volumes.timeStep) : "not known" } };
   content.provenance = commandLine.GetProvenance();
   content.warnings = commandLine.GetWarnings();
-  content.histogram = &histogram;
+  content.quantity = QuantityOf(volumes);
+  content.readingGuide = volumes.visits ? itk::ReadingGuideOfVisits() : itk::ReadingGuideOfHeat();
+  content.histogram = &analysis.histogram;
+  content.axisHistogram = &analysis.axis;
   content.grey = volumes.input.image;
   content.heat = volumes.heat;
   content.timeStep = volumes.timeStep;
-  content.classes = classes;
+  content.classes = analysis.classes;
   content.transferFunction = transferFunction;
   itk::WriteHeatReport(content, folder, [&](const std::string & path) { return commandLine.Output(path); });
 }
@@ -122,20 +156,21 @@ MakeTransferFunction(itk::CommandLine & commandLine)
 
   const Volumes volumes = ReadVolumes(commandLine);
   commandLine.Progress("Classifying", 0.5);
-  const itk::HeatHistogram    histogram = HistogramOf(volumes);
-  std::vector<itk::HeatClass> classes = itk::FindHeatClasses(histogram, 0);
-  itk::LabelHeat(volumes.heat, classes);
-  const auto transferFunction = lines ? *lines : LinesOfClasses(commandLine, classes, itk::HeatAxis(histogram));
-  transferFunction.WriteVolumeProperty(propertyFile);
+  const Analysis analysis = Analyse(volumes);
+  const auto     quantity = QuantityOf(volumes);
+  const auto     transferFunction =
+    lines ? *lines : LinesOfClasses(commandLine, analysis.classes, itk::HeatAxis(analysis.axis));
+  transferFunction.WriteVolumeProperty(propertyFile, std::max(1U, quantity.greatestVisits));
   commandLine.Progress("Drawing", 0.6);
   if (!pictureFile.empty())
   {
-    itk::WritePng(itk::DrawTransferFunction(volumes.input.image, volumes.heat, transferFunction, TitleOf(volumes)),
-                  pictureFile);
+    itk::WritePng(
+      itk::DrawTransferFunction(volumes.input.image, volumes.heat, transferFunction, TitleOf(volumes), {}, quantity),
+      pictureFile);
   }
   if (commandLine.IsGiven("report"))
   {
-    WriteReport(commandLine, volumes, histogram, classes, transferFunction);
+    WriteReport(commandLine, volumes, analysis, transferFunction);
   }
   commandLine.RecordRun(output + ".run.json");
 }

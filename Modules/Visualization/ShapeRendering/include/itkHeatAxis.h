@@ -3,6 +3,7 @@
 
 #include "ShapeRenderingExport.h"
 
+#include "itkHeatClasses.h"
 #include "itkHeatHistogram.h"
 #include "itkPicture.h"
 
@@ -27,6 +28,12 @@ struct HeatRange
   double lower{ 0.0 };
   double upper{ 0.0 };
 };
+
+/** A histogram of one row whose classes have equal weight: the axis that it lays out gives each class the same room.
+ * For densities of shapetons, where the surroundings do not cool to the background and would take nearly all of the
+ * axis. \ingroup ShapeRendering */
+ShapeRendering_EXPORT HeatHistogram
+BalanceClasses(const HeatHistogram & histogram, std::size_t row, const std::vector<HeatClass> & classes);
 
 /** \class HeatAxis
  * \brief The place of a heat on the axis of a heat histogram, and its colour, the same in all pictures of one result.

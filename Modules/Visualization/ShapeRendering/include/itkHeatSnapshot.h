@@ -37,6 +37,11 @@ ShapeRendering_EXPORT std::string
  * \ingroup ShapeRendering */
 ShapeRendering_EXPORT void
 RequireHeat(const Image<float, 3> * heat, const std::string & path);
+
+/** The visits of shapetons that a volume holds: whole numbers, some above 1, in a file whose header states their time
+ * step (so that no other volume is taken for visits). Null for any other volume. \ingroup ShapeRendering */
+ShapeRendering_EXPORT Image<std::uint32_t, 3>::Pointer
+                      VisitsOf(const Image<float, 3> * values, const HeatSnapshot & file);
 } // namespace itk
 
 #endif

@@ -10,8 +10,9 @@ namespace itk
  * \ingroup ShapeRendering */
 struct ShapeQuantity
 {
-  /** One word in small letters. */
+  /** One word in small letters, for one and for several. */
   std::string name{ "heat" };
+  std::string plural{ "heats" };
   /** The number of visits that a value of 1 stands for; 0 where the values are no visits. */
   std::uint32_t greatestVisits{ 0 };
 
@@ -28,7 +29,7 @@ struct ShapeQuantity
   static ShapeQuantity
   Density(std::uint32_t greatestVisits)
   {
-    return { "density", greatestVisits };
+    return { "density", "densities", greatestVisits };
   }
 };
 } // namespace itk

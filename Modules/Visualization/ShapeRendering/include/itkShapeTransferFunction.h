@@ -87,10 +87,10 @@ public:
   vtkSmartPointer<vtkVolumeProperty>
   ToVolumeProperty() const;
 
-  /** Writes a 3D Slicer volume property, `.vp`, that shows the heat volume with this transfer function. Throws
-   * OutputError. */
+  /** Writes a 3D Slicer volume property, `.vp`, that shows the heat volume with this transfer function. `unit`
+   * is what a heat of 1 is in the volume that is shown: 1, or for visits their greatest number. Throws OutputError. */
   void
-  WriteVolumeProperty(const std::string & path) const;
+  WriteVolumeProperty(const std::string & path, double unit = 1.0) const;
 
 private:
   std::vector<TransferFunctionLine> m_Lines;

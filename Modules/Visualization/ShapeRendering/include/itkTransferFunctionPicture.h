@@ -21,7 +21,8 @@ ShapeRendering_EXPORT Picture::Pointer
                                            const Image<float, 3> *       heat,
                                            const ShapeTransferFunction & transferFunction,
                                            const std::string &           title,
-                                           const IntensityWindow &       window = {});
+                                           const IntensityWindow &       window = {},
+                                           const ShapeQuantity &         quantity = {});
 
 /** The number of voxels in each line.
  * \ingroup ShapeRendering */

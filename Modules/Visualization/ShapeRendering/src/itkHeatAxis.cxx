@@ -1,5 +1,7 @@
 #include "itkHeatAxis.h"
 
+#include <cmath>
+
 #include "itkColorMap.h"
 
 #include <algorithm>
@@ -130,5 +132,33 @@ HeatAxis::ColorOf(double heat) const
   const unsigned int bin = HeatHistogram::BinOf(static_cast<float>(heat));
   const double       share = 0.5 * (m_Shares[bin] + m_Shares[bin + 1]);
   return HeatColor((share - m_LowerShare) / (m_UpperShare - m_LowerShare));
+}
+
+HeatHistogram
+BalanceClasses(const HeatHistogram & histogram, std::size_t row, const std::vector<HeatClass> & classes)
+{
+  constexpr double           weightOfClass = 1e6;
+  HeatHistogram              balanced({ histogram.GetTimeSteps()[row] });
+  std::vector<std::uint32_t> counts(HeatHistogram::NumberOfBins, 0);
+  const auto                 binAt = [](double heat) {
+    return heat >= 1.0 ? HeatHistogram::NumberOfBins : HeatHistogram::BinOf(static_cast<float>(heat));
+  };
+  for (const HeatClass & heatClass : classes)
+  {
+    const unsigned int          first = std::max(1U, binAt(heatClass.lowerHeat)); // bin 0 has no room on the axis
+    const unsigned int          end = binAt(heatClass.upperHeat);
+    const std::uint32_t * const source = histogram.GetRow(row);
+    double                      voxels = 0.0;
+    for (unsigned int bin = first; bin < end; ++bin)
+    {
+      voxels += source[bin];
+    }
+    for (unsigned int bin = first; bin < end; ++bin)
+    {
+      counts[bin] = static_cast<std::uint32_t>(std::lround(voxels > 0.0 ? source[bin] * weightOfClass / voxels : 0.0));
+    }
+  }
+  balanced.AddToRow(0, counts.data());
+  return balanced;
 }
 } // namespace itk

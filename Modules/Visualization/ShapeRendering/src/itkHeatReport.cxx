@@ -395,10 +395,10 @@ WriteHeatReport(const HeatReportContent & content, const std::string & folder, c
              Slices(content, quantity.GetTitle() + time, ColorByHeat(axis), {}),
              "Slices of the input, coloured by " + quantity.name + ".");
   html.AddHeading("Shape-based transfer function");
-  addPicture(
-    "rendering.png",
-    DrawTransferFunction(content.grey, content.heat, transferFunction, "Transfer function" + time, content.window),
-    "The " + quantity.name + " volume with the lines " + transferFunction.ToText());
+  addPicture("rendering.png",
+             DrawTransferFunction(
+               content.grey, content.heat, transferFunction, "Transfer function" + time, content.window, quantity),
+             "The " + quantity.name + " volume with the lines " + transferFunction.ToText());
   AddReadingGuide(html, content.readingGuide);
   html.AddHeading("Provenance");
   html.AddFacts(content.provenance);

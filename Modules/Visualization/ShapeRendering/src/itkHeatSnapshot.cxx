@@ -6,6 +6,7 @@
 #include "itkToolError.h"
 
 #include <algorithm>
+#include <cmath>
 #include <charconv>
 #include <filesystem>
 #include <map>
@@ -159,8 +160,29 @@ RequireHeat(const Image<float, 3> * heat, const std::string & path)
   });
   if (!isHeat)
   {
-    throw InputError(path +
-                     " is no heat volume, its values are not in [0, 1]: give one written by CumulativeHeatDiffusion");
+    throw InputError(
+      path + " is no heat volume, its values are not in [0, 1]: give one written by CumulativeHeatDiffusion, or a "
+             ".nrrd or .mha with the visits of ShapetonDiffusion");
   }
+}
+
+Image<std::uint32_t, 3>::Pointer
+VisitsOf(const Image<float, 3> * values, const HeatSnapshot & file)
+{
+  const float * const begin = values->GetBufferPointer();
+  const float * const end = begin + values->GetBufferedRegion().GetNumberOfPixels();
+  const bool          areVisits =
+    file.timeStep && std::any_of(begin, end, [](float value) { return value > 1.0F; }) &&
+    std::all_of(begin, end, [](float value) { return value >= 0.0F && value < 4e9F && value == std::floor(value); });
+  if (!areVisits)
+  {
+    return nullptr;
+  }
+  auto visits = Image<std::uint32_t, 3>::New();
+  visits->CopyInformation(values);
+  visits->SetRegions(values->GetBufferedRegion());
+  visits->Allocate();
+  std::transform(begin, end, visits->GetBufferPointer(), [](float value) { return static_cast<std::uint32_t>(value); });
+  return visits;
 }
 } // namespace itk

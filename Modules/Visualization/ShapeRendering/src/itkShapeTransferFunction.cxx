@@ -242,13 +242,13 @@ ColorPoints(const std::vector<TransferFunctionLine> & lines)
 /** "<number of values> <heat> <value>... <heat> <value>...". */
 template <typename TPoints>
 std::string
-PointsText(const TPoints & points)
+PointsText(const TPoints & points, double unit)
 {
   std::string values;
   std::size_t number = 0;
   for (const auto & point : points)
   {
-    values += " " + CsvTable::Rounded(point[0], 9);
+    values += " " + CsvTable::Rounded(point[0] * unit, 9);
     for (std::size_t i = 1; i < point.size(); ++i)
     {
       values += " " + CsvTable::Rounded(point[i], 4);
@@ -383,18 +383,20 @@ ShapeTransferFunction::ToVolumeProperty() const
 }
 
 void
-ShapeTransferFunction::WriteVolumeProperty(const std::string & path) const
+ShapeTransferFunction::WriteVolumeProperty(const std::string & path, double unit) const
 {
   constexpr int                  nearestNeighbour = 0;
   constexpr int                  shaded = 1;
-  const std::vector<std::string> rows{
-    std::to_string(nearestNeighbour),   std::to_string(shaded),
-    CsvTable::Number(diffuse),          CsvTable::Number(ambient),
-    CsvTable::Number(specular),         CsvTable::Number(specularPower),
-    PointsText(OpacityPoints(m_Lines)), PointsText(Points<1>{ { 0.0, 1.0 }, { 1.0, 1.0 } }),
-    PointsText(ColorPoints(m_Lines))
-  };
-  std::ofstream file(path, std::ios::binary);
+  const std::vector<std::string> rows{ std::to_string(nearestNeighbour),
+                                       std::to_string(shaded),
+                                       CsvTable::Number(diffuse),
+                                       CsvTable::Number(ambient),
+                                       CsvTable::Number(specular),
+                                       CsvTable::Number(specularPower),
+                                       PointsText(OpacityPoints(m_Lines), unit),
+                                       PointsText(Points<1>{ { 0.0, 1.0 }, { 1.0, 1.0 } }, unit),
+                                       PointsText(ColorPoints(m_Lines), unit) };
+  std::ofstream                  file(path, std::ios::binary);
   for (const std::string & row : rows)
   {
     if (row.size() > greatestLineLength)

@@ -54,10 +54,12 @@ DrawShapetonPreview(const Image<float, 3> *         grey,
 {
   HeatHistogram histogram({ progress.measures.step });
   AddVisitsToRow(visits, 0, histogram);
+  const auto          density = NormalizeVisits(visits);
+  const HeatAxis      axis(BalanceClasses(histogram, 0, ClassifyVisits(visits, density).classes));
   SliceMontageOptions options;
   options.title = DescribeProgress(progress);
   options.cut = cut;
-  return DrawSliceMontage(grey, NormalizeVisits(visits), ColorByHeat(HeatAxis(histogram)), options);
+  return DrawSliceMontage(grey, density, ColorByHeat(axis), options);
 }
 
 Index<3>

@@ -50,7 +50,8 @@ DrawTransferFunction(const Image<float, 3> *       grey,
                      const Image<float, 3> *       heat,
                      const ShapeTransferFunction & transferFunction,
                      const std::string &           title,
-                     const IntensityWindow &       window)
+                     const IntensityWindow &       window,
+                     const ShapeQuantity &         quantity)
 {
   SliceMontageOptions slices;
   slices.width = pageWidth;
@@ -76,7 +77,7 @@ DrawTransferFunction(const Image<float, 3> *       grey,
   PastePicture(page, rendering, margin, top);
   style.size = 17;
   const int legendLeft = margin + renderingWidth + 16;
-  DrawText(page, "Lines: range of heats", legendLeft, top, style);
+  DrawText(page, "Lines: range of " + quantity.plural, legendLeft, top, style);
   DrawLegend(page, LegendWithVoxels(heat, transferFunction), legendLeft, top + 32, top + renderingHeight);
   PastePicture(page, montage, 0, montageTop);
   return page;
