@@ -17,28 +17,19 @@ using ImageType = itk::Image<float, 3>;
 using FilterType = itk::CumulativeHeatDiffusionImageFilter<ImageType>;
 
 void
-Require(bool condition, const std::string & message)
-{
-  if (!condition)
-  {
-    throw itk::UsageError(message);
-  }
-}
-
-void
 CheckUsage(const CommandLine & commandLine)
 {
   const auto window = commandLine.GetDoubles("intensityWindow");
-  Require(window.empty() || (window.size() == 2 && window[0] < window[1]),
-          "--intensityWindow needs two numbers, the lower one first, for example -160,240");
-  Require(!commandLine.GetFlag("autoParameters") || !commandLine.IsGiven("p"),
-          "--autoParameters chooses p; give either it or --p");
-  Require(commandLine.IsGiven("snapshotSteps") == commandLine.IsGiven("snapshotFolder"),
-          "--snapshotSteps and --snapshotFolder go together; give both");
+  itk::RequireUsage(window.empty() || (window.size() == 2 && window[0] < window[1]),
+                    "--intensityWindow needs two numbers, the lower one first, for example -160,240");
+  itk::RequireUsage(!commandLine.GetFlag("autoParameters") || !commandLine.IsGiven("p"),
+                    "--autoParameters chooses p; give either it or --p");
+  itk::RequireUsage(commandLine.IsGiven("snapshotSteps") == commandLine.IsGiven("snapshotFolder"),
+                    "--snapshotSteps and --snapshotFolder go together; give both");
   for (const int step : commandLine.GetIntegers("snapshotSteps"))
   {
-    Require(step >= 0 && step <= commandLine.GetInteger("timeSteps"),
-            "--snapshotSteps: " + std::to_string(step) + " does not lie between 0 and --timeSteps");
+    itk::RequireUsage(step >= 0 && step <= commandLine.GetInteger("timeSteps"),
+                      "--snapshotSteps: " + std::to_string(step) + " does not lie between 0 and --timeSteps");
   }
 }
 

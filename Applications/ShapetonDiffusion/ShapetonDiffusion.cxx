@@ -4,7 +4,6 @@
 #include "itkCommandLine.h"
 #include "itkShapetonDiffusionImageFilter.h"
 #include "itkShapetonMonitor.h"
-#include "itkShapetonParameters.h"
 #include "itkShapetonResultFiles.h"
 #include "itkToolError.h"
 #include "itkVolumeReader.h"
@@ -18,27 +17,18 @@ using ImageType = itk::Image<float, 3>;
 using FilterType = itk::ShapetonDiffusionImageFilter<ImageType>;
 
 void
-Require(bool condition, const std::string & message)
-{
-  if (!condition)
-  {
-    throw itk::UsageError(message);
-  }
-}
-
-void
 CheckUsage(const CommandLine & commandLine)
 {
   const auto window = commandLine.GetDoubles("intensityWindow");
-  Require(window.empty() || (window.size() == 2 && window[0] < window[1]),
-          "--intensityWindow needs two numbers, the lower one first, for example -160,240");
-  Require(!commandLine.IsGiven("featureSize") || !commandLine.IsGiven("distance"),
-          "--featureSize chooses the distance; give either it or --distance");
-  Require(!commandLine.IsGiven("previewEvery") || commandLine.IsGiven("preview"),
-          "--previewEvery needs --preview, the picture to replace");
-  Require(!commandLine.IsGiven("epsilon") || commandLine.GetFlag("untilSteady") || commandLine.IsGiven("preview") ||
-            commandLine.IsGiven("report"),
-          "--epsilon has no effect without --untilSteady, --preview or --report");
+  itk::RequireUsage(window.empty() || (window.size() == 2 && window[0] < window[1]),
+                    "--intensityWindow needs two numbers, the lower one first, for example -160,240");
+  itk::RequireUsage(!commandLine.IsGiven("featureSize") || !commandLine.IsGiven("distance"),
+                    "--featureSize chooses the distance; give either it or --distance");
+  itk::RequireUsage(!commandLine.IsGiven("previewEvery") || commandLine.IsGiven("preview"),
+                    "--previewEvery needs --preview, the picture to replace");
+  itk::RequireUsage(!commandLine.IsGiven("epsilon") || commandLine.GetFlag("untilSteady") ||
+                      commandLine.IsGiven("preview") || commandLine.IsGiven("report"),
+                    "--epsilon has no effect without --untilSteady, --preview or --report");
 }
 
 void
@@ -53,8 +43,8 @@ SetEpsilon(const CommandLine & commandLine, FilterType * filter)
   double             epsilon = 0.0;
   const auto * const end = text.data() + text.size();
   const auto         parsed = std::from_chars(text.data(), end, epsilon);
-  Require(parsed.ec == std::errc() && parsed.ptr == end && epsilon > 0.0 && epsilon < 1e300,
-          "--epsilon: \"" + text + "\" is neither a positive number nor auto");
+  itk::RequireUsage(parsed.ec == std::errc() && parsed.ptr == end && epsilon > 0.0 && epsilon < 1e300,
+                    "--epsilon: \"" + text + "\" is neither a positive number nor auto");
   filter->SetEpsilon(epsilon);
 }
 
@@ -80,42 +70,12 @@ Configure(const CommandLine & commandLine, FilterType * filter)
   filter->SetSeed(static_cast<std::uint64_t>(commandLine.GetInteger("seed")));
   filter->SetUntilSteady(commandLine.GetFlag("untilSteady"));
   SetEpsilon(commandLine, filter);
-}
-
-/** Distance and number by the size of the features, where that is given; a number that is given stays. */
-std::optional<itk::AutomaticShapetons>
-ChooseParameters(CommandLine & commandLine, FilterType * filter)
-{
-  if (!commandLine.IsGiven("featureSize"))
+  if (commandLine.IsGiven("featureSize"))
   {
-    return std::nullopt;
+    filter->SetFeatureSize(commandLine.GetDouble("featureSize"));
+    filter->AutomaticDistanceOn();
+    filter->SetAutomaticNumberOfShapetons(!commandLine.IsGiven("shapetons"));
   }
-  const ImageType * const    image = filter->GetInput();
-  std::array<std::size_t, 3> size{};
-  std::array<double, 3>      spacing{};
-  std::copy_n(image->GetLargestPossibleRegion().GetSize().begin(), 3, size.begin());
-  std::copy_n(image->GetSpacing().Begin(), 3, spacing.begin());
-  itk::AutomaticShapetons chosen;
-  try
-  {
-    chosen = itk::ChooseShapetons(size, spacing, commandLine.GetDouble("featureSize"), filter->GetTimeSteps());
-  }
-  catch (const std::invalid_argument & error)
-  {
-    throw itk::UsageError(std::string("--featureSize: ") + error.what());
-  }
-  filter->SetDistance(chosen.distance);
-  commandLine.AddProvenance("chosen.distance", itk::CsvTable::Number(chosen.distance));
-  if (commandLine.IsGiven("shapetons"))
-  {
-    chosen.shapetonsReason = "given by --shapetons";
-  }
-  else
-  {
-    filter->SetNumberOfShapetons(chosen.shapetons);
-    commandLine.AddProvenance("chosen.shapetons", std::to_string(chosen.shapetons));
-  }
-  return chosen;
 }
 
 /** The rows of the report's histogram. */
@@ -150,7 +110,6 @@ Diffuse(CommandLine & commandLine)
   const itk::ShapetonResultFiles files(commandLine);
   const itk::Volume              volume = itk::ReadVolume(commandLine, "inputVolume", true);
   filter->SetInput(volume.image);
-  const auto chosen = ChooseParameters(commandLine, filter);
   if (commandLine.IsGiven("mask"))
   {
     filter->SetMaskImage(itk::ReadMask(commandLine, "mask", volume.image));
@@ -166,11 +125,16 @@ Diffuse(CommandLine & commandLine)
   itk::ShapetonMonitor monitor(commandLine, filter);
   commandLine.Watch(filter, "Diffusing shapetons", 0.0, 0.95);
   Update(commandLine, filter);
+  if (filter->GetAutomaticDistance())
+  {
+    commandLine.AddProvenance("chosen.distance", itk::CsvTable::Number(filter->GetDistance()));
+    commandLine.AddProvenance("chosen.shapetons", std::to_string(filter->GetNumberOfShapetons()));
+  }
   for (const auto & remark : itk::ShapetonRemarks(filter))
   {
     commandLine.Warn(remark);
   }
-  files.Write(filter, volume, chosen);
+  files.Write(filter, volume);
   monitor.Finish();
 }
 } // namespace

@@ -42,6 +42,11 @@ public:
   ~UsageError() override;
 };
 
+/** Throws UsageError with the message unless the condition holds.
+ * \ingroup CommandLine */
+CommandLine_EXPORT void
+RequireUsage(bool condition, const std::string & message);
+
 /** \class InputError
  * \brief The input is missing, unreadable, malformed or unsuitable. Exit status 3.
  * \ingroup CommandLine */

@@ -15,4 +15,13 @@ InputError::~InputError() = default;
 
 OutputError::OutputError(const std::string & message) : ToolError(1, message) {}
 OutputError::~OutputError() = default;
+
+void
+RequireUsage(bool condition, const std::string & message)
+{
+  if (!condition)
+  {
+    throw UsageError(message);
+  }
+}
 } // namespace itk

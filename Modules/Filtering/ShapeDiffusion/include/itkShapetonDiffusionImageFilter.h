@@ -3,6 +3,7 @@
 
 #include "itkHeatHistogram.h"
 #include "itkShapetonDiffusion.h"
+#include "itkShapetonParameters.h"
 
 #include "itkImage.h"
 #include "itkImageToImageFilter.h"
@@ -43,8 +44,9 @@ public:
  * byte for byte, as if it had run from the start.
  *
  * \par Errors
- * ShapetonInputError for an empty mask, for a volume without initial heat where shapetons are to be placed by it, and
- * for an initial state of another run; ExceptionObject for settings out of range.
+ * ShapetonInputError for an empty mask, for a volume without initial heat where shapetons are to be placed by it, for a
+ * feature size that the volume cannot show, and for an initial state of another run; ExceptionObject for settings out
+ * of range.
  *
  * Results have the same bytes for any number of threads, which follow ITK's global setting, and on any CPU. Memory: 20
  * bytes a voxel besides the input, 4 more unless its pixels are float.
@@ -103,6 +105,25 @@ public:
    * Default 0.01. */
   itkSetMacro(Distance, double);
   itkGetConstMacro(Distance, double);
+
+  /** Size in mm of the features that are looked for: with AutomaticDistance and AutomaticNumberOfShapetons these are
+   * chosen by it (ChooseShapetons) when the filter runs, and Distance and NumberOfShapetons then hold what was chosen.
+   * Default 0, off, off. */
+  itkSetMacro(FeatureSize, double);
+  itkGetConstMacro(FeatureSize, double);
+  itkSetMacro(AutomaticDistance, bool);
+  itkGetConstMacro(AutomaticDistance, bool);
+  itkBooleanMacro(AutomaticDistance);
+  itkSetMacro(AutomaticNumberOfShapetons, bool);
+  itkGetConstMacro(AutomaticNumberOfShapetons, bool);
+  itkBooleanMacro(AutomaticNumberOfShapetons);
+
+  /** What ChooseShapetons() found, and why; valid after Update() where it was asked. */
+  const AutomaticShapetons &
+  GetAutomaticShapetons() const
+  {
+    return m_AutomaticShapetons;
+  }
 
   /** Steps to take, or at most to take with UntilSteady; at least 1. Default 2500. */
   itkSetMacro(TimeSteps, std::uint64_t);
@@ -187,6 +208,8 @@ protected:
   GenerateData() override;
 
 private:
+  void
+  ChooseParameters(const std::array<std::size_t, 3> & size);
   ShapetonDiffusionSettings
   MakeSettings(const float * intensities, std::size_t number);
   void
@@ -202,6 +225,10 @@ private:
   double                         m_WindowUpper{ 0.0 };
   std::uint32_t                  m_NumberOfShapetons{ 65000 };
   double                         m_Distance{ 0.01 };
+  double                         m_FeatureSize{ 0.0 };
+  bool                           m_AutomaticDistance{ false };
+  bool                           m_AutomaticNumberOfShapetons{ false };
+  AutomaticShapetons             m_AutomaticShapetons;
   std::uint64_t                  m_TimeSteps{ 2500 };
   DirectionSampling              m_DirectionSampling{ DirectionSampling::SolidAngle };
   PathRule                       m_PathRule{ PathRule::Endpoint };

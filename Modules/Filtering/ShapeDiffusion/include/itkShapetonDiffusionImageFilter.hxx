@@ -103,6 +103,34 @@ ShapetonDiffusionImageFilter<TInputImage>::EnlargeOutputRequestedRegion(DataObje
 }
 
 template <typename TInputImage>
+void
+ShapetonDiffusionImageFilter<TInputImage>::ChooseParameters(const std::array<std::size_t, 3> & size)
+{
+  if (!m_AutomaticDistance && !m_AutomaticNumberOfShapetons)
+  {
+    return;
+  }
+  std::array<double, 3> spacing{};
+  std::copy_n(this->GetInput()->GetSpacing().Begin(), 3, spacing.begin());
+  try
+  {
+    m_AutomaticShapetons = ChooseShapetons(size, spacing, m_FeatureSize, m_TimeSteps);
+  }
+  catch (const std::invalid_argument & error)
+  {
+    throw ShapetonInputError(__FILE__, __LINE__, error.what(), ITK_LOCATION);
+  }
+  if (m_AutomaticDistance)
+  {
+    m_Distance = m_AutomaticShapetons.distance;
+  }
+  if (m_AutomaticNumberOfShapetons)
+  {
+    m_NumberOfShapetons = m_AutomaticShapetons.shapetons;
+  }
+}
+
+template <typename TInputImage>
 ShapetonDiffusionSettings
 ShapetonDiffusionImageFilter<TInputImage>::MakeSettings(const float * intensities, std::size_t number)
 {
@@ -149,6 +177,8 @@ ShapetonDiffusionImageFilter<TInputImage>::PlaceShapetons()
   const std::size_t          number = input->GetBufferedRegion().GetNumberOfPixels();
   std::array<std::size_t, 3> size{};
   std::copy_n(input->GetBufferedRegion().GetSize().begin(), 3, size.begin());
+
+  this->ChooseParameters(size);
 
   std::vector<float> converted;
   const float *      intensities = nullptr;
@@ -269,6 +299,9 @@ ShapetonDiffusionImageFilter<TInputImage>::PrintSelf(std::ostream & os, Indent i
   os << indent << "WindowUpper: " << m_WindowUpper << std::endl;
   os << indent << "NumberOfShapetons: " << m_NumberOfShapetons << std::endl;
   os << indent << "Distance: " << m_Distance << std::endl;
+  os << indent << "FeatureSize: " << m_FeatureSize << std::endl;
+  os << indent << "AutomaticDistance: " << m_AutomaticDistance << std::endl;
+  os << indent << "AutomaticNumberOfShapetons: " << m_AutomaticNumberOfShapetons << std::endl;
   os << indent << "TimeSteps: " << m_TimeSteps << std::endl;
   os << indent << "DirectionSampling: " << NameOf(m_DirectionSampling) << std::endl;
   os << indent << "PathRule: " << NameOf(m_PathRule) << std::endl;

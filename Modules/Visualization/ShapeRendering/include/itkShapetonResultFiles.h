@@ -4,9 +4,7 @@
 #include "ShapeRenderingExport.h"
 #include "itkHeatReport.h"
 #include "itkShapetonDiffusionImageFilter.h"
-#include "itkShapetonParameters.h"
 
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -27,8 +25,7 @@ ShapeRendering_EXPORT std::vector<std::string>
 /** The parameters and measures of a run in words, with reasons where the distance and the number of shapetons were
  * chosen from the data. \ingroup ShapeRendering */
 ShapeRendering_EXPORT HeatReportContent::Facts
-                      ShapetonFacts(const ShapetonDiffusionImageFilter<Image<float, 3>> * filter,
-                                    const std::optional<AutomaticShapetons> &             chosen);
+                      ShapetonFacts(const ShapetonDiffusionImageFilter<Image<float, 3>> * filter);
 
 /** \class ShapetonResultFiles
  * \brief The files that the tool of shapeton diffusion writes, by the parameters of its XML.
@@ -56,7 +53,7 @@ public:
   }
 
   void
-  Write(const FilterType * filter, const Volume & volume, const std::optional<AutomaticShapetons> & chosen) const;
+  Write(const FilterType * filter, const Volume & volume) const;
 
 private:
   CommandLine & m_CommandLine;

@@ -96,7 +96,7 @@ ShapetonRemarks(const FilterType * filter)
 }
 
 HeatReportContent::Facts
-ShapetonFacts(const FilterType * filter, const std::optional<AutomaticShapetons> & chosen)
+ShapetonFacts(const FilterType * filter)
 {
   const ShapetonMeasures & measures = filter->GetMeasures();
   const double             millimetres = filter->GetDistance() * LongestSide(filter->GetInput());
@@ -122,10 +122,13 @@ ShapetonFacts(const FilterType * filter, const std::optional<AutomaticShapetons>
                                                          4) +
                                          (filter->GetAutomaticEpsilon() ? ": the voxels reached then have 100 visits on average" : "") },
                                      { "Shapetons trapped", Percent(ShareTrapped(filter)) } };
-  if (chosen)
+  if (filter->GetAutomaticDistance())
   {
-    facts.emplace_back("Why this distance", chosen->distanceReason);
-    facts.emplace_back("Why so many shapetons", chosen->shapetonsReason);
+    facts.emplace_back("Why this distance", filter->GetAutomaticShapetons().distanceReason);
+  }
+  if (filter->GetAutomaticNumberOfShapetons())
+  {
+    facts.emplace_back("Why so many shapetons", filter->GetAutomaticShapetons().shapetonsReason);
   }
   return facts;
 }
@@ -145,9 +148,7 @@ ShapetonResultFiles::ShapetonResultFiles(CommandLine & commandLine)
 }
 
 void
-ShapetonResultFiles::Write(const FilterType *                        filter,
-                           const Volume &                            volume,
-                           const std::optional<AutomaticShapetons> & chosen) const
+ShapetonResultFiles::Write(const FilterType * filter, const Volume & volume) const
 {
   auto metadata = ProvenanceMetadata(m_CommandLine);
   metadata.emplace_back("timeStep", std::to_string(filter->GetMeasures().step));
@@ -167,7 +168,7 @@ ShapetonResultFiles::Write(const FilterType *                        filter,
   content.quantity = ShapeQuantity::Density(std::max(1U, filter->GetMeasures().maximumVisits));
   content.readingGuide = ReadingGuideOfVisits();
   content.input = { { "Modality", volume.modality }, { "Identity", volume.identity } };
-  content.parameters = ShapetonFacts(filter, chosen);
+  content.parameters = ShapetonFacts(filter);
   content.provenance = m_CommandLine.GetProvenance();
   content.warnings = m_CommandLine.GetWarnings();
   content.histogram = filter->GetHistogram().GetNumberOfRows() > 0 ? &filter->GetHistogram() : &end;
