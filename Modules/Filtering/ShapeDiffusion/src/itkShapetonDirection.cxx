@@ -103,7 +103,7 @@ PhiOfPartialVolume(double w1, double w2, double w3, double volume)
 {
   const VolumeDensity density(w1, w2, w3);
   const double        whole = density.Below(1.0);
-  const double        wanted = std::clamp(volume * 3.0 / halfPi, 0.0, whole);
+  const double        wanted = whole <= 0.0 ? 0.0 : std::clamp(volume / (halfPi / 3.0 * whole), 0.0, 1.0) * whole;
   if (whole <= 0.0 || wanted <= 0.0 || wanted >= whole)
   {
     return whole <= 0.0 ? 0.5 * halfPi : wanted <= 0.0 ? 0.0 : halfPi;
@@ -182,11 +182,12 @@ DrawDirection(const EdgeWeights & weights, DirectionSampling sampling, const std
   {
     return {};
   }
+  // Added up in the order of `whole`, so that rounding draws no empty octant beyond the last one.
   unsigned int octant = 0;
-  double       rest = random[0] * whole;
-  while (octant < 7 && rest > volumes[octant])
+  double       below = volumes[0];
+  while (octant < 7 && random[0] * whole > below)
   {
-    rest -= volumes[octant++];
+    below += volumes[++octant];
   }
   const double w1 = w[octant & 1];
   const double w2 = w[2 + (octant >> 1 & 1)];
