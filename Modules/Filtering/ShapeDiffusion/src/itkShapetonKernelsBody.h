@@ -172,6 +172,18 @@ LoadWeights(const std::uint16_t * records, const std::uint32_t * voxels)
   return weights;
 }
 
+/** Where all six weights are 0. */
+SHAPETON_INLINE Integers
+LoadTraps(const std::uint16_t * records, const std::uint32_t * voxels)
+{
+  Integers marks;
+  for (int lane = 0; lane < lanes; ++lane)
+  {
+    marks[lane] = records[static_cast<std::size_t>(voxels[lane]) * RecordLength + MarksOfRecord];
+  }
+  return (marks & TrapMark) != 0;
+}
+
 constexpr float moment0 = static_cast<float>(ShapetonMoments::moment[0]);
 constexpr float moment1 = static_cast<float>(ShapetonMoments::moment[1]);
 constexpr float moment2 = static_cast<float>(ShapetonMoments::moment[2]);
@@ -349,6 +361,7 @@ DrawAll(const Surroundings & surroundings,
     Angle      theta;
     if constexpr (VSampling == Sampling::Uniform)
     {
+      empty = LoadTraps(surroundings.records, shapetons.voxel + i);
       octant = (Integers)(words.a & 7U);
       s = ToUnit(words.b);
       theta.cosine = ToUnit(words.c);
