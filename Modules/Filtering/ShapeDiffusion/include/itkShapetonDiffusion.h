@@ -119,14 +119,15 @@ struct ShapetonMeasures
 class ShapeDiffusion_EXPORT ShapetonDiffusion
 {
 public:
-  /** Called on the calling thread, every few hundredths of a second; may throw to abort. */
+  /** Called on the calling thread at the end of a step, every few hundredths of a second unless a step takes longer;
+   * may throw to abort. */
   using Observer = std::function<void(const ShapetonMeasures &)>;
 
   /** Places the shapetons. `intensities` and `mask` (may be null: no mask; else 0 is outside) hold size[0] * size[1] *
    * size[2] values, x fastest, and are not needed afterwards. `visits` holds as many and must outlive the object; it is
-   * set to 0. `poll` is called now and then and may throw to abort. Throws std::invalid_argument for settings out of
-   * range, std::domain_error where no shapeton can be placed (an empty mask; no initial heat), std::length_error for
-   * 2^31 voxels or more. */
+   * set to 0. `poll` is called now and then, by Run() in the middle of long steps, and may throw to abort: the object
+   * is of no use then. Throws std::invalid_argument for settings out of range, std::domain_error where no shapeton can
+   * be placed (an empty mask; no initial heat), std::length_error for 2^31 voxels or more. */
   ShapetonDiffusion(const float *                      intensities,
                     const std::array<std::size_t, 3> & size,
                     const ShapetonDiffusionSettings &  settings,

@@ -35,9 +35,9 @@ public:
  * is not 0. Output: the visits, on the grid of the input; they sum to shapetons x steps.
  *
  * \par Events
- * IterationEvent several times a second while the filter runs: GetOutput() then holds the visits so far and
- * GetMeasures() tells how far the run has come, so that a program can show the density as it grows.
- * SetAbortGenerateData takes effect within a tenth of a second.
+ * IterationEvent several times a second while the filter runs, at the ends of steps: GetOutput() then holds the visits
+ * so far and GetMeasures() tells how far the run has come, so that a program can show the density as it grows. In the
+ * middle of longer steps there is a ProgressEvent. SetAbortGenerateData takes effect within a tenth of a second.
  *
  * \par Going on
  * GetState() gives all that is needed to go on; a filter with the same input and settings and SetInitialState() ends,

@@ -196,7 +196,10 @@ ShapetonDiffusionImageFilter<TInputImage>::PlaceShapetons()
                                                     this->MakeSettings(intensities, number),
                                                     mask ? mask->GetBufferPointer() : nullptr,
                                                     this->GetOutput()->GetBufferPointer(),
-                                                    [this] { this->ThrowIfAborted(); });
+                                                    [this] {
+                                                      this->UpdateProgress(this->GetProgress());
+                                                      this->ThrowIfAborted();
+                                                    });
   if (m_InitialState)
   {
     try

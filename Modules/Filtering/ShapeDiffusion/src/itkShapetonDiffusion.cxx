@@ -71,6 +71,13 @@ CheckSettings(const ShapetonDiffusionSettings & settings, const std::array<std::
   }
 }
 
+const ThetaTable &
+SharedThetaTable()
+{
+  static const ThetaTable table;
+  return table;
+}
+
 VolumeGradientOperator::Parameters
 WeightsAlone(VolumeGradientOperator::Parameters parameters)
 {
@@ -115,11 +122,13 @@ struct ShapetonDiffusion::Impl
        const ShapetonDiffusionSettings &  given,
        const unsigned char *              mask,
        std::uint32_t *                    visitsOfVoxels,
-       const std::function<void()> &      poll)
+       const std::function<void()> &      pollNowAndThen)
     : settings(given)
     , size(volumeSize)
     , visits(visitsOfVoxels)
+    , poll(pollNowAndThen)
     , kernels(GetBest())
+    , table(SharedThetaTable())
     , records(intensities, size, WeightsAlone(settings.volumeGradient), mask, poll)
   {
     measures.objectVoxels = records.GetNumberOfObjectVoxels();
@@ -314,9 +323,9 @@ struct ShapetonDiffusion::Impl
     measures.objectVoxelsReached += tally.objectsReached;
   }
 
-  /** Takes steps up to `end`, the last one measured. The work is cut where the observer may abort. */
+  /** Takes steps up to `end`, the last one measured. A step of many shapetons is cut where `poll` may abort. */
   void
-  Advance(std::uint64_t end, const Observer & observer)
+  Advance(std::uint64_t end)
   {
     const std::uint64_t begin = measures.step + 1;
     const std::uint64_t number = settings.shapetons;
@@ -336,9 +345,9 @@ struct ShapetonDiffusion::Impl
     {
       const std::uint64_t part = std::min(BlockLength(), number - first);
       tally.Add(TakeSteps(first, part, end, end + 1));
-      if (observer && first + part < number)
+      if (first + part < number)
       {
-        observer(measures); // of the steps before this one
+        poll();
       }
     }
     Note(tally, number);
@@ -361,10 +370,18 @@ struct ShapetonDiffusion::Impl
     const double shrinking = maximumBefore == 0 ? 0.0 : 1.0 / maximum - 1.0 / maximumBefore;
     measures.change =
       shrinking * shrinking * squaresBefore + 2.0 * shrinking * products / maximum + squares / (maximum * maximum);
+    SuggestEpsilon();
+  }
+
+  /** See ShapetonMeasures::automaticEpsilon. */
+  void
+  SuggestEpsilon()
+  {
+    const double n = settings.shapetons;
     const double reached = static_cast<double>(measures.voxelsReached);
     const double mean = n * static_cast<double>(measures.step) / reached;
-    const double wanted = WantedVisits * maximum / mean;
-    measures.automaticEpsilon = n * (1.0 + n / reached) / (wanted * wanted);
+    const double wanted = WantedVisits * measures.maximumVisits / mean;
+    measures.automaticEpsilon = measures.voxelsReached == 0 ? 0.0 : n * (1.0 + n / reached) / (wanted * wanted);
   }
 
   void
@@ -374,8 +391,14 @@ struct ShapetonDiffusion::Impl
     constexpr auto mask = (std::uint64_t{ 1 } << HistoryLength) - 1;
     history = (history << 1 | (measures.change <= epsilon ? 1U : 0U)) & mask;
     tested = std::min(tested + 1, HistoryLength);
-    measures.steady =
-      tested == HistoryLength && __builtin_popcountll(history) >= static_cast<int>(HistoryLength) - AllowedFailures;
+    measures.steady = IsSteady();
+  }
+
+  bool
+  IsSteady() const
+  {
+    return tested == HistoryLength &&
+           __builtin_popcountll(history) >= static_cast<int>(HistoryLength) - AllowedFailures;
   }
 
   std::vector<std::pair<std::string, std::string>>
@@ -414,13 +437,16 @@ struct ShapetonDiffusion::Impl
         measures.objectVoxelsReached += records.GetRecord(voxel)[MarksOfRecord] & ObjectMark;
       }
     }
+    measures.steady = IsSteady();
+    SuggestEpsilon();
   }
 
   const ShapetonDiffusionSettings   settings;
   const std::array<std::size_t, 3>  size;
   std::uint32_t * const             visits;
+  const std::function<void()>       poll;
   const Set &                       kernels;
-  const ThetaTable                  table;
+  const ThetaTable &                table;
   const ShapetonRecords             records;
   Surroundings                      surroundings{};
   std::array<std::vector<float>, 3> places;
@@ -454,7 +480,7 @@ ShapetonDiffusion::Run(std::uint64_t lastStep, const std::optional<SteadyRule> &
   while (impl.measures.step < lastStep && !(rule && impl.measures.steady))
   {
     const std::uint64_t before = impl.measures.step;
-    impl.Advance(std::min(lastStep, (before / stride + 1) * stride), observer);
+    impl.Advance(std::min(lastStep, (before / stride + 1) * stride));
     if (rule)
     {
       impl.Test(*rule);
@@ -515,7 +541,8 @@ ShapetonDiffusion::SetState(const ShapetonState & state)
                                   (known ? state.identity[i].second : "missing") + ", here it is " + own[i].second);
     }
   }
-  if (state.visits.size() != impl.NumberOfVoxels() || state.places[0].size() != impl.settings.shapetons)
+  const auto incomplete = [&](const std::vector<float> & places) { return places.size() != impl.settings.shapetons; };
+  if (state.visits.size() != impl.NumberOfVoxels() || std::any_of(state.places.begin(), state.places.end(), incomplete))
   {
     throw std::invalid_argument("the saved state is incomplete");
   }

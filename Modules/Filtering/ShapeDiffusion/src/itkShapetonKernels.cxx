@@ -9,8 +9,8 @@ namespace ShapetonKernels
 {
 namespace
 {
-/** The integral of (1 - u)^(3-j) u^j sin(theta) between two angles by Gauss' rule of eight points on each of eight
- * parts: right to rounding. */
+/** The integral of (1 - u)^(3-j) u^j sin(theta) between two angles by Gauss' rule of eight points: right to rounding,
+ * as a polynomial of degree 15 follows the sine that closely. */
 double
 Integral(int j, double from, double to)
 {
@@ -20,18 +20,18 @@ Integral(int j, double from, double to)
   constexpr double weights[4] = {
     0.36268378337836198297, 0.31370664587788728734, 0.22238103445337447054, 0.10122853629037625915
   };
-  constexpr int parts = 8;
-  const double  half = 0.5 * (to - from) / parts;
-  double        sum = 0.0;
-  for (int part = 0; part < parts; ++part)
+  const double half = 0.5 * (to - from);
+  double       sum = 0.0;
+  for (int node = 0; node < 8; ++node)
   {
-    const double middle = from + (2 * part + 1) * half;
-    for (int node = 0; node < 8; ++node)
+    const double theta = from + half * (1.0 + (node < 4 ? nodes[node] : -nodes[node - 4]));
+    const double u = theta * 2.0 / ShapetonMoments::pi;
+    double       product = weights[node % 4] * std::sin(theta);
+    for (int factor = 0; factor < 3; ++factor)
     {
-      const double theta = middle + (node < 4 ? nodes[node] : -nodes[node - 4]) * half;
-      const double u = theta * 2.0 / ShapetonMoments::pi;
-      sum += weights[node % 4] * std::pow(1.0 - u, 3 - j) * std::pow(u, j) * std::sin(theta);
+      product *= factor < j ? u : 1.0 - u;
     }
+    sum += product;
   }
   return sum * half;
 }

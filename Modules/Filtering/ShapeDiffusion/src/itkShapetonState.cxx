@@ -59,6 +59,21 @@ Read(std::vector<TNumber> & numbers, std::uint64_t number, std::istream & stream
   checksum.Add(numbers.data(), numbers.size() * sizeof(TNumber));
 }
 
+constexpr std::size_t longestHeader = 65536;
+
+/** Not more than a header may hold: another file may be one endless line. */
+bool
+GetLine(std::istream & stream, std::string & line)
+{
+  line.clear();
+  char next = 0;
+  while (line.size() < longestHeader && stream.get(next) && next != '\n')
+  {
+    line += next;
+  }
+  return static_cast<bool>(stream);
+}
+
 template <typename TNumber>
 TNumber
 Parse(const std::string & name, const std::string & value)
@@ -93,7 +108,7 @@ ShapetonState
 ReadShapetonState(std::istream & stream)
 {
   std::string line;
-  if (!std::getline(stream, line) || line != magic)
+  if (!GetLine(stream, line) || line != magic)
   {
     throw std::runtime_error("it does not begin with \"" + std::string(magic) + "\"");
   }
@@ -101,7 +116,7 @@ ReadShapetonState(std::istream & stream)
   std::uint64_t shapetons = 0;
   std::uint64_t voxels = 0;
   std::string   header = line + '\n';
-  while (std::getline(stream, line) && !line.empty() && header.size() < 65536)
+  while (GetLine(stream, line) && !line.empty() && header.size() < longestHeader)
   {
     header += line + '\n';
     const auto        colon = line.find(": ");
