@@ -17,7 +17,8 @@ namespace test
 constexpr double pi = 3.14159265358979323846;
 constexpr double halfPi = 0.5 * pi;
 
-/** Gauss' rule of 24 points: exact for polynomials of degree 47, right to rounding for the smooth functions here. */
+/** Gauss' rule. 24 points are exact for polynomials of degree 47, right to rounding for the smooth functions here. */
+template <int Points>
 class GaussRule
 {
 public:
@@ -45,29 +46,36 @@ public:
     }
   }
 
+  /** Calls `body(place, weight)` for the nodes between two places. */
+  template <typename TBody>
+  void
+  ForNodes(double from, double to, const TBody & body) const
+  {
+    const double half = 0.5 * (to - from);
+    for (int i = 0; i < Points; ++i)
+    {
+      body(from + half * (1.0 + m_Nodes[i]), half * m_Weights[i]);
+    }
+  }
+
   template <typename TFunction>
   double
   operator()(double from, double to, const TFunction & function) const
   {
-    const double half = 0.5 * (to - from);
-    double       sum = 0.0;
-    for (int i = 0; i < Points; ++i)
-    {
-      sum += m_Weights[i] * function(from + half * (1.0 + m_Nodes[i]));
-    }
-    return half * sum;
+    double sum = 0.0;
+    this->ForNodes(from, to, [&](double place, double weight) { sum += weight * function(place); });
+    return sum;
   }
 
 private:
-  static constexpr int       Points = 24;
   std::array<double, Points> m_Nodes{};
   std::array<double, Points> m_Weights{};
 };
 
-inline const GaussRule &
+inline const GaussRule<24> &
 Gauss()
 {
-  static const GaussRule rule;
+  static const GaussRule<24> rule;
   return rule;
 }
 
