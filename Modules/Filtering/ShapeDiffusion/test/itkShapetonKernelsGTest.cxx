@@ -133,6 +133,12 @@ struct WeightCase
   std::array<std::uint16_t, 6> weights;
 };
 
+void
+PrintTo(const WeightCase & weightCase, std::ostream * stream)
+{
+  *stream << weightCase.name;
+}
+
 constexpr WeightCase weightCases[] = { { "Equal", { 65535, 65535, 65535, 65535, 65535, 65535 } },
                                        { "EqualAndLeast", { 1, 1, 1, 1, 1, 1 } },
                                        { "Random", { 41234, 7321, 60001, 23456, 15000, 52525 } },
@@ -369,7 +375,7 @@ TEST(ShapetonKernels, RandomNumbersAreTheShareOfTheDistributionUpToTheDirection)
   // For weights of all kinds; in single precision the kernels invert the distribution functions within 1.5e-6.
   for (const auto sampling : { DirectionSampling::SolidAngle, DirectionSampling::SectorArea })
   {
-    Crowd        crowd = MakeMixedCrowd(60000);
+    Crowd        crowd = MakeMixedCrowd(400000);
     const Random random{ 99, 5 };
     DrawOf(GetBest(), sampling)(crowd.GetSurroundings(), crowd.GetShapetons(), random, Table(), crowd.GetDirections());
     double largestOfOctant = 0.0;

@@ -1,17 +1,25 @@
 #ifndef itkShapetonTestTools_h
 #define itkShapetonTestTools_h
 
-#include "itkShapetonDirection.h"
+#include "itkShapetonDiffusion.h"
 
 #include <array>
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <ostream>
 #include <random>
 #include <vector>
 
 namespace itk
 {
+/** The name of a test with this parameter. */
+inline void
+PrintTo(DirectionSampling sampling, std::ostream * stream)
+{
+  *stream << NameOf(sampling);
+}
+
 namespace test
 {
 constexpr double pi = 3.14159265358979323846;
