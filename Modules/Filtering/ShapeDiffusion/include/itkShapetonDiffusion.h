@@ -170,7 +170,7 @@ private:
  * `steps` steps of `stepInVoxels` smallest spacings, with PathRule::Traversal and DirectionSampling::Uniform:
  * the mean squared displacement of both along an axis is the same,
  *
- *   2 dt t = steps (a / 2) for a <= 1, and steps (a^2 / 3 + 1 / 6) for a > 1 (up to 8 %),
+ *   2 dt t = steps (a / 2) for a <= 1, and steps (a^2 / 3 + 1 / 6) for a > 1 (within 2.2 %),
  *
  * a = stepInVoxels. The open question 7.2.1 of the dissertation; valid on cubic voxels. `timeStepLength` is dt.
  * \ingroup ShapeDiffusion */
