@@ -1,13 +1,11 @@
 #include "HeatTransferFunctionXML.h"
 
 #include "itkCommandLine.h"
-#include "itkHeatClassification.h"
 #include "itkHeatReport.h"
 #include "itkHeatSnapshot.h"
-#include "itkShapetonResultFiles.h"
+#include "itkShapeAnalysis.h"
 #include "itkToolError.h"
 #include "itkTransferFunctionPicture.h"
-#include "itkVisitDensity.h"
 #include "itkVolumeReader.h"
 
 #include <filesystem>
@@ -15,14 +13,12 @@
 namespace
 {
 using ImageType = itk::Image<float, 3>;
-using VisitsType = itk::Image<std::uint32_t, 3>;
 
-/** The intensities and the heat, or what shapetons visited, on one grid. */
+/** The intensities and the heat, or the visits of shapetons, on one grid. */
 struct Volumes
 {
   itk::Volume                  input;
-  ImageType::Pointer           heat;   // or the density of visits
-  VisitsType::Pointer          visits; // null for heat
+  itk::ShapeAnalysis           shape;
   std::optional<std::uint64_t> timeStep;
 };
 
@@ -43,49 +39,20 @@ ReadVolumes(itk::CommandLine & commandLine)
   commandLine.Progress("Reading", 0.2);
   const itk::Volume heat = itk::ReadVolume(snapshot.path);
   commandLine.AddInput("heatVolume", heat.identity);
-  volumes.visits = itk::VisitsOf(heat.image, snapshot);
-  volumes.heat = volumes.visits ? itk::NormalizeVisits(volumes.visits) : heat.image;
-  itk::RequireHeat(volumes.heat, snapshot.path);
-  if (!itk::HaveSameGrid(volumes.input.image, volumes.heat))
+  const auto visits = itk::VisitsOf(heat.image, snapshot);
+  if (!visits)
+  {
+    itk::RequireHeat(heat.image, snapshot.path);
+  }
+  if (!itk::HaveSameGrid(volumes.input.image, heat.image))
   {
     throw itk::InputError("the grids of " + commandLine.GetString("inputVolume") + " and " + snapshot.path +
                           " differ in size or place: give the volume that the heat was computed from");
   }
+  commandLine.Progress("Classifying", 0.5);
+  const std::uint64_t step = volumes.timeStep.value_or(0);
+  volumes.shape = visits ? itk::AnalyzeVisits(visits, step) : itk::AnalyzeHeat(heat.image, step);
   return volumes;
-}
-
-itk::ShapeQuantity
-QuantityOf(const Volumes & volumes)
-{
-  return volumes.visits ? itk::ShapeQuantity::Density(itk::GreatestVisits(volumes.visits)) : itk::ShapeQuantity();
-}
-
-/** The histogram of the volume, its classes, and the histogram that lays out axis and colours. */
-struct Analysis
-{
-  itk::HeatHistogram          histogram;
-  std::vector<itk::HeatClass> classes;
-  itk::HeatHistogram          axis;
-};
-
-Analysis
-Analyse(const Volumes & volumes)
-{
-  Analysis analysis;
-  analysis.histogram = itk::HeatHistogram({ volumes.timeStep.value_or(0) });
-  if (volumes.visits)
-  {
-    itk::AddVisitsToRow(volumes.visits, 0, analysis.histogram);
-    analysis.classes = itk::ClassifyVisits(volumes.visits, volumes.heat).classes;
-    analysis.axis = itk::BalanceClasses(analysis.histogram, 0, analysis.classes);
-    return analysis;
-  }
-  analysis.histogram.AddToRow(
-    0, volumes.heat->GetBufferPointer(), volumes.heat->GetBufferedRegion().GetNumberOfPixels());
-  analysis.classes = itk::FindHeatClasses(analysis.histogram, 0);
-  itk::LabelHeat(volumes.heat, analysis.classes);
-  analysis.axis = analysis.histogram;
-  return analysis;
 }
 
 /** The lines that the user gave, if any. */
@@ -97,9 +64,9 @@ ParseLines(const itk::CommandLine & commandLine)
 }
 
 itk::ShapeTransferFunction
-LinesOfClasses(itk::CommandLine & commandLine, const std::vector<itk::HeatClass> & classes, const itk::HeatAxis & axis)
+LinesOfClasses(itk::CommandLine & commandLine, const itk::ShapeAnalysis & shape)
 {
-  auto transferFunction = itk::ShapeTransferFunction::FromClasses(classes, axis);
+  auto transferFunction = itk::ShapeTransferFunction::FromClasses(shape.classes, itk::HeatAxis(shape.axisHistogram));
   if (transferFunction.GetLines().empty())
   {
     commandLine.Warn("the heat volume holds nothing but background: the transfer function shows nothing");
@@ -110,14 +77,13 @@ LinesOfClasses(itk::CommandLine & commandLine, const std::vector<itk::HeatClass>
 std::string
 TitleOf(const Volumes & volumes)
 {
-  const std::string title = QuantityOf(volumes).GetTitle();
+  const std::string title = volumes.shape.quantity.GetTitle();
   return volumes.timeStep ? title + " after " + std::to_string(*volumes.timeStep) + " time steps" : title;
 }
 
 void
 WriteReport(itk::CommandLine &                 commandLine,
             const Volumes &                    volumes,
-            const Analysis &                   analysis,
             const itk::ShapeTransferFunction & transferFunction)
 {
   const std::string folder = commandLine.GetString("report");
@@ -129,14 +95,13 @@ WriteReport(itk::CommandLine &                 commandLine,
                          { "Time step", volumes.timeStep ? std::to_string(*volumes.timeStep) : "not known" } };
   content.provenance = commandLine.GetProvenance();
   content.warnings = commandLine.GetWarnings();
-  content.quantity = QuantityOf(volumes);
-  content.readingGuide = volumes.visits ? itk::ReadingGuideOfVisits() : itk::ReadingGuideOfHeat();
-  content.histogram = &analysis.histogram;
-  content.axisHistogram = &analysis.axis;
+  content.quantity = volumes.shape.quantity;
+  content.histogram = &volumes.shape.histogram;
+  content.axisHistogram = &volumes.shape.axisHistogram;
   content.grey = volumes.input.image;
-  content.heat = volumes.heat;
+  content.heat = volumes.shape.values;
   content.timeStep = volumes.timeStep;
-  content.classes = analysis.classes;
+  content.classes = volumes.shape.classes;
   content.transferFunction = transferFunction;
   itk::WriteHeatReport(content, folder, [&](const std::string & path) { return commandLine.Output(path); });
 }
@@ -155,22 +120,19 @@ MakeTransferFunction(itk::CommandLine & commandLine)
   const std::string pictureFile = commandLine.OutputOf("picture");
 
   const Volumes volumes = ReadVolumes(commandLine);
-  commandLine.Progress("Classifying", 0.5);
-  const Analysis analysis = Analyse(volumes);
-  const auto     quantity = QuantityOf(volumes);
-  const auto     transferFunction =
-    lines ? *lines : LinesOfClasses(commandLine, analysis.classes, itk::HeatAxis(analysis.axis));
-  transferFunction.WriteVolumeProperty(propertyFile, std::max(1U, quantity.greatestVisits));
+  const auto &  shape = volumes.shape;
+  const auto    transferFunction = lines ? *lines : LinesOfClasses(commandLine, shape);
+  transferFunction.WriteVolumeProperty(propertyFile, std::max(1U, shape.quantity.greatestVisits));
   commandLine.Progress("Drawing", 0.6);
   if (!pictureFile.empty())
   {
-    itk::WritePng(
-      itk::DrawTransferFunction(volumes.input.image, volumes.heat, transferFunction, TitleOf(volumes), {}, quantity),
-      pictureFile);
+    itk::WritePng(itk::DrawTransferFunction(
+                    volumes.input.image, shape.values, transferFunction, TitleOf(volumes), {}, shape.quantity),
+                  pictureFile);
   }
   if (commandLine.IsGiven("report"))
   {
-    WriteReport(commandLine, volumes, analysis, transferFunction);
+    WriteReport(commandLine, volumes, transferFunction);
   }
   commandLine.RecordRun(output + ".run.json");
 }

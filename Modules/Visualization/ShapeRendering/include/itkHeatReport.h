@@ -22,11 +22,6 @@
 
 namespace itk
 {
-/** How to read the pictures of heat, in paragraphs.
- * \ingroup ShapeRendering */
-ShapeRendering_EXPORT std::vector<std::string>
-                      ReadingGuideOfHeat();
-
 /** What a report on diffusion tells, of heat or of shapetons. The pointers are not owned and must not be null.
  * \ingroup ShapeRendering */
 struct HeatReportContent
@@ -35,8 +30,7 @@ struct HeatReportContent
 
   std::string title{ "Cumulative heat diffusion" };
   /** What `heat` holds. */
-  ShapeQuantity            quantity;
-  std::vector<std::string> readingGuide = ReadingGuideOfHeat();
+  ShapeQuantity quantity;
   /** What was analysed, for example its name, modality, repairs. The geometry of `grey` is added. */
   Facts input;
   /** The parameters of the run, and where automatic ones come from. */

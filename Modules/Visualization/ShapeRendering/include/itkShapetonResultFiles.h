@@ -13,10 +13,6 @@ namespace itk
 class CommandLine;
 struct Volume;
 
-/** How to read the pictures of the visits of shapetons, in paragraphs. \ingroup ShapeRendering */
-ShapeRendering_EXPORT std::vector<std::string>
-                      ReadingGuideOfVisits();
-
 /** What the user of a run of shapeton diffusion should know: trapped shapetons, a density that is not steady although
  * that was asked for, few visits. \ingroup ShapeRendering */
 ShapeRendering_EXPORT std::vector<std::string>

@@ -57,9 +57,9 @@ Combined(Facts facts, const Facts & more)
   return facts;
 }
 
-/** Visits are whole numbers, and components are sought for heat alone. */
+/** Components are sought for heat alone. */
 bool
-HasComponents(const ShapeQuantity & quantity)
+IsHeat(const ShapeQuantity & quantity)
 {
   return quantity.greatestVisits == 0;
 }
@@ -71,8 +71,8 @@ ReadableClassTable(const std::vector<HeatClass> & classes, const HeatAxis & axis
   std::vector<std::string> columns = { "class",  "colour",     quantity.name + " from", "to", "mean " + quantity.name,
                                        "voxels", "volume, ml", "share of the border" };
   Append(columns,
-         HasComponents(quantity) ? std::vector<std::string>{ "closed components", "scale-normalized heat" }
-                                 : std::vector<std::string>{ "mean number of visits" });
+         IsHeat(quantity) ? std::vector<std::string>{ "closed components", "scale-normalized heat" }
+                          : std::vector<std::string>{ "mean number of visits" });
   CsvTable table(columns);
   for (const HeatClass & heatClass : classes)
   {
@@ -85,7 +85,7 @@ ReadableClassTable(const std::vector<HeatClass> & classes, const HeatAxis & axis
                                      GroupedDigits(heatClass.voxels),
                                      CsvTable::Rounded(heatClass.volume / 1000.0, 4),
                                      CsvTable::Rounded(heatClass.borderShare, 2) };
-    if (HasComponents(quantity))
+    if (IsHeat(quantity))
     {
       row.push_back(std::to_string(heatClass.components));
       row.push_back(heatClass.components == 0 ? "" : CsvTable::Rounded(heatClass.normalizedHeat, 4));
@@ -123,7 +123,7 @@ JsonOf(const std::vector<HeatClass> & classes, const HeatAxis & axis, const Shap
                    { "voxels", heatClass.voxels },
                    { "volume", heatClass.volume },
                    { "borderShare", heatClass.borderShare } };
-    if (HasComponents(quantity))
+    if (IsHeat(quantity))
     {
       entry["components"] = heatClass.components;
       entry["normalizedHeat"] = heatClass.normalizedHeat;
@@ -195,17 +195,6 @@ AddSummary(HtmlReport & html, const HeatReportContent & content)
   html.AddFacts(content.parameters);
 }
 
-void
-AddReadingGuide(HtmlReport & html, const std::vector<std::string> & guide)
-{
-  html.AddHeading("How to read the pictures");
-  for (const std::string & paragraph : guide)
-  {
-    html.AddParagraph(paragraph);
-  }
-}
-} // namespace
-
 std::vector<std::string>
 ReadingGuideOfHeat()
 {
@@ -227,6 +216,35 @@ ReadingGuideOfHeat()
   };
 }
 
+std::vector<std::string>
+ReadingGuideOfVisits()
+{
+  return {
+    "Shapetons are particles. In each time step every one of them moves by the same distance, in a direction that "
+    "the edges of the image make more or less likely, and the voxel where it ends counts one visit. Density is "
+    "the number of visits in units of the greatest one.",
+    "Histogram: time runs downwards, density to the right. A vertical line at the bottom is an object, or several "
+    "objects that are visited alike. Visits are a sample: n visits are right to about the square root of n, so "
+    "that lines are broad where visits are few; more shapetons or steps make them sharper.",
+    "Colours are the same in all pictures: the colour of a density is its place on the histogram's axis, from blue "
+    "(fewest visits) to red (most). A class is a range of densities; two objects may share a class without being "
+    "alike in any other way.",
+    "As published, a step ends where it ends: steps longer than a feature pass over it and over its walls. Where "
+    "all six neighbours are cut off by edges a shapeton stays for ever; such voxels have by far the most visits."
+  };
+}
+
+void
+AddReadingGuide(HtmlReport & html, const ShapeQuantity & quantity)
+{
+  html.AddHeading("How to read the pictures");
+  for (const std::string & paragraph : IsHeat(quantity) ? ReadingGuideOfHeat() : ReadingGuideOfVisits())
+  {
+    html.AddParagraph(paragraph);
+  }
+}
+} // namespace
+
 CsvTable
 ClassTable(const std::vector<HeatClass> & classes, const HeatAxis & axis, const ShapeQuantity & quantity)
 {
@@ -234,8 +252,8 @@ ClassTable(const std::vector<HeatClass> & classes, const HeatAxis & axis, const 
   std::vector<std::string> columns = { "label",  "lower" + title, "upper" + title, "mean" + title,
                                        "voxels", "volume",        "borderShare" };
   Append(columns,
-         HasComponents(quantity) ? std::vector<std::string>{ "components", "normalizedHeat", "color" }
-                                 : std::vector<std::string>{ "meanVisits", "color" });
+         IsHeat(quantity) ? std::vector<std::string>{ "components", "normalizedHeat", "color" }
+                          : std::vector<std::string>{ "meanVisits", "color" });
   CsvTable table(columns);
   for (const HeatClass & heatClass : classes)
   {
@@ -246,7 +264,7 @@ ClassTable(const std::vector<HeatClass> & classes, const HeatAxis & axis, const 
                                      std::to_string(heatClass.voxels),
                                      CsvTable::Number(heatClass.volume),
                                      CsvTable::Rounded(heatClass.borderShare, 6) };
-    if (HasComponents(quantity))
+    if (IsHeat(quantity))
     {
       row.push_back(std::to_string(heatClass.components));
       row.push_back(CsvTable::Number(heatClass.normalizedHeat));
@@ -399,7 +417,7 @@ WriteHeatReport(const HeatReportContent & content, const std::string & folder, c
              DrawTransferFunction(
                content.grey, content.heat, transferFunction, "Transfer function" + time, content.window, quantity),
              "The " + quantity.name + " volume with the lines " + transferFunction.ToText());
-  AddReadingGuide(html, content.readingGuide);
+  AddReadingGuide(html, quantity);
   html.AddHeading("Provenance");
   html.AddFacts(content.provenance);
 

@@ -3,11 +3,10 @@
 #include "itkAxisTicks.h"
 #include "itkCommandLine.h"
 #include "itkCsvTable.h"
-#include "itkHeatAxis.h"
 #include "itkHeatColoring.h"
+#include "itkShapeAnalysis.h"
 #include "itkSliceMontage.h"
 #include "itkToolError.h"
-#include "itkVisitDensity.h"
 
 #include "itkCommand.h"
 #include "itkImageRegionConstIteratorWithIndex.h"
@@ -52,14 +51,11 @@ DrawShapetonPreview(const Image<float, 3> *         grey,
                     const Index<3> &                cut,
                     const ShapetonProgress &        progress)
 {
-  HeatHistogram histogram({ progress.measures.step });
-  AddVisitsToRow(visits, 0, histogram);
-  const auto          density = NormalizeVisits(visits);
-  const HeatAxis      axis(BalanceClasses(histogram, 0, ClassifyVisits(visits, density).classes));
+  const ShapeAnalysis shape = AnalyzeVisits(visits, progress.measures.step);
   SliceMontageOptions options;
   options.title = DescribeProgress(progress);
   options.cut = cut;
-  return DrawSliceMontage(grey, density, ColorByHeat(axis), options);
+  return DrawSliceMontage(grey, shape.values, ColorByHeat(HeatAxis(shape.axisHistogram)), options);
 }
 
 Index<3>

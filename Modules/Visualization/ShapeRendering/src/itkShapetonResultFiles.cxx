@@ -2,7 +2,7 @@
 
 #include "itkAxisTicks.h"
 #include "itkCommandLine.h"
-#include "itkVisitDensity.h"
+#include "itkShapeAnalysis.h"
 #include "itkVolumeOutput.h"
 #include "itkVolumeReader.h"
 #include "itkVolumeWriter.h"
@@ -48,24 +48,6 @@ MeanVisits(const FilterType * filter)
          static_cast<double>(std::max<std::uint64_t>(1, measures.voxelsReached));
 }
 } // namespace
-
-std::vector<std::string>
-ReadingGuideOfVisits()
-{
-  return {
-    "Shapetons are particles. In each time step every one of them moves by the same distance, in a direction that "
-    "the edges of the image make more or less likely, and the voxel where it ends counts one visit. Density is "
-    "the number of visits in units of the greatest one.",
-    "Histogram: time runs downwards, density to the right. A vertical line at the bottom is an object, or several "
-    "objects that are visited alike. Visits are a sample: n visits are right to about the square root of n, so "
-    "that lines are broad where visits are few; more shapetons or steps make them sharper.",
-    "Colours are the same in all pictures: the colour of a density is its place on the histogram's axis, from blue "
-    "(fewest visits) to red (most). A class is a range of densities; two objects may share a class without being "
-    "alike in any other way.",
-    "As published, a step ends where it ends: steps longer than a feature pass over it and over its walls. Where "
-    "all six neighbours are cut off by edges a shapeton stays for ever; such voxels have by far the most visits."
-  };
-}
 
 std::vector<std::string>
 ShapetonRemarks(const FilterType * filter)
@@ -157,29 +139,24 @@ ShapetonResultFiles::Write(const FilterType * filter, const Volume & volume) con
   {
     return;
   }
-  const auto    density = NormalizeVisits(filter->GetOutput());
-  const auto    classification = ClassifyVisits(filter->GetOutput(), density);
-  HeatHistogram end({ filter->GetMeasures().step });
-  AddVisitsToRow(filter->GetOutput(), 0, end);
-  // The first rows are noise, and a resumed run lacks them: the last one lays out the axis.
-  const HeatHistogram axis = BalanceClasses(end, 0, classification.classes);
+  const ShapeAnalysis shape = AnalyzeVisits(filter->GetOutput(), filter->GetMeasures().step);
   HeatReportContent   content;
   content.title = "Shapeton diffusion";
-  content.quantity = ShapeQuantity::Density(std::max(1U, filter->GetMeasures().maximumVisits));
-  content.readingGuide = ReadingGuideOfVisits();
+  content.quantity = shape.quantity;
   content.input = { { "Modality", volume.modality }, { "Identity", volume.identity } };
   content.parameters = ShapetonFacts(filter);
   content.provenance = m_CommandLine.GetProvenance();
   content.warnings = m_CommandLine.GetWarnings();
-  content.histogram = filter->GetHistogram().GetNumberOfRows() > 0 ? &filter->GetHistogram() : &end;
-  content.axisHistogram = &axis;
+  content.histogram = filter->GetHistogram().GetNumberOfRows() > 0 ? &filter->GetHistogram() : &shape.histogram;
+  // The first rows are noise, and a resumed run lacks them.
+  content.axisHistogram = &shape.axisHistogram;
   content.grey = volume.image;
-  content.heat = density;
+  content.heat = shape.values;
   content.timeStep = filter->GetMeasures().step;
-  content.classes = classification.classes;
+  content.classes = shape.classes;
   if (!m_Labels.empty())
   {
-    WriteVolume(classification.labels.GetPointer(), m_Labels, ProvenanceMetadata(m_CommandLine));
+    WriteVolume(shape.labels.GetPointer(), m_Labels, ProvenanceMetadata(m_CommandLine));
   }
   if (!m_ClassTable.empty())
   {

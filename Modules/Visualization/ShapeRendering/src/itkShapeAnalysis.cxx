@@ -1,0 +1,38 @@
+#include "itkShapeAnalysis.h"
+
+#include "itkHeatClassification.h"
+#include "itkVisitDensity.h"
+
+#include <algorithm>
+
+namespace itk
+{
+ShapeAnalysis
+AnalyzeHeat(const Image<float, 3> * heat, std::uint64_t timeStep)
+{
+  ShapeAnalysis analysis;
+  analysis.values = heat;
+  analysis.histogram = HeatHistogram({ timeStep });
+  analysis.histogram.AddToRow(0, heat->GetBufferPointer(), heat->GetBufferedRegion().GetNumberOfPixels());
+  analysis.classes = FindHeatClasses(analysis.histogram, 0);
+  analysis.labels = LabelHeat(heat, analysis.classes);
+  analysis.axisHistogram = analysis.histogram;
+  return analysis;
+}
+
+ShapeAnalysis
+AnalyzeVisits(const Image<std::uint32_t, 3> * visits, std::uint64_t timeStep)
+{
+  const auto    density = NormalizeVisits(visits);
+  auto          classification = ClassifyVisits(visits, density);
+  ShapeAnalysis analysis;
+  analysis.quantity = ShapeQuantity::Density(std::max(1U, GreatestVisits(visits)));
+  analysis.values = density;
+  analysis.histogram = HeatHistogram({ timeStep });
+  AddVisitsToRow(visits, 0, analysis.histogram);
+  analysis.classes = std::move(classification.classes);
+  analysis.labels = classification.labels;
+  analysis.axisHistogram = BalanceClasses(analysis.histogram, 0, analysis.classes);
+  return analysis;
+}
+} // namespace itk
