@@ -236,6 +236,22 @@ TEST(CommandLineOutputs, PublishedOnesAreThereWhileTheRunGoesOnAndAfterItFails)
   EXPECT_EQ(NamesIn(), Words({ "preview.png" }));
 }
 
+TEST(CommandLineOutputs, MayReplaceAnInputThatWasReleasedOnly)
+{
+  const Scratch scratch;
+  WriteText("run.state", oldText);
+  const Words options = { "--shape", "run.state" };
+  const auto refused = RunWithOptions(options, [](itk::CommandLine & commandLine) { commandLine.Output("run.state"); });
+  EXPECT_EQ(refused.status, 2);
+  EXPECT_NE(refused.err.find("is an input of this run"), std::string::npos) << refused.err;
+  const auto allowed = RunWithOptions(options, [](itk::CommandLine & commandLine) {
+    commandLine.AllowReplacing("shape");
+    WriteText(commandLine.Output("run.state"), newText);
+  });
+  EXPECT_EQ(allowed.status, 0) << allowed.err;
+  EXPECT_EQ(ReadText("run.state"), newText);
+}
+
 TEST(CommandLineOutputs, OnlyWhatWasWrittenCanBePublished)
 {
   const Scratch scratch;
