@@ -140,7 +140,12 @@ ShapetonResultFiles::Write(const FilterType * filter, const Volume & volume) con
     return;
   }
   const ShapeAnalysis shape = AnalyzeVisits(filter->GetOutput(), filter->GetMeasures().step);
-  HeatReportContent   content;
+  if (shape.classes.size() <= 2)
+  {
+    m_CommandLine.Warn(
+      "all voxels that were visited fall into one class of density: no object stands out from the others");
+  }
+  HeatReportContent content;
   content.title = "Shapeton diffusion";
   content.quantity = shape.quantity;
   content.input = { { "Modality", volume.modality }, { "Identity", volume.identity } };
