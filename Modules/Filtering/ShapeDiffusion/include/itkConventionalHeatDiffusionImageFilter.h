@@ -1,10 +1,7 @@
 #ifndef itkConventionalHeatDiffusionImageFilter_h
 #define itkConventionalHeatDiffusionImageFilter_h
 
-#include "itkVolumeGradientOperator.h"
-
-#include "itkImage.h"
-#include "itkImageToImageFilter.h"
+#include "itkVolumeDiffusionImageFilter.h"
 
 #include <cstdint>
 #include <functional>
@@ -38,28 +35,19 @@ DiffuseConventionalHeat(const VolumeGradientOperator &      volumeGradient,
  * \ingroup ShapeDiffusion
  */
 template <typename TInputImage>
-class ITK_TEMPLATE_EXPORT ConventionalHeatDiffusionImageFilter : public ImageToImageFilter<TInputImage, Image<float, 3>>
+class ITK_TEMPLATE_EXPORT ConventionalHeatDiffusionImageFilter
+  : public VolumeDiffusionImageFilter<TInputImage, Image<float, 3>>
 {
 public:
   ITK_DISALLOW_COPY_AND_MOVE(ConventionalHeatDiffusionImageFilter);
 
   using Self = ConventionalHeatDiffusionImageFilter;
-  using Superclass = ImageToImageFilter<TInputImage, Image<float, 3>>;
+  using Superclass = VolumeDiffusionImageFilter<TInputImage, Image<float, 3>>;
   using Pointer = SmartPointer<Self>;
   using ConstPointer = SmartPointer<const Self>;
 
-  static_assert(TInputImage::ImageDimension == 3, "the volume gradient operator is defined on volumes");
-
   itkNewMacro(Self);
-  itkTypeMacro(ConventionalHeatDiffusionImageFilter, ImageToImageFilter);
-
-  /** Steepness p of (2.5); not negative. Default 7. */
-  itkSetMacro(P, double);
-  itkGetConstMacro(P, double);
-
-  /** Number of time steps; at least 1. Default 100. */
-  itkSetMacro(TimeSteps, std::uint64_t);
-  itkGetConstMacro(TimeSteps, std::uint64_t);
+  itkTypeMacro(ConventionalHeatDiffusionImageFilter, VolumeDiffusionImageFilter);
 
   /** Length dt of a time step in (0, 1/12]. Default 1/12. */
   itkSetMacro(TimeStepLength, double);
@@ -70,23 +58,17 @@ public:
   itkGetConstMacro(SourceHeat, double);
 
 protected:
-  ConventionalHeatDiffusionImageFilter() = default;
+  ConventionalHeatDiffusionImageFilter() : Superclass(100) {}
   ~ConventionalHeatDiffusionImageFilter() override = default;
 
   void
   PrintSelf(std::ostream & os, Indent indent) const override;
   void
-  GenerateInputRequestedRegion() override;
-  void
-  EnlargeOutputRequestedRegion(DataObject * output) override;
-  void
   GenerateData() override;
 
 private:
-  double        m_P{ 7.0 };
-  std::uint64_t m_TimeSteps{ 100 };
-  double        m_TimeStepLength{ 1.0 / 12.0 };
-  double        m_SourceHeat{ 1.0 };
+  double m_TimeStepLength{ 1.0 / 12.0 };
+  double m_SourceHeat{ 1.0 };
 };
 } // namespace itk
 

@@ -3,9 +3,9 @@
 
 #include "itkAutomaticParameters.h"
 #include "itkCumulativeHeatDiffusion.h"
+#include "itkVolumeDiffusionImageFilter.h"
 
 #include "itkImage.h"
-#include "itkImageToImageFilter.h"
 
 namespace itk
 {
@@ -32,13 +32,14 @@ namespace itk
  * \ingroup ShapeDiffusion
  */
 template <typename TInputImage>
-class ITK_TEMPLATE_EXPORT CumulativeHeatDiffusionImageFilter : public ImageToImageFilter<TInputImage, Image<float, 3>>
+class ITK_TEMPLATE_EXPORT CumulativeHeatDiffusionImageFilter
+  : public VolumeDiffusionImageFilter<TInputImage, Image<float, 3>>
 {
 public:
   ITK_DISALLOW_COPY_AND_MOVE(CumulativeHeatDiffusionImageFilter);
 
   using Self = CumulativeHeatDiffusionImageFilter;
-  using Superclass = ImageToImageFilter<TInputImage, Image<float, 3>>;
+  using Superclass = VolumeDiffusionImageFilter<TInputImage, Image<float, 3>>;
   using Pointer = SmartPointer<Self>;
   using ConstPointer = SmartPointer<const Self>;
   using HeatImageType = Image<float, 3>;
@@ -46,24 +47,14 @@ public:
   using Conductance = VolumeGradientOperator::Conductance;
   using StepsType = std::vector<std::uint64_t>;
 
-  static_assert(TInputImage::ImageDimension == 3, "the volume gradient operator is defined on volumes");
-
   itkNewMacro(Self);
-  itkTypeMacro(CumulativeHeatDiffusionImageFilter, ImageToImageFilter);
-
-  /** Steepness p of (2.5): an edge insulates where the half gradient reaches 1 / p. Not negative. Default 7. */
-  itkSetMacro(P, double);
-  itkGetConstMacro(P, double);
+  itkTypeMacro(CumulativeHeatDiffusionImageFilter, VolumeDiffusionImageFilter);
 
   /** Let ChooseP() find p from noise and edges; P is then not used. GetResult() tells the choice and why. Default off.
    */
   itkSetMacro(AutomaticP, bool);
   itkGetConstMacro(AutomaticP, bool);
   itkBooleanMacro(AutomaticP);
-
-  /** Number of time steps; at least 1. Default 100,000. */
-  itkSetMacro(TimeSteps, std::uint64_t);
-  itkGetConstMacro(TimeSteps, std::uint64_t);
 
   /** Length dt of a time step in (0, 1/12]. Default 1/12. */
   itkSetMacro(TimeStepLength, double);
@@ -76,11 +67,6 @@ public:
   /** Bound of the error of the heat, in [1e-6, 1]; single precision holds about 5e-6. Default 1e-5. */
   itkSetMacro(Tolerance, double);
   itkGetConstMacro(Tolerance, double);
-
-  /** Intensities that map to 0 and to 1, for CT in Hounsfield units. Default: the least and the greatest intensity,
-   * which GetResult() tells. */
-  void
-  SetIntensityWindow(double lower, double upper);
 
   /** How the spacing enters; see VolumeGradientOperator. Default Physical. */
   itkSetEnumMacro(Conductance, Conductance);
@@ -137,29 +123,18 @@ protected:
   void
   PrintSelf(std::ostream & os, Indent indent) const override;
   void
-  VerifyPreconditions() ITKv5_CONST override;
-  void
-  GenerateInputRequestedRegion() override;
-  void
-  EnlargeOutputRequestedRegion(DataObject * output) override;
-  void
   GenerateData() override;
 
 private:
   CumulativeHeatDiffusionSettings
-  MakeSettings(const float * intensities, const std::array<std::size_t, 3> & size);
+  MakeSettings(const float * intensities);
   void
   HandOut(std::uint64_t step, const std::vector<float> & values) const;
 
-  double                        m_P{ 7.0 };
   bool                          m_AutomaticP{ false };
-  std::uint64_t                 m_TimeSteps{ 100000 };
   double                        m_TimeStepLength{ HeatDiffusionSolver::MaximumTimeStepLength };
   Method                        m_Method{ Method::Chebyshev };
   double                        m_Tolerance{ 1e-5 };
-  bool                          m_HasWindow{ false };
-  double                        m_WindowLower{ 0.0 };
-  double                        m_WindowUpper{ 0.0 };
   Conductance                   m_Conductance{ Conductance::Physical };
   bool                          m_IgnoreSpacing{ false };
   bool                          m_UntilSteady{ false };

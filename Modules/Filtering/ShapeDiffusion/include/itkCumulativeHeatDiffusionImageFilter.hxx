@@ -9,20 +9,10 @@
 namespace itk
 {
 template <typename TInputImage>
-CumulativeHeatDiffusionImageFilter<TInputImage>::CumulativeHeatDiffusionImageFilter()
+CumulativeHeatDiffusionImageFilter<TInputImage>::CumulativeHeatDiffusionImageFilter() : Superclass(100000)
 {
   this->SetNumberOfRequiredOutputs(2);
   this->SetNthOutput(1, HeatImageType::New());
-}
-
-template <typename TInputImage>
-void
-CumulativeHeatDiffusionImageFilter<TInputImage>::SetIntensityWindow(double lower, double upper)
-{
-  m_HasWindow = true;
-  m_WindowLower = lower;
-  m_WindowUpper = upper;
-  this->Modified();
 }
 
 template <typename TInputImage>
@@ -44,67 +34,20 @@ CumulativeHeatDiffusionImageFilter<TInputImage>::SetSnapshotSteps(const StepsTyp
 }
 
 template <typename TInputImage>
-void
-CumulativeHeatDiffusionImageFilter<TInputImage>::VerifyPreconditions() ITKv5_CONST
-{
-  Superclass::VerifyPreconditions();
-  if (!(m_P >= 0.0))
-  {
-    itkExceptionMacro("P must not be negative, got " << m_P);
-  }
-  if (m_TimeSteps < 1)
-  {
-    itkExceptionMacro("TimeSteps must be at least 1");
-  }
-  if (m_HasWindow && !(m_WindowLower < m_WindowUpper))
-  {
-    itkExceptionMacro("the intensity window [" << m_WindowLower << ", " << m_WindowUpper << "] is empty or reversed");
-  }
-}
-
-template <typename TInputImage>
-void
-CumulativeHeatDiffusionImageFilter<TInputImage>::GenerateInputRequestedRegion()
-{
-  Superclass::GenerateInputRequestedRegion();
-  if (auto * const input = const_cast<TInputImage *>(this->GetInput()))
-  {
-    input->SetRequestedRegionToLargestPossibleRegion();
-  }
-}
-
-template <typename TInputImage>
-void
-CumulativeHeatDiffusionImageFilter<TInputImage>::EnlargeOutputRequestedRegion(DataObject * output)
-{
-  Superclass::EnlargeOutputRequestedRegion(output);
-  output->SetRequestedRegionToLargestPossibleRegion();
-}
-
-template <typename TInputImage>
 CumulativeHeatDiffusionSettings
-CumulativeHeatDiffusionImageFilter<TInputImage>::MakeSettings(const float *                      intensities,
-                                                              const std::array<std::size_t, 3> & size)
+CumulativeHeatDiffusionImageFilter<TInputImage>::MakeSettings(const float * intensities)
 {
   CumulativeHeatDiffusionSettings settings;
-  settings.volumeGradient.lower = m_WindowLower;
-  settings.volumeGradient.upper = m_WindowUpper;
-  if (!m_HasWindow)
-  {
-    const auto ends = std::minmax_element(intensities, intensities + size[0] * size[1] * size[2]);
-    settings.volumeGradient.lower = *ends.first;
-    settings.volumeGradient.upper = *ends.second;
-  }
+  settings.volumeGradient = this->MakeOperatorParameters(intensities);
+  settings.spacing = settings.volumeGradient.spacing;
   settings.volumeGradient.conductance = m_Conductance;
-  for (unsigned int axis = 0; axis < 3; ++axis)
+  if (m_IgnoreSpacing)
   {
-    settings.spacing[axis] = this->GetInput()->GetSpacing()[axis];
-    settings.volumeGradient.spacing[axis] = m_IgnoreSpacing ? 1.0 : settings.spacing[axis];
+    settings.volumeGradient.spacing = { { 1.0, 1.0, 1.0 } };
   }
-  settings.volumeGradient.p = m_P;
   settings.automaticP = m_AutomaticP;
   settings.method = m_Method;
-  settings.timeSteps = m_TimeSteps;
+  settings.timeSteps = this->GetTimeSteps();
   settings.timeStepLength = m_TimeStepLength;
   settings.tolerance = m_Tolerance;
   settings.untilSteady = m_UntilSteady;
@@ -139,11 +82,6 @@ CumulativeHeatDiffusionImageFilter<TInputImage>::GenerateData()
     initialHeat->SetBufferedRegion(initialHeat->GetLargestPossibleRegion());
     initialHeat->Allocate();
   }
-  const auto                 region = input->GetBufferedRegion();
-  const std::size_t          number = region.GetNumberOfPixels();
-  std::array<std::size_t, 3> size{};
-  std::copy_n(region.GetSize().begin(), 3, size.begin());
-
   // Other pixel types are converted in the output, which the heat replaces at the end.
   const float * intensities = heat->GetBufferPointer();
   if constexpr (std::is_same_v<typename TInputImage::PixelType, float>)
@@ -153,29 +91,22 @@ CumulativeHeatDiffusionImageFilter<TInputImage>::GenerateData()
   else
   {
     std::transform(input->GetBufferPointer(),
-                   input->GetBufferPointer() + number,
+                   input->GetBufferPointer() + input->GetBufferedRegion().GetNumberOfPixels(),
                    heat->GetBufferPointer(),
                    [](auto value) { return static_cast<float>(value); });
   }
-  const auto progress = [this](double share) {
-    this->UpdateProgress(static_cast<float>(share));
-    if (this->GetAbortGenerateData())
-    {
-      throw ProcessAborted(__FILE__, __LINE__);
-    }
-  };
   try
   {
     m_Result = DiffuseCumulativeHeat(
       intensities,
-      size,
-      this->MakeSettings(intensities, size),
+      this->GetVolumeSize(),
+      this->MakeSettings(intensities),
       heat->GetBufferPointer(),
       m_WantInitialHeat ? initialHeat->GetBufferPointer() : nullptr,
       m_SnapshotConsumer
         ? [this](std::uint64_t step, const std::vector<float> & values) { this->HandOut(step, values); }
         : HeatSnapshotConsumer(),
-      progress);
+      [this](double share) { this->ReportProgress(share); });
   }
   catch (const std::logic_error & error)
   {
@@ -188,15 +119,10 @@ void
 CumulativeHeatDiffusionImageFilter<TInputImage>::PrintSelf(std::ostream & os, Indent indent) const
 {
   Superclass::PrintSelf(os, indent);
-  os << indent << "P: " << m_P << std::endl;
   os << indent << "AutomaticP: " << m_AutomaticP << std::endl;
-  os << indent << "TimeSteps: " << m_TimeSteps << std::endl;
   os << indent << "TimeStepLength: " << m_TimeStepLength << std::endl;
   os << indent << "Method: " << (m_Method == Method::Chebyshev ? "Chebyshev" : "Explicit") << std::endl;
   os << indent << "Tolerance: " << m_Tolerance << std::endl;
-  os << indent << "HasWindow: " << m_HasWindow << std::endl;
-  os << indent << "WindowLower: " << m_WindowLower << std::endl;
-  os << indent << "WindowUpper: " << m_WindowUpper << std::endl;
   os << indent << "Conductance: " << (m_Conductance == Conductance::Physical ? "Physical" : "Published") << std::endl;
   os << indent << "IgnoreSpacing: " << m_IgnoreSpacing << std::endl;
   os << indent << "UntilSteady: " << m_UntilSteady << std::endl;

@@ -4,9 +4,9 @@
 #include "itkHeatHistogram.h"
 #include "itkShapetonDiffusion.h"
 #include "itkShapetonParameters.h"
+#include "itkVolumeDiffusionImageFilter.h"
 
 #include "itkImage.h"
-#include "itkImageToImageFilter.h"
 
 #include <memory>
 #include <vector>
@@ -57,23 +57,22 @@ public:
  * \ingroup ShapeDiffusion
  */
 template <typename TInputImage>
-class ITK_TEMPLATE_EXPORT ShapetonDiffusionImageFilter : public ImageToImageFilter<TInputImage, Image<std::uint32_t, 3>>
+class ITK_TEMPLATE_EXPORT ShapetonDiffusionImageFilter
+  : public VolumeDiffusionImageFilter<TInputImage, Image<std::uint32_t, 3>>
 {
 public:
   ITK_DISALLOW_COPY_AND_MOVE(ShapetonDiffusionImageFilter);
 
   using Self = ShapetonDiffusionImageFilter;
-  using Superclass = ImageToImageFilter<TInputImage, Image<std::uint32_t, 3>>;
+  using Superclass = VolumeDiffusionImageFilter<TInputImage, Image<std::uint32_t, 3>>;
   using Pointer = SmartPointer<Self>;
   using ConstPointer = SmartPointer<const Self>;
   using VisitsImageType = Image<std::uint32_t, 3>;
   using MaskImageType = Image<unsigned char, 3>;
   using StepsType = std::vector<std::uint64_t>;
 
-  static_assert(TInputImage::ImageDimension == 3, "the volume gradient operator is defined on volumes");
-
   itkNewMacro(Self);
-  itkTypeMacro(ShapetonDiffusionImageFilter, ImageToImageFilter);
+  itkTypeMacro(ShapetonDiffusionImageFilter, VolumeDiffusionImageFilter);
 
   /** Where shapetons start: voxels that are not 0. The grid must be that of the input. */
   void
@@ -86,16 +85,6 @@ public:
   {
     return itkDynamicCastInDebugMode<const MaskImageType *>(this->ProcessObject::GetInput(1));
   }
-
-  /** Steepness p of (3.2): an edge insulates where the half gradient reaches 1 / p. Not negative. Default 7. */
-  itkSetMacro(P, double);
-  itkGetConstMacro(P, double);
-
-  /** Intensities that map to 0 and 1; by default the least and the greatest of the volume. */
-  void
-  SetIntensityWindow(double lower, double upper);
-  itkGetConstMacro(WindowLower, double);
-  itkGetConstMacro(WindowUpper, double);
 
   /** Number of shapetons; at least 1. Default 65000. */
   itkSetMacro(NumberOfShapetons, std::uint32_t);
@@ -124,10 +113,6 @@ public:
   {
     return m_AutomaticShapetons;
   }
-
-  /** Steps to take, or at most to take with UntilSteady; at least 1. Default 2500. */
-  itkSetMacro(TimeSteps, std::uint64_t);
-  itkGetConstMacro(TimeSteps, std::uint64_t);
 
   /** Default SolidAngle. */
   itkSetEnumMacro(DirectionSampling, DirectionSampling);
@@ -201,35 +186,24 @@ protected:
   void
   VerifyPreconditions() ITKv5_CONST override;
   void
-  GenerateInputRequestedRegion() override;
-  void
-  EnlargeOutputRequestedRegion(DataObject * output) override;
-  void
   GenerateData() override;
 
 private:
   void
-  ChooseParameters(const std::array<std::size_t, 3> & size);
+  ChooseParameters();
   ShapetonDiffusionSettings
-  MakeSettings(const float * intensities, std::size_t number);
+  MakeSettings(const float * intensities);
   void
   PlaceShapetons();
   void
   TakeSteps();
-  void
-  ThrowIfAborted() const;
 
-  double                         m_P{ 7.0 };
-  bool                           m_HasWindow{ false };
-  double                         m_WindowLower{ 0.0 };
-  double                         m_WindowUpper{ 0.0 };
   std::uint32_t                  m_NumberOfShapetons{ 65000 };
   double                         m_Distance{ 0.01 };
   double                         m_FeatureSize{ 0.0 };
   bool                           m_AutomaticDistance{ false };
   bool                           m_AutomaticNumberOfShapetons{ false };
   AutomaticShapetons             m_AutomaticShapetons;
-  std::uint64_t                  m_TimeSteps{ 2500 };
   DirectionSampling              m_DirectionSampling{ DirectionSampling::SolidAngle };
   PathRule                       m_PathRule{ PathRule::Endpoint };
   ShapetonPlacement              m_Placement{ ShapetonPlacement::Uniform };

@@ -6,25 +6,14 @@
 
 #include <algorithm>
 #include <stdexcept>
-#include <type_traits>
 #include <utility>
 
 namespace itk
 {
 template <typename TInputImage>
-ShapetonDiffusionImageFilter<TInputImage>::ShapetonDiffusionImageFilter()
+ShapetonDiffusionImageFilter<TInputImage>::ShapetonDiffusionImageFilter() : Superclass(2500)
 {
   this->SetNumberOfRequiredInputs(1);
-}
-
-template <typename TInputImage>
-void
-ShapetonDiffusionImageFilter<TInputImage>::SetIntensityWindow(double lower, double upper)
-{
-  m_HasWindow = true;
-  m_WindowLower = lower;
-  m_WindowUpper = upper;
-  this->Modified();
 }
 
 template <typename TInputImage>
@@ -55,56 +44,27 @@ void
 ShapetonDiffusionImageFilter<TInputImage>::VerifyPreconditions() ITKv5_CONST
 {
   Superclass::VerifyPreconditions();
-  if (m_TimeSteps < 1)
-  {
-    itkExceptionMacro("TimeSteps must be at least 1");
-  }
-  if (m_HasWindow && !(m_WindowLower < m_WindowUpper))
-  {
-    itkExceptionMacro("the intensity window [" << m_WindowLower << ", " << m_WindowUpper << "] is empty or reversed");
-  }
   if (!(m_Epsilon >= 0.0))
   {
     itkExceptionMacro("Epsilon must not be negative, got " << m_Epsilon);
   }
   const bool ascend = std::adjacent_find(m_HistogramSteps.begin(), m_HistogramSteps.end(), std::greater_equal<>()) ==
                       m_HistogramSteps.end();
-  if (!ascend || (!m_HistogramSteps.empty() && (m_HistogramSteps.front() < 1 || m_HistogramSteps.back() > m_TimeSteps)))
+  if (!ascend ||
+      (!m_HistogramSteps.empty() && (m_HistogramSteps.front() < 1 || m_HistogramSteps.back() > this->GetTimeSteps())))
   {
     itkExceptionMacro("the HistogramSteps must ascend and lie between 1 and TimeSteps");
   }
-  if (m_InitialState && m_InitialState->step > m_TimeSteps)
+  if (m_InitialState && m_InitialState->step > this->GetTimeSteps())
   {
-    itkExceptionMacro("the initial state is of step " << m_InitialState->step << ", beyond TimeSteps, " << m_TimeSteps);
+    itkExceptionMacro("the initial state is of step " << m_InitialState->step << ", beyond TimeSteps, "
+                                                      << this->GetTimeSteps());
   }
 }
 
 template <typename TInputImage>
 void
-ShapetonDiffusionImageFilter<TInputImage>::GenerateInputRequestedRegion()
-{
-  Superclass::GenerateInputRequestedRegion();
-  if (auto * const input = const_cast<TInputImage *>(this->GetInput()))
-  {
-    input->SetRequestedRegionToLargestPossibleRegion();
-  }
-  if (auto * const mask = const_cast<MaskImageType *>(this->GetMaskImage()))
-  {
-    mask->SetRequestedRegionToLargestPossibleRegion();
-  }
-}
-
-template <typename TInputImage>
-void
-ShapetonDiffusionImageFilter<TInputImage>::EnlargeOutputRequestedRegion(DataObject * output)
-{
-  Superclass::EnlargeOutputRequestedRegion(output);
-  output->SetRequestedRegionToLargestPossibleRegion();
-}
-
-template <typename TInputImage>
-void
-ShapetonDiffusionImageFilter<TInputImage>::ChooseParameters(const std::array<std::size_t, 3> & size)
+ShapetonDiffusionImageFilter<TInputImage>::ChooseParameters()
 {
   if (!m_AutomaticDistance && !m_AutomaticNumberOfShapetons)
   {
@@ -114,7 +74,7 @@ ShapetonDiffusionImageFilter<TInputImage>::ChooseParameters(const std::array<std
   std::copy_n(this->GetInput()->GetSpacing().Begin(), 3, spacing.begin());
   try
   {
-    m_AutomaticShapetons = ChooseShapetons(size, spacing, m_FeatureSize, m_TimeSteps);
+    m_AutomaticShapetons = ChooseShapetons(this->GetVolumeSize(), spacing, m_FeatureSize, this->GetTimeSteps());
   }
   catch (const std::invalid_argument & error)
   {
@@ -132,19 +92,10 @@ ShapetonDiffusionImageFilter<TInputImage>::ChooseParameters(const std::array<std
 
 template <typename TInputImage>
 ShapetonDiffusionSettings
-ShapetonDiffusionImageFilter<TInputImage>::MakeSettings(const float * intensities, std::size_t number)
+ShapetonDiffusionImageFilter<TInputImage>::MakeSettings(const float * intensities)
 {
-  if (!m_HasWindow && number > 0)
-  {
-    const auto ends = std::minmax_element(intensities, intensities + number);
-    m_WindowLower = *ends.first;
-    m_WindowUpper = *ends.second;
-  }
   ShapetonDiffusionSettings settings;
-  settings.volumeGradient.p = m_P;
-  settings.volumeGradient.lower = m_WindowLower;
-  settings.volumeGradient.upper = m_WindowUpper;
-  std::copy_n(this->GetInput()->GetSpacing().Begin(), 3, settings.volumeGradient.spacing.begin());
+  settings.volumeGradient = this->MakeOperatorParameters(intensities);
   settings.shapetons = m_NumberOfShapetons;
   settings.distance = m_Distance;
   settings.directionSampling = m_DirectionSampling;
@@ -156,50 +107,22 @@ ShapetonDiffusionImageFilter<TInputImage>::MakeSettings(const float * intensitie
 
 template <typename TInputImage>
 void
-ShapetonDiffusionImageFilter<TInputImage>::ThrowIfAborted() const
-{
-  if (this->GetAbortGenerateData())
-  {
-    throw ProcessAborted(__FILE__, __LINE__);
-  }
-}
-
-template <typename TInputImage>
-void
 ShapetonDiffusionImageFilter<TInputImage>::PlaceShapetons()
 {
-  const TInputImage * const   input = this->GetInput();
   const MaskImageType * const mask = this->GetMaskImage();
-  if (mask && mask->GetBufferedRegion().GetSize() != input->GetBufferedRegion().GetSize())
+  if (mask && mask->GetBufferedRegion().GetSize() != this->GetInput()->GetBufferedRegion().GetSize())
   {
     itkExceptionMacro("the mask differs from the input in size");
   }
-  const std::size_t          number = input->GetBufferedRegion().GetNumberOfPixels();
-  std::array<std::size_t, 3> size{};
-  std::copy_n(input->GetBufferedRegion().GetSize().begin(), 3, size.begin());
-
-  this->ChooseParameters(size);
-
-  std::vector<float> converted;
-  const float *      intensities = nullptr;
-  if constexpr (std::is_same_v<typename TInputImage::PixelType, float>)
-  {
-    intensities = input->GetBufferPointer();
-  }
-  else
-  {
-    converted.assign(input->GetBufferPointer(), input->GetBufferPointer() + number);
-    intensities = converted.data();
-  }
+  this->ChooseParameters();
+  std::vector<float>  converted;
+  const float * const intensities = this->GetIntensities(converted);
   m_Diffusion = std::make_unique<ShapetonDiffusion>(intensities,
-                                                    size,
-                                                    this->MakeSettings(intensities, number),
+                                                    this->GetVolumeSize(),
+                                                    this->MakeSettings(intensities),
                                                     mask ? mask->GetBufferPointer() : nullptr,
                                                     this->GetOutput()->GetBufferPointer(),
-                                                    [this] {
-                                                      this->UpdateProgress(this->GetProgress());
-                                                      this->ThrowIfAborted();
-                                                    });
+                                                    [this] { this->ReportProgress(this->GetProgress()); });
   if (m_InitialState)
   {
     try
@@ -221,9 +144,8 @@ ShapetonDiffusionImageFilter<TInputImage>::TakeSteps()
     m_UntilSteady ? std::optional<SteadyRule>({ m_Epsilon, m_AutomaticEpsilon }) : std::nullopt;
   const auto observer = [this](const ShapetonMeasures & measures) {
     m_Measures = measures;
-    this->UpdateProgress(static_cast<float>(measures.step) / static_cast<float>(m_TimeSteps));
     this->InvokeEvent(IterationEvent());
-    this->ThrowIfAborted();
+    this->ReportProgress(static_cast<double>(measures.step) / static_cast<double>(this->GetTimeSteps()));
   };
   const std::uint64_t first = m_Diffusion->GetMeasures().step;
   StepsType           rows;
@@ -243,7 +165,7 @@ ShapetonDiffusionImageFilter<TInputImage>::TakeSteps()
   }
   if (reached == rows.size())
   {
-    m_Diffusion->Run(m_TimeSteps, rule, observer);
+    m_Diffusion->Run(this->GetTimeSteps(), rule, observer);
   }
   m_Measures = m_Diffusion->GetMeasures();
   if (reached < rows.size())
@@ -296,16 +218,11 @@ void
 ShapetonDiffusionImageFilter<TInputImage>::PrintSelf(std::ostream & os, Indent indent) const
 {
   Superclass::PrintSelf(os, indent);
-  os << indent << "P: " << m_P << std::endl;
-  os << indent << "HasWindow: " << m_HasWindow << std::endl;
-  os << indent << "WindowLower: " << m_WindowLower << std::endl;
-  os << indent << "WindowUpper: " << m_WindowUpper << std::endl;
   os << indent << "NumberOfShapetons: " << m_NumberOfShapetons << std::endl;
   os << indent << "Distance: " << m_Distance << std::endl;
   os << indent << "FeatureSize: " << m_FeatureSize << std::endl;
   os << indent << "AutomaticDistance: " << m_AutomaticDistance << std::endl;
   os << indent << "AutomaticNumberOfShapetons: " << m_AutomaticNumberOfShapetons << std::endl;
-  os << indent << "TimeSteps: " << m_TimeSteps << std::endl;
   os << indent << "DirectionSampling: " << NameOf(m_DirectionSampling) << std::endl;
   os << indent << "PathRule: " << NameOf(m_PathRule) << std::endl;
   os << indent << "Placement: " << NameOf(m_Placement) << std::endl;

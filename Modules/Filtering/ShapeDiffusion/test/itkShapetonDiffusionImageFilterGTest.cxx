@@ -308,9 +308,8 @@ TEST(ShapetonDiffusionImageFilter, TheRowsOfTheHistogramCountAllVoxels)
   filter->Update();
   const HeatHistogram & histogram = filter->GetHistogram();
   ASSERT_EQ(histogram.GetTimeSteps(), (std::vector<std::uint64_t>{ 1, 7, 40 }));
-  const auto    density = NormalizeVisits(filter->GetOutput());
   HeatHistogram last({ 40 });
-  last.AddToRow(0, density->GetBufferPointer(), volume.values.size());
+  AddVisitsToRow(filter->GetOutput(), 0, last);
   for (std::size_t row = 0; row < 3; ++row)
   {
     const std::uint32_t * const counts = histogram.GetRow(row);
@@ -345,7 +344,7 @@ TEST(ShapetonDiffusionImageFilter, SettingsOutOfRangeAreNamed)
   expectRefused("shapeton", [](auto & filter) { filter->SetNumberOfShapetons(0); });
   expectRefused("distance", [](auto & filter) { filter->SetDistance(0.0); });
   expectRefused("distance", [](auto & filter) { filter->SetDistance(1.5); });
-  expectRefused("p must be", [](auto & filter) { filter->SetP(-1.0); });
+  expectRefused("P must not be negative", [](auto & filter) { filter->SetP(-1.0); });
   expectRefused("window", [](auto & filter) { filter->SetIntensityWindow(1.0, 1.0); });
   expectRefused("Epsilon", [](auto & filter) { filter->SetEpsilon(-0.1); });
   expectRefused("HistogramSteps", [](auto & filter) { filter->SetHistogramSteps({ 11 }); });
