@@ -21,7 +21,10 @@ public:
       this->Mix(word);
     }
     std::uint64_t rest = number;
-    std::memcpy(reinterpret_cast<unsigned char *>(&rest) + 1, next, number);
+    if (number > 0) // nothing may lie at a null pointer
+    {
+      std::memcpy(reinterpret_cast<unsigned char *>(&rest) + 1, next, number);
+    }
     this->Mix(rest);
   }
 
