@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <vector>
 
 namespace itk
 {
@@ -25,89 +26,133 @@ public:
     if (m_Used == 4)
     {
       ++m_Counter.d;
-      m_Words = Philox4x32(m_Seed, m_Counter);
+      const auto words = Philox4x32(m_Seed, m_Counter);
+      m_Numbers[0] = UnitFloat(words.a);
+      m_Numbers[1] = UnitFloat(words.b);
+      m_Numbers[2] = UnitFloat(words.c);
+      m_Numbers[3] = UnitFloat(words.d);
       m_Used = 0;
     }
-    const std::uint32_t words[4] = { m_Words.a, m_Words.b, m_Words.c, m_Words.d };
-    return UnitFloat(words[m_Used++]);
+    return m_Numbers[m_Used++];
   }
 
 private:
   std::uint64_t              m_Seed;
   PhiloxWords<std::uint32_t> m_Counter;
-  PhiloxWords<std::uint32_t> m_Words{};
+  float                      m_Numbers[4]{};
   unsigned int               m_Used{ 4 };
 };
 
 /** A shapeton on its way through one step. */
 struct Path
 {
-  std::int32_t index[3];
-  float        place[3]; ///< in the voxel, in [0, 1]
-  float        way[3];   ///< of the whole step, in voxels
+  Numbers       numbers;
+  std::uint32_t shapeton;
+  std::uint32_t voxel;
+  float         rest; ///< share of the step that is left
+  std::int32_t  index[3];
+  float         place[3]; ///< in the voxel, in [0, 1]
+  float         way[3];   ///< of the whole step, in voxels
 };
 
 /** The axis of the face that is reached next, and the share of the step that it takes; 3 when none is reached within
- * `rest`. */
+ * the rest. */
 unsigned int
-NextFace(const Path & path, float rest, float & share)
+NextFace(const Path & path, float & share)
 {
   unsigned int face = 3;
-  share = rest;
+  share = path.rest;
   for (unsigned int axis = 0; axis < 3; ++axis)
   {
     const float way = path.way[axis];
     const float distance = way > 0.0F ? 1.0F - path.place[axis] : path.place[axis];
     const float need = way == 0.0F ? std::numeric_limits<float>::max() : distance / std::abs(way);
-    if (need < share)
-    {
-      share = need;
-      face = axis;
-    }
+    face = need < share ? axis : face;
+    share = need < share ? need : share;
   }
   return face;
 }
 
-void
-Traverse(const ShapetonKernels::Surroundings & surroundings, Numbers & numbers, Path & path)
+const std::uint16_t *
+RecordOf(const ShapetonKernels::Surroundings & surroundings, const Path & path)
 {
-  std::size_t voxel =
-    (static_cast<std::size_t>(path.index[2]) * surroundings.size[1] + path.index[1]) * surroundings.size[0] +
-    path.index[0];
-  const std::size_t strides[3] = { 1,
-                                   static_cast<std::size_t>(surroundings.size[0]),
-                                   static_cast<std::size_t>(surroundings.size[0]) * surroundings.size[1] };
-  float             rest = 1.0F;
-  for (;;)
+  return surroundings.records + static_cast<std::size_t>(path.voxel) * ShapetonKernels::RecordLength;
+}
+
+/** Goes on to the next face and through it or back; false where the step ends before. */
+bool
+GoOn(const ShapetonKernels::Surroundings & surroundings, Path & path)
+{
+  float              share = 0.0F;
+  const unsigned int face = NextFace(path, share);
+  for (unsigned int axis = 0; axis < 3; ++axis)
   {
-    float              share = 0.0F;
-    const unsigned int face = NextFace(path, rest, share);
-    for (unsigned int axis = 0; axis < 3; ++axis)
-    {
-      path.place[axis] = std::clamp(path.place[axis] + share * path.way[axis], 0.0F, 1.0F);
-    }
-    if (face == 3)
-    {
-      return;
-    }
-    rest -= share;
-    const bool          forwards = path.way[face] > 0.0F;
-    const std::uint16_t weight =
-      surroundings.records[voxel * ShapetonKernels::RecordLength + 2 * face + (forwards ? 1 : 0)];
-    const std::int32_t next = path.index[face] + (forwards ? 1 : -1);
-    const bool         inside = next >= 0 && next < surroundings.size[face];
-    if (inside && numbers.Next() * 65535.0F < static_cast<float>(weight))
-    {
-      path.index[face] = next;
-      path.place[face] = forwards ? 0.0F : 1.0F;
-      voxel = forwards ? voxel + strides[face] : voxel - strides[face];
-    }
-    else
-    {
-      path.place[face] = forwards ? 1.0F : 0.0F;
-      path.way[face] = -path.way[face];
-    }
+    path.place[axis] = std::clamp(path.place[axis] + share * path.way[axis], 0.0F, 1.0F);
   }
+  if (face == 3)
+  {
+    return false;
+  }
+  path.rest -= share;
+  const bool          forwards = path.way[face] > 0.0F;
+  const std::uint16_t weight = RecordOf(surroundings, path)[2 * face + (forwards ? 1 : 0)];
+  const std::int32_t  next = path.index[face] + (forwards ? 1 : -1);
+  const bool          inside = next >= 0 && next < surroundings.size[face];
+  if (inside && path.numbers.Next() * 65535.0F < static_cast<float>(weight))
+  {
+    const std::int32_t strides[3] = { 1, surroundings.size[0], surroundings.size[0] * surroundings.size[1] };
+    path.index[face] = next;
+    path.place[face] = forwards ? 0.0F : 1.0F;
+    path.voxel += static_cast<std::uint32_t>(forwards ? strides[face] : -strides[face]);
+    __builtin_prefetch(RecordOf(surroundings, path));
+  }
+  else
+  {
+    path.place[face] = forwards ? 1.0F : 0.0F;
+    path.way[face] = -path.way[face];
+  }
+  return true;
+}
+
+Path
+Begin(const ShapetonKernels::Surroundings & surroundings,
+      const ShapetonKernels::Shapetons &    shapetons,
+      std::size_t                           i,
+      const ShapetonKernels::Random &       random,
+      const ShapetonKernels::Directions &   directions)
+{
+  const auto * const  size = surroundings.size;
+  const std::uint32_t voxel = shapetons.voxel[i];
+  Path                path = { Numbers(random, shapetons.first + static_cast<std::uint32_t>(i)),
+                               static_cast<std::uint32_t>(i),
+                               voxel,
+                               1.0F,
+                               { static_cast<std::int32_t>(voxel % size[0]),
+                                 static_cast<std::int32_t>(voxel / size[0] % size[1]),
+                                 static_cast<std::int32_t>(voxel / size[0] / size[1]) },
+                               {},
+                               { surroundings.step[0] * directions.x[i],
+                                 surroundings.step[1] * directions.y[i],
+                                 surroundings.step[2] * directions.z[i] } };
+  __builtin_prefetch(RecordOf(surroundings, path));
+  for (float & place : path.place)
+  {
+    place = path.numbers.Next();
+  }
+  return path;
+}
+
+void
+End(const ShapetonKernels::Surroundings & surroundings, const ShapetonKernels::Shapetons & shapetons, const Path & path)
+{
+  float * const places[3] = { shapetons.x, shapetons.y, shapetons.z };
+  for (unsigned int axis = 0; axis < 3; ++axis)
+  {
+    // A place on the upper face of the voxel still belongs to it.
+    places[axis][path.shapeton] = static_cast<float>(path.index[axis]) + std::min(path.place[axis], 0.999F);
+  }
+  shapetons.voxel[path.shapeton] = path.voxel;
+  __builtin_prefetch(surroundings.visits + path.voxel, 1);
 }
 } // namespace
 
@@ -117,31 +162,31 @@ TraverseVoxels(const ShapetonKernels::Surroundings & surroundings,
                const ShapetonKernels::Random &       random,
                const ShapetonKernels::Directions &   directions)
 {
-  const auto * const size = surroundings.size;
-  for (std::size_t i = 0; i < shapetons.number; ++i)
+  // Many shapetons pass one face each in turn: the record that one needs next is fetched while the others move.
+  constexpr std::size_t together = 64;
+  std::vector<Path>     paths;
+  paths.reserve(together);
+  for (std::size_t first = 0; first < shapetons.number; first += together)
   {
-    Numbers             numbers(random, shapetons.first + static_cast<std::uint32_t>(i));
-    const std::uint32_t voxel = shapetons.voxel[i];
-    Path                path = { { static_cast<std::int32_t>(voxel % size[0]),
-                                   static_cast<std::int32_t>(voxel / size[0] % size[1]),
-                                   static_cast<std::int32_t>(voxel / size[0] / size[1]) },
-                                 {},
-                                 { surroundings.step[0] * directions.x[i],
-                                   surroundings.step[1] * directions.y[i],
-                                   surroundings.step[2] * directions.z[i] } };
-    for (float & place : path.place)
+    const std::size_t number = std::min(together, shapetons.number - first);
+    for (std::size_t i = first; i < first + number; ++i)
     {
-      place = numbers.Next();
+      paths.push_back(Begin(surroundings, shapetons, i, random, directions));
     }
-    Traverse(surroundings, numbers, path);
-    float * const places[3] = { shapetons.x + i, shapetons.y + i, shapetons.z + i };
-    for (unsigned int axis = 0; axis < 3; ++axis)
+    while (!paths.empty())
     {
-      // A place on the upper face of the voxel still belongs to it.
-      *places[axis] = static_cast<float>(path.index[axis]) + std::min(path.place[axis], 0.999F);
+      for (std::size_t k = 0; k < paths.size();)
+      {
+        if (GoOn(surroundings, paths[k]))
+        {
+          ++k;
+          continue;
+        }
+        End(surroundings, shapetons, paths[k]);
+        paths[k] = paths.back();
+        paths.pop_back();
+      }
     }
-    shapetons.voxel[i] =
-      (static_cast<std::uint32_t>(path.index[2]) * size[1] + path.index[1]) * size[0] + path.index[0];
   }
 }
 } // namespace itk
