@@ -168,12 +168,12 @@ private:
 
 /** The number of time steps of cumulative heat diffusion after which heat has spread as far as shapetons after
  * `steps` steps of `stepInVoxels` smallest spacings, with PathRule::Traversal and DirectionSampling::Uniform:
- * the mean squared displacement of both along an axis is the same,
+ * the mean squared displacement of both along an axis is the same where there are no walls,
  *
- *   2 dt t = steps (a / 2) for a <= 1, and steps (a^2 / 3 + 1 / 6) for a > 1 (within 2.2 %),
+ *   2 dt t = steps (a^2 / 3 + (n / 6 + f^2 / 2 - f^3 / 3) / a), which is steps (a / 2) for a <= 1,
  *
- * a = stepInVoxels. The open question 7.2.1 of the dissertation; valid on cubic voxels. `timeStepLength` is dt.
- * \ingroup ShapeDiffusion */
+ * a = stepInVoxels, n and f its whole and its broken part. The open question 7.2.1 of the dissertation; valid on cubic
+ * voxels. `timeStepLength` is dt. \ingroup ShapeDiffusion */
 ShapeDiffusion_EXPORT double
 EquivalentHeatTimeSteps(double steps, double stepInVoxels, double timeStepLength);
 } // namespace itk

@@ -573,7 +573,12 @@ ShapetonDiffusion::SetState(const ShapetonState & state)
 double
 EquivalentHeatTimeSteps(double steps, double stepInVoxels, double timeStepLength)
 {
-  const double variance = stepInVoxels <= 1.0 ? 0.5 * stepInVoxels : stepInVoxels * stepInVoxels / 3.0 + 1.0 / 6.0;
+  // Along an axis a step covers m voxels, m even in [0, a]; from an even place in its voxel that is a whole number of
+  // voxels with a mean square of m^2 + g (1 - g), g the broken part of m.
+  const double a = stepInVoxels;
+  const double whole = std::floor(a);
+  const double part = a - whole;
+  const double variance = a * a / 3.0 + (whole / 6.0 + part * part * (0.5 - part / 3.0)) / a;
   return steps * variance / (2.0 * timeStepLength);
 }
 } // namespace itk
