@@ -1,4 +1,5 @@
 #include "ValidationReport.h"
+#include "ValidationVolumes.h"
 
 #include "itkConventionalHeatDiffusionImageFilter.h"
 #include "itkHeatDiffusionSolver.h"
@@ -11,17 +12,6 @@ using namespace itk;
 namespace
 {
 constexpr double dt = HeatDiffusionSolver::MaximumTimeStepLength;
-
-test::Volume
-Cube(std::size_t volumeSide, std::size_t side)
-{
-  test::Volume      volume({ volumeSide, volumeSide, volumeSide });
-  const std::size_t first = (volumeSide - side) / 2;
-  volume.Fill([=](std::size_t x, std::size_t y, std::size_t z) {
-    return std::min({ x, y, z }) >= first && std::max({ x, y, z }) < first + side ? 1.0 : 0.0;
-  });
-  return volume;
-}
 
 std::vector<std::vector<float>>
 HeatAt(const VolumeGradientOperator & volumeGradient, const std::vector<std::uint64_t> & steps)
@@ -72,22 +62,6 @@ Figure24(ValidationReport & report)
     "even out first. The steps at which a feature 'is captured' depend on the cube's size, the time step and the "
     "threshold of the rendering, none of which the dissertation gives; the whole cube "
     "reaches one heat, 1 / 40, after about 4,000 of our steps.");
-}
-
-double
-Correlation(const std::vector<float> & a, const std::vector<float> & b)
-{
-  const double n = static_cast<double>(a.size());
-  double       sa = 0, sb = 0, saa = 0, sbb = 0, sab = 0;
-  for (std::size_t i = 0; i < a.size(); ++i)
-  {
-    sa += a[i];
-    sb += b[i];
-    saa += static_cast<double>(a[i]) * a[i];
-    sbb += static_cast<double>(b[i]) * b[i];
-    sab += static_cast<double>(a[i]) * b[i];
-  }
-  return (n * sab - sa * sb) / std::sqrt((n * saa - sa * sa) * (n * sbb - sb * sb));
 }
 
 void

@@ -22,6 +22,7 @@ const std::vector<Part> parts = {
   { "heat-figures", "Figures 2.4, 2.5 and 2.7 of the dissertation", ValidateFiguresOfChapter2, false },
   { "heat-classes", "Classes of phantoms with noise", ValidateClassesOfPhantoms, false },
   { "heat-organs", "Heat classes and organs of a real abdomen", ValidateOrgansOfAbdomen, true },
+  { "shapeton-walk", "Scale and time of shapetons", ValidateWalkOfShapetons, false },
 };
 
 int
@@ -74,6 +75,7 @@ main(int argc, char * argv[])
     settings.dataFolder = folder;
   }
   std::filesystem::create_directories(output);
+  settings.outputFolder = output;
   unsigned int failures = 0;
   unsigned int done = 0;
   for (const Part & part : parts)

@@ -53,16 +53,10 @@ ValidationReport::Write(const std::string & path) const
   }
 }
 
-std::string
-MeanWithInterval(const std::vector<double> & values)
+MeanInterval::MeanInterval(const std::vector<double> & values)
 {
   const double n = static_cast<double>(values.size());
-  const double mean = std::accumulate(values.begin(), values.end(), 0.0) / n;
-  std::string  text = itk::CsvTable::Rounded(mean, 4);
-  if (values.size() < 2)
-  {
-    return text + " (one sample)";
-  }
+  mean = std::accumulate(values.begin(), values.end(), 0.0) / n;
   double squares = 0.0;
   for (const double value : values)
   {
@@ -72,7 +66,18 @@ MeanWithInterval(const std::vector<double> & values)
   static const std::array<double, 30> t = { 12.706, 4.303, 3.182, 2.776, 2.571, 2.447, 2.365, 2.306, 2.262, 2.228,
                                             2.201,  2.179, 2.160, 2.145, 2.131, 2.120, 2.110, 2.101, 2.093, 2.086,
                                             2.080,  2.074, 2.069, 2.064, 2.060, 2.056, 2.052, 2.048, 2.045, 2.042 };
-  const double                        quantile = values.size() <= t.size() + 1 ? t[values.size() - 2] : 1.96;
-  const double                        half = quantile * std::sqrt(squares / (n - 1.0) / n);
-  return text + " [" + itk::CsvTable::Rounded(mean - half, 4) + ", " + itk::CsvTable::Rounded(mean + half, 4) + "]";
+  const double quantile = values.size() < 2 ? HUGE_VAL : values.size() <= t.size() + 1 ? t[values.size() - 2] : 1.96;
+  const double half = values.size() < 2 ? HUGE_VAL : quantile * std::sqrt(squares / (n - 1.0) / n);
+  lower = mean - half;
+  upper = mean + half;
+}
+
+std::string
+MeanWithInterval(const std::vector<double> & values)
+{
+  const MeanInterval interval(values);
+  const std::string  text = itk::CsvTable::Rounded(interval.mean, 4);
+  return values.size() < 2 ? text + " (one sample)"
+                           : text + " [" + itk::CsvTable::Rounded(interval.lower, 4) + ", " +
+                               itk::CsvTable::Rounded(interval.upper, 4) + "]";
 }

@@ -35,7 +35,16 @@ private:
   unsigned int m_Failures{ 0 };
 };
 
-/** "mean [lower, upper]": the mean and its 95 % confidence interval by the t distribution. */
+/** The mean of some values and its 95 % confidence interval by the t distribution; all of the line for one value. */
+struct MeanInterval
+{
+  explicit MeanInterval(const std::vector<double> & values);
+  double mean{ 0.0 };
+  double lower{ 0.0 };
+  double upper{ 0.0 };
+};
+
+/** "mean [lower, upper]". */
 std::string
 MeanWithInterval(const std::vector<double> & values);
 
@@ -43,7 +52,8 @@ MeanWithInterval(const std::vector<double> & values);
 struct ValidationSettings
 {
   bool        quick{ false };
-  std::string dataFolder; ///< empty where there is no real data
+  std::string dataFolder;          ///< empty where there is no real data
+  std::string outputFolder{ "." }; ///< for pictures beside the page
 };
 void
 ValidateAccuracyOfHeat(const ValidationSettings & settings, ValidationReport & report);
@@ -55,5 +65,7 @@ void
 ValidateClassesOfPhantoms(const ValidationSettings & settings, ValidationReport & report);
 void
 ValidateOrgansOfAbdomen(const ValidationSettings & settings, ValidationReport & report);
+void
+ValidateWalkOfShapetons(const ValidationSettings & settings, ValidationReport & report);
 
 #endif
