@@ -21,7 +21,7 @@ using namespace ShapetonKernels;
 /** So many shapetons are moved together: what they need next is fetched while the others move. */
 constexpr std::size_t GroupSize = 256;
 /** Shapeton steps between two calls of the observer: some hundredths of a second. */
-constexpr std::uint64_t EndpointBlock = std::uint64_t{ 1 } << 19;
+constexpr std::uint64_t EndpointBlock = std::uint64_t{ 1 } << 20;
 constexpr std::uint64_t TraversalBlock = std::uint64_t{ 1 } << 16;
 /** The steady rule looks at so many steps and allows so many of them to fail. */
 constexpr std::uint64_t HistoryLength = 50;
