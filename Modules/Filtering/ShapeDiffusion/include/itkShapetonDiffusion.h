@@ -127,7 +127,8 @@ public:
    * size[2] values, x fastest, and are not needed afterwards. `visits` holds as many and must outlive the object; it is
    * set to 0. `poll` is called now and then, by Run() in the middle of long steps, and may throw to abort: the object
    * is of no use then. Throws std::invalid_argument for settings out of range, std::domain_error where no shapeton can
-   * be placed (an empty mask; no initial heat), std::length_error for 2^31 voxels or more. */
+   * be placed (an empty mask; no initial heat), std::length_error for 2^31 voxels or more, or 2^24
+   * along an axis. */
   ShapetonDiffusion(const float *                      intensities,
                     const std::array<std::size_t, 3> & size,
                     const ShapetonDiffusionSettings &  settings,

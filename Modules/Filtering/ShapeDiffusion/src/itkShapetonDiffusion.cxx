@@ -60,14 +60,15 @@ CheckSettings(const ShapetonDiffusionSettings & settings, const std::array<std::
     throw std::invalid_argument("the distance must lie in (0, 1], in units of the longest side of the volume");
   }
   constexpr std::size_t limit = std::size_t{ 1 } << 31;
+  constexpr std::size_t longest = std::size_t{ 1 } << 24; // a place in single precision
   if (size[0] == 0 || size[1] == 0 || size[2] == 0)
   {
     throw std::invalid_argument("the volume is empty");
   }
-  if (std::max({ size[0], size[1], size[2] }) >= limit || size[0] * size[1] >= limit ||
+  if (std::max({ size[0], size[1], size[2] }) >= longest || size[0] * size[1] >= limit ||
       size[0] * size[1] * size[2] >= limit)
   {
-    throw std::length_error("the volume has 2^31 voxels or more; crop it");
+    throw std::length_error("the volume has 2^31 voxels or more, or 2^24 along an axis; crop it");
   }
 }
 
@@ -573,6 +574,10 @@ ShapetonDiffusion::SetState(const ShapetonState & state)
 double
 EquivalentHeatTimeSteps(double steps, double stepInVoxels, double timeStepLength)
 {
+  if (!(stepInVoxels > 0.0))
+  {
+    return 0.0;
+  }
   // Along an axis a step covers m voxels, m even in [0, a]; from an even place in its voxel that is a whole number of
   // voxels with a mean square of m^2 + g (1 - g), g the broken part of m.
   const double a = stepInVoxels;

@@ -52,6 +52,8 @@ SquareRoot(Floats a)
   return (Floats)_mm512_sqrt_ps((__m512)a);
 #elif defined(__AVX2__)
   return (Floats)_mm256_sqrt_ps((__m256)a);
+#elif defined(__SSE2__)
+  return (Floats)_mm_sqrt_ps((__m128)a);
 #else
   Floats root;
   for (int lane = 0; lane < lanes; ++lane)
@@ -104,6 +106,13 @@ struct Multiply
     const __m256i odd = _mm256_mul_epu32(_mm256_srli_epi64((__m256i)x, 32), f);
     low = (Words)_mm256_blend_epi32(even, _mm256_slli_epi64(odd, 32), 0xAA);
     high = (Words)_mm256_blend_epi32(_mm256_srli_epi64(even, 32), odd, 0xAA);
+#elif defined(__SSE2__)
+    const __m128i f = _mm_set1_epi32(static_cast<int>(factor));
+    const __m128i lowHalf = _mm_set1_epi64x(0xffffffff);
+    const __m128i even = _mm_mul_epu32((__m128i)x, f);
+    const __m128i odd = _mm_mul_epu32(_mm_srli_epi64((__m128i)x, 32), f);
+    low = (Words)_mm_or_si128(_mm_and_si128(even, lowHalf), _mm_slli_epi64(odd, 32));
+    high = (Words)_mm_or_si128(_mm_srli_epi64(even, 32), _mm_andnot_si128(lowHalf, odd));
 #else
     for (int lane = 0; lane < lanes; ++lane)
     {

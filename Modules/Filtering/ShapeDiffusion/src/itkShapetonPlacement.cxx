@@ -2,10 +2,10 @@
 
 #include "itkParallelRows.h"
 #include "itkPhilox.h"
+#include "itkPlaceInVoxel.h"
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <stdexcept>
 #include <vector>
 
@@ -30,9 +30,7 @@ Place(const ShapetonKernels::Surroundings & surroundings,
   float * const places[3] = { shapetons.x + i, shapetons.y + i, shapetons.z + i };
   for (unsigned int axis = 0; axis < 3; ++axis)
   {
-    // The sum may be rounded up to the next voxel.
-    const float begin = static_cast<float>(index[axis]);
-    *places[axis] = std::min(begin + within[axis], std::nextafter(begin + 1.0F, begin));
+    *places[axis] = PlaceInVoxel(index[axis], within[axis]);
   }
   shapetons.voxel[i] = (index[2] * surroundings.size[1] + index[1]) * surroundings.size[0] + index[0];
 }

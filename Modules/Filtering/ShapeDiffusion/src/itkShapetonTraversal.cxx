@@ -1,6 +1,7 @@
 #include "itkShapetonTraversal.h"
 
 #include "itkPhilox.h"
+#include "itkPlaceInVoxel.h"
 
 #include <algorithm>
 #include <limits>
@@ -148,8 +149,7 @@ End(const ShapetonKernels::Surroundings & surroundings, const ShapetonKernels::S
   float * const places[3] = { shapetons.x, shapetons.y, shapetons.z };
   for (unsigned int axis = 0; axis < 3; ++axis)
   {
-    // A place on the upper face of the voxel still belongs to it.
-    places[axis][path.shapeton] = static_cast<float>(path.index[axis]) + std::min(path.place[axis], 0.999F);
+    places[axis][path.shapeton] = PlaceInVoxel(static_cast<std::uint32_t>(path.index[axis]), path.place[axis]);
   }
   shapetons.voxel[path.shapeton] = path.voxel;
   __builtin_prefetch(surroundings.visits + path.voxel, 1);
