@@ -70,8 +70,8 @@ Grid(const Axis & x, const Axis & y)
         }
         const double place = axis.Place(value);
         svg += isX ? Line(place, top, place, bottom, "#ddd") : Line(left, place, right, place, "#ddd");
-        svg += isX ? Text(place, bottom + 18, "middle", CsvTable::Rounded(value, 3))
-                   : Text(left - 8, place + 4, "end", CsvTable::Rounded(value, 3));
+        svg += isX ? Text(place, bottom + 18, "middle", CsvTable::Number(value))
+                   : Text(left - 8, place + 4, "end", CsvTable::Number(value));
       }
     }
   }
