@@ -342,9 +342,10 @@ struct ShapetonDiffusion::Impl
     const double        squaresBefore = sumOfSquares;
     const std::uint32_t maximumBefore = measures.maximumVisits;
     Tally               tally;
-    for (std::uint64_t first = 0; first < number; first += BlockLength())
+    const std::uint64_t longest = BlockLength() / 4; // a multiple of the group size
+    for (std::uint64_t first = 0; first < number; first += longest)
     {
-      const std::uint64_t part = std::min(BlockLength(), number - first);
+      const std::uint64_t part = std::min(longest, number - first);
       tally.Add(TakeSteps(first, part, end, end + 1));
       if (first + part < number)
       {
