@@ -5,6 +5,7 @@
 #include "itkVolumeReader.h"
 
 #include <map>
+#include <stdexcept>
 
 using namespace itk;
 
@@ -57,7 +58,11 @@ ValidateOrgansOfAbdomen(const ValidationSettings & settings, ValidationReport & 
 {
   const std::string folder = settings.dataFolder + "/ct/totalsegmentator";
   const Volume      ct = ReadVolume(folder + "/example_ct.nii.gz");
-  const Volume      organs = ReadVolume(folder + "/example_seg.nii.gz");
+  const Volume      organs = ReadVolume(folder + "/example_seg_fast_force_split.nii.gz");
+  if (!HaveSameGrid(ct.image, organs.image))
+  {
+    throw std::runtime_error("the organ labels have another grid than the CT");
+  }
   report.AddText("The abdomen CT of TotalSegmentator's tests (122 x 101 x 112 voxels of 3 mm, Apache-2.0) and its "
                  "organ labels. Window "
                  "-160 to 240 HU, p = 7. For each organ the class of heat with the greatest Dice overlap.");

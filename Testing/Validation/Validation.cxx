@@ -22,6 +22,7 @@ const std::vector<Part> parts = {
   { "heat-figures", "Figures 2.4, 2.5 and 2.7 of the dissertation", ValidateFiguresOfChapter2, false },
   { "heat-classes", "Classes of phantoms with noise", ValidateClassesOfPhantoms, false },
   { "heat-organs", "Heat classes and organs of a real abdomen", ValidateOrgansOfAbdomen, true },
+  { "shapeton-comparison", "CHD or shapetons?", ValidateComparisonOfShapetons, false },
   { "shapeton-walk", "Scale and time of shapetons", ValidateWalkOfShapetons, false },
 };
 
@@ -75,6 +76,8 @@ main(int argc, char * argv[])
     settings.dataFolder = folder;
   }
   std::filesystem::create_directories(output);
+  settings.pictureFolder = settings.quick ? output : output + "/../pictures";
+  std::filesystem::create_directories(settings.pictureFolder);
   settings.outputFolder = output;
   unsigned int failures = 0;
   unsigned int done = 0;

@@ -54,6 +54,7 @@ struct ValidationSettings
   bool        quick{ false };
   std::string dataFolder;          ///< empty where there is no real data
   std::string outputFolder{ "." }; ///< for pictures beside the page
+  std::string pictureFolder;       ///< for those of Documentation/pictures
 };
 void
 ValidateAccuracyOfHeat(const ValidationSettings & settings, ValidationReport & report);
@@ -65,6 +66,8 @@ void
 ValidateClassesOfPhantoms(const ValidationSettings & settings, ValidationReport & report);
 void
 ValidateOrgansOfAbdomen(const ValidationSettings & settings, ValidationReport & report);
+void
+ValidateComparisonOfShapetons(const ValidationSettings & settings, ValidationReport & report);
 void
 ValidateWalkOfShapetons(const ValidationSettings & settings, ValidationReport & report);
 

@@ -23,8 +23,9 @@ namespace itk
  * A scene is a JSON document; the README of the module describes its schema. Presets follow the synthetic data of the
  * dissertation: figure2.4 (one cube), figure2.7a (a cube and two spheres of different size), figure2.7b (two cubes and
  * two cuboids of different size and orientation), figure3.4 (a cube, two cuboids, a sphere), figure3.5 (a cuboid, the
- * same cuboid bent and twisted, a sphere, the same sphere with bumps), and vessels (thin tubes, a large vessel and an
- * aneurysm, like the data of Figures 2.10 and 3.7). The dissertation gives no measures; they are ours.
+ * same cuboid bent and twisted, a sphere, the same sphere with bumps), hydrogen (a nucleus, two lobes and an orbit,
+ * like Figure 3.11a), and vessels (thin tubes, a large vessel and an aneurysm, like the data of Figures 2.10 and 3.7).
+ * The dissertation gives no measures; they are ours.
  *
  * A scene has its own unit of length: millimetres, or for a relative scene (all presets) a length that
  * ShapePhantomImageSource sets to the shortest extent of the volume. Presets fit into a ball with the diameter of 0.96

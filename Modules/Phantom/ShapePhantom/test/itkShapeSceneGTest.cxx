@@ -256,7 +256,8 @@ TEST(ShapeScene, PresetsHoldTheObjectsOfTheFigures)
 {
   const std::map<std::string, std::size_t> numberOfObjects{ { "figure2.4", 1 },  { "figure2.7a", 3 },
                                                             { "figure2.7b", 4 }, { "figure3.4", 4 },
-                                                            { "figure3.5", 4 },  { "vessels", 12 } };
+                                                            { "figure3.5", 4 },  { "hydrogen", 4 },
+                                                            { "vessels", 12 } };
   EXPECT_EQ(itk::ShapeScene::GetPresetNames().size(), numberOfObjects.size());
   for (const auto & name : itk::ShapeScene::GetPresetNames())
   {
