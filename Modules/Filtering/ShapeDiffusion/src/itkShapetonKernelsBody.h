@@ -342,7 +342,7 @@ enum class Sampling
 };
 
 template <Sampling VSampling>
-SHAPETON_INLINE void
+void
 DrawAll(const Surroundings & surroundings,
         const Shapetons &    shapetons,
         const Random &       random,
@@ -432,37 +432,11 @@ MoveAll(const Surroundings & surroundings, const Shapetons & shapetons, const Di
   }
 }
 
-void
-DrawBySolidAngle(const Surroundings & surroundings,
-                 const Shapetons &    shapetons,
-                 const Random &       random,
-                 const ThetaTable &   table,
-                 const Directions &   directions)
-{
-  DrawAll<Sampling::SolidAngle>(surroundings, shapetons, random, table, directions);
-}
-
-void
-DrawBySectorArea(const Surroundings & surroundings,
-                 const Shapetons &    shapetons,
-                 const Random &       random,
-                 const ThetaTable &   table,
-                 const Directions &   directions)
-{
-  DrawAll<Sampling::SectorArea>(surroundings, shapetons, random, table, directions);
-}
-
-void
-DrawUniformly(const Surroundings & surroundings,
-              const Shapetons &    shapetons,
-              const Random &       random,
-              const ThetaTable &   table,
-              const Directions &   directions)
-{
-  DrawAll<Sampling::Uniform>(surroundings, shapetons, random, table, directions);
-}
-
-const Set kernels = { SHAPETON_NAME, DrawBySolidAngle, DrawBySectorArea, DrawUniformly, MoveAll };
+const Set kernels = { SHAPETON_NAME,
+                      DrawAll<Sampling::SolidAngle>,
+                      DrawAll<Sampling::SectorArea>,
+                      DrawAll<Sampling::Uniform>,
+                      MoveAll };
 #undef SHAPETON_INLINE
 } // namespace
 } // namespace ShapetonKernels
