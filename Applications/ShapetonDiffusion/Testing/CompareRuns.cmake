@@ -35,5 +35,5 @@ endforeach()
 
 # The state of the first part is replaced by that of the second.
 run(${OUT}/parts --checkpoint end.state --timeSteps 117)
-run(${OUT}/parts ${results} --resume end.state)
+run(${OUT}/parts ${results} --resume end.state --preview now.png --previewEvery 0.5)
 compare(${OUT}/1 ${OUT}/parts density.nrrd labels.nrrd classes.csv end.state)

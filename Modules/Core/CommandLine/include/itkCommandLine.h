@@ -154,6 +154,10 @@ public:
   void
   AddProvenance(const std::string & key, const std::string & value);
 
+  /** Leaves an option out of the provenance, as `threads` is: it changes no result. */
+  void
+  LeaveOutOfProvenance(const std::string & name);
+
   /** Asks for a JSON file at `path` that says how the run went: all that equal runs need not share. Its keys are tool,
    * version, arguments, host, threads, start (UTC), seconds and warnings. By custom `<output>.run.json`. */
   void

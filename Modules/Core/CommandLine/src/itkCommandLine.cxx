@@ -152,7 +152,8 @@ struct CommandLine::State
   Provenance                                  facts;
   std::vector<std::string>                    runRecords; // temporary names
   OutputFiles                                 outputs;
-  std::set<std::string>                       replaceable; // inputs that an output may replace
+  std::set<std::string>                       replaceable;       // inputs that an output may replace
+  std::set<std::string>                       idle{ "threads" }; // options that change no result
   ProgressDisplay                             display;
   const std::chrono::system_clock::time_point start{ std::chrono::system_clock::now() };
   const std::chrono::steady_clock::time_point steadyStart{ std::chrono::steady_clock::now() };
@@ -238,7 +239,7 @@ CommandLine::State::IsInProvenance(const Parameter & parameter) const
   const bool isStated = std::any_of(facts.begin(), facts.end(), [&](const auto & fact) {
     return fact.first == "input." + parameter.name || fact.first == "option." + parameter.name;
   });
-  return !parameter.IsPath() && parameter.channel != "output" && parameter.name != "threads" && !isStated;
+  return !parameter.IsPath() && parameter.channel != "output" && idle.count(parameter.name) == 0 && !isStated;
 }
 
 std::string
@@ -447,6 +448,13 @@ CommandLine::Output(const std::string & path)
 {
   m_State->RequireNoInput(path);
   return m_State->outputs.Add(path);
+}
+
+void
+CommandLine::LeaveOutOfProvenance(const std::string & name)
+{
+  m_State->Find(name);
+  m_State->idle.insert(name);
 }
 
 void

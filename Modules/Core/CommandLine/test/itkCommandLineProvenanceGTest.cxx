@@ -85,6 +85,14 @@ TEST(CommandLineProvenance, HasNoThreadsPathsOrReturnValues)
             provenance);
 }
 
+TEST(CommandLineProvenance, HasNoOptionThatChangesNoResult)
+{
+  const auto leaveOut = [](itk::CommandLine & commandLine) { commandLine.LeaveOutOfProvenance("steps"); };
+  const auto provenance = ProvenanceWith({ "--steps", "7" }, leaveOut);
+  EXPECT_EQ(provenance.find("steps"), std::string::npos) << provenance;
+  EXPECT_EQ(provenance, ProvenanceWith({}, leaveOut));
+}
+
 TEST(CommandLineProvenance, AnInputStatedByItsIdentityIsNotStatedByItsNameToo)
 {
   const std::string provenance =

@@ -117,6 +117,7 @@ struct ShapetonMonitor::Impl
     , checkpoint(line.GetString("checkpoint"))
     , previewEvery(line.GetDouble("previewEvery"))
   {
+    commandLine.LeaveOutOfProvenance("previewEvery");
     // Refused now if they cannot be written.
     Register(preview);
     Register(checkpoint);
