@@ -6,6 +6,7 @@ set(Shapeton_MODULES
   Core/Report
   Bridge/VTKGlue
   IO/DicomSeries
+  Mesh/SurfaceMesh
   Filtering/ShapeDiffusion
   Visualization/ShapeRendering
   Phantom/ShapePhantom

@@ -1,0 +1,33 @@
+#include "SurfaceInspectorXML.h"
+
+#include "itkCommandLine.h"
+#include "itkSurfaceQuality.h"
+#include "itkSurfaceReader.h"
+
+#include <iostream>
+
+int
+main(int argc, char * argv[])
+{
+  return itk::CommandLine::Run(ToolXML, argc, argv, [](itk::CommandLine & commandLine) {
+    const std::string         json = commandLine.OutputOf("json");
+    const itk::Surface        surface = itk::ReadSurface(commandLine, "inputSurface", false);
+    const itk::SurfaceQuality quality = itk::InspectSurface(surface.mesh);
+    if (!json.empty())
+    {
+      itk::Json document;
+      for (const auto & [key, value] : commandLine.GetProvenance())
+      {
+        document["provenance"][key] = value;
+      }
+      document["warnings"] = surface.notes;
+      document["surface"] = itk::SurfaceQualityToJson(quality);
+      itk::WriteJson(document, json);
+    }
+    std::cout << itk::FormatSurfaceQuality(quality);
+    for (const std::string & note : surface.notes)
+    {
+      std::cout << "Note: " << note << '\n';
+    }
+  });
+}

@@ -1,0 +1,11 @@
+set(DOCUMENTATION "Triangle surfaces: files, connectivity, defects and quality, repair, simplification, remeshing, closest points.")
+
+itk_module(SurfaceMesh
+  ENABLE_SHARED
+  DEPENDS
+    CommandLine
+    Report
+  TEST_DEPENDS
+    ITKGoogleTest
+  DESCRIPTION "${DOCUMENTATION}"
+)
