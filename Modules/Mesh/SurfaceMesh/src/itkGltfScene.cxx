@@ -1,4 +1,5 @@
 #include "itkGltfScene.h"
+#include "itkBase64.h"
 #include "itkBinaryValues.h"
 #include "itkFileBytes.h"
 #include "itkSurfaceFormats.h"
@@ -20,31 +21,6 @@ constexpr int           DeepestNode = 1000;
 
 const char * const Truncated = "truncated: it ends within its data";
 const char * const Again = "copy or write the file again";
-
-std::string
-DecodeBase64(const std::string & text, std::size_t begin, const std::string & path)
-{
-  static const std::string alphabet = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-  std::string              bytes;
-  std::uint32_t            bits = 0;
-  int                      number = 0;
-  for (std::size_t i = begin; i < text.size() && text[i] != '='; ++i)
-  {
-    const std::size_t value = alphabet.find(text[i]);
-    if (value == std::string::npos)
-    {
-      RefuseSurface(path, "a buffer within it is not base64");
-    }
-    bits = (bits << 6 | static_cast<std::uint32_t>(value)) & 0xFFFFFF;
-    number += 6;
-    if (number >= 8)
-    {
-      number -= 8;
-      bytes += static_cast<char>(bits >> number & 0xFF);
-    }
-  }
-  return bytes;
-}
 
 std::string
 DecodePercents(const std::string & text)
@@ -212,7 +188,13 @@ GltfScene::BufferOfUri(const std::string & uri) const
     {
       RefuseSurface(m_Path, "a buffer within it is not base64");
     }
-    return DecodeBase64(uri, mark + 8, m_Path);
+    std::size_t end = mark + 8;
+    std::string bytes = DecodeBase64(uri, end);
+    if (uri.find_first_not_of("=", end) != std::string::npos)
+    {
+      RefuseSurface(m_Path, "a buffer within it is not base64");
+    }
+    return bytes;
   }
   const std::filesystem::path name = DecodePercents(uri);
   if (name.empty() || name.is_absolute() || uri.find("://") != std::string::npos || uri.find("..") != std::string::npos)

@@ -1,266 +1,253 @@
 #include "itkFileBytes.h"
 #include "itkSurfaceFormats.h"
+#include "itkVtkXml.h"
 
 #include <vtkCellArray.h>
 #include <vtkCellData.h>
 #include <vtkDoubleArray.h>
 #include <vtkFieldData.h>
 #include <vtkIntArray.h>
-#include <vtkLogger.h>
 #include <vtkNew.h>
-#include <vtkObjectFactory.h>
-#include <vtkOutputWindow.h>
 #include <vtkPointData.h>
 #include <vtkPolyData.h>
 #include <vtkStringArray.h>
-#include <vtkXMLPolyDataReader.h>
 #include <vtkXMLPolyDataWriter.h>
 
-#include <charconv>
-#include <new>
+#include <algorithm>
 
 namespace itk
 {
 namespace
 {
 constexpr const char * SpaceName = "SPACE"; // where 3D Slicer looks for LPS or RAS
-constexpr std::size_t  BestCompression = 1100;
-
-/** Keeps VTK's errors, which would go to stderr, as long as it lives. */
-class VTKErrors
-{
-public:
-  VTKErrors() : m_Before(vtkOutputWindow::GetInstance()), m_Verbosity(vtkLogger::GetCurrentVerbosityCutoff())
-  {
-    vtkOutputWindow::SetInstance(m_Window);
-    vtkLogger::SetStderrVerbosity(vtkLogger::VERBOSITY_OFF);
-  }
-  ~VTKErrors()
-  {
-    vtkLogger::SetStderrVerbosity(m_Verbosity);
-    vtkOutputWindow::SetInstance(m_Before);
-  }
-  VTKErrors(const VTKErrors &) = delete;
-  VTKErrors &
-  operator=(const VTKErrors &) = delete;
-
-  bool
-  WereThere() const
-  {
-    return m_Window->wereThere;
-  }
-
-private:
-  class Window : public vtkOutputWindow
-  {
-  public:
-    vtkTypeMacro(Window, vtkOutputWindow);
-    static Window *
-    New();
-    void
-    DisplayText(const char *) override
-    {}
-    void
-    DisplayErrorText(const char *) override
-    {
-      wereThere = true;
-    }
-    bool wereThere{ false };
-  };
-
-  vtkNew<Window>                   m_Window;
-  vtkSmartPointer<vtkOutputWindow> m_Before;
-  vtkLogger::Verbosity             m_Verbosity;
-};
-
-vtkStandardNewMacro(VTKErrors::Window);
-
-/** VTK takes memory for all that a file states, before it looks whether that is there. */
-void
-CheckStatedSizes(const std::string & bytes, const std::string & path)
-{
-  for (const std::string key : { "NumberOfPoints=",
-                                 "NumberOfPolys=",
-                                 "NumberOfStrips=",
-                                 "NumberOfVerts=",
-                                 "NumberOfLines=",
-                                 "NumberOfTuples=",
-                                 "NumberOfComponents=" })
-  {
-    for (std::size_t i = bytes.find(key); i != std::string::npos; i = bytes.find(key, i + 1))
-    {
-      const char * const digits = bytes.data() + i + key.size() + 1; // after the quotation mark
-      std::uint64_t      stated = 0;
-      const auto         result =
-        std::from_chars(std::min(digits, bytes.data() + bytes.size()), bytes.data() + bytes.size(), stated);
-      if (result.ec == std::errc::result_out_of_range || stated > BestCompression * bytes.size())
-      {
-        RefuseSurface(path, key + " states more than the file can hold");
-      }
-    }
-  }
-}
-
-SurfaceArray
-ArrayOf(vtkDataArray & array, Eigen::Index firstRow, Eigen::Index rows)
-{
-  SurfaceArray kept{ array.GetName() ? array.GetName() : "",
-                     {},
-                     array.GetDataType() != VTK_FLOAT && array.GetDataType() != VTK_DOUBLE };
-  kept.values.resize(rows, array.GetNumberOfComponents());
-  for (Eigen::Index row = 0; row < rows; ++row)
-  {
-    for (Eigen::Index c = 0; c < kept.values.cols(); ++c)
-    {
-      kept.values(row, c) = array.GetComponent(firstRow + row, static_cast<int>(c));
-    }
-  }
-  return kept;
-}
-
-/** The numerical arrays that have a name and the right number of rows. */
-std::vector<SurfaceArray>
-ArraysOf(vtkFieldData & data, vtkIdType rows)
-{
-  std::vector<SurfaceArray> arrays;
-  for (int i = 0; i < data.GetNumberOfArrays(); ++i)
-  {
-    vtkDataArray * const array = data.GetArray(i);
-    if (array && array->GetName() && (rows < 0 || array->GetNumberOfTuples() == rows))
-    {
-      arrays.push_back(ArrayOf(*array, 0, array->GetNumberOfTuples()));
-    }
-  }
-  return arrays;
-}
 
 class VtpReader
 {
 public:
-  VtpReader(const std::string & bytes, const std::string & path) : m_Path(path)
-  {
-    CheckStatedSizes(bytes, path);
-    const VTKErrors              errors;
-    vtkNew<vtkXMLPolyDataReader> reader;
-    reader->ReadFromInputStringOn();
-    reader->SetInputString(bytes);
-    try
-    {
-      reader->Update();
-    }
-    catch (const std::bad_alloc &)
-    {
-      RefuseSurface(path, "VTK takes too much memory for what it states");
-    }
-    m_Data = reader->GetOutput();
-    if (errors.WereThere() || reader->GetErrorCode() || !m_Data->GetPoints())
-    {
-      RefuseSurface(path, "no VTP file, truncated, or without points", "copy or write the file again");
-    }
-  }
+  VtpReader(const std::string & bytes, const std::string & path) : m_Xml(bytes, path) {}
 
   PolygonSurface
   Read()
   {
-    for (vtkIdType i = 0; i < m_Data->GetNumberOfPoints(); ++i)
+    const VtkXmlElement * const data = m_Xml.Root().Find("PolyData");
+    if (m_Xml.Root().name != "VTKFile" || !data)
     {
-      double p[3];
-      m_Data->GetPoint(i, p);
-      m_Surface.AddPoint(p[0], p[1], p[2]);
+      m_Xml.Refuse("no VTP file: it lacks <VTKFile> or <PolyData>");
     }
-    vtkIdType cell = this->LeaveOut(*m_Data->GetVerts(), "points");
-    cell += this->LeaveOut(*m_Data->GetLines(), "lines");
-    this->ForEachCell(*m_Data->GetPolys(), [&](const std::vector<std::int64_t> & corners) {
-      m_Surface.corners.insert(m_Surface.corners.end(), corners.begin(), corners.end());
-      m_Surface.EndPolygon();
-      m_Cells.push_back(cell++);
-    });
-    this->ForEachCell(*m_Data->GetStrips(), [&](const std::vector<std::int64_t> & corners) {
-      for (std::size_t i = 2; i < corners.size(); ++i)
+    for (const VtkXmlElement & child : data->children)
+    {
+      if (child.name == "Piece")
       {
-        m_Surface.corners.insert(m_Surface.corners.end(),
-                                 { corners[i - 2 + i % 2], corners[i - 1 - i % 2], corners[i] });
-        m_Surface.EndPolygon();
-        m_Cells.push_back(cell);
+        this->ReadPiece(child);
       }
-      ++cell;
-    });
-    this->ReadArrays(cell);
+      else if (child.name == "FieldData")
+      {
+        this->ReadFieldData(child);
+      }
+    }
+    KeepWhole(m_PointArrays, m_Surface.points.size() / 3, m_Surface.pointArrays);
+    KeepWhole(m_CellArrays, m_Surface.ends.size(), m_Surface.cellArrays);
+    if (m_LeftOut)
+    {
+      m_Surface.notes.push_back(std::to_string(m_LeftOut) + " points and lines were left out");
+    }
     return std::move(m_Surface);
   }
 
 private:
-  vtkIdType
-  LeaveOut(vtkCellArray & cells, const char * what)
+  /** Rows of the pieces one after another; those of all pieces make an array. */
+  struct Gathered
   {
-    if (cells.GetNumberOfCells() > 0)
+    SurfaceArray        array;
+    std::size_t         components{ 1 };
+    std::vector<double> values;
+  };
+
+  static void
+  KeepWhole(std::vector<Gathered> & gathered, std::size_t rows, std::vector<SurfaceArray> & kept)
+  {
+    for (Gathered & one : gathered)
     {
-      m_Surface.notes.push_back(std::to_string(cells.GetNumberOfCells()) + ' ' + what + " were left out");
+      if (one.values.size() == rows * one.components)
+      {
+        one.array.values = Eigen::Map<const SurfaceArray::ValueMatrix>(
+          one.values.data(), static_cast<Eigen::Index>(rows), static_cast<Eigen::Index>(one.components));
+        kept.push_back(std::move(one.array));
+      }
     }
-    return cells.GetNumberOfCells();
   }
 
-  // VTK does not check what a file says of the ends of its cells.
-  template <typename TVisit>
-  void
-  ForEachCell(vtkCellArray & cells, const TVisit & visit)
+  std::size_t
+  ComponentsOf(const VtkXmlElement & array) const
   {
-    vtkDataArray * const      offsets = cells.GetOffsetsArray();
-    vtkDataArray * const      indices = cells.GetConnectivityArray();
-    std::vector<std::int64_t> corners;
-    for (vtkIdType i = 0; i < cells.GetNumberOfCells(); ++i)
+    return array.Get("NumberOfComponents").empty()
+             ? 1
+             : std::max<std::size_t>(m_Xml.Number(array, "NumberOfComponents"), 1);
+  }
+
+  std::vector<double>
+  ValuesOf(const VtkXmlElement * parent, const std::string & name, std::size_t wanted) const
+  {
+    for (std::size_t i = 0; parent && i < parent->children.size(); ++i)
     {
-      const double begin = offsets->GetTuple1(i);
-      const double end = offsets->GetTuple1(i + 1);
-      if (!(begin >= 0.0 && begin <= end && end <= static_cast<double>(indices->GetNumberOfTuples())))
+      const VtkXmlElement & array = parent->children[i];
+      if (array.name == "DataArray" && (name.empty() || array.Get("Name") == name))
       {
-        RefuseSurface(m_Path, "the offset of face " + std::to_string(i) + " is out of range");
+        std::vector<double> values = m_Xml.Values(array);
+        if (values.size() != wanted && wanted > 0)
+        {
+          m_Xml.Refuse("an array of <" + parent->name + "> has " + std::to_string(values.size()) + " values for " +
+                       std::to_string(wanted));
+        }
+        return values;
+      }
+    }
+    if (wanted > 0)
+    {
+      m_Xml.Refuse("its points or the arrays of its faces are missing");
+    }
+    return {};
+  }
+
+  std::size_t
+  CountOf(const VtkXmlElement & piece, const std::string & attribute) const
+  {
+    return piece.Get(attribute).empty() ? 0 : m_Xml.Number(piece, attribute);
+  }
+
+  void
+  ReadPiece(const VtkXmlElement & piece)
+  {
+    const auto                firstPoint = static_cast<std::int64_t>(m_Surface.points.size() / 3);
+    const std::size_t         points = this->CountOf(piece, "NumberOfPoints");
+    const std::vector<double> positions = this->ValuesOf(piece.Find("Points"), "", 3 * points);
+    m_Surface.points.insert(m_Surface.points.end(), positions.begin(), positions.begin() + 3 * points);
+    this->Gather(piece.Find("PointData"), 0, points, points, m_PointArrays);
+    const std::size_t others = this->CountOf(piece, "NumberOfVerts") + this->CountOf(piece, "NumberOfLines");
+    const std::size_t polys = this->CountOf(piece, "NumberOfPolys");
+    const std::size_t strips = this->CountOf(piece, "NumberOfStrips");
+    m_LeftOut += others;
+    this->ReadCells(piece.Find("Polys"), polys, firstPoint, points, false);
+    this->ReadCells(piece.Find("Strips"), strips, firstPoint, points, true);
+    if (strips == 0) // the triangles of strips have no rows of their own
+    {
+      this->Gather(piece.Find("CellData"), others, polys, others + polys, m_CellArrays);
+    }
+  }
+
+  void
+  ReadCells(const VtkXmlElement * cells, std::size_t count, std::int64_t firstPoint, std::size_t points, bool areStrips)
+  {
+    if (count == 0)
+    {
+      return;
+    }
+    const std::vector<double> offsets = this->ValuesOf(cells, "offsets", count);
+    const std::vector<double> connectivity = this->ValuesOf(cells, "connectivity", 0);
+    std::vector<std::int64_t> corners;
+    double                    begin = 0.0;
+    for (std::size_t i = 0; i < count; ++i)
+    {
+      if (!(offsets[i] >= begin && offsets[i] <= static_cast<double>(connectivity.size())))
+      {
+        m_Xml.Refuse("the offset of face " + std::to_string(i) + " is out of range");
       }
       corners.clear();
-      for (auto k = static_cast<vtkIdType>(begin); k < static_cast<vtkIdType>(end); ++k)
+      for (auto k = static_cast<std::size_t>(begin); k < static_cast<std::size_t>(offsets[i]); ++k)
       {
-        corners.push_back(static_cast<std::int64_t>(indices->GetTuple1(k)));
+        if (!(connectivity[k] >= 0.0 && connectivity[k] < static_cast<double>(points)))
+        {
+          m_Xml.Refuse("face " + std::to_string(i) + " names a vertex that is none of the " + std::to_string(points));
+        }
+        corners.push_back(firstPoint + static_cast<std::int64_t>(connectivity[k]));
       }
-      visit(corners);
+      begin = offsets[i];
+      this->AddCell(corners, areStrips);
     }
   }
 
   void
-  ReadArrays(vtkIdType cells)
+  AddCell(const std::vector<std::int64_t> & corners, bool isStrip)
   {
-    m_Surface.pointArrays = ArraysOf(*m_Data->GetPointData(), m_Data->GetNumberOfPoints());
-    for (const SurfaceArray & array : ArraysOf(*m_Data->GetCellData(), cells))
+    if (!isStrip)
     {
-      SurfaceArray kept{ array.name, {}, array.areIntegers };
-      kept.values.resize(static_cast<Eigen::Index>(m_Cells.size()), array.values.cols());
-      for (std::size_t i = 0; i < m_Cells.size(); ++i)
-      {
-        kept.values.row(static_cast<Eigen::Index>(i)) = array.values.row(m_Cells[i]);
-      }
-      m_Surface.cellArrays.push_back(std::move(kept));
+      m_Surface.corners.insert(m_Surface.corners.end(), corners.begin(), corners.end());
+      m_Surface.EndPolygon();
+      return;
     }
-    vtkFieldData & field = *m_Data->GetFieldData();
-    m_Surface.fieldArrays = ArraysOf(field, -1);
-    for (int i = 0; i < field.GetNumberOfArrays(); ++i)
+    for (std::size_t i = 2; i < corners.size(); ++i) // every other triangle of a strip runs backwards
     {
-      auto * const strings = vtkStringArray::SafeDownCast(field.GetAbstractArray(i));
-      if (!strings || !strings->GetName() || strings->GetNumberOfValues() != 1)
-      {
-        continue;
-      }
-      if (strings->GetName() == std::string(SpaceName))
-      {
-        m_Surface.isRas = strings->GetValue(0).find("RAS") != std::string::npos;
-        continue;
-      }
-      m_Surface.facts.emplace_back(strings->GetName(), strings->GetValue(0));
+      m_Surface.corners.insert(m_Surface.corners.end(), { corners[i - 2 + i % 2], corners[i - 1 - i % 2], corners[i] });
+      m_Surface.EndPolygon();
     }
   }
 
-  std::string                  m_Path;
-  vtkSmartPointer<vtkPolyData> m_Data;
-  PolygonSurface               m_Surface;
-  std::vector<vtkIdType>       m_Cells; ///< the cell of each polygon
+  /** Appends `rows` rows from `first` on of each numerical array that has `all` rows. */
+  void
+  Gather(const VtkXmlElement *   parent,
+         std::size_t             first,
+         std::size_t             rows,
+         std::size_t             all,
+         std::vector<Gathered> & gathered) const
+  {
+    for (std::size_t i = 0; parent && i < parent->children.size(); ++i)
+    {
+      const VtkXmlElement & array = parent->children[i];
+      if (array.name != "DataArray")
+      {
+        continue;
+      }
+      const std::size_t         components = this->ComponentsOf(array);
+      const std::vector<double> values = m_Xml.Values(array);
+      auto                      place = std::find_if(gathered.begin(), gathered.end(), [&](const Gathered & one) {
+        return one.array.name == array.Get("Name") && one.components == components;
+      });
+      if (place == gathered.end())
+      {
+        gathered.push_back({ { array.Get("Name"), {}, VtkXml::AreIntegers(array) }, components, {} });
+        place = gathered.end() - 1;
+      }
+      if (values.size() == all * components)
+      {
+        const auto begin = values.begin() + static_cast<std::ptrdiff_t>(first * components);
+        place->values.insert(place->values.end(), begin, begin + static_cast<std::ptrdiff_t>(rows * components));
+      }
+    }
+  }
+
+  void
+  ReadFieldData(const VtkXmlElement & field)
+  {
+    for (const VtkXmlElement & array : field.children)
+    {
+      const std::string name = array.Get("Name");
+      if (array.name == "DataArray")
+      {
+        const std::size_t         components = this->ComponentsOf(array);
+        const std::vector<double> values = m_Xml.Values(array);
+        SurfaceArray              kept{ name, {}, VtkXml::AreIntegers(array) };
+        kept.values = Eigen::Map<const SurfaceArray::ValueMatrix>(
+          values.data(), static_cast<Eigen::Index>(values.size() / components), static_cast<Eigen::Index>(components));
+        m_Surface.fieldArrays.push_back(std::move(kept));
+        continue;
+      }
+      const std::vector<std::string> strings = m_Xml.Strings(array);
+      if (name == SpaceName)
+      {
+        m_Surface.isRas = !strings.empty() && strings[0].find("RAS") != std::string::npos;
+      }
+      else if (strings.size() == 1)
+      {
+        m_Surface.facts.emplace_back(name, strings[0]);
+      }
+    }
+  }
+
+  VtkXml                m_Xml;
+  PolygonSurface        m_Surface;
+  std::vector<Gathered> m_PointArrays;
+  std::vector<Gathered> m_CellArrays;
+  std::size_t           m_LeftOut{ 0 };
 };
 
 template <typename TArray>

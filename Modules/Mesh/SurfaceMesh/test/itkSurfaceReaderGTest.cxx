@@ -154,7 +154,9 @@ FaultyFiles()
            { "gltf", text, "no valid glTF" },
            { "glb", "glTF\2", "truncated" },
            { "vtp", text, "no VTP file" },
-           { "vtp", "<VTKFile type=\"PolyData\"", "no VTP file" } };
+           { "vtp", "<VTKFile type=\"PolyData\"", "truncated: it ends within a tag" },
+           { "vtp", "<html><body></body></html>", "lacks <VTKFile> or <PolyData>" },
+           { "vtp", "<VTKFile><PolyData></VTKFile>", "<PolyData> is not closed" } };
 }
 
 TEST(SurfaceReader, FaultyFilesAreRefusedWithTheirFault)
@@ -236,5 +238,5 @@ TEST_P(SurfaceReaderOfMutants, AreRefusedOrSound)
   EXPECT_GT(refused, 10);
 }
 
-INSTANTIATE_TEST_SUITE_P(Formats, SurfaceReaderOfMutants, testing::Values("stl", "ply", "obj"));
+INSTANTIATE_TEST_SUITE_P(Formats, SurfaceReaderOfMutants, testing::Values("vtp", "stl", "ply", "obj"));
 } // namespace
