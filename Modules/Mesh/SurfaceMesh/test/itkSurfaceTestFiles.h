@@ -2,44 +2,15 @@
 #define itkSurfaceTestFiles_h
 
 #include "itkFileBytes.h"
+#include "itkReportFolder.h"
 #include "itkSurfaceReader.h"
 #include "itkToolError.h"
 
-#include <cstdlib>
-#include <filesystem>
-#include <stdexcept>
 #include <string>
 
 namespace testsurfaces
 {
-/** A fresh folder, removed with all it holds. */
-class Folder
-{
-public:
-  Folder() : m_Path((std::filesystem::temp_directory_path() / "shapeton-test-XXXXXX").string())
-  {
-    if (!mkdtemp(m_Path.data()))
-    {
-      throw std::runtime_error("no folder for temporary files");
-    }
-  }
-  Folder(const Folder &) = delete;
-  Folder &
-  operator=(const Folder &) = delete;
-  ~Folder()
-  {
-    std::error_code error;
-    std::filesystem::remove_all(m_Path, error);
-  }
-  std::string
-  operator/(const std::string & name) const
-  {
-    return m_Path + '/' + name;
-  }
-
-private:
-  std::string m_Path;
-};
+using reporttest::Folder;
 
 /** Reads bytes as a file with this extension. */
 inline itk::SurfaceFile
