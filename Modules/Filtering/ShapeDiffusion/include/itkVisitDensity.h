@@ -25,8 +25,13 @@ ShapeDiffusion_EXPORT std::uint32_t
 ShapeDiffusion_EXPORT void
 AddVisitsToRow(const Image<std::uint32_t, 3> * visits, std::size_t row, HeatHistogram & histogram);
 
-/** The classes of a volume of visits and the label of each voxel, by their histogram as ClassifyHeat() finds those of
- * heat. The background are voxels without visits. `density` is that of NormalizeVisits(). \ingroup ShapeDiffusion */
+/** The classes of a row that AddVisitsToRow() filled, as FindHeatClasses() finds those of heat. The background are
+ * voxels without visits. `greatest` is that of GreatestVisits(). \ingroup ShapeDiffusion */
+ShapeDiffusion_EXPORT std::vector<HeatClass>
+                      FindVisitClasses(const HeatHistogram & histogram, std::size_t row, std::uint32_t greatest);
+
+/** The classes of a volume of visits and the label of each voxel, as ClassifyHeat() finds those of heat.
+ * `density` is that of NormalizeVisits(). \ingroup ShapeDiffusion */
 ShapeDiffusion_EXPORT HeatClassification
 ClassifyVisits(const Image<std::uint32_t, 3> * visits, const Image<float, 3> * density);
 } // namespace itk

@@ -112,15 +112,21 @@ AddVisitsToRow(const Image<std::uint32_t, 3> * visits, std::size_t row, HeatHist
   histogram.AddToRow(row, counts.data());
 }
 
+std::vector<HeatClass>
+FindVisitClasses(const HeatHistogram & histogram, std::size_t row, std::uint32_t greatest)
+{
+  HeatClassificationRule rule;
+  rule.backgroundHeat = 0.5 / std::max(1U, greatest);
+  return FindHeatClasses(histogram, row, rule);
+}
+
 HeatClassification
 ClassifyVisits(const Image<std::uint32_t, 3> * visits, const Image<float, 3> * density)
 {
   HeatHistogram histogram({ 0 });
   AddVisitsToRow(visits, 0, histogram);
-  HeatClassificationRule rule;
-  rule.backgroundHeat = 0.5 / std::max(1U, GreatestVisits(visits));
   HeatClassification classification;
-  classification.classes = FindHeatClasses(histogram, 0, rule);
+  classification.classes = FindVisitClasses(histogram, 0, GreatestVisits(visits));
   classification.labels = LabelHeat(density, classification.classes);
   return classification;
 }

@@ -30,9 +30,10 @@ struct ShapeAnalysis
 ShapeRendering_EXPORT ShapeAnalysis
 AnalyzeHeat(const Image<float, 3> * heat, std::uint64_t timeStep);
 
-/** Visits of shapetons after `timeStep`, as a density; its axis balances the classes. \ingroup ShapeRendering */
+/** Visits of shapetons after `timeStep`, as a density; its axis balances the classes. Without labels, which take a look
+ * at every voxel, the classes lack borderShare, volume and exact numbers of voxels. \ingroup ShapeRendering */
 ShapeRendering_EXPORT ShapeAnalysis
-AnalyzeVisits(const Image<std::uint32_t, 3> * visits, std::uint64_t timeStep);
+AnalyzeVisits(const Image<std::uint32_t, 3> * visits, std::uint64_t timeStep, bool wantLabels = true);
 } // namespace itk
 
 #endif

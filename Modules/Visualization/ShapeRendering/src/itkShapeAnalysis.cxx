@@ -21,17 +21,18 @@ AnalyzeHeat(const Image<float, 3> * heat, std::uint64_t timeStep)
 }
 
 ShapeAnalysis
-AnalyzeVisits(const Image<std::uint32_t, 3> * visits, std::uint64_t timeStep)
+AnalyzeVisits(const Image<std::uint32_t, 3> * visits, std::uint64_t timeStep, bool wantLabels)
 {
-  const auto    density = NormalizeVisits(visits);
-  auto          classification = ClassifyVisits(visits, density);
   ShapeAnalysis analysis;
   analysis.quantity = ShapeQuantity::Density(std::max(1U, GreatestVisits(visits)));
-  analysis.values = density;
+  analysis.values = NormalizeVisits(visits).GetPointer();
   analysis.histogram = HeatHistogram({ timeStep });
   AddVisitsToRow(visits, 0, analysis.histogram);
-  analysis.classes = std::move(classification.classes);
-  analysis.labels = classification.labels;
+  analysis.classes = FindVisitClasses(analysis.histogram, 0, analysis.quantity.greatestVisits);
+  if (wantLabels)
+  {
+    analysis.labels = LabelHeat(analysis.values, analysis.classes);
+  }
   analysis.axisHistogram = BalanceClasses(analysis.histogram, 0, analysis.classes);
   return analysis;
 }

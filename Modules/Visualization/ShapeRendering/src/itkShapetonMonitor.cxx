@@ -51,7 +51,7 @@ DrawShapetonPreview(const Image<float, 3> *         grey,
                     const Index<3> &                cut,
                     const ShapetonProgress &        progress)
 {
-  const ShapeAnalysis shape = AnalyzeVisits(visits, progress.measures.step);
+  const ShapeAnalysis shape = AnalyzeVisits(visits, progress.measures.step, false);
   SliceMontageOptions options;
   options.title = DescribeProgress(progress);
   options.cut = cut;
