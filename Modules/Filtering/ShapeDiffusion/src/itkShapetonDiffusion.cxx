@@ -1,10 +1,6 @@
 #include "itkShapetonDiffusion.h"
 
-#include "itkParallelRows.h"
-#include "itkShapetonKernels.h"
-#include "itkShapetonPlacement.h"
-#include "itkShapetonRecords.h"
-#include "itkShapetonTraversal.h"
+#include "itkShapetonWalk.h"
 
 #include <algorithm>
 #include <cmath>
@@ -18,8 +14,6 @@ namespace
 {
 using namespace ShapetonKernels;
 
-/** So many shapetons are moved together: what they need next is fetched while the others move. */
-constexpr std::size_t GroupSize = 256;
 /** Shapeton steps between two calls of the observer: some hundredths of a second. */
 constexpr std::uint64_t EndpointBlock = std::uint64_t{ 1 } << 20;
 constexpr std::uint64_t TraversalBlock = std::uint64_t{ 1 } << 16;
@@ -28,25 +22,6 @@ constexpr std::uint64_t HistoryLength = 50;
 constexpr int           AllowedFailures = 5;
 /** Mean number of visits of the voxels reached when the automatic rule is satisfied. */
 constexpr double WantedVisits = 100.0;
-
-/** What counting visits one by one finds out. `old` is the count before a visit; the order of visits is arbitrary, but
- * these sums do not depend on it. */
-struct Tally
-{
-  std::uint64_t sumOfOld{ 0 };
-  std::uint32_t maximum{ 0 };
-  std::uint64_t reached{ 0 };
-  std::uint64_t objectsReached{ 0 };
-
-  void
-  Add(const Tally & other)
-  {
-    sumOfOld += other.sumOfOld;
-    maximum = std::max(maximum, other.maximum);
-    reached += other.reached;
-    objectsReached += other.objectsReached;
-  }
-};
 
 void
 CheckSettings(const ShapetonDiffusionSettings & settings, const std::array<std::size_t, 3> & size)
@@ -70,20 +45,6 @@ CheckSettings(const ShapetonDiffusionSettings & settings, const std::array<std::
   {
     throw std::length_error("the volume has 2^31 voxels or more, or 2^24 along an axis; crop it");
   }
-}
-
-const ThetaTable &
-SharedThetaTable()
-{
-  static const ThetaTable table;
-  return table;
-}
-
-VolumeGradientOperator::Parameters
-WeightsAlone(VolumeGradientOperator::Parameters parameters)
-{
-  parameters.conductance = VolumeGradientOperator::Conductance::Published;
-  return parameters;
 }
 
 std::string
@@ -116,7 +77,8 @@ NameOf(ShapetonPlacement placement)
   return placement == ShapetonPlacement::Uniform ? "uniform" : "initialHeat";
 }
 
-struct ShapetonDiffusion::Impl
+/** The walk, and what is measured of it. */
+struct ShapetonDiffusion::Impl : ShapetonWalk
 {
   Impl(const float *                      intensities,
        const std::array<std::size_t, 3> & volumeSize,
@@ -124,25 +86,9 @@ struct ShapetonDiffusion::Impl
        const unsigned char *              mask,
        std::uint32_t *                    visitsOfVoxels,
        const std::function<void()> &      pollNowAndThen)
-    : settings(given)
-    , size(volumeSize)
-    , visits(visitsOfVoxels)
-    , poll(pollNowAndThen)
-    , kernels(GetBest())
-    , table(SharedThetaTable())
-    , records(intensities, size, WeightsAlone(settings.volumeGradient), mask, poll)
+    : ShapetonWalk(intensities, volumeSize, given, mask, visitsOfVoxels, pollNowAndThen), poll(pollNowAndThen)
   {
     measures.objectVoxels = records.GetNumberOfObjectVoxels();
-    DescribeSurroundings();
-    const std::size_t length = (settings.shapetons + Granularity - 1) / Granularity * Granularity;
-    for (auto & axis : places)
-    {
-      axis.assign(length, 0.0F);
-    }
-    voxels.assign(length, 0);
-    ParallelFor(size[2], [this](std::size_t z) { std::fill_n(visits + z * size[0] * size[1], size[0] * size[1], 0U); });
-    poll();
-    Place(mask);
     CountTrapped();
   }
 
@@ -152,162 +98,6 @@ struct ShapetonDiffusion::Impl
     return settings.pathRule == PathRule::Traversal ? TraversalBlock : EndpointBlock;
   }
 
-  std::size_t
-  NumberOfVoxels() const
-  {
-    return size[0] * size[1] * size[2];
-  }
-
-  void
-  DescribeSurroundings()
-  {
-    const auto & spacing = settings.volumeGradient.spacing;
-    const double side = std::max({ size[0] * spacing[0], size[1] * spacing[1], size[2] * spacing[2] });
-    surroundings.records = records.GetData();
-    surroundings.visits = visits;
-    for (unsigned int axis = 0; axis < 3; ++axis)
-    {
-      surroundings.size[axis] = static_cast<std::int32_t>(size[axis]);
-      surroundings.step[axis] = static_cast<float>(settings.distance * side / spacing[axis]);
-    }
-  }
-
-  void
-  Place(const unsigned char * mask)
-  {
-    const Shapetons all = Group(0, settings.shapetons);
-    const bool      byInitialHeat = settings.placement == ShapetonPlacement::InitialHeat;
-    if (byInitialHeat || mask)
-    {
-      PlaceByDensity(surroundings, all, settings.seed, records, byInitialHeat, mask);
-    }
-    else
-    {
-      PlaceUniformly(surroundings, all, settings.seed);
-    }
-  }
-
-  Shapetons
-  Group(std::size_t first, std::size_t number)
-  {
-    return { static_cast<std::uint32_t>(first), number,
-             places[0].data() + first,          places[1].data() + first,
-             places[2].data() + first,          voxels.data() + first };
-  }
-
-  /** One step of a group: directions, move. */
-  void
-  Move(const Shapetons & group, std::uint64_t step) const
-  {
-    alignas(64) float components[3][GroupSize];
-    const Directions  directions{ components[0], components[1], components[2] };
-    const Random      random{ settings.seed, step };
-    const Draw        draw = settings.directionSampling == DirectionSampling::SolidAngle   ? kernels.drawBySolidAngle
-                             : settings.directionSampling == DirectionSampling::SectorArea ? kernels.drawBySectorArea
-                                                                                           : kernels.drawUniformly;
-    draw(surroundings, group, random, table, directions);
-    if (settings.pathRule == PathRule::Traversal)
-    {
-      TraverseVoxels(surroundings, group, random, directions);
-    }
-    else
-    {
-      kernels.move(surroundings, group, directions);
-    }
-  }
-
-  template <bool VShared>
-  Tally
-  Count(const Shapetons & group) const
-  {
-    Tally tally;
-    for (std::size_t i = 0; i < group.number; ++i)
-    {
-      const std::uint32_t voxel = group.voxel[i];
-      std::uint32_t       old = 0;
-      if constexpr (VShared)
-      {
-        old = __atomic_fetch_add(visits + voxel, 1U, __ATOMIC_RELAXED);
-      }
-      else
-      {
-        old = visits[voxel]++;
-      }
-      tally.sumOfOld += old;
-      tally.maximum = std::max(tally.maximum, old + 1);
-      if (old == 0)
-      {
-        ++tally.reached;
-        tally.objectsReached += records.GetRecord(voxel)[MarksOfRecord] & ObjectMark;
-      }
-    }
-    return tally;
-  }
-
-  /** Small groups of work do not pay for a second thread. */
-  static unsigned int
-  WorkersFor(std::uint64_t shapetonSteps)
-  {
-    return static_cast<unsigned int>(std::clamp<std::uint64_t>(shapetonSteps / 4096, 1, NumberOfThreads()));
-  }
-
-  template <typename TBody>
-  void
-  ForGroups(std::size_t first, std::size_t number, std::uint64_t shapetonSteps, const TBody & body)
-  {
-    const std::size_t        groups = (number + GroupSize - 1) / GroupSize;
-    std::atomic<std::size_t> next{ 0 };
-    const unsigned int       workers = WorkersFor(shapetonSteps);
-    ParallelWorkers(workers, [&](unsigned int) {
-      for (std::size_t i = next++; i < groups; i = next++)
-      {
-        const std::size_t begin = i * GroupSize;
-        body(Group(first + begin, std::min(GroupSize, number - begin)), workers > 1);
-      }
-    });
-  }
-
-  /** Steps [begin, end) of shapetons [first, first + number). */
-  Tally
-  TakeSteps(std::size_t first, std::size_t number, std::uint64_t begin, std::uint64_t end)
-  {
-    Tally      whole;
-    std::mutex mutex;
-    ForGroups(first, number, number * (end - begin), [&](const Shapetons & group, bool shared) {
-      Tally tally;
-      for (std::uint64_t step = begin; step < end; ++step)
-      {
-        Move(group, step);
-        tally.Add(shared ? Count<true>(group) : Count<false>(group));
-      }
-      const std::lock_guard<std::mutex> lock(mutex);
-      whole.Add(tally);
-    });
-    return whole;
-  }
-
-  /** The visits of the shapetons' voxels, summed over the shapetons, and how many are trapped. */
-  std::pair<std::uint64_t, std::uint32_t>
-  SumOverShapetons()
-  {
-    std::uint64_t sum = 0;
-    std::uint32_t trapped = 0;
-    std::mutex    mutex;
-    ForGroups(0, settings.shapetons, settings.shapetons, [&](const Shapetons & group, bool) {
-      std::uint64_t groupSum = 0;
-      std::uint32_t groupTrapped = 0;
-      for (std::size_t i = 0; i < group.number; ++i)
-      {
-        groupSum += visits[group.voxel[i]];
-        groupTrapped += (records.GetRecord(group.voxel[i])[MarksOfRecord] & TrapMark) != 0;
-      }
-      const std::lock_guard<std::mutex> lock(mutex);
-      sum += groupSum;
-      trapped += groupTrapped;
-    });
-    return { sum, trapped };
-  }
-
   void
   CountTrapped()
   {
@@ -315,7 +105,7 @@ struct ShapetonDiffusion::Impl
   }
 
   void
-  Note(const Tally & tally, std::uint64_t number)
+  Note(const ShapetonTally & tally, std::uint64_t number)
   {
     // A count that grows from `old` by one grows by 2 old + 1 in its square.
     sumOfSquares += 2.0 * static_cast<double>(tally.sumOfOld) + static_cast<double>(number);
@@ -341,7 +131,7 @@ struct ShapetonDiffusion::Impl
     }
     const double        squaresBefore = sumOfSquares;
     const std::uint32_t maximumBefore = measures.maximumVisits;
-    Tally               tally;
+    ShapetonTally       tally;
     const std::uint64_t longest = BlockLength() / 4; // a multiple of the group size
     for (std::uint64_t first = 0; first < number; first += longest)
     {
@@ -362,7 +152,7 @@ struct ShapetonDiffusion::Impl
   /** (3.10) for the step whose tally this is. With S the counts before, c those of the step, and n shapetons:
    * sumOfOld = sum S c + (sum c^2 - n) / 2, and `sumAfter` = sum (S + c) c. */
   void
-  Measure(const Tally & tally, std::uint64_t sumAfter, double squaresBefore, std::uint32_t maximumBefore)
+  Measure(const ShapetonTally & tally, std::uint64_t sumAfter, double squaresBefore, std::uint32_t maximumBefore)
   {
     const double n = settings.shapetons;
     const double squares = 2.0 * static_cast<double>(sumAfter - tally.sumOfOld) - n; // sum c^2
@@ -443,20 +233,11 @@ struct ShapetonDiffusion::Impl
     SuggestEpsilon();
   }
 
-  const ShapetonDiffusionSettings   settings;
-  const std::array<std::size_t, 3>  size;
-  std::uint32_t * const             visits;
-  const std::function<void()>       poll;
-  const Set &                       kernels;
-  const ThetaTable &                table;
-  const ShapetonRecords             records;
-  Surroundings                      surroundings{};
-  std::array<std::vector<float>, 3> places;
-  std::vector<std::uint32_t>        voxels;
-  ShapetonMeasures                  measures;
-  double                            sumOfSquares{ 0.0 };
-  std::uint64_t                     history{ 0 };
-  std::uint64_t                     tested{ 0 };
+  const std::function<void()> poll;
+  ShapetonMeasures            measures;
+  double                      sumOfSquares{ 0.0 };
+  std::uint64_t               history{ 0 };
+  std::uint64_t               tested{ 0 };
 };
 
 ShapetonDiffusion::ShapetonDiffusion(const float *                      intensities,
