@@ -1,12 +1,16 @@
 #ifndef itkSurfaceFormats_h
 #define itkSurfaceFormats_h
 
+#include "itkCurveSet.h"
 #include "itkSurfaceReader.h"
 
 #include <cstdint>
 
 namespace itk
 {
+/** The field data in which 3D Slicer looks for LPS or RAS. */
+constexpr const char * VtpSpaceName = "SPACE";
+
 /** What a reader of a format hands over: polygons of any number of corners, not checked. */
 struct PolygonSurface
 {
@@ -46,6 +50,9 @@ struct PolygonSurface
 ///@{
 PolygonSurface
 ReadVtp(const std::string & bytes, const std::string & path);
+/** Lines and points, each as a "polygon" of its vertices. */
+PolygonSurface
+ReadVtpCurves(const std::string & bytes, const std::string & path);
 PolygonSurface
 ReadStl(const std::string & bytes, const std::string & path);
 PolygonSurface
@@ -64,6 +71,8 @@ ReadGltf(const std::string & bytes, const std::string & path);
 void
 WriteVtp(const SurfaceMesh & mesh, const std::string & path);
 void
+WriteVtp(const CurveSet & curves, const std::string & path);
+void
 WriteStl(const SurfaceMesh & mesh, const std::string & path);
 void
 WriteObj(const SurfaceMesh & mesh, const std::string & path);
@@ -78,6 +87,18 @@ SurfaceOfPolygons(PolygonSurface && polygons, const std::string & path);
 /** The extension of a name in small letters, without the dot. */
 std::string
 SurfaceExtension(const std::string & path);
+
+/** \name What soundness of surfaces and curves has in common; throw InputError with `what` in front. */
+///@{
+void
+RequireFinite(const VertexMatrix & V, const std::string & what);
+void
+RequireRows(const std::vector<SurfaceArray> & arrays, Eigen::Index rows, const std::string & what);
+///@}
+
+/** The arrays with some of their rows, in that order. */
+std::vector<SurfaceArray>
+RowsOfArrays(const std::vector<SurfaceArray> & arrays, const std::vector<int> & rows);
 
 /** Throws InputError: path: fault; advice. */
 [[noreturn]] void

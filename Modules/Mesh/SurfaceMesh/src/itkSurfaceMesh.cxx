@@ -1,12 +1,10 @@
-#include "itkSurfaceMesh.h"
+#include "itkSurfaceFormats.h"
 #include "itkToolError.h"
 
 #include <algorithm>
 #include <cmath>
 
 namespace itk
-{
-namespace
 {
 using Arrays = std::vector<SurfaceArray>;
 
@@ -24,7 +22,7 @@ RequireRows(const Arrays & arrays, Eigen::Index rows, const std::string & what)
 }
 
 Arrays
-RowsOf(const Arrays & arrays, const std::vector<int> & rows)
+RowsOfArrays(const Arrays & arrays, const std::vector<int> & rows)
 {
   Arrays chosen;
   for (const SurfaceArray & array : arrays)
@@ -39,7 +37,17 @@ RowsOf(const Arrays & arrays, const std::vector<int> & rows)
   }
   return chosen;
 }
-} // namespace
+void
+RequireFinite(const VertexMatrix & V, const std::string & what)
+{
+  for (Eigen::Index v = 0; v < V.rows(); ++v)
+  {
+    if (!V.row(v).allFinite())
+    {
+      throw InputError(what + ": vertex " + std::to_string(v) + " has a coordinate that is not finite; correct it");
+    }
+  }
+}
 
 const SurfaceArray *
 FindSurfaceArray(const Arrays & arrays, const std::string & name)
@@ -55,13 +63,7 @@ RequireSound(const SurfaceMesh & mesh, const std::string & what)
   {
     throw InputError(what + ": there are no faces; give a surface of triangles or polygons");
   }
-  for (int v = 0; v < mesh.NumberOfVertices(); ++v)
-  {
-    if (!mesh.V.row(v).allFinite())
-    {
-      throw InputError(what + ": vertex " + std::to_string(v) + " has a coordinate that is not finite; correct it");
-    }
-  }
+  RequireFinite(mesh.V, what);
   for (int f = 0; f < mesh.NumberOfFaces(); ++f)
   {
     for (int k = 0; k < 3; ++k)
@@ -111,8 +113,8 @@ FacesOfSurface(const SurfaceMesh & mesh, const std::vector<int> & faces)
       part.F(static_cast<Eigen::Index>(i), k) = newIndex[mesh.F(faces[i], k)];
     }
   }
-  part.pointArrays = RowsOf(mesh.pointArrays, vertices);
-  part.cellArrays = RowsOf(mesh.cellArrays, faces);
+  part.pointArrays = RowsOfArrays(mesh.pointArrays, vertices);
+  part.cellArrays = RowsOfArrays(mesh.cellArrays, faces);
   part.fieldArrays = mesh.fieldArrays;
   part.facts = mesh.facts;
   return part;

@@ -1,17 +1,5 @@
-#include "itkFileBytes.h"
 #include "itkSurfaceFormats.h"
 #include "itkVtkXml.h"
-
-#include <vtkCellArray.h>
-#include <vtkCellData.h>
-#include <vtkDoubleArray.h>
-#include <vtkFieldData.h>
-#include <vtkIntArray.h>
-#include <vtkNew.h>
-#include <vtkPointData.h>
-#include <vtkPolyData.h>
-#include <vtkStringArray.h>
-#include <vtkXMLPolyDataWriter.h>
 
 #include <algorithm>
 
@@ -19,12 +7,17 @@ namespace itk
 {
 namespace
 {
-constexpr const char * SpaceName = "SPACE"; // where 3D Slicer looks for LPS or RAS
+enum class VtpCells
+{
+  Faces,
+  Curves
+};
 
 class VtpReader
 {
 public:
-  VtpReader(const std::string & bytes, const std::string & path) : m_Xml(bytes, path) {}
+  VtpReader(const std::string & bytes, const std::string & path, VtpCells wanted) : m_Xml(bytes, path), m_Wanted(wanted)
+  {}
 
   PolygonSurface
   Read()
@@ -49,7 +42,9 @@ public:
     KeepWhole(m_CellArrays, m_Surface.ends.size(), m_Surface.cellArrays);
     if (m_LeftOut)
     {
-      m_Surface.notes.push_back(std::to_string(m_LeftOut) + " points and lines were left out");
+      m_Surface.notes.push_back(std::to_string(m_LeftOut) + (m_Wanted == VtpCells::Faces
+                                                               ? " points and lines were left out"
+                                                               : " faces were left out"));
     }
     return std::move(m_Surface);
   }
@@ -123,15 +118,24 @@ private:
     const std::vector<double> positions = this->ValuesOf(piece.Find("Points"), "", 3 * points);
     m_Surface.points.insert(m_Surface.points.end(), positions.begin(), positions.begin() + 3 * points);
     this->Gather(piece.Find("PointData"), 0, points, points, m_PointArrays);
-    const std::size_t others = this->CountOf(piece, "NumberOfVerts") + this->CountOf(piece, "NumberOfLines");
+    const std::size_t verts = this->CountOf(piece, "NumberOfVerts");
+    const std::size_t lines = this->CountOf(piece, "NumberOfLines");
     const std::size_t polys = this->CountOf(piece, "NumberOfPolys");
     const std::size_t strips = this->CountOf(piece, "NumberOfStrips");
-    m_LeftOut += others;
+    if (m_Wanted == VtpCells::Curves)
+    {
+      m_LeftOut += polys + strips;
+      this->ReadCells(piece.Find("Verts"), verts, firstPoint, points, false);
+      this->ReadCells(piece.Find("Lines"), lines, firstPoint, points, false);
+      this->Gather(piece.Find("CellData"), 0, verts + lines, verts + lines + polys + strips, m_CellArrays);
+      return;
+    }
+    m_LeftOut += verts + lines;
     this->ReadCells(piece.Find("Polys"), polys, firstPoint, points, false);
     this->ReadCells(piece.Find("Strips"), strips, firstPoint, points, true);
     if (strips == 0) // the triangles of strips have no rows of their own
     {
-      this->Gather(piece.Find("CellData"), others, polys, others + polys, m_CellArrays);
+      this->Gather(piece.Find("CellData"), verts + lines, polys, verts + lines + polys, m_CellArrays);
     }
   }
 
@@ -232,7 +236,7 @@ private:
         continue;
       }
       const std::vector<std::string> strings = m_Xml.Strings(array);
-      if (name == SpaceName)
+      if (name == VtpSpaceName)
       {
         m_Surface.isRas = !strings.empty() && strings[0].find("RAS") != std::string::npos;
       }
@@ -244,90 +248,23 @@ private:
   }
 
   VtkXml                m_Xml;
+  VtpCells              m_Wanted;
   PolygonSurface        m_Surface;
   std::vector<Gathered> m_PointArrays;
   std::vector<Gathered> m_CellArrays;
   std::size_t           m_LeftOut{ 0 };
 };
-
-template <typename TArray>
-vtkSmartPointer<vtkDataArray>
-Filled(const SurfaceArray & array)
-{
-  auto filled = vtkSmartPointer<TArray>::New();
-  filled->SetName(array.name.c_str());
-  filled->SetNumberOfComponents(static_cast<int>(array.values.cols()));
-  filled->SetNumberOfTuples(array.values.rows());
-  for (Eigen::Index i = 0; i < array.values.size(); ++i)
-  {
-    filled->SetValue(i, static_cast<typename TArray::ValueType>(array.values.data()[i]));
-  }
-  return filled;
-}
-
-void
-AddArrays(const std::vector<SurfaceArray> & arrays, vtkFieldData & data)
-{
-  for (const SurfaceArray & array : arrays)
-  {
-    data.AddArray(array.areIntegers ? Filled<vtkIntArray>(array) : Filled<vtkDoubleArray>(array));
-  }
-}
-
-void
-AddFact(const std::string & name, const std::string & value, vtkFieldData & data)
-{
-  vtkNew<vtkStringArray> fact;
-  fact->SetName(name.c_str());
-  fact->InsertNextValue(value);
-  data.AddArray(fact);
-}
-
-vtkSmartPointer<vtkPolyData>
-PolyDataOf(const SurfaceMesh & mesh)
-{
-  vtkNew<vtkPoints> points;
-  points->SetDataTypeToDouble();
-  points->SetNumberOfPoints(mesh.V.rows());
-  for (Eigen::Index v = 0; v < mesh.V.rows(); ++v)
-  {
-    points->SetPoint(v, mesh.V(v, 0), mesh.V(v, 1), mesh.V(v, 2));
-  }
-  vtkNew<vtkCellArray> faces;
-  for (Eigen::Index f = 0; f < mesh.F.rows(); ++f)
-  {
-    const vtkIdType corners[] = { mesh.F(f, 0), mesh.F(f, 1), mesh.F(f, 2) };
-    faces->InsertNextCell(3, corners);
-  }
-  auto data = vtkSmartPointer<vtkPolyData>::New();
-  data->SetPoints(points);
-  data->SetPolys(faces);
-  AddArrays(mesh.pointArrays, *data->GetPointData());
-  AddArrays(mesh.cellArrays, *data->GetCellData());
-  AddArrays(mesh.fieldArrays, *data->GetFieldData());
-  AddFact(SpaceName, "LPS", *data->GetFieldData());
-  for (const auto & [name, value] : mesh.facts)
-  {
-    AddFact(name, value, *data->GetFieldData());
-  }
-  return data;
-}
 } // namespace
 
 PolygonSurface
 ReadVtp(const std::string & bytes, const std::string & path)
 {
-  return VtpReader(bytes, path).Read();
+  return VtpReader(bytes, path, VtpCells::Faces).Read();
 }
 
-void
-WriteVtp(const SurfaceMesh & mesh, const std::string & path)
+PolygonSurface
+ReadVtpCurves(const std::string & bytes, const std::string & path)
 {
-  vtkNew<vtkXMLPolyDataWriter> writer;
-  writer->SetInputData(PolyDataOf(mesh));
-  writer->WriteToOutputStringOn();
-  writer->SetHeaderTypeToUInt64();
-  writer->Write();
-  WriteFileBytes(path, writer->GetOutputString());
+  return VtpReader(bytes, path, VtpCells::Curves).Read();
 }
 } // namespace itk

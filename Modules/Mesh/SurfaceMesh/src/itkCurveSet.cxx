@@ -1,0 +1,111 @@
+#include "itkCurveSet.h"
+#include "itkFileBytes.h"
+#include "itkSurfaceFormats.h"
+#include "itkToolError.h"
+
+#include <algorithm>
+#include <numeric>
+
+namespace itk
+{
+namespace
+{
+void
+RequireVertices(const CurveSet & curves, const std::string & what)
+{
+  for (std::size_t c = 0; c < curves.curves.size(); ++c)
+  {
+    const std::vector<int> & curve = curves.curves[c];
+    if (curve.empty())
+    {
+      throw InputError(what + ": curve " + std::to_string(c) + " has no vertex; correct it");
+    }
+    for (const int v : curve)
+    {
+      if (v < 0 || v >= curves.V.rows())
+      {
+        throw InputError(what + ": curve " + std::to_string(c) + " names vertex " + std::to_string(v) +
+                         ", but there are " + std::to_string(curves.V.rows()) + "; correct it");
+      }
+    }
+  }
+}
+
+/** The curves in VTK's order of cells: points, then lines. */
+CurveSet
+PointsFirst(const CurveSet & curves)
+{
+  std::vector<int> order(curves.curves.size());
+  std::iota(order.begin(), order.end(), 0);
+  std::stable_partition(order.begin(), order.end(), [&](int c) { return curves.curves[c].size() == 1; });
+  CurveSet sorted = curves;
+  for (std::size_t i = 0; i < order.size(); ++i)
+  {
+    sorted.curves[i] = curves.curves[order[i]];
+  }
+  sorted.cellArrays = RowsOfArrays(curves.cellArrays, order);
+  return sorted;
+}
+} // namespace
+
+void
+RequireSound(const CurveSet & curves, const std::string & what)
+{
+  if (curves.V.rows() == 0)
+  {
+    throw InputError(what + ": there are no points; give a file with lines or points");
+  }
+  RequireFinite(curves.V, what);
+  RequireVertices(curves, what);
+  RequireRows(curves.pointArrays, curves.V.rows(), what);
+  RequireRows(curves.cellArrays, static_cast<Eigen::Index>(curves.curves.size()), what);
+}
+
+Eigen::VectorXd
+PointValues(const CurveSet & curves, const std::string & array, const std::string & what)
+{
+  const SurfaceArray * const found = FindSurfaceArray(curves.pointArrays, array);
+  if (!found || found->values.cols() != 1)
+  {
+    throw InputError(what + ": the point array \"" + array +
+                     "\" with one component is missing; give a file that has it");
+  }
+  return found->values.col(0);
+}
+
+void
+WriteCurves(const CurveSet & curves, const std::string & path)
+{
+  RequireUsage(SurfaceExtension(path) == "vtp", "\"" + path + "\" names no format of curves; use .vtp");
+  RequireSound(curves, "the curves");
+  WriteVtp(PointsFirst(curves), path);
+}
+
+CurveSet
+ReadCurves(const std::string & path)
+{
+  if (SurfaceExtension(path) != "vtp")
+  {
+    RefuseSurface(path, "no format of curves", "give a .vtp file");
+  }
+  PolygonSurface read = ReadVtpCurves(ReadFileBytes(path), path);
+  CurveSet       curves;
+  curves.V = Eigen::Map<const VertexMatrix>(read.points.data(), static_cast<Eigen::Index>(read.points.size() / 3), 3);
+  std::size_t begin = 0;
+  for (const std::size_t end : read.ends)
+  {
+    curves.curves.emplace_back(read.corners.begin() + begin, read.corners.begin() + end);
+    begin = end;
+  }
+  curves.pointArrays = std::move(read.pointArrays);
+  curves.cellArrays = std::move(read.cellArrays);
+  curves.fieldArrays = std::move(read.fieldArrays);
+  curves.facts = std::move(read.facts);
+  RequireSound(curves, "\"" + path + "\"");
+  if (read.isRas)
+  {
+    curves.V.leftCols<2>() *= -1.0;
+  }
+  return curves;
+}
+} // namespace itk
