@@ -260,6 +260,7 @@ private:
     this->CheckReferences();
     this->CheckThreads(root);
     this->CheckVolumeOptions(root);
+    this->CheckSurfaceOptions(root);
   }
 
   void
@@ -716,15 +717,37 @@ private:
   void
   CheckVolumeOptions(const XMLElement & root)
   {
-    const std::map<std::string, std::string> options{ { "seriesUID", "string" },
-                                                      { "resampleGaps", "boolean" },
-                                                      { "deshear", "boolean" },
-                                                      { "dropDuplicates", "boolean" } };
-    const auto                               takesVolume = [&](const XMLElement * parameter) {
+    this->CheckInputOptions(root,
+                            "image",
+                            "volume",
+                            { { "seriesUID", "string" },
+                              { "resampleGaps", "boolean" },
+                              { "deshear", "boolean" },
+                              { "dropDuplicates", "boolean" } });
+  }
+
+  /** A tool that takes a surface gives its user the choice of part, component and unit. */
+  void
+  CheckSurfaceOptions(const XMLElement & root)
+  {
+    this->CheckInputOptions(root,
+                            "geometry",
+                            "surface",
+                            { { "part", "string" }, { "component", "integer" }, { "unit", "string-enumeration" } });
+  }
+
+  /** A tool that has an input of this kind, or one of these options, has all of them. */
+  void
+  CheckInputOptions(const XMLElement &                         root,
+                    const std::string &                        element,
+                    const std::string &                        what,
+                    const std::map<std::string, std::string> & options)
+  {
+    const auto takesIt = [&](const XMLElement * parameter) {
       return options.count(parameter->TextOf("name")) ||
-             (parameter->name == "image" && parameter->TextOf("channel") == "input");
+             (parameter->name == element && parameter->TextOf("channel") == "input");
     };
-    if (std::none_of(m_Parameters.begin(), m_Parameters.end(), takesVolume))
+    if (std::none_of(m_Parameters.begin(), m_Parameters.end(), takesIt))
     {
       return;
     }
@@ -733,7 +756,7 @@ private:
       const XMLElement * parameter = this->FindParameter(name);
       if (!parameter)
       {
-        this->Add(root.line, "a tool that takes a volume must have the option " + name);
+        this->Add(root.line, "a tool that takes a " + what + " must have the option " + name);
       }
       else if (parameter->name != kind || !parameter->Find("longflag"))
       {

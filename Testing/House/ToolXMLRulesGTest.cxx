@@ -216,6 +216,8 @@ const Break Breaks[] = {
   { "<name>seriesUID</name>\n      <longflag>seriesUID</longflag>",
     "<name>series</name>\n      <longflag>series</longflag>",
     "must have the option seriesUID" },
+  { "<name>gamma</name>", "<name>unit</name>", "unit must be a <string-enumeration> option" },
+  { "<name>gamma</name>", "<name>unit</name>", "a tool that takes a surface must have the option component" },
 };
 
 TEST(ToolXMLRules, NamesEachFault)
