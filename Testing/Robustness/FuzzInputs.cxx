@@ -1,17 +1,21 @@
 // FuzzInputs --files N --seed S [--folder DIR]
 //
-// Spoils DICOM, NRRD, NIfTI and MetaImage files and gives them to the readers. A reader may read such a file or refuse
-// it by an InputError; it may not crash, hang, take memory without bound, or draw a report from a sanitizer. A file
-// that made it do so is kept and named, and the exit status is 1.
-// The files are made in a new folder inside DIR (default: the folder for temporary files), which goes when there was no
-// fault. --self-test: checks that each of these faults is noticed.
+// Spoils DICOM files, NRRD, NIfTI and MetaImage files, and surfaces, and gives them to the readers. A reader may read
+// such a file or refuse it by an InputError; it may not crash, hang, take memory without bound, or draw a report from a
+// sanitizer. A file that made it do so is kept and named, and the exit status is 1. The files are made in a new folder
+// inside DIR (default: the folder for temporary files), which goes when there was no fault. --self-test: checks that
+// each of these faults is noticed.
 
 #include "FuzzMutation.h"
 #include "FuzzSeeds.h"
 #include "FuzzTrial.h"
 
+#include "itkCurveSet.h"
 #include "itkDicomFixture.h"
 #include "itkDicomSeriesScan.h"
+#include "itkSurfaceQuality.h"
+#include "itkSurfaceReader.h"
+#include "itkSurfaceRepair.h"
 #include "itkToolError.h"
 #include "itkVolumeReader.h"
 
@@ -24,6 +28,7 @@
 #include <list>
 #include <map>
 #include <memory>
+#include <set>
 #include <string>
 #include <sys/wait.h>
 #include <thread>
@@ -84,9 +89,43 @@ Parse(int argc, char * argv[], Options & options)
   return true;
 }
 
+bool
+IsSurface(const std::string & path)
+{
+  const std::string                  extension = fs::path(path).extension();
+  static const std::set<std::string> surfaces{ ".vtp", ".stl", ".obj", ".ply", ".off", ".gltf", ".glb" };
+  return surfaces.count(extension) > 0;
+}
+
+/** Reads, inspects and repairs a surface, and a VTP file as curves, too. */
+bool
+ReadAllOfSurface(const std::string & path)
+{
+  bool       isRead = false;
+  const auto attempt = [&](const auto & read) {
+    try
+    {
+      read();
+      isRead = true;
+    }
+    catch (const itk::InputError &)
+    {}
+  };
+  attempt([&] {
+    const itk::SurfaceMesh mesh = itk::ReadSurface(path, { {}, -1, "mm" }).mesh;
+    itk::InspectSurface(mesh);
+    itk::InspectSurface(itk::RepairSurface(mesh));
+  });
+  if (fs::path(path).extension() == ".vtp")
+  {
+    attempt([&] { itk::ReadCurves(path); });
+  }
+  return isRead;
+}
+
 /** Scans and reads a file as the tools do, with all repairs; a DICOM file also among sound slices of its series. */
 bool
-ReadAll(const std::string & path, const std::string & soundFolder)
+ReadAllOfVolume(const std::string & path, const std::string & soundFolder)
 {
   itk::VolumeReadOptions options;
   options.resampleGaps = options.deshear = options.dropDuplicates = options.allowSingleSlice = true;
@@ -111,6 +150,12 @@ ReadAll(const std::string & path, const std::string & soundFolder)
     fs::remove_all(folder);
   }
   return isRead;
+}
+
+bool
+ReadAll(const std::string & path, const std::string & soundFolder)
+{
+  return IsSurface(path) ? ReadAllOfSurface(path) : ReadAllOfVolume(path, soundFolder);
 }
 
 /** Runs trials, several at once, and counts what comes out. */

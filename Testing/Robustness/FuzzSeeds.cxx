@@ -1,6 +1,9 @@
 #include "FuzzSeeds.h"
 
 #include "itkDicomFixture.h"
+#include "itkGltfTestFiles.h"
+#include "itkSurfaceWriter.h"
+#include "itkTestSurfaces.h"
 #include "itkVolumeWriter.h"
 
 #include "itk_zlib.h"
@@ -90,6 +93,40 @@ AddImageSeeds(const std::string & folder, std::vector<FuzzSeed> & seeds)
     { ".nrrd",
       "NRRD0005\ntype: int\ndimension: 3\nsizes: 2 2 2\nspacings: 1 2 3\nencoding: ascii\n\n1 2 3 4 5 6 7 8\n" });
 }
+void
+AddSurfaceSeeds(const std::string & folder, std::vector<FuzzSeed> & seeds)
+{
+  itk::SurfaceMesh mesh = testsurfaces::Octahedron();
+  mesh.pointArrays.push_back({ "heat", Eigen::VectorXd(mesh.V.col(1)), false });
+  mesh.cellArrays.push_back({ "label", Eigen::VectorXd::Constant(8, 3.0), true });
+  mesh.facts = { { "tool", "test" } };
+  for (const std::string extension : { ".vtp", ".stl", ".ply", ".obj" })
+  {
+    const std::string path = folder + "/seed" + extension;
+    itk::WriteSurface(mesh, path);
+    seeds.push_back({ extension, BytesOf(path) });
+  }
+  const std::string document = testsurfaces::GltfDocument("");
+  seeds.push_back({ ".glb", testsurfaces::Glb(document) });
+  seeds.push_back({ ".gltf",
+                    testsurfaces::GltfDocument(",\"uri\":\"data:application/octet-stream;base64," +
+                                               testsurfaces::Base64(testsurfaces::TetrahedronBuffer()) + '"') });
+  seeds.push_back({ ".off", "OFF\n4 4 6\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 2 1\n3 0 1 3\n3 1 2 3\n3 2 0 3\n" });
+  seeds.push_back({ ".stl",
+                    "solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nendloop\n"
+                    "endfacet\nendsolid a\n" });
+  seeds.push_back({ ".ply",
+                    "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\nproperty float z\n"
+                    "element face 2\nproperty list uchar int vertex_indices\nend_header\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n"
+                    "3 0 1 2\n3 0 2 3\n" });
+  seeds.push_back(
+    { ".vtp",
+      "<VTKFile type='PolyData'><PolyData><Piece NumberOfPoints='4' NumberOfStrips='1'><Points>"
+      "<DataArray type='Float64' NumberOfComponents='3' format='ascii'>0 0 0 1 0 0 0 1 0 1 1 0</DataArray>"
+      "</Points><Strips><DataArray type='Int32' Name='connectivity' format='ascii'>0 1 2 3</DataArray>"
+      "<DataArray type='Int32' Name='offsets' format='ascii'>4</DataArray></Strips></Piece></PolyData>"
+      "</VTKFile>" });
+}
 } // namespace
 
 std::string
@@ -121,5 +158,6 @@ MakeFuzzSeeds(const std::string & folder)
   std::vector<FuzzSeed> seeds;
   AddDicomSeeds(folder, seeds);
   AddImageSeeds(folder, seeds);
+  AddSurfaceSeeds(folder, seeds);
   return seeds;
 }

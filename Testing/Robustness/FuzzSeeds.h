@@ -15,7 +15,8 @@ struct FuzzSeed
   bool isGzipped{ false };
 };
 
-/** DICOM slices and multi-frame files in several encodings, and NRRD, NIfTI and MetaImage files; made in `folder`. */
+/** DICOM slices and multi-frame files in several encodings, NRRD, NIfTI and MetaImage files, and surfaces in all
+ * formats that are read; made in `folder`. */
 std::vector<FuzzSeed>
 MakeFuzzSeeds(const std::string & folder);
 
