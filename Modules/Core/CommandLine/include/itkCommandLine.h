@@ -3,6 +3,7 @@
 
 #include "CommandLineExport.h"
 
+#include <array>
 #include <functional>
 #include <memory>
 #include <string>
@@ -85,6 +86,9 @@ public:
   GetIntegers(const std::string & name) const;
   std::vector<std::string>
   GetStrings(const std::string & name) const;
+  /** Of a `point` that may be given several times: LPS, mm. */
+  std::vector<std::array<double, 3>>
+  GetPoints(const std::string & name) const;
   ///@}
 
   /** True when the XML declares the parameter. */

@@ -435,6 +435,21 @@ CommandLine::GetDoubles(const std::string & name) const
   return numbers;
 }
 
+std::vector<std::array<double, 3>>
+CommandLine::GetPoints(const std::string & name) const
+{
+  std::vector<std::array<double, 3>> points;
+  const Parameter &                  parameter = m_State->Find(name);
+  const auto * const                 values = m_State->FindGiven(name);
+  for (std::size_t i = 0; values && i < values->size(); ++i)
+  {
+    const auto numbers = SplitAtCommas((*values)[i]); // three of them, as has been checked
+    points.push_back(
+      { ParseNumber(parameter, numbers[0]), ParseNumber(parameter, numbers[1]), ParseNumber(parameter, numbers[2]) });
+  }
+  return points;
+}
+
 std::vector<int>
 CommandLine::GetIntegers(const std::string & name) const
 {

@@ -149,7 +149,7 @@ OnText(void * data, const char * text, int length)
 bool
 Parameter::IsVector() const
 {
-  return EndsWith(tag, "-vector");
+  return EndsWith(tag, "-vector") || this->IsPoint();
 }
 
 bool
@@ -159,9 +159,15 @@ Parameter::IsInteger() const
 }
 
 bool
+Parameter::IsPoint() const
+{
+  return tag == "point";
+}
+
+bool
 Parameter::IsNumeric() const
 {
-  return this->IsInteger() || StartsWith(tag, "double") || StartsWith(tag, "float");
+  return this->IsInteger() || this->IsPoint() || StartsWith(tag, "double") || StartsWith(tag, "float");
 }
 
 bool

@@ -24,6 +24,10 @@ struct ModuleDescription
     int                      index{ -1 };
     bool                     multiple{ false };
 
+    /** Three coordinates. */
+    bool
+    IsPoint() const;
+    /** Several numbers with commas between them. */
     bool
     IsVector() const;
     bool

@@ -116,7 +116,12 @@ CheckValue(const Parameter & parameter, const std::string & value)
   {
     return;
   }
-  for (const auto & number : NumbersOf(parameter, value))
+  const auto numbers = NumbersOf(parameter, value);
+  if (parameter.IsPoint() && numbers.size() != 3)
+  {
+    Refuse(parameter, Quoted(value) + " is no point; give three coordinates, LPS in mm, for example -12.5,40,310");
+  }
+  for (const auto & number : numbers)
   {
     CheckNumber(parameter, number);
   }

@@ -373,6 +373,31 @@ TEST(CommandLineArguments, AMultiplePositionalTakesAllThatFollow)
   ExpectUsageError({ "r" }, "the argument inputs is missing; --help shows the usage", multipleXml);
 }
 
+const char * const pointsXml = R"(<executable><title>T</title><version>1</version><parameters>
+  <point multiple="true" coordinateSystem="lps"><name>seed</name><longflag>seed</longflag></point>
+</parameters></executable>)";
+
+TEST(CommandLineArguments, PointsMayBeGivenSeveralTimes)
+{
+  const auto print = [](itk::CommandLine & commandLine) {
+    for (const auto & point : commandLine.GetPoints("seed"))
+    {
+      std::cout << point[0] << ' ' << point[1] << ' ' << point[2] << '|';
+    }
+    for (const auto & fact : commandLine.GetProvenance())
+    {
+      std::cout << (fact.first == "option.seed" ? fact.second : "");
+    }
+  };
+  EXPECT_EQ(RunTool({ "--seed", "-1.50,2,+3", "--seed=4,5e0,6" }, print, pointsXml).out,
+            "-1.5 2 3|4 5 6|-1.5,2,3,4,5,6");
+  EXPECT_EQ(RunTool({}, print, pointsXml).out, "");
+  ExpectUsageError({ "--seed", "1,2" },
+                   "--seed: \"1,2\" is no point; give three coordinates, LPS in mm, for example -12.5,40,310",
+                   pointsXml);
+  ExpectUsageError({ "--seed", "1,2,a" }, "--seed: \"a\" is not a number", pointsXml);
+}
+
 TEST(CommandLineArguments, NumbersDoNotDependOnTheLocale)
 {
   struct Comma : std::numpunct<char>
