@@ -8,6 +8,7 @@ itk_module(ShapeRendering
     Report
     VTKGlue
     ShapeDiffusion
+    SurfaceMesh
     ITKCommon
   PRIVATE_DEPENDS
     DicomSeries

@@ -6,6 +6,7 @@
 #include "itkHeatColoring.h"
 #include "itkImage.h"
 #include "itkPicture.h"
+#include "itkPictureAnnotation.h"
 #include "itkShapeQuantity.h"
 
 #include <optional>
@@ -14,14 +15,6 @@
 
 namespace itk
 {
-/** A colour and what it stands for.
- * \ingroup ShapeRendering */
-struct LegendEntry
-{
-  RGBColor    color;
-  std::string text;
-};
-
 /** Grey values: lower is black, upper is white. The default stands for the 0.5 % and 99.5 % quantiles of the image.
  * \ingroup ShapeRendering */
 struct IntensityWindow
@@ -60,11 +53,6 @@ ShapeRendering_EXPORT Picture::Pointer
                                        const Image<float, 3> *     heat,
                                        const HeatColoring &        coloring,
                                        const SliceMontageOptions & options = {});
-
-/** Draws a legend, one entry below the other, downwards from (left, top); returns the height it takes.
- * \ingroup ShapeRendering */
-ShapeRendering_EXPORT int
-DrawLegend(Picture * picture, const std::vector<LegendEntry> & legend, int left, int top, int bottom);
 
 /** A legend for the classes but the background: number, mean value.
  * \ingroup ShapeRendering */

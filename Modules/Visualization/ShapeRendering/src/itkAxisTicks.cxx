@@ -151,6 +151,31 @@ TimeTicks(const std::vector<std::uint64_t> & timeSteps, double leastDistance, co
   return ticks.Sorted();
 }
 
+std::vector<double>
+RoundTicks(double lower, double upper, int greatestNumber)
+{
+  std::vector<double> ticks;
+  if (!(upper > lower) || !std::isfinite(upper - lower) || greatestNumber < 1)
+  {
+    return ticks;
+  }
+  const double least = (upper - lower) / greatestNumber;
+  int          exponent = static_cast<int>(std::floor(std::log10(least))) - 1;
+  int          digit = 1;
+  while (digit * std::pow(10.0, exponent) < least * (1.0 - 1e-9))
+  {
+    exponent += digit == 5 ? 1 : 0;
+    digit = digit == 1 ? 2 : digit == 2 ? 5 : 1;
+  }
+  const double step = digit * PowerOfTen(exponent);
+  const double tolerance = 1e-9 * greatestNumber;
+  for (double k = std::ceil(lower / step - tolerance); k * step <= upper + tolerance * step; k += 1.0)
+  {
+    ticks.push_back(k * step + 0.0); // no -0
+  }
+  return ticks;
+}
+
 std::string
 HeatLabel(double heat)
 {

@@ -45,25 +45,25 @@ PointAt(const ImageBase<3> * volume, const ImageRegion<3> & region, const double
 }
 } // namespace
 
-PatientView::PatientView(const ImageBase<3> * volume, const VolumeRenderingOptions & options)
-  : m_MiddleX(0.5 * (options.width - 1.0)), m_MiddleY(0.5 * (options.height - 1.0))
+void
+LookFrom(PatientSide side, PatientViewOptions & options)
 {
-  if (!(std::fabs(options.elevation) <= 90.0 && options.zoom > 0.0) || options.width == 0 || options.height == 0)
-  {
-    throw std::invalid_argument("a view needs an elevation from -90 to 90 degrees, a positive zoom, and pixels");
-  }
-  const double sineOfAzimuth = SineOfDegrees(options.azimuth);
-  const double cosineOfAzimuth = CosineOfDegrees(options.azimuth);
-  const double sineOfElevation = SineOfDegrees(options.elevation);
-  const double cosineOfElevation = CosineOfDegrees(options.elevation);
-  m_Forward[0] = -sineOfAzimuth * cosineOfElevation;
-  m_Forward[1] = cosineOfAzimuth * cosineOfElevation;
-  m_Forward[2] = -sineOfElevation;
-  m_Right[0] = cosineOfAzimuth;
-  m_Right[1] = sineOfAzimuth;
-  m_Right[2] = 0.0;
-  m_Up = CrossProduct(m_Right, m_Forward);
+  constexpr double azimuths[] = { 0.0, 90.0, 180.0, -90.0, 0.0, 0.0 };
+  constexpr double elevations[] = { 0.0, 0.0, 0.0, 0.0, 90.0, -90.0 };
+  options.azimuth = azimuths[static_cast<int>(side)];
+  options.elevation = elevations[static_cast<int>(side)];
+}
 
+std::string
+NameOf(PatientSide side)
+{
+  constexpr const char * names[] = { "anterior", "left", "posterior", "right", "superior", "inferior" };
+  return names[static_cast<int>(side)];
+}
+
+PatientView::PatientView(const ImageBase<3> * volume, const VolumeRenderingOptions & options)
+{
+  this->TurnTo(options);
   const double middle[3] = { 0.5, 0.5, 0.5 };
   const auto   region = options.focus.value_or(volume->GetLargestPossibleRegion());
   m_Center = PointAt(volume, region, middle);
@@ -76,6 +76,44 @@ PatientView::PatientView(const ImageBase<3> * volume, const VolumeRenderingOptio
     halfWidth = std::max(halfWidth, std::fabs(offset * m_Right));
     halfHeight = std::max(halfHeight, std::fabs(offset * m_Up));
   }
+  this->FitTo(halfWidth, halfHeight, options);
+}
+
+PatientView::PatientView(const PointType &          center,
+                         double                     halfWidth,
+                         double                     halfHeight,
+                         const PatientViewOptions & options)
+  : m_Center(center)
+{
+  this->TurnTo(options);
+  this->FitTo(halfWidth, halfHeight, options);
+}
+
+void
+PatientView::TurnTo(const PatientViewOptions & options)
+{
+  if (!(std::fabs(options.elevation) <= 90.0 && options.zoom > 0.0) || options.width == 0 || options.height == 0)
+  {
+    throw std::invalid_argument("a view needs an elevation from -90 to 90 degrees, a positive zoom, and pixels");
+  }
+  m_MiddleX = 0.5 * (options.width - 1.0);
+  m_MiddleY = 0.5 * (options.height - 1.0);
+  const double sineOfAzimuth = SineOfDegrees(options.azimuth);
+  const double cosineOfAzimuth = CosineOfDegrees(options.azimuth);
+  const double sineOfElevation = SineOfDegrees(options.elevation);
+  const double cosineOfElevation = CosineOfDegrees(options.elevation);
+  m_Forward[0] = -sineOfAzimuth * cosineOfElevation;
+  m_Forward[1] = cosineOfAzimuth * cosineOfElevation;
+  m_Forward[2] = -sineOfElevation;
+  m_Right[0] = cosineOfAzimuth;
+  m_Right[1] = sineOfAzimuth;
+  m_Right[2] = 0.0;
+  m_Up = CrossProduct(m_Right, m_Forward);
+}
+
+void
+PatientView::FitTo(double halfWidth, double halfHeight, const PatientViewOptions & options)
+{
   m_MillimetresPerPixel =
     2.0 * std::max(halfWidth / options.width, halfHeight / options.height) / (filled * options.zoom);
 }

@@ -3,7 +3,7 @@
 #include "itkAxisTicks.h"
 #include "itkCsvTable.h"
 #include "itkPatientOrientation.h"
-#include "itkScaleBar.h"
+#include "itkPictureAnnotation.h"
 
 #include <algorithm>
 #include <array>
@@ -399,33 +399,6 @@ DrawSliceMontage(const Image<float, 3> *     grey,
   DrawLegend(
     picture, options.legend, static_cast<int>(options.width) - margin - legendWidth + gap, top + captionHeight, bottom);
   return picture;
-}
-
-int
-DrawLegend(Picture * picture, const std::vector<LegendEntry> & legend, int left, int top, int bottom)
-{
-  constexpr int lineHeight = 22;
-  constexpr int swatch = 15;
-  const int     room = std::max((bottom - top) / lineHeight, 1);
-  const int     number = static_cast<int>(legend.size());
-  const int     shown = number > room ? room - 1 : number;
-  TextStyle     style;
-  style.size = 15;
-  style.color = ink;
-  style.vertical = VerticalAnchor::Center;
-  for (int i = 0; i < shown; ++i)
-  {
-    const int y = top + i * lineHeight;
-    FillRectangle(picture, left, y, swatch, swatch, legend[i].color);
-    DrawRectangle(picture, left, y, swatch, swatch, ink);
-    DrawText(picture, legend[i].text, left + swatch + 8, y + swatch / 2, style);
-  }
-  if (shown < number)
-  {
-    DrawText(
-      picture, "and " + std::to_string(number - shown) + " more", left, top + shown * lineHeight + swatch / 2, style);
-  }
-  return std::min(number, room) * lineHeight;
 }
 
 std::vector<LegendEntry>

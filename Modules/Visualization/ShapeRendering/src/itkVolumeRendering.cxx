@@ -2,9 +2,9 @@
 
 #include "itkClassifiedVolume.h"
 #include "itkImageRegionConstIteratorWithIndex.h"
+#include "itkLighting.h"
 #include "itkMultiThreaderBase.h"
-#include "itkPatientOrientation.h"
-#include "itkScaleBar.h"
+#include "itkPictureAnnotation.h"
 
 #include <algorithm>
 #include <cmath>
@@ -18,11 +18,6 @@ namespace
 // Behind the volume: dark, because every colour of the heat map is light.
 const RGBColor background = MakeColor(18, 19, 25);
 const RGBColor annotation = MakeColor(214, 218, 226);
-
-// Blinn-Phong, with the numbers of the volume property (see ShapeTransferFunction).
-constexpr float ambient = 0.3F;
-constexpr float diffuse = 0.6F;
-constexpr float specular = 0.2F;
 
 using Vector3 = Vector<double, 3>;
 
@@ -106,8 +101,7 @@ public:
     // Two samples for each smallest voxel: the opacity of a sample is then a square root away from that of a voxel.
     , m_Step(m_Space.IndexVector(view.GetForward() * (0.5 * m_Space.GetSmallestSpacing())))
   {
-    m_ToLight = view.GetUp() * 0.5 - view.GetRight() * 0.4 - view.GetForward();
-    m_ToLight.Normalize();
+    m_ToLight = Lighting::DirectionToLight(view.GetRight(), view.GetUp(), view.GetForward());
     m_Halfway = m_ToLight - view.GetForward();
     m_Halfway.Normalize();
   }
@@ -184,36 +178,30 @@ private:
     const float                steepness = std::min(
       4.0F * std::sqrt(perVoxel[0] * perVoxel[0] + perVoxel[1] * perVoxel[1] + perVoxel[2] * perVoxel[2]), 1.0F);
     // What is opaque is so all through; of what is transparent little more than the surface is drawn.
-    const float power2 = sample[3] * sample[3];
-    const float inside = power2 * power2;
-    const float opacity = sample[3] * (inside + (1.0F - inside) * std::min(steepness / sample[3], 1.0F));
-    const float ofSample = visible * (1.0F - std::sqrt(1.0F - std::min(opacity, 1.0F)));
-    float       brightness = ambient + diffuse;
-    float       highlight = 0.0F;
-    this->Light(perVoxel, brightness, highlight);
+    const float    power2 = sample[3] * sample[3];
+    const float    inside = power2 * power2;
+    const float    opacity = sample[3] * (inside + (1.0F - inside) * std::min(steepness / sample[3], 1.0F));
+    const float    ofSample = visible * (1.0F - std::sqrt(1.0F - std::min(opacity, 1.0F)));
+    const Lighting light = this->LightAt(perVoxel);
     for (unsigned int channel = 0; channel < 3; ++channel)
     {
-      color[channel] += ofSample * std::min(brightness * sample[channel] / sample[3] + highlight, 1.0F);
+      color[channel] += ofSample * std::min(light.brightness * sample[channel] / sample[3] + light.highlight, 1.0F);
     }
     visible -= ofSample;
   }
 
-  void
-  Light(const std::array<float, 3> & perVoxel, float & brightness, float & highlight) const
+  Lighting
+  LightAt(const std::array<float, 3> & perVoxel) const
   {
     const Vector3 gradient = m_Space.PhysicalGradient(perVoxel);
     const double  length = gradient.GetNorm();
     if (length < 1e-4)
     {
-      return;
+      return Lighting::Even();
     }
     // A surface is lit from both sides.
-    const auto towardsLight = static_cast<float>(std::fabs(gradient * m_ToLight) / length);
-    const auto halfway = static_cast<float>(std::fabs(gradient * m_Halfway) / length);
-    brightness = ambient + diffuse * towardsLight;
-    const float power2 = halfway * halfway;
-    const float power8 = power2 * power2 * power2 * power2;
-    highlight = specular * power8 * power2;
+    return Lighting::Of(static_cast<float>(std::fabs(gradient * m_ToLight) / length),
+                        static_cast<float>(std::fabs(gradient * m_Halfway) / length));
   }
 
   ClassifiedVolume    m_Volume;
@@ -227,22 +215,11 @@ private:
 void
 Annotate(Picture * picture, const PatientView & view)
 {
-  const int width = static_cast<int>(picture->GetBufferedRegion().GetSize(0));
-  const int height = static_cast<int>(picture->GetBufferedRegion().GetSize(1));
-  TextStyle style;
-  style.size = 20;
+  const int               width = static_cast<int>(picture->GetBufferedRegion().GetSize(0));
+  const int               height = static_cast<int>(picture->GetBufferedRegion().GetSize(1));
+  OrientationLettersStyle style;
   style.color = annotation;
-  style.bold = true;
-  style.vertical = VerticalAnchor::Center;
-  style.horizontal = HorizontalAnchor::Left;
-  DrawText(picture, OrientationLetters(-view.GetRight()), 8, height / 2, style);
-  style.horizontal = HorizontalAnchor::Right;
-  DrawText(picture, OrientationLetters(view.GetRight()), width - 8, height / 2, style);
-  style.horizontal = HorizontalAnchor::Center;
-  style.vertical = VerticalAnchor::Top;
-  DrawText(picture, OrientationLetters(view.GetUp()), width / 2, 6, style);
-  style.vertical = VerticalAnchor::Bottom;
-  DrawText(picture, OrientationLetters(-view.GetUp()), width / 2, height - 6, style);
+  DrawOrientationLetters(picture, view.GetRight(), view.GetUp(), style);
   DrawScaleBar(picture, 12, height - 12, width / 4, view.GetMillimetresPerPixel(), annotation);
 }
 } // namespace
