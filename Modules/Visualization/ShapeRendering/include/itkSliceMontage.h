@@ -8,6 +8,7 @@
 #include "itkPicture.h"
 #include "itkPictureAnnotation.h"
 #include "itkShapeQuantity.h"
+#include "itkSliceView.h"
 
 #include <optional>
 #include <string>
@@ -15,14 +16,6 @@
 
 namespace itk
 {
-/** Grey values: lower is black, upper is white. The default stands for the 0.5 % and 99.5 % quantiles of the image.
- * \ingroup ShapeRendering */
-struct IntensityWindow
-{
-  double lower{ 0.0 };
-  double upper{ 0.0 };
-};
-
 /** What a montage of slices shows.
  * \ingroup ShapeRendering */
 struct SliceMontageOptions

@@ -2,8 +2,6 @@
 
 #include "itkAxisTicks.h"
 #include "itkCsvTable.h"
-#include "itkPatientOrientation.h"
-#include "itkPictureAnnotation.h"
 
 #include <algorithm>
 #include <array>
@@ -20,8 +18,8 @@ using ImageType = Image<float, 3>;
 
 const RGBColor ink = MakeColor(30, 32, 38);
 const RGBColor paper = MakeColor(255, 255, 255);
-const RGBColor black = MakeColor(0, 0, 0);
-const RGBColor letterColor = MakeColor(255, 236, 140);
+
+constexpr SlicePlane planes[] = { SlicePlane::Axial, SlicePlane::Coronal, SlicePlane::Sagittal };
 
 constexpr int margin = 16;
 constexpr int gap = 14;
@@ -29,67 +27,6 @@ constexpr int titleHeight = 40;
 constexpr int captionHeight = 26;
 constexpr int legendWidth = 190;
 constexpr int greatestPanelHeight = 460;
-
-/** How a slice lies in its picture: the volume's axes across, down and through it. */
-struct SliceLayout
-{
-  const char * name;
-  unsigned int across;
-  unsigned int down;
-  unsigned int through;
-  /** Whether the picture runs against the index. */
-  bool isAcrossReversed;
-  bool isDownReversed;
-};
-
-Vector<double, 3>
-DirectionOf(const ImageBase<3> * image, unsigned int axis)
-{
-  Vector<double, 3> direction;
-  for (unsigned int i = 0; i < 3; ++i)
-  {
-    direction[i] = image->GetDirection()[i][axis];
-  }
-  return direction;
-}
-
-/** The volume's axis that runs most along each of the patient's axes (left, posterior, head). */
-std::array<unsigned int, 3>
-AxesOfPatient(const ImageBase<3> * image)
-{
-  std::array<unsigned int, 3> axes{ { 0, 1, 2 } };
-  std::array<unsigned int, 3> best = axes;
-  double                      bestSum = -1.0;
-  do
-  {
-    double sum = 0.0;
-    for (unsigned int i = 0; i < 3; ++i)
-    {
-      sum += std::fabs(image->GetDirection()[i][axes[i]]);
-    }
-    if (sum > bestSum)
-    {
-      bestSum = sum;
-      best = axes;
-    }
-  } while (std::next_permutation(axes.begin(), axes.end()));
-  return best;
-}
-
-std::array<SliceLayout, 3>
-LayoutsOf(const ImageBase<3> * image)
-{
-  const std::array<unsigned int, 3> axes = AxesOfPatient(image);
-  const auto                        pointsTo = [&](unsigned int patientAxis) {
-    return image->GetDirection()[patientAxis][axes[patientAxis]] > 0.0;
-  };
-  const bool toLeft = pointsTo(0);
-  const bool toPosterior = pointsTo(1);
-  const bool toHead = pointsTo(2);
-  return { { { "axial", axes[0], axes[1], axes[2], !toLeft, !toPosterior },
-             { "coronal", axes[0], axes[2], axes[1], !toLeft, toHead },
-             { "sagittal", axes[1], axes[2], axes[0], !toPosterior, toHead } } };
-}
 
 /** Colours, coarsely, and coloured voxels of a slice. */
 struct SliceScore
@@ -180,155 +117,33 @@ LengthOf(const ImageBase<3> * image, unsigned int axis)
   return image->GetSpacing()[axis] * image->GetBufferedRegion().GetSize(axis);
 }
 
-/** \class SlicePainter
- * \brief Paints one slice into a picture of its own. */
-class SlicePainter
+/** One slice with its colours. */
+Picture::Pointer
+PaintColoredSlice(const SliceView &       view,
+                  const ImageType *       grey,
+                  const ImageType *       heat,
+                  const HeatColoring &    coloring,
+                  const IntensityWindow & window,
+                  double                  opacity)
 {
-public:
-  SlicePainter(const ImageType *           grey,
-               const ImageType *           heat,
-               const HeatColoring &        coloring,
-               const SliceMontageOptions & options,
-               const IntensityWindow &     window,
-               double                      millimetresPerPixel)
-    : m_Grey(grey)
-    , m_Heat(heat)
-    , m_Coloring(coloring)
-    , m_Opacity(options.opacity)
-    , m_Window(window)
-    , m_MillimetresPerPixel(millimetresPerPixel)
-  {}
-
-  int
-  PixelsAlong(unsigned int axis) const
-  {
-    return std::max(static_cast<int>(std::lround(LengthOf(m_Grey, axis) / m_MillimetresPerPixel)), 1);
-  }
-
-  Picture::Pointer
-  Paint(const SliceLayout & layout, const Index<3> & cut) const
-  {
-    const int width = this->PixelsAlong(layout.across);
-    const int height = this->PixelsAlong(layout.down);
-    auto      picture = NewPicture(width, height, black);
-    double    position[3];
-    position[layout.through] =
-      static_cast<double>(cut[layout.through] - m_Grey->GetBufferedRegion().GetIndex(layout.through));
-    for (int y = 0; y < height; ++y)
-    {
-      position[layout.down] = this->Coordinate(layout.down, y, height, layout.isDownReversed);
-      for (int x = 0; x < width; ++x)
-      {
-        position[layout.across] = this->Coordinate(layout.across, x, width, layout.isAcrossReversed);
-        picture->GetBufferPointer()[static_cast<std::size_t>(y) * width + x] = this->ColorAt(layout, position);
-      }
-    }
-    this->DrawLetters(picture, layout);
-    return picture;
-  }
-
-private:
-  double
-  Coordinate(unsigned int axis, int pixel, int pixels, bool isReversed) const
-  {
-    const double size = static_cast<double>(m_Grey->GetBufferedRegion().GetSize(axis));
-    const double along = (pixel + 0.5) / pixels * size - 0.5;
-    return std::clamp(isReversed ? size - 1.0 - along : along, 0.0, size - 1.0);
-  }
-
-  std::size_t
-  OffsetOf(const int index[3]) const
-  {
-    const ImageType::SizeType size = m_Grey->GetBufferedRegion().GetSize();
-    return (static_cast<std::size_t>(index[2]) * size[1] + index[1]) * size[0] + index[0];
-  }
-
-  RGBColor
-  ColorAt(const SliceLayout & layout, const double position[3]) const
-  {
-    const double grey =
-      std::clamp((this->GreyAt(layout, position) - m_Window.lower) / (m_Window.upper - m_Window.lower), 0.0, 1.0);
-    const RGBColor shown = MixColors(black, paper, grey);
-    int            nearest[3];
-    for (unsigned int axis = 0; axis < 3; ++axis)
-    {
-      nearest[axis] = static_cast<int>(position[axis] + 0.5);
-    }
-    const auto color = m_Coloring(m_Heat->GetBufferPointer()[this->OffsetOf(nearest)]);
-    return color ? MixColors(shown, *color, m_Opacity) : shown;
-  }
-
-  /** Linear inside the slice. */
-  double
-  GreyAt(const SliceLayout & layout, const double position[3]) const
-  {
-    int first[3];
-    int second[3];
-    for (unsigned int axis = 0; axis < 3; ++axis)
-    {
-      first[axis] = static_cast<int>(position[axis]);
-      second[axis] = std::min(first[axis] + 1, static_cast<int>(m_Grey->GetBufferedRegion().GetSize(axis)) - 1);
-    }
-    double sum = 0.0;
-    for (const bool isRight : { false, true })
-    {
-      for (const bool isLower : { false, true })
-      {
-        int          index[3] = { first[0], first[1], first[2] };
-        const double right = position[layout.across] - first[layout.across];
-        const double lower = position[layout.down] - first[layout.down];
-        index[layout.across] = isRight ? second[layout.across] : first[layout.across];
-        index[layout.down] = isLower ? second[layout.down] : first[layout.down];
-        sum += (isRight ? right : 1.0 - right) * (isLower ? lower : 1.0 - lower) *
-               m_Grey->GetBufferPointer()[this->OffsetOf(index)];
-      }
-    }
-    return sum;
-  }
-
-  void
-  DrawLetters(Picture * picture, const SliceLayout & layout) const
-  {
-    const int               width = static_cast<int>(picture->GetBufferedRegion().GetSize(0));
-    const int               height = static_cast<int>(picture->GetBufferedRegion().GetSize(1));
-    const Vector<double, 3> right = DirectionOf(m_Grey, layout.across) * (layout.isAcrossReversed ? -1.0 : 1.0);
-    const Vector<double, 3> below = DirectionOf(m_Grey, layout.down) * (layout.isDownReversed ? -1.0 : 1.0);
-    const auto              draw =
-      [&](const Vector<double, 3> & direction, int x, int y, HorizontalAnchor horizontal, VerticalAnchor vertical) {
-        TextStyle style;
-        style.size = 17;
-        style.bold = true;
-        style.horizontal = horizontal;
-        style.vertical = vertical;
-        style.color = black;
-        DrawText(picture, OrientationLetters(direction), x + 1, y + 1, style);
-        style.color = letterColor;
-        DrawText(picture, OrientationLetters(direction), x, y, style);
-      };
-    draw(-right, 4, height / 2, HorizontalAnchor::Left, VerticalAnchor::Center);
-    draw(right, width - 4, height / 2, HorizontalAnchor::Right, VerticalAnchor::Center);
-    draw(-below, width / 2, 3, HorizontalAnchor::Center, VerticalAnchor::Top);
-    draw(below, width / 2, height - 3, HorizontalAnchor::Center, VerticalAnchor::Bottom);
-  }
-
-  const ImageType *    m_Grey;
-  const ImageType *    m_Heat;
-  const HeatColoring & m_Coloring;
-  double               m_Opacity;
-  IntensityWindow      m_Window;
-  double               m_MillimetresPerPixel;
-};
+  auto picture = PaintSlice(view, grey, window);
+  ColorSlice(
+    picture, view, [&](const Index<3> & index) { return coloring(heat->GetPixel(index)); }, opacity);
+  DrawSliceLetters(picture, view);
+  return picture;
+}
 
 /** The scale at which three slices side by side fill the width without being too high. */
 double
-ScaleFor(const ImageBase<3> * image, const std::array<SliceLayout, 3> & layouts, int width)
+ScaleFor(const ImageBase<3> * image, int width)
 {
   double lengths = 0.0;
   double greatestHeight = 0.0;
-  for (const SliceLayout & layout : layouts)
+  for (const SlicePlane plane : planes)
   {
-    lengths += LengthOf(image, layout.across);
-    greatestHeight = std::max(greatestHeight, LengthOf(image, layout.down));
+    const SliceAxes axes = AxesOf(image, plane);
+    lengths += LengthOf(image, axes.across);
+    greatestHeight = std::max(greatestHeight, LengthOf(image, axes.down));
   }
   return std::max(lengths / (width - 2 * gap), greatestHeight / greatestPanelHeight);
 }
@@ -359,15 +174,16 @@ DrawSliceMontage(const Image<float, 3> *     grey,
                  const SliceMontageOptions & options)
 {
   Check(grey, heat, options);
-  const std::array<SliceLayout, 3> layouts = LayoutsOf(grey);
-  const Index<3>                   cut = options.cut ? *options.cut : MostColorfulCut(heat, coloring);
-  const int          width = static_cast<int>(options.width) - 2 * margin - (options.legend.empty() ? 0 : legendWidth);
-  const double       scale = ScaleFor(grey, layouts, width);
-  const SlicePainter painter(grey, heat, coloring, options, WindowOf(grey, options.window), scale);
-  int                panelHeight = 0;
-  for (const SliceLayout & layout : layouts)
+  const Index<3> cut = options.cut ? *options.cut : MostColorfulCut(heat, coloring);
+  const int      width = static_cast<int>(options.width) - 2 * margin - (options.legend.empty() ? 0 : legendWidth);
+  const double   scale = ScaleFor(grey, width);
+  const IntensityWindow  window = WindowOf(grey, options.window);
+  std::vector<SliceView> views;
+  int                    panelHeight = 0;
+  for (const SlicePlane plane : planes)
   {
-    panelHeight = std::max(panelHeight, painter.PixelsAlong(layout.down));
+    views.emplace_back(grey, grey->GetBufferedRegion(), plane, cut[AxesOf(grey, plane).through], scale);
+    panelHeight = std::max(panelHeight, static_cast<int>(views.back().GetHeight()));
   }
   const int top = options.title.empty() ? margin : margin + titleHeight;
   auto      picture =
@@ -384,14 +200,16 @@ DrawSliceMontage(const Image<float, 3> *     grey,
   style.size = 15;
   style.bold = false;
   int left = margin;
-  for (const SliceLayout & layout : layouts)
+  for (std::size_t i = 0; i < views.size(); ++i)
   {
-    const IndexValueType slice = cut[layout.through] - grey->GetBufferedRegion().GetIndex(layout.through) + 1;
-    const int            panelWidth = painter.PixelsAlong(layout.across);
-    const std::string    caption = std::string(layout.name) + ", slice " + std::to_string(slice) + " of " +
-                                std::to_string(grey->GetBufferedRegion().GetSize(layout.through));
+    const unsigned int   through = views[i].GetAxes().through;
+    const IndexValueType slice = views[i].GetSlice() - grey->GetBufferedRegion().GetIndex(through) + 1;
+    const int            panelWidth = static_cast<int>(views[i].GetWidth());
+    const std::string    caption = NameOf(planes[i]) + ", slice " + std::to_string(slice) + " of " +
+                                std::to_string(grey->GetBufferedRegion().GetSize(through));
     DrawText(picture, caption, left, top, FitText(caption, style, panelWidth));
-    PastePicture(picture, painter.Paint(layout, cut), left, top + captionHeight);
+    PastePicture(
+      picture, PaintColoredSlice(views[i], grey, heat, coloring, window, options.opacity), left, top + captionHeight);
     left += panelWidth + gap;
   }
   const int bottom = top + captionHeight + panelHeight;
