@@ -9,5 +9,6 @@ set(Shapeton_MODULES
   Mesh/SurfaceMesh
   Filtering/ShapeDiffusion
   Visualization/ShapeRendering
+  Visualization/ColonReport
   Phantom/ShapePhantom
 )

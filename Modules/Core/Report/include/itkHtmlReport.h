@@ -4,12 +4,17 @@
 #include "ReportExport.h"
 #include "itkCsvTable.h"
 
+#include <functional>
 #include <string>
 #include <utility>
 #include <vector>
 
 namespace itk
 {
+/** Maps the final path of a file to the path to write it to, for example CommandLine::Output.
+ * \ingroup Report */
+using OutputPath = std::function<std::string(const std::string &)>;
+
 /** \class HtmlReport
  * \brief One HTML file that opens without a network or other files: styles and pictures are inside it.
  *

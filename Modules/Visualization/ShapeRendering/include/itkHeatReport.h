@@ -8,13 +8,13 @@
 #include "itkHeatAxis.h"
 #include "itkHeatClasses.h"
 #include "itkHeatHistogram.h"
+#include "itkHtmlReport.h"
 #include "itkImage.h"
 #include "itkShapeQuantity.h"
 #include "itkShapeTransferFunction.h"
 #include "itkSliceMontage.h"
 
 #include <cstdint>
-#include <functional>
 #include <optional>
 #include <string>
 #include <utility>
@@ -58,10 +58,6 @@ struct HeatReportContent
   /** What the rendering shows; by default ShapeTransferFunction::FromClasses. */
   std::optional<ShapeTransferFunction> transferFunction;
 };
-
-/** Maps the final path of a file to the path to write it to, for example CommandLine::Output.
- * \ingroup ShapeRendering */
-using OutputPath = std::function<std::string(const std::string &)>;
 
 /** Writes a report into an existing folder: index.html (self-contained), histogram.png, slices-heat.png
  * (named by the quantity),

@@ -124,6 +124,16 @@ FitText(const std::string & text, TextStyle style, int width);
  * \ingroup ShapeRendering */
 ShapeRendering_EXPORT void
 DrawText(Picture * picture, const std::string & text, int x, int y, const TextStyle & style);
+
+/** DrawText() with a rim, one pixel wide, of another colour, for grounds that may be bright or dark.
+ * \ingroup ShapeRendering */
+ShapeRendering_EXPORT void
+DrawRimmedText(Picture *           picture,
+               const std::string & text,
+               int                 x,
+               int                 y,
+               const TextStyle &   style,
+               const RGBColor &    rim);
 } // namespace itk
 
 #endif

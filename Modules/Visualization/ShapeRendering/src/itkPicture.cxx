@@ -267,4 +267,19 @@ DrawText(Picture * picture, const std::string & text, int x, int y, const TextSt
     }
   }
 }
+
+void
+DrawRimmedText(Picture * picture, const std::string & text, int x, int y, const TextStyle & style, const RGBColor & rim)
+{
+  TextStyle rimStyle = style;
+  rimStyle.color = rim;
+  for (const int dy : { -1, 0, 1 })
+  {
+    for (const int dx : { -1, 0, 1 })
+    {
+      DrawText(picture, text, x + dx, y + dy, rimStyle);
+    }
+  }
+  DrawText(picture, text, x, y, style);
+}
 } // namespace itk

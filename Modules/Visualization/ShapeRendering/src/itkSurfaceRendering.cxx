@@ -224,16 +224,8 @@ DrawLabels(Picture * picture, const std::vector<MarkerActor> & markers, const Pa
     const auto * found = std::find_if(corners.begin(), corners.end(), isFree);
     const Box    box = boxAt(found == corners.end() ? corners[0] : *found);
     taken.push_back(box);
-    style.color = background;
-    for (const int dy : { -1, 0, 1 })
-    {
-      for (const int dx : { -1, 0, 1 })
-      {
-        DrawText(picture, marker.label, box.left + dx, box.top + dy, style);
-      }
-    }
     style.color = MixColors(marker.color, annotation, 0.5);
-    DrawText(picture, marker.label, box.left, box.top, style);
+    DrawRimmedText(picture, marker.label, box.left, box.top, style, background);
   }
 }
 
