@@ -47,14 +47,14 @@ ColonReport_EXPORT std::vector<IndexValueType>
                    ChooseSlices(const Image<unsigned char, 3> * lumen, SlicePlane plane, int number);
 
 /** Some slices side by side with the outlines of gas and fluid and the cut through the wall; without a CT the lumen is
- * painted flat. The window is that of CT colonography, -1000 to 600 HU by default.
+ * painted flat. The window is that of CT colonography, -1100 to 500 HU by default.
  *
  * Throws std::invalid_argument where there is no lumen, or the CT lies on another grid. \ingroup ColonReport */
 ColonReport_EXPORT Picture::Pointer
                    DrawColonSlices(const ColonParts &      colon,
                                    SlicePlane              plane,
                                    int                     number = 3,
-                                   const IntensityWindow & window = { -1000.0, 600.0 });
+                                   const IntensityWindow & window = { -1100.0, 500.0 });
 
 /** Looks through the colon along the volume's axis of a coronal or sagittal plane: how many mm of lumen lie behind each
  * other, in grey, and the centreline coloured by the distance from the anal verge. Throws the same.

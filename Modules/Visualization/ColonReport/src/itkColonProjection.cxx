@@ -139,6 +139,7 @@ DrawEnd(Picture *                 picture,
   TextStyle style;
   style.size = 16;
   style.bold = true;
+  style.color = MixColors(scale.ColorOf(station.distance), MakeColor(255, 255, 255), 0.6);
   style.vertical = VerticalAnchor::Center;
   const int  width = static_cast<int>(view.GetWidth());
   const int  x = static_cast<int>(std::lround(place[0]));
@@ -166,7 +167,7 @@ DrawColonProjection(const ColonParts & colon, SlicePlane plane)
 {
   CheckParts(colon);
   constexpr double     surroundings = 12.0;
-  const ImageRegion<3> focus = LumenBox(colon.lumen, surroundings);
+  const ImageRegion<3> focus = LumenBox(colon.lumen, AreasOf(colon.lumen), surroundings);
   const SliceAxes      axes = AxesOf(colon.lumen, plane);
   const auto &         spacing = colon.lumen->GetSpacing();
   const double scale = std::max(spacing[axes.across] * static_cast<double>(focus.GetSize(axes.across)) / greatestWidth,

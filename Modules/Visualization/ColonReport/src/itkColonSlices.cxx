@@ -46,10 +46,11 @@ PaintPanel(const ColonParts & colon, const SliceView & view, const IntensityWind
       },
       1.0);
   }
+  // The wall lies below: it is seen where it departs from the outlines.
   constexpr double thickness = 1.5;
   if (colon.wall)
   {
-    DrawSurfaceCut(picture, view, *colon.wall, wallColor, 1.2);
+    DrawSurfaceCut(picture, view, *colon.wall, wallColor, thickness);
   }
   const auto is = [&](unsigned char label) { return [=](const Index<3> & index) { return labelAt(index) == label; }; };
   DrawMaskOutline(picture, view, is(2), fluidColor, thickness);
@@ -69,6 +70,30 @@ ScaleFor(const LumenType * lumen, const ImageRegion<3> & focus, const SliceAxes 
   return std::max(across * static_cast<double>(number) / room, down / greatestPanelHeight);
 }
 
+std::vector<IndexValueType>
+SlicesOf(const LumenType * lumen, const LumenAreas & areas, unsigned int axis, int number)
+{
+  const ImageRegion<3>        box = LumenBox(lumen, areas, 0.0);
+  const auto                  count = static_cast<int>(box.GetSize(axis));
+  const int                   shown = std::min(number, count);
+  std::vector<IndexValueType> slices;
+  for (int i = 0; i < shown; ++i)
+  {
+    slices.push_back(box.GetIndex(axis) + static_cast<IndexValueType>((i + 0.5) / shown * count));
+  }
+  // The largest area takes the place of the nearest.
+  const auto           most = std::max_element(areas[axis].begin(), areas[axis].end()) - areas[axis].begin();
+  const IndexValueType largest = lumen->GetBufferedRegion().GetIndex(axis) + most;
+  const auto nearest = std::min_element(slices.begin(), slices.end(), [&](IndexValueType a, IndexValueType b) {
+    return std::abs(a - largest) < std::abs(b - largest);
+  });
+  if (nearest != slices.end())
+  {
+    *nearest = largest;
+  }
+  return slices;
+}
+
 void
 DrawHead(Picture * picture, const ColonParts & colon, const std::string & title)
 {
@@ -80,7 +105,7 @@ DrawHead(Picture * picture, const ColonParts & colon, const std::string & title)
   std::vector<LegendEntry> legend{ { gasColor, "gas" }, { fluidColor, "fluid" } };
   if (colon.wall)
   {
-    legend.push_back({ wallColor, "wall surface" });
+    legend.push_back({ wallColor, "wall, where it departs from these" });
   }
   style.size = 15;
   style.bold = false;
@@ -96,25 +121,7 @@ DrawHead(Picture * picture, const ColonParts & colon, const std::string & title)
 std::vector<IndexValueType>
 ChooseSlices(const Image<unsigned char, 3> * lumen, SlicePlane plane, int number)
 {
-  const unsigned int             axis = AxesOf(lumen, plane).through;
-  const std::vector<std::size_t> areas = LumenAreas(lumen, axis);
-  const ImageRegion<3>           box = LumenBox(lumen, 0.0);
-  const IndexValueType           start = lumen->GetBufferedRegion().GetIndex(axis);
-  const auto                     count = static_cast<int>(box.GetSize(axis));
-  std::vector<IndexValueType>    slices;
-  for (int i = 0; i < std::min(number, count); ++i)
-  {
-    slices.push_back(box.GetIndex(axis) + static_cast<IndexValueType>((i + 0.5) / std::min(number, count) * count));
-  }
-  // The largest area takes the place of the nearest.
-  const IndexValueType largest = start + (std::max_element(areas.begin(), areas.end()) - areas.begin());
-  if (!slices.empty())
-  {
-    *std::min_element(slices.begin(), slices.end(), [&](IndexValueType a, IndexValueType b) {
-      return std::abs(a - largest) < std::abs(b - largest);
-    }) = largest;
-  }
-  return slices;
+  return SlicesOf(lumen, AreasOf(lumen), AxesOf(lumen, plane).through, number);
 }
 
 Picture::Pointer
@@ -122,9 +129,10 @@ DrawColonSlices(const ColonParts & colon, SlicePlane plane, int number, const In
 {
   CheckParts(colon);
   constexpr double                  surroundings = 25.0;
-  const ImageRegion<3>              focus = LumenBox(colon.lumen, surroundings);
-  const std::vector<IndexValueType> slices = ChooseSlices(colon.lumen, plane, number);
+  const LumenAreas                  areas = AreasOf(colon.lumen);
+  const ImageRegion<3>              focus = LumenBox(colon.lumen, areas, surroundings);
   const SliceAxes                   axes = AxesOf(colon.lumen, plane);
+  const std::vector<IndexValueType> slices = SlicesOf(colon.lumen, areas, axes.through, std::max(number, 1));
   const double                      scale = ScaleFor(colon.lumen, focus, axes, slices.size());
   const SliceView                   first(colon.lumen, focus, plane, slices.front(), scale);
   const int                         panelTop = titleHeight + captionHeight + 6;

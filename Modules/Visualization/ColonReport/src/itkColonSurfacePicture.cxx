@@ -48,10 +48,6 @@ void
 AddCentreline(SurfaceScene & scene, SurfaceRenderingOptions & options, const CurveSet & centreline)
 {
   const std::vector<CentrelineStation> stations = StationsOf(centreline);
-  if (stations.empty())
-  {
-    throw std::invalid_argument("the centreline has no points");
-  }
   options.colorBar = DistanceScale(stations);
   CurveActor actor;
   actor.curves = &centreline;
@@ -68,10 +64,19 @@ AddCentreline(SurfaceScene & scene, SurfaceRenderingOptions & options, const Cur
     options.legend.push_back({ GapColor(), "gap in the lumen" });
   }
   scene.curves.push_back(actor);
-  scene.markers.push_back(
-    { stations.front().point, 4.5, options.colorBar->ColorOf(stations.front().distance), "anal verge" });
-  scene.markers.push_back(
-    { stations.back().point, 4.5, options.colorBar->ColorOf(stations.back().distance), "caecum" });
+}
+
+void
+AddEnds(SurfaceScene & scene, const CurveSet & centreline)
+{
+  const std::vector<CentrelineStation> stations = StationsOf(centreline);
+  if (stations.empty())
+  {
+    throw std::invalid_argument("the centreline has no points");
+  }
+  const ColorScale scale = DistanceScale(stations);
+  scene.markers.push_back({ stations.front().point, 4.5, scale.ColorOf(stations.front().distance), "anal verge" });
+  scene.markers.push_back({ stations.back().point, 4.5, scale.ColorOf(stations.back().distance), "caecum" });
 }
 } // namespace
 
@@ -92,6 +97,10 @@ DrawColonWall(const ColonParts & colon, PatientSide side, bool isSolid)
                               : side == PatientSide::Posterior ? "back"
                                                                : NameOf(side));
   AddWall(scene, options, *colon.wall, isSolid);
+  if (colon.centreline)
+  {
+    AddEnds(scene, *colon.centreline);
+  }
   if (!isSolid)
   {
     AddCentreline(scene, options, *colon.centreline);

@@ -140,21 +140,37 @@ DrawSegments(Picture * picture, const PlotFrame & frame, const std::vector<Colon
 }
 
 void
-DrawKey(Picture * picture, const PlotFrame & frame, const DistensionChartOptions & options, bool hasGaps)
+DrawKey(Picture *                         picture,
+        const PlotFrame &                 frame,
+        const std::vector<ColonSegment> & segments,
+        const DistensionChartOptions &    options,
+        bool                              hasGaps)
 {
   TextStyle style;
   style.size = 22;
   style.bold = true;
   style.color = ink;
-  DrawText(picture, options.title, frame.left, 12, FitText(options.title, style, frame.width / 2));
+  const TextStyle title = FitText(options.title, style, frame.width / 3);
+  DrawText(picture, options.title, frame.left, 12, title);
   std::vector<LegendEntry> legend{ { wide, "at least 10 mm" }, { narrow, "narrower" } };
   if (hasGaps)
   {
     legend.push_back({ gapShade, "no lumen found" });
   }
   int right = frame.left + frame.width;
-  style.size = 15;
+  style.size = 14;
   style.bold = false;
+  const bool hasShares = std::any_of(
+    segments.begin(), segments.end(), [](const ColonSegment & segment) { return segment.distendedShare >= 0.0; });
+  if (hasShares)
+  {
+    const std::string note = ", share of each segment that is at least 10 mm wide in %";
+    const int         titleEnd = frame.left + MeasureText(options.title, title).width;
+    style.color = faintInk;
+    DrawText(picture, note, titleEnd, 18, style);
+    style.color = ink;
+  }
+  style.size = 15;
   for (auto entry = legend.rbegin(); entry != legend.rend(); ++entry)
   {
     right -= MeasureText(entry->text, style).width + 40;
@@ -203,7 +219,7 @@ DrawDistensionChart(const CurveSet &                  centreline,
   DrawLimit(picture, frame);
   DrawCurve(picture, frame, stations);
   DrawSegments(picture, frame, segments);
-  DrawKey(picture, frame, options, hasGaps);
+  DrawKey(picture, frame, segments, options, hasGaps);
   return picture;
 }
 } // namespace itk

@@ -76,7 +76,8 @@ struct SurfaceRenderingOptions : PatientViewOptions
   std::vector<LegendEntry> legend;
   /** Orientation letters at the borders and a scale bar. */
   bool annotations{ true };
-  /** Darkens what lies behind its surroundings, so that loops stand apart; 0 for none, 1 is strong. */
+  /** Darkens solid surfaces where they lie behind their surroundings, so that loops stand apart; 0 for none (where
+   * colours are values to be read), 1 is strong. */
   double depthShading{ 0.6 };
 };
 

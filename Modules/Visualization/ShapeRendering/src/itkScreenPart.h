@@ -34,6 +34,8 @@ struct ScreenPart
   std::vector<RGBColor>     faceColors;
   RGBColor                  color;
   float                     opacity{ 1.0F };
+  /** Whether what lies behind its surroundings is darkened: not where the colour is a value to be read. */
+  bool hasDepthShading{ true };
 };
 
 /** The sum of the normals of the faces around each vertex, by area, to length 1. */

@@ -381,8 +381,11 @@ private:
         pixel.color[i] += share * behind * color[i];
       }
       pixel.coverage += share * behind;
-      pixel.depth += share * solid.depth;
-      pixel.solid += share;
+      if (part.hasDepthShading)
+      {
+        pixel.depth += share * solid.depth;
+        pixel.solid += share;
+      }
     }
   }
 

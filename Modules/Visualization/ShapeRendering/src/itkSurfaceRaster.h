@@ -13,8 +13,8 @@ struct SeenPixel
 {
   float color[3]{ 0.0F, 0.0F, 0.0F }; ///< 0 to 255, times its coverage
   float coverage{ 0.0F };             ///< 0 to 1
-  float depth{ 0.0F };                ///< mm, mean of the opaque samples
-  float solid{ 0.0F };                ///< share of the opaque samples
+  float depth{ 0.0F };                ///< mm, mean of the samples below
+  float solid{ 0.0F };                ///< share of samples of opaque parts with depth shading
 };
 
 /** Draws all parts, opaque and see-through, into width x height pixels. The picture is cut into bands of rows, each is

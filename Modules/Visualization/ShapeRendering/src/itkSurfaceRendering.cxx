@@ -160,6 +160,7 @@ private:
     m_Meshes.push_back(std::move(mesh.mesh));
     m_Parts.push_back(ProjectMesh(m_Meshes.back(), view));
     m_Parts.back().vertexColors = std::move(mesh.colors);
+    m_Parts.back().hasDepthShading = false;
   }
 
   std::deque<SurfaceMesh> m_Meshes;

@@ -4,6 +4,7 @@
 #include "itkPicture.h"
 
 #include "itkImageFileReader.h"
+#include "itkMultiThreaderBase.h"
 #include "itkPNGImageIO.h"
 
 #include "gtest/gtest.h"
@@ -49,6 +50,19 @@ At(const Picture * picture, int x, int y)
 {
   return picture->GetPixel({ { x, y } });
 }
+
+class ThreadNumber
+{
+public:
+  explicit ThreadNumber(unsigned int threads) : m_Before(itk::MultiThreaderBase::GetGlobalDefaultNumberOfThreads())
+  {
+    itk::MultiThreaderBase::SetGlobalDefaultNumberOfThreads(threads);
+  }
+  ~ThreadNumber() { itk::MultiThreaderBase::SetGlobalDefaultNumberOfThreads(m_Before); }
+
+private:
+  unsigned int m_Before;
+};
 
 /** The greatest difference of two pictures in a channel; 256 when their sizes differ. */
 inline int

@@ -115,19 +115,6 @@ MeanPlaceOf(const itk::Picture * picture, unsigned int channel)
   mean[1] /= mean[2];
   return mean;
 }
-
-class ThreadNumber
-{
-public:
-  explicit ThreadNumber(unsigned int threads) : m_Before(itk::MultiThreaderBase::GetGlobalDefaultNumberOfThreads())
-  {
-    itk::MultiThreaderBase::SetGlobalDefaultNumberOfThreads(threads);
-  }
-  ~ThreadNumber() { itk::MultiThreaderBase::SetGlobalDefaultNumberOfThreads(m_Before); }
-
-private:
-  unsigned int m_Before;
-};
 } // namespace
 
 struct NamedView
@@ -297,7 +284,7 @@ TEST(VolumeRendering, TheNumberOfThreadsDoesNotMatter)
   options.azimuth = 20.0;
   const auto function = itk::ShapeTransferFunction::Parse("0.05-0.15:red:0.3,0.15-0.25:lime:0.5,0.35-0.45:blue:1");
   const auto render = [&](unsigned int threads) {
-    const ThreadNumber number(threads);
+    const itk::ThreadNumber number(threads);
     return itk::RenderVolume(heat, function, options);
   };
   const auto one = render(1);
