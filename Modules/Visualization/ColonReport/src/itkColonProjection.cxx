@@ -166,7 +166,7 @@ Picture::Pointer
 DrawColonProjection(const ColonParts & colon, SlicePlane plane)
 {
   CheckParts(colon);
-  constexpr double     surroundings = 12.0;
+  constexpr double     surroundings = 22.0;
   const ImageRegion<3> focus = LumenBox(colon.lumen, AreasOf(colon.lumen), surroundings);
   const SliceAxes      axes = AxesOf(colon.lumen, plane);
   const auto &         spacing = colon.lumen->GetSpacing();

@@ -1,7 +1,5 @@
 #include "itkDepthShading.h"
 
-#include <algorithm>
-
 namespace itk
 {
 namespace
@@ -52,35 +50,37 @@ Blur(std::vector<double> & values, int width, int height, int reach)
 }
 } // namespace
 
-void
-ShadeByDepth(std::vector<SeenPixel> & pixels,
-             unsigned int             width,
-             unsigned int             height,
-             double                   millimetresPerPixel,
-             double                   strength)
+DepthShading::DepthShading(const std::vector<SeenSample> & samples,
+                           unsigned int                    width,
+                           unsigned int                    height,
+                           double                          millimetresPerPixel,
+                           double                          strength)
+  : m_Strength(static_cast<float>(strength))
 {
-  const int           reach = std::max(static_cast<int>(std::max(width, height)) / 60, 2);
-  std::vector<double> depths(pixels.size());
-  std::vector<double> weights(pixels.size());
-  for (std::size_t i = 0; i < pixels.size(); ++i)
+  const int reach = std::max(static_cast<int>(std::max(width, height)) / 60, 2);
+  m_DarkDepth = static_cast<float>(2.0 * reach * millimetresPerPixel); // as deep as the surroundings reach
+  if (strength <= 0.0)
   {
-    weights[i] = pixels[i].solid;
-    depths[i] = static_cast<double>(pixels[i].solid) * pixels[i].depth;
+    return;
+  }
+  std::vector<double> depths(std::size_t{ width } * height, 0.0);
+  std::vector<double> weights(depths.size(), 0.0);
+  const std::size_t   columns = std::size_t{ width } * samplesAlongPixel;
+  for (std::size_t i = 0; i < samples.size(); ++i)
+  {
+    if (std::isfinite(samples[i].depth))
+    {
+      const std::size_t pixel = i / columns / samplesAlongPixel * width + i % columns / samplesAlongPixel;
+      depths[pixel] += samples[i].depth;
+      weights[pixel] += 1.0;
+    }
   }
   Blur(depths, static_cast<int>(width), static_cast<int>(height), reach);
   Blur(weights, static_cast<int>(width), static_cast<int>(height), reach);
-  const double dark = 2.0 * reach * millimetresPerPixel; // as deep as the surroundings reach
-  for (std::size_t i = 0; i < pixels.size(); ++i)
+  m_MeanDepth.resize(depths.size());
+  for (std::size_t i = 0; i < depths.size(); ++i)
   {
-    if (pixels[i].solid > 0.0F)
-    {
-      const double behind = pixels[i].depth - depths[i] / weights[i];
-      const double share = pixels[i].solid * strength * std::clamp(behind / dark, 0.0, 1.0);
-      for (float & channel : pixels[i].color)
-      {
-        channel *= static_cast<float>(1.0 - share);
-      }
-    }
+    m_MeanDepth[i] = weights[i] > 0.5 ? static_cast<float>(depths[i] / weights[i]) : 0.0F;
   }
 }
 } // namespace itk

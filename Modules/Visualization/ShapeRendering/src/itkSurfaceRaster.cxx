@@ -12,8 +12,7 @@ namespace itk
 {
 namespace
 {
-constexpr int pixelRowsOfBand = 12;
-constexpr int rowsOfBand = pixelRowsOfBand * samplesAlongPixel;
+constexpr int rowsOfBand = 36;
 
 /** The first sample whose centre is at or after a place, and the last one at or before it. */
 int
@@ -277,7 +276,7 @@ public:
   {}
 
   void
-  Paint(int pixelRows, SeenPixel * pixels)
+  Paint(int rows, SeenSample * samples)
   {
     for (std::size_t part = 0; part < m_Parts.size(); ++part)
     {
@@ -294,14 +293,9 @@ public:
         this->PaintVeil(static_cast<int>(part));
       }
     }
-    for (std::size_t sample = 0; sample < m_Solid.size(); ++sample)
+    for (std::size_t i = 0; i < static_cast<std::size_t>(rows) * m_Columns; ++i)
     {
-      const auto row = static_cast<int>(sample / m_Columns) / samplesAlongPixel;
-      const auto column = static_cast<int>(sample % m_Columns) / samplesAlongPixel;
-      if (row < pixelRows)
-      {
-        this->AddSample(sample, pixels[row * (m_Columns / samplesAlongPixel) + column]);
-      }
+      samples[i] = this->SeenIn(i);
     }
   }
 
@@ -355,38 +349,41 @@ private:
     });
   }
 
-  void
-  AddSample(std::size_t sample, SeenPixel & pixel) const
+  SeenSample
+  SeenIn(std::size_t i) const
   {
-    constexpr float     share = 1.0F / (samplesAlongPixel * samplesAlongPixel);
-    const SolidSample & solid = m_Solid[sample];
-    float               behind = 1.0F;
-    if (!m_Veil.empty() && m_Veil[sample].weight > 0.0F)
+    std::array<float, 4> seen{ { 0.0F, 0.0F, 0.0F, 0.0F } }; // the last one is the coverage
+    SeenSample           sample;
+    float                behind = 1.0F;
+    if (!m_Veil.empty() && m_Veil[i].weight > 0.0F)
     {
-      const VeilSample & veil = m_Veil[sample];
+      const VeilSample & veil = m_Veil[i];
       behind = veil.transmittance;
-      for (int i = 0; i < 3; ++i)
+      for (int k = 0; k < 3; ++k)
       {
-        pixel.color[i] += share * (1.0F - behind) * veil.color[i] / veil.weight;
+        seen[k] = (1.0F - behind) * veil.color[k] / veil.weight;
       }
-      pixel.coverage += share * (1.0F - behind);
+      seen[3] = 255.0F * (1.0F - behind);
     }
+    const SolidSample & solid = m_Solid[i];
     if (solid.part >= 0)
     {
       const ScreenPart & part = m_Parts[solid.part];
       const ScreenFace   screen(part, solid.face);
       const auto         color = ShadeAt(part, solid.face, solid.w1, solid.w2, screen.NormalAt(solid.w1, solid.w2));
-      for (int i = 0; i < 3; ++i)
+      for (int k = 0; k < 3; ++k)
       {
-        pixel.color[i] += share * behind * color[i];
+        seen[k] += behind * color[k];
       }
-      pixel.coverage += share * behind;
-      if (part.hasDepthShading)
-      {
-        pixel.depth += share * solid.depth;
-        pixel.solid += share;
-      }
+      seen[3] = 255.0F;
+      sample.depth = part.hasDepthShading ? solid.depth : sample.depth;
     }
+    for (int k = 0; k < 3; ++k)
+    {
+      sample.color[k] = static_cast<unsigned char>(std::min(seen[k] + 0.5F, 255.0F));
+    }
+    sample.coverage = static_cast<unsigned char>(std::min(seen[3] + 0.5F, 255.0F));
+    return sample;
   }
 
   const std::vector<ScreenPart> & m_Parts;
@@ -399,31 +396,27 @@ private:
 };
 } // namespace
 
-std::vector<SeenPixel>
+std::vector<SeenSample>
 RasterizeParts(const std::vector<ScreenPart> & parts, unsigned int width, unsigned int height)
 {
-  const auto             bands = static_cast<int>((height + pixelRowsOfBand - 1) / pixelRowsOfBand);
   const int              columns = static_cast<int>(width) * samplesAlongPixel;
+  const int              rows = static_cast<int>(height) * samplesAlongPixel;
+  const int              bands = (rows + rowsOfBand - 1) / rowsOfBand;
   std::vector<BandFaces> faces;
   for (const ScreenPart & part : parts)
   {
     faces.emplace_back(part, columns, bands);
   }
-  std::vector<SeenPixel> pixels(static_cast<std::size_t>(width) * height);
+  std::vector<SeenSample> samples(static_cast<std::size_t>(columns) * rows);
   MultiThreaderBase::New()->ParallelizeArray(
     0,
     static_cast<SizeValueType>(bands),
     [&](SizeValueType band) {
-      const auto firstRow = static_cast<int>(band) * pixelRowsOfBand;
+      const auto firstRow = static_cast<int>(band) * rowsOfBand;
       BandPainter(parts, faces, columns, static_cast<int>(band))
-        .Paint(std::min(pixelRowsOfBand, static_cast<int>(height) - firstRow),
-               pixels.data() + static_cast<std::size_t>(firstRow) * width);
+        .Paint(std::min(rowsOfBand, rows - firstRow), samples.data() + static_cast<std::size_t>(firstRow) * columns);
     },
     nullptr);
-  for (SeenPixel & pixel : pixels)
-  {
-    pixel.depth = pixel.solid > 0.0F ? pixel.depth / pixel.solid : 0.0F;
-  }
-  return pixels;
+  return samples;
 }
 } // namespace itk
