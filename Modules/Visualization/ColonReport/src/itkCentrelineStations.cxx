@@ -1,5 +1,7 @@
 #include "itkCentrelineStations.h"
 
+#include "itkToolError.h"
+
 #include <algorithm>
 
 namespace itk
@@ -22,6 +24,10 @@ StationsOf(const CurveSet & centreline)
                            2.0 * radius[vertex],
                            gap && gap->values(vertex, 0) != 0.0 });
     }
+  }
+  if (stations.empty())
+  {
+    throw InputError("the centreline has no points");
   }
   return stations;
 }

@@ -18,7 +18,8 @@ struct CentrelineStation
   bool            isGap;
 };
 
-/** The points of all curves in order. Throws InputError where the arrays arcLength or radius are missing. */
+/** The points of all curves in order. Throws InputError where there is none, or the arrays arcLength or radius
+ * are missing. */
 std::vector<CentrelineStation>
 StationsOf(const CurveSet & centreline);
 

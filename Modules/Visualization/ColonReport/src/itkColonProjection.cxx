@@ -149,36 +149,28 @@ DrawEnd(Picture *                 picture,
   DrawRimmedText(picture, name, isLeft ? x - 14 : x + 14, y, style, background);
 }
 
-/** Scale, ticks and so on beside the picture. */
-void
-DrawBars(Picture * page, int left, int height, const ColorScale & thickness, const ColorScale * distance)
+SliceView
+ViewOf(const Image<unsigned char, 3> * lumen, const ImageRegion<3> & focus, SlicePlane plane)
 {
-  DrawColorBar(page, left, titleHeight + height / 10, height - height / 5, thickness, annotation);
-  if (distance)
-  {
-    DrawColorBar(
-      page, left + colorBarWidth + 10, titleHeight + height / 10, height - height / 5, *distance, annotation);
-  }
+  const SliceAxes axes = AxesOf(lumen, plane);
+  const auto &    spacing = lumen->GetSpacing();
+  const double    across = spacing[axes.across] * static_cast<double>(focus.GetSize(axes.across));
+  const double    down = spacing[axes.down] * static_cast<double>(focus.GetSize(axes.down));
+  return { lumen, focus, plane, focus.GetIndex(axes.through), std::max(across / greatestWidth, down / greatestHeight) };
 }
-} // namespace
+
+ColorScale
+ThicknessScale(double greatest, SlicePlane plane)
+{
+  const std::string way = plane == SlicePlane::Coronal    ? "front to back"
+                          : plane == SlicePlane::Sagittal ? "side to side"
+                                                          : "head to foot";
+  return { "gas and fluid, " + way + " (mm)", 0.0, greatest, ThicknessColor };
+}
 
 Picture::Pointer
-DrawColonProjection(const ColonParts & colon, SlicePlane plane)
+PaintThickness(const SliceView & view, const ThicknessMap & map, const ColorScale & thickness)
 {
-  CheckParts(colon);
-  constexpr double     surroundings = 22.0;
-  const ImageRegion<3> focus = LumenBox(colon.lumen, AreasOf(colon.lumen), surroundings);
-  const SliceAxes      axes = AxesOf(colon.lumen, plane);
-  const auto &         spacing = colon.lumen->GetSpacing();
-  const double scale = std::max(spacing[axes.across] * static_cast<double>(focus.GetSize(axes.across)) / greatestWidth,
-                                spacing[axes.down] * static_cast<double>(focus.GetSize(axes.down)) / greatestHeight);
-  const SliceView    view(colon.lumen, focus, plane, focus.GetIndex(axes.through), scale);
-  const ThicknessMap map(colon.lumen, focus, axes);
-  ColorScale         thickness{ "gas and fluid, front to back (mm)", 0.0, map.Greatest(), ThicknessColor };
-  if (plane != SlicePlane::Coronal)
-  {
-    thickness.title = plane == SlicePlane::Sagittal ? "gas and fluid, side to side (mm)" : "gas and fluid (mm)";
-  }
   auto panel = NewPicture(view.GetWidth(), view.GetHeight(), background);
   for (unsigned int y = 0; y < view.GetHeight(); ++y)
   {
@@ -189,31 +181,63 @@ DrawColonProjection(const ColonParts & colon, SlicePlane plane)
     }
   }
   DrawSliceLetters(panel, view);
-  ColorScale distance;
-  if (colon.centreline)
-  {
-    const std::vector<CentrelineStation> stations = StationsOf(*colon.centreline);
-    distance = DistanceScale(stations);
-    DrawCentreline(panel, view, stations, distance);
-    if (!stations.empty())
-    {
-      DrawEnd(panel, view, stations.front(), distance, "anal verge");
-      DrawEnd(panel, view, stations.back(), distance, "caecum");
-    }
-  }
-  const int width = static_cast<int>(view.GetWidth());
-  const int height = static_cast<int>(view.GetHeight());
-  const int bars = (colon.centreline ? 2 : 1) * (colorBarWidth + 10) + 10;
-  auto      page = NewPicture(static_cast<unsigned int>(width + bars + 24), height + titleHeight + 46, background);
-  TextStyle style;
+  return panel;
+}
+
+/** The panel with title, colour bars and so on around it. */
+Picture::Pointer
+MakePage(const Picture * panel, const std::string & title, const std::vector<ColorScale> & scales, bool hasGaps)
+{
+  constexpr int edge = 12;
+  const int     width = static_cast<int>(panel->GetBufferedRegion().GetSize(0));
+  const int     height = static_cast<int>(panel->GetBufferedRegion().GetSize(1));
+  const int     barStep = colorBarWidth + 10;
+  const int     bars = static_cast<int>(scales.size()) * barStep + 34;
+  auto          page = NewPicture(static_cast<unsigned int>(width + bars), height + titleHeight + 46, background);
+  TextStyle     style;
   style.size = 20;
   style.bold = true;
   style.color = annotation;
-  const std::string title = "Projection, " + NameOf(plane);
-  DrawText(page, title, 12, 10, style);
-  PastePicture(page, panel, 12, titleHeight);
-  DrawBars(page, 12 + width + 14, height, thickness, colon.centreline ? &distance : nullptr);
-  DrawScaleBar(page, 12, titleHeight + height + 34, 180, scale, annotation);
+  DrawText(page, title, edge, 10, style);
+  if (hasGaps)
+  {
+    const int left = edge + 30 + MeasureText(title, style).width;
+    DrawLegend(page, { { GapColor(), "gap in the lumen" } }, left, 14, 40, annotation);
+  }
+  PastePicture(page, panel, edge, titleHeight);
+  int left = edge + width + 14;
+  for (const ColorScale & scale : scales)
+  {
+    DrawColorBar(page, left, titleHeight + height / 10, height - height / 5, scale, annotation);
+    left += barStep;
+  }
+  return page;
+}
+} // namespace
+
+Picture::Pointer
+DrawColonProjection(const ColonParts & colon, SlicePlane plane)
+{
+  CheckParts(colon);
+  constexpr double        surroundings = 22.0;
+  const ImageRegion<3>    focus = LumenBox(colon.lumen, AreasOf(colon.lumen), surroundings);
+  const SliceView         view = ViewOf(colon.lumen, focus, plane);
+  const ThicknessMap      map(colon.lumen, focus, view.GetAxes());
+  std::vector<ColorScale> scales{ ThicknessScale(map.Greatest(), plane) };
+  auto                    panel = PaintThickness(view, map, scales[0]);
+  bool                    hasGaps = false;
+  if (colon.centreline)
+  {
+    const std::vector<CentrelineStation> stations = StationsOf(*colon.centreline);
+    scales.push_back(DistanceScale(stations));
+    DrawCentreline(panel, view, stations, scales[1]);
+    DrawEnd(panel, view, stations.front(), scales[1], "anal verge");
+    DrawEnd(panel, view, stations.back(), scales[1], "caecum");
+    hasGaps = std::any_of(stations.begin(), stations.end(), [](const CentrelineStation & s) { return s.isGap; });
+  }
+  auto      page = MakePage(panel, "Projection, " + NameOf(plane), scales, hasGaps);
+  const int below = titleHeight + static_cast<int>(view.GetHeight()) + 34;
+  DrawScaleBar(page, 12, below, 180, view.GetMillimetresPerPixel(), annotation);
   return page;
 }
 } // namespace itk

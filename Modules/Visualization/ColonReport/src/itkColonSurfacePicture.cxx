@@ -70,11 +70,7 @@ void
 AddEnds(SurfaceScene & scene, const CurveSet & centreline)
 {
   const std::vector<CentrelineStation> stations = StationsOf(centreline);
-  if (stations.empty())
-  {
-    throw std::invalid_argument("the centreline has no points");
-  }
-  const ColorScale scale = DistanceScale(stations);
+  const ColorScale                     scale = DistanceScale(stations);
   scene.markers.push_back({ stations.front().point, 4.5, scale.ColorOf(stations.front().distance), "anal verge" });
   scene.markers.push_back({ stations.back().point, 4.5, scale.ColorOf(stations.back().distance), "caecum" });
 }

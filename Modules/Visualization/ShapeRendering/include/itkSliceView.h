@@ -79,6 +79,11 @@ public:
   {
     return m_Height;
   }
+  double
+  GetMillimetresPerPixel() const
+  {
+    return m_MillimetresPerPixel;
+  }
   const SliceAxes &
   GetAxes() const
   {
@@ -120,6 +125,7 @@ private:
   ImageRegion<3>       m_Focus;
   SliceAxes            m_Axes;
   IndexValueType       m_Slice;
+  double               m_MillimetresPerPixel;
   unsigned int         m_Width;
   unsigned int         m_Height;
 };

@@ -210,7 +210,11 @@ SliceView::SliceView(const ImageBase<3> *   volume,
                      SlicePlane             plane,
                      IndexValueType         slice,
                      double                 millimetresPerPixel)
-  : m_Volume(volume), m_Focus(focus), m_Axes(AxesOf(volume, plane)), m_Slice(slice)
+  : m_Volume(volume)
+  , m_Focus(focus)
+  , m_Axes(AxesOf(volume, plane))
+  , m_Slice(slice)
+  , m_MillimetresPerPixel(millimetresPerPixel)
 {
   const ImageRegion<3> region = volume->GetLargestPossibleRegion();
   if (focus.GetNumberOfPixels() == 0 || !region.IsInside(focus) || slice < region.GetIndex(m_Axes.through) ||
