@@ -78,6 +78,11 @@ ReadVolume(CommandLine & commandLine, const std::string & parameter, bool allowS
 DicomSeries_EXPORT bool
 HaveSameGrid(const ImageBase<3> * a, const ImageBase<3> * b);
 
+/** 1 where the voxels of a volume are not 0. Throws InputError, with `path` in front, when there are none.
+ * \ingroup DicomSeries */
+DicomSeries_EXPORT Image<unsigned char, 3>::Pointer
+                   MaskOfVolume(const Volume & volume, const std::string & path);
+
 /** Reads a mask for a tool: the voxels of the volume that the input `parameter` names, 1 where they are not 0. Adds its
  * identity to the provenance. Throws InputError where it has another grid than `image`, or no voxel other than 0.
  * \ingroup DicomSeries */

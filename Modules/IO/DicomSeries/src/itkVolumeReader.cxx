@@ -366,6 +366,24 @@ HaveSameGrid(const ImageBase<3> * a, const ImageBase<3> * b)
 }
 
 Image<unsigned char, 3>::Pointer
+MaskOfVolume(const Volume & volume, const std::string & path)
+{
+  auto mask = Image<unsigned char, 3>::New();
+  mask->CopyInformation(volume.image);
+  mask->SetRegions(volume.image->GetLargestPossibleRegion());
+  mask->Allocate();
+  const float * const begin = volume.image->GetBufferPointer();
+  const float * const end = begin + volume.image->GetLargestPossibleRegion().GetNumberOfPixels();
+  std::transform(
+    begin, end, mask->GetBufferPointer(), [](float value) { return static_cast<unsigned char>(value != 0.0F); });
+  if (std::all_of(begin, end, [](float value) { return value == 0.0F; }))
+  {
+    Refuse(path, "the mask is empty: it needs voxels other than 0");
+  }
+  return mask;
+}
+
+Image<unsigned char, 3>::Pointer
 ReadMask(CommandLine & commandLine, const std::string & parameter, const ImageBase<3> * image)
 {
   const std::string path = commandLine.GetString(parameter);
@@ -377,18 +395,8 @@ ReadMask(CommandLine & commandLine, const std::string & parameter, const ImageBa
   {
     Refuse(path, "the mask differs in size or place from the volume: give a mask made on that volume");
   }
-  auto mask = Image<unsigned char, 3>::New();
-  mask->CopyInformation(image);
-  mask->SetRegions(image->GetLargestPossibleRegion());
-  mask->Allocate();
-  const float * const begin = volume.image->GetBufferPointer();
-  const float * const end = begin + volume.image->GetLargestPossibleRegion().GetNumberOfPixels();
-  std::transform(
-    begin, end, mask->GetBufferPointer(), [](float value) { return static_cast<unsigned char>(value != 0.0F); });
-  if (std::all_of(begin, end, [](float value) { return value == 0.0F; }))
-  {
-    Refuse(path, "the mask is empty: it needs voxels other than 0");
-  }
+  const auto mask = MaskOfVolume(volume, path);
+  mask->CopyInformation(image); // equal up to rounding
   return mask;
 }
 } // namespace itk
