@@ -1,0 +1,15 @@
+set(DOCUMENTATION "The wall of the colon lumen as a surface: topology-preserving growth, bridges, extraction, open ends.")
+
+itk_module(ColonWall
+  ENABLE_SHARED
+  DEPENDS
+    CommandLine
+    ITKCommon
+    SurfaceMesh
+  PRIVATE_DEPENDS
+    ITKDistanceMap
+    ITKSmoothing
+  TEST_DEPENDS
+    ITKGoogleTest
+  DESCRIPTION "${DOCUMENTATION}"
+)
