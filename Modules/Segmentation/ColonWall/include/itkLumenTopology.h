@@ -27,8 +27,6 @@ struct LumenTopologyReport
   double       cavityVolume{ 0.0 };
   /** Cut away so that no handle is left. */
   double cutVolume{ 0.0 };
-  /** Filled so that no handle is left, cavities left aside. */
-  double filledVolume{ 0.0 };
 };
 
 struct LumenTopology
@@ -40,18 +38,17 @@ struct LumenTopology
 
 /** The lumen as a mask of voxels of at least 0.5 without handles and cavities, changed as little as possible.
  *
- * The largest piece is kept and its cavities are filled. Then an object of one voxel grows by simple points: first along
- * the centreline, if there is one, so that the lumen itself is never cut across, then in the order of the distance to
- * the wall. Fronts that go round a handle meet where it is thinnest, and the membrane that is left there cuts it.
- * Where the handle goes round a thin strand of wall, closing that strand instead costs less; strands whose closing
- * changes less volume than the membrane beside them are filled.
+ * The largest piece is kept and its cavities are filled. Then an object of one voxel grows by simple points: first
+ * along the centreline, if there is one, so that the lumen itself is never cut across, then in the order of the
+ * distance to the wall. Fronts that go round a handle meet where it is thinnest, and the membrane that is left there
+ * cuts it.
  *
  * \param centreline in LPS mm; may be empty, then the growth starts at the widest place and a stretch of the lumen that
  *        is narrower than a leak between its neighbours can be cut instead of the leak.
  * Throws InputError when no voxel reaches 0.5. Time: about 1 microsecond for each voxel of the lumen.
  * \ingroup ColonWall */
 ColonWall_EXPORT LumenTopology
-                 RepairLumenTopology(const OccupancyImage * occupancy, const CurveSet & centreline);
+RepairLumenTopology(const OccupancyImage * occupancy, const CurveSet & centreline);
 
 /** 0 and 1 from a mask; non-zero voxels are lumen. With `sigma` (mm) greater than 0 the field is smoothed by a Gaussian
  * and shifted so that as many voxels as before have at least 0.5: stairs vanish, the volume stays.

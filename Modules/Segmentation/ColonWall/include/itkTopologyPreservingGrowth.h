@@ -45,14 +45,14 @@ struct MaskTopology
 
 /** Counts components, cavities and handles; linear time. \ingroup ColonWall */
 ColonWall_EXPORT MaskTopology
-                 TopologyOfMask(const LumenMaskImage * mask);
+TopologyOfMask(const LumenMaskImage * mask);
 
 /** Grows an object inside a limit without any change of its topology.
  *
- * Only simple points are added, those of the greatest rank first, of equal ones the one that was met first; a voxel that
- * was refused is asked again whenever a neighbour has been added. So the result is the same for equal input, and at its
- * end no voxel of the limit can be added. Where two fronts meet without being able to join, a membrane one voxel thick
- * is left, where the ranks are lowest.
+ * Only simple points are added, those of the greatest rank first, of equal ones the one that was met first; a voxel
+ * that was refused is asked again whenever a neighbour has been added. So the result is the same for equal input, and
+ * at its end no voxel of the limit can be added. Where two fronts meet without being able to join, a membrane one voxel
+ * thick is left, where the ranks are lowest.
  *
  * \param grown the seed, in and out; voxels of the seed stay even outside the limit.
  * \param limit voxels that may be added.
@@ -61,9 +61,7 @@ ColonWall_EXPORT MaskTopology
  * Throws std::invalid_argument when the sizes differ.
  * \ingroup ColonWall */
 ColonWall_EXPORT std::int64_t
-GrowByTopologyPreservingPoints(LumenMaskImage *        grown,
-                               const LumenMaskImage *  limit,
-                               const GrowthRankImage * ranks);
+GrowByTopologyPreservingPoints(LumenMaskImage * grown, const LumenMaskImage * limit, const GrowthRankImage * ranks);
 } // namespace itk
 
 #endif

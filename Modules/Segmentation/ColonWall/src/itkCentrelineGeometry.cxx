@@ -10,8 +10,8 @@ namespace itk
 {
 GridGeometry::GridGeometry(const ImageBase<3> * image)
 {
-  const auto                  first = image->GetBufferedRegion().GetIndex();
-  ImageBase<3>::PointType     point;
+  const auto              first = image->GetBufferedRegion().GetIndex();
+  ImageBase<3>::PointType point;
   image->TransformIndexToPhysicalPoint(first, point);
   for (int i = 0; i < 3; ++i)
   {

@@ -31,8 +31,7 @@ void
 CopyFlagsToMask(const PaddedVoxels & voxels, LumenMaskImage * mask)
 {
   unsigned char * values = mask->GetBufferPointer();
-  voxels.ForEachVoxel(
-    [&](std::int64_t padded, std::int64_t inner) { values[inner] = voxels.flags[padded] & Lumen; });
+  voxels.ForEachVoxel([&](std::int64_t padded, std::int64_t inner) { values[inner] = voxels.flags[padded] & Lumen; });
 }
 
 /** Keeps the largest piece and fills its cavities. */
@@ -46,7 +45,7 @@ KeepSolidPiece(LumenMaskImage * mask, double voxelVolume, LumenTopologyReport & 
   {
     throw InputError("the lumen is empty: no voxel has an occupancy of at least 0.5");
   }
-  const int  largest =
+  const int largest =
     static_cast<int>(std::max_element(pieces.sizes.begin(), pieces.sizes.end()) - pieces.sizes.begin());
   std::int64_t dropped = 0;
   for (const auto & run : pieces.runs)

@@ -7,8 +7,8 @@ namespace itk
 namespace
 {
 /** What a cube of 2 x 2 x 2 voxels adds to eight times the Euler number; bit x + 2 y + 4 z. The object is a complex of
- * voxels as points, pairs by faces, full squares and full cubes. The background is not connected through corners, so the
- * ring of six voxels around two opposite ones is closed, too. */
+ * voxels as points, pairs by faces, full squares and full cubes. The background is not connected through corners, so
+ * the ring of six voxels around two opposite ones is closed, too. */
 int
 EightfoldEulerNumber(unsigned int cube)
 {

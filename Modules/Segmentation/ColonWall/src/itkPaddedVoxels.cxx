@@ -18,8 +18,7 @@ RootOf(std::vector<int> & parents, int i)
 class RunJoiner
 {
 public:
-  RunJoiner(const PaddedVoxels & voxels, unsigned char flag, bool isSet)
-    : m_Voxels(voxels)
+  RunJoiner(const PaddedVoxels & voxels, unsigned char flag, bool isSet) : m_Voxels(voxels)
   {
     m_RowBegin.reserve(static_cast<std::size_t>(voxels.ny * voxels.nz + 1));
     for (std::int64_t row = 0; row < voxels.ny * voxels.nz; ++row)

@@ -68,8 +68,8 @@ struct VoxelRuns
   std::vector<std::int64_t> sizes; ///< voxels of each component
 };
 
-/** The components of the voxels where (flags & flag) != 0 equals `isSet`; connected by faces, or by faces and edges. The
- * layer of padding takes part: with `isSet` false, component 0 is the outside. */
+/** The components of the voxels where (flags & flag) != 0 equals `isSet`; connected by faces, or by faces and edges.
+ * The layer of padding takes part: with `isSet` false, component 0 is the outside. */
 VoxelRuns
 FindVoxelRuns(const PaddedVoxels & voxels, unsigned char flag, bool isSet, bool throughEdges);
 } // namespace itk

@@ -113,9 +113,7 @@ public:
   static constexpr unsigned char Queued = 4;
 
   Growth(PaddedVoxels & voxels, const GrowthRankImage * ranks)
-    : m_Voxels(voxels)
-    , m_Flags(voxels.flags)
-    , m_Ranks(ranks->GetBufferPointer())
+    : m_Voxels(voxels), m_Flags(voxels.flags), m_Ranks(ranks->GetBufferPointer())
   {
     for (int i = 0; i < 27; ++i)
     {
@@ -209,9 +207,7 @@ IsSimplePoint(std::uint32_t neighbourhood)
 }
 
 std::int64_t
-GrowByTopologyPreservingPoints(LumenMaskImage *        grown,
-                               const LumenMaskImage *  limit,
-                               const GrowthRankImage * ranks)
+GrowByTopologyPreservingPoints(LumenMaskImage * grown, const LumenMaskImage * limit, const GrowthRankImage * ranks)
 {
   const auto size = grown->GetBufferedRegion().GetSize();
   if (size != limit->GetBufferedRegion().GetSize() || size != ranks->GetBufferedRegion().GetSize())

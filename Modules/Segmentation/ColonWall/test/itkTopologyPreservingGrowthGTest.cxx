@@ -45,7 +45,8 @@ SurfaceOfMask(const itk::LumenMaskImage * mask)
     {
       for (unsigned int x = 0; x < size[0]; ++x, ++i)
       {
-        values[((z + 1) * (size[1] + 2) + y + 1) * (size[0] + 2) + x + 1] = mask->GetBufferPointer()[i] != 0 ? 1.0F : 0.0F;
+        values[((z + 1) * (size[1] + 2) + y + 1) * (size[0] + 2) + x + 1] =
+          mask->GetBufferPointer()[i] != 0 ? 1.0F : 0.0F;
       }
     }
   }
@@ -160,14 +161,14 @@ TEST(TopologyPreservingGrowth, SimplePointsChangeNoNumberOfTheSurface)
 TEST(TopologyPreservingGrowth, KnownPointsAreSimpleOrNot)
 {
   const auto bit = [](int x, int y, int z) { return 1U << (x + 3 * y + 9 * z); };
-  EXPECT_FALSE(itk::IsSimplePoint(0));                              // alone: a new piece
-  EXPECT_FALSE(itk::IsSimplePoint(0x7FFFFFF));                      // the last voxel of a cavity
-  EXPECT_TRUE(itk::IsSimplePoint(bit(0, 1, 1)));                    // a tip
-  EXPECT_FALSE(itk::IsSimplePoint(bit(0, 0, 1)));                   // an edge does not connect the object
-  EXPECT_FALSE(itk::IsSimplePoint(bit(0, 1, 1) | bit(2, 1, 1)));    // a bridge
-  EXPECT_TRUE(itk::IsSimplePoint(0x7FFFFFF & ~bit(0, 1, 1)));       // the bottom of a pit
-  EXPECT_FALSE(itk::IsSimplePoint(0x7FFFFFF & ~bit(0, 0, 0)));      // a corner does not connect the background
-  EXPECT_TRUE(itk::IsSimplePoint(0x7FFFFFF & ~bit(0, 0, 1)));       // but an edge does
+  EXPECT_FALSE(itk::IsSimplePoint(0));                           // alone: a new piece
+  EXPECT_FALSE(itk::IsSimplePoint(0x7FFFFFF));                   // the last voxel of a cavity
+  EXPECT_TRUE(itk::IsSimplePoint(bit(0, 1, 1)));                 // a tip
+  EXPECT_FALSE(itk::IsSimplePoint(bit(0, 0, 1)));                // an edge does not connect the object
+  EXPECT_FALSE(itk::IsSimplePoint(bit(0, 1, 1) | bit(2, 1, 1))); // a bridge
+  EXPECT_TRUE(itk::IsSimplePoint(0x7FFFFFF & ~bit(0, 1, 1)));    // the bottom of a pit
+  EXPECT_FALSE(itk::IsSimplePoint(0x7FFFFFF & ~bit(0, 0, 0)));   // a corner does not connect the background
+  EXPECT_TRUE(itk::IsSimplePoint(0x7FFFFFF & ~bit(0, 0, 1)));    // but an edge does
   EXPECT_FALSE(itk::IsSimplePoint(0x7FFFFFF & ~bit(0, 1, 1) & ~bit(2, 1, 1))); // would close a tunnel
 }
 

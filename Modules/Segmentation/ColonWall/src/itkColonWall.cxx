@@ -1,0 +1,233 @@
+#include "itkColonWall.h"
+
+#include "itkColonBridges.h"
+#include "itkCutDisc.h"
+#include "itkParallelFor.h"
+#include "itkSurfaceConnectivity.h"
+#include "itkSurfaceLocator.h"
+#include "itkSurfaceSimplification.h"
+#include "itkToolError.h"
+
+#include <cmath>
+#include <sstream>
+
+namespace itk
+{
+namespace
+{
+/** Share of the time that has passed at the end of each step, roughly. */
+enum class Step
+{
+  Bridged,
+  Repaired,
+  Extracted,
+  Opened,
+  Simplified,
+  Done
+};
+
+class Builder
+{
+public:
+  Builder(const OccupancyImage *   occupancy,
+          const CurveSet &         centreline,
+          const ColonWallOptions & options,
+          const OccupancyImage *   repairedOccupancy)
+    : m_Occupancy(occupancy)
+    , m_RepairedOccupancy(repairedOccupancy == nullptr ? occupancy : repairedOccupancy)
+    , m_Centreline(centreline)
+    , m_Options(options)
+  {}
+
+  ColonWall
+  Build()
+  {
+    this->Repair();
+    this->Extract();
+    this->Open();
+    this->Simplify();
+    for (SurfaceMesh * mesh : { &m_Wall.raw, &m_Wall.repaired, &m_Wall.simplified })
+    {
+      this->AddArrays(*mesh);
+    }
+    this->Report();
+    this->Advance(Step::Done);
+    return std::move(m_Wall);
+  }
+
+private:
+  void
+  Advance(Step step) const
+  {
+    constexpr double shares[] = { 0.05, 0.25, 0.4, 0.6, 0.9, 1.0 };
+    if (m_Options.progress)
+    {
+      m_Options.progress(shares[static_cast<int>(step)]);
+    }
+  }
+
+  void
+  Repair()
+  {
+    m_Bridges = AddBridges(m_Occupancy, m_Centreline, m_Options.bridgeRadius);
+    m_Wall.report.warnings = m_Bridges.warnings;
+    m_RepairedField = m_RepairedOccupancy == m_Occupancy
+                        ? m_Bridges.occupancy
+                        : AddBridges(m_RepairedOccupancy, m_Centreline, m_Options.bridgeRadius).occupancy;
+    this->Advance(Step::Bridged);
+    LumenTopology topology = RepairLumenTopology(m_Bridges.occupancy, m_Centreline);
+    m_Wall.report.topology = topology.report;
+    m_Mask = topology.mask;
+    if (topology.report.droppedPieces > 0)
+    {
+      std::ostringstream text;
+      text.precision(4);
+      text << topology.report.droppedPieces << " pieces of the lumen with " << topology.report.droppedVolume
+           << " ml in all hang on nothing and are left out of the wall";
+      m_Wall.report.warnings.push_back(text.str());
+    }
+    this->Advance(Step::Repaired);
+  }
+
+  void
+  Extract()
+  {
+    m_Wall.raw = ExtractWall(m_Bridges.occupancy);
+    const auto           spacing = m_Occupancy->GetSpacing();
+    const double         finest = std::min({ spacing[0], spacing[1], spacing[2] });
+    WallSmoothingOptions smoothing;
+    smoothing.normalLimit = m_Options.normalLimit * finest;
+    smoothing.tangentialLimit = m_Options.tangentialLimit * finest;
+    m_Wall.repaired = SmoothWall(ExtractWall(m_RepairedField, m_Mask), smoothing);
+    this->Advance(Step::Extracted);
+  }
+
+  void
+  Open()
+  {
+    OpenEndsOptions rawEnds = m_Options.ends;
+    rawEnds.smoothRims = false; // the raw surface keeps the exact level
+    m_Wall.raw = OpenColonEnds(m_Wall.raw, m_Centreline, rawEnds).mesh;
+    OpenWall opened = OpenColonEnds(m_Wall.repaired, m_Centreline, m_Options.ends);
+    m_Wall.repaired = std::move(opened.mesh);
+    m_Wall.report.rectumRadius = opened.rectumRadius;
+    m_Wall.report.caecumRadius = opened.caecumRadius;
+    this->WarnOfSmallEnd("rectum", opened.rectumRadius);
+    this->WarnOfSmallEnd("caecum", opened.caecumRadius);
+    this->Advance(Step::Opened);
+  }
+
+  void
+  WarnOfSmallEnd(const char * end, double radius)
+  {
+    if (radius < m_Options.ends.radius)
+    {
+      std::ostringstream text;
+      text << "the opening at the " << end << " has a radius of " << radius << " mm instead of "
+           << m_Options.ends.radius << " mm: a larger disc is none";
+      m_Wall.report.warnings.push_back(text.str());
+    }
+  }
+
+  void
+  Simplify()
+  {
+    SurfaceSimplificationOptions options;
+    options.targetFaces = m_Options.faces;
+    SurfaceSimplificationReport report;
+    m_Wall.simplified = SimplifySurface(m_Wall.repaired, options, &report);
+    if (!report.reachedTarget)
+    {
+      m_Wall.report.warnings.push_back("the simplified wall has " + std::to_string(report.faces) +
+                                       " faces instead of " + std::to_string(m_Options.faces) + ": " + report.reason);
+    }
+    SetLoops(m_Wall.simplified, this->EndOfCentreline(true), this->EndOfCentreline(false));
+    this->Advance(Step::Simplified);
+  }
+
+  Eigen::Vector3d
+  EndOfCentreline(bool isRectum) const
+  {
+    const auto & curve = m_Centreline.curves.front();
+    return m_Centreline.V.row(isRectum ? curve.front() : curve.back());
+  }
+
+  /** `arcLength` of the closest point of the centreline, and `bridged`. */
+  void
+  AddArrays(SurfaceMesh & mesh) const
+  {
+    const auto & curve = m_Centreline.curves.front();
+    FaceMatrix   segments(static_cast<Eigen::Index>(curve.size()) - 1, 3);
+    for (Eigen::Index i = 0; i < segments.rows(); ++i)
+    {
+      segments.row(i) << curve[i], curve[i + 1], curve[i + 1]; // triangles without area
+    }
+    const SurfaceLocator  locator(m_Centreline.V, segments);
+    const Eigen::VectorXd arcLengths = PointValues(m_Centreline, "arcLength", "the centreline");
+    SurfaceArray          array{ "arcLength", SurfaceArray::ValueMatrix(mesh.NumberOfVertices(), 1), false };
+    ParallelForEach(static_cast<std::size_t>(mesh.NumberOfVertices()), [&](std::size_t i) {
+      const auto            v = static_cast<Eigen::Index>(i);
+      const auto            closest = locator.FindClosest(mesh.V.row(v));
+      const int             a = segments(closest.face, 0);
+      const int             b = segments(closest.face, 1);
+      const Eigen::Vector3d way = m_Centreline.V.row(b) - m_Centreline.V.row(a);
+      const double          along = (closest.point - m_Centreline.V.row(a).transpose()).dot(way);
+      const double          share = way.squaredNorm() > 0.0 ? along / way.squaredNorm() : 0.0;
+      array.values(v, 0) = arcLengths[a] + share * (arcLengths[b] - arcLengths[a]);
+    });
+    mesh.pointArrays.push_back(std::move(array));
+    mesh.cellArrays.push_back(BridgedFaces(mesh, m_Bridges, m_Occupancy));
+  }
+
+  static int
+  GenusOf(const SurfaceMesh & mesh)
+  {
+    const SurfaceConnectivity connectivity(mesh);
+    return connectivity.Components().front().genus.value_or(-1);
+  }
+
+  void
+  Report()
+  {
+    ColonWallReport & report = m_Wall.report;
+    report.rawGenus = GenusOf(m_Wall.raw);
+    report.repairedGenus = GenusOf(m_Wall.repaired);
+    const int simplifiedGenus = GenusOf(m_Wall.simplified);
+    if (simplifiedGenus != report.repairedGenus)
+    {
+      throw InputError("the simplified wall has genus " + std::to_string(simplifiedGenus) + ", the repaired one " +
+                       std::to_string(report.repairedGenus));
+    }
+    report.rawFaces = m_Wall.raw.NumberOfFaces();
+    report.repairedFaces = m_Wall.repaired.NumberOfFaces();
+    report.simplifiedFaces = m_Wall.simplified.NumberOfFaces();
+    report.bridgedFaces = static_cast<int>(FindSurfaceArray(m_Wall.repaired.cellArrays, "bridged")->values.sum());
+  }
+
+  const OccupancyImage *   m_Occupancy;
+  const OccupancyImage *   m_RepairedOccupancy;
+  const CurveSet &         m_Centreline;
+  const ColonWallOptions & m_Options;
+  BridgedOccupancy         m_Bridges;
+  OccupancyImage::Pointer  m_RepairedField;
+  LumenMaskImage::Pointer  m_Mask;
+  ColonWall                m_Wall;
+};
+} // namespace
+
+ColonWall
+BuildColonWall(const OccupancyImage *   occupancy,
+               const CurveSet &         centreline,
+               const ColonWallOptions & options,
+               const OccupancyImage *   repairedOccupancy)
+{
+  RequireUsage(options.faces >= 100, "the simplified wall needs at least 100 faces");
+  RequireSound(centreline, "the centreline");
+  if (centreline.curves.size() != 1 || centreline.curves.front().size() < 2)
+  {
+    throw InputError("the centreline must be one curve of at least two points; it has " +
+                     std::to_string(centreline.curves.size()) + " curves");
+  }
+  return Builder(occupancy, centreline, options, repairedOccupancy).Build();
+}
+} // namespace itk
