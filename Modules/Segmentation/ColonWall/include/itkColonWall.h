@@ -82,6 +82,7 @@ struct OpenWall
   /** Of the discs, mm. */
   double rectumRadius{ 0.0 };
   double caecumRadius{ 0.0 };
+  int    genus{ 0 };
 };
 
 /** Opens a closed surface at both ends of the centreline.
@@ -103,8 +104,11 @@ struct ColonWallOptions
   /** Of the tubes through gaps, mm. */
   double          bridgeRadius{ 2.0 };
   OpenEndsOptions ends;
-  /** Limits of smoothing of the repaired surface, as shares of the smallest spacing. */
+  /** How far smoothing moves vertices of the repaired surface along their normals, as a share of the smallest spacing.
+   */
   double normalLimit{ 0.2 };
+  /** And along the surface, so that no triangle is a needle. Vertices of the raw surface move along the surface only.
+   */
   double tangentialLimit{ 0.7 };
   /** Told the share that is done, from 0 to 1. */
   std::function<void(double)> progress;
@@ -132,7 +136,7 @@ struct ColonWallReport
  */
 struct ColonWall
 {
-  /** The exact 0.5 level with all its handles. */
+  /** The 0.5 level with all its handles; its vertices have been moved along the surface only. */
   SurfaceMesh raw;
   /** Without handles, smoothed within the limits. */
   SurfaceMesh repaired;

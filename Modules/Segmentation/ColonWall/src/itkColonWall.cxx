@@ -92,12 +92,13 @@ private:
   void
   Extract()
   {
-    m_Wall.raw = ExtractWall(m_Bridges.occupancy);
     const auto           spacing = m_Occupancy->GetSpacing();
     const double         finest = std::min({ spacing[0], spacing[1], spacing[2] });
     WallSmoothingOptions smoothing;
-    smoothing.normalLimit = m_Options.normalLimit * finest;
     smoothing.tangentialLimit = m_Options.tangentialLimit * finest;
+    smoothing.normalLimit = 0.0;
+    m_Wall.raw = SmoothWall(ExtractWall(m_Bridges.occupancy), smoothing);
+    smoothing.normalLimit = m_Options.normalLimit * finest;
     m_Wall.repaired = SmoothWall(ExtractWall(m_RepairedField, m_Mask), smoothing);
     this->Advance(Step::Extracted);
   }
@@ -107,13 +108,17 @@ private:
   {
     OpenEndsOptions rawEnds = m_Options.ends;
     rawEnds.smoothRims = false; // the raw surface keeps the exact level
-    m_Wall.raw = OpenColonEnds(m_Wall.raw, m_Centreline, rawEnds).mesh;
-    OpenWall opened = OpenColonEnds(m_Wall.repaired, m_Centreline, m_Options.ends);
-    m_Wall.repaired = std::move(opened.mesh);
-    m_Wall.report.rectumRadius = opened.rectumRadius;
-    m_Wall.report.caecumRadius = opened.caecumRadius;
-    this->WarnOfSmallEnd("rectum", opened.rectumRadius);
-    this->WarnOfSmallEnd("caecum", opened.caecumRadius);
+    OpenWall raw = OpenColonEnds(m_Wall.raw, m_Centreline, rawEnds);
+    m_Wall.raw = std::move(raw.mesh);
+    OpenWall repaired = OpenColonEnds(m_Wall.repaired, m_Centreline, m_Options.ends);
+    m_Wall.repaired = std::move(repaired.mesh);
+    ColonWallReport & report = m_Wall.report;
+    report.rawGenus = raw.genus;
+    report.repairedGenus = repaired.genus;
+    report.rectumRadius = repaired.rectumRadius;
+    report.caecumRadius = repaired.caecumRadius;
+    this->WarnOfSmallEnd("rectum", repaired.rectumRadius);
+    this->WarnOfSmallEnd("caecum", repaired.caecumRadius);
     this->Advance(Step::Opened);
   }
 
@@ -141,7 +146,14 @@ private:
       m_Wall.report.warnings.push_back("the simplified wall has " + std::to_string(report.faces) +
                                        " faces instead of " + std::to_string(m_Options.faces) + ": " + report.reason);
     }
-    SetLoops(m_Wall.simplified, this->EndOfCentreline(true), this->EndOfCentreline(false));
+    const SurfaceConnectivity connectivity(m_Wall.simplified);
+    const int                 genus =
+      SetLoops(m_Wall.simplified, connectivity, this->EndOfCentreline(true), this->EndOfCentreline(false));
+    if (genus != m_Wall.report.repairedGenus)
+    {
+      throw InputError("the simplified wall has genus " + std::to_string(genus) + ", the repaired one " +
+                       std::to_string(m_Wall.report.repairedGenus));
+    }
     this->Advance(Step::Simplified);
   }
 
@@ -179,25 +191,10 @@ private:
     mesh.cellArrays.push_back(BridgedFaces(mesh, m_Bridges, m_Occupancy));
   }
 
-  static int
-  GenusOf(const SurfaceMesh & mesh)
-  {
-    const SurfaceConnectivity connectivity(mesh);
-    return connectivity.Components().front().genus.value_or(-1);
-  }
-
   void
   Report()
   {
     ColonWallReport & report = m_Wall.report;
-    report.rawGenus = GenusOf(m_Wall.raw);
-    report.repairedGenus = GenusOf(m_Wall.repaired);
-    const int simplifiedGenus = GenusOf(m_Wall.simplified);
-    if (simplifiedGenus != report.repairedGenus)
-    {
-      throw InputError("the simplified wall has genus " + std::to_string(simplifiedGenus) + ", the repaired one " +
-                       std::to_string(report.repairedGenus));
-    }
     report.rawFaces = m_Wall.raw.NumberOfFaces();
     report.repairedFaces = m_Wall.repaired.NumberOfFaces();
     report.simplifiedFaces = m_Wall.simplified.NumberOfFaces();

@@ -49,15 +49,18 @@ private:
   std::vector<char>   m_IsForbidden;
 };
 
-/** Writes field arrays `rectumLoop` and `caecumLoop` by the distance of the loops to the ends of the centreline. Throws
- * InputError unless the surface is one manifold component with two loops. */
-void
-SetLoops(SurfaceMesh & mesh, const Eigen::Vector3d & rectum, const Eigen::Vector3d & caecum);
+/** Writes field arrays `rectumLoop` and `caecumLoop` by the distance of the loops to the ends of the centreline, and
+ * gives the genus. Throws InputError unless the surface is one manifold component with two loops. */
+int
+SetLoops(SurfaceMesh &               mesh,
+         const SurfaceConnectivity & connectivity,
+         const Eigen::Vector3d &     rectum,
+         const Eigen::Vector3d &     caecum);
 
-/** Moves the vertices of the loops of SetLoops() along, so that the rims are smooth, as far as no face next to them
- * gets needle-shaped or turns over. */
+/** Moves the vertices of the boundary along, so that the rims are smooth, as far as no face next to them gets
+ * needle-shaped or turns over. */
 void
-SmoothRims(SurfaceMesh & mesh);
+SmoothRims(SurfaceMesh & mesh, const SurfaceConnectivity & connectivity);
 } // namespace itk
 
 #endif

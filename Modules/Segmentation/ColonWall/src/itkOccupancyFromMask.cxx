@@ -9,13 +9,32 @@ namespace itk
 {
 namespace
 {
-/** The value that as many voxels reach as the mask has. */
+constexpr float HighestLevel = 0.95F;
+
+/** The value that as many voxels reach as the mask has. It lies near 0.5: the others are only counted. */
 float
 LevelOfEqualVolume(const OccupancyImage * image, std::size_t voxels)
 {
+  std::vector<float> values;
+  std::size_t        above = 0;
   const float *      begin = image->GetBufferPointer();
-  std::vector<float> values(begin, begin + image->GetBufferedRegion().GetNumberOfPixels());
-  const auto         place = values.begin() + static_cast<std::ptrdiff_t>(voxels) - 1;
+  const float *      end = begin + image->GetBufferedRegion().GetNumberOfPixels();
+  for (const float * value = begin; value != end; ++value)
+  {
+    if (*value > HighestLevel)
+    {
+      ++above;
+    }
+    else if (*value > 0.0F)
+    {
+      values.push_back(*value);
+    }
+  }
+  if (above >= voxels || voxels - above > values.size())
+  {
+    return above >= voxels ? HighestLevel : 0.0F;
+  }
+  const auto place = values.begin() + static_cast<std::ptrdiff_t>(voxels - above) - 1;
   std::nth_element(values.begin(), place, values.end(), std::greater<float>());
   return *place;
 }

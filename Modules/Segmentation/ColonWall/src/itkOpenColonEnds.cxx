@@ -148,16 +148,19 @@ RequireClosed(const SurfaceMesh & mesh, const SurfaceConnectivity & connectivity
 }
 } // namespace
 
-void
-SetLoops(SurfaceMesh & mesh, const Eigen::Vector3d & rectum, const Eigen::Vector3d & caecum)
+int
+SetLoops(SurfaceMesh &               mesh,
+         const SurfaceConnectivity & connectivity,
+         const Eigen::Vector3d &     rectum,
+         const Eigen::Vector3d &     caecum)
 {
-  const SurfaceConnectivity connectivity(mesh);
-  const auto &              loops = connectivity.BoundaryLoops();
-  if (loops.size() != 2 || connectivity.Components().size() != 1 || !connectivity.IsManifold())
+  const auto & loops = connectivity.BoundaryLoops();
+  const auto & components = connectivity.Components();
+  if (loops.size() != 2 || components.size() != 1 || !connectivity.IsManifold() || !components.front().genus)
   {
     std::ostringstream text;
     text << "the opened wall is not one manifold surface with two boundary loops: " << loops.size() << " loops, "
-         << connectivity.Components().size() << " components";
+         << components.size() << " components";
     throw InputError(text.str());
   }
   const double straight = DistanceOfLoop(mesh, loops[0], rectum) + DistanceOfLoop(mesh, loops[1], caecum);
@@ -175,6 +178,7 @@ SetLoops(SurfaceMesh & mesh, const Eigen::Vector3d & rectum, const Eigen::Vector
       Eigen::Map<const Eigen::VectorXi>(loop.data(), static_cast<Eigen::Index>(loop.size())).cast<double>();
     mesh.fieldArrays.push_back(array);
   }
+  return *components.front().genus;
 }
 
 OpenWall
@@ -203,10 +207,11 @@ OpenColonEnds(const SurfaceMesh & closed, const CurveSet & centreline, const Ope
   remove(DiscAtEnd(cutter, rectumPole, caecumPole, options, "rectum", result.rectumRadius));
   remove(DiscAtEnd(cutter, caecumPole, rectumPole, options, "caecum", result.caecumRadius));
   result.mesh = WithoutFaces(closed, isRemoved);
-  SetLoops(result.mesh, rectum.origin, caecum.origin);
+  const SurfaceConnectivity connectivity(result.mesh);
+  result.genus = SetLoops(result.mesh, connectivity, rectum.origin, caecum.origin);
   if (options.smoothRims)
   {
-    SmoothRims(result.mesh);
+    SmoothRims(result.mesh, connectivity);
   }
   return result;
 }

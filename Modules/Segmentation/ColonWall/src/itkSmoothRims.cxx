@@ -78,9 +78,8 @@ SmoothLoop(SurfaceMesh & mesh, const SurfaceConnectivity & connectivity, const s
 } // namespace
 
 void
-SmoothRims(SurfaceMesh & mesh)
+SmoothRims(SurfaceMesh & mesh, const SurfaceConnectivity & connectivity)
 {
-  const SurfaceConnectivity connectivity(mesh);
   for (int round = 0; round < Rounds; ++round)
   {
     for (const auto & loop : connectivity.BoundaryLoops())

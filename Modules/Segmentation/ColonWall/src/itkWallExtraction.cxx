@@ -69,7 +69,7 @@ ContourOf(vtkImageData * field, const GridGeometry & grid)
   contour->ComputeNormalsOff();
   contour->ComputeScalarsOff();
   // VTK's other backends have thread counts of their own, and warn on stderr when they change.
-  vtkSMPTools::LocalScope(vtkSMPTools::Config{ "Sequential" }, [&contour] { contour->Update(); });
+  vtkSMPTools::LocalScope(vtkSMPTools::Config(std::string("Sequential")), [&contour] { contour->Update(); });
 
   vtkPolyData * surface = contour->GetOutput();
   SurfaceMesh   mesh;

@@ -274,6 +274,8 @@ TEST(ColonWall, TheChainOnABrokenTube)
   ExpectOpenEnds(wall.repaired, 0);
   ExpectOpenEnds(wall.simplified, 0);
   EXPECT_TRUE(wall.report.warnings.empty());
+  EXPECT_LT(15.0, itk::InspectSurface(wall.raw).smallestAngle.percentile1);
+  EXPECT_LT(15.0, itk::InspectSurface(wall.repaired).smallestAngle.percentile1);
   EXPECT_NEAR(3000, wall.simplified.NumberOfFaces(), 60);
   EXPECT_LT(15.0, itk::InspectSurface(wall.simplified).smallestAngle.percentile1);
   for (const itk::SurfaceMesh * mesh : { &wall.raw, &wall.repaired, &wall.simplified })
