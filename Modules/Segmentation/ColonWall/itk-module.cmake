@@ -10,6 +10,7 @@ itk_module(ColonWall
     ITKDistanceMap
     ITKSmoothing
   TEST_DEPENDS
+    DicomSeries
     ITKGoogleTest
   DESCRIPTION "${DOCUMENTATION}"
 )

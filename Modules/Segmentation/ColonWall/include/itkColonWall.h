@@ -110,6 +110,8 @@ struct ColonWallOptions
   /** And along the surface, so that no triangle is a needle. Vertices of the raw surface move along the surface only.
    */
   double tangentialLimit{ 0.7 };
+  /** Standard deviation of the smoothing of a mask, as a share of the mean spacing, from 0. */
+  double maskSmoothing{ 0.7 };
   /** Told the share that is done, from 0 to 1. */
   std::function<void(double)> progress;
 };
@@ -130,9 +132,9 @@ struct ColonWallReport
   std::vector<std::string> warnings;
 };
 
-/** The wall in three forms, each with two boundary loops, point array `arcLength` (of the closest point of the
- * centreline, mm), cell array `bridged` (1 on the tubes) and field arrays `rectumLoop`, `caecumLoop`. \ingroup
- * ColonWall
+/** The wall in three forms, each with two boundary loops (the raw one may stay closed, with a warning), point array
+ * `arcLength` (of the closest point of the centreline, mm), cell array `bridged` (1 on the tubes) and field arrays
+ * `rectumLoop`, `caecumLoop`. \ingroup ColonWall
  */
 struct ColonWall
 {
@@ -158,6 +160,11 @@ BuildColonWall(const OccupancyImage *   occupancy,
                const CurveSet &         centreline,
                const ColonWallOptions & options = {},
                const OccupancyImage *   repairedOccupancy = nullptr);
+
+/** The same from a mask: the raw surface is that of 0 and 1, the repaired one that of the smoothed mask.
+ * \ingroup ColonWall */
+ColonWall_EXPORT ColonWall
+BuildColonWallFromMask(const LumenMaskImage * mask, const CurveSet & centreline, const ColonWallOptions & options = {});
 } // namespace itk
 
 #endif

@@ -106,20 +106,35 @@ private:
   void
   Open()
   {
-    OpenEndsOptions rawEnds = m_Options.ends;
-    rawEnds.smoothRims = false; // the raw surface keeps the exact level
-    OpenWall raw = OpenColonEnds(m_Wall.raw, m_Centreline, rawEnds);
-    m_Wall.raw = std::move(raw.mesh);
-    OpenWall repaired = OpenColonEnds(m_Wall.repaired, m_Centreline, m_Options.ends);
-    m_Wall.repaired = std::move(repaired.mesh);
+    this->OpenRaw();
+    OpenWall opened = OpenColonEnds(m_Wall.repaired, m_Centreline, m_Options.ends);
+    m_Wall.repaired = std::move(opened.mesh);
     ColonWallReport & report = m_Wall.report;
-    report.rawGenus = raw.genus;
-    report.repairedGenus = repaired.genus;
-    report.rectumRadius = repaired.rectumRadius;
-    report.caecumRadius = repaired.caecumRadius;
-    this->WarnOfSmallEnd("rectum", repaired.rectumRadius);
-    this->WarnOfSmallEnd("caecum", repaired.caecumRadius);
+    report.repairedGenus = opened.genus;
+    report.rectumRadius = opened.rectumRadius;
+    report.caecumRadius = opened.caecumRadius;
+    this->WarnOfSmallEnd("rectum", opened.rectumRadius);
+    this->WarnOfSmallEnd("caecum", opened.caecumRadius);
     this->Advance(Step::Opened);
+  }
+
+  /** Handles next to an end may leave no disc to cut out; then the raw surface stays closed. */
+  void
+  OpenRaw()
+  {
+    OpenEndsOptions ends = m_Options.ends;
+    ends.smoothRims = false;
+    try
+    {
+      OpenWall opened = OpenColonEnds(m_Wall.raw, m_Centreline, ends);
+      m_Wall.raw = std::move(opened.mesh);
+      m_Wall.report.rawGenus = opened.genus;
+    }
+    catch (const InputError & error)
+    {
+      m_Wall.report.rawGenus = SurfaceConnectivity(m_Wall.raw).Components().front().genus.value_or(-1);
+      m_Wall.report.warnings.push_back(std::string("the raw surface stays closed: ") + error.what());
+    }
   }
 
   void
@@ -226,5 +241,16 @@ BuildColonWall(const OccupancyImage *   occupancy,
                      std::to_string(centreline.curves.size()) + " curves");
   }
   return Builder(occupancy, centreline, options, repairedOccupancy).Build();
+}
+
+ColonWall
+BuildColonWallFromMask(const LumenMaskImage * mask, const CurveSet & centreline, const ColonWallOptions & options)
+{
+  RequireUsage(options.maskSmoothing >= 0.0, "the smoothing of a lumen mask must not be negative");
+  const auto   spacing = mask->GetSpacing();
+  const double meanSpacing = std::cbrt(spacing[0] * spacing[1] * spacing[2]);
+  const auto   sharp = OccupancyFromMask(mask);
+  const auto   smooth = OccupancyFromMask(mask, options.maskSmoothing * meanSpacing);
+  return BuildColonWall(sharp, centreline, options, smooth);
 }
 } // namespace itk

@@ -320,6 +320,34 @@ TEST(ColonWall, TheChainCutsALeak)
   EXPECT_LT(15.0, itk::InspectSurface(wall.simplified).smallestAngle.percentile1);
 }
 
+TEST(ColonWall, TheChainOnAMask)
+{
+  const auto occupancy = TubeOccupancy(ObliqueGrid(true));
+  auto       mask = itk::LumenMaskImage::New();
+  mask->CopyInformation(occupancy);
+  mask->SetRegions(occupancy->GetBufferedRegion());
+  mask->Allocate();
+  for (std::size_t i = 0; i < occupancy->GetBufferedRegion().GetNumberOfPixels(); ++i)
+  {
+    mask->GetBufferPointer()[i] = occupancy->GetBufferPointer()[i] >= 0.5F ? 2 : 0;
+  }
+  itk::ColonWallOptions options;
+  options.faces = 3000;
+  const auto  wall = itk::BuildColonWallFromMask(mask, Centreline(TubeAxis), options);
+  const Depth tube = Tube({ TubeAxis.front(), TubeAxis.back() }, TubeRadius);
+  ExpectOpenEnds(wall.raw, 0);
+  ExpectOpenEnds(wall.repaired, 0);
+  ExpectOpenEnds(wall.simplified, 0);
+  EXPECT_LT(0.3, GreatestError(wall.raw, tube)); // stairs of the mask
+  EXPECT_GT(0.3, GreatestError(wall.repaired, tube));
+  double sum = 0.0;
+  for (Eigen::Index v = 0; v < wall.repaired.V.rows(); ++v)
+  {
+    sum += tube(wall.repaired.V.row(v));
+  }
+  EXPECT_NEAR(0.0, sum / static_cast<double>(wall.repaired.V.rows()), 0.06); // neither shrunk nor grown
+}
+
 TEST(ColonWall, SameBytesForAnyNumberOfThreads)
 {
   itk::ColonWallOptions options;
