@@ -133,8 +133,8 @@ struct ColonWallReport
 };
 
 /** The wall in three forms, each with two boundary loops (the raw one may stay closed, with a warning), point array
- * `arcLength` (of the closest point of the centreline, mm), cell array `bridged` (1 on the tubes) and field arrays
- * `rectumLoop`, `caecumLoop`. \ingroup ColonWall
+ * `arcLength` (of the closest point of the centreline within the lumen, mm), cell array `bridged` (1 on the tubes) and
+ * field arrays `rectumLoop`, `caecumLoop`. \ingroup ColonWall
  */
 struct ColonWall
 {

@@ -1,10 +1,10 @@
 #include "itkColonWall.h"
 
+#include "itkArcLengthField.h"
 #include "itkColonBridges.h"
 #include "itkCutDisc.h"
 #include "itkParallelFor.h"
 #include "itkSurfaceConnectivity.h"
-#include "itkSurfaceLocator.h"
 #include "itkSurfaceSimplification.h"
 #include "itkToolError.h"
 
@@ -46,9 +46,10 @@ public:
     this->Extract();
     this->Open();
     this->Simplify();
+    const ArcLengthField arcLengths(m_Mask, m_Centreline);
     for (SurfaceMesh * mesh : { &m_Wall.raw, &m_Wall.repaired, &m_Wall.simplified })
     {
-      this->AddArrays(*mesh);
+      this->AddArrays(*mesh, arcLengths);
     }
     this->Report();
     this->Advance(Step::Done);
@@ -179,28 +180,14 @@ private:
     return m_Centreline.V.row(isRectum ? curve.front() : curve.back());
   }
 
-  /** `arcLength` of the closest point of the centreline, and `bridged`. */
+  /** `arcLength` and `bridged`. */
   void
-  AddArrays(SurfaceMesh & mesh) const
+  AddArrays(SurfaceMesh & mesh, const ArcLengthField & field) const
   {
-    const auto & curve = m_Centreline.curves.front();
-    FaceMatrix   segments(static_cast<Eigen::Index>(curve.size()) - 1, 3);
-    for (Eigen::Index i = 0; i < segments.rows(); ++i)
-    {
-      segments.row(i) << curve[i], curve[i + 1], curve[i + 1]; // triangles without area
-    }
-    const SurfaceLocator  locator(m_Centreline.V, segments);
-    const Eigen::VectorXd arcLengths = PointValues(m_Centreline, "arcLength", "the centreline");
-    SurfaceArray          array{ "arcLength", SurfaceArray::ValueMatrix(mesh.NumberOfVertices(), 1), false };
+    SurfaceArray array{ "arcLength", SurfaceArray::ValueMatrix(mesh.NumberOfVertices(), 1), false };
     ParallelForEach(static_cast<std::size_t>(mesh.NumberOfVertices()), [&](std::size_t i) {
-      const auto            v = static_cast<Eigen::Index>(i);
-      const auto            closest = locator.FindClosest(mesh.V.row(v));
-      const int             a = segments(closest.face, 0);
-      const int             b = segments(closest.face, 1);
-      const Eigen::Vector3d way = m_Centreline.V.row(b) - m_Centreline.V.row(a);
-      const double          along = (closest.point - m_Centreline.V.row(a).transpose()).dot(way);
-      const double          share = way.squaredNorm() > 0.0 ? along / way.squaredNorm() : 0.0;
-      array.values(v, 0) = arcLengths[a] + share * (arcLengths[b] - arcLengths[a]);
+      const auto v = static_cast<Eigen::Index>(i);
+      array.values(v, 0) = field.ArcLengthAt(mesh.V.row(v));
     });
     mesh.pointArrays.push_back(std::move(array));
     mesh.cellArrays.push_back(BridgedFaces(mesh, m_Bridges, m_Occupancy));

@@ -320,6 +320,31 @@ TEST(ColonWall, TheChainCutsALeak)
   EXPECT_LT(15.0, itk::InspectSurface(wall.simplified).smallestAngle.percentile1);
 }
 
+TEST(ColonWall, ArcLengthIsThatOfTheOwnLoop)
+{
+  // A wide leg beside a narrow one, 1 mm between them: its wall is closer to the axis of the narrow leg.
+  Points axis = Line({ 0, 0, 0 }, { 0, 0, 50 });
+  for (const Points & part : { Line({ 1, 0, 50 }, { 19, 0, 50 }), Line({ 19, 0, 49 }, { 19, 0, 0 }) })
+  {
+    axis.insert(axis.end(), part.begin(), part.end());
+  }
+  const Depth           lumen = Union(Tube({ { 0, 0, 0 }, { 0, 0, 50 } }, 14), Tube(axis, 4));
+  itk::ColonWallOptions options;
+  options.faces = 4000;
+  options.ends.radius = 5.0;
+  const auto wall =
+    itk::BuildColonWall(Occupancy(lumen, BoxOf(axis, 14), ObliqueGrid(true), 2.0), Centreline(axis), options);
+  const auto & arcLength = itk::FindSurfaceArray(wall.repaired.pointArrays, "arcLength")->values;
+  for (Eigen::Index v = 0; v < wall.repaired.V.rows(); ++v)
+  {
+    const Eigen::Vector3d p = wall.repaired.V.row(v);
+    if (p[2] > 0.0 && p[2] < 30.0 && std::abs(p[0] - 14.5) > 0.2)
+    {
+      EXPECT_NEAR(p[0] < 14.5 ? p[2] : 119.0 - p[2], arcLength(v, 0), 0.5) << p.transpose();
+    }
+  }
+}
+
 TEST(ColonWall, TheChainOnAMask)
 {
   const auto occupancy = TubeOccupancy(ObliqueGrid(true));
