@@ -1,7 +1,7 @@
 #include "itkColonBridges.h"
 
 #include "itkOccupancySampling.h"
-#include "itkParallelFor.h"
+#include "itkParallelBlocks.h"
 #include "itkToolError.h"
 
 #include <Eigen/Geometry>

@@ -3,7 +3,7 @@
 #include "itkArcLengthField.h"
 #include "itkColonBridges.h"
 #include "itkCutDisc.h"
-#include "itkParallelFor.h"
+#include "itkParallelBlocks.h"
 #include "itkSurfaceConnectivity.h"
 #include "itkSurfaceSimplification.h"
 #include "itkToolError.h"
@@ -15,7 +15,6 @@ namespace itk
 {
 namespace
 {
-/** Share of the time that has passed at the end of each step, roughly. */
 enum class Step
 {
   Bridged,
@@ -25,6 +24,14 @@ enum class Step
   Simplified,
   Done
 };
+
+/** Of the time, roughly. */
+double
+ShareAfter(Step step)
+{
+  constexpr double shares[] = { 0.02, 0.2, 0.3, 0.5, 0.95, 1.0 };
+  return shares[static_cast<int>(step)];
+}
 
 class Builder
 {
@@ -60,10 +67,9 @@ private:
   void
   Advance(Step step) const
   {
-    constexpr double shares[] = { 0.05, 0.25, 0.4, 0.6, 0.9, 1.0 };
     if (m_Options.progress)
     {
-      m_Options.progress(shares[static_cast<int>(step)]);
+      m_Options.progress(ShareAfter(step));
     }
   }
 
@@ -155,6 +161,13 @@ private:
   {
     SurfaceSimplificationOptions options;
     options.targetFaces = m_Options.faces;
+    if (m_Options.progress)
+    {
+      options.progress = [this](double share) {
+        m_Options.progress(ShareAfter(Step::Opened) +
+                           share * (ShareAfter(Step::Simplified) - ShareAfter(Step::Opened)));
+      };
+    }
     SurfaceSimplificationReport report;
     m_Wall.simplified = SimplifySurface(m_Wall.repaired, options, &report);
     if (!report.reachedTarget)

@@ -1,5 +1,5 @@
 #include "itkColonWall.h"
-#include "itkParallelFor.h"
+#include "itkParallelBlocks.h"
 #include "itkToolError.h"
 #include "itkVertexNeighbours.h"
 

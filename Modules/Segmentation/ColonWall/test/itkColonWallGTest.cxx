@@ -269,6 +269,11 @@ TEST(ColonWall, TheChainOnABrokenTube)
   itk::ColonWallOptions options;
   options.faces = 3000;
   options.ends.radius = 8.0;
+  double progress = 0.0;
+  options.progress = [&progress](double share) {
+    EXPECT_LE(progress, share);
+    progress = share;
+  };
   const auto wall = itk::BuildColonWall(BrokenTube(ObliqueGrid(true)), BrokenCentreline(), options);
   ExpectOpenEnds(wall.raw, 0);
   ExpectOpenEnds(wall.repaired, 0);
@@ -277,6 +282,7 @@ TEST(ColonWall, TheChainOnABrokenTube)
   EXPECT_LT(15.0, itk::InspectSurface(wall.raw).smallestAngle.percentile1);
   EXPECT_LT(15.0, itk::InspectSurface(wall.repaired).smallestAngle.percentile1);
   EXPECT_NEAR(3000, wall.simplified.NumberOfFaces(), 60);
+  EXPECT_EQ(1.0, progress);
   EXPECT_LT(15.0, itk::InspectSurface(wall.simplified).smallestAngle.percentile1);
   for (const itk::SurfaceMesh * mesh : { &wall.raw, &wall.repaired, &wall.simplified })
   {

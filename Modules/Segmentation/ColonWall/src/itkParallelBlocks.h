@@ -1,5 +1,5 @@
-#ifndef itkParallelFor_h
-#define itkParallelFor_h
+#ifndef itkParallelBlocks_h
+#define itkParallelBlocks_h
 
 #include "itkMultiThreaderBase.h"
 
