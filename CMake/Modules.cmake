@@ -12,4 +12,5 @@ set(Shapeton_MODULES
   Visualization/ShapeRendering
   Visualization/ColonReport
   Phantom/ShapePhantom
+  Phantom/ColonPhantom
 )
