@@ -1,5 +1,10 @@
 #include "itkColonAnatomy.h"
 
+#include "itkColonField.h"
+#include "itkColonTruth.h"
+#include "itkColonWallSurface.h"
+#include "itkToolError.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -7,58 +12,48 @@ namespace itk
 {
 using Eigen::Vector3d;
 
-// A smooth tube through a few points, until the full anatomy takes its place.
+namespace
+{
+const ColonPhantomParameters &
+Checked(const ColonPhantomParameters & parameters)
+{
+  RequireValid(parameters);
+  return parameters;
+}
+
+// The wall's radius at each node as the position will have it, for which stretches must make room.
+std::vector<double>
+NodeRadii(const ColonPath & rest, const ColonPlan & plan, const ColonPhantomParameters & parameters)
+{
+  const int           steps = ColonCurve::NumberOfSteps(rest.Length());
+  const ColonRelief   relief(plan, parameters, steps);
+  std::vector<double> radii;
+  for (double material : rest.material)
+  {
+    radii.push_back(std::max(3.0, relief.MeanRadiusAt(material / rest.Length() * steps)));
+  }
+  return radii;
+}
+} // namespace
+
 struct ColonAnatomy::Data
 {
+  explicit Data(const ColonPhantomParameters & p)
+    : parameters(Checked(p))
+    , rest(RestPath(p.seed))
+    , plan(rest, p.seed, p.polyps)
+    , field(PositionedPath(rest, NodeRadii(rest, plan, p), p), plan, p, Reach)
+  {}
+
   ColonPhantomParameters parameters;
-  std::vector<Vector3d>  points;
-  std::vector<double>    arcLength;
-  std::vector<double>    radius;
-  std::vector<int>       segment;
+  ColonPath              rest;
+  ColonPlan              plan;
+  ColonField             field;
 };
 
 ColonAnatomy::ColonAnatomy(const ColonPhantomParameters & parameters)
-{
-  RequireValid(parameters);
-  auto data = std::make_unique<Data>();
-  data->parameters = parameters;
-  struct Node
-  {
-    double x, y, z, r;
-    int    segment;
-  };
-  const Node nodes[] = {
-    { 0, 52, -152, 4, 1 },    { 0, 42, -124, 5, 1 },    { 0, 62, -105, 22, 1 },   { 2, 72, -80, 24, 1 },
-    { 6, 55, -48, 18, 1 },    { -30, 10, -60, 14, 2 },  { -40, -30, -75, 14, 2 }, { 0, -60, -50, 14, 2 },
-    { 35, -40, -30, 14, 2 },  { 55, 0, -75, 14, 2 },    { 90, 30, -60, 15, 2 },   { 112, 50, -10, 16, 3 },
-    { 118, 60, 50, 17, 3 },   { 116, 60, 100, 18, 3 },  { 105, 40, 130, 19, 4 },  { 75, -10, 105, 20, 4 },
-    { 45, -60, 50, 20, 4 },   { 0, -70, 10, 20, 4 },    { -45, -60, 45, 21, 4 },  { -85, -15, 85, 21, 4 },
-    { -110, 30, 85, 22, 5 },  { -114, 50, 40, 23, 5 },  { -112, 50, -10, 24, 5 }, { -105, 40, -50, 28, 6 },
-    { -98, 22, -80, 28, 6 },
-  };
-  const int count = static_cast<int>(std::size(nodes));
-  for (int i = 0; i + 1 < count; ++i)
-  {
-    const auto at = [&](int k) {
-      const Node & n = nodes[std::clamp(k, 0, count - 1)];
-      return Eigen::Vector4d(n.x, n.y, n.z, n.r);
-    };
-    for (int j = 0; j < 16; ++j)
-    {
-      const double          t = j / 16.0;
-      const Eigen::Vector4d a = at(i - 1), b = at(i), c = at(i + 1), d = at(i + 2);
-      const Eigen::Vector4d p =
-        0.5 * (2 * b + t * (c - a) + t * t * (2 * a - 5 * b + 4 * c - d) + t * t * t * (3 * b - a - 3 * c + d));
-      data->points.push_back(p.head<3>());
-      data->radius.push_back(std::max(3.0, p[3]));
-      data->segment.push_back(nodes[i].segment);
-      const std::size_t n = data->points.size();
-      data->arcLength.push_back(
-        n == 1 ? 0.0 : data->arcLength.back() + (data->points[n - 1] - data->points[n - 2]).norm());
-    }
-  }
-  m_Data = std::move(data);
-}
+  : m_Data(std::make_unique<const Data>(parameters))
+{}
 
 ColonAnatomy::~ColonAnatomy() = default;
 
@@ -71,123 +66,103 @@ ColonAnatomy::GetParameters() const
 ColonAnatomy::Sample
 ColonAnatomy::Evaluate(const Vector3d & point) const
 {
-  Sample sample{ -Reach, 0.0, 0.0, 0 };
-  for (std::size_t i = 0; i + 1 < m_Data->points.size(); ++i)
+  ColonField::Place place;
+  if (!m_Data->field.Evaluate(point, place) || place.distance.value <= -Reach)
   {
-    const Vector3d & a = m_Data->points[i];
-    const Vector3d   edge = m_Data->points[i + 1] - a;
-    const double     t = std::clamp((point - a).dot(edge) / edge.squaredNorm(), 0.0, 1.0);
-    const double     radius = (1 - t) * m_Data->radius[i] + t * m_Data->radius[i + 1];
-    const double     distance = std::min(radius - (point - a - t * edge).norm(), Reach);
-    if (distance > sample.distance)
-    {
-      sample = { distance, m_Data->arcLength[i] + t * edge.norm(), 0.0, m_Data->segment[i] };
-    }
+    return { -Reach, 0.0, 0.0, 0 };
   }
-  return sample;
+  const ColonCurve & curve = m_Data->field.GetCurve();
+  return { std::min(place.distance.value, Reach),
+           curve.ArcLengthAt(place.t),
+           place.angle,
+           m_Data->plan.SegmentAt(place.t * curve.GetStep()) };
 }
 
 CurveSet
 ColonAnatomy::Centreline() const
 {
-  const auto  n = static_cast<Eigen::Index>(m_Data->points.size());
-  CurveSet    result;
-  SurfaceArray arcLength{ "arcLength", SurfaceArray::ValueMatrix(n, 1), false };
-  SurfaceArray radius{ "radius", SurfaceArray::ValueMatrix(n, 1), false };
-  SurfaceArray segment{ "segment", SurfaceArray::ValueMatrix(n, 1), true };
-  SurfaceArray collapsed{ "collapsed", SurfaceArray::ValueMatrix::Zero(n, 1), true };
-  result.V.resize(n, 3);
-  result.curves.resize(1);
-  for (Eigen::Index i = 0; i < n; ++i)
-  {
-    result.V.row(i) = m_Data->points[i];
-    result.curves[0].push_back(static_cast<int>(i));
-    arcLength.values(i, 0) = m_Data->arcLength[i];
-    radius.values(i, 0) = m_Data->radius[i];
-    segment.values(i, 0) = m_Data->segment[i];
-  }
-  SurfaceArray inscribed = radius;
-  inscribed.name = "inscribedRadius";
-  result.pointArrays = { arcLength, radius, inscribed, segment, collapsed };
-  return result;
+  return ColonCentrelineTruth(m_Data->plan, m_Data->field);
 }
 
 CurveSet
 ColonAnatomy::Taeniae() const
 {
-  return {};
+  return ColonTaeniaTruth(m_Data->plan, m_Data->field);
 }
 
 CurveSet
 ColonAnatomy::Folds() const
 {
-  return {};
+  return ColonFoldTruth(m_Data->plan, m_Data->field);
 }
 
 std::vector<ColonPolyp>
 ColonAnatomy::Polyps() const
 {
-  return {};
+  return ColonPolypTruth(m_Data->plan, m_Data->field);
 }
 
 CurveSet
 ColonAnatomy::Correspondence() const
 {
-  return {};
+  return ColonCorrespondenceTruth(m_Data->plan, m_Data->field);
 }
 
 SurfaceMesh
-ColonAnatomy::Wall(double) const
+ColonAnatomy::Wall(double edgeLength) const
 {
-  return {};
+  RequireUsage(edgeLength >= 0.1 && edgeLength <= 5, "the edge length of the wall must be from 0.1 to 5 mm");
+  Vector3d low, high;
+  this->BoundingBox(2.0, low, high);
+  return ExtractColonWall(m_Data->field, low, high, edgeLength);
 }
 
 double
 ColonAnatomy::Length() const
 {
-  return m_Data->arcLength.back();
+  return m_Data->field.GetCurve().Length();
 }
 
 int
 ColonAnatomy::SegmentAt(double arcLength) const
 {
-  const auto   above = std::upper_bound(m_Data->arcLength.begin(), m_Data->arcLength.end(), arcLength);
-  const size_t i = above - m_Data->arcLength.begin();
-  return m_Data->segment[i == 0 ? 0 : i - 1];
+  const ColonCurve & curve = m_Data->field.GetCurve();
+  return m_Data->plan.SegmentAt(curve.ParameterAt(arcLength) * curve.GetStep());
 }
 
 std::string
 ColonAnatomy::SegmentName(int segment)
 {
-  static const std::vector<std::string> names{ "rectum", "sigmoid", "descending", "transverse", "ascending", "caecum" };
+  static const std::vector<std::string> names{ "rectum",     "sigmoid",   "descending",
+                                               "transverse", "ascending", "caecum" };
   return segment >= 1 && segment <= 6 ? names[segment - 1] : std::string();
 }
 
 void
 ColonAnatomy::BoundingBox(double margin, Vector3d & low, Vector3d & high) const
 {
+  const ColonField & field = m_Data->field;
   low.setConstant(1e9);
   high.setConstant(-1e9);
-  for (std::size_t i = 0; i < m_Data->points.size(); ++i)
+  for (int k = 0; k <= field.GetCurve().GetNumberOfSteps(); ++k)
   {
-    const Vector3d spread = Vector3d::Constant(m_Data->radius[i] + margin);
-    low = low.cwiseMin(m_Data->points[i] - spread);
-    high = high.cwiseMax(m_Data->points[i] + spread);
+    const Vector3d spread = Vector3d::Constant(field.GetRelief().LargestRadiusNear(k) + margin);
+    low = low.cwiseMin(field.GetCurve().At(k).position - spread);
+    high = high.cwiseMax(field.GetCurve().At(k).position + spread);
   }
 }
 
 Vector3d
 ColonAnatomy::SpineAxis(double z)
 {
-  // The sacrum bends back behind the rectum and forwards again at its tip.
-  const double below = std::clamp((-50.0 - z) / 90.0, 0.0, 1.0);
-  return { 0.0, 80.0 + 35.0 * std::sin(3.0 * below), z };
+  return SpineAxisAt(z);
 }
 
 void
 ColonAnatomy::AnalVerge(Vector3d & point, Vector3d & inwards) const
 {
-  point = m_Data->points[0];
-  inwards = (m_Data->points[8] - m_Data->points[0]).normalized();
+  const ColonCurve::Frame frame = m_Data->field.GetCurve().At(0.0);
+  point = frame.position;
+  inwards = frame.first.normalized();
 }
 } // namespace itk
