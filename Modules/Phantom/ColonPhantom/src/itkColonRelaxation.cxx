@@ -56,14 +56,16 @@ ColonRelaxation::PullToAnchors()
 void
 ColonRelaxation::Unbend()
 {
-  for (int span : { 1, 3 })
+  // Long spans against waves of several radii, the short one against kinks.
+  for (int span : { 4, 2, 1 })
   {
     const std::vector<Vector3d> old = m_Nodes;
     for (std::size_t i = span; i + span < old.size(); ++i)
     {
       if (i >= c_Held)
       {
-        m_Nodes[i] += (span == 1 ? 0.3 : 0.04) * (0.5 * (old[i - span] + old[i + span]) - old[i]);
+        const double strength = span == 4 ? 0.03 : (span == 2 ? 0.1 : 0.4);
+        m_Nodes[i] += strength * (0.5 * (old[i - span] + old[i + span]) - old[i]);
       }
     }
   }
@@ -150,7 +152,7 @@ ColonRelaxation::Confine()
 void
 ColonRelaxation::KeepLengths()
 {
-  for (int pass = 0; pass < 6; ++pass)
+  for (int pass = 0; pass < 3; ++pass)
   {
     for (std::size_t k = 1; k < m_Nodes.size(); ++k)
     {
@@ -159,8 +161,8 @@ ColonRelaxation::KeepLengths()
       const Vector3d    edge = m_Nodes[i] - m_Nodes[i - 1];
       const double      length = edge.norm();
       const double      over = (length - (m_Material[i] - m_Material[i - 1])) / std::max(length, 1e-6);
-      const double      first = i - 1 < c_Held ? 0.0 : 0.5;
-      const double      second = i < c_Held ? 0.0 : 1.0 - first;
+      const double      first = i - 1 < c_Held ? 0.0 : 0.4;
+      const double      second = i < c_Held ? 0.0 : 0.8 - first;
       m_Nodes[i - 1] += first * over * edge;
       m_Nodes[i] -= second * over * edge;
     }
