@@ -24,11 +24,11 @@ const std::vector<TemplateSegment> &
 Template()
 {
   static const std::vector<TemplateSegment> segments{
-    { 150, 165, { { 0, 50, -156 }, { 0, 41, -127 }, { 0, 56, -111 }, { -6, 70, -91 }, { 6, 66, -66 }, { 0, 40, -48 } } },
-    { 430,
-      600,
-      { { 0, 40, -48 },
-        { -28, 20, -40 },
+    { 150, 165, { { 0, 50, -156 }, { 0, 43, -127 }, { 0, 54, -110 }, { -4, 66, -90 }, { 4, 60, -64 }, { 0, 36, -48 } } },
+    { 500,
+      760,
+      { { 0, 36, -48 },
+        { -28, 16, -40 },
         { -62, 0, -50 },
         { -72, -35, -40 },
         { -45, -62, -22 },
@@ -38,11 +38,11 @@ Template()
         { 55, 0, -92 },
         { 88, 15, -75 },
         { 108, 44, -45 } } },
-    { 240,
-      300,
+    { 255,
+      330,
       { { 108, 44, -45 }, { 122, 48, -15 }, { 106, 58, 20 }, { 122, 56, 55 }, { 110, 62, 92 }, { 108, 44, 126 } } },
-    { 490,
-      690,
+    { 620,
+      900,
       { { 108, 44, 126 },
         { 82, 18, 130 },
         { 80, -24, 110 },
@@ -54,7 +54,7 @@ Template()
         { -68, -66, 40 },
         { -80, -34, 68 },
         { -98, 8, 92 } } },
-    { 190, 230, { { -98, 8, 92 }, { -114, 44, 84 }, { -112, 58, 45 }, { -122, 54, 5 }, { -114, 50, -35 } } },
+    { 200, 245, { { -98, 8, 92 }, { -114, 44, 84 }, { -112, 58, 45 }, { -122, 54, 5 }, { -114, 50, -35 } } },
     { 55, 65, { { -114, 50, -35 }, { -112, 36, -60 }, { -102, 18, -82 } } },
   };
   return segments;
@@ -127,7 +127,7 @@ SpineAxisAt(double z)
 {
   // The sacrum bends back behind the rectum and forwards again at its tip.
   const double below = std::clamp((-50.0 - z) / 90.0, 0.0, 1.0);
-  return { 0.0, 80.0 + 35.0 * std::sin(3.0 * below), z };
+  return { 0.0, 80.0 + 40.0 * std::sin(3.0 * below), z };
 }
 
 ColonPath
@@ -198,7 +198,7 @@ RestRadius(const ColonPath & path, unsigned seed, int count)
     // The sigmoid has contracted stretches.
     value *= 1.0 - (segment == 2 ? 0.42 : 0.0) * SmoothStep(0.35, 0.9, narrow(m));
     // The anal canal opens into the ampulla.
-    radius[i] = 4.0 + (value - 4.0) * SmoothStep(22.0, 55.0, m);
+    radius[i] = 4.0 + (std::min(value, 28.0) - 4.0) * SmoothStep(22.0, 55.0, m);
   }
   return radius;
 }

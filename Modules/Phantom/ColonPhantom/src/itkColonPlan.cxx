@@ -100,7 +100,7 @@ ColonPlan::MakeFold(double material, double angle, double halfAngle, ColonRandom
   fold.angle = angle;
   fold.halfAngle = halfAngle;
   // Wide stretches have the higher folds; quartiles 3.5, 6.6 and 11.4 mm.
-  fold.height = std::clamp(7.0 * std::exp(0.87 * (0.45 * wide + 0.85 * random.Normal())), 1.8, 15.0);
+  fold.height = std::clamp(7.6 * std::exp(0.9 * (0.5 * wide + 0.85 * random.Normal())), 1.8, 15.0);
   fold.thickness = random.Uniform(1.5, 3.0);
   fold.slant = random.Uniform(-3.0, 3.0);
   fold.bow = random.Uniform(-2.5, 4.0);

@@ -40,6 +40,10 @@ ColonRelaxation::Run(int rounds)
     this->PushApart();
     this->Confine();
     this->KeepLengths();
+    for (int pass = 0; pass < 4; ++pass)
+    {
+      this->OpenBends();
+    }
   }
 }
 
@@ -67,6 +71,26 @@ ColonRelaxation::Unbend()
         const double strength = span == 4 ? 0.03 : (span == 2 ? 0.1 : 0.4);
         m_Nodes[i] += strength * (0.5 * (old[i - span] + old[i + span]) - old[i]);
       }
+    }
+  }
+}
+
+// No bend is tighter than the tube is wide.
+void
+ColonRelaxation::OpenBends()
+{
+  for (std::size_t i = c_Held; i + 1 < m_Nodes.size(); ++i)
+  {
+    const Vector3d off = 0.5 * (m_Nodes[i - 1] + m_Nodes[i + 1]) - m_Nodes[i];
+    const double   step = 0.5 * (m_Nodes[i + 1] - m_Nodes[i - 1]).norm();
+    const double   allowed = 0.5 * step * step / (1.1 * m_Radius[i] + 2.0);
+    const double   size = off.norm();
+    if (size > allowed)
+    {
+      const Vector3d move = 0.5 * (1.0 - allowed / size) * off;
+      m_Nodes[i] += move;
+      m_Nodes[i - 1] -= (i - 1 < c_Held ? 0.0 : 0.5) * move;
+      m_Nodes[i + 1] -= 0.5 * move;
     }
   }
 }
@@ -141,7 +165,7 @@ ColonRelaxation::Confine()
     const Vector3d spine = SpineAxisAt(p.z());
     const Vector3d off = p - spine;
     const double   distance = off.norm();
-    const double   least = (p.z() > -50.0 ? 31.0 : 24.0) + r;
+    const double   least = (p.z() > -50.0 ? 31.0 : 18.0) + r;
     if (distance < least && distance > 1e-6)
     {
       p += 0.5 * (least / distance - 1.0) * off;

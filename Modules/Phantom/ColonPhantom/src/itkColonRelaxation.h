@@ -52,6 +52,8 @@ private:
   void
   Unbend();
   void
+  OpenBends();
+  void
   PushApart();
   void
   PullContacts();
