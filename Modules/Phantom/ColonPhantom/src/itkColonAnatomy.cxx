@@ -26,7 +26,7 @@ std::vector<double>
 NodeRadii(const ColonPath & rest, const ColonPlan & plan, const ColonPhantomParameters & parameters)
 {
   const int           steps = ColonCurve::NumberOfSteps(rest.Length());
-  const ColonRelief   relief(plan, parameters, steps);
+  const ColonRelief   relief(plan, parameters, nullptr);
   std::vector<double> radii;
   for (double material : rest.material)
   {

@@ -120,6 +120,14 @@ ColonCurve::NormalAt(double t, const Vector3d & tangent) const
   return (n - n.dot(tangent) * tangent).normalized();
 }
 
+Vector3d
+ColonCurve::Direction(double t, double angle) const
+{
+  const Vector3d tangent = this->At(t).first.normalized();
+  const Vector3d normal = this->NormalAt(t, tangent);
+  return std::cos(angle) * normal + std::sin(angle) * tangent.cross(normal);
+}
+
 double
 ColonCurve::ArcLengthAt(double t) const
 {

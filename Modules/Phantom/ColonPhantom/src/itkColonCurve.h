@@ -52,6 +52,10 @@ public:
   Vector3d
   NormalAt(double t, const Vector3d & tangent) const;
 
+  /** Unit vector from the centreline at this angle. */
+  Vector3d
+  Direction(double t, double angle) const;
+
   /** mm from the anal verge. */
   double
   ArcLengthAt(double t) const;

@@ -93,8 +93,8 @@ ColonField::ColonField(const ColonPath &              path,
                        const ColonPlan &              plan,
                        const ColonPhantomParameters & parameters,
                        double                         reach)
-  : m_Relief(plan, parameters, ColonCurve::NumberOfSteps(plan.Length()))
-  , m_Curve(path, m_Relief.GetTwist())
+  : m_Curve(path, ColonTwist(plan, parameters))
+  , m_Relief(plan, parameters, &m_Curve)
   , m_Reach(reach)
 {
   std::vector<double> reaches;
@@ -150,7 +150,7 @@ ColonField::WallDistance(const Local & local) const
 {
   const ReliefValue radius = m_Relief.RadiusAt(local.t, local.angle);
   // Near the centreline angles mean little.
-  const double  arm = std::max(local.distance, 0.5 * std::abs(radius.value) + 0.1);
+  const double  arm = std::max(local.distance, 0.7 * std::abs(radius.value) + 0.1);
   ColonDistance wall{ radius.value - local.distance,
                       (radius.byAngle / arm) * local.around + (radius.byT / local.speed) * local.tangent -
                         local.outwards };
@@ -169,7 +169,8 @@ ColonField::AddFolds(const Local & local, ColonDistance & distance) const
     {
       continue;
     }
-    const double arm = std::max(local.distance, 0.3 * std::abs(crest.value) + 0.1);
+    // Slopes count at the crest and behind it; near the centreline angles mean little.
+    const double arm = std::max(local.distance, 0.8 * std::abs(crest.value) + 0.1);
     // Across the fold, and towards the lumen from the middle of its crest.
     const double   slant = t.byAngle * local.speed / arm;
     const double   slantLength = std::sqrt(1.0 + slant * slant);
@@ -278,18 +279,10 @@ ColonField::Evaluate(const Vector3d & point, Place & place) const
 }
 
 Vector3d
-ColonField::Direction(double t, double angle) const
-{
-  const Vector3d tangent = m_Curve.At(t).first.normalized();
-  const Vector3d normal = m_Curve.NormalAt(t, tangent);
-  return std::cos(angle) * normal + std::sin(angle) * tangent.cross(normal);
-}
-
-Vector3d
 ColonField::WallPoint(double t, double angle, double & radius) const
 {
   const Vector3d centre = m_Curve.At(t).position;
-  const Vector3d direction = this->Direction(t, angle);
+  const Vector3d direction = m_Curve.Direction(t, angle);
   const auto     distanceAt = [&](double r) {
     Place place;
     return this->Evaluate(centre + r * direction, place) ? place.distance.value : -m_Reach;
@@ -329,7 +322,7 @@ ColonField::PlacePolyps(const ColonPlan & plan)
     }
     double radius;
     body.base = this->WallPoint(body.t, body.angle, radius);
-    body.axis = -this->Direction(body.t, body.angle);
+    body.axis = -m_Curve.Direction(body.t, body.angle);
     Place place;
     if (polyp.fold < 0 && this->Evaluate(body.base, place))
     {

@@ -57,10 +57,6 @@ public:
   Eigen::Vector3d
   WallPoint(double t, double angle, double & radius) const;
 
-  /** Unit vector from the centreline at this angle. */
-  Eigen::Vector3d
-  Direction(double t, double angle) const;
-
   const ColonCurve &
   GetCurve() const
   {
@@ -94,8 +90,8 @@ private:
   void
   FillSepta(const ColonPath & path, double least);
 
-  ColonRelief                   m_Relief;
   ColonCurve                    m_Curve;
+  ColonRelief                   m_Relief;
   double                        m_Reach;
   std::vector<double>           m_Septum; ///< at each step
   std::vector<PolypBody>        m_Polyps;

@@ -240,8 +240,8 @@ ColonRelaxation::DrawTogether(const std::vector<ColonPath::Contact> & contacts)
     {
       for (int b = std::max(0, contact.second - 3); b <= std::min(count - 1, contact.second + 3); ++b)
       {
-        // The walls would overlap a little, so that they flatten against each other.
-        m_Slack(a, b) = m_Slack(b, a) = c_Septum + 2.5;
+        // The walls would overlap a little where haustra bulge, so that they flatten against each other.
+        m_Slack(a, b) = m_Slack(b, a) = c_Septum + 1.0;
       }
     }
   }

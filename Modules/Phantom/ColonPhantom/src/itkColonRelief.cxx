@@ -80,21 +80,34 @@ FoldCourse::At(double u, ReliefValue & tValue, ReliefValue & crestValue) const
   return true;
 }
 
-ColonRelief::ColonRelief(const ColonPlan & plan, const ColonPhantomParameters & parameters, int steps)
-  : m_Steps(steps)
-  , m_Step(plan.Length() / steps)
-  , m_Rows(c_RowsPerStep * steps + 1)
+std::vector<double>
+ColonTwist(const ColonPlan & plan, const ColonPhantomParameters & parameters)
 {
-  ColonRandom       random(parameters.seed, ColonStream::Torsion, PositionNumber(parameters.position));
-  const SmoothNoise twist(random, plan.Length(), 200.0);
+  const int           steps = ColonCurve::NumberOfSteps(plan.Length());
+  ColonRandom         random(parameters.seed, ColonStream::Torsion, PositionNumber(parameters.position));
+  const SmoothNoise   noise(random, plan.Length(), 200.0);
+  std::vector<double> twist;
   for (int k = 0; k <= steps; ++k)
   {
-    m_Twist.push_back(parameters.torsion * M_PI / 180.0 * std::clamp(twist(k * m_Step), -1.0, 1.0));
+    twist.push_back(parameters.torsion * M_PI / 180.0 * std::clamp(noise(k * plan.Length() / steps), -1.0, 1.0));
   }
+  return twist;
+}
+
+ColonRelief::ColonRelief(const ColonPlan & plan, const ColonPhantomParameters & parameters, const ColonCurve * curve)
+  : m_Steps(ColonCurve::NumberOfSteps(plan.Length()))
+  , m_Step(plan.Length() / m_Steps)
+  , m_Rows(c_RowsPerStep * m_Steps + 1)
+{
   this->FillCollapse(plan, parameters);
   this->FillBase(plan, parameters);
   const std::vector<double> places = this->FoldPlaces(plan, parameters);
   this->FillTable(plan, places, parameters);
+  if (curve)
+  {
+    this->RelieveBends(*curve);
+  }
+  this->SumUpRows();
   this->LayFolds(plan, places, parameters);
 }
 
@@ -230,6 +243,36 @@ ColonRelief::FillTable(const ColonPlan &              plan,
         base + haustra * (0.2 * bulge - 0.06 - 0.05 * band) + rough * roughness.At(m, angle));
     }
   }
+}
+
+// The wall on the inside of a bend stays nearer than the centre of curvature, where it would cross itself.
+void
+ColonRelief::RelieveBends(const ColonCurve & curve)
+{
+  constexpr double straight = 0.6;
+  constexpr double most = 0.9;
+  for (int row = 0; row < m_Rows; ++row)
+  {
+    const double            t = row / double(c_RowsPerStep);
+    const ColonCurve::Frame frame = curve.At(t);
+    for (int k = 0; k < Angles; ++k)
+    {
+      float &      radius = m_Table[std::size_t(row + 1) * Angles + k];
+      const double bend =
+        curve.Direction(t, WrapAngle(2 * M_PI * k / Angles)).dot(frame.second) / frame.first.squaredNorm();
+      const double share = radius * bend;
+      if (share > straight)
+      {
+        const double range = most - straight;
+        radius = static_cast<float>((straight + range * std::tanh((share - straight) / range)) / bend);
+      }
+    }
+  }
+}
+
+void
+ColonRelief::SumUpRows()
+{
   std::copy_n(m_Table.begin() + Angles, Angles, m_Table.begin());
   std::copy_n(m_Table.end() - 2 * Angles, Angles, m_Table.end() - Angles);
   for (int row = 0; row < m_Rows; ++row)

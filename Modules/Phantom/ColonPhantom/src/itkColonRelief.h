@@ -1,6 +1,7 @@
 #ifndef itkColonRelief_h
 #define itkColonRelief_h
 
+#include "itkColonCurve.h"
 #include "itkColonPhantomParameters.h"
 #include "itkColonPlan.h"
 
@@ -35,6 +36,10 @@ struct FoldCourse
   At(double u, ReliefValue & t, ReliefValue & crest) const;
 };
 
+/** Turn of the tube about its centreline in this position, in radians, at each step of the curve. */
+std::vector<double>
+ColonTwist(const ColonPlan & plan, const ColonPhantomParameters & parameters);
+
 /** \class ColonRelief
  * \brief The wall in a position: radius by place and angle, and the folds on it.
  *
@@ -45,7 +50,8 @@ class ColonRelief
 public:
   static constexpr int Angles = 128;
 
-  ColonRelief(const ColonPlan & plan, const ColonPhantomParameters & parameters, int steps);
+  /** Without a curve the colon is straight. With one, the wall keeps off the centre of sharp bends. */
+  ColonRelief(const ColonPlan & plan, const ColonPhantomParameters & parameters, const ColonCurve * curve);
 
   /** Radius of the wall without folds in mm; below 0 where collapsed. */
   ReliefValue
@@ -59,13 +65,6 @@ public:
   /** 0 open to 1 collapsed. */
   double
   CollapseAt(double t) const;
-
-  /** Turn of the tube at each step in radians. */
-  const std::vector<double> &
-  GetTwist() const
-  {
-    return m_Twist;
-  }
 
   const std::vector<FoldCourse> &
   GetFolds() const
@@ -85,15 +84,18 @@ private:
   FoldPlaces(const ColonPlan & plan, const ColonPhantomParameters & parameters) const;
   void
   FillTable(const ColonPlan & plan, const std::vector<double> & places, const ColonPhantomParameters & parameters);
+  void
+  RelieveBends(const ColonCurve & curve);
   double
   Waist(const ColonPlan & plan, const std::vector<double> & places, double material, double angle) const;
+  void
+  SumUpRows();
   void
   LayFolds(const ColonPlan & plan, const std::vector<double> & places, const ColonPhantomParameters & parameters);
 
   int                           m_Steps;
   double                        m_Step;
   int                           m_Rows;
-  std::vector<double>           m_Twist;
   std::vector<double>           m_Collapse; ///< at each step
   std::vector<double>           m_Base;     ///< at each row
   std::vector<float>            m_Table;    ///< rows, one more at each end

@@ -142,7 +142,7 @@ InnerPoints(const ColonField & field)
     {
       const double angle = WrapAngle(2 * M_PI * a / 64);
       const double radius = std::max(0.0, field.GetRelief().RadiusAt(k, angle).value);
-      points[k].push_back(curve.At(k).position + radius * field.Direction(k, angle));
+      points[k].push_back(curve.At(k).position + radius * field.GetCurve().Direction(k, angle));
     }
   }
   for (const FoldCourse & fold : field.GetRelief().GetFolds())
@@ -153,7 +153,7 @@ InnerPoints(const ColonField & field)
       fold.At(u, t, crest);
       const double angle = WrapAngle(fold.angle + u * fold.halfAngle);
       points[std::clamp(static_cast<int>(std::lround(t.value)), 0, steps)].push_back(
-        curve.At(t.value).position + std::max(0.0, crest.value) * field.Direction(t.value, angle));
+        curve.At(t.value).position + std::max(0.0, crest.value) * field.GetCurve().Direction(t.value, angle));
     }
   }
   return points;
@@ -246,7 +246,7 @@ ColonFoldTruth(const ColonPlan & plan, const ColonField & field)
       const double angle = WrapAngle(fold.angle + u * fold.halfAngle);
       fold.At(u, t, crest);
       const double radius = field.GetRelief().RadiusAt(t.value, angle).value;
-      writer.AddPoint(curve.At(t.value).position + std::max(0.0, crest.value) * field.Direction(t.value, angle),
+      writer.AddPoint(curve.At(t.value).position + std::max(0.0, crest.value) * field.GetCurve().Direction(t.value, angle),
                       { radius - crest.value });
     }
   }
