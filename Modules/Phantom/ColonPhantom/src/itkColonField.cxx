@@ -178,7 +178,9 @@ ColonField::AddFolds(const Local & local, ColonDistance & distance) const
     const Vector3d acrossGradient = (local.tangent - slant * local.around) / slantLength;
     const double   rise = crest.byAngle / arm;
     const double   riseLength = std::sqrt(1.0 + rise * rise);
-    const double   above = (crest.value + fold.halfThickness - local.distance) / riseLength;
+    // Far from the crest the slope of a fold's end says nothing about how near it is.
+    const double   radial = crest.value + fold.halfThickness - local.distance;
+    const double   above = std::max(radial / riseLength, radial - 3.0);
     ColonDistance  body;
     if (above > 0)
     {

@@ -325,7 +325,7 @@ ColonRelief::LayFolds(const ColonPlan &              plan,
         const double off = radius * WrapAngle(angle - plan.TaeniaAngle(taenia, m)) / 6.0;
         dip = std::max(dip, 0.3 * std::exp(-off * off));
       }
-      const double along = height * (1.0 - u * u * std::abs(u)) - (std::abs(u) > 1 ? 20 * (std::abs(u) - 1) : 0.0);
+      const double along = height * (1.0 - u * u * std::abs(u)) - (std::abs(u) > 1 ? 14 * (std::abs(u) - 1) : 0.0);
       course.t[k] = static_cast<float>(m / m_Step);
       course.crest[k] = static_cast<float>(radius - along * (along > 0 ? 1.0 - dip : 1.0));
       course.height = std::max(course.height, along * (1.0 - dip));
