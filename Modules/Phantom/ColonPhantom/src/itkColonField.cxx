@@ -326,7 +326,7 @@ ColonField::PlacePolyps(const ColonPlan & plan)
     body.base = this->WallPoint(body.t, body.angle, radius);
     body.axis = -m_Curve.Direction(body.t, body.angle);
     Place place;
-    if (polyp.fold < 0 && this->Evaluate(body.base, place))
+    if (polyp.fold < 0 && polyp.stalk <= 0 && this->Evaluate(body.base, place))
     {
       body.axis = place.distance.gradient.normalized();
     }

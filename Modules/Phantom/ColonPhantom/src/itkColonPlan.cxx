@@ -172,11 +172,15 @@ ColonPlan::PlanFolds(unsigned seed)
 }
 
 bool
-ColonPlan::PutOnWall(PolypPlan & polyp) const
+ColonPlan::IsClearOfFolds(const PolypPlan & polyp) const
 {
   // Heads stay clear of folds, which may slide in other positions.
   const double head = polyp.kind == "pedunculated" ? 0.5 * polyp.diameter + 4.0 : 0.3 * polyp.diameter + 1.0;
   return std::all_of(folds.begin(), folds.end(), [&](const FoldPlan & fold) {
+    if (polyp.fold >= 0 && &fold == &folds[polyp.fold])
+    {
+      return true;
+    }
     const double beside = std::abs(WrapAngle(polyp.angle - fold.angle)) - fold.halfAngle;
     return std::abs(polyp.material - fold.material) > head + 3.0 || beside * this->RadiusAt(polyp.material) > head;
   });
@@ -185,7 +189,7 @@ ColonPlan::PutOnWall(PolypPlan & polyp) const
 bool
 ColonPlan::PlacePolyp(ColonRandom & random, PolypPlan & polyp) const
 {
-  const bool onFold = polyp.kind != "flat" && random.Uniform() < 0.4;
+  const bool onFold = polyp.kind != "flat" && random.Uniform() < (polyp.kind == "pedunculated" ? 0.7 : 0.4);
   if (onFold)
   {
     polyp.fold = std::min(static_cast<int>(folds.size() * random.Uniform()), static_cast<int>(folds.size()) - 1);
@@ -198,10 +202,10 @@ ColonPlan::PlacePolyp(ColonRandom & random, PolypPlan & polyp) const
     polyp.fold = -1;
     polyp.material = random.Uniform(60.0, m_Length - 10.0);
     polyp.angle = random.Uniform(-M_PI, M_PI);
-    if (!this->PutOnWall(polyp))
-    {
-      return false;
-    }
+  }
+  if ((!onFold || polyp.kind == "pedunculated") && !this->IsClearOfFolds(polyp))
+  {
+    return false;
   }
   const double radius = this->RadiusAt(polyp.material);
   const double onTop = onFold ? std::min(folds[polyp.fold].height, 0.6 * radius) : 0.0;

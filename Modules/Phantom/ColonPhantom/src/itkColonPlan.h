@@ -85,7 +85,7 @@ private:
   bool
   PlacePolyp(class ColonRandom & random, PolypPlan & polyp) const;
   bool
-  PutOnWall(PolypPlan & polyp) const;
+  IsClearOfFolds(const PolypPlan & polyp) const;
 
   double                             m_Length;
   std::vector<double>                m_SegmentBegin; ///< six, and the length
