@@ -306,6 +306,23 @@ ColonField::WallPoint(double t, double angle, double & radius) const
   return centre + radius * direction;
 }
 
+PolypBody
+ColonField::MakeValve(const ColonPlan & plan) const
+{
+  PolypBody valve;
+  double    radius;
+  valve.t = plan.valveMaterial / m_Curve.GetStep();
+  valve.angle = plan.valveAngle;
+  valve.base = this->WallPoint(valve.t, valve.angle, radius);
+  valve.axis = -m_Curve.Direction(valve.t, valve.angle);
+  valve.isPedunculated = false;
+  valve.radius = 11.0;
+  valve.height = 8.0;
+  valve.stalkRadius = 0.0;
+  valve.head = valve.base;
+  return valve;
+}
+
 void
 ColonField::PlacePolyps(const ColonPlan & plan)
 {
@@ -337,6 +354,7 @@ ColonField::PlacePolyps(const ColonPlan & plan)
     body.head = body.base + (body.isPedunculated ? polyp.stalk + body.radius : 0.0) * body.axis;
     bodies.push_back(body);
   }
+  bodies.push_back(this->MakeValve(plan));
   m_Polyps = bodies;
   for (std::size_t i = 0; i < m_Polyps.size(); ++i)
   {

@@ -67,6 +67,7 @@ public:
   {
     return m_Relief;
   }
+  /** Those of the plan in its order, then the ileocaecal valve. */
   const std::vector<PolypBody> &
   GetPolyps() const
   {
@@ -85,6 +86,8 @@ private:
   AddPolyps(const Eigen::Vector3d & point, double t, ColonDistance & distance) const;
   void
   AddSeptum(const Local & here, const ColonDistance & own, const Local & there, const ColonDistance & other, ColonDistance & distance) const;
+  PolypBody
+  MakeValve(const ColonPlan & plan) const;
   void
   PlacePolyps(const ColonPlan & plan);
   void

@@ -217,7 +217,7 @@ PositionedPath(const ColonPath & rest, const std::vector<double> & radius, const
     const double   m = rest.material[i];
     const Vector3d random3(x(m), y(m), z(m));
     const double   free = SmoothStep(60.0, 140.0, m);
-    path.nodes[i] += mobility[i] * (26.0 * gravity + 22.0 * random3) + 3.0 * free * random3;
+    path.nodes[i] += mobility[i] * (20.0 * gravity + 13.0 * random3) + 3.0 * free * random3;
   }
   ColonRelaxation relaxation(path, radius);
   std::vector<double> held(path.nodes.size(), 0.0);

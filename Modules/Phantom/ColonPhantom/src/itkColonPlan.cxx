@@ -1,5 +1,6 @@
 #include "itkColonPlan.h"
 
+#include "itkColonCurve.h"
 #include "itkColonNoise.h"
 
 #include <algorithm>
@@ -40,6 +41,22 @@ ColonPlan::ColonPlan(const ColonPath & rest, unsigned seed, int polyps)
   this->PlanTaeniae(seed);
   this->PlanFolds(seed);
   this->PlanPolyps(seed, polyps);
+  this->PlanValve(rest);
+}
+
+// The ileum comes from the middle of the body.
+void
+ColonPlan::PlanValve(const ColonPath & rest)
+{
+  const ColonCurve curve(rest, std::vector<double>(ColonCurve::NumberOfSteps(m_Length) + 1, 0.0));
+  valveMaterial = m_SegmentBegin[5] + 4.0;
+  double most = -2.0;
+  for (double angle = -3.1; angle < M_PI; angle += 0.1)
+  {
+    const double medial = curve.Direction(valveMaterial / curve.GetStep(), angle).x();
+    valveAngle = medial > most ? angle : valveAngle;
+    most = std::max(most, medial);
+  }
 }
 
 int
@@ -100,7 +117,7 @@ ColonPlan::MakeFold(double material, double angle, double halfAngle, ColonRandom
   fold.angle = angle;
   fold.halfAngle = halfAngle;
   // Wide stretches have the higher folds; quartiles 3.5, 6.6 and 11.4 mm.
-  fold.height = std::clamp(7.6 * std::exp(0.9 * (0.5 * wide + 0.85 * random.Normal())), 1.8, 15.0);
+  fold.height = std::clamp(8.3 * std::exp(0.95 * (0.5 * wide + 0.85 * random.Normal())), 1.8, 16.0);
   fold.thickness = random.Uniform(1.5, 3.0);
   fold.slant = random.Uniform(-3.0, 3.0);
   fold.bow = random.Uniform(-2.5, 4.0);

@@ -68,6 +68,9 @@ public:
 
   std::vector<FoldPlan>  folds;
   std::vector<PolypPlan> polyps;
+  /** Where the ileocaecal valve stands out of the wall. */
+  double valveMaterial{ 0.0 };
+  double valveAngle{ 0.0 };
 
 private:
   void
@@ -82,6 +85,8 @@ private:
   MakeFold(double material, double angle, double halfAngle, class ColonRandom & random) const;
   void
   PlanPolyps(unsigned seed, int count);
+  void
+  PlanValve(const ColonPath & rest);
   bool
   PlacePolyp(class ColonRandom & random, PolypPlan & polyp) const;
   bool

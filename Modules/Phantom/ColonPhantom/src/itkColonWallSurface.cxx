@@ -174,7 +174,8 @@ private:
   Vector3d
   OntoWall(Vector3d point) const
   {
-    for (int round = 0; round < 6; ++round)
+    // Newton's steps; half steps where they swing to and fro across an edge of the field.
+    for (int round = 0; round < 40; ++round)
     {
       ColonField::Place place;
       if (!m_Field.Evaluate(point, place) || std::abs(place.distance.value) < 1e-4)
@@ -182,7 +183,8 @@ private:
         break;
       }
       const double length = std::max(place.distance.gradient.norm(), 0.5);
-      const double step = std::clamp(place.distance.value / length, -0.5 * m_Spacing, 0.5 * m_Spacing);
+      const double share = round < 6 ? 1.0 : 0.5;
+      const double step = std::clamp(share * place.distance.value / length, -0.5 * m_Spacing, 0.5 * m_Spacing);
       point -= (step / length) * place.distance.gradient;
     }
     return point;
