@@ -1,0 +1,180 @@
+#include "itkPhantomSolid.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace itk
+{
+namespace
+{
+using PointType = PhantomBody::PointType;
+
+class SolidBody : public PhantomBody
+{
+public:
+  SolidBody(PhantomSolid solid, double intensity)
+    : m_Solid(std::move(solid))
+    , m_Intensity(intensity)
+  {}
+
+  BodyProbe
+  Probe(const PointType & point) const override
+  {
+    const double distance = m_Solid.distance(point) / m_Solid.slope;
+    return { distance, std::abs(distance) };
+  }
+
+  double
+  Intensity(const PointType &) const override
+  {
+    return m_Intensity;
+  }
+
+  void
+  Paint(const PointType & point, double width, double & value) const override
+  {
+    value += ShareInside(m_Solid.distance(point), width) * (m_Intensity - value);
+  }
+
+private:
+  PhantomSolid m_Solid;
+  double       m_Intensity;
+};
+} // namespace
+
+PhantomBody::~PhantomBody() = default;
+
+// First order: (k - 1) k / |grad|, with k = |p / radii|. Its magnitude is at most (k - 1) times the longest radius, the
+// true distance at least (k - 1) times the shortest.
+PhantomSolid
+EllipsoidSolid(const PointType & center, const Vector<double, 3> & radii)
+{
+  const double shortest = std::min({ radii[0], radii[1], radii[2] });
+  const double longest = std::max({ radii[0], radii[1], radii[2] });
+  const auto   distance = [=](const PointType & p) {
+    double k = 0.0;
+    double gradient = 0.0;
+    for (unsigned int i = 0; i < 3; ++i)
+    {
+      const double x = (p[i] - center[i]) / radii[i];
+      k += x * x;
+      gradient += x * x / (radii[i] * radii[i]);
+    }
+    k = std::sqrt(k);
+    return k < 1e-6 ? -shortest : (k - 1.0) * k / std::sqrt(gradient);
+  };
+  return { distance, longest / shortest };
+}
+
+PhantomSolid
+ColumnSolid(double x, double y, double a, double b, double exponent)
+{
+  const double shortest = std::min(a, b);
+  const auto   distance = [=](const PointType & p) {
+    const double u = std::abs(p[0] - x) / a;
+    const double v = std::abs(p[1] - y) / b;
+    const double k = std::pow(std::pow(u, exponent) + std::pow(v, exponent), 1.0 / exponent);
+    if (k < 1e-6)
+    {
+      return -shortest;
+    }
+    const double du = std::pow(u / k, exponent - 1.0) / a;
+    const double dv = std::pow(v / k, exponent - 1.0) / b;
+    return (k - 1.0) / std::hypot(du, dv);
+  };
+  // A norm with an exponent above 2 rises by less than 1 / shortest, but by 2^(1/n - 1/2) less on the diagonal.
+  return { distance, std::sqrt(2.0) * std::max(a, b) / shortest };
+}
+
+double
+DistanceToSegment(const PointType & p, const PointType & a, const PointType & b)
+{
+  const auto   along = b - a;
+  const double squared = along.GetSquaredNorm();
+  const double t = squared > 0.0 ? std::clamp(((p - a) * along) / squared, 0.0, 1.0) : 0.0;
+  return (p - (a + along * t)).GetNorm();
+}
+
+PhantomSolid
+CapsuleSolid(const PointType & from, const PointType & to, double radius)
+{
+  return { [=](const PointType & p) { return DistanceToSegment(p, from, to) - radius; } };
+}
+
+PhantomSolid
+TubeSolid(const std::vector<PointType> & points, double radius)
+{
+  return { [=](const PointType & p) {
+    double least = (p - points.front()).GetNorm();
+    for (std::size_t i = 1; i < points.size(); ++i)
+    {
+      least = std::min(least, DistanceToSegment(p, points[i - 1], points[i]));
+    }
+    return least - radius;
+  } };
+}
+
+PhantomSolid
+HalfSpaceSolid(const Vector<double, 3> & normal, double offset)
+{
+  return { [=](const PointType & p) { return normal * p.GetVectorFromOrigin() - offset; } };
+}
+
+PhantomSolid
+BoxSolid(const PointType & center, const Vector<double, 3> & halfSize)
+{
+  return { [=](const PointType & p) {
+    double inside = -1e9;
+    double outside = 0.0;
+    for (unsigned int i = 0; i < 3; ++i)
+    {
+      const double d = std::abs(p[i] - center[i]) - halfSize[i];
+      inside = std::max(inside, d);
+      outside += d > 0.0 ? d * d : 0.0;
+    }
+    return inside > 0.0 ? std::sqrt(outside) : inside;
+  } };
+}
+
+PhantomSolid
+Both(const PhantomSolid & a, const PhantomSolid & b)
+{
+  return { [=](const PointType & p) { return std::max(a.distance(p), b.distance(p)); }, std::max(a.slope, b.slope) };
+}
+
+PhantomSolid
+Either(const PhantomSolid & a, const PhantomSolid & b)
+{
+  return { [=](const PointType & p) { return std::min(a.distance(p), b.distance(p)); }, std::max(a.slope, b.slope) };
+}
+
+PhantomSolid
+Without(const PhantomSolid & a, const PhantomSolid & b)
+{
+  return { [=](const PointType & p) { return std::max(a.distance(p), -b.distance(p)); }, std::max(a.slope, b.slope) };
+}
+
+PhantomSolid
+Grown(const PhantomSolid & solid, double margin)
+{
+  return { [=](const PointType & p) { return solid.distance(p) - margin; }, solid.slope };
+}
+
+PhantomSolid
+ShellOf(const PhantomSolid & solid, double thickness)
+{
+  return { [=](const PointType & p) { return std::abs(solid.distance(p)) - 0.5 * thickness; }, solid.slope };
+}
+
+PhantomSolid
+Bumped(const PhantomSolid & solid, std::function<double(const PointType &)> bumps, double slope)
+{
+  return { [=](const PointType & p) { return solid.distance(p) - bumps(p); }, solid.slope + slope };
+}
+
+std::shared_ptr<const PhantomBody>
+MakeSolidBody(const PhantomSolid & solid, double intensity)
+{
+  return std::make_shared<SolidBody>(solid, intensity);
+}
+} // namespace itk

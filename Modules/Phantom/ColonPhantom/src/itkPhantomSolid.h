@@ -1,0 +1,70 @@
+#ifndef itkPhantomSolid_h
+#define itkPhantomSolid_h
+
+#include "itkPhantomBody.h"
+
+#include "itkVector.h"
+
+#include <functional>
+#include <vector>
+
+namespace itk
+{
+/** A solid by its signed distance: negative inside, right to first order near the surface. `distance` / `slope` is
+ * nowhere larger than the true distance. */
+struct PhantomSolid
+{
+  using PointType = PhantomBody::PointType;
+  std::function<double(const PointType &)> distance;
+  double                                   slope{ 1.0 };
+};
+
+PhantomSolid
+EllipsoidSolid(const Point<double, 3> & center, const Vector<double, 3> & radii);
+
+/** A cylinder along z without ends; its cross-section is |x / a|^n + |y / b|^n = 1, n >= 2. */
+PhantomSolid
+ColumnSolid(double x, double y, double a, double b, double exponent = 2.0);
+
+PhantomSolid
+CapsuleSolid(const Point<double, 3> & from, const Point<double, 3> & to, double radius);
+
+/** A tube along a polyline with round ends. */
+PhantomSolid
+TubeSolid(const std::vector<Point<double, 3>> & points, double radius);
+
+/** All points with normal * p <= offset; the normal has length 1. */
+PhantomSolid
+HalfSpaceSolid(const Vector<double, 3> & normal, double offset);
+
+PhantomSolid
+BoxSolid(const Point<double, 3> & center, const Vector<double, 3> & halfSize);
+
+PhantomSolid
+Both(const PhantomSolid & a, const PhantomSolid & b);
+PhantomSolid
+Either(const PhantomSolid & a, const PhantomSolid & b);
+PhantomSolid
+Without(const PhantomSolid & a, const PhantomSolid & b);
+
+/** The solid grown by `margin` mm, shrunken when that is negative. */
+PhantomSolid
+Grown(const PhantomSolid & solid, double margin);
+
+/** The points within `thickness` / 2 of the surface. */
+PhantomSolid
+ShellOf(const PhantomSolid & solid, double thickness);
+
+/** The solid with another surface: moved outwards by `bumps`, whose gradient is at most `slope`. */
+PhantomSolid
+Bumped(const PhantomSolid & solid, std::function<double(const Point<double, 3> &)> bumps, double slope);
+
+/** A body of one intensity. */
+std::shared_ptr<const PhantomBody>
+MakeSolidBody(const PhantomSolid & solid, double intensity);
+
+double
+DistanceToSegment(const Point<double, 3> & p, const Point<double, 3> & a, const Point<double, 3> & b);
+} // namespace itk
+
+#endif
