@@ -4,10 +4,13 @@ itk_module(ColonPhantom
   ENABLE_SHARED
   DEPENDS
     CommandLine
+    DicomSeries
     SurfaceMesh
     ITKCommon
   PRIVATE_DEPENDS
     CounterRandom
+    Report
+    ShapePhantom
   TEST_DEPENDS
     ITKGoogleTest
   DESCRIPTION "${DOCUMENTATION}"

@@ -44,46 +44,45 @@ private:
 
 PhantomBody::~PhantomBody() = default;
 
-// First order: (k - 1) k / |grad|, with k = |p / radii|. Its magnitude is at most (k - 1) times the longest radius, the
-// true distance at least (k - 1) times the shortest.
+// First order: (k - 1) / |grad k|, with the norm k = |p / radii|, which rises by at most 1 / shortest. In three
+// dimensions the gradient of a norm with exponent n is at least 3^(1/n - 1/2) / longest.
 PhantomSolid
-EllipsoidSolid(const PointType & center, const Vector<double, 3> & radii)
+EllipsoidSolid(const PointType & center, const Vector<double, 3> & radii, double exponent)
 {
   const double shortest = std::min({ radii[0], radii[1], radii[2] });
   const double longest = std::max({ radii[0], radii[1], radii[2] });
   const auto   distance = [=](const PointType & p) {
-    double k = 0.0;
-    double gradient = 0.0;
+    double scaled[3];
+    double sum = 0.0;
     for (unsigned int i = 0; i < 3; ++i)
     {
-      const double x = (p[i] - center[i]) / radii[i];
-      k += x * x;
-      gradient += x * x / (radii[i] * radii[i]);
+      scaled[i] = std::abs(p[i] - center[i]) / radii[i];
+      sum += exponent == 2.0 ? scaled[i] * scaled[i] : std::pow(scaled[i], exponent);
     }
-    k = std::sqrt(k);
-    return k < 1e-6 ? -shortest : (k - 1.0) * k / std::sqrt(gradient);
+    const double k = exponent == 2.0 ? std::sqrt(sum) : std::pow(sum, 1.0 / exponent);
+    if (k < 1e-6)
+    {
+      return -shortest;
+    }
+    double squared = 0.0;
+    for (unsigned int i = 0; i < 3; ++i)
+    {
+      const double ratio = scaled[i] / k;
+      const double partial = (exponent == 2.0 ? ratio : std::pow(ratio, exponent - 1.0)) / radii[i];
+      squared += partial * partial;
+    }
+    return (k - 1.0) / std::sqrt(squared);
   };
-  return { distance, longest / shortest };
+  return { distance, std::pow(3.0, 0.5 - 1.0 / exponent) * longest / shortest };
 }
 
 PhantomSolid
 ColumnSolid(double x, double y, double a, double b, double exponent)
 {
-  const double shortest = std::min(a, b);
-  const auto   distance = [=](const PointType & p) {
-    const double u = std::abs(p[0] - x) / a;
-    const double v = std::abs(p[1] - y) / b;
-    const double k = std::pow(std::pow(u, exponent) + std::pow(v, exponent), 1.0 / exponent);
-    if (k < 1e-6)
-    {
-      return -shortest;
-    }
-    const double du = std::pow(u / k, exponent - 1.0) / a;
-    const double dv = std::pow(v / k, exponent - 1.0) / b;
-    return (k - 1.0) / std::hypot(du, dv);
-  };
-  // A norm with an exponent above 2 rises by less than 1 / shortest, but by 2^(1/n - 1/2) less on the diagonal.
-  return { distance, std::sqrt(2.0) * std::max(a, b) / shortest };
+  const double radii[3] = { a, b, std::max(a, b) };
+  PhantomSolid section = EllipsoidSolid(MakePoint(x, y, 0.0), Vector<double, 3>(radii), exponent);
+  const auto   distance = section.distance;
+  return { [distance](const PointType & p) { return distance(MakePoint(p[0], p[1], 0.0)); }, section.slope };
 }
 
 double

@@ -19,10 +19,25 @@ struct PhantomSolid
   double                                   slope{ 1.0 };
 };
 
-PhantomSolid
-EllipsoidSolid(const Point<double, 3> & center, const Vector<double, 3> & radii);
+inline Point<double, 3>
+MakePoint(double x, double y, double z)
+{
+  const double values[3] = { x, y, z };
+  return Point<double, 3>(values);
+}
 
-/** A cylinder along z without ends; its cross-section is |x / a|^n + |y / b|^n = 1, n >= 2. */
+inline Vector<double, 3>
+MakeVector(double x, double y, double z)
+{
+  const double values[3] = { x, y, z };
+  return Vector<double, 3>(values);
+}
+
+/** |x / a|^n + |y / b|^n + |z / c|^n = 1, n >= 2. */
+PhantomSolid
+EllipsoidSolid(const Point<double, 3> & center, const Vector<double, 3> & radii, double exponent = 2.0);
+
+/** A cylinder along z without ends; its cross-section is an ellipse of that kind. */
 PhantomSolid
 ColumnSolid(double x, double y, double a, double b, double exponent = 2.0);
 

@@ -5,6 +5,8 @@
 
 #include "itkImageBase.h"
 
+#include <optional>
+
 namespace itk
 {
 class CommandLine;
@@ -20,10 +22,13 @@ struct PhantomGrid
 
 /** Reads the options size (three integers from 2), spacing (three numbers from 0.001 to 1000 mm) and direction (nine
  * numbers, row by row; orthonormal to 0.001, which is removed) of a tool. `bytesPerVoxel` is what the tool will hold in
- * memory. Throws UsageError, also when the volume does not fit into the memory of the machine.
+ * memory. `extent` in mm is what the voxels cover together where the option spacing has neither a value nor a default.
+ * Throws UsageError, also when the volume does not fit into the memory of the machine.
  * \ingroup ShapePhantom */
 ShapePhantom_EXPORT PhantomGrid
-ReadPhantomGrid(const CommandLine & commandLine, double bytesPerVoxel);
+ReadPhantomGrid(const CommandLine &                     commandLine,
+                double                                  bytesPerVoxel,
+                const std::optional<Vector<double, 3>> & extent = {});
 } // namespace itk
 
 #endif

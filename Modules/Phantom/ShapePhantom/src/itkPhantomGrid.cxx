@@ -79,8 +79,23 @@ ReadDirection(const CommandLine & commandLine)
 } // namespace
 
 PhantomGrid
-ReadPhantomGrid(const CommandLine & commandLine, double bytesPerVoxel)
+ReadPhantomGrid(const CommandLine &                      commandLine,
+                double                                   bytesPerVoxel,
+                const std::optional<Vector<double, 3>> & extent)
 {
-  return { ReadSize(commandLine, bytesPerVoxel), ReadSpacing(commandLine), ReadDirection(commandLine) };
+  const auto                size = ReadSize(commandLine, bytesPerVoxel);
+  ImageBase<3>::SpacingType spacing;
+  if (extent && commandLine.GetDoubles("spacing").empty())
+  {
+    for (unsigned int i = 0; i < 3; ++i)
+    {
+      spacing[i] = (*extent)[i] / static_cast<double>(size[i]);
+    }
+  }
+  else
+  {
+    spacing = ReadSpacing(commandLine);
+  }
+  return { size, spacing, ReadDirection(commandLine) };
 }
 } // namespace itk

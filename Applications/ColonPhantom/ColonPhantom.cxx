@@ -1,0 +1,132 @@
+#include "ColonPhantomXML.h"
+
+#include "itkColonPhantomImageSource.h"
+#include "itkColonTruthWriter.h"
+#include "itkCommandLine.h"
+#include "itkDicomSeriesWriter.h"
+#include "itkOrthonormalDirection.h"
+#include "itkPhantomGrid.h"
+#include "itkToolError.h"
+
+#include <map>
+
+namespace
+{
+using Source = itk::ColonPhantomImageSource;
+
+template <typename TNumber>
+void
+Override(const itk::CommandLine & commandLine, const char * name, TNumber & value)
+{
+  if (commandLine.IsGiven(name))
+  {
+    value = static_cast<TNumber>(commandLine.GetDouble(name));
+  }
+}
+
+void
+OverrideCount(const itk::CommandLine & commandLine, const char * name, int & value)
+{
+  if (commandLine.IsGiven(name))
+  {
+    value = commandLine.GetInteger(name);
+  }
+}
+
+// Options that are not given have the value of the preset.
+itk::ColonPhantomParameters
+ReadParameters(const itk::CommandLine & commandLine)
+{
+  auto parameters = itk::ColonPhantomPreset(commandLine.GetString("preset"));
+  parameters.position = commandLine.GetString("position");
+  parameters.seed = static_cast<unsigned>(commandLine.GetInteger("seed"));
+  OverrideCount(commandLine, "polyps", parameters.polyps);
+  OverrideCount(commandLine, "collapsed", parameters.collapsed);
+  OverrideCount(commandLine, "fakeHandles", parameters.fakeHandles);
+  Override(commandLine, "fluid", parameters.fluid);
+  Override(commandLine, "roughness", parameters.roughness);
+  Override(commandLine, "flattenedFolds", parameters.flattenedFolds);
+  Override(commandLine, "foldSlide", parameters.foldSlide);
+  Override(commandLine, "distension", parameters.distension);
+  Override(commandLine, "torsion", parameters.torsion);
+  Override(commandLine, "noise", parameters.noise);
+  itk::RequireValid(parameters);
+  return parameters;
+}
+
+Source::Pointer
+MakeSource(const itk::CommandLine & commandLine)
+{
+  const double extent[3] = { 358.4, 358.4, 336.0 }; // mm
+  const auto   grid =
+    itk::ReadPhantomGrid(commandLine, sizeof(short) + 2 * sizeof(unsigned char), itk::Vector<double, 3>(extent));
+  itk::RequireUsage(!itk::IsLeftHanded(grid.direction),
+                    "--direction: a CT series cannot have left-handed axes; change the sign of one column");
+  const auto source = Source::New();
+  source->SetSize(grid.size);
+  source->SetSpacing(grid.spacing);
+  source->SetDirection(grid.direction);
+  source->CenterOutput();
+  source->SetParameters(ReadParameters(commandLine));
+  return source;
+}
+
+// The positions of one patient belong to one study.
+itk::DicomSeriesDescription
+Describe(const itk::CommandLine & commandLine)
+{
+  const std::map<std::string, std::pair<const char *, int>> positions{ { "supine", { "HFS", 1 } },
+                                                                       { "prone", { "HFP", 2 } },
+                                                                       { "leftDecubitus", { "HFDL", 3 } },
+                                                                       { "rightDecubitus", { "HFDR", 4 } } };
+  const std::string           position = commandLine.GetString("position");
+  itk::DicomSeriesDescription description;
+  description.patientName = "Phantom^Colon";
+  description.patientID = "COLON-" + std::to_string(commandLine.GetInteger("seed"));
+  description.studyDescription = "CT colonography phantom";
+  description.seriesDescription = "Colon, " + position;
+  description.patientPosition = positions.at(position).first;
+  description.seriesNumber = positions.at(position).second;
+  description.seed = static_cast<unsigned>(commandLine.GetInteger("seed"));
+  for (const auto & fact : commandLine.GetProvenance())
+  {
+    description.comments += (description.comments.empty() ? "" : "; ") + fact.first + '=' + fact.second;
+  }
+  return description;
+}
+
+std::string
+WithoutTrailingSlashes(std::string path)
+{
+  while (path.size() > 1 && path.back() == '/')
+  {
+    path.pop_back();
+  }
+  return path;
+}
+
+void
+MakePhantom(itk::CommandLine & commandLine)
+{
+  const std::string folder = WithoutTrailingSlashes(commandLine.GetString("outputFolder"));
+  const std::string truth = WithoutTrailingSlashes(commandLine.GetString("truth"));
+  itk::RequireUsage(folder != truth, "--truth: the series needs a folder of its own");
+  commandLine.LeaveOutOfProvenance("truth");
+  const auto source = MakeSource(commandLine);
+  itk::CheckDicomSeriesFolder(folder);
+  commandLine.Watch(source, "Scanning the phantom", 0.0, 0.9);
+  source->Update();
+  if (!truth.empty())
+  {
+    itk::WriteColonTruth(commandLine, *source, truth);
+  }
+  itk::WriteDicomSeriesFolder(source->GetOutput(), folder, Describe(commandLine));
+  commandLine.RecordRun(folder + ".run.json");
+}
+} // namespace
+
+int
+main(int argc, char * argv[])
+{
+  return itk::CommandLine::Run(ToolXML, argc, argv, MakePhantom);
+}

@@ -1,0 +1,37 @@
+#ifndef itkLumenLabels_h
+#define itkLumenLabels_h
+
+#include "itkColonAnatomy.h"
+#include "itkColonFluid.h"
+
+#include "itkImage.h"
+
+namespace itk
+{
+/** Labels the voxels whose centres lie in the lumen: gas 1 or fluid 2, and the segment. */
+class LumenLabels
+{
+public:
+  using LabelImageType = Image<unsigned char, 3>;
+  using RegionType = ImageRegion<3>;
+
+  LumenLabels(const ColonAnatomy & anatomy, const ColonFluid & fluid, LabelImageType * lumen, LabelImageType * segments);
+
+  /** Sets all labels of a region. */
+  void
+  Fill(const RegionType & region) const;
+
+private:
+  bool
+  MissesLumen(const RegionType & block) const;
+  void
+  FillVoxels(const RegionType & block) const;
+
+  const ColonAnatomy & m_Anatomy;
+  const ColonFluid &   m_Fluid;
+  LabelImageType *     m_Lumen;
+  LabelImageType *     m_Segments;
+};
+} // namespace itk
+
+#endif
