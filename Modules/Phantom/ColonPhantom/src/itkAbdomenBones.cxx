@@ -55,7 +55,7 @@ AddSpine(PhantomBodies & bodies)
   const auto arch = Both(ColumnSolid(0.0, 100.0, 17.0, 15.0), Behind(86.0));
   AddBone(bodies, EachVertebra(arch, 26.0), 2.5, 450.0);
   AddBone(bodies, EachVertebra(BoxSolid(MakePoint(0, 118, 0), MakeVector(3.5, 12, 1000)), 18.0), 1.2, 350.0);
-  AddBone(bodies, EachVertebra(BoxSolid(MakePoint(0, 97, 0), MakeVector(46, 3.5, 1000)), 8.0), 1.2, 350.0);
+  AddBone(bodies, EachVertebra(BoxSolid(MakePoint(0, 97, 0), MakeVector(38, 3.5, 1000)), 8.0), 1.2, 350.0);
   AddBone(bodies, EachVertebra(body, vertebraPitch - discHeight), 1.5, 190.0);
   bodies.push_back(MakeSolidBody(Both(ColumnSolid(0.0, 99.0, 10.0, 8.5), high), 20.0)); // canal
 }
@@ -80,12 +80,13 @@ void
 AddPelvis(PhantomBodies & bodies)
 {
   AddBone(bodies, Sacrum(), 1.8, 200.0);
-  const auto bowl = ShellOf(EllipsoidSolid(MakePoint(0, 32, -88), MakeVector(134, 86, 92), 2.2), 11.0);
-  const auto slab = Both(HalfSpaceSolid(MakeVector(0, 0, 1), -28.0), HalfSpaceSolid(MakeVector(0, 0, -1), 172.0));
+  // The wings of the ilium widen upwards.
+  const auto bowl = ShellOf(EllipsoidSolid(MakePoint(0, 34, -35), MakeVector(136, 78, 152), 2.2), 11.0);
+  const auto slab = Both(HalfSpaceSolid(MakeVector(0, 0, 1), -34.0), HalfSpaceSolid(MakeVector(0, 0, -1), 172.0));
+  const auto front = HalfSpaceSolid(MakeVector(0, -0.9578, -0.2873), 38.0);
   for (const double side : { -1.0, 1.0 })
   {
-    const auto lateral = HalfSpaceSolid(MakeVector(-side * 0.9055, 0.4243, 0.0), -30.0);
-    const auto front = HalfSpaceSolid(MakeVector(0, -0.7071, -0.7071), 75.0);
+    const auto lateral = HalfSpaceSolid(MakeVector(-side * 0.9055, 0.4243, 0.0), -12.0);
     AddBone(bodies, Both(Both(bowl, slab), Both(lateral, front)), 2.0, 260.0);
     const auto socket = EllipsoidSolid(MakePoint(side * 93, 6, -152), MakeVector(33, 33, 33));
     AddBone(bodies, socket, 2.5, 300.0);
@@ -94,18 +95,18 @@ AddPelvis(PhantomBodies & bodies)
   }
 }
 
-// A rib descends from the spine towards the front, along the wall of the chest. Costal cartilage makes its end.
+// A rib descends from the spine towards the front, along the wall of the chest.
 PhantomSolid
 Rib(double height)
 {
   const auto wall = ColumnSolid(0.0, 11.0, 154.0, 112.0, 2.35);
   const auto distance = [wall, height](const PointType & p) {
-    const double forward = std::clamp((100.0 - p[1]) / 200.0, 0.0, 1.2);
-    const double along = 0.82 * (p[2] - (height - 75.0 * forward));
+    const double turn = std::atan2(std::abs(p[0]), p[1] - 11.0) / 3.14159265358979;
+    const double along = 0.75 * (p[2] - (height - 105.0 * std::min(turn, 0.75)));
     const double across = wall.distance(p);
-    return std::hypot(along / 1.5, across) - 4.5;
+    return std::max(std::hypot(along / 1.5, across) - 4.5, 24.0 - std::abs(p[0]));
   };
-  return { distance, 1.3 * wall.slope };
+  return { distance, 1.6 * wall.slope };
 }
 
 void
@@ -113,11 +114,11 @@ AddRibs(PhantomBodies & bodies)
 {
   for (int i = 0; i < 6; ++i)
   {
-    const double height = 85.0 + 27.0 * i;
-    // Lower ribs end earlier.
-    const auto bony = Both(Rib(height), Behind(i == 0 ? 40.0 : (i == 1 ? -5.0 : -60.0)));
-    bodies.push_back(MakeSolidBody(Both(Rib(height), Behind(i < 2 ? 30.0 : -95.0)), 110.0));
-    AddBone(bodies, bony, 1.4, 250.0);
+    const double height = 95.0 + 27.0 * i;
+    // The lowest ribs are short; the others end in cartilage.
+    const double end = i == 0 ? 60.0 : (i == 1 ? 0.0 : -55.0);
+    bodies.push_back(MakeSolidBody(Both(Rib(height), Behind(i < 2 ? end : -80.0)), 110.0));
+    AddBone(bodies, Both(Rib(height), Behind(end)), 1.4, 250.0);
   }
 }
 } // namespace

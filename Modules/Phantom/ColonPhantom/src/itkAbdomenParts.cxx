@@ -1,6 +1,7 @@
 #include "itkAbdomenParts.h"
 
 #include "itkColonBody.h"
+#include "itkPhantomRandom.h"
 
 #include <algorithm>
 #include <cmath>
@@ -147,6 +148,22 @@ AddOrgans(PhantomBodies & bodies, const ColonAnatomy & anatomy, const Vector<dou
   add(EllipsoidSolid(MakePoint(0, -40, -138), MakeVector(37, 29, 27)), 7.0, 6.0);
   add(EllipsoidSolid(MakePoint(0, 2, -140), MakeVector(25, 17, 22)), 4.0, 50.0);
   AddStomach(bodies, anatomy, down);
+}
+
+// They fan out from the aorta.
+void
+AddMesentery(PhantomBodies & bodies, unsigned seed)
+{
+  PhantomRandom random(seed, 0x7e55);
+  for (int i = 0; i < 60; ++i)
+  {
+    const auto   root = MakePoint(random.Uniform(-8, 20), random.Uniform(15, 32), random.Uniform(-30, 45));
+    const auto   end = MakePoint(random.Uniform(-125, 125), random.Uniform(-80, 40), random.Uniform(-100, 90));
+    const auto   bend = MakeVector(random.Uniform(-15, 15), random.Uniform(-15, 15), random.Uniform(-15, 15));
+    const auto   middle = root + (end - root) * 0.5 + bend;
+    const double radius = random.Uniform(1.3, 3.2);
+    Add(bodies, Either(CapsuleSolid(root, middle, radius), CapsuleSolid(middle, end, 0.75 * radius)), 48.0);
+  }
 }
 
 // Foam in a shell, just not touching the skin.

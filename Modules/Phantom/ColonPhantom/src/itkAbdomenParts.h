@@ -24,6 +24,10 @@ AddBones(PhantomBodies & bodies);
 void
 AddOrgans(PhantomBodies & bodies, const ColonAnatomy & anatomy, const Vector<double, 3> & down);
 
+/** Vessels in the fat between the loops of bowel. */
+void
+AddMesentery(PhantomBodies & bodies, unsigned seed);
+
 /** Lung bases over the diaphragm, and the heart between them. */
 void
 AddChest(PhantomBodies & bodies, const ColonAnatomy & anatomy);

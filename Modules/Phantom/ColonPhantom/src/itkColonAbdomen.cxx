@@ -16,6 +16,7 @@ MakeColonAbdomen(const ColonAnatomy & anatomy, const ColonFluid & fluid)
   AddBodyWall(bodies);
   AddChest(bodies, anatomy);
   AddOrgans(bodies, anatomy, down);
+  AddMesentery(bodies, parameters.seed);
   bodies.push_back(MakeSmallBowel(parameters.seed, down));
   AddBones(bodies);
   bodies.push_back(MakeColonBody(anatomy, fluid));

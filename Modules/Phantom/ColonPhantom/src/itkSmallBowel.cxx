@@ -14,7 +14,7 @@ namespace
 using PointType = PhantomBody::PointType;
 using VectorType = Vector<double, 3>;
 
-constexpr int    numberOfLoops = 46;
+constexpr int    numberOfLoops = 90;
 constexpr double stepLength = 11.0; // mm
 constexpr double cellSide = 12.0;   // mm
 constexpr double reach = 6.0;       // mm around the loops within which distances are known
@@ -28,8 +28,8 @@ struct Loop
 };
 
 // The part of the abdomen that the loops fill.
-const PointType  regionCenter = MakePoint(0.0, -28.0, -22.0);
-const VectorType regionRadii = MakeVector(88.0, 52.0, 92.0);
+const PointType  regionCenter = MakePoint(0.0, -32.0, -30.0);
+const VectorType regionRadii = MakeVector(98.0, 52.0, 88.0);
 
 bool
 IsInRegion(const PointType & p)
