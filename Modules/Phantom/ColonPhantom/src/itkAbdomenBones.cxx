@@ -49,7 +49,7 @@ Behind(double y)
 void
 AddSpine(PhantomBodies & bodies)
 {
-  const auto body = ColumnSolid(0.0, 72.0, 25.0, 18.0, 2.3);
+  const auto body = ColumnSolid(0.0, 72.0, 25.0, 18.0, 2.5);
   const auto high = HalfSpaceSolid(MakeVector(0, 0, -1), -lumbosacral);
   bodies.push_back(MakeSolidBody(Both(Grown(body, -1.0), high), 90.0)); // discs
   const auto arch = Both(ColumnSolid(0.0, 100.0, 17.0, 15.0), Behind(86.0));
@@ -81,7 +81,7 @@ AddPelvis(PhantomBodies & bodies)
 {
   AddBone(bodies, Sacrum(), 1.8, 200.0);
   // The wings of the ilium widen upwards.
-  const auto bowl = ShellOf(EllipsoidSolid(MakePoint(0, 34, -35), MakeVector(136, 78, 152), 2.2), 11.0);
+  const auto bowl = ShellOf(EllipsoidSolid(MakePoint(0, 34, -35), MakeVector(136, 78, 152), 2.5), 11.0);
   const auto slab = Both(HalfSpaceSolid(MakeVector(0, 0, 1), -34.0), HalfSpaceSolid(MakeVector(0, 0, -1), 172.0));
   const auto front = HalfSpaceSolid(MakeVector(0, -0.9578, -0.2873), 38.0);
   for (const double side : { -1.0, 1.0 })
@@ -99,10 +99,15 @@ AddPelvis(PhantomBodies & bodies)
 PhantomSolid
 Rib(double height)
 {
-  const auto wall = ColumnSolid(0.0, 11.0, 154.0, 112.0, 2.35);
+  const auto wall = ColumnSolid(0.0, 11.0, 154.0, 112.0, 2.5);
   const auto distance = [wall, height](const PointType & p) {
     const double turn = std::atan2(std::abs(p[0]), p[1] - 11.0) / 3.14159265358979;
     const double along = 0.75 * (p[2] - (height - 105.0 * std::min(turn, 0.75)));
+    constexpr double far = 40.0;
+    if (std::abs(along) > far)
+    {
+      return std::abs(along) / 1.5 - 4.5;
+    }
     const double across = wall.distance(p);
     return std::max(std::hypot(along / 1.5, across) - 4.5, 24.0 - std::abs(p[0]));
   };

@@ -34,27 +34,27 @@ Below(double z)
 PhantomSolid
 MuscularWall()
 {
-  return ColumnSolid(0.0, 12.0, 158.0, 116.0, 2.3);
+  return ColumnSolid(0.0, 12.0, 158.0, 116.0, 2.5);
 }
 
 // The top of the abdominal cavity; the diaphragm lies on it.
 PhantomSolid
 DiaphragmDome()
 {
-  return EllipsoidSolid(MakePoint(0, 8, 45), MakeVector(146, 104, 112), 3.0);
+  return EllipsoidSolid(MakePoint(0, 8, 45), MakeVector(146, 104, 112), 2.5);
 }
 } // namespace
 
 PhantomSolid
 BodyOutline()
 {
-  return ColumnSolid(0.0, 12.0, 172.0, 130.0, 2.3);
+  return ColumnSolid(0.0, 12.0, 172.0, 130.0, 2.5);
 }
 
 PhantomSolid
 AbdominalCavity()
 {
-  return ColumnSolid(0.0, 6.0, 147.0, 101.0, 2.4);
+  return ColumnSolid(0.0, 6.0, 147.0, 101.0, 2.5);
 }
 
 void
@@ -68,7 +68,7 @@ AddBodyWall(PhantomBodies & bodies)
   Add(bodies, AbdominalCavity(), fat);
   for (const double side : { -1.0, 1.0 })
   {
-    Add(bodies, ColumnSolid(side * 40.0, 112.0, 34.0, 19.0, 2.2), muscle);
+    Add(bodies, ColumnSolid(side * 40.0, 112.0, 34.0, 19.0, 2.5), muscle);
     Add(bodies, Both(ColumnSolid(side * 66.0, 96.0, 22.0, 12.0), Both(Above(-60.0), Below(70.0))), muscle);
     const std::vector<PointType> psoas{ MakePoint(side * 26.0, 74.0, 70.0),
                                         MakePoint(side * 38.0, 70.0, 0.0),
@@ -76,7 +76,7 @@ AddBodyWall(PhantomBodies & bodies)
                                         MakePoint(side * 74.0, 0.0, -125.0),
                                         MakePoint(side * 84.0, -20.0, -175.0) };
     Add(bodies, TubeSolid(psoas, 17.0), muscle);
-    const auto gluteus = EllipsoidSolid(MakePoint(side * 82.0, 92.0, -135.0), MakeVector(66, 38, 85), 2.3);
+    const auto gluteus = EllipsoidSolid(MakePoint(side * 82.0, 92.0, -135.0), MakeVector(66, 38, 85), 2.5);
     Add(bodies, Both(gluteus, Grown(BodyOutline(), -14.0)), muscle);
   }
   Add(bodies, CapsuleSolid(MakePoint(0, 52, -190), MakePoint(0, 46, -128), 15.0), muscle);
@@ -85,7 +85,7 @@ AddBodyWall(PhantomBodies & bodies)
 void
 AddChest(PhantomBodies & bodies, const ColonAnatomy & anatomy)
 {
-  const auto thorax = ColumnSolid(0.0, 9.0, 149.0, 106.0, 2.4);
+  const auto thorax = ColumnSolid(0.0, 9.0, 149.0, 106.0, 2.5);
   const auto chest = Both(thorax, Above(60.0));
   Add(bodies, Without(chest, DiaphragmDome()), softTissueIntensity);
   const auto lungs = Without(Without(Grown(chest, -3.0), Grown(DiaphragmDome(), 4.0)),
@@ -125,8 +125,8 @@ AddOrgans(PhantomBodies & bodies, const ColonAnatomy & anatomy, const Vector<dou
   const auto add = [&](const PhantomSolid & solid, double gap, double intensity) {
     Add(bodies, AwayFromColon(Both(solid, cavity), anatomy, gap), intensity);
   };
-  add(EllipsoidSolid(MakePoint(-66, -2, 112), MakeVector(82, 92, 66), 2.4), 5.0, 62.0);
-  add(EllipsoidSolid(MakePoint(-86, 20, 78), MakeVector(52, 60, 70), 2.2), 5.0, 62.0);
+  add(EllipsoidSolid(MakePoint(-66, -2, 112), MakeVector(82, 92, 66), 2.5), 5.0, 62.0);
+  add(EllipsoidSolid(MakePoint(-86, 20, 78), MakeVector(52, 60, 70), 2.5), 5.0, 62.0);
   add(EllipsoidSolid(MakePoint(112, 42, 112), MakeVector(30, 46, 40)), 5.0, 56.0);
   add(EllipsoidSolid(MakePoint(-22, -46, 70), MakeVector(16, 18, 24)), 4.0, 15.0);
   for (const double side : { -1.0, 1.0 })

@@ -111,30 +111,31 @@ private:
   }
 
   // Pushes those of the bodies from `begin` on that the block may show; true when it shows one body only, without its
-  // faces, or none.
+  // faces, or none. What a body covers wholly is not even looked at.
   bool
   SelectBodies(const PointType & center, double radius, std::size_t begin, bool & textured)
   {
     const std::size_t end = m_Stack.size();
     bool              uniform = true;
     textured = false;
-    for (std::size_t i = begin; i < end; ++i)
+    for (std::size_t i = end; i > begin; --i)
     {
-      const PhantomBody * const body = m_Stack[i];
+      const PhantomBody * const body = m_Stack[i - 1];
       const BodyProbe           probe = body->Probe(center);
       if (probe.distance > radius)
       {
         continue;
       }
       const bool covers = probe.distance < -radius;
-      if (covers)
-      {
-        m_Stack.resize(end);
-      }
-      uniform = covers && probe.clearance > radius;
+      uniform = m_Stack.size() == end && covers && probe.clearance > radius;
       textured = probe.textured;
       m_Stack.push_back(body);
+      if (covers)
+      {
+        break;
+      }
     }
+    std::reverse(m_Stack.begin() + static_cast<std::ptrdiff_t>(end), m_Stack.end());
     return uniform;
   }
 

@@ -55,10 +55,6 @@ WriteColonTruth(CommandLine & commandLine, ColonPhantomImageSource & source, con
 
   const ColonAnatomy & anatomy = source.GetAnatomy();
   const auto           write = [&](CurveSet curves, const char * name) {
-    if (curves.V.rows() == 0)
-    {
-      return;
-    }
     curves.facts.insert(curves.facts.end(), facts.begin(), facts.end());
     WriteCurves(curves, file(name));
   };
@@ -67,10 +63,8 @@ WriteColonTruth(CommandLine & commandLine, ColonPhantomImageSource & source, con
   write(anatomy.Taeniae(), "taeniae.vtp");
   write(anatomy.Correspondence(), "correspondence.vtp");
   SurfaceMesh wall = anatomy.Wall(wallEdge);
-  if (wall.V.rows() > 0) {
   wall.facts.insert(wall.facts.end(), facts.begin(), facts.end());
   WriteSurface(wall, file("wall.vtp"));
-  }
   PolypTable(source.GetFluid(), anatomy).Write(file("polyps.csv"));
 }
 } // namespace itk

@@ -40,6 +40,19 @@ private:
   PhantomSolid m_Solid;
   double       m_Intensity;
 };
+
+// The exponents in use are 2 and 2.5.
+double
+Power(double x, double exponent)
+{
+  return exponent == 2.0 ? x * x : (exponent == 2.5 ? x * x * std::sqrt(x) : std::pow(x, exponent));
+}
+
+double
+PowerLessOne(double x, double exponent)
+{
+  return exponent == 2.0 ? x : (exponent == 2.5 ? x * std::sqrt(x) : std::pow(x, exponent - 1.0));
+}
 } // namespace
 
 PhantomBody::~PhantomBody() = default;
@@ -57,7 +70,7 @@ EllipsoidSolid(const PointType & center, const Vector<double, 3> & radii, double
     for (unsigned int i = 0; i < 3; ++i)
     {
       scaled[i] = std::abs(p[i] - center[i]) / radii[i];
-      sum += exponent == 2.0 ? scaled[i] * scaled[i] : std::pow(scaled[i], exponent);
+      sum += Power(scaled[i], exponent);
     }
     const double k = exponent == 2.0 ? std::sqrt(sum) : std::pow(sum, 1.0 / exponent);
     if (k < 1e-6)
@@ -68,7 +81,7 @@ EllipsoidSolid(const PointType & center, const Vector<double, 3> & radii, double
     for (unsigned int i = 0; i < 3; ++i)
     {
       const double ratio = scaled[i] / k;
-      const double partial = (exponent == 2.0 ? ratio : std::pow(ratio, exponent - 1.0)) / radii[i];
+      const double partial = PowerLessOne(ratio, exponent) / radii[i];
       squared += partial * partial;
     }
     return (k - 1.0) / std::sqrt(squared);
