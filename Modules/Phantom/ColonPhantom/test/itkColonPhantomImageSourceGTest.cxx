@@ -1,0 +1,358 @@
+#include "itkBodySampler.h"
+#include "itkColonAbdomen.h"
+#include "itkColonPhantomImageSource.h"
+#include "itkToolError.h"
+
+#include "itkImageRegionConstIterator.h"
+#include "itkImageRegionConstIteratorWithIndex.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace
+{
+using Source = itk::ColonPhantomImageSource;
+using LabelImage = Source::LabelImageType;
+
+Source::Pointer
+MakeSource(const itk::ColonPhantomParameters & parameters, itk::SizeValueType size, double extent = 358.4)
+{
+  const auto source = Source::New();
+  source->SetSize({ { size, size, size } });
+  const double spacing[3] = { extent / size, extent / size, extent / size };
+  source->SetSpacing(spacing);
+  source->CenterOutput();
+  source->SetParameters(parameters);
+  return source;
+}
+
+itk::ColonPhantomParameters
+Standard(const std::string & position, double fluid, unsigned seed = 3)
+{
+  auto parameters = itk::ColonPhantomPreset("standard");
+  parameters.position = position;
+  parameters.fluid = fluid;
+  parameters.seed = seed;
+  return parameters;
+}
+
+Eigen::Vector3d
+PointOf(const itk::ImageBase<3> * image, const itk::Index<3> & index)
+{
+  itk::Point<double, 3> p;
+  image->TransformIndexToPhysicalPoint(index, p);
+  return { p[0], p[1], p[2] };
+}
+
+std::size_t
+Count(const LabelImage * image, unsigned char label)
+{
+  std::size_t                                count = 0;
+  itk::ImageRegionConstIterator<LabelImage> it(image, image->GetLargestPossibleRegion());
+  for (; !it.IsAtEnd(); ++it)
+  {
+    count += it.Get() == label;
+  }
+  return count;
+}
+
+// Mean and deviation of the intensities at lumen voxels of one label that are `depth` mm from wall and level.
+struct Statistics
+{
+  double      mean{ 0.0 };
+  double      deviation{ 0.0 };
+  std::size_t count{ 0 };
+};
+
+Statistics
+IntensityOf(Source * source, unsigned char label, double depth)
+{
+  Statistics  result;
+  double      squares = 0.0;
+  const auto  lumen = source->GetLumenOutput();
+  itk::ImageRegionConstIteratorWithIndex<LabelImage> it(lumen, lumen->GetLargestPossibleRegion());
+  for (; !it.IsAtEnd(); ++it)
+  {
+    const auto point = PointOf(lumen, it.GetIndex());
+    const auto sample = source->GetAnatomy().Evaluate(point);
+    if (it.Get() != label || sample.distance < depth || sample.arcLength < 100.0 ||
+        std::abs(source->GetFluid().DepthBelowLevel(point, sample.arcLength)) < depth)
+    {
+      continue;
+    }
+    const double value = source->GetOutput()->GetPixel(it.GetIndex());
+    result.mean += value;
+    squares += value * value;
+    ++result.count;
+  }
+  result.mean /= static_cast<double>(result.count);
+  result.deviation = std::sqrt(squares / static_cast<double>(result.count) - result.mean * result.mean);
+  return result;
+}
+
+// Paints every cell, so that nothing can be skipped wrongly.
+class NeverSkipped : public itk::PhantomBody
+{
+public:
+  explicit NeverSkipped(std::shared_ptr<const itk::PhantomBody> body)
+    : m_Body(std::move(body))
+  {}
+  itk::BodyProbe
+  Probe(const PointType &) const override
+  {
+    return { 0.0, 0.0 };
+  }
+  double
+  Intensity(const PointType & p) const override
+  {
+    return m_Body->Intensity(p);
+  }
+  void
+  Paint(const PointType & p, double width, double & value) const override
+  {
+    m_Body->Paint(p, width, value);
+  }
+
+private:
+  std::shared_ptr<const itk::PhantomBody> m_Body;
+};
+} // namespace
+
+TEST(ColonPhantomImageSource, FluidHasTheShareAskedFor)
+{
+  for (const double share : { 0.0, 0.1, 0.3, 0.5 })
+  {
+    const auto source = MakeSource(Standard("supine", share), 90);
+    source->UpdateLargestPossibleRegion();
+    const double gas = static_cast<double>(Count(source->GetLumenOutput(), 1));
+    const double fluid = static_cast<double>(Count(source->GetLumenOutput(), 2));
+    EXPECT_NEAR(fluid / (gas + fluid), share, 0.005) << share;
+  }
+}
+
+TEST(ColonPhantomImageSource, SkippingBlocksChangesNothing)
+{
+  const itk::ColonAnatomy anatomy(Standard("supine", 0.25));
+  const itk::ColonFluid   fluid(anatomy);
+  const auto              bodies = itk::MakeColonAbdomen(anatomy, fluid);
+  itk::PhantomBodies      all;
+  for (const auto & body : bodies)
+  {
+    all.push_back(std::make_shared<NeverSkipped>(body));
+  }
+  const auto             source = MakeSource(Standard("supine", 0.25), 256);
+  source->UpdateOutputInformation();
+  const itk::BodySampler fast(bodies, source->GetOutput(), 0.75, itk::airIntensity);
+  const itk::BodySampler slow(all, source->GetOutput(), 0.75, itk::airIntensity);
+  itk::ImageRegion<3>    tile;
+  tile.SetSize({ { 16, 16, 16 } });
+  for (const auto & index : { itk::Index<3>{ { 40, 130, 90 } }, itk::Index<3>{ { 190, 150, 130 } },
+                              itk::Index<3>{ { 120, 80, 100 } }, itk::Index<3>{ { 60, 90, 215 } } })
+  {
+    tile.SetIndex(index);
+    const auto quick = fast.Sample(tile);
+    const auto exact = slow.Sample(tile);
+    double     largest = 0.0;
+    for (std::size_t i = 0; i < quick.size(); ++i)
+    {
+      largest = std::max(largest, std::abs(static_cast<double>(quick[i]) - exact[i]));
+    }
+    EXPECT_LT(largest, 0.5) << index;
+  }
+}
+
+class EachPosition : public testing::TestWithParam<const char *>
+{};
+
+// Every voxel face between gas and fluid meets a level, within 0.4 mm.
+TEST_P(EachPosition, FluidEndsInLevelsOnly)
+{
+  const auto source = MakeSource(Standard(GetParam(), 0.3), 120);
+  source->UpdateLargestPossibleRegion();
+  const auto   lumen = source->GetLumenOutput();
+  const auto & fluid = source->GetFluid();
+  const auto   size = lumen->GetLargestPossibleRegion().GetSize();
+  std::size_t  faces = 0;
+  std::size_t  wrong = 0;
+  itk::ImageRegionConstIteratorWithIndex<LabelImage> it(lumen, lumen->GetLargestPossibleRegion());
+  for (; !it.IsAtEnd(); ++it)
+  {
+    for (unsigned int axis = 0; axis < 3; ++axis)
+    {
+      auto next = it.GetIndex();
+      if (++next[axis] >= static_cast<long>(size[axis]) || it.Get() * lumen->GetPixel(next) != 2)
+      {
+        continue;
+      }
+      const double a = -fluid.Down().dot(PointOf(lumen, it.GetIndex()));
+      const double b = -fluid.Down().dot(PointOf(lumen, next));
+      bool         onLevel = false;
+      for (const auto & pool : fluid.Pools())
+      {
+        onLevel = onLevel || (pool.level > std::min(a, b) - 0.4 && pool.level < std::max(a, b) + 0.4);
+      }
+      ++faces;
+      wrong += !onLevel;
+    }
+  }
+  EXPECT_GT(faces, 500U);
+  EXPECT_LE(wrong, faces / 200);
+}
+
+TEST_P(EachPosition, LevelsArePerpendicularToGravityAndDiffer)
+{
+  const itk::ColonAnatomy anatomy(Standard(GetParam(), 0.2));
+  const itk::ColonFluid   fluid(anatomy);
+  const std::string       position = GetParam();
+  const Eigen::Vector3d   down(position == "leftDecubitus" ? 1.0 : (position == "rightDecubitus" ? -1.0 : 0.0),
+                             position == "supine" ? 1.0 : (position == "prone" ? -1.0 : 0.0),
+                             0.0);
+  EXPECT_GT(fluid.Down().dot(down), std::cos(1.0 * 3.14159265 / 180.0));
+  ASSERT_GE(fluid.Pools().size(), 3U);
+  double lowest = 1e9;
+  double highest = -1e9;
+  double volume = 0.0;
+  for (const auto & pool : fluid.Pools())
+  {
+    EXPECT_GT(pool.level, pool.bottom);
+    EXPECT_GE(pool.intensity, 600.0);
+    EXPECT_LE(pool.intensity, 830.0);
+    lowest = std::min(lowest, pool.level);
+    highest = std::max(highest, pool.level);
+    volume += pool.volume;
+  }
+  EXPECT_GT(highest - lowest, 5.0);
+  EXPECT_NEAR(volume / fluid.LumenVolume(), 0.2, 0.001);
+}
+
+INSTANTIATE_TEST_SUITE_P(ColonPhantomImageSource,
+                         EachPosition,
+                         testing::Values("supine", "prone", "leftDecubitus", "rightDecubitus"));
+
+TEST(ColonPhantomImageSource, ALumenFullOfFluidHoldsNoGas)
+{
+  const auto source = MakeSource(Standard("supine", 1.0), 64);
+  source->UpdateLargestPossibleRegion();
+  EXPECT_EQ(Count(source->GetLumenOutput(), 1), 0U);
+  EXPECT_GT(Count(source->GetLumenOutput(), 2), 1000U);
+}
+
+TEST(ColonPhantomImageSource, GasAndFluidHaveTheirIntensities)
+{
+  auto parameters = Standard("supine", 0.3);
+  parameters.noise = 25.0;
+  const auto source = MakeSource(parameters, 120);
+  source->UpdateLargestPossibleRegion();
+  const auto gas = IntensityOf(source, 1, 3.5);
+  ASSERT_GT(gas.count, 500U);
+  EXPECT_NEAR(gas.mean, -994.0, 4.0);
+  EXPECT_NEAR(gas.deviation, 25.0, 6.0); // clamped at -1024
+  const auto fluid = IntensityOf(source, 2, 3.5);
+  ASSERT_GT(fluid.count, 300U);
+  EXPECT_GT(fluid.mean, 500.0);
+  EXPECT_LT(fluid.mean, 850.0);
+}
+
+TEST(ColonPhantomImageSource, SameBytesForAnyNumberOfThreads)
+{
+  const auto one = MakeSource(Standard("prone", 0.2), 64);
+  one->SetNumberOfWorkUnits(1);
+  one->UpdateLargestPossibleRegion();
+  for (const unsigned int threads : { 2U, 3U })
+  {
+    const auto other = MakeSource(Standard("prone", 0.2), 64);
+    other->SetNumberOfWorkUnits(threads);
+    other->UpdateLargestPossibleRegion();
+    const std::size_t voxels = 64 * 64 * 64;
+    EXPECT_TRUE(std::equal(one->GetOutput()->GetBufferPointer(),
+                           one->GetOutput()->GetBufferPointer() + voxels,
+                           other->GetOutput()->GetBufferPointer()));
+    EXPECT_TRUE(std::equal(one->GetLumenOutput()->GetBufferPointer(),
+                           one->GetLumenOutput()->GetBufferPointer() + voxels,
+                           other->GetLumenOutput()->GetBufferPointer()));
+    EXPECT_TRUE(std::equal(one->GetSegmentOutput()->GetBufferPointer(),
+                           one->GetSegmentOutput()->GetBufferPointer() + voxels,
+                           other->GetSegmentOutput()->GetBufferPointer()));
+  }
+}
+
+// The axes of the second grid are z, -x, -y of the first; both have the same voxels in space.
+TEST(ColonPhantomImageSource, GridsWithOtherAxesShowTheSamePatient)
+{
+  auto parameters = Standard("supine", 0.2);
+  parameters.noise = 0.0;
+  const auto straight = MakeSource(parameters, 64);
+  const auto turned = MakeSource(parameters, 64);
+  Source::DirectionType direction;
+  direction.Fill(0.0);
+  direction(2, 0) = 1.0;
+  direction(0, 1) = -1.0;
+  direction(1, 2) = -1.0;
+  turned->SetDirection(direction);
+  turned->CenterOutput();
+  straight->UpdateLargestPossibleRegion();
+  turned->UpdateLargestPossibleRegion();
+  double      largest = 0.0;
+  std::size_t otherLabels = 0;
+  itk::ImageRegionConstIteratorWithIndex<LabelImage> it(turned->GetLumenOutput(),
+                                                        turned->GetLumenOutput()->GetLargestPossibleRegion());
+  for (; !it.IsAtEnd(); ++it)
+  {
+    const auto          index = it.GetIndex();
+    const itk::Index<3> same{ { 63 - index[1], 63 - index[2], index[0] } };
+    otherLabels += it.Get() != straight->GetLumenOutput()->GetPixel(same);
+    largest = std::max(largest,
+                       std::abs(static_cast<double>(turned->GetOutput()->GetPixel(index)) -
+                                straight->GetOutput()->GetPixel(same)));
+  }
+  EXPECT_LE(otherLabels, 3U);
+  EXPECT_LE(largest, 2.0);
+}
+
+TEST(ColonPhantomImageSource, AnObliqueGridSamplesTheSameLumen)
+{
+  const auto            source = MakeSource(Standard("supine", 0.2), 64);
+  Source::DirectionType direction;
+  direction.SetIdentity();
+  direction(0, 0) = direction(2, 2) = 0.8;
+  direction(0, 2) = 0.6;
+  direction(2, 0) = -0.6;
+  source->SetDirection(direction);
+  source->CenterOutput();
+  source->UpdateLargestPossibleRegion();
+  const auto lumen = source->GetLumenOutput();
+  double     gas = 0.0;
+  double     tissue = 0.0;
+  std::size_t gasCount = 0;
+  std::size_t tissueCount = 0;
+  itk::ImageRegionConstIteratorWithIndex<LabelImage> it(lumen, lumen->GetLargestPossibleRegion());
+  for (; !it.IsAtEnd(); ++it)
+  {
+    const auto sample = source->GetAnatomy().Evaluate(PointOf(lumen, it.GetIndex()));
+    EXPECT_EQ(it.Get() != 0, sample.distance > 0.0);
+    EXPECT_EQ(source->GetSegmentOutput()->GetPixel(it.GetIndex()), sample.distance > 0.0 ? sample.segment : 0);
+    const double value = source->GetOutput()->GetPixel(it.GetIndex());
+    if (it.Get() == 1 && sample.distance > 6.0 && sample.arcLength > 100.0)
+    {
+      gas += value < -800.0;
+      ++gasCount;
+    }
+    if (it.Get() == 0 && sample.distance > -1.5)
+    {
+      tissue += value;
+      ++tissueCount;
+    }
+  }
+  ASSERT_GT(gasCount, 300U);
+  ASSERT_GT(tissueCount, 300U);
+  EXPECT_GT(gas / static_cast<double>(gasCount), 0.9);
+}
+
+TEST(ColonPhantomImageSource, RefusesParametersOutOfRange)
+{
+  auto parameters = Standard("supine", 1.5);
+  EXPECT_THROW(Source::New()->SetParameters(parameters), itk::UsageError);
+  parameters = Standard("sitting", 0.2);
+  EXPECT_THROW(Source::New()->SetParameters(parameters), itk::UsageError);
+}
