@@ -8,7 +8,7 @@ namespace itk
 namespace
 {
 // Distances to the colon are of first order: away from the wall they may be too large by this factor.
-constexpr double colonSlope = 1.6;
+constexpr double colonSlope = 3.0;
 // The levels of neighbouring pools differ: blocks of the lumen are smaller than this, mm.
 constexpr double largestBlock = 4.0;
 

@@ -18,7 +18,7 @@ LumenLabels::LumenLabels(const ColonAnatomy & anatomy,
   , m_Segments(segments)
 {}
 
-// The distance of the centre is cut at ColonAnatomy::Reach: larger blocks are taken apart.
+// Distances may be too large by a factor away from the wall: only blocks of half the reach are judged by their centre.
 bool
 LumenLabels::MissesLumen(const RegionType & block) const
 {
@@ -31,7 +31,7 @@ LumenLabels::MissesLumen(const RegionType & block) const
     squared += 0.25 * steps * steps * m_Lumen->GetSpacing()[i] * m_Lumen->GetSpacing()[i];
   }
   const double radius = 1.001 * std::sqrt(squared);
-  if (radius >= ColonAnatomy::Reach)
+  if (radius >= 0.5 * ColonAnatomy::Reach)
   {
     return false;
   }
