@@ -79,8 +79,8 @@ Describe(const itk::CommandLine & commandLine)
                                                                        { "prone", { "HFP", 2 } },
                                                                        { "leftDecubitus", { "HFDL", 3 } },
                                                                        { "rightDecubitus", { "HFDR", 4 } } };
-  const std::string           position = commandLine.GetString("position");
-  itk::DicomSeriesDescription description;
+  const std::string                                         position = commandLine.GetString("position");
+  itk::DicomSeriesDescription                               description;
   description.patientName = "Phantom^Colon";
   description.patientID = "COLON-" + std::to_string(commandLine.GetInteger("seed"));
   description.studyDescription = "CT colonography phantom";

@@ -19,11 +19,11 @@ namespace itk
  * or directions show the same patient. Each voxel is the mean of what lies in it (BodySampler), blurred by the scanner,
  * with correlated noise (CorrelatedNoise), rounded to whole HU and clamped to [-1024, 31743].
  *
- * The lumen's truth is that of the voxel's centre: neither blur nor noise changes it. The catheter lies in the lumen and
- * counts as part of it.
+ * The lumen's truth is that of the voxel's centre: neither blur nor noise changes it. The catheter lies in the lumen
+ * and counts as part of it.
  *
- * Each voxel depends on its index and position alone: the same bytes for any number of threads. The whole volume is made
- * at once.
+ * Each voxel depends on its index and position alone: the same bytes for any number of threads. The whole volume is
+ * made at once.
  *
  * \par Inputs and Outputs
  * No input. Output 0 is the image in HU; output 1 the lumen (1 gas, 2 fluid); output 2 the segments of the lumen (see

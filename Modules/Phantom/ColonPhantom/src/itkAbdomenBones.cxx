@@ -101,8 +101,8 @@ Rib(double height)
 {
   const auto wall = ColumnSolid(0.0, 11.0, 154.0, 112.0, 2.5);
   const auto distance = [wall, height](const PointType & p) {
-    const double turn = std::atan2(std::abs(p[0]), p[1] - 11.0) / 3.14159265358979;
-    const double along = 0.75 * (p[2] - (height - 105.0 * std::min(turn, 0.75)));
+    const double     turn = std::atan2(std::abs(p[0]), p[1] - 11.0) / 3.14159265358979;
+    const double     along = 0.75 * (p[2] - (height - 105.0 * std::min(turn, 0.75)));
     constexpr double far = 40.0;
     if (std::abs(along) > far)
     {

@@ -88,8 +88,8 @@ AddChest(PhantomBodies & bodies, const ColonAnatomy & anatomy)
   const auto thorax = ColumnSolid(0.0, 9.0, 149.0, 106.0, 2.5);
   const auto chest = Both(thorax, Above(60.0));
   Add(bodies, Without(chest, DiaphragmDome()), softTissueIntensity);
-  const auto lungs = Without(Without(Grown(chest, -3.0), Grown(DiaphragmDome(), 4.0)),
-                             ColumnSolid(0.0, 40.0, 38.0, 90.0));
+  const auto lungs =
+    Without(Without(Grown(chest, -3.0), Grown(DiaphragmDome(), 4.0)), ColumnSolid(0.0, 40.0, 38.0, 90.0));
   Add(bodies, AwayFromColon(lungs, anatomy, 8.0), -850.0);
   const auto heart = EllipsoidSolid(MakePoint(28, -40, 195), MakeVector(62, 50, 48));
   Add(bodies, Both(Without(heart, DiaphragmDome()), Grown(thorax, -3.0)), 45.0);
@@ -101,12 +101,12 @@ namespace
 void
 AddStomach(PhantomBodies & bodies, const ColonAnatomy & anatomy, const Vector<double, 3> & down)
 {
-  const auto      center = MakePoint(58, -38, 100);
-  const auto      radii = MakeVector(46, 32, 40);
-  const auto      stomach = Both(EllipsoidSolid(center, radii), Grown(AbdominalCavity(), -2.0));
-  const auto      outside = AwayFromColon(stomach, anatomy, 4.0);
-  const auto      lumen = Grown(outside, -4.0);
-  double          reach = 0.0;
+  const auto center = MakePoint(58, -38, 100);
+  const auto radii = MakeVector(46, 32, 40);
+  const auto stomach = Both(EllipsoidSolid(center, radii), Grown(AbdominalCavity(), -2.0));
+  const auto outside = AwayFromColon(stomach, anatomy, 4.0);
+  const auto lumen = Grown(outside, -4.0);
+  double     reach = 0.0;
   for (unsigned int i = 0; i < 3; ++i)
   {
     reach += (radii[i] - 4.0) * (radii[i] - 4.0) * down[i] * down[i];
@@ -141,7 +141,8 @@ AddOrgans(PhantomBodies & bodies, const ColonAnatomy & anatomy, const Vector<dou
   add(TubeSolid(cava, 11.0), 4.0, 45.0);
   for (const double side : { -1.0, 1.0 })
   {
-    add(TubeSolid({ MakePoint(0, 45, -38), MakePoint(side * 36, 42, -85), MakePoint(side * 62, -20, -160) }, 8.0), 3.0,
+    add(TubeSolid({ MakePoint(0, 45, -38), MakePoint(side * 36, 42, -85), MakePoint(side * 62, -20, -160) }, 8.0),
+        3.0,
         45.0);
   }
   add(EllipsoidSolid(MakePoint(0, -40, -138), MakeVector(40, 32, 30)), 4.0, 35.0);

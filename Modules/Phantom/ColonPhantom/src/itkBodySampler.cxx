@@ -19,8 +19,13 @@ NumberOf(const CellIndex & size)
 
 // Blurs the middle axis of an array [outer][length][inner] and takes each `step`-th result.
 std::vector<float>
-BlurAxis(const std::vector<float> & in, std::size_t outer, int length, std::size_t inner, int step,
-         const std::vector<float> & weights, int results)
+BlurAxis(const std::vector<float> & in,
+         std::size_t                outer,
+         int                        length,
+         std::size_t                inner,
+         int                        step,
+         const std::vector<float> & weights,
+         int                        results)
 {
   std::vector<float> out(outer * results * inner, 0.0F);
   for (std::size_t o = 0; o < outer; ++o)
@@ -215,8 +220,7 @@ private:
 };
 
 BodySampler::BodySampler(PhantomBodies bodies, const ImageBase<3> * grid, double blur, double background)
-  : m_Bodies(std::move(bodies))
-  , m_Background(background)
+  : m_Bodies(std::move(bodies)), m_Background(background)
 {
   ContinuousIndex<double, 3> first;
   for (unsigned int i = 0; i < 3; ++i)

@@ -21,16 +21,13 @@ ToEigen(const Point<double, 3> & p)
 class ColonBody : public PhantomBody
 {
 public:
-  ColonBody(const ColonAnatomy & anatomy, const ColonFluid & fluid)
-    : m_Anatomy(anatomy)
-    , m_Fluid(fluid)
-  {}
+  ColonBody(const ColonAnatomy & anatomy, const ColonFluid & fluid) : m_Anatomy(anatomy), m_Fluid(fluid) {}
 
   BodyProbe
   Probe(const PointType & p) const override
   {
-    const auto point = ToEigen(p);
-    const auto sample = m_Anatomy.Evaluate(point);
+    const auto   point = ToEigen(p);
+    const auto   sample = m_Anatomy.Evaluate(point);
     const double outer = -(sample.distance + bowelWall) / colonSlope;
     double       clearance = std::min(std::abs(sample.distance), std::abs(sample.distance + bowelWall)) / colonSlope;
     bool         textured = false;
@@ -124,7 +121,7 @@ MakeCatheter(const ColonAnatomy & anatomy)
 PhantomSolid
 AwayFromColon(const PhantomSolid & solid, const ColonAnatomy & anatomy, double gap)
 {
-  const auto          distance = solid.distance;
+  const auto                 distance = solid.distance;
   const ColonAnatomy * const colon = &anatomy;
   return { [distance, colon, gap](const PhantomBody::PointType & p) {
             const double own = distance(p);

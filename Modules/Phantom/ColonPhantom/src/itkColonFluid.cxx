@@ -15,10 +15,10 @@ namespace itk
 {
 namespace
 {
-constexpr double latticeStep = 2.0;    // mm
-constexpr double sliceLength = 3.0;    // mm
-constexpr double smallestBasin = 2.0;  // ml
-constexpr double ridgeMargin = 1.2;    // mm; the lattice sees passages too high by about half a step
+constexpr double latticeStep = 2.0;   // mm
+constexpr double sliceLength = 3.0;   // mm
+constexpr double smallestBasin = 2.0; // ml
+constexpr double ridgeMargin = 1.2;   // mm; the lattice sees passages too high by about half a step
 constexpr double textureDeviation = 43.0;
 constexpr int    blockSide = 6; // lattice steps; its half diagonal is below ColonAnatomy::Reach
 constexpr double pointVolume = latticeStep * latticeStep * latticeStep / 1000.0; // ml
@@ -168,8 +168,8 @@ private:
     }
     for (const double share : { 0.25, 0.5, 0.75 })
     {
-      const auto point = this->PointAt(
-        a[0] + share * (b[0] - a[0]), a[1] + share * (b[1] - a[1]), a[2] + share * (b[2] - a[2]));
+      const auto point =
+        this->PointAt(a[0] + share * (b[0] - a[0]), a[1] + share * (b[1] - a[1]), a[2] + share * (b[2] - a[2]));
       if (m_Anatomy.Evaluate(point).distance <= 0.0)
       {
         return false;
@@ -215,7 +215,7 @@ GravityOf(const ColonPhantomParameters & parameters)
                                                            { "prone", { 0, -1, 0 } },
                                                            { "leftDecubitus", { 1, 0, 0 } },
                                                            { "rightDecubitus", { -1, 0, 0 } } };
-  const auto found = directions.find(parameters.position);
+  const auto                                   found = directions.find(parameters.position);
   if (found == directions.end())
   {
     throw UsageError("the position \"" + parameters.position +
@@ -228,9 +228,7 @@ GravityOf(const ColonPhantomParameters & parameters)
   return (down + across * Eigen::Vector3d(down[1], down[0], 0.0) + along * Eigen::Vector3d(0.0, 0.0, 1.0)).normalized();
 }
 
-ColonFluid::ColonFluid(const ColonAnatomy & anatomy)
-  : m_Anatomy(anatomy)
-  , m_Down(GravityOf(anatomy.GetParameters()))
+ColonFluid::ColonFluid(const ColonAnatomy & anatomy) : m_Anatomy(anatomy), m_Down(GravityOf(anatomy.GetParameters()))
 {
   const auto &       parameters = anatomy.GetParameters();
   const LumenLattice lattice(anatomy, m_Down);
@@ -307,7 +305,8 @@ ColonFluid::Intensity(const Eigen::Vector3d & point, double arcLength) const
     return pool.intensity + texture;
   }
   const double height = -m_Down.dot(point) - pool.bottom;
-  const double top = std::min(0.5 * (pool.level - pool.bottom), 12.0) + 0.18 * (arcLength - std::floor(arcLength / 60.0) * 60.0 - 30.0);
+  const double top =
+    std::min(0.5 * (pool.level - pool.bottom), 12.0) + 0.18 * (arcLength - std::floor(arcLength / 60.0) * 60.0 - 30.0);
   const double share = 1.0 / (1.0 + std::exp(std::clamp(1.5 * (height - top), -50.0, 50.0)));
   return (1.0 - share) * (pool.intensity + texture) + share * (pool.wedge + 0.5 * texture);
 }

@@ -16,8 +16,21 @@ constexpr double wallEdge = 0.7; // mm
 CsvTable
 PolypTable(const ColonFluid & fluid, const ColonAnatomy & anatomy)
 {
-  CsvTable   table({ "id",    "kind",  "diameter",  "height",  "x",      "y",         "z",         "baseX",
-                     "baseY", "baseZ", "arcLength", "segment", "onFold", "submerged", "materialId" });
+  CsvTable   table({ "id",
+                     "kind",
+                     "diameter",
+                     "height",
+                     "x",
+                     "y",
+                     "z",
+                     "baseX",
+                     "baseY",
+                     "baseZ",
+                     "arcLength",
+                     "segment",
+                     "onFold",
+                     "submerged",
+                     "materialId" });
   const auto number = [](double value) { return CsvTable::Number(value); };
   for (const auto & polyp : anatomy.Polyps())
   {

@@ -54,10 +54,10 @@ CorrelatedNoise::AddTo(std::vector<float> & values, const RegionType & region) c
   {
     return;
   }
-  const auto          start = region.GetIndex() - m_Grid.GetIndex();
-  const auto          grid = m_Grid.GetSize();
-  const auto          size = region.GetSize();
-  std::vector<float>  white((size[0] + 2) * (size[1] + 2) * (size[2] + 2));
+  const auto                   start = region.GetIndex() - m_Grid.GetIndex();
+  const auto                   grid = m_Grid.GetSize();
+  const auto                   size = region.GetSize();
+  std::vector<float>           white((size[0] + 2) * (size[1] + 2) * (size[2] + 2));
   std::vector<float>::iterator next = white.begin();
   for (std::uint64_t z = start[2]; z < start[2] + size[2] + 2; ++z)
   {

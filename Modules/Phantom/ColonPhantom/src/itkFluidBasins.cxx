@@ -34,10 +34,7 @@ class BasinTree
 {
 public:
   BasinTree(const Heights & heights, std::vector<FluidPassage> passages, std::size_t smallest)
-    : m_Heights(heights)
-    , m_Smallest(smallest)
-    , m_Parent(heights.size())
-    , m_BasinOf(heights.size(), -1)
+    : m_Heights(heights), m_Smallest(smallest), m_Parent(heights.size()), m_BasinOf(heights.size(), -1)
   {
     for (std::size_t i = 0; i < heights.size(); ++i)
     {
@@ -92,9 +89,9 @@ private:
     {
       return;
     }
-    const int   basinA = m_BasinOf[a];
-    const int   basinB = m_BasinOf[b];
-    const bool  divides = PointsBelow(m_Heights, m_Basins[basinA].slices, height) >= m_Smallest &&
+    const int  basinA = m_BasinOf[a];
+    const int  basinB = m_BasinOf[b];
+    const bool divides = PointsBelow(m_Heights, m_Basins[basinA].slices, height) >= m_Smallest &&
                          PointsBelow(m_Heights, m_Basins[basinB].slices, height) >= m_Smallest;
     m_Parent[b] = a;
     if (divides)
@@ -119,8 +116,8 @@ private:
   {
     const bool aIsLarger = PointsBelow(m_Heights, m_Basins[basinA].slices, height) >=
                            PointsBelow(m_Heights, m_Basins[basinB].slices, height);
-    const int  larger = aIsLarger ? basinA : basinB;
-    const int  smaller = aIsLarger ? basinB : basinA;
+    const int larger = aIsLarger ? basinA : basinB;
+    const int smaller = aIsLarger ? basinB : basinA;
     m_Basins[larger].slices.insert(
       m_Basins[larger].slices.end(), m_Basins[smaller].slices.begin(), m_Basins[smaller].slices.end());
     m_BasinOf[representative] = larger;

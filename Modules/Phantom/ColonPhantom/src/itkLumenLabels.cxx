@@ -12,10 +12,7 @@ LumenLabels::LumenLabels(const ColonAnatomy & anatomy,
                          const ColonFluid &   fluid,
                          LabelImageType *     lumen,
                          LabelImageType *     segments)
-  : m_Anatomy(anatomy)
-  , m_Fluid(fluid)
-  , m_Lumen(lumen)
-  , m_Segments(segments)
+  : m_Anatomy(anatomy), m_Fluid(fluid), m_Lumen(lumen), m_Segments(segments)
 {}
 
 // Distances may be too large by a factor away from the wall: only blocks of half the reach are judged by their centre.

@@ -15,7 +15,10 @@ public:
   using LabelImageType = Image<unsigned char, 3>;
   using RegionType = ImageRegion<3>;
 
-  LumenLabels(const ColonAnatomy & anatomy, const ColonFluid & fluid, LabelImageType * lumen, LabelImageType * segments);
+  LumenLabels(const ColonAnatomy & anatomy,
+              const ColonFluid &   fluid,
+              LabelImageType *     lumen,
+              LabelImageType *     segments);
 
   /** Sets all labels of a region. */
   void

@@ -9,10 +9,7 @@ namespace itk
 class PhantomRandom
 {
 public:
-  PhantomRandom(unsigned seed, std::uint32_t stream)
-    : m_Seed(seed)
-    , m_Stream(stream)
-  {}
+  PhantomRandom(unsigned seed, std::uint32_t stream) : m_Seed(seed), m_Stream(stream) {}
 
   /** In [low, high). */
   double

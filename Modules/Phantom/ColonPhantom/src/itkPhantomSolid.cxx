@@ -9,13 +9,12 @@ namespace
 {
 using PointType = PhantomBody::PointType;
 
+constexpr double farAway = 15.0; // mm
+
 class SolidBody : public PhantomBody
 {
 public:
-  SolidBody(PhantomSolid solid, double intensity)
-    : m_Solid(std::move(solid))
-    , m_Intensity(intensity)
-  {}
+  SolidBody(PhantomSolid solid, double intensity) : m_Solid(std::move(solid)), m_Intensity(intensity) {}
 
   BodyProbe
   Probe(const PointType & point) const override
@@ -148,40 +147,48 @@ BoxSolid(const PointType & center, const Vector<double, 3> & halfSize)
   } };
 }
 
+// Where one distance is large, the other is not asked for: the larger one of the two bounds the true distance, and so
+// does either.
 PhantomSolid
 Both(const PhantomSolid & a, const PhantomSolid & b)
 {
-  return { [=](const PointType & p) { return std::max(a.distance(p), b.distance(p)); }, std::max(a.slope, b.slope) };
-}
-
-PhantomSolid
-Either(const PhantomSolid & a, const PhantomSolid & b)
-{
-  return { [=](const PointType & p) { return std::min(a.distance(p), b.distance(p)); }, std::max(a.slope, b.slope) };
+  return { [first = a.distance, second = b.distance](const PointType & p) {
+            const double distance = first(p);
+            return distance > farAway ? distance : std::max(distance, second(p));
+          },
+           std::max(a.slope, b.slope) };
 }
 
 PhantomSolid
 Without(const PhantomSolid & a, const PhantomSolid & b)
 {
-  return { [=](const PointType & p) { return std::max(a.distance(p), -b.distance(p)); }, std::max(a.slope, b.slope) };
+  return { [first = a.distance, second = b.distance](const PointType & p) {
+            const double distance = first(p);
+            return distance > farAway ? distance : std::max(distance, -second(p));
+          },
+           std::max(a.slope, b.slope) };
+}
+
+PhantomSolid
+Either(const PhantomSolid & a, const PhantomSolid & b)
+{
+  return { [first = a.distance, second = b.distance](const PointType & p) { return std::min(first(p), second(p)); },
+           std::max(a.slope, b.slope) };
 }
 
 PhantomSolid
 Grown(const PhantomSolid & solid, double margin)
 {
-  return { [=](const PointType & p) { return solid.distance(p) - margin; }, solid.slope };
+  return { [distance = solid.distance, margin](const PointType & p) { return distance(p) - margin; }, solid.slope };
 }
 
 PhantomSolid
 ShellOf(const PhantomSolid & solid, double thickness)
 {
-  return { [=](const PointType & p) { return std::abs(solid.distance(p)) - 0.5 * thickness; }, solid.slope };
-}
-
-PhantomSolid
-Bumped(const PhantomSolid & solid, std::function<double(const PointType &)> bumps, double slope)
-{
-  return { [=](const PointType & p) { return solid.distance(p) - bumps(p); }, solid.slope + slope };
+  return { [distance = solid.distance, thickness](const PointType & p) {
+            return std::abs(distance(p)) - 0.5 * thickness;
+          },
+           solid.slope };
 }
 
 std::shared_ptr<const PhantomBody>

@@ -70,10 +70,6 @@ Grown(const PhantomSolid & solid, double margin);
 PhantomSolid
 ShellOf(const PhantomSolid & solid, double thickness);
 
-/** The solid with another surface: moved outwards by `bumps`, whose gradient is at most `slope`. */
-PhantomSolid
-Bumped(const PhantomSolid & solid, std::function<double(const Point<double, 3> &)> bumps, double slope);
-
 /** A body of one intensity. */
 std::shared_ptr<const PhantomBody>
 MakeSolidBody(const PhantomSolid & solid, double intensity);

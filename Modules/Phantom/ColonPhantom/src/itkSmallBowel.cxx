@@ -112,8 +112,7 @@ RandomLoop(PhantomRandom & random, const VectorType & down)
 class SmallBowel : public PhantomBody
 {
 public:
-  SmallBowel(unsigned seed, const VectorType & down)
-    : m_Down(down)
+  SmallBowel(unsigned seed, const VectorType & down) : m_Down(down)
   {
     PhantomRandom random(seed, 0x5b0);
     for (int i = 0; i < numberOfLoops; ++i)

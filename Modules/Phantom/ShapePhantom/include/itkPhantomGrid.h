@@ -26,8 +26,8 @@ struct PhantomGrid
  * Throws UsageError, also when the volume does not fit into the memory of the machine.
  * \ingroup ShapePhantom */
 ShapePhantom_EXPORT PhantomGrid
-ReadPhantomGrid(const CommandLine &                     commandLine,
-                double                                  bytesPerVoxel,
+ReadPhantomGrid(const CommandLine &                      commandLine,
+                double                                   bytesPerVoxel,
                 const std::optional<Vector<double, 3>> & extent = {});
 } // namespace itk
 

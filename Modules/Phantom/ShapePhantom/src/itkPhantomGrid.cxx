@@ -79,9 +79,7 @@ ReadDirection(const CommandLine & commandLine)
 } // namespace
 
 PhantomGrid
-ReadPhantomGrid(const CommandLine &                      commandLine,
-                double                                   bytesPerVoxel,
-                const std::optional<Vector<double, 3>> & extent)
+ReadPhantomGrid(const CommandLine & commandLine, double bytesPerVoxel, const std::optional<Vector<double, 3>> & extent)
 {
   const auto                size = ReadSize(commandLine, bytesPerVoxel);
   ImageBase<3>::SpacingType spacing;
