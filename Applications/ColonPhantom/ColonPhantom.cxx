@@ -33,7 +33,7 @@ OverrideCount(const itk::CommandLine & commandLine, const char * name, int & val
   }
 }
 
-// Options that are not given have the value of the preset.
+// Options that are not given, or -1, have the value of the preset.
 itk::ColonPhantomParameters
 ReadParameters(const itk::CommandLine & commandLine)
 {
