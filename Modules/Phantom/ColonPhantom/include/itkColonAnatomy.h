@@ -17,15 +17,15 @@ namespace itk
 /** A polyp of the phantom. \ingroup ColonPhantom */
 struct ColonPolyp
 {
-  int         id;   ///< from 1
-  std::string kind; ///< sessile, pedunculated or flat
-  double      diameter; ///< mm, the widest of the head
-  double      height;   ///< mm, how far it stands out of the wall
-  Eigen::Vector3d position; ///< the middle of the head, LPS mm
-  Eigen::Vector3d base;     ///< where it sits on the wall, LPS mm
+  int             id;        ///< from 1
+  std::string     kind;      ///< sessile, pedunculated or flat
+  double          diameter;  ///< mm, the widest of the head
+  double          height;    ///< mm, how far it stands out of the wall
+  Eigen::Vector3d position;  ///< the middle of the head, LPS mm
+  Eigen::Vector3d base;      ///< where it sits on the wall, LPS mm
   double          arcLength; ///< mm
   int             segment;
-  bool            onFold; ///< on the crest of a fold
+  bool            onFold;     ///< on the crest of a fold
   int             materialId; ///< the nearest wall point of Correspondence()
 };
 

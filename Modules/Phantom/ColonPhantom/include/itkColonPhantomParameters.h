@@ -45,7 +45,7 @@ struct ColonPhantomParameters
 
 /** The parameters of the preset standard or hard. Throws UsageError for another name. \ingroup ColonPhantom */
 ColonPhantom_EXPORT ColonPhantomParameters
-                    ColonPhantomPreset(const std::string & name);
+ColonPhantomPreset(const std::string & name);
 
 /** Throws UsageError that names the first parameter out of its range. \ingroup ColonPhantom */
 ColonPhantom_EXPORT void

@@ -51,8 +51,7 @@ struct ColonAnatomy::Data
   ColonField             field;
 };
 
-ColonAnatomy::ColonAnatomy(const ColonPhantomParameters & parameters)
-  : m_Data(std::make_unique<const Data>(parameters))
+ColonAnatomy::ColonAnatomy(const ColonPhantomParameters & parameters) : m_Data(std::make_unique<const Data>(parameters))
 {}
 
 ColonAnatomy::~ColonAnatomy() = default;
@@ -133,8 +132,7 @@ ColonAnatomy::SegmentAt(double arcLength) const
 std::string
 ColonAnatomy::SegmentName(int segment)
 {
-  static const std::vector<std::string> names{ "rectum",     "sigmoid",   "descending",
-                                               "transverse", "ascending", "caecum" };
+  static const std::vector<std::string> names{ "rectum", "sigmoid", "descending", "transverse", "ascending", "caecum" };
   return segment >= 1 && segment <= 6 ? names[segment - 1] : std::string();
 }
 

@@ -27,8 +27,7 @@ PathPoint(const ColonPath & path, double material)
     return k < 0 ? Vector3d(2 * path.nodes[0] - path.nodes[1])
                  : (k > last ? Vector3d(2 * path.nodes[last] - path.nodes[last - 1]) : path.nodes[k]);
   };
-  const CubicWeights w(
-    std::clamp((material - path.material[i]) / (path.material[i + 1] - path.material[i]), 0.0, 1.0));
+  const CubicWeights w(std::clamp((material - path.material[i]) / (path.material[i + 1] - path.material[i]), 0.0, 1.0));
   return w.value[0] * at(i - 1) + w.value[1] * at(i) + w.value[2] * at(i + 1) + w.value[3] * at(i + 2);
 }
 
@@ -50,8 +49,7 @@ ColonCurve::NumberOfSteps(double length)
 }
 
 ColonCurve::ColonCurve(const ColonPath & path, const std::vector<double> & twist)
-  : m_Steps(NumberOfSteps(path.Length()))
-  , m_Step(path.Length() / m_Steps)
+  : m_Steps(NumberOfSteps(path.Length())), m_Step(path.Length() / m_Steps)
 {
   for (int k = 0; k <= m_Steps; ++k)
   {
@@ -268,7 +266,8 @@ ColonCurve::Refine(const Vector3d & point, int sample) const
     const Vector3d off = frame.position - point;
     const double   slope = off.dot(frame.first);
     const double   bend = std::max(off.dot(frame.second) + frame.first.squaredNorm(), 0.2 * frame.first.squaredNorm());
-    t = std::clamp(t - std::clamp(slope / bend, -1.0, 1.0), std::max(0.0, sample - 1.0), std::min(1.0 * m_Steps, sample + 1.0));
+    t = std::clamp(
+      t - std::clamp(slope / bend, -1.0, 1.0), std::max(0.0, sample - 1.0), std::min(1.0 * m_Steps, sample + 1.0));
   }
   return t;
 }

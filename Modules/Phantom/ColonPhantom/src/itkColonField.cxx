@@ -71,9 +71,8 @@ EllipsoidDistance(const Vector3d & point, const PolypBody & polyp)
   const Vector3d side = off - h * polyp.axis;
   const Vector3d scaled = side / polyp.radius + (h / polyp.height) * polyp.axis;
   const double   k = std::max(scaled.norm(), 1e-6);
-  const Vector3d slope =
-    (side / (polyp.radius * polyp.radius) + (h / (polyp.height * polyp.height)) * polyp.axis) / k;
-  const double length = std::max(slope.norm(), 1e-9);
+  const Vector3d slope = (side / (polyp.radius * polyp.radius) + (h / (polyp.height * polyp.height)) * polyp.axis) / k;
+  const double   length = std::max(slope.norm(), 1e-9);
   return { (k - 1.0) / length, slope / length };
 }
 } // namespace
@@ -93,9 +92,7 @@ ColonField::ColonField(const ColonPath &              path,
                        const ColonPlan &              plan,
                        const ColonPhantomParameters & parameters,
                        double                         reach)
-  : m_Curve(path, ColonTwist(plan, parameters))
-  , m_Relief(plan, parameters, &m_Curve)
-  , m_Reach(reach)
+  : m_Curve(path, ColonTwist(plan, parameters)), m_Relief(plan, parameters, &m_Curve), m_Reach(reach)
 {
   std::vector<double> reaches;
   for (int k = 0; k <= m_Curve.GetNumberOfSteps(); ++k)
@@ -179,9 +176,9 @@ ColonField::AddFolds(const Local & local, ColonDistance & distance) const
     const double   rise = crest.byAngle / arm;
     const double   riseLength = std::sqrt(1.0 + rise * rise);
     // Far from the crest the slope of a fold's end says nothing about how near it is.
-    const double   radial = crest.value + fold.halfThickness - local.distance;
-    const double   above = std::max(radial / riseLength, radial - 3.0);
-    ColonDistance  body;
+    const double  radial = crest.value + fold.halfThickness - local.distance;
+    const double  above = std::max(radial / riseLength, radial - 3.0);
+    ColonDistance body;
     if (above > 0)
     {
       const double r = std::max(std::sqrt(across * across + above * above), 1e-9);

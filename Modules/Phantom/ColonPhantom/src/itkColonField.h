@@ -85,7 +85,11 @@ private:
   void
   AddPolyps(const Eigen::Vector3d & point, double t, ColonDistance & distance) const;
   void
-  AddSeptum(const Local & here, const ColonDistance & own, const Local & there, const ColonDistance & other, ColonDistance & distance) const;
+  AddSeptum(const Local &         here,
+            const ColonDistance & own,
+            const Local &         there,
+            const ColonDistance & other,
+            ColonDistance &       distance) const;
   PolypBody
   MakeValve(const ColonPlan & plan) const;
   void

@@ -9,8 +9,7 @@
 namespace itk
 {
 ColonRandom::ColonRandom(unsigned seed, ColonStream stream, unsigned position)
-  : m_Key((std::uint64_t{ seed } << 32) | static_cast<std::uint32_t>(stream))
-  , m_Position(position)
+  : m_Key((std::uint64_t{ seed } << 32) | static_cast<std::uint32_t>(stream)), m_Position(position)
 {}
 
 double
@@ -42,8 +41,7 @@ ColonRandom::Seek(std::uint32_t index)
 }
 
 SmoothNoise::SmoothNoise(ColonRandom & random, double length, double knotDistance)
-  : m_KnotDistance(knotDistance)
-  , m_Coefficients(static_cast<std::size_t>(std::ceil(length / knotDistance)) + 4)
+  : m_KnotDistance(knotDistance), m_Coefficients(static_cast<std::size_t>(std::ceil(length / knotDistance)) + 4)
 {
   for (double & c : m_Coefficients)
   {

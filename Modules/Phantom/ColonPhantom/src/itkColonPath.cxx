@@ -24,7 +24,9 @@ const std::vector<TemplateSegment> &
 Template()
 {
   static const std::vector<TemplateSegment> segments{
-    { 150, 165, { { 0, 50, -156 }, { 0, 43, -127 }, { 0, 54, -110 }, { -4, 66, -90 }, { 4, 60, -64 }, { 0, 36, -48 } } },
+    { 150,
+      165,
+      { { 0, 50, -156 }, { 0, 43, -127 }, { 0, 54, -110 }, { -4, 66, -90 }, { 4, 60, -64 }, { 0, 36, -48 } } },
     { 500,
       760,
       { { 0, 36, -48 },
@@ -219,7 +221,7 @@ PositionedPath(const ColonPath & rest, const std::vector<double> & radius, const
     const double   free = SmoothStep(60.0, 140.0, m);
     path.nodes[i] += mobility[i] * (20.0 * gravity + 13.0 * random3) + 3.0 * free * random3;
   }
-  ColonRelaxation relaxation(path, radius);
+  ColonRelaxation     relaxation(path, radius);
   std::vector<double> held(path.nodes.size(), 0.0);
   relaxation.SetMobility(held);
   relaxation.Run(250);

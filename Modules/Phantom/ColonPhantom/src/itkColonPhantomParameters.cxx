@@ -49,8 +49,7 @@ RequireValid(const ColonPhantomParameters & p)
   RequireUsage(p.position == "supine" || p.position == "prone" || p.position == "leftDecubitus" ||
                  p.position == "rightDecubitus",
                "--position is '" + p.position + "'; give supine, prone, leftDecubitus or rightDecubitus");
-  RequireUsage(p.preset == "standard" || p.preset == "hard",
-               "--preset is '" + p.preset + "'; give standard or hard");
+  RequireUsage(p.preset == "standard" || p.preset == "hard", "--preset is '" + p.preset + "'; give standard or hard");
   RequireRange("polyps", p.polyps, 0, 50);
   RequireRange("fluid", p.fluid, 0, 1);
   RequireRange("collapsed", p.collapsed, 0, 5);

@@ -27,8 +27,7 @@ WrapAngle(double angle)
   return angle - 2 * M_PI * std::ceil((angle - M_PI) / (2 * M_PI));
 }
 
-ColonPlan::ColonPlan(const ColonPath & rest, unsigned seed, int polyps)
-  : m_Length(rest.Length())
+ColonPlan::ColonPlan(const ColonPath & rest, unsigned seed, int polyps) : m_Length(rest.Length())
 {
   for (int segment = 1; segment <= 6; ++segment)
   {

@@ -16,14 +16,14 @@ WrapAngle(double angle);
 /** A fold at rest. Along it runs u from -1 to 1, its ends. */
 struct FoldPlan
 {
-  double material;   ///< mm
-  double angle;      ///< of its middle
-  double halfAngle;  ///< from the middle to an end, < pi
-  double height;     ///< mm
-  double thickness;  ///< mm
-  double slant;      ///< mm by which the end u = 1 lies ahead
-  double bow;        ///< mm by which both ends lie ahead of the middle
-  double wave;       ///< mm
+  double material;  ///< mm
+  double angle;     ///< of its middle
+  double halfAngle; ///< from the middle to an end, < pi
+  double height;    ///< mm
+  double thickness; ///< mm
+  double slant;     ///< mm by which the end u = 1 lies ahead
+  double bow;       ///< mm by which both ends lie ahead of the middle
+  double wave;      ///< mm
   double wavePhase;
 };
 

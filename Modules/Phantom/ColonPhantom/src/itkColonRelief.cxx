@@ -20,8 +20,7 @@ class Roughness
 {
 public:
   Roughness(unsigned seed, double length)
-    : m_Rows(static_cast<int>(length / c_Knot) + 4)
-    , m_Values(std::size_t(m_Rows) * c_Columns)
+    : m_Rows(static_cast<int>(length / c_Knot) + 4), m_Values(std::size_t(m_Rows) * c_Columns)
   {
     ColonRandom random(seed, ColonStream::Roughness);
     for (float & value : m_Values)
@@ -138,9 +137,9 @@ ColonRelief::FillCollapse(const ColonPlan & plan, const ColonPhantomParameters &
       for (int k = 0; k <= m_Steps; ++k)
       {
         const double m = k * m_Step;
-        m_Collapse[k] = std::max(m_Collapse[k],
-                                 SmoothStep(s.begin - c_CollapseEnd, s.begin, m) *
-                                   SmoothStep(-s.end - c_CollapseEnd, -s.end, -m));
+        m_Collapse[k] =
+          std::max(m_Collapse[k],
+                   SmoothStep(s.begin - c_CollapseEnd, s.begin, m) * SmoothStep(-s.end - c_CollapseEnd, -s.end, -m));
       }
     }
   }
@@ -239,8 +238,8 @@ ColonRelief::FillTable(const ColonPlan &              plan,
         band = std::max(band, std::exp(-off * off));
       }
       const double bulge = (1.0 - band) * (1.0 - this->Waist(plan, places, m, angle));
-      m_Table[std::size_t(row + 1) * Angles + k] = static_cast<float>(
-        base + haustra * (0.2 * bulge - 0.06 - 0.05 * band) + rough * roughness.At(m, angle));
+      m_Table[std::size_t(row + 1) * Angles + k] =
+        static_cast<float>(base + haustra * (0.2 * bulge - 0.06 - 0.05 * band) + rough * roughness.At(m, angle));
     }
   }
 }
@@ -311,10 +310,10 @@ ColonRelief::LayFolds(const ColonPlan &              plan,
     {
       const double u = FoldCourse::End * (2.0 * (k - 1) / FoldCourse::Knots - 1.0);
       const double angle = WrapAngle(fold.angle + u * fold.halfAngle);
-      const double m = std::clamp(places[i] + 0.5 * fold.slant * u + fold.bow * u * u +
-                                    fold.wave * std::sin(3.0 * u + fold.wavePhase),
-                                  0.0,
-                                  plan.Length());
+      const double m =
+        std::clamp(places[i] + 0.5 * fold.slant * u + fold.bow * u * u + fold.wave * std::sin(3.0 * u + fold.wavePhase),
+                   0.0,
+                   plan.Length());
       const double radius = this->RadiusAt(m / m_Step, angle).value;
       const double highest = std::max(0.0, c_HighestFold * this->MeanRadiusAt(m / m_Step));
       const double height = std::min(fold.height, highest) * (course.isFlattened ? 0.3 : 1.0);

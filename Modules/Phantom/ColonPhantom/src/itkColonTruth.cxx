@@ -18,8 +18,7 @@ class CurveWriter
 {
 public:
   CurveWriter(std::vector<std::string> pointNames, std::vector<std::string> cellNames)
-    : m_PointNames(std::move(pointNames))
-    , m_CellNames(std::move(cellNames))
+    : m_PointNames(std::move(pointNames)), m_CellNames(std::move(cellNames))
   {}
 
   void
@@ -214,8 +213,7 @@ ColonTaeniaTruth(const ColonPlan & plan, const ColonField & field)
       const double t = material / curve.GetStep();
       const double angle = WrapAngle(plan.TaeniaAngle(taenia, material));
       double       radius;
-      writer.AddPoint(field.WallPoint(t, angle, radius),
-                      { curve.ArcLengthAt(t), 1.0 * grid.Nearest(material, angle) });
+      writer.AddPoint(field.WallPoint(t, angle, radius), { curve.ArcLengthAt(t), 1.0 * grid.Nearest(material, angle) });
     }
   }
   return writer.Finish();
@@ -246,7 +244,8 @@ ColonFoldTruth(const ColonPlan & plan, const ColonField & field)
       const double angle = WrapAngle(fold.angle + u * fold.halfAngle);
       fold.At(u, t, crest);
       const double radius = field.GetRelief().RadiusAt(t.value, angle).value;
-      writer.AddPoint(curve.At(t.value).position + std::max(0.0, crest.value) * field.GetCurve().Direction(t.value, angle),
+      writer.AddPoint(curve.At(t.value).position +
+                        std::max(0.0, crest.value) * field.GetCurve().Direction(t.value, angle),
                       { radius - crest.value });
     }
   }

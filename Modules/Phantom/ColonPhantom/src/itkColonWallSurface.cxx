@@ -38,9 +38,7 @@ class WallExtractor
 {
 public:
   WallExtractor(const ColonField & field, const Vector3d & low, const Vector3d & high, double spacing)
-    : m_Field(field)
-    , m_Low(low)
-    , m_Spacing(spacing)
+    : m_Field(field), m_Low(low), m_Spacing(spacing)
   {
     for (int axis = 0; axis < 3; ++axis)
     {

@@ -291,11 +291,11 @@ TEST(ColonAnatomy, NoVoxelsOfTwoStretchesTouch)
 
 TEST(ColonAnatomy, WallIsClosedAndWhereTheDistanceIsNought)
 {
-  const itk::ColonAnatomy              anatomy(Patient(2));
-  const itk::SurfaceMesh               wall = anatomy.Wall(3.0);
-  std::map<std::pair<int, int>, int>   edges;
-  int                                  off = 0;
-  double                               volume = 0.0;
+  const itk::ColonAnatomy            anatomy(Patient(2));
+  const itk::SurfaceMesh             wall = anatomy.Wall(3.0);
+  std::map<std::pair<int, int>, int> edges;
+  int                                off = 0;
+  double                             volume = 0.0;
   ASSERT_GT(wall.NumberOfFaces(), 10000);
   for (int i = 0; i < wall.NumberOfFaces(); ++i)
   {
