@@ -7,10 +7,11 @@ set(Shapeton_MODULES
   Bridge/VTKGlue
   IO/DicomSeries
   Mesh/SurfaceMesh
-  Segmentation/ColonWall
   Filtering/ShapeDiffusion
-  Visualization/ShapeRendering
-  Visualization/ColonReport
   Phantom/ShapePhantom
   Phantom/ColonPhantom
+  Segmentation/ColonCentreline
+  Segmentation/ColonWall
+  Visualization/ShapeRendering
+  Visualization/ColonReport
 )

@@ -1,0 +1,14 @@
+set(DOCUMENTATION "The centreline of the colon from a mask of its lumen: distance to the wall, pieces and their order, places where
+loops touch, gaps, calibre.")
+
+itk_module(ColonCentreline
+  ENABLE_SHARED
+  DEPENDS
+    CommandLine
+    SurfaceMesh
+    ITKCommon
+  TEST_DEPENDS
+    DicomSeries
+    ITKGoogleTest
+  DESCRIPTION "${DOCUMENTATION}"
+)

@@ -1,0 +1,58 @@
+#ifndef itkCurveShape_h
+#define itkCurveShape_h
+
+#include "itkLumenDistance.h"
+
+#include <Eigen/Core>
+
+#include <vector>
+
+namespace itk
+{
+/** Points of a curve in the frame of a LumenGrid, mm. */
+using CurvePoints = std::vector<Eigen::Vector3d>;
+
+/** Distances to the wall between the voxels, 0 outside. */
+class DistanceField
+{
+public:
+  explicit DistanceField(const LumenDistanceImage * image);
+
+  /** Trilinear; positions count from the first voxel along the axes of the image. */
+  double
+  At(const Eigen::Vector3d & position) const;
+  Eigen::Vector3d
+  Gradient(const Eigen::Vector3d & position) const;
+
+private:
+  const float *   m_Values;
+  Eigen::Array3i  m_Size;
+  Eigen::Vector3d m_Spacing;
+};
+
+double
+CurveLength(const CurvePoints & points);
+
+/** Equal steps of about `step` mm; both ends are kept. */
+CurvePoints
+ResampleCurve(const CurvePoints & points, double step);
+
+/** Binomial smoothing, which is near a Gaussian of `sigma` mm for points `step` mm apart; both ends are kept. A point
+ * that would leave the lumen stays. */
+CurvePoints
+SmoothCurve(const CurvePoints & points, double step, double sigma, const DistanceField * field = nullptr);
+
+/** Moves points across the curve up the distances to the middle of the lumen. */
+CurvePoints
+CentreCurve(CurvePoints points, double step, double sigma, const DistanceField & field);
+
+/** A cubic curve from a to b that leaves along `out` and arrives along `in` (unit vectors), without a and b. */
+CurvePoints
+BridgeGap(const Eigen::Vector3d & a,
+          const Eigen::Vector3d & out,
+          const Eigen::Vector3d & b,
+          const Eigen::Vector3d & in,
+          double                  step);
+} // namespace itk
+
+#endif

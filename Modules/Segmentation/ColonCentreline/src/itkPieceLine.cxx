@@ -1,0 +1,215 @@
+#include "itkPieceLine.h"
+
+#include "itkLoopCuts.h"
+
+#include <algorithm>
+
+namespace itk
+{
+namespace
+{
+/** A lumen of this radius (mm) or less is no end of a piece but a side branch, the terminal ileum, a taper. */
+constexpr double widestCore = 8.0;
+/** Tapers are followed down to this radius, mm. */
+constexpr double narrowestTaper = 1.0;
+
+double
+CoreRadius(const LumenCells & cells)
+{
+  std::vector<std::pair<double, double>> radii;
+  double                                 volume = 0.0;
+  for (int cell = 0; cell < cells.NumberOfCells(); ++cell)
+  {
+    radii.emplace_back(cells.radii[cell], cells.volumes[cell]);
+    volume += cells.volumes[cell];
+  }
+  std::sort(radii.begin(), radii.end());
+  double passed = 0.0;
+  for (const auto & [radius, part] : radii)
+  {
+    passed += part;
+    if (passed >= 0.5 * volume)
+    {
+      return std::min(widestCore, 0.5 * radius);
+    }
+  }
+  return widestCore;
+}
+
+/** The node with at least this distance to the wall whose path is longest; the start where there is none. */
+int
+FarthestNode(const LumenGrid & grid, const PathTree & paths, double leastDistance)
+{
+  int farthest = paths.order.front();
+  for (const int node : paths.order)
+  {
+    if (grid.Distance(node) >= leastDistance && paths.lengths[node] > paths.lengths[farthest])
+    {
+      farthest = node;
+    }
+  }
+  return farthest;
+}
+
+/** Of each node the last one of the core on its path; the core's indices, -1 where none. */
+std::vector<int>
+BranchIndices(const LumenGrid & grid, const PathTree & paths, const std::vector<int> & core)
+{
+  std::vector<int> branch(grid.NumberOfNodes(), -1);
+  for (int i = 0; i < static_cast<int>(core.size()); ++i)
+  {
+    branch[core[i]] = i;
+  }
+  for (const int node : paths.order)
+  {
+    if (branch[node] < 0 && paths.parents[node] >= 0)
+    {
+      branch[node] = branch[paths.parents[node]];
+    }
+  }
+  return branch;
+}
+
+/** Prolongs the core at its last node into a taper; `paths` comes from the other end. */
+PieceEnd
+Prolong(const LumenGrid & grid, const PathTree & paths, const std::vector<int> & core)
+{
+  const std::vector<int> branch = BranchIndices(grid, paths, core);
+  const int              last = static_cast<int>(core.size()) - 1;
+  const double           reach = std::max(15.0, 1.5 * grid.Distance(core[last]));
+  const double           earliest = paths.lengths[core[last]] - reach;
+  int                    best = core[last];
+  for (const int node : paths.order)
+  {
+    if (branch[node] >= 0 && grid.Distance(node) >= narrowestTaper && paths.lengths[node] > paths.lengths[best] &&
+        paths.lengths[core[branch[node]]] >= earliest)
+    {
+      best = node;
+    }
+  }
+  PieceEnd end;
+  end.branch = branch[best];
+  for (int node = best; branch[node] < 0 || core[branch[node]] != node; node = paths.parents[node])
+  {
+    end.nodes.push_back(node);
+  }
+  std::reverse(end.nodes.begin(), end.nodes.end());
+  return end;
+}
+
+/** Volumes beside the line and in side branches. */
+void
+MeasureCover(const LumenGrid & grid, const PathTree & paths, PieceLine & line)
+{
+  const std::vector<int> all = line.Nodes(true, true);
+  const std::vector<int> branch = BranchIndices(grid, paths, all);
+  std::vector<double>    away(all.size(), 0.0);
+  for (const int node : paths.order)
+  {
+    const int i = branch[node];
+    line.volume += grid.NodeVolume();
+    const double side = i < 0 ? 0.0 : paths.lengths[node] - paths.lengths[all[i]];
+    const double beside = i < 0 ? 0.0 : 10.0 + 2.0 * grid.Distance(all[i]);
+    if (side <= beside)
+    {
+      line.coveredVolume += grid.NodeVolume();
+    }
+    else
+    {
+      away[i] += grid.NodeVolume();
+    }
+  }
+  const auto most = std::max_element(away.begin(), away.end());
+  line.branchPlace = all[most - away.begin()];
+  line.branchVolume = *most;
+}
+
+PieceLine
+TraceBetween(const LumenNetwork & network, int first, bool isFixed, int exponent)
+{
+  const LumenGrid & grid = network.grid;
+  const auto        grow = [&](int start, int e) { return GrowPathTree(grid, network.cells, network.tree, start, e); };
+  PieceLine         line;
+  line.component = grid.Component(first);
+  const PathTree forth = grow(first, exponent);
+  const int      last = FarthestNode(grid, forth, network.coreRadius);
+  const PathTree back = grow(last, exponent);
+  const int      begin = isFixed ? first : FarthestNode(grid, back, network.coreRadius);
+  line.core = back.PathTo(begin);
+  line.ends[1] = Prolong(grid, back, line.core);
+  if (isFixed)
+  {
+    line.ends[1] = { static_cast<int>(line.core.size()) - 1, {} };
+  }
+  line.Reverse();
+  line.ends[1] = Prolong(grid, forth, line.core);
+  MeasureCover(grid, forth, line);
+  for (int i = 0; i < 2; ++i)
+  {
+    line.others[i] = grow(begin, i == 0 ? 2 : 4).PathTo(last);
+  }
+  return line;
+}
+} // namespace
+
+LumenNetwork::LumenNetwork(const LumenGrid & lumenGrid)
+  : grid(lumenGrid)
+  , cells(lumenGrid)
+  , coreRadius(CoreRadius(cells))
+  , tree(cells, coreRadius)
+  , cuts(CutLoops(grid, cells, tree))
+{
+  tree.SortOut();
+}
+
+std::vector<int>
+PieceLine::Nodes(bool prolongs0, bool prolongs1) const
+{
+  std::vector<int> nodes;
+  const int        last = static_cast<int>(core.size()) - 1;
+  if (prolongs0)
+  {
+    nodes.assign(ends[0].nodes.rbegin(), ends[0].nodes.rend());
+  }
+  const int from = prolongs0 ? ends[0].branch : 0;
+  const int to = prolongs1 ? ends[1].branch : last;
+  for (int i = from; i <= to; ++i)
+  {
+    nodes.push_back(core[i]);
+  }
+  if (prolongs1)
+  {
+    nodes.insert(nodes.end(), ends[1].nodes.begin(), ends[1].nodes.end());
+  }
+  return nodes;
+}
+
+void
+PieceLine::Reverse()
+{
+  const int last = static_cast<int>(core.size()) - 1;
+  std::reverse(core.begin(), core.end());
+  std::swap(ends[0], ends[1]);
+  for (PieceEnd & end : ends)
+  {
+    end.branch = last - end.branch;
+  }
+  for (auto & other : others)
+  {
+    std::reverse(other.begin(), other.end());
+  }
+}
+
+PieceLine
+TracePiece(const LumenNetwork & network, int node, int exponent)
+{
+  const auto ends = network.tree.Ends(network.cells.cellOf[node]);
+  return TraceBetween(network, network.cells.centres[ends[0]], false, exponent);
+}
+
+PieceLine
+TracePieceFrom(const LumenNetwork & network, int node, int exponent)
+{
+  return TraceBetween(network, node, true, exponent);
+}
+} // namespace itk
