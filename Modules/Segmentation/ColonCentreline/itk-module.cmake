@@ -8,6 +8,7 @@ itk_module(ColonCentreline
     SurfaceMesh
     ITKCommon
   TEST_DEPENDS
+    CounterRandom
     DicomSeries
     ITKGoogleTest
   DESCRIPTION "${DOCUMENTATION}"

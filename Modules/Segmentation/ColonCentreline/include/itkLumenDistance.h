@@ -26,8 +26,9 @@ ColonCentreline_EXPORT ImageRegion<3>
  * and has the geometry of `lumen`.
  *
  * It is the exact Euclidean distance between the centres of the voxel and of the nearest voxel outside the lumen, less
- * half the smallest spacing, because the wall lies half way between them; a tube of radius r measures r on its axis,
- * to about that half spacing. What lies beyond the region is not known and counts as lumen, so a lumen that the image
+ * a quarter of the smallest spacing: a flat wall lies half a voxel nearer than that centre, the wall of a round lumen
+ * seen from its axis hardly nearer, because the nearest of many centres counts. So a tube of radius r measures r on its
+ * axis, to about half a voxel. What lies beyond the region is not known and counts as lumen, so a lumen that the image
  * cuts keeps its calibre up to the cut; take a region with a margin where the image goes on. Separable lower envelopes
  * (Felzenszwalb, Huttenlocher: Distance transforms of sampled functions, 2012): time is linear in voxels; threads do
  * not change the values.

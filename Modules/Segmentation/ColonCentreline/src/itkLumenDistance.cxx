@@ -265,13 +265,13 @@ LumenDistance(const LumenMask * lumen, const ImageRegion<3> & region)
     TransformPlane(values + z * slice, row, size[1], row, spacing[1]);
   });
   ParallelLines(size[1], [&](std::size_t y) { TransformPlane(values + y * row, row, size[2], slice, spacing[2]); });
-  const double      half = 0.5 * std::min({ spacing[0], spacing[1], spacing[2] });
+  const double      toWall = 0.25 * std::min({ spacing[0], spacing[1], spacing[2] });
   std::vector<char> isUnknown(size[2], 0);
   ParallelLines(size[2], [&](std::size_t z) {
     for (float * value = values + z * slice; value != values + (z + 1) * slice; ++value)
     {
       isUnknown[z] = isUnknown[z] || *value >= unknown;
-      *value = *value > 0.0F ? static_cast<float>(std::sqrt(static_cast<double>(*value)) - half) : 0.0F;
+      *value = *value > 0.0F ? static_cast<float>(std::sqrt(static_cast<double>(*value)) - toWall) : 0.0F;
     }
   });
   if (std::find(isUnknown.begin(), isUnknown.end(), 1) != isUnknown.end())

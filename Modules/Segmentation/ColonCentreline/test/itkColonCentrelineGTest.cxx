@@ -1,1 +1,332 @@
+#include "itkColonCentreline.h"
+
+#include "itkTubeMask.h"
+
+#include "itkMultiThreaderBase.h"
+#include "itkToolError.h"
+
 #include "gtest/gtest.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace
+{
+using itk::ColonCentreline;
+using itk::LengthOf;
+using itk::TubeMask;
+using itk::TubePoints;
+
+TubePoints
+PointsOf(const ColonCentreline & line)
+{
+  TubePoints points;
+  for (const int i : line.curve.curves.front())
+  {
+    points.emplace_back(line.curve.V.row(i).transpose());
+  }
+  return points;
+}
+
+double
+DistanceTo(const TubePoints & points, const Eigen::Vector3d & point)
+{
+  double least = std::numeric_limits<double>::infinity();
+  for (const auto & p : points)
+  {
+    least = std::min(least, (p - point).norm());
+  }
+  return least;
+}
+
+double
+MeanDistance(const TubePoints & from, const TubePoints & to)
+{
+  double sum = 0.0;
+  for (const auto & p : from)
+  {
+    sum += DistanceTo(to, p);
+  }
+  return sum / from.size();
+}
+
+/** Share of `truth` that lies within `reach` mm of the line. */
+double
+Covered(const TubePoints & truth, const TubePoints & line, double reach)
+{
+  return std::count_if(
+           truth.begin(), truth.end(), [&](const Eigen::Vector3d & p) { return DistanceTo(line, p) <= reach; }) /
+         static_cast<double>(truth.size());
+}
+
+bool
+HasWarning(const ColonCentreline & line, const std::string & text)
+{
+  return std::any_of(line.warnings.begin(), line.warnings.end(), [&](const std::string & warning) {
+    return warning.find(text) != std::string::npos;
+  });
+}
+
+/** Several limbs one beside the other, as a radiator; the axes of limbs are `pitch` mm apart. It begins caudal. */
+TubePoints
+Serpentine(int limbs, double length, double pitch)
+{
+  TubePoints points;
+  for (int k = 0; k < limbs; ++k)
+  {
+    const double x = k % 2 == 0 ? 0.0 : length;
+    const double direction = k % 2 == 0 ? 1.0 : -1.0;
+    for (double t = 0.0; t <= length; t += 0.5)
+    {
+      points.emplace_back(x + direction * t, 0.0, pitch * k);
+    }
+    for (double angle = 0.01; k + 1 < limbs && angle < M_PI; angle += 0.02)
+    {
+      const double r = 0.5 * pitch;
+      points.emplace_back(x + direction * (length + r * std::sin(angle)), 0.0, pitch * k + r * (1.0 - std::cos(angle)));
+    }
+  }
+  return points;
+}
+
+TEST(ColonCentreline, OfAColonIsItsAxisInAnyImageFrame)
+{
+  const TubePoints truth = itk::ColonCurve();
+  const auto       radius = [](double share) { return 16.0 + 6.0 * std::sin(60.0 * share); };
+  for (const bool isLeftHanded : { false, true })
+  {
+    TubeMask mask(truth, 30.0, { 1.4, 1.1, 2.0 }, itk::ObliqueFrame(isLeftHanded));
+    mask.Paint(truth, radius);
+    const ColonCentreline line = itk::TraceColonCentreline(mask.Get());
+    const TubePoints      points = PointsOf(line);
+    EXPECT_NEAR(line.length, LengthOf(truth), 0.03 * LengthOf(truth));
+    EXPECT_LT(MeanDistance(points, truth), 2.0);
+    EXPECT_GT(Covered(truth, points, 8.0), 0.97);
+    EXPECT_LT((points.front() - truth.front()).norm(), 20.0);
+    EXPECT_LT((points.back() - truth.back()).norm(), 20.0);
+    EXPECT_TRUE(line.gaps.empty());
+    EXPECT_GT(line.coverage, 0.97);
+  }
+}
+
+TEST(ColonCentreline, HasArraysThatFitItsPoints)
+{
+  const TubePoints truth = itk::PartOf(itk::ColonCurve(), 0.0, 0.5);
+  TubeMask         mask(truth, 30.0, { 1.5, 1.5, 1.5 });
+  mask.Paint(truth, 15.0);
+  const ColonCentreline line = itk::TraceColonCentreline(mask.Get());
+  const auto            arc = itk::PointValues(line.curve, "arcLength", "test");
+  const auto            radius = itk::PointValues(line.curve, "radius", "test");
+  const TubePoints      points = PointsOf(line);
+  EXPECT_EQ(arc[0], 0.0);
+  EXPECT_EQ(arc[arc.size() - 1], line.length);
+  for (std::size_t i = 1; i < points.size(); ++i)
+  {
+    EXPECT_NEAR(arc[i] - arc[i - 1], (points[i] - points[i - 1]).norm(), 1e-9);
+    EXPECT_NEAR(arc[i] - arc[i - 1], 1.0, 0.05);
+  }
+  for (int i = 30; i + 30 < radius.size(); ++i)
+  {
+    EXPECT_NEAR(radius[i], 15.0, 1.5);
+  }
+}
+
+TEST(ColonCentreline, OfATorusArcAndAHelixHasTheClosedLength)
+{
+  TubePoints arc, helix;
+  for (double t = 0.0; t <= 1.5 * M_PI; t += 0.01)
+  {
+    arc.emplace_back(60.0 * std::cos(t), 0.0, 60.0 * std::sin(t));
+  }
+  for (double t = 0.0; t <= 4.0 * M_PI; t += 0.01)
+  {
+    helix.emplace_back(50.0 * std::cos(t), 50.0 * std::sin(t), 8.0 * t);
+  }
+  for (const TubePoints & truth : { arc, helix })
+  {
+    TubeMask mask(truth, 20.0, { 1.3, 1.3, 1.7 }, itk::ObliqueFrame());
+    mask.Paint(truth, 14.0);
+    const ColonCentreline line = itk::TraceColonCentreline(mask.Get());
+    // Round caps may lengthen the line by what lies beyond the ends of the axis.
+    EXPECT_GT(line.length, 0.98 * LengthOf(truth));
+    EXPECT_LT(line.length, 1.02 * LengthOf(truth) + 2.0 * 14.0);
+    EXPECT_LT(MeanDistance(PointsOf(line), truth), 2.0);
+    EXPECT_NEAR(line.lengths[0], line.length, 0.03 * line.length);
+    EXPECT_NEAR(line.lengths[2], line.length, 0.03 * line.length);
+  }
+}
+
+/** Limbs with septa of one voxel that leak at some places. */
+TubeMask
+LeakySerpentine(const TubePoints & truth, double pitch, double hole)
+{
+  TubeMask mask(truth, 25.0, { 1.0, 1.0, 1.0 });
+  mask.Paint(truth, 0.5 * pitch - 0.6);
+  for (const double x : { 20.0, 55.0, 90.0 })
+  {
+    for (int k = 0; k < 4; ++k)
+    {
+      mask.PaintBall({ x + 3.0 * k, 0.0, pitch * (k + 0.5) }, hole);
+    }
+  }
+  return mask;
+}
+
+TEST(ColonCentreline, TakesNoShortCutThroughSeptaThatLeak)
+{
+  const double     pitch = 30.0;
+  const TubePoints truth = Serpentine(5, 130.0, pitch);
+  for (const double hole : { 1.2, 3.0, 5.0 })
+  {
+    const ColonCentreline line = itk::TraceColonCentreline(LeakySerpentine(truth, pitch, hole).Get());
+    EXPECT_NEAR(line.length, LengthOf(truth), 0.04 * LengthOf(truth)) << hole;
+    EXPECT_GT(Covered(truth, PointsOf(line), 6.0), 0.97) << hole;
+    EXPECT_FALSE(line.merges.empty());
+    EXPECT_TRUE(HasWarning(line, "touch at"));
+  }
+}
+
+TEST(ColonCentreline, GoesThroughANarrowPlaceRatherThanAWiderHole)
+{
+  const double     pitch = 30.0;
+  const TubePoints truth = Serpentine(3, 130.0, pitch);
+  TubeMask         mask(truth, 25.0, { 1.0, 1.0, 1.0 });
+  // The colon is 5 mm wide in the middle of its second limb, the hole between the limbs 8 mm.
+  mask.Paint(truth, [](double share) { return std::abs(share - 0.5) < 0.02 ? 2.5 : 14.4; });
+  const TubePoints around = itk::PartOf(truth, 0.46, 0.54);
+  mask.Paint(around, 14.4, 0);
+  mask.Paint(around, 2.5);
+  mask.PaintBall({ 20.0, 0.0, 0.5 * pitch }, 4.0);
+  mask.PaintBall({ 110.0, 0.0, 1.5 * pitch }, 4.0);
+  const ColonCentreline line = itk::TraceColonCentreline(mask.Get());
+  EXPECT_NEAR(line.length, LengthOf(truth), 0.04 * LengthOf(truth));
+  EXPECT_GT(Covered(truth, PointsOf(line), 6.0), 0.97);
+}
+
+TEST(ColonCentreline, BridgesCollapsedStretchesInTheOrderOfTheColon)
+{
+  const TubePoints                         truth = itk::ColonCurve();
+  TubeMask                                 mask(truth, 30.0, { 1.5, 1.5, 2.0 }, itk::ObliqueFrame());
+  const std::vector<std::array<double, 2>> parts = { { 0.0, 0.17 }, { 0.21, 0.45 }, { 0.5, 0.7 }, { 0.75, 1.0 } };
+  for (const auto & part : parts)
+  {
+    // Tapering at both ends.
+    mask.Paint(itk::PartOf(truth, part[0], part[1]),
+               [](double share) { return std::min(16.0, 3.0 + 130.0 * std::min(share, 1.0 - share)); });
+  }
+  const ColonCentreline line = itk::TraceColonCentreline(mask.Get());
+  const TubePoints      points = PointsOf(line);
+  ASSERT_EQ(line.gaps.size(), 3u);
+  EXPECT_NEAR(line.length, LengthOf(truth), 0.05 * LengthOf(truth));
+  const auto gap = itk::PointValues(line.curve, "gap", "test");
+  const auto arc = itk::PointValues(line.curve, "arcLength", "test");
+  for (std::size_t g = 0; g < 3; ++g)
+  {
+    const double begin = LengthOf(itk::PartOf(truth, 0.0, parts[g][1]));
+    const double end = LengthOf(itk::PartOf(truth, 0.0, parts[g + 1][0]));
+    EXPECT_NEAR(line.gaps[g].begin, begin, 0.03 * line.length);
+    EXPECT_NEAR(line.gaps[g].end, end, 0.03 * line.length);
+    EXPECT_FALSE(line.gaps[g].isDoubtful);
+  }
+  for (int i = 0; i < gap.size(); ++i)
+  {
+    const bool isInside = std::any_of(line.gaps.begin(), line.gaps.end(), [&](const itk::CentrelineGap & g) {
+      return arc[i] > g.begin + 1e-6 && arc[i] < g.end - 1e-6;
+    });
+    ASSERT_EQ(gap[i] == 1.0, isInside) << arc[i];
+  }
+  for (const auto & part : parts)
+  {
+    EXPECT_GT(Covered(itk::PartOf(truth, part[0], part[1]), points, 8.0), 0.97);
+  }
+}
+
+TEST(ColonCentreline, CutsAHoleThatHangsTheCaecumOnAnotherLoop)
+{
+  // A collapsed stretch after the second limb; the third one leaks into the first limb's neighbour instead.
+  const double     pitch = 36.0;
+  const TubePoints truth = Serpentine(3, 150.0, pitch);
+  TubeMask         mask(truth, 25.0, { 1.5, 1.5, 1.5 });
+  mask.Paint(itk::PartOf(truth, 0.0, 0.62), 16.0);
+  mask.Paint(itk::PartOf(truth, 0.68, 1.0), 16.0);
+  mask.Paint({ { 90.0, 0.0, 1.3 * pitch }, { 90.0, 0.0, 1.5 * pitch }, { 90.0, 0.0, 1.7 * pitch } }, 3.0);
+  const ColonCentreline line = itk::TraceColonCentreline(mask.Get());
+  EXPECT_EQ(line.gaps.size(), 1u);
+  EXPECT_GT(Covered(truth, PointsOf(line), 12.0), 0.97);
+  EXPECT_NEAR(line.length, LengthOf(truth), 0.06 * LengthOf(truth));
+}
+
+TEST(ColonCentreline, BeginsAtTheStartThatIsGiven)
+{
+  const TubePoints truth = itk::ColonCurve();
+  TubeMask         mask(truth, 30.0, { 2.0, 2.0, 2.0 });
+  mask.Paint(truth, 16.0);
+  itk::ColonCentrelineOptions options;
+  options.start = itk::Point<double, 3>(truth.back().data());
+  const TubePoints points = PointsOf(itk::TraceColonCentreline(mask.Get(), options));
+  EXPECT_LT((points.front() - truth.back()).norm(), 4.0);
+  EXPECT_LT((points.back() - truth.front()).norm(), 20.0);
+}
+
+TEST(ColonCentreline, UsesSmallPiecesOnlyNextToASeed)
+{
+  const TubePoints truth = Serpentine(1, 200.0, 30.0);
+  TubeMask         mask(truth, 30.0, { 1.5, 1.5, 1.5 });
+  mask.Paint(itk::PartOf(truth, 0.0, 0.6), 12.0);
+  mask.Paint(itk::PartOf(truth, 0.85, 0.9), 7.0);
+  const ColonCentreline without = itk::TraceColonCentreline(mask.Get());
+  EXPECT_TRUE(without.gaps.empty());
+  ASSERT_EQ(without.pieces.size(), 2u);
+  EXPECT_FALSE(without.pieces[1].isUsed);
+  EXPECT_NE(without.pieces[1].reason.find("smaller than 5.0 ml"), std::string::npos);
+  itk::ColonCentrelineOptions options;
+  options.seedPoints = { itk::Point<double, 3>(itk::PartOf(truth, 0.87, 0.9).front().data()) };
+  const ColonCentreline with = itk::TraceColonCentreline(mask.Get(), options);
+  EXPECT_EQ(with.gaps.size(), 1u);
+  EXPECT_TRUE(with.pieces[1].isUsed);
+}
+
+TEST(ColonCentreline, HasTheSameBytesForAnyNumberOfThreads)
+{
+  const TubePoints truth = itk::ColonCurve();
+  TubeMask         mask(truth, 30.0, { 2.0, 2.0, 2.5 });
+  mask.Paint(itk::PartOf(truth, 0.0, 0.5), 16.0);
+  mask.Paint(itk::PartOf(truth, 0.54, 1.0), 16.0);
+  const auto        before = itk::MultiThreaderBase::GetGlobalDefaultNumberOfThreads();
+  itk::VertexMatrix first;
+  for (unsigned int threads = 1; threads <= 3; ++threads)
+  {
+    itk::MultiThreaderBase::SetGlobalDefaultNumberOfThreads(threads);
+    const itk::VertexMatrix V = itk::TraceColonCentreline(mask.Get()).curve.V;
+    first = threads == 1 ? V : first;
+    EXPECT_EQ(V, first) << threads;
+  }
+  itk::MultiThreaderBase::SetGlobalDefaultNumberOfThreads(before);
+}
+
+TEST(ColonCentreline, RefusesWhatHasNoColon)
+{
+  const TubePoints tube = Serpentine(1, 40.0, 30.0);
+  TubeMask         mask(tube, 30.0, { 1.5, 1.5, 1.5 });
+  EXPECT_THROW(itk::TraceColonCentreline(mask.Get()), itk::InputError);
+  mask.Paint(tube, 4.0);
+  try
+  {
+    itk::TraceColonCentreline(mask.Get());
+    FAIL();
+  }
+  catch (const itk::InputError & error)
+  {
+    EXPECT_NE(std::string(error.what()).find("no piece of lumen has 5.0 ml: there are 1, the largest has 2."),
+              std::string::npos)
+      << error.what();
+  }
+  mask.Paint(tube, 12.0);
+  itk::ColonCentrelineOptions options;
+  options.start = itk::Point<double, 3>(Eigen::Vector3d(0, 0, 500).data());
+  EXPECT_THROW(itk::TraceColonCentreline(mask.Get(), options), itk::InputError);
+  options = {};
+  options.exponent = 0;
+  EXPECT_THROW(itk::TraceColonCentreline(mask.Get(), options), itk::UsageError);
+}
+} // namespace
