@@ -80,8 +80,8 @@ struct CentrelineMerge
 struct ColonCentreline
 {
   /** One curve from the rectum to the caecum, LPS in mm. Point arrays: arcLength (mm from the rectal end), radius (of
-   * the inscribed ball, mm; the bridge's in gaps), gap (1 on a bridge, else 0). Field arrays: lengths (mm, for the
-   * exponents 2, 3 and 4), gaps (begin, end), merges (x, y, z, clearance, loop). */
+   * the largest ball inside the lumen across the line, mm; the bridge's in gaps), gap (1 on a bridge, else 0). Field
+   * arrays: lengths (mm, for the exponents 2, 3 and 4), gaps (begin, end), merges (x, y, z, clearance, loop). */
   CurveSet curve;
   /** mm. */
   double                     length{ 0.0 };

@@ -12,12 +12,17 @@ namespace
 {
 /** Narrower places (radius, mm) are told. */
 constexpr double narrow = 2.5;
-
+/** The middle of the lumen is taken over so many mm of it to both sides, so that single haustra do not bend the line.
+ */
+constexpr double slabReach = 26.0;
 /** A stretch of the curve, in the frame of the grid. */
 struct Section
 {
-  CurvePoints points;
-  bool        isGap{ false };
+  CurvePoints         points;
+  std::vector<double> radii;
+  /** What the curve comes from. */
+  std::vector<int> nodes;
+  bool             isGap{ false };
   /** Index into the order of pieces; of the piece before a gap. */
   int piece{ 0 };
 };
@@ -35,14 +40,95 @@ ToPoint(const LumenGrid & grid, const Eigen::Vector3d & position)
 }
 
 CurvePoints
-PointsOf(const LumenGrid & grid, const std::vector<int> & nodes, double step)
+PositionsOf(const LumenGrid & grid, const std::vector<int> & nodes)
 {
   CurvePoints points;
   for (const int node : nodes)
   {
     points.push_back(grid.Position(node));
   }
-  return ResampleCurve(points, step);
+  return points;
+}
+
+/** Of each node the nearest point of a curve within the lumen. */
+std::vector<int>
+NearestPoints(const LumenNetwork & network, const CurvePoints & points)
+{
+  std::vector<int> path;
+  for (const Eigen::Vector3d & point : points)
+  {
+    path.push_back(network.grid.NodeOf(point));
+  }
+  return NearestOnPath(network.grid, network.cells, network.tree, path);
+}
+
+/** Each point moved to the middle of the lumen across the curve: the mean of the nodes that are nearest to it and the
+ * points within some mm, weighted by their distance to the wall, so that haustra count little. Both ends stay. */
+CurvePoints
+MoveToMiddle(const LumenNetwork & network, const DistanceField & field, const CurvePoints & points, double step)
+{
+  const LumenGrid &      grid = network.grid;
+  const std::vector<int> nearest = NearestPoints(network, points);
+  CurvePoints            sums(points.size(), Eigen::Vector3d::Zero());
+  std::vector<double>    weights(points.size(), 0.0);
+  for (int node = 0; node < grid.NumberOfNodes(); ++node)
+  {
+    if (nearest[node] >= 0)
+    {
+      sums[nearest[node]] += grid.Distance(node) * grid.Position(node);
+      weights[nearest[node]] += grid.Distance(node);
+    }
+  }
+  const int   last = static_cast<int>(points.size()) - 1;
+  CurvePoints moved = points;
+  for (int i = 1; i < last; ++i)
+  {
+    // As far on both sides, or the end would pull.
+    const int       number = std::min({ static_cast<int>(slabReach / step), i, last - i });
+    Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+    double          weight = 0.0;
+    for (int k = i - number; k <= i + number; ++k)
+    {
+      const double share = 1.0 - std::abs(k - i) / (number + 1.0);
+      sum += share * sums[k];
+      weight += share * weights[k];
+    }
+    const Eigen::Vector3d middle = weight > 0.0 ? Eigen::Vector3d(sum / weight) : points[i];
+    // The mean of a bent slab may lie in a wall.
+    if (field.At(middle) >= std::min(narrow, 0.5 * field.At(points[i])))
+    {
+      moved[i] = middle;
+    }
+  }
+  return moved;
+}
+
+/** At each point the radius of the largest ball inside the lumen whose centre lies across the curve within 2 mm. */
+std::vector<double>
+RadiiAlong(const LumenNetwork & network, const DistanceField & field, const CurvePoints & points, double step)
+{
+  const std::vector<int> nearest = NearestPoints(network, points);
+  std::vector<double>    widest;
+  for (const Eigen::Vector3d & point : points)
+  {
+    widest.push_back(field.At(point));
+  }
+  for (int node = 0; node < network.grid.NumberOfNodes(); ++node)
+  {
+    if (nearest[node] >= 0)
+    {
+      widest[nearest[node]] = std::max<double>(widest[nearest[node]], network.grid.Distance(node));
+    }
+  }
+  const int           reach = static_cast<int>(2.0 / step);
+  std::vector<double> radii;
+  for (int i = 0; i < static_cast<int>(points.size()); ++i)
+  {
+    const int from = std::max(0, i - reach);
+    const int to = std::min(static_cast<int>(points.size()) - 1, i + reach);
+    radii.push_back(*std::max_element(widest.begin() + from, widest.begin() + to + 1));
+  }
+  return radii;
 }
 
 /** The direction at the end of a curve, over its last 10 mm. */
@@ -56,6 +142,45 @@ EndDirection(const CurvePoints & points, bool atBegin)
   return direction.norm() > 0.0 ? Eigen::Vector3d(direction.normalized()) : Eigen::Vector3d(Eigen::Vector3d::UnitZ());
 }
 
+/** A smooth curve in the middle of the lumen from a path of nodes. */
+CurvePoints
+ShapeLine(const LumenNetwork &           network,
+          const DistanceField &          field,
+          const std::vector<int> &       nodes,
+          const ColonCentrelineOptions & options)
+{
+  const auto smooth = [&](const CurvePoints & points) {
+    return ResampleCurve(SmoothCurve(ResampleCurve(points, options.step), options.step, options.smoothing, &field),
+                         options.step);
+  };
+  const CurvePoints path = smooth(PositionsOf(network.grid, nodes));
+  return smooth(MoveToMiddle(network, field, path, options.step));
+}
+
+/** Leads the end of a curve straight on to the pole of a wide end: the last node of its path lies on the side of the
+ * pole as well as at it. */
+void
+LeadToPole(const DistanceField & field, double step, CurvePoints & points)
+{
+  const auto count = static_cast<int>(points.size());
+  const int  width = static_cast<int>(field.At(points[std::max(0, count - 1 - static_cast<int>(25.0 / step))]) / step);
+  const int  base = count - 1 - width;
+  const int  before = base - static_cast<int>(20.0 / step);
+  if (before < 0 || width == 0)
+  {
+    return;
+  }
+  const Eigen::Vector3d along = (points[base] - points[before]).normalized();
+  const double          radius = field.At(points[base]);
+  CurvePoints           pole(points.begin(), points.begin() + base + 1);
+  while (pole.size() < points.size() + static_cast<std::size_t>(width) &&
+         field.At(pole.back() + step * along) >= 0.4 * radius)
+  {
+    pole.push_back(pole.back() + step * along);
+  }
+  points = pole;
+}
+
 std::vector<Section>
 MakeSections(const LumenNetwork &             network,
              const DistanceField &            field,
@@ -67,10 +192,15 @@ MakeSections(const LumenNetwork &             network,
   for (std::size_t i = 0; i < order.size(); ++i)
   {
     // The last end is the caecum, whose pole is wide: what is narrow there is the ileum or the appendix.
-    const std::vector<int> nodes = lines[order[i].piece].Nodes(true, i + 1 < order.size());
-    const CurvePoints      points = PointsOf(network.grid, nodes, options.step);
-    Section                section;
-    section.points = ResampleCurve(CentreCurve(points, options.step, options.smoothing, field), options.step);
+    const bool isLast = i + 1 == order.size();
+    Section    section;
+    section.nodes = lines[order[i].piece].Nodes(true, !isLast);
+    section.points = ShapeLine(network, field, section.nodes, options);
+    if (isLast)
+    {
+      LeadToPole(field, options.step, section.points);
+    }
+    section.radii = RadiiAlong(network, field, section.points, options.step);
     section.piece = static_cast<int>(i);
     if (i > 0)
     {
@@ -83,6 +213,7 @@ MakeSections(const LumenNetwork &             network,
                              section.points.front(),
                              EndDirection(section.points, true),
                              options.step);
+      gap.radii.assign(gap.points.size(), options.gapRadius);
       sections.push_back(gap);
     }
     sections.push_back(section);
@@ -103,21 +234,19 @@ MakeArray(const std::string & name, const std::vector<double> & values, int colu
 
 /** The curve with its arrays; sets begin and end of each section by the arcLength. */
 void
-FillCurve(const LumenGrid &              grid,
-          const DistanceField &          field,
-          const std::vector<Section> &   sections,
-          const ColonCentrelineOptions & options,
-          std::vector<double> &          begins,
-          ColonCentreline &              result)
+FillCurve(const LumenGrid &            grid,
+          const std::vector<Section> & sections,
+          std::vector<double> &        begins,
+          ColonCentreline &            result)
 {
   std::vector<double> arcs, radii, gaps;
   CurvePoints         points;
   for (const Section & section : sections)
   {
+    radii.insert(radii.end(), section.radii.begin(), section.radii.end());
     for (const Eigen::Vector3d & point : section.points)
     {
       arcs.push_back(points.empty() ? 0.0 : arcs.back() + (point - points.back()).norm());
-      radii.push_back(section.isGap ? options.gapRadius : field.At(point));
       gaps.push_back(section.isGap ? 1.0 : 0.0);
       if (&point == &section.points.front())
       {
@@ -175,32 +304,26 @@ AddGaps(const LumenGrid &            grid,
 
 /** Tells stretches inside the lumen that are hardly open. */
 void
-WarnOfNarrowPlaces(const LumenGrid &            grid,
-                   const std::vector<Section> & sections,
-                   const DistanceField &        field,
-                   ColonCentreline &            result)
+WarnOfNarrowPlaces(const LumenGrid & grid, const std::vector<Section> & sections, ColonCentreline & result)
 {
   for (const Section & section : sections)
   {
-    if (section.isGap)
-    {
-      continue;
-    }
+    const std::vector<int> & nodes = section.nodes;
     // Near the ends of a piece the lumen tapers.
     const std::size_t margin = 15;
-    for (std::size_t i = margin; i + margin < section.points.size(); ++i)
+    for (std::size_t i = margin; i + margin < nodes.size(); ++i)
     {
       std::size_t narrowest = i;
       std::size_t end = i;
-      while (end + margin < section.points.size() && field.At(section.points[end]) < narrow)
+      while (end + margin < nodes.size() && grid.Distance(nodes[end]) < narrow)
       {
-        narrowest = field.At(section.points[end]) < field.At(section.points[narrowest]) ? end : narrowest;
+        narrowest = grid.Distance(nodes[end]) < grid.Distance(nodes[narrowest]) ? end : narrowest;
         ++end;
       }
       if (end > i)
       {
-        result.warnings.push_back("the lumen is only " + InTenths(2.0 * field.At(section.points[narrowest])) +
-                                  " mm wide at " + PlaceInWords(ToPoint(grid, section.points[narrowest])) +
+        result.warnings.push_back("the lumen is only " + InTenths(2.0 * grid.Distance(nodes[narrowest])) +
+                                  " mm wide at " + PlaceInWords(ToPoint(grid, grid.Position(nodes[narrowest]))) +
                                   ": a collapsed place, or two loops have merged");
         i = end;
       }
@@ -211,7 +334,7 @@ WarnOfNarrowPlaces(const LumenGrid &            grid,
 double
 PathLength(const LumenGrid & grid, const std::vector<int> & nodes, const ColonCentrelineOptions & options)
 {
-  const CurvePoints points = PointsOf(grid, nodes, options.step);
+  const CurvePoints points = ResampleCurve(PositionsOf(grid, nodes), options.step);
   return CurveLength(SmoothCurve(points, options.step, options.smoothing));
 }
 
@@ -228,8 +351,8 @@ AddLengths(const LumenNetwork &             network,
   {
     const PieceLine & line = lines[placed.piece];
     const double      core = PathLength(network.grid, line.core, options);
-    result.lengths[0] += PathLength(network.grid, line.others[0], options) - core;
-    result.lengths[2] += PathLength(network.grid, line.others[1], options) - core;
+    result.lengths[0] += PathLength(network.grid, OtherPath(network, line, 2), options) - core;
+    result.lengths[2] += PathLength(network.grid, OtherPath(network, line, 4), options) - core;
   }
   const auto [least, most] = std::minmax_element(result.lengths.begin(), result.lengths.end());
   if (*most - *least > 0.03 * result.length)
@@ -274,7 +397,7 @@ AssembleCentreline(const LumenNetwork &             network,
   ColonCentreline            result;
   const std::vector<Section> sections = MakeSections(network, field, lines, order, options);
   std::vector<double>        begins;
-  FillCurve(network.grid, field, sections, options, begins, result);
+  FillCurve(network.grid, sections, begins, result);
   for (std::size_t s = 0; s < sections.size(); ++s)
   {
     if (!sections[s].isGap)
@@ -292,7 +415,7 @@ AssembleCentreline(const LumenNetwork &             network,
   AddGaps(network.grid, sections, begins, result);
   AddLengths(network, lines, order, options, result);
   AddCover(network, lines, order, result);
-  WarnOfNarrowPlaces(network.grid, sections, field, result);
+  WarnOfNarrowPlaces(network.grid, sections, result);
   return result;
 }
 

@@ -206,6 +206,11 @@ TraceColonCentreline(const LumenMask * lumen, const ColonCentrelineOptions & opt
       lines[placed.piece].Reverse();
     }
   }
+  if (!options.start)
+  {
+    PieceLine & rectum = lines[order.front().piece];
+    rectum = BeginAtAnus(*made.network, rectum, options.exponent);
+  }
   report(0.8);
   ColonCentreline result = AssembleCentreline(*made.network, DistanceField(distance), lines, order, options);
   AddUnusedLines(*made.network, lines, order, result);

@@ -1,7 +1,5 @@
 #include "itkCurveShape.h"
 
-#include <Eigen/Geometry>
-
 #include <algorithm>
 #include <cmath>
 
@@ -43,21 +41,6 @@ DistanceField::At(const Eigen::Vector3d & position) const
     value += weight * m_Values[index];
   }
   return value;
-}
-
-Eigen::Vector3d
-DistanceField::Gradient(const Eigen::Vector3d & position) const
-{
-  Eigen::Vector3d gradient;
-  for (int a = 0; a < 3; ++a)
-  {
-    // Wide enough that the grid's unevenness near the middle does not matter.
-    const double    h = std::max(1.0, m_Spacing[a]);
-    Eigen::Vector3d step = Eigen::Vector3d::Zero();
-    step[a] = h;
-    gradient[a] = (this->At(position + step) - this->At(position - step)) / (2.0 * h);
-  }
-  return gradient;
 }
 
 double
@@ -120,25 +103,6 @@ SmoothCurve(const CurvePoints & points, double step, double sigma, const Distanc
     result.swap(next);
   }
   return result;
-}
-
-CurvePoints
-CentreCurve(CurvePoints points, double step, double sigma, const DistanceField & field)
-{
-  constexpr int rounds = 30;
-  for (int round = 0; round < rounds; ++round)
-  {
-    CurvePoints moved = points;
-    for (std::size_t i = 1; i + 1 < points.size(); ++i)
-    {
-      const Eigen::Vector3d along = (points[i + 1] - points[i - 1]).normalized();
-      const Eigen::Vector3d up = field.Gradient(points[i]);
-      moved[i] += 0.5 * (up - along * along.dot(up));
-    }
-    points = SmoothCurve(moved, step, 0.5 * sigma, &field);
-    points = ResampleCurve(points, step);
-  }
-  return SmoothCurve(points, step, sigma, &field);
 }
 
 CurvePoints

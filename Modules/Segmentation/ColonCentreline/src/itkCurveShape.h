@@ -21,8 +21,6 @@ public:
   /** Trilinear; positions count from the first voxel along the axes of the image. */
   double
   At(const Eigen::Vector3d & position) const;
-  Eigen::Vector3d
-  Gradient(const Eigen::Vector3d & position) const;
 
 private:
   const float *   m_Values;
@@ -41,10 +39,6 @@ ResampleCurve(const CurvePoints & points, double step);
  * that would leave the lumen stays. */
 CurvePoints
 SmoothCurve(const CurvePoints & points, double step, double sigma, const DistanceField * field = nullptr);
-
-/** Moves points across the curve up the distances to the middle of the lumen. */
-CurvePoints
-CentreCurve(CurvePoints points, double step, double sigma, const DistanceField & field);
 
 /** A cubic curve from a to b that leaves along `out` and arrives along `in` (unit vectors), without a and b. */
 CurvePoints

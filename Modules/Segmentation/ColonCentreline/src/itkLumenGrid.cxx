@@ -130,6 +130,21 @@ LumenGrid::MakeSteps()
 }
 
 int
+LumenGrid::NodeOf(const Eigen::Vector3d & position) const
+{
+  std::array<int, 3> voxel;
+  for (int a = 0; a < 3; ++a)
+  {
+    voxel[a] = static_cast<int>(std::lround((position[a] - m_First[a]) / m_Spacing[a]));
+    if (voxel[a] < 0 || voxel[a] >= m_Size[a])
+    {
+      return -1;
+    }
+  }
+  return this->NodeAt(voxel[0], voxel[1], voxel[2]);
+}
+
+int
 LumenGrid::NearestNode(const Eigen::Vector3d & position) const
 {
   int    nearest = -1;

@@ -120,6 +120,9 @@ public:
   {
     return m_Direction.transpose() * (point - m_Origin);
   }
+  /** The node whose voxel holds a position; -1 where that is not lumen. */
+  int
+  NodeOf(const Eigen::Vector3d & position) const;
   /** The node nearest to a position; -1 where there is no node at all. */
   int
   NearestNode(const Eigen::Vector3d & position) const;

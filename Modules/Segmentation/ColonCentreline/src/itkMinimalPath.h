@@ -24,6 +24,11 @@ struct PathTree
  * from cell to cell only where the tree allows it. Equal costs are told apart by the order of the nodes. */
 PathTree
 GrowPathTree(const LumenGrid & grid, const LumenCells & cells, const CellTree & tree, int start, int exponent);
+
+/** Of each node the index of the path's node that is nearest within the lumen; -1 where nothing leads. Nodes of the
+ * path that are -1 are passed over. */
+std::vector<int>
+NearestOnPath(const LumenGrid & grid, const LumenCells & cells, const CellTree & tree, const std::vector<int> & path);
 } // namespace itk
 
 #endif

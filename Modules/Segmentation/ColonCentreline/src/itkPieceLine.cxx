@@ -10,6 +10,8 @@ namespace
 {
 /** A lumen of this radius (mm) or less is no end of a piece but a side branch, the terminal ileum, a taper. */
 constexpr double widestCore = 8.0;
+/** Rectum and anal canal, mm. */
+constexpr double rectumLength = 120.0;
 /** Tapers are followed down to this radius, mm. */
 constexpr double narrowestTaper = 1.0;
 
@@ -104,6 +106,8 @@ MeasureCover(const LumenGrid & grid, const PathTree & paths, PieceLine & line)
   const std::vector<int> all = line.Nodes(true, true);
   const std::vector<int> branch = BranchIndices(grid, paths, all);
   std::vector<double>    away(all.size(), 0.0);
+  line.volume = 0.0;
+  line.coveredVolume = 0.0;
   for (const int node : paths.order)
   {
     const int i = branch[node];
@@ -124,16 +128,21 @@ MeasureCover(const LumenGrid & grid, const PathTree & paths, PieceLine & line)
   line.branchVolume = *most;
 }
 
+PathTree
+Grow(const LumenNetwork & network, int start, int exponent)
+{
+  return GrowPathTree(network.grid, network.cells, network.tree, start, exponent);
+}
+
 PieceLine
 TraceBetween(const LumenNetwork & network, int first, bool isFixed, int exponent)
 {
   const LumenGrid & grid = network.grid;
-  const auto        grow = [&](int start, int e) { return GrowPathTree(grid, network.cells, network.tree, start, e); };
   PieceLine         line;
   line.component = grid.Component(first);
-  const PathTree forth = grow(first, exponent);
+  const PathTree forth = Grow(network, first, exponent);
   const int      last = FarthestNode(grid, forth, network.coreRadius);
-  const PathTree back = grow(last, exponent);
+  const PathTree back = Grow(network, last, exponent);
   const int      begin = isFixed ? first : FarthestNode(grid, back, network.coreRadius);
   line.core = back.PathTo(begin);
   line.ends[1] = Prolong(grid, back, line.core);
@@ -143,12 +152,38 @@ TraceBetween(const LumenNetwork & network, int first, bool isFixed, int exponent
   }
   line.Reverse();
   line.ends[1] = Prolong(grid, forth, line.core);
-  MeasureCover(grid, forth, line);
-  for (int i = 0; i < 2; ++i)
-  {
-    line.others[i] = grow(begin, i == 0 ? 2 : 4).PathTo(last);
-  }
+  MeasureCover(grid, back, line);
   return line;
+}
+
+/** The most caudal node of the rectum: of those whose path joins the core near its last node, one in the middle of the
+ * lowest lumen. */
+int
+FindTip(const LumenGrid & grid, const PathTree & paths, const std::vector<int> & core)
+{
+  const std::vector<int> branch = BranchIndices(grid, paths, core);
+  const double           earliest = paths.lengths[core.back()] - rectumLength;
+  const auto             isRectum = [&](int node) {
+    return branch[node] >= 0 && paths.lengths[core[branch[node]]] >= earliest && grid.Distance(node) >= narrowestTaper;
+  };
+  double lowest = grid.ToPhysical(grid.Position(core.back()))[2];
+  for (const int node : paths.order)
+  {
+    lowest = isRectum(node) ? std::min(lowest, grid.ToPhysical(grid.Position(node))[2]) : lowest;
+  }
+  int tip = core.back();
+  // A rectum that the image cuts is wide there; its middle counts.
+  constexpr double slab = 3.0;
+  double           widest = -1.0;
+  for (const int node : paths.order)
+  {
+    if (isRectum(node) && grid.Distance(node) > widest && grid.ToPhysical(grid.Position(node))[2] <= lowest + slab)
+    {
+      widest = grid.Distance(node);
+      tip = node;
+    }
+  }
+  return tip;
 }
 } // namespace
 
@@ -194,10 +229,6 @@ PieceLine::Reverse()
   {
     end.branch = last - end.branch;
   }
-  for (auto & other : others)
-  {
-    std::reverse(other.begin(), other.end());
-  }
 }
 
 PieceLine
@@ -205,6 +236,27 @@ TracePiece(const LumenNetwork & network, int node, int exponent)
 {
   const auto ends = network.tree.Ends(network.cells.cellOf[node]);
   return TraceBetween(network, network.cells.centres[ends[0]], false, exponent);
+}
+
+PieceLine
+BeginAtAnus(const LumenNetwork & network, const PieceLine & line, int exponent)
+{
+  const PathTree paths = Grow(network, line.core.back(), exponent);
+  const int      wide = line.core.front();
+  PieceLine      moved = line;
+  moved.core = paths.PathTo(FindTip(network.grid, paths, paths.PathTo(wide)));
+  std::reverse(moved.core.begin(), moved.core.end());
+  moved.ends[0] = {};
+  // The prolongation leaves the core at the same distance from its other end.
+  moved.ends[1].branch += static_cast<int>(moved.core.size()) - static_cast<int>(line.core.size());
+  MeasureCover(network.grid, paths, moved);
+  return moved;
+}
+
+std::vector<int>
+OtherPath(const LumenNetwork & network, const PieceLine & line, int exponent)
+{
+  return Grow(network, line.core.front(), exponent).PathTo(line.core.back());
 }
 
 PieceLine

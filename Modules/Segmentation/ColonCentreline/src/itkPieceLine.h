@@ -20,8 +20,6 @@ struct PieceLine
   /** Nodes between the wide ends. */
   std::vector<int>        core;
   std::array<PieceEnd, 2> ends;
-  /** Core nodes for the exponents 2 and 4. */
-  std::array<std::vector<int>, 2> others;
   /** mm^3 of the piece, and what of it lies beside the line. */
   double volume{ 0.0 };
   double coveredVolume{ 0.0 };
@@ -53,6 +51,14 @@ struct LumenNetwork
 /** The path between the two ends of the piece that `node` belongs to. */
 PieceLine
 TracePiece(const LumenNetwork & network, int node, int exponent);
+
+/** The same line with end 0 at the caudal tip of the rectum, down the anal canal. */
+PieceLine
+BeginAtAnus(const LumenNetwork & network, const PieceLine & line, int exponent);
+
+/** The path between the same ends for another exponent. */
+std::vector<int>
+OtherPath(const LumenNetwork & network, const PieceLine & line, int exponent);
 
 /** The path from a given node to the farthest end of its piece. */
 PieceLine
