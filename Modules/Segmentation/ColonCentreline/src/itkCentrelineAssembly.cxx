@@ -14,7 +14,8 @@ namespace
 constexpr double narrow = 2.5;
 /** The middle of the lumen is taken over so many mm of it to both sides, so that single haustra do not bend the line.
  */
-constexpr double slabReach = 26.0;
+constexpr double slabRadii = 2.5;
+
 /** A stretch of the curve, in the frame of the grid. */
 struct Section
 {
@@ -62,42 +63,96 @@ NearestPoints(const LumenNetwork & network, const CurvePoints & points)
   return NearestOnPath(network.grid, network.cells, network.tree, path);
 }
 
-/** Each point moved to the middle of the lumen across the curve: the mean of the nodes that are nearest to it and the
- * points within some mm, weighted by their distance to the wall, so that haustra count little. Both ends stay. */
-CurvePoints
-MoveToMiddle(const LumenNetwork & network, const DistanceField & field, const CurvePoints & points, double step)
+/** The lumen across each point of a curve. */
+struct Slabs
+{
+  /** Weighted sums of positions. */
+  CurvePoints         sums;
+  std::vector<double> weights;
+};
+
+/** Nodes count by their distance to the wall, so that haustra weigh little. */
+Slabs
+SlabsAcross(const LumenNetwork & network, const CurvePoints & points)
 {
   const LumenGrid &      grid = network.grid;
   const std::vector<int> nearest = NearestPoints(network, points);
-  CurvePoints            sums(points.size(), Eigen::Vector3d::Zero());
-  std::vector<double>    weights(points.size(), 0.0);
+  Slabs                  slabs;
+  slabs.sums.assign(points.size(), Eigen::Vector3d::Zero());
+  slabs.weights.assign(points.size(), 0.0);
   for (int node = 0; node < grid.NumberOfNodes(); ++node)
   {
     if (nearest[node] >= 0)
     {
-      sums[nearest[node]] += grid.Distance(node) * grid.Position(node);
-      weights[nearest[node]] += grid.Distance(node);
+      slabs.sums[nearest[node]] += grid.Distance(node) * grid.Position(node);
+      slabs.weights[nearest[node]] += grid.Distance(node);
     }
   }
+  return slabs;
+}
+
+/** The mean of numbers over so many neighbours to both sides. */
+double
+MeanAround(const std::vector<double> & values, int i, int number)
+{
+  const int from = std::max(0, i - number);
+  const int to = std::min(static_cast<int>(values.size()) - 1, i + number);
+  double    sum = 0.0;
+  for (int k = from; k <= to; ++k)
+  {
+    sum += values[k];
+  }
+  return sum / (to - from + 1);
+}
+
+/** The mean of the slabs around each point, over a stretch of some radii of the lumen; both ends stay. */
+CurvePoints
+SlabMeans(const Slabs & slabs, const CurvePoints & points, const std::vector<double> & radii, double step)
+{
   const int   last = static_cast<int>(points.size()) - 1;
-  CurvePoints moved = points;
+  CurvePoints means = points;
   for (int i = 1; i < last; ++i)
   {
     // As far on both sides, or the end would pull.
-    const int       number = std::min({ static_cast<int>(slabReach / step), i, last - i });
+    const double    reach = slabRadii * MeanAround(radii, i, static_cast<int>(20.0 / step));
+    const int       number = std::min({ static_cast<int>(reach / step), i, last - i });
     Eigen::Vector3d sum = Eigen::Vector3d::Zero();
     double          weight = 0.0;
     for (int k = i - number; k <= i + number; ++k)
     {
       const double share = 1.0 - std::abs(k - i) / (number + 1.0);
-      sum += share * sums[k];
-      weight += share * weights[k];
+      sum += share * slabs.sums[k];
+      weight += share * slabs.weights[k];
     }
-    const Eigen::Vector3d middle = weight > 0.0 ? Eigen::Vector3d(sum / weight) : points[i];
-    // The mean of a bent slab may lie in a wall.
-    if (field.At(middle) >= std::min(narrow, 0.5 * field.At(points[i])))
+    means[i] = weight > 0.0 ? Eigen::Vector3d(sum / weight) : points[i];
+  }
+  return means;
+}
+
+/** Each point moved to the middle of the lumen across the curve, both ends kept. The mean goes over a stretch, so that
+ * single haustra do not bend the line. */
+CurvePoints
+MoveToMiddle(const LumenNetwork & network, const DistanceField & field, const CurvePoints & points, double step)
+{
+  std::vector<double> radii;
+  for (const Eigen::Vector3d & point : points)
+  {
+    radii.push_back(field.At(point));
+  }
+  const CurvePoints middle = SlabMeans(SlabsAcross(network, points), points, radii, step);
+  CurvePoints       moved = points;
+  for (std::size_t i = 1; i + 1 < points.size(); ++i)
+  {
+    // The mean of a bent slab may lie in a wall: back towards the path, as far as needed.
+    const double least = std::min(narrow, 0.5 * radii[i]);
+    for (double share = 1.0; share > 0.0; share -= 0.125)
     {
-      moved[i] = middle;
+      const Eigen::Vector3d place = points[i] + share * (middle[i] - points[i]);
+      if (field.At(place) >= least)
+      {
+        moved[i] = place;
+        break;
+      }
     }
   }
   return moved;

@@ -33,32 +33,6 @@ ToVector(const Point<double, 3> & point)
   return { point[0], point[1], point[2] };
 }
 
-/** A grid with its cells. The grid comes first, since the cells refer to it. */
-struct Lumen
-{
-  std::unique_ptr<LumenGrid>    grid;
-  std::unique_ptr<LumenNetwork> network;
-};
-
-/** Blocks of voxels can tear a narrow lumen that the voxels themselves hold together; then every voxel counts. */
-Lumen
-MakeNetwork(const LumenDistanceImage * distance, const LumenComponents & components, const std::vector<char> & isUsed)
-{
-  Lumen lumen;
-  auto  blocks = LumenGrid::Blocks(distance->GetSpacing().GetDataPointer());
-  while (true)
-  {
-    lumen.grid = std::make_unique<LumenGrid>(distance, components.labels.GetPointer(), isUsed, blocks);
-    lumen.network = std::make_unique<LumenNetwork>(*lumen.grid);
-    if (blocks == std::array<int, 3>{ 1, 1, 1 } || IsWhole(*lumen.network, isUsed))
-    {
-      return lumen;
-    }
-    lumen.network.reset();
-    blocks = { 1, 1, 1 };
-  }
-}
-
 /** A node of each piece, the widest; a piece is what hangs together by open passages. */
 std::vector<int>
 WidestNodes(const LumenNetwork & network)
@@ -100,7 +74,7 @@ TracePieces(const LumenNetwork & network, const ColonCentrelineOptions & options
     }
     if (options.progress)
     {
-      options.progress(0.4 + 0.4 * (i + 1) / widest.size());
+      options.progress(0.2 + 0.6 * (i + 1) / widest.size());
     }
   }
   return lines;
@@ -178,6 +152,81 @@ ChooseOrder(const LumenNetwork &           network,
   }
   return OrderPieces(pieces, ChooseRectum(network, lines, options));
 }
+/** The lines of a lumen in their order. The grid comes first, since the network refers to it. */
+struct Traced
+{
+  std::unique_ptr<LumenGrid>    grid;
+  std::unique_ptr<LumenNetwork> network;
+  std::vector<PieceLine>        lines;
+  std::vector<PlacedPiece>      order;
+};
+
+Traced
+TraceOn(const std::array<int, 3> &     blocks,
+        const LumenDistanceImage *     distance,
+        const LumenComponents &        components,
+        const LumenChoice &            choice,
+        const ColonCentrelineOptions & options)
+{
+  Traced traced;
+  traced.grid = std::make_unique<LumenGrid>(distance, components.labels.GetPointer(), choice.isUsed, blocks);
+  traced.network = std::make_unique<LumenNetwork>(*traced.grid);
+  traced.lines = TracePieces(*traced.network, options);
+  traced.order = ChooseOrder(*traced.network, traced.lines, choice, options);
+  for (const PlacedPiece & placed : traced.order)
+  {
+    if (placed.isReversed)
+    {
+      traced.lines[placed.piece].Reverse();
+    }
+  }
+  return traced;
+}
+
+/** Blocks of voxels can tear a narrow lumen that the voxels themselves hold together: it shows as a short gap between
+ * two lines of one component. */
+bool
+IsTorn(const Traced & traced)
+{
+  constexpr double shortGap = 25.0;
+  for (std::size_t i = 1; i < traced.order.size(); ++i)
+  {
+    const PieceLine &     before = traced.lines[traced.order[i - 1].piece];
+    const PieceLine &     after = traced.lines[traced.order[i].piece];
+    const Eigen::Vector3d gap =
+      traced.grid->Position(before.Nodes(true, true).back()) - traced.grid->Position(after.Nodes(true, true).front());
+    if (before.component == after.component && gap.norm() < shortGap)
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+Traced
+Trace(const LumenDistanceImage *     distance,
+      const LumenComponents &        components,
+      const LumenChoice &            choice,
+      const ColonCentrelineOptions & options)
+{
+  constexpr std::array<int, 3> single = { 1, 1, 1 };
+  const auto                   blocks = LumenGrid::Blocks(distance->GetSpacing().GetDataPointer());
+  Traced                       traced;
+  if (blocks != single)
+  {
+    traced = TraceOn(blocks, distance, components, choice, options);
+  }
+  if (blocks == single || !IsComplete(*traced.grid, choice.isUsed) || IsTorn(traced))
+  {
+    traced = TraceOn(single, distance, components, choice, options);
+  }
+  if (!options.start)
+  {
+    PieceLine & rectum = traced.lines[traced.order.front().piece];
+    rectum = BeginAtAnus(*traced.network, rectum, options.exponent);
+  }
+  return traced;
+}
 } // namespace
 
 ColonCentreline
@@ -195,27 +244,13 @@ TraceColonCentreline(const LumenMask * lumen, const ColonCentrelineOptions & opt
   const LumenChoice     choice = ChooseLumen(lumen, components, options);
   const auto            distance = LumenDistance(lumen, region);
   report(0.2);
-  const Lumen made = MakeNetwork(distance, components, choice.isUsed);
-  report(0.4);
-  std::vector<PieceLine>         lines = TracePieces(*made.network, options);
-  const std::vector<PlacedPiece> order = ChooseOrder(*made.network, lines, choice, options);
-  for (const PlacedPiece & placed : order)
-  {
-    if (placed.isReversed)
-    {
-      lines[placed.piece].Reverse();
-    }
-  }
-  if (!options.start)
-  {
-    PieceLine & rectum = lines[order.front().piece];
-    rectum = BeginAtAnus(*made.network, rectum, options.exponent);
-  }
+  const Traced traced = Trace(distance, components, choice, options);
   report(0.8);
-  ColonCentreline result = AssembleCentreline(*made.network, DistanceField(distance), lines, order, options);
-  AddUnusedLines(*made.network, lines, order, result);
+  ColonCentreline result =
+    AssembleCentreline(*traced.network, DistanceField(distance), traced.lines, traced.order, options);
+  AddUnusedLines(*traced.network, traced.lines, traced.order, result);
   AddUnusedComponents(lumen, components, choice, result);
-  AddMerges(*made.network, result);
+  AddMerges(*traced.network, result);
   report(1.0);
   return result;
 }

@@ -10,9 +10,9 @@ namespace
 {
 constexpr int mostCuts = 6;
 /** mm that a cut must save. */
-constexpr double leastSaving = 60.0;
+constexpr double leastSaving = 40.0;
 /** Side branches of this length (mm) and more are no haustra. */
-constexpr double shortestBranch = 60.0;
+constexpr double shortestBranch = 40.0;
 /** mm^3 of a stretch of colon. */
 constexpr double smallestStretch = 20e3;
 

@@ -179,27 +179,13 @@ ChooseLumen(const LumenMask * lumen, const LumenComponents & components, const C
 }
 
 bool
-IsWhole(const LumenNetwork & network, const std::vector<char> & isUsed)
+IsComplete(const LumenGrid & grid, const std::vector<char> & isUsed)
 {
-  std::vector<double> whole(isUsed.size(), 0.0);
-  std::vector<double> most(isUsed.size(), 0.0);
-  const auto          groups = network.tree.Groups();
-  std::vector<double> volumes(groups.size(), 0.0);
-  for (std::size_t cell = 0; cell < groups.size(); ++cell)
+  std::vector<char> isMissing = isUsed;
+  for (int node = 0; node < grid.NumberOfNodes(); ++node)
   {
-    const int component = network.grid.Component(network.cells.centres[cell]);
-    whole[component] += network.cells.volumes[cell];
-    volumes[groups[cell]] += network.cells.volumes[cell];
-    most[component] = std::max(most[component], volumes[groups[cell]]);
+    isMissing[grid.Component(node)] = 0;
   }
-  for (std::size_t c = 1; c < isUsed.size(); ++c)
-  {
-    // 1 ml, or a tenth of a small piece.
-    if (isUsed[c] && (whole[c] == 0.0 || whole[c] - most[c] > std::min(1000.0, 0.1 * whole[c])))
-    {
-      return false;
-    }
-  }
-  return true;
+  return std::find(isMissing.begin(), isMissing.end(), 1) == isMissing.end();
 }
 } // namespace itk

@@ -19,9 +19,9 @@ struct LumenChoice
 LumenChoice
 ChooseLumen(const LumenMask * lumen, const LumenComponents & components, const ColonCentrelineOptions & options);
 
-/** Whether each component that is used hangs together on the grid, too, but for crumbs. */
+/** Whether each component that is used has nodes. */
 bool
-IsWhole(const LumenNetwork & network, const std::vector<char> & isUsed);
+IsComplete(const LumenGrid & grid, const std::vector<char> & isUsed);
 
 /** The middle of the component's box, LPS in mm. */
 Point<double, 3>

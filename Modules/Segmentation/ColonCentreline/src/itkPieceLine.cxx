@@ -78,7 +78,7 @@ Prolong(const LumenGrid & grid, const PathTree & paths, const std::vector<int> &
 {
   const std::vector<int> branch = BranchIndices(grid, paths, core);
   const int              last = static_cast<int>(core.size()) - 1;
-  const double           reach = std::max(15.0, 1.5 * grid.Distance(core[last]));
+  const double           reach = 30.0;
   const double           earliest = paths.lengths[core[last]] - reach;
   int                    best = core[last];
   for (const int node : paths.order)
@@ -156,28 +156,30 @@ TraceBetween(const LumenNetwork & network, int first, bool isFixed, int exponent
   return line;
 }
 
-/** The most caudal node of the rectum: of those whose path joins the core near its last node, one in the middle of the
- * lowest lumen. */
+/** The tip of the rectum: of the nodes whose path joins the core near its last node, the one that is far along its path
+ * and caudal, in the middle of the lumen. */
 int
 FindTip(const LumenGrid & grid, const PathTree & paths, const std::vector<int> & core)
 {
   const std::vector<int> branch = BranchIndices(grid, paths, core);
   const double           earliest = paths.lengths[core.back()] - rectumLength;
-  const auto             isRectum = [&](int node) {
+  // LPS: z grows towards the head.
+  const auto tipness = [&](int node) { return paths.lengths[node] - grid.ToPhysical(grid.Position(node))[2]; };
+  const auto isRectum = [&](int node) {
     return branch[node] >= 0 && paths.lengths[core[branch[node]]] >= earliest && grid.Distance(node) >= narrowestTaper;
   };
-  double lowest = grid.ToPhysical(grid.Position(core.back()))[2];
+  double most = tipness(core.back());
   for (const int node : paths.order)
   {
-    lowest = isRectum(node) ? std::min(lowest, grid.ToPhysical(grid.Position(node))[2]) : lowest;
+    most = isRectum(node) ? std::max(most, tipness(node)) : most;
   }
-  int tip = core.back();
   // A rectum that the image cuts is wide there; its middle counts.
-  constexpr double slab = 3.0;
+  constexpr double slab = 5.0;
+  int              tip = core.back();
   double           widest = -1.0;
   for (const int node : paths.order)
   {
-    if (isRectum(node) && grid.Distance(node) > widest && grid.ToPhysical(grid.Position(node))[2] <= lowest + slab)
+    if (isRectum(node) && grid.Distance(node) > widest && tipness(node) >= most - slab)
     {
       widest = grid.Distance(node);
       tip = node;

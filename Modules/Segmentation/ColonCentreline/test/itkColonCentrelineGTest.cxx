@@ -189,7 +189,7 @@ TEST(ColonCentreline, TakesNoShortCutThroughSeptaThatLeak)
 TEST(ColonCentreline, GoesThroughANarrowPlaceRatherThanAWiderHole)
 {
   const double     pitch = 30.0;
-  const TubePoints truth = Serpentine(3, 130.0, pitch);
+  const TubePoints truth = Serpentine(3, 220.0, pitch);
   TubeMask         mask(truth, 25.0, { 1.0, 1.0, 1.0 });
   // The colon is 5 mm wide in the middle of its second limb, the hole between the limbs 8 mm.
   mask.Paint(truth, [](double share) { return std::abs(share - 0.5) < 0.02 ? 2.5 : 14.4; });
@@ -197,7 +197,7 @@ TEST(ColonCentreline, GoesThroughANarrowPlaceRatherThanAWiderHole)
   mask.Paint(around, 14.4, 0);
   mask.Paint(around, 2.5);
   mask.PaintBall({ 20.0, 0.0, 0.5 * pitch }, 4.0);
-  mask.PaintBall({ 110.0, 0.0, 1.5 * pitch }, 4.0);
+  mask.PaintBall({ 200.0, 0.0, 1.5 * pitch }, 4.0);
   const ColonCentreline line = itk::TraceColonCentreline(mask.Get());
   EXPECT_NEAR(line.length, LengthOf(truth), 0.04 * LengthOf(truth));
   EXPECT_GT(Covered(truth, PointsOf(line), 6.0), 0.97);
@@ -245,11 +245,11 @@ TEST(ColonCentreline, CutsAHoleThatHangsTheCaecumOnAnotherLoop)
 {
   // A collapsed stretch after the second limb; the third one leaks into the first limb's neighbour instead.
   const double     pitch = 36.0;
-  const TubePoints truth = Serpentine(3, 150.0, pitch);
+  const TubePoints truth = Serpentine(3, 220.0, pitch);
   TubeMask         mask(truth, 25.0, { 1.5, 1.5, 1.5 });
   mask.Paint(itk::PartOf(truth, 0.0, 0.62), 16.0);
   mask.Paint(itk::PartOf(truth, 0.68, 1.0), 16.0);
-  mask.Paint({ { 90.0, 0.0, 1.3 * pitch }, { 90.0, 0.0, 1.5 * pitch }, { 90.0, 0.0, 1.7 * pitch } }, 3.0);
+  mask.Paint({ { 130.0, 0.0, 1.3 * pitch }, { 130.0, 0.0, 1.5 * pitch }, { 130.0, 0.0, 1.7 * pitch } }, 3.0);
   const ColonCentreline line = itk::TraceColonCentreline(mask.Get());
   EXPECT_EQ(line.gaps.size(), 1u);
   EXPECT_GT(Covered(truth, PointsOf(line), 12.0), 0.97);
