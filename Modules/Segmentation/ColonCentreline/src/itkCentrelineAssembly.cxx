@@ -15,6 +15,8 @@ constexpr double narrow = 2.5;
 /** The middle of the lumen is taken over so many mm of it to both sides, so that single haustra do not bend the line.
  */
 constexpr double slabRadii = 2.5;
+/** Chord over arc of that stretch, at least. */
+constexpr double straightness = 0.6;
 
 /** A stretch of the curve, in the frame of the grid. */
 struct Section
@@ -114,8 +116,13 @@ SlabMeans(const Slabs & slabs, const CurvePoints & points, const std::vector<dou
   for (int i = 1; i < last; ++i)
   {
     // As far on both sides, or the end would pull.
-    const double    reach = slabRadii * MeanAround(radii, i, static_cast<int>(20.0 / step));
-    const int       number = std::min({ static_cast<int>(reach / step), i, last - i });
+    const double reach = slabRadii * MeanAround(radii, i, static_cast<int>(20.0 / step));
+    int          number = std::min({ static_cast<int>(reach / step), i, last - i });
+    // Less in a sharp bend, which the mean would cut.
+    while (number > 1 && (points[i + number] - points[i - number]).norm() < straightness * 2.0 * number * step)
+    {
+      --number;
+    }
     Eigen::Vector3d sum = Eigen::Vector3d::Zero();
     double          weight = 0.0;
     for (int k = i - number; k <= i + number; ++k)

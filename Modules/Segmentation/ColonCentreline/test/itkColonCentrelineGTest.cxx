@@ -195,7 +195,7 @@ TEST(ColonCentreline, GoesThroughANarrowPlaceRatherThanAWiderHole)
   mask.Paint(truth, [](double share) { return std::abs(share - 0.5) < 0.02 ? 2.5 : 14.4; });
   const TubePoints around = itk::PartOf(truth, 0.46, 0.54);
   mask.Paint(around, 14.4, 0);
-  mask.Paint(around, 2.5);
+  mask.Paint(itk::PartOf(truth, 0.42, 0.58), 2.5);
   mask.PaintBall({ 20.0, 0.0, 0.5 * pitch }, 4.0);
   mask.PaintBall({ 200.0, 0.0, 1.5 * pitch }, 4.0);
   const ColonCentreline line = itk::TraceColonCentreline(mask.Get());
