@@ -204,6 +204,29 @@ EndDirection(const CurvePoints & points, bool atBegin)
   return direction.norm() > 0.0 ? Eigen::Vector3d(direction.normalized()) : Eigen::Vector3d(Eigen::Vector3d::UnitZ());
 }
 
+/** Points that smoothing has left in a wall go towards the nearest node of the path, as far as needed. */
+void
+KeepInside(const DistanceField & field, const CurvePoints & nodes, CurvePoints & points)
+{
+  for (Eigen::Vector3d & point : points)
+  {
+    if (field.IsInside(point))
+    {
+      continue;
+    }
+    const Eigen::Vector3d node =
+      *std::min_element(nodes.begin(), nodes.end(), [&](const Eigen::Vector3d & a, const Eigen::Vector3d & b) {
+        return (a - point).squaredNorm() < (b - point).squaredNorm();
+      });
+    Eigen::Vector3d place = point;
+    for (int eighth = 1; eighth <= 8 && !field.IsInside(place); ++eighth)
+    {
+      place = point + 0.125 * eighth * (node - point);
+    }
+    point = place;
+  }
+}
+
 /** A smooth curve in the middle of the lumen from a path of nodes. */
 CurvePoints
 ShapeLine(const LumenNetwork &           network,
@@ -216,7 +239,9 @@ ShapeLine(const LumenNetwork &           network,
                          options.step);
   };
   const CurvePoints path = smooth(PositionsOf(network.grid, nodes));
-  return smooth(MoveToMiddle(network, field, path, options.step));
+  CurvePoints       points = smooth(MoveToMiddle(network, field, path, options.step));
+  KeepInside(field, PositionsOf(network.grid, nodes), points);
+  return points;
 }
 
 /** Leads the end of a curve straight on to the pole of a wide end: the last node of its path lies on the side of the
@@ -438,7 +463,7 @@ AddCover(const LumenNetwork &             network,
     const PieceLine & line = lines[placed.piece];
     whole += line.volume;
     covered += line.coveredVolume;
-    if (line.branchVolume > 20e3)
+    if (line.branchVolume > std::max(20e3, 0.02 * line.volume))
     {
       const auto place = ToPoint(network.grid, network.grid.Position(line.branchPlace));
       result.warnings.push_back("a side branch of " + InTenths(1e-3 * line.branchVolume) + " ml hangs on the line at " +

@@ -9,7 +9,7 @@
 #include "itkToolError.h"
 
 #include <algorithm>
-#include <cmath>
+#include <map>
 #include <memory>
 
 namespace itk
@@ -33,12 +33,15 @@ ToVector(const Point<double, 3> & point)
   return { point[0], point[1], point[2] };
 }
 
-/** A node of each piece, the widest; a piece is what hangs together by open passages. */
+/** A node of each piece, the widest; a piece is what hangs together by open passages. Crumbs that the grid tears off a
+ * component, smaller than the smallest piece, are left out. */
 std::vector<int>
-WidestNodes(const LumenNetwork & network)
+WidestNodes(const LumenNetwork & network, double minimumVolume)
 {
   const std::vector<int> groups = network.tree.Groups();
   std::vector<int>       widest(groups.size(), -1);
+  std::vector<double>    volumes(groups.size(), 0.0);
+  std::map<int, double>  largest;
   for (std::size_t cell = 0; cell < groups.size(); ++cell)
   {
     int &     node = widest[groups[cell]];
@@ -47,9 +50,20 @@ WidestNodes(const LumenNetwork & network)
     {
       node = centre;
     }
+    volumes[groups[cell]] += network.cells.volumes[cell];
+    double & most = largest[network.grid.Component(centre)];
+    most = std::max(most, volumes[groups[cell]]);
   }
-  widest.erase(std::remove(widest.begin(), widest.end(), -1), widest.end());
-  return widest;
+  std::vector<int> nodes;
+  for (std::size_t group = 0; group < groups.size(); ++group)
+  {
+    if (widest[group] >= 0 &&
+        (volumes[group] >= 1e3 * minimumVolume || volumes[group] == largest[network.grid.Component(widest[group])]))
+    {
+      nodes.push_back(widest[group]);
+    }
+  }
+  return nodes;
 }
 
 /** The lines of all pieces; the one of the rectum's given start comes first. */
@@ -65,7 +79,7 @@ TracePieces(const LumenNetwork & network, const ColonCentrelineOptions & options
     lines.push_back(TracePieceFrom(network, node, options.exponent));
     begun = groups[network.cells.cellOf[node]];
   }
-  const std::vector<int> widest = WidestNodes(network);
+  const std::vector<int> widest = WidestNodes(network, options.minimumVolume);
   for (std::size_t i = 0; i < widest.size(); ++i)
   {
     if (groups[network.cells.cellOf[widest[i]]] != begun)
@@ -188,7 +202,7 @@ TraceOn(const std::array<int, 3> &     blocks,
 bool
 IsTorn(const Traced & traced)
 {
-  constexpr double shortGap = 25.0;
+  constexpr double shortGap = 12.0;
   for (std::size_t i = 1; i < traced.order.size(); ++i)
   {
     const PieceLine &     before = traced.lines[traced.order[i - 1].piece];

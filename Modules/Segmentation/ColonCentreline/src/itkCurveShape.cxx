@@ -43,6 +43,18 @@ DistanceField::At(const Eigen::Vector3d & position) const
   return value;
 }
 
+bool
+DistanceField::IsInside(const Eigen::Vector3d & position) const
+{
+  std::size_t index = 0;
+  for (int a = 2; a >= 0; --a)
+  {
+    const int voxel = static_cast<int>(std::lround(position[a] / m_Spacing[a]));
+    index = index * m_Size[a] + std::clamp(voxel, 0, m_Size[a] - 1);
+  }
+  return m_Values[index] > 0.0F;
+}
+
 double
 CurveLength(const CurvePoints & points)
 {

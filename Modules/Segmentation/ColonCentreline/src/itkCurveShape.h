@@ -22,6 +22,10 @@ public:
   double
   At(const Eigen::Vector3d & position) const;
 
+  /** Whether the voxel around a position is lumen. */
+  bool
+  IsInside(const Eigen::Vector3d & position) const;
+
 private:
   const float *   m_Values;
   Eigen::Array3i  m_Size;

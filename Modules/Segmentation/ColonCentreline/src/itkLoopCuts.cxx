@@ -13,6 +13,8 @@ constexpr int mostCuts = 6;
 constexpr double leastSaving = 40.0;
 /** Side branches of this length (mm) and more are no haustra. */
 constexpr double shortestBranch = 40.0;
+/** mm^3; what is smaller does not matter to the layout. */
+constexpr double smallestPiece = 5e3;
 /** mm^3 of a stretch of colon. */
 constexpr double smallestStretch = 20e3;
 
@@ -51,7 +53,7 @@ LayOut(const LumenGrid & grid, const LumenCells & cells, const CellTree & tree)
   Layout layout;
   for (int first = 0; first < cells.NumberOfCells(); ++first)
   {
-    if (volumes[first] == 0.0)
+    if (volumes[first] < smallestPiece)
     {
       continue;
     }
@@ -88,6 +90,10 @@ LayoutCost(const LumenGrid & grid, const LumenCells & cells, const CellTree & tr
     highest = highest.cwiseMax(grid.ToPhysical(position));
   }
   double joins = 0.0;
+  if (layout.pieces.empty())
+  {
+    return joins;
+  }
   OrderPieces(layout.pieces, FindRectum(layout.pieces, lowest, highest), &joins);
   return joins + layout.sideBranches;
 }
