@@ -418,28 +418,25 @@ WarnOfNarrowPlaces(const LumenGrid & grid, const std::vector<Section> & sections
   }
 }
 
-double
-PathLength(const LumenGrid & grid, const std::vector<int> & nodes, const ColonCentrelineOptions & options)
-{
-  const CurvePoints points = ResampleCurve(PositionsOf(grid, nodes), options.step);
-  return CurveLength(SmoothCurve(points, options.step, options.smoothing));
-}
-
 /** Lengths for the exponents 2, 3, 4: the line itself, changed by how much the other paths differ from its core. */
 void
 AddLengths(const LumenNetwork &             network,
+           const DistanceField &            field,
            const std::vector<PieceLine> &   lines,
            const std::vector<PlacedPiece> & order,
            const ColonCentrelineOptions &   options,
            ColonCentreline &                result)
 {
+  const auto lengthOf = [&](const std::vector<int> & nodes) {
+    return CurveLength(ShapeLine(network, field, nodes, options));
+  };
   result.lengths.fill(result.length);
   for (const PlacedPiece & placed : order)
   {
     const PieceLine & line = lines[placed.piece];
-    const double      core = PathLength(network.grid, line.core, options);
-    result.lengths[0] += PathLength(network.grid, OtherPath(network, line, 2), options) - core;
-    result.lengths[2] += PathLength(network.grid, OtherPath(network, line, 4), options) - core;
+    const double      core = lengthOf(line.core);
+    result.lengths[0] += lengthOf(OtherPath(network, line, 2)) - core;
+    result.lengths[2] += lengthOf(OtherPath(network, line, 4)) - core;
   }
   const auto [least, most] = std::minmax_element(result.lengths.begin(), result.lengths.end());
   if (*most - *least > 0.03 * result.length)
@@ -500,7 +497,7 @@ AssembleCentreline(const LumenNetwork &             network,
     }
   }
   AddGaps(network.grid, sections, begins, result);
-  AddLengths(network, lines, order, options, result);
+  AddLengths(network, field, lines, order, options, result);
   AddCover(network, lines, order, result);
   WarnOfNarrowPlaces(network.grid, sections, result);
   return result;
