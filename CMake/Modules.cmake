@@ -7,6 +7,7 @@ set(Shapeton_MODULES
   Bridge/VTKGlue
   IO/DicomSeries
   Mesh/SurfaceMesh
+  Segmentation/ColonLumen
   Filtering/ShapeDiffusion
   Phantom/ShapePhantom
   Phantom/ColonPhantom

@@ -1,0 +1,30 @@
+#ifndef itkColonReport_h
+#define itkColonReport_h
+
+#include "itkLumenVoxels.h"
+
+namespace itk
+{
+ColonLumen::LabelImageType::Pointer
+EmptyLabels(const ColonImage * image);
+
+void
+WriteLabels(const ColonImage * image, const LumenVoxels & voxels, ColonLumen & lumen);
+
+/** Connected parts of the lumen from 0.05 ml on; smaller ones are taken out of the labels by WriteLabels(). */
+void
+DescribePieces(const LumenVoxels & voxels, ColonLumen & lumen);
+
+void
+DescribeLevels(const ColonEvidence & evidence, const LumenVoxels & voxels, ColonLumen & lumen);
+
+/** Thresholds, noise, and what is not colon. */
+void
+DescribeRest(const ColonEvidence & evidence, ColonLumen & lumen);
+
+/** Says why the lumen is not usable, if so. */
+void
+JudgeLumen(const ColonEvidence & evidence, ColonLumen & lumen);
+} // namespace itk
+
+#endif

@@ -1,0 +1,54 @@
+#ifndef itkColonSearch_h
+#define itkColonSearch_h
+
+#include "itkFall.h"
+#include "itkGasPieces.h"
+#include "itkLevels.h"
+#include "itkLumenGrowth.h"
+
+namespace itk
+{
+/** All that is known of the volume before single voxels are decided. */
+struct ColonEvidence
+{
+  ColonGrid                       grid;
+  std::vector<float>              hu;
+  ColonThresholds                 thresholds;
+  double                          noise{ 0.0 };
+  double                          smoothing{ 0.0 };
+  double                          bodyMl{ 0.0 }; ///< of everything denser than -400 HU
+  GasOfVolume                     gas;
+  std::vector<char>               isCandidate; ///< pieces of gas that may lie in a bowel
+  std::vector<char>               isColon;     ///< pieces of gas
+  Eigen::Vector3d                 gravity{ 0.0, 1.0, 0.0 };
+  std::vector<Level>              levels; ///< under the candidates
+  RunSet                          brightSet;
+  RunLabels                       brightLabels;
+  std::vector<char>               isColonBright; ///< bright pieces that hang on colon gas or hold a seed
+  std::vector<int>                brightOfLevel; ///< 0 where none
+  std::vector<std::array<int, 3>> brightSeeds;   ///< seed points in bright matter
+  bool                            isTagged{ false };
+};
+
+/** Why a piece of gas is no colon; empty for one that may be. */
+std::string
+KindOfGas(const GasPiece & piece, const ColonThresholds & thresholds);
+
+/** Marks the distended pieces as colon. */
+void
+ChooseCore(ColonEvidence & evidence);
+
+/** The intensity of the fluid under the colon's levels and the thresholds that follow from it. */
+void
+MeasureFluid(ColonEvidence & evidence);
+
+/** Bright matter, and which of it hangs on the colon's gas. */
+void
+FindBright(ColonEvidence & evidence);
+
+/** The box around all that may be colon. */
+VoxelBox
+BoxOfColon(const ColonEvidence & evidence);
+} // namespace itk
+
+#endif

@@ -1,0 +1,311 @@
+#include "itkGasPieces.h"
+
+#include "itkDistanceToBackground.h"
+
+#include <cmath>
+
+namespace itk
+{
+namespace
+{
+constexpr double ShareOfBorder = 0.6;
+constexpr double ShareOfSection = 0.25;
+constexpr double ThinShell = 8.0; // mm; the abdominal wall is thicker
+constexpr double ShareOfShell = 0.3;
+constexpr double MeasuredMl = 0.5;
+
+/** How a piece of a slice, or a group of such pieces, is bounded within the slices; mm or mm^2. */
+struct Outline
+{
+  double border{ 0.0 };
+  double edge{ 0.0 }; ///< inside the image
+};
+
+/** The outline of each labelled part of the slices. */
+std::vector<Outline>
+OutlinesInSlices(const ColonGrid & grid, const RunSet & set, const RunLabels & labels)
+{
+  std::vector<Outline> outlines(labels.number + 1);
+  const double         sx = grid.spacing[0];
+  const double         sy = grid.spacing[1];
+  ForEachRun(set, [&](std::size_t r, int j, int) {
+    auto &       outline = outlines[labels.ofRun[r]];
+    const Run    run = set.runs[r];
+    const double length = (run.end - run.begin) * sx;
+    (run.begin == 0 ? outline.border : outline.edge) += sy;
+    (run.end == grid.size[0] ? outline.border : outline.edge) += sy;
+    (j == 0 ? outline.border : outline.edge) += length;
+    (j == grid.size[1] - 1 ? outline.border : outline.edge) += length;
+  });
+  // A column that two rows share was counted from above and from below.
+  for (int k = 0; k < set.size[2]; ++k)
+  {
+    for (int j = 1; j < set.size[1]; ++j)
+    {
+      ForEachOverlap(set, set.Row(j - 1, k), set.Row(j, k), [&](std::size_t r, std::size_t, int overlap) {
+        outlines[labels.ofRun[r]].edge -= 2.0 * overlap * sx;
+      });
+    }
+  }
+  return outlines;
+}
+
+std::vector<char>
+RunsOf(const RunLabels & labels, const std::vector<char> & isIn)
+{
+  std::vector<char> use(labels.ofRun.size());
+  for (std::size_t r = 0; r < use.size(); ++r)
+  {
+    use[r] = isIn[labels.ofRun[r]];
+  }
+  return use;
+}
+
+/** The groups of slice parts at the border that are outside air. */
+std::vector<char>
+OutsideRuns(const ColonGrid & grid, const RunSet & set, const std::vector<std::array<int, 3>> & kept)
+{
+  const RunLabels   parts = LabelRuns(set, false);
+  const auto        outlines = OutlinesInSlices(grid, set, parts);
+  std::vector<char> touches(parts.number + 1, 0);
+  for (int p = 1; p <= parts.number; ++p)
+  {
+    touches[p] = outlines[p].border > 0.0;
+  }
+  const RunLabels      groups = LabelRuns(set, true, RunsOf(parts, touches));
+  std::vector<Outline> ofGroup(groups.number + 1);
+  std::vector<char>    done(parts.number + 1, 0);
+  for (std::size_t r = 0; r < set.runs.size(); ++r)
+  {
+    const int part = parts.ofRun[r];
+    if (!done[part])
+    {
+      done[part] = 1;
+      ofGroup[groups.ofRun[r]].border += outlines[part].border;
+      ofGroup[groups.ofRun[r]].edge += outlines[part].edge;
+    }
+  }
+  std::vector<char> isOutside(groups.number + 1, 0);
+  for (int g = 1; g <= groups.number; ++g)
+  {
+    isOutside[g] = ofGroup[g].border >= ShareOfBorder * ofGroup[g].edge;
+  }
+  for (const auto & v : kept)
+  {
+    const auto run = set.Find(v[0], v[1], v[2]);
+    if (run >= 0)
+    {
+      isOutside[groups.ofRun[run]] = 0;
+    }
+  }
+  isOutside[0] = 0;
+  return RunsOf(groups, isOutside);
+}
+
+/** Volumes, boxes, means, centres. */
+void
+MeasurePieces(const ColonGrid & grid, const std::vector<float> & hu, GasOfVolume & gas)
+{
+  std::vector<Eigen::Vector3d> sums(gas.pieces.size(), Eigen::Vector3d::Zero());
+  ForEachRun(gas.set, [&](std::size_t r, int j, int k) {
+    auto &     piece = gas.pieces[gas.labels.ofRun[r]];
+    const Run  run = gas.set.runs[r];
+    const int  count = run.end - run.begin;
+    const auto low = std::array<int, 3>{ { run.begin, j, k } };
+    const auto high = std::array<int, 3>{ { run.end, j + 1, k + 1 } };
+    for (int a = 0; a < 3; ++a)
+    {
+      piece.box.low[a] = piece.voxels == 0 ? low[a] : std::min(piece.box.low[a], low[a]);
+      piece.box.high[a] = std::max(piece.box.high[a], high[a]);
+    }
+    piece.voxels += count;
+    sums[gas.labels.ofRun[r]] += Eigen::Vector3d(0.5 * (run.begin + run.end - 1), j, k) * count;
+    for (int i = run.begin; i < run.end; ++i)
+    {
+      piece.mean += hu[grid.Index(i, j, k)];
+    }
+  });
+  for (std::size_t p = 1; p < gas.pieces.size(); ++p)
+  {
+    auto & piece = gas.pieces[p];
+    piece.ml = piece.voxels * grid.VoxelVolume() * 1e-3;
+    piece.mean /= static_cast<double>(piece.voxels);
+    piece.centre = grid.Position(Eigen::Vector3d(sums[p] / static_cast<double>(piece.voxels)));
+    for (int a = 0; a < 3; ++a)
+    {
+      piece.isCut = piece.isCut || piece.box.low[a] == 0 || piece.box.high[a] == grid.size[a];
+    }
+  }
+}
+
+/** Pieces that open widely to the outside across slices. */
+void
+FindPockets(const ColonGrid & grid, GasOfVolume & gas)
+{
+  std::vector<double> contact(gas.pieces.size(), 0.0);
+  std::vector<double> section(gas.pieces.size(), 0.0);
+  std::vector<double> largest(gas.pieces.size(), 0.0);
+  std::vector<int>    slice(gas.pieces.size(), -1);
+  ForEachRun(gas.set, [&](std::size_t r, int, int k) {
+    const int p = gas.labels.ofRun[r];
+    section[p] = slice[p] == k ? section[p] : 0.0;
+    slice[p] = k;
+    section[p] += gas.set.runs[r].end - gas.set.runs[r].begin;
+    largest[p] = std::max(largest[p], section[p]);
+  });
+  for (int k = 1; k < grid.size[2]; ++k)
+  {
+    for (int j = 0; j < grid.size[1]; ++j)
+    {
+      ForEachOverlap(gas.set, gas.set.Row(j, k - 1), gas.set.Row(j, k), [&](std::size_t r, std::size_t s, int overlap) {
+        if (gas.isOutsideRun[r] != gas.isOutsideRun[s])
+        {
+          contact[gas.isOutsideRun[r] ? gas.labels.ofRun[s] : gas.labels.ofRun[r]] += overlap;
+        }
+      });
+    }
+  }
+  for (std::size_t p = 1; p < gas.pieces.size(); ++p)
+  {
+    gas.pieces[p].isOutside = contact[p] > ShareOfSection * largest[p];
+  }
+}
+
+/** Whether nothing but a thin shell parts the end of a column of gas from the air outside. */
+bool
+IsThinlyCovered(const ColonGrid & grid, const GasOfVolume & gas, int i, int j, int k, int towards)
+{
+  for (int n = 1; n * grid.spacing[1] <= ThinShell; ++n)
+  {
+    const int row = j + towards * n;
+    if (row < 0 || row >= grid.size[1])
+    {
+      return true;
+    }
+    const auto run = gas.set.Find(i, row, k);
+    if (run >= 0)
+    {
+      return gas.isOutsideRun[run] != 0;
+    }
+  }
+  return false;
+}
+
+/** Hollow tables, cushions and blankets: front and back lie under a thin shell. */
+void
+FindShells(const ColonGrid & grid, GasOfVolume & gas)
+{
+  std::vector<double> ends(gas.pieces.size(), 0.0);
+  std::vector<double> thin(gas.pieces.size(), 0.0);
+  ForEachRun(gas.set, [&](std::size_t r, int j, int k) {
+    const int p = gas.labels.ofRun[r];
+    if (p == 0 || gas.pieces[p].ml < MeasuredMl)
+    {
+      return;
+    }
+    const Run run = gas.set.runs[r];
+    const int i = (run.begin + run.end) / 2;
+    for (const int towards : { -1, 1 })
+    {
+      const int row = j + towards;
+      if (row < 0 || row >= grid.size[1] || gas.set.Find(i, row, k) < 0)
+      {
+        ends[p] += run.end - run.begin;
+        thin[p] += IsThinlyCovered(grid, gas, i, j, k, towards) ? run.end - run.begin : 0;
+      }
+    }
+  });
+  for (std::size_t p = 1; p < gas.pieces.size(); ++p)
+  {
+    gas.pieces[p].isOutside = gas.pieces[p].isOutside || thin[p] > ShareOfShell * ends[p];
+  }
+}
+
+/** A piece as a mask in its own box, with a margin of one voxel. */
+std::vector<unsigned char>
+MaskOfPiece(const ColonGrid & grid, const GasOfVolume & gas, int piece, const VoxelBox & box)
+{
+  const ColonGrid            part = grid.Part(box);
+  std::vector<unsigned char> mask(part.NumberOfVoxels(), 0);
+  ParallelFor(part.size[2], [&](std::size_t layer) {
+    const int k = static_cast<int>(layer) + box.low[2];
+    for (int j = box.low[1]; j < box.high[1]; ++j)
+    {
+      const auto row = gas.set.Row(j, k);
+      for (auto r = gas.set.firstOfRow[row]; r < gas.set.firstOfRow[row + 1]; ++r)
+      {
+        if (gas.labels.ofRun[r] == piece)
+        {
+          auto * first = &mask[part.Index(0, j - box.low[1], static_cast<int>(layer))];
+          std::fill(first + gas.set.runs[r].begin - box.low[0], first + gas.set.runs[r].end - box.low[0], 1);
+        }
+      }
+    }
+  });
+  return mask;
+}
+} // namespace
+
+GasOfVolume
+FindGas(const ColonGrid &                       grid,
+        const std::vector<float> &              hu,
+        double                                  seed,
+        const std::vector<std::array<int, 3>> & kept)
+{
+  GasOfVolume gas;
+  gas.set = CollectRuns(grid, [&](std::size_t p) { return hu[p] < seed; });
+  gas.isOutsideRun = OutsideRuns(grid, gas.set, kept);
+  std::vector<char> inside(gas.isOutsideRun.size());
+  for (std::size_t r = 0; r < inside.size(); ++r)
+  {
+    inside[r] = !gas.isOutsideRun[r];
+  }
+  gas.labels = LabelRuns(gas.set, true, inside);
+  gas.pieces.resize(gas.labels.number + 1);
+  gas.pieces[0].isOutside = true;
+  MeasurePieces(grid, hu, gas);
+  FindPockets(grid, gas);
+  if (std::find(gas.isOutsideRun.begin(), gas.isOutsideRun.end(), 1) != gas.isOutsideRun.end())
+  {
+    FindShells(grid, gas);
+  }
+  return gas;
+}
+
+void
+MeasureDepth(const ColonGrid & grid, const std::vector<float> & hu, GasOfVolume & gas)
+{
+  for (int p = 1; p <= gas.labels.number; ++p)
+  {
+    auto & piece = gas.pieces[p];
+    if (piece.ml < MeasuredMl || piece.isOutside)
+    {
+      continue;
+    }
+    const VoxelBox  box = grid.Widened(piece.box, 1e-6);
+    const ColonGrid part = grid.Part(box);
+    const auto      d = SquaredDistanceToBackground(part, MaskOfPiece(grid, gas, p, box));
+    // A piece that fills its whole box has no background at all.
+    const float deepest = std::min(*std::max_element(d.begin(), d.end()), 1e6F);
+    piece.radius = std::sqrt(deepest);
+    const float least = std::min(9.0F, 0.36F * deepest);
+    double      sum = 0.0;
+    std::size_t count = 0;
+    for (int k = 0; k < part.size[2]; ++k)
+    {
+      for (int j = 0; j < part.size[1]; ++j)
+      {
+        for (int i = 0; i < part.size[0]; ++i)
+        {
+          if (d[part.Index(i, j, k)] >= least)
+          {
+            sum += hu[grid.Index(i + box.low[0], j + box.low[1], k + box.low[2])];
+            ++count;
+          }
+        }
+      }
+    }
+    piece.inside = sum / static_cast<double>(count);
+  }
+}
+} // namespace itk

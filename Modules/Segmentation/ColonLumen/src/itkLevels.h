@@ -1,0 +1,48 @@
+#ifndef itkLevels_h
+#define itkLevels_h
+
+#include "itkColonLumenSegmentation.h"
+#include "itkFall.h"
+#include "itkRuns.h"
+
+namespace itk
+{
+/** A flat part of the floor of some gas: depth = depth + slope . (place - centre), in mm along and across gravity. */
+struct Level
+{
+  int                 gas{ 0 };     ///< the piece above it
+  double              area{ 0.0 };  ///< mm^2
+  double              width{ 0.0 }; ///< standard deviation along its shorter way, mm
+  double              depth{ 0.0 };
+  Eigen::Vector2d     slope;
+  Eigen::Vector2d     centre;
+  std::vector<size_t> floors;        ///< indices of the gas voxels just above it
+  double              below{ 0.0 };  ///< median intensity 3 to 6 mm below it
+  double              spread{ 0.0 }; ///< standard deviation there
+};
+
+/** Where the gas ends downwards. */
+struct Floor
+{
+  std::size_t voxel; ///< the last one of the gas
+  int         gas;   ///< its piece
+  float       depth; ///< of the half-height, along gravity, mm
+};
+
+/** The floors of all gas for whose piece `use` holds. */
+std::vector<Floor>
+FloorsOfGas(const ColonGrid &          grid,
+            const std::vector<float> & hu,
+            const RunSet &             gas,
+            const RunLabels &          pieces,
+            const std::vector<char> &  use,
+            const Fall &               fall,
+            const ColonThresholds &    thresholds);
+
+/** The flat parts of floors, perpendicular to gravity within 6 degrees, at least 30 mm^2, the largest first. Walls are
+ * curved: the bottom of a haustrum is flat on a few mm^2 only. */
+std::vector<Level>
+FindLevels(const ColonGrid & grid, const std::vector<float> & hu, const std::vector<Floor> & floors, const Fall & fall);
+} // namespace itk
+
+#endif

@@ -1,0 +1,398 @@
+#include "itkLumenVoxels.h"
+
+#include "itkDistanceToBackground.h"
+#include "itkLocalFluid.h"
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+
+namespace itk
+{
+namespace
+{
+constexpr double PassageRadius = 2.5;  // mm; what joins two parts of the fluid more narrowly is a leak
+constexpr double GrowthReach = 3.0;    // mm
+constexpr double LeastBrightMl = 0.05; // of other bright matter that competes
+constexpr double LevelReach = 6.0;     // mm around the flat part of a level
+constexpr double LevelThickness = 2.5; // mm above and below a level that may be its blurred layer
+constexpr double FilledCavityMl = 0.03;
+
+/** Takes ColonEvidence to classes, step by step. */
+class VoxelDecision
+{
+public:
+  explicit VoxelDecision(ColonEvidence & evidence)
+    : m_Evidence(evidence)
+    , m_Box(BoxOfColon(evidence))
+    , m_Grid(evidence.grid.Part(m_Box))
+    , m_Hu(CropVoxels(evidence.hu, evidence.grid, m_Box))
+    , m_Classes(m_Grid.NumberOfVoxels(), Nothing)
+    , m_Fall(m_Grid, evidence.gravity)
+    , m_Layers(std::max(2, static_cast<int>(std::lround(GrowthReach / std::cbrt(m_Grid.VoxelVolume())))))
+  {
+    std::vector<float>().swap(evidence.hu);
+  }
+
+  LumenVoxels
+  Decide()
+  {
+    this->PaintGas();
+    this->PaintBright();
+    this->SplitAtNecks();
+    while (this->TakeGasOverFluid())
+    {}
+    this->Grow();
+    this->FillLevels();
+    this->FillCavities();
+    auto levels = this->ColonLevels();
+    return { m_Grid, std::move(m_Hu), std::move(m_Classes), std::move(levels) };
+  }
+
+private:
+  /** The part of a run inside the box as a range of voxels; empty where it lies outside. */
+  std::array<std::size_t, 2>
+  Range(const Run & run, int j, int k) const
+  {
+    const int begin = std::max(run.begin, m_Box.low[0]);
+    const int end = std::min(run.end, m_Box.high[0]);
+    if (begin >= end || j < m_Box.low[1] || j >= m_Box.high[1] || k < m_Box.low[2] || k >= m_Box.high[2])
+    {
+      return { { 0, 0 } };
+    }
+    const auto first = m_Grid.Index(begin - m_Box.low[0], j - m_Box.low[1], k - m_Box.low[2]);
+    return { { first, first + end - begin } };
+  }
+
+  void
+  Paint(const RunSet & set, const std::function<unsigned char(std::size_t run)> & classOf)
+  {
+    ForEachRun(set, [&](std::size_t r, int j, int k) {
+      const auto range = this->Range(set.runs[r], j, k);
+      std::fill(m_Classes.begin() + range[0], m_Classes.begin() + range[1], range[0] < range[1] ? classOf(r) : 0);
+    });
+  }
+
+  void
+  PaintGas()
+  {
+    this->Paint(m_Evidence.gas.set, [this](std::size_t r) -> unsigned char {
+      const int piece = m_Evidence.gas.labels.ofRun[r];
+      return m_Evidence.isColon[piece] ? ColonGas : OtherGas;
+    });
+  }
+
+  void
+  PaintBright()
+  {
+    std::vector<std::size_t> voxels(m_Evidence.brightLabels.number + 1, 0);
+    for (std::size_t r = 0; r < m_Evidence.brightSet.runs.size(); ++r)
+    {
+      voxels[m_Evidence.brightLabels.ofRun[r]] += m_Evidence.brightSet.runs[r].end - m_Evidence.brightSet.runs[r].begin;
+    }
+    this->Paint(m_Evidence.brightSet, [&](std::size_t r) -> unsigned char {
+      const int piece = m_Evidence.brightLabels.ofRun[r];
+      if (m_Evidence.isColonBright[piece])
+      {
+        return Undecided;
+      }
+      return voxels[piece] * m_Grid.VoxelVolume() * 1e-3 >= LeastBrightMl ? OtherBright : Nothing;
+    });
+  }
+
+  /** Voxel of this box; false where a voxel of the whole grid lies outside. */
+  bool
+  Local(std::size_t whole, std::array<int, 3> & v) const
+  {
+    v = m_Evidence.grid.Voxel(whole);
+    for (int a = 0; a < 3; ++a)
+    {
+      v[a] -= m_Box.low[a];
+    }
+    return m_Grid.Holds(v[0], v[1], v[2]);
+  }
+
+  /** The voxel t steps below v, or -1 beyond the grid. */
+  std::ptrdiff_t
+  Below(const std::array<int, 3> & v, int t) const
+  {
+    const auto o = m_Fall.Offset(t);
+    return m_Grid.Holds(v[0] + o[0], v[1] + o[1], v[2] + o[2])
+             ? static_cast<std::ptrdiff_t>(m_Grid.Index(v[0] + o[0], v[1] + o[1], v[2] + o[2]))
+             : -1;
+  }
+
+  /** Marks the fluid right under the colon's levels, and the wide parts of it that columns from there reach. */
+  void
+  MarkUnderLevels(const RunSet & wide, const RunLabels & wideLabels, std::vector<char> & isColonWide)
+  {
+    for (const auto & level : m_Evidence.levels)
+    {
+      std::array<int, 3> v;
+      for (const auto floor : level.floors)
+      {
+        if (!m_Evidence.isColon[level.gas] || !this->Local(floor, v))
+        {
+          continue;
+        }
+        bool isIn = false;
+        for (int t = 1; t * m_Fall.step <= (isIn ? 20.0 : 5.0); ++t)
+        {
+          const auto q = this->Below(v, t);
+          if (q < 0 || (isIn && m_Classes[q] != Undecided && m_Classes[q] != ColonFluid))
+          {
+            break;
+          }
+          if (!isIn && m_Classes[q] == Undecided)
+          {
+            m_Classes[q] = ColonFluid;
+          }
+          isIn = isIn || m_Classes[q] == ColonFluid;
+          const auto w = m_Grid.Voxel(q);
+          const auto run = wide.Find(w[0], w[1], w[2]);
+          if (isIn && run >= 0)
+          {
+            isColonWide[wideLabels.ofRun[run]] = 1;
+            break;
+          }
+        }
+      }
+    }
+  }
+
+  void
+  MarkSeeds(const RunSet & wide, const RunLabels & wideLabels, std::vector<char> & isColonWide)
+  {
+    for (const auto & seed : m_Evidence.brightSeeds)
+    {
+      std::array<int, 3> v;
+      if (this->Local(m_Evidence.grid.Index(seed[0], seed[1], seed[2]), v))
+      {
+        m_Classes[m_Grid.Index(v[0], v[1], v[2])] = ColonFluid;
+        const auto run = wide.Find(v[0], v[1], v[2]);
+        isColonWide[run < 0 ? 0 : wideLabels.ofRun[run]] = 1;
+      }
+    }
+  }
+
+  /** Of the bright matter joined to the colon's levels only what a passage of PassageRadius reaches is colon; the rest
+   * competes for what lies between. */
+  void
+  SplitAtNecks()
+  {
+    std::vector<unsigned char> mask(m_Classes.size());
+    std::transform(m_Classes.begin(), m_Classes.end(), mask.begin(), [](unsigned char c) { return c == Undecided; });
+    const auto   d = SquaredDistanceToBackground(m_Grid, mask);
+    const RunSet wide = CollectRuns(
+      m_Grid, [&](std::size_t p) { return d[p] >= PassageRadius * PassageRadius && m_Classes[p] == Undecided; });
+    const RunLabels   wideLabels = LabelRuns(wide, true);
+    std::vector<char> isColonWide(wideLabels.number + 1, 0);
+    this->MarkUnderLevels(wide, wideLabels, isColonWide);
+    this->MarkSeeds(wide, wideLabels, isColonWide);
+    ForEachRun(wide, [&](std::size_t r, int j, int k) {
+      const auto first = m_Grid.Index(0, j, k);
+      std::fill(m_Classes.begin() + first + wide.runs[r].begin,
+                m_Classes.begin() + first + wide.runs[r].end,
+                isColonWide[wideLabels.ofRun[r]] ? ColonFluid : OtherBright);
+    });
+    GrowClasses(m_Grid, m_Classes, 1 << 20, [this](std::size_t p, unsigned char c) {
+      return m_Classes[p] == Undecided && (c == ColonFluid || c == OtherBright);
+    });
+    std::replace(
+      m_Classes.begin(), m_Classes.end(), static_cast<unsigned char>(Undecided), static_cast<unsigned char>(Nothing));
+  }
+
+  /** Whether most columns under a level end in the colon's fluid. */
+  bool
+  LiesOnColonFluid(const Level & level) const
+  {
+    std::size_t hits = 0;
+    for (const auto floor : level.floors)
+    {
+      std::array<int, 3> v;
+      bool               isOnFluid = false;
+      for (int t = 1; this->Local(floor, v) && t * m_Fall.step <= 5.0 && !isOnFluid; ++t)
+      {
+        const auto q = this->Below(v, t);
+        isOnFluid = q >= 0 && m_Classes[q] == ColonFluid;
+      }
+      hits += isOnFluid;
+    }
+    return 2 * hits > level.floors.size();
+  }
+
+  /** Pockets of gas that share a level with the colon's fluid. */
+  bool
+  TakeGasOverFluid()
+  {
+    bool found = false;
+    for (const auto & level : m_Evidence.levels)
+    {
+      if (!m_Evidence.isColon[level.gas] && this->LiesOnColonFluid(level))
+      {
+        m_Evidence.isColon[level.gas] = 1;
+        found = true;
+      }
+    }
+    if (found)
+    {
+      ForEachRun(m_Evidence.gas.set, [&](std::size_t r, int j, int k) {
+        if (m_Evidence.isColon[m_Evidence.gas.labels.ofRun[r]])
+        {
+          const auto range = this->Range(m_Evidence.gas.set.runs[r], j, k);
+          std::fill(m_Classes.begin() + range[0], m_Classes.begin() + range[1], ColonGas);
+        }
+      });
+    }
+    return found;
+  }
+
+  LocalFluid
+  FluidAround() const
+  {
+    std::vector<unsigned char> mask(m_Classes.size());
+    std::transform(m_Classes.begin(), m_Classes.end(), mask.begin(), [](unsigned char c) { return c == ColonFluid; });
+    return LocalFluid(m_Grid, m_Hu, mask, m_Evidence.thresholds.fluid);
+  }
+
+  void
+  Grow()
+  {
+    const auto &     t = m_Evidence.thresholds;
+    const LocalFluid fluid = this->FluidAround();
+    GrowClasses(m_Grid, m_Classes, m_Layers, [&](std::size_t p, unsigned char c) {
+      if (c == ColonGas || c == OtherGas)
+      {
+        return m_Hu[p] < t.gasBoundary;
+      }
+      const auto v = m_Grid.Voxel(p);
+      return t.fluid > 0.0 && m_Hu[p] > 0.5 * (t.tissue + fluid.At(v[0], v[1], v[2]));
+    });
+  }
+
+  std::vector<Level>
+  ColonLevels() const
+  {
+    std::vector<Level> levels;
+    for (const auto & level : m_Evidence.levels)
+    {
+      if (m_Evidence.isColon[level.gas] && this->LiesOnColonFluid(level))
+      {
+        levels.push_back(level);
+      }
+    }
+    return levels;
+  }
+
+  /** Fills the layer in which values pass from gas to fluid, near levels only: elsewhere a wall may lie between. */
+  void
+  FillLevels()
+  {
+    std::vector<LateralCells::Place> places;
+    std::vector<float>               depths;
+    for (const auto & level : this->ColonLevels())
+    {
+      for (const auto floor : level.floors)
+      {
+        const auto p = m_Evidence.grid.Position(floor);
+        places.push_back({ static_cast<float>(p.dot(m_Fall.across[0])), static_cast<float>(p.dot(m_Fall.across[1])) });
+        const Eigen::Vector2d d = Eigen::Vector2d(places.back().a, places.back().b) - level.centre;
+        depths.push_back(static_cast<float>(level.depth + level.slope.dot(d)));
+      }
+    }
+    const LateralCells cells(places, LevelReach);
+    const int          steps = static_cast<int>(std::ceil(2.0 * LevelThickness / m_Fall.step)) + 1;
+    const ClassVolume  before = m_Classes;
+    ParallelFor(m_Grid.size[2], [&](std::size_t k) {
+      for (std::size_t p = k * m_Grid.stride[2]; p < (k + 1) * m_Grid.stride[2]; ++p)
+      {
+        if (before[p] == Nothing && this->IsBetween(before, p, steps) && this->IsNearLevel(p, cells, places, depths))
+        {
+          const double half = 0.5 * (m_Evidence.thresholds.gas + m_Evidence.thresholds.fluid);
+          m_Classes[p] = m_Hu[p] < half ? ColonGas : ColonFluid;
+        }
+      }
+    });
+  }
+
+  /** Gas above and fluid below, nothing else in between, all within some steps. */
+  bool
+  IsBetween(const ClassVolume & classes, std::size_t p, int steps) const
+  {
+    const auto v = m_Grid.Voxel(p);
+    int        up = 1;
+    while (up <= steps && this->Below(v, -up) >= 0 && classes[this->Below(v, -up)] == Nothing)
+    {
+      ++up;
+    }
+    int down = 1;
+    while (down <= steps && this->Below(v, down) >= 0 && classes[this->Below(v, down)] == Nothing)
+    {
+      ++down;
+    }
+    return up + down <= steps + 1 && this->Below(v, -up) >= 0 && this->Below(v, down) >= 0 &&
+           classes[this->Below(v, -up)] == ColonGas && classes[this->Below(v, down)] == ColonFluid;
+  }
+
+  bool
+  IsNearLevel(std::size_t                              p,
+              const LateralCells &                     cells,
+              const std::vector<LateralCells::Place> & places,
+              const std::vector<float> &               depths) const
+  {
+    const auto   x = m_Grid.Position(p);
+    const double a = x.dot(m_Fall.across[0]);
+    const double b = x.dot(m_Fall.across[1]);
+    const double depth = x.dot(m_Fall.direction);
+    bool         isNear = false;
+    cells.ForEachNear(a, b, [&](int i) {
+      const double da = places[i].a - a;
+      const double db = places[i].b - b;
+      isNear =
+        isNear || (da * da + db * db <= LevelReach * LevelReach && std::abs(depths[i] - depth) <= LevelThickness);
+    });
+    return isNear;
+  }
+
+  /** Specks that noise left inside the lumen; polyps on thin stalks are larger. */
+  void
+  FillCavities()
+  {
+    const RunSet set =
+      CollectRuns(m_Grid, [&](std::size_t p) { return m_Classes[p] != ColonGas && m_Classes[p] != ColonFluid; });
+    const RunLabels          labels = LabelRuns(set, true);
+    std::vector<std::size_t> voxels(labels.number + 1, 0);
+    for (std::size_t r = 0; r < set.runs.size(); ++r)
+    {
+      voxels[labels.ofRun[r]] += set.runs[r].end - set.runs[r].begin;
+    }
+    const double half = 0.5 * (m_Evidence.thresholds.gas + m_Evidence.thresholds.fluid);
+    ForEachRun(set, [&](std::size_t r, int j, int k) {
+      if (voxels[labels.ofRun[r]] * m_Grid.VoxelVolume() * 1e-3 <= FilledCavityMl)
+      {
+        for (int i = set.runs[r].begin; i < set.runs[r].end; ++i)
+        {
+          const auto p = m_Grid.Index(i, j, k);
+          const bool isGas = m_Evidence.thresholds.fluid <= 0.0 || m_Hu[p] < half;
+          m_Classes[p] = isGas ? ColonGas : ColonFluid;
+        }
+      }
+    });
+  }
+
+  ColonEvidence &    m_Evidence;
+  VoxelBox           m_Box;
+  ColonGrid          m_Grid;
+  std::vector<float> m_Hu;
+  ClassVolume        m_Classes;
+  Fall               m_Fall;
+  int                m_Layers;
+};
+} // namespace
+
+LumenVoxels
+DecideVoxels(ColonEvidence & evidence)
+{
+  return VoxelDecision(evidence).Decide();
+}
+} // namespace itk

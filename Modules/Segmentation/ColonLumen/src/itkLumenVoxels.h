@@ -1,0 +1,23 @@
+#ifndef itkLumenVoxels_h
+#define itkLumenVoxels_h
+
+#include "itkColonSearch.h"
+
+namespace itk
+{
+/** The voxels of the lumen in the part of the volume around it. */
+struct LumenVoxels
+{
+  ColonGrid          grid;
+  std::vector<float> hu;
+  ClassVolume        classes;
+  std::vector<Level> levels; ///< of the colon; floors are voxels of `grid`
+};
+
+/** Decides voxel by voxel. Takes the intensities out of `evidence` to save memory, and marks there the pieces of gas
+ * that turn out to be colon because they lie over its fluid. */
+LumenVoxels
+DecideVoxels(ColonEvidence & evidence);
+} // namespace itk
+
+#endif

@@ -1,0 +1,104 @@
+// usage: MeasureColonLumen INPUT [--truth FOLDER] [--position P] [--pictures PREFIX] [--seed x,y,z]
+//
+// Segments and cleanses a CT and prints what was found; beside the truth of a phantom, how far it is off. INPUT:
+// whatever ReadVolume() takes, or a NumPy file of 16-bit integers (1 mm voxels).
+
+#include "itkColonMeasures.h"
+#include "itkColonPictures.h"
+
+#include "itkVolumeReader.h"
+
+#include <chrono>
+#include <fstream>
+#include <iostream>
+#include <map>
+
+namespace
+{
+using Clock = std::chrono::steady_clock;
+
+double
+SecondsSince(Clock::time_point start)
+{
+  return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+void
+Print(const itk::ColonLumen & lumen)
+{
+  const auto & t = lumen.thresholds;
+  std::cout << "gravity " << lumen.gravity << " source " << static_cast<int>(lumen.gravitySource) << " noise "
+            << lumen.noise << " smoothing " << lumen.smoothing << " tagged " << lumen.isTagged << "\nthresholds: gas "
+            << t.gas << " seed " << t.gasSeed << " boundary " << t.gasBoundary << " tissue " << t.tissue << " fluid "
+            << t.fluid << " seed " << t.fluidSeed << " boundary " << t.fluidBoundary << '\n';
+  for (const auto & p : lumen.pieces)
+  {
+    std::cout << "piece gas " << p.gasMl << " fluid " << p.fluidMl << " ml, radius " << p.inscribedRadius << ", "
+              << p.meanGasHU << " HU, centre " << p.centre << '\n';
+  }
+  std::size_t shown = 0;
+  for (const auto & p : lumen.leftOut)
+  {
+    std::cout << "left out: " << p.what << ", " << p.ml << " ml, radius " << p.inscribedRadius << ", " << p.meanHU
+              << " HU, centre " << p.centre << ": " << p.why << '\n';
+    if (++shown == 12)
+    {
+      break;
+    }
+  }
+  shown = 0;
+  for (const auto & l : lumen.levels)
+  {
+    std::cout << "level " << l.area << " mm2, tilt " << l.tilt << ", below " << l.fluidHU << " HU, "
+              << (l.isColon ? "colon" : "other") << ", centre " << l.centre << '\n';
+    if (++shown == 25)
+    {
+      break;
+    }
+  }
+  for (const auto & w : lumen.warnings)
+  {
+    std::cout << "warning: " << w << '\n';
+  }
+  std::cout << "failure: " << lumen.failure << '\n';
+}
+} // namespace
+
+int
+main(int argc, char * argv[])
+try
+{
+  std::map<std::string, std::string> arguments;
+  for (int i = 2; i + 1 < argc; i += 2)
+  {
+    arguments[argv[i]] = argv[i + 1];
+  }
+  const std::string      path = argv[1];
+  itk::ColonLumenOptions options;
+  const auto             image = itk::ReadColonTestVolume(path, options.patientPosition);
+  if (arguments.count("--position"))
+  {
+    options.patientPosition = arguments["--position"] == "none" ? "" : arguments["--position"];
+  }
+  auto       start = Clock::now();
+  const auto lumen = itk::SegmentColonLumen(image, options);
+  std::cout << image->GetLargestPossibleRegion().GetSize() << " segmented in " << SecondsSince(start) << " s\n";
+  Print(lumen);
+  start = Clock::now();
+  const auto cleansed = itk::CleanseColon(image, lumen);
+  std::cout << "cleansed in " << SecondsSince(start) << " s\n";
+  if (arguments.count("--pictures"))
+  {
+    itk::WriteColonPictures(image, lumen, cleansed, arguments["--pictures"]);
+  }
+  if (arguments.count("--truth"))
+  {
+    itk::CompareWithTruth(image, lumen, cleansed, arguments["--truth"], std::cout);
+  }
+  return 0;
+}
+catch (const std::exception & error)
+{
+  std::cerr << error.what() << '\n';
+  return 1;
+}
