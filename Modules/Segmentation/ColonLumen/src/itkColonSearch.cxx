@@ -16,6 +16,7 @@ constexpr double CutRadius = 7.0;      // mm; how much a piece holds that the im
 constexpr double CutMl = 2.0;          //
 constexpr double LungShare = 0.1;      // of the way from gas to tissue
 constexpr double LeastTagging = 100.0; // HU above tissue
+constexpr double PoolArea = 20.0;      // mm^2
 constexpr double SeedShare = 0.7;      // of the way from tissue to fluid
 constexpr double FaintestPercentile = 0.1;
 constexpr double FaintestShare = 0.75; // of the typical fluid's contrast
@@ -39,8 +40,9 @@ PercentileBelow(std::vector<const Level *> levels, double share)
   return levels.back()->below;
 }
 
-/** The bright piece that most columns under a level meet within 8 mm. */
-int
+/** The bright pieces that columns under a level meet within 8 mm, on 20 mm^2 at least; one level may cover several
+ * pools. */
+std::vector<int>
 BrightUnder(const ColonEvidence & evidence, const Fall & fall, const Level & level)
 {
   std::map<int, int> votes;
@@ -62,14 +64,15 @@ BrightUnder(const ColonEvidence & evidence, const Fall & fall, const Level & lev
       }
     }
   }
-  int best = 0;
-  int most = static_cast<int>(level.floors.size()) / 2;
+  std::vector<int> pieces;
   for (const auto & vote : votes)
   {
-    best = vote.second > most ? vote.first : best;
-    most = std::max(most, vote.second);
+    if (vote.second * fall.ColumnArea(evidence.grid) >= PoolArea)
+    {
+      pieces.push_back(vote.first);
+    }
   }
-  return best;
+  return pieces;
 }
 
 void
@@ -158,9 +161,9 @@ FindBright(ColonEvidence & evidence)
   for (const auto & level : evidence.levels)
   {
     evidence.brightOfLevel.push_back(BrightUnder(evidence, fall, level));
-    if (evidence.isColon[level.gas])
+    for (const int piece : evidence.brightOfLevel.back())
     {
-      evidence.isColonBright[evidence.brightOfLevel.back()] = 1;
+      evidence.isColonBright[piece] = evidence.isColonBright[piece] || evidence.isColon[level.gas];
     }
   }
   for (const auto & v : evidence.brightSeeds)
@@ -178,7 +181,10 @@ BoxOfColon(const ColonEvidence & evidence)
   std::vector<char> gas = evidence.isColon;
   for (std::size_t l = 0; l < evidence.levels.size(); ++l)
   {
-    gas[evidence.levels[l].gas] = gas[evidence.levels[l].gas] || evidence.isColonBright[evidence.brightOfLevel[l]];
+    for (const int piece : evidence.brightOfLevel[l])
+    {
+      gas[evidence.levels[l].gas] = gas[evidence.levels[l].gas] || evidence.isColonBright[piece];
+    }
   }
   for (std::size_t p = 1; p < gas.size(); ++p)
   {

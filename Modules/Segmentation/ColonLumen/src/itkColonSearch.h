@@ -25,8 +25,8 @@ struct ColonEvidence
   RunSet                          brightSet;
   RunLabels                       brightLabels;
   std::vector<char>               isColonBright; ///< bright pieces that hang on colon gas or hold a seed
-  std::vector<int>                brightOfLevel; ///< 0 where none
-  std::vector<std::array<int, 3>> brightSeeds;   ///< seed points in bright matter
+  std::vector<std::vector<int>>   brightOfLevel;
+  std::vector<std::array<int, 3>> brightSeeds; ///< seed points in bright matter
   bool                            isTagged{ false };
 };
 

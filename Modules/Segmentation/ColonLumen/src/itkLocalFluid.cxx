@@ -31,7 +31,7 @@ LocalFluid::LocalFluid(const ColonGrid &                  grid,
 {
   for (int a = 0; a < 3; ++a)
   {
-    m_Edge[a] = std::max(1, static_cast<int>(std::lround(4.0 / grid.spacing[a])));
+    m_Edge[a] = std::max(1, static_cast<int>(std::lround(2.0 / grid.spacing[a])));
     m_Size[a] = (grid.size[a] + m_Edge[a] - 1) / m_Edge[a];
   }
   m_Sum.assign(this->Cell(0, 0, m_Size[2]), 0.0F);
@@ -79,7 +79,7 @@ LocalFluid::Spread()
 {
   for (auto * values : { &m_Sum, &m_Weight })
   {
-    for (int pass = 0; pass < 4; ++pass)
+    for (int pass = 0; pass < 5; ++pass)
     {
       for (int z = 0; z < m_Size[2]; ++z)
       {

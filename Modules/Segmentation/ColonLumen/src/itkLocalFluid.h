@@ -5,8 +5,8 @@
 
 namespace itk
 {
-/** The intensity of tagged fluid around a place: means over cells of about 4 mm of what is deep in the fluid, smoothed
- * over about 10 mm and carried on to the surroundings. */
+/** The intensity of tagged fluid around a place: means over cells of about 2 mm of what is deep in the fluid, smoothed
+ * with a standard deviation of about 3 mm and carried on to the surroundings. */
 class LocalFluid
 {
 public:

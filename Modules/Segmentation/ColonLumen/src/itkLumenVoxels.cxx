@@ -1,7 +1,9 @@
 #include "itkLumenVoxels.h"
 
 #include "itkDistanceToBackground.h"
+#include "itkCatheter.h"
 #include "itkLocalFluid.h"
+#include "itkUnmixedFluid.h"
 
 #include <algorithm>
 #include <cmath>
@@ -11,11 +13,12 @@ namespace itk
 {
 namespace
 {
-constexpr double PassageRadius = 2.5;  // mm; what joins two parts of the fluid more narrowly is a leak
-constexpr double GrowthReach = 3.0;    // mm
-constexpr double LeastBrightMl = 0.05; // of other bright matter that competes
-constexpr double LevelReach = 6.0;     // mm around the flat part of a level
-constexpr double LevelThickness = 2.5; // mm above and below a level that may be its blurred layer
+constexpr double PassageRadius = 2.5;       // mm; what joins two parts of the fluid more narrowly is a leak
+constexpr double GrowthReach = 3.0;         // mm
+constexpr double LeastBrightMl = 0.05;      // of other bright matter that competes
+constexpr double LevelReach = 6.0;          // mm around the flat part of a level
+constexpr double LevelThickness = 2.5;      // mm above and below a level that may be its blurred layer
+constexpr double LeastFaintTagging = 100.0; // HU above tissue
 constexpr double FilledCavityMl = 0.03;
 
 /** Takes ColonEvidence to classes, step by step. */
@@ -43,8 +46,10 @@ public:
     while (this->TakeGasOverFluid())
     {}
     this->Grow();
+    AddUnmixedFluid(m_Grid, m_Hu, m_Evidence.thresholds, m_Evidence.noise, this->FaintSeeds(), m_Classes);
     this->FillLevels();
     this->FillCavities();
+    FillCatheter(m_Grid, m_Hu, m_Evidence.thresholds.gasBoundary, m_Classes);
     auto levels = this->ColonLevels();
     return { m_Grid, std::move(m_Hu), std::move(m_Classes), std::move(levels) };
   }
@@ -245,6 +250,31 @@ private:
       });
     }
     return found;
+  }
+
+  /** Faintly tagged fluid under the colon's levels, where no surely bright matter lies. */
+  std::vector<std::size_t>
+  FaintSeeds() const
+  {
+    std::vector<std::size_t> seeds;
+    const double             tissue = m_Evidence.thresholds.tissue;
+    for (const auto & level : m_Evidence.levels)
+    {
+      std::array<int, 3> v;
+      for (const auto floor : level.floors)
+      {
+        if (!m_Evidence.isColon[level.gas] || level.below < tissue + LeastFaintTagging || !this->Local(floor, v))
+        {
+          continue;
+        }
+        const auto q = this->Below(v, std::max(2, static_cast<int>(std::lround(4.0 / m_Fall.step))));
+        if (q >= 0 && m_Classes[q] == Nothing && std::abs(m_Hu[q] - level.below) < 0.4 * (level.below - tissue))
+        {
+          seeds.push_back(q);
+        }
+      }
+    }
+    return seeds;
   }
 
   LocalFluid

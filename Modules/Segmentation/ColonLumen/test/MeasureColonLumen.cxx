@@ -62,6 +62,42 @@ Print(const itk::ColonLumen & lumen)
   }
   std::cout << "failure: " << lumen.failure << '\n';
 }
+/** Whole slices, or with --look x,y,z (LPS, mm) what is around that point. */
+void
+Draw(const itk::Image<float, 3> *         image,
+     const itk::ColonLumen &              lumen,
+     const itk::CleansedColon &           cleansed,
+     std::map<std::string, std::string> & arguments)
+{
+  std::string unused;
+  const auto truth = arguments.count("--truth") ? itk::ReadColonTestVolume(arguments["--truth"] + "/lumen.nrrd", unused)
+                                                : itk::Image<float, 3>::Pointer();
+  const itk::ColonSlices slices(image, lumen, cleansed, truth);
+  const auto             size = image->GetLargestPossibleRegion().GetSize();
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const std::string prefix = arguments["--pictures"] + "-" + std::string(1, "xyz"[axis]);
+    if (arguments.count("--look"))
+    {
+      double x = 0.0, y = 0.0, z = 0.0;
+      std::sscanf(arguments["--look"].c_str(), "%lf,%lf,%lf", &x, &y, &z);
+      itk::Point<double, 3> point;
+      point[0] = x;
+      point[1] = y;
+      point[2] = z;
+      itk::WriteColonPicture(slices.Draw(axis, image->TransformPhysicalPointToIndex(point), 32, 6), prefix + ".png");
+      continue;
+    }
+    for (const int quarter : { 1, 2, 3 })
+    {
+      const itk::Index<3> middle{ { static_cast<int>(size[0]) / 2 * (axis == 0 ? quarter : 2) / 2,
+                                    static_cast<int>(size[1]) / 2 * (axis == 1 ? quarter : 2) / 2,
+                                    static_cast<int>(size[2]) / 2 * (axis == 2 ? quarter : 2) / 2 } };
+      itk::WriteColonPicture(slices.Draw(axis, middle, 1000, size[0] <= 150 ? 4 : 2),
+                             prefix + std::to_string(quarter) + ".png");
+    }
+  }
+}
 } // namespace
 
 int
@@ -89,7 +125,7 @@ try
   std::cout << "cleansed in " << SecondsSince(start) << " s\n";
   if (arguments.count("--pictures"))
   {
-    itk::WriteColonPictures(image, lumen, cleansed, arguments["--pictures"]);
+    Draw(image, lumen, cleansed, arguments);
   }
   if (arguments.count("--truth"))
   {

@@ -8,6 +8,7 @@
 #include "itkRGBPixel.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <string>
 
@@ -15,93 +16,124 @@ namespace itk
 {
 using ColonPicture = Image<RGBPixel<unsigned char>, 2>;
 
-/** One slice across index axis `axis`: left the CT, middle the CT with gas outlined red and fluid green, right the
- * cleansed CT with the half-level of the occupancy in yellow. Window -1100..1000 HU. */
-inline ColonPicture::Pointer
-ColonSlice(const Image<float, 3> * ct,
-           const ColonLumen &      lumen,
-           const CleansedColon &   cleansed,
-           int                     axis,
-           int                     slice,
-           int                     scale)
+/** Draws slices of a CT beside what was found in it. Window -1100..1000 HU. */
+class ColonSlices
 {
-  const int  u = axis == 0 ? 1 : 0;
-  const int  w = axis == 2 ? 1 : 2;
-  const auto size = ct->GetLargestPossibleRegion().GetSize();
-  const int  nu = static_cast<int>(size[u]) * scale;
-  const int  nw = static_cast<int>(size[w]) * scale;
-  auto       picture = ColonPicture::New();
-  picture->SetRegions(ColonPicture::SizeType{ { static_cast<SizeValueType>(3 * nu), static_cast<SizeValueType>(nw) } });
-  picture->Allocate();
-  Image<float, 3>::PointType corner = cleansed.occupancy->GetOrigin();
-  const auto                 shift = ct->TransformPhysicalPointToIndex(corner);
-  const auto                 occupancyAt = [&](Index<3> i) {
+public:
+  ColonSlices(const Image<float, 3> * ct,
+              const ColonLumen &      lumen,
+              const CleansedColon &   cleansed,
+              const Image<float, 3> * truth)
+    : m_CT(ct)
+    , m_Lumen(lumen)
+    , m_Cleansed(cleansed)
+    , m_Truth(truth)
+    , m_Shift(ct->TransformPhysicalPointToIndex(cleansed.occupancy->GetOrigin()))
+  {}
+
+  /** Part of one slice across index axis `axis`. From left to right: the CT; the CT with gas outlined red and fluid
+   * green; the CT with the truth outlined, where there is one; the cleansed CT with the half-level of the occupancy. */
+  ColonPicture::Pointer
+  Draw(int axis, const Index<3> & middle, int reach, int scale) const
+  {
+    const int u = axis == 0 ? 1 : 0;
+    const int w = axis == 2 ? 1 : 2;
+    Index<3>  low = middle;
+    Index<3>  high = middle;
+    for (const int a : { u, w })
+    {
+      const int last = static_cast<int>(m_CT->GetLargestPossibleRegion().GetSize(a)) - 2;
+      low[a] = std::max<IndexValueType>(0, middle[a] - reach);
+      high[a] = std::min<IndexValueType>(last, middle[a] + reach);
+    }
+    const auto nu = (high[u] - low[u] + 1) * scale;
+    const auto nw = (high[w] - low[w] + 1) * scale;
+    auto       picture = ColonPicture::New();
+    picture->SetRegions(
+      ColonPicture::SizeType{ { static_cast<SizeValueType>(4 * nu), static_cast<SizeValueType>(nw) } });
+    picture->Allocate(true);
+    for (IndexValueType y = 0; y < nw; ++y)
+    {
+      for (IndexValueType x = 0; x < nu; ++x)
+      {
+        Index<3> i = middle;
+        i[u] = low[u] + x / scale;
+        i[w] = low[w] + y / scale;
+        this->DrawVoxel(*picture, i, u, w, { { x, y } }, nu);
+      }
+    }
+    return picture;
+  }
+
+private:
+  using Color = std::array<int, 3>;
+
+  static void
+  Set(ColonPicture & picture, Index<2> at, IndexValueType shift, const Color & c)
+  {
+    RGBPixel<unsigned char> p;
     for (int a = 0; a < 3; ++a)
     {
-      i[a] -= shift[a];
+      p[a] = static_cast<unsigned char>(std::clamp(c[a], 0, 255));
     }
-    return cleansed.occupancy->GetLargestPossibleRegion().IsInside(i) ? cleansed.occupancy->GetPixel(i) : 0.0F;
-  };
-  const auto grey = [](float v) {
-    return static_cast<unsigned char>(std::clamp((v + 1100.0F) / 2100.0F * 255.0F, 0.0F, 255.0F));
-  };
-  for (int y = 0; y < nw; ++y)
-  {
-    for (int x = 0; x < nu; ++x)
-    {
-      Index<3> i;
-      i[axis] = slice;
-      i[u] = x / scale;
-      i[w] = y / scale;
-      Index<3> right = i;
-      right[u] = std::min<IndexValueType>(i[u] + 1, size[u] - 1);
-      Index<3> down = i;
-      down[w] = std::min<IndexValueType>(i[w] + 1, size[w] - 1);
-      const auto v = grey(ct->GetPixel(i));
-      const auto c = grey(cleansed.ct->GetPixel(i));
-      const auto label = lumen.labels->GetPixel(i);
-      const bool isEdge = label != lumen.labels->GetPixel(right) || label != lumen.labels->GetPixel(down);
-      const bool isHalf =
-        (occupancyAt(i) > 0.5F) != (occupancyAt(right) > 0.5F) || (occupancyAt(i) > 0.5F) != (occupancyAt(down) > 0.5F);
-      RGBPixel<unsigned char> p;
-      const auto              set = [&](int column, unsigned char r, unsigned char g, unsigned char b) {
-        p[0] = r;
-        p[1] = g;
-        p[2] = b;
-        picture->SetPixel(Index<2>{ { column * nu + x, y } }, p);
-      };
-      set(0, v, v, v);
-      isEdge ? set(1, label == 1 ? 255 : 60, label == 2 ? 255 : 60, 60)
-             : set(1,
-                   std::min(255, v + (label == 1 ? 60 : 0)),
-                   std::min(255, v + (label == 2 ? 40 : 0)),
-                   label == 2 ? v / 2 : v);
-      isHalf ? set(2, 255, 230, 0) : set(2, c, c, c);
-    }
+    at[0] += shift;
+    picture.SetPixel(at, p);
   }
-  return picture;
-}
 
-/** Slices at a quarter, half and three quarters of each axis: PREFIX-<axis>-<slice>.png. */
-inline void
-WriteColonPictures(const Image<float, 3> * ct,
-                   const ColonLumen &      lumen,
-                   const CleansedColon &   cleansed,
-                   const std::string &     prefix)
-{
-  for (int axis = 0; axis < 3; ++axis)
+  bool
+  IsIn(Index<3> i) const
   {
-    const int n = static_cast<int>(ct->GetLargestPossibleRegion().GetSize(axis));
-    for (const int slice : { n / 4, n / 2, 3 * n / 4 })
+    for (int a = 0; a < 3; ++a)
     {
-      const int scale = n <= 150 ? 4 : 2;
-      auto      writer = ImageFileWriter<ColonPicture>::New();
-      writer->SetImageIO(PNGImageIO::New());
-      writer->SetInput(ColonSlice(ct, lumen, cleansed, axis, slice, scale));
-      writer->SetFileName(prefix + "-" + std::string(1, "xyz"[axis]) + std::to_string(slice) + ".png");
-      writer->Update();
+      i[a] -= m_Shift[a];
     }
+    return m_Cleansed.occupancy->GetLargestPossibleRegion().IsInside(i) && m_Cleansed.occupancy->GetPixel(i) > 0.5F;
   }
+
+  void
+  DrawVoxel(ColonPicture & picture, const Index<3> & i, int u, int w, const Index<2> & at, IndexValueType width) const
+  {
+    const auto grey = [](float v) { return static_cast<int>((v + 1100.0F) / 2100.0F * 255.0F); };
+    Index<3>   right = i;
+    Index<3>   down = i;
+    ++right[u];
+    ++down[w];
+    const int  v = grey(m_CT->GetPixel(i));
+    const int  c = grey(m_Cleansed.ct->GetPixel(i));
+    const auto label = [this](const Index<3> & q) { return m_Lumen.labels->GetPixel(q); };
+    Set(picture, at, 0, { v, v, v });
+    const bool isEdge = label(i) != label(right) || label(i) != label(down);
+    Set(picture,
+        at,
+        width,
+        isEdge ? Color{ label(i) == 1 ? 255 : 60, label(i) == 2 ? 255 : 60, 60 }
+               : Color{ v + (label(i) == 1 ? 60 : 0), v, label(i) == 2 ? v / 2 : v });
+    const auto truth = [this](const Index<3> & q) { return m_Truth ? m_Truth->GetPixel(q) : 0.0F; };
+    Set(picture,
+        at,
+        2 * width,
+        truth(i) != truth(right) || truth(i) != truth(down) ? Color{ 60, 255, 255 } : Color{ v, v, v });
+    Set(picture,
+        at,
+        3 * width,
+        IsIn(i) != IsIn(right) || IsIn(i) != IsIn(down) ? Color{ 255, 230, 0 } : Color{ c, c, c });
+  }
+
+  const Image<float, 3> * m_CT;
+  const ColonLumen &      m_Lumen;
+  const CleansedColon &   m_Cleansed;
+  const Image<float, 3> * m_Truth;
+  Index<3>                m_Shift;
+};
+
+inline void
+WriteColonPicture(ColonPicture * picture, const std::string & path)
+{
+  auto writer = ImageFileWriter<ColonPicture>::New();
+  writer->SetImageIO(PNGImageIO::New());
+  writer->SetInput(picture);
+  writer->SetFileName(path);
+  writer->Update();
 }
 } // namespace itk
 

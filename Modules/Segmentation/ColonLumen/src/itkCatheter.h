@@ -1,0 +1,14 @@
+#ifndef itkCatheter_h
+#define itkCatheter_h
+
+#include "itkLumenGrowth.h"
+
+namespace itk
+{
+/** Makes a rectal catheter part of the lumen: in axial slices, islands in the lumen of at most 250 mm^2 with gas inside
+ * that is not the lumen's, and the catheter's tip next to them. Folds and polyps hold no gas. */
+void
+FillCatheter(const ColonGrid & grid, const std::vector<float> & hu, double gasBoundary, ClassVolume & classes);
+} // namespace itk
+
+#endif

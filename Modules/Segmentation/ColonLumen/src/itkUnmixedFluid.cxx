@@ -1,0 +1,297 @@
+#include "itkUnmixedFluid.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <queue>
+#include <unordered_map>
+#include <unordered_set>
+
+namespace itk
+{
+namespace
+{
+constexpr double LeastContrast = 100.0; // HU above tissue
+constexpr double LeastShare = 0.22;     // of the fluid's contrast: what 2 mm of wall between two bowels still show
+constexpr double Plateau = 0.8;         // of a core's contrast: no wall lies where values stay above it
+constexpr double GreatestDepth = 25.0;  // mm, a core's volume by its open contact with the fluid
+constexpr double LeastCoreMl = 0.05;
+
+struct Arrival
+{
+  float       faintest; ///< mean value on the way
+  std::size_t voxel;
+
+  bool
+  operator<(const Arrival & other) const
+  {
+    return faintest != other.faintest ? faintest < other.faintest : voxel > other.voxel;
+  }
+};
+
+class UnmixedFluid
+{
+public:
+  UnmixedFluid(const ColonGrid &          grid,
+               const std::vector<float> & hu,
+               const ColonThresholds &    thresholds,
+               double                     noise,
+               ClassVolume &              classes)
+    : m_Grid(grid)
+    , m_Hu(hu)
+    , m_Least(thresholds.tissue + std::max(LeastContrast, LeastShare * (thresholds.fluid - thresholds.tissue)))
+    , m_Tissue(thresholds.tissue)
+    , m_Tolerance(10.0 + 0.5 * noise)
+    , m_Classes(classes)
+  {}
+
+  void
+  Add(const std::vector<std::size_t> & seeds)
+  {
+    m_Seeds = seeds;
+    std::sort(m_Seeds.begin(), m_Seeds.end());
+    this->Flood(seeds);
+    this->GrowBack(this->Cores(seeds));
+  }
+
+private:
+  template <typename TBody>
+  void
+  ForEachNeighbour(std::size_t voxel, const TBody & body) const
+  {
+    const auto v = m_Grid.Voxel(voxel);
+    for (int a = 0; a < 3; ++a)
+    {
+      if (v[a] > 0)
+      {
+        body(voxel - m_Grid.stride[a]);
+      }
+      if (v[a] + 1 < m_Grid.size[a])
+      {
+        body(voxel + m_Grid.stride[a]);
+      }
+    }
+  }
+
+  /** The mean of a voxel and those that share a face: less noise, and a wall of two voxels still shows. */
+  float
+  Mean(std::size_t voxel) const
+  {
+    float sum = m_Hu[voxel];
+    int   count = 1;
+    this->ForEachNeighbour(voxel, [&](std::size_t q) {
+      sum += m_Hu[q];
+      ++count;
+    });
+    return sum / static_cast<float>(count);
+  }
+
+  /** Visits what the paths reach, the brightest ways first, so that each voxel gets the best of its ways. */
+  void
+  Flood(const std::vector<std::size_t> & seeds)
+  {
+    std::priority_queue<Arrival> queue;
+    const auto                   visit = [&](std::size_t q, float faintest) {
+      if (m_Classes[q] == Nothing && m_Reached.count(q) == 0)
+      {
+        const float mean = this->Mean(q);
+        if (mean >= m_Least && mean <= faintest + m_Tolerance)
+        {
+          m_Reached[q] = mean;
+          queue.push({ std::min(faintest, mean), q });
+        }
+      }
+    };
+    for (std::size_t p = 0; p < m_Classes.size(); ++p)
+    {
+      if (m_Classes[p] == ColonFluid)
+      {
+        this->ForEachNeighbour(p, [&](std::size_t q) {
+          if (m_Classes[q] == Nothing)
+          {
+            queue.push({ std::numeric_limits<float>::max(), p });
+          }
+        });
+      }
+    }
+    for (const auto p : seeds)
+    {
+      m_Reached[p] = this->Mean(p);
+      queue.push({ m_Reached[p], p });
+    }
+    while (!queue.empty())
+    {
+      const Arrival next = queue.top();
+      queue.pop();
+      this->ForEachNeighbour(next.voxel, [&](std::size_t q) { visit(q, next.faintest); });
+    }
+  }
+
+  /** Whether fluid lies within two voxels, or 2 mm: what is reached there may be its blurred edge. */
+  bool
+  IsNearFluid(std::size_t p) const
+  {
+    const auto   v = m_Grid.Voxel(p);
+    const double reach = std::max(2.0, 1.99 * std::cbrt(m_Grid.VoxelVolume()));
+    const auto   box = m_Grid.Widened({ v, { { v[0] + 1, v[1] + 1, v[2] + 1 } } }, reach);
+    for (int k = box.low[2]; k < box.high[2]; ++k)
+    {
+      for (int j = box.low[1]; j < box.high[1]; ++j)
+      {
+        for (int i = box.low[0]; i < box.high[0]; ++i)
+        {
+          const Eigen::Vector3d d = Eigen::Vector3d(i - v[0], j - v[1], k - v[2]).cwiseProduct(m_Grid.spacing);
+          if (m_Classes[m_Grid.Index(i, j, k)] == ColonFluid && d.squaredNorm() < reach * reach)
+          {
+            return true;
+          }
+        }
+      }
+    }
+    return false;
+  }
+
+  /** Reached voxels beyond the blurred edge, in pieces of LeastCoreMl at least that are open to
+   * the fluid; in the order of their index. */
+  std::vector<std::size_t>
+  Cores(const std::vector<std::size_t> & seeds) const
+  {
+    std::vector<std::size_t> cores;
+    for (const auto & reached : m_Reached)
+    {
+      if (m_Hu[reached.first] > m_Least && !this->IsNearFluid(reached.first))
+      {
+        cores.push_back(reached.first);
+      }
+    }
+    cores.insert(cores.end(), seeds.begin(), seeds.end());
+    std::sort(cores.begin(), cores.end());
+    cores.erase(std::unique(cores.begin(), cores.end()), cores.end());
+    return this->OpenPieces(cores);
+  }
+
+  /** Whether a core meets the fluid, or a seed, broadly and without a dip of the values in between. */
+  bool
+  IsOpenToFluid(const std::vector<std::size_t> & piece) const
+  {
+    double sum = 0.0;
+    for (const auto p : piece)
+    {
+      if (std::binary_search(m_Seeds.begin(), m_Seeds.end(), p))
+      {
+        return true;
+      }
+      sum += m_Reached.at(p);
+    }
+    const double                    least = m_Tissue + Plateau * (sum / static_cast<double>(piece.size()) - m_Tissue);
+    std::vector<std::size_t>        front = piece;
+    std::unordered_set<std::size_t> inside(piece.begin(), piece.end());
+    std::size_t                     contacts = 0;
+    for (int layer = 0; layer < 4; ++layer)
+    {
+      std::vector<std::size_t> next;
+      for (const auto p : front)
+      {
+        this->ForEachNeighbour(p, [&](std::size_t q) {
+          contacts += m_Classes[q] == ColonFluid;
+          if (m_Classes[q] == Nothing && m_Hu[q] >= least && inside.insert(q).second)
+          {
+            next.push_back(q);
+          }
+        });
+      }
+      front.swap(next);
+    }
+    const double area = contacts * std::pow(m_Grid.VoxelVolume(), 2.0 / 3.0);
+    return area * GreatestDepth >= piece.size() * m_Grid.VoxelVolume();
+  }
+
+  std::vector<std::size_t>
+  OpenPieces(const std::vector<std::size_t> & cores) const
+  {
+    std::unordered_map<std::size_t, char> isOpen;
+    for (const auto p : cores)
+    {
+      isOpen[p] = 1;
+    }
+    std::vector<std::size_t> kept;
+    for (const auto first : cores)
+    {
+      if (!isOpen[first])
+      {
+        continue;
+      }
+      std::vector<std::size_t> piece(1, first);
+      isOpen[first] = 0;
+      for (std::size_t n = 0; n < piece.size(); ++n)
+      {
+        this->ForEachNeighbour(piece[n], [&](std::size_t q) {
+          const auto found = isOpen.find(q);
+          if (found != isOpen.end() && found->second)
+          {
+            found->second = 0;
+            piece.push_back(q);
+          }
+        });
+      }
+      if (piece.size() * m_Grid.VoxelVolume() * 1e-3 >= LeastCoreMl && this->IsOpenToFluid(piece))
+      {
+        kept.insert(kept.end(), piece.begin(), piece.end());
+      }
+    }
+    std::sort(kept.begin(), kept.end());
+    return kept;
+  }
+
+  /** The cores and what is next to them above their half-height. */
+  void
+  GrowBack(const std::vector<std::size_t> & cores)
+  {
+    std::vector<std::pair<std::size_t, float>> front;
+    for (const auto p : cores)
+    {
+      m_Classes[p] = ColonFluid;
+      front.push_back({ p, m_Reached[p] });
+    }
+    for (int layer = 0; layer < 4; ++layer)
+    {
+      std::vector<std::pair<std::size_t, float>> next;
+      for (const auto & from : front)
+      {
+        this->ForEachNeighbour(from.first, [&](std::size_t q) {
+          if (m_Classes[q] == Nothing && m_Hu[q] > 0.5 * (m_Tissue + from.second))
+          {
+            m_Classes[q] = ColonFluid;
+            next.push_back({ q, from.second });
+          }
+        });
+      }
+      front.swap(next);
+    }
+  }
+
+  const ColonGrid &                      m_Grid;
+  const std::vector<float> &             m_Hu;
+  double                                 m_Least;
+  double                                 m_Tissue;
+  double                                 m_Tolerance;
+  ClassVolume &                          m_Classes;
+  std::vector<std::size_t>               m_Seeds;
+  std::unordered_map<std::size_t, float> m_Reached;
+};
+} // namespace
+
+void
+AddUnmixedFluid(const ColonGrid &                grid,
+                const std::vector<float> &       hu,
+                const ColonThresholds &          thresholds,
+                double                           noise,
+                const std::vector<std::size_t> & seeds,
+                ClassVolume &                    classes)
+{
+  if (thresholds.fluid > 0.0)
+  {
+    UnmixedFluid(grid, hu, thresholds, noise, classes).Add(seeds);
+  }
+}
+} // namespace itk

@@ -1,0 +1,24 @@
+#ifndef itkUnmixedFluid_h
+#define itkUnmixedFluid_h
+
+#include "itkColonLumenSegmentation.h"
+#include "itkLumenGrowth.h"
+
+namespace itk
+{
+/** Adds to the colon's fluid what is fainter but joined to it: layers of badly mixed contrast agent.
+ *
+ * From the fluid, paths run through matter brighter than tissue, by shares of 3 by 3 by 3 voxels. A path may go down to
+ * fainter matter but not up again: between the colon and another bowel the wall is a dip. What is too far from the
+ * fluid to be its blurred edge is a core; each core is grown back to the half-height between tissue and itself.
+ * `seeds`: voxels that are cores at once. */
+void
+AddUnmixedFluid(const ColonGrid &                grid,
+                const std::vector<float> &       hu,
+                const ColonThresholds &          thresholds,
+                double                           noise,
+                const std::vector<std::size_t> & seeds,
+                ClassVolume &                    classes);
+} // namespace itk
+
+#endif
