@@ -51,7 +51,7 @@ struct ColonLevel
   Point<double, 3> centre;
   double           area{ 0.0 };    ///< mm^2 of its flat middle part
   double           tilt{ 0.0 };    ///< degrees from perpendicular to gravity
-  double           fluidHU{ 0.0 }; ///< what lies 3 to 6 mm below it
+  double           fluidHU{ 0.0 }; ///< what lies below it
   bool             isTagged{ false };
   bool             isColon{ false };
 };

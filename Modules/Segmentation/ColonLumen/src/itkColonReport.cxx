@@ -125,8 +125,8 @@ DescribeLevels(const ColonEvidence & evidence, const LumenVoxels &, ColonLumen &
       ToPoint(fall.across[0] * level.centre[0] + fall.across[1] * level.centre[1] + fall.direction * level.depth);
     found.area = level.area;
     found.tilt = std::atan(level.slope.norm()) * 57.29577951308232;
-    found.fluidHU = level.below;
-    found.isTagged = level.below > evidence.thresholds.tissue + 100.0;
+    found.fluidHU = level.Fluid();
+    found.isTagged = level.IsTagged(evidence.thresholds.tissue);
     found.isColon = evidence.isColon[level.gas];
     lumen.levels.push_back(found);
   }

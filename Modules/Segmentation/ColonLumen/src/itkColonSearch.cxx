@@ -8,16 +8,15 @@ namespace itk
 {
 namespace
 {
-constexpr double CoreRadius = 10.0;    // mm; gas in small bowel stays thinner
-constexpr double CoreMl = 20.0;        //
-constexpr double WideRadius = 12.5;    // mm; beyond the calibre of small bowel, 25 mm
-constexpr double WideMl = 8.0;         //
-constexpr double CutRadius = 7.0;      // mm; how much a piece holds that the image's border cuts is not known
-constexpr double CutMl = 2.0;          //
-constexpr double LungShare = 0.1;      // of the way from gas to tissue
-constexpr double LeastTagging = 100.0; // HU above tissue
-constexpr double PoolArea = 20.0;      // mm^2
-constexpr double SeedShare = 0.7;      // of the way from tissue to fluid
+constexpr double CoreRadius = 10.0; // mm; gas in small bowel stays thinner
+constexpr double CoreMl = 20.0;     //
+constexpr double WideRadius = 12.5; // mm; beyond the calibre of small bowel, 25 mm
+constexpr double WideMl = 8.0;      //
+constexpr double CutRadius = 7.0;   // mm; how much a piece holds that the image's border cuts is not known
+constexpr double CutMl = 2.0;       //
+constexpr double LungShare = 0.1;   // of the way from gas to tissue
+constexpr double PoolArea = 20.0;   // mm^2
+constexpr double SeedShare = 0.7;   // of the way from tissue to fluid
 constexpr double FaintestPercentile = 0.1;
 constexpr double FaintestShare = 0.75; // of the typical fluid's contrast
 
@@ -25,7 +24,7 @@ constexpr double FaintestShare = 0.75; // of the typical fluid's contrast
 double
 PercentileBelow(std::vector<const Level *> levels, double share)
 {
-  std::sort(levels.begin(), levels.end(), [](const Level * p, const Level * q) { return p->below < q->below; });
+  std::sort(levels.begin(), levels.end(), [](const Level * p, const Level * q) { return p->Fluid() < q->Fluid(); });
   const double total =
     std::accumulate(levels.begin(), levels.end(), 0.0, [](double sum, const Level * l) { return sum + l->area; });
   double sum = 0.0;
@@ -34,10 +33,10 @@ PercentileBelow(std::vector<const Level *> levels, double share)
     sum += level->area;
     if (sum >= share * total)
     {
-      return level->below;
+      return level->Fluid();
     }
   }
-  return levels.back()->below;
+  return levels.back()->Fluid();
 }
 
 /** The bright pieces that columns under a level meet within 8 mm, on 20 mm^2 at least; one level may cover several
@@ -124,7 +123,7 @@ MeasureFluid(ColonEvidence & evidence)
   std::vector<const Level *> tagged;
   for (const auto & level : evidence.levels)
   {
-    if (evidence.isColon[level.gas] && level.below > evidence.thresholds.tissue + LeastTagging)
+    if (evidence.isColon[level.gas] && level.IsTagged(evidence.thresholds.tissue))
     {
       tagged.push_back(&level);
     }
@@ -160,7 +159,8 @@ FindBright(ColonEvidence & evidence)
   const Fall fall(evidence.grid, evidence.gravity);
   for (const auto & level : evidence.levels)
   {
-    evidence.brightOfLevel.push_back(BrightUnder(evidence, fall, level));
+    const bool isTagged = level.IsTagged(t.tissue);
+    evidence.brightOfLevel.push_back(isTagged ? BrightUnder(evidence, fall, level) : std::vector<int>());
     for (const int piece : evidence.brightOfLevel.back())
     {
       evidence.isColonBright[piece] = evidence.isColonBright[piece] || evidence.isColon[level.gas];

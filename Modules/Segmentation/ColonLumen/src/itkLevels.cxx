@@ -18,6 +18,21 @@ constexpr double MinimumArea = 30.0;  // mm^2
 constexpr double MinimumWidth = 1.5;  // mm: a strip along the bottom of a straight tube is thinner
 constexpr double HighestStepIn = 0.8; // mm between neighbours of one level
 
+constexpr double UsualBlur = 0.8; // mm, standard deviation of the scanner's
+constexpr double EdgeInBlurs = 2.4;
+
+double
+Median(std::vector<double> & values)
+{
+  if (values.empty())
+  {
+    return 0.0;
+  }
+  const auto middle = values.begin() + values.size() / 2;
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
 struct Plane
 {
   Eigen::Vector2d slope{ 0.0, 0.0 };
@@ -188,25 +203,48 @@ private:
     return count > 0;
   }
 
+  /** The value at some depth below the half-height of one floor, linear between voxels; false beyond the grid. */
+  bool
+  EdgeBelow(std::size_t f, double & value) const
+  {
+    const auto   v = m_Grid.Voxel(m_Floors[f].voxel);
+    const double own = m_Grid.Position(m_Floors[f].voxel).dot(m_Fall.direction);
+    const double blur = std::sqrt(UsualBlur * UsualBlur + m_Fall.step * m_Fall.step / 12.0);
+    const double steps = (m_Floors[f].depth - own + EdgeInBlurs * blur) / m_Fall.step;
+    const int    t = static_cast<int>(std::floor(steps));
+    double       ends[2];
+    for (const int e : { 0, 1 })
+    {
+      const auto o = m_Fall.Offset(t + e);
+      if (!m_Grid.Holds(v[0] + o[0], v[1] + o[1], v[2] + o[2]))
+      {
+        return false;
+      }
+      ends[e] = m_Hu[m_Grid.Index(v[0] + o[0], v[1] + o[1], v[2] + o[2])];
+    }
+    value = ends[0] + (steps - t) * (ends[1] - ends[0]);
+    return true;
+  }
+
   void
   MeasureBelow(Level & level) const
   {
-    std::vector<double> values;
+    std::vector<double> deep;
+    std::vector<double> edge;
     for (const auto f : level.floors)
     {
-      double mean = 0.0;
-      if (this->Below(f, mean))
+      double value = 0.0;
+      if (this->Below(f, value))
       {
-        values.push_back(mean);
+        deep.push_back(value);
+      }
+      if (this->EdgeBelow(f, value))
+      {
+        edge.push_back(value);
       }
     }
-    if (values.empty())
-    {
-      return;
-    }
-    std::sort(values.begin(), values.end());
-    level.below = values[values.size() / 2];
-    level.spread = 0.5 * (values[values.size() * 84 / 100] - values[values.size() * 16 / 100]);
+    level.below = Median(deep);
+    level.edge = Median(edge);
   }
 
   bool

@@ -7,6 +7,8 @@
 
 namespace itk
 {
+constexpr double LeastTagging = 100.0; // HU above tissue
+
 /** A flat part of the floor of some gas: depth = depth + slope . (place - centre), in mm along and across gravity. */
 struct Level
 {
@@ -16,9 +18,22 @@ struct Level
   double              depth{ 0.0 };
   Eigen::Vector2d     slope;
   Eigen::Vector2d     centre;
-  std::vector<size_t> floors;        ///< indices of the gas voxels just above it
-  double              below{ 0.0 };  ///< median intensity 3 to 6 mm below it
-  double              spread{ 0.0 }; ///< standard deviation there
+  std::vector<size_t> floors;       ///< indices of the gas voxels just above it
+  double              below{ 0.0 }; ///< median intensity 3 to 6 mm below it
+  double              edge{ 0.0 };  ///< median intensity where a level is over and a wall is not: about 2 mm below it
+
+  /** Of what lies below; shallow pools are brightest near the level. */
+  double
+  Fluid() const
+  {
+    return below > edge ? below : edge;
+  }
+  /** Bright matter lies right below, no wall in between. */
+  bool
+  IsTagged(double tissue) const
+  {
+    return this->Fluid() > tissue + LeastTagging && edge - tissue > 0.7 * (this->Fluid() - tissue);
+  }
 };
 
 /** Where the gas ends downwards. */

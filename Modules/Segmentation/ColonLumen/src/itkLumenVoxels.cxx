@@ -13,12 +13,11 @@ namespace itk
 {
 namespace
 {
-constexpr double PassageRadius = 2.5;       // mm; what joins two parts of the fluid more narrowly is a leak
-constexpr double GrowthReach = 3.0;         // mm
-constexpr double LeastBrightMl = 0.05;      // of other bright matter that competes
-constexpr double LevelReach = 6.0;          // mm around the flat part of a level
-constexpr double LevelThickness = 2.5;      // mm above and below a level that may be its blurred layer
-constexpr double LeastFaintTagging = 100.0; // HU above tissue
+constexpr double PassageRadius = 2.5;  // mm; what joins two parts of the fluid more narrowly is a leak
+constexpr double GrowthReach = 3.0;    // mm
+constexpr double LeastBrightMl = 0.05; // of other bright matter that competes
+constexpr double LevelReach = 6.0;     // mm around the flat part of a level
+constexpr double LevelThickness = 2.5; // mm above and below a level that may be its blurred layer
 constexpr double FilledCavityMl = 0.03;
 
 /** Takes ColonEvidence to classes, step by step. */
@@ -136,7 +135,7 @@ private:
       std::array<int, 3> v;
       for (const auto floor : level.floors)
       {
-        if (!m_Evidence.isColon[level.gas] || !this->Local(floor, v))
+        if (!m_Evidence.isColon[level.gas] || !level.IsTagged(m_Evidence.thresholds.tissue) || !this->Local(floor, v))
         {
           continue;
         }
@@ -233,7 +232,8 @@ private:
     bool found = false;
     for (const auto & level : m_Evidence.levels)
     {
-      if (!m_Evidence.isColon[level.gas] && this->LiesOnColonFluid(level))
+      if (!m_Evidence.isColon[level.gas] && level.IsTagged(m_Evidence.thresholds.tissue) &&
+          this->LiesOnColonFluid(level))
       {
         m_Evidence.isColon[level.gas] = 1;
         found = true;
@@ -263,12 +263,12 @@ private:
       std::array<int, 3> v;
       for (const auto floor : level.floors)
       {
-        if (!m_Evidence.isColon[level.gas] || level.below < tissue + LeastFaintTagging || !this->Local(floor, v))
+        if (!m_Evidence.isColon[level.gas] || !level.IsTagged(tissue) || !this->Local(floor, v))
         {
           continue;
         }
-        const auto q = this->Below(v, std::max(2, static_cast<int>(std::lround(4.0 / m_Fall.step))));
-        if (q >= 0 && m_Classes[q] == Nothing && std::abs(m_Hu[q] - level.below) < 0.4 * (level.below - tissue))
+        const auto q = this->Below(v, static_cast<int>(std::lround(0.5 + 2.0 / m_Fall.step)));
+        if (q >= 0 && m_Classes[q] == Nothing && std::abs(m_Hu[q] - level.edge) < 0.4 * (level.edge - tissue))
         {
           seeds.push_back(q);
         }

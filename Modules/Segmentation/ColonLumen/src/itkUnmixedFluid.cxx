@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <queue>
 #include <unordered_map>
-#include <unordered_set>
 
 namespace itk
 {
@@ -13,7 +13,7 @@ namespace
 {
 constexpr double LeastContrast = 100.0; // HU above tissue
 constexpr double LeastShare = 0.22;     // of the fluid's contrast: what 2 mm of wall between two bowels still show
-constexpr double Plateau = 0.8;         // of a core's contrast: no wall lies where values stay above it
+constexpr double Plateau = 0.75;        // of a core's contrast: a wall in between goes below it
 constexpr double GreatestDepth = 25.0;  // mm, a core's volume by its open contact with the fluid
 constexpr double LeastCoreMl = 0.05;
 
@@ -42,6 +42,7 @@ public:
     , m_Least(thresholds.tissue + std::max(LeastContrast, LeastShare * (thresholds.fluid - thresholds.tissue)))
     , m_Tissue(thresholds.tissue)
     , m_Tolerance(10.0 + 0.5 * noise)
+    , m_Voxel(std::max(1.0, std::cbrt(grid.VoxelVolume())))
     , m_Classes(classes)
   {}
 
@@ -132,7 +133,7 @@ private:
   IsNearFluid(std::size_t p) const
   {
     const auto   v = m_Grid.Voxel(p);
-    const double reach = std::max(2.0, 1.99 * std::cbrt(m_Grid.VoxelVolume()));
+    const double reach = std::max(2.0, 1.99 * m_Voxel);
     const auto   box = m_Grid.Widened({ v, { { v[0] + 1, v[1] + 1, v[2] + 1 } } }, reach);
     for (int k = box.low[2]; k < box.high[2]; ++k)
     {
@@ -170,11 +171,52 @@ private:
     return this->OpenPieces(cores);
   }
 
-  /** Whether a core meets the fluid, or a seed, broadly and without a dip of the values in between. */
+  /** The lowest value on the straight way to the nearest fluid voxel within three voxels; nothing where there is none.
+   */
+  std::optional<double>
+  DipTowardsFluid(std::size_t p) const
+  {
+    const auto         v = m_Grid.Voxel(p);
+    const auto         box = m_Grid.Widened({ v, { { v[0] + 1, v[1] + 1, v[2] + 1 } } }, 3.0 * m_Voxel);
+    double             nearest = 9.0 * m_Voxel * m_Voxel;
+    std::array<int, 3> towards{ { 0, 0, 0 } };
+    for (int k = box.low[2]; k < box.high[2]; ++k)
+    {
+      for (int j = box.low[1]; j < box.high[1]; ++j)
+      {
+        for (int i = box.low[0]; i < box.high[0]; ++i)
+        {
+          const Eigen::Vector3d d = Eigen::Vector3d(i - v[0], j - v[1], k - v[2]).cwiseProduct(m_Grid.spacing);
+          if (m_Classes[m_Grid.Index(i, j, k)] == ColonFluid && d.squaredNorm() < nearest)
+          {
+            nearest = d.squaredNorm();
+            towards = { { i - v[0], j - v[1], k - v[2] } };
+          }
+        }
+      }
+    }
+    const int steps = std::max({ std::abs(towards[0]), std::abs(towards[1]), std::abs(towards[2]) });
+    if (steps == 0)
+    {
+      return std::nullopt;
+    }
+    double dip = m_Hu[p];
+    for (int n = 1; n < steps; ++n)
+    {
+      const auto at = [&](int a) {
+        return v[a] + static_cast<int>(std::lround(n * static_cast<double>(towards[a]) / steps));
+      };
+      dip = std::min<double>(dip, m_Hu[m_Grid.Index(at(0), at(1), at(2))]);
+    }
+    return dip;
+  }
+
+  /** Whether a core meets the fluid broadly and mostly without a dip of the values in between, or holds a seed. */
   bool
   IsOpenToFluid(const std::vector<std::size_t> & piece) const
   {
-    double sum = 0.0;
+    double              sum = 0.0;
+    std::vector<double> dips;
     for (const auto p : piece)
     {
       if (std::binary_search(m_Seeds.begin(), m_Seeds.end(), p))
@@ -182,28 +224,18 @@ private:
         return true;
       }
       sum += m_Reached.at(p);
-    }
-    const double                    least = m_Tissue + Plateau * (sum / static_cast<double>(piece.size()) - m_Tissue);
-    std::vector<std::size_t>        front = piece;
-    std::unordered_set<std::size_t> inside(piece.begin(), piece.end());
-    std::size_t                     contacts = 0;
-    for (int layer = 0; layer < 4; ++layer)
-    {
-      std::vector<std::size_t> next;
-      for (const auto p : front)
+      if (const auto dip = this->DipTowardsFluid(p))
       {
-        this->ForEachNeighbour(p, [&](std::size_t q) {
-          contacts += m_Classes[q] == ColonFluid;
-          if (m_Classes[q] == Nothing && m_Hu[q] >= least && inside.insert(q).second)
-          {
-            next.push_back(q);
-          }
-        });
+        dips.push_back(*dip);
       }
-      front.swap(next);
     }
-    const double area = contacts * std::pow(m_Grid.VoxelVolume(), 2.0 / 3.0);
-    return area * GreatestDepth >= piece.size() * m_Grid.VoxelVolume();
+    if (dips.size() * m_Voxel * m_Voxel * GreatestDepth < piece.size() * m_Grid.VoxelVolume())
+    {
+      return false;
+    }
+    std::nth_element(dips.begin(), dips.begin() + dips.size() / 2, dips.end());
+    const double mean = sum / static_cast<double>(piece.size());
+    return dips[dips.size() / 2] - m_Tissue > Plateau * (mean - m_Tissue);
   }
 
   std::vector<std::size_t>
@@ -275,6 +307,7 @@ private:
   double                                 m_Least;
   double                                 m_Tissue;
   double                                 m_Tolerance;
+  double                                 m_Voxel; ///< mm, 1 at least
   ClassVolume &                          m_Classes;
   std::vector<std::size_t>               m_Seeds;
   std::unordered_map<std::size_t, float> m_Reached;
