@@ -34,6 +34,9 @@ public:
     this->FindGasPieces();
     this->FindGravity();
     MeasureFluid(m_Evidence);
+    ReviewCore(m_Evidence);
+    this->KeepSeeds();
+    MeasureFluid(m_Evidence);
     FindBright(m_Evidence);
     this->Progress(0.6);
     this->DecideLabels();
@@ -75,12 +78,14 @@ private:
     e.hu = LoadVoxels(m_Image, e.grid);
     e.thresholds.tissue = ModeOfTissue(e.hu);
     e.noise = NoiseInTissue(e.grid, e.hu, e.thresholds.tissue);
+    e.remainingNoise = e.noise;
     this->Progress(0.1);
     if (e.noise > TolerableNoise)
     {
       e.smoothing = 0.9 * std::min(1.0, std::cbrt(e.grid.VoxelVolume()));
       SmoothVoxels(e.grid, e.hu, e.smoothing);
       e.thresholds.tissue = ModeOfTissue(e.hu);
+      e.remainingNoise = NoiseInTissue(e.grid, e.hu, e.thresholds.tissue);
       std::ostringstream text;
       text << "the noise is high (standard deviation " << std::lround(e.noise)
            << " HU); the volume was smoothed with a sigma of " << std::lround(100.0 * e.smoothing) / 100.0
@@ -175,13 +180,21 @@ private:
     MeasureDepth(e.grid, e.hu, e.gas);
     ChooseCore(e);
     this->MeasureGas();
-    for (const auto & seed : seeds)
-    {
-      const auto run = e.gas.set.Find(seed[0], seed[1], seed[2]);
-      const int  piece = e.gas.labels.ofRun[run];
-      e.isColon[piece] = e.isCandidate[piece] = piece > 0;
-    }
+    m_GasSeeds = seeds;
+    this->KeepSeeds();
     this->Progress(0.45);
+  }
+
+  /** The pieces at seed points are colon. */
+  void
+  KeepSeeds()
+  {
+    for (const auto & seed : m_GasSeeds)
+    {
+      const auto run = m_Evidence.gas.set.Find(seed[0], seed[1], seed[2]);
+      const int  piece = m_Evidence.gas.labels.ofRun[run];
+      m_Evidence.isColon[piece] = m_Evidence.isCandidate[piece] = piece > 0;
+    }
   }
 
   /** Typical gas is what lies deep inside the core. */
@@ -281,7 +294,7 @@ private:
     m_Result.labels = EmptyLabels(m_Image);
     if (!BoxOfColon(m_Evidence).IsEmpty())
     {
-      const LumenVoxels voxels = DecideVoxels(m_Evidence);
+      const LumenVoxels voxels = DecideVoxels(m_Image, m_Evidence);
       this->Progress(0.9);
       WriteLabels(m_Image, voxels, m_Result);
       DescribePieces(voxels, m_Result);
@@ -291,10 +304,11 @@ private:
     JudgeLumen(m_Evidence, m_Result);
   }
 
-  const ColonImage *        m_Image;
-  const ColonLumenOptions & m_Options;
-  ColonEvidence             m_Evidence;
-  ColonLumen                m_Result;
+  const ColonImage *              m_Image;
+  const ColonLumenOptions &       m_Options;
+  ColonEvidence                   m_Evidence;
+  ColonLumen                      m_Result;
+  std::vector<std::array<int, 3>> m_GasSeeds;
 };
 } // namespace
 

@@ -147,7 +147,7 @@ DescribeRest(const ColonEvidence & evidence, ColonLumen & lumen)
       continue;
     }
     ColonLeftOut rest;
-    rest.what = KindOfGas(piece, evidence.thresholds);
+    rest.what = evidence.kind[p];
     rest.why = rest.what == "lung"          ? "its inside has " + Rounded(piece.inside, 0) + " HU"
                : rest.what == "outside air" ? "it is open to the outside, or a thin shell parts it from there"
                                             : "inscribed radius " + Rounded(piece.radius, 1) + " mm, " +

@@ -15,9 +15,11 @@ struct ColonEvidence
   std::vector<float>              hu;
   ColonThresholds                 thresholds;
   double                          noise{ 0.0 };
+  double                          remainingNoise{ 0.0 }; ///< after the prefilter
   double                          smoothing{ 0.0 };
   double                          bodyMl{ 0.0 }; ///< of everything denser than -400 HU
   GasOfVolume                     gas;
+  std::vector<std::string>        kind;        ///< of pieces of gas: why not colon, empty for colon
   std::vector<char>               isCandidate; ///< pieces of gas that may lie in a bowel
   std::vector<char>               isColon;     ///< pieces of gas
   Eigen::Vector3d                 gravity{ 0.0, 1.0, 0.0 };
@@ -30,13 +32,14 @@ struct ColonEvidence
   bool                            isTagged{ false };
 };
 
-/** Why a piece of gas is no colon; empty for one that may be. */
-std::string
-KindOfGas(const GasPiece & piece, const ColonThresholds & thresholds);
-
 /** Marks the distended pieces as colon. */
 void
 ChooseCore(ColonEvidence & evidence);
+
+/** With the levels known: a piece with fluid of the colon's brightness below it is as wide as both together. A piece
+ * over much fluid that is far fainter than the rest of the colon's is stomach. */
+void
+ReviewCore(ColonEvidence & evidence);
 
 /** The intensity of the fluid under the colon's levels and the thresholds that follow from it. */
 void

@@ -9,6 +9,7 @@ namespace itk
 namespace
 {
 constexpr double ShareOfBorder = 0.6;
+constexpr double ShareOfWalls = 0.25;
 constexpr double ShareOfSection = 0.25;
 constexpr double ThinShell = 8.0; // mm; the abdominal wall is thicker
 constexpr double ShareOfShell = 0.3;
@@ -86,9 +87,10 @@ OutsideRuns(const ColonGrid & grid, const RunSet & set, const std::vector<std::a
     }
   }
   std::vector<char> isOutside(groups.number + 1, 0);
+  const double      walls = 2.0 * grid.size[2] * (grid.size[0] * grid.spacing[0] + grid.size[1] * grid.spacing[1]);
   for (int g = 1; g <= groups.number; ++g)
   {
-    isOutside[g] = ofGroup[g].border >= ShareOfBorder * ofGroup[g].edge;
+    isOutside[g] = ofGroup[g].border >= std::min(ShareOfBorder * ofGroup[g].edge, ShareOfWalls * walls);
   }
   for (const auto & v : kept)
   {
@@ -244,6 +246,28 @@ MaskOfPiece(const ColonGrid & grid, const GasOfVolume & gas, int piece, const Vo
   });
   return mask;
 }
+/** Adds voxels that have four neighbours in a mask: oblique columns leave gaps where they change voxel rows. */
+void
+FillGaps(const ColonGrid & grid, std::vector<unsigned char> & mask)
+{
+  const auto before = mask;
+  for (int k = 1; k + 1 < grid.size[2]; ++k)
+  {
+    for (int j = 1; j + 1 < grid.size[1]; ++j)
+    {
+      for (int i = 1; i + 1 < grid.size[0]; ++i)
+      {
+        const auto p = grid.Index(i, j, k);
+        int        neighbours = 0;
+        for (const auto step : grid.stride)
+        {
+          neighbours += before[p - step] + before[p + step];
+        }
+        mask[p] = mask[p] || neighbours >= 4;
+      }
+    }
+  }
+}
 } // namespace
 
 GasOfVolume
@@ -307,5 +331,32 @@ MeasureDepth(const ColonGrid & grid, const std::vector<float> & hu, GasOfVolume 
     }
     piece.inside = sum / static_cast<double>(count);
   }
+}
+MeasuredPiece
+MeasureTogether(const ColonGrid &                       grid,
+                const GasOfVolume &                     gas,
+                int                                     piece,
+                const std::vector<std::array<int, 3>> & voxels)
+{
+  VoxelBox box = gas.pieces[piece].box;
+  for (const auto & v : voxels)
+  {
+    for (int a = 0; a < 3; ++a)
+    {
+      box.low[a] = std::min(box.low[a], v[a]);
+      box.high[a] = std::max(box.high[a], v[a] + 1);
+    }
+  }
+  box = grid.Widened(box, 1e-6);
+  const ColonGrid part = grid.Part(box);
+  auto            mask = MaskOfPiece(grid, gas, piece, box);
+  for (const auto & v : voxels)
+  {
+    mask[part.Index(v[0] - box.low[0], v[1] - box.low[1], v[2] - box.low[2])] = 1;
+  }
+  FillGaps(part, mask);
+  const auto d = SquaredDistanceToBackground(part, mask);
+  return { std::count(mask.begin(), mask.end(), 1) * grid.VoxelVolume() * 1e-3,
+           std::sqrt(std::min(*std::max_element(d.begin(), d.end()), 1e6F)) };
 }
 } // namespace itk

@@ -30,11 +30,11 @@ struct GasOfVolume
 };
 
 /** Voxels below `seed`. Air is outside where a slice shows it at the border of the image and the border is at least as
- * long as 0.6 of its edge inside the image: the way around a convex body is never shorter than the body's own outline,
- * measured along rows and columns, while gas in a bowel that the border cuts has a long wall and a short cut. Slices
- * are looked at one by one because an open rectal tube joins the rectum to the room. A piece that opens to the outside
- * across slices with more than a quarter of its largest section belongs to it, too. Air that holds one of the `kept`
- * voxels is not outside. */
+ * long as 0.6 of its edge inside the image, or a quarter of the image's own border: the way around a convex body is
+ * never shorter than the body's own outline, measured along rows and columns, while gas in a bowel that the border cuts
+ * has a long wall and a short cut. Slices are looked at one by one because an open rectal tube joins the rectum to the
+ * room. A piece that opens to the outside across slices with more than a quarter of its largest section belongs to it,
+ * too. Air that holds one of the `kept` voxels is not outside. */
 GasOfVolume
 FindGas(const ColonGrid &                       grid,
         const std::vector<float> &              hu,
@@ -44,6 +44,18 @@ FindGas(const ColonGrid &                       grid,
 /** Fills in `radius` and `inside` of pieces from 0.5 ml on. */
 void
 MeasureDepth(const ColonGrid & grid, const std::vector<float> & hu, GasOfVolume & gas);
+struct MeasuredPiece
+{
+  double ml{ 0.0 };
+  double radius{ 0.0 }; ///< mm
+};
+
+/** Volume and inscribed radius of a piece together with some voxels. */
+MeasuredPiece
+MeasureTogether(const ColonGrid &                       grid,
+                const GasOfVolume &                     gas,
+                int                                     piece,
+                const std::vector<std::array<int, 3>> & voxels);
 } // namespace itk
 
 #endif

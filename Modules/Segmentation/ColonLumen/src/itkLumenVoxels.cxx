@@ -24,8 +24,9 @@ constexpr double FilledCavityMl = 0.03;
 class VoxelDecision
 {
 public:
-  explicit VoxelDecision(ColonEvidence & evidence)
-    : m_Evidence(evidence)
+  VoxelDecision(const ColonImage * image, ColonEvidence & evidence)
+    : m_Image(image)
+    , m_Evidence(evidence)
     , m_Box(BoxOfColon(evidence))
     , m_Grid(evidence.grid.Part(m_Box))
     , m_Hu(CropVoxels(evidence.hu, evidence.grid, m_Box))
@@ -45,7 +46,7 @@ public:
     while (this->TakeGasOverFluid())
     {}
     this->Grow();
-    AddUnmixedFluid(m_Grid, m_Hu, m_Evidence.thresholds, m_Evidence.noise, this->FaintSeeds(), m_Classes);
+    this->AddUnmixed();
     this->FillLevels();
     this->FillCavities();
     FillCatheter(m_Grid, m_Hu, m_Evidence.thresholds.gasBoundary, m_Classes);
@@ -252,6 +253,22 @@ private:
     return found;
   }
 
+  /** Walls are looked for in the input itself: the prefilter would hide them. */
+  void
+  AddUnmixed()
+  {
+    const auto   seeds = this->FaintSeeds();
+    const double noise = m_Evidence.remainingNoise;
+    if (m_Evidence.smoothing > 0.0)
+    {
+      AddUnmixedFluid(m_Grid, m_Hu, LoadVoxels(m_Image, m_Grid), m_Evidence.thresholds, noise, seeds, m_Classes);
+    }
+    else
+    {
+      AddUnmixedFluid(m_Grid, m_Hu, m_Hu, m_Evidence.thresholds, noise, seeds, m_Classes);
+    }
+  }
+
   /** Faintly tagged fluid under the colon's levels, where no surely bright matter lies. */
   std::vector<std::size_t>
   FaintSeeds() const
@@ -410,6 +427,7 @@ private:
     });
   }
 
+  const ColonImage * m_Image;
   ColonEvidence &    m_Evidence;
   VoxelBox           m_Box;
   ColonGrid          m_Grid;
@@ -421,8 +439,8 @@ private:
 } // namespace
 
 LumenVoxels
-DecideVoxels(ColonEvidence & evidence)
+DecideVoxels(const ColonImage * image, ColonEvidence & evidence)
 {
-  return VoxelDecision(evidence).Decide();
+  return VoxelDecision(image, evidence).Decide();
 }
 } // namespace itk

@@ -17,7 +17,7 @@ struct LumenVoxels
 /** Decides voxel by voxel. Takes the intensities out of `evidence` to save memory, and marks there the pieces of gas
  * that turn out to be colon because they lie over its fluid. */
 LumenVoxels
-DecideVoxels(ColonEvidence & evidence);
+DecideVoxels(const ColonImage * image, ColonEvidence & evidence);
 } // namespace itk
 
 #endif

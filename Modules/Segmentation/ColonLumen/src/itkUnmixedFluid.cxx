@@ -34,11 +34,13 @@ class UnmixedFluid
 public:
   UnmixedFluid(const ColonGrid &          grid,
                const std::vector<float> & hu,
+               const std::vector<float> & sharp,
                const ColonThresholds &    thresholds,
                double                     noise,
                ClassVolume &              classes)
     : m_Grid(grid)
     , m_Hu(hu)
+    , m_Sharp(sharp)
     , m_Least(thresholds.tissue + std::max(LeastContrast, LeastShare * (thresholds.fluid - thresholds.tissue)))
     , m_Tissue(thresholds.tissue)
     , m_Tolerance(10.0 + 0.5 * noise)
@@ -200,13 +202,13 @@ private:
     {
       return std::nullopt;
     }
-    double dip = m_Hu[p];
+    double dip = m_Sharp[p];
     for (int n = 1; n < steps; ++n)
     {
       const auto at = [&](int a) {
         return v[a] + static_cast<int>(std::lround(n * static_cast<double>(towards[a]) / steps));
       };
-      dip = std::min<double>(dip, m_Hu[m_Grid.Index(at(0), at(1), at(2))]);
+      dip = std::min<double>(dip, m_Sharp[m_Grid.Index(at(0), at(1), at(2))]);
     }
     return dip;
   }
@@ -304,6 +306,7 @@ private:
 
   const ColonGrid &                      m_Grid;
   const std::vector<float> &             m_Hu;
+  const std::vector<float> &             m_Sharp;
   double                                 m_Least;
   double                                 m_Tissue;
   double                                 m_Tolerance;
@@ -317,6 +320,7 @@ private:
 void
 AddUnmixedFluid(const ColonGrid &                grid,
                 const std::vector<float> &       hu,
+                const std::vector<float> &       sharp,
                 const ColonThresholds &          thresholds,
                 double                           noise,
                 const std::vector<std::size_t> & seeds,
@@ -324,7 +328,7 @@ AddUnmixedFluid(const ColonGrid &                grid,
 {
   if (thresholds.fluid > 0.0)
   {
-    UnmixedFluid(grid, hu, thresholds, noise, classes).Add(seeds);
+    UnmixedFluid(grid, hu, sharp, thresholds, noise, classes).Add(seeds);
   }
 }
 } // namespace itk

@@ -51,8 +51,7 @@ CleanseTube(double voxel, const std::function<double(const Vec &)> & fold = {})
   options.patientPosition = "HFS";
   c.lumen = itk::SegmentColonLumen(c.ct, options);
   for (auto & l : c.lumen.leftOut)
-    printf("LO %s %g %g %s\n", l.what.c_str(), l.ml, l.inscribedRadius, l.why.c_str());
-  printf("%s\n", c.lumen.failure.c_str());
+    printf("%s\n", c.lumen.failure.c_str());
   c.result = itk::CleanseColon(c.ct, c.lumen);
   return c;
 }
