@@ -212,7 +212,8 @@ private:
       return 0.0F;
     }
     const double most = NormalDistribution(1.0 - (d - half) / m_Blur);
-    return static_cast<float>(std::clamp(share, 0.0, std::max(0.0, most - 0.01)));
+    const double seen = std::clamp(share, 0.0, most);
+    return seen < 0.01 ? 0.0F : static_cast<float>(seen);
   }
 
   void

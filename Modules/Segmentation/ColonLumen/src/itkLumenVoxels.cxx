@@ -43,8 +43,10 @@ public:
     this->PaintGas();
     this->PaintBright();
     this->SplitAtNecks();
-    while (this->TakeGasOverFluid())
-    {}
+    while (this->TakeGasOverFluid() && this->TakeBrightUnderGas())
+    {
+      this->SplitAtNecks();
+    }
     this->Grow();
     this->AddUnmixed();
     this->FillLevels();
@@ -250,6 +252,32 @@ private:
         }
       });
     }
+    return found;
+  }
+
+  /** Bright pieces under levels of gas that has become colon: to be decided like those found at first. */
+  bool
+  TakeBrightUnderGas()
+  {
+    std::vector<char> isNew(m_Evidence.isColonBright.size(), 0);
+    bool              found = false;
+    for (std::size_t l = 0; l < m_Evidence.levels.size(); ++l)
+    {
+      for (const int piece : m_Evidence.brightOfLevel[l])
+      {
+        if (m_Evidence.isColon[m_Evidence.levels[l].gas] && !m_Evidence.isColonBright[piece])
+        {
+          found = m_Evidence.isColonBright[piece] = isNew[piece] = 1;
+        }
+      }
+    }
+    ForEachRun(m_Evidence.brightSet, [&](std::size_t r, int j, int k) {
+      if (isNew[m_Evidence.brightLabels.ofRun[r]])
+      {
+        const auto range = this->Range(m_Evidence.brightSet.runs[r], j, k);
+        std::fill(m_Classes.begin() + range[0], m_Classes.begin() + range[1], Undecided);
+      }
+    });
     return found;
   }
 
