@@ -1,6 +1,7 @@
 #include "itkColonWallSurface.h"
 
 #include "itkMultiThreaderBase.h"
+#include "itkSurfaceConnectivity.h"
 
 #include <Eigen/Geometry>
 #include <vtkCellArray.h>
@@ -73,11 +74,14 @@ private:
     return m_Low + m_Spacing * Vector3d(x, y, z);
   }
 
+  // Never so near nought that points on different edges of the grid would round to one.
   double
   DistanceAt(const Vector3d & point) const
   {
     ColonField::Place place;
-    return m_Field.Evaluate(point, place) ? place.distance.value : -1e3;
+    const double      value = m_Field.Evaluate(point, place) ? place.distance.value : -1e3;
+    const double      least = 0.003 * m_Spacing;
+    return value < 0 ? std::min(value, -least) : std::max(value, least);
   }
 
   void
@@ -225,9 +229,30 @@ private:
 };
 } // namespace
 
+namespace
+{
+// A grid point that rounding puts on the other side of the wall makes a piece of eight faces.
+SurfaceMesh
+WithoutSpecks(const SurfaceMesh & mesh)
+{
+  constexpr int             speck = 50;
+  const SurfaceConnectivity connectivity(mesh);
+  std::vector<int>          faces;
+  for (int i = 0; i < mesh.NumberOfFaces(); ++i)
+  {
+    const int component = connectivity.ComponentOfFaces()[i];
+    if (component >= 0 && connectivity.Components()[component].faces >= speck)
+    {
+      faces.push_back(i);
+    }
+  }
+  return FacesOfSurface(mesh, faces);
+}
+} // namespace
+
 SurfaceMesh
 ExtractColonWall(const ColonField & field, const Vector3d & low, const Vector3d & high, double spacing)
 {
-  return WallExtractor(field, low, high, spacing).Run();
+  return WithoutSpecks(WallExtractor(field, low, high, spacing).Run());
 }
 } // namespace itk

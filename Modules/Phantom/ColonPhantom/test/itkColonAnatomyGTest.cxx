@@ -299,6 +299,9 @@ TEST(ColonAnatomy, WallIsClosedAndWhereTheDistanceIsNought)
   ASSERT_GT(wall.NumberOfFaces(), 10000);
   for (int i = 0; i < wall.NumberOfFaces(); ++i)
   {
+    ASSERT_NE(wall.F(i, 0), wall.F(i, 1));
+    ASSERT_NE(wall.F(i, 1), wall.F(i, 2));
+    ASSERT_NE(wall.F(i, 2), wall.F(i, 0));
     for (int k = 0; k < 3; ++k)
     {
       const int a = wall.F(i, k), b = wall.F(i, (k + 1) % 3);
