@@ -44,9 +44,8 @@ struct SegmentDistension
  * | ascending | 0.13 | 0.83 | 0.96 |
  * | caecum | 0.04 | 0.96 | 1 |
  *
- * The shares are those of means of lengths measured on CT colonography (rectum and sigmoid 0.6 m, descending 0.3 m,
- * transverse 0.55 m, ascending and caecum 0.3 m of 1.8 m; Khashab et al., Gastrointest Endosc 2009, round figures).
- * Single patients differ from them by several per cent of the length. \ingroup ColonCentreline */
+ * Round figures for orientation, not measured here. Single patients differ from them by several per cent of the length.
+ * \ingroup ColonCentreline */
 ColonCentreline_EXPORT std::vector<ColonSegmentBorder>
                        CustomarySegments(double length);
 
