@@ -17,7 +17,8 @@ constexpr double PassageRadius = 2.5;  // mm; what joins two parts of the fluid 
 constexpr double GrowthReach = 3.0;    // mm
 constexpr double LeastBrightMl = 0.05; // of other bright matter that competes
 constexpr double LevelReach = 6.0;     // mm around the flat part of a level
-constexpr double LevelThickness = 2.5; // mm above and below a level that may be its blurred layer
+constexpr double UsualBlur = 0.8;      // mm, standard deviation of the scanner's
+constexpr double LevelLeeway = 0.5;    // mm
 constexpr double FilledCavityMl = 0.03;
 
 /** Takes ColonEvidence to classes, step by step. */
@@ -376,8 +377,8 @@ private:
       }
     }
     const LateralCells cells(places, LevelReach);
-    const int          steps = static_cast<int>(std::ceil(2.0 * LevelThickness / m_Fall.step)) + 1;
-    const ClassVolume  before = m_Classes;
+    const int steps = static_cast<int>(std::ceil((this->LayerThickness() + 2.0 * LevelLeeway) / m_Fall.step)) + 1;
+    const ClassVolume before = m_Classes;
     ParallelFor(m_Grid.size[2], [&](std::size_t k) {
       for (std::size_t p = k * m_Grid.stride[2]; p < (k + 1) * m_Grid.stride[2]; ++p)
       {
@@ -388,6 +389,13 @@ private:
         }
       }
     });
+  }
+
+  /** From where values leave the gas to where they reach the fluid, mm: between 31 % and 81 % of a blurred step. */
+  double
+  LayerThickness() const
+  {
+    return 1.38 * std::sqrt(UsualBlur * UsualBlur + m_Fall.step * m_Fall.step / 12.0);
   }
 
   /** Gas above and fluid below, nothing else in between, all within some steps. */
@@ -423,8 +431,9 @@ private:
     cells.ForEachNear(a, b, [&](int i) {
       const double da = places[i].a - a;
       const double db = places[i].b - b;
-      isNear =
-        isNear || (da * da + db * db <= LevelReach * LevelReach && std::abs(depths[i] - depth) <= LevelThickness);
+      const double below = depth - depths[i];
+      isNear = isNear || (da * da + db * db <= LevelReach * LevelReach && below >= -LevelLeeway &&
+                          below <= this->LayerThickness() + LevelLeeway);
     });
     return isNear;
   }

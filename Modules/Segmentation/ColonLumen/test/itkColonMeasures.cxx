@@ -1,6 +1,7 @@
 #include "itkColonMeasures.h"
 
 #include "itkConnectedComponentImageFilter.h"
+#include "itkCurveSet.h"
 #include "itkSurfaceLocator.h"
 #include "itkSurfaceReader.h"
 #include "itkToolError.h"
@@ -11,6 +12,8 @@
 #include <fstream>
 #include <iterator>
 #include <map>
+#include <set>
+#include <sstream>
 #include <ostream>
 
 namespace itk
@@ -138,6 +141,139 @@ PrintBlobs(const ColonLumen & lumen, const Image<float, 3> * truth, const Image<
     }
   }
 }
+/** How much tissue there is around some points, found and true, and how much of the lumen around it is fluid. */
+struct Relief
+{
+  double          found{ 0.0 };
+  double          real{ 0.0 };
+  double          lumen{ 0.0 };
+  double          fluid{ 0.0 };
+  Eigen::Vector3d place{ 0.0, 0.0, 0.0 };
+};
+
+Relief
+MeasureRelief(const std::vector<Eigen::Vector3d> & points,
+              double                               reach,
+              const Image<float, 3> *              truth,
+              const Image<float, 3> *              occupancy)
+{
+  std::set<std::size_t> voxels;
+  const auto            spacing = truth->GetSpacing();
+  for (const auto & point : points)
+  {
+    Point<double, 3> x;
+    std::copy_n(point.data(), 3, x.begin());
+    const auto middle = truth->TransformPhysicalPointToIndex(x);
+    Index<3>   low, high;
+    for (int a = 0; a < 3; ++a)
+    {
+      low[a] = middle[a] - static_cast<int>(std::ceil(reach / spacing[a]));
+      high[a] = middle[a] + static_cast<int>(std::ceil(reach / spacing[a]));
+    }
+    for (auto i = low; i[2] <= high[2]; ++i[2])
+    {
+      for (i[1] = low[1]; i[1] <= high[1]; ++i[1])
+      {
+        for (i[0] = low[0]; i[0] <= high[0]; ++i[0])
+        {
+          Point<double, 3> y;
+          truth->TransformIndexToPhysicalPoint(i, y);
+          if (truth->GetBufferedRegion().IsInside(i) && (y - x).GetNorm() <= reach)
+          {
+            voxels.insert(truth->ComputeOffset(i));
+          }
+        }
+      }
+    }
+  }
+  Relief relief;
+  relief.place = points[points.size() / 2];
+  for (const auto p : voxels)
+  {
+    Point<double, 3> x;
+    truth->TransformIndexToPhysicalPoint(truth->ComputeIndex(static_cast<OffsetValueType>(p)), x);
+    Index<3>    i;
+    const bool  isIn = occupancy->TransformPhysicalPointToIndex(x, i);
+    const float label = truth->GetBufferPointer()[p];
+    relief.found += 1.0 - (isIn ? occupancy->GetPixel(i) : 0.0F);
+    relief.real += label == 0.0F;
+    relief.lumen += label != 0.0F;
+    relief.fluid += label == 2.0F;
+  }
+  return relief;
+}
+
+void
+PrintReliefs(const std::string & what, const std::vector<Relief> & reliefs, std::ostream & out)
+{
+  for (const bool submerged : { true, false })
+  {
+    std::vector<double> kept;
+    for (const auto & r : reliefs)
+    {
+      if (r.real > 0.0 && r.lumen > 0.0 && (r.fluid > 0.9 * r.lumen) == submerged)
+      {
+        kept.push_back(r.found / r.real);
+        if (kept.back() < 0.9)
+        {
+          out << "  keeps " << kept.back() << " at " << r.place.transpose() << '\n';
+        }
+      }
+    }
+    const auto good = std::count_if(kept.begin(), kept.end(), [](double k) { return k >= 0.9; });
+    out << what << (submerged ? " in fluid: " : " elsewhere: ") << good << " of " << kept.size() << " keep 90 %; least "
+        << Percentile(kept, 0.0) << " 5% " << Percentile(kept, 0.05) << " median " << Percentile(kept, 0.5) << " most "
+        << Percentile(kept, 1.0) << '\n';
+  }
+}
+
+void
+CompareReliefs(const Image<float, 3> * truth,
+               const Image<float, 3> * occupancy,
+               const std::string &     folder,
+               std::ostream &          out)
+{
+  const CurveSet      folds = ReadCurves(folder + "/folds.vtp");
+  const auto          height = PointValues(folds, "crestHeight", "folds");
+  const auto *        thickness = FindSurfaceArray(folds.cellArrays, "thickness");
+  std::vector<Relief> reliefs;
+  for (std::size_t c = 0; c < folds.curves.size(); ++c)
+  {
+    std::vector<Eigen::Vector3d> crest;
+    for (const int v : folds.curves[c])
+    {
+      if (height[v] >= 2.0)
+      {
+        crest.push_back(folds.V.row(v));
+      }
+    }
+    if (!crest.empty() && thickness->values(static_cast<Eigen::Index>(c), 0) >= 2.5)
+    {
+      reliefs.push_back(MeasureRelief(crest, 4.0, truth, occupancy));
+    }
+  }
+  PrintReliefs("folds from 2.5 mm", reliefs, out);
+  std::ifstream in(folder + "/polyps.csv");
+  std::string   line;
+  std::getline(in, line);
+  reliefs.clear();
+  while (std::getline(in, line))
+  {
+    std::vector<std::string> cells;
+    std::istringstream       row(line);
+    for (std::string cell; std::getline(row, cell, ',');)
+    {
+      cells.push_back(cell);
+    }
+    const double diameter = std::stod(cells.at(2));
+    if (diameter >= 6.0)
+    {
+      reliefs.push_back(MeasureRelief(
+        { { std::stod(cells[4]), std::stod(cells[5]), std::stod(cells[6]) } }, 0.5 * diameter + 1.0, truth, occupancy));
+    }
+  }
+  PrintReliefs("polyps from 6 mm", reliefs, out);
+}
 } // namespace
 
 Image<float, 3>::Pointer
@@ -222,6 +358,7 @@ CompareWithTruth(const Image<float, 3> * ct,
     }
   }
   PrintDistances("found to true wall", all, out);
+  CompareReliefs(truth, cleansed.occupancy, folder, out);
   PrintDistances("within 3 mm of a level", nearLevel, out);
 }
 } // namespace itk
