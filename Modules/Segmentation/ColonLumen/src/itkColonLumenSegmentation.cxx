@@ -82,20 +82,32 @@ private:
     this->Progress(0.1);
     if (e.noise > TolerableNoise)
     {
-      e.smoothing = 0.9 * std::min(1.0, std::cbrt(e.grid.VoxelVolume()));
-      SmoothVoxels(e.grid, e.hu, e.smoothing);
-      e.thresholds.tissue = ModeOfTissue(e.hu);
-      e.remainingNoise = NoiseInTissue(e.grid, e.hu, e.thresholds.tissue);
-      std::ostringstream text;
-      text << "the noise is high (standard deviation " << std::lround(e.noise)
-           << " HU); the volume was smoothed with a sigma of " << std::lround(100.0 * e.smoothing) / 100.0
-           << " mm before it was segmented";
-      m_Result.warnings.push_back(text.str());
+      this->Smooth();
     }
     e.bodyMl =
       e.grid.VoxelVolume() * 1e-3 * std::count_if(e.hu.begin(), e.hu.end(), [](float v) { return v > -400.0F; });
     this->SetGasThresholds(GasByDefinition);
     this->Progress(0.2);
+  }
+
+  /** In steps of 0.3 mm, no more than the noise asks for. */
+  void
+  Smooth()
+  {
+    auto & e = m_Evidence;
+    while (e.remainingNoise > TolerableNoise && e.smoothing < 0.85)
+    {
+      const double next = e.smoothing + 0.3;
+      SmoothVoxels(e.grid, e.hu, std::sqrt(next * next - e.smoothing * e.smoothing));
+      e.smoothing = next;
+      e.thresholds.tissue = ModeOfTissue(e.hu);
+      e.remainingNoise = NoiseInTissue(e.grid, e.hu, e.thresholds.tissue);
+    }
+    std::ostringstream text;
+    text << "the noise is high (standard deviation " << std::lround(e.noise)
+         << " HU); the volume was smoothed with a sigma of " << std::lround(10.0 * e.smoothing) / 10.0
+         << " mm before it was segmented";
+    m_Result.warnings.push_back(text.str());
   }
 
   void

@@ -43,7 +43,7 @@ public:
     , m_Labels(this->LoadLabels())
     , m_Fluid(this->MakeFluid())
     , m_Levels(m_Grid, m_Hu, m_Labels, m_Fall, m_Fluid, lumen.thresholds.gas)
-    , m_Blur(std::sqrt(0.64 + std::pow(grid.spacing.maxCoeff(), 2) / 12.0))
+    , m_Blur(std::sqrt(0.64 + lumen.smoothing * lumen.smoothing + std::pow(grid.spacing.maxCoeff(), 2) / 12.0))
   {}
 
   void

@@ -395,7 +395,8 @@ private:
   double
   LayerThickness() const
   {
-    return 1.38 * std::sqrt(UsualBlur * UsualBlur + m_Fall.step * m_Fall.step / 12.0);
+    return 1.38 * std::sqrt(UsualBlur * UsualBlur + m_Evidence.smoothing * m_Evidence.smoothing +
+                            m_Fall.step * m_Fall.step / 12.0);
   }
 
   /** Gas above and fluid below, nothing else in between, all within some steps. */

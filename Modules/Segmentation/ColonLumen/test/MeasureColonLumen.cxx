@@ -8,6 +8,8 @@
 
 #include "itkVolumeReader.h"
 
+#include <sys/resource.h>
+
 #include <chrono>
 #include <fstream>
 #include <iostream>
@@ -123,6 +125,9 @@ try
   start = Clock::now();
   const auto cleansed = itk::CleanseColon(image, lumen);
   std::cout << "cleansed in " << SecondsSince(start) << " s\n";
+  struct rusage usage;
+  getrusage(RUSAGE_SELF, &usage);
+  std::cout << "most memory so far " << usage.ru_maxrss / 1024 << " MiB\n";
   if (arguments.count("--pictures"))
   {
     Draw(image, lumen, cleansed, arguments);
