@@ -1,7 +1,7 @@
 #include "itkColonLumenSegmentation.h"
 
 #include "itkColonGravity.h"
-#include "itkColonReport.h"
+#include "itkLumenReport.h"
 #include "itkColonStatistics.h"
 #include "itkLumenVoxels.h"
 #include "itkToolError.h"

@@ -268,7 +268,9 @@ private:
       {
         if (m_Evidence.isColon[m_Evidence.levels[l].gas] && !m_Evidence.isColonBright[piece])
         {
-          found = m_Evidence.isColonBright[piece] = isNew[piece] = 1;
+          m_Evidence.isColonBright[piece] = 1;
+          isNew[piece] = 1;
+          found = true;
         }
       }
     }

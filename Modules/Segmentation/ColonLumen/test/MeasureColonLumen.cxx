@@ -4,7 +4,7 @@
 // whatever ReadVolume() takes, or a NumPy file of 16-bit integers (1 mm voxels).
 
 #include "itkColonMeasures.h"
-#include "itkColonPictures.h"
+#include "itkLumenPictures.h"
 
 #include "itkVolumeReader.h"
 

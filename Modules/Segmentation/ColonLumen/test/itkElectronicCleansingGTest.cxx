@@ -2,6 +2,7 @@
 
 #include "itkColonMeasures.h"
 #include "itkColonTestScene.h"
+#include "itkMultiThreaderBase.h"
 
 #include <gtest/gtest.h>
 
@@ -50,8 +51,6 @@ CleanseTube(double voxel, const std::function<double(const Vec &)> & fold = {})
   itk::ColonLumenOptions options;
   options.patientPosition = "HFS";
   c.lumen = itk::SegmentColonLumen(c.ct, options);
-  for (auto & l : c.lumen.leftOut)
-    printf("%s\n", c.lumen.failure.c_str());
   c.result = itk::CleanseColon(c.ct, c.lumen);
   return c;
 }
@@ -150,6 +149,24 @@ TEST(ElectronicCleansing, TheCropHasTheGeometryOfItsPart)
         ASSERT_EQ(c.result.occupancy->GetPixel(index), 0.0F);
       }
     }
+  }
+}
+
+TEST(ElectronicCleansing, SameBytesForAnyNumberOfThreads)
+{
+  const auto c = CleanseTube(2.0);
+  const auto threads = itk::MultiThreaderBase::GetGlobalDefaultNumberOfThreads();
+  itk::MultiThreaderBase::SetGlobalDefaultNumberOfThreads(1);
+  const auto one = itk::CleanseColon(c.ct, c.lumen);
+  itk::MultiThreaderBase::SetGlobalDefaultNumberOfThreads(5);
+  const auto five = itk::CleanseColon(c.ct, c.lumen);
+  itk::MultiThreaderBase::SetGlobalDefaultNumberOfThreads(threads);
+  for (const auto & pair : { std::make_pair(one.ct, five.ct), std::make_pair(one.occupancy, five.occupancy) })
+  {
+    const float * first = pair.first->GetBufferPointer();
+    const auto    n = pair.first->GetBufferedRegion().GetNumberOfPixels();
+    ASSERT_EQ(pair.second->GetBufferedRegion().GetNumberOfPixels(), n);
+    EXPECT_TRUE(std::equal(first, first + n, pair.second->GetBufferPointer()));
   }
 }
 

@@ -1,4 +1,4 @@
-#include "itkColonReport.h"
+#include "itkLumenReport.h"
 
 #include "itkDistanceToBackground.h"
 

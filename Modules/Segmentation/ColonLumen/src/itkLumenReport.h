@@ -1,5 +1,5 @@
-#ifndef itkColonReport_h
-#define itkColonReport_h
+#ifndef itkLumenReport_h
+#define itkLumenReport_h
 
 #include "itkLumenVoxels.h"
 

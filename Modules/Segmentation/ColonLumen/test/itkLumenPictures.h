@@ -1,5 +1,5 @@
-#ifndef itkColonPictures_h
-#define itkColonPictures_h
+#ifndef itkLumenPictures_h
+#define itkLumenPictures_h
 
 #include "itkElectronicCleansing.h"
 
