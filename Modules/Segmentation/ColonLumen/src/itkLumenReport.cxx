@@ -178,25 +178,21 @@ JudgeLumen(const ColonEvidence & evidence, ColonLumen & lumen)
   {
     return;
   }
-  double bowelMl = 0.0;
-  double widest = radius;
+  double restMl = 0.0;
   for (std::size_t p = 1; p < evidence.gas.pieces.size(); ++p)
   {
     const auto & piece = evidence.gas.pieces[p];
-    if (evidence.isCandidate[p] && piece.radius >= 3.0)
-    {
-      bowelMl += piece.ml;
-      widest = std::max(widest, piece.radius);
-    }
+    restMl += evidence.isCandidate[p] && !evidence.isColon[p] && piece.radius >= 3.0 ? piece.ml : 0.0;
   }
-  if (bowelMl < 1.0 && ml < 1.0)
+  if (restMl < 1.0 && ml < 1.0)
   {
     lumen.failure = "no colon found: there is no gas inside the body that a bowel could hold";
     return;
   }
-  lumen.failure = "the colon is not distended or tagged enough: " + Rounded(bowelMl, 0) +
-                  " ml of bowel gas with an inscribed radius of at most " + Rounded(widest, 1) + " mm were found, " +
-                  Rounded(ml, 0) + " ml of them taken as lumen; at least " + Rounded(usable, 0) +
-                  " ml and 10 mm are needed" + (lumen.isTagged ? "" : "; no tagged fluid lies under the gas");
+  lumen.failure = "the colon is not distended or tagged enough: " + Rounded(ml, 0) +
+                  " ml of lumen with an inscribed radius of at most " + Rounded(radius, 1) + " mm were found, and " +
+                  Rounded(restMl, 0) + " ml of gas in thinner bowel; at least " + Rounded(usable, 0) +
+                  " ml of lumen and a radius of " + Rounded(UsableRadius, 0) + " mm are needed" +
+                  (lumen.isTagged ? "" : "; no tagged fluid lies under the gas");
 }
 } // namespace itk
