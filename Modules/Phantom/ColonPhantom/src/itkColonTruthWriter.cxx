@@ -10,8 +10,12 @@ namespace itk
 {
 namespace
 {
-// The wall is sampled as finely as its thinnest septum asks.
-constexpr double wallEdge = 0.7; // mm
+// At most 0.7 of the thinnest septum of the preset, mm.
+double
+WallEdge(const ColonPhantomParameters & parameters)
+{
+  return parameters.preset == "hard" ? 0.55 : 0.7;
+}
 
 CsvTable
 PolypTable(const ColonFluid & fluid, const ColonAnatomy & anatomy)
@@ -75,7 +79,7 @@ WriteColonTruth(CommandLine & commandLine, ColonPhantomImageSource & source, con
   write(anatomy.Folds(), "folds.vtp");
   write(anatomy.Taeniae(), "taeniae.vtp");
   write(anatomy.Correspondence(), "correspondence.vtp");
-  SurfaceMesh wall = anatomy.Wall(wallEdge);
+  SurfaceMesh wall = anatomy.Wall(WallEdge(anatomy.GetParameters()));
   wall.facts.insert(wall.facts.end(), facts.begin(), facts.end());
   WriteSurface(wall, file("wall.vtp"));
   PolypTable(source.GetFluid(), anatomy).Write(file("polyps.csv"));
