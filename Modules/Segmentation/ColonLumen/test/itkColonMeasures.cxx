@@ -86,6 +86,42 @@ PrintOverlap(const ColonLumen & lumen, const Image<float, 3> * truth, std::ostre
   }
   out << " )\n";
 }
+/** Found voxels with no true lumen within 3 mm along any axis: other organs, not an inexact border. */
+void
+PrintLeak(const ColonLumen & lumen, const Image<float, 3> * truth, std::ostream & out)
+{
+  const auto  spacing = truth->GetSpacing();
+  std::size_t leaked = 0;
+  for (std::size_t p = 0; p < truth->GetBufferedRegion().GetNumberOfPixels(); ++p)
+  {
+    if (lumen.labels->GetBufferPointer()[p] == 0 || truth->GetBufferPointer()[p] != 0.0F)
+    {
+      continue;
+    }
+    const auto middle = truth->ComputeIndex(static_cast<OffsetValueType>(p));
+    Index<3>   low, high;
+    for (int a = 0; a < 3; ++a)
+    {
+      const int reach = static_cast<int>(std::lround(3.0 / spacing[a]));
+      low[a] = std::max<IndexValueType>(0, middle[a] - reach);
+      high[a] = std::min<IndexValueType>(truth->GetBufferedRegion().GetSize(a) - 1, middle[a] + reach);
+    }
+    bool isNear = false;
+    for (auto i = low; i[2] <= high[2] && !isNear; ++i[2])
+    {
+      for (i[1] = low[1]; i[1] <= high[1] && !isNear; ++i[1])
+      {
+        for (i[0] = low[0]; i[0] <= high[0] && !isNear; ++i[0])
+        {
+          isNear = truth->GetPixel(i) != 0.0F;
+        }
+      }
+    }
+    leaked += !isNear;
+  }
+  out << "leak beyond 3 mm " << leaked * spacing[0] * spacing[1] * spacing[2] * 1e-3 << " ml\n";
+}
+
 /** The largest connected errors: truth in `missed` or extra voxels. */
 void
 PrintBlobs(const ColonLumen & lumen, const Image<float, 3> * truth, const Image<float, 3> * ct, std::ostream & out)
@@ -334,6 +370,7 @@ CompareWithTruth(const Image<float, 3> * ct,
   std::string unused;
   const auto  truth = ReadColonTestVolume(folder + "/lumen.nrrd", unused);
   PrintOverlap(lumen, truth, out);
+  PrintLeak(lumen, truth, out);
   PrintBlobs(lumen, truth, ct, out);
   SurfaceReadOptions allComponents;
   allComponents.component = -1;
