@@ -7,12 +7,13 @@ set(Shapeton_MODULES
   Bridge/VTKGlue
   IO/DicomSeries
   Mesh/SurfaceMesh
-  Segmentation/ColonLumen
   Filtering/ShapeDiffusion
   Phantom/ShapePhantom
   Phantom/ColonPhantom
+  Segmentation/ColonLumen
   Segmentation/ColonCentreline
   Segmentation/ColonWall
+  Segmentation/ColonModel
   Visualization/ShapeRendering
   Visualization/ColonReport
 )

@@ -6,9 +6,12 @@ itk_module(ColonReport
   DEPENDS
     Report
     SurfaceMesh
+    ColonModel
     ShapeRendering
     ITKCommon
   PRIVATE_DEPENDS
+    ColonLumen
+    CommandLine
     DicomSeries
   TEST_DEPENDS
     ITKGoogleTest
