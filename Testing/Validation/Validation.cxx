@@ -24,6 +24,7 @@ const std::vector<Part> parts = {
   { "heat-organs", "Heat classes and organs of a real abdomen", ValidateOrgansOfAbdomen, true },
   { "shapeton-comparison", "CHD or shapetons?", ValidateComparisonOfShapetons, false },
   { "shapeton-walk", "Scale and time of shapetons", ValidateWalkOfShapetons, false },
+  { "colon-surfaces", "Surface and centreline of synthetic colons", ValidateColonSurfaces, false },
 };
 
 int

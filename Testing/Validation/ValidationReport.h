@@ -70,5 +70,7 @@ void
 ValidateComparisonOfShapetons(const ValidationSettings & settings, ValidationReport & report);
 void
 ValidateWalkOfShapetons(const ValidationSettings & settings, ValidationReport & report);
+void
+ValidateColonSurfaces(const ValidationSettings & settings, ValidationReport & report);
 
 #endif

@@ -1,0 +1,382 @@
+#include "ColonTrial.h"
+
+#include "itkCastImageFilter.h"
+#include "itkLinearInterpolateImageFunction.h"
+#include "itkSurfaceLocator.h"
+#include "itkSurfaceQuality.h"
+#include "itkToolError.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+using namespace itk;
+
+namespace
+{
+using Source = ColonPhantomImageSource;
+using Interpolator = LinearInterpolateImageFunction<Image<float, 3>>;
+
+Source::Pointer
+MakePhantom(const ColonCase & one)
+{
+  const auto       source = Source::New();
+  Source::SizeType size;
+  std::copy(one.size.begin(), one.size.end(), size.begin());
+  source->SetParameters(one.parameters);
+  source->SetSize(size);
+  source->SetSpacing(Source::SpacingType(one.spacing));
+  source->CenterOutput();
+  source->Update();
+  return source;
+}
+
+Image<float, 3>::Pointer
+ToFloat(const Source::ImageType * image)
+{
+  const auto cast = CastImageFilter<Source::ImageType, Image<float, 3>>::New();
+  cast->SetInput(image);
+  cast->Update();
+  return cast->GetOutput();
+}
+
+double
+Percentile(std::vector<double> values, double share)
+{
+  if (values.empty())
+  {
+    return 0.0;
+  }
+  const auto place = values.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
+  std::nth_element(values.begin(), place, values.end());
+  return *place;
+}
+
+Eigen::Vector3d
+VoxelCentre(const ImageBase<3> * image, std::size_t offset)
+{
+  const auto point =
+    image->TransformIndexToPhysicalPoint<double>(image->ComputeIndex(static_cast<OffsetValueType>(offset)));
+  return { point[0], point[1], point[2] };
+}
+
+void
+MeasureLumen(const ColonModel & model, Source * truth, ColonErrors & errors)
+{
+  const auto * const labels = model.lumen.labels.GetPointer();
+  const auto * const lumen = truth->GetLumenOutput();
+  const auto         voxels = labels->GetLargestPossibleRegion().GetNumberOfPixels();
+  const auto &       spacing = labels->GetSpacing();
+  const double       voxelMl = 1e-3 * spacing[0] * spacing[1] * spacing[2];
+  std::size_t        both = 0;
+  std::size_t        found = 0;
+  std::size_t        real = 0;
+  for (std::size_t i = 0; i < voxels; ++i)
+  {
+    const bool isFound = labels->GetBufferPointer()[i] != 0;
+    const bool isReal = lumen->GetBufferPointer()[i] != 0;
+    both += isFound && isReal;
+    found += isFound;
+    real += isReal;
+    if (isFound && !isReal && truth->GetAnatomy().Evaluate(VoxelCentre(labels, i)).distance < -2.0)
+    {
+      errors.leakMl += voxelMl;
+    }
+  }
+  errors.dice = 2.0 * static_cast<double>(both) / static_cast<double>(found + real);
+}
+
+/** Every n-th vertex so that about `count` are taken. */
+std::vector<int>
+SomeVertices(const SurfaceMesh & mesh, int count)
+{
+  std::vector<int> vertices;
+  const int        step = std::max(1, mesh.NumberOfVertices() / count);
+  for (int v = 0; v < mesh.NumberOfVertices(); v += step)
+  {
+    vertices.push_back(v);
+  }
+  return vertices;
+}
+
+/** 1 for the vertices of synthetic faces. */
+std::vector<char>
+BridgedVertices(const SurfaceMesh & mesh)
+{
+  std::vector<char>          isBridged(static_cast<std::size_t>(mesh.NumberOfVertices()), 0);
+  const SurfaceArray * const bridged = FindSurfaceArray(mesh.cellArrays, "bridged");
+  for (int f = 0; bridged && f < mesh.NumberOfFaces(); ++f)
+  {
+    for (int k = 0; k < 3 && bridged->values(f, 0) != 0.0; ++k)
+    {
+      isBridged[static_cast<std::size_t>(mesh.F(f, k))] = 1;
+    }
+  }
+  return isBridged;
+}
+
+void
+MeasureSurface(const ColonModel & model, Source * truth, ColonErrors & errors)
+{
+  constexpr int        samples = 60000;
+  const SurfaceMesh    wall = truth->GetAnatomy().Wall(0.7);
+  const SurfaceLocator trueWall(wall.V, wall.F);
+  const SurfaceMesh &  raw = model.wall.raw;
+  const auto           isBridged = BridgedVertices(raw);
+  std::vector<double>  distances;
+  std::vector<double>  atLevels;
+  for (const int v : SomeVertices(raw, samples))
+  {
+    if (isBridged[static_cast<std::size_t>(v)])
+    {
+      continue;
+    }
+    const Eigen::Vector3d p = raw.V.row(v);
+    const double          distance = trueWall.FindClosest(p).distance;
+    distances.push_back(distance);
+    const auto sample = truth->GetAnatomy().Evaluate(p);
+    if (sample.segment > 0 && std::abs(truth->GetFluid().DepthBelowLevel(p, sample.arcLength)) < 3.0)
+    {
+      atLevels.push_back(distance);
+    }
+  }
+  errors.surfaceMedian = Percentile(distances, 0.5);
+  errors.surface95 = Percentile(distances, 0.95);
+  errors.level95 = Percentile(atLevels, 0.95);
+  const SurfaceLocator ours(raw.V, raw.F);
+  std::vector<double>  missed;
+  for (const int v : SomeVertices(wall, samples))
+  {
+    missed.push_back(ours.FindClosest(wall.V.row(v)).distance);
+  }
+  errors.missed95 = Percentile(missed, 0.95);
+}
+
+/** Whether true tissue keeps 90 % of its volume in the cleansed CT. */
+class TissueKeeper
+{
+public:
+  TissueKeeper(const ColonModel & model, const ColonAnatomy & anatomy)
+    : m_Anatomy(anatomy), m_Boundary(model.lumen.thresholds.gasBoundary), m_Interpolator(Interpolator::New())
+  {
+    m_Interpolator->SetInputImage(model.cleansed);
+  }
+
+  /** True tissue within `radius` of the centres, no deeper than `depth` from the lumen. */
+  bool
+  IsKept(const std::vector<Eigen::Vector3d> & centres, double radius, double depth) const
+  {
+    constexpr double step = 0.5;
+    int              tissue = 0;
+    int              kept = 0;
+    const int        reach = static_cast<int>(std::ceil(radius / step));
+    const int        side = 2 * reach + 1;
+    for (const Eigen::Vector3d & centre : centres)
+    {
+      for (int i = 0; i < side * side * side; ++i)
+      {
+        const Eigen::Vector3d offset(i % side - reach, i / side % side - reach, i / (side * side) - reach);
+        const Eigen::Vector3d p = centre + step * offset;
+        const double          distance = step * offset.norm() <= radius ? m_Anatomy.Evaluate(p).distance : 0.0;
+        if (distance < 0.0 && distance >= -depth)
+        {
+          ++tissue;
+          kept += this->ValueAt(p) > m_Boundary;
+        }
+      }
+    }
+    return kept >= 0.9 * tissue;
+  }
+
+private:
+  double
+  ValueAt(const Eigen::Vector3d & p) const
+  {
+    const Point<double, 3> point(p.data());
+    return m_Interpolator->IsInsideBuffer(point) ? m_Interpolator->Evaluate(point) : 0.0;
+  }
+
+  const ColonAnatomy &  m_Anatomy;
+  double                m_Boundary;
+  Interpolator::Pointer m_Interpolator;
+};
+
+void
+MeasureKeptShapes(const ColonModel & model, Source * truth, ColonErrors & errors)
+{
+  const TissueKeeper keeper(model, truth->GetAnatomy());
+  for (const ColonPolyp & polyp : truth->GetAnatomy().Polyps())
+  {
+    if (polyp.diameter >= 6.0)
+    {
+      ++errors.polyps;
+      errors.keptPolyps += keeper.IsKept({ polyp.position }, 0.5 * polyp.diameter, polyp.diameter);
+    }
+  }
+  const CurveSet             folds = truth->GetAnatomy().Folds();
+  const SurfaceArray * const thickness = FindSurfaceArray(folds.cellArrays, "thickness");
+  const SurfaceArray * const height = FindSurfaceArray(folds.cellArrays, "height");
+  const SurfaceArray * const arcLength = FindSurfaceArray(folds.cellArrays, "arcLength");
+  for (std::size_t f = 0; f < folds.curves.size(); ++f)
+  {
+    const auto                   row = static_cast<Eigen::Index>(f);
+    std::vector<Eigen::Vector3d> crest;
+    bool                         isSubmerged = thickness->values(row, 0) >= 2.5;
+    for (const int v : folds.curves[f])
+    {
+      const Eigen::Vector3d p = folds.V.row(v);
+      crest.push_back(p);
+      isSubmerged = isSubmerged && truth->GetFluid().DepthBelowLevel(p, arcLength->values(row, 0)) > 0.0;
+    }
+    if (isSubmerged)
+    {
+      ++errors.folds;
+      // A fold is no deeper than half its thickness; what is deeper near its root is the wall.
+      errors.keptFolds += keeper.IsKept(crest, 0.8 * height->values(row, 0), 0.5 * thickness->values(row, 0) + 0.25);
+    }
+  }
+}
+
+/** A polyline to find the closest of its points. */
+class TrueLine
+{
+public:
+  explicit TrueLine(const CurveSet & line)
+    : m_Line(line), m_ArcLength(PointValues(line, "arcLength", "the true centreline"))
+  {}
+
+  /** Index of the closest vertex; they lie about 1 mm apart. */
+  Eigen::Index
+  Closest(const Eigen::Vector3d & p, double & distance) const
+  {
+    Eigen::Index index = 0;
+    distance = std::sqrt((m_Line.V.rowwise() - p.transpose()).rowwise().squaredNorm().minCoeff(&index));
+    return index;
+  }
+
+  double
+  ArcLengthAt(Eigen::Index index) const
+  {
+    return m_ArcLength[index];
+  }
+
+private:
+  const CurveSet & m_Line;
+  Eigen::VectorXd  m_ArcLength;
+};
+
+/** Jumps and steps back of the line along the true one. */
+void
+MeasureOrder(const CurveSet & line, const Eigen::VectorXd & gap, const TrueLine & trueLine, ColonErrors & errors)
+{
+  double before = -1.0;
+  bool   isAfterGap = false;
+  double sum = 0.0;
+  int    count = 0;
+  for (Eigen::Index i = 0; i < line.V.rows(); ++i)
+  {
+    if (gap[i] != 0.0)
+    {
+      isAfterGap = true;
+      continue;
+    }
+    double       distance = 0.0;
+    const double place = trueLine.ArcLengthAt(trueLine.Closest(line.V.row(i), distance));
+    sum += distance;
+    ++count;
+    if (before >= 0.0 && isAfterGap)
+    {
+      errors.isOrderRight = errors.isOrderRight && place > before && place - before < 250.0;
+    }
+    else if (before >= 0.0)
+    {
+      errors.shortCuts += place - before > 40.0 || place - before < -20.0;
+    }
+    isAfterGap = false;
+    before = place;
+  }
+  errors.meanLineDistance = sum / std::max(1, count);
+}
+
+void
+MeasureLine(const ColonModel & model, Source * truth, ColonErrors & errors)
+{
+  const CurveSet        trueCurve = truth->GetAnatomy().Centreline();
+  const CurveSet &      line = model.centreline.curve;
+  const Eigen::VectorXd gap = PointValues(line, "gap", "the centreline");
+  const Eigen::VectorXd radius = PointValues(trueCurve, "radius", "the true centreline");
+  const Eigen::VectorXd collapsed = PointValues(trueCurve, "collapsed", "the true centreline");
+  errors.lengthError = model.centreline.length / truth->GetAnatomy().Length() - 1.0;
+  MeasureOrder(line, gap, TrueLine(trueCurve), errors);
+  int covered = 0;
+  int open = 0;
+  for (Eigen::Index i = 0; i < trueCurve.V.rows(); ++i)
+  {
+    if (collapsed[i] == 0.0)
+    {
+      const double distance = std::sqrt((line.V.rowwise() - trueCurve.V.row(i)).rowwise().squaredNorm().minCoeff());
+      ++open;
+      covered += distance <= std::max(5.0, radius[i]);
+    }
+  }
+  errors.covered = static_cast<double>(covered) / std::max(1, open);
+}
+
+void
+MeasureMeshes(const ColonModel & model, ColonErrors & errors)
+{
+  const ColonWall & wall = model.wall;
+  errors.areTubes = true;
+  int genusRepaired = -1;
+  for (const SurfaceMesh * mesh : { &wall.raw, &wall.repaired, &wall.simplified })
+  {
+    const SurfaceQuality quality = InspectSurface(*mesh);
+    errors.areTubes = errors.areTubes && quality.isManifold && quality.components.size() == 1 &&
+                      quality.boundaryLoopLengths.size() == 2 && quality.defects.AreNone();
+    if (mesh == &wall.repaired)
+    {
+      genusRepaired = quality.genus.value_or(-1);
+    }
+    if (mesh == &wall.simplified)
+    {
+      errors.faces = quality.faces;
+      errors.smallestAngle = quality.smallestAngle.percentile1;
+      errors.isGenusKept = quality.genus.value_or(-2) == genusRepaired;
+    }
+  }
+  errors.genusRaw = wall.report.rawGenus;
+  errors.genusRepaired = genusRepaired;
+  errors.changedMl = wall.report.topology.cutVolume;
+}
+} // namespace
+
+ColonErrors
+TryColon(const ColonCase & one, int faces)
+{
+  const auto        truth = MakePhantom(one);
+  const auto        ct = ToFloat(truth->GetOutput());
+  ColonModelOptions options;
+  options.patientPosition = one.parameters.position;
+  options.faces = faces;
+  ColonErrors errors;
+  const auto  start = std::chrono::steady_clock::now();
+  try
+  {
+    const ColonModel model = BuildColonModel(ct.GetPointer(), options);
+    errors.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    errors.failure = model.failure;
+    MeasureLumen(model, truth, errors);
+    if (model.failure.empty())
+    {
+      MeasureSurface(model, truth, errors);
+      MeasureKeptShapes(model, truth, errors);
+      MeasureLine(model, truth, errors);
+      MeasureMeshes(model, errors);
+    }
+  }
+  catch (const ToolError & error)
+  {
+    errors.failure = error.what();
+  }
+  return errors;
+}
