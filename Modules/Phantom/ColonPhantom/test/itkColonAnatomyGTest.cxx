@@ -247,7 +247,7 @@ TEST(ColonAnatomy, NoVoxelsOfTwoStretchesTouch)
   const itk::CurveSet     line = anatomy.Centreline();
   const auto              radius = Column(line.pointArrays, "radius");
   // Around the place where two stretches come closest.
-  Vector3d middle;
+  Vector3d middle = Vector3d::Zero();
   double   least = 1e9;
   for (Eigen::Index i = 0; i < line.V.rows(); ++i)
   {

@@ -59,6 +59,7 @@ WallOptionsOf(const ColonModelOptions & options)
 {
   ColonWallOptions wall;
   wall.faces = options.faces;
+  wall.keepPieces = options.keepPieces;
   wall.progress = StageOf(options, "Making the wall", CentrelineEnd, 1.0);
   return wall;
 }

@@ -110,16 +110,13 @@ ChooseGravity(const std::vector<PieceSums> & sums, const std::string & patientPo
   lumen.warnings.push_back("no patient position is given and the lumen holds no fluid; supine is assumed");
 }
 
-/** The mean of the values that lie deep in a kind of lumen; nothing where there are fewer than 20. */
+/** \pre There are some. */
 double
-MeanOf(const std::vector<float> & values, double otherwise)
+MedianOf(std::vector<float> & values)
 {
-  double sum = 0.0;
-  for (const float value : values)
-  {
-    sum += value;
-  }
-  return values.size() < 20 ? otherwise : sum / static_cast<double>(values.size());
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
 }
 
 /** Values deeper than 2 mm, the clear gas and the clear fluid. */
@@ -146,16 +143,14 @@ MeasureThresholds(const Image<float, 3> * ct, const LumenMask * mask, ColonLumen
   }
   ColonThresholds & thresholds = lumen.thresholds;
   thresholds.tissue = TypicalTissue;
-  thresholds.gas = MeanOf(gas, -1000.0);
+  thresholds.gas = MedianOf(gas);
   thresholds.gasBoundary = 0.5 * (thresholds.gas + thresholds.tissue);
   thresholds.gasSeed = 0.2 * thresholds.tissue + 0.8 * thresholds.gas;
   fluid.erase(std::remove_if(fluid.begin(), fluid.end(), [](float v) { return v < 150.0F; }), fluid.end());
   lumen.isTagged = fluid.size() >= 20;
   if (lumen.isTagged)
   {
-    const auto middle = fluid.begin() + static_cast<std::ptrdiff_t>(fluid.size() / 2);
-    std::nth_element(fluid.begin(), middle, fluid.end());
-    thresholds.fluid = *middle;
+    thresholds.fluid = MedianOf(fluid);
     thresholds.fluidBoundary = 0.5 * (thresholds.fluid + thresholds.tissue);
     thresholds.fluidSeed = thresholds.tissue + 0.7 * (thresholds.fluid - thresholds.tissue);
   }

@@ -110,6 +110,9 @@ struct ColonWallOptions
   /** And along the surface, so that no triangle is a needle. Vertices of the raw surface move along the surface only.
    */
   double tangentialLimit{ 0.7 };
+  /** Leave the pieces of a broken lumen apart: the faces of the tubes are taken out again, so each piece is a component
+   * that is open where they were, and there are more than two loops. */
+  bool keepPieces{ false };
   /** Standard deviation of the smoothing of a mask, as a share of the mean spacing, from 0. */
   double maskSmoothing{ 0.7 };
   /** Told the share that is done, from 0 to 1. */

@@ -4,6 +4,7 @@
 #include "itkColonBridges.h"
 #include "itkCutDisc.h"
 #include "itkParallelBlocks.h"
+#include "itkRemoveBridges.h"
 #include "itkSurfaceConnectivity.h"
 #include "itkSurfaceSimplification.h"
 #include "itkToolError.h"
@@ -59,6 +60,13 @@ public:
       this->AddArrays(*mesh, arcLengths);
     }
     this->Report();
+    for (SurfaceMesh * mesh : { &m_Wall.raw, &m_Wall.repaired, &m_Wall.simplified })
+    {
+      if (m_Options.keepPieces)
+      {
+        *mesh = RemoveBridges(*mesh);
+      }
+    }
     this->Advance(Step::Done);
     return std::move(m_Wall);
   }

@@ -264,6 +264,36 @@ TEST(ColonWall, RefusesToOpenWhatIsNotClosed)
   EXPECT_THROW(itk::OpenColonEnds(closed, Centreline({ { 0, 0, 0 }, { 0, 0, 0 } })), itk::InputError);
 }
 
+TEST(ColonWall, PiecesCanStayApart)
+{
+  itk::ColonWallOptions options;
+  options.faces = 3000;
+  options.ends.radius = 8.0;
+  options.keepPieces = true;
+  const auto wall = itk::BuildColonWall(BrokenTube(), BrokenCentreline(), options);
+  for (const itk::SurfaceMesh * mesh : { &wall.raw, &wall.repaired, &wall.simplified })
+  {
+    const itk::SurfaceQuality quality = itk::InspectSurface(*mesh);
+    EXPECT_EQ(2U, quality.components.size());
+    EXPECT_EQ(4U, quality.boundaryLoopLengths.size()); // an opened end and a mouth of the tube at each piece
+    EXPECT_TRUE(quality.isManifold);
+    EXPECT_EQ(0.0, itk::FindSurfaceArray(mesh->cellArrays, "bridged")->values.sum());
+    const itk::SurfaceConnectivity connectivity(*mesh);
+    for (const char * name : { "rectumLoop", "caecumLoop" })
+    {
+      const Eigen::VectorXd loop = Field(*mesh, name);
+      ASSERT_GT(loop.size(), 3);
+      for (Eigen::Index i = 0; i < loop.size(); ++i)
+      {
+        const int edge =
+          connectivity.FindEdge(static_cast<int>(loop[i]), static_cast<int>(loop[(i + 1) % loop.size()]));
+        ASSERT_GE(edge, 0);
+        EXPECT_TRUE(connectivity.IsBoundaryEdge(edge));
+      }
+    }
+  }
+}
+
 TEST(ColonWall, TheChainOnABrokenTube)
 {
   itk::ColonWallOptions options;

@@ -31,7 +31,7 @@ struct ColonReportContent
   Facts                    provenance;
 };
 
-/** Writes a report into an existing folder: report.html, which holds its pictures, and these as files:
+/** Writes a report into an existing folder: index.html, which holds its pictures, and these as files:
  * slices-axial.png, slices-coronal.png, slices-sagittal.png, projection-coronal.png and projection-sagittal.png; where
  * there is a centreline distension.png; where there is a wall wall-anterior.png; and with both inside-anterior.png and
  * inside-left.png. Equal content gives equal bytes. Throws OutputError, and std::invalid_argument for a colon without

@@ -149,6 +149,6 @@ WriteColonReport(const ColonReportContent & content, const std::string & folder,
   html.AddFacts(content.parameters);
   html.AddHeading("Provenance");
   html.AddFacts(content.provenance);
-  html.Write(outputPath(folder + "/report.html"));
+  html.Write(outputPath(folder + "/index.html"));
 }
 } // namespace itk

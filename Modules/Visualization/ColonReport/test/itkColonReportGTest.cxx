@@ -58,9 +58,9 @@ TEST(ColonReport, HoldsEveryPictureAndEscapesText)
                                            "distension.png",          "slices-axial.png",   "projection-coronal.png",
                                            "projection-sagittal.png", "slices-coronal.png", "slices-sagittal.png" };
   std::set<std::string>       expected = pictures;
-  expected.insert("report.html");
+  expected.insert("index.html");
   EXPECT_EQ(FilesIn(folder / "."), expected);
-  const std::string html = itk::BytesOf(folder / "report.html");
+  const std::string html = itk::BytesOf(folder / "index.html");
   EXPECT_EQ(CountOf(html, "data:image/png;base64,"), pictures.size());
   for (const char * text : { "For research use. This is not a diagnosis",
                              "What is missing or doubtful",
@@ -86,7 +86,7 @@ TEST(ColonReport, TheLumenAloneIsEnough)
   content.warnings.clear();
   itk::WriteColonReport(content, folder / ".", inPlace);
   EXPECT_EQ(FilesIn(folder / ".").size(), 6U); // three slices, two projections, the page
-  const std::string html = itk::BytesOf(folder / "report.html");
+  const std::string html = itk::BytesOf(folder / "index.html");
   EXPECT_NE(html.find("there is no CT to show"), std::string::npos);
   EXPECT_NE(html.find("Nothing was found missing or doubtful"), std::string::npos);
 }
@@ -100,7 +100,7 @@ TEST(ColonReport, EqualContentGivesEqualBytes)
   {
     const itk::ThreadNumber number(run == 0 ? 1 : 3);
     itk::WriteColonReport(ContentOf(colon), folder / ".", inPlace);
-    pages[run] = itk::BytesOf(folder / "report.html");
+    pages[run] = itk::BytesOf(folder / "index.html");
   }
   EXPECT_FALSE(pages[0].empty());
   EXPECT_TRUE(pages[0] == pages[1]);

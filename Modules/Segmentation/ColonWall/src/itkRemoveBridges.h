@@ -1,0 +1,15 @@
+#ifndef itkRemoveBridges_h
+#define itkRemoveBridges_h
+
+#include "itkSurfaceMesh.h"
+
+namespace itk
+{
+/** The surface without its faces with `bridged` = 1: each piece of the lumen is a component, open where the tubes were.
+ * Crumbs of less than a thousandth of the faces go, too. `rectumLoop` and `caecumLoop` name the same points as before.
+ */
+SurfaceMesh
+RemoveBridges(const SurfaceMesh & mesh);
+} // namespace itk
+
+#endif
