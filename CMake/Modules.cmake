@@ -7,6 +7,7 @@ set(Shapeton_MODULES
   Bridge/VTKGlue
   IO/DicomSeries
   Mesh/SurfaceMesh
+  Mesh/HeatDiffusionMetric
   Filtering/ShapeDiffusion
   Phantom/ShapePhantom
   Phantom/ColonPhantom

@@ -1,0 +1,33 @@
+#ifndef itkHeatKernel_h
+#define itkHeatKernel_h
+
+#include "itkSurfaceSpectrum.h"
+
+namespace itk
+{
+/** \defgroup HeatKernel Heat kernel and what is derived from it
+ * From the eigenpairs of a spectrum, all of them, at a time t in mm^2: the solution of du/dt = -M^-1 L u. Each throws
+ * InputError for a t that is not positive and finite and for a vertex that there is not. What the missing pairs would
+ * contribute decays like exp(-lambda_K t): a spectrum of K pairs serves times well above 1 / lambda_K.
+ * \ingroup HeatDiffusionMetric */
+///@{
+/** K_t(p, q) = sum_i exp(-lambda_i t) phi_i(p) phi_i(q) (5.3): heat at q of a unit source at p; 1/mm^2. */
+HeatDiffusionMetric_EXPORT double
+HeatKernel(const SurfaceSpectrum & spectrum, int p, int q, double t);
+
+/** K_t(p, p) for each vertex p; 1/mm^2 (Sun, Ovsjanikov and Guibas, 2009). */
+HeatDiffusionMetric_EXPORT Eigen::VectorXd
+                           HeatKernelSignature(const SurfaceSpectrum & spectrum, double t);
+
+/** The L2 distance of the heats that p and q have sent out by the time t; its square is sum_i exp(-2 lambda_i t)
+ * (phi_i(p) - phi_i(q))^2 (5.5); 1/mm. */
+HeatDiffusionMetric_EXPORT double
+DiffusionDistance(const SurfaceSpectrum & spectrum, int p, int q, double t);
+
+/** The distances from p to all vertices. */
+HeatDiffusionMetric_EXPORT Eigen::VectorXd
+                           DiffusionDistances(const SurfaceSpectrum & spectrum, int p, double t);
+///@}
+} // namespace itk
+
+#endif

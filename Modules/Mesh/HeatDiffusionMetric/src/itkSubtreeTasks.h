@@ -1,0 +1,24 @@
+#ifndef itkSubtreeTasks_h
+#define itkSubtreeTasks_h
+
+#include "itkSupernodes.h"
+
+namespace itk
+{
+/** The products of elimination and selected inversion of a supernode. */
+double
+ProductsOf(const Supernodes & supernodes, int s);
+
+/** Parts of the elimination tree that threads can work on at the same time: subtrees, and the trunk above them. The
+ * cut depends on the tree alone. */
+struct SubtreeTasks
+{
+  explicit SubtreeTasks(const Supernodes & supernodes);
+
+  std::vector<int> roots; ///< of the subtrees, ascending
+  std::vector<int> trunk; ///< the other supernodes, ascending
+  double           products{ 0.0 };
+};
+} // namespace itk
+
+#endif
