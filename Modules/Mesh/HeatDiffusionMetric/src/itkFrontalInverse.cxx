@@ -116,12 +116,15 @@ FrontWorkspace::FrontWorkspace(const FactorLayout & layout)
   , places(layout.largestRows)
 {}
 
-FrontalInverse::FrontalInverse(const Supernodes & supernodes, const FactorLayout & layout, SymmetricElements elements)
+FrontalInverse::FrontalInverse(const Supernodes &   supernodes,
+                               const FactorLayout & layout,
+                               SymmetricElements    elements,
+                               AlignedBuffer        factor)
   : m_Supernodes(supernodes)
   , m_Layout(layout)
   , m_Kernels(FrontKernels::GetBest())
   , m_Elements(std::move(elements))
-  , m_Factor(layout.begin.back())
+  , m_Factor(std::move(factor))
   , m_Updates(supernodes.Number())
   , m_Fronts(supernodes.Number())
   , m_ChildrenToCome(supernodes.numberOfChildren)

@@ -6,6 +6,8 @@
 #include "itkSelectedInversion.h"
 #include "itkSupernodes.h"
 
+#include <utility>
+
 namespace itk
 {
 /** Where the factor keeps the fronts: for each supernode the inverse pivot block, then G. */
@@ -33,8 +35,11 @@ struct FrontWorkspace
 class FrontalInverse
 {
 public:
-  /** `elements` become those of the inverse. */
-  FrontalInverse(const Supernodes & supernodes, const FactorLayout & layout, SymmetricElements elements);
+  /** `elements` become those of the inverse. `factor` is memory for layout.begin.back() doubles. */
+  FrontalInverse(const Supernodes &   supernodes,
+                 const FactorLayout & layout,
+                 SymmetricElements    elements,
+                 AlignedBuffer        factor);
 
   void
   Factor(int s, FrontWorkspace & workspace);
@@ -49,6 +54,12 @@ public:
   Elements() const
   {
     return m_Elements;
+  }
+  /** Memory for another one, when this one is done. */
+  AlignedBuffer
+  TakeFactor()
+  {
+    return std::move(m_Factor);
   }
 
 private:

@@ -26,6 +26,7 @@ InversionSchedule::Start()
   {
     m_Flights.emplace_back();
     m_Flights.back().matrix = m_Started++;
+    m_Flights.back().factor = std::move(m_SpareFactor);
   }
 }
 
@@ -78,7 +79,12 @@ InversionSchedule::RunPiece(Flight & flight, Stage stage, std::size_t piece, Fro
 {
   if (stage == Stage::Begin)
   {
-    flight.inverse = std::make_unique<FrontalInverse>(m_Supernodes, m_Layout, m_MatrixOf(flight.matrix));
+    if (!flight.factor)
+    {
+      flight.factor = AlignedBuffer(m_Layout.begin.back());
+    }
+    flight.inverse =
+      std::make_unique<FrontalInverse>(m_Supernodes, m_Layout, m_MatrixOf(flight.matrix), std::move(flight.factor));
     return;
   }
   if (stage == Stage::Trunk)
@@ -115,6 +121,7 @@ InversionSchedule::Advance(Flight & flight)
   while (!m_Flights.empty() && m_Flights.front().stage == Stage::End)
   {
     m_Take(m_Flights.front().matrix, m_Flights.front().inverse->Elements());
+    m_SpareFactor = m_Flights.front().inverse->TakeFactor();
     m_Flights.pop_front();
     this->Start();
   }

@@ -48,6 +48,7 @@ private:
     Stage                           stage{ Stage::Begin };
     std::size_t                     next{ 0 };    ///< the subtree to be taken
     std::size_t                     running{ 0 }; ///< pieces taken and not done
+    AlignedBuffer                   factor;       ///< of a matrix that is done, or none
     std::unique_ptr<FrontalInverse> inverse;
   };
 
@@ -74,6 +75,7 @@ private:
 
   std::mutex              m_Mutex;
   std::condition_variable m_Changed;
+  AlignedBuffer           m_SpareFactor;
   std::deque<Flight>      m_Flights; ///< in the order of their matrices
   std::exception_ptr      m_Failure;
 };

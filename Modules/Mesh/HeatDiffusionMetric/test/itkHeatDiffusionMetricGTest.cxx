@@ -249,6 +249,13 @@ TEST(HeatDiffusionMetric, RefusesBadInput)
   mesh = sphere;
   mesh.V.row(mesh.F(0, 0)) = mesh.V.row(mesh.F(0, 1));
   EXPECT_THROW(ComputeHeatDiffusionMetric(mesh, 1.0), InputError);
+  mesh = sphere;
+  mesh.F.conservativeResize(mesh.F.rows() + 1, Eigen::NoChange);
+  mesh.F.row(mesh.F.rows() - 1) << mesh.F(0, 0), mesh.F(0, 1), mesh.F(100, 2); // a third face at an edge
+  EXPECT_THROW(ComputeHeatDiffusionMetric(mesh, 1.0), InputError);
+  mesh = Square(1, 3.0);
+  mesh.V.row(1) << 1.5, 1.5, 0.0; // a face without area
+  EXPECT_THROW(ComputeHeatDiffusionMetric(mesh, 1.0), InputError);
   const HeatDiffusionMetricSolver solver(LaplacianOf(sphere));
   EXPECT_THROW(solver.Compute(1.0, 2), InputError);
   EXPECT_THROW(solver.Compute(1.0, 9), InputError);
