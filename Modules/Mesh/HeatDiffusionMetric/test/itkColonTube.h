@@ -23,7 +23,7 @@ struct ColonTubeOptions
   double        length{ 1500.0 };    ///< mm
   double        radius{ 22.0 };      ///< mean, mm
   double        haustrum{ 32.0 };    ///< from fold to fold, mm
-  double        foldDepth{ 0.35 };   ///< of the radius
+  double        foldDepth{ 0.3 };    ///< of the radius
   double        irregularity{ 0.2 }; ///< of an edge
 };
 
@@ -135,7 +135,7 @@ Radius(const ColonTubeOptions & options, double s, double angle)
   const int    third = std::min(2, static_cast<int>(3.0 * turn));
   const double phase = s * options.length / options.haustrum + 0.31 * third + 0.15 * Uniform(options.seed, 3, third);
   const double fromFold = phase - std::floor(phase) - 0.5;
-  const double ridge = std::exp(-std::pow(fromFold / 0.2, 2));
+  const double ridge = std::exp(-std::pow(fromFold / 0.25, 2));
   const double between = std::pow(std::sin(3.0 * pi * turn), 2);
   const double width = 1.0 + 0.15 * std::sin(9.0 * s) + 0.25 * s * s;
   return options.radius * width * (1.0 - options.foldDepth * ridge * between);
@@ -198,11 +198,13 @@ Faces(const Grid & grid)
   return faces;
 }
 
-/** Handles between faces 4 edges apart, at least 14 edges from each other and from the ends. */
+/** Handles between faces 4 edges apart in a row, and at least 3 rings of free vertices around each. */
 inline std::vector<std::array<int, 6>>
 AddHandles(const ColonTubeOptions & options, const Grid & grid, std::vector<std::array<int, 3>> & faces)
 {
-  constexpr int                   apart = 14;
+  constexpr int                   ends = 14; // rows
+  constexpr int                   rowsApart = 8;
+  constexpr int                   columnsApart = 12;
   std::vector<std::array<int, 2>> places;
   std::vector<std::array<int, 6>> handles;
   for (std::uint32_t attempt = 0; static_cast<int>(handles.size()) < options.handles; ++attempt)
@@ -211,13 +213,13 @@ AddHandles(const ColonTubeOptions & options, const Grid & grid, std::vector<std:
     {
       throw std::runtime_error("so many handles do not fit this tube");
     }
-    const int  row = apart + static_cast<int>((grid.along - 2 * apart) * Uniform(options.seed, 1, attempt));
+    const int  row = ends + static_cast<int>((grid.along - 2 * ends) * Uniform(options.seed, 1, attempt));
     const int  column = static_cast<int>(grid.around * Uniform(options.seed, 2, attempt));
     const bool isFree = std::all_of(places.begin(), places.end(), [&](const std::array<int, 2> & other) {
       const int across = std::abs(column - other[1]);
-      return std::abs(row - other[0]) > apart || std::min(across, grid.around - across) > apart;
+      return std::abs(row - other[0]) > rowsApart || std::min(across, grid.around - across) > columnsApart;
     });
-    if (row >= apart && isFree)
+    if (row >= ends && isFree)
     {
       places.push_back({ row, column });
       handles.push_back(JoinFaces(faces, grid.Face(row, column), grid.Face(row, (column + 4) % grid.around)));
