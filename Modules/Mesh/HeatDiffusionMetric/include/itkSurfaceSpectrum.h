@@ -31,9 +31,9 @@ struct SurfaceSpectrumOptions
 
 /** The `pairs` smallest eigenpairs by shift and invert: implicitly restarted Lanczos (Spectra) on a sparse Cholesky
  * factorisation, or a dense decomposition where the surface has few vertices. It starts from a fixed vector, so the
- * same surface gives the same bytes. Eigenfunctions of a multiple eigenvalue are some basis of their space. Memory: about
- * 40 bytes for each vertex and pair while it runs. Throws InputError where `pairs` is not in [1, vertices], or it does not
- * converge. \ingroup HeatDiffusionMetric */
+ * same surface gives the same bytes. Eigenfunctions of a multiple eigenvalue are some basis of their space. Memory:
+ * about 40 bytes for each vertex and pair while it runs. Throws InputError where `pairs` is not in [1, vertices], or it
+ * does not converge. \ingroup HeatDiffusionMetric */
 HeatDiffusionMetric_EXPORT SurfaceSpectrum
 ComputeSurfaceSpectrum(const SurfaceLaplacian & laplacian, int pairs, const SurfaceSpectrumOptions & options = {});
 } // namespace itk

@@ -3,6 +3,7 @@
 
 #include "itkColonTube.h"
 #include "itkIntrinsicSurfaces.h"
+#include "itkSurfaceSimplification.h"
 #include "itkToolError.h"
 
 #include "itkMultiThreaderBase.h"
@@ -83,6 +84,21 @@ TEST(HeatDiffusionMetric, IsThatOfEnoughEigenpairsOnAColonOf12000Faces)
   const auto metric = HeatDiffusionMetricSolver(laplacian).Compute(t);
   EXPECT_LT(RelativeRms(metric.edgeLengths, TruncatedHeatDiffusionMetric(laplacian, spectrum, t, 150).edgeLengths),
             1e-5);
+}
+
+TEST(HeatDiffusionMetric, KeepsItsDigitsOnASimplifiedSurface)
+{
+  ColonTubeOptions options;
+  options.faces = 30000;
+  SurfaceSimplificationOptions simplification;
+  simplification.targetFaces = 6000;
+  const SurfaceMesh               mesh = SimplifySurface(MakeColonTube(options).mesh, simplification);
+  const HeatDiffusionMetricSolver solver(LaplacianOf(mesh));
+  for (const double factor : { 0.5, 2.0, 4.0 })
+  {
+    const double t = factor * std::pow(MeanEdge(mesh), 2);
+    EXPECT_LT(LargestRelative(solver.Compute(t).edgeLengths, solver.Compute(t, 8).edgeLengths), 1e-6) << factor;
+  }
 }
 
 TEST(HeatDiffusionMetric, StatesItsTime)
