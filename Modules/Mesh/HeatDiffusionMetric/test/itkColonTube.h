@@ -71,6 +71,27 @@ PathPoint(double u)
          (2.0 * b + (c - a) * t + (2.0 * a - 5.0 * b + 4.0 * c - d) * t * t + (3.0 * (b - c) + d - a) * t * t * t);
 }
 
+/** Means of neighbouring points, three times over: bends get wider than the tube, so that it does not fold into itself.
+ */
+inline std::vector<Eigen::Vector3d>
+Smoothed(std::vector<Eigen::Vector3d> path, int reach)
+{
+  const int last = static_cast<int>(path.size()) - 1;
+  for (int pass = 0; pass < 3; ++pass)
+  {
+    std::vector<Eigen::Vector3d> sums{ Eigen::Vector3d::Zero() };
+    for (int i = -reach; i <= last + reach; ++i)
+    {
+      sums.push_back(sums.back() + path[std::clamp(i, 0, last)]);
+    }
+    for (int i = 0; i <= last; ++i)
+    {
+      path[i] = (sums[i + 2 * reach + 1] - sums[i]) / (2.0 * reach + 1.0);
+    }
+  }
+  return path;
+}
+
 /** A centreline with frames that do not twist. */
 class Centreline
 {
@@ -79,14 +100,15 @@ public:
   {
     constexpr int                samples = 4000;
     std::vector<Eigen::Vector3d> path;
-    std::vector<double>          arc{ 0.0 };
     for (int i = 0; i <= samples; ++i)
     {
       path.push_back(PathPoint(17.0 * i / samples));
-      if (i > 0)
-      {
-        arc.push_back(arc.back() + (path[i] - path[i - 1]).norm());
-      }
+    }
+    path = Smoothed(path, 180);
+    std::vector<double> arc{ 0.0 };
+    for (int i = 1; i <= samples; ++i)
+    {
+      arc.push_back(arc.back() + (path[i] - path[i - 1]).norm());
     }
     // A colon of 1.5 m, or its first part.
     const double    wholeLength = std::max(length, 1500.0);
