@@ -1,5 +1,7 @@
 #include "itkColonSearch.h"
 
+#include "itkLevelColumn.h"
+
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -59,12 +61,14 @@ LargeTaggedLevels(const ColonEvidence & evidence)
   return tagged;
 }
 
-/** The bright pieces that columns under a level meet within 8 mm, on 20 mm^2 at least; one level may cover several
- * pools. */
+/** The bright pieces that columns under a level meet within 8 mm, on 20 mm^2 at least and mostly without a wall in
+ * between; one level may cover several pools. */
 std::vector<int>
 BrightUnder(const ColonEvidence & evidence, const Fall & fall, const Level & level)
 {
-  std::map<int, int> votes;
+  const LevelColumn column(
+    evidence.grid, evidence.hu, fall, evidence.thresholds, evidence.remainingNoise, evidence.smoothing);
+  std::map<int, LevelColumn::Votes> votes;
   for (const auto floor : level.floors)
   {
     const auto v = evidence.grid.Voxel(floor);
@@ -78,7 +82,9 @@ BrightUnder(const ColonEvidence & evidence, const Fall & fall, const Level & lev
       const auto run = evidence.brightSet.Find(v[0] + o[0], v[1] + o[1], v[2] + o[2]);
       if (run >= 0)
       {
-        ++votes[evidence.brightLabels.ofRun[run]];
+        auto & vote = votes[evidence.brightLabels.ofRun[run]];
+        vote.open += column.IsOpen(level, v, t);
+        ++vote.all;
         break;
       }
     }
@@ -86,7 +92,7 @@ BrightUnder(const ColonEvidence & evidence, const Fall & fall, const Level & lev
   std::vector<int> pieces;
   for (const auto & vote : votes)
   {
-    if (vote.second * fall.ColumnArea(evidence.grid) >= PoolArea)
+    if (vote.second.open * fall.ColumnArea(evidence.grid) >= PoolArea && vote.second.AreOpen())
     {
       pieces.push_back(vote.first);
     }

@@ -2,6 +2,7 @@
 
 #include "itkDistanceToBackground.h"
 #include "itkCatheter.h"
+#include "itkLevelColumn.h"
 #include "itkLocalFluid.h"
 #include "itkUnmixedFluid.h"
 
@@ -33,6 +34,7 @@ public:
     , m_Hu(CropVoxels(evidence.hu, evidence.grid, m_Box))
     , m_Classes(m_Grid.NumberOfVoxels(), Nothing)
     , m_Fall(m_Grid, evidence.gravity)
+    , m_Column(m_Grid, m_Hu, m_Fall, evidence.thresholds, evidence.remainingNoise, evidence.smoothing)
     , m_Layers(std::max(2, static_cast<int>(std::lround(GrowthReach / std::cbrt(m_Grid.VoxelVolume())))))
   {
     std::vector<float>().swap(evidence.hu);
@@ -130,40 +132,60 @@ private:
              : -1;
   }
 
-  /** Marks the fluid right under the colon's levels, and the wide parts of it that columns from there reach. */
+  /** Marks the fluid right under the colon's levels, and the wide parts of it that columns from there reach without a
+   * wall in between. */
   void
   MarkUnderLevels(const RunSet & wide, const RunLabels & wideLabels, std::vector<char> & isColonWide)
   {
+    const double                    tissue = m_Evidence.thresholds.tissue;
+    std::vector<LevelColumn::Votes> votes(isColonWide.size());
     for (const auto & level : m_Evidence.levels)
     {
       std::array<int, 3> v;
       for (const auto floor : level.floors)
       {
-        if (!m_Evidence.isColon[level.gas] || !level.IsTagged(m_Evidence.thresholds.tissue) || !this->Local(floor, v))
+        if (m_Evidence.isColon[level.gas] && level.IsTagged(tissue) && this->Local(floor, v))
         {
-          continue;
+          this->MarkColumn(level, v, wide, wideLabels, votes);
         }
-        bool isIn = false;
-        for (int t = 1; t * m_Fall.step <= (isIn ? 20.0 : 5.0); ++t)
-        {
-          const auto q = this->Below(v, t);
-          if (q < 0 || (isIn && m_Classes[q] != Undecided && m_Classes[q] != ColonFluid))
-          {
-            break;
-          }
-          if (!isIn && m_Classes[q] == Undecided)
-          {
-            m_Classes[q] = ColonFluid;
-          }
-          isIn = isIn || m_Classes[q] == ColonFluid;
-          const auto w = m_Grid.Voxel(q);
-          const auto run = wide.Find(w[0], w[1], w[2]);
-          if (isIn && run >= 0)
-          {
-            isColonWide[wideLabels.ofRun[run]] = 1;
-            break;
-          }
-        }
+      }
+    }
+    for (std::size_t n = 1; n < votes.size(); ++n)
+    {
+      isColonWide[n] = isColonWide[n] || (votes[n].all > 0 && votes[n].AreOpen());
+    }
+  }
+
+  /** One column under a level: its first fluid, and a vote on the first wide part below. */
+  void
+  MarkColumn(const Level &                     level,
+             const std::array<int, 3> &        floor,
+             const RunSet &                    wide,
+             const RunLabels &                 wideLabels,
+             std::vector<LevelColumn::Votes> & votes)
+  {
+    bool isIn = false;
+    bool isOpen = false;
+    for (int t = 1; t * m_Fall.step <= (isIn ? 20.0 : 5.0); ++t)
+    {
+      const auto q = this->Below(floor, t);
+      if (q < 0 || (isIn && m_Classes[q] != Undecided && m_Classes[q] != ColonFluid))
+      {
+        return;
+      }
+      if (!isIn && (m_Classes[q] == Undecided || m_Classes[q] == ColonFluid))
+      {
+        isIn = true;
+        isOpen = m_Column.IsOpen(level, floor, t);
+        m_Classes[q] = isOpen ? static_cast<unsigned char>(ColonFluid) : m_Classes[q];
+      }
+      const auto w = m_Grid.Voxel(q);
+      const auto run = wide.Find(w[0], w[1], w[2]);
+      if (isIn && run >= 0)
+      {
+        votes[wideLabels.ofRun[run]].open += isOpen;
+        ++votes[wideLabels.ofRun[run]].all;
+        return;
       }
     }
   }
@@ -474,6 +496,7 @@ private:
   std::vector<float> m_Hu;
   ClassVolume        m_Classes;
   Fall               m_Fall;
+  LevelColumn        m_Column;
   int                m_Layers;
 };
 } // namespace

@@ -125,6 +125,29 @@ TEST(ColonLumenSegmentation, TakesGasAndFluidAndNoBowelOfEqualBrightness)
   EXPECT_NEAR(lumen.pieces[0].inscribedRadius, 18.0, 1.5);
 }
 
+/** Below a shallow pool of badly mixed fluid, behind a wall of 2 mm, lies bowel as bright as the colon's good fluid. */
+TEST(ColonLumenSegmentation, BrightBowelUnderAShallowFaintPoolStaysOut)
+{
+  ColonTestScene scene;
+  scene.bodyRadius = 75.0;
+  scene.lumens.push_back({ Tube(At(-28, 0, 0), 2, 30, 18), 4.0, 700.0 });
+  scene.lumens.push_back({ Tube(At(28, 27, 0), 2, 30, 9), -1e9, 650.0 });
+  scene.lumens.push_back({ Tube(At(28, 0, 0), 2, 30, 16), 12.0, 270.0 });
+  const auto image = itk::CentredImage({ 116, 116, 76 }, { 1.4, 1.4, 1.4 }, Identity());
+  scene.Sample(image);
+  const auto lumen = Segment(image, "HFS");
+  EXPECT_EQ(lumen.failure, "");
+  const auto label = [&](double x, double y) {
+    itk::Point<double, 3> p(At(x, y, 0).GetDataPointer());
+    return lumen.labels->GetPixel(lumen.labels->TransformPhysicalPointToIndex(p));
+  };
+  EXPECT_LT(Compare(scene, lumen).leakMl, 0.2);
+  EXPECT_EQ(label(28, 27), 0);
+  EXPECT_EQ(label(28, 8), 1);
+  EXPECT_EQ(label(28, 14), 2);
+  EXPECT_EQ(label(-28, 10), 2);
+}
+
 TEST(ColonLumenSegmentation, GravityIsReadFromTheLevels)
 {
   for (const Vec & gravity : { At(0, 1, 0), At(0, -1, 0), At(1, 0, 0), At(-1, 0, 0) })
