@@ -3,6 +3,7 @@
 set(Shapeton_MODULES
   Core/CommandLine
   Core/CounterRandom
+  Core/ParallelLoops
   Core/Report
   Bridge/VTKGlue
   IO/DicomSeries

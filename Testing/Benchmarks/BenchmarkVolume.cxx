@@ -1,5 +1,5 @@
 #include "BenchmarkVolume.h"
-#include "itkParallelRows.h"
+#include "itkParallelFor.h"
 
 #include <cmath>
 #include <cstdint>

@@ -3,7 +3,7 @@
 #include "BenchmarkVolume.h"
 #include "ShapetonPeer.h"
 
-#include "itkParallelRows.h"
+#include "itkParallelFor.h"
 #include "itkShapetonDiffusion.h"
 #include "itkShapetonKernels.h"
 #include "itkShapetonRecords.h"

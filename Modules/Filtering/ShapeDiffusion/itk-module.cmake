@@ -7,6 +7,7 @@ itk_module(ShapeDiffusion
     ITKCommon
   PRIVATE_DEPENDS
     CounterRandom
+    ParallelLoops
   TEST_DEPENDS
     ITKGoogleTest
     ITKTestKernel

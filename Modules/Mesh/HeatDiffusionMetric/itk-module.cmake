@@ -7,6 +7,7 @@ itk_module(HeatDiffusionMetric
   PRIVATE_DEPENDS
     CommandLine
     ITKCommon
+    ParallelLoops
   TEST_DEPENDS
     CommandLine
     CounterRandom

@@ -7,6 +7,8 @@ itk_module(ColonCentreline
     CommandLine
     SurfaceMesh
     ITKCommon
+  PRIVATE_DEPENDS
+    ParallelLoops
   TEST_DEPENDS
     CounterRandom
     DicomSeries

@@ -7,6 +7,7 @@ itk_module(ColonLumen
     CommandLine
     ITKCommon
   PRIVATE_DEPENDS
+    ParallelLoops
     SurfaceMesh
   TEST_DEPENDS
     DicomSeries

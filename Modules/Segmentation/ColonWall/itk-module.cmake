@@ -7,6 +7,7 @@ itk_module(ColonWall
     ITKCommon
     SurfaceMesh
   PRIVATE_DEPENDS
+    ParallelLoops
     ITKDistanceMap
     ITKSmoothing
   TEST_DEPENDS

@@ -1,5 +1,5 @@
 #include "itkAutomaticParameters.h"
-#include "itkParallelRows.h"
+#include "itkParallelFor.h"
 
 #include <algorithm>
 #include <cmath>

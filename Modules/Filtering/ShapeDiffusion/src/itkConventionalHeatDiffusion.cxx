@@ -1,6 +1,6 @@
 #include "itkConventionalHeatDiffusionImageFilter.h"
 #include "itkHeatDiffusionSolver.h"
-#include "itkParallelRows.h"
+#include "itkParallelFor.h"
 
 #include <algorithm>
 #include <stdexcept>

@@ -1,6 +1,6 @@
 #include "itkShapetonPlacement.h"
 
-#include "itkParallelRows.h"
+#include "itkParallelFor.h"
 #include "itkPhilox.h"
 #include "itkPlaceInVoxel.h"
 

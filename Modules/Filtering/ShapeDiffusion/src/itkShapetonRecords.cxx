@@ -2,7 +2,7 @@
 
 #include "itkChecksum.h"
 #include "itkHugePages.h"
-#include "itkParallelRows.h"
+#include "itkParallelFor.h"
 #include "itkShapetonKernels.h"
 
 #include <cmath>

@@ -1,6 +1,6 @@
 #include "itkShapetonWalk.h"
 
-#include "itkParallelRows.h"
+#include "itkParallelFor.h"
 #include "itkShapetonPlacement.h"
 #include "itkShapetonTraversal.h"
 

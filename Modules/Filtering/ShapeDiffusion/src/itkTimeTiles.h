@@ -3,7 +3,7 @@
 
 #include "itkDiffusionKernels.h"
 #include "itkPaddedGrid.h"
-#include "itkParallelRows.h"
+#include "itkParallelFor.h"
 
 #include <algorithm>
 #include <atomic>

@@ -1,6 +1,6 @@
 #include "itkVisitDensity.h"
 
-#include "itkParallelRows.h"
+#include "itkParallelFor.h"
 
 #include <algorithm>
 #include <cmath>

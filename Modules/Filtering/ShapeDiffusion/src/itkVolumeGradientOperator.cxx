@@ -1,5 +1,5 @@
 #include "itkVolumeGradientOperator.h"
-#include "itkParallelRows.h"
+#include "itkParallelFor.h"
 
 #include <algorithm>
 #include <atomic>

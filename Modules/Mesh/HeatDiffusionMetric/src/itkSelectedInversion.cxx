@@ -2,7 +2,7 @@
 
 #include "itkInversionSchedule.h"
 #include "itkToolError.h"
-#include "itkWorkers.h"
+#include "itkParallelFor.h"
 
 #include <algorithm>
 
@@ -107,7 +107,8 @@ SelectedInversion::InvertAll(int                                                
   InversionSchedule schedule(
     m_Layout->supernodes, m_Layout->factor, m_Layout->tasks, number, std::max(1, atOnce), checkedMatrixOf, checkedTake);
   const std::size_t pieces = (m_Layout->tasks.roots.size() + 1) * std::max(1, atOnce);
-  RunWorkers(static_cast<unsigned int>(std::min<std::size_t>(pieces, 1024)), [&] { schedule.Work(); });
+  ParallelWorkers(static_cast<unsigned int>(std::min<std::size_t>(pieces, NumberOfThreads())),
+                  [&](unsigned int) { schedule.Work(); });
 }
 
 int

@@ -1,6 +1,6 @@
 #include "itkLumenDistance.h"
 
-#include "itkParallelLines.h"
+#include "itkParallelFor.h"
 
 #include <algorithm>
 #include <numeric>

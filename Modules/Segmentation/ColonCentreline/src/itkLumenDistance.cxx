@@ -1,6 +1,6 @@
 #include "itkLumenDistance.h"
 
-#include "itkParallelLines.h"
+#include "itkParallelFor.h"
 #include "itkToolError.h"
 
 #include <algorithm>
@@ -206,7 +206,7 @@ LumenRegion(const LumenMask * lumen, unsigned int margin)
   const ImageRegion<3>                    whole = lumen->GetBufferedRegion();
   const auto                              size = whole.GetSize();
   std::vector<std::array<std::size_t, 4>> extents(size[2], { size[0], 0, size[1], 0 });
-  ParallelLines(size[2], [&](std::size_t z) {
+  ParallelFor(size[2], [&](std::size_t z) {
     const unsigned char * const slice = lumen->GetBufferPointer() + z * size[0] * size[1];
     for (std::size_t y = 0; y < size[1]; ++y)
     {
@@ -253,7 +253,7 @@ LumenDistance(const LumenMask * lumen, const ImageRegion<3> & region)
   const std::size_t row = size[0];
   const std::size_t slice = row * size[1];
   float * const     values = image->GetBufferPointer();
-  ParallelLines(size[2], [&](std::size_t z) {
+  ParallelFor(size[2], [&](std::size_t z) {
     for (std::size_t y = 0; y < size[1]; ++y)
     {
       const Index<3> first = { { region.GetIndex(0),
@@ -264,10 +264,10 @@ LumenDistance(const LumenMask * lumen, const ImageRegion<3> & region)
     }
     TransformPlane(values + z * slice, row, size[1], row, spacing[1]);
   });
-  ParallelLines(size[1], [&](std::size_t y) { TransformPlane(values + y * row, row, size[2], slice, spacing[2]); });
+  ParallelFor(size[1], [&](std::size_t y) { TransformPlane(values + y * row, row, size[2], slice, spacing[2]); });
   const double      toWall = 0.25 * std::min({ spacing[0], spacing[1], spacing[2] });
   std::vector<char> isUnknown(size[2], 0);
-  ParallelLines(size[2], [&](std::size_t z) {
+  ParallelFor(size[2], [&](std::size_t z) {
     for (float * value = values + z * slice; value != values + (z + 1) * slice; ++value)
     {
       isUnknown[z] = isUnknown[z] || *value >= unknown;

@@ -7,10 +7,10 @@ namespace itk
 {
 namespace
 {
-constexpr double UsualBlur = 0.8;    // mm, standard deviation of the scanner's
-constexpr double FirstDepth = 1.2;   // mm below the half-height; above it the rise is too steep to be judged
-constexpr double GreatestDip = 0.3;  // of the contrast between tissue and what is fainter, the level's fluid or the goal
-constexpr double NoiseInDip = 2.0;   // standard deviations
+constexpr double UsualBlur = 0.8;   // mm, standard deviation of the scanner's
+constexpr double FirstDepth = 1.2;  // mm below the half-height; above it the rise is too steep to be judged
+constexpr double GreatestDip = 0.3; // of the contrast between tissue and what is fainter, the level's fluid or the goal
+constexpr double NoiseInDip = 2.0;  // standard deviations
 constexpr double LogisticRate = 1.7; // the logistic curve of this rate is within 1 % of the normal distribution
 } // namespace
 

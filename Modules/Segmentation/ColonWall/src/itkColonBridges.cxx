@@ -1,7 +1,7 @@
 #include "itkColonBridges.h"
 
 #include "itkOccupancySampling.h"
-#include "itkParallelBlocks.h"
+#include "itkParallelFor.h"
 #include "itkToolError.h"
 
 #include <Eigen/Geometry>
@@ -181,7 +181,7 @@ BridgedFaces(const SurfaceMesh & mesh, const BridgedOccupancy & bridges, const O
   const Eigen::Vector3d reach = Eigen::Vector3d::Constant(bridges.radius + width);
   box = Eigen::AlignedBox3d(box.min() - reach, box.max() + reach);
   const OccupancySampler sample(lumen);
-  ParallelForEach(static_cast<std::size_t>(mesh.NumberOfFaces()), [&](std::size_t i) {
+  ParallelForBlocks(static_cast<std::size_t>(mesh.NumberOfFaces()), [&](std::size_t i) {
     const auto            f = static_cast<Eigen::Index>(i);
     const Eigen::Vector3d centre =
       (mesh.V.row(mesh.F(f, 0)) + mesh.V.row(mesh.F(f, 1)) + mesh.V.row(mesh.F(f, 2))) / 3.0;

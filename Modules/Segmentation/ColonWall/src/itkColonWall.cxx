@@ -3,7 +3,7 @@
 #include "itkArcLengthField.h"
 #include "itkColonBridges.h"
 #include "itkCutDisc.h"
-#include "itkParallelBlocks.h"
+#include "itkParallelFor.h"
 #include "itkRemoveBridges.h"
 #include "itkSurfaceConnectivity.h"
 #include "itkSurfaceSimplification.h"
@@ -206,7 +206,7 @@ private:
   AddArrays(SurfaceMesh & mesh, const ArcLengthField & field) const
   {
     SurfaceArray array{ "arcLength", SurfaceArray::ValueMatrix(mesh.NumberOfVertices(), 1), false };
-    ParallelForEach(static_cast<std::size_t>(mesh.NumberOfVertices()), [&](std::size_t i) {
+    ParallelForBlocks(static_cast<std::size_t>(mesh.NumberOfVertices()), [&](std::size_t i) {
       const auto v = static_cast<Eigen::Index>(i);
       array.values(v, 0) = field.ArcLengthAt(mesh.V.row(v));
     });

@@ -1,5 +1,5 @@
 #include "itkColonWall.h"
-#include "itkParallelBlocks.h"
+#include "itkParallelFor.h"
 #include "itkToolError.h"
 #include "itkVertexNeighbours.h"
 
@@ -90,7 +90,7 @@ SmoothWall(const SurfaceMesh & mesh, const WallSmoothingOptions & options)
   for (int step = 0; step < 2 * options.iterations; ++step)
   {
     const double weight = step % 2 == 0 ? ShrinkingStep : GrowingStep;
-    ParallelForEach(static_cast<std::size_t>(mesh.NumberOfVertices()), [&](std::size_t i) {
+    ParallelForBlocks(static_cast<std::size_t>(mesh.NumberOfVertices()), [&](std::size_t i) {
       const auto v = static_cast<Eigen::Index>(i);
       if (isFixed[i] != 0)
       {

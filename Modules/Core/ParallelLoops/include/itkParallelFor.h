@@ -1,5 +1,5 @@
-#ifndef itkParallelRows_h
-#define itkParallelRows_h
+#ifndef itkParallelFor_h
+#define itkParallelFor_h
 
 #include "itkMultiThreaderBase.h"
 
@@ -10,16 +10,16 @@
 
 namespace itk
 {
-/** The number of threads that ITK's settings allow. */
+/** The number of threads that ITK's settings allow. \ingroup ParallelLoops */
 inline unsigned int
 NumberOfThreads()
 {
   return std::max<unsigned int>(1, MultiThreaderBase::GetGlobalDefaultNumberOfThreads());
 }
 
-/** Runs `body(worker)` on `workers` workers of ITK's threader. A worker may start after another one has ended. The
- * first exception is thrown again when all workers have ended; ITK's threader would lose those of all workers but one.
- */
+/** Runs `body(worker)` on `workers` workers of ITK's threader. A worker may start after another one has ended, so none
+ * may wait for one that has not begun. The first exception is thrown again when all workers have ended; ITK's threader
+ * would lose those of all workers but one. \ingroup ParallelLoops */
 template <typename TBody>
 void
 ParallelWorkers(unsigned int workers, const TBody & body)
@@ -54,7 +54,7 @@ ParallelWorkers(unsigned int workers, const TBody & body)
   }
 }
 
-/** Calls `body(i, worker)` for 0 <= i < number, each i once, in no certain order. */
+/** Calls `body(i, worker)` for 0 <= i < number, each i once, in no certain order. \ingroup ParallelLoops */
 template <typename TBody>
 void
 ParallelForWorkers(std::size_t number, const TBody & body)
@@ -69,11 +69,28 @@ ParallelForWorkers(std::size_t number, const TBody & body)
                   });
 }
 
+/** Calls `body(i)` for 0 <= i < number, each i once, in no certain order; for bodies that take a microsecond or more.
+ * \ingroup ParallelLoops */
 template <typename TBody>
 void
 ParallelFor(std::size_t number, const TBody & body)
 {
   ParallelForWorkers(number, [&body](std::size_t i, unsigned int) { body(i); });
+}
+
+/** ParallelFor() in blocks, for bodies that take less. \ingroup ParallelLoops */
+template <typename TBody>
+void
+ParallelForBlocks(std::size_t number, const TBody & body)
+{
+  constexpr std::size_t blockSize = 4096;
+  ParallelFor((number + blockSize - 1) / blockSize, [&](std::size_t block) {
+    const std::size_t end = std::min(number, (block + 1) * blockSize);
+    for (std::size_t i = block * blockSize; i < end; ++i)
+    {
+      body(i);
+    }
+  });
 }
 } // namespace itk
 
