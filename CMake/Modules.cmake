@@ -12,6 +12,7 @@ set(Shapeton_MODULES
   Filtering/ShapeDiffusion
   Phantom/ShapePhantom
   Phantom/ColonPhantom
+  Segmentation/LumenDistance
   Segmentation/ColonLumen
   Segmentation/ColonCentreline
   Segmentation/ColonWall

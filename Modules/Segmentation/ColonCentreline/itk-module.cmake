@@ -5,6 +5,7 @@ itk_module(ColonCentreline
   ENABLE_SHARED
   DEPENDS
     CommandLine
+    LumenDistance
     SurfaceMesh
     ITKCommon
   PRIVATE_DEPENDS

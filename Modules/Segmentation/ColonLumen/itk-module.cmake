@@ -7,6 +7,7 @@ itk_module(ColonLumen
     CommandLine
     ITKCommon
   PRIVATE_DEPENDS
+    LumenDistance
     ParallelLoops
     SurfaceMesh
   TEST_DEPENDS

@@ -7,6 +7,7 @@ itk_module(ColonModel
     ColonLumen
     ColonCentreline
     ColonWall
+    LumenDistance
     CommandLine
     DicomSeries
     Report

@@ -2,6 +2,7 @@
 #define itkColonCentreline_h
 
 #include "itkCurveSet.h"
+#include "ColonCentrelineExport.h"
 #include "itkLumenDistance.h"
 
 #include "itkPoint.h"

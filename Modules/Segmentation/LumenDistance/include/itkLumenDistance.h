@@ -1,7 +1,7 @@
 #ifndef itkLumenDistance_h
 #define itkLumenDistance_h
 
-#include "ColonCentrelineExport.h"
+#include "LumenDistanceExport.h"
 
 #include "itkImage.h"
 
@@ -10,17 +10,17 @@
 
 namespace itk
 {
-/** A lumen: voxels other than 0. \ingroup ColonCentreline */
+/** A lumen: voxels other than 0. \ingroup LumenDistance */
 using LumenMask = Image<unsigned char, 3>;
-/** Millimetres. \ingroup ColonCentreline */
+/** Millimetres. \ingroup LumenDistance */
 using LumenDistanceImage = Image<float, 3>;
-/** Numbers of components, 0 outside. \ingroup ColonCentreline */
+/** Numbers of components, 0 outside. \ingroup LumenDistance */
 using LumenLabelImage = Image<std::int32_t, 3>;
 
 /** The bounding box of the lumen, `margin` voxels wider on each side as far as the image goes. Throws InputError when
- * the lumen is empty. \ingroup ColonCentreline */
-ColonCentreline_EXPORT ImageRegion<3>
-                       LumenRegion(const LumenMask * lumen, unsigned int margin = 1);
+ * the lumen is empty. \ingroup LumenDistance */
+LumenDistance_EXPORT ImageRegion<3>
+                     LumenRegion(const LumenMask * lumen, unsigned int margin = 1);
 
 /** The distance of each lumen voxel of `region` to the wall, mm; 0 outside the lumen. The image covers `region` alone
  * and has the geometry of `lumen`.
@@ -29,16 +29,15 @@ ColonCentreline_EXPORT ImageRegion<3>
  * a quarter of the smallest spacing: a flat wall lies half a voxel nearer than that centre, the wall of a round lumen
  * seen from its axis hardly nearer, because the nearest of many centres counts. So a tube of radius r measures r on its
  * axis, to about half a voxel. What lies beyond the region is not known and counts as lumen, so a lumen that the image
- * cuts keeps its calibre up to the cut; take a region with a margin where the image goes on. Separable lower envelopes
- * (Felzenszwalb, Huttenlocher: Distance transforms of sampled functions, 2012): time is linear in voxels; threads do
- * not change the values.
+ * cuts keeps its calibre up to the cut; take a region with a margin where the image goes on. Time is linear
+ * in voxels; threads do not change the values.
  *
  * Throws InputError when no voxel of the region lies outside the lumen.
- * \ingroup ColonCentreline */
-ColonCentreline_EXPORT LumenDistanceImage::Pointer
-                       LumenDistance(const LumenMask * lumen, const ImageRegion<3> & region);
+ * \ingroup LumenDistance */
+LumenDistance_EXPORT LumenDistanceImage::Pointer
+                     LumenDistance(const LumenMask * lumen, const ImageRegion<3> & region);
 
-/** What hangs together by faces of voxels. \ingroup ColonCentreline */
+/** What hangs together by faces of voxels. \ingroup LumenDistance */
 struct LumenComponent
 {
   std::int64_t voxels{ 0 };
@@ -49,7 +48,7 @@ struct LumenComponent
   Index<3> last{};
 };
 
-/** \ingroup ColonCentreline */
+/** \ingroup LumenDistance */
 struct LumenComponents
 {
   /** 1 for the first of `components`, and so on. Covers the region alone. */
@@ -58,8 +57,8 @@ struct LumenComponents
   std::vector<LumenComponent> components;
 };
 
-/** The components of the lumen within `region`. Linear in voxels. \ingroup ColonCentreline */
-ColonCentreline_EXPORT LumenComponents
+/** The components of the lumen within `region`. Linear in voxels. \ingroup LumenDistance */
+LumenDistance_EXPORT LumenComponents
 FindLumenComponents(const LumenMask * lumen, const ImageRegion<3> & region);
 } // namespace itk
 
