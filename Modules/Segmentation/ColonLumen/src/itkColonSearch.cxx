@@ -1,5 +1,6 @@
 #include "itkColonSearch.h"
 
+#include "itkColonStatistics.h"
 #include "itkLevelColumn.h"
 
 #include <algorithm>
@@ -24,6 +25,7 @@ constexpr double StomachShare = 0.25;  // of the colon's gas
 constexpr double LongestColumn = 60.0; // mm
 constexpr double PoolArea = 20.0;      // mm^2
 constexpr double SeedShare = 0.7;      // of the way from tissue to fluid
+constexpr double BrighterBowel = 1.2;  // bowel's contrast by that of the colon's fluid
 constexpr double FaintestPercentile = 0.1;
 constexpr double FaintestShare = 0.75; // of the typical fluid's contrast
 
@@ -218,6 +220,15 @@ ColumnsUnder(const ColonEvidence & evidence, int piece)
   }
   return voxels;
 }
+/** What a wall between the fluid and a bowel that is brighter still may reach, noise included: the more the prefilter
+ * blurs, the brighter walls are. */
+double
+BrightestWall(const ColonEvidence & evidence)
+{
+  const auto & t = evidence.thresholds;
+  return t.tissue + BrighterBowel * ShareInWall(evidence.smoothing) * (t.fluid - t.tissue) +
+         2.0 * evidence.remainingNoise;
+}
 } // namespace
 
 void
@@ -285,7 +296,7 @@ MeasureFluid(ColonEvidence & evidence)
     t.fluid = PercentileBelow(tagged, 0.5);
     const double faintest =
       std::max(PercentileBelow(tagged, FaintestPercentile), t.tissue + FaintestShare * (t.fluid - t.tissue));
-    t.fluidSeed = t.tissue + SeedShare * (faintest - t.tissue);
+    t.fluidSeed = std::max(t.tissue + SeedShare * (faintest - t.tissue), BrightestWall(evidence));
     t.fluidBoundary = 0.5 * (t.tissue + t.fluid);
   }
   else if (!evidence.brightSeeds.empty())

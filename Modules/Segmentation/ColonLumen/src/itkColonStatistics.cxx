@@ -158,4 +158,12 @@ SmoothVoxels(const ColonGrid & grid, std::vector<float> & hu, double sigma)
     });
   }
 }
+
+double
+ShareInWall(double smoothing)
+{
+  constexpr double halfWall = 1.0;   // mm
+  constexpr double usualBlur = 0.82; // mm, standard deviation, voxels included
+  return std::erfc(halfWall / std::sqrt(2.0 * (usualBlur * usualBlur + smoothing * smoothing)));
+}
 } // namespace itk

@@ -17,6 +17,11 @@ NoiseInTissue(const ColonGrid & grid, const std::vector<float> & hu, double tiss
 /** Gaussian smoothing in place, sigma in mm, the border value going on beyond the border. */
 void
 SmoothVoxels(const ColonGrid & grid, std::vector<float> & hu, double sigma);
+
+/** What the middle of a wall of 2 mm between two bowels still shows of their contrast, 0..1, after a prefilter of sigma
+ * `smoothing` in mm. */
+double
+ShareInWall(double smoothing);
 } // namespace itk
 
 #endif

@@ -310,15 +310,18 @@ private:
   void
   AddUnmixed()
   {
+    const auto & e = m_Evidence;
     const auto   seeds = this->FaintSeeds();
-    const double noise = m_Evidence.remainingNoise;
-    if (m_Evidence.smoothing > 0.0)
+    const auto   add = [&](const std::vector<float> & sharp) {
+      AddUnmixedFluid(m_Grid, m_Hu, sharp, e.thresholds, e.remainingNoise, e.smoothing, seeds, m_Classes);
+    };
+    if (e.smoothing > 0.0)
     {
-      AddUnmixedFluid(m_Grid, m_Hu, LoadVoxels(m_Image, m_Grid), m_Evidence.thresholds, noise, seeds, m_Classes);
+      add(LoadVoxels(m_Image, m_Grid));
     }
     else
     {
-      AddUnmixedFluid(m_Grid, m_Hu, m_Hu, m_Evidence.thresholds, noise, seeds, m_Classes);
+      add(m_Hu);
     }
   }
 

@@ -1,5 +1,7 @@
 #include "itkUnmixedFluid.h"
 
+#include "itkColonStatistics.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -12,10 +14,10 @@ namespace itk
 namespace
 {
 constexpr double LeastContrast = 100.0; // HU above tissue
-constexpr double LeastShare = 0.22;     // of the fluid's contrast: what 2 mm of wall between two bowels still show
 constexpr double Plateau = 0.75;        // of a core's contrast: a wall in between goes below it
-constexpr double GreatestDepth = 25.0;  // mm, a core's volume by its open contact with the fluid
+constexpr double GreatestDepth = 15.0;  // mm, a core's volume by its open contact with the fluid
 constexpr double LeastCoreMl = 0.05;
+constexpr double NeckRadius = 2.5; // mm; what hangs on more narrowly is judged alone
 
 struct Arrival
 {
@@ -37,11 +39,13 @@ public:
                const std::vector<float> & sharp,
                const ColonThresholds &    thresholds,
                double                     noise,
+               double                     smoothing,
                ClassVolume &              classes)
     : m_Grid(grid)
     , m_Hu(hu)
     , m_Sharp(sharp)
-    , m_Least(thresholds.tissue + std::max(LeastContrast, LeastShare * (thresholds.fluid - thresholds.tissue)))
+    , m_Least(thresholds.tissue +
+              std::max(LeastContrast, ShareInWall(smoothing) * (thresholds.fluid - thresholds.tissue)))
     , m_Tissue(thresholds.tissue)
     , m_Tolerance(10.0 + 0.5 * noise)
     , m_Voxel(std::max(1.0, std::cbrt(grid.VoxelVolume())))
@@ -231,43 +235,120 @@ private:
         dips.push_back(*dip);
       }
     }
-    if (dips.size() * m_Voxel * m_Voxel * GreatestDepth < piece.size() * m_Grid.VoxelVolume())
-    {
-      return false;
-    }
-    std::nth_element(dips.begin(), dips.begin() + dips.size() / 2, dips.end());
     const double mean = sum / static_cast<double>(piece.size());
-    return dips[dips.size() / 2] - m_Tissue > Plateau * (mean - m_Tissue);
+    const auto   open = static_cast<std::size_t>(std::count_if(
+      dips.begin(), dips.end(), [&](double dip) { return dip - m_Tissue > Plateau * (mean - m_Tissue); }));
+    return 3 * open > 2 * dips.size() &&
+           open * m_Voxel * m_Voxel * GreatestDepth >= piece.size() * m_Grid.VoxelVolume();
   }
 
-  std::vector<std::size_t>
-  OpenPieces(const std::vector<std::size_t> & cores) const
+  /** The connected pieces of a sorted set of voxels; with `parts`, voxels join only those of their own part. */
+  std::vector<std::vector<std::size_t>>
+  Pieces(const std::vector<std::size_t> & voxels, const std::unordered_map<std::size_t, int> & parts = {}) const
   {
-    std::unordered_map<std::size_t, char> isOpen;
-    for (const auto p : cores)
+    const auto part = [&](std::size_t p) {
+      const auto found = parts.find(p);
+      return found == parts.end() ? 0 : found->second;
+    };
+    std::unordered_map<std::size_t, char> isLeft;
+    for (const auto p : voxels)
     {
-      isOpen[p] = 1;
+      isLeft[p] = 1;
     }
-    std::vector<std::size_t> kept;
-    for (const auto first : cores)
+    std::vector<std::vector<std::size_t>> pieces;
+    for (const auto first : voxels)
     {
-      if (!isOpen[first])
+      if (!isLeft[first])
       {
         continue;
       }
-      std::vector<std::size_t> piece(1, first);
-      isOpen[first] = 0;
+      pieces.push_back({ first });
+      auto & piece = pieces.back();
+      isLeft[first] = 0;
       for (std::size_t n = 0; n < piece.size(); ++n)
       {
         this->ForEachNeighbour(piece[n], [&](std::size_t q) {
-          const auto found = isOpen.find(q);
-          if (found != isOpen.end() && found->second)
+          const auto found = isLeft.find(q);
+          if (found != isLeft.end() && found->second && part(q) == part(first))
           {
             found->second = 0;
             piece.push_back(q);
           }
         });
       }
+    }
+    return pieces;
+  }
+
+  /** Voxels around which a ball of NeckRadius holds nothing but the set and the colon. */
+  std::vector<std::size_t>
+  WideVoxels(const std::vector<std::size_t> & voxels) const
+  {
+    const auto isIn = [&](std::size_t p) {
+      return m_Classes[p] == ColonFluid || m_Classes[p] == ColonGas ||
+             std::binary_search(voxels.begin(), voxels.end(), p);
+    };
+    std::vector<std::size_t> wide;
+    for (const auto p : voxels)
+    {
+      const auto v = m_Grid.Voxel(p);
+      const auto box = m_Grid.Widened({ v, { { v[0] + 1, v[1] + 1, v[2] + 1 } } }, NeckRadius);
+      bool       isWide = true;
+      for (int k = box.low[2]; isWide && k < box.high[2]; ++k)
+      {
+        for (int j = box.low[1]; isWide && j < box.high[1]; ++j)
+        {
+          for (int i = box.low[0]; isWide && i < box.high[0]; ++i)
+          {
+            const Eigen::Vector3d d = Eigen::Vector3d(i - v[0], j - v[1], k - v[2]).cwiseProduct(m_Grid.spacing);
+            isWide = d.squaredNorm() > NeckRadius * NeckRadius || isIn(m_Grid.Index(i, j, k));
+          }
+        }
+      }
+      if (isWide)
+      {
+        wide.push_back(p);
+      }
+    }
+    return wide;
+  }
+
+  /** Cuts a set at its necks: for each voxel the number of the wide part that is the next within the set, where any
+   * is. */
+  std::unordered_map<std::size_t, int>
+  PartsAtNecks(const std::vector<std::size_t> & voxels) const
+  {
+    std::unordered_map<std::size_t, int> parts;
+    std::vector<std::size_t>             queue;
+    int                                  number = 0;
+    for (const auto & piece : this->Pieces(this->WideVoxels(voxels)))
+    {
+      ++number;
+      for (const auto p : piece)
+      {
+        parts[p] = number;
+        queue.push_back(p);
+      }
+    }
+    for (std::size_t n = 0; n < queue.size(); ++n)
+    {
+      const int own = parts[queue[n]];
+      this->ForEachNeighbour(queue[n], [&](std::size_t q) {
+        if (std::binary_search(voxels.begin(), voxels.end(), q) && parts.emplace(q, own).second)
+        {
+          queue.push_back(q);
+        }
+      });
+    }
+    return parts;
+  }
+
+  std::vector<std::size_t>
+  OpenPieces(const std::vector<std::size_t> & cores) const
+  {
+    std::vector<std::size_t> kept;
+    for (const auto & piece : this->Pieces(cores, this->PartsAtNecks(cores)))
+    {
       if (piece.size() * m_Grid.VoxelVolume() * 1e-3 >= LeastCoreMl && this->IsOpenToFluid(piece))
       {
         kept.insert(kept.end(), piece.begin(), piece.end());
@@ -323,12 +404,13 @@ AddUnmixedFluid(const ColonGrid &                grid,
                 const std::vector<float> &       sharp,
                 const ColonThresholds &          thresholds,
                 double                           noise,
+                double                           smoothing,
                 const std::vector<std::size_t> & seeds,
                 ClassVolume &                    classes)
 {
   if (thresholds.fluid > 0.0)
   {
-    UnmixedFluid(grid, hu, sharp, thresholds, noise, classes).Add(seeds);
+    UnmixedFluid(grid, hu, sharp, thresholds, noise, smoothing, classes).Add(seeds);
   }
 }
 } // namespace itk
