@@ -236,8 +236,8 @@ private:
   {
     const auto & e = m_Evidence;
     const Fall   fall(e.grid, gravity);
-    return FindLevels(
-      e.grid, e.hu, FloorsOfGas(e.grid, e.hu, e.gas.set, e.gas.labels, e.isCandidate, fall, e.thresholds), fall);
+    const auto   floors = FloorsOfGas(e.grid, e.hu, e.gas.set, e.gas.labels, e.isCandidate, fall, e.thresholds);
+    return FindLevels(e.grid, e.hu, floors, fall, e.thresholds.tissue);
   }
 
   void

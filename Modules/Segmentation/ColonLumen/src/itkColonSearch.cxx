@@ -74,7 +74,7 @@ BrightUnder(const ColonEvidence & evidence, const Fall & fall, const Level & lev
   for (const auto floor : level.floors)
   {
     const auto v = evidence.grid.Voxel(floor);
-    for (int t = 1; t * fall.step <= 8.0; ++t)
+    for (int t = 1; t * fall.step <= std::max(8.0, StepsToFluid * fall.step); ++t)
     {
       const auto o = fall.Offset(t);
       if (!evidence.grid.Holds(v[0] + o[0], v[1] + o[1], v[2] + o[2]))

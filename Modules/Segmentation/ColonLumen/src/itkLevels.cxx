@@ -20,6 +20,8 @@ constexpr double HighestStepIn = 0.8; // mm between neighbours of one level
 
 constexpr double UsualBlur = 0.8; // mm, standard deviation of the scanner's
 constexpr double EdgeInBlurs = 2.4;
+constexpr double EndInBlurs = 3.0;
+constexpr double ThinnestWall = 2.0; // mm
 
 double
 Median(std::vector<double> & values)
@@ -78,11 +80,14 @@ public:
   LevelFinder(const ColonGrid &          grid,
               const std::vector<float> & hu,
               const std::vector<Floor> & floors,
-              const Fall &               fall)
+              const Fall &               fall,
+              double                     tissue)
     : m_Grid(grid)
     , m_Hu(hu)
     , m_Floors(floors)
     , m_Fall(fall)
+    , m_Tissue(tissue)
+    , m_Blur(std::sqrt(UsualBlur * UsualBlur + fall.step * fall.step / 12.0))
     , m_Radius(std::max(3.0, 1.6 * grid.spacing.maxCoeff()))
     , m_Places(this->Places())
     , m_Cells(m_Places, m_Radius)
@@ -209,8 +214,7 @@ private:
   {
     const auto   v = m_Grid.Voxel(m_Floors[f].voxel);
     const double own = m_Grid.Position(m_Floors[f].voxel).dot(m_Fall.direction);
-    const double blur = std::sqrt(UsualBlur * UsualBlur + m_Fall.step * m_Fall.step / 12.0);
-    const double steps = (m_Floors[f].depth - own + EdgeInBlurs * blur) / m_Fall.step;
+    const double steps = (m_Floors[f].depth - own + EdgeInBlurs * m_Blur) / m_Fall.step;
     const int    t = static_cast<int>(std::floor(steps));
     double       ends[2];
     for (const int e : { 0, 1 })
@@ -224,6 +228,64 @@ private:
     }
     value = ends[0] + (steps - t) * (ends[1] - ends[0]);
     return true;
+  }
+
+  /** How values rise below one floor. */
+  struct Rise
+  {
+    double end{ 0.0 };    ///< where the rise of a level is over
+    double excess{ 0.0 }; ///< variance of the rise beyond that of the blur, as a share of what a thin wall adds to it
+  };
+
+  /** False beyond the grid. The variance of a sampled rise hardly depends on where the voxels lie, not even where they
+   * are as large as the rise is thick: values in between do. */
+  bool
+  RiseBelow(std::size_t f, Rise & rise) const
+  {
+    const auto   v = m_Grid.Voxel(m_Floors[f].voxel);
+    const double own = m_Grid.Position(m_Floors[f].voxel).dot(m_Fall.direction);
+    const int last = static_cast<int>(std::ceil((m_Floors[f].depth - own + EndInBlurs * m_Blur) / m_Fall.step));
+    double    sums[3] = { 0.0, 0.0, 0.0 };
+    double    gas = 0.0;
+    for (int t = -1; t <= last; ++t)
+    {
+      const auto o = m_Fall.Offset(t);
+      if (!m_Grid.Holds(v[0] + o[0], v[1] + o[1], v[2] + o[2]))
+      {
+        return false;
+      }
+      const double value = m_Hu[m_Grid.Index(v[0] + o[0], v[1] + o[1], v[2] + o[2])];
+      const double z = (t - 0.5) * m_Fall.step;
+      const double weight = t < 0 ? 0.0 : value - rise.end;
+      gas = t < 0 ? value : gas;
+      sums[0] += weight;
+      sums[1] += weight * z;
+      sums[2] += weight * z * z;
+      rise.end = value;
+    }
+    const double mean = sums[1] / sums[0];
+    const double variance = sums[2] / sums[0] - mean * mean - m_Blur * m_Blur - m_Fall.step * m_Fall.step / 12.0;
+    const double share = (m_Tissue - gas) / (rise.end - gas);
+    rise.excess = variance / (share * (1.0 - share) * ThinnestWall * ThinnestWall);
+    return rise.end > m_Tissue + LeastTagging && gas < m_Tissue;
+  }
+
+  /** What lies right below a level whose rise is as steep as the blur lets it be; nothing where it is not. */
+  double
+  EndOfSteepRise(const Level & level) const
+  {
+    std::vector<double> ends;
+    std::vector<double> excesses;
+    for (const auto f : level.floors)
+    {
+      Rise rise;
+      if (this->RiseBelow(f, rise))
+      {
+        ends.push_back(rise.end);
+        excesses.push_back(rise.excess);
+      }
+    }
+    return 2 * ends.size() > level.floors.size() && Median(excesses) < 0.5 ? Median(ends) : -1e9;
   }
 
   void
@@ -244,7 +306,7 @@ private:
       }
     }
     level.below = Median(deep);
-    level.edge = Median(edge);
+    level.edge = std::max(Median(edge), this->EndOfSteepRise(level));
   }
 
   bool
@@ -283,6 +345,8 @@ private:
   const std::vector<float> &       m_Hu;
   const std::vector<Floor> &       m_Floors;
   const Fall &                     m_Fall;
+  double                           m_Tissue;
+  double                           m_Blur; ///< mm, voxels included
   double                           m_Radius;
   std::vector<LateralCells::Place> m_Places;
   LateralCells                     m_Cells;
@@ -351,8 +415,12 @@ FloorsOfGas(const ColonGrid &          grid,
 }
 
 std::vector<Level>
-FindLevels(const ColonGrid & grid, const std::vector<float> & hu, const std::vector<Floor> & floors, const Fall & fall)
+FindLevels(const ColonGrid &          grid,
+           const std::vector<float> & hu,
+           const std::vector<Floor> & floors,
+           const Fall &               fall,
+           double                     tissue)
 {
-  return LevelFinder(grid, hu, floors, fall).Find();
+  return LevelFinder(grid, hu, floors, fall, tissue).Find();
 }
 } // namespace itk

@@ -8,6 +8,7 @@
 namespace itk
 {
 constexpr double LeastTagging = 100.0; // HU above tissue
+constexpr double StepsToFluid = 3.0;   // from a gas voxel above a level: two may lie in the rise
 
 /** A flat part of the floor of some gas: depth = depth + slope . (place - centre), in mm along and across gravity. */
 struct Level
@@ -57,7 +58,11 @@ FloorsOfGas(const ColonGrid &          grid,
 /** The flat parts of floors, perpendicular to gravity within 6 degrees, at least 30 mm^2, the largest first. Walls are
  * curved: the bottom of a haustrum is flat on a few mm^2 only. */
 std::vector<Level>
-FindLevels(const ColonGrid & grid, const std::vector<float> & hu, const std::vector<Floor> & floors, const Fall & fall);
+FindLevels(const ColonGrid &          grid,
+           const std::vector<float> & hu,
+           const std::vector<Floor> & floors,
+           const Fall &               fall,
+           double                     tissue);
 } // namespace itk
 
 #endif

@@ -15,6 +15,7 @@ namespace itk
 namespace
 {
 constexpr double PassageRadius = 2.5;  // mm; what joins two parts of the fluid more narrowly is a leak
+constexpr double PassageInVoxels = 1.4; // the least radius of a passage: a layer of voxels that a wall crosses is none
 constexpr double GrowthReach = 3.0;    // mm
 constexpr double LeastBrightMl = 0.05; // of other bright matter that competes
 constexpr double LevelReach = 6.0;     // mm around the flat part of a level
@@ -156,6 +157,13 @@ private:
     }
   }
 
+  /** From the last voxel of gas down to fluid under a level, mm: three coarse voxels, two of which lie in the rise. */
+  double
+  FluidReach() const
+  {
+    return std::max(5.0, StepsToFluid * m_Fall.step);
+  }
+
   /** One column under a level: its first fluid, and a vote on the first wide part below. */
   void
   MarkColumn(const Level &                     level,
@@ -166,7 +174,7 @@ private:
   {
     bool isIn = false;
     bool isOpen = false;
-    for (int t = 1; t * m_Fall.step <= (isIn ? 20.0 : 5.0); ++t)
+    for (int t = 1; t * m_Fall.step <= (isIn ? 20.0 : this->FluidReach()); ++t)
     {
       const auto q = this->Below(floor, t);
       if (q < 0 || (isIn && m_Classes[q] != Undecided && m_Classes[q] != ColonFluid))
@@ -205,16 +213,17 @@ private:
     }
   }
 
-  /** Of the bright matter joined to the colon's levels only what a passage of PassageRadius reaches is colon; the rest
-   * competes for what lies between. */
+  /** Of the bright matter joined to the colon's levels only what a wide passage reaches is colon; the rest competes for
+   * what lies between. Thin matter is colon no farther than a passage is wide: beyond, it is bone or another bowel. */
   void
   SplitAtNecks()
   {
     std::vector<unsigned char> mask(m_Classes.size());
     std::transform(m_Classes.begin(), m_Classes.end(), mask.begin(), [](unsigned char c) { return c == Undecided; });
     const auto   d = SquaredDistanceToBackground(m_Grid, mask);
+    const double radius = std::max(PassageRadius, PassageInVoxels * m_Grid.spacing.maxCoeff());
     const RunSet wide = CollectRuns(
-      m_Grid, [&](std::size_t p) { return d[p] >= PassageRadius * PassageRadius && m_Classes[p] == Undecided; });
+      m_Grid, [&](std::size_t p) { return d[p] >= radius * radius && m_Classes[p] == Undecided; });
     const RunLabels   wideLabels = LabelRuns(wide, true);
     std::vector<char> isColonWide(wideLabels.number + 1, 0);
     this->MarkUnderLevels(wide, wideLabels, isColonWide);
@@ -225,11 +234,12 @@ private:
                 m_Classes.begin() + first + wide.runs[r].end,
                 isColonWide[wideLabels.ofRun[r]] ? ColonFluid : OtherBright);
     });
-    GrowClasses(m_Grid, m_Classes, 1 << 20, [this](std::size_t p, unsigned char c) {
+    const int layers = static_cast<int>(std::ceil(2.0 * radius / std::cbrt(m_Grid.VoxelVolume())));
+    GrowClasses(m_Grid, m_Classes, layers, [this](std::size_t p, unsigned char c) {
       return m_Classes[p] == Undecided && (c == ColonFluid || c == OtherBright);
     });
     std::replace(
-      m_Classes.begin(), m_Classes.end(), static_cast<unsigned char>(Undecided), static_cast<unsigned char>(Nothing));
+      m_Classes.begin(), m_Classes.end(), static_cast<unsigned char>(Undecided), static_cast<unsigned char>(OtherBright));
   }
 
   /** Whether most columns under a level end in the colon's fluid. */
@@ -241,7 +251,7 @@ private:
     {
       std::array<int, 3> v;
       bool               isOnFluid = false;
-      for (int t = 1; this->Local(floor, v) && t * m_Fall.step <= 5.0 && !isOnFluid; ++t)
+      for (int t = 1; this->Local(floor, v) && t * m_Fall.step <= this->FluidReach() && !isOnFluid; ++t)
       {
         const auto q = this->Below(v, t);
         isOnFluid = q >= 0 && m_Classes[q] == ColonFluid;

@@ -148,6 +148,25 @@ TEST(ColonLumenSegmentation, BrightBowelUnderAShallowFaintPoolStaysOut)
   EXPECT_EQ(label(-28, 10), 2);
 }
 
+/** Voxels of 2.8 mm: wherever the level lies between them, the pool under it is found, though a bowel as bright hangs on
+ * it through a wall of 1 mm that hardly shows. */
+TEST(ColonLumenSegmentation, APoolOfCoarseVoxelsIsFoundThoughABrightBowelHangsOnIt)
+{
+  for (const double level : { 3.0, 3.7, 4.4, 5.1 })
+  {
+    ColonTestScene scene = ColonAndBowel(At(0, 1, 0));
+    scene.lumens[0].level = level;
+    scene.lumens[1].depth = Tube(At(27.9, 8, 0), 2, 30, 10);
+    const auto image = itk::CentredImage({ 52, 52, 40 }, { 2.8, 2.8, 2.8 }, Identity());
+    scene.Sample(image);
+    const auto lumen = Segment(image, "HFS");
+    ASSERT_EQ(lumen.failure, "") << level;
+    const Overlap overlap = Compare(scene, lumen);
+    EXPECT_GT(overlap.dice, 0.96) << level;
+    EXPECT_LT(overlap.leakMl, 1.0) << level;
+  }
+}
+
 TEST(ColonLumenSegmentation, GravityIsReadFromTheLevels)
 {
   for (const Vec & gravity : { At(0, 1, 0), At(0, -1, 0), At(1, 0, 0), At(-1, 0, 0) })
