@@ -244,9 +244,9 @@ private:
   {
     const auto   v = m_Grid.Voxel(m_Floors[f].voxel);
     const double own = m_Grid.Position(m_Floors[f].voxel).dot(m_Fall.direction);
-    const int last = static_cast<int>(std::ceil((m_Floors[f].depth - own + EndInBlurs * m_Blur) / m_Fall.step));
-    double    sums[3] = { 0.0, 0.0, 0.0 };
-    double    gas = 0.0;
+    const int    last = static_cast<int>(std::ceil((m_Floors[f].depth - own + EndInBlurs * m_Blur) / m_Fall.step));
+    double       sums[3] = { 0.0, 0.0, 0.0 };
+    double       gas = 0.0;
     for (int t = -1; t <= last; ++t)
     {
       const auto o = m_Fall.Offset(t);

@@ -14,13 +14,14 @@ namespace itk
 {
 namespace
 {
-constexpr double PassageRadius = 2.5;  // mm; what joins two parts of the fluid more narrowly is a leak
+constexpr double PassageRadius = 2.5;   // mm; what joins two parts of the fluid more narrowly is a leak
 constexpr double PassageInVoxels = 1.4; // the least radius of a passage: a layer of voxels that a wall crosses is none
-constexpr double GrowthReach = 3.0;    // mm
-constexpr double LeastBrightMl = 0.05; // of other bright matter that competes
-constexpr double LevelReach = 6.0;     // mm around the flat part of a level
-constexpr double UsualBlur = 0.8;      // mm, standard deviation of the scanner's
-constexpr double LevelLeeway = 0.5;    // mm
+constexpr double ThinReach = 12.0;      // mm from wide fluid, or from a level, to the end of a thin layer
+constexpr double GrowthReach = 3.0;     // mm
+constexpr double LeastBrightMl = 0.05;  // of other bright matter that competes
+constexpr double LevelReach = 6.0;      // mm around the flat part of a level
+constexpr double UsualBlur = 0.8;       // mm, standard deviation of the scanner's
+constexpr double LevelLeeway = 0.5;     // mm
 constexpr double FilledCavityMl = 0.03;
 
 /** Takes ColonEvidence to classes, step by step. */
@@ -214,7 +215,7 @@ private:
   }
 
   /** Of the bright matter joined to the colon's levels only what a wide passage reaches is colon; the rest competes for
-   * what lies between. Thin matter is colon no farther than a passage is wide: beyond, it is bone or another bowel. */
+   * what lies between. Thin matter is colon no farther than ThinReach: beyond, it is bone or another bowel. */
   void
   SplitAtNecks()
   {
@@ -222,8 +223,8 @@ private:
     std::transform(m_Classes.begin(), m_Classes.end(), mask.begin(), [](unsigned char c) { return c == Undecided; });
     const auto   d = SquaredDistanceToBackground(m_Grid, mask);
     const double radius = std::max(PassageRadius, PassageInVoxels * m_Grid.spacing.maxCoeff());
-    const RunSet wide = CollectRuns(
-      m_Grid, [&](std::size_t p) { return d[p] >= radius * radius && m_Classes[p] == Undecided; });
+    const RunSet wide =
+      CollectRuns(m_Grid, [&](std::size_t p) { return d[p] >= radius * radius && m_Classes[p] == Undecided; });
     const RunLabels   wideLabels = LabelRuns(wide, true);
     std::vector<char> isColonWide(wideLabels.number + 1, 0);
     this->MarkUnderLevels(wide, wideLabels, isColonWide);
@@ -234,12 +235,14 @@ private:
                 m_Classes.begin() + first + wide.runs[r].end,
                 isColonWide[wideLabels.ofRun[r]] ? ColonFluid : OtherBright);
     });
-    const int layers = static_cast<int>(std::ceil(2.0 * radius / std::cbrt(m_Grid.VoxelVolume())));
+    const int layers = static_cast<int>(std::ceil(ThinReach / std::cbrt(m_Grid.VoxelVolume())));
     GrowClasses(m_Grid, m_Classes, layers, [this](std::size_t p, unsigned char c) {
       return m_Classes[p] == Undecided && (c == ColonFluid || c == OtherBright);
     });
-    std::replace(
-      m_Classes.begin(), m_Classes.end(), static_cast<unsigned char>(Undecided), static_cast<unsigned char>(OtherBright));
+    std::replace(m_Classes.begin(),
+                 m_Classes.end(),
+                 static_cast<unsigned char>(Undecided),
+                 static_cast<unsigned char>(OtherBright));
   }
 
   /** Whether most columns under a level end in the colon's fluid. */

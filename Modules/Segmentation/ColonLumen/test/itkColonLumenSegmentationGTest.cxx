@@ -148,8 +148,8 @@ TEST(ColonLumenSegmentation, BrightBowelUnderAShallowFaintPoolStaysOut)
   EXPECT_EQ(label(-28, 10), 2);
 }
 
-/** Voxels of 2.8 mm: wherever the level lies between them, the pool under it is found, though a bowel as bright hangs on
- * it through a wall of 1 mm that hardly shows. */
+/** Voxels of 2.8 mm: wherever the level lies between them, the pool under it is found, though a bowel as bright hangs
+ * on it through a wall of 1 mm that hardly shows. */
 TEST(ColonLumenSegmentation, APoolOfCoarseVoxelsIsFoundThoughABrightBowelHangsOnIt)
 {
   for (const double level : { 3.0, 3.7, 4.4, 5.1 })
