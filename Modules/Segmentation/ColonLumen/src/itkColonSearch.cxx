@@ -226,7 +226,7 @@ double
 BrightestWall(const ColonEvidence & evidence)
 {
   const auto & t = evidence.thresholds;
-  return t.tissue + BrighterBowel * ShareInWall(evidence.smoothing) * (t.fluid - t.tissue) +
+  return t.tissue + BrighterBowel * ShareInWall(evidence.grid, evidence.smoothing) * (t.fluid - t.tissue) +
          2.0 * evidence.remainingNoise;
 }
 } // namespace

@@ -160,10 +160,12 @@ SmoothVoxels(const ColonGrid & grid, std::vector<float> & hu, double sigma)
 }
 
 double
-ShareInWall(double smoothing)
+ShareInWall(const ColonGrid & grid, double smoothing)
 {
-  constexpr double halfWall = 1.0;   // mm
-  constexpr double usualBlur = 0.82; // mm, standard deviation, voxels included
-  return std::erfc(halfWall / std::sqrt(2.0 * (usualBlur * usualBlur + smoothing * smoothing)));
+  constexpr double halfWall = 1.0;  // mm
+  constexpr double usualBlur = 0.8; // mm, standard deviation of the scanner's
+  const double     voxel = grid.spacing.maxCoeff();
+  const double     variance = usualBlur * usualBlur + voxel * voxel / 12.0 + smoothing * smoothing;
+  return std::erfc(halfWall / std::sqrt(2.0 * variance));
 }
 } // namespace itk

@@ -21,7 +21,7 @@ SmoothVoxels(const ColonGrid & grid, std::vector<float> & hu, double sigma);
 /** What the middle of a wall of 2 mm between two bowels still shows of their contrast, 0..1, after a prefilter of sigma
  * `smoothing` in mm. */
 double
-ShareInWall(double smoothing);
+ShareInWall(const ColonGrid & grid, double smoothing);
 } // namespace itk
 
 #endif

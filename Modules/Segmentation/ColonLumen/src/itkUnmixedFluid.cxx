@@ -45,7 +45,7 @@ public:
     , m_Hu(hu)
     , m_Sharp(sharp)
     , m_Least(thresholds.tissue +
-              std::max(LeastContrast, ShareInWall(smoothing) * (thresholds.fluid - thresholds.tissue)))
+              std::max(LeastContrast, ShareInWall(grid, smoothing) * (thresholds.fluid - thresholds.tissue)))
     , m_Tissue(thresholds.tissue)
     , m_Tolerance(10.0 + 0.5 * noise)
     , m_Voxel(std::max(1.0, std::cbrt(grid.VoxelVolume())))
