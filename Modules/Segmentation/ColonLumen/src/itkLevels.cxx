@@ -233,7 +233,8 @@ private:
   /** How values rise below one floor. */
   struct Rise
   {
-    double end{ 0.0 };    ///< where the rise of a level is over
+    double end{ 0.0 }; ///< where the rise of a level is over
+    bool   isOver{ false };
     double excess{ 0.0 }; ///< variance of the rise beyond that of the blur, as a share of what a thin wall adds to it
   };
 
@@ -247,7 +248,8 @@ private:
     const int    last = static_cast<int>(std::ceil((m_Floors[f].depth - own + EndInBlurs * m_Blur) / m_Fall.step));
     double       sums[3] = { 0.0, 0.0, 0.0 };
     double       gas = 0.0;
-    for (int t = -1; t <= last; ++t)
+    double       next = 0.0;
+    for (int t = -1; t <= last + 1; ++t)
     {
       const auto o = m_Fall.Offset(t);
       if (!m_Grid.Holds(v[0] + o[0], v[1] + o[1], v[2] + o[2]))
@@ -255,6 +257,11 @@ private:
         return false;
       }
       const double value = m_Hu[m_Grid.Index(v[0] + o[0], v[1] + o[1], v[2] + o[2])];
+      next = value;
+      if (t > last)
+      {
+        break;
+      }
       const double z = (t - 0.5) * m_Fall.step;
       const double weight = t < 0 ? 0.0 : value - rise.end;
       gas = t < 0 ? value : gas;
@@ -267,6 +274,7 @@ private:
     const double variance = sums[2] / sums[0] - mean * mean - m_Blur * m_Blur - m_Fall.step * m_Fall.step / 12.0;
     const double share = (m_Tissue - gas) / (rise.end - gas);
     rise.excess = variance / (share * (1.0 - share) * ThinnestWall * ThinnestWall);
+    rise.isOver = rise.end - m_Tissue > LeastAtEdge * (next - m_Tissue);
     return rise.end > m_Tissue + LeastTagging && gas < m_Tissue;
   }
 
@@ -282,7 +290,7 @@ private:
       if (this->RiseBelow(f, rise))
       {
         ends.push_back(rise.end);
-        excesses.push_back(rise.excess);
+        excesses.push_back(rise.isOver ? rise.excess : 1e9);
       }
     }
     return 2 * ends.size() > level.floors.size() && Median(excesses) < 0.5 ? Median(ends) : -1e9;

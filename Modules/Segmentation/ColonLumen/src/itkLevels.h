@@ -8,6 +8,7 @@
 namespace itk
 {
 constexpr double LeastTagging = 100.0; // HU above tissue
+constexpr double LeastAtEdge = 0.7;    // of the fluid's contrast, where the rise of a level is over
 constexpr double StepsToFluid = 3.0;   // from a gas voxel above a level: two may lie in the rise
 
 /** A flat part of the floor of some gas: depth = depth + slope . (place - centre), in mm along and across gravity. */
@@ -33,7 +34,7 @@ struct Level
   bool
   IsTagged(double tissue) const
   {
-    return this->Fluid() > tissue + LeastTagging && edge - tissue > 0.7 * (this->Fluid() - tissue);
+    return this->Fluid() > tissue + LeastTagging && edge - tissue > LeastAtEdge * (this->Fluid() - tissue);
   }
 };
 
