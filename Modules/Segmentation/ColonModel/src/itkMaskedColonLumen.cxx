@@ -119,27 +119,30 @@ MedianOf(std::vector<float> & values)
   return *middle;
 }
 
-/** Values deeper than 2 mm, the clear gas and the clear fluid. */
+/** From what lies at least 2 mm and one and a half voxels deep: clear gas and clear fluid. */
 void
 MeasureThresholds(const Image<float, 3> * ct, const LumenMask * mask, ColonLumen & lumen)
 {
-  const auto                                   region = LumenRegion(mask);
-  const auto                                   distance = LumenDistance(mask, region);
-  std::vector<float>                           gas;
-  std::vector<float>                           fluid;
+  const auto         region = LumenRegion(mask);
+  const auto         distance = LumenDistance(mask, region);
+  const auto &       spacing = mask->GetSpacing();
+  const double       deep = std::max(2.0, 1.5 * *std::max_element(spacing.Begin(), spacing.End()));
+  std::vector<float> gas;
+  std::vector<float> fluid;
   ImageRegionConstIterator<Image<float, 3>>    value(ct, region);
   ImageRegionConstIterator<LumenDistanceImage> depth(distance, distance->GetBufferedRegion());
   for (; !value.IsAtEnd(); ++value, ++depth)
   {
-    if (depth.Get() >= 2.0F)
+    if (depth.Get() >= deep)
     {
       (value.Get() < -600.0F ? gas : fluid).push_back(value.Get());
     }
   }
   if (gas.empty())
   {
-    throw InputError("the lumen given holds no gas: none of its voxels 2 mm deep lies below -600 HU; give the CT in HU "
-                     "that it belongs to");
+    throw InputError(
+      "the lumen given holds no gas: none of its voxels away from the wall lies below -600 HU; give the CT in HU "
+      "that it belongs to");
   }
   ColonThresholds & thresholds = lumen.thresholds;
   thresholds.tissue = TypicalTissue;
