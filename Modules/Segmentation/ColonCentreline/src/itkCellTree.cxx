@@ -15,6 +15,14 @@ constexpr double leastGain = 40.0;
  * passage of a shorter one, and around a fold both ways are right. */
 constexpr double shortRing = 60.0;
 constexpr double ringRadii = 4.0;
+/** Side branches of this length (mm) and more are no haustra; nor those of this volume (mm^3) that lie so far (mm, and
+ * 1.5 radii) from the middle of the way. */
+constexpr double shortestBranch = 40.0;
+constexpr double smallestBranch = 20e3;
+constexpr double besideWay = 10.0;
+/** A passage is a likely hole where its radius is below this share of the calibre within so many mm on both sides. */
+constexpr double leastOpening = 0.4;
+constexpr double holeReach = 30.0;
 
 int
 FindRoot(std::vector<int> & parents, int cell)
@@ -181,7 +189,7 @@ CellTree::Way(int from, int to) const
 }
 
 double
-CellTree::SideBranches(const std::vector<int> & way, double least) const
+CellTree::SideBranches(const std::vector<int> & way, double area) const
 {
   std::vector<int> place(m_Links.size(), -1);
   for (int i = 0; i < static_cast<int>(way.size()); ++i)
@@ -190,20 +198,60 @@ CellTree::SideBranches(const std::vector<int> & way, double least) const
   }
   const Walk          walk = this->WalkFrom(way.front());
   std::vector<double> longest(way.size(), 0.0);
+  std::vector<double> volumes(way.size(), 0.0);
   for (const int cell : walk.order)
   {
     place[cell] = place[cell] < 0 ? place[walk.parent[cell]] : place[cell];
     const int    stem = way[place[cell]];
-    const double away = walk.length[cell] - walk.length[stem] - 2.0 * m_Cells.radii[stem];
+    const double beyond = walk.length[cell] - walk.length[stem] - m_Cells.radii[stem];
     if (m_Cells.radii[cell] >= m_CoreRadius)
     {
-      longest[place[cell]] = std::max(longest[place[cell]], away);
+      longest[place[cell]] = std::max(longest[place[cell]], beyond - m_Cells.radii[stem]);
     }
+    volumes[place[cell]] += beyond > besideWay + 0.5 * m_Cells.radii[stem] ? m_Cells.volumes[cell] : 0.0;
   }
   double sum = 0.0;
-  for (const double length : longest)
+  for (std::size_t i = 0; i < way.size(); ++i)
   {
-    sum += length > least ? length : 0.0;
+    const double length = longest[i] > shortestBranch ? longest[i] : 0.0;
+    sum += std::max(length, volumes[i] > smallestBranch ? volumes[i] / area : 0.0);
+  }
+  return sum;
+}
+
+double
+CellTree::WidestOnWay(const std::vector<int> & way, int i, int direction) const
+{
+  const int last = static_cast<int>(way.size()) - 1;
+  double    widest = m_Cells.radii[way[i]];
+  double    passed = 0.0;
+  for (int next = i + direction; next >= 0 && next <= last; next += direction)
+  {
+    passed += (m_Cells.positions[way[next]] - m_Cells.positions[way[next - direction]]).norm();
+    if (passed > holeReach)
+    {
+      break;
+    }
+    widest = std::max(widest, m_Cells.radii[way[next]]);
+  }
+  return widest;
+}
+
+double
+CellTree::Holes(const std::vector<int> & way) const
+{
+  double sum = 0.0;
+  double most = 0.0;
+  for (int i = 1; i < static_cast<int>(way.size()); ++i)
+  {
+    const auto & links = m_Links[way[i]];
+    const auto   link =
+      std::find_if(links.begin(), links.end(), [&](const Link & found) { return found.cell == way[i - 1]; });
+    const double width = std::min(this->WidestOnWay(way, i - 1, -1), this->WidestOnWay(way, i, 1));
+    const double likeness = 1.0 - m_Cells.passages[link->passage].clearance / (leastOpening * width);
+    // A hole is crossed by several passages, one after the other: it counts once.
+    sum += std::max(0.0, likeness - most);
+    most = likeness > 0.0 ? std::max(most, likeness) : 0.0;
   }
   return sum;
 }

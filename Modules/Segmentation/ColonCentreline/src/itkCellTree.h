@@ -37,10 +37,15 @@ public:
   std::vector<int>
   Way(int from, int to) const;
 
-  /** The side branches of a way, longest first cell to last: mm of their core that lie beyond the lumen around the
-   * way, summed over all that are longer than `least`. */
+  /** What a way leaves out, mm: of each side branch the length of its core beyond the lumen around the way, or its
+   * volume over `area` (mm^2) where that is more, such as that of a wide pouch. Small ones do not count. */
   double
-  SideBranches(const std::vector<int> & way, double least) const;
+  SideBranches(const std::vector<int> & way, double area) const;
+
+  /** How much the passages of a way look like holes in septa: the sum over its narrow places of 1 - clearance / least
+   * that is expected between lumen as wide as there is on both sides; 0 for a way through colon. */
+  double
+  Holes(const std::vector<int> & way) const;
 
   /** A passage of the tree, and the smaller of the volumes that it joins, mm^3. */
   struct Neck
@@ -126,6 +131,9 @@ private:
   Ring(const Walk & all, int passage) const;
   double
   LengthOf(const std::vector<int> & passages) const;
+  /** The widest cell of a way within the reach of a hole from the place i on, forth or back. */
+  double
+  WidestOnWay(const std::vector<int> & way, int i, int direction) const;
   double
   Length(int passage) const;
   bool

@@ -18,6 +18,12 @@ constexpr double slabRadii = 2.5;
 /** Chord over arc of that stretch, at least. */
 constexpr double straightness = 0.6;
 
+/** Share of lumen (DistanceField::Occupancy) that the line keeps, and below which it is outside. */
+constexpr double safelyInside = 0.7;
+constexpr double leastInside = 0.55;
+/** The line ends so far from the pole of the caecum, mm. */
+constexpr double beforePole = 3.0;
+
 /** A stretch of the curve, in the frame of the grid. */
 struct Section
 {
@@ -210,7 +216,7 @@ KeepInside(const DistanceField & field, const CurvePoints & nodes, CurvePoints &
 {
   for (Eigen::Vector3d & point : points)
   {
-    if (field.IsInside(point))
+    if (field.Occupancy(point) >= safelyInside)
     {
       continue;
     }
@@ -219,7 +225,7 @@ KeepInside(const DistanceField & field, const CurvePoints & nodes, CurvePoints &
         return (a - point).squaredNorm() < (b - point).squaredNorm();
       });
     Eigen::Vector3d place = point;
-    for (int eighth = 1; eighth <= 8 && !field.IsInside(place); ++eighth)
+    for (int eighth = 1; eighth <= 8 && field.Occupancy(place) < safelyInside; ++eighth)
     {
       place = point + 0.125 * eighth * (node - point);
     }
@@ -244,28 +250,127 @@ ShapeLine(const LumenNetwork &           network,
   return points;
 }
 
-/** Leads the end of a curve straight on to the pole of a wide end: the last node of its path lies on the side of the
- * pole as well as at it. */
-void
-LeadToPole(const DistanceField & field, double step, CurvePoints & points)
+bool
+IsVisible(const DistanceField & field, const Eigen::Vector3d & from, const Eigen::Vector3d & to)
 {
-  const auto count = static_cast<int>(points.size());
-  const int  width = static_cast<int>(field.At(points[std::max(0, count - 1 - static_cast<int>(25.0 / step))]) / step);
-  const int  base = count - 1 - width;
-  const int  before = base - static_cast<int>(20.0 / step);
-  if (before < 0 || width == 0)
+  const int steps = static_cast<int>((to - from).norm()) + 1;
+  for (int i = 1; i < steps; ++i)
+  {
+    if (field.At(from + (to - from) * i / steps) < 1.0)
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+/** The place before the wall that lies farthest along a direction and near the axis. */
+Eigen::Vector3d
+FindPole(const LumenNetwork &    network,
+         const DistanceField &   field,
+         const Eigen::Vector3d & base,
+         const Eigen::Vector3d & along,
+         double                  reach)
+{
+  Eigen::Vector3d pole = base;
+  double          most = 0.0;
+  for (int node = 0; node < network.grid.NumberOfNodes(); ++node)
+  {
+    const Eigen::Vector3d way = network.grid.Position(node) - base;
+    const double          forward = way.dot(along);
+    const double          score = forward - 0.5 * (way - forward * along).norm();
+    if (score > most && way.norm() <= reach && network.grid.Distance(node) >= beforePole &&
+        IsVisible(field, base, base + way))
+    {
+      most = score;
+      pole = base + way;
+    }
+  }
+  return pole;
+}
+
+/** Leads the end of a curve on to the pole of a wide end: the last node of its path lies on the side of the pole as
+ * well as at it. */
+void
+LeadToPole(const LumenNetwork & network, const DistanceField & field, double step, CurvePoints & points)
+{
+  const auto   count = static_cast<int>(points.size());
+  const double radius = field.At(points[std::max(0, count - 1 - static_cast<int>(25.0 / step))]);
+  const int    base = count - 1 - static_cast<int>(radius / step);
+  const int    before = base - static_cast<int>(20.0 / step);
+  if (before < 0 || base == count - 1)
   {
     return;
   }
   const Eigen::Vector3d along = (points[base] - points[before]).normalized();
-  const double          radius = field.At(points[base]);
-  CurvePoints           pole(points.begin(), points.begin() + base + 1);
-  while (pole.size() < points.size() + static_cast<std::size_t>(width) &&
-         field.At(pole.back() + step * along) >= 0.4 * radius)
+  const double          reach = 2.5 * std::max(radius, field.At(points[base]));
+  const Eigen::Vector3d pole = FindPole(network, field, points[base], along, reach);
+  const double          rest = (pole - points[base]).norm();
+  if (rest < step)
   {
-    pole.push_back(pole.back() + step * along);
+    return;
   }
-  points = pole;
+  points.resize(base + 1);
+  const CurvePoints last = BridgeGap(points[base], along, pole, (pole - points[base]) / rest, step);
+  points.insert(points.end(), last.begin(), last.end());
+  points.push_back(pole);
+}
+
+/** Ends a curve where all of it is safely inside over 10 mm: a path goes on into what is only half a voxel wide. */
+void
+TrimEnds(const DistanceField & field, double step, CurvePoints & points)
+{
+  for (int e = 0; e < 2; ++e)
+  {
+    std::reverse(points.begin(), points.end());
+    const std::size_t reach = std::min(points.size() / 3, static_cast<std::size_t>(10.0 / step));
+    std::size_t       keep = 0;
+    for (std::size_t i = 0; i < reach + keep && i + 2 < points.size() - reach; ++i)
+    {
+      const double halfway = field.Occupancy(0.5 * (points[i] + points[i + 1]));
+      keep = std::min(field.Occupancy(points[i]), halfway) < safelyInside ? i + 1 : keep;
+    }
+    points.erase(points.begin(), points.begin() + keep);
+  }
+}
+
+/** Of each point of a section whether it or the way to the next one lies outside the lumen. */
+std::vector<char>
+FindOutside(const DistanceField & field, const CurvePoints & points)
+{
+  std::vector<char> isOutside(points.size(), 0);
+  for (std::size_t i = 1; i + 1 < points.size(); ++i)
+  {
+    const double halfway = field.Occupancy(0.5 * (points[i] + points[i + 1]));
+    isOutside[i] = std::min(field.Occupancy(points[i]), halfway) < leastInside;
+  }
+  return isOutside;
+}
+
+/** A section as itself where all of it lies inside the lumen; else cut where it leaves the lumen, with gaps between. */
+void
+AddInside(const DistanceField & field, const Section & section, std::vector<Section> & sections)
+{
+  const std::vector<char> isOutside = FindOutside(field, section.points);
+  for (std::size_t begin = 0; begin < section.points.size();)
+  {
+    std::size_t end = begin;
+    while (end < section.points.size() && isOutside[end] == isOutside[begin])
+    {
+      ++end;
+    }
+    Section part;
+    part.points.assign(section.points.begin() + begin, section.points.begin() + end);
+    part.radii.assign(section.radii.begin() + begin, section.radii.begin() + end);
+    part.isGap = isOutside[begin] != 0;
+    part.piece = section.piece;
+    if (begin == 0)
+    {
+      part.nodes = section.nodes;
+    }
+    sections.push_back(part);
+    begin = end;
+  }
 }
 
 std::vector<Section>
@@ -285,8 +390,9 @@ MakeSections(const LumenNetwork &             network,
     section.points = ShapeLine(network, field, section.nodes, options);
     if (isLast)
     {
-      LeadToPole(field, options.step, section.points);
+      LeadToPole(network, field, options.step, section.points);
     }
+    TrimEnds(field, options.step, section.points);
     section.radii = RadiiAlong(network, field, section.points, options.step);
     section.piece = static_cast<int>(i);
     if (i > 0)
@@ -303,7 +409,7 @@ MakeSections(const LumenNetwork &             network,
       gap.radii.assign(gap.points.size(), options.gapRadius);
       sections.push_back(gap);
     }
-    sections.push_back(section);
+    AddInside(field, section, sections);
   }
   return sections;
 }
@@ -357,6 +463,38 @@ FillCurve(const LumenGrid &            grid,
   result.length = arcs.back();
   begins.push_back(result.length);
   curve.pointArrays = { MakeArray("arcLength", arcs), MakeArray("radius", radii), MakeArray("gap", gaps, 1, true) };
+}
+
+void
+AddPieces(const LumenGrid &                grid,
+          const std::vector<PieceLine> &   lines,
+          const std::vector<PlacedPiece> & order,
+          const std::vector<Section> &     sections,
+          const std::vector<double> &      begins,
+          ColonCentreline &                result)
+{
+  for (std::size_t s = 0; s < sections.size(); ++s)
+  {
+    const double end = begins[s] + CurveLength(sections[s].points);
+    if (sections[s].isGap)
+    {
+      continue;
+    }
+    if (static_cast<int>(result.pieces.size()) > sections[s].piece)
+    {
+      result.pieces.back().end = end;
+      continue;
+    }
+    const PieceLine & line = lines[order[sections[s].piece].piece];
+    CentrelinePiece   piece;
+    piece.component = line.component;
+    piece.volume = 1e-3 * line.volume;
+    piece.isUsed = true;
+    piece.begin = begins[s];
+    piece.end = end;
+    piece.place = ToPoint(grid, sections[s].points[sections[s].points.size() / 2]);
+    result.pieces.push_back(piece);
+  }
 }
 
 void
@@ -482,20 +620,7 @@ AssembleCentreline(const LumenNetwork &             network,
   const std::vector<Section> sections = MakeSections(network, field, lines, order, options);
   std::vector<double>        begins;
   FillCurve(network.grid, sections, begins, result);
-  for (std::size_t s = 0; s < sections.size(); ++s)
-  {
-    if (!sections[s].isGap)
-    {
-      CentrelinePiece piece;
-      piece.component = lines[order[sections[s].piece].piece].component;
-      piece.volume = 1e-3 * lines[order[sections[s].piece].piece].volume;
-      piece.isUsed = true;
-      piece.begin = begins[s];
-      piece.end = begins[s] + CurveLength(sections[s].points);
-      piece.place = ToPoint(network.grid, sections[s].points[sections[s].points.size() / 2]);
-      result.pieces.push_back(piece);
-    }
-  }
+  AddPieces(network.grid, lines, order, sections, begins, result);
   AddGaps(network.grid, sections, begins, result);
   AddLengths(network, field, lines, order, options, result);
   AddCover(network, lines, order, result);

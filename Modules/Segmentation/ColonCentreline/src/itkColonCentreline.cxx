@@ -94,19 +94,6 @@ TracePieces(const LumenNetwork & network, const ColonCentrelineOptions & options
   return lines;
 }
 
-/** The direction out of the last node, taken over 25 mm of the path. */
-Eigen::Vector3d
-OutOf(const CurvePoints & points)
-{
-  std::size_t i = points.size() - 1;
-  while (i > 0 && (points[i] - points.back()).norm() < 25.0)
-  {
-    --i;
-  }
-  const Eigen::Vector3d out = points.back() - points[i];
-  return out.norm() > 0.0 ? Eigen::Vector3d(out.normalized()) : Eigen::Vector3d(Eigen::Vector3d::UnitZ());
-}
-
 CurvePoints
 PhysicalPoints(const LumenGrid & grid, const std::vector<int> & nodes)
 {
@@ -118,54 +105,94 @@ PhysicalPoints(const LumenGrid & grid, const std::vector<int> & nodes)
   return points;
 }
 
+/** The end 1 of a line, or the end 0 of one that is reversed. Its direction is that of the last 40 mm of the core to
+ * the middle of the tips: paths turn to the wall in a blunt end. */
+JoinEnd
+MakeJoinEnd(const LumenGrid & grid, const PieceLine & line, bool isReversed, bool prolongs)
+{
+  CurvePoints core = PhysicalPoints(grid, line.core);
+  if (isReversed)
+  {
+    std::reverse(core.begin(), core.end());
+  }
+  JoinEnd end;
+  end.position = core.back();
+  Eigen::Vector3d middle = core.back();
+  if (prolongs)
+  {
+    middle.setZero();
+    for (const PieceEnd & tip : line.tips[isReversed ? 0 : 1])
+    {
+      end.tips.push_back(tip.nodes.empty() ? core.back() : grid.ToPhysical(grid.Position(tip.nodes.back())));
+      end.shortfalls.push_back(tip.shortfall);
+      middle += end.tips.back() / static_cast<double>(line.tips[isReversed ? 0 : 1].size());
+    }
+    end.position = end.tips.front();
+  }
+  std::size_t i = core.size() - 1;
+  while (i > 0 && (core[i] - core.back()).norm() < 40.0)
+  {
+    --i;
+  }
+  const Eigen::Vector3d out = middle - core[i];
+  end.out = out.norm() > 0.0 ? Eigen::Vector3d(out.normalized()) : Eigen::Vector3d(Eigen::Vector3d::UnitZ());
+  return end;
+}
+
 JoinPiece
 MakeJoinPiece(const LumenGrid & grid, const PieceLine & line, bool prolongs)
 {
-  CurvePoints points = PhysicalPoints(grid, line.Nodes(prolongs, prolongs));
-  JoinPiece   piece;
-  piece.length = CurveLength(points);
-  piece.ends[1] = { points.back(), OutOf(points) };
-  std::reverse(points.begin(), points.end());
-  piece.ends[0] = { points.back(), OutOf(points) };
+  JoinPiece piece;
+  piece.length = CurveLength(PhysicalPoints(grid, line.Nodes(prolongs, prolongs)));
+  piece.ends[0] = MakeJoinEnd(grid, line, true, prolongs);
+  piece.ends[1] = MakeJoinEnd(grid, line, false, prolongs);
   return piece;
 }
 
-PlacedPiece
-ChooseRectum(const LumenNetwork & network, const std::vector<PieceLine> & lines, const ColonCentrelineOptions & options)
+void
+ExtendBox(const LumenGrid & grid, const PieceLine & line, Eigen::Vector3d & lowest, Eigen::Vector3d & highest)
 {
-  if (options.start)
+  for (const Eigen::Vector3d & point : PhysicalPoints(grid, line.core))
   {
-    return { 0, false };
+    lowest = lowest.cwiseMin(point);
+    highest = highest.cwiseMax(point);
   }
-  Eigen::Vector3d        lowest = Eigen::Vector3d::Constant(1e30);
-  Eigen::Vector3d        highest = -lowest;
-  std::vector<JoinPiece> pieces;
-  for (const PieceLine & line : lines)
-  {
-    for (const Eigen::Vector3d & point : PhysicalPoints(network.grid, line.core))
-    {
-      lowest = lowest.cwiseMin(point);
-      highest = highest.cwiseMax(point);
-    }
-    pieces.push_back(MakeJoinPiece(network.grid, line, false));
-  }
-  return FindRectum(pieces, lowest, highest);
 }
 
+/** The pieces in their order from the rectum on; the ends of `lines` become those that are joined. */
 std::vector<PlacedPiece>
-ChooseOrder(const LumenNetwork &           network,
-            const std::vector<PieceLine> & lines,
+ChooseOrder(const LumenGrid &              grid,
             const LumenChoice &            choice,
-            const ColonCentrelineOptions & options)
+            const ColonCentrelineOptions & options,
+            std::vector<PieceLine> &       lines)
 {
+  Eigen::Vector3d        lowest = Eigen::Vector3d::Constant(1e30);
+  Eigen::Vector3d        highest = -lowest;
+  std::vector<JoinPiece> cores;
   std::vector<JoinPiece> pieces;
   for (const PieceLine & line : lines)
   {
-    pieces.push_back(MakeJoinPiece(network.grid, line, true));
+    ExtendBox(grid, line, lowest, highest);
+    cores.push_back(MakeJoinPiece(grid, line, false));
+    pieces.push_back(MakeJoinPiece(grid, line, true));
     pieces.back().isWanted = choice.isWanted[line.component] != 0;
   }
-  return OrderPieces(pieces, ChooseRectum(network, lines, options));
+  PreferCaecum(lowest, highest, pieces);
+  const auto order = OrderPieces(pieces, options.start ? PlacedPiece{ 0, false } : FindRectum(cores, lowest, highest));
+  for (std::size_t i = 1; i < order.size(); ++i)
+  {
+    const int         ends[2] = { order[i - 1].isReversed ? 0 : 1, order[i].isReversed ? 1 : 0 };
+    const PlacedPiece joined[2] = { order[i - 1], order[i] };
+    const auto closest = ClosestTips(pieces[joined[0].piece].ends[ends[0]], pieces[joined[1].piece].ends[ends[1]]);
+    for (int side = 0; side < 2; ++side)
+    {
+      PieceLine & line = lines[joined[side].piece];
+      line.ends[ends[side]] = line.tips[ends[side]][closest[side]];
+    }
+  }
+  return order;
 }
+
 /** The lines of a lumen in their order. The grid comes first, since the network refers to it. */
 struct Traced
 {
@@ -186,7 +213,7 @@ TraceOn(const std::array<int, 3> &     blocks,
   traced.grid = std::make_unique<LumenGrid>(distance, components.labels.GetPointer(), choice.isUsed, blocks);
   traced.network = std::make_unique<LumenNetwork>(*traced.grid);
   traced.lines = TracePieces(*traced.network, options);
-  traced.order = ChooseOrder(*traced.network, traced.lines, choice, options);
+  traced.order = ChooseOrder(*traced.grid, choice, options, traced.lines);
   for (const PlacedPiece & placed : traced.order)
   {
     if (placed.isReversed)

@@ -14,8 +14,9 @@ DistanceField::DistanceField(const LumenDistanceImage * image) : m_Values(image-
   }
 }
 
-double
-DistanceField::At(const Eigen::Vector3d & position) const
+template <typename TAdd>
+void
+DistanceField::Interpolate(const Eigen::Vector3d & position, const TAdd & add) const
 {
   Eigen::Array3i  lower;
   Eigen::Array3i  upper;
@@ -27,7 +28,6 @@ DistanceField::At(const Eigen::Vector3d & position) const
     upper[a] = std::min(lower[a] + 1, m_Size[a] - 1);
     share[a] = voxel - lower[a];
   }
-  double value = 0.0;
   for (int corner = 0; corner < 8; ++corner)
   {
     double      weight = 1.0;
@@ -38,21 +38,24 @@ DistanceField::At(const Eigen::Vector3d & position) const
       weight *= isUpper ? share[a] : 1.0 - share[a];
       index = index * m_Size[a] + (isUpper ? upper[a] : lower[a]);
     }
-    value += weight * m_Values[index];
+    add(weight, m_Values[index]);
   }
-  return value;
 }
 
-bool
-DistanceField::IsInside(const Eigen::Vector3d & position) const
+double
+DistanceField::At(const Eigen::Vector3d & position) const
 {
-  std::size_t index = 0;
-  for (int a = 2; a >= 0; --a)
-  {
-    const int voxel = static_cast<int>(std::lround(position[a] / m_Spacing[a]));
-    index = index * m_Size[a] + std::clamp(voxel, 0, m_Size[a] - 1);
-  }
-  return m_Values[index] > 0.0F;
+  double sum = 0.0;
+  this->Interpolate(position, [&sum](double weight, float value) { sum += weight * value; });
+  return sum;
+}
+
+double
+DistanceField::Occupancy(const Eigen::Vector3d & position) const
+{
+  double sum = 0.0;
+  this->Interpolate(position, [&sum](double weight, float value) { sum += value > 0.0F ? weight : 0.0; });
+  return sum;
 }
 
 double

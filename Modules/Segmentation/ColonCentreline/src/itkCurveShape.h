@@ -22,11 +22,16 @@ public:
   double
   At(const Eigen::Vector3d & position) const;
 
-  /** Whether the voxel around a position is lumen. */
-  bool
-  IsInside(const Eigen::Vector3d & position) const;
+  /** The share of lumen at a position, trilinear between 1 for a lumen voxel and 0; the wall lies where it is 0.5. */
+  double
+  Occupancy(const Eigen::Vector3d & position) const;
 
 private:
+  /** Calls add(weight, value) for the voxels around a position. */
+  template <typename TAdd>
+  void
+  Interpolate(const Eigen::Vector3d & position, const TAdd & add) const;
+
   const float *   m_Values;
   Eigen::Array3i  m_Size;
   Eigen::Vector3d m_Spacing;

@@ -11,8 +11,10 @@ namespace
 constexpr int mostCuts = 6;
 /** mm that a cut must save. */
 constexpr double leastSaving = 40.0;
-/** Side branches of this length (mm) and more are no haustra. */
-constexpr double shortestBranch = 40.0;
+/** mm that a way through a hole in a septum seems to be longer; less than a cut must save. */
+constexpr double holeCost = 35.0;
+/** The best single cuts that are tried in pairs. */
+constexpr std::size_t pairedCuts = 10;
 /** mm^3; what is smaller does not matter to the layout. */
 constexpr double smallestPiece = 5e3;
 /** mm^3 of a stretch of colon. */
@@ -32,17 +34,38 @@ JoinEnd
 EndOf(const LumenGrid & grid, const LumenCells & cells, const std::vector<int> & way)
 {
   const Eigen::Vector3d out = EndDirection(grid, cells, way);
-  return { grid.ToPhysical(cells.positions[way.back()]) + cells.radii[way.back()] * out, out };
+  return { grid.ToPhysical(cells.positions[way.back()]) + cells.radii[way.back()] * out, out, {}, {} };
 }
 
 struct Layout
 {
   std::vector<JoinPiece> pieces;
-  double                 sideBranches{ 0.0 };
+  /** mm of side branches and for holes. */
+  double faults{ 0.0 };
 };
 
+/** About the cross-section of the lumen, mm^2: that of the cell in the middle of the volume, with its haustra. */
+double
+UsualArea(const LumenCells & cells)
+{
+  std::vector<std::pair<double, double>> radii;
+  double                                 volume = 0.0;
+  for (int cell = 0; cell < cells.NumberOfCells(); ++cell)
+  {
+    radii.emplace_back(cells.radii[cell], cells.volumes[cell]);
+    volume += cells.volumes[cell];
+  }
+  std::sort(radii.begin(), radii.end());
+  std::size_t i = 0;
+  for (double passed = radii[0].second; passed < 0.5 * volume && i + 1 < radii.size(); passed += radii[i].second)
+  {
+    ++i;
+  }
+  return 4.0 * radii[i].first * radii[i].first;
+}
+
 Layout
-LayOut(const LumenGrid & grid, const LumenCells & cells, const CellTree & tree)
+LayOut(const LumenGrid & grid, const LumenCells & cells, const CellTree & tree, double area)
 {
   const std::vector<int> groups = tree.Groups();
   std::vector<double>    volumes(groups.size(), 0.0);
@@ -65,7 +88,7 @@ LayOut(const LumenGrid & grid, const LumenCells & cells, const CellTree & tree)
     {
       piece.length += (cells.positions[way[i]] - cells.positions[way[i - 1]]).norm();
     }
-    layout.sideBranches += tree.SideBranches(way, shortestBranch);
+    layout.faults += tree.SideBranches(way, area) + holeCost * tree.Holes(way);
     std::reverse(way.begin(), way.end());
     piece.ends[0] = EndOf(grid, cells, way);
     layout.pieces.push_back(piece);
@@ -73,63 +96,118 @@ LayOut(const LumenGrid & grid, const LumenCells & cells, const CellTree & tree)
   return layout;
 }
 
-/** mm of joins, of what is left out and of side branches. */
-double
-LayoutCost(const LumenGrid & grid, const LumenCells & cells, const CellTree & tree)
+/** Tries cuts: what a colon of the pieces that they leave would cost, mm of joins, of what is left out, of side
+ * branches and for holes. */
+class CutSearch
 {
-  const Layout layout = LayOut(grid, cells, tree);
-  if (layout.pieces.size() > static_cast<std::size_t>(mostJoinPieces))
+public:
+  CutSearch(const LumenGrid & grid, const LumenCells & cells, CellTree & tree)
+    : m_Grid(grid), m_Cells(cells), m_Tree(tree), m_Area(UsualArea(cells))
   {
-    return 1e9;
+    m_Lowest = m_Highest = grid.ToPhysical(cells.positions[0]);
+    for (const Eigen::Vector3d & position : cells.positions)
+    {
+      m_Lowest = m_Lowest.cwiseMin(grid.ToPhysical(position));
+      m_Highest = m_Highest.cwiseMax(grid.ToPhysical(position));
+    }
   }
-  Eigen::Vector3d lowest = grid.ToPhysical(cells.positions[0]);
-  Eigen::Vector3d highest = lowest;
-  for (const Eigen::Vector3d & position : cells.positions)
+
+  double
+  Cost() const
   {
-    lowest = lowest.cwiseMin(grid.ToPhysical(position));
-    highest = highest.cwiseMax(grid.ToPhysical(position));
+    const Layout layout = LayOut(m_Grid, m_Cells, m_Tree, m_Area);
+    if (layout.pieces.size() > static_cast<std::size_t>(mostJoinPieces))
+    {
+      return 1e9;
+    }
+    if (layout.pieces.empty())
+    {
+      return 0.0;
+    }
+    std::vector<JoinPiece> pieces = layout.pieces;
+    PreferCaecum(m_Lowest, m_Highest, pieces);
+    double joins = 0.0;
+    OrderPieces(pieces, FindRectum(pieces, m_Lowest, m_Highest), &joins);
+    return joins + layout.faults;
   }
-  double joins = 0.0;
-  if (layout.pieces.empty())
+
+  /** One cut or two, and the cost with them and with leastSaving for each. */
+  struct Trial
   {
-    return joins;
+    double           cost;
+    std::vector<int> passages;
+  };
+
+  /** The best cut; where no single one saves enough, the best pair. Empty where none does. */
+  Trial
+  Best()
+  {
+    const double       before = this->Cost();
+    std::vector<Trial> singles;
+    for (const CellTree::Neck & neck : m_Tree.Necks())
+    {
+      if (neck.volume >= smallestStretch)
+      {
+        singles.push_back(this->Try({ neck.passage }));
+      }
+    }
+    std::stable_sort(singles.begin(), singles.end(), [](const Trial & a, const Trial & b) { return a.cost < b.cost; });
+    Trial best{ before, {} };
+    best = !singles.empty() && singles[0].cost < before ? singles[0] : best;
+    singles.resize(std::min(singles.size(), pairedCuts));
+    for (std::size_t i = 0; best.passages.empty() && i < singles.size(); ++i)
+    {
+      for (std::size_t k = i + 1; k < singles.size(); ++k)
+      {
+        Trial pair = this->Try({ singles[i].passages[0], singles[k].passages[0] });
+        best = pair.cost < best.cost ? pair : best;
+      }
+    }
+    return best;
   }
-  OrderPieces(layout.pieces, FindRectum(layout.pieces, lowest, highest), &joins);
-  return joins + layout.sideBranches;
-}
+
+private:
+  Trial
+  Try(const std::vector<int> & passages)
+  {
+    for (const int passage : passages)
+    {
+      m_Tree.Cut(passage);
+    }
+    const double cost = this->Cost() + leastSaving * passages.size();
+    for (const int passage : passages)
+    {
+      m_Tree.Mend(passage);
+    }
+    return { cost, passages };
+  }
+
+  const LumenGrid &  m_Grid;
+  const LumenCells & m_Cells;
+  CellTree &         m_Tree;
+  double             m_Area;
+  Eigen::Vector3d    m_Lowest;
+  Eigen::Vector3d    m_Highest;
+};
 } // namespace
 
 std::vector<int>
 CutLoops(const LumenGrid & grid, const LumenCells & cells, CellTree & tree)
 {
   std::vector<int> cuts;
-  double           cost = LayoutCost(grid, cells, tree);
+  CutSearch        search(grid, cells, tree);
   while (static_cast<int>(cuts.size()) < mostCuts)
   {
-    double least = cost - leastSaving;
-    int    best = -1;
-    for (const CellTree::Neck & neck : tree.Necks())
-    {
-      if (neck.volume < smallestStretch)
-      {
-        continue;
-      }
-      tree.Cut(neck.passage);
-      const double without = LayoutCost(grid, cells, tree);
-      tree.Mend(neck.passage);
-      if (without < least)
-      {
-        least = without;
-        best = neck.passage;
-      }
-    }
-    if (best < 0)
+    const auto best = search.Best();
+    if (best.passages.empty())
     {
       break;
     }
-    tree.Cut(best);
-    cuts.push_back(best);
-    cost = least;
+    for (const int passage : best.passages)
+    {
+      tree.Cut(passage);
+      cuts.push_back(passage);
+    }
   }
   return cuts;
 }

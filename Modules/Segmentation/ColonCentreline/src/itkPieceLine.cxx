@@ -14,6 +14,9 @@ constexpr double widestCore = 8.0;
 constexpr double rectumLength = 120.0;
 /** Tapers are followed down to this radius, mm. */
 constexpr double narrowestTaper = 1.0;
+/** Nodes so near the wall (mm) may be tips, and so many of them are looked at. */
+constexpr double      atWall = 3.5;
+constexpr std::size_t mostTips = 60;
 
 double
 CoreRadius(const LumenCells & cells)
@@ -72,8 +75,49 @@ BranchIndices(const LumenGrid & grid, const PathTree & paths, const std::vector<
   return branch;
 }
 
-/** Prolongs the core at its last node into a taper; `paths` comes from the other end. */
+/** The way from the core to a node. */
 PieceEnd
+EndAt(const PathTree & paths, const std::vector<int> & core, const std::vector<int> & branch, int tip)
+{
+  PieceEnd end;
+  end.branch = branch[tip];
+  for (int node = tip; branch[node] < 0 || core[branch[node]] != node; node = paths.parents[node])
+  {
+    end.nodes.push_back(node);
+  }
+  std::reverse(end.nodes.begin(), end.nodes.end());
+  return end;
+}
+
+/** The nodes at the wall whose paths are nearly as long as that to the farthest one: within the calibre of the end. */
+std::vector<int>
+NodesAtEnd(const LumenGrid &        grid,
+           const PathTree &         paths,
+           const std::vector<int> & core,
+           const std::vector<int> & branch,
+           double                   earliest,
+           int                      farthest)
+{
+  double calibre = 10.0;
+  for (std::size_t i = core.size() - std::min<std::size_t>(core.size(), 30); i < core.size(); ++i)
+  {
+    calibre = std::max<double>(calibre, grid.Distance(core[i]));
+  }
+  std::vector<int> nodes;
+  for (const int node : paths.order)
+  {
+    if (branch[node] >= 0 && grid.Distance(node) >= narrowestTaper && grid.Distance(node) <= atWall &&
+        paths.lengths[node] >= paths.lengths[farthest] - 1.2 * calibre && paths.lengths[core[branch[node]]] >= earliest)
+    {
+      nodes.push_back(node);
+    }
+  }
+  return nodes;
+}
+
+/** Prolongs the core at its last node into a taper, or to places on the wall of a blunt end, the farthest one first;
+ * `paths` comes from the other end. */
+std::vector<PieceEnd>
 Prolong(const LumenGrid & grid, const PathTree & paths, const std::vector<int> & core)
 {
   const std::vector<int> branch = BranchIndices(grid, paths, core);
@@ -89,14 +133,15 @@ Prolong(const LumenGrid & grid, const PathTree & paths, const std::vector<int> &
       best = node;
     }
   }
-  PieceEnd end;
-  end.branch = branch[best];
-  for (int node = best; branch[node] < 0 || core[branch[node]] != node; node = paths.parents[node])
+  std::vector<PieceEnd>  tips = { EndAt(paths, core, branch, best) };
+  const std::vector<int> nodes = NodesAtEnd(grid, paths, core, branch, earliest, best);
+  const std::size_t      stride = nodes.size() / mostTips + 1;
+  for (std::size_t i = 0; i < nodes.size(); i += stride)
   {
-    end.nodes.push_back(node);
+    tips.push_back(EndAt(paths, core, branch, nodes[i]));
+    tips.back().shortfall = paths.lengths[best] - paths.lengths[nodes[i]];
   }
-  std::reverse(end.nodes.begin(), end.nodes.end());
-  return end;
+  return tips;
 }
 
 /** Volumes beside the line and in side branches. */
@@ -145,13 +190,12 @@ TraceBetween(const LumenNetwork & network, int first, bool isFixed, int exponent
   const PathTree back = Grow(network, last, exponent);
   const int      begin = isFixed ? first : FarthestNode(grid, back, network.coreRadius);
   line.core = back.PathTo(begin);
-  line.ends[1] = Prolong(grid, back, line.core);
-  if (isFixed)
-  {
-    line.ends[1] = { static_cast<int>(line.core.size()) - 1, {} };
-  }
+  line.tips[1] = isFixed ? std::vector<PieceEnd>{ { static_cast<int>(line.core.size()) - 1, {}, 0.0 } }
+                         : Prolong(grid, back, line.core);
+  line.ends[1] = line.tips[1].front();
   line.Reverse();
-  line.ends[1] = Prolong(grid, forth, line.core);
+  line.tips[1] = Prolong(grid, forth, line.core);
+  line.ends[1] = line.tips[1].front();
   MeasureCover(grid, back, line);
   return line;
 }
@@ -227,9 +271,14 @@ PieceLine::Reverse()
   const int last = static_cast<int>(core.size()) - 1;
   std::reverse(core.begin(), core.end());
   std::swap(ends[0], ends[1]);
-  for (PieceEnd & end : ends)
+  std::swap(tips[0], tips[1]);
+  for (int e = 0; e < 2; ++e)
   {
-    end.branch = last - end.branch;
+    ends[e].branch = last - ends[e].branch;
+    for (PieceEnd & tip : tips[e])
+    {
+      tip.branch = last - tip.branch;
+    }
   }
 }
 
@@ -249,6 +298,7 @@ BeginAtAnus(const LumenNetwork & network, const PieceLine & line, int exponent)
   moved.core = paths.PathTo(FindTip(network.grid, paths, paths.PathTo(wide)));
   std::reverse(moved.core.begin(), moved.core.end());
   moved.ends[0] = {};
+  moved.tips = {};
   // The prolongation leaves the core at the same distance from its other end.
   moved.ends[1].branch += static_cast<int>(moved.core.size()) - static_cast<int>(line.core.size());
   MeasureCover(network.grid, paths, moved);

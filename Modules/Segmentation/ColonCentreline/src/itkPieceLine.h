@@ -11,6 +11,8 @@ struct PieceEnd
   /** The last node of the core that it shares. */
   int              branch{ 0 };
   std::vector<int> nodes;
+  /** How much shorter than the way to the farthest tip, mm. */
+  double shortfall{ 0.0 };
 };
 
 /** The path through one piece of lumen, from its end 0 to its end 1. */
@@ -20,6 +22,8 @@ struct PieceLine
   /** Nodes between the wide ends. */
   std::vector<int>        core;
   std::array<PieceEnd, 2> ends;
+  /** Other tips of the ends; the lumen may go on behind any of them. The first is that of `ends`. */
+  std::array<std::vector<PieceEnd>, 2> tips;
   /** mm^3 of the piece, and what of it lies beside the line. */
   double volume{ 0.0 };
   double coveredVolume{ 0.0 };

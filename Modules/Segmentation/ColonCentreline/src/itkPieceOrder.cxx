@@ -8,13 +8,24 @@ namespace itk
 {
 namespace
 {
+/** mm that the worst place of a caecum costs. */
+constexpr double caecumWeight = 60.0;
+/** mm of a join that a mm of shortfall is worth. */
+constexpr double shortfallShare = 0.3;
 constexpr double never = std::numeric_limits<double>::infinity();
+
+const Eigen::Vector3d &
+TipOf(const JoinEnd & end, int tip)
+{
+  return end.tips.empty() ? end.position : end.tips[tip];
+}
 
 /** mm that a join seems to be long: ends that look away from each other are farther apart. */
 double
 JoinCost(const JoinEnd & a, const JoinEnd & b)
 {
-  const Eigen::Vector3d between = b.position - a.position;
+  const auto            closest = ClosestTips(a, b);
+  const Eigen::Vector3d between = TipOf(b, closest[1]) - TipOf(a, closest[0]);
   const double          distance = between.norm();
   const Eigen::Vector3d straight = distance > 0.0 ? Eigen::Vector3d(between / distance) : a.out;
   const double          turns = 2.0 - a.out.dot(straight) + b.out.dot(straight);
@@ -28,6 +39,25 @@ LeavingCost(const JoinPiece & piece)
   return piece.isWanted ? 1e6 : 60.0 + piece.length;
 }
 
+/** Of the joins of each state (see Table::Extend) with each next one. */
+std::vector<double>
+JoinCosts(const std::vector<JoinPiece> & pieces)
+{
+  const std::size_t   states = 2 * pieces.size();
+  std::vector<double> costs(states * states, 0.0);
+  for (std::size_t from = 0; from < states; ++from)
+  {
+    for (std::size_t to = 0; to < states; ++to)
+    {
+      if (from / 2 != to / 2)
+      {
+        costs[from * states + to] = JoinCost(pieces[from / 2].ends[1 - from % 2], pieces[to / 2].ends[to % 2]);
+      }
+    }
+  }
+  return costs;
+}
+
 class Table
 {
 public:
@@ -38,7 +68,10 @@ public:
   };
 
   explicit Table(const std::vector<JoinPiece> & pieces)
-    : m_Pieces(pieces), m_States(2 * pieces.size()), m_Entries((std::size_t{ 1 } << pieces.size()) * m_States)
+    : m_Pieces(pieces)
+    , m_Costs(JoinCosts(pieces))
+    , m_States(2 * pieces.size())
+    , m_Entries((std::size_t{ 1 } << pieces.size()) * m_States)
   {}
 
   Entry &
@@ -51,8 +84,7 @@ public:
   void
   Extend(std::size_t set, std::size_t state)
   {
-    const Entry     from = this->At(set, state);
-    const JoinEnd & leaves = m_Pieces[state / 2].ends[state % 2 == 0 ? 1 : 0];
+    const Entry from = this->At(set, state);
     for (std::size_t next = 0; next < m_States; ++next)
     {
       const std::size_t bit = std::size_t{ 1 } << (next / 2);
@@ -60,7 +92,7 @@ public:
       {
         continue;
       }
-      const double cost = from.cost + JoinCost(leaves, m_Pieces[next / 2].ends[next % 2]);
+      const double cost = from.cost + m_Costs[state * m_States + next];
       Entry &      to = this->At(set | bit, next);
       if (cost < to.cost)
       {
@@ -82,10 +114,49 @@ public:
 
 private:
   const std::vector<JoinPiece> & m_Pieces;
+  std::vector<double>            m_Costs;
   std::size_t                    m_States;
   std::vector<Entry>             m_Entries;
 };
 } // namespace
+
+std::array<int, 2>
+ClosestTips(const JoinEnd & a, const JoinEnd & b)
+{
+  std::array<int, 2> closest = { 0, 0 };
+  double             least = never;
+  const int numbers[2] = { std::max(1, static_cast<int>(a.tips.size())), std::max(1, static_cast<int>(b.tips.size())) };
+  for (int i = 0; i < numbers[0]; ++i)
+  {
+    for (int k = 0; k < numbers[1]; ++k)
+    {
+      const double behind = (a.tips.empty() ? 0.0 : a.shortfalls[i]) + (b.tips.empty() ? 0.0 : b.shortfalls[k]);
+      const double distance = (TipOf(b, k) - TipOf(a, i)).norm() + shortfallShare * behind;
+      if (distance < least)
+      {
+        least = distance;
+        closest = { i, k };
+      }
+    }
+  }
+  return closest;
+}
+
+void
+PreferCaecum(const Eigen::Vector3d & lowest, const Eigen::Vector3d & highest, std::vector<JoinPiece> & pieces)
+{
+  // Of the extent of the colon, since the caecum is mobile: a tendency, not a rule.
+  const Eigen::Vector3d extent = (highest - lowest).cwiseMax(1.0);
+  for (JoinPiece & piece : pieces)
+  {
+    for (JoinEnd & end : piece.ends)
+    {
+      // LPS: x grows towards the left, z towards the head.
+      const Eigen::Vector3d share = (end.position - lowest).cwiseQuotient(extent);
+      end.asCaecum = caecumWeight * (0.7 * share[2] + 0.3 * share[0]);
+    }
+  }
+}
 
 std::vector<PlacedPiece>
 OrderPieces(const std::vector<JoinPiece> & pieces, const PlacedPiece & first, double * cost)
@@ -106,9 +177,10 @@ OrderPieces(const std::vector<JoinPiece> & pieces, const PlacedPiece & first, do
       {
         continue;
       }
-      if (joins + leftOut < least)
+      const double whole = joins + leftOut + pieces[state / 2].ends[1 - state % 2].asCaecum;
+      if (whole < least)
       {
-        least = joins + leftOut;
+        least = whole;
         bestSet = set;
         bestState = state;
       }

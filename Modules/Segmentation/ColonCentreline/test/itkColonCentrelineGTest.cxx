@@ -88,6 +88,29 @@ IsInside(const ColonCentreline & line, const itk::LumenMask * mask)
   return true;
 }
 
+/** Trilinear between 1 for lumen and 0; a surface of the mask lies where it is 0.5. */
+double
+Occupancy(const itk::LumenMask * mask, const Eigen::Vector3d & at)
+{
+  itk::ContinuousIndex<double, 3> place;
+  mask->TransformPhysicalPointToContinuousIndex(itk::Point<double, 3>(at.data()), place);
+  double sum = 0.0;
+  for (int corner = 0; corner < 8; ++corner)
+  {
+    itk::Index<3> index;
+    double        weight = 1.0;
+    for (int a = 0; a < 3; ++a)
+    {
+      const double low = std::floor(place[a]);
+      const int    upper = corner >> a & 1;
+      index[a] = static_cast<itk::IndexValueType>(low) + upper;
+      weight *= upper == 1 ? place[a] - low : 1.0 - place[a] + low;
+    }
+    sum += mask->GetBufferedRegion().IsInside(index) && mask->GetPixel(index) != 0 ? weight : 0.0;
+  }
+  return sum;
+}
+
 /** Several limbs one beside the other, as a radiator; the axes of limbs are `pitch` mm apart. It begins caudal. */
 TubePoints
 Serpentine(int limbs, double length, double pitch)
@@ -278,6 +301,79 @@ TEST(ColonCentreline, CutsAHoleThatHangsTheCaecumOnAnotherLoop)
   EXPECT_EQ(line.gaps.size(), 1u);
   EXPECT_GT(Covered(truth, PointsOf(line), 12.0), 0.97);
   EXPECT_NEAR(line.length, LengthOf(truth), 0.06 * LengthOf(truth));
+}
+
+TEST(ColonCentreline, CutsAHoleByWhichThePouchOfTheLastPieceHangsOnTheFirst)
+{
+  // The first limb hangs by a narrow hole together with the pouch at the end of the third one, whose joint to the
+  // second one has collapsed, as has that of the second one to the first.
+  const TubePoints truth = itk::CurveThrough({ { 0, 40, -150 },
+                                               { 0, 35, -90 },
+                                               { -50, 0, -60 },
+                                               { -40, -25, -20 },
+                                               { 40, 0, -50 },
+                                               { 110, 20, -20 },
+                                               { 110, 20, 100 },
+                                               { 40, -10, 130 },
+                                               { -40, -10, 130 },
+                                               { -110, 10, 100 },
+                                               { -115, 5, -20 },
+                                               { -105, 0, -75 } });
+  TubeMask         mask(truth, 35.0, { 1.5, 1.5, 1.5 });
+  mask.Paint(itk::PartOf(truth, 0.0, 0.36), 12.0);
+  mask.Paint(itk::PartOf(truth, 0.43, 0.62), 16.0);
+  mask.Paint(itk::PartOf(truth, 0.69, 1.0), [](double share) { return 18.0 + 10.0 * share; });
+  const Eigen::Vector3d crest = truth[static_cast<std::size_t>(0.145 * truth.size())];
+  const Eigen::Vector3d pouch = truth.back();
+  TubePoints            hole;
+  for (double share = 0.0; share <= 1.0; share += 0.01)
+  {
+    hole.push_back(crest + share * (pouch - crest));
+  }
+  mask.Paint(hole, 2.2);
+  const ColonCentreline line = itk::TraceColonCentreline(mask.Get());
+  ASSERT_EQ(line.gaps.size(), 2u);
+  EXPECT_GT(line.coverage, 0.9);
+  EXPECT_TRUE(IsInside(line, mask.Get()));
+  EXPECT_NEAR(line.length, LengthOf(truth), 0.05 * LengthOf(truth));
+  EXPECT_LT((PointsOf(line).front() - truth.front()).norm(), 20.0);
+  EXPECT_LT((PointsOf(line).back() - truth.back()).norm(), 30.0);
+  EXPECT_GT(Covered(truth, PointsOf(line), 15.0), 0.97);
+}
+
+TEST(ColonCentreline, ReachesThePoleOfAWideCaecum)
+{
+  const TubePoints truth = Serpentine(2, 220.0, 70.0);
+  TubeMask         mask(truth, 40.0, { 1.5, 1.5, 1.5 });
+  const double     radius = 26.0;
+  mask.Paint(truth, radius);
+  const TubePoints      points = PointsOf(itk::TraceColonCentreline(mask.Get()));
+  const Eigen::Vector3d out = (truth.back() - truth[truth.size() - 20]).normalized();
+  const Eigen::Vector3d pole = truth.back() + radius * out;
+  // 3 mm before the wall, and no more than the grid's spacing off.
+  EXPECT_NEAR((pole - points.back()).dot(out), 3.0, 3.0);
+  EXPECT_LT((points.back() - pole).norm(), 9.0);
+}
+
+TEST(ColonCentreline, StaysInsideUpToEachGap)
+{
+  const TubePoints truth = Serpentine(3, 200.0, 60.0);
+  TubeMask         mask(truth, 30.0, { 1.4, 1.4, 1.4 }, itk::ObliqueFrame());
+  const auto       taper = [](double share) { return std::min(15.0, 0.5 + 150.0 * std::min(share, 1.0 - share)); };
+  mask.Paint(itk::PartOf(truth, 0.0, 0.45), taper);
+  mask.Paint(itk::PartOf(truth, 0.52, 1.0), taper);
+  const ColonCentreline line = itk::TraceColonCentreline(mask.Get());
+  const TubePoints      points = PointsOf(line);
+  const auto            gap = itk::PointValues(line.curve, "gap", "test");
+  ASSERT_EQ(line.gaps.size(), 1u);
+  for (int i = 0; i + 1 < gap.size(); ++i)
+  {
+    if (gap[i] == 0.0 && gap[i + 1] == 0.0)
+    {
+      EXPECT_GE(Occupancy(mask.Get(), points[i]), 0.5) << i;
+      EXPECT_GE(Occupancy(mask.Get(), 0.5 * (points[i] + points[i + 1])), 0.5) << i;
+    }
+  }
 }
 
 TEST(ColonCentreline, BeginsAtTheStartThatIsGiven)
