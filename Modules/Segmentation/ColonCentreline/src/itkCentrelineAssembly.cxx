@@ -210,27 +210,45 @@ EndDirection(const CurvePoints & points, bool atBegin)
   return direction.norm() > 0.0 ? Eigen::Vector3d(direction.normalized()) : Eigen::Vector3d(Eigen::Vector3d::UnitZ());
 }
 
-/** Points that smoothing has left in a wall go towards the nearest node of the path, as far as needed. */
+std::size_t
+NearestIndex(const CurvePoints & nodes, const Eigen::Vector3d & point)
+{
+  const auto nearest =
+    std::min_element(nodes.begin(), nodes.end(), [&point](const Eigen::Vector3d & a, const Eigen::Vector3d & b) {
+      return (a - point).squaredNorm() < (b - point).squaredNorm();
+    });
+  return nearest - nodes.begin();
+}
+
+/** Stretches outside the lumen become those of the path again, which may wind more than the line. */
 void
 KeepInside(const DistanceField & field, const CurvePoints & nodes, CurvePoints & points)
 {
-  for (Eigen::Vector3d & point : points)
+  const auto isBad = [&](std::size_t i) {
+    const Eigen::Vector3d halfway = 0.5 * (points[i] + points[std::min(i + 1, points.size() - 1)]);
+    return std::min(field.Occupancy(points[i]), field.Occupancy(halfway)) < safelyInside;
+  };
+  CurvePoints kept;
+  for (std::size_t i = 0; i < points.size(); ++i)
   {
-    if (field.Occupancy(point) >= safelyInside)
+    if (!isBad(i) || i == 0)
     {
+      kept.push_back(points[i]);
       continue;
     }
-    const Eigen::Vector3d node =
-      *std::min_element(nodes.begin(), nodes.end(), [&](const Eigen::Vector3d & a, const Eigen::Vector3d & b) {
-        return (a - point).squaredNorm() < (b - point).squaredNorm();
-      });
-    Eigen::Vector3d place = point;
-    for (int eighth = 1; eighth <= 8 && field.Occupancy(place) < safelyInside; ++eighth)
+    const std::size_t from = NearestIndex(nodes, points[i - 1]);
+    while (i + 1 < points.size() && isBad(i))
     {
-      place = point + 0.125 * eighth * (node - point);
+      ++i;
     }
-    point = place;
+    const std::size_t to = NearestIndex(nodes, points[i]);
+    if (from < to)
+    {
+      kept.insert(kept.end(), nodes.begin() + from + 1, nodes.begin() + to);
+    }
+    kept.push_back(points[i]);
   }
+  points = kept;
 }
 
 /** A smooth curve in the middle of the lumen from a path of nodes. */
@@ -247,7 +265,7 @@ ShapeLine(const LumenNetwork &           network,
   const CurvePoints path = smooth(PositionsOf(network.grid, nodes));
   CurvePoints       points = smooth(MoveToMiddle(network, field, path, options.step));
   KeepInside(field, PositionsOf(network.grid, nodes), points);
-  return points;
+  return ResampleCurve(points, options.step);
 }
 
 bool
