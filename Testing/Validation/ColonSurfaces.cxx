@@ -260,7 +260,8 @@ ValidateColonSurfaces(const ValidationSettings & settings, ValidationReport & re
     "the CT and the patient position alone. Surface error: distance of vertices of `wall.vtp`, synthetic bridges left "
     "out, to the true wall; missed: the other way round. A line covers a place of the true centreline when it passes "
     "within the "
-    "lumen's radius. Folds and polyps are kept when 90 % of their tissue stays tissue in the cleansed CT.");
+    "lumen's radius. Folds (within 0.8 of their height of the crest) and polyps are kept when their volume in the "
+    "cleansed CT, the sum of the shares of tissue, is at least 90 % of the true one.");
   if (settings.quick)
   {
     // Coarse: the bounds are those of finer voxels, so only that it works is checked.

@@ -157,18 +157,20 @@ class TissueKeeper
 {
 public:
   TissueKeeper(const ColonModel & model, const ColonAnatomy & anatomy)
-    : m_Anatomy(anatomy), m_Boundary(model.lumen.thresholds.gasBoundary), m_Interpolator(Interpolator::New())
+    : m_Anatomy(anatomy), m_Thresholds(model.lumen.thresholds), m_Interpolator(Interpolator::New())
   {
     m_Interpolator->SetInputImage(model.cleansed);
   }
 
-  /** True tissue within `radius` of the centres, no deeper than `depth` from the lumen. */
+  /** Compares volumes within `radius` of the centres, from `depth` mm below the true surface to 1.5 mm above it, as far
+   * as blur spreads tissue. The found volume is the sum of the shares of tissue, which blur and interpolation keep. */
   bool
   IsKept(const std::vector<Eigen::Vector3d> & centres, double radius, double depth) const
   {
     constexpr double step = 0.5;
-    int              tissue = 0;
-    int              kept = 0;
+    constexpr double margin = 1.5;
+    double           tissue = 0.0;
+    double           kept = 0.0;
     const int        reach = static_cast<int>(std::ceil(radius / step));
     const int        side = 2 * reach + 1;
     for (const Eigen::Vector3d & centre : centres)
@@ -176,12 +178,16 @@ public:
       for (int i = 0; i < side * side * side; ++i)
       {
         const Eigen::Vector3d offset(i % side - reach, i / side % side - reach, i / (side * side) - reach);
-        const Eigen::Vector3d p = centre + step * offset;
-        const double          distance = step * offset.norm() <= radius ? m_Anatomy.Evaluate(p).distance : 0.0;
-        if (distance < 0.0 && distance >= -depth)
+        if (step * offset.norm() > radius)
         {
-          ++tissue;
-          kept += this->ValueAt(p) > m_Boundary;
+          continue;
+        }
+        const Eigen::Vector3d p = centre + step * offset;
+        const double          distance = m_Anatomy.Evaluate(p).distance;
+        if (distance >= -depth && distance <= margin)
+        {
+          tissue += distance < 0.0;
+          kept += this->TissueAt(p);
         }
       }
     }
@@ -189,15 +195,17 @@ public:
   }
 
 private:
+  /** Share of tissue by the value, 0 to 1. */
   double
-  ValueAt(const Eigen::Vector3d & p) const
+  TissueAt(const Eigen::Vector3d & p) const
   {
     const Point<double, 3> point(p.data());
-    return m_Interpolator->IsInsideBuffer(point) ? m_Interpolator->Evaluate(point) : 0.0;
+    const double           value = m_Interpolator->IsInsideBuffer(point) ? m_Interpolator->Evaluate(point) : 0.0;
+    return std::clamp((value - m_Thresholds.gas) / (m_Thresholds.tissue - m_Thresholds.gas), 0.0, 1.0);
   }
 
   const ColonAnatomy &  m_Anatomy;
-  double                m_Boundary;
+  ColonThresholds       m_Thresholds;
   Interpolator::Pointer m_Interpolator;
 };
 
@@ -210,7 +218,7 @@ MeasureKeptShapes(const ColonModel & model, Source * truth, ColonErrors & errors
     if (polyp.diameter >= 6.0)
     {
       ++errors.polyps;
-      errors.keptPolyps += keeper.IsKept({ polyp.position }, 0.5 * polyp.diameter, polyp.diameter);
+      errors.keptPolyps += keeper.IsKept({ polyp.position }, 0.5 * polyp.diameter + 1.5, polyp.diameter);
     }
   }
   const CurveSet             folds = truth->GetAnatomy().Folds();
@@ -232,7 +240,8 @@ MeasureKeptShapes(const ColonModel & model, Source * truth, ColonErrors & errors
     {
       ++errors.folds;
       // A fold is no deeper than half its thickness; what is deeper near its root is the wall.
-      errors.keptFolds += keeper.IsKept(crest, 0.8 * height->values(row, 0), 0.5 * thickness->values(row, 0) + 0.25);
+      const double half = 0.5 * thickness->values(row, 0);
+      errors.keptFolds += keeper.IsKept(crest, std::max(0.8 * height->values(row, 0), half + 1.5), half + 0.25);
     }
   }
 }
