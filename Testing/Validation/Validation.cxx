@@ -14,6 +14,7 @@ struct Part
   std::string                                                         title;
   std::function<void(const ValidationSettings &, ValidationReport &)> run;
   bool                                                                needsData;
+  bool                                                                hasQuick{ true };
 };
 
 const std::vector<Part> parts = {
@@ -25,6 +26,8 @@ const std::vector<Part> parts = {
   { "shapeton-comparison", "CHD or shapetons?", ValidateComparisonOfShapetons, false },
   { "shapeton-walk", "Scale and time of shapetons", ValidateWalkOfShapetons, false },
   { "colon-surfaces", "Surface and centreline of synthetic colons", ValidateColonSurfaces, false },
+  { "colon-noise", "Synthetic colons in strong noise", ValidateColonNoise, false, false },
+  { "colon-surfaces-fine", "Synthetic colons in fine voxels", ValidateColonSurfacesFine, false, false },
 };
 
 int
@@ -84,7 +87,7 @@ main(int argc, char * argv[])
   unsigned int done = 0;
   for (const Part & part : parts)
   {
-    if (!wanted.empty() && wanted != part.name)
+    if ((!wanted.empty() && wanted != part.name) || (settings.quick && !part.hasQuick))
     {
       continue;
     }

@@ -72,5 +72,9 @@ void
 ValidateWalkOfShapetons(const ValidationSettings & settings, ValidationReport & report);
 void
 ValidateColonSurfaces(const ValidationSettings & settings, ValidationReport & report);
+void
+ValidateColonNoise(const ValidationSettings & settings, ValidationReport & report);
+void
+ValidateColonSurfacesFine(const ValidationSettings & settings, ValidationReport & report);
 
 #endif
