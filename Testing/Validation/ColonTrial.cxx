@@ -215,10 +215,10 @@ MeasureKeptShapes(const ColonModel & model, Source * truth, ColonErrors & errors
   const TissueKeeper keeper(model, truth->GetAnatomy());
   for (const ColonPolyp & polyp : truth->GetAnatomy().Polyps())
   {
-    if (polyp.diameter >= 6.0)
+    if (polyp.diameter >= 6.0) // deeper than 1.5 mm lies its inside, or fat beyond the wall
     {
       ++errors.polyps;
-      errors.keptPolyps += keeper.IsKept({ polyp.position }, 0.5 * polyp.diameter + 1.5, polyp.diameter);
+      errors.keptPolyps += keeper.IsKept({ polyp.position }, 0.5 * polyp.diameter + 1.5, 1.5);
     }
   }
   const CurveSet             folds = truth->GetAnatomy().Folds();
