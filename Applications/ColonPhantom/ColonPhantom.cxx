@@ -88,28 +88,15 @@ Describe(const itk::CommandLine & commandLine)
   description.patientPosition = positions.at(position).first;
   description.seriesNumber = positions.at(position).second;
   description.seed = static_cast<unsigned>(commandLine.GetInteger("seed"));
-  for (const auto & fact : commandLine.GetProvenance())
-  {
-    description.comments += (description.comments.empty() ? "" : "; ") + fact.first + '=' + fact.second;
-  }
+  description.comments = itk::ProvenanceComment(commandLine);
   return description;
-}
-
-std::string
-WithoutTrailingSlashes(std::string path)
-{
-  while (path.size() > 1 && path.back() == '/')
-  {
-    path.pop_back();
-  }
-  return path;
 }
 
 void
 MakePhantom(itk::CommandLine & commandLine)
 {
-  const std::string folder = WithoutTrailingSlashes(commandLine.GetString("outputFolder"));
-  const std::string truth = WithoutTrailingSlashes(commandLine.GetString("truth"));
+  const std::string folder = itk::WithoutTrailingSlashes(commandLine.GetString("outputFolder"));
+  const std::string truth = itk::WithoutTrailingSlashes(commandLine.GetString("truth"));
   itk::RequireUsage(folder != truth, "--truth: the series needs a folder of its own");
   commandLine.LeaveOutOfProvenance("truth");
   const auto source = MakeSource(commandLine);

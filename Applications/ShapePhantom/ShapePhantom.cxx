@@ -67,27 +67,14 @@ WriteSeries(const itk::CommandLine & commandLine, const Source::ImageType * imag
   description.studyDescription = "Shape phantoms";
   description.seriesDescription = "Shape phantom";
   description.seed = commandLine.GetInteger("seed");
-  for (const auto & fact : commandLine.GetProvenance())
-  {
-    description.comments += (description.comments.empty() ? "" : "; ") + fact.first + '=' + fact.second;
-  }
+  description.comments = itk::ProvenanceComment(commandLine);
   itk::WriteDicomSeriesFolder(image, folder, description);
-}
-
-std::string
-WithoutTrailingSlashes(std::string path)
-{
-  while (path.size() > 1 && path.back() == '/')
-  {
-    path.pop_back();
-  }
-  return path;
 }
 
 void
 MakePhantom(itk::CommandLine & commandLine)
 {
-  const std::string output = WithoutTrailingSlashes(commandLine.GetString("outputVolume"));
+  const std::string output = itk::WithoutTrailingSlashes(commandLine.GetString("outputVolume"));
   const bool        dicom = commandLine.GetFlag("dicom");
   const auto        source = MakeSource(commandLine);
   const std::string volumeFile = dicom ? "" : commandLine.Output(output);

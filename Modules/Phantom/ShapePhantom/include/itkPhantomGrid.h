@@ -7,6 +7,8 @@
 
 #include <optional>
 
+#include <string>
+
 namespace itk
 {
 class CommandLine;
@@ -29,6 +31,15 @@ ShapePhantom_EXPORT PhantomGrid
 ReadPhantomGrid(const CommandLine &                      commandLine,
                 double                                   bytesPerVoxel,
                 const std::optional<Vector<double, 3>> & extent = {});
+
+/** Image Comments of a series that a phantom tool writes: its provenance, "key=value" with semicolons between.
+ * \ingroup ShapePhantom */
+ShapePhantom_EXPORT std::string
+                    ProvenanceComment(const CommandLine & commandLine);
+
+/** A folder's name without slashes at its end, so that names can be made from it. \ingroup ShapePhantom */
+ShapePhantom_EXPORT std::string
+                    WithoutTrailingSlashes(std::string path);
 } // namespace itk
 
 #endif

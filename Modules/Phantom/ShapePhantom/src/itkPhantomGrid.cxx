@@ -96,4 +96,25 @@ ReadPhantomGrid(const CommandLine & commandLine, double bytesPerVoxel, const std
   }
   return { size, spacing, ReadDirection(commandLine) };
 }
+
+std::string
+ProvenanceComment(const CommandLine & commandLine)
+{
+  std::string comment;
+  for (const auto & fact : commandLine.GetProvenance())
+  {
+    comment += (comment.empty() ? "" : "; ") + fact.first + '=' + fact.second;
+  }
+  return comment;
+}
+
+std::string
+WithoutTrailingSlashes(std::string path)
+{
+  while (path.size() > 1 && path.back() == '/')
+  {
+    path.pop_back();
+  }
+  return path;
+}
 } // namespace itk
