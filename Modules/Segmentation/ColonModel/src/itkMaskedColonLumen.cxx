@@ -38,11 +38,10 @@ struct PieceSums
 
 /** Sums over the components of the labels; `ct` may be null. */
 std::vector<PieceSums>
-SumPieces(const Image<float, 3> * ct, const LumenMask * labels)
+SumPieces(const Image<float, 3> * ct, const LumenMask * labels, const LumenDistanceImage * distance)
 {
-  const auto                                   region = LumenRegion(labels);
+  const auto                                   region = distance->GetBufferedRegion();
   const auto                                   components = FindLumenComponents(labels, region);
-  const auto                                   distance = LumenDistance(labels, region);
   std::vector<PieceSums>                       sums(components.components.size());
   ImageRegionConstIterator<LumenLabelImage>    piece(components.labels, components.labels->GetBufferedRegion());
   ImageRegionConstIterator<LumenDistanceImage> depth(distance, distance->GetBufferedRegion());
@@ -121,11 +120,10 @@ MedianOf(std::vector<float> & values)
 
 /** From what lies at least 2 mm and one and a half voxels deep: clear gas and clear fluid. */
 void
-MeasureThresholds(const Image<float, 3> * ct, const LumenMask * mask, ColonLumen & lumen)
+MeasureThresholds(const Image<float, 3> * ct, const LumenDistanceImage * distance, ColonLumen & lumen)
 {
-  const auto         region = LumenRegion(mask);
-  const auto         distance = LumenDistance(mask, region);
-  const auto &       spacing = mask->GetSpacing();
+  const auto         region = distance->GetBufferedRegion();
+  const auto &       spacing = distance->GetSpacing();
   const double       deep = std::max(2.0, 1.5 * *std::max_element(spacing.Begin(), spacing.End()));
   std::vector<float> gas;
   std::vector<float> fluid;
@@ -174,7 +172,8 @@ ColonLumen
 ColonLumenOfMask(const Image<float, 3> * ct, const LumenMask * mask, const ColonLumenOptions & options)
 {
   ColonLumen lumen;
-  MeasureThresholds(ct, mask, lumen);
+  const auto distance = LumenDistance(mask, LumenRegion(mask));
+  MeasureThresholds(ct, distance, lumen);
   lumen.labels = EmptyLabels(mask);
   const auto                                region = mask->GetLargestPossibleRegion();
   ImageRegionConstIterator<LumenMask>       inside(mask, region);
@@ -185,7 +184,7 @@ ColonLumenOfMask(const Image<float, 3> * ct, const LumenMask * mask, const Colon
     const bool isGas = !lumen.isTagged || value.Get() < lumen.thresholds.gasBoundary;
     label.Set(inside.Get() == 0 ? 0 : isGas ? Gas : Fluid);
   }
-  const auto sums = SumPieces(ct, lumen.labels);
+  const auto sums = SumPieces(ct, lumen.labels, distance);
   DescribePieces(sums, VoxelMl(mask), lumen);
   ChooseGravity(sums, options.patientPosition, lumen);
   return lumen;
@@ -203,7 +202,7 @@ ColonLumenOfMask(const LumenMask * mask)
   {
     label.Set(inside.Get() == 0 ? 0 : Gas);
   }
-  DescribePieces(SumPieces(nullptr, lumen.labels), VoxelMl(mask), lumen);
+  DescribePieces(SumPieces(nullptr, lumen.labels, LumenDistance(mask, LumenRegion(mask))), VoxelMl(mask), lumen);
   return lumen;
 }
 } // namespace itk
