@@ -209,18 +209,61 @@ private:
   Interpolator::Pointer m_Interpolator;
 };
 
-void
-MeasureKeptShapes(const ColonModel & model, Source * truth, ColonErrors & errors)
+/** The true centreline. */
+class TrueLine
 {
-  const TissueKeeper keeper(model, truth->GetAnatomy());
-  for (const ColonPolyp & polyp : truth->GetAnatomy().Polyps())
+public:
+  explicit TrueLine(const ColonAnatomy & anatomy)
+    : m_Anatomy(anatomy)
+    , m_Line(anatomy.Centreline())
+    , m_ArcLength(PointValues(m_Line, "arcLength", "the true centreline"))
+    , m_IsCollapsed(PointValues(m_Line, "collapsed", "the true centreline"))
+  {}
+
+  /** Arc length of a point in or near the lumen, and its distance from the line, whose points lie about 2 mm apart. The
+   * lumen knows its arc length: the closest point of the line may lie in a loop or a collapsed stretch alongside. */
+  double
+  Place(const Eigen::Vector3d & p, double & distance) const
   {
-    if (polyp.diameter >= 6.0) // deeper than 1.5 mm lies its inside, or fat beyond the wall
+    Eigen::Index index = 0;
+    distance = std::sqrt((m_Line.V.rowwise() - p.transpose()).rowwise().squaredNorm().minCoeff(&index));
+    const auto sample = m_Anatomy.Evaluate(p);
+    return sample.segment > 0 ? sample.arcLength : m_ArcLength[index];
+  }
+
+  bool
+  IsCollapsedAt(double arcLength) const
+  {
+    Eigen::Index index = 0;
+    (m_ArcLength.array() - arcLength).abs().minCoeff(&index);
+    return m_IsCollapsed[index] != 0.0;
+  }
+
+private:
+  const ColonAnatomy & m_Anatomy;
+  CurveSet             m_Line;
+  Eigen::VectorXd      m_ArcLength;
+  Eigen::VectorXd      m_IsCollapsed;
+};
+
+void
+MeasurePolyps(const ColonAnatomy & anatomy, const TissueKeeper & keeper, ColonErrors & errors)
+{
+  const TrueLine line(anatomy);
+  for (const ColonPolyp & polyp : anatomy.Polyps())
+  {
+    if (polyp.diameter >= 6.0 && !line.IsCollapsedAt(polyp.arcLength))
     {
+      // Deeper than 1.5 mm lies its inside, or fat beyond the wall.
       ++errors.polyps;
       errors.keptPolyps += keeper.IsKept({ polyp.position }, 0.5 * polyp.diameter + 1.5, 1.5);
     }
   }
+}
+
+void
+MeasureFolds(Source * truth, const TissueKeeper & keeper, ColonErrors & errors)
+{
   const CurveSet             folds = truth->GetAnatomy().Folds();
   const SurfaceArray * const thickness = FindSurfaceArray(folds.cellArrays, "thickness");
   const SurfaceArray * const height = FindSurfaceArray(folds.cellArrays, "height");
@@ -246,34 +289,6 @@ MeasureKeptShapes(const ColonModel & model, Source * truth, ColonErrors & errors
   }
 }
 
-/** A polyline to find the closest of its points. */
-class TrueLine
-{
-public:
-  explicit TrueLine(const CurveSet & line)
-    : m_Line(line), m_ArcLength(PointValues(line, "arcLength", "the true centreline"))
-  {}
-
-  /** Index of the closest vertex; they lie about 1 mm apart. */
-  Eigen::Index
-  Closest(const Eigen::Vector3d & p, double & distance) const
-  {
-    Eigen::Index index = 0;
-    distance = std::sqrt((m_Line.V.rowwise() - p.transpose()).rowwise().squaredNorm().minCoeff(&index));
-    return index;
-  }
-
-  double
-  ArcLengthAt(Eigen::Index index) const
-  {
-    return m_ArcLength[index];
-  }
-
-private:
-  const CurveSet & m_Line;
-  Eigen::VectorXd  m_ArcLength;
-};
-
 /** Jumps and steps back of the line along the true one. */
 void
 MeasureOrder(const CurveSet & line, const Eigen::VectorXd & gap, const TrueLine & trueLine, ColonErrors & errors)
@@ -290,7 +305,7 @@ MeasureOrder(const CurveSet & line, const Eigen::VectorXd & gap, const TrueLine 
       continue;
     }
     double       distance = 0.0;
-    const double place = trueLine.ArcLengthAt(trueLine.Closest(line.V.row(i), distance));
+    const double place = trueLine.Place(line.V.row(i), distance);
     sum += distance;
     ++count;
     if (before >= 0.0 && isAfterGap)
@@ -316,7 +331,7 @@ MeasureLine(const ColonModel & model, Source * truth, ColonErrors & errors)
   const Eigen::VectorXd radius = PointValues(trueCurve, "radius", "the true centreline");
   const Eigen::VectorXd collapsed = PointValues(trueCurve, "collapsed", "the true centreline");
   errors.lengthError = model.centreline.length / truth->GetAnatomy().Length() - 1.0;
-  MeasureOrder(line, gap, TrueLine(trueCurve), errors);
+  MeasureOrder(line, gap, TrueLine(truth->GetAnatomy()), errors);
   int covered = 0;
   int open = 0;
   for (Eigen::Index i = 0; i < trueCurve.V.rows(); ++i)
@@ -378,7 +393,9 @@ TryColon(const ColonCase & one, int faces)
     if (model.failure.empty())
     {
       MeasureSurface(model, truth, errors);
-      MeasureKeptShapes(model, truth, errors);
+      const TissueKeeper keeper(model, truth->GetAnatomy());
+      MeasurePolyps(truth->GetAnatomy(), keeper, errors);
+      MeasureFolds(truth, keeper, errors);
       MeasureLine(model, truth, errors);
       MeasureMeshes(model, errors);
     }

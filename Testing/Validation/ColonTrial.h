@@ -27,8 +27,8 @@ struct ColonErrors
   double level95{ 0.0 };
   /** From the true wall to the raw one, mm: what was missed. */
   double missed95{ 0.0 };
-  /** Folds at least 2.5 mm thick that lie in fluid, and polyps of at least 6 mm, that keep 90 % of their volume in the
-   * cleansed CT. */
+  /** Folds at least 2.5 mm thick that lie in fluid, and polyps of at least 6 mm where the colon is not collapsed, that
+   * keep 90 % of their volume in the cleansed CT. */
   int keptFolds{ 0 };
   int folds{ 0 };
   int keptPolyps{ 0 };

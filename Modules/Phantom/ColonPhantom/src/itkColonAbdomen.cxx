@@ -19,6 +19,7 @@ MakeColonAbdomen(const ColonAnatomy & anatomy, const ColonFluid & fluid)
   AddMesentery(bodies, parameters.seed);
   bodies.push_back(MakeSmallBowel(parameters.seed, down));
   AddBones(bodies);
+  bodies.push_back(MakeSolidBody(Both(NatalCleft(anatomy), BodyOutline()), airIntensity));
   bodies.push_back(MakeColonBody(anatomy, fluid));
   for (const auto & body : MakeCatheter(anatomy))
   {

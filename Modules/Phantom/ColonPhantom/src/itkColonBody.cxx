@@ -119,6 +119,26 @@ MakeCatheter(const ColonAnatomy & anatomy)
 }
 
 PhantomSolid
+NatalCleft(const ColonAnatomy & anatomy)
+{
+  constexpr double halfWidth = 3.0; // mm at the anal verge
+  constexpr double widening = 0.35; // mm for each mm below it
+  constexpr double perineum = 20.0; // mm before the anal verge
+  Eigen::Vector3d  verge;
+  Eigen::Vector3d  inwards;
+  anatomy.AnalVerge(verge, inwards);
+  const auto below = [&](const Eigen::Vector3d & normal, double offset) {
+    const double norm = normal.norm();
+    const auto   unit = MakeVector(normal[0] / norm, normal[1] / norm, normal[2] / norm);
+    return HalfSpaceSolid(unit, (normal.dot(verge) + offset) / norm);
+  };
+  const Eigen::Vector3d side = Eigen::Vector3d::UnitX();
+  const PhantomSolid    wedge =
+    Both(below(side + widening * inwards, halfWidth), below(widening * inwards - side, halfWidth));
+  return Both(Both(wedge, below(inwards, 0.0)), below(-Eigen::Vector3d::UnitY(), perineum));
+}
+
+PhantomSolid
 AwayFromColon(const PhantomSolid & solid, const ColonAnatomy & anatomy, double gap)
 {
   const auto                 distance = solid.distance;

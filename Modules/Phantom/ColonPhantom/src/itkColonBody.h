@@ -22,6 +22,10 @@ constexpr double softTissueIntensity = 50.0;
 PhantomBodies
 MakeCatheter(const ColonAnatomy & anatomy);
 
+/** The air between the buttocks, below the anal verge and behind the perineum. */
+PhantomSolid
+NatalCleft(const ColonAnatomy & anatomy);
+
 /** The part of a solid that is more than `gap` mm (at most 9) from the lumen of the colon. */
 PhantomSolid
 AwayFromColon(const PhantomSolid & solid, const ColonAnatomy & anatomy, double gap);

@@ -361,6 +361,21 @@ BoxOfColon(const ColonEvidence & evidence)
         box, { { evidence.brightSet.runs[r].begin, j, k } }, { { evidence.brightSet.runs[r].end, j + 1, k + 1 } });
     }
   });
-  return box.IsEmpty() ? box : evidence.grid.Widened(box, 12.0);
+  if (box.IsEmpty())
+  {
+    return box;
+  }
+  box = evidence.grid.Widened(box, 12.0);
+  // The anal canal, which may hold a catheter.
+  const int canal = static_cast<int>(50.0 / evidence.grid.spacing[2]);
+  if (evidence.grid.axes(2, 2) > 0.0)
+  {
+    box.low[2] = std::max(0, box.low[2] - canal);
+  }
+  else
+  {
+    box.high[2] = std::min(evidence.grid.size[2], box.high[2] + canal);
+  }
+  return box;
 }
 } // namespace itk

@@ -187,21 +187,22 @@ IsThinlyCovered(const ColonGrid & grid, const GasOfVolume & gas, int i, int j, i
     const auto run = gas.set.Find(i, row, k);
     if (run >= 0)
     {
-      return gas.isOutsideRun[run] != 0;
+      return gas.isOutsideRun[run] || gas.pieces[gas.labels.ofRun[run]].isOutside;
     }
   }
   return false;
 }
 
-/** Hollow tables, cushions and blankets: front and back lie under a thin shell. */
-void
+/** Hollow tables, cushions and blankets, and the natal cleft that lies on them: front or back lies under a thin shell,
+ * under which is air known to be outside. Returns whether any was found. */
+bool
 FindShells(const ColonGrid & grid, GasOfVolume & gas)
 {
   std::vector<double> ends(gas.pieces.size(), 0.0);
   std::vector<double> thin(gas.pieces.size(), 0.0);
   ForEachRun(gas.set, [&](std::size_t r, int j, int k) {
     const int p = gas.labels.ofRun[r];
-    if (p == 0 || gas.pieces[p].ml < MeasuredMl)
+    if (p == 0 || gas.pieces[p].ml < MeasuredMl || gas.pieces[p].isOutside)
     {
       return;
     }
@@ -217,10 +218,14 @@ FindShells(const ColonGrid & grid, GasOfVolume & gas)
       }
     }
   });
+  bool isAnyNew = false;
   for (std::size_t p = 1; p < gas.pieces.size(); ++p)
   {
-    gas.pieces[p].isOutside = gas.pieces[p].isOutside || thin[p] > ShareOfShell * ends[p];
+    const bool isNew = !gas.pieces[p].isOutside && thin[p] > ShareOfShell * ends[p];
+    gas.pieces[p].isOutside = gas.pieces[p].isOutside || isNew;
+    isAnyNew = isAnyNew || isNew;
   }
+  return isAnyNew;
 }
 
 /** A piece as a mask in its own box, with a margin of one voxel. */
@@ -289,10 +294,9 @@ FindGas(const ColonGrid &                       grid,
   gas.pieces[0].isOutside = true;
   MeasurePieces(grid, hu, gas);
   FindPockets(grid, gas);
-  if (std::find(gas.isOutsideRun.begin(), gas.isOutsideRun.end(), 1) != gas.isOutsideRun.end())
-  {
-    FindShells(grid, gas);
-  }
+  const bool hasOutside = std::find(gas.isOutsideRun.begin(), gas.isOutsideRun.end(), 1) != gas.isOutsideRun.end();
+  while (hasOutside && FindShells(grid, gas))
+  {}
   return gas;
 }
 
