@@ -2,6 +2,8 @@
 
 #include "itkDistanceToBackground.h"
 
+#include <Eigen/Eigenvalues>
+
 #include <cmath>
 
 namespace itk
@@ -11,7 +13,9 @@ namespace
 constexpr double ShareOfBorder = 0.6;
 constexpr double ShareOfWalls = 0.25;
 constexpr double ShareOfSection = 0.25;
-constexpr double ThinShell = 8.0; // mm; the abdominal wall is thicker
+constexpr double CleftElongation = 2.0;
+constexpr double LeastCleft = 100.0; // mm^2
+constexpr double ThinShell = 8.0;    // mm; the abdominal wall is thicker
 constexpr double ShareOfShell = 0.3;
 constexpr double MeasuredMl = 0.5;
 
@@ -62,6 +66,19 @@ RunsOf(const RunLabels & labels, const std::vector<char> & isIn)
   return use;
 }
 
+/** 1 for each part that holds one of the voxels. */
+std::vector<char>
+PartsOf(const RunSet & set, const RunLabels & parts, const std::vector<std::array<int, 3>> & voxels)
+{
+  std::vector<char> holds(parts.number + 1, 0);
+  for (const auto & v : voxels)
+  {
+    const auto run = set.Find(v[0], v[1], v[2]);
+    holds[run >= 0 ? parts.ofRun[run] : 0] = 1;
+  }
+  return holds;
+}
+
 /** The groups of slice parts at the border that are outside air. */
 std::vector<char>
 OutsideRuns(const ColonGrid & grid, const RunSet & set, const std::vector<std::array<int, 3>> & kept)
@@ -92,21 +109,116 @@ OutsideRuns(const ColonGrid & grid, const RunSet & set, const std::vector<std::a
   {
     isOutside[g] = ofGroup[g].border >= std::min(ShareOfBorder * ofGroup[g].edge, ShareOfWalls * walls);
   }
-  for (const auto & v : kept)
+  const std::vector<char> isKept = PartsOf(set, groups, kept);
+  for (int g = 1; g <= groups.number; ++g)
   {
-    const auto run = set.Find(v[0], v[1], v[2]);
-    if (run >= 0)
-    {
-      isOutside[groups.ofRun[run]] = 0;
-    }
+    isOutside[g] = isOutside[g] && !isKept[g];
   }
   isOutside[0] = 0;
   return RunsOf(groups, isOutside);
 }
 
+/** Voxels of a part of a slice, and their moments in mm. */
+struct Section
+{
+  double          voxels{ 0.0 };
+  Eigen::Vector2d sum{ 0.0, 0.0 };
+  Eigen::Matrix2d squares{ Eigen::Matrix2d::Zero() };
+
+  /** Of the standard deviations along and across. */
+  double
+  Elongation() const
+  {
+    const Eigen::Vector2d mean = sum / voxels;
+    const Eigen::Matrix2d covariance = squares / voxels - mean * mean.transpose();
+    const Eigen::Vector2d variances = Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d>(covariance).eigenvalues();
+    return std::sqrt(variances[1] / std::max(variances[0], 1e-9));
+  }
+};
+
+std::vector<Section>
+SectionsOfParts(const ColonGrid & grid, const RunSet & set, const RunLabels & parts)
+{
+  std::vector<Section> sections(parts.number + 1);
+  ForEachRun(set, [&](std::size_t r, int j, int) {
+    auto & section = sections[parts.ofRun[r]];
+    for (int i = set.runs[r].begin; i < set.runs[r].end; ++i)
+    {
+      const Eigen::Vector2d x(i * grid.spacing[0], j * grid.spacing[1]);
+      section.voxels += 1.0;
+      section.sum += x;
+      section.squares += x * x.transpose();
+    }
+  });
+  return sections;
+}
+
+/** Adds the natal cleft to the air outside. It is long and narrow where the caudal border of the image cuts it, which a
+ * rectum is not, and goes on upwards as long as the next slice shows a quarter of it: the canal is much smaller. */
+void
+AddCleft(const ColonGrid &                       grid,
+         const RunSet &                          set,
+         const std::vector<std::array<int, 3>> & kept,
+         std::vector<char> &                     isOutsideRun)
+{
+  const RunLabels     parts = LabelRuns(set, false);
+  const auto          sections = SectionsOfParts(grid, set, parts);
+  const int           caudal = grid.axes(2, 2) > 0.0 ? 0 : grid.size[2] - 1;
+  const int           up = caudal == 0 ? 1 : -1;
+  std::vector<char>   isKept = PartsOf(set, parts, kept);
+  std::vector<char>   isCleft(parts.number + 1, 0);
+  std::vector<double> overlaps(parts.number + 1, 0.0);
+  std::vector<double> below(parts.number + 1, 0.0);
+  for (int k = caudal; k >= 0 && k < grid.size[2]; k += up)
+  {
+    for (int j = 0; j < grid.size[1]; ++j)
+    {
+      const auto row = set.Row(j, k);
+      for (auto r = set.firstOfRow[row]; r < set.firstOfRow[row + 1]; ++r)
+      {
+        const auto & section = sections[parts.ofRun[r]];
+        const bool   isStart = k == caudal && section.voxels * grid.spacing[0] * grid.spacing[1] > LeastCleft &&
+                             section.Elongation() > CleftElongation;
+        const bool goesOn = overlaps[parts.ofRun[r]] > ShareOfSection * std::max(1.0, below[parts.ofRun[r]]);
+        isCleft[parts.ofRun[r]] = !isOutsideRun[r] && !isKept[parts.ofRun[r]] && (isStart || goesOn);
+      }
+    }
+    for (int j = 0; j < grid.size[1] && k + up >= 0 && k + up < grid.size[2]; ++j)
+    {
+      ForEachOverlap(set, set.Row(j, k), set.Row(j, k + up), [&](std::size_t r, std::size_t s, int overlap) {
+        if (isCleft[parts.ofRun[r]])
+        {
+          overlaps[parts.ofRun[s]] += overlap;
+          below[parts.ofRun[s]] = std::max(below[parts.ofRun[s]], sections[parts.ofRun[r]].voxels);
+        }
+      });
+    }
+  }
+  for (std::size_t r = 0; r < isOutsideRun.size(); ++r)
+  {
+    isOutsideRun[r] = isOutsideRun[r] || isCleft[parts.ofRun[r]];
+  }
+}
+
+/** Whether the image's border cuts a box, its caudal one not counted where a scan shows the whole outline of the body:
+ * what it cuts there is the natal cleft. */
+bool
+IsCut(const ColonGrid & grid, const VoxelBox & box, bool showsOutside)
+{
+  const bool isHeadUp = grid.axes(2, 2) > 0.0;
+  bool       isCut = false;
+  for (int a = 0; a < 3; ++a)
+  {
+    const bool isLong = a == 2 && showsOutside;
+    isCut =
+      isCut || (box.low[a] == 0 && !(isLong && isHeadUp)) || (box.high[a] == grid.size[a] && !(isLong && !isHeadUp));
+  }
+  return isCut;
+}
+
 /** Volumes, boxes, means, centres. */
 void
-MeasurePieces(const ColonGrid & grid, const std::vector<float> & hu, GasOfVolume & gas)
+MeasurePieces(const ColonGrid & grid, const std::vector<float> & hu, bool showsOutside, GasOfVolume & gas)
 {
   std::vector<Eigen::Vector3d> sums(gas.pieces.size(), Eigen::Vector3d::Zero());
   ForEachRun(gas.set, [&](std::size_t r, int j, int k) {
@@ -133,10 +245,7 @@ MeasurePieces(const ColonGrid & grid, const std::vector<float> & hu, GasOfVolume
     piece.ml = piece.voxels * grid.VoxelVolume() * 1e-3;
     piece.mean /= static_cast<double>(piece.voxels);
     piece.centre = grid.Position(Eigen::Vector3d(sums[p] / static_cast<double>(piece.voxels)));
-    for (int a = 0; a < 3; ++a)
-    {
-      piece.isCut = piece.isCut || piece.box.low[a] == 0 || piece.box.high[a] == grid.size[a];
-    }
+    piece.isCut = IsCut(grid, piece.box, showsOutside);
   }
 }
 
@@ -284,6 +393,11 @@ FindGas(const ColonGrid &                       grid,
   GasOfVolume gas;
   gas.set = CollectRuns(grid, [&](std::size_t p) { return hu[p] < seed; });
   gas.isOutsideRun = OutsideRuns(grid, gas.set, kept);
+  const bool showsOutside = std::find(gas.isOutsideRun.begin(), gas.isOutsideRun.end(), 1) != gas.isOutsideRun.end();
+  if (showsOutside)
+  {
+    AddCleft(grid, gas.set, kept, gas.isOutsideRun);
+  }
   std::vector<char> inside(gas.isOutsideRun.size());
   for (std::size_t r = 0; r < inside.size(); ++r)
   {
@@ -292,10 +406,9 @@ FindGas(const ColonGrid &                       grid,
   gas.labels = LabelRuns(gas.set, true, inside);
   gas.pieces.resize(gas.labels.number + 1);
   gas.pieces[0].isOutside = true;
-  MeasurePieces(grid, hu, gas);
+  MeasurePieces(grid, hu, showsOutside, gas);
   FindPockets(grid, gas);
-  const bool hasOutside = std::find(gas.isOutsideRun.begin(), gas.isOutsideRun.end(), 1) != gas.isOutsideRun.end();
-  while (hasOutside && FindShells(grid, gas))
+  while (showsOutside && FindShells(grid, gas))
   {}
   return gas;
 }

@@ -17,7 +17,7 @@ struct GasPiece
   double          radius{ 0.0 };           ///< of the largest ball in it, mm; 0 below 0.5 ml
   double          inside{ 0.0 };           ///< mean HU at least 3 mm deep, or in its deepest part
   bool            isOutside{ false };      ///< air that belongs to the outside, though a slice encloses it
-  bool            isCut{ false };          ///< the border of the image cuts it
+  bool            isCut{ false }; ///< the border of the image cuts it, its caudal one not counted beside outside air
 };
 
 /** All gas of a volume, and which part of it lies outside the body. Entry 0 of `pieces` stands for the air outside. */
@@ -34,7 +34,8 @@ struct GasOfVolume
  * never shorter than the body's own outline, measured along rows and columns, while gas in a bowel that the border cuts
  * has a long wall and a short cut. Slices are looked at one by one because an open rectal tube joins the rectum to the
  * room. A piece that opens to the outside across slices with more than a quarter of its largest section belongs to it,
- * too. Air that holds one of the `kept` voxels is not outside. */
+ * too. A piece that mostly ends, in front or behind, at a thin shell over such air belongs to it: tables, cushions.
+ * The natal cleft is outside, too. Air that holds one of the `kept` voxels is not outside. */
 GasOfVolume
 FindGas(const ColonGrid &                       grid,
         const std::vector<float> &              hu,

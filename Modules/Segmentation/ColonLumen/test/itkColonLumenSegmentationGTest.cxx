@@ -256,6 +256,63 @@ TEST(ColonLumenSegmentation, ASeedPointTakesAPieceThatIsTooThin)
   EXPECT_THROW(itk::SegmentColonLumen(image, options), itk::UsageError);
 }
 
+/** Volume of the labelled voxels with low <= z < high, ml. */
+double
+LabelledMl(const itk::ColonLumen & lumen, double low, double high)
+{
+  const auto  size = lumen.labels->GetBufferedRegion().GetSize();
+  const auto  spacing = lumen.labels->GetSpacing();
+  std::size_t count = 0;
+  for (std::size_t p = 0; p < size[0] * size[1] * size[2]; ++p)
+  {
+    const auto            index = lumen.labels->ComputeIndex(static_cast<itk::OffsetValueType>(p));
+    itk::Point<double, 3> x;
+    lumen.labels->TransformIndexToPhysicalPoint(index, x);
+    count += lumen.labels->GetPixel(index) != 0 && x[2] >= low && x[2] < high;
+  }
+  return 1e-3 * spacing[0] * spacing[1] * spacing[2] * static_cast<double>(count);
+}
+
+/** The rectum ends at z = -18, the body at z = -45; a catheter of 4 mm radius lies in both and in the canal between. */
+TEST(ColonLumenSegmentation, TheCatheterIsLumenDownToTheAnalVerge)
+{
+  ColonTestScene scene;
+  scene.lumens.push_back({ Tube(At(0, 2, -30), 2, 50, 3), 1e9, 0.0 });
+  scene.lumens.push_back({ Tube(At(0, 2, -30), 2, 50, 4), -1e9, 280.0 });
+  scene.lumens.push_back({ Tube(At(0, 0, 25), 2, 25, 18), 1e9, 0.0 });
+  scene.lumens.push_back({ [](const Vec & x) { return -45.0 - x[2]; }, 1e9, 0.0 });
+  for (const double turn : { 0.0, 180.0 }) // about x: the slices run upwards and downwards
+  {
+    const auto image = itk::CentredImage({ 110, 110, 96 }, { 1.3, 1.3, 1.3 }, Oblique(0.0, turn));
+    scene.Sample(image);
+    const auto lumen = Segment(image);
+    EXPECT_EQ(lumen.failure, "");
+    const double canalMl = 1e-3 * 3.14159265 * 16.0 * 22.0;
+    EXPECT_NEAR(LabelledMl(lumen, -42.0, -20.0), canalMl, 0.25 * canalMl) << turn;
+    EXPECT_EQ(LabelledMl(lumen, -100.0, -48.0), 0.0) << turn;
+  }
+}
+
+/** Air under a thin shell over air under a thin shell over the room: a cleft that lies on a cushion. */
+TEST(ColonLumenSegmentation, AirThatOnlyThinShellsCoverIsOutside)
+{
+  ColonTestScene scene;
+  const auto     slab = [](double front, double back) {
+    return [=](const Vec & x) {
+      return std::min({ 14.0 - std::abs(x[0]), 40.0 - std::abs(x[2]), x[1] - front, back - x[1] });
+    };
+  };
+  scene.lumens.push_back({ Tube(At(0, -20, 0), 2, 30, 18), 1e9, 0.0 });
+  scene.lumens.push_back({ slab(20, 46), 1e9, 0.0 });
+  scene.lumens.push_back({ slab(50, 60), 1e9, 0.0 });
+  const auto image = itk::CentredImage({ 72, 72, 60 }, { 2.0, 2.0, 2.0 }, Identity());
+  scene.Sample(image);
+  EXPECT_EQ(Segment(image).pieces.size(), 1U);
+  scene.lumens.pop_back(); // without the cushion it lies under a wall of 18 mm
+  scene.Sample(image);
+  EXPECT_EQ(Segment(image).pieces.size(), 2U);
+}
+
 TEST(ColonLumenSegmentation, UntaggedFluidIsNoLumen)
 {
   ColonTestScene scene;
