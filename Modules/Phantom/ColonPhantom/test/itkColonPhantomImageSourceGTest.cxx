@@ -2,6 +2,7 @@
 #include "itkColonAbdomen.h"
 #include "itkColonPhantomImageSource.h"
 #include "itkToolError.h"
+#include "itkVolumeWriter.h"
 
 #include "itkImageRegionConstIteratorWithIndex.h"
 
@@ -130,6 +131,24 @@ VisitLumen(const itk::ColonAnatomy & anatomy, int points, const TVisitor & visit
     {
       visit(point, sample.arcLength);
     }
+  }
+}
+
+// Two slices of the middle of the body along each of two axes, for baselines.
+TEST(ColonPhantomImageSource, MiddleSlices)
+{
+  for (const unsigned axis : { 0U, 1U })
+  {
+    const auto       source = Source::New();
+    Source::SizeType size{ { 180, 180, 170 } };
+    size[axis] = 2;
+    source->SetParameters(Standard("supine", 0.3));
+    source->SetSize(size);
+    source->SetSpacing(Source::SpacingType(2.0));
+    source->CenterOutput();
+    source->Update();
+    const std::string name = axis == 0 ? "Sagittal" : "Coronal";
+    itk::WriteVolume(source->GetOutput(), SHAPETON_TEST_TEMPORARY_DIR "/ColonPhantom" + name + ".nrrd");
   }
 }
 
