@@ -9,6 +9,7 @@ set(Shapeton_MODULES
   IO/DicomSeries
   Mesh/SurfaceMesh
   Mesh/HeatDiffusionMetric
+  Mesh/ConformalFlattening
   Filtering/ShapeDiffusion
   Phantom/ShapePhantom
   Phantom/ColonPhantom
