@@ -12,6 +12,7 @@ itk_module(ConformalFlattening
   TEST_DEPENDS
     CommandLine
     CounterRandom
+    ITKCommon
     ITKGoogleTest
   DESCRIPTION "${DOCUMENTATION}"
 )

@@ -43,6 +43,19 @@ struct FlatDistortion
 ConformalFlattening_EXPORT FlatDistortion
 MeasureFlatDistortion(const FaceMatrix & F, const Eigen::MatrixX2d & uv, const SideLengths & sides);
 
+/** Places in the plane of the corners of faces, corner k of a face in row 3 * face + k. */
+using CornerPlaces = Eigen::MatrixX2d;
+
+/** Of the corners of a flat surface. */
+ConformalFlattening_EXPORT CornerPlaces
+PlacesOfCorners(const FaceMatrix & F, const Eigen::MatrixX2d & uv);
+
+/** For each vertex of the surface before it was cut 2 pi minus the angles that its faces have there in the plane,
+ * radians: 0 but for rounding where the map is locally one to one, and on the boundaries, which are left out. The faces
+ * around a vertex may lie in different periods of the map. */
+ConformalFlattening_EXPORT Eigen::VectorXd
+FlatAngleDefects(const FaceMatrix & F, const SurfaceConnectivity & connectivity, const CornerPlaces & places);
+
 /** What one wants to know of many values. */
 struct DistortionQuantiles
 {

@@ -14,7 +14,8 @@ namespace itk
  *
  * Solves (L x)_i = source_i at the free vertices i, x = given at the fixed ones; boundaries without fixed vertices are
  * natural (Neumann). With source 0 this is the harmonic function of the fixed values. L is factorised once (sparse
- * Cholesky L D L^T, approximate minimum degree), any number of right-hand sides follow. One thread; the same input gives the same bytes.
+ * Cholesky L D L^T, approximate minimum degree), any number of right-hand sides follow. One thread; the same input
+ * gives the same bytes.
  *
  * \ingroup ConformalFlattening
  */

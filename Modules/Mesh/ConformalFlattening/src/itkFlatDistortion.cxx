@@ -10,6 +10,7 @@ namespace itk
 {
 namespace
 {
+constexpr double pi = 3.14159265358979323846;
 constexpr double qualityThreshold = 0.6;
 
 /** 16 times the square of the area by Kahan's ordering, which keeps the digits of needles; 0 where the sides form no
@@ -139,6 +140,40 @@ MeasureFlatDistortion(const FaceMatrix & F, const Eigen::MatrixX2d & uv, const S
     distortion.flips += isFlipped ? 1 : 0;
   }
   return distortion;
+}
+
+CornerPlaces
+PlacesOfCorners(const FaceMatrix & F, const Eigen::MatrixX2d & uv)
+{
+  CornerPlaces places(F.size(), 2);
+  for (Eigen::Index corner = 0; corner < F.size(); ++corner)
+  {
+    places.row(corner) = uv.row(F.data()[corner]);
+  }
+  return places;
+}
+
+Eigen::VectorXd
+FlatAngleDefects(const FaceMatrix & F, const SurfaceConnectivity & connectivity, const CornerPlaces & places)
+{
+  Eigen::VectorXd defects = Eigen::VectorXd::Constant(connectivity.NumberOfVertices(), 2.0 * pi);
+  for (Eigen::Index face = 0; face < F.rows(); ++face)
+  {
+    for (int k = 0; k < 3; ++k)
+    {
+      const Eigen::RowVector2d a = places.row(3 * face + (k + 1) % 3) - places.row(3 * face + k);
+      const Eigen::RowVector2d b = places.row(3 * face + (k + 2) % 3) - places.row(3 * face + k);
+      defects[F(face, k)] -= std::abs(std::atan2(a[0] * b[1] - a[1] * b[0], a.dot(b)));
+    }
+  }
+  for (const std::vector<int> & loop : connectivity.BoundaryLoops())
+  {
+    for (const int vertex : loop)
+    {
+      defects[vertex] = 0.0;
+    }
+  }
+  return defects;
 }
 
 DistortionQuantiles
