@@ -163,7 +163,8 @@ public:
   LeaveOutOfProvenance(const std::string & name);
 
   /** Asks for a JSON file at `path` that says how the run went: all that equal runs need not share. Its keys are tool,
-   * version, arguments, host, threads, start (UTC), seconds and warnings. By custom `<output>.run.json`. */
+   * version, arguments, host, threads, start (UTC), seconds, stages (seconds of each stage of the progress) and
+   * warnings. By custom `<output>.run.json`. */
   void
   RecordRun(const std::string & path);
 

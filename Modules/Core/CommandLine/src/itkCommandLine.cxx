@@ -323,6 +323,11 @@ CommandLine::State::RunRecordText() const
   record["threads"] = MultiThreaderBase::GetGlobalDefaultNumberOfThreads();
   record["start"] = TimeText(start);
   record["seconds"] = elapsed.count();
+  record["stages"] = nlohmann::ordered_json::object();
+  for (const auto & [stage, seconds] : display.StageSeconds())
+  {
+    record["stages"][stage] = seconds;
+  }
   record["warnings"] = warnings;
   return record.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + '\n';
 }

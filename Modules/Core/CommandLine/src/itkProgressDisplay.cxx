@@ -93,9 +93,10 @@ ProgressDisplay::StartStage(const std::string & stage)
 void
 ProgressDisplay::EndStage()
 {
+  const std::chrono::duration<double> elapsed = Clock::now() - m_StageStart;
+  this->CountStage(elapsed.count());
   if (m_Mode == Mode::XML && !m_Stage.empty())
   {
-    const std::chrono::duration<double> elapsed = Clock::now() - m_StageStart;
     std::printf("<filter-end>\n");
     PrintElement("filter-name", m_Stage);
     PrintElement("filter-time", Decimal(elapsed.count()));
@@ -103,6 +104,21 @@ ProgressDisplay::EndStage()
     std::fflush(stdout);
   }
   m_Stage.clear();
+}
+
+void
+ProgressDisplay::CountStage(double seconds)
+{
+  const auto stage = std::find_if(
+    m_StageSeconds.begin(), m_StageSeconds.end(), [this](const auto & other) { return other.first == m_Stage; });
+  if (stage != m_StageSeconds.end())
+  {
+    stage->second += seconds;
+  }
+  else if (!m_Stage.empty())
+  {
+    m_StageSeconds.emplace_back(m_Stage, seconds);
+  }
 }
 
 void
@@ -146,14 +162,14 @@ void
 ProgressDisplay::Update(const std::string & stage, double stageFraction, double fraction)
 {
   const std::lock_guard<std::mutex> lock(m_Mutex);
-  if (m_Mode == Mode::Off)
-  {
-    return;
-  }
   if (stage != m_Stage)
   {
     this->EndStage();
     this->StartStage(stage);
+  }
+  if (m_Mode == Mode::Off)
+  {
+    return;
   }
   m_Fraction = Forwards(fraction, m_Fraction);
   m_StageFraction = Forwards(stageFraction, m_StageFraction);

@@ -4,6 +4,8 @@
 #include <chrono>
 #include <mutex>
 #include <string>
+#include <utility>
+#include <vector>
 
 namespace itk
 {
@@ -36,6 +38,13 @@ public:
   Comment(const std::string & text);
   void
   End();
+  /** The stages that have ended, in the order of their first begin, and how long they took, in seconds; also where
+   * nothing is shown. */
+  std::vector<std::pair<std::string, double>>
+  StageSeconds() const
+  {
+    return m_StageSeconds;
+  }
 
 private:
   using Clock = std::chrono::steady_clock;
@@ -44,6 +53,8 @@ private:
   StartStage(const std::string & stage);
   void
   EndStage();
+  void
+  CountStage(double seconds);
   bool
   IsNews() const;
   void
@@ -51,16 +62,17 @@ private:
   void
   ClearBar();
 
-  std::mutex        m_Mutex;
-  Mode              m_Mode{ Mode::XML };
-  std::string       m_Stage;
-  double            m_Fraction{ 0.0 };
-  double            m_StageFraction{ 0.0 };
-  double            m_ShownFraction{ -1.0 }; // negative: nothing of this stage yet
-  double            m_ShownStageFraction{ -1.0 };
-  std::size_t       m_BarWidth{ 0 }; // of what stands on the terminal
-  Clock::time_point m_Start{ Clock::now() };
-  Clock::time_point m_StageStart{ m_Start };
+  std::mutex                                  m_Mutex;
+  Mode                                        m_Mode{ Mode::XML };
+  std::string                                 m_Stage;
+  double                                      m_Fraction{ 0.0 };
+  double                                      m_StageFraction{ 0.0 };
+  double                                      m_ShownFraction{ -1.0 }; // negative: nothing of this stage yet
+  double                                      m_ShownStageFraction{ -1.0 };
+  std::size_t                                 m_BarWidth{ 0 }; // of what stands on the terminal
+  std::vector<std::pair<std::string, double>> m_StageSeconds;
+  Clock::time_point                           m_Start{ Clock::now() };
+  Clock::time_point                           m_StageStart{ m_Start };
 };
 } // namespace itk
 

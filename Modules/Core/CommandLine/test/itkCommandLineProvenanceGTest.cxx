@@ -129,7 +129,9 @@ TEST(CommandLineRunRecord, SaysHowTheRunWent)
     WriteText(commandLine.Output("a.nrrd"), "");
     commandLine.RecordRun("a.nrrd.run.json");
     commandLine.Warn("a \"remark\"");
+    commandLine.Progress("First", 0.1);
     usleep(20000);
+    commandLine.Progress("Second", 0.6);
   });
   EXPECT_EQ(outcome.status, 0) << outcome.err;
   EXPECT_EQ(NamesIn(), Words({ "a.nrrd", "a.nrrd.run.json" }));
@@ -145,7 +147,10 @@ TEST(CommandLineRunRecord, SaysHowTheRunWent)
   char host[256] = {};
   gethostname(host, sizeof(host) - 1);
   EXPECT_EQ(record.at("host"), host);
-  EXPECT_EQ(record.size(), 8u);
+  EXPECT_GE(record.at("stages").at("First").get<double>(), 0.02);
+  EXPECT_LT(record.at("stages").at("Second").get<double>(), record.at("seconds").get<double>());
+  EXPECT_EQ(record.at("stages").size(), 2u);
+  EXPECT_EQ(record.size(), 9u);
 
   const std::string start = record.at("start");
   std::tm           parts{};
