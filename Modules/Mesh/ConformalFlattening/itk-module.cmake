@@ -4,6 +4,7 @@ itk_module(ConformalFlattening
   ENABLE_SHARED
   DEPENDS
     HeatDiffusionMetric
+    Report
     SurfaceMesh
   PRIVATE_DEPENDS
     CommandLine

@@ -5,6 +5,8 @@
 
 namespace itk
 {
+class CommandLine;
+
 /** \class CurveSet
  * \brief Polylines in space, such as a centreline or taeniae, and single points: vertices V and arrays on them.
  * \ingroup SurfaceMesh
@@ -46,6 +48,11 @@ WriteCurves(const CurveSet & curves, const std::string & path);
  * \ingroup SurfaceMesh */
 SurfaceMesh_EXPORT CurveSet
 ReadCurves(const std::string & path);
+
+/** ReadCurves() for a tool, of the parameter with this name; adds the identity of the file to the provenance.
+ * \ingroup SurfaceMesh */
+SurfaceMesh_EXPORT CurveSet
+ReadCurves(CommandLine & commandLine, const std::string & parameter);
 } // namespace itk
 
 #endif

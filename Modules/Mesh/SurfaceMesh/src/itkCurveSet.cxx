@@ -1,5 +1,7 @@
 #include "itkCurveSet.h"
+#include "itkCommandLine.h"
 #include "itkFileBytes.h"
+#include "itkSha256.h"
 #include "itkSurfaceFormats.h"
 #include "itkToolError.h"
 
@@ -106,6 +108,15 @@ ReadCurves(const std::string & path)
   {
     curves.V.leftCols<2>() *= -1.0;
   }
+  return curves;
+}
+
+CurveSet
+ReadCurves(CommandLine & commandLine, const std::string & parameter)
+{
+  const std::string path = commandLine.GetString(parameter);
+  CurveSet          curves = ReadCurves(path);
+  commandLine.AddInput(parameter, "sha256:" + Sha256OfFile(path));
   return curves;
 }
 } // namespace itk

@@ -1,0 +1,96 @@
+#include "ColonFlatteningXML.h"
+
+#include "itkColonFlattening.h"
+#include "itkCommandLine.h"
+#include "itkSurfaceReader.h"
+#include "itkSurfaceWriter.h"
+#include "itkToolError.h"
+
+namespace
+{
+using itk::CommandLine;
+
+void
+CheckUsage(const CommandLine & commandLine)
+{
+  const std::string metric = commandLine.GetString("metric");
+  itk::RequireUsage(metric != "euclidean" || !commandLine.IsGiven("time"),
+                    "--time belongs to the heat diffusion metric; --metric euclidean has none");
+  itk::RequireUsage(metric == "truncatedHeatDiffusion" || !commandLine.IsGiven("eigenpairs"),
+                    "--eigenpairs belongs to --metric truncatedHeatDiffusion; heatDiffusion takes all of them");
+}
+
+itk::ColonFlatteningOptions
+OptionsOf(CommandLine & commandLine)
+{
+  itk::ColonFlatteningOptions options;
+  const std::string           metric = commandLine.GetString("metric");
+  options.metric = metric == "euclidean"       ? itk::FlatMetric::Euclidean
+                   : metric == "heatDiffusion" ? itk::FlatMetric::HeatDiffusion
+                                               : itk::FlatMetric::TruncatedHeatDiffusion;
+  options.time = commandLine.GetDouble("time");
+  options.eigenpairs = commandLine.GetInteger("eigenpairs");
+  options.removeHandles = commandLine.GetFlag("removeHandles");
+  options.tube.conjugate =
+    commandLine.GetString("method") == "published" ? itk::TubeConjugate::Published : itk::TubeConjugate::Laplacian;
+  if (commandLine.IsGiven("cut"))
+  {
+    options.tube.cutCurve = itk::OnlyCurve(itk::ReadCurves(commandLine, "cut"), commandLine.GetString("cut"));
+  }
+  if (commandLine.IsGiven("centreline"))
+  {
+    options.centreline = itk::ReadCurves(commandLine, "centreline");
+  }
+  options.progress = [&commandLine](const std::string & stage, double share) {
+    constexpr double mapEnd = 0.9; // then the files are written
+    commandLine.Progress(stage, mapEnd * share);
+  };
+  return options;
+}
+
+void
+Flatten(CommandLine & commandLine)
+{
+  CheckUsage(commandLine);
+  const std::string flatPath = commandLine.OutputOf("outputFlat");
+  const std::string handlesPath = commandLine.OutputOf("handles");
+  const std::string statisticsPath = commandLine.OutputOf("statistics");
+  commandLine.RecordRun(commandLine.GetString("outputFlat") + ".run.json");
+
+  commandLine.Progress("Reading", 0.0);
+  const itk::ColonFlatteningOptions options = OptionsOf(commandLine);
+  itk::Surface                      surface = itk::ReadSurface(commandLine, "inputSurface");
+  itk::ColonFlattening              flattening =
+    itk::FlattenColon(std::move(surface.mesh), commandLine.GetString("inputSurface"), options);
+  for (const std::string & warning : flattening.warnings)
+  {
+    commandLine.Warn(warning);
+  }
+  // Pictures, the coordinate map and the report go here.
+
+  commandLine.Progress("Writing", 0.92);
+  flattening.map.flat.facts = commandLine.GetProvenance();
+  itk::WriteSurface(flattening.map.flat, flatPath);
+  if (!handlesPath.empty())
+  {
+    itk::WriteHandles(flattening.handles.handles, commandLine.GetProvenance(), handlesPath);
+  }
+  if (!statisticsPath.empty())
+  {
+    itk::Json document;
+    for (const auto & [key, value] : commandLine.GetProvenance())
+    {
+      document["provenance"][key] = value;
+    }
+    document["warnings"] = commandLine.GetWarnings();
+    document.update(itk::ColonFlatteningToJson(flattening));
+    itk::WriteJson(document, statisticsPath);
+  }
+}
+} // namespace
+
+int
+main(int argc, char * argv[])
+{
+  return CommandLine::Run(ToolXML, argc, argv, Flatten);
+}

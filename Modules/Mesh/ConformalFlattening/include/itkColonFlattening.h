@@ -1,0 +1,102 @@
+#ifndef itkColonFlattening_h
+#define itkColonFlattening_h
+
+#include "itkConformalTube.h"
+#include "itkCurveSet.h"
+#include "itkJson.h"
+#include "itkSurfaceHandles.h"
+
+#include <functional>
+
+namespace itk
+{
+/** \ingroup ConformalFlattening */
+enum class FlatMetric
+{
+  /** Straight lengths of edges. */
+  Euclidean,
+  /** Heat diffusion distances of all eigenpairs. */
+  HeatDiffusion,
+  /** Those of the first eigenpairs, as published. */
+  TruncatedHeatDiffusion
+};
+
+/** \ingroup ConformalFlattening */
+struct ColonFlatteningOptions
+{
+  FlatMetric metric{ FlatMetric::HeatDiffusion };
+  /** Time of diffusion, mm^2; 0: DefaultDiffusionTime(). */
+  double time{ 0.0 };
+  /** Of TruncatedHeatDiffusion. */
+  int eigenpairs{ 50 };
+  /** Detects handles, cuts them out and flattens again. */
+  bool        removeHandles{ false };
+  TubeOptions tube;
+  /** From the rectum to the caecum, with the point array `radius`; may be empty. Gives the narrowest radius, and the
+   * rectum where the surface does not name it. */
+  CurveSet centreline;
+  /** Told the stage and the share of the whole, from 0 to 1. */
+  std::function<void(const std::string & stage, double share)> progress;
+};
+
+/** A flattened colon with what was measured. \ingroup ConformalFlattening */
+struct ColonFlattening
+{
+  /** The tube that was flattened: prepared, and without handles if they were removed. */
+  SurfaceMesh surface;
+  TubeMap     map;
+  FlatMetric  metric{ FlatMetric::HeatDiffusion };
+  /** mm^2; 0 for the Euclidean metric. */
+  double time{ 0.0 };
+  int    eigenpairs{ 0 };
+  /** mm, and what it was taken from: "centreline", "surface" or nothing, where it was not needed. */
+  double      narrowestRadius{ 0.0 };
+  std::string narrowestRadiusFrom;
+  /** What told which end is the rectum: "rectumLoop", "centreline" or "firstLoop". */
+  std::string rectumFrom;
+  int         genusBefore{ 0 };
+  int         genusAfter{ 0 };
+  /** In the metric of the map, and in space. */
+  FlatDistortion  distortion;
+  FlatDistortion  distortionInSpace;
+  TriangleQuality quality;
+  TriangleQuality qualityInSpace;
+  /** On the surface before removal. */
+  HandleDetection handles;
+  /** Flipped faces farther than 3 rings from a handle. */
+  int                      flipsAwayFromHandles{ 0 };
+  std::vector<std::string> warnings;
+};
+
+/** From a tube to its flat map: preparation, metric, map, handles. Throws InputError that begins with `what` where the
+ * surface is no tube, and for a time that suits no metric. \ingroup ConformalFlattening */
+ConformalFlattening_EXPORT ColonFlattening
+FlattenColon(SurfaceMesh mesh, const std::string & what, const ColonFlatteningOptions & options = {});
+
+/** The statistics for programs. Keys: faces, genusBefore, genusAfter, metric, time (mm^2), eigenpairs (null: all),
+ * modulusU, modulusV, modulusGap (relative), circumference, length (mm), flips, flipsAwayFromHandles, dilatation and
+ * dilatationInSpace (median, p95, p99: of faces that are not flipped, each counting once), triangleQuality and
+ * triangleQualityInSpace (mean, shareBelowThreshold, histogram), handles (a list of genus, place, flatPlace, radius),
+ * falseAlarms, rectumFrom, narrowestRadius, narrowestRadiusFrom. \ingroup ConformalFlattening */
+ConformalFlattening_EXPORT Json
+ColonFlatteningToJson(const ColonFlattening & flattening);
+
+/** Writes the handles as points of a VTP file with the arrays genus, uv and radius (mm), and these facts; no points
+ * where there are no handles. Throws OutputError. \ingroup ConformalFlattening */
+ConformalFlattening_EXPORT void
+WriteHandles(const std::vector<SurfaceHandle> &                       handles,
+             const std::vector<std::pair<std::string, std::string>> & facts,
+             const std::string &                                      path);
+
+/** The points of the only curve. Throws InputError that begins with `what` where there are several curves, or it is a
+ * point. \ingroup ConformalFlattening */
+ConformalFlattening_EXPORT std::vector<Eigen::Vector3d>
+                           OnlyCurve(const CurveSet & curves, const std::string & what);
+
+/** The least `radius` of a centreline, mm: of its points outside gaps (point array `gap`) and 20 mm or more from its
+ * ends. Throws InputError where there is none. \ingroup ConformalFlattening */
+ConformalFlattening_EXPORT double
+NarrowestRadiusOfCentreline(const CurveSet & centreline);
+} // namespace itk
+
+#endif

@@ -1,0 +1,116 @@
+#include "itkHoleFilling.h"
+
+#include "itkToolError.h"
+
+#include <Eigen/SparseCholesky>
+
+#include <numeric>
+
+namespace itk
+{
+namespace
+{
+/** A ring with so many vertices or less gets one in its middle. */
+constexpr int smallRing = 8;
+constexpr int ringStep = 6; // as in a plane of equilateral triangles
+
+/** Triangles between a ring and the one inside it. */
+void
+JoinRings(const std::vector<int> & outer, const std::vector<int> & inner, std::vector<std::array<int, 3>> & faces)
+{
+  const auto n = static_cast<long>(outer.size());
+  const auto m = static_cast<long>(inner.size());
+  long       i = 0;
+  long       j = 0;
+  while (i < n || j < m)
+  {
+    // The side whose next step has its middle first.
+    const bool isOuter = j == m || (i < n && (2 * i + 1) * m <= (2 * j + 1) * n);
+    if (isOuter)
+    {
+      faces.push_back({ outer[(i + 1) % n], outer[i], inner[j % m] });
+      ++i;
+    }
+    else
+    {
+      faces.push_back({ outer[i % n], inner[j], inner[(j + 1) % m] });
+      ++j;
+    }
+  }
+}
+} // namespace
+
+HoleFilling
+TriangulateHole(const std::vector<int> & loop, int firstVertex)
+{
+  HoleFilling      filling{ loop, firstVertex, 0, {} };
+  std::vector<int> ring = loop;
+  while (static_cast<int>(ring.size()) > smallRing)
+  {
+    std::vector<int> inner(ring.size() - ringStep);
+    std::iota(inner.begin(), inner.end(), firstVertex + filling.numberOfVertices);
+    filling.numberOfVertices += static_cast<int>(inner.size());
+    JoinRings(ring, inner, filling.faces);
+    ring = std::move(inner);
+  }
+  if (ring.size() == 3)
+  {
+    filling.faces.push_back({ ring[2], ring[1], ring[0] });
+    return filling;
+  }
+  const int centre = firstVertex + filling.numberOfVertices++;
+  for (std::size_t i = 0; i < ring.size(); ++i)
+  {
+    filling.faces.push_back({ ring[(i + 1) % ring.size()], ring[i], centre });
+  }
+  return filling;
+}
+
+void
+SmoothFilling(const HoleFilling & filling, const SurfaceConnectivity & connectivity, VertexMatrix & V)
+{
+  const int n = filling.numberOfVertices;
+  if (n == 0)
+  {
+    return;
+  }
+  std::vector<int> rows = filling.rim;
+  for (int i = 0; i < n; ++i)
+  {
+    rows.push_back(filling.firstVertex + i);
+  }
+  std::vector<Eigen::Triplet<double>>      triplets;
+  Eigen::Matrix<double, Eigen::Dynamic, 3> known =
+    Eigen::Matrix<double, Eigen::Dynamic, 3>::Zero(static_cast<Eigen::Index>(rows.size()), 3);
+  const auto add = [&](Eigen::Index row, int vertex, double weight) {
+    const int column = vertex - filling.firstVertex;
+    if (column >= 0 && column < n)
+    {
+      triplets.emplace_back(row, column, weight);
+    }
+    else
+    {
+      known.row(row) -= weight * V.row(vertex);
+    }
+  };
+  for (Eigen::Index row = 0; row < known.rows(); ++row)
+  {
+    const std::vector<int> neighbours = connectivity.NeighboursOfVertex(rows[row]);
+    add(row, rows[row], -1.0);
+    for (const int neighbour : neighbours)
+    {
+      add(row, neighbour, 1.0 / static_cast<double>(neighbours.size()));
+    }
+  }
+  Eigen::SparseMatrix<double> laplacian(known.rows(), n);
+  laplacian.setFromTriplets(triplets.begin(), triplets.end());
+  const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> solver(laplacian.transpose() * laplacian);
+  const Eigen::Matrix<double, Eigen::Dynamic, 3>           places = solver.solve(laplacian.transpose() * known);
+  if (solver.info() != Eigen::Success || !places.allFinite())
+  {
+    throw InputError("a hole with " + std::to_string(filling.rim.size()) +
+                     " edges cannot be filled; repair the surface");
+  }
+  V.middleRows(filling.firstVertex, n) = places;
+}
+} // namespace itk
