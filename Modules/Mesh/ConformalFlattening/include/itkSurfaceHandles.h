@@ -60,9 +60,9 @@ struct HandleRemoval
   int genus{ 0 };
 };
 
-/** Deletes the vertices of the handles with their faces, and what that cuts off, and fills the holes: rings of vertices
- * inside the rim, each with six vertices less than the one around it, laid so that the surface bends least (the squares
- * of the uniform Laplacian sum to a minimum, vertices of the rim included). Boundaries stay as they are.
+/** Deletes the vertices of the handles with their faces, and what that cuts off, and fills the holes with triangles of
+ * the size of those around them (Liepa, Filling holes in meshes, 2003), laid so that the surface bends least: the
+ * squares of the uniform Laplacian at new vertices and at the rim sum to a minimum. Boundaries stay as they are.
  *
  * \pre The surface is one manifold, oriented component, the handles are of it; else InputError.
  * \ingroup ConformalFlattening */

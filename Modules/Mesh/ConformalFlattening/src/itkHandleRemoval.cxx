@@ -126,7 +126,10 @@ KeptSurface(const SurfaceMesh & mesh, const std::vector<char> & isDeleted)
 
 /** Those that are not at the boundaries of the surface before, by the positions of their vertices. */
 std::vector<std::vector<int>>
-NewLoops(const SurfaceMesh & before, const SurfaceConnectivity & connectivity, const SurfaceMesh & rest)
+NewLoops(const SurfaceMesh &         before,
+         const SurfaceConnectivity & connectivity,
+         const SurfaceMesh &         rest,
+         const SurfaceConnectivity & connectivityOfRest)
 {
   std::set<std::array<double, 3>> rims;
   const auto                      positionOf = [](const SurfaceMesh & mesh, int v) {
@@ -139,9 +142,8 @@ NewLoops(const SurfaceMesh & before, const SurfaceConnectivity & connectivity, c
       rims.insert(positionOf(before, v));
     }
   }
-  const SurfaceConnectivity     after(rest);
   std::vector<std::vector<int>> loops;
-  for (const std::vector<int> & loop : after.BoundaryLoops())
+  for (const std::vector<int> & loop : connectivityOfRest.BoundaryLoops())
   {
     if (rims.count(positionOf(rest, loop.front())) == 0)
     {
@@ -214,10 +216,11 @@ RemoveHandles(const SurfaceMesh &                mesh,
       { filledName, SurfaceArray::ValueMatrix::Zero(removal.mesh.NumberOfFaces(), 1), true });
   }
   RenumberLoopArrays(mesh, removal.mesh);
-  std::vector<HoleFilling> fillings;
-  for (const std::vector<int> & loop : NewLoops(mesh, connectivity, removal.mesh))
+  const SurfaceConnectivity rest(removal.mesh);
+  std::vector<HoleFilling>  fillings;
+  for (const std::vector<int> & loop : NewLoops(mesh, connectivity, removal.mesh, rest))
   {
-    fillings.push_back(TriangulateHole(loop, removal.mesh.NumberOfVertices()));
+    fillings.push_back(TriangulateHole(loop, removal.mesh.V, rest, removal.mesh.NumberOfVertices()));
     AppendFilling(removal.mesh, fillings.back());
     removal.filledFaces += static_cast<int>(fillings.back().faces.size());
   }

@@ -1,5 +1,6 @@
 #include "itkHoleFilling.h"
 
+#include "itkHolePatch.h"
 #include "itkToolError.h"
 
 #include <Eigen/SparseCholesky>
@@ -12,6 +13,8 @@ namespace
 {
 /** A ring with so many vertices or less gets one in its middle. */
 constexpr int smallRing = 8;
+/** The triangulation of a patch takes the cube of this. */
+constexpr int longRim = 400;
 constexpr int ringStep = 6; // as in a plane of equilateral triangles
 
 /** Triangles between a ring and the one inside it. */
@@ -38,10 +41,9 @@ JoinRings(const std::vector<int> & outer, const std::vector<int> & inner, std::v
     }
   }
 }
-} // namespace
 
 HoleFilling
-TriangulateHole(const std::vector<int> & loop, int firstVertex)
+TriangulateByRings(const std::vector<int> & loop, int firstVertex)
 {
   HoleFilling      filling{ loop, firstVertex, 0, {} };
   std::vector<int> ring = loop;
@@ -62,6 +64,53 @@ TriangulateHole(const std::vector<int> & loop, int firstVertex)
   for (std::size_t i = 0; i < ring.size(); ++i)
   {
     filling.faces.push_back({ ring[(i + 1) % ring.size()], ring[i], centre });
+  }
+  return filling;
+}
+
+/** The mean length of the edges of a vertex. */
+double
+EdgeScale(const SurfaceConnectivity & connectivity, const VertexMatrix & V, int vertex)
+{
+  const std::vector<int> neighbours = connectivity.NeighboursOfVertex(vertex);
+  double                 sum = 0.0;
+  for (const int other : neighbours)
+  {
+    sum += (V.row(other) - V.row(vertex)).norm();
+  }
+  return sum / static_cast<double>(neighbours.size());
+}
+} // namespace
+
+HoleFilling
+TriangulateHole(const std::vector<int> &    loop,
+                const VertexMatrix &        V,
+                const SurfaceConnectivity & connectivity,
+                int                         firstVertex)
+{
+  // The faces of the surface run along the loop, those of the filling against it.
+  const std::vector<int>       rim(loop.rbegin(), loop.rend());
+  std::vector<Eigen::Vector3d> points;
+  std::vector<double>          scales;
+  for (const int v : rim)
+  {
+    points.emplace_back(V.row(v).transpose());
+    scales.push_back(EdgeScale(connectivity, V, v));
+  }
+  HolePatch patch(points, scales, [&](int a, int b) { return connectivity.FindEdge(rim[a], rim[b]) != -1; });
+  if (static_cast<int>(rim.size()) > longRim || !patch.Triangulate())
+  {
+    return TriangulateByRings(loop, firstVertex);
+  }
+  patch.Refine();
+  const auto  onRim = static_cast<int>(rim.size());
+  HoleFilling filling{ loop, firstVertex, static_cast<int>(patch.Points().size()) - onRim, patch.Faces() };
+  for (auto & face : filling.faces)
+  {
+    for (int & v : face)
+    {
+      v = v < onRim ? rim[v] : firstVertex + v - onRim;
+    }
   }
   return filling;
 }
