@@ -11,9 +11,9 @@ struct SurfaceHandle
   /** How many handles: more than 1 where several are too close to be told apart. */
   int genus{ 0 };
   /** The mean of its vertices; LPS, mm. */
-  Eigen::Vector3d place;
+  Eigen::Vector3d place{ Eigen::Vector3d::Zero() };
   /** The mean place of its faces in the plane. */
-  Eigen::Vector2d flatPlace;
+  Eigen::Vector2d flatPlace{ Eigen::Vector2d::Zero() };
   /** The greatest distance of its vertices from `place`, mm. */
   double radius{ 0.0 };
   /** Its vertices on the surface that was flattened, one ring around the singular ones included; ascending. */

@@ -112,7 +112,6 @@ DetectHandles(const SurfaceConnectivity & connectivity, const SurfaceMesh & flat
   {
     SurfaceHandle handle;
     double        sum = 0.0;
-    handle.place.setZero();
     for (const int v : cluster)
     {
       sum += defects[v];
