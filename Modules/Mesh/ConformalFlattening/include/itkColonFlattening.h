@@ -29,11 +29,10 @@ struct ColonFlatteningOptions
   double time{ 0.0 };
   /** Of TruncatedHeatDiffusion. */
   int eigenpairs{ 50 };
-  /** Detects handles, cuts them out and flattens again. */
+  /** Detects handles on the Euclidean map and cuts them out, several times if need be, before the map is made. */
   bool        removeHandles{ false };
   TubeOptions tube;
-  /** From the rectum to the caecum, with the point array `radius`; may be empty. Gives the narrowest radius, and the
-   * rectum where the surface does not name it. */
+  /** From the rectum to the caecum; tells the rectum where the surface does not name it. May be empty. */
   CurveSet centreline;
   /** Told the stage and the share of the whole, from 0 to 1. */
   std::function<void(const std::string & stage, double share)> progress;
@@ -49,9 +48,8 @@ struct ColonFlattening
   /** mm^2; 0 for the Euclidean metric. */
   double time{ 0.0 };
   int    eigenpairs{ 0 };
-  /** mm, and what it was taken from: "centreline", "surface" or nothing, where it was not needed. */
-  double      narrowestRadius{ 0.0 };
-  std::string narrowestRadiusFrom;
+  /** NarrowestLevelRadius(), mm; 0 where the time was given. */
+  double narrowestRadius{ 0.0 };
   /** What told which end is the rectum: "rectumLoop", "centreline" or "firstLoop". */
   std::string rectumFrom;
   int         genusBefore{ 0 };
@@ -61,7 +59,7 @@ struct ColonFlattening
   FlatDistortion  distortionInSpace;
   TriangleQuality quality;
   TriangleQuality qualityInSpace;
-  /** On the surface before removal. */
+  /** On the surface before removal; `flatPlace` is on the final map. */
   HandleDetection handles;
   /** Flipped faces farther than 3 rings from a handle. */
   int                      flipsAwayFromHandles{ 0 };
@@ -77,7 +75,8 @@ FlattenColon(SurfaceMesh mesh, const std::string & what, const ColonFlatteningOp
  * modulusU, modulusV, modulusGap (relative), circumference, length (mm), flips, flipsAwayFromHandles, dilatation and
  * dilatationInSpace (median, p95, p99: of faces that are not flipped, each counting once), triangleQuality and
  * triangleQualityInSpace (mean, shareBelowThreshold, histogram), handles (a list of genus, place, flatPlace, radius),
- * falseAlarms, rectumFrom, narrowestRadius, narrowestRadiusFrom. \ingroup ConformalFlattening */
+ * falseAlarms, rectumFrom, narrowestRadius (mm; null: not needed). Numbers are rounded to 9 significant
+ * digits. \ingroup ConformalFlattening */
 ConformalFlattening_EXPORT Json
 ColonFlatteningToJson(const ColonFlattening & flattening);
 
@@ -92,11 +91,6 @@ WriteHandles(const std::vector<SurfaceHandle> &                       handles,
  * point. \ingroup ConformalFlattening */
 ConformalFlattening_EXPORT std::vector<Eigen::Vector3d>
                            OnlyCurve(const CurveSet & curves, const std::string & what);
-
-/** The least `radius` of a centreline, mm: of its points outside gaps (point array `gap`) and 20 mm or more from its
- * ends. Throws InputError where there is none. \ingroup ConformalFlattening */
-ConformalFlattening_EXPORT double
-NarrowestRadiusOfCentreline(const CurveSet & centreline);
 } // namespace itk
 
 #endif

@@ -91,8 +91,9 @@ MeanLevelLength(const SurfaceMesh & mesh, const Eigen::VectorXd & u);
 ConformalFlattening_EXPORT Eigen::VectorXd
                            LevelLengths(const SurfaceMesh & mesh, const Eigen::VectorXd & u, int number);
 
-/** The least of 500 level lengths over 2 pi: a radius for DefaultDiffusionTime() where no centreline is known. Folds
- * make it greater than the radius of the greatest ball that fits. mm. \ingroup ConformalFlattening */
+/** The least of 500 level lengths over 2 pi, mm: the radius for DefaultDiffusionTime(). It is the way around the tube
+ * along its folds that diffusion takes; the greatest ball inside is smaller. Levels through faces with the cell array
+ * `bridged` are left out, as those are synthetic; all count where none is left. \ingroup ConformalFlattening */
 ConformalFlattening_EXPORT double
 NarrowestLevelRadius(const SurfaceMesh & mesh, const Eigen::VectorXd & u);
 } // namespace itk

@@ -7,13 +7,16 @@
 #include <cmath>
 #include <limits>
 #include <memory>
+#include <sstream>
 
 namespace itk
 {
 namespace
 {
-constexpr double endOfCentreline = 20.0; // mm; there the radius is that of the end
 constexpr int    ringsOfHandle = 3;
+constexpr int    mostRounds = 5;     // of removal
+constexpr double largeHandle = 30.0; // mm; loops of noise are smaller
+constexpr double foldedShare = 0.01; // of the faces
 
 /** The chain of one surface; m_Result fills up on the way. */
 class ColonFlattener
@@ -25,14 +28,24 @@ public:
   Run(SurfaceMesh mesh)
   {
     this->Prepare(std::move(mesh));
-    this->Flatten();
-    m_Result.handles = DetectHandles(*m_Connectivity, m_Result.map.flat);
-    this->CompareGenus();
-    if (m_Options.removeHandles && !m_Result.handles.handles.empty())
+    this->Tell("Handles", 0.05);
+    if (m_Options.removeHandles && m_Result.genusBefore > 0)
     {
-      this->Remove();
+      this->RemoveInRounds();
     }
-    this->Measure();
+    this->Flatten();
+    this->Tell("Distortion", 0.9);
+    const HandleDetection left = DetectHandles(*m_Connectivity, m_Result.map.flat);
+    if (m_Options.removeHandles)
+    {
+      this->PlaceOnMap();
+    }
+    else
+    {
+      m_Result.handles = left;
+    }
+    this->CompareGenus();
+    this->Measure(left.handles);
     return std::move(m_Result);
   }
 
@@ -101,20 +114,23 @@ private:
     return least;
   }
 
-  /** The time given, or the default one, which needs to know how narrow the lumen is. */
+  /** The time given, or the default one, which needs to know how narrow the tube is. */
   void
   ChooseTime()
   {
-    if (m_Result.time > 0.0 || m_Options.time > 0.0)
+    m_Result.time = m_Options.time;
+    if (!(m_Result.time > 0.0))
     {
-      m_Result.time = std::max(m_Result.time, m_Options.time);
-      return;
+      m_Result.narrowestRadius = NarrowestLevelRadius(m_Result.surface, HarmonicAlongTube(m_Laplacian, m_Ends));
+      m_Result.time = DefaultDiffusionTime(*m_Connectivity, m_Lengths, m_Result.narrowestRadius);
     }
-    const bool hasLine = !m_Options.centreline.curves.empty();
-    m_Result.narrowestRadiusFrom = hasLine ? "centreline" : "surface";
-    m_Result.narrowestRadius = hasLine ? NarrowestRadiusOfCentreline(m_Options.centreline)
-                                       : NarrowestLevelRadius(m_Result.surface, HarmonicAlongTube(m_Laplacian, m_Ends));
-    m_Result.time = DefaultDiffusionTime(*m_Connectivity, m_Lengths, m_Result.narrowestRadius);
+    const double edge = m_Lengths.mean();
+    if (m_Result.time < edge * edge)
+    {
+      m_Result.warnings.push_back(
+        m_What + ": the time of diffusion is less than the square of the mean edge, which is " + std::to_string(edge) +
+        " mm, so the metric shows the mesh; take a finer surface or --metric euclidean");
+    }
   }
 
   /** The lengths of the edges in the metric of the map. */
@@ -138,16 +154,67 @@ private:
   void
   Flatten()
   {
-    this->Tell(m_IsAgain ? "Metric without handles" : "Metric", m_IsAgain ? 0.55 : 0.05);
+    this->Tell("Metric", 0.2);
     m_Metric = this->MetricLengths();
-    this->Tell(m_IsAgain ? "Flattening without handles" : "Flattening", m_IsAgain ? 0.8 : 0.4);
+    this->Tell("Flattening", 0.7);
     m_Result.map = FlattenTube(m_Result.surface, *m_Connectivity, m_Metric, m_Ends, m_Options.tube);
-    this->Tell(m_IsAgain ? "Distortion" : "Handles", m_IsAgain ? 0.9 : 0.5);
+  }
+
+  void
+  RemoveInRounds()
+  {
+    for (int round = 0; round < mostRounds && m_Result.genusAfter > 0; ++round)
+    {
+      const TubeMap         map = FlattenTube(m_Result.surface, *m_Connectivity, m_Lengths, m_Ends);
+      const HandleDetection found = DetectHandles(*m_Connectivity, map.flat);
+      if (found.handles.empty())
+      {
+        break;
+      }
+      HandleRemoval removal = RemoveHandles(m_Result.surface, *m_Connectivity, found.handles);
+      m_Result.surface = std::move(removal.mesh);
+      m_Result.genusAfter = removal.genus;
+      this->Connect();
+      auto & all = m_Result.handles;
+      all.handles.insert(all.handles.end(), found.handles.begin(), found.handles.end());
+      all.falseAlarms += round == 0 ? found.falseAlarms : 0;
+      all.genus += found.genus;
+    }
+    if (m_Result.genusAfter > 0)
+    {
+      m_Result.warnings.push_back(m_What + ": " + std::to_string(m_Result.genusAfter) +
+                                  " handles could not be removed");
+    }
+  }
+
+  /** Where the handles that were removed lie on the final map: at the nearest vertex. */
+  void
+  PlaceOnMap()
+  {
+    const SurfaceMesh &    flat = m_Result.map.flat;
+    const Eigen::MatrixX2d uv = FlatCoordinates(flat, m_What);
+    for (SurfaceHandle & handle : m_Result.handles.handles)
+    {
+      Eigen::Index nearest = 0;
+      (flat.V.rowwise() - handle.place.transpose()).rowwise().squaredNorm().minCoeff(&nearest);
+      handle.flatPlace = uv.row(nearest).transpose();
+    }
   }
 
   void
   CompareGenus()
   {
+    for (const SurfaceHandle & handle : m_Result.handles.handles)
+    {
+      if (handle.radius > largeHandle)
+      {
+        std::ostringstream text;
+        text << m_What << ": a handle of radius " << handle.radius << " mm at " << handle.place.transpose()
+             << ": parts of the colon seem to touch there, and what lies between them is not mapped; take a surface "
+             << "with its topology repaired, as wall-repaired.vtp of ColonSegmentation";
+        m_Result.warnings.push_back(text.str());
+      }
+    }
     if (m_Result.handles.genus != m_Result.genusBefore)
     {
       m_Result.warnings.push_back(m_What + " has " + std::to_string(m_Result.genusBefore) + " handles, but " +
@@ -159,22 +226,7 @@ private:
   }
 
   void
-  Remove()
-  {
-    HandleRemoval removal = RemoveHandles(m_Result.surface, *m_Connectivity, m_Result.handles.handles);
-    m_Result.surface = std::move(removal.mesh);
-    m_Result.genusAfter = removal.genus;
-    m_IsAgain = true;
-    this->Connect();
-    if (removal.genus > 0)
-    {
-      m_Result.warnings.push_back(m_What + ": " + std::to_string(removal.genus) + " handles could not be removed");
-    }
-    this->Flatten();
-  }
-
-  void
-  Measure()
+  Measure(const std::vector<SurfaceHandle> & left)
   {
     const SurfaceMesh &    flat = m_Result.map.flat;
     const Eigen::MatrixX2d uv = FlatCoordinates(flat, m_What);
@@ -184,12 +236,16 @@ private:
     m_Result.distortionInSpace = MeasureFlatDistortion(flat.F, uv, sidesInSpace);
     m_Result.quality = MeasureTriangleQuality(sides);
     m_Result.qualityInSpace = MeasureTriangleQuality(sidesInSpace);
-    const std::vector<SurfaceHandle> none;
-    const std::vector<char>          isNear =
-      FacesNearHandles(*m_Connectivity, m_IsAgain ? none : m_Result.handles.handles, ringsOfHandle);
+    const std::vector<char> isNear = FacesNearHandles(*m_Connectivity, left, ringsOfHandle);
     for (std::size_t f = 0; f < isNear.size(); ++f)
     {
       m_Result.flipsAwayFromHandles += m_Result.distortion.isFlipped[f] && !isNear[f] ? 1 : 0;
+    }
+    if (m_Result.distortion.flips > foldedShare * flat.NumberOfFaces())
+    {
+      m_Result.warnings.push_back(m_What + ": " + std::to_string(m_Result.distortion.flips) + " of " +
+                                  std::to_string(flat.NumberOfFaces()) +
+                                  " faces are folded on the map; look at the handles, or remesh the surface");
     }
   }
 
@@ -200,7 +256,6 @@ private:
   Eigen::VectorXd                      m_Lengths; ///< in space
   Eigen::VectorXd                      m_Metric;
   SurfaceLaplacian                     m_Laplacian; ///< in space
-  bool                                 m_IsAgain{ false };
   ColonFlattening                      m_Result;
 };
 } // namespace
@@ -209,31 +264,5 @@ ColonFlattening
 FlattenColon(SurfaceMesh mesh, const std::string & what, const ColonFlatteningOptions & options)
 {
   return ColonFlattener(what, options).Run(std::move(mesh));
-}
-
-double
-NarrowestRadiusOfCentreline(const CurveSet & centreline)
-{
-  RequireSound(centreline, "the centreline");
-  const Eigen::VectorXd      radii = PointValues(centreline, "radius", "the centreline");
-  const SurfaceArray * const gap = FindSurfaceArray(centreline.pointArrays, "gap");
-  const std::vector<int> &   curve = centreline.curves.front();
-  std::vector<double>        arc{ 0.0 };
-  for (std::size_t i = 1; i < curve.size(); ++i)
-  {
-    arc.push_back(arc.back() + (centreline.V.row(curve[i]) - centreline.V.row(curve[i - 1])).norm());
-  }
-  double least = std::numeric_limits<double>::infinity();
-  for (std::size_t i = 0; i < curve.size(); ++i)
-  {
-    const bool isEnd = arc[i] < endOfCentreline || arc.back() - arc[i] < endOfCentreline;
-    const bool isGap = gap && gap->values(curve[i], 0) != 0.0;
-    least = isEnd || isGap ? least : std::min(least, radii[curve[i]]);
-  }
-  if (!std::isfinite(least) || least <= 0.0)
-  {
-    throw InputError("the centreline has no point with a positive radius outside its gaps and 20 mm from its ends");
-  }
-  return least;
 }
 } // namespace itk

@@ -3,6 +3,9 @@
 #include "itkFileBytes.h"
 #include "itkToolError.h"
 
+#include <cmath>
+#include <cstdio>
+
 namespace itk
 {
 namespace
@@ -21,14 +24,23 @@ NameOf(FlatMetric metric)
   }
 }
 
+/** With 9 significant digits. */
+Json
+Number(double value)
+{
+  char text[32];
+  std::snprintf(text, sizeof(text), "%.9g", value);
+  return std::isfinite(value) ? Json::parse(text) : Json(nullptr);
+}
+
 Json
 QuantilesToJson(const FlatDistortion & distortion)
 {
   const DistortionQuantiles quantiles = QuantilesOfDilatation(distortion);
   Json                      json;
-  json["median"] = quantiles.median;
-  json["p95"] = quantiles.p95;
-  json["p99"] = quantiles.p99;
+  json["median"] = Number(quantiles.median);
+  json["p95"] = Number(quantiles.p95);
+  json["p99"] = Number(quantiles.p99);
   return json;
 }
 
@@ -36,8 +48,8 @@ Json
 QualityToJson(const TriangleQuality & quality)
 {
   Json json;
-  json["mean"] = quality.mean;
-  json["shareBelowThreshold"] = quality.shareBelowThreshold;
+  json["mean"] = Number(quality.mean);
+  json["shareBelowThreshold"] = Number(quality.shareBelowThreshold);
   json["histogram"] = quality.histogram;
   return json;
 }
@@ -47,9 +59,9 @@ HandleToJson(const SurfaceHandle & handle)
 {
   Json json;
   json["genus"] = handle.genus;
-  json["place"] = { handle.place.x(), handle.place.y(), handle.place.z() };
-  json["flatPlace"] = { handle.flatPlace.x(), handle.flatPlace.y() };
-  json["radius"] = handle.radius;
+  json["place"] = { Number(handle.place.x()), Number(handle.place.y()), Number(handle.place.z()) };
+  json["flatPlace"] = { Number(handle.flatPlace.x()), Number(handle.flatPlace.y()) };
+  json["radius"] = Number(handle.radius);
   return json;
 }
 
@@ -69,7 +81,7 @@ HandlesAsPoints(const std::vector<SurfaceHandle> & handles)
     points.curves.push_back({ static_cast<int>(i) });
     genus.values(i, 0) = handle.genus;
     uv.values.row(i) = handle.flatPlace.transpose();
-    radius.values(i, 0) = handle.radius;
+    radius.values(i, 0) = Number(handle.radius);
   }
   points.pointArrays = { genus, uv, radius };
   return points;
@@ -90,13 +102,13 @@ ColonFlatteningToJson(const ColonFlattening & flattening)
   json["genusBefore"] = flattening.genusBefore;
   json["genusAfter"] = flattening.genusAfter;
   json["metric"] = NameOf(flattening.metric);
-  json["time"] = flattening.time;
+  json["time"] = Number(flattening.time);
   json["eigenpairs"] = flattening.eigenpairs > 0 ? Json(flattening.eigenpairs) : Json(nullptr);
-  json["modulusU"] = flattening.map.modulusU;
-  json["modulusV"] = flattening.map.modulusV;
-  json["modulusGap"] = flattening.map.Gap();
-  json["circumference"] = flattening.map.circumference;
-  json["length"] = flattening.map.length;
+  json["modulusU"] = Number(flattening.map.modulusU);
+  json["modulusV"] = Number(flattening.map.modulusV);
+  json["modulusGap"] = Number(flattening.map.Gap());
+  json["circumference"] = Number(flattening.map.circumference);
+  json["length"] = Number(flattening.map.length);
   json["flips"] = flattening.distortion.flips;
   json["flipsAwayFromHandles"] = flattening.flipsAwayFromHandles;
   json["dilatation"] = QuantilesToJson(flattening.distortion);
@@ -110,9 +122,7 @@ ColonFlatteningToJson(const ColonFlattening & flattening)
   }
   json["falseAlarms"] = flattening.handles.falseAlarms;
   json["rectumFrom"] = flattening.rectumFrom;
-  const bool hasRadius = !flattening.narrowestRadiusFrom.empty();
-  json["narrowestRadius"] = hasRadius ? Json(flattening.narrowestRadius) : Json(nullptr);
-  json["narrowestRadiusFrom"] = hasRadius ? Json(flattening.narrowestRadiusFrom) : Json(nullptr);
+  json["narrowestRadius"] = flattening.narrowestRadius > 0.0 ? Number(flattening.narrowestRadius) : Json(nullptr);
   return json;
 }
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 namespace itk
 {
@@ -72,6 +73,23 @@ LevelLengths(const SurfaceMesh & mesh, const Eigen::VectorXd & u, int number)
 double
 NarrowestLevelRadius(const SurfaceMesh & mesh, const Eigen::VectorXd & u)
 {
-  return LevelLengths(mesh, u, levelsOfTube).minCoeff() / (2.0 * pi);
+  const Eigen::VectorXd      lengths = LevelLengths(mesh, u, levelsOfTube);
+  const SurfaceArray * const bridged = FindSurfaceArray(mesh.cellArrays, "bridged");
+  std::vector<char>          isBridged(levelsOfTube, 0);
+  for (int f = 0; bridged && f < mesh.NumberOfFaces(); ++f)
+  {
+    const auto [low, high] = std::minmax({ u[mesh.F(f, 0)], u[mesh.F(f, 1)], u[mesh.F(f, 2)] });
+    const int first = std::max(0, static_cast<int>(std::ceil(low * levelsOfTube - 0.5)));
+    for (int i = first; bridged->values(f, 0) != 0.0 && i < levelsOfTube && (i + 0.5) / levelsOfTube < high; ++i)
+    {
+      isBridged[i] = 1;
+    }
+  }
+  double least = std::numeric_limits<double>::infinity();
+  for (int i = 0; i < levelsOfTube; ++i)
+  {
+    least = isBridged[i] ? least : std::min(least, lengths[i]);
+  }
+  return (std::isfinite(least) ? least : lengths.minCoeff()) / (2.0 * pi);
 }
 } // namespace itk
