@@ -1,5 +1,6 @@
 #include "itkColonLumenSegmentation.h"
 
+#include "itkFluidWithoutGas.h"
 #include "itkColonGravity.h"
 #include "itkLumenReport.h"
 #include "itkColonStatistics.h"
@@ -38,6 +39,7 @@ public:
     this->KeepSeeds();
     MeasureFluid(m_Evidence);
     FindBright(m_Evidence);
+    this->AddFluidWithoutGas();
     this->Progress(0.6);
     this->DecideLabels();
     this->Progress(1.0);
@@ -108,6 +110,19 @@ private:
          << " HU); the volume was smoothed with a sigma of " << std::lround(10.0 * e.smoothing) / 10.0
          << " mm before it was segmented";
     m_Result.warnings.push_back(text.str());
+  }
+
+  void
+  AddFluidWithoutGas()
+  {
+    for (const auto & found : TakeFluidWithoutGas(m_Evidence))
+    {
+      std::ostringstream text;
+      text << std::lround(found.ml) << " ml of tagged fluid without gas around (" << std::lround(found.centre[0])
+           << ", " << std::lround(found.centre[1]) << ", " << std::lround(found.centre[2])
+           << ") mm are taken for colon, as no small bowel is so wide";
+      m_Result.warnings.push_back(text.str());
+    }
   }
 
   void
@@ -311,6 +326,7 @@ private:
       WriteLabels(m_Image, voxels, m_Result);
       DescribePieces(voxels, m_Result);
       DescribeLevels(m_Evidence, voxels, m_Result);
+      DescribeOtherBright(voxels, m_Result);
     }
     DescribeRest(m_Evidence, m_Result);
     JudgeLumen(m_Evidence, m_Result);

@@ -1,6 +1,7 @@
 #include "itkGasPieces.h"
 
 #include "itkDistanceToBackground.h"
+#include "itkRunPieces.h"
 
 #include <Eigen/Eigenvalues>
 
@@ -337,29 +338,6 @@ FindShells(const ColonGrid & grid, GasOfVolume & gas)
   return isAnyNew;
 }
 
-/** A piece as a mask in its own box, with a margin of one voxel. */
-std::vector<unsigned char>
-MaskOfPiece(const ColonGrid & grid, const GasOfVolume & gas, int piece, const VoxelBox & box)
-{
-  const ColonGrid            part = grid.Part(box);
-  std::vector<unsigned char> mask(part.NumberOfVoxels(), 0);
-  ParallelFor(part.size[2], [&](std::size_t layer) {
-    const int k = static_cast<int>(layer) + box.low[2];
-    for (int j = box.low[1]; j < box.high[1]; ++j)
-    {
-      const auto row = gas.set.Row(j, k);
-      for (auto r = gas.set.firstOfRow[row]; r < gas.set.firstOfRow[row + 1]; ++r)
-      {
-        if (gas.labels.ofRun[r] == piece)
-        {
-          auto * first = &mask[part.Index(0, j - box.low[1], static_cast<int>(layer))];
-          std::fill(first + gas.set.runs[r].begin - box.low[0], first + gas.set.runs[r].end - box.low[0], 1);
-        }
-      }
-    }
-  });
-  return mask;
-}
 /** Adds voxels that have four neighbours in a mask: oblique columns leave gaps where they change voxel rows. */
 void
 FillGaps(const ColonGrid & grid, std::vector<unsigned char> & mask)
@@ -425,7 +403,7 @@ MeasureDepth(const ColonGrid & grid, const std::vector<float> & hu, GasOfVolume 
     }
     const VoxelBox  box = grid.Widened(piece.box, 1e-6);
     const ColonGrid part = grid.Part(box);
-    const auto      d = SquaredDistanceToBackground(part, MaskOfPiece(grid, gas, p, box));
+    const auto      d = SquaredDistanceToBackground(part, MaskOfRuns(grid, gas.set, gas.labels, p, box));
     // A piece that fills its whole box has no background at all.
     const float deepest = std::min(*std::max_element(d.begin(), d.end()), 1e6F);
     piece.radius = std::sqrt(deepest);
@@ -466,7 +444,7 @@ MeasureTogether(const ColonGrid &                       grid,
   }
   box = grid.Widened(box, 1e-6);
   const ColonGrid part = grid.Part(box);
-  auto            mask = MaskOfPiece(grid, gas, piece, box);
+  auto            mask = MaskOfRuns(grid, gas.set, gas.labels, piece, box);
   for (const auto & v : voxels)
   {
     mask[part.Index(v[0] - box.low[0], v[1] - box.low[1], v[2] - box.low[2])] = 1;

@@ -1,5 +1,7 @@
 #include "itkLumenReport.h"
 
+#include "itkRunPieces.h"
+
 #include "itkDistanceToBackground.h"
 
 #include <algorithm>
@@ -12,7 +14,9 @@ namespace
 {
 constexpr double LeastPieceMl = 0.05;
 constexpr double LeastLeftOutMl = 1.0;
-constexpr double UsableMl = 400.0; // or UsableShare of the body, where the image shows less of it
+constexpr double LeastBrightMl = 10.0;
+constexpr double LeastBrightRadius = 7.0; // mm
+constexpr double UsableMl = 400.0;        // or UsableShare of the body, where the image shows less of it
 constexpr double UsableShare = 0.02;
 constexpr double UsableRadius = 10.0; // mm
 
@@ -129,6 +133,39 @@ DescribeLevels(const ColonEvidence & evidence, const LumenVoxels &, ColonLumen &
     found.isTagged = level.IsTagged(evidence.thresholds.tissue);
     found.isColon = evidence.isColon[level.gas];
     lumen.levels.push_back(found);
+  }
+}
+
+void
+DescribeOtherBright(const LumenVoxels & voxels, ColonLumen & lumen)
+{
+  const auto   set = CollectRuns(voxels.grid, [&](std::size_t p) { return voxels.classes[p] == OtherBright; });
+  const auto   labels = LabelRuns(set, true);
+  const auto   pieces = PiecesOfRuns(set, labels);
+  const double voxelMl = 1e-3 * voxels.grid.VoxelVolume();
+  for (int p = 1; p <= labels.number; ++p)
+  {
+    const double ml = voxelMl * static_cast<double>(pieces[p].voxels);
+    if (ml < LeastBrightMl)
+    {
+      continue;
+    }
+    const auto deepest = FindDeepestVoxel(voxels.grid, set, labels, p, pieces[p]);
+    if (deepest.radius < LeastBrightRadius)
+    {
+      continue;
+    }
+    const auto   middle = voxels.grid.Index(deepest.voxel[0], deepest.voxel[1], deepest.voxel[2]);
+    ColonLeftOut rest;
+    rest.what = "other bright matter";
+    rest.why =
+      "as bright as tagged fluid, inscribed radius " + Rounded(deepest.radius, 1) +
+      " mm, no level of the colon above it: small bowel, bone, or colon full of fluid, which a seed point takes";
+    rest.ml = ml;
+    rest.inscribedRadius = deepest.radius;
+    rest.meanHU = voxels.hu[middle];
+    rest.centre = ToPoint(voxels.grid.Position(middle));
+    lumen.leftOut.push_back(rest);
   }
 }
 

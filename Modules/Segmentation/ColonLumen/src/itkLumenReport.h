@@ -18,7 +18,11 @@ DescribePieces(const LumenVoxels & voxels, ColonLumen & lumen);
 void
 DescribeLevels(const ColonEvidence & evidence, const LumenVoxels & voxels, ColonLumen & lumen);
 
-/** Thresholds, noise, and what is not colon. */
+/** What is as bright as the colon's fluid but not colon, from 10 ml on, where it holds a ball of 7 mm radius. */
+void
+DescribeOtherBright(const LumenVoxels & voxels, ColonLumen & lumen);
+
+/** Thresholds, noise, and gas from 1 ml on that is not colon. */
 void
 DescribeRest(const ColonEvidence & evidence, ColonLumen & lumen);
 

@@ -256,6 +256,24 @@ TEST(ColonLumenSegmentation, ASeedPointTakesAPieceThatIsTooThin)
   EXPECT_THROW(itk::SegmentColonLumen(image, options), itk::UsageError);
 }
 
+TEST(ColonLumenSegmentation, FluidWithoutGasIsColonWhereItIsWiderThanSmallBowel)
+{
+  ColonTestScene scene;
+  scene.lumens.push_back({ Tube(At(-30, -20, 0), 2, 40, 18), -16.0, 700.0 });
+  scene.lumens.push_back({ Tube(At(25, 30, 0), 2, 45, 16), -1e9, 700.0 });
+  const auto image = itk::CentredImage({ 100, 100, 90 }, { 1.5, 1.5, 1.5 }, Identity());
+  scene.Sample(image);
+  const auto wide = Segment(image, "HFS");
+  EXPECT_EQ(wide.pieces.size(), 2U);
+  ASSERT_EQ(wide.warnings.size(), 1U);
+  EXPECT_NE(wide.warnings[0].find("tagged fluid without gas"), std::string::npos) << wide.warnings[0];
+  scene.lumens[1].depth = Tube(At(25, 30, 0), 2, 45, 11);
+  scene.Sample(image);
+  const auto narrow = Segment(image, "HFS");
+  EXPECT_EQ(narrow.pieces.size(), 1U);
+  EXPECT_TRUE(narrow.warnings.empty());
+}
+
 /** Volume of the labelled voxels with low <= z < high, ml. */
 double
 LabelledMl(const itk::ColonLumen & lumen, double low, double high)

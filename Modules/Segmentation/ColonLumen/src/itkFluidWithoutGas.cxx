@@ -1,0 +1,60 @@
+#include "itkFluidWithoutGas.h"
+
+#include "itkRunPieces.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace itk
+{
+namespace
+{
+constexpr double LeastMl = 50.0;
+constexpr double LeastRadius = 14.0;  // mm; small bowel is 25 mm wide, and voxels add to it
+constexpr double LeastLength = 2.5;   // volumes of the inscribed ball
+constexpr double WellTagged = 300.0;  // HU above tissue
+constexpr double SimilarShare = 0.25; // of the fluid's contrast
+
+/** In the middle of the largest ball, mean of 27 voxels. */
+bool
+IsAsBright(const ColonEvidence & evidence, const std::array<int, 3> & middle)
+{
+  double sum = 0.0;
+  for (int n = 0; n < 27; ++n)
+  {
+    sum += evidence.hu[evidence.grid.Index(middle[0] + n % 3 - 1, middle[1] + n / 3 % 3 - 1, middle[2] + n / 9 - 1)];
+  }
+  const auto & t = evidence.thresholds;
+  return std::abs(sum / 27.0 - t.fluid) < SimilarShare * (t.fluid - t.tissue);
+}
+} // namespace
+
+std::vector<FluidWithoutGas>
+TakeFluidWithoutGas(ColonEvidence & evidence)
+{
+  std::vector<FluidWithoutGas> taken;
+  if (!evidence.isTagged || evidence.thresholds.fluid - evidence.thresholds.tissue < WellTagged)
+  {
+    return taken;
+  }
+  const auto pieces = PiecesOfRuns(evidence.brightSet, evidence.brightLabels);
+  for (int p = 1; p <= evidence.brightLabels.number; ++p)
+  {
+    const double ml = 1e-3 * evidence.grid.VoxelVolume() * static_cast<double>(pieces[p].voxels);
+    if (evidence.isColonBright[p] || ml < LeastMl)
+    {
+      continue;
+    }
+    const auto   deepest = FindDeepestVoxel(evidence.grid, evidence.brightSet, evidence.brightLabels, p, pieces[p]);
+    const auto & v = deepest.voxel;
+    const double ballMl = 4.18879e-3 * deepest.radius * deepest.radius * deepest.radius;
+    if (deepest.radius >= LeastRadius && ml >= LeastLength * ballMl && IsAsBright(evidence, v))
+    {
+      evidence.isColonBright[p] = 1;
+      evidence.brightSeeds.push_back(v);
+      taken.push_back({ ml, deepest.radius, evidence.grid.Position(evidence.grid.Index(v[0], v[1], v[2])) });
+    }
+  }
+  return taken;
+}
+} // namespace itk

@@ -1,0 +1,24 @@
+#ifndef itkFluidWithoutGas_h
+#define itkFluidWithoutGas_h
+
+#include "itkColonSearch.h"
+
+namespace itk
+{
+/** A stretch of the colon filled with fluid alone. */
+struct FluidWithoutGas
+{
+  double          ml{ 0.0 };
+  double          radius{ 0.0 }; ///< of the largest ball in it, mm
+  Eigen::Vector3d centre{ 0.0, 0.0, 0.0 };
+};
+
+/** Takes bright matter without a level for colon, where its calibre is that of no small bowel: at least 50 ml, an
+ * inscribed radius of 14 mm or more, longer than wide, which a bladder is not, and as bright as the colon's fluid.
+ * Only where fluid is tagged so well (300 HU above tissue) that no bone of that width is as bright. Each becomes a seed
+ * point of `evidence`. */
+std::vector<FluidWithoutGas>
+TakeFluidWithoutGas(ColonEvidence & evidence);
+} // namespace itk
+
+#endif
