@@ -61,7 +61,7 @@ Flatten(CommandLine & commandLine)
   const itk::ColonFlatteningOptions options = OptionsOf(commandLine);
   itk::Surface                      surface = itk::ReadSurface(commandLine, "inputSurface");
   itk::ColonFlattening              flattening =
-    itk::FlattenColon(std::move(surface.mesh), commandLine.GetString("inputSurface"), options);
+    itk::FlattenColon(std::move(surface.mesh), '"' + commandLine.GetString("inputSurface") + '"', options);
   for (const std::string & warning : flattening.warnings)
   {
     commandLine.Warn(warning);

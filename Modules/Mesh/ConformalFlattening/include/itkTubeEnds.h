@@ -26,7 +26,8 @@ struct TubeEnds
 ConformalFlattening_EXPORT TubeEnds
 FindTubeEnds(const SurfaceMesh & mesh, const SurfaceConnectivity & connectivity, const std::string & what);
 
-/** A tube as FindTubeEnds() needs it, whose faces look outwards, with what was changed for that in words. */
+/** A tube as FindTubeEnds() needs it, whose faces look outwards, with what was changed for that in words (which name no
+ * file). */
 struct PreparedTube
 {
   SurfaceMesh              mesh;

@@ -13,10 +13,12 @@ namespace itk
 {
 namespace
 {
-constexpr int    ringsOfHandle = 3;
-constexpr int    mostRounds = 5;     // of removal
-constexpr double largeHandle = 30.0; // mm; loops of noise are smaller
-constexpr double foldedShare = 0.01; // of the faces
+/** In warnings, which go to result files, where no path belongs. */
+constexpr const char * surfaceName = "the surface";
+constexpr int          ringsOfHandle = 3;
+constexpr int          mostRounds = 5;     // of removal
+constexpr double       largeHandle = 30.0; // mm; loops of noise are smaller
+constexpr double       foldedShare = 0.01; // of the faces
 
 /** The chain of one surface; m_Result fills up on the way. */
 class ColonFlattener
@@ -71,13 +73,14 @@ private:
     m_Result.genusBefore = m_Result.genusAfter = m_Connectivity->Components().front().genus.value_or(0);
     if (!m_Laplacian.clampedFaces.empty())
     {
-      m_Result.warnings.push_back(m_What + ": " + std::to_string(m_Laplacian.clampedFaces.size()) +
+      m_Result.warnings.push_back(std::string(surfaceName) + ": " + std::to_string(m_Laplacian.clampedFaces.size()) +
                                   " faces with hardly any area, such as face " +
                                   std::to_string(m_Laplacian.clampedFaces.front()) + ", were taken for thin ones");
     }
     if (m_Result.rectumFrom == "firstLoop")
     {
-      m_Result.warnings.push_back(m_What + " does not say which end is the rectum (field array rectumLoop, or " +
+      m_Result.warnings.push_back(std::string(surfaceName) +
+                                  " does not say which end is the rectum (field array rectumLoop, or " +
                                   "--centreline): u begins at the loop with the least vertex");
     }
   }
@@ -128,8 +131,8 @@ private:
     if (m_Result.time < edge * edge)
     {
       m_Result.warnings.push_back(
-        m_What + ": the time of diffusion is less than the square of the mean edge, which is " + std::to_string(edge) +
-        " mm, so the metric shows the mesh; take a finer surface or --metric euclidean");
+        std::string(surfaceName) + ": the time of diffusion is less than the square of the mean edge, which is " +
+        std::to_string(edge) + " mm, so the metric shows the mesh; take a finer surface or --metric euclidean");
     }
   }
 
@@ -182,7 +185,7 @@ private:
     }
     if (m_Result.genusAfter > 0)
     {
-      m_Result.warnings.push_back(m_What + ": " + std::to_string(m_Result.genusAfter) +
+      m_Result.warnings.push_back(std::string(surfaceName) + ": " + std::to_string(m_Result.genusAfter) +
                                   " handles could not be removed");
     }
   }
@@ -209,7 +212,7 @@ private:
       if (handle.radius > largeHandle)
       {
         std::ostringstream text;
-        text << m_What << ": a handle of radius " << handle.radius << " mm at " << handle.place.transpose()
+        text << surfaceName << ": a handle of radius " << handle.radius << " mm at " << handle.place.transpose()
              << ": parts of the colon seem to touch there, and what lies between them is not mapped; take a surface "
              << "with its topology repaired, as wall-repaired.vtp of ColonSegmentation";
         m_Result.warnings.push_back(text.str());
@@ -217,8 +220,8 @@ private:
     }
     if (m_Result.handles.genus != m_Result.genusBefore)
     {
-      m_Result.warnings.push_back(m_What + " has " + std::to_string(m_Result.genusBefore) + " handles, but " +
-                                  std::to_string(m_Result.handles.genus) + " were located: " +
+      m_Result.warnings.push_back(std::string(surfaceName) + " has " + std::to_string(m_Result.genusBefore) +
+                                  " handles, but " + std::to_string(m_Result.handles.genus) + " were located: " +
                                   (m_Options.tube.conjugate == TubeConjugate::Published
                                      ? "the published method folds the map elsewhere, too"
                                      : "others lie at a boundary, or the map is folded in many places"));
@@ -243,7 +246,7 @@ private:
     }
     if (m_Result.distortion.flips > foldedShare * flat.NumberOfFaces())
     {
-      m_Result.warnings.push_back(m_What + ": " + std::to_string(m_Result.distortion.flips) + " of " +
+      m_Result.warnings.push_back(std::string(surfaceName) + ": " + std::to_string(m_Result.distortion.flips) + " of " +
                                   std::to_string(flat.NumberOfFaces()) +
                                   " faces are folded on the map; look at the handles, or remesh the surface");
     }

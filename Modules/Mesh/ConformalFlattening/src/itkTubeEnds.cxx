@@ -202,7 +202,7 @@ PrepareTube(SurfaceMesh mesh, const std::string & what)
     SurfaceMesh         repaired = RepairSurface(tube.mesh, {}, &report);
     for (const std::string & words : report.Words())
     {
-      tube.warnings.push_back(what + ": " + words);
+      tube.warnings.push_back("the surface: " + words);
     }
     RenumberLoopArrays(tube.mesh, repaired);
     tube.mesh = std::move(repaired);
@@ -212,7 +212,7 @@ PrepareTube(SurfaceMesh mesh, const std::string & what)
   if (SixfoldVolume(tube.mesh, connectivity) < 0.0)
   {
     tube.mesh.F.col(1).swap(tube.mesh.F.col(2));
-    tube.warnings.push_back(what + ": its faces looked inwards; they were turned");
+    tube.warnings.emplace_back("the surface: its faces looked inwards; they were turned");
   }
   return tube;
 }
