@@ -1,0 +1,27 @@
+#ifndef NewtonFlattening_h
+#define NewtonFlattening_h
+
+#include "itkFlatDistortion.h"
+#include "itkTubeEnds.h"
+
+/** The peer of harmonic flattening: conformal equivalence of triangle meshes, by Newton's method (Springborn, Schroeder
+ * and Pinkall, 2008), whose flow is discrete Ricci flow. */
+struct NewtonFlattening
+{
+  bool             hasConverged{ false };
+  int              iterations{ 0 };
+  double           modulus{ 0.0 }; ///< circumference over length of the flat cylinder
+  Eigen::MatrixX2d uv;             ///< of the vertices of the cut surface
+};
+
+/** Scales the lengths of the edges by exp((w_a + w_b) / 2) until all vertices inside are flat and all boundaries
+ * straight, and lays the faces of the cut surface out. The order of elimination and the pattern serve all iterations.
+ */
+NewtonFlattening
+FlattenByNewton(const itk::SurfaceConnectivity & connectivity,
+                const itk::FaceMatrix &          F,
+                const Eigen::VectorXd &          edgeLengths,
+                const itk::TubeEnds &            ends,
+                const itk::CutSurface &          cut);
+
+#endif
