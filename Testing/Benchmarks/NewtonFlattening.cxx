@@ -10,7 +10,7 @@
 namespace
 {
 constexpr double pi = 3.14159265358979323846;
-constexpr double flatEnough = 1e-6; // radians
+constexpr double flatEnough = 1e-9; // radians
 constexpr int    mostIterations = 40;
 constexpr int    mostHalvings = 30;
 

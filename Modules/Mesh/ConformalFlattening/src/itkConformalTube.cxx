@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <memory>
 
 namespace itk
@@ -15,6 +16,8 @@ namespace
 {
 /** A path that deviates from the line v = 0 by this part of the circumference costs twice as much. */
 constexpr double deviation = 1.0 / 12.0;
+/** Beyond this part of the circumference no path is looked for at first. */
+constexpr double band = 0.15;
 /** Vertices with more than this defect of angle, radians, belong to faces that are flipped or singular. */
 constexpr double leastDefect = 1e-6;
 
@@ -37,14 +40,7 @@ public:
                  const Eigen::VectorXd &     edgeLengths,
                  const TubeEnds &            ends,
                  const TubeOptions &         options)
-    : m_Mesh(mesh)
-    , m_Connectivity(connectivity)
-    , m_MetricLengths(edgeLengths)
-    , m_Ends(ends)
-    , m_Options(options)
-    , m_Laplacian(MakeSurfaceLaplacian(connectivity, edgeLengths))
-    , m_Graph(connectivity)
-    , m_Lengths(EdgeLengths(connectivity, mesh.V))
+    : m_Mesh(mesh), m_Connectivity(connectivity), m_MetricLengths(edgeLengths), m_Ends(ends), m_Options(options)
   {}
 
   TubeMap
@@ -68,15 +64,28 @@ public:
   }
 
 private:
-  /** Both factorisations at once. */
+  /** The order of elimination beside the Laplacian, then both factorisations at once. */
   void
   Factorise()
   {
+    std::vector<int> order;
+    ParallelFor(2, [&](std::size_t i) {
+      if (i == 0)
+      {
+        order = HarmonicSolver::EliminationOrder(m_Connectivity);
+      }
+      else
+      {
+        m_Laplacian = MakeSurfaceLaplacian(m_Connectivity, m_MetricLengths);
+        m_Graph = EdgeGraph(m_Connectivity);
+        m_Lengths = EdgeLengths(m_Connectivity, m_Mesh.V);
+      }
+    });
     const bool needsBoth = m_Options.conjugate == TubeConjugate::Laplacian;
     ParallelFor(needsBoth ? 2 : 1, [&](std::size_t i) {
-      auto & solver = i == 0 ? m_Along : m_Around;
-      solver =
-        std::make_unique<HarmonicSolver>(m_Laplacian, i == 0 ? m_Ends.Vertices() : std::vector<int>{ m_Ends.first[0] });
+      auto &     solver = i == 0 ? m_Along : m_Around;
+      const auto fixed = i == 0 ? m_Ends.Vertices() : std::vector<int>{ m_Ends.first[0] };
+      solver = std::make_unique<HarmonicSolver>(m_Laplacian, fixed, order);
     });
   }
 
@@ -101,6 +110,16 @@ private:
       m_IsSaddle.push_back(multiplicity > 0);
       m_Map.saddles += std::max(0, multiplicity);
     }
+    const bool isFinal = m_Options.conjugate == TubeConjugate::Published || !m_Options.cutCurve.empty();
+    if (m_Map.saddles == 0 && !isFinal)
+    {
+      // Without handles any path will do: the cut is laid again when v is known.
+      const std::vector<int> path = AscendingPath(m_Graph, m_Ends, m_Map.u);
+      if (!path.empty())
+      {
+        return path;
+      }
+    }
     Eigen::VectorXd costs = m_Lengths;
     if (!m_Options.cutCurve.empty())
     {
@@ -113,7 +132,10 @@ private:
         costs[edge] *= 1.0 + 10.0 * away * away;
       }
     }
-    this->Avoid(m_IsSaddle, m_Options.saddleRings, costs);
+    if (m_Map.saddles > 0)
+    {
+      this->Avoid(m_IsSaddle, m_Options.saddleRings, costs);
+    }
     return CheapestPath(m_Graph, m_Ends, costs);
   }
 
@@ -180,6 +202,23 @@ private:
     return true;
   }
 
+  /** The cheapest path near v = 0, or the cheapest of all where the mesh is too coarse for one. */
+  std::vector<int>
+  PathInBand(const Eigen::VectorXd & costs, const Eigen::VectorXd & v) const
+  {
+    Eigen::VectorXd bounded = costs;
+    for (int edge = 0; edge < m_Connectivity.NumberOfEdges(); ++edge)
+    {
+      const int vertex = m_Connectivity.VerticesOfEdge(edge)[0];
+      if (std::abs(v[vertex] - std::round(v[vertex])) > band)
+      {
+        bounded[edge] = std::numeric_limits<double>::infinity();
+      }
+    }
+    const std::vector<int> path = CheapestPath(m_Graph, m_Ends, bounded);
+    return path.empty() ? CheapestPath(m_Graph, m_Ends, costs) : path;
+  }
+
   std::vector<int>
   PathAlongLine(const Eigen::VectorXd & v, const CornerValues & lifted) const
   {
@@ -193,6 +232,10 @@ private:
         away += 0.5 * std::abs(v[vertex] - std::round(v[vertex])) / deviation;
       }
       costs[edge] *= 1.0 + away * away;
+    }
+    if (m_Map.saddles == 0)
+    {
+      return this->PathInBand(costs, v);
     }
     this->Avoid(m_IsSaddle, m_Options.saddleRings, costs);
     const Eigen::VectorXd defects = FlatAngleDefects(m_Mesh.F, m_Connectivity, this->PlacesOfCorners(lifted));

@@ -4,6 +4,7 @@
 
 #include <Eigen/SparseCholesky>
 
+#include <algorithm>
 #include <numeric>
 
 namespace itk
@@ -73,38 +74,82 @@ RequireFixedComponents(const SurfaceLaplacian & laplacian, const std::vector<int
     }
   }
 }
+
+/** Approximate minimum degree of a graph by its edges. */
+template <typename TEdge>
+std::vector<int>
+OrderOf(int vertices, int edges, const TEdge & edgeOf)
+{
+  // The lower triangle with the diagonal, which AMDOrdering needs; values do not count.
+  Sparse pattern(vertices, vertices);
+  pattern.resizeNonZeros(vertices + edges);
+  std::fill_n(pattern.valuePtr(), vertices + edges, 1.0);
+  int * const begin = pattern.outerIndexPtr();
+  begin[0] = 0;
+  std::fill_n(begin + 1, vertices, 1);
+  for (int edge = 0; edge < edges; ++edge)
+  {
+    const auto & [a, b] = edgeOf(edge);
+    ++begin[std::min(a, b) + 1];
+  }
+  std::partial_sum(begin, begin + vertices + 1, begin);
+  std::vector<int> next(begin, begin + vertices);
+  for (int vertex = 0; vertex < vertices; ++vertex)
+  {
+    pattern.innerIndexPtr()[next[vertex]++] = vertex;
+  }
+  for (int edge = 0; edge < edges; ++edge)
+  {
+    const auto & [a, b] = edgeOf(edge);
+    pattern.innerIndexPtr()[next[std::min(a, b)]++] = std::max(a, b);
+  }
+  Eigen::PermutationMatrix<Eigen::Dynamic, Eigen::Dynamic, int> permutation;
+  Eigen::AMDOrdering<int>()(pattern.selfadjointView<Eigen::Lower>(), permutation);
+  return { permutation.indices().data(), permutation.indices().data() + vertices };
+}
 } // namespace
 
 struct HarmonicSolver::Factor
 {
-  Factor(const SurfaceLaplacian & laplacian, const std::vector<int> & fixed);
+  Factor(const SurfaceLaplacian & laplacian, const std::vector<int> & fixed, const std::vector<int> & order);
 
-  std::vector<int>              rows;
-  std::vector<int>              freeVertices;
-  Sparse                        freeToFixed; ///< the block of L
-  Eigen::SimplicialLDLT<Sparse> cholesky;
+  /** Among the free vertices in the order of elimination, or -1 - the row among the fixed ones. */
+  std::vector<int>                                                         rows;
+  std::vector<int>                                                         freeVertices;
+  Sparse                                                                   freeToFixed; ///< block of L
+  Eigen::SimplicialLDLT<Sparse, Eigen::Upper, Eigen::NaturalOrdering<int>> cholesky;
 
 private:
-  /** The lower triangle of the block of free vertices, and the other block. */
+  /** The upper triangle of the block of free vertices. */
   Sparse
-  FillBlocks(const SurfaceLaplacian & laplacian, Eigen::Index fixed);
+  FreeBlock(const SurfaceLaplacian & laplacian) const;
+  void
+  FillFreeToFixed(const SurfaceLaplacian & laplacian, Eigen::Index fixed);
 };
 
-HarmonicSolver::Factor::Factor(const SurfaceLaplacian & laplacian, const std::vector<int> & fixed)
+HarmonicSolver::Factor::Factor(const SurfaceLaplacian & laplacian,
+                               const std::vector<int> & fixed,
+                               const std::vector<int> & order)
   : rows(RowsOfVertices(laplacian.NumberOfVertices(), fixed))
 {
   RequireFixedComponents(laplacian, fixed);
-  for (int vertex = 0; vertex < laplacian.NumberOfVertices(); ++vertex)
+  if (order.size() != rows.size())
+  {
+    throw InputError("the order of elimination has " + std::to_string(order.size()) + " of " +
+                     std::to_string(rows.size()) + " vertices");
+  }
+  for (const int vertex : order)
   {
     if (rows[vertex] >= 0)
     {
+      rows[vertex] = static_cast<int>(freeVertices.size());
       freeVertices.push_back(vertex);
     }
   }
-  const Sparse matrix = this->FillBlocks(laplacian, static_cast<Eigen::Index>(fixed.size()));
-  if (matrix.rows() > 0)
+  this->FillFreeToFixed(laplacian, static_cast<Eigen::Index>(fixed.size()));
+  if (!freeVertices.empty())
   {
-    cholesky.compute(matrix);
+    cholesky.compute(this->FreeBlock(laplacian));
     if (cholesky.info() != Eigen::Success)
     {
       throw InputError("the stiffness matrix of the surface cannot be factorised; repair or remesh the surface");
@@ -113,40 +158,86 @@ HarmonicSolver::Factor::Factor(const SurfaceLaplacian & laplacian, const std::ve
 }
 
 Sparse
-HarmonicSolver::Factor::FillBlocks(const SurfaceLaplacian & laplacian, Eigen::Index fixed)
+HarmonicSolver::Factor::FreeBlock(const SurfaceLaplacian & laplacian) const
 {
-  const Eigen::VectorXd               diagonal = StiffnessDiagonal(laplacian);
-  std::vector<Eigen::Triplet<double>> inner, outer;
-  inner.reserve(freeVertices.size() + laplacian.edges.size());
-  for (std::size_t i = 0; i < freeVertices.size(); ++i)
+  // Column by column: edges to earlier rows, then the diagonal. Rows within a column need no order.
+  const auto      free = static_cast<Eigen::Index>(freeVertices.size());
+  Eigen::VectorXi counts = Eigen::VectorXi::Ones(free);
+  for (const auto & [a, b] : laplacian.edges)
   {
-    inner.emplace_back(static_cast<int>(i), static_cast<int>(i), diagonal[freeVertices[i]]);
+    if (rows[a] >= 0 && rows[b] >= 0)
+    {
+      ++counts[std::max(rows[a], rows[b])];
+    }
   }
+  Sparse matrix(free, free);
+  matrix.resizeNonZeros(counts.sum());
+  Eigen::VectorXi next(free);
+  matrix.outerIndexPtr()[0] = 0;
+  for (Eigen::Index j = 0; j < free; ++j)
+  {
+    next[j] = matrix.outerIndexPtr()[j];
+    matrix.outerIndexPtr()[j + 1] = next[j] + counts[j];
+  }
+  const auto put = [&](int row, int column, double value) {
+    matrix.innerIndexPtr()[next[column]] = row;
+    matrix.valuePtr()[next[column]++] = value;
+  };
   for (std::size_t edge = 0; edge < laplacian.edges.size(); ++edge)
   {
-    const double weight = laplacian.weights[static_cast<Eigen::Index>(edge)];
-    const int    a = rows[laplacian.edges[edge][0]];
-    const int    b = rows[laplacian.edges[edge][1]];
+    const int a = rows[laplacian.edges[edge][0]];
+    const int b = rows[laplacian.edges[edge][1]];
     if (a >= 0 && b >= 0)
     {
-      inner.emplace_back(std::max(a, b), std::min(a, b), -weight);
-    }
-    else if (a >= 0 || b >= 0)
-    {
-      outer.emplace_back(std::max(a, b), -1 - std::min(a, b), -weight);
+      put(std::min(a, b), std::max(a, b), -laplacian.weights[static_cast<Eigen::Index>(edge)]);
     }
   }
-  const auto free = static_cast<Eigen::Index>(freeVertices.size());
-  Sparse     matrix(free, free);
-  matrix.setFromTriplets(inner.begin(), inner.end());
-  freeToFixed.resize(free, fixed);
-  freeToFixed.setFromTriplets(outer.begin(), outer.end());
+  const Eigen::VectorXd diagonal = StiffnessDiagonal(laplacian);
+  for (Eigen::Index j = 0; j < free; ++j)
+  {
+    put(static_cast<int>(j), static_cast<int>(j), diagonal[freeVertices[j]]);
+  }
   return matrix;
 }
 
+void
+HarmonicSolver::Factor::FillFreeToFixed(const SurfaceLaplacian & laplacian, Eigen::Index fixed)
+{
+  std::vector<Eigen::Triplet<double>> triplets;
+  for (std::size_t edge = 0; edge < laplacian.edges.size(); ++edge)
+  {
+    const int a = rows[laplacian.edges[edge][0]];
+    const int b = rows[laplacian.edges[edge][1]];
+    if ((a < 0) != (b < 0))
+    {
+      triplets.emplace_back(std::max(a, b), -1 - std::min(a, b), -laplacian.weights[static_cast<Eigen::Index>(edge)]);
+    }
+  }
+  freeToFixed.resize(static_cast<Eigen::Index>(freeVertices.size()), fixed);
+  freeToFixed.setFromTriplets(triplets.begin(), triplets.end());
+}
+
 HarmonicSolver::HarmonicSolver(const SurfaceLaplacian & laplacian, std::vector<int> fixedVertices)
-  : m_Fixed(std::move(fixedVertices)), m_Factor(std::make_unique<const Factor>(laplacian, m_Fixed))
+  : HarmonicSolver(laplacian,
+                   std::move(fixedVertices),
+                   OrderOf(laplacian.NumberOfVertices(), static_cast<int>(laplacian.edges.size()), [&](int edge) {
+                     return laplacian.edges[edge];
+                   }))
 {}
+
+HarmonicSolver::HarmonicSolver(const SurfaceLaplacian & laplacian,
+                               std::vector<int>         fixedVertices,
+                               const std::vector<int> & order)
+  : m_Fixed(std::move(fixedVertices)), m_Factor(std::make_unique<const Factor>(laplacian, m_Fixed, order))
+{}
+
+std::vector<int>
+HarmonicSolver::EliminationOrder(const SurfaceConnectivity & connectivity)
+{
+  return OrderOf(connectivity.NumberOfVertices(), connectivity.NumberOfEdges(), [&](int edge) {
+    return connectivity.VerticesOfEdge(edge);
+  });
+}
 
 HarmonicSolver::~HarmonicSolver() = default;
 HarmonicSolver::HarmonicSolver(HarmonicSolver &&) noexcept = default;

@@ -96,7 +96,32 @@ CheapestPath(const EdgeGraph & graph, const TubeEnds & ends, const Eigen::Vector
       }
     }
   }
-  throw InputError("no path of edges joins the ends of the tube");
+  return {};
+}
+
+std::vector<int>
+AscendingPath(const EdgeGraph & graph, const TubeEnds & ends, const Eigen::VectorXd & u)
+{
+  std::vector<char> isEnd(graph.NumberOfVertices(), 0);
+  for (const int vertex : ends.second)
+  {
+    isEnd[vertex] = 1;
+  }
+  std::vector<int> path{ ends.first.front() };
+  while (!isEnd[path.back()])
+  {
+    int best = path.back();
+    for (const EdgeGraph::Step *step = graph.begin(best), *end = graph.end(best); step != end; ++step)
+    {
+      best = u[step->vertex] > u[best] ? step->vertex : best;
+    }
+    if (best == path.back())
+    {
+      return {};
+    }
+    path.push_back(best);
+  }
+  return path;
 }
 
 Eigen::VectorXd

@@ -16,6 +16,7 @@ public:
     int vertex;
     int edge;
   };
+  EdgeGraph() = default;
   explicit EdgeGraph(const SurfaceConnectivity & connectivity);
   const Step *
   begin(int vertex) const
@@ -39,9 +40,15 @@ private:
 };
 
 /** The cheapest path from a vertex of the first loop to one of the second; all others of it lie inside. Of equal paths
- * the one that vertices with less indices come to first. Costs are positive. */
+ * the one that vertices with less indices come to first. Costs are positive; edges of infinite cost are left out, and
+ * the path is empty where there is none without them. */
 std::vector<int>
 CheapestPath(const EdgeGraph & graph, const TubeEnds & ends, const Eigen::VectorXd & costs);
+
+/** A path from the first loop along which u grows, by the steepest edge at each vertex; empty where u has a maximum on
+ * the way. */
+std::vector<int>
+AscendingPath(const EdgeGraph & graph, const TubeEnds & ends, const Eigen::VectorXd & u);
 
 /** The length of the shortest path of edges from each vertex to one of the sources. */
 Eigen::VectorXd
