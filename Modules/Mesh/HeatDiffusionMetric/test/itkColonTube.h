@@ -25,6 +25,7 @@ struct ColonTubeOptions
   double        haustrum{ 32.0 };    ///< from fold to fold, mm
   double        foldDepth{ 0.3 };    ///< of the radius
   double        irregularity{ 0.2 }; ///< of an edge
+  int           handleSpan{ 4 };     ///< edges between the two faces that a handle joins
 };
 
 struct ColonTube
@@ -220,7 +221,7 @@ Faces(const Grid & grid)
   return faces;
 }
 
-/** Handles between faces 4 edges apart in a row, and at least 3 rings of free vertices around each. */
+/** Handles between faces some edges apart in a row, and at least 3 rings of free vertices around each. */
 inline std::vector<std::array<int, 6>>
 AddHandles(const ColonTubeOptions & options, const Grid & grid, std::vector<std::array<int, 3>> & faces)
 {
@@ -244,7 +245,8 @@ AddHandles(const ColonTubeOptions & options, const Grid & grid, std::vector<std:
     if (row >= ends && isFree)
     {
       places.push_back({ row, column });
-      handles.push_back(JoinFaces(faces, grid.Face(row, column), grid.Face(row, (column + 4) % grid.around)));
+      handles.push_back(
+        JoinFaces(faces, grid.Face(row, column), grid.Face(row, (column + options.handleSpan) % grid.around)));
     }
   }
   return handles;
