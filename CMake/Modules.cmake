@@ -10,6 +10,7 @@ set(Shapeton_MODULES
   Mesh/SurfaceMesh
   Mesh/HeatDiffusionMetric
   Mesh/ConformalFlattening
+  Mesh/FlatColonGrid
   Filtering/ShapeDiffusion
   Phantom/ShapePhantom
   Phantom/ColonPhantom

@@ -1,0 +1,30 @@
+#ifndef itkFlatCoordinateMap_h
+#define itkFlatCoordinateMap_h
+
+#include "itkFlatColonGrid.h"
+#include "itkVolumeWriter.h"
+
+#include "itkImage.h"
+#include "itkVector.h"
+
+namespace itk
+{
+/** For each pixel of the flat map its point in space, LPS, mm. Index (0, 0) is the first column and row; the physical
+ * space of the image is the map: the physical point of an index is its (u, v) in mm. \ingroup FlatColonGrid */
+using FlatCoordinateMap = Image<Vector<float, 3>, 2>;
+
+/** Not a number where no face lies. \ingroup FlatColonGrid */
+FlatColonGrid_EXPORT FlatCoordinateMap::Pointer
+                     MakeFlatCoordinateMap(const FlatColonGrid & grid);
+
+/** Throws UsageError unless the name is empty (not wanted) or ends with .nrrd. \ingroup FlatColonGrid */
+FlatColonGrid_EXPORT const std::string &
+                           RequireCoordinateMapName(const std::string & path);
+
+/** Writes NRRD; the space of the vectors, pixel size and circumference stand beside `metadata` in its header. Throws
+ * OutputError when the file cannot be written, UsageError for another extension. \ingroup FlatColonGrid */
+FlatColonGrid_EXPORT void
+WriteFlatCoordinateMap(const FlatColonGrid & grid, const std::string & path, const VolumeMetadata & metadata = {});
+} // namespace itk
+
+#endif

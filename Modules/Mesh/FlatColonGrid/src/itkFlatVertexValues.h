@@ -1,0 +1,30 @@
+#ifndef itkFlatVertexValues_h
+#define itkFlatVertexValues_h
+
+#include "itkSurfaceMesh.h"
+
+#include <vector>
+
+namespace itk
+{
+/** Values of vertices, in which the copies of a vertex along the cut are one. Rows by source vertex. */
+struct FlatVertexValues
+{
+  /** Unit vectors, area-weighted means of the faces' normals; zero where there is no area. */
+  VertexMatrix normals;
+  /** Mean curvature, 1/mm, positive where the surface bulges towards the side that the normals look to. */
+  Eigen::VectorXd curvature;
+  /** The root of area on the surface over area of the map, of the faces around. */
+  Eigen::VectorXd scale;
+};
+
+/** `curvatureLength` as in FlatColonGridOptions. */
+FlatVertexValues
+MakeFlatVertexValues(const VertexMatrix &     V,
+                     const FaceMatrix &       F,
+                     const Eigen::MatrixX2d & uv,
+                     const std::vector<int> & sourceOfVertex,
+                     double                   curvatureLength);
+} // namespace itk
+
+#endif
