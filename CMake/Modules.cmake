@@ -21,4 +21,5 @@ set(Shapeton_MODULES
   Segmentation/ColonModel
   Visualization/ShapeRendering
   Visualization/ColonReport
+  Visualization/FlatColonView
 )

@@ -136,6 +136,13 @@ public:
   {
     return m_FaceOfPixel[static_cast<std::size_t>(Wrap(row)) * m_Columns + column];
   }
+  /** Whether the wall was made up there over a gap. */
+  bool
+  IsBridged(int column, int row) const
+  {
+    const int face = this->FaceOfPixel(column, row);
+    return face >= 0 && !m_IsBridged.empty() && m_IsBridged[face] != 0;
+  }
   /** (u, v) of the middle of a pixel. */
   Eigen::Vector2d
   UvOfPixel(int column, int row) const;

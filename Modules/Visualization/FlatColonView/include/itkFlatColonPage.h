@@ -1,0 +1,74 @@
+#ifndef itkFlatColonPage_h
+#define itkFlatColonPage_h
+
+#include "FlatColonViewExport.h"
+
+#include "itkFlatColonGrid.h"
+#include "itkPictureAnnotation.h"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace itk
+{
+/** Something to tell about a place. \ingroup FlatColonView */
+struct FlatAnnotation
+{
+  enum class Kind
+  {
+    /** A segment of the colon begins here; the text is its name. Only the place along the colon counts. */
+    Segment,
+    /** A ring of `diameter`. */
+    Polyp,
+    /** A small cross, for example where a handle was. */
+    Mark
+  };
+  Kind        kind{ Kind::Mark };
+  std::string text;
+  /** \name The place: one of these */
+  ///@{
+  /** mm of the map. */
+  std::optional<Eigen::Vector2d> uv;
+  /** LPS, mm; goes to the nearest point of the wall. */
+  std::optional<Eigen::Vector3d> point;
+  /** mm along the centreline; for segments. */
+  std::optional<double> distance;
+  ///@}
+  /** mm on the surface, of a polyp. */
+  double diameter{ 6.0 };
+};
+
+/** \ingroup FlatColonView */
+struct FlatColonPageOptions
+{
+  std::string title;
+  /** Below the title. */
+  std::string note;
+  /** Pixels of the longest row. */
+  int greatestColumns{ 1500 };
+  /** The picture goes on around the tube by this share of the circumference above and below, paler, so that nothing is
+   * cut in two. 0 to 0.5. */
+  double overlap{ 0.08 };
+  /** At the right of the page. */
+  std::optional<ColorScale> colorBar;
+};
+
+/** A page with a strip in rows.
+ *
+ * Below each row a ruler with the distance along the centreline in cm (where it is not known, `distanceOfColumns` is
+ * empty and the ruler counts along the map), above it a bar of round length with the row's local scale: the median, and
+ * the range from 10 to 90 % of the pixels. Stretches of the wall that were made up over a gap are hatched.
+ *
+ * Throws std::invalid_argument when the strip has not the size of the grid, distances do not have its columns, or an
+ * annotation has no place.
+ * \ingroup FlatColonView */
+FlatColonView_EXPORT Picture::Pointer
+                     DrawFlatColonPage(const Picture *                     strip,
+                                       const FlatColonGrid &               grid,
+                                       const std::vector<double> &         distanceOfColumns,
+                                       const std::vector<FlatAnnotation> & annotations = {},
+                                       const FlatColonPageOptions &        options = {});
+} // namespace itk
+
+#endif

@@ -1,0 +1,207 @@
+#include "itkFlatColonPage.h"
+
+#include "itkFlatColonLocator.h"
+#include "itkFlatPageRow.h"
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <stdexcept>
+
+namespace itk
+{
+namespace
+{
+const RGBColor paper = MakeColor(255, 255, 255);
+const RGBColor ink = MakeColor(30, 32, 38);
+const RGBColor faintInk = MakeColor(112, 116, 126);
+
+constexpr int leftMargin = 52;
+constexpr int rightMargin = 20;
+constexpr int gapBetweenRows = 10;
+constexpr int leastWidth = 480;
+
+/** The place of a distance along the centreline, in columns. */
+double
+ColumnOfDistance(const std::vector<double> & distanceOfColumns, double distance)
+{
+  const auto after = std::lower_bound(distanceOfColumns.begin(), distanceOfColumns.end(), distance);
+  return static_cast<double>(after - distanceOfColumns.begin());
+}
+
+class Placing
+{
+public:
+  Placing(const FlatColonGrid & grid, const std::vector<double> & distanceOfColumns)
+    : m_Grid(grid), m_DistanceOfColumns(distanceOfColumns)
+  {}
+
+  PlacedAnnotation
+  Place(const FlatAnnotation & annotation)
+  {
+    PlacedAnnotation placed;
+    placed.annotation = annotation;
+    if (annotation.distance && !m_DistanceOfColumns.empty())
+    {
+      placed.column = ColumnOfDistance(m_DistanceOfColumns, *annotation.distance);
+      return placed;
+    }
+    if (!annotation.uv && !annotation.point)
+    {
+      throw std::invalid_argument("the annotation '" + annotation.text + "' has no place on the map");
+    }
+    const FlatPixel pixel = annotation.uv ? m_Grid.PixelOfUv(*annotation.uv) : this->Locate(*annotation.point);
+    placed.column = pixel.column + 0.5;
+    placed.row = pixel.row + 0.5;
+    const FlatSample sample = m_Grid.SampleOfPixel(pixel.column, pixel.row);
+    const double     scale = sample.face >= 0 && sample.scale > 0.0 ? sample.scale : 1.0;
+    placed.diameter = annotation.diameter / scale / m_Grid.PixelSize();
+    return placed;
+  }
+
+private:
+  FlatPixel
+  Locate(const Eigen::Vector3d & point)
+  {
+    if (!m_Locator)
+    {
+      m_Locator = std::make_unique<FlatColonLocator>(m_Grid);
+    }
+    return m_Locator->Find(point).pixel;
+  }
+
+  const FlatColonGrid &             m_Grid;
+  const std::vector<double> &       m_DistanceOfColumns;
+  std::unique_ptr<FlatColonLocator> m_Locator; ///< only where it is needed
+};
+
+std::vector<PlacedAnnotation>
+PlaceAll(const FlatColonGrid &               grid,
+         const std::vector<double> &         distanceOfColumns,
+         const std::vector<FlatAnnotation> & annotations)
+{
+  Placing                       placing(grid, distanceOfColumns);
+  std::vector<PlacedAnnotation> placed;
+  for (const FlatAnnotation & annotation : annotations)
+  {
+    placed.push_back(placing.Place(annotation));
+  }
+  std::stable_sort(placed.begin(), placed.end(), [](const PlacedAnnotation & a, const PlacedAnnotation & b) {
+    return a.column < b.column;
+  });
+  return placed;
+}
+
+std::vector<double>
+DistanceAlongMap(const FlatColonGrid & grid)
+{
+  std::vector<double> distances;
+  for (int column = 0; column < grid.Columns(); ++column)
+  {
+    distances.push_back((column + 0.5) * grid.PixelSize());
+  }
+  return distances;
+}
+
+int
+HeadHeight(const FlatColonPageOptions & options)
+{
+  return 12 + (options.title.empty() ? 0 : 30) + (options.note.empty() ? 0 : 20);
+}
+
+void
+DrawHead(Picture * picture, const FlatColonPageOptions & options, int width)
+{
+  TextStyle style;
+  style.size = 21;
+  style.bold = true;
+  style.color = ink;
+  int y = 10;
+  if (!options.title.empty())
+  {
+    DrawText(picture, options.title, leftMargin, y, FitText(options.title, style, width));
+    y += 30;
+  }
+  style.size = 14;
+  style.bold = false;
+  style.color = faintInk;
+  if (!options.note.empty())
+  {
+    DrawText(picture, options.note, leftMargin, y, FitText(options.note, style, width));
+  }
+}
+
+void
+RequireFit(const Picture * strip, const FlatColonGrid & grid, const std::vector<double> & distances, double overlap)
+{
+  const auto size = strip->GetLargestPossibleRegion().GetSize();
+  if (size[0] != static_cast<SizeValueType>(grid.Columns()) || size[1] != static_cast<SizeValueType>(grid.Rows()))
+  {
+    throw std::invalid_argument("the strip has not the size of the grid");
+  }
+  if (!distances.empty() && distances.size() != size[0])
+  {
+    throw std::invalid_argument("there is not a distance for each column");
+  }
+  if (!(overlap >= 0.0 && overlap <= 0.5))
+  {
+    throw std::invalid_argument("the overlap must be from 0 to 0.5");
+  }
+}
+
+std::vector<FlatPageRow>
+LayOut(const FlatColonGrid & grid, const FlatColonPageOptions & options)
+{
+  std::vector<FlatPageRow> places;
+  int                      top = HeadHeight(options);
+  for (const FlatColonRow & row : BreakIntoRows(grid, options.greatestColumns))
+  {
+    FlatPageRow place;
+    place.row = row;
+    place.left = leftMargin;
+    place.top = top;
+    place.turn = grid.Rows();
+    place.overlap = static_cast<int>(std::lround(options.overlap * grid.Rows()));
+    top = place.Bottom() + gapBetweenRows;
+    places.push_back(place);
+  }
+  return places;
+}
+} // namespace
+
+Picture::Pointer
+DrawFlatColonPage(const Picture *                     strip,
+                  const FlatColonGrid &               grid,
+                  const std::vector<double> &         distanceOfColumns,
+                  const std::vector<FlatAnnotation> & annotations,
+                  const FlatColonPageOptions &        options)
+{
+  RequireFit(strip, grid, distanceOfColumns, options.overlap);
+  const std::vector<FlatPageRow>      places = LayOut(grid, options);
+  const std::vector<PlacedAnnotation> placed = PlaceAll(grid, distanceOfColumns, annotations);
+  const bool                          isArc = !distanceOfColumns.empty();
+  const std::vector<double>           distances = isArc ? distanceOfColumns : DistanceAlongMap(grid);
+  int                                 rowWidth = leastWidth;
+  for (const FlatPageRow & place : places)
+  {
+    rowWidth = std::max(rowWidth, place.row.columns);
+  }
+  const int barWidth = options.colorBar ? colorBarWidth : 0;
+  const int width = leftMargin + rowWidth + rightMargin + barWidth;
+  auto      picture = NewPicture(width, places.back().Bottom() + gapBetweenRows, paper);
+  DrawHead(picture, options, width - leftMargin - rightMargin);
+  for (const FlatPageRow & place : places)
+  {
+    DrawStripOfRow(picture, place, strip, grid);
+    DrawRulerOfRow(picture, place, distances, isArc);
+    DrawScaleOfRow(picture, place, grid.PixelSize());
+    DrawAnnotationsOfRow(picture, place, placed);
+  }
+  if (options.colorBar)
+  {
+    const int height = std::min(320, places.back().Bottom() - places.front().StripTop() - FlatPageRow::ruler);
+    DrawColorBar(picture, width - barWidth, places.front().StripTop(), height, *options.colorBar, ink);
+  }
+  return picture;
+}
+} // namespace itk

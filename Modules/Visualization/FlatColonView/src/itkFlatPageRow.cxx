@@ -1,0 +1,241 @@
+#include "itkFlatPageRow.h"
+
+#include "itkCsvTable.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace itk
+{
+namespace
+{
+const RGBColor paper = MakeColor(255, 255, 255);
+const RGBColor ink = MakeColor(30, 32, 38);
+const RGBColor faintInk = MakeColor(112, 116, 126);
+const RGBColor hatchLight = MakeColor(214, 216, 222);
+const RGBColor hatchDark = MakeColor(130, 134, 146);
+const RGBColor ringColor = MakeColor(255, 222, 40);
+const RGBColor markColor = MakeColor(60, 220, 255);
+
+TextStyle
+StyleOf(int size, const RGBColor & color, HorizontalAnchor horizontal, VerticalAnchor vertical)
+{
+  TextStyle style;
+  style.size = size;
+  style.color = color;
+  style.horizontal = horizontal;
+  style.vertical = vertical;
+  return style;
+}
+
+/** A ring of short lines, dark below the colour so that it is seen on any ground. */
+void
+DrawRing(Picture * picture, double x, double y, double radius, const RGBColor & color)
+{
+  constexpr double pi = 3.14159265358979323846;
+  const int        parts = std::max(24, static_cast<int>(radius));
+  for (const auto & [thickness, shade] : { std::pair<double, RGBColor>(4.0, ink), { 2.0, color } })
+  {
+    for (int i = 0; i < parts; ++i)
+    {
+      const double from = 2.0 * pi * i / parts;
+      const double to = 2.0 * pi * (i + 1) / parts;
+      DrawLine(picture,
+               x + radius * std::cos(from),
+               y + radius * std::sin(from),
+               x + radius * std::cos(to),
+               y + radius * std::sin(to),
+               shade,
+               thickness);
+    }
+  }
+}
+
+void
+DrawCross(Picture * picture, double x, double y, double radius, const RGBColor & color)
+{
+  for (const auto & [thickness, shade] : { std::pair<double, RGBColor>(4.0, ink), { 2.0, color } })
+  {
+    DrawLine(picture, x - radius, y - radius, x + radius, y + radius, shade, thickness);
+    DrawLine(picture, x - radius, y + radius, x + radius, y - radius, shade, thickness);
+  }
+}
+
+/** A polyp or mark at this place of the picture; the name at its right, or at its left where there is no room. */
+void
+DrawSpot(Picture * picture, const FlatPageRow & place, const PlacedAnnotation & placed, double x, double y)
+{
+  const bool   isPolyp = placed.annotation.kind == FlatAnnotation::Kind::Polyp;
+  const auto & color = isPolyp ? ringColor : markColor;
+  const double radius = isPolyp ? std::max(9.0, 0.5 * placed.diameter + 4.0) : 5.0;
+  if (isPolyp)
+  {
+    DrawRing(picture, x, y, radius, color);
+  }
+  else
+  {
+    DrawCross(picture, x, y, radius, color);
+  }
+  TextStyle    style = StyleOf(15, color, HorizontalAnchor::Left, VerticalAnchor::Center);
+  const double offset = radius + 4.0;
+  const int    width = MeasureText(placed.annotation.text, style).width;
+  const bool   hasRoom = x + offset + width < place.left + place.row.columns;
+  style.horizontal = hasRoom ? HorizontalAnchor::Left : HorizontalAnchor::Right;
+  const int textX = static_cast<int>(std::lround(hasRoom ? x + offset : x - offset));
+  DrawRimmedText(picture, placed.annotation.text, textX, static_cast<int>(std::lround(y)), style, ink);
+}
+
+/** A step of 1, 2 or 5 times a power of ten, in cm, with `least` pixels or more between labels. */
+double
+LabelStep(double pixelsPerCm, double least)
+{
+  double step = 1.0;
+  for (int i = 0; step * pixelsPerCm < least && i < 12; ++i)
+  {
+    step *= i % 3 == 1 ? 2.5 : 2.0; // 1, 2, 5, 10, ...
+  }
+  return step;
+}
+} // namespace
+
+void
+DrawStripOfRow(Picture * picture, const FlatPageRow & place, const Picture * strip, const FlatColonGrid & grid)
+{
+  constexpr int    hatchPeriod = 8;
+  constexpr double pale = 0.5;
+  constexpr double madeUp = 0.85; // what lies there is no wall
+  const int        stripWidth = grid.Columns();
+  const RGBColor * source = strip->GetBufferPointer();
+  for (int y = 0; y < place.StripHeight(); ++y)
+  {
+    const int  row = ((y - place.overlap) % place.turn + place.turn) % place.turn;
+    const bool isBeyond = y < place.overlap || y >= place.overlap + place.turn;
+    for (int x = 0; x < place.row.columns; ++x)
+    {
+      const int column = place.row.firstColumn + x;
+      RGBColor  color = source[static_cast<std::size_t>(row) * stripWidth + column];
+      if (grid.IsBridged(column, row))
+      {
+        color = (x + y) % hatchPeriod == 0 ? hatchDark : MixColors(color, hatchLight, madeUp);
+      }
+      color = isBeyond ? MixColors(color, paper, pale) : color;
+      picture->SetPixel({ { place.left + x, place.StripTop() + y } }, color);
+    }
+  }
+  for (const int y : { place.overlap, place.overlap + place.turn })
+  {
+    if (place.overlap > 0)
+    {
+      FillRectangle(picture, place.left, place.StripTop() + y, place.row.columns, 1, ink, 0.6);
+    }
+  }
+  DrawRectangle(
+    picture, place.left - 1, place.StripTop() - 1, place.row.columns + 2, place.StripHeight() + 2, faintInk);
+}
+
+void
+DrawRulerOfRow(Picture * picture, const FlatPageRow & place, const std::vector<double> & distanceOfColumns, bool isArc)
+{
+  constexpr double millimetresPerCm = 10.0;
+  constexpr int    roomAtTheRight = 18;
+  const int        top = place.StripTop() + place.StripHeight() + 3;
+  const int        first = place.row.firstColumn;
+  const double     length = distanceOfColumns[first + place.row.columns - 1] - distanceOfColumns[first];
+  const double     pixelsPerCm = length > 0.0 ? place.row.columns / length * millimetresPerCm : place.row.columns;
+  const double     labelStep = LabelStep(pixelsPerCm, 58.0);
+  const double     tickStep = LabelStep(pixelsPerCm, 4.0);
+  FillRectangle(picture, place.left, top, place.row.columns, 1, ink);
+  const TextStyle style = StyleOf(14, ink, HorizontalAnchor::Center, VerticalAnchor::Top);
+  int             labelEnd = place.left - 10; // right of the unit
+  for (const FlatColonTick & tick : RulerTicks(distanceOfColumns, millimetresPerCm * tickStep))
+  {
+    if (!place.Holds(tick.column))
+    {
+      continue;
+    }
+    const int    x = static_cast<int>(std::lround(place.XOf(tick.column)));
+    const double cm = tick.distance / millimetresPerCm;
+    const double labels = cm / labelStep;
+    const bool   isLabel = std::abs(labels - std::round(labels)) < 1e-6;
+    FillRectangle(picture, x, top, 1, isLabel ? 11 : 6, ink);
+    const std::string text = CsvTable::Rounded(cm, 6) + " cm";
+    const int         width = MeasureText(text, style).width;
+    if (isLabel && x - width / 2 > labelEnd && x + width / 2 < place.left + place.row.columns + roomAtTheRight)
+    {
+      DrawText(picture, text, x, top + 13, style);
+      labelEnd = x + width / 2 + 6;
+    }
+  }
+  const TextStyle unit = StyleOf(12, faintInk, HorizontalAnchor::Right, VerticalAnchor::Top);
+  DrawText(picture, isArc ? "from" : "along", place.left - 8, top - 2, unit);
+  DrawText(picture, isArc ? "anus" : "map", place.left - 8, top + 12, unit);
+}
+
+void
+DrawScaleOfRow(Picture * picture, const FlatPageRow & place, double pixelSize)
+{
+  constexpr int      barLength = 110;
+  const FlatColonRow row = place.row;
+  const auto         rounded = [](double scale) { return CsvTable::Rounded(scale, 2); };
+  const std::string text = "1 mm of the map: " + rounded(row.scale) + " mm of wall (" + rounded(row.lowScale) + " to " +
+                           rounded(row.highScale) + ")";
+  const TextStyle style = StyleOf(12, faintInk, HorizontalAnchor::Right, VerticalAnchor::Bottom);
+  const int       right = place.left + place.row.columns;
+  const int       bottom = place.StripTop() - 24;
+  const int       barLeft = right - MeasureText(text, style).width - 14 - barLength;
+  const bool      hasRoom = barLeft >= place.left;
+  if (hasRoom)
+  {
+    DrawText(picture, text, right, bottom + 2, style);
+  }
+  DrawScaleBar(picture, hasRoom ? barLeft : place.left, bottom, barLength, row.scale * pixelSize, ink);
+}
+
+void
+DrawAnnotationsOfRow(Picture * picture, const FlatPageRow & place, const std::vector<PlacedAnnotation> & annotations)
+{
+  const TextStyle          nameStyle = StyleOf(15, ink, HorizontalAnchor::Left, VerticalAnchor::Bottom);
+  const PlacedAnnotation * goingOn = nullptr; // the segment that began before this row
+  int                      textEnd = place.left - 1;
+  const auto               drawName = [&](const std::string & name, int x) {
+    const int width = MeasureText(name, nameStyle).width;
+    if (x > textEnd)
+    {
+      DrawText(picture, name, x, place.StripTop() - 4, nameStyle);
+      textEnd = x + width + 8;
+    }
+  };
+  for (const PlacedAnnotation & placed : annotations)
+  {
+    const bool isBefore = placed.column < place.row.firstColumn;
+    goingOn = placed.annotation.kind == FlatAnnotation::Kind::Segment && isBefore ? &placed : goingOn;
+  }
+  for (const PlacedAnnotation & placed : annotations)
+  {
+    const bool isSegment = placed.annotation.kind == FlatAnnotation::Kind::Segment;
+    if (&placed == goingOn)
+    {
+      drawName(placed.annotation.text, place.left);
+    }
+    if (!place.Holds(placed.column))
+    {
+      continue;
+    }
+    const double x = place.XOf(placed.column);
+    if (isSegment)
+    {
+      DrawLine(picture, x, place.StripTop() - 20, x, place.StripTop() + place.StripHeight(), ink, 1.5, 0.8);
+      drawName(placed.annotation.text, static_cast<int>(x) + 6);
+      continue;
+    }
+    for (const int turns : { -1, 0, 1 }) // once more where the picture goes on around the tube
+    {
+      const double y = placed.row + turns * place.turn + place.overlap;
+      if (y >= 0.0 && y < place.StripHeight())
+      {
+        DrawSpot(picture, place, placed, x, place.StripTop() + y);
+      }
+    }
+  }
+}
+} // namespace itk
