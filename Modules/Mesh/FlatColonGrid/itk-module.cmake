@@ -9,6 +9,7 @@ itk_module(FlatColonGrid
     ITKCommon
   PRIVATE_DEPENDS
     CommandLine
+    ConformalFlattening
     ITKIOImageBase
     ITKIONRRD
     ParallelLoops

@@ -52,9 +52,9 @@ struct FlatSample
 /** \class FlatColonGrid
  * \brief The regular grid of square pixels on the flat map of a tube.
  *
- * The surface is the result of a flattening: V in space (LPS, mm), vertices along the cut duplicated, the point arrays
- * uv (mm at the mean circumference: u along the tube from the first boundary loop on, v around it) and sourcePointId,
- * the field arrays circumference and length (mm). Cell array bridged and point array arcLength are used where they are
+ * The surface is a flat tube as FlattenTube() gives it: V in space (LPS, mm), vertices along the cut duplicated, the
+ * point arrays uv (mm at the mean circumference: u along the tube, v around it) and sourcePointId, the field arrays
+ * circumference and length (mm). Cell array bridged and point array arcLength are used where they are
  * there. v may leave [0, circumference], as it does along a cut that is not straight: it is taken modulo the
  * circumference, on which both sides of the cut agree.
  *

@@ -1,6 +1,7 @@
 #include "itkFlatColonGrid.h"
 
 #include "itkFlatRaster.h"
+#include "itkFlatSurface.h"
 #include "itkFlatVertexValues.h"
 #include "itkToolError.h"
 
@@ -17,50 +18,18 @@ constexpr int    leastRows = 4;
 constexpr double mostPixels = 1 << 30;
 constexpr double mostPixelsAcross = 1 << 16;
 
-/** A point or field array of this form. */
-const SurfaceArray &
-Demand(const std::vector<SurfaceArray> & arrays,
-       const std::string &               name,
-       Eigen::Index                      components,
-       const std::string &               what)
-{
-  const SurfaceArray * array = FindSurfaceArray(arrays, name);
-  if (!array || array->values.cols() != components || array->values.rows() < 1)
-  {
-    throw InputError(what + ": there is no array " + name + " with " + std::to_string(components) +
-                     " components: it is no flat surface of a tube; make one with ColonFlattening");
-  }
-  if (!array->values.allFinite())
-  {
-    throw InputError(what + ": the array " + name + " has values that are not finite");
-  }
-  return *array;
-}
-
-double
-PositiveValue(const SurfaceMesh & flat, const std::string & name, const std::string & what)
-{
-  const double value = Demand(flat.fieldArrays, name, 1, what).values(0, 0);
-  if (!(value > 0.0))
-  {
-    throw InputError(what + ": " + name + " is not greater than 0");
-  }
-  return value;
-}
-
 /** The source vertices, numbered from 0 on in their order. */
 std::vector<int>
-NumberSources(const SurfaceArray & sourcePointId)
+NumberSources(const std::vector<int> & sourcePoints)
 {
-  const auto &        ids = sourcePointId.values;
-  std::vector<double> known(ids.data(), ids.data() + ids.size());
+  std::vector<int> known = sourcePoints;
   std::sort(known.begin(), known.end());
   known.erase(std::unique(known.begin(), known.end()), known.end());
   std::vector<int> numbers;
-  numbers.reserve(ids.size());
-  for (Eigen::Index i = 0; i < ids.size(); ++i)
+  numbers.reserve(sourcePoints.size());
+  for (const int point : sourcePoints)
   {
-    numbers.push_back(static_cast<int>(std::lower_bound(known.begin(), known.end(), ids(i, 0)) - known.begin()));
+    numbers.push_back(static_cast<int>(std::lower_bound(known.begin(), known.end(), point) - known.begin()));
   }
   return numbers;
 }
@@ -144,10 +113,10 @@ void
 FlatColonGrid::ReadArrays(const SurfaceMesh & flat, const std::string & what)
 {
   RequireSound(flat, what);
-  m_Uv = Demand(flat.pointArrays, "uv", 2, what).values;
-  m_SourceOfVertex = NumberSources(Demand(flat.pointArrays, "sourcePointId", 1, what));
-  m_Circumference = PositiveValue(flat, "circumference", what);
-  m_Length = PositiveValue(flat, "length", what);
+  m_Uv = FlatCoordinates(flat, what);
+  m_SourceOfVertex = NumberSources(FlatSourcePoints(flat, what));
+  m_Circumference = FlatCircumference(flat, what);
+  m_Length = FlatLength(flat, what);
   const double tolerance = 1e-3 * (m_Length + m_Circumference);
   if (m_Uv.col(0).minCoeff() < -tolerance || m_Uv.col(0).maxCoeff() > m_Length + tolerance)
   {
@@ -166,9 +135,9 @@ FlatColonGrid::ReadArrays(const SurfaceMesh & flat, const std::string & what)
       m_IsBridged.push_back(bridged->values(face, 0) > 0.5);
     }
   }
-  if (FindSurfaceArray(flat.pointArrays, "arcLength"))
+  if (const SurfaceArray * arcLength = FindSurfaceArray(flat.pointArrays, "arcLength"))
   {
-    m_ArcLength = Demand(flat.pointArrays, "arcLength", 1, what).values;
+    m_ArcLength = arcLength->values.col(0);
   }
 }
 

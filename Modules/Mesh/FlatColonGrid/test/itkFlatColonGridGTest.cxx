@@ -355,7 +355,7 @@ TEST(FlatColonGrid, RefusesWhatIsNoFlatTube)
     catch (const itk::InputError & error)
     {
       const std::string message = error.what();
-      return message.rfind("flat.vtp: ", 0) == 0 && message.find(words) != std::string::npos;
+      return message.rfind("flat.vtp", 0) == 0 && message.find(words) != std::string::npos;
     }
   };
   for (const std::size_t array : { 0, 1 })
@@ -364,13 +364,13 @@ TEST(FlatColonGrid, RefusesWhatIsNoFlatTube)
     bad.pointArrays.erase(bad.pointArrays.begin() + static_cast<std::ptrdiff_t>(array));
     EXPECT_TRUE(refuses(bad, good.pointArrays[array].name));
     bad = good;
-    bad.pointArrays[array].values(7, 0) = std::nan("");
-    EXPECT_TRUE(refuses(bad, "not finite"));
-    bad = good;
     bad.fieldArrays[array].values(0, 0) = 0.0;
-    EXPECT_TRUE(refuses(bad, "greater than 0"));
+    EXPECT_TRUE(refuses(bad, "not positive"));
   }
   itk::SurfaceMesh bad = good;
+  bad.pointArrays[0].values(7, 0) = std::nan("");
+  EXPECT_TRUE(refuses(bad, "not finite"));
+  bad = good;
   bad.fieldArrays[1].values(0, 0) = 100.0;
   EXPECT_TRUE(refuses(bad, "u leaves the range"));
   bad.fieldArrays[1].values(0, 0) = 1000.0;
