@@ -18,6 +18,8 @@ struct FlatColonGridOptions
   double pixelSize{ 1.0 };
   /** Standard deviation, mm on the surface, of the mean that is taken of the curvature; 0 for none. */
   double curvatureLength{ 0.0 };
+  /** The same for the normals: for relief without the steps of voxels. */
+  double normalLength{ 0.0 };
 };
 
 /** A place in the grid. Columns run along the tube, rows around it. \ingroup FlatColonGrid */

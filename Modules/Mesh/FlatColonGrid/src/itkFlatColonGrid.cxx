@@ -86,8 +86,9 @@ FlatColonGrid::FlatColonGrid(const SurfaceMesh & flat, const FlatColonGridOption
 {
   this->ReadArrays(flat, what);
   this->ChooseSize(options);
-  FlatVertexValues values = MakeFlatVertexValues(m_V, m_F, m_Uv, m_SourceOfVertex, options.curvatureLength);
-  const double     inside = SignOfInside(m_V, m_F, m_Uv.col(0), 0.25 * m_Circumference);
+  FlatVertexValues values =
+    MakeFlatVertexValues(m_V, m_F, m_Uv, m_SourceOfVertex, options.curvatureLength, options.normalLength);
+  const double inside = SignOfInside(m_V, m_F, m_Uv.col(0), 0.25 * m_Circumference);
   m_InwardNormals = inside * values.normals;
   m_Curvature = inside * values.curvature;
   m_Scale = std::move(values.scale);
@@ -146,8 +147,11 @@ FlatColonGrid::ChooseSize(const FlatColonGridOptions & options)
 {
   const double size = options.pixelSize;
   RequireUsage(size > 0.0 && std::isfinite(size), "a pixel must be greater than 0 mm");
-  RequireUsage(options.curvatureLength >= 0.0 && std::isfinite(options.curvatureLength),
-               "the length over which curvature is averaged must not be negative");
+  for (const double length : { options.curvatureLength, options.normalLength })
+  {
+    RequireUsage(length >= 0.0 && std::isfinite(length),
+                 "the length over which curvature or normals are averaged must not be negative");
+  }
   const double rows = std::round(m_Circumference / size);
   const double columns = std::round(m_Length / size);
   RequireUsage(rows >= leastRows, "a pixel must be smaller than a fourth of the circumference");

@@ -35,36 +35,61 @@ AreaOfMap(const Eigen::MatrixX2d & uv, const FaceMatrix & F, int face)
   return 0.5 * std::abs(a.x() * b.y() - a.y() * b.x());
 }
 
-/** Means over faces and back, weighted by area: h^2 / 3 of variance each time, h the mean edge. */
-void
-Smooth(const FaceMatrix &       F,
-       const std::vector<int> & sourceOfVertex,
-       const Eigen::VectorXd &  areaOfFaces,
-       const Eigen::VectorXd &  areaOfVertices,
-       double                   length,
-       Eigen::VectorXd &        values)
+/** Averages values of vertices along the surface. */
+class SurfaceSmoother
 {
-  const double edgeSquare = 4.0 / std::sqrt(3.0) * areaOfFaces.sum() / std::max<double>(1.0, areaOfFaces.size());
-  const int    passes = static_cast<int>(std::min(200.0, std::round(3.0 * length * length / edgeSquare)));
-  for (int pass = 0; pass < passes; ++pass)
+public:
+  SurfaceSmoother(const FaceMatrix &       F,
+                  const std::vector<int> & sourceOfVertex,
+                  const Eigen::VectorXd &  areaOfFaces,
+                  const Eigen::VectorXd &  areaOfVertices)
+    : m_F(F), m_SourceOfVertex(sourceOfVertex), m_AreaOfFaces(areaOfFaces), m_AreaOfVertices(areaOfVertices)
+  {}
+
+  /** Over a standard deviation of `length`. A mean over faces and back, weighted by area, has a variance of h^2 / 3 in
+   * each direction, h the mean edge. */
+  template <typename TValues>
+  void
+  Smooth(double length, TValues & values) const
   {
-    Eigen::VectorXd sums = Eigen::VectorXd::Zero(values.size());
-    for (int face = 0; face < F.rows(); ++face)
+    const double edgeSquare = 4.0 / std::sqrt(3.0) * m_AreaOfFaces.sum() / std::max<double>(1.0, m_AreaOfFaces.size());
+    const int    passes = static_cast<int>(std::min(200.0, std::round(3.0 * length * length / edgeSquare)));
+    for (int pass = 0; pass < passes; ++pass)
     {
-      const int    a = sourceOfVertex[F(face, 0)];
-      const int    b = sourceOfVertex[F(face, 1)];
-      const int    c = sourceOfVertex[F(face, 2)];
-      const double share = areaOfFaces[face] / 3.0 * (values[a] + values[b] + values[c]) / 3.0;
-      sums[a] += share;
-      sums[b] += share;
-      sums[c] += share;
-    }
-    for (Eigen::Index i = 0; i < values.size(); ++i)
-    {
-      values[i] = areaOfVertices[i] > 0.0 ? sums[i] / areaOfVertices[i] : values[i];
+      this->SmoothOnce(values);
     }
   }
-}
+
+private:
+  template <typename TValues>
+  void
+  SmoothOnce(TValues & values) const
+  {
+    TValues sums = TValues::Zero(values.rows(), values.cols());
+    for (int face = 0; face < m_F.rows(); ++face)
+    {
+      const int  a = m_SourceOfVertex[m_F(face, 0)];
+      const int  b = m_SourceOfVertex[m_F(face, 1)];
+      const int  c = m_SourceOfVertex[m_F(face, 2)];
+      const auto share = (m_AreaOfFaces[face] / 9.0 * (values.row(a) + values.row(b) + values.row(c))).eval();
+      sums.row(a) += share;
+      sums.row(b) += share;
+      sums.row(c) += share;
+    }
+    for (Eigen::Index i = 0; i < values.rows(); ++i)
+    {
+      if (m_AreaOfVertices[i] > 0.0)
+      {
+        values.row(i) = sums.row(i) / m_AreaOfVertices[i];
+      }
+    }
+  }
+
+  const FaceMatrix &       m_F;
+  const std::vector<int> & m_SourceOfVertex;
+  const Eigen::VectorXd &  m_AreaOfFaces;
+  const Eigen::VectorXd &  m_AreaOfVertices;
+};
 } // namespace
 
 FlatVertexValues
@@ -72,7 +97,8 @@ MakeFlatVertexValues(const VertexMatrix &     V,
                      const FaceMatrix &       F,
                      const Eigen::MatrixX2d & uv,
                      const std::vector<int> & sourceOfVertex,
-                     double                   curvatureLength)
+                     double                   curvatureLength,
+                     double                   normalLength)
 {
   const int        vertices = 1 + *std::max_element(sourceOfVertex.begin(), sourceOfVertex.end());
   FlatVertexValues values{ VertexMatrix::Zero(vertices, 3), Eigen::VectorXd::Zero(vertices), {} };
@@ -102,7 +128,10 @@ MakeFlatVertexValues(const VertexMatrix &     V,
     (area.array() > 0.0)
       .select(0.5 * growth.cwiseProduct(values.normals).rowwise().sum().array() / area.array().max(1e-300), 0.0);
   values.scale = (areaOfMap.array() > 0.0).select((area.array() / areaOfMap.array().max(1e-300)).sqrt(), 0.0);
-  Smooth(F, sourceOfVertex, areaOfFaces, area, curvatureLength, values.curvature);
+  const SurfaceSmoother smoother(F, sourceOfVertex, areaOfFaces, area);
+  smoother.Smooth(curvatureLength, values.curvature);
+  smoother.Smooth(normalLength, values.normals);
+  values.normals.rowwise().normalize();
   return values;
 }
 } // namespace itk

@@ -10,7 +10,7 @@ namespace itk
 /** Values of vertices, in which the copies of a vertex along the cut are one. Rows by source vertex. */
 struct FlatVertexValues
 {
-  /** Unit vectors, area-weighted means of the faces' normals; zero where there is no area. */
+  /** Unit vectors, means of the faces' normals by area; zero where there is no area. */
   VertexMatrix normals;
   /** Mean curvature, 1/mm, positive where the surface bulges towards the side that the normals look to. */
   Eigen::VectorXd curvature;
@@ -18,13 +18,14 @@ struct FlatVertexValues
   Eigen::VectorXd scale;
 };
 
-/** `curvatureLength` as in FlatColonGridOptions. */
+/** `curvatureLength` and `normalLength` as in FlatColonGridOptions. */
 FlatVertexValues
 MakeFlatVertexValues(const VertexMatrix &     V,
                      const FaceMatrix &       F,
                      const Eigen::MatrixX2d & uv,
                      const std::vector<int> & sourceOfVertex,
-                     double                   curvatureLength);
+                     double                   curvatureLength,
+                     double                   normalLength);
 } // namespace itk
 
 #endif

@@ -142,6 +142,30 @@ TEST(FlatColonGrid, AveragedCurvatureKeepsItsMean)
   EXPECT_LT(squares[1], 0.5 * squares[0]);
 }
 
+TEST(FlatColonGrid, AveragedNormalsForgetSmallWaves)
+{
+  TubeForm form;
+  form.around = 60;
+  form.along = 150;
+  const auto mesh = MakeFlatTube(
+    form, [](double u, double angle) { return OnCylinder(19.0 - 0.2 * std::cos(2.0 * pi * u / 5.0), u, angle); });
+  double steepest[2] = { 0.0, 0.0 };
+  for (const int k : { 0, 1 })
+  {
+    itk::FlatColonGridOptions options;
+    options.normalLength = 2.0 * k;
+    const FlatColonGrid grid(mesh, options);
+    for (int column = 20; column < 130; ++column)
+    {
+      const Eigen::Vector3d normal = grid.SampleOfPixel(column, 33).inwardNormal;
+      ASSERT_NEAR(normal.norm(), 1.0, 1e-12);
+      steepest[k] = std::max(steepest[k], std::abs(normal.z()));
+    }
+  }
+  EXPECT_GT(steepest[0], 0.14);
+  EXPECT_LT(steepest[1], 0.5 * steepest[0]);
+}
+
 TEST(FlatColonGrid, SeenFromInsideWhateverTheOrientation)
 {
   TubeForm            form;

@@ -64,7 +64,7 @@ struct Page
 {
   explicit Page(double pixelSize = 1.0)
     : mesh(Wall())
-    , grid(mesh, { pixelSize, 0.0 })
+    , grid(mesh, { pixelSize, 0.0, 0.0 })
     , strip(itk::NewPicture(grid.Columns(), grid.Rows(), plain))
     , distances(DistanceOfColumns(grid))
   {}

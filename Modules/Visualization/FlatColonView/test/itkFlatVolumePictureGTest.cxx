@@ -87,7 +87,7 @@ Brightness(const itk::RGBColor & color)
 struct Colon
 {
   explicit Colon(double (*radiusAt)(double, double), double pixelSize = 1.0)
-    : grid(Wall(radiusAt), { pixelSize, 0.0 }), axis(MakeFlatColonAxis(grid))
+    : grid(Wall(radiusAt), { pixelSize, 0.0, 0.0 }), axis(MakeFlatColonAxis(grid))
   {}
   itk::Picture::Pointer
   Paint(const Ct * ct, const itk::FlatVolumeOptions & options = {}) const
