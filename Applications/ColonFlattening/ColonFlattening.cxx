@@ -1,10 +1,11 @@
 #include "ColonFlatteningXML.h"
 
-#include "itkColonFlattening.h"
+#include "itkColonFlatteningReport.h"
 #include "itkCommandLine.h"
 #include "itkSurfaceReader.h"
 #include "itkSurfaceWriter.h"
 #include "itkToolError.h"
+#include "itkVolumeReader.h"
 
 namespace
 {
@@ -48,16 +49,24 @@ OptionsOf(CommandLine & commandLine)
   return options;
 }
 
+itk::Image<float, 3>::Pointer
+ReadCt(CommandLine & commandLine)
+{
+  return commandLine.IsGiven("volume") ? itk::ReadVolume(commandLine, "volume").image : nullptr;
+}
+
 void
 Flatten(CommandLine & commandLine)
 {
   CheckUsage(commandLine);
+  const itk::ColonFlatteningViews views(commandLine);
   const std::string flatPath = commandLine.OutputOf("outputFlat");
   const std::string handlesPath = commandLine.OutputOf("handles");
   const std::string statisticsPath = commandLine.OutputOf("statistics");
   commandLine.RecordRun(commandLine.GetString("outputFlat") + ".run.json");
 
   commandLine.Progress("Reading", 0.0);
+  const itk::Image<float, 3>::Pointer ct = ReadCt(commandLine);
   const itk::ColonFlatteningOptions options = OptionsOf(commandLine);
   itk::Surface                      surface = itk::ReadSurface(commandLine, "inputSurface");
   itk::ColonFlattening              flattening =
@@ -66,7 +75,6 @@ Flatten(CommandLine & commandLine)
   {
     commandLine.Warn(warning);
   }
-  // Pictures, the coordinate map and the report go here.
 
   commandLine.Progress("Writing", 0.92);
   flattening.map.flat.facts = commandLine.GetProvenance();
@@ -86,6 +94,8 @@ Flatten(CommandLine & commandLine)
     document.update(itk::ColonFlatteningToJson(flattening));
     itk::WriteJson(document, statisticsPath);
   }
+  commandLine.Progress("Painting", 0.94);
+  views.Write(flattening, options.centreline, ct);
 }
 } // namespace
 

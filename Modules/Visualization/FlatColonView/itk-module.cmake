@@ -4,14 +4,16 @@ scales, segments and polyps.")
 itk_module(FlatColonView
   ENABLE_SHARED
   DEPENDS
+    ConformalFlattening
     FlatColonGrid
+    Report
     ShapeRendering
     ITKCommon
   PRIVATE_DEPENDS
     CommandLine
     ParallelLoops
-    Report
   TEST_DEPENDS
+    CounterRandom
     ITKGoogleTest
     ITKIOImageBase
     ITKIOPNG

@@ -23,7 +23,7 @@ public:
       RGBColor color;
     };
     static const Stop stops[] = { { -700.0, MakeColor(238, 176, 160) }, { -250.0, MakeColor(234, 160, 144) },
-                                  { -100.0, MakeColor(238, 188, 150) }, { 20.0, MakeColor(234, 164, 148) },
+                                  { -100.0, MakeColor(236, 170, 150) }, { 20.0, MakeColor(234, 164, 148) },
                                   { 120.0, MakeColor(222, 128, 116) },  { 250.0, MakeColor(240, 236, 214) },
                                   { 600.0, MakeColor(255, 255, 246) } };
     constexpr int     last = sizeof(stops) / sizeof(stops[0]) - 1;
