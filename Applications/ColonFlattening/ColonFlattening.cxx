@@ -60,16 +60,16 @@ Flatten(CommandLine & commandLine)
 {
   CheckUsage(commandLine);
   const itk::ColonFlatteningViews views(commandLine);
-  const std::string flatPath = commandLine.OutputOf("outputFlat");
-  const std::string handlesPath = commandLine.OutputOf("handles");
-  const std::string statisticsPath = commandLine.OutputOf("statistics");
+  const std::string               flatPath = commandLine.OutputOf("outputFlat");
+  const std::string               handlesPath = commandLine.OutputOf("handles");
+  const std::string               statisticsPath = commandLine.OutputOf("statistics");
   commandLine.RecordRun(commandLine.GetString("outputFlat") + ".run.json");
 
   commandLine.Progress("Reading", 0.0);
   const itk::Image<float, 3>::Pointer ct = ReadCt(commandLine);
-  const itk::ColonFlatteningOptions options = OptionsOf(commandLine);
-  itk::Surface                      surface = itk::ReadSurface(commandLine, "inputSurface");
-  itk::ColonFlattening              flattening =
+  const itk::ColonFlatteningOptions   options = OptionsOf(commandLine);
+  itk::Surface                        surface = itk::ReadSurface(commandLine, "inputSurface");
+  itk::ColonFlattening                flattening =
     itk::FlattenColon(std::move(surface.mesh), '"' + commandLine.GetString("inputSurface") + '"', options);
   for (const std::string & warning : flattening.warnings)
   {

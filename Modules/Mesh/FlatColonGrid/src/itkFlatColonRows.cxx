@@ -14,11 +14,13 @@ std::vector<double>
 ScalesOf(const FlatColonGrid & grid, const FlatColonRow & row, bool withBridges)
 {
   constexpr int       perDirection = 150;
-  const int           columnStep = std::max(1, row.columns / perDirection);
+  const int           shown = row.ShownColumns();
+  const int           columnStep = std::max(1, shown / perDirection);
   const int           rowStep = std::max(1, grid.Rows() / perDirection);
   std::vector<double> scales;
-  for (int column = row.firstColumn; column < row.firstColumn + row.columns; column += columnStep)
+  for (int place = 0; place < shown; place += columnStep)
   {
+    const int column = row.ColumnAt(place);
     for (int line = 0; line < grid.Rows(); line += rowStep)
     {
       const FlatSample sample = grid.SampleOfPixel(column, line);
@@ -46,19 +48,109 @@ MeasureScale(const FlatColonGrid & grid, FlatColonRow & row)
   row.lowScale = quantile(0.1);
   row.highScale = quantile(0.9);
 }
+/** Nine in ten of its pixels: what else is there is the seam of a collapsed place. */
+bool
+IsBridgedAllAround(const FlatColonGrid & grid, int column)
+{
+  int bridged = 0;
+  for (int row = 0; row < grid.Rows(); ++row)
+  {
+    bridged += grid.IsBridged(column, row);
+  }
+  return 10 * bridged >= 9 * grid.Rows();
+}
+
+/** The middle of the bridges that are longer than `longest` pixels. */
+std::vector<FlatColonCut>
+FindCuts(const FlatColonGrid & grid, int longest)
+{
+  std::vector<FlatColonCut> cuts;
+  int                       begin = 0; // of the bridge that the column belongs to
+  for (int column = 0; longest > 0 && column <= grid.Columns(); ++column)
+  {
+    if (column < grid.Columns() && IsBridgedAllAround(grid, column))
+    {
+      continue;
+    }
+    const int length = column - begin;
+    if (length > longest)
+    {
+      cuts.push_back({ begin + longest / 2, length - longest });
+    }
+    begin = column + 1;
+  }
+  return cuts;
+}
 } // namespace
 
+int
+FlatColonRow::ShownColumns() const
+{
+  int shown = columns;
+  for (const FlatColonCut & cut : cuts)
+  {
+    shown -= cut.columns;
+  }
+  return shown;
+}
+
+double
+FlatColonRow::PlaceOf(double column) const
+{
+  double place = column - firstColumn;
+  for (const FlatColonCut & cut : cuts)
+  {
+    place -= std::clamp(column - cut.firstColumn, 0.0, static_cast<double>(cut.columns));
+  }
+  return place;
+}
+
+int
+FlatColonRow::ColumnAt(int place) const
+{
+  int column = firstColumn + place;
+  for (const FlatColonCut & cut : cuts)
+  {
+    column += column >= cut.firstColumn ? cut.columns : 0;
+  }
+  return column;
+}
+
+bool
+FlatColonRow::Shows(double column) const
+{
+  bool shows = column >= firstColumn && column <= firstColumn + columns;
+  for (const FlatColonCut & cut : cuts)
+  {
+    shows = shows && !(column > cut.firstColumn && column < cut.firstColumn + cut.columns);
+  }
+  return shows;
+}
+
 std::vector<FlatColonRow>
-BreakIntoRows(const FlatColonGrid & grid, int greatestColumns)
+BreakIntoRows(const FlatColonGrid & grid, int greatestColumns, int longestBridge)
 {
   RequireUsage(greatestColumns > 0, "a row of the flat picture needs a column at least");
-  const int                 number = (grid.Columns() + greatestColumns - 1) / greatestColumns;
+  RequireUsage(longestBridge >= 0, "the longest bridge must not be negative");
+  FlatColonRow whole;
+  whole.columns = grid.Columns();
+  whole.cuts = FindCuts(grid, longestBridge);
+  const int                 shown = whole.ShownColumns();
+  const int                 number = (shown + greatestColumns - 1) / greatestColumns;
   std::vector<FlatColonRow> rows(number);
   for (int i = 0; i < number; ++i)
   {
-    const auto border = [&](int k) { return static_cast<int>(static_cast<std::int64_t>(grid.Columns()) * k / number); };
-    rows[i].firstColumn = border(i);
-    rows[i].columns = border(i + 1) - border(i);
+    const auto border = [&](int k) { return static_cast<int>(static_cast<std::int64_t>(shown) * k / number); };
+    rows[i].firstColumn = whole.ColumnAt(border(i));
+    const int end = whole.ColumnAt(border(i + 1) - 1) + 1;
+    rows[i].columns = end - rows[i].firstColumn;
+    for (const FlatColonCut & cut : whole.cuts)
+    {
+      if (cut.firstColumn > rows[i].firstColumn && cut.firstColumn < end)
+      {
+        rows[i].cuts.push_back(cut);
+      }
+    }
     MeasureScale(grid, rows[i]);
   }
   return rows;

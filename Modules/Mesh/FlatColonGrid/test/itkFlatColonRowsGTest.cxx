@@ -32,6 +32,37 @@ TEST(FlatColonRows, CoverTheColonOnce)
   EXPECT_THROW(BreakIntoRows(grid, 0), itk::UsageError);
 }
 
+TEST(FlatColonRows, LongBridgesAreCutShort)
+{
+  itk::SurfaceMesh mesh = MakeCylinder({});                          // 60 rings of 2.5 mm
+  mesh.cellArrays[0].values.block(20 * 96, 0, 24 * 96, 1).setOnes(); // 50 to 110 mm
+  const FlatColonGrid grid(mesh);
+  for (const int greatest : { 50, 1000 })
+  {
+    std::vector<int> shown;
+    for (const itk::FlatColonRow & row : BreakIntoRows(grid, greatest, 10))
+    {
+      EXPECT_LE(row.ShownColumns(), greatest);
+      for (int place = 0; place < row.ShownColumns(); ++place)
+      {
+        shown.push_back(row.ColumnAt(place));
+        EXPECT_TRUE(row.Shows(shown.back() + 0.5));
+        EXPECT_DOUBLE_EQ(row.PlaceOf(shown.back() + 0.5), place + 0.5);
+      }
+    }
+    ASSERT_EQ(shown.size(), 100U) << "50 mm less";
+    EXPECT_EQ(shown[54], 54);
+    EXPECT_EQ(shown[55], 105);
+    EXPECT_EQ(shown.back(), 149);
+  }
+  const auto whole = BreakIntoRows(grid, 1000, 10);
+  EXPECT_FALSE(whole[0].Shows(80.0));
+  EXPECT_DOUBLE_EQ(whole[0].PlaceOf(80.0), 55.0);
+  EXPECT_EQ(BreakIntoRows(grid, 1000, 60)[0].ShownColumns(), 150) << "not longer than that";
+  EXPECT_EQ(BreakIntoRows(grid, 1000)[0].ShownColumns(), 150);
+  EXPECT_THROW(BreakIntoRows(grid, 1000, -1), itk::UsageError);
+}
+
 TEST(FlatColonRows, ScaleIsThatOfTheSurfaceWithoutBridges)
 {
   // A cone: conformal with u = log of the radius; the scale is the radius over the mean one.

@@ -47,6 +47,9 @@ struct FlatColonPageOptions
   std::string note;
   /** Pixels of the longest row. */
   int greatestColumns{ 1500 };
+  /** A stretch that is bridged all around, and made up therefore, is cut short to so many pixels, with a break in the
+   * strip: a conformal map gives such narrow places much room. 0 shows all. */
+  int longestBridge{ 60 };
   /** The picture goes on around the tube by this share of the circumference above and below, paler, so that nothing is
    * cut in two. 0 to 0.5. */
   double overlap{ 0.08 };

@@ -101,9 +101,11 @@ AddPictures(HtmlReport &              html,
             const OutputPath &        outputPath)
 {
   html.AddHeading("Flat pictures");
-  html.AddParagraph("The wall from the rectum to the caecum, cut open along the colon and unrolled, in rows. Rulers "
-                    "count the distance along the centreline. Shapes are kept, sizes are not: the bar above each row "
-                    "holds for its middle value. Grey hatched stretches are synthetic wall over a collapsed place.");
+  html.AddParagraph(
+    "The wall from the rectum to the caecum, cut open along the colon and unrolled, in rows. Rulers "
+    "count the distance along the centreline. Shapes are kept, sizes are not: the bar above each row "
+    "holds for its middle value. Grey hatched stretches are synthetic wall over a collapsed place; long ones "
+    "are cut short at a break.");
   for (const FlatColoring coloring : { FlatColoring::Volume, FlatColoring::Relief, FlatColoring::Curvature })
   {
     if (coloring != FlatColoring::Volume || hasCt)
@@ -120,7 +122,7 @@ AddScales(HtmlReport & html, const FlatColonPictures & pictures)
 {
   CsvTable table({ "row", "from, cm", "to, cm", "mm of wall for 1 mm of the map", "10 %", "90 %" });
   int      number = 0;
-  for (const FlatColonRow & row : BreakIntoRows(pictures.Grid(), pixelsOfRow))
+  for (const FlatColonRow & row : BreakIntoRows(pictures.Grid(), pixelsOfRow, FlatColonPageOptions().longestBridge))
   {
     const auto centimetres = [&](int column) {
       const std::vector<double> & distances = pictures.Distances();

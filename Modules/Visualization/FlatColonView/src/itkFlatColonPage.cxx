@@ -154,7 +154,7 @@ LayOut(const FlatColonGrid & grid, const FlatColonPageOptions & options)
 {
   std::vector<FlatPageRow> places;
   int                      top = HeadHeight(options);
-  for (const FlatColonRow & row : BreakIntoRows(grid, options.greatestColumns))
+  for (const FlatColonRow & row : BreakIntoRows(grid, options.greatestColumns, options.longestBridge))
   {
     FlatPageRow place;
     place.row = row;
@@ -184,7 +184,7 @@ DrawFlatColonPage(const Picture *                     strip,
   int                                 rowWidth = leastWidth;
   for (const FlatPageRow & place : places)
   {
-    rowWidth = std::max(rowWidth, place.row.columns);
+    rowWidth = std::max(rowWidth, place.Width());
   }
   const int barWidth = options.colorBar ? colorBarWidth : 0;
   const int width = leftMargin + rowWidth + rightMargin + barWidth;

@@ -79,10 +79,27 @@ DrawSpot(Picture * picture, const FlatPageRow & place, const PlacedAnnotation & 
   TextStyle    style = StyleOf(15, color, HorizontalAnchor::Left, VerticalAnchor::Center);
   const double offset = radius + 4.0;
   const int    width = MeasureText(placed.annotation.text, style).width;
-  const bool   hasRoom = x + offset + width < place.left + place.row.columns;
+  const bool   hasRoom = x + offset + width < place.left + place.Width();
   style.horizontal = hasRoom ? HorizontalAnchor::Left : HorizontalAnchor::Right;
   const int textX = static_cast<int>(std::lround(hasRoom ? x + offset : x - offset));
   DrawRimmedText(picture, placed.annotation.text, textX, static_cast<int>(std::lround(y)), style, ink);
+}
+
+/** Two slanted lines across the strip: something is left out. */
+void
+DrawBreak(Picture * picture, const FlatPageRow & place, int x)
+{
+  constexpr int halfWidth = 4;
+  constexpr int slant = 6;
+  const int     top = place.StripTop() - 3;
+  const int     bottom = place.StripTop() + place.StripHeight() + 3;
+  for (int y = top; y < bottom; ++y)
+  {
+    const int middle = x + static_cast<int>(std::lround(slant * (0.5 - static_cast<double>(y - top) / (bottom - top))));
+    FillRectangle(picture, middle - halfWidth, y, 2 * halfWidth + 1, 1, paper);
+    FillRectangle(picture, middle - halfWidth, y, 1, 1, ink);
+    FillRectangle(picture, middle + halfWidth, y, 1, 1, ink);
+  }
 }
 
 /** A step of 1, 2 or 5 times a power of ten, in cm, with `least` pixels or more between labels. */
@@ -96,6 +113,17 @@ LabelStep(double pixelsPerCm, double least)
   }
   return step;
 }
+/** mm along the ruler without what is left out. */
+double
+LengthShown(const FlatColonRow & row, const std::vector<double> & distanceOfColumns)
+{
+  double length = distanceOfColumns[row.firstColumn + row.columns - 1] - distanceOfColumns[row.firstColumn];
+  for (const FlatColonCut & cut : row.cuts)
+  {
+    length -= distanceOfColumns[cut.firstColumn + cut.columns - 1] - distanceOfColumns[cut.firstColumn];
+  }
+  return length;
+}
 } // namespace
 
 void
@@ -106,14 +134,14 @@ DrawStripOfRow(Picture * picture, const FlatPageRow & place, const Picture * str
   constexpr double madeUp = 0.85; // what lies there is no wall
   const int        stripWidth = grid.Columns();
   const RGBColor * source = strip->GetBufferPointer();
-  for (int y = 0; y < place.StripHeight(); ++y)
+  for (int x = 0; x < place.Width(); ++x)
   {
-    const int  row = ((y - place.overlap) % place.turn + place.turn) % place.turn;
-    const bool isBeyond = y < place.overlap || y >= place.overlap + place.turn;
-    for (int x = 0; x < place.row.columns; ++x)
+    const int column = place.row.ColumnAt(x);
+    for (int y = 0; y < place.StripHeight(); ++y)
     {
-      const int column = place.row.firstColumn + x;
-      RGBColor  color = source[static_cast<std::size_t>(row) * stripWidth + column];
+      const int  row = ((y - place.overlap) % place.turn + place.turn) % place.turn;
+      const bool isBeyond = y < place.overlap || y >= place.overlap + place.turn;
+      RGBColor   color = source[static_cast<std::size_t>(row) * stripWidth + column];
       if (grid.IsBridged(column, row))
       {
         color = (x + y) % hatchPeriod == 0 ? hatchDark : MixColors(color, hatchLight, madeUp);
@@ -126,11 +154,14 @@ DrawStripOfRow(Picture * picture, const FlatPageRow & place, const Picture * str
   {
     if (place.overlap > 0)
     {
-      FillRectangle(picture, place.left, place.StripTop() + y, place.row.columns, 1, ink, 0.6);
+      FillRectangle(picture, place.left, place.StripTop() + y, place.Width(), 1, ink, 0.6);
     }
   }
-  DrawRectangle(
-    picture, place.left - 1, place.StripTop() - 1, place.row.columns + 2, place.StripHeight() + 2, faintInk);
+  DrawRectangle(picture, place.left - 1, place.StripTop() - 1, place.Width() + 2, place.StripHeight() + 2, faintInk);
+  for (const FlatColonCut & cut : place.row.cuts)
+  {
+    DrawBreak(picture, place, static_cast<int>(std::lround(place.XOf(cut.firstColumn))));
+  }
 }
 
 void
@@ -139,17 +170,16 @@ DrawRulerOfRow(Picture * picture, const FlatPageRow & place, const std::vector<d
   constexpr double millimetresPerCm = 10.0;
   constexpr int    roomAtTheRight = 18;
   const int        top = place.StripTop() + place.StripHeight() + 3;
-  const int        first = place.row.firstColumn;
-  const double     length = distanceOfColumns[first + place.row.columns - 1] - distanceOfColumns[first];
-  const double     pixelsPerCm = length > 0.0 ? place.row.columns / length * millimetresPerCm : place.row.columns;
+  const double     length = LengthShown(place.row, distanceOfColumns);
+  const double     pixelsPerCm = length > 0.0 ? place.Width() / length * millimetresPerCm : place.Width();
   const double     labelStep = LabelStep(pixelsPerCm, 58.0);
   const double     tickStep = LabelStep(pixelsPerCm, 4.0);
-  FillRectangle(picture, place.left, top, place.row.columns, 1, ink);
+  FillRectangle(picture, place.left, top, place.Width(), 1, ink);
   const TextStyle style = StyleOf(14, ink, HorizontalAnchor::Center, VerticalAnchor::Top);
   int             labelEnd = place.left - 10; // right of the unit
   for (const FlatColonTick & tick : RulerTicks(distanceOfColumns, millimetresPerCm * tickStep))
   {
-    if (!place.Holds(tick.column))
+    if (!place.row.Shows(tick.column))
     {
       continue;
     }
@@ -160,7 +190,7 @@ DrawRulerOfRow(Picture * picture, const FlatPageRow & place, const std::vector<d
     FillRectangle(picture, x, top, 1, isLabel ? 11 : 6, ink);
     const std::string text = CsvTable::Rounded(cm, 6) + " cm";
     const int         width = MeasureText(text, style).width;
-    if (isLabel && x - width / 2 > labelEnd && x + width / 2 < place.left + place.row.columns + roomAtTheRight)
+    if (isLabel && x - width / 2 > labelEnd && x + width / 2 < place.left + place.Width() + roomAtTheRight)
     {
       DrawText(picture, text, x, top + 13, style);
       labelEnd = x + width / 2 + 6;
@@ -180,7 +210,7 @@ DrawScaleOfRow(Picture * picture, const FlatPageRow & place, double pixelSize)
   const std::string text = "1 mm of the map: " + rounded(row.scale) + " mm of wall (" + rounded(row.lowScale) + " to " +
                            rounded(row.highScale) + ")";
   const TextStyle style = StyleOf(12, faintInk, HorizontalAnchor::Right, VerticalAnchor::Bottom);
-  const int       right = place.left + place.row.columns;
+  const int       right = place.left + place.Width();
   const int       bottom = place.StripTop() - 24;
   const int       barLeft = right - MeasureText(text, style).width - 14 - barLength;
   const bool      hasRoom = barLeft >= place.left;
@@ -217,7 +247,7 @@ DrawAnnotationsOfRow(Picture * picture, const FlatPageRow & place, const std::ve
     {
       drawName(placed.annotation.text, place.left);
     }
-    if (!place.Holds(placed.column))
+    if (!place.row.Shows(placed.column))
     {
       continue;
     }

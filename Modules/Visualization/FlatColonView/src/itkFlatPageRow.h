@@ -47,16 +47,16 @@ struct FlatPageRow
   double
   XOf(double column) const
   {
-    return left + column - row.firstColumn - 0.5;
+    return left + row.PlaceOf(column) - 0.5;
   }
-  bool
-  Holds(double column) const
+  int
+  Width() const
   {
-    return column >= row.firstColumn && column <= row.firstColumn + row.columns;
+    return row.ShownColumns();
   }
 };
 
-/** The strip, hatched where the wall is bridged, paler beyond one turn. */
+/** The strip, hatched where the wall is bridged, broken where a bridge is cut short, paler beyond one turn. */
 void
 DrawStripOfRow(Picture * picture, const FlatPageRow & place, const Picture * strip, const FlatColonGrid & grid);
 

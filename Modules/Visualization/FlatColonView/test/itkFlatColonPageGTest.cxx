@@ -97,6 +97,20 @@ TEST(FlatColonPage, EveryPixelIsThereOnceAndBridgesAreHatched)
   }
 }
 
+TEST(FlatColonPage, LongBridgesAreCutShort)
+{
+  const Page                page;
+  itk::FlatColonPageOptions options;
+  options.overlap = 0.0;
+  options.longestBridge = 18; // of 25
+  const auto cut = DrawFlatColonPage(page.strip, page.grid, page.distances, {}, options);
+  options.longestBridge = 0;
+  const auto whole = DrawFlatColonPage(page.strip, page.grid, page.distances, {}, options);
+  EXPECT_EQ(CountOf(cut, plain), CountOf(whole, plain)) << "nothing of the wall is lost";
+  const itk::RGBColor hatch = itk::MakeColor(130, 134, 146);
+  EXPECT_LT(CountOf(cut, hatch), 0.75 * CountOf(whole, hatch));
+}
+
 TEST(FlatColonPage, TheOverlapGoesOnAroundTheTube)
 {
   Page                page;
