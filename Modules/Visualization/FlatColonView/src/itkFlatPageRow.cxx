@@ -169,6 +169,7 @@ DrawRulerOfRow(Picture * picture, const FlatPageRow & place, const std::vector<d
 {
   constexpr double millimetresPerCm = 10.0;
   constexpr int    roomAtTheRight = 18;
+  constexpr int    leastDistance = 3; // of ticks
   const int        top = place.StripTop() + place.StripHeight() + 3;
   const double     length = LengthShown(place.row, distanceOfColumns);
   const double     pixelsPerCm = length > 0.0 ? place.Width() / length * millimetresPerCm : place.Width();
@@ -176,7 +177,8 @@ DrawRulerOfRow(Picture * picture, const FlatPageRow & place, const std::vector<d
   const double     tickStep = LabelStep(pixelsPerCm, 4.0);
   FillRectangle(picture, place.left, top, place.Width(), 1, ink);
   const TextStyle style = StyleOf(14, ink, HorizontalAnchor::Center, VerticalAnchor::Top);
-  int             labelEnd = place.left - 10; // right of the unit
+  int             lastTick = place.left - leastDistance;
+  int             labelEnd = place.left - 5; // right of the unit
   for (const FlatColonTick & tick : RulerTicks(distanceOfColumns, millimetresPerCm * tickStep))
   {
     if (!place.row.Shows(tick.column))
@@ -186,8 +188,12 @@ DrawRulerOfRow(Picture * picture, const FlatPageRow & place, const std::vector<d
     const int    x = static_cast<int>(std::lround(place.XOf(tick.column)));
     const double cm = tick.distance / millimetresPerCm;
     const double labels = cm / labelStep;
-    const bool   isLabel = std::abs(labels - std::round(labels)) < 1e-6;
-    FillRectangle(picture, x, top, 1, isLabel ? 11 : 6, ink);
+    const bool   isLabel = std::abs(labels - std::round(labels)) < 1e-6 && x >= labelEnd;
+    if (x - lastTick >= leastDistance || isLabel)
+    {
+      FillRectangle(picture, x, top, 1, isLabel ? 11 : 6, ink);
+      lastTick = x;
+    }
     const std::string text = CsvTable::Rounded(cm, 6) + " cm";
     const int         width = MeasureText(text, style).width;
     if (isLabel && x - width / 2 > labelEnd && x + width / 2 < place.left + place.Width() + roomAtTheRight)

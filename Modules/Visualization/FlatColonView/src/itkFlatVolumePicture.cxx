@@ -92,8 +92,9 @@ private:
       }
       if (weight > 0.0F)
       {
-        const float behind = std::max(hu, m_Volume.At<IsInside>(place + m_StepsBehind * outwards));
-        color += weight * ((light.brightness * m_Colors.Of(behind)).array() + light.highlight).matrix();
+        const bool  isBoundary = hu < m_Options.tissue;
+        const float behind = isBoundary ? m_Volume.At<IsInside>(place + m_StepsBehind * outwards) : hu;
+        color += weight * ((light.brightness * m_Colors.Of(std::max(hu, behind))).array() + light.highlight).matrix();
         transparency -= weight;
       }
     }
