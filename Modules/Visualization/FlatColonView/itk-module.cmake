@@ -11,6 +11,7 @@ itk_module(FlatColonView
     ITKCommon
   PRIVATE_DEPENDS
     CommandLine
+    ITKImageFunction
     ParallelLoops
   TEST_DEPENDS
     CounterRandom

@@ -2,21 +2,21 @@
 #define itkTrilinearVolume_h
 
 #include "itkImage.h"
+#include "itkLinearInterpolateImageFunction.h"
 
 #include <Eigen/LU>
 
 #include <algorithm>
-#include <cmath>
 
 namespace itk
 {
-/** A volume between its voxels, by indices that stand for points in space; ITK's interpolator takes several times as
- * long, and rays ask some hundred million times. */
+/** A volume between its voxels, by indices that stand for points in space: along a ray they are steps of a vector. */
 class TrilinearVolume
 {
 public:
-  explicit TrilinearVolume(const Image<float, 3> * image) : m_Voxels(image->GetBufferPointer())
+  explicit TrilinearVolume(const Image<float, 3> * image)
   {
+    m_Interpolator->SetInputImage(image);
     const auto &    size = image->GetLargestPossibleRegion().GetSize();
     const auto &    first = image->GetLargestPossibleRegion().GetIndex();
     const auto &    direction = image->GetDirection();
@@ -25,6 +25,7 @@ public:
     for (int k = 0; k < 3; ++k)
     {
       m_Size[k] = static_cast<int>(size[k]);
+      m_First[k] = static_cast<double>(first[k]);
       for (int row = 0; row < 3; ++row)
       {
         axes(row, k) = direction[row][k] * spacing[k];
@@ -79,24 +80,12 @@ public:
   float
   At(const Eigen::Vector3d & index) const
   {
-    std::ptrdiff_t low = 0;
-    std::ptrdiff_t step[3];
-    float          share[3];
-    std::ptrdiff_t stride = 1;
+    ContinuousIndex<double, 3> place;
     for (int k = 0; k < 3; ++k)
     {
-      const double place = IsInside ? index[k] : std::clamp(index[k], 0.0, m_Size[k] - 1.0);
-      const int    cell =
-        IsInside ? static_cast<int>(place) : std::min(static_cast<int>(place), std::max(0, m_Size[k] - 2));
-      low += cell * stride;
-      step[k] = IsInside || m_Size[k] > 1 ? stride : 0;
-      share[k] = static_cast<float>(place - cell);
-      stride *= m_Size[k];
+      place[k] = m_First[k] + (IsInside ? index[k] : std::clamp(index[k], 0.0, m_Size[k] - 1.0));
     }
-    const auto mix = [](float a, float b, float t) { return a + t * (b - a); };
-    const auto line = [&](const float * p) { return mix(p[0], p[step[0]], share[0]); };
-    const auto plane = [&](const float * p) { return mix(line(p), line(p + step[1]), share[1]); };
-    return mix(plane(m_Voxels + low), plane(m_Voxels + low + step[2]), share[2]);
+    return static_cast<float>(m_Interpolator->EvaluateAtContinuousIndex(place));
   }
   /** In space, per mm: differences over a smallest spacing to both sides along each axis of the volume. */
   template <bool IsInside>
@@ -113,12 +102,15 @@ public:
   }
 
 private:
-  const float *   m_Voxels;
-  Eigen::Matrix3d m_ToIndex;
-  Eigen::Vector3d m_Origin;
-  Eigen::Vector3d m_GradientStep; ///< of each index, a smallest spacing long
-  int             m_Size[3];
-  double          m_SmallestSpacing;
+  using Interpolator = LinearInterpolateImageFunction<Image<float, 3>, double>;
+
+  Interpolator::Pointer m_Interpolator{ Interpolator::New() };
+  Eigen::Matrix3d       m_ToIndex;
+  Eigen::Vector3d       m_Origin;
+  Eigen::Vector3d       m_GradientStep; ///< of each index, a smallest spacing long
+  int                   m_Size[3];
+  double                m_First[3]; ///< index of the first voxel
+  double                m_SmallestSpacing;
 };
 } // namespace itk
 

@@ -1,0 +1,123 @@
+// Flat pictures of a made-up colon of 55,000 faces at 3000 x 200 and 12000 x 800 pixels: seconds of each step by the clock
+// and of the processor.
+#include "itkFlatColonPage.h"
+#include "itkFlatColonStrip.h"
+#include "itkFlatCoordinateMap.h"
+#include "itkFlatTestTubes.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+#include <ctime>
+#include <functional>
+
+namespace
+{
+using namespace flattubes;
+using Ct = itk::Image<float, 3>;
+
+constexpr double circumference = 100.0;
+constexpr double length = 1500.0;
+constexpr int    repetitions = 3;
+
+/** Semilunar folds between three taeniae. */
+double
+RadiusAt(double u, double angle)
+{
+  const double turn = angle / (2.0 * pi);
+  const double third = 3.0 * (turn - std::floor(turn));
+  const double phase = u / 34.0 + 0.3 * std::floor(third);
+  const double ridge = std::exp(-std::pow((phase - std::floor(phase) - 0.5) / 0.09, 2));
+  return circumference / (2.0 * pi) - 6.0 * ridge * std::pow(std::sin(pi * third), 2);
+}
+
+itk::SurfaceMesh
+MakeWall()
+{
+  TubeForm form;
+  form.around = 60;
+  form.along = 458;
+  form.circumference = circumference;
+  form.length = length;
+  return MakeFlatTube(form, [](double u, double angle) { return OnCylinder(RadiusAt(u, -angle), u, -angle); });
+}
+
+Ct::Pointer
+MakeCt()
+{
+  constexpr double half = 24.0;
+  constexpr double spacing = 0.75;
+  const auto       ct = Ct::New();
+  ct->SetRegions(Ct::SizeType{ { 65, 65, 2030 } });
+  const double spacings[] = { spacing, spacing, spacing };
+  const double origin[] = { -half, -half, -10.0 };
+  ct->SetSpacing(spacings);
+  ct->SetOrigin(origin);
+  ct->Allocate();
+  float * voxel = ct->GetBufferPointer();
+  for (int z = 0; z < 2030; ++z)
+  {
+    for (int y = 0; y < 65; ++y)
+    {
+      for (int x = 0; x < 65; ++x)
+      {
+        const double px = spacing * x - half, py = spacing * y - half;
+        const double outside = std::hypot(px, py) - RadiusAt(spacing * z - 10.0, std::atan2(py, px));
+        *voxel++ = static_cast<float>(-1000.0 + 1040.0 * std::clamp(outside / 1.2 + 0.5, 0.0, 1.0));
+      }
+    }
+  }
+  return ct;
+}
+
+/** The median of some repetitions, and their processor time. */
+void
+Time(const char * what, const std::function<void()> & run)
+{
+  double seconds[repetitions];
+  double processor[repetitions];
+  for (int i = 0; i < repetitions; ++i)
+  {
+    const auto         start = std::chrono::steady_clock::now();
+    const std::clock_t startOfProcessor = std::clock();
+    run();
+    seconds[i] = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    processor[i] = static_cast<double>(std::clock() - startOfProcessor) / CLOCKS_PER_SEC;
+  }
+  std::sort(seconds, seconds + repetitions);
+  std::sort(processor, processor + repetitions);
+  std::printf("  %-28s %8.3f s   processor %8.3f s\n", what, seconds[repetitions / 2], processor[repetitions / 2]);
+}
+
+void
+TimePictures(const itk::SurfaceMesh & wall, const Ct * ct, double pixelSize)
+{
+  itk::FlatColonGridOptions options;
+  options.pixelSize = pixelSize;
+  const itk::FlatColonGrid grid(wall, options);
+  const itk::FlatColonAxis axis = MakeFlatColonAxis(grid);
+  const auto               distances = DistanceOfColumns(grid);
+  const auto               strip = PaintFlatVolume(grid, axis, ct);
+  std::printf("%d x %d pixels, %d faces\n", grid.Columns(), grid.Rows(), static_cast<int>(wall.F.rows()));
+  Time("grid", [&] { itk::FlatColonGrid(wall, options); });
+  Time("axis of the tube", [&] { MakeFlatColonAxis(grid); });
+  Time("coordinate map", [&] { MakeFlatCoordinateMap(grid); });
+  Time("shaded relief", [&] { PaintFlatRelief(grid, axis); });
+  Time("curvature", [&] { PaintFlatCurvature(grid, axis); });
+  Time("volume rendering", [&] { PaintFlatVolume(grid, axis, ct); });
+  Time("page of rows", [&] { DrawFlatColonPage(strip, grid, distances); });
+}
+
+} // namespace
+
+int
+main()
+{
+  const itk::SurfaceMesh wall = MakeWall();
+  const auto             ct = MakeCt();
+  for (const double pixelSize : { 0.5, 0.125 })
+  {
+    TimePictures(wall, ct, pixelSize);
+  }
+}
