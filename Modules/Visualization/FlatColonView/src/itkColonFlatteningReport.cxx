@@ -13,7 +13,7 @@ namespace
 using Facts = ColonFlatteningReportContent::Facts;
 
 constexpr int pixelsAround = 200;
-constexpr int pixelsOfRow = 1500;
+constexpr int pixelsOfRow = 900; // the page shows pictures no wider than 992 pixels
 
 std::string
 Rounded(double value, int digits = 4)
