@@ -3,6 +3,8 @@
 #include "itkDiffusionTime.h"
 #include "itkToolError.h"
 
+#include <algorithm>
+
 namespace itk
 {
 namespace
@@ -39,6 +41,35 @@ Eigen::VectorXd
 HeatKernelSignature(const SurfaceSpectrum & spectrum, double t)
 {
   return spectrum.eigenfunctions.cwiseAbs2() * Decay(spectrum, t, 1.0);
+}
+
+std::vector<double>
+HeatKernelSignatureTimes(const SurfaceSpectrum & spectrum, int number)
+{
+  const Eigen::VectorXd & values = spectrum.eigenvalues;
+  const double            highest = values.size() > 0 ? values[values.size() - 1] : 0.0;
+  const double            rounding = 1e-9 * highest; // of an eigenvalue 0
+  const double * const    lowest =
+    std::find_if(values.data(), values.data() + values.size(), [&](double value) { return value > rounding; });
+  if (highest <= 0.0 || *lowest >= highest)
+  {
+    throw InputError("so few eigenpairs tell no time scales; ask for more, or state the times");
+  }
+  const double        factor = 4.0 * std::log(10.0);
+  std::vector<double> times;
+  for (int i = 0; i < number; ++i)
+  {
+    const double share = number > 1 ? static_cast<double>(i) / (number - 1) : 0.0;
+    times.push_back(factor / highest * std::pow(highest / *lowest, share));
+  }
+  return times;
+}
+
+double
+ShareOfLastPair(const SurfaceSpectrum & spectrum, double t)
+{
+  RequireDiffusionTime(t);
+  return std::exp(-spectrum.eigenvalues[spectrum.NumberOfPairs() - 1] * t);
 }
 
 double

@@ -121,6 +121,21 @@ TEST(HeatKernel, DistanceIsAMetric)
   EXPECT_EQ(all[11], 0.0);
 }
 
+TEST(HeatKernel, TimesSpanWhatTheSpectrumResolves)
+{
+  const auto &              k = Kernel();
+  const std::vector<double> times = HeatKernelSignatureTimes(k.spectrum, 5);
+  ASSERT_EQ(times.size(), 5u);
+  EXPECT_NEAR(ShareOfLastPair(k.spectrum, times.front()), 1e-4, 1e-12);
+  EXPECT_NEAR(times.back() * k.spectrum.eigenvalues[1], 4.0 * std::log(10.0), 1e-9);
+  for (std::size_t i = 2; i < times.size(); ++i)
+  {
+    EXPECT_NEAR(times[i] / times[i - 1], times[1] / times[0], 1e-9);
+  }
+  EXPECT_EQ(HeatKernelSignatureTimes(k.spectrum, 1), std::vector<double>{ times.front() });
+  EXPECT_THROW(HeatKernelSignatureTimes(ComputeSurfaceSpectrum(k.laplacian, 1), 4), InputError);
+}
+
 TEST(HeatKernel, RefusesTimesAndVerticesThatAreNone)
 {
   const auto & k = Kernel();

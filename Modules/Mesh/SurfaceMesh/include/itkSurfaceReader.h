@@ -84,6 +84,13 @@ ReadSurface(const std::string & path, const SurfaceReadOptions & options = {});
  * false (a tool whose result is text prints nothing else), notes to the warnings. \ingroup SurfaceMesh */
 SurfaceMesh_EXPORT Surface
 ReadSurface(CommandLine & commandLine, const std::string & parameter, bool warns = true);
+
+/** ReadSurface for a tool that computes on a surface: what RepairSurface() mends is mended, with a warning for each
+ * kind of change and these words in the provenance as `repairs`. Throws InputError, which names the file, for what it
+ * cannot mend: no sound surface, faces without area, a part that is not orientable. Cutting a surface where it is not
+ * manifold may leave several components. \ingroup SurfaceMesh */
+SurfaceMesh_EXPORT Surface
+ReadRepairedSurface(CommandLine & commandLine, const std::string & parameter);
 } // namespace itk
 
 #endif

@@ -5,6 +5,8 @@
 
 namespace itk
 {
+class CommandLine;
+
 /** Writes a surface as VTP, STL (binary), PLY (binary) or OBJ, by the extension of the name. LPS in mm is stated where
  * 3D Slicer looks for it: field data SPACE of VTP, a comment of the others.
  *
@@ -16,6 +18,11 @@ namespace itk
  * \ingroup SurfaceMesh */
 SurfaceMesh_EXPORT void
 WriteSurface(const SurfaceMesh & mesh, const std::string & path);
+
+/** WriteSurface for a tool: with the provenance of the run, which is whole when the work is done, in place of the
+ * facts. \param path as CommandLine::Output() has handed it out. \ingroup SurfaceMesh */
+SurfaceMesh_EXPORT void
+WriteSurface(const CommandLine & commandLine, SurfaceMesh mesh, const std::string & path);
 } // namespace itk
 
 #endif

@@ -4,6 +4,8 @@
 #include "itkSha256.h"
 #include "itkSurfaceConnectivity.h"
 #include "itkSurfaceFormats.h"
+#include "itkSurfaceQuality.h"
+#include "itkSurfaceRepair.h"
 #include "itkToolError.h"
 
 #include <algorithm>
@@ -192,6 +194,39 @@ ReadSurface(CommandLine & commandLine, const std::string & parameter, bool warns
   for (std::size_t i = 0; warns && i < surface.notes.size(); ++i)
   {
     commandLine.Warn(surface.notes[i]);
+  }
+  return surface;
+}
+
+Surface
+ReadRepairedSurface(CommandLine & commandLine, const std::string & parameter)
+{
+  const std::string path = commandLine.GetString(parameter);
+  Surface           surface = ReadSurface(commandLine, parameter);
+  RequireSound(surface.mesh, path);
+  SurfaceRepairReport report;
+  surface.mesh = RepairSurface(surface.mesh, {}, &report);
+  std::string repairs;
+  for (const std::string & words : report.Words())
+  {
+    commandLine.Warn(words);
+    repairs += (repairs.empty() ? "" : "; ") + words;
+  }
+  if (!repairs.empty())
+  {
+    commandLine.AddProvenance("repairs", repairs);
+  }
+  if (report.nonOrientableComponents > 0)
+  {
+    RefuseSurface(path, "it is one-sided like a Moebius strip", "cut it open so that it has two sides");
+  }
+  const std::vector<int> faces = FindSurfaceDefects(surface.mesh, SurfaceConnectivity(surface.mesh)).zeroAreaFaces;
+  if (!faces.empty())
+  {
+    RefuseSurface(path,
+                  std::to_string(faces.size()) + " faces have no area, face " + std::to_string(faces.front()) +
+                    " is the first one",
+                  "remesh the surface");
   }
   return surface;
 }

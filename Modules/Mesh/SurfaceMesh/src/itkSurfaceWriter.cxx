@@ -1,4 +1,5 @@
 #include "itkSurfaceWriter.h"
+#include "itkCommandLine.h"
 #include "itkSurfaceFormats.h"
 #include "itkToolError.h"
 
@@ -17,5 +18,16 @@ WriteSurface(const SurfaceMesh & mesh, const std::string & path)
   RequireUsage(writer != writers.end(), "\"" + path + "\" names no format of a surface; use .vtp, .stl, .ply or .obj");
   RequireSound(mesh, "the surface");
   writer->second(mesh, path);
+}
+
+void
+WriteSurface(const CommandLine & commandLine, SurfaceMesh mesh, const std::string & path)
+{
+  mesh.facts.clear();
+  for (const auto & [key, value] : commandLine.GetProvenance())
+  {
+    mesh.facts.emplace_back("Shapeton." + key, value);
+  }
+  WriteSurface(mesh, path);
 }
 } // namespace itk

@@ -1,0 +1,120 @@
+#include "SurfaceSpectrumXML.h"
+
+#include "itkCommandLine.h"
+#include "itkCsvTable.h"
+#include "itkHeatKernel.h"
+#include "itkSurfaceReader.h"
+#include "itkSurfaceWriter.h"
+#include "itkToolError.h"
+
+namespace
+{
+using itk::CommandLine;
+using itk::CsvTable;
+
+void
+CheckUsage(const CommandLine & commandLine)
+{
+  const std::string signature = commandLine.GetString("heatKernelSignature");
+  itk::RequireUsage(signature.empty() || (signature.size() > 4 && signature.substr(signature.size() - 4) == ".vtp"),
+                    "--heatKernelSignature writes VTP; give it a name that ends in .vtp");
+  itk::RequireUsage(!commandLine.IsGiven("times") || commandLine.IsGiven("heatKernelSignature"),
+                    "--times are those of the heat kernel signature; give --heatKernelSignature as well");
+  for (const double time : commandLine.GetDoubles("times"))
+  {
+    itk::RequireUsage(time > 0.0, "--times: a time of diffusion is greater than 0 mm^2");
+  }
+}
+
+itk::SurfaceSpectrum
+SpectrumOf(const CommandLine & commandLine, const itk::SurfaceMesh & mesh)
+{
+  const itk::SurfaceConnectivity connectivity(mesh);
+  try
+  {
+    return itk::ComputeSurfaceSpectrum(itk::MakeSurfaceLaplacian(connectivity, mesh.V),
+                                       commandLine.GetInteger("eigenpairs"));
+  }
+  catch (const itk::InputError & error)
+  {
+    throw itk::InputError(commandLine.GetString("inputSurface") + ": " + error.what());
+  }
+}
+
+void
+WriteEigenvalues(const itk::SurfaceSpectrum & spectrum, const std::string & path)
+{
+  CsvTable table({ "number", "eigenvalue", "residual" });
+  for (int i = 0; i < spectrum.NumberOfPairs(); ++i)
+  {
+    table.AddRow({ std::to_string(i),
+                   CsvTable::Rounded(spectrum.eigenvalues[i], 10),
+                   CsvTable::Rounded(spectrum.residuals[i], 2) });
+  }
+  table.Write(path);
+}
+
+std::vector<double>
+TimesOf(CommandLine & commandLine, const itk::SurfaceSpectrum & spectrum)
+{
+  constexpr int    numberOfTimes = 4;
+  constexpr double noticeable = 0.01;
+  const auto       given = commandLine.GetDoubles("times");
+  if (given.empty())
+  {
+    return itk::HeatKernelSignatureTimes(spectrum, numberOfTimes);
+  }
+  for (const double time : given)
+  {
+    if (const double share = itk::ShareOfLastPair(spectrum, time); share > noticeable)
+    {
+      commandLine.Warn("at " + CsvTable::Number(time) + " mm^2 the last eigenpair still has " +
+                       CsvTable::Rounded(share, 2) +
+                       " of its heat, so the signature lacks that of higher ones; raise --eigenpairs");
+    }
+  }
+  return given;
+}
+
+void
+WriteSignature(CommandLine &                commandLine,
+               const itk::SurfaceSpectrum & spectrum,
+               itk::SurfaceMesh             mesh,
+               const std::string &          path)
+{
+  const std::vector<double> times = TimesOf(commandLine, spectrum);
+  for (const double time : times)
+  {
+    mesh.pointArrays.push_back(
+      { "heatKernelSignature_" + CsvTable::Rounded(time, 6), itk::HeatKernelSignature(spectrum, time) });
+  }
+  mesh.fieldArrays.push_back({ "times", Eigen::Map<const Eigen::VectorXd>(times.data(), times.size()) });
+  mesh.fieldArrays.push_back({ "eigenvalues", spectrum.eigenvalues });
+  itk::WriteSurface(commandLine, std::move(mesh), path);
+}
+
+void
+Analyse(CommandLine & commandLine)
+{
+  CheckUsage(commandLine);
+  const std::string output = commandLine.GetString("eigenvalues");
+  const std::string eigenvalues = commandLine.Output(output);
+  const std::string signature = commandLine.OutputOf("heatKernelSignature");
+  commandLine.RecordRun(output + ".run.json");
+  const itk::Surface surface = itk::ReadRepairedSurface(commandLine, "inputSurface");
+  commandLine.Progress("Computing eigenpairs", 0.1);
+  const itk::SurfaceSpectrum spectrum = SpectrumOf(commandLine, surface.mesh);
+  commandLine.Progress("Writing", 0.9);
+  WriteEigenvalues(spectrum, eigenvalues);
+  if (!signature.empty())
+  {
+    WriteSignature(commandLine, spectrum, surface.mesh, signature);
+  }
+}
+} // namespace
+
+int
+main(int argc, char * argv[])
+{
+  return CommandLine::Run(ToolXML, argc, argv, Analyse);
+}
