@@ -1,0 +1,25 @@
+#ifndef itkConformalLayout_h
+#define itkConformalLayout_h
+
+#include "itkConformalMap.h"
+
+namespace itk
+{
+/** Faces with all three corners on one side of a quadrilateral. */
+std::vector<int>
+EarsOfSides(const FaceMatrix & F, const QuadrilateralMap & map);
+
+/** Flat surfaces as ConformalMap::flat describes them. */
+SurfaceMesh
+LayOutRectangle(const SurfaceMesh & mesh, const SurfaceConnectivity & connectivity, const QuadrilateralMap & map);
+SurfaceMesh
+LayOutStrip(const SurfaceMesh & mesh, const SurfaceConnectivity & connectivity, const SlitMap & map);
+SurfaceMesh
+LayOutAnnulus(const SurfaceMesh & mesh, const SurfaceConnectivity & connectivity, const SlitMap & map);
+
+/** Adds the arrays slitMap1, slitMap2, ... */
+void
+AddSlitMaps(const std::vector<SlitMap> & maps, SurfaceMesh & flat);
+} // namespace itk
+
+#endif

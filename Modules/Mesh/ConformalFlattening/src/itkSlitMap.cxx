@@ -1,0 +1,236 @@
+#include "itkSlitMap.h"
+
+#include "itkConjugateFunction.h"
+#include "itkToolError.h"
+#include "itkTubeCut.h"
+
+#include <Eigen/Cholesky>
+
+#include <algorithm>
+#include <cmath>
+
+namespace itk
+{
+namespace
+{
+constexpr double twoPi = 6.28318530717958647692;
+/** What a way around costs the cut, against its way in. */
+constexpr double sideways = 20.0;
+/** What it costs to touch a place to be avoided. */
+constexpr double detour = 1000.0;
+constexpr int    ringsAroundSaddles = 3;
+
+/** Of each loop the sum of a function over its vertices. */
+Eigen::VectorXd
+SumsOfLoops(const std::vector<BoundaryLoop> & loops, const Eigen::VectorXd & x)
+{
+  Eigen::VectorXd sums = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(loops.size()));
+  for (std::size_t i = 0; i < loops.size(); ++i)
+  {
+    for (const int vertex : loops[i].vertices)
+    {
+      sums[static_cast<Eigen::Index>(i)] += x[vertex];
+    }
+  }
+  return sums;
+}
+
+std::vector<int>
+InnerOf(const std::vector<BoundaryLoop> & loops, int outer)
+{
+  if (loops.size() < 2)
+  {
+    throw InputError("a slit map needs an outer and at least one inner boundary; the surface has " +
+                     std::to_string(loops.size()) + (loops.size() == 1 ? " boundary" : " boundaries"));
+  }
+  if (outer < 0 || outer >= static_cast<int>(loops.size()))
+  {
+    throw InputError("there is no boundary " + std::to_string(outer + 1) + " to be the outer one, but " +
+                     std::to_string(loops.size()));
+  }
+  std::vector<int> inner;
+  for (int i = 0; i < static_cast<int>(loops.size()); ++i)
+  {
+    if (i != outer)
+    {
+      inner.push_back(i);
+    }
+  }
+  return inner;
+}
+
+/** The functions that are 1 on one inner loop and 0 on all others. */
+Eigen::MatrixXd
+LoopFunctions(const SurfaceLaplacian &          laplacian,
+              const std::vector<BoundaryLoop> & loops,
+              const std::vector<int> &          innerLoops)
+{
+  std::vector<int> fixed;
+  for (const BoundaryLoop & loop : loops)
+  {
+    fixed.insert(fixed.end(), loop.vertices.begin(), loop.vertices.end());
+  }
+  const auto             count = static_cast<Eigen::Index>(innerLoops.size());
+  const std::vector<int> loopOf = LoopOfVertices(loops, laplacian.NumberOfVertices());
+  Eigen::MatrixXd        values(static_cast<Eigen::Index>(fixed.size()), count);
+  for (std::size_t i = 0; i < fixed.size(); ++i)
+  {
+    for (Eigen::Index j = 0; j < count; ++j)
+    {
+      values(static_cast<Eigen::Index>(i), j) = loopOf[fixed[i]] == innerLoops[j] ? 1.0 : 0.0;
+    }
+  }
+  return HarmonicSolver(laplacian, fixed).Solve(values);
+}
+} // namespace
+
+struct SlitMapSolver::State
+{
+  State(const SurfaceMesh &         surface,
+        const SurfaceConnectivity & itsConnectivity,
+        const Eigen::VectorXd &     edgeLengths,
+        std::vector<BoundaryLoop>   itsLoops,
+        int                         outerLoop)
+    : F(surface.F)
+    , connectivity(itsConnectivity)
+    , spaceLengths(EdgeLengths(itsConnectivity, surface.V))
+    , loops(std::move(itsLoops))
+    , outer(outerLoop)
+    , innerLoops(InnerOf(loops, outer))
+    , laplacian(MakeSurfaceLaplacian(itsConnectivity, edgeLengths))
+    , stiffness(StiffnessMatrix(laplacian))
+    , functions(LoopFunctions(laplacian, loops, innerLoops))
+    , angleSolver(laplacian, { loops[outer].vertices.front() })
+  {
+    const Eigen::MatrixXd fluxes = functions.transpose() * (stiffness * functions);
+    P = 0.5 * (fluxes + fluxes.transpose());
+  }
+
+  /** Cuts along the cheapest path that touches no other boundary and keeps away from saddles, which handles have, and
+   * computes the angle; returns its energy. */
+  double
+  ComputeAngle(Eigen::VectorXd edgeCosts, SlitMap & map) const
+  {
+    const EdgeGraph         graph(connectivity);
+    const std::vector<char> isAvoided = this->PlacesToAvoid(graph, map);
+    for (int edge = 0; edge < connectivity.NumberOfEdges(); ++edge)
+    {
+      const auto & [a, b] = connectivity.VerticesOfEdge(edge);
+      edgeCosts[edge] *= isAvoided[a] || isAvoided[b] ? detour : 1.0;
+    }
+    map.cut = CheapestPath(graph, { loops[outer].vertices, loops[map.inner].vertices }, edgeCosts);
+    map.left = LeftCorners(F, connectivity, map.cut);
+    const Eigen::VectorXd turns = SolveWithUnitJump(laplacian, angleSolver, F, connectivity, map.left);
+    map.angle = twoPi * (turns.array() - turns[map.cut.front()]);
+    return twoPi * twoPi * EnergyOfCorners(laplacian, connectivity, F, LiftedValues(F, turns, map.left));
+  }
+  std::vector<char>
+  PlacesToAvoid(const EdgeGraph & graph, const SlitMap & map) const
+  {
+    const std::vector<int> saddles = SaddleMultiplicities(F, connectivity, map.logRadius);
+    const std::vector<int> loopOf = LoopOfVertices(loops, connectivity.NumberOfVertices());
+    std::vector<char>      isAvoided(saddles.size());
+    std::transform(saddles.begin(), saddles.end(), isAvoided.begin(), [](int saddle) { return saddle > 0; });
+    Dilate(graph, isAvoided, ringsAroundSaddles);
+    for (std::size_t v = 0; v < loopOf.size(); ++v)
+    {
+      isAvoided[v] =
+        (isAvoided[v] && loopOf[v] == -1) || (loopOf[v] != -1 && loopOf[v] != outer && loopOf[v] != map.inner);
+    }
+    return isAvoided;
+  }
+  /** How far each edge goes around. */
+  Eigen::VectorXd
+  AngleSteps(const SlitMap & map) const
+  {
+    Eigen::VectorXd steps(connectivity.NumberOfEdges());
+    for (int edge = 0; edge < connectivity.NumberOfEdges(); ++edge)
+    {
+      const auto & [a, b] = connectivity.VerticesOfEdge(edge);
+      steps[edge] = std::abs(std::remainder(map.angle[a] - map.angle[b], twoPi));
+    }
+    return steps;
+  }
+
+  FaceMatrix                  F;
+  SurfaceConnectivity         connectivity;
+  Eigen::VectorXd             spaceLengths;
+  std::vector<BoundaryLoop>   loops;
+  int                         outer;
+  std::vector<int>            innerLoops;
+  SurfaceLaplacian            laplacian;
+  Eigen::SparseMatrix<double> stiffness;
+  Eigen::MatrixXd             functions;
+  Eigen::MatrixXd             P;
+  HarmonicSolver              angleSolver;
+};
+
+SlitMapSolver::SlitMapSolver(const SurfaceMesh &         mesh,
+                             const SurfaceConnectivity & connectivity,
+                             const Eigen::VectorXd &     edgeLengths,
+                             std::vector<BoundaryLoop>   loops,
+                             int                         outer)
+  : m_State(std::make_unique<const State>(mesh, connectivity, edgeLengths, std::move(loops), outer))
+{}
+
+SlitMapSolver::~SlitMapSolver() = default;
+
+SlitMap
+SlitMapSolver::Map(int inner) const
+{
+  const State & s = *m_State;
+  const auto    place = std::find(s.innerLoops.begin(), s.innerLoops.end(), inner);
+  if (place == s.innerLoops.end())
+  {
+    throw InputError("boundary " + std::to_string(inner + 1) + " is no inner one; choose another");
+  }
+  const auto            k = static_cast<Eigen::Index>(place - s.innerLoops.begin());
+  const auto            n = static_cast<Eigen::Index>(s.innerLoops.size());
+  SlitMap               map;
+  const Eigen::VectorXd lambda = s.P.ldlt().solve(twoPi * Eigen::VectorXd::Unit(n, k));
+  map.inner = inner;
+  map.logRadius = -(s.functions * lambda);
+  map.logRadiusOfLoops = Eigen::VectorXd::Zero(n + 1);
+  for (Eigen::Index j = 0; j < n; ++j)
+  {
+    map.logRadiusOfLoops[s.innerLoops[j]] = -lambda[j];
+  }
+  map.turnsOfLoops = SumsOfLoops(s.loops, s.stiffness * map.logRadius) / twoPi;
+  s.ComputeAngle(s.spaceLengths, map);
+  const double radius = s.loops[s.outer].length / twoPi;
+  const double energy = s.ComputeAngle(s.spaceLengths + sideways * radius * s.AngleSteps(map), map);
+  map.modulusU = twoPi / lambda[k];
+  map.modulusV = twoPi * twoPi / energy;
+  return map;
+}
+
+const Eigen::MatrixXd &
+SlitMapSolver::HarmonicFunctions() const
+{
+  return m_State->functions;
+}
+
+const Eigen::MatrixXd &
+SlitMapSolver::Fluxes() const
+{
+  return m_State->P;
+}
+
+const std::vector<int> &
+SlitMapSolver::InnerLoops() const
+{
+  return m_State->innerLoops;
+}
+
+const std::vector<BoundaryLoop> &
+SlitMapSolver::Loops() const
+{
+  return m_State->loops;
+}
+
+int
+SlitMapSolver::OuterLoop() const
+{
+  return m_State->outer;
+}
+} // namespace itk
