@@ -20,6 +20,7 @@ set(Shapeton_MODULES
   Segmentation/ColonWall
   Segmentation/ColonModel
   Visualization/ShapeRendering
+  Visualization/ConformalMapView
   Visualization/ColonReport
   Visualization/FlatColonView
 )
