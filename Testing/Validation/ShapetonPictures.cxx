@@ -156,14 +156,18 @@ DrawPlane(const TrialVolume &             volume,
 PictureSheet::PictureSheet(const std::string & title, const Layout & layout) : m_Layout(layout)
 {
   const auto width = static_cast<unsigned int>(margin + layout.columns * (layout.width + margin));
-  const auto height =
-    static_cast<unsigned int>(titleHeight + scaleHeight + layout.rows * (captionHeight + layout.height + margin));
+  const auto height = static_cast<unsigned int>(titleHeight + (layout.hasScale ? scaleHeight : 0) +
+                                                layout.rows * (captionHeight + layout.height + margin));
   m_Picture = NewPicture(width, height, paper);
   TextStyle style;
   style.size = 19;
   style.bold = true;
   style.color = ink;
   DrawText(m_Picture, title, margin, margin, FitText(title, style, static_cast<int>(width) - 2 * margin));
+  if (!layout.hasScale)
+  {
+    return;
+  }
   const int bottom = static_cast<int>(height) - scaleHeight + 8;
   style.size = 14;
   style.bold = false;

@@ -33,7 +33,8 @@ DrawPlane(const TrialVolume &                  volume,
           unsigned int                         height);
 
 /** \class PictureSheet
- * \brief Panels in rows and columns under a title, with a caption above each and the scale of colours below. */
+ * \brief Panels in rows and columns under a title, with a caption above each and, if wanted, the scale of colours of
+ * shapetons below. */
 class PictureSheet
 {
 public:
@@ -43,6 +44,7 @@ public:
     std::size_t  columns{ 3 };
     unsigned int width{ 320 }; ///< of a panel
     unsigned int height{ 240 };
+    bool         hasScale{ true }; ///< of shapetons
   };
   PictureSheet(const std::string & title, const Layout & layout);
 

@@ -71,6 +71,16 @@ ValidateComparisonOfShapetons(const ValidationSettings & settings, ValidationRep
 void
 ValidateWalkOfShapetons(const ValidationSettings & settings, ValidationReport & report);
 void
+ValidateDistancesOfHands(const ValidationSettings & settings, ValidationReport & report);
+void
+ValidateSlitMapsOfFace(const ValidationSettings & settings, ValidationReport & report);
+void
+ValidatePotWithHandle(const ValidationSettings & settings, ValidationReport & report);
+void
+ValidateFlatColonWithHandles(const ValidationSettings & settings, ValidationReport & report);
+void
+ValidateQualityOfMetric(const ValidationSettings & settings, ValidationReport & report);
+void
 ValidateColonSurfaces(const ValidationSettings & settings, ValidationReport & report);
 void
 ValidateColonNoise(const ValidationSettings & settings, ValidationReport & report);

@@ -1,0 +1,192 @@
+#include "GeneratedSurfaces.h"
+#include "ShapetonPictures.h"
+#include "ValidationReport.h"
+
+#include "itkConformalMapPicture.h"
+#include "itkHeatDiffusionMetric.h"
+
+#include <cmath>
+
+using namespace itk;
+
+namespace
+{
+constexpr double twoPi = 6.28318530717958647692;
+
+/** The first harmonic function with its conjugate, on the surface cut open where the conjugate jumps. */
+struct HolomorphicForm
+{
+  SurfaceMesh      mesh;
+  Eigen::MatrixX2d values;
+};
+
+/** f_j is the sum of P_kj / 2 pi (-logRadius_k) over the slit maps k, and its conjugate that of their angles. */
+HolomorphicForm
+FirstForm(const SurfaceMesh & mesh, const SlitMapSolver & solver, const std::vector<SlitMap> & maps)
+{
+  const SurfaceConnectivity     connectivity(mesh);
+  std::vector<std::vector<int>> cuts;
+  for (const SlitMap & map : maps)
+  {
+    cuts.push_back(map.cut);
+  }
+  const CutSurface cut = CutAlongPaths(mesh, connectivity, cuts);
+  HolomorphicForm  form{ cut.mesh, Eigen::MatrixX2d::Zero(cut.mesh.NumberOfVertices(), 2) };
+  for (std::size_t k = 0; k < maps.size(); ++k)
+  {
+    const double      flux = solver.Fluxes()(static_cast<Eigen::Index>(k), 0);
+    std::vector<char> isLeft(cut.sourcePointId.size(), 0);
+    for (const int corner : cut.leftCorners[k])
+    {
+      isLeft[cut.mesh.F(corner / 3, corner % 3)] = 1;
+    }
+    for (Eigen::Index i = 0; i < form.values.rows(); ++i)
+    {
+      const int    source = cut.sourcePointId[i];
+      const double angle = maps[k].angle[source] + (isLeft[i] ? twoPi : 0.0);
+      form.values.row(i) -= flux / twoPi * Eigen::RowVector2d(maps[k].logRadius[source], angle);
+    }
+  }
+  return form;
+}
+
+SurfaceRenderingOptions
+View(const PictureSheet::Layout & layout)
+{
+  SurfaceRenderingOptions options;
+  options.width = layout.width;
+  options.height = layout.height;
+  options.annotations = false;
+  options.depthShading = 0.0;
+  return options;
+}
+
+void
+DrawFace(const SurfaceMesh & mesh, const ConformalMap & map, const SlitMapSolver & solver, const std::string & path)
+{
+  const PictureSheet::Layout layout{ 3, 3, 360, 360, false };
+  PictureSheet               sheet("Figure 5.3: a face with three holes", layout);
+  const auto                 options = View(layout);
+  const auto                 checks = PolarCheckerboard(36);
+  const auto                 uv = FlatCoordinates(map.flat, "the map");
+  const HolomorphicForm      form = FirstForm(mesh, solver, map.slitMaps);
+  const PlanePattern         plain = [](double, double) { return MakeColor(226, 178, 164); };
+  const Eigen::MatrixX2d     turned = form.values.rowwise().reverse();
+  sheet.Put(0, 0, "outer boundary yellow, three inner ones", DrawPattern(mesh, uv, plain, map.loops, options));
+  sheet.Put(0, 1, "checkerboard of the slit map 2", DrawPattern(mesh, uv, checks, map.loops, options));
+  sheet.Put(
+    0, 2, "slit map 2: boundary 2 is the inner circle", DrawPattern(PlaneOf(mesh, uv), uv, checks, map.loops, options));
+  sheet.Put(1,
+            0,
+            "level sets of f, 1 on boundary 2",
+            DrawPattern(form.mesh, form.values, LevelSets(0.0, 1.0, 0.05), {}, options));
+  const double least = turned.col(0).minCoeff();
+  const double most = turned.col(0).maxCoeff();
+  sheet.Put(1,
+            1,
+            "level sets of its conjugate",
+            DrawPattern(form.mesh, turned, LevelSets(least, most, (most - least) / 40), {}, options));
+  sheet.Put(
+    1, 2, "both: the holomorphic form", DrawPattern(form.mesh, form.values, Checkerboard(0.05), map.loops, options));
+  for (std::size_t k = 1; k < map.slitMaps.size(); ++k)
+  {
+    const std::string      number = std::to_string(map.slitMaps[k].inner + 1);
+    const auto * const     other = FindSurfaceArray(map.flat.pointArrays, "slitMap" + number);
+    const Eigen::MatrixX2d places = other->values;
+    sheet.Put(2, k - 1, "slit map " + number, DrawPattern(PlaneOf(mesh, places), places, checks, map.loops, options));
+  }
+  sheet.Put(2,
+            2,
+            "checkerboard of slit map 4",
+            DrawPattern(mesh, FindSurfaceArray(map.flat.pointArrays, "slitMap4")->values, checks, map.loops, options));
+  sheet.Write(path);
+}
+
+/** The largest deviation of a boundary from a circle around the middle, relative to its radius. */
+double
+DeviationFromCircles(const ConformalMap & map, const SurfaceArray::ValueMatrix & places)
+{
+  double largest = 0.0;
+  for (const BoundaryLoop & loop : map.loops)
+  {
+    const double radius = places.row(loop.vertices.front()).norm();
+    for (const int vertex : loop.vertices)
+    {
+      largest = std::max(largest, std::abs(places.row(vertex).norm() / radius - 1.0));
+    }
+  }
+  return largest;
+}
+
+void
+AddMaps(const std::string &  metric,
+        const ConformalMap & map,
+        double               mostGap,
+        CsvTable &           table,
+        ValidationReport &   report)
+{
+  for (const SlitMap & slit : map.slitMaps)
+  {
+    const auto &    places = FindSurfaceArray(map.flat.pointArrays, "slitMap" + std::to_string(slit.inner + 1))->values;
+    Eigen::VectorXd wanted = Eigen::VectorXd::Zero(slit.turnsOfLoops.size());
+    wanted[map.outer] = 1.0;
+    wanted[slit.inner] = -1.0;
+    const double periods = (slit.turnsOfLoops - wanted).cwiseAbs().maxCoeff();
+    const double circles = DeviationFromCircles(map, places);
+    const double gap = slit.modulusU / slit.modulusV - 1.0;
+    table.AddRow({ metric,
+                   std::to_string(slit.inner + 1),
+                   CsvTable::Rounded(slit.modulusU, 5),
+                   CsvTable::Rounded(slit.modulusV, 5),
+                   CsvTable::Rounded(100.0 * gap, 2),
+                   CsvTable::Rounded(periods, 1),
+                   CsvTable::Rounded(circles, 1),
+                   report.Check(gap > 0.0 && gap < mostGap && periods < 1e-9 && circles < 1e-12) });
+  }
+}
+} // namespace
+
+void
+ValidateSlitMapsOfFace(const ValidationSettings & settings, ValidationReport & report)
+{
+  const double              mostGap = settings.quick ? 0.06 : 0.03; // the ends of slits converge with the edge
+  const SurfaceMesh         mesh = MakeFace(settings.quick ? 5.0 : 2.0);
+  const SurfaceConnectivity connectivity(mesh);
+  const Eigen::VectorXd     lengths = EdgeLengths(connectivity, mesh.V);
+  const double              t = 8.0 * lengths.mean() * lengths.mean();
+  ConformalMapOptions       options;
+  const ConformalMap        euclidean = MapConformally(mesh, options, "the face");
+  options.edgeLengths = ComputeHeatDiffusionMetric(mesh, t).edgeLengths;
+  const ConformalMap diffusion = MapConformally(mesh, options, "the face");
+  report.AddText(
+    "A head by formula with open eyes and mouth, cut off at the back: " + std::to_string(mesh.NumberOfFaces()) +
+    " faces, " + std::to_string(euclidean.loops.size()) +
+    " boundaries. All three slit maps, in the Euclidean metric (pictured) and that of heat diffusion, t = 8 h^2 = " +
+    CsvTable::Rounded(t, 3) + " mm^2.\n\n![](figure-5.3.png)");
+  CsvTable table({ "metric",
+                   "inner circle",
+                   "modulus from u",
+                   "from v",
+                   "gap, %",
+                   "error of the periods, turns",
+                   "deviation of boundaries from circles",
+                   "gap below " + CsvTable::Rounded(100.0 * mostGap, 1) + " %, periods and circles exact" });
+  AddMaps("Euclidean", euclidean, mostGap, table, report);
+  AddMaps("heat diffusion", diffusion, mostGap, table, report);
+  report.AddTable(table);
+  CsvTable distortion({ "metric", "dilatation, median", "95 %", "99 %", "flips", "at slits", "none elsewhere" });
+  for (const ConformalMap * map : { &euclidean, &diffusion })
+  {
+    distortion.AddRow({ map == &euclidean ? "Euclidean" : "heat diffusion",
+                        CsvTable::Rounded(map->dilatation.median, 4),
+                        CsvTable::Rounded(map->dilatation.p95, 4),
+                        CsvTable::Rounded(map->dilatation.p99, 4),
+                        std::to_string(map->flips),
+                        std::to_string(map->flipsAtSlits),
+                        report.Check(map->flips == map->flipsAtSlits) });
+  }
+  report.AddText("Distortion of slit map 2, each in its own metric:");
+  report.AddTable(distortion);
+  const SlitMapSolver solver(mesh, connectivity, lengths, euclidean.loops, euclidean.outer);
+  DrawFace(mesh, euclidean, solver, settings.outputFolder + "/figure-5.3.png");
+}
