@@ -119,6 +119,11 @@ struct SlitMapSolver::State
       edgeCosts[edge] *= isAvoided[a] || isAvoided[b] ? detour : 1.0;
     }
     map.cut = CheapestPath(graph, { loops[outer].vertices, loops[map.inner].vertices }, edgeCosts);
+    if (map.cut.empty())
+    {
+      throw InputError("no path of edges joins boundaries " + std::to_string(outer + 1) + " and " +
+                       std::to_string(map.inner + 1));
+    }
     map.left = LeftCorners(F, connectivity, map.cut);
     const Eigen::VectorXd turns = SolveWithUnitJump(laplacian, angleSolver, F, connectivity, map.left);
     map.angle = twoPi * (turns.array() - turns[map.cut.front()]);
