@@ -1,5 +1,5 @@
-// Flat pictures of a made-up colon of 55,000 faces at 3000 x 200 and 12000 x 800 pixels: seconds of each step by the clock
-// and of the processor.
+// Flat pictures of a made-up colon of 55,000 faces at 3000 x 200 and 12000 x 800 pixels: seconds of each step by the
+// clock and of the processor.
 #include "itkFlatColonPage.h"
 #include "itkFlatColonStrip.h"
 #include "itkFlatCoordinateMap.h"

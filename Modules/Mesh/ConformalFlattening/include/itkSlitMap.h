@@ -16,8 +16,8 @@ struct SlitMap
   int inner{ -1 };
   /** For each vertex the logarithm of the radius; 0 on the outer circle, negative inside, constant on each loop. */
   Eigen::VectorXd logRadius;
-  /** For each vertex its angle in radians. Counterclockwise as seen from outside the surface. In the corners `left` it
-   * is larger by 2 pi; the angle itself is not reduced to one turn. */
+  /** For each vertex its angle in radians, 0 at the first vertex of the outer loop. Counterclockwise as seen from
+   * outside the surface. In the corners `left` it is larger by 2 pi; the angle itself is not reduced to one turn. */
   Eigen::VectorXd angle;
   /** Vertices from the outer to the inner loop, where the angle jumps; they go around as little as edges can. */
   std::vector<int> cut;

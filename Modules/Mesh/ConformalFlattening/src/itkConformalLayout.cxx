@@ -66,6 +66,7 @@ LayOutStrip(const SurfaceMesh & mesh, const SurfaceConnectivity & connectivity, 
   const double     circumference = MeanLevelLength(mesh, map.logRadius / depth);
   const double     length = circumference / std::sqrt(map.modulusU * map.modulusV);
   CutSurface       cut = CutAlongPaths(mesh, connectivity, { map.cut });
+  const double     atCut = map.angle[map.cut.front()];
   Eigen::VectorXd  turns = Eigen::VectorXd::Zero(cut.mesh.NumberOfVertices());
   Eigen::MatrixX2d uv(cut.mesh.NumberOfVertices(), 2);
   for (const int corner : cut.leftCorners.front())
@@ -76,7 +77,7 @@ LayOutStrip(const SurfaceMesh & mesh, const SurfaceConnectivity & connectivity, 
   {
     const int source = cut.sourcePointId[i];
     uv.row(i) << -length / depth * map.logRadius[source],
-      circumference * (1.0 - turns[i] - map.angle[source] / (2.0 * pi));
+      circumference * (1.0 - turns[i] - (map.angle[source] - atCut) / (2.0 * pi));
   }
   SurfaceMesh flat = MakeFlatSurface(std::move(cut), uv);
   SetFlatExtent(flat, circumference, length);

@@ -1,6 +1,7 @@
 #include "itkSlitMap.h"
 
 #include "itkConjugateFunction.h"
+#include "itkParallelFor.h"
 #include "itkToolError.h"
 #include "itkTubeCut.h"
 
@@ -59,28 +60,37 @@ InnerOf(const std::vector<BoundaryLoop> & loops, int outer)
   return inner;
 }
 
-/** The functions that are 1 on one inner loop and 0 on all others. */
-Eigen::MatrixXd
-LoopFunctions(const SurfaceLaplacian &          laplacian,
-              const std::vector<BoundaryLoop> & loops,
-              const std::vector<int> &          innerLoops)
+/** The vertices of all loops, one loop after the other. */
+std::vector<int>
+VerticesOfLoops(const std::vector<BoundaryLoop> & loops)
 {
-  std::vector<int> fixed;
+  std::vector<int> vertices;
   for (const BoundaryLoop & loop : loops)
   {
-    fixed.insert(fixed.end(), loop.vertices.begin(), loop.vertices.end());
+    vertices.insert(vertices.end(), loop.vertices.begin(), loop.vertices.end());
   }
-  const auto             count = static_cast<Eigen::Index>(innerLoops.size());
-  const std::vector<int> loopOf = LoopOfVertices(loops, laplacian.NumberOfVertices());
-  Eigen::MatrixXd        values(static_cast<Eigen::Index>(fixed.size()), count);
-  for (std::size_t i = 0; i < fixed.size(); ++i)
+  return vertices;
+}
+
+/** The values there of functions that are 1 on one inner loop each and 0 on all others. */
+Eigen::MatrixXd
+ValuesOfLoops(const std::vector<BoundaryLoop> & loops, const std::vector<int> & innerLoops)
+{
+  const std::size_t count = VerticesOfLoops(loops).size();
+  Eigen::MatrixXd   values =
+    Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(count), static_cast<Eigen::Index>(innerLoops.size()));
+  Eigen::Index first = 0;
+  for (std::size_t i = 0; i < loops.size(); ++i)
   {
-    for (Eigen::Index j = 0; j < count; ++j)
+    const auto length = static_cast<Eigen::Index>(loops[i].vertices.size());
+    const auto place = std::find(innerLoops.begin(), innerLoops.end(), static_cast<int>(i));
+    if (place != innerLoops.end())
     {
-      values(static_cast<Eigen::Index>(i), j) = loopOf[fixed[i]] == innerLoops[j] ? 1.0 : 0.0;
+      values.col(place - innerLoops.begin()).segment(first, length).setOnes();
     }
+    first += length;
   }
-  return HarmonicSolver(laplacian, fixed).Solve(values);
+  return values;
 }
 } // namespace
 
@@ -99,9 +109,19 @@ struct SlitMapSolver::State
     , innerLoops(InnerOf(loops, outer))
     , laplacian(MakeSurfaceLaplacian(itsConnectivity, edgeLengths))
     , stiffness(StiffnessMatrix(laplacian))
-    , functions(LoopFunctions(laplacian, loops, innerLoops))
-    , angleSolver(laplacian, { loops[outer].vertices.front() })
+    , graph(itsConnectivity)
   {
+    const std::vector<int> order = HarmonicSolver::EliminationOrder(itsConnectivity);
+    ParallelFor(2, [&](std::size_t i) {
+      if (i == 0)
+      {
+        functions = HarmonicSolver(laplacian, VerticesOfLoops(loops), order).Solve(ValuesOfLoops(loops, innerLoops));
+      }
+      else
+      {
+        angleSolver = std::make_unique<HarmonicSolver>(laplacian, std::vector<int>{ loops[outer].vertices[0] }, order);
+      }
+    });
     const Eigen::MatrixXd fluxes = functions.transpose() * (stiffness * functions);
     P = 0.5 * (fluxes + fluxes.transpose());
   }
@@ -109,10 +129,8 @@ struct SlitMapSolver::State
   /** Cuts along the cheapest path that touches no other boundary and keeps away from saddles, which handles have, and
    * computes the angle; returns its energy. */
   double
-  ComputeAngle(Eigen::VectorXd edgeCosts, SlitMap & map) const
+  ComputeAngle(Eigen::VectorXd edgeCosts, const std::vector<char> & isAvoided, SlitMap & map) const
   {
-    const EdgeGraph         graph(connectivity);
-    const std::vector<char> isAvoided = this->PlacesToAvoid(graph, map);
     for (int edge = 0; edge < connectivity.NumberOfEdges(); ++edge)
     {
       const auto & [a, b] = connectivity.VerticesOfEdge(edge);
@@ -125,12 +143,12 @@ struct SlitMapSolver::State
                        std::to_string(map.inner + 1));
     }
     map.left = LeftCorners(F, connectivity, map.cut);
-    const Eigen::VectorXd turns = SolveWithUnitJump(laplacian, angleSolver, F, connectivity, map.left);
-    map.angle = twoPi * (turns.array() - turns[map.cut.front()]);
+    const Eigen::VectorXd turns = SolveWithUnitJump(laplacian, *angleSolver, F, connectivity, map.left);
+    map.angle = twoPi * (turns.array() - turns[loops[outer].vertices.front()]);
     return twoPi * twoPi * EnergyOfCorners(laplacian, connectivity, F, LiftedValues(F, turns, map.left));
   }
   std::vector<char>
-  PlacesToAvoid(const EdgeGraph & graph, const SlitMap & map) const
+  PlacesToAvoid(const SlitMap & map) const
   {
     const std::vector<int> saddles = SaddleMultiplicities(F, connectivity, map.logRadius);
     const std::vector<int> loopOf = LoopOfVertices(loops, connectivity.NumberOfVertices());
@@ -157,17 +175,18 @@ struct SlitMapSolver::State
     return steps;
   }
 
-  FaceMatrix                  F;
-  SurfaceConnectivity         connectivity;
-  Eigen::VectorXd             spaceLengths;
-  std::vector<BoundaryLoop>   loops;
-  int                         outer;
-  std::vector<int>            innerLoops;
-  SurfaceLaplacian            laplacian;
-  Eigen::SparseMatrix<double> stiffness;
-  Eigen::MatrixXd             functions;
-  Eigen::MatrixXd             P;
-  HarmonicSolver              angleSolver;
+  FaceMatrix                      F;
+  SurfaceConnectivity             connectivity;
+  Eigen::VectorXd                 spaceLengths;
+  std::vector<BoundaryLoop>       loops;
+  int                             outer;
+  std::vector<int>                innerLoops;
+  SurfaceLaplacian                laplacian;
+  Eigen::SparseMatrix<double>     stiffness;
+  Eigen::MatrixXd                 functions;
+  Eigen::MatrixXd                 P;
+  EdgeGraph                       graph;
+  std::unique_ptr<HarmonicSolver> angleSolver;
 };
 
 SlitMapSolver::SlitMapSolver(const SurfaceMesh &         mesh,
@@ -201,9 +220,10 @@ SlitMapSolver::Map(int inner) const
     map.logRadiusOfLoops[s.innerLoops[j]] = -lambda[j];
   }
   map.turnsOfLoops = SumsOfLoops(s.loops, s.stiffness * map.logRadius) / twoPi;
-  s.ComputeAngle(s.spaceLengths, map);
+  const std::vector<char> isAvoided = s.PlacesToAvoid(map);
+  s.ComputeAngle(s.spaceLengths, isAvoided, map);
   const double radius = s.loops[s.outer].length / twoPi;
-  const double energy = s.ComputeAngle(s.spaceLengths + sideways * radius * s.AngleSteps(map), map);
+  const double energy = s.ComputeAngle(s.spaceLengths + sideways * radius * s.AngleSteps(map), isAvoided, map);
   map.modulusU = twoPi / lambda[k];
   map.modulusV = twoPi * twoPi / energy;
   return map;
