@@ -78,7 +78,7 @@ class FlatColonGrid_EXPORT FlatColonGrid
 public:
   /** Throws InputError, with `what` in front, when an array is missing or has another form, a value is not finite or
    * the map is no tube's; UsageError for a pixel size that is not positive, or so small that there would be more than
-   * 65,536 pixels in a direction or 2^30 in all. */
+   * 65,536 pixels in a direction or 2^27 in all. */
   explicit FlatColonGrid(const SurfaceMesh &          flat,
                          const FlatColonGridOptions & options = {},
                          const std::string &          what = "the flat surface");

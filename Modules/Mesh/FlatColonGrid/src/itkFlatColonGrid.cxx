@@ -15,7 +15,7 @@ namespace itk
 namespace
 {
 constexpr int    leastRows = 4;
-constexpr double mostPixels = 1 << 30;
+constexpr double mostPixels = 1 << 27;
 constexpr double mostPixelsAcross = 1 << 16;
 
 /** The source vertices, numbered from 0 on in their order. */
@@ -156,7 +156,7 @@ FlatColonGrid::ChooseSize(const FlatColonGridOptions & options)
   const double columns = std::round(m_Length / size);
   RequireUsage(rows >= leastRows, "a pixel must be smaller than a fourth of the circumference");
   RequireUsage(rows <= mostPixelsAcross && columns <= mostPixelsAcross && rows * columns <= mostPixels,
-               "the pixels are too small: at most 65536 in a direction and 2^30 in all");
+               "the pixels are too small: at most 65536 in a direction and 2^27 in all");
   m_Rows = static_cast<int>(rows);
   m_PixelSize = m_Circumference / m_Rows;
   m_Columns = std::max(1, static_cast<int>(std::round(m_Length / m_PixelSize)));
