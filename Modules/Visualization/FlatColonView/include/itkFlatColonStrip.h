@@ -12,7 +12,8 @@ namespace itk
  * What an eye on the axis of the tube sees that goes along the colon and looks at the wall beside it all around (filet
  * view): each pixel is lit in the frame of the smooth tube (FrameAt()), from the left, which is along u, and from
  * above. So folds are bands across with a bright and a dark side, whatever the bends of the colon. Pixels without a
- * face are grey. Equal input gives equal bytes for any number of threads. \ingroup FlatColonView */
+ * face are grey. The axis must be that of the grid. Equal input gives equal bytes for any number of threads.
+ * \ingroup FlatColonView */
 ///@{
 
 /** How a relief looks. */
