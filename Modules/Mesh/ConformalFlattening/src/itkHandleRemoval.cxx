@@ -153,47 +153,54 @@ NewLoops(const SurfaceMesh &         before,
   return loops;
 }
 
-void
-AppendRimMeans(std::vector<SurfaceArray> & arrays, const HoleFilling & filling)
+Eigen::RowVectorXd
+MeanOfRows(const Eigen::Ref<const SurfaceArray::ValueMatrix> & values, const std::vector<int> & rows)
 {
-  for (SurfaceArray & array : arrays)
+  Eigen::RowVectorXd mean = Eigen::RowVectorXd::Zero(values.cols());
+  for (const int row : rows)
   {
-    Eigen::RowVectorXd mean = Eigen::RowVectorXd::Zero(array.values.cols());
-    for (const int v : filling.rim)
-    {
-      mean += array.values.row(v) / static_cast<double>(filling.rim.size());
-    }
-    if (array.areIntegers)
+    mean += values.row(row) / static_cast<double>(rows.size());
+  }
+  return mean;
+}
+
+/** Rows for the new vertices: means over the rims. */
+template <typename TMatrix>
+void
+AppendRimMeans(TMatrix & values, const std::vector<HoleFilling> & fillings, bool areIntegers)
+{
+  Eigen::Index number = values.rows();
+  for (const HoleFilling & filling : fillings)
+  {
+    number += filling.numberOfVertices;
+  }
+  values.conservativeResize(number, Eigen::NoChange);
+  for (const HoleFilling & filling : fillings)
+  {
+    Eigen::RowVectorXd mean = MeanOfRows(values, filling.rim);
+    if (areIntegers)
     {
       mean = mean.array().round().matrix().eval();
     }
-    const Eigen::Index before = array.values.rows();
-    array.values.conservativeResize(before + filling.numberOfVertices, Eigen::NoChange);
-    array.values.bottomRows(filling.numberOfVertices).rowwise() = mean;
+    values.middleRows(filling.firstVertex, filling.numberOfVertices).rowwise() = mean;
   }
 }
 
 void
-AppendFilling(SurfaceMesh & mesh, const HoleFilling & filling)
+AppendFaces(SurfaceMesh & mesh, const std::vector<HoleFilling> & fillings, int added)
 {
-  AppendRimMeans(mesh.pointArrays, filling);
-  Eigen::RowVector3d centre = Eigen::RowVector3d::Zero();
-  for (const int v : filling.rim)
+  Eigen::Index next = mesh.F.rows();
+  mesh.F.conservativeResize(next + added, Eigen::NoChange);
+  for (const HoleFilling & filling : fillings)
   {
-    centre += mesh.V.row(v) / static_cast<double>(filling.rim.size());
-  }
-  mesh.V.conservativeResize(mesh.V.rows() + filling.numberOfVertices, Eigen::NoChange);
-  mesh.V.bottomRows(filling.numberOfVertices).rowwise() = centre;
-  const auto         added = static_cast<Eigen::Index>(filling.faces.size());
-  const Eigen::Index before = mesh.F.rows();
-  mesh.F.conservativeResize(before + added, Eigen::NoChange);
-  for (Eigen::Index f = 0; f < added; ++f)
-  {
-    mesh.F.row(before + f) << filling.faces[f][0], filling.faces[f][1], filling.faces[f][2];
+    for (const auto & [a, b, c] : filling.faces)
+    {
+      mesh.F.row(next++) << a, b, c;
+    }
   }
   for (SurfaceArray & array : mesh.cellArrays)
   {
-    array.values.conservativeResize(before + added, Eigen::NoChange);
+    array.values.conservativeResize(next, Eigen::NoChange);
     array.values.bottomRows(added).setConstant(array.name == filledName ? 1.0 : 0.0);
   }
 }
@@ -218,11 +225,18 @@ RemoveHandles(const SurfaceMesh &                mesh,
   RenumberLoopArrays(mesh, removal.mesh);
   const SurfaceConnectivity rest(removal.mesh);
   std::vector<HoleFilling>  fillings;
+  int                       nextVertex = removal.mesh.NumberOfVertices();
   for (const std::vector<int> & loop : NewLoops(mesh, connectivity, removal.mesh, rest))
   {
-    fillings.push_back(TriangulateHole(loop, removal.mesh.V, rest, removal.mesh.NumberOfVertices()));
-    AppendFilling(removal.mesh, fillings.back());
+    fillings.push_back(TriangulateHole(loop, removal.mesh.V, rest, nextVertex));
+    nextVertex += fillings.back().numberOfVertices;
     removal.filledFaces += static_cast<int>(fillings.back().faces.size());
+  }
+  AppendFaces(removal.mesh, fillings, removal.filledFaces);
+  AppendRimMeans(removal.mesh.V, fillings, false);
+  for (SurfaceArray & array : removal.mesh.pointArrays)
+  {
+    AppendRimMeans(array.values, fillings, array.areIntegers);
   }
   removal.filledHoles = static_cast<int>(fillings.size());
   const SurfaceConnectivity closed(removal.mesh);
