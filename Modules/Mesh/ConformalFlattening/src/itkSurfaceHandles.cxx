@@ -57,8 +57,8 @@ Clusters(const EdgeGraph & graph, const std::vector<char> & isMarked)
   return clusters;
 }
 
-/** The mean of the corners of the faces around the vertices; those on the other side of the seam count where they are
- * drawn, so a handle at the seam is placed on the side of its first face. */
+/** The mean of the corners of the faces around the vertices, taken to the period of the first face: a handle at the
+ * seam is placed on the side of that face. */
 Eigen::Vector2d
 MeanFlatPlace(const SurfaceConnectivity & connectivity,
               const CornerPlaces &        places,
@@ -72,10 +72,13 @@ MeanFlatPlace(const SurfaceConnectivity & connectivity,
   {
     for (const int face : connectivity.FacesOfVertex(vertex))
     {
-      Eigen::Vector2d place = places.row(3 * face).transpose();
-      place.y() -= period > 0.0 ? period * std::round((place.y() - reference) / period) : 0.0;
-      sum += place;
-      ++number;
+      for (int k = 0; k < 3; ++k)
+      {
+        Eigen::Vector2d place = places.row(3 * face + k).transpose();
+        place.y() -= period > 0.0 ? period * std::round((place.y() - reference) / period) : 0.0;
+        sum += place;
+        ++number;
+      }
     }
   }
   return sum / number;
@@ -118,7 +121,7 @@ DetectHandles(const SurfaceConnectivity & connectivity, const SurfaceMesh & flat
       handle.place += flat.V.row(v).transpose() / static_cast<double>(cluster.size());
     }
     handle.genus = static_cast<int>(std::lround(-sum / (4.0 * pi)));
-    if (handle.genus == 0)
+    if (handle.genus <= 0) // negative: next to a boundary, whose defects are not known
     {
       ++detection.falseAlarms;
       continue;
