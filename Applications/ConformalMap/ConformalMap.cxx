@@ -91,7 +91,7 @@ Flatten(CommandLine & commandLine)
   const std::string statistics = commandLine.OutputOf("statistics");
   const std::string picture = commandLine.OutputOf("picture");
   commandLine.RecordRun(output + ".run.json");
-  const itk::Surface surface = itk::ReadRepairedSurface(commandLine, "inputSurface");
+  const itk::Surface surface = itk::ReadRepairedSurface(commandLine, "inputSurface", true); // angles have no unit
   commandLine.Progress("Mapping", 0.1);
   const itk::ConformalMap map = MapOf(commandLine, surface.mesh);
   for (const std::string & warning : map.warnings)

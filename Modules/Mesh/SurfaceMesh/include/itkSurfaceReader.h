@@ -62,6 +62,8 @@ struct SurfaceReadOptions
   /** "m", "mm" or "um" in place of the unit of the format; empty keeps that, and refuses a surface whose largest extent
    * is not between 5 mm and 5 m. */
   std::string unit;
+  /** A surface of another extent is taken with a note, for what does not depend on its size. */
+  bool isAnyExtentPlausible{ false };
 };
 
 /** A surface with what is to be told about it. \ingroup SurfaceMesh */
@@ -86,11 +88,12 @@ SurfaceMesh_EXPORT Surface
 ReadSurface(CommandLine & commandLine, const std::string & parameter, bool warns = true);
 
 /** ReadSurface for a tool that computes on a surface: what RepairSurface() mends is mended, with a warning for each
- * kind of change and these words in the provenance as `repairs`. Throws InputError, which names the file, for what it
- * cannot mend: no sound surface, faces without area, a part that is not orientable. Cutting a surface where it is not
- * manifold may leave several components. \ingroup SurfaceMesh */
+ * kind of change and these words in the provenance as `repairs`. With `isAnyExtentPlausible`
+ * another extent is a warning. Throws InputError,
+ * which names the file, for what it cannot mend: no sound surface, faces without area, a part that is not orientable.
+ * Cutting a surface where it is not manifold may leave several components. \ingroup SurfaceMesh */
 SurfaceMesh_EXPORT Surface
-ReadRepairedSurface(CommandLine & commandLine, const std::string & parameter);
+ReadRepairedSurface(CommandLine & commandLine, const std::string & parameter, bool isAnyExtentPlausible = false);
 } // namespace itk
 
 #endif

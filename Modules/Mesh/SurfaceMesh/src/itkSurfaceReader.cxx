@@ -66,21 +66,26 @@ ListOfParts(const SurfaceFile & file)
 }
 
 void
-ScaleToUnit(SurfaceFile & file, const std::string & unit, const std::string & path)
+ScaleToUnit(SurfaceFile & file, const SurfaceReadOptions & options, const std::string & path)
 {
-  if (!unit.empty())
+  if (!options.unit.empty())
   {
-    file.mesh.V *= MillimetresOf(unit) / MillimetresOf(file.unit);
+    file.mesh.V *= MillimetresOf(options.unit) / MillimetresOf(file.unit);
     return;
   }
   const Eigen::Vector3d extent = ExtentOf(file.mesh);
-  if (!(extent.maxCoeff() >= LeastExtent && extent.maxCoeff() <= GreatestExtent))
+  if (extent.maxCoeff() >= LeastExtent && extent.maxCoeff() <= GreatestExtent)
   {
-    RefuseSurface(path,
-                  "read in " + file.unit + " it measures " + TextOfExtent(extent) +
-                    ", which is implausible (5 mm to 5 m are plausible)",
-                  "state its unit: --unit m, mm or um");
+    return;
   }
+  const std::string measures = "read in " + file.unit + " it measures " + TextOfExtent(extent) +
+                               ", which is implausible (5 mm to 5 m are plausible)";
+  const std::string advice = "state its unit: --unit m, mm or um";
+  if (!options.isAnyExtentPlausible)
+  {
+    RefuseSurface(path, measures, advice);
+  }
+  file.notes.push_back(measures + "; if it matters, " + advice);
 }
 
 void
@@ -169,7 +174,7 @@ ReadSurface(const std::string & path, const SurfaceReadOptions & options)
     MillimetresOf(options.unit);
   }
   SurfaceFile file = ReadSurfaceFile(path);
-  ScaleToUnit(file, options.unit, path);
+  ScaleToUnit(file, options, path);
   if (!options.part.empty())
   {
     TakePart(file, options.part, path);
@@ -178,8 +183,10 @@ ReadSurface(const std::string & path, const SurfaceReadOptions & options)
   return { std::move(file.mesh), "sha256:" + Sha256OfFile(path), std::move(file.notes) };
 }
 
-Surface
-ReadSurface(CommandLine & commandLine, const std::string & parameter, bool warns)
+namespace
+{
+SurfaceReadOptions
+OptionsOf(const CommandLine & commandLine)
 {
   SurfaceReadOptions options;
   options.part = commandLine.GetString("part");
@@ -189,6 +196,12 @@ ReadSurface(CommandLine & commandLine, const std::string & parameter, bool warns
   {
     options.unit.clear();
   }
+  return options;
+}
+
+Surface
+ReadForTool(CommandLine & commandLine, const std::string & parameter, const SurfaceReadOptions & options, bool warns)
+{
   Surface surface = ReadSurface(commandLine.GetString(parameter), options);
   commandLine.AddInput(parameter, surface.identity);
   for (std::size_t i = 0; warns && i < surface.notes.size(); ++i)
@@ -197,12 +210,21 @@ ReadSurface(CommandLine & commandLine, const std::string & parameter, bool warns
   }
   return surface;
 }
+} // namespace
 
 Surface
-ReadRepairedSurface(CommandLine & commandLine, const std::string & parameter)
+ReadSurface(CommandLine & commandLine, const std::string & parameter, bool warns)
 {
-  const std::string path = commandLine.GetString(parameter);
-  Surface           surface = ReadSurface(commandLine, parameter);
+  return ReadForTool(commandLine, parameter, OptionsOf(commandLine), warns);
+}
+
+Surface
+ReadRepairedSurface(CommandLine & commandLine, const std::string & parameter, bool isAnyExtentPlausible)
+{
+  const std::string  path = commandLine.GetString(parameter);
+  SurfaceReadOptions options = OptionsOf(commandLine);
+  options.isAnyExtentPlausible = isAnyExtentPlausible;
+  Surface surface = ReadForTool(commandLine, parameter, options, true);
   RequireSound(surface.mesh, path);
   SurfaceRepairReport report;
   surface.mesh = RepairSurface(surface.mesh, {}, &report);

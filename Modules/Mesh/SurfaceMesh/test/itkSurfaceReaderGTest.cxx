@@ -56,6 +56,11 @@ TEST(SurfaceReader, AnImplausibleExtentNeedsAUnit)
     itk::WriteSurface(Icosphere(1, radius), path);
     itk::SurfaceReadOptions options;
     EXPECT_NE(FaultOfReading(path, options).find("implausible"), std::string::npos);
+    options.isAnyExtentPlausible = true;
+    const itk::Surface surface = itk::ReadSurface(path, options);
+    EXPECT_NEAR(surface.mesh.V.row(0).norm(), radius, 1e-9 * radius);
+    ASSERT_FALSE(surface.notes.empty());
+    EXPECT_NE(surface.notes.back().find("implausible"), std::string::npos);
     options.unit = radius < 1.0 ? "m" : "um";
     const double factor = radius < 1.0 ? 1000.0 : 0.001;
     EXPECT_NEAR(itk::ReadSurface(path, options).mesh.V.row(0).norm(), factor * radius, 1e-9 * factor * radius);
