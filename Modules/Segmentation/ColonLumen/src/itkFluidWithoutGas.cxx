@@ -15,17 +15,24 @@ constexpr double LeastLength = 2.5;   // volumes of the inscribed ball
 constexpr double WellTagged = 300.0;  // HU above tissue
 constexpr double SimilarShare = 0.25; // of the fluid's contrast
 
-/** In the middle of the largest ball, mean of 27 voxels. */
+/** In the middle of the largest ball, mean of up to 27 voxels: a ball that the border of the image cuts may have its
+ * middle there. */
 bool
 IsAsBright(const ColonEvidence & evidence, const std::array<int, 3> & middle)
 {
   double sum = 0.0;
+  int    number = 0;
   for (int n = 0; n < 27; ++n)
   {
-    sum += evidence.hu[evidence.grid.Index(middle[0] + n % 3 - 1, middle[1] + n / 3 % 3 - 1, middle[2] + n / 9 - 1)];
+    const std::array<int, 3> v{ { middle[0] + n % 3 - 1, middle[1] + n / 3 % 3 - 1, middle[2] + n / 9 - 1 } };
+    if (evidence.grid.Holds(v[0], v[1], v[2]))
+    {
+      sum += evidence.hu[evidence.grid.Index(v[0], v[1], v[2])];
+      ++number;
+    }
   }
   const auto & t = evidence.thresholds;
-  return std::abs(sum / 27.0 - t.fluid) < SimilarShare * (t.fluid - t.tissue);
+  return std::abs(sum / number - t.fluid) < SimilarShare * (t.fluid - t.tissue);
 }
 } // namespace
 
@@ -52,7 +59,7 @@ TakeFluidWithoutGas(ColonEvidence & evidence)
     {
       evidence.isColonBright[p] = 1;
       evidence.brightSeeds.push_back(v);
-      taken.push_back({ ml, deepest.radius, evidence.grid.Position(evidence.grid.Index(v[0], v[1], v[2])) });
+      taken.push_back({ ml, evidence.grid.Position(evidence.grid.Index(v[0], v[1], v[2])) });
     }
   }
   return taken;

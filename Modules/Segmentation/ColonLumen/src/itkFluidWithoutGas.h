@@ -9,8 +9,7 @@ namespace itk
 struct FluidWithoutGas
 {
   double          ml{ 0.0 };
-  double          radius{ 0.0 }; ///< of the largest ball in it, mm
-  Eigen::Vector3d centre{ 0.0, 0.0, 0.0 };
+  Eigen::Vector3d centre{ 0.0, 0.0, 0.0 }; ///< of the largest ball in it, LPS, mm
 };
 
 /** Takes bright matter without a level for colon, where its calibre is that of no small bowel: at least 50 ml, an

@@ -119,7 +119,7 @@ OutsideRuns(const ColonGrid & grid, const RunSet & set, const std::vector<std::a
   return RunsOf(groups, isOutside);
 }
 
-/** Voxels of a part of a slice, and their moments in mm. */
+/** Voxels of a part of a slice, and in the slice that is asked about their moments in mm. */
 struct Section
 {
   double          voxels{ 0.0 };
@@ -138,15 +138,15 @@ struct Section
 };
 
 std::vector<Section>
-SectionsOfParts(const ColonGrid & grid, const RunSet & set, const RunLabels & parts)
+SectionsOfParts(const ColonGrid & grid, const RunSet & set, const RunLabels & parts, int slice)
 {
   std::vector<Section> sections(parts.number + 1);
-  ForEachRun(set, [&](std::size_t r, int j, int) {
+  ForEachRun(set, [&](std::size_t r, int j, int k) {
     auto & section = sections[parts.ofRun[r]];
-    for (int i = set.runs[r].begin; i < set.runs[r].end; ++i)
+    section.voxels += set.runs[r].end - set.runs[r].begin;
+    for (int i = set.runs[r].begin; i < set.runs[r].end && k == slice; ++i)
     {
       const Eigen::Vector2d x(i * grid.spacing[0], j * grid.spacing[1]);
-      section.voxels += 1.0;
       section.sum += x;
       section.squares += x * x.transpose();
     }
@@ -163,8 +163,8 @@ AddCleft(const ColonGrid &                       grid,
          std::vector<char> &                     isOutsideRun)
 {
   const RunLabels     parts = LabelRuns(set, false);
-  const auto          sections = SectionsOfParts(grid, set, parts);
   const int           caudal = grid.axes(2, 2) > 0.0 ? 0 : grid.size[2] - 1;
+  const auto          sections = SectionsOfParts(grid, set, parts, caudal);
   const int           up = caudal == 0 ? 1 : -1;
   std::vector<char>   isKept = PartsOf(set, parts, kept);
   std::vector<char>   isCleft(parts.number + 1, 0);
@@ -221,28 +221,22 @@ IsCut(const ColonGrid & grid, const VoxelBox & box, bool showsOutside)
 void
 MeasurePieces(const ColonGrid & grid, const std::vector<float> & hu, bool showsOutside, GasOfVolume & gas)
 {
+  const auto                   measured = PiecesOfRuns(gas.set, gas.labels);
   std::vector<Eigen::Vector3d> sums(gas.pieces.size(), Eigen::Vector3d::Zero());
   ForEachRun(gas.set, [&](std::size_t r, int j, int k) {
-    auto &     piece = gas.pieces[gas.labels.ofRun[r]];
-    const Run  run = gas.set.runs[r];
-    const int  count = run.end - run.begin;
-    const auto low = std::array<int, 3>{ { run.begin, j, k } };
-    const auto high = std::array<int, 3>{ { run.end, j + 1, k + 1 } };
-    for (int a = 0; a < 3; ++a)
-    {
-      piece.box.low[a] = piece.voxels == 0 ? low[a] : std::min(piece.box.low[a], low[a]);
-      piece.box.high[a] = std::max(piece.box.high[a], high[a]);
-    }
-    piece.voxels += count;
-    sums[gas.labels.ofRun[r]] += Eigen::Vector3d(0.5 * (run.begin + run.end - 1), j, k) * count;
+    const int p = gas.labels.ofRun[r];
+    const Run run = gas.set.runs[r];
+    sums[p] += Eigen::Vector3d(0.5 * (run.begin + run.end - 1), j, k) * (run.end - run.begin);
     for (int i = run.begin; i < run.end; ++i)
     {
-      piece.mean += hu[grid.Index(i, j, k)];
+      gas.pieces[p].mean += hu[grid.Index(i, j, k)];
     }
   });
   for (std::size_t p = 1; p < gas.pieces.size(); ++p)
   {
     auto & piece = gas.pieces[p];
+    piece.voxels = measured[p].voxels;
+    piece.box = measured[p].box;
     piece.ml = piece.voxels * grid.VoxelVolume() * 1e-3;
     piece.mean /= static_cast<double>(piece.voxels);
     piece.centre = grid.Position(Eigen::Vector3d(sums[p] / static_cast<double>(piece.voxels)));

@@ -267,6 +267,9 @@ TEST(ColonLumenSegmentation, FluidWithoutGasIsColonWhereItIsWiderThanSmallBowel)
   EXPECT_EQ(wide.pieces.size(), 2U);
   ASSERT_EQ(wide.warnings.size(), 1U);
   EXPECT_NE(wide.warnings[0].find("tagged fluid without gas"), std::string::npos) << wide.warnings[0];
+  scene.lumens[1].depth = Tube(At(25, 30, 0), 2, 200, 16); // the border of the image cuts it at both ends
+  scene.Sample(image);
+  EXPECT_EQ(Segment(image, "HFS").pieces.size(), 2U);
   scene.lumens[1].depth = Tube(At(25, 30, 0), 2, 45, 11);
   scene.Sample(image);
   const auto narrow = Segment(image, "HFS");
