@@ -25,6 +25,8 @@ const std::vector<Part> parts = {
   { "heat-organs", "Heat classes and organs of a real abdomen", ValidateOrgansOfAbdomen, true },
   { "shapeton-comparison", "CHD or shapetons?", ValidateComparisonOfShapetons, false },
   { "shapeton-walk", "Scale and time of shapetons", ValidateWalkOfShapetons, false },
+  { "flattening-metric", "Accuracy of the heat diffusion metric", ValidateAccuracyOfMetric, false },
+  { "flattening-accuracy", "Accuracy of flat colons", ValidateAccuracyOfFlattening, false },
   { "flattening-distances", "Figure 5.2: geodesic and diffusion distance", ValidateDistancesOfHands, false },
   { "flattening-slits", "Figure 5.3: a face with three holes", ValidateSlitMapsOfFace, false },
   { "flattening-handle", "Figure 5.4: a pot with and without its handle", ValidatePotWithHandle, false },

@@ -71,6 +71,10 @@ ValidateComparisonOfShapetons(const ValidationSettings & settings, ValidationRep
 void
 ValidateWalkOfShapetons(const ValidationSettings & settings, ValidationReport & report);
 void
+ValidateAccuracyOfMetric(const ValidationSettings & settings, ValidationReport & report);
+void
+ValidateAccuracyOfFlattening(const ValidationSettings & settings, ValidationReport & report);
+void
 ValidateDistancesOfHands(const ValidationSettings & settings, ValidationReport & report);
 void
 ValidateSlitMapsOfFace(const ValidationSettings & settings, ValidationReport & report);

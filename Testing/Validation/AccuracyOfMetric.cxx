@@ -1,0 +1,176 @@
+// Heat diffusion distances of edges against eight poles, against 500 eigenpairs, and against columns of exp(-2t M^-1 L)
+// by Chebyshev expansion, which needs no factorisation.
+#include "ValidationReport.h"
+
+#include "itkColonTube.h"
+#include "itkDiffusionTime.h"
+#include "itkHeatDiffusionMetric.h"
+
+#include <array>
+#include <cmath>
+
+using namespace itk;
+
+namespace
+{
+using Columns = Eigen::Matrix<double, Eigen::Dynamic, 8, Eigen::RowMajor>;
+
+constexpr int mostFacesForPairs = 60000;
+
+/** The coefficients of exp(-half (1 + s)) in Chebyshev polynomials of s in [-1, 1]. */
+std::vector<double>
+ChebyshevCoefficients(double half)
+{
+  const int           degree = 40 + static_cast<int>(9.0 * std::sqrt(half));
+  const int           nodes = 2 * degree;
+  const double        step = testsurfaces::colontube::pi / nodes;
+  std::vector<double> coefficients(degree + 1, 0.0);
+  for (int k = 0; k <= degree; ++k)
+  {
+    for (int j = 0; j < nodes; ++j)
+    {
+      const double angle = (j + 0.5) * step;
+      coefficients[k] += (k == 0 ? 1.0 : 2.0) / nodes * std::exp(-half * (1.0 + std::cos(angle))) * std::cos(k * angle);
+    }
+  }
+  return coefficients;
+}
+
+/** exp(-2t A) on some columns, A = M^-1/2 L M^-1/2. */
+Columns
+ApplyExponential(const Eigen::SparseMatrix<double, Eigen::RowMajor> & A, double t, const Columns & start)
+{
+  double bound = 0.0; // of the largest eigenvalue, by Gershgorin
+  for (Eigen::Index row = 0; row < A.rows(); ++row)
+  {
+    double sum = 0.0;
+    for (Eigen::SparseMatrix<double, Eigen::RowMajor>::InnerIterator element(A, row); element; ++element)
+    {
+      sum += std::abs(element.value());
+    }
+    bound = std::max(bound, sum);
+  }
+  const std::vector<double> coefficients = ChebyshevCoefficients(t * bound);
+  Columns                   product(start.rows(), 8);
+  Columns                   before = start;
+  product.noalias() = A * before;
+  Columns now = (2.0 / bound) * product - before;
+  Columns sum = coefficients[0] * before + coefficients[1] * now;
+  for (std::size_t k = 2; k < coefficients.size(); ++k)
+  {
+    product.noalias() = A * now;
+    before = (4.0 / bound) * product - 2.0 * now - before;
+    before.swap(now);
+    sum += coefficients[k] * now;
+  }
+  return sum;
+}
+
+/** The largest relative error of the distances of random edges, four edges at a time. */
+double
+ErrorAgainstColumns(const SurfaceLaplacian & laplacian, const HeatDiffusionMetric & metric, int blocks)
+{
+  const Eigen::VectorXd                        scale = laplacian.mass.cwiseSqrt().cwiseInverse();
+  Eigen::SparseMatrix<double, Eigen::RowMajor> A = StiffnessMatrix(laplacian);
+  A = scale.asDiagonal() * A * scale.asDiagonal();
+  double largest = 0.0;
+  for (int block = 0; block < blocks; ++block)
+  {
+    std::array<Eigen::Index, 4> edges;
+    Columns                     start = Columns::Zero(A.rows(), 8);
+    for (int i = 0; i < 4; ++i)
+    {
+      edges[i] = static_cast<Eigen::Index>(static_cast<double>(laplacian.edges.size()) *
+                                           testsurfaces::colontube::Uniform(7, block, i));
+      start(laplacian.edges[edges[i]][0], 2 * i) = scale[laplacian.edges[edges[i]][0]];
+      start(laplacian.edges[edges[i]][1], 2 * i + 1) = scale[laplacian.edges[edges[i]][1]];
+    }
+    const Columns heat = ApplyExponential(A, metric.time, start);
+    for (int i = 0; i < 4; ++i)
+    {
+      const auto & [p, q] = laplacian.edges[edges[i]];
+      const double square =
+        scale[p] * (heat(p, 2 * i) - heat(p, 2 * i + 1)) + scale[q] * (heat(q, 2 * i + 1) - heat(q, 2 * i));
+      largest = std::max(largest, std::abs(metric.edgeLengths[edges[i]] / std::sqrt(square) - 1.0));
+    }
+  }
+  return largest;
+}
+
+struct Errors
+{
+  double rms;
+  double largest;
+};
+
+Errors
+RelativeErrors(const Eigen::VectorXd & values, const Eigen::VectorXd & right)
+{
+  const Eigen::ArrayXd errors = (values - right).array() / right.array();
+  return { std::sqrt(errors.square().mean()), errors.abs().maxCoeff() };
+}
+
+/** The rms against 500 eigenpairs; as many serve surfaces of any size, but take minutes for large ones. */
+double
+ErrorAgainstPairs(const SurfaceLaplacian & laplacian, const HeatDiffusionMetric & metric)
+{
+  constexpr int pairs = 500;
+  const auto    spectrum = ComputeSurfaceSpectrum(laplacian, pairs);
+  return RelativeErrors(TruncatedHeatDiffusionMetric(laplacian, spectrum, metric.time, pairs).edgeLengths,
+                        metric.edgeLengths)
+    .rms;
+}
+
+void
+AddRow(int faces, bool isQuick, ValidationReport & report, CsvTable & table)
+{
+  testsurfaces::ColonTubeOptions options;
+  options.faces = faces;
+  options.length = std::min(1500.0, 1500.0 * faces / 55000.0); // small ones are short, so that t serves their radius
+  const auto                      tube = testsurfaces::MakeColonTube(options);
+  const SurfaceConnectivity       connectivity(tube.mesh);
+  const SurfaceLaplacian          laplacian = MakeSurfaceLaplacian(connectivity, tube.mesh.V);
+  const Eigen::VectorXd           lengths = EdgeLengths(connectivity, tube.mesh.V);
+  const HeatDiffusionMetricSolver solver(laplacian);
+  const double                    h = lengths.mean();
+  const bool                      hasPairs = faces <= mostFacesForPairs;
+  const double t = hasPairs ? 32.0 * h * h : DefaultDiffusionTime(connectivity, lengths, tube.narrowestRadius);
+  const HeatDiffusionMetric metric = solver.Compute(t);
+  const double              poles = RelativeErrors(metric.edgeLengths, solver.Compute(t, 8).edgeLengths).largest;
+  const int                 blocks = isQuick ? 1 : 13;
+  const double              columns = ErrorAgainstColumns(laplacian, metric, blocks);
+  const double              pairs = hasPairs ? ErrorAgainstPairs(laplacian, metric) : 0.0;
+  table.AddRow({ std::to_string(tube.mesh.NumberOfFaces()),
+                 CsvTable::Rounded(t, 3),
+                 CsvTable::Rounded(t / (h * h), 3),
+                 hasPairs ? CsvTable::Rounded(pairs, 2) : "",
+                 CsvTable::Rounded(poles, 2),
+                 std::to_string(8 * blocks),
+                 CsvTable::Rounded(columns, 2),
+                 report.Check(poles <= 1e-6 && columns <= 1e-6 && pairs <= 1e-5) });
+}
+} // namespace
+
+void
+ValidateAccuracyOfMetric(const ValidationSettings & settings, ValidationReport & report)
+{
+  report.AddText(
+    "Tubes like a colon (`MakeColonTube()`). Distances of all edges with " +
+    std::to_string(HeatDiffusionMetricSolver::defaultPoles) +
+    " poles against 500 eigenpairs (root mean square of the relative difference, at most 1e-5) and against 8 poles "
+    "(largest, at most 1e-6); and of random edges against columns of exp(-2t M^-1 L) at their ends by "
+    "Chebyshev expansion, which needs no factorisation (largest, at most 1e-6).");
+  CsvTable table({ "faces",
+                   "t, mm^2",
+                   "t / h^2",
+                   "against 500 eigenpairs, rms",
+                   "against 8 poles, largest",
+                   "vertices of columns",
+                   "against columns, largest",
+                   "" });
+  for (const int faces : settings.quick ? std::vector<int>{ 6000 } : std::vector<int>{ 12000, 55000, 200000, 1000000 })
+  {
+    AddRow(faces, settings.quick, report, table);
+  }
+  report.AddTable(table);
+}
