@@ -135,8 +135,10 @@ FindTubeEnds(const SurfaceMesh & mesh, const SurfaceConnectivity & connectivity,
 {
   if (connectivity.Components().size() != 1)
   {
-    throw InputError(what + " has " + std::to_string(connectivity.Components().size()) +
-                     " components; choose one with --component N");
+    throw InputError(
+      what + " has " + std::to_string(connectivity.Components().size()) +
+      " components; choose one with --component N or, where the surface was one and fell apart where it was "
+      "not manifold, a part of the file with --part NAME");
   }
   if (!connectivity.IsManifold() || !connectivity.Components().front().isOrientable)
   {

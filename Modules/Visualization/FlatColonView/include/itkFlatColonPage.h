@@ -43,7 +43,7 @@ struct FlatAnnotation
 struct FlatColonPageOptions
 {
   std::string title;
-  /** Below the title. */
+  /** Below the title; lines end with \n. */
   std::string note;
   /** Pixels of the longest row. */
   int greatestColumns{ 1500 };

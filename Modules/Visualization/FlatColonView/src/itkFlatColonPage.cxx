@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <sstream>
 #include <stdexcept>
 
 namespace itk
@@ -20,6 +21,7 @@ constexpr int leftMargin = 52;
 constexpr int rightMargin = 20;
 constexpr int gapBetweenRows = 10;
 constexpr int leastWidth = 480;
+constexpr int noteLineHeight = 20;
 
 /** The place of a distance along the centreline, in columns. */
 double
@@ -103,10 +105,22 @@ DistanceAlongMap(const FlatColonGrid & grid)
   return distances;
 }
 
+std::vector<std::string>
+LinesOf(const std::string & text)
+{
+  std::vector<std::string> lines;
+  std::istringstream       stream(text);
+  for (std::string line; std::getline(stream, line);)
+  {
+    lines.push_back(line);
+  }
+  return lines;
+}
+
 int
 HeadHeight(const FlatColonPageOptions & options)
 {
-  return 12 + (options.title.empty() ? 0 : 30) + (options.note.empty() ? 0 : 20);
+  return 12 + (options.title.empty() ? 0 : 30) + noteLineHeight * static_cast<int>(LinesOf(options.note).size());
 }
 
 void
@@ -125,9 +139,10 @@ DrawHead(Picture * picture, const FlatColonPageOptions & options, int width)
   style.size = 14;
   style.bold = false;
   style.color = faintInk;
-  if (!options.note.empty())
+  for (const std::string & line : LinesOf(options.note))
   {
-    DrawText(picture, options.note, leftMargin, y, FitText(options.note, style, width));
+    DrawText(picture, line, leftMargin, y, FitText(line, style, width));
+    y += noteLineHeight;
   }
 }
 

@@ -24,11 +24,12 @@ OptionsFor(double pixelSize)
 std::string
 NoteOn(const FlatColonGrid & grid, FlatColoring coloring)
 {
-  const std::string size = CsvTable::Rounded(grid.PixelSize(), 3) + " mm";
-  std::string note = "Seen from the lumen, rectum at the left; a pixel is " + size + " at the mean circumference of " +
-                     CsvTable::Rounded(grid.Circumference(), 3) + " mm";
-  note += coloring == FlatColoring::Curvature ? "." : "; light from the left.";
-  return note + " For research use; not a diagnosis.";
+  constexpr int     widthOfOneLine = 800; // columns; a narrower page would have to shrink it
+  const std::string end = grid.Columns() < widthOfOneLine ? "\n" : " ";
+  const std::string light = coloring == FlatColoring::Curvature ? "" : ", light from the left";
+  return "Seen from the lumen, rectum at the left" + light + "." + end + "A pixel is " +
+         CsvTable::Rounded(grid.PixelSize(), 3) + " mm at the mean circumference of " +
+         CsvTable::Rounded(grid.Circumference(), 3) + " mm." + end + "For research use; not a diagnosis.";
 }
 } // namespace
 
