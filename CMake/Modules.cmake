@@ -19,6 +19,7 @@ set(Shapeton_MODULES
   Segmentation/ColonCentreline
   Segmentation/ColonWall
   Segmentation/ColonModel
+  Graph/GraphModel
   Visualization/ShapeRendering
   Visualization/ConformalMapView
   Visualization/ColonReport
