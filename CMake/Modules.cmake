@@ -5,6 +5,7 @@ set(Shapeton_MODULES
   Core/CounterRandom
   Core/ParallelLoops
   Core/Report
+  Core/SparseCholesky
   Bridge/VTKGlue
   IO/DicomSeries
   Mesh/SurfaceMesh

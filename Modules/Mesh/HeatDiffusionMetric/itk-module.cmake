@@ -8,6 +8,7 @@ itk_module(HeatDiffusionMetric
     CommandLine
     ITKCommon
     ParallelLoops
+    SparseCholesky
   TEST_DEPENDS
     CommandLine
     CounterRandom

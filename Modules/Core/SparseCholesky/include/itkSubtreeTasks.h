@@ -1,17 +1,18 @@
 #ifndef itkSubtreeTasks_h
 #define itkSubtreeTasks_h
 
+#include "SparseCholeskyExport.h"
 #include "itkSupernodes.h"
 
 namespace itk
 {
 /** The products of elimination and selected inversion of a supernode. */
-double
+SparseCholesky_EXPORT double
 ProductsOf(const Supernodes & supernodes, int s);
 
 /** Parts of the elimination tree that threads can work on at the same time: subtrees, and the trunk above them. The
  * cut depends on the tree alone. */
-struct SubtreeTasks
+struct SparseCholesky_EXPORT SubtreeTasks
 {
   explicit SubtreeTasks(const Supernodes & supernodes);
 

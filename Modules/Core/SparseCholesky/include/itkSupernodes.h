@@ -1,6 +1,8 @@
 #ifndef itkSupernodes_h
 #define itkSupernodes_h
 
+#include "SparseCholeskyExport.h"
+
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -15,7 +17,7 @@ namespace itk
  * larger dense front costs less than two; the zeros that this adds are treated as elements. Wide ones are cut into
  * chains of panels of at most maximalWidth columns. The supernodes are numbered in postorder: those of a subtree follow
  * one another and end with its root. */
-struct Supernodes
+struct SparseCholesky_EXPORT Supernodes
 {
   static constexpr int maximalWidth = 48;
 

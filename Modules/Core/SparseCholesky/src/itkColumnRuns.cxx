@@ -1,6 +1,6 @@
 #include "itkEliminationTree.h"
 
-#include "itkFrontKernels.h"
+#include "itkPanelKernels.h"
 
 #include <algorithm>
 #include <utility>
@@ -27,8 +27,8 @@ struct Node
 double
 CostOf(int width, int rows)
 {
-  const double w = FrontKernels::PaddedRows(width);
-  const double r = FrontKernels::PaddedRows(rows);
+  const double w = PanelKernels::PaddedRows(width);
+  const double r = PanelKernels::PaddedRows(rows);
   const double front = w + r;
   return 250.0 + 0.9 * front * front + width * (0.2 * w * w + 0.75 * r * w + 0.4 * r * r);
 }

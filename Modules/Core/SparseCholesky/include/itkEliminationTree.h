@@ -1,13 +1,15 @@
 #ifndef itkEliminationTree_h
 #define itkEliminationTree_h
 
+#include "SparseCholeskyExport.h"
+
 #include <array>
 #include <vector>
 
 namespace itk
 {
 /** The elimination tree of a symmetric matrix in a given order, by columns, and what its factor has in each. */
-struct EliminationTree
+struct SparseCholesky_EXPORT EliminationTree
 {
   /** `order`: the vertex of each column. It becomes a postorder of the tree: equivalent, and subtrees are runs. */
   EliminationTree(std::vector<int> & order, const std::vector<std::array<int, 2>> & edges);
@@ -26,12 +28,12 @@ struct ColumnRuns
 };
 
 /** Columns of equal structure as one supernode, and small ones merged with their parents where that costs less. */
-ColumnRuns
+SparseCholesky_EXPORT ColumnRuns
 MergeColumns(const std::vector<int> & order, const EliminationTree & tree);
 
 /** The numbers of each element of an order: place[order[i]] = i. */
-std::vector<int>
-PlacesOf(const std::vector<int> & order);
+SparseCholesky_EXPORT std::vector<int>
+                      PlacesOf(const std::vector<int> & order);
 } // namespace itk
 
 #endif

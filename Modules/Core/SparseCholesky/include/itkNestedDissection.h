@@ -1,6 +1,8 @@
 #ifndef itkNestedDissection_h
 #define itkNestedDissection_h
 
+#include "SparseCholeskyExport.h"
+
 #include <array>
 #include <vector>
 
@@ -10,8 +12,8 @@ namespace itk
  * eliminated as number i. The edges name each pair of different vertices once. The same graph gives the same order:
  * METIS takes its random numbers from std::rand(), which is seeded for it and left changed; calls take turns, and
  * nobody else should call it meanwhile. */
-std::vector<int>
-NestedDissection(int numberOfVertices, const std::vector<std::array<int, 2>> & edges);
+SparseCholesky_EXPORT std::vector<int>
+                      NestedDissection(int numberOfVertices, const std::vector<std::array<int, 2>> & edges);
 } // namespace itk
 
 #endif
