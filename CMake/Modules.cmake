@@ -21,6 +21,8 @@ set(Shapeton_MODULES
   Segmentation/ColonWall
   Segmentation/ColonModel
   Graph/GraphModel
+  Graph/GraphFiles
+  Graph/EmbeddingCertificate
   Visualization/ShapeRendering
   Visualization/ConformalMapView
   Visualization/ColonReport

@@ -23,6 +23,11 @@ WriteJson(const Json & document, const std::string & path);
  * \ingroup Report */
 Report_EXPORT Json
 ReadJson(const std::string & path);
+
+/** "line 3, column 14": where a reader of the text finds byte number `byte`, counted from 1.
+ * \ingroup Report */
+Report_EXPORT std::string
+              PlaceInText(const std::string & text, std::size_t byte);
 } // namespace itk
 
 #endif

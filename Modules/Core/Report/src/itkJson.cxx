@@ -6,11 +6,8 @@
 
 namespace itk
 {
-namespace
-{
-// Where a reader of the file finds byte number `byte`, counted from 1.
 std::string
-PlaceOf(const std::string & text, std::size_t byte)
+PlaceInText(const std::string & text, std::size_t byte)
 {
   const std::size_t position = std::min(byte, text.size() + 1) - std::min<std::size_t>(byte, 1);
   const auto        lines = std::count(text.begin(), text.begin() + position, '\n');
@@ -18,7 +15,6 @@ PlaceOf(const std::string & text, std::size_t byte)
   const std::size_t column = lineEnd == std::string::npos ? position + 1 : position - lineEnd;
   return "line " + std::to_string(lines + 1) + ", column " + std::to_string(column);
 }
-} // namespace
 
 void
 WriteJson(const Json & document, const std::string & path)
@@ -36,7 +32,8 @@ ReadJson(const std::string & path)
   }
   catch (const Json::parse_error & error)
   {
-    throw InputError("\"" + path + "\" is not valid JSON at " + PlaceOf(text, error.byte) + "; correct the file there");
+    throw InputError("\"" + path + "\" is not valid JSON at " + PlaceInText(text, error.byte) +
+                     "; correct the file there");
   }
   catch (const Json::out_of_range &) // a number such as 1e999
   {
