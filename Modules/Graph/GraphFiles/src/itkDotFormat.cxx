@@ -29,10 +29,11 @@ public:
       this->Advance();
     }
     this->ReadBody();
-    m_Text.Require(m_Token.kind == DotToken::Kind::End,
-                   m_Token.line,
-                   Quoted(m_Token.text) + " stands after the end of the graph",
-                   "give one graph in a file");
+    if (m_Token.kind != DotToken::Kind::End)
+    {
+      m_Text.Refuse(
+        m_Token.line, Quoted(m_Token.text) + " stands after the end of the graph", "give one graph in a file");
+    }
     if (m_Dropped > 0)
     {
       notes.push_back(std::to_string(m_Dropped) + " repeated edges are left out, as the graph is strict");
@@ -52,10 +53,12 @@ private:
   void
   Expect(bool condition, const std::string & what) const
   {
-    m_Text.Require(condition,
-                   m_Token.line,
-                   what + " is expected, but " + Quoted(m_Token.text) + " stands there",
-                   m_Token.kind == DotToken::Kind::End ? "take a whole copy of the file" : "correct the file there");
+    if (!condition)
+    {
+      m_Text.Refuse(m_Token.line,
+                    what + " is expected, but " + Quoted(m_Token.text) + " stands there",
+                    m_Token.kind == DotToken::Kind::End ? "take a whole copy of the file" : "correct the file there");
+    }
   }
 
   bool

@@ -100,8 +100,10 @@ DotTokens::Plain()
   const std::size_t      name = LengthOfName(m_Rest);
   const bool             isPair = pair == "--" || pair == "->";
   const bool             isSymbol = isPair || std::string_view("{}[];,=:").find(m_Rest[0]) != std::string_view::npos;
-  m_Text.Require(
-    isSymbol || name > 0, m_Line, "the character " + Quoted(m_Rest.substr(0, 1)) + " does not belong there");
+  if (!(isSymbol || name > 0))
+  {
+    m_Text.Refuse(m_Line, "the character " + Quoted(m_Rest.substr(0, 1)) + " does not belong there");
+  }
   const std::size_t length = isPair ? 2 : isSymbol ? 1 : name;
   DotToken          token{
     isSymbol ? DotToken::Kind::Symbol : DotToken::Kind::Name, std::string(m_Rest.substr(0, length)), m_Line, false

@@ -34,16 +34,20 @@ ReadEdgeList(const GraphText & text, std::vector<std::string> &)
       continue;
     }
     const int number = lines.Number();
-    text.Require(words.size() >= 2,
-                 number,
-                 "the line has one word, " + Quoted(words[0]) + ", but an edge joins two nodes",
-                 "write the names of two nodes on each line");
+    if (words.size() < 2)
+    {
+      text.Refuse(number,
+                  "the line has one word, " + Quoted(words[0]) + ", but an edge joins two nodes",
+                  "write the names of two nodes on each line");
+    }
     for (std::size_t i = 2; i < words.size() && words[i][0] != '{' && !IsComment(words[i]); ++i)
     {
-      text.Require(IsWeight(words[i]),
-                   number,
-                   Quoted(words[i]) + " after the two nodes of an edge is no number",
-                   "write the names of two nodes, without blanks, and at most numbers after them");
+      if (!IsWeight(words[i]))
+      {
+        text.Refuse(number,
+                    Quoted(words[i]) + " after the two nodes of an edge is no number",
+                    "write the names of two nodes, without blanks, and at most numbers after them");
+      }
     }
     const int first = builder.NodeOf(words[0]);
     builder.AddEdge(first, builder.NodeOf(words[1]), number);

@@ -123,16 +123,20 @@ private:
   GmlToken
   ValueOf(const GmlToken & key)
   {
-    m_Text.Require(key.kind == GmlToken::Kind::Word &&
-                     (std::isalpha(static_cast<unsigned char>(key.text[0])) != 0 || key.text[0] == '_'),
-                   key.line,
-                   "a key is expected, but " + Quoted(key.text) + " stands there");
+    if (!(key.kind == GmlToken::Kind::Word &&
+          (std::isalpha(static_cast<unsigned char>(key.text[0])) != 0 || key.text[0] == '_')))
+    {
+      m_Text.Refuse(key.line, "a key is expected, but " + Quoted(key.text) + " stands there");
+    }
     const GmlToken value = m_Tokens.Next();
-    m_Text.Require(value.kind != GmlToken::Kind::End,
-                   value.line,
-                   "the file ends after the key " + Quoted(key.text),
-                   "take a whole copy of the file");
-    m_Text.Require(value.kind != GmlToken::Kind::Close, value.line, "the key " + Quoted(key.text) + " has no value");
+    if (value.kind == GmlToken::Kind::End)
+    {
+      m_Text.Refuse(value.line, "the file ends after the key " + Quoted(key.text), "take a whole copy of the file");
+    }
+    if (value.kind == GmlToken::Kind::Close)
+    {
+      m_Text.Refuse(value.line, "the key " + Quoted(key.text) + " has no value");
+    }
     return value;
   }
 
@@ -191,9 +195,10 @@ private:
   Id(const GmlToken & value) const
   {
     int number = 0;
-    m_Text.Require(value.kind == GmlToken::Kind::Word && ParseInt(value.text, number),
-                   value.line,
-                   Quoted(value.text) + " is no whole number, but ids of nodes are");
+    if (!(value.kind == GmlToken::Kind::Word && ParseInt(value.text, number)))
+    {
+      m_Text.Refuse(value.line, Quoted(value.text) + " is no whole number, but ids of nodes are");
+    }
     return value.text;
   }
 

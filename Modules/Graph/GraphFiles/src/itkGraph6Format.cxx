@@ -15,7 +15,10 @@ public:
   {
     for (const char c : line)
     {
-      text.Require(c >= 63 && c <= 126, number, "the byte " + Quoted({ &c, 1 }) + " does not belong to the format");
+      if (!(c >= 63 && c <= 126))
+      {
+        text.Refuse(number, "the byte " + Quoted({ &c, 1 }) + " does not belong to the format");
+      }
     }
   }
 
@@ -36,7 +39,10 @@ public:
       size = size * 64 + (m_Line[i] - 63);
     }
     m_Line.remove_prefix(skip + digits);
-    m_Text.Require(size <= most, m_Number, "the graph has " + std::to_string(size) + " nodes, more than can be read");
+    if (size > most)
+    {
+      m_Text.Refuse(m_Number, "the graph has " + std::to_string(size) + " nodes, more than can be read");
+    }
     return static_cast<int>(size);
   }
 
@@ -101,11 +107,13 @@ ReadGraph6(const GraphText & text, std::vector<std::string> & notes)
   SixBits              bits(text, line.text, line.number);
   NumberedGraphBuilder builder(text, bits.TakeSize(), line.number, 0);
   const std::size_t    pairs = static_cast<std::size_t>(builder.Nodes()) * (builder.Nodes() - 1) / 2;
-  text.Require(bits.Bits() / 6 == (pairs + 5) / 6,
-               line.number,
-               "a graph of " + std::to_string(builder.Nodes()) + " nodes needs " + std::to_string((pairs + 5) / 6) +
-                 " bytes of edges, but " + std::to_string(bits.Bits() / 6) + " follow",
-               "take a whole copy of the file");
+  if (bits.Bits() / 6 != (pairs + 5) / 6)
+  {
+    text.Refuse(line.number,
+                "a graph of " + std::to_string(builder.Nodes()) + " nodes needs " + std::to_string((pairs + 5) / 6) +
+                  " bytes of edges, but " + std::to_string(bits.Bits() / 6) + " follow",
+                "take a whole copy of the file");
+  }
   std::size_t index = 0;
   for (int second = 1; second < builder.Nodes(); ++second)
   {
@@ -124,11 +132,13 @@ Graph
 ReadSparse6(const GraphText & text, std::vector<std::string> &)
 {
   GraphLine line = OnlyLine(text, ">>sparse6<<");
-  text.Require(line.text[0] == ':',
-               line.number,
-               line.text[0] == ';' ? "incremental sparse6 needs the graph before"
-                                   : "a graph in sparse6 begins with a colon",
-               "write the graph as graph6 or sparse6");
+  if (line.text[0] != ':')
+  {
+    text.Refuse(line.number,
+                line.text[0] == ';' ? "incremental sparse6 needs the graph before"
+                                    : "a graph in sparse6 begins with a colon",
+                "write the graph as graph6 or sparse6");
+  }
   line.text.remove_prefix(1);
   SixBits              bits(text, line.text, line.number);
   NumberedGraphBuilder builder(text, bits.TakeSize(), line.number, 0);

@@ -21,8 +21,10 @@ GraphBuilder::Append(std::string_view name)
 void
 GraphBuilder::AddNode(std::string_view name, int line)
 {
-  m_Text.Require(
-    !this->HasNode(name), line, "the node " + Quoted(name) + " is declared twice", "give each node an id of its own");
+  if (this->HasNode(name))
+  {
+    m_Text.Refuse(line, "the node " + Quoted(name) + " is declared twice", "give each node an id of its own");
+  }
   this->Append(name);
 }
 
@@ -43,10 +45,12 @@ int
 GraphBuilder::DeclaredNode(std::string_view name, int line) const
 {
   const auto found = m_Nodes.find(std::string(name));
-  m_Text.Require(found != m_Nodes.end(),
-                 line,
-                 "an edge names the node " + Quoted(name) + ", which the file does not declare",
-                 "declare the node or correct the edge");
+  if (found == m_Nodes.end())
+  {
+    m_Text.Refuse(line,
+                  "an edge names the node " + Quoted(name) + ", which the file does not declare",
+                  "declare the node or correct the edge");
+  }
   return found->second;
 }
 
@@ -69,10 +73,12 @@ NumberedGraphBuilder::NumberedGraphBuilder(const GraphText & text, int nodes, in
   : m_FirstName(firstName)
 {
   text.Require(nodes > 0, line, "the graph has no nodes", "give a graph with one node at least");
-  text.Require(nodes <= MostNodes,
-               line,
-               "the graph has " + std::to_string(nodes) + " nodes, more than 100 million",
-               "correct the number or take a part of the graph");
+  if (nodes > MostNodes)
+  {
+    text.Refuse(line,
+                "the graph has " + std::to_string(nodes) + " nodes, more than 100 million",
+                "correct the number or take a part of the graph");
+  }
   m_Graph.nodes = nodes;
 }
 

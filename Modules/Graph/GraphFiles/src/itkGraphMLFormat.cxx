@@ -38,10 +38,12 @@ public:
       {
         std::rethrow_exception(m_Error);
       }
-      m_Text.Require(status == XML_STATUS_OK,
-                     this->Line(),
-                     std::string("the XML is not well-formed: ") + XML_ErrorString(XML_GetErrorCode(m_Parser.get())),
-                     "take a whole copy of the file or correct it there");
+      if (status != XML_STATUS_OK)
+      {
+        m_Text.Refuse(this->Line(),
+                      std::string("the XML is not well-formed: ") + XML_ErrorString(XML_GetErrorCode(m_Parser.get())),
+                      "take a whole copy of the file or correct it there");
+      }
     }
     m_Text.Require(m_HasGraph, 0, "the element graph is missing", "give a GraphML file that holds a graph");
     for (const Edge & edge : m_Edges)
@@ -106,10 +108,10 @@ private:
     const std::string_view name = qualified.substr(qualified.rfind('|') + 1);
     const int              line = this->Line();
     ++m_Depth;
-    m_Text.Require(m_Depth > 1 || name == "graphml",
-                   line,
-                   "the outermost element is " + Quoted(name) + ", not graphml",
-                   "give a GraphML file");
+    if (!(m_Depth > 1 || name == "graphml"))
+    {
+      m_Text.Refuse(line, "the outermost element is " + Quoted(name) + ", not graphml", "give a GraphML file");
+    }
     if (name == "graph")
     {
       this->BeginGraph(attributes);
@@ -133,9 +135,10 @@ private:
     m_Text.Require(
       !m_HasGraph, this->Line(), "the file holds a second graph, or one inside a node", "give one graph in a file");
     const std::string kind = Attribute(attributes, "edgedefault");
-    m_Text.Require(kind.empty() || kind == "directed" || kind == "undirected",
-                   this->Line(),
-                   "edgedefault is " + Quoted(kind) + ", neither directed nor undirected");
+    if (!(kind.empty() || kind == "directed" || kind == "undirected"))
+    {
+      m_Text.Refuse(this->Line(), "edgedefault is " + Quoted(kind) + ", neither directed nor undirected");
+    }
     m_HasGraph = true;
     m_IsDirected = kind == "directed";
   }

@@ -15,11 +15,11 @@ GraphText::Refuse(int line, const std::string & fault, const std::string & advic
 }
 
 void
-GraphText::Require(bool condition, int line, const std::string & fault, const std::string & advice) const
+GraphText::Require(bool condition, int line, std::string_view fault, std::string_view advice) const
 {
   if (!condition)
   {
-    this->Refuse(line, fault, advice);
+    this->Refuse(line, std::string(fault), std::string(advice));
   }
 }
 

@@ -18,10 +18,7 @@ struct GraphText
   Refuse(int line, const std::string & fault, const std::string & advice = "correct the file there") const;
 
   void
-  Require(bool                condition,
-          int                 line,
-          const std::string & fault,
-          const std::string & advice = "correct the file there") const;
+  Require(bool condition, int line, std::string_view fault, std::string_view advice = "correct the file there") const;
 };
 
 /** The lines of a text one after another, without their ends (LF or CR LF). */

@@ -55,7 +55,10 @@ RowsOf(const GraphText & text, std::string_view name)
       {
         continue;
       }
-      text.Require(start == 0, lines.Number(), "a second matrix " + Quoted(name), "give one case in a file");
+      if (start != 0)
+      {
+        text.Refuse(lines.Number(), "a second matrix " + Quoted(name), "give one case in a file");
+      }
       isOpen = true;
       start = lines.Number();
       line.remove_prefix(bracket);
@@ -72,8 +75,14 @@ RowsOf(const GraphText & text, std::string_view name)
       line.remove_prefix(std::min(row + 1, line.size()));
     }
   }
-  text.Require(start > 0, 0, "the matrix " + Quoted(name) + " is missing", "give a whole MATPOWER case");
-  text.Require(!isOpen, start, "the matrix " + Quoted(name) + " has no end", "take a whole copy of the file");
+  if (start <= 0)
+  {
+    text.Refuse(0, "the matrix " + Quoted(name) + " is missing", "give a whole MATPOWER case");
+  }
+  if (isOpen)
+  {
+    text.Refuse(start, "the matrix " + Quoted(name) + " has no end", "take a whole copy of the file");
+  }
   return rows;
 }
 
@@ -82,7 +91,10 @@ CellOf(const GraphText & text, const MatrixRow & row, std::size_t column)
 {
   double     value = 0.0;
   const bool isNumber = column < row.cells.size() && ParseDouble(row.cells[column], value);
-  text.Require(isNumber, row.line, "column " + std::to_string(column + 1) + " of the matrix is missing or no number");
+  if (!isNumber)
+  {
+    text.Refuse(row.line, "column " + std::to_string(column + 1) + " of the matrix is missing or no number");
+  }
   return value;
 }
 
@@ -91,9 +103,10 @@ std::string
 BusOf(const GraphText & text, const MatrixRow & row, std::size_t column)
 {
   const double number = CellOf(text, row, column);
-  text.Require(number >= 0.0 && number <= 1e9 && number == static_cast<int>(number),
-               row.line,
-               Quoted(row.cells[column]) + " is no number of a bus");
+  if (!(number >= 0.0 && number <= 1e9 && number == static_cast<int>(number)))
+  {
+    text.Refuse(row.line, Quoted(row.cells[column]) + " is no number of a bus");
+  }
   return std::to_string(static_cast<int>(number));
 }
 } // namespace

@@ -34,10 +34,12 @@ public:
     this->ReadHeader();
     NumberedGraphBuilder builder(m_Text, m_Header.nodes, m_Lines.Number());
     // Each node has a line of its own, an empty one when it has no neighbours.
-    m_Text.Require(m_Text.bytes.size() >= static_cast<std::size_t>(m_Header.nodes),
-                   m_Lines.Number(),
-                   "the file is shorter than " + std::to_string(m_Header.nodes) + " lines, one for each node",
-                   "take a whole copy of the file");
+    if (m_Text.bytes.size() < static_cast<std::size_t>(m_Header.nodes))
+    {
+      m_Text.Refuse(m_Lines.Number(),
+                    "the file is shorter than " + std::to_string(m_Header.nodes) + " lines, one for each node",
+                    "take a whole copy of the file");
+    }
     for (int node = 0; node < m_Header.nodes; ++node)
     {
       this->ReadNode(node);
@@ -67,9 +69,10 @@ private:
   Number(std::string_view word, int least) const
   {
     int value = 0;
-    m_Text.Require(ParseInt(word, value) && value >= least,
-                   m_Lines.Number(),
-                   Quoted(word) + " is no whole number from " + std::to_string(least) + " on");
+    if (!(ParseInt(word, value) && value >= least))
+    {
+      m_Text.Refuse(m_Lines.Number(), Quoted(word) + " is no whole number from " + std::to_string(least) + " on");
+    }
     return value;
   }
 
@@ -86,9 +89,11 @@ private:
     m_Header.nodes = this->Number(words[0], 0);
     m_Header.edges = this->Number(words[1], 0);
     const int format = words.size() > 2 ? this->Number(words[2], 0) : 0;
-    m_Text.Require(format % 10 < 2 && format / 10 % 10 < 2 && format / 100 < 2,
-                   m_Lines.Number(),
-                   "the format " + Quoted(words.size() > 2 ? words[2] : "") + " is not of the digits 0 and 1");
+    if (!(format % 10 < 2 && format / 10 % 10 < 2 && format / 100 < 2))
+    {
+      m_Text.Refuse(m_Lines.Number(),
+                    "the format " + Quoted(words.size() > 2 ? words[2] : "") + " is not of the digits 0 and 1");
+    }
     const int weights = words.size() > 3 ? this->Number(words[3], 1) : 1;
     m_Header.hasEdgeWeights = format % 10 == 1;
     m_Header.numbersOfNode = (format / 10 % 10 == 1 ? weights : 0) + format / 100;
@@ -98,10 +103,12 @@ private:
   ReadNode(int node)
   {
     std::vector<std::string_view> words;
-    m_Text.Require(this->NextLine(words),
-                   m_Lines.Number(),
-                   "the file ends at node " + std::to_string(node) + " of " + std::to_string(m_Header.nodes),
-                   "take a whole copy of the file");
+    if (!this->NextLine(words))
+    {
+      m_Text.Refuse(m_Lines.Number(),
+                    "the file ends at node " + std::to_string(node) + " of " + std::to_string(m_Header.nodes),
+                    "take a whole copy of the file");
+    }
     const std::size_t step = m_Header.hasEdgeWeights ? 2 : 1;
     const auto        start = static_cast<std::size_t>(m_Header.numbersOfNode);
     m_Text.Require(words.size() >= start && (words.size() - start) % step == 0,
@@ -110,10 +117,12 @@ private:
     for (std::size_t i = start; i < words.size(); i += step)
     {
       const int other = this->Number(words[i], 1);
-      m_Text.Require(other <= m_Header.nodes,
-                     m_Lines.Number(),
-                     "there is no node " + Quoted(words[i]) + ": nodes are numbered from 1 to " +
-                       std::to_string(m_Header.nodes));
+      if (other > m_Header.nodes)
+      {
+        m_Text.Refuse(m_Lines.Number(),
+                      "there is no node " + Quoted(words[i]) + ": nodes are numbered from 1 to " +
+                        std::to_string(m_Header.nodes));
+      }
       m_Neighbours.push_back({ node, other - 1 });
     }
   }
@@ -123,10 +132,12 @@ private:
   {
     for (std::vector<std::string_view> words; this->NextLine(words);)
     {
-      m_Text.Require(words.empty(),
-                     m_Lines.Number(),
-                     "the file goes on after the last of its " + std::to_string(m_Header.nodes) + " nodes",
-                     "correct the first line or remove what follows");
+      if (!(words.empty()))
+      {
+        m_Text.Refuse(m_Lines.Number(),
+                      "the file goes on after the last of its " + std::to_string(m_Header.nodes) + " nodes",
+                      "correct the first line or remove what follows");
+      }
     }
   }
 
@@ -162,21 +173,25 @@ private:
     {
       this->RequireTwice(false, backward[next].second, backward[next].first);
     }
-    m_Text.Require(builder.Edges() == static_cast<std::size_t>(m_Header.edges),
-                   0,
-                   "the file has " + std::to_string(builder.Edges()) + " edges, but its first line states " +
-                     std::to_string(m_Header.edges),
-                   "the file is truncated or its first line is wrong: take a whole copy or correct it");
+    if (builder.Edges() != static_cast<std::size_t>(m_Header.edges))
+    {
+      m_Text.Refuse(0,
+                    "the file has " + std::to_string(builder.Edges()) + " edges, but its first line states " +
+                      std::to_string(m_Header.edges),
+                    "the file is truncated or its first line is wrong: take a whole copy or correct it");
+    }
   }
 
   void
   RequireTwice(bool isTwice, int first, int second) const
   {
-    m_Text.Require(isTwice,
-                   0,
-                   "node " + std::to_string(first + 1) + " lists node " + std::to_string(second + 1) +
-                     " more often than that lists it: the graph is directed or the file damaged",
-                   "list each edge at both of its nodes");
+    if (!isTwice)
+    {
+      m_Text.Refuse(0,
+                    "node " + std::to_string(first + 1) + " lists node " + std::to_string(second + 1) +
+                      " more often than that lists it: the graph is directed or the file damaged",
+                    "list each edge at both of its nodes");
+    }
   }
 
   const GraphText &      m_Text;

@@ -70,9 +70,11 @@ private:
   NodeOf(std::string_view word) const
   {
     int number = 0;
-    m_Text.Require(ParseInt(word, number) && number >= 1 && number <= m_Builder->Nodes(),
-                   m_Line,
-                   Quoted(word) + " is no node: nodes are numbered from 1 to " + std::to_string(m_Builder->Nodes()));
+    if (!(ParseInt(word, number) && number >= 1 && number <= m_Builder->Nodes()))
+    {
+      m_Text.Refuse(m_Line,
+                    Quoted(word) + " is no node: nodes are numbered from 1 to " + std::to_string(m_Builder->Nodes()));
+    }
     return number - 1;
   }
 
@@ -81,11 +83,13 @@ private:
   {
     m_Text.Require(m_Builder.has_value(), 0, "the line \"p tw NODES EDGES\" is missing", "add it before the edges");
     const std::size_t edges = m_Builder->Edges();
-    m_Text.Require(edges == static_cast<std::size_t>(m_Edges),
-                   m_Line,
-                   "the file ends after " + std::to_string(edges) + " edges, but its line \"p\" states " +
-                     std::to_string(m_Edges),
-                   "the file is truncated or its line \"p\" is wrong: take a whole copy or correct it");
+    if (edges != static_cast<std::size_t>(m_Edges))
+    {
+      m_Text.Refuse(m_Line,
+                    "the file ends after " + std::to_string(edges) + " edges, but its line \"p\" states " +
+                      std::to_string(m_Edges),
+                    "the file is truncated or its line \"p\" is wrong: take a whole copy or correct it");
+    }
     return m_Builder->Take();
   }
 
