@@ -9,6 +9,7 @@ set(Shapeton_MODULES
   Bridge/VTKGlue
   IO/DicomSeries
   Mesh/SurfaceMesh
+  IO/SlicerMarkups
   Mesh/HeatDiffusionMetric
   Mesh/ConformalFlattening
   Mesh/FlatColonGrid

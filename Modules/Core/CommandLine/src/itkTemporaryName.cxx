@@ -45,7 +45,7 @@ MachineTag()
   return tag;
 }
 
-// Where the extension of a file name begins.
+// Where the extension of a file name begins; ".nii.gz" and ".mrk.json" are one.
 std::size_t
 ExtensionStart(const std::string & name)
 {
@@ -54,11 +54,12 @@ ExtensionStart(const std::string & name)
   {
     return name.size();
   }
-  std::string extension = name.substr(last);
+  const std::size_t before = name.rfind('.', last - 1);
+  std::string       extension = name.substr(before == std::string::npos ? last : before);
   std::transform(
     extension.begin(), extension.end(), extension.begin(), [](unsigned char c) { return std::tolower(c); });
-  const std::size_t before = extension == ".gz" ? name.rfind('.', last - 1) : std::string::npos;
-  return before == std::string::npos ? last : before;
+  const bool isDouble = extension == ".mrk.json" || extension.substr(extension.rfind('.')) == ".gz";
+  return isDouble && before != std::string::npos ? before : last;
 }
 
 // At most `size` bytes, no character of UTF-8 cut in two.

@@ -8,7 +8,8 @@
 namespace itk
 {
 /** A hidden name beside `target` with its extension, ".heat.<machine>-<process>-<number>.part.nii.gz" for
- * "heat.nii.gz". ".nii.gz" counts as one extension because writers choose the format by it. */
+ * "heat.nii.gz". ".nii.gz" and ".mrk.json" count as one extension because writers choose the
+ * format by it. */
 std::filesystem::path
 TemporaryNameFor(const std::filesystem::path & target, std::size_t number);
 

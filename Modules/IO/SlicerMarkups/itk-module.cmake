@@ -1,0 +1,14 @@
+set(DOCUMENTATION "Points and curves as markups of 3D Slicer (.mrk.json), read and written, and colour tables (.ctbl) for label maps.")
+
+itk_module(SlicerMarkups
+  ENABLE_SHARED
+  DEPENDS
+    CommandLine
+    SurfaceMesh
+  PRIVATE_DEPENDS
+    Report
+  TEST_DEPENDS
+    ITKGoogleTest
+    Report
+  DESCRIPTION "${DOCUMENTATION}"
+)
