@@ -24,6 +24,7 @@ set(Shapeton_MODULES
   Graph/GraphModel
   Graph/GraphFiles
   Graph/EmbeddingCertificate
+  Segmentation/HaustralFolds
   Visualization/ShapeRendering
   Visualization/ConformalMapView
   Visualization/ColonReport

@@ -173,6 +173,18 @@ public:
   {
     return m_F;
   }
+  /** For each point its number, from 0 on, in which the copies of a vertex along the cut are one: the tube's. */
+  const std::vector<int> &
+  SourceOfPoints() const
+  {
+    return m_SourceOfVertex;
+  }
+  /** Unit vectors into the lumen, by these numbers. */
+  const VertexMatrix &
+  InwardNormals() const
+  {
+    return m_InwardNormals;
+  }
 
 private:
   void

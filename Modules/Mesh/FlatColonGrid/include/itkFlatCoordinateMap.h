@@ -13,6 +13,11 @@ namespace itk
  * space of the image is the map: the physical point of an index is its (u, v) in mm. \ingroup FlatColonGrid */
 using FlatCoordinateMap = Image<Vector<float, 3>, 2>;
 
+/** Gives a picture the size and the physical space of the grid: the physical point of an index is its (u, v) in mm.
+ * \ingroup FlatColonGrid */
+FlatColonGrid_EXPORT void
+SetFlatSpace(const FlatColonGrid & grid, ImageBase<2> * picture);
+
 /** Not a number where no face lies. \ingroup FlatColonGrid */
 FlatColonGrid_EXPORT FlatCoordinateMap::Pointer
                      MakeFlatCoordinateMap(const FlatColonGrid & grid);

@@ -31,27 +31,33 @@ HeaderOf(const FlatColonGrid & grid, const VolumeMetadata & metadata)
 }
 } // namespace
 
+void
+SetFlatSpace(const FlatColonGrid & grid, ImageBase<2> * picture)
+{
+  ImageBase<2>::SizeType size;
+  size[0] = grid.Columns();
+  size[1] = grid.Rows();
+  picture->SetRegions(ImageBase<2>::RegionType(size));
+  ImageBase<2>::SpacingType spacing;
+  spacing.Fill(grid.PixelSize());
+  picture->SetSpacing(spacing);
+  const Eigen::Vector2d   first = grid.UvOfPixel(0, 0);
+  ImageBase<2>::PointType origin;
+  origin[0] = first.x();
+  origin[1] = first.y();
+  picture->SetOrigin(origin);
+  ImageBase<2>::DirectionType direction;
+  direction.SetIdentity();
+  direction[1][1] = grid.IsMirrored() ? -1.0 : 1.0;
+  picture->SetDirection(direction);
+}
+
 FlatCoordinateMap::Pointer
 MakeFlatCoordinateMap(const FlatColonGrid & grid)
 {
-  const auto                  map = FlatCoordinateMap::New();
-  FlatCoordinateMap::SizeType size;
-  size[0] = grid.Columns();
-  size[1] = grid.Rows();
-  map->SetRegions(FlatCoordinateMap::RegionType(size));
+  const auto map = FlatCoordinateMap::New();
+  SetFlatSpace(grid, map);
   map->Allocate();
-  FlatCoordinateMap::SpacingType spacing;
-  spacing.Fill(grid.PixelSize());
-  map->SetSpacing(spacing);
-  const Eigen::Vector2d        first = grid.UvOfPixel(0, 0);
-  FlatCoordinateMap::PointType origin;
-  origin[0] = first.x();
-  origin[1] = first.y();
-  map->SetOrigin(origin);
-  FlatCoordinateMap::DirectionType direction;
-  direction.SetIdentity();
-  direction[1][1] = grid.IsMirrored() ? -1.0 : 1.0;
-  map->SetDirection(direction);
   ParallelFor(grid.Rows(), [&](std::size_t row) {
     for (int column = 0; column < grid.Columns(); ++column)
     {

@@ -1,0 +1,17 @@
+set(DOCUMENTATION "Haustral folds on the flat map of a colon by a least cut of curvature: labels, lengths, end points and how sure they are.")
+
+itk_module(HaustralFolds
+  ENABLE_SHARED
+  DEPENDS
+    FlatColonGrid
+    SurfaceMesh
+    ITKCommon
+  PRIVATE_DEPENDS
+    CommandLine
+    HeatDiffusionMetric
+    ParallelLoops
+  TEST_DEPENDS
+    CommandLine
+    ITKGoogleTest
+  DESCRIPTION "${DOCUMENTATION}"
+)

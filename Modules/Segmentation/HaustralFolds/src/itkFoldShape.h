@@ -1,0 +1,13 @@
+#ifndef itkFoldShape_h
+#define itkFoldShape_h
+
+#include "itkFoldLabels.h"
+
+namespace itk
+{
+/** Measures one fold; all of HaustralFold but label, height and reliabilities. */
+HaustralFold
+MeasureFold(const FlatColonGrid & grid, const FoldPicture & picture, const FoldPixels & pixels);
+} // namespace itk
+
+#endif

@@ -1,0 +1,89 @@
+#include "itkSmoothedCurvature.h"
+
+#include "itkSurfaceLaplacian.h"
+#include "itkToolError.h"
+
+#include <Eigen/Geometry>
+#include <Eigen/IterativeLinearSolvers>
+
+#include <cmath>
+
+namespace itk
+{
+namespace
+{
+constexpr int steps = 2;
+
+/** Means of the faces' normals by area; unit vectors, or zero. */
+VertexMatrix
+VertexNormals(const VertexMatrix & V, const FaceMatrix & F)
+{
+  VertexMatrix normals = VertexMatrix::Zero(V.rows(), 3);
+  for (Eigen::Index face = 0; face < F.rows(); ++face)
+  {
+    const Eigen::Vector3d a = V.row(F(face, 0)), b = V.row(F(face, 1)), c = V.row(F(face, 2));
+    const Eigen::Vector3d normal = (b - a).cross(c - a);
+    for (int k = 0; k < 3; ++k)
+    {
+      normals.row(F(face, k)) += normal;
+    }
+  }
+  normals.rowwise().normalize();
+  return normals;
+}
+
+void
+ClearBoundary(const SurfaceConnectivity & connectivity, Eigen::VectorXd & values)
+{
+  for (int edge = 0; edge < connectivity.NumberOfEdges(); ++edge)
+  {
+    if (connectivity.IsBoundaryEdge(edge))
+    {
+      for (const int vertex : connectivity.VerticesOfEdge(edge))
+      {
+        values[vertex] = 0.0;
+      }
+    }
+  }
+}
+
+/** Solves (M + step L) x = M x. Conjugate gradients: the system is near diagonal, and a factorisation would take as
+ * much memory as the surface many times over. */
+void
+Diffuse(const SurfaceLaplacian & laplacian, const Eigen::SparseMatrix<double> & stiffness, double time, Eigen::VectorXd & x)
+{
+  Eigen::SparseMatrix<double> system = time / steps * stiffness;
+  system.diagonal() += laplacian.mass;
+  Eigen::ConjugateGradient<Eigen::SparseMatrix<double>, Eigen::Lower> solver(system);
+  solver.setTolerance(1e-10);
+  for (int step = 0; step < steps; ++step)
+  {
+    const Eigen::VectorXd right = laplacian.mass.cwiseProduct(x);
+    x = solver.solveWithGuess(right, x);
+    if (solver.info() != Eigen::Success || !x.allFinite())
+    {
+      throw InputError("the curvature of the surface cannot be smoothed; repair or remesh the surface");
+    }
+  }
+}
+} // namespace
+
+Eigen::VectorXd
+SmoothedMeanCurvature(const VertexMatrix & V, const FaceMatrix & F, double time, CurvatureUnit unit)
+{
+  RequireUsage(time >= 0.0 && std::isfinite(time), "the time over which curvature is smoothed must not be negative");
+  const SurfaceConnectivity         connectivity(F, static_cast<int>(V.rows()));
+  const SurfaceLaplacian            laplacian = MakeSurfaceLaplacian(connectivity, V);
+  const Eigen::SparseMatrix<double> stiffness = StiffnessMatrix(laplacian);
+  // L V = -2 H M n with n outwards: where the surface bulges inwards L V points inwards.
+  Eigen::VectorXd values = -(stiffness * V).cwiseProduct(VertexNormals(V, F)).rowwise().sum();
+  values = unit == CurvatureUnit::PerArea ? Eigen::VectorXd(0.5 * values.cwiseQuotient(laplacian.mass))
+                                          : Eigen::VectorXd(-values);
+  ClearBoundary(connectivity, values);
+  if (time > 0.0)
+  {
+    Diffuse(laplacian, stiffness, time, values);
+  }
+  return values;
+}
+} // namespace itk
