@@ -1,19 +1,19 @@
 #include "itkCurvatureMixture.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace itk
 {
 namespace
 {
-constexpr int         rounds = 40;
-constexpr std::size_t mostSamples = 200000;
+constexpr int         rounds = 60;
+constexpr std::size_t mostSamples = 60000;
 constexpr double      leastDeviation = 1e-4; ///< 1/mm
 constexpr double      greatestOdds = 6.0;
-/** 1/mm that folds must bulge more than the wall does: the rim of a fold 4 mm thick has a mean curvature of 0.25, of
- * which smoothing leaves about half. */
-constexpr double leastContrast = 0.04;
+/** Mean curvature of folds, 1/mm: the rim of a fold 10 mm thick has 0.1, of which smoothing leaves about half. */
+constexpr double leastFold = 0.05;
 
 struct Samples
 {
@@ -92,24 +92,32 @@ struct Moments
 bool
 Improve(const Samples & samples, CurvatureMixture & mixture)
 {
-  Moments wall;
-  Moments fold;
+  const std::array<CurvatureMixture::Class *, 3> classes{ &mixture.wall, &mixture.uneven, &mixture.fold };
+  std::array<Moments, 3>                         moments;
   for (std::size_t i = 0; i < samples.values.size(); ++i)
   {
-    const double value = samples.values[i];
-    const double ofWall = Density(mixture.wall, value) + 1e-12;
-    const double ofFold = Density(mixture.fold, value) + 1e-12;
-    const double share = ofFold / (ofWall + ofFold);
-    wall.Add((1.0 - share) * samples.areas[i], value);
-    fold.Add(share * samples.areas[i], value);
+    const double          value = samples.values[i];
+    std::array<double, 3> densities;
+    double                sum = 0.0;
+    for (int k = 0; k < 3; ++k)
+    {
+      densities[k] = Density(*classes[k], value) + 1e-12;
+      sum += densities[k];
+    }
+    for (int k = 0; k < 3; ++k)
+    {
+      moments[k].Add(densities[k] / sum * samples.areas[i], value);
+    }
   }
-  if (!(wall.area > 0.0 && fold.area > 0.0))
+  const double whole = moments[0].area + moments[1].area + moments[2].area;
+  for (int k = 0; k < 3; ++k)
   {
-    return false;
+    if (!(moments[k].area > 0.0))
+    {
+      return false;
+    }
+    *classes[k] = moments[k].ToClass(whole);
   }
-  const double whole = wall.area + fold.area;
-  mixture.wall = wall.ToClass(whole);
-  mixture.fold = fold.ToClass(whole);
   return true;
 }
 } // namespace
@@ -117,12 +125,13 @@ Improve(const Samples & samples, CurvatureMixture & mixture)
 double
 CurvatureMixture::LogOdds(double curvature) const
 {
-  const auto   zSquare = [curvature](const Class & one) { return std::pow((curvature - one.mean) / one.deviation, 2); };
-  const double odds = std::log(fold.share / wall.share) + std::log(wall.deviation / fold.deviation) +
-                      0.5 * (zSquare(wall) - zSquare(fold));
-  const double signedOdds = curvature > fold.mean   ? std::max(odds, 0.0)
-                            : curvature < wall.mean ? std::min(odds, 0.0)
-                                                    : odds;
+  constexpr double least = 1e-30;
+  const double     ofFold = Density(fold, curvature) / fold.share;
+  const double     ofRest = (Density(wall, curvature) + Density(uneven, curvature)) / (wall.share + uneven.share);
+  const double     odds = std::log((ofFold + least) / (ofRest + least));
+  const double     signedOdds = curvature > fold.mean   ? std::max(odds, 0.0)
+                                : curvature < wall.mean ? std::min(odds, 0.0)
+                                                        : odds;
   return std::clamp(signedOdds, -greatestOdds, greatestOdds);
 }
 
@@ -130,20 +139,21 @@ CurvatureMixture
 FitCurvatureMixture(const FoldPicture & picture)
 {
   const Samples    samples = TakeSamples(picture);
-  CurvatureMixture mixture{ { 0.0, 1.0, 0.85 }, { 1.0, 1.0, 0.15 }, false };
+  CurvatureMixture mixture{ { 0.0, 1.0, 0.5 }, { 0.0, 1.0, 0.4 }, { 0.0, 1.0, 0.1 }, false };
   if (samples.values.empty())
   {
     return mixture;
   }
   const double half = std::max(leastDeviation, 0.5 * Deviation(samples.values));
-  mixture.wall = { Percentile(samples.values, 0.40), half, 0.85 };
-  mixture.fold = { Percentile(samples.values, 0.96), half, 0.15 };
+  mixture.wall = { Percentile(samples.values, 0.40), half, 0.5 };
+  mixture.uneven = { Percentile(samples.values, 0.80), half, 0.4 };
+  mixture.fold = { Percentile(samples.values, 0.97), half, 0.1 };
   bool isAlive = true;
   for (int round = 0; round < rounds && isAlive; ++round)
   {
     isAlive = Improve(samples, mixture);
   }
-  mixture.hasFolds = isAlive && mixture.fold.mean > 0.0 && mixture.fold.mean - mixture.wall.mean >= leastContrast;
+  mixture.hasFolds = isAlive && mixture.fold.mean >= leastFold;
   return mixture;
 }
 } // namespace itk
