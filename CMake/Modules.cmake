@@ -25,6 +25,7 @@ set(Shapeton_MODULES
   Graph/GraphFiles
   Graph/EmbeddingCertificate
   Segmentation/HaustralFolds
+  Mesh/ColonLandmarks
   Visualization/ShapeRendering
   Visualization/ConformalMapView
   Visualization/ColonReport
