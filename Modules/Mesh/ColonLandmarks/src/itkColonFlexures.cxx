@@ -202,7 +202,8 @@ Confidences(const std::vector<FlexureFeatures> & features, std::array<Scores, 4>
   return result;
 }
 
-/** Near by, of the upper flexures the place that is highest and farthest back: they are fixed to the posterior wall, and
+/** Near by, of the upper flexures the topmost place, where several are as high the one farther back: the flexures are fixed
+ * to the posterior wall, and
  * the transverse colon hangs forwards from them. Of the lower ones the sharpest. */
 int
 SnapToApex(const CentrelineShape & shape, const Eigen::VectorXd & turning, int flexure, int place)
@@ -213,7 +214,7 @@ SnapToApex(const CentrelineShape & shape, const Eigen::VectorXd & turning, int f
   for (int i = std::max(0, place - reach); i <= std::min(shape.Size() - 1, place + reach); ++i)
   {
     const double distance = std::abs(i - place) * CentrelineShape::Step;
-    const double value = flexure >= 2 ? shape.Points()(i, 1) + shape.Points()(i, 2) - 0.01 * distance
+    const double value = flexure >= 2 ? shape.Points()(i, 2) + 0.5 * shape.Points()(i, 1) - 0.01 * distance
                                             : turning[i] - 0.5 * distance;
     if (value > most)
     {
