@@ -36,9 +36,12 @@ struct HaustralFoldOptions
   double minimumArea{ 12.0 };
   /** Long over short axis of the ellipse. */
   double minimumElongation{ 1.5 };
+  /** Between the long axis and the tube, degrees, 0 to 90: folds run around, taeniae and what other loops of the bowel
+   * press in run along. */
+  double minimumAngle{ 30.0 };
   ///@}
   /** Time of the heat diffusion that smooths the curvature, mm^2; 0 for none. */
-  double smoothingTime{ 3.0 };
+  double smoothingTime{ 2.0 };
   /** \name GraphCut */
   ///@{
   /** Cost of 1 mm of outline, over that of 1 mm^2 for which fold and wall are e times as probable. */

@@ -5,9 +5,9 @@
 
 namespace itk
 {
-/** Measures one fold; all of HaustralFold but label, height and reliabilities. */
+/** Measures one fold; all of HaustralFold but label, height and reliabilities. `floor`: see TraceCrest(). */
 HaustralFold
-MeasureFold(const FlatColonGrid & grid, const FoldPicture & picture, const FoldPixels & pixels);
+MeasureFold(const FlatColonGrid & grid, const FoldPicture & picture, const FoldPixels & pixels, double floor);
 } // namespace itk
 
 #endif

@@ -22,6 +22,8 @@ RequireValid(const HaustralFoldOptions & options)
                  "the least length and area of a fold, smoothness and time of smoothing must not be negative");
   }
   RequireUsage(options.minimumElongation >= 1.0, "the least elongation of a fold must be at least 1");
+  RequireUsage(options.minimumAngle >= 0.0 && options.minimumAngle <= 90.0,
+               "the least angle of a fold against the tube must be from 0 to 90 degrees");
   RequireUsage(options.contrast > 0.0, "the contrast of the outline must be greater than 0");
   RequireUsage(options.publishedLow < options.publishedHigh, "the published interval must not be empty");
 }
@@ -38,10 +40,10 @@ MaskOf(const FoldPicture & picture, const HaustralFoldOptions & options)
 }
 
 bool
-IsLargeEnough(const HaustralFold & fold, const HaustralFoldOptions & options)
+IsFold(const HaustralFold & fold, const HaustralFoldOptions & options)
 {
   return fold.length >= options.minimumLength && fold.area >= options.minimumArea &&
-         fold.elongation >= options.minimumElongation;
+         fold.elongation >= options.minimumElongation && std::abs(fold.angle) >= options.minimumAngle;
 }
 
 Image<unsigned short, 2>::Pointer
@@ -62,8 +64,8 @@ FindHaustralFolds(const FlatColonGrid & grid, const HaustralFoldOptions & option
   std::vector<std::pair<HaustralFold, FoldPixels>> found;
   for (FoldPixels & pixels : ConnectedFolds(picture, MaskOf(picture, options)))
   {
-    const HaustralFold fold = MeasureFold(grid, picture, pixels);
-    if (IsLargeEnough(fold, options))
+    const HaustralFold fold = MeasureFold(grid, picture, pixels, 0.03);
+    if (IsFold(fold, options))
     {
       found.emplace_back(fold, std::move(pixels));
     }
