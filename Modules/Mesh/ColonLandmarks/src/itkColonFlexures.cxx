@@ -202,9 +202,8 @@ Confidences(const std::vector<FlexureFeatures> & features, std::array<Scores, 4>
   return result;
 }
 
-/** Near by, of the upper flexures the topmost place, where several are as high the one farther back: the flexures are fixed
- * to the posterior wall, and
- * the transverse colon hangs forwards from them. Of the lower ones the sharpest. */
+/** Near by, of the upper flexures the topmost place, of several as high the one farther back: the flexures are fixed to
+ * the posterior wall, and the transverse colon hangs forwards from them. Of the lower ones the sharpest. */
 int
 SnapToApex(const CentrelineShape & shape, const Eigen::VectorXd & turning, int flexure, int place)
 {
