@@ -26,6 +26,7 @@ set(Shapeton_MODULES
   Graph/EmbeddingCertificate
   Segmentation/HaustralFolds
   Mesh/ColonLandmarks
+  Graph/RicciFlowEmbedding
   Visualization/ShapeRendering
   Visualization/ConformalMapView
   Visualization/ColonReport

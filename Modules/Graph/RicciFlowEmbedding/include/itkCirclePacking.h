@@ -1,0 +1,67 @@
+#ifndef itkCirclePacking_h
+#define itkCirclePacking_h
+
+#include "RicciFlowEmbeddingExport.h"
+#include "itkCombinatorialMap.h"
+
+#include <vector>
+
+namespace itk
+{
+/** The background geometry of a Ricci flow. \ingroup RicciFlowEmbedding */
+enum class FlowGeometry
+{
+  Euclidean,
+  Hyperbolic
+};
+
+/** Circles of infinite radius, straight lines: one flag for each node and each face, or empty lists for none. A circle
+ * that meets one at a right angle sees it under the angle pi. \ingroup RicciFlowEmbedding */
+struct CirclesAtInfinity
+{
+  std::vector<char> infiniteNodes;
+  std::vector<char> infiniteFaces;
+};
+
+/** \brief Radii of the circles of nodes and faces: circles of nodes that an edge joins are tangent, so are those of the
+ * faces beside it, at the same point, where the two pairs are orthogonal. Infinite ones are infinity.
+ * \ingroup RicciFlowEmbedding */
+struct CirclePacking
+{
+  FlowGeometry        geometry{ FlowGeometry::Euclidean };
+  std::vector<double> nodeRadii;
+  std::vector<double> faceRadii;
+  /** The largest curvature, 2 pi minus the sum of angles, that is left at a circle. Radians. */
+  double residual{ 0.0 };
+  int    steps{ 0 };
+};
+
+/** \brief The limit of the discrete Ricci flow du/dt = -K of a map, by Newton's method.
+ *
+ * u = log r in Euclidean, log tanh(r / 2) in hyperbolic geometry; K = 2 pi minus the sum of the angles at a circle,
+ * with one kite of angle 2 atan(r_f / r_v), or 2 atan2(tanh r_f, sinh r_v), for each half-edge: a node and the face to
+ * the left. The energy whose gradient is K is convex. Its Hessian has h / l = 2 r_v r_f / (r_v^2 + r_f^2) for each
+ * kite, or (6.7) and (6.8) of the dissertation with the signs of dK/du, where cosh^2 a cosh^2 b - 1 is computed as
+ * sinh^2 a cosh^2 b + sinh^2 b. A face of three finite nodes is eliminated: r_f^2 = abc / (a + b + c), or tanh^2 r_f =
+ * sinh a sinh b sinh c / sinh(a + b + c). One analysis of the sparsity serves all steps. A step is halved while the
+ * energy rises along it at its end by more than half of what it fell at the start; in hyperbolic geometry it ends at 95
+ * % of the way to u = 0.
+ *
+ * Throws InputError where the curvature does not vanish: the map has no packing, or not in double precision.
+ *
+ * \pre `map` is connected, without loops and parallel edges, and no face meets a node twice; genus 1 for Euclidean
+ * geometry without circles at infinity, 2 and more for hyperbolic geometry. That the map is 3-connected (see
+ * FaceConflicts) is not checked here. \ingroup RicciFlowEmbedding */
+RicciFlowEmbedding_EXPORT CirclePacking
+PackCircles(const CombinatorialMap & map, FlowGeometry geometry, const CirclesAtInfinity & infinite = {});
+
+/** Half the angle of the kite of two finite circles at the first of them. */
+RicciFlowEmbedding_EXPORT double
+HalfKiteAngle(FlowGeometry geometry, double radius, double otherRadius);
+
+/** The curvatures of given radii: nodes, then faces; 0 for infinite circles. \ingroup RicciFlowEmbedding */
+RicciFlowEmbedding_EXPORT std::vector<double>
+                          CurvaturesOf(const CombinatorialMap & map, const CirclePacking & packing);
+} // namespace itk
+
+#endif

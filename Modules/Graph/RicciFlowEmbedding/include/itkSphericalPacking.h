@@ -1,0 +1,57 @@
+#ifndef itkSphericalPacking_h
+#define itkSphericalPacking_h
+
+#include "RicciFlowEmbeddingExport.h"
+#include "itkCombinatorialMap.h"
+
+#include <array>
+#include <vector>
+
+namespace itk
+{
+/** \brief An oriented circle on the unit sphere as a point of de Sitter space: (n, t) with |n|^2 - t^2 = 1.
+ *
+ * n points to the centre of the cap, t is the cotangent of its angle: the cap holds the points p with n p > t. A
+ * Moebius transformation of the sphere is a linear map of these vectors. The products of two are -1 for tangent caps
+ * that do not overlap and 0 for orthogonal circles. \ingroup RicciFlowEmbedding */
+using SphereCircle = std::array<double, 4>;
+
+/** The centre of the cap, a unit vector. \ingroup RicciFlowEmbedding */
+RicciFlowEmbedding_EXPORT std::array<double, 3>
+                          CentreOf(const SphereCircle & circle);
+/** The angle of the cap, in (0, pi). \ingroup RicciFlowEmbedding */
+RicciFlowEmbedding_EXPORT double
+RadiusOf(const SphereCircle & circle);
+
+/** How the plane of the flow and the sphere fit together. \ingroup RicciFlowEmbedding */
+enum class PointAtInfinity
+{
+  Circle,  ///< one circle becomes the boundary of the hyperbolic plane
+  EdgeNode ///< the touch point of four circles, which become straight lines: as published
+};
+
+/** \brief A circle packing of the unit sphere. \ingroup RicciFlowEmbedding */
+struct SphericalPacking
+{
+  std::vector<SphereCircle> nodes;
+  std::vector<SphereCircle> faces;
+  /** Of each edge: where the circles of its ends touch, a unit vector. */
+  std::vector<std::array<double, 3>> touchPoints;
+  /** See CirclePacking. */
+  double residual{ 0.0 };
+  int    steps{ 0 };
+};
+
+/** Packs a 3-connected map of genus 0. The position on the sphere depends on what was at infinity; see CentrePacking.
+ * Throws InputError as PackCircles() does. \ingroup RicciFlowEmbedding */
+RicciFlowEmbedding_EXPORT SphericalPacking
+PackOnSphere(const CombinatorialMap & map, PointAtInfinity infinity);
+
+/** Moves the packing by a Moebius transformation so that the touch points of the edges [0, edges) have their centre of
+ * mass at the centre of the sphere (conformal barycentre; of all edges where these are fewer than three). Then what is
+ * left free is a rotation. \ingroup RicciFlowEmbedding */
+RicciFlowEmbedding_EXPORT void
+CentrePacking(SphericalPacking & packing, const std::vector<int> & edges);
+} // namespace itk
+
+#endif

@@ -1,0 +1,106 @@
+#include "itkSphericalPacking.h"
+
+#include <Eigen/Dense>
+
+#include <cmath>
+
+namespace itk
+{
+namespace
+{
+constexpr int    mostSteps = 200;
+constexpr double wantedOffset = 1e-14;
+/** The fastest boost of one step, in units of the speed of light. */
+constexpr double fastest = 0.6;
+
+/** A boost of Minkowski space: on the sphere, the Moebius transformation that moves everything away from `velocity`. */
+class Boost
+{
+public:
+  explicit Boost(const Eigen::Vector3d & velocity)
+    : m_Velocity(velocity)
+    , m_Gamma(1.0 / std::sqrt(1.0 - velocity.squaredNorm()))
+    , m_Factor(m_Gamma * m_Gamma / (1.0 + m_Gamma)) // (gamma - 1) / v^2
+  {}
+
+  SphereCircle
+  operator()(const SphereCircle & circle) const
+  {
+    const double along = m_Velocity[0] * circle[0] + m_Velocity[1] * circle[1] + m_Velocity[2] * circle[2];
+    const double shift = m_Factor * along - m_Gamma * circle[3];
+    return { circle[0] + shift * m_Velocity[0],
+             circle[1] + shift * m_Velocity[1],
+             circle[2] + shift * m_Velocity[2],
+             m_Gamma * (circle[3] - along) };
+  }
+
+  std::array<double, 3>
+  operator()(const std::array<double, 3> & point) const
+  {
+    const SphereCircle    image = (*this)(SphereCircle{ point[0], point[1], point[2], 1.0 });
+    const Eigen::Vector3d unit = Eigen::Vector3d(image[0], image[1], image[2]).normalized();
+    return { unit[0], unit[1], unit[2] };
+  }
+
+private:
+  Eigen::Vector3d m_Velocity;
+  double          m_Gamma;
+  double          m_Factor;
+};
+
+/** The step of Newton's method for the function of hyperbolic space whose minimum is the barycentre. */
+Eigen::Vector3d
+NewtonStep(const std::vector<std::array<double, 3>> & points, const std::vector<int> & chosen, double & offset)
+{
+  Eigen::Vector3d mean = Eigen::Vector3d::Zero();
+  Eigen::Matrix3d hessian = Eigen::Matrix3d::Zero();
+  for (const int i : chosen)
+  {
+    const Eigen::Vector3d point(points[i].data());
+    mean += point;
+    hessian += Eigen::Matrix3d::Identity() - point * point.transpose();
+  }
+  mean /= static_cast<double>(chosen.size());
+  hessian /= static_cast<double>(chosen.size());
+  offset = mean.norm();
+  const double          determinant = hessian.determinant();
+  const Eigen::Vector3d step = std::abs(determinant) < 1e-12 ? mean : Eigen::Vector3d(hessian.inverse() * mean);
+  return step.norm() > fastest ? Eigen::Vector3d(step * (fastest / step.norm())) : step;
+}
+} // namespace
+
+void
+CentrePacking(SphericalPacking & packing, const std::vector<int> & edges)
+{
+  std::vector<int> chosen = edges;
+  if (chosen.size() < 3)
+  {
+    chosen.clear();
+    for (std::size_t edge = 0; edge < packing.touchPoints.size(); ++edge)
+    {
+      chosen.push_back(static_cast<int>(edge));
+    }
+  }
+  for (int i = 0; i < mostSteps; ++i)
+  {
+    double                offset = 0.0;
+    const Eigen::Vector3d velocity = NewtonStep(packing.touchPoints, chosen, offset);
+    if (offset < wantedOffset)
+    {
+      return;
+    }
+    const Boost boost(velocity);
+    for (auto * circles : { &packing.nodes, &packing.faces })
+    {
+      for (SphereCircle & circle : *circles)
+      {
+        circle = boost(circle);
+      }
+    }
+    for (auto & point : packing.touchPoints)
+    {
+      point = boost(point);
+    }
+  }
+}
+} // namespace itk

@@ -1,0 +1,163 @@
+#include "itkPackedMap.h"
+
+#include <algorithm>
+#include <numeric>
+
+namespace itk
+{
+namespace
+{
+/** The graph of nodes and faces, without the multiple edges of a face that meets a node twice: node v is v, face f is
+ * Nodes() + f. */
+struct RadialGraph
+{
+  explicit RadialGraph(const CombinatorialMap & map) : neighbours(map.Nodes() + map.Faces())
+  {
+    for (int h = 0; h < map.HalfEdges(); ++h)
+    {
+      neighbours[map.Node(h)].push_back(map.Nodes() + map.Face(h));
+      neighbours[map.Nodes() + map.Face(h)].push_back(map.Node(h));
+    }
+    for (std::vector<int> & list : neighbours)
+    {
+      std::sort(list.begin(), list.end());
+      list.erase(std::unique(list.begin(), list.end()), list.end());
+    }
+  }
+  std::vector<std::vector<int>> neighbours;
+};
+
+/** Whether the two nodes are the ends of an edge between the two faces. */
+bool
+AreAcrossAnEdge(const CombinatorialMap & map, int node, int other, int face, int otherFace)
+{
+  const int first = map.FirstAround(node);
+  int       h = first;
+  do
+  {
+    if (map.Node(h ^ 1) == other && ((map.Face(h) == face && map.Face(h ^ 1) == otherFace) ||
+                                     (map.Face(h) == otherFace && map.Face(h ^ 1) == face)))
+    {
+      return true;
+    }
+    h = map.NextAround(h);
+  } while (h != first);
+  return false;
+}
+
+/** Lists, for each pair that has two common neighbours or more, all of them; from the member of higher degree. */
+class FourCycles
+{
+public:
+  explicit FourCycles(const RadialGraph & graph)
+    : m_Neighbours(graph.neighbours), m_Common(graph.neighbours.size()), m_Rank(graph.neighbours.size())
+  {
+    std::vector<int> order(m_Neighbours.size());
+    std::iota(order.begin(), order.end(), 0);
+    std::stable_sort(
+      order.begin(), order.end(), [this](int a, int b) { return m_Neighbours[a].size() > m_Neighbours[b].size(); });
+    for (std::size_t i = 0; i < order.size(); ++i)
+    {
+      m_Rank[order[i]] = static_cast<int>(i);
+    }
+    // The neighbours of higher degree, which have had their turn, stand last, and are cut off.
+    for (std::vector<int> & list : m_Neighbours)
+    {
+      std::sort(list.begin(), list.end(), [this](int a, int b) { return m_Rank[a] > m_Rank[b]; });
+    }
+    m_Order = std::move(order);
+  }
+
+  template <typename TVisit>
+  void
+  ForEachPair(const TVisit & visit)
+  {
+    for (const int start : m_Order)
+    {
+      std::vector<int> met;
+      for (const int middle : m_Neighbours[start])
+      {
+        this->Gather(start, middle, met);
+      }
+      for (const int end : met)
+      {
+        if (m_Common[end].size() > 1)
+        {
+          visit(start, end, m_Common[end]);
+        }
+        m_Common[end].clear();
+      }
+    }
+  }
+
+private:
+  void
+  Gather(int start, int middle, std::vector<int> & met)
+  {
+    for (const int end : m_Neighbours[middle])
+    {
+      if (m_Rank[end] <= m_Rank[start])
+      {
+        break;
+      }
+      if (m_Common[end].empty())
+      {
+        met.push_back(end);
+      }
+      m_Common[end].push_back(middle);
+    }
+  }
+
+  std::vector<std::vector<int>> m_Neighbours;
+  std::vector<std::vector<int>> m_Common;
+  std::vector<int>              m_Rank;
+  std::vector<int>              m_Order;
+};
+} // namespace
+
+FaceConflicts::FaceConflicts(const CombinatorialMap & map)
+  : meetsANodeTwice(map.Faces(), 0), sharesTwoNodes(map.Faces(), 0)
+{
+  std::vector<int> seenFrom(map.Nodes(), -1);
+  for (int face = 0; face < map.Faces(); ++face)
+  {
+    const int first = map.FirstOfFace(face);
+    int       h = first;
+    do
+    {
+      if (seenFrom[map.Node(h)] == face)
+      {
+        meetsANodeTwice[face] = 1;
+        reason = reason.empty() ? "a face meets node " + std::to_string(map.Node(h)) + " twice" : reason;
+      }
+      seenFrom[map.Node(h)] = face;
+      h = map.FaceNext(h);
+    } while (h != first);
+  }
+  const std::vector<int> lengths = map.FaceLengths();
+  if (std::all_of(lengths.begin(), lengths.end(), [](int length) { return length == 3; }))
+  {
+    return; // without parallel edges two triangles share an edge where they share two nodes
+  }
+  const int firstFace = map.Nodes();
+  FourCycles(RadialGraph(map)).ForEachPair([&](int start, int end, const std::vector<int> & common) {
+    const bool               startsAtNode = start < firstFace;
+    const std::array<int, 2> first{ start, end };
+    const auto &             nodes = startsAtNode ? first : std::array<int, 2>{ common[0], common[1] };
+    const auto &             faces = startsAtNode ? std::array<int, 2>{ common[0], common[1] } : first;
+    if (common.size() == 2 && AreAcrossAnEdge(map, nodes[0], nodes[1], faces[0] - firstFace, faces[1] - firstFace))
+    {
+      return;
+    }
+    for (const int member : startsAtNode ? common : std::vector<int>{ start, end })
+    {
+      sharesTwoNodes[member - firstFace] = 1;
+    }
+    if (reason.empty())
+    {
+      reason = "two faces share the nodes " + std::to_string(std::min(nodes[0], nodes[1])) + " and " +
+               std::to_string(std::max(nodes[0], nodes[1])) + ", which are not the ends of one edge between them";
+    }
+  });
+}
+} // namespace itk

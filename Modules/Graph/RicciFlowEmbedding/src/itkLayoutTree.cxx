@@ -1,0 +1,115 @@
+#include "itkLayoutTree.h"
+
+#include "itkParallelFor.h"
+
+#include <algorithm>
+#include <cmath>
+#include <queue>
+
+namespace itk
+{
+namespace
+{
+int
+LargestFiniteNode(const CirclePacking & packing)
+{
+  int largest = -1;
+  for (std::size_t node = 0; node < packing.nodeRadii.size(); ++node)
+  {
+    if (!std::isinf(packing.nodeRadii[node]) && (largest < 0 || packing.nodeRadii[node] > packing.nodeRadii[largest]))
+    {
+      largest = static_cast<int>(node);
+    }
+  }
+  return largest;
+}
+
+/** Takes nodes by the greatest priority, which `priorityOf(that of the node before, half-edge)` gives. */
+template <typename TPriority>
+LayoutTree
+GrowTree(const CombinatorialMap & map, const CirclePacking & packing, const TPriority & priorityOf)
+{
+  struct Arrival
+  {
+    double priority;
+    int    node;
+    int    halfEdge;
+    bool
+    operator<(const Arrival & other) const
+    {
+      return priority != other.priority ? priority < other.priority : halfEdge > other.halfEdge;
+    }
+  };
+  LayoutTree                   tree;
+  std::vector<char>            isDone(map.Nodes(), 0);
+  std::priority_queue<Arrival> queue;
+  tree.arrival.assign(map.Nodes(), -1);
+  queue.push({ 0.0, LargestFiniteNode(packing), -1 });
+  while (!queue.empty())
+  {
+    const Arrival next = queue.top();
+    queue.pop();
+    if (isDone[next.node])
+    {
+      continue;
+    }
+    isDone[next.node] = 1;
+    tree.order.push_back(next.node);
+    tree.arrival[next.node] = next.halfEdge;
+    const int first = map.FirstAround(next.node);
+    int       h = first;
+    do
+    {
+      const int node = map.Node(CombinatorialMap::Twin(h));
+      if (!isDone[node] && !std::isinf(packing.nodeRadii[node]))
+      {
+        queue.push({ priorityOf(next.priority, h), node, h });
+      }
+      h = map.NextAround(h);
+    } while (h != first);
+  }
+  return tree;
+}
+} // namespace
+
+LayoutTree
+LayoutTree::OfLargestCircles(const CombinatorialMap & map, const CirclePacking & packing)
+{
+  const std::vector<double> & radii = packing.nodeRadii;
+  return GrowTree(map, packing, [&](double, int h) {
+    return std::min(radii[map.Node(h)], radii[map.Node(CombinatorialMap::Twin(h))]);
+  });
+}
+
+LayoutTree
+LayoutTree::OfShortestPaths(const CombinatorialMap & map, const CirclePacking & packing)
+{
+  const std::vector<double> & radii = packing.nodeRadii;
+  return GrowTree(map, packing, [&](double priority, int h) {
+    return priority - radii[map.Node(h)] - radii[map.Node(CombinatorialMap::Twin(h))];
+  });
+}
+
+std::vector<double>
+HalfEdgeAngles(const CombinatorialMap & map, const CirclePacking & packing)
+{
+  std::vector<double> angles(map.HalfEdges(), 0.0);
+  ParallelForBlocks(map.Nodes(), [&](std::size_t node) {
+    const double radius = packing.nodeRadii[node];
+    if (std::isinf(radius))
+    {
+      return;
+    }
+    const int first = map.FirstAround(static_cast<int>(node));
+    double    angle = 0.0;
+    int       h = first;
+    do
+    {
+      angles[h] = angle;
+      angle += 2.0 * HalfKiteAngle(packing.geometry, radius, packing.faceRadii[map.Face(h)]);
+      h = map.NextAround(h);
+    } while (h != first);
+  });
+  return angles;
+}
+} // namespace itk
