@@ -23,6 +23,7 @@ set(Shapeton_MODULES
   Segmentation/ColonModel
   Graph/GraphModel
   Graph/GraphFiles
+  Graph/GraphGenus
   Graph/EmbeddingCertificate
   Segmentation/HaustralFolds
   Mesh/ColonLandmarks

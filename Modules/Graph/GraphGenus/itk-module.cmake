@@ -1,0 +1,17 @@
+set(DOCUMENTATION "Embeddings of graphs on surfaces of small genus: planarity by Boyer and Myrvold, reduction to kernels, annealed
+re-insertion of edges, a genetic algorithm, lower bounds.")
+
+itk_module(GraphGenus
+  ENABLE_SHARED
+  DEPENDS
+    GraphModel
+  PRIVATE_DEPENDS
+    CommandLine
+    CounterRandom
+    ParallelLoops
+  TEST_DEPENDS
+    CommandLine
+    ITKGoogleTest
+    ParallelLoops
+  DESCRIPTION "${DOCUMENTATION}"
+)

@@ -1,0 +1,176 @@
+#include "itkPlanarRotation.h"
+
+#include "itkGraphGenus.h"
+
+#include <boost/graph/adjacency_list.hpp>
+#include <boost/graph/boyer_myrvold_planar_test.hpp>
+
+#include <algorithm>
+#include <numeric>
+#include <utility>
+
+namespace itk
+{
+namespace
+{
+using BoostGraph = boost::adjacency_list<boost::vecS,
+                                         boost::vecS,
+                                         boost::undirectedS,
+                                         boost::property<boost::vertex_index_t, int>,
+                                         boost::property<boost::edge_index_t, int>>;
+using BoostEdge = boost::graph_traits<BoostGraph>::edge_descriptor;
+
+std::pair<int, int>
+Ends(const std::array<int, 2> & edge)
+{
+  return std::minmax(edge[0], edge[1]);
+}
+
+/** For each edge the first one with the same ends; -1 for a loop. */
+std::vector<int>
+FirstParallels(const Graph & graph)
+{
+  std::vector<int> order(graph.edges.size());
+  std::iota(order.begin(), order.end(), 0);
+  std::sort(order.begin(), order.end(), [&graph](int a, int b) {
+    return std::make_pair(Ends(graph.edges[a]), a) < std::make_pair(Ends(graph.edges[b]), b);
+  });
+  std::vector<int> first(order.size());
+  for (std::size_t i = 0; i < order.size(); ++i)
+  {
+    const int  e = order[i];
+    const bool again = i > 0 && Ends(graph.edges[e]) == Ends(graph.edges[order[i - 1]]);
+    first[e] = graph.edges[e][0] == graph.edges[e][1] ? -1 : again ? first[order[i - 1]] : e;
+  }
+  return first;
+}
+
+/** Embeds the edges that are first of their kind; false when that cannot be. */
+bool
+EmbedSimple(const Graph & graph, const std::vector<int> & first, std::vector<int> & next)
+{
+  BoostGraph boostGraph(graph.nodes);
+  for (std::size_t e = 0; e < first.size(); ++e)
+  {
+    if (first[e] == static_cast<int>(e))
+    {
+      boost::add_edge(graph.edges[e][0], graph.edges[e][1], static_cast<int>(e), boostGraph);
+    }
+  }
+  std::vector<std::vector<BoostEdge>> orders(graph.nodes);
+  namespace parameters = boost::boyer_myrvold_params;
+  if (!boost::boyer_myrvold_planarity_test(parameters::graph = boostGraph, parameters::embedding = orders.data()))
+  {
+    return false;
+  }
+  for (int v = 0; v < graph.nodes; ++v)
+  {
+    const auto halfEdge = [&](const BoostEdge & edge) {
+      const int e = boost::get(boost::edge_index, boostGraph, edge);
+      return graph.edges[e][0] == v ? 2 * e : 2 * e + 1;
+    };
+    const auto & order = orders[v];
+    for (std::size_t i = 0; i < order.size(); ++i)
+    {
+      next[halfEdge(order[i])] = halfEdge(order[i + 1 < order.size() ? i + 1 : 0]);
+    }
+  }
+  return true;
+}
+
+/** Puts each further parallel edge beside the first one, so that they bound a face of two edges. */
+void
+AddParallels(const Graph & graph, const std::vector<int> & first, std::vector<int> & next)
+{
+  std::vector<int> previous(next.size(), -1);
+  for (std::size_t h = 0; h < next.size(); ++h)
+  {
+    if (next[h] >= 0)
+    {
+      previous[next[h]] = static_cast<int>(h);
+    }
+  }
+  const auto insert = [&](int halfEdge, int after) {
+    InsertAfter(next, halfEdge, after);
+    previous[halfEdge] = after;
+    previous[next[halfEdge]] = halfEdge;
+  };
+  for (int e = 0; e < static_cast<int>(first.size()); ++e)
+  {
+    if (first[e] >= 0 && first[e] != e)
+    {
+      const int turned = graph.edges[e][0] == graph.edges[first[e]][0] ? 0 : 1;
+      insert(2 * e + turned, 2 * first[e]);
+      insert(2 * e + 1 - turned, previous[2 * first[e] + 1]);
+    }
+  }
+}
+
+/** Each loop bounds a face of its own. */
+void
+AddLoops(const Graph & graph, const std::vector<int> & first, std::vector<int> & next)
+{
+  std::vector<int> any(graph.nodes, -1);
+  for (std::size_t h = 0; h < next.size(); ++h)
+  {
+    if (next[h] >= 0)
+    {
+      any[graph.edges[h / 2][h % 2]] = static_cast<int>(h);
+    }
+  }
+  for (int e = 0; e < static_cast<int>(first.size()); ++e)
+  {
+    if (first[e] >= 0)
+    {
+      continue;
+    }
+    int & corner = any[graph.edges[e][0]];
+    next[2 * e] = 2 * e + 1;
+    next[2 * e + 1] = 2 * e;
+    if (corner >= 0)
+    {
+      SpliceOrders(next, corner, 2 * e);
+    }
+    corner = 2 * e;
+  }
+}
+} // namespace
+
+int
+PreviousAround(const std::vector<int> & nextAround, int halfEdge)
+{
+  int h = halfEdge;
+  while (nextAround[h] != halfEdge)
+  {
+    h = nextAround[h];
+  }
+  return h;
+}
+
+std::vector<int>
+PlanarNextAround(const Graph & graph)
+{
+  std::vector<int>       next(2 * graph.edges.size(), -1);
+  const std::vector<int> first = FirstParallels(graph);
+  if (!EmbedSimple(graph, first, next))
+  {
+    return {};
+  }
+  AddParallels(graph, first, next);
+  AddLoops(graph, first, next);
+  return next;
+}
+
+bool
+FindPlanarEmbedding(const Graph & graph, CombinatorialMap & map)
+{
+  RequireSound(graph, "planar embedding");
+  std::vector<int> next = PlanarNextAround(graph);
+  if (next.size() != 2 * graph.edges.size())
+  {
+    return false;
+  }
+  map = CombinatorialMap(graph.nodes, graph.edges, std::move(next));
+  return true;
+}
+} // namespace itk
