@@ -8,10 +8,8 @@ namespace itk
 {
 namespace
 {
-// Measured on complete graphs, cages and graphs of the Rome library: constant exponents of 3 to 8 are nearly as good,
-// an exponent of 0 (any corner is as good as another) leaves 25 % more handles.
-constexpr int firstExponent = 2;
-constexpr int lastExponent = 9;
+// While edges are put in for the first time.
+constexpr int growthExponent = 3;
 // The lengths of the parts of a longer face are taken as equal beyond this one.
 constexpr int longestWalk = 64;
 } // namespace
@@ -101,12 +99,12 @@ GenusAnnealing::InsertRest()
       }
       else
       {
-        Reinsert(e, firstExponent);
+        Reinsert(e, growthExponent);
       }
     }
     if (later.size() == rest.size())
     {
-      Reinsert(later.back(), firstExponent);
+      Reinsert(later.back(), growthExponent);
       later.pop_back();
     }
     rest.swap(later);
@@ -224,8 +222,9 @@ GenusAnnealing::KeepBest()
 }
 
 void
-GenusAnnealing::Anneal(std::int64_t moves, int goal)
+GenusAnnealing::Anneal(std::int64_t moves, int lastExponent, int goal)
 {
+  const int firstExponent = lastExponent / 2;
   for (std::int64_t move = 0; move < moves && m_BestGenus > goal; ++move)
   {
     const int edge = m_Random.Below(m_Map.Edges());

@@ -24,9 +24,10 @@ class GenusAnnealing
 public:
   GenusAnnealing(const Graph & graph, PhiloxStream random);
 
-  /** Moves `moves` edges; ends early at genus `goal`. */
+  /** Moves `moves` edges while the exponent rises from half of `lastExponent` to all of it; ends early at genus `goal`.
+   */
   void
-  Anneal(std::int64_t moves, int goal);
+  Anneal(std::int64_t moves, int lastExponent, int goal);
 
   int
   BestGenus() const
