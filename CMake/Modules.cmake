@@ -28,6 +28,7 @@ set(Shapeton_MODULES
   Segmentation/HaustralFolds
   Mesh/ColonLandmarks
   Graph/RicciFlowEmbedding
+  Graph/EmbeddingVerification
   Visualization/ShapeRendering
   Visualization/ConformalMapView
   Visualization/ColonReport

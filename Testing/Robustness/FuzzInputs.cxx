@@ -1,11 +1,15 @@
-// FuzzInputs --files N --seed S [--folder DIR]
+// FuzzInputs --files N --seed S [--kind all|volumes|graphs] [--folder DIR]
 //
-// Spoils DICOM files, NRRD, NIfTI and MetaImage files, and surfaces, and gives them to the readers. A reader may read
+// Spoils DICOM files, NRRD, NIfTI and MetaImage files, surfaces, graphs and certificates of embeddings, and gives them
+// to the readers (and what could be read of certificates to the verifier). --kind graphs: graphs and certificates
+// alone;
+// --kind volumes: volumes and surfaces alone. A reader may read
 // such a file or refuse it by an InputError; it may not crash, hang, take memory without bound, or draw a report from a
 // sanitizer. A file that made it do so is kept and named, and the exit status is 1. The files are made in a new folder
 // inside DIR (default: the folder for temporary files), which goes when there was no fault. --self-test: checks that
 // each of these faults is noticed.
 
+#include "FuzzGraphSeeds.h"
 #include "FuzzMutation.h"
 #include "FuzzSeeds.h"
 #include "FuzzTrial.h"
@@ -13,6 +17,8 @@
 #include "itkCurveSet.h"
 #include "itkDicomFixture.h"
 #include "itkDicomSeriesScan.h"
+#include "itkEmbeddingVerification.h"
+#include "itkGraphReader.h"
 #include "itkSurfaceQuality.h"
 #include "itkSurfaceReader.h"
 #include "itkSurfaceRepair.h"
@@ -43,6 +49,7 @@ struct Options
 {
   std::size_t   files{ 2000 };
   std::uint64_t seed{ 1 };
+  std::string   kind{ "all" };
   std::string   folder;
   bool          isSelfTest{ false };
 };
@@ -76,6 +83,11 @@ Parse(int argc, char * argv[], Options & options)
     else if (name == "--seed" && ParseNumber(value, number))
     {
       options.seed = number;
+    }
+    else if (name == "--kind" &&
+             (value == std::string("all") || value == std::string("volumes") || value == std::string("graphs")))
+    {
+      options.kind = value;
     }
     else if (name == "--folder" && *value != '\0')
     {
@@ -153,8 +165,42 @@ ReadAllOfVolume(const std::string & path, const std::string & soundFolder)
 }
 
 bool
+IsGraph(const std::string & path)
+{
+  static const std::set<std::string> graphs{ ".graphml", ".gml", ".dot", ".edges", ".graph",
+                                             ".m",       ".gr",  ".col", ".g6",    ".s6" };
+  return graphs.count(fs::path(path).extension()) > 0;
+}
+
+/** Reads a graph, or a certificate and verifies it. */
+bool
+ReadAllOfGraph(const std::string & path)
+{
+  try
+  {
+    if (IsGraph(path))
+    {
+      itk::ReadGraph(path);
+    }
+    else
+    {
+      itk::VerifyEmbedding(itk::ReadEmbeddingCertificate(path));
+    }
+    return true;
+  }
+  catch (const itk::InputError &)
+  {
+    return false;
+  }
+}
+
+bool
 ReadAll(const std::string & path, const std::string & soundFolder)
 {
+  if (IsGraph(path) || fs::path(path).extension() == ".json")
+  {
+    return ReadAllOfGraph(path);
+  }
   return IsSurface(path) ? ReadAllOfSurface(path) : ReadAllOfVolume(path, soundFolder);
 }
 
@@ -246,6 +292,22 @@ private:
   std::map<std::string, std::size_t>    m_Contained;
 };
 
+std::vector<FuzzSeed>
+SeedsOf(const Options & options)
+{
+  std::vector<FuzzSeed> seeds;
+  if (options.kind != "graphs")
+  {
+    seeds = MakeFuzzSeeds(options.folder);
+  }
+  if (options.kind != "volumes")
+  {
+    const std::vector<FuzzSeed> graphs = MakeGraphSeeds();
+    seeds.insert(seeds.end(), graphs.begin(), graphs.end());
+  }
+  return seeds;
+}
+
 int
 Fuzz(const Options & options)
 {
@@ -254,7 +316,7 @@ Fuzz(const Options & options)
   auto                    slices = fixture.MakeSeries();
   slices.erase(slices.begin() + 2); // the place of the mutants
   itk::SaveDicom(slices, sound);
-  const auto seeds = MakeFuzzSeeds(options.folder);
+  const auto seeds = SeedsOf(options);
   Campaign   campaign(std::chrono::seconds(120)); // the readers give up earlier
   for (std::size_t i = 0; i < options.files; ++i)
   {
@@ -351,7 +413,7 @@ main(int argc, char * argv[])
   Options options;
   if (!Parse(argc, argv, options))
   {
-    std::cerr << "usage: FuzzInputs --files N --seed S [--folder DIR]\n";
+    std::cerr << "usage: FuzzInputs --files N --seed S [--kind all|volumes|graphs] [--folder DIR]\n";
     return 2;
   }
   try

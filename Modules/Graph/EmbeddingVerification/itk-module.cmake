@@ -1,0 +1,13 @@
+set(DOCUMENTATION "Proof that a certificate holds: rotation system, circles, kites, angle sums, deck transformations. Shares no code with the
+solver.")
+
+itk_module(EmbeddingVerification
+  ENABLE_SHARED
+  DEPENDS
+    EmbeddingCertificate
+  TEST_DEPENDS
+    CommandLine
+    EmbeddingCertificate
+    ITKGoogleTest
+  DESCRIPTION "${DOCUMENTATION}"
+)

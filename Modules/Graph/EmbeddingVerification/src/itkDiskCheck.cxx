@@ -1,0 +1,288 @@
+#include "itkChecks.h"
+
+#include <algorithm>
+#include <cmath>
+#include <complex>
+
+namespace itk
+{
+namespace
+{
+// Products of transformations of the disk lose as many digits as their numbers have.
+using Real = long double;
+using Complex = std::complex<Real>;
+
+constexpr double Pi = 3.14159265358979323846;
+constexpr double MostAngleError = 1e-10;
+constexpr double MostPlaceError = 1e-9; // a hyperbolic length
+/** Of the smallest radius, and of the smallest to the largest one: see the plane. */
+constexpr double LeastRadius = 1e-11;
+constexpr double MostWordError = 1e-6;
+
+/** z -> (a z + b) / (conj(b) z + conj(a)). */
+struct Isometry
+{
+  Complex a{ 1.0L };
+  Complex b{ 0.0L };
+
+  Isometry
+  operator*(const Isometry & other) const
+  {
+    return { a * other.a + b * std::conj(other.b), a * other.b + b * std::conj(other.a) };
+  }
+
+  Isometry
+  Inverse() const
+  {
+    return { std::conj(a), -b };
+  }
+
+  /** From the identity; a transformation and its negative are one. */
+  double
+  Deviation() const
+  {
+    const Real plus = std::max(std::abs(a - Complex(1.0L)), std::abs(b));
+    const Real minus = std::max(std::abs(a + Complex(1.0L)), std::abs(b));
+    return static_cast<double>(std::min(plus, minus));
+  }
+};
+
+Isometry
+Turn(double angle)
+{
+  return { std::polar<Real>(1.0L, 0.5L * angle), 0.0L };
+}
+
+Isometry
+Walk(double length)
+{
+  return { std::cosh(0.5L * length), std::sinh(0.5L * length) };
+}
+
+class DiskCheck
+{
+public:
+  DiskCheck(const EmbeddingCertificate & certificate, const TracedMap & packed)
+    : m_Certificate(certificate), m_Packed(packed)
+  {}
+
+  void
+  Check(Measures & measures)
+  {
+    this->CheckRadii(measures);
+    this->CheckPlaces();
+    this->FindDirections();
+    this->CheckTree(measures);
+    this->CheckFaces(measures);
+    this->CheckGenerators(measures);
+    this->CheckWord(measures);
+  }
+
+private:
+  void
+  CheckRadii(Measures & measures) const
+  {
+    RequireRadii(m_Certificate.nodeRadii, LeastRadius, 100.0, "node");
+    RequireRadii(m_Certificate.faceRadii, LeastRadius, 100.0, "face");
+    std::vector<double> ofNodes;
+    std::vector<double> ofFaces;
+    SumKiteAngles(m_Certificate, m_Packed, HalfAngle, ofNodes, ofFaces);
+    const double atNodes = RequireAngleSums(ofNodes, std::vector<double>(ofNodes.size(), MostAngleError), "node");
+    const double atFaces = RequireAngleSums(ofFaces, std::vector<double>(ofFaces.size(), MostAngleError), "face");
+    measures.emplace_back("angleSum", std::max(atNodes, atFaces));
+    const auto end = m_Certificate.nodeRadii.begin() + m_Certificate.graph.nodes;
+    measures.emplace_back("smallestRadius", *std::min_element(m_Certificate.nodeRadii.begin(), end));
+  }
+
+  /** Of the right triangle with these legs, at the end of the first. */
+  static double
+  HalfAngle(double r, double s)
+  {
+    return std::atan2(std::tanh(s), std::sinh(r));
+  }
+
+  void
+  CheckPlaces() const
+  {
+    for (const auto * places : { &m_Certificate.nodePositions, &m_Certificate.facePositions })
+    {
+      for (std::size_t i = 0; i < places->size(); i += 2)
+      {
+        if (!(std::hypot((*places)[i], (*places)[i + 1]) < 1.0))
+        {
+          throw Refusal(std::string("the place of ") + (places == &m_Certificate.nodePositions ? "node " : "face ") +
+                        std::to_string(i / 2) + " is outside the disk");
+        }
+      }
+    }
+  }
+
+  void
+  FindDirections()
+  {
+    m_Direction.assign(m_Packed.HalfEdges(), 0.0);
+    for (int node = 0; node < m_Packed.nodes; ++node)
+    {
+      const int first = m_Packed.firstOfNode[node];
+      double    angle = m_Certificate.nodeAngles[node];
+      int       h = first;
+      do
+      {
+        m_Direction[h] = angle;
+        angle += 2.0 * HalfAngle(m_Certificate.nodeRadii[node], m_Certificate.faceRadii[m_Packed.face[h]]);
+        h = m_Packed.next[h];
+      } while (h != first);
+    }
+  }
+
+  static Complex
+  Place(const std::vector<double> & places, int index)
+  {
+    return { places[2 * static_cast<std::size_t>(index)], places[2 * static_cast<std::size_t>(index) + 1] };
+  }
+
+  /** Takes the centre of the disk to the place of a node, and the direction of the real axis to `angle` there. */
+  Isometry
+  Frame(int node, double angle) const
+  {
+    const Complex z = Place(m_Certificate.nodePositions, node);
+    const Real    scale = 1.0L / std::sqrt((1.0L - std::abs(z)) * (1.0L + std::abs(z)));
+    const Complex turn = std::polar<Real>(1.0L, 0.5L * angle);
+    return { scale * turn, scale * z * std::conj(turn) };
+  }
+
+  /** The frame of the end node, its axis along the twin, as it is reached by a walk along the half-edge. */
+  Isometry
+  Reached(int h) const
+  {
+    const double length = m_Certificate.nodeRadii[m_Packed.node[h]] + m_Certificate.nodeRadii[m_Packed.node[h ^ 1]];
+    return this->Frame(m_Packed.node[h], m_Direction[h]) * Walk(length) * Turn(Pi);
+  }
+
+  /** The transformation that is met along a half-edge. */
+  Isometry
+  Transformation(int h) const
+  {
+    return this->Reached(h) * this->Frame(m_Packed.node[h ^ 1], m_Direction[h ^ 1]).Inverse();
+  }
+
+  /** Rounding of a place near the rim is a long way. */
+  double
+  Tolerance(int node) const
+  {
+    const Complex z = Place(m_Certificate.nodePositions, node);
+    return MostPlaceError + static_cast<double>(1e-14L / ((1.0L - std::abs(z)) * (1.0L + std::abs(z))));
+  }
+
+  /** Along the tree each node is where its parent says: the circles touch, and it looks back at the parent. */
+  void
+  CheckTree(Measures & measures) const
+  {
+    double largest = 0.0;
+    for (int node = 0; node < m_Packed.nodes; ++node)
+    {
+      const int h = m_Certificate.tree[node];
+      if (h < 0)
+      {
+        continue;
+      }
+      const double error = (this->Frame(node, m_Direction[h ^ 1]).Inverse() * this->Reached(h)).Deviation();
+      if (!(error <= std::max(Tolerance(node), Tolerance(m_Packed.node[h]))))
+      {
+        throw Refusal("the circles of nodes " + std::to_string(m_Packed.node[h]) + " and " + std::to_string(node) +
+                      " are not tangent: they miss by " + Figure(error));
+      }
+      largest = std::max(largest, error);
+    }
+    measures.emplace_back("tangency", largest);
+  }
+
+  /** The circle of each face lies where the kite of its lowest half-edge says. */
+  void
+  CheckFaces(Measures & measures) const
+  {
+    double largest = 0.0;
+    for (std::size_t f = 0; f < m_Packed.firstOfFace.size(); ++f)
+    {
+      const int    h = m_Packed.firstOfFace[f];
+      const int    v = m_Packed.node[h];
+      const double r = m_Certificate.nodeRadii[v];
+      const double s = m_Certificate.faceRadii[f];
+      const double length = std::acosh(std::cosh(r) * std::cosh(s));
+      const auto   kite = this->Frame(v, m_Direction[h] + HalfAngle(r, s)) * Walk(length);
+      const auto   expected = kite.b / std::conj(kite.a);
+      const auto   place = Place(m_Certificate.facePositions, static_cast<int>(f));
+      const Real   gap = std::abs(place - expected) / std::abs(Complex(1.0L) - std::conj(place) * expected);
+      const double error = 2.0 * static_cast<double>(std::atanh(std::min<Real>(gap, 0.999L)));
+      if (!(error <= Tolerance(v)))
+      {
+        throw Refusal("the circles of node " + std::to_string(v) + " and face " + std::to_string(f) +
+                      " are not orthogonal: the face lies " + Figure(error) + " beside its place");
+      }
+      largest = std::max(largest, error);
+    }
+    measures.emplace_back("orthogonality", largest);
+  }
+
+  static Isometry
+  IsometryOf(const DeckTransformation & generator)
+  {
+    return { { generator.a.real(), generator.a.imag() }, { generator.b.real(), generator.b.imag() } };
+  }
+
+  void
+  CheckGenerators(Measures & measures) const
+  {
+    double largest = 0.0;
+    for (const DeckTransformation & generator : m_Certificate.generators)
+    {
+      const Isometry stated = IsometryOf(generator);
+      const Isometry measured = this->Transformation(generator.halfEdge);
+      const Complex  sign = std::real(stated.a * std::conj(measured.a)) < 0.0L ? -1.0L : 1.0L;
+      const Real     size = std::abs(measured.a);
+      const double   error = static_cast<double>(
+        std::max(std::abs(stated.a - sign * measured.a), std::abs(stated.b - sign * measured.b)) / size);
+      const double tolerance =
+        std::max(Tolerance(m_Packed.node[generator.halfEdge]), Tolerance(m_Packed.node[generator.halfEdge ^ 1]));
+      if (!(error <= 10.0 * tolerance))
+      {
+        throw Refusal("the generator of half-edge " + std::to_string(generator.halfEdge) +
+                      " is not its deck transformation: they differ by " + Figure(error));
+      }
+      largest = std::max(largest, error);
+    }
+    measures.emplace_back("generatorError", largest);
+  }
+
+  /** The product along the word. That it is the identity follows from all else; this measures the rounding. */
+  void
+  CheckWord(Measures & measures) const
+  {
+    Isometry product;
+    Real     largest = 1.0L;
+    for (const int letter : m_Certificate.word)
+    {
+      const Isometry factor = IsometryOf(m_Certificate.generators[std::abs(letter) - 1]);
+      product = product * (letter > 0 ? factor : factor.Inverse());
+      largest = std::max(largest, std::abs(factor.a));
+    }
+    const double error = product.Deviation();
+    if (!(error <= MostWordError * static_cast<double>(largest)))
+    {
+      throw Refusal("the product of the generators along the word misses the identity by " + Figure(error));
+    }
+    measures.emplace_back("wordError", error);
+  }
+
+  const EmbeddingCertificate & m_Certificate;
+  const TracedMap &            m_Packed;
+  std::vector<double>          m_Direction; // of each half-edge at its node
+};
+} // namespace
+
+void
+CheckDisk(const EmbeddingCertificate & certificate, const TracedMap & packed, Measures & measures)
+{
+  DiskCheck(certificate, packed).Check(measures);
+}
+} // namespace itk

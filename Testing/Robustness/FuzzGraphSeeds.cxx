@@ -1,0 +1,58 @@
+#include "FuzzGraphSeeds.h"
+
+#include "itkCertificateFixtures.h"
+#include "itkFileBytes.h"
+
+#include <cstdio>
+#include <filesystem>
+#include <unistd.h>
+
+namespace
+{
+std::string
+TextOf(const itk::EmbeddingCertificate & certificate)
+{
+  const std::string path =
+    (std::filesystem::temp_directory_path() / ("fuzz-seed-" + std::to_string(getpid()) + ".json")).string();
+  itk::WriteEmbeddingCertificate(certificate, path);
+  const std::string text = itk::ReadFileBytes(path);
+  std::remove(path.c_str());
+  return text;
+}
+} // namespace
+
+std::vector<FuzzSeed>
+MakeGraphSeeds()
+{
+  return {
+    { ".graphml",
+      "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<graphml xmlns=\"http://graphml.graphdrawing.org/xmlns\">\n"
+      "<key id=\"d0\" for=\"node\" attr.name=\"label\" attr.type=\"string\"/>\n<graph id=\"G\" "
+      "edgedefault=\"undirected\">\n"
+      "<node id=\"n0\"><data key=\"d0\">a</data></node>\n<node id=\"n1\"/>\n<node id=\"n&#50;\"/>\n"
+      "<edge id=\"e0\" source=\"n0\" target=\"n1\"/>\n<edge directed=\"false\" source=\"n1\" "
+      "target=\"n2\"/>\n</graph>\n</graphml>\n" },
+    { ".gml",
+      "Creator \"me\"\ngraph\n[\n directed 0\n node [ id 1 label \"a\" graphics [ x 1.5 y -2e3 ] ]\n node [ id 2 ]\n "
+      "node [ id 3 ]\n"
+      " edge [ source 1 target 2 value 0.5 ]\n edge [ source 2 target 3 ]\n edge [ source 3 target 3 ]\n]\n" },
+    { ".dot",
+      "/* comment */ strict graph \"G\" {\n rankdir=LR; node [shape=box, label=\"a\\\"b\"];\n a -- b:port:n -- c "
+      "[w=1.5];\n"
+      " subgraph cluster0 { d; e -- f } -- \"g\" + \" h\";\n { 1 -2.5 } -- <b<i>x</i>> // end\n}\n" },
+    { ".edges", "# nodes\na b 0.5\nb,c\nc;c 1 2 3\nd\te {'weight': 2}\n" },
+    { ".graph", "% comment\n5 5 011 1\n7 2 1 3 1\n8 1 1 3 1 4 2\n9 1 1 2 1 5 4\n1 2 2\n2 3 4\n" },
+    { ".m",
+      "function mpc = case3\n% a comment\nmpc.version = '2';\nmpc.baseMVA = 100;\nmpc.bus = [\n\t1 3 0 Inf;\n\t2 1 0 "
+      "0;\n\t30 1 0 0\n];\n"
+      "mpc.branch = [\n\t1 2 0.01 0.1 0 0 0 0 0 0 1 -360 360;\n\t2 30 0.01 0.1 0 0 0 0 0 0 0 -360 360;\n];\n"
+      "mpc.bus_name = { 'a'; 'b [c]'; };\n" },
+    { ".gr", "c a comment\np tw 5 4\n1 2\n2 3\n3 4\n4 5\n" },
+    { ".col", "c a comment\np edge 4 3\ne 1 2\ne 2 3\ne 4 1\n" },
+    { ".g6", ">>graph6<<IheA@GUAo\n" },
+    { ".s6", ":Fa@x^\n" },
+    { ".json", TextOf(certificatetest::PathInTetrahedron()) },
+    { ".json", TextOf(certificatetest::TorusGrid(3, 3)) },
+    { ".json", TextOf(certificatetest::Octagon()) },
+  };
+}
