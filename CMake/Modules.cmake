@@ -6,6 +6,7 @@ set(Shapeton_MODULES
   Core/ParallelLoops
   Core/Report
   Core/SparseCholesky
+  Core/StagedRun
   Bridge/VTKGlue
   IO/DicomSeries
   Mesh/SurfaceMesh
@@ -33,4 +34,5 @@ set(Shapeton_MODULES
   Visualization/ConformalMapView
   Visualization/ColonReport
   Visualization/FlatColonView
+  Visualization/ColonoscopyRun
 )

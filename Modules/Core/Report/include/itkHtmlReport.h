@@ -28,6 +28,12 @@ public:
   explicit HtmlReport(const std::string & title);
   ~HtmlReport();
 
+  /** That it is for research use, and no diagnosis. */
+  void
+  AddResearchNote();
+  /** How a report begins: that note, what was found, and what is missing or doubtful. */
+  void
+  AddHead(const std::vector<std::pair<std::string, std::string>> & summary, const std::vector<std::string> & warnings);
   void
   AddHeading(const std::string & text);
   void

@@ -80,6 +80,30 @@ HtmlReport::HtmlReport(const std::string & title) : m_Title(title) {}
 HtmlReport::~HtmlReport() = default;
 
 void
+HtmlReport::AddResearchNote()
+{
+  this->AddParagraph("For research use. This is not a diagnosis and not a medical device.");
+}
+
+void
+HtmlReport::AddHead(const std::vector<std::pair<std::string, std::string>> & summary,
+                    const std::vector<std::string> &                         warnings)
+{
+  this->AddResearchNote();
+  this->AddHeading("Summary");
+  this->AddFacts(summary);
+  this->AddHeading("What is missing or doubtful");
+  for (const std::string & warning : warnings)
+  {
+    this->AddNote(warning);
+  }
+  if (warnings.empty())
+  {
+    this->AddParagraph("Nothing was found missing or doubtful. Look at the pictures all the same.");
+  }
+}
+
+void
 HtmlReport::AddHeading(const std::string & text)
 {
   m_Body += Element("h2", text);

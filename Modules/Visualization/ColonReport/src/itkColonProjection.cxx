@@ -126,6 +126,60 @@ DrawCentreline(Picture *                              picture,
   }
 }
 
+/** A rectangle of pixels around its middle. */
+struct Box
+{
+  bool
+  Meets(const Box & other) const
+  {
+    return std::abs(x - other.x) < halfWidth + other.halfWidth && std::abs(y - other.y) < halfHeight + other.halfHeight;
+  }
+  int x;
+  int y;
+  int halfWidth;
+  int halfHeight;
+};
+
+/** Whether text there lies within the picture and on none of the orientation letters at the middles of its sides. */
+bool
+IsFree(const Box & text, int width, int height)
+{
+  constexpr int letter = 17; // half of it, with room around it
+  bool          isFree =
+    text.x - text.halfWidth >= 4 && text.x + text.halfWidth <= width - 4 && text.y >= 12 && text.y <= height - 12;
+  for (const auto & [x, y] : { std::make_pair(width / 2, letter),
+                               std::make_pair(width / 2, height - letter),
+                               std::make_pair(letter, height / 2),
+                               std::make_pair(width - letter, height / 2) })
+  {
+    isFree = isFree && !text.Meets({ x, y, letter, letter });
+  }
+  return isFree;
+}
+
+/** Where a name of this width stands beside a place: right, left, above or below, and further off where needed. */
+Box
+BoxBeside(int x, int y, int textWidth, int width, int height)
+{
+  const int half = textWidth / 2 + 2;
+  const Box right{ x + 14 + half, y, half, 10 };
+  for (int off = 0; off < 3; ++off)
+  {
+    const int away = 22 * (off + 1);
+    for (const Box & box : { Box{ x + 14 + half, y - 22 * off, half, 10 },
+                             Box{ x - 14 - half, y - 22 * off, half, 10 },
+                             Box{ x, y - away, half, 10 },
+                             Box{ x, y + away, half, 10 } })
+    {
+      if (IsFree(box, width, height))
+      {
+        return box;
+      }
+    }
+  }
+  return right;
+}
+
 void
 DrawEnd(Picture *                 picture,
         const SliceView &         view,
@@ -141,12 +195,13 @@ DrawEnd(Picture *                 picture,
   style.bold = true;
   style.color = MixColors(scale.ColorOf(station.distance), MakeColor(255, 255, 255), 0.6);
   style.vertical = VerticalAnchor::Center;
-  const int  width = static_cast<int>(view.GetWidth());
-  const int  x = static_cast<int>(std::lround(place[0]));
-  const int  y = static_cast<int>(std::lround(place[1]));
-  const bool isLeft = x + 14 + MeasureText(name, style).width > width - 4;
-  style.horizontal = isLeft ? HorizontalAnchor::Right : HorizontalAnchor::Left;
-  DrawRimmedText(picture, name, isLeft ? x - 14 : x + 14, y, style, background);
+  style.horizontal = HorizontalAnchor::Center;
+  const Box box = BoxBeside(static_cast<int>(std::lround(place[0])),
+                            static_cast<int>(std::lround(place[1])),
+                            MeasureText(name, style).width,
+                            static_cast<int>(view.GetWidth()),
+                            static_cast<int>(view.GetHeight()));
+  DrawRimmedText(picture, name, box.x, box.y, style, background);
 }
 
 SliceView

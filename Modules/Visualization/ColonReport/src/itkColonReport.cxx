@@ -32,23 +32,6 @@ private:
   const OutputPath & m_OutputPath;
 };
 
-void
-AddHead(HtmlReport & html, const ColonReportContent & content)
-{
-  html.AddParagraph("For research use. This is not a diagnosis and not a medical device.");
-  html.AddHeading("Summary");
-  html.AddFacts(content.summary);
-  html.AddHeading("What is missing or doubtful");
-  for (const std::string & warning : content.warnings)
-  {
-    html.AddNote(warning);
-  }
-  if (content.warnings.empty())
-  {
-    html.AddParagraph("Nothing was found missing or doubtful. Look at the pictures all the same.");
-  }
-}
-
 std::string
 Share(double share)
 {
@@ -132,7 +115,7 @@ WriteColonReport(const ColonReportContent & content, const std::string & folder,
   CheckParts(colon);
   HtmlReport   html(content.title);
   PicturePages pages(html, folder, outputPath);
-  AddHead(html, content);
+  html.AddHead(content.summary, content.warnings);
   if (colon.wall)
   {
     AddSurface(html, pages, colon);

@@ -1,6 +1,7 @@
 #ifndef itkFlatColonPictures_h
 #define itkFlatColonPictures_h
 
+#include "itkFlatColonOverlay.h"
 #include "itkFlatColonPage.h"
 #include "itkFlatColonStrip.h"
 
@@ -33,6 +34,7 @@ struct FlatColonParts
   /** Hounsfield units. */
   const Image<float, 3> *     ct{ nullptr };
   std::vector<FlatAnnotation> annotations;
+  FlatColonOverlay            overlay;
 };
 
 /** \class FlatColonPictures

@@ -62,23 +62,6 @@ SummaryOf(const ColonFlattening & flattening)
                std::to_string(flattening.flipsAwayFromHandles) } };
 }
 
-void
-AddHead(HtmlReport & html, const ColonFlatteningReportContent & content)
-{
-  html.AddParagraph("For research use. This is not a diagnosis and not a medical device.");
-  html.AddHeading("Summary");
-  html.AddFacts(SummaryOf(*content.flattening));
-  html.AddHeading("What is missing or doubtful");
-  for (const std::string & warning : content.warnings)
-  {
-    html.AddNote(warning);
-  }
-  if (content.warnings.empty())
-  {
-    html.AddParagraph("Nothing was found missing or doubtful. Look at the pictures all the same.");
-  }
-}
-
 std::string
 CaptionOf(FlatColoring coloring)
 {
@@ -213,7 +196,7 @@ WriteColonFlatteningReport(const ColonFlatteningReportContent & content,
   const ColonFlattening & flattening = *content.flattening;
   const FlatColonPictures pictures(content.parts, flattening.map.circumference / pixelsAround);
   HtmlReport              html("Flat colon");
-  AddHead(html, content);
+  html.AddHead(SummaryOf(flattening), content.warnings);
   AddPictures(html, pictures, content.parts.ct != nullptr, folder, outputPath);
   AddScales(html, pictures);
   AddDistortion(html, flattening, folder, outputPath);

@@ -79,6 +79,7 @@ FlatColonPictures::Draw(FlatColoring coloring, const std::string & title, int gr
   {
     strip = ReduceStrip(strip, samples, m_Grid->Columns(), m_Grid->Rows());
   }
+  PaintFlatOverlay(strip, *m_Grid, m_Parts.overlay);
   FlatColonPageOptions options;
   options.title = title;
   options.note = NoteOn(*m_Grid, coloring);

@@ -184,7 +184,7 @@ TitleOfHistogram(const ShapeQuantity & quantity)
 void
 AddSummary(HtmlReport & html, const HeatReportContent & content)
 {
-  html.AddParagraph("For research use. This is not a diagnosis and not a medical device.");
+  html.AddResearchNote();
   for (const std::string & warning : content.warnings)
   {
     html.AddNote(warning);

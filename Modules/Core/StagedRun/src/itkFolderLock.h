@@ -1,0 +1,24 @@
+#ifndef itkFolderLock_h
+#define itkFolderLock_h
+
+#include "itkStagedRun.h"
+
+namespace itk
+{
+/** While it lives, and while a child that was started meanwhile lives, no other one of the same folder can be made. */
+class StagedRun::Lock
+{
+public:
+  /** Waits some seconds for a child of a killed run. Throws OutputError. */
+  explicit Lock(const std::string & folder);
+  Lock(const Lock &) = delete;
+  Lock &
+  operator=(const Lock &) = delete;
+  ~Lock();
+
+private:
+  int m_Descriptor;
+};
+} // namespace itk
+
+#endif

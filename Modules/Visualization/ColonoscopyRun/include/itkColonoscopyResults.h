@@ -1,0 +1,101 @@
+#ifndef itkColonoscopyResults_h
+#define itkColonoscopyResults_h
+
+#include "ColonoscopyRunExport.h"
+
+#include "itkCurveSet.h"
+#include "itkJson.h"
+#include "itkStagedRun.h"
+
+#include "itkImage.h"
+
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace itk
+{
+/** The names of stages, which are those of their folders. \ingroup ColonoscopyRun */
+namespace colonoscopystage
+{
+constexpr const char * inspection = "inspection";
+constexpr const char * segmentation = "segmentation";
+constexpr const char * flattening = "flattening";
+constexpr const char * landmarks = "landmarks";
+constexpr const char * folds = "folds";
+} // namespace colonoscopystage
+
+/** A part of the colon, as radiologists name them. \ingroup ColonoscopyRun */
+struct ColonoscopySegment
+{
+  /** The value in the cell array `segment`: 1 rectum, 2 sigmoid, 3 descending, 4 transverse, 5 ascending, 6 caecum. */
+  int         label{ 0 };
+  std::string name;
+  /** mm along the centreline from the anal verge. */
+  double begin{ 0.0 };
+  double end{ 0.0 };
+  /** mm^2. */
+  double area{ 0.0 };
+};
+
+/** A fold by its centre. \ingroup ColonoscopyRun */
+struct ColonoscopyFold
+{
+  int    label{ 0 };
+  double arcLength{ 0.0 };
+  double reliability{ 0.0 };
+};
+
+/** What the stages have found, read from their files; of a stage that did not come to its end, nothing.
+ * \ingroup ColonoscopyRun */
+struct ColonoscopyRun_EXPORT ColonoscopyResults
+{
+  /** Those that were tried, in order. */
+  std::vector<StageResult> stages;
+
+  Json                     quality; ///< of the segmentation
+  CurveSet                 centreline;
+  SurfaceMesh              wall;
+  Image<float, 3>::Pointer ct; ///< cleansed; null of a mask
+
+  Json        flatStatistics;
+  SurfaceMesh flat;
+
+  Json                            landmarks;
+  CurveSet                        taeniae;
+  CurveSet                        flexures;
+  SurfaceMesh                     labelled; ///< with the cell array segment
+  std::vector<ColonoscopySegment> segments;
+
+  Image<unsigned short, 2>::Pointer foldLabels;
+  CurveSet                          features;
+  std::vector<ColonoscopyFold>      folds;
+
+  /** Null where it was not tried. */
+  const StageResult *
+  Find(const std::string & stage) const;
+  bool
+  IsDone(const std::string & stage) const;
+};
+
+/** "rectum", ...; for a label that is none "segment N". \ingroup ColonoscopyRun */
+ColonoscopyRun_EXPORT std::string
+                      NameOfColonSegment(int label);
+
+/** "rectosigmoid", "descending-sigmoid", "splenic", "hepatic". \ingroup ColonoscopyRun */
+ColonoscopyRun_EXPORT std::string
+                      NameOfFlexure(int label);
+
+/** Where the segments of a labelled surface begin and end along the centreline: one follows the other, and a border
+ * lies between what the faces of both reach, a hundredth of them left aside. Empty without the cell array `segment` or
+ * the point array arcLength. \ingroup ColonoscopyRun */
+ColonoscopyRun_EXPORT std::vector<ColonoscopySegment>
+                      SegmentsOf(const SurfaceMesh & labelled);
+
+/** Reads what is there. Throws InputError for a file that cannot be read. \ingroup ColonoscopyRun */
+ColonoscopyRun_EXPORT ColonoscopyResults
+ReadColonoscopyResults(const std::string & folder, const std::vector<StageResult> & stages);
+} // namespace itk
+
+#endif

@@ -1,0 +1,23 @@
+set(DOCUMENTATION "Virtual colonoscopy from the CT to the report: the stages and what feeds what, the report on all of them, files for 3D
+Slicer.")
+
+itk_module(ColonoscopyRun
+  ENABLE_SHARED
+  DEPENDS
+    Report
+    StagedRun
+    SurfaceMesh
+    ITKCommon
+  PRIVATE_DEPENDS
+    ColonReport
+    CommandLine
+    DicomSeries
+    FlatColonView
+    ShapeRendering
+    SlicerMarkups
+    ITKIOImageBase
+    ITKIONRRD
+  TEST_DEPENDS
+    ITKGoogleTest
+  DESCRIPTION "${DOCUMENTATION}"
+)

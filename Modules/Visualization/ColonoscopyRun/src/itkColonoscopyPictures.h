@@ -1,0 +1,36 @@
+#ifndef itkColonoscopyPictures_h
+#define itkColonoscopyPictures_h
+
+#include "itkColonoscopyResults.h"
+#include "itkColonPictures.h"
+#include "itkFlatColonPictures.h"
+
+namespace itk
+{
+/** Of a segment, the same in all pictures and tables of colours. */
+RGBColor
+ColorOfColonSegment(int label);
+
+/** Of the taenia 1, 2 or 3. */
+RGBColor
+ColorOfTaenia(int label);
+
+/** The centreline's segments with the share that is distended, for the chart; what the segmentation guesses where there
+ * are no landmarks. */
+std::vector<ColonSegment>
+ChartSegmentsOf(const ColonoscopyResults & results);
+
+/** The wall coloured by segments with taeniae and flexures. */
+Picture::Pointer
+DrawSegments(const ColonoscopyResults & results, PatientSide side);
+
+/** See-through, with the centreline, taeniae and the places of the flexures. */
+Picture::Pointer
+DrawInside(const ColonoscopyResults & results, PatientSide side);
+
+/** The flat colon in rows with segments, taeniae and folds. */
+Picture::Pointer
+DrawFlat(const ColonoscopyResults & results, FlatColoring coloring);
+} // namespace itk
+
+#endif
