@@ -1,0 +1,13 @@
+# Called by ctest: the structure of a report is that of the baseline: headings, captions, columns and names, in order.
+file(READ ${REPORT} html)
+if(html MATCHES "https?://" OR html MATCHES "<script" OR html MATCHES "<link")
+  message(FATAL_ERROR "the report asks for something outside of itself")
+endif()
+string(REGEX REPLACE "base64,[A-Za-z0-9+/=]*" "" html "${html}")
+string(REGEX MATCHALL "<(title|h1|h2|caption|figcaption|th)>[^<]*" parts "${html}")
+list(JOIN parts "\n" structure)
+file(WRITE ${OUT} "${structure}\n")
+execute_process(COMMAND ${CMAKE_COMMAND} -E compare_files --ignore-eol ${OUT} ${BASELINE} RESULT_VARIABLE differs)
+if(differs)
+  message(FATAL_ERROR "the structure of ${REPORT} is not that of ${BASELINE}:\n${structure}")
+endif()

@@ -1,0 +1,37 @@
+#!/bin/bash
+# Called by ctest: KillAndResume.sh TOOL INPUT FINISHED FOLDER OPTIONS...
+# Kills a run in FOLDER by SIGKILL in each of its stages and goes on; it ends with the files of FINISHED. Also: two runs
+# in one folder are refused.
+set -u
+tool=$1 input=$2 finished=$3 folder=$4
+shift 4
+
+fail() {
+  echo "$*" >&2
+  exit 1
+}
+
+# digests DIR: the SHA-256 of all files that equal runs share.
+digests() {
+  (cd "$1" && find . -type f ! -name '*run.json' ! -name .lock -print0 | sort -z | xargs -0 sha256sum)
+}
+
+rm -rf "$folder"
+for stage in segmentation flattening landmarks folds report; do
+  "$tool" "$input" "$folder" --quiet "$@" &
+  run=$!
+  while kill -0 "$run" 2>/dev/null && [ ! -e "$folder/.$stage.part" ]; do sleep 0.01; done
+  [ -e "$folder/.$stage.part" ] || fail "the stage $stage was not seen at work"
+  if [ "$stage" = segmentation ]; then
+    second=$("$tool" "$input" "$folder" --quiet "$@" 2>&1)
+    status=$?
+    [ "$status" -eq 1 ] || fail "a second run beside the first ended with $status"
+    [[ $second == *"another run is at work"* ]] || fail "a second run said: $second"
+  fi
+  kill -KILL "$run" 2>/dev/null || fail "the run was over before it could be killed in $stage"
+  wait "$run" 2>/dev/null
+  [ ! -e "$folder/stages/$stage.json" ] || fail "the stage $stage was done before it could be killed"
+done
+"$tool" "$input" "$folder" --quiet "$@" || fail "the run that goes on ended with $?"
+diff <(digests "$finished") <(digests "$folder") || fail "the files differ"
+! find "$folder" -name '.*.part*' | grep . || fail "these were left"
