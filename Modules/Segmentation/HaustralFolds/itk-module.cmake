@@ -12,6 +12,7 @@ itk_module(HaustralFolds
     ParallelLoops
   TEST_DEPENDS
     CommandLine
+    HeatDiffusionMetric
     ITKGoogleTest
   DESCRIPTION "${DOCUMENTATION}"
 )

@@ -10,7 +10,8 @@ namespace
 {
 constexpr int         rounds = 60;
 constexpr std::size_t mostSamples = 60000;
-constexpr double      leastDeviation = 1e-4; ///< 1/mm
+/** Of a class, 1/mm: no wall is smoother, and a class cannot shrink to a few values. */
+constexpr double leastDeviation = 0.01;
 constexpr double      greatestOdds = 6.0;
 /** Mean curvature of folds, 1/mm: the rim of a fold 10 mm thick has 0.1, of which smoothing leaves about half. */
 constexpr double leastFold = 0.05;
@@ -84,7 +85,7 @@ struct Moments
   ToClass(double whole) const
   {
     const double mean = first / area;
-    return { mean, std::sqrt(std::max(0.0, second / area - mean * mean)) + leastDeviation, area / whole };
+    return { mean, std::max(leastDeviation, std::sqrt(std::max(0.0, second / area - mean * mean))), area / whole };
   }
 };
 
@@ -101,7 +102,9 @@ Improve(const Samples & samples, CurvatureMixture & mixture)
     double                sum = 0.0;
     for (int k = 0; k < 3; ++k)
     {
-      densities[k] = Density(*classes[k], value) + 1e-12;
+      // Folds bulge more than the wall does: what bulges less, as pouches do, is not for their class to explain.
+      const bool isPossible = k < 2 || value > mixture.wall.mean;
+      densities[k] = isPossible ? Density(*classes[k], value) + 1e-12 : 0.0;
       sum += densities[k];
     }
     for (int k = 0; k < 3; ++k)

@@ -11,7 +11,7 @@ namespace
 {
 using Eigen::Vector2d;
 
-/** Share of the plateau at the end of a fold: that of a crest which comes down to the wall, after smoothing. */
+/** Share of the plateau at the end of a fold: that of a crest which has come down to the wall, after smoothing. */
 constexpr double endShare = 0.2;
 /** A trace starts where the crest has this share, well within the fold. */
 constexpr double coreShare = 0.6;
@@ -264,6 +264,7 @@ FoldEllipse::FoldEllipse(const FoldPlaces & places) : centre(Vector2d::Zero())
   axis = solver.eigenvectors().col(1);
   axis = axis.y() < 0.0 || (axis.y() == 0.0 && axis.x() < 0.0) ? Vector2d(-axis) : axis;
   elongation = std::sqrt(solver.eigenvalues()[1] / solver.eigenvalues()[0]);
+  longHalf = 2.0 * std::sqrt(solver.eigenvalues()[1]);
 }
 
 double
@@ -298,6 +299,26 @@ FoldCrest::Middle(const FoldPicture & picture) const
     }
   }
   return places.front();
+}
+
+FoldCrest
+CrestOfEllipse(const FoldPicture & picture, const FoldPlaces & places, const FoldEllipse & ellipse)
+{
+  const int pieces = std::max(2, static_cast<int>(std::lround(2.0 * ellipse.longHalf)));
+  FoldCrest crest;
+  for (int i = 0; i <= pieces; ++i)
+  {
+    Vector2d place = ellipse.centre + (2.0 * i / pieces - 1.0) * ellipse.longHalf * ellipse.axis;
+    place.x() = std::clamp(place.x(), 0.0, picture.columns - 1.0);
+    crest.places.push_back(place);
+  }
+  for (const Vector2d & place : places)
+  {
+    const auto row = static_cast<int>(place.y()) % picture.rows;
+    crest.plateau +=
+      picture.curvature[picture.Index(static_cast<int>(place.x()), row)] / static_cast<double>(places.size());
+  }
+  return crest;
 }
 
 FoldCrest

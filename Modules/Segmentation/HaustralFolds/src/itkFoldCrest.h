@@ -21,6 +21,8 @@ struct FoldEllipse
   /** Long, of unit length; rows grow along it. */
   Eigen::Vector2d axis;
   double          elongation;
+  /** Pixels; half the long axis of an evenly filled ellipse. */
+  double longHalf;
 };
 
 /** The line on top of a fold. */
@@ -39,7 +41,11 @@ struct FoldCrest
   Middle(const FoldPicture & picture) const;
 };
 
-/** Follows the ridge of curvature within the fold, and beyond it at both ends for as long as it keeps a good third of
+/** The long axis of the ellipse: the axial end points of the dissertation. */
+FoldCrest
+CrestOfEllipse(const FoldPicture & picture, const FoldPlaces & places, const FoldEllipse & ellipse);
+
+/** Follows the ridge of curvature within the fold, and beyond it at both ends for as long as it keeps a fifth of
  * the plateau: a cut at one curvature for all folds ends too early on them, by more for low folds than for high ones.
  * `floor` (1/mm): below, there is no fold. */
 FoldCrest

@@ -55,6 +55,7 @@ MakeFoldPicture(const FlatColonGrid & grid, const HaustralFoldOptions & options)
     options.scheme == HaustralFoldScheme::Published ? CurvatureUnit::Published : CurvatureUnit::PerArea;
   const Eigen::VectorXd curvature = SmoothedMeanCurvature(tube.V, tube.F, options.smoothingTime, unit);
   FoldPicture           picture;
+  picture.sign = unit == CurvatureUnit::Published ? -1.0 : 1.0;
   picture.columns = grid.Columns();
   picture.rows = grid.Rows();
   picture.pixelSize = grid.PixelSize();

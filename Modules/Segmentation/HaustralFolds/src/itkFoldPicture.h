@@ -13,6 +13,8 @@ struct FoldPicture
   double pixelSize{ 1.0 };
   /** After smoothing; 1/mm, positive at folds, or in the published unit, where they are negative. */
   std::vector<float> curvature;
+  /** 1, or -1 where folds are negative. */
+  double sign{ 1.0 };
   /** mm on the surface for each mm of the map. */
   std::vector<float> scale;
   /** A face lies there, which was not made up. */

@@ -1,6 +1,6 @@
 #include "itkFoldShape.h"
 
-#include "itkFoldCrest.h"
+#include "itkFoldHeight.h"
 
 #include <Eigen/Dense>
 
@@ -13,17 +13,20 @@ namespace
 {
 using Eigen::Vector2d;
 
+/** Curvature that no fold is below, 1/mm. */
+constexpr double floorOfFolds = 0.03;
 constexpr double degrees = 180.0 / 3.14159265358979323846;
 class FoldMeasurer
 {
 public:
-  FoldMeasurer(const FlatColonGrid & grid, const FoldPicture & picture, const FoldPixels & pixels, double floor)
+  FoldMeasurer(const FlatColonGrid & grid, const FoldPicture & picture, const FoldPixels & pixels, HaustralFoldScheme scheme)
     : m_Grid(grid)
     , m_Picture(picture)
     , m_Pixels(pixels)
     , m_Places(UnrollFold(pixels, picture.rows))
     , m_Ellipse(m_Places)
-    , m_Crest(TraceCrest(picture, m_Places, m_Ellipse, floor))
+    , m_Crest(scheme == HaustralFoldScheme::Published ? CrestOfEllipse(picture, m_Places, m_Ellipse)
+                                                      : TraceCrest(picture, m_Places, m_Ellipse, floorOfFolds))
   {}
 
   HaustralFold
@@ -38,8 +41,15 @@ public:
     this->Locate(m_Crest.Middle(m_Picture), fold.centreUv, fold.centre);
     this->Locate(m_Crest.places.front(), fold.endUv[0], fold.ends[0]);
     this->Locate(m_Crest.places.back(), fold.endUv[1], fold.ends[1]);
+    fold.height = HeightOfFold(m_Grid, m_Picture, m_Crest);
     fold.arcLength = m_Grid.HasArcLength() ? this->ArcLength() : std::numeric_limits<double>::quiet_NaN();
     return fold;
+  }
+
+  FoldCrest
+  TakeCrest()
+  {
+    return std::move(m_Crest);
   }
 
 private:
@@ -124,9 +134,12 @@ private:
 };
 } // namespace
 
-HaustralFold
-MeasureFold(const FlatColonGrid & grid, const FoldPicture & picture, const FoldPixels & pixels, double floor)
+MeasuredFold
+MeasureFold(const FlatColonGrid & grid, const FoldPicture & picture, FoldPixels pixels, HaustralFoldScheme scheme)
 {
-  return FoldMeasurer(grid, picture, pixels, floor).Measure();
+  FoldMeasurer measurer(grid, picture, pixels, scheme);
+  MeasuredFold measured{ measurer.Measure(), {}, measurer.TakeCrest() };
+  measured.pixels = std::move(pixels);
+  return measured;
 }
 } // namespace itk

@@ -1,13 +1,25 @@
 #ifndef itkFoldShape_h
 #define itkFoldShape_h
 
-#include "itkFoldLabels.h"
+#include "itkFoldCrest.h"
 
 namespace itk
 {
-/** Measures one fold; all of HaustralFold but label, height and reliabilities. `floor`: see TraceCrest(). */
-HaustralFold
-MeasureFold(const FlatColonGrid & grid, const FoldPicture & picture, const FoldPixels & pixels, double floor);
+/** A fold with all that is known of it. */
+struct MeasuredFold
+{
+  /** Without label and reliabilities. */
+  HaustralFold fold;
+  FoldPixels   pixels;
+  FoldCrest    crest;
+};
+
+/** `floor`: see TraceCrest(); the published scheme takes the axis of the ellipse for the crest. */
+MeasuredFold
+MeasureFold(const FlatColonGrid &    grid,
+            const FoldPicture &      picture,
+            FoldPixels               pixels,
+            HaustralFoldScheme       scheme);
 } // namespace itk
 
 #endif

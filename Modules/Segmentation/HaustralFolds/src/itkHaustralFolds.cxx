@@ -2,7 +2,8 @@
 
 #include "itkFlatCoordinateMap.h"
 #include "itkFoldMask.h"
-#include "itkFoldShape.h"
+#include "itkFoldReliability.h"
+#include "itkFoldSplitting.h"
 #include "itkToolError.h"
 
 #include <algorithm>
@@ -13,6 +14,8 @@ namespace itk
 {
 namespace
 {
+constexpr double widthOfTaenia = 4.0; ///< mm
+
 void
 RequireValid(const HaustralFoldOptions & options)
 {
@@ -25,18 +28,8 @@ RequireValid(const HaustralFoldOptions & options)
   RequireUsage(options.minimumAngle >= 0.0 && options.minimumAngle <= 90.0,
                "the least angle of a fold against the tube must be from 0 to 90 degrees");
   RequireUsage(options.contrast > 0.0, "the contrast of the outline must be greater than 0");
-  RequireUsage(options.publishedLow < options.publishedHigh, "the published interval must not be empty");
-}
-
-std::vector<char>
-MaskOf(const FoldPicture & picture, const HaustralFoldOptions & options)
-{
-  if (options.scheme == HaustralFoldScheme::Published)
-  {
-    return ThresholdFolds(picture, options);
-  }
-  const CurvatureMixture mixture = FitCurvatureMixture(picture);
-  return mixture.hasFolds ? CutFolds(picture, mixture, options) : std::vector<char>(picture.Size(), 0);
+  RequireUsage(options.publishedLow < options.publishedHigh && options.publishedHigh <= 0.0,
+               "the published interval must not be empty, and lie below 0");
 }
 
 bool
@@ -46,53 +39,108 @@ IsFold(const HaustralFold & fold, const HaustralFoldOptions & options)
          fold.elongation >= options.minimumElongation && std::abs(fold.angle) >= options.minimumAngle;
 }
 
-Image<unsigned short, 2>::Pointer
-EmptyLabels(const FlatColonGrid & grid)
+/** Finds the folds of one grid. */
+class FoldFinder
 {
-  const auto labels = Image<unsigned short, 2>::New();
-  SetFlatSpace(grid, labels);
-  labels->Allocate(true);
-  return labels;
-}
+public:
+  FoldFinder(const FlatColonGrid & grid, const HaustralFoldOptions & options)
+    : m_Grid(grid), m_Options(options), m_Picture(MakeFoldPicture(grid, options))
+  {
+    if (options.taeniae)
+    {
+      m_Rule.isTaenia = MaskOfTaeniae(grid, *options.taeniae, 0.5 * widthOfTaenia);
+    }
+  }
+
+  HaustralFolds
+  Find()
+  {
+    for (const FoldPixels & pixels : ConnectedFolds(m_Picture, this->Mask()))
+    {
+      this->Keep(pixels);
+    }
+    std::stable_sort(m_Found.begin(), m_Found.end(), [](const MeasuredFold & a, const MeasuredFold & b) {
+      return a.fold.centreUv.x() < b.fold.centreUv.x();
+    });
+    RateEnds(m_Grid, m_Options.taeniae, m_Found);
+    return this->Collect();
+  }
+
+private:
+  bool
+  IsPublished() const
+  {
+    return m_Options.scheme == HaustralFoldScheme::Published;
+  }
+
+  std::vector<char>
+  Mask()
+  {
+    if (this->IsPublished())
+    {
+      return ThresholdFolds(m_Picture, m_Options);
+    }
+    m_Mixture = FitCurvatureMixture(m_Picture);
+    return m_Mixture.hasFolds ? CutFolds(m_Picture, m_Mixture, m_Options) : std::vector<char>(m_Picture.Size(), 0);
+  }
+
+  void
+  Keep(const FoldPixels & pixels)
+  {
+    const std::vector<FoldPixels> parts =
+      this->IsPublished() ? std::vector<FoldPixels>{ pixels } : SplitFold(m_Picture, pixels, m_Rule);
+    for (const FoldPixels & part : parts)
+    {
+      MeasuredFold measured = MeasureFold(m_Grid, m_Picture, part, m_Options.scheme);
+      if (IsFold(measured.fold, m_Options))
+      {
+        RateFold(m_Picture, m_Mixture, m_Options, measured);
+        m_Found.push_back(std::move(measured));
+      }
+    }
+  }
+
+  HaustralFolds
+  Collect() const
+  {
+    HaustralFolds folds;
+    folds.labels = Image<unsigned short, 2>::New();
+    SetFlatSpace(m_Grid, folds.labels);
+    folds.labels->Allocate(true);
+    if (m_Found.size() > std::numeric_limits<unsigned short>::max())
+    {
+      throw InputError("there are more than 65535 folds; is the surface very noisy?");
+    }
+    for (const MeasuredFold & measured : m_Found)
+    {
+      folds.folds.push_back(measured.fold);
+      folds.folds.back().label = static_cast<int>(folds.folds.size());
+      for (const FlatPixel & pixel : measured.pixels)
+      {
+        folds.labels->GetBufferPointer()[m_Picture.Index(pixel.column, pixel.row)] =
+          static_cast<unsigned short>(folds.folds.size());
+      }
+    }
+    if (m_Found.empty())
+    {
+      folds.warnings.push_back("no haustral folds were found: the wall is smooth, or what bulges from it is too small");
+    }
+    return folds;
+  }
+
+  const FlatColonGrid &       m_Grid;
+  const HaustralFoldOptions & m_Options;
+  FoldPicture                 m_Picture;
+  FoldSplittingRule           m_Rule;
+  CurvatureMixture            m_Mixture{};
+  std::vector<MeasuredFold>   m_Found;
+};
 } // namespace
 
 HaustralFolds
 FindHaustralFolds(const FlatColonGrid & grid, const HaustralFoldOptions & options)
 {
   RequireValid(options);
-  const FoldPicture                                picture = MakeFoldPicture(grid, options);
-  std::vector<std::pair<HaustralFold, FoldPixels>> found;
-  for (FoldPixels & pixels : ConnectedFolds(picture, MaskOf(picture, options)))
-  {
-    const HaustralFold fold = MeasureFold(grid, picture, pixels, 0.03);
-    if (IsFold(fold, options))
-    {
-      found.emplace_back(fold, std::move(pixels));
-    }
-  }
-  std::stable_sort(found.begin(), found.end(), [](const auto & a, const auto & b) {
-    return a.first.centreUv.x() < b.first.centreUv.x();
-  });
-  HaustralFolds folds;
-  folds.labels = EmptyLabels(grid);
-  if (found.size() > std::numeric_limits<unsigned short>::max())
-  {
-    throw InputError("there are more than 65535 folds; is the surface very noisy?");
-  }
-  for (auto & [fold, pixels] : found)
-  {
-    fold.label = static_cast<int>(folds.folds.size()) + 1;
-    for (const FlatPixel & pixel : pixels)
-    {
-      folds.labels->GetBufferPointer()[picture.Index(pixel.column, pixel.row)] =
-        static_cast<unsigned short>(fold.label);
-    }
-    folds.folds.push_back(fold);
-  }
-  if (folds.folds.empty())
-  {
-    folds.warnings.push_back("no haustral folds were found: the wall is smooth, or what bulges is too small");
-  }
-  return folds;
+  return FoldFinder(grid, options).Find();
 }
 } // namespace itk
