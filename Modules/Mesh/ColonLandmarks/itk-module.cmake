@@ -10,7 +10,7 @@ itk_module(ColonLandmarks
   PRIVATE_DEPENDS
     CommandLine
     ConformalFlattening
-    HeatDiffusionMetric
+    HaustralFolds
     ParallelLoops
   TEST_DEPENDS
     CommandLine

@@ -79,6 +79,9 @@ public:
   {
     return m_ArcLength[vertex];
   }
+  /** mm along the centreline of the middle of the tube at this u (mm of the map). Never falling. */
+  double
+  ArcLengthOfU(double u) const;
   double
   Circumference() const
   {
@@ -112,6 +115,8 @@ private:
   std::vector<int>                     m_TurnsOfEdge; ///< from the lesser to the greater vertex
   Eigen::MatrixX2d                     m_Uv;
   Eigen::VectorXd                      m_ArcLength;
+  std::vector<double>                  m_ArcLengthOfColumn;
+  double                               m_ColumnWidth{ 1.0 };
   double                               m_Circumference{ 1.0 };
   std::vector<std::string>             m_Warnings;
 };

@@ -104,15 +104,6 @@ ExplainMismatch(const FlatColonGrid & grid, const FlatColonAxis & axis, double d
 }
 } // namespace
 
-double
-CentrelineMatch::ArcLengthOfU(double u) const
-{
-  const double place = std::clamp(u / columnWidth - 0.5, 0.0, static_cast<double>(arcLengthOfColumn.size()) - 1.0);
-  const auto   i = static_cast<std::size_t>(place);
-  const auto   next = std::min(i + 1, arcLengthOfColumn.size() - 1);
-  return arcLengthOfColumn[i] + (place - i) * (arcLengthOfColumn[next] - arcLengthOfColumn[i]);
-}
-
 CentrelineMatch
 MatchCentreline(const SurfaceMesh & flat, const CurveSet & centreline)
 {

@@ -18,10 +18,6 @@ struct CentrelineMatch
   std::vector<double>      arcLengthOfColumn;
   double                   columnWidth{ 1.0 };
   std::vector<std::string> warnings;
-
-  /** Between the middles of the columns, linear. */
-  double
-  ArcLengthOfU(double u) const;
 };
 
 /** Throws InputError where the centreline is not that of the surface, or runs from the caecum to the rectum. */

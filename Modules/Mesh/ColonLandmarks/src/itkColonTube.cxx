@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 
 namespace itk
@@ -83,17 +84,28 @@ ColonTube::Turns(int a, int b) const
   return a < b ? turns : -turns;
 }
 
+double
+ColonTube::ArcLengthOfU(double u) const
+{
+  const double place = std::clamp(u / m_ColumnWidth - 0.5, 0.0, static_cast<double>(m_ArcLengthOfColumn.size()) - 1.0);
+  const auto   i = static_cast<std::size_t>(place);
+  const auto   next = std::min(i + 1, m_ArcLengthOfColumn.size() - 1);
+  return m_ArcLengthOfColumn[i] + (place - i) * (m_ArcLengthOfColumn[next] - m_ArcLengthOfColumn[i]);
+}
+
 // The nearest point of the centreline near that of the vertex's column: loops of the colon that touch do not mislead.
 void
 ColonTube::MeasureArcLength(const SurfaceMesh & flat, const CurveSet & centreline)
 {
   const CentrelineMatch match = MatchCentreline(flat, centreline);
   m_Warnings = match.warnings;
+  m_ArcLengthOfColumn = match.arcLengthOfColumn;
+  m_ColumnWidth = match.columnWidth;
   constexpr double reach = 50.0; // mm
   m_ArcLength.resize(m_V.rows());
   for (int vertex = 0; vertex < this->NumberOfVertices(); ++vertex)
   {
-    const double guess = match.ArcLengthOfU(m_Uv(vertex, 0));
+    const double guess = this->ArcLengthOfU(m_Uv(vertex, 0));
     const auto & arc = match.arcLength;
     const auto   begin = std::lower_bound(arc.data(), arc.data() + arc.size(), guess - reach) - arc.data();
     double       least = std::numeric_limits<double>::max();

@@ -1,0 +1,42 @@
+#ifndef itkSurfaceFolds_h
+#define itkSurfaceFolds_h
+
+#include "itkColonTube.h"
+
+namespace itk
+{
+/** \ingroup ColonLandmarks */
+struct SurfaceFoldOptions
+{
+  /** Of the heat diffusion that smooths the curvature, mm^2. */
+  double smoothingTime{ 3.0 };
+  /** Mean curvature from which a vertex belongs to a fold, 1/mm; positive where the wall bulges into the lumen. */
+  double leastCurvature{ 0.05 };
+  /** mm^2. */
+  double leastArea{ 12.0 };
+  /** Diagonal of the box of a fold, mm. */
+  double leastExtent{ 7.0 };
+};
+
+/** Folds found on the surface itself, without the flat picture (dissertation 4.2.1). \ingroup ColonLandmarks */
+struct SurfaceFolds
+{
+  /** For each vertex of the tube, 1/mm. */
+  Eigen::VectorXd curvature;
+  /** For each face the number of its fold from 1 on, by the least face; 0 for wall. */
+  std::vector<int> foldOfFace;
+  int              number{ 0 };
+  /** Of all folds, mm^2. */
+  double area{ 0.0 };
+};
+
+/** Faces whose mean curvature, divided by area and smoothed by heat diffusion, exceeds the threshold; what hangs
+ * together by edges is a fold where it is large enough. Faces with a value in `isBridged` (one for each face, or none)
+ * hold no folds. Throws InputError where a face has no area. \ingroup ColonLandmarks */
+ColonLandmarks_EXPORT SurfaceFolds
+                      FindSurfaceFolds(const ColonTube &          tube,
+                                       const std::vector<char> &  isBridged,
+                                       const SurfaceFoldOptions & options = {});
+} // namespace itk
+
+#endif
