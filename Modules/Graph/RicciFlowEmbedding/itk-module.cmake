@@ -4,6 +4,7 @@ Ricci flow by Newton's method, layouts, deck transformations and fundamental pol
 itk_module(RicciFlowEmbedding
   ENABLE_SHARED
   DEPENDS
+    EmbeddingCertificate
     GraphModel
   PRIVATE_DEPENDS
     CommandLine

@@ -7,10 +7,11 @@ using graphtest::ReadText;
 
 TEST(GraphML, NodesEdgesLoopsAndMultipleEdges)
 {
-  const std::string text = "<?xml version=\"1.0\"?><graphml xmlns=\"http://graphml.graphdrawing.org/xmlns\">"
-                           "<key id=\"d0\" for=\"node\"/><graph edgedefault=\"undirected\"><edge source=\"b\" target=\"a\"/>"
-                           "<node id=\"a\"><data key=\"d0\">x</data></node><node id=\"b\"/><node id=\"c &amp; d\"/>"
-                           "<edge source=\"a\" target=\"b\"/><edge source=\"b\" target=\"b\"/></graph></graphml>";
+  const std::string text =
+    "<?xml version=\"1.0\"?><graphml xmlns=\"http://graphml.graphdrawing.org/xmlns\">"
+    "<key id=\"d0\" for=\"node\"/><graph edgedefault=\"undirected\"><edge source=\"b\" target=\"a\"/>"
+    "<node id=\"a\"><data key=\"d0\">x</data></node><node id=\"b\"/><node id=\"c &amp; d\"/>"
+    "<edge source=\"a\" target=\"b\"/><edge source=\"b\" target=\"b\"/></graph></graphml>";
   EXPECT_EQ("b-a a-b b-b (a b c & d)", AnswerTo("a.graphml", text));
   EXPECT_EQ("GraphML", ReadText("a.graphml", text).format);
 }
@@ -35,10 +36,11 @@ TEST(GraphML, WrittenGraphReadsBack)
 
 TEST(Gml, NestedListsTextsAndComments)
 {
-  EXPECT_EQ("7-3 3-3 (3 7)",
-            AnswerTo("a.gml",
-                     "Creator \"me [ ] \"\n# a comment ]\ngraph\n[\n directed 0\n node [ id 3 label \"x ] y\" graphics [ x 1.5 "
-                     "fill [ a 2 ] ] ]\n edge [ source 7 target 3 value 2 ]\n node [ id 7 ]\n edge [ source 3 target 3 ] ]\n"));
+  EXPECT_EQ(
+    "7-3 3-3 (3 7)",
+    AnswerTo("a.gml",
+             "Creator \"me [ ] \"\n# a comment ]\ngraph\n[\n directed 0\n node [ id 3 label \"x ] y\" graphics [ x 1.5 "
+             "fill [ a 2 ] ] ]\n edge [ source 7 target 3 value 2 ]\n node [ id 7 ]\n edge [ source 3 target 3 ] ]\n"));
 }
 
 TEST(Dot, ChainsSubgraphsPortsAndQuotes)
@@ -75,10 +77,11 @@ TEST(Metis, EdgesAtBothEndsWithWeights)
 
 TEST(Matpower, BusesBranchesAndThoseOutOfService)
 {
-  const itk::GraphFile file = ReadText("case.m",
-                                       "function mpc = case3\n% mpc.bus = [ 9 9 ]\nmpc.bus = [\n 10 1 0;\n 7 2 Inf\n 3 1 0 ];\n"
-                                       "mpc.gen = [ 1 2 ];\nmpc.branch = [\n10 7 0 0 0 0 0 0 0 0 1; 10 7 0 0 0 0 0 0 0 0 1\n"
-                                       "7 3 0 0 0 0 0 0 0 0 0;\n];\nmpc.bus_name = { 'a [b]' };\n");
+  const itk::GraphFile file =
+    ReadText("case.m",
+             "function mpc = case3\n% mpc.bus = [ 9 9 ]\nmpc.bus = [\n 10 1 0;\n 7 2 Inf\n 3 1 0 ];\n"
+             "mpc.gen = [ 1 2 ];\nmpc.branch = [\n10 7 0 0 0 0 0 0 0 0 1; 10 7 0 0 0 0 0 0 0 0 1\n"
+             "7 3 0 0 0 0 0 0 0 0 0;\n];\nmpc.bus_name = { 'a [b]' };\n");
   EXPECT_EQ("10-7 10-7 (10 7 3)", graphtest::Shown(file.graph));
   ASSERT_EQ(1u, file.notes.size());
   EXPECT_EQ("1 branches that are out of service are left out", file.notes[0]);

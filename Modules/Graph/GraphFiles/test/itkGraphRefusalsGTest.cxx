@@ -48,7 +48,8 @@ TEST(GraphRefusals, DirectedGraphs)
 {
   ExpectRefused(
     { { "a.graphml",
-        "<graphml><graph edgedefault=\"directed\"><node id=\"a\"/>\n<edge source=\"a\" target=\"a\"/></graph></graphml>",
+        "<graphml><graph edgedefault=\"directed\"><node id=\"a\"/>\n<edge source=\"a\" "
+        "target=\"a\"/></graph></graphml>",
         "line 2: the graph is directed" },
       { "a.graphml", GraphMLOf("<node id=\"a\"/><edge directed=\"true\" source=\"a\" target=\"a\"/>"), "is directed" },
       { "a.gml", "graph [\n directed 1 ]", "line 2: the graph is directed" },
@@ -61,15 +62,16 @@ TEST(GraphRefusals, DirectedGraphs)
 
 TEST(GraphRefusals, DuplicateAndMissingNodes)
 {
-  ExpectRefused({ { "a.graphml", GraphMLOf("<node id=\"a\"/>\n<node id=\"a\"/>"), "line 4: the node \"a\" is declared twice" },
-                  { "a.gml", "graph [ node [ id 1 ]\n node [ id 1 ] ]", "line 2: the node \"1\" is declared twice" },
-                  { "a.m", "mpc.bus = [ 1 1;\n 1 1 ];\nmpc.branch = [];", "line 2: the node \"1\" is declared twice" },
-                  { "a.graphml", GraphMLOf("<node id=\"a\"/>\n<edge source=\"a\" target=\"b\"/>"), "line 4: an edge names" },
-                  { "a.gml", "graph [ node [ id 1 ]\n edge [ source 1 target 2 ] ]", "line 2: an edge names the node \"2\"" },
-                  { "a.m", "mpc.bus = [ 1 1 ];\nmpc.branch = [ 1 2 ];", "line 2: an edge names the node \"2\"" },
-                  { "a.gr", "p tw 3 1\n1 4\n", "line 2: \"4\" is no node" },
-                  { "a.gr", "p tw 3 1\n0 1\n", "line 2: \"0\" is no node" },
-                  { "a.graph", "2 1\n3\n1\n", "line 2: there is no node \"3\"" } });
+  ExpectRefused(
+    { { "a.graphml", GraphMLOf("<node id=\"a\"/>\n<node id=\"a\"/>"), "line 4: the node \"a\" is declared twice" },
+      { "a.gml", "graph [ node [ id 1 ]\n node [ id 1 ] ]", "line 2: the node \"1\" is declared twice" },
+      { "a.m", "mpc.bus = [ 1 1;\n 1 1 ];\nmpc.branch = [];", "line 2: the node \"1\" is declared twice" },
+      { "a.graphml", GraphMLOf("<node id=\"a\"/>\n<edge source=\"a\" target=\"b\"/>"), "line 4: an edge names" },
+      { "a.gml", "graph [ node [ id 1 ]\n edge [ source 1 target 2 ] ]", "line 2: an edge names the node \"2\"" },
+      { "a.m", "mpc.bus = [ 1 1 ];\nmpc.branch = [ 1 2 ];", "line 2: an edge names the node \"2\"" },
+      { "a.gr", "p tw 3 1\n1 4\n", "line 2: \"4\" is no node" },
+      { "a.gr", "p tw 3 1\n0 1\n", "line 2: \"0\" is no node" },
+      { "a.graph", "2 1\n3\n1\n", "line 2: there is no node \"3\"" } });
 }
 
 TEST(GraphRefusals, TruncatedFiles)

@@ -52,6 +52,11 @@ PackOnSphere(const CombinatorialMap & map, PointAtInfinity infinity);
  * left free is a rotation. \ingroup RicciFlowEmbedding */
 RicciFlowEmbedding_EXPORT void
 CentrePacking(SphericalPacking & packing, const std::vector<int> & edges);
+/** Turns the sphere so that two sums of the centres of the nodes, with weights by `rank`, point to the north pole and
+ * to the meridian of the x axis. Nodes without a rank, beyond the end of the list, have no weight. \ingroup
+ * RicciFlowEmbedding */
+RicciFlowEmbedding_EXPORT void
+TurnToCanonicalPosition(SphericalPacking & packing, const std::vector<int> & rank);
 } // namespace itk
 
 #endif

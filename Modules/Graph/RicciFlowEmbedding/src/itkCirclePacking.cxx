@@ -14,6 +14,7 @@ namespace itk
 namespace
 {
 constexpr double pi = 3.14159265358979323846;
+constexpr double restOfPi = 1.2246467991473532e-16; // see RicciEnergy
 /** The curvature that is asked for, and the largest that rounding may leave. Radians. */
 constexpr double wantedResidual = 1e-12;
 constexpr double worstResidual = 1e-10;
@@ -212,7 +213,7 @@ CurvaturesOf(const CombinatorialMap & map, const CirclePacking & packing)
   {
     const double radius =
       i < packing.nodeRadii.size() ? packing.nodeRadii[i] : packing.faceRadii[i - packing.nodeRadii.size()];
-    angles[i] = std::isinf(radius) ? 0.0 : 2.0 * (pi - angles[i]);
+    angles[i] = std::isinf(radius) ? 0.0 : 2.0 * ((pi - angles[i]) + restOfPi);
   }
   return angles;
 }

@@ -103,4 +103,79 @@ CentrePacking(SphericalPacking & packing, const std::vector<int> & edges)
     }
   }
 }
+
+namespace
+{
+/** The sum of the centres, each with a weight that looks random and depends on its rank. */
+Eigen::Vector3d
+WeightedSum(const std::vector<SphereCircle> & nodes, const std::vector<int> & rank, double frequency)
+{
+  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+  for (std::size_t i = 0; i < rank.size(); ++i)
+  {
+    const std::array<double, 3> centre = CentreOf(nodes[i]);
+    sum += std::cos(frequency * (rank[i] + 1)) * Eigen::Vector3d(centre.data());
+  }
+  return sum;
+}
+
+Eigen::Vector3d
+Rejected(const Eigen::Vector3d & vector, const Eigen::Vector3d & unit)
+{
+  return vector - vector.dot(unit) * unit;
+}
+
+/** Rows: the new axes. Sums that are too short to have a direction are passed over. */
+Eigen::Matrix3d
+CanonicalAxes(const SphericalPacking & packing, const std::vector<int> & rank)
+{
+  constexpr double shortest = 0.1;
+  Eigen::Vector3d  north = Eigen::Vector3d::UnitZ();
+  double           frequency = 1.0;
+  for (int i = 0; i < 20; ++i, frequency += 0.37)
+  {
+    const Eigen::Vector3d sum = WeightedSum(packing.nodes, rank, frequency);
+    if (sum.norm() > shortest)
+    {
+      north = sum.normalized();
+      break;
+    }
+  }
+  Eigen::Vector3d meridian =
+    Rejected(std::abs(north[0]) < 0.7 ? Eigen::Vector3d::UnitX() : Eigen::Vector3d::UnitY(), north);
+  for (int i = 0; i < 20; ++i)
+  {
+    frequency += 0.37;
+    const Eigen::Vector3d sum = Rejected(WeightedSum(packing.nodes, rank, frequency), north);
+    if (sum.norm() > shortest)
+    {
+      meridian = sum;
+      break;
+    }
+  }
+  meridian.normalize();
+  Eigen::Matrix3d axes;
+  axes << meridian.transpose(), north.cross(meridian).transpose(), north.transpose();
+  return axes;
+}
+} // namespace
+
+void
+TurnToCanonicalPosition(SphericalPacking & packing, const std::vector<int> & rank)
+{
+  const Eigen::Matrix3d axes = CanonicalAxes(packing, rank);
+  for (auto * circles : { &packing.nodes, &packing.faces })
+  {
+    for (SphereCircle & circle : *circles)
+    {
+      const Eigen::Vector3d turned = axes * Eigen::Vector3d(circle.data());
+      circle = { turned[0], turned[1], turned[2], circle[3] };
+    }
+  }
+  for (auto & point : packing.touchPoints)
+  {
+    const Eigen::Vector3d turned = axes * Eigen::Vector3d(point.data());
+    point = { turned[0], turned[1], turned[2] };
+  }
+}
 } // namespace itk

@@ -11,6 +11,8 @@ namespace itk
 namespace
 {
 constexpr double pi = 3.14159265358979323846;
+/** What is missing in the double pi. The fixed circle has the sum of all curvatures, in which a bias would count. */
+constexpr double restOfPi = 1.2246467991473532e-16;
 /** tanh(r / 2) at the start in hyperbolic geometry. */
 const double startingLog = std::log(std::tanh(0.25));
 
@@ -180,7 +182,7 @@ RicciEnergy::CurvatureOfNode(int node) const
                                                  : std::atan2(m_Face[face].sinh, m_Node[node].sinh * m_Face[face].cosh);
     h = m_Map.NextAround(h);
   } while (h != first);
-  return 2.0 * (pi - angles);
+  return 2.0 * ((pi - angles) + restOfPi);
 }
 
 double
@@ -196,7 +198,7 @@ RicciEnergy::CurvatureOfFace(int face) const
                                                  : std::atan2(m_Node[node].sinh, m_Face[face].sinh * m_Node[node].cosh);
     h = m_Map.FaceNext(h);
   } while (h != first);
-  return 2.0 * (pi - angles);
+  return 2.0 * ((pi - angles) + restOfPi);
 }
 
 void

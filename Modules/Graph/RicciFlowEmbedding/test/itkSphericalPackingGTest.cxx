@@ -41,7 +41,7 @@ ExpectPacking(const itk::CombinatorialMap & map, const itk::SphericalPacking & p
     EXPECT_NEAR(std::cos(Angle(itk::CentreOf(node), itk::CentreOf(face))),
                 std::cos(itk::RadiusOf(node)) * std::cos(itk::RadiusOf(face)),
                 1e-11);
-    EXPECT_NEAR(Product(node, node), 1.0, 1e-10);
+    EXPECT_NEAR(Product(node, node), 1.0, 1e-13 * (1.0 + node[3] * node[3]));
   }
 }
 

@@ -1,0 +1,215 @@
+#include "itkGraphEmbedding.h"
+
+#include "itkCanonicalMapOrder.h"
+#include "itkSurfaceLayout.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <numeric>
+
+namespace itk
+{
+namespace
+{
+/** Packed edges that the graph's edges are made of. */
+std::vector<int>
+EdgesOfGraph(const PackedMap & packed)
+{
+  std::vector<int> edges(packed.graphEdges);
+  std::iota(edges.begin(), edges.end(), 0);
+  for (const std::vector<int> & path : packed.subdivided)
+  {
+    for (std::size_t i = 1; i < path.size(); ++i)
+    {
+      edges.push_back(path[i] / 2);
+    }
+  }
+  return edges;
+}
+
+EmbeddingCertificate
+BeginCertificate(const Graph & graph, const CombinatorialMap & map, const PackedMap & packed)
+{
+  EmbeddingCertificate certificate;
+  certificate.graph = graph;
+  certificate.rotation = FlatRotation(map);
+  certificate.genus = map.Genus();
+  certificate.packed = packed.map.ToGraph();
+  certificate.packedRotation = FlatRotation(packed.map);
+  certificate.subdivided = packed.subdivided;
+  return certificate;
+}
+
+void
+AddSphere(const PackedMap & packed, PointAtInfinity infinity, std::vector<int> rank, EmbeddingCertificate & certificate)
+{
+  SphericalPacking sphere = PackOnSphere(packed.map, infinity);
+  CentrePacking(sphere, EdgesOfGraph(packed));
+  rank.resize(packed.graphNodes); // dummies may be numbered differently on the other side
+  TurnToCanonicalPosition(sphere, rank);
+  certificate.geometry = EmbeddingGeometry::Spherical;
+  const auto add =
+    [](const std::vector<SphereCircle> & circles, std::vector<double> & radii, std::vector<double> & places) {
+      for (const SphereCircle & circle : circles)
+      {
+        const std::array<double, 3> centre = CentreOf(circle);
+        radii.push_back(RadiusOf(circle));
+        places.insert(places.end(), centre.begin(), centre.end());
+      }
+    };
+  add(sphere.nodes, certificate.nodeRadii, certificate.nodePositions);
+  add(sphere.faces, certificate.faceRadii, certificate.facePositions);
+  certificate.statistics.emplace_back("residual", sphere.residual);
+  certificate.statistics.emplace_back("newtonSteps", sphere.steps);
+}
+
+/** Puts a number of the plane or the disk at the end of a list. */
+void
+Append(const PlaneMotion::Complex & z, std::vector<double> & list)
+{
+  list.push_back(z.real());
+  list.push_back(z.imag());
+}
+
+void
+AddLayout(const CombinatorialMap & map, const SurfaceLayout & layout, EmbeddingCertificate & certificate)
+{
+  for (const PlaneMotion & frame : layout.Frames())
+  {
+    Append(frame(0.0), certificate.nodePositions);
+    certificate.nodeAngles.push_back(frame.Direction());
+  }
+  for (int face = 0; face < map.Faces(); ++face)
+  {
+    Append(layout.FaceCentre(face), certificate.facePositions);
+  }
+  certificate.tree = layout.Arrivals();
+  certificate.word = layout.Word();
+  certificate.canonicalWords = CanonicalWords(layout.Word());
+}
+
+std::vector<PlaneMotion>
+GeneratorsOf(const SurfaceLayout & layout)
+{
+  std::vector<PlaneMotion> generators;
+  for (const int h : layout.CutHalfEdges())
+  {
+    generators.push_back(layout.DeckTransformationOf(h));
+  }
+  return generators;
+}
+
+void
+AddGenerators(const SurfaceLayout &            layout,
+              const std::vector<PlaneMotion> & generators,
+              EmbeddingCertificate &           certificate)
+{
+  for (std::size_t k = 0; k < generators.size(); ++k)
+  {
+    certificate.generators.push_back({ layout.CutHalfEdges()[k], generators[k].a, generators[k].b });
+  }
+}
+
+void
+AddTorus(const CombinatorialMap & map, EmbeddingCertificate & certificate)
+{
+  const CirclePacking      packing = PackCircles(map, FlowGeometry::Euclidean);
+  const SurfaceLayout      layout(map, packing);
+  std::vector<PlaneMotion> generators = GeneratorsOf(layout);
+  for (PlaneMotion & generator : generators)
+  {
+    generator.a = 1.0; // a translation, but for rounding
+  }
+  certificate.geometry = EmbeddingGeometry::Euclidean;
+  certificate.nodeRadii = packing.nodeRadii;
+  certificate.faceRadii = packing.faceRadii;
+  AddLayout(map, layout, certificate);
+  AddGenerators(layout, generators, certificate);
+  const auto lattice = ReducedLattice(generators[0].b, generators[1].b);
+  Append(lattice[0], certificate.periods);
+  Append(lattice[1], certificate.periods);
+  certificate.statistics.emplace_back("residual", packing.residual);
+  certificate.statistics.emplace_back("newtonSteps", packing.steps);
+  certificate.statistics.emplace_back("wordResidual", WordResidual(generators, layout.Word()) / std::abs(lattice[0]));
+}
+
+void
+AddHyperbolicSurface(const CombinatorialMap & map, EmbeddingCertificate & certificate)
+{
+  const CirclePacking packing = PackCircles(map, FlowGeometry::Hyperbolic);
+  const SurfaceLayout layout(map, packing);
+  certificate.geometry = EmbeddingGeometry::Hyperbolic;
+  certificate.nodeRadii = packing.nodeRadii;
+  certificate.faceRadii = packing.faceRadii;
+  AddLayout(map, layout, certificate);
+  const DeckRelation relation = RefineDeckRelation(GeneratorsOf(layout), layout.Word(), certificate.canonicalWords);
+  AddGenerators(layout, relation.generators, certificate);
+  certificate.statistics.emplace_back("residual", packing.residual);
+  certificate.statistics.emplace_back("newtonSteps", packing.steps);
+  certificate.statistics.emplace_back("givenWordResidual", relation.givenResidual);
+  certificate.statistics.emplace_back("wordResidual", relation.residual);
+  if (!relation.canonical.empty())
+  {
+    certificate.statistics.emplace_back("canonicalResidual", relation.canonicalResidual);
+  }
+  if (!relation.isRefined)
+  {
+    certificate.warnings.emplace_back("the deck transformations are too large for their relation to hold in double "
+                                      "precision; the packing is not affected");
+  }
+}
+
+/** The smallest circle of a node of the graph, and a warning where there are circles too small to be seen. */
+void
+AddSmallestCircle(EmbeddingCertificate & certificate)
+{
+  double unit = 1.0;
+  if (certificate.geometry == EmbeddingGeometry::Euclidean)
+  {
+    unit = std::hypot(certificate.periods[0], certificate.periods[1]);
+  }
+  const auto first = certificate.nodeRadii.begin();
+  const auto end = first + certificate.graph.nodes;
+  const auto smallest = std::min_element(first, end);
+  certificate.statistics.emplace_back("smallestRadius", *smallest);
+  const auto illegible = std::count_if(first, end, [unit](double r) { return r < smallestLegibleRadius * unit; });
+  if (illegible > 0)
+  {
+    char text[256];
+    std::snprintf(text,
+                  sizeof(text),
+                  "%ld of %d nodes have circles below %.0e of the surface, the smallest that of node %s with %.1e: no "
+                  "picture is legible there",
+                  static_cast<long>(illegible),
+                  certificate.graph.nodes,
+                  smallestLegibleRadius,
+                  NameOfNode(certificate.graph, static_cast<int>(smallest - first)).substr(0, 60).c_str(),
+                  *smallest / unit);
+    certificate.warnings.emplace_back(text);
+  }
+}
+} // namespace
+
+EmbeddingCertificate
+EmbedGraph(const Graph & graph, const CombinatorialMap & map, const GraphEmbeddingOptions & options)
+{
+  PackedMap            packed = MakePackedMap(map, options.augmentation);
+  EmbeddingCertificate certificate;
+  if (map.Genus() == 0)
+  {
+    const CanonicalMapOrder order(packed.map, options.mayMirror);
+    const CombinatorialMap  seen = order.isMirrored ? map.Mirrored() : map;
+    packed = order.isMirrored ? MakePackedMap(seen, options.augmentation) : std::move(packed);
+    certificate = BeginCertificate(graph, seen, packed);
+    AddSphere(packed, options.infinity, order.rank, certificate);
+  }
+  else
+  {
+    certificate = BeginCertificate(graph, map, packed);
+    certificate.genus == 1 ? AddTorus(packed.map, certificate) : AddHyperbolicSurface(packed.map, certificate);
+  }
+  AddSmallestCircle(certificate);
+  return certificate;
+}
+} // namespace itk

@@ -1,0 +1,62 @@
+#include "itkSurfaceLayout.h"
+
+#include <algorithm>
+#include <queue>
+
+namespace itk
+{
+namespace
+{
+/** How far the origin is moved, in a measure that grows with it. */
+double
+Reach(const PlaneMotion & motion)
+{
+  return std::norm(motion.b);
+}
+
+bool
+IsSameMotion(const PlaneMotion & one, const PlaneMotion & other)
+{
+  const PlaneMotion difference = one * other.Inverse();
+  const double      sign = difference.a.real() < 0.0 && one.geometry == FlowGeometry::Hyperbolic ? -1.0 : 1.0;
+  return std::abs(difference.a - sign) < 1e-3 && std::abs(difference.b) < 1e-3;
+}
+} // namespace
+
+std::vector<PlaneMotion>
+UniversalCover(const std::vector<PlaneMotion> & generators, int number)
+{
+  struct Candidate
+  {
+    PlaneMotion motion;
+    int         order;
+    bool
+    operator<(const Candidate & other) const
+    {
+      const double a = Reach(motion);
+      const double b = Reach(other.motion);
+      return a != b ? a > b : order > other.order;
+    }
+  };
+  std::vector<PlaneMotion>       taken;
+  std::priority_queue<Candidate> queue;
+  int                            order = 0;
+  queue.push({ PlaneMotion::Rotation(generators.front().geometry, 0.0), order++ });
+  while (static_cast<int>(taken.size()) < number && !queue.empty())
+  {
+    const PlaneMotion motion = queue.top().motion;
+    queue.pop();
+    if (std::any_of(taken.begin(), taken.end(), [&](const PlaneMotion & other) { return IsSameMotion(motion, other); }))
+    {
+      continue;
+    }
+    taken.push_back(motion);
+    for (const PlaneMotion & generator : generators)
+    {
+      queue.push({ (motion * generator).Normalised(), order++ });
+      queue.push({ (motion * generator.Inverse()).Normalised(), order++ });
+    }
+  }
+  return taken;
+}
+} // namespace itk
