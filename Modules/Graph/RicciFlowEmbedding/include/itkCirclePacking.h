@@ -15,12 +15,14 @@ enum class FlowGeometry
   Hyperbolic
 };
 
-/** Circles of infinite radius, straight lines: one flag for each node and each face, or empty lists for none. A circle
- * that meets one at a right angle sees it under the angle pi. \ingroup RicciFlowEmbedding */
+/** Circles of infinite radius: one flag for each node or face, or empty lists for none. A straight line, in hyperbolic
+ * geometry a geodesic, is seen under the angle pi by the circles that it meets at a right angle. A horocycle touches
+ * the ideal boundary. \ingroup RicciFlowEmbedding */
 struct CirclesAtInfinity
 {
-  std::vector<char> infiniteNodes;
-  std::vector<char> infiniteFaces;
+  std::vector<char> lineNodes;
+  std::vector<char> lineFaces;
+  std::vector<char> horocycleFaces; ///< hyperbolic geometry alone
 };
 
 /** \brief Radii of the circles of nodes and faces: circles of nodes that an edge joins are tangent, so are those of the
@@ -31,6 +33,7 @@ struct CirclePacking
   FlowGeometry        geometry{ FlowGeometry::Euclidean };
   std::vector<double> nodeRadii;
   std::vector<double> faceRadii;
+  std::vector<char>   horocycleFaces; ///< see CirclesAtInfinity
   /** The largest curvature, 2 pi minus the sum of angles, that is left at a circle. Radians. */
   double residual{ 0.0 };
   int    steps{ 0 };
@@ -55,13 +58,21 @@ struct CirclePacking
 RicciFlowEmbedding_EXPORT CirclePacking
 PackCircles(const CombinatorialMap & map, FlowGeometry geometry, const CirclesAtInfinity & infinite = {});
 
-/** Half the angle of the kite of two finite circles at the first of them. */
+/** Half the angle of the kite of two circles at the first, finite one. Of infinite radius the other one is a straight
+ * line, or with `isHorocycle` a horocycle. \ingroup RicciFlowEmbedding */
 RicciFlowEmbedding_EXPORT double
-HalfKiteAngle(FlowGeometry geometry, double radius, double otherRadius);
+HalfKiteAngle(FlowGeometry geometry, double radius, double otherRadius, bool isHorocycle = false);
 
 /** The curvatures of given radii: nodes, then faces; 0 for infinite circles. \ingroup RicciFlowEmbedding */
 RicciFlowEmbedding_EXPORT std::vector<double>
                           CurvaturesOf(const CombinatorialMap & map, const CirclePacking & packing);
+
+/** Whether the circle of a face is a horocycle. \ingroup RicciFlowEmbedding */
+inline bool
+IsHorocycle(const CirclePacking & packing, int face)
+{
+  return !packing.horocycleFaces.empty() && packing.horocycleFaces[face] != 0;
+}
 } // namespace itk
 
 #endif

@@ -26,7 +26,7 @@ RadiusOf(const SphereCircle & circle);
 /** How the plane of the flow and the sphere fit together. \ingroup RicciFlowEmbedding */
 enum class PointAtInfinity
 {
-  Circle,  ///< one circle becomes the boundary of the hyperbolic plane
+  Circle,  ///< the circle of the longest face becomes the ideal boundary of the hyperbolic plane
   EdgeNode ///< the touch point of four circles, which become straight lines: as published
 };
 

@@ -188,8 +188,12 @@ NewtonFlow::Run()
 } // namespace
 
 double
-HalfKiteAngle(FlowGeometry geometry, double radius, double otherRadius)
+HalfKiteAngle(FlowGeometry geometry, double radius, double otherRadius, bool isHorocycle)
 {
+  if (isHorocycle)
+  {
+    return std::atan2(1.0, std::sinh(radius));
+  }
   if (std::isinf(otherRadius))
   {
     return 0.5 * pi;
@@ -206,7 +210,7 @@ CurvaturesOf(const CombinatorialMap & map, const CirclePacking & packing)
   {
     const double node = packing.nodeRadii[map.Node(h)];
     const double face = packing.faceRadii[map.Face(h)];
-    angles[map.Node(h)] += HalfKiteAngle(packing.geometry, node, face);
+    angles[map.Node(h)] += HalfKiteAngle(packing.geometry, node, face, IsHorocycle(packing, map.Face(h)));
     angles[map.Nodes() + map.Face(h)] += HalfKiteAngle(packing.geometry, face, node);
   }
   for (std::size_t i = 0; i < angles.size(); ++i)

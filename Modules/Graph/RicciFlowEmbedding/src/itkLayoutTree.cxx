@@ -106,7 +106,8 @@ HalfEdgeAngles(const CombinatorialMap & map, const CirclePacking & packing)
     do
     {
       angles[h] = angle;
-      angle += 2.0 * HalfKiteAngle(packing.geometry, radius, packing.faceRadii[map.Face(h)]);
+      angle += 2.0 * HalfKiteAngle(
+                       packing.geometry, radius, packing.faceRadii[map.Face(h)], IsHorocycle(packing, map.Face(h)));
       h = map.NextAround(h);
     } while (h != first);
   });

@@ -23,6 +23,10 @@ struct PlaneLayout
  * near the equator. */
 SphericalPacking
 ToSphere(const CombinatorialMap & map, const CirclePacking & packing, const PlaneLayout & layout);
+/** The disk as the lower hemisphere, for a hyperbolic packing whose ideal boundary is the circle of a face. A circle
+ * with the centre (x, y, w) on the hyperboloid and radius r is (x, y, -cosh r, w) / sinh r. */
+SphericalPacking
+DiskToSphere(const CombinatorialMap & map, const CirclePacking & packing, int boundaryFace);
 } // namespace itk
 
 #endif

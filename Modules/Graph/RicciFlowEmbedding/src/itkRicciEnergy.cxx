@@ -47,7 +47,7 @@ RicciEnergy::FindKinds(const CirclesAtInfinity & infinite)
 {
   for (int node = 0; node < m_Map.Nodes(); ++node)
   {
-    m_NodeKind[node] = Flag(infinite.infiniteNodes, node) ? Kind::Infinite : Kind::Unknown;
+    m_NodeKind[node] = Flag(infinite.lineNodes, node) ? Kind::Line : Kind::Unknown;
   }
   const std::vector<int> lengths = m_Map.FaceLengths();
   for (int face = 0; face < m_Map.Faces(); ++face)
@@ -56,12 +56,16 @@ RicciEnergy::FindKinds(const CirclesAtInfinity & infinite)
     int  h = m_Map.FirstOfFace(face);
     for (int i = 0; isEliminated && i < 3; ++i, h = m_Map.FaceNext(h))
     {
-      isEliminated = m_NodeKind[m_Map.Node(h)] != Kind::Infinite;
+      isEliminated = m_NodeKind[m_Map.Node(h)] != Kind::Line;
     }
     m_FaceKind[face] = isEliminated ? Kind::Eliminated : Kind::Unknown;
-    if (Flag(infinite.infiniteFaces, face))
+    if (Flag(infinite.lineFaces, face))
     {
-      m_FaceKind[face] = Kind::Infinite;
+      m_FaceKind[face] = Kind::Line;
+    }
+    if (Flag(infinite.horocycleFaces, face))
+    {
+      m_FaceKind[face] = Kind::Horocycle;
     }
   }
   if (m_Geometry == FlowGeometry::Euclidean) // only ratios of radii count
@@ -178,8 +182,8 @@ RicciEnergy::CurvatureOfNode(int node) const
   do
   {
     const int face = m_Map.Face(h);
-    angles += m_FaceKind[face] == Kind::Infinite ? 0.5 * pi
-                                                 : std::atan2(m_Face[face].sinh, m_Node[node].sinh * m_Face[face].cosh);
+    angles +=
+      m_FaceKind[face] == Kind::Line ? 0.5 * pi : std::atan2(m_Face[face].sinh, m_Node[node].sinh * m_Face[face].cosh);
     h = m_Map.NextAround(h);
   } while (h != first);
   return 2.0 * ((pi - angles) + restOfPi);
@@ -194,8 +198,8 @@ RicciEnergy::CurvatureOfFace(int face) const
   do
   {
     const int node = m_Map.Node(h);
-    angles += m_NodeKind[node] == Kind::Infinite ? 0.5 * pi
-                                                 : std::atan2(m_Node[node].sinh, m_Face[face].sinh * m_Node[node].cosh);
+    angles +=
+      m_NodeKind[node] == Kind::Line ? 0.5 * pi : std::atan2(m_Node[node].sinh, m_Face[face].sinh * m_Node[node].cosh);
     h = m_Map.FaceNext(h);
   } while (h != first);
   return 2.0 * ((pi - angles) + restOfPi);
@@ -210,9 +214,14 @@ RicciEnergy::Evaluate(const std::vector<double> & u)
   });
   ParallelForBlocks(m_Map.Faces(), [&](std::size_t face) {
     const int i = m_FaceUnknown[face];
-    m_Face[face] = i >= 0 ? this->SizeOf(u[i])
-                          : (this->IsEliminated(static_cast<int>(face)) ? this->SizeOfEliminated(static_cast<int>(face))
-                                                                        : CircleSize{ 1.0, 1.0 });
+    if (this->IsEliminated(static_cast<int>(face)))
+    {
+      m_Face[face] = this->SizeOfEliminated(static_cast<int>(face));
+    }
+    else
+    {
+      m_Face[face] = i >= 0 ? this->SizeOf(u[i]) : CircleSize{ 1.0, 1.0 }; // a horocycle: tanh r = 1
+    }
   });
   ParallelForBlocks(m_Map.Nodes(), [&](std::size_t node) {
     if (m_NodeUnknown[node] >= 0)
@@ -242,16 +251,24 @@ RicciEnergy::Residual() const
 void
 RicciEnergy::KitesOfFace(int face)
 {
+  const Kind         kind = m_FaceKind[face];
   const CircleSize & f = m_Face[face];
   const int          first = m_Map.FirstOfFace(face);
   int                h = first;
   do
   {
     const CircleSize & v = m_Node[m_Map.Node(h)];
-    const bool         isFinite = m_NodeKind[m_Map.Node(h)] != Kind::Infinite && m_FaceKind[face] != Kind::Infinite;
-    const double       w = v.sinh * v.sinh * f.cosh * f.cosh + f.sinh * f.sinh;
-    m_KiteElement[h] = isFinite ? -2.0 * v.sinh * f.sinh / w : 0.0;
-    m_KiteDiagonal[h] = -m_KiteElement[h] * v.cosh * f.cosh;
+    m_KiteElement[h] = 0.0;
+    m_KiteDiagonal[h] = 0.0;
+    if (kind == Kind::Horocycle)
+    {
+      m_KiteDiagonal[h] = 2.0 * v.sinh / v.cosh;
+    }
+    else if (kind != Kind::Line && m_NodeKind[m_Map.Node(h)] != Kind::Line)
+    {
+      m_KiteElement[h] = -2.0 * v.sinh * f.sinh / (v.sinh * v.sinh * f.cosh * f.cosh + f.sinh * f.sinh);
+      m_KiteDiagonal[h] = -m_KiteElement[h] * v.cosh * f.cosh;
+    }
     h = m_Map.FaceNext(h);
   } while (h != first);
 }
@@ -356,13 +373,16 @@ RicciEnergy::Packing() const
   packing.geometry = m_Geometry;
   packing.nodeRadii.resize(m_Map.Nodes());
   packing.faceRadii.resize(m_Map.Faces());
+  packing.horocycleFaces.resize(m_Map.Faces());
   for (int node = 0; node < m_Map.Nodes(); ++node)
   {
-    packing.nodeRadii[node] = m_NodeKind[node] == Kind::Infinite ? infinity : this->RadiusOf(m_Node[node]);
+    packing.nodeRadii[node] = m_NodeKind[node] == Kind::Line ? infinity : this->RadiusOf(m_Node[node]);
   }
   for (int face = 0; face < m_Map.Faces(); ++face)
   {
-    packing.faceRadii[face] = m_FaceKind[face] == Kind::Infinite ? infinity : this->RadiusOf(m_Face[face]);
+    const Kind kind = m_FaceKind[face];
+    packing.horocycleFaces[face] = kind == Kind::Horocycle;
+    packing.faceRadii[face] = kind == Kind::Line || kind == Kind::Horocycle ? infinity : this->RadiusOf(m_Face[face]);
   }
   return packing;
 }

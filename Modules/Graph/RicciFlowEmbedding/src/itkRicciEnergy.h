@@ -60,7 +60,8 @@ private:
     Unknown,
     Fixed,
     Eliminated,
-    Infinite
+    Line,
+    Horocycle
   };
   void
   FindKinds(const CirclesAtInfinity & infinite);

@@ -1,7 +1,6 @@
 #include "itkSphericalPacking.h"
 
 #include "itkCirclePacking.h"
-#include "itkLayoutTree.h"
 #include "itkPlaneToSphere.h"
 
 #include <algorithm>
@@ -30,12 +29,36 @@ CirclesAtInfinity
 CirclesThrough(const CombinatorialMap & map, int edge)
 {
   CirclesAtInfinity infinite;
-  infinite.infiniteNodes.assign(map.Nodes(), 0);
-  infinite.infiniteFaces.assign(map.Faces(), 0);
+  infinite.lineNodes.assign(map.Nodes(), 0);
+  infinite.lineFaces.assign(map.Faces(), 0);
   for (int h = 2 * edge; h < 2 * edge + 2; ++h)
   {
-    infinite.infiniteNodes[map.Node(h)] = 1;
-    infinite.infiniteFaces[map.Face(h)] = 1;
+    infinite.lineNodes[map.Node(h)] = 1;
+    infinite.lineFaces[map.Face(h)] = 1;
+  }
+  return infinite;
+}
+
+int
+LongestFace(const CombinatorialMap & map)
+{
+  const std::vector<int> lengths = map.FaceLengths();
+  return static_cast<int>(std::max_element(lengths.begin(), lengths.end()) - lengths.begin());
+}
+
+/** The circle of a face as the ideal boundary: its nodes become geodesics, the faces beside it horocycles. */
+CirclesAtInfinity
+CirclesAround(const CombinatorialMap & map, int face)
+{
+  CirclesAtInfinity infinite;
+  infinite.lineNodes.assign(map.Nodes(), 0);
+  infinite.lineFaces.assign(map.Faces(), 0);
+  infinite.horocycleFaces.assign(map.Faces(), 0);
+  infinite.lineFaces[face] = 1; // meets lines alone, and no kite is computed
+  for (const int h : map.Boundary(face))
+  {
+    infinite.lineNodes[map.Node(h)] = 1;
+    infinite.horocycleFaces[map.Face(CombinatorialMap::Twin(h))] = 1;
   }
   return infinite;
 }
@@ -55,14 +78,23 @@ RadiusOf(const SphereCircle & circle)
 }
 
 SphericalPacking
-PackOnSphere(const CombinatorialMap & map, PointAtInfinity)
+PackOnSphere(const CombinatorialMap & map, PointAtInfinity infinity)
 {
-  const int           edge = EdgeForInfinity(map);
-  const CirclePacking flat = PackCircles(map, FlowGeometry::Euclidean, CirclesThrough(map, edge));
-  const PlaneLayout   layout(map, flat);
-  SphericalPacking    packing = ToSphere(map, flat, layout);
-  packing.residual = flat.residual;
-  packing.steps = flat.steps;
-  return packing;
+  SphericalPacking sphere;
+  CirclePacking    flat;
+  if (infinity == PointAtInfinity::EdgeNode)
+  {
+    flat = PackCircles(map, FlowGeometry::Euclidean, CirclesThrough(map, EdgeForInfinity(map)));
+    sphere = ToSphere(map, flat, PlaneLayout(map, flat));
+  }
+  else
+  {
+    const int face = LongestFace(map);
+    flat = PackCircles(map, FlowGeometry::Hyperbolic, CirclesAround(map, face));
+    sphere = DiskToSphere(map, flat, face);
+  }
+  sphere.residual = flat.residual;
+  sphere.steps = flat.steps;
+  return sphere;
 }
 } // namespace itk
