@@ -34,9 +34,9 @@ WriteStatistics(CommandLine & commandLine, const itk::EmbeddingVerdict & verdict
 void
 Verify(CommandLine & commandLine)
 {
-  const std::string                path = commandLine.GetString("certificate");
-  const itk::EmbeddingCertificate  certificate = itk::ReadEmbeddingCertificate(path);
-  const itk::EmbeddingVerdict      verdict = itk::VerifyEmbedding(certificate);
+  const std::string               path = commandLine.GetString("certificate");
+  const itk::EmbeddingCertificate certificate = itk::ReadEmbeddingCertificate(path);
+  const itk::EmbeddingVerdict     verdict = itk::VerifyEmbedding(certificate);
   if (commandLine.IsGiven("statistics"))
   {
     commandLine.AddInput("certificate", "sha256:" + itk::Sha256OfFile(path));

@@ -62,6 +62,23 @@ CirclesAround(const CombinatorialMap & map, int face)
   }
   return infinite;
 }
+/** The printed projection sends the origin to the south pole, which is seen from the other side: counter-clockwise
+ * turns would become clockwise ones. */
+void
+SeeFromOutside(SphericalPacking & sphere)
+{
+  for (auto * circles : { &sphere.nodes, &sphere.faces })
+  {
+    for (SphereCircle & circle : *circles)
+    {
+      circle[2] = -circle[2];
+    }
+  }
+  for (auto & point : sphere.touchPoints)
+  {
+    point[2] = -point[2];
+  }
+}
 } // namespace
 
 std::array<double, 3>
@@ -93,6 +110,7 @@ PackOnSphere(const CombinatorialMap & map, PointAtInfinity infinity)
     flat = PackCircles(map, FlowGeometry::Hyperbolic, CirclesAround(map, face));
     sphere = DiskToSphere(map, flat, face);
   }
+  SeeFromOutside(sphere);
   sphere.residual = flat.residual;
   sphere.steps = flat.steps;
   return sphere;

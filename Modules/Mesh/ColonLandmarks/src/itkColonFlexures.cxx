@@ -213,8 +213,8 @@ SnapToApex(const CentrelineShape & shape, const Eigen::VectorXd & turning, int f
   for (int i = std::max(0, place - reach); i <= std::min(shape.Size() - 1, place + reach); ++i)
   {
     const double distance = std::abs(i - place) * CentrelineShape::Step;
-    const double value = flexure >= 2 ? shape.Points()(i, 2) + 0.5 * shape.Points()(i, 1) - 0.01 * distance
-                                            : turning[i] - 0.5 * distance;
+    const double value =
+      flexure >= 2 ? shape.Points()(i, 2) + 0.5 * shape.Points()(i, 1) - 0.01 * distance : turning[i] - 0.5 * distance;
     if (value > most)
     {
       most = value;

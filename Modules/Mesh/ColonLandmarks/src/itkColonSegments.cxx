@@ -158,8 +158,7 @@ FindColonSegments(const ColonTube & tube, const CurveSet & centreline, const Col
     border.loop = FindLoop(tube, border.point, tangents.row(i).transpose(), border.arcLength);
     if (border.loop.vertices.empty())
     {
-      result.warnings.push_back("no loop around the wall was found at the end of the " +
-                                NameOfSegment(border.number));
+      result.warnings.push_back("no loop around the wall was found at the end of the " + NameOfSegment(border.number));
     }
     else
     {
@@ -171,8 +170,7 @@ FindColonSegments(const ColonTube & tube, const CurveSet & centreline, const Col
   if (unknown > 0)
   {
     result.warnings.push_back(
-      "the segment of " +
-      std::to_string(static_cast<int>(std::lround(100.0 * unknown / result.segmentOfFace.size()))) +
+      "the segment of " + std::to_string(static_cast<int>(std::lround(100.0 * unknown / result.segmentOfFace.size()))) +
       " % of the faces cannot be said, as a border is missing");
   }
   return result;

@@ -67,10 +67,10 @@ private:
   }
 
   void
-  Relax(int place,
-        double                                 cost,
+  Relax(int                                                              place,
+        double                                                           cost,
         std::priority_queue<Entry, std::vector<Entry>, std::greater<>> & queue,
-        std::unordered_map<int, Entry> &       reached) const
+        std::unordered_map<int, Entry> &                                 reached) const
   {
     const int vertex = place / sheets;
     for (const int next : m_Tube.Connectivity().NeighboursOfVertex(vertex))

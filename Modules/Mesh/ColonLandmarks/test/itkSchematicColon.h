@@ -58,10 +58,10 @@ inline SchematicColon
 MakeSchematicColon()
 {
   // Anal verge; rectum along the sacrum; a sigmoid loop; descending; transverse hanging down; ascending; caecum.
-  const std::vector<Eigen::Vector3d> places{ { 0, 40, 0 },        { 0, 62, 60 },       { 0, 45, 120 },    { -45, -10, 135 },
-                                             { 10, -50, 150 },    { 70, -20, 130 },    { 105, 30, 160 },  { 125, 45, 240 },
-                                             { 130, 50, 350 },    { 80, -20, 320 },    { 40, -50, 230 },  { 0, -55, 215 },
-                                             { -50, -45, 240 },   { -90, -15, 290 },   { -115, 40, 320 }, { -125, 45, 240 },
+  const std::vector<Eigen::Vector3d> places{ { 0, 40, 0 },      { 0, 62, 60 },     { 0, 45, 120 },    { -45, -10, 135 },
+                                             { 10, -50, 150 },  { 70, -20, 130 },  { 105, 30, 160 },  { 125, 45, 240 },
+                                             { 130, 50, 350 },  { 80, -20, 320 },  { 40, -50, 230 },  { 0, -55, 215 },
+                                             { -50, -45, 240 }, { -90, -15, 290 }, { -115, 40, 320 }, { -125, 45, 240 },
                                              { -118, 40, 150 } };
   SchematicColon                     colon;
   colon.centreline = RoundedCurve(places);

@@ -17,9 +17,9 @@ constexpr double endShare = 0.2;
 constexpr double coreShare = 0.6;
 /** A crest that has gone down and rises again by this share of the plateau belongs to another fold. */
 constexpr double riseShare = 0.1;
-constexpr double stepLength = 0.5;      ///< mm of the map
-constexpr double farthest = 20.0;       ///< mm of the map beyond the start of a trace
-constexpr double sideways = 0.3;        ///< of a step
+constexpr double stepLength = 0.5;     ///< mm of the map
+constexpr double farthest = 20.0;      ///< mm of the map beyond the start of a trace
+constexpr double sideways = 0.3;       ///< of a step
 constexpr double memoryOfCourse = 0.9; ///< share of the course that a step keeps
 
 /** The row that the fold begins at: after the widest gap, or, for a ring, where it has fewest pixels. */

@@ -1,0 +1,96 @@
+#include "GraphEmbeddingXML.h"
+
+#include "itkCommandLine.h"
+#include "itkGraphEmbedding.h"
+#include "itkGraphGenus.h"
+#include "itkGraphReader.h"
+#include "itkRotationFile.h"
+#include "itkSha256.h"
+#include "itkToolError.h"
+
+#include <charconv>
+
+namespace
+{
+using itk::CommandLine;
+
+/** The genus that is asked for; -1 for the smallest. */
+int
+GenusOf(const std::string & text)
+{
+  int          genus = -1;
+  const char * end = text.data() + text.size();
+  const auto   result = std::from_chars(text.data(), end, genus);
+  itk::RequireUsage(text == "auto" || (result.ec == std::errc() && result.ptr == end && genus >= 0),
+                    "--genus is auto or a number that is not negative, and not \"" + text + '"');
+  return text == "auto" ? -1 : genus;
+}
+
+void
+CheckUsage(const CommandLine & commandLine)
+{
+  GenusOf(commandLine.GetString("genus"));
+  itk::RequireUsage(!commandLine.IsGiven("rotation") || !commandLine.IsGiven("genus"),
+                    "--rotation fixes the genus; leave --genus out");
+}
+
+itk::GraphEmbeddingOptions
+OptionsOf(const CommandLine & commandLine)
+{
+  itk::GraphEmbeddingOptions options;
+  options.augmentation =
+    commandLine.GetString("augmentation") == "ring" ? itk::Augmentation::Ring : itk::Augmentation::None;
+  options.infinity =
+    commandLine.GetString("infinity") == "circle" ? itk::PointAtInfinity::Circle : itk::PointAtInfinity::EdgeNode;
+  options.mayMirror = !commandLine.IsGiven("rotation");
+  return options;
+}
+
+/** How the graph lies on its surface: as a file says, or with few handles. */
+itk::SurfaceEmbedding
+SurfaceOf(CommandLine & commandLine, const itk::Graph & graph)
+{
+  if (commandLine.IsGiven("rotation"))
+  {
+    const std::string path = commandLine.GetString("rotation");
+    commandLine.AddInput("rotation", "sha256:" + itk::Sha256OfFile(path));
+    return { itk::ReadRotation(graph, path), 0, false };
+  }
+  itk::GenusOptions options;
+  options.genus = GenusOf(commandLine.GetString("genus"));
+  options.seed = static_cast<std::uint64_t>(commandLine.GetInteger("seed"));
+  return itk::FindEmbedding(graph, options);
+}
+
+void
+Embed(CommandLine & commandLine)
+{
+  CheckUsage(commandLine);
+  const std::string output = commandLine.GetString("certificate");
+  const std::string path = commandLine.Output(output);
+  commandLine.RecordRun(output + ".run.json");
+  const itk::Graph graph = itk::ReadGraph(commandLine, "graph");
+  commandLine.Progress("Genus", 0.05);
+  const itk::SurfaceEmbedding surface = SurfaceOf(commandLine, graph);
+  commandLine.Progress("Circle packing", 0.3);
+  itk::EmbeddingCertificate certificate = itk::EmbedGraph(graph, surface.map, OptionsOf(commandLine));
+  if (!commandLine.IsGiven("rotation"))
+  {
+    certificate.statistics.emplace_back("genusLowerBound", surface.lowerBound);
+  }
+  for (const std::string & warning : certificate.warnings)
+  {
+    commandLine.Warn(warning);
+  }
+  certificate.provenance = commandLine.GetProvenance();
+  certificate.warnings = commandLine.GetWarnings();
+  commandLine.Progress("Writing", 0.8);
+  itk::WriteEmbeddingCertificate(certificate, path);
+}
+} // namespace
+
+int
+main(int argc, char * argv[])
+{
+  return CommandLine::Run(ToolXML, argc, argv, Embed);
+}
