@@ -30,6 +30,7 @@ set(Shapeton_MODULES
   Mesh/ColonLandmarks
   Graph/RicciFlowEmbedding
   Graph/EmbeddingVerification
+  Visualization/GraphView
   Visualization/ShapeRendering
   Visualization/ConformalMapView
   Visualization/ColonReport

@@ -50,6 +50,10 @@ public:
   /** Two columns: name and value. */
   void
   AddFacts(const std::vector<std::pair<std::string, std::string>> & facts);
+  /** Markup as it is, well-formed XML, for drawings and scripts that are part of the page. The caller has escaped it.
+   */
+  void
+  AddMarkup(const std::string & markup);
 
   /** Throws OutputError. */
   void

@@ -166,6 +166,12 @@ HtmlReport::AddFacts(const std::vector<std::pair<std::string, std::string>> & fa
 }
 
 void
+HtmlReport::AddMarkup(const std::string & markup)
+{
+  m_Body += markup;
+}
+
+void
 HtmlReport::Write(const std::string & path) const
 {
   WriteFileBytes(path,

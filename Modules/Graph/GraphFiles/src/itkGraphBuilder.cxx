@@ -6,7 +6,7 @@ namespace
 {
 // A picture of more is nothing but grey, and subgraphs of DOT multiply.
 constexpr std::size_t MostEdges = 100000000;
-constexpr int         MostNodes = 100000000;
+constexpr int         MostNodes = 10000000;
 } // namespace
 
 int
@@ -76,7 +76,7 @@ NumberedGraphBuilder::NumberedGraphBuilder(const GraphText & text, int nodes, in
   if (nodes > MostNodes)
   {
     text.Refuse(line,
-                "the graph has " + std::to_string(nodes) + " nodes, more than 100 million",
+                "the graph has " + std::to_string(nodes) + " nodes, more than 10 million",
                 "correct the number or take a part of the graph");
   }
   m_Graph.nodes = nodes;

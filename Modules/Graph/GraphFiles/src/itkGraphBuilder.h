@@ -56,7 +56,7 @@ private:
 class NumberedGraphBuilder
 {
 public:
-  /** Refuses a number of nodes that is not in [1, 100 million]. `firstName` is the name of node 0. */
+  /** Refuses a number of nodes that is not in [1, 10 million]. `firstName` is the name of node 0. */
   NumberedGraphBuilder(const GraphText & text, int nodes, int line, int firstName = 1);
 
   /** `first` and `second` in [0, nodes). */

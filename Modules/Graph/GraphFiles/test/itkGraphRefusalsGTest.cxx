@@ -107,7 +107,7 @@ TEST(GraphRefusals, MalformedFiles)
                   { "a.graph", "2 2\n2\n1\n", "has 1 edges, but its first line states 2" },
                   { "a.graph", "2 1 7\n2\n1\n", "not of the digits 0 and 1" },
                   { "a.graph", "2 1\n2\n1\n1\n", "goes on after the last" },
-                  { "a.graph", "2000000000 1\n", "more than 100 million" },
+                  { "a.graph", "2000000000 1\n", "more than 10 million" },
                   { "a.gr", "1 2\n", "stands before the line \"p tw" },
                   { "a.gr", "p tw 2 0\np tw 2 0\n", "line 2: a second line \"p\"" },
                   { "a.m", "mpc.bus = [ 1.5 1 ];\nmpc.branch = [];", "\"1.5\" is no number of a bus" },

@@ -1,0 +1,123 @@
+#ifndef itkSvgPanel_h
+#define itkSvgPanel_h
+
+#include "itkEmbeddedGraph.h"
+
+#include <functional>
+#include <string>
+
+namespace itk
+{
+/** A point of a picture: x to the right, y downwards. */
+struct Pixel
+{
+  double x{ 0.0 };
+  double y{ 0.0 };
+};
+
+/** From points of a geometry to the plane of a picture. */
+struct PictureMap
+{
+  std::function<Pixel(const Place &)> map;
+  /** False for what lies behind. */
+  std::function<bool(const Place &)> isVisible;
+  /** Circles stay circles. */
+  bool keepsCircles{ true };
+  /** Geodesics become straight. */
+  bool isStraight{ false };
+  /** Points of the rim between what is seen and what lies behind, counter-clockwise; empty where all is seen. */
+  std::vector<Place> rim;
+};
+
+/** A rectangle of the plane of a picture. */
+struct PictureWindow
+{
+  Pixel  centre;
+  double halfWidth{ 1.0 };
+};
+
+/** How a line or an area is drawn; empty colours leave it out. */
+struct SvgStyle
+{
+  std::string stroke;
+  std::string fill;
+  double      width{ 1.0 };
+  double      opacity{ 1.0 };
+  bool        isDashed{ false };
+};
+
+/** A number with at most two decimals, with a full stop, without trailing zeros. */
+std::string
+SvgNumber(double value);
+
+/** Text as it may stand in XML. */
+std::string
+SvgText(const std::string & text);
+
+/** The content of one panel of a picture, in pixels; what is outside of the panel or smaller than a tenth of a pixel is
+ * left out. */
+class SvgPanel
+{
+public:
+  SvgPanel(const ModelSpace & space, const PictureMap & picture, const PictureWindow & window, int size);
+
+  /** Geodesics, moved by each of the motions, as one path. */
+  void
+  AddSegments(const std::vector<EmbeddedGraph::Segment> & segments,
+              const std::vector<Motion> &                 motions,
+              const SvgStyle &                            style);
+
+  void
+  AddCircle(const Place & centre, double radius, const Motion & motion, const SvgStyle & style);
+
+  /** A round mark of a size in pixels. */
+  void
+  AddDot(const Place & place, const Motion & motion, double radius, const std::string & color);
+
+  /** An area between geodesics. */
+  void
+  AddPolygon(const std::vector<Place> & corners, const Motion & motion, const SvgStyle & style);
+
+  void
+  AddLabel(const Place & place, const std::string & text);
+
+  void
+  AddTitle(const std::string & text);
+
+  /** A circle or rectangle of the picture itself, such as the rim of the disk: centre and radius in its plane. */
+  void
+  AddRim(const Pixel & centre, double radius, const SvgStyle & style);
+
+  /** The radius in pixels of a circle of the geometry about there; for sizes of dots. */
+  double
+  PixelsOf(const Place & centre, double radius, const Motion & motion) const;
+
+  const std::string &
+  Content() const
+  {
+    return m_Content;
+  }
+
+private:
+  Pixel
+  ToPixel(const Place & place) const;
+  bool
+  IsNear(const Pixel & pixel, double margin) const;
+  std::string
+  PathOfSegment(const Place & from, const Place & to, bool goesOn) const;
+  bool
+  Shorten(Place & from, Place & to) const;
+  std::string
+  PathAlongRim(const Place & centre, double radius, const Pixel & end) const;
+  void
+  AddOutline(const Place & centre, double radius, const SvgStyle & style);
+
+  const ModelSpace & m_Space;
+  PictureMap         m_Picture;
+  PictureWindow      m_Window;
+  double             m_Size;
+  std::string        m_Content;
+};
+} // namespace itk
+
+#endif
