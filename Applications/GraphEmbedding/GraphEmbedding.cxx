@@ -4,11 +4,13 @@
 #include "itkGraphEmbedding.h"
 #include "itkGraphGenus.h"
 #include "itkGraphReader.h"
+#include "itkGraphReport.h"
 #include "itkRotationFile.h"
 #include "itkSha256.h"
 #include "itkToolError.h"
 
 #include <charconv>
+#include <filesystem>
 
 namespace
 {
@@ -62,10 +64,56 @@ SurfaceOf(CommandLine & commandLine, const itk::Graph & graph)
   return itk::FindEmbedding(graph, options);
 }
 
+/** The pictures that are asked for; their files are checked before the work. */
+struct Pictures
+{
+  explicit Pictures(CommandLine & commandLine)
+    : svg(commandLine.OutputOf("svg"))
+    , vtp(commandLine.OutputOf("vtp"))
+    , title(std::filesystem::path(commandLine.GetString("graph")).filename().string())
+  {
+    options.disk = commandLine.GetString("disk") == "klein" ? itk::DiskModel::Klein : itk::DiskModel::Poincare;
+    commandLine.LeaveOutOfProvenance("disk"); // the certificate does not depend on it
+    if (commandLine.IsGiven("report"))
+    {
+      const std::string folder = commandLine.GetString("report");
+      commandLine.MakeFolder(folder);
+      report = commandLine.Output(folder + "/index.html");
+    }
+  }
+
+  void
+  Write(const itk::EmbeddingCertificate & certificate) const
+  {
+    const itk::GraphView view{ title, &certificate, {}, false };
+    if (!svg.empty())
+    {
+      itk::WriteGraphSvg(view, options, svg);
+    }
+    if (!vtp.empty())
+    {
+      itk::WriteGraphVtp(certificate, certificate.provenance, vtp);
+    }
+    if (!report.empty())
+    {
+      itk::GraphReport page{ "Embedding of " + title,   { view }, {},          certificate.warnings,
+                             itk::FactsOf(certificate), {},       options.disk };
+      itk::WriteGraphReport(page, report);
+    }
+  }
+
+  std::string              svg;
+  std::string              vtp;
+  std::string              title;
+  std::string              report;
+  itk::GraphPictureOptions options;
+};
+
 void
 Embed(CommandLine & commandLine)
 {
   CheckUsage(commandLine);
+  const Pictures    pictures(commandLine);
   const std::string output = commandLine.GetString("certificate");
   const std::string path = commandLine.Output(output);
   commandLine.RecordRun(output + ".run.json");
@@ -86,6 +134,8 @@ Embed(CommandLine & commandLine)
   certificate.warnings = commandLine.GetWarnings();
   commandLine.Progress("Writing", 0.8);
   itk::WriteEmbeddingCertificate(certificate, path);
+  commandLine.Progress("Painting", 0.9);
+  pictures.Write(certificate);
 }
 } // namespace
 

@@ -101,6 +101,15 @@ private:
     return std::atan2(std::tanh(s), std::sinh(r));
   }
 
+  /** Of the right angle between these legs: cosh l = cosh r cosh s, without cancellation for small circles. */
+  static double
+  Diagonal(double r, double s)
+  {
+    const double a = std::sinh(0.5 * r) * std::sinh(0.5 * r);
+    const double b = std::sinh(0.5 * s) * std::sinh(0.5 * s);
+    return 2.0 * std::asinh(std::sqrt(a + b + 2.0 * a * b));
+  }
+
   void
   CheckPlaces() const
   {
@@ -167,11 +176,16 @@ private:
   }
 
   /** Rounding of a place near the rim is a long way. */
-  double
-  Tolerance(int node) const
+  static double
+  Tolerance(Complex z)
   {
-    const Complex z = Place(m_Certificate.nodePositions, node);
     return MostPlaceError + static_cast<double>(1e-14L / ((1.0L - std::abs(z)) * (1.0L + std::abs(z))));
+  }
+
+  double
+  ToleranceOf(int node) const
+  {
+    return Tolerance(Place(m_Certificate.nodePositions, node));
   }
 
   /** Along the tree each node is where its parent says: the circles touch, and it looks back at the parent. */
@@ -187,7 +201,7 @@ private:
         continue;
       }
       const double error = (this->Frame(node, m_Direction[h ^ 1]).Inverse() * this->Reached(h)).Deviation();
-      if (!(error <= std::max(Tolerance(node), Tolerance(m_Packed.node[h]))))
+      if (!(error <= std::max(ToleranceOf(node), ToleranceOf(m_Packed.node[h]))))
       {
         throw Refusal("the circles of nodes " + std::to_string(m_Packed.node[h]) + " and " + std::to_string(node) +
                       " are not tangent: they miss by " + Figure(error));
@@ -208,13 +222,13 @@ private:
       const int    v = m_Packed.node[h];
       const double r = m_Certificate.nodeRadii[v];
       const double s = m_Certificate.faceRadii[f];
-      const double length = std::acosh(std::cosh(r) * std::cosh(s));
+      const double length = Diagonal(r, s);
       const auto   kite = this->Frame(v, m_Direction[h] + HalfAngle(r, s)) * Walk(length);
       const auto   expected = kite.b / std::conj(kite.a);
       const auto   place = Place(m_Certificate.facePositions, static_cast<int>(f));
       const Real   gap = std::abs(place - expected) / std::abs(Complex(1.0L) - std::conj(place) * expected);
       const double error = 2.0 * static_cast<double>(std::atanh(std::min<Real>(gap, 0.999L)));
-      if (!(error <= Tolerance(v)))
+      if (!(error <= std::max(ToleranceOf(v), Tolerance(place))))
       {
         throw Refusal("the circles of node " + std::to_string(v) + " and face " + std::to_string(f) +
                       " are not orthogonal: the face lies " + Figure(error) + " beside its place");
@@ -243,7 +257,7 @@ private:
       const double   error = static_cast<double>(
         std::max(std::abs(stated.a - sign * measured.a), std::abs(stated.b - sign * measured.b)) / size);
       const double tolerance =
-        std::max(Tolerance(m_Packed.node[generator.halfEdge]), Tolerance(m_Packed.node[generator.halfEdge ^ 1]));
+        std::max(ToleranceOf(m_Packed.node[generator.halfEdge]), ToleranceOf(m_Packed.node[generator.halfEdge ^ 1]));
       if (!(error <= 10.0 * tolerance))
       {
         throw Refusal("the generator of half-edge " + std::to_string(generator.halfEdge) +

@@ -140,7 +140,7 @@ public:
       this->PaintCircles(plan, panel);
     }
     const double width = LineWidth();
-    panel.AddSegments(m_Graph.halfEdges, plan.tiles, { EdgeColor, "", width, 1.0, false });
+    panel.AddSegments(this->Edges(), plan.tiles, { EdgeColor, "", width, 1.0, false });
     if (plan.hasDual)
     {
       panel.AddSegments(m_Graph.dual, plan.tiles, { FaceColor, "", 0.7 * width, 1.0, false });
@@ -162,6 +162,25 @@ public:
   }
 
 private:
+  /** Whole edges on the sphere, where the arc between the ends runs through the touching point; else halves. */
+  std::vector<EmbeddedGraph::Segment>
+  Edges() const
+  {
+    if (m_Graph.space.Geometry() != EmbeddingGeometry::Spherical)
+    {
+      return m_Graph.halfEdges;
+    }
+    std::vector<EmbeddedGraph::Segment> edges;
+    for (int h = 0; h < m_Graph.map.HalfEdges(); h += 2)
+    {
+      if (m_Graph.isVisibleEdge[h / 2] != 0)
+      {
+        edges.push_back({ m_Graph.nodes[m_Graph.map.Node(h)], m_Graph.nodes[m_Graph.map.Node(h + 1)] });
+      }
+    }
+    return edges;
+  }
+
   double
   LineWidth() const
   {

@@ -131,7 +131,13 @@ ModelSpace::HalfKiteAngle(double r, double s) const
 double
 ModelSpace::KiteDiagonal(double r, double s) const
 {
-  return m_Geometry == EmbeddingGeometry::Euclidean ? std::hypot(r, s) : std::acosh(std::cosh(r) * std::cosh(s));
+  if (m_Geometry == EmbeddingGeometry::Euclidean)
+  {
+    return std::hypot(r, s);
+  }
+  const double a = std::sinh(0.5 * r) * std::sinh(0.5 * r); // cosh l = cosh r cosh s without cancellation
+  const double b = std::sinh(0.5 * s) * std::sinh(0.5 * s);
+  return 2.0 * std::asinh(std::sqrt(a + b + 2.0 * a * b));
 }
 
 Place
