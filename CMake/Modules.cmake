@@ -25,11 +25,13 @@ set(Shapeton_MODULES
   Graph/GraphModel
   Graph/GraphFiles
   Graph/GraphGenus
+  Graph/SensorNetwork
   Graph/EmbeddingCertificate
   Segmentation/HaustralFolds
   Mesh/ColonLandmarks
   Graph/RicciFlowEmbedding
   Graph/EmbeddingVerification
+  Graph/GraphComparison
   Visualization/GraphView
   Visualization/ShapeRendering
   Visualization/ConformalMapView

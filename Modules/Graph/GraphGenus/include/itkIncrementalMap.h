@@ -98,6 +98,10 @@ public:
     return m_Length[label];
   }
 
+  /** Appends an edge that is not put in; returns its index. */
+  int
+  AddEdge(int node0, int node1);
+
   /** Puts an edge between the corners after `a`, at the edge's first node, and after `b`, at its second one; -1 for a
    * node that has no half-edge. */
   void

@@ -34,6 +34,17 @@ IncrementalMap::IncrementalMap(const CombinatorialMap & map)
   }
 }
 
+int
+IncrementalMap::AddEdge(int node0, int node1)
+{
+  m_Node.insert(m_Node.end(), { node0, node1 });
+  for (std::vector<int> * links : { &m_Next, &m_Previous, &m_Face })
+  {
+    links->insert(links->end(), 2, -1);
+  }
+  return Edges() - 1;
+}
+
 void
 IncrementalMap::Link(int halfEdge, int after)
 {

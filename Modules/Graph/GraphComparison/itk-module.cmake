@@ -1,0 +1,19 @@
+set(DOCUMENTATION "Graphs beside each other: canonical labelling, isomorphism, what differs, rotation systems carried over from one
+step of a dynamic graph to the next, layouts on the sphere turned to each other.")
+
+itk_module(GraphComparison
+  ENABLE_SHARED
+  DEPENDS
+    EmbeddingCertificate
+    GraphGenus
+    GraphModel
+    Report
+    RicciFlowEmbedding
+  PRIVATE_DEPENDS
+    CommandLine
+  TEST_DEPENDS
+    CommandLine
+    CounterRandom
+    ITKGoogleTest
+  DESCRIPTION "${DOCUMENTATION}"
+)

@@ -1,0 +1,111 @@
+#include "itkCarriedRotation.h"
+#include "itkGraphFamilies.h"
+
+#include <gtest/gtest.h>
+
+namespace
+{
+itk::Graph
+WithNames(itk::Graph graph)
+{
+  for (int v = 0; v < graph.nodes; ++v)
+  {
+    graph.names.push_back("n" + std::to_string(v));
+  }
+  return graph;
+}
+
+/** For each half-edge the next one around its node that is also in the other map, as names of nodes. */
+int
+KeptOrders(const itk::CombinatorialMap & before, const itk::CombinatorialMap & after, int edges)
+{
+  int kept = 0;
+  for (int h = 0; h < 2 * edges; ++h)
+  {
+    kept += before.NextAround(h) == after.NextAround(h) ? 1 : 0;
+  }
+  return kept;
+}
+} // namespace
+
+TEST(CarriedRotation, SameGraphKeepsItsMap)
+{
+  const itk::CombinatorialMap torus = itk::TorusGridMap(5, 4);
+  const itk::Graph            graph = torus.ToGraph();
+  const itk::CarriedRotation  carried = itk::CarryRotation(graph, torus, graph);
+  EXPECT_FALSE(carried.embeddedAnew);
+  EXPECT_EQ(carried.map.GetRotation(), torus.GetRotation());
+}
+
+TEST(CarriedRotation, RenumberedGraphHasTheSameMap)
+{
+  const itk::Graph      before = WithNames(itk::GridGraph(6, 5));
+  itk::CombinatorialMap map;
+  ASSERT_TRUE(itk::FindPlanarEmbedding(before, map));
+  std::vector<int> image(before.nodes);
+  for (int v = 0; v < before.nodes; ++v)
+  {
+    image[v] = (7 * v + 3) % before.nodes;
+  }
+  itk::Graph after = itk::RelabelledGraph(before, image);
+  for (std::size_t e = 0; e < after.edges.size(); e += 3)
+  {
+    std::swap(after.edges[e][0], after.edges[e][1]);
+  }
+  const itk::CarriedRotation carried = itk::CarryRotation(before, map, after);
+  for (int h = 0; h < map.HalfEdges(); ++h)
+  {
+    const int turned = h / 2 % 3 == 0 ? 1 : 0;
+    const int next = map.NextAround(h);
+    const int nextTurned = next / 2 % 3 == 0 ? 1 : 0;
+    EXPECT_EQ(carried.map.NextAround(h ^ turned), next ^ nextTurned);
+  }
+}
+
+TEST(CarriedRotation, EditsStayPlanarAndLocal)
+{
+  itk::Graph            before = WithNames(itk::GridGraph(12, 10));
+  itk::CombinatorialMap map;
+  ASSERT_TRUE(itk::FindPlanarEmbedding(before, map));
+  itk::Graph after = before;
+  const int  edges = static_cast<int>(before.edges.size());
+  after.edges.push_back({ 13, 26 }); // a diagonal of a square
+  after.edges.push_back({ 50, 50 }); // a loop
+  after.edges.push_back({ 60, 61 }); // parallel
+  after.nodes += 3;                  // a node in a square, one beyond it, one alone
+  after.names.insert(after.names.end(), { "new", "leaf", "alone" });
+  after.edges.insert(after.edges.end(), { { 120, 80 }, { 81, 120 }, { 120, 92 }, { 121, 120 } });
+  const itk::CarriedRotation carried = itk::CarryRotation(before, map, after);
+  EXPECT_FALSE(carried.embeddedAnew);
+  EXPECT_EQ(carried.map.Genus(), 0);
+  EXPECT_EQ(carried.map.ToGraph().edges, after.edges);
+  EXPECT_GE(KeptOrders(map, carried.map, edges), 2 * edges - 8);
+  const itk::CarriedRotation back = itk::CarryRotation(after, carried.map, before);
+  EXPECT_EQ(back.map.GetRotation(), map.GetRotation());
+}
+
+TEST(CarriedRotation, HandlesComeAndGo)
+{
+  const itk::Graph      k4 = WithNames(itk::CompleteGraph(4));
+  const itk::Graph      k5 = WithNames(itk::CompleteGraph(5));
+  itk::CombinatorialMap map;
+  ASSERT_TRUE(itk::FindPlanarEmbedding(k4, map));
+  const itk::CarriedRotation raised = itk::CarryRotation(k4, map, k5);
+  EXPECT_EQ(raised.map.Genus(), 1);
+  itk::Graph less = k5;
+  less.edges.erase(less.edges.begin());
+  EXPECT_EQ(itk::CarryRotation(k5, raised.map, less).map.Genus(), 0);
+}
+
+TEST(CarriedRotation, ANewEmbeddingIsTakenWhenItHasFewerHandles)
+{
+  // A path of squares whose blocks may flip: the new edge is planar only after a flip.
+  itk::Graph before =
+    WithNames({ 6, { { 0, 1 }, { 1, 2 }, { 2, 3 }, { 3, 0 }, { 0, 4 }, { 4, 2 }, { 0, 5 }, { 5, 2 } }, {} });
+  const itk::CombinatorialMap map(before,
+                                  { { 0, 7, 8, 12 }, { 1, 2 }, { 3, 4, 11, 15 }, { 5, 6 }, { 9, 10 }, { 13, 14 } });
+  itk::Graph                  after = before;
+  after.edges.insert(after.edges.end(), { { 1, 4 }, { 3, 5 } });
+  const itk::CarriedRotation carried = itk::CarryRotation(before, map, after);
+  EXPECT_EQ(carried.map.Genus(), 0);
+}

@@ -1,0 +1,15 @@
+set(DOCUMENTATION "A simulated network of moving wireless devices with variable power: a sequence of graphs.")
+
+itk_module(SensorNetwork
+  ENABLE_SHARED
+  DEPENDS
+    GraphModel
+  PRIVATE_DEPENDS
+    CommandLine
+    CounterRandom
+  TEST_DEPENDS
+    CommandLine
+    GraphGenus
+    ITKGoogleTest
+  DESCRIPTION "${DOCUMENTATION}"
+)
