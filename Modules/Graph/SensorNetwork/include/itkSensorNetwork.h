@@ -5,6 +5,7 @@
 #include "itkGraph.h"
 
 #include <cstdint>
+#include <string>
 #include <vector>
 
 namespace itk
@@ -65,7 +66,11 @@ public:
     return m_Devices;
   }
 
-  /** The nodes are the devices in the network, "d00017" for device 17. */
+  /** "d00017" for device 17. */
+  static std::string
+  NameOfDevice(int device);
+
+  /** The nodes are the devices in the network, by their names. */
   Graph
   GetGraph() const;
 

@@ -28,14 +28,6 @@ Unit(std::uint32_t word)
   return word * (1.0 / 4294967296.0);
 }
 
-std::string
-NameOfDevice(int device)
-{
-  char text[16];
-  std::snprintf(text, sizeof(text), "d%05d", device);
-  return text;
-}
-
 /** A coordinate beyond the margin is mirrored back. Returns whether it was. */
 bool
 Reflect(double & x, double side)
@@ -101,6 +93,14 @@ SensorNetwork::Advance()
     m_IsCharging[i] = device.power < (m_IsCharging[i] ? powerToReturn : leastPower);
     device.inNetwork = IsInside(device, m_Options.side) && !m_IsCharging[i];
   }
+}
+
+std::string
+SensorNetwork::NameOfDevice(int device)
+{
+  char text[16];
+  std::snprintf(text, sizeof(text), "d%05d", device);
+  return text;
 }
 
 Graph

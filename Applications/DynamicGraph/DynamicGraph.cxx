@@ -1,0 +1,150 @@
+#include "DynamicGraphXML.h"
+
+#include "itkCommandLine.h"
+#include "itkDynamicTables.h"
+#include "itkGraphComparison.h"
+#include "itkGraphReader.h"
+#include "itkSha256.h"
+#include "itkToolError.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <filesystem>
+
+namespace
+{
+using itk::CommandLine;
+
+/** The files of a folder in the order of their names. */
+std::vector<std::filesystem::path>
+FilesOf(const std::string & folder)
+{
+  std::vector<std::filesystem::path> files;
+  std::error_code                    error;
+  for (std::filesystem::directory_iterator entry(folder, error), end; !error && entry != end; entry.increment(error))
+  {
+    const std::filesystem::path path = entry->path();
+    if (entry->is_regular_file() && path.filename().string()[0] != '.' && path.extension() != ".json")
+    {
+      files.push_back(path);
+    }
+  }
+  if (error)
+  {
+    throw itk::InputError('"' + folder + "\": " + error.message() + "; give a folder of graph files");
+  }
+  if (files.empty())
+  {
+    throw itk::InputError('"' + folder + "\" has no files; give a folder with one graph file for each step");
+  }
+  std::sort(files.begin(), files.end());
+  return files;
+}
+
+/** Reads and embeds all steps. */
+itk::DynamicSequence
+EmbedAll(CommandLine & commandLine)
+{
+  itk::GenusOptions genus;
+  genus.seed = static_cast<std::uint64_t>(commandLine.GetInteger("seed"));
+  itk::DynamicEmbedding dynamic(genus);
+  itk::DynamicSequence  sequence;
+  std::string           identities;
+  const auto            files = FilesOf(commandLine.GetString("sequenceFolder"));
+  for (const auto & file : files)
+  {
+    itk::GraphFile read = itk::ReadGraph(file.string());
+    identities += file.filename().string() + ' ' + read.identity + '\n';
+    sequence.files.push_back(file.filename().string());
+    sequence.steps.push_back(dynamic.Add(read.graph));
+    for (const auto * remarks : { &read.notes, &sequence.steps.back().certificate.warnings })
+    {
+      for (const std::string & remark : *remarks)
+      {
+        commandLine.Warn(sequence.files.back() + ": " + remark);
+      }
+    }
+    commandLine.Progress("Embedding", 0.9 * sequence.steps.size() / files.size());
+  }
+  commandLine.AddInput("sequenceFolder", "sha256:" + itk::Sha256OfBytes(identities));
+  return sequence;
+}
+
+itk::Json
+DocumentOf(const CommandLine & commandLine, const itk::Json & content)
+{
+  itk::Json document;
+  for (const auto & [key, value] : commandLine.GetProvenance())
+  {
+    document["provenance"][key] = value;
+  }
+  document["warnings"] = commandLine.GetWarnings();
+  document.update(content);
+  return document;
+}
+
+/** The two steps of --compare, or none. */
+std::vector<int>
+ComparedSteps(const CommandLine & commandLine)
+{
+  std::vector<int> steps = commandLine.GetIntegers("compare");
+  itk::RequireUsage(steps.empty() || steps.size() == 2, "--compare takes two steps, for example 0,4");
+  return steps;
+}
+
+void
+WriteComparison(CommandLine & commandLine, const itk::DynamicSequence & sequence, const std::vector<int> & steps)
+{
+  for (const int step : steps)
+  {
+    itk::RequireUsage(step >= 0 && step < static_cast<int>(sequence.steps.size()),
+                      "--compare names step " + std::to_string(step) + ", but the steps are 0 to " +
+                        std::to_string(sequence.steps.size() - 1));
+  }
+  const itk::EmbeddingCertificate & a = sequence.steps[steps[0]].certificate;
+  const itk::EmbeddingCertificate & b = sequence.steps[steps[1]].certificate;
+  const itk::Json                   content{ { "steps", steps },
+                           { "files", { sequence.files[steps[0]], sequence.files[steps[1]] } },
+                           { "changes", itk::ChangesToJson(itk::ChangesBetween(a, b), a.graph, b.graph) } };
+  itk::WriteJson(DocumentOf(commandLine, content),
+                 commandLine.Output(commandLine.GetString("outputFolder") + "/compare.json"));
+}
+
+void
+Embed(CommandLine & commandLine)
+{
+  const std::vector<int>         compared = ComparedSteps(commandLine);
+  const std::vector<std::string> tracked = commandLine.GetStrings("track");
+  const std::string              folder = commandLine.GetString("outputFolder");
+  commandLine.MakeFolder(folder);
+  const std::string documentPath = commandLine.Output(folder + "/dynamic.json");
+  const std::string stepsPath = commandLine.Output(folder + "/steps.csv");
+  commandLine.RecordRun(folder + "/run.json");
+
+  itk::DynamicSequence sequence = EmbedAll(commandLine);
+  commandLine.Progress("Writing", 0.9);
+  itk::WriteJson(DocumentOf(commandLine, itk::SequenceToJson(sequence)), documentPath);
+  itk::TableOfSteps(sequence).Write(stepsPath);
+  if (!tracked.empty())
+  {
+    itk::TableOfTrackedNodes(sequence, tracked).Write(commandLine.Output(folder + "/tracked.csv"));
+  }
+  if (!compared.empty())
+  {
+    WriteComparison(commandLine, sequence, compared);
+  }
+  for (std::size_t i = 0; i < sequence.steps.size(); ++i)
+  {
+    char name[32];
+    std::snprintf(name, sizeof(name), "/step-%04d.json", static_cast<int>(i));
+    sequence.steps[i].certificate.provenance = commandLine.GetProvenance();
+    itk::WriteEmbeddingCertificate(sequence.steps[i].certificate, commandLine.Output(folder + name));
+  }
+}
+} // namespace
+
+int
+main(int argc, char * argv[])
+{
+  return CommandLine::Run(ToolXML, argc, argv, Embed);
+}
