@@ -38,4 +38,5 @@ set(Shapeton_MODULES
   Visualization/ColonReport
   Visualization/FlatColonView
   Visualization/ColonoscopyRun
+  Visualization/HaustralFoldView
 )

@@ -3,12 +3,17 @@ set(DOCUMENTATION "Haustral folds on the flat map of a colon by a least cut of c
 itk_module(HaustralFolds
   ENABLE_SHARED
   DEPENDS
+    DicomSeries
     FlatColonGrid
+    Report
+    SlicerMarkups
     SurfaceMesh
     ITKCommon
   PRIVATE_DEPENDS
     CommandLine
     HeatDiffusionMetric
+    ITKIOImageBase
+    ITKIONRRD
     ParallelLoops
   TEST_DEPENDS
     CommandLine

@@ -6,33 +6,65 @@
 #include "itkFlatColonGrid.h"
 #include "itkPicture.h"
 
+#include <functional>
 #include <vector>
 
 namespace itk
 {
-/** A line on the flat map, for example a taenia. \ingroup FlatColonView */
-struct FlatCurve
+/** Labels on the flat map, to be drawn as outlines. \ingroup FlatColonView */
+struct FlatOutlines
 {
-  /** mm of the map; each step takes the shorter way around the tube. */
-  std::vector<Eigen::Vector2d> uv;
-  RGBColor                     color{ MakeColor(255, 255, 255) };
-  /** Pixels. */
-  double width{ 2.0 };
+  /** Of any grid on the same map, `columns` to a row; not owned. */
+  const unsigned short * labels{ nullptr };
+  int                    columns{ 0 };
+  int                    rows{ 0 };
+  /** Of a label; 0 is never asked for. */
+  std::function<RGBColor(int)> colorOf;
 };
 
-/** What is drawn over a flat picture: outlines of regions, such as folds, then lines. \ingroup FlatColonView */
-struct FlatColonOverlay
+/** A line on the flat map. \ingroup FlatColonView */
+struct FlatLine
 {
-  /** 0 outside; its physical points are (u, v) in mm, as those of a FlatCoordinateMap. Not owned; may be null. */
-  const Image<unsigned short, 2> * regions{ nullptr };
-  RGBColor                         regionColor{ MakeColor(120, 255, 160) };
-  std::vector<FlatCurve>           curves;
+  /** (u, v), mm; from place to place the shorter way around the tube is taken. A place that is not finite breaks the
+   * line. */
+  std::vector<Eigen::Vector2d> places;
+  RGBColor                     color;
+  /** Pixels of the strip. */
+  double thickness{ 2.0 };
 };
 
-/** Draws onto a strip with the pixels of the grid; what leaves it above comes back below. Throws std::invalid_argument
- * when the strip has not the size of the grid. \ingroup FlatColonView */
+/** A dot on the flat map. \ingroup FlatColonView */
+struct FlatDot
+{
+  Eigen::Vector2d uv{ Eigen::Vector2d::Zero() };
+  RGBColor        color;
+  /** Pixels of the strip. */
+  double radius{ 2.5 };
+};
+
+/** \defgroup FlatColonOverlay What is drawn over a strip (see FlatColonStrip) before it goes to a page
+ * All of them go on around the tube. The strip must have the size of the grid, else std::invalid_argument.
+ * \ingroup FlatColonView */
+///@{
+/** Pixels inside of a label that have a neighbour outside of it. */
 FlatColonView_EXPORT void
-PaintFlatOverlay(Picture * strip, const FlatColonGrid & grid, const FlatColonOverlay & overlay);
+DrawFlatOutlines(Picture * strip, const FlatColonGrid & grid, const FlatOutlines & outlines);
+
+FlatColonView_EXPORT void
+DrawFlatLine(Picture * strip, const FlatColonGrid & grid, const FlatLine & line);
+
+/** With a dark rim. */
+FlatColonView_EXPORT void
+DrawFlatDot(Picture * strip, const FlatColonGrid & grid, const FlatDot & dot);
+
+/** The places on the map of a curve in space, by the nearest points of the surface, at most `step` mm apart; not finite
+ * where the surface is more than `farthest` mm away. */
+FlatColonView_EXPORT std::vector<Eigen::Vector2d>
+                     PlacesOfCurve(const FlatColonGrid &                grid,
+                                   const std::vector<Eigen::Vector3d> & points,
+                                   double                               step = 2.0,
+                                   double                               farthest = 15.0);
+///@}
 } // namespace itk
 
 #endif

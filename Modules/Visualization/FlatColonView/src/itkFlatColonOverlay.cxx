@@ -1,100 +1,122 @@
 #include "itkFlatColonOverlay.h"
 
+#include "itkFlatColonLocator.h"
+
+#include <algorithm>
 #include <cmath>
+#include <limits>
 #include <stdexcept>
 
 namespace itk
 {
 namespace
 {
-/** Regions by the pixels of the grid. */
-class RegionsOnGrid
-{
-public:
-  RegionsOnGrid(const Image<unsigned short, 2> * regions, const FlatColonGrid & grid) : m_Regions(regions), m_Grid(grid)
-  {}
-
-  /** 0 beyond the ends of the tube. */
-  unsigned short
-  At(int column, int row) const
-  {
-    if (column < 0 || column >= m_Grid.Columns())
-    {
-      return 0;
-    }
-    const int             wrapped = (row + m_Grid.Rows()) % m_Grid.Rows();
-    const Eigen::Vector2d uv = m_Grid.UvOfPixel(column, wrapped);
-    Point<double, 2>      place;
-    place[0] = uv.x();
-    place[1] = uv.y();
-    Index<2>   index;
-    const bool isInside = m_Regions->TransformPhysicalPointToIndex(place, index);
-    return isInside ? m_Regions->GetPixel(index) : 0;
-  }
-
-private:
-  const Image<unsigned short, 2> * m_Regions;
-  const FlatColonGrid &            m_Grid;
-};
-
-/** The inner rim of each region. */
 void
-PaintOutlines(Picture * strip, const FlatColonGrid & grid, const FlatColonOverlay & overlay)
+RequireSize(const Picture * strip, const FlatColonGrid & grid)
 {
-  const RegionsOnGrid regions(overlay.regions, grid);
+  const auto size = strip->GetLargestPossibleRegion().GetSize();
+  if (size[0] != static_cast<SizeValueType>(grid.Columns()) || size[1] != static_cast<SizeValueType>(grid.Rows()))
+  {
+    throw std::invalid_argument("the strip has not the size of the grid");
+  }
+}
+
+/** Columns and rows of a place on the map; (0, 0) is the middle of the first pixel. */
+Eigen::Vector2d
+PictureOfUv(const FlatColonGrid & grid, const Eigen::Vector2d & uv)
+{
+  const double down = grid.IsMirrored() ? grid.Circumference() - uv.y() : uv.y();
+  const double turn = down / grid.Circumference() - std::floor(down / grid.Circumference());
+  return { uv.x() / grid.PixelSize() - 0.5, turn * grid.Rows() - 0.5 };
+}
+} // namespace
+
+void
+DrawFlatOutlines(Picture * strip, const FlatColonGrid & grid, const FlatOutlines & outlines)
+{
+  RequireSize(strip, grid);
+  if (outlines.columns < 1 || outlines.rows < 1 || !outlines.labels || !outlines.colorOf)
+  {
+    throw std::invalid_argument("there are no labels to outline");
+  }
+  const auto labelAt = [&](int column, int row) -> int {
+    const int wrapped = (row % grid.Rows() + grid.Rows()) % grid.Rows();
+    const int x = std::clamp(static_cast<int>((column + 0.5) * outlines.columns / grid.Columns()), 0, outlines.columns - 1);
+    const int y = std::min(outlines.rows - 1, static_cast<int>((wrapped + 0.5) * outlines.rows / grid.Rows()));
+    return outlines.labels[static_cast<std::size_t>(y) * outlines.columns + x];
+  };
   for (int row = 0; row < grid.Rows(); ++row)
   {
     for (int column = 0; column < grid.Columns(); ++column)
     {
-      const unsigned short here = regions.At(column, row);
-      if (here != 0 && (regions.At(column - 1, row) != here || regions.At(column + 1, row) != here ||
-                        regions.At(column, row - 1) != here || regions.At(column, row + 1) != here))
+      const int label = labelAt(column, row);
+      if (label > 0 && (labelAt(std::max(0, column - 1), row) != label ||
+                        labelAt(std::min(grid.Columns() - 1, column + 1), row) != label ||
+                        labelAt(column, row - 1) != label || labelAt(column, row + 1) != label))
       {
-        FillRectangle(strip, column, row, 1, 1, overlay.regionColor, 0.85);
+        strip->GetBufferPointer()[static_cast<std::size_t>(row) * grid.Columns() + column] = outlines.colorOf(label);
       }
     }
   }
 }
 
 void
-PaintCurve(Picture * strip, const FlatColonGrid & grid, const FlatCurve & curve)
+DrawFlatLine(Picture * strip, const FlatColonGrid & grid, const FlatLine & line)
 {
-  const Eigen::Vector2d first = grid.UvOfPixel(0, 0);
-  const double          step = grid.PixelSize();
-  const double          down = grid.IsMirrored() ? -step : step;
-  const auto            placeOf = [&](const Eigen::Vector2d & uv) {
-    return Eigen::Vector2d((uv.x() - first.x()) / step, (uv.y() - first.y()) / down);
-  };
-  const double rows = grid.Rows();
-  for (std::size_t i = 1; i < curve.uv.size(); ++i)
+  RequireSize(strip, grid);
+  const double turn = grid.Rows();
+  for (std::size_t i = 0; i + 1 < line.places.size(); ++i)
   {
-    Eigen::Vector2d a = placeOf(curve.uv[i - 1]);
-    Eigen::Vector2d b = placeOf(curve.uv[i]);
-    a.y() -= rows * std::floor(a.y() / rows);
-    b.y() -= rows * std::round((b.y() - a.y()) / rows);
-    for (const double turn : { -rows, 0.0, rows })
+    if (!line.places[i].allFinite() || !line.places[i + 1].allFinite())
     {
-      DrawLine(strip, a.x(), a.y() + turn, b.x(), b.y() + turn, curve.color, curve.width);
+      continue;
+    }
+    const Eigen::Vector2d from = PictureOfUv(grid, line.places[i]);
+    Eigen::Vector2d       to = PictureOfUv(grid, line.places[i + 1]);
+    to.y() = from.y() + std::remainder(to.y() - from.y(), turn);
+    for (const double shift : { -turn, 0.0, turn }) // what leaves the strip above comes in below
+    {
+      DrawLine(strip, from.x(), from.y() + shift, to.x(), to.y() + shift, line.color, line.thickness);
     }
   }
 }
-} // namespace
 
 void
-PaintFlatOverlay(Picture * strip, const FlatColonGrid & grid, const FlatColonOverlay & overlay)
+DrawFlatDot(Picture * strip, const FlatColonGrid & grid, const FlatDot & dot)
 {
-  const auto size = strip->GetBufferedRegion().GetSize();
-  if (static_cast<int>(size[0]) != grid.Columns() || static_cast<int>(size[1]) != grid.Rows())
+  RequireSize(strip, grid);
+  const Eigen::Vector2d place = PictureOfUv(grid, dot.uv);
+  for (const double shift : { -1.0 * grid.Rows(), 0.0, 1.0 * grid.Rows() })
   {
-    throw std::invalid_argument("the strip has not the size of the grid");
+    const double y = place.y() + shift;
+    DrawLine(strip, place.x(), y, place.x(), y, MakeColor(20, 20, 24), 2.0 * dot.radius + 2.0);
+    DrawLine(strip, place.x(), y, place.x(), y, dot.color, 2.0 * dot.radius);
   }
-  if (overlay.regions)
+}
+
+std::vector<Eigen::Vector2d>
+PlacesOfCurve(const FlatColonGrid &                grid,
+              const std::vector<Eigen::Vector3d> & points,
+              double                               step,
+              double                               farthest)
+{
+  const FlatColonLocator       locator(grid);
+  std::vector<Eigen::Vector2d> places;
+  const auto                   add = [&](const Eigen::Vector3d & point) {
+    const FlatPlace place = locator.Find(point);
+    places.push_back(place.distance <= farthest
+                       ? place.uv
+                       : Eigen::Vector2d::Constant(std::numeric_limits<double>::quiet_NaN()).eval());
+  };
+  for (std::size_t i = 0; i < points.size(); ++i)
   {
-    PaintOutlines(strip, grid, overlay);
+    const Eigen::Vector3d next = points[std::min(i + 1, points.size() - 1)];
+    const int             parts = std::max(1, static_cast<int>(std::ceil((next - points[i]).norm() / step)));
+    for (int part = 0; part < parts; ++part)
+    {
+      add(points[i] + (next - points[i]) * part / parts);
+    }
   }
-  for (const FlatCurve & curve : overlay.curves)
-  {
-    PaintCurve(strip, grid, curve);
-  }
+  return places;
 }
 } // namespace itk

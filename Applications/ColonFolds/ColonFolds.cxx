@@ -1,0 +1,137 @@
+#include "ColonFoldsXML.h"
+
+#include "itkCommandLine.h"
+#include "itkHaustralFoldFiles.h"
+#include "itkHaustralFoldPicture.h"
+#include "itkSurfaceReader.h"
+#include "itkSurfaceWriter.h"
+#include "itkToolError.h"
+
+namespace
+{
+using itk::CommandLine;
+
+void
+CheckUsage(const CommandLine & commandLine)
+{
+  const bool isPublished = commandLine.GetString("scheme") == "published";
+  itk::RequireUsage(isPublished || !(commandLine.IsGiven("publishedLow") || commandLine.IsGiven("publishedHigh")),
+                    "--publishedLow and --publishedHigh belong to --scheme published");
+  itk::RequireUsage(!isPublished || !commandLine.IsGiven("smoothness"), "--smoothness belongs to --scheme graphCut");
+  itk::RequireFoldLabelsName(commandLine.GetString("outputLabels"));
+}
+
+itk::HaustralFoldOptions
+OptionsOf(const CommandLine & commandLine)
+{
+  itk::HaustralFoldOptions options;
+  options.scheme = commandLine.GetString("scheme") == "published" ? itk::HaustralFoldScheme::Published
+                                                                  : itk::HaustralFoldScheme::GraphCut;
+  options.minimumLength = commandLine.GetDouble("minimumLength");
+  options.minimumArea = commandLine.GetDouble("minimumArea");
+  options.minimumElongation = commandLine.GetDouble("minimumElongation");
+  options.minimumAngle = commandLine.GetDouble("minimumAngle");
+  options.smoothingTime = commandLine.GetDouble("smoothingTime");
+  options.smoothness = commandLine.GetDouble("smoothness");
+  options.publishedLow = commandLine.GetDouble("publishedLow");
+  options.publishedHigh = commandLine.GetDouble("publishedHigh");
+  return options;
+}
+
+/** The files beside the labels; a name is empty where the file is not wanted. */
+class FoldFiles
+{
+public:
+  explicit FoldFiles(CommandLine & commandLine)
+    : m_CommandLine(commandLine)
+    , m_Labels(commandLine.OutputOf("outputLabels"))
+    , m_Features(commandLine.OutputOf("features"))
+    , m_Table(commandLine.OutputOf("table"))
+    , m_Picture(commandLine.OutputOf("picture"))
+    , m_Markups(commandLine.OutputOf("markups"))
+    , m_ColorTable(commandLine.OutputOf("colorTable"))
+  {}
+
+  void
+  Write(const itk::HaustralFolds & folds, const itk::FlatColonGrid & grid) const
+  {
+    itk::WriteFoldLabels(folds, grid, m_Labels, itk::ProvenanceMetadata(m_CommandLine));
+    if (!m_Features.empty())
+    {
+      itk::CurveSet features = itk::FeaturesOfFolds(folds);
+      features.facts = m_CommandLine.GetProvenance();
+      itk::WriteCurves(features, m_Features);
+    }
+    if (!m_Table.empty())
+    {
+      itk::TableOfFolds(folds).Write(m_Table);
+    }
+    if (!m_Markups.empty())
+    {
+      itk::WriteMarkups(itk::MarkupsOfFolds(folds), m_Markups);
+    }
+    if (!m_ColorTable.empty())
+    {
+      itk::WriteColorTable(itk::ColorsOfFolds(folds), m_ColorTable);
+    }
+  }
+
+  void
+  WritePicture(const itk::HaustralFoldPictureContent & content, double pixelSize) const
+  {
+    if (!m_Picture.empty())
+    {
+      itk::WritePng(itk::DrawHaustralFolds(content, 0.5 * pixelSize, "Haustral folds"), m_Picture);
+    }
+  }
+
+private:
+  CommandLine & m_CommandLine;
+  std::string   m_Labels;
+  std::string   m_Features;
+  std::string   m_Table;
+  std::string   m_Picture;
+  std::string   m_Markups;
+  std::string   m_ColorTable;
+};
+
+void
+FindFolds(CommandLine & commandLine)
+{
+  CheckUsage(commandLine);
+  const FoldFiles files(commandLine);
+  commandLine.RecordRun(commandLine.GetString("outputLabels") + ".run.json");
+
+  commandLine.Progress("Reading", 0.0);
+  const std::string            what = '"' + commandLine.GetString("inputFlat") + '"';
+  const itk::Surface           surface = itk::ReadSurface(commandLine, "inputFlat");
+  itk::HaustralFoldOptions     options = OptionsOf(commandLine);
+  itk::CurveSet                taeniae;
+  if (commandLine.IsGiven("taeniae"))
+  {
+    taeniae = itk::ReadCurves(commandLine, "taeniae");
+    options.taeniae = &taeniae;
+  }
+  itk::FlatColonGridOptions gridOptions;
+  gridOptions.pixelSize = commandLine.GetDouble("pixelSize");
+  const itk::FlatColonGrid grid(surface.mesh, gridOptions, what);
+
+  commandLine.Progress("Folds", 0.2);
+  const itk::HaustralFolds folds = itk::FindHaustralFolds(grid, options);
+  for (const std::string & warning : folds.warnings)
+  {
+    commandLine.Warn(warning);
+  }
+
+  commandLine.Progress("Writing", 0.7);
+  files.Write(folds, grid);
+  commandLine.Progress("Painting", 0.8);
+  files.WritePicture({ &surface.mesh, &folds, options.taeniae, what, {} }, grid.PixelSize());
+}
+} // namespace
+
+int
+main(int argc, char * argv[])
+{
+  return CommandLine::Run(ToolXML, argc, argv, FindFolds);
+}

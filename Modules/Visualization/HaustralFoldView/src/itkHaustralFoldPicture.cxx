@@ -1,0 +1,96 @@
+#include "itkHaustralFoldPicture.h"
+
+#include "itkCsvTable.h"
+#include "itkFlatColonOverlay.h"
+#include "itkFlatColonStrip.h"
+#include "itkHaustralFoldFiles.h"
+
+#include <cmath>
+
+namespace itk
+{
+namespace
+{
+const RGBColor colorOfEnds = MakeColor(40, 220, 70);
+const RGBColor colorOfTaeniae = MakeColor(255, 214, 0);
+
+FlatColonGridOptions
+OptionsFor(double pixelSize)
+{
+  FlatColonGridOptions options;
+  options.pixelSize = pixelSize;
+  options.curvatureLength = 2.0;
+  options.normalLength = 1.0;
+  return options;
+}
+
+RGBColor
+ColorOf(int label)
+{
+  const std::array<double, 3> color = ColorOfLabel(label);
+  const auto                  channel = [&](int k) { return static_cast<unsigned char>(std::lround(255.0 * color[k])); };
+  return MakeColor(channel(0), channel(1), channel(2));
+}
+
+void
+DrawFolds(Picture * strip, const FlatColonGrid & grid, const HaustralFolds & folds)
+{
+  const auto   size = folds.labels->GetLargestPossibleRegion().GetSize();
+  FlatOutlines outlines;
+  outlines.labels = folds.labels->GetBufferPointer();
+  outlines.columns = static_cast<int>(size[0]);
+  outlines.rows = static_cast<int>(size[1]);
+  outlines.colorOf = ColorOf;
+  DrawFlatOutlines(strip, grid, outlines);
+  for (const HaustralFold & fold : folds.folds)
+  {
+    for (int end = 0; end < 2; ++end)
+    {
+      DrawFlatDot(strip, grid, { fold.endUv[end], colorOfEnds, 1.5 + 1.5 * fold.endReliability[end] });
+    }
+  }
+}
+
+void
+DrawTaeniae(Picture * strip, const FlatColonGrid & grid, const CurveSet & taeniae)
+{
+  for (const std::vector<int> & curve : taeniae.curves)
+  {
+    std::vector<Eigen::Vector3d> points;
+    for (const int vertex : curve)
+    {
+      points.emplace_back(taeniae.V.row(vertex));
+    }
+    DrawFlatLine(strip, grid, { PlacesOfCurve(grid, points), colorOfTaeniae, 1.5 });
+  }
+}
+
+std::string
+NoteOn(const HaustralFoldPictureContent & content)
+{
+  std::string note = std::to_string(content.folds->folds.size()) + " folds, green: their ends";
+  note += content.taeniae ? ", yellow: taeniae" : "";
+  return note + ". Seen from the lumen, rectum at the left. For research use; not a diagnosis.";
+}
+} // namespace
+
+Picture::Pointer
+DrawHaustralFolds(const HaustralFoldPictureContent & content,
+                  double                             pixelSize,
+                  const std::string &                title,
+                  int                                greatestColumns)
+{
+  const FlatColonGrid    grid(*content.flat, OptionsFor(pixelSize), content.what);
+  const Picture::Pointer strip = PaintFlatRelief(grid, MakeFlatColonAxis(grid));
+  if (content.taeniae)
+  {
+    DrawTaeniae(strip, grid, *content.taeniae);
+  }
+  DrawFolds(strip, grid, *content.folds);
+  FlatColonPageOptions options;
+  options.title = title;
+  options.note = NoteOn(content);
+  options.greatestColumns = greatestColumns;
+  return DrawFlatColonPage(strip, grid, DistanceOfColumns(grid), content.annotations, options);
+}
+} // namespace itk
