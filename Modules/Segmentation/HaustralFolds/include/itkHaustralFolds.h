@@ -71,7 +71,8 @@ struct HaustralFold
   std::array<Eigen::Vector3d, 2> ends;
   /** Along the crest, mm on the surface. */
   double length{ 0.0 };
-  /** mm^2 on the surface. */
+  /** Of the label, mm^2 on the surface; the least area is asked of the cut alone, before its label is lengthened along
+   * the crest. */
   double area{ 0.0 };
   /** Long over short axis of the ellipse with the same second moments on the map. */
   double elongation{ 1.0 };

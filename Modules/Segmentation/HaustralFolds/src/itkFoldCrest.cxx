@@ -326,4 +326,32 @@ TraceCrest(const FoldPicture & picture, const FoldPlaces & places, const FoldEll
 {
   return CrestTracer(picture, floor).Trace(places, ellipse);
 }
+
+FoldPixels
+PixelsAlongCrest(const FoldPicture & picture, const FoldCrest & crest)
+{
+  constexpr double       reach = 2.0; // mm on the surface
+  std::vector<FlatPixel> pixels;
+  for (const Vector2d & place : crest.places)
+  {
+    const int    column = static_cast<int>(std::lround(place.x()));
+    const int    row = static_cast<int>(std::lround(place.y()));
+    const double radius = reach / std::max(1e-3, MillimetresOfPixel(picture, place));
+    const int    steps = std::min(64, static_cast<int>(radius));
+    const auto   wrap = [&](int y) { return (y % picture.rows + picture.rows) % picture.rows; };
+    const float  level = 0.5F * picture.curvature[picture.Index(std::clamp(column, 0, picture.columns - 1), wrap(row))];
+    for (int y = row - steps; y <= row + steps; ++y)
+    {
+      for (int x = std::max(0, column - steps); x <= std::min(picture.columns - 1, column + steps); ++x)
+      {
+        const bool isNear = (Vector2d(x, y) - place).norm() <= radius;
+        if (isNear && picture.curvature[picture.Index(x, wrap(y))] >= level && picture.isWall[picture.Index(x, wrap(y))])
+        {
+          pixels.push_back({ x, wrap(y) });
+        }
+      }
+    }
+  }
+  return pixels;
+}
 } // namespace itk

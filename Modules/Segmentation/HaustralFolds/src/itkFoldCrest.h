@@ -51,6 +51,10 @@ CrestOfEllipse(const FoldPicture & picture, const FoldPlaces & places, const Fol
 FoldCrest
 TraceCrest(const FoldPicture & picture, const FoldPlaces & places, const FoldEllipse & ellipse, double floor);
 
+/** The pixels within 2 mm of the crest that have half of its curvature; some more than once. */
+FoldPixels
+PixelsAlongCrest(const FoldPicture & picture, const FoldCrest & crest);
+
 /** The mm on the surface of 1 pixel there. */
 double
 MillimetresOfPixel(const FoldPicture & picture, const Eigen::Vector2d & place);

@@ -115,17 +115,43 @@ private:
     {
       folds.folds.push_back(measured.fold);
       folds.folds.back().label = static_cast<int>(folds.folds.size());
-      for (const FlatPixel & pixel : measured.pixels)
-      {
-        folds.labels->GetBufferPointer()[m_Picture.Index(pixel.column, pixel.row)] =
-          static_cast<unsigned short>(folds.folds.size());
-      }
+      this->Paint(measured.pixels, folds.folds.back().label, folds.labels);
+    }
+    if (!this->IsPublished())
+    {
+      this->LengthenLabels(folds);
     }
     if (m_Found.empty())
     {
       folds.warnings.push_back("no haustral folds were found: the wall is smooth, or what bulges from it is too small");
     }
     return folds;
+  }
+
+  /** Gives pixels that have no label this one; their area, mm^2. */
+  double
+  Paint(const FoldPixels & pixels, int label, Image<unsigned short, 2> * labels) const
+  {
+    double area = 0.0;
+    for (const FlatPixel & pixel : pixels)
+    {
+      const std::size_t index = m_Picture.Index(pixel.column, pixel.row);
+      unsigned short &  value = labels->GetBufferPointer()[index];
+      area += value == 0 ? m_Picture.AreaOf(index) : 0.0;
+      value = value == 0 ? static_cast<unsigned short>(label) : value;
+    }
+    return area;
+  }
+
+  /** The cut ends before the crests do: labels go on along them. */
+  void
+  LengthenLabels(HaustralFolds & folds) const
+  {
+    for (std::size_t i = 0; i < folds.folds.size(); ++i)
+    {
+      HaustralFold & fold = folds.folds[i];
+      fold.area += this->Paint(PixelsAlongCrest(m_Picture, m_Found[i].crest), fold.label, folds.labels);
+    }
   }
 
   const FlatColonGrid &       m_Grid;

@@ -20,6 +20,8 @@ struct FlatOutlines
   int                    rows{ 0 };
   /** Of a label; 0 is never asked for. */
   std::function<RGBColor(int)> colorOf;
+  /** Pixels of the strip. */
+  int thickness{ 2 };
 };
 
 /** A line on the flat map. \ingroup FlatColonView */
@@ -46,7 +48,7 @@ struct FlatDot
  * All of them go on around the tube. The strip must have the size of the grid, else std::invalid_argument.
  * \ingroup FlatColonView */
 ///@{
-/** Pixels inside of a label that have a neighbour outside of it. */
+/** Pixels inside of a label that are next to its border. */
 FlatColonView_EXPORT void
 DrawFlatOutlines(Picture * strip, const FlatColonGrid & grid, const FlatOutlines & outlines);
 

@@ -41,18 +41,22 @@ DrawFlatOutlines(Picture * strip, const FlatColonGrid & grid, const FlatOutlines
   }
   const auto labelAt = [&](int column, int row) -> int {
     const int wrapped = (row % grid.Rows() + grid.Rows()) % grid.Rows();
-    const int x = std::clamp(static_cast<int>((column + 0.5) * outlines.columns / grid.Columns()), 0, outlines.columns - 1);
+    const int within = std::clamp(column, 0, grid.Columns() - 1);
+    const int x = std::min(outlines.columns - 1, static_cast<int>((within + 0.5) * outlines.columns / grid.Columns()));
     const int y = std::min(outlines.rows - 1, static_cast<int>((wrapped + 0.5) * outlines.rows / grid.Rows()));
     return outlines.labels[static_cast<std::size_t>(y) * outlines.columns + x];
+  };
+  const auto isAtBorder = [&](int column, int row, int label) {
+    const int reach = outlines.thickness;
+    return labelAt(column - reach, row) != label || labelAt(column + reach, row) != label ||
+           labelAt(column, row - reach) != label || labelAt(column, row + reach) != label;
   };
   for (int row = 0; row < grid.Rows(); ++row)
   {
     for (int column = 0; column < grid.Columns(); ++column)
     {
       const int label = labelAt(column, row);
-      if (label > 0 && (labelAt(std::max(0, column - 1), row) != label ||
-                        labelAt(std::min(grid.Columns() - 1, column + 1), row) != label ||
-                        labelAt(column, row - 1) != label || labelAt(column, row + 1) != label))
+      if (label > 0 && isAtBorder(column, row, label))
       {
         strip->GetBufferPointer()[static_cast<std::size_t>(row) * grid.Columns() + column] = outlines.colorOf(label);
       }

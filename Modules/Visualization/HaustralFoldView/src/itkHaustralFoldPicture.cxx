@@ -3,9 +3,8 @@
 #include "itkCsvTable.h"
 #include "itkFlatColonOverlay.h"
 #include "itkFlatColonStrip.h"
-#include "itkHaustralFoldFiles.h"
 
-#include <cmath>
+#include <array>
 
 namespace itk
 {
@@ -24,12 +23,14 @@ OptionsFor(double pixelSize)
   return options;
 }
 
+/** Neighbours along the colon differ, and all stand out from mucosa, the green of ends and the yellow of taeniae. */
 RGBColor
 ColorOf(int label)
 {
-  const std::array<double, 3> color = ColorOfLabel(label);
-  const auto                  channel = [&](int k) { return static_cast<unsigned char>(std::lround(255.0 * color[k])); };
-  return MakeColor(channel(0), channel(1), channel(2));
+  static const std::array<RGBColor, 4> colors{
+    MakeColor(0, 229, 255), MakeColor(255, 255, 255), MakeColor(40, 90, 255), MakeColor(214, 64, 255)
+  };
+  return colors[label % colors.size()];
 }
 
 void
