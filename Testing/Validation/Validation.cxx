@@ -35,6 +35,7 @@ const std::vector<Part> parts = {
   { "colon-surfaces", "Surface and centreline of synthetic colons", ValidateColonSurfaces, false },
   { "colon-noise", "Synthetic colons in strong noise", ValidateColonNoise, false, false },
   { "colon-surfaces-fine", "Synthetic colons in fine voxels", ValidateColonSurfacesFine, false, false },
+  { "colon-landmarks", "Folds, taeniae and flexures of synthetic colons", ValidateColonLandmarks, false },
 };
 
 int

@@ -87,6 +87,8 @@ ValidateQualityOfMetric(const ValidationSettings & settings, ValidationReport & 
 void
 ValidateColonSurfaces(const ValidationSettings & settings, ValidationReport & report);
 void
+ValidateColonLandmarks(const ValidationSettings & settings, ValidationReport & report);
+void
 ValidateColonNoise(const ValidationSettings & settings, ValidationReport & report);
 void
 ValidateColonSurfacesFine(const ValidationSettings & settings, ValidationReport & report);

@@ -1,0 +1,118 @@
+#include "LandmarkTrial.h"
+
+#include "itkColonFlattening.h"
+#include "itkColonModel.h"
+#include "itkColonPhantomImageSource.h"
+#include "itkSurfaceReader.h"
+#include "itkSurfaceWriter.h"
+#include "itkToolError.h"
+
+#include "itkCastImageFilter.h"
+
+#include <cmath>
+#include <cstdlib>
+#include <filesystem>
+
+using namespace itk;
+
+namespace
+{
+using Source = ColonPhantomImageSource;
+
+Source::Pointer
+MakePhantom(const LandmarkCase & one)
+{
+  const auto       source = Source::New();
+  const double     extent[3] = { 358.4, 358.4, 336.0 }; // mm
+  Source::SizeType size;
+  for (unsigned int axis = 0; axis < 3; ++axis)
+  {
+    size[axis] = static_cast<SizeValueType>(std::lround(extent[axis] / one.spacing));
+  }
+  source->SetParameters(one.parameters);
+  source->SetSize(size);
+  source->SetSpacing(Source::SpacingType(one.spacing));
+  source->CenterOutput();
+  source->Update();
+  return source;
+}
+
+ColonModel
+MakeModel(const LandmarkCase & one)
+{
+  const auto        source = MakePhantom(one);
+  ColonModelOptions options;
+  if (!one.isFromCt)
+  {
+    return BuildColonModelOfLumen(source->GetLumenOutput(), options);
+  }
+  options.patientPosition = one.parameters.position;
+  const auto cast = CastImageFilter<Source::ImageType, Image<float, 3>>::New();
+  cast->SetInput(source->GetOutput());
+  cast->Update();
+  return BuildColonModel(cast->GetOutput(), options);
+}
+
+/** Without an extension; empty where nothing is kept. */
+std::string
+CachedName(const LandmarkCase & one)
+{
+  const char * const folder = std::getenv("SHAPETON_LANDMARK_CACHE");
+  if (!folder || !*folder)
+  {
+    return "";
+  }
+  std::filesystem::create_directories(folder);
+  return std::string(folder) + '/' + one.parameters.preset + '-' + std::to_string(one.parameters.seed) + '-' +
+         one.parameters.position + (one.isFromCt ? "-ct-" : "-true-") +
+         std::to_string(std::lround(1000.0 * one.spacing));
+}
+
+void
+MakeFlat(const LandmarkCase & one, LandmarkExam & exam)
+{
+  ColonModel model = MakeModel(one);
+  exam.failure = model.failure;
+  if (exam.failure.empty())
+  {
+    exam.centreline = model.centreline.curve;
+    ColonFlatteningOptions options;
+    options.centreline = exam.centreline;
+    exam.flat = FlattenColon(std::move(model.wall.simplified), NameOfCase(one), options).map.flat;
+  }
+}
+} // namespace
+
+LandmarkExam
+MakeLandmarkExam(const LandmarkCase & one)
+{
+  LandmarkExam exam;
+  exam.anatomy = std::make_shared<ColonAnatomy>(one.parameters);
+  const std::string cached = CachedName(one);
+  if (!cached.empty() && std::filesystem::exists(cached + ".line.vtp"))
+  {
+    exam.flat = ReadSurface(cached + ".vtp").mesh;
+    exam.centreline = ReadCurves(cached + ".line.vtp");
+    return exam;
+  }
+  try
+  {
+    MakeFlat(one, exam);
+  }
+  catch (const ToolError & error)
+  {
+    exam.failure = error.what();
+  }
+  if (!cached.empty() && exam.failure.empty())
+  {
+    WriteSurface(exam.flat, cached + ".vtp");
+    WriteCurves(exam.centreline, cached + ".line.vtp");
+  }
+  return exam;
+}
+
+std::string
+NameOfCase(const LandmarkCase & one)
+{
+  return "seed " + std::to_string(one.parameters.seed) + ", " + one.parameters.position;
+}

@@ -1,0 +1,39 @@
+#ifndef LandmarkTrial_h
+#define LandmarkTrial_h
+
+#include "itkColonAnatomy.h"
+
+#include <memory>
+#include <string>
+
+/** A synthetic patient in one position, whose colon is flattened. */
+struct LandmarkCase
+{
+  itk::ColonPhantomParameters parameters;
+  /** mm. */
+  double spacing{ 0.8 };
+  /** The model is made from the CT; else from the true lumen on the same grid. */
+  bool isFromCt{ false };
+};
+
+/** What landmarks are looked for on, and the truth. */
+struct LandmarkExam
+{
+  std::shared_ptr<const itk::ColonAnatomy> anatomy;
+  /** As ColonFlattening makes it from the simplified wall. */
+  itk::SurfaceMesh flat;
+  itk::CurveSet    centreline;
+  /** Empty, or why there is no model; then the surface is empty. */
+  std::string failure;
+};
+
+/** Phantom, model, flat map. Where SHAPETON_LANDMARK_CACHE names a folder, flat surfaces and centrelines are kept there
+ * and taken from there: for development alone, as nothing tells whether the programs have changed since. */
+LandmarkExam
+MakeLandmarkExam(const LandmarkCase & one);
+
+/** "seed 100, supine". */
+std::string
+NameOfCase(const LandmarkCase & one);
+
+#endif
