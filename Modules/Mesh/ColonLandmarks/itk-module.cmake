@@ -11,7 +11,9 @@ itk_module(ColonLandmarks
     CommandLine
     ConformalFlattening
     HaustralFolds
+    ITKCommon
     ParallelLoops
+    SlicerMarkups
   TEST_DEPENDS
     CommandLine
     ITKGoogleTest

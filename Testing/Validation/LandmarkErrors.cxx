@@ -1,0 +1,197 @@
+#include "LandmarkErrors.h"
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+namespace
+{
+constexpr double infinite = std::numeric_limits<double>::infinity();
+constexpr double close = 10.0; // mm
+
+using Points = std::vector<Eigen::Vector3d>;
+
+/** The arcLength of the point of a line that is nearest. */
+double
+ArcLengthNear(const itk::CurveSet & line, const Eigen::VectorXd & arcLength, const Eigen::Vector3d & point)
+{
+  Eigen::Index nearest = 0;
+  (line.V.rowwise() - point.transpose()).rowwise().squaredNorm().minCoeff(&nearest);
+  return arcLength[nearest];
+}
+
+std::array<double, 4>
+ErrorsOfFlexures(const itk::ColonLandmarks & landmarks,
+                 const itk::CurveSet &       centreline,
+                 const itk::ColonAnatomy &   anatomy)
+{
+  const itk::CurveSet   truth = anatomy.Centreline();
+  const Eigen::VectorXd segment = PointValues(truth, "segment", "the truth");
+  const Eigen::VectorXd arcLength = PointValues(centreline, "arcLength", "the centreline");
+  std::array<double, 4> errors{ infinite, infinite, infinite, infinite };
+  for (Eigen::Index i = 1; i < segment.size(); ++i)
+  {
+    const int flexure = static_cast<int>(segment[i]) - 1;
+    if (segment[i] == segment[i - 1] || flexure < 1 || flexure > 4)
+    {
+      continue;
+    }
+    const Eigen::Vector3d border = 0.5 * (truth.V.row(i - 1) + truth.V.row(i)).transpose();
+    for (const itk::SegmentBorder & found : landmarks.segments.borders)
+    {
+      if (found.number == flexure)
+      {
+        errors[flexure - 1] = std::abs(found.arcLength - ArcLengthNear(centreline, arcLength, border));
+      }
+    }
+  }
+  return errors;
+}
+
+double
+ShareWithTrueSegment(const itk::ColonLandmarks & landmarks, const itk::ColonAnatomy & anatomy)
+{
+  double right = 0.0;
+  double all = 0.0;
+  for (int face = 0; face < landmarks.tube->Faces().rows(); ++face)
+  {
+    const auto            corners = landmarks.tube->Faces().row(face);
+    const Eigen::Vector3d a = landmarks.tube->Points().row(corners[0]);
+    const Eigen::Vector3d b = landmarks.tube->Points().row(corners[1]);
+    const Eigen::Vector3d c = landmarks.tube->Points().row(corners[2]);
+    const int             segment = anatomy.Evaluate((a + b + c) / 3.0).segment;
+    const double          area = segment == 0 ? 0.0 : (b - a).cross(c - a).norm(); // 0: a bridge far from the wall
+    all += area;
+    right += segment == landmarks.segments.segmentOfFace[face] ? area : 0.0;
+  }
+  return all > 0.0 ? right / all : 0.0;
+}
+
+/** Points of the three true taeniae outside of collapsed stretches. */
+std::array<Points, 3>
+OpenTaeniae(const itk::ColonAnatomy & anatomy)
+{
+  const itk::CurveSet   line = anatomy.Centreline();
+  const Eigen::VectorXd lineArc = PointValues(line, "arcLength", "the truth");
+  const Eigen::VectorXd collapsed = PointValues(line, "collapsed", "the truth");
+  const itk::CurveSet   taeniae = anatomy.Taeniae();
+  const Eigen::VectorXd arc = PointValues(taeniae, "arcLength", "the truth");
+  std::array<Points, 3> result;
+  for (std::size_t t = 0; t < 3; ++t)
+  {
+    for (const int vertex : taeniae.curves[t])
+    {
+      const double * begin = lineArc.data();
+      const auto     i = std::lower_bound(begin, begin + lineArc.size() - 1, arc[vertex]) - begin;
+      if (collapsed[i] == 0.0)
+      {
+        result[t].push_back(taeniae.V.row(vertex).transpose());
+      }
+    }
+  }
+  return result;
+}
+
+double
+DistanceToLine(const Eigen::Vector3d & point, const Points & line)
+{
+  double least = infinite;
+  for (std::size_t i = 0; i + 1 < line.size(); ++i)
+  {
+    const Eigen::Vector3d step = line[i + 1] - line[i];
+    const double          square = step.squaredNorm();
+    const double          t = square > 0.0 ? std::clamp((point - line[i]).dot(step) / square, 0.0, 1.0) : 0.0;
+    least = std::min(least, (point - line[i] - t * step).norm());
+  }
+  return least;
+}
+
+/** Distances for the assignment of found taeniae to true ones with the least mean. */
+std::vector<double>
+DistancesOfTaeniae(const itk::ColonTaeniae & found, const std::array<Points, 3> & truth)
+{
+  std::array<std::array<std::vector<double>, 3>, 3> distances;
+  for (int t = 0; t < 3; ++t)
+  {
+    for (int f = 0; f < 3; ++f)
+    {
+      for (const Eigen::Vector3d & point : truth[t])
+      {
+        distances[t][f].push_back(DistanceToLine(point, found.taeniae[f].points));
+      }
+    }
+  }
+  std::array<int, 3>  order{ 0, 1, 2 };
+  std::vector<double> best;
+  double              least = infinite;
+  do
+  {
+    std::vector<double> all;
+    for (int t = 0; t < 3; ++t)
+    {
+      all.insert(all.end(), distances[t][order[t]].begin(), distances[t][order[t]].end());
+    }
+    const double sum = std::accumulate(all.begin(), all.end(), 0.0);
+    if (sum < least)
+    {
+      least = sum;
+      best = all;
+    }
+  } while (std::next_permutation(order.begin(), order.end()));
+  return best;
+}
+
+void
+MeasureTaeniae(const itk::ColonTaeniae & found, const itk::ColonAnatomy & anatomy, LandmarkErrors & errors)
+{
+  errors.taeniaMean = errors.taenia95 = errors.taeniaGreatest = infinite;
+  if (found.taeniae.size() != 3)
+  {
+    return;
+  }
+  std::vector<double> distances = DistancesOfTaeniae(found, OpenTaeniae(anatomy));
+  if (distances.empty())
+  {
+    return;
+  }
+  std::sort(distances.begin(), distances.end());
+  const double number = static_cast<double>(distances.size());
+  errors.taeniaMean = std::accumulate(distances.begin(), distances.end(), 0.0) / number;
+  errors.taenia95 = distances[static_cast<std::size_t>(0.95 * (number - 1.0))];
+  errors.taeniaGreatest = distances.back();
+  errors.taeniaWithin10 =
+    static_cast<double>(std::upper_bound(distances.begin(), distances.end(), close) - distances.begin()) / number;
+}
+} // namespace
+
+LandmarkErrors
+MeasureLandmarks(const itk::ColonLandmarks & landmarks,
+                 const itk::CurveSet &       centreline,
+                 const itk::ColonAnatomy &   anatomy)
+{
+  LandmarkErrors errors;
+  errors.flexures = ErrorsOfFlexures(landmarks, centreline, anatomy);
+  errors.areFlexuresWithin30 =
+    std::all_of(errors.flexures.begin(), errors.flexures.end(), [](double error) { return error <= 30.0; });
+  errors.labelledShare = ShareWithTrueSegment(landmarks, anatomy);
+  MeasureTaeniae(landmarks.taeniae, anatomy, errors);
+  return errors;
+}
+
+std::vector<Eigen::Vector3d>
+MarkersOfTruth(const itk::ColonAnatomy & anatomy, const std::array<double, 3> & shares)
+{
+  const std::array<Points, 3>  taeniae = OpenTaeniae(anatomy);
+  std::vector<Eigen::Vector3d> markers;
+  for (int t = 0; t < 3; ++t)
+  {
+    if (!taeniae[t].empty())
+    {
+      markers.push_back(taeniae[t][static_cast<std::size_t>(shares[t] * static_cast<double>(taeniae[t].size() - 1))]);
+    }
+  }
+  return markers;
+}

@@ -1,0 +1,38 @@
+#ifndef LandmarkErrors_h
+#define LandmarkErrors_h
+
+#include "itkColonAnatomy.h"
+#include "itkColonLandmarks.h"
+
+#include <array>
+#include <vector>
+
+/** How far landmarks are from those of a phantom. */
+struct LandmarkErrors
+{
+  /** Along the centreline, mm, from where one true segment ends and the next begins: the rectosigmoid,
+   * descending-sigmoid, splenic and hepatic flexure. Infinite where it was not found. */
+  std::array<double, 4> flexures{};
+  bool                  areFlexuresWithin30{ false };
+  /** Share of the surface, by area, that has its true segment; collapsed stretches count. */
+  double labelledShare{ 0.0 };
+  /** From the points of the true taeniae to the taenia that was found, collapsed stretches left out, mm; one assignment
+   * of the three for the whole colon. Infinite where there are none. */
+  double taeniaMean{ 0.0 };
+  double taenia95{ 0.0 };
+  double taeniaGreatest{ 0.0 };
+  /** Share of those points within 10 mm. */
+  double taeniaWithin10{ 0.0 };
+};
+
+LandmarkErrors
+MeasureLandmarks(const itk::ColonLandmarks & landmarks,
+                 const itk::CurveSet &       centreline,
+                 const itk::ColonAnatomy &   anatomy);
+
+/** A point on each true taenia, where the colon is not collapsed, nearest to these shares of its length: what a person
+ * would mark. */
+std::vector<Eigen::Vector3d>
+MarkersOfTruth(const itk::ColonAnatomy & anatomy, const std::array<double, 3> & shares = { { 0.5, 0.5, 0.5 } });
+
+#endif
