@@ -39,27 +39,25 @@ struct ColonLandmarks
  * centreline. A landmark that is not found is absent, and the warnings say why. Throws InputError where the surface is
  * no flat tube, or the centreline does not belong to it. \ingroup ColonLandmarks */
 ColonLandmarks_EXPORT ColonLandmarks
-                      FindColonLandmarks(const SurfaceMesh &          flat,
-                                         const CurveSet &             centreline,
-                                         const ColonLandmarkOptions & options = {});
+FindColonLandmarks(const SurfaceMesh & flat, const CurveSet & centreline, const ColonLandmarkOptions & options = {});
 
 /** \name What the files of landmarks hold */
 ///@{
 /** The loops of the flexures that were found, each closed by its first vertex; cell arrays flexure, arcLength (mm),
  * confidence. No curve where none was found. \ingroup ColonLandmarks */
 ColonLandmarks_EXPORT CurveSet
-                      FlexureCurves(const ColonLandmarks & landmarks);
+FlexureCurves(const ColonLandmarks & landmarks);
 /** The flat surface with the cell array segment. \ingroup ColonLandmarks */
 ColonLandmarks_EXPORT SurfaceMesh
-                      SegmentSurface(const SurfaceMesh & flat, const ColonLandmarks & landmarks);
+SegmentSurface(const SurfaceMesh & flat, const ColonLandmarks & landmarks);
 /** The flat surface with the cell array fold and the point array meanCurvature (1/mm). \ingroup ColonLandmarks */
 ColonLandmarks_EXPORT SurfaceMesh
-                      FoldSurface(const SurfaceMesh & flat, const ColonLandmarks & landmarks);
+FoldSurface(const SurfaceMesh & flat, const ColonLandmarks & landmarks);
 /** Keys, whose names stay: flexureRule, flexures (a list of number, name, found, reason, position, arcLength, uv,
  * confidence), caecum (the same), segments (a list of number, name, begin, end, length, area), surfaceFolds (number,
  * area), taeniae. \ingroup ColonLandmarks */
 ColonLandmarks_EXPORT Json
-                      ColonLandmarksToJson(const ColonLandmarks & landmarks);
+ColonLandmarksToJson(const ColonLandmarks & landmarks);
 ///@}
 } // namespace itk
 

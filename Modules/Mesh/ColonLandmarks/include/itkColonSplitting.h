@@ -37,12 +37,12 @@ struct ColonPieces
  * with MapConformally(). A segment that is not known, or is no tube between its borders, is left out with a warning, as
  * all are where there is no taenia. \ingroup ColonLandmarks */
 ColonLandmarks_EXPORT ColonPieces
-                      SplitColon(const SurfaceMesh & flat, const ColonLandmarks & landmarks);
+SplitColon(const SurfaceMesh & flat, const ColonLandmarks & landmarks);
 
 /** A list of segment, name, modulus (the geometric mean), modulusU, modulusV, width, height, area, faces, flips.
  * \ingroup ColonLandmarks */
 ColonLandmarks_EXPORT Json
-                      ColonPiecesToJson(const ColonPieces & pieces);
+ColonPiecesToJson(const ColonPieces & pieces);
 } // namespace itk
 
 #endif

@@ -86,12 +86,12 @@ ColonLandmarks_EXPORT std::string
  *
  * Throws InputError where a marker lies more than 15 mm from the wall. \ingroup ColonLandmarks */
 ColonLandmarks_EXPORT ColonTaeniae
-                      FindColonTaeniae(const SurfaceMesh & flat, const ColonTube & tube, const ColonTaeniaOptions & options = {});
+FindColonTaeniae(const SurfaceMesh & flat, const ColonTube & tube, const ColonTaeniaOptions & options = {});
 
 /** Three curves with the cell array taenia (1 to 3) and the point arrays arcLength (mm), uv and confidence.
  * \ingroup ColonLandmarks */
 ColonLandmarks_EXPORT CurveSet
-                      TaeniaCurves(const ColonTaeniae & taeniae);
+TaeniaCurves(const ColonTaeniae & taeniae);
 } // namespace itk
 
 #endif

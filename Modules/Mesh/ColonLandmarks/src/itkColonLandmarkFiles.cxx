@@ -167,7 +167,8 @@ ReadTaeniaMarkers(CommandLine & commandLine, const std::string & parameter)
   }
   else
   {
-    RequireUsage(EndsWith(path, ".vtp"), "--" + parameter + " takes VTP points or markups of 3D Slicer (.mrk.json), not \"" + path + '"');
+    RequireUsage(EndsWith(path, ".vtp"),
+                 "--" + parameter + " takes VTP points or markups of 3D Slicer (.mrk.json), not \"" + path + '"');
     const CurveSet curves = ReadCurves(commandLine, parameter);
     for (Eigen::Index i = 0; i < curves.V.rows(); ++i)
     {

@@ -40,8 +40,9 @@ IntegerArray(const std::string & name, const std::vector<int> & values)
 void
 SetArray(std::vector<SurfaceArray> & arrays, const SurfaceArray & array)
 {
-  arrays.erase(std::remove_if(arrays.begin(), arrays.end(), [&](const SurfaceArray & a) { return a.name == array.name; }),
-               arrays.end());
+  arrays.erase(
+    std::remove_if(arrays.begin(), arrays.end(), [&](const SurfaceArray & a) { return a.name == array.name; }),
+    arrays.end());
   arrays.push_back(array);
 }
 } // namespace
@@ -49,7 +50,7 @@ SetArray(std::vector<SurfaceArray> & arrays, const SurfaceArray & array)
 ColonLandmarks
 FindColonLandmarks(const SurfaceMesh & flat, const CurveSet & centreline, const ColonLandmarkOptions & options)
 {
-  const auto     tell = [&options](const std::string & stage, double share) {
+  const auto tell = [&options](const std::string & stage, double share) {
     if (options.progress)
     {
       options.progress(stage, share);

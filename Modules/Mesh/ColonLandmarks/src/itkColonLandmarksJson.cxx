@@ -101,9 +101,10 @@ CaecumToJson(const ColonLandmarks & landmarks)
   {
     AddPlace(landmarks, *border, json);
   }
-  json["reason"] = border != nullptr ? "6 cm before the end of the centreline, the length of a caecum; the valve was not "
-                                       "looked for"
-                                     : "it is placed where the hepatic flexure is known and leaves room";
+  json["reason"] = border != nullptr
+                     ? "6 cm before the end of the centreline, the length of a caecum; the valve was not "
+                       "looked for"
+                     : "it is placed where the hepatic flexure is known and leaves room";
   return json;
 }
 
@@ -157,7 +158,8 @@ TaeniaeToJson(const ColonTaeniae & taeniae)
   }
   json["kept"] = taeniae.kept;
   json["energy"] = { { "joint", Number(taeniae.jointEnergy) },
-                     { taeniae.rule == TaeniaRule::Published ? "thirds" : "fuzzyCMeans", Number(taeniae.fuzzyEnergy) } };
+                     { taeniae.rule == TaeniaRule::Published ? "thirds" : "fuzzyCMeans",
+                       Number(taeniae.fuzzyEnergy) } };
   json["meanDisagreement"] = Number(taeniae.meanDisagreement);
   json["disagreeingShare"] = Number(taeniae.disagreeingShare);
   json["taeniae"] = Json::array();

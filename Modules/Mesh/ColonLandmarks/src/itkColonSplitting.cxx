@@ -47,8 +47,7 @@ DistancesFromTaenia(const SurfaceMesh & mesh, const ColonTaenia & taenia)
     {
       if (std::abs(taenia.arcLength[i] - arc) < reach)
       {
-        distances[vertex] =
-          std::min(distances[vertex], (taenia.points[i] - mesh.V.row(vertex).transpose()).norm());
+        distances[vertex] = std::min(distances[vertex], (taenia.points[i] - mesh.V.row(vertex).transpose()).norm());
       }
     }
   }
@@ -58,7 +57,10 @@ DistancesFromTaenia(const SurfaceMesh & mesh, const ColonTaenia & taenia)
 /** The cheapest path along the taenia from one boundary to the other, inside but for its ends. A mm costs 1 + (d / 5
  * mm)^2, d the distance from the taenia. */
 std::vector<int>
-CutBetween(const SurfaceMesh & mesh, const SurfaceConnectivity & connectivity, const std::vector<int> & from, const ColonTaenia & taenia)
+CutBetween(const SurfaceMesh &         mesh,
+           const SurfaceConnectivity & connectivity,
+           const std::vector<int> &    from,
+           const ColonTaenia &         taenia)
 {
   const std::vector<double> distance = DistancesFromTaenia(mesh, taenia);
   std::vector<double>       cost(mesh.V.rows(), std::numeric_limits<double>::max());
@@ -218,8 +220,7 @@ SplitColon(const SurfaceMesh & flat, const ColonLandmarks & landmarks)
       {
         throw InputError("the borders of the " + NameOfSegment(segment) + " are not known");
       }
-      result.pieces.push_back(
-        MakePiece(FacesOfSurface(welded, faces), landmarks.taeniae.taeniae.front(), segment));
+      result.pieces.push_back(MakePiece(FacesOfSurface(welded, faces), landmarks.taeniae.taeniae.front(), segment));
     }
     catch (const InputError & error)
     {

@@ -103,9 +103,7 @@ Clusters
 ClusterOf(const std::vector<Complex> & points, const std::optional<TaeniaAngles> & before)
 {
   std::vector<TaeniaAngles> starts;
-  const auto                turned = [](const TaeniaAngles & a, double by) {
-    return TaeniaAngles{ a[0] + by, a[1] + by, a[2] + by };
-  };
+  const auto turned = [](const TaeniaAngles & a, double by) { return TaeniaAngles{ a[0] + by, a[1] + by, a[2] + by }; };
   for (int i = 0; before && i < 3; ++i)
   {
     starts.push_back(turned(*before, 0.05 * (i - 1)));

@@ -41,14 +41,16 @@ class JointProgramme
 {
 public:
   explicit JointProgramme(const TaeniaEvidence & evidence)
-    : m_Evidence(evidence), m_Best(States, 0.0F), m_Next(States, 0.0F),
-      m_From(States * static_cast<std::size_t>(evidence.rows), 0)
+    : m_Evidence(evidence)
+    , m_Best(States, 0.0F)
+    , m_Next(States, 0.0F)
+    , m_From(States * static_cast<std::size_t>(evidence.rows), 0)
   {
     for (int g = 0; g < gaps; ++g)
     {
       for (int h = 0; h < gaps; ++h)
       {
-        const int third = angles - (g + leastGap) - (h + leastGap);
+        const int  third = angles - (g + leastGap) - (h + leastGap);
         const bool isAllowed = third >= leastGap && third < leastGap + gaps;
         m_Uneven[g * gaps + h] = isAllowed ? UnevenCost(g + leastGap, h + leastGap) : impossible;
       }
@@ -93,8 +95,8 @@ private:
         }
         const int second = (a + g + leastGap) % angles;
         const int third = (second + h + leastGap) % angles;
-        float     cost = uneven + m_Evidence.CostAt(row, a) + m_Evidence.CostAt(row, second) +
-                     m_Evidence.CostAt(row, third);
+        float     cost =
+          uneven + m_Evidence.CostAt(row, a) + m_Evidence.CostAt(row, second) + m_Evidence.CostAt(row, third);
         for (const double mark : marks)
         {
           cost += markCost * static_cast<float>(std::min(
@@ -152,10 +154,10 @@ private:
     return tracks;
   }
 
-  const TaeniaEvidence &     m_Evidence;
-  std::vector<float>         m_Best;
-  std::vector<float>         m_Next;
-  std::vector<unsigned char> m_From;
+  const TaeniaEvidence &         m_Evidence;
+  std::vector<float>             m_Best;
+  std::vector<float>             m_Next;
+  std::vector<unsigned char>     m_From;
   std::array<float, gaps * gaps> m_Uneven{};
 };
 

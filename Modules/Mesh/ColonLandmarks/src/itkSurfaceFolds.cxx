@@ -64,8 +64,7 @@ SurfaceFolds
 FindSurfaceFolds(const ColonTube & tube, const std::vector<char> & isBridged, const SurfaceFoldOptions & options)
 {
   SurfaceFolds result;
-  result.curvature =
-    SmoothedMeanCurvature(tube.Points(), tube.Faces(), options.smoothingTime, CurvatureUnit::PerArea);
+  result.curvature = SmoothedMeanCurvature(tube.Points(), tube.Faces(), options.smoothingTime, CurvatureUnit::PerArea);
   const int         numberOfFaces = static_cast<int>(tube.Faces().rows());
   std::vector<char> isCandidate(numberOfFaces, 0);
   for (int face = 0; face < numberOfFaces; ++face)

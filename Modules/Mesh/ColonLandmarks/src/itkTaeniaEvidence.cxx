@@ -91,8 +91,7 @@ FoldDensity(const FlatColonGrid & grid, const HaustralFolds & folds, const Taeni
   {
     for (int row = 0; row < grid.Rows(); ++row)
     {
-      const int cell =
-        column / evidence.columnsPerRow * angles + TaeniaEvidence::CellOf((row + 0.5) / grid.Rows());
+      const int cell = column / evidence.columnsPerRow * angles + TaeniaEvidence::CellOf((row + 0.5) / grid.Rows());
       density[cell] += folds.labels->GetPixel({ { column, row } }) > 0 ? 1.0 : 0.0;
       count[cell] += 1.0;
     }
@@ -212,10 +211,9 @@ MakeTaeniaEvidence(const FlatColonGrid & grid, const ColonTube & tube, const Hau
     ends[static_cast<int>(end.row) * angles + TaeniaEvidence::CellOf(end.angle)] += 1.0;
   }
   const FlatColonAxis axis = MakeFlatColonAxis(grid);
-  const Cells endDensity = Smoothed(ends, evidence.rows, endRows, endAngles);
-  const Cells foldDensity = Smoothed(FoldDensity(grid, folds, evidence), evidence.rows, foldRows, foldAngles);
-  Cells       relief =
-    Smoothed(ReliefBetweenFolds(grid, axis, folds, evidence), evidence.rows, reliefRows, reliefAngles);
+  const Cells         endDensity = Smoothed(ends, evidence.rows, endRows, endAngles);
+  const Cells         foldDensity = Smoothed(FoldDensity(grid, folds, evidence), evidence.rows, foldRows, foldAngles);
+  Cells relief = Smoothed(ReliefBetweenFolds(grid, axis, folds, evidence), evidence.rows, reliefRows, reliefAngles);
   RemoveBends(relief, evidence.rows);
   for (std::size_t i = 0; i < endDensity.size(); ++i)
   {

@@ -24,7 +24,10 @@ Bump(double distance)
 
 /** Moves one track by bumps so that it passes all its markers. */
 void
-BendTrack(const TaeniaEvidence & evidence, const std::vector<const TaeniaPass *> & passes, int track, TaeniaTracks & tracks)
+BendTrack(const TaeniaEvidence &                  evidence,
+          const std::vector<const TaeniaPass *> & passes,
+          int                                     track,
+          TaeniaTracks &                          tracks)
 {
   const auto      size = static_cast<Eigen::Index>(passes.size());
   Eigen::MatrixXd overlap(size, size);
