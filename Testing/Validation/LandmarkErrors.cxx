@@ -70,29 +70,55 @@ ShareWithTrueSegment(const itk::ColonLandmarks & landmarks, const itk::ColonAnat
   return all > 0.0 ? right / all : 0.0;
 }
 
-/** Points of the three true taeniae outside of collapsed stretches. */
-std::array<Points, 3>
-OpenTaeniae(const itk::ColonAnatomy & anatomy)
+/** Points of the three true taeniae along one stretch of the colon. */
+using Stretch = std::array<Points, 3>;
+
+/** The open stretches, between the collapsed ones. */
+std::vector<Stretch>
+OpenStretches(const itk::ColonAnatomy & anatomy)
 {
   const itk::CurveSet   line = anatomy.Centreline();
   const Eigen::VectorXd lineArc = PointValues(line, "arcLength", "the truth");
   const Eigen::VectorXd collapsed = PointValues(line, "collapsed", "the truth");
+  std::vector<int>      stretchOf(lineArc.size(), -1);
+  int                   stretches = 0;
+  for (Eigen::Index i = 0; i < lineArc.size(); ++i)
+  {
+    const bool begins = collapsed[i] == 0.0 && (i == 0 || collapsed[i - 1] != 0.0);
+    stretches += begins ? 1 : 0;
+    stretchOf[i] = collapsed[i] == 0.0 ? stretches - 1 : -1;
+  }
   const itk::CurveSet   taeniae = anatomy.Taeniae();
   const Eigen::VectorXd arc = PointValues(taeniae, "arcLength", "the truth");
-  std::array<Points, 3> result;
+  std::vector<Stretch>  result(stretches);
   for (std::size_t t = 0; t < 3; ++t)
   {
     for (const int vertex : taeniae.curves[t])
     {
       const double * begin = lineArc.data();
       const auto     i = std::lower_bound(begin, begin + lineArc.size() - 1, arc[vertex]) - begin;
-      if (collapsed[i] == 0.0)
+      if (stretchOf[i] >= 0)
       {
-        result[t].push_back(taeniae.V.row(vertex).transpose());
+        result[stretchOf[i]][t].push_back(taeniae.V.row(vertex).transpose());
       }
     }
   }
   return result;
+}
+
+/** All stretches as one. */
+Stretch
+Joined(const std::vector<Stretch> & stretches)
+{
+  Stretch all;
+  for (const Stretch & stretch : stretches)
+  {
+    for (int t = 0; t < 3; ++t)
+    {
+      all[t].insert(all[t].end(), stretch[t].begin(), stretch[t].end());
+    }
+  }
+  return all;
 }
 
 double
@@ -111,7 +137,7 @@ DistanceToLine(const Eigen::Vector3d & point, const Points & line)
 
 /** Distances for the assignment of found taeniae to true ones with the least mean. */
 std::vector<double>
-DistancesOfTaeniae(const itk::ColonTaeniae & found, const std::array<Points, 3> & truth)
+DistancesOfTaeniae(const itk::ColonTaeniae & found, const Stretch & truth)
 {
   std::array<std::array<std::vector<double>, 3>, 3> distances;
   for (int t = 0; t < 3; ++t)
@@ -144,26 +170,35 @@ DistancesOfTaeniae(const itk::ColonTaeniae & found, const std::array<Points, 3> 
   return best;
 }
 
+double
+ShareWithin10(const std::vector<double> & distances)
+{
+  const auto near = std::count_if(distances.begin(), distances.end(), [](double d) { return d <= close; });
+  return static_cast<double>(near) / static_cast<double>(distances.size());
+}
+
 void
 MeasureTaeniae(const itk::ColonTaeniae & found, const itk::ColonAnatomy & anatomy, LandmarkErrors & errors)
 {
   errors.taeniaMean = errors.taenia95 = errors.taeniaGreatest = infinite;
-  if (found.taeniae.size() != 3)
+  const std::vector<Stretch> stretches = OpenStretches(anatomy);
+  if (found.taeniae.size() != 3 || Joined(stretches)[0].empty())
   {
     return;
   }
-  std::vector<double> distances = DistancesOfTaeniae(found, OpenTaeniae(anatomy));
-  if (distances.empty())
+  std::vector<double> distances;
+  for (const Stretch & stretch : stretches)
   {
-    return;
+    const std::vector<double> own = DistancesOfTaeniae(found, stretch);
+    distances.insert(distances.end(), own.begin(), own.end());
   }
   std::sort(distances.begin(), distances.end());
   const double number = static_cast<double>(distances.size());
   errors.taeniaMean = std::accumulate(distances.begin(), distances.end(), 0.0) / number;
   errors.taenia95 = distances[static_cast<std::size_t>(0.95 * (number - 1.0))];
   errors.taeniaGreatest = distances.back();
-  errors.taeniaWithin10 =
-    static_cast<double>(std::upper_bound(distances.begin(), distances.end(), close) - distances.begin()) / number;
+  errors.taeniaWithin10 = ShareWithin10(distances);
+  errors.taeniaIdentified10 = ShareWithin10(DistancesOfTaeniae(found, Joined(stretches)));
 }
 } // namespace
 
@@ -184,7 +219,7 @@ MeasureLandmarks(const itk::ColonLandmarks & landmarks,
 std::vector<Eigen::Vector3d>
 MarkersOfTruth(const itk::ColonAnatomy & anatomy, const std::array<double, 3> & shares)
 {
-  const std::array<Points, 3>  taeniae = OpenTaeniae(anatomy);
+  const Stretch                taeniae = Joined(OpenStretches(anatomy));
   std::vector<Eigen::Vector3d> markers;
   for (int t = 0; t < 3; ++t)
   {

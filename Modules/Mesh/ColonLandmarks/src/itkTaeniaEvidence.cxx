@@ -11,19 +11,20 @@ namespace
 {
 constexpr int    angles = TaeniaEvidence::Angles;
 constexpr double rowLength = 2.8; // mm of the map
-/** Weights of the three kinds of evidence, and how far each is averaged: rows, angles. Folds end on both sides of the
- * band of a taenia, about 25 degrees from its middle, so ends are averaged over as much. */
+/** Weights of the three kinds of evidence, and how far each is averaged: rows, angles. */
 constexpr double foldWeight = 12.0;
 constexpr double foldRows = 6.0;
 constexpr double foldAngles = 2.0;
 constexpr double endWeight = 40.0;
 constexpr double endRows = 6.0;
-constexpr double endAngles = 5.0;
-constexpr double reliefWeight = 60.0;
+constexpr double endAngles = 3.5;
+constexpr double reliefWeight = 20.0;
 constexpr double reliefRows = 6.0;
 constexpr double reliefAngles = 2.0;
 /** Bends shift the middle of the tube and make it oval: turns of the relief around the tube that are left out. */
 constexpr int bendHarmonics = 2;
+/** Folds end where the band of a taenia begins, and fade out before: from their ends to its middle, mm. */
+constexpr double halfBand = 6.0;
 /** Folds that run along the tube end anywhere: least sine of their angle against it. */
 constexpr double leastSine = 0.35;
 
@@ -166,6 +167,7 @@ ReliefBetweenFolds(const FlatColonGrid &  grid,
 std::vector<FoldEnd>
 EndsOfFolds(const FlatColonGrid & grid, const HaustralFolds & folds, const TaeniaEvidence & evidence)
 {
+  const auto turnsOf = [&grid](const Eigen::Vector2d & uv) { return (grid.PixelOfUv(uv).row + 0.5) / grid.Rows(); };
   std::vector<FoldEnd> ends;
   for (const HaustralFold & fold : folds.folds)
   {
@@ -175,9 +177,11 @@ EndsOfFolds(const FlatColonGrid & grid, const HaustralFolds & folds, const Taeni
     }
     for (const Eigen::Vector2d & uv : fold.endUv)
     {
-      const FlatPixel pixel = grid.PixelOfUv(uv);
-      const double    row = std::min((pixel.column + 0.5) / evidence.columnsPerRow, evidence.rows - 0.5);
-      ends.push_back({ row, (pixel.row + 0.5) / grid.Rows() });
+      const double row = std::min((grid.PixelOfUv(uv).column + 0.5) / evidence.columnsPerRow, evidence.rows - 0.5);
+      const double outwards = std::copysign(halfBand / evidence.girth[static_cast<int>(row)],
+                                            TurnsBetween(turnsOf(uv), turnsOf(fold.centreUv)));
+      const double angle = turnsOf(uv) + outwards;
+      ends.push_back({ row, angle - std::floor(angle) });
     }
   }
   return ends;
@@ -203,6 +207,13 @@ MakeTaeniaEvidence(const FlatColonGrid & grid, const ColonTube & tube, const Hau
   evidence.columnsPerRow = std::max(1, static_cast<int>(std::lround(rowLength / grid.PixelSize())));
   evidence.rows = std::max(1, grid.Columns() / evidence.columnsPerRow);
   evidence.columnsPerRow = std::min(evidence.columnsPerRow, grid.Columns());
+  const FlatColonAxis axis = MakeFlatColonAxis(grid);
+  for (int row = 0; row < evidence.rows; ++row)
+  {
+    const int column = std::min(static_cast<int>((row + 0.5) * evidence.columnsPerRow), grid.Columns() - 1);
+    evidence.arcLength.push_back(tube.ArcLengthOfU(grid.UvOfPixel(column, 0).x()));
+    evidence.girth.push_back(2.0 * M_PI * axis.radii[column]);
+  }
   evidence.ends = EndsOfFolds(grid, folds, evidence);
 
   Cells ends(static_cast<std::size_t>(evidence.rows) * angles, 0.0);
@@ -210,21 +221,14 @@ MakeTaeniaEvidence(const FlatColonGrid & grid, const ColonTube & tube, const Hau
   {
     ends[static_cast<int>(end.row) * angles + TaeniaEvidence::CellOf(end.angle)] += 1.0;
   }
-  const FlatColonAxis axis = MakeFlatColonAxis(grid);
-  const Cells         endDensity = Smoothed(ends, evidence.rows, endRows, endAngles);
-  const Cells         foldDensity = Smoothed(FoldDensity(grid, folds, evidence), evidence.rows, foldRows, foldAngles);
+  const Cells endDensity = Smoothed(ends, evidence.rows, endRows, endAngles);
+  const Cells foldDensity = Smoothed(FoldDensity(grid, folds, evidence), evidence.rows, foldRows, foldAngles);
   Cells relief = Smoothed(ReliefBetweenFolds(grid, axis, folds, evidence), evidence.rows, reliefRows, reliefAngles);
   RemoveBends(relief, evidence.rows);
   for (std::size_t i = 0; i < endDensity.size(); ++i)
   {
     evidence.cost.push_back(
       static_cast<float>(foldWeight * foldDensity[i] - endWeight * endDensity[i] - reliefWeight * relief[i]));
-  }
-  for (int row = 0; row < evidence.rows; ++row)
-  {
-    const int column = std::min(static_cast<int>((row + 0.5) * evidence.columnsPerRow), grid.Columns() - 1);
-    evidence.arcLength.push_back(tube.ArcLengthOfU(grid.UvOfPixel(column, 0).x()));
-    evidence.girth.push_back(2.0 * M_PI * axis.radii[column]);
   }
   return evidence;
 }
