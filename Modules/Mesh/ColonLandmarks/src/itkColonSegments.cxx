@@ -9,7 +9,8 @@ namespace itk
 {
 namespace
 {
-constexpr double caecumLength = 60.0; // mm
+/** mm, straight from the end of the centreline, which wanders in so wide a place. */
+constexpr double caecumLength = 60.0;
 constexpr int    borderOfCaecum = 5;
 constexpr int    numberOfSegments = 6;
 /** The place is that of an average anatomy, not of a structure that was seen. */
@@ -113,17 +114,21 @@ void
 AddCaecum(const CurveSet & centreline, const ColonFlexures & flexures, std::vector<SegmentBorder> & borders)
 {
   const CentrelineShape shape(centreline);
-  const double          place = shape.ArcLengthAt(shape.Size() - 1) - caecumLength;
-  const ColonFlexure &  hepatic = flexures.flexures[3];
-  if (!hepatic.isFound || hepatic.arcLength + 0.5 * caecumLength > place)
+  const int             end = shape.Size() - 1;
+  int                   i = end;
+  while (i > 0 && (shape.Points().row(i) - shape.Points().row(end)).norm() < caecumLength)
+  {
+    --i;
+  }
+  const ColonFlexure & hepatic = flexures.flexures[3];
+  if (!hepatic.isFound || hepatic.arcLength + 0.5 * caecumLength > shape.ArcLengthAt(i))
   {
     return;
   }
   SegmentBorder border;
   border.number = borderOfCaecum;
-  border.arcLength = place;
+  border.arcLength = shape.ArcLengthAt(i);
   border.confidence = confidenceOfCaecum;
-  const int i = static_cast<int>(std::lround((place - shape.ArcLengthAt(0)) / CentrelineShape::Step));
   border.point = shape.Points().row(i).transpose();
   borders.push_back(border);
 }
