@@ -39,4 +39,5 @@ set(Shapeton_MODULES
   Visualization/FlatColonView
   Visualization/ColonoscopyRun
   Visualization/HaustralFoldView
+  Visualization/ColonLandmarkView
 )

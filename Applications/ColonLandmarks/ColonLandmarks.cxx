@@ -1,6 +1,7 @@
 #include "ColonLandmarksXML.h"
 
 #include "itkColonLandmarkFiles.h"
+#include "itkColonLandmarkReport.h"
 #include "itkCommandLine.h"
 #include "itkSurfaceReader.h"
 
@@ -42,6 +43,7 @@ void
 Mark(CommandLine & commandLine)
 {
   const itk::ColonLandmarkFiles   files(commandLine, commandLine.GetString("outputFolder"));
+  const itk::ColonLandmarkReport  report(commandLine, commandLine.GetString("report"));
   const itk::ColonLandmarkOptions options = OptionsOf(commandLine);
   const itk::CurveSet             centreline = itk::ReadCurves(commandLine, "inputCentreline");
   const itk::SurfaceMesh          flat = itk::ReadSurface(commandLine, "inputFlat").mesh;
@@ -57,6 +59,7 @@ Mark(CommandLine & commandLine)
   }
   commandLine.Progress("Writing", 0.9);
   files.Write(flat, landmarks, pieces ? &*pieces : nullptr);
+  report.Write(flat, landmarks, pieces ? &*pieces : nullptr);
 }
 } // namespace
 

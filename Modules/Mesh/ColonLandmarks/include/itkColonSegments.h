@@ -43,8 +43,8 @@ ColonLandmarks_EXPORT SurfaceWalk
 FindLoop(const ColonTube & tube, const Eigen::Vector3d & point, const Eigen::Vector3d & normal, double arcLength);
 
 /** The six segments between loops at the flexures that were found. The caecum has no flexure: it begins where the
- * centreline is 6 cm from its end, straight, its length in anatomy (Gray's Anatomy, 41st ed.; the ileocaecal valve itself is not looked
- * for). \ingroup ColonLandmarks */
+ * centreline is 6 cm from its end, straight, its length in anatomy (Gray's Anatomy, 41st ed.; the ileocaecal valve
+ * itself is not looked for). \ingroup ColonLandmarks */
 ColonLandmarks_EXPORT ColonSegments
 FindColonSegments(const ColonTube & tube, const CurveSet & centreline, const ColonFlexures & flexures);
 } // namespace itk

@@ -101,10 +101,9 @@ CaecumToJson(const ColonLandmarks & landmarks)
   {
     AddPlace(landmarks, *border, json);
   }
-  json["reason"] = border != nullptr
-                     ? "6 cm from the end of the centreline, the length of a caecum; the valve was not "
-                       "looked for"
-                     : "it is placed where the hepatic flexure is known and leaves room";
+  json["reason"] = border != nullptr ? "6 cm from the end of the centreline, the length of a caecum; the valve was not "
+                                       "looked for"
+                                     : "it is placed where the hepatic flexure is known and leaves room";
   return json;
 }
 
