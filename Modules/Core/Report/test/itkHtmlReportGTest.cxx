@@ -294,4 +294,26 @@ TEST(HtmlReport, CannotBeWrittenEverywhere)
   EXPECT_EQ(reporttest::MessageOf([] { itk::HtmlReport("T").Write("/dev/full"); }),
             "1 cannot write \"/dev/full\": No space left on device; free some space or choose another folder");
 }
+TEST(HtmlReport, BeginsWithItsUseWhatWasFoundAndWhatIsDoubtful)
+{
+  itk::HtmlReport sure("Colon");
+  sure.AddHead({ { "Length", "1.6 m" } }, {});
+  itk::HtmlReport doubtful("Colon");
+  doubtful.AddHead({ { "Length", "1.6 m" } }, { "a gap" });
+  const Folder folder;
+  sure.Write(folder / "sure.html");
+  doubtful.Write(folder / "doubtful.html");
+  const std::string pages[] = { itk::ReadFileBytes(folder / "sure.html"),
+                                itk::ReadFileBytes(folder / "doubtful.html") };
+  for (const std::string & page : pages)
+  {
+    const auto use = page.find("For research use. This is not a diagnosis");
+    const auto found = page.find("1.6 m");
+    EXPECT_LT(use, found);
+    EXPECT_LT(found, page.find("What is missing or doubtful"));
+  }
+  EXPECT_NE(pages[0].find("Nothing was found missing or doubtful"), std::string::npos);
+  EXPECT_NE(pages[1].find("<p class=\"note\">a gap</p>"), std::string::npos);
+  EXPECT_EQ(pages[1].find("Nothing was found"), std::string::npos);
+}
 } // namespace

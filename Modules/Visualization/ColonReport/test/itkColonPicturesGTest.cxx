@@ -1,4 +1,5 @@
 #include "itkColonPictures.h"
+#include "itkPictureAnnotation.h"
 
 #include "itkPictureTestUtilities.h"
 #include "itkTestColon.h"
@@ -187,4 +188,34 @@ TEST(ColonPictures, ColonWallBaseline)
 {
   itk::ExpectBaseline(itk::DrawColonWall(itk::TestColon().Parts(), itk::PatientSide::Anterior, false),
                       "itkColonWall.png");
+}
+
+TEST(ColonPictures, NamesOfEndsKeepOffTheOrientationLetters)
+{
+  itk::TestColon colon;
+  const auto     without = [&] {
+    itk::ColonParts parts = colon.Parts();
+    parts.centreline = nullptr;
+    return itk::DrawColonProjection(parts, itk::SlicePlane::Coronal);
+  }();
+  // Left of the middle and 3 mm above the lower border: a name to the right of it would cover the letter F.
+  colon.centreline.V.row(0) << -8.0, 0.0, -17.0;
+  colon.centreline.V.row(1) << -8.0, 0.0, -16.5;
+  const auto    with = itk::DrawColonProjection(colon.Parts(), itk::SlicePlane::Coronal);
+  constexpr int left = 12; // of the panel in the page
+  constexpr int belowPanel = 46;
+  const auto    size = without->GetBufferedRegion().GetSize();
+  const int     middle = left + (static_cast<int>(size[0]) - itk::colorBarWidth - 10 - 34) / 2;
+  const int     bottom = static_cast<int>(size[1]) - belowPanel;
+  int           inked = 0;
+  for (int y = bottom - 22; y < bottom - 3; ++y)
+  {
+    for (int x = middle - 8; x <= middle + 8; ++x)
+    {
+      const itk::RGBColor pixel = itk::At(without, x, y);
+      inked += pixel[0] > 200 && pixel[2] < 180 ? 1 : 0; // letters are yellow
+      EXPECT_EQ(itk::At(with, x, y), pixel) << x << ", " << y;
+    }
+  }
+  EXPECT_GT(inked, 10) << "the letter is there";
 }
