@@ -9,6 +9,7 @@ itk_module(ColonoscopyRun
     SurfaceMesh
     ITKCommon
   PRIVATE_DEPENDS
+    ColonLandmarks
     ColonReport
     CommandLine
     DicomSeries

@@ -161,7 +161,7 @@ IsFree(const Box & text, int width, int height)
 Box
 BoxBeside(int x, int y, int textWidth, int width, int height)
 {
-  const int half = textWidth / 2 + 2;
+  const int half = textWidth / 2;
   const Box right{ x + 14 + half, y, half, 10 };
   for (int off = 0; off < 3; ++off)
   {

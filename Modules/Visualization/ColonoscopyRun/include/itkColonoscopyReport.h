@@ -21,16 +21,15 @@ struct ColonoscopyReportContent
 };
 
 /** Writes one HTML file that holds its pictures: summary, distension, views in space, the flat colon in rows, tables,
- * what is doubtful, provenance; of a run that has failed as far as it goes. Equal content gives equal bytes. `scratchFolder` is
- * made and removed again with all it holds.
- * Throws OutputError. \ingroup ColonoscopyRun */
+ * what is doubtful, provenance; of a run that has failed as far as it goes. Equal content gives equal bytes.
+ * `scratchFolder` is made and removed again with all it holds. Throws OutputError. \ingroup ColonoscopyRun */
 ColonoscopyRun_EXPORT void
 WriteColonoscopyReport(const ColonoscopyReportContent & content,
                        const std::string &              path,
                        const std::string &              scratchFolder);
 
-/** Writes files for 3D Slicer into a folder, as far as there are results: centreline.mrk.json, features.mrk.json (of
- * folds), and the colour tables lumen.ctbl, segments.ctbl and folds.ctbl. Returns their names. Throws OutputError.
+/** Writes files for 3D Slicer that no stage writes into a folder, as far as there are results: centreline.mrk.json and
+ * the colour tables lumen.ctbl and segments.ctbl. Returns their names. Throws OutputError.
  * \ingroup ColonoscopyRun */
 ColonoscopyRun_EXPORT std::vector<std::string>
                       WriteColonoscopySlicerFiles(const ColonoscopyResults & results,

@@ -29,7 +29,7 @@ constexpr const char * folds = "folds";
 /** A part of the colon, as radiologists name them. \ingroup ColonoscopyRun */
 struct ColonoscopySegment
 {
-  /** The value in the cell array `segment`: 1 rectum, 2 sigmoid, 3 descending, 4 transverse, 5 ascending, 6 caecum. */
+  /** 1 rectum, 2 sigmoid, 3 descending, 4 transverse, 5 ascending, 6 caecum. */
   int         label{ 0 };
   std::string name;
   /** mm along the centreline from the anal verge. */
@@ -79,19 +79,10 @@ struct ColonoscopyRun_EXPORT ColonoscopyResults
   IsDone(const std::string & stage) const;
 };
 
-/** "rectum", ...; for a label that is none "segment N". \ingroup ColonoscopyRun */
-ColonoscopyRun_EXPORT std::string
-                      NameOfColonSegment(int label);
-
-/** "rectosigmoid", "descending-sigmoid", "splenic", "hepatic". \ingroup ColonoscopyRun */
-ColonoscopyRun_EXPORT std::string
-                      NameOfFlexure(int label);
-
-/** Where the segments of a labelled surface begin and end along the centreline: one follows the other, and a border
- * lies between what the faces of both reach, a hundredth of them left aside. Empty without the cell array `segment` or
- * the point array arcLength. \ingroup ColonoscopyRun */
+/** The segments that landmarks.json names, where both their ends are known: the rectum begins at 0, the caecum ends
+ * with the centreline. Throws InputError for another document. \ingroup ColonoscopyRun */
 ColonoscopyRun_EXPORT std::vector<ColonoscopySegment>
-                      SegmentsOf(const SurfaceMesh & labelled);
+                      SegmentsOf(const Json & landmarks, double lengthOfCentreline);
 
 /** Reads what is there. Throws InputError for a file that cannot be read. \ingroup ColonoscopyRun */
 ColonoscopyRun_EXPORT ColonoscopyResults

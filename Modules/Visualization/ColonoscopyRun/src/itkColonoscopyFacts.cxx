@@ -1,5 +1,6 @@
 #include "itkColonoscopyFacts.h"
 
+#include "itkColonFlexures.h"
 #include "itkColonoscopyPictures.h"
 
 #include <algorithm>
@@ -112,6 +113,32 @@ MeanConfidence(const CurveSet & curves, std::size_t curve)
   }
   return sum / static_cast<double>(curves.curves[curve].size());
 }
+/** How many, by which method, and how far the other one lies from it. */
+std::string
+TaeniaeInWords(const ColonoscopyResults & results)
+{
+  const Json & taeniae = results.landmarks.at("taeniae");
+  std::string  text = std::to_string(results.taeniae.curves.size()) + " of 3 found";
+  if (taeniae.contains("kept"))
+  {
+    text += ", method " + taeniae["kept"].get<std::string>();
+  }
+  const double disagreement = NumberAt(taeniae, "/meanDisagreement");
+  if (std::isfinite(disagreement))
+  {
+    text += "; the other method lies " + Rounded(disagreement, 2) + " mm from it on average, more than 10 mm along " +
+            Percent(NumberAt(taeniae, "/disagreeingShare")) + " of the colon";
+  }
+  return text;
+}
+
+long
+NumberOfFlexures(const Json & landmarks)
+{
+  const Json & flexures = landmarks.at("flexures");
+  return std::count_if(
+    flexures.begin(), flexures.end(), [](const Json & flexure) { return flexure.at("found").get<bool>(); });
+}
 } // namespace
 
 ColonoscopyFacts
@@ -130,8 +157,8 @@ SummaryOf(const ColonoscopyReportContent & content)
   AddMapFacts(results.flatStatistics, facts);
   if (results.IsDone(colonoscopystage::landmarks))
   {
-    facts.emplace_back("Taeniae", std::to_string(results.taeniae.curves.size()) + " of 3");
-    facts.emplace_back("Flexures", std::to_string(results.flexures.curves.size()) + " of 4");
+    facts.emplace_back("Taeniae", TaeniaeInWords(results));
+    facts.emplace_back("Flexures", std::to_string(NumberOfFlexures(results.landmarks)) + " of 4 found");
   }
   if (results.IsDone(colonoscopystage::folds))
   {
@@ -164,24 +191,21 @@ SegmentTable(const ColonoscopyResults & results)
 CsvTable
 FlexureTable(const ColonoscopyResults & results)
 {
-  CsvTable table({ "flexure", "distance from the anal verge", "confidence" });
-  for (int label = 1; label <= 4; ++label)
+  CsvTable table({ "flexure", "distance from the anal verge", "place, LPS mm", "confidence" });
+  for (const Json & flexure : results.landmarks.at("flexures"))
   {
-    bool isFound = false;
-    for (std::size_t curve = 0; curve < results.flexures.curves.size(); ++curve)
+    const std::string name = flexure.at("name").get<std::string>();
+    if (!flexure.at("found").get<bool>())
     {
-      if (CellValue(results.flexures, "flexure", curve) == label)
-      {
-        isFound = true;
-        table.AddRow({ NameOfFlexure(label),
-                       Centimetres(CellValue(results.flexures, "arcLength", curve)),
-                       NumberOrNothing(CellValue(results.flexures, "confidence", curve), 2) });
-      }
+      table.AddRow({ name, "not found: " + flexure.at("reason").get<std::string>(), "", "" });
+      continue;
     }
-    if (!isFound)
-    {
-      table.AddRow({ NameOfFlexure(label), "not found", "" });
-    }
+    const Json & p = flexure.at("position");
+    table.AddRow(
+      { name,
+        Centimetres(NumberAt(flexure, "/arcLength")),
+        Rounded(p[0].get<double>()) + ", " + Rounded(p[1].get<double>()) + ", " + Rounded(p[2].get<double>()),
+        NumberOrNothing(NumberAt(flexure, "/confidence"), 2) });
   }
   return table;
 }

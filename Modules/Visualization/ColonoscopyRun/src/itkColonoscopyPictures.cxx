@@ -1,5 +1,6 @@
 #include "itkColonoscopyPictures.h"
 
+#include "itkColonFlexures.h"
 #include "itkSurfaceRendering.h"
 
 #include <algorithm>

@@ -8,7 +8,8 @@
 #include "itkNrrdImageIO.h"
 
 #include <algorithm>
-#include <map>
+#include <cmath>
+#include <limits>
 
 namespace itk
 {
@@ -76,37 +77,12 @@ FoldsOf(const CurveSet & features)
   return folds;
 }
 
-/** Of one segment's faces. */
-struct Reach
+/** mm; 0 where the curve does not tell. */
+double
+LengthOfCentreline(const CurveSet & centreline)
 {
-  std::vector<double> distances;
-  double              area{ 0.0 };
-
-  double
-  At(double share)
-  {
-    const auto place = static_cast<std::ptrdiff_t>(share * static_cast<double>(distances.size() - 1));
-    std::nth_element(distances.begin(), distances.begin() + place, distances.end());
-    return distances[place];
-  }
-};
-
-std::map<int, Reach>
-ReachesOf(const SurfaceMesh & labelled, const SurfaceArray & segment, const SurfaceArray & arcLength)
-{
-  std::map<int, Reach> reaches;
-  for (Eigen::Index face = 0; face < labelled.F.rows(); ++face)
-  {
-    const auto            corner = labelled.F.row(face);
-    const Eigen::Vector3d a = labelled.V.row(corner[0]);
-    const Eigen::Vector3d b = labelled.V.row(corner[1]);
-    const Eigen::Vector3d c = labelled.V.row(corner[2]);
-    Reach &               reach = reaches[static_cast<int>(segment.values(face, 0))];
-    reach.area += 0.5 * (b - a).cross(c - a).norm();
-    reach.distances.push_back(
-      (arcLength.values(corner[0], 0) + arcLength.values(corner[1], 0) + arcLength.values(corner[2], 0)) / 3.0);
-  }
-  return reaches;
+  const SurfaceArray * const distance = FindSurfaceArray(centreline.pointArrays, "arcLength");
+  return distance && distance->values.size() > 0 ? distance->values.maxCoeff() : 0.0;
 }
 } // namespace
 
@@ -125,41 +101,34 @@ ColonoscopyResults::IsDone(const std::string & stage) const
   return result && result->status == 0;
 }
 
-std::string
-NameOfColonSegment(int label)
-{
-  static const char * const known[] = { "rectum", "sigmoid", "descending", "transverse", "ascending", "caecum" };
-  return label >= 1 && label <= 6 ? known[label - 1] : "segment " + std::to_string(label);
-}
-
-std::string
-NameOfFlexure(int label)
-{
-  static const char * const known[] = { "rectosigmoid", "descending-sigmoid", "splenic", "hepatic" };
-  return label >= 1 && label <= 4 ? known[label - 1] : "flexure " + std::to_string(label);
-}
-
 std::vector<ColonoscopySegment>
-SegmentsOf(const SurfaceMesh & labelled)
+SegmentsOf(const Json & landmarks, double lengthOfCentreline)
 {
-  constexpr double                leftAside = 0.01;
-  const SurfaceArray * const      segment = FindSurfaceArray(labelled.cellArrays, "segment");
-  const SurfaceArray * const      arcLength = FindSurfaceArray(labelled.pointArrays, "arcLength");
+  constexpr int                   caecum = 6;
+  const double                    unknown = std::numeric_limits<double>::quiet_NaN();
   std::vector<ColonoscopySegment> segments;
-  if (!segment || !arcLength)
+  try
   {
-    return segments;
+    for (const Json & one : landmarks.at("segments"))
+    {
+      ColonoscopySegment segment;
+      segment.label = one.at("number").get<int>();
+      segment.name = one.at("name").get<std::string>();
+      segment.area = one.at("area").get<double>();
+      segment.begin = segment.label == 1 ? 0.0 : one.at("begin").is_null() ? unknown : one["begin"].get<double>();
+      segment.end = segment.label == caecum   ? lengthOfCentreline
+                    : one.at("end").is_null() ? unknown
+                                              : one["end"].get<double>();
+      if (std::isfinite(segment.begin) && std::isfinite(segment.end))
+      {
+        segments.push_back(segment);
+      }
+    }
   }
-  for (auto & [label, reach] : ReachesOf(labelled, *segment, *arcLength))
+  catch (const Json::exception & error)
   {
-    segments.push_back(
-      { label, NameOfColonSegment(label), reach.At(leftAside), reach.At(1.0 - leftAside), reach.area });
-  }
-  for (std::size_t i = 1; i < segments.size(); ++i)
-  {
-    const double border = 0.5 * (segments[i - 1].end + segments[i].begin);
-    segments[i - 1].end = border;
-    segments[i].begin = border;
+    throw InputError(std::string("landmarks.json is not what ColonLandmarks writes (") + error.what() +
+                     "); remove it and run again");
   }
   return segments;
 }
@@ -190,7 +159,10 @@ ReadColonoscopyResults(const std::string & folder, const std::vector<StageResult
   files.Read(names::landmarks, "segments.vtp", surface(results.labelled));
   files.Read(names::folds, "labels.nrrd", [&](const std::string & path) { results.foldLabels = ReadLabels(path); });
   files.Read(names::folds, "features.vtp", curves(results.features));
-  results.segments = SegmentsOf(results.labelled);
+  if (!results.landmarks.is_null())
+  {
+    results.segments = SegmentsOf(results.landmarks, LengthOfCentreline(results.centreline));
+  }
   results.folds = FoldsOf(results.features);
   return results;
 }

@@ -25,40 +25,6 @@ CentrelineMarkup(const CurveSet & centreline)
   return markup;
 }
 
-/** Centres and ends of folds, each kind as points of one colour. */
-std::vector<Markup>
-FeatureMarkups(const CurveSet & features)
-{
-  std::vector<Markup>        markups(2);
-  const SurfaceArray * const fold = FindSurfaceArray(features.cellArrays, "fold");
-  const SurfaceArray * const kind = FindSurfaceArray(features.cellArrays, "kind");
-  markups[0].name = "fold centres";
-  markups[0].color = { 0.4, 1.0, 0.6 };
-  markups[1].name = "fold ends";
-  markups[1].color = { 0.3, 0.7, 1.0 };
-  for (std::size_t i = 0; fold && kind && i < features.curves.size(); ++i)
-  {
-    const auto   row = static_cast<Eigen::Index>(i);
-    const bool   isEnd = kind->values(row, 0) != 0.0;
-    Markup &     markup = markups[isEnd ? 1 : 0];
-    const double number = fold->values(row, 0);
-    markup.points.emplace_back(features.V.row(features.curves[i].front()));
-    markup.labels.push_back("fold " + std::to_string(static_cast<int>(number)));
-  }
-  return markups;
-}
-
-std::vector<LabelColor>
-FoldColors(const std::vector<ColonoscopyFold> & folds)
-{
-  std::vector<LabelColor> colors;
-  for (const ColonoscopyFold & fold : folds)
-  {
-    colors.push_back({ fold.label, "fold " + std::to_string(fold.label), ColorOfLabel(fold.label) });
-  }
-  return colors;
-}
-
 std::vector<LabelColor>
 SegmentColors(const std::vector<ColonoscopySegment> & segments)
 {
@@ -92,11 +58,6 @@ WriteColonoscopySlicerFiles(const ColonoscopyResults & results,
   if (!results.segments.empty())
   {
     WriteColorTable(SegmentColors(results.segments), pathOf("segments.ctbl"));
-  }
-  if (!results.folds.empty())
-  {
-    WriteMarkups(FeatureMarkups(results.features), pathOf("features.mrk.json"));
-    WriteColorTable(FoldColors(results.folds), pathOf("folds.ctbl"));
   }
   return written;
 }

@@ -129,6 +129,7 @@ Landmarks(const CommandLine & commandLine, const StagedRun & run)
   stage.Input("", run.PathOf(names::flattening, "flat.vtp"))
     .Input("", run.PathOf(names::segmentation, "centreline.vtp"))
     .Output("", "")
+    .Output("report", "report")
     .Expect({ "landmarks.json", "segments.vtp" });
   passer.PassInput(stage, "markers");
   passer.Pass(stage, { "flexureRule", "taeniaRule", "split" });
@@ -176,7 +177,9 @@ Folds(const CommandLine & commandLine, const StagedRun & run)
     .Output("", "labels.nrrd")
     .Output("features", "features.vtp")
     .Output("table", "folds.csv")
-    .Output("picture", "folds.png");
+    .Output("picture", "folds.png")
+    .Output("markups", "features.mrk.json")
+    .Output("colorTable", "labels.ctbl");
   if (fs::exists(run.PathOf(names::landmarks, "taeniae.vtp")))
   {
     stage.Input("taeniae", run.PathOf(names::landmarks, "taeniae.vtp"), IdentityOfCurves);

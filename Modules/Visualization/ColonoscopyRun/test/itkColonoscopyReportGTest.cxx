@@ -1,7 +1,6 @@
 #include "itkColonoscopyReport.h"
 
 #include "itkFileBytes.h"
-#include "itkFlatTestTubes.h"
 #include "itkReportFolder.h"
 
 #include "gtest/gtest.h"
@@ -11,21 +10,16 @@ namespace
 using reporttest::Folder;
 namespace stages = itk::colonoscopystage;
 
-/** A straight tube with three segments, borders at 50 and 120 mm of 10 to 160 mm of the centreline. */
-itk::SurfaceMesh
-LabelledTube()
+/** As ColonLandmarks writes them where the hepatic flexure was not found. */
+itk::Json
+Landmarks()
 {
-  const flattubes::TubeForm form;
-  itk::SurfaceMesh          tube = flattubes::MakeFlatTube(
-    form, [](double u, double angle) { return Eigen::Vector3d(20.0 * std::cos(angle), 20.0 * std::sin(angle), u); });
-  itk::SurfaceArray segment{ "segment", itk::SurfaceArray::ValueMatrix(tube.F.rows(), 1), true };
-  for (Eigen::Index face = 0; face < tube.F.rows(); ++face)
-  {
-    const double u = tube.V.row(tube.F(face, 0)).z();
-    segment.values(face, 0) = u < 40.0 ? 1 : u < 110.0 ? 2 : 3;
-  }
-  tube.cellArrays.push_back(segment);
-  return tube;
+  return itk::Json::parse(R"({"segments": [
+    {"number": 0, "name": "unknown", "begin": null, "end": null, "area": 5},
+    {"number": 1, "name": "rectum", "begin": null, "end": 150.5, "area": 300},
+    {"number": 2, "name": "sigmoid", "begin": 150.5, "end": 600, "area": 400},
+    {"number": 4, "name": "transverse", "begin": 900, "end": null, "area": 500},
+    {"number": 6, "name": "caecum", "begin": 1700, "end": null, "area": 600}]})");
 }
 
 itk::StageResult
@@ -50,18 +44,17 @@ ReportOf(const itk::ColonoscopyReportContent & content)
 }
 } // namespace
 
-TEST(ColonoscopyReport, SegmentsFollowOneAnother)
+TEST(ColonoscopyReport, SegmentsAreThoseWithTwoEnds)
 {
-  const auto segments = itk::SegmentsOf(LabelledTube());
+  const auto segments = itk::SegmentsOf(Landmarks(), 1760.0);
   ASSERT_EQ(segments.size(), 3U);
   EXPECT_EQ(segments[0].name, "rectum");
-  EXPECT_EQ(segments[2].name, "descending");
-  EXPECT_NEAR(segments[0].end, 50.0, 3.0);
-  EXPECT_NEAR(segments[1].end, 120.0, 3.0);
-  EXPECT_EQ(segments[0].end, segments[1].begin);
-  EXPECT_EQ(segments[1].end, segments[2].begin);
-  EXPECT_NEAR(segments[1].area, 2.0 * flattubes::pi * 20.0 * 70.0, 400.0);
-  EXPECT_TRUE(itk::SegmentsOf(itk::SurfaceMesh()).empty());
+  EXPECT_EQ(segments[0].begin, 0.0);
+  EXPECT_EQ(segments[0].end, 150.5);
+  EXPECT_EQ(segments[1].area, 400.0);
+  EXPECT_EQ(segments[2].label, 6);
+  EXPECT_EQ(segments[2].end, 1760.0);
+  EXPECT_EQ(reporttest::MessageOf([] { itk::SegmentsOf(itk::Json::parse("{}"), 1.0); }).substr(0, 2), "3 ");
 }
 
 TEST(ColonoscopyReport, OfARunThatFailedTellsWhatFailed)
@@ -92,15 +85,13 @@ TEST(ColonoscopyReport, FilesForSlicerAreThoseOfTheResults)
   const itk::OutputPath   inPlace = [](const std::string & path) { return path; };
   itk::ColonoscopyResults results;
   EXPECT_TRUE(itk::WriteColonoscopySlicerFiles(results, folder / ".", inPlace).empty());
-  results.segments = itk::SegmentsOf(LabelledTube());
-  results.folds = { { 3, 20.0, 0.5 } };
-  results.features.V = Eigen::Matrix3d::Identity();
-  results.features.curves = { { 0 }, { 1 }, { 2 } };
-  results.features.cellArrays = { { "fold", Eigen::Vector3d(3, 3, 3), true },
-                                  { "kind", Eigen::Vector3d(0, 1, 2), true } };
+  results.segments = itk::SegmentsOf(Landmarks(), 1760.0);
+  results.centreline.V = Eigen::Matrix3d::Identity();
+  results.centreline.curves = { { 0, 1, 2 } };
+  results.stages = { StageNamed(stages::segmentation, 0) };
+  results.stages[0].files = { { "lumen.nrrd", "" } };
   const auto written = itk::WriteColonoscopySlicerFiles(results, folder / ".", inPlace);
-  EXPECT_EQ(written, (std::vector<std::string>{ "segments.ctbl", "features.mrk.json", "folds.ctbl" }));
+  EXPECT_EQ(written, (std::vector<std::string>{ "lumen.ctbl", "centreline.mrk.json", "segments.ctbl" }));
   EXPECT_NE(itk::ReadFileBytes(folder / "segments.ctbl").find("2 sigmoid "), std::string::npos);
-  EXPECT_NE(itk::ReadFileBytes(folder / "folds.ctbl").find("3 fold_3 "), std::string::npos);
-  EXPECT_NE(itk::ReadFileBytes(folder / "features.mrk.json").find("\"label\": \"fold 3\""), std::string::npos);
+  EXPECT_NE(itk::ReadFileBytes(folder / "centreline.mrk.json").find("\"type\": \"Curve\""), std::string::npos);
 }
