@@ -143,22 +143,34 @@ DistendedShare(const CurveSet & centreline, double begin, double end)
   return all > 0 ? static_cast<double>(wide) / all : -1.0;
 }
 
-std::vector<FlatCurve>
+std::vector<FlatLine>
 FlatTaeniae(const CurveSet & taeniae)
 {
-  std::vector<FlatCurve>     curves;
+  std::vector<FlatLine>      lines;
   const SurfaceArray * const uv = FindSurfaceArray(taeniae.pointArrays, "uv");
   for (std::size_t curve = 0; uv && uv->values.cols() == 2 && curve < taeniae.curves.size(); ++curve)
   {
-    FlatCurve flat;
-    flat.color = ColorOfTaenia(LabelOf(taeniae, "taenia", curve));
+    FlatLine line;
+    line.color = ColorOfTaenia(LabelOf(taeniae, "taenia", curve));
     for (const int vertex : taeniae.curves[curve])
     {
-      flat.uv.emplace_back(uv->values.row(vertex));
+      line.places.emplace_back(uv->values.row(vertex));
     }
-    curves.push_back(flat);
+    lines.push_back(line);
   }
-  return curves;
+  return lines;
+}
+
+FlatOutlines
+FoldOutlines(const Image<unsigned short, 2> * labels)
+{
+  FlatOutlines outlines;
+  outlines.labels = labels->GetBufferPointer();
+  outlines.columns = static_cast<int>(labels->GetBufferedRegion().GetSize(0));
+  outlines.rows = static_cast<int>(labels->GetBufferedRegion().GetSize(1));
+  outlines.colorOf = [](int) { return MakeColor(20, 130, 60); };
+  outlines.thickness = 1;
+  return outlines;
 }
 
 std::vector<FlatAnnotation>
@@ -264,8 +276,11 @@ DrawFlat(const ColonoscopyResults & results, FlatColoring coloring)
   parts.centreline = &results.centreline;
   parts.ct = results.ct;
   parts.annotations = SegmentNames(results.segments);
-  parts.overlay.regions = results.foldLabels;
-  parts.overlay.curves = FlatTaeniae(results.taeniae);
+  if (results.foldLabels)
+  {
+    parts.outlines.push_back(FoldOutlines(results.foldLabels));
+  }
+  parts.lines = FlatTaeniae(results.taeniae);
   const double circumference = results.flatStatistics.at("circumference").get<double>();
   return FlatColonPictures(parts, circumference / pixelsAround).Draw(coloring, "", pixelsOfRow);
 }

@@ -1,16 +1,15 @@
 #include "itkFlatColonOverlay.h"
 
-#include "itkFlatCoordinateMap.h"
 #include "itkFlatTestColon.h"
 #include "itkPictureTestUtilities.h"
 
+#include <limits>
 #include <stdexcept>
 
 namespace
 {
 using itk::At;
 using itk::FlatColonGrid;
-using Regions = itk::Image<unsigned short, 2>;
 
 const itk::RGBColor paper = itk::MakeColor(0, 0, 0);
 const itk::RGBColor ink = itk::MakeColor(200, 0, 0);
@@ -21,61 +20,55 @@ StripOf(const FlatColonGrid & grid)
   return itk::NewPicture(grid.Columns(), grid.Rows(), paper);
 }
 
-/** 0 everywhere; on the map of another grid. */
-Regions::Pointer
-RegionsOf(const FlatColonGrid & grid)
+/** Labels of a grid of this size; none at first. */
+struct Labels
 {
-  const auto map = itk::MakeFlatCoordinateMap(grid);
-  auto       regions = Regions::New();
-  regions->CopyInformation(map);
-  regions->SetRegions(map->GetBufferedRegion());
-  regions->Allocate();
-  regions->FillBuffer(0);
-  return regions;
-}
+  Labels(int columns, int rows) : columns(columns), rows(rows), values(columns * rows, 0) {}
+
+  itk::FlatOutlines
+  Outlines() const
+  {
+    return { values.data(), columns, rows, [](int label) { return label == 7 ? ink : paper; }, 1 };
+  }
+
+  int                         columns;
+  int                         rows;
+  std::vector<unsigned short> values;
+};
 } // namespace
 
-TEST(FlatColonOverlay, OutlinesRegionsAlsoAcrossTheCut)
+TEST(FlatColonOverlay, OutlinesLabelsAlsoAcrossTheCut)
 {
-  const FlatColonGrid   grid(flatcolon::Wall());
-  const auto            regions = RegionsOf(grid);
-  itk::FlatColonOverlay overlay;
-  overlay.regions = regions;
-  overlay.regionColor = ink;
+  const FlatColonGrid grid(flatcolon::Wall());
+  Labels              labels(grid.Columns(), grid.Rows());
   for (int column = 40; column < 60; ++column)
   {
     for (const int row : { grid.Rows() - 3, grid.Rows() - 2, grid.Rows() - 1, 0, 1, 2 })
     {
-      regions->SetPixel({ { column, row } }, 7);
+      labels.values[row * grid.Columns() + column] = 7;
     }
   }
   auto strip = StripOf(grid);
-  PaintFlatOverlay(strip, grid, overlay);
+  DrawFlatOutlines(strip, grid, labels.Outlines());
   for (const int row : { grid.Rows() - 3, 2 })
   {
-    EXPECT_GT(At(strip, 50, row)[0], 100) << "the rim";
+    EXPECT_EQ(At(strip, 50, row), ink) << "the rim";
   }
   for (const int row : { grid.Rows() - 4, 3, grid.Rows() - 1, 0 })
   {
     EXPECT_EQ(At(strip, 50, row), paper) << "outside, and inside on both sides of the cut";
   }
-  EXPECT_GT(At(strip, 40, 0)[0], 100);
+  EXPECT_EQ(At(strip, 40, 0), ink);
   EXPECT_EQ(At(strip, 39, 0), paper);
 }
 
-TEST(FlatColonOverlay, RegionsMayHaveAnotherPixelSize)
+TEST(FlatColonOverlay, LabelsMayHaveAnotherPixelSize)
 {
-  const itk::SurfaceMesh    wall = flatcolon::Wall();
-  itk::FlatColonGridOptions coarse;
-  coarse.pixelSize = 3.0;
-  const FlatColonGrid   grid(wall);
-  const auto            regions = RegionsOf(FlatColonGrid(wall, coarse));
-  itk::FlatColonOverlay overlay;
-  overlay.regions = regions;
-  overlay.regionColor = ink;
-  regions->SetPixel({ { 20, 10 } }, 1);
+  const FlatColonGrid grid(flatcolon::Wall());
+  Labels              labels(grid.Columns() / 3, grid.Rows() / 3);
+  labels.values[10 * labels.columns + 20] = 7;
   auto strip = StripOf(grid);
-  PaintFlatOverlay(strip, grid, overlay);
+  DrawFlatOutlines(strip, grid, labels.Outlines());
   int painted = 0;
   for (int row = 0; row < grid.Rows(); ++row)
   {
@@ -84,29 +77,29 @@ TEST(FlatColonOverlay, RegionsMayHaveAnotherPixelSize)
       if (At(strip, column, row) != paper)
       {
         ++painted;
-        EXPECT_NEAR(column, 61, 2);
-        EXPECT_NEAR(row, 31, 2);
+        EXPECT_NEAR(column, 20.5 * grid.Columns() / labels.columns, 2.0);
+        EXPECT_NEAR(row, 10.5 * grid.Rows() / labels.rows, 2.0);
       }
     }
   }
   EXPECT_GE(painted, 6);
 }
 
-TEST(FlatColonOverlay, LinesGoTheShorterWayAround)
+TEST(FlatColonOverlay, LinesGoTheShorterWayAroundAndBreak)
 {
   const FlatColonGrid   grid(flatcolon::Wall());
   const double          around = grid.Circumference();
-  itk::FlatColonOverlay overlay;
-  overlay.curves.push_back({ { { 50.0, 0.05 * around }, { 60.0, 0.95 * around } }, ink, 2.0 });
-  auto strip = StripOf(grid);
-  PaintFlatOverlay(strip, grid, overlay);
+  const Eigen::Vector2d nowhere = Eigen::Vector2d::Constant(std::numeric_limits<double>::quiet_NaN());
+  auto                  strip = StripOf(grid);
+  DrawFlatLine(strip, grid, { { { 50.0, 0.05 * around }, { 60.0, 0.95 * around }, nowhere, { 90.0, 1.0 } }, ink, 2.0 });
   bool isAtTop = false;
   bool isAtBottom = false;
-  for (int column = 45; column < 65; ++column)
+  for (int column = 0; column < grid.Columns(); ++column)
   {
     isAtTop = isAtTop || At(strip, column, 1) != paper;
     isAtBottom = isAtBottom || At(strip, column, grid.Rows() - 2) != paper;
     EXPECT_EQ(At(strip, column, grid.Rows() / 2), paper);
+    EXPECT_TRUE(column < 65 || At(strip, column, 1) == paper);
   }
   EXPECT_TRUE(isAtTop);
   EXPECT_TRUE(isAtBottom);
@@ -115,5 +108,8 @@ TEST(FlatColonOverlay, LinesGoTheShorterWayAround)
 TEST(FlatColonOverlay, NeedsAStripOfTheGrid)
 {
   const FlatColonGrid grid(flatcolon::Wall());
-  EXPECT_THROW(PaintFlatOverlay(itk::NewPicture(3, 3, paper), grid, {}), std::invalid_argument);
+  const auto          small = itk::NewPicture(3, 3, paper);
+  EXPECT_THROW(DrawFlatOutlines(small, grid, Labels(3, 3).Outlines()), std::invalid_argument);
+  EXPECT_THROW(DrawFlatLine(small, grid, {}), std::invalid_argument);
+  EXPECT_THROW(DrawFlatDot(small, grid, {}), std::invalid_argument);
 }
