@@ -124,6 +124,27 @@ LengthShown(const FlatColonRow & row, const std::vector<double> & distanceOfColu
   }
   return length;
 }
+/** The segment that began before this row, unless the next one begins where its name would stand. */
+const PlacedAnnotation *
+SegmentGoingOn(const FlatPageRow & place, const std::vector<PlacedAnnotation> & annotations, const TextStyle & style)
+{
+  const PlacedAnnotation * goingOn = nullptr;
+  double                   next = place.left + place.Width();
+  for (const PlacedAnnotation & placed : annotations)
+  {
+    const bool isSegment = placed.annotation.kind == FlatAnnotation::Kind::Segment;
+    if (isSegment && placed.column < place.row.firstColumn)
+    {
+      goingOn = &placed;
+    }
+    else if (isSegment && place.row.Shows(placed.column))
+    {
+      next = std::min(next, place.XOf(placed.column));
+    }
+  }
+  const bool hasRoom = goingOn && place.left + MeasureText(goingOn->annotation.text, style).width + 4 < next;
+  return hasRoom ? goingOn : nullptr;
+}
 } // namespace
 
 void
@@ -231,7 +252,7 @@ void
 DrawAnnotationsOfRow(Picture * picture, const FlatPageRow & place, const std::vector<PlacedAnnotation> & annotations)
 {
   const TextStyle          nameStyle = StyleOf(15, ink, HorizontalAnchor::Left, VerticalAnchor::Bottom);
-  const PlacedAnnotation * goingOn = nullptr; // the segment that began before this row
+  const PlacedAnnotation * goingOn = SegmentGoingOn(place, annotations, nameStyle);
   int                      textEnd = place.left - 1;
   const auto               drawName = [&](const std::string & name, int x) {
     const int width = MeasureText(name, nameStyle).width;
@@ -241,11 +262,6 @@ DrawAnnotationsOfRow(Picture * picture, const FlatPageRow & place, const std::ve
       textEnd = x + width + 8;
     }
   };
-  for (const PlacedAnnotation & placed : annotations)
-  {
-    const bool isBefore = placed.column < place.row.firstColumn;
-    goingOn = placed.annotation.kind == FlatAnnotation::Kind::Segment && isBefore ? &placed : goingOn;
-  }
   for (const PlacedAnnotation & placed : annotations)
   {
     const bool isSegment = placed.annotation.kind == FlatAnnotation::Kind::Segment;

@@ -230,3 +230,24 @@ TEST_F(FlatColonPageOf, FlatCurvatureBaseline)
   itk::ExpectBaseline(DrawFlatColonPage(strip, page.grid, page.distances, annotations, options),
                       "itkFlatCurvature.png");
 }
+
+TEST(FlatColonPage, ASegmentThatSoonEndsLeavesItsPlaceToTheNext)
+{
+  const Page                page;
+  itk::FlatColonPageOptions options;
+  const auto                draw = [&](const std::vector<FlatAnnotation> & annotations) {
+    return DrawFlatColonPage(page.strip, page.grid, page.distances, annotations, options);
+  };
+  options.greatestColumns = 120; // the second row begins at 130 mm
+  const auto with = draw({ SegmentAt("a name with a long text", 20.0), SegmentAt("rectum", 135.0) });
+  const auto without = draw({ SegmentAt("rectum", 135.0) });
+  const auto size = with->GetBufferedRegion().GetSize();
+  ASSERT_EQ(size, without->GetBufferedRegion().GetSize());
+  for (int y = static_cast<int>(size[1]) / 2; y < static_cast<int>(size[1]); ++y)
+  {
+    for (int x = 0; x < static_cast<int>(size[0]); ++x)
+    {
+      ASSERT_EQ(itk::At(with, x, y), itk::At(without, x, y)) << x << ", " << y;
+    }
+  }
+}
