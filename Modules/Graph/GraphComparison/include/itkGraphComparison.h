@@ -63,7 +63,8 @@ struct GraphComparison
 };
 
 /** Labels both graphs canonically and embeds them. An embedding of a graph that is not isomorphic to the first one
- * takes over its rotation system where nodes correspond by names, and its sphere is turned to the first one. \ingroup
+ * takes over its rotation system where nodes correspond by names, and its sphere is moved to the first one by a
+ * Moebius transformation. \ingroup
  * GraphComparison */
 GraphComparison_EXPORT GraphComparison
 CompareGraphs(const Graph &                 a,

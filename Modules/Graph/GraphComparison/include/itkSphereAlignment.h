@@ -15,10 +15,21 @@ namespace itk
 GraphComparison_EXPORT std::array<double, 9>
 BestRotation(const std::vector<std::array<double, 3>> & points, const std::vector<std::array<double, 3>> & images);
 
-/** Turns all places of an embedding on the sphere; a circle packing stays one. \pre The geometry is spherical.
+/** A Moebius transformation of the sphere as a Lorentz transformation, row by row, of vectors (n, t): of points (p, 1)
+ * and of caps (centre / sin r, cot r). \ingroup GraphComparison */
+using SphereMotion = std::array<double, 16>;
+
+/** The Moebius transformation that brings nodes of `b` closest to those of `a` that correspond (`image`: for each node
+ * of `a` that of `b`, or -1): the sum of the distances is least, so that few nodes that moved far do not turn the
+ * others. A packing is determined but for such a transformation. By Gauss and Newton with weights (Weiszfeld).
+ * \pre Both geometries are spherical. \ingroup GraphComparison */
+GraphComparison_EXPORT SphereMotion
+BestMotion(const EmbeddingCertificate & a, const EmbeddingCertificate & b, const std::vector<int> & image);
+
+/** Moves all circles of an embedding on the sphere; a circle packing stays one. \pre The geometry is spherical.
  * \ingroup GraphComparison */
 GraphComparison_EXPORT void
-TurnEmbedding(EmbeddingCertificate & certificate, const std::array<double, 9> & rotation);
+MoveEmbedding(EmbeddingCertificate & certificate, const SphereMotion & motion);
 
 /** The place of a node on the sphere. \ingroup GraphComparison */
 GraphComparison_EXPORT std::array<double, 3>

@@ -167,7 +167,7 @@ DynamicEmbedding::Add(const Graph & graph)
     const std::vector<int> image = NodesOfSameName(m_Last.graph, graph);
     if (AreSpheres(m_Last, step.certificate))
     {
-      TurnEmbedding(step.certificate, RotationTo(m_Last, step.certificate, image));
+      MoveEmbedding(step.certificate, BestMotion(m_Last, step.certificate, image));
     }
     step.changes = ChangesBetween(m_Last, step.certificate, image);
   }

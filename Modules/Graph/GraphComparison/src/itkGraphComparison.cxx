@@ -238,7 +238,7 @@ CompareGraphs(const Graph & a, const Graph & b, const GenusOptions & genus, cons
     }
     if (result.a.geometry == EmbeddingGeometry::Spherical && result.b.geometry == EmbeddingGeometry::Spherical)
     {
-      TurnEmbedding(result.b, RotationTo(result.a, result.b, result.correspondence.image));
+      MoveEmbedding(result.b, BestMotion(result.a, result.b, result.correspondence.image));
     }
   }
   result.changes = ChangesBetween(result.a, result.b, result.correspondence.image);

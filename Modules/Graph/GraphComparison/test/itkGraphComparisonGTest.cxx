@@ -127,3 +127,27 @@ TEST(DynamicEmbedding, EditsLeaveTheRestInPlace)
   EXPECT_LT(after.changes.meanDisplacement, 0.01);
   EXPECT_EQ(before.certificate.genus, 0);
 }
+
+TEST(SphereAlignment, FindsAMoebiusTransformation)
+{
+  const itk::Graph                graph = itk::GridGraph(8, 6);
+  const itk::EmbeddingCertificate still = itk::EmbedGraph(graph, itk::FindEmbedding(graph).map);
+  itk::EmbeddingCertificate       moved = still;
+  const double                    c = std::cosh(0.8);
+  const double                    s = std::sinh(0.8);
+  std::vector<int>                image(graph.nodes);
+  itk::MoveEmbedding(moved, { 1, 0, 0, 0, 0, c, 0, s, 0, 0, 1, 0, 0, s, 0, c }); // a boost along y
+  double farthest = 0.0;
+  for (int v = 0; v < graph.nodes; ++v)
+  {
+    image[v] = v;
+    farthest = std::max(farthest, itk::AngleBetween(itk::PlaceOnSphere(still, v), itk::PlaceOnSphere(moved, v)));
+  }
+  EXPECT_GT(farthest, 0.5);
+  itk::MoveEmbedding(moved, itk::BestMotion(still, moved, image));
+  for (int v = 0; v < graph.nodes; ++v)
+  {
+    EXPECT_LT(itk::AngleBetween(itk::PlaceOnSphere(still, v), itk::PlaceOnSphere(moved, v)), 1e-9);
+    EXPECT_NEAR(moved.nodeRadii[v], still.nodeRadii[v], 1e-9);
+  }
+}
