@@ -44,7 +44,7 @@ OptionsOf(const CommandLine & commandLine)
     commandLine.GetString("augmentation") == "ring" ? itk::Augmentation::Ring : itk::Augmentation::None;
   options.infinity =
     commandLine.GetString("infinity") == "circle" ? itk::PointAtInfinity::Circle : itk::PointAtInfinity::EdgeNode;
-  options.mayMirror = !commandLine.IsGiven("rotation");
+  options.isRotationFree = !commandLine.IsGiven("rotation");
   return options;
 }
 

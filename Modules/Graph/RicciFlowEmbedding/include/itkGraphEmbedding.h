@@ -12,9 +12,9 @@ struct GraphEmbeddingOptions
 {
   Augmentation    augmentation{ Augmentation::Ring };
   PointAtInfinity infinity{ PointAtInfinity::Circle }; ///< genus 0 alone
-  /** The map may be seen from its other side, so that which of the two it is does not depend on numbers: for a planar
-   * graph whose rotation nobody has chosen. Genus 0 alone. */
-  bool mayMirror{ false };
+  /** Nobody has chosen the rotation system: blocks may be arranged anew (see ArrangeBlocks), and a map of genus 0 may
+   * be seen from its other side, so that which of the two it is does not depend on numbers. */
+  bool isRotationFree{ false };
 };
 
 /** Below this radius, of a cap in radians or of a circle in the hyperbolic plane or as part of the lattice's shorter

@@ -42,16 +42,16 @@ struct SphericalPacking
   int    steps{ 0 };
 };
 
-/** Packs a 3-connected map of genus 0. The position on the sphere depends on what was at infinity; see CentrePacking.
- * Throws InputError as PackCircles() does. \ingroup RicciFlowEmbedding */
+/** \brief Packs a 3-connected map of genus 0.
+ *
+ * Moved by a Moebius transformation so that the touch points of `edges` have their centre of mass at the centre of the
+ * sphere (conformal barycentre; of all edges where these are fewer than three). Then what is left free is a rotation.
+ * The packing is laid out twice, the second time from the circle that the first showed to be largest on the sphere, as
+ * the transformation may enlarge a small part of the plane. Throws InputError as PackCircles() does. \ingroup
+ * RicciFlowEmbedding */
 RicciFlowEmbedding_EXPORT SphericalPacking
-PackOnSphere(const CombinatorialMap & map, PointAtInfinity infinity);
+PackOnSphere(const CombinatorialMap & map, PointAtInfinity infinity, std::vector<int> edges = {});
 
-/** Moves the packing by a Moebius transformation so that the touch points of the edges [0, edges) have their centre of
- * mass at the centre of the sphere (conformal barycentre; of all edges where these are fewer than three). Then what is
- * left free is a rotation. \ingroup RicciFlowEmbedding */
-RicciFlowEmbedding_EXPORT void
-CentrePacking(SphericalPacking & packing, const std::vector<int> & edges);
 /** Turns the sphere so that two sums of the centres of the nodes, with weights by `rank`, point to the north pole and
  * to the meridian of the x axis. Nodes without a rank, beyond the end of the list, have no weight. \ingroup
  * RicciFlowEmbedding */

@@ -22,6 +22,9 @@ constexpr int    mostSteps = 200;
 /** Steps without a better residual, far from the solution and at the limit of rounding. */
 constexpr int mostStepsInVain = 25;
 constexpr int mostStepsAtTheLimit = 2;
+/** The uncertainty of a logarithm of a radius that asks for extended precision, and the most steps in it. */
+constexpr double mostUncertainty = 1e-13;
+constexpr int    mostRefinements = 6;
 /** The largest change of a logarithm in one step. */
 constexpr double longestStep = 8.0;
 
@@ -29,6 +32,17 @@ double
 Dot(const std::vector<double> & a, const std::vector<double> & b)
 {
   return std::inner_product(a.begin(), a.end(), b.begin(), 0.0);
+}
+
+double
+LargestOf(const std::vector<double> & list)
+{
+  double largest = 0.0;
+  for (const double x : list)
+  {
+    largest = std::max(largest, std::abs(x));
+  }
+  return largest;
 }
 
 std::string
@@ -43,14 +57,15 @@ ShortNumber(double value)
 class NewtonFlow
 {
 public:
-  NewtonFlow(RicciEnergy & energy, bool isHyperbolic)
-    : m_Energy(energy)
-    , m_IsHyperbolic(isHyperbolic)
-    , m_Solver(energy.Unknowns(), energy.Pattern())
-    , m_Point(energy.StartingPoint())
+  explicit NewtonFlow(const RicciUnknowns & unknowns)
+    : m_Unknowns(unknowns)
+    , m_Energy(unknowns)
+    , m_IsHyperbolic(unknowns.geometry == FlowGeometry::Hyperbolic)
+    , m_Solver(unknowns.number, m_Energy.Pattern())
+    , m_Point(unknowns.StartingPoint())
   {}
 
-  int
+  CirclePacking
   Run();
 
 private:
@@ -58,24 +73,29 @@ private:
   IsDone();
   void
   FindDirection();
+  void
+  SolveForDirection(std::vector<double> gradient);
   double
   LongestStep() const;
   void
   Step();
-  void
+  double
   Polish();
+  CirclePacking
+  Refined();
   void
   MoveTo(const std::vector<double> & from, double length);
 
-  RicciEnergy &       m_Energy;
-  bool                m_IsHyperbolic;
-  SparseCholesky      m_Solver;
-  std::vector<double> m_Point;
-  std::vector<double> m_Direction;
-  std::vector<double> m_Diagonal;
-  std::vector<double> m_OffDiagonal;
-  double              m_Best{ 1e300 };
-  int                 m_StepsInVain{ 0 };
+  const RicciUnknowns & m_Unknowns;
+  RicciEnergy           m_Energy;
+  bool                  m_IsHyperbolic;
+  SparseCholesky        m_Solver;
+  std::vector<double>   m_Point;
+  std::vector<double>   m_Direction;
+  std::vector<double>   m_Diagonal;
+  std::vector<double>   m_OffDiagonal;
+  double                m_Best{ 1e300 };
+  int                   m_StepsInVain{ 0 };
 };
 
 void
@@ -89,7 +109,13 @@ NewtonFlow::FindDirection()
                      " left: the circles become too different in size; check that the map is 3-connected or use "
                      "--augmentation ring");
   }
-  m_Direction = m_Energy.Gradient();
+  this->SolveForDirection(m_Energy.Gradient());
+}
+
+void
+NewtonFlow::SolveForDirection(std::vector<double> gradient)
+{
+  m_Direction = std::move(gradient);
   for (double & d : m_Direction)
   {
     d = -d;
@@ -150,26 +176,50 @@ NewtonFlow::IsDone()
   return residual <= wantedResidual || m_StepsInVain >= (residual < 1e-8 ? mostStepsAtTheLimit : mostStepsInVain);
 }
 
-/** One more step by the last factor, which is good to about the square of the residual and costs no factorisation. */
-void
+/** One more step by the last factor, which is good to about the square of the residual and costs no factorisation.
+ * Returns its length: what the rounding of the curvatures does to the unknowns. */
+double
 NewtonFlow::Polish()
 {
   const double              before = m_Energy.Residual();
   const std::vector<double> from = m_Point;
-  m_Direction = m_Energy.Gradient();
-  for (double & d : m_Direction)
-  {
-    d = -d;
-  }
-  m_Solver.Solve(m_Direction);
+  this->SolveForDirection(m_Energy.Gradient());
   this->MoveTo(from, 1.0);
   if (!(m_Energy.Residual() < before))
   {
     this->MoveTo(from, 0.0);
   }
+  return LargestOf(m_Direction);
 }
 
-int
+/** The last steps in extended precision, where the Hessian has eigenvalues so small that the rounding of the curvatures
+ * would show in the layout. */
+CirclePacking
+NewtonFlow::Refined()
+{
+  CircleState<long double> state(m_Unknowns);
+  std::vector<long double> point(m_Point.begin(), m_Point.end());
+  state.Evaluate(point);
+  double length = 1e300;
+  for (int step = 0; step < mostRefinements; ++step)
+  {
+    this->SolveForDirection({ state.Gradient().begin(), state.Gradient().end() });
+    const double next = LargestOf(m_Direction);
+    if (!(next < 0.5 * length))
+    {
+      break;
+    }
+    length = next;
+    for (std::size_t i = 0; i < point.size(); ++i)
+    {
+      point[i] += m_Direction[i];
+    }
+    state.Evaluate(point);
+  }
+  return state.Packing();
+}
+
+CirclePacking
 NewtonFlow::Run()
 {
   m_Energy.Evaluate(m_Point);
@@ -179,11 +229,15 @@ NewtonFlow::Run()
     this->Step();
     ++steps;
   }
+  bool needsRefinement = false;
   if (steps > 0)
   {
     this->Polish();
+    needsRefinement = this->Polish() > mostUncertainty;
   }
-  return steps;
+  CirclePacking packing = needsRefinement ? this->Refined() : m_Energy.Packing();
+  packing.steps = steps;
+  return packing;
 }
 } // namespace
 
@@ -225,17 +279,15 @@ CurvaturesOf(const CombinatorialMap & map, const CirclePacking & packing)
 CirclePacking
 PackCircles(const CombinatorialMap & map, FlowGeometry geometry, const CirclesAtInfinity & infinite)
 {
-  RicciEnergy   energy(map, geometry, infinite);
-  const int     steps = NewtonFlow(energy, geometry == FlowGeometry::Hyperbolic).Run();
-  CirclePacking packing = energy.Packing();
-  packing.steps = steps;
+  const RicciUnknowns unknowns(map, geometry, infinite);
+  CirclePacking       packing = NewtonFlow(unknowns).Run();
   for (const double curvature : CurvaturesOf(map, packing))
   {
     packing.residual = std::abs(curvature) <= packing.residual ? packing.residual : std::abs(curvature);
   }
   if (!(packing.residual <= worstResidual))
   {
-    throw InputError("the Ricci flow does not reach its target: after " + std::to_string(steps) +
+    throw InputError("the Ricci flow does not reach its target: after " + std::to_string(packing.steps) +
                      " steps of Newton's method a curvature of " + ShortNumber(packing.residual) +
                      " rad is left; check that the map is 3-connected or use --augmentation ring");
   }

@@ -1,4 +1,6 @@
-#include "itkSphericalPacking.h"
+#include "itkConformalBarycentre.h"
+
+#include "itkParallelFor.h"
 
 #include <Eigen/Dense>
 
@@ -72,19 +74,10 @@ NewtonStep(const std::vector<std::array<double, 3>> & points, const std::vector<
 void
 CentrePacking(SphericalPacking & packing, const std::vector<int> & edges)
 {
-  std::vector<int> chosen = edges;
-  if (chosen.size() < 3)
-  {
-    chosen.clear();
-    for (std::size_t edge = 0; edge < packing.touchPoints.size(); ++edge)
-    {
-      chosen.push_back(static_cast<int>(edge));
-    }
-  }
   for (int i = 0; i < mostSteps; ++i)
   {
     double                offset = 0.0;
-    const Eigen::Vector3d velocity = NewtonStep(packing.touchPoints, chosen, offset);
+    const Eigen::Vector3d velocity = NewtonStep(packing.touchPoints, edges, offset);
     if (offset < wantedOffset)
     {
       return;
@@ -92,15 +85,10 @@ CentrePacking(SphericalPacking & packing, const std::vector<int> & edges)
     const Boost boost(velocity);
     for (auto * circles : { &packing.nodes, &packing.faces })
     {
-      for (SphereCircle & circle : *circles)
-      {
-        circle = boost(circle);
-      }
+      ParallelForBlocks(circles->size(), [&](std::size_t c) { (*circles)[c] = boost((*circles)[c]); });
     }
-    for (auto & point : packing.touchPoints)
-    {
-      point = boost(point);
-    }
+    ParallelForBlocks(packing.touchPoints.size(),
+                      [&](std::size_t p) { packing.touchPoints[p] = boost(packing.touchPoints[p]); });
   }
 }
 

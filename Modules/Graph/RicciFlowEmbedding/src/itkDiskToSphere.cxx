@@ -24,56 +24,54 @@ Advance(double length)
   return PlaneMotion::Translation(FlowGeometry::Hyperbolic, length);
 }
 
-/** The image of (zeta, w) under a motion, as a Lorentz transformation of three dimensions. */
-struct Minkowski
-{
-  Minkowski(const PlaneMotion & m, double zeta, double w)
-    : zeta(m.a * m.a * zeta + m.b * m.b * zeta + 2.0 * w * m.a * m.b)
-    , w((std::norm(m.a) + std::norm(m.b)) * w + 2.0 * zeta * (m.a * std::conj(m.b)).real())
-  {}
-  Complex zeta;
-  double  w;
-};
-
-/** The circle around the image of the origin. */
+/** The circle around the image of the origin. With its centre (zeta, w) on the hyperboloid it is (zeta, -cosh r, w) /
+ * sinh r, and w - cosh r is computed without cancellation. */
 SphereCircle
-FromCircle(const PlaneMotion & motion, double radius)
+FromCircle(const PlaneMotion & m, double radius, double scale)
 {
-  const Minkowski centre(motion, 0.0, 1.0);
-  const double    s = std::sinh(radius);
-  return { centre.zeta.real() / s, centre.zeta.imag() / s, -std::cosh(radius) / s, centre.w / s };
+  const Complex zeta = 2.0 * m.a * m.b;
+  const double  s = std::sinh(radius);
+  const double  half = std::sinh(0.5 * radius);
+  const double  out = 2.0 * std::norm(m.b);
+  const double  up = 2.0 * half * half;
+  return FromScaled(zeta.real() / s, zeta.imag() / s, (out - up) / s, (2.0 + out + up) / s, scale);
 }
 
 /** What lies ahead of the geodesic that crosses the real axis at the origin. */
 SphereCircle
-FromGeodesic(const PlaneMotion & motion)
+FromGeodesic(const PlaneMotion & m, double scale)
 {
-  const Minkowski normal(motion, 1.0, 0.0);
-  return { normal.zeta.real(), normal.zeta.imag(), 0.0, normal.w };
+  const Complex zeta = m.a * m.a + m.b * m.b;
+  const double  w = 2.0 * (m.a * std::conj(m.b)).real();
+  return FromScaled(zeta.real(), zeta.imag(), w, w, scale);
 }
 
-/** The horocycle at the end of the real axis that is orthogonal to the circle of this radius around the origin. */
+/** The horocycle at the end of the real axis that is orthogonal to the circle of this radius around the origin: with
+ * the light ray (zeta, w) it is (zeta cosh r, -1, w cosh r). */
 SphereCircle
-FromHorocycle(const PlaneMotion & motion, double radius)
+FromHorocycle(const PlaneMotion & m, double radius, double scale)
 {
-  const Minkowski end(motion, 1.0, 1.0);
-  const double    scale = std::cosh(radius);
-  return { scale * end.zeta.real(), scale * end.zeta.imag(), -1.0, scale * end.w };
+  const double  c = std::cosh(radius);
+  const double  half = std::sinh(0.5 * radius);
+  const Complex end = m.a + m.b;
+  const Complex zeta = c * end * end;
+  const double  above = 2.0 * std::norm(m.b) + 2.0 * (m.a * std::conj(m.b)).real() + 2.0 * half * half * std::norm(end);
+  return FromScaled(zeta.real(), zeta.imag(), above, above + 2.0, scale);
 }
 
 std::array<double, 3>
-FromPoint(const PlaneMotion & motion)
+FromPoint(const PlaneMotion & m, double scale)
 {
-  const Minkowski point(motion, 0.0, 1.0);
-  return { point.zeta.real() / point.w, point.zeta.imag() / point.w, -1.0 / point.w };
+  const Complex z = scale * m.b / std::conj(m.a);
+  return PointOnSphere(z.real(), z.imag());
 }
 
 /** Places everything that a finite node touches. */
 class DiskLayout
 {
 public:
-  DiskLayout(const CombinatorialMap & map, const CirclePacking & packing)
-    : m_Map(map), m_Packing(packing), m_Angles(HalfEdgeAngles(map, packing)), m_Frames(map.Nodes())
+  DiskLayout(const CombinatorialMap & map, const CirclePacking & packing, double scale)
+    : m_Map(map), m_Packing(packing), m_Scale(scale), m_Angles(HalfEdgeAngles(map, packing)), m_Frames(map.Nodes())
   {
     sphere.nodes.resize(map.Nodes());
     sphere.faces.resize(map.Faces());
@@ -93,6 +91,7 @@ private:
 
   const CombinatorialMap & m_Map;
   const CirclePacking &    m_Packing;
+  double                   m_Scale;
   std::vector<double>      m_Angles;
   std::vector<PlaneMotion> m_Frames;
   std::vector<char>        m_IsPlaced;
@@ -110,7 +109,7 @@ DiskLayout::Place(int node, int arrival)
                       Turn(pi - m_Angles[CombinatorialMap::Twin(arrival)]))
                        .Normalised();
   }
-  sphere.nodes[node] = FromCircle(m_Frames[node], m_Packing.nodeRadii[node]);
+  sphere.nodes[node] = FromCircle(m_Frames[node], m_Packing.nodeRadii[node], m_Scale);
   const int first = m_Map.FirstAround(node);
   int       h = first;
   do
@@ -131,10 +130,10 @@ DiskLayout::PlaceAlong(int node, int halfEdge)
 {
   const int         other = m_Map.Node(CombinatorialMap::Twin(halfEdge));
   const PlaneMotion touch = m_Frames[node] * Turn(m_Angles[halfEdge]) * Advance(m_Packing.nodeRadii[node]);
-  sphere.touchPoints[halfEdge / 2] = FromPoint(touch);
+  sphere.touchPoints[halfEdge / 2] = FromPoint(touch, m_Scale);
   if (std::isinf(m_Packing.nodeRadii[other]))
   {
-    sphere.nodes[other] = FromGeodesic(touch);
+    sphere.nodes[other] = FromGeodesic(touch, m_Scale);
   }
 }
 
@@ -149,30 +148,32 @@ DiskLayout::PlaceFace(int node, int halfEdge)
   const PlaneMotion ahead = m_Frames[node] * Turn(angle);
   if (isHorocycle)
   {
-    sphere.faces[face] = FromHorocycle(ahead, own);
+    sphere.faces[face] = FromHorocycle(ahead, own, m_Scale);
     return;
   }
   const double distance = std::asinh(std::hypot(std::sinh(own) * std::cosh(radius), std::sinh(radius)));
-  sphere.faces[face] = FromCircle(ahead * Advance(distance), radius);
+  sphere.faces[face] = FromCircle(ahead * Advance(distance), radius, m_Scale);
 }
 } // namespace
 
 SphericalPacking
-DiskToSphere(const CombinatorialMap & map, const CirclePacking & packing, int boundaryFace)
+DiskToSphere(const CombinatorialMap & map, const CirclePacking & packing, int root, int boundaryFace)
 {
-  DiskLayout       layout(map, packing);
-  const LayoutTree tree = LayoutTree::OfLargestCircles(map, packing);
+  const double     scale = 1.0 / std::tanh(0.5 * packing.nodeRadii[root]);
+  DiskLayout       layout(map, packing, scale);
+  const LayoutTree tree = LayoutTree::OfLargestCircles(map, packing, root);
   for (const int node : tree.order)
   {
     layout.Place(node, tree.arrival[node]);
   }
   SphericalPacking sphere = std::move(layout.sphere);
-  sphere.faces[boundaryFace] = { 0.0, 0.0, 1.0, 0.0 };
+  sphere.faces[boundaryFace] = FromScaled(0.0, 0.0, 1.0, -1.0, scale);
   // The edges of the boundary face join geodesics: they touch at the end of the horocycle beside them.
   for (const int h : map.Boundary(boundaryFace))
   {
     const SphereCircle & horocycle = sphere.faces[map.Face(CombinatorialMap::Twin(h))];
-    sphere.touchPoints[h / 2] = { horocycle[0] / horocycle[3], horocycle[1] / horocycle[3], 0.0 };
+    const double         length = std::hypot(horocycle[0], horocycle[1]);
+    sphere.touchPoints[h / 2] = PointOnSphere(scale * horocycle[0] / length, scale * horocycle[1] / length);
   }
   return sphere;
 }

@@ -1,5 +1,6 @@
 #include "itkGraphEmbedding.h"
 
+#include "itkBlockArrangement.h"
 #include "itkCanonicalMapOrder.h"
 #include "itkSurfaceLayout.h"
 
@@ -44,8 +45,7 @@ BeginCertificate(const Graph & graph, const CombinatorialMap & map, const Packed
 void
 AddSphere(const PackedMap & packed, PointAtInfinity infinity, std::vector<int> rank, EmbeddingCertificate & certificate)
 {
-  SphericalPacking sphere = PackOnSphere(packed.map, infinity);
-  CentrePacking(sphere, EdgesOfGraph(packed));
+  SphericalPacking sphere = PackOnSphere(packed.map, infinity, EdgesOfGraph(packed));
   rank.resize(packed.graphNodes); // dummies may be numbered differently on the other side
   TurnToCanonicalPosition(sphere, rank);
   certificate.geometry = EmbeddingGeometry::Spherical;
@@ -192,13 +192,14 @@ AddSmallestCircle(EmbeddingCertificate & certificate)
 } // namespace
 
 EmbeddingCertificate
-EmbedGraph(const Graph & graph, const CombinatorialMap & map, const GraphEmbeddingOptions & options)
+EmbedGraph(const Graph & graph, const CombinatorialMap & given, const GraphEmbeddingOptions & options)
 {
-  PackedMap            packed = MakePackedMap(map, options.augmentation);
-  EmbeddingCertificate certificate;
+  const CombinatorialMap map = options.isRotationFree ? ArrangeBlocks(given) : given;
+  PackedMap              packed = MakePackedMap(map, options.augmentation);
+  EmbeddingCertificate   certificate;
   if (map.Genus() == 0)
   {
-    const CanonicalMapOrder order(packed.map, options.mayMirror);
+    const CanonicalMapOrder order(packed.map, options.isRotationFree);
     const CombinatorialMap  seen = order.isMirrored ? map.Mirrored() : map;
     packed = order.isMirrored ? MakePackedMap(seen, options.augmentation) : std::move(packed);
     certificate = BeginCertificate(graph, seen, packed);

@@ -10,24 +10,10 @@ namespace itk
 {
 namespace
 {
-int
-LargestFiniteNode(const CirclePacking & packing)
-{
-  int largest = -1;
-  for (std::size_t node = 0; node < packing.nodeRadii.size(); ++node)
-  {
-    if (!std::isinf(packing.nodeRadii[node]) && (largest < 0 || packing.nodeRadii[node] > packing.nodeRadii[largest]))
-    {
-      largest = static_cast<int>(node);
-    }
-  }
-  return largest;
-}
-
 /** Takes nodes by the greatest priority, which `priorityOf(that of the node before, half-edge)` gives. */
 template <typename TPriority>
 LayoutTree
-GrowTree(const CombinatorialMap & map, const CirclePacking & packing, const TPriority & priorityOf)
+GrowTree(const CombinatorialMap & map, const CirclePacking & packing, int root, const TPriority & priorityOf)
 {
   struct Arrival
   {
@@ -44,7 +30,7 @@ GrowTree(const CombinatorialMap & map, const CirclePacking & packing, const TPri
   std::vector<char>            isDone(map.Nodes(), 0);
   std::priority_queue<Arrival> queue;
   tree.arrival.assign(map.Nodes(), -1);
-  queue.push({ 0.0, LargestFiniteNode(packing), -1 });
+  queue.push({ 0.0, root, -1 });
   while (!queue.empty())
   {
     const Arrival next = queue.top();
@@ -72,11 +58,25 @@ GrowTree(const CombinatorialMap & map, const CirclePacking & packing, const TPri
 }
 } // namespace
 
+int
+LargestFiniteNode(const CirclePacking & packing)
+{
+  int largest = -1;
+  for (std::size_t node = 0; node < packing.nodeRadii.size(); ++node)
+  {
+    if (!std::isinf(packing.nodeRadii[node]) && (largest < 0 || packing.nodeRadii[node] > packing.nodeRadii[largest]))
+    {
+      largest = static_cast<int>(node);
+    }
+  }
+  return largest;
+}
+
 LayoutTree
-LayoutTree::OfLargestCircles(const CombinatorialMap & map, const CirclePacking & packing)
+LayoutTree::OfLargestCircles(const CombinatorialMap & map, const CirclePacking & packing, int root)
 {
   const std::vector<double> & radii = packing.nodeRadii;
-  return GrowTree(map, packing, [&](double, int h) {
+  return GrowTree(map, packing, root, [&](double, int h) {
     return std::min(radii[map.Node(h)], radii[map.Node(CombinatorialMap::Twin(h))]);
   });
 }
@@ -85,7 +85,7 @@ LayoutTree
 LayoutTree::OfShortestPaths(const CombinatorialMap & map, const CirclePacking & packing)
 {
   const std::vector<double> & radii = packing.nodeRadii;
-  return GrowTree(map, packing, [&](double priority, int h) {
+  return GrowTree(map, packing, LargestFiniteNode(packing), [&](double priority, int h) {
     return priority - radii[map.Node(h)] - radii[map.Node(CombinatorialMap::Twin(h))];
   });
 }

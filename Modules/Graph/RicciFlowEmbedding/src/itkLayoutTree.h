@@ -12,9 +12,9 @@ namespace itk
 struct LayoutTree
 {
   /** A spanning tree along which the circles stay as large as can be, so that rounding errors do: of maximum
-   * bottleneck, from the largest circle. */
+   * bottleneck, from `root`. */
   static LayoutTree
-  OfLargestCircles(const CombinatorialMap & map, const CirclePacking & packing);
+  OfLargestCircles(const CombinatorialMap & map, const CirclePacking & packing, int root);
   /** The shortest paths from the centre of the largest circle: the least spread of the lifts. */
   static LayoutTree
   OfShortestPaths(const CombinatorialMap & map, const CirclePacking & packing);
@@ -23,6 +23,10 @@ struct LayoutTree
   /** The half-edge that leads to each node; -1 for the root and infinite nodes. */
   std::vector<int> arrival;
 };
+
+/** The largest circle of a node that is not infinite. */
+int
+LargestFiniteNode(const CirclePacking & packing);
 
 /** The angle from the first half-edge of its node to each half-edge, counter-clockwise, in [0, 2 pi); not for infinite
  * nodes. */

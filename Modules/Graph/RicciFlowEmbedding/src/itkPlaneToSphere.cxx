@@ -2,8 +2,8 @@
 
 #include "itkLayoutTree.h"
 
-#include <algorithm>
 #include <cmath>
+#include <complex>
 
 namespace itk
 {
@@ -19,181 +19,121 @@ IsFinite(double radius)
   return !std::isinf(radius);
 }
 
-/** A half-edge of the edge that leaves a finite node, or -1. */
-int
-FiniteHalfEdge(const CombinatorialMap & map, const CirclePacking & packing, int edge)
+SphereCircle
+FromCircle(const Complex & centre, double radius, double scale)
 {
-  const int h = 2 * edge;
-  return IsFinite(packing.nodeRadii[map.Node(h)]) ? h : (IsFinite(packing.nodeRadii[map.Node(h + 1)]) ? h + 1 : -1);
+  return FromScaled(centre.real() / radius,
+                    centre.imag() / radius,
+                    (std::norm(centre) - radius * radius) / radius,
+                    1.0 / radius,
+                    scale);
 }
 
-/** A similarity of the plane, z -> scale (z - centre). */
-struct Similarity
+/** The half plane ahead of a point in a direction of length 1. */
+SphereCircle
+FromHalfPlane(const Complex & ahead, const Complex & point, double scale)
 {
-  Complex centre{ 0.0 };
-  double  scale{ 1.0 };
-  Complex
-  operator()(const Complex & z) const
+  const double offset = (std::conj(ahead) * point).real();
+  return FromScaled(ahead.real(), ahead.imag(), 2.0 * offset, 0.0, scale);
+}
+
+/** Places everything that a finite node touches. */
+class PlaneLayout
+{
+public:
+  PlaneLayout(const CombinatorialMap & map, const CirclePacking & packing, double scale)
+    : m_Map(map)
+    , m_Packing(packing)
+    , m_Scale(scale)
+    , m_Directions(HalfEdgeAngles(map, packing))
+    , m_Centres(map.Nodes())
+    , m_IsPlaced(map.Faces(), 0)
   {
-    return scale * (z - centre);
+    sphere.nodes.resize(map.Nodes());
+    sphere.faces.resize(map.Faces());
+    sphere.touchPoints.assign(map.Edges(), { 0.0, 0.0, 1.0 }); // that of the edge between two lines
   }
+  void
+  Place(int node, int arrival);
+
+  SphericalPacking sphere;
+
+private:
+  void
+  PlaceAlong(int node, int halfEdge);
+  void
+  PlaceFace(int node, int halfEdge);
+
+  const CombinatorialMap & m_Map;
+  const CirclePacking &    m_Packing;
+  double                   m_Scale;
+  std::vector<double>      m_Directions;
+  std::vector<Complex>     m_Centres;
+  std::vector<char>        m_IsPlaced;
 };
 
-/** The mean of these points to the origin, half of them into the unit disk. */
-Similarity
-Normalisation(const std::vector<Complex> & points)
-{
-  Similarity similarity;
-  for (const Complex & point : points)
-  {
-    similarity.centre += point / static_cast<double>(points.size());
-  }
-  std::vector<double> distances;
-  for (const Complex & point : points)
-  {
-    distances.push_back(std::abs(point - similarity.centre));
-  }
-  const auto middle = distances.begin() + distances.size() / 2;
-  std::nth_element(distances.begin(), middle, distances.end());
-  similarity.scale = 1.0 / *middle;
-  return similarity;
-}
-
-SphereCircle
-FromCircle(const Complex & centre, double radius)
-{
-  const double power = std::norm(centre) - radius * radius;
-  return {
-    centre.real() / radius, centre.imag() / radius, (power - 1.0) / (2.0 * radius), (power + 1.0) / (2.0 * radius)
-  };
-}
-
-/** The half plane of the points z with Re(conj(normal) z) > offset. */
-SphereCircle
-FromHalfPlane(const Complex & normal, double offset)
-{
-  return { normal.real(), normal.imag(), offset, offset };
-}
-
-double
-Offset(const Complex & normal, const Complex & point)
-{
-  return (std::conj(normal) * point).real();
-}
-
-std::array<double, 3>
-FromPoint(const Complex & z)
-{
-  const double square = std::norm(z);
-  return { 2.0 * z.real() / (1.0 + square), 2.0 * z.imag() / (1.0 + square), (square - 1.0) / (square + 1.0) };
-}
-} // namespace
-
-PlaneLayout::PlaneLayout(const CombinatorialMap & map, const CirclePacking & packing)
-  : nodes(map.Nodes()), faces(map.Faces()), directions(HalfEdgeAngles(map, packing))
-{
-  std::vector<char> isPlaced(map.Faces(), 0);
-  const LayoutTree  tree = LayoutTree::OfLargestCircles(map, packing);
-  for (const int node : tree.order)
-  {
-    const double radius = packing.nodeRadii[node];
-    const int    arrival = tree.arrival[node];
-    double       turn = 0.0;
-    if (arrival >= 0)
-    {
-      const int before = map.Node(arrival);
-      nodes[node] = nodes[before] + std::polar(packing.nodeRadii[before] + radius, directions[arrival]);
-      turn = directions[arrival] + pi - directions[CombinatorialMap::Twin(arrival)];
-    }
-    const int first = map.FirstAround(node);
-    int       h = first;
-    do
-    {
-      directions[h] = std::remainder(directions[h] + turn, 2.0 * pi);
-      const int face = map.Face(h);
-      if (!isPlaced[face] && IsFinite(packing.faceRadii[face]))
-      {
-        isPlaced[face] = 1;
-        faces[face] = nodes[node] + std::polar(std::hypot(radius, packing.faceRadii[face]),
-                                               directions[h] + std::atan2(packing.faceRadii[face], radius));
-      }
-      h = map.NextAround(h);
-    } while (h != first);
-  }
-}
-
-namespace
-{
-/** Fills in the circles that are straight lines, from a finite node beside each. */
 void
-AddHalfPlanes(const CombinatorialMap & map,
-              const CirclePacking &    packing,
-              const PlaneLayout &      layout,
-              const Similarity &       similarity,
-              SphericalPacking &       sphere)
+PlaneLayout::Place(int node, int arrival)
 {
-  for (int h = 0; h < map.HalfEdges(); ++h)
+  double turn = 0.0;
+  if (arrival >= 0)
   {
-    const int node = map.Node(h);
-    const int other = map.Node(CombinatorialMap::Twin(h));
-    if (!IsFinite(packing.nodeRadii[node]))
-    {
-      continue;
-    }
-    const Complex centre = layout.nodes[node];
-    const Complex ahead = std::polar(1.0, layout.directions[h]);
-    if (!IsFinite(packing.nodeRadii[other]))
-    {
-      const Complex touch = similarity(centre + packing.nodeRadii[node] * ahead);
-      sphere.nodes[other] = FromHalfPlane(ahead, Offset(ahead, touch));
-    }
-    if (!IsFinite(packing.faceRadii[map.Face(h)]))
-    {
-      const Complex left = Complex(0.0, 1.0) * ahead;
-      sphere.faces[map.Face(h)] = FromHalfPlane(left, Offset(left, similarity(centre)));
-    }
+    const int before = m_Map.Node(arrival);
+    m_Centres[node] =
+      m_Centres[before] + std::polar(m_Packing.nodeRadii[before] + m_Packing.nodeRadii[node], m_Directions[arrival]);
+    turn = m_Directions[arrival] + pi - m_Directions[CombinatorialMap::Twin(arrival)];
   }
+  sphere.nodes[node] = FromCircle(m_Centres[node], m_Packing.nodeRadii[node], m_Scale);
+  const int first = m_Map.FirstAround(node);
+  int       h = first;
+  do
+  {
+    m_Directions[h] = std::remainder(m_Directions[h] + turn, 2.0 * pi);
+    this->PlaceAlong(node, h);
+    if (!m_IsPlaced[m_Map.Face(h)])
+    {
+      m_IsPlaced[m_Map.Face(h)] = 1;
+      this->PlaceFace(node, h);
+    }
+    h = m_Map.NextAround(h);
+  } while (h != first);
+}
+
+/** The touch point on a half-edge, and the circle beyond it where that is a line. */
+void
+PlaneLayout::PlaceAlong(int node, int halfEdge)
+{
+  const int     other = m_Map.Node(CombinatorialMap::Twin(halfEdge));
+  const Complex ahead = std::polar(1.0, m_Directions[halfEdge]);
+  const Complex touch = m_Centres[node] + m_Packing.nodeRadii[node] * ahead;
+  sphere.touchPoints[halfEdge / 2] = PointOnSphere(m_Scale * touch.real(), m_Scale * touch.imag());
+  if (!IsFinite(m_Packing.nodeRadii[other]))
+  {
+    sphere.nodes[other] = FromHalfPlane(ahead, touch, m_Scale);
+  }
+}
+
+void
+PlaneLayout::PlaceFace(int node, int halfEdge)
+{
+  const int     face = m_Map.Face(halfEdge);
+  const double  radius = m_Packing.faceRadii[face];
+  const double  own = m_Packing.nodeRadii[node];
+  const Complex ahead = std::polar(1.0, m_Directions[halfEdge] + HalfKiteAngle(FlowGeometry::Euclidean, own, radius));
+  sphere.faces[face] = IsFinite(radius) ? FromCircle(m_Centres[node] + std::hypot(radius, own) * ahead, radius, m_Scale)
+                                        : FromHalfPlane(ahead, m_Centres[node], m_Scale);
 }
 } // namespace
 
 SphericalPacking
-ToSphere(const CombinatorialMap & map, const CirclePacking & packing, const PlaneLayout & layout)
+PlaneToSphere(const CombinatorialMap & map, const CirclePacking & packing, int root)
 {
-  std::vector<Complex> touch;
-  std::vector<int>     touchOfEdge(map.Edges(), -1);
-  for (int edge = 0; edge < map.Edges(); ++edge)
+  PlaneLayout      layout(map, packing, 1.0 / packing.nodeRadii[root]);
+  const LayoutTree tree = LayoutTree::OfLargestCircles(map, packing, root);
+  for (const int node : tree.order)
   {
-    const int h = FiniteHalfEdge(map, packing, edge);
-    if (h >= 0)
-    {
-      touchOfEdge[edge] = static_cast<int>(touch.size());
-      touch.push_back(layout.nodes[map.Node(h)] + std::polar(packing.nodeRadii[map.Node(h)], layout.directions[h]));
-    }
+    layout.Place(node, tree.arrival[node]);
   }
-  const Similarity similarity = Normalisation(touch);
-  SphericalPacking sphere;
-  sphere.nodes.resize(map.Nodes());
-  sphere.faces.resize(map.Faces());
-  for (int edge = 0; edge < map.Edges(); ++edge)
-  {
-    sphere.touchPoints.push_back(touchOfEdge[edge] < 0 ? std::array<double, 3>{ 0.0, 0.0, 1.0 }
-                                                       : FromPoint(similarity(touch[touchOfEdge[edge]])));
-  }
-  for (int node = 0; node < map.Nodes(); ++node)
-  {
-    if (IsFinite(packing.nodeRadii[node]))
-    {
-      sphere.nodes[node] = FromCircle(similarity(layout.nodes[node]), similarity.scale * packing.nodeRadii[node]);
-    }
-  }
-  for (int face = 0; face < map.Faces(); ++face)
-  {
-    if (IsFinite(packing.faceRadii[face]))
-    {
-      sphere.faces[face] = FromCircle(similarity(layout.faces[face]), similarity.scale * packing.faceRadii[face]);
-    }
-  }
-  AddHalfPlanes(map, packing, layout, similarity, sphere);
-  return sphere;
+  return std::move(layout.sphere);
 }
 } // namespace itk

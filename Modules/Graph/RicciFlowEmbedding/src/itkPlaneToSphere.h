@@ -4,29 +4,35 @@
 #include "itkCirclePacking.h"
 #include "itkSphericalPacking.h"
 
-#include <complex>
-
 namespace itk
 {
-/** The centres of the finite circles of a packing of the plane, and the directions of the half-edges of finite nodes.
- */
-struct PlaneLayout
+/** \name Packings of the plane and of the Poincare disk as packings of the sphere.
+ * The circle of `root`, a finite node, becomes the unit circle of the plane, the equator; everything is computed from
+ * there, so that it is most exact there, whatever the size of that circle. Stereographic projection is that of (6.3.3)
+ * of the dissertation. */
+///@{
+SphericalPacking
+PlaneToSphere(const CombinatorialMap & map, const CirclePacking & packing, int root);
+/** For a hyperbolic packing whose ideal boundary is the circle of a face. */
+SphericalPacking
+DiskToSphere(const CombinatorialMap & map, const CirclePacking & packing, int root, int boundaryFace);
+///@}
+
+/** A circle (x, y, t + n, t - n): in the plane center / radius, (|centre|^2 - radius^2) / radius and 1 / radius, which
+ * a change of scale multiplies by 1, scale and 1 / scale without loss. */
+inline SphereCircle
+FromScaled(double x, double y, double sum, double difference, double scale)
 {
-  PlaneLayout(const CombinatorialMap & map, const CirclePacking & packing);
+  return { x, y, 0.5 * (sum * scale - difference / scale), 0.5 * (sum * scale + difference / scale) };
+}
 
-  std::vector<std::complex<double>> nodes;
-  std::vector<std::complex<double>> faces;
-  std::vector<double>               directions;
-};
-
-/** Stereographic projection, (6.3.3) of the dissertation, of the plane after a similarity that puts most touch points
- * near the equator. */
-SphericalPacking
-ToSphere(const CombinatorialMap & map, const CirclePacking & packing, const PlaneLayout & layout);
-/** The disk as the lower hemisphere, for a hyperbolic packing whose ideal boundary is the circle of a face. A circle
- * with the centre (x, y, w) on the hyperboloid and radius r is (x, y, -cosh r, w) / sinh r. */
-SphericalPacking
-DiskToSphere(const CombinatorialMap & map, const CirclePacking & packing, int boundaryFace);
+/** The image of a point of the plane. */
+inline std::array<double, 3>
+PointOnSphere(double x, double y)
+{
+  const double square = x * x + y * y;
+  return { 2.0 * x / (1.0 + square), 2.0 * y / (1.0 + square), (square - 1.0) / (square + 1.0) };
+}
 } // namespace itk
 
 #endif

@@ -1,10 +1,13 @@
 #include "itkSphericalPacking.h"
 
 #include "itkCirclePacking.h"
+#include "itkConformalBarycentre.h"
+#include "itkLayoutTree.h"
 #include "itkPlaneToSphere.h"
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace itk
 {
@@ -94,25 +97,66 @@ RadiusOf(const SphereCircle & circle)
   return std::atan2(1.0, circle[3]);
 }
 
-SphericalPacking
-PackOnSphere(const CombinatorialMap & map, PointAtInfinity infinity)
+namespace
 {
-  SphericalPacking sphere;
-  CirclePacking    flat;
-  if (infinity == PointAtInfinity::EdgeNode)
+/** A packing that is laid out on the sphere from any finite node. */
+struct FlatPacking
+{
+  FlatPacking(const CombinatorialMap & map, PointAtInfinity infinity)
+    : m_Map(map), m_Boundary(infinity == PointAtInfinity::Circle ? LongestFace(map) : -1)
   {
-    flat = PackCircles(map, FlowGeometry::Euclidean, CirclesThrough(map, EdgeForInfinity(map)));
-    sphere = ToSphere(map, flat, PlaneLayout(map, flat));
+    circles = m_Boundary < 0 ? PackCircles(map, FlowGeometry::Euclidean, CirclesThrough(map, EdgeForInfinity(map)))
+                             : PackCircles(map, FlowGeometry::Hyperbolic, CirclesAround(map, m_Boundary));
   }
-  else
+  SphericalPacking
+  LaidOutFrom(int root, const std::vector<int> & edges) const
   {
-    const int face = LongestFace(map);
-    flat = PackCircles(map, FlowGeometry::Hyperbolic, CirclesAround(map, face));
-    sphere = DiskToSphere(map, flat, face);
+    SphericalPacking sphere =
+      m_Boundary < 0 ? PlaneToSphere(m_Map, circles, root) : DiskToSphere(m_Map, circles, root, m_Boundary);
+    SeeFromOutside(sphere);
+    CentrePacking(sphere, edges);
+    return sphere;
   }
-  SeeFromOutside(sphere);
-  sphere.residual = flat.residual;
-  sphere.steps = flat.steps;
+
+  CirclePacking circles;
+
+private:
+  const CombinatorialMap & m_Map;
+  int                      m_Boundary; ///< face; -1 for an edge node at infinity
+};
+
+/** The largest cap of those that are finite in the flat packing. */
+int
+LargestOnSphere(const SphericalPacking & sphere, const CirclePacking & flat)
+{
+  int largest = -1;
+  for (std::size_t node = 0; node < sphere.nodes.size(); ++node)
+  {
+    // The cotangent of the angle falls with the angle.
+    if (!std::isinf(flat.nodeRadii[node]) && (largest < 0 || sphere.nodes[node][3] < sphere.nodes[largest][3]))
+    {
+      largest = static_cast<int>(node);
+    }
+  }
+  return largest;
+}
+} // namespace
+
+SphericalPacking
+PackOnSphere(const CombinatorialMap & map, PointAtInfinity infinity, std::vector<int> edges)
+{
+  if (edges.size() < 3)
+  {
+    edges.resize(map.Edges());
+    std::iota(edges.begin(), edges.end(), 0);
+  }
+  const FlatPacking flat(map, infinity);
+  const int         first = LargestFiniteNode(flat.circles);
+  SphericalPacking  sphere = flat.LaidOutFrom(first, edges);
+  const int         root = LargestOnSphere(sphere, flat.circles);
+  sphere = root == first ? std::move(sphere) : flat.LaidOutFrom(root, edges);
+  sphere.residual = flat.circles.residual;
+  sphere.steps = flat.circles.steps;
   return sphere;
 }
 } // namespace itk

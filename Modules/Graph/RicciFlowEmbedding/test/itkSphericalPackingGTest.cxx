@@ -31,7 +31,7 @@ ExpectPacking(const itk::CombinatorialMap & map, const itk::SphericalPacking & p
     const auto & node = packing.nodes[map.Node(h)];
     const auto & other = packing.nodes[map.Node(h ^ 1)];
     const auto & face = packing.faces[map.Face(h)];
-    EXPECT_NEAR(Angle(itk::CentreOf(node), itk::CentreOf(other)), itk::RadiusOf(node) + itk::RadiusOf(other), 1e-11);
+    EXPECT_NEAR(Angle(itk::CentreOf(node), itk::CentreOf(other)), itk::RadiusOf(node) + itk::RadiusOf(other), 1e-10);
     EXPECT_NEAR(std::cos(Angle(itk::CentreOf(node), itk::CentreOf(face))),
                 std::cos(itk::RadiusOf(node)) * std::cos(itk::RadiusOf(face)),
                 1e-11);
@@ -71,19 +71,16 @@ TEST(SphericalPacking, WheelsHaveTheRadiiOfTheClosedForm)
     const itk::CombinatorialMap map = WheelMap(spokes);
     ASSERT_EQ(map.Genus(), 0);
     itk::SphericalPacking packing = itk::PackOnSphere(map, infinity);
-    EXPECT_LE(packing.residual, 1e-11);
-    std::vector<int> edges(map.Edges());
-    std::iota(edges.begin(), edges.end(), 0);
-    itk::CentrePacking(packing, edges);
+    EXPECT_LE(packing.residual, 1e-10);
     ExpectPacking(map, packing);
     double rim = itk::RadiusOf(packing.nodes[0]);
     for (int i = 1; i < spokes; ++i)
     {
-      EXPECT_NEAR(itk::RadiusOf(packing.nodes[i]), rim, 1e-11);
+      EXPECT_NEAR(itk::RadiusOf(packing.nodes[i]), rim, 1e-10);
     }
     // Neighbours on the rim lie at the same distance d from the hub: sin(r) = sin(d) sin(pi / n), d = r + hub.
     const double d = rim + itk::RadiusOf(packing.nodes[spokes]);
-    EXPECT_NEAR(std::sin(rim), std::sin(d) * std::sin(std::acos(-1.0) / spokes), 1e-11);
+    EXPECT_NEAR(std::sin(rim), std::sin(d) * std::sin(std::acos(-1.0) / spokes), 1e-10);
   }
 }
 
@@ -104,9 +101,6 @@ TEST(SphericalPacking, ATreeIsPackedWithDummies)
   }
   const itk::PackedMap  packed = itk::MakePackedMap({ path, rotation }, itk::Augmentation::Ring);
   itk::SphericalPacking packing = itk::PackOnSphere(packed.map, itk::PointAtInfinity::Circle);
-  std::vector<int>      edges(39);
-  std::iota(edges.begin(), edges.end(), 0);
-  itk::CentrePacking(packing, edges);
   ExpectPacking(packed.map, packing);
   double smallest = 1.0;
   for (int i = 0; i < 40; ++i)

@@ -1,0 +1,221 @@
+#ifndef itkCircleState_h
+#define itkCircleState_h
+
+#include "itkParallelFor.h"
+#include "itkRicciUnknowns.h"
+
+#include <cmath>
+#include <limits>
+#include <type_traits>
+
+namespace itk
+{
+/** A circle by sinh and cosh of its radius; in Euclidean geometry by the radius and 1. Then the formulae of both
+ * geometries are the same. */
+template <typename TReal>
+struct CircleSize
+{
+  TReal sinh{ 1 };
+  TReal cosh{ 1 };
+};
+
+/** The circles at a point u of the flow, and the gradient of the energy there, in double or extended precision. */
+template <typename TReal>
+class CircleState
+{
+public:
+  using Size = CircleSize<TReal>;
+  using Kind = RicciUnknowns::Kind;
+
+  explicit CircleState(const RicciUnknowns & unknowns)
+    : m_Unknowns(unknowns)
+    , m_Map(unknowns.map)
+    , m_Node(unknowns.map.Nodes())
+    , m_Face(unknowns.map.Faces())
+    , m_Gradient(unknowns.number)
+  {}
+  const Size &
+  Node(int node) const
+  {
+    return m_Node[node];
+  }
+  const Size &
+  Face(int face) const
+  {
+    return m_Face[face];
+  }
+  const std::vector<TReal> &
+  Gradient() const
+  {
+    return m_Gradient;
+  }
+  TReal
+  Residual() const
+  {
+    TReal largest = 0;
+    for (const TReal k : m_Gradient)
+    {
+      largest = std::abs(k) <= largest ? largest : std::abs(k); // keeps what is no number
+    }
+    return largest;
+  }
+  void
+  Evaluate(const std::vector<TReal> & u);
+  /** The radii, rounded. */
+  CirclePacking
+  Packing() const;
+
+private:
+  Size
+  SizeOf(TReal u) const;
+  Size
+  SizeOfEliminated(int face) const;
+  double
+  RadiusOf(const Size & size) const
+  {
+    return static_cast<double>(this->IsEuclidean() ? size.sinh : std::asinh(size.sinh));
+  }
+  bool
+  IsEuclidean() const
+  {
+    return m_Unknowns.geometry == FlowGeometry::Euclidean;
+  }
+  static constexpr TReal pi = TReal(3.14159265358979323846264338327950288L);
+  /** What is missing in pi. The fixed circle has the sum of all curvatures, in which a bias would count. */
+  static constexpr TReal restOfPi = std::is_same<TReal, double>::value ? TReal(1.2246467991473532e-16L) : TReal(0);
+  static TReal
+  CurvatureOf(TReal halfAngles)
+  {
+    return 2 * ((pi - halfAngles) + restOfPi);
+  }
+  TReal
+  CurvatureOfNode(int node) const;
+  TReal
+  CurvatureOfFace(int face) const;
+
+  const RicciUnknowns &    m_Unknowns;
+  const CombinatorialMap & m_Map;
+  std::vector<Size>        m_Node;
+  std::vector<Size>        m_Face;
+  std::vector<TReal>       m_Gradient;
+};
+
+template <typename TReal>
+CircleSize<TReal>
+CircleState<TReal>::SizeOf(TReal u) const
+{
+  const TReal t = std::exp(u);
+  if (this->IsEuclidean())
+  {
+    return { t, 1 };
+  }
+  const TReal d = -std::expm1(2 * u); // 1 - t^2
+  return { 2 * t / d, (1 + t * t) / d };
+}
+
+/** The circle orthogonal to three that touch one another: tanh^2 r = p / (sum + p), cosh^2 r = 1 + p / sum. */
+template <typename TReal>
+CircleSize<TReal>
+CircleState<TReal>::SizeOfEliminated(int face) const
+{
+  const int    h = m_Map.FirstOfFace(face);
+  const int    next = m_Map.FaceNext(h);
+  const Size & a = m_Node[m_Map.Node(h)];
+  const Size & b = m_Node[m_Map.Node(next)];
+  const Size & c = m_Node[m_Map.Node(m_Map.FaceNext(next))];
+  const TReal  sum = a.sinh * b.cosh * c.cosh + a.cosh * b.sinh * c.cosh + a.cosh * b.cosh * c.sinh;
+  const TReal  ratio = a.sinh / sum * b.sinh * c.sinh;
+  return { std::sqrt(ratio), this->IsEuclidean() ? TReal(1) : std::sqrt(1 + ratio) };
+}
+
+template <typename TReal>
+TReal
+CircleState<TReal>::CurvatureOfNode(int node) const
+{
+  TReal     angles = 0;
+  const int first = m_Map.FirstAround(node);
+  int       h = first;
+  do
+  {
+    const int face = m_Map.Face(h);
+    angles += m_Unknowns.faceKind[face] == Kind::Line
+                ? pi / 2
+                : std::atan2(m_Face[face].sinh, m_Node[node].sinh * m_Face[face].cosh);
+    h = m_Map.NextAround(h);
+  } while (h != first);
+  return CurvatureOf(angles);
+}
+
+template <typename TReal>
+TReal
+CircleState<TReal>::CurvatureOfFace(int face) const
+{
+  TReal     angles = 0;
+  const int first = m_Map.FirstOfFace(face);
+  int       h = first;
+  do
+  {
+    const int node = m_Map.Node(h);
+    angles += m_Unknowns.nodeKind[node] == Kind::Line
+                ? pi / 2
+                : std::atan2(m_Node[node].sinh, m_Face[face].sinh * m_Node[node].cosh);
+    h = m_Map.FaceNext(h);
+  } while (h != first);
+  return CurvatureOf(angles);
+}
+
+template <typename TReal>
+void
+CircleState<TReal>::Evaluate(const std::vector<TReal> & u)
+{
+  const RicciUnknowns & unknowns = m_Unknowns;
+  ParallelForBlocks(m_Map.Nodes(), [&](std::size_t node) {
+    m_Node[node] = unknowns.ofNode[node] >= 0 ? this->SizeOf(u[unknowns.ofNode[node]]) : Size();
+  });
+  ParallelForBlocks(m_Map.Faces(), [&](std::size_t face) {
+    if (unknowns.IsEliminated(static_cast<int>(face)))
+    {
+      m_Face[face] = this->SizeOfEliminated(static_cast<int>(face));
+    }
+    else
+    {
+      m_Face[face] = unknowns.ofFace[face] >= 0 ? this->SizeOf(u[unknowns.ofFace[face]]) : Size(); // horocycle: tanh 1
+    }
+  });
+  ParallelForBlocks(m_Map.Nodes(), [&](std::size_t node) {
+    if (unknowns.ofNode[node] >= 0)
+    {
+      m_Gradient[unknowns.ofNode[node]] = this->CurvatureOfNode(static_cast<int>(node));
+    }
+  });
+  ParallelForBlocks(m_Map.Faces(), [&](std::size_t face) {
+    if (unknowns.ofFace[face] >= 0)
+    {
+      m_Gradient[unknowns.ofFace[face]] = this->CurvatureOfFace(static_cast<int>(face));
+    }
+  });
+}
+
+template <typename TReal>
+CirclePacking
+CircleState<TReal>::Packing() const
+{
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  CirclePacking    packing;
+  packing.geometry = m_Unknowns.geometry;
+  for (int node = 0; node < m_Map.Nodes(); ++node)
+  {
+    packing.nodeRadii.push_back(m_Unknowns.nodeKind[node] == Kind::Line ? infinity : this->RadiusOf(m_Node[node]));
+  }
+  for (int face = 0; face < m_Map.Faces(); ++face)
+  {
+    const Kind kind = m_Unknowns.faceKind[face];
+    packing.horocycleFaces.push_back(kind == Kind::Horocycle);
+    packing.faceRadii.push_back(kind == Kind::Line || kind == Kind::Horocycle ? infinity
+                                                                              : this->RadiusOf(m_Face[face]));
+  }
+  return packing;
+}
+} // namespace itk
+
+#endif
