@@ -191,12 +191,13 @@ AddSmallestCircle(EmbeddingCertificate & certificate)
 }
 } // namespace
 
-EmbeddingCertificate
-EmbedGraph(const Graph & graph, const CombinatorialMap & given, const GraphEmbeddingOptions & options)
+namespace
 {
-  const CombinatorialMap map = options.isRotationFree ? ArrangeBlocks(given) : given;
-  PackedMap              packed = MakePackedMap(map, options.augmentation);
-  EmbeddingCertificate   certificate;
+EmbeddingCertificate
+EmbedMap(const Graph & graph, const CombinatorialMap & map, const GraphEmbeddingOptions & options)
+{
+  PackedMap            packed = MakePackedMap(map, options.augmentation);
+  EmbeddingCertificate certificate;
   if (map.Genus() == 0)
   {
     const CanonicalMapOrder order(packed.map, options.isRotationFree);
@@ -209,6 +210,44 @@ EmbedGraph(const Graph & graph, const CombinatorialMap & given, const GraphEmbed
   {
     certificate = BeginCertificate(graph, map, packed);
     certificate.genus == 1 ? AddTorus(packed.map, certificate) : AddHyperbolicSurface(packed.map, certificate);
+  }
+  return certificate;
+}
+
+/** The smallest circle of a node of the graph, in units of the surface. */
+double
+SmallestCircle(const EmbeddingCertificate & certificate)
+{
+  const double unit = certificate.geometry == EmbeddingGeometry::Euclidean
+                        ? std::hypot(certificate.periods[0], certificate.periods[1])
+                        : 1.0;
+  const auto   first = certificate.nodeRadii.begin();
+  return *std::min_element(first, first + certificate.graph.nodes) / unit;
+}
+
+bool
+IsSameMap(const CombinatorialMap & one, const CombinatorialMap & other)
+{
+  for (int h = 0; h < one.HalfEdges(); ++h)
+  {
+    if (one.NextAround(h) != other.NextAround(h))
+    {
+      return false;
+    }
+  }
+  return true;
+}
+} // namespace
+
+EmbeddingCertificate
+EmbedGraph(const Graph & graph, const CombinatorialMap & map, const GraphEmbeddingOptions & options)
+{
+  const CombinatorialMap arranged = options.isRotationFree ? ArrangeBlocks(map) : map;
+  EmbeddingCertificate   certificate = EmbedMap(graph, arranged, options);
+  if (!IsSameMap(map, arranged) && map.Genus() == certificate.genus)
+  {
+    EmbeddingCertificate other = EmbedMap(graph, map, options);
+    certificate = SmallestCircle(other) > SmallestCircle(certificate) ? std::move(other) : std::move(certificate);
   }
   AddSmallestCircle(certificate);
   return certificate;

@@ -42,7 +42,8 @@ UniversalCover(const std::vector<PlaneMotion> & generators, int number)
   std::priority_queue<Candidate> queue;
   int                            order = 0;
   queue.push({ PlaneMotion::Rotation(generators.front().geometry, 0.0), order++ });
-  while (static_cast<int>(taken.size()) < number && !queue.empty())
+  // A near copy may be reached through a farther one only.
+  while (static_cast<int>(taken.size()) < 4 * number && !queue.empty())
   {
     const PlaneMotion motion = queue.top().motion;
     queue.pop();
@@ -57,6 +58,9 @@ UniversalCover(const std::vector<PlaneMotion> & generators, int number)
       queue.push({ (motion * generator.Inverse()).Normalised(), order++ });
     }
   }
+  std::stable_sort(
+    taken.begin(), taken.end(), [](const PlaneMotion & a, const PlaneMotion & b) { return Reach(a) < Reach(b); });
+  taken.resize(std::min<std::size_t>(taken.size(), number));
   return taken;
 }
 } // namespace itk

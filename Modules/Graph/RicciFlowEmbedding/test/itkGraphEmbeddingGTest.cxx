@@ -1,0 +1,251 @@
+#include "itkGraphEmbedding.h"
+
+#include "itkBlockArrangement.h"
+#include "itkCanonicalMapOrder.h"
+#include "itkGraphFamilies.h"
+#include "itkMultiThreaderBase.h"
+#include "itkToolError.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace
+{
+/** A triangulation of the sphere: nodes put into triangles, whose choice looks random. */
+itk::CombinatorialMap
+StackedTriangles(int nodes)
+{
+  std::vector<std::array<int, 3>> triangles{ { 0, 1, 2 }, { 0, 2, 1 } };
+  unsigned int                    state = 12345;
+  for (int node = 3; node < nodes; ++node)
+  {
+    state = state * 1664525U + 1013904223U;
+    std::array<int, 3> &     t = triangles[(state >> 8) % triangles.size()];
+    const std::array<int, 3> old = t;
+    t = { old[0], old[1], node };
+    triangles.push_back({ old[1], old[2], node });
+    triangles.push_back({ old[2], old[0], node });
+  }
+  itk::Graph                    graph;
+  std::vector<std::vector<int>> halfEdge(nodes, std::vector<int>(nodes, -1));
+  graph.nodes = nodes;
+  for (const auto & t : triangles)
+  {
+    for (int k = 0; k < 3; ++k)
+    {
+      const int a = t[k];
+      const int b = t[(k + 1) % 3];
+      if (halfEdge[a][b] < 0)
+      {
+        halfEdge[a][b] = static_cast<int>(2 * graph.edges.size());
+        halfEdge[b][a] = halfEdge[a][b] + 1;
+        graph.edges.push_back({ a, b });
+      }
+    }
+  }
+  std::vector<int> next(2 * graph.edges.size());
+  for (const auto & t : triangles)
+  {
+    for (int k = 0; k < 3; ++k)
+    {
+      next[halfEdge[t[k]][t[(k + 1) % 3]]] = halfEdge[t[k]][t[(k + 2) % 3]];
+    }
+  }
+  return { nodes, graph.edges, next };
+}
+
+/** The same map with nodes and edges numbered backwards in strides. */
+itk::CombinatorialMap
+Renumbered(const itk::CombinatorialMap & map, std::vector<int> & image)
+{
+  const auto stride = [](int number) {
+    std::vector<int> list(number);
+    for (int i = 0; i < number; ++i)
+    {
+      list[i] = static_cast<int>((7LL * i + 3) % number);
+    }
+    return list;
+  };
+  image = stride(map.Nodes());
+  const std::vector<int>          edgeImage = stride(map.Edges());
+  std::vector<std::array<int, 2>> edges(map.Edges());
+  std::vector<int>                next(map.HalfEdges());
+  for (int h = 0; h < map.HalfEdges(); ++h)
+  {
+    const int to = 2 * edgeImage[h / 2] + h % 2;
+    edges[to / 2][to % 2] = image[map.Node(h)];
+    next[to] = 2 * edgeImage[map.NextAround(h) / 2] + map.NextAround(h) % 2;
+  }
+  return { map.Nodes(), edges, next };
+}
+
+/** The order of half-edges around the nodes of a path. */
+itk::CombinatorialMap
+PathMap(int nodes)
+{
+  const itk::Graph path = itk::PathGraph(nodes);
+  itk::Rotation    rotation(nodes);
+  for (int i = 0; i < nodes; ++i)
+  {
+    if (i > 0)
+    {
+      rotation[i].push_back(2 * i - 1);
+    }
+    if (i + 1 < nodes)
+    {
+      rotation[i].push_back(2 * i);
+    }
+  }
+  return { path, rotation };
+}
+
+double
+Statistic(const itk::EmbeddingCertificate & certificate, const std::string & name)
+{
+  for (const auto & [key, value] : certificate.statistics)
+  {
+    if (key == name)
+    {
+      return value;
+    }
+  }
+  ADD_FAILURE() << name;
+  return 0.0;
+}
+} // namespace
+
+TEST(GraphEmbedding, ThreeConnectedGraphsAgreeWhateverTheirNumbersAndSide)
+{
+  const itk::CombinatorialMap map = StackedTriangles(80);
+  std::vector<int>            image;
+  const itk::CombinatorialMap other = Renumbered(map, image).Mirrored();
+  itk::GraphEmbeddingOptions  options;
+  options.isRotationFree = true;
+  const auto one = itk::EmbedGraph(map.ToGraph(), map, options);
+  const auto two = itk::EmbedGraph(other.ToGraph(), other, options);
+  for (int node = 0; node < map.Nodes(); ++node)
+  {
+    EXPECT_NEAR(one.nodeRadii[node], two.nodeRadii[image[node]], 1e-9);
+    for (int i = 0; i < 3; ++i)
+    {
+      EXPECT_NEAR(one.nodePositions[3 * node + i], two.nodePositions[3 * image[node] + i], 1e-9);
+    }
+  }
+}
+
+TEST(GraphEmbedding, BothPointsAtInfinityGiveTheSamePlaces)
+{
+  const itk::CombinatorialMap map = StackedTriangles(60);
+  itk::GraphEmbeddingOptions  options;
+  const auto                  circle = itk::EmbedGraph(map.ToGraph(), map, options);
+  options.infinity = itk::PointAtInfinity::EdgeNode;
+  const auto edgeNode = itk::EmbedGraph(map.ToGraph(), map, options);
+  for (std::size_t i = 0; i < circle.nodePositions.size(); ++i)
+  {
+    EXPECT_NEAR(circle.nodePositions[i], edgeNode.nodePositions[i], 1e-9);
+  }
+}
+
+TEST(GraphEmbedding, TheSameBytesForAnyNumberOfThreads)
+{
+  const itk::CombinatorialMap                                      torus = itk::TorusGridMap(70, 90, true);
+  std::vector<std::pair<std::vector<double>, std::vector<double>>> results;
+  for (const unsigned int threads : { 1U, 3U })
+  {
+    itk::MultiThreaderBase::SetGlobalDefaultNumberOfThreads(threads);
+    const auto certificate = itk::EmbedGraph(torus.ToGraph(), torus);
+    results.emplace_back(certificate.nodeRadii, certificate.nodePositions);
+  }
+  EXPECT_EQ(results[0], results[1]);
+}
+
+TEST(GraphEmbedding, ALongPathKeepsItsCirclesLarge)
+{
+  const itk::CombinatorialMap map = PathMap(80);
+  const auto                  certificate = itk::EmbedGraph(map.ToGraph(), map);
+  EXPECT_GT(Statistic(certificate, "smallestRadius"), 1e-5);
+  EXPECT_LE(Statistic(certificate, "residual"), 1e-12);
+}
+
+TEST(GraphEmbedding, NestedTrianglesAreEmbeddedWithAWarning)
+{
+  // Each triangle within the one before: the radii fall by a constant factor from one to the next.
+  itk::Graph    graph;
+  itk::Rotation rotation;
+  constexpr int layers = 20;
+  graph.nodes = 3 * layers;
+  rotation.resize(graph.nodes);
+  for (int layer = 0; layer < layers; ++layer)
+  {
+    for (int k = 0; k < 3; ++k)
+    {
+      graph.edges.push_back({ 3 * layer + k, 3 * layer + (k + 1) % 3 }); // edge 6 layer + 2 k
+      graph.edges.push_back({ 3 * layer + k, layer + 1 < layers ? 3 * layer + 3 + k : 3 * layer + k });
+    }
+  }
+  std::vector<std::array<int, 2>> edges;
+  std::vector<int>                numberOf(graph.edges.size(), -1);
+  for (std::size_t e = 0; e < graph.edges.size(); ++e)
+  {
+    if (graph.edges[e][0] != graph.edges[e][1])
+    {
+      numberOf[e] = static_cast<int>(edges.size());
+      edges.push_back(graph.edges[e]);
+    }
+  }
+  for (int layer = 0; layer < layers; ++layer)
+  {
+    for (int k = 0; k < 3; ++k)
+    {
+      std::vector<int> & around = rotation[3 * layer + k];
+      const auto         half = [&](int e, int end) { return 2 * numberOf[e] + end; };
+      around.push_back(half(6 * layer + 2 * k, 0));
+      if (layer + 1 < layers)
+      {
+        around.push_back(half(6 * layer + 2 * k + 1, 0));
+      }
+      around.push_back(half(6 * layer + 2 * ((k + 2) % 3), 1));
+      if (layer > 0)
+      {
+        around.push_back(half(6 * (layer - 1) + 2 * k + 1, 1));
+      }
+    }
+  }
+  graph.edges = edges;
+  const itk::CombinatorialMap map(graph, rotation);
+  ASSERT_EQ(map.Genus(), 0);
+  const auto certificate = itk::EmbedGraph(graph, map);
+  EXPECT_EQ(certificate.packed.nodes, graph.nodes);
+  EXPECT_LE(Statistic(certificate, "residual"), 1e-12);
+  EXPECT_EQ(certificate.warnings.empty(), Statistic(certificate, "smallestRadius") > itk::smallestLegibleRadius);
+}
+
+TEST(GraphEmbedding, BlocksOfAFaceComeOutOfIt)
+{
+  // Two triangles with a common node, one within the other; then side by side, and the faces are 3, 3 and 6 long.
+  const itk::Graph            graph{ 5, { { 0, 1 }, { 1, 2 }, { 2, 0 }, { 0, 3 }, { 3, 4 }, { 4, 0 } }, {} };
+  const itk::CombinatorialMap mixed(graph, { { 0, 6, 5, 11 }, { 1, 2 }, { 3, 4 }, { 7, 8 }, { 9, 10 } });
+  ASSERT_EQ(mixed.Genus(), 1);
+  const itk::CombinatorialMap arranged = itk::ArrangeBlocks(mixed);
+  EXPECT_EQ(arranged.Genus(), 0);
+  std::vector<int> lengths = arranged.FaceLengths();
+  std::sort(lengths.begin(), lengths.end());
+  EXPECT_EQ(lengths, (std::vector<int>{ 3, 3, 6 }));
+}
+
+TEST(GraphEmbedding, TheCanonicalOrderIsThatOfTheMapAlone)
+{
+  const itk::CombinatorialMap  map = StackedTriangles(50);
+  std::vector<int>             image;
+  const itk::CombinatorialMap  other = Renumbered(map, image);
+  const itk::CanonicalMapOrder one(map, true);
+  const itk::CanonicalMapOrder two(other.Mirrored(), true);
+  EXPECT_NE(one.isMirrored, two.isMirrored);
+  for (int node = 0; node < map.Nodes(); ++node)
+  {
+    EXPECT_EQ(one.rank[node], two.rank[image[node]]);
+  }
+}

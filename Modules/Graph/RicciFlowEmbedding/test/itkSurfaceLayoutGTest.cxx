@@ -1,0 +1,179 @@
+#include "itkSurfaceLayout.h"
+
+#include "itkGraphFamilies.h"
+#include "itkPackedMap.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace
+{
+const double pi = std::acos(-1.0);
+
+/** The rotation system in which the half-edges of each node stand in ascending order: of high genus. */
+itk::PackedMap
+AnyPackedMap(const itk::Graph & graph)
+{
+  itk::Rotation rotation(graph.nodes);
+  for (std::size_t e = 0; e < graph.edges.size(); ++e)
+  {
+    rotation[graph.edges[e][0]].push_back(static_cast<int>(2 * e));
+    rotation[graph.edges[e][1]].push_back(static_cast<int>(2 * e + 1));
+  }
+  return itk::MakePackedMap({ graph, rotation }, itk::Augmentation::Ring);
+}
+
+std::vector<itk::PlaneMotion>
+GeneratorsOf(const itk::SurfaceLayout & layout)
+{
+  std::vector<itk::PlaneMotion> generators;
+  for (const int h : layout.CutHalfEdges())
+  {
+    generators.push_back(layout.DeckTransformationOf(h));
+  }
+  return generators;
+}
+
+std::vector<int>
+FreelyReduced(const std::vector<int> & word)
+{
+  std::vector<int> reduced;
+  for (const int letter : word)
+  {
+    if (!reduced.empty() && reduced.back() == -letter)
+    {
+      reduced.pop_back();
+    }
+    else
+    {
+      reduced.push_back(letter);
+    }
+  }
+  return reduced;
+}
+
+std::vector<int>
+Commutators(const std::vector<std::vector<int>> & words)
+{
+  std::vector<int> product;
+  const auto       append = [&product](std::vector<int> word, bool isInverse) {
+    if (isInverse)
+    {
+      std::reverse(word.begin(), word.end());
+    }
+    for (const int letter : word)
+    {
+      product.push_back(isInverse ? -letter : letter);
+    }
+  };
+  for (std::size_t i = 0; i < words.size(); i += 2)
+  {
+    append(words[i], false);
+    append(words[i + 1], false);
+    append(words[i], true);
+    append(words[i + 1], true);
+  }
+  return product;
+}
+} // namespace
+
+TEST(SurfaceLayout, AGridOfSquaresOnTheTorusHasEqualCirclesAndARectangularLattice)
+{
+  const itk::CombinatorialMap map = itk::TorusGridMap(5, 7);
+  const itk::CirclePacking    packing = itk::PackCircles(map, itk::FlowGeometry::Euclidean);
+  EXPECT_LE(packing.residual, 1e-12);
+  for (const double radius : packing.nodeRadii)
+  {
+    EXPECT_NEAR(radius, 1.0, 1e-12);
+  }
+  const itk::SurfaceLayout layout(map, packing);
+  const auto               generators = GeneratorsOf(layout);
+  ASSERT_EQ(generators.size(), 2U);
+  const auto lattice = itk::ReducedLattice(generators[0].b, generators[1].b);
+  EXPECT_NEAR(std::abs(lattice[0]), 10.0, 1e-11);
+  EXPECT_NEAR(std::abs(lattice[1]), 14.0, 1e-11);
+  EXPECT_NEAR((std::conj(lattice[0]) * lattice[1]).real(), 0.0, 1e-10);
+  EXPECT_LE(itk::WordResidual(generators, layout.Word()), 1e-11);
+}
+
+TEST(SurfaceLayout, AGridOfTrianglesOnTheTorusHasTheHexagonalPacking)
+{
+  const itk::CombinatorialMap map = itk::TorusGridMap(6, 6, true);
+  const itk::CirclePacking    packing = itk::PackCircles(map, itk::FlowGeometry::Euclidean);
+  const itk::SurfaceLayout    layout(map, packing);
+  const auto                  generators = GeneratorsOf(layout);
+  const auto                  lattice = itk::ReducedLattice(generators[0].b, generators[1].b);
+  const std::complex<double>  ratio = lattice[1] / lattice[0];
+  EXPECT_NEAR(std::abs(ratio), 1.0, 1e-12);
+  EXPECT_NEAR(std::abs(ratio.real()), 0.5, 1e-12);
+  for (const double radius : packing.faceRadii)
+  {
+    EXPECT_NEAR(radius, packing.nodeRadii[0] / std::sqrt(3.0), 1e-12); // the incircle of three equal circles
+  }
+}
+
+TEST(SurfaceLayout, DeckTransformationsOfHyperbolicSurfacesObeyTheirRelation)
+{
+  for (const itk::Graph & graph :
+       { itk::CompleteGraph(6), itk::GeneralizedPetersenGraph(5, 2), itk::HypercubeGraph(4) })
+  {
+    const itk::PackedMap packed = AnyPackedMap(graph);
+    const int            genus = packed.map.Genus();
+    ASSERT_GE(genus, 2);
+    const itk::CirclePacking packing = itk::PackCircles(packed.map, itk::FlowGeometry::Hyperbolic);
+    EXPECT_LE(packing.residual, 1e-12);
+    double area = 0.0;
+    for (int h = 0; h < packed.map.HalfEdges(); ++h)
+    {
+      const double node = packing.nodeRadii[packed.map.Node(h)];
+      const double face = packing.faceRadii[packed.map.Face(h)];
+      area += pi - 2.0 * itk::HalfKiteAngle(packing.geometry, node, face) -
+              2.0 * itk::HalfKiteAngle(packing.geometry, face, node);
+    }
+    EXPECT_NEAR(area, 4.0 * pi * (genus - 1), 1e-9);
+    const itk::SurfaceLayout layout(packed.map, packing);
+    EXPECT_EQ(layout.CutHalfEdges().size(), 2U * genus);
+    EXPECT_EQ(layout.Word().size(), 4U * genus);
+    const auto words = itk::CanonicalWords(layout.Word());
+    EXPECT_EQ(words.size(), 2U * genus);
+    EXPECT_EQ(FreelyReduced(Commutators(words)), layout.Word());
+    const itk::DeckRelation relation = itk::RefineDeckRelation(GeneratorsOf(layout), layout.Word(), words);
+    EXPECT_LE(relation.givenResidual, 1e-8);
+    EXPECT_LE(relation.residual, 1e-8);
+    EXPECT_LE(relation.canonicalResidual, 1e-100);
+    for (std::size_t k = 0; k < relation.generators.size(); ++k)
+    {
+      const itk::PlaneMotion given = layout.DeckTransformationOf(layout.CutHalfEdges()[k]);
+      EXPECT_NEAR(std::min(std::abs(given.a - relation.generators[k].a), std::abs(given.a + relation.generators[k].a)),
+                  0.0,
+                  1e-10 * std::abs(given.a));
+    }
+  }
+}
+
+TEST(SurfaceLayout, TheUniversalCoverIsMadeOfDifferentCopies)
+{
+  const itk::PackedMap                packed = AnyPackedMap(itk::CompleteGraph(6));
+  const itk::CirclePacking            packing = itk::PackCircles(packed.map, itk::FlowGeometry::Hyperbolic);
+  const itk::SurfaceLayout            layout(packed.map, packing);
+  const std::vector<itk::PlaneMotion> copies = itk::UniversalCover(GeneratorsOf(layout), 40);
+  ASSERT_EQ(copies.size(), 40U);
+  EXPECT_NEAR(std::abs(copies[0](0.0)), 0.0, 1e-15);
+  const double radius = packing.nodeRadii[packed.map.Node(layout.CutHalfEdges()[0])];
+  for (std::size_t i = 0; i < copies.size(); ++i)
+  {
+    EXPECT_GE(i == 0 ? 0.0 : std::abs(copies[i](0.0)), i == 0 ? 0.0 : std::abs(copies[i - 1](0.0)) - 1e-12);
+    for (std::size_t j = 0; j < i; ++j)
+    {
+      EXPECT_GT(std::abs((copies[i].Inverse() * copies[j])(0.0)), std::tanh(0.1 * radius));
+    }
+  }
+}
+
+TEST(SurfaceLayout, AWordOfASphereOrOfOneSidedSurfacesIsRefused)
+{
+  EXPECT_THROW(itk::CanonicalWords({ 1, 1 }), std::invalid_argument);
+  EXPECT_THROW(itk::CanonicalWords({ 1, 2, -1, 2 }), std::invalid_argument);
+  EXPECT_EQ(itk::CanonicalWords({ 1, 2, -1, -2 }), (std::vector<std::vector<int>>{ { 1 }, { 2 } }));
+}
