@@ -247,7 +247,10 @@ EmbedGraph(const Graph & graph, const CombinatorialMap & map, const GraphEmbeddi
   if (!IsSameMap(map, arranged) && map.Genus() == certificate.genus)
   {
     EmbeddingCertificate other = EmbedMap(graph, map, options);
-    certificate = SmallestCircle(other) > SmallestCircle(certificate) ? std::move(other) : std::move(certificate);
+    if (SmallestCircle(other) > SmallestCircle(certificate))
+    {
+      certificate = std::move(other);
+    }
   }
   AddSmallestCircle(certificate);
   return certificate;

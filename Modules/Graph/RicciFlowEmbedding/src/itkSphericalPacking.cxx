@@ -154,7 +154,10 @@ PackOnSphere(const CombinatorialMap & map, PointAtInfinity infinity, std::vector
   const int         first = LargestFiniteNode(flat.circles);
   SphericalPacking  sphere = flat.LaidOutFrom(first, edges);
   const int         root = LargestOnSphere(sphere, flat.circles);
-  sphere = root == first ? std::move(sphere) : flat.LaidOutFrom(root, edges);
+  if (root != first)
+  {
+    sphere = flat.LaidOutFrom(root, edges);
+  }
   sphere.residual = flat.circles.residual;
   sphere.steps = flat.circles.steps;
   return sphere;
