@@ -42,7 +42,8 @@ struct PackedMap
  * Nishizeki 1985), in linear time for bounded genus. \ingroup RicciFlowEmbedding */
 struct RicciFlowEmbedding_EXPORT FaceConflicts
 {
-  explicit FaceConflicts(const CombinatorialMap & map);
+  /** `names` of the nodes for the reason; empty for their numbers. */
+  explicit FaceConflicts(const CombinatorialMap & map, const std::vector<std::string> & names = {});
 
   std::vector<char> meetsANodeTwice; ///< one for each face
   std::vector<char> sharesTwoNodes;
@@ -58,10 +59,11 @@ struct RicciFlowEmbedding_EXPORT FaceConflicts
  * are left, then with one dummy in the centre. So radii fall by a constant factor from ring to ring, not from node to
  * node. Faces without conflict and triangles stay as they are, hence a 3-connected map does. Any genus.
  *
- * With Augmentation::None the map must be connected and free of conflicts; else InputError says what is in the way.
+ * With Augmentation::None the map must be connected and free of conflicts; else InputError says what is in the way;
+ * `names` as in FaceConflicts.
  * \ingroup RicciFlowEmbedding */
 RicciFlowEmbedding_EXPORT PackedMap
-MakePackedMap(const CombinatorialMap & map, Augmentation augmentation);
+MakePackedMap(const CombinatorialMap & map, Augmentation augmentation, const std::vector<std::string> & names = {});
 } // namespace itk
 
 #endif

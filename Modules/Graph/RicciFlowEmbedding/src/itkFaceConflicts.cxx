@@ -27,6 +27,12 @@ struct RadialGraph
   std::vector<std::vector<int>> neighbours;
 };
 
+std::string
+NameOf(const std::vector<std::string> & names, int node)
+{
+  return names.empty() ? std::to_string(node) : names[node].substr(0, 60);
+}
+
 /** Whether the two nodes are the ends of an edge between the two faces. */
 bool
 AreAcrossAnEdge(const CombinatorialMap & map, int node, int other, int face, int otherFace)
@@ -115,7 +121,7 @@ private:
 };
 } // namespace
 
-FaceConflicts::FaceConflicts(const CombinatorialMap & map)
+FaceConflicts::FaceConflicts(const CombinatorialMap & map, const std::vector<std::string> & names)
   : meetsANodeTwice(map.Faces(), 0), sharesTwoNodes(map.Faces(), 0)
 {
   std::vector<int> seenFrom(map.Nodes(), -1);
@@ -128,7 +134,7 @@ FaceConflicts::FaceConflicts(const CombinatorialMap & map)
       if (seenFrom[map.Node(h)] == face)
       {
         meetsANodeTwice[face] = 1;
-        reason = reason.empty() ? "a face meets node " + std::to_string(map.Node(h)) + " twice" : reason;
+        reason = reason.empty() ? "a face meets node " + NameOf(names, map.Node(h)) + " twice" : reason;
       }
       seenFrom[map.Node(h)] = face;
       h = map.FaceNext(h);
@@ -155,8 +161,8 @@ FaceConflicts::FaceConflicts(const CombinatorialMap & map)
     }
     if (reason.empty())
     {
-      reason = "two faces share the nodes " + std::to_string(std::min(nodes[0], nodes[1])) + " and " +
-               std::to_string(std::max(nodes[0], nodes[1])) + ", which are not the ends of one edge between them";
+      reason = "two faces share the nodes " + NameOf(names, std::min(nodes[0], nodes[1])) + " and " +
+               NameOf(names, std::max(nodes[0], nodes[1])) + ", which are not the ends of one edge between them";
     }
   });
 }

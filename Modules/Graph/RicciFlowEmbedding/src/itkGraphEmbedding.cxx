@@ -196,7 +196,7 @@ namespace
 EmbeddingCertificate
 EmbedMap(const Graph & graph, const CombinatorialMap & map, const GraphEmbeddingOptions & options)
 {
-  PackedMap            packed = MakePackedMap(map, options.augmentation);
+  PackedMap            packed = MakePackedMap(map, options.augmentation, graph.names);
   EmbeddingCertificate certificate;
   if (map.Genus() == 0)
   {

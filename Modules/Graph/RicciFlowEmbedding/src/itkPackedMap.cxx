@@ -231,7 +231,7 @@ FillFaces(const CombinatorialMap & map)
 }
 
 void
-RequirePackable(const CombinatorialMap & map)
+RequirePackable(const CombinatorialMap & map, const std::vector<std::string> & names)
 {
   const BadEdges bad(map);
   std::string    reason;
@@ -249,7 +249,7 @@ RequirePackable(const CombinatorialMap & map)
   }
   else
   {
-    reason = FaceConflicts(map).reason;
+    reason = FaceConflicts(map, names).reason;
   }
   if (!reason.empty())
   {
@@ -262,7 +262,7 @@ RequirePackable(const CombinatorialMap & map)
 } // namespace
 
 PackedMap
-MakePackedMap(const CombinatorialMap & map, Augmentation augmentation)
+MakePackedMap(const CombinatorialMap & map, Augmentation augmentation, const std::vector<std::string> & names)
 {
   PackedMap packed;
   packed.graphNodes = map.Nodes();
@@ -273,7 +273,7 @@ MakePackedMap(const CombinatorialMap & map, Augmentation augmentation)
   }
   if (augmentation == Augmentation::None)
   {
-    RequirePackable(map);
+    RequirePackable(map, names);
     packed.map = map;
     return packed;
   }
