@@ -33,6 +33,7 @@ set(Shapeton_MODULES
   Graph/EmbeddingVerification
   Graph/GraphComparison
   Visualization/GraphView
+  Registration/SupineProne
   Visualization/ShapeRendering
   Visualization/ConformalMapView
   Visualization/ColonReport

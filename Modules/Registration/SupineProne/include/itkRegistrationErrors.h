@@ -1,0 +1,51 @@
+#ifndef itkRegistrationErrors_h
+#define itkRegistrationErrors_h
+
+#include "itkSupineProneRegistration.h"
+
+namespace itk
+{
+/** A point of the wall in both positions, LPS, mm. \ingroup SupineProne */
+struct PointPair
+{
+  Eigen::Vector3d source;
+  Eigen::Vector3d target;
+};
+
+/** \ingroup SupineProne */
+struct RegistrationErrors
+{
+  /** Of each pair that counts: distance in space, mm, and on the flat map of the target, of which the circumference is
+   * 1. */
+  std::vector<double> inSpace;
+  std::vector<double> onMap;
+  /** Pairs left aside: more than 10 mm from one of the surfaces, in an excluded stretch. */
+  int offSurface{ 0 };
+  int excluded{ 0 };
+
+  SupineProne_EXPORT double
+  Mean() const;
+  SupineProne_EXPORT double
+  Median() const;
+  SupineProne_EXPORT double
+  Percentile95() const;
+  /** Of the distances in space that are below 10 mm. */
+  SupineProne_EXPORT double
+  ShareWithin10() const;
+  SupineProne_EXPORT double
+  MeanOnMap() const;
+  /** 95 % confidence interval of the mean over stretches of neighbouring points (blocks in the order given), as errors
+   * of neighbours depend on each other: mean +- this, mm. */
+  SupineProne_EXPORT double
+  HalfInterval() const;
+};
+
+/** How far the map takes the points from where they should go. Of `frame` instead of `map` with `measuresFrame`.
+ * \ingroup SupineProne */
+SupineProne_EXPORT RegistrationErrors
+MeasureRegistrationErrors(const SupineProneRegistration & registration,
+                          const std::vector<PointPair> &  pairs,
+                          bool                            measuresFrame = false);
+} // namespace itk
+
+#endif

@@ -1,0 +1,62 @@
+#ifndef itkCylinderPicture_h
+#define itkCylinderPicture_h
+
+#include "itkColonCylinder.h"
+#include "itkColonPosition.h"
+
+#include <functional>
+
+namespace itk
+{
+/** How much of a fold the wall shows, on a cylinder: rows are even steps along the colon, columns are angles. Mean 0 and
+ * deviation 1 over what is not excluded; excluded rows are 0. */
+struct CylinderPicture
+{
+  Eigen::MatrixXd   values;
+  std::vector<char> isExcluded;
+  /** Of the middle of the first row, and from row to row, in the unit of the coordinate along the colon, mm. */
+  double begin{ 0.0 };
+  double step{ 1.0 };
+
+  int
+  Rows() const
+  {
+    return static_cast<int>(values.rows());
+  }
+  int
+  Angles() const
+  {
+    return static_cast<int>(values.cols());
+  }
+};
+
+struct CylinderPictureForm
+{
+  double begin{ 0.0 };
+  double step{ 3.0 };
+  int    rows{ 1 };
+  int    angles{ 48 };
+  /** Standard deviations of smoothing, in rows and angles. */
+  double smoothRows{ 1.0 };
+  double smoothAngles{ 1.0 };
+  /** From the distance along the centreline, mm, to the coordinate of the rows; must ascend. */
+  std::function<double(double)> coordinate;
+};
+
+/** 0 for the wall, 1 for what bulges as folds do, of each pixel of the grid (row by row): a cubic step of curvature
+ * between its median and the value that 95 % do not exceed. */
+std::vector<float>
+FoldProbability(const ColonPosition & position);
+
+CylinderPicture
+MakeCylinderPicture(const ColonPosition &       position,
+                    const ColonCylinder &       cylinder,
+                    const std::vector<float> &  probability,
+                    const CylinderPictureForm & form);
+
+/** Gaussian mean over rows (ends repeat) and over angles (periodic). */
+Eigen::MatrixXd
+SmoothedOnCylinder(const Eigen::MatrixXd & values, double rows, double angles);
+} // namespace itk
+
+#endif

@@ -1,0 +1,206 @@
+#include "itkCylindricalWarping.h"
+
+#include "itkParallelFor.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace itk
+{
+namespace
+{
+constexpr float  infinite = std::numeric_limits<float>::infinity();
+constexpr double costOutside = 8.0; ///< of a row that would lie beyond the end of the target
+
+using RowMajorFloat = Eigen::Matrix<float, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+
+/** State (offset, rotation) of each row: the target row is 2 * row + offset - reach, the rotation that of the frame,
+ * rounded, plus rotation - width. */
+class WarpSearch
+{
+public:
+  WarpSearch(const CylinderPicture &           source,
+             const CylinderPicture &           target,
+             const std::vector<double> &       rotation,
+             const CylindricalWarpingOptions & options)
+    : m_Source(source), m_Target(target), m_Options(options)
+  {
+    m_Angles = source.Angles();
+    m_Reach = static_cast<int>(options.band / target.step);
+    m_Offsets = 2 * m_Reach + 1;
+    m_Width = rotation.empty() ? m_Angles / 2 : static_cast<int>(std::lround(options.rotationBand * m_Angles));
+    m_Rotations = rotation.empty() ? m_Angles : 2 * m_Width + 1;
+    m_IsFree = rotation.empty();
+    for (int row = 0; row < source.Rows(); ++row)
+    {
+      m_Centre.push_back(rotation.empty() ? 0 : static_cast<int>(std::lround(rotation[row] * m_Angles)));
+    }
+  }
+
+  CylindricalWarp
+  Run(const PiecewiseLine & frame)
+  {
+    const int       rows = m_Source.Rows();
+    const auto      states = static_cast<std::size_t>(m_Offsets) * m_Rotations;
+    std::vector<float> before(states);
+    m_Step.assign(states * rows, 0);
+    for (int row = 0; row < rows; ++row)
+    {
+      const std::vector<float> cost = this->CostOfRow(row);
+      before = row == 0 ? cost : this->Advance(row, before, cost);
+    }
+    return this->Trace(frame, before);
+  }
+
+private:
+  /** What it costs to lay this row on each target row of the band in each rotation. */
+  std::vector<float>
+  CostOfRow(int row) const
+  {
+    std::vector<float> cost(static_cast<std::size_t>(m_Offsets) * m_Rotations);
+    const Eigen::RowVectorXd a = m_Source.values.row(row);
+    const double             energy = a.squaredNorm() / m_Angles;
+    ParallelFor(m_Offsets, [&](std::size_t offset) {
+      const int j = 2 * row + static_cast<int>(offset) - m_Reach;
+      float *   out = cost.data() + offset * m_Rotations;
+      if (j < 0 || j >= m_Target.Rows())
+      {
+        std::fill(out, out + m_Rotations, static_cast<float>(costOutside));
+        return;
+      }
+      if (m_Source.isExcluded[row] || m_Target.isExcluded[j])
+      {
+        std::fill(out, out + m_Rotations, 0.0F);
+        return;
+      }
+      const Eigen::RowVectorXd b = m_Target.values.row(j);
+      const double content = m_Options.contentWeight * (energy + b.squaredNorm() / m_Angles);
+      for (int rotation = 0; rotation < m_Rotations; ++rotation)
+      {
+        const int shift = (((m_Centre[row] + rotation - m_Width) % m_Angles) + m_Angles) % m_Angles;
+        const double product = a.head(m_Angles - shift).dot(b.tail(m_Angles - shift)) + a.tail(shift).dot(b.head(shift));
+        out[rotation] = static_cast<float>(content - product / m_Angles);
+      }
+    });
+    return cost;
+  }
+
+  std::vector<float>
+  Advance(int row, const std::vector<float> & before, const std::vector<float> & cost)
+  {
+    std::vector<float> now(cost.size(), infinite);
+    unsigned char *    steps = m_Step.data() + cost.size() * row;
+    const int          turned = m_Centre[row] - m_Centre[row - 1];
+    for (int offset = 0; offset < m_Offsets; ++offset)
+    {
+      for (int rotation = 0; rotation < m_Rotations; ++rotation)
+      {
+        const std::size_t state = static_cast<std::size_t>(offset) * m_Rotations + rotation;
+        float             best = infinite;
+        for (int step = 0; step < 12; ++step)
+        {
+          const int from = this->StateBefore(offset, rotation, turned, step);
+          if (from >= 0)
+          {
+            const double bend = step / 3 - 2;
+            const float  sum = before[from] + static_cast<float>(m_Options.slopeWeight * bend * bend +
+                                                                m_Options.rotationWeight * std::abs(step % 3 - 1));
+            steps[state] = sum < best ? static_cast<unsigned char>(step) : steps[state];
+            best = std::min(best, sum);
+          }
+        }
+        now[state] = best + cost[state];
+      }
+    }
+    return now;
+  }
+
+  /** step = 3 * rows passed + change of rotation + 1; -1 where there is none. */
+  int
+  StateBefore(int offset, int rotation, int turned, int step) const
+  {
+    const int from = offset + 2 - step / 3;
+    int       fromRotation = rotation + turned - (step % 3 - 1);
+    fromRotation = m_IsFree ? (fromRotation + m_Rotations) % m_Rotations : fromRotation;
+    const bool isInside = from >= 0 && from < m_Offsets && fromRotation >= 0 && fromRotation < m_Rotations;
+    return isInside ? from * m_Rotations + fromRotation : -1;
+  }
+
+  CylindricalWarp
+  Trace(const PiecewiseLine & frame, const std::vector<float> & last) const
+  {
+    const int       rows = m_Source.Rows();
+    const auto      best = std::min_element(last.begin(), last.end());
+    int             state = static_cast<int>(best - last.begin());
+    Eigen::MatrixXd path(rows, 2);
+    for (int row = rows - 1; row >= 0; --row)
+    {
+      const int offset = state / m_Rotations;
+      const int rotation = state % m_Rotations;
+      path.row(row) << m_Target.begin + (2 * row + offset - m_Reach) * m_Target.step,
+        static_cast<double>(m_Centre[row] + rotation - m_Width) / m_Angles;
+      if (row > 0)
+      {
+        const int step = m_Step[last.size() * row + state];
+        state = this->StateBefore(offset, rotation, m_Centre[row] - m_Centre[row - 1], step);
+      }
+    }
+    CylindricalWarp warp;
+    warp.energy = *best / rows;
+    for (int row = 0; row < rows; ++row)
+    {
+      warp.s.push_back(m_Source.begin + row * m_Source.step);
+      path(row, 0) -= warp.s.back();
+      path(row, 1) = row > 0 ? path(row - 1, 1) + TurnDifference(path(row, 1), path(row - 1, 1)) : path(row, 1);
+    }
+    for (int row = 0; row < rows; ++row)
+    {
+      const Eigen::RowVector2d mean = this->Smoothed(path, row);
+      warp.targetS.push_back(frame(warp.s[row] + mean[0]));
+      warp.rotation.push_back(mean[1]);
+    }
+    return warp;
+  }
+
+  Eigen::RowVector2d
+  Smoothed(const Eigen::MatrixXd & path, int row) const
+  {
+    const int          reach = static_cast<int>(std::ceil(3.0 * m_Options.smoothing));
+    const int          last = static_cast<int>(path.rows()) - 1;
+    Eigen::RowVector2d sum = Eigen::RowVector2d::Zero();
+    double             weights = 0.0;
+    for (int i = -reach; i <= reach; ++i)
+    {
+      const double t = i / m_Options.smoothing;
+      const double weight = std::exp(-0.5 * t * t);
+      sum += weight * path.row(std::clamp(row + i, 0, last));
+      weights += weight;
+    }
+    return sum / weights;
+  }
+
+  const CylinderPicture &    m_Source;
+  const CylinderPicture &    m_Target;
+  CylindricalWarpingOptions  m_Options;
+  std::vector<int>           m_Centre;
+  std::vector<unsigned char> m_Step;
+  int                        m_Angles{ 1 };
+  int                        m_Reach{ 0 };
+  int                        m_Offsets{ 1 };
+  int                        m_Width{ 0 };
+  int                        m_Rotations{ 1 };
+  bool                       m_IsFree{ false };
+};
+} // namespace
+
+CylindricalWarp
+WarpCylinder(const CylinderPicture &           source,
+             const CylinderPicture &           target,
+             const PiecewiseLine &             frame,
+             const std::vector<double> &       rotation,
+             const CylindricalWarpingOptions & options)
+{
+  return WarpSearch(source, target, rotation, options).Run(frame);
+}
+} // namespace itk

@@ -1,0 +1,75 @@
+#ifndef itkSmoothCorrection_h
+#define itkSmoothCorrection_h
+
+#include "itkColonCylinder.h"
+
+namespace itk
+{
+/** A place of the source is to move by so much more, mm along and around the target. */
+struct DisplacementConstraint
+{
+  CylinderPlace   place;
+  Eigen::Vector2d displacement;
+  double          weight{ 1.0 };
+};
+
+/** A picture is to look alike: gradient . displacement = difference, with gradients per mm. */
+struct IntensityConstraint
+{
+  CylinderPlace   place;
+  Eigen::Vector2d gradient;
+  double          difference{ 0.0 };
+};
+
+struct SmoothCorrectionOptions
+{
+  /** Distance of the nodes along the colon, mm, and their number around. */
+  double step{ 10.0 };
+  int    angles{ 24 };
+  /** Of a constraint, mm. */
+  double deviation{ 2.5 };
+  /** Errors beyond this lose their weight (Cauchy), mm. */
+  double robust{ 8.0 };
+  int    iterations{ 4 };
+  /** Of the integral of the squared Laplacian, mm^2. */
+  double stiffness{ 10.0 };
+  double intensityWeight{ 0.04 };
+};
+
+/** A smooth field of displacements on a cylinder: thin plate, periodic around, robust by iteratively reweighted least
+ * squares. */
+class SmoothCorrection
+{
+public:
+  SmoothCorrection(double begin, double end, double around, const SmoothCorrectionOptions & options = {});
+
+  /** Returns the weight that each constraint has in the end, in (0, 1], times its own. */
+  std::vector<double>
+  Fit(const std::vector<DisplacementConstraint> & constraints, const std::vector<IntensityConstraint> & pictures = {});
+
+  /** mm along and around. */
+  Eigen::Vector2d
+  At(const CylinderPlace & place) const;
+
+private:
+  struct Stencil
+  {
+    int    node[4];
+    double share[4];
+  };
+  Stencil
+  StencilAt(const CylinderPlace & place) const;
+  void
+  Solve(const std::vector<DisplacementConstraint> & constraints,
+        const std::vector<double> &                 weights,
+        const std::vector<IntensityConstraint> &    pictures);
+
+  SmoothCorrectionOptions m_Options;
+  double                  m_Begin;
+  double                  m_Around;
+  int                     m_Rows;
+  Eigen::VectorXd         m_Values; ///< along of all nodes, then around
+};
+} // namespace itk
+
+#endif

@@ -1,0 +1,384 @@
+#include "itkSupineProneRegistration.h"
+
+#include "itkBeltramiProjection.h"
+#include "itkCylindricalWarping.h"
+#include "itkRegistrationConfidence.h"
+#include "itkSmoothCorrection.h"
+#include "itkToolError.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace itk
+{
+namespace
+{
+constexpr int    angles = 48;     ///< rotations of the warping
+constexpr double rowStep = 3.0;   ///< mm between its rows
+constexpr int    mapAngles = 36;  ///< of the final map
+constexpr double mapStep = 4.0;   ///< mm
+
+/** A map that moves rows as a whole, with a smooth correction. */
+struct RowMap
+{
+  PiecewiseLine            s;
+  PiecewiseLine            rotation;
+  const SmoothCorrection * correction{ nullptr };
+  double                   around{ 1.0 }; ///< of the target, mm
+
+  CylinderPlace
+  operator()(const CylinderPlace & place) const
+  {
+    CylinderPlace mapped{ s(place.s), place.turn + rotation(place.s) };
+    if (correction)
+    {
+      const Eigen::Vector2d more = correction->At(place);
+      mapped.s += more.x();
+      mapped.turn += more.y() / around;
+    }
+    return mapped;
+  }
+};
+
+class Registration
+{
+public:
+  Registration(const ColonPosition & source, const ColonPosition & target, const SupineProneOptions & options)
+    : m_Source(source), m_Target(target), m_Options(options)
+  {
+    m_Result.source = std::make_shared<ColonCylinder>(*source.grid, source.centreline);
+    m_Result.target = std::make_shared<ColonCylinder>(*target.grid, target.centreline);
+  }
+
+  SupineProneRegistration
+  Run()
+  {
+    this->FindFrame();
+    this->Warp();
+    this->MatchAndCorrect();
+    this->Project();
+    this->Finish();
+    return std::move(m_Result);
+  }
+
+private:
+  void
+  FindFrame()
+  {
+    m_Frame = FlexureFrame(m_Source, *m_Result.source, m_Target, *m_Result.target, m_Result.warnings);
+    for (std::size_t i = 1; i + 1 < m_Frame.from.size(); ++i)
+    {
+      m_Result.flexures.emplace_back(m_Frame.from[i], m_Frame.to[i]);
+    }
+    m_SourceTaeniae = AnglesOfTaeniae(m_Source, *m_Result.source, m_Result.warnings);
+    m_TargetTaeniae = AnglesOfTaeniae(m_Target, *m_Result.target, m_Result.warnings);
+    if (m_Result.flexures.empty() && !(m_SourceTaeniae.isKnown && m_TargetTaeniae.isKnown))
+    {
+      throw InputError("the positions have no landmarks in common, neither flexures nor taeniae: " + m_Source.name +
+                       " and " + m_Target.name + "; find them with ColonLandmarks");
+    }
+  }
+
+  /** Rows of the warping lie in the coordinate of the source. */
+  CylinderPicture
+  PictureOf(bool isTarget) const
+  {
+    const ColonPosition & position = isTarget ? m_Target : m_Source;
+    CylinderPictureForm   form;
+    form.begin = m_Result.source->Begin() + 0.5 * rowStep;
+    form.step = isTarget ? 0.5 * rowStep : rowStep;
+    form.rows = std::max(2, static_cast<int>((m_Result.source->End() - m_Result.source->Begin()) / form.step));
+    form.angles = angles;
+    form.smoothRows = isTarget ? 1.6 : 0.8;
+    const PiecewiseLine back = m_Frame.Inverse();
+    form.coordinate = [isTarget, back](double s) { return isTarget ? back(s) : s; };
+    return MakeCylinderPicture(
+      position, isTarget ? *m_Result.target : *m_Result.source, FoldProbability(position), form);
+  }
+
+  void
+  Warp()
+  {
+    const CylinderPicture     source = this->PictureOf(false);
+    const CylinderPicture     target = this->PictureOf(true);
+    CylindricalWarpingOptions options;
+    std::vector<double>       s;
+    for (int row = 0; row < source.Rows(); ++row)
+    {
+      s.push_back(source.begin + row * source.step);
+    }
+    const bool areTaeniaeKnown = m_SourceTaeniae.isKnown && m_TargetTaeniae.isKnown;
+    for (int shift = 0; shift < (areTaeniaeKnown ? 3 : 1); ++shift)
+    {
+      const std::vector<double> rotation =
+        areTaeniaeKnown ? RotationOfTaeniae(m_SourceTaeniae, m_TargetTaeniae, m_Frame, shift, s) : std::vector<double>();
+      const CylindricalWarp warp = WarpCylinder(source, target, m_Frame, rotation, options);
+      m_Result.confidence.energies.push_back(warp.energy);
+      if (shift == 0 || warp.energy < m_Warp.energy)
+      {
+        m_Warp = warp;
+        m_FrameRotation = areTaeniaeKnown ? rotation : std::vector<double>(s.size(), 0.0);
+      }
+    }
+    std::vector<double> energies = m_Result.confidence.energies;
+    std::sort(energies.begin(), energies.end());
+    m_Result.confidence.margin =
+      energies.size() > 1 ? energies[1] - energies[0] : std::numeric_limits<double>::quiet_NaN();
+  }
+
+  RowMap
+  MapOfWarp() const
+  {
+    return { { m_Warp.s, m_Warp.targetS }, { m_Warp.s, m_Warp.rotation }, nullptr, m_Result.target->Around() };
+  }
+
+  FoldFeature
+  FeatureOf(const ColonCylinder & cylinder, const HaustralFold & fold, const RowMap * map) const
+  {
+    CylinderPlace place = cylinder.PlaceOfUv(fold.centreUv);
+    place = map ? (*map)(place) : place;
+    return { place.s, place.turn * m_Result.target->Around(), fold.length, std::max(1.0, fold.area) };
+  }
+
+  void
+  MatchAndCorrect()
+  {
+    RowMap map = this->MapOfWarp();
+    for (int round = 0; round < 2; ++round)
+    {
+      std::vector<FoldFeature> source;
+      std::vector<FoldFeature> target;
+      for (const HaustralFold & fold : m_Source.folds)
+      {
+        source.push_back(this->FeatureOf(*m_Result.source, fold, &map));
+      }
+      for (const HaustralFold & fold : m_Target.folds)
+      {
+        target.push_back(this->FeatureOf(*m_Result.target, fold, nullptr));
+      }
+      FoldMatchingOptions options;
+      options.method = m_Options.matching;
+      m_Result.matching = MatchFolds(source, target, m_Result.target->Around(), options);
+      this->Correct();
+      map.correction = m_Correction.get();
+    }
+  }
+
+  /** Where the middle and the ends of a fold are to move, more than the warp moves them. Ends are paired as they lie. */
+  void
+  AddConstraints(const HaustralFold & a, const HaustralFold & b, std::vector<DisplacementConstraint> & constraints) const
+  {
+    const RowMap warp = this->MapOfWarp();
+    const auto   constraint = [&](const Eigen::Vector2d & from, const Eigen::Vector2d & to, double weight) {
+      const CylinderPlace place = m_Result.source->PlaceOfUv(from);
+      const CylinderPlace start = warp(place);
+      const CylinderPlace goal = m_Result.target->PlaceOfUv(to);
+      const double        around = TurnDifference(goal.turn, start.turn) * m_Result.target->Around();
+      return DisplacementConstraint{ place, { goal.s - start.s, around }, weight };
+    };
+    const auto endsOf = [&](bool isTurned) {
+      return std::array<DisplacementConstraint, 2>{ constraint(a.endUv[0], b.endUv[isTurned ? 1 : 0], 1.0),
+                                                    constraint(a.endUv[1], b.endUv[isTurned ? 0 : 1], 1.0) };
+    };
+    const auto straight = endsOf(false);
+    const auto turned = endsOf(true);
+    const auto cost = [](const std::array<DisplacementConstraint, 2> & ends) {
+      return ends[0].displacement.squaredNorm() + ends[1].displacement.squaredNorm();
+    };
+    constraints.push_back(constraint(a.centreUv, b.centreUv, 1.0));
+    const auto & ends = cost(turned) < cost(straight) ? turned : straight;
+    constraints.insert(constraints.end(), ends.begin(), ends.end());
+  }
+
+  void
+  Correct()
+  {
+    std::vector<DisplacementConstraint> constraints;
+    for (const auto & [i, j] : m_Result.matching.pairs)
+    {
+      this->AddConstraints(m_Source.folds[i], m_Target.folds[j], constraints);
+    }
+    m_Correction =
+      std::make_unique<SmoothCorrection>(m_Result.source->Begin(), m_Result.source->End(), m_Result.target->Around());
+    const std::vector<double> weights = m_Correction->Fit(constraints);
+    m_PairWeights.clear();
+    for (std::size_t pair = 0; pair < m_Result.matching.pairs.size(); ++pair)
+    {
+      m_PairWeights.push_back(weights[3 * pair]); // of the middle
+    }
+  }
+
+  CylinderNodes
+  NodesOf(const RowMap & map) const
+  {
+    CylinderNodes nodes;
+    const double  length = m_Result.source->End() - m_Result.source->Begin();
+    const int     rows = std::max(2, static_cast<int>(std::ceil(length / mapStep)) + 1);
+    nodes.begin = m_Result.source->Begin();
+    nodes.step = length / (rows - 1);
+    nodes.s.resize(rows, mapAngles);
+    nodes.turn.resize(rows, mapAngles);
+    for (int i = 0; i < rows; ++i)
+    {
+      for (int j = 0; j < mapAngles; ++j)
+      {
+        const CylinderPlace place = map({ nodes.begin + i * nodes.step, static_cast<double>(j) / mapAngles });
+        nodes.s(i, j) = place.s;
+        nodes.turn(i, j) = place.turn;
+      }
+    }
+    return nodes;
+  }
+
+  void
+  Project()
+  {
+    RowMap map = this->MapOfWarp();
+    map.correction = m_Correction.get();
+    BeltramiProjectionOptions options;
+    options.greatest = m_Options.greatestDilatation;
+    const BeltramiProjection projection =
+      ProjectToBijection(this->NodesOf(map), m_Result.source->Around(), m_Result.target->Around(), options);
+    m_Result.map = CylinderMap(projection.nodes);
+    m_Result.figures.flips = m_Result.map.Flips();
+    m_Result.figures.flipsBeforeProjection = projection.flipsBefore;
+    m_Result.figures.greatestDilatation = projection.greatest;
+    m_Result.frame = CylinderMap(
+      this->NodesOf({ m_Frame, { m_Warp.s, m_FrameRotation }, nullptr, m_Result.target->Around() }));
+  }
+
+  int
+  SegmentOf(double s) const
+  {
+    int segment = 0;
+    for (const auto & flexure : m_Result.flexures)
+    {
+      segment += s > flexure.first;
+    }
+    return segment;
+  }
+
+  void
+  Finish()
+  {
+    for (std::size_t pair = 0; pair < m_Result.matching.pairs.size(); ++pair)
+    {
+      const auto [i, j] = m_Result.matching.pairs[pair];
+      const CylinderPlace from = m_Result.source->PlaceOfUv(m_Source.folds[i].centreUv);
+      const CylinderPlace to = m_Result.target->PlaceOfUv(m_Target.folds[j].centreUv);
+      const CylinderPlace mapped = m_Result.map.Forward(from);
+      FoldMatch           match;
+      match.source = i;
+      match.target = j;
+      match.cost = m_Result.matching.costs[pair];
+      match.residual =
+        std::hypot(mapped.s - to.s, TurnDifference(mapped.turn, to.turn) * m_Result.target->Around());
+      match.weight = m_PairWeights[pair];
+      match.segment = this->SegmentOf(from.s);
+      m_Result.matches.push_back(match);
+    }
+    this->MarkExcluded();
+    JudgeRegistration(m_Source, m_Target, m_Result);
+  }
+
+  static bool
+  IsExcluded(const ColonPosition & position, const ColonCylinder & cylinder, const CylinderPlace & place)
+  {
+    const int column = cylinder.Grid().PixelOfUv(cylinder.UvOfPlace(place)).column;
+    return !position.isExcluded.empty() && position.isExcluded[column] != 0;
+  }
+
+  void
+  MarkExcluded()
+  {
+    const CylinderNodes & nodes = m_Result.map.Nodes();
+    m_Result.isExcluded.setZero(nodes.Rows(), nodes.Angles());
+    for (int i = 0; i < nodes.Rows(); ++i)
+    {
+      for (int j = 0; j < nodes.Angles(); ++j)
+      {
+        const CylinderPlace place{ nodes.begin + i * nodes.step, static_cast<double>(j) / nodes.Angles() };
+        m_Result.isExcluded(i, j) = IsExcluded(m_Source, *m_Result.source, place) ||
+                                    IsExcluded(m_Target, *m_Result.target, nodes.At(i, j));
+      }
+    }
+  }
+
+  const ColonPosition &             m_Source;
+  const ColonPosition &             m_Target;
+  SupineProneOptions                m_Options;
+  SupineProneRegistration           m_Result;
+  PiecewiseLine                     m_Frame;
+  TaeniaAngles                      m_SourceTaeniae;
+  TaeniaAngles                      m_TargetTaeniae;
+  CylindricalWarp                   m_Warp;
+  std::vector<double>               m_FrameRotation;
+  std::vector<double>               m_PairWeights;
+  std::unique_ptr<SmoothCorrection> m_Correction;
+};
+
+void
+RequireUsable(const ColonPosition & position)
+{
+  if (!position.grid)
+  {
+    throw InputError(position.name + ": there is no flat map");
+  }
+  if (position.folds.empty())
+  {
+    throw InputError(position.name + ": there are no haustral folds to register; see ColonFolds");
+  }
+  RequireUsage(position.isExcluded.empty() ||
+                 position.isExcluded.size() == static_cast<std::size_t>(position.grid->Columns()),
+               position.name + ": excluded columns are not those of the grid");
+}
+
+/** The node that is nearest to a place. */
+std::pair<int, int>
+NearestNode(const CylinderNodes & nodes, const CylinderPlace & place)
+{
+  const int row = static_cast<int>(std::lround((place.s - nodes.begin) / nodes.step));
+  const int angle = static_cast<int>(std::lround((place.turn - std::floor(place.turn)) * nodes.Angles()));
+  return { std::clamp(row, 0, nodes.Rows() - 1), angle % nodes.Angles() };
+}
+} // namespace
+
+SupineProneRegistration
+RegisterColonPositions(const ColonPosition & source, const ColonPosition & target, const SupineProneOptions & options)
+{
+  RequireUsable(source);
+  RequireUsable(target);
+  RequireUsage(options.greatestDilatation > 0.0 && options.greatestDilatation < 1.0,
+               "the greatest dilatation must lie between 0 and 1");
+  return Registration(source, target, options).Run();
+}
+
+Eigen::Vector2d
+MapUv(const SupineProneRegistration & registration, const Eigen::Vector2d & sourceUv)
+{
+  return registration.target->UvOfPlace(registration.map.Forward(registration.source->PlaceOfUv(sourceUv)));
+}
+
+Eigen::Vector2d
+InverseMapUv(const SupineProneRegistration & registration, const Eigen::Vector2d & targetUv)
+{
+  const std::optional<CylinderPlace> place = registration.map.Inverse(registration.target->PlaceOfUv(targetUv));
+  return place ? registration.source->UvOfPlace(*place)
+               : Eigen::Vector2d::Constant(std::numeric_limits<double>::quiet_NaN()).eval();
+}
+
+double
+ConfidenceAt(const SupineProneRegistration & registration, const CylinderPlace & place)
+{
+  const auto [row, angle] = NearestNode(registration.map.Nodes(), place);
+  return registration.confidence.ofNodes(row, angle);
+}
+
+bool
+IsExcludedAt(const SupineProneRegistration & registration, const CylinderPlace & place)
+{
+  const auto [row, angle] = NearestNode(registration.map.Nodes(), place);
+  return registration.isExcluded(row, angle) != 0;
+}
+} // namespace itk

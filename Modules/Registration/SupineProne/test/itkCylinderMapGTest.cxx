@@ -1,0 +1,2 @@
+#include "itkCylinderMap.h"
+#include <gtest/gtest.h>
