@@ -91,7 +91,8 @@ private:
   {
     std::vector<float> now(cost.size(), infinite);
     unsigned char *    steps = m_Step.data() + cost.size() * row;
-    const int          turned = m_Centre[row] - m_Centre[row - 1];
+    const int          turned = this->Turned(row);
+    const double       ease = this->IsUnseen(row) ? m_Options.excludedEase : 1.0;
     for (int offset = 0; offset < m_Offsets; ++offset)
     {
       for (int rotation = 0; rotation < m_Rotations; ++rotation)
@@ -104,8 +105,8 @@ private:
           if (from >= 0)
           {
             const double bend = step / 3 - 2;
-            const float  sum = before[from] + static_cast<float>(m_Options.slopeWeight * bend * bend +
-                                                                m_Options.rotationWeight * std::abs(step % 3 - 1));
+            const double stiff = m_Options.slopeWeight * bend * bend + m_Options.rotationWeight * std::abs(step % 3 - 1);
+            const float  sum = before[from] + static_cast<float>(ease * stiff);
             steps[state] = sum < best ? static_cast<unsigned char>(step) : steps[state];
             best = std::min(best, sum);
           }
@@ -114,6 +115,22 @@ private:
       }
     }
     return now;
+  }
+
+  bool
+  IsUnseen(int row) const
+  {
+    return m_Source.isExcluded[row] || m_Source.isExcluded[row - 1];
+  }
+
+  /** Steps that the frame turns from the row before on. Where nothing is seen taeniae are not known either, and the path
+   * follows the frame, whatever it does. */
+  int
+  Turned(int row) const
+  {
+    const int     turned = m_Centre[row] - m_Centre[row - 1];
+    constexpr int greatest = 3;
+    return this->IsUnseen(row) || std::abs(turned) > greatest ? 0 : turned;
   }
 
   /** step = 3 * rows passed + change of rotation + 1; -1 where there is none. */
@@ -143,7 +160,7 @@ private:
       if (row > 0)
       {
         const int step = m_Step[last.size() * row + state];
-        state = this->StateBefore(offset, rotation, m_Centre[row] - m_Centre[row - 1], step);
+        state = this->StateBefore(offset, rotation, this->Turned(row), step);
       }
     }
     CylindricalWarp warp;

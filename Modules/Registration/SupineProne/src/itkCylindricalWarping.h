@@ -15,6 +15,8 @@ struct CylindricalWarpingOptions
   /** Cost of the squared difference of the rows passed, of two, and of a step of rotation. */
   double slopeWeight{ 0.15 };
   double rotationWeight{ 0.4 };
+  /** Both count so much less where rows are excluded. */
+  double excludedEase{ 0.2 };
   /** Cost of what a row shows, whether the other one shows it or not. */
   double contentWeight{ 0.3 };
   /** Standard deviation of the smoothing of the path, rows. */

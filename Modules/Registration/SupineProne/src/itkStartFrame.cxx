@@ -200,19 +200,31 @@ RotationOfTaeniae(const TaeniaAngles &        source,
                   int                         shift,
                   const std::vector<double> & s)
 {
-  std::vector<double> rotation;
-  for (const double place : s)
+  Eigen::MatrixX2d directions(s.size(), 2);
+  for (std::size_t i = 0; i < s.size(); ++i)
   {
-    double x = 0.0;
-    double y = 0.0;
+    directions.row(i).setZero();
     for (int taenia = 0; taenia < 3; ++taenia)
     {
-      const double turn = target.At((taenia + shift) % 3, frame(place)) - source.At(taenia, place);
-      x += std::cos(2.0 * pi * turn);
-      y += std::sin(2.0 * pi * turn);
+      const double turn = target.At((taenia + shift) % 3, frame(s[i])) - source.At(taenia, s[i]);
+      directions.row(i) += Eigen::RowVector2d(std::cos(2.0 * pi * turn), std::sin(2.0 * pi * turn));
     }
-    const double mean = std::atan2(y, x) / (2.0 * pi);
-    rotation.push_back(rotation.empty() ? mean : rotation.back() + TurnDifference(mean, rotation.back()));
+  }
+  constexpr double    smoothing = 15.0; // mm: a taenia that is found wrongly for a while makes no jump
+  const double        step = s.size() > 1 ? (s.back() - s.front()) / (s.size() - 1.0) : 1.0;
+  std::vector<double> rotation;
+  for (std::size_t i = 0; i < s.size(); ++i)
+  {
+    Eigen::RowVector2d mean = Eigen::RowVector2d::Zero();
+    const int          reach = static_cast<int>(3.0 * smoothing / step);
+    for (int k = -reach; k <= reach; ++k)
+    {
+      const int    at = std::clamp(static_cast<int>(i) + k, 0, static_cast<int>(s.size()) - 1);
+      const double t = k * step / smoothing;
+      mean += std::exp(-0.5 * t * t) * directions.row(at);
+    }
+    const double turn = std::atan2(mean[1], mean[0]) / (2.0 * pi);
+    rotation.push_back(rotation.empty() ? turn : rotation.back() + TurnDifference(turn, rotation.back()));
   }
   return rotation;
 }
