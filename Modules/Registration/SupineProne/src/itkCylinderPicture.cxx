@@ -147,8 +147,8 @@ FoldProbability(const ColonPosition & position)
     return std::vector<float>(curvature.size(), 0.0F);
   }
   std::sort(sorted.begin(), sorted.end());
-  const float low = sorted[sorted.size() / 2];
-  const float high = std::max(sorted[sorted.size() * 95 / 100], low + 1e-6F);
+  const float low = sorted[sorted.size() * (getenv("LO") ? atoi(getenv("LO")) : 50) / 100];
+  const float high = std::max(sorted[sorted.size() * (getenv("HI") ? atoi(getenv("HI")) : 95) / 100], low + 1e-6F);
   for (float & value : curvature)
   {
     const float t = std::isfinite(value) ? std::clamp((value - low) / (high - low), 0.0F, 1.0F) : 0.0F;

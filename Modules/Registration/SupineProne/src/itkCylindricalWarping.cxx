@@ -11,6 +11,10 @@ namespace itk
 namespace
 {
 constexpr float  infinite = std::numeric_limits<float>::infinity();
+/** Target rows passed from row to row. The centreline takes short cuts through collapsed stretches, so that their length
+ * differs by much more than that of others. */
+constexpr int    greatestAdvance = 3;
+constexpr int    greatestUnseenAdvance = 8;
 constexpr double costOutside = 8.0; ///< of a row that would lie beyond the end of the target
 
 using RowMajorFloat = Eigen::Matrix<float, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
@@ -63,6 +67,8 @@ private:
     const double             energy = a.squaredNorm() / m_Angles;
     ParallelFor(m_Offsets, [&](std::size_t offset) {
       const int j = 2 * row + static_cast<int>(offset) - m_Reach;
+      const double away = m_Options.frameDeviation > 0.0 ? (static_cast<int>(offset) - m_Reach) * m_Target.step / m_Options.frameDeviation : 0.0;
+      const double spring = 0.05 * away * away;
       float *   out = cost.data() + offset * m_Rotations;
       if (j < 0 || j >= m_Target.Rows())
       {
@@ -71,7 +77,7 @@ private:
       }
       if (m_Source.isExcluded[row] || m_Target.isExcluded[j])
       {
-        std::fill(out, out + m_Rotations, 0.0F);
+        std::fill(out, out + m_Rotations, static_cast<float>(spring));
         return;
       }
       const Eigen::RowVectorXd b = m_Target.values.row(j);
@@ -80,7 +86,7 @@ private:
       {
         const int shift = (((m_Centre[row] + rotation - m_Width) % m_Angles) + m_Angles) % m_Angles;
         const double product = a.head(m_Angles - shift).dot(b.tail(m_Angles - shift)) + a.tail(shift).dot(b.head(shift));
-        out[rotation] = static_cast<float>(content - product / m_Angles);
+        out[rotation] = static_cast<float>(spring + content - product / m_Angles);
       }
     });
     return cost;
@@ -90,16 +96,18 @@ private:
   Advance(int row, const std::vector<float> & before, const std::vector<float> & cost)
   {
     std::vector<float> now(cost.size(), infinite);
-    unsigned char *    steps = m_Step.data() + cost.size() * row;
+    unsigned char *    taken = m_Step.data() + cost.size() * row;
     const int          turned = this->Turned(row);
-    const double       ease = this->IsUnseen(row) ? m_Options.excludedEase : 1.0;
     for (int offset = 0; offset < m_Offsets; ++offset)
     {
+      const bool   isUnseen = this->IsUnseen(row) || this->IsTargetUnseen(2 * row + offset - m_Reach);
+      const double ease = isUnseen ? m_Options.excludedEase : 1.0;
+      const int    steps = 3 * (isUnseen ? greatestUnseenAdvance : greatestAdvance) + 3;
       for (int rotation = 0; rotation < m_Rotations; ++rotation)
       {
         const std::size_t state = static_cast<std::size_t>(offset) * m_Rotations + rotation;
         float             best = infinite;
-        for (int step = 0; step < 12; ++step)
+        for (int step = 0; step < steps; ++step)
         {
           const int from = this->StateBefore(offset, rotation, turned, step);
           if (from >= 0)
@@ -107,7 +115,7 @@ private:
             const double bend = step / 3 - 2;
             const double stiff = m_Options.slopeWeight * bend * bend + m_Options.rotationWeight * std::abs(step % 3 - 1);
             const float  sum = before[from] + static_cast<float>(ease * stiff);
-            steps[state] = sum < best ? static_cast<unsigned char>(step) : steps[state];
+            taken[state] = sum < best ? static_cast<unsigned char>(step) : taken[state];
             best = std::min(best, sum);
           }
         }
@@ -115,6 +123,12 @@ private:
       }
     }
     return now;
+  }
+
+  bool
+  IsTargetUnseen(int row) const
+  {
+    return row >= 0 && row < m_Target.Rows() && m_Target.isExcluded[row];
   }
 
   bool
@@ -129,7 +143,7 @@ private:
   Turned(int row) const
   {
     const int     turned = m_Centre[row] - m_Centre[row - 1];
-    constexpr int greatest = 3;
+    constexpr int greatest = 1;
     return this->IsUnseen(row) || std::abs(turned) > greatest ? 0 : turned;
   }
 

@@ -9,14 +9,17 @@ namespace itk
 struct CylindricalWarpingOptions
 {
   /** mm that the path may leave the frame. */
-  double band{ 50.0 };
+  double band{ 60.0 };
   /** Turns that the rotation may leave the frame. */
   double rotationBand{ 0.125 };
   /** Cost of the squared difference of the rows passed, of two, and of a step of rotation. */
   double slopeWeight{ 0.15 };
   double rotationWeight{ 0.4 };
+  /** Standard deviation of the place along the frame, mm, as a weak spring on each row; 0 for none. */
+  double frameDeviation{ 25.0 };
+  double springWeight{ 0.05 };
   /** Both count so much less where rows are excluded. */
-  double excludedEase{ 0.2 };
+  double excludedEase{ 0.05 };
   /** Cost of what a row shows, whether the other one shows it or not. */
   double contentWeight{ 0.3 };
   /** Standard deviation of the smoothing of the path, rows. */

@@ -44,7 +44,9 @@ CylinderLaplacian(int rows, int angles, double rowStep, double angleStep)
 SmoothCorrection::SmoothCorrection(double begin, double end, double around, const SmoothCorrectionOptions & options)
   : m_Options(options), m_Begin(begin), m_Around(around)
 {
-  m_Rows = std::max(2, static_cast<int>(std::ceil((end - begin) / options.step)) + 1);
+  #define EV(n,f) if (getenv(#n)) m_Options.f = atof(getenv(#n));
+  EV(ST,stiffness) EV(DEV,deviation) EV(ROB,robust) EV(CS,step)
+  m_Rows = std::max(2, static_cast<int>(std::ceil((end - begin) / m_Options.step)) + 1);
   m_Values = Eigen::VectorXd::Zero(2 * m_Rows * options.angles);
 }
 
@@ -79,7 +81,8 @@ SmoothCorrection::At(const CylinderPlace & place) const
 void
 SmoothCorrection::Solve(const std::vector<DisplacementConstraint> & constraints,
                         const std::vector<double> &                 weights,
-                        const std::vector<IntensityConstraint> &    pictures)
+                        const std::vector<DirectionConstraint> &    directions,
+                        const std::vector<double> &                 directionWeights)
 {
   const int          nodes = m_Rows * m_Options.angles;
   const double       angleStep = m_Around / m_Options.angles;
@@ -123,9 +126,9 @@ SmoothCorrection::Solve(const std::vector<DisplacementConstraint> & constraints,
     add(constraints[i].place, Eigen::Vector2d::UnitX(), constraints[i].displacement.x(), weight);
     add(constraints[i].place, Eigen::Vector2d::UnitY(), constraints[i].displacement.y(), weight);
   }
-  for (const IntensityConstraint & picture : pictures)
+  for (std::size_t i = 0; i < directions.size(); ++i)
   {
-    add(picture.place, picture.gradient, picture.difference, m_Options.intensityWeight);
+    add(directions[i].place, directions[i].direction, directions[i].value, directionWeights[i]);
   }
   SparseMatrix system(2 * nodes, 2 * nodes);
   system.setFromTriplets(entries.begin(), entries.end());
@@ -139,20 +142,31 @@ SmoothCorrection::Solve(const std::vector<DisplacementConstraint> & constraints,
 
 std::vector<double>
 SmoothCorrection::Fit(const std::vector<DisplacementConstraint> & constraints,
-                      const std::vector<IntensityConstraint> &    pictures)
+                      const std::vector<DirectionConstraint> &    directions)
 {
   std::vector<double> weights;
+  std::vector<double> directionWeights;
   for (const DisplacementConstraint & constraint : constraints)
   {
     weights.push_back(constraint.weight);
   }
+  for (const DirectionConstraint & direction : directions)
+  {
+    directionWeights.push_back(direction.weight);
+  }
+  const auto cauchy = [this](double error) { return 1.0 / (1.0 + std::pow(error / m_Options.robust, 2)); };
   for (int iteration = 0; iteration < m_Options.iterations; ++iteration)
   {
-    this->Solve(constraints, weights, pictures);
+    this->Solve(constraints, weights, directions, directionWeights);
     for (std::size_t i = 0; i < constraints.size(); ++i)
     {
-      const double error = (this->At(constraints[i].place) - constraints[i].displacement).norm() / m_Options.robust;
-      weights[i] = constraints[i].weight / (1.0 + error * error);
+      weights[i] =
+        constraints[i].weight * cauchy((this->At(constraints[i].place) - constraints[i].displacement).norm());
+    }
+    for (std::size_t i = 0; i < directions.size(); ++i)
+    {
+      const double error = this->At(directions[i].place).dot(directions[i].direction) - directions[i].value;
+      directionWeights[i] = directions[i].weight * (directions[i].isRobust ? cauchy(error) : 1.0);
     }
   }
   return weights;

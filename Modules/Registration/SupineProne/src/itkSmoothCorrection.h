@@ -13,12 +13,17 @@ struct DisplacementConstraint
   double          weight{ 1.0 };
 };
 
-/** A picture is to look alike: gradient . displacement = difference, with gradients per mm. */
-struct IntensityConstraint
+/** Only what a displacement has along a direction is known: direction . displacement = value (mm). Around the tube for a
+ * taenia, along the gradient for a picture. */
+struct DirectionConstraint
 {
   CylinderPlace   place;
-  Eigen::Vector2d gradient;
-  double          difference{ 0.0 };
+  Eigen::Vector2d direction;
+  double          value{ 0.0 };
+  /** 1 / variance. */
+  double weight{ 0.0 };
+  /** Loses its weight as other constraints do where it contradicts them. */
+  bool isRobust{ false };
 };
 
 struct SmoothCorrectionOptions
@@ -32,8 +37,7 @@ struct SmoothCorrectionOptions
   double robust{ 8.0 };
   int    iterations{ 4 };
   /** Of the integral of the squared Laplacian, mm^2. */
-  double stiffness{ 10.0 };
-  double intensityWeight{ 0.04 };
+  double stiffness{ 2.0 };
 };
 
 /** A smooth field of displacements on a cylinder: thin plate, periodic around, robust by iteratively reweighted least
@@ -45,7 +49,7 @@ public:
 
   /** Returns the weight that each constraint has in the end, in (0, 1], times its own. */
   std::vector<double>
-  Fit(const std::vector<DisplacementConstraint> & constraints, const std::vector<IntensityConstraint> & pictures = {});
+  Fit(const std::vector<DisplacementConstraint> & constraints, const std::vector<DirectionConstraint> & directions = {});
 
   /** mm along and around. */
   Eigen::Vector2d
@@ -62,7 +66,8 @@ private:
   void
   Solve(const std::vector<DisplacementConstraint> & constraints,
         const std::vector<double> &                 weights,
-        const std::vector<IntensityConstraint> &    pictures);
+        const std::vector<DirectionConstraint> &    directions,
+        const std::vector<double> &                 directionWeights);
 
   SmoothCorrectionOptions m_Options;
   double                  m_Begin;

@@ -90,7 +90,7 @@ private:
     form.step = isTarget ? 0.5 * rowStep : rowStep;
     form.rows = std::max(2, static_cast<int>((m_Result.source->End() - m_Result.source->Begin()) / form.step));
     form.angles = angles;
-    form.smoothRows = isTarget ? 1.6 : 0.8;
+    form.smoothRows = (isTarget ? 2.0 : 1.0) * (getenv("SR") ? atof(getenv("SR")) : 0.8); form.smoothAngles = getenv("SA") ? atof(getenv("SA")) : 1.0;
     const PiecewiseLine back = m_Frame.Inverse();
     form.coordinate = [isTarget, back](double s) { return isTarget ? back(s) : s; };
     return MakeCylinderPicture(
@@ -103,6 +103,8 @@ private:
     const CylinderPicture     source = this->PictureOf(false);
     const CylinderPicture     target = this->PictureOf(true);
     CylindricalWarpingOptions options;
+    #define EV(n,f) if (getenv(#n)) options.f = atof(getenv(#n));
+    EV(SW,slopeWeight) EV(RW,rotationWeight) EV(CW,contentWeight) EV(SM,smoothing) EV(BAND,band) EV(RB,rotationBand) EV(EASE,excludedEase) EV(PRIOR,frameDeviation)
     std::vector<double>       s;
     for (int row = 0; row < source.Rows(); ++row)
     {
@@ -118,6 +120,7 @@ private:
       if (shift == 0 || warp.energy < m_Warp.energy)
       {
         m_Warp = warp;
+        m_Shift = shift;
         m_FrameRotation = areTaeniaeKnown ? rotation : std::vector<double>(s.size(), 0.0);
       }
     }
@@ -160,7 +163,7 @@ private:
       FoldMatchingOptions options;
       options.method = m_Options.matching;
       m_Result.matching = MatchFolds(source, target, m_Result.target->Around(), options);
-      this->Correct();
+      this->Correct(map);
       map.correction = m_Correction.get();
     }
   }
@@ -178,8 +181,8 @@ private:
       return DisplacementConstraint{ place, { goal.s - start.s, around }, weight };
     };
     const auto endsOf = [&](bool isTurned) {
-      return std::array<DisplacementConstraint, 2>{ constraint(a.endUv[0], b.endUv[isTurned ? 1 : 0], 1.0),
-                                                    constraint(a.endUv[1], b.endUv[isTurned ? 0 : 1], 1.0) };
+      return std::array<DisplacementConstraint, 2>{ constraint(a.endUv[0], b.endUv[isTurned ? 1 : 0], getenv("EW")?atof(getenv("EW")):1.0),
+                                                    constraint(a.endUv[1], b.endUv[isTurned ? 0 : 1], getenv("EW")?atof(getenv("EW")):1.0) };
     };
     const auto straight = endsOf(false);
     const auto turned = endsOf(true);
@@ -191,17 +194,50 @@ private:
     constraints.insert(constraints.end(), ends.begin(), ends.end());
   }
 
+  bool
+  AreTaeniaeKnown() const
+  {
+    return m_SourceTaeniae.isKnown && m_TargetTaeniae.isKnown;
+  }
+
+  /** Taeniae of the source are to come to lie on those of the target, where the map takes them along the colon. */
+  std::vector<DirectionConstraint>
+  ConstraintsOfTaeniae(const RowMap & map) const
+  {
+    constexpr double                 step = 6.0;      // mm
+    constexpr double                 greatest = 25.0; // mm: farther away it is another one
+    static const double deviation = getenv("TD") ? atof(getenv("TD")) : 4.0;       // mm, more than that of one place: neighbours err alike
+    std::vector<DirectionConstraint> constraints;
+    for (double s = m_Result.source->Begin(); this->AreTaeniaeKnown() && s < m_Result.source->End(); s += step)
+    {
+      for (int taenia = 0; taenia < 3; ++taenia)
+      {
+        const CylinderPlace place{ s, m_SourceTaeniae.At(taenia, s) };
+        const CylinderPlace start = this->MapOfWarp()(place);
+        const double        goal = m_TargetTaeniae.At((taenia + m_Shift) % 3, map(place).s);
+        const double        around = TurnDifference(goal, start.turn) * m_Result.target->Around();
+        if (std::abs(around) < greatest && !IsExcluded(m_Source, *m_Result.source, place) &&
+            !IsExcluded(m_Target, *m_Result.target, start))
+        {
+          constraints.push_back({ place, Eigen::Vector2d::UnitY(), around, 1.0 / (deviation * deviation), true });
+        }
+      }
+    }
+    return constraints;
+  }
+
   void
-  Correct()
+  Correct(const RowMap & map)
   {
     std::vector<DisplacementConstraint> constraints;
     for (const auto & [i, j] : m_Result.matching.pairs)
     {
       this->AddConstraints(m_Source.folds[i], m_Target.folds[j], constraints);
     }
-    m_Correction =
+    auto correction =
       std::make_unique<SmoothCorrection>(m_Result.source->Begin(), m_Result.source->End(), m_Result.target->Around());
-    const std::vector<double> weights = m_Correction->Fit(constraints);
+    const std::vector<double> weights = correction->Fit(constraints, this->ConstraintsOfTaeniae(map));
+    m_Correction = std::move(correction);
     m_PairWeights.clear();
     for (std::size_t pair = 0; pair < m_Result.matching.pairs.size(); ++pair)
     {
@@ -315,6 +351,7 @@ private:
   CylindricalWarp                   m_Warp;
   std::vector<double>               m_FrameRotation;
   std::vector<double>               m_PairWeights;
+  int                               m_Shift{ 0 };
   std::unique_ptr<SmoothCorrection> m_Correction;
 };
 
