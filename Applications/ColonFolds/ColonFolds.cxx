@@ -4,7 +4,6 @@
 #include "itkHaustralFoldFiles.h"
 #include "itkHaustralFoldPicture.h"
 #include "itkSurfaceReader.h"
-#include "itkSurfaceWriter.h"
 #include "itkToolError.h"
 
 namespace
@@ -58,9 +57,7 @@ public:
     itk::WriteFoldLabels(folds, grid, m_Labels, itk::ProvenanceMetadata(m_CommandLine));
     if (!m_Features.empty())
     {
-      itk::CurveSet features = itk::FeaturesOfFolds(folds);
-      features.facts = m_CommandLine.GetProvenance();
-      itk::WriteCurves(features, m_Features);
+      itk::WriteFoldFeatures(folds, m_CommandLine.GetProvenance(), m_Features);
     }
     if (!m_Table.empty())
     {

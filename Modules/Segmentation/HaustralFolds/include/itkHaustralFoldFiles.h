@@ -19,6 +19,12 @@ namespace itk
 HaustralFolds_EXPORT CurveSet
 FeaturesOfFolds(const HaustralFolds & folds);
 
+/** Writes them with these facts as VTP; no points where there are no folds. Throws OutputError. */
+HaustralFolds_EXPORT void
+WriteFoldFeatures(const HaustralFolds &                                    folds,
+                  const std::vector<std::pair<std::string, std::string>> & facts,
+                  const std::string &                                      path);
+
 /** A row for each fold, of the numbers of HaustralFold; empty cells for what is not known. */
 HaustralFolds_EXPORT CsvTable
 TableOfFolds(const HaustralFolds & folds);

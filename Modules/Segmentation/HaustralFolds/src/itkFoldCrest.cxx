@@ -59,6 +59,8 @@ public:
   FoldCrest
   Trace(const FoldPlaces & places, const FoldEllipse & ellipse)
   {
+    m_OwnPart = m_Picture.part[m_Picture.Index(static_cast<int>(places.front().x()),
+                                               this->Wrap(static_cast<int>(places.front().y())))];
     const FoldPlaces ridge = this->Ridge(places, ellipse);
     FoldCrest        crest;
     crest.plateau = this->PlateauOf(ridge);
@@ -89,12 +91,17 @@ private:
            fy * ((1.0 - fx) * at(column, below) + fx * at(next, below));
   }
 
+  /** Wall, and not that of another fold. */
   bool
-  IsWall(const Vector2d & place) const
+  IsFree(const Vector2d & place) const
   {
     const int column = static_cast<int>(std::lround(place.x()));
-    return column >= 0 && column < m_Picture.columns &&
-           m_Picture.isWall[m_Picture.Index(column, this->Wrap(static_cast<int>(std::lround(place.y()))))];
+    if (column < 0 || column >= m_Picture.columns)
+    {
+      return false;
+    }
+    const std::size_t pixel = m_Picture.Index(column, this->Wrap(static_cast<int>(std::lround(place.y()))));
+    return m_Picture.isWall[pixel] && (m_Picture.part[pixel] == 0 || m_Picture.part[pixel] == m_OwnPart);
   }
 
   int
@@ -189,7 +196,7 @@ private:
     {
       place = this->Step(place, course, step);
       const double value = this->ValueAt(place);
-      if (!this->IsWall(place) || value < level)
+      if (!this->IsFree(place) || value < level)
       {
         break;
       }
@@ -232,6 +239,7 @@ private:
 
   const FoldPicture & m_Picture;
   double              m_Floor;
+  int                 m_OwnPart{ 0 };
 };
 } // namespace
 

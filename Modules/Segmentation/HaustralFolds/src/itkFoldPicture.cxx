@@ -62,6 +62,7 @@ MakeFoldPicture(const FlatColonGrid & grid, const HaustralFoldOptions & options)
   picture.curvature.assign(picture.Size(), 0.0F);
   picture.scale.assign(picture.Size(), 1.0F);
   picture.isWall.assign(picture.Size(), 0);
+  picture.part.assign(picture.Size(), 0);
   ParallelFor(picture.rows, [&](std::size_t row) {
     for (int column = 0; column < picture.columns; ++column)
     {

@@ -19,6 +19,8 @@ struct FoldPicture
   std::vector<float> scale;
   /** A face lies there, which was not made up. */
   std::vector<char> isWall;
+  /** The number, from 1 on, of the part that the pixel belongs to; 0 for none. */
+  std::vector<int> part;
 
   std::size_t
   Index(int column, int row) const

@@ -12,7 +12,7 @@ struct FoldSplittingRule
    * of them. */
   double saddle{ 0.5 };
   /** The same for a saddle on a taenia, where most folds end; some go on across. */
-  double saddleOnTaenia{ 0.65 };
+  double saddleOnTaenia{ 0.6 };
   /** Ridges below this area are none, mm^2. */
   double leastArea{ 6.0 };
   /** 1 for pixels of taeniae; may be empty. */

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 
 namespace itk
@@ -55,9 +56,14 @@ public:
   HaustralFolds
   Find()
   {
-    for (const FoldPixels & pixels : ConnectedFolds(m_Picture, this->Mask()))
+    for (FoldPixels & part : this->Parts())
     {
-      this->Keep(pixels);
+      MeasuredFold measured = MeasureFold(m_Grid, m_Picture, std::move(part), m_Options.scheme);
+      if (IsFold(measured.fold, m_Options))
+      {
+        RateFold(m_Picture, m_Mixture, m_Options, measured);
+        m_Found.push_back(std::move(measured));
+      }
     }
     std::stable_sort(m_Found.begin(), m_Found.end(), [](const MeasuredFold & a, const MeasuredFold & b) {
       return a.fold.centreUv.x() < b.fold.centreUv.x();
@@ -84,20 +90,32 @@ private:
     return m_Mixture.hasFolds ? CutFolds(m_Picture, m_Mixture, m_Options) : std::vector<char>(m_Picture.Size(), 0);
   }
 
-  void
-  Keep(const FoldPixels & pixels)
+  /** What hangs together, split where folds have grown together. What is large enough is marked in the picture, so that
+   * crests end there. */
+  std::vector<FoldPixels>
+  Parts()
   {
-    const std::vector<FoldPixels> parts =
-      this->IsPublished() ? std::vector<FoldPixels>{ pixels } : SplitFold(m_Picture, pixels, m_Rule);
-    for (const FoldPixels & part : parts)
+    std::vector<FoldPixels> parts;
+    for (FoldPixels & whole : ConnectedFolds(m_Picture, this->Mask()))
     {
-      MeasuredFold measured = MeasureFold(m_Grid, m_Picture, part, m_Options.scheme);
-      if (IsFold(measured.fold, m_Options))
+      std::vector<FoldPixels> some =
+        this->IsPublished() ? std::vector<FoldPixels>{ std::move(whole) } : SplitFold(m_Picture, whole, m_Rule);
+      std::move(some.begin(), some.end(), std::back_inserter(parts));
+    }
+    for (std::size_t i = 0; i < parts.size(); ++i)
+    {
+      double area = 0.0;
+      for (const FlatPixel & pixel : parts[i])
       {
-        RateFold(m_Picture, m_Mixture, m_Options, measured);
-        m_Found.push_back(std::move(measured));
+        area += m_Picture.AreaOf(m_Picture.Index(pixel.column, pixel.row));
+      }
+      for (const FlatPixel & pixel : parts[i])
+      {
+        m_Picture.part[m_Picture.Index(pixel.column, pixel.row)] =
+          area >= m_Rule.leastArea ? static_cast<int>(i) + 1 : 0;
       }
     }
+    return parts;
   }
 
   HaustralFolds
