@@ -39,8 +39,7 @@ struct FoldScores
 double
 Mean(const std::vector<double> & values)
 {
-  return values.empty() ? 0.0
-                        : std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
+  return values.empty() ? 0.0 : std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
 }
 
 double
@@ -249,7 +248,8 @@ Explain(ValidationReport & report)
   report.AddText(
     "Folds: the true crest is sampled where it stands at least 1 mm above the wall; each sample goes to the nearest "
     "point of the surface, and is seen where that lies within 3 mm and is not on a bridge. A fold of which less than "
-    "half is seen is hidden and counts for nothing. A fold is found when at least half of its seen samples lie within 2 "
+    "half is seen is hidden and counts for nothing. A fold is found when at least half of its seen samples lie within "
+    "2 "
     "mm of one label that is its own: a label belongs to the one fold of 2 mm and more that it covers most samples of. "
     "A label is a fold when at least half of its pixels lie within 4 mm in space of the crest of a fold of 1.5 mm and "
     "more. End points: distance in space from the ends of the true crest, where it has come down to the wall, of folds "
@@ -271,10 +271,10 @@ ValidateColonLandmarks(const ValidationSettings & settings, ValidationReport & r
     if (exam.failure.empty())
     {
       const FoldErrors errors = TryFolds(FlatColonGrid(exam.flat), exam, HaustralFoldScheme::GraphCut);
-      report.AddText("Folds found " + Ratio(errors.found, errors.present) + ", labels that are folds " +
-                     Ratio(errors.right, errors.labels) + ": " +
-                     report.Check(Share(errors.found, errors.present) > 0.7 &&
-                                  Share(errors.right, errors.labels) > 0.7));
+      report.AddText(
+        "Folds found " + Ratio(errors.found, errors.present) + ", labels that are folds " +
+        Ratio(errors.right, errors.labels) + ": " +
+        report.Check(Share(errors.found, errors.present) > 0.7 && Share(errors.right, errors.labels) > 0.7));
     }
     return;
   }

@@ -12,9 +12,9 @@
  * seen is hidden and counts for nothing. A true fold is found when at least half of its seen samples lie within 2 mm of
  * one and the same label. Each label is given to the one true fold (of 2 mm and more) of which it covers most samples:
  * what else it covers has been merged with it, and is not found. A label is right when at least half of its pixels lie
- * within 4 mm, in space, of the crest of a true fold that is at least 1.5 mm high. Errors of ends are distances in space
- * from the ends of the true crest, where it has come down to the wall, to those of the fold it was given, in the better
- * of both orders. */
+ * within 4 mm, in space, of the crest of a true fold that is at least 1.5 mm high. Errors of ends are distances in
+ * space from the ends of the true crest, where it has come down to the wall, to those of the fold it was given, in the
+ * better of both orders. */
 struct FoldErrors
 {
   /** Of the true folds with a height of 3.5 mm and more. */

@@ -19,5 +19,7 @@ itk_module(HaustralFolds
     CommandLine
     HeatDiffusionMetric
     ITKGoogleTest
+    ITKIOImageBase
+    ITKIONRRD
   DESCRIPTION "${DOCUMENTATION}"
 )

@@ -84,8 +84,8 @@ struct HaustralFold
   double height{ 0.0 };
   /** How sure it is that this is a fold, 0 to 1. */
   double reliability{ 0.0 };
-  /** Of the ends as feature points, 0 to 1: that of the fold, and half of it far from the border of the map (the cut) or
-   * from the nearest taenia, where they are given. */
+  /** Of the ends as feature points, 0 to 1: that of the fold, and half of it far from the border of the map (the cut)
+   * or from the nearest taenia, where they are given. */
   std::array<double, 2> endReliability{ { 0.0, 0.0 } };
   /** mm along the centreline; not a number where the surface does not tell. */
   double arcLength{ 0.0 };

@@ -12,7 +12,7 @@ constexpr int         rounds = 60;
 constexpr std::size_t mostSamples = 60000;
 /** Of a class, 1/mm: no wall is smoother, and a class cannot shrink to a few values. */
 constexpr double leastDeviation = 0.01;
-constexpr double      greatestOdds = 6.0;
+constexpr double greatestOdds = 6.0;
 /** Mean curvature of folds, 1/mm: the rim of a fold 10 mm thick has 0.1, of which smoothing leaves about half. */
 constexpr double leastFold = 0.05;
 

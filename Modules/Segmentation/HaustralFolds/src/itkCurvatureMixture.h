@@ -5,7 +5,8 @@
 
 namespace itk
 {
-/** Curvature of the wall, of what is uneven in it (taeniae, noise, pouches), and of folds, each normally distributed. */
+/** Curvature of the wall, of what is uneven in it (taeniae, noise, pouches), and of folds, each normally distributed.
+ */
 struct CurvatureMixture
 {
   struct Class
@@ -20,8 +21,8 @@ struct CurvatureMixture
   /** Folds stand out from the wall and bulge into the lumen. */
   bool hasFolds{ false };
 
-  /** Logarithm of the odds of a fold against all else, both equally probable beforehand, cut to [-6, 6]: how much of the
-   * wall is folds differs between colons, what a fold looks like does not. Beyond the means it keeps its sign: what
+  /** Logarithm of the odds of a fold against all else, both equally probable beforehand, cut to [-6, 6]: how much of
+   * the wall is folds differs between colons, what a fold looks like does not. Beyond the means it keeps its sign: what
    * bulges more than a fold does is none the less one. */
   double
   LogOdds(double curvature) const;

@@ -59,8 +59,9 @@ public:
   FoldCrest
   Trace(const FoldPlaces & places, const FoldEllipse & ellipse)
   {
-    m_OwnPart = m_Picture.part[m_Picture.Index(static_cast<int>(places.front().x()),
-                                               this->Wrap(static_cast<int>(places.front().y())))];
+    m_OwnPart =
+      m_Picture
+        .part[m_Picture.Index(static_cast<int>(places.front().x()), this->Wrap(static_cast<int>(places.front().y())))];
     const FoldPlaces ridge = this->Ridge(places, ellipse);
     FoldCrest        crest;
     crest.plateau = this->PlateauOf(ridge);
@@ -353,7 +354,8 @@ PixelsAlongCrest(const FoldPicture & picture, const FoldCrest & crest)
       for (int x = std::max(0, column - steps); x <= std::min(picture.columns - 1, column + steps); ++x)
       {
         const bool isNear = (Vector2d(x, y) - place).norm() <= radius;
-        if (isNear && picture.curvature[picture.Index(x, wrap(y))] >= level && picture.isWall[picture.Index(x, wrap(y))])
+        if (isNear && picture.curvature[picture.Index(x, wrap(y))] >= level &&
+            picture.isWall[picture.Index(x, wrap(y))])
         {
           pixels.push_back({ x, wrap(y) });
         }

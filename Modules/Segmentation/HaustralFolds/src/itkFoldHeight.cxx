@@ -105,8 +105,7 @@ HeightOfFold(const FlatColonGrid & grid, const FoldPicture & picture, const Fold
     const Vector2d along = crest.places[i + reach] - crest.places[i - reach];
     if (along.norm() > 0.0)
     {
-      const double height =
-        meter.HeightAt(crest.places[i], Vector2d(-along.y(), along.x()).normalized());
+      const double height = meter.HeightAt(crest.places[i], Vector2d(-along.y(), along.x()).normalized());
       if (height >= 0.0)
       {
         heights.push_back(height);

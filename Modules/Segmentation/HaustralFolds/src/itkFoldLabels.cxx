@@ -46,12 +46,13 @@ JoinAcrossCut(const cv::Mat1i & labels, int number)
 std::vector<FoldPixels>
 ConnectedFolds(const FoldPicture & picture, const std::vector<char> & mask)
 {
-  const cv::Mat1b image(picture.rows, picture.columns, reinterpret_cast<unsigned char *>(const_cast<char *>(mask.data())));
-  cv::Mat1i       labels;
+  const cv::Mat1b image(
+    picture.rows, picture.columns, reinterpret_cast<unsigned char *>(const_cast<char *>(mask.data())));
+  cv::Mat1i labels;
   // Labels may be numbered differently for other numbers of threads: only what hangs together is taken from them.
   const int               number = cv::connectedComponents(image, labels, 8, CV_32S);
-  std::vector<int> parents = JoinAcrossCut(labels, number);
-  std::vector<int> places(number, -1);
+  std::vector<int>        parents = JoinAcrossCut(labels, number);
+  std::vector<int>        places(number, -1);
   std::vector<FoldPixels> folds;
   for (int row = 0; row < picture.rows; ++row)
   {

@@ -31,8 +31,7 @@ public:
       const int    vertex = m_Graph.addVtx();
       const double odds = mixture.LogOdds(m_Picture.curvature[pixel]) * m_Picture.AreaOf(pixel);
       const bool   isWall = m_Picture.isWall[pixel] && m_Picture.curvature[pixel] > 0.0F;
-      m_Graph.addTermWeights(
-        vertex, isWall ? std::max(odds, 0.0) : 0.0, isWall ? std::max(-odds, 0.0) : never);
+      m_Graph.addTermWeights(vertex, isWall ? std::max(odds, 0.0) : 0.0, isWall ? std::max(-odds, 0.0) : never);
     }
   }
 

@@ -19,7 +19,10 @@ constexpr double degrees = 180.0 / 3.14159265358979323846;
 class FoldMeasurer
 {
 public:
-  FoldMeasurer(const FlatColonGrid & grid, const FoldPicture & picture, const FoldPixels & pixels, HaustralFoldScheme scheme)
+  FoldMeasurer(const FlatColonGrid & grid,
+               const FoldPicture &   picture,
+               const FoldPixels &    pixels,
+               HaustralFoldScheme    scheme)
     : m_Grid(grid)
     , m_Picture(picture)
     , m_Pixels(pixels)
@@ -72,12 +75,12 @@ private:
   {
     const auto [least, most] = std::minmax_element(
       m_Places.begin(), m_Places.end(), [](const Vector2d & a, const Vector2d & b) { return a.y() < b.y(); });
-    const bool isCut = least->y() < m_Picture.rows && most->y() >= m_Picture.rows;
-    const auto turnOf = [&](const Vector2d & place) { return std::floor((place.y() + 0.5) / m_Picture.rows); };
+    const bool   isCut = least->y() < m_Picture.rows && most->y() >= m_Picture.rows;
+    const auto   turnOf = [&](const Vector2d & place) { return std::floor((place.y() + 0.5) / m_Picture.rows); };
     const double turn = turnOf(m_Crest.places.front());
     return isCut || std::any_of(m_Crest.places.begin(), m_Crest.places.end(), [&](const Vector2d & place) {
-      return turnOf(place) != turn;
-    });
+             return turnOf(place) != turn;
+           });
   }
 
   void

@@ -16,10 +16,7 @@ struct MeasuredFold
 
 /** `floor`: see TraceCrest(); the published scheme takes the axis of the ellipse for the crest. */
 MeasuredFold
-MeasureFold(const FlatColonGrid &    grid,
-            const FoldPicture &      picture,
-            FoldPixels               pixels,
-            HaustralFoldScheme       scheme);
+MeasureFold(const FlatColonGrid & grid, const FoldPicture & picture, FoldPixels pixels, HaustralFoldScheme scheme);
 } // namespace itk
 
 #endif

@@ -77,8 +77,9 @@ private:
       {
         const int  column = m_Pixels[i].column + dx;
         const int  row = (m_Pixels[i].row + dy + m_Picture.rows) % m_Picture.rows;
-        const auto other = column < 0 || column >= m_Picture.columns ? m_PlaceOfPixel.end()
-                                                                     : m_PlaceOfPixel.find(m_Picture.Index(column, row));
+        const auto other = column < 0 || column >= m_Picture.columns
+                             ? m_PlaceOfPixel.end()
+                             : m_PlaceOfPixel.find(m_Picture.Index(column, row));
         if (other != m_PlaceOfPixel.end() && m_PartOf[other->second] >= 0)
         {
           found.emplace_back(-this->Value(other->second), this->Root(m_PartOf[other->second]));

@@ -126,23 +126,41 @@ WriteFoldFeatures(const HaustralFolds &                                    folds
 CsvTable
 TableOfFolds(const HaustralFolds & folds)
 {
-  CsvTable table({ "fold",    "arcLength", "u",     "v",             "x",          "y",           "z",
-                   "length",  "area",      "height", "elongation",   "angle",      "meanCurvature", "reliability",
-                   "crossesCut", "end1U",  "end1V", "end1X",         "end1Y",      "end1Z",       "end1Reliability",
-                   "end2U",   "end2V",     "end2X", "end2Y",         "end2Z",      "end2Reliability" });
+  CsvTable table({ "fold",
+                   "arcLength",
+                   "u",
+                   "v",
+                   "x",
+                   "y",
+                   "z",
+                   "length",
+                   "area",
+                   "height",
+                   "elongation",
+                   "angle",
+                   "meanCurvature",
+                   "reliability",
+                   "crossesCut",
+                   "end1U",
+                   "end1V",
+                   "end1X",
+                   "end1Y",
+                   "end1Z",
+                   "end1Reliability",
+                   "end2U",
+                   "end2V",
+                   "end2X",
+                   "end2Y",
+                   "end2Z",
+                   "end2Reliability" });
   for (const HaustralFold & fold : folds.folds)
   {
     std::vector<std::string> cells{
       std::to_string(fold.label), Cell(fold.arcLength), Cell(fold.centreUv.x()), Cell(fold.centreUv.y())
     };
     AddPoint(cells, fold.centre);
-    for (const double value : { fold.length,
-                                fold.area,
-                                fold.height,
-                                fold.elongation,
-                                fold.angle,
-                                fold.meanCurvature,
-                                fold.reliability })
+    for (const double value :
+         { fold.length, fold.area, fold.height, fold.elongation, fold.angle, fold.meanCurvature, fold.reliability })
     {
       cells.push_back(Cell(value));
     }

@@ -50,7 +50,10 @@ ClearBoundary(const SurfaceConnectivity & connectivity, Eigen::VectorXd & values
 /** Solves (M + step L) x = M x. Conjugate gradients: the system is near diagonal, and a factorisation would take as
  * much memory as the surface many times over. */
 void
-Diffuse(const SurfaceLaplacian & laplacian, const Eigen::SparseMatrix<double> & stiffness, double time, Eigen::VectorXd & x)
+Diffuse(const SurfaceLaplacian &            laplacian,
+        const Eigen::SparseMatrix<double> & stiffness,
+        double                              time,
+        Eigen::VectorXd &                   x)
 {
   Eigen::SparseMatrix<double> system = time / steps * stiffness;
   system.diagonal() += laplacian.mass;

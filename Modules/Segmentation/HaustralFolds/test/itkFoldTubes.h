@@ -1,7 +1,7 @@
 #ifndef itkFoldTubes_h
 #define itkFoldTubes_h
 
-#include "../../../Mesh/FlatColonGrid/test/itkFlatTestTubes.h"
+#include "itkFlatTestTubes.h"
 
 #include <vector>
 

@@ -16,8 +16,8 @@ using itk::FindHaustralFolds;
 using itk::FlatColonGrid;
 using itk::HaustralFold;
 using itk::HaustralFoldOptions;
-using itk::HaustralFoldScheme;
 using itk::HaustralFolds;
+using itk::HaustralFoldScheme;
 
 constexpr double pi = flattubes::pi;
 
@@ -36,9 +36,9 @@ DistanceOnMap(const FlatColonGrid & grid, const Eigen::Vector2d & a, const Eigen
 
 TEST(HaustralFolds, FindsFoldsWithTheirPlaceLengthAndHeight)
 {
-  const FlatColonGrid       grid(MakeTube(FourFolds()));
-  const HaustralFolds       found = FindHaustralFolds(grid);
-  const std::vector<Fold>   truth = FourFolds();
+  const FlatColonGrid     grid(MakeTube(FourFolds()));
+  const HaustralFolds     found = FindHaustralFolds(grid);
+  const std::vector<Fold> truth = FourFolds();
   ASSERT_EQ(found.folds.size(), truth.size());
   EXPECT_TRUE(found.warnings.empty());
   for (std::size_t i = 0; i < truth.size(); ++i)

@@ -67,8 +67,7 @@ TEST(SmoothedCurvature, ThePublishedOneGrowsWithTheFaces)
   const itk::SurfaceLaplacian laplacian =
     itk::MakeSurfaceLaplacian(itk::SurfaceConnectivity(tube.F, static_cast<int>(tube.V.rows())), tube.V);
   const Eigen::VectorXd perArea = itk::SmoothedMeanCurvature(tube.V, tube.F, 0.0);
-  const Eigen::VectorXd published =
-    itk::SmoothedMeanCurvature(tube.V, tube.F, 0.0, itk::CurvatureUnit::Published);
+  const Eigen::VectorXd published = itk::SmoothedMeanCurvature(tube.V, tube.F, 0.0, itk::CurvatureUnit::Published);
   EXPECT_LT((published + 2.0 * perArea.cwiseProduct(laplacian.mass)).norm(), 1e-9);
 }
 

@@ -99,10 +99,7 @@ DrawFlatDot(Picture * strip, const FlatColonGrid & grid, const FlatDot & dot)
 }
 
 std::vector<Eigen::Vector2d>
-PlacesOfCurve(const FlatColonGrid &                grid,
-              const std::vector<Eigen::Vector3d> & points,
-              double                               step,
-              double                               farthest)
+PlacesOfCurve(const FlatColonGrid & grid, const std::vector<Eigen::Vector3d> & points, double step, double farthest)
 {
   const FlatColonLocator       locator(grid);
   std::vector<Eigen::Vector2d> places;

@@ -62,7 +62,7 @@ DrawTaeniae(Picture * strip, const FlatColonGrid & grid, const CurveSet & taenia
     {
       points.emplace_back(taeniae.V.row(vertex));
     }
-    DrawFlatLine(strip, grid, { PlacesOfCurve(grid, points), colorOfTaeniae, 1.5 });
+    DrawFlatLine(strip, grid, { PlacesOfCurve(grid, points), colorOfTaeniae, 2.0 });
   }
 }
 

@@ -1,0 +1,121 @@
+#include "itkHaustralFoldFiles.h"
+
+#include "itkFoldTubes.h"
+#include "itkToolError.h"
+
+#include "itkImageFileReader.h"
+#include "itkNrrdImageIO.h"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+
+namespace
+{
+using foldtubes::MakeTube;
+
+const itk::FlatColonGrid &
+Grid()
+{
+  static const itk::FlatColonGrid grid(MakeTube({ { 40.0, 2.0, 18.0, 6.0 }, { 100.0, 4.0, 20.0, 8.0 } }));
+  return grid;
+}
+
+std::string
+Temporary(const std::string & name)
+{
+  const std::string folder = std::string(SHAPETON_TEST_TEMPORARY_DIR) + "/HaustralFoldFiles";
+  std::filesystem::create_directories(folder);
+  return folder + '/' + name;
+}
+} // namespace
+
+TEST(HaustralFoldFiles, FeaturesAreThreePointsOfEachFold)
+{
+  const itk::HaustralFolds folds = itk::FindHaustralFolds(Grid());
+  ASSERT_EQ(folds.folds.size(), 2u);
+  const std::string path = Temporary("features.vtp");
+  itk::WriteFoldFeatures(folds, {}, path);
+  const itk::CurveSet features = itk::ReadCurves(path);
+  ASSERT_EQ(features.curves.size(), 6u);
+  for (int row = 0; row < 6; ++row)
+  {
+    const itk::HaustralFold & fold = folds.folds[row / 3];
+    const int                 kind = row % 3;
+    EXPECT_EQ(itk::FindSurfaceArray(features.cellArrays, "fold")->values(row, 0), fold.label);
+    EXPECT_EQ(itk::FindSurfaceArray(features.cellArrays, "kind")->values(row, 0), kind);
+    EXPECT_NEAR(itk::FindSurfaceArray(features.cellArrays, "arcLength")->values(row, 0), fold.arcLength, 1e-4);
+    EXPECT_NEAR(itk::FindSurfaceArray(features.cellArrays, "reliability")->values(row, 0),
+                kind == 0 ? fold.reliability : fold.endReliability[kind - 1],
+                1e-6);
+    const Eigen::Vector3d point = kind == 0 ? fold.centre : fold.ends[kind - 1];
+    EXPECT_LT((features.V.row(features.curves[row][0]).transpose() - point).norm(), 1e-4);
+    const Eigen::Vector2d uv = kind == 0 ? fold.centreUv : fold.endUv[kind - 1];
+    EXPECT_LT((itk::FindSurfaceArray(features.cellArrays, "uv")->values.row(row).transpose() - uv).norm(), 1e-4);
+  }
+}
+
+TEST(HaustralFoldFiles, WithoutFoldsThereAreNoPoints)
+{
+  itk::HaustralFolds none;
+  const std::string  path = Temporary("none.vtp");
+  itk::WriteFoldFeatures(none, {}, path);
+  EXPECT_GT(std::filesystem::file_size(path), 0u);
+  EXPECT_TRUE(itk::TableOfFolds(none).GetRows().empty());
+  EXPECT_TRUE(itk::MarkupsOfFolds(none).empty());
+  EXPECT_TRUE(itk::ColorsOfFolds(none).empty());
+}
+
+TEST(HaustralFoldFiles, TheTableHasARowForEachFold)
+{
+  itk::HaustralFolds folds = itk::FindHaustralFolds(Grid());
+  folds.folds[1].height = std::numeric_limits<double>::quiet_NaN();
+  const itk::CsvTable table = itk::TableOfFolds(folds);
+  ASSERT_EQ(table.GetRows().size(), 2u);
+  const auto column = [&](const std::string & name) {
+    const auto & columns = table.GetColumns();
+    return std::find(columns.begin(), columns.end(), name) - columns.begin();
+  };
+  EXPECT_EQ(table.GetRows()[0][column("fold")], "1");
+  EXPECT_NEAR(std::stod(table.GetRows()[1][column("length")]), folds.folds[1].length, 1e-3);
+  EXPECT_NEAR(std::stod(table.GetRows()[1][column("end2Z")]), folds.folds[1].ends[1].z(), 1e-3);
+  EXPECT_EQ(table.GetRows()[1][column("height")], ""); // not known
+}
+
+TEST(HaustralFoldFiles, MarkupsAndColoursNameTheLabels)
+{
+  const itk::HaustralFolds       folds = itk::FindHaustralFolds(Grid());
+  const std::vector<itk::Markup> markups = itk::MarkupsOfFolds(folds);
+  ASSERT_EQ(markups.size(), 2u);
+  EXPECT_EQ(markups[0].points.size(), 2u);
+  EXPECT_EQ(markups[1].points.size(), 4u);
+  EXPECT_EQ(markups[1].labels[3], "2b");
+  EXPECT_EQ(markups[1].points[3], folds.folds[1].ends[1]);
+  const std::vector<itk::LabelColor> colors = itk::ColorsOfFolds(folds);
+  ASSERT_EQ(colors.size(), 2u);
+  EXPECT_EQ(colors[1].value, 2);
+  EXPECT_EQ(colors[1].name, "fold 2");
+}
+
+TEST(HaustralFoldFiles, LabelsAreReadBackWithTheirSpace)
+{
+  const itk::HaustralFolds folds = itk::FindHaustralFolds(Grid());
+  const std::string        path = Temporary("labels.nrrd");
+  itk::WriteFoldLabels(folds, Grid(), path, { { "note", "a test" } });
+  const auto reader = itk::ImageFileReader<itk::Image<unsigned short, 2>>::New();
+  reader->SetFileName(path);
+  reader->SetImageIO(itk::NrrdImageIO::New());
+  reader->Update();
+  EXPECT_EQ(reader->GetOutput()->GetLargestPossibleRegion(), folds.labels->GetLargestPossibleRegion());
+  EXPECT_LT((reader->GetOutput()->GetOrigin() - folds.labels->GetOrigin()).GetNorm(), 1e-9);
+  EXPECT_TRUE(std::equal(folds.labels->GetBufferPointer(),
+                         folds.labels->GetBufferPointer() + folds.labels->GetPixelContainer()->Size(),
+                         reader->GetOutput()->GetBufferPointer()));
+}
+
+TEST(HaustralFoldFiles, OtherExtensionsAndFoldersAreRefused)
+{
+  const itk::HaustralFolds folds = itk::FindHaustralFolds(Grid());
+  EXPECT_THROW(itk::WriteFoldLabels(folds, Grid(), "labels.png"), itk::UsageError);
+  EXPECT_THROW(itk::WriteFoldLabels(folds, Grid(), "/nowhere/labels.nrrd"), itk::OutputError);
+}

@@ -1,0 +1,39 @@
+#include "itkFlatColonOverlay.h"
+
+#include "itkFlatTestTubes.h"
+
+#include <gtest/gtest.h>
+
+namespace
+{
+const itk::FlatColonGrid &
+Grid()
+{
+  static const itk::FlatColonGrid grid(flattubes::MakeCylinder({}));
+  return grid;
+}
+} // namespace
+
+TEST(FlatColonPlaces, DotsLieWhereTheyShould)
+{
+  const itk::RGBColor  red = itk::MakeColor(255, 0, 0);
+  const auto           strip = itk::NewPicture(Grid().Columns(), Grid().Rows(), itk::MakeColor(0, 0, 0));
+  const itk::FlatPixel pixel = Grid().PixelOfUv({ 40.0, 30.0 });
+  itk::DrawFlatDot(strip, Grid(), { { 40.0, 30.0 }, red, 3.0 });
+  EXPECT_EQ(strip->GetPixel({ { pixel.column, pixel.row } }), red);
+  EXPECT_EQ(strip->GetPixel({ { pixel.column + 10, pixel.row } })[0], 0);
+}
+
+TEST(FlatColonPlaces, CurvesInSpaceBecomePlaces)
+{
+  const double                       radius = Grid().Circumference() / (2.0 * flattubes::pi);
+  const std::vector<Eigen::Vector3d> points{ flattubes::OnCylinder(radius, 20.0, -1.0),
+                                             flattubes::OnCylinder(radius, 100.0, -1.0),
+                                             flattubes::OnCylinder(500.0, 100.0, -1.0) };
+  const auto                         places = itk::PlacesOfCurve(Grid(), points, 1.0, 15.0);
+  ASSERT_GE(places.size(), 80u);
+  EXPECT_NEAR(places.front().x(), 20.0, 0.1);
+  EXPECT_NEAR(places.front().y(), radius, 0.2);
+  EXPECT_NEAR(places[79].x(), 99.0, 1.1);
+  EXPECT_FALSE(places.back().allFinite()); // far from the surface
+}
