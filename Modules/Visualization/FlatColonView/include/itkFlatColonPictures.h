@@ -34,7 +34,11 @@ struct FlatColonParts
   /** Hounsfield units. */
   const Image<float, 3> *     ct{ nullptr };
   std::vector<FlatAnnotation> annotations;
-  FlatColonOverlay            overlay;
+  /** \name What is drawn over the picture, in this order */
+  ///@{
+  std::vector<FlatOutlines> outlines;
+  std::vector<FlatLine>     lines;
+  ///@}
 };
 
 /** \class FlatColonPictures

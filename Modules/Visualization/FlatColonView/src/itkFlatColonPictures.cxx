@@ -79,7 +79,14 @@ FlatColonPictures::Draw(FlatColoring coloring, const std::string & title, int gr
   {
     strip = ReduceStrip(strip, samples, m_Grid->Columns(), m_Grid->Rows());
   }
-  PaintFlatOverlay(strip, *m_Grid, m_Parts.overlay);
+  for (const FlatOutlines & outlines : m_Parts.outlines)
+  {
+    DrawFlatOutlines(strip, *m_Grid, outlines);
+  }
+  for (const FlatLine & line : m_Parts.lines)
+  {
+    DrawFlatLine(strip, *m_Grid, line);
+  }
   FlatColonPageOptions options;
   options.title = title;
   options.note = NoteOn(*m_Grid, coloring);
