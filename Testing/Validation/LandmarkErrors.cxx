@@ -135,8 +135,9 @@ DistanceToLine(const Eigen::Vector3d & point, const Points & line)
   return least;
 }
 
-/** Distances for the assignment of found taeniae to true ones with the least mean. */
-std::vector<double>
+/** Distances of the points of each true taenia, for the assignment of found taeniae to true ones with the least mean.
+ */
+std::array<std::vector<double>, 3>
 DistancesOfTaeniae(const itk::ColonTaeniae & found, const Stretch & truth)
 {
   std::array<std::array<std::vector<double>, 3>, 3> distances;
@@ -150,24 +151,41 @@ DistancesOfTaeniae(const itk::ColonTaeniae & found, const Stretch & truth)
       }
     }
   }
-  std::array<int, 3>  order{ 0, 1, 2 };
-  std::vector<double> best;
-  double              least = infinite;
+  std::array<int, 3>                 order{ 0, 1, 2 };
+  std::array<std::vector<double>, 3> best;
+  double                             least = infinite;
   do
   {
-    std::vector<double> all;
+    double sum = 0.0;
     for (int t = 0; t < 3; ++t)
     {
-      all.insert(all.end(), distances[t][order[t]].begin(), distances[t][order[t]].end());
+      sum = std::accumulate(distances[t][order[t]].begin(), distances[t][order[t]].end(), sum);
     }
-    const double sum = std::accumulate(all.begin(), all.end(), 0.0);
     if (sum < least)
     {
       least = sum;
-      best = all;
+      best = { distances[0][order[0]], distances[1][order[1]], distances[2][order[2]] };
     }
   } while (std::next_permutation(order.begin(), order.end()));
   return best;
+}
+
+std::vector<double>
+AsOne(const std::array<std::vector<double>, 3> & parts)
+{
+  std::vector<double> all;
+  for (const std::vector<double> & part : parts)
+  {
+    all.insert(all.end(), part.begin(), part.end());
+  }
+  return all;
+}
+
+double
+MeanOf(const std::vector<double> & values)
+{
+  return std::accumulate(values.begin(), values.end(), 0.0) /
+         static_cast<double>(std::max<std::size_t>(values.size(), 1));
 }
 
 double
@@ -180,25 +198,29 @@ ShareWithin10(const std::vector<double> & distances)
 void
 MeasureTaeniae(const itk::ColonTaeniae & found, const itk::ColonAnatomy & anatomy, LandmarkErrors & errors)
 {
-  errors.taeniaMean = errors.taenia95 = errors.taeniaGreatest = infinite;
+  errors.taeniaMean = errors.taenia95 = errors.taeniaGreatest = errors.taeniaWorstMean = infinite;
   const std::vector<Stretch> stretches = OpenStretches(anatomy);
   if (found.taeniae.size() != 3 || Joined(stretches)[0].empty())
   {
     return;
   }
-  std::vector<double> distances;
+  std::array<std::vector<double>, 3> ofTaeniae;
   for (const Stretch & stretch : stretches)
   {
-    const std::vector<double> own = DistancesOfTaeniae(found, stretch);
-    distances.insert(distances.end(), own.begin(), own.end());
+    const std::array<std::vector<double>, 3> own = DistancesOfTaeniae(found, stretch);
+    for (int t = 0; t < 3; ++t)
+    {
+      ofTaeniae[t].insert(ofTaeniae[t].end(), own[t].begin(), own[t].end());
+    }
   }
+  std::vector<double> distances = AsOne(ofTaeniae);
   std::sort(distances.begin(), distances.end());
-  const double number = static_cast<double>(distances.size());
-  errors.taeniaMean = std::accumulate(distances.begin(), distances.end(), 0.0) / number;
-  errors.taenia95 = distances[static_cast<std::size_t>(0.95 * (number - 1.0))];
+  errors.taeniaMean = MeanOf(distances);
+  errors.taeniaWorstMean = std::max({ MeanOf(ofTaeniae[0]), MeanOf(ofTaeniae[1]), MeanOf(ofTaeniae[2]) });
+  errors.taenia95 = distances[static_cast<std::size_t>(0.95 * static_cast<double>(distances.size() - 1))];
   errors.taeniaGreatest = distances.back();
   errors.taeniaWithin10 = ShareWithin10(distances);
-  errors.taeniaIdentified10 = ShareWithin10(DistancesOfTaeniae(found, Joined(stretches)));
+  errors.taeniaIdentified10 = ShareWithin10(AsOne(DistancesOfTaeniae(found, Joined(stretches))));
 }
 } // namespace
 
@@ -217,16 +239,23 @@ MeasureLandmarks(const itk::ColonLandmarks & landmarks,
 }
 
 std::vector<Eigen::Vector3d>
-MarkersOfTruth(const itk::ColonAnatomy & anatomy, const std::array<double, 3> & shares)
+MarkersOfTruth(const itk::ColonAnatomy & anatomy)
 {
-  const Stretch                taeniae = Joined(OpenStretches(anatomy));
+  constexpr int                transverse = 4;
+  const itk::CurveSet          taeniae = anatomy.Taeniae();
+  const Eigen::VectorXd        arc = PointValues(taeniae, "arcLength", "the truth");
   std::vector<Eigen::Vector3d> markers;
-  for (int t = 0; t < 3; ++t)
+  for (const std::vector<int> & curve : taeniae.curves)
   {
-    if (!taeniae[t].empty())
+    std::vector<int> own;
+    for (const int vertex : curve)
     {
-      markers.push_back(taeniae[t][static_cast<std::size_t>(shares[t] * static_cast<double>(taeniae[t].size() - 1))]);
+      if (anatomy.SegmentAt(arc[vertex]) == transverse)
+      {
+        own.push_back(vertex);
+      }
     }
+    markers.push_back(taeniae.V.row(own[own.size() / 2]).transpose());
   }
   return markers;
 }

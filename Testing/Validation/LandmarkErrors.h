@@ -22,6 +22,8 @@ struct LandmarkErrors
   double taeniaMean{ 0.0 };
   double taenia95{ 0.0 };
   double taeniaGreatest{ 0.0 };
+  /** Of the three taeniae the one with the greatest mean distance, mm. */
+  double taeniaWorstMean{ 0.0 };
   /** Share of those points within 10 mm. */
   double taeniaWithin10{ 0.0 };
   /** The same share with one assignment for the whole colon. */
@@ -33,9 +35,8 @@ MeasureLandmarks(const itk::ColonLandmarks & landmarks,
                  const itk::CurveSet &       centreline,
                  const itk::ColonAnatomy &   anatomy);
 
-/** A point on each true taenia, where the colon is not collapsed, nearest to these shares of its length: what a person
- * would mark. */
+/** A point on each true taenia in the middle of the transverse colon, where a person sees them best. */
 std::vector<Eigen::Vector3d>
-MarkersOfTruth(const itk::ColonAnatomy & anatomy, const std::array<double, 3> & shares = { { 0.5, 0.5, 0.5 } });
+MarkersOfTruth(const itk::ColonAnatomy & anatomy);
 
 #endif

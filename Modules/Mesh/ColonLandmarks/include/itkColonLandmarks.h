@@ -55,7 +55,7 @@ ColonLandmarks_EXPORT SurfaceMesh
 FoldSurface(const SurfaceMesh & flat, const ColonLandmarks & landmarks);
 /** Keys, whose names stay: flexureRule, flexures (a list of number, name, found, reason, position, arcLength, uv,
  * confidence), caecum (the same), segments (a list of number, name, begin, end, length, area), surfaceFolds (number,
- * area), taeniae. \ingroup ColonLandmarks */
+ * leastCurvature in 1/mm, area), taeniae. \ingroup ColonLandmarks */
 ColonLandmarks_EXPORT Json
 ColonLandmarksToJson(const ColonLandmarks & landmarks);
 ///@}

@@ -10,8 +10,9 @@ struct SurfaceFoldOptions
 {
   /** Of the heat diffusion that smooths the curvature, mm^2. */
   double smoothingTime{ 3.0 };
-  /** Mean curvature from which a vertex belongs to a fold, 1/mm; positive where the wall bulges into the lumen. */
-  double leastCurvature{ 0.05 };
+  /** Mean curvature from which a face belongs to a fold, 1/mm; positive where the wall bulges into the lumen. 0 takes
+   * the value that parts the areas of wall and folds best (Otsu, 1979). */
+  double leastCurvature{ 0.0 };
   /** mm^2. */
   double leastArea{ 12.0 };
   /** Diagonal of the box of a fold, mm. */
@@ -21,6 +22,8 @@ struct SurfaceFoldOptions
 /** Folds found on the surface itself, without the flat picture (dissertation 4.2.1). \ingroup ColonLandmarks */
 struct SurfaceFolds
 {
+  /** That was used, 1/mm. */
+  double leastCurvature{ 0.0 };
   /** For each vertex of the tube, 1/mm. */
   Eigen::VectorXd curvature;
   /** For each face the number of its fold from 1 on, by the least face; 0 for wall. */

@@ -11,9 +11,12 @@ namespace itk
 {
 namespace
 {
-/** Medians of right matches are a few mm, of others several cm. */
-constexpr double greatestDistance = 15.0; // mm
-constexpr double pixelSize = 2.0;         // mm: the middle of the tube needs no more
+/** Of the length of the wall: where the centreline may run outside of it. Right ones have 0, those of another position
+ * of the same patient 0.24 and more. */
+constexpr double greatestShareOutside = 0.1;
+/** Narrow stretches are as good as this, mm. */
+constexpr double leastRadius = 8.0;
+constexpr double pixelSize = 2.0; // mm: the middle of the tube needs no more
 
 double
 Median(std::vector<double> values)
@@ -22,20 +25,33 @@ Median(std::vector<double> values)
   return values[values.size() / 2];
 }
 
-/** The median distance of the columns' middles from the places of the line that are assigned to them, mm. */
-double
-MedianDistance(const FlatColonAxis & axis, const CentrelineMatch & match)
+/** How the places of a line lie to the columns that they are assigned to. */
+struct MatchQuality
+{
+  /** Share of the tube's length along which the line is farther from the middle than the wall. */
+  double shareOutside{ 0.0 };
+  /** mm. */
+  double medianDistance{ 0.0 };
+};
+
+MatchQuality
+QualityOf(const FlatColonAxis & axis, const CentrelineMatch & match)
 {
   std::vector<double> distances;
-  for (std::size_t column = 0; column < match.arcLengthOfColumn.size(); ++column)
+  double              outside = 0.0;
+  double              all = 0.0;
+  for (Eigen::Index column = 0; column < axis.centres.rows(); ++column)
   {
     const double * begin = match.arcLength.data();
     const double * end = begin + match.arcLength.size();
     const auto     i = std::min<Eigen::Index>(std::lower_bound(begin, end, match.arcLengthOfColumn[column]) - begin,
                                           match.arcLength.size() - 1);
+    const double   length = column > 0 ? (axis.centres.row(column) - axis.centres.row(column - 1)).norm() : 0.0;
     distances.push_back((axis.centres.row(column) - match.points.row(i)).norm());
+    all += length;
+    outside += distances.back() > std::max(axis.radii[column], leastRadius) ? length : 0.0;
   }
-  return Median(distances);
+  return { all > 0.0 ? outside / all : 1.0, Median(distances) };
 }
 
 /** The median distance of the line's points from the nearest middle of a column, mm. */
@@ -79,9 +95,12 @@ Assign(const FlatColonGrid & grid, const FlatColonAxis & axis, const CurveSet & 
 
 /** Only called where the assignment is bad. */
 void
-ExplainMismatch(const FlatColonGrid & grid, const FlatColonAxis & axis, double distance, CentrelineMatch & match)
+ExplainMismatch(const FlatColonGrid & grid,
+                const FlatColonAxis & axis,
+                const MatchQuality &  quality,
+                CentrelineMatch &     match)
 {
-  if (MedianDistance(axis, Assign(grid, axis, Reversed(match))) <= greatestDistance)
+  if (QualityOf(axis, Assign(grid, axis, Reversed(match))).shareOutside <= greatestShareOutside)
   {
     throw InputError("the centreline runs from the caecum to the rectum of the flat surface. Turn its points round, or "
                      "flatten the surface with this centreline.");
@@ -93,11 +112,14 @@ ExplainMismatch(const FlatColonGrid & grid, const FlatColonAxis & axis, double d
     lengthOfAxis += (axis.centres.row(i) - axis.centres.row(i - 1)).norm();
   }
   const double near = MedianDistanceOfLine(axis, match.points);
-  if (lengthOfLine > 0.6 * lengthOfAxis || near > 0.7 * greatestDistance)
+  if (lengthOfLine > 0.6 * lengthOfAxis || near > leastRadius)
   {
-    throw InputError("the centreline lies " + std::to_string(static_cast<int>(std::lround(distance))) +
-                     " mm from the middle of the flat surface: they belong to different colons or positions. Give the "
-                     "centreline that was made with this surface.");
+    throw InputError("the centreline runs outside of the flat surface along " +
+                     std::to_string(static_cast<int>(std::lround(100.0 * quality.shareOutside))) +
+                     " % of its length (median distance from the middle " +
+                     std::to_string(static_cast<int>(std::lround(quality.medianDistance))) +
+                     " mm): they belong to different colons or positions. Give the centreline that was made with this "
+                     "surface.");
   }
   match.warnings.push_back("the centreline covers a part of the flat surface only: places beyond its ends have no "
                            "distance along it");
@@ -112,10 +134,10 @@ MatchCentreline(const SurfaceMesh & flat, const CurveSet & centreline)
   const FlatColonGrid grid(flat, options);
   const FlatColonAxis axis = MakeFlatColonAxis(grid);
   CentrelineMatch     match = Assign(grid, axis, centreline);
-  const double        distance = MedianDistance(axis, match);
-  if (distance > greatestDistance)
+  const MatchQuality  quality = QualityOf(axis, match);
+  if (quality.shareOutside > greatestShareOutside)
   {
-    ExplainMismatch(grid, axis, distance, match);
+    ExplainMismatch(grid, axis, quality, match);
   }
   return match;
 }

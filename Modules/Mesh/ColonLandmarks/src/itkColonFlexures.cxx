@@ -289,6 +289,14 @@ FindPublished(const CentrelineShape & shape, ColonFlexures & result)
 void
 WarnOfFlexures(ColonFlexures & result)
 {
+  const std::string & reason = result.flexures[0].reason;
+  const bool          isOneReason = std::all_of(
+    result.flexures.begin(), result.flexures.end(), [&](const ColonFlexure & f) { return f.reason == reason; });
+  if (isOneReason && !reason.empty())
+  {
+    result.warnings.push_back("no flexure was found: " + reason);
+    return;
+  }
   for (const ColonFlexure & flexure : result.flexures)
   {
     const std::string name = "the " + NameOfFlexure(flexure.number) + " flexure";

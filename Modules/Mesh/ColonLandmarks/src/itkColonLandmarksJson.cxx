@@ -195,7 +195,9 @@ ColonLandmarksToJson(const ColonLandmarks & landmarks)
   json["flexures"] = FlexuresToJson(landmarks);
   json["caecum"] = CaecumToJson(landmarks);
   json["segments"] = SegmentsToJson(landmarks);
-  json["surfaceFolds"] = { { "number", landmarks.folds.number }, { "area", Number(landmarks.folds.area) } };
+  json["surfaceFolds"] = { { "number", landmarks.folds.number },
+                           { "leastCurvature", Number(landmarks.folds.leastCurvature) },
+                           { "area", Number(landmarks.folds.area) } };
   json["taeniae"] = TaeniaeToJson(landmarks.taeniae);
   return json;
 }
