@@ -1,5 +1,7 @@
 #include "LandmarkErrors.h"
 
+#include "itkSurfaceLocator.h"
+
 #include <Eigen/Geometry>
 
 #include <algorithm>
@@ -73,15 +75,25 @@ ShareWithTrueSegment(const itk::ColonLandmarks & landmarks, const itk::ColonAnat
 /** Points of the three true taeniae along one stretch of the colon. */
 using Stretch = std::array<Points, 3>;
 
-/** The open stretches, between the collapsed ones. */
-std::vector<Stretch>
-OpenStretches(const itk::ColonAnatomy & anatomy)
+/** Where a fold reaches over the phantom's own centreline its three taeniae meet in it. */
+bool
+AreOnePoint(const itk::CurveSet & taeniae, std::size_t k)
 {
-  const itk::CurveSet   line = anatomy.Centreline();
-  const Eigen::VectorXd lineArc = PointValues(line, "arcLength", "the truth");
-  const Eigen::VectorXd collapsed = PointValues(line, "collapsed", "the truth");
-  std::vector<int>      stretchOf(lineArc.size(), -1);
-  int                   stretches = 0;
+  const auto at = [&](int t) { return taeniae.V.row(taeniae.curves[t][std::min(k, taeniae.curves[t].size() - 1)]); };
+  return (at(0) - at(1)).norm() < 1.0 && (at(0) - at(2)).norm() < 1.0;
+}
+
+/** The open stretches, between the collapsed ones, as far as there is a wall: bridges are longer than what is
+ * collapsed. */
+std::vector<Stretch>
+OpenStretches(const itk::ColonAnatomy & anatomy, const itk::ColonTube & tube)
+{
+  const itk::SurfaceLocator locator(tube.Points(), tube.Faces());
+  const itk::CurveSet       line = anatomy.Centreline();
+  const Eigen::VectorXd     lineArc = PointValues(line, "arcLength", "the truth");
+  const Eigen::VectorXd     collapsed = PointValues(line, "collapsed", "the truth");
+  std::vector<int>          stretchOf(lineArc.size(), -1);
+  int                       stretches = 0;
   for (Eigen::Index i = 0; i < lineArc.size(); ++i)
   {
     const bool begins = collapsed[i] == 0.0 && (i == 0 || collapsed[i - 1] != 0.0);
@@ -93,11 +105,12 @@ OpenStretches(const itk::ColonAnatomy & anatomy)
   std::vector<Stretch>  result(stretches);
   for (std::size_t t = 0; t < 3; ++t)
   {
-    for (const int vertex : taeniae.curves[t])
+    for (std::size_t k = 0; k < taeniae.curves[t].size(); ++k)
     {
+      const int      vertex = taeniae.curves[t][k];
       const double * begin = lineArc.data();
       const auto     i = std::lower_bound(begin, begin + lineArc.size() - 1, arc[vertex]) - begin;
-      if (stretchOf[i] >= 0)
+      if (stretchOf[i] >= 0 && !AreOnePoint(taeniae, k) && locator.FindClosest(taeniae.V.row(vertex)).distance < close)
       {
         result[stretchOf[i]][t].push_back(taeniae.V.row(vertex).transpose());
       }
@@ -196,10 +209,11 @@ ShareWithin10(const std::vector<double> & distances)
 }
 
 void
-MeasureTaeniae(const itk::ColonTaeniae & found, const itk::ColonAnatomy & anatomy, LandmarkErrors & errors)
+MeasureTaeniae(const itk::ColonLandmarks & landmarks, const itk::ColonAnatomy & anatomy, LandmarkErrors & errors)
 {
   errors.taeniaMean = errors.taenia95 = errors.taeniaGreatest = errors.taeniaWorstMean = infinite;
-  const std::vector<Stretch> stretches = OpenStretches(anatomy);
+  const itk::ColonTaeniae &  found = landmarks.taeniae;
+  const std::vector<Stretch> stretches = OpenStretches(anatomy, *landmarks.tube);
   if (found.taeniae.size() != 3 || Joined(stretches)[0].empty())
   {
     return;
@@ -234,7 +248,7 @@ MeasureLandmarks(const itk::ColonLandmarks & landmarks,
   errors.areFlexuresWithin30 =
     std::all_of(errors.flexures.begin(), errors.flexures.end(), [](double error) { return error <= 30.0; });
   errors.labelledShare = ShareWithTrueSegment(landmarks, anatomy);
-  MeasureTaeniae(landmarks.taeniae, anatomy, errors);
+  MeasureTaeniae(landmarks, anatomy, errors);
   return errors;
 }
 

@@ -25,6 +25,8 @@ constexpr double reliefAngles = 2.0;
 constexpr int bendHarmonics = 2;
 /** Folds end where the band of a taenia begins, and fade out before: from their ends to its middle, mm. */
 constexpr double halfBand = 6.0;
+/** At the ends of the tube the wall closes: evidence fades out over so many mm. */
+constexpr double fadingLength = 40.0;
 /** Folds that run along the tube end anywhere: least sine of their angle against it. */
 constexpr double leastSine = 0.35;
 
@@ -227,8 +229,11 @@ MakeTaeniaEvidence(const FlatColonGrid & grid, const ColonTube & tube, const Hau
   RemoveBends(relief, evidence.rows);
   for (std::size_t i = 0; i < endDensity.size(); ++i)
   {
+    const double s = evidence.arcLength[i / angles];
+    const double toEnd = std::min(s - evidence.arcLength.front(), evidence.arcLength.back() - s);
+    const double share = std::clamp(toEnd / fadingLength, 0.0, 1.0);
     evidence.cost.push_back(
-      static_cast<float>(foldWeight * foldDensity[i] - endWeight * endDensity[i] - reliefWeight * relief[i]));
+      static_cast<float>(share * (foldWeight * foldDensity[i] - endWeight * endDensity[i] - reliefWeight * relief[i])));
   }
   return evidence;
 }
