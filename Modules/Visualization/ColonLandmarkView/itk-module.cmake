@@ -11,5 +11,6 @@ itk_module(ColonLandmarkView
     CommandLine
   TEST_DEPENDS
     ITKGoogleTest
+    ITKCommon
   DESCRIPTION "${DOCUMENTATION}"
 )
