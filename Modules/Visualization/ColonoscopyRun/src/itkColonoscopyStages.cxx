@@ -129,6 +129,7 @@ Landmarks(const CommandLine & commandLine, const StagedRun & run)
   stage.Input("", run.PathOf(names::flattening, "flat.vtp"))
     .Input("", run.PathOf(names::segmentation, "centreline.vtp"))
     .Output("", "")
+    .Output("report", "report")
     .Expect({ "landmarks.json", "segments.vtp" });
   passer.PassInput(stage, "markers");
   passer.Pass(stage, { "flexureRule", "taeniaRule", "split" });
