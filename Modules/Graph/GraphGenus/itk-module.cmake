@@ -10,6 +10,7 @@ itk_module(GraphGenus
     CounterRandom
     ParallelLoops
   TEST_DEPENDS
+    CounterRandom
     CommandLine
     ITKGoogleTest
     ParallelLoops

@@ -14,8 +14,8 @@ namespace itk
 /** How a rotation system of small genus is sought. \ingroup GraphGenus */
 enum class GenusMethod
 {
-  /** Planarity first (Boyer and Myrvold 2004); then each block that is not planar, without nodes of degree two and
-   * multiple edges, by annealed re-insertion of its edges. */
+  /** Planarity first (left-right test, Brandes 2009); then each block that is not planar, without nodes of degree two
+   * and multiple edges, by annealed re-insertion of its edges. */
   Annealing,
   /** The dissertation's (section 6.3.1): random orders, then a genetic algorithm that changes the orders of nodes that
    * lie several times in a face. It finds larger genera, also for planar graphs. */

@@ -1,9 +1,7 @@
 #include "itkPlanarRotation.h"
 
 #include "itkGraphGenus.h"
-
-#include <boost/graph/adjacency_list.hpp>
-#include <boost/graph/boyer_myrvold_planar_test.hpp>
+#include "itkLeftRightPlanarity.h"
 
 #include <algorithm>
 #include <numeric>
@@ -13,13 +11,6 @@ namespace itk
 {
 namespace
 {
-using BoostGraph = boost::adjacency_list<boost::vecS,
-                                         boost::vecS,
-                                         boost::undirectedS,
-                                         boost::property<boost::vertex_index_t, int>,
-                                         boost::property<boost::edge_index_t, int>>;
-using BoostEdge = boost::graph_traits<BoostGraph>::edge_descriptor;
-
 std::pair<int, int>
 Ends(const std::array<int, 2> & edge)
 {
@@ -49,33 +40,17 @@ FirstParallels(const Graph & graph)
 bool
 EmbedSimple(const Graph & graph, const std::vector<int> & first, std::vector<int> & next)
 {
-  BoostGraph boostGraph(graph.nodes);
+  std::vector<bool> isUsed(first.size());
   for (std::size_t e = 0; e < first.size(); ++e)
   {
-    if (first[e] == static_cast<int>(e))
-    {
-      boost::add_edge(graph.edges[e][0], graph.edges[e][1], static_cast<int>(e), boostGraph);
-    }
+    isUsed[e] = first[e] == static_cast<int>(e);
   }
-  std::vector<std::vector<BoostEdge>> orders(graph.nodes);
-  namespace parameters = boost::boyer_myrvold_params;
-  if (!boost::boyer_myrvold_planarity_test(parameters::graph = boostGraph, parameters::embedding = orders.data()))
+  LeftRightPlanarity planarity(graph, isUsed);
+  if (planarity.IsPlanar())
   {
-    return false;
+    planarity.WriteNextAround(next);
   }
-  for (int v = 0; v < graph.nodes; ++v)
-  {
-    const auto halfEdge = [&](const BoostEdge & edge) {
-      const int e = boost::get(boost::edge_index, boostGraph, edge);
-      return graph.edges[e][0] == v ? 2 * e : 2 * e + 1;
-    };
-    const auto & order = orders[v];
-    for (std::size_t i = 0; i < order.size(); ++i)
-    {
-      next[halfEdge(order[i])] = halfEdge(order[i + 1 < order.size() ? i + 1 : 0]);
-    }
-  }
-  return true;
+  return planarity.IsPlanar();
 }
 
 /** Puts each further parallel edge beside the first one, so that they bound a face of two edges. */
