@@ -27,6 +27,7 @@ struct PackedMap
   int                           graphNodes{ 0 };
   int                           graphEdges{ 0 };
   std::vector<std::vector<int>> subdivided;
+  int                           rings{ 0 }; ///< faces that meet a node twice, with an innermost ring of their own
 };
 
 /** \brief The faces that stand in the way of a circle packing: those that meet a node twice, and those that share two
@@ -51,19 +52,31 @@ struct RicciFlowEmbedding_EXPORT FaceConflicts
   std::string reason;
 };
 
+/** How a map is made packable. \ingroup RicciFlowEmbedding */
+struct AugmentationOptions
+{
+  AugmentationOptions(Augmentation kind = Augmentation::Ring) : augmentation(kind) {}
+
+  Augmentation augmentation;
+  /** Of a ring in a face that meets a node twice: the most half-edges for one dummy, >= 1. */
+  int halfEdgesOfDummy{ 2 };
+  /** See FaceConflicts. */
+  std::vector<std::string> names;
+};
+
 /** \brief Makes a map that has a circle packing.
  *
  * With Augmentation::Ring: components are joined by a dummy node that sees the longest face of each; loops and parallel
- * edges are divided by dummy nodes; a face in conflict (see FaceConflicts) is filled with a ring of one dummy for each
- * of its half-edges where it meets a node twice, then with rings of half the number of nodes each, while more than six
- * are left, then with one dummy in the centre. So radii fall by a constant factor from ring to ring, not from node to
- * node. Faces without conflict and triangles stay as they are, hence a 3-connected map does. Any genus.
+ * edges are divided by dummy nodes; a face in conflict (see FaceConflicts) is filled with rings: where it meets a node
+ * twice, first with one dummy for each two half-edges, or for one where two would meet a node twice; then with rings of
+ * half the number of nodes each, while more than six are left, then with one dummy in the centre. So radii fall by a
+ * constant factor from ring to ring, not from node to node. Faces without conflict and triangles stay as they are,
+ * hence a 3-connected map does. Any genus.
  *
- * With Augmentation::None the map must be connected and free of conflicts; else InputError says what is in the way;
- * `names` as in FaceConflicts.
+ * With Augmentation::None the map must be connected and free of conflicts; else InputError says what is in the way.
  * \ingroup RicciFlowEmbedding */
 RicciFlowEmbedding_EXPORT PackedMap
-MakePackedMap(const CombinatorialMap & map, Augmentation augmentation, const std::vector<std::string> & names = {});
+MakePackedMap(const CombinatorialMap & map, const AugmentationOptions & options = {});
 } // namespace itk
 
 #endif

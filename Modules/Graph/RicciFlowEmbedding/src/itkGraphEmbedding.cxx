@@ -13,6 +13,11 @@ namespace itk
 {
 namespace
 {
+/** A larger packing is not computed several times to choose the best. */
+constexpr int mostNodesForChoice = 4000;
+/** What a verifier takes. */
+constexpr double worstWordResidual = 1e-6;
+
 /** Packed edges that the graph's edges are made of. */
 std::vector<int>
 EdgesOfGraph(const PackedMap & packed)
@@ -153,10 +158,12 @@ AddHyperbolicSurface(const CombinatorialMap & map, EmbeddingCertificate & certif
   {
     certificate.statistics.emplace_back("canonicalResidual", relation.canonicalResidual);
   }
-  if (!relation.isRefined)
+  if (!(relation.residual <= worstWordResidual))
   {
-    certificate.warnings.emplace_back("the deck transformations are too large for their relation to hold in double "
-                                      "precision; the packing is not affected");
+    certificate.warnings.emplace_back(
+      "the relation of the deck transformations does not hold to 1e-6 in double precision, "
+      "as their matrices are large: the verifier refuses this certificate; the packing "
+      "itself is not affected");
   }
 }
 
@@ -194,15 +201,18 @@ AddSmallestCircle(EmbeddingCertificate & certificate)
 namespace
 {
 EmbeddingCertificate
-EmbedMap(const Graph & graph, const CombinatorialMap & map, const GraphEmbeddingOptions & options)
+EmbedMap(const Graph &                 graph,
+         const CombinatorialMap &      map,
+         const AugmentationOptions &   augmentation,
+         const GraphEmbeddingOptions & options)
 {
-  PackedMap            packed = MakePackedMap(map, options.augmentation, graph.names);
+  PackedMap            packed = MakePackedMap(map, augmentation);
   EmbeddingCertificate certificate;
   if (map.Genus() == 0)
   {
     const CanonicalMapOrder order(packed.map, options.isRotationFree);
     const CombinatorialMap  seen = order.isMirrored ? map.Mirrored() : map;
-    packed = order.isMirrored ? MakePackedMap(seen, options.augmentation) : std::move(packed);
+    packed = order.isMirrored ? MakePackedMap(seen, augmentation) : std::move(packed);
     certificate = BeginCertificate(graph, seen, packed);
     AddSphere(packed, options.infinity, order.rank, certificate);
   }
@@ -211,6 +221,7 @@ EmbedMap(const Graph & graph, const CombinatorialMap & map, const GraphEmbedding
     certificate = BeginCertificate(graph, map, packed);
     certificate.genus == 1 ? AddTorus(packed.map, certificate) : AddHyperbolicSurface(packed.map, certificate);
   }
+  certificate.statistics.emplace_back("rings", packed.rings);
   return certificate;
 }
 
@@ -239,18 +250,50 @@ IsSameMap(const CombinatorialMap & one, const CombinatorialMap & other)
 }
 } // namespace
 
+namespace
+{
+/** Embeddings with other arrangements of the blocks and other rings, where there are any: of these the one with the
+ * largest smallest circle takes the place of `best`. */
+void
+TryOthers(const Graph &                 graph,
+          const CombinatorialMap &      given,
+          const CombinatorialMap &      arranged,
+          const GraphEmbeddingOptions & options,
+          EmbeddingCertificate &        best)
+{
+  const bool          isArranged = !IsSameMap(given, arranged) && given.Genus() == arranged.Genus();
+  const bool          hasRings = best.statistics.back().second > 0.0;
+  AugmentationOptions augmentation(options.augmentation);
+  for (const int halfEdges : { 2, 4, 1 })
+  {
+    for (const CombinatorialMap * map : { &arranged, &given })
+    {
+      const bool isNew = map == &arranged ? halfEdges != 2 && hasRings : isArranged && (halfEdges == 2 || hasRings);
+      if (!isNew)
+      {
+        continue;
+      }
+      augmentation.halfEdgesOfDummy = halfEdges;
+      EmbeddingCertificate other = EmbedMap(graph, *map, augmentation, options);
+      if (SmallestCircle(other) > SmallestCircle(best))
+      {
+        best = std::move(other);
+      }
+    }
+  }
+}
+} // namespace
+
 EmbeddingCertificate
 EmbedGraph(const Graph & graph, const CombinatorialMap & map, const GraphEmbeddingOptions & options)
 {
   const CombinatorialMap arranged = options.isRotationFree ? ArrangeBlocks(map) : map;
-  EmbeddingCertificate   certificate = EmbedMap(graph, arranged, options);
-  if (!IsSameMap(map, arranged) && map.Genus() == certificate.genus)
+  AugmentationOptions    augmentation(options.augmentation);
+  augmentation.names = graph.names;
+  EmbeddingCertificate certificate = EmbedMap(graph, arranged, augmentation, options);
+  if (options.isRotationFree && certificate.packed.nodes <= mostNodesForChoice)
   {
-    EmbeddingCertificate other = EmbedMap(graph, map, options);
-    if (SmallestCircle(other) > SmallestCircle(certificate))
-    {
-      certificate = std::move(other);
-    }
+    TryOthers(graph, map, arranged, options, certificate);
   }
   AddSmallestCircle(certificate);
   return certificate;

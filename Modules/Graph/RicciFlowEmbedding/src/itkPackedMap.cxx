@@ -113,13 +113,61 @@ DivideBadEdges(const CombinatorialMap & map, std::vector<std::vector<int>> & sub
   return builder.Build();
 }
 
-/** Dummies for a face whose half-edges are `boundary`: each covers `covered` of them, is joined with all nodes of
- * those, and with the dummies before and after it. Returns the boundary of the face that is left. */
+/** Where each dummy of a ring begins: the indices of its first half-edges, ascending. */
+using RingParts = std::vector<int>;
+
+RingParts
+EvenParts(std::size_t length, std::size_t covered)
+{
+  RingParts parts;
+  for (std::size_t i = 0; i < length; i += covered)
+  {
+    parts.push_back(static_cast<int>(i));
+  }
+  return parts;
+}
+
+/** Turns a boundary that visits leaves so that it begins at one; nothing else changes. */
+void
+BeginAtLeaf(std::vector<int> & boundary)
+{
+  for (std::size_t i = 0; i < boundary.size(); ++i)
+  {
+    if (boundary[i] == CombinatorialMap::Twin(boundary[(i + boundary.size() - 1) % boundary.size()]))
+    {
+      std::rotate(boundary.begin(), boundary.begin() + i, boundary.end());
+      return;
+    }
+  }
+}
+
+/** Parts of at most `covered` half-edges, none of which meets a node twice: few dummies, so the nodes stay large. */
+RingParts
+SimpleParts(const MapBuilder & builder, const std::vector<int> & boundary, int covered)
+{
+  const int        length = static_cast<int>(boundary.size());
+  RingParts        parts;
+  std::vector<int> nodes; // of the part, its end included
+  for (int i = 0; i < length; ++i)
+  {
+    const int end = builder.Node(boundary[(i + 1) % length]);
+    if (parts.empty() || i - parts.back() == covered || std::find(nodes.begin(), nodes.end(), end) != nodes.end())
+    {
+      parts.push_back(i);
+      nodes.assign(1, builder.Node(boundary[i]));
+    }
+    nodes.push_back(end);
+  }
+  return parts.size() < 3 ? EvenParts(length, 1) : parts;
+}
+
+/** Dummies for a face whose half-edges are `boundary`: each is joined with all nodes of its part, and with the dummies
+ * before and after it. Returns the boundary of the face that is left. */
 std::vector<int>
-AddRing(MapBuilder & builder, const std::vector<int> & boundary, int covered)
+AddRing(MapBuilder & builder, const std::vector<int> & boundary, const RingParts & parts)
 {
   const int                     length = static_cast<int>(boundary.size());
-  const int                     number = (length + covered - 1) / covered;
+  const int                     number = static_cast<int>(parts.size());
   const int                     first = builder.Nodes();
   std::vector<std::vector<int>> around(number);
   std::vector<int>              last(boundary); // at each corner: after it comes what is still to be put there
@@ -128,16 +176,16 @@ AddRing(MapBuilder & builder, const std::vector<int> & boundary, int covered)
   {
     builder.AddNode();
   }
+  const auto endOf = [&](int j) { return j + 1 < number ? parts[j + 1] : length; };
   // At a corner between two dummies the later one's half-edge comes first, counter-clockwise.
   for (int j = 0; j < number; ++j)
   {
-    const int begin = j * covered;
-    const int end = std::min(length, begin + covered);
-    for (int i = begin; i <= end; ++i)
+    const int begin = parts[j];
+    for (int i = begin; i <= endOf(j); ++i)
     {
       around[j].push_back(builder.AddEdge(first + j, builder.Node(boundary[i % length])));
     }
-    for (int i = begin; i < end; ++i)
+    for (int i = begin; i < endOf(j); ++i)
     {
       builder.InsertAfter(last[i], around[j][i - begin] + 1);
       last[i] = i == begin ? around[j][0] + 1 : last[i];
@@ -145,8 +193,7 @@ AddRing(MapBuilder & builder, const std::vector<int> & boundary, int covered)
   }
   for (int j = 0; j < number; ++j)
   {
-    const int corner = std::min(length, (j + 1) * covered) % length;
-    builder.InsertAfter(last[corner], around[j].back() + 1);
+    builder.InsertAfter(last[endOf(j) % length], around[j].back() + 1);
     ring[j] = builder.AddEdge(first + j, first + (j + 1) % number);
   }
   for (int j = 0; j < number; ++j)
@@ -203,7 +250,7 @@ FillSmallMap(const CombinatorialMap & map)
 }
 
 CombinatorialMap
-FillFaces(const CombinatorialMap & map)
+FillFaces(const CombinatorialMap & map, int halfEdgesOfDummy, int & rings)
 {
   const FaceConflicts conflicts(map);
   MapBuilder          builder(map);
@@ -216,11 +263,13 @@ FillFaces(const CombinatorialMap & map)
     }
     if (conflicts.meetsANodeTwice[face])
     {
-      boundary = AddRing(builder, boundary, 1);
+      ++rings;
+      BeginAtLeaf(boundary);
+      boundary = AddRing(builder, boundary, SimpleParts(builder, boundary, halfEdgesOfDummy));
     }
     while (boundary.size() > largestStar)
     {
-      boundary = AddRing(builder, boundary, 2);
+      boundary = AddRing(builder, boundary, EvenParts(boundary.size(), 2));
     }
     if (boundary.size() > 3)
     {
@@ -262,7 +311,7 @@ RequirePackable(const CombinatorialMap & map, const std::vector<std::string> & n
 } // namespace
 
 PackedMap
-MakePackedMap(const CombinatorialMap & map, Augmentation augmentation, const std::vector<std::string> & names)
+MakePackedMap(const CombinatorialMap & map, const AugmentationOptions & options)
 {
   PackedMap packed;
   packed.graphNodes = map.Nodes();
@@ -271,15 +320,16 @@ MakePackedMap(const CombinatorialMap & map, Augmentation augmentation, const std
   {
     throw InputError("a graph without nodes cannot be embedded");
   }
-  if (augmentation == Augmentation::None)
+  if (options.augmentation == Augmentation::None)
   {
-    RequirePackable(map, names);
+    RequirePackable(map, options.names);
     packed.map = map;
     return packed;
   }
   packed.map = DivideBadEdges(JoinComponents(map), packed.subdivided);
   const bool isTriangle = packed.map.Nodes() == 3 && packed.map.Edges() == 3;
-  packed.map = packed.map.Nodes() <= 2 || isTriangle ? FillSmallMap(packed.map) : FillFaces(packed.map);
+  packed.map = packed.map.Nodes() <= 2 || isTriangle ? FillSmallMap(packed.map)
+                                                     : FillFaces(packed.map, options.halfEdgesOfDummy, packed.rings);
   return packed;
 }
 } // namespace itk

@@ -1,0 +1,122 @@
+// Circle packing by Newton's method beside a sweep of Thurston's method and the plain gradient flow, on the same map
+// with the same circles at infinity, all to a curvature of 1e-10; the embedding beside Graphviz's sfdp: time and
+// crossings. usage: GraphEmbeddingBenchmark [--large], which adds maps of a million nodes.
+#include "GraphPackingPeers.h"
+
+#include "itkGraphEmbedding.h"
+#include "itkGraphFamilies.h"
+#include "itkGraphGenus.h"
+
+#include <sys/resource.h>
+
+#include <chrono>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <fstream>
+#include <functional>
+#include <sstream>
+
+namespace
+{
+using namespace itk;
+
+double
+Seconds(const std::function<void()> & body)
+{
+  const auto start = std::chrono::steady_clock::now();
+  body();
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+double
+PeakGigabytes()
+{
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  return usage.ru_maxrss / 1048576.0;
+}
+
+void
+PrintBound(const char * text, double value, bool isMet, double asked)
+{
+  std::printf("  %-66s %10.4g   asked %g   %s\n", text, value, asked, isMet ? "met" : "NOT MET");
+}
+
+void
+CompareWithPeers()
+{
+  const CombinatorialMap  map = peers::GridOnSphere(55);
+  const CirclesAtInfinity infinite = peers::CirclesThroughFirstEdge(map);
+  CirclePacking           packing;
+  const double            newton = Seconds([&] { packing = PackCircles(map, FlowGeometry::Euclidean, infinite); });
+  const peers::PeerRun    sweep = peers::RunPeer(map, infinite, peers::Method::ThurstonSweep);
+  const peers::PeerRun    flow = peers::RunPeer(map, infinite, peers::Method::GradientFlow);
+  std::printf("%d nodes, %d edges, genus 0, to 1e-10\n", map.Nodes(), map.Edges());
+  std::printf("  Newton                %9.3f s  %8d steps   residual %.1e\n", newton, packing.steps, packing.residual);
+  for (const auto & [name, run] : { std::pair("Thurston sweeps", sweep), { "gradient flow", flow } })
+  {
+    std::printf("  %-20s  %9.3f s  %8.0f steps   residual %.1e%s\n",
+                name,
+                run.seconds,
+                run.steps,
+                run.residual,
+                run.isExtrapolated ? "   (extrapolated from the rate at the end)" : "");
+  }
+  PrintBound("Thurston / Newton", sweep.seconds / newton, sweep.seconds >= 100.0 * newton, 100.0);
+  PrintBound("gradient flow / Newton", flow.seconds / newton, flow.seconds >= 1000.0 * newton, 1000.0);
+}
+
+void
+CompareWithSfdp(const char * name, const Graph & graph)
+{
+  CombinatorialMap     map;
+  const double         embedding = Seconds([&] {
+    if (FindPlanarEmbedding(graph, map))
+    {
+      EmbedGraph(graph, map);
+    }
+  });
+  const peers::SfdpRun sfdp = peers::RunSfdp(graph);
+  if (sfdp.seconds < 0.0)
+  {
+    std::printf("  %-24s %8.3f s, 0 crossings; sfdp is not installed\n", name, embedding);
+    return;
+  }
+  std::printf(
+    "  %-24s %8.3f s, 0 crossings; sfdp %8.3f s, %ld crossings\n", name, embedding, sfdp.seconds, sfdp.crossings);
+}
+
+void
+Measure(const char * text, const CombinatorialMap & map, double asked)
+{
+  const Graph          graph = map.ToGraph();
+  EmbeddingCertificate certificate;
+  const double         seconds = Seconds([&] { certificate = EmbedGraph(graph, map); });
+  std::printf("%d nodes, %d edges, genus %d: residual %.1e, up to here %.2f GB\n",
+              map.Nodes(),
+              map.Edges(),
+              certificate.genus,
+              certificate.statistics.front().second,
+              PeakGigabytes());
+  PrintBound(text, seconds, seconds <= asked, asked);
+}
+} // namespace
+
+int
+main(int argc, char * argv[])
+{
+  CompareWithPeers();
+  std::printf("planar embedding and packing beside sfdp\n");
+  CompareWithSfdp("grid 55 x 55", GridGraph(55, 55));
+  CompareWithSfdp("triangles on a sphere", peers::GridOnSphere(55).ToGraph());
+  CompareWithSfdp("path of 80", PathGraph(80));
+  Measure("seconds, 3,000 nodes", peers::GridOnSphere(55), 0.5);
+  Measure("seconds, 10,000 nodes on a torus", TorusGridMap(100, 100), 2.0);
+  if (argc > 1 && std::strcmp(argv[1], "--large") == 0)
+  {
+    Measure("seconds, a million nodes on a torus", peers::GridOnTorus(1000), 60.0);
+    Measure("seconds, a million nodes on a sphere", peers::GridOnSphere(1000), 60.0);
+  }
+  return 0;
+}

@@ -1,0 +1,349 @@
+#include "GraphPackingPeers.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+#include <unordered_map>
+
+namespace peers
+{
+namespace
+{
+using itk::CombinatorialMap;
+using Triangle = std::array<int, 3>;
+
+constexpr double pi = 3.14159265358979323846;
+constexpr double wanted = 1e-10;
+constexpr double mostSeconds = 60.0;
+
+double
+SecondsSince(std::chrono::steady_clock::time_point start)
+{
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+/** Two triangles of a square, divided by a diagonal that looks random. */
+void
+AddSquare(int p, int q, int r, int s, unsigned int & state, std::vector<Triangle> & triangles)
+{
+  state = state * 1664525U + 1013904223U;
+  if (state >> 31)
+  {
+    triangles.push_back({ p, q, r });
+    triangles.push_back({ p, r, s });
+  }
+  else
+  {
+    triangles.push_back({ p, q, s });
+    triangles.push_back({ q, r, s });
+  }
+}
+
+CombinatorialMap
+MapOf(int nodes, const std::vector<Triangle> & triangles)
+{
+  std::unordered_map<long long, int> halfEdge;
+  std::vector<std::array<int, 2>>    edges;
+  const auto                         key = [nodes](int a, int b) { return static_cast<long long>(a) * nodes + b; };
+  for (const Triangle & t : triangles)
+  {
+    for (int k = 0; k < 3; ++k)
+    {
+      const auto twin = halfEdge.find(key(t[(k + 1) % 3], t[k]));
+      if (twin == halfEdge.end())
+      {
+        halfEdge[key(t[k], t[(k + 1) % 3])] = static_cast<int>(2 * edges.size());
+        edges.push_back({ t[k], t[(k + 1) % 3] });
+      }
+      else
+      {
+        const int h = twin->second ^ 1;
+        halfEdge[key(t[k], t[(k + 1) % 3])] = h;
+      }
+    }
+  }
+  std::vector<int> next(2 * edges.size());
+  for (const Triangle & t : triangles)
+  {
+    for (int k = 0; k < 3; ++k)
+    {
+      next[halfEdge[key(t[k], t[(k + 1) % 3])]] = halfEdge[key(t[k], t[(k + 2) % 3])];
+    }
+  }
+  return { nodes, edges, next };
+}
+
+/** Circles as one list, nodes first, each with those it meets at a right angle. */
+struct Packing
+{
+  Packing(const CombinatorialMap & map, const itk::CirclesAtInfinity & infinite)
+    : neighbours(map.Nodes() + map.Faces())
+    , radius(neighbours.size(), 1.0)
+    , lines(neighbours.size(), 0)
+    , isLine(radius.size(), 0)
+  {
+    for (int node = 0; node < map.Nodes(); ++node)
+    {
+      isLine[node] = infinite.lineNodes[node];
+    }
+    for (int face = 0; face < map.Faces(); ++face)
+    {
+      isLine[map.Nodes() + face] = infinite.lineFaces[face];
+    }
+    for (int h = 0; h < map.HalfEdges(); ++h)
+    {
+      const int node = map.Node(h);
+      const int face = map.Nodes() + map.Face(h);
+      this->Meet(node, face);
+      this->Meet(face, node);
+    }
+  }
+  void
+  Meet(int one, int other)
+  {
+    if (isLine[other])
+    {
+      ++lines[one];
+    }
+    else
+    {
+      neighbours[one].push_back(other);
+    }
+  }
+  double
+  Angle(std::size_t i) const
+  {
+    double angle = pi * lines[i];
+    for (const int j : neighbours[i])
+    {
+      angle += 2.0 * std::atan(radius[j] / radius[i]);
+    }
+    return angle;
+  }
+
+  std::vector<std::vector<int>> neighbours;
+  std::vector<double>           radius;
+  std::vector<int>              lines;
+  std::vector<char>             isLine;
+};
+
+/** Returns the largest curvature that was met. */
+double
+Sweep(Packing & packing)
+{
+  double largest = 0.0;
+  for (std::size_t i = 0; i < packing.radius.size(); ++i)
+  {
+    if (packing.isLine[i])
+    {
+      continue;
+    }
+    const double fixed = pi * packing.lines[i];
+    const double angle = packing.Angle(i);
+    const double each = 2.0 * packing.neighbours[i].size();
+    largest = std::max(largest, std::abs(2.0 * pi - angle));
+    packing.radius[i] *= std::tan((angle - fixed) / each) / std::tan((2.0 * pi - fixed) / each);
+  }
+  return largest;
+}
+
+double
+Flow(Packing & packing)
+{
+  double              largest = 0.0;
+  double              stiffness = 0.0;
+  std::vector<double> curvature(packing.radius.size(), 0.0);
+  for (std::size_t i = 0; i < packing.radius.size(); ++i)
+  {
+    if (packing.isLine[i])
+    {
+      continue;
+    }
+    double own = 0.0;
+    for (const int j : packing.neighbours[i])
+    {
+      const double a = packing.radius[i];
+      const double b = packing.radius[j];
+      own += 2.0 * a * b / (a * a + b * b);
+    }
+    stiffness = std::max(stiffness, own);
+    curvature[i] = 2.0 * pi - packing.Angle(i);
+    largest = std::max(largest, std::abs(curvature[i]));
+  }
+  for (std::size_t i = 0; i < packing.radius.size(); ++i)
+  {
+    packing.radius[i] *= std::exp(-curvature[i] / stiffness); // eigenvalues are below twice the stiffness
+  }
+  return largest;
+}
+} // namespace
+
+CombinatorialMap
+GridOnSphere(int side)
+{
+  std::vector<Triangle> triangles;
+  unsigned int          state = 1;
+  const int             apex = side * side;
+  const auto            at = [side](int i, int j) { return i * side + j; };
+  for (int i = 0; i + 1 < side; ++i)
+  {
+    for (int j = 0; j + 1 < side; ++j)
+    {
+      AddSquare(at(i, j), at(i + 1, j), at(i + 1, j + 1), at(i, j + 1), state, triangles);
+    }
+    triangles.push_back({ at(i + 1, 0), at(i, 0), apex });
+    triangles.push_back({ at(i, side - 1), at(i + 1, side - 1), apex });
+    triangles.push_back({ at(0, i), at(0, i + 1), apex });
+    triangles.push_back({ at(side - 1, i + 1), at(side - 1, i), apex });
+  }
+  return MapOf(apex + 1, triangles);
+}
+
+CombinatorialMap
+GridOnTorus(int side)
+{
+  std::vector<Triangle> triangles;
+  unsigned int          state = 1;
+  const auto            at = [side](int i, int j) { return (i % side) * side + j % side; };
+  for (int i = 0; i < side; ++i)
+  {
+    for (int j = 0; j < side; ++j)
+    {
+      AddSquare(at(i, j), at(i + 1, j), at(i + 1, j + 1), at(i, j + 1), state, triangles);
+    }
+  }
+  return MapOf(side * side, triangles);
+}
+
+itk::CirclesAtInfinity
+CirclesThroughFirstEdge(const CombinatorialMap & map)
+{
+  itk::CirclesAtInfinity infinite;
+  infinite.lineNodes.assign(map.Nodes(), 0);
+  infinite.lineFaces.assign(map.Faces(), 0);
+  const int last = 2 * map.Edges() - 2; // beside the node that closes the grid
+  for (int h = last; h < last + 2; ++h)
+  {
+    infinite.lineNodes[map.Node(h)] = 1;
+    infinite.lineFaces[map.Face(h)] = 1;
+  }
+  return infinite;
+}
+
+PeerRun
+RunPeer(const CombinatorialMap & map, const itk::CirclesAtInfinity & infinite, Method method)
+{
+  Packing    packing(map, infinite);
+  PeerRun    run;
+  double     middleResidual = 0.0;
+  double     middleSteps = 0.0;
+  const auto start = std::chrono::steady_clock::now();
+  do
+  {
+    run.residual = method == Method::ThurstonSweep ? Sweep(packing) : Flow(packing);
+    run.steps += 1.0;
+    run.seconds = SecondsSince(start);
+    if (run.seconds > 0.5 * mostSeconds && middleSteps == 0.0)
+    {
+      middleResidual = run.residual;
+      middleSteps = run.steps;
+    }
+  } while (run.residual > wanted && run.seconds < mostSeconds);
+  if (run.residual > wanted)
+  {
+    const double rate = std::log(middleResidual / run.residual) / (run.steps - middleSteps);
+    const double more = std::log(run.residual / wanted) / rate;
+    run.seconds *= 1.0 + more / run.steps;
+    run.steps += more;
+    run.isExtrapolated = true;
+  }
+  return run;
+}
+
+namespace
+{
+struct Point
+{
+  double x;
+  double y;
+};
+
+double
+Orientation(const Point & a, const Point & b, const Point & c)
+{
+  return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
+}
+
+long
+CrossingsOf(const itk::Graph & graph, const std::vector<Point> & places)
+{
+  long crossings = 0;
+  for (std::size_t i = 0; i < graph.edges.size(); ++i)
+  {
+    const auto & [a, b] = graph.edges[i];
+    for (std::size_t j = 0; j < i; ++j)
+    {
+      const auto & [c, d] = graph.edges[j];
+      if (a == c || a == d || b == c || b == d)
+      {
+        continue;
+      }
+      crossings += Orientation(places[a], places[b], places[c]) * Orientation(places[a], places[b], places[d]) < 0.0 &&
+                   Orientation(places[c], places[d], places[a]) * Orientation(places[c], places[d], places[b]) < 0.0;
+    }
+  }
+  return crossings;
+}
+} // namespace
+
+SfdpRun
+RunSfdp(const itk::Graph & graph)
+{
+  SfdpRun run;
+  if (std::system("command -v sfdp > /dev/null") != 0)
+  {
+    return run;
+  }
+  const std::filesystem::path folder = std::filesystem::temp_directory_path();
+  const std::string           dot = folder / "GraphEmbeddingBenchmark.dot";
+  const std::string           plain = folder / "GraphEmbeddingBenchmark.plain";
+  {
+    std::ofstream file(dot);
+    file << "graph {\n";
+    for (const auto & [a, b] : graph.edges)
+    {
+      file << a << " -- " << b << ";\n";
+    }
+    file << "}\n";
+  }
+  const auto start = std::chrono::steady_clock::now();
+  if (std::system(("sfdp -Tplain " + dot + " > " + plain + " 2> /dev/null").c_str()) != 0)
+  {
+    return run;
+  }
+  run.seconds = SecondsSince(start);
+  std::vector<Point> places(graph.nodes);
+  std::ifstream      file(plain);
+  std::string        line;
+  while (std::getline(file, line))
+  {
+    std::istringstream words(line);
+    std::string        kind;
+    int                node = 0;
+    Point              place{};
+    if (words >> kind && kind == "node" && words >> node >> place.x >> place.y)
+    {
+      places[node] = place;
+    }
+  }
+  run.crossings = CrossingsOf(graph, places);
+  std::filesystem::remove(dot);
+  std::filesystem::remove(plain);
+  return run;
+}
+} // namespace peers

@@ -1,0 +1,48 @@
+#ifndef GraphPackingPeers_h
+#define GraphPackingPeers_h
+
+#include "itkCirclePacking.h"
+#include "itkGraph.h"
+
+/** Peers of the circle packing: methods that the literature names, and a layout by forces. */
+namespace peers
+{
+/** Triangulated grids, each diagonal one of the two: on the sphere with one node that closes the boundary. */
+itk::CombinatorialMap
+GridOnSphere(int side);
+itk::CombinatorialMap
+GridOnTorus(int side);
+
+itk::CirclesAtInfinity
+CirclesThroughFirstEdge(const itk::CombinatorialMap & map);
+
+enum class Method
+{
+  ThurstonSweep, ///< each circle in turn takes the radius that uniform neighbours would give it (Collins and
+                 ///< Stephenson)
+  GradientFlow   ///< du = -h K with the largest h that is stable
+};
+
+struct PeerRun
+{
+  double seconds{ 0.0 };
+  double steps{ 0.0 };
+  double residual{ 0.0 };
+  bool   isExtrapolated{ false };
+};
+
+/** Runs to a curvature of 1e-10 or for a minute, then time and steps are extrapolated. */
+PeerRun
+RunPeer(const itk::CombinatorialMap & map, const itk::CirclesAtInfinity & infinite, Method method);
+
+struct SfdpRun
+{
+  double seconds{ -1.0 }; ///< negative: not installed
+  long   crossings{ 0 };
+};
+
+SfdpRun
+RunSfdp(const itk::Graph & graph);
+} // namespace peers
+
+#endif
