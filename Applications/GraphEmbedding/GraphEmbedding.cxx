@@ -3,12 +3,13 @@
 #include "itkCommandLine.h"
 #include "itkGraphEmbedding.h"
 #include "itkGraphGenus.h"
+#include "itkGraphInSpace.h"
 #include "itkGraphReader.h"
 #include "itkGraphReport.h"
 #include "itkRotationFile.h"
-#include "itkSha256.h"
 #include "itkToolError.h"
 
+#include <algorithm>
 #include <charconv>
 #include <filesystem>
 
@@ -26,14 +27,6 @@ GenusOf(const std::string & text)
   itk::RequireUsage(text == "auto" || (result.ec == std::errc() && result.ptr == end && genus >= 0),
                     "--genus is auto or a number that is not negative, and not \"" + text + '"');
   return text == "auto" ? -1 : genus;
-}
-
-void
-CheckUsage(const CommandLine & commandLine)
-{
-  GenusOf(commandLine.GetString("genus"));
-  itk::RequireUsage(!commandLine.IsGiven("rotation") || !commandLine.IsGiven("genus"),
-                    "--rotation fixes the genus; leave --genus out");
 }
 
 itk::GraphEmbeddingOptions
@@ -54,9 +47,7 @@ SurfaceOf(CommandLine & commandLine, const itk::Graph & graph)
 {
   if (commandLine.IsGiven("rotation"))
   {
-    const std::string path = commandLine.GetString("rotation");
-    commandLine.AddInput("rotation", "sha256:" + itk::Sha256OfFile(path));
-    return { itk::ReadRotation(graph, path), 0, false };
+    return { itk::ReadRotation(commandLine, "rotation", graph), 0, false };
   }
   itk::GenusOptions options;
   options.genus = GenusOf(commandLine.GetString("genus"));
@@ -70,6 +61,7 @@ struct Pictures
   explicit Pictures(CommandLine & commandLine)
     : svg(commandLine.OutputOf("svg"))
     , vtp(commandLine.OutputOf("vtp"))
+    , surface(commandLine.OutputOf("surface"))
     , title(std::filesystem::path(commandLine.GetString("graph")).filename().string())
   {
     options.disk = commandLine.GetString("disk") == "klein" ? itk::DiskModel::Klein : itk::DiskModel::Poincare;
@@ -80,6 +72,12 @@ struct Pictures
       commandLine.MakeFolder(folder);
       report = commandLine.Output(folder + "/index.html");
     }
+  }
+
+  void
+  Check(int genus) const
+  {
+    itk::RequireSurfaceInSpace(surface.empty() ? 0 : genus);
   }
 
   void
@@ -94,6 +92,10 @@ struct Pictures
     {
       itk::WriteGraphVtp(certificate, certificate.provenance, vtp);
     }
+    if (!surface.empty())
+    {
+      itk::WriteGraphInSpace(certificate, certificate.provenance, surface);
+    }
     if (!report.empty())
     {
       itk::GraphReport page{ "Embedding of " + title,   { view }, {},          certificate.warnings,
@@ -104,6 +106,7 @@ struct Pictures
 
   std::string              svg;
   std::string              vtp;
+  std::string              surface;
   std::string              title;
   std::string              report;
   itk::GraphPictureOptions options;
@@ -112,7 +115,9 @@ struct Pictures
 void
 Embed(CommandLine & commandLine)
 {
-  CheckUsage(commandLine);
+  GenusOf(commandLine.GetString("genus"));
+  itk::RequireUsage(!commandLine.IsGiven("rotation") || !commandLine.IsGiven("genus"),
+                    "--rotation fixes the genus; leave --genus out");
   const Pictures    pictures(commandLine);
   const std::string output = commandLine.GetString("certificate");
   const std::string path = commandLine.Output(output);
@@ -120,16 +125,14 @@ Embed(CommandLine & commandLine)
   const itk::Graph graph = itk::ReadGraph(commandLine, "graph");
   commandLine.Progress("Genus", 0.05);
   const itk::SurfaceEmbedding surface = SurfaceOf(commandLine, graph);
+  pictures.Check(surface.map.Genus());
   commandLine.Progress("Circle packing", 0.3);
   itk::EmbeddingCertificate certificate = itk::EmbedGraph(graph, surface.map, OptionsOf(commandLine));
   if (!commandLine.IsGiven("rotation"))
   {
     certificate.statistics.emplace_back("genusLowerBound", surface.lowerBound);
   }
-  for (const std::string & warning : certificate.warnings)
-  {
-    commandLine.Warn(warning);
-  }
+  std::for_each(certificate.warnings.begin(), certificate.warnings.end(), [&](const auto & w) { commandLine.Warn(w); });
   certificate.provenance = commandLine.GetProvenance();
   certificate.warnings = commandLine.GetWarnings();
   commandLine.Progress("Writing", 0.8);

@@ -8,6 +8,7 @@ itk_module(GraphView
     Report
   PRIVATE_DEPENDS
     CommandLine
+    RicciFlowEmbedding
     SurfaceMesh
   TEST_DEPENDS
     CommandLine

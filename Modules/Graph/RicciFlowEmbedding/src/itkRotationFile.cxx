@@ -1,7 +1,9 @@
 #include "itkRotationFile.h"
 
+#include "itkCommandLine.h"
 #include "itkEmbeddingCertificate.h"
 #include "itkFileBytes.h"
+#include "itkSha256.h"
 #include "itkToolError.h"
 
 #include <filesystem>
@@ -141,5 +143,14 @@ ReadRotation(const Graph & graph, const std::string & path)
   }
   std::istringstream text(ReadFileBytes(path));
   return { graph, RotationText(graph, path).Read(text) };
+}
+
+CombinatorialMap
+ReadRotation(CommandLine & commandLine, const std::string & parameter, const Graph & graph)
+{
+  const std::string path = commandLine.GetString(parameter);
+  CombinatorialMap  map = ReadRotation(graph, path);
+  commandLine.AddInput(parameter, "sha256:" + Sha256OfFile(path));
+  return map;
 }
 } // namespace itk
