@@ -33,6 +33,7 @@ set(Shapeton_MODULES
   Graph/EmbeddingVerification
   Graph/GraphComparison
   Visualization/GraphView
+  Visualization/GraphComparisonView
   Registration/SupineProne
   Visualization/ShapeRendering
   Visualization/ConformalMapView

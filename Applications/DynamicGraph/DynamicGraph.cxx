@@ -1,45 +1,16 @@
 #include "DynamicGraphXML.h"
 
 #include "itkCommandLine.h"
-#include "itkDynamicTables.h"
-#include "itkGraphComparison.h"
+#include "itkGraphComparisonPictures.h"
 #include "itkGraphReader.h"
 #include "itkSha256.h"
 #include "itkToolError.h"
 
-#include <algorithm>
-#include <cstdio>
 #include <filesystem>
 
 namespace
 {
 using itk::CommandLine;
-
-/** The files of a folder in the order of their names. */
-std::vector<std::filesystem::path>
-FilesOf(const std::string & folder)
-{
-  std::vector<std::filesystem::path> files;
-  std::error_code                    error;
-  for (std::filesystem::directory_iterator entry(folder, error), end; !error && entry != end; entry.increment(error))
-  {
-    const std::filesystem::path path = entry->path();
-    if (entry->is_regular_file() && path.filename().string()[0] != '.' && path.extension() != ".json")
-    {
-      files.push_back(path);
-    }
-  }
-  if (error)
-  {
-    throw itk::InputError('"' + folder + "\": " + error.message() + "; give a folder of graph files");
-  }
-  if (files.empty())
-  {
-    throw itk::InputError('"' + folder + "\" has no files; give a folder with one graph file for each step");
-  }
-  std::sort(files.begin(), files.end());
-  return files;
-}
 
 /** Reads and embeds all steps. */
 itk::DynamicSequence
@@ -50,12 +21,12 @@ EmbedAll(CommandLine & commandLine)
   itk::DynamicEmbedding dynamic(genus);
   itk::DynamicSequence  sequence;
   std::string           identities;
-  const auto            files = FilesOf(commandLine.GetString("sequenceFolder"));
+  const auto            files = itk::GraphFilesOf(commandLine.GetString("sequenceFolder"));
   for (const auto & file : files)
   {
-    itk::GraphFile read = itk::ReadGraph(file.string());
-    identities += file.filename().string() + ' ' + read.identity + '\n';
-    sequence.files.push_back(file.filename().string());
+    itk::GraphFile read = itk::ReadGraph(file);
+    sequence.files.push_back(std::filesystem::path(file).filename().string());
+    identities += sequence.files.back() + ' ' + read.identity + '\n';
     sequence.steps.push_back(dynamic.Add(read.graph));
     for (const auto * remarks : { &read.notes, &sequence.steps.back().certificate.warnings })
     {
@@ -101,9 +72,9 @@ WriteComparison(CommandLine & commandLine, const itk::DynamicSequence & sequence
                       "--compare names step " + std::to_string(step) + ", but the steps are 0 to " +
                         std::to_string(sequence.steps.size() - 1));
   }
-  const itk::EmbeddingCertificate & a = sequence.steps[steps[0]].certificate;
-  const itk::EmbeddingCertificate & b = sequence.steps[steps[1]].certificate;
-  const itk::Json                   content{ { "steps", steps },
+  const auto &    a = sequence.steps[steps[0]].certificate;
+  const auto &    b = sequence.steps[steps[1]].certificate;
+  const itk::Json content{ { "steps", steps },
                            { "files", { sequence.files[steps[0]], sequence.files[steps[1]] } },
                            { "changes", itk::ChangesToJson(itk::ChangesBetween(a, b), a.graph, b.graph) } };
   itk::WriteJson(DocumentOf(commandLine, content),
@@ -120,6 +91,7 @@ Embed(CommandLine & commandLine)
   const std::string documentPath = commandLine.Output(folder + "/dynamic.json");
   const std::string stepsPath = commandLine.Output(folder + "/steps.csv");
   commandLine.RecordRun(folder + "/run.json");
+  commandLine.LeaveOutOfProvenance("labels"); // of pictures alone
 
   itk::DynamicSequence sequence = EmbedAll(commandLine);
   commandLine.Progress("Writing", 0.9);
@@ -135,11 +107,17 @@ Embed(CommandLine & commandLine)
   }
   for (std::size_t i = 0; i < sequence.steps.size(); ++i)
   {
-    char name[32];
-    std::snprintf(name, sizeof(name), "/step-%04d.json", static_cast<int>(i));
+    const std::string number = std::to_string(10000 + i).substr(i < 10000 ? 1 : 0); // in the order of names
     sequence.steps[i].certificate.provenance = commandLine.GetProvenance();
-    itk::WriteEmbeddingCertificate(sequence.steps[i].certificate, commandLine.Output(folder + name));
+    itk::WriteEmbeddingCertificate(sequence.steps[i].certificate,
+                                   commandLine.Output(folder + "/step-" + number + ".json"));
   }
+  commandLine.Progress("Painting", 0.95);
+  const itk::GraphSideBySide sheet{
+    folder, commandLine.GetFlag("labels"), commandLine.GetProvenance(), commandLine.GetWarnings()
+  };
+  itk::WriteSequencePictures(
+    sequence, compared, tracked, sheet, [&](const std::string & path) { return commandLine.Output(path); });
 }
 } // namespace
 

@@ -2,7 +2,7 @@
 
 #include "itkCommandLine.h"
 #include "itkCsvTable.h"
-#include "itkGraphComparison.h"
+#include "itkGraphComparisonPictures.h"
 #include "itkGraphReader.h"
 
 namespace
@@ -55,6 +55,7 @@ Compare(CommandLine & commandLine)
   const std::string pathA = commandLine.Output(folder + "/a.json");
   const std::string pathB = commandLine.Output(folder + "/b.json");
   commandLine.RecordRun(folder + "/run.json");
+  commandLine.LeaveOutOfProvenance("labels"); // of pictures alone
 
   const itk::Graph  a = itk::ReadGraph(commandLine, "graphA");
   const itk::Graph  b = itk::ReadGraph(commandLine, "graphB");
@@ -82,6 +83,11 @@ Compare(CommandLine & commandLine)
   TableOfNodes(comparison).Write(nodesPath);
   WriteCertificate(commandLine, comparison.a, pathA);
   WriteCertificate(commandLine, comparison.b, pathB);
+  commandLine.Progress("Painting", 0.95);
+  itk::WriteComparisonPictures(
+    comparison,
+    { folder, commandLine.GetFlag("labels"), commandLine.GetProvenance(), commandLine.GetWarnings() },
+    [&](const std::string & path) { return commandLine.Output(path); });
 }
 } // namespace
 

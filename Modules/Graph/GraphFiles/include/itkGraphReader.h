@@ -43,6 +43,11 @@ ReadGraph(const std::string & path);
 GraphFiles_EXPORT Graph
 ReadGraph(CommandLine & commandLine, const std::string & parameter);
 
+/** The files of a folder that holds one graph for each step, in the order of their names; hidden files and .json are
+ * left out. Throws InputError when the folder cannot be read or has no such file. \ingroup GraphFiles */
+GraphFiles_EXPORT std::vector<std::string>
+                  GraphFilesOf(const std::string & folder);
+
 /** Writes GraphML that ReadGraph reads back to the same graph; nodes without names are called n0, n1, ... Throws
  * OutputError.
  * \ingroup GraphFiles */

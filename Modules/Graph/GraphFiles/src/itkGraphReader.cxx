@@ -3,6 +3,10 @@
 #include "itkFileBytes.h"
 #include "itkGraphFormat.h"
 #include "itkSha256.h"
+#include "itkToolError.h"
+
+#include <algorithm>
+#include <filesystem>
 
 namespace itk
 {
@@ -33,5 +37,30 @@ ReadGraph(CommandLine & commandLine, const std::string & parameter)
     commandLine.Warn(note);
   }
   return std::move(file.graph);
+}
+
+std::vector<std::string>
+GraphFilesOf(const std::string & folder)
+{
+  std::vector<std::string> files;
+  std::error_code          error;
+  for (std::filesystem::directory_iterator entry(folder, error), end; !error && entry != end; entry.increment(error))
+  {
+    const std::filesystem::path path = entry->path();
+    if (entry->is_regular_file() && path.filename().string()[0] != '.' && path.extension() != ".json")
+    {
+      files.push_back(path.string());
+    }
+  }
+  if (error)
+  {
+    throw InputError('"' + folder + "\": " + error.message() + "; give a folder of graph files");
+  }
+  if (files.empty())
+  {
+    throw InputError('"' + folder + "\" has no files; give a folder with one graph file for each step");
+  }
+  std::sort(files.begin(), files.end());
+  return files;
 }
 } // namespace itk

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <list>
 
 namespace itk
 {
@@ -232,7 +233,7 @@ private:
     constexpr double largest = 5.0;
     for (const Motion & tile : plan.tiles)
     {
-      for (int node = 0; node < m_Graph.certificate.graph.nodes; ++node)
+      for (int node = 0; node < m_Graph.certificate.graph.nodes && !m_View.hasLabels; ++node)
       {
         const double pixels = panel.PixelsOf(m_Graph.nodes[node], m_Graph.certificate.nodeRadii[node], tile);
         panel.AddDot(m_Graph.nodes[node], tile, std::min(largest, 0.3 * pixels), NodeColor);
@@ -298,9 +299,8 @@ WindowOfSphere(const EmbeddedGraph & graph, const PictureMap & picture)
 }
 
 std::vector<PanelPlan>
-PlansOfSphere(const EmbeddedGraph & graph)
+PlansOfSphere(const EmbeddedGraph & graph, const Place & outer)
 {
-  const Place            outer = graph.faces[graph.outerFace];
   const auto             flat = Stereographic(FrameOf({ -outer.x, -outer.y, -outer.z }));
   const Place            side{ 0.48, -0.6, 0.64 };
   const PictureWindow    ball{ { 0.0, 0.0 }, 1.06 };
@@ -372,11 +372,35 @@ PlansOf(const EmbeddedGraph & graph, DiskModel model)
   switch (graph.space.Geometry())
   {
     case EmbeddingGeometry::Spherical:
-      return PlansOfSphere(graph);
+      return PlansOfSphere(graph, graph.faces[graph.outerFace]);
     case EmbeddingGeometry::Euclidean:
       return PlansOfTorus(graph);
     default:
       return PlansOfDisk(graph, model);
+  }
+}
+
+/** One window for all spheres: the square around theirs. */
+void
+UniteWindows(const std::list<EmbeddedGraph> & graphs, std::vector<PanelPlan> & plans)
+{
+  std::vector<Pixel>       corners;
+  std::vector<PanelPlan *> ofSpheres;
+  std::size_t              i = 0;
+  for (const EmbeddedGraph & graph : graphs)
+  {
+    PanelPlan & plan = plans[i++];
+    if (graph.space.Geometry() == EmbeddingGeometry::Spherical)
+    {
+      const double half = plan.window.halfWidth;
+      corners.push_back({ plan.window.centre.x - half, plan.window.centre.y - half });
+      corners.push_back({ plan.window.centre.x + half, plan.window.centre.y + half });
+      ofSpheres.push_back(&plan);
+    }
+  }
+  for (PanelPlan * const plan : ofSpheres)
+  {
+    plan->window = WindowAround(corners, 1.0);
   }
 }
 
@@ -420,14 +444,24 @@ WriteGraphSvg(const GraphView & view, const GraphPictureOptions & options, const
 void
 WriteGraphSheetSvg(const std::vector<GraphView> & views, const GraphPictureOptions & options, const std::string & path)
 {
-  std::vector<std::string> panels;
+  std::list<EmbeddedGraph> graphs;
+  std::vector<PanelPlan>   plans;
+  const Place *            pole = nullptr; // one for all spheres, so that what stays in place does so in the pictures
   for (const GraphView & view : views)
   {
-    const EmbeddedGraph graph(*view.certificate);
-    PanelPlan           plan = PlansOf(graph, options.disk)[1];
-    plan.title = view.title;
-    plan.hasDual = false;
-    panels.push_back(GraphPainter(view, graph, options.panelSize).Paint(plan));
+    const EmbeddedGraph & graph = graphs.emplace_back(*view.certificate);
+    const bool            isSphere = graph.space.Geometry() == EmbeddingGeometry::Spherical;
+    pole = isSphere && pole == nullptr ? &graph.faces[graph.outerFace] : pole;
+    plans.push_back((isSphere ? PlansOfSphere(graph, *pole) : PlansOf(graph, options.disk))[1]);
+    plans.back().title = view.title;
+    plans.back().hasDual = false;
+  }
+  UniteWindows(graphs, plans);
+  std::vector<std::string> panels;
+  auto                     graph = graphs.begin();
+  for (std::size_t i = 0; i < views.size(); ++i, ++graph)
+  {
+    panels.push_back(GraphPainter(views[i], *graph, options.panelSize).Paint(plans[i]));
   }
   WriteSheet(panels, options, path);
 }

@@ -220,12 +220,21 @@ SvgPanel::AddCircle(const Place & centre, double radius, const Motion & motion, 
   {
     return;
   }
-  // Where the circle's inside is the outside of the flat one, its centre lies out there.
-  const bool isInside = Distance(this->ToPixel(place), circle.centre) < circle.radius;
-  SvgStyle   shown = style;
-  shown.fill = isInside ? style.fill : "";
-  m_Content += "<circle cx=\"" + SvgNumber(circle.centre.x) + "\" cy=\"" + SvgNumber(circle.centre.y) + "\" r=\"" +
-               SvgNumber(circle.radius) + '"' + Attributes(shown) + "/>\n";
+  const std::string x = SvgNumber(circle.centre.x);
+  const std::string y = SvgNumber(circle.centre.y);
+  const std::string r = SvgNumber(circle.radius);
+  if (Distance(this->ToPixel(place), circle.centre) < circle.radius)
+  {
+    m_Content += "<circle cx=\"" + x + "\" cy=\"" + y + "\" r=\"" + r + '"' + Attributes(style) + "/>\n";
+    return;
+  }
+  // The centre lies beyond: the inside of the circle is the outside of the flat one.
+  const std::string size = SvgNumber(m_Size);
+  const std::string arc = 'A' + r + ' ' + r + " 0 0 0 ";
+  m_Content += "<path fill-rule=\"evenodd\" d=\"M-9 -9H" + size + "9V" + size + "9H-9ZM" +
+               Pair({ circle.centre.x - circle.radius, circle.centre.y }) + arc +
+               Pair({ circle.centre.x + circle.radius, circle.centre.y }) + arc +
+               Pair({ circle.centre.x - circle.radius, circle.centre.y }) + "Z\"" + Attributes(style) + "/>\n";
 }
 
 /** On from the last visible point of a cap's circle along the rim, as far as it lies inside the cap. */

@@ -14,10 +14,12 @@ using reporttest::Folder;
 namespace
 {
 XmlPage
-PictureOf(const EmbeddingCertificate & certificate, const itk::GraphPictureOptions & options = {})
+PictureOf(const EmbeddingCertificate &     certificate,
+          const itk::GraphPictureOptions & options = {},
+          bool                             hasLabels = false)
 {
   const Folder   folder;
-  itk::GraphView view{ "a & b", &certificate, {}, true };
+  itk::GraphView view{ "a & b", &certificate, {}, hasLabels };
   itk::WriteGraphSvg(view, options, folder / "picture.svg");
   return XmlPage(folder / "picture.svg");
 }
@@ -25,7 +27,7 @@ PictureOf(const EmbeddingCertificate & certificate, const itk::GraphPictureOptio
 void
 ExpectBaseline(const EmbeddingCertificate & certificate, const std::string & name)
 {
-  const std::string text = PictureOf(certificate).text;
+  const std::string text = PictureOf(certificate, {}, true).text;
   const std::string baseline = itk::ReadFileBytes(std::string(BASELINE_FOLDER) + '/' + name);
   EXPECT_TRUE(text == baseline) << name << " differs from its baseline; written to " << name
                                 << " in the folder of tests";
@@ -61,7 +63,7 @@ TEST(GraphPictures, SphereShowsEachCircle)
 /** A path of three nodes: of the four circles of the tetrahedron and its four faces nothing else is shown. */
 TEST(GraphPictures, DummiesAreHidden)
 {
-  const XmlPage page = PictureOf(PathInTetrahedron());
+  const XmlPage page = PictureOf(PathInTetrahedron(), {}, true);
   ASSERT_TRUE(page.isWellFormed);
   EXPECT_EQ(3u, page.Count("circle", "stroke", Node));
   EXPECT_EQ(0u, page.Count("circle", "stroke", Face));
