@@ -350,6 +350,30 @@ NumberOfTiles(const EmbeddedGraph & graph)
   return static_cast<int>(std::clamp(mostSegments / segments, static_cast<double>(least), 240.0));
 }
 
+/** The tiles that a picture of the disk shows as more than a speck. */
+std::vector<Motion>
+VisibleTiles(const EmbeddedGraph & graph, const PictureMap & picture)
+{
+  constexpr double         least = 1e-4; // of an area of the disk's plane, about 9 pixels of a panel
+  const std::vector<Place> boundary = DomainBoundary(graph);
+  std::vector<Motion>      tiles;
+  for (const Motion & tile : TilesAround(graph, NumberOfTiles(graph)))
+  {
+    double twice = 0.0;
+    for (std::size_t i = 0; i < boundary.size(); ++i)
+    {
+      const Pixel p = picture.map(graph.space.Moved(tile, boundary[i]));
+      const Pixel q = picture.map(graph.space.Moved(tile, boundary[(i + 1) % boundary.size()]));
+      twice += p.x * q.y - p.y * q.x;
+    }
+    if (tiles.empty() || std::abs(twice) > 2.0 * least)
+    {
+      tiles.push_back(tile);
+    }
+  }
+  return tiles;
+}
+
 std::vector<PanelPlan>
 PlansOfDisk(const EmbeddedGraph & graph, DiskModel model)
 {
@@ -359,7 +383,7 @@ PlansOfDisk(const EmbeddedGraph & graph, DiskModel model)
                      isKlein ? Klein() : Flat(false),
                      { { 0.0, 0.0 }, 1.02 } };
   overlap.hasTiles = overlap.hasRim = true;
-  overlap.tiles = TilesAround(graph, NumberOfTiles(graph));
+  overlap.tiles = VisibleTiles(graph, overlap.picture);
   PanelPlan circles = overlap;
   circles.title = name + ": circles of nodes and faces";
   circles.hasCircles = true;

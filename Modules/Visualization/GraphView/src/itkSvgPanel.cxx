@@ -41,7 +41,7 @@ Distance(const Pixel & p, const Pixel & q)
 double
 LeastOf(const Motion & motion)
 {
-  constexpr double ofCopies = 0.6;
+  constexpr double ofCopies = 1.0;
   return motion.a == 1.0 && motion.b == 0.0 ? LeastPixels : ofCopies;
 }
 
@@ -278,7 +278,7 @@ SvgPanel::AddOutline(const Place & centre, double radius, const SvgStyle & style
   {
     return;
   }
-  const auto               number = static_cast<std::size_t>(std::clamp(8.0 * std::sqrt(size) + 8.0, 12.0, 160.0));
+  const auto               number = static_cast<std::size_t>(std::clamp(8.0 * std::sqrt(size), 8.0, 160.0));
   const std::vector<Place> points = m_Space.Circle(centre, radius, static_cast<int>(number));
   const auto               isSeen = [&](std::size_t i) { return m_Picture.isVisible(points[i % number]); };
   std::size_t              start = 0; // the first point that comes into sight, if one is out of sight
@@ -316,16 +316,24 @@ SvgPanel::AddDot(const Place & place, const Motion & motion, double radius, cons
 void
 SvgPanel::AddPolygon(const std::vector<Place> & corners, const Motion & motion, const SvgStyle & style)
 {
-  std::string path;
-  bool        isSeen = false;
-  for (std::size_t i = 0; i < corners.size(); ++i)
+  const double       least = 2.0 * LeastOf(motion); // corners that are nearer to each other become one
+  std::vector<Place> kept;
+  bool               isSeen = false;
+  for (const Place & corner : corners)
   {
-    const Place from = m_Space.Moved(motion, corners[i]);
-    const Place to = m_Space.Moved(motion, corners[(i + 1) % corners.size()]);
-    isSeen = isSeen || IsNear(this->ToPixel(from), 0.0);
-    path += this->PathOfSegment(from, to, i > 0);
+    const Place place = m_Space.Moved(motion, corner);
+    isSeen = isSeen || IsNear(this->ToPixel(place), 0.0);
+    if (kept.empty() || Distance(this->ToPixel(kept.back()), this->ToPixel(place)) >= least)
+    {
+      kept.push_back(place);
+    }
   }
-  if (isSeen)
+  std::string path;
+  for (std::size_t i = 0; i < kept.size(); ++i)
+  {
+    path += this->PathOfSegment(kept[i], kept[(i + 1) % kept.size()], i > 0);
+  }
+  if (isSeen && kept.size() > 2)
   {
     m_Content += "<path d=\"" + path + "Z\"" + Attributes(style) + "/>\n";
   }
