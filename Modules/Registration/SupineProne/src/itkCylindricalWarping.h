@@ -13,7 +13,7 @@ struct CylindricalWarpingOptions
   /** Turns that the rotation may leave the frame. */
   double rotationBand{ 0.125 };
   /** Cost of the squared difference of the rows passed, of two, and of a step of rotation. */
-  double slopeWeight{ 0.15 };
+  double slopeWeight{ 0.3 };
   double rotationWeight{ 0.4 };
   /** Standard deviation of the place along the frame, mm, as a weak spring on each row; 0 for none. */
   double frameDeviation{ 25.0 };

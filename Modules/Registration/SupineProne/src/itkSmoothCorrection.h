@@ -32,7 +32,7 @@ struct SmoothCorrectionOptions
   double step{ 10.0 };
   int    angles{ 24 };
   /** Of a constraint, mm. */
-  double deviation{ 2.5 };
+  double deviation{ 3.0 };
   /** Errors beyond this lose their weight (Cauchy), mm. */
   double robust{ 8.0 };
   int    iterations{ 4 };

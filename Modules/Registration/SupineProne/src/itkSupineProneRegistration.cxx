@@ -206,7 +206,7 @@ private:
   {
     constexpr double                 step = 6.0;      // mm
     constexpr double                 greatest = 25.0; // mm: farther away it is another one
-    static const double deviation = getenv("TD") ? atof(getenv("TD")) : 4.0;       // mm, more than that of one place: neighbours err alike
+    static const double deviation = getenv("TD") ? atof(getenv("TD")) : 3.0;       // mm, more than that of one place: neighbours err alike
     std::vector<DirectionConstraint> constraints;
     for (double s = m_Result.source->Begin(); this->AreTaeniaeKnown() && s < m_Result.source->End(); s += step)
     {
