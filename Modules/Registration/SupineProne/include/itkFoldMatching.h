@@ -20,6 +20,8 @@ struct FoldFeature
   double length{ 1.0 };
   /** mm^2. */
   double area{ 1.0 };
+  /** Folds of different groups, such as segments of the colon, are never matched. */
+  int group{ 0 };
 };
 
 /** \ingroup SupineProne */

@@ -51,6 +51,9 @@ struct RegistrationConfidence
   std::vector<double> energies;
   /** Second best less best energy; not a number where there is one alone. */
   double margin{ 0.0 };
+  /** Energy of the best of the three other ways to lay one picture on the other (mirrored, turned back, both) less that
+   * of the right way, without landmarks. About 0 for two patients. */
+  double senseMargin{ 0.0 };
   /** Root mean square of the residuals of the pairs that the map follows, mm. */
   double residual{ 0.0 };
   /** 0 to 1, of each node of the map. */

@@ -99,6 +99,21 @@ CurvatureAt(const ColonPosition & position, int column, int row)
 }
 } // namespace
 
+double
+SampleOf(const CylinderPicture & picture, double s, double turn)
+{
+  const double row = std::clamp((s - picture.begin) / picture.step, 0.0, picture.Rows() - 1.0);
+  const double angle = (turn - std::floor(turn)) * picture.Angles() - 0.5 + picture.Angles();
+  const int    i = std::min(static_cast<int>(row), picture.Rows() - 2);
+  const int    j = static_cast<int>(angle);
+  const double p = row - i;
+  const double q = angle - j;
+  const int    a = j % picture.Angles();
+  const int    b = (j + 1) % picture.Angles();
+  return (1.0 - p) * ((1.0 - q) * picture.values(i, a) + q * picture.values(i, b)) +
+         p * ((1.0 - q) * picture.values(i + 1, a) + q * picture.values(i + 1, b));
+}
+
 Eigen::MatrixXd
 SmoothedOnCylinder(const Eigen::MatrixXd & values, double rows, double angles)
 {
@@ -147,8 +162,8 @@ FoldProbability(const ColonPosition & position)
     return std::vector<float>(curvature.size(), 0.0F);
   }
   std::sort(sorted.begin(), sorted.end());
-  const float low = sorted[sorted.size() * (getenv("LO") ? atoi(getenv("LO")) : 50) / 100];
-  const float high = std::max(sorted[sorted.size() * (getenv("HI") ? atoi(getenv("HI")) : 95) / 100], low + 1e-6F);
+  const float low = sorted[sorted.size() / 2];
+  const float high = std::max(sorted[sorted.size() * 95 / 100], low + 1e-6F);
   for (float & value : curvature)
   {
     const float t = std::isfinite(value) ? std::clamp((value - low) / (high - low), 0.0F, 1.0F) : 0.0F;

@@ -54,6 +54,10 @@ MakeCylinderPicture(const ColonPosition &       position,
                     const std::vector<float> &  probability,
                     const CylinderPictureForm & form);
 
+/** Between its pixels; the ends repeat. The middle of the first angle lies at half a pixel. */
+double
+SampleOf(const CylinderPicture & picture, double s, double turn);
+
 /** Gaussian mean over rows (ends repeat) and over angles (periodic). */
 Eigen::MatrixXd
 SmoothedOnCylinder(const Eigen::MatrixXd & values, double rows, double angles);

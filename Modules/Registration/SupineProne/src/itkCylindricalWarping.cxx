@@ -15,7 +15,7 @@ constexpr float  infinite = std::numeric_limits<float>::infinity();
  * differs by much more than that of others. */
 constexpr int    greatestAdvance = 3;
 constexpr int    greatestUnseenAdvance = 8;
-constexpr double costOutside = 8.0; ///< of a row that would lie beyond the end of the target
+constexpr double costOutside = 8.0; ///< of a row that would lie beyond the end of the target or of its segment
 
 using RowMajorFloat = Eigen::Matrix<float, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
@@ -67,10 +67,10 @@ private:
     const double             energy = a.squaredNorm() / m_Angles;
     ParallelFor(m_Offsets, [&](std::size_t offset) {
       const int j = 2 * row + static_cast<int>(offset) - m_Reach;
-      const double away = m_Options.frameDeviation > 0.0 ? (static_cast<int>(offset) - m_Reach) * m_Target.step / m_Options.frameDeviation : 0.0;
-      const double spring = 0.05 * away * away;
+      const double away = (static_cast<int>(offset) - m_Reach) * m_Target.step / m_Options.frameDeviation;
+      const double spring = m_Options.springWeight * away * away;
       float *   out = cost.data() + offset * m_Rotations;
-      if (j < 0 || j >= m_Target.Rows())
+      if (j < 0 || j >= m_Target.Rows() || this->SegmentOf(m_Source, row) != this->SegmentOf(m_Target, j))
       {
         std::fill(out, out + m_Rotations, static_cast<float>(costOutside));
         return;
@@ -123,6 +123,14 @@ private:
       }
     }
     return now;
+  }
+
+  int
+  SegmentOf(const CylinderPicture & picture, int row) const
+  {
+    const double place = picture.begin + row * picture.step;
+    return static_cast<int>(
+      std::count_if(m_Options.breaks.begin(), m_Options.breaks.end(), [place](double at) { return place > at; }));
   }
 
   bool

@@ -60,7 +60,7 @@ MakeProblem(const std::vector<FoldFeature> & source,
       const FoldFeature & b = target[j];
       const double        along = b.x - a.x;
       const double        around = Around(b.y, a.y, turn);
-      if (std::abs(along) < options.reachAlong && std::abs(around) < options.reachAround)
+      if (a.group == b.group && std::abs(along) < options.reachAlong && std::abs(around) < options.reachAround)
       {
         const double cost = Square(along / options.deviationAlong) + Square(around / options.deviationAround) +
                             Square(std::log(b.length / a.length) / options.deviationLength) +

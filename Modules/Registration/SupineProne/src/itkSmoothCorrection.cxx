@@ -44,9 +44,7 @@ CylinderLaplacian(int rows, int angles, double rowStep, double angleStep)
 SmoothCorrection::SmoothCorrection(double begin, double end, double around, const SmoothCorrectionOptions & options)
   : m_Options(options), m_Begin(begin), m_Around(around)
 {
-  #define EV(n,f) if (getenv(#n)) m_Options.f = atof(getenv(#n));
-  EV(ST,stiffness) EV(DEV,deviation) EV(ROB,robust) EV(CS,step)
-  m_Rows = std::max(2, static_cast<int>(std::ceil((end - begin) / m_Options.step)) + 1);
+  m_Rows = std::max(2, static_cast<int>(std::ceil((end - begin) / options.step)) + 1);
   m_Values = Eigen::VectorXd::Zero(2 * m_Rows * options.angles);
 }
 

@@ -54,6 +54,7 @@ public:
   SupineProneRegistration
   Run()
   {
+    this->RequireSameSense();
     this->FindFrame();
     this->Warp();
     this->MatchAndCorrect();
@@ -63,6 +64,59 @@ public:
   }
 
 private:
+  /** A colon that runs the other way, or is a mirror image, fits better turned back. Nothing but the ends and the folds
+   * is used here. */
+  void
+  RequireSameSense()
+  {
+    const auto pictureOf = [](const ColonPosition & position, const ColonCylinder & cylinder, double step, int rows) {
+      CylinderPictureForm form;
+      const double        scale = rows * step / (cylinder.End() - cylinder.Begin());
+      form.begin = 0.5 * rowStep;
+      form.step = step;
+      form.rows = rows;
+      form.angles = angles;
+      form.smoothRows = 1.0;
+      form.coordinate = [scale, begin = cylinder.Begin()](double s) { return scale * (s - begin); };
+      return MakeCylinderPicture(position, cylinder, FoldProbability(position), form);
+    };
+    const int rows = std::max(2, static_cast<int>((m_Result.source->End() - m_Result.source->Begin()) / rowStep));
+    const CylinderPicture     source = pictureOf(m_Source, *m_Result.source, rowStep, rows);
+    const CylinderPicture     target = pictureOf(m_Target, *m_Result.target, 0.5 * rowStep, 2 * rows);
+    CylindricalWarpingOptions options;
+    options.band = 75.0;
+    options.frameDeviation = 75.0;
+    const PiecewiseLine frame{ { 0.0, 1.0 }, { 0.0, 1.0 } };
+    double              energies[4];
+    for (int way = 0; way < 4; ++way)
+    {
+      CylinderPicture turned = target;
+      if (way % 2 != 0)
+      {
+        turned.values = target.values.rowwise().reverse().eval();
+      }
+      if (way / 2 != 0)
+      {
+        turned.values = turned.values.colwise().reverse().eval();
+        std::reverse(turned.isExcluded.begin(), turned.isExcluded.end());
+      }
+      energies[way] = WarpCylinder(source, turned, frame, {}, options).energy;
+    }
+    static const std::array<const char *, 4> ways{
+      { "", "is a mirror image", "is a mirror image that runs from the caecum to the rectum",
+        "runs from the caecum to the rectum" }
+    };
+    const auto       best = std::min_element(energies + 1, energies + 4);
+    constexpr double doubt = 0.05; // colons of two patients differ by less
+    m_Result.confidence.senseMargin = *best - energies[0];
+    if (m_Result.confidence.senseMargin < -doubt)
+    {
+      throw InputError(m_Target.name + " " + ways[best - energies] + " against " + m_Source.name +
+                       ", as its folds tell: head and feet or left and right are swapped in one of them; check the "
+                       "orientation of the series");
+    }
+  }
+
   void
   FindFrame()
   {
@@ -70,6 +124,10 @@ private:
     for (std::size_t i = 1; i + 1 < m_Frame.from.size(); ++i)
     {
       m_Result.flexures.emplace_back(m_Frame.from[i], m_Frame.to[i]);
+      if (m_Options.isSegmentWise)
+      {
+        m_Breaks.push_back(m_Frame.from[i]);
+      }
     }
     m_SourceTaeniae = AnglesOfTaeniae(m_Source, *m_Result.source, m_Result.warnings);
     m_TargetTaeniae = AnglesOfTaeniae(m_Target, *m_Result.target, m_Result.warnings);
@@ -90,7 +148,7 @@ private:
     form.step = isTarget ? 0.5 * rowStep : rowStep;
     form.rows = std::max(2, static_cast<int>((m_Result.source->End() - m_Result.source->Begin()) / form.step));
     form.angles = angles;
-    form.smoothRows = (isTarget ? 2.0 : 1.0) * (getenv("SR") ? atof(getenv("SR")) : 0.8); form.smoothAngles = getenv("SA") ? atof(getenv("SA")) : 1.0;
+    form.smoothRows = isTarget ? 1.6 : 0.8;
     const PiecewiseLine back = m_Frame.Inverse();
     form.coordinate = [isTarget, back](double s) { return isTarget ? back(s) : s; };
     return MakeCylinderPicture(
@@ -103,8 +161,7 @@ private:
     const CylinderPicture     source = this->PictureOf(false);
     const CylinderPicture     target = this->PictureOf(true);
     CylindricalWarpingOptions options;
-    #define EV(n,f) if (getenv(#n)) options.f = atof(getenv(#n));
-    EV(SW,slopeWeight) EV(RW,rotationWeight) EV(CW,contentWeight) EV(SM,smoothing) EV(BAND,band) EV(RB,rotationBand) EV(EASE,excludedEase) EV(PRIOR,frameDeviation)
+    options.breaks = m_Breaks;
     std::vector<double>       s;
     for (int row = 0; row < source.Rows(); ++row)
     {
@@ -139,9 +196,15 @@ private:
   FoldFeature
   FeatureOf(const ColonCylinder & cylinder, const HaustralFold & fold, const RowMap * map) const
   {
-    CylinderPlace place = cylinder.PlaceOfUv(fold.centreUv);
-    place = map ? (*map)(place) : place;
-    return { place.s, place.turn * m_Result.target->Around(), fold.length, std::max(1.0, fold.area) };
+    const CylinderPlace own = cylinder.PlaceOfUv(fold.centreUv);
+    const double        s = map ? own.s : m_Frame.Inverse()(own.s);
+    const auto          group = std::count_if(m_Breaks.begin(), m_Breaks.end(), [s](double at) { return s > at; });
+    const CylinderPlace place = map ? (*map)(own) : own;
+    return { place.s,
+             place.turn * m_Result.target->Around(),
+             std::max(1.0, fold.length),
+             std::max(1.0, fold.area),
+             static_cast<int>(group) };
   }
 
   void
@@ -163,8 +226,12 @@ private:
       FoldMatchingOptions options;
       options.method = m_Options.matching;
       m_Result.matching = MatchFolds(source, target, m_Result.target->Around(), options);
-      this->Correct(map);
+      this->Fit(this->ConstraintsOfTaeniae(map));
       map.correction = m_Correction.get();
+    }
+    if (m_Options.refines)
+    {
+      this->Refine(map);
     }
   }
 
@@ -181,8 +248,8 @@ private:
       return DisplacementConstraint{ place, { goal.s - start.s, around }, weight };
     };
     const auto endsOf = [&](bool isTurned) {
-      return std::array<DisplacementConstraint, 2>{ constraint(a.endUv[0], b.endUv[isTurned ? 1 : 0], getenv("EW")?atof(getenv("EW")):1.0),
-                                                    constraint(a.endUv[1], b.endUv[isTurned ? 0 : 1], getenv("EW")?atof(getenv("EW")):1.0) };
+      return std::array<DisplacementConstraint, 2>{ constraint(a.endUv[0], b.endUv[isTurned ? 1 : 0], 1.0),
+                                                    constraint(a.endUv[1], b.endUv[isTurned ? 0 : 1], 1.0) };
     };
     const auto straight = endsOf(false);
     const auto turned = endsOf(true);
@@ -206,7 +273,7 @@ private:
   {
     constexpr double                 step = 6.0;      // mm
     constexpr double                 greatest = 25.0; // mm: farther away it is another one
-    static const double deviation = getenv("TD") ? atof(getenv("TD")) : 3.0;       // mm, more than that of one place: neighbours err alike
+    constexpr double                 deviation = 3.0; // mm
     std::vector<DirectionConstraint> constraints;
     for (double s = m_Result.source->Begin(); this->AreTaeniaeKnown() && s < m_Result.source->End(); s += step)
     {
@@ -226,17 +293,83 @@ private:
     return constraints;
   }
 
-  void
-  Correct(const RowMap & map)
+  std::vector<DisplacementConstraint>
+  ConstraintsOfFolds() const
   {
     std::vector<DisplacementConstraint> constraints;
     for (const auto & [i, j] : m_Result.matching.pairs)
     {
       this->AddConstraints(m_Source.folds[i], m_Target.folds[j], constraints);
     }
-    auto correction =
+    return constraints;
+  }
+
+  /** Where the target's picture differs from the source's, linearised about the map (Gauss-Newton). */
+  std::vector<DirectionConstraint>
+  ConstraintsOfPictures(const CylinderPicture & source, const CylinderPicture & target, const RowMap & map) const
+  {
+    constexpr double                 weight = 0.04; // of a difference of one standard deviation
+    const double                     along = 0.5 * rowStep;
+    const double                     around = 0.5 / angles;
+    std::vector<DirectionConstraint> constraints;
+    for (int i = 0; i < source.Rows(); ++i)
+    {
+      for (int j = 0; j < angles && !source.isExcluded[i]; ++j)
+      {
+        const CylinderPlace place{ source.begin + i * source.step, (j + 0.5) / angles };
+        const CylinderPlace to = map(place);
+        if (IsExcluded(m_Target, *m_Result.target, to))
+        {
+          continue;
+        }
+        const Eigen::Vector2d gradient(
+          (SampleOf(target, to.s + along, to.turn) - SampleOf(target, to.s - along, to.turn)) / (2.0 * along),
+          (SampleOf(target, to.s, to.turn + around) - SampleOf(target, to.s, to.turn - around)) /
+            (2.0 * around * m_Result.target->Around()));
+        const double difference = source.values(i, j) - SampleOf(target, to.s, to.turn);
+        constraints.push_back({ place, gradient, difference + gradient.dot(m_Correction->At(place)), weight, false });
+      }
+    }
+    return constraints;
+  }
+
+  void
+  Refine(RowMap & map)
+  {
+    for (const double blur : { 2.5, 1.5, 1.0 })
+    {
+      const CylinderPicture            source = this->PlainPicture(m_Source, *m_Result.source, blur);
+      const CylinderPicture            target = this->PlainPicture(m_Target, *m_Result.target, blur);
+      std::vector<DirectionConstraint> directions = this->ConstraintsOfTaeniae(map);
+      const std::vector<DirectionConstraint> pictures = this->ConstraintsOfPictures(source, target, map);
+      directions.insert(directions.end(), pictures.begin(), pictures.end());
+      this->Fit(directions);
+      map.correction = m_Correction.get();
+    }
+  }
+
+  /** In its own coordinate, for both positions alike. */
+  static CylinderPicture
+  PlainPicture(const ColonPosition & position, const ColonCylinder & cylinder, double blur)
+  {
+    CylinderPictureForm form;
+    form.begin = cylinder.Begin() + 0.5 * rowStep;
+    form.step = rowStep;
+    form.rows = std::max(2, static_cast<int>((cylinder.End() - cylinder.Begin()) / rowStep));
+    form.angles = angles;
+    form.smoothRows = blur;
+    form.smoothAngles = blur;
+    form.coordinate = [](double s) { return s; };
+    return MakeCylinderPicture(position, cylinder, FoldProbability(position), form);
+  }
+
+  void
+  Fit(const std::vector<DirectionConstraint> & directions)
+  {
+    const std::vector<DisplacementConstraint> constraints = this->ConstraintsOfFolds();
+    auto                                      correction =
       std::make_unique<SmoothCorrection>(m_Result.source->Begin(), m_Result.source->End(), m_Result.target->Around());
-    const std::vector<double> weights = correction->Fit(constraints, this->ConstraintsOfTaeniae(map));
+    const std::vector<double> weights = correction->Fit(constraints, directions);
     m_Correction = std::move(correction);
     m_PairWeights.clear();
     for (std::size_t pair = 0; pair < m_Result.matching.pairs.size(); ++pair)
@@ -352,6 +485,7 @@ private:
   std::vector<double>               m_FrameRotation;
   std::vector<double>               m_PairWeights;
   int                               m_Shift{ 0 };
+  std::vector<double>               m_Breaks; ///< of the source, where segments are registered by themselves
   std::unique_ptr<SmoothCorrection> m_Correction;
 };
 
