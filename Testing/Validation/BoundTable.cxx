@@ -1,0 +1,59 @@
+#include "BoundTable.h"
+
+#include <numeric>
+
+BoundTable::BoundTable(ValidationReport & report, bool hasBounds)
+  : m_Report(report)
+  , m_HasBounds(hasBounds)
+  , m_Table({ "what", "bound", "all exams", "mean of exams, 95 % interval", "" })
+{}
+
+void
+BoundTable::AddBounded(const std::string &         what,
+                       const std::string &         bound,
+                       const std::string &         all,
+                       const std::vector<double> & exams,
+                       bool                        isReached)
+{
+  m_Table.AddRow({ what,
+                   m_HasBounds ? bound : "",
+                   all,
+                   exams.empty() ? "" : MeanWithInterval(exams),
+                   m_HasBounds ? m_Report.Check(isReached) : "" });
+}
+
+void
+BoundTable::AddFact(const std::string & what, const std::string & value, const std::vector<double> & exams)
+{
+  m_Table.AddRow({ what, "", value, exams.empty() ? "" : MeanWithInterval(exams), "" });
+}
+
+void
+BoundTable::Write()
+{
+  m_Report.AddTable(m_Table);
+}
+
+double
+MeanOf(const std::vector<double> & values)
+{
+  return values.empty() ? 0.0 : std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
+}
+
+double
+ShareOf(int part, int whole)
+{
+  return whole > 0 ? static_cast<double>(part) / whole : 1.0;
+}
+
+std::string
+Rounded(double value, int digits)
+{
+  return itk::CsvTable::Rounded(value, digits);
+}
+
+std::string
+RatioOf(int part, int whole)
+{
+  return std::to_string(part) + " / " + std::to_string(whole) + " = " + Rounded(ShareOf(part, whole), 4);
+}

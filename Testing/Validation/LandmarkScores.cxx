@@ -1,0 +1,150 @@
+#include "LandmarkScores.h"
+
+#include "itkToolError.h"
+
+#include <cmath>
+#include <limits>
+
+using namespace itk;
+
+namespace
+{
+/** Also where nothing is found. */
+LandmarkErrors
+TryLandmarks(const LandmarkExam & exam, const ColonLandmarkOptions & options, std::string & failure)
+{
+  try
+  {
+    return MeasureLandmarks(FindColonLandmarks(exam.flat, exam.centreline, options), exam.centreline, *exam.anatomy);
+  }
+  catch (const ToolError & error)
+  {
+    failure = error.what();
+  }
+  constexpr double infinite = std::numeric_limits<double>::infinity();
+  LandmarkErrors   errors;
+  errors.flexures.fill(infinite);
+  errors.taeniaMean = infinite;
+  return errors;
+}
+
+std::string
+InWords(const LandmarkErrors & errors)
+{
+  const char * const names[] = { "rectosigmoid", "descending-sigmoid", "splenic", "hepatic" };
+  std::string        text;
+  for (int k = 0; k < 4; ++k)
+  {
+    if (!(errors.flexures[k] <= 30.0))
+    {
+      text += std::string(text.empty() ? "" : ", ") + names[k] + " flexure " +
+              (std::isfinite(errors.flexures[k]) ? Rounded(errors.flexures[k]) + " mm off" : "not found");
+    }
+  }
+  if (!(errors.taeniaWithin10 >= 0.95))
+  {
+    text += (text.empty() ? "" : ", ") + std::string("taeniae within 10 mm ") + Rounded(errors.taeniaWithin10);
+  }
+  return text;
+}
+
+int
+ExamsWithin(const std::vector<double> & values, double least)
+{
+  int number = 0;
+  for (const double value : values)
+  {
+    number += value >= least;
+  }
+  return number;
+}
+} // namespace
+
+void
+LandmarkScores::Rule::Add(const LandmarkErrors & errors)
+{
+  ++exams;
+  taeniaMeans.push_back(errors.taeniaMean);
+  taeniaWithin10.push_back(errors.taeniaWithin10);
+  taeniaIdentified10.push_back(errors.taeniaIdentified10);
+  labelled.push_back(errors.labelledShare);
+  flexuresRight += errors.areFlexuresWithin30;
+}
+
+std::vector<std::string>
+LandmarkScores::Add(const LandmarkExam & exam)
+{
+  std::string          failure;
+  ColonLandmarkOptions options;
+  const LandmarkErrors ours = TryLandmarks(exam, options, failure);
+  m_Ours.Add(ours);
+  options.markers = MarkersOfTruth(*exam.anatomy);
+  m_Marked.Add(TryLandmarks(exam, options, failure));
+  options.markers.clear();
+  options.flexureRule = FlexureRule::Published;
+  options.taeniaRule = TaeniaRule::Published;
+  m_Published.Add(TryLandmarks(exam, options, failure));
+  std::vector<std::string> faults;
+  for (const std::string & fault : { failure, InWords(ours) })
+  {
+    if (!fault.empty())
+    {
+      faults.push_back(fault);
+    }
+  }
+  return faults;
+}
+
+void
+LandmarkScores::AddBounded(const LandmarkBounds & bounds, BoundTable & table) const
+{
+  const bool   hasExams = m_Ours.exams > 0;
+  const auto   atLeast = [](double bound) { return ">= " + Rounded(bound); };
+  const double mean = MeanOf(m_Ours.taeniaMeans);
+  const double within = MeanOf(m_Ours.taeniaWithin10);
+  const double marked = MeanOf(m_Marked.taeniaWithin10);
+  const double labelled = MeanOf(m_Ours.labelled);
+  table.AddBounded("taeniae, mean error, mm",
+                   "<= " + Rounded(bounds.taeniaMean),
+                   Rounded(mean),
+                   m_Ours.taeniaMeans,
+                   hasExams && mean <= bounds.taeniaMean);
+  table.AddBounded("taeniae, share within 10 mm",
+                   atLeast(bounds.taeniaWithin10),
+                   Rounded(within),
+                   m_Ours.taeniaWithin10,
+                   hasExams && within >= bounds.taeniaWithin10);
+  table.AddBounded("taeniae with three markers, share within 10 mm",
+                   atLeast(bounds.markedWithin10),
+                   Rounded(marked, 4),
+                   m_Marked.taeniaWithin10,
+                   hasExams && marked >= bounds.markedWithin10);
+  table.AddBounded("exams with all four flexures within 30 mm",
+                   atLeast(bounds.flexures),
+                   RatioOf(m_Ours.flexuresRight, m_Ours.exams),
+                   {},
+                   hasExams && ShareOf(m_Ours.flexuresRight, m_Ours.exams) >= bounds.flexures);
+  table.AddBounded("surface with its true segment",
+                   atLeast(bounds.labelled),
+                   Rounded(labelled),
+                   m_Ours.labelled,
+                   hasExams && labelled >= bounds.labelled);
+}
+
+void
+LandmarkScores::AddReported(BoundTable & table) const
+{
+  table.AddFact("exams with 95 % of the taeniae within 10 mm",
+                RatioOf(ExamsWithin(m_Ours.taeniaWithin10, 0.95), m_Ours.exams));
+  table.AddFact("taeniae, share within 10 mm, one assignment for the whole colon",
+                Rounded(MeanOf(m_Ours.taeniaIdentified10)),
+                m_Ours.taeniaIdentified10);
+  table.AddFact("published rule: taeniae, mean error, mm", Rounded(MeanOf(m_Published.taeniaMeans)));
+  table.AddFact("published rule: taeniae, share within 10 mm",
+                Rounded(MeanOf(m_Published.taeniaWithin10)),
+                m_Published.taeniaWithin10);
+  table.AddFact("published rule: exams with all four flexures within 30 mm",
+                RatioOf(m_Published.flexuresRight, m_Published.exams));
+  table.AddFact(
+    "published rule: surface with its true segment", Rounded(MeanOf(m_Published.labelled)), m_Published.labelled);
+}

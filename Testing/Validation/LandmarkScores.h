@@ -1,0 +1,52 @@
+#ifndef LandmarkScores_h
+#define LandmarkScores_h
+
+#include "BoundTable.h"
+#include "LandmarkErrors.h"
+#include "LandmarkTrial.h"
+
+/** What taeniae, flexures and segments must reach. Shares of 0 to 1. */
+struct LandmarkBounds
+{
+  double taeniaMean; ///< mm
+  double taeniaWithin10;
+  double markedWithin10; ///< with three markers
+  double flexures;       ///< exams with all four within 30 mm
+  double labelled;
+};
+
+/** Errors of landmarks over the exams of a column, by our rules, by the published ones, and with a marker on each
+ * taenia. */
+class LandmarkScores
+{
+public:
+  /** Finds the landmarks of an exam; what was missed is told in words. Where they cannot be found at all the exam
+   * counts as all wrong. */
+  std::vector<std::string>
+  Add(const LandmarkExam & exam);
+
+  void
+  AddBounded(const LandmarkBounds & bounds, BoundTable & table) const;
+  void
+  AddReported(BoundTable & table) const;
+
+private:
+  struct Rule
+  {
+    std::vector<double> taeniaMeans;
+    std::vector<double> taeniaWithin10;
+    std::vector<double> taeniaIdentified10;
+    std::vector<double> labelled;
+    int                 flexuresRight{ 0 };
+    int                 exams{ 0 };
+
+    void
+    Add(const LandmarkErrors & errors);
+  };
+
+  Rule m_Ours;
+  Rule m_Published;
+  Rule m_Marked;
+};
+
+#endif
