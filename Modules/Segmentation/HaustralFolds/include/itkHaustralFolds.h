@@ -104,7 +104,7 @@ struct HaustralFolds
 
 /** Folds on the flat map of a colon (dissertation 4.3.1). Stretches bridged over gaps hold none. A surface without
  * folds is no error: there is a warning. Equal input gives equal results for any number of threads. Throws UsageError
- * for options out of range, InputError where the surface has faces without area. \ingroup HaustralFolds */
+ * for options out of range, InputError where vertices of the surface coincide. \ingroup HaustralFolds */
 HaustralFolds_EXPORT HaustralFolds
 FindHaustralFolds(const FlatColonGrid & grid, const HaustralFoldOptions & options = {});
 } // namespace itk

@@ -20,8 +20,8 @@ enum class CurvatureUnit
 /** Mean curvature of each vertex after diffusion of heat over the surface for `time` mm^2 (two implicit steps; Neumann
  * boundaries). A surface whose faces are counterclockwise from outside has positive values PerArea, and negative
  * Published ones, where it bulges inwards, as at folds. 0 at boundary vertices before smoothing, where curvature is
- * not defined. Throws InputError as MakeSurfaceLaplacian() does, UsageError for a negative time.
- * \ingroup HaustralFolds */
+ * not defined; cut to +-1/mm, so that needles do no harm. Throws InputError as MakeSurfaceLaplacian() with lengths
+ * does, UsageError for a negative time. \ingroup HaustralFolds */
 HaustralFolds_EXPORT Eigen::VectorXd
                      SmoothedMeanCurvature(const VertexMatrix & V,
                                            const FaceMatrix &   F,

@@ -13,6 +13,8 @@ namespace itk
 namespace
 {
 constexpr int steps = 2;
+/** 1/mm: a ball of 1 mm. What is curved more is a fault of the mesh, such as a needle. */
+constexpr double greatestCurvature = 1.0;
 
 /** Means of the faces' normals by area; unit vectors, or zero. */
 VertexMatrix
@@ -76,12 +78,14 @@ SmoothedMeanCurvature(const VertexMatrix & V, const FaceMatrix & F, double time,
 {
   RequireUsage(time >= 0.0 && std::isfinite(time), "the time over which curvature is smoothed must not be negative");
   const SurfaceConnectivity         connectivity(F, static_cast<int>(V.rows()));
-  const SurfaceLaplacian            laplacian = MakeSurfaceLaplacian(connectivity, V);
+  const SurfaceLaplacian            laplacian = MakeSurfaceLaplacian(connectivity, EdgeLengths(connectivity, V));
   const Eigen::SparseMatrix<double> stiffness = StiffnessMatrix(laplacian);
-  // L V = -2 H M n with n outwards: where the surface bulges inwards L V points inwards.
-  Eigen::VectorXd values = -(stiffness * V).cwiseProduct(VertexNormals(V, F)).rowwise().sum();
-  values = unit == CurvatureUnit::PerArea ? Eigen::VectorXd(0.5 * values.cwiseQuotient(laplacian.mass))
-                                          : Eigen::VectorXd(-values);
+  // Faces without area are taken for needles. L V = -2 H M n with n outwards: where the surface bulges inwards L V
+  // points inwards.
+  Eigen::VectorXd      values = -(stiffness * V).cwiseProduct(VertexNormals(V, F)).rowwise().sum();
+  const Eigen::ArrayXd area = laplacian.mass.array().max(1e-12);
+  const Eigen::ArrayXd curvature = (0.5 * values.array() / area).max(-greatestCurvature).min(greatestCurvature);
+  values = unit == CurvatureUnit::PerArea ? curvature : (-2.0 * curvature * area).eval();
   ClearBoundary(connectivity, values);
   if (time > 0.0)
   {

@@ -219,6 +219,16 @@ TEST(HaustralFolds, OrientationOfFacesAndMapDoesNotMatter)
   }
 }
 
+TEST(HaustralFolds, NeedlesDoNoHarm)
+{
+  itk::SurfaceMesh mesh = MakeTube(FourFolds());
+  // A vertex on the line between two neighbours: a face without area.
+  const Eigen::Index face = 2 * 120 * 75;
+  const auto         corner = [&](int k) { return mesh.V.row(mesh.F(face, k)); };
+  corner(0) = 0.5 * (corner(1) + corner(2)).eval();
+  EXPECT_EQ(FindHaustralFolds(FlatColonGrid(mesh)).folds.size(), 4u);
+}
+
 TEST(HaustralFolds, ThreadsDoNotMatter)
 {
   const FlatColonGrid grid(MakeTube(FourFolds()));
