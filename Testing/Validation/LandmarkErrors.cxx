@@ -86,7 +86,7 @@ AreOnePoint(const itk::CurveSet & taeniae, std::size_t k)
 /** The open stretches, between the collapsed ones, as far as there is a wall: bridges are longer than what is
  * collapsed. */
 std::vector<Stretch>
-OpenStretches(const itk::ColonAnatomy & anatomy, const itk::ColonTube & tube)
+OpenStretches(const itk::ColonAnatomy & anatomy, const itk::ColonWallTube & tube)
 {
   const itk::SurfaceLocator locator(tube.Points(), tube.Faces());
   const itk::CurveSet       line = anatomy.Centreline();

@@ -27,12 +27,12 @@ struct ColonLandmarkOptions
 struct ColonLandmarks
 {
   /** The wall without its cut; what walks and faces below refer to. */
-  std::shared_ptr<const ColonTube> tube;
-  ColonFlexures                    flexures;
-  ColonSegments                    segments;
-  SurfaceFolds                     folds;
-  ColonTaeniae                     taeniae;
-  std::vector<std::string>         warnings;
+  std::shared_ptr<const ColonWallTube> tube;
+  ColonFlexures                        flexures;
+  ColonSegments                        segments;
+  SurfaceFolds                         folds;
+  ColonTaeniae                         taeniae;
+  std::vector<std::string>             warnings;
 };
 
 /** Flexures, segments, folds on the surface and taeniae of a flat colon, as FlattenTube() gives it, with its

@@ -2,7 +2,7 @@
 #define itkColonSegments_h
 
 #include "itkColonFlexures.h"
-#include "itkColonTube.h"
+#include "itkColonWallTube.h"
 
 namespace itk
 {
@@ -40,13 +40,13 @@ ColonLandmarks_EXPORT std::string
  * distance from the plane; walks stay within 70 mm along the centreline of `arcLength`, or 140 mm where there is none.
  * Empty where there is none there either. \ingroup ColonLandmarks */
 ColonLandmarks_EXPORT SurfaceWalk
-FindLoop(const ColonTube & tube, const Eigen::Vector3d & point, const Eigen::Vector3d & normal, double arcLength);
+FindLoop(const ColonWallTube & tube, const Eigen::Vector3d & point, const Eigen::Vector3d & normal, double arcLength);
 
 /** The six segments between loops at the flexures that were found. The caecum has no flexure: it begins where the
  * centreline is 6 cm from its end, straight, its length in anatomy (Gray's Anatomy, 41st ed.; the ileocaecal valve
  * itself is not looked for). \ingroup ColonLandmarks */
 ColonLandmarks_EXPORT ColonSegments
-FindColonSegments(const ColonTube & tube, const CurveSet & centreline, const ColonFlexures & flexures);
+FindColonSegments(const ColonWallTube & tube, const CurveSet & centreline, const ColonFlexures & flexures);
 } // namespace itk
 
 #endif

@@ -1,7 +1,7 @@
 #ifndef itkColonTaeniae_h
 #define itkColonTaeniae_h
 
-#include "itkColonTube.h"
+#include "itkColonWallTube.h"
 
 #include <array>
 
@@ -86,7 +86,7 @@ ColonLandmarks_EXPORT std::string
  *
  * Throws InputError where a marker lies more than 15 mm from the wall. \ingroup ColonLandmarks */
 ColonLandmarks_EXPORT ColonTaeniae
-FindColonTaeniae(const SurfaceMesh & flat, const ColonTube & tube, const ColonTaeniaOptions & options = {});
+FindColonTaeniae(const SurfaceMesh & flat, const ColonWallTube & tube, const ColonTaeniaOptions & options = {});
 
 /** Three curves with the cell array taenia (1 to 3) and the point arrays arcLength (mm), uv and confidence.
  * \ingroup ColonLandmarks */

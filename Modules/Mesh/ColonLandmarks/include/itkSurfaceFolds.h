@@ -1,7 +1,7 @@
 #ifndef itkSurfaceFolds_h
 #define itkSurfaceFolds_h
 
-#include "itkColonTube.h"
+#include "itkColonWallTube.h"
 
 namespace itk
 {
@@ -37,7 +37,9 @@ struct SurfaceFolds
  * together by edges is a fold where it is large enough. Faces with a value in `isBridged` (one for each face, or none)
  * hold no folds. Throws InputError where a face has no area. \ingroup ColonLandmarks */
 ColonLandmarks_EXPORT SurfaceFolds
-FindSurfaceFolds(const ColonTube & tube, const std::vector<char> & isBridged, const SurfaceFoldOptions & options = {});
+FindSurfaceFolds(const ColonWallTube &      tube,
+                 const std::vector<char> &  isBridged,
+                 const SurfaceFoldOptions & options = {});
 } // namespace itk
 
 #endif

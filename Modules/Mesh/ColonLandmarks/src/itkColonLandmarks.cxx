@@ -58,7 +58,7 @@ FindColonLandmarks(const SurfaceMesh & flat, const CurveSet & centreline, const 
   };
   ColonLandmarks result;
   tell("Matching the centreline", 0.0);
-  const auto tube = std::make_shared<const ColonTube>(flat, centreline);
+  const auto tube = std::make_shared<const ColonWallTube>(flat, centreline);
   result.tube = tube;
   Append(tube->Warnings(), result.warnings);
 

@@ -108,7 +108,7 @@ CaecumToJson(const ColonLandmarks & landmarks)
 }
 
 double
-AreaOfFace(const ColonTube & tube, int face)
+AreaOfFace(const ColonWallTube & tube, int face)
 {
   const Eigen::Vector3d a = tube.Points().row(tube.Faces()(face, 0));
   const Eigen::Vector3d b = tube.Points().row(tube.Faces()(face, 1));

@@ -18,7 +18,7 @@ constexpr double confidenceOfCaecum = 0.3;
 
 /** Faces that hang together without crossing a loop, by numbers from 0 on. */
 std::vector<int>
-PartsBetweenLoops(const ColonTube & tube, const std::vector<SegmentBorder> & borders)
+PartsBetweenLoops(const ColonWallTube & tube, const std::vector<SegmentBorder> & borders)
 {
   const SurfaceConnectivity & connectivity = tube.Connectivity();
   std::vector<char>           isBlocked(connectivity.NumberOfEdges(), 0);
@@ -88,7 +88,7 @@ SegmentAt(const std::vector<SegmentBorder> & borders, double arcLength)
 
 /** Each part gets the segment of its middle. */
 std::vector<int>
-SegmentsOfFaces(const ColonTube & tube, const std::vector<SegmentBorder> & borders)
+SegmentsOfFaces(const ColonWallTube & tube, const std::vector<SegmentBorder> & borders)
 {
   const std::vector<int> part = PartsBetweenLoops(tube, borders);
   const int              parts = 1 + *std::max_element(part.begin(), part.end());
@@ -143,7 +143,7 @@ NameOfSegment(int segment)
 }
 
 ColonSegments
-FindColonSegments(const ColonTube & tube, const CurveSet & centreline, const ColonFlexures & flexures)
+FindColonSegments(const ColonWallTube & tube, const CurveSet & centreline, const ColonFlexures & flexures)
 {
   std::vector<SegmentBorder> candidates;
   for (const ColonFlexure & flexure : flexures.flexures)

@@ -19,7 +19,7 @@ constexpr int numberOfSegments = 6;
 
 /** The tube without its cut, with the arrays of the flat surface that hold for it. */
 SurfaceMesh
-WeldedSurface(const SurfaceMesh & flat, const ColonTube & tube)
+WeldedSurface(const SurfaceMesh & flat, const ColonWallTube & tube)
 {
   SurfaceMesh welded;
   welded.V = tube.Points();

@@ -194,7 +194,7 @@ NameOf(TaeniaRule rule)
 }
 
 ColonTaeniae
-FindColonTaeniae(const SurfaceMesh & flat, const ColonTube & tube, const ColonTaeniaOptions & options)
+FindColonTaeniae(const SurfaceMesh & flat, const ColonWallTube & tube, const ColonTaeniaOptions & options)
 {
   const FlatColonGrid    grid(flat);
   const HaustralFolds    folds = FindHaustralFolds(grid);

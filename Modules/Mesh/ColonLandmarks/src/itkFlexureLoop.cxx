@@ -17,7 +17,7 @@ constexpr int middleSheet = 2;
 class LoopSearch
 {
 public:
-  LoopSearch(const ColonTube &       tube,
+  LoopSearch(const ColonWallTube &   tube,
              const Eigen::Vector3d & point,
              const Eigen::Vector3d & normal,
              double                  arcLength,
@@ -124,14 +124,14 @@ private:
     }
   }
 
-  const ColonTube &   m_Tube;
-  std::vector<double> m_Distance; ///< from the plane; negative outside of the window
-  std::vector<int>    m_Starts;
+  const ColonWallTube & m_Tube;
+  std::vector<double>   m_Distance; ///< from the plane; negative outside of the window
+  std::vector<int>      m_Starts;
 };
 } // namespace
 
 SurfaceWalk
-FindLoop(const ColonTube & tube, const Eigen::Vector3d & point, const Eigen::Vector3d & normal, double arcLength)
+FindLoop(const ColonWallTube & tube, const Eigen::Vector3d & point, const Eigen::Vector3d & normal, double arcLength)
 {
   SurfaceWalk loop = LoopSearch(tube, point, normal, arcLength, 70.0).Best();
   return loop.vertices.empty() ? LoopSearch(tube, point, normal, arcLength, 140.0).Best() : loop;

@@ -12,7 +12,7 @@ namespace itk
 namespace
 {
 double
-AreaOfFace(const ColonTube & tube, int face)
+AreaOfFace(const ColonWallTube & tube, int face)
 {
   const Eigen::Vector3d a = tube.Points().row(tube.Faces()(face, 0));
   const Eigen::Vector3d b = tube.Points().row(tube.Faces()(face, 1));
@@ -22,7 +22,7 @@ AreaOfFace(const ColonTube & tube, int face)
 
 /** Of each face, the mean of its corners. */
 std::vector<double>
-CurvatureOfFaces(const ColonTube & tube, const Eigen::VectorXd & curvature)
+CurvatureOfFaces(const ColonWallTube & tube, const Eigen::VectorXd & curvature)
 {
   std::vector<double> result;
   for (int face = 0; face < tube.Faces().rows(); ++face)
@@ -35,7 +35,7 @@ CurvatureOfFaces(const ColonTube & tube, const Eigen::VectorXd & curvature)
 
 /** Otsu's threshold of the area by curvature, from -0.1 to 0.2 per mm. */
 double
-ThresholdBetween(const ColonTube & tube, const std::vector<double> & curvature, const std::vector<char> & isBridged)
+ThresholdBetween(const ColonWallTube & tube, const std::vector<double> & curvature, const std::vector<char> & isBridged)
 {
   constexpr int            bins = 300;
   constexpr double         low = -0.1;
@@ -76,7 +76,7 @@ ThresholdBetween(const ColonTube & tube, const std::vector<double> & curvature, 
 
 /** Faces of candidates that hang together with this one; they are taken off the candidates. */
 std::vector<int>
-TakeComponent(const ColonTube & tube, int seed, std::vector<char> & isCandidate)
+TakeComponent(const ColonWallTube & tube, int seed, std::vector<char> & isCandidate)
 {
   std::vector<int> faces{ seed };
   isCandidate[seed] = 0;
@@ -103,7 +103,7 @@ TakeComponent(const ColonTube & tube, int seed, std::vector<char> & isCandidate)
 }
 
 double
-ExtentOfFaces(const ColonTube & tube, const std::vector<int> & faces)
+ExtentOfFaces(const ColonWallTube & tube, const std::vector<int> & faces)
 {
   Eigen::AlignedBox3d box;
   for (const int face : faces)
@@ -118,7 +118,7 @@ ExtentOfFaces(const ColonTube & tube, const std::vector<int> & faces)
 } // namespace
 
 SurfaceFolds
-FindSurfaceFolds(const ColonTube & tube, const std::vector<char> & isBridged, const SurfaceFoldOptions & options)
+FindSurfaceFolds(const ColonWallTube & tube, const std::vector<char> & isBridged, const SurfaceFoldOptions & options)
 {
   SurfaceFolds result;
   result.curvature = SmoothedMeanCurvature(tube.Points(), tube.Faces(), options.smoothingTime, CurvatureUnit::PerArea);

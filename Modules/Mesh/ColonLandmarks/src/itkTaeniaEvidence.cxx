@@ -203,7 +203,7 @@ TurnsBetween(double a, double b)
 }
 
 TaeniaEvidence
-MakeTaeniaEvidence(const FlatColonGrid & grid, const ColonTube & tube, const HaustralFolds & folds)
+MakeTaeniaEvidence(const FlatColonGrid & grid, const ColonWallTube & tube, const HaustralFolds & folds)
 {
   TaeniaEvidence evidence;
   evidence.columnsPerRow = std::max(1, static_cast<int>(std::lround(rowLength / grid.PixelSize())));

@@ -1,7 +1,7 @@
 #ifndef itkTaeniaEvidence_h
 #define itkTaeniaEvidence_h
 
-#include "itkColonTube.h"
+#include "itkColonWallTube.h"
 #include "itkFlatColonGrid.h"
 #include "itkHaustralFolds.h"
 
@@ -55,7 +55,7 @@ struct TaeniaEvidence
 };
 
 TaeniaEvidence
-MakeTaeniaEvidence(const FlatColonGrid & grid, const ColonTube & tube, const HaustralFolds & folds);
+MakeTaeniaEvidence(const FlatColonGrid & grid, const ColonWallTube & tube, const HaustralFolds & folds);
 
 /** The best three tracks by dynamic programming. */
 TaeniaTracks

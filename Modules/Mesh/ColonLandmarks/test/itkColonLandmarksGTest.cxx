@@ -9,13 +9,13 @@
 namespace
 {
 using itk::ColonLandmarks;
-using itk::ColonTube;
+using itk::ColonWallTube;
 
 constexpr double radius = 120.0 / (2.0 * landmarktubes::pi);
 constexpr double length = 150.0;
 
 itk::SegmentBorder
-BorderAt(const ColonTube & tube, int number, double z)
+BorderAt(const ColonWallTube & tube, int number, double z)
 {
   itk::SegmentBorder border;
   border.number = number;
@@ -30,7 +30,7 @@ ColonLandmarks
 LandmarksOfCylinder(const itk::SurfaceMesh & flat)
 {
   ColonLandmarks landmarks;
-  landmarks.tube = std::make_shared<const ColonTube>(flat, landmarktubes::StraightLine(length));
+  landmarks.tube = std::make_shared<const ColonWallTube>(flat, landmarktubes::StraightLine(length));
   landmarks.segments.borders = { BorderAt(*landmarks.tube, 1, 40.0), BorderAt(*landmarks.tube, 2, 100.0) };
   for (int face = 0; face < flat.NumberOfFaces(); ++face)
   {
@@ -110,7 +110,7 @@ TEST(SurfaceFolds, AreThoseThatWereMade)
     folds.push_back(fold);
   }
   const itk::SurfaceMesh  flat = foldtubes::MakeTube(folds);
-  const ColonTube         tube(flat, landmarktubes::StraightLine(160.0));
+  const ColonWallTube     tube(flat, landmarktubes::StraightLine(160.0));
   const itk::SurfaceFolds found = FindSurfaceFolds(tube, {});
   EXPECT_EQ(found.number, 5);
   EXPECT_GE(found.leastCurvature, 0.0);
@@ -138,7 +138,7 @@ TEST(SurfaceFolds, AreNotMadeUpWhereTheWallIs)
   fold.halfLength = 18.0;
   fold.height = 6.0;
   const itk::SurfaceMesh flat = foldtubes::MakeTube({ fold });
-  const ColonTube        tube(flat, landmarktubes::StraightLine(160.0));
+  const ColonWallTube    tube(flat, landmarktubes::StraightLine(160.0));
   EXPECT_EQ(FindSurfaceFolds(tube, std::vector<char>(flat.NumberOfFaces(), 1)).number, 0);
 }
 

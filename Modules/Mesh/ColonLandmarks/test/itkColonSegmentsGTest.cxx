@@ -8,7 +8,7 @@
 #include <set>
 
 using itk::ColonSegments;
-using itk::ColonTube;
+using itk::ColonWallTube;
 
 namespace
 {
@@ -17,12 +17,12 @@ constexpr double radius = 12.0;
 struct LabelledColon
 {
   SchematicColon     colon{ MakeSchematicColon() };
-  ColonTube          tube{ landmarktubes::TubeAlong(colon.centreline, radius), colon.centreline };
+  ColonWallTube      tube{ landmarktubes::TubeAlong(colon.centreline, radius), colon.centreline };
   itk::ColonFlexures flexures{ itk::FindColonFlexures(colon.centreline) };
 };
 
 double
-ArcLengthOfFace(const ColonTube & tube, int face)
+ArcLengthOfFace(const ColonWallTube & tube, int face)
 {
   const auto corners = tube.Faces().row(face);
   return (tube.ArcLength(corners[0]) + tube.ArcLength(corners[1]) + tube.ArcLength(corners[2])) / 3.0;
@@ -33,7 +33,7 @@ TEST(FlexureLoops, RunOnceAroundInThePlane)
 {
   flattubes::TubeForm form;
   form.cutSway = 1.0;
-  const ColonTube          tube(flattubes::MakeCylinder(form), landmarktubes::StraightLine(form.length));
+  const ColonWallTube      tube(flattubes::MakeCylinder(form), landmarktubes::StraightLine(form.length));
   const itk::SurfaceWalk   loop = itk::FindLoop(tube, { 0, 0, 70.0 }, Eigen::Vector3d::UnitZ(), 70.0);
   const std::vector<int> & vertices = loop.vertices;
   ASSERT_GE(vertices.size(), 48u);
@@ -52,7 +52,7 @@ TEST(FlexureLoops, RunOnceAroundInThePlane)
 TEST(FlexureLoops, AreEmptyWhereThereIsNoWall)
 {
   flattubes::TubeForm form;
-  const ColonTube     tube(flattubes::MakeCylinder(form), landmarktubes::StraightLine(form.length));
+  const ColonWallTube tube(flattubes::MakeCylinder(form), landmarktubes::StraightLine(form.length));
   EXPECT_TRUE(itk::FindLoop(tube, { 0, 0, 900.0 }, Eigen::Vector3d::UnitZ(), 900.0).vertices.empty());
 }
 

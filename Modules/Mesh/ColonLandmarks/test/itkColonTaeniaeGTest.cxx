@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 
 using itk::ColonTaeniae;
-using itk::ColonTube;
+using itk::ColonWallTube;
 using itk::FindColonTaeniae;
 using itk::TaeniaRule;
 
@@ -17,7 +17,7 @@ constexpr double length = 480.0;
 struct Tube
 {
   itk::SurfaceMesh flat{ landmarktubes::TubeWithTaeniae() };
-  ColonTube        tube{ flat, landmarktubes::StraightLine(length) };
+  ColonWallTube    tube{ flat, landmarktubes::StraightLine(length) };
 };
 
 /** mm around the tube between a place of a taenia and the nearest true one. */
@@ -134,7 +134,7 @@ TEST(ColonTaeniae, AreAbsentWhereThereAreNoFolds)
 {
   flattubes::TubeForm    form;
   const itk::SurfaceMesh flat = flattubes::MakeCylinder(form);
-  const ColonTaeniae     found = FindColonTaeniae(flat, ColonTube(flat, landmarktubes::StraightLine(form.length)));
+  const ColonTaeniae     found = FindColonTaeniae(flat, ColonWallTube(flat, landmarktubes::StraightLine(form.length)));
   EXPECT_TRUE(found.taeniae.empty());
   EXPECT_NE(found.reason.find("too few"), std::string::npos);
   EXPECT_FALSE(found.warnings.empty());

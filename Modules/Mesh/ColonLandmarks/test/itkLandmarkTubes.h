@@ -1,7 +1,7 @@
 #ifndef itkLandmarkTubes_h
 #define itkLandmarkTubes_h
 
-#include "../../../Segmentation/HaustralFolds/test/itkFoldTubes.h"
+#include "itkFoldTubes.h"
 #include "itkSchematicColon.h"
 
 /** Flat tubes with known landmarks, and their centrelines. */

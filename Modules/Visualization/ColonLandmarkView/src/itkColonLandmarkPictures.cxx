@@ -85,7 +85,7 @@ AddTaeniae(const ColonTaeniae & taeniae, std::vector<CurveSet> & sets, SurfaceSc
 
 /** The line of a closed walk on the map. */
 FlatLine
-LineOfLoop(const ColonTube & tube, const SurfaceWalk & loop)
+LineOfLoop(const ColonWallTube & tube, const SurfaceWalk & loop)
 {
   FlatLine line;
   line.color = colorOfLoops;

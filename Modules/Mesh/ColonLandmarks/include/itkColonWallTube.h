@@ -12,22 +12,22 @@
 
 namespace itk
 {
-/** \class ColonTube
+/** \class ColonWallTube
  * \brief The wall of a flat colon without its cut: what walks over the wall are made on.
  *
  * Vertices of the flat surface at one place (sourcePointId) are one vertex here; faces keep their order. A walk may
  * cross the cut: Turns() counts how often an edge does, so that a walk around the tube is told from one that is not.
  *
  * \ingroup ColonLandmarks */
-class ColonLandmarks_EXPORT ColonTube
+class ColonLandmarks_EXPORT ColonWallTube
 {
 public:
   /** \param flat as FlattenTube() gives it: uv, sourcePointId, circumference, length.
    * \param centreline one curve with arcLength, from the rectum to the caecum of this surface.
    * Throws InputError, with the reason, where an array is missing, or the centreline belongs to another colon or runs
    * the other way. One that covers a part of the surface is taken, with a warning. */
-  ColonTube(const SurfaceMesh & flat, const CurveSet & centreline);
-  ~ColonTube();
+  ColonWallTube(const SurfaceMesh & flat, const CurveSet & centreline);
+  ~ColonWallTube();
 
   const VertexMatrix &
   Points() const

@@ -1,4 +1,4 @@
-#include "itkColonTube.h"
+#include "itkColonWallTube.h"
 
 #include "itkCentrelineMatch.h"
 #include "itkFlatSurface.h"
@@ -10,7 +10,7 @@
 
 namespace itk
 {
-ColonTube::ColonTube(const SurfaceMesh & flat, const CurveSet & centreline)
+ColonWallTube::ColonWallTube(const SurfaceMesh & flat, const CurveSet & centreline)
 {
   RequireSound(flat, "the flat surface");
   const Eigen::MatrixX2d uv = FlatCoordinates(flat, "the flat surface");
@@ -25,10 +25,10 @@ ColonTube::ColonTube(const SurfaceMesh & flat, const CurveSet & centreline)
   this->MeasureArcLength(flat, centreline);
 }
 
-ColonTube::~ColonTube() = default;
+ColonWallTube::~ColonWallTube() = default;
 
 void
-ColonTube::Weld(const SurfaceMesh & flat)
+ColonWallTube::Weld(const SurfaceMesh & flat)
 {
   const std::vector<int> source = FlatSourcePoints(flat, "the flat surface");
   std::map<int, int>     numbers;
@@ -56,7 +56,7 @@ ColonTube::Weld(const SurfaceMesh & flat)
 }
 
 void
-ColonTube::CountTurns(const SurfaceMesh & flat, const Eigen::MatrixX2d & uv)
+ColonWallTube::CountTurns(const SurfaceMesh & flat, const Eigen::MatrixX2d & uv)
 {
   const auto turnsOfCopy = [&](int i) {
     return static_cast<int>(std::lround((uv(i, 1) - m_Uv(m_VertexOfFlat[i], 1)) / m_Circumference));
@@ -78,14 +78,14 @@ ColonTube::CountTurns(const SurfaceMesh & flat, const Eigen::MatrixX2d & uv)
 }
 
 int
-ColonTube::Turns(int a, int b) const
+ColonWallTube::Turns(int a, int b) const
 {
   const int turns = m_TurnsOfEdge[m_Connectivity->FindEdge(a, b)];
   return a < b ? turns : -turns;
 }
 
 double
-ColonTube::ArcLengthOfU(double u) const
+ColonWallTube::ArcLengthOfU(double u) const
 {
   const double place = std::clamp(u / m_ColumnWidth - 0.5, 0.0, static_cast<double>(m_ArcLengthOfColumn.size()) - 1.0);
   const auto   i = static_cast<std::size_t>(place);
@@ -95,7 +95,7 @@ ColonTube::ArcLengthOfU(double u) const
 
 // The nearest point of the centreline near that of the vertex's column: loops of the colon that touch do not mislead.
 void
-ColonTube::MeasureArcLength(const SurfaceMesh & flat, const CurveSet & centreline)
+ColonWallTube::MeasureArcLength(const SurfaceMesh & flat, const CurveSet & centreline)
 {
   const CentrelineMatch match = MatchCentreline(flat, centreline);
   m_Warnings = match.warnings;
