@@ -65,8 +65,8 @@ ColonLandmarks_EXPORT std::string
  * place in the bounding box of the line, the turning between chords of 35 and of 70 mm, and the directions 40 mm before
  * and behind. A flexure's score is the log-likelihood of a Gaussian with independent features; the shares of the length
  * between flexures have Gaussians, too. The best four places in their order are found exactly by dynamic programming,
- * then the splenic and hepatic ones move to the place within 24 mm that is highest, depth towards the back counting
- * half as much (they are fixed to the posterior wall), the others to the sharpest.
+ * then the splenic and hepatic ones move to the place within 16 mm that is highest, depth towards the back counting
+ * half as much (they are fixed to the posterior wall), the others to the sharpest within 24 mm.
  *
  * The prior states anatomy, no sample of centrelines and no phantom:
  * - lengths from the anal verge, cm: anal canal 4, rectum 12, sigmoid 40, descending 25, transverse 50, ascending 15,

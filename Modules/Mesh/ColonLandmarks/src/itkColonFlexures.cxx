@@ -23,7 +23,9 @@ constexpr double leastGap = 0.02;
 /** The features depend on each other: the likelihood counts for a third where probabilities are stated. */
 constexpr double tempering = 1.0 / 3.0;
 constexpr double tolerance = 30.0; // mm
-constexpr double snapReach = 24.0; // mm
+/** How far the apex may lie from the best place, mm: of the upper flexures, and of the lower ones. */
+constexpr double upperReach = 16.0;
+constexpr double lowerReach = 24.0;
 constexpr double impossible = -1e30;
 
 using Scores = std::vector<double>;
@@ -207,7 +209,7 @@ Confidences(const std::vector<FlexureFeatures> & features, std::array<Scores, 4>
 int
 SnapToApex(const CentrelineShape & shape, const Eigen::VectorXd & turning, int flexure, int place)
 {
-  const int reach = static_cast<int>(snapReach / CentrelineShape::Step);
+  const int reach = static_cast<int>((flexure >= 2 ? upperReach : lowerReach) / CentrelineShape::Step);
   int       best = place;
   double    most = impossible;
   for (int i = std::max(0, place - reach); i <= std::min(shape.Size() - 1, place + reach); ++i)
