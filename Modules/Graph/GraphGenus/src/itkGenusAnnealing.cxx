@@ -1,8 +1,9 @@
 #include "itkGenusAnnealing.h"
 
-#include "itkGraphStructure.h"
-
 #include <algorithm>
+#include <array>
+#include <queue>
+#include <utility>
 
 namespace itk
 {
@@ -10,14 +11,24 @@ namespace
 {
 // While edges are put in for the first time.
 constexpr int growthExponent = 3;
+constexpr int breadthExponent = 12;
+// Whether the search is in vain is asked every so many moves.
+constexpr int movesBetweenQuestions = 4096;
 // The lengths of the parts of a longer face are taken as equal beyond this one.
 constexpr int longestWalk = 64;
 } // namespace
 
-GenusAnnealing::GenusAnnealing(const Graph & graph, PhiloxStream random)
+GenusAnnealing::GenusAnnealing(const Graph & graph, PhiloxStream random, Growth growth)
   : m_Graph(graph), m_Random(random), m_Map(graph.nodes, graph.edges)
 {
-  GrowTree();
+  if (growth == Growth::Tree)
+  {
+    GrowTree();
+  }
+  else
+  {
+    GrowByBreadth();
+  }
   InsertRest();
   m_BestGenus = Genus();
   m_Best = m_Map.GetNextAround();
@@ -70,6 +81,130 @@ GenusAnnealing::GrowTree()
   }
 }
 
+/** The placed region grows like a disk on the surface, with short faces inside: the next node is one with most
+ * neighbours in it, the one that waits longest of several. */
+void
+GenusAnnealing::GrowByBreadth()
+{
+  const Incidence                         incidence(m_Graph);
+  std::priority_queue<std::array<int, 3>> queue; // neighbours in the region, minus the time of discovery, node
+  std::vector<int>                        placedNeighbours(m_Graph.nodes, 0);
+  std::vector<int>                        discovered(m_Graph.nodes, 0);
+  int                                     time = 0;
+  const int                               root = m_Random.Below(m_Graph.nodes);
+  const auto                              leaveFrom = [&](int node) {
+    for (int i = incidence.start[node]; i < incidence.start[node + 1]; ++i)
+    {
+      const int neighbour = m_Map.Node(incidence.halfEdges[i] ^ 1);
+      if (neighbour != root && m_Map.Any(neighbour) < 0)
+      {
+        discovered[neighbour] = discovered[neighbour] == 0 ? ++time : discovered[neighbour];
+        queue.push({ ++placedNeighbours[neighbour], -discovered[neighbour], neighbour });
+      }
+    }
+  };
+  leaveFrom(root);
+  while (!queue.empty())
+  {
+    const int node = queue.top()[2];
+    queue.pop();
+    if (m_Map.Any(node) < 0)
+    {
+      PlaceNode(node, root, incidence);
+      leaveFrom(node);
+    }
+  }
+}
+
+/** All edges to nodes that have a place, in the face that has most of these; edges that need a handle wait. */
+void
+GenusAnnealing::PlaceNode(int node, int root, const Incidence & incidence)
+{
+  std::vector<int> corners;
+  std::vector<int> edges;
+  for (int i = incidence.start[node]; i < incidence.start[node + 1]; ++i)
+  {
+    const int edge = incidence.halfEdges[i] / 2;
+    const int neighbour = m_Map.Node(incidence.halfEdges[i] ^ 1);
+    if (neighbour == root && m_Map.Any(root) < 0) // the first edge of all
+    {
+      m_Map.Insert(edge, -1, -1);
+    }
+    if (m_Map.Contains(edge) || m_Map.Any(neighbour) < 0)
+    {
+      continue;
+    }
+    edges.push_back(edge);
+    const int first = m_Map.Any(neighbour);
+    int       h = first;
+    do
+    {
+      corners.push_back(h);
+      h = m_Map.NextAround(h);
+    } while (h != first);
+  }
+  if (m_Map.Any(node) < 0)
+  {
+    const int corner = CornerForNode(corners);
+    for (const int edge : edges)
+    {
+      const auto [node0, node1] = m_Graph.edges[edge];
+      if (m_Map.Node(corner) == (node0 == node ? node1 : node0))
+      {
+        m_Map.Insert(edge, node0 == node ? -1 : corner, node0 == node ? corner : -1);
+        break;
+      }
+    }
+  }
+  for (const int edge : edges)
+  {
+    if (!m_Map.Contains(edge))
+    {
+      CollectCorners(edge);
+      if (!m_Corners.empty())
+      {
+        Reinsert(edge, breadthExponent);
+      }
+    }
+  }
+}
+
+/** Of these corners one in the face that has most of them, the longest one of several such faces. */
+int
+GenusAnnealing::CornerForNode(const std::vector<int> & corners)
+{
+  m_FirstOfFace.resize(std::max<std::size_t>(m_FirstOfFace.size(), m_Map.FaceLabels()), -1);
+  for (const int h : corners)
+  {
+    ++m_FirstOfFace[m_Map.FaceOfCorner(h)];
+  }
+  const auto rank = [this](int h) {
+    const int face = m_Map.FaceOfCorner(h);
+    return std::make_pair(m_FirstOfFace[face], m_Map.FaceLength(face));
+  };
+  const int best =
+    *std::max_element(corners.begin(), corners.end(), [&rank](int a, int b) { return rank(a) < rank(b); });
+  for (const int h : corners)
+  {
+    m_FirstOfFace[m_Map.FaceOfCorner(h)] = -1;
+  }
+  return best;
+}
+
+int
+GenusAnnealing::CornerOfLongestFace(int node) const
+{
+  int best = m_Map.Any(node);
+  for (int h = m_Map.NextAround(best); h != m_Map.Any(node); h = m_Map.NextAround(h))
+  {
+    if (m_Map.FaceLength(m_Map.FaceOfCorner(h)) > m_Map.FaceLength(m_Map.FaceOfCorner(best)))
+    {
+      best = h;
+    }
+  }
+  return best;
+}
+
 /** Edges that divide a face come first; one that needs a handle is put in only when no other is left. */
 void
 GenusAnnealing::InsertRest()
@@ -104,7 +239,9 @@ GenusAnnealing::InsertRest()
     }
     if (later.size() == rest.size())
     {
-      Reinsert(later.back(), growthExponent);
+      // A handle joins the longest faces: short ones are good as they are.
+      const auto [node0, node1] = m_Graph.edges[later.back()];
+      m_Map.Insert(later.back(), CornerOfLongestFace(node0), CornerOfLongestFace(node1));
       later.pop_back();
     }
     rest.swap(later);
@@ -222,11 +359,15 @@ GenusAnnealing::KeepBest()
 }
 
 void
-GenusAnnealing::Anneal(std::int64_t moves, int lastExponent, int goal)
+GenusAnnealing::Anneal(std::int64_t moves, int lastExponent, int goal, const std::function<bool()> & isInVain)
 {
   const int firstExponent = lastExponent / 2;
   for (std::int64_t move = 0; move < moves && m_BestGenus > goal; ++move)
   {
+    if (move % movesBetweenQuestions == 0 && isInVain())
+    {
+      return;
+    }
     const int edge = m_Random.Below(m_Map.Edges());
     m_Map.Remove(edge);
     Reinsert(edge, firstExponent + static_cast<int>((lastExponent - firstExponent + 1) * move / moves));

@@ -2,8 +2,10 @@
 #define itkGenusAnnealing_h
 
 #include "itkIncrementalMap.h"
+#include "itkGraphStructure.h"
 #include "itkPhiloxStream.h"
 
+#include <functional>
 #include <vector>
 
 namespace itk
@@ -11,7 +13,7 @@ namespace itk
 /** \class GenusAnnealing
  * \brief Searches for a rotation system of small genus of a connected graph without loops.
  *
- * Edges are put in one by one, a spanning tree first. Then a random edge is taken out and put in anew between two
+ * Edges are put in one by one. Then a random edge is taken out and put in anew between two
  * corners of one face, so the genus never rises; it falls where the edge had one face on both sides and finds one to
  * divide. Among the pairs of corners that are there the edge draws one by heat bath: a map has the weight of the
  * product of length^-c over its faces. It favours many short faces beside few long ones, which edges leave for a place
@@ -22,12 +24,19 @@ namespace itk
 class GenusAnnealing
 {
 public:
-  GenusAnnealing(const Graph & graph, PhiloxStream random);
+  /** How edges are put in at first. */
+  enum class Growth
+  {
+    Tree,   ///< a random spanning tree, then the others in random order
+    Breadth ///< node by node, each with all its edges to nodes before it: finds surfaces that short faces tile
+  };
 
-  /** Moves `moves` edges while the exponent rises from half of `lastExponent` to all of it; ends early at genus `goal`.
-   */
+  GenusAnnealing(const Graph & graph, PhiloxStream random, Growth growth);
+
+  /** Moves `moves` edges while the exponent rises from half of `lastExponent` to all of it; ends early at genus `goal`,
+   * or when `isInVain`, which is asked now and then, says so. */
   void
-  Anneal(std::int64_t moves, int lastExponent, int goal);
+  Anneal(std::int64_t moves, int lastExponent, int goal, const std::function<bool()> & isInVain);
 
   int
   BestGenus() const
@@ -51,7 +60,15 @@ private:
   void
   GrowTree();
   void
+  GrowByBreadth();
+  void
+  PlaceNode(int node, int root, const Incidence & incidence);
+  int
+  CornerForNode(const std::vector<int> & corners);
+  void
   InsertRest();
+  int
+  CornerOfLongestFace(int node) const;
   void
   KeepBest();
   int

@@ -25,6 +25,9 @@ constexpr int lastExponents[] = { 8, 16, 12, 6 };
 // not.
 constexpr double movesOfAnEdge = 4000.0;
 constexpr double mostMoves = 3.0e6;
+constexpr double mostCorners = 4.0e8;
+// A node with very many neighbours would be looked at once for each of them.
+constexpr double mostCornersOfBreadth = 2000.0;
 constexpr double childrenOfASearch = 5000.0;
 
 /** A part of the graph that is searched on its own. */
@@ -60,7 +63,8 @@ SearchAll(std::vector<SearchPart> & parts, int restarts, const TSearch & search)
       return;
     }
     Outcome & outcome = outcomes[task];
-    outcome.nextAround = search(parts[part], restart, static_cast<std::uint32_t>(task));
+    outcome.nextAround =
+      search(parts[part], restart, static_cast<std::uint32_t>(task), [&] { return restart > firstAtBound[part]; });
     outcome.genus = CombinatorialMap(parts[part].graph->nodes, parts[part].graph->edges, outcome.nextAround).Genus();
     int first = firstAtBound[part];
     while (outcome.genus <= parts[part].lowerBound && restart < first &&
@@ -74,6 +78,19 @@ SearchAll(std::vector<SearchPart> & parts, int restarts, const TSearch & search)
                                return a.genus < b.genus;
                              })->nextAround;
   }
+}
+
+/** Mean number of corners that a move looks at: those of both ends of an edge. */
+double
+CornersOfAMove(const Graph & graph)
+{
+  const Incidence incidence(graph);
+  double          sum = 0.0;
+  for (int v = 0; v < graph.nodes; ++v)
+  {
+    sum += static_cast<double>(incidence.Degree(v)) * incidence.Degree(v);
+  }
+  return sum / graph.edges.size();
 }
 
 /** A block of the graph with its kernel. */
@@ -165,12 +182,22 @@ private:
       parts.push_back({ &kernel, std::max(1, GenusLowerBound(kernel)), {} });
       m_LowerBound += parts.back().lowerBound;
     }
-    SearchAll(parts, m_Options.restarts, [this](const SearchPart & part, int restart, std::uint32_t stream) {
-      GenusAnnealing annealing(*part.graph, PhiloxStream(m_Options.seed, stream, annealingPurpose));
-      const double   moves = std::min(movesOfAnEdge * part.graph->edges.size(), mostMoves) * m_Options.effort;
-      annealing.Anneal(static_cast<std::int64_t>(moves), lastExponents[restart % 4], part.lowerBound);
-      return annealing.BestNextAround();
-    });
+    SearchAll(parts,
+              m_Options.restarts,
+              [this](const SearchPart & part, int restart, std::uint32_t stream, const auto & isInVain) {
+                const double   cornersOfAMove = CornersOfAMove(*part.graph);
+                GenusAnnealing annealing(*part.graph,
+                                         PhiloxStream(m_Options.seed, stream, annealingPurpose),
+                                         restart % 3 == 0 && cornersOfAMove < mostCornersOfBreadth
+                                           ? GenusAnnealing::Growth::Breadth
+                                           : GenusAnnealing::Growth::Tree);
+                const double   moves =
+                  std::min({ movesOfAnEdge * part.graph->edges.size(), mostMoves, mostCorners / cornersOfAMove }) *
+                  m_Options.effort;
+                annealing.Anneal(
+                  static_cast<std::int64_t>(moves), lastExponents[restart % 4], part.lowerBound, isInVain);
+                return annealing.BestNextAround();
+              });
     for (std::size_t i = 0; i < parts.size(); ++i)
     {
       AddOrders(m_Graph, m_Blocks[i].part.edges, m_Blocks[i].kernel.Expand(parts[i].nextAround), m_Next, m_Any);
@@ -221,7 +248,7 @@ FindGenetically(const Graph & graph, const GenusOptions & options)
   {
     parts.push_back({ &component.graph, 0, {} });
   }
-  SearchAll(parts, options.restarts, [&options](const SearchPart & part, int, std::uint32_t stream) {
+  SearchAll(parts, options.restarts, [&options](const SearchPart & part, int, std::uint32_t stream, const auto &) {
     return SearchGenetically(*part.graph,
                              PhiloxStream(options.seed, stream, geneticPurpose),
                              static_cast<std::int64_t>(childrenOfASearch * options.effort));

@@ -204,3 +204,17 @@ TEST(GraphGenus, PlanarGraphOfManyNodes)
   EXPECT_EQ(map.Genus(), 0);
   EXPECT_FALSE(itk::FindPlanarEmbedding(itk::CompleteGraph(5), map));
 }
+
+TEST(GraphGenus, LargeTiledSurfacesAreFound)
+{
+  const auto shuffled = [](const itk::Graph & graph) {
+    std::vector<int> image(graph.nodes);
+    for (int v = 0; v < graph.nodes; ++v)
+    {
+      image[v] = static_cast<int>((7919LL * v + 11) % graph.nodes); // 7919 is a prime
+    }
+    return itk::RelabelledGraph(graph, image);
+  };
+  EXPECT_EQ(GenusOf(shuffled(itk::TorusGridMap(100, 100).ToGraph())), 1);
+  EXPECT_EQ(GenusOf(shuffled(itk::TorusGridMap(70, 50, true).ToGraph())), 1);
+}
