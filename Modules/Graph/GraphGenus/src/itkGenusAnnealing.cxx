@@ -12,6 +12,8 @@ namespace
 // While edges are put in for the first time.
 constexpr int growthExponent = 3;
 constexpr int breadthExponent = 12;
+// Of so many edges that wait one gets a handle before the others are tried again.
+constexpr std::size_t edgesOfAHandle = 256;
 // Whether the search is in vain is asked every so many moves.
 constexpr int movesBetweenQuestions = 4096;
 // The lengths of the parts of a longer face are taken as equal beyond this one.
@@ -240,9 +242,12 @@ GenusAnnealing::InsertRest()
     if (later.size() == rest.size())
     {
       // A handle joins the longest faces: short ones are good as they are.
-      const auto [node0, node1] = m_Graph.edges[later.back()];
-      m_Map.Insert(later.back(), CornerOfLongestFace(node0), CornerOfLongestFace(node1));
-      later.pop_back();
+      for (std::size_t handles = 1 + later.size() / edgesOfAHandle; handles > 0; --handles)
+      {
+        const auto [node0, node1] = m_Graph.edges[later.back()];
+        m_Map.Insert(later.back(), CornerOfLongestFace(node0), CornerOfLongestFace(node1));
+        later.pop_back();
+      }
     }
     rest.swap(later);
   }

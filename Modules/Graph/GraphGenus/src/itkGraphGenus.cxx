@@ -55,9 +55,8 @@ SearchAll(std::vector<SearchPart> & parts, int restarts, const TSearch & search)
   {
     first = restarts;
   }
-  ParallelFor(outcomes.size(), [&](std::size_t task) {
-    const std::size_t part = task / restarts;
-    const int         restart = static_cast<int>(task % restarts);
+  const auto run = [&](std::size_t part, int restart) {
+    const std::size_t task = part * restarts + restart;
     if (restart > firstAtBound[part])
     {
       return;
@@ -70,7 +69,11 @@ SearchAll(std::vector<SearchPart> & parts, int restarts, const TSearch & search)
     while (outcome.genus <= parts[part].lowerBound && restart < first &&
            !firstAtBound[part].compare_exchange_weak(first, restart))
     {}
-  });
+  };
+  // The first search is often all that is needed: of a large graph the others would only take time and memory.
+  ParallelFor(parts.size(), [&](std::size_t part) { run(part, 0); });
+  const std::size_t others = restarts - 1;
+  ParallelFor(parts.size() * others, [&](std::size_t i) { run(i / others, 1 + static_cast<int>(i % others)); });
   for (std::size_t part = 0; part < parts.size(); ++part)
   {
     const auto begin = outcomes.begin() + part * restarts;
