@@ -8,12 +8,14 @@ namespace itk
 {
 namespace
 {
+/** The message is made only when it is needed: this is asked for every half-edge. */
+template <typename TFault>
 void
-Require(bool condition, const std::string & fault)
+Require(bool condition, const TFault & fault)
 {
   if (!condition)
   {
-    throw InputError("the rotation system is none of this graph: " + fault);
+    throw InputError("the rotation system is none of this graph: " + fault());
   }
 }
 
@@ -21,7 +23,7 @@ std::vector<int>
 NextAroundOf(const Graph & graph, const Rotation & rotation)
 {
   Require(rotation.size() == static_cast<std::size_t>(graph.nodes),
-          std::to_string(rotation.size()) + " orders for " + std::to_string(graph.nodes) + " nodes");
+          [&] { return std::to_string(rotation.size()) + " orders for " + std::to_string(graph.nodes) + " nodes"; });
   const int        halfEdges = static_cast<int>(2 * graph.edges.size());
   std::vector<int> next(halfEdges, -1);
   for (const auto & order : rotation)
@@ -29,8 +31,8 @@ NextAroundOf(const Graph & graph, const Rotation & rotation)
     for (std::size_t i = 0; i < order.size(); ++i)
     {
       const int halfEdge = order[i];
-      Require(halfEdge >= 0 && halfEdge < halfEdges, "no half-edge " + std::to_string(halfEdge));
-      Require(next[halfEdge] < 0, "half-edge " + std::to_string(halfEdge) + " stands there twice");
+      Require(halfEdge >= 0 && halfEdge < halfEdges, [&] { return "no half-edge " + std::to_string(halfEdge); });
+      Require(next[halfEdge] < 0, [&] { return "half-edge " + std::to_string(halfEdge) + " stands there twice"; });
       next[halfEdge] = order[(i + 1) % order.size()];
     }
   }
@@ -59,12 +61,12 @@ CombinatorialMap::CombinatorialMap(int                                     nodes
   : m_Next(std::move(nextAround)), m_FirstAround(nodes, -1)
 {
   Require(m_Next.size() == 2 * edges.size(),
-          std::to_string(m_Next.size()) + " half-edges for " + std::to_string(edges.size()) + " edges");
+          [&] { return std::to_string(m_Next.size()) + " half-edges for " + std::to_string(edges.size()) + " edges"; });
   m_Node.resize(m_Next.size());
   for (std::size_t h = 0; h < m_Node.size(); ++h)
   {
     m_Node[h] = edges[h / 2][h % 2];
-    Require(m_Node[h] >= 0 && m_Node[h] < nodes, "no node " + std::to_string(m_Node[h]));
+    Require(m_Node[h] >= 0 && m_Node[h] < nodes, [&] { return "no node " + std::to_string(m_Node[h]); });
   }
   Build();
 }
@@ -85,9 +87,9 @@ CombinatorialMap::LinkNodes()
   for (int h = 0; h < HalfEdges(); ++h)
   {
     const int next = m_Next[h];
-    Require(next >= 0 && next < HalfEdges(), "half-edge " + std::to_string(h) + " is missing");
-    Require(m_Node[next] == m_Node[h], "half-edge " + std::to_string(next) + " leaves another node");
-    Require(m_Previous[next] < 0, "half-edge " + std::to_string(next) + " stands there twice");
+    Require(next >= 0 && next < HalfEdges(), [&] { return "half-edge " + std::to_string(h) + " is missing"; });
+    Require(m_Node[next] == m_Node[h], [&] { return "half-edge " + std::to_string(next) + " leaves another node"; });
+    Require(m_Previous[next] < 0, [&] { return "half-edge " + std::to_string(next) + " stands there twice"; });
     m_Previous[next] = h;
   }
   std::vector<bool> seen(HalfEdges(), false);
@@ -97,7 +99,7 @@ CombinatorialMap::LinkNodes()
     {
       continue;
     }
-    Require(m_FirstAround[m_Node[h]] < 0, "node " + std::to_string(m_Node[h]) + " has two orders");
+    Require(m_FirstAround[m_Node[h]] < 0, [&] { return "node " + std::to_string(m_Node[h]) + " has two orders"; });
     m_FirstAround[m_Node[h]] = h;
     for (int x = h; !seen[x]; x = m_Next[x])
     {
