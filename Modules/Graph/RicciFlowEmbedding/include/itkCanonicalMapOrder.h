@@ -13,7 +13,7 @@ namespace itk
  *
  * A walk in breadth from a half-edge, counter-clockwise around each node, numbers the nodes and writes the map down as
  * a code; the half-edge with the smallest code starts it. Only half-edges of the rarest neighbourhood, by hashes that
- * are refined until one is unique or for 32 rounds, are tried, as many as 2e8 steps allow: a map that has more of them,
+ * are refined until one is unique or for 32 rounds, are tried, as many as 2e7 steps allow: a map that has more of them,
  * of several kinds that differ only further away, gets a numbering that may depend on its numbers. \ingroup
  * RicciFlowEmbedding */
 struct RicciFlowEmbedding_EXPORT CanonicalMapOrder

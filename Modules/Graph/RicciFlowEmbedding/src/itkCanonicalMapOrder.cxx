@@ -11,7 +11,7 @@ namespace
 {
 constexpr int          roundsAtOnce = 8;
 constexpr int          mostRounds = 32;
-constexpr std::int64_t mostSteps = 200000000;
+constexpr std::int64_t mostSteps = 20000000;
 
 std::uint64_t
 Mix(std::uint64_t x)

@@ -20,7 +20,7 @@ constexpr double wantedResidual = 1e-12;
 constexpr double worstResidual = 1e-10;
 constexpr int    mostSteps = 200;
 /** Steps without a better residual, far from the solution and at the limit of rounding. */
-constexpr int mostStepsInVain = 25;
+constexpr int mostStepsInVain = 60;
 constexpr int mostStepsAtTheLimit = 2;
 /** The uncertainty of a logarithm of a radius that asks for extended precision, and the most steps in it. */
 constexpr double mostUncertainty = 1e-13;

@@ -113,7 +113,8 @@ CircleState<TReal>::SizeOf(TReal u) const
   return { 2 * t / d, (1 + t * t) / d };
 }
 
-/** The circle orthogonal to three that touch one another: tanh^2 r = p / (sum + p), cosh^2 r = 1 + p / sum. */
+/** The circle orthogonal to three that touch one another: with p = sinh a sinh b sinh c and sum = sinh(a + b + c) - p
+ * it is tanh^2 r = p / (sum + p), cosh^2 r = 1 + p / sum. */
 template <typename TReal>
 CircleSize<TReal>
 CircleState<TReal>::SizeOfEliminated(int face) const
@@ -123,8 +124,10 @@ CircleState<TReal>::SizeOfEliminated(int face) const
   const Size & a = m_Node[m_Map.Node(h)];
   const Size & b = m_Node[m_Map.Node(next)];
   const Size & c = m_Node[m_Map.Node(m_Map.FaceNext(next))];
-  const TReal  sum = a.sinh * b.cosh * c.cosh + a.cosh * b.sinh * c.cosh + a.cosh * b.cosh * c.sinh;
-  const TReal  ratio = a.sinh / sum * b.sinh * c.sinh;
+  const TReal  cothA = a.cosh / a.sinh;
+  const TReal  cothB = b.cosh / b.sinh;
+  const TReal  cothC = c.cosh / c.sinh;
+  const TReal  ratio = 1 / (cothB * cothC + cothC * cothA + cothA * cothB); // p / sum, where p alone might overflow
   return { std::sqrt(ratio), this->IsEuclidean() ? TReal(1) : std::sqrt(1 + ratio) };
 }
 

@@ -71,17 +71,19 @@ NewtonStep(const std::vector<std::array<double, 3>> & points, const std::vector<
 }
 } // namespace
 
-void
-CentrePacking(SphericalPacking & packing, const std::vector<int> & edges)
+double
+CentrePacking(SphericalPacking & packing, const std::vector<int> & edges, double mostRapidity)
 {
-  for (int i = 0; i < mostSteps; ++i)
+  double rapidity = 0.0;
+  for (int i = 0; i < mostSteps && rapidity <= mostRapidity; ++i)
   {
     double                offset = 0.0;
     const Eigen::Vector3d velocity = NewtonStep(packing.touchPoints, edges, offset);
     if (offset < wantedOffset)
     {
-      return;
+      break;
     }
+    rapidity += std::atanh(velocity.norm());
     const Boost boost(velocity);
     for (auto * circles : { &packing.nodes, &packing.faces })
     {
@@ -90,6 +92,7 @@ CentrePacking(SphericalPacking & packing, const std::vector<int> & edges)
     ParallelForBlocks(packing.touchPoints.size(),
                       [&](std::size_t p) { packing.touchPoints[p] = boost(packing.touchPoints[p]); });
   }
+  return rapidity;
 }
 
 namespace

@@ -83,6 +83,10 @@ public:
       std::vector<int> met;
       for (const int middle : m_Neighbours[start])
       {
+        if (m_Rank[middle] <= m_Rank[start])
+        {
+          break; // has had its turn, and its cycles with it
+        }
         this->Gather(start, middle, met);
       }
       for (const int end : met)

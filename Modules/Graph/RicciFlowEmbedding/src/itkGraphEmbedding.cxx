@@ -183,11 +183,11 @@ AddSmallestCircle(EmbeddingCertificate & certificate)
   const auto illegible = std::count_if(first, end, [unit](double r) { return r < smallestLegibleRadius * unit; });
   if (illegible > 0)
   {
-    char text[256];
+    char text[320];
     std::snprintf(text,
                   sizeof(text),
                   "%ld of %d nodes have circles below %.0e of the surface, the smallest that of node %s with %.1e: no "
-                  "picture is legible there",
+                  "picture is legible there, and the verifier refuses circles below 1e-12",
                   static_cast<long>(illegible),
                   certificate.graph.nodes,
                   smallestLegibleRadius,

@@ -100,14 +100,14 @@ HalfEdgeAngles(const CombinatorialMap & map, const CirclePacking & packing)
     {
       return;
     }
-    const int first = map.FirstAround(static_cast<int>(node));
-    double    angle = 0.0;
-    int       h = first;
+    const int   first = map.FirstAround(static_cast<int>(node));
+    long double angle = 0.0L; // a node may have many neighbours
+    int         h = first;
     do
     {
-      angles[h] = angle;
-      angle += 2.0 * HalfKiteAngle(
-                       packing.geometry, radius, packing.faceRadii[map.Face(h)], IsHorocycle(packing, map.Face(h)));
+      angles[h] = static_cast<double>(angle);
+      angle += 2.0L * HalfKiteAngle(
+                        packing.geometry, radius, packing.faceRadii[map.Face(h)], IsHorocycle(packing, map.Face(h)));
       h = map.NextAround(h);
     } while (h != first);
   });

@@ -2,6 +2,16 @@
 
 namespace itk
 {
+namespace
+{
+/** (6.7), times two: 2 sinh a sinh b / (cosh^2 a cosh^2 b - 1), without overflow. */
+double
+KiteElement(const CircleSize<double> & a, const CircleSize<double> & b)
+{
+  return 2.0 / (a.sinh * b.cosh * (b.cosh / b.sinh) + b.sinh / a.sinh);
+}
+} // namespace
+
 RicciEnergy::RicciEnergy(const RicciUnknowns & unknowns)
   : m_Unknowns(unknowns)
   , m_Map(unknowns.map)
@@ -56,7 +66,7 @@ RicciEnergy::KitesOfFace(int face)
     }
     else if (kind != RicciUnknowns::Kind::Line && m_Unknowns.nodeKind[m_Map.Node(h)] != RicciUnknowns::Kind::Line)
     {
-      m_KiteElement[h] = -2.0 * v.sinh * f.sinh / (v.sinh * v.sinh * f.cosh * f.cosh + f.sinh * f.sinh);
+      m_KiteElement[h] = -KiteElement(v, f);
       m_KiteDiagonal[h] = -m_KiteElement[h] * v.cosh * f.cosh;
     }
     h = m_Map.FaceNext(h);
@@ -81,7 +91,7 @@ RicciEnergy::KitesOfEliminated(int face)
     const double               w = v.sinh * v.sinh * f.cosh * f.cosh + f.sinh * f.sinh;
     element[k] = 2.0 * v.sinh * f.sinh / w;
     diagonal[k] = element[k] * v.cosh * f.cosh;
-    excess[k] = m_Unknowns.geometry == FlowGeometry::Euclidean ? 0.0 : element[k] * element[k] * w;
+    excess[k] = m_Unknowns.geometry == FlowGeometry::Euclidean ? 0.0 : 2.0 * element[k] * v.sinh * f.sinh;
   }
   const double sum = diagonal[0] + diagonal[1] + diagonal[2];
   for (int k = 0; k < 3; ++k)

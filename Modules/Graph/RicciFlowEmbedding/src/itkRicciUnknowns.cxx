@@ -1,5 +1,6 @@
 #include "itkRicciUnknowns.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace itk
@@ -85,9 +86,11 @@ RicciUnknowns::FixOneNode()
   }
 }
 
+/** In the hyperbolic plane equal circles that would fill a disk of radius 2. */
 std::vector<double>
 RicciUnknowns::StartingPoint() const
 {
-  return std::vector<double>(number, geometry == FlowGeometry::Euclidean ? 0.0 : std::log(std::tanh(0.25)));
+  const double radius = std::min(0.5, 2.0 / std::sqrt(static_cast<double>(map.Nodes())));
+  return std::vector<double>(number, geometry == FlowGeometry::Euclidean ? 0.0 : std::log(std::tanh(0.5 * radius)));
 }
 } // namespace itk

@@ -4,6 +4,7 @@
 #include "itkConformalBarycentre.h"
 #include "itkLayoutTree.h"
 #include "itkPlaneToSphere.h"
+#include "itkToolError.h"
 
 #include <algorithm>
 #include <cmath>
@@ -13,6 +14,15 @@ namespace itk
 {
 namespace
 {
+/** A layout is moved so far at once at most, e^9 in size: then it is computed anew from what has become large. One that
+ * was moved less than e^2 is exact enough. */
+constexpr double mostRapidity = 9.0;
+constexpr double smallRapidity = 2.0;
+constexpr int    mostLayouts = 40;
+
+/** The worst layout that is taken for one. Radians. */
+constexpr double worstTangency = 1e-9;
+
 /** The edge whose ends both have many neighbours: its four circles are large in a packing of even density, so the
  * others keep their sizes when these become straight lines. */
 int
@@ -23,7 +33,7 @@ EdgeForInfinity(const CombinatorialMap & map)
   int        best = 0;
   for (int edge = 1; edge < map.Edges(); ++edge)
   {
-    best = weight(edge) > weight(best) ? edge : best;
+    best = weight(edge) >= weight(best) ? edge : best;
   }
   return best;
 }
@@ -42,11 +52,33 @@ CirclesThrough(const CombinatorialMap & map, int edge)
   return infinite;
 }
 
+/** The longest face, and of those the one whose nodes have most neighbours, the last one: dummies in the middle of the
+ * rings, which come last, have large circles. */
 int
 LongestFace(const CombinatorialMap & map)
 {
   const std::vector<int> lengths = map.FaceLengths();
-  return static_cast<int>(std::max_element(lengths.begin(), lengths.end()) - lengths.begin());
+  const std::vector<int> degrees = map.Degrees();
+  std::array<int, 3>     best{ -1, -1, -1 };
+  int                    longest = -1;
+  for (int face = 0; face < map.Faces(); ++face)
+  {
+    std::array<int, 3> weight{ lengths[face], map.HalfEdges(), map.Nodes() };
+    const int          first = map.FirstOfFace(face);
+    int                h = first;
+    do
+    {
+      weight[1] = std::min(weight[1], degrees[map.Node(h)]);
+      weight[2] = std::min(weight[2], map.Node(h));
+      h = map.FaceNext(h);
+    } while (h != first);
+    if (weight >= best)
+    {
+      best = weight;
+      longest = face;
+    }
+  }
+  return longest;
 }
 
 /** The circle of a face as the ideal boundary: its nodes become geodesics, the faces beside it horocycles. */
@@ -108,13 +140,14 @@ struct FlatPacking
     circles = m_Boundary < 0 ? PackCircles(map, FlowGeometry::Euclidean, CirclesThrough(map, EdgeForInfinity(map)))
                              : PackCircles(map, FlowGeometry::Hyperbolic, CirclesAround(map, m_Boundary));
   }
+  /** The packing with its barycentre at the centre, or on the way there, and how far it was moved. */
   SphericalPacking
-  LaidOutFrom(int root, const std::vector<int> & edges) const
+  LaidOutFrom(int root, const std::vector<int> & edges, double & rapidity) const
   {
     SphericalPacking sphere =
       m_Boundary < 0 ? PlaneToSphere(m_Map, circles, root) : DiskToSphere(m_Map, circles, root, m_Boundary);
     SeeFromOutside(sphere);
-    CentrePacking(sphere, edges);
+    rapidity = CentrePacking(sphere, edges, mostRapidity);
     return sphere;
   }
 
@@ -140,6 +173,28 @@ LargestOnSphere(const SphericalPacking & sphere, const CirclePacking & flat)
   }
   return largest;
 }
+double
+AngleBetween(const std::array<double, 3> & a, const std::array<double, 3> & b)
+{
+  const double difference = std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
+  const double sum = std::hypot(a[0] + b[0], a[1] + b[1], a[2] + b[2]);
+  return 2.0 * std::atan2(difference, sum);
+}
+
+/** How far circles that should touch miss each other, at most. Radians. */
+double
+WorstTangency(const CombinatorialMap & map, const SphericalPacking & sphere)
+{
+  double worst = 0.0;
+  for (int edge = 0; edge < map.Edges(); ++edge)
+  {
+    const SphereCircle & one = sphere.nodes[map.Node(2 * edge)];
+    const SphereCircle & other = sphere.nodes[map.Node(2 * edge + 1)];
+    const double miss = std::abs(AngleBetween(CentreOf(one), CentreOf(other)) - RadiusOf(one) - RadiusOf(other));
+    worst = miss <= worst ? worst : miss; // keeps what is no number
+  }
+  return worst;
+}
 } // namespace
 
 SphericalPacking
@@ -151,12 +206,24 @@ PackOnSphere(const CombinatorialMap & map, PointAtInfinity infinity, std::vector
     std::iota(edges.begin(), edges.end(), 0);
   }
   const FlatPacking flat(map, infinity);
-  const int         first = LargestFiniteNode(flat.circles);
-  SphericalPacking  sphere = flat.LaidOutFrom(first, edges);
-  const int         root = LargestOnSphere(sphere, flat.circles);
-  if (root != first)
+  double            rapidity = 0.0;
+  int               root = LargestFiniteNode(flat.circles);
+  SphericalPacking  sphere = flat.LaidOutFrom(root, edges, rapidity);
+  for (int layout = 1; layout < mostLayouts && rapidity > smallRapidity; ++layout)
   {
-    sphere = flat.LaidOutFrom(root, edges);
+    const int next = LargestOnSphere(sphere, flat.circles);
+    if (next == root)
+    {
+      break;
+    }
+    root = next;
+    sphere = flat.LaidOutFrom(root, edges, rapidity);
+  }
+  if (const double miss = WorstTangency(map, sphere); !(miss <= worstTangency))
+  {
+    throw InputError("the radii are right to " + std::to_string(flat.circles.residual) +
+                     " rad, but circles of neighbours miss each other by " + std::to_string(miss) +
+                     " rad on the sphere: their sizes differ too much for double precision");
   }
   sphere.residual = flat.circles.residual;
   sphere.steps = flat.circles.steps;
