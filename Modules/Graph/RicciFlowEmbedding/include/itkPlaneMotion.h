@@ -56,12 +56,12 @@ struct PlaneMotion
   {
     return geometry == FlowGeometry::Euclidean ? std::arg(a) : std::remainder(2.0 * std::arg(a), 2.0 * std::acos(-1.0));
   }
-  /** Takes rounding errors of many products out of the norm. */
+  /** Takes rounding errors of many products out of |a|; |a|^2 - |b|^2 itself would cancel far from the origin. */
   PlaneMotion
   Normalised() const
   {
-    const double norm = geometry == FlowGeometry::Euclidean ? std::abs(a) : std::sqrt(std::norm(a) - std::norm(b));
-    return { geometry, a / norm, geometry == FlowGeometry::Euclidean ? b : b / norm };
+    const double length = geometry == FlowGeometry::Euclidean ? 1.0 : std::sqrt(1.0 + std::norm(b));
+    return { geometry, a * (length / std::abs(a)), b };
   }
 
   FlowGeometry geometry{ FlowGeometry::Euclidean };
