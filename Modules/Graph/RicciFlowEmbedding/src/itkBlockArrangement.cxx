@@ -3,6 +3,7 @@
 #include "itkGraphStructure.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace itk
 {
@@ -51,22 +52,23 @@ struct BlockMaps
     next[one] = other;
     previous[other] = one;
   }
-  /** Of each half-edge, the number of half-edges of the face to its left. */
-  std::vector<int>
+  /** Of each half-edge, the number of half-edges of the face to its left, and the smallest of them, negative: the
+   * greater of two pairs is that of the longer face, and of equal ones always of the same. */
+  std::vector<std::pair<int, int>>
   FaceLengths() const
   {
-    std::vector<int> lengths(next.size(), 0);
+    std::vector<std::pair<int, int>> lengths(next.size());
     for (std::size_t start = 0; start < next.size(); ++start)
     {
       int length = 0;
-      for (int h = static_cast<int>(start); lengths[h] == 0; h = previous[CombinatorialMap::Twin(h)])
+      for (int h = static_cast<int>(start); lengths[h].first == 0; h = previous[CombinatorialMap::Twin(h)])
       {
-        lengths[h] = -1;
+        lengths[h].first = -1;
         ++length;
       }
-      for (int h = static_cast<int>(start); lengths[h] == -1; h = previous[CombinatorialMap::Twin(h)])
+      for (int h = static_cast<int>(start); lengths[h].first == -1; h = previous[CombinatorialMap::Twin(h)])
       {
-        lengths[h] = length;
+        lengths[h] = { length, -static_cast<int>(start) };
       }
     }
     return lengths;
@@ -79,7 +81,7 @@ struct BlockMaps
 
 /** The half-edges of a block around a node, from the one after the corner of the longest face to the one before it. */
 std::vector<int>
-FromLongestFace(const BlockMaps & blocks, const std::vector<int> & lengths, int any)
+FromLongestFace(const BlockMaps & blocks, const std::vector<std::pair<int, int>> & lengths, int any)
 {
   int best = any;
   for (int h = blocks.next[any]; h != any; h = blocks.next[h])
@@ -100,9 +102,9 @@ FromLongestFace(const BlockMaps & blocks, const std::vector<int> & lengths, int 
 CombinatorialMap
 ArrangeBlocks(const CombinatorialMap & map)
 {
-  const BlockMaps        blocks(map);
-  const std::vector<int> lengths = blocks.FaceLengths();
-  std::vector<int>       next(map.HalfEdges());
+  const BlockMaps  blocks(map);
+  const auto       lengths = blocks.FaceLengths();
+  std::vector<int> next(map.HalfEdges());
   for (int node = 0; node < map.Nodes(); ++node)
   {
     std::vector<int> order;

@@ -3,18 +3,20 @@
 #include "itkBlockArrangement.h"
 #include "itkCanonicalMapOrder.h"
 #include "itkSurfaceLayout.h"
+#include "itkToolError.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <exception>
 #include <numeric>
 
 namespace itk
 {
 namespace
 {
-/** A larger packing is not computed several times to choose the best. */
-constexpr int mostNodesForChoice = 4000;
+/** The packing of a larger graph is not computed several times to choose the best. */
+constexpr int mostEdgesForChoice = 4000;
 /** What a verifier takes. */
 constexpr double worstWordResidual = 1e-6;
 
@@ -252,49 +254,83 @@ IsSameMap(const CombinatorialMap & one, const CombinatorialMap & other)
 
 namespace
 {
-/** Embeddings with other arrangements of the blocks and other rings, where there are any: of these the one with the
- * largest smallest circle takes the place of `best`. */
-void
-TryOthers(const Graph &                 graph,
-          const CombinatorialMap &      given,
-          const CombinatorialMap &      arranged,
-          const GraphEmbeddingOptions & options,
-          EmbeddingCertificate &        best)
+/** A way to draw a graph: an arrangement of its blocks, and the width of rings. */
+struct Candidate
 {
-  const bool          isArranged = !IsSameMap(given, arranged) && given.Genus() == arranged.Genus();
-  const bool          hasRings = best.statistics.back().second > 0.0;
-  AugmentationOptions augmentation(options.augmentation);
-  for (const int halfEdges : { 2, 4, 1 })
+  const CombinatorialMap * map;
+  int                      halfEdgesOfDummy;
+};
+
+/** All that are worth a try. Rings of other widths make a difference only where there are rings. */
+std::vector<Candidate>
+CandidatesOf(const CombinatorialMap & given, const CombinatorialMap & arranged, bool hasRings)
+{
+  std::vector<const CombinatorialMap *> maps{ &arranged };
+  if (!IsSameMap(given, arranged) && given.Genus() == arranged.Genus())
   {
-    for (const CombinatorialMap * map : { &arranged, &given })
+    maps.push_back(&given);
+  }
+  std::vector<Candidate> candidates;
+  for (const int halfEdges : hasRings ? std::vector<int>{ 2, 4, 1 } : std::vector<int>{ 2 })
+  {
+    for (const CombinatorialMap * map : maps)
     {
-      const bool isNew = map == &arranged ? halfEdges != 2 && hasRings : isArranged && (halfEdges == 2 || hasRings);
-      if (!isNew)
-      {
-        continue;
-      }
-      augmentation.halfEdgesOfDummy = halfEdges;
-      EmbeddingCertificate other = EmbedMap(graph, *map, augmentation, options);
-      if (SmallestCircle(other) > SmallestCircle(best))
-      {
-        best = std::move(other);
-      }
+      candidates.push_back({ map, halfEdges });
     }
   }
+  return candidates;
+}
+
+/** The candidate with the largest smallest circle, of those that have a packing. Throws what the first of them threw
+ * where none has one. */
+EmbeddingCertificate
+BestOf(const Graph & graph, const std::vector<Candidate> & candidates, const GraphEmbeddingOptions & options)
+{
+  EmbeddingCertificate best;
+  std::exception_ptr   failure;
+  double               largest = 0.0;
+  for (const Candidate & candidate : candidates)
+  {
+    AugmentationOptions augmentation(options.augmentation);
+    augmentation.names = graph.names;
+    augmentation.halfEdgesOfDummy = candidate.halfEdgesOfDummy;
+    try
+    {
+      EmbeddingCertificate certificate = EmbedMap(graph, *candidate.map, augmentation, options);
+      const double         smallest = SmallestCircle(certificate);
+      if (smallest > largest)
+      {
+        largest = smallest;
+        best = std::move(certificate);
+      }
+    }
+    catch (const InputError &)
+    {
+      failure = failure ? failure : std::current_exception();
+    }
+  }
+  if (largest == 0.0)
+  {
+    std::rethrow_exception(failure);
+  }
+  return best;
 }
 } // namespace
 
 EmbeddingCertificate
 EmbedGraph(const Graph & graph, const CombinatorialMap & map, const GraphEmbeddingOptions & options)
 {
-  const CombinatorialMap arranged = options.isRotationFree ? ArrangeBlocks(map) : map;
-  AugmentationOptions    augmentation(options.augmentation);
-  augmentation.names = graph.names;
-  EmbeddingCertificate certificate = EmbedMap(graph, arranged, augmentation, options);
-  if (options.isRotationFree && certificate.packed.nodes <= mostNodesForChoice)
+  if (graph.nodes == 0)
   {
-    TryOthers(graph, map, arranged, options, certificate);
+    throw InputError("a graph without nodes cannot be embedded");
   }
+  const CombinatorialMap arranged = options.isRotationFree ? ArrangeBlocks(map) : map;
+  const bool             isSmall = arranged.Edges() <= mostEdgesForChoice;
+  const bool             hasRings = isSmall && options.isRotationFree && options.augmentation == Augmentation::Ring &&
+                        MakePackedMap(arranged).rings > 0;
+  EmbeddingCertificate certificate =
+    isSmall ? BestOf(graph, CandidatesOf(options.isRotationFree ? map : arranged, arranged, hasRings), options)
+            : BestOf(graph, { { &arranged, 2 } }, options);
   AddSmallestCircle(certificate);
   return certificate;
 }
