@@ -46,7 +46,7 @@ struct SphericalPacking
  *
  * Moved by a Moebius transformation so that the touch points of `edges` have their centre of mass at the centre of the
  * sphere (conformal barycentre; of all edges where these are fewer than three). Then what is left free is a rotation.
- * The packing is laid out twice, the second time from the circle that the first showed to be largest on the sphere, as
+ * The packing is laid out again from the circle that has become largest on the sphere, as
  * the transformation may enlarge a small part of the plane. Throws InputError as PackCircles() does. \ingroup
  * RicciFlowEmbedding */
 RicciFlowEmbedding_EXPORT SphericalPacking

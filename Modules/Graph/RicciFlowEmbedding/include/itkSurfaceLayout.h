@@ -83,6 +83,11 @@ private:
 RicciFlowEmbedding_EXPORT std::vector<std::vector<int>>
                           CanonicalWords(const std::vector<int> & word);
 
+/** The cyclic rotation of a word of motions of the disk whose partial products stay smallest: rounding errors of the
+ * product grow with the square of their size. \ingroup RicciFlowEmbedding */
+RicciFlowEmbedding_EXPORT std::vector<int>
+                          CentredWord(const std::vector<PlaneMotion> & generators, const std::vector<int> & word);
+
 /** A reduced basis of the lattice of two translations: |w1| <= |w2|, |Re(conj(w1) w2)| <= |w1|^2 / 2, Im(conj(w1) w2) >
  * 0. \ingroup RicciFlowEmbedding */
 RicciFlowEmbedding_EXPORT std::array<std::complex<double>, 2>

@@ -288,6 +288,32 @@ WordResidual(const std::vector<PlaneMotion> & generators, const std::vector<int>
                   std::max(std::abs(product.a + 1.0), std::abs(product.b)));
 }
 
+std::vector<int>
+CentredWord(const std::vector<PlaneMotion> & generators, const std::vector<int> & word)
+{
+  std::size_t best = 0;
+  double      least = 1e300;
+  for (std::size_t start = 0; start < word.size(); ++start)
+  {
+    PlaneMotion product = PlaneMotion::Rotation(FlowGeometry::Hyperbolic, 0.0);
+    double      largest = 0.0;
+    for (std::size_t i = 0; i < word.size() && largest < least; ++i)
+    {
+      const int letter = word[(start + i) % word.size()];
+      product = product * (letter > 0 ? generators[letter - 1] : generators[-letter - 1].Inverse());
+      largest = std::max(largest, std::abs(product.a));
+    }
+    if (largest < least)
+    {
+      least = largest;
+      best = start;
+    }
+  }
+  std::vector<int> rotated = word;
+  std::rotate(rotated.begin(), rotated.begin() + best, rotated.end());
+  return rotated;
+}
+
 DeckRelation
 RefineDeckRelation(const std::vector<PlaneMotion> &      generators,
                    const std::vector<int> &              word,
