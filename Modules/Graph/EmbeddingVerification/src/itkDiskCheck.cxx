@@ -17,7 +17,6 @@ constexpr double MostAngleError = 1e-10;
 constexpr double MostPlaceError = 1e-9; // a hyperbolic length
 /** Of the smallest radius, and of the smallest to the largest one: see the plane. */
 constexpr double LeastRadius = 1e-11;
-constexpr double MostWordError = 1e-6;
 
 /** z -> (a z + b) / (conj(b) z + conj(a)). */
 struct Isometry
@@ -238,10 +237,36 @@ private:
     measures.emplace_back("orthogonality", largest);
   }
 
+  static Real
+  Norm(const Isometry & isometry)
+  {
+    return std::abs(isometry.a) + std::abs(isometry.b);
+  }
+
   static Isometry
   IsometryOf(const DeckTransformation & generator)
   {
     return { { generator.a.real(), generator.a.imag() }, { generator.b.real(), generator.b.imag() } };
+  }
+
+  /** Relative to the numbers of the transformation F L G^-1 from the frames F, G of the ends: rounding of a place moves
+   * its frame by about |F|^2 times the spacing of doubles, which F and G^-1 enlarge. */
+  double
+  GeneratorTolerance(int halfEdge, const Isometry & transformation) const
+  {
+    constexpr Real rounding = 2e-15L;
+    const Real     start = Norm(this->Frame(m_Packed.node[halfEdge], 0.0));
+    const Real     end = Norm(this->Frame(m_Packed.node[halfEdge ^ 1], 0.0));
+    const Real     enlarged = start * end * (start * start + end * end) / Norm(transformation);
+    return MostPlaceError + static_cast<double>(rounding * enlarged);
+  }
+
+  /** How far rounding takes |a|^2 - |b|^2 from 1. */
+  static Real
+  DriftOfFactor(const Isometry & transformation)
+  {
+    constexpr Real rounding = 2e-15L;
+    return rounding * std::norm(transformation.a);
   }
 
   void
@@ -252,13 +277,18 @@ private:
     {
       const Isometry stated = IsometryOf(generator);
       const Isometry measured = this->Transformation(generator.halfEdge);
-      const Complex  sign = std::real(stated.a * std::conj(measured.a)) < 0.0L ? -1.0L : 1.0L;
       const Real     size = std::abs(measured.a);
-      const double   error = static_cast<double>(
-        std::max(std::abs(stated.a - sign * measured.a), std::abs(stated.b - sign * measured.b)) / size);
-      const double tolerance =
-        std::max(ToleranceOf(m_Packed.node[generator.halfEdge]), ToleranceOf(m_Packed.node[generator.halfEdge ^ 1]));
-      if (!(error <= 10.0 * tolerance))
+      // A common real factor changes nothing; that of a transformation of far places cannot be told from 1 in doubles.
+      const Real   factor = std::real(stated.a * std::conj(measured.a)) / (size * size);
+      const Real   drift = std::abs(std::abs(factor) - 1.0L);
+      const double error = static_cast<double>(
+        std::max(std::abs(stated.a - factor * measured.a), std::abs(stated.b - factor * measured.b)) / size);
+      if (!(drift <= MostPlaceError + DriftOfFactor(measured)))
+      {
+        throw Refusal("the generator of half-edge " + std::to_string(generator.halfEdge) + " has |a|^2 - |b|^2 = 1 + " +
+                      Figure(static_cast<double>(2.0L * drift)));
+      }
+      if (!(error <= this->GeneratorTolerance(generator.halfEdge, measured)))
       {
         throw Refusal("the generator of half-edge " + std::to_string(generator.halfEdge) +
                       " is not its deck transformation: they differ by " + Figure(error));
@@ -268,20 +298,25 @@ private:
     measures.emplace_back("generatorError", largest);
   }
 
-  /** The product along the word. That it is the identity follows from all else; this measures the rounding. */
+  /** The product along the word. That it is the identity follows from all else; what may be missing is what rounding of
+   * the generators explains: an error of the factor between two partial products, of which the second is nearly the
+   * inverse of all that follows. */
   void
   CheckWord(Measures & measures) const
   {
-    Isometry product;
-    Real     largest = 1.0L;
+    constexpr Real rounding = 1e-14L; // of the numbers of a generator, with its places
+    Isometry       product;
+    Real           explained = 1e-10L;
     for (const int letter : m_Certificate.word)
     {
-      const Isometry factor = IsometryOf(m_Certificate.generators[std::abs(letter) - 1]);
-      product = product * (letter > 0 ? factor : factor.Inverse());
-      largest = std::max(largest, std::abs(factor.a));
+      const Isometry generator = IsometryOf(m_Certificate.generators[std::abs(letter) - 1]);
+      const Isometry factor = letter > 0 ? generator : generator.Inverse();
+      const Isometry next = product * factor;
+      explained += (rounding + DriftOfFactor(factor)) * Norm(product) * Norm(factor) * Norm(next);
+      product = next;
     }
     const double error = product.Deviation();
-    if (!(error <= MostWordError * static_cast<double>(largest)))
+    if (!(error <= static_cast<double>(explained)))
     {
       throw Refusal("the product of the generators along the word misses the identity by " + Figure(error));
     }
