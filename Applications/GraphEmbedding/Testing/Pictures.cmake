@@ -36,3 +36,14 @@ refuses(BadDisk 2 "disk" ${here}/K4.gr ${out}/x.json --disk hemisphere)
 refuses(PictureInMissingFolder 1 "nowhere" ${here}/K4.gr ${out}/x.json --svg /nowhere/x.svg)
 refuses(WrongCurves 2 "vtp" ${here}/K4.gr ${out}/x.json --vtp ${out}/x.obj)
 refuses(ReportIsAFile 1 "K4.gr" ${here}/K4.gr ${out}/x.json --report ${here}/K4.gr)
+
+# The view of the report, where a JavaScript engine is at hand.
+find_program(NODE_PROGRAM node)
+if(NODE_PROGRAM)
+  shapeton_tool_test(NAME GraphEmbeddingCubeReport COMMAND GraphEmbedding ${here}/Cube.gr ${out}/CubeReport.json --report ${out}/CubeReport)
+  set_tests_properties(GraphEmbeddingCubeReport PROPERTIES FIXTURES_SETUP GraphEmbeddingCubeReportFixture)
+  add_test(NAME GraphEmbeddingViewMoves COMMAND ${NODE_PROGRAM}
+    ${Shapeton_SOURCE_DIR}/Modules/Visualization/GraphView/test/RunViewer.js ${out}/CubeReport/index.html)
+  set_tests_properties(GraphEmbeddingViewMoves PROPERTIES LABELS Applications FIXTURES_REQUIRED GraphEmbeddingCubeReportFixture
+    PASS_REGULAR_EXPRESSION "the view moves as it should")
+endif()
