@@ -1,6 +1,10 @@
 #include "itkGraphBuilder.h"
 #include "itkGraphFormat.h"
 
+#include <algorithm>
+#include <initializer_list>
+#include <utility>
+
 namespace itk
 {
 namespace
@@ -19,11 +23,22 @@ IsWeight(std::string_view word)
   double number = 0.0;
   return ParseDouble(word, number);
 }
+/** The names of columns, as tables have them in their first line. */
+bool
+IsHeader(const std::vector<std::string_view> & words)
+{
+  const auto isOneOf = [](std::string_view word, std::initializer_list<const char *> names) {
+    return std::any_of(names.begin(), names.end(), [&](const char * name) { return EqualWithoutCase(word, name); });
+  };
+  return words.size() >= 2 && isOneOf(words[0], { "source", "from", "node1", "id1", "src" }) &&
+         isOneOf(words[1], { "target", "to", "node2", "id2", "dst" });
+}
 } // namespace
 
 Graph
-ReadEdgeList(const GraphText & text, std::vector<std::string> &)
+ReadEdgeList(const GraphText & text, std::vector<std::string> & notes)
 {
+  bool         isFirst = true;
   GraphBuilder builder(text);
   LineReader   lines(text.bytes);
   for (std::string_view line; lines.Next(line);)
@@ -34,6 +49,11 @@ ReadEdgeList(const GraphText & text, std::vector<std::string> &)
       continue;
     }
     const int number = lines.Number();
+    if (std::exchange(isFirst, false) && IsHeader(words))
+    {
+      notes.push_back("line " + std::to_string(number) + " names the columns and is no edge");
+      continue;
+    }
     if (words.size() < 2)
     {
       text.Refuse(number,

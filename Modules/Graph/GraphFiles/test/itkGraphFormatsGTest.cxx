@@ -68,6 +68,14 @@ TEST(EdgeList, WeightsCommentsAndSeparators)
             AnswerTo("a.edges", "# nodes\n% too\na b 0.5 17\r\nb,c\n\nc;c\nb\tc {'weight': 3}\n"));
 }
 
+TEST(EdgeList, NamesOfColumnsAreNoEdge)
+{
+  const itk::GraphFile file = ReadText("a.csv", "Source,Target,2\na,b,1\nsource,target\n");
+  EXPECT_EQ("a-b source-target (a b source target)", graphtest::Shown(file.graph));
+  ASSERT_EQ(1u, file.notes.size());
+  EXPECT_EQ("line 1 names the columns and is no edge", file.notes[0]);
+}
+
 TEST(Metis, EdgesAtBothEndsWithWeights)
 {
   EXPECT_EQ("1-2 1-3 2-3 (1 2 3 4)", AnswerTo("a.graph", "% c\n4 3\n2 3\n1 3\n1 2\n\n"));

@@ -21,8 +21,8 @@ struct GraphSideBySide
   /** Names of nodes beside them. */
   bool hasLabels{ false };
   /** For the report. */
-  std::vector<std::pair<std::string, std::string>> provenance;
-  std::vector<std::string>                         warnings;
+  std::vector<std::pair<std::string, std::string>> provenance{};
+  std::vector<std::string>                         warnings{};
 };
 
 /** Writes comparison.svg and index.html: both graphs, corresponding circles in one colour, those without a partner

@@ -25,7 +25,7 @@ struct GraphView
   std::string                  title;
   const EmbeddingCertificate * certificate{ nullptr };
   /** Of the circle of each node of the graph, "#rrggbb"; empty for one colour. */
-  std::vector<std::string> nodeColors;
+  std::vector<std::string> nodeColors{};
   /** Names of nodes beside them. */
   bool hasLabels{ false };
 };
@@ -46,8 +46,9 @@ struct GraphPictureOptions
  * on the sphere both by stereographic projection from the largest face, and the sphere itself from two sides; on the
  * torus with the period parallelogram and the copies around it; on the disk with the tiles of the universal cover
  * around the fundamental domain, each in its colour, and the fundamental polygon. Dummies are hidden. Nothing smaller
- * than a tenth of a pixel is drawn. Equal certificates give equal bytes. Throws OutputError.
- * \ingroup GraphView */
+ * than a tenth of a pixel is drawn; of graphs of more than 2,000 edges nothing below a limit that grows to a pixel, and
+ * the title says how many lines are left out. Equal certificates give equal bytes. Throws OutputError. \ingroup
+ * GraphView */
 GraphView_EXPORT void
 WriteGraphSvg(const GraphView & view, const GraphPictureOptions & options, const std::string & path);
 

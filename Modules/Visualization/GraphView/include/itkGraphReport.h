@@ -12,13 +12,13 @@ struct GraphReport
 {
   std::string title;
   /** Side by side, grouped by geometry; turning, zooming and moving one does so with all of its group. */
-  std::vector<GraphView>   views;
-  std::vector<std::string> paragraphs;
-  std::vector<std::string> warnings;
+  std::vector<GraphView>   views{};
+  std::vector<std::string> paragraphs{};
+  std::vector<std::string> warnings{};
   /** Names and values, such as provenance and statistics. */
-  std::vector<std::pair<std::string, std::string>> facts;
+  std::vector<std::pair<std::string, std::string>> facts{};
   /** With their captions. */
-  std::vector<std::pair<std::string, CsvTable>> tables;
+  std::vector<std::pair<std::string, CsvTable>> tables{};
   /** How the hyperbolic plane is shown first; a reader can choose. */
   DiskModel disk{ DiskModel::Poincare };
 };

@@ -285,17 +285,26 @@ AddViews(const GraphReport & report, HtmlReport & page)
 {
   page.AddMarkup(std::string("<style>") + GraphViewerStyle() +
                  "</style>\n<noscript><p>The view needs JavaScript, which this page brings along.</p></noscript>\n");
-  int number = 0;
+  constexpr std::size_t mostEdges = 200000; // a page of 100 MB
+  int                   number = 0;
   for (const auto geometry :
        { EmbeddingGeometry::Spherical, EmbeddingGeometry::Euclidean, EmbeddingGeometry::Hyperbolic })
   {
     ViewGroup group;
     for (const GraphView & view : report.views)
     {
-      if (view.certificate->geometry == geometry)
+      const std::size_t edges = view.certificate->packed.edges.size();
+      if (view.certificate->geometry != geometry)
       {
-        group.push_back(&view);
+        continue;
       }
+      if (edges > mostEdges)
+      {
+        page.AddNote(view.title + ": the map has " + std::to_string(edges) +
+                     " edges, too many for the view of a page.");
+        continue;
+      }
+      group.push_back(&view);
     }
     if (!group.empty())
     {

@@ -127,7 +127,7 @@ public:
   std::string
   Paint(const PanelPlan & plan) const
   {
-    SvgPanel panel(m_Graph.space, plan.picture, plan.window, m_Size);
+    SvgPanel panel(m_Graph.space, plan.picture, plan.window, m_Size, LeastPixels());
     if (plan.hasTiles)
     {
       this->PaintTiles(plan, panel);
@@ -158,7 +158,10 @@ public:
         panel.AddLabel(m_Graph.nodes[node], NameOfNode(m_Graph.certificate.graph, node));
       }
     }
-    panel.AddTitle(plan.title);
+    const std::size_t leftOut = panel.LeftOut(); // a few are but the short ends of curves
+    panel.AddTitle(leftOut <= m_Graph.halfEdges.size() / 100
+                     ? plan.title
+                     : plan.title + "; " + std::to_string(leftOut) + " lines are too short to show");
     return panel.Content();
   }
 
@@ -180,6 +183,13 @@ private:
       }
     }
     return edges;
+  }
+
+  /** From a tenth of a pixel for small graphs to a pixel for those that fill the panel with points. */
+  double
+  LeastPixels() const
+  {
+    return std::clamp(0.1 * std::sqrt(static_cast<double>(m_Graph.halfEdges.size()) / 4000.0), 0.1, 1.0);
   }
 
   double
@@ -333,7 +343,9 @@ PlansOfTorus(const EmbeddedGraph & graph)
   }
   PanelPlan overlap{ "Universal cover: overlap graph and fundamental domain", flat, WindowAround(pixels, 1.4) };
   overlap.hasTiles = true;
-  overlap.tiles = TilesAround(graph, 25);
+  // Copies of a large graph are grey; painting them takes as long as the original each.
+  const std::size_t segments = graph.halfEdges.size() + graph.dual.size();
+  overlap.tiles = TilesAround(graph, segments > 1000000 ? 1 : segments > 100000 ? 9 : 25);
   PanelPlan circles = overlap;
   circles.title = "Circles of nodes and faces";
   circles.hasCircles = true;

@@ -8,8 +8,6 @@ namespace itk
 {
 namespace
 {
-constexpr double LeastPixels = 0.1;
-
 std::string
 Attributes(const SvgStyle & style)
 {
@@ -35,14 +33,6 @@ double
 Distance(const Pixel & p, const Pixel & q)
 {
   return std::hypot(p.x - q.x, p.y - q.y);
-}
-
-/** Copies of what is shown once need no detail. */
-double
-LeastOf(const Motion & motion)
-{
-  constexpr double ofCopies = 1.0;
-  return motion.a == 1.0 && motion.b == 0.0 ? LeastPixels : ofCopies;
 }
 
 struct FlatCircle
@@ -109,9 +99,20 @@ SvgText(const std::string & text)
   return safe;
 }
 
-SvgPanel::SvgPanel(const ModelSpace & space, const PictureMap & picture, const PictureWindow & window, int size)
-  : m_Space(space), m_Picture(picture), m_Window(window), m_Size(size)
+SvgPanel::SvgPanel(const ModelSpace &    space,
+                   const PictureMap &    picture,
+                   const PictureWindow & window,
+                   int                   size,
+                   double                least)
+  : m_Space(space), m_Picture(picture), m_Window(window), m_Size(size), m_Least(least)
 {}
+
+/** Copies of what is shown once need no detail. */
+double
+SvgPanel::LeastOf(const Motion & motion) const
+{
+  return motion.a == 1.0 && motion.b == 0.0 ? m_Least : std::max(1.0, m_Least);
+}
 
 Pixel
 SvgPanel::ToPixel(const Place & place) const
@@ -187,6 +188,10 @@ SvgPanel::AddSegments(const std::vector<EmbeddedGraph::Segment> & segments,
       if (isSeen && Distance(start, end) >= LeastOf(motion))
       {
         path += this->PathOfSegment(from, to, false);
+      }
+      else if (isSeen && motion.a == 1.0 && motion.b == 0.0)
+      {
+        ++m_LeftOut;
       }
     }
   }
@@ -274,7 +279,7 @@ void
 SvgPanel::AddOutline(const Place & centre, double radius, const SvgStyle & style)
 {
   const double size = this->PixelsOf(centre, radius, {});
-  if (size < LeastPixels || !IsNear(this->ToPixel(centre), 2.0 * size + 2.0))
+  if (size < m_Least || !IsNear(this->ToPixel(centre), 2.0 * size + 2.0))
   {
     return;
   }

@@ -54,12 +54,12 @@ SvgNumber(double value);
 std::string
 SvgText(const std::string & text);
 
-/** The content of one panel of a picture, in pixels; what is outside of the panel or smaller than a tenth of a pixel is
- * left out. */
+/** The content of one panel of a picture, in pixels; what is outside of the panel or too small is left out. */
 class SvgPanel
 {
 public:
-  SvgPanel(const ModelSpace & space, const PictureMap & picture, const PictureWindow & window, int size);
+  /** `least`: pixels below which a thing that is shown once is left out. */
+  SvgPanel(const ModelSpace & space, const PictureMap & picture, const PictureWindow & window, int size, double least);
 
   /** Geodesics, moved by each of the motions, as one path. */
   void
@@ -92,6 +92,13 @@ public:
   double
   PixelsOf(const Place & centre, double radius, const Motion & motion) const;
 
+  /** How many of the segments that the panel should show were too small. */
+  std::size_t
+  LeftOut() const
+  {
+    return m_LeftOut;
+  }
+
   const std::string &
   Content() const
   {
@@ -99,6 +106,8 @@ public:
   }
 
 private:
+  double
+  LeastOf(const Motion & motion) const;
   Pixel
   ToPixel(const Place & place) const;
   bool
@@ -116,6 +125,8 @@ private:
   PictureMap         m_Picture;
   PictureWindow      m_Window;
   double             m_Size;
+  double             m_Least;
+  std::size_t        m_LeftOut{ 0 };
   std::string        m_Content;
 };
 } // namespace itk
