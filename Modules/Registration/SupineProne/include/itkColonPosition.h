@@ -31,6 +31,8 @@ struct ColonPosition
                                     std::numeric_limits<double>::quiet_NaN(),
                                     std::numeric_limits<double>::quiet_NaN(),
                                     std::numeric_limits<double>::quiet_NaN() } };
+  /** Of each flexure the probability that it lies within 30 mm, 0 to 1. */
+  std::array<double, 4>     flexureConfidence{ { 1.0, 1.0, 1.0, 1.0 } };
   std::vector<HaustralFold> folds;
   /** Mean curvature of the vertices of the flat surface, 1/mm, positive where the wall bulges into the lumen, smooth
    * over some mm; that of the grid where empty. */

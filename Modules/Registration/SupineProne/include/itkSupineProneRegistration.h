@@ -47,7 +47,9 @@ struct RegistrationConfidence
   double matchedShare{ 0.0 };
   /** Of pairs that it does not follow, among all pairs. */
   double contradictedShare{ 0.0 };
-  /** Energies of the warping for the three ways in which the taeniae may correspond (one where they are not known). */
+  /** Of the warping that was taken: mean cost of a row, lower is better. */
+  double energy{ 0.0 };
+  /** Least energies for the three ways in which the taeniae may correspond; empty where they are not known. */
   std::vector<double> energies;
   /** Second best less best energy; not a number where there is one alone. */
   double margin{ 0.0 };

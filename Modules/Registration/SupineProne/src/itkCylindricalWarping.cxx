@@ -67,8 +67,7 @@ private:
     const double             energy = a.squaredNorm() / m_Angles;
     ParallelFor(m_Offsets, [&](std::size_t offset) {
       const int j = 2 * row + static_cast<int>(offset) - m_Reach;
-      const double away = (static_cast<int>(offset) - m_Reach) * m_Target.step / m_Options.frameDeviation;
-      const double spring = m_Options.springWeight * away * away;
+      const double spring = this->SpringOf(static_cast<int>(offset));
       float *   out = cost.data() + offset * m_Rotations;
       if (j < 0 || j >= m_Target.Rows() || this->SegmentOf(m_Source, row) != this->SegmentOf(m_Target, j))
       {
@@ -125,6 +124,13 @@ private:
     return now;
   }
 
+  double
+  SpringOf(int offset) const
+  {
+    const double away = (offset - m_Reach) * m_Target.step / m_Options.frameDeviation;
+    return m_Options.springWeight * away * away;
+  }
+
   int
   SegmentOf(const CylinderPicture & picture, int row) const
   {
@@ -173,10 +179,12 @@ private:
     const auto      best = std::min_element(last.begin(), last.end());
     int             state = static_cast<int>(best - last.begin());
     Eigen::MatrixXd path(rows, 2);
+    double          springs = 0.0;
     for (int row = rows - 1; row >= 0; --row)
     {
       const int offset = state / m_Rotations;
       const int rotation = state % m_Rotations;
+      springs += this->SpringOf(offset);
       path.row(row) << m_Target.begin + (2 * row + offset - m_Reach) * m_Target.step,
         static_cast<double>(m_Centre[row] + rotation - m_Width) / m_Angles;
       if (row > 0)
@@ -186,7 +194,7 @@ private:
       }
     }
     CylindricalWarp warp;
-    warp.energy = *best / rows;
+    warp.energy = (*best - springs) / rows;
     for (int row = 0; row < rows; ++row)
     {
       warp.s.push_back(m_Source.begin + row * m_Source.step);

@@ -38,7 +38,7 @@ struct CylindricalWarp
   std::vector<double> targetS;
   /** Turns, without jumps. */
   std::vector<double> rotation;
-  /** Mean cost of a row; rows that are excluded count 0. */
+  /** Mean cost of a row without that of the spring; rows that are excluded count 0. */
   double energy{ 0.0 };
 };
 

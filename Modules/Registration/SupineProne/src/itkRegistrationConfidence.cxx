@@ -106,19 +106,18 @@ JudgeRegistration(const ColonPosition & source, const ColonPosition & target, Su
   CountMatches(source, target, registration);
   JudgeNodes(source, registration);
   RegistrationConfidence & confidence = registration.confidence;
-  const double             byFolds = Logistic(confidence.matchedShare, 0.5, 0.06);
-  const double             byContradiction = Logistic(-confidence.contradictedShare, -0.2, 0.04);
-  const double byMargin = std::isfinite(confidence.margin) ? Logistic(confidence.margin, 0.02, 0.01) : 0.5;
-  confidence.whole = std::min({ byFolds, byContradiction, byMargin });
-  if (byFolds < 0.5)
+  const double byFolds = Logistic(confidence.matchedShare, 0.7, 0.03);
+  const double byContradiction = Logistic(-confidence.contradictedShare, -0.08, 0.02);
+  const double byEnergy = Logistic(-confidence.energy, -0.185, 0.015);
+  const double byMargin = std::isfinite(confidence.margin) ? Logistic(confidence.margin, 0.03, 0.01) : 0.4;
+  confidence.whole = std::min({ byFolds, byContradiction, byEnergy, byMargin });
+  if (byFolds < 0.5 || byContradiction < 0.5 || byEnergy < 0.5)
   {
-    confidence.reasons.push_back("few folds have a counterpart: are these two patients?");
+    confidence.reasons.push_back(byFolds < 0.5 || byEnergy < 0.5
+                                   ? "the folds of the two positions do not fit: are these two patients?"
+                                   : "many pairs of folds contradict each other");
   }
-  if (byContradiction < 0.5)
-  {
-    confidence.reasons.push_back("many pairs of folds contradict each other");
-  }
-  if (!(byMargin > 0.5))
+  if (byMargin < 0.5)
   {
     confidence.reasons.push_back(std::isfinite(confidence.margin)
                                    ? "it is in doubt which taenia is which"

@@ -48,6 +48,32 @@ FrameOf(const ColonPosition &    source,
   return frame;
 }
 
+/** Of an error that is within 30 mm with this probability, mm (inverse error function after Winitzki 2008). */
+double
+DeviationOf(double confidence)
+{
+  constexpr double within = 30.0;
+  constexpr double a = 0.147;
+  const double     x = std::clamp(confidence, 0.1, 0.98);
+  const double     logarithm = std::log(1.0 - x * x);
+  const double     b = 2.0 / (pi * a) + 0.5 * logarithm;
+  return within / std::sqrt(2.0 * (std::sqrt(b * b - logarithm / a) - b));
+}
+
+/** Confidence of the flexure that was found at this place. */
+double
+ConfidenceOfFlexure(const ColonPosition & position, double arcLength)
+{
+  for (std::size_t i = 0; i < position.flexures.size(); ++i)
+  {
+    if (position.flexures[i] == arcLength)
+    {
+      return position.flexureConfidence[i];
+    }
+  }
+  return 0.0;
+}
+
 struct AngleSample
 {
   double s;
@@ -152,6 +178,29 @@ FlexureFrame(const ColonPosition &      source,
     }
   }
   return FrameOf(source, sourceCylinder, target, targetCylinder, used);
+}
+
+PiecewiseLine
+EndFrame(const PiecewiseLine & frame)
+{
+  return { { frame.from.front(), frame.from.back() }, { frame.to.front(), frame.to.back() } };
+}
+
+PiecewiseLine
+CautiousFrame(const PiecewiseLine & frame, const ColonPosition & source, const ColonPosition & target)
+{
+  constexpr double    expected = 40.0; // mm
+  const PiecewiseLine proportional = EndFrame(frame);
+  PiecewiseLine       cautious = frame;
+  for (std::size_t i = 1; i + 1 < frame.from.size(); ++i)
+  {
+    const double ofSource = DeviationOf(ConfidenceOfFlexure(source, frame.from[i]));
+    const double ofTarget = DeviationOf(ConfidenceOfFlexure(target, frame.to[i]));
+    const double share = expected * expected / (expected * expected + ofSource * ofSource + ofTarget * ofTarget);
+    const double plain = proportional(frame.from[i]);
+    cautious.to[i] = plain + share * (frame.to[i] - plain);
+  }
+  return IsPlausible(cautious) ? cautious : frame;
 }
 
 double

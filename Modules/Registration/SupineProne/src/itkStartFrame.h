@@ -33,6 +33,15 @@ FlexureFrame(const ColonPosition &      source,
              const ColonCylinder &      targetCylinder,
              std::vector<std::string> & warnings);
 
+/** The frame of the ends alone. */
+PiecewiseLine
+EndFrame(const PiecewiseLine & frame);
+
+/** Between EndFrame() and FlexureFrame(): each flexure moves the frame as far as its confidence in both positions
+ * supports, against a deviation from proportional lengths of 40 mm that is expected of colons anyway. */
+PiecewiseLine
+CautiousFrame(const PiecewiseLine & frame, const ColonPosition & source, const ColonPosition & target);
+
 /** Angles of the three taeniae in turns, without jumps, every `step` mm from the beginning of the colon; in the order in
  * which they follow each other around the tube. */
 struct TaeniaAngles

@@ -49,6 +49,8 @@ public:
   {
     m_Result.source = std::make_shared<ColonCylinder>(*source.grid, source.centreline);
     m_Result.target = std::make_shared<ColonCylinder>(*target.grid, target.centreline);
+    m_SourceFolds = FoldProbability(source);
+    m_TargetFolds = FoldProbability(target);
   }
 
   SupineProneRegistration
@@ -64,12 +66,18 @@ public:
   }
 
 private:
+  const std::vector<float> &
+  FoldsOf(const ColonPosition & position) const
+  {
+    return &position == &m_Target ? m_TargetFolds : m_SourceFolds;
+  }
+
   /** A colon that runs the other way, or is a mirror image, fits better turned back. Nothing but the ends and the folds
    * is used here. */
   void
   RequireSameSense()
   {
-    const auto pictureOf = [](const ColonPosition & position, const ColonCylinder & cylinder, double step, int rows) {
+    const auto pictureOf = [this](const ColonPosition & position, const ColonCylinder & cylinder, double step, int rows) {
       CylinderPictureForm form;
       const double        scale = rows * step / (cylinder.End() - cylinder.Begin());
       form.begin = 0.5 * rowStep;
@@ -78,7 +86,7 @@ private:
       form.angles = angles;
       form.smoothRows = 1.0;
       form.coordinate = [scale, begin = cylinder.Begin()](double s) { return scale * (s - begin); };
-      return MakeCylinderPicture(position, cylinder, FoldProbability(position), form);
+      return MakeCylinderPicture(position, cylinder, FoldsOf(position), form);
     };
     const int rows = std::max(2, static_cast<int>((m_Result.source->End() - m_Result.source->Begin()) / rowStep));
     const CylinderPicture     source = pictureOf(m_Source, *m_Result.source, rowStep, rows);
@@ -140,51 +148,98 @@ private:
 
   /** Rows of the warping lie in the coordinate of the source. */
   CylinderPicture
-  PictureOf(bool isTarget) const
+  PictureOf(const PiecewiseLine * frame) const
   {
-    const ColonPosition & position = isTarget ? m_Target : m_Source;
+    const ColonPosition & position = frame ? m_Target : m_Source;
     CylinderPictureForm   form;
     form.begin = m_Result.source->Begin() + 0.5 * rowStep;
-    form.step = isTarget ? 0.5 * rowStep : rowStep;
+    form.step = frame ? 0.5 * rowStep : rowStep;
     form.rows = std::max(2, static_cast<int>((m_Result.source->End() - m_Result.source->Begin()) / form.step));
     form.angles = angles;
-    form.smoothRows = isTarget ? 1.6 : 0.8;
-    const PiecewiseLine back = m_Frame.Inverse();
-    form.coordinate = [isTarget, back](double s) { return isTarget ? back(s) : s; };
+    form.smoothRows = frame ? 1.6 : 0.8;
+    const PiecewiseLine back = frame ? frame->Inverse() : PiecewiseLine{ { 0.0, 1.0 }, { 0.0, 1.0 } };
+    form.coordinate = [back](double s) { return back(s); };
     return MakeCylinderPicture(
-      position, isTarget ? *m_Result.target : *m_Result.source, FoldProbability(position), form);
+      position, frame ? *m_Result.target : *m_Result.source, frame ? m_TargetFolds : m_SourceFolds, form);
   }
 
+  /** A frame to try, and how far the path may leave it. */
+  struct Trial
+  {
+    PiecewiseLine frame;
+    double        band;
+    double        deviation;
+  };
+
+  /** Flexures are found with errors of centimetres, and lengths are not quite proportional: neither is a frame that can
+   * be trusted alone. Segments need the flexures themselves. */
+  std::vector<Trial>
+  Trials() const
+  {
+    std::vector<Trial> trials{ { m_Frame, 60.0, 25.0 } };
+    if (!m_Options.isSegmentWise)
+    {
+      trials.push_back({ CautiousFrame(m_Frame, m_Source, m_Target), 75.0, 35.0 });
+      trials.push_back({ EndFrame(m_Frame), 90.0, 50.0 });
+    }
+    return trials;
+  }
+
+  /** All frames, with the taeniae in each of the three ways they may correspond, and with any rotation, in case they
+   * were lost somewhere; the least energy wins. */
   void
   Warp()
   {
-    const CylinderPicture     source = this->PictureOf(false);
-    const CylinderPicture     target = this->PictureOf(true);
-    CylindricalWarpingOptions options;
-    options.breaks = m_Breaks;
-    std::vector<double>       s;
+    const CylinderPicture source = this->PictureOf(nullptr);
+    std::vector<double>   s;
     for (int row = 0; row < source.Rows(); ++row)
     {
       s.push_back(source.begin + row * source.step);
     }
-    const bool areTaeniaeKnown = m_SourceTaeniae.isKnown && m_TargetTaeniae.isKnown;
-    for (int shift = 0; shift < (areTaeniaeKnown ? 3 : 1); ++shift)
+    const int           ways = this->AreTaeniaeKnown() ? 3 : 0;
+    std::vector<double> energies(ways, std::numeric_limits<double>::infinity());
+    m_Warp.energy = std::numeric_limits<double>::infinity();
+    for (const Trial & trial : this->Trials())
     {
-      const std::vector<double> rotation =
-        areTaeniaeKnown ? RotationOfTaeniae(m_SourceTaeniae, m_TargetTaeniae, m_Frame, shift, s) : std::vector<double>();
-      const CylindricalWarp warp = WarpCylinder(source, target, m_Frame, rotation, options);
-      m_Result.confidence.energies.push_back(warp.energy);
-      if (shift == 0 || warp.energy < m_Warp.energy)
+      const CylinderPicture     target = this->PictureOf(&trial.frame);
+      CylindricalWarpingOptions options;
+      options.breaks = m_Breaks;
+      options.band = trial.band;
+      options.frameDeviation = trial.deviation;
+      for (int way = 0; way <= ways; ++way)
       {
-        m_Warp = warp;
-        m_Shift = shift;
-        m_FrameRotation = areTaeniaeKnown ? rotation : std::vector<double>(s.size(), 0.0);
+        const bool                isFree = way == ways;
+        const std::vector<double> rotation =
+          isFree ? std::vector<double>() : RotationOfTaeniae(m_SourceTaeniae, m_TargetTaeniae, trial.frame, way, s);
+        const CylindricalWarp warp = WarpCylinder(source, target, trial.frame, rotation, options);
+        if (!isFree)
+        {
+          energies[way] = std::min(energies[way], warp.energy);
+        }
+        if (getenv("DBG")) printf("   trial dev %.0f way %d energy %.4f\n", trial.deviation, way, warp.energy);
+        m_Warp = warp.energy < m_Warp.energy ? warp : m_Warp;
       }
     }
-    std::vector<double> energies = m_Result.confidence.energies;
-    std::sort(energies.begin(), energies.end());
-    m_Result.confidence.margin =
-      energies.size() > 1 ? energies[1] - energies[0] : std::numeric_limits<double>::quiet_NaN();
+    this->JudgeWays(energies, s);
+  }
+
+  /** Which taenia is which, and the frame that the registration is compared with. */
+  void
+  JudgeWays(const std::vector<double> & energies, const std::vector<double> & s)
+  {
+    RegistrationConfidence & confidence = m_Result.confidence;
+    confidence.energies = energies;
+    confidence.energy = m_Warp.energy;
+    confidence.margin = std::numeric_limits<double>::quiet_NaN();
+    m_FrameRotation = m_Warp.rotation;
+    if (!energies.empty())
+    {
+      std::vector<double> sorted = energies;
+      std::sort(sorted.begin(), sorted.end());
+      confidence.margin = sorted[1] - sorted[0];
+      const auto way = static_cast<int>(std::min_element(energies.begin(), energies.end()) - energies.begin());
+      m_FrameRotation = RotationOfTaeniae(m_SourceTaeniae, m_TargetTaeniae, m_Frame, way, s);
+    }
   }
 
   RowMap
@@ -272,7 +327,7 @@ private:
   ConstraintsOfTaeniae(const RowMap & map) const
   {
     constexpr double                 step = 6.0;      // mm
-    constexpr double                 greatest = 25.0; // mm: farther away it is another one
+    constexpr double                 greatest = 15.0; // mm: farther away it is another one, or none
     constexpr double                 deviation = 3.0; // mm
     std::vector<DirectionConstraint> constraints;
     for (double s = m_Result.source->Begin(); this->AreTaeniaeKnown() && s < m_Result.source->End(); s += step)
@@ -280,13 +335,19 @@ private:
       for (int taenia = 0; taenia < 3; ++taenia)
       {
         const CylinderPlace place{ s, m_SourceTaeniae.At(taenia, s) };
-        const CylinderPlace start = this->MapOfWarp()(place);
-        const double        goal = m_TargetTaeniae.At((taenia + m_Shift) % 3, map(place).s);
-        const double        around = TurnDifference(goal, start.turn) * m_Result.target->Around();
-        if (std::abs(around) < greatest && !IsExcluded(m_Source, *m_Result.source, place) &&
-            !IsExcluded(m_Target, *m_Result.target, start))
+        const CylinderPlace at = map(place);
+        double              nearest = greatest;
+        for (int other = 0; other < 3; ++other)
         {
-          constraints.push_back({ place, Eigen::Vector2d::UnitY(), around, 1.0 / (deviation * deviation), true });
+          const double away = TurnDifference(m_TargetTaeniae.At(other, at.s), at.turn) * m_Result.target->Around();
+          nearest = std::abs(away) < std::abs(nearest) ? away : nearest;
+        }
+        if (std::abs(nearest) < greatest && !IsExcluded(m_Source, *m_Result.source, place) &&
+            !IsExcluded(m_Target, *m_Result.target, at))
+        {
+          const double sofar = map.correction ? map.correction->At(place).y() : 0.0;
+          constraints.push_back(
+            { place, Eigen::Vector2d::UnitY(), nearest + sofar, 1.0 / (deviation * deviation), true });
         }
       }
     }
@@ -349,8 +410,8 @@ private:
   }
 
   /** In its own coordinate, for both positions alike. */
-  static CylinderPicture
-  PlainPicture(const ColonPosition & position, const ColonCylinder & cylinder, double blur)
+  CylinderPicture
+  PlainPicture(const ColonPosition & position, const ColonCylinder & cylinder, double blur) const
   {
     CylinderPictureForm form;
     form.begin = cylinder.Begin() + 0.5 * rowStep;
@@ -360,7 +421,7 @@ private:
     form.smoothRows = blur;
     form.smoothAngles = blur;
     form.coordinate = [](double s) { return s; };
-    return MakeCylinderPicture(position, cylinder, FoldProbability(position), form);
+    return MakeCylinderPicture(position, cylinder, FoldsOf(position), form);
   }
 
   void
@@ -484,7 +545,8 @@ private:
   CylindricalWarp                   m_Warp;
   std::vector<double>               m_FrameRotation;
   std::vector<double>               m_PairWeights;
-  int                               m_Shift{ 0 };
+  std::vector<float>                m_SourceFolds; ///< FoldProbability()
+  std::vector<float>                m_TargetFolds;
   std::vector<double>               m_Breaks; ///< of the source, where segments are registered by themselves
   std::unique_ptr<SmoothCorrection> m_Correction;
 };
