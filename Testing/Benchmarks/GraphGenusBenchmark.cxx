@@ -1,0 +1,128 @@
+// Planarity of random triangulated grids beside Boost's test of Boyer and Myrvold, in one process; then the genus of
+// known graphs by the default search and by the genetic algorithm as published. Arguments: the side of the grid
+// (default 200).
+#include "itkGraphFamilies.h"
+#include "itkGraphGenus.h"
+#include "itkPhiloxStream.h"
+
+#include <boost/graph/adjacency_list.hpp>
+#include <boost/graph/boyer_myrvold_planar_test.hpp>
+
+#include <algorithm>
+#include <chrono>
+#include <cstdio>
+#include <cstdlib>
+#include <functional>
+#include <numeric>
+#include <vector>
+
+namespace
+{
+double
+SecondsOf(const std::function<void()> & work)
+{
+  const auto start = std::chrono::steady_clock::now();
+  work();
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+/** A grid with a random diagonal in each square, its nodes and edges in random order. */
+itk::Graph
+TriangulatedGrid(int side)
+{
+  itk::PhiloxStream random(1, 0, 0);
+  itk::Graph        graph = itk::GridGraph(side, side);
+  for (int r = 0; r + 1 < side; ++r)
+  {
+    for (int c = 0; c + 1 < side; ++c)
+    {
+      const int node = r * side + c;
+      graph.edges.push_back(random.Below(2) == 0 ? std::array<int, 2>{ node, node + side + 1 }
+                                                 : std::array<int, 2>{ node + 1, node + side });
+    }
+  }
+  std::vector<int> image(graph.nodes);
+  std::iota(image.begin(), image.end(), 0);
+  for (int i = graph.nodes; i > 1; --i)
+  {
+    std::swap(image[i - 1], image[random.Below(i)]);
+  }
+  graph = itk::RelabelledGraph(graph, image);
+  for (int i = static_cast<int>(graph.edges.size()); i > 1; --i)
+  {
+    std::swap(graph.edges[i - 1], graph.edges[random.Below(i)]);
+  }
+  return graph;
+}
+
+/** With the embedding, as ours. */
+bool
+EmbedByBoost(const itk::Graph & graph)
+{
+  using BoostGraph = boost::adjacency_list<boost::vecS,
+                                           boost::vecS,
+                                           boost::undirectedS,
+                                           boost::property<boost::vertex_index_t, int>,
+                                           boost::property<boost::edge_index_t, int>>;
+  BoostGraph boostGraph(graph.nodes);
+  for (std::size_t e = 0; e < graph.edges.size(); ++e)
+  {
+    boost::add_edge(graph.edges[e][0], graph.edges[e][1], static_cast<int>(e), boostGraph);
+  }
+  std::vector<std::vector<boost::graph_traits<BoostGraph>::edge_descriptor>> orders(graph.nodes);
+  namespace parameters = boost::boyer_myrvold_params;
+  return boost::boyer_myrvold_planarity_test(parameters::graph = boostGraph, parameters::embedding = orders.data());
+}
+
+void
+ComparePlanarity(int side)
+{
+  const itk::Graph      graph = TriangulatedGrid(side);
+  itk::CombinatorialMap map;
+  bool                  planar = false;
+  const double          ours = SecondsOf([&] { planar = itk::FindPlanarEmbedding(graph, map); });
+  bool                  planarByBoost = false;
+  const double          boosts = SecondsOf([&] { planarByBoost = EmbedByBoost(graph); });
+  std::printf("planar embedding, %d nodes, %zu edges: %.3f s, genus %d; Boost %.3f s, ratio %.1f%s\n",
+              graph.nodes,
+              graph.edges.size(),
+              ours,
+              map.Genus(),
+              boosts,
+              boosts / ours,
+              planar && planarByBoost ? "" : " NOT PLANAR");
+}
+
+void
+CompareSearches(const char * name, const itk::Graph & graph)
+{
+  itk::GenusOptions     options;
+  itk::SurfaceEmbedding annealed;
+  itk::SurfaceEmbedding genetic;
+  const double          annealing = SecondsOf([&] { annealed = itk::FindEmbedding(graph, options); });
+  options.method = itk::GenusMethod::Genetic;
+  const double breeding = SecondsOf([&] { genetic = itk::FindEmbedding(graph, options); });
+  std::printf("%-22s genus %3d in %.2f s (lower bound %d); genetic algorithm %3d in %.2f s\n",
+              name,
+              annealed.map.Genus(),
+              annealing,
+              annealed.lowerBound,
+              genetic.map.Genus(),
+              breeding);
+  std::fflush(stdout);
+}
+} // namespace
+
+int
+main(int argc, char * argv[])
+{
+  ComparePlanarity(argc > 1 ? std::max(2, std::atoi(argv[1])) : 200);
+  CompareSearches("K7", itk::CompleteGraph(7));
+  CompareSearches("K12", itk::CompleteGraph(12));
+  CompareSearches("K15", itk::CompleteGraph(15));
+  CompareSearches("K8,8", itk::CompleteBipartiteGraph(8, 8));
+  CompareSearches("Q5", itk::HypercubeGraph(5));
+  CompareSearches("Q6", itk::HypercubeGraph(6));
+  CompareSearches("torus grid 12 x 12", itk::TorusGridMap(12, 12).ToGraph());
+  return EXIT_SUCCESS;
+}
