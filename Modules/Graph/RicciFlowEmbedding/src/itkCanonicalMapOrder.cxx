@@ -9,7 +9,7 @@ namespace itk
 {
 namespace
 {
-constexpr int          roundsAtOnce = 8;
+constexpr int          roundsAtOnce = 4;
 constexpr int          mostRounds = 32;
 constexpr std::int64_t mostSteps = 20000000;
 

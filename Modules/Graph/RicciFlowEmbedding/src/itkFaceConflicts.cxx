@@ -55,8 +55,8 @@ AreAcrossAnEdge(const CombinatorialMap & map, int node, int other, int face, int
 class FourCycles
 {
 public:
-  explicit FourCycles(const RadialGraph & graph)
-    : m_Neighbours(graph.neighbours), m_Common(graph.neighbours.size()), m_Rank(graph.neighbours.size())
+  explicit FourCycles(RadialGraph graph)
+    : m_Neighbours(std::move(graph.neighbours)), m_Common(m_Neighbours.size()), m_Rank(m_Neighbours.size())
   {
     std::vector<int> order(m_Neighbours.size());
     std::iota(order.begin(), order.end(), 0);

@@ -221,9 +221,12 @@ EmbedMap(const Graph &                 graph,
   if (map.Genus() == 0)
   {
     const CanonicalMapOrder order(packed.map, options.isRotationFree);
-    const CombinatorialMap  seen = order.isMirrored ? map.Mirrored() : map;
-    packed = order.isMirrored ? MakePackedMap(seen, augmentation) : std::move(packed);
-    certificate = BeginCertificate(graph, seen, packed);
+    const CombinatorialMap  mirrored = order.isMirrored ? map.Mirrored() : CombinatorialMap();
+    if (order.isMirrored)
+    {
+      packed = MakePackedMap(mirrored, augmentation);
+    }
+    certificate = BeginCertificate(graph, order.isMirrored ? mirrored : map, packed);
     AddSphere(packed, options.infinity, order.rank, certificate);
   }
   else
@@ -332,13 +335,21 @@ EmbedGraph(const Graph & graph, const CombinatorialMap & map, const GraphEmbeddi
   {
     throw InputError("a graph without nodes cannot be embedded");
   }
-  const CombinatorialMap arranged = options.isRotationFree ? ArrangeBlocks(map) : map;
-  const bool             isSmall = arranged.Edges() <= mostEdgesForChoice;
-  const bool             hasRings = isSmall && options.isRotationFree && options.augmentation == Augmentation::Ring &&
+  CombinatorialMap other; // where the blocks are arranged anew; else one copy is enough
+  if (options.isRotationFree)
+  {
+    other = ArrangeBlocks(map);
+    if (IsSameMap(map, other))
+    {
+      other = CombinatorialMap();
+    }
+  }
+  const CombinatorialMap & arranged = other.Nodes() > 0 ? other : map;
+  const bool               isSmall = arranged.Edges() <= mostEdgesForChoice;
+  const bool               hasRings = isSmall && options.isRotationFree && options.augmentation == Augmentation::Ring &&
                         MakePackedMap(arranged).rings > 0;
-  EmbeddingCertificate certificate =
-    isSmall ? BestOf(graph, CandidatesOf(options.isRotationFree ? map : arranged, arranged, hasRings), options)
-            : BestOf(graph, { { &arranged, 2 } }, options);
+  EmbeddingCertificate certificate = isSmall ? BestOf(graph, CandidatesOf(map, arranged, hasRings), options)
+                                             : BestOf(graph, { { &arranged, 2 } }, options);
   AddSmallestCircle(certificate);
   return certificate;
 }
