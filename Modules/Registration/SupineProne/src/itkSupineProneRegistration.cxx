@@ -59,7 +59,7 @@ public:
     this->RequireSameSense();
     this->FindFrame();
     this->Warp();
-    this->MatchAndCorrect();
+    this->Correct();
     this->Project();
     this->Finish();
     return std::move(m_Result);
@@ -169,6 +169,9 @@ private:
     PiecewiseLine frame;
     double        band;
     double        deviation;
+    /** Weights of slope and rotation. */
+    double slope;
+    double rotation;
   };
 
   /** Flexures are found with errors of centimetres, and lengths are not quite proportional: neither is a frame that can
@@ -176,17 +179,26 @@ private:
   std::vector<Trial>
   Trials() const
   {
-    std::vector<Trial> trials{ { m_Frame, 60.0, 25.0 } };
+    std::vector<Trial>         trials;
+    std::vector<PiecewiseLine> frames{ m_Frame };
     if (!m_Options.isSegmentWise)
     {
-      trials.push_back({ CautiousFrame(m_Frame, m_Source, m_Target), 75.0, 35.0 });
-      trials.push_back({ EndFrame(m_Frame), 90.0, 50.0 });
+      frames.push_back(CautiousFrame(m_Frame, m_Source, m_Target));
+      frames.push_back(EndFrame(m_Frame));
+    }
+    for (std::size_t i = 0; i < frames.size(); ++i)
+    {
+      const double band = 60.0 + 15.0 * static_cast<double>(i);
+      const double deviation = 25.0 + 12.0 * static_cast<double>(i);
+      trials.push_back({ frames[i], band, deviation, 0.3, 0.4 });
+      trials.push_back({ frames[i], band, deviation, 2.0, 1.0 });
     }
     return trials;
   }
 
-  /** All frames, with the taeniae in each of the three ways they may correspond, and with any rotation, in case they
-   * were lost somewhere; the least energy wins. */
+  /** Of each trial the warp with the least energy, with the taeniae in each of the three ways they may correspond and with
+   * any rotation, in case they were lost somewhere. Energy does not tell a path that is one fold too far from the right
+   * one; how many pairs of folds a smooth map can follow does, so that decides between the trials. */
   void
   Warp()
   {
@@ -196,31 +208,66 @@ private:
     {
       s.push_back(source.begin + row * source.step);
     }
-    const int           ways = this->AreTaeniaeKnown() ? 3 : 0;
-    std::vector<double> energies(ways, std::numeric_limits<double>::infinity());
-    m_Warp.energy = std::numeric_limits<double>::infinity();
+    std::vector<double> energies(this->AreTaeniaeKnown() ? 3 : 0, std::numeric_limits<double>::infinity());
+    CylindricalWarp     best;
+    double              bestSupport = -1.0;
     for (const Trial & trial : this->Trials())
     {
-      const CylinderPicture     target = this->PictureOf(&trial.frame);
-      CylindricalWarpingOptions options;
-      options.breaks = m_Breaks;
-      options.band = trial.band;
-      options.frameDeviation = trial.deviation;
-      for (int way = 0; way <= ways; ++way)
+      m_Warp = this->BestWarp(trial, source, s, energies);
+      this->MatchAndCorrect();
+      const double support = this->Support();
+      if (support > bestSupport)
       {
-        const bool                isFree = way == ways;
-        const std::vector<double> rotation =
-          isFree ? std::vector<double>() : RotationOfTaeniae(m_SourceTaeniae, m_TargetTaeniae, trial.frame, way, s);
-        const CylindricalWarp warp = WarpCylinder(source, target, trial.frame, rotation, options);
-        if (!isFree)
-        {
-          energies[way] = std::min(energies[way], warp.energy);
-        }
-        if (getenv("DBG")) printf("   trial dev %.0f way %d energy %.4f\n", trial.deviation, way, warp.energy);
-        m_Warp = warp.energy < m_Warp.energy ? warp : m_Warp;
+        bestSupport = support;
+        best = m_Warp;
       }
     }
+    m_Warp = best;
+    this->MatchAndCorrect();
     this->JudgeWays(energies, s);
+  }
+
+  CylindricalWarp
+  BestWarp(const Trial &               trial,
+           const CylinderPicture &     source,
+           const std::vector<double> & s,
+           std::vector<double> &       energies) const
+  {
+    const CylinderPicture     target = this->PictureOf(&trial.frame);
+    CylindricalWarpingOptions options;
+    options.breaks = m_Breaks;
+    options.band = trial.band;
+    options.frameDeviation = trial.deviation;
+    options.slopeWeight = trial.slope;
+    options.rotationWeight = trial.rotation;
+    CylindricalWarp best;
+    best.energy = std::numeric_limits<double>::infinity();
+    const int ways = static_cast<int>(energies.size());
+    for (int way = 0; way <= ways; ++way)
+    {
+      const bool                isFree = way == ways;
+      const std::vector<double> rotation =
+        isFree ? std::vector<double>() : RotationOfTaeniae(m_SourceTaeniae, m_TargetTaeniae, trial.frame, way, s);
+      const CylindricalWarp warp = WarpCylinder(source, target, trial.frame, rotation, options);
+      if (!isFree)
+      {
+        energies[way] = std::min(energies[way], warp.energy);
+      }
+      best = warp.energy < best.energy ? warp : best;
+    }
+    return best;
+  }
+
+  /** Of pairs that the map follows, less those that it does not. */
+  double
+  Support() const
+  {
+    double support = 0.0;
+    for (const double weight : m_PairWeights)
+    {
+      support += weight - 0.5;
+    }
+    return support;
   }
 
   /** Which taenia is which, and the frame that the registration is compared with. */
@@ -283,10 +330,6 @@ private:
       m_Result.matching = MatchFolds(source, target, m_Result.target->Around(), options);
       this->Fit(this->ConstraintsOfTaeniae(map));
       map.correction = m_Correction.get();
-    }
-    if (m_Options.refines)
-    {
-      this->Refine(map);
     }
   }
 
@@ -436,6 +479,18 @@ private:
     for (std::size_t pair = 0; pair < m_Result.matching.pairs.size(); ++pair)
     {
       m_PairWeights.push_back(weights[3 * pair]); // of the middle
+    }
+  }
+
+  /** With the warp and the pairs that were taken. */
+  void
+  Correct()
+  {
+    if (m_Options.refines)
+    {
+      RowMap map = this->MapOfWarp();
+      map.correction = m_Correction.get();
+      this->Refine(map);
     }
   }
 
