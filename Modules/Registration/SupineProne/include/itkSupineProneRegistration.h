@@ -24,8 +24,8 @@ struct SupineProneOptions
 struct FoldMatch
 {
   /** Indices of ColonPosition::folds. */
-  int source{ 0 };
-  int target{ 0 };
+  int    source{ 0 };
+  int    target{ 0 };
   double cost{ 0.0 };
   /** Of the final map, mm: from where it takes the middle of the fold to the middle of the other one. */
   double residual{ 0.0 };
@@ -75,6 +75,9 @@ struct RegistrationFigures
 /** \ingroup SupineProne */
 struct SupineProneRegistration
 {
+  /** The flat maps that it refers to. */
+  std::shared_ptr<const FlatColonGrid> sourceGrid;
+  std::shared_ptr<const FlatColonGrid> targetGrid;
   std::shared_ptr<const ColonCylinder> source;
   std::shared_ptr<const ColonCylinder> target;
   /** From source to target. */
@@ -106,7 +109,9 @@ struct SupineProneRegistration
  * seems to run the wrong way or to be a mirror image. Source: dissertation 4.3; warping after Nain et al. 2002; the
  * measured figures are in the README. \ingroup SupineProne */
 SupineProne_EXPORT SupineProneRegistration
-RegisterColonPositions(const ColonPosition & source, const ColonPosition & target, const SupineProneOptions & options = {});
+RegisterColonPositions(const ColonPosition &      source,
+                       const ColonPosition &      target,
+                       const SupineProneOptions & options = {});
 
 /** Where a place of the map goes, mm of the flat map. \ingroup SupineProne */
 SupineProne_EXPORT Eigen::Vector2d

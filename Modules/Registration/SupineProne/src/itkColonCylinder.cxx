@@ -51,8 +51,8 @@ ColonCylinder::ColonCylinder(const FlatColonGrid & grid, const CurveSet & centre
                      "ColonSegmentation and ColonFlattening --centreline");
   }
   constexpr double smoothing = 5.0; // mm
-  m_Arc = StrictlyAscending(
-    distance, static_cast<int>(std::ceil(smoothing / grid.PixelSize())), 0.01 * grid.PixelSize());
+  m_Arc =
+    StrictlyAscending(distance, static_cast<int>(std::ceil(smoothing / grid.PixelSize())), 0.01 * grid.PixelSize());
   m_Radii = axis.radii;
   m_Around = 2.0 * pi * m_Radii.mean();
 }
@@ -94,14 +94,14 @@ ColonCylinder::PointOfPlace(const CylinderPlace & place) const
   const int             lastColumn = m_Grid->Columns() - 1;
   const double          column = std::clamp(this->ColumnOfArc(place.s) - 0.5, 0.0, static_cast<double>(lastColumn));
   const Eigen::Vector2d uvOfFirst = m_Grid->UvOfPixel(0, 0);
-  const double turnOfFirst = (m_Grid->IsMirrored() ? -1.0 : 1.0) * uvOfFirst.y() / m_Grid->Circumference();
-  const double row = (place.turn - turnOfFirst - std::floor(place.turn - turnOfFirst)) * m_Grid->Rows();
-  const int    i = std::min(static_cast<int>(column), std::max(0, lastColumn - 1));
-  const int    j = static_cast<int>(row);
-  const double x = column - i;
-  const double y = row - j;
-  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
-  double          weight = 0.0;
+  const double          turnOfFirst = (m_Grid->IsMirrored() ? -1.0 : 1.0) * uvOfFirst.y() / m_Grid->Circumference();
+  const double          row = (place.turn - turnOfFirst - std::floor(place.turn - turnOfFirst)) * m_Grid->Rows();
+  const int             i = std::min(static_cast<int>(column), std::max(0, lastColumn - 1));
+  const int             j = static_cast<int>(row);
+  const double          x = column - i;
+  const double          y = row - j;
+  Eigen::Vector3d       sum = Eigen::Vector3d::Zero();
+  double                weight = 0.0;
   for (int corner = 0; corner < 4; ++corner)
   {
     const int             dx = corner % 2;

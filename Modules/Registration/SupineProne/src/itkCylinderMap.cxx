@@ -110,13 +110,13 @@ CylinderMap::MakeBins()
 CylinderPlace
 CylinderMap::Forward(const CylinderPlace & place) const
 {
-  const double row = RowPlace(m_Nodes, place.s);
-  const double around = std::floor(place.turn);
-  const double column = (place.turn - around) * m_Nodes.Angles();
-  const int    i = std::clamp(static_cast<int>(row), 0, m_Extended.Rows() - 2);
-  const int    j = std::clamp(static_cast<int>(column), 0, m_Nodes.Angles() - 1);
-  const double p = row - i;
-  const double q = column - j;
+  const double        row = RowPlace(m_Nodes, place.s);
+  const double        around = std::floor(place.turn);
+  const double        column = (place.turn - around) * m_Nodes.Angles();
+  const int           i = std::clamp(static_cast<int>(row), 0, m_Extended.Rows() - 2);
+  const int           j = std::clamp(static_cast<int>(column), 0, m_Nodes.Angles() - 1);
+  const double        p = row - i;
+  const double        q = column - j;
   const CylinderPlace a = m_Extended.At(i, j);
   const CylinderPlace c = m_Extended.At(i + 1, j + 1);
   const CylinderPlace b = p >= q ? m_Extended.At(i + 1, j) : m_Extended.At(i, j + 1);

@@ -72,9 +72,8 @@ Normalize(CylinderPicture & picture, const std::vector<char> & isExcluded)
   const double deviation = std::sqrt(std::max(1e-12, squares / std::max(1.0, number) - mean * mean));
   for (int i = 0; i < picture.Rows(); ++i)
   {
-    picture.values.row(i) =
-      isExcluded[i] ? Eigen::RowVectorXd::Zero(picture.Angles())
-                    : Eigen::RowVectorXd((picture.values.row(i).array() - mean) / deviation);
+    picture.values.row(i) = isExcluded[i] ? Eigen::RowVectorXd::Zero(picture.Angles())
+                                          : Eigen::RowVectorXd((picture.values.row(i).array() - mean) / deviation);
   }
 }
 
@@ -179,7 +178,7 @@ MakeCylinderPicture(const ColonPosition &       position,
                     const CylinderPictureForm & form)
 {
   const FlatColonGrid & grid = *position.grid;
-  Splat splat{ Eigen::MatrixXd::Zero(form.rows, form.angles), Eigen::MatrixXd::Zero(form.rows, form.angles) };
+  Splat           splat{ Eigen::MatrixXd::Zero(form.rows, form.angles), Eigen::MatrixXd::Zero(form.rows, form.angles) };
   Eigen::VectorXd excluded = Eigen::VectorXd::Zero(form.rows);
   Eigen::VectorXd columns = Eigen::VectorXd::Zero(form.rows);
   for (int column = 0; column < grid.Columns(); ++column)

@@ -8,8 +8,8 @@
 
 namespace itk
 {
-/** How much of a fold the wall shows, on a cylinder: rows are even steps along the colon, columns are angles. Mean 0 and
- * deviation 1 over what is not excluded; excluded rows are 0. */
+/** How much of a fold the wall shows, on a cylinder: rows are even steps along the colon, columns are angles. Mean 0
+ * and deviation 1 over what is not excluded; excluded rows are 0. */
 struct CylinderPicture
 {
   Eigen::MatrixXd   values;

@@ -10,9 +10,9 @@ namespace itk
 {
 namespace
 {
-constexpr float  infinite = std::numeric_limits<float>::infinity();
-/** Target rows passed from row to row. The centreline takes short cuts through collapsed stretches, so that their length
- * differs by much more than that of others. */
+constexpr float infinite = std::numeric_limits<float>::infinity();
+/** Target rows passed from row to row. The centreline takes short cuts through collapsed stretches, so that their
+ * length differs by much more than that of others. */
 constexpr int    greatestAdvance = 3;
 constexpr int    greatestUnseenAdvance = 8;
 constexpr double costOutside = 8.0; ///< of a row that would lie beyond the end of the target or of its segment
@@ -45,8 +45,8 @@ public:
   CylindricalWarp
   Run(const PiecewiseLine & frame)
   {
-    const int       rows = m_Source.Rows();
-    const auto      states = static_cast<std::size_t>(m_Offsets) * m_Rotations;
+    const int          rows = m_Source.Rows();
+    const auto         states = static_cast<std::size_t>(m_Offsets) * m_Rotations;
     std::vector<float> before(states);
     m_Step.assign(states * rows, 0);
     for (int row = 0; row < rows; ++row)
@@ -62,13 +62,13 @@ private:
   std::vector<float>
   CostOfRow(int row) const
   {
-    std::vector<float> cost(static_cast<std::size_t>(m_Offsets) * m_Rotations);
+    std::vector<float>       cost(static_cast<std::size_t>(m_Offsets) * m_Rotations);
     const Eigen::RowVectorXd a = m_Source.values.row(row);
     const double             energy = a.squaredNorm() / m_Angles;
     ParallelFor(m_Offsets, [&](std::size_t offset) {
-      const int j = 2 * row + static_cast<int>(offset) - m_Reach;
+      const int    j = 2 * row + static_cast<int>(offset) - m_Reach;
       const double spring = this->SpringOf(static_cast<int>(offset));
-      float *   out = cost.data() + offset * m_Rotations;
+      float *      out = cost.data() + offset * m_Rotations;
       if (j < 0 || j >= m_Target.Rows() || this->SegmentOf(m_Source, row) != this->SegmentOf(m_Target, j))
       {
         std::fill(out, out + m_Rotations, static_cast<float>(costOutside));
@@ -80,11 +80,12 @@ private:
         return;
       }
       const Eigen::RowVectorXd b = m_Target.values.row(j);
-      const double content = m_Options.contentWeight * (energy + b.squaredNorm() / m_Angles);
+      const double             content = m_Options.contentWeight * (energy + b.squaredNorm() / m_Angles);
       for (int rotation = 0; rotation < m_Rotations; ++rotation)
       {
-        const int shift = (((m_Centre[row] + rotation - m_Width) % m_Angles) + m_Angles) % m_Angles;
-        const double product = a.head(m_Angles - shift).dot(b.tail(m_Angles - shift)) + a.tail(shift).dot(b.head(shift));
+        const int    shift = (((m_Centre[row] + rotation - m_Width) % m_Angles) + m_Angles) % m_Angles;
+        const double product =
+          a.head(m_Angles - shift).dot(b.tail(m_Angles - shift)) + a.tail(shift).dot(b.head(shift));
         out[rotation] = static_cast<float>(spring + content - product / m_Angles);
       }
     });
@@ -112,8 +113,9 @@ private:
           if (from >= 0)
           {
             const double bend = step / 3 - 2;
-            const double stiff = m_Options.slopeWeight * bend * bend + m_Options.rotationWeight * std::abs(step % 3 - 1);
-            const float  sum = before[from] + static_cast<float>(ease * stiff);
+            const double stiff =
+              m_Options.slopeWeight * bend * bend + m_Options.rotationWeight * std::abs(step % 3 - 1);
+            const float sum = before[from] + static_cast<float>(ease * stiff);
             taken[state] = sum < best ? static_cast<unsigned char>(step) : taken[state];
             best = std::min(best, sum);
           }
@@ -151,8 +153,8 @@ private:
     return m_Source.isExcluded[row] || m_Source.isExcluded[row - 1];
   }
 
-  /** Steps that the frame turns from the row before on. Where nothing is seen taeniae are not known either, and the path
-   * follows the frame, whatever it does. */
+  /** Steps that the frame turns from the row before on. Where nothing is seen taeniae are not known either, and the
+   * path follows the frame, whatever it does. */
   int
   Turned(int row) const
   {

@@ -23,8 +23,8 @@ struct CylindricalWarpingOptions
   double excludedEase{ 0.05 };
   /** Cost of what a row shows, whether the other one shows it or not. */
   double contentWeight{ 0.3 };
-  /** Places of the source that the path must not carry over to the other side, mm; in the frame they are the same for the
-   * target. */
+  /** Places of the source that the path must not carry over to the other side, mm; in the frame they are the same for
+   * the target. */
   std::vector<double> breaks;
   /** Standard deviation of the smoothing of the path, rows. */
   double smoothing{ 3.0 };
@@ -44,9 +44,9 @@ struct CylindricalWarp
 
 /** Dynamic time warping on two cylinders (after Sakoe and Chiba 1978, with the rotation as part of the state): each row
  * of the source goes to a row of the target picture, whose rows are half as far apart and lie along the frame; from row
- * to row 0 to 3 target rows are passed (0 to 8 where nothing is seen) and the rotation changes by one step at most. The best path is found exactly.
- * \param rotation turns at each row of the source; empty allows all. \param target in the coordinate of the source:
- * its rows begin where those of the source do. */
+ * to row 0 to 3 target rows are passed (0 to 8 where nothing is seen) and the rotation changes by one step at most. The
+ * best path is found exactly. \param rotation turns at each row of the source; empty allows all. \param target in the
+ * coordinate of the source: its rows begin where those of the source do. */
 CylindricalWarp
 WarpCylinder(const CylinderPicture &           source,
              const CylinderPicture &           target,

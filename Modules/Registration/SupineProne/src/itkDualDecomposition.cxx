@@ -71,8 +71,7 @@ private:
     for (std::size_t p = 0; p < m_Pairs.size(); ++p)
     {
       Eigen::Index          a = 0, b = 0;
-      const Eigen::MatrixXd cost =
-        (m_Pairs[p].cost.colwise() + m_First[p]).rowwise() + m_Second[p].transpose();
+      const Eigen::MatrixXd cost = (m_Pairs[p].cost.colwise() + m_First[p]).rowwise() + m_Second[p].transpose();
       dual += cost.minCoeff(&a, &b);
       this->AddToLabel(votes, m_Pairs[p].first, static_cast<int>(a), -1.0);
       this->AddToLabel(votes, m_Pairs[p].second, static_cast<int>(b), -1.0);

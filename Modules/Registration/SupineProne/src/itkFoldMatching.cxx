@@ -84,8 +84,8 @@ Neighbours(const std::vector<FoldFeature> & folds, double turn, int number)
     {
       if (j != i)
       {
-        others.push_back({ Square(folds[j].x - folds[i].x) + Square(Around(folds[j].y, folds[i].y, turn)),
-                           static_cast<int>(j) });
+        others.push_back(
+          { Square(folds[j].x - folds[i].x) + Square(Around(folds[j].y, folds[i].y, turn)), static_cast<int>(j) });
       }
     }
     const auto taken = std::min<std::size_t>(number, others.size());
@@ -140,8 +140,7 @@ MatchFolds(const std::vector<FoldFeature> & source,
   PairedAssignment        solved;
   if (options.method == FoldMatchingMethod::DualDecomposition)
   {
-    solved =
-      SolvePairedAssignment(problem, MakePairs(problem, source, target, turn, options), options.iterations);
+    solved = SolvePairedAssignment(problem, MakePairs(problem, source, target, turn, options), options.iterations);
   }
   else
   {

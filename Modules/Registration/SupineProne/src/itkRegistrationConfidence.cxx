@@ -38,7 +38,7 @@ CountMatches(const ColonPosition & source, const ColonPosition & target, SupineP
       squares += match.residual * match.residual;
     }
   }
-  const int seen = std::min(SeenFolds(*registration.source, source), SeenFolds(*registration.target, target));
+  const int  seen = std::min(SeenFolds(*registration.source, source), SeenFolds(*registration.target, target));
   const auto pairs = static_cast<double>(registration.matches.size());
   confidence.matchedShare = seen > 0 ? followedPairs / static_cast<double>(seen) : 0.0;
   confidence.contradictedShare = pairs > 0.0 ? 1.0 - followedPairs / pairs : 1.0;
@@ -82,8 +82,8 @@ JudgeNodes(const ColonPosition & source, SupineProneRegistration & registration)
         {
           continue;
         }
-        const double around =
-          TurnDifference(static_cast<double>(j) / nodes.Angles(), item.place.turn) * registration.source->Around() / reach;
+        const double around = TurnDifference(static_cast<double>(j) / nodes.Angles(), item.place.turn) *
+                              registration.source->Around() / reach;
         const double weight = std::exp(-0.5 * (along * along + around * around));
         sum += weight * item.support;
         weights += weight;
@@ -106,22 +106,22 @@ JudgeRegistration(const ColonPosition & source, const ColonPosition & target, Su
   CountMatches(source, target, registration);
   JudgeNodes(source, registration);
   RegistrationConfidence & confidence = registration.confidence;
-  const double byFolds = Logistic(confidence.matchedShare, 0.7, 0.03);
-  const double byContradiction = Logistic(-confidence.contradictedShare, -0.08, 0.02);
-  const double byEnergy = Logistic(-confidence.energy, -0.185, 0.015);
-  const double byMargin = std::isfinite(confidence.margin) ? Logistic(confidence.margin, 0.03, 0.01) : 0.4;
-  confidence.whole = std::min({ byFolds, byContradiction, byEnergy, byMargin });
-  if (byFolds < 0.5 || byContradiction < 0.5 || byEnergy < 0.5)
+  const double             byFolds = Logistic(confidence.matchedShare, 0.7, 0.03);
+  const double             byContradiction = Logistic(-confidence.contradictedShare, -0.08, 0.02);
+  const double             byEnergy = Logistic(-confidence.energy, -0.185, 0.015);
+  const double             byMargin = std::isfinite(confidence.margin) ? Logistic(confidence.margin, 0.03, 0.01) : 0.4;
+  const double             bySense = Logistic(confidence.senseMargin, 0.05, 0.008);
+  confidence.whole = std::min({ byFolds, byContradiction, byEnergy, byMargin, bySense });
+  if (byFolds < 0.5 || byContradiction < 0.5 || byEnergy < 0.5 || bySense < 0.5)
   {
-    confidence.reasons.push_back(byFolds < 0.5 || byEnergy < 0.5
+    confidence.reasons.push_back(byFolds < 0.5 || byEnergy < 0.5 || bySense < 0.5
                                    ? "the folds of the two positions do not fit: are these two patients?"
                                    : "many pairs of folds contradict each other");
   }
   if (byMargin < 0.5)
   {
-    confidence.reasons.push_back(std::isfinite(confidence.margin)
-                                   ? "it is in doubt which taenia is which"
-                                   : "taeniae are not known in both positions");
+    confidence.reasons.push_back(std::isfinite(confidence.margin) ? "it is in doubt which taenia is which"
+                                                                  : "taeniae are not known in both positions");
   }
   confidence.isFlagged = !confidence.reasons.empty();
 }

@@ -58,8 +58,7 @@ double
 RegistrationErrors::ShareWithin10() const
 {
   constexpr double limit = 10.0; // mm
-  const auto       within =
-    std::count_if(inSpace.begin(), inSpace.end(), [limit](double error) { return error < limit; });
+  const auto within = std::count_if(inSpace.begin(), inSpace.end(), [limit](double error) { return error < limit; });
   return inSpace.empty() ? 0.0 : static_cast<double>(within) / static_cast<double>(inSpace.size());
 }
 

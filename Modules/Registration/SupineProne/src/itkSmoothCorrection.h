@@ -13,8 +13,8 @@ struct DisplacementConstraint
   double          weight{ 1.0 };
 };
 
-/** Only what a displacement has along a direction is known: direction . displacement = value (mm). Around the tube for a
- * taenia, along the gradient for a picture. */
+/** Only what a displacement has along a direction is known: direction . displacement = value (mm). Around the tube for
+ * a taenia, along the gradient for a picture. */
 struct DirectionConstraint
 {
   CylinderPlace   place;
@@ -49,7 +49,8 @@ public:
 
   /** Returns the weight that each constraint has in the end, in (0, 1], times its own. */
   std::vector<double>
-  Fit(const std::vector<DisplacementConstraint> & constraints, const std::vector<DirectionConstraint> & directions = {});
+  Fit(const std::vector<DisplacementConstraint> & constraints,
+      const std::vector<DirectionConstraint> &    directions = {});
 
   /** mm along and around. */
   Eigen::Vector2d

@@ -165,16 +165,16 @@ private:
     }
   }
 
-  const AssignmentProblem & m_Problem;
-  int                       m_Columns;
-  std::vector<int>          m_RowOfColumn;
-  std::vector<int>          m_ChoiceOfColumn;
-  std::vector<double>       m_RowPotential;
-  std::vector<double>       m_ColumnPotential;
-  std::vector<double>       m_Distance;
-  std::vector<int>          m_From;
-  std::vector<int>          m_Through;
-  std::vector<char>         m_IsDone;
+  const AssignmentProblem &                                                                        m_Problem;
+  int                                                                                              m_Columns;
+  std::vector<int>                                                                                 m_RowOfColumn;
+  std::vector<int>                                                                                 m_ChoiceOfColumn;
+  std::vector<double>                                                                              m_RowPotential;
+  std::vector<double>                                                                              m_ColumnPotential;
+  std::vector<double>                                                                              m_Distance;
+  std::vector<int>                                                                                 m_From;
+  std::vector<int>                                                                                 m_Through;
+  std::vector<char>                                                                                m_IsDone;
   std::priority_queue<std::pair<double, int>, std::vector<std::pair<double, int>>, std::greater<>> m_Queue;
 };
 } // namespace

@@ -19,8 +19,8 @@ IsPlausible(const PiecewiseLine & frame)
   const double whole = (frame.to.back() - frame.to.front()) / (frame.from.back() - frame.from.front());
   for (std::size_t i = 1; i < frame.from.size(); ++i)
   {
-    const double from = (frame.from[i] - frame.from[i - 1]) * whole;
-    const double to = frame.to[i] - frame.to[i - 1];
+    const double     from = (frame.from[i] - frame.from[i - 1]) * whole;
+    const double     to = frame.to[i] - frame.to[i - 1];
     constexpr double slack = 15.0; // mm: short pieces may differ by the error of a flexure
     if (!(from > 0.0 && to > 0.0) || to > greatestStretch * from + slack || from > greatestStretch * to + slack)
     {

@@ -42,8 +42,8 @@ EndFrame(const PiecewiseLine & frame);
 PiecewiseLine
 CautiousFrame(const PiecewiseLine & frame, const ColonPosition & source, const ColonPosition & target);
 
-/** Angles of the three taeniae in turns, without jumps, every `step` mm from the beginning of the colon; in the order in
- * which they follow each other around the tube. */
+/** Angles of the three taeniae in turns, without jumps, every `step` mm from the beginning of the colon; in the order
+ * in which they follow each other around the tube. */
 struct TaeniaAngles
 {
   double                             begin{ 0.0 };

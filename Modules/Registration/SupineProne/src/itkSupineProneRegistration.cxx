@@ -14,10 +14,10 @@ namespace itk
 {
 namespace
 {
-constexpr int    angles = 48;     ///< rotations of the warping
-constexpr double rowStep = 3.0;   ///< mm between its rows
-constexpr int    mapAngles = 36;  ///< of the final map
-constexpr double mapStep = 4.0;   ///< mm
+constexpr int    angles = 48;    ///< rotations of the warping
+constexpr double rowStep = 3.0;  ///< mm between its rows
+constexpr int    mapAngles = 36; ///< of the final map
+constexpr double mapStep = 4.0;  ///< mm
 
 /** A map that moves rows as a whole, with a smooth correction. */
 struct RowMap
@@ -47,6 +47,8 @@ public:
   Registration(const ColonPosition & source, const ColonPosition & target, const SupineProneOptions & options)
     : m_Source(source), m_Target(target), m_Options(options)
   {
+    m_Result.sourceGrid = source.grid;
+    m_Result.targetGrid = target.grid;
     m_Result.source = std::make_shared<ColonCylinder>(*source.grid, source.centreline);
     m_Result.target = std::make_shared<ColonCylinder>(*target.grid, target.centreline);
     m_SourceFolds = FoldProbability(source);
@@ -77,17 +79,18 @@ private:
   void
   RequireSameSense()
   {
-    const auto pictureOf = [this](const ColonPosition & position, const ColonCylinder & cylinder, double step, int rows) {
-      CylinderPictureForm form;
-      const double        scale = rows * step / (cylinder.End() - cylinder.Begin());
-      form.begin = 0.5 * rowStep;
-      form.step = step;
-      form.rows = rows;
-      form.angles = angles;
-      form.smoothRows = 1.0;
-      form.coordinate = [scale, begin = cylinder.Begin()](double s) { return scale * (s - begin); };
-      return MakeCylinderPicture(position, cylinder, FoldsOf(position), form);
-    };
+    const auto pictureOf =
+      [this](const ColonPosition & position, const ColonCylinder & cylinder, double step, int rows) {
+        CylinderPictureForm form;
+        const double        scale = rows * step / (cylinder.End() - cylinder.Begin());
+        form.begin = 0.5 * rowStep;
+        form.step = step;
+        form.rows = rows;
+        form.angles = angles;
+        form.smoothRows = 1.0;
+        form.coordinate = [scale, begin = cylinder.Begin()](double s) { return scale * (s - begin); };
+        return MakeCylinderPicture(position, cylinder, FoldsOf(position), form);
+      };
     const int rows = std::max(2, static_cast<int>((m_Result.source->End() - m_Result.source->Begin()) / rowStep));
     const CylinderPicture     source = pictureOf(m_Source, *m_Result.source, rowStep, rows);
     const CylinderPicture     target = pictureOf(m_Target, *m_Result.target, 0.5 * rowStep, 2 * rows);
@@ -110,12 +113,12 @@ private:
       }
       energies[way] = WarpCylinder(source, turned, frame, {}, options).energy;
     }
-    static const std::array<const char *, 4> ways{
-      { "", "is a mirror image", "is a mirror image that runs from the caecum to the rectum",
-        "runs from the caecum to the rectum" }
-    };
-    const auto       best = std::min_element(energies + 1, energies + 4);
-    constexpr double doubt = 0.05; // colons of two patients differ by less
+    static const std::array<const char *, 4> ways{ { "",
+                                                     "is a mirror image",
+                                                     "is a mirror image that runs from the caecum to the rectum",
+                                                     "runs from the caecum to the rectum" } };
+    const auto                               best = std::min_element(energies + 1, energies + 4);
+    constexpr double                         doubt = 0.05; // colons of two patients differ by less
     m_Result.confidence.senseMargin = *best - energies[0];
     if (m_Result.confidence.senseMargin < -doubt)
     {
@@ -196,9 +199,9 @@ private:
     return trials;
   }
 
-  /** Of each trial the warp with the least energy, with the taeniae in each of the three ways they may correspond and with
-   * any rotation, in case they were lost somewhere. Energy does not tell a path that is one fold too far from the right
-   * one; how many pairs of folds a smooth map can follow does, so that decides between the trials. */
+  /** Of each trial the warp with the least energy, with the taeniae in each of the three ways they may correspond and
+   * with any rotation, in case they were lost somewhere. Energy does not tell a path that is one fold too far from the
+   * right one; how many pairs of folds a smooth map can follow does, so that decides between the trials. */
   void
   Warp()
   {
@@ -333,9 +336,12 @@ private:
     }
   }
 
-  /** Where the middle and the ends of a fold are to move, more than the warp moves them. Ends are paired as they lie. */
+  /** Where the middle and the ends of a fold are to move, more than the warp moves them. Ends are paired as they lie.
+   */
   void
-  AddConstraints(const HaustralFold & a, const HaustralFold & b, std::vector<DisplacementConstraint> & constraints) const
+  AddConstraints(const HaustralFold &                  a,
+                 const HaustralFold &                  b,
+                 std::vector<DisplacementConstraint> & constraints) const
   {
     const RowMap warp = this->MapOfWarp();
     const auto   constraint = [&](const Eigen::Vector2d & from, const Eigen::Vector2d & to, double weight) {
@@ -442,9 +448,9 @@ private:
   {
     for (const double blur : { 2.5, 1.5, 1.0 })
     {
-      const CylinderPicture            source = this->PlainPicture(m_Source, *m_Result.source, blur);
-      const CylinderPicture            target = this->PlainPicture(m_Target, *m_Result.target, blur);
-      std::vector<DirectionConstraint> directions = this->ConstraintsOfTaeniae(map);
+      const CylinderPicture                  source = this->PlainPicture(m_Source, *m_Result.source, blur);
+      const CylinderPicture                  target = this->PlainPicture(m_Target, *m_Result.target, blur);
+      std::vector<DirectionConstraint>       directions = this->ConstraintsOfTaeniae(map);
       const std::vector<DirectionConstraint> pictures = this->ConstraintsOfPictures(source, target, map);
       directions.insert(directions.end(), pictures.begin(), pictures.end());
       this->Fit(directions);
@@ -529,8 +535,8 @@ private:
     m_Result.figures.flips = m_Result.map.Flips();
     m_Result.figures.flipsBeforeProjection = projection.flipsBefore;
     m_Result.figures.greatestDilatation = projection.greatest;
-    m_Result.frame = CylinderMap(
-      this->NodesOf({ m_Frame, { m_Warp.s, m_FrameRotation }, nullptr, m_Result.target->Around() }));
+    m_Result.frame =
+      CylinderMap(this->NodesOf({ m_Frame, { m_Warp.s, m_FrameRotation }, nullptr, m_Result.target->Around() }));
   }
 
   int
@@ -557,8 +563,7 @@ private:
       match.source = i;
       match.target = j;
       match.cost = m_Result.matching.costs[pair];
-      match.residual =
-        std::hypot(mapped.s - to.s, TurnDifference(mapped.turn, to.turn) * m_Result.target->Around());
+      match.residual = std::hypot(mapped.s - to.s, TurnDifference(mapped.turn, to.turn) * m_Result.target->Around());
       match.weight = m_PairWeights[pair];
       match.segment = this->SegmentOf(from.s);
       m_Result.matches.push_back(match);
@@ -584,8 +589,8 @@ private:
       for (int j = 0; j < nodes.Angles(); ++j)
       {
         const CylinderPlace place{ nodes.begin + i * nodes.step, static_cast<double>(j) / nodes.Angles() };
-        m_Result.isExcluded(i, j) = IsExcluded(m_Source, *m_Result.source, place) ||
-                                    IsExcluded(m_Target, *m_Result.target, nodes.At(i, j));
+        m_Result.isExcluded(i, j) =
+          IsExcluded(m_Source, *m_Result.source, place) || IsExcluded(m_Target, *m_Result.target, nodes.At(i, j));
       }
     }
   }

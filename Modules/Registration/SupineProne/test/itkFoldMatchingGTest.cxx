@@ -26,7 +26,8 @@ SomeFolds(int number, int seed, double length)
   for (int i = 0; i < number; ++i)
   {
     const int k = 5 * i + 1000 * seed;
-    folds.push_back({ length * Uneven(k), turn * Uneven(k + 1), 15.0 + 20.0 * Uneven(k + 2), 40.0 + 80.0 * Uneven(k + 3) });
+    folds.push_back(
+      { length * Uneven(k), turn * Uneven(k + 1), 15.0 + 20.0 * Uneven(k + 2), 40.0 + 80.0 * Uneven(k + 3) });
   }
   return folds;
 }
@@ -51,7 +52,8 @@ LeastCost(const std::vector<itk::FoldFeature> & a,
           const std::vector<itk::FoldFeature> & b,
           const itk::FoldMatchingOptions &      options)
 {
-  std::function<double(std::size_t, std::set<std::size_t> &)> least = [&](std::size_t i, std::set<std::size_t> & taken) {
+  std::function<double(std::size_t, std::set<std::size_t> &)> least = [&](std::size_t             i,
+                                                                          std::set<std::size_t> & taken) {
     if (i == a.size())
     {
       return options.alone * static_cast<double>(b.size() - taken.size());

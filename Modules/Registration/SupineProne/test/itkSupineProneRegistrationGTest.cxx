@@ -137,8 +137,7 @@ GreatestError(const itk::SupineProneRegistration & registration, const Movement 
       const itk::CylinderPlace goal = movement({ s, turn });
       const Eigen::Vector2d    uv = itk::MapUv(registration, { s, turn * circumference });
       greatest = std::max(
-        greatest,
-        std::hypot(uv.x() - goal.s, itk::TurnDifference(uv.y() / circumference, goal.turn) * circumference));
+        greatest, std::hypot(uv.x() - goal.s, itk::TurnDifference(uv.y() / circumference, goal.turn) * circumference));
     }
   }
   return greatest;
