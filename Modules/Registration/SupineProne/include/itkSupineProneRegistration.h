@@ -47,7 +47,7 @@ struct RegistrationConfidence
   double matchedShare{ 0.0 };
   /** Of pairs that it does not follow, among all pairs. */
   double contradictedShare{ 0.0 };
-  /** Of the warping that was taken: mean cost of a row, lower is better. */
+  /** The least of all warps: mean cost of a row, about 0 and below where folds agree. */
   double energy{ 0.0 };
   /** Least energies for the three ways in which the taeniae may correspond; empty where they are not known. */
   std::vector<double> energies;

@@ -175,6 +175,8 @@ private:
     /** Weights of slope and rotation. */
     double slope;
     double rotation;
+    /** Any rotation, in case taeniae were lost somewhere. */
+    bool isFree;
   };
 
   /** Flexures are found with errors of centimetres, and lengths are not quite proportional: neither is a frame that can
@@ -193,8 +195,12 @@ private:
     {
       const double band = 60.0 + 15.0 * static_cast<double>(i);
       const double deviation = 25.0 + 12.0 * static_cast<double>(i);
-      trials.push_back({ frames[i], band, deviation, 0.3, 0.4 });
-      trials.push_back({ frames[i], band, deviation, 2.0, 1.0 });
+      trials.push_back({ frames[i], band, deviation, 0.3, 0.4, !this->AreTaeniaeKnown() });
+      trials.push_back({ frames[i], band, deviation, 2.0, 1.0, !this->AreTaeniaeKnown() });
+      if (this->AreTaeniaeKnown())
+      {
+        trials.push_back({ frames[i], band, deviation, 2.0, 1.0, true });
+      }
     }
     return trials;
   }
@@ -245,17 +251,16 @@ private:
     options.rotationWeight = trial.rotation;
     CylindricalWarp best;
     best.energy = std::numeric_limits<double>::infinity();
-    const int ways = static_cast<int>(energies.size());
-    for (int way = 0; way <= ways; ++way)
+    if (trial.isFree)
     {
-      const bool                isFree = way == ways;
+      return WarpCylinder(source, target, trial.frame, {}, options);
+    }
+    for (int way = 0; way < static_cast<int>(energies.size()); ++way)
+    {
       const std::vector<double> rotation =
-        isFree ? std::vector<double>() : RotationOfTaeniae(m_SourceTaeniae, m_TargetTaeniae, trial.frame, way, s);
+        RotationOfTaeniae(m_SourceTaeniae, m_TargetTaeniae, trial.frame, way, s);
       const CylindricalWarp warp = WarpCylinder(source, target, trial.frame, rotation, options);
-      if (!isFree)
-      {
-        energies[way] = std::min(energies[way], warp.energy);
-      }
+      energies[way] = std::min(energies[way], warp.energy);
       best = warp.energy < best.energy ? warp : best;
     }
     return best;
@@ -279,7 +284,7 @@ private:
   {
     RegistrationConfidence & confidence = m_Result.confidence;
     confidence.energies = energies;
-    confidence.energy = m_Warp.energy;
+    confidence.energy = energies.empty() ? m_Warp.energy : *std::min_element(energies.begin(), energies.end());
     confidence.margin = std::numeric_limits<double>::quiet_NaN();
     m_FrameRotation = m_Warp.rotation;
     if (!energies.empty())
