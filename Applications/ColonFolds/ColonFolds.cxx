@@ -100,10 +100,10 @@ FindFolds(CommandLine & commandLine)
   commandLine.RecordRun(commandLine.GetString("outputLabels") + ".run.json");
 
   commandLine.Progress("Reading", 0.0);
-  const std::string            what = '"' + commandLine.GetString("inputFlat") + '"';
-  const itk::Surface           surface = itk::ReadSurface(commandLine, "inputFlat");
-  itk::HaustralFoldOptions     options = OptionsOf(commandLine);
-  itk::CurveSet                taeniae;
+  const std::string        what = '"' + commandLine.GetString("inputFlat") + '"';
+  const itk::Surface       surface = itk::ReadSurface(commandLine, "inputFlat");
+  itk::HaustralFoldOptions options = OptionsOf(commandLine);
+  itk::CurveSet            taeniae;
   if (commandLine.IsGiven("taeniae"))
   {
     taeniae = itk::ReadCurves(commandLine, "taeniae");

@@ -221,6 +221,21 @@ Explain(ValidationReport & report)
     "the "
     "area. Exams in which nothing is found count as all wrong.");
 }
+/** The bounds are those of finer voxels and many patients, so only that it works is checked. */
+void
+TryCoarsePatient(ValidationReport & report)
+{
+  const LandmarkExam exam = MakeLandmarkExam(MakeColumn("standard", false, 2.0, 1).cases[0]);
+  report.AddText("One coarse patient is flattened: " + report.Check(exam.failure.empty()));
+  if (exam.failure.empty())
+  {
+    const FoldErrors errors = TryFolds(FlatColonGrid(exam.flat), exam, HaustralFoldScheme::GraphCut);
+    report.AddText(
+      "Folds found " + RatioOf(errors.found, errors.present) + ", labels that are folds " +
+      RatioOf(errors.right, errors.labels) + ": " +
+      report.Check(ShareOf(errors.found, errors.present) > 0.7 && ShareOf(errors.right, errors.labels) > 0.7));
+  }
+}
 } // namespace
 
 void
@@ -229,25 +244,20 @@ ValidateColonLandmarks(const ValidationSettings & settings, ValidationReport & r
   Explain(report);
   if (settings.quick)
   {
-    // Coarse: the bounds are those of finer voxels and many patients, so only that it works is checked.
-    Column column = MakeColumn("standard", false, 2.0, 1);
-    column.cases.resize(1);
-    const LandmarkExam exam = MakeLandmarkExam(column.cases[0]);
-    report.AddText("One coarse patient is flattened: " + report.Check(exam.failure.empty()));
-    if (exam.failure.empty())
-    {
-      const FoldErrors errors = TryFolds(FlatColonGrid(exam.flat), exam, HaustralFoldScheme::GraphCut);
-      report.AddText(
-        "Folds found " + RatioOf(errors.found, errors.present) + ", labels that are folds " +
-        RatioOf(errors.right, errors.labels) + ": " +
-        report.Check(ShareOf(errors.found, errors.present) > 0.7 && ShareOf(errors.right, errors.labels) > 0.7));
-    }
+    TryCoarsePatient(report);
     return;
   }
-  for (const char * const preset : { "standard", "hard" })
+  TryColumn(MakeColumn("standard", false, 0.8, 10), report);
+  TryColumn(MakeColumn("hard", false, 0.8, 10), report);
+}
+
+void
+ValidateColonLandmarksFromCt(const ValidationSettings &, ValidationReport & report)
+{
+  Explain(report);
+  for (const double spacing : { 0.8, 1.4 })
   {
-    TryColumn(MakeColumn(preset, false, 0.8, 10), report);
-    TryColumn(MakeColumn(preset, true, 0.8, 10), report);
-    TryColumn(MakeColumn(preset, true, 1.4, 10), report);
+    TryColumn(MakeColumn("standard", true, spacing, 10), report);
+    TryColumn(MakeColumn("hard", true, spacing, 10), report);
   }
 }

@@ -89,6 +89,8 @@ ValidateColonSurfaces(const ValidationSettings & settings, ValidationReport & re
 void
 ValidateColonLandmarks(const ValidationSettings & settings, ValidationReport & report);
 void
+ValidateColonLandmarksFromCt(const ValidationSettings & settings, ValidationReport & report);
+void
 ValidateColonNoise(const ValidationSettings & settings, ValidationReport & report);
 void
 ValidateColonSurfacesFine(const ValidationSettings & settings, ValidationReport & report);

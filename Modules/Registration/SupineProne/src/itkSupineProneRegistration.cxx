@@ -257,9 +257,8 @@ private:
     }
     for (int way = 0; way < static_cast<int>(energies.size()); ++way)
     {
-      const std::vector<double> rotation =
-        RotationOfTaeniae(m_SourceTaeniae, m_TargetTaeniae, trial.frame, way, s);
-      const CylindricalWarp warp = WarpCylinder(source, target, trial.frame, rotation, options);
+      const std::vector<double> rotation = RotationOfTaeniae(m_SourceTaeniae, m_TargetTaeniae, trial.frame, way, s);
+      const CylindricalWarp     warp = WarpCylinder(source, target, trial.frame, rotation, options);
       energies[way] = std::min(energies[way], warp.energy);
       best = warp.energy < best.energy ? warp : best;
     }
