@@ -22,24 +22,24 @@ set(Shapeton_MODULES
   Segmentation/ColonCentreline
   Segmentation/ColonWall
   Segmentation/ColonModel
+  Segmentation/HaustralFolds
+  Mesh/ColonLandmarks
+  Registration/SupineProne
   Graph/GraphModel
   Graph/GraphFiles
   Graph/GraphGenus
   Graph/SensorNetwork
   Graph/EmbeddingCertificate
-  Segmentation/HaustralFolds
-  Mesh/ColonLandmarks
-  Graph/RicciFlowEmbedding
   Graph/EmbeddingVerification
+  Graph/RicciFlowEmbedding
   Graph/GraphComparison
-  Visualization/GraphView
-  Visualization/GraphComparisonView
-  Registration/SupineProne
   Visualization/ShapeRendering
   Visualization/ConformalMapView
   Visualization/ColonReport
   Visualization/FlatColonView
-  Visualization/ColonoscopyRun
   Visualization/HaustralFoldView
   Visualization/ColonLandmarkView
+  Visualization/ColonoscopyRun
+  Visualization/GraphView
+  Visualization/GraphComparisonView
 )
