@@ -219,13 +219,13 @@ private:
     }
     std::vector<double> energies(this->AreTaeniaeKnown() ? 3 : 0, std::numeric_limits<double>::infinity());
     CylindricalWarp     best;
-    double              bestSupport = -1.0;
+    double              bestSupport = -std::numeric_limits<double>::infinity();
     for (const Trial & trial : this->Trials())
     {
       m_Warp = this->BestWarp(trial, source, s, energies);
       this->MatchAndCorrect();
       const double support = this->Support();
-      if (support > bestSupport)
+      if (support > bestSupport || best.s.empty())
       {
         bestSupport = support;
         best = m_Warp;
