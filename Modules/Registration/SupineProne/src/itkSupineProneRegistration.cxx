@@ -1,6 +1,7 @@
 #include "itkSupineProneRegistration.h"
 
 #include "itkBeltramiProjection.h"
+#include "itkColonSense.h"
 #include "itkCylindricalWarping.h"
 #include "itkRegistrationConfidence.h"
 #include "itkSmoothCorrection.h"
@@ -58,7 +59,8 @@ public:
   SupineProneRegistration
   Run()
   {
-    this->RequireSameSense();
+    m_Result.confidence.senseMargin =
+      RequireSameSense({ m_Source, *m_Result.source, m_SourceFolds }, { m_Target, *m_Result.target, m_TargetFolds });
     this->FindFrame();
     this->Warp();
     this->Correct();
@@ -72,60 +74,6 @@ private:
   FoldsOf(const ColonPosition & position) const
   {
     return &position == &m_Target ? m_TargetFolds : m_SourceFolds;
-  }
-
-  /** A colon that runs the other way, or is a mirror image, fits better turned back. Nothing but the ends and the folds
-   * is used here. */
-  void
-  RequireSameSense()
-  {
-    const auto pictureOf =
-      [this](const ColonPosition & position, const ColonCylinder & cylinder, double step, int rows) {
-        CylinderPictureForm form;
-        const double        scale = rows * step / (cylinder.End() - cylinder.Begin());
-        form.begin = 0.5 * rowStep;
-        form.step = step;
-        form.rows = rows;
-        form.angles = angles;
-        form.smoothRows = 1.0;
-        form.coordinate = [scale, begin = cylinder.Begin()](double s) { return scale * (s - begin); };
-        return MakeCylinderPicture(position, cylinder, FoldsOf(position), form);
-      };
-    const int rows = std::max(2, static_cast<int>((m_Result.source->End() - m_Result.source->Begin()) / rowStep));
-    const CylinderPicture     source = pictureOf(m_Source, *m_Result.source, rowStep, rows);
-    const CylinderPicture     target = pictureOf(m_Target, *m_Result.target, 0.5 * rowStep, 2 * rows);
-    CylindricalWarpingOptions options;
-    options.band = 75.0;
-    options.frameDeviation = 75.0;
-    const PiecewiseLine frame{ { 0.0, 1.0 }, { 0.0, 1.0 } };
-    double              energies[4];
-    for (int way = 0; way < 4; ++way)
-    {
-      CylinderPicture turned = target;
-      if (way % 2 != 0)
-      {
-        turned.values = target.values.rowwise().reverse().eval();
-      }
-      if (way / 2 != 0)
-      {
-        turned.values = turned.values.colwise().reverse().eval();
-        std::reverse(turned.isExcluded.begin(), turned.isExcluded.end());
-      }
-      energies[way] = WarpCylinder(source, turned, frame, {}, options).energy;
-    }
-    static const std::array<const char *, 4> ways{ { "",
-                                                     "is a mirror image",
-                                                     "is a mirror image that runs from the caecum to the rectum",
-                                                     "runs from the caecum to the rectum" } };
-    const auto                               best = std::min_element(energies + 1, energies + 4);
-    constexpr double                         doubt = 0.05; // colons of two patients differ by less
-    m_Result.confidence.senseMargin = *best - energies[0];
-    if (m_Result.confidence.senseMargin < -doubt)
-    {
-      throw InputError(m_Target.name + " " + ways[best - energies] + " against " + m_Source.name +
-                       ", as its folds tell: head and feet or left and right are swapped in one of them; check the "
-                       "orientation of the series");
-    }
   }
 
   void
