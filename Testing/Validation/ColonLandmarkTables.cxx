@@ -160,6 +160,7 @@ TryColumn(const Column & column, ValidationReport & report)
   CsvTable                 exams({ "exam", "folds found", "labels right", "ends, mm", "published: found", "right" });
   for (const LandmarkCase & one : column.cases)
   {
+    ValidationReport::Progress(column.title + ": " + NameOfCase(one));
     const LandmarkExam exam = MakeLandmarkExam(one);
     if (!exam.failure.empty())
     {

@@ -33,6 +33,7 @@ MakePhantom(const LandmarkCase & one)
   source->SetSize(size);
   source->SetSpacing(Source::SpacingType(one.spacing));
   source->CenterOutput();
+  source->SetTruthOnly(!one.isFromCt);
   source->Update();
   return source;
 }

@@ -3,6 +3,7 @@
 #include <array>
 #include <cmath>
 #include <fstream>
+#include <iostream>
 #include <numeric>
 #include <stdexcept>
 
@@ -51,6 +52,12 @@ ValidationReport::Write(const std::string & path) const
   {
     throw std::runtime_error("cannot write " + path);
   }
+}
+
+void
+ValidationReport::Progress(const std::string & what)
+{
+  std::cerr << what << std::endl;
 }
 
 MeanInterval::MeanInterval(const std::vector<double> & values)

@@ -29,6 +29,10 @@ public:
   void
   Write(const std::string & path) const;
 
+  /** Tells on the standard error what a long part is at; the page does not change. */
+  static void
+  Progress(const std::string & what);
+
 private:
   std::string  m_Page;
   unsigned int m_Checks{ 0 };

@@ -9,6 +9,7 @@
 #include "itkImage.h"
 
 #include <memory>
+#include <vector>
 
 namespace itk
 {
@@ -64,6 +65,12 @@ public:
   itkSetClampMacro(Blur, double, 0.0, 3.0);
   itkGetConstMacro(Blur, double);
 
+  /** Make the outputs 1 and 2 alone, which takes a small part of the time; output 0 stays without pixels. Default off.
+   */
+  itkSetMacro(TruthOnly, bool);
+  itkGetConstMacro(TruthOnly, bool);
+  itkBooleanMacro(TruthOnly);
+
   /** Sets the origin from size, spacing and direction such that the centre of the volume is at (0, 0, 0). */
   void
   CenterOutput();
@@ -100,8 +107,12 @@ protected:
   GenerateData() override;
 
 private:
+  void
+  PaintImage(const std::vector<OutputImageRegionType> & tiles);
+
   ColonPhantomParameters              m_Parameters;
   double                              m_Blur{ 0.75 };
+  bool                                m_TruthOnly{ false };
   std::unique_ptr<const ColonAnatomy> m_Anatomy;
   std::unique_ptr<const ColonFluid>   m_Fluid;
 };

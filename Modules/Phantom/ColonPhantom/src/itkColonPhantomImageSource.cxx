@@ -167,17 +167,33 @@ ColonPhantomImageSource::EnlargeOutputRequestedRegion(DataObject * output)
 void
 ColonPhantomImageSource::GenerateData()
 {
-  this->AllocateOutputs();
-  ImageType * const     image = this->GetOutput();
-  const auto            region = image->GetLargestPossibleRegion();
-  const auto &          anatomy = this->GetAnatomy();
-  const auto &          fluid = this->GetFluid();
-  const BodySampler     sampler(MakeColonAbdomen(anatomy, fluid), image, m_Blur, airIntensity);
-  const CorrelatedNoise noise(NoiseSeed(m_Parameters), region, m_Parameters.noise, noiseCorrelation);
-  const LumenLabels     labels(anatomy, fluid, this->GetLumenOutput(), this->GetSegmentOutput());
-  const auto            tiles = TilesOf(region);
-
+  LabelImageType * const lumen = this->GetLumenOutput();
+  LabelImageType * const segments = this->GetSegmentOutput();
+  for (LabelImageType * const output : { lumen, segments })
+  {
+    output->SetBufferedRegion(output->GetRequestedRegion());
+    output->Allocate();
+  }
+  const LumenLabels             labels(this->GetAnatomy(), this->GetFluid(), lumen, segments);
+  const std::vector<RegionType> tiles = TilesOf(lumen->GetLargestPossibleRegion());
   this->GetMultiThreader()->SetNumberOfWorkUnits(this->GetNumberOfWorkUnits());
+  this->GetMultiThreader()->ParallelizeArray(
+    0, tiles.size(), [&](SizeValueType i) { labels.Fill(tiles[i]); }, m_TruthOnly ? this : nullptr);
+  if (!m_TruthOnly)
+  {
+    this->PaintImage(tiles);
+  }
+}
+
+void
+ColonPhantomImageSource::PaintImage(const std::vector<OutputImageRegionType> & tiles)
+{
+  ImageType * const image = this->GetOutput();
+  image->SetBufferedRegion(image->GetRequestedRegion());
+  image->Allocate();
+  const BodySampler     sampler(MakeColonAbdomen(this->GetAnatomy(), this->GetFluid()), image, m_Blur, airIntensity);
+  const CorrelatedNoise noise(
+    NoiseSeed(m_Parameters), image->GetLargestPossibleRegion(), m_Parameters.noise, noiseCorrelation);
   this->GetMultiThreader()->ParallelizeArray(
     0,
     tiles.size(),
@@ -190,7 +206,6 @@ ColonPhantomImageSource::GenerateData()
         it.Set(ToHounsfieldUnits(value));
         ++it;
       }
-      labels.Fill(tiles[i]);
     },
     this);
 }
@@ -203,5 +218,6 @@ ColonPhantomImageSource::PrintSelf(std::ostream & os, Indent indent) const
   os << indent << "Position: " << m_Parameters.position << '\n';
   os << indent << "Preset: " << m_Parameters.preset << '\n';
   os << indent << "Blur: " << m_Blur << '\n';
+  os << indent << "TruthOnly: " << m_TruthOnly << '\n';
 }
 } // namespace itk

@@ -340,6 +340,22 @@ TEST(ColonPhantomImageSource, SameBytesForAnyNumberOfThreads)
 }
 
 // The axes of the second grid are z, -x, -y of the first; both have the same voxels in space.
+TEST(ColonPhantomImageSource, TheTruthAloneIsThatOfTheImage)
+{
+  const auto whole = MakeSource(Standard("prone", 0.3), 48);
+  const auto truth = MakeSource(Standard("prone", 0.3), 48);
+  truth->TruthOnlyOn();
+  whole->Update();
+  truth->Update();
+  const auto   pixels = whole->GetLumenOutput()->GetLargestPossibleRegion().GetNumberOfPixels();
+  const auto * lumen = truth->GetLumenOutput()->GetBufferPointer();
+  const auto * segments = truth->GetSegmentOutput()->GetBufferPointer();
+  EXPECT_TRUE(std::equal(lumen, lumen + pixels, whole->GetLumenOutput()->GetBufferPointer()));
+  EXPECT_TRUE(std::equal(segments, segments + pixels, whole->GetSegmentOutput()->GetBufferPointer()));
+  EXPECT_GT(std::count(lumen, lumen + pixels, 1), 100);
+  EXPECT_EQ(truth->GetOutput()->GetBufferedRegion().GetNumberOfPixels(), 0U);
+}
+
 TEST(ColonPhantomImageSource, GridsWithOtherAxesShowTheSamePatient)
 {
   auto parameters = Standard("supine", 0.2);
