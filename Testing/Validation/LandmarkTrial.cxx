@@ -79,6 +79,7 @@ MakeFlat(const LandmarkCase & one, LandmarkExam & exam)
     exam.centreline = model.centreline.curve;
     ColonFlatteningOptions options;
     options.centreline = exam.centreline;
+    exam.wall = std::move(model.wall.repaired);
     exam.flat = FlattenColon(std::move(model.wall.simplified), NameOfCase(one), options).map.flat;
   }
 }
@@ -93,6 +94,7 @@ MakeLandmarkExam(const LandmarkCase & one)
   if (!cached.empty() && std::filesystem::exists(cached + ".line.vtp"))
   {
     exam.flat = ReadSurface(cached + ".vtp").mesh;
+    exam.wall = ReadSurface(cached + ".wall.vtp").mesh;
     exam.centreline = ReadCurves(cached + ".line.vtp");
     return exam;
   }
@@ -107,6 +109,7 @@ MakeLandmarkExam(const LandmarkCase & one)
   if (!cached.empty() && exam.failure.empty())
   {
     WriteSurface(exam.flat, cached + ".vtp");
+    WriteSurface(exam.wall, cached + ".wall.vtp");
     WriteCurves(exam.centreline, cached + ".line.vtp");
   }
   return exam;

@@ -23,11 +23,13 @@ struct LandmarkExam
   /** As ColonFlattening makes it from the simplified wall. */
   itk::SurfaceMesh flat;
   itk::CurveSet    centreline;
-  /** Empty, or why there is no model; then the surface is empty. */
+  /** Of full resolution, without handles. */
+  itk::SurfaceMesh wall;
+  /** Empty, or why there is no model; then the surfaces are empty. */
   std::string failure;
 };
 
-/** Phantom, model, flat map. Where SHAPETON_LANDMARK_CACHE names a folder, flat surfaces and centrelines are kept there
+/** Phantom, model, flat map. Where SHAPETON_LANDMARK_CACHE names a folder, surfaces and centrelines are kept there
  * and taken from there: for development alone, as nothing tells whether the programs have changed since. */
 LandmarkExam
 MakeLandmarkExam(const LandmarkCase & one);
