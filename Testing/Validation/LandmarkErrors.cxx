@@ -253,9 +253,11 @@ MeasureLandmarks(const itk::ColonLandmarks & landmarks,
 }
 
 std::vector<Eigen::Vector3d>
-MarkersOfTruth(const itk::ColonAnatomy & anatomy)
+MarkersOfTruth(const itk::ColonAnatomy & anatomy, const itk::SurfaceMesh & surface)
 {
   constexpr int                transverse = 4;
+  constexpr double             seen = 2.0; // mm
+  const itk::SurfaceLocator    locator(surface.V, surface.F);
   const itk::CurveSet          taeniae = anatomy.Taeniae();
   const Eigen::VectorXd        arc = PointValues(taeniae, "arcLength", "the truth");
   std::vector<Eigen::Vector3d> markers;
@@ -269,7 +271,13 @@ MarkersOfTruth(const itk::ColonAnatomy & anatomy)
         own.push_back(vertex);
       }
     }
-    markers.push_back(taeniae.V.row(own[own.size() / 2]).transpose());
+    const double middle = arc[own[own.size() / 2]];
+    std::sort(
+      own.begin(), own.end(), [&](int a, int b) { return std::abs(arc[a] - middle) < std::abs(arc[b] - middle); });
+    const auto place = std::find_if(own.begin(), own.end(), [&](int vertex) {
+      return locator.FindClosest(taeniae.V.row(vertex).transpose()).distance < seen;
+    });
+    markers.push_back(taeniae.V.row(place == own.end() ? own.front() : *place).transpose());
   }
   return markers;
 }

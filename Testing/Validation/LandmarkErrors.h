@@ -35,8 +35,9 @@ MeasureLandmarks(const itk::ColonLandmarks & landmarks,
                  const itk::CurveSet &       centreline,
                  const itk::ColonAnatomy &   anatomy);
 
-/** A point on each true taenia in the middle of the transverse colon, where a person sees them best. */
+/** A point on each true taenia in the middle of the transverse colon, where a person sees them best: the nearest one to
+ * the middle that lies on the surface, as some of the wall is hidden from it. */
 std::vector<Eigen::Vector3d>
-MarkersOfTruth(const itk::ColonAnatomy & anatomy);
+MarkersOfTruth(const itk::ColonAnatomy & anatomy, const itk::SurfaceMesh & surface);
 
 #endif

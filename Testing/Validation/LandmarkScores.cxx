@@ -78,7 +78,7 @@ LandmarkScores::Add(const LandmarkExam & exam)
   ColonLandmarkOptions options;
   const LandmarkErrors ours = TryLandmarks(exam, options, failure);
   m_Ours.Add(ours);
-  options.markers = MarkersOfTruth(*exam.anatomy);
+  options.markers = MarkersOfTruth(*exam.anatomy, exam.flat);
   m_Marked.Add(TryLandmarks(exam, options, failure));
   options.markers.clear();
   options.flexureRule = FlexureRule::Published;
