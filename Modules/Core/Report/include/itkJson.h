@@ -24,6 +24,11 @@ WriteJson(const Json & document, const std::string & path);
 Report_EXPORT Json
 ReadJson(const std::string & path);
 
+/** A measured value for a document: rounded to `digits` significant digits, null where it is not finite.
+ * \ingroup Report */
+Report_EXPORT Json
+RoundedJson(double value, int digits = 6);
+
 /** "line 3, column 14": where a reader of the text finds byte number `byte`, counted from 1.
  * \ingroup Report */
 Report_EXPORT std::string

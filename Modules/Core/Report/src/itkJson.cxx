@@ -3,6 +3,7 @@
 #include "itkToolError.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace itk
 {
@@ -20,6 +21,17 @@ void
 WriteJson(const Json & document, const std::string & path)
 {
   WriteFileBytes(path, document.dump(2, ' ', false, Json::error_handler_t::replace) + '\n');
+}
+
+Json
+RoundedJson(double value, int digits)
+{
+  if (!std::isfinite(value))
+  {
+    return nullptr;
+  }
+  const double scale = value == 0.0 ? 1.0 : std::pow(10.0, digits - 1.0 - std::floor(std::log10(std::abs(value))));
+  return std::round(value * scale) / scale;
 }
 
 Json

@@ -65,6 +65,14 @@ TEST(Json, WhatItCannotHoldIsReplaced)
   EXPECT_TRUE(document.at("nan").is_null());
 }
 
+TEST(Json, MeasuredValuesAreRounded)
+{
+  EXPECT_EQ(itk::RoundedJson(123456.789).dump(), "123457.0");
+  EXPECT_EQ(itk::RoundedJson(-0.00012345678, 3).dump(), "-0.000123");
+  EXPECT_EQ(itk::RoundedJson(0.0).dump(), "0.0");
+  EXPECT_TRUE(itk::RoundedJson(std::nan("")).is_null());
+}
+
 TEST(Json, FaultsHaveAPlace)
 {
   EXPECT_EQ(FaultOf(""), "3 FILE is not valid JSON at line 1, column 1; correct the file there");
