@@ -29,6 +29,11 @@ WriteFoldFeatures(const HaustralFolds &                                    folds
 HaustralFolds_EXPORT CsvTable
 TableOfFolds(const HaustralFolds & folds);
 
+/** The folds of such a table as a file, with 6 digits of each number. Throws InputError that names the file and the
+ * line. */
+HaustralFolds_EXPORT std::vector<HaustralFold>
+                     ReadFoldTable(const std::string & path);
+
 /** The centres and the ends as two lists of points for 3D Slicer, named by label. Lists without points are left out. */
 HaustralFolds_EXPORT std::vector<Markup>
                      MarkupsOfFolds(const HaustralFolds & folds);

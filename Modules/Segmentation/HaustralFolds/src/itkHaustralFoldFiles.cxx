@@ -55,21 +55,6 @@ AreArcLengthsKnown(const HaustralFolds & folds)
   return std::all_of(
     folds.folds.begin(), folds.folds.end(), [](const HaustralFold & fold) { return std::isfinite(fold.arcLength); });
 }
-
-std::string
-Cell(double value)
-{
-  return std::isfinite(value) ? CsvTable::Rounded(value, 6) : "";
-}
-
-void
-AddPoint(std::vector<std::string> & cells, const Eigen::Vector3d & point)
-{
-  for (int k = 0; k < 3; ++k)
-  {
-    cells.push_back(Cell(point[k]));
-  }
-}
 } // namespace
 
 CurveSet
@@ -121,60 +106,6 @@ WriteFoldFeatures(const HaustralFolds &                                    folds
   CurveSet features = FeaturesOfFolds(folds);
   features.facts = facts;
   WriteCurves(features, path);
-}
-
-CsvTable
-TableOfFolds(const HaustralFolds & folds)
-{
-  CsvTable table({ "fold",
-                   "arcLength",
-                   "u",
-                   "v",
-                   "x",
-                   "y",
-                   "z",
-                   "length",
-                   "area",
-                   "height",
-                   "elongation",
-                   "angle",
-                   "meanCurvature",
-                   "reliability",
-                   "crossesCut",
-                   "end1U",
-                   "end1V",
-                   "end1X",
-                   "end1Y",
-                   "end1Z",
-                   "end1Reliability",
-                   "end2U",
-                   "end2V",
-                   "end2X",
-                   "end2Y",
-                   "end2Z",
-                   "end2Reliability" });
-  for (const HaustralFold & fold : folds.folds)
-  {
-    std::vector<std::string> cells{
-      std::to_string(fold.label), Cell(fold.arcLength), Cell(fold.centreUv.x()), Cell(fold.centreUv.y())
-    };
-    AddPoint(cells, fold.centre);
-    for (const double value :
-         { fold.length, fold.area, fold.height, fold.elongation, fold.angle, fold.meanCurvature, fold.reliability })
-    {
-      cells.push_back(Cell(value));
-    }
-    cells.push_back(fold.crossesCut ? "1" : "0");
-    for (int end = 0; end < 2; ++end)
-    {
-      cells.push_back(Cell(fold.endUv[end].x()));
-      cells.push_back(Cell(fold.endUv[end].y()));
-      AddPoint(cells, fold.ends[end]);
-      cells.push_back(Cell(fold.endReliability[end]));
-    }
-    table.AddRow(std::move(cells));
-  }
-  return table;
 }
 
 std::vector<Markup>

@@ -82,6 +82,42 @@ TEST(HaustralFoldFiles, TheTableHasARowForEachFold)
   EXPECT_EQ(table.GetRows()[1][column("height")], ""); // not known
 }
 
+TEST(HaustralFoldFiles, TheTableIsReadBack)
+{
+  itk::HaustralFolds folds = itk::FindHaustralFolds(Grid());
+  folds.folds[1].height = std::numeric_limits<double>::quiet_NaN();
+  folds.folds[1].crossesCut = true;
+  const std::string path = Temporary("folds.csv");
+  itk::TableOfFolds(folds).Write(path);
+  const std::vector<itk::HaustralFold> read = itk::ReadFoldTable(path);
+  ASSERT_EQ(read.size(), 2u);
+  for (int i = 0; i < 2; ++i)
+  {
+    const itk::HaustralFold & a = read[i];
+    const itk::HaustralFold & b = folds.folds[i];
+    EXPECT_EQ(a.label, b.label);
+    EXPECT_EQ(a.crossesCut, b.crossesCut);
+    EXPECT_LT((a.centreUv - b.centreUv).norm() + (a.centre - b.centre).norm(), 1e-3);
+    for (int end = 0; end < 2; ++end)
+    {
+      EXPECT_LT((a.endUv[end] - b.endUv[end]).norm() + (a.ends[end] - b.ends[end]).norm(), 1e-3);
+      EXPECT_NEAR(a.endReliability[end], b.endReliability[end], 1e-5);
+    }
+    for (const auto value : { &itk::HaustralFold::length,
+                              &itk::HaustralFold::area,
+                              &itk::HaustralFold::elongation,
+                              &itk::HaustralFold::angle,
+                              &itk::HaustralFold::meanCurvature,
+                              &itk::HaustralFold::reliability,
+                              &itk::HaustralFold::arcLength })
+    {
+      EXPECT_NEAR(a.*value, b.*value, 1e-3);
+    }
+  }
+  EXPECT_NEAR(read[0].height, folds.folds[0].height, 1e-4);
+  EXPECT_TRUE(std::isnan(read[1].height));
+}
+
 TEST(HaustralFoldFiles, MarkupsAndColoursNameTheLabels)
 {
   const itk::HaustralFolds       folds = itk::FindHaustralFolds(Grid());
