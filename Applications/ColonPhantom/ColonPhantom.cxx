@@ -92,6 +92,28 @@ Describe(const itk::CommandLine & commandLine)
   return description;
 }
 
+// Of another position of this patient; no curves where the option is not given.
+itk::CurveSet
+ReadOtherPosition(itk::CommandLine & commandLine)
+{
+  if (!commandLine.IsGiven("pairWith"))
+  {
+    return {};
+  }
+  itk::RequireUsage(commandLine.IsGiven("truth"), "--pairWith writes points.csv into the folder of --truth; give one");
+  itk::CurveSet     other = itk::ReadCurves(commandLine, "pairWith");
+  const std::string seed = commandLine.GetString("seed");
+  for (const auto & [name, value] : other.facts)
+  {
+    if (name == "Shapeton.option.seed" && value != seed)
+    {
+      throw itk::InputError("--pairWith: the points of \"" + commandLine.GetString("pairWith") + "\" are of seed " +
+                            value + ", not of " + seed + "; the positions must be of one patient");
+    }
+  }
+  return other;
+}
+
 void
 MakePhantom(itk::CommandLine & commandLine)
 {
@@ -99,13 +121,14 @@ MakePhantom(itk::CommandLine & commandLine)
   const std::string truth = itk::WithoutTrailingSlashes(commandLine.GetString("truth"));
   itk::RequireUsage(folder != truth, "--truth: the series needs a folder of its own");
   commandLine.LeaveOutOfProvenance("truth");
-  const auto source = MakeSource(commandLine);
+  const itk::CurveSet other = ReadOtherPosition(commandLine);
+  const auto          source = MakeSource(commandLine);
   itk::CheckDicomSeriesFolder(folder);
   commandLine.Watch(source, "Scanning the phantom", 0.0, 0.9);
   source->Update();
   if (!truth.empty())
   {
-    itk::WriteColonTruth(commandLine, *source, truth);
+    itk::WriteColonTruth(commandLine, *source, truth, other.curves.empty() ? nullptr : &other);
   }
   itk::WriteDicomSeriesFolder(source->GetOutput(), folder, Describe(commandLine));
   commandLine.RecordRun(folder + ".run.json");

@@ -5,11 +5,11 @@ itk_module(ColonPhantom
   DEPENDS
     CommandLine
     DicomSeries
+    Report
     SurfaceMesh
     ITKCommon
   PRIVATE_DEPENDS
     CounterRandom
-    Report
     ShapePhantom
   TEST_DEPENDS
     ITKGoogleTest

@@ -1,6 +1,7 @@
 #include "itkColonTruthWriter.h"
 
 #include "itkColonPhantomImageSource.h"
+#include "itkColonPointPairs.h"
 #include "itkCommandLine.h"
 #include "itkCsvTable.h"
 #include "itkSurfaceWriter.h"
@@ -62,7 +63,10 @@ PolypTable(const ColonFluid & fluid, const ColonAnatomy & anatomy)
 } // namespace
 
 void
-WriteColonTruth(CommandLine & commandLine, ColonPhantomImageSource & source, const std::string & folder)
+WriteColonTruth(CommandLine &             commandLine,
+                ColonPhantomImageSource & source,
+                const std::string &       folder,
+                const CurveSet *          other)
 {
   commandLine.MakeFolder(folder);
   const auto file = [&](const char * name) { return commandLine.Output(folder + '/' + name); };
@@ -78,7 +82,12 @@ WriteColonTruth(CommandLine & commandLine, ColonPhantomImageSource & source, con
   write(anatomy.Centreline(), "centreline.vtp");
   write(anatomy.Folds(), "folds.vtp");
   write(anatomy.Taeniae(), "taeniae.vtp");
-  write(anatomy.Correspondence(), "correspondence.vtp");
+  const CurveSet correspondence = anatomy.Correspondence();
+  write(correspondence, "correspondence.vtp");
+  if (other)
+  {
+    TableOfPointPairs(*other, correspondence).Write(file("points.csv"));
+  }
   SurfaceMesh wall = anatomy.Wall(WallEdge(anatomy.GetParameters()));
   wall.facts.insert(wall.facts.end(), facts.begin(), facts.end());
   WriteSurface(wall, file("wall.vtp"));

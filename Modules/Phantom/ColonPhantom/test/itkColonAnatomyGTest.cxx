@@ -1,4 +1,5 @@
 #include "itkColonAnatomy.h"
+#include "itkColonPointPairs.h"
 #include "itkToolError.h"
 
 #include <Eigen/Geometry>
@@ -129,6 +130,30 @@ TEST(ColonAnatomy, SegmentsFollowInOrder)
   }
   EXPECT_EQ(before, 6);
   EXPECT_EQ(itk::ColonAnatomy::SegmentName(6), "caecum");
+}
+
+TEST(ColonAnatomy, PairsOfPointsAreTheSameWallOutsideCollapse)
+{
+  itk::CurveSet a, b;
+  a.V.resize(3, 3);
+  a.V << 1, 2, 3, 4, 5, 6, 7, 8, 9;
+  b.V = 10.0 * a.V;
+  a.curves = b.curves = { { 0 }, { 1 }, { 2 } };
+  const auto arrays = [](double x, double y, double z, double collapsed) {
+    itk::SurfaceArray material{ "materialId", itk::SurfaceArray::ValueMatrix(3, 1), true };
+    itk::SurfaceArray collapse{ "collapsed", itk::SurfaceArray::ValueMatrix::Zero(3, 1), true };
+    material.values << x, y, z;
+    collapse.values(2, 0) = collapsed;
+    return std::vector<itk::SurfaceArray>{ material, collapse };
+  };
+  a.pointArrays = arrays(7, 5, 9, 0);
+  b.pointArrays = arrays(5, 7, 9, 1);
+  const auto rows = itk::TableOfPointPairs(a, b).GetRows();
+  ASSERT_EQ(rows.size(), 2U); // 9 is collapsed
+  EXPECT_EQ(rows[0], (std::vector<std::string>{ "4", "5", "6", "10", "20", "30" }));
+  EXPECT_EQ(rows[1], (std::vector<std::string>{ "1", "2", "3", "40", "50", "60" }));
+  b.pointArrays = arrays(1, 2, 3, 0);
+  EXPECT_THROW(itk::TableOfPointPairs(a, b), itk::InputError);
 }
 
 TEST(ColonAnatomy, PatientIsTheSameInTwoPositions)
