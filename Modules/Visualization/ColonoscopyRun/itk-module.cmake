@@ -4,12 +4,13 @@ Slicer.")
 itk_module(ColonoscopyRun
   ENABLE_SHARED
   DEPENDS
+    ColonLandmarks
     Report
     StagedRun
     SurfaceMesh
     ITKCommon
   PRIVATE_DEPENDS
-    ColonLandmarks
+    ColonLandmarkView
     ColonReport
     CommandLine
     DicomSeries

@@ -8,18 +8,6 @@ namespace itk
 {
 namespace
 {
-/** For files: 6 significant digits say more than is known. */
-Json
-Number(double value)
-{
-  if (!std::isfinite(value))
-  {
-    return nullptr;
-  }
-  const double scale = value == 0.0 ? 1.0 : std::pow(10.0, 5.0 - std::floor(std::log10(std::abs(value))));
-  return std::round(value * scale) / scale;
-}
-
 template <typename TVector>
 Json
 Numbers(const TVector & values)
@@ -27,7 +15,7 @@ Numbers(const TVector & values)
   Json list = Json::array();
   for (Eigen::Index i = 0; i < values.size(); ++i)
   {
-    list.push_back(Number(values[i]));
+    list.push_back(RoundedJson(values[i]));
   }
   return list;
 }
@@ -61,10 +49,10 @@ void
 AddPlace(const ColonLandmarks & landmarks, const SegmentBorder & border, Json & json)
 {
   json["position"] = Numbers(border.point);
-  json["arcLength"] = Number(border.arcLength);
+  json["arcLength"] = RoundedJson(border.arcLength);
   json["uv"] = UvOfLoop(landmarks, border);
-  json["loopLength"] = Number(border.loop.length);
-  json["confidence"] = Number(border.confidence);
+  json["loopLength"] = RoundedJson(border.loop.length);
+  json["confidence"] = RoundedJson(border.confidence);
 }
 
 Json
@@ -136,9 +124,9 @@ SegmentsToJson(const ColonLandmarks & landmarks)
     Json                  json;
     json["number"] = segment;
     json["name"] = NameOfSegment(segment);
-    json["begin"] = begin != nullptr ? Number(begin->arcLength) : Json(nullptr);
-    json["end"] = end != nullptr ? Number(end->arcLength) : Json(nullptr);
-    json["area"] = Number(area[segment]);
+    json["begin"] = begin != nullptr ? RoundedJson(begin->arcLength) : Json(nullptr);
+    json["end"] = end != nullptr ? RoundedJson(end->arcLength) : Json(nullptr);
+    json["area"] = RoundedJson(area[segment]);
     list.push_back(json);
   }
   return list;
@@ -156,11 +144,11 @@ TaeniaeToJson(const ColonTaeniae & taeniae)
     return json;
   }
   json["kept"] = taeniae.kept;
-  json["energy"] = { { "joint", Number(taeniae.jointEnergy) },
+  json["energy"] = { { "joint", RoundedJson(taeniae.jointEnergy) },
                      { taeniae.rule == TaeniaRule::Published ? "thirds" : "fuzzyCMeans",
-                       Number(taeniae.fuzzyEnergy) } };
-  json["meanDisagreement"] = Number(taeniae.meanDisagreement);
-  json["disagreeingShare"] = Number(taeniae.disagreeingShare);
+                       RoundedJson(taeniae.fuzzyEnergy) } };
+  json["meanDisagreement"] = RoundedJson(taeniae.meanDisagreement);
+  json["disagreeingShare"] = RoundedJson(taeniae.disagreeingShare);
   json["taeniae"] = Json::array();
   for (std::size_t t = 0; t < taeniae.taeniae.size(); ++t)
   {
@@ -173,15 +161,15 @@ TaeniaeToJson(const ColonTaeniae & taeniae)
       confidence += taenia.confidence[i] / static_cast<double>(taenia.points.size());
     }
     json["taeniae"].push_back(
-      { { "taenia", t + 1 }, { "length", Number(length) }, { "meanConfidence", Number(confidence) } });
+      { { "taenia", t + 1 }, { "length", RoundedJson(length) }, { "meanConfidence", RoundedJson(confidence) } });
   }
   json["markers"] = Json::array();
   for (const UsedMarker & marker : taeniae.markers)
   {
     json["markers"].push_back({ { "position", Numbers(marker.point) },
                                 { "taenia", marker.taenia },
-                                { "distanceFromWall", Number(marker.distanceFromWall) },
-                                { "distanceOfTaenia", Number(marker.distanceOfTaenia) } });
+                                { "distanceFromWall", RoundedJson(marker.distanceFromWall) },
+                                { "distanceOfTaenia", RoundedJson(marker.distanceOfTaenia) } });
   }
   return json;
 }
@@ -196,8 +184,8 @@ ColonLandmarksToJson(const ColonLandmarks & landmarks)
   json["caecum"] = CaecumToJson(landmarks);
   json["segments"] = SegmentsToJson(landmarks);
   json["surfaceFolds"] = { { "number", landmarks.folds.number },
-                           { "leastCurvature", Number(landmarks.folds.leastCurvature) },
-                           { "area", Number(landmarks.folds.area) } };
+                           { "leastCurvature", RoundedJson(landmarks.folds.leastCurvature) },
+                           { "area", RoundedJson(landmarks.folds.area) } };
   json["taeniae"] = TaeniaeToJson(landmarks.taeniae);
   return json;
 }

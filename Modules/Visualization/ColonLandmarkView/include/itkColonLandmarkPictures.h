@@ -3,7 +3,9 @@
 
 #include "ColonLandmarkViewExport.h"
 
+#include "itkColonLandmarkDocument.h"
 #include "itkColonLandmarks.h"
+#include "itkFlatColonPage.h"
 #include "itkPatientView.h"
 #include "itkPicture.h"
 
@@ -23,6 +25,10 @@ ColorOfSegment(int segment);
 /** \ingroup ColonLandmarkView */
 ColonLandmarkView_EXPORT RGBColor
 ColorOfTaenia(int taenia);
+
+/** Where segments begin on a flat page, with their names. \ingroup ColonLandmarkView */
+ColonLandmarkView_EXPORT std::vector<FlatAnnotation>
+                         SegmentAnnotations(const std::vector<ColonSegmentExtent> & segments);
 
 /** The wall from a side, coloured by segments, with taeniae, loops and names of the flexures, and markers.
  * \ingroup ColonLandmarkView */

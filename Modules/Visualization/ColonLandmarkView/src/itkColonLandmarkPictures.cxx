@@ -115,16 +115,22 @@ DrawOnStrip(const ColonLandmarks & landmarks, const FlatColonGrid & grid, Pictur
   }
 }
 
+FlatAnnotation
+SegmentAnnotation(const std::string & name, double begin)
+{
+  FlatAnnotation annotation;
+  annotation.kind = FlatAnnotation::Kind::Segment;
+  annotation.text = name;
+  annotation.distance = begin;
+  return annotation;
+}
+
 std::vector<FlatAnnotation>
 SegmentNames(const ColonSegments & segments)
 {
   std::vector<FlatAnnotation> annotations;
   const auto                  add = [&annotations](int segment, double distance) {
-    FlatAnnotation annotation;
-    annotation.kind = FlatAnnotation::Kind::Segment;
-    annotation.text = NameOfSegment(segment);
-    annotation.distance = distance;
-    annotations.push_back(annotation);
+    annotations.push_back(SegmentAnnotation(NameOfSegment(segment), distance));
   };
   if (!segments.borders.empty() && segments.borders.front().number == 1)
   {
@@ -154,6 +160,17 @@ RGBColor
 ColorOfTaenia(int taenia)
 {
   return taenia == 1 ? MakeColor(255, 214, 10) : taenia == 2 ? MakeColor(30, 144, 255) : MakeColor(255, 60, 160);
+}
+
+std::vector<FlatAnnotation>
+SegmentAnnotations(const std::vector<ColonSegmentExtent> & segments)
+{
+  std::vector<FlatAnnotation> annotations;
+  for (const ColonSegmentExtent & segment : segments)
+  {
+    annotations.push_back(SegmentAnnotation(segment.name, segment.begin));
+  }
+  return annotations;
 }
 
 Picture::Pointer

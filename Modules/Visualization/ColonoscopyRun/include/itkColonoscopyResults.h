@@ -3,13 +3,13 @@
 
 #include "ColonoscopyRunExport.h"
 
+#include "itkColonLandmarkDocument.h"
 #include "itkCurveSet.h"
 #include "itkJson.h"
 #include "itkStagedRun.h"
 
 #include "itkImage.h"
 
-#include <array>
 #include <optional>
 #include <string>
 #include <vector>
@@ -25,19 +25,6 @@ constexpr const char * flattening = "flattening";
 constexpr const char * landmarks = "landmarks";
 constexpr const char * folds = "folds";
 } // namespace colonoscopystage
-
-/** A part of the colon, as radiologists name them. \ingroup ColonoscopyRun */
-struct ColonoscopySegment
-{
-  /** 1 rectum, 2 sigmoid, 3 descending, 4 transverse, 5 ascending, 6 caecum. */
-  int         label{ 0 };
-  std::string name;
-  /** mm along the centreline from the anal verge. */
-  double begin{ 0.0 };
-  double end{ 0.0 };
-  /** mm^2. */
-  double area{ 0.0 };
-};
 
 /** A fold by its centre. \ingroup ColonoscopyRun */
 struct ColonoscopyFold
@@ -66,7 +53,7 @@ struct ColonoscopyRun_EXPORT ColonoscopyResults
   CurveSet                        taeniae;
   CurveSet                        flexures;
   SurfaceMesh                     labelled; ///< with the cell array segment
-  std::vector<ColonoscopySegment> segments;
+  std::vector<ColonSegmentExtent> segments;
 
   Image<unsigned short, 2>::Pointer foldLabels;
   CurveSet                          features;
@@ -78,11 +65,6 @@ struct ColonoscopyRun_EXPORT ColonoscopyResults
   bool
   IsDone(const std::string & stage) const;
 };
-
-/** The segments that landmarks.json names, where both their ends are known: the rectum begins at 0, the caecum ends
- * with the centreline. Throws InputError for another document. \ingroup ColonoscopyRun */
-ColonoscopyRun_EXPORT std::vector<ColonoscopySegment>
-                      SegmentsOf(const Json & landmarks, double lengthOfCentreline);
 
 /** Reads what is there. Throws InputError for a file that cannot be read. \ingroup ColonoscopyRun */
 ColonoscopyRun_EXPORT ColonoscopyResults

@@ -174,7 +174,7 @@ SegmentTable(const ColonoscopyResults & results)
   const std::vector<ColonSegment> shares = ChartSegmentsOf(results);
   for (std::size_t i = 0; i < results.segments.size(); ++i)
   {
-    const ColonoscopySegment & segment = results.segments[i];
+    const ColonSegmentExtent & segment = results.segments[i];
     table.AddRow({ segment.name,
                    Centimetres(segment.begin),
                    Centimetres(segment.end),

@@ -1,6 +1,7 @@
 #include "itkColonoscopyPictures.h"
 
 #include "itkColonFlexures.h"
+#include "itkColonLandmarkPictures.h"
 #include "itkSurfaceRendering.h"
 
 #include <algorithm>
@@ -172,42 +173,13 @@ FoldOutlines(const Image<unsigned short, 2> * labels)
   outlines.thickness = 1;
   return outlines;
 }
-
-std::vector<FlatAnnotation>
-SegmentNames(const std::vector<ColonoscopySegment> & segments)
-{
-  std::vector<FlatAnnotation> annotations;
-  for (const ColonoscopySegment & segment : segments)
-  {
-    FlatAnnotation annotation;
-    annotation.kind = FlatAnnotation::Kind::Segment;
-    annotation.text = segment.name;
-    annotation.distance = segment.begin;
-    annotations.push_back(annotation);
-  }
-  return annotations;
-}
 } // namespace
-
-RGBColor
-ColorOfColonSegment(int label)
-{
-  static const RGBColor colors[] = { MakeColor(214, 120, 108), MakeColor(232, 182, 92),  MakeColor(150, 186, 96),
-                                     MakeColor(96, 178, 176),  MakeColor(110, 140, 208), MakeColor(176, 120, 190) };
-  return label >= 1 && label <= 6 ? colors[label - 1] : MakeColor(170, 170, 170);
-}
-
-RGBColor
-ColorOfTaenia(int label)
-{
-  return label == 1 ? MakeColor(255, 214, 10) : label == 2 ? MakeColor(30, 144, 255) : MakeColor(255, 60, 160);
-}
 
 std::vector<ColonSegment>
 ChartSegmentsOf(const ColonoscopyResults & results)
 {
   std::vector<ColonSegment> segments;
-  for (const ColonoscopySegment & segment : results.segments)
+  for (const ColonSegmentExtent & segment : results.segments)
   {
     segments.push_back(
       { segment.name, segment.begin, segment.end, DistendedShare(results.centreline, segment.begin, segment.end) });
@@ -234,11 +206,11 @@ DrawSegments(const ColonoscopyResults & results, PatientSide side)
   {
     for (Eigen::Index face = 0; face < segment->values.rows(); ++face)
     {
-      wall.faceColors.push_back(ColorOfColonSegment(static_cast<int>(segment->values(face, 0))));
+      wall.faceColors.push_back(ColorOfSegment(static_cast<int>(segment->values(face, 0))));
     }
-    for (const ColonoscopySegment & one : results.segments)
+    for (const ColonSegmentExtent & one : results.segments)
     {
-      options.legend.push_back({ ColorOfColonSegment(one.label), one.name });
+      options.legend.push_back({ ColorOfSegment(one.label), one.name });
     }
   }
   else
@@ -275,7 +247,7 @@ DrawFlat(const ColonoscopyResults & results, FlatColoring coloring)
   parts.flat = &results.flat;
   parts.centreline = &results.centreline;
   parts.ct = results.ct;
-  parts.annotations = SegmentNames(results.segments);
+  parts.annotations = SegmentAnnotations(results.segments);
   if (results.foldLabels)
   {
     parts.outlines.push_back(FoldOutlines(results.foldLabels));

@@ -7,14 +7,6 @@
 
 namespace itk
 {
-/** Of a segment, the same in all pictures and tables of colours. */
-RGBColor
-ColorOfColonSegment(int label);
-
-/** Of the taenia 1, 2 or 3. */
-RGBColor
-ColorOfTaenia(int label);
-
 /** The centreline's segments with the share that is distended, for the chart; what the segmentation guesses where there
  * are no landmarks. */
 std::vector<ColonSegment>

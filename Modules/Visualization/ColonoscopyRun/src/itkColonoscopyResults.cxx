@@ -101,38 +101,6 @@ ColonoscopyResults::IsDone(const std::string & stage) const
   return result && result->status == 0;
 }
 
-std::vector<ColonoscopySegment>
-SegmentsOf(const Json & landmarks, double lengthOfCentreline)
-{
-  constexpr int                   caecum = 6;
-  const double                    unknown = std::numeric_limits<double>::quiet_NaN();
-  std::vector<ColonoscopySegment> segments;
-  try
-  {
-    for (const Json & one : landmarks.at("segments"))
-    {
-      ColonoscopySegment segment;
-      segment.label = one.at("number").get<int>();
-      segment.name = one.at("name").get<std::string>();
-      segment.area = one.at("area").get<double>();
-      segment.begin = segment.label == 1 ? 0.0 : one.at("begin").is_null() ? unknown : one["begin"].get<double>();
-      segment.end = segment.label == caecum   ? lengthOfCentreline
-                    : one.at("end").is_null() ? unknown
-                                              : one["end"].get<double>();
-      if (std::isfinite(segment.begin) && std::isfinite(segment.end))
-      {
-        segments.push_back(segment);
-      }
-    }
-  }
-  catch (const Json::exception & error)
-  {
-    throw InputError(std::string("landmarks.json is not what ColonLandmarks writes (") + error.what() +
-                     "); remove it and run again");
-  }
-  return segments;
-}
-
 ColonoscopyResults
 ReadColonoscopyResults(const std::string & folder, const std::vector<StageResult> & stages)
 {

@@ -1,6 +1,6 @@
 #include "itkColonoscopyReport.h"
 
-#include "itkColonoscopyPictures.h"
+#include "itkColonLandmarkPictures.h"
 #include "itkColorTable.h"
 #include "itkSlicerMarkups.h"
 
@@ -26,12 +26,12 @@ CentrelineMarkup(const CurveSet & centreline)
 }
 
 std::vector<LabelColor>
-SegmentColors(const std::vector<ColonoscopySegment> & segments)
+SegmentColors(const std::vector<ColonSegmentExtent> & segments)
 {
   std::vector<LabelColor> colors;
-  for (const ColonoscopySegment & segment : segments)
+  for (const ColonSegmentExtent & segment : segments)
   {
-    colors.push_back({ segment.label, segment.name, Shares(ColorOfColonSegment(segment.label)) });
+    colors.push_back({ segment.label, segment.name, Shares(ColorOfSegment(segment.label)) });
   }
   return colors;
 }
