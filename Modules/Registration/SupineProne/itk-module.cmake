@@ -4,6 +4,7 @@ cylindrical dynamic time warping, matching of haustral folds, robust smooth corr
 itk_module(SupineProne
   ENABLE_SHARED
   DEPENDS
+    ColonLandmarks
     FlatColonGrid
     HaustralFolds
     Report

@@ -3,6 +3,8 @@
 
 #include "itkSupineProneRegistration.h"
 
+#include <limits>
+
 namespace itk
 {
 /** A point of the wall in both positions, LPS, mm. \ingroup SupineProne */
@@ -10,6 +12,23 @@ struct PointPair
 {
   Eigen::Vector3d source;
   Eigen::Vector3d target;
+};
+
+/** How far the map takes one point from where it should go. \ingroup SupineProne */
+struct PointError
+{
+  enum class Kind
+  {
+    Counted,
+    /** In an excluded stretch. */
+    Excluded,
+    /** More than 10 mm from one of the surfaces; there are no distances. */
+    OffSurface
+  };
+  Kind kind{ Kind::OffSurface };
+  /** Distance in space, mm, and on the flat map of the target, of which the circumference is 1. */
+  double inSpace{ std::numeric_limits<double>::quiet_NaN() };
+  double onMap{ std::numeric_limits<double>::quiet_NaN() };
 };
 
 /** \ingroup SupineProne */
@@ -40,8 +59,17 @@ struct RegistrationErrors
   HalfInterval() const;
 };
 
-/** How far the map takes the points from where they should go. Of `frame` instead of `map` with `measuresFrame`.
- * \ingroup SupineProne */
+/** Of each pair. Of `frame` instead of `map` with `measuresFrame`. \ingroup SupineProne */
+SupineProne_EXPORT std::vector<PointError>
+                   ErrorsOfPoints(const SupineProneRegistration & registration,
+                                  const std::vector<PointPair> &  pairs,
+                                  bool                            measuresFrame = false);
+
+/** Those that count, and how many do not. \ingroup SupineProne */
+SupineProne_EXPORT RegistrationErrors
+SummaryOf(const std::vector<PointError> & errors);
+
+/** SummaryOf() ErrorsOfPoints(). \ingroup SupineProne */
 SupineProne_EXPORT RegistrationErrors
 MeasureRegistrationErrors(const SupineProneRegistration & registration,
                           const std::vector<PointPair> &  pairs,

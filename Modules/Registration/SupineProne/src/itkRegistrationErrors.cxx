@@ -88,38 +88,56 @@ RegistrationErrors::HalfInterval() const
   return student * std::sqrt(squares / (means.size() - 1.0) / static_cast<double>(means.size()));
 }
 
+std::vector<PointError>
+ErrorsOfPoints(const SupineProneRegistration & registration, const std::vector<PointPair> & pairs, bool measuresFrame)
+{
+  constexpr double        greatestDistance = 10.0; // mm from the surface
+  const FlatColonLocator  source(registration.source->Grid());
+  const FlatColonLocator  target(registration.target->Grid());
+  const double            around = registration.target->Grid().Circumference();
+  std::vector<PointError> errors(pairs.size());
+  for (std::size_t i = 0; i < pairs.size(); ++i)
+  {
+    const FlatPlace from = source.Find(pairs[i].source);
+    const FlatPlace to = target.Find(pairs[i].target);
+    if (from.distance > greatestDistance || to.distance > greatestDistance)
+    {
+      continue;
+    }
+    const CylinderPlace   place = registration.source->PlaceOfUv(from.uv);
+    const CylinderPlace   mapped = (measuresFrame ? registration.frame : registration.map).Forward(place);
+    const Eigen::Vector2d uv = registration.target->UvOfPlace(mapped);
+    const double          du = (uv.x() - to.uv.x()) / around;
+    const double          dv = TurnDifference(uv.y() / around, to.uv.y() / around);
+    errors[i].kind = IsExcludedAt(registration, place) ? PointError::Kind::Excluded : PointError::Kind::Counted;
+    errors[i].onMap = std::hypot(du, dv);
+    errors[i].inSpace = (registration.target->PointOfPlace(mapped) - to.surfacePoint).norm();
+  }
+  return errors;
+}
+
+RegistrationErrors
+SummaryOf(const std::vector<PointError> & errors)
+{
+  RegistrationErrors summary;
+  for (const PointError & error : errors)
+  {
+    summary.offSurface += error.kind == PointError::Kind::OffSurface;
+    summary.excluded += error.kind == PointError::Kind::Excluded;
+    if (error.kind == PointError::Kind::Counted)
+    {
+      summary.onMap.push_back(error.onMap);
+      summary.inSpace.push_back(error.inSpace);
+    }
+  }
+  return summary;
+}
+
 RegistrationErrors
 MeasureRegistrationErrors(const SupineProneRegistration & registration,
                           const std::vector<PointPair> &  pairs,
                           bool                            measuresFrame)
 {
-  constexpr double       greatestDistance = 10.0; // mm from the surface
-  const FlatColonLocator source(registration.source->Grid());
-  const FlatColonLocator target(registration.target->Grid());
-  const double           around = registration.target->Grid().Circumference();
-  RegistrationErrors     errors;
-  for (const PointPair & pair : pairs)
-  {
-    const FlatPlace from = source.Find(pair.source);
-    const FlatPlace to = target.Find(pair.target);
-    if (from.distance > greatestDistance || to.distance > greatestDistance)
-    {
-      ++errors.offSurface;
-      continue;
-    }
-    const CylinderPlace place = registration.source->PlaceOfUv(from.uv);
-    if (IsExcludedAt(registration, place))
-    {
-      ++errors.excluded;
-      continue;
-    }
-    const CylinderPlace   mapped = (measuresFrame ? registration.frame : registration.map).Forward(place);
-    const Eigen::Vector2d uv = registration.target->UvOfPlace(mapped);
-    const double          du = (uv.x() - to.uv.x()) / around;
-    const double          dv = TurnDifference(uv.y() / around, to.uv.y() / around);
-    errors.onMap.push_back(std::hypot(du, dv));
-    errors.inSpace.push_back((registration.target->PointOfPlace(mapped) - to.surfacePoint).norm());
-  }
-  return errors;
+  return SummaryOf(ErrorsOfPoints(registration, pairs, measuresFrame));
 }
 } // namespace itk

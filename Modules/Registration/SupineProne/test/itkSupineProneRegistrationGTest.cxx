@@ -1,5 +1,5 @@
-#include "itkFlatTestTubes.h"
 #include "itkRegistrationErrors.h"
+#include "itkTestColons.h"
 #include "itkToolError.h"
 
 #include <gtest/gtest.h>
@@ -8,115 +8,8 @@
 
 namespace
 {
+using namespace tubecolons;
 using flattubes::pi;
-constexpr double radius = 20.0;
-constexpr double length = 600.0;
-
-struct Fold
-{
-  double s;    ///< mm
-  double turn; ///< of its middle
-};
-
-double
-Uneven(int i)
-{
-  const double value = std::sin(12.9898 * i + 78.233) * 43758.5453;
-  return value - std::floor(value);
-}
-
-/** Between three bands at the turns 0, 1/3 and 2/3, with uneven gaps. */
-std::vector<Fold>
-FoldsOfPatient(int patient)
-{
-  std::vector<Fold> folds;
-  for (int row = 0; row < 3; ++row)
-  {
-    int k = 1000 * patient + 100 * row;
-    for (double s = 12.0 + 20.0 * Uneven(k); s < length - 12.0; s += 14.0 + 26.0 * Uneven(++k))
-    {
-      folds.push_back({ s, (row + 0.5) / 3.0 });
-    }
-  }
-  return folds;
-}
-
-/** Where the second position has a place of the first one. */
-struct Movement
-{
-  double rotation{ 0.0 }; ///< turns
-  double stretch{ 0.0 };  ///< mm, at most
-  double
-  S(double s) const
-  {
-    return s + stretch * std::sin(2.0 * pi * s / length);
-  }
-  itk::CylinderPlace
-  operator()(const itk::CylinderPlace & place) const
-  {
-    return { this->S(place.s), place.turn + rotation };
-  }
-};
-
-/** The colon of a patient as a straight tube with folds that stand 5 mm high; `isReversed` begins at the caecum. */
-itk::ColonPosition
-MakePosition(const std::string & name, int patient, const Movement & movement, bool isReversed = false)
-{
-  std::vector<itk::CylinderPlace> places;
-  for (const Fold & fold : FoldsOfPatient(patient))
-  {
-    const itk::CylinderPlace moved = movement({ fold.s, fold.turn });
-    places.push_back(isReversed ? itk::CylinderPlace{ length - moved.s, -moved.turn } : moved);
-  }
-  flattubes::TubeForm form;
-  form.around = 60;
-  form.along = 300;
-  form.circumference = 2.0 * pi * radius;
-  form.length = length;
-  itk::ColonPosition position;
-  position.name = name;
-  position.grid = std::make_shared<itk::FlatColonGrid>(flattubes::MakeFlatTube(form, [&](double u, double angle) {
-    double depth = 0.0;
-    for (const itk::CylinderPlace & place : places)
-    {
-      const double around = itk::TurnDifference(angle / (2.0 * pi), place.turn) * form.circumference;
-      const double along = (u - place.s) / 2.5;
-      depth = std::max(depth, 5.0 * std::exp(-along * along) / (1.0 + std::exp((std::abs(around) - 17.0) / 1.5)));
-    }
-    return flattubes::OnCylinder(radius - depth, u, -angle);
-  }));
-  for (const itk::CylinderPlace & place : places)
-  {
-    itk::HaustralFold fold;
-    const auto        uvAt = [&](double turn) {
-      return Eigen::Vector2d(place.s, (turn - std::floor(turn)) * form.circumference);
-    };
-    fold.centreUv = uvAt(place.turn);
-    fold.endUv = { uvAt(place.turn - 0.13), uvAt(place.turn + 0.13) };
-    fold.length = 34.0;
-    fold.area = 150.0;
-    position.folds.push_back(fold);
-  }
-  for (int taenia = 0; taenia < 3; ++taenia)
-  {
-    std::vector<int> curve;
-    for (int i = 0; i <= 60; ++i)
-    {
-      const double u = 5.0 + (length - 10.0) * i / 60.0;
-      curve.push_back(static_cast<int>(position.taeniae.V.rows()));
-      position.taeniae.V.conservativeResize(curve.back() + 1, 3);
-      const double turn = (isReversed ? -1.0 : 1.0) * (taenia / 3.0 + movement.rotation);
-      position.taeniae.V.row(curve.back()) = flattubes::OnCylinder(radius, u, -2.0 * pi * turn);
-    }
-    position.taeniae.curves.push_back(curve);
-  }
-  for (int flexure = 0; flexure < 4; ++flexure)
-  {
-    const double s = 10.0 + movement.S(length * (flexure + 1) / 5.0); // the test tubes count from 10 mm
-    position.flexures[flexure] = s;
-  }
-  return position;
-}
 
 Movement
 SomeMovement()
