@@ -75,12 +75,6 @@ struct Pictures
   }
 
   void
-  Check(int genus) const
-  {
-    itk::RequireSurfaceInSpace(surface.empty() ? 0 : genus);
-  }
-
-  void
   Write(const itk::EmbeddingCertificate & certificate) const
   {
     const itk::GraphView view{ title, &certificate, {}, false };
@@ -125,7 +119,6 @@ Embed(CommandLine & commandLine)
   const itk::Graph graph = itk::ReadGraph(commandLine, "graph");
   commandLine.Progress("Genus", 0.05);
   const itk::SurfaceEmbedding surface = SurfaceOf(commandLine, graph);
-  pictures.Check(surface.map.Genus());
   commandLine.Progress("Circle packing", 0.3);
   itk::EmbeddingCertificate certificate = itk::EmbedGraph(graph, surface.map, OptionsOf(commandLine));
   if (!commandLine.IsGiven("rotation"))

@@ -14,5 +14,6 @@ itk_module(RicciFlowEmbedding
   TEST_DEPENDS
     CounterRandom
     ITKGoogleTest
+    SurfaceMesh
   DESCRIPTION "${DOCUMENTATION}"
 )

@@ -1,43 +1,16 @@
 #include "itkSurfaceLayout.h"
 
+#include "itkDisjointSets.h"
 #include "itkLayoutTree.h"
 #include "itkParallelFor.h"
 
 #include <algorithm>
-#include <numeric>
 
 namespace itk
 {
 namespace
 {
 constexpr double pi = 3.14159265358979323846;
-
-/** Sets of faces that are joined. */
-class FaceSets
-{
-public:
-  explicit FaceSets(int number) : m_Parent(number) { std::iota(m_Parent.begin(), m_Parent.end(), 0); }
-  bool
-  Join(int a, int b)
-  {
-    a = this->Find(a);
-    b = this->Find(b);
-    m_Parent[a] = b;
-    return a != b;
-  }
-
-private:
-  int
-  Find(int i)
-  {
-    while (m_Parent[i] != i)
-    {
-      i = m_Parent[i] = m_Parent[m_Parent[i]];
-    }
-    return i;
-  }
-  std::vector<int> m_Parent;
-};
 } // namespace
 
 SurfaceLayout::SurfaceLayout(const CombinatorialMap & map, const CirclePacking & packing)
@@ -118,7 +91,7 @@ SurfaceLayout::FindCut(const std::vector<double> & distances)
     }
   }
   std::stable_sort(edges.begin(), edges.end(), [&](int a, int b) { return length[a] > length[b]; });
-  FaceSets sets(m_Map.Faces());
+  DisjointSets sets(m_Map.Faces());
   for (const int edge : edges)
   {
     if (!sets.Join(m_Map.Face(2 * edge), m_Map.Face(2 * edge + 1)))

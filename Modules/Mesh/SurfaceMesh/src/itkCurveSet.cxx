@@ -33,25 +33,32 @@ RequireVertices(const CurveSet & curves, const std::string & what)
   }
 }
 
-/** The curves in VTK's order of cells: points, then lines. */
+/** The curves in VTK's order of cells: points, then lines. Rows of cell arrays that belong to faces stay last. */
 CurveSet
-PointsFirst(const CurveSet & curves)
+PointsFirst(const CurveSet & curves, int faces)
 {
-  std::vector<int> order(curves.curves.size());
+  std::vector<int> order(curves.curves.size() + faces);
   std::iota(order.begin(), order.end(), 0);
-  std::stable_partition(order.begin(), order.end(), [&](int c) { return curves.curves[c].size() == 1; });
+  const auto endOfCurves = order.end() - faces;
+  std::stable_partition(order.begin(), endOfCurves, [&](int c) { return curves.curves[c].size() == 1; });
   CurveSet sorted = curves;
-  for (std::size_t i = 0; i < order.size(); ++i)
+  for (std::size_t i = 0; i < curves.curves.size(); ++i)
   {
     sorted.curves[i] = curves.curves[order[i]];
   }
   sorted.cellArrays = RowsOfArrays(curves.cellArrays, order);
   return sorted;
 }
-} // namespace
 
 void
-RequireSound(const CurveSet & curves, const std::string & what)
+RequireVtp(const std::string & path)
+{
+  RequireUsage(SurfaceExtension(path) == "vtp", "\"" + path + "\" names no format of curves; use .vtp");
+}
+
+/** With rows of cell arrays for so many faces beside the curves. */
+void
+RequireSound(const CurveSet & curves, Eigen::Index faces, const std::string & what)
 {
   if (curves.V.rows() == 0)
   {
@@ -60,7 +67,14 @@ RequireSound(const CurveSet & curves, const std::string & what)
   RequireFinite(curves.V, what);
   RequireVertices(curves, what);
   RequireRows(curves.pointArrays, curves.V.rows(), what);
-  RequireRows(curves.cellArrays, static_cast<Eigen::Index>(curves.curves.size()), what);
+  RequireRows(curves.cellArrays, static_cast<Eigen::Index>(curves.curves.size()) + faces, what);
+}
+} // namespace
+
+void
+RequireSound(const CurveSet & curves, const std::string & what)
+{
+  RequireSound(curves, 0, what);
 }
 
 Eigen::VectorXd
@@ -78,9 +92,19 @@ PointValues(const CurveSet & curves, const std::string & array, const std::strin
 void
 WriteCurves(const CurveSet & curves, const std::string & path)
 {
-  RequireUsage(SurfaceExtension(path) == "vtp", "\"" + path + "\" names no format of curves; use .vtp");
+  RequireVtp(path);
   RequireSound(curves, "the curves");
-  WriteVtp(PointsFirst(curves), path);
+  WriteVtp(PointsFirst(curves, 0), {}, path);
+}
+
+void
+WriteCurvesOnSurface(const CurveSet & curves, const FaceMatrix & faces, const std::string & path)
+{
+  RequireVtp(path);
+  RequireSound(curves, faces.rows(), "the curves");
+  const SurfaceMesh surface{ curves.V, faces, {}, {}, {}, {} };
+  RequireSound(surface, "the surface of the curves");
+  WriteVtp(PointsFirst(curves, static_cast<int>(faces.rows())), faces, path);
 }
 
 CurveSet

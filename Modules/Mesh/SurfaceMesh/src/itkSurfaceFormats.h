@@ -70,8 +70,9 @@ ReadGltf(const std::string & bytes, const std::string & path);
 ///@{
 void
 WriteVtp(const SurfaceMesh & mesh, const std::string & path);
+/** The faces come after the curves. */
 void
-WriteVtp(const CurveSet & curves, const std::string & path);
+WriteVtp(const CurveSet & curves, const FaceMatrix & faces, const std::string & path);
 void
 WriteStl(const SurfaceMesh & mesh, const std::string & path);
 void

@@ -75,17 +75,23 @@ PolyDataWithoutCells(const TGeometry & geometry)
   return data;
 }
 
+vtkSmartPointer<vtkCellArray>
+PolysOf(const FaceMatrix & F)
+{
+  auto polys = vtkSmartPointer<vtkCellArray>::New();
+  for (Eigen::Index f = 0; f < F.rows(); ++f)
+  {
+    const vtkIdType corners[] = { F(f, 0), F(f, 1), F(f, 2) };
+    polys->InsertNextCell(3, corners);
+  }
+  return polys;
+}
+
 vtkSmartPointer<vtkPolyData>
 PolyDataOf(const SurfaceMesh & mesh)
 {
-  const auto           data = PolyDataWithoutCells(mesh);
-  vtkNew<vtkCellArray> faces;
-  for (Eigen::Index f = 0; f < mesh.F.rows(); ++f)
-  {
-    const vtkIdType corners[] = { mesh.F(f, 0), mesh.F(f, 1), mesh.F(f, 2) };
-    faces->InsertNextCell(3, corners);
-  }
-  data->SetPolys(faces);
+  auto data = PolyDataWithoutCells(mesh);
+  data->SetPolys(PolysOf(mesh.F));
   return data;
 }
 
@@ -126,8 +132,13 @@ WriteVtp(const SurfaceMesh & mesh, const std::string & path)
 }
 
 void
-WriteVtp(const CurveSet & curves, const std::string & path)
+WriteVtp(const CurveSet & curves, const FaceMatrix & faces, const std::string & path)
 {
-  Write(PolyDataOf(curves), path);
+  const auto data = PolyDataOf(curves);
+  if (faces.rows() > 0)
+  {
+    data->SetPolys(PolysOf(faces));
+  }
+  Write(data, path);
 }
 } // namespace itk

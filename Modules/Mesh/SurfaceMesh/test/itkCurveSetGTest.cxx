@@ -80,6 +80,27 @@ TEST(CurveSet, FacesAreNoCurvesAndCurvesNoFaces)
   EXPECT_THROW(itk::ReadSurfaceFile(folder / "curves.vtp"), itk::InputError);
 }
 
+TEST(CurveSet, CurvesAndTheirSurfaceAreReadApart)
+{
+  const Folder  folder;
+  itk::CurveSet curves = MakeCurves();
+  curves.cellArrays[0].values.resize(4, 1);
+  curves.cellArrays[0].values << 10, 20, 30, 40;
+  itk::FaceMatrix face(1, 3);
+  face << 0, 1, 4;
+  itk::WriteCurvesOnSurface(curves, face, folder / "both.vtp");
+  const itk::CurveSet read = itk::ReadCurves(folder / "both.vtp");
+  EXPECT_EQ(read.curves, (std::vector<std::vector<int>>{ { 3 }, { 0, 1, 2 }, { 4, 0 } }));
+  EXPECT_EQ(read.cellArrays[0].values, Eigen::Vector3d(20, 10, 30));
+  const itk::SurfaceMesh surface = itk::ReadSurfaceFile(folder / "both.vtp").mesh;
+  EXPECT_EQ(surface.F, face);
+  EXPECT_EQ(surface.cellArrays.at(0).values(0, 0), 40);
+  EXPECT_THROW(itk::WriteCurvesOnSurface(MakeCurves(), face, folder / "x.vtp"), itk::InputError);
+  face(0, 2) = 5;
+  EXPECT_THROW(itk::WriteCurvesOnSurface(curves, face, folder / "x.vtp"), itk::InputError);
+  EXPECT_THROW(itk::WriteCurvesOnSurface(curves, face, folder / "x.stl"), itk::UsageError);
+}
+
 TEST(CurveSet, FaultsAreNamed)
 {
   EXPECT_EQ(FaultOfCurves(MakeCurves()), "");

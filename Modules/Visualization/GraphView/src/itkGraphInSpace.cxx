@@ -2,8 +2,10 @@
 
 #include "itkCurveSet.h"
 #include "itkGraphPictures.h"
-#include "itkToolError.h"
+#include "itkSurfaceWithHandles.h"
 #include "itkTorusInSpace.h"
+
+#include <numeric>
 
 namespace itk
 {
@@ -15,75 +17,95 @@ Column(const std::vector<double> & values)
   return Eigen::Map<const Eigen::VectorXd>(values.data(), static_cast<Eigen::Index>(values.size()));
 }
 
-/** Curves of nodes and edges, one after the other. */
-CurveSet
-CurvesOf(const TorusInSpace & torus)
+/** What kind of cell each cell is, and its number in its kind. */
+std::vector<SurfaceArray>
+CellArraysOf(const std::array<std::size_t, 3> & numbers)
 {
-  CurveSet                                      set;
-  std::vector<double>                           kinds;
-  std::vector<double>                           ids;
-  std::vector<std::vector<TorusInSpace::Point>> curves;
-  for (const TorusInSpace::Point & node : torus.Nodes())
+  std::vector<double> kinds;
+  std::vector<double> ids;
+  for (std::size_t kind = 0; kind < numbers.size(); ++kind)
   {
-    ids.push_back(static_cast<double>(curves.size()));
-    kinds.push_back(0.0);
-    curves.push_back({ node });
-  }
-  const std::size_t firstEdge = curves.size();
-  for (const std::vector<TorusInSpace::Point> & edge : torus.Edges())
-  {
-    ids.push_back(static_cast<double>(curves.size() - firstEdge));
-    kinds.push_back(1.0);
-    curves.push_back(edge);
-  }
-  std::size_t vertices = 0;
-  for (const auto & curve : curves)
-  {
-    vertices += curve.size();
-  }
-  set.V.resize(static_cast<Eigen::Index>(vertices), 3);
-  int next = 0;
-  for (const auto & curve : curves)
-  {
-    set.curves.emplace_back();
-    for (const TorusInSpace::Point & point : curve)
+    for (std::size_t id = 0; id < numbers[kind]; ++id)
     {
-      set.V.row(next) << point[0], point[1], point[2];
-      set.curves.back().push_back(next++);
+      kinds.push_back(static_cast<double>(kind));
+      ids.push_back(static_cast<double>(id));
     }
   }
-  set.cellArrays = { { "kind", Column(kinds), true }, { "id", Column(ids), true } };
-  set.fieldArrays = { { "tubeRadius", Column({ torus.TubeRadius() }), false },
-                      { "dilatation", Column({ torus.Dilatation() }), false } };
-  return set;
+  return { { "kind", Column(kinds), true }, { "id", Column(ids), true } };
 }
-} // namespace
+
+VertexMatrix
+VerticesOf(const std::vector<std::array<double, 3>> & points)
+{
+  return Eigen::Map<const VertexMatrix>(points.front().data(), static_cast<Eigen::Index>(points.size()), 3);
+}
 
 void
-RequireSurfaceInSpace(int genus)
+WriteOnTorus(const EmbeddingCertificate &                             certificate,
+             const std::vector<std::pair<std::string, std::string>> & facts,
+             const std::string &                                      path)
 {
-  if (genus > 1)
+  const TorusInSpace               torus(certificate);
+  const auto                       edges = torus.Edges();
+  std::vector<TorusInSpace::Point> points = torus.Nodes();
+  CurveSet                         set;
+  for (std::size_t node = 0; node < points.size(); ++node)
   {
-    throw InputError(
-      "a surface of genus " + std::to_string(genus) +
-      " in space is not implemented, only sphere and torus; leave --surface out and see the tiles of the "
-      "Poincare disk with --svg or --report");
+    set.curves.push_back({ static_cast<int>(node) });
   }
+  for (const std::vector<TorusInSpace::Point> & edge : edges)
+  {
+    set.curves.emplace_back(edge.size());
+    std::iota(set.curves.back().begin(), set.curves.back().end(), static_cast<int>(points.size()));
+    points.insert(points.end(), edge.begin(), edge.end());
+  }
+  set.V = VerticesOf(points);
+  set.cellArrays = CellArraysOf({ torus.Nodes().size(), edges.size(), 0 });
+  set.fieldArrays = { { "tubeRadius", Column({ torus.TubeRadius() }), false },
+                      { "dilatation", Column({ torus.Dilatation() }), false } };
+  set.facts = facts;
+  WriteCurves(set, path);
 }
+
+void
+WriteOnSurfaceWithHandles(const EmbeddingCertificate &                             certificate,
+                          const std::vector<std::pair<std::string, std::string>> & facts,
+                          const std::string &                                      path)
+{
+  const SurfaceWithHandles surface(MapOfRotation(certificate.graph, certificate.rotation));
+  const std::size_t        nodes = certificate.graph.nodes;
+  CurveSet                 set;
+  set.V = VerticesOf(surface.Vertices());
+  for (std::size_t node = 0; node < nodes; ++node)
+  {
+    set.curves.push_back({ static_cast<int>(node) });
+  }
+  set.curves.insert(set.curves.end(), surface.Edges().begin(), surface.Edges().end());
+  const auto & triangles = surface.Triangles();
+  set.cellArrays = CellArraysOf({ nodes, surface.Edges().size(), triangles.size() });
+  set.fieldArrays = { { "twist", Column(surface.Twists()), false } };
+  set.facts = facts;
+  WriteCurvesOnSurface(
+    set, Eigen::Map<const FaceMatrix>(triangles.front().data(), static_cast<Eigen::Index>(triangles.size()), 3), path);
+}
+} // namespace
 
 void
 WriteGraphInSpace(const EmbeddingCertificate &                             certificate,
                   const std::vector<std::pair<std::string, std::string>> & facts,
                   const std::string &                                      path)
 {
-  RequireSurfaceInSpace(certificate.genus);
   if (certificate.genus == 0)
   {
     WriteGraphVtp(certificate, facts, path);
-    return;
   }
-  CurveSet set = CurvesOf(TorusInSpace(certificate));
-  set.facts = facts;
-  WriteCurves(set, path);
+  else if (certificate.genus == 1)
+  {
+    WriteOnTorus(certificate, facts, path);
+  }
+  else
+  {
+    WriteOnSurfaceWithHandles(certificate, facts, path);
+  }
 }
 } // namespace itk

@@ -1,7 +1,10 @@
 #include "itkGraphPictures.h"
 #include "itkCertificateFixtures.h"
 #include "itkCurveSet.h"
+#include "itkGraphInSpace.h"
 #include "itkReportFolder.h"
+#include "itkSurfaceQuality.h"
+#include "itkSurfaceReader.h"
 #include "itkXmlPage.h"
 
 #include "gtest/gtest.h"
@@ -129,4 +132,26 @@ TEST(GraphPictures, CurvesOfTheSphere)
   EXPECT_EQ(1.0, kinds(8));
   EXPECT_EQ(2.0, kinds(32));
   EXPECT_EQ(3.0, kinds(40));
+}
+
+/** Genus 2 in space: nodes and edges are vertices of the surface in the same file. */
+TEST(GraphPictures, SurfaceInSpace)
+{
+  const Folder               folder;
+  const EmbeddingCertificate octagon = Octagon();
+  itk::WriteGraphInSpace(octagon, { { "tool", "test" } }, folder / "octagon.vtp");
+  const itk::CurveSet    curves = itk::ReadCurves(folder / "octagon.vtp");
+  const itk::SurfaceMesh surface = itk::ReadSurfaceFile(folder / "octagon.vtp").mesh;
+  const itk::CurveSet    torus = [&] {
+    itk::WriteGraphInSpace(TorusGrid(3, 4), {}, folder / "torus.vtp");
+    return itk::ReadCurves(folder / "torus.vtp");
+  }();
+  EXPECT_EQ(2, itk::InspectSurface(surface).genus);
+  EXPECT_EQ(surface.V, curves.V);
+  ASSERT_EQ(octagon.graph.nodes + octagon.graph.edges.size(), curves.curves.size());
+  EXPECT_EQ(std::vector<int>{ 0 }, curves.curves[0]);
+  EXPECT_EQ(2.0, surface.cellArrays.at(0).values(0, 0)); // kind
+  EXPECT_EQ(0.0, surface.cellArrays.at(1).values(0, 0)); // id
+  EXPECT_EQ(12u + 24u, torus.curves.size());
+  EXPECT_EQ(1.0, torus.cellArrays.at(0).values(12, 0));
 }
