@@ -68,8 +68,6 @@ struct RegistrationFigures
   int    flips{ 0 };
   int    flipsBeforeProjection{ 0 };
   double greatestDilatation{ 0.0 };
-  double excludedShareOfSource{ 0.0 };
-  double excludedShareOfTarget{ 0.0 };
 };
 
 /** \ingroup SupineProne */

@@ -110,8 +110,6 @@ FiguresToJson(const RegistrationFigures & figures)
   json["flips"] = figures.flips;
   json["flipsBeforeProjection"] = figures.flipsBeforeProjection;
   json["greatestDilatation"] = RoundedJson(figures.greatestDilatation);
-  json["excludedShareOfSupine"] = RoundedJson(figures.excludedShareOfSource);
-  json["excludedShareOfProne"] = RoundedJson(figures.excludedShareOfTarget);
   return json;
 }
 } // namespace

@@ -59,6 +59,14 @@ SegmentAt(const std::vector<ColonSegmentExtent> & segments, double arcLength)
   return "";
 }
 
+/** Of the columns of the flat map. */
+Json
+ExcludedShare(const ColonPosition & position)
+{
+  const auto excluded = std::count(position.isExcluded.begin(), position.isExcluded.end(), 1);
+  return RoundedJson(static_cast<double>(excluded) / position.grid->Columns());
+}
+
 class Telling
 {
 public:
@@ -88,6 +96,8 @@ public:
       frame = MeasureRegistrationErrors(m_Registration, m_Results.points, true);
     }
     m_Results.document = DocumentOf(m_Registration, m_Results, frame);
+    m_Results.document["map"]["excludedShareOfSupine"] = ExcludedShare(m_Supine.position);
+    m_Results.document["map"]["excludedShareOfProne"] = ExcludedShare(m_Prone.position);
     return std::move(m_Results);
   }
 
