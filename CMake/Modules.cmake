@@ -39,6 +39,7 @@ set(Shapeton_MODULES
   Visualization/FlatColonView
   Visualization/HaustralFoldView
   Visualization/ColonLandmarkView
+  Visualization/RegistrationView
   Visualization/ColonoscopyRun
   Visualization/GraphView
   Visualization/GraphComparisonView

@@ -72,6 +72,36 @@ FlatColonView_EXPORT Picture::Pointer
                                        const std::vector<double> &         distanceOfColumns,
                                        const std::vector<FlatAnnotation> & annotations = {},
                                        const FlatColonPageOptions &        options = {});
+
+/** The same place in two strips. \ingroup FlatColonView */
+struct FlatColonLink
+{
+  /** (u, v), mm of the map of the grid, in the upper and in the lower strip. */
+  Eigen::Vector2d upper{ Eigen::Vector2d::Zero() };
+  Eigen::Vector2d lower{ Eigen::Vector2d::Zero() };
+  RGBColor        color;
+};
+
+/** Two strips that are to be compared place by place. Nothing is owned. \ingroup FlatColonView */
+struct FlatColonPair
+{
+  const Picture * upper{ nullptr };
+  const Picture * lower{ nullptr };
+  /** At their left, for example "supine" and "prone". */
+  std::string upperName;
+  std::string lowerName;
+  /** Lines from strip to strip, at the columns of their places. */
+  std::vector<FlatColonLink> links;
+};
+
+/** DrawFlatColonPage() of two strips on one grid: in each row the lower one below the upper one, so that what agrees
+ * lies at the same place across. \ingroup FlatColonView */
+FlatColonView_EXPORT Picture::Pointer
+                     DrawFlatColonPairPage(const FlatColonPair &               pair,
+                                           const FlatColonGrid &               grid,
+                                           const std::vector<double> &         distanceOfColumns,
+                                           const std::vector<FlatAnnotation> & annotations = {},
+                                           const FlatColonPageOptions &        options = {});
 } // namespace itk
 
 #endif

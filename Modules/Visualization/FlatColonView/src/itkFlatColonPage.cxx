@@ -22,6 +22,7 @@ constexpr int rightMargin = 20;
 constexpr int gapBetweenRows = 10;
 constexpr int leastWidth = 480;
 constexpr int noteLineHeight = 20;
+constexpr int gapOfLinks = 26; ///< between two strips of a row
 
 /** The place of a distance along the centreline, in columns. */
 double
@@ -164,8 +165,9 @@ RequireFit(const Picture * strip, const FlatColonGrid & grid, const std::vector<
   }
 }
 
+/** \param strips of each row, below each other. */
 std::vector<FlatPageRow>
-LayOut(const FlatColonGrid & grid, const FlatColonPageOptions & options)
+LayOut(const FlatColonGrid & grid, const FlatColonPageOptions & options, int strips)
 {
   std::vector<FlatPageRow> places;
   int                      top = HeadHeight(options);
@@ -177,10 +179,108 @@ LayOut(const FlatColonGrid & grid, const FlatColonPageOptions & options)
     place.top = top;
     place.turn = grid.Rows();
     place.overlap = static_cast<int>(std::lround(options.overlap * grid.Rows()));
-    top = place.Bottom() + gapBetweenRows;
+    top = place.Bottom() + (strips - 1) * (place.StripHeight() + gapOfLinks) + gapBetweenRows;
     places.push_back(place);
   }
   return places;
+}
+
+/** The place of the second strip of a row. */
+FlatPageRow
+Lower(FlatPageRow place)
+{
+  place.top += place.StripHeight() + gapOfLinks;
+  return place;
+}
+
+/** What a page is made of: one strip, or a pair. */
+struct PageParts
+{
+  const FlatColonGrid &               grid;
+  const std::vector<double> &         distanceOfColumns;
+  const std::vector<FlatAnnotation> & annotations;
+  const FlatColonPageOptions &        options;
+  const Picture *                     strip{ nullptr };
+  const FlatColonPair *               pair{ nullptr };
+};
+
+void
+DrawNameOfStrip(Picture * picture, const FlatPageRow & place, const std::string & name)
+{
+  TextStyle style;
+  style.size = 16;
+  style.color = ink;
+  style.upwards = true;
+  style.horizontal = HorizontalAnchor::Right;
+  style.vertical = VerticalAnchor::Center;
+  DrawText(picture, name, place.left - 8, place.StripTop() + place.StripHeight() / 2, style);
+}
+
+void
+DrawLinks(Picture * picture, const FlatPageRow & place, const PageParts & parts)
+{
+  const double top = place.StripTop() + place.StripHeight() + 1.0;
+  const double bottom = Lower(place).StripTop() - 2.0;
+  for (const FlatColonLink & link : parts.pair->links)
+  {
+    const double upper = link.upper.x() / parts.grid.PixelSize();
+    const double lower = link.lower.x() / parts.grid.PixelSize();
+    if (place.row.Shows(upper) && place.row.Shows(lower))
+    {
+      DrawLine(picture, place.XOf(upper), top, place.XOf(lower), bottom, link.color, 2.0);
+    }
+  }
+}
+
+void
+DrawRow(Picture * picture, const FlatPageRow & place, const PageParts & parts, const std::vector<double> & distances)
+{
+  FlatPageRow last = place;
+  if (parts.pair)
+  {
+    last = Lower(place);
+    DrawStripOfRow(picture, place, parts.pair->upper, parts.grid);
+    DrawStripOfRow(picture, last, parts.pair->lower, parts.grid);
+    DrawNameOfStrip(picture, place, parts.pair->upperName);
+    DrawNameOfStrip(picture, last, parts.pair->lowerName);
+    DrawLinks(picture, place, parts);
+  }
+  else
+  {
+    DrawStripOfRow(picture, place, parts.strip, parts.grid);
+  }
+  DrawRulerOfRow(picture, last, distances, !parts.distanceOfColumns.empty());
+  DrawScaleOfRow(picture, place, parts.grid.PixelSize());
+}
+
+Picture::Pointer
+DrawPage(const PageParts & parts)
+{
+  const std::vector<FlatPageRow>      places = LayOut(parts.grid, parts.options, parts.pair ? 2 : 1);
+  const std::vector<PlacedAnnotation> placed = PlaceAll(parts.grid, parts.distanceOfColumns, parts.annotations);
+  const std::vector<double>           distances =
+    parts.distanceOfColumns.empty() ? DistanceAlongMap(parts.grid) : parts.distanceOfColumns;
+  int rowWidth = leastWidth;
+  for (const FlatPageRow & place : places)
+  {
+    rowWidth = std::max(rowWidth, place.Width());
+  }
+  const int bottom = (parts.pair ? Lower(places.back()) : places.back()).Bottom();
+  const int barWidth = parts.options.colorBar ? colorBarWidth : 0;
+  const int width = leftMargin + rowWidth + rightMargin + barWidth;
+  auto      picture = NewPicture(width, bottom + gapBetweenRows, paper);
+  DrawHead(picture, parts.options, width - leftMargin - rightMargin);
+  for (const FlatPageRow & place : places)
+  {
+    DrawRow(picture, place, parts, distances);
+    DrawAnnotationsOfRow(picture, place, placed);
+  }
+  if (parts.options.colorBar)
+  {
+    const int height = std::min(320, bottom - places.front().StripTop() - FlatPageRow::ruler);
+    DrawColorBar(picture, width - barWidth, places.front().StripTop(), height, *parts.options.colorBar, ink);
+  }
+  return picture;
 }
 } // namespace
 
@@ -192,31 +292,18 @@ DrawFlatColonPage(const Picture *                     strip,
                   const FlatColonPageOptions &        options)
 {
   RequireFit(strip, grid, distanceOfColumns, options.overlap);
-  const std::vector<FlatPageRow>      places = LayOut(grid, options);
-  const std::vector<PlacedAnnotation> placed = PlaceAll(grid, distanceOfColumns, annotations);
-  const bool                          isArc = !distanceOfColumns.empty();
-  const std::vector<double>           distances = isArc ? distanceOfColumns : DistanceAlongMap(grid);
-  int                                 rowWidth = leastWidth;
-  for (const FlatPageRow & place : places)
-  {
-    rowWidth = std::max(rowWidth, place.Width());
-  }
-  const int barWidth = options.colorBar ? colorBarWidth : 0;
-  const int width = leftMargin + rowWidth + rightMargin + barWidth;
-  auto      picture = NewPicture(width, places.back().Bottom() + gapBetweenRows, paper);
-  DrawHead(picture, options, width - leftMargin - rightMargin);
-  for (const FlatPageRow & place : places)
-  {
-    DrawStripOfRow(picture, place, strip, grid);
-    DrawRulerOfRow(picture, place, distances, isArc);
-    DrawScaleOfRow(picture, place, grid.PixelSize());
-    DrawAnnotationsOfRow(picture, place, placed);
-  }
-  if (options.colorBar)
-  {
-    const int height = std::min(320, places.back().Bottom() - places.front().StripTop() - FlatPageRow::ruler);
-    DrawColorBar(picture, width - barWidth, places.front().StripTop(), height, *options.colorBar, ink);
-  }
-  return picture;
+  return DrawPage({ grid, distanceOfColumns, annotations, options, strip, nullptr });
+}
+
+Picture::Pointer
+DrawFlatColonPairPage(const FlatColonPair &               pair,
+                      const FlatColonGrid &               grid,
+                      const std::vector<double> &         distanceOfColumns,
+                      const std::vector<FlatAnnotation> & annotations,
+                      const FlatColonPageOptions &        options)
+{
+  RequireFit(pair.upper, grid, distanceOfColumns, options.overlap);
+  RequireFit(pair.lower, grid, distanceOfColumns, options.overlap);
+  return DrawPage({ grid, distanceOfColumns, annotations, options, nullptr, &pair });
 }
 } // namespace itk
