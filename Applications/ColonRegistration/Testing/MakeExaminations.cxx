@@ -1,0 +1,77 @@
+// Writes folders of examinations and points for the tests: MakeExaminations FOLDER
+#include "itkTestColons.h"
+
+#include "itkRegistrationFiles.h"
+
+namespace
+{
+using namespace tubecolons;
+
+/** A stretch of the wall that was made up over a gap. */
+itk::ColonPositionFiles
+WithCollapse(itk::ColonPositionFiles files, double begin, double end)
+{
+  for (Eigen::Index face = 0; face < files.flat.F.rows(); ++face)
+  {
+    const double u = files.flat.V(files.flat.F(face, 0), 2);
+    files.flat.cellArrays[0].values(face, 0) = u > begin && u < end;
+  }
+  auto & folds = files.position.folds;
+  folds.erase(std::remove_if(
+                folds.begin(),
+                folds.end(),
+                [&](const itk::HaustralFold & fold) { return fold.centreUv.x() > begin && fold.centreUv.x() < end; }),
+              folds.end());
+  return files;
+}
+
+itk::ColonPositionFiles
+WithoutLandmarks(itk::ColonPositionFiles files)
+{
+  files.position.flexures.fill(std::numeric_limits<double>::quiet_NaN());
+  return files;
+}
+
+void
+WritePoints(const Movement & movement, const std::string & path)
+{
+  itk::CsvTable table({ "sx", "sy", "sz", "px", "py", "pz" });
+  for (const itk::PointPair & pair : KnownPoints(movement))
+  {
+    std::vector<std::string> cells;
+    for (const Eigen::Vector3d & point : { pair.source, pair.target })
+    {
+      for (int k = 0; k < 3; ++k)
+      {
+        cells.push_back(itk::CsvTable::Number(point[k]));
+      }
+    }
+    table.AddRow(cells);
+  }
+  table.Write(path);
+}
+} // namespace
+
+int
+main(int argc, char * argv[])
+{
+  if (argc != 2)
+  {
+    return 2;
+  }
+  const std::string folder = argv[1];
+  const Movement    movement{ 0.37, 8.0 };
+  WriteExamination(MakeExamination("supine", 1, {}), folder + "/supine");
+  WriteExamination(WithCollapse(MakeExamination("prone", 1, movement), 330.0, 390.0), folder + "/prone");
+  WriteExamination(MakeExamination("prone", 2, movement), folder + "/otherPatient");
+  WriteExamination(MakeExamination("prone", 1, movement, true), folder + "/reversed");
+  WriteExamination(WithoutLandmarks(MakeExamination("prone", 1, movement)), folder + "/noFlexures");
+  std::filesystem::copy(folder + "/noFlexures", folder + "/noLandmarks", std::filesystem::copy_options::recursive);
+  std::filesystem::remove(folder + "/noLandmarks/landmarks/taeniae.vtp");
+  std::filesystem::copy(folder + "/prone", folder + "/noTaeniae", std::filesystem::copy_options::recursive);
+  std::filesystem::remove(folder + "/noTaeniae/landmarks/taeniae.vtp");
+  std::filesystem::copy(folder + "/prone", folder + "/noFolds", std::filesystem::copy_options::recursive);
+  std::filesystem::remove(folder + "/noFolds/folds/folds.csv");
+  WritePoints(movement, folder + "/points.csv");
+  return 0;
+}
