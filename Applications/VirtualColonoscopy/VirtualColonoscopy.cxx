@@ -9,17 +9,45 @@ namespace
 {
 using itk::CommandLine;
 
+/** Options that need another one. */
+void
+CheckSecond(const CommandLine & commandLine)
+{
+  for (const char * const name : { "secondSeriesUID",
+                                   "secondLumen",
+                                   "secondMarkers",
+                                   "secondPosition",
+                                   "secondSeedPoint",
+                                   "matching",
+                                   "refine",
+                                   "segmentWise",
+                                   "evaluate" })
+  {
+    itk::RequireUsage(commandLine.IsGiven("second") || !commandLine.IsGiven(name),
+                      std::string("--") + name + " is of no use without --second");
+  }
+  itk::RequireUsage(!commandLine.IsGiven("second") ||
+                      commandLine.GetString("second") != commandLine.GetString("inputVolume") ||
+                      commandLine.GetString("secondSeriesUID") != commandLine.GetString("seriesUID"),
+                    "the second series is the first one; name its --secondSeriesUID, or another folder");
+}
+
 /** What a tool would refuse after minutes is refused now. */
 void
 CheckUsage(const CommandLine & commandLine)
 {
   const bool isLumen = commandLine.GetFlag("inputIsLumen");
-  itk::RequireUsage(!isLumen || !commandLine.IsGiven("lumen"),
-                    "--lumen belongs to a CT; with --inputIsLumen the input itself is the lumen");
-  itk::RequireUsage(!isLumen || !commandLine.IsGiven("position"),
-                    "--position says where fluid pools; a lumen (--inputIsLumen) needs none");
+  for (const auto & [lumen, position] : { std::pair("lumen", "position"), std::pair("secondLumen", "secondPosition") })
+  {
+    itk::RequireUsage(!isLumen || !commandLine.IsGiven(lumen),
+                      std::string("--") + lumen +
+                        " belongs to a CT; with --inputIsLumen the input itself is the lumen");
+    itk::RequireUsage(!isLumen || !commandLine.IsGiven(position),
+                      std::string("--") + position + " says where fluid pools; a lumen (--inputIsLumen) needs none");
+  }
   itk::RequireUsage(commandLine.GetString("metric") != "euclidean" || !commandLine.IsGiven("time"),
                     "--time belongs to the heat diffusion metric; --metric euclidean has none");
+  CheckSecond(commandLine);
 }
 } // namespace
 

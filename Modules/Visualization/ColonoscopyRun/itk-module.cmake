@@ -7,6 +7,7 @@ itk_module(ColonoscopyRun
     ColonLandmarks
     Report
     StagedRun
+    SupineProne
     SurfaceMesh
     ITKCommon
   PRIVATE_DEPENDS
@@ -15,6 +16,7 @@ itk_module(ColonoscopyRun
     CommandLine
     DicomSeries
     FlatColonView
+    RegistrationView
     ShapeRendering
     SlicerMarkups
     ITKIOImageBase

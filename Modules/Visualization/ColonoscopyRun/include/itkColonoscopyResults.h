@@ -4,8 +4,10 @@
 #include "ColonoscopyRunExport.h"
 
 #include "itkColonLandmarkDocument.h"
+#include "itkColonPositionFiles.h"
 #include "itkCurveSet.h"
 #include "itkJson.h"
+#include "itkRegistrationResults.h"
 #include "itkStagedRun.h"
 
 #include "itkImage.h"
@@ -24,6 +26,7 @@ constexpr const char * segmentation = "segmentation";
 constexpr const char * flattening = "flattening";
 constexpr const char * landmarks = "landmarks";
 constexpr const char * folds = "folds";
+constexpr const char * registration = "registration";
 } // namespace colonoscopystage
 
 /** A fold by its centre. \ingroup ColonoscopyRun */
@@ -32,6 +35,14 @@ struct ColonoscopyFold
   int    label{ 0 };
   double arcLength{ 0.0 };
   double reliability{ 0.0 };
+};
+
+/** The colon in two positions. \ingroup ColonoscopyRun */
+struct ColonoscopyPair
+{
+  ColonPositionFiles  first;
+  ColonPositionFiles  second;
+  RegistrationResults registration;
 };
 
 /** What the stages have found, read from their files; of a stage that did not come to its end, nothing.
@@ -59,12 +70,18 @@ struct ColonoscopyRun_EXPORT ColonoscopyResults
   CurveSet                          features;
   std::vector<ColonoscopyFold>      folds;
 
+  /** Where a second series was registered with this one. */
+  std::shared_ptr<const ColonoscopyPair> pair;
+
   /** Null where it was not tried. */
   const StageResult *
   Find(const std::string & stage) const;
   bool
   IsDone(const std::string & stage) const;
 };
+
+/** The folder of the second series in that of the run. \ingroup ColonoscopyRun */
+constexpr const char * colonoscopySecondFolder = "second";
 
 /** Reads what is there. Throws InputError for a file that cannot be read. \ingroup ColonoscopyRun */
 ColonoscopyRun_EXPORT ColonoscopyResults

@@ -3,6 +3,7 @@
 #include "itkColonoscopyFacts.h"
 #include "itkColonoscopyPictures.h"
 #include "itkDistensionChart.h"
+#include "itkRegistrationReport.h"
 
 #include <filesystem>
 
@@ -90,6 +91,19 @@ AddFlat(HtmlReport & html, PagePictures & pictures, const ColonoscopyResults & r
 }
 
 void
+AddPair(HtmlReport & html, PagePictures & pictures, const ColonoscopyPair & pair)
+{
+  const RegistrationParts parts{ &pair.first, &pair.second, &pair.registration };
+  html.AddHeading("Two positions");
+  html.AddParagraph("The first series is called supine here, the second prone. The report of the second by itself is " +
+                    std::string(colonoscopySecondFolder) + "/report.html.");
+  html.AddFacts(RegistrationFacts(parts));
+  AddRegistrationSection(html, parts, [&](const Picture * picture, const std::string &, const std::string & caption) {
+    pictures.Add(picture, caption);
+  });
+}
+
+void
 AddTables(HtmlReport & html, const ColonoscopyResults & results)
 {
   html.AddHeading("Landmarks");
@@ -135,6 +149,10 @@ WriteColonoscopyReport(const ColonoscopyReportContent & content,
     AddFlat(html, pictures, results);
   }
   AddTables(html, results);
+  if (results.pair)
+  {
+    AddPair(html, pictures, *results.pair);
+  }
   AddProvenance(html, content);
   html.Write(path);
 }

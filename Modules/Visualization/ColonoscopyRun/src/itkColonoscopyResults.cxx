@@ -1,5 +1,6 @@
 #include "itkColonoscopyResults.h"
 
+#include "itkRegistrationFiles.h"
 #include "itkSurfaceReader.h"
 #include "itkToolError.h"
 #include "itkVolumeReader.h"
@@ -132,6 +133,14 @@ ReadColonoscopyResults(const std::string & folder, const std::vector<StageResult
     results.segments = SegmentsOf(results.landmarks, LengthOfCentreline(results.centreline));
   }
   results.folds = FoldsOf(results.features);
+  if (results.IsDone(names::registration))
+  {
+    const std::string second = folder + '/' + colonoscopySecondFolder;
+    results.pair = std::make_shared<const ColonoscopyPair>(
+      ColonoscopyPair{ ReadColonPosition(folder, "supine"),
+                       ReadColonPosition(second, "prone"),
+                       ReadRegistrationResults(folder + '/' + names::registration) });
+  }
   return results;
 }
 } // namespace itk

@@ -1,12 +1,11 @@
 #include "itkColonoscopyRun.h"
 
-#include "itkColonoscopyReport.h"
+#include "itkColonoscopyPresentation.h"
 #include "itkColonoscopyStages.h"
 #include "itkCommandLine.h"
-#include "itkContentIdentity.h"
-#include "itkSha256.h"
 #include "itkToolError.h"
 
+#include <algorithm>
 #include <filesystem>
 
 namespace fs = std::filesystem;
@@ -39,172 +38,169 @@ RequireApart(const std::string & input, const std::string & output)
                "the output folder lies in the input folder; name one beside it");
 }
 
-/** All stages up to the first that fails. */
-std::vector<StageResult>
-RunStages(CommandLine & commandLine, StagedRun & run)
-{
-  std::vector<StageResult> results;
-  double                   begin = 0.0;
-  for (const ColonoscopyStage & stage : StagesOfColonoscopy(commandLine))
-  {
-    commandLine.Progress(stage.name, begin);
-    results.push_back(run.Run(stage.make(run), [&](const std::string & step, double share) {
-      commandLine.Progress(stage.name + ": " + step, begin + share * stage.share);
-    }));
-    begin += stage.share;
-    for (const std::string & warning : results.back().warnings)
-    {
-      commandLine.Warn(stage.name + ": " + warning);
-    }
-    if (results.back().status != 0)
-    {
-      return results;
-    }
-  }
-  return results;
-}
-
-/** "" where all is well. */
-std::string
-FailureOf(const std::vector<StageResult> & stages)
-{
-  const StageResult & last = stages.back();
-  if (last.status == 0)
-  {
-    return "";
-  }
-  std::vector<std::string> kept;
-  for (const StageResult & stage : stages)
-  {
-    kept.push_back(stage.status == 0 ? stage.name : "a part of " + stage.name);
-  }
-  if (last.files.empty())
-  {
-    kept.pop_back();
-  }
-  return "the stage " + last.name + " (" + last.program + ") failed: " + last.message +
-         "; kept: " + (kept.empty() ? "nothing" : Joined(kept)) + ", report.html";
-}
-
-/** Report and files for Slicer; written again when a stage or one of these files has changed. */
-class Presentation
+/** The stages of one series in its folder. */
+class SeriesRun
 {
 public:
-  Presentation(CommandLine & commandLine, const std::string & folder) : m_CommandLine(commandLine), m_Folder(folder) {}
+  SeriesRun(CommandLine & commandLine, const std::string & toolFolder, ColonoscopySeries series)
+    : m_CommandLine(commandLine)
+    , m_Series(series)
+    , m_Folder(FolderOfSeries(commandLine.GetString("outputFolder"), series))
+    , m_Run(MadeFolder(commandLine, m_Folder), toolFolder)
+  {}
 
   void
-  Update(const std::vector<StageResult> & stages, const std::string & failure)
+  AddInputs()
   {
-    const Json signature = this->SignatureOf(stages, failure);
-    if (!this->IsUnchanged(signature))
+    for (const char * const option : { "inputVolume", "lumen", "markers" })
     {
-      this->Write(stages, failure, signature);
+      const std::string parameter = ParameterOfSeries(option, m_Series);
+      if (m_CommandLine.IsGiven(parameter))
+      {
+        m_CommandLine.AddInput(parameter, m_Run.Identify(m_CommandLine.GetString(parameter)));
+      }
     }
+  }
+
+  /** All up to the first that fails; they take `share` of the time of the whole run. */
+  bool
+  Run(const std::vector<ColonoscopyStage> & stages, double begin, double share)
+  {
+    for (const ColonoscopyStage & stage : stages)
+    {
+      const std::string name = this->Prefix() + stage.name;
+      m_CommandLine.Progress(name, begin);
+      m_Results.push_back(m_Run.Run(stage.make(m_Run), [&](const std::string & step, double done) {
+        m_CommandLine.Progress(name + ": " + step, begin + done * stage.share * share);
+      }));
+      begin += stage.share * share;
+      for (const std::string & warning : m_Results.back().warnings)
+      {
+        m_Warnings.push_back(stage.name + ": " + warning);
+        m_CommandLine.Warn(name + ": " + warning);
+      }
+      if (m_Results.back().status != 0)
+      {
+        return false;
+      }
+    }
+    return true;
+  }
+
+  int
+  Status() const
+  {
+    return m_Results.empty() ? 0 : m_Results.back().status;
+  }
+
+  /** "" where all is well. */
+  std::string
+  Failure() const
+  {
+    if (this->Status() == 0)
+    {
+      return "";
+    }
+    const StageResult &      last = m_Results.back();
+    std::vector<std::string> kept;
+    for (const StageResult & stage : m_Results)
+    {
+      kept.push_back(stage.status == 0 ? stage.name : "a part of " + stage.name);
+    }
+    if (last.files.empty())
+    {
+      kept.pop_back();
+    }
+    return "the stage " + last.name + " (" + last.program + ")" +
+           (m_Series == ColonoscopySeries::Second ? " of the second series" : "") + " failed: " + last.message +
+           "; kept: " + (kept.empty() ? "nothing" : Joined(kept)) + ", report.html";
+  }
+
+  ColonoscopyPresentation
+  Presentation() const
+  {
+    return { m_Folder, m_Results, m_Warnings, this->Failure() };
   }
 
 private:
-  Json
-  SignatureOf(const std::vector<StageResult> & stages, const std::string & failure) const
+  static const std::string &
+  MadeFolder(CommandLine & commandLine, const std::string & folder)
   {
-    Json signature;
-    for (const auto & [key, value] : m_CommandLine.GetProvenance())
-    {
-      signature[key] = value;
-    }
-    signature["failure"] = failure;
-    signature["warnings"] = m_CommandLine.GetWarnings();
-    for (const StageResult & stage : stages)
-    {
-      std::string files;
-      for (const auto & [name, hash] : stage.files)
-      {
-        files += name + ' ' + hash + '\n';
-      }
-      signature["stages"][stage.name] = stage.version + ' ' + Sha256OfBytes(files);
-    }
-    return signature;
+    commandLine.MakeFolder(folder);
+    commandLine.MakeFolder(folder + "/stages");
+    return folder;
   }
 
-  bool
-  IsUnchanged(const Json & signature) const
+  std::string
+  Prefix() const
   {
-    try
-    {
-      const Json record = ReadJson(m_Folder + "/stages/report.json");
-      bool       isUnchanged = record.at("signature") == signature;
-      for (const auto & file : record.at("files").items())
-      {
-        isUnchanged = isUnchanged && IdentityOf(m_Folder + '/' + file.key()) == file.value();
-      }
-      return isUnchanged;
-    }
-    catch (const InputError &) // a file is missing
-    {
-      return false;
-    }
-    catch (const Json::exception &)
-    {
-      return false;
-    }
+    return m_Series == ColonoscopySeries::Second ? "second: " : "";
   }
 
-  void
-  Write(const std::vector<StageResult> & stages, const std::string & failure, const Json & signature)
-  {
-    m_CommandLine.Progress("report", 0.94);
-    const ColonoscopyResults results = ReadColonoscopyResults(m_Folder, stages);
-    ColonoscopyReportContent content;
-    content.results = &results;
-    content.failure = failure;
-    content.warnings = m_CommandLine.GetWarnings();
-    content.provenance = m_CommandLine.GetProvenance();
-    Json record;
-    record["signature"] = signature;
-    const auto publish = [&](const std::string & name) {
-      m_CommandLine.Publish(m_Folder + '/' + name); // the run may fail: the report is there all the same
-      record["files"][name] = IdentityOf(m_Folder + '/' + name);
-    };
-    WriteColonoscopyReport(content, m_CommandLine.Output(m_Folder + "/report.html"), m_Folder + "/.report.part");
-    publish("report.html");
-    m_CommandLine.MakeFolder(m_Folder + "/slicer");
-    const OutputPath outputPath = [&](const std::string & path) { return m_CommandLine.Output(path); };
-    for (const std::string & name : WriteColonoscopySlicerFiles(results, m_Folder + "/slicer", outputPath))
-    {
-      publish("slicer/" + name);
-    }
-    WriteJson(record, m_CommandLine.Output(m_Folder + "/stages/report.json"));
-    m_CommandLine.Publish(m_Folder + "/stages/report.json");
-  }
-
-  CommandLine & m_CommandLine;
-  std::string   m_Folder;
+  CommandLine &            m_CommandLine;
+  ColonoscopySeries        m_Series;
+  std::string              m_Folder;
+  StagedRun                m_Run;
+  std::vector<StageResult> m_Results;
+  std::vector<std::string> m_Warnings;
 };
+
+void
+RunOne(CommandLine & commandLine, SeriesRun & only)
+{
+  only.Run(StagesOfSeries(commandLine, ColonoscopySeries::First), 0.0, 1.0);
+  Present(commandLine, only.Presentation());
+  if (only.Status() != 0)
+  {
+    throw ToolError(only.Status(), only.Failure());
+  }
+}
+
+/** The report of the first series tells what both have in common, so it comes last. */
+void
+RunTwo(CommandLine & commandLine, SeriesRun & first, SeriesRun & second)
+{
+  constexpr double share = 0.44; // of the time, for each series
+  const bool       hasFirst = first.Run(StagesOfSeries(commandLine, ColonoscopySeries::First), 0.0, share);
+  if (hasFirst && second.Run(StagesOfSeries(commandLine, ColonoscopySeries::Second), share, share))
+  {
+    first.Run({ StageOfRegistration(commandLine) }, 2.0 * share, 0.06);
+  }
+  if (hasFirst)
+  {
+    Present(commandLine, second.Presentation());
+  }
+  ColonoscopyPresentation presentation = first.Presentation();
+  presentation.failure += second.Failure(); // the run ends with the first stage that fails
+  Present(commandLine, presentation);
+  if (!presentation.failure.empty())
+  {
+    throw ToolError(std::max(first.Status(), second.Status()), presentation.failure);
+  }
+}
 } // namespace
 
 void
 RunColonoscopy(CommandLine & commandLine, const std::string & toolFolder)
 {
-  const std::string input = commandLine.GetString("inputVolume");
   const std::string folder = commandLine.GetString("outputFolder");
-  RequireApart(input, folder);
-  commandLine.MakeFolder(folder);
-  commandLine.MakeFolder(folder + "/stages");
-  StagedRun run(folder, toolFolder);
+  const bool        hasSecond = commandLine.IsGiven("second");
+  RequireApart(commandLine.GetString("inputVolume"), folder);
+  if (hasSecond)
+  {
+    RequireApart(commandLine.GetString("second"), folder);
+  }
+  SeriesRun first(commandLine, toolFolder, ColonoscopySeries::First);
   commandLine.RecordRun(folder + "/run.json");
   commandLine.Progress("reading", 0.0);
-  for (const char * const name : { "inputVolume", "lumen", "markers" })
+  first.AddInputs();
+  if (!hasSecond)
   {
-    if (commandLine.IsGiven(name))
-    {
-      commandLine.AddInput(name, run.Identify(commandLine.GetString(name)));
-    }
+    RunOne(commandLine, first);
+    return;
   }
-  const std::vector<StageResult> stages = RunStages(commandLine, run);
-  const std::string              failure = FailureOf(stages);
-  Presentation(commandLine, folder).Update(stages, failure);
-  if (!failure.empty())
-  {
-    throw ToolError(stages.back().status, failure);
-  }
+  SeriesRun second(commandLine, toolFolder, ColonoscopySeries::Second);
+  second.AddInputs();
+  RunTwo(commandLine, first, second);
 }
 } // namespace itk

@@ -2,6 +2,7 @@
 
 #include "itkColonoscopyResults.h"
 #include "itkCommandLine.h"
+#include "itkContentIdentity.h"
 #include "itkCsvTable.h"
 #include "itkSha256.h"
 
@@ -21,10 +22,11 @@ namespace names = colonoscopystage;
 class OptionPasser
 {
 public:
-  explicit OptionPasser(const CommandLine & commandLine)
-    : m_CommandLine(commandLine), m_Provenance(commandLine.GetProvenance())
+  OptionPasser(const CommandLine & commandLine, ColonoscopySeries series)
+    : m_CommandLine(commandLine), m_Provenance(commandLine.GetProvenance()), m_Series(series)
   {}
 
+  /** Options that hold for all series. */
   void
   Pass(Stage & stage, const std::vector<std::string> & options) const
   {
@@ -37,13 +39,43 @@ public:
     }
   }
 
+  /** One of this series alone. */
   void
-  PassInput(Stage & stage, const std::string & name) const
+  PassOwn(Stage & stage, const std::string & option) const
   {
-    if (m_CommandLine.IsGiven(name))
+    for (const auto & [key, value] : m_Provenance)
     {
-      stage.Input(name, m_CommandLine.GetString(name));
+      if (key == "option." + ParameterOfSeries(option, m_Series))
+      {
+        stage.Option(option, value);
+      }
     }
+  }
+
+  void
+  PassOwnInput(Stage & stage, const std::string & option) const
+  {
+    const std::string parameter = ParameterOfSeries(option, m_Series);
+    if (m_CommandLine.IsGiven(parameter))
+    {
+      stage.Input(option, m_CommandLine.GetString(parameter));
+    }
+  }
+
+  void
+  PassSeedPoints(Stage & stage) const
+  {
+    for (const auto & p : m_CommandLine.GetPoints(ParameterOfSeries("seedPoint", m_Series)))
+    {
+      stage.Option("seedPoint", CsvTable::Number(p[0]) + ',' + CsvTable::Number(p[1]) + ',' + CsvTable::Number(p[2]));
+    }
+  }
+
+  /** The series itself. */
+  std::string
+  Volume() const
+  {
+    return m_CommandLine.GetString(ParameterOfSeries("inputVolume", m_Series));
   }
 
   void
@@ -55,9 +87,8 @@ public:
 private:
   const CommandLine &     m_CommandLine;
   CommandLine::Provenance m_Provenance;
+  ColonoscopySeries       m_Series;
 };
-
-const std::vector<std::string> readingOptions{ "seriesUID", "resampleGaps", "deshear", "dropDuplicates" };
 
 bool
 IsDicom(const std::string & path)
@@ -70,40 +101,36 @@ IsDicom(const std::string & path)
 }
 
 Stage
-Inspection(const CommandLine & commandLine)
+Inspection(const OptionPasser & passer)
 {
   Stage stage(names::inspection, "DicomSeriesInspector");
-  stage.Input("", commandLine.GetString("inputVolume")).Output("json", "series.json");
-  OptionPasser(commandLine).PassThreads(stage);
-  return stage;
-}
-
-Stage
-Segmentation(const CommandLine & commandLine)
-{
-  const OptionPasser passer(commandLine);
-  Stage              stage(names::segmentation, "ColonSegmentation");
-  stage.Input("", commandLine.GetString("inputVolume"))
-    .Output("", "")
-    .Output("report", "report")
-    .Option("keepPartial", "true") // so that the report shows why it failed
-    .Expect({ "lumen.nrrd", "centreline.vtp", "wall.vtp", "wall-repaired.vtp", "wall-simplified.vtp", "quality.json" });
-  passer.Pass(stage, { "inputIsLumen", "position", "faces" });
-  passer.Pass(stage, readingOptions);
-  passer.PassInput(stage, "lumen");
-  for (const auto & p : commandLine.GetPoints("seedPoint"))
-  {
-    stage.Option("seedPoint", CsvTable::Number(p[0]) + ',' + CsvTable::Number(p[1]) + ',' + CsvTable::Number(p[2]));
-  }
+  stage.Input("", passer.Volume()).Output("json", "series.json");
   passer.PassThreads(stage);
   return stage;
 }
 
 Stage
-Flattening(const CommandLine & commandLine, const StagedRun & run)
+Segmentation(const OptionPasser & passer)
 {
-  const OptionPasser passer(commandLine);
-  Stage              stage(names::flattening, "ColonFlattening");
+  Stage stage(names::segmentation, "ColonSegmentation");
+  stage.Input("", passer.Volume())
+    .Output("", "")
+    .Output("report", "report")
+    .Option("keepPartial", "true") // so that the report shows why it failed
+    .Expect({ "lumen.nrrd", "centreline.vtp", "wall.vtp", "wall-repaired.vtp", "wall-simplified.vtp", "quality.json" });
+  passer.Pass(stage, { "inputIsLumen", "faces", "resampleGaps", "deshear", "dropDuplicates" });
+  passer.PassOwn(stage, "position");
+  passer.PassOwn(stage, "seriesUID");
+  passer.PassOwnInput(stage, "lumen");
+  passer.PassSeedPoints(stage);
+  passer.PassThreads(stage);
+  return stage;
+}
+
+Stage
+Flattening(const OptionPasser & passer, const StagedRun & run)
+{
+  Stage stage(names::flattening, "ColonFlattening");
   stage.Input("", run.PathOf(names::segmentation, "wall-simplified.vtp"))
     .Output("", "flat.vtp")
     .Input("centreline", run.PathOf(names::segmentation, "centreline.vtp"))
@@ -122,16 +149,15 @@ Flattening(const CommandLine & commandLine, const StagedRun & run)
 }
 
 Stage
-Landmarks(const CommandLine & commandLine, const StagedRun & run)
+Landmarks(const OptionPasser & passer, const StagedRun & run)
 {
-  const OptionPasser passer(commandLine);
-  Stage              stage(names::landmarks, "ColonLandmarks");
+  Stage stage(names::landmarks, "ColonLandmarks");
   stage.Input("", run.PathOf(names::flattening, "flat.vtp"))
     .Input("", run.PathOf(names::segmentation, "centreline.vtp"))
     .Output("", "")
     .Output("report", "report")
     .Expect({ "landmarks.json", "segments.vtp" });
-  passer.PassInput(stage, "markers");
+  passer.PassOwnInput(stage, "markers");
   passer.Pass(stage, { "flexureRule", "taeniaRule", "split" });
   passer.PassThreads(stage);
   return stage;
@@ -169,10 +195,9 @@ IdentityOfCurves(const std::string & path)
 }
 
 Stage
-Folds(const CommandLine & commandLine, const StagedRun & run)
+Folds(const OptionPasser & passer, const StagedRun & run)
 {
-  const OptionPasser passer(commandLine);
-  Stage              stage(names::folds, "ColonFolds");
+  Stage stage(names::folds, "ColonFolds");
   stage.Input("", run.PathOf(names::flattening, "flat.vtp"))
     .Output("", "labels.nrrd")
     .Output("features", "features.vtp")
@@ -188,20 +213,79 @@ Folds(const CommandLine & commandLine, const StagedRun & run)
   passer.PassThreads(stage);
   return stage;
 }
+
+/** What ColonRegistration reads of a position. */
+std::string
+IdentityOfPosition(const std::string & folder)
+{
+  std::string lines;
+  for (const char * const name : { "/flattening/flat.vtp",
+                                   "/segmentation/centreline.vtp",
+                                   "/landmarks/landmarks.json",
+                                   "/landmarks/folds-surface.vtp",
+                                   "/landmarks/taeniae.vtp",
+                                   "/folds/folds.csv" })
+  {
+    lines += fs::exists(folder + name) ? IdentityOf(folder + name) + ' ' + name + '\n' : "";
+  }
+  return "sha256:" + Sha256OfBytes(lines);
+}
 } // namespace
 
-std::vector<ColonoscopyStage>
-StagesOfColonoscopy(const CommandLine & commandLine)
+std::string
+FolderOfSeries(const std::string & outputFolder, ColonoscopySeries series)
 {
-  std::vector<ColonoscopyStage> stages;
-  if (IsDicom(commandLine.GetString("inputVolume")))
+  return series == ColonoscopySeries::First ? outputFolder : outputFolder + '/' + colonoscopySecondFolder;
+}
+
+std::string
+ParameterOfSeries(const std::string & option, ColonoscopySeries series)
+{
+  if (series == ColonoscopySeries::First)
   {
-    stages.push_back({ names::inspection, 0.02, [&](const StagedRun &) { return Inspection(commandLine); } });
+    return option;
   }
-  stages.push_back({ names::segmentation, 0.5, [&](const StagedRun &) { return Segmentation(commandLine); } });
-  stages.push_back({ names::flattening, 0.25, [&](const StagedRun & run) { return Flattening(commandLine, run); } });
-  stages.push_back({ names::landmarks, 0.1, [&](const StagedRun & run) { return Landmarks(commandLine, run); } });
-  stages.push_back({ names::folds, 0.06, [&](const StagedRun & run) { return Folds(commandLine, run); } });
+  if (option == "inputVolume")
+  {
+    return "second";
+  }
+  const auto first = static_cast<char>(std::toupper(static_cast<unsigned char>(option.front())));
+  return "second" + std::string(1, first) + option.substr(1);
+}
+
+std::vector<ColonoscopyStage>
+StagesOfSeries(const CommandLine & commandLine, ColonoscopySeries series)
+{
+  const OptionPasser            passer(commandLine, series);
+  std::vector<ColonoscopyStage> stages;
+  if (IsDicom(passer.Volume()))
+  {
+    stages.push_back({ names::inspection, 0.02, [=](const StagedRun &) { return Inspection(passer); } });
+  }
+  stages.push_back({ names::segmentation, 0.5, [=](const StagedRun &) { return Segmentation(passer); } });
+  stages.push_back({ names::flattening, 0.25, [=](const StagedRun & run) { return Flattening(passer, run); } });
+  stages.push_back({ names::landmarks, 0.1, [=](const StagedRun & run) { return Landmarks(passer, run); } });
+  stages.push_back({ names::folds, 0.06, [=](const StagedRun & run) { return Folds(passer, run); } });
   return stages;
+}
+
+ColonoscopyStage
+StageOfRegistration(const CommandLine & commandLine)
+{
+  const OptionPasser passer(commandLine, ColonoscopySeries::First);
+  const std::string  folder = commandLine.GetString("outputFolder");
+  const auto         make = [=](const StagedRun &) {
+    Stage stage(names::registration, "ColonRegistration");
+    for (const ColonoscopySeries series : { ColonoscopySeries::First, ColonoscopySeries::Second })
+    {
+      stage.Input("", FolderOfSeries(folder, series), IdentityOfPosition);
+    }
+    stage.Output("", "").Output("report", "report").Expect({ "registration.json", "matches.csv" });
+    passer.Pass(stage, { "matching", "refine", "segmentWise" });
+    passer.PassOwnInput(stage, "evaluate");
+    passer.PassThreads(stage);
+    return stage;
+  };
+  return { names::registration, 1.0, make };
 }
 } // namespace itk

@@ -19,9 +19,30 @@ struct ColonoscopyStage
   std::function<Stage(const StagedRun &)> make;
 };
 
-/** The stages in their order, with the options that the command line gives them. */
+/** One of the series of a run. Options that belong to one series alone (seriesUID, lumen, markers, seedPoint, position)
+ * have "second" in front for the second one. */
+enum class ColonoscopySeries
+{
+  First,
+  Second
+};
+
+/** Where results of a series lie in the output folder of the run. */
+std::string
+FolderOfSeries(const std::string & outputFolder, ColonoscopySeries series);
+
+/** The parameter of the tool that gives this option to this series: seriesUID or secondSeriesUID; inputVolume or
+ * second. */
+std::string
+ParameterOfSeries(const std::string & option, ColonoscopySeries series);
+
+/** The stages of a series in their order, with the options that the command line gives them. */
 std::vector<ColonoscopyStage>
-StagesOfColonoscopy(const CommandLine & commandLine);
+StagesOfSeries(const CommandLine & commandLine, ColonoscopySeries series);
+
+/** What looks at both series, when each has come to its end. */
+ColonoscopyStage
+StageOfRegistration(const CommandLine & commandLine);
 } // namespace itk
 
 #endif

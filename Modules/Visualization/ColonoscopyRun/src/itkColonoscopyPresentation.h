@@ -1,0 +1,28 @@
+#ifndef itkColonoscopyPresentation_h
+#define itkColonoscopyPresentation_h
+
+#include "itkStagedRun.h"
+
+#include <string>
+#include <vector>
+
+namespace itk
+{
+class CommandLine;
+
+/** What the report of a series is made of. */
+struct ColonoscopyPresentation
+{
+  std::string              folder;
+  std::vector<StageResult> stages;
+  std::vector<std::string> warnings;
+  /** "" where all is well. */
+  std::string failure;
+};
+
+/** Writes report.html and the files for Slicer; again when a stage or one of these files has changed. */
+void
+Present(CommandLine & commandLine, const ColonoscopyPresentation & presentation);
+} // namespace itk
+
+#endif
