@@ -32,6 +32,15 @@ WithoutLandmarks(itk::ColonPositionFiles files)
   return files;
 }
 
+/** Also where the tests run once more. */
+void
+CopyWithout(const std::string & from, const std::string & to, const std::string & file)
+{
+  std::filesystem::remove_all(to);
+  std::filesystem::copy(from, to, std::filesystem::copy_options::recursive);
+  std::filesystem::remove(to + '/' + file);
+}
+
 void
 WritePoints(const Movement & movement, const std::string & path)
 {
@@ -63,15 +72,12 @@ main(int argc, char * argv[])
   const Movement    movement{ 0.37, 8.0 };
   WriteExamination(MakeExamination("supine", 1, {}), folder + "/supine");
   WriteExamination(WithCollapse(MakeExamination("prone", 1, movement), 330.0, 390.0), folder + "/prone");
-  WriteExamination(MakeExamination("prone", 2, movement), folder + "/otherPatient");
+  WriteExamination(MakeExamination("prone", 8, movement), folder + "/otherPatient");
   WriteExamination(MakeExamination("prone", 1, movement, true), folder + "/reversed");
   WriteExamination(WithoutLandmarks(MakeExamination("prone", 1, movement)), folder + "/noFlexures");
-  std::filesystem::copy(folder + "/noFlexures", folder + "/noLandmarks", std::filesystem::copy_options::recursive);
-  std::filesystem::remove(folder + "/noLandmarks/landmarks/taeniae.vtp");
-  std::filesystem::copy(folder + "/prone", folder + "/noTaeniae", std::filesystem::copy_options::recursive);
-  std::filesystem::remove(folder + "/noTaeniae/landmarks/taeniae.vtp");
-  std::filesystem::copy(folder + "/prone", folder + "/noFolds", std::filesystem::copy_options::recursive);
-  std::filesystem::remove(folder + "/noFolds/folds/folds.csv");
+  CopyWithout(folder + "/noFlexures", folder + "/noLandmarks", "landmarks/taeniae.vtp");
+  CopyWithout(folder + "/prone", folder + "/noTaeniae", "landmarks/taeniae.vtp");
+  CopyWithout(folder + "/prone", folder + "/noFolds", "folds/folds.csv");
   WritePoints(movement, folder + "/points.csv");
   return 0;
 }

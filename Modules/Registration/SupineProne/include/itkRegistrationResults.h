@@ -20,7 +20,7 @@ enum class FoldVerdict
   Unknown,
   Correct,
   Wrong,
-  /** The fold has no partner though its true one was found. */
+  /** The fold has no partner though its true one was found and is free. */
   Unmatched
 };
 
@@ -70,7 +70,8 @@ struct SegmentMatches
   int proneAlone{ 0 };
   /** Mean of the confidence where something is to be seen, 0 to 1; not a number where nothing is. */
   double confidence{ 0.0 };
-  /** \name Where points tell the truth: of folds that were found in both positions; wrong ones also of others */
+  /** \name Where points tell the truth: pairs that are correct or wrong, and supine folds alone whose true partner was
+   * found and is in no correct pair */
   ///@{
   int correct{ 0 };
   int wrong{ 0 };

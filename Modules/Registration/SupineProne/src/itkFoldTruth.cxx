@@ -3,8 +3,10 @@
 #include "itkFlatColonLocator.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <optional>
+#include <set>
 
 namespace itk
 {
@@ -76,22 +78,66 @@ Moved(const CylinderPlace & place, const std::vector<PlacePair> & pairs, double 
   return CylinderPlace{ place.s + moved.s / weights, place.turn + firstTurn + moved.turn / weights };
 }
 
-/** Of the origin to the line from a to b. */
+/** Of a place to the line from a to b, all on the plane. */
 double
-DistanceToLine(const Eigen::Vector2d & a, const Eigen::Vector2d & b)
+DistanceToLine(const Eigen::Vector2d & place, const Eigen::Vector2d & a, const Eigen::Vector2d & b)
 {
   const Eigen::Vector2d edge = b - a;
   const double          square = edge.squaredNorm();
-  const double          share = square > 0.0 ? std::clamp(-a.dot(edge) / square, 0.0, 1.0) : 0.0;
-  return (a + share * edge).norm();
+  const double          share = square > 0.0 ? std::clamp((place - a).dot(edge) / square, 0.0, 1.0) : 0.0;
+  return (place - a - share * edge).norm();
 }
 
+/** End, middle and end of a crest in mm on a plane. */
+using Crest = std::array<Eigen::Vector2d, 3>;
+
 double
-DistanceToCrest(const CylinderPlace & place, const HaustralFold & fold, const ColonCylinder & cylinder)
+MeanDistance(const Crest & from, const Crest & to)
 {
-  const auto way = [&](const Eigen::Vector2d & uv) { return Way(place, cylinder.PlaceOfUv(uv), cylinder.Around()); };
-  const Eigen::Vector2d middle = way(fold.centreUv);
-  return std::min(DistanceToLine(way(fold.endUv[0]), middle), DistanceToLine(middle, way(fold.endUv[1])));
+  const std::array<Eigen::Vector2d, 5> places{
+    { from[0], 0.5 * (from[0] + from[1]), from[1], 0.5 * (from[1] + from[2]), from[2] }
+  };
+  double sum = 0.0;
+  for (const Eigen::Vector2d & place : places)
+  {
+    sum += std::min(DistanceToLine(place, to[0], to[1]), DistanceToLine(place, to[1], to[2]));
+  }
+  return sum / static_cast<double>(places.size());
+}
+
+std::array<CylinderPlace, 3>
+PlacesOfCrest(const HaustralFold & fold, const ColonCylinder & cylinder)
+{
+  return {
+    { cylinder.PlaceOfUv(fold.endUv[0]), cylinder.PlaceOfUv(fold.centreUv), cylinder.PlaceOfUv(fold.endUv[1]) }
+  };
+}
+
+/** Ends without points near them move as the middle does; nothing where that has none either. */
+std::optional<std::array<CylinderPlace, 3>>
+MovedCrest(const std::array<CylinderPlace, 3> & crest, const std::vector<PlacePair> & pairs, double around)
+{
+  const std::optional<CylinderPlace> middle = Moved(crest[1], pairs, around);
+  if (!middle)
+  {
+    return std::nullopt;
+  }
+  std::array<CylinderPlace, 3> moved{ { *middle, *middle, *middle } };
+  for (const int end : { 0, 2 })
+  {
+    const std::optional<CylinderPlace> known = Moved(crest[end], pairs, around);
+    moved[end] = known ? *known
+                       : CylinderPlace{ middle->s + crest[end].s - crest[1].s,
+                                        middle->turn + TurnDifference(crest[end].turn, crest[1].turn) };
+  }
+  return moved;
+}
+
+/** On the plane about a place. */
+Crest
+Unrolled(const std::array<CylinderPlace, 3> & crest, const CylinderPlace & about, double around)
+{
+  return { { Way(about, crest[0], around), Way(about, crest[1], around), Way(about, crest[2], around) } };
 }
 } // namespace
 
@@ -99,43 +145,58 @@ FoldTruth::FoldTruth(const ColonPositionFiles &      supine,
                      const ColonPositionFiles &      prone,
                      const SupineProneRegistration & registration,
                      const std::vector<PointPair> &  points)
-  : m_Partner(supine.position.folds.size(), Unknown)
+  : m_IsKnown(supine.position.folds.size(), 0), m_Same(supine.position.folds.size())
 {
   constexpr double             greatest = 8.0; // mm
+  const double                 around = registration.target->Around();
   const std::vector<PlacePair> places = PlacesOf(registration, points);
-  for (std::size_t i = 0; i < m_Partner.size(); ++i)
+  for (std::size_t i = 0; i < m_Same.size(); ++i)
   {
-    const CylinderPlace own = registration.source->PlaceOfUv(supine.position.folds[i].centreUv);
-    const auto          moved = Moved(own, places, registration.source->Around());
-    if (!moved)
+    const auto moved =
+      MovedCrest(PlacesOfCrest(supine.position.folds[i], *registration.source), places, registration.source->Around());
+    m_IsKnown[i] = moved.has_value();
+    for (std::size_t j = 0; moved && j < prone.position.folds.size(); ++j)
     {
-      continue;
-    }
-    m_Partner[i] = NotFound;
-    double least = greatest;
-    for (std::size_t j = 0; j < prone.position.folds.size(); ++j)
-    {
-      const double distance = DistanceToCrest(*moved, prone.position.folds[j], *registration.target);
-      if (distance < least)
+      const CylinderPlace & about = (*moved)[1];
+      const Crest           own = Unrolled(*moved, about, around);
+      const Crest other = Unrolled(PlacesOfCrest(prone.position.folds[j], *registration.target), about, around);
+      if (std::min(MeanDistance(own, other), MeanDistance(other, own)) < greatest)
       {
-        least = distance;
-        m_Partner[i] = static_cast<int>(j);
+        m_Same[i].push_back(static_cast<int>(j));
       }
     }
   }
 }
 
-FoldVerdict
-FoldTruth::OfPair(int supine, int prone) const
+std::vector<FoldVerdict>
+FoldTruth::Judge(const std::vector<FoldMatch> & matches) const
 {
-  return m_Partner[supine] == Unknown ? FoldVerdict::Unknown
-         : m_Partner[supine] == prone ? FoldVerdict::Correct
-                                      : FoldVerdict::Wrong;
-}
-
-FoldVerdict
-FoldTruth::OfAlone(int supine) const
-{
-  return m_Partner[supine] >= 0 ? FoldVerdict::Unmatched : FoldVerdict::Unknown;
+  std::vector<FoldVerdict> verdicts(m_Same.size(), FoldVerdict::Unknown);
+  std::vector<char>        isAlone(m_Same.size(), 1);
+  std::set<int>            taken;
+  for (const FoldMatch & match : matches)
+  {
+    const std::vector<int> & same = m_Same[match.source];
+    isAlone[match.source] = 0;
+    if (m_IsKnown[match.source])
+    {
+      const bool isCorrect = std::find(same.begin(), same.end(), match.target) != same.end();
+      verdicts[match.source] = isCorrect ? FoldVerdict::Correct : FoldVerdict::Wrong;
+      if (isCorrect)
+      {
+        taken.insert(match.target);
+      }
+    }
+  }
+  for (std::size_t i = 0; i < m_Same.size(); ++i)
+  {
+    const bool hasFree =
+      std::any_of(m_Same[i].begin(), m_Same[i].end(), [&](int other) { return taken.count(other) == 0; });
+    if (isAlone[i] && hasFree)
+    {
+      verdicts[i] = FoldVerdict::Unmatched;
+    }
+  }
+  return verdicts;
 }
 } // namespace itk

@@ -6,9 +6,9 @@
 namespace itk
 {
 /** Which folds are the same, as points with known correspondence tell. All on the unrolled walls, so that the height of
- * folds is of no account: a supine fold moves as the points within 10 mm of its middle do; its partner is the prone
- * fold with the nearest crest, if that is less than 8 mm away (folds slide some mm against the wall, and lie 15 mm
- * apart or more). */
+ * folds is of no account: each place of a supine crest moves as the points within 10 mm do. Two folds are the same
+ * where the shorter crest lies within 8 mm of the longer one in the mean (folds slide some mm against the wall, and lie
+ * 15 mm apart or more); one that was found in two pieces is the same as both. */
 class FoldTruth
 {
 public:
@@ -17,20 +17,15 @@ public:
             const SupineProneRegistration & registration,
             const std::vector<PointPair> &  points);
 
-  /** Of a pair of indices. */
-  FoldVerdict
-  OfPair(int supine, int prone) const;
-  /** Of a supine fold that has no partner. */
-  FoldVerdict
-  OfAlone(int supine) const;
+  /** Of each supine fold, with these pairs of indices. A fold without a partner is unmatched where a prone one is the
+   * same that is in no correct pair. */
+  std::vector<FoldVerdict>
+  Judge(const std::vector<FoldMatch> & matches) const;
 
 private:
-  enum : int
-  {
-    Unknown = -2,
-    NotFound = -1
-  };
-  std::vector<int> m_Partner; ///< of each supine fold
+  /** Of supine folds: whether points are near, and the prone folds that are the same. */
+  std::vector<char>             m_IsKnown;
+  std::vector<std::vector<int>> m_Same;
 };
 } // namespace itk
 

@@ -52,6 +52,15 @@ PointOf(const CsvFile & file, std::size_t row, const std::string & prefix)
   return { file.Number(row, prefix + "x"), file.Number(row, prefix + "y"), file.Number(row, prefix + "z") };
 }
 
+/** To a thousandth, of mm or of a share: more is not known. Empty for what is no number. */
+std::string
+Cell(double value)
+{
+  constexpr double parts = 1000.0;
+  constexpr int    digits = 9;
+  return std::isfinite(value) ? CsvTable::Rounded(std::round(parts * value) / parts + 0.0, digits) : "";
+}
+
 std::vector<std::string>
 CellsOf(const Eigen::Vector3d & supine, const Eigen::Vector3d & prone)
 {
@@ -60,7 +69,7 @@ CellsOf(const Eigen::Vector3d & supine, const Eigen::Vector3d & prone)
   {
     for (int k = 0; k < 3; ++k)
     {
-      cells.push_back(CsvTable::Rounded(point[k], 6));
+      cells.push_back(Cell(point[k]));
     }
   }
   return cells;
@@ -225,12 +234,12 @@ TableOfMatches(const RegistrationResults & results)
     {
       cells.push_back(cell);
     }
-    cells.push_back(CsvTable::Rounded(match.supineArcLength, 6));
-    cells.push_back(CsvTable::Rounded(match.proneArcLength, 6));
+    cells.push_back(Cell(match.supineArcLength));
+    cells.push_back(Cell(match.proneArcLength));
     cells.push_back(match.segment);
     for (const double value : { match.cost, match.residual, match.weight })
     {
-      cells.push_back(CsvTable::Rounded(value, 6));
+      cells.push_back(Cell(value));
     }
     cells.push_back(match.IsFollowed() ? "1" : "0");
     cells.push_back(NameOf(match.verdict));
@@ -242,8 +251,7 @@ TableOfMatches(const RegistrationResults & results)
 CsvTable
 TableOfErrors(const RegistrationResults & results)
 {
-  CsvTable   table(errorColumns);
-  const auto cellOf = [](double value) { return std::isfinite(value) ? CsvTable::Rounded(value, 6) : ""; };
+  CsvTable table(errorColumns);
   for (std::size_t i = 0; i < results.points.size(); ++i)
   {
     const PointError &       error = results.errors[i];
@@ -251,8 +259,8 @@ TableOfErrors(const RegistrationResults & results)
     cells.push_back(error.kind == PointError::Kind::Counted    ? "counted"
                     : error.kind == PointError::Kind::Excluded ? "excluded"
                                                                : "offSurface");
-    cells.push_back(cellOf(error.inSpace));
-    cells.push_back(cellOf(error.onMap));
+    cells.push_back(Cell(error.inSpace));
+    cells.push_back(std::isfinite(error.onMap) ? CsvTable::Rounded(error.onMap, 4) : "");
     table.AddRow(cells);
   }
   return table;

@@ -74,7 +74,10 @@ public:
           const ColonPositionFiles &      prone,
           const SupineProneRegistration & registration,
           const std::vector<PointPair> &  truth)
-    : m_Supine(supine), m_Prone(prone), m_Registration(registration), m_Truth(supine, prone, registration, truth)
+    : m_Supine(supine)
+    , m_Prone(prone)
+    , m_Registration(registration)
+    , m_Verdicts(FoldTruth(supine, prone, registration, truth).Judge(registration.matches))
   {
     m_Results.points = truth;
   }
@@ -119,10 +122,6 @@ private:
   {
     const std::vector<HaustralFold> & supine = m_Supine.position.folds;
     const std::vector<HaustralFold> & prone = m_Prone.position.folds;
-    for (std::size_t i = 0; i < supine.size(); ++i)
-    {
-      m_Verdicts.push_back(m_Truth.OfAlone(static_cast<int>(i)));
-    }
     for (const FoldMatch & match : m_Registration.matches)
     {
       const HaustralFold & from = supine[match.source];
@@ -138,8 +137,7 @@ private:
       told.cost = match.cost;
       told.residual = match.residual;
       told.weight = match.weight;
-      told.verdict = m_Truth.OfPair(match.source, match.target);
-      m_Verdicts[match.source] = told.verdict;
+      told.verdict = m_Verdicts[match.source];
       m_Results.matches.push_back(told);
     }
   }
@@ -228,7 +226,6 @@ private:
   const ColonPositionFiles &      m_Supine;
   const ColonPositionFiles &      m_Prone;
   const SupineProneRegistration & m_Registration;
-  FoldTruth                       m_Truth;
   std::vector<FoldVerdict>        m_Verdicts; ///< of the supine folds
   RegistrationResults             m_Results;
 };

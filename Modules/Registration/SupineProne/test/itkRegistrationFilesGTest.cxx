@@ -224,17 +224,47 @@ TEST(RegistrationResults, CountsOfSegmentsAddUp)
 TEST(RegistrationResults, VerdictsFollowTheTruth)
 {
   const Pair & pair = TestPair();
-  for (const itk::MatchedFolds & match : pair.results.matches)
+  // As if the prone wall lay one gap between folds farther along: hardly a pair can be right by chance.
+  std::vector<itk::PointPair> shifted = KnownPoints(movement);
+  for (itk::PointPair & known : shifted)
   {
-    // The movement does not change the order, so the same fold has the same label but for equal places.
-    const auto & from = pair.supine.position.folds[match.supineFold - 1];
-    const auto & to = pair.prone.position.folds[match.proneFold - 1];
-    const double goal = movement.S(from.arcLength - firstArc) + firstArc;
-    if (match.verdict == itk::FoldVerdict::Correct)
-    {
-      EXPECT_NEAR(to.arcLength, goal, 8.0);
-    }
+    known.target.z() += 20.0;
   }
+  const auto wrong = itk::MakeRegistrationResults(pair.supine, pair.prone, pair.registration, shifted);
+  EXPECT_GT(wrong.document["matches"]["wrong"], 0.6 * wrong.matches.size());
+  // A pair that is taken away is missed, both alike.
+  itk::SupineProneRegistration fewer = pair.registration;
+  fewer.matches.erase(fewer.matches.begin() + 20);
+  const auto missed = itk::MakeRegistrationResults(pair.supine, pair.prone, fewer, pair.results.points);
+  EXPECT_EQ(missed.document["matches"]["unmatched"], 1);
+  EXPECT_EQ(missed.document["matches"]["correct"], pair.results.document["matches"]["correct"].get<int>() - 1);
+  EXPECT_EQ(missed.matches[20].verdict, itk::FoldVerdict::Correct);
+  // Without points nothing is known.
+  const auto unknown = itk::MakeRegistrationResults(pair.supine, pair.prone, pair.registration);
+  EXPECT_EQ(unknown.matches[0].verdict, itk::FoldVerdict::Unknown);
+  EXPECT_FALSE(unknown.document["matches"].contains("correct"));
+}
+
+TEST(RegistrationResults, TablesAreReadBack)
+{
+  const itk::RegistrationResults & results = TestPair().results;
+  const std::string                folder = FreshFolder("results");
+  itk::TableOfMatches(results).Write(folder + "/matches.csv");
+  itk::TableOfErrors(results).Write(folder + "/errors.csv");
+  itk::WriteJson(results.document, folder + "/registration.json");
+  itk::WriteSurface(results.supineToProne, folder + "/map-supine-to-prone.vtp");
+  itk::WriteSurface(results.proneToSupine, folder + "/map-prone-to-supine.vtp");
+  const itk::RegistrationResults read = itk::ReadRegistrationResults(folder);
+  EXPECT_EQ(itk::TableOfMatches(read).GetRows(), itk::TableOfMatches(results).GetRows());
+  EXPECT_EQ(itk::TableOfErrors(read).GetRows(), itk::TableOfErrors(results).GetRows());
+  EXPECT_EQ(read.document, results.document);
+  ASSERT_EQ(read.segments.size(), results.segments.size());
+  EXPECT_EQ(read.segments[1].followed, results.segments[1].followed);
+  EXPECT_NEAR(read.segments[1].confidence, results.segments[1].confidence, 1e-5);
+  const auto & mapped = itk::FindSurfaceArray(read.supineToProne.pointArrays, "mapped")->values;
+  EXPECT_EQ(mapped, itk::FindSurfaceArray(results.supineToProne.pointArrays, "mapped")->values);
+  std::filesystem::remove(folder + "/matches.csv");
+  EXPECT_NE(FaultOf([&] { itk::ReadRegistrationResults(folder); }).find("matches.csv"), std::string::npos);
 }
 
 TEST(RegistrationResults, ErrorsOfTheMapAndOfTheFrame)
