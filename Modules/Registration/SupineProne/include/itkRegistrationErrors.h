@@ -59,17 +59,19 @@ struct RegistrationErrors
   HalfInterval() const;
 };
 
-/** Of each pair. Of `frame` instead of `map` with `measuresFrame`. \ingroup SupineProne */
+/** How far a map between the positions of a registration takes each of the points from where it should go.
+ * \ingroup SupineProne */
 SupineProne_EXPORT std::vector<PointError>
                    ErrorsOfPoints(const SupineProneRegistration & registration,
-                                  const std::vector<PointPair> &  pairs,
-                                  bool                            measuresFrame = false);
+                                  const CylinderMap &             map,
+                                  const std::vector<PointPair> &  pairs);
 
 /** Those that count, and how many do not. \ingroup SupineProne */
 SupineProne_EXPORT RegistrationErrors
 SummaryOf(const std::vector<PointError> & errors);
 
-/** SummaryOf() ErrorsOfPoints(). \ingroup SupineProne */
+/** SummaryOf() ErrorsOfPoints() by the map of the registration, or by its `frame` with `measuresFrame`.
+ * \ingroup SupineProne */
 SupineProne_EXPORT RegistrationErrors
 MeasureRegistrationErrors(const SupineProneRegistration & registration,
                           const std::vector<PointPair> &  pairs,

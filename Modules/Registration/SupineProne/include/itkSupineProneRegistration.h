@@ -81,7 +81,9 @@ struct SupineProneRegistration
   /** From source to target. */
   CylinderMap map;
   /** The frame of flexures and taeniae that it began with, for comparison. */
-  CylinderMap            frame;
+  CylinderMap frame;
+  /** The warping, before folds were matched. */
+  CylinderMap            warp;
   std::vector<FoldMatch> matches;
   FoldMatching           matching;
   RegistrationConfidence confidence;

@@ -183,4 +183,23 @@ CorrectWarp(const ColonPair & pair, const CylindricalWarp & warp, FoldMatchingMe
   }
   return corrected;
 }
+
+CorrectedWarp
+CorrectWarpExactly(const ColonPair & pair, const CylindricalWarp & warp)
+{
+  SmoothCorrectionOptions options;
+  options.step = 4.0;
+  options.angles = 36;
+  options.deviation = 0.1;
+  options.iterations = 1;
+  CorrectedWarp corrected;
+  corrected.warp = warp;
+  corrected.matching = MatchAbout(pair, corrected.Warp(pair), FoldMatchingMethod::Hungarian);
+  const auto correction = std::make_shared<SmoothCorrection>(
+    pair.sourceCylinder->Begin(), pair.sourceCylinder->End(), pair.Around(), options);
+  correction->Fit(ConstraintsOfFolds(pair, corrected));
+  corrected.correction = correction;
+  corrected.pairWeights.assign(corrected.matching.pairs.size(), 1.0);
+  return corrected;
+}
 } // namespace itk

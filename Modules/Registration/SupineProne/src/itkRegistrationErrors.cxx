@@ -89,7 +89,9 @@ RegistrationErrors::HalfInterval() const
 }
 
 std::vector<PointError>
-ErrorsOfPoints(const SupineProneRegistration & registration, const std::vector<PointPair> & pairs, bool measuresFrame)
+ErrorsOfPoints(const SupineProneRegistration & registration,
+               const CylinderMap &             map,
+               const std::vector<PointPair> &  pairs)
 {
   constexpr double        greatestDistance = 10.0; // mm from the surface
   const FlatColonLocator  source(registration.source->Grid());
@@ -105,7 +107,7 @@ ErrorsOfPoints(const SupineProneRegistration & registration, const std::vector<P
       continue;
     }
     const CylinderPlace   place = registration.source->PlaceOfUv(from.uv);
-    const CylinderPlace   mapped = (measuresFrame ? registration.frame : registration.map).Forward(place);
+    const CylinderPlace   mapped = map.Forward(place);
     const Eigen::Vector2d uv = registration.target->UvOfPlace(mapped);
     const double          du = (uv.x() - to.uv.x()) / around;
     const double          dv = TurnDifference(uv.y() / around, to.uv.y() / around);
@@ -138,6 +140,6 @@ MeasureRegistrationErrors(const SupineProneRegistration & registration,
                           const std::vector<PointPair> &  pairs,
                           bool                            measuresFrame)
 {
-  return SummaryOf(ErrorsOfPoints(registration, pairs, measuresFrame));
+  return SummaryOf(ErrorsOfPoints(registration, measuresFrame ? registration.frame : registration.map, pairs));
 }
 } // namespace itk

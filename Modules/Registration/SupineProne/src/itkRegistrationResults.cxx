@@ -95,7 +95,7 @@ public:
     RegistrationErrors frame;
     if (!m_Results.points.empty())
     {
-      m_Results.errors = ErrorsOfPoints(m_Registration, m_Results.points);
+      m_Results.errors = ErrorsOfPoints(m_Registration, m_Registration.map, m_Results.points);
       frame = MeasureRegistrationErrors(m_Registration, m_Results.points, true);
     }
     m_Results.document = DocumentOf(m_Registration, m_Results, frame);

@@ -85,6 +85,7 @@ RegisterColonPositions(const ColonPosition & source, const ColonPosition & targe
   result.matching = choice.best.matching;
   result.frame =
     CylinderMap(NodesOf(pair, { pair.frame, { choice.best.warp.s, choice.frameRotation }, nullptr, pair.Around() }));
+  result.warp = CylinderMap(NodesOf(pair, choice.best.Warp(pair)));
   ProjectMap(pair, choice.best, options.greatestDilatation, result);
   JudgeRegistration(source, target, result);
   return result;

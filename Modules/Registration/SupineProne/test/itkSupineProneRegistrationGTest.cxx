@@ -1,4 +1,5 @@
 #include "itkRegistrationErrors.h"
+#include "itkRegistrationSchemes.h"
 #include "itkTestColons.h"
 #include "itkToolError.h"
 
@@ -17,9 +18,11 @@ SomeMovement()
   return { 0.37, 8.0 };
 }
 
-/** Errors of the map in mm of the flat map at places all over the tube. */
+/** Errors of a map in mm of the flat map at places all over the tube. */
 double
-GreatestError(const itk::SupineProneRegistration & registration, const Movement & movement)
+GreatestError(const itk::SupineProneRegistration & registration,
+              const itk::CylinderMap &             map,
+              const Movement &                     movement)
 {
   const double circumference = 2.0 * pi * radius;
   double       greatest = 0.0;
@@ -28,12 +31,19 @@ GreatestError(const itk::SupineProneRegistration & registration, const Movement 
     for (double turn = 0.03; turn < 1.0; turn += 0.11)
     {
       const itk::CylinderPlace goal = movement({ s, turn });
-      const Eigen::Vector2d    uv = itk::MapUv(registration, { s, turn * circumference });
+      const Eigen::Vector2d    from(s, turn * circumference);
+      const Eigen::Vector2d    uv = registration.target->UvOfPlace(map.Forward(registration.source->PlaceOfUv(from)));
       greatest = std::max(
         greatest, std::hypot(uv.x() - goal.s, itk::TurnDifference(uv.y() / circumference, goal.turn) * circumference));
     }
   }
   return greatest;
+}
+
+double
+GreatestError(const itk::SupineProneRegistration & registration, const Movement & movement)
+{
+  return GreatestError(registration, registration.map, movement);
 }
 } // namespace
 
@@ -107,4 +117,24 @@ TEST(SupineProneRegistration, ErrorsAreMeasuredAgainstPointsInSpace)
   EXPECT_EQ(errors.inSpace.size(), 50U);
   EXPECT_LT(errors.Mean(), 1.0);
   EXPECT_EQ(errors.ShareWithin10(), 1.0);
+}
+
+TEST(SupineProneRegistration, SimplerSchemesFindWhatTheyCanExpress)
+{
+  using Scheme = itk::RegistrationScheme;
+  const auto errorOf = [](Scheme scheme, const Movement & movement) {
+    const itk::ColonPosition supine = MakePosition("supine", 1, {});
+    const itk::ColonPosition prone = MakePosition("prone", 1, movement);
+    const auto               registration = itk::RegisterColonPositions(supine, prone);
+    return GreatestError(registration, itk::MapOfScheme(scheme, supine, prone, registration), movement);
+  };
+  const Movement turned{ 0.375, 0.0 }; // a rotation that the schemes try, of 48
+  for (const Scheme scheme : { Scheme::Rectangles, Scheme::Centreline, Scheme::Landmarks, Scheme::HardConstraints })
+  {
+    EXPECT_LT(errorOf(scheme, turned), 3.0) << static_cast<int>(scheme);
+  }
+  const Movement both = SomeMovement();
+  EXPECT_GT(errorOf(Scheme::Centreline, both), 7.0); // 8 mm of stretch are out of its reach
+  EXPECT_LT(errorOf(Scheme::Warping, both), 5.0);
+  EXPECT_LT(errorOf(Scheme::HardConstraints, both), 3.0);
 }
