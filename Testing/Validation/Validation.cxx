@@ -1,4 +1,4 @@
-// Regenerates the tables of the validation report: Validation [--quick] [--output FOLDER] [PART]
+// Regenerates the tables of the validation report: Validation [--quick] [--patients N] [--output FOLDER] [PART]
 #include "ValidationReport.h"
 
 #include <cstdio>
@@ -37,6 +37,7 @@ const std::vector<Part> parts = {
   { "colon-surfaces-fine", "Synthetic colons in fine voxels", ValidateColonSurfacesFine, false, false },
   { "colon-landmarks", "Folds, taeniae and flexures of synthetic colons", ValidateColonLandmarks, false },
   { "colon-landmarks-ct", "The same from CT", ValidateColonLandmarksFromCt, false, false },
+  { "colon-registration", "Supine and prone: one map between two positions", ValidateColonRegistration, false },
 };
 
 int
@@ -75,9 +76,13 @@ main(int argc, char * argv[])
     {
       output = argv[++i];
     }
+    else if (argument == "--patients" && i + 1 < argc && std::atoi(argv[i + 1]) > 0)
+    {
+      settings.patients = std::atoi(argv[++i]);
+    }
     else if (argument.empty() || argument[0] == '-' || !wanted.empty())
     {
-      return Fail("usage: Validation [--quick] [--output FOLDER] [PART], PART one of " + PartNames());
+      return Fail("usage: Validation [--quick] [--patients N] [--output FOLDER] [PART], PART one of " + PartNames());
     }
     else
     {

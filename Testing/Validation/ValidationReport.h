@@ -56,6 +56,7 @@ MeanWithInterval(const std::vector<double> & values);
 struct ValidationSettings
 {
   bool        quick{ false };
+  int         patients{ 0 };       ///< synthetic ones of each preset; 0 for what is asked
   std::string dataFolder;          ///< empty where there is no real data
   std::string outputFolder{ "." }; ///< for pictures beside the page
   std::string pictureFolder;       ///< for those of Documentation/pictures
@@ -94,6 +95,8 @@ void
 ValidateColonLandmarks(const ValidationSettings & settings, ValidationReport & report);
 void
 ValidateColonLandmarksFromCt(const ValidationSettings & settings, ValidationReport & report);
+void
+ValidateColonRegistration(const ValidationSettings & settings, ValidationReport & report);
 void
 ValidateColonNoise(const ValidationSettings & settings, ValidationReport & report);
 void

@@ -1,0 +1,273 @@
+#include "RegistrationTrial.h"
+
+#include "TrueFolds.h"
+
+#include "itkColonLandmarks.h"
+#include "itkColonTaeniae.h"
+#include "itkToolError.h"
+
+#include <chrono>
+#include <cmath>
+#include <limits>
+
+using namespace itk;
+
+namespace
+{
+/** Along the centreline of the exam, mm: where one true segment ends and the next begins. */
+std::array<double, 4>
+TrueFlexures(const LandmarkExam & exam)
+{
+  const CurveSet        truth = exam.anatomy->Centreline();
+  const Eigen::VectorXd segment = PointValues(truth, "segment", "the truth");
+  const Eigen::VectorXd arcLength = PointValues(exam.centreline, "arcLength", "the centreline");
+  std::array<double, 4> flexures;
+  flexures.fill(std::numeric_limits<double>::quiet_NaN());
+  for (Eigen::Index i = 1; i < segment.size(); ++i)
+  {
+    const int flexure = static_cast<int>(segment[i]) - 2;
+    if (segment[i] != segment[i - 1] && flexure >= 0 && flexure < 4)
+    {
+      Eigen::Index nearest = 0;
+      (exam.centreline.V.rowwise() - truth.V.row(i)).rowwise().squaredNorm().minCoeff(&nearest);
+      flexures[flexure] = arcLength[nearest];
+    }
+  }
+  return flexures;
+}
+
+void
+AddFoundLandmarks(const LandmarkExam & exam, ColonPosition & position)
+{
+  const ColonLandmarks landmarks = FindColonLandmarks(exam.flat, exam.centreline);
+  position.taeniae = TaeniaCurves(landmarks.taeniae);
+  for (std::size_t k = 0; k < landmarks.flexures.flexures.size(); ++k)
+  {
+    const ColonFlexure & flexure = landmarks.flexures.flexures[k];
+    if (flexure.isFound)
+    {
+      position.flexures[k] = flexure.arcLength;
+      position.flexureConfidence[k] = flexure.confidence;
+    }
+  }
+}
+
+/** Points of the wall that both positions have, outside true collapse. */
+std::vector<PointPair>
+TruePairs(const ColonAnatomy & source, const ColonAnatomy & target)
+{
+  const CurveSet        a = source.Correspondence();
+  const CurveSet        b = target.Correspondence();
+  const Eigen::VectorXd idOfA = PointValues(a, "materialId", "the truth");
+  const Eigen::VectorXd idOfB = PointValues(b, "materialId", "the truth");
+  const Eigen::VectorXd collapsedA = PointValues(a, "collapsed", "the truth");
+  const Eigen::VectorXd collapsedB = PointValues(b, "collapsed", "the truth");
+  std::map<long, int>   rowOfId;
+  for (Eigen::Index i = 0; i < idOfB.size(); ++i)
+  {
+    rowOfId[std::lround(idOfB[i])] = static_cast<int>(i);
+  }
+  std::vector<PointPair> pairs;
+  for (Eigen::Index i = 0; i < idOfA.size(); ++i)
+  {
+    const auto found = rowOfId.find(std::lround(idOfA[i]));
+    if (found != rowOfId.end() && collapsedA[i] == 0.0 && collapsedB[found->second] == 0.0)
+    {
+      pairs.push_back({ a.V.row(i), b.V.row(found->second) });
+    }
+  }
+  return pairs;
+}
+
+bool
+IsBorderPoint(const FlatColonGrid & grid, const Eigen::Vector2d & uv)
+{
+  constexpr double close = 15.0; // mm
+  return std::min(uv.y(), grid.Circumference() - uv.y()) <= close;
+}
+
+/** `outcome` of each fold of the source. */
+void
+CountPoints(const ColonPosition &                   source,
+            const TrueFolds &                       truth,
+            const std::vector<int> &                foldOf,
+            const std::vector<FeaturePointCounts> & outcome,
+            RegistrationScore &                     score)
+{
+  for (std::size_t i = 0; i < source.folds.size(); ++i)
+  {
+    const int segment = foldOf[i] >= 0 ? truth.SegmentOf(foldOf[i]) : 0;
+    for (const Eigen::Vector2d & uv : source.folds[i].endUv)
+    {
+      for (const int row : { 0, segment })
+      {
+        score.allPoints[row].Add(outcome[i]);
+        if (IsBorderPoint(*source.grid, uv))
+        {
+          score.borderPoints[row].Add(outcome[i]);
+        }
+        if (segment == 0)
+        {
+          break;
+        }
+      }
+    }
+  }
+}
+
+bool
+IsSeen(const ColonPosition & position, const HaustralFold & fold)
+{
+  return position.isExcluded.empty() || !position.isExcluded[position.grid->PixelOfUv(fold.centreUv).column];
+}
+
+/** True folds of what is seen; -1 for what is none. */
+std::vector<int>
+FoldsSeen(const ColonPosition & position, const TrueFolds & truth, std::vector<char> & isSeen)
+{
+  std::vector<int> folds;
+  for (const HaustralFold & fold : position.folds)
+  {
+    const int index = truth.NearestTo(fold.centre);
+    folds.push_back(index >= 0 ? truth.NumberOf(index) : -1);
+    isSeen.push_back(IsSeen(position, fold) ? 1 : 0);
+  }
+  return folds;
+}
+
+void
+MeasureMatches(const ColonPosition &           source,
+               const ColonPosition &           target,
+               const TrueFolds &               sourceTruth,
+               const TrueFolds &               targetTruth,
+               const SupineProneRegistration & registration,
+               RegistrationScore &             score)
+{
+  std::vector<char>      isSourceSeen;
+  std::vector<char>      isTargetSeen;
+  const std::vector<int> ofSource = FoldsSeen(source, sourceTruth, isSourceSeen);
+  const std::vector<int> ofTarget = FoldsSeen(target, targetTruth, isTargetSeen);
+  std::map<int, int>     seenInTarget;
+  for (std::size_t j = 0; j < ofTarget.size(); ++j)
+  {
+    seenInTarget[ofTarget[j]] += isTargetSeen[j];
+  }
+  std::vector<FeaturePointCounts> outcome(source.folds.size());
+  for (std::size_t i = 0; i < ofSource.size(); ++i)
+  {
+    outcome[i].unmatched = isSourceSeen[i];
+    score.common += isSourceSeen[i] && ofSource[i] >= 0 && seenInTarget[ofSource[i]] > 0;
+  }
+  for (const FoldMatch & match : registration.matches)
+  {
+    if (isSourceSeen[match.source] && isTargetSeen[match.target])
+    {
+      const bool isRight = ofSource[match.source] >= 0 && ofSource[match.source] == ofTarget[match.target];
+      outcome[match.source] = { isRight ? 1 : 0, isRight ? 0 : 1, 0 };
+      score.right += isRight;
+      ++score.pairs;
+    }
+  }
+  CountPoints(source, sourceTruth, ofSource, outcome, score);
+}
+
+void
+CompareSchemes(const ColonPosition &           source,
+               const ColonPosition &           target,
+               const SupineProneRegistration & registration,
+               const std::vector<PointPair> &  pairs,
+               RegistrationScore &             score)
+{
+  const std::pair<RegistrationScheme, const char *> schemes[] = {
+    { RegistrationScheme::Rectangles, "1 flat rectangles stretched, one rotation" },
+    { RegistrationScheme::Centreline, "2 centrelines, one rotation" },
+    { RegistrationScheme::Landmarks, "3 flexures and taeniae" },
+    { RegistrationScheme::Warping, "4 cylindrical warping" },
+    { RegistrationScheme::HardConstraints, "6 published: frame, folds as hard constraints" }
+  };
+  for (const auto & [scheme, name] : schemes)
+  {
+    const CylinderMap map = MapOfScheme(scheme, source, target, registration);
+    score.schemes[name] = MeasureErrorsOfMap(registration, map, pairs);
+    if (scheme == RegistrationScheme::HardConstraints)
+    {
+      score.flipsOfHardConstraints = map.Flips();
+    }
+  }
+  score.schemes["5 and folds, robust: what is delivered"] = score.errors;
+}
+} // namespace
+
+void
+FeaturePointCounts::Add(const FeaturePointCounts & other)
+{
+  correct += other.correct;
+  wrong += other.wrong;
+  unmatched += other.unmatched;
+}
+
+ColonPosition
+MakeColonPosition(const LandmarkExam & exam, const std::string & name, bool hasTrueLandmarks)
+{
+  ColonPosition position;
+  position.name = name;
+  position.grid = std::make_shared<FlatColonGrid>(exam.flat);
+  position.centreline = exam.centreline;
+  position.isExcluded = FindExcludedColumns(*position.grid, position.centreline);
+  position.folds = FindHaustralFolds(*position.grid).folds;
+  if (hasTrueLandmarks)
+  {
+    position.taeniae = exam.anatomy->Taeniae();
+    position.flexures = TrueFlexures(exam);
+  }
+  else
+  {
+    AddFoundLandmarks(exam, position);
+  }
+  return position;
+}
+
+RegistrationScore
+TryRegistration(const LandmarkExam & first, const LandmarkExam & second, bool hasTrueLandmarks, bool comparesSchemes)
+{
+  RegistrationScore score;
+  try
+  {
+    const ColonPosition           source = MakeColonPosition(first, "the first position", hasTrueLandmarks);
+    const ColonPosition           target = MakeColonPosition(second, "the second position", hasTrueLandmarks);
+    const auto                    start = std::chrono::steady_clock::now();
+    const SupineProneRegistration registration = RegisterColonPositions(source, target);
+    score.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    const std::vector<PointPair> pairs = TruePairs(*first.anatomy, *second.anatomy);
+    score.errors = MeasureRegistrationErrors(registration, pairs);
+    score.frame = MeasureRegistrationErrors(registration, pairs, true);
+    score.flips = registration.figures.flips;
+    score.isFlagged = registration.confidence.isFlagged;
+    score.confidence = registration.confidence.whole;
+    MeasureMatches(source, target, TrueFolds(*first.anatomy), TrueFolds(*second.anatomy), registration, score);
+    if (comparesSchemes)
+    {
+      CompareSchemes(source, target, registration, pairs, score);
+    }
+  }
+  catch (const ToolError & error)
+  {
+    score.failure = error.what();
+  }
+  return score;
+}
+
+bool
+AreToldApart(const LandmarkExam & first, const LandmarkExam & second)
+{
+  try
+  {
+    return RegisterColonPositions(MakeColonPosition(first, "the first patient", false),
+                                  MakeColonPosition(second, "the second patient", false))
+      .confidence.isFlagged;
+  }
+  catch (const ToolError &)
+  {
+    return true;
+  }
+}
