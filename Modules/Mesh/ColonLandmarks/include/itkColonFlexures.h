@@ -63,10 +63,13 @@ ColonLandmarks_EXPORT std::string
  *
  * Ordered: each place of the line (every 4 mm) has twelve features: the share of the length that lies before it, its
  * place in the bounding box of the line, the turning between chords of 35 and of 70 mm, and the directions 40 mm before
- * and behind. A flexure's score is the log-likelihood of a Gaussian with independent features; the shares of the length
- * between flexures have Gaussians, too. The best four places in their order are found exactly by dynamic programming,
- * then the splenic and hepatic ones move to the place within 16 mm that is highest, depth towards the back counting
- * half as much (they are fixed to the posterior wall), the others to the sharpest within 24 mm.
+ * and behind. A flexure's score is the log-likelihood of a Gaussian with independent features; the length of the rectum
+ * and the shares of the length between flexures have Gaussians, too. The stretch up to the splenic flexure scores by
+ * how much likelier each of its points (place in the box, direction over 15 mm) lies in a descending colon, which runs
+ * straight up along the left and posterior wall, than anywhere. The best four places in their order are found exactly
+ * by dynamic programming, then the splenic and hepatic ones move to the place within 16 mm that is highest, depth
+ * towards the back counting half as much (they are fixed to the posterior wall), the rectosigmoid one to the sharpest
+ * within 16 mm. The descending-sigmoid one stays: it is where the straight run begins.
  *
  * The prior states anatomy, no sample of centrelines and no phantom:
  * - lengths from the anal verge, cm: anal canal 4, rectum 12, sigmoid 40, descending 25, transverse 50, ascending 15,

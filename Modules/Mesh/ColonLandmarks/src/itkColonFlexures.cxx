@@ -1,8 +1,8 @@
 #include "itkColonFlexures.h"
 
 #include "itkCentrelineShape.h"
+#include "itkFlexureProgramme.h"
 #include "itkPublishedFlexures.h"
-#include "itkFlexurePrior.h"
 
 #include <algorithm>
 #include <cmath>
@@ -13,203 +13,20 @@ namespace itk
 namespace
 {
 constexpr double leastColon = 800.0; // mm
-constexpr int    stride = 2;         // of the shape's steps
-/** One feature alone cannot rule a place out: squared deviations are cut off here. */
-constexpr double greatestDeviation = 60.0;
 /** Mean squared deviation of a feature beyond which nothing like the flexure is there. */
 constexpr double greatestMeanDeviation = 4.0;
-/** Least share of the length between flexures. */
-constexpr double leastGap = 0.02;
-/** The features depend on each other: the likelihood counts for a third where probabilities are stated. */
-constexpr double tempering = 1.0 / 3.0;
-constexpr double tolerance = 30.0; // mm
-/** How far the apex may lie from the best place, mm: of the upper flexures, and of the lower ones. */
-constexpr double upperReach = 16.0;
-constexpr double lowerReach = 24.0;
-constexpr double impossible = -1e30;
-
-using Scores = std::vector<double>;
-
-std::vector<FlexureFeatures>
-FeaturesOf(const CentrelineShape & shape)
-{
-  const VertexMatrix    box = shape.PlacesInBox();
-  const VertexMatrix    tangents = shape.Tangents(8.0);
-  const Eigen::VectorXd near = shape.Turning(35.0, 8.0);
-  const Eigen::VectorXd far = shape.Turning(70.0, 8.0);
-  const int             reach = static_cast<int>(40.0 / CentrelineShape::Step);
-  const int             last = shape.Size() - 1;
-
-  std::vector<FlexureFeatures> features;
-  for (int i = 0; i < shape.Size(); i += stride)
-  {
-    const auto before = tangents.row(std::max(i - reach, 0));
-    const auto behind = tangents.row(std::min(i + reach, last));
-    features.push_back({ static_cast<double>(i) / last,
-                         box(i, 0),
-                         box(i, 1),
-                         box(i, 2),
-                         near[i] / 90.0,
-                         far[i] / 90.0,
-                         before[0],
-                         before[1],
-                         before[2],
-                         behind[0],
-                         behind[1],
-                         behind[2] });
-  }
-  return features;
-}
-
-double
-SquaredDeviation(const FlexurePrior & prior, const FlexureFeatures & features)
-{
-  double sum = 0.0;
-  for (int k = 0; k < NumberOfFlexureFeatures; ++k)
-  {
-    sum += prior.features[k].SquaredDeviation(features[k]);
-  }
-  return std::min(sum, greatestDeviation);
-}
-
-/** The log-likelihood of each place for each flexure; the last one with what is left of the colon. */
-std::array<Scores, 4>
-PlaceScores(const std::vector<FlexureFeatures> & features)
-{
-  std::array<Scores, 4> scores;
-  for (int k = 0; k < 4; ++k)
-  {
-    for (const FlexureFeatures & f : features)
-    {
-      scores[k].push_back(-0.5 * SquaredDeviation(TheFlexurePriors[k], f));
-    }
-  }
-  for (std::size_t i = 0; i < features.size(); ++i)
-  {
-    scores[0][i] -= 0.5 * TheFlexurePriors[0].gap.SquaredDeviation(features[i][0]);
-    scores[3][i] -= 0.5 * ThePriorOfRightColon.SquaredDeviation(1.0 - features[i][0]);
-  }
-  return scores;
-}
-
-double
-GapScore(int flexure, double share)
-{
-  return share < leastGap ? impossible : -0.5 * TheFlexurePriors[flexure].gap.SquaredDeviation(share);
-}
-
-/** The best four places in their order. */
-std::array<int, 4>
-BestPlaces(const std::vector<FlexureFeatures> & features, const std::array<Scores, 4> & scores)
-{
-  const int                       size = static_cast<int>(features.size());
-  Scores                          best = scores[0];
-  std::array<std::vector<int>, 4> from;
-  for (int k = 1; k < 4; ++k)
-  {
-    Scores next(size, impossible);
-    from[k].assign(size, 0);
-    for (int i = 0; i < size; ++i)
-    {
-      for (int j = 0; j < i; ++j)
-      {
-        const double score = best[j] + GapScore(k, features[i][0] - features[j][0]);
-        if (score > next[i])
-        {
-          next[i] = score;
-          from[k][i] = j;
-        }
-      }
-      next[i] += scores[k][i];
-    }
-    best = next;
-  }
-  std::array<int, 4> places{};
-  places[3] = static_cast<int>(std::max_element(best.begin(), best.end()) - best.begin());
-  for (int k = 3; k > 0; --k)
-  {
-    places[k - 1] = from[k][places[k]];
-  }
-  return places;
-}
-
-double
-LogSum(const Scores & terms)
-{
-  const double most = terms.empty() ? impossible : *std::max_element(terms.begin(), terms.end());
-  double       sum = 0.0;
-  for (const double term : terms)
-  {
-    sum += std::exp(term - most);
-  }
-  return most + std::log(std::max(sum, 1e-300));
-}
-
-/** Log sums over all choices of the flexures before (or behind) flexure k, for each place of it. */
-Scores
-SumOver(const std::vector<FlexureFeatures> & features, const Scores & from, int k, bool fromBefore)
-{
-  const int size = static_cast<int>(features.size());
-  Scores    sums(size, impossible);
-  Scores    terms;
-  for (int i = 0; i < size; ++i)
-  {
-    terms.clear();
-    for (int j = fromBefore ? 0 : i + 1; j < (fromBefore ? i : size); ++j)
-    {
-      const double share = std::abs(features[i][0] - features[j][0]);
-      if (share >= leastGap)
-      {
-        terms.push_back(from[j] + tempering * GapScore(k, share));
-      }
-    }
-    sums[i] = LogSum(terms);
-  }
-  return sums;
-}
-
-/** The probability of each flexure to lie within the tolerance of its place (forward and backward sums). */
-std::array<double, 4>
-Confidences(const std::vector<FlexureFeatures> & features, std::array<Scores, 4> scores, const std::array<int, 4> & at)
-{
-  const int size = static_cast<int>(features.size());
-  for (Scores & s : scores)
-  {
-    for (double & value : s)
-    {
-      value *= tempering;
-    }
-  }
-  std::array<Scores, 4> before;
-  std::array<Scores, 4> behind;
-  before[0].assign(size, 0.0);
-  behind[3].assign(size, 0.0);
-  const auto plus = [](Scores a, const Scores & b) {
-    std::transform(a.begin(), a.end(), b.begin(), a.begin(), std::plus<>());
-    return a;
-  };
-  for (int k = 1; k < 4; ++k)
-  {
-    before[k] = SumOver(features, plus(before[k - 1], scores[k - 1]), k, true);
-    behind[3 - k] = SumOver(features, plus(behind[4 - k], scores[4 - k]), 4 - k, false);
-  }
-  std::array<double, 4> result{};
-  const int             reach = static_cast<int>(tolerance / (CentrelineShape::Step * stride));
-  for (int k = 0; k < 4; ++k)
-  {
-    const Scores all = plus(plus(before[k], behind[k]), scores[k]);
-    const Scores close(all.begin() + std::max(at[k] - reach, 0), all.begin() + std::min(at[k] + reach + 1, size));
-    result[k] = std::exp(std::min(LogSum(close) - LogSum(all), 0.0));
-  }
-  return result;
-}
+/** How far the apex may lie from the best place, mm. The descending colon ends where it has run straight, not at a
+ * bend.
+ */
+constexpr std::array<double, 4> apexReach{ 16.0, 0.0, 16.0, 16.0 };
+constexpr double                impossible = -1e30;
 
 /** Near by, of the upper flexures the topmost place, of several as high the one farther back: the flexures are fixed to
- * the posterior wall, and the transverse colon hangs forwards from them. Of the lower ones the sharpest. */
+ * the posterior wall, and the transverse colon hangs forwards from them. Of the rectosigmoid one the sharpest. */
 int
 SnapToApex(const CentrelineShape & shape, const Eigen::VectorXd & turning, int flexure, int place)
 {
-  const int reach = static_cast<int>((flexure >= 2 ? upperReach : lowerReach) / CentrelineShape::Step);
+  const int reach = static_cast<int>(apexReach[flexure] / CentrelineShape::Step);
   int       best = place;
   double    most = impossible;
   for (int i = std::max(0, place - reach); i <= std::min(shape.Size() - 1, place + reach); ++i)
@@ -237,19 +54,15 @@ PlaceFlexure(const CentrelineShape & shape, const VertexMatrix & tangents, int i
 void
 FindOrdered(const CentrelineShape & shape, ColonFlexures & result)
 {
-  const std::vector<FlexureFeatures> features = FeaturesOf(shape);
-  const std::array<Scores, 4>        scores = PlaceScores(features);
-  const std::array<int, 4>           places = BestPlaces(features, scores);
-  const std::array<double, 4>        confidences = Confidences(features, scores, places);
-  const Eigen::VectorXd              turning = 0.5 * (shape.Turning(35.0, 8.0) + shape.Turning(70.0, 8.0));
-  const VertexMatrix                 tangents = shape.Tangents(10.0);
+  const FlexurePlaces   places = FindFlexurePlaces(shape);
+  const Eigen::VectorXd turning = 0.5 * (shape.Turning(35.0, 8.0) + shape.Turning(70.0, 8.0));
+  const VertexMatrix    tangents = shape.Tangents(10.0);
   for (int k = 0; k < 4; ++k)
   {
     ColonFlexure & flexure = result.flexures[k];
-    const double   deviation = SquaredDeviation(TheFlexurePriors[k], features[places[k]]) / NumberOfFlexureFeatures;
-    PlaceFlexure(shape, tangents, SnapToApex(shape, turning, k, places[k] * stride), flexure);
-    flexure.isFound = deviation <= greatestMeanDeviation;
-    flexure.confidence = flexure.isFound ? confidences[k] : 0.0;
+    PlaceFlexure(shape, tangents, SnapToApex(shape, turning, k, places.at[k]), flexure);
+    flexure.isFound = places.meanDeviation[k] <= greatestMeanDeviation;
+    flexure.confidence = flexure.isFound ? places.confidence[k] : 0.0;
     if (!flexure.isFound)
     {
       flexure.reason = "no bend where anatomy has this flexure";

@@ -2,6 +2,7 @@
 #define itkFlexurePrior_h
 
 #include <array>
+#include <cmath>
 
 namespace itk
 {
@@ -17,6 +18,12 @@ struct PriorValue
     const double d = (value - mean) / deviation;
     return d * d;
   }
+  double
+  LogDensity(double value) const
+  {
+    constexpr double rootOfTwoPi = 2.5066282746310002;
+    return -0.5 * this->SquaredDeviation(value) - std::log(rootOfTwoPi * deviation);
+  }
 };
 
 constexpr int NumberOfFlexureFeatures = 12;
@@ -28,13 +35,13 @@ struct FlexurePrior
   /** Share of the length before it; place in the box (0 right, front, bottom; 1 left, back, top); turning between
    * chords of 35 and 70 mm in units of 90 degrees; direction (left, back, up) 40 mm before and 40 mm behind. */
   std::array<PriorValue, NumberOfFlexureFeatures> features;
-  /** Share of the length from the flexure before, or from the anal verge. */
+  /** Share of the length from the flexure before; of the first one see TheLengthOfRectum. */
   PriorValue gap;
 };
 
 constexpr std::array<FlexurePrior, 4> TheFlexurePriors{
   { // rectosigmoid: 16 of 152 cm; in the middle, before S3; the sigmoid leaves it forwards, to either side
-    { { { { 0.105, 0.03 },
+    { { { { 0.105, 0.06 },
           { 0.50, 0.10 },
           { 0.70, 0.15 },
           { 0.32, 0.10 },
@@ -93,6 +100,20 @@ constexpr std::array<FlexurePrior, 4> TheFlexurePriors{
 
 /** Share of the length from the hepatic flexure to the end: ascending colon and caecum. */
 constexpr PriorValue ThePriorOfRightColon{ 0.165, 0.045 };
+
+/** From the anal verge to the rectosigmoid flexure, mm: it grows with the rest of the colon hardly at all. */
+constexpr PriorValue TheLengthOfRectum{ 160.0, 30.0 };
+
+/** What is known of all points of a section of the colon: place in the box and direction, as of a flexure. */
+struct SectionPrior
+{
+  std::array<PriorValue, 3> place;
+  std::array<PriorValue, 3> direction;
+};
+
+/** Descending colon: straight up along the left and posterior wall, from the iliac crest on. */
+constexpr SectionPrior TheDescendingColon{ { { { 0.90, 0.08 }, { 0.75, 0.20 }, { 0.68, 0.22 } } },
+                                           { { { 0.00, 0.30 }, { 0.00, 0.35 }, { 0.90, 0.20 } } } };
 } // namespace itk
 
 #endif
