@@ -1,5 +1,6 @@
 #include "itkCirclePacking.h"
 
+#include "itkNearbyOrder.h"
 #include "itkRicciEnergy.h"
 #include "itkSparseCholesky.h"
 #include "itkToolError.h"
@@ -276,9 +277,30 @@ CurvaturesOf(const CombinatorialMap & map, const CirclePacking & packing)
   return angles;
 }
 
+namespace
+{
+CirclePacking
+PackInNearbyOrder(const CombinatorialMap & map, FlowGeometry geometry, const CirclesAtInfinity & infinite)
+{
+  const NearbyOrder       order(map);
+  const CirclesAtInfinity there{ order.NodesThere(infinite.lineNodes),
+                                 order.FacesThere(infinite.lineFaces),
+                                 order.FacesThere(infinite.horocycleFaces) };
+  CirclePacking           packing = PackCircles(order.Map(), geometry, there);
+  packing.nodeRadii = order.NodesBack(packing.nodeRadii);
+  packing.faceRadii = order.FacesBack(packing.faceRadii);
+  packing.horocycleFaces = order.FacesBack(packing.horocycleFaces);
+  return packing;
+}
+} // namespace
+
 CirclePacking
 PackCircles(const CombinatorialMap & map, FlowGeometry geometry, const CirclesAtInfinity & infinite)
 {
+  if (NearbyOrder::Pays(map))
+  {
+    return PackInNearbyOrder(map, geometry, infinite);
+  }
   const RicciUnknowns unknowns(map, geometry, infinite);
   CirclePacking       packing = NewtonFlow(unknowns).Run();
   for (const double curvature : CurvaturesOf(map, packing))

@@ -3,6 +3,7 @@
 #include "itkCirclePacking.h"
 #include "itkConformalBarycentre.h"
 #include "itkLayoutTree.h"
+#include "itkNearbyOrder.h"
 #include "itkPlaneToSphere.h"
 #include "itkToolError.h"
 
@@ -197,9 +198,31 @@ WorstTangency(const CombinatorialMap & map, const SphericalPacking & sphere)
 }
 } // namespace
 
+namespace
+{
+SphericalPacking
+PackInNearbyOrder(const CombinatorialMap & map, PointAtInfinity infinity, std::vector<int> edges)
+{
+  const NearbyOrder order(map);
+  for (int & edge : edges)
+  {
+    edge = order.Edge(edge);
+  }
+  SphericalPacking sphere = PackOnSphere(order.Map(), infinity, std::move(edges));
+  sphere.nodes = order.NodesBack(sphere.nodes);
+  sphere.faces = order.FacesBack(sphere.faces);
+  sphere.touchPoints = order.EdgesBack(sphere.touchPoints);
+  return sphere;
+}
+} // namespace
+
 SphericalPacking
 PackOnSphere(const CombinatorialMap & map, PointAtInfinity infinity, std::vector<int> edges)
 {
+  if (NearbyOrder::Pays(map))
+  {
+    return PackInNearbyOrder(map, infinity, std::move(edges));
+  }
   if (edges.size() < 3)
   {
     edges.resize(map.Edges());
