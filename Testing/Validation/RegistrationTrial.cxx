@@ -188,7 +188,7 @@ CompareSchemes(const ColonPosition &           source,
   for (const auto & [scheme, name] : schemes)
   {
     const CylinderMap map = MapOfScheme(scheme, source, target, registration);
-    score.schemes[name] = MeasureErrorsOfMap(registration, map, pairs);
+    score.schemes[name] = SummaryOf(ErrorsOfPoints(registration, map, pairs));
     if (scheme == RegistrationScheme::HardConstraints)
     {
       score.flipsOfHardConstraints = map.Flips();
