@@ -1,7 +1,6 @@
 #include "itkColonoscopyPresentation.h"
 
 #include "itkColonoscopyReport.h"
-#include "itkCommandLine.h"
 #include "itkContentIdentity.h"
 #include "itkSha256.h"
 #include "itkToolError.h"
@@ -32,7 +31,7 @@ private:
   Signature() const
   {
     Json signature;
-    for (const auto & [key, value] : m_CommandLine.GetProvenance())
+    for (const auto & [key, value] : m_Presentation.provenance)
     {
       signature[key] = value;
     }
@@ -82,7 +81,7 @@ private:
     content.results = &results;
     content.failure = m_Presentation.failure;
     content.warnings = m_Presentation.warnings;
-    content.provenance = m_CommandLine.GetProvenance();
+    content.provenance = m_Presentation.provenance;
     Json record;
     record["signature"] = signature;
     const auto publish = [&](const std::string & name) {

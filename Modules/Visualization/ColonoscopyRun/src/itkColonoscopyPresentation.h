@@ -1,6 +1,7 @@
 #ifndef itkColonoscopyPresentation_h
 #define itkColonoscopyPresentation_h
 
+#include "itkCommandLine.h"
 #include "itkStagedRun.h"
 
 #include <string>
@@ -8,14 +9,13 @@
 
 namespace itk
 {
-class CommandLine;
-
 /** What the report of a series is made of. */
 struct ColonoscopyPresentation
 {
   std::string              folder;
   std::vector<StageResult> stages;
   std::vector<std::string> warnings;
+  CommandLine::Provenance  provenance;
   /** "" where all is well. */
   std::string failure;
 };

@@ -38,6 +38,9 @@ RequireApart(const std::string & input, const std::string & output)
                "the output folder lies in the input folder; name one beside it");
 }
 
+/** Options of the registration, which change nothing that is told of one series alone. */
+const std::vector<std::string> optionsOfPair{ "matching", "refine", "segmentWise", "evaluate" };
+
 /** The stages of one series in its folder. */
 class SeriesRun
 {
@@ -119,7 +122,7 @@ public:
   ColonoscopyPresentation
   Presentation() const
   {
-    return { m_Folder, m_Results, m_Warnings, this->Failure() };
+    return { m_Folder, m_Results, m_Warnings, m_CommandLine.GetProvenance(), this->Failure() };
   }
 
 private:
@@ -146,6 +149,15 @@ private:
 };
 
 void
+LeaveOut(const std::vector<std::string> & options, CommandLine::Provenance & provenance)
+{
+  const auto isOne = [&](const std::pair<std::string, std::string> & fact) {
+    return std::count(options.begin(), options.end(), fact.first.substr(fact.first.find('.') + 1)) > 0;
+  };
+  provenance.erase(std::remove_if(provenance.begin(), provenance.end(), isOne), provenance.end());
+}
+
+void
 RunOne(CommandLine & commandLine, SeriesRun & only)
 {
   only.Run(StagesOfSeries(commandLine, ColonoscopySeries::First), 0.0, 1.0);
@@ -168,7 +180,9 @@ RunTwo(CommandLine & commandLine, SeriesRun & first, SeriesRun & second)
   }
   if (hasFirst)
   {
-    Present(commandLine, second.Presentation());
+    ColonoscopyPresentation presentation = second.Presentation();
+    LeaveOut(optionsOfPair, presentation.provenance);
+    Present(commandLine, presentation);
   }
   ColonoscopyPresentation presentation = first.Presentation();
   presentation.failure += second.Failure(); // the run ends with the first stage that fails
@@ -196,6 +210,11 @@ RunColonoscopy(CommandLine & commandLine, const std::string & toolFolder)
   first.AddInputs();
   if (!hasSecond)
   {
+    commandLine.LeaveOutOfProvenance("secondPosition");
+    for (const std::string & option : optionsOfPair)
+    {
+      commandLine.LeaveOutOfProvenance(option);
+    }
     RunOne(commandLine, first);
     return;
   }
