@@ -179,6 +179,31 @@ TEST(FlatColonPage, RulerTicksLieAtWholeCentimetres)
   }
 }
 
+TEST(FlatColonPage, APairHasBothStripsBelowEachOtherAndLinksBetween)
+{
+  const Page                page;
+  const itk::RGBColor       other = itk::MakeColor(20, 30, 200);
+  const itk::RGBColor       link = itk::MakeColor(250, 0, 250);
+  const auto                lower = itk::NewPicture(page.grid.Columns(), page.grid.Rows(), other);
+  itk::FlatColonPageOptions options;
+  options.overlap = 0.0;
+  const double             u = 0.25 * page.grid.Length();
+  const itk::FlatColonPair pair{ page.strip, lower, "supine", "prone", { { { u, 1.0 }, { u, 9.0 }, link } } };
+  const auto               picture = itk::DrawFlatColonPairPage(pair, page.grid, page.distances, {}, options);
+  const auto               single = itk::DrawFlatColonPage(page.strip, page.grid, page.distances, {}, options);
+  EXPECT_EQ(CountOf(picture, plain), CountOf(single, plain)); // hatched where that one is
+  EXPECT_EQ(CountOf(picture, other), CountOf(picture, plain));
+  const std::vector<int> above = RowsWith(picture, plain), below = RowsWith(picture, other);
+  const std::vector<int> between = RowsWith(picture, link);
+  ASSERT_FALSE(between.empty());
+  EXPECT_GT(between.front(), above.front());
+  EXPECT_LT(between.back(), below.back());
+  EXPECT_LT(above.front(), below.front());
+  EXPECT_THROW(
+    itk::DrawFlatColonPairPage({ page.strip, itk::NewPicture(3, 3, other), "", "", {} }, page.grid, page.distances),
+    std::invalid_argument);
+}
+
 TEST(FlatColonPage, RefusesWhatDoesNotFit)
 {
   const Page page;
