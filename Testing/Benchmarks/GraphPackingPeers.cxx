@@ -267,16 +267,12 @@ RunPeer(const CombinatorialMap & map, const itk::CirclesAtInfinity & infinite, M
 
 namespace
 {
-struct Point
-{
-  double x;
-  double y;
-};
+using Point = std::array<double, 2>;
 
 double
 Orientation(const Point & a, const Point & b, const Point & c)
 {
-  return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
+  return (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
 }
 
 long
@@ -302,7 +298,7 @@ CrossingsOf(const itk::Graph & graph, const std::vector<Point> & places)
 } // namespace
 
 SfdpRun
-RunSfdp(const itk::Graph & graph)
+RunSfdp(const itk::Graph & graph, bool countsCrossings)
 {
   SfdpRun run;
   if (std::system("command -v sfdp > /dev/null") != 0)
@@ -315,6 +311,10 @@ RunSfdp(const itk::Graph & graph)
   {
     std::ofstream file(dot);
     file << "graph {\n";
+    for (int node = 0; node < graph.nodes; ++node)
+    {
+      file << node << ";\n";
+    }
     for (const auto & [a, b] : graph.edges)
     {
       file << a << " -- " << b << ";\n";
@@ -327,21 +327,21 @@ RunSfdp(const itk::Graph & graph)
     return run;
   }
   run.seconds = SecondsSince(start);
-  std::vector<Point> places(graph.nodes);
-  std::ifstream      file(plain);
-  std::string        line;
+  run.places.resize(graph.nodes);
+  std::ifstream file(plain);
+  std::string   line;
   while (std::getline(file, line))
   {
     std::istringstream words(line);
     std::string        kind;
     int                node = 0;
     Point              place{};
-    if (words >> kind && kind == "node" && words >> node >> place.x >> place.y)
+    if (words >> kind && kind == "node" && words >> node >> place[0] >> place[1])
     {
-      places[node] = place;
+      run.places[node] = place;
     }
   }
-  run.crossings = CrossingsOf(graph, places);
+  run.crossings = countsCrossings ? CrossingsOf(graph, run.places) : 0;
   std::filesystem::remove(dot);
   std::filesystem::remove(plain);
   return run;

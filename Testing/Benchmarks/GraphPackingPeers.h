@@ -4,6 +4,9 @@
 #include "itkCirclePacking.h"
 #include "itkGraph.h"
 
+#include <array>
+#include <vector>
+
 /** Peers of the circle packing: methods that the literature names, and a layout by forces. */
 namespace peers
 {
@@ -37,12 +40,14 @@ RunPeer(const itk::CombinatorialMap & map, const itk::CirclesAtInfinity & infini
 
 struct SfdpRun
 {
-  double seconds{ -1.0 }; ///< negative: not installed
-  long   crossings{ 0 };
+  double                             seconds{ -1.0 }; ///< negative: not installed
+  long                               crossings{ 0 };
+  std::vector<std::array<double, 2>> places;
 };
 
+/** Graphviz's layout of a large graph by forces. Crossings are counted by all pairs of edges. */
 SfdpRun
-RunSfdp(const itk::Graph & graph);
+RunSfdp(const itk::Graph & graph, bool countsCrossings = true);
 } // namespace peers
 
 #endif

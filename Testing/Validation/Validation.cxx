@@ -38,6 +38,7 @@ const std::vector<Part> parts = {
   { "colon-landmarks", "Folds, taeniae and flexures of synthetic colons", ValidateColonLandmarks, false },
   { "colon-landmarks-ct", "The same from CT", ValidateColonLandmarksFromCt, false, false },
   { "colon-registration", "Supine and prone: one map between two positions", ValidateColonRegistration, false },
+  { "graph-embedding", "Embeddings of graphs", ValidateGraphEmbedding, false },
 };
 
 int

@@ -101,5 +101,7 @@ void
 ValidateColonNoise(const ValidationSettings & settings, ValidationReport & report);
 void
 ValidateColonSurfacesFine(const ValidationSettings & settings, ValidationReport & report);
+void
+ValidateGraphEmbedding(const ValidationSettings & settings, ValidationReport & report);
 
 #endif

@@ -1,0 +1,327 @@
+#include "BoundTable.h"
+#include "GraphPackingPeers.h"
+#include "GraphStability.h"
+
+#include "itkEmbeddingVerification.h"
+#include "itkGraphEmbedding.h"
+#include "itkGraphFamilies.h"
+#include "itkGraphGenus.h"
+#include "itkGraphReader.h"
+#include "itkSensorNetwork.h"
+#include "itkToolError.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <filesystem>
+#include <functional>
+
+using namespace itk;
+
+namespace
+{
+/** More edges together with a genus above 20 are left out: the search takes minutes. */
+constexpr std::size_t mostEdges = 1000;
+constexpr std::size_t largestGenus = 20;
+
+/** Euler's formula: edges <= 3 (nodes - 2 + 2 genus). */
+bool
+IsLeftOut(const Graph & graph)
+{
+  return graph.edges.size() > std::max(mostEdges, 3 * (graph.nodes - 2 + 2 * largestGenus));
+}
+
+double
+Seconds(const std::function<void()> & body)
+{
+  const auto start = std::chrono::steady_clock::now();
+  body();
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+double
+ValueOf(const std::vector<std::pair<std::string, double>> & values, const std::string & name)
+{
+  const auto found = std::find_if(values.begin(), values.end(), [&](const auto & v) { return v.first == name; });
+  return found == values.end() ? 0.0 : found->second;
+}
+
+/** What the graphs of one folder or file have shown. */
+struct GraphSet
+{
+  void
+  Add(const Graph & graph);
+
+  int    graphs{ 0 };
+  int    accepted{ 0 };
+  int    largest{ 0 }; ///< genus
+  double residual{ 0.0 };
+  double tangency{ 0.0 };
+  double orthogonality{ 0.0 };
+  /** Circles of nodes; of the sphere, the disk, and of the torus in its shorter period. */
+  std::vector<double> caps;
+};
+
+void
+GraphSet::Add(const Graph & graph)
+{
+  const SurfaceEmbedding surface = FindEmbedding(graph);
+  GraphEmbeddingOptions  options;
+  options.isRotationFree = true;
+  const EmbeddingCertificate certificate = EmbedGraph(graph, surface.map, options);
+  const EmbeddingVerdict     verdict = VerifyEmbedding(certificate);
+  const double unit = certificate.genus == 1 ? std::hypot(certificate.periods[0], certificate.periods[1]) : 1.0;
+  ++graphs;
+  accepted += verdict.refusal.empty();
+  largest = std::max(largest, certificate.genus);
+  residual = std::max(residual, ValueOf(certificate.statistics, "residual"));
+  tangency = std::max(tangency, ValueOf(verdict.measures, "tangency"));
+  orthogonality = std::max(orthogonality, ValueOf(verdict.measures, "orthogonality"));
+  for (int node = 0; node < graph.nodes; ++node)
+  {
+    caps.push_back(certificate.nodeRadii[node] / unit);
+  }
+}
+
+/** The files of a folder, or one file, in the order of their names. */
+std::vector<std::string>
+FilesOf(const std::string & path)
+{
+  std::vector<std::string> files;
+  if (!std::filesystem::is_directory(path))
+  {
+    return { path };
+  }
+  for (const auto & entry : std::filesystem::recursive_directory_iterator(path))
+  {
+    if (entry.is_regular_file() && entry.path().filename() != "LICENSE.matpower")
+    {
+      files.push_back(entry.path().string());
+    }
+  }
+  std::sort(files.begin(), files.end());
+  return files;
+}
+
+int
+CountBelow(const std::vector<double> & caps, double limit)
+{
+  return static_cast<int>(std::count_if(caps.begin(), caps.end(), [=](double cap) { return cap < limit; }));
+}
+
+/** The bound of small circles is one of whole sets: `hasBounds`. */
+void
+AddSet(const std::string & name, const GraphSet & set, bool hasBounds, ValidationReport & report, CsvTable & table)
+{
+  const int    small = CountBelow(set.caps, 1e-4);
+  const double smallest = *std::min_element(set.caps.begin(), set.caps.end());
+  const bool   isExact =
+    set.accepted == set.graphs && set.residual <= 1e-12 && set.tangency <= 1e-9 && set.orthogonality <= 1e-10;
+  const bool areLarge = smallest >= 1e-6 && (name != "rome" || small <= 0.03 * static_cast<double>(set.caps.size()));
+  table.AddRow({ name,
+                 RatioOf(set.accepted, set.graphs),
+                 std::to_string(set.largest),
+                 Rounded(set.residual, 2),
+                 Rounded(set.tangency, 2),
+                 Rounded(set.orthogonality, 2),
+                 report.Check(isExact),
+                 Rounded(smallest, 2),
+                 RatioOf(small, static_cast<int>(set.caps.size())),
+                 hasBounds ? report.Check(areLarge) : "" });
+}
+
+void
+EmbedFiles(const ValidationSettings & settings, ValidationReport & report)
+{
+  if (settings.dataFolder.empty())
+  {
+    report.AddText("The graphs of SHAPETON_TEST_DATA_DIR were not at hand.");
+    return;
+  }
+  CsvTable    table({ "graphs",
+                      "certificate accepted",
+                      "largest genus",
+                      "residual",
+                      "tangency",
+                      "orthogonality",
+                      "exact",
+                      "smallest circle",
+                      "below 1e-4",
+                      "large enough" });
+  std::string leftOut;
+  for (const char * const name : { "rome", "north", "power", "named", "karate.gml", "3elt.graph" })
+  {
+    GraphSet set;
+    int      number = 0;
+    for (const std::string & file : FilesOf(settings.dataFolder + "/graphs/" + name))
+    {
+      const Graph graph = ReadGraph(file).graph;
+      if (IsLeftOut(graph))
+      {
+        leftOut += (leftOut.empty() ? "" : ", ") + std::filesystem::path(file).stem().string();
+      }
+      else if (!settings.quick || number++ % 10 == 0)
+      {
+        set.Add(graph);
+      }
+    }
+    AddSet(name, set, !settings.quick, report, table);
+  }
+  report.AddText("Every graph is embedded with the genus that the search finds; the verifier accepts the certificate "
+                 "or not. Exact: all accepted, residual 1e-12, tangency 1e-9 and orthogonality 1e-10 (on the unit "
+                 "sphere). Large enough: no circle of a node below 1e-6, in rome at most 3 % below 1e-4.");
+  report.AddTable(table);
+  if (!leftOut.empty())
+  {
+    report.AddText("Left out, with more than " + std::to_string(mostEdges) + " edges and a genus above " +
+                   std::to_string(largestGenus) + ": " + leftOut + ".");
+  }
+}
+
+void
+FindGenera(bool isQuick, ValidationReport & report)
+{
+  struct Known
+  {
+    std::string name;
+    Graph       graph;
+    int         genus;
+  };
+  std::vector<Known> graphs = {
+    { "K5", CompleteGraph(5), 1 }, { "K3,3", CompleteBipartiteGraph(3, 3), 1 },       { "K7", CompleteGraph(7), 1 },
+    { "K8", CompleteGraph(8), 2 }, { "Petersen", GeneralizedPetersenGraph(5, 2), 1 }, { "Q4", HypercubeGraph(4), 1 }
+  };
+  if (!isQuick)
+  {
+    graphs.insert(graphs.end(),
+                  { { "K9", CompleteGraph(9), 3 },
+                    { "K10", CompleteGraph(10), 4 },
+                    { "K12", CompleteGraph(12), 6 },
+                    { "K13", CompleteGraph(13), 8 },
+                    { "K15", CompleteGraph(15), 12 },
+                    { "Q5", HypercubeGraph(5), 5 } });
+  }
+  CsvTable table({ "graph", "genus found", "asked, at most", "" });
+  for (const Known & known : graphs)
+  {
+    const int genus = FindEmbedding(known.graph).map.Genus();
+    table.AddRow(
+      { known.name, std::to_string(genus), std::to_string(known.genus), report.Check(genus <= known.genus) });
+  }
+  report.AddText("Genera of known graphs. That of K15 is 11.");
+  report.AddTable(table);
+}
+
+std::string
+Measured(double seconds)
+{
+  return Rounded(seconds, 2) + " s";
+}
+
+void
+CompareWithSfdp(bool isQuick, ValidationReport & report)
+{
+  const int            side = isQuick ? 20 : 55;
+  SensorNetworkOptions options;
+  options.devices = isQuick ? 400 : 3000;
+  options.range = 2200.0 / std::sqrt(options.devices);
+  const std::vector<std::pair<std::string, Graph>> graphs = {
+    { "triangles on a sphere", peers::GridOnSphere(side).ToGraph() },
+    { "sensor network, Gabriel graph", SensorNetwork(options).GetGraph() },
+    { "path of 80", PathGraph(80) }
+  };
+  CsvTable table({ "graph", "nodes", "edges", "embedding", "crossings", "sfdp", "crossings of sfdp" });
+  for (const auto & [name, graph] : graphs)
+  {
+    EmbeddingCertificate certificate;
+    const double         seconds = Seconds([&] { certificate = EmbedGraph(graph, FindEmbedding(graph).map); });
+    const bool           isAccepted = VerifyEmbedding(certificate).refusal.empty();
+    const peers::SfdpRun sfdp = peers::RunSfdp(graph);
+    table.AddRow({ name,
+                   std::to_string(graph.nodes),
+                   std::to_string(graph.edges.size()),
+                   Measured(seconds),
+                   isAccepted ? "0, proved" : "not proved",
+                   sfdp.seconds < 0.0 ? "not installed" : Measured(sfdp.seconds),
+                   sfdp.seconds < 0.0 ? "" : std::to_string(sfdp.crossings) });
+    report.Check(isAccepted);
+  }
+  report.AddText("Beside Graphviz's sfdp: planarity, packing and arrangement against the layout by forces.");
+  report.AddTable(table);
+}
+
+void
+CompareSpeed(bool isQuick, ValidationReport & report)
+{
+  const CombinatorialMap  sphere = peers::GridOnSphere(isQuick ? 20 : 55);
+  const CirclesAtInfinity infinite = peers::CirclesThroughFirstEdge(sphere);
+  CirclePacking           packing;
+  const double            newton = Seconds([&] { packing = PackCircles(sphere, FlowGeometry::Euclidean, infinite); });
+  const auto              run = [&](peers::Method method) { return peers::RunPeer(sphere, infinite, method); };
+  const peers::PeerRun    sweep = run(peers::Method::ThurstonSweep);
+  const peers::PeerRun    flow = run(peers::Method::GradientFlow);
+  const auto              ratio = [&](const peers::PeerRun & peer) {
+    return Rounded(peer.seconds / newton, 3) + (peer.isExtrapolated ? " (extrapolated)" : "");
+  };
+  const auto isMet = [&](bool isReached) { return isQuick ? std::string() : report.Check(isReached); };
+  CsvTable   table(
+    { "nodes", "Newton", "Thurston sweeps / Newton", "at least 100", "gradient flow / Newton", "at least 1000" });
+  table.AddRow({ std::to_string(sphere.Nodes()),
+                 Measured(newton),
+                 ratio(sweep),
+                 isMet(sweep.seconds >= 100.0 * newton),
+                 ratio(flow),
+                 isMet(flow.seconds >= 1000.0 * newton) });
+  report.AddText("Packing of triangles on a sphere to a curvature of 1e-10, by three methods in one run.");
+  report.AddTable(table);
+}
+
+/** Ten edits; the bounds are those for 3,000 to 5,000 nodes. */
+void
+AddStability(const std::string & name, const Graph & graph, ValidationReport & report, CsvTable & table)
+{
+  const GraphStability stability = MeasureStability(graph, 10, graph.nodes <= 5000);
+  const bool           hasSfdp = stability.sfdp >= 0.0;
+  const bool           hasBound = graph.nodes >= 3000 && graph.nodes <= 5000;
+  table.AddRow({ name,
+                 std::to_string(graph.nodes),
+                 Rounded(stability.moebius, 2),
+                 hasBound ? report.Check(stability.moebius <= 0.002) : "",
+                 Rounded(stability.rotation, 2),
+                 hasSfdp ? Rounded(stability.sfdp, 2) : "",
+                 hasSfdp ? Rounded(stability.sfdp / stability.moebius, 3) : "",
+                 hasBound && hasSfdp ? report.Check(stability.sfdp >= 10.0 * stability.moebius) : "" });
+}
+
+void
+MoveLittle(bool isQuick, ValidationReport & report)
+{
+  CsvTable table(
+    { "graph", "nodes", "Moebius", "at most 0.002", "rotation alone", "sfdp", "sfdp / Moebius", "at least 10" });
+  for (const int side : isQuick ? std::vector<int>{ 20 } : std::vector<int>{ 32, 64, 128 })
+  {
+    AddStability("triangles on a sphere", peers::GridOnSphere(side).ToGraph(), report, table);
+  }
+  for (const int devices : isQuick ? std::vector<int>{ 400 } : std::vector<int>{ 1000, 4000, 16000 })
+  {
+    SensorNetworkOptions options;
+    options.devices = devices;
+    options.range = 2200.0 / std::sqrt(devices);
+    AddStability("sensor network, Gabriel graph", SensorNetwork(options).GetGraph(), report, table);
+  }
+  report.AddText("Five edges go and five come: mean displacement of the nodes that keep their edges, in radii of the "
+                 "sphere after the best Moebius transformation (as DynamicGraph has it) or the best rotation; of "
+                 "sfdp in root mean squares of its layout after the best similarity, up to 5,000 nodes.");
+  report.AddTable(table);
+}
+} // namespace
+
+void
+ValidateGraphEmbedding(const ValidationSettings & settings, ValidationReport & report)
+{
+  EmbedFiles(settings, report);
+  FindGenera(settings.quick, report);
+  CompareSpeed(settings.quick, report);
+  CompareWithSfdp(settings.quick, report);
+  MoveLittle(settings.quick, report);
+}
