@@ -100,7 +100,7 @@ struct SupineProneRegistration
  * 1. Frame: the distance along the centreline straight between flexures; rotation from the three taeniae.
  * 2. Cylindrical dynamic time warping of pictures of folds about the frame, for each of the three ways in which taeniae
  *    may correspond; the least energy wins.
- * 3. Matching of folds about the warp (MatchFolds()), twice, the second time about the corrected warp.
+ * 3. Matching of folds about the warp (MatchFolds()), and twice again about the corrected warp.
  * 4. A thin plate through middles and ends of matched folds, robust against wrong pairs.
  * 5. Projection to a bijection: no triangle is turned over.
  *

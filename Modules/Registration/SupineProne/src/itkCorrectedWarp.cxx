@@ -82,11 +82,10 @@ ConstraintsOfFolds(const ColonPair & pair, const CorrectedWarp & corrected)
 
 /** Taeniae of the source are to come to lie on those of the target, where the map takes them along the colon. */
 std::vector<DirectionConstraint>
-ConstraintsOfTaeniae(const ColonPair & pair, const RowMap & map)
+ConstraintsOfTaeniae(const ColonPair & pair, const RowMap & map, double deviation)
 {
   constexpr double                 step = 6.0;      // mm
   constexpr double                 greatest = 15.0; // mm: farther away it is another one, or none
-  constexpr double                 deviation = 3.0; // mm
   std::vector<DirectionConstraint> constraints;
   for (double s = pair.sourceCylinder->Begin(); pair.AreTaeniaeKnown() && s < pair.sourceCylinder->End(); s += step)
   {
@@ -110,6 +109,18 @@ ConstraintsOfTaeniae(const ColonPair & pair, const RowMap & map)
     }
   }
   return constraints;
+}
+
+/** Each round about the map of the one before. */
+void
+MatchAndFit(const ColonPair & pair, FoldMatchingMethod method, int rounds, CorrectedWarp & corrected)
+{
+  for (int round = 0; round < rounds; ++round)
+  {
+    const RowMap map = corrected.Map(pair);
+    corrected.matching = MatchAbout(pair, map, method);
+    FitCorrection(pair, map, {}, corrected);
+  }
 }
 } // namespace
 
@@ -157,7 +168,7 @@ FitCorrection(const ColonPair &                pair,
               std::vector<DirectionConstraint> more,
               CorrectedWarp &                  corrected)
 {
-  std::vector<DirectionConstraint> directions = ConstraintsOfTaeniae(pair, map);
+  std::vector<DirectionConstraint> directions = ConstraintsOfTaeniae(pair, map, corrected.taeniaDeviation);
   directions.insert(directions.end(), more.begin(), more.end());
   const auto correction =
     std::make_shared<SmoothCorrection>(pair.sourceCylinder->Begin(), pair.sourceCylinder->End(), pair.Around());
@@ -175,12 +186,17 @@ CorrectWarp(const ColonPair & pair, const CylindricalWarp & warp, FoldMatchingMe
 {
   CorrectedWarp corrected;
   corrected.warp = warp;
-  for (int round = 0; round < 2; ++round)
-  {
-    const RowMap map = corrected.Map(pair);
-    corrected.matching = MatchAbout(pair, map, method);
-    FitCorrection(pair, map, {}, corrected);
-  }
+  MatchAndFit(pair, method, 2, corrected);
+  return corrected;
+}
+
+CorrectedWarp
+CorrectChosenWarp(const ColonPair & pair, const CylindricalWarp & warp, FoldMatchingMethod method)
+{
+  CorrectedWarp corrected;
+  corrected.warp = warp;
+  corrected.taeniaDeviation = 6.0;
+  MatchAndFit(pair, method, 3, corrected);
   return corrected;
 }
 

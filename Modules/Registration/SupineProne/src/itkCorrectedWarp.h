@@ -26,6 +26,8 @@ struct CorrectedWarp
   CylindricalWarp                         warp;
   FoldMatching                            matching;
   std::shared_ptr<const SmoothCorrection> correction;
+  /** Standard deviation of the taeniae as constraints of the correction, mm. */
+  double taeniaDeviation{ 3.0 };
   /** How much the correction follows the middle of each pair, 0 to 1. */
   std::vector<double> pairWeights;
 
@@ -40,9 +42,14 @@ struct CorrectedWarp
 };
 
 /** Matches folds about the warp, and again about the corrected one; the correction is a thin plate through the middles
- * and ends of matched folds and along the taeniae. */
+ * and ends of matched folds and along the taeniae. To judge a warp: taeniae count as much as folds. */
 CorrectedWarp
 CorrectWarp(const ColonPair & pair, const CylindricalWarp & warp, FoldMatchingMethod method);
+
+/** The same once more, for the warp that was chosen. Taeniae are found less exactly than folds, and neighbouring points
+ * of one err together, so that each counts for a quarter of a fold. */
+CorrectedWarp
+CorrectChosenWarp(const ColonPair & pair, const CylindricalWarp & warp, FoldMatchingMethod method);
 
 /** Matches folds once about the warp; the correction goes through middle and ends of all of them, right or wrong. */
 CorrectedWarp

@@ -113,6 +113,7 @@ WarpByTrials(const ColonPair & pair, FoldMatchingMethod method)
       choice.best = std::move(corrected);
     }
   }
+  choice.best = CorrectChosenWarp(pair, choice.best.warp, method);
   choice.frameRotation = choice.best.warp.rotation;
   if (!choice.energies.empty())
   {
