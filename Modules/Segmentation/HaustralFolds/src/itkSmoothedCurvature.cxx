@@ -1,10 +1,9 @@
 #include "itkSmoothedCurvature.h"
 
-#include "itkSurfaceLaplacian.h"
+#include "itkSurfaceDiffusion.h"
 #include "itkToolError.h"
 
 #include <Eigen/Geometry>
-#include <Eigen/IterativeLinearSolvers>
 
 #include <cmath>
 
@@ -12,7 +11,6 @@ namespace itk
 {
 namespace
 {
-constexpr int steps = 2;
 /** 1/mm: a ball of 1 mm. What is curved more is a fault of the mesh, such as a needle. */
 constexpr double greatestCurvature = 1.0;
 
@@ -48,29 +46,6 @@ ClearBoundary(const SurfaceConnectivity & connectivity, Eigen::VectorXd & values
     }
   }
 }
-
-/** Solves (M + step L) x = M x. Conjugate gradients: the system is near diagonal, and a factorisation would take as
- * much memory as the surface many times over. */
-void
-Diffuse(const SurfaceLaplacian &            laplacian,
-        const Eigen::SparseMatrix<double> & stiffness,
-        double                              time,
-        Eigen::VectorXd &                   x)
-{
-  Eigen::SparseMatrix<double> system = time / steps * stiffness;
-  system.diagonal() += laplacian.mass;
-  Eigen::ConjugateGradient<Eigen::SparseMatrix<double>, Eigen::Lower> solver(system);
-  solver.setTolerance(1e-10);
-  for (int step = 0; step < steps; ++step)
-  {
-    const Eigen::VectorXd right = laplacian.mass.cwiseProduct(x);
-    x = solver.solveWithGuess(right, x);
-    if (solver.info() != Eigen::Success || !x.allFinite())
-    {
-      throw InputError("the curvature of the surface cannot be smoothed; repair or remesh the surface");
-    }
-  }
-}
 } // namespace
 
 Eigen::VectorXd
@@ -87,10 +62,8 @@ SmoothedMeanCurvature(const VertexMatrix & V, const FaceMatrix & F, double time,
   const Eigen::ArrayXd curvature = (0.5 * values.array() / area).max(-greatestCurvature).min(greatestCurvature);
   values = unit == CurvatureUnit::PerArea ? curvature : (-2.0 * curvature * area).eval();
   ClearBoundary(connectivity, values);
-  if (time > 0.0)
-  {
-    Diffuse(laplacian, stiffness, time, values);
-  }
-  return values;
+  Eigen::MatrixXd smoothed = values;
+  DiffuseOverSurface(laplacian, time, smoothed);
+  return smoothed;
 }
 } // namespace itk
