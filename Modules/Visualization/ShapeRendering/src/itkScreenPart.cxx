@@ -13,20 +13,20 @@ namespace
 {
 using Row = Eigen::RowVector3d;
 
-int
-FixedPoint(double pixel)
-{
-  // Far outside of any picture, and small enough for products of two differences in 64 bits.
-  constexpr double limit = 1 << 28;
-  return static_cast<int>(std::lround(std::clamp((pixel + 0.5) * samplesAlongPixel * subsamples, -limit, limit)));
-}
-
 Row
 RowOf(const Vector<double, 3> & vector)
 {
   return { vector[0], vector[1], vector[2] };
 }
 } // namespace
+
+int
+ScreenPlace(double pixel)
+{
+  // Far outside of any picture, and small enough for products of two differences in 64 bits.
+  constexpr double limit = 1 << 28;
+  return static_cast<int>(std::lround(std::clamp((pixel + 0.5) * samplesAlongPixel * subsamples, -limit, limit)));
+}
 
 VertexMatrix
 VertexNormals(const VertexMatrix & V, const FaceMatrix & F)
@@ -74,8 +74,8 @@ ProjectMesh(const SurfaceMesh & mesh, const PatientView & view)
         const Row  n = normals.row(i);
         const auto place = view.Project(PatientView::PointType{ p.data() });
         part.vertices[i] = {
-          FixedPoint(place[0]),
-          FixedPoint(place[1]),
+          ScreenPlace(place[0]),
+          ScreenPlace(place[1]),
           static_cast<float>(p.dot(forward) - originDepth),
           { static_cast<float>(n.dot(right)), static_cast<float>(n.dot(up)), static_cast<float>(-n.dot(forward)) }
         };

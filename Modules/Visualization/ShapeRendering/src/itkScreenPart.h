@@ -38,6 +38,10 @@ struct ScreenPart
   bool hasDepthShading{ true };
 };
 
+/** A place in pixels as a ScreenVertex has it. */
+int
+ScreenPlace(double pixel);
+
 /** The sum of the normals of the faces around each vertex, by area, to length 1. */
 VertexMatrix
 VertexNormals(const VertexMatrix & V, const FaceMatrix & F);
