@@ -24,6 +24,7 @@ set(Shapeton_MODULES
   Segmentation/ColonModel
   Segmentation/HaustralFolds
   Mesh/ColonLandmarks
+  Segmentation/PolypCandidates
   Registration/SupineProne
   Graph/GraphModel
   Graph/GraphFiles
@@ -40,6 +41,7 @@ set(Shapeton_MODULES
   Visualization/HaustralFoldView
   Visualization/ColonLandmarkView
   Visualization/RegistrationView
+  Visualization/PolypCandidateView
   Visualization/ColonoscopyRun
   Visualization/GraphView
   Visualization/GraphComparisonView

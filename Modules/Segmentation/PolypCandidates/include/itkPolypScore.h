@@ -1,0 +1,57 @@
+#ifndef itkPolypScore_h
+#define itkPolypScore_h
+
+#include "PolypCandidatesExport.h"
+
+#include <array>
+#include <limits>
+
+namespace itk
+{
+struct WallBulge;
+
+/** What tells a polyp from the rest of the wall. \ingroup PolypCandidates */
+struct PolypFeatures
+{
+  /** Mean shape index of the head: 1 a cap, 0.5 a ridge (Koenderink and van Doorn 1992; Yoshida and Nappi 2001). */
+  double shapeIndex{ 0.0 };
+  /** Least over greatest width across the axis. */
+  double roundness{ 0.0 };
+  /** Integral of the Gaussian curvature, sr. */
+  double solidAngle{ 0.0 };
+  /** Height over greatest width. */
+  double prominence{ 0.0 };
+  /** Greatest width across the axis, mm. */
+  double width{ 0.0 };
+  /** \name Reported, not in the score: not numbers unless MeasureShapeDiffusion() was run */
+  ///@{
+  /** Cumulative heat of the tissue of the head, 0 to 1. */
+  double heat{ std::numeric_limits<double>::quiet_NaN() };
+  /** Visits of shapetons there over their mean in the tissue around. */
+  double shapetonDensity{ std::numeric_limits<double>::quiet_NaN() };
+  ///@}
+};
+
+/** \ingroup PolypCandidates */
+PolypCandidates_EXPORT PolypFeatures
+FeaturesOf(const WallBulge & bulge);
+
+/** The terms of the score: shape index, and the natural logarithms of roundness, of solid angle / 2 pi, of prominence
+ * and of width / 10 mm. \ingroup PolypCandidates */
+constexpr int          numberOfPolypTerms = 5;
+PolypCandidates_EXPORT std::array<double, numberOfPolypTerms>
+                       TermsOf(const PolypFeatures & features);
+
+/** Weights of the terms and a constant, last: logistic regression. \ingroup PolypCandidates */
+using PolypWeights = std::array<double, numberOfPolypTerms + 1>;
+
+/** The weights that are in use; the README tells what they were fitted to. \ingroup PolypCandidates */
+PolypCandidates_EXPORT const PolypWeights &
+FittedPolypWeights();
+
+/** 1 / (1 + exp(-(w . terms + constant))), in (0, 1). \ingroup PolypCandidates */
+PolypCandidates_EXPORT double
+PolypScore(const PolypFeatures & features, const PolypWeights & weights = FittedPolypWeights());
+} // namespace itk
+
+#endif

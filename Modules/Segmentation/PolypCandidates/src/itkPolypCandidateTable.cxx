@@ -1,0 +1,139 @@
+#include "itkColonSegments.h"
+#include "itkPolypSearch.h"
+
+#include <cmath>
+
+namespace itk
+{
+namespace
+{
+std::string
+Cell(double value, int digits = 5)
+{
+  return std::isfinite(value) ? CsvTable::Rounded(value, digits) : "";
+}
+
+void
+AddPoint(const Eigen::Vector3d & point, std::vector<std::string> & cells)
+{
+  for (int k = 0; k < 3; ++k)
+  {
+    cells.push_back(Cell(point[k], 6));
+  }
+}
+
+void
+AddOther(const std::optional<PolypInOtherPosition> & other, std::vector<std::string> & cells)
+{
+  if (!other)
+  {
+    cells.insert(cells.end(), 7, "");
+    return;
+  }
+  cells.push_back(other->isExcluded ? "excluded" : other->isSeen ? "1" : "0");
+  cells.push_back(other->candidate > 0 ? std::to_string(other->candidate) : "");
+  cells.push_back(Cell(other->distance));
+  AddPoint(other->point, cells);
+  cells.push_back(Cell(other->confidence, 3));
+}
+} // namespace
+
+CsvTable
+TableOfPolypCandidates(const std::vector<PolypCandidate> & candidates)
+{
+  CsvTable table({ "candidate",
+                   "score",
+                   "x",
+                   "y",
+                   "z",
+                   "segment",
+                   "arcLength",
+                   "diameter",
+                   "size",
+                   "leastDiameter",
+                   "height",
+                   "attenuation",
+                   "tissue",
+                   "u",
+                   "v",
+                   "shapeIndex",
+                   "roundness",
+                   "solidAngle",
+                   "prominence",
+                   "heat",
+                   "shapetonDensity",
+                   "seenInOther",
+                   "otherCandidate",
+                   "otherDistance",
+                   "otherX",
+                   "otherY",
+                   "otherZ",
+                   "otherConfidence",
+                   "remark" });
+  for (const PolypCandidate & one : candidates)
+  {
+    std::vector<std::string> cells{ std::to_string(one.number), Cell(one.score, 4) };
+    AddPoint(one.position, cells);
+    const PolypFeatures & features = one.features;
+    for (const std::string & cell : { NameOfSegment(one.segment),
+                                      Cell(one.arcLength),
+                                      Cell(one.diameter, 4),
+                                      NameOf(SizeOf(one.diameter)),
+                                      Cell(one.leastDiameter, 4),
+                                      Cell(one.height, 4),
+                                      Cell(one.attenuation, 4),
+                                      NameOf(one.tissue),
+                                      Cell(one.uv.x(), 6),
+                                      Cell(one.uv.y(), 6),
+                                      Cell(features.shapeIndex, 4),
+                                      Cell(features.roundness, 4),
+                                      Cell(features.solidAngle, 4),
+                                      Cell(features.prominence, 4),
+                                      Cell(features.heat, 4),
+                                      Cell(features.shapetonDensity, 4) })
+    {
+      cells.push_back(cell);
+    }
+    AddOther(one.other, cells);
+    cells.push_back(one.remark);
+    table.AddRow(std::move(cells));
+  }
+  return table;
+}
+
+std::vector<Markup>
+MarkupsOfPolypCandidates(const std::vector<PolypCandidate> & candidates)
+{
+  if (candidates.empty())
+  {
+    return {};
+  }
+  Markup markup;
+  markup.name = "Polyp candidates (research use)";
+  markup.color = { 1.0, 0.85, 0.2 };
+  for (const PolypCandidate & one : candidates)
+  {
+    markup.points.push_back(one.position);
+    markup.labels.push_back(std::to_string(one.number));
+    markup.descriptions.push_back("candidate, " + CsvTable::Rounded(one.diameter, 3) + " mm, score " +
+                                  CsvTable::Rounded(one.score, 2));
+  }
+  return { markup };
+}
+
+std::string
+CategoryImplied(const std::vector<PolypCandidate> & candidates)
+{
+  int medium = 0, large = 0;
+  for (const PolypCandidate & one : candidates)
+  {
+    const PolypSize size = SizeOf(one.diameter);
+    medium += size == PolypSize::From6To9 ? 1 : 0;
+    large += size == PolypSize::From10 || size == PolypSize::From30 ? 1 : 0;
+  }
+  const std::string category = large > 0 || medium >= 3 ? "C3" : medium > 0 ? "C2" : "C1";
+  return category + ", implied by the sizes of the candidates alone (" + std::to_string(large) +
+         " of 10 mm and more, " + std::to_string(medium) +
+         " of 6 to 9 mm), if all of them were polyps; a category is a reader's to give";
+}
+} // namespace itk
