@@ -1,0 +1,121 @@
+#include "ColonPolypsXML.h"
+
+#include "itkCommandLine.h"
+#include "itkPolypCandidateReport.h"
+#include "itkSlicerMarkups.h"
+#include "itkSurfaceReader.h"
+#include "itkToolError.h"
+
+#include <limits>
+
+namespace
+{
+using itk::CommandLine;
+using Candidates = std::vector<itk::PolypCandidate>;
+
+void
+CheckUsage(const CommandLine & commandLine)
+{
+  itk::RequireUsage(!commandLine.IsGiven("other") || commandLine.IsGiven("registration"),
+                    "--other needs --registration, which tells where candidates lie in the other position");
+}
+
+std::vector<Eigen::Vector3d>
+ReadOthers(CommandLine & commandLine)
+{
+  std::vector<Eigen::Vector3d> points;
+  if (commandLine.IsGiven("other"))
+  {
+    for (const itk::Markup & markup : itk::ReadMarkups(commandLine, "other"))
+    {
+      points.insert(points.end(), markup.points.begin(), markup.points.end());
+    }
+  }
+  return points;
+}
+
+/** mm, from the wall to the surface of a map: 0 for the map that begins at this wall. */
+double
+DistanceBetween(const itk::SurfaceMesh & map, const Candidates & candidates)
+{
+  return candidates.empty() ? 0.0
+                            : (map.V.rowwise() - candidates.front().position.transpose()).rowwise().norm().minCoeff();
+}
+
+void
+MapToOther(CommandLine & commandLine, Candidates & candidates)
+{
+  if (!commandLine.IsGiven("registration"))
+  {
+    return;
+  }
+  const std::vector<Eigen::Vector3d> others = ReadOthers(commandLine);
+  const std::string                  folder = commandLine.GetString("registration");
+  std::string                        nearest;
+  itk::SurfaceMesh                   map;
+  double                             least = std::numeric_limits<double>::infinity();
+  for (const char * const name : { "/map-supine-to-prone.vtp", "/map-prone-to-supine.vtp" })
+  {
+    const itk::Surface surface = itk::ReadSurface(folder + name);
+    commandLine.AddProvenance(std::string("registration") + name, surface.identity);
+    const double distance = DistanceBetween(surface.mesh, candidates);
+    if (distance < least)
+    {
+      least = distance;
+      nearest = folder + name;
+      map = surface.mesh;
+    }
+  }
+  itk::FindInOtherPosition(map, '"' + nearest + '"', others, candidates);
+}
+
+void
+SearchForPolyps(CommandLine & commandLine)
+{
+  CheckUsage(commandLine);
+  const std::string table = commandLine.OutputOf("outputTable");
+  const std::string markups = commandLine.OutputOf("markups");
+  const std::string report = commandLine.GetString("report");
+  if (!report.empty())
+  {
+    commandLine.MakeFolder(report);
+  }
+  commandLine.RecordRun(commandLine.GetString("outputTable") + ".run.json");
+
+  commandLine.Progress("Reading", 0.0);
+  const itk::PolypColon colon = itk::ReadPolypColon(commandLine.GetString("inputFolder"));
+  commandLine.LeaveOutOfProvenance("inputFolder");
+  for (const auto & [name, identity] : colon.facts)
+  {
+    commandLine.AddProvenance(name, identity);
+  }
+  for (const std::string & warning : colon.warnings)
+  {
+    commandLine.Warn(warning);
+  }
+
+  itk::PolypSearchOptions options;
+  options.preset =
+    commandLine.GetString("preset") == "published" ? itk::PolypPreset::Published : itk::PolypPreset::Default;
+  options.sensitivity = commandLine.GetDouble("sensitivity");
+  options.progress = [&commandLine](const std::string & stage, double share) {
+    commandLine.Progress(stage, 0.2 + 0.5 * share);
+  };
+  Candidates candidates = itk::SearchPolyps(colon, options);
+  MapToOther(commandLine, candidates);
+
+  commandLine.Progress("Writing", 0.7);
+  itk::TableOfPolypCandidates(candidates).Write(table);
+  if (!markups.empty())
+  {
+    itk::WriteMarkups(itk::MarkupsOfPolypCandidates(candidates), markups);
+  }
+  itk::WritePolypCandidateReport(commandLine, colon, candidates, report);
+}
+} // namespace
+
+int
+main(int argc, char * argv[])
+{
+  return CommandLine::Run(ToolXML, argc, argv, SearchForPolyps);
+}
