@@ -6,8 +6,11 @@
 #include "itkSurfaceReader.h"
 #include "itkSurfaceWriter.h"
 #include "itkToolError.h"
+#include "itkVolumeWriter.h"
 
 #include "itkCastImageFilter.h"
+#include "itkImageFileReader.h"
+#include "itkNrrdImageIO.h"
 
 #include <cmath>
 #include <cstdlib>
@@ -113,6 +116,39 @@ MakeLandmarkExam(const LandmarkCase & one)
     WriteCurves(exam.centreline, cached + ".line.vtp");
   }
   return exam;
+}
+
+Image<unsigned char, 3>::Pointer
+LumenOfCase(const LandmarkCase & one)
+{
+  const std::string cached = CachedName(one);
+  if (!cached.empty() && std::filesystem::exists(cached + ".lumen.nrrd"))
+  {
+    const auto reader = ImageFileReader<Image<unsigned char, 3>>::New();
+    reader->SetImageIO(NrrdImageIO::New());
+    reader->SetFileName(cached + ".lumen.nrrd");
+    reader->Update();
+    return reader->GetOutput();
+  }
+  Image<unsigned char, 3>::Pointer lumen;
+  if (one.isFromCt)
+  {
+    const ColonModel model = MakeModel(one);
+    if (!model.failure.empty())
+    {
+      throw InputError(NameOfCase(one) + ": " + model.failure);
+    }
+    lumen = model.lumen.labels;
+  }
+  else
+  {
+    lumen = MakePhantom(one)->GetLumenOutput();
+  }
+  if (!cached.empty())
+  {
+    WriteVolume<unsigned char>(lumen, cached + ".lumen.nrrd");
+  }
+  return lumen;
 }
 
 std::string

@@ -3,6 +3,8 @@
 
 #include "itkColonAnatomy.h"
 
+#include "itkImage.h"
+
 #include <memory>
 #include <string>
 
@@ -33,6 +35,11 @@ struct LandmarkExam
  * and taken from there: for development alone, as nothing tells whether the programs have changed since. */
 LandmarkExam
 MakeLandmarkExam(const LandmarkCase & one);
+
+/** The labels of the lumen that the model is made from (1 gas, 2 fluid): true ones, or those found in the CT. Made anew
+ * unless they are kept in the cache, where they then stay. Throws InputError where there is no model. */
+itk::Image<unsigned char, 3>::Pointer
+LumenOfCase(const LandmarkCase & one);
 
 /** "seed 100, supine". */
 std::string

@@ -98,6 +98,8 @@ ValidateColonLandmarksFromCt(const ValidationSettings & settings, ValidationRepo
 void
 ValidateColonRegistration(const ValidationSettings & settings, ValidationReport & report);
 void
+ValidateColonPolyps(const ValidationSettings & settings, ValidationReport & report);
+void
 ValidateColonNoise(const ValidationSettings & settings, ValidationReport & report);
 void
 ValidateColonSurfacesFine(const ValidationSettings & settings, ValidationReport & report);

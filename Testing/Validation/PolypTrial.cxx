@@ -1,0 +1,104 @@
+#include "PolypTrial.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+using namespace itk;
+
+namespace
+{
+/** Whether the centreline of the true colon is collapsed at a distance. */
+bool
+IsCollapsedAt(const CurveSet & centreline, double arcLength)
+{
+  const Eigen::VectorXd distances = PointValues(centreline, "arcLength", "the centreline");
+  const Eigen::VectorXd collapsed = PointValues(centreline, "collapsed", "the centreline");
+  Eigen::Index          nearest = 0;
+  (distances.array() - arcLength).abs().minCoeff(&nearest);
+  return collapsed[nearest] != 0.0;
+}
+
+/** The phantom does not tell where its valve is: a candidate of 14 mm and more within 25 mm, along the colon, of the
+ * border of the caecum. */
+bool
+IsValve(const ColonAnatomy & anatomy, const PolypCandidate & candidate)
+{
+  constexpr double leastDiameter = 10.0, reach = 25.0;
+  double           border = anatomy.Length();
+  while (border > 0.0 && anatomy.SegmentAt(border - 1.0) == 6)
+  {
+    border -= 1.0;
+  }
+  return candidate.diameter >= leastDiameter &&
+         std::abs(anatomy.Evaluate(candidate.position + 4.0 * candidate.axis).arcLength - border) < reach;
+}
+} // namespace
+
+bool
+IsAt(const PolypCandidate & candidate, const ColonPolyp & polyp)
+{
+  const double distance =
+    std::min((candidate.position - polyp.position).norm(), (candidate.position - polyp.base).norm());
+  return distance <= 0.5 * polyp.diameter + polypReach;
+}
+
+std::vector<ColonPolyp>
+VisiblePolyps(const ColonAnatomy & anatomy)
+{
+  const CurveSet          centreline = anatomy.Centreline();
+  std::vector<ColonPolyp> visible;
+  for (const ColonPolyp & polyp : anatomy.Polyps())
+  {
+    if (!IsCollapsedAt(centreline, polyp.arcLength))
+    {
+      visible.push_back(polyp);
+    }
+  }
+  return visible;
+}
+
+PolypExam
+ComparePolyps(const LandmarkCase & one, const ColonAnatomy & anatomy, const std::vector<PolypCandidate> & candidates)
+{
+  PolypExam exam;
+  exam.name = NameOfCase(one);
+  for (const ColonPolyp & polyp : VisiblePolyps(anatomy))
+  {
+    PolypTruth truth{ polyp, 0.0, 0.0 };
+    for (const PolypCandidate & candidate : candidates)
+    {
+      if (IsAt(candidate, polyp) && candidate.score > truth.score)
+      {
+        truth.score = candidate.score;
+        truth.diameter = candidate.diameter;
+      }
+    }
+    exam.truths.push_back(truth);
+  }
+  const std::vector<ColonPolyp> polyps = anatomy.Polyps();
+  for (const PolypCandidate & candidate : candidates)
+  {
+    if (std::none_of(polyps.begin(), polyps.end(), [&](const ColonPolyp & polyp) { return IsAt(candidate, polyp); }))
+    {
+      exam.falseScores.push_back(candidate.score);
+      if (IsValve(anatomy, candidate))
+      {
+        exam.valveScores.push_back(candidate.score);
+      }
+    }
+  }
+  return exam;
+}
+
+double
+WilsonLowerBound(int part, int whole)
+{
+  if (whole == 0)
+  {
+    return 0.0;
+  }
+  constexpr double z = 1.959964;
+  const double     n = whole, p = part / n;
+  return (p + z * z / (2.0 * n) - z * std::sqrt(p * (1.0 - p) / n + z * z / (4.0 * n * n))) / (1.0 + z * z / n);
+}

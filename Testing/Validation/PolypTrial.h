@@ -1,0 +1,53 @@
+#ifndef PolypTrial_h
+#define PolypTrial_h
+
+#include "LandmarkTrial.h"
+
+#include "itkPolypCandidates.h"
+
+#include <vector>
+
+/** A polyp of a phantom that could be found, and what was. */
+struct PolypTruth
+{
+  itk::ColonPolyp polyp;
+  /** Of the candidate with the highest score at it; 0 for none. */
+  double score{ 0.0 };
+  /** Of that candidate, mm. */
+  double diameter{ 0.0 };
+};
+
+/** What was found in an exam. */
+struct PolypExam
+{
+  std::string name;
+  /** Outside of collapsed stretches. */
+  std::vector<PolypTruth> truths;
+  /** Scores of candidates that are at no polyp, and of those at the ileocaecal valve among them. */
+  std::vector<double> falseScores;
+  std::vector<double> valveScores;
+};
+
+/** How far from a polyp's head or base, beyond its radius, a candidate may be that has found it, mm. */
+constexpr double polypReach = 3.0;
+
+/** Whether a candidate is at a polyp. */
+bool
+IsAt(const itk::PolypCandidate & candidate, const itk::ColonPolyp & polyp);
+
+/** Compares candidates, in any order, with the truth. The valve is the true one: the bump at the middle of the body
+ * where ascending colon and caecum meet. */
+PolypExam
+ComparePolyps(const LandmarkCase &                     one,
+              const itk::ColonAnatomy &                anatomy,
+              const std::vector<itk::PolypCandidate> & candidates);
+
+/** Polyps outside of collapsed stretches. */
+std::vector<itk::ColonPolyp>
+VisiblePolyps(const itk::ColonAnatomy & anatomy);
+
+/** The lower end of Wilson's 95 % interval (two-sided) of a share; 0 for none. */
+double
+WilsonLowerBound(int part, int whole);
+
+#endif
