@@ -2,6 +2,7 @@
 
 #include "itkCommandLine.h"
 #include "itkPolypCandidateReport.h"
+#include "itkSha256.h"
 #include "itkSlicerMarkups.h"
 #include "itkSurfaceReader.h"
 #include "itkToolError.h"
@@ -23,15 +24,13 @@ CheckUsage(const CommandLine & commandLine)
 std::vector<Eigen::Vector3d>
 ReadOthers(CommandLine & commandLine)
 {
-  std::vector<Eigen::Vector3d> points;
-  if (commandLine.IsGiven("other"))
+  if (!commandLine.IsGiven("other"))
   {
-    for (const itk::Markup & markup : itk::ReadMarkups(commandLine, "other"))
-    {
-      points.insert(points.end(), markup.points.begin(), markup.points.end());
-    }
+    return {};
   }
-  return points;
+  const std::string path = commandLine.GetString("other");
+  commandLine.AddInput("other", "sha256:" + itk::Sha256OfFile(path));
+  return itk::ReadPolypCandidatePlaces(path);
 }
 
 /** mm, from the wall to the surface of a map: 0 for the map that begins at this wall. */

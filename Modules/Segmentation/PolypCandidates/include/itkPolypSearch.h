@@ -73,6 +73,11 @@ PolypCandidates_EXPORT std::string
 PolypCandidates_EXPORT CsvTable
 TableOfPolypCandidates(const std::vector<PolypCandidate> & candidates);
 
+/** Where the candidates of such a table are, LPS, mm, in its order. Throws InputError for what is no such table.
+ * \ingroup PolypCandidates */
+PolypCandidates_EXPORT std::vector<Eigen::Vector3d>
+                       ReadPolypCandidatePlaces(const std::string & path);
+
 /** Points of 3D Slicer, labelled by number and diameter; none without candidates. \ingroup PolypCandidates */
 PolypCandidates_EXPORT std::vector<Markup>
                        MarkupsOfPolypCandidates(const std::vector<PolypCandidate> & candidates);

@@ -1,4 +1,5 @@
 #include "itkColonSegments.h"
+#include "itkCsvFile.h"
 #include "itkPolypSearch.h"
 
 #include <cmath>
@@ -99,6 +100,18 @@ TableOfPolypCandidates(const std::vector<PolypCandidate> & candidates)
     table.AddRow(std::move(cells));
   }
   return table;
+}
+
+std::vector<Eigen::Vector3d>
+ReadPolypCandidatePlaces(const std::string & path)
+{
+  const CsvFile                table(path, { "x", "y", "z" });
+  std::vector<Eigen::Vector3d> places;
+  for (std::size_t row = 0; row < table.Rows(); ++row)
+  {
+    places.emplace_back(table.Number(row, "x"), table.Number(row, "y"), table.Number(row, "z"));
+  }
+  return places;
 }
 
 std::vector<Markup>

@@ -140,6 +140,21 @@ TEST(PolypCandidates, SameBytesForAnyNumberOfThreads)
   EXPECT_FALSE(tables[1].GetRows().empty());
 }
 
+TEST(PolypCandidates, PlacesAreReadFromTheTable)
+{
+  const std::string path = SHAPETON_TEST_TEMPORARY_DIR "/PolypCandidatePlaces.csv";
+  itk::TableOfPolypCandidates({}).Write(path);
+  EXPECT_TRUE(itk::ReadPolypCandidatePlaces(path).empty());
+  std::vector<itk::PolypCandidate> candidates(2);
+  candidates[0].position = { 1.5, -2.25, 3.0 };
+  candidates[1].position = { -40.0, 50.5, 60.0 };
+  itk::TableOfPolypCandidates(candidates).Write(path);
+  const auto places = itk::ReadPolypCandidatePlaces(path);
+  ASSERT_EQ(places.size(), 2u);
+  EXPECT_LT((places[0] - candidates[0].position).norm(), 1e-6);
+  EXPECT_LT((places[1] - candidates[1].position).norm(), 1e-6);
+}
+
 // Heat of a closed body goes with its surface over its volume.
 TEST(PolypCandidates, SmallHeadsAreHotter)
 {

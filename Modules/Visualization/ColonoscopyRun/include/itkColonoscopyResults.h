@@ -27,6 +27,7 @@ constexpr const char * flattening = "flattening";
 constexpr const char * landmarks = "landmarks";
 constexpr const char * folds = "folds";
 constexpr const char * registration = "registration";
+constexpr const char * polyps = "polyps";
 } // namespace colonoscopystage
 
 /** A fold by its centre. \ingroup ColonoscopyRun */
@@ -43,6 +44,23 @@ struct ColonoscopyPair
   ColonPositionFiles  first;
   ColonPositionFiles  second;
   RegistrationResults registration;
+};
+
+/** A polyp candidate as the table of ColonPolyps tells it. \ingroup ColonoscopyRun */
+struct ColonoscopyPolyp
+{
+  std::string     number;
+  Eigen::Vector3d position{ Eigen::Vector3d::Zero() }; ///< LPS, mm
+  std::string     score;
+  std::string     segment;
+  double          arcLength{ 0.0 }; ///< mm; not a number where it is not known
+  std::string     diameter;         ///< mm
+  std::string     size;
+  std::string     height; ///< mm
+  std::string     tissue;
+  std::string     seenInOther; ///< "1", "0", "excluded", or "" where no other position was looked at
+  std::string     otherCandidate;
+  std::string     remark;
 };
 
 /** What the stages have found, read from their files; of a stage that did not come to its end, nothing.
@@ -69,6 +87,10 @@ struct ColonoscopyRun_EXPORT ColonoscopyResults
   Image<unsigned short, 2>::Pointer foldLabels;
   CurveSet                          features;
   std::vector<ColonoscopyFold>      folds;
+
+  std::vector<ColonoscopyPolyp> polyps;
+  /** Files of pictures of the candidates: the flat colon, then one of each. */
+  std::vector<std::string> polypPictures;
 
   /** Where a second series was registered with this one. */
   std::shared_ptr<const ColonoscopyPair> pair;

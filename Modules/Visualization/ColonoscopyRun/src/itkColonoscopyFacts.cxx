@@ -164,6 +164,10 @@ SummaryOf(const ColonoscopyReportContent & content)
   {
     facts.emplace_back("Haustral folds", std::to_string(results.folds.size()));
   }
+  if (results.IsDone(colonoscopystage::polyps))
+  {
+    facts.emplace_back("Polyp candidates", std::to_string(results.polyps.size()));
+  }
   return facts;
 }
 
@@ -219,6 +223,38 @@ TaeniaTable(const ColonoscopyResults & results)
     table.AddRow({ NumberOrNothing(CellValue(results.taeniae, "taenia", curve), 2),
                    Centimetres(LengthOf(results.taeniae, curve)),
                    NumberOrNothing(MeanConfidence(results.taeniae, curve), 2) });
+  }
+  return table;
+}
+
+CsvTable
+PolypTable(const ColonoscopyResults & results)
+{
+  CsvTable table({ "candidate",
+                   "score",
+                   "segment",
+                   "from the anal verge",
+                   "largest diameter, mm",
+                   "size",
+                   "height, mm",
+                   "inside",
+                   "other position",
+                   "remark" });
+  for (const ColonoscopyPolyp & polyp : results.polyps)
+  {
+    const std::string other = polyp.seenInOther == "1"   ? "candidate " + polyp.otherCandidate
+                              : polyp.seenInOther == "0" ? "no candidate"
+                                                         : polyp.seenInOther;
+    table.AddRow({ polyp.number,
+                   polyp.score,
+                   polyp.segment,
+                   std::isfinite(polyp.arcLength) ? Centimetres(polyp.arcLength) : "",
+                   polyp.diameter,
+                   polyp.size,
+                   polyp.height,
+                   polyp.tissue,
+                   other,
+                   polyp.remark });
   }
   return table;
 }

@@ -91,6 +91,27 @@ AddFlat(HtmlReport & html, PagePictures & pictures, const ColonoscopyResults & r
 }
 
 void
+AddPolyps(HtmlReport & html, const ColonoscopyResults & results)
+{
+  html.AddHeading("Polyp candidates");
+  html.AddNote("For research use; not a diagnosis. A candidate is a place whose shape is that of a polyp. It may be "
+               "stool, the ileocaecal valve or the end of a fold, and a polyp may be missing from the list.");
+  if (results.polyps.empty())
+  {
+    html.AddParagraph("No candidates at this sensitivity.");
+    return;
+  }
+  html.AddTable(PolypTable(results), "Candidates by falling score");
+  for (std::size_t i = 0; i < results.polypPictures.size(); ++i)
+  {
+    html.AddPicture(results.polypPictures[i],
+                    i == 0 ? "Candidates on the flat colon"
+                           : "Candidate " + std::to_string(i) +
+                               ": on the flat map at four times the resolution, and from the centreline");
+  }
+}
+
+void
 AddPair(HtmlReport & html, PagePictures & pictures, const ColonoscopyPair & pair)
 {
   const RegistrationParts parts{ &pair.first, &pair.second, &pair.registration };
@@ -149,6 +170,10 @@ WriteColonoscopyReport(const ColonoscopyReportContent & content,
     AddFlat(html, pictures, results);
   }
   AddTables(html, results);
+  if (results.IsDone(colonoscopystage::polyps))
+  {
+    AddPolyps(html, results);
+  }
   if (results.pair)
   {
     AddPair(html, pictures, *results.pair);

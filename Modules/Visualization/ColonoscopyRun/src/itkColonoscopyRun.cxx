@@ -160,7 +160,10 @@ LeaveOut(const std::vector<std::string> & options, CommandLine::Provenance & pro
 void
 RunOne(CommandLine & commandLine, SeriesRun & only)
 {
-  only.Run(StagesOfSeries(commandLine, ColonoscopySeries::First), 0.0, 1.0);
+  if (only.Run(StagesOfSeries(commandLine, ColonoscopySeries::First), 0.0, 0.9))
+  {
+    only.Run({ StageOfPolyps(commandLine, ColonoscopySeries::First) }, 0.86, 0.07);
+  }
   Present(commandLine, only.Presentation());
   if (only.Status() != 0)
   {
@@ -172,11 +175,13 @@ RunOne(CommandLine & commandLine, SeriesRun & only)
 void
 RunTwo(CommandLine & commandLine, SeriesRun & first, SeriesRun & second)
 {
-  constexpr double share = 0.44; // of the time, for each series
+  constexpr double share = 0.4; // of the time, for each series
   const bool       hasFirst = first.Run(StagesOfSeries(commandLine, ColonoscopySeries::First), 0.0, share);
-  if (hasFirst && second.Run(StagesOfSeries(commandLine, ColonoscopySeries::Second), share, share))
+  if (hasFirst && second.Run(StagesOfSeries(commandLine, ColonoscopySeries::Second), share, share) &&
+      first.Run({ StageOfRegistration(commandLine) }, 2.0 * share, 0.06) &&
+      second.Run({ StageOfPolyps(commandLine, ColonoscopySeries::Second) }, 0.86, 0.03))
   {
-    first.Run({ StageOfRegistration(commandLine) }, 2.0 * share, 0.06);
+    first.Run({ StageOfPolyps(commandLine, ColonoscopySeries::First) }, 0.89, 0.03);
   }
   if (hasFirst)
   {

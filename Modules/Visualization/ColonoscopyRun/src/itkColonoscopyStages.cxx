@@ -214,21 +214,19 @@ Folds(const OptionPasser & passer, const StagedRun & run)
   return stage;
 }
 
-/** What ColonRegistration reads of a position. */
-std::string
-IdentityOfPosition(const std::string & folder)
+/** What a tool that is given a whole folder reads of it. */
+Stage::Identity
+IdentityOfFiles(const std::vector<std::string> & names)
 {
-  std::string lines;
-  for (const char * const name : { "/flattening/flat.vtp",
-                                   "/segmentation/centreline.vtp",
-                                   "/landmarks/landmarks.json",
-                                   "/landmarks/folds-surface.vtp",
-                                   "/landmarks/taeniae.vtp",
-                                   "/folds/folds.csv" })
-  {
-    lines += fs::exists(folder + name) ? IdentityOf(folder + name) + ' ' + name + '\n' : "";
-  }
-  return "sha256:" + Sha256OfBytes(lines);
+  return [names](const std::string & folder) {
+    std::string lines;
+    for (const std::string & name : names)
+    {
+      const std::string path = folder + '/' + name;
+      lines += fs::exists(path) ? IdentityOf(path) + ' ' + name + '\n' : "";
+    }
+    return "sha256:" + Sha256OfBytes(lines);
+  };
 }
 } // namespace
 
@@ -278,7 +276,14 @@ StageOfRegistration(const CommandLine & commandLine)
     Stage stage(names::registration, "ColonRegistration");
     for (const ColonoscopySeries series : { ColonoscopySeries::First, ColonoscopySeries::Second })
     {
-      stage.Input("", FolderOfSeries(folder, series), IdentityOfPosition);
+      stage.Input("",
+                  FolderOfSeries(folder, series),
+                  IdentityOfFiles({ "flattening/flat.vtp",
+                                    "segmentation/centreline.vtp",
+                                    "landmarks/landmarks.json",
+                                    "landmarks/folds-surface.vtp",
+                                    "landmarks/taeniae.vtp",
+                                    "folds/folds.csv" }));
     }
     stage.Output("", "").Output("report", "report").Expect({ "registration.json", "matches.csv" });
     passer.Pass(stage, { "matching", "refine", "segmentWise" });
@@ -287,5 +292,41 @@ StageOfRegistration(const CommandLine & commandLine)
     return stage;
   };
   return { names::registration, 1.0, make };
+}
+
+ColonoscopyStage
+StageOfPolyps(const CommandLine & commandLine, ColonoscopySeries series)
+{
+  const OptionPasser passer(commandLine, series);
+  const std::string  folder = commandLine.GetString("outputFolder");
+  const bool         hasOther = series == ColonoscopySeries::First && commandLine.IsGiven("second");
+  const auto         make = [=](const StagedRun & run) {
+    Stage stage(names::polyps, "ColonPolyps");
+    stage
+      .Input("",
+             FolderOfSeries(folder, series),
+             IdentityOfFiles({ "segmentation/wall-repaired.vtp",
+                               "segmentation/lumen.nrrd",
+                               "segmentation/centreline.vtp",
+                               "segmentation/cleansed.nrrd",
+                               "flattening/flat.vtp",
+                               "landmarks/segments.vtp" }))
+      .Output("", "candidates.csv")
+      .Output("markups", "candidates.mrk.json")
+      .Output("report", "report");
+    if (hasOther)
+    {
+      const std::string second = FolderOfSeries(folder, ColonoscopySeries::Second);
+      stage
+        .Input("registration",
+               run.PathOf(names::registration, ""),
+               IdentityOfFiles({ "map-supine-to-prone.vtp", "map-prone-to-supine.vtp" }))
+        .Input("other", second + '/' + names::polyps + "/candidates.csv");
+    }
+    passer.Pass(stage, { "sensitivity" });
+    passer.PassThreads(stage);
+    return stage;
+  };
+  return { names::polyps, 1.0, make };
 }
 } // namespace itk

@@ -43,6 +43,11 @@ StagesOfSeries(const CommandLine & commandLine, ColonoscopySeries series);
 /** What looks at both series, when each has come to its end. */
 ColonoscopyStage
 StageOfRegistration(const CommandLine & commandLine);
+
+/** The search for polyps in a series; that of the first one looks at the second and at the registration, where there
+ * are two. */
+ColonoscopyStage
+StageOfPolyps(const CommandLine & commandLine, ColonoscopySeries series);
 } // namespace itk
 
 #endif
