@@ -222,6 +222,13 @@ Explain(ValidationReport & report)
     "the "
     "area. Exams in which nothing is found count as all wrong.");
 }
+
+int
+PatientsOf(const ValidationSettings & settings)
+{
+  return settings.patients > 0 ? settings.patients : 10;
+}
+
 /** The bounds are those of finer voxels and many patients, so only that it works is checked. */
 void
 TryCoarsePatient(ValidationReport & report)
@@ -248,17 +255,18 @@ ValidateColonLandmarks(const ValidationSettings & settings, ValidationReport & r
     TryCoarsePatient(report);
     return;
   }
-  TryColumn(MakeColumn("standard", false, 0.8, 10), report);
-  TryColumn(MakeColumn("hard", false, 0.8, 10), report);
+  const int patients = PatientsOf(settings);
+  TryColumn(MakeColumn("standard", false, 0.8, patients), report);
+  TryColumn(MakeColumn("hard", false, 0.8, patients), report);
 }
 
 void
-ValidateColonLandmarksFromCt(const ValidationSettings &, ValidationReport & report)
+ValidateColonLandmarksFromCt(const ValidationSettings & settings, ValidationReport & report)
 {
   Explain(report);
   for (const double spacing : { 0.8, 1.4 })
   {
-    TryColumn(MakeColumn("standard", true, spacing, 10), report);
-    TryColumn(MakeColumn("hard", true, spacing, 10), report);
+    TryColumn(MakeColumn("standard", true, spacing, PatientsOf(settings)), report);
+    TryColumn(MakeColumn("hard", true, spacing, PatientsOf(settings)), report);
   }
 }
