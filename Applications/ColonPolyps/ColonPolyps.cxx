@@ -33,14 +33,6 @@ ReadOthers(CommandLine & commandLine)
   return itk::ReadPolypCandidatePlaces(path);
 }
 
-/** mm, from the wall to the surface of a map: 0 for the map that begins at this wall. */
-double
-DistanceBetween(const itk::SurfaceMesh & map, const Candidates & candidates)
-{
-  return candidates.empty() ? 0.0
-                            : (map.V.rowwise() - candidates.front().position.transpose()).rowwise().norm().minCoeff();
-}
-
 void
 MapToOther(CommandLine & commandLine, Candidates & candidates)
 {
@@ -57,7 +49,7 @@ MapToOther(CommandLine & commandLine, Candidates & candidates)
   {
     const itk::Surface surface = itk::ReadSurface(folder + name);
     commandLine.AddProvenance(std::string("registration") + name, surface.identity);
-    const double distance = DistanceBetween(surface.mesh, candidates);
+    const double distance = itk::MeanDistanceToWall(surface.mesh, candidates);
     if (distance < least)
     {
       least = distance;

@@ -52,10 +52,15 @@ struct PolypSearchOptions
 PolypCandidates_EXPORT std::vector<PolypCandidate>
                        SearchPolyps(const PolypColon & colon, const PolypSearchOptions & options = {});
 
+/** From the middles of the candidates to a wall, mm, on average; 0 where there are none. Walls of two positions may lie
+ * on each other here and there, so all candidates tell on which one they are. \ingroup PolypCandidates */
+PolypCandidates_EXPORT double
+MeanDistanceToWall(const SurfaceMesh & wall, const std::vector<PolypCandidate> & candidates);
+
 /** Takes candidates to the other position by a map of ColonRegistration: a flat surface with the point arrays mapped
  * (LPS, mm), excluded and confidence. A candidate is seen there when one of `others` (their middles, LPS, mm) lies
  * within `reach` mm. Throws InputError, with `what` in front, where an array is missing or candidates lie more than 10
- * mm from the surface. \ingroup PolypCandidates */
+ * mm from the surface on average. \ingroup PolypCandidates */
 PolypCandidates_EXPORT void
 FindInOtherPosition(const SurfaceMesh &                  map,
                     const std::string &                  what,

@@ -37,6 +37,22 @@ FindNearest(const std::vector<Eigen::Vector3d> & others, double reach, PolypInOt
 }
 } // namespace
 
+double
+MeanDistanceToWall(const SurfaceMesh & wall, const std::vector<PolypCandidate> & candidates)
+{
+  if (candidates.empty())
+  {
+    return 0.0;
+  }
+  const SurfaceLocator locator(wall.V, wall.F);
+  double               sum = 0.0;
+  for (const PolypCandidate & candidate : candidates)
+  {
+    sum += locator.FindClosest(candidate.position).distance;
+  }
+  return sum / static_cast<double>(candidates.size());
+}
+
 void
 FindInOtherPosition(const SurfaceMesh &                  map,
                     const std::string &                  what,
@@ -47,17 +63,17 @@ FindInOtherPosition(const SurfaceMesh &                  map,
   const SurfaceArray & mapped = ArrayOf(map, "mapped", 3, what);
   const SurfaceArray & confidence = ArrayOf(map, "confidence", 1, what);
   const SurfaceArray & excluded = ArrayOf(map, "excluded", 1, what);
+  if (MeanDistanceToWall(map, candidates) > farthestFromMap)
+  {
+    throw InputError(what + ": candidates lie more than 10 mm from the wall that was registered; give the "
+                            "registration of this colon");
+  }
   const SurfaceLocator locator(map.V, map.F);
   for (PolypCandidate & candidate : candidates)
   {
     const SurfaceLocator::Closest closest = locator.FindClosest(candidate.position);
-    if (closest.distance > farthestFromMap)
-    {
-      throw InputError(what + ": candidates lie more than 10 mm from the wall that was registered; give the "
-                              "registration of this colon");
-    }
-    const Eigen::Vector3d weights = BarycentricOf(map, closest.face, closest.point);
-    PolypInOtherPosition  place;
+    const Eigen::Vector3d         weights = BarycentricOf(map, closest.face, closest.point);
+    PolypInOtherPosition          place;
     for (int k = 0; k < 3; ++k)
     {
       const int vertex = map.F(closest.face, k);

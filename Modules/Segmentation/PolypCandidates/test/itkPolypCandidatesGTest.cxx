@@ -225,6 +225,26 @@ TEST(PolypCandidates, OtherPositionIsFoundThroughTheMap)
   EXPECT_THROW(itk::FindInOtherPosition(map, "map", {}, candidates), itk::InputError);
 }
 
+TEST(PolypCandidates, AllOfThemTellOnWhichWallTheyAre)
+{
+  const auto square = [](double slope) { // through the x axis
+    itk::SurfaceMesh wall;
+    wall.V.resize(4, 3);
+    wall.V << -100.0, 0.0, -slope, 100.0, 0.0, slope, 100.0, 100.0, slope, -100.0, 100.0, -slope;
+    wall.F.resize(2, 3);
+    wall.F << 0, 1, 2, 0, 2, 3;
+    return wall;
+  };
+  std::vector<PolypCandidate> candidates(3);
+  candidates[0].position = { 0.0, 50.0, 1.0 }; // both walls are equally near
+  candidates[1].position = { 80.0, 50.0, 2.0 };
+  candidates[2].position = { -80.0, 50.0, 3.0 };
+  EXPECT_NEAR(itk::MeanDistanceToWall(square(0.0), candidates), 2.0, 1e-12);
+  const double cosine = std::sqrt(0.5);
+  EXPECT_NEAR(itk::MeanDistanceToWall(square(100.0), candidates), cosine * (1.0 + 78.0 + 83.0) / 3.0, 1e-9);
+  EXPECT_EQ(itk::MeanDistanceToWall(square(0.0), {}), 0.0);
+}
+
 TEST(PolypCandidates, SizesAndCategories)
 {
   EXPECT_EQ(itk::SizeOf(5.4), itk::PolypSize::AtMost5);
