@@ -16,6 +16,7 @@ itk_module(ColonoscopyRun
     CommandLine
     DicomSeries
     FlatColonView
+    PolypCandidateView
     RegistrationView
     ShapeRendering
     SlicerMarkups

@@ -3,6 +3,7 @@
 #include "itkColonoscopyFacts.h"
 #include "itkColonoscopyPictures.h"
 #include "itkDistensionChart.h"
+#include "itkPolypCandidateReport.h"
 #include "itkRegistrationReport.h"
 
 #include <filesystem>
@@ -93,9 +94,7 @@ AddFlat(HtmlReport & html, PagePictures & pictures, const ColonoscopyResults & r
 void
 AddPolyps(HtmlReport & html, const ColonoscopyResults & results)
 {
-  html.AddHeading("Polyp candidates");
-  html.AddNote("For research use; not a diagnosis. A candidate is a place whose shape is that of a polyp. It may be "
-               "stool, the ileocaecal valve or the end of a fold, and a polyp may be missing from the list.");
+  AddPolypCandidateHeading(html);
   if (results.polyps.empty())
   {
     html.AddParagraph("No candidates at this sensitivity.");

@@ -10,6 +10,10 @@ namespace itk
 {
 class CommandLine;
 
+/** The heading of a section on candidates, and what they are and are not. \ingroup PolypCandidateView */
+PolypCandidateView_EXPORT void
+AddPolypCandidateHeading(HtmlReport & report);
+
 /** Adds a section on candidates to a report: what they are and are not, the category that their sizes imply, a table,
  * the flat colon with all of them, each close by. Pictures go to `folder`, which exists, under names that begin with
  * "polyp-candidate". Without a flat map there are no pictures. Throws OutputError, and as PolypCandidatePictures does.

@@ -74,15 +74,21 @@ AddPicture(HtmlReport &        report,
 } // namespace
 
 void
+AddPolypCandidateHeading(HtmlReport & report)
+{
+  report.AddHeading("Polyp candidates");
+  report.AddNote("For research use; not a diagnosis. A candidate is a place whose shape is that of a polyp. It may be "
+                 "stool, the ileocaecal valve or the end of a fold, and a polyp may be missing from the list.");
+}
+
+void
 AddPolypCandidateSection(HtmlReport &                        report,
                          const PolypColon &                  colon,
                          const std::vector<PolypCandidate> & candidates,
                          const std::string &                 folder,
                          const OutputPath &                  outputPath)
 {
-  report.AddHeading("Polyp candidates");
-  report.AddNote("For research use; not a diagnosis. A candidate is a place whose shape is that of a polyp. It may be "
-                 "stool, the ileocaecal valve or the end of a fold, and a polyp may be missing from the list.");
+  AddPolypCandidateHeading(report);
   if (candidates.empty())
   {
     report.AddParagraph("No candidates at this sensitivity.");
