@@ -37,8 +37,6 @@ struct FoldScores
 void
 Ease(Column & column)
 {
-  constexpr double loss = 0.03;
-  constexpr double growth = 1.3;
   for (double * const share : { &column.folds.recall,
                                 &column.folds.precision,
                                 &column.landmarks.taeniaWithin10,
@@ -46,18 +44,17 @@ Ease(Column & column)
                                 &column.landmarks.flexures,
                                 &column.landmarks.labelled })
   {
-    *share -= loss;
+    *share -= lossFromCt;
   }
-  column.folds.ends *= growth;
-  column.landmarks.taeniaMean *= growth;
+  column.folds.ends *= growthFromCt;
+  column.landmarks.taeniaMean *= growthFromCt;
 }
 
 Column
 MakeColumn(const std::string & preset, bool isFromCt, double spacing, int patients)
 {
   Column column;
-  column.title = "Preset " + preset + ", " + (isFromCt ? "from CT of " : "from the true lumen in voxels of ") +
-                 Rounded(spacing) + " mm";
+  column.title = TitleOfColumn(preset, isFromCt, spacing);
   column.hasBounds = spacing <= 0.8;
   if (preset == "hard")
   {
@@ -72,13 +69,7 @@ MakeColumn(const std::string & preset, bool isFromCt, double spacing, int patien
   {
     for (const char * const position : { "supine", "prone" })
     {
-      LandmarkCase one;
-      one.parameters = ColonPhantomPreset(preset);
-      one.parameters.seed = 100 + static_cast<unsigned int>(patient);
-      one.parameters.position = position;
-      one.spacing = spacing;
-      one.isFromCt = isFromCt;
-      column.cases.push_back(one);
+      column.cases.push_back(ValidationCase(preset, patient, position, spacing, isFromCt));
     }
   }
   return column;

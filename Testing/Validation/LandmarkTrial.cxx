@@ -1,5 +1,7 @@
 #include "LandmarkTrial.h"
 
+#include "BoundTable.h"
+
 #include "itkColonFlattening.h"
 #include "itkColonModel.h"
 #include "itkColonPhantomImageSource.h"
@@ -79,6 +81,10 @@ MakeFlat(const LandmarkCase & one, LandmarkExam & exam)
   exam.failure = model.failure;
   if (exam.failure.empty())
   {
+    if (const std::string cached = CachedName(one); !cached.empty())
+    {
+      WriteVolume<unsigned char>(model.lumen.labels, cached + ".lumen.nrrd");
+    }
     exam.centreline = model.centreline.curve;
     ColonFlatteningOptions options;
     options.centreline = exam.centreline;
@@ -87,6 +93,18 @@ MakeFlat(const LandmarkCase & one, LandmarkExam & exam)
   }
 }
 } // namespace
+
+LandmarkCase
+ValidationCase(const std::string & preset, int patient, const std::string & position, double spacing, bool isFromCt)
+{
+  LandmarkCase one;
+  one.parameters = ColonPhantomPreset(preset);
+  one.parameters.seed = 100 + static_cast<unsigned int>(patient);
+  one.parameters.position = position;
+  one.spacing = spacing;
+  one.isFromCt = isFromCt;
+  return one;
+}
 
 LandmarkExam
 MakeLandmarkExam(const LandmarkCase & one)
@@ -149,6 +167,13 @@ LumenOfCase(const LandmarkCase & one)
     WriteVolume<unsigned char>(lumen, cached + ".lumen.nrrd");
   }
   return lumen;
+}
+
+std::string
+TitleOfColumn(const std::string & preset, bool isFromCt, double spacing)
+{
+  return "Preset " + preset + ", " + (isFromCt ? "from CT of " : "from the true lumen in voxels of ") +
+         Rounded(spacing) + " mm";
 }
 
 std::string

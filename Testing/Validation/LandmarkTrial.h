@@ -31,6 +31,10 @@ struct LandmarkExam
   std::string failure;
 };
 
+/** Patient 0, 1, ... of the validation: seeds 100 and above, which nothing is tuned on. */
+LandmarkCase
+ValidationCase(const std::string & preset, int patient, const std::string & position, double spacing, bool isFromCt);
+
 /** Phantom, model, flat map. Where SHAPETON_LANDMARK_CACHE names a folder, surfaces and centrelines are kept there
  * and taken from there: for development alone, as nothing tells whether the programs have changed since. */
 LandmarkExam
@@ -40,6 +44,14 @@ MakeLandmarkExam(const LandmarkCase & one);
  * unless they are kept in the cache, where they then stay. Throws InputError where there is no model. */
 itk::Image<unsigned char, 3>::Pointer
 LumenOfCase(const LandmarkCase & one);
+
+/** Bounds of shares lose this, and errors may grow by this factor, where the colon is found in the CT. */
+inline constexpr double lossFromCt = 0.03;
+inline constexpr double growthFromCt = 1.3;
+
+/** "Preset hard, from CT of 0.8 mm". */
+std::string
+TitleOfColumn(const std::string & preset, bool isFromCt, double spacing);
 
 /** "seed 100, supine". */
 std::string

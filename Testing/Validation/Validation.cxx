@@ -36,9 +36,11 @@ const std::vector<Part> parts = {
   { "colon-noise", "Synthetic colons in strong noise", ValidateColonNoise, false, false },
   { "colon-surfaces-fine", "Synthetic colons in fine voxels", ValidateColonSurfacesFine, false, false },
   { "colon-landmarks", "Folds, taeniae and flexures of synthetic colons", ValidateColonLandmarks, false },
-  { "colon-polyps", "Polyp candidates of synthetic colons", ValidateColonPolyps, false },
-  { "colon-landmarks-ct", "The same from CT", ValidateColonLandmarksFromCt, false, false },
+  { "colon-landmarks-ct", "Folds, taeniae and flexures from CT", ValidateColonLandmarksFromCt, false, false },
   { "colon-registration", "Supine and prone: one map between two positions", ValidateColonRegistration, false },
+  { "colon-registration-ct", "Supine and prone from CT", ValidateColonRegistrationFromCt, false, false },
+  { "colon-polyps", "Polyp candidates of synthetic colons", ValidateColonPolyps, false },
+  { "colon-polyps-ct", "Polyp candidates from CT", ValidateColonPolypsFromCt, false, false },
   { "graph-embedding", "Embeddings of graphs", ValidateGraphEmbedding, false },
 };
 

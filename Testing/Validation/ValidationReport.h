@@ -98,7 +98,11 @@ ValidateColonLandmarksFromCt(const ValidationSettings & settings, ValidationRepo
 void
 ValidateColonRegistration(const ValidationSettings & settings, ValidationReport & report);
 void
+ValidateColonRegistrationFromCt(const ValidationSettings & settings, ValidationReport & report);
+void
 ValidateColonPolyps(const ValidationSettings & settings, ValidationReport & report);
+void
+ValidateColonPolypsFromCt(const ValidationSettings & settings, ValidationReport & report);
 void
 ValidateColonNoise(const ValidationSettings & settings, ValidationReport & report);
 void
