@@ -5,6 +5,7 @@ itk_module(ColonoscopyRun
   ENABLE_SHARED
   DEPENDS
     ColonLandmarks
+    PolypCandidates
     Report
     StagedRun
     SupineProne

@@ -154,6 +154,11 @@ MeasureAttenuation(const SurfaceMesh & wall, const Image<float, 3> * ct, std::ve
  * the end of the centreline. \ingroup PolypCandidates */
 PolypCandidates_EXPORT void
 NoteIleocaecalValve(double lengthOfCentreline, std::vector<PolypCandidate> & candidates);
+
+/** Notes candidates within 60 mm of the anal verge, along the centreline: the tip of a rectal catheter, its balloon and
+ * haemorrhoids lie there, and have the shape of polyps. \ingroup PolypCandidates */
+PolypCandidates_EXPORT void
+NoteRectalCatheter(std::vector<PolypCandidate> & candidates);
 } // namespace itk
 
 #endif

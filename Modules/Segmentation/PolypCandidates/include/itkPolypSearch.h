@@ -78,8 +78,13 @@ PolypCandidates_EXPORT std::string
 PolypCandidates_EXPORT CsvTable
 TableOfPolypCandidates(const std::vector<PolypCandidate> & candidates);
 
-/** Where the candidates of such a table are, LPS, mm, in its order. Throws InputError for what is no such table.
- * \ingroup PolypCandidates */
+/** What such a table tells of its candidates, to its digits: not the vertices, the apex and the axis, nor the features
+ * that the score is made of. Throws InputError for what is no such table. \ingroup PolypCandidates */
+PolypCandidates_EXPORT std::vector<PolypCandidate>
+                       ReadPolypCandidates(const std::string & path);
+
+/** Where the candidates of a table are, LPS, mm, in its order: any table with the columns x, y, z. Throws InputError
+ * for what is none. \ingroup PolypCandidates */
 PolypCandidates_EXPORT std::vector<Eigen::Vector3d>
                        ReadPolypCandidatePlaces(const std::string & path);
 

@@ -37,6 +37,40 @@ AddOther(const std::optional<PolypInOtherPosition> & other, std::vector<std::str
   AddPoint(other->point, cells);
   cells.push_back(Cell(other->confidence, 3));
 }
+
+int
+SegmentNamed(const std::string & name)
+{
+  int segment = 1;
+  while (!NameOfSegment(segment).empty() && NameOfSegment(segment) != name)
+  {
+    ++segment;
+  }
+  return NameOfSegment(segment).empty() ? 0 : segment;
+}
+
+std::optional<PolypInOtherPosition>
+ReadOther(const CsvFile & table, std::size_t row)
+{
+  const std::string & seen = table.Text(row, "seenInOther");
+  if (seen.empty())
+  {
+    return std::nullopt;
+  }
+  PolypInOtherPosition other;
+  other.isSeen = seen == "1";
+  other.isExcluded = seen == "excluded";
+  other.point = { table.NumberOrNothing(row, "otherX"),
+                  table.NumberOrNothing(row, "otherY"),
+                  table.NumberOrNothing(row, "otherZ") };
+  other.confidence = table.NumberOrNothing(row, "otherConfidence");
+  if (!table.Text(row, "otherCandidate").empty())
+  {
+    other.candidate = static_cast<int>(table.Number(row, "otherCandidate"));
+    other.distance = table.Number(row, "otherDistance");
+  }
+  return other;
+}
 } // namespace
 
 CsvTable
@@ -100,6 +134,31 @@ TableOfPolypCandidates(const std::vector<PolypCandidate> & candidates)
     table.AddRow(std::move(cells));
   }
   return table;
+}
+
+std::vector<PolypCandidate>
+ReadPolypCandidates(const std::string & path)
+{
+  const CsvFile               table(path, TableOfPolypCandidates({}).GetColumns());
+  std::vector<PolypCandidate> candidates(table.Rows());
+  for (std::size_t row = 0; row < table.Rows(); ++row)
+  {
+    PolypCandidate & one = candidates[row];
+    one.number = static_cast<int>(table.Number(row, "candidate"));
+    one.score = table.Number(row, "score");
+    one.position = { table.Number(row, "x"), table.Number(row, "y"), table.Number(row, "z") };
+    one.segment = SegmentNamed(table.Text(row, "segment"));
+    one.arcLength = table.NumberOrNothing(row, "arcLength");
+    one.diameter = table.Number(row, "diameter");
+    one.leastDiameter = table.Number(row, "leastDiameter");
+    one.height = table.Number(row, "height");
+    one.attenuation = table.NumberOrNothing(row, "attenuation");
+    one.tissue = TissueOf(one.attenuation);
+    one.uv = { table.NumberOrNothing(row, "u"), table.NumberOrNothing(row, "v") };
+    one.other = ReadOther(table, row);
+    one.remark = table.Text(row, "remark");
+  }
+  return candidates;
 }
 
 std::vector<Eigen::Vector3d>

@@ -137,4 +137,17 @@ NoteIleocaecalValve(double lengthOfCentreline, std::vector<PolypCandidate> & can
     valve->remark = "may be the ileocaecal valve";
   }
 }
+
+void
+NoteRectalCatheter(std::vector<PolypCandidate> & candidates)
+{
+  constexpr double reach = 60.0; // mm
+  for (PolypCandidate & candidate : candidates)
+  {
+    if (candidate.arcLength <= reach)
+    {
+      candidate.remark = "may be a rectal catheter, its balloon or haemorrhoids";
+    }
+  }
+}
 } // namespace itk

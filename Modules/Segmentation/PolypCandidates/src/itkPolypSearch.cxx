@@ -161,6 +161,7 @@ SearchPolyps(const PolypColon & colon, const PolypSearchOptions & options)
     NameSegments(colon.segments, candidates);
   }
   NoteIleocaecalValve(LengthOf(colon.centreline), candidates);
+  NoteRectalCatheter(candidates);
   tell("Candidates", 1.0);
   return candidates;
 }

@@ -155,6 +155,30 @@ TEST(PolypCandidates, PlacesAreReadFromTheTable)
   EXPECT_LT((places[1] - candidates[1].position).norm(), 1e-6);
 }
 
+TEST(PolypCandidates, ATableTellsWhatWasWritten)
+{
+  const std::string   path = SHAPETON_TEST_TEMPORARY_DIR "/PolypCandidateTable.csv";
+  itk::PolypCandidate bare;
+  bare.number = 2;
+  itk::PolypCandidate full;
+  full.number = 1;
+  full.score = 0.875;
+  full.position = { 1.5, -2.25, 3.0 };
+  full.segment = 4;
+  full.arcLength = 812.5;
+  full.diameter = 11.5;
+  full.leastDiameter = 9.25;
+  full.height = 4.5;
+  full.attenuation = 37.5;
+  full.tissue = itk::PolypTissue::Soft;
+  full.uv = { 900.5, 12.25 };
+  full.other = itk::PolypInOtherPosition{ { 4.0, 5.0, -6.5 }, 7.25, 3, true, false, 0.75 };
+  full.remark = "seen, and \"noted\"";
+  const itk::CsvTable table = itk::TableOfPolypCandidates({ full, bare });
+  table.Write(path);
+  EXPECT_EQ(itk::TableOfPolypCandidates(itk::ReadPolypCandidates(path)).GetRows(), table.GetRows());
+}
+
 // Heat of a closed body goes with its surface over its volume.
 TEST(PolypCandidates, SmallHeadsAreHotter)
 {
@@ -275,4 +299,16 @@ TEST(PolypCandidates, ValveIsNotedByItsPlace)
   EXPECT_EQ(candidates[0].remark, "");
   EXPECT_EQ(candidates[1].remark, "");
   EXPECT_EQ(candidates[2].remark, "may be the ileocaecal valve");
+}
+
+TEST(PolypCandidates, CatheterIsNotedByItsPlace)
+{
+  PolypCandidate atVerge, above, unknown;
+  atVerge.arcLength = 33.0;
+  above.arcLength = 128.0;
+  std::vector<PolypCandidate> candidates{ atVerge, above, unknown };
+  itk::NoteRectalCatheter(candidates);
+  EXPECT_NE(candidates[0].remark.find("catheter"), std::string::npos);
+  EXPECT_EQ(candidates[1].remark, "");
+  EXPECT_EQ(candidates[2].remark, "");
 }

@@ -7,6 +7,7 @@
 #include "itkColonPositionFiles.h"
 #include "itkCurveSet.h"
 #include "itkJson.h"
+#include "itkPolypCandidates.h"
 #include "itkRegistrationResults.h"
 #include "itkStagedRun.h"
 
@@ -46,23 +47,6 @@ struct ColonoscopyPair
   RegistrationResults registration;
 };
 
-/** A polyp candidate as the table of ColonPolyps tells it. \ingroup ColonoscopyRun */
-struct ColonoscopyPolyp
-{
-  std::string     number;
-  Eigen::Vector3d position{ Eigen::Vector3d::Zero() }; ///< LPS, mm
-  std::string     score;
-  std::string     segment;
-  double          arcLength{ 0.0 }; ///< mm; not a number where it is not known
-  std::string     diameter;         ///< mm
-  std::string     size;
-  std::string     height; ///< mm
-  std::string     tissue;
-  std::string     seenInOther; ///< "1", "0", "excluded", or "" where no other position was looked at
-  std::string     otherCandidate;
-  std::string     remark;
-};
-
 /** What the stages have found, read from their files; of a stage that did not come to its end, nothing.
  * \ingroup ColonoscopyRun */
 struct ColonoscopyRun_EXPORT ColonoscopyResults
@@ -88,7 +72,7 @@ struct ColonoscopyRun_EXPORT ColonoscopyResults
   CurveSet                          features;
   std::vector<ColonoscopyFold>      folds;
 
-  std::vector<ColonoscopyPolyp> polyps;
+  std::vector<PolypCandidate> polyps;
   /** Files of pictures of the candidates: the flat colon, then one of each. */
   std::vector<std::string> polypPictures;
 

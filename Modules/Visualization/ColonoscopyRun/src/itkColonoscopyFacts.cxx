@@ -228,38 +228,6 @@ TaeniaTable(const ColonoscopyResults & results)
 }
 
 CsvTable
-PolypTable(const ColonoscopyResults & results)
-{
-  CsvTable table({ "candidate",
-                   "score",
-                   "segment",
-                   "from the anal verge",
-                   "largest diameter, mm",
-                   "size",
-                   "height, mm",
-                   "inside",
-                   "other position",
-                   "remark" });
-  for (const ColonoscopyPolyp & polyp : results.polyps)
-  {
-    const std::string other = polyp.seenInOther == "1"   ? "candidate " + polyp.otherCandidate
-                              : polyp.seenInOther == "0" ? "no candidate"
-                                                         : polyp.seenInOther;
-    table.AddRow({ polyp.number,
-                   polyp.score,
-                   polyp.segment,
-                   std::isfinite(polyp.arcLength) ? Centimetres(polyp.arcLength) : "",
-                   polyp.diameter,
-                   polyp.size,
-                   polyp.height,
-                   polyp.tissue,
-                   other,
-                   polyp.remark });
-  }
-  return table;
-}
-
-CsvTable
 StageTable(const ColonoscopyReportContent & content)
 {
   CsvTable table({ "stage", "tool", "version", "result", "files" });

@@ -21,10 +21,6 @@ FlexureTable(const ColonoscopyResults & results);
 CsvTable
 TaeniaTable(const ColonoscopyResults & results);
 
-/** The polyp candidates. */
-CsvTable
-PolypTable(const ColonoscopyResults & results);
-
 /** Which stage ran what, how it ended, and where its files lie. */
 CsvTable
 StageTable(const ColonoscopyReportContent & content);

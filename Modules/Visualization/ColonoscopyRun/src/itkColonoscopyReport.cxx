@@ -94,19 +94,10 @@ AddFlat(HtmlReport & html, PagePictures & pictures, const ColonoscopyResults & r
 void
 AddPolyps(HtmlReport & html, const ColonoscopyResults & results)
 {
-  AddPolypCandidateHeading(html);
-  if (results.polyps.empty())
-  {
-    html.AddParagraph("No candidates at this sensitivity.");
-    return;
-  }
-  html.AddTable(PolypTable(results), "Candidates by falling score");
+  AddPolypCandidateTable(html, results.polyps);
   for (std::size_t i = 0; i < results.polypPictures.size(); ++i)
   {
-    html.AddPicture(results.polypPictures[i],
-                    i == 0 ? "Candidates on the flat colon"
-                           : "Candidate " + std::to_string(i) +
-                               ": on the flat map at four times the resolution, and from the centreline");
+    html.AddPicture(results.polypPictures[i], CaptionOfPolypPicture(static_cast<int>(i)));
   }
 }
 

@@ -1,7 +1,7 @@
 #include "itkColonoscopyResults.h"
 
-#include "itkCsvFile.h"
 #include "itkRegistrationFiles.h"
+#include "itkPolypSearch.h"
 #include "itkSurfaceReader.h"
 #include "itkToolError.h"
 #include "itkVolumeReader.h"
@@ -79,45 +79,6 @@ FoldsOf(const CurveSet & features)
   return folds;
 }
 
-std::vector<ColonoscopyPolyp>
-ReadPolyps(const std::string & path)
-{
-  const CsvFile                 table(path,
-                      { "candidate",
-                                        "x",
-                                        "y",
-                                        "z",
-                                        "score",
-                                        "segment",
-                                        "arcLength",
-                                        "diameter",
-                                        "size",
-                                        "height",
-                                        "tissue",
-                                        "seenInOther",
-                                        "otherCandidate",
-                                        "remark" });
-  std::vector<ColonoscopyPolyp> polyps;
-  for (std::size_t row = 0; row < table.Rows(); ++row)
-  {
-    ColonoscopyPolyp polyp;
-    polyp.number = table.Text(row, "candidate");
-    polyp.position = { table.Number(row, "x"), table.Number(row, "y"), table.Number(row, "z") };
-    polyp.score = table.Text(row, "score");
-    polyp.segment = table.Text(row, "segment");
-    polyp.arcLength = table.NumberOrNothing(row, "arcLength");
-    polyp.diameter = table.Text(row, "diameter");
-    polyp.size = table.Text(row, "size");
-    polyp.height = table.Text(row, "height");
-    polyp.tissue = table.Text(row, "tissue");
-    polyp.seenInOther = table.Text(row, "seenInOther");
-    polyp.otherCandidate = table.Text(row, "otherCandidate");
-    polyp.remark = table.Text(row, "remark");
-    polyps.push_back(polyp);
-  }
-  return polyps;
-}
-
 /** Those that the report of ColonPolyps has: the flat colon, and one for each candidate. */
 std::vector<std::string>
 PicturesOfPolyps(const StageFiles & files, std::size_t polyps)
@@ -187,7 +148,8 @@ ReadColonoscopyResults(const std::string & folder, const std::vector<StageResult
     results.segments = SegmentsOf(results.landmarks, LengthOfCentreline(results.centreline));
   }
   results.folds = FoldsOf(results.features);
-  files.Read(names::polyps, "candidates.csv", [&](const std::string & path) { results.polyps = ReadPolyps(path); });
+  files.Read(
+    names::polyps, "candidates.csv", [&](const std::string & path) { results.polyps = ReadPolypCandidates(path); });
   results.polypPictures = PicturesOfPolyps(files, results.polyps.size());
   if (results.IsDone(names::registration))
   {

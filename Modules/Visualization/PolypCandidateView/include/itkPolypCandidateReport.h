@@ -10,14 +10,19 @@ namespace itk
 {
 class CommandLine;
 
-/** The heading of a section on candidates, and what they are and are not. \ingroup PolypCandidateView */
-PolypCandidateView_EXPORT void
-AddPolypCandidateHeading(HtmlReport & report);
-
-/** Adds a section on candidates to a report: what they are and are not, the category that their sizes imply, a table,
- * the flat colon with all of them, each close by. Pictures go to `folder`, which exists, under names that begin with
- * "polyp-candidate". Without a flat map there are no pictures. Throws OutputError, and as PolypCandidatePictures does.
+/** Begins a section on candidates: what they are and are not, a table, the category that their sizes imply.
  * \ingroup PolypCandidateView */
+PolypCandidateView_EXPORT void
+AddPolypCandidateTable(HtmlReport & report, const std::vector<PolypCandidate> & candidates);
+
+/** What the pictures of a section show: all candidates for 0, or the one of this number.
+ * \ingroup PolypCandidateView */
+PolypCandidateView_EXPORT std::string
+                          CaptionOfPolypPicture(int candidate);
+
+/** Adds a section on candidates to a report: AddPolypCandidateTable(), the flat colon with all of them, each close by.
+ * Pictures go to `folder`, which exists, under names that begin with "polyp-candidate". Without a flat map there are no
+ * pictures. Throws OutputError, and as PolypCandidatePictures does. \ingroup PolypCandidateView */
 PolypCandidateView_EXPORT void
 AddPolypCandidateSection(HtmlReport &                        report,
                          const PolypColon &                  colon,

@@ -74,11 +74,26 @@ AddPicture(HtmlReport &        report,
 } // namespace
 
 void
-AddPolypCandidateHeading(HtmlReport & report)
+AddPolypCandidateTable(HtmlReport & report, const std::vector<PolypCandidate> & candidates)
 {
   report.AddHeading("Polyp candidates");
   report.AddNote("For research use; not a diagnosis. A candidate is a place whose shape is that of a polyp. It may be "
                  "stool, the ileocaecal valve or the end of a fold, and a polyp may be missing from the list.");
+  if (candidates.empty())
+  {
+    report.AddParagraph("No candidates at this sensitivity.");
+    return;
+  }
+  report.AddTable(TableForReaders(candidates), "Candidates by falling score");
+  report.AddParagraph("Category implied by candidates: " + CategoryImplied(candidates) + ".");
+}
+
+std::string
+CaptionOfPolypPicture(int candidate)
+{
+  return candidate == 0 ? "Candidates on the flat colon"
+                        : "Candidate " + std::to_string(candidate) +
+                            ": on the flat map at four times the resolution, and from the centreline";
 }
 
 void
@@ -88,31 +103,20 @@ AddPolypCandidateSection(HtmlReport &                        report,
                          const std::string &                 folder,
                          const OutputPath &                  outputPath)
 {
-  AddPolypCandidateHeading(report);
-  if (candidates.empty())
-  {
-    report.AddParagraph("No candidates at this sensitivity.");
-    return;
-  }
-  report.AddTable(TableForReaders(candidates), "Candidates by falling score");
-  report.AddParagraph("Category implied by candidates: " + CategoryImplied(candidates) + ".");
-  if (colon.flat.NumberOfFaces() == 0)
+  AddPolypCandidateTable(report, candidates);
+  if (candidates.empty() || colon.flat.NumberOfFaces() == 0)
   {
     return;
   }
   const PolypCandidatePictures pictures(colon, candidates);
-  AddPicture(report,
-             pictures.DrawFlatColon(),
-             folder + "/polyp-candidates-flat.png",
-             "Candidates on the flat colon",
-             outputPath);
+  AddPicture(
+    report, pictures.DrawFlatColon(), folder + "/polyp-candidates-flat.png", CaptionOfPolypPicture(0), outputPath);
   for (const PolypCandidate & one : candidates)
   {
-    const std::string number = std::to_string(one.number);
     AddPicture(report,
                pictures.DrawCandidate(one),
-               folder + "/polyp-candidate-" + number + ".png",
-               "Candidate " + number + ": on the flat map at four times the resolution, and from the centreline",
+               folder + "/polyp-candidate-" + std::to_string(one.number) + ".png",
+               CaptionOfPolypPicture(one.number),
                outputPath);
   }
 }
