@@ -1,10 +1,9 @@
 #include "LandmarkTrial.h"
 
-#include "BoundTable.h"
-
 #include "itkColonFlattening.h"
 #include "itkColonModel.h"
 #include "itkColonPhantomImageSource.h"
+#include "itkCsvTable.h"
 #include "itkSurfaceReader.h"
 #include "itkSurfaceWriter.h"
 #include "itkToolError.h"
@@ -173,7 +172,7 @@ std::string
 TitleOfColumn(const std::string & preset, bool isFromCt, double spacing)
 {
   return "Preset " + preset + ", " + (isFromCt ? "from CT of " : "from the true lumen in voxels of ") +
-         Rounded(spacing) + " mm";
+         CsvTable::Rounded(spacing, 3) + " mm";
 }
 
 std::string
