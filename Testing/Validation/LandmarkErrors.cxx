@@ -75,12 +75,21 @@ ShareWithTrueSegment(const itk::ColonLandmarks & landmarks, const itk::ColonAnat
 /** Points of the three true taeniae along one stretch of the colon. */
 using Stretch = std::array<Points, 3>;
 
-/** Where a fold reaches over the phantom's own centreline its three taeniae meet in it. */
+/** Distances between the k-th points of the three taeniae, mm, in rising order. Where a fold reaches over the phantom's
+ * own centreline the taeniae meet in it. */
+std::array<double, 3>
+DistancesBetween(const itk::CurveSet & taeniae, std::size_t k)
+{
+  const auto at = [&](int t) { return taeniae.V.row(taeniae.curves[t][std::min(k, taeniae.curves[t].size() - 1)]); };
+  std::array<double, 3> distances{ (at(0) - at(1)).norm(), (at(0) - at(2)).norm(), (at(1) - at(2)).norm() };
+  std::sort(distances.begin(), distances.end());
+  return distances;
+}
+
 bool
 AreOnePoint(const itk::CurveSet & taeniae, std::size_t k)
 {
-  const auto at = [&](int t) { return taeniae.V.row(taeniae.curves[t][std::min(k, taeniae.curves[t].size() - 1)]); };
-  return (at(0) - at(1)).norm() < 1.0 && (at(0) - at(2)).norm() < 1.0;
+  return DistancesBetween(taeniae, k)[2] < 1.0;
 }
 
 /** The open stretches, between the collapsed ones, as far as there is a wall: bridges are longer than what is
@@ -264,11 +273,11 @@ MarkersOfTruth(const itk::ColonAnatomy & anatomy, const itk::SurfaceMesh & surfa
   for (const std::vector<int> & curve : taeniae.curves)
   {
     std::vector<int> own;
-    for (const int vertex : curve)
+    for (std::size_t k = 0; k < curve.size(); ++k)
     {
-      if (anatomy.SegmentAt(arc[vertex]) == transverse)
+      if (anatomy.SegmentAt(arc[curve[k]]) == transverse && DistancesBetween(taeniae, k)[0] > close)
       {
-        own.push_back(vertex);
+        own.push_back(curve[k]);
       }
     }
     const double middle = arc[own[own.size() / 2]];

@@ -36,7 +36,8 @@ MeasureLandmarks(const itk::ColonLandmarks & landmarks,
                  const itk::ColonAnatomy &   anatomy);
 
 /** A point on each true taenia in the middle of the transverse colon, where a person sees them best: the nearest one to
- * the middle that lies on the surface, as some of the wall is hidden from it. */
+ * the middle that lies on the surface, as some of the wall is hidden from it, and not on a fold in which the taeniae
+ * meet. */
 std::vector<Eigen::Vector3d>
 MarkersOfTruth(const itk::ColonAnatomy & anatomy, const itk::SurfaceMesh & surface);
 
