@@ -77,7 +77,8 @@ ColonLandmarks_EXPORT std::string
  *
  * Folds are those of FindHaustralFolds(). Evidence on a grid of rows (2.8 mm of the map) along and 72 angles around the
  * tube: the density of folds, less that of their ends, less how far the wall between folds stands out towards the axis
- * (haustra bulge outwards between taeniae; without the first two harmonics, which come from bends).
+ * and how little it is hollow (haustra bulge outwards between taeniae; without the first two harmonics, which come from
+ * bends).
  * - Fuzzy C-means (c = 3, m = 2; Bezdek 1981) of the angles of fold ends in windows of 150 mm, from window to window.
  * - Three paths at once by dynamic programming: state (angle, two gaps), gaps of 70 to 170 degrees, one angle step per
  *   row; exact.

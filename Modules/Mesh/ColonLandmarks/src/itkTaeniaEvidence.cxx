@@ -1,6 +1,7 @@
 #include "itkTaeniaEvidence.h"
 
 #include "itkFlatColonAxis.h"
+#include "itkWallBetweenFolds.h"
 
 #include <algorithm>
 #include <cmath>
@@ -18,11 +19,8 @@ constexpr double foldAngles = 2.0;
 constexpr double endWeight = 40.0;
 constexpr double endRows = 6.0;
 constexpr double endAngles = 3.5;
-constexpr double reliefWeight = 20.0;
-constexpr double reliefRows = 6.0;
-constexpr double reliefAngles = 2.0;
-/** Bends shift the middle of the tube and make it oval: turns of the relief around the tube that are left out. */
-constexpr int bendHarmonics = 2;
+constexpr double wallRows = 6.0;
+constexpr double wallAngles = 2.0;
 /** Folds end where the band of a taenia begins, and fade out before: from their ends to its middle, mm. */
 constexpr double halfBand = 6.0;
 /** At the ends of the tube the wall closes: evidence fades out over so many mm. */
@@ -106,66 +104,6 @@ FoldDensity(const FlatColonGrid & grid, const HaustralFolds & folds, const Taeni
   return density;
 }
 
-/** Takes off each row its mean and first harmonics. */
-void
-RemoveBends(Cells & relief, int rows)
-{
-  for (int row = 0; row < rows; ++row)
-  {
-    double * const cells = relief.data() + static_cast<std::size_t>(row) * angles;
-    for (int harmonic = 0; harmonic <= bendHarmonics; ++harmonic)
-    {
-      double cosine = 0.0;
-      double sine = 0.0;
-      for (int a = 0; a < angles; ++a)
-      {
-        cosine += cells[a] * std::cos(2.0 * M_PI * harmonic * a / angles);
-        sine += cells[a] * std::sin(2.0 * M_PI * harmonic * a / angles);
-      }
-      const double share = (harmonic == 0 ? 1.0 : 2.0) / angles;
-      for (int a = 0; a < angles; ++a)
-      {
-        cells[a] -= share * (cosine * std::cos(2.0 * M_PI * harmonic * a / angles) +
-                             sine * std::sin(2.0 * M_PI * harmonic * a / angles));
-      }
-    }
-  }
-}
-
-/** How far the wall between folds stands out towards the axis, in radii: haustra bulge outwards between taeniae. */
-Cells
-ReliefBetweenFolds(const FlatColonGrid &  grid,
-                   const FlatColonAxis &  axis,
-                   const HaustralFolds &  folds,
-                   const TaeniaEvidence & evidence)
-{
-  Cells relief(static_cast<std::size_t>(evidence.rows) * angles, 0.0);
-  Cells count(relief.size(), 0.0);
-  for (int column = 0; column < evidence.rows * evidence.columnsPerRow; ++column)
-  {
-    const Eigen::Vector3d centre = axis.centres.row(column).transpose();
-    const Eigen::Vector3d tangent = axis.tangents.row(column).transpose();
-    for (int row = 0; row < grid.Rows(); ++row)
-    {
-      const Eigen::Vector3d spoke = grid.PointOfPixel(column, row) - centre;
-      const bool            isFold = folds.labels->GetPixel({ { column, row } }) > 0;
-      if (isFold || grid.IsBridged(column, row) || !spoke.allFinite())
-      {
-        continue;
-      }
-      const double radius = (spoke - tangent * tangent.dot(spoke)).norm();
-      const int    cell = column / evidence.columnsPerRow * angles + TaeniaEvidence::CellOf((row + 0.5) / grid.Rows());
-      relief[cell] += 1.0 - radius / axis.radii[column];
-      count[cell] += 1.0;
-    }
-  }
-  for (std::size_t i = 0; i < relief.size(); ++i)
-  {
-    relief[i] /= std::max(count[i], 1.0);
-  }
-  return relief;
-}
-
 std::vector<FoldEnd>
 EndsOfFolds(const FlatColonGrid & grid, const HaustralFolds & folds, const TaeniaEvidence & evidence)
 {
@@ -225,15 +163,14 @@ MakeTaeniaEvidence(const FlatColonGrid & grid, const ColonWallTube & tube, const
   }
   const Cells endDensity = Smoothed(ends, evidence.rows, endRows, endAngles);
   const Cells foldDensity = Smoothed(FoldDensity(grid, folds, evidence), evidence.rows, foldRows, foldAngles);
-  Cells relief = Smoothed(ReliefBetweenFolds(grid, axis, folds, evidence), evidence.rows, reliefRows, reliefAngles);
-  RemoveBends(relief, evidence.rows);
+  const Cells wall = Smoothed(WallBetweenFolds(grid, axis, folds, evidence), evidence.rows, wallRows, wallAngles);
   for (std::size_t i = 0; i < endDensity.size(); ++i)
   {
     const double s = evidence.arcLength[i / angles];
     const double toEnd = std::min(s - evidence.arcLength.front(), evidence.arcLength.back() - s);
     const double share = std::clamp(toEnd / fadingLength, 0.0, 1.0);
     evidence.cost.push_back(
-      static_cast<float>(share * (foldWeight * foldDensity[i] - endWeight * endDensity[i] - reliefWeight * relief[i])));
+      static_cast<float>(share * (foldWeight * foldDensity[i] - endWeight * endDensity[i] - wall[i])));
   }
   return evidence;
 }

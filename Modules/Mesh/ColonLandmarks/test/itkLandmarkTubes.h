@@ -58,9 +58,10 @@ TaeniaAngle(int taenia, double u)
   return 0.4 + 2.0 * pi * taenia / 3.0 + 0.5 * std::sin(u / 90.0);
 }
 
-/** A straight tube, 480 mm long, with folds between three taeniae that wind. */
+/** A straight tube, 480 mm long, with folds between three taeniae that wind. Folds begin before `foldsEnd` mm; the wall
+ * bulges outwards by up to `bulge` mm between taeniae, all along. */
 inline itk::SurfaceMesh
-TubeWithTaeniae()
+TubeWithTaeniae(double foldsEnd = 480.0, double bulge = 0.0)
 {
   std::vector<foldtubes::Fold> folds;
   for (int ring = 0; ring < 28; ++ring)
@@ -73,7 +74,10 @@ TubeWithTaeniae()
       fold.angle = TaeniaAngle(t, u) + pi / 3.0;
       fold.halfLength = 15.0;
       fold.height = 6.0;
-      folds.push_back(fold);
+      if (u < foldsEnd)
+      {
+        folds.push_back(fold);
+      }
     }
   }
   flattubes::TubeForm form;
@@ -82,7 +86,7 @@ TubeWithTaeniae()
   form.circumference = 2.0 * pi * foldtubes::radius;
   form.length = 480.0;
   return flattubes::MakeFlatTube(form, [&](double u, double angle) {
-    double r = foldtubes::radius;
+    double r = foldtubes::radius + 0.5 * bulge * (1.0 - std::cos(3.0 * (angle - TaeniaAngle(0, u))));
     for (const foldtubes::Fold & fold : folds)
     {
       r -= std::abs(u - fold.u) < 12.0 ? foldtubes::HeightAt(fold, u, angle) : 0.0;
