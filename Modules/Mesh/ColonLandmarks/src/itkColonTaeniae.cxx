@@ -13,12 +13,13 @@ namespace itk
 {
 namespace
 {
-constexpr int    leastEnds = 24;         // of folds on the whole wall
-constexpr double disagreement = 10.0;    // mm
-constexpr double smoothing = 4.0;        // rows
-constexpr double evidenceReach = 60.0;   // mm along the colon
-constexpr double evidenceWidth = 10.0;   // mm around it
-constexpr double endsForCertainty = 4.0; // within that reach
+constexpr int    leastEnds = 24;           // of folds on the whole wall
+constexpr double disagreement = 10.0;      // mm
+constexpr double smoothing = 4.0;          // rows
+constexpr double evidenceReach = 60.0;     // mm along the colon
+constexpr double evidenceWidth = 10.0;     // mm around it
+constexpr double endsForCertainty = 4.0;   // within that reach
+constexpr double leastContradiction = 3.0; // mm
 
 /** The second and third track follow the first one in the direction of rows. */
 TaeniaTracks
@@ -109,6 +110,22 @@ ReportDisagreement(const std::vector<double> & distances, ColonTaeniae & result)
     result.warnings.push_back("the two methods for taeniae disagree by more than 10 mm along " +
                               std::to_string(static_cast<int>(std::lround(100.0 * result.disagreeingShare))) +
                               " % of the colon: look at them, or set markers");
+  }
+}
+
+/** A taenia has one place in each row: of two markers of one taenia there it passes the first. */
+void
+WarnOfMarkersThatDisagree(ColonTaeniae & result)
+{
+  for (std::size_t m = 0; m < result.markers.size(); ++m)
+  {
+    if (result.markers[m].distanceOfTaenia > leastContradiction)
+    {
+      result.warnings.push_back("marker " + std::to_string(m + 1) + " lies " +
+                                std::to_string(static_cast<int>(std::lround(result.markers[m].distanceOfTaenia))) +
+                                " mm beside another marker of taenia " + std::to_string(result.markers[m].taenia) +
+                                ", which passes through that one: remove one of them");
+    }
   }
 }
 
@@ -226,6 +243,7 @@ FindColonTaeniae(const SurfaceMesh & flat, const ColonWallTube & tube, const Col
     result.taeniae.push_back(TaeniaOnWall(grid, evidence, tracks, distances, t));
   }
   InsertMarkers(passes, result);
+  WarnOfMarkersThatDisagree(result);
   return result;
 }
 

@@ -122,6 +122,60 @@ TEST(ColonTaeniae, PassThroughMarkers)
   EXPECT_LT(GreatestErrorWithin(found, 300.0, 440.0), 5.0);
 }
 
+// A sixth of a turn beside the true ones, where all evidence speaks against them.
+TEST(ColonTaeniae, GoWhereverEnoughMarkersTell)
+{
+  constexpr double        sixth = landmarktubes::pi / 3.0 * foldtubes::radius; // mm
+  constexpr double        step = 20.0;
+  const Tube              t;
+  itk::ColonTaeniaOptions options;
+  for (int taenia = 0; taenia < 3; ++taenia)
+  {
+    for (double u = step; u < length; u += step)
+    {
+      options.markers.push_back(landmarktubes::PointOfTaenia(taenia, u, sixth));
+    }
+  }
+  const ColonTaeniae found = FindColonTaeniae(t.flat, t.tube, options);
+  ASSERT_EQ(found.taeniae.size(), 3u);
+  for (const itk::UsedMarker & marker : found.markers)
+  {
+    EXPECT_LT(marker.distanceOfTaenia, 0.5);
+  }
+  for (const itk::ColonTaenia & taenia : found.taeniae)
+  {
+    for (const Eigen::Vector3d & point : taenia.points)
+    {
+      if (point.z() > step && point.z() < length - step)
+      {
+        EXPECT_GT(ErrorAt(point), sixth - 10.0) << "at " << point.z() << " mm";
+      }
+    }
+  }
+}
+
+TEST(ColonTaeniae, TellOfMarkersThatContradictEachOther)
+{
+  const Tube              t;
+  itk::ColonTaeniaOptions options;
+  options.markers = { landmarktubes::PointOfTaenia(0, 200.0), landmarktubes::PointOfTaenia(0, 200.0, 8.0) };
+  const ColonTaeniae found = FindColonTaeniae(t.flat, t.tube, options);
+  ASSERT_EQ(found.markers.size(), 2u);
+  EXPECT_EQ(found.markers[0].taenia, found.markers[1].taenia);
+  EXPECT_LT(found.markers[0].distanceOfTaenia, 0.5);
+  EXPECT_GT(found.markers[1].distanceOfTaenia, 5.0);
+  ASSERT_FALSE(found.warnings.empty());
+  EXPECT_NE(found.warnings.back().find("marker 2"), std::string::npos) << found.warnings.back();
+}
+
+TEST(ColonTaeniae, RunOnBetweenBulgesWhereThereAreNoFolds)
+{
+  const itk::SurfaceMesh flat = landmarktubes::TubeWithTaeniae(240.0, 3.0);
+  const ColonTaeniae     found = FindColonTaeniae(flat, ColonWallTube(flat, landmarktubes::StraightLine(length)));
+  ASSERT_EQ(found.taeniae.size(), 3u) << found.reason;
+  EXPECT_LT(GreatestErrorWithin(found, 40.0, 440.0), 5.0);
+}
+
 TEST(ColonTaeniae, RefuseAMarkerFarFromTheWall)
 {
   const Tube              t;
