@@ -42,15 +42,24 @@ struct SphericalPacking
   int    steps{ 0 };
 };
 
+/** A barycentre that leaves a visible cap smaller than this one, in radians, is given up for larger caps. \ingroup
+ * RicciFlowEmbedding */
+constexpr double smallestCapOfBarycentre = 1e-5;
+
 /** \brief Packs a 3-connected map of genus 0.
  *
  * Moved by a Moebius transformation so that the touch points of `edges` have their centre of mass at the centre of the
- * sphere (conformal barycentre; of all edges where these are fewer than three). Then what is left free is a rotation.
- * The packing is laid out again from the circle that has become largest on the sphere, as
- * the transformation may enlarge a small part of the plane. Throws InputError as PackCircles() does. \ingroup
- * RicciFlowEmbedding */
+ * sphere (conformal barycentre; of all edges where these are fewer than three). Where a cap of the nodes that
+ * `isVisible` marks would be smaller than smallestCapOfBarycentre, the mean of the 8th powers of cot(angle / 2) over
+ * these nodes is made least instead, which makes the smallest of them about as large as a Moebius transformation can.
+ * Both are unique: what is left free is a rotation. The packing is laid out again from the circle that has become
+ * largest on the sphere, as the transformation may enlarge a small part of the plane. Throws InputError as
+ * PackCircles() does. \ingroup RicciFlowEmbedding */
 RicciFlowEmbedding_EXPORT SphericalPacking
-PackOnSphere(const CombinatorialMap & map, PointAtInfinity infinity, std::vector<int> edges = {});
+PackOnSphere(const CombinatorialMap &  map,
+             PointAtInfinity           infinity,
+             std::vector<int>          edges = {},
+             const std::vector<char> & isVisible = {});
 
 /** Turns the sphere so that two sums of the centres of the nodes, with weights by `rank`, point to the north pole and
  * to the meridian of the x axis. Nodes without a rank, beyond the end of the list, have no weight. \ingroup

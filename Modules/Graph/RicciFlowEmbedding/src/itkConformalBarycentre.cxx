@@ -4,6 +4,7 @@
 
 #include <Eigen/Dense>
 
+#include <algorithm>
 #include <cmath>
 
 namespace itk
@@ -69,6 +70,17 @@ NewtonStep(const std::vector<std::array<double, 3>> & points, const std::vector<
   const Eigen::Vector3d step = std::abs(determinant) < 1e-12 ? mean : Eigen::Vector3d(hessian.inverse() * mean);
   return step.norm() > fastest ? Eigen::Vector3d(step * (fastest / step.norm())) : step;
 }
+
+void
+Move(SphericalPacking & packing, const Boost & boost)
+{
+  for (auto * circles : { &packing.nodes, &packing.faces })
+  {
+    ParallelForBlocks(circles->size(), [&](std::size_t c) { (*circles)[c] = boost((*circles)[c]); });
+  }
+  ParallelForBlocks(packing.touchPoints.size(),
+                    [&](std::size_t p) { packing.touchPoints[p] = boost(packing.touchPoints[p]); });
+}
 } // namespace
 
 double
@@ -84,13 +96,101 @@ CentrePacking(SphericalPacking & packing, const std::vector<int> & edges, double
       break;
     }
     rapidity += std::atanh(velocity.norm());
-    const Boost boost(velocity);
-    for (auto * circles : { &packing.nodes, &packing.faces })
+    Move(packing, Boost(velocity));
+  }
+  return rapidity;
+}
+
+namespace
+{
+/** cot(angle / 2)^8 of a cap with this cotangent, in units of that of the cap with cotangent `unit`. */
+double
+CapWeight(double cotangent, double unit)
+{
+  const auto   half = [](double t) { return t > 0.0 ? t + std::hypot(1.0, t) : 1.0 / (std::hypot(1.0, t) - t); };
+  const double ratio = half(cotangent) / half(unit);
+  const double square = ratio * ratio;
+  return square * square * square * square;
+}
+
+/** The sum of the weights of caps, and its derivatives, for a viewpoint that moves from the centre of the ball. */
+struct CapSum
+{
+  CapSum(const std::vector<SphereCircle> & caps, double unit)
+  {
+    constexpr double power = 8.0;
+    for (const SphereCircle & cap : caps)
     {
-      ParallelForBlocks(circles->size(), [&](std::size_t c) { (*circles)[c] = boost((*circles)[c]); });
+      const double          weight = CapWeight(cap[3], unit);
+      const double          length = std::hypot(1.0, cap[3]);
+      const Eigen::Vector3d slope = Eigen::Vector3d(cap.data()) / -length; // of the distance to the plane
+      const double          bend = std::max(0.0, cap[3] / length);
+      value += weight;
+      gradient += power * weight * slope;
+      hessian += power * weight * (bend * Eigen::Matrix3d::Identity() + (power - bend) * slope * slope.transpose());
     }
-    ParallelForBlocks(packing.touchPoints.size(),
-                      [&](std::size_t p) { packing.touchPoints[p] = boost(packing.touchPoints[p]); });
+  }
+  double          value{ 0.0 };
+  Eigen::Vector3d gradient{ Eigen::Vector3d::Zero() };
+  Eigen::Matrix3d hessian{ Eigen::Matrix3d::Zero() };
+};
+
+double
+SumAfter(const std::vector<SphereCircle> & caps, const Boost & boost, double unit)
+{
+  double sum = 0.0;
+  for (const SphereCircle & cap : caps)
+  {
+    sum += CapWeight(boost(cap)[3], unit);
+  }
+  return sum;
+}
+
+/** The step of Newton's method, shortened until the sum falls; of length 0 where it does not. */
+Eigen::Vector3d
+StepToLargerCaps(const std::vector<SphereCircle> & caps)
+{
+  constexpr int    mostHalvings = 30;
+  constexpr double shortest = 1e-15;
+  const auto       isSmaller = [](const SphereCircle & a, const SphereCircle & b) { return a[3] < b[3]; };
+  const double     unit = (*std::max_element(caps.begin(), caps.end(), isSmaller))[3];
+  const CapSum     sum(caps, unit);
+  Eigen::Vector3d  velocity = -sum.hessian.ldlt().solve(sum.gradient);
+  velocity *= std::min(1.0, fastest / velocity.norm());
+  for (int halvings = 0; halvings < mostHalvings && velocity.norm() > shortest; ++halvings, velocity *= 0.5)
+  {
+    if (SumAfter(caps, Boost(velocity), unit) < sum.value)
+    {
+      return velocity;
+    }
+  }
+  return Eigen::Vector3d::Zero();
+}
+} // namespace
+
+double
+EnlargeSmallCaps(SphericalPacking & packing, const std::vector<char> & isVisible, double mostRapidity)
+{
+  std::vector<SphereCircle> caps;
+  for (std::size_t node = 0; node < isVisible.size(); ++node)
+  {
+    if (isVisible[node])
+    {
+      caps.push_back(packing.nodes[node]);
+    }
+  }
+  double rapidity = 0.0;
+  for (int i = 0; i < mostSteps && rapidity <= mostRapidity && !caps.empty(); ++i)
+  {
+    const Eigen::Vector3d velocity = StepToLargerCaps(caps);
+    if (velocity.isZero(0.0))
+    {
+      break;
+    }
+    rapidity += std::atanh(velocity.norm());
+    const Boost boost(velocity);
+    Move(packing, boost);
+    std::for_each(caps.begin(), caps.end(), [&](SphereCircle & cap) { cap = boost(cap); });
   }
   return rapidity;
 }

@@ -2,6 +2,7 @@
 
 #include "itkBlockArrangement.h"
 #include "itkCanonicalMapOrder.h"
+#include "itkSplitArrangement.h"
 #include "itkSurfaceLayout.h"
 #include "itkToolError.h"
 
@@ -17,6 +18,10 @@ namespace
 {
 /** The packing of a larger graph is not computed several times to choose the best. */
 constexpr int mostEdgesForChoice = 4000;
+/** A smaller circle of a node makes it worth while to arrange split components anew, which takes quadratic time: not in
+ * larger graphs. Units of the surface. */
+constexpr double smallCircle = 1e-4;
+constexpr int    mostEdgesForSplits = 10000;
 /** What a verifier takes, of the largest matrix. */
 constexpr double worstWordResidual = 1e-6;
 
@@ -52,7 +57,9 @@ BeginCertificate(const Graph & graph, const CombinatorialMap & map, const Packed
 void
 AddSphere(const PackedMap & packed, PointAtInfinity infinity, std::vector<int> rank, EmbeddingCertificate & certificate)
 {
-  SphericalPacking sphere = PackOnSphere(packed.map, infinity, EdgesOfGraph(packed));
+  std::vector<char> isVisible(packed.map.Nodes(), 0);
+  std::fill_n(isVisible.begin(), packed.graphNodes, 1);
+  SphericalPacking sphere = PackOnSphere(packed.map, infinity, EdgesOfGraph(packed), isVisible);
   rank.resize(packed.graphNodes); // dummies may be numbered differently on the other side
   TurnToCanonicalPosition(sphere, rank);
   certificate.geometry = EmbeddingGeometry::Spherical;
@@ -272,15 +279,14 @@ struct Candidate
   int                      halfEdgesOfDummy;
 };
 
-/** All that are worth a try. Rings of other widths make a difference only where there are rings. */
+/** All that are worth a try: the maps, in this order, with rings of several widths where there are rings and the graph
+ * is small. */
 std::vector<Candidate>
-CandidatesOf(const CombinatorialMap & given, const CombinatorialMap & arranged, bool hasRings)
+CandidatesOf(const std::vector<const CombinatorialMap *> & maps, const GraphEmbeddingOptions & options)
 {
-  std::vector<const CombinatorialMap *> maps{ &arranged };
-  if (!IsSameMap(given, arranged) && given.Genus() == arranged.Genus())
-  {
-    maps.push_back(&given);
-  }
+  const bool isChoice = maps.front()->Edges() <= mostEdgesForChoice && options.isRotationFree;
+  const bool hasRings =
+    isChoice && options.augmentation == Augmentation::Ring && MakePackedMap(*maps.front()).rings > 0;
   std::vector<Candidate> candidates;
   for (const int halfEdges : hasRings ? std::vector<int>{ 2, 4, 1 } : std::vector<int>{ 2 })
   {
@@ -292,39 +298,85 @@ CandidatesOf(const CombinatorialMap & given, const CombinatorialMap & arranged, 
   return candidates;
 }
 
-/** The candidate with the largest smallest circle, of those that have a packing. Throws what the first of them threw
- * where none has one. */
-EmbeddingCertificate
-BestOf(const Graph & graph, const std::vector<Candidate> & candidates, const GraphEmbeddingOptions & options)
+/** The embedding with the largest smallest circle. */
+class BestEmbedding
 {
-  EmbeddingCertificate best;
-  std::exception_ptr   failure;
-  double               largest = 0.0;
-  for (const Candidate & candidate : candidates)
+public:
+  BestEmbedding(const Graph & graph, const GraphEmbeddingOptions & options) : m_Graph(graph), m_Options(options) {}
+
+  void
+  Try(const std::vector<Candidate> & candidates)
   {
-    AugmentationOptions augmentation(options.augmentation);
-    augmentation.names = graph.names;
-    augmentation.halfEdgesOfDummy = candidate.halfEdgesOfDummy;
-    try
+    for (const Candidate & candidate : candidates)
     {
-      EmbeddingCertificate certificate = EmbedMap(graph, *candidate.map, augmentation, options);
-      const double         smallest = SmallestCircle(certificate);
-      if (smallest > largest)
+      AugmentationOptions augmentation(m_Options.augmentation);
+      augmentation.names = m_Graph.names;
+      augmentation.halfEdgesOfDummy = candidate.halfEdgesOfDummy;
+      try
       {
-        largest = smallest;
-        best = std::move(certificate);
+        EmbeddingCertificate certificate = EmbedMap(m_Graph, *candidate.map, augmentation, m_Options);
+        const double         smallest = SmallestCircle(certificate);
+        if (smallest > m_Smallest)
+        {
+          m_Smallest = smallest;
+          m_Best = std::move(certificate);
+        }
+      }
+      catch (const InputError &)
+      {
+        m_Failure = m_Failure ? m_Failure : std::current_exception();
       }
     }
-    catch (const InputError &)
+  }
+  /** Its smallest circle; 0 where there is none. */
+  double
+  Smallest() const
+  {
+    return m_Smallest;
+  }
+  /** Throws what the first candidate threw where none has a packing. */
+  EmbeddingCertificate
+  Take()
+  {
+    if (m_Smallest == 0.0)
     {
-      failure = failure ? failure : std::current_exception();
+      std::rethrow_exception(m_Failure);
+    }
+    AddSmallestCircle(m_Best);
+    return std::move(m_Best);
+  }
+
+private:
+  const Graph &                 m_Graph;
+  const GraphEmbeddingOptions & m_Options;
+  EmbeddingCertificate          m_Best;
+  std::exception_ptr            m_Failure;
+  double                        m_Smallest{ 0.0 };
+};
+
+/** Blocks, and where circles are small also split components, arranged anew. */
+EmbeddingCertificate
+EmbedArranged(const Graph & graph, const CombinatorialMap & map, const GraphEmbeddingOptions & options)
+{
+  BestEmbedding    best(graph, options);
+  CombinatorialMap other = ArrangeBlocks(map);
+  const bool       isSame = IsSameMap(map, other);
+  if (isSame)
+  {
+    other = CombinatorialMap(); // of a large map one copy is enough
+  }
+  const CombinatorialMap & blocks = isSame ? map : other;
+  const bool               isChoice = !isSame && map.Edges() <= mostEdgesForChoice && map.Genus() == blocks.Genus();
+  best.Try(isChoice ? CandidatesOf({ &blocks, &map }, options) : CandidatesOf({ &blocks }, options));
+  if (best.Smallest() < smallCircle && map.Edges() <= mostEdgesForSplits)
+  {
+    const CombinatorialMap splits = ArrangeBlocks(ArrangeSplitComponents(map));
+    if (!IsSameMap(blocks, splits))
+    {
+      best.Try(CandidatesOf({ &splits }, options));
     }
   }
-  if (largest == 0.0)
-  {
-    std::rethrow_exception(failure);
-  }
-  return best;
+  return best.Take();
 }
 } // namespace
 
@@ -335,22 +387,12 @@ EmbedGraph(const Graph & graph, const CombinatorialMap & map, const GraphEmbeddi
   {
     throw InputError("a graph without nodes cannot be embedded");
   }
-  CombinatorialMap other; // where the blocks are arranged anew; else one copy is enough
   if (options.isRotationFree)
   {
-    other = ArrangeBlocks(map);
-    if (IsSameMap(map, other))
-    {
-      other = CombinatorialMap();
-    }
+    return EmbedArranged(graph, map, options);
   }
-  const CombinatorialMap & arranged = other.Nodes() > 0 ? other : map;
-  const bool               isSmall = arranged.Edges() <= mostEdgesForChoice;
-  const bool               hasRings = isSmall && options.isRotationFree && options.augmentation == Augmentation::Ring &&
-                        MakePackedMap(arranged).rings > 0;
-  EmbeddingCertificate certificate = isSmall ? BestOf(graph, CandidatesOf(map, arranged, hasRings), options)
-                                             : BestOf(graph, { { &arranged, 2 } }, options);
-  AddSmallestCircle(certificate);
-  return certificate;
+  BestEmbedding best(graph, options);
+  best.Try({ { &map, 2 } });
+  return best.Take();
 }
 } // namespace itk

@@ -141,14 +141,12 @@ struct FlatPacking
     circles = m_Boundary < 0 ? PackCircles(map, FlowGeometry::Euclidean, CirclesThrough(map, EdgeForInfinity(map)))
                              : PackCircles(map, FlowGeometry::Hyperbolic, CirclesAround(map, m_Boundary));
   }
-  /** The packing with its barycentre at the centre, or on the way there, and how far it was moved. */
   SphericalPacking
-  LaidOutFrom(int root, const std::vector<int> & edges, double & rapidity) const
+  LaidOutFrom(int root) const
   {
     SphericalPacking sphere =
       m_Boundary < 0 ? PlaneToSphere(m_Map, circles, root) : DiskToSphere(m_Map, circles, root, m_Boundary);
     SeeFromOutside(sphere);
-    rapidity = CentrePacking(sphere, edges, mostRapidity);
     return sphere;
   }
 
@@ -200,38 +198,14 @@ WorstTangency(const CombinatorialMap & map, const SphericalPacking & sphere)
 
 namespace
 {
+/** A packing that `move` has brought into its position: laid out anew from the circle that has become largest, until
+ * the way is short. `move` returns its rapidity and may stop on the way. */
+template <typename TMove>
 SphericalPacking
-PackInNearbyOrder(const CombinatorialMap & map, PointAtInfinity infinity, std::vector<int> edges)
+LayOut(const FlatPacking & flat, int & root, const TMove & move)
 {
-  const NearbyOrder order(map);
-  for (int & edge : edges)
-  {
-    edge = order.Edge(edge);
-  }
-  SphericalPacking sphere = PackOnSphere(order.Map(), infinity, std::move(edges));
-  sphere.nodes = order.NodesBack(sphere.nodes);
-  sphere.faces = order.FacesBack(sphere.faces);
-  sphere.touchPoints = order.EdgesBack(sphere.touchPoints);
-  return sphere;
-}
-} // namespace
-
-SphericalPacking
-PackOnSphere(const CombinatorialMap & map, PointAtInfinity infinity, std::vector<int> edges)
-{
-  if (NearbyOrder::Pays(map))
-  {
-    return PackInNearbyOrder(map, infinity, std::move(edges));
-  }
-  if (edges.size() < 3)
-  {
-    edges.resize(map.Edges());
-    std::iota(edges.begin(), edges.end(), 0);
-  }
-  const FlatPacking flat(map, infinity);
-  double            rapidity = 0.0;
-  int               root = LargestFiniteNode(flat.circles);
-  SphericalPacking  sphere = flat.LaidOutFrom(root, edges, rapidity);
+  SphericalPacking sphere = flat.LaidOutFrom(root);
+  double           rapidity = move(sphere);
   for (int layout = 1; layout < mostLayouts && rapidity > smallRapidity; ++layout)
   {
     const int next = LargestOnSphere(sphere, flat.circles);
@@ -240,7 +214,67 @@ PackOnSphere(const CombinatorialMap & map, PointAtInfinity infinity, std::vector
       break;
     }
     root = next;
-    sphere = flat.LaidOutFrom(root, edges, rapidity);
+    sphere = flat.LaidOutFrom(root);
+    rapidity = move(sphere);
+  }
+  return sphere;
+}
+
+bool
+HasSmallCap(const SphericalPacking & sphere, const std::vector<char> & isVisible)
+{
+  for (std::size_t node = 0; node < isVisible.size(); ++node)
+  {
+    if (isVisible[node] && RadiusOf(sphere.nodes[node]) < smallestCapOfBarycentre)
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+SphericalPacking
+PackInNearbyOrder(const CombinatorialMap &  map,
+                  PointAtInfinity           infinity,
+                  std::vector<int>          edges,
+                  const std::vector<char> & isVisible)
+{
+  const NearbyOrder order(map);
+  for (int & edge : edges)
+  {
+    edge = order.Edge(edge);
+  }
+  SphericalPacking sphere =
+    PackOnSphere(order.Map(), infinity, std::move(edges), isVisible.empty() ? isVisible : order.NodesThere(isVisible));
+  sphere.nodes = order.NodesBack(sphere.nodes);
+  sphere.faces = order.FacesBack(sphere.faces);
+  sphere.touchPoints = order.EdgesBack(sphere.touchPoints);
+  return sphere;
+}
+} // namespace
+
+SphericalPacking
+PackOnSphere(const CombinatorialMap &  map,
+             PointAtInfinity           infinity,
+             std::vector<int>          edges,
+             const std::vector<char> & isVisible)
+{
+  if (NearbyOrder::Pays(map))
+  {
+    return PackInNearbyOrder(map, infinity, std::move(edges), isVisible);
+  }
+  if (edges.size() < 3)
+  {
+    edges.resize(map.Edges());
+    std::iota(edges.begin(), edges.end(), 0);
+  }
+  const FlatPacking flat(map, infinity);
+  int               root = LargestFiniteNode(flat.circles);
+  SphericalPacking  sphere =
+    LayOut(flat, root, [&](SphericalPacking & s) { return CentrePacking(s, edges, mostRapidity); });
+  if (HasSmallCap(sphere, isVisible))
+  {
+    sphere = LayOut(flat, root, [&](SphericalPacking & s) { return EnlargeSmallCaps(s, isVisible, mostRapidity); });
   }
   if (const double miss = WorstTangency(map, sphere); !(miss <= worstTangency))
   {

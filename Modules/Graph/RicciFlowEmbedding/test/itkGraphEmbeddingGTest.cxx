@@ -4,6 +4,7 @@
 #include "itkCanonicalMapOrder.h"
 #include "itkGraphFamilies.h"
 #include "itkMultiThreaderBase.h"
+#include "itkSplitArrangement.h"
 #include "itkToolError.h"
 
 #include <gtest/gtest.h>
@@ -234,6 +235,114 @@ TEST(GraphEmbedding, BlocksOfAFaceComeOutOfIt)
   std::vector<int> lengths = arranged.FaceLengths();
   std::sort(lengths.begin(), lengths.end());
   EXPECT_EQ(lengths, (std::vector<int>{ 3, 3, 6 }));
+}
+
+TEST(GraphEmbedding, LargerSplitComponentsComeNearerToTheMiddle)
+{
+  // Nodes 0 and 1 with the edge 0 and paths of 1, 2, ... 5 inner nodes between them, in this order.
+  itk::Graph    graph{ 2, { { 0, 1 } }, {} };
+  itk::Rotation rotation{ { 0 }, { 1 } };
+  for (int inner = 1; inner <= 5; ++inner)
+  {
+    int last = 0;
+    for (int i = 0; i <= inner; ++i)
+    {
+      const int next = i < inner ? graph.nodes++ : 1;
+      const int h = 2 * static_cast<int>(graph.edges.size());
+      rotation.resize(graph.nodes);
+      graph.edges.push_back({ last, next });
+      rotation[last].push_back(h);
+      rotation[next].insert(next == 1 ? rotation[1].begin() : rotation[next].end(), h + 1);
+      last = next;
+    }
+  }
+  const itk::CombinatorialMap map(graph, rotation);
+  ASSERT_EQ(map.Genus(), 0);
+  const itk::CombinatorialMap arranged = itk::ArrangeSplitComponents(map);
+  EXPECT_EQ(arranged.Genus(), 0);
+  EXPECT_EQ(arranged.ToGraph().edges, graph.edges);
+  std::vector<int> sizes; // of the paths around node 0, from the edge on
+  for (const int h : arranged.Around(0))
+  {
+    int node = arranged.Node(h + 1);
+    int size = 0;
+    for (int along = h; node != 1; ++size)
+    {
+      along = arranged.NextAround(itk::CombinatorialMap::Twin(along));
+      node = arranged.Node(itk::CombinatorialMap::Twin(along));
+    }
+    sizes.push_back(size);
+  }
+  EXPECT_EQ(sizes, (std::vector<int>{ 0, 1, 3, 5, 4, 2 }));
+}
+
+TEST(GraphEmbedding, ThreeSplitComponentsStayAsTheyAre)
+{
+  const itk::CombinatorialMap map = StackedTriangles(40); // 3-connected
+  EXPECT_EQ(itk::ArrangeSplitComponents(map).GetRotation(), map.GetRotation());
+  const itk::Graph            theta{ 4, { { 0, 1 }, { 0, 2 }, { 2, 1 }, { 0, 3 }, { 3, 1 } }, {} };
+  const itk::CombinatorialMap three(theta, { { 0, 2, 6 }, { 1, 9, 5 }, { 3, 4 }, { 7, 8 } });
+  ASSERT_EQ(three.Genus(), 0);
+  EXPECT_EQ(itk::ArrangeSplitComponents(three).GetRotation(), three.GetRotation());
+}
+
+namespace
+{
+/** In each generation every edge gets a new node, joined with both of its ends (Dorogovtsev, Goltsev and Mendes). The
+ * oldest and largest triangles lie next to their edge, far from all else. */
+struct NestedTriangles
+{
+  explicit NestedTriangles(int generations)
+  {
+    std::vector<int> first;
+    std::vector<int> second;
+    rotation.resize(2);
+    graph.edges.push_back({ 0, 1 });
+    this->Grow(0, generations, first, second);
+    rotation[0] = first;
+    rotation[1].assign(second.rbegin(), second.rend());
+  }
+  /** Half-edges of an edge and of all that lies to its left: around the first node counter-clockwise, around the second
+   * clockwise. */
+  void
+  Grow(int edge, int generations, std::vector<int> & first, std::vector<int> & second)
+  {
+    first.push_back(2 * edge);
+    second.push_back(2 * edge + 1);
+    for (int rest = generations - 1; rest >= 0; --rest)
+    {
+      const int node = graph.nodes++;
+      const int before = static_cast<int>(graph.edges.size());
+      graph.edges.push_back({ graph.edges[edge][0], node });
+      graph.edges.push_back({ node, graph.edges[edge][1] });
+      std::vector<int> arriving;
+      std::vector<int> leaving;
+      this->Grow(before, rest, first, arriving);
+      this->Grow(before + 1, rest, leaving, second);
+      leaving.insert(leaving.end(), arriving.rbegin(), arriving.rend());
+      rotation.resize(graph.nodes);
+      rotation[node] = leaving;
+    }
+  }
+  itk::Graph    graph{ 2, {}, {} };
+  itk::Rotation rotation;
+};
+} // namespace
+
+TEST(GraphEmbedding, NestedSplitComponentsComeSideBySide)
+{
+  const NestedTriangles       nested(5);
+  const itk::CombinatorialMap map(nested.graph, nested.rotation);
+  ASSERT_EQ(map.Genus(), 0);
+  ASSERT_EQ(map.Nodes(), 123);
+  itk::GraphEmbeddingOptions options;
+  const double               given = Statistic(itk::EmbedGraph(map.ToGraph(), map, options), "smallestRadius");
+  options.isRotationFree = true;
+  const auto   certificate = itk::EmbedGraph(map.ToGraph(), map, options);
+  const double arranged = Statistic(certificate, "smallestRadius");
+  EXPECT_LT(given, 1e-5);
+  EXPECT_GT(arranged, 3e-4);
+  EXPECT_LE(Statistic(certificate, "residual"), 1e-12);
 }
 
 TEST(GraphEmbedding, TheCanonicalOrderIsThatOfTheMapAlone)

@@ -5,7 +5,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <map>
 #include <numeric>
 
 namespace
@@ -108,4 +110,88 @@ TEST(SphericalPacking, ATreeIsPackedWithDummies)
     smallest = std::min(smallest, itk::RadiusOf(packing.nodes[i]));
   }
   EXPECT_GT(smallest, 1e-4);
+}
+
+namespace
+{
+/** Triangles in triangles: node i in that of the three before it, so that circles shrink by the same factor each time;
+ * and some more nodes around the first three. */
+itk::CombinatorialMap
+NestedTriangles(int chain, int more)
+{
+  std::vector<std::array<int, 3>> triangles{ { 0, 1, 2 }, { 0, 2, 1 } };
+  itk::Graph                      graph{ 3, { { 0, 1 }, { 1, 2 }, { 2, 0 } }, {} };
+  const auto                      fill = [&](std::size_t triangle) {
+    const auto [a, b, c] = triangles[triangle];
+    const int node = graph.nodes++;
+    graph.edges.insert(graph.edges.end(), { { node, a }, { node, b }, { node, c } });
+    triangles[triangle] = { a, b, node };
+    triangles.push_back({ b, c, node });
+    triangles.push_back({ c, a, node });
+  };
+  for (int i = 0; i < chain; ++i)
+  {
+    fill(i == 0 ? 1 : triangles.size() - 2); // that of the last node and two older ones, alternating
+  }
+  for (int i = 0; i < more; ++i)
+  {
+    fill(0);
+  }
+  std::map<std::array<int, 2>, int> halfEdges;
+  for (std::size_t e = 0; e < graph.edges.size(); ++e)
+  {
+    const auto [a, b] = graph.edges[e];
+    halfEdges[{ a, b }] = static_cast<int>(2 * e);
+    halfEdges[{ b, a }] = static_cast<int>(2 * e + 1);
+  }
+  std::vector<int> next(2 * graph.edges.size());
+  for (const auto & t : triangles)
+  {
+    for (int k = 0; k < 3; ++k)
+    {
+      next[halfEdges.at({ t[k], t[(k + 1) % 3] })] = halfEdges.at({ t[k], t[(k + 2) % 3] });
+    }
+  }
+  return { graph.nodes, graph.edges, next };
+}
+} // namespace
+
+TEST(SphericalPacking, VerySmallVisibleCapsAreEnlarged)
+{
+  const itk::CombinatorialMap map = NestedTriangles(14, 20);
+  ASSERT_EQ(map.Genus(), 0);
+  const auto smallest = [](const itk::SphericalPacking & packing) {
+    double least = 4.0;
+    for (const itk::SphereCircle & node : packing.nodes)
+    {
+      least = std::min(least, itk::RadiusOf(node));
+    }
+    return least;
+  };
+  const auto centred = itk::PackOnSphere(map, itk::PointAtInfinity::Circle);
+  const auto enlarged = itk::PackOnSphere(map, itk::PointAtInfinity::Circle, {}, std::vector<char>(map.Nodes(), 1));
+  ASSERT_LT(smallest(centred), itk::smallestCapOfBarycentre);
+  EXPECT_GT(smallest(enlarged), 3.0 * smallest(centred));
+  ExpectPacking(map, enlarged);
+  // The derivative of the sum of cot(r / 2)^8 vanishes.
+  std::array<double, 3> balance{};
+  double                sum = 0.0;
+  for (const itk::SphereCircle & node : enlarged.nodes)
+  {
+    const double weight = std::pow(std::tan(0.5 * itk::RadiusOf(node)), -8.0);
+    sum += weight;
+    for (int i = 0; i < 3; ++i)
+    {
+      balance[i] += weight * itk::CentreOf(node)[i];
+    }
+  }
+  for (const double component : balance)
+  {
+    EXPECT_NEAR(component / sum, 0.0, 1e-7);
+  }
+  // Caps that nobody sees, or that are large enough, leave the barycentre where it is.
+  std::vector<char> firstAlone(map.Nodes(), 0);
+  firstAlone[0] = 1;
+  const auto same = itk::PackOnSphere(map, itk::PointAtInfinity::Circle, {}, firstAlone);
+  EXPECT_EQ(same.nodes, centred.nodes);
 }

@@ -1,0 +1,23 @@
+#ifndef itkSplitArrangement_h
+#define itkSplitArrangement_h
+
+#include "RicciFlowEmbeddingExport.h"
+#include "itkCombinatorialMap.h"
+
+namespace itk
+{
+/** \brief The same graph on the same surface with the parts between two nodes in another order: the larger a part, the
+ * nearer to the middle.
+ *
+ * Where three faces or more share two nodes of a block, these divide it into as many split components (an edge between
+ * the two is one), and any order of them is an embedding. If the circles of the two nodes touch, the others lie side by
+ * side between them as between two parallel lines, and the one at place x from the middle has circles as 1 / x^2. So
+ * the largest, in nodes, comes into the middle, the next ones to both sides of it, and edges to the end.
+ *
+ * Blocks that are not planar, and maps without such nodes, stay as they are. Time is quadratic at worst: for each pair
+ * of nodes all others are counted. \ingroup RicciFlowEmbedding */
+RicciFlowEmbedding_EXPORT CombinatorialMap
+ArrangeSplitComponents(const CombinatorialMap & map);
+} // namespace itk
+
+#endif
