@@ -50,11 +50,11 @@ constexpr double smallestCapOfBarycentre = 1e-5;
  *
  * Moved by a Moebius transformation so that the touch points of `edges` have their centre of mass at the centre of the
  * sphere (conformal barycentre; of all edges where these are fewer than three). Where a cap of the nodes that
- * `isVisible` marks would be smaller than smallestCapOfBarycentre, the mean of the 8th powers of cot(angle / 2) over
- * these nodes is made least instead, which makes the smallest of them about as large as a Moebius transformation can.
- * Both are unique: what is left free is a rotation. The packing is laid out again from the circle that has become
- * largest on the sphere, as the transformation may enlarge a small part of the plane. Throws InputError as
- * PackCircles() does. \ingroup RicciFlowEmbedding */
+ * `isVisible` marks would be smaller than smallestCapOfBarycentre, the sum of the fourth roots of cot(angle / 2) over
+ * these nodes is made least instead: the smallest caps grow, but one of them alone does not take the place of all
+ * others, as it would with greater exponents. Then what is left free is a rotation. The packing is laid out again from
+ * the circle that has become largest on the sphere, as the transformation may enlarge a small part of the plane. Throws
+ * InputError as PackCircles() does. \ingroup RicciFlowEmbedding */
 RicciFlowEmbedding_EXPORT SphericalPacking
 PackOnSphere(const CombinatorialMap &  map,
              PointAtInfinity           infinity,

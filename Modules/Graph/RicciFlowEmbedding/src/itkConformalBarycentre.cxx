@@ -103,25 +103,23 @@ CentrePacking(SphericalPacking & packing, const std::vector<int> & edges, double
 
 namespace
 {
-/** cot(angle / 2)^8 of a cap with this cotangent, in units of that of the cap with cotangent `unit`. */
+/** The fourth root of cot(angle / 2) of the cap with this cotangent of its angle. */
 double
-CapWeight(double cotangent, double unit)
+CapWeight(double cotangent)
 {
-  const auto   half = [](double t) { return t > 0.0 ? t + std::hypot(1.0, t) : 1.0 / (std::hypot(1.0, t) - t); };
-  const double ratio = half(cotangent) / half(unit);
-  const double square = ratio * ratio;
-  return square * square * square * square;
+  const double length = std::hypot(1.0, cotangent);
+  return std::sqrt(std::sqrt(cotangent > 0.0 ? length + cotangent : 1.0 / (length - cotangent)));
 }
 
 /** The sum of the weights of caps, and its derivatives, for a viewpoint that moves from the centre of the ball. */
 struct CapSum
 {
-  CapSum(const std::vector<SphereCircle> & caps, double unit)
+  explicit CapSum(const std::vector<SphereCircle> & caps)
   {
-    constexpr double power = 8.0;
+    constexpr double power = 0.25;
     for (const SphereCircle & cap : caps)
     {
-      const double          weight = CapWeight(cap[3], unit);
+      const double          weight = CapWeight(cap[3]);
       const double          length = std::hypot(1.0, cap[3]);
       const Eigen::Vector3d slope = Eigen::Vector3d(cap.data()) / -length; // of the distance to the plane
       const double          bend = std::max(0.0, cap[3] / length);
@@ -136,12 +134,12 @@ struct CapSum
 };
 
 double
-SumAfter(const std::vector<SphereCircle> & caps, const Boost & boost, double unit)
+SumAfter(const std::vector<SphereCircle> & caps, const Boost & boost)
 {
   double sum = 0.0;
   for (const SphereCircle & cap : caps)
   {
-    sum += CapWeight(boost(cap)[3], unit);
+    sum += CapWeight(boost(cap)[3]);
   }
   return sum;
 }
@@ -152,14 +150,12 @@ StepToLargerCaps(const std::vector<SphereCircle> & caps)
 {
   constexpr int    mostHalvings = 30;
   constexpr double shortest = 1e-15;
-  const auto       isSmaller = [](const SphereCircle & a, const SphereCircle & b) { return a[3] < b[3]; };
-  const double     unit = (*std::max_element(caps.begin(), caps.end(), isSmaller))[3];
-  const CapSum     sum(caps, unit);
+  const CapSum     sum(caps);
   Eigen::Vector3d  velocity = -sum.hessian.ldlt().solve(sum.gradient);
   velocity *= std::min(1.0, fastest / velocity.norm());
   for (int halvings = 0; halvings < mostHalvings && velocity.norm() > shortest; ++halvings, velocity *= 0.5)
   {
-    if (SumAfter(caps, Boost(velocity), unit) < sum.value)
+    if (SumAfter(caps, Boost(velocity)) < sum.value)
     {
       return velocity;
     }

@@ -11,9 +11,9 @@ namespace itk
 double
 CentrePacking(SphericalPacking & packing, const std::vector<int> & edges, double mostRapidity);
 
-/** The same for the least mean of cot(angle / 2)^8 over the caps of the nodes that `isVisible` marks. With the distance
- * d from the centre of the ball to the plane of hyperbolic space that the circle bounds this is e^(8 d), and d is
- * convex outside the cap's half-space: there is one minimum. */
+/** The same for the least sum of the fourth roots of cot(angle / 2) over the caps of the nodes that `isVisible` marks.
+ * With the distance d from the centre of the ball to the plane of hyperbolic space that the circle bounds these are
+ * e^(d / 4), and d is convex where the cap is no more than a hemisphere. */
 double
 EnlargeSmallCaps(SphericalPacking & packing, const std::vector<char> & isVisible, double mostRapidity);
 } // namespace itk
