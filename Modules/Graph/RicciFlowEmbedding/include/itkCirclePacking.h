@@ -4,6 +4,7 @@
 #include "RicciFlowEmbeddingExport.h"
 #include "itkCombinatorialMap.h"
 
+#include <cmath>
 #include <vector>
 
 namespace itk
@@ -34,9 +35,20 @@ struct CirclePacking
   std::vector<double> nodeRadii;
   std::vector<double> faceRadii;
   std::vector<char>   horocycleFaces; ///< see CirclesAtInfinity
+  /** What rounding has taken off the radii; empty where the last steps were in double precision. */
+  std::vector<double> nodeRests;
+  std::vector<double> faceRests;
   /** The largest curvature, 2 pi minus the sum of angles, that is left at a circle. Radians. */
   double residual{ 0.0 };
   int    steps{ 0 };
+};
+
+/** Of the last steps and of the layout. Along a chain of n circles around another one, errors grow as n^2: some maps of
+ * thousands of nodes need extended precision, which takes a few times longer. \ingroup RicciFlowEmbedding */
+enum class PackingPrecision
+{
+  Double, ///< extended where the Hessian is seen to ask for it
+  Extended
 };
 
 /** \brief The limit of the discrete Ricci flow du/dt = -K of a map, by Newton's method.
@@ -56,12 +68,44 @@ struct CirclePacking
  * geometry without circles at infinity, 2 and more for hyperbolic geometry. That the map is 3-connected (see
  * FaceConflicts) is not checked here. \ingroup RicciFlowEmbedding */
 RicciFlowEmbedding_EXPORT CirclePacking
-PackCircles(const CombinatorialMap & map, FlowGeometry geometry, const CirclesAtInfinity & infinite = {});
+PackCircles(const CombinatorialMap &  map,
+            FlowGeometry              geometry,
+            const CirclesAtInfinity & infinite = {},
+            PackingPrecision          precision = PackingPrecision::Double);
 
 /** Half the angle of the kite of two circles at the first, finite one. Of infinite radius the other one is a straight
  * line, or with `isHorocycle` a horocycle. \ingroup RicciFlowEmbedding */
-RicciFlowEmbedding_EXPORT double
-HalfKiteAngle(FlowGeometry geometry, double radius, double otherRadius, bool isHorocycle = false);
+template <typename TReal>
+TReal
+HalfKiteAngle(FlowGeometry geometry, TReal radius, TReal otherRadius, bool isHorocycle = false)
+{
+  if (isHorocycle)
+  {
+    return std::atan2(TReal(1), std::sinh(radius));
+  }
+  if (std::isinf(otherRadius))
+  {
+    return std::acos(TReal(-1)) / 2;
+  }
+  return geometry == FlowGeometry::Euclidean ? std::atan2(otherRadius, radius)
+                                             : std::atan2(std::tanh(otherRadius), std::sinh(radius));
+}
+
+/** \name Radii with their rests, where TReal can hold them \ingroup RicciFlowEmbedding */
+///@{
+template <typename TReal>
+TReal
+NodeRadius(const CirclePacking & packing, int node)
+{
+  return TReal(packing.nodeRadii[node]) + (packing.nodeRests.empty() ? TReal(0) : TReal(packing.nodeRests[node]));
+}
+template <typename TReal>
+TReal
+FaceRadius(const CirclePacking & packing, int face)
+{
+  return TReal(packing.faceRadii[face]) + (packing.faceRests.empty() ? TReal(0) : TReal(packing.faceRests[face]));
+}
+///@}
 
 /** The curvatures of given radii: nodes, then faces; 0 for infinite circles. \ingroup RicciFlowEmbedding */
 RicciFlowEmbedding_EXPORT std::vector<double>

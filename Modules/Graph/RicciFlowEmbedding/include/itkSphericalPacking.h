@@ -35,6 +35,9 @@ struct SphericalPacking
 {
   std::vector<SphereCircle> nodes;
   std::vector<SphereCircle> faces;
+  /** What rounding has taken off the circles, for further transformations; empty where nothing but doubles was used. */
+  std::vector<SphereCircle> nodeRests;
+  std::vector<SphereCircle> faceRests;
   /** Of each edge: where the circles of its ends touch, a unit vector. */
   std::vector<std::array<double, 3>> touchPoints;
   /** See CirclePacking. */

@@ -67,7 +67,7 @@ public:
   {}
 
   CirclePacking
-  Run();
+  Run(PackingPrecision precision);
 
 private:
   bool
@@ -221,7 +221,7 @@ NewtonFlow::Refined()
 }
 
 CirclePacking
-NewtonFlow::Run()
+NewtonFlow::Run(PackingPrecision precision)
 {
   m_Energy.Evaluate(m_Point);
   int steps = 0;
@@ -234,28 +234,13 @@ NewtonFlow::Run()
   if (steps > 0)
   {
     this->Polish();
-    needsRefinement = this->Polish() > mostUncertainty;
+    needsRefinement = this->Polish() > mostUncertainty || precision == PackingPrecision::Extended;
   }
   CirclePacking packing = needsRefinement ? this->Refined() : m_Energy.Packing();
   packing.steps = steps;
   return packing;
 }
 } // namespace
-
-double
-HalfKiteAngle(FlowGeometry geometry, double radius, double otherRadius, bool isHorocycle)
-{
-  if (isHorocycle)
-  {
-    return std::atan2(1.0, std::sinh(radius));
-  }
-  if (std::isinf(otherRadius))
-  {
-    return 0.5 * pi;
-  }
-  return geometry == FlowGeometry::Euclidean ? std::atan2(otherRadius, radius)
-                                             : std::atan2(std::tanh(otherRadius), std::sinh(radius));
-}
 
 std::vector<double>
 CurvaturesOf(const CombinatorialMap & map, const CirclePacking & packing)
@@ -280,29 +265,13 @@ CurvaturesOf(const CombinatorialMap & map, const CirclePacking & packing)
 namespace
 {
 CirclePacking
-PackInNearbyOrder(const CombinatorialMap & map, FlowGeometry geometry, const CirclesAtInfinity & infinite)
+PackInGivenOrder(const CombinatorialMap &  map,
+                 FlowGeometry              geometry,
+                 const CirclesAtInfinity & infinite,
+                 PackingPrecision          precision)
 {
-  const NearbyOrder       order(map);
-  const CirclesAtInfinity there{ order.NodesThere(infinite.lineNodes),
-                                 order.FacesThere(infinite.lineFaces),
-                                 order.FacesThere(infinite.horocycleFaces) };
-  CirclePacking           packing = PackCircles(order.Map(), geometry, there);
-  packing.nodeRadii = order.NodesBack(packing.nodeRadii);
-  packing.faceRadii = order.FacesBack(packing.faceRadii);
-  packing.horocycleFaces = order.FacesBack(packing.horocycleFaces);
-  return packing;
-}
-} // namespace
-
-CirclePacking
-PackCircles(const CombinatorialMap & map, FlowGeometry geometry, const CirclesAtInfinity & infinite)
-{
-  if (NearbyOrder::Pays(map))
-  {
-    return PackInNearbyOrder(map, geometry, infinite);
-  }
   const RicciUnknowns unknowns(map, geometry, infinite);
-  CirclePacking       packing = NewtonFlow(unknowns).Run();
+  CirclePacking       packing = NewtonFlow(unknowns).Run(precision);
   for (const double curvature : CurvaturesOf(map, packing))
   {
     packing.residual = std::abs(curvature) <= packing.residual ? packing.residual : std::abs(curvature);
@@ -314,5 +283,38 @@ PackCircles(const CombinatorialMap & map, FlowGeometry geometry, const CirclesAt
                      " rad is left; check that the map is 3-connected or use --augmentation ring");
   }
   return packing;
+}
+
+CirclePacking
+PackInNearbyOrder(const CombinatorialMap &  map,
+                  FlowGeometry              geometry,
+                  const CirclesAtInfinity & infinite,
+                  PackingPrecision          precision)
+{
+  const NearbyOrder       order(map);
+  const CirclesAtInfinity there{ order.NodesThere(infinite.lineNodes),
+                                 order.FacesThere(infinite.lineFaces),
+                                 order.FacesThere(infinite.horocycleFaces) };
+  CirclePacking           packing = PackInGivenOrder(order.Map(), geometry, there, precision);
+  packing.nodeRadii = order.NodesBack(packing.nodeRadii);
+  packing.faceRadii = order.FacesBack(packing.faceRadii);
+  packing.horocycleFaces = order.FacesBack(packing.horocycleFaces);
+  if (!packing.nodeRests.empty())
+  {
+    packing.nodeRests = order.NodesBack(packing.nodeRests);
+    packing.faceRests = order.FacesBack(packing.faceRests);
+  }
+  return packing;
+}
+} // namespace
+
+CirclePacking
+PackCircles(const CombinatorialMap &  map,
+            FlowGeometry              geometry,
+            const CirclesAtInfinity & infinite,
+            PackingPrecision          precision)
+{
+  return NearbyOrder::Pays(map) ? PackInNearbyOrder(map, geometry, infinite, precision)
+                                : PackInGivenOrder(map, geometry, infinite, precision);
 }
 } // namespace itk

@@ -61,7 +61,7 @@ public:
   }
   void
   Evaluate(const std::vector<TReal> & u);
-  /** The radii, rounded. */
+  /** The radii, in extended precision with the rests. */
   CirclePacking
   Packing() const;
 
@@ -70,10 +70,19 @@ private:
   SizeOf(TReal u) const;
   Size
   SizeOfEliminated(int face) const;
-  double
+  TReal
   RadiusOf(const Size & size) const
   {
-    return static_cast<double>(this->IsEuclidean() ? size.sinh : std::asinh(size.sinh));
+    return this->IsEuclidean() ? size.sinh : std::asinh(size.sinh);
+  }
+  static void
+  Append(TReal radius, std::vector<double> & radii, std::vector<double> & rests)
+  {
+    radii.push_back(static_cast<double>(radius));
+    if (!std::is_same<TReal, double>::value)
+    {
+      rests.push_back(std::isinf(radius) ? 0.0 : static_cast<double>(radius - static_cast<TReal>(radii.back())));
+    }
   }
   bool
   IsEuclidean() const
@@ -203,19 +212,20 @@ template <typename TReal>
 CirclePacking
 CircleState<TReal>::Packing() const
 {
-  constexpr double infinity = std::numeric_limits<double>::infinity();
-  CirclePacking    packing;
+  constexpr TReal infinity = std::numeric_limits<TReal>::infinity();
+  CirclePacking   packing;
   packing.geometry = m_Unknowns.geometry;
   for (int node = 0; node < m_Map.Nodes(); ++node)
   {
-    packing.nodeRadii.push_back(m_Unknowns.nodeKind[node] == Kind::Line ? infinity : this->RadiusOf(m_Node[node]));
+    const bool isLine = m_Unknowns.nodeKind[node] == Kind::Line;
+    Append(isLine ? infinity : this->RadiusOf(m_Node[node]), packing.nodeRadii, packing.nodeRests);
   }
   for (int face = 0; face < m_Map.Faces(); ++face)
   {
     const Kind kind = m_Unknowns.faceKind[face];
+    const bool isInfinite = kind == Kind::Line || kind == Kind::Horocycle;
     packing.horocycleFaces.push_back(kind == Kind::Horocycle);
-    packing.faceRadii.push_back(kind == Kind::Line || kind == Kind::Horocycle ? infinity
-                                                                              : this->RadiusOf(m_Face[face]));
+    Append(isInfinite ? infinity : this->RadiusOf(m_Face[face]), packing.faceRadii, packing.faceRests);
   }
   return packing;
 }

@@ -20,21 +20,29 @@ constexpr double fastest = 0.6;
 class Boost
 {
 public:
-  explicit Boost(const Eigen::Vector3d & velocity)
-    : m_Velocity(velocity)
-    , m_Gamma(1.0 / std::sqrt(1.0 - velocity.squaredNorm()))
-    , m_Factor(m_Gamma * m_Gamma / (1.0 + m_Gamma)) // (gamma - 1) / v^2
-  {}
+  explicit Boost(const Eigen::Vector3d & velocity) : m_Velocity(velocity) {}
 
   SphereCircle
   operator()(const SphereCircle & circle) const
   {
-    const double along = m_Velocity[0] * circle[0] + m_Velocity[1] * circle[1] + m_Velocity[2] * circle[2];
-    const double shift = m_Factor * along - m_Gamma * circle[3];
-    return { circle[0] + shift * m_Velocity[0],
-             circle[1] + shift * m_Velocity[1],
-             circle[2] + shift * m_Velocity[2],
-             m_Gamma * (circle[3] - along) };
+    return this->Moved(circle);
+  }
+
+  /** A circle in extended precision, as the sum of two. */
+  void
+  Move(SphereCircle & circle, SphereCircle & rest) const
+  {
+    std::array<long double, 4> sum{};
+    for (int k = 0; k < 4; ++k)
+    {
+      sum[k] = static_cast<long double>(circle[k]) + rest[k];
+    }
+    sum = this->Moved(sum);
+    for (int k = 0; k < 4; ++k)
+    {
+      circle[k] = static_cast<double>(sum[k]);
+      rest[k] = static_cast<double>(sum[k] - static_cast<long double>(circle[k]));
+    }
   }
 
   std::array<double, 3>
@@ -46,9 +54,20 @@ public:
   }
 
 private:
+  template <typename TReal>
+  std::array<TReal, 4>
+  Moved(const std::array<TReal, 4> & circle) const
+  {
+    const TReal x = m_Velocity[0];
+    const TReal y = m_Velocity[1];
+    const TReal z = m_Velocity[2];
+    const TReal gamma = 1 / std::sqrt(1 - (x * x + y * y + z * z));
+    const TReal along = x * circle[0] + y * circle[1] + z * circle[2];
+    const TReal shift = gamma * gamma / (1 + gamma) * along - gamma * circle[3]; // (gamma - 1) / v^2
+    return { circle[0] + shift * x, circle[1] + shift * y, circle[2] + shift * z, gamma * (circle[3] - along) };
+  }
+
   Eigen::Vector3d m_Velocity;
-  double          m_Gamma;
-  double          m_Factor;
 };
 
 /** The step of Newton's method for the function of hyperbolic space whose minimum is the barycentre. */
@@ -74,10 +93,13 @@ NewtonStep(const std::vector<std::array<double, 3>> & points, const std::vector<
 void
 Move(SphericalPacking & packing, const Boost & boost)
 {
-  for (auto * circles : { &packing.nodes, &packing.faces })
-  {
-    ParallelForBlocks(circles->size(), [&](std::size_t c) { (*circles)[c] = boost((*circles)[c]); });
-  }
+  const auto move = [&](std::vector<SphereCircle> & circles, std::vector<SphereCircle> & rests) {
+    ParallelForBlocks(circles.size(), [&](std::size_t c) {
+      rests.empty() ? void(circles[c] = boost(circles[c])) : boost.Move(circles[c], rests[c]);
+    });
+  };
+  move(packing.nodes, packing.nodeRests);
+  move(packing.faces, packing.faceRests);
   ParallelForBlocks(packing.touchPoints.size(),
                     [&](std::size_t p) { packing.touchPoints[p] = boost(packing.touchPoints[p]); });
 }

@@ -3,85 +3,100 @@
 #include "itkPlaneToSphere.h"
 
 #include <cmath>
+#include <type_traits>
 
 namespace itk
 {
 namespace
 {
-constexpr double pi = 3.14159265358979323846;
+template <typename TReal>
+constexpr TReal pi = TReal(3.14159265358979323846264338327950288L);
 
-using Complex = std::complex<double>;
-
-PlaneMotion
-Turn(double angle)
+template <typename TReal>
+BasicPlaneMotion<TReal>
+Turn(TReal angle)
 {
-  return PlaneMotion::Rotation(FlowGeometry::Hyperbolic, angle);
+  return BasicPlaneMotion<TReal>::Rotation(FlowGeometry::Hyperbolic, angle);
 }
 
-PlaneMotion
-Advance(double length)
+template <typename TReal>
+BasicPlaneMotion<TReal>
+Advance(TReal length)
 {
-  return PlaneMotion::Translation(FlowGeometry::Hyperbolic, length);
+  return BasicPlaneMotion<TReal>::Translation(FlowGeometry::Hyperbolic, length);
 }
 
 /** The circle around the image of the origin. With its centre (zeta, w) on the hyperboloid it is (zeta, -cosh r, w) /
  * sinh r, and w - cosh r is computed without cancellation. */
-SphereCircle
-FromCircle(const PlaneMotion & m, double radius, double scale)
+template <typename TReal>
+std::array<TReal, 4>
+FromCircle(const BasicPlaneMotion<TReal> & m, TReal radius, TReal scale)
 {
-  const Complex zeta = 2.0 * m.a * m.b;
-  const double  s = std::sinh(radius);
-  const double  half = std::sinh(0.5 * radius);
-  const double  out = 2.0 * std::norm(m.b);
-  const double  up = 2.0 * half * half;
-  return FromScaled(zeta.real() / s, zeta.imag() / s, (out - up) / s, (2.0 + out + up) / s, scale);
+  const std::complex<TReal> zeta = TReal(2) * m.a * m.b;
+  const TReal               s = std::sinh(radius);
+  const TReal               half = std::sinh(TReal(0.5) * radius);
+  const TReal               out = TReal(2) * std::norm(m.b);
+  const TReal               up = TReal(2) * half * half;
+  return FromScaled(zeta.real() / s, zeta.imag() / s, (out - up) / s, (TReal(2) + out + up) / s, scale);
 }
 
 /** What lies ahead of the geodesic that crosses the real axis at the origin. */
-SphereCircle
-FromGeodesic(const PlaneMotion & m, double scale)
+template <typename TReal>
+std::array<TReal, 4>
+FromGeodesic(const BasicPlaneMotion<TReal> & m, TReal scale)
 {
-  const Complex zeta = m.a * m.a + m.b * m.b;
-  const double  w = 2.0 * (m.a * std::conj(m.b)).real();
+  const std::complex<TReal> zeta = m.a * m.a + m.b * m.b;
+  const TReal               w = TReal(2) * (m.a * std::conj(m.b)).real();
   return FromScaled(zeta.real(), zeta.imag(), w, w, scale);
 }
 
 /** The horocycle at the end of the real axis that is orthogonal to the circle of this radius around the origin: with
  * the light ray (zeta, w) it is (zeta cosh r, -1, w cosh r). */
-SphereCircle
-FromHorocycle(const PlaneMotion & m, double radius, double scale)
+template <typename TReal>
+std::array<TReal, 4>
+FromHorocycle(const BasicPlaneMotion<TReal> & m, TReal radius, TReal scale)
 {
-  const double  c = std::cosh(radius);
-  const double  half = std::sinh(0.5 * radius);
-  const Complex end = m.a + m.b;
-  const Complex zeta = c * end * end;
-  const double  above = 2.0 * std::norm(m.b) + 2.0 * (m.a * std::conj(m.b)).real() + 2.0 * half * half * std::norm(end);
-  return FromScaled(zeta.real(), zeta.imag(), above, above + 2.0, scale);
+  const TReal               c = std::cosh(radius);
+  const TReal               half = std::sinh(TReal(0.5) * radius);
+  const std::complex<TReal> end = m.a + m.b;
+  const std::complex<TReal> zeta = c * end * end;
+  const TReal               above =
+    TReal(2) * std::norm(m.b) + TReal(2) * (m.a * std::conj(m.b)).real() + TReal(2) * half * half * std::norm(end);
+  return FromScaled(zeta.real(), zeta.imag(), above, above + TReal(2), scale);
 }
 
+template <typename TReal>
 std::array<double, 3>
-FromPoint(const PlaneMotion & m, double scale)
+FromPoint(const BasicPlaneMotion<TReal> & m, TReal scale)
 {
-  const Complex z = scale * m.b / std::conj(m.a);
-  return PointOnSphere(z.real(), z.imag());
+  const std::complex<TReal> z = scale * m.b / std::conj(m.a);
+  return PointOnSphere(static_cast<double>(z.real()), static_cast<double>(z.imag()));
 }
 
 /** Places everything that a finite node touches. */
+template <typename TReal>
 class DiskLayout
 {
 public:
-  DiskLayout(const CombinatorialMap & map, const CirclePacking & packing, double scale)
-    : m_Map(map), m_Packing(packing), m_Scale(scale), m_Angles(HalfEdgeAngles(map, packing)), m_Frames(map.Nodes())
+  using Motion = BasicPlaneMotion<TReal>;
+  DiskLayout(const CombinatorialMap & map, const CirclePacking & packing, TReal scale)
+    : m_Map(map)
+    , m_Packing(packing)
+    , m_Scale(scale)
+    , m_Angles(HalfEdgeAngles<TReal>(map, packing))
+    , m_Frames(map.Nodes())
   {
-    sphere.nodes.resize(map.Nodes());
-    sphere.faces.resize(map.Faces());
-    sphere.touchPoints.assign(map.Edges(), { 0.0, 0.0, 0.0 });
+    nodes.resize(map.Nodes());
+    faces.resize(map.Faces());
+    touchPoints.assign(map.Edges(), { 0.0, 0.0, 0.0 });
     m_IsPlaced.assign(map.Faces(), 0);
   }
   void
   Place(int node, int arrival);
 
-  SphericalPacking sphere;
+  std::vector<std::array<TReal, 4>>  nodes;
+  std::vector<std::array<TReal, 4>>  faces;
+  std::vector<std::array<double, 3>> touchPoints;
 
 private:
   void
@@ -91,25 +106,26 @@ private:
 
   const CombinatorialMap & m_Map;
   const CirclePacking &    m_Packing;
-  double                   m_Scale;
-  std::vector<double>      m_Angles;
-  std::vector<PlaneMotion> m_Frames;
+  TReal                    m_Scale;
+  std::vector<TReal>       m_Angles;
+  std::vector<Motion>      m_Frames;
   std::vector<char>        m_IsPlaced;
 };
 
+template <typename TReal>
 void
-DiskLayout::Place(int node, int arrival)
+DiskLayout<TReal>::Place(int node, int arrival)
 {
-  m_Frames[node] = Turn(0.0);
+  m_Frames[node] = Turn(TReal(0));
   if (arrival >= 0)
   {
-    const int    before = m_Map.Node(arrival);
-    const double length = m_Packing.nodeRadii[before] + m_Packing.nodeRadii[node];
+    const int   before = m_Map.Node(arrival);
+    const TReal length = NodeRadius<TReal>(m_Packing, before) + NodeRadius<TReal>(m_Packing, node);
     m_Frames[node] = (m_Frames[before] * Turn(m_Angles[arrival]) * Advance(length) *
-                      Turn(pi - m_Angles[CombinatorialMap::Twin(arrival)]))
+                      Turn(pi<TReal> - m_Angles[CombinatorialMap::Twin(arrival)]))
                        .Normalised();
   }
-  sphere.nodes[node] = FromCircle(m_Frames[node], m_Packing.nodeRadii[node], m_Scale);
+  nodes[node] = FromCircle(m_Frames[node], NodeRadius<TReal>(m_Packing, node), m_Scale);
   const int first = m_Map.FirstAround(node);
   int       h = first;
   do
@@ -125,56 +141,97 @@ DiskLayout::Place(int node, int arrival)
 }
 
 /** The touch point on a half-edge, and the circle beyond it where that is a geodesic. */
+template <typename TReal>
 void
-DiskLayout::PlaceAlong(int node, int halfEdge)
+DiskLayout<TReal>::PlaceAlong(int node, int halfEdge)
 {
-  const int         other = m_Map.Node(CombinatorialMap::Twin(halfEdge));
-  const PlaneMotion touch = m_Frames[node] * Turn(m_Angles[halfEdge]) * Advance(m_Packing.nodeRadii[node]);
-  sphere.touchPoints[halfEdge / 2] = FromPoint(touch, m_Scale);
+  const int    other = m_Map.Node(CombinatorialMap::Twin(halfEdge));
+  const Motion touch = m_Frames[node] * Turn(m_Angles[halfEdge]) * Advance(NodeRadius<TReal>(m_Packing, node));
+  touchPoints[halfEdge / 2] = FromPoint(touch, m_Scale);
   if (std::isinf(m_Packing.nodeRadii[other]))
   {
-    sphere.nodes[other] = FromGeodesic(touch, m_Scale);
+    nodes[other] = FromGeodesic(touch, m_Scale);
   }
 }
 
+template <typename TReal>
 void
-DiskLayout::PlaceFace(int node, int halfEdge)
+DiskLayout<TReal>::PlaceFace(int node, int halfEdge)
 {
-  const int         face = m_Map.Face(halfEdge);
-  const double      radius = m_Packing.faceRadii[face];
-  const double      own = m_Packing.nodeRadii[node];
-  const bool        isHorocycle = IsHorocycle(m_Packing, face);
-  const double      angle = m_Angles[halfEdge] + HalfKiteAngle(FlowGeometry::Hyperbolic, own, radius, isHorocycle);
-  const PlaneMotion ahead = m_Frames[node] * Turn(angle);
+  const int    face = m_Map.Face(halfEdge);
+  const TReal  radius = FaceRadius<TReal>(m_Packing, face);
+  const TReal  own = NodeRadius<TReal>(m_Packing, node);
+  const bool   isHorocycle = IsHorocycle(m_Packing, face);
+  const TReal  angle = m_Angles[halfEdge] + HalfKiteAngle(FlowGeometry::Hyperbolic, own, radius, isHorocycle);
+  const Motion ahead = m_Frames[node] * Turn(angle);
   if (isHorocycle)
   {
-    sphere.faces[face] = FromHorocycle(ahead, own, m_Scale);
+    faces[face] = FromHorocycle(ahead, own, m_Scale);
     return;
   }
-  const double distance = std::asinh(std::hypot(std::sinh(own) * std::cosh(radius), std::sinh(radius)));
-  sphere.faces[face] = FromCircle(ahead * Advance(distance), radius, m_Scale);
+  const TReal distance = std::asinh(std::hypot(std::sinh(own) * std::cosh(radius), std::sinh(radius)));
+  faces[face] = FromCircle(ahead * Advance(distance), radius, m_Scale);
 }
-} // namespace
 
-SphericalPacking
-DiskToSphere(const CombinatorialMap & map, const CirclePacking & packing, int root, int boundaryFace)
+/** Rounded, with the rests where there are any. */
+template <typename TReal>
+void
+Split(const std::vector<std::array<TReal, 4>> & circles,
+      std::vector<SphereCircle> &               rounded,
+      std::vector<SphereCircle> &               rests)
 {
-  const double     scale = 1.0 / std::tanh(0.5 * packing.nodeRadii[root]);
-  DiskLayout       layout(map, packing, scale);
-  const LayoutTree tree = LayoutTree::OfLargestCircles(map, packing, root);
+  for (const std::array<TReal, 4> & circle : circles)
+  {
+    SphereCircle rest{};
+    rounded.emplace_back();
+    for (int k = 0; k < 4; ++k)
+    {
+      rounded.back()[k] = static_cast<double>(circle[k]);
+      rest[k] = static_cast<double>(circle[k] - static_cast<TReal>(rounded.back()[k]));
+    }
+    if (!std::is_same<TReal, double>::value)
+    {
+      rests.push_back(rest);
+    }
+  }
+}
+
+template <typename TReal>
+SphericalPacking
+LayOutDisk(const CombinatorialMap & map, const CirclePacking & packing, int root, int boundaryFace)
+{
+  const TReal       scale = TReal(1) / std::tanh(TReal(0.5) * NodeRadius<TReal>(packing, root));
+  DiskLayout<TReal> layout(map, packing, scale);
+  const LayoutTree  tree = LayoutTree::OfLargestCircles(map, packing, root);
   for (const int node : tree.order)
   {
     layout.Place(node, tree.arrival[node]);
   }
-  SphericalPacking sphere = std::move(layout.sphere);
-  sphere.faces[boundaryFace] = FromScaled(0.0, 0.0, 1.0, -1.0, scale);
+  layout.faces[boundaryFace] = FromScaled(TReal(0), TReal(0), TReal(1), TReal(-1), scale);
   // The edges of the boundary face join geodesics: they touch at the end of the horocycle beside them.
   for (const int h : map.Boundary(boundaryFace))
   {
-    const SphereCircle & horocycle = sphere.faces[map.Face(CombinatorialMap::Twin(h))];
-    const double         length = std::hypot(horocycle[0], horocycle[1]);
-    sphere.touchPoints[h / 2] = PointOnSphere(scale * horocycle[0] / length, scale * horocycle[1] / length);
+    const std::array<TReal, 4> & horocycle = layout.faces[map.Face(CombinatorialMap::Twin(h))];
+    const TReal                  length = std::hypot(horocycle[0], horocycle[1]);
+    layout.touchPoints[h / 2] = PointOnSphere(static_cast<double>(scale * horocycle[0] / length),
+                                              static_cast<double>(scale * horocycle[1] / length));
   }
+  SphericalPacking sphere;
+  Split(layout.nodes, sphere.nodes, sphere.nodeRests);
+  Split(layout.faces, sphere.faces, sphere.faceRests);
+  sphere.touchPoints = std::move(layout.touchPoints);
   return sphere;
+}
+} // namespace
+
+SphericalPacking
+DiskToSphere(const CombinatorialMap & map,
+             const CirclePacking &    packing,
+             int                      root,
+             int                      boundaryFace,
+             PackingPrecision         precision)
+{
+  return precision == PackingPrecision::Double ? LayOutDisk<double>(map, packing, root, boundaryFace)
+                                               : LayOutDisk<long double>(map, packing, root, boundaryFace);
 }
 } // namespace itk

@@ -89,28 +89,4 @@ LayoutTree::OfShortestPaths(const CombinatorialMap & map, const CirclePacking & 
     return priority - radii[map.Node(h)] - radii[map.Node(CombinatorialMap::Twin(h))];
   });
 }
-
-std::vector<double>
-HalfEdgeAngles(const CombinatorialMap & map, const CirclePacking & packing)
-{
-  std::vector<double> angles(map.HalfEdges(), 0.0);
-  ParallelForBlocks(map.Nodes(), [&](std::size_t node) {
-    const double radius = packing.nodeRadii[node];
-    if (std::isinf(radius))
-    {
-      return;
-    }
-    const int   first = map.FirstAround(static_cast<int>(node));
-    long double angle = 0.0L; // a node may have many neighbours
-    int         h = first;
-    do
-    {
-      angles[h] = static_cast<double>(angle);
-      angle += 2.0L * HalfKiteAngle(
-                        packing.geometry, radius, packing.faceRadii[map.Face(h)], IsHorocycle(packing, map.Face(h)));
-      h = map.NextAround(h);
-    } while (h != first);
-  });
-  return angles;
-}
 } // namespace itk

@@ -2,7 +2,9 @@
 #define itkLayoutTree_h
 
 #include "itkCirclePacking.h"
+#include "itkParallelFor.h"
 
+#include <cmath>
 #include <vector>
 
 namespace itk
@@ -30,8 +32,31 @@ LargestFiniteNode(const CirclePacking & packing);
 
 /** The angle from the first half-edge of its node to each half-edge, counter-clockwise, in [0, 2 pi); not for infinite
  * nodes. */
-std::vector<double>
-HalfEdgeAngles(const CombinatorialMap & map, const CirclePacking & packing);
+template <typename TReal = double>
+std::vector<TReal>
+HalfEdgeAngles(const CombinatorialMap & map, const CirclePacking & packing)
+{
+  std::vector<TReal> angles(map.HalfEdges(), TReal(0));
+  ParallelForBlocks(map.Nodes(), [&](std::size_t node) {
+    const TReal radius = NodeRadius<TReal>(packing, static_cast<int>(node));
+    if (std::isinf(radius))
+    {
+      return;
+    }
+    const int   first = map.FirstAround(static_cast<int>(node));
+    long double angle = 0.0L; // a node may have many neighbours
+    int         h = first;
+    do
+    {
+      const int face = map.Face(h);
+      angles[h] = static_cast<TReal>(angle);
+      angle +=
+        2.0L * HalfKiteAngle(packing.geometry, radius, FaceRadius<TReal>(packing, face), IsHorocycle(packing, face));
+      h = map.NextAround(h);
+    } while (h != first);
+  });
+  return angles;
+}
 } // namespace itk
 
 #endif

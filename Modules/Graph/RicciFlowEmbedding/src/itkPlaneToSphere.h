@@ -15,15 +15,20 @@ SphericalPacking
 PlaneToSphere(const CombinatorialMap & map, const CirclePacking & packing, int root);
 /** For a hyperbolic packing whose ideal boundary is the circle of a face. */
 SphericalPacking
-DiskToSphere(const CombinatorialMap & map, const CirclePacking & packing, int root, int boundaryFace);
+DiskToSphere(const CombinatorialMap & map,
+             const CirclePacking &    packing,
+             int                      root,
+             int                      boundaryFace,
+             PackingPrecision         precision);
 ///@}
 
 /** A circle (x, y, t + n, t - n): in the plane center / radius, (|centre|^2 - radius^2) / radius and 1 / radius, which
  * a change of scale multiplies by 1, scale and 1 / scale without loss. */
-inline SphereCircle
-FromScaled(double x, double y, double sum, double difference, double scale)
+template <typename TReal>
+std::array<TReal, 4>
+FromScaled(TReal x, TReal y, TReal sum, TReal difference, TReal scale)
 {
-  return { x, y, 0.5 * (sum * scale - difference / scale), 0.5 * (sum * scale + difference / scale) };
+  return { x, y, (sum * scale - difference / scale) / 2, (sum * scale + difference / scale) / 2 };
 }
 
 /** The image of a point of the plane. */

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <numeric>
 
 namespace itk
@@ -21,8 +22,9 @@ constexpr double mostRapidity = 9.0;
 constexpr double smallRapidity = 2.0;
 constexpr int    mostLayouts = 40;
 
-/** The worst layout that is taken for one. Radians. */
+/** The worst layout that is taken for one, and the worst of double precision that is not computed anew. Radians. */
 constexpr double worstTangency = 1e-9;
+constexpr double goodTangency = 1e-11;
 
 /** The edge whose ends both have many neighbours: its four circles are large in a packing of even density, so the
  * others keep their sizes when these become straight lines. */
@@ -103,7 +105,7 @@ CirclesAround(const CombinatorialMap & map, int face)
 void
 SeeFromOutside(SphericalPacking & sphere)
 {
-  for (auto * circles : { &sphere.nodes, &sphere.faces })
+  for (auto * circles : { &sphere.nodes, &sphere.faces, &sphere.nodeRests, &sphere.faceRests })
   {
     for (SphereCircle & circle : *circles)
     {
@@ -135,17 +137,18 @@ namespace
 /** A packing that is laid out on the sphere from any finite node. */
 struct FlatPacking
 {
-  FlatPacking(const CombinatorialMap & map, PointAtInfinity infinity)
-    : m_Map(map), m_Boundary(infinity == PointAtInfinity::Circle ? LongestFace(map) : -1)
+  FlatPacking(const CombinatorialMap & map, PointAtInfinity infinity, PackingPrecision precision)
+    : m_Map(map), m_Boundary(infinity == PointAtInfinity::Circle ? LongestFace(map) : -1), m_Precision(precision)
   {
-    circles = m_Boundary < 0 ? PackCircles(map, FlowGeometry::Euclidean, CirclesThrough(map, EdgeForInfinity(map)))
-                             : PackCircles(map, FlowGeometry::Hyperbolic, CirclesAround(map, m_Boundary));
+    circles = m_Boundary < 0
+                ? PackCircles(map, FlowGeometry::Euclidean, CirclesThrough(map, EdgeForInfinity(map)), precision)
+                : PackCircles(map, FlowGeometry::Hyperbolic, CirclesAround(map, m_Boundary), precision);
   }
   SphericalPacking
   LaidOutFrom(int root) const
   {
-    SphericalPacking sphere =
-      m_Boundary < 0 ? PlaneToSphere(m_Map, circles, root) : DiskToSphere(m_Map, circles, root, m_Boundary);
+    SphericalPacking sphere = m_Boundary < 0 ? PlaneToSphere(m_Map, circles, root)
+                                             : DiskToSphere(m_Map, circles, root, m_Boundary, m_Precision);
     SeeFromOutside(sphere);
     return sphere;
   }
@@ -155,6 +158,7 @@ struct FlatPacking
 private:
   const CombinatorialMap & m_Map;
   int                      m_Boundary; ///< face; -1 for an edge node at infinity
+  PackingPrecision         m_Precision;
 };
 
 /** The largest cap of those that are finite in the flat packing. */
@@ -233,6 +237,59 @@ HasSmallCap(const SphericalPacking & sphere, const std::vector<char> & isVisible
   return false;
 }
 
+/** In the position that PackOnSphere() describes. */
+SphericalPacking
+Positioned(const FlatPacking & flat, const std::vector<int> & edges, const std::vector<char> & isVisible)
+{
+  int              root = LargestFiniteNode(flat.circles);
+  SphericalPacking sphere =
+    LayOut(flat, root, [&](SphericalPacking & s) { return CentrePacking(s, edges, mostRapidity); });
+  if (HasSmallCap(sphere, isVisible))
+  {
+    sphere = LayOut(flat, root, [&](SphericalPacking & s) { return EnlargeSmallCaps(s, isVisible, mostRapidity); });
+  }
+  return sphere;
+}
+
+SphericalPacking
+PackInGivenOrder(const CombinatorialMap &  map,
+                 PointAtInfinity           infinity,
+                 std::vector<int>          edges,
+                 const std::vector<char> & isVisible)
+{
+  if (edges.size() < 3)
+  {
+    edges.resize(map.Edges());
+    std::iota(edges.begin(), edges.end(), 0);
+  }
+  SphericalPacking sphere;
+  for (const PackingPrecision precision : { PackingPrecision::Double, PackingPrecision::Extended })
+  {
+    const FlatPacking flat(map, infinity, precision);
+    sphere = Positioned(flat, edges, isVisible);
+    sphere.residual = flat.circles.residual;
+    sphere.steps = flat.circles.steps;
+    if (WorstTangency(map, sphere) <= goodTangency)
+    {
+      break;
+    }
+  }
+  if (const double miss = WorstTangency(map, sphere); !(miss <= worstTangency))
+  {
+    char text[200];
+    std::snprintf(text,
+                  sizeof(text),
+                  "the radii are right to %.1e rad, but circles of neighbours miss each other by %.1e rad on the "
+                  "sphere: their sizes differ too much for double precision",
+                  sphere.residual,
+                  miss);
+    throw InputError(text);
+  }
+  sphere.nodeRests.clear(); // they would not follow a rotation
+  sphere.faceRests.clear();
+  return sphere;
+}
+
 SphericalPacking
 PackInNearbyOrder(const CombinatorialMap &  map,
                   PointAtInfinity           infinity,
@@ -244,8 +301,8 @@ PackInNearbyOrder(const CombinatorialMap &  map,
   {
     edge = order.Edge(edge);
   }
-  SphericalPacking sphere =
-    PackOnSphere(order.Map(), infinity, std::move(edges), isVisible.empty() ? isVisible : order.NodesThere(isVisible));
+  SphericalPacking sphere = PackInGivenOrder(
+    order.Map(), infinity, std::move(edges), isVisible.empty() ? isVisible : order.NodesThere(isVisible));
   sphere.nodes = order.NodesBack(sphere.nodes);
   sphere.faces = order.FacesBack(sphere.faces);
   sphere.touchPoints = order.EdgesBack(sphere.touchPoints);
@@ -259,31 +316,7 @@ PackOnSphere(const CombinatorialMap &  map,
              std::vector<int>          edges,
              const std::vector<char> & isVisible)
 {
-  if (NearbyOrder::Pays(map))
-  {
-    return PackInNearbyOrder(map, infinity, std::move(edges), isVisible);
-  }
-  if (edges.size() < 3)
-  {
-    edges.resize(map.Edges());
-    std::iota(edges.begin(), edges.end(), 0);
-  }
-  const FlatPacking flat(map, infinity);
-  int               root = LargestFiniteNode(flat.circles);
-  SphericalPacking  sphere =
-    LayOut(flat, root, [&](SphericalPacking & s) { return CentrePacking(s, edges, mostRapidity); });
-  if (HasSmallCap(sphere, isVisible))
-  {
-    sphere = LayOut(flat, root, [&](SphericalPacking & s) { return EnlargeSmallCaps(s, isVisible, mostRapidity); });
-  }
-  if (const double miss = WorstTangency(map, sphere); !(miss <= worstTangency))
-  {
-    throw InputError("the radii are right to " + std::to_string(flat.circles.residual) +
-                     " rad, but circles of neighbours miss each other by " + std::to_string(miss) +
-                     " rad on the sphere: their sizes differ too much for double precision");
-  }
-  sphere.residual = flat.circles.residual;
-  sphere.steps = flat.circles.steps;
-  return sphere;
+  return NearbyOrder::Pays(map) ? PackInNearbyOrder(map, infinity, std::move(edges), isVisible)
+                                : PackInGivenOrder(map, infinity, std::move(edges), isVisible);
 }
 } // namespace itk

@@ -146,3 +146,26 @@ TEST(ScatteredMap, CirclesOfTheSphereTouch)
   }
   EXPECT_LT(worst, 1e-9);
 }
+
+TEST(ScatteredMap, AHubIsFarFromItsNeighboursInAnyOrder)
+{
+  // A wheel whose hub comes first.
+  constexpr int spokes = 101'000;
+  itk::Graph    graph{ spokes + 1, {}, {} };
+  itk::Rotation rotation(graph.nodes);
+  for (int i = 0; i < spokes; ++i)
+  {
+    graph.edges.push_back({ 0, 1 + i });
+    graph.edges.push_back({ 1 + i, 1 + (i + 1) % spokes });
+    rotation[0].push_back(4 * i);
+    rotation[1 + i] = { 4 * i + 2, 4 * i + 1, 4 * ((i + spokes - 1) % spokes) + 3 };
+  }
+  const itk::CombinatorialMap map(graph, rotation);
+  ASSERT_EQ(map.Genus(), 0);
+  ASSERT_GT(map.Edges(), 200'000);
+  const itk::SphericalPacking sphere = itk::PackOnSphere(map, itk::PointAtInfinity::Circle);
+  const double                rim = itk::RadiusOf(sphere.nodes[1]);
+  // As in the closed form for wheels, see itkSphericalPackingGTest.cxx.
+  EXPECT_NEAR(
+    std::sin(rim) / std::sin(rim + itk::RadiusOf(sphere.nodes[0])) / std::sin(std::acos(-1.0) / spokes), 1.0, 1e-7);
+}

@@ -195,3 +195,34 @@ TEST(SphericalPacking, VerySmallVisibleCapsAreEnlarged)
   const auto same = itk::PackOnSphere(map, itk::PointAtInfinity::Circle, {}, firstAlone);
   EXPECT_EQ(same.nodes, centred.nodes);
 }
+
+TEST(SphericalPacking, LongRingsKeepTheirAccuracy)
+{
+  // A prism: all circles of its nodes are equal, and errors of double precision would grow with the square of their
+  // number on the way around.
+  constexpr int sides = 1500;
+  itk::Graph    graph{ 2 * sides, {}, {} };
+  itk::Rotation rotation(graph.nodes);
+  for (int i = 0; i < sides; ++i)
+  {
+    const int next = (i + 1) % sides;
+    const int before = (i + sides - 1) % sides;
+    graph.edges.insert(graph.edges.end(), { { i, next }, { sides + i, sides + next }, { i, sides + i } });
+    rotation[i] = { 6 * i, 6 * i + 4, 6 * before + 1 };
+    rotation[sides + i] = { 6 * before + 3, 6 * i + 5, 6 * i + 2 };
+  }
+  const itk::CombinatorialMap map(graph, rotation);
+  ASSERT_EQ(map.Genus(), 0);
+  const itk::SphericalPacking packing = itk::PackOnSphere(map, itk::PointAtInfinity::Circle);
+  const auto [least, most] =
+    std::minmax_element(packing.nodes.begin(), packing.nodes.end(), [](const auto & a, const auto & b) {
+      return itk::RadiusOf(a) < itk::RadiusOf(b);
+    });
+  EXPECT_NEAR(itk::RadiusOf(*least) / itk::RadiusOf(*most), 1.0, 1e-9);
+  for (const std::array<int, 2> & edge : graph.edges)
+  {
+    const itk::SphereCircle & a = packing.nodes[edge[0]];
+    const itk::SphereCircle & b = packing.nodes[edge[1]];
+    EXPECT_NEAR(Angle(itk::CentreOf(a), itk::CentreOf(b)), itk::RadiusOf(a) + itk::RadiusOf(b), 1e-12);
+  }
+}
