@@ -1,5 +1,7 @@
 #include "itkCarriedRotation.h"
 
+#include "itkBlockArrangement.h"
+
 #include "itkIncrementalMap.h"
 
 #include <algorithm>
@@ -342,7 +344,7 @@ CarryRotation(const Graph & before, const CombinatorialMap & map, const Graph & 
   }
   if (fresh.Genus() < genus)
   {
-    result = { TurnedTo(result.map, fresh), true };
+    result = { TurnedTo(result.map, ArrangeBlocks(fresh)), true };
   }
   return result;
 }

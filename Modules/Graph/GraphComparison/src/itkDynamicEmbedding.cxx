@@ -1,5 +1,6 @@
 #include "itkDynamicEmbedding.h"
 
+#include "itkBlockArrangement.h"
 #include "itkCarriedRotation.h"
 #include "itkSphereAlignment.h"
 
@@ -155,7 +156,7 @@ DynamicEmbedding::Add(const Graph & graph)
   DynamicStep step;
   if (m_IsFirst)
   {
-    m_Map = FindEmbedding(graph, m_Genus).map;
+    m_Map = ArrangeBlocks(FindEmbedding(graph, m_Genus).map);
     step.certificate = EmbedGraph(graph, m_Map, m_Embedding);
   }
   else
