@@ -30,9 +30,9 @@ struct CarriedRotation
  *
  * Edges that are gone are taken out, orders of the others stay. A new edge is put into a face that has both of its ends
  * where there is one, a new node into the face that has most of its neighbours. Only when no edge can be put in that
- * way one costs a handle. When that made the genus rise, an embedding is sought anew, and taken if its genus is
- * smaller; one that has handles gives them up when the graph is planar. \pre `map` is one of `before`. \ingroup
- * GraphComparison */
+ * way one costs a handle. When that made the genus rise, an embedding is sought anew, with its blocks arranged, and
+ * taken if its genus is smaller; one that has handles gives them up when the graph is planar. \pre `map` is one of
+ * `before`. \ingroup GraphComparison */
 GraphComparison_EXPORT CarriedRotation
 CarryRotation(const Graph &            before,
               const CombinatorialMap & map,

@@ -55,8 +55,9 @@ struct DynamicStep
 /** \class DynamicEmbedding
  * \brief Embeds the steps of a dynamic graph so that what does not change stays where it is.
  *
- * Each step takes over the rotation system of the step before; its sphere is turned so that nodes that did not change
- * lie as near to their old places as can be. \ingroup GraphComparison */
+ * The first step has its blocks arranged, see ArrangeBlocks(); each other one takes over the rotation system of the
+ * step before. Its sphere is turned so that nodes that did not change lie as near to their old places as can be.
+ * \ingroup GraphComparison */
 class GraphComparison_EXPORT DynamicEmbedding
 {
 public:
