@@ -92,8 +92,7 @@ KeptNeighbours(const std::vector<int> & order)
   return kept;
 }
 
-/** The largest in the middle, the next ones in turn on both sides; on those that change less. Three stay as they are.
- */
+/** The largest in the middle, the next ones in turn on both sides. */
 std::vector<int>
 MiddleOut(const std::vector<int> & sizes)
 {
@@ -105,9 +104,7 @@ MiddleOut(const std::vector<int> & sizes)
   {
     i % 2 == 0 ? line.push_front(bySize[i]) : line.push_back(bySize[i]);
   }
-  const std::vector<int> order(line.begin(), line.end());
-  const std::vector<int> reversed(line.rbegin(), line.rend());
-  return KeptNeighbours(reversed) > KeptNeighbours(order) ? reversed : order;
+  return { line.begin(), line.end() };
 }
 
 /** Changes the order of split components, one pair of nodes after another. They stay the same components in all
@@ -120,6 +117,7 @@ public:
     , m_Original(parted.original)
     , m_Parts(parted.parts)
     , m_Next(parted.parts.HalfEdges())
+    , m_Previous(parted.parts.HalfEdges())
     , m_SharedFace(parted.parts.Faces(), 0)
     , m_Component(parted.parts.HalfEdges(), -1)
     , m_Seen(map.Nodes(), -1)
@@ -127,13 +125,22 @@ public:
     for (int h = 0; h < m_Parts.HalfEdges(); ++h)
     {
       m_Next[h] = m_Parts.NextAround(h);
+      m_Previous[h] = m_Parts.PreviousAround(h);
     }
   }
 
   void
   Arrange(const NodePair & pair)
   {
-    std::vector<int> order = MiddleOut(this->SizesOf(pair, this->FindComponents(pair)));
+    const int        number = this->FindComponents(pair);
+    std::vector<int> order = MiddleOut(this->SizesOf(pair, number));
+    std::vector<int> reversed(order.rbegin(), order.rend());
+    const auto       before = this->SidesOf(pair[0], pair[1], number);
+    const auto       after = this->SidesOf(pair[1], pair[0], number);
+    const auto       rank = [&](const std::vector<int> & o) {
+      return std::pair<double, int>(Unevenness(o, before, after), KeptNeighbours(o));
+    };
+    order = rank(reversed) > rank(order) ? reversed : order;
     this->Relink(pair[0], order);
     std::reverse(order.begin(), order.end()); // around the other node they follow each other the other way
     this->Relink(pair[1], order);
@@ -164,6 +171,10 @@ private:
   LabelAround(int node, int number, int offset);
   std::vector<int>
   SizesOf(const NodePair & pair, int number);
+  std::vector<int>
+  SidesOf(int node, int other, int number) const;
+  static double
+  Unevenness(const std::vector<int> & order, const std::vector<int> & before, const std::vector<int> & after);
   int
   CountFrom(int half, int component);
   void
@@ -172,7 +183,8 @@ private:
   const CombinatorialMap & m_Map;
   const std::vector<int> & m_Original;
   const CombinatorialMap & m_Parts;
-  std::vector<int>         m_Next;       ///< of the parts, as arranged
+  std::vector<int>         m_Next; ///< of the parts, as arranged
+  std::vector<int>         m_Previous;
   std::vector<int>         m_SharedFace; ///< 1, 2, ... in their order around the first node of a pair; 0 for others
   std::vector<int>         m_Component;  ///< of each half-edge around the two nodes
   std::vector<int>         m_Seen;       ///< the last search that has met a node
@@ -276,6 +288,40 @@ Arranger::CountFrom(int half, int search)
   return static_cast<int>(found.size());
 }
 
+/** Of each component: half-edges along its last side around `node`, counter-clockwise, to the other node. */
+std::vector<int>
+Arranger::SidesOf(int node, int other, int number) const
+{
+  std::vector<int> sides(number, 0);
+  for (const int h : m_Parts.Around(node))
+  {
+    if (m_Component[h] != m_Component[m_Next[h]])
+    {
+      int & side = sides[m_Component[h]];
+      int   along = h;
+      for (side = 1; m_Parts.Node(CombinatorialMap::Twin(along)) != other; ++side)
+      {
+        along = m_Previous[CombinatorialMap::Twin(along)];
+      }
+    }
+  }
+  return sides;
+}
+
+/** The sum of the squares of the lengths of the faces between the components: one long face is better than many that
+ * lie within each other, as those of a ladder whose rungs stand on different sides. */
+double
+Arranger::Unevenness(const std::vector<int> & order, const std::vector<int> & before, const std::vector<int> & after)
+{
+  double sum = 0.0;
+  for (std::size_t i = 0; i < order.size(); ++i)
+  {
+    const double length = before[order[i]] + after[order[(i + 1) % order.size()]];
+    sum += length * length;
+  }
+  return sum;
+}
+
 void
 Arranger::Relink(int node, const std::vector<int> & order)
 {
@@ -297,6 +343,7 @@ Arranger::Relink(int node, const std::vector<int> & order)
     for (const int next : ofComponent[component])
     {
       m_Next[last] = next;
+      m_Previous[next] = last;
       last = next;
     }
   }
