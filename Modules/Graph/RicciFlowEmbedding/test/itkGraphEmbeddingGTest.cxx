@@ -276,7 +276,44 @@ TEST(GraphEmbedding, LargerSplitComponentsComeNearerToTheMiddle)
   EXPECT_EQ(sizes, (std::vector<int>{ 0, 1, 3, 5, 4, 2 }));
 }
 
-TEST(GraphEmbedding, ThreeSplitComponentsStayAsTheyAre)
+TEST(GraphEmbedding, RungsOfALadderComeToTheSameSide)
+{
+  constexpr int rungs = 12;
+  itk::Graph    ladder{ 2 * rungs, {}, {} };
+  itk::Rotation rotation(ladder.nodes);
+  for (int i = 0; i < rungs; ++i) // edges 3 i: rung, 3 i + 1 and 3 i + 2: onwards
+  {
+    ladder.edges.push_back({ i, rungs + i });
+    if (i + 1 < rungs)
+    {
+      ladder.edges.insert(ladder.edges.end(), { { i, i + 1 }, { rungs + i, rungs + i + 1 } });
+    }
+    const std::vector<int> forth = i + 1 < rungs ? std::vector<int>{ 6 * i + 2, 6 * i + 4 } : std::vector<int>{};
+    const std::vector<int> back = i > 0 ? std::vector<int>{ 6 * i - 3, 6 * i - 1 } : std::vector<int>{};
+    for (int side = 0; side < 2; ++side)
+    {
+      std::vector<int> & around = rotation[side * rungs + i];
+      around.push_back(6 * i + side);
+      for (const std::vector<int> & along : (i + side) % 2 == 0 ? std::array{ forth, back } : std::array{ back, forth })
+      {
+        around.insert(
+          around.end(), along.begin() + (along.empty() ? 0 : side), along.end() - (along.empty() ? 0 : 1 - side));
+      }
+    }
+  }
+  const itk::CombinatorialMap map(ladder, rotation);
+  ASSERT_EQ(map.Genus(), 0);
+  const auto longest = [](const itk::CombinatorialMap & m) {
+    const std::vector<int> lengths = m.FaceLengths();
+    return *std::max_element(lengths.begin(), lengths.end());
+  };
+  ASSERT_LT(longest(map), 8);
+  const itk::CombinatorialMap arranged = itk::ArrangeSplitComponents(map);
+  EXPECT_EQ(arranged.Genus(), 0);
+  EXPECT_EQ(longest(arranged), 2 * rungs);
+}
+
+TEST(GraphEmbedding, SplitComponentsWithEqualSidesStayAsTheyAre)
 {
   const itk::CombinatorialMap map = StackedTriangles(40); // 3-connected
   EXPECT_EQ(itk::ArrangeSplitComponents(map).GetRotation(), map.GetRotation());
