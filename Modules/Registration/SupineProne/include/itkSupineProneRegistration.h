@@ -47,11 +47,11 @@ struct RegistrationConfidence
   double matchedShare{ 0.0 };
   /** Of pairs that it does not follow, among all pairs. */
   double contradictedShare{ 0.0 };
-  /** The least of all warps: mean cost of a row, about 0 and below where folds agree. */
+  /** Least mean cost of a row near the warp, about 0 and below where folds agree. */
   double energy{ 0.0 };
-  /** Least energies for the three ways in which the taeniae may correspond; empty where they are not known. */
+  /** The same, and that near the warp turned by one and by two thirds, which is how taeniae may be confused. */
   std::vector<double> energies;
-  /** Second best less best energy; not a number where there is one alone. */
+  /** Lesser energy of the turned ones less that of the warp. */
   double margin{ 0.0 };
   /** Energy of the best of the three other ways to lay one picture on the other (mirrored, turned back, both) less that
    * of the right way, without landmarks. About 0 for two patients. */
@@ -98,8 +98,8 @@ struct SupineProneRegistration
 /** One-to-one map between the walls of a colon in two positions.
  *
  * 1. Frame: the distance along the centreline straight between flexures; rotation from the three taeniae.
- * 2. Cylindrical dynamic time warping of pictures of folds about the frame, for each of the three ways in which taeniae
- *    may correspond; the least energy wins.
+ * 2. Cylindrical dynamic time warping of pictures of folds and taeniae about several frames, free in rotation; the warp
+ *    wins about which most folds find a partner that a smooth map can follow.
  * 3. Matching of folds about the warp (MatchFolds()), and twice again about the corrected warp.
  * 4. A thin plate through middles and ends of matched folds, robust against wrong pairs.
  * 5. Projection to a bijection: no triangle is turned over.

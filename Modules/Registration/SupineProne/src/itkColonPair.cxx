@@ -1,5 +1,6 @@
 #include "itkColonPair.h"
 
+#include "itkFoldProbability.h"
 #include "itkToolError.h"
 
 namespace itk

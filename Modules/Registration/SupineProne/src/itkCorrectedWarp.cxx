@@ -170,8 +170,10 @@ FitCorrection(const ColonPair &                pair,
 {
   std::vector<DirectionConstraint> directions = ConstraintsOfTaeniae(pair, map, corrected.taeniaDeviation);
   directions.insert(directions.end(), more.begin(), more.end());
-  const auto correction =
-    std::make_shared<SmoothCorrection>(pair.sourceCylinder->Begin(), pair.sourceCylinder->End(), pair.Around());
+  SmoothCorrectionOptions options;
+  options.stiffness = corrected.stiffness;
+  const auto correction = std::make_shared<SmoothCorrection>(
+    pair.sourceCylinder->Begin(), pair.sourceCylinder->End(), pair.Around(), options);
   const std::vector<double> weights = correction->Fit(ConstraintsOfFolds(pair, corrected), directions);
   corrected.correction = correction;
   corrected.pairWeights.clear();
@@ -196,6 +198,7 @@ CorrectChosenWarp(const ColonPair & pair, const CylindricalWarp & warp, FoldMatc
   CorrectedWarp corrected;
   corrected.warp = warp;
   corrected.taeniaDeviation = 6.0;
+  corrected.stiffness = 1.0;
   MatchAndFit(pair, method, 3, corrected);
   return corrected;
 }

@@ -28,6 +28,8 @@ struct CorrectedWarp
   std::shared_ptr<const SmoothCorrection> correction;
   /** Standard deviation of the taeniae as constraints of the correction, mm. */
   double taeniaDeviation{ 3.0 };
+  /** Of the correction, mm^2. */
+  double stiffness{ 2.0 };
   /** How much the correction follows the middle of each pair, 0 to 1. */
   std::vector<double> pairWeights;
 
@@ -42,12 +44,13 @@ struct CorrectedWarp
 };
 
 /** Matches folds about the warp, and again about the corrected one; the correction is a thin plate through the middles
- * and ends of matched folds and along the taeniae. To judge a warp: taeniae count as much as folds. */
+ * and ends of matched folds and along the taeniae. To judge a warp: taeniae count as much as folds, and the stiff
+ * correction cannot follow wrong pairs. */
 CorrectedWarp
 CorrectWarp(const ColonPair & pair, const CylindricalWarp & warp, FoldMatchingMethod method);
 
-/** The same once more, for the warp that was chosen. Taeniae are found less exactly than folds, and neighbouring points
- * of one err together, so that each counts for a quarter of a fold. */
+/** The same once more and softer, for the warp that was chosen. Taeniae are found less exactly than folds, and
+ * neighbouring points of one err together, so that each counts for a quarter of a fold. */
 CorrectedWarp
 CorrectChosenWarp(const ColonPair & pair, const CylindricalWarp & warp, FoldMatchingMethod method);
 

@@ -1,7 +1,5 @@
 #include "itkCylinderPicture.h"
 
-#include "itkParallelFor.h"
-
 #include <algorithm>
 #include <cmath>
 
@@ -76,26 +74,6 @@ Normalize(CylinderPicture & picture, const std::vector<char> & isExcluded)
                                           : Eigen::RowVectorXd((picture.values.row(i).array() - mean) / deviation);
   }
 }
-
-double
-CurvatureAt(const ColonPosition & position, int column, int row)
-{
-  const FlatSample sample = position.grid->SampleOfPixel(column, row);
-  if (sample.face < 0 || sample.isBridged)
-  {
-    return std::numeric_limits<double>::quiet_NaN();
-  }
-  if (position.curvature.size() == 0)
-  {
-    return sample.curvature;
-  }
-  double curvature = 0.0;
-  for (int corner = 0; corner < 3; ++corner)
-  {
-    curvature += sample.barycentric[corner] * position.curvature[position.grid->Faces()(sample.face, corner)];
-  }
-  return curvature;
-}
 } // namespace
 
 double
@@ -139,36 +117,6 @@ SmoothedOnCylinder(const Eigen::MatrixXd & values, double rows, double angles)
     }
   }
   return around;
-}
-
-std::vector<float>
-FoldProbability(const ColonPosition & position)
-{
-  const FlatColonGrid & grid = *position.grid;
-  std::vector<float>    curvature(static_cast<std::size_t>(grid.Rows()) * grid.Columns());
-  ParallelFor(grid.Rows(), [&](std::size_t row) {
-    for (int column = 0; column < grid.Columns(); ++column)
-    {
-      curvature[row * grid.Columns() + column] =
-        static_cast<float>(CurvatureAt(position, column, static_cast<int>(row)));
-    }
-  });
-  std::vector<float> sorted;
-  std::copy_if(
-    curvature.begin(), curvature.end(), std::back_inserter(sorted), [](float value) { return std::isfinite(value); });
-  if (sorted.empty())
-  {
-    return std::vector<float>(curvature.size(), 0.0F);
-  }
-  std::sort(sorted.begin(), sorted.end());
-  const float low = sorted[sorted.size() / 2];
-  const float high = std::max(sorted[sorted.size() * 95 / 100], low + 1e-6F);
-  for (float & value : curvature)
-  {
-    const float t = std::isfinite(value) ? std::clamp((value - low) / (high - low), 0.0F, 1.0F) : 0.0F;
-    value = t * t * (3.0F - 2.0F * t);
-  }
-  return curvature;
 }
 
 CylinderPicture

@@ -14,6 +14,8 @@ struct CylinderPicture
 {
   Eigen::MatrixXd   values;
   std::vector<char> isExcluded;
+  /** The same of bands along the taeniae, mean 0 and deviation 1 of each row; empty where they are not known. */
+  Eigen::MatrixXd taeniae;
   /** Of the middle of the first row, and from row to row, in the unit of the coordinate along the colon, mm. */
   double begin{ 0.0 };
   double step{ 1.0 };
@@ -42,11 +44,6 @@ struct CylinderPictureForm
   /** From the distance along the centreline, mm, to the coordinate of the rows; must ascend. */
   std::function<double(double)> coordinate;
 };
-
-/** 0 for the wall, 1 for what bulges as folds do, of each pixel of the grid (row by row): a cubic step of curvature
- * between its median and the value that 95 % do not exceed. */
-std::vector<float>
-FoldProbability(const ColonPosition & position);
 
 CylinderPicture
 MakeCylinderPicture(const ColonPosition &       position,

@@ -1,6 +1,6 @@
 #include "itkCylindricalWarping.h"
 
-#include "itkParallelFor.h"
+#include "itkRowCosts.h"
 
 #include <algorithm>
 #include <cmath>
@@ -13,11 +13,9 @@ namespace
 constexpr float infinite = std::numeric_limits<float>::infinity();
 /** Target rows passed from row to row. The centreline takes short cuts through collapsed stretches, so that their
  * length differs by much more than that of others. */
-constexpr int    greatestAdvance = 3;
-constexpr int    greatestUnseenAdvance = 8;
-constexpr double costOutside = 8.0; ///< of a row that would lie beyond the end of the target or of its segment
-
-using RowMajorFloat = Eigen::Matrix<float, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+constexpr int           greatestAdvance = 3;
+constexpr int           greatestUnseenAdvance = 8;
+constexpr unsigned char jumped = 255; ///< the step of a jump
 
 /** State (offset, rotation) of each row: the target row is 2 * row + offset - reach, the rotation that of the frame,
  * rounded, plus rotation - width. */
@@ -28,10 +26,13 @@ public:
              const CylinderPicture &           target,
              const std::vector<double> &       rotation,
              const CylindricalWarpingOptions & options)
-    : m_Source(source), m_Target(target), m_Options(options)
+    : m_Source(source)
+    , m_Target(target)
+    , m_Options(options)
+    , m_Reach(static_cast<int>(options.band / target.step))
+    , m_Costs(source, target, m_Reach, options)
   {
     m_Angles = source.Angles();
-    m_Reach = static_cast<int>(options.band / target.step);
     m_Offsets = 2 * m_Reach + 1;
     m_Width = rotation.empty() ? m_Angles / 2 : static_cast<int>(std::lround(options.rotationBand * m_Angles));
     m_Rotations = rotation.empty() ? m_Angles : 2 * m_Width + 1;
@@ -49,49 +50,16 @@ public:
     const auto         states = static_cast<std::size_t>(m_Offsets) * m_Rotations;
     std::vector<float> before(states);
     m_Step.assign(states * rows, 0);
+    m_Origin.assign(static_cast<std::size_t>(rows) * m_Offsets, 0);
     for (int row = 0; row < rows; ++row)
     {
-      const std::vector<float> cost = this->CostOfRow(row);
+      const std::vector<float> cost = m_Costs.OfRow(row, m_Centre[row] - m_Width, m_Rotations);
       before = row == 0 ? cost : this->Advance(row, before, cost);
     }
     return this->Trace(frame, before);
   }
 
 private:
-  /** What it costs to lay this row on each target row of the band in each rotation. */
-  std::vector<float>
-  CostOfRow(int row) const
-  {
-    std::vector<float>       cost(static_cast<std::size_t>(m_Offsets) * m_Rotations);
-    const Eigen::RowVectorXd a = m_Source.values.row(row);
-    const double             energy = a.squaredNorm() / m_Angles;
-    ParallelFor(m_Offsets, [&](std::size_t offset) {
-      const int    j = 2 * row + static_cast<int>(offset) - m_Reach;
-      const double spring = this->SpringOf(static_cast<int>(offset));
-      float *      out = cost.data() + offset * m_Rotations;
-      if (j < 0 || j >= m_Target.Rows() || this->SegmentOf(m_Source, row) != this->SegmentOf(m_Target, j))
-      {
-        std::fill(out, out + m_Rotations, static_cast<float>(costOutside));
-        return;
-      }
-      if (m_Source.isExcluded[row] || m_Target.isExcluded[j])
-      {
-        std::fill(out, out + m_Rotations, static_cast<float>(spring));
-        return;
-      }
-      const Eigen::RowVectorXd b = m_Target.values.row(j);
-      const double             content = m_Options.contentWeight * (energy + b.squaredNorm() / m_Angles);
-      for (int rotation = 0; rotation < m_Rotations; ++rotation)
-      {
-        const int    shift = (((m_Centre[row] + rotation - m_Width) % m_Angles) + m_Angles) % m_Angles;
-        const double product =
-          a.head(m_Angles - shift).dot(b.tail(m_Angles - shift)) + a.tail(shift).dot(b.head(shift));
-        out[rotation] = static_cast<float>(spring + content - product / m_Angles);
-      }
-    });
-    return cost;
-  }
-
   std::vector<float>
   Advance(int row, const std::vector<float> & before, const std::vector<float> & cost)
   {
@@ -123,22 +91,45 @@ private:
         now[state] = best + cost[state];
       }
     }
+    this->Jump(row, before, cost, now);
     return now;
   }
 
-  double
-  SpringOf(int offset) const
+  /** Where nothing is seen the path may go on in any rotation, and any way farther along. */
+  void
+  Jump(int row, const std::vector<float> & before, const std::vector<float> & cost, std::vector<float> & now)
   {
-    const double away = (offset - m_Reach) * m_Target.step / m_Options.frameDeviation;
-    return m_Options.springWeight * away * away;
-  }
-
-  int
-  SegmentOf(const CylinderPicture & picture, int row) const
-  {
-    const double place = picture.begin + row * picture.step;
-    return static_cast<int>(
-      std::count_if(m_Options.breaks.begin(), m_Options.breaks.end(), [place](double at) { return place > at; }));
+    std::vector<int> least; // state of each offset
+    for (int offset = 0; offset < m_Offsets; ++offset)
+    {
+      const auto begin = before.begin() + static_cast<std::ptrdiff_t>(offset) * m_Rotations;
+      least.push_back(static_cast<int>(std::min_element(begin, begin + m_Rotations) - before.begin()));
+    }
+    for (int offset = 0; offset < m_Offsets; ++offset)
+    {
+      if (!this->IsUnseen(row) && !this->IsTargetUnseen(2 * row + offset - m_Reach))
+      {
+        continue;
+      }
+      int & origin = m_Origin[static_cast<std::size_t>(row) * m_Offsets + offset];
+      float best = infinite;
+      for (int from = 0; from <= std::min(offset + 2, m_Offsets - 1); ++from)
+      {
+        const double leap = m_Options.jumpCost + m_Options.leapCost * std::abs(offset - from);
+        const float  sum = before[least[from]] + static_cast<float>(leap);
+        origin = sum < best ? least[from] : origin;
+        best = std::min(best, sum);
+      }
+      for (int rotation = 0; rotation < m_Rotations; ++rotation)
+      {
+        const std::size_t state = static_cast<std::size_t>(offset) * m_Rotations + rotation;
+        if (best + cost[state] < now[state])
+        {
+          now[state] = best + cost[state];
+          m_Step[cost.size() * row + state] = jumped;
+        }
+      }
+    }
   }
 
   bool
@@ -186,13 +177,14 @@ private:
     {
       const int offset = state / m_Rotations;
       const int rotation = state % m_Rotations;
-      springs += this->SpringOf(offset);
+      springs += m_Costs.SpringOf(offset);
       path.row(row) << m_Target.begin + (2 * row + offset - m_Reach) * m_Target.step,
         static_cast<double>(m_Centre[row] + rotation - m_Width) / m_Angles;
       if (row > 0)
       {
         const int step = m_Step[last.size() * row + state];
-        state = this->StateBefore(offset, rotation, this->Turned(row), step);
+        state = step == jumped ? m_Origin[static_cast<std::size_t>(row) * m_Offsets + offset]
+                               : this->StateBefore(offset, rotation, this->Turned(row), step);
       }
     }
     CylindricalWarp warp;
@@ -234,8 +226,10 @@ private:
   CylindricalWarpingOptions  m_Options;
   std::vector<int>           m_Centre;
   std::vector<unsigned char> m_Step;
+  std::vector<int>           m_Origin; ///< the state that a jump to a row and an offset comes from
+  int                        m_Reach;
+  RowCosts                   m_Costs;
   int                        m_Angles{ 1 };
-  int                        m_Reach{ 0 };
   int                        m_Offsets{ 1 };
   int                        m_Width{ 0 };
   int                        m_Rotations{ 1 };

@@ -106,11 +106,11 @@ JudgeRegistration(const ColonPosition & source, const ColonPosition & target, Su
   CountMatches(source, target, registration);
   JudgeNodes(source, registration);
   RegistrationConfidence & confidence = registration.confidence;
-  const double             byFolds = Logistic(confidence.matchedShare, 0.7, 0.03);
+  const double             byFolds = Logistic(confidence.matchedShare, 0.75, 0.03);
   const double             byContradiction = Logistic(-confidence.contradictedShare, -0.08, 0.02);
-  const double             byEnergy = Logistic(-confidence.energy, -0.185, 0.015);
-  const double             byMargin = std::isfinite(confidence.margin) ? Logistic(confidence.margin, 0.03, 0.01) : 0.4;
-  const double             bySense = Logistic(confidence.senseMargin, 0.05, 0.008);
+  const double             byEnergy = Logistic(-confidence.energy, -0.16, 0.015);
+  const double             byMargin = Logistic(confidence.margin, 0.1, 0.02);
+  const double             bySense = Logistic(confidence.senseMargin, 0.045, 0.008);
   confidence.whole = std::min({ byFolds, byContradiction, byEnergy, byMargin, bySense });
   if (byFolds < 0.5 || byContradiction < 0.5 || byEnergy < 0.5 || bySense < 0.5)
   {
@@ -120,8 +120,8 @@ JudgeRegistration(const ColonPosition & source, const ColonPosition & target, Su
   }
   if (byMargin < 0.5)
   {
-    confidence.reasons.push_back(std::isfinite(confidence.margin) ? "it is in doubt which taenia is which"
-                                                                  : "taeniae are not known in both positions");
+    confidence.reasons.push_back(
+      "it is in doubt which taenia is which: turned by a third, the folds fit nearly as well");
   }
   confidence.isFlagged = !confidence.reasons.empty();
 }

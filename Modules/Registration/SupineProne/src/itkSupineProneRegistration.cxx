@@ -14,20 +14,13 @@ namespace itk
 {
 namespace
 {
-/** Which taenia is which. */
+/** Whether folds tell the map from one that is turned by a third. */
 void
-JudgeWays(const WarpingChoice & choice, RegistrationConfidence & confidence)
+JudgeThirds(const WarpingChoice & choice, RegistrationConfidence & confidence)
 {
   confidence.energies = choice.energies;
-  confidence.energy = choice.best.warp.energy;
-  confidence.margin = std::numeric_limits<double>::quiet_NaN();
-  if (!choice.energies.empty())
-  {
-    std::vector<double> sorted = choice.energies;
-    std::sort(sorted.begin(), sorted.end());
-    confidence.energy = sorted[0];
-    confidence.margin = sorted[1] - sorted[0];
-  }
+  confidence.energy = choice.energies[0];
+  confidence.margin = std::min(choice.energies[1], choice.energies[2]) - choice.energies[0];
 }
 
 void
@@ -77,7 +70,7 @@ RegisterColonPositions(const ColonPosition & source, const ColonPosition & targe
     result.flexures.emplace_back(pair.frame.from[i], pair.frame.to[i]);
   }
   WarpingChoice choice = WarpByTrials(pair, options.matching);
-  JudgeWays(choice, result.confidence);
+  JudgeThirds(choice, result.confidence);
   if (options.refines)
   {
     RefineByPictures(pair, choice.best);

@@ -12,17 +12,37 @@ namespace
 using namespace tubecolons;
 using flattubes::pi;
 
+constexpr double halfCollapse = 20.0; // mm
+
 Movement
 SomeMovement()
 {
   return { 0.37, 8.0 };
 }
 
-/** Errors of a map in mm of the flat map at places all over the tube. */
+/** The middle of the tube is collapsed: this is seen of it no more. */
+itk::ColonPosition
+WithCollapse(itk::ColonPosition position)
+{
+  const auto isInside = [](double u) { return std::abs(u - 0.5 * length) < halfCollapse; };
+  position.isExcluded.assign(position.grid->Columns(), 0);
+  for (int column = 0; column < position.grid->Columns(); ++column)
+  {
+    position.isExcluded[column] = isInside(position.grid->UvOfPixel(column, 0).x());
+  }
+  const auto seen = std::remove_if(position.folds.begin(), position.folds.end(), [&](const itk::HaustralFold & fold) {
+    return isInside(fold.centreUv.x());
+  });
+  position.folds.erase(seen, position.folds.end());
+  return position;
+}
+
+/** Errors of a map in mm of the flat map at places all over the tube, but for so many mm about its middle. */
 double
 GreatestError(const itk::SupineProneRegistration & registration,
               const itk::CylinderMap &             map,
-              const Movement &                     movement)
+              const Movement &                     movement,
+              double                               withoutMiddle = 0.0)
 {
   const double circumference = 2.0 * pi * radius;
   double       greatest = 0.0;
@@ -30,6 +50,10 @@ GreatestError(const itk::SupineProneRegistration & registration,
   {
     for (double turn = 0.03; turn < 1.0; turn += 0.11)
     {
+      if (std::abs(s - 0.5 * length) < withoutMiddle)
+      {
+        continue;
+      }
       const itk::CylinderPlace goal = movement({ s, turn });
       const Eigen::Vector2d    from(s, turn * circumference);
       const Eigen::Vector2d    uv = registration.target->UvOfPlace(map.Forward(registration.source->PlaceOfUv(from)));
@@ -59,6 +83,29 @@ TEST(SupineProneRegistration, FindsAKnownMovement)
     EXPECT_EQ(match.source, match.target);
   }
   EXPECT_GT(registration.matches.size(), 0.9 * FoldsOfPatient(1).size());
+}
+
+/** Taeniae alone cannot tell it: the tube turns by a third where nothing is seen, so that they lie where they would
+ * without. */
+TEST(SupineProneRegistration, TheRotationMayChangeInACollapse)
+{
+  Movement movement = SomeMovement();
+  movement.turnBehind = 1.0 / 3.0;
+  const auto registration = itk::RegisterColonPositions(WithCollapse(MakePosition("supine", 1, {})),
+                                                        WithCollapse(MakePosition("prone", 1, movement)));
+  EXPECT_LT(GreatestError(registration, registration.map, movement, 2.5 * halfCollapse), 4.0);
+  EXPECT_EQ(registration.figures.flips, 0);
+  EXPECT_FALSE(registration.confidence.isFlagged);
+}
+
+TEST(SupineProneRegistration, TheMarginTellsTheRightThird)
+{
+  const auto registration =
+    itk::RegisterColonPositions(MakePosition("supine", 1, {}), MakePosition("prone", 1, SomeMovement()));
+  const std::vector<double> & energies = registration.confidence.energies;
+  ASSERT_EQ(energies.size(), 3U);
+  EXPECT_LT(energies[0], std::min(energies[1], energies[2]));
+  EXPECT_DOUBLE_EQ(registration.confidence.margin, std::min(energies[1], energies[2]) - energies[0]);
 }
 
 TEST(SupineProneRegistration, ForwardAndInverseAgree)

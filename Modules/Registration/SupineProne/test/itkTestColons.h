@@ -50,8 +50,9 @@ FoldsOfPatient(int patient)
 /** Where the second position has a place of the first one. */
 struct Movement
 {
-  double rotation{ 0.0 }; ///< turns
-  double stretch{ 0.0 };  ///< mm, at most
+  double rotation{ 0.0 };   ///< turns
+  double stretch{ 0.0 };    ///< mm, at most
+  double turnBehind{ 0.0 }; ///< more rotation in the second half, turns
   double
   S(double s) const
   {
@@ -60,7 +61,7 @@ struct Movement
   itk::CylinderPlace
   operator()(const itk::CylinderPlace & place) const
   {
-    return { this->S(place.s), place.turn + rotation };
+    return { this->S(place.s), place.turn + rotation + (place.s > 0.5 * length ? turnBehind : 0.0) };
   }
 };
 

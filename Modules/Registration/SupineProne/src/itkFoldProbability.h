@@ -1,0 +1,15 @@
+#ifndef itkFoldProbability_h
+#define itkFoldProbability_h
+
+#include "itkColonPosition.h"
+
+namespace itk
+{
+/** 0 for the wall, 1 for folds, of each pixel of the grid (row by row): the mean of two views. One is a cubic step of
+ * curvature between its median and the value that 95 % do not exceed, which sees low folds, and loops that press in;
+ * the other one are the folds that were found, from end to end through their middles, all alike. */
+std::vector<float>
+FoldProbability(const ColonPosition & position);
+} // namespace itk
+
+#endif
