@@ -10,7 +10,7 @@ namespace
 constexpr int angles = TaeniaEvidence::Angles;
 /** Of the distance from the axis over the radius, and of the mean curvature times the radius (-0.5 on a tube). */
 constexpr double reliefWeight = 20.0;
-constexpr double curvatureWeight = 5.0;
+constexpr double curvatureWeight = 2.0;
 /** Of curvature times radius: more comes from steps of voxels. */
 constexpr double greatestCurvature = 2.0;
 /** Bends shift the middle of the tube and make it oval: turns around the tube that are left out. */
