@@ -273,6 +273,24 @@ WarnOfNarrowPlaces(const LumenGrid & grid, const std::vector<Section> & sections
   }
 }
 
+/** The anus lies near the middle plane and not in front; of a line that begins elsewhere the direction is in doubt. */
+void
+WarnOfUnlikelyRectum(ColonCentreline & result)
+{
+  constexpr double         fromMiddle = 0.2; // of the extent of the line; LPS: y grows towards the back
+  constexpr double         leastBack = 0.3;
+  const Eigen::MatrixXd &  V = result.curve.V;
+  const Eigen::RowVector3d extent = (V.colwise().maxCoeff() - V.colwise().minCoeff()).cwiseMax(1.0);
+  const Eigen::RowVector3d share = (V.row(0) - V.colwise().minCoeff()).cwiseQuotient(extent);
+  if (std::abs(share[0] - 0.5) > fromMiddle || share[1] < leastBack)
+  {
+    const Point<double, 3> place(Eigen::Vector3d(V.row(0)).data());
+    result.warnings.push_back("the line begins at " + PlaceInWords(place) +
+                              ", which is no likely place of the anus: it may run from the caecum to the rectum, or "
+                              "the rectum is missing");
+  }
+}
+
 /** Lengths for the exponents 2, 3, 4: the line itself, changed by how much the other paths differ from its core. */
 void
 AddLengths(const LumenNetwork &             network,
@@ -342,6 +360,10 @@ AssembleCentreline(const LumenNetwork &             network,
   AddLengths(network, field, lines, order, options, result);
   AddCover(network, lines, order, result);
   WarnOfNarrowPlaces(network.grid, sections, result);
+  if (!options.start)
+  {
+    WarnOfUnlikelyRectum(result);
+  }
   return result;
 }
 

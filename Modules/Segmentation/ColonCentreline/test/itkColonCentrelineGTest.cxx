@@ -154,6 +154,17 @@ TEST(ColonCentreline, OfAColonIsItsAxisInAnyImageFrame)
   }
 }
 
+TEST(ColonCentreline, DoubtsARectumAtAnUnlikelyPlace)
+{
+  for (const double begin : { 0.0, 0.5 }) // the right half alone ends at the caecum
+  {
+    const TubePoints truth = itk::PartOf(itk::ColonCurve(), begin, 1.0);
+    TubeMask         mask(truth, 30.0, { 2.0, 2.0, 2.0 });
+    mask.Paint(truth, 15.0);
+    EXPECT_EQ(HasWarning(itk::TraceColonCentreline(mask.Get()), "no likely place of the anus"), begin > 0.0);
+  }
+}
+
 TEST(ColonCentreline, HasArraysThatFitItsPoints)
 {
   const TubePoints truth = itk::PartOf(itk::ColonCurve(), 0.0, 0.5);
