@@ -24,7 +24,7 @@ constexpr int    mostLayouts = 40;
 
 /** The worst layout that is taken for one, and the worst of double precision that is not computed anew. Radians. */
 constexpr double worstTangency = 1e-9;
-constexpr double goodTangency = 1e-11;
+constexpr double goodTangency = 5e-11;
 
 /** The edge whose ends both have many neighbours: its four circles are large in a packing of even density, so the
  * others keep their sizes when these become straight lines. */
