@@ -20,12 +20,12 @@ constexpr double fastest = 0.6;
 class Boost
 {
 public:
-  explicit Boost(const Eigen::Vector3d & velocity) : m_Velocity(velocity) {}
+  explicit Boost(const Eigen::Vector3d & velocity) : m_Velocity(velocity), m_Double(velocity), m_Extended(velocity) {}
 
   SphereCircle
   operator()(const SphereCircle & circle) const
   {
-    return this->Moved(circle);
+    return m_Double.Moved(circle);
   }
 
   /** A circle in extended precision, as the sum of two. */
@@ -37,7 +37,7 @@ public:
     {
       sum[k] = static_cast<long double>(circle[k]) + rest[k];
     }
-    sum = this->Moved(sum);
+    sum = m_Extended.Moved(sum);
     for (int k = 0; k < 4; ++k)
     {
       circle[k] = static_cast<double>(sum[k]);
@@ -55,19 +55,26 @@ public:
 
 private:
   template <typename TReal>
-  std::array<TReal, 4>
-  Moved(const std::array<TReal, 4> & circle) const
+  struct Matrix
   {
-    const TReal x = m_Velocity[0];
-    const TReal y = m_Velocity[1];
-    const TReal z = m_Velocity[2];
-    const TReal gamma = 1 / std::sqrt(1 - (x * x + y * y + z * z));
-    const TReal along = x * circle[0] + y * circle[1] + z * circle[2];
-    const TReal shift = gamma * gamma / (1 + gamma) * along - gamma * circle[3]; // (gamma - 1) / v^2
-    return { circle[0] + shift * x, circle[1] + shift * y, circle[2] + shift * z, gamma * (circle[3] - along) };
-  }
+    explicit Matrix(const Eigen::Vector3d & velocity) : x(velocity[0]), y(velocity[1]), z(velocity[2]) {}
 
-  Eigen::Vector3d m_Velocity;
+    std::array<TReal, 4>
+    Moved(const std::array<TReal, 4> & circle) const
+    {
+      const TReal along = x * circle[0] + y * circle[1] + z * circle[2];
+      const TReal shift = factor * along - gamma * circle[3];
+      return { circle[0] + shift * x, circle[1] + shift * y, circle[2] + shift * z, gamma * (circle[3] - along) };
+    }
+
+    TReal x, y, z;
+    TReal gamma{ 1 / std::sqrt(1 - (x * x + y * y + z * z)) };
+    TReal factor{ gamma * gamma / (1 + gamma) }; ///< (gamma - 1) / v^2
+  };
+
+  Eigen::Vector3d     m_Velocity;
+  Matrix<double>      m_Double;
+  Matrix<long double> m_Extended;
 };
 
 /** The step of Newton's method for the function of hyperbolic space whose minimum is the barycentre. */
