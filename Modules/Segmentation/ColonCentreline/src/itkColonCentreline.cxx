@@ -110,12 +110,19 @@ PhysicalPoints(const LumenGrid & grid, const std::vector<int> & nodes)
 JoinEnd
 MakeJoinEnd(const LumenGrid & grid, const PieceLine & line, bool isReversed, bool prolongs)
 {
-  CurvePoints core = PhysicalPoints(grid, line.core);
+  std::vector<int> nodes = line.core;
   if (isReversed)
   {
-    std::reverse(core.begin(), core.end());
+    std::reverse(nodes.begin(), nodes.end());
   }
-  JoinEnd end;
+  const CurvePoints core = PhysicalPoints(grid, nodes);
+  JoinEnd           end;
+  double            passed = 0.0;
+  for (std::size_t i = core.size(); i-- > 0 && passed <= endReach;)
+  {
+    end.radius = std::max<double>(end.radius, grid.Distance(nodes[i]));
+    passed += i > 0 ? (core[i] - core[i - 1]).norm() : 0.0;
+  }
   end.position = core.back();
   Eigen::Vector3d middle = core.back();
   if (prolongs)
@@ -149,36 +156,30 @@ MakeJoinPiece(const LumenGrid & grid, const PieceLine & line, bool prolongs)
   return piece;
 }
 
-void
-ExtendBox(const LumenGrid & grid, const PieceLine & line, Eigen::Vector3d & lowest, Eigen::Vector3d & highest)
-{
-  for (const Eigen::Vector3d & point : PhysicalPoints(grid, line.core))
-  {
-    lowest = lowest.cwiseMin(point);
-    highest = highest.cwiseMax(point);
-  }
-}
-
 /** The pieces in their order from the rectum on; the ends of `lines` become those that are joined. */
 std::vector<PlacedPiece>
-ChooseOrder(const LumenGrid &              grid,
+ChooseOrder(const LumenNetwork &           network,
             const LumenChoice &            choice,
             const ColonCentrelineOptions & options,
             std::vector<PieceLine> &       lines)
 {
-  Eigen::Vector3d        lowest = Eigen::Vector3d::Constant(1e30);
-  Eigen::Vector3d        highest = -lowest;
+  const LumenGrid & grid = network.grid;
+  ColonExtent       extent;
+  extent.usualRadius = network.cells.UsualRadius();
   std::vector<JoinPiece> cores;
   std::vector<JoinPiece> pieces;
   for (const PieceLine & line : lines)
   {
-    ExtendBox(grid, line, lowest, highest);
+    for (const Eigen::Vector3d & point : PhysicalPoints(grid, line.core))
+    {
+      extent.Include(point);
+    }
     cores.push_back(MakeJoinPiece(grid, line, false));
     pieces.push_back(MakeJoinPiece(grid, line, true));
     pieces.back().isWanted = choice.isWanted[line.component] != 0;
   }
-  PreferCaecum(lowest, highest, pieces);
-  const auto order = OrderPieces(pieces, options.start ? PlacedPiece{ 0, false } : FindRectum(cores, lowest, highest));
+  PreferCaecum(extent, pieces);
+  const auto order = OrderPieces(pieces, options.start ? PlacedPiece{ 0, false } : FindRectum(cores, extent));
   for (std::size_t i = 1; i < order.size(); ++i)
   {
     const int         ends[2] = { order[i - 1].isReversed ? 0 : 1, order[i].isReversed ? 1 : 0 };
@@ -213,7 +214,7 @@ TraceOn(const std::array<int, 3> &     blocks,
   traced.grid = std::make_unique<LumenGrid>(distance, components.labels.GetPointer(), choice.isUsed, blocks);
   traced.network = std::make_unique<LumenNetwork>(*traced.grid);
   traced.lines = TracePieces(*traced.network, options);
-  traced.order = ChooseOrder(*traced.grid, choice, options, traced.lines);
+  traced.order = ChooseOrder(*traced.network, choice, options, traced.lines);
   for (const PlacedPiece & placed : traced.order)
   {
     if (placed.isReversed)

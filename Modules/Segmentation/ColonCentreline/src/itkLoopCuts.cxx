@@ -34,7 +34,16 @@ JoinEnd
 EndOf(const LumenGrid & grid, const LumenCells & cells, const std::vector<int> & way)
 {
   const Eigen::Vector3d out = EndDirection(grid, cells, way);
-  return { grid.ToPhysical(cells.positions[way.back()]) + cells.radii[way.back()] * out, out, {}, {} };
+  JoinEnd               end;
+  end.position = grid.ToPhysical(cells.positions[way.back()]) + cells.radii[way.back()] * out;
+  end.out = out;
+  double passed = 0.0;
+  for (std::size_t i = way.size(); i-- > 0 && passed <= endReach;)
+  {
+    end.radius = std::max(end.radius, cells.radii[way[i]]);
+    passed += i > 0 ? (cells.positions[way[i]] - cells.positions[way[i - 1]]).norm() : 0.0;
+  }
+  return end;
 }
 
 struct Layout
@@ -43,26 +52,6 @@ struct Layout
   /** mm of side branches and for holes. */
   double faults{ 0.0 };
 };
-
-/** About the cross-section of the lumen, mm^2: that of the cell in the middle of the volume, with its haustra. */
-double
-UsualArea(const LumenCells & cells)
-{
-  std::vector<std::pair<double, double>> radii;
-  double                                 volume = 0.0;
-  for (int cell = 0; cell < cells.NumberOfCells(); ++cell)
-  {
-    radii.emplace_back(cells.radii[cell], cells.volumes[cell]);
-    volume += cells.volumes[cell];
-  }
-  std::sort(radii.begin(), radii.end());
-  std::size_t i = 0;
-  for (double passed = radii[0].second; passed < 0.5 * volume && i + 1 < radii.size(); passed += radii[i].second)
-  {
-    ++i;
-  }
-  return 4.0 * radii[i].first * radii[i].first;
-}
 
 Layout
 LayOut(const LumenGrid & grid, const LumenCells & cells, const CellTree & tree, double area)
@@ -97,25 +86,30 @@ LayOut(const LumenGrid & grid, const LumenCells & cells, const CellTree & tree, 
 }
 
 /** Tries cuts: what a colon of the pieces that they leave would cost, mm of joins, of what is left out, of side
- * branches and for holes. */
+ * branches, for holes, and for a beginning away from the rectum. */
 class CutSearch
 {
 public:
   CutSearch(const LumenGrid & grid, const LumenCells & cells, CellTree & tree)
-    : m_Grid(grid), m_Cells(cells), m_Tree(tree), m_Area(UsualArea(cells))
+    : m_Grid(grid), m_Cells(cells), m_Tree(tree)
   {
-    m_Lowest = m_Highest = grid.ToPhysical(cells.positions[0]);
     for (const Eigen::Vector3d & position : cells.positions)
     {
-      m_Lowest = m_Lowest.cwiseMin(grid.ToPhysical(position));
-      m_Highest = m_Highest.cwiseMax(grid.ToPhysical(position));
+      m_Extent.Include(grid.ToPhysical(position));
+    }
+    m_Extent.usualRadius = cells.UsualRadius();
+    for (const Eigen::Vector3d & position : cells.positions)
+    {
+      m_NearestToAnus = std::min(m_NearestToAnus, DistanceFromAnus(grid.ToPhysical(position), m_Extent));
     }
   }
 
   double
   Cost() const
   {
-    const Layout layout = LayOut(m_Grid, m_Cells, m_Tree, m_Area);
+    // About the cross-section of the lumen with its haustra.
+    const double area = 4.0 * m_Extent.usualRadius * m_Extent.usualRadius;
+    const Layout layout = LayOut(m_Grid, m_Cells, m_Tree, area);
     if (layout.pieces.size() > static_cast<std::size_t>(mostJoinPieces))
     {
       return 1e9;
@@ -125,10 +119,12 @@ public:
       return 0.0;
     }
     std::vector<JoinPiece> pieces = layout.pieces;
-    PreferCaecum(m_Lowest, m_Highest, pieces);
-    double joins = 0.0;
-    OrderPieces(pieces, FindRectum(pieces, m_Lowest, m_Highest), &joins);
-    return joins + layout.faults;
+    PreferCaecum(m_Extent, pieces);
+    const PlacedPiece     rectum = FindRectum(pieces, m_Extent);
+    const Eigen::Vector3d begin = pieces[rectum.piece].ends[rectum.isReversed ? 1 : 0].position;
+    double                joins = 0.0;
+    OrderPieces(pieces, rectum, &joins);
+    return joins + layout.faults + std::max(0.0, DistanceFromAnus(begin, m_Extent) - m_NearestToAnus);
   }
 
   /** One cut or two, and the cost with them and with leastSaving for each. */
@@ -185,9 +181,9 @@ private:
   const LumenGrid &  m_Grid;
   const LumenCells & m_Cells;
   CellTree &         m_Tree;
-  double             m_Area;
-  Eigen::Vector3d    m_Lowest;
-  Eigen::Vector3d    m_Highest;
+  ColonExtent        m_Extent;
+  /** Of all lumen. */
+  double m_NearestToAnus{ 1e30 };
 };
 } // namespace
 

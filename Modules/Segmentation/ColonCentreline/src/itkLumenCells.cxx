@@ -48,6 +48,25 @@ LumenCells::LumenCells(const LumenGrid & grid) : cellOf(grid.NumberOfNodes(), -1
   this->FindPassages(grid);
 }
 
+double
+LumenCells::UsualRadius() const
+{
+  std::vector<int> order(centres.size());
+  std::iota(order.begin(), order.end(), 0);
+  std::sort(order.begin(), order.end(), [this](int a, int b) { return radii[a] < radii[b]; });
+  const double volume = std::accumulate(volumes.begin(), volumes.end(), 0.0);
+  double       passed = 0.0;
+  for (const int cell : order)
+  {
+    passed += volumes[cell];
+    if (passed >= 0.5 * volume)
+    {
+      return radii[cell];
+    }
+  }
+  return 0.0;
+}
+
 int
 LumenCells::BestNeighbour(const LumenGrid & grid, int node) const
 {

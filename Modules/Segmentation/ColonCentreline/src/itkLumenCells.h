@@ -32,6 +32,10 @@ struct LumenCells
     return static_cast<int>(centres.size());
   }
 
+  /** Radius (mm) of the cell in the middle of the volume. */
+  double
+  UsualRadius() const;
+
   /** Of each node. */
   std::vector<int> cellOf;
   /** Nodes. */

@@ -18,29 +18,6 @@ constexpr double narrowestTaper = 1.0;
 constexpr double      atWall = 3.5;
 constexpr std::size_t mostTips = 60;
 
-double
-CoreRadius(const LumenCells & cells)
-{
-  std::vector<std::pair<double, double>> radii;
-  double                                 volume = 0.0;
-  for (int cell = 0; cell < cells.NumberOfCells(); ++cell)
-  {
-    radii.emplace_back(cells.radii[cell], cells.volumes[cell]);
-    volume += cells.volumes[cell];
-  }
-  std::sort(radii.begin(), radii.end());
-  double passed = 0.0;
-  for (const auto & [radius, part] : radii)
-  {
-    passed += part;
-    if (passed >= 0.5 * volume)
-    {
-      return std::min(widestCore, 0.5 * radius);
-    }
-  }
-  return widestCore;
-}
-
 /** The node with at least this distance to the wall whose path is longest; the start where there is none. */
 int
 FarthestNode(const LumenGrid & grid, const PathTree & paths, double leastDistance)
@@ -236,7 +213,7 @@ FindTip(const LumenGrid & grid, const PathTree & paths, const std::vector<int> &
 LumenNetwork::LumenNetwork(const LumenGrid & lumenGrid)
   : grid(lumenGrid)
   , cells(lumenGrid)
-  , coreRadius(CoreRadius(cells))
+  , coreRadius(std::min(widestCore, 0.5 * cells.UsualRadius()))
   , tree(cells, coreRadius)
   , cuts(CutLoops(grid, cells, tree))
 {

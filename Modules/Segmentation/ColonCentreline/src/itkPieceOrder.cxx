@@ -10,6 +10,10 @@ namespace
 {
 /** mm that the worst place of a caecum costs. */
 constexpr double caecumWeight = 60.0;
+/** mm that it costs when the caecum is a taper, and calibres of both, in usual ones. */
+constexpr double taperWeight = 80.0;
+constexpr double caecumCalibre = 1.25;
+constexpr double taperCalibre = 0.75;
 /** mm of a join that a mm of shortfall is worth. */
 constexpr double shortfallShare = 0.3;
 constexpr double never = std::numeric_limits<double>::infinity();
@@ -143,17 +147,26 @@ ClosestTips(const JoinEnd & a, const JoinEnd & b)
 }
 
 void
-PreferCaecum(const Eigen::Vector3d & lowest, const Eigen::Vector3d & highest, std::vector<JoinPiece> & pieces)
+ColonExtent::Include(const Eigen::Vector3d & point)
+{
+  lowest = lowest.cwiseMin(point);
+  highest = highest.cwiseMax(point);
+}
+
+void
+PreferCaecum(const ColonExtent & extent, std::vector<JoinPiece> & pieces)
 {
   // Of the extent of the colon, since the caecum is mobile: a tendency, not a rule.
-  const Eigen::Vector3d extent = (highest - lowest).cwiseMax(1.0);
+  const Eigen::Vector3d size = (extent.highest - extent.lowest).cwiseMax(1.0);
   for (JoinPiece & piece : pieces)
   {
     for (JoinEnd & end : piece.ends)
     {
       // LPS: x grows towards the left, z towards the head.
-      const Eigen::Vector3d share = (end.position - lowest).cwiseQuotient(extent);
-      end.asCaecum = caecumWeight * (0.7 * share[2] + 0.3 * share[0]);
+      const Eigen::Vector3d share = (end.position - extent.lowest).cwiseQuotient(size);
+      const double          calibre = end.radius / extent.usualRadius;
+      const double          taper = std::clamp((caecumCalibre - calibre) / (caecumCalibre - taperCalibre), 0.0, 1.0);
+      end.asCaecum = caecumWeight * (0.7 * share[2] + 0.3 * share[0]) + taperWeight * taper;
     }
   }
 }
@@ -203,22 +216,27 @@ OrderPieces(const std::vector<JoinPiece> & pieces, const PlacedPiece & first, do
   return order;
 }
 
-PlacedPiece
-FindRectum(const std::vector<JoinPiece> & pieces, const Eigen::Vector3d & lowest, const Eigen::Vector3d & highest)
+double
+DistanceFromAnus(const Eigen::Vector3d & place, const ColonExtent & extent)
 {
-  const double middle = 0.5 * (lowest[0] + highest[0]);
-  double       least = never;
-  PlacedPiece  best;
+  const double middle = 0.5 * (extent.lowest[0] + extent.highest[0]);
+  // LPS: z grows towards the head, y towards the back.
+  return (place[2] - extent.lowest[2]) + 0.7 * std::abs(place[0] - middle) + 0.5 * (extent.highest[1] - place[1]);
+}
+
+PlacedPiece
+FindRectum(const std::vector<JoinPiece> & pieces, const ColonExtent & extent)
+{
+  double      least = never;
+  PlacedPiece best;
   for (std::size_t p = 0; p < pieces.size(); ++p)
   {
     for (int e = 0; e < 2; ++e)
     {
-      const Eigen::Vector3d & at = pieces[p].ends[e].position;
-      // LPS: z grows towards the head, y towards the back.
-      const double score = (at[2] - lowest[2]) + 0.7 * std::abs(at[0] - middle) + 0.5 * (highest[1] - at[1]);
-      if (score < least)
+      const double distance = DistanceFromAnus(pieces[p].ends[e].position, extent);
+      if (distance < least)
       {
-        least = score;
+        least = distance;
         best = { static_cast<int>(p), e == 1 };
       }
     }

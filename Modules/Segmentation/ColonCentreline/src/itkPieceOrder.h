@@ -18,6 +18,8 @@ struct JoinEnd
   std::vector<Eigen::Vector3d> tips;
   /** Of each tip what the piece is shorter to it than to its farthest tip, mm. */
   std::vector<double> shortfalls;
+  /** Of the widest ball within `endReach` of the end, mm. */
+  double radius{ 0.0 };
   /** What it costs when the colon ends here, mm. */
   double asCaecum{ 0.0 };
 };
@@ -38,6 +40,22 @@ struct PlacedPiece
   bool isReversed{ false };
 };
 
+/** What the places of ends are judged by. */
+struct ColonExtent
+{
+  void
+  Include(const Eigen::Vector3d & point);
+
+  /** The box around the lumen, LPS in mm. */
+  Eigen::Vector3d lowest{ Eigen::Vector3d::Constant(1e30) };
+  Eigen::Vector3d highest{ Eigen::Vector3d::Constant(-1e30) };
+  /** LumenCells::UsualRadius. */
+  double usualRadius{ 0.0 };
+};
+
+/** mm along the line within which the caecum and the rectum are wide. */
+constexpr double endReach = 30.0;
+
 /** The most pieces that can be ordered: time doubles with each. */
 constexpr int mostJoinPieces = 14;
 
@@ -48,9 +66,10 @@ constexpr double longestJoin = 150.0;
 std::array<int, 2>
 ClosestTips(const JoinEnd & a, const JoinEnd & b);
 
-/** The caecum lies caudal and on the right: fills in what other ends cost as the last one. */
+/** The caecum lies caudal and on the right, and is wide, while the colon tapers where it collapses: fills in what other
+ * ends cost as the last one. */
 void
-PreferCaecum(const Eigen::Vector3d & lowest, const Eigen::Vector3d & highest, std::vector<JoinPiece> & pieces);
+PreferCaecum(const ColonExtent & extent, std::vector<JoinPiece> & pieces);
 
 /** The order with the least sum of joins and of what leaving pieces out costs; the first piece and its direction are
  * given. Exact: dynamic programming over subsets (Held, Karp 1962). Pieces that would cost more than they bring are
@@ -58,9 +77,13 @@ PreferCaecum(const Eigen::Vector3d & lowest, const Eigen::Vector3d & highest, st
 std::vector<PlacedPiece>
 OrderPieces(const std::vector<JoinPiece> & pieces, const PlacedPiece & first, double * cost = nullptr);
 
-/** Where ends lie in the patient tells which one is the rectum: the index of the piece and of the end. */
+/** How far a place is from where the rectum ends, mm: caudal, in the middle, at the back. */
+double
+DistanceFromAnus(const Eigen::Vector3d & place, const ColonExtent & extent);
+
+/** The end nearest to the anus: the piece, and whether it is its end 1. */
 PlacedPiece
-FindRectum(const std::vector<JoinPiece> & pieces, const Eigen::Vector3d & lowest, const Eigen::Vector3d & highest);
+FindRectum(const std::vector<JoinPiece> & pieces, const ColonExtent & extent);
 } // namespace itk
 
 #endif

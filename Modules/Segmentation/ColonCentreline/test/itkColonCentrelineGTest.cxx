@@ -111,6 +111,16 @@ Occupancy(const itk::LumenMask * mask, const Eigen::Vector3d & at)
   return sum;
 }
 
+/** How far along a curve it passes nearest to a point: a share of its points. */
+double
+ShareAt(const TubePoints & points, const Eigen::Vector3d & point)
+{
+  const auto nearer = [&](const Eigen::Vector3d & a, const Eigen::Vector3d & b) {
+    return (a - point).squaredNorm() < (b - point).squaredNorm();
+  };
+  return (std::min_element(points.begin(), points.end(), nearer) - points.begin()) / static_cast<double>(points.size());
+}
+
 /** Several limbs one beside the other, as a radiator; the axes of limbs are `pitch` mm apart. It begins caudal. */
 TubePoints
 Serpentine(int limbs, double length, double pitch)
@@ -350,6 +360,72 @@ TEST(ColonCentreline, CutsAHoleByWhichThePouchOfTheLastPieceHangsOnTheFirst)
   EXPECT_LT((PointsOf(line).front() - truth.front()).norm(), 20.0);
   EXPECT_LT((PointsOf(line).back() - truth.back()).norm(), 30.0);
   EXPECT_GT(Covered(truth, PointsOf(line), 15.0), 0.97);
+}
+
+TEST(ColonCentreline, GoesOnAtATaperRatherThanAtANearerCaecum)
+{
+  // The sigmoid collapses beside the pole of the caecum, and goes on farther away.
+  const Eigen::Vector3d collapses(-22, -45, -80);
+  const Eigen::Vector3d goesOn(30, -75, -100);
+  const TubePoints      truth = itk::CurveThrough({ { 0, 40, -150 },
+                                                    { 0, 35, -90 },
+                                                    { 20, 0, -60 },
+                                                    { 0, -40, -50 },
+                                                    collapses,
+                                                    { -20, -70, -110 },
+                                                    goesOn,
+                                                    { 80, -20, -80 },
+                                                    { 110, 20, -20 },
+                                                    { 110, 20, 100 },
+                                                    { 40, -10, 130 },
+                                                    { -40, -10, 130 },
+                                                    { -110, 10, 100 },
+                                                    { -115, 5, -20 },
+                                                    { -95, -30, -85 } });
+  TubeMask              mask(truth, 35.0, { 1.5, 1.5, 1.5 });
+  mask.Paint(itk::PartOf(truth, 0.0, ShareAt(truth, collapses)),
+             [](double share) { return std::min(15.0, 4.0 + 40.0 * (1.0 - share)); });
+  mask.Paint(itk::PartOf(truth, ShareAt(truth, goesOn), 1.0),
+             [](double share) { return std::min(16.0 + 6.0 * share, 4.0 + 120.0 * share); });
+  const ColonCentreline line = itk::TraceColonCentreline(mask.Get());
+  ASSERT_EQ(line.gaps.size(), 1u);
+  EXPECT_LT((PointsOf(line).back() - truth.back()).norm(), 30.0);
+  EXPECT_NEAR(line.length, LengthOf(truth), 0.07 * LengthOf(truth));
+}
+
+TEST(ColonCentreline, BeginsAtARectumThatLooksLikeASideBranch)
+{
+  // The sigmoid has collapsed where it meets the descending colon, which leaks into the rectum: the longest way through
+  // the lumen comes down the descending colon and goes up the sigmoid.
+  const Eigen::Vector3d collapses(40, -35, -75);
+  const Eigen::Vector3d goesOn(28, 22, -78);
+  const Eigen::Vector3d leaks(0, 40, -85);
+  const TubePoints      truth = itk::CurveThrough({ { 0, 40, -150 },
+                                                    leaks,
+                                                    { -30, 10, -40 },
+                                                    { -60, -30, -60 },
+                                                    { -30, -60, -80 },
+                                                    collapses,
+                                                    { 44, -5, -80 },
+                                                    goesOn,
+                                                    { 70, 40, -60 },
+                                                    { 110, 20, -20 },
+                                                    { 110, 20, 100 },
+                                                    { 40, -10, 130 },
+                                                    { -40, -10, 130 },
+                                                    { -110, 10, 100 },
+                                                    { -115, 5, -20 },
+                                                    { -105, 0, -75 } });
+  TubeMask              mask(truth, 35.0, { 1.5, 1.5, 1.5 });
+  mask.Paint(itk::PartOf(truth, 0.0, ShareAt(truth, collapses)),
+             [](double share) { return std::min(13.0, 5.0 + 60.0 * (1.0 - share)); });
+  mask.Paint(itk::PartOf(truth, ShareAt(truth, goesOn), 1.0), [](double share) { return 11.0 + 12.0 * share; });
+  mask.PaintBall(0.5 * (leaks + goesOn), 6.5);
+  const ColonCentreline line = itk::TraceColonCentreline(mask.Get());
+  EXPECT_EQ(line.gaps.size(), 1u);
+  EXPECT_LT((PointsOf(line).front() - truth.front()).norm(), 20.0);
+  EXPECT_LT((PointsOf(line).back() - truth.back()).norm(), 30.0);
+  EXPECT_NEAR(line.length, LengthOf(truth), 0.07 * LengthOf(truth));
 }
 
 TEST(ColonCentreline, ReachesThePoleOfAWideCaecum)
