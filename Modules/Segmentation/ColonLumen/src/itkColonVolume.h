@@ -90,6 +90,25 @@ struct ColonGrid
   Widened(const VoxelBox & box, double margin) const;
 };
 
+/** Calls `body(index)` for the voxels that share a face with this one. */
+template <typename TBody>
+void
+ForEachNeighbour(const ColonGrid & grid, std::size_t voxel, const TBody & body)
+{
+  const auto v = grid.Voxel(voxel);
+  for (int a = 0; a < 3; ++a)
+  {
+    if (v[a] > 0)
+    {
+      body(voxel - grid.stride[a]);
+    }
+    if (v[a] + 1 < grid.size[a])
+    {
+      body(voxel + grid.stride[a]);
+    }
+  }
+}
+
 using ColonImage = Image<float, 3>;
 
 ColonGrid

@@ -18,25 +18,6 @@ IsColon(unsigned char c)
   return c == ColonGas || c == ColonFluid;
 }
 
-/** Calls `body(neighbour)` for the voxels that share a face. */
-template <typename TBody>
-void
-ForEachNeighbour(const ColonGrid & grid, std::size_t voxel, const TBody & body)
-{
-  const auto v = grid.Voxel(voxel);
-  for (int a = 0; a < 3; ++a)
-  {
-    if (v[a] > 0)
-    {
-      body(voxel - grid.stride[a]);
-    }
-    if (v[a] + 1 < grid.size[a])
-    {
-      body(voxel + grid.stride[a]);
-    }
-  }
-}
-
 /** The voxels of growing classes that touch one of another class. */
 std::vector<std::size_t>
 Front(const ColonGrid & grid, const ClassVolume & classes)

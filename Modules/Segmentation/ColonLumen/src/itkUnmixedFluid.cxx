@@ -1,6 +1,7 @@
 #include "itkUnmixedFluid.h"
 
 #include "itkColonStatistics.h"
+#include "itkVoxelSet.h"
 
 #include <algorithm>
 #include <cmath>
@@ -53,7 +54,7 @@ public:
   {}
 
   void
-  Add(const std::vector<std::size_t> & seeds)
+  Add(const VoxelSet & seeds)
   {
     m_Seeds = seeds;
     std::sort(m_Seeds.begin(), m_Seeds.end());
@@ -62,31 +63,13 @@ public:
   }
 
 private:
-  template <typename TBody>
-  void
-  ForEachNeighbour(std::size_t voxel, const TBody & body) const
-  {
-    const auto v = m_Grid.Voxel(voxel);
-    for (int a = 0; a < 3; ++a)
-    {
-      if (v[a] > 0)
-      {
-        body(voxel - m_Grid.stride[a]);
-      }
-      if (v[a] + 1 < m_Grid.size[a])
-      {
-        body(voxel + m_Grid.stride[a]);
-      }
-    }
-  }
-
   /** The mean of a voxel and those that share a face: less noise, and a wall of two voxels still shows. */
   float
   Mean(std::size_t voxel) const
   {
     float sum = m_Hu[voxel];
     int   count = 1;
-    this->ForEachNeighbour(voxel, [&](std::size_t q) {
+    ForEachNeighbour(m_Grid, voxel, [&](std::size_t q) {
       sum += m_Hu[q];
       ++count;
     });
@@ -95,7 +78,7 @@ private:
 
   /** Visits what the paths reach, the brightest ways first, so that each voxel gets the best of its ways. */
   void
-  Flood(const std::vector<std::size_t> & seeds)
+  Flood(const VoxelSet & seeds)
   {
     std::priority_queue<Arrival> queue;
     const auto                   visit = [&](std::size_t q, float faintest) {
@@ -113,7 +96,7 @@ private:
     {
       if (m_Classes[p] == ColonFluid)
       {
-        this->ForEachNeighbour(p, [&](std::size_t q) {
+        ForEachNeighbour(m_Grid, p, [&](std::size_t q) {
           if (m_Classes[q] == Nothing)
           {
             queue.push({ std::numeric_limits<float>::max(), p });
@@ -130,7 +113,7 @@ private:
     {
       const Arrival next = queue.top();
       queue.pop();
-      this->ForEachNeighbour(next.voxel, [&](std::size_t q) { visit(q, next.faintest); });
+      ForEachNeighbour(m_Grid, next.voxel, [&](std::size_t q) { visit(q, next.faintest); });
     }
   }
 
@@ -138,32 +121,18 @@ private:
   bool
   IsNearFluid(std::size_t p) const
   {
-    const auto   v = m_Grid.Voxel(p);
     const double reach = std::max(2.0, 1.99 * m_Voxel);
-    const auto   box = m_Grid.Widened({ v, { { v[0] + 1, v[1] + 1, v[2] + 1 } } }, reach);
-    for (int k = box.low[2]; k < box.high[2]; ++k)
-    {
-      for (int j = box.low[1]; j < box.high[1]; ++j)
-      {
-        for (int i = box.low[0]; i < box.high[0]; ++i)
-        {
-          const Eigen::Vector3d d = Eigen::Vector3d(i - v[0], j - v[1], k - v[2]).cwiseProduct(m_Grid.spacing);
-          if (m_Classes[m_Grid.Index(i, j, k)] == ColonFluid && d.squaredNorm() < reach * reach)
-          {
-            return true;
-          }
-        }
-      }
-    }
-    return false;
+    return !ForAllWithin(m_Grid, p, reach, [&](std::size_t q, double squaredDistance) {
+      return m_Classes[q] != ColonFluid || squaredDistance >= reach * reach;
+    });
   }
 
   /** Reached voxels beyond the blurred edge, in pieces of LeastCoreMl at least that are open to
    * the fluid; in the order of their index. */
-  std::vector<std::size_t>
-  Cores(const std::vector<std::size_t> & seeds) const
+  VoxelSet
+  Cores(const VoxelSet & seeds) const
   {
-    std::vector<std::size_t> cores;
+    VoxelSet cores;
     for (const auto & reached : m_Reached)
     {
       if (m_Hu[reached.first] > m_Least && !this->IsNearFluid(reached.first))
@@ -182,35 +151,28 @@ private:
   std::optional<double>
   DipTowardsFluid(std::size_t p) const
   {
-    const auto         v = m_Grid.Voxel(p);
-    const auto         box = m_Grid.Widened({ v, { { v[0] + 1, v[1] + 1, v[2] + 1 } } }, 3.0 * m_Voxel);
-    double             nearest = 9.0 * m_Voxel * m_Voxel;
-    std::array<int, 3> towards{ { 0, 0, 0 } };
-    for (int k = box.low[2]; k < box.high[2]; ++k)
-    {
-      for (int j = box.low[1]; j < box.high[1]; ++j)
+    double      nearest = 9.0 * m_Voxel * m_Voxel;
+    std::size_t fluid = p;
+    ForAllWithin(m_Grid, p, 3.0 * m_Voxel, [&](std::size_t q, double squaredDistance) {
+      if (m_Classes[q] == ColonFluid && squaredDistance < nearest)
       {
-        for (int i = box.low[0]; i < box.high[0]; ++i)
-        {
-          const Eigen::Vector3d d = Eigen::Vector3d(i - v[0], j - v[1], k - v[2]).cwiseProduct(m_Grid.spacing);
-          if (m_Classes[m_Grid.Index(i, j, k)] == ColonFluid && d.squaredNorm() < nearest)
-          {
-            nearest = d.squaredNorm();
-            towards = { { i - v[0], j - v[1], k - v[2] } };
-          }
-        }
+        nearest = squaredDistance;
+        fluid = q;
       }
-    }
-    const int steps = std::max({ std::abs(towards[0]), std::abs(towards[1]), std::abs(towards[2]) });
-    if (steps == 0)
+      return true;
+    });
+    if (fluid == p)
     {
       return std::nullopt;
     }
-    double dip = m_Sharp[p];
+    const auto from = m_Grid.Voxel(p);
+    const auto to = m_Grid.Voxel(fluid);
+    const int  steps = std::max({ std::abs(to[0] - from[0]), std::abs(to[1] - from[1]), std::abs(to[2] - from[2]) });
+    double     dip = m_Sharp[p];
     for (int n = 1; n < steps; ++n)
     {
       const auto at = [&](int a) {
-        return v[a] + static_cast<int>(std::lround(n * static_cast<double>(towards[a]) / steps));
+        return from[a] + static_cast<int>(std::lround(n * static_cast<double>(to[a] - from[a]) / steps));
       };
       dip = std::min<double>(dip, m_Sharp[m_Grid.Index(at(0), at(1), at(2))]);
     }
@@ -219,7 +181,7 @@ private:
 
   /** Whether a core meets the fluid broadly and mostly without a dip of the values in between, or holds a seed. */
   bool
-  IsOpenToFluid(const std::vector<std::size_t> & piece) const
+  IsOpenToFluid(const VoxelSet & piece) const
   {
     double              sum = 0.0;
     std::vector<double> dips;
@@ -242,112 +204,12 @@ private:
            open * m_Voxel * m_Voxel * GreatestDepth >= piece.size() * m_Grid.VoxelVolume();
   }
 
-  /** The connected pieces of a sorted set of voxels; with `parts`, voxels join only those of their own part. */
-  std::vector<std::vector<std::size_t>>
-  Pieces(const std::vector<std::size_t> & voxels, const std::unordered_map<std::size_t, int> & parts = {}) const
+  VoxelSet
+  OpenPieces(const VoxelSet & cores) const
   {
-    const auto part = [&](std::size_t p) {
-      const auto found = parts.find(p);
-      return found == parts.end() ? 0 : found->second;
-    };
-    std::unordered_map<std::size_t, char> isLeft;
-    for (const auto p : voxels)
-    {
-      isLeft[p] = 1;
-    }
-    std::vector<std::vector<std::size_t>> pieces;
-    for (const auto first : voxels)
-    {
-      if (!isLeft[first])
-      {
-        continue;
-      }
-      pieces.push_back({ first });
-      auto & piece = pieces.back();
-      isLeft[first] = 0;
-      for (std::size_t n = 0; n < piece.size(); ++n)
-      {
-        this->ForEachNeighbour(piece[n], [&](std::size_t q) {
-          const auto found = isLeft.find(q);
-          if (found != isLeft.end() && found->second && part(q) == part(first))
-          {
-            found->second = 0;
-            piece.push_back(q);
-          }
-        });
-      }
-    }
-    return pieces;
-  }
-
-  /** Voxels around which a ball of NeckRadius holds nothing but the set and the colon. */
-  std::vector<std::size_t>
-  WideVoxels(const std::vector<std::size_t> & voxels) const
-  {
-    const auto isIn = [&](std::size_t p) {
-      return m_Classes[p] == ColonFluid || m_Classes[p] == ColonGas ||
-             std::binary_search(voxels.begin(), voxels.end(), p);
-    };
-    std::vector<std::size_t> wide;
-    for (const auto p : voxels)
-    {
-      const auto v = m_Grid.Voxel(p);
-      const auto box = m_Grid.Widened({ v, { { v[0] + 1, v[1] + 1, v[2] + 1 } } }, NeckRadius);
-      bool       isWide = true;
-      for (int k = box.low[2]; isWide && k < box.high[2]; ++k)
-      {
-        for (int j = box.low[1]; isWide && j < box.high[1]; ++j)
-        {
-          for (int i = box.low[0]; isWide && i < box.high[0]; ++i)
-          {
-            const Eigen::Vector3d d = Eigen::Vector3d(i - v[0], j - v[1], k - v[2]).cwiseProduct(m_Grid.spacing);
-            isWide = d.squaredNorm() > NeckRadius * NeckRadius || isIn(m_Grid.Index(i, j, k));
-          }
-        }
-      }
-      if (isWide)
-      {
-        wide.push_back(p);
-      }
-    }
-    return wide;
-  }
-
-  /** Cuts a set at its necks: for each voxel the number of the wide part that is the next within the set, where any
-   * is. */
-  std::unordered_map<std::size_t, int>
-  PartsAtNecks(const std::vector<std::size_t> & voxels) const
-  {
-    std::unordered_map<std::size_t, int> parts;
-    std::vector<std::size_t>             queue;
-    int                                  number = 0;
-    for (const auto & piece : this->Pieces(this->WideVoxels(voxels)))
-    {
-      ++number;
-      for (const auto p : piece)
-      {
-        parts[p] = number;
-        queue.push_back(p);
-      }
-    }
-    for (std::size_t n = 0; n < queue.size(); ++n)
-    {
-      const int own = parts[queue[n]];
-      this->ForEachNeighbour(queue[n], [&](std::size_t q) {
-        if (std::binary_search(voxels.begin(), voxels.end(), q) && parts.emplace(q, own).second)
-        {
-          queue.push_back(q);
-        }
-      });
-    }
-    return parts;
-  }
-
-  std::vector<std::size_t>
-  OpenPieces(const std::vector<std::size_t> & cores) const
-  {
-    std::vector<std::size_t> kept;
-    for (const auto & piece : this->Pieces(cores, this->PartsAtNecks(cores)))
+    VoxelSet   kept;
+    const auto isLumen = [this](std::size_t p) { return m_Classes[p] == ColonFluid || m_Classes[p] == ColonGas; };
+    for (const auto & piece : ConnectedPieces(m_Grid, cores, PartsAtNecks(m_Grid, cores, NeckRadius, isLumen)))
     {
       if (piece.size() * m_Grid.VoxelVolume() * 1e-3 >= LeastCoreMl && this->IsOpenToFluid(piece))
       {
@@ -360,7 +222,7 @@ private:
 
   /** The cores and what is next to them above their half-height. */
   void
-  GrowBack(const std::vector<std::size_t> & cores)
+  GrowBack(const VoxelSet & cores)
   {
     std::vector<std::pair<std::size_t, float>> front;
     for (const auto p : cores)
@@ -373,7 +235,7 @@ private:
       std::vector<std::pair<std::size_t, float>> next;
       for (const auto & from : front)
       {
-        this->ForEachNeighbour(from.first, [&](std::size_t q) {
+        ForEachNeighbour(m_Grid, from.first, [&](std::size_t q) {
           if (m_Classes[q] == Nothing && m_Hu[q] > 0.5 * (m_Tissue + from.second))
           {
             m_Classes[q] = ColonFluid;
@@ -393,7 +255,7 @@ private:
   double                                 m_Tolerance;
   double                                 m_Voxel; ///< mm, 1 at least
   ClassVolume &                          m_Classes;
-  std::vector<std::size_t>               m_Seeds;
+  VoxelSet                               m_Seeds;
   std::unordered_map<std::size_t, float> m_Reached;
 };
 } // namespace
