@@ -40,7 +40,8 @@ struct PackedMap
  * sufficient, and a map that needs all of its handles to be told apart from a worse one may fail it.
  *
  * All such pairs are found as 4-cycles of the graph of nodes and faces, from each node of highest degree (Chiba and
- * Nishizeki 1985), in linear time for bounded genus. \ingroup RicciFlowEmbedding */
+ * Nishizeki 1985), in linear time for bounded genus. \pre Triangles have no parallel edges. \ingroup RicciFlowEmbedding
+ */
 struct RicciFlowEmbedding_EXPORT FaceConflicts
 {
   /** `names` of the nodes for the reason; empty for their numbers. */

@@ -1,6 +1,7 @@
 #include "itkBlockArrangement.h"
 
 #include "itkBlockMaps.h"
+#include "itkNodesMetTwice.h"
 
 #include <algorithm>
 #include <numeric>
@@ -87,12 +88,21 @@ FromOuterFace(const BlockMaps & blocks, const std::vector<FaceKey> & faces, cons
   order.push_back(best);
   return order;
 }
+
+/** Whether it is of one block: a node that joins blocks has several corners in one face. */
+bool
+IsOneBlock(const CombinatorialMap & map)
+{
+  bool hasCutNode = map.Components() != 1;
+  ForEachNodeMetTwice(map, [&hasCutNode](int, int) { hasCutNode = true; });
+  return !hasCutNode;
+}
 } // namespace
 
 CombinatorialMap
 ArrangeBlocks(const CombinatorialMap & map)
 {
-  if (map.Edges() == 0)
+  if (map.Edges() == 0 || IsOneBlock(map))
   {
     return map;
   }

@@ -77,20 +77,46 @@ private:
   Matrix<long double> m_Extended;
 };
 
+/** Sums over points of the sphere. */
+struct Moments
+{
+  Eigen::Vector3d first{ Eigen::Vector3d::Zero() };
+  Eigen::Matrix3d rejection{ Eigen::Matrix3d::Zero() }; ///< of 1 - x x^T
+};
+
+/** By blocks of a fixed size, so that the rounding does not depend on the number of threads. */
+Moments
+MomentsOf(const std::vector<std::array<double, 3>> & points, const std::vector<int> & chosen)
+{
+  constexpr std::size_t blockSize = 16384;
+  std::vector<Moments>  blocks((chosen.size() + blockSize - 1) / blockSize);
+  ParallelFor(blocks.size(), [&](std::size_t block) {
+    Moments           sum;
+    const std::size_t end = std::min(chosen.size(), (block + 1) * blockSize);
+    for (std::size_t i = block * blockSize; i < end; ++i)
+    {
+      const Eigen::Vector3d point(points[chosen[i]].data());
+      sum.first += point;
+      sum.rejection += Eigen::Matrix3d::Identity() - point * point.transpose();
+    }
+    blocks[block] = sum;
+  });
+  Moments all;
+  for (const Moments & block : blocks)
+  {
+    all.first += block.first;
+    all.rejection += block.rejection;
+  }
+  return all;
+}
+
 /** The step of Newton's method for the function of hyperbolic space whose minimum is the barycentre. */
 Eigen::Vector3d
 NewtonStep(const std::vector<std::array<double, 3>> & points, const std::vector<int> & chosen, double & offset)
 {
-  Eigen::Vector3d mean = Eigen::Vector3d::Zero();
-  Eigen::Matrix3d hessian = Eigen::Matrix3d::Zero();
-  for (const int i : chosen)
-  {
-    const Eigen::Vector3d point(points[i].data());
-    mean += point;
-    hessian += Eigen::Matrix3d::Identity() - point * point.transpose();
-  }
-  mean /= static_cast<double>(chosen.size());
-  hessian /= static_cast<double>(chosen.size());
+  const Moments         sums = MomentsOf(points, chosen);
+  const Eigen::Vector3d mean = sums.first / static_cast<double>(chosen.size());
+  const Eigen::Matrix3d hessian = sums.rejection / static_cast<double>(chosen.size());
   offset = mean.norm();
   const double          determinant = hessian.determinant();
   const Eigen::Vector3d step = std::abs(determinant) < 1e-12 ? mean : Eigen::Vector3d(hessian.inverse() * mean);

@@ -3,7 +3,6 @@
 #include "itkPlaneToSphere.h"
 
 #include <cmath>
-#include <type_traits>
 
 namespace itk
 {
@@ -73,97 +72,140 @@ FromPoint(const BasicPlaneMotion<TReal> & m, TReal scale)
   return PointOnSphere(static_cast<double>(z.real()), static_cast<double>(z.imag()));
 }
 
-/** Places everything that a finite node touches. */
+/** Everything that finite nodes touch. Only the frames of the nodes follow one from another; circles and points are
+ * computed from the frames, each from the first or last of its nodes in the order of the tree. */
 template <typename TReal>
 class DiskLayout
 {
 public:
   using Motion = BasicPlaneMotion<TReal>;
-  DiskLayout(const CombinatorialMap & map, const CirclePacking & packing, TReal scale)
-    : m_Map(map)
+  using Circle = std::array<TReal, 4>;
+  DiskLayout(const CombinatorialMap & map, const CirclePacking & packing, const LayoutTree & tree, TReal scale)
+    : nodes(map.Nodes())
+    , faces(map.Faces())
+    , touchPoints(map.Edges(), { 0.0, 0.0, 0.0 })
+    , m_Map(map)
     , m_Packing(packing)
     , m_Scale(scale)
     , m_Angles(HalfEdgeAngles<TReal>(map, packing))
     , m_Frames(map.Nodes())
+    , m_Rank(map.Nodes(), -1)
   {
-    nodes.resize(map.Nodes());
-    faces.resize(map.Faces());
-    touchPoints.assign(map.Edges(), { 0.0, 0.0, 0.0 });
-    m_IsPlaced.assign(map.Faces(), 0);
+    for (std::size_t i = 0; i < tree.order.size(); ++i)
+    {
+      m_Rank[tree.order[i]] = static_cast<int>(i);
+    }
+    this->PlaceFrames(tree);
+    ParallelForBlocks(nodes.size(), [this](std::size_t node) { this->PlaceNode(static_cast<int>(node)); });
+    ParallelForBlocks(faces.size(), [this](std::size_t face) { this->PlaceFace(static_cast<int>(face)); });
+    ParallelForBlocks(touchPoints.size(), [this](std::size_t edge) { this->PlaceEdge(static_cast<int>(edge)); });
   }
-  void
-  Place(int node, int arrival);
 
-  std::vector<std::array<TReal, 4>>  nodes;
-  std::vector<std::array<TReal, 4>>  faces;
+  std::vector<Circle>                nodes;
+  std::vector<Circle>                faces;
   std::vector<std::array<double, 3>> touchPoints;
 
 private:
   void
-  PlaceAlong(int node, int halfEdge);
+  PlaceFrames(const LayoutTree & tree);
   void
-  PlaceFace(int node, int halfEdge);
+  PlaceNode(int node);
+  void
+  PlaceEdge(int edge);
+  void
+  PlaceFace(int face);
+
+  int
+  RankBefore(int halfEdge) const
+  {
+    return m_Rank[m_Map.Node(halfEdge)];
+  }
+  /** The frame at the touch point on a half-edge. */
+  Motion
+  TouchFrame(int halfEdge) const
+  {
+    const int node = m_Map.Node(halfEdge);
+    return m_Frames[node] * Turn(m_Angles[halfEdge]) * Advance(NodeRadius<TReal>(m_Packing, node));
+  }
 
   const CombinatorialMap & m_Map;
   const CirclePacking &    m_Packing;
   TReal                    m_Scale;
   std::vector<TReal>       m_Angles;
   std::vector<Motion>      m_Frames;
-  std::vector<char>        m_IsPlaced;
+  std::vector<int>         m_Rank; ///< in the order of the tree; -1 for infinite nodes
 };
 
 template <typename TReal>
 void
-DiskLayout<TReal>::Place(int node, int arrival)
+DiskLayout<TReal>::PlaceFrames(const LayoutTree & tree)
 {
-  m_Frames[node] = Turn(TReal(0));
-  if (arrival >= 0)
+  for (const int node : tree.order)
   {
-    const int   before = m_Map.Node(arrival);
-    const TReal length = NodeRadius<TReal>(m_Packing, before) + NodeRadius<TReal>(m_Packing, node);
-    m_Frames[node] = (m_Frames[before] * Turn(m_Angles[arrival]) * Advance(length) *
-                      Turn(pi<TReal> - m_Angles[CombinatorialMap::Twin(arrival)]))
-                       .Normalised();
-  }
-  nodes[node] = FromCircle(m_Frames[node], NodeRadius<TReal>(m_Packing, node), m_Scale);
-  const int first = m_Map.FirstAround(node);
-  int       h = first;
-  do
-  {
-    this->PlaceAlong(node, h);
-    if (!m_IsPlaced[m_Map.Face(h)])
+    const int arrival = tree.arrival[node];
+    m_Frames[node] = Turn(TReal(0));
+    if (arrival >= 0)
     {
-      m_IsPlaced[m_Map.Face(h)] = 1;
-      this->PlaceFace(node, h);
+      const int   before = m_Map.Node(arrival);
+      const TReal length = NodeRadius<TReal>(m_Packing, before) + NodeRadius<TReal>(m_Packing, node);
+      m_Frames[node] = (m_Frames[before] * Turn(m_Angles[arrival]) * Advance(length) *
+                        Turn(pi<TReal> - m_Angles[CombinatorialMap::Twin(arrival)]))
+                         .Normalised();
     }
-    h = m_Map.NextAround(h);
-  } while (h != first);
+  }
 }
 
-/** The touch point on a half-edge, and the circle beyond it where that is a geodesic. */
+/** An infinite node is a geodesic beyond the last of its neighbours. */
 template <typename TReal>
 void
-DiskLayout<TReal>::PlaceAlong(int node, int halfEdge)
+DiskLayout<TReal>::PlaceNode(int node)
 {
-  const int    other = m_Map.Node(CombinatorialMap::Twin(halfEdge));
-  const Motion touch = m_Frames[node] * Turn(m_Angles[halfEdge]) * Advance(NodeRadius<TReal>(m_Packing, node));
-  touchPoints[halfEdge / 2] = FromPoint(touch, m_Scale);
-  if (std::isinf(m_Packing.nodeRadii[other]))
+  if (m_Rank[node] >= 0)
   {
-    nodes[other] = FromGeodesic(touch, m_Scale);
+    nodes[node] = FromCircle(m_Frames[node], NodeRadius<TReal>(m_Packing, node), m_Scale);
+    return;
+  }
+  const int first = m_Map.FirstAround(node);
+  int       last = CombinatorialMap::Twin(first);
+  for (int h = m_Map.NextAround(first); h != first; h = m_Map.NextAround(h))
+  {
+    const int twin = CombinatorialMap::Twin(h);
+    last = this->RankBefore(twin) > this->RankBefore(last) ? twin : last;
+  }
+  nodes[node] = FromGeodesic(this->TouchFrame(last), m_Scale);
+}
+
+template <typename TReal>
+void
+DiskLayout<TReal>::PlaceEdge(int edge)
+{
+  const int h = this->RankBefore(2 * edge) > this->RankBefore(2 * edge + 1) ? 2 * edge : 2 * edge + 1;
+  if (this->RankBefore(h) >= 0)
+  {
+    touchPoints[edge] = FromPoint(this->TouchFrame(h), m_Scale);
   }
 }
 
 template <typename TReal>
 void
-DiskLayout<TReal>::PlaceFace(int node, int halfEdge)
+DiskLayout<TReal>::PlaceFace(int face)
 {
-  const int    face = m_Map.Face(halfEdge);
+  int       first = m_Map.FirstOfFace(face);
+  const int begin = first;
+  for (int h = m_Map.FaceNext(begin); h != begin; h = m_Map.FaceNext(h))
+  {
+    const bool isBefore = this->RankBefore(first) < 0 || this->RankBefore(h) < this->RankBefore(first);
+    first = this->RankBefore(h) >= 0 && isBefore ? h : first;
+  }
+  if (this->RankBefore(first) < 0)
+  {
+    return; // the ideal boundary
+  }
   const TReal  radius = FaceRadius<TReal>(m_Packing, face);
-  const TReal  own = NodeRadius<TReal>(m_Packing, node);
+  const TReal  own = NodeRadius<TReal>(m_Packing, m_Map.Node(first));
   const bool   isHorocycle = IsHorocycle(m_Packing, face);
-  const TReal  angle = m_Angles[halfEdge] + HalfKiteAngle(FlowGeometry::Hyperbolic, own, radius, isHorocycle);
-  const Motion ahead = m_Frames[node] * Turn(angle);
+  const TReal  angle = m_Angles[first] + HalfKiteAngle(FlowGeometry::Hyperbolic, own, radius, isHorocycle);
+  const Motion ahead = m_Frames[m_Map.Node(first)] * Turn(angle);
   if (isHorocycle)
   {
     faces[face] = FromHorocycle(ahead, own, m_Scale);
@@ -173,27 +215,30 @@ DiskLayout<TReal>::PlaceFace(int node, int halfEdge)
   faces[face] = FromCircle(ahead * Advance(distance), radius, m_Scale);
 }
 
-/** Rounded, with the rests where there are any. */
-template <typename TReal>
+/** Rounded, with the rests. */
 void
-Split(const std::vector<std::array<TReal, 4>> & circles,
-      std::vector<SphereCircle> &               rounded,
-      std::vector<SphereCircle> &               rests)
+Split(const std::vector<std::array<long double, 4>> & circles,
+      std::vector<SphereCircle> &                     rounded,
+      std::vector<SphereCircle> &                     rests)
 {
-  for (const std::array<TReal, 4> & circle : circles)
+  for (const std::array<long double, 4> & circle : circles)
   {
     SphereCircle rest{};
     rounded.emplace_back();
     for (int k = 0; k < 4; ++k)
     {
       rounded.back()[k] = static_cast<double>(circle[k]);
-      rest[k] = static_cast<double>(circle[k] - static_cast<TReal>(rounded.back()[k]));
+      rest[k] = static_cast<double>(circle[k] - static_cast<long double>(rounded.back()[k]));
     }
-    if (!std::is_same<TReal, double>::value)
-    {
-      rests.push_back(rest);
-    }
+    rests.push_back(rest);
   }
+}
+
+/** Nothing is to be rounded. */
+void
+Split(std::vector<SphereCircle> & circles, std::vector<SphereCircle> & rounded, std::vector<SphereCircle> & /*rests*/)
+{
+  rounded = std::move(circles);
 }
 
 template <typename TReal>
@@ -201,12 +246,7 @@ SphericalPacking
 LayOutDisk(const CombinatorialMap & map, const CirclePacking & packing, int root, int boundaryFace)
 {
   const TReal       scale = TReal(1) / std::tanh(TReal(0.5) * NodeRadius<TReal>(packing, root));
-  DiskLayout<TReal> layout(map, packing, scale);
-  const LayoutTree  tree = LayoutTree::OfLargestCircles(map, packing, root);
-  for (const int node : tree.order)
-  {
-    layout.Place(node, tree.arrival[node]);
-  }
+  DiskLayout<TReal> layout(map, packing, LayoutTree::OfLargestCircles(map, packing, root), scale);
   layout.faces[boundaryFace] = FromScaled(TReal(0), TReal(0), TReal(1), TReal(-1), scale);
   // The edges of the boundary face join geodesics: they touch at the end of the horocycle beside them.
   for (const int h : map.Boundary(boundaryFace))

@@ -1,22 +1,44 @@
+#include "itkNodesMetTwice.h"
 #include "itkPackedMap.h"
 
 #include <algorithm>
-#include <numeric>
+#include <limits>
 
 namespace itk
 {
 namespace
 {
+/** The nodes of faces that are no triangles. */
+std::vector<char>
+NodesOfLongFaces(const CombinatorialMap & map)
+{
+  const std::vector<int> lengths = map.FaceLengths();
+  std::vector<char>      isOne(map.Nodes(), 0);
+  for (int h = 0; h < map.HalfEdges(); ++h)
+  {
+    if (lengths[map.Face(h)] != 3)
+    {
+      isOne[map.Node(h)] = 1;
+    }
+  }
+  return isOne;
+}
+
 /** The graph of nodes and faces, without the multiple edges of a face that meets a node twice: node v is v, face f is
- * Nodes() + f. */
+ * Nodes() + f. Only with the nodes that two faces may share in conflict: one of the faces is no triangle then, for
+ * without parallel edges two triangles that share two nodes share the edge between them. */
 struct RadialGraph
 {
   explicit RadialGraph(const CombinatorialMap & map) : neighbours(map.Nodes() + map.Faces())
   {
+    const std::vector<char> isChosen = NodesOfLongFaces(map);
     for (int h = 0; h < map.HalfEdges(); ++h)
     {
-      neighbours[map.Node(h)].push_back(map.Nodes() + map.Face(h));
-      neighbours[map.Nodes() + map.Face(h)].push_back(map.Node(h));
+      if (isChosen[map.Node(h)])
+      {
+        neighbours[map.Node(h)].push_back(map.Nodes() + map.Face(h));
+        neighbours[map.Nodes() + map.Face(h)].push_back(map.Node(h));
+      }
     }
     for (std::vector<int> & list : neighbours)
     {
@@ -56,10 +78,16 @@ class FourCycles
 {
 public:
   explicit FourCycles(RadialGraph graph)
-    : m_Neighbours(std::move(graph.neighbours)), m_Common(m_Neighbours.size()), m_Rank(m_Neighbours.size())
+    : m_Neighbours(std::move(graph.neighbours)), m_Common(m_Neighbours.size()), m_Rank(m_Neighbours.size(), lastRank)
   {
-    std::vector<int> order(m_Neighbours.size());
-    std::iota(order.begin(), order.end(), 0);
+    std::vector<int> order;
+    for (std::size_t i = 0; i < m_Neighbours.size(); ++i)
+    {
+      if (m_Neighbours[i].size() > 1) // no cycle goes through the others
+      {
+        order.push_back(static_cast<int>(i));
+      }
+    }
     std::stable_sort(
       order.begin(), order.end(), [this](int a, int b) { return m_Neighbours[a].size() > m_Neighbours[b].size(); });
     for (std::size_t i = 0; i < order.size(); ++i)
@@ -118,6 +146,7 @@ private:
     }
   }
 
+  static constexpr int          lastRank = std::numeric_limits<int>::max();
   std::vector<std::vector<int>> m_Neighbours;
   std::vector<std::vector<int>> m_Common;
   std::vector<int>              m_Rank;
@@ -128,27 +157,10 @@ private:
 FaceConflicts::FaceConflicts(const CombinatorialMap & map, const std::vector<std::string> & names)
   : meetsANodeTwice(map.Faces(), 0), sharesTwoNodes(map.Faces(), 0)
 {
-  std::vector<int> seenFrom(map.Nodes(), -1);
-  for (int face = 0; face < map.Faces(); ++face)
-  {
-    const int first = map.FirstOfFace(face);
-    int       h = first;
-    do
-    {
-      if (seenFrom[map.Node(h)] == face)
-      {
-        meetsANodeTwice[face] = 1;
-        reason = reason.empty() ? "a face meets node " + NameOf(names, map.Node(h)) + " twice" : reason;
-      }
-      seenFrom[map.Node(h)] = face;
-      h = map.FaceNext(h);
-    } while (h != first);
-  }
-  const std::vector<int> lengths = map.FaceLengths();
-  if (std::all_of(lengths.begin(), lengths.end(), [](int length) { return length == 3; }))
-  {
-    return; // without parallel edges two triangles share an edge where they share two nodes
-  }
+  ForEachNodeMetTwice(map, [&](int face, int node) {
+    meetsANodeTwice[face] = 1;
+    reason = reason.empty() ? "a face meets node " + NameOf(names, node) + " twice" : reason;
+  });
   const int firstFace = map.Nodes();
   FourCycles(RadialGraph(map)).ForEachPair([&](int start, int end, const std::vector<int> & common) {
     const bool               startsAtNode = start < firstFace;

@@ -228,12 +228,16 @@ EmbedMap(const Graph &                 graph,
   if (map.Genus() == 0)
   {
     const CanonicalMapOrder order(packed.map, options.isRotationFree);
-    const CombinatorialMap  mirrored = order.isMirrored ? map.Mirrored() : CombinatorialMap();
     if (order.isMirrored)
     {
+      const CombinatorialMap mirrored = map.Mirrored();
       packed = MakePackedMap(mirrored, augmentation);
+      certificate = BeginCertificate(graph, mirrored, packed);
     }
-    certificate = BeginCertificate(graph, order.isMirrored ? mirrored : map, packed);
+    else
+    {
+      certificate = BeginCertificate(graph, map, packed);
+    }
     AddSphere(packed, options.infinity, order.rank, certificate);
   }
   else

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <queue>
 
 namespace itk
@@ -28,6 +29,7 @@ GrowTree(const CombinatorialMap & map, const CirclePacking & packing, int root, 
   };
   LayoutTree                   tree;
   std::vector<char>            isDone(map.Nodes(), 0);
+  std::vector<double>          best(map.Nodes(), -std::numeric_limits<double>::infinity()); // of what is in the queue
   std::priority_queue<Arrival> queue;
   tree.arrival.assign(map.Nodes(), -1);
   queue.push({ 0.0, root, -1 });
@@ -49,7 +51,12 @@ GrowTree(const CombinatorialMap & map, const CirclePacking & packing, int root, 
       const int node = map.Node(CombinatorialMap::Twin(h));
       if (!isDone[node] && !std::isinf(packing.nodeRadii[node]))
       {
-        queue.push({ priorityOf(next.priority, h), node, h });
+        const double priority = priorityOf(next.priority, h);
+        if (priority >= best[node]) // others would come out too late
+        {
+          best[node] = priority;
+          queue.push({ priority, node, h });
+        }
       }
       h = map.NextAround(h);
     } while (h != first);

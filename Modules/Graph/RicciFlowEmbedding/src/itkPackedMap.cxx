@@ -249,18 +249,35 @@ FillSmallMap(const CombinatorialMap & map)
   return builder.Build();
 }
 
+/** The faces in conflict that are no triangles. */
+std::vector<int>
+FacesToFill(const CombinatorialMap & map, const FaceConflicts & conflicts)
+{
+  const std::vector<int> lengths = map.FaceLengths();
+  std::vector<int>       faces;
+  for (int face = 0; face < map.Faces(); ++face)
+  {
+    if (lengths[face] != 3 && (conflicts.meetsANodeTwice[face] || conflicts.sharesTwoNodes[face]))
+    {
+      faces.push_back(face);
+    }
+  }
+  return faces;
+}
+
 CombinatorialMap
 FillFaces(const CombinatorialMap & map, int halfEdgesOfDummy, int & rings)
 {
-  const FaceConflicts conflicts(map);
-  MapBuilder          builder(map);
-  for (int face = 0; face < map.Faces(); ++face)
+  const FaceConflicts    conflicts(map);
+  const std::vector<int> faces = FacesToFill(map, conflicts);
+  if (faces.empty())
+  {
+    return map;
+  }
+  MapBuilder builder(map);
+  for (const int face : faces)
   {
     std::vector<int> boundary = map.Boundary(face);
-    if (boundary.size() == 3 || !(conflicts.meetsANodeTwice[face] || conflicts.sharesTwoNodes[face]))
-    {
-      continue;
-    }
     if (conflicts.meetsANodeTwice[face])
     {
       ++rings;

@@ -301,6 +301,7 @@ PackInNearbyOrder(const CombinatorialMap &  map,
   {
     edge = order.Edge(edge);
   }
+  std::sort(edges.begin(), edges.end());
   SphericalPacking sphere = PackInGivenOrder(
     order.Map(), infinity, std::move(edges), isVisible.empty() ? isVisible : order.NodesThere(isVisible));
   sphere.nodes = order.NodesBack(sphere.nodes);

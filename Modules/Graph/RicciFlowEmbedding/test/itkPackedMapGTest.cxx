@@ -5,10 +5,86 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <random>
 #include <set>
 
 namespace
 {
+/** Triangles of a torus, and longer faces where some of their edges are left out. */
+itk::CombinatorialMap
+TrianglesWithGaps(unsigned int seed)
+{
+  const itk::CombinatorialMap grid = itk::TorusGridMap(5, 4, true);
+  std::mt19937                random(seed);
+  std::vector<int>            number(grid.Edges(), -1);
+  itk::Graph                  graph;
+  graph.nodes = grid.Nodes();
+  for (int e = 0; e < grid.Edges(); ++e)
+  {
+    if (random() % 3 != 0)
+    {
+      number[e] = static_cast<int>(graph.edges.size());
+      graph.edges.push_back({ grid.Node(2 * e), grid.Node(2 * e + 1) });
+    }
+  }
+  itk::Rotation rotation = grid.GetRotation();
+  for (std::vector<int> & around : rotation)
+  {
+    around.erase(std::remove_if(around.begin(), around.end(), [&](int h) { return number[h / 2] < 0; }), around.end());
+    std::for_each(around.begin(), around.end(), [&](int & h) { h = 2 * number[h / 2] + h % 2; });
+  }
+  return { graph, rotation };
+}
+
+std::set<int>
+NodesOf(const itk::CombinatorialMap & map, int face)
+{
+  std::set<int> nodes;
+  for (const int h : map.Boundary(face))
+  {
+    nodes.insert(map.Node(h));
+  }
+  return nodes;
+}
+
+bool
+IsEdgeBetween(const itk::CombinatorialMap & map, int node, int other, int face, int otherFace)
+{
+  const std::vector<int> around = map.Around(node);
+  return std::any_of(around.begin(), around.end(), [&](int h) {
+    const std::set<int> faces{ map.Face(h), map.Face(h ^ 1) };
+    return map.Node(h ^ 1) == other && faces == std::set<int>{ face, otherFace };
+  });
+}
+
+/** FaceConflicts::sharesTwoNodes by all pairs of nodes and faces. */
+std::vector<char>
+SharesTwoNodes(const itk::CombinatorialMap & map)
+{
+  std::vector<char> shares(map.Faces(), 0);
+  for (int one = 0; one < map.Nodes(); ++one)
+  {
+    for (int other = 0; other < one; ++other)
+    {
+      std::vector<int> faces;
+      for (int face = 0; face < map.Faces(); ++face)
+      {
+        const std::set<int> nodes = NodesOf(map, face);
+        if (nodes.count(one) && nodes.count(other))
+        {
+          faces.push_back(face);
+        }
+      }
+      if (faces.size() > 2 || (faces.size() == 2 && !IsEdgeBetween(map, one, other, faces[0], faces[1])))
+      {
+        std::for_each(faces.begin(), faces.end(), [&](int face) { shares[face] = 1; });
+      }
+    }
+  }
+  return shares;
+}
+
 /** The rotation system in which the half-edges of each node stand in ascending order. */
 itk::CombinatorialMap
 AnyMap(const itk::Graph & graph)
@@ -94,6 +170,22 @@ TEST(PackedMap, AllKindsOfGraphsBecomePackable)
     ExpectPackable(AnyMap(graph));
     ExpectRotationKept(AnyMap(graph));
   }
+}
+
+TEST(FaceConflicts, AreThoseOfAllPairsOfNodesAndFaces)
+{
+  int conflicts = 0;
+  int faces = 0;
+  for (unsigned int seed = 1; seed <= 20; ++seed)
+  {
+    const itk::CombinatorialMap map = TrianglesWithGaps(seed);
+    const std::vector<char>     expected = SharesTwoNodes(map);
+    EXPECT_EQ(itk::FaceConflicts(map).sharesTwoNodes, expected) << seed;
+    conflicts += static_cast<int>(std::count(expected.begin(), expected.end(), 1));
+    faces += map.Faces();
+  }
+  EXPECT_GT(conflicts, faces / 10);
+  EXPECT_LT(conflicts, faces * 9 / 10);
 }
 
 TEST(PackedMap, ThreeConnectedMapsStayAsTheyAre)
