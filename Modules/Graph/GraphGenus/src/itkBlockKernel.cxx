@@ -18,6 +18,8 @@ KeyOf(int a, int b)
 BlockKernel::BlockKernel(const Graph & block)
   : m_Incident(block.nodes), m_Degree(block.nodes, 0), m_HalfEdges(2 * block.edges.size())
 {
+  m_EdgeOfPair.reserve(block.edges.size());
+  m_Edges.reserve(block.edges.size());
   for (int e = 0; e < static_cast<int>(block.edges.size()); ++e)
   {
     Add({ { block.edges[e][0], block.edges[e][1] }, { 2 * e, 2 * e + 1 } });

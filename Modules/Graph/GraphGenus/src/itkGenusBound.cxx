@@ -16,12 +16,11 @@ class CycleCount
 {
 public:
   CycleCount(const Graph & graph, int length)
-    : m_Neighbours(graph.nodes), m_OnWalk(graph.nodes, false), m_Length(length)
+    : m_Incidence(graph), m_Neighbours(m_Incidence.halfEdges), m_OnWalk(graph.nodes, false), m_Length(length)
   {
-    for (const auto & edge : graph.edges)
+    for (int & neighbour : m_Neighbours) // has been the half-edge that leads there
     {
-      m_Neighbours[edge[0]].push_back(edge[1]);
-      m_Neighbours[edge[1]].push_back(edge[0]);
+      neighbour = graph.edges[neighbour / 2][1 - neighbour % 2];
     }
   }
 
@@ -30,7 +29,7 @@ public:
   Count(std::int64_t walks)
   {
     m_WalksLeft = walks;
-    for (m_Start = 0; m_Start < static_cast<int>(m_Neighbours.size()); ++m_Start)
+    for (m_Start = 0; m_Start < static_cast<int>(m_OnWalk.size()); ++m_Start)
     {
       Extend(m_Start, 1);
       if (m_WalksLeft < 0)
@@ -46,8 +45,9 @@ private:
   Extend(int node, int nodes)
   {
     m_OnWalk[node] = true;
-    for (const int next : m_Neighbours[node])
+    for (int i = m_Incidence.start[node]; i < m_Incidence.start[node + 1]; ++i)
     {
+      const int next = m_Neighbours[i];
       if (nodes == m_Length)
       {
         m_Closed += next == m_Start ? 1 : 0;
@@ -60,12 +60,13 @@ private:
     m_OnWalk[node] = false;
   }
 
-  std::vector<std::vector<int>> m_Neighbours;
-  std::vector<bool>             m_OnWalk;
-  int                           m_Length;
-  int                           m_Start{ 0 };
-  std::int64_t                  m_Closed{ 0 };
-  std::int64_t                  m_WalksLeft{ 0 };
+  Incidence         m_Incidence;
+  std::vector<int>  m_Neighbours; ///< in the order of the half-edges
+  std::vector<bool> m_OnWalk;
+  int               m_Length;
+  int               m_Start{ 0 };
+  std::int64_t      m_Closed{ 0 };
+  std::int64_t      m_WalksLeft{ 0 };
 };
 
 /** The greatest number of faces: short cycles first, as long as there are any, out of twice the edges. */

@@ -139,6 +139,7 @@ AddOrders(const Graph &            graph,
   }
 }
 
+/** Of a graph that is not planar: one of its blocks at least is not. */
 class AnnealedEmbedding
 {
 public:
@@ -161,10 +162,12 @@ private:
   void
   AddPlanarBlocks()
   {
-    for (const auto & edges : BlocksOf(m_Graph))
+    const std::vector<std::vector<int>> blocks = BlocksOf(m_Graph);
+    for (const auto & edges : blocks)
     {
-      Subgraph part = SubgraphOfEdges(m_Graph, edges);
-      if (const std::vector<int> planar = PlanarNextAround(part.graph); !planar.empty())
+      Subgraph               part = SubgraphOfEdges(m_Graph, edges);
+      const std::vector<int> planar = blocks.size() > 1 ? PlanarNextAround(part.graph) : std::vector<int>();
+      if (!planar.empty())
       {
         AddOrders(m_Graph, edges, planar, m_Next, m_Any);
       }

@@ -1,41 +1,13 @@
 #include "itkPlanarRotation.h"
 
 #include "itkGraphGenus.h"
+#include "itkGraphStructure.h"
 #include "itkLeftRightPlanarity.h"
-
-#include <algorithm>
-#include <numeric>
-#include <utility>
 
 namespace itk
 {
 namespace
 {
-std::pair<int, int>
-Ends(const std::array<int, 2> & edge)
-{
-  return std::minmax(edge[0], edge[1]);
-}
-
-/** For each edge the first one with the same ends; -1 for a loop. */
-std::vector<int>
-FirstParallels(const Graph & graph)
-{
-  std::vector<int> order(graph.edges.size());
-  std::iota(order.begin(), order.end(), 0);
-  std::sort(order.begin(), order.end(), [&graph](int a, int b) {
-    return std::make_pair(Ends(graph.edges[a]), a) < std::make_pair(Ends(graph.edges[b]), b);
-  });
-  std::vector<int> first(order.size());
-  for (std::size_t i = 0; i < order.size(); ++i)
-  {
-    const int  e = order[i];
-    const bool again = i > 0 && Ends(graph.edges[e]) == Ends(graph.edges[order[i - 1]]);
-    first[e] = graph.edges[e][0] == graph.edges[e][1] ? -1 : again ? first[order[i - 1]] : e;
-  }
-  return first;
-}
-
 /** Embeds the edges that are first of their kind; false when that cannot be. */
 bool
 EmbedSimple(const Graph & graph, const std::vector<int> & first, std::vector<int> & next)

@@ -46,8 +46,12 @@ GraphModel_EXPORT std::vector<std::vector<int>>
 GraphModel_EXPORT Subgraph
 SubgraphOfEdges(const Graph & graph, const std::vector<int> & edges);
 
+/** For each edge the first one with the same ends, in whichever order; -1 for a loop. \ingroup GraphModel */
+GraphModel_EXPORT std::vector<int>
+                  FirstParallels(const Graph & graph);
+
 /** Length of a shortest cycle: 1 with a loop, 2 with a multiple edge, 0 in a forest. Breadth-first searches from all
- * nodes, cut off at half the best length. \ingroup GraphModel */
+ * nodes, cut off at half the best length; none after a cycle of 3 in a simple graph. \ingroup GraphModel */
 GraphModel_EXPORT int
 Girth(const Graph & graph);
 } // namespace itk

@@ -1,6 +1,7 @@
 #include "itkGraphStructure.h"
 
 #include <algorithm>
+#include <cstdint>
 #include <limits>
 
 namespace itk
@@ -233,9 +234,13 @@ SubgraphOfEdges(const Graph & graph, const std::vector<int> & edges)
   std::sort(part.nodes.begin(), part.nodes.end());
   part.nodes.erase(std::unique(part.nodes.begin(), part.nodes.end()), part.nodes.end());
   part.graph.nodes = static_cast<int>(part.nodes.size());
-  const auto indexOf = [&part](int node) {
-    return static_cast<int>(std::lower_bound(part.nodes.begin(), part.nodes.end(), node) - part.nodes.begin());
+  const bool hasAllNodes = part.graph.nodes == graph.nodes;
+  const auto indexOf = [&part, hasAllNodes](int node) {
+    return hasAllNodes
+             ? node
+             : static_cast<int>(std::lower_bound(part.nodes.begin(), part.nodes.end(), node) - part.nodes.begin());
   };
+  part.graph.edges.reserve(edges.size());
   for (const int e : edges)
   {
     part.graph.edges.push_back({ indexOf(graph.edges[e][0]), indexOf(graph.edges[e][1]) });
@@ -250,16 +255,63 @@ SubgraphOfEdges(const Graph & graph, const std::vector<int> & edges)
   return part;
 }
 
+std::vector<int>
+FirstParallels(const Graph & graph)
+{
+  struct Entry
+  {
+    std::int64_t ends;
+    int          edge;
+    bool
+    operator<(const Entry & other) const
+    {
+      return ends != other.ends ? ends < other.ends : edge < other.edge;
+    }
+  };
+  std::vector<Entry> entries(graph.edges.size());
+  for (std::size_t e = 0; e < entries.size(); ++e)
+  {
+    const auto [low, high] = std::minmax(graph.edges[e][0], graph.edges[e][1]);
+    entries[e] = { static_cast<std::int64_t>(low) * graph.nodes + high, static_cast<int>(e) };
+  }
+  std::sort(entries.begin(), entries.end());
+  std::vector<int> first(entries.size());
+  for (std::size_t i = 0; i < entries.size(); ++i)
+  {
+    const int  e = entries[i].edge;
+    const bool again = i > 0 && entries[i].ends == entries[i - 1].ends;
+    first[e] = graph.edges[e][0] == graph.edges[e][1] ? -1 : again ? first[entries[i - 1].edge] : e;
+  }
+  return first;
+}
+
+namespace
+{
+/** The shortest cycle that there may be: 3 without loops and parallel edges. */
+int
+LeastGirth(const Graph & graph)
+{
+  int                    least = 3;
+  const std::vector<int> first = FirstParallels(graph);
+  for (std::size_t e = 0; e < first.size(); ++e)
+  {
+    least = std::min(least, first[e] < 0 ? 1 : first[e] != static_cast<int>(e) ? 2 : 3);
+  }
+  return least;
+}
+} // namespace
+
 int
 Girth(const Graph & graph)
 {
   const Incidence  incidence(graph);
+  const int        least = LeastGirth(graph);
   const int        none = std::numeric_limits<int>::max();
   int              girth = none;
   std::vector<int> distance(graph.nodes, -1);
   std::vector<int> edgeToParent(graph.nodes, -1);
   std::vector<int> queue;
-  for (int start = 0; start < graph.nodes; ++start)
+  for (int start = 0; start < graph.nodes && girth > least; ++start)
   {
     queue.assign(1, start);
     distance[start] = 0;

@@ -43,11 +43,19 @@ TEST(GraphStructure, SubgraphOfEdgesHasTheirNodesAlone)
   EXPECT_EQ(part.graph.edges, (std::vector<std::array<int, 2>>{ { 0, 1 }, { 2, 3 } }));
 }
 
+TEST(GraphStructure, FirstParallelsInEitherOrder)
+{
+  const itk::Graph graph{ 4, { { 1, 2 }, { 3, 3 }, { 2, 1 }, { 0, 3 }, { 1, 2 }, { 3, 3 } }, {} };
+  EXPECT_EQ(itk::FirstParallels(graph), (std::vector<int>{ 0, -1, 0, 3, 0, -1 }));
+}
+
 TEST(GraphStructure, GirthOfKnownGraphs)
 {
   EXPECT_EQ(itk::Girth(itk::PathGraph(9)), 0);
   EXPECT_EQ(itk::Girth(itk::CycleGraph(1)), 1);
   EXPECT_EQ(itk::Girth(itk::CycleGraph(2)), 2);
+  EXPECT_EQ(itk::Girth({ 5, { { 0, 1 }, { 1, 2 }, { 2, 0 }, { 3, 4 }, { 4, 3 } }, {} }), 2);
+  EXPECT_EQ(itk::Girth({ 4, { { 0, 1 }, { 1, 2 }, { 2, 0 }, { 3, 3 } }, {} }), 1);
   EXPECT_EQ(itk::Girth(itk::CycleGraph(9)), 9);
   EXPECT_EQ(itk::Girth(itk::CycleGraph(10)), 10);
   EXPECT_EQ(itk::Girth(itk::CompleteGraph(4)), 3);

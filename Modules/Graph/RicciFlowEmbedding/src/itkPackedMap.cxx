@@ -1,10 +1,10 @@
 #include "itkPackedMap.h"
 
+#include "itkGraphStructure.h"
 #include "itkMapBuilder.h"
 #include "itkToolError.h"
 
 #include <algorithm>
-#include <numeric>
 
 namespace itk
 {
@@ -18,27 +18,18 @@ struct BadEdges
 {
   explicit BadEdges(const CombinatorialMap & map)
   {
-    std::vector<int>                order(map.Edges());
-    std::vector<std::array<int, 2>> ends(map.Edges());
+    const std::vector<int> first = FirstParallels(map.ToGraph());
     for (int e = 0; e < map.Edges(); ++e)
     {
-      ends[e] = { std::min(map.Node(2 * e), map.Node(2 * e + 1)), std::max(map.Node(2 * e), map.Node(2 * e + 1)) };
-    }
-    std::iota(order.begin(), order.end(), 0);
-    std::stable_sort(order.begin(), order.end(), [&](int a, int b) { return ends[a] < ends[b]; });
-    for (std::size_t i = 0; i < order.size(); ++i)
-    {
-      if (ends[order[i]][0] == ends[order[i]][1])
+      if (first[e] < 0)
       {
-        loops.push_back(order[i]);
+        loops.push_back(e);
       }
-      else if (i > 0 && ends[order[i]] == ends[order[i - 1]])
+      else if (first[e] != e)
       {
-        parallel.push_back(order[i]);
+        parallel.push_back(e);
       }
     }
-    std::sort(loops.begin(), loops.end());
-    std::sort(parallel.begin(), parallel.end());
   }
   std::vector<int> loops;
   std::vector<int> parallel;
