@@ -41,17 +41,14 @@ EdgesOfGraph(const PackedMap & packed)
   return edges;
 }
 
-EmbeddingCertificate
-BeginCertificate(const Graph & graph, const CombinatorialMap & map, const PackedMap & packed)
+/** After the packing, so as not to stand in its memory. */
+void
+AddMaps(const Graph & graph, const PackedMap & packed, EmbeddingCertificate & certificate)
 {
-  EmbeddingCertificate certificate;
   certificate.graph = graph;
-  certificate.rotation = FlatRotation(map);
-  certificate.genus = map.Genus();
   certificate.packed = packed.map.ToGraph();
   certificate.packedRotation = FlatRotation(packed.map);
   certificate.subdivided = packed.subdivided;
-  return certificate;
 }
 
 void
@@ -225,26 +222,24 @@ EmbedMap(const Graph &                 graph,
 {
   PackedMap            packed = MakePackedMap(map, augmentation);
   EmbeddingCertificate certificate;
-  if (map.Genus() == 0)
+  certificate.genus = map.Genus();
+  certificate.rotation = FlatRotation(map);
+  if (certificate.genus == 0)
   {
     const CanonicalMapOrder order(packed.map, options.isRotationFree);
     if (order.isMirrored)
     {
       const CombinatorialMap mirrored = map.Mirrored();
       packed = MakePackedMap(mirrored, augmentation);
-      certificate = BeginCertificate(graph, mirrored, packed);
-    }
-    else
-    {
-      certificate = BeginCertificate(graph, map, packed);
+      certificate.rotation = FlatRotation(mirrored);
     }
     AddSphere(packed, options.infinity, order.rank, certificate);
   }
   else
   {
-    certificate = BeginCertificate(graph, map, packed);
     certificate.genus == 1 ? AddTorus(packed.map, certificate) : AddHyperbolicSurface(packed.map, certificate);
   }
+  AddMaps(graph, packed, certificate);
   certificate.statistics.emplace_back("rings", packed.rings);
   return certificate;
 }
