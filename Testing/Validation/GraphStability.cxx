@@ -95,6 +95,19 @@ SfdpDisplacement(const Graph & before, const Graph & after, const std::vector<in
   }
   return MeanDistance(Normalised(a.places), Normalised(b.places), isChanged);
 }
+
+/** The same circles with their barycentre at the centre of the sphere, as without the step before. */
+EmbeddingCertificate
+NotMoved(const EmbeddingCertificate & certificate)
+{
+  PackedMap packed;
+  packed.map = MapOfRotation(certificate.packed, certificate.packedRotation);
+  packed.graphNodes = certificate.graph.nodes;
+  packed.graphEdges = static_cast<int>(certificate.graph.edges.size());
+  packed.subdivided = certificate.subdivided;
+  return EmbedPackedGraph(
+    certificate.graph, MapOfRotation(certificate.graph, certificate.rotation), packed, PointAtInfinity::Circle);
+}
 } // namespace
 
 GraphStability
@@ -105,15 +118,12 @@ MeasureStability(const Graph & graph, int edits, bool withSfdp)
   {
     gone[k % 2].push_back((2 * k + 1) * graph.edges.size() / (2 * edits));
   }
-  const Graph       before = Without(graph, gone[0]);
-  const Graph       after = Without(graph, gone[1]);
-  DynamicEmbedding  dynamic;
-  const DynamicStep first = dynamic.Add(before);
-  const DynamicStep second = dynamic.Add(after);
-  // The same rotation system, packed anew: its barycentre is at the centre, and it is turned only.
-  GraphEmbeddingOptions options;
-  options.isRotationFree = false;
-  const EmbeddingCertificate turned = EmbedGraph(after, MapOfRotation(after, second.certificate.rotation), options);
+  const Graph                before = Without(graph, gone[0]);
+  const Graph                after = Without(graph, gone[1]);
+  DynamicEmbedding           dynamic;
+  const DynamicStep          first = dynamic.Add(before);
+  const DynamicStep          second = dynamic.Add(after);
+  const EmbeddingCertificate turned = NotMoved(second.certificate);
   GraphStability             stability;
   stability.unchangedNodes = second.changes.unchangedNodes;
   stability.moebius = second.changes.meanDisplacement;

@@ -5,6 +5,7 @@
 #include "itkEmbeddingCertificate.h"
 #include "itkGraphEmbedding.h"
 #include "itkGraphGenus.h"
+#include "itkPackedMap.h"
 
 #include <string>
 #include <vector>
@@ -56,8 +57,8 @@ struct DynamicStep
  * \brief Embeds the steps of a dynamic graph so that what does not change stays where it is.
  *
  * The first step has its blocks arranged, see ArrangeBlocks(); each other one takes over the rotation system of the
- * step before. Its sphere is turned so that nodes that did not change lie as near to their old places as can be.
- * \ingroup GraphComparison */
+ * step before, and the dummies that can stay (see CarryPackedMap()). Its sphere is turned so that nodes that did not
+ * change lie as near to their old places as can be. \ingroup GraphComparison */
 class GraphComparison_EXPORT DynamicEmbedding
 {
 public:
@@ -68,10 +69,14 @@ public:
   Add(const Graph & graph);
 
 private:
+  PackedMap
+  PackAnew(const Graph & graph) const;
+
   GenusOptions          m_Genus;
   GraphEmbeddingOptions m_Embedding;
   bool                  m_IsFirst{ true };
   CombinatorialMap      m_Map;
+  PackedMap             m_Packed;
   EmbeddingCertificate  m_Last;
 };
 } // namespace itk

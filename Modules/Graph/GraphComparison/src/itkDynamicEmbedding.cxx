@@ -1,6 +1,7 @@
 #include "itkDynamicEmbedding.h"
 
 #include "itkBlockArrangement.h"
+#include "itkCarriedPacking.h"
 #include "itkCarriedRotation.h"
 #include "itkSphereAlignment.h"
 
@@ -150,6 +151,14 @@ DynamicEmbedding::DynamicEmbedding(GenusOptions genus, GraphEmbeddingOptions emb
   : m_Genus(genus), m_Embedding(embedding)
 {}
 
+PackedMap
+DynamicEmbedding::PackAnew(const Graph & graph) const
+{
+  AugmentationOptions options(m_Embedding.augmentation);
+  options.names = graph.names;
+  return MakePackedMap(m_Map, options);
+}
+
 DynamicStep
 DynamicEmbedding::Add(const Graph & graph)
 {
@@ -157,14 +166,17 @@ DynamicEmbedding::Add(const Graph & graph)
   if (m_IsFirst)
   {
     m_Map = ArrangeBlocks(FindEmbedding(graph, m_Genus).map);
-    step.certificate = EmbedGraph(graph, m_Map, m_Embedding);
+    m_Packed = this->PackAnew(graph);
+    step.certificate = EmbedPackedGraph(graph, m_Map, m_Packed, m_Embedding.infinity);
   }
   else
   {
     CarriedRotation carried = CarryRotation(m_Last.graph, m_Map, graph, m_Genus);
     m_Map = std::move(carried.map);
+    m_Packed = m_Embedding.augmentation == Augmentation::Ring ? CarryPackedMap(m_Last.graph, m_Packed, graph, m_Map)
+                                                              : this->PackAnew(graph);
     step.embeddedAnew = carried.embeddedAnew;
-    step.certificate = EmbedGraph(graph, m_Map, m_Embedding);
+    step.certificate = EmbedPackedGraph(graph, m_Map, m_Packed, m_Embedding.infinity);
     const std::vector<int> image = NodesOfSameName(m_Last.graph, graph);
     if (AreSpheres(m_Last, step.certificate))
     {

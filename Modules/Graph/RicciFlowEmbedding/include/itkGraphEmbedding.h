@@ -33,6 +33,11 @@ constexpr double smallestLegibleRadius = 1e-9;
  * \pre `map` is one of `graph`. \ingroup RicciFlowEmbedding */
 RicciFlowEmbedding_EXPORT EmbeddingCertificate
 EmbedGraph(const Graph & graph, const CombinatorialMap & map, const GraphEmbeddingOptions & options = {});
+
+/** The same by a packed map that is given. \pre `packed` is one of `map`, which is one of `graph`. \ingroup
+ * RicciFlowEmbedding */
+RicciFlowEmbedding_EXPORT EmbeddingCertificate
+EmbedPackedGraph(const Graph & graph, const CombinatorialMap & map, const PackedMap & packed, PointAtInfinity infinity);
 } // namespace itk
 
 #endif

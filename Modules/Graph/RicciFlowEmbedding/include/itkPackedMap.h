@@ -4,6 +4,7 @@
 #include "RicciFlowEmbeddingExport.h"
 #include "itkCombinatorialMap.h"
 
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -61,6 +62,9 @@ struct AugmentationOptions
   Augmentation augmentation;
   /** Of a ring in a face that meets a node twice: the most half-edges for one dummy, >= 1. */
   int halfEdgesOfDummy{ 2 };
+  /** Nodes from this one on are dummies already: faces beside them with more than six half-edges are holes that other
+   * dummies have left, and are filled, too. */
+  int firstDummy{ std::numeric_limits<int>::max() };
   /** See FaceConflicts. */
   std::vector<std::string> names;
 };

@@ -214,6 +214,26 @@ AddSmallestCircle(EmbeddingCertificate & certificate)
 
 namespace
 {
+/** `certificate` has the genus and the rotation system; `rank` is that of CanonicalMapOrder, for genus 0. */
+void
+AddPacking(const Graph &            graph,
+           const PackedMap &        packed,
+           PointAtInfinity          infinity,
+           const std::vector<int> & rank,
+           EmbeddingCertificate &   certificate)
+{
+  if (certificate.genus == 0)
+  {
+    AddSphere(packed, infinity, rank, certificate);
+  }
+  else
+  {
+    certificate.genus == 1 ? AddTorus(packed.map, certificate) : AddHyperbolicSurface(packed.map, certificate);
+  }
+  AddMaps(graph, packed, certificate);
+  certificate.statistics.emplace_back("rings", packed.rings);
+}
+
 EmbeddingCertificate
 EmbedMap(const Graph &                 graph,
          const CombinatorialMap &      map,
@@ -224,23 +244,19 @@ EmbedMap(const Graph &                 graph,
   EmbeddingCertificate certificate;
   certificate.genus = map.Genus();
   certificate.rotation = FlatRotation(map);
+  std::vector<int> rank;
   if (certificate.genus == 0)
   {
-    const CanonicalMapOrder order(packed.map, options.isRotationFree);
+    CanonicalMapOrder order(packed.map, options.isRotationFree);
     if (order.isMirrored)
     {
       const CombinatorialMap mirrored = map.Mirrored();
       packed = MakePackedMap(mirrored, augmentation);
       certificate.rotation = FlatRotation(mirrored);
     }
-    AddSphere(packed, options.infinity, order.rank, certificate);
+    rank = std::move(order.rank);
   }
-  else
-  {
-    certificate.genus == 1 ? AddTorus(packed.map, certificate) : AddHyperbolicSurface(packed.map, certificate);
-  }
-  AddMaps(graph, packed, certificate);
-  certificate.statistics.emplace_back("rings", packed.rings);
+  AddPacking(graph, packed, options.infinity, rank, certificate);
   return certificate;
 }
 
@@ -378,6 +394,21 @@ EmbedArranged(const Graph & graph, const CombinatorialMap & map, const GraphEmbe
   return best.Take();
 }
 } // namespace
+
+EmbeddingCertificate
+EmbedPackedGraph(const Graph & graph, const CombinatorialMap & map, const PackedMap & packed, PointAtInfinity infinity)
+{
+  EmbeddingCertificate certificate;
+  certificate.genus = map.Genus();
+  certificate.rotation = FlatRotation(map);
+  AddPacking(graph,
+             packed,
+             infinity,
+             certificate.genus == 0 ? CanonicalMapOrder(packed.map, false).rank : std::vector<int>(),
+             certificate);
+  AddSmallestCircle(certificate);
+  return certificate;
+}
 
 EmbeddingCertificate
 EmbedGraph(const Graph & graph, const CombinatorialMap & map, const GraphEmbeddingOptions & options)

@@ -240,15 +240,21 @@ FillSmallMap(const CombinatorialMap & map)
   return builder.Build();
 }
 
-/** The faces in conflict that are no triangles. */
+/** The faces that are no triangles and in conflict, or long and beside a dummy. */
 std::vector<int>
-FacesToFill(const CombinatorialMap & map, const FaceConflicts & conflicts)
+FacesToFill(const CombinatorialMap & map, const FaceConflicts & conflicts, int firstDummy)
 {
   const std::vector<int> lengths = map.FaceLengths();
-  std::vector<int>       faces;
+  std::vector<char>      isBesideDummy(map.Faces(), 0);
+  for (int h = 0; h < map.HalfEdges(); ++h)
+  {
+    isBesideDummy[map.Face(h)] |= map.Node(h) >= firstDummy ? 1 : 0;
+  }
+  std::vector<int> faces;
   for (int face = 0; face < map.Faces(); ++face)
   {
-    if (lengths[face] != 3 && (conflicts.meetsANodeTwice[face] || conflicts.sharesTwoNodes[face]))
+    const bool isHole = isBesideDummy[face] && lengths[face] > static_cast<int>(largestStar);
+    if (isHole || (lengths[face] != 3 && (conflicts.meetsANodeTwice[face] || conflicts.sharesTwoNodes[face])))
     {
       faces.push_back(face);
     }
@@ -257,10 +263,10 @@ FacesToFill(const CombinatorialMap & map, const FaceConflicts & conflicts)
 }
 
 CombinatorialMap
-FillFaces(const CombinatorialMap & map, int halfEdgesOfDummy, int & rings)
+FillFaces(const CombinatorialMap & map, const AugmentationOptions & options, int & rings)
 {
   const FaceConflicts    conflicts(map);
-  const std::vector<int> faces = FacesToFill(map, conflicts);
+  const std::vector<int> faces = FacesToFill(map, conflicts, options.firstDummy);
   if (faces.empty())
   {
     return map;
@@ -273,7 +279,7 @@ FillFaces(const CombinatorialMap & map, int halfEdgesOfDummy, int & rings)
     {
       ++rings;
       BeginAtLeaf(boundary);
-      boundary = AddRing(builder, boundary, SimpleParts(builder, boundary, halfEdgesOfDummy));
+      boundary = AddRing(builder, boundary, SimpleParts(builder, boundary, options.halfEdgesOfDummy));
     }
     while (boundary.size() > largestStar)
     {
@@ -336,8 +342,8 @@ MakePackedMap(const CombinatorialMap & map, const AugmentationOptions & options)
   }
   packed.map = DivideBadEdges(JoinComponents(map), packed.subdivided);
   const bool isTriangle = packed.map.Nodes() == 3 && packed.map.Edges() == 3;
-  packed.map = packed.map.Nodes() <= 2 || isTriangle ? FillSmallMap(packed.map)
-                                                     : FillFaces(packed.map, options.halfEdgesOfDummy, packed.rings);
+  packed.map =
+    packed.map.Nodes() <= 2 || isTriangle ? FillSmallMap(packed.map) : FillFaces(packed.map, options, packed.rings);
   return packed;
 }
 } // namespace itk
