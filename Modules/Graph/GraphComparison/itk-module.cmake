@@ -14,6 +14,7 @@ itk_module(GraphComparison
   TEST_DEPENDS
     CommandLine
     CounterRandom
+    EmbeddingVerification
     ITKGoogleTest
   DESCRIPTION "${DOCUMENTATION}"
 )

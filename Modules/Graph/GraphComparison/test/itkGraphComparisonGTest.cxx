@@ -1,4 +1,7 @@
 #include "itkGraphComparison.h"
+
+#include "itkCarriedRotation.h"
+#include "itkEmbeddingVerification.h"
 #include "itkGraphFamilies.h"
 #include "itkSphereAlignment.h"
 
@@ -126,6 +129,35 @@ TEST(DynamicEmbedding, EditsLeaveTheRestInPlace)
   EXPECT_EQ(after.changes.unchangedNodes, 598);
   EXPECT_LT(after.changes.meanDisplacement, 0.01);
   EXPECT_EQ(before.certificate.genus, 0);
+}
+
+TEST(DynamicEmbedding, OneEdgeOfALongFaceMovesLessThanAPackingMadeAnew)
+{
+  const itk::Graph first = WithNames(itk::GridGraph(40, 30)); // the face around it has 136 edges
+  itk::Graph       second = first;
+  second.edges.erase(second.edges.begin() + 20);
+  itk::DynamicEmbedding     dynamic;
+  const itk::DynamicStep    before = dynamic.Add(first);
+  const itk::DynamicStep    after = dynamic.Add(second);
+  const auto                map = itk::MapOfRotation(second, after.certificate.rotation);
+  itk::EmbeddingCertificate anew = itk::EmbedGraph(second, map);
+  itk::MoveEmbedding(anew, itk::BestMotion(before.certificate, anew, itk::NodesOfSameName(first, second)));
+  EXPECT_LT(after.changes.meanDisplacement, 0.2 * itk::ChangesBetween(before.certificate, anew).meanDisplacement);
+}
+
+TEST(DynamicEmbedding, TheVerifierAcceptsEachStep)
+{
+  itk::DynamicEmbedding dynamic;
+  itk::Graph            graph = WithNames(itk::GridGraph(12, 10));
+  for (int step = 0; step < 8; ++step)
+  {
+    const itk::DynamicStep result = dynamic.Add(graph);
+    EXPECT_EQ(itk::VerifyEmbedding(result.certificate).refusal, "") << step;
+    const std::array<int, 2> moved = graph.edges[17 * step];
+    graph.edges.erase(graph.edges.begin() + 17 * step);
+    graph.edges.erase(graph.edges.begin() + 9 * step + 5);
+    graph.edges.push_back(moved[1] == moved[0] + 1 ? std::array<int, 2>{ moved[0], (moved[0] + 13) % 120 } : moved);
+  }
 }
 
 TEST(SphereAlignment, FindsAMoebiusTransformation)

@@ -62,7 +62,7 @@ public:
     : m_Unknowns(unknowns)
     , m_Energy(unknowns)
     , m_IsHyperbolic(unknowns.geometry == FlowGeometry::Hyperbolic)
-    , m_Solver(unknowns.number, m_Energy.Pattern())
+    , m_Solver(unknowns.number, m_Energy.TakePattern())
     , m_Point(unknowns.StartingPoint())
   {}
 

@@ -214,7 +214,7 @@ AddSmallestCircle(EmbeddingCertificate & certificate)
 
 namespace
 {
-/** `certificate` has the genus and the rotation system; `rank` is that of CanonicalMapOrder, for genus 0. */
+/** `rank` is that of CanonicalMapOrder, for genus 0. */
 void
 AddPacking(const Graph &            graph,
            const PackedMap &        packed,
@@ -243,7 +243,6 @@ EmbedMap(const Graph &                 graph,
   PackedMap            packed = MakePackedMap(map, augmentation);
   EmbeddingCertificate certificate;
   certificate.genus = map.Genus();
-  certificate.rotation = FlatRotation(map);
   std::vector<int> rank;
   if (certificate.genus == 0)
   {
@@ -257,6 +256,10 @@ EmbedMap(const Graph &                 graph,
     rank = std::move(order.rank);
   }
   AddPacking(graph, packed, options.infinity, rank, certificate);
+  if (certificate.rotation.empty())
+  {
+    certificate.rotation = FlatRotation(map);
+  }
   return certificate;
 }
 
@@ -400,12 +403,12 @@ EmbedPackedGraph(const Graph & graph, const CombinatorialMap & map, const Packed
 {
   EmbeddingCertificate certificate;
   certificate.genus = map.Genus();
-  certificate.rotation = FlatRotation(map);
   AddPacking(graph,
              packed,
              infinity,
              certificate.genus == 0 ? CanonicalMapOrder(packed.map, false).rank : std::vector<int>(),
              certificate);
+  certificate.rotation = FlatRotation(map);
   AddSmallestCircle(certificate);
   return certificate;
 }

@@ -152,8 +152,8 @@ RicciEnergy::Hessian(std::vector<double> & diagonal, std::vector<double> & offDi
   });
   diagonal.assign(m_Unknowns.number, 0.0);
   this->GatherDiagonal(diagonal);
-  offDiagonal.resize(m_Pattern.size());
-  ParallelForBlocks(m_Pattern.size(), [&](std::size_t i) {
+  offDiagonal.resize(m_Source.size());
+  ParallelForBlocks(m_Source.size(), [&](std::size_t i) {
     if (i >= m_EdgeElements)
     {
       offDiagonal[i] = m_KiteElement[m_Source[i]];

@@ -3,6 +3,8 @@
 
 #include "itkCircleState.h"
 
+#include <utility>
+
 namespace itk
 {
 /** The convex energy of a Ricci flow: its gradient, which is the curvature, and its Hessian, as functions of the
@@ -12,11 +14,11 @@ class RicciEnergy
 public:
   explicit RicciEnergy(const RicciUnknowns & unknowns);
 
-  /** The pattern of the Hessian. */
-  const std::vector<std::array<int, 2>> &
-  Pattern() const
+  /** The pattern of the Hessian, once: nothing else needs it. */
+  std::vector<std::array<int, 2>>
+  TakePattern()
   {
-    return m_Pattern;
+    return std::move(m_Pattern);
   }
   /** Computes radii and curvatures. */
   void
