@@ -128,6 +128,8 @@ struct PolypCandidateOptions
   double smoothingTime{ 1.0 };
   /** What the lesser principal curvature of a head is at least, everywhere, 1/mm. */
   double leastCurvature{ 0.01 };
+  /** Of a candidate, mm, from 0. Smaller heads cannot be told from crumbs that the segmentation of a CT leaves. */
+  double leastDiameter{ 3.5 };
 };
 
 /** Candidates on a wall, by falling score.
@@ -135,7 +137,7 @@ struct PolypCandidateOptions
  * 1. Principal curvatures by diffused normals (SurfaceShape).
  * 2. Bulges: connected parts where both are positive. A fold's crest is curved across alone, so a polyp on
  *    a fold is a part of its own.
- * 3. Score by PolypScore() from shape index, roundness, solid angle and size.
+ * 3. Score by PolypScore() from shape index, roundness, hollowness of the foot and curvedness.
  * 4. Of bulges that overlap the one with the higher score.
  *
  * \param wall of full resolution, faces counterclockwise from outside of the lumen; point array arcLength and cell

@@ -17,12 +17,21 @@ struct PolypFeatures
   double shapeIndex{ 0.0 };
   /** Least over greatest width across the axis. */
   double roundness{ 0.0 };
+  /** How hollow the wall is around the head: the lesser principal curvature of its foot (WallBulge::footCurvature),
+   * its sign turned, times the greatest width. 0.4 to 2.5 for polyps of phantoms, below 0.3 for three quarters of the
+   * bumps of folds and wall. */
+  double hollowness{ 0.0 };
+  /** Mean curvedness of the head, 1/mm (Koenderink and van Doorn 1992): 2 / diameter of a ball, so 0.33 for one of 6
+   * mm; 0.06 to 0.28 for polyps of 5.5 mm and more of phantoms. What is sharper is smaller, or no smooth head at all:
+   * crumbs that are left of fluid or of a catheter, edges of cut walls. */
+  double curvedness{ 0.0 };
+  /** \name Reported, not in the score */
+  ///@{
   /** Integral of the Gaussian curvature, sr. */
   double solidAngle{ 0.0 };
   /** Height over greatest width. */
   double prominence{ 0.0 };
-  /** Greatest width across the axis, mm. */
-  double width{ 0.0 };
+  ///@}
   /** \name Reported, not in the score: not numbers unless MeasureShapeDiffusion() was run */
   ///@{
   /** Cumulative heat of the tissue of the head, 0 to 1. */
@@ -36,9 +45,9 @@ struct PolypFeatures
 PolypCandidates_EXPORT PolypFeatures
 FeaturesOf(const WallBulge & bulge);
 
-/** The terms of the score: shape index, and the natural logarithms of roundness, of solid angle / 2 pi, of prominence
- * and of width / 10 mm. \ingroup PolypCandidates */
-constexpr int          numberOfPolypTerms = 5;
+/** The terms of the score: shape index, the natural logarithms of roundness and hollowness (at least 0.05), and
+ * that of curvedness / 0.25 per mm where it is greater than 0, else 0. \ingroup PolypCandidates */
+constexpr int          numberOfPolypTerms = 4;
 PolypCandidates_EXPORT std::array<double, numberOfPolypTerms>
                        TermsOf(const PolypFeatures & features);
 

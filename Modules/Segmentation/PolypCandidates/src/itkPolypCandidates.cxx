@@ -84,9 +84,14 @@ FindPolypCandidates(const SurfaceMesh & wall, const PolypCandidateOptions & opti
   {
     const PolypFeatures features = FeaturesOf(bulge);
     const double        score = PolypScore(features);
-    if (score >= leastScore)
+    if (score < leastScore)
     {
-      candidates.push_back(CandidateOf(std::move(bulge), features, score, wall));
+      continue;
+    }
+    PolypCandidate candidate = CandidateOf(std::move(bulge), features, score, wall);
+    if (candidate.diameter >= options.leastDiameter)
+    {
+      candidates.push_back(std::move(candidate));
     }
   }
   SortAndNumber(candidates);

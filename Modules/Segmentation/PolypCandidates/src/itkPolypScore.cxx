@@ -14,27 +14,28 @@ FeaturesOf(const WallBulge & bulge)
   features.shapeIndex = bulge.shapeIndex;
   features.roundness = bulge.leastWidth / bulge.greatestWidth;
   features.solidAngle = bulge.solidAngle;
+  features.hollowness = -bulge.footCurvature * bulge.greatestWidth;
+  features.curvedness = bulge.curvedness;
   features.prominence = bulge.height / bulge.greatestWidth;
-  features.width = bulge.greatestWidth;
   return features;
 }
 
 std::array<double, numberOfPolypTerms>
 TermsOf(const PolypFeatures & features)
 {
-  const auto logarithm = [](double value) { return std::log(std::max(value, 1e-3)); };
+  constexpr double leastRoundness = 1e-3, leastHollowness = 0.05;
+  constexpr double sharp = 0.25; // 1/mm
   return { { features.shapeIndex,
-             logarithm(features.roundness),
-             logarithm(features.solidAngle / (2.0 * M_PI)),
-             logarithm(features.prominence),
-             logarithm(features.width / 10.0) } };
+             std::log(std::max(features.roundness, leastRoundness)),
+             std::log(std::max(features.hollowness, leastHollowness)),
+             std::log(std::max(features.curvedness / sharp, 1.0)) } };
 }
 
 // Printed by Testing/Validation's FitPolypScore; see the README for what it was run on.
 const PolypWeights &
 FittedPolypWeights()
 {
-  static const PolypWeights weights{ { 44.400, 4.038, 1.354, 0.101, 1.455, -29.218 } };
+  static const PolypWeights weights{ { 33.114, 4.948, 3.635, -8.594, -21.830 } };
   return weights;
 }
 

@@ -12,7 +12,8 @@ namespace
 {
 using Eigen::Vector3d;
 
-/** From the bulge to the ring that its foot is taken from, mm along edges. */
+/** The ring around the bulge that tells of its foot, mm along edges: all of it for the curvature, the outer part,
+ * beyond the fillet, for the height. */
 constexpr double ringBegin = 1.0;
 constexpr double ringEnd = 2.0;
 
@@ -55,13 +56,13 @@ public:
   }
 
   void
-  MeasureHeight(WallBulge & bulge) const
+  MeasureFoot(WallBulge & bulge) const
   {
-    const Vector3d foot = this->Foot(bulge.vertices);
-    double         most = -std::numeric_limits<double>::infinity();
+    const Foot foot = this->FindFoot(bulge.vertices);
+    double     most = -std::numeric_limits<double>::infinity();
     for (const int vertex : bulge.vertices)
     {
-      const double above = (this->PointOf(vertex) - foot).dot(bulge.axis);
+      const double above = (this->PointOf(vertex) - foot.middle).dot(bulge.axis);
       if (above > most)
       {
         most = above;
@@ -69,6 +70,7 @@ public:
       }
     }
     bulge.height = std::max(0.0, most);
+    bulge.footCurvature = foot.curvature;
   }
 
 private:
@@ -122,19 +124,17 @@ private:
     }
   }
 
-  /** The middle of the ring around the bulge. */
-  Vector3d
-  Foot(const std::vector<int> & vertices) const
+  /** Vertices around the bulge within `reach` mm along edges, and all its neighbours where edges are longer; with the
+   * way to each. */
+  std::vector<std::pair<int, double>>
+  Around(const std::vector<int> & vertices, double reach) const
   {
-    std::vector<std::pair<int, double>> reached; // vertex and way to it
+    std::vector<std::pair<int, double>> reached;
     std::vector<int>                    known(vertices);
     for (const int vertex : vertices)
     {
       reached.emplace_back(vertex, 0.0);
     }
-    Vector3d sum = Vector3d::Zero(), rim = Vector3d::Zero();
-    double   area = 0.0;
-    int      rims = 0;
     for (std::size_t next = 0; next < reached.size(); ++next)
     {
       const auto [vertex, way] = reached[next];
@@ -142,22 +142,58 @@ private:
       {
         const double whole = way + (this->PointOf(neighbour) - this->PointOf(vertex)).norm();
         const auto   place = std::lower_bound(known.begin(), known.end(), neighbour);
-        if (whole > ringEnd || (place != known.end() && *place == neighbour))
+        if (whole <= reach && (place == known.end() || *place != neighbour))
         {
-          continue;
-        }
-        known.insert(place, neighbour);
-        reached.emplace_back(neighbour, whole);
-        rim += this->PointOf(neighbour);
-        ++rims;
-        if (whole >= ringBegin)
-        {
-          sum += m_Shape.areas[neighbour] * this->PointOf(neighbour);
-          area += m_Shape.areas[neighbour];
+          known.insert(place, neighbour);
+          reached.emplace_back(neighbour, whole);
         }
       }
     }
-    return area > 0.0 ? Vector3d(sum / area) : rims > 0 ? Vector3d(rim / rims) : this->PointOf(vertices.front());
+    reached.erase(reached.begin(), reached.begin() + static_cast<std::ptrdiff_t>(vertices.size()));
+    for (const int vertex : vertices)
+    {
+      for (const int neighbour : m_Connectivity.NeighboursOfVertex(vertex))
+      {
+        const auto place = std::lower_bound(known.begin(), known.end(), neighbour);
+        if (place == known.end() || *place != neighbour)
+        {
+          known.insert(place, neighbour);
+          reached.emplace_back(neighbour, (this->PointOf(neighbour) - this->PointOf(vertex)).norm());
+        }
+      }
+    }
+    return reached;
+  }
+
+  /** Of the ring around a bulge. */
+  struct Foot
+  {
+    Vector3d middle{ Vector3d::Zero() };
+    double   curvature{ 0.0 };
+  };
+
+  Foot
+  FindFoot(const std::vector<int> & vertices) const
+  {
+    Foot       foot;
+    Vector3d   sum = Vector3d::Zero(), rim = Vector3d::Zero();
+    double     ringArea = 0.0, area = 0.0;
+    const auto around = this->Around(vertices, ringEnd);
+    for (const auto & [vertex, way] : around)
+    {
+      const double part = m_Shape.areas[vertex];
+      area += part;
+      foot.curvature += part * m_Shape.lesser[vertex];
+      rim += this->PointOf(vertex) / static_cast<double>(around.size());
+      if (way >= ringBegin && way <= ringEnd)
+      {
+        sum += part * this->PointOf(vertex);
+        ringArea += part;
+      }
+    }
+    foot.curvature /= std::max(area, 1e-12);
+    foot.middle = ringArea > 0.0 ? Vector3d(sum / ringArea) : !around.empty() ? rim : this->PointOf(vertices.front());
+    return foot;
   }
 
   const VertexMatrix &        m_V;
@@ -185,7 +221,7 @@ MeasureWallParts(const VertexMatrix &        V,
     WallBulge part = finder.Measure(finder.Grow(seed, isFree));
     if (part.area > 0.0 && part.solidAngle >= limits.leastSolidAngle && part.leastWidth >= limits.leastWidth)
     {
-      finder.MeasureHeight(part);
+      finder.MeasureFoot(part);
       parts.push_back(std::move(part));
     }
   }

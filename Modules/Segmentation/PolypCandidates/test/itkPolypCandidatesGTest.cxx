@@ -45,6 +45,17 @@ TEST(PolypCandidates, HalfEllipsoidIsFoundWithItsSize)
   }
 }
 
+// Edges of 2 mm and more, longer than the ring that the foot is taken from.
+TEST(PolypCandidates, CoarseWallsHaveFeetToo)
+{
+  for (const double spacing : { 1.4, 2.0, 2.8 })
+  {
+    const auto candidates = Find(MakeWall({ polyp }, spacing));
+    ASSERT_EQ(candidates.size(), 1u) << spacing;
+    EXPECT_GT(candidates.front().features.hollowness, 0.4) << spacing;
+  }
+}
+
 TEST(PolypCandidates, BallIsMeasuredAcross)
 {
   for (const double radiusOfHead : { 3.5, 5.0, 8.0 })
@@ -64,6 +75,69 @@ TEST(PolypCandidates, FoldIsNoneAndPolypOnItIs)
   ASSERT_EQ(candidates.size(), 1u);
   EXPECT_LT((candidates.front().position - middle).norm(), 3.0);
   EXPECT_NEAR(candidates.front().diameter, 8.0, 1.0);
+}
+
+// Caps of one ball that look out of the wall more or less: their feet are less hollow, the less they do.
+TEST(PolypCandidates, FootOfALowHeadIsLessHollow)
+{
+  constexpr double ballRadius = 8.0;
+  double           before = 0.0;
+  for (const double height : { 2.0, 3.0, 4.5, 7.0 })
+  {
+    const auto candidates =
+      Find(MakeWall({ Ball(Base(0.0) + (height - ballRadius) * Vector3d::UnitZ(), ballRadius) }), 1.0);
+    ASSERT_FALSE(candidates.empty()) << height;
+    const PolypCandidate & one = candidates.front();
+    EXPECT_GT(one.features.hollowness, before + 0.2) << height;
+    before = one.features.hollowness;
+  }
+}
+
+TEST(PolypCandidates, CurvednessOfABallIsThatOfItsRadius)
+{
+  for (const double ballRadius : { 4.0, 6.0 })
+  {
+    const auto candidates = Find(MakeWall({ Ball(Base(0.0) + 0.9 * ballRadius * Vector3d::UnitZ(), ballRadius) }));
+    ASSERT_EQ(candidates.size(), 1u);
+    EXPECT_NEAR(candidates.front().features.curvedness * ballRadius, 1.0, 0.1) << ballRadius;
+  }
+}
+
+TEST(PolypCandidates, SmallerOnesThanAskedForAreLeftOut)
+{
+  const itk::SurfaceMesh wall =
+    MakeWall({ Ball(Base(0.0) + 2.6 * Vector3d::UnitZ(), 2.8), Ellipsoid(Base(14.0), 5.0, 6.0) });
+  itk::PolypCandidateOptions options;
+  options.sensitivity = 1.0;
+  const auto all = itk::FindPolypCandidates(wall, options);
+  ASSERT_EQ(all.size(), 2u);
+  options.leastDiameter = 7.0;
+  const auto large = itk::FindPolypCandidates(wall, options);
+  ASSERT_EQ(large.size(), 1u);
+  EXPECT_NEAR(large.front().diameter, 10.0, 1.0);
+}
+
+TEST(PolypCandidates, ScoreGoesWithItsFeatures)
+{
+  itk::PolypFeatures lump; // as what is left of badly mixed fluid
+  lump.shapeIndex = 0.74;
+  lump.roundness = 0.8;
+  lump.hollowness = 0.9;
+  lump.curvedness = 0.2;
+  const double score = itk::PolypScore(lump);
+  EXPECT_GT(score, 1.0 - itk::defaultPolypSensitivity);
+  itk::PolypFeatures other = lump;
+  other.curvedness = 0.1; // how large a head is does not matter as long as it is no crumb
+  EXPECT_EQ(itk::PolypScore(other), score);
+  other.curvedness = 0.45;
+  EXPECT_LT(itk::PolypScore(other), 0.05);
+  for (double itk::PolypFeatures::*const feature :
+       { &itk::PolypFeatures::shapeIndex, &itk::PolypFeatures::roundness, &itk::PolypFeatures::hollowness })
+  {
+    other = lump;
+    other.*feature *= 0.8;
+    EXPECT_LT(itk::PolypScore(other), score);
+  }
 }
 
 TEST(PolypCandidates, PlainTubeHasNone) { EXPECT_TRUE(Find(MakeWall({})).empty()); }
