@@ -27,7 +27,14 @@ EmbedAll(CommandLine & commandLine)
     itk::GraphFile read = itk::ReadGraph(file);
     sequence.files.push_back(std::filesystem::path(file).filename().string());
     identities += sequence.files.back() + ' ' + read.identity + '\n';
-    sequence.steps.push_back(dynamic.Add(read.graph));
+    try
+    {
+      sequence.steps.push_back(dynamic.Add(read.graph));
+    }
+    catch (const itk::InputError & error)
+    {
+      throw itk::InputError(sequence.files.back() + ": " + error.what());
+    }
     for (const auto * remarks : { &read.notes, &sequence.steps.back().certificate.warnings })
     {
       for (const std::string & remark : *remarks)

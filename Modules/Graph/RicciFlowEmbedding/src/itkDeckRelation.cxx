@@ -60,11 +60,14 @@ Inverse(const ExactMotion & x)
   return { Conj(x.a), { -x.b.re, -x.b.im } };
 }
 
+/** |a| from |b|: their squares differ by 1, which far translations in double precision have lost to rounding. */
 ExactMotion
 Normalised(const ExactMotion & x)
 {
-  const Real norm = sqrt(x.a.re * x.a.re + x.a.im * x.a.im - x.b.re * x.b.re - x.b.im * x.b.im);
-  return { { x.a.re / norm, x.a.im / norm }, { x.b.re / norm, x.b.im / norm } };
+  const Real squaredOfA = x.a.re * x.a.re + x.a.im * x.a.im;
+  const Real squaredOfB = x.b.re * x.b.re + x.b.im * x.b.im;
+  const Real scale = sqrt((1 + squaredOfB) / squaredOfA);
+  return { { x.a.re * scale, x.a.im * scale }, x.b };
 }
 
 ExactMotion

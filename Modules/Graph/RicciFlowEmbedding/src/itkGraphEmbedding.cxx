@@ -145,6 +145,32 @@ AddTorus(const CombinatorialMap & map, EmbeddingCertificate & certificate)
   certificate.statistics.emplace_back("wordResidual", WordResidual(generators, layout.Word()) / std::abs(lattice[0]));
 }
 
+/** A fundamental domain of many handles reaches so far that all beyond lies on the circle at infinity, to double
+ * precision. */
+void
+RequireFinite(const std::vector<PlaneMotion> & generators, int genus)
+{
+  for (const PlaneMotion & generator : generators)
+  {
+    if (!std::isfinite(std::abs(generator.a)) || !std::isfinite(std::abs(generator.b)))
+    {
+      throw InputError("the surface of genus " + std::to_string(genus) +
+                       " cannot be laid out: its fundamental domain reaches farther than double precision tells "
+                       "places apart. Take out edges, or embed parts of the graph");
+    }
+  }
+}
+
+/** Products of very many matrices overflow: then there is no figure, and a warning says that the relation fails. */
+void
+AddResidual(const std::string & name, double residual, EmbeddingCertificate & certificate)
+{
+  if (std::isfinite(residual))
+  {
+    certificate.statistics.emplace_back(name, residual);
+  }
+}
+
 void
 AddHyperbolicSurface(const CombinatorialMap & map, EmbeddingCertificate & certificate)
 {
@@ -158,14 +184,15 @@ AddHyperbolicSurface(const CombinatorialMap & map, EmbeddingCertificate & certif
   certificate.word = CentredWord(generators, layout.Word());
   certificate.canonicalWords = CanonicalWords(certificate.word);
   const DeckRelation relation = RefineDeckRelation(generators, certificate.word, certificate.canonicalWords);
+  RequireFinite(relation.generators, certificate.genus);
   AddGenerators(layout, relation.generators, certificate);
   certificate.statistics.emplace_back("residual", packing.residual);
   certificate.statistics.emplace_back("newtonSteps", packing.steps);
-  certificate.statistics.emplace_back("givenWordResidual", relation.givenResidual);
-  certificate.statistics.emplace_back("wordResidual", relation.residual);
+  AddResidual("givenWordResidual", relation.givenResidual, certificate);
+  AddResidual("wordResidual", relation.residual, certificate);
   if (!relation.canonical.empty())
   {
-    certificate.statistics.emplace_back("canonicalResidual", relation.canonicalResidual);
+    AddResidual("canonicalResidual", relation.canonicalResidual, certificate);
   }
   double largest = 1.0;
   for (const PlaneMotion & generator : relation.generators)

@@ -156,6 +156,24 @@ TEST(SurfaceLayout, DeckTransformationsOfHyperbolicSurfacesObeyTheirRelation)
   }
 }
 
+TEST(SurfaceLayout, FarDeckTransformationsStayWhatTheyAre)
+{
+  // Rounded, the squares of their numbers no longer differ by 1.
+  for (const double length : { 1.0, 30.0, 60.0 })
+  {
+    for (const double angle : { 0.3, 1.1, 2.9 })
+    {
+      const itk::PlaneMotion far = itk::PlaneMotion::Rotation(itk::FlowGeometry::Hyperbolic, angle) *
+                                   itk::PlaneMotion::Translation(itk::FlowGeometry::Hyperbolic, length);
+      const itk::DeckRelation relation = itk::RefineDeckRelation({ far }, { 1 }, {}); // no relation: none is refined
+      ASSERT_EQ(relation.generators.size(), 1U);
+      EXPECT_LE(std::abs(relation.generators[0].a - far.a), 1e-15 * std::abs(far.a));
+      EXPECT_LE(std::abs(relation.generators[0].b - far.b), 1e-15 * std::abs(far.b));
+      EXPECT_FALSE(relation.isRefined);
+    }
+  }
+}
+
 TEST(SurfaceLayout, TheUniversalCoverIsMadeOfDifferentCopies)
 {
   const itk::PackedMap                packed = AnyPackedMap(itk::CompleteGraph(6));
