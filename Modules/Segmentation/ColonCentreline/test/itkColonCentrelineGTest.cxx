@@ -121,6 +121,22 @@ ShareAt(const TubePoints & points, const Eigen::Vector3d & point)
   return (std::min_element(points.begin(), points.end(), nearer) - points.begin()) / static_cast<double>(points.size());
 }
 
+/** A curve through places of rectum and sigmoid, up the descending, along the transverse and down the ascending colon
+ * to the pole of the caecum. */
+TubePoints
+ColonThrough(TubePoints places, const Eigen::Vector3d & pole)
+{
+  places.insert(places.end(),
+                { { 110, 20, -20 },
+                  { 110, 20, 100 },
+                  { 40, -10, 130 },
+                  { -40, -10, 130 },
+                  { -110, 10, 100 },
+                  { -115, 5, -20 },
+                  pole });
+  return itk::CurveThrough(places);
+}
+
 /** Several limbs one beside the other, as a radiator; the axes of limbs are `pitch` mm apart. It begins caudal. */
 TubePoints
 Serpentine(int limbs, double length, double pitch)
@@ -328,19 +344,9 @@ TEST(ColonCentreline, CutsAHoleByWhichThePouchOfTheLastPieceHangsOnTheFirst)
 {
   // The first limb hangs by a narrow hole together with the pouch at the end of the third one, whose joint to the
   // second one has collapsed, as has that of the second one to the first.
-  const TubePoints truth = itk::CurveThrough({ { 0, 40, -150 },
-                                               { 0, 35, -90 },
-                                               { -50, 0, -60 },
-                                               { -40, -25, -20 },
-                                               { 40, 0, -50 },
-                                               { 110, 20, -20 },
-                                               { 110, 20, 100 },
-                                               { 40, -10, 130 },
-                                               { -40, -10, 130 },
-                                               { -110, 10, 100 },
-                                               { -115, 5, -20 },
-                                               { -105, 0, -75 } });
-  TubeMask         mask(truth, 35.0, { 1.5, 1.5, 1.5 });
+  const TubePoints truth = ColonThrough(
+    { { 0, 40, -150 }, { 0, 35, -90 }, { -50, 0, -60 }, { -40, -25, -20 }, { 40, 0, -50 } }, { -105, 0, -75 });
+  TubeMask mask(truth, 35.0, { 1.5, 1.5, 1.5 });
   mask.Paint(itk::PartOf(truth, 0.0, 0.36), 12.0);
   mask.Paint(itk::PartOf(truth, 0.43, 0.62), 16.0);
   mask.Paint(itk::PartOf(truth, 0.69, 1.0), [](double share) { return 18.0 + 10.0 * share; });
@@ -367,21 +373,15 @@ TEST(ColonCentreline, GoesOnAtATaperRatherThanAtANearerCaecum)
   // The sigmoid collapses beside the pole of the caecum, and goes on farther away.
   const Eigen::Vector3d collapses(-22, -45, -80);
   const Eigen::Vector3d goesOn(30, -75, -100);
-  const TubePoints      truth = itk::CurveThrough({ { 0, 40, -150 },
-                                                    { 0, 35, -90 },
-                                                    { 20, 0, -60 },
-                                                    { 0, -40, -50 },
-                                                    collapses,
-                                                    { -20, -70, -110 },
-                                                    goesOn,
-                                                    { 80, -20, -80 },
-                                                    { 110, 20, -20 },
-                                                    { 110, 20, 100 },
-                                                    { 40, -10, 130 },
-                                                    { -40, -10, 130 },
-                                                    { -110, 10, 100 },
-                                                    { -115, 5, -20 },
-                                                    { -95, -30, -85 } });
+  const TubePoints      truth = ColonThrough({ { 0, 40, -150 },
+                                               { 0, 35, -90 },
+                                               { 20, 0, -60 },
+                                               { 0, -40, -50 },
+                                               collapses,
+                                               { -20, -70, -110 },
+                                               goesOn,
+                                               { 80, -20, -80 } },
+                                        { -95, -30, -85 });
   TubeMask              mask(truth, 35.0, { 1.5, 1.5, 1.5 });
   mask.Paint(itk::PartOf(truth, 0.0, ShareAt(truth, collapses)),
              [](double share) { return std::min(15.0, 4.0 + 40.0 * (1.0 - share)); });
@@ -400,22 +400,16 @@ TEST(ColonCentreline, BeginsAtARectumThatLooksLikeASideBranch)
   const Eigen::Vector3d collapses(40, -35, -75);
   const Eigen::Vector3d goesOn(28, 22, -78);
   const Eigen::Vector3d leaks(0, 40, -85);
-  const TubePoints      truth = itk::CurveThrough({ { 0, 40, -150 },
-                                                    leaks,
-                                                    { -30, 10, -40 },
-                                                    { -60, -30, -60 },
-                                                    { -30, -60, -80 },
-                                                    collapses,
-                                                    { 44, -5, -80 },
-                                                    goesOn,
-                                                    { 70, 40, -60 },
-                                                    { 110, 20, -20 },
-                                                    { 110, 20, 100 },
-                                                    { 40, -10, 130 },
-                                                    { -40, -10, 130 },
-                                                    { -110, 10, 100 },
-                                                    { -115, 5, -20 },
-                                                    { -105, 0, -75 } });
+  const TubePoints      truth = ColonThrough({ { 0, 40, -150 },
+                                               leaks,
+                                               { -30, 10, -40 },
+                                               { -60, -30, -60 },
+                                               { -30, -60, -80 },
+                                               collapses,
+                                               { 44, -5, -80 },
+                                               goesOn,
+                                               { 70, 40, -60 } },
+                                        { -105, 0, -75 });
   TubeMask              mask(truth, 35.0, { 1.5, 1.5, 1.5 });
   mask.Paint(itk::PartOf(truth, 0.0, ShareAt(truth, collapses)),
              [](double share) { return std::min(13.0, 5.0 + 60.0 * (1.0 - share)); });

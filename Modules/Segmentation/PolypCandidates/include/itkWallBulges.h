@@ -33,10 +33,9 @@ struct WallBulge
   /** How far the apex stands above the plane of the foot, mm: the plane across the axis through the mean of the
    * vertices on a ring about 1.5 mm around the bulge. */
   double height{ 0.0 };
-  /** Mean of the lesser principal curvature, by area, of the wall within 2 mm around the bulge, its
-   * neighbours at least, 1/mm. Negative: there
-   * the wall turns up into the bulge. A head has it on all sides; a bump on the crest of a fold, which goes on along
-   * the crest, and a ripple have little of it. */
+  /** Mean of the lesser principal curvature, by area, of the wall within 2 mm around the bulge, its neighbours at
+   * least, 1/mm. Negative: there the wall turns up into the bulge. A head has it on all sides; a bump on the crest of a
+   * fold, which goes on along the crest, and a ripple have little of it. */
   double footCurvature{ 0.0 };
 };
 
