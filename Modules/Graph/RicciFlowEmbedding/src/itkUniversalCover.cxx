@@ -1,17 +1,20 @@
 #include "itkSurfaceLayout.h"
 
 #include <algorithm>
+#include <cmath>
 #include <queue>
 
 namespace itk
 {
 namespace
 {
-/** How far the origin is moved, in a measure that grows with it. */
+/** How far the origin is moved, in a measure that grows with it, to six digits: copies that symmetry puts equally far
+ * away come in the order in which they are found, whatever rounding says. */
 double
 Reach(const PlaneMotion & motion)
 {
-  return std::norm(motion.b);
+  constexpr double digits = 1e6;
+  return std::round(digits * std::log1p(std::norm(motion.b)));
 }
 
 bool
