@@ -80,14 +80,17 @@ ConstraintsOfFolds(const ColonPair & pair, const CorrectedWarp & corrected)
   return constraints;
 }
 
-/** Taeniae of the source are to come to lie on those of the target, where the map takes them along the colon. */
+/** Taeniae of the source are to come to lie on those of the target, where the map takes them along the colon. In the
+ * rectum the muscle is one coat without bands; what is found there are mere continuations. */
 std::vector<DirectionConstraint>
 ConstraintsOfTaeniae(const ColonPair & pair, const RowMap & map, double deviation)
 {
   constexpr double                 step = 6.0;      // mm
   constexpr double                 greatest = 15.0; // mm: farther away it is another one, or none
+  constexpr double                 rectum = 100.0;  // mm from the anal verge
   std::vector<DirectionConstraint> constraints;
-  for (double s = pair.sourceCylinder->Begin(); pair.AreTaeniaeKnown() && s < pair.sourceCylinder->End(); s += step)
+  const double                     begin = pair.sourceCylinder->Begin() + rectum;
+  for (double s = begin; pair.AreTaeniaeKnown() && s < pair.sourceCylinder->End(); s += step)
   {
     for (int taenia = 0; taenia < 3; ++taenia)
     {

@@ -85,9 +85,10 @@ SmoothCorrection::Solve(const std::vector<DisplacementConstraint> & constraints,
   const int          nodes = m_Rows * m_Options.angles;
   const double       angleStep = m_Around / m_Options.angles;
   const SparseMatrix laplacian = CylinderLaplacian(m_Rows, m_Options.angles, m_Options.step, angleStep);
-  const SparseMatrix bending = laplacian * laplacian * (m_Options.stiffness * m_Options.step * angleStep);
-  Triplets           entries;
-  Eigen::VectorXd    right = Eigen::VectorXd::Zero(2 * nodes);
+  const SparseMatrix bending =
+    (m_Options.stiffness * laplacian * laplacian + m_Options.tension * laplacian) * (m_Options.step * angleStep);
+  Triplets        entries;
+  Eigen::VectorXd right = Eigen::VectorXd::Zero(2 * nodes);
   const auto add = [&](const CylinderPlace & place, const Eigen::Vector2d & direction, double value, double weight) {
     const Stencil stencil = this->StencilAt(place);
     for (int k = 0; k < 8; ++k)

@@ -38,10 +38,12 @@ struct SmoothCorrectionOptions
   int    iterations{ 4 };
   /** Of the integral of the squared Laplacian, mm^2. */
   double stiffness{ 2.0 };
+  /** Of the integral of the squared gradient: beyond the constraints the plate does not swing away. */
+  double tension{ 0.01 };
 };
 
-/** A smooth field of displacements on a cylinder: thin plate, periodic around, robust by iteratively reweighted least
- * squares. */
+/** A smooth field of displacements on a cylinder: thin plate under tension, periodic around, robust by iteratively
+ * reweighted least squares. */
 class SmoothCorrection
 {
 public:
