@@ -7,6 +7,8 @@ using namespace itk;
 
 namespace
 {
+constexpr int patientsAsked = 10;
+
 /** What must be reached. */
 struct FoldBounds
 {
@@ -53,7 +55,7 @@ Ease(Column & column)
 }
 
 Column
-MakeColumn(const std::string & preset, bool isFromCt, double spacing, int patients)
+MakeColumn(const std::string & preset, bool isFromCt, double spacing, const std::vector<unsigned int> & seeds)
 {
   Column column;
   column.title = TitleOfColumn(preset, isFromCt, spacing);
@@ -67,11 +69,11 @@ MakeColumn(const std::string & preset, bool isFromCt, double spacing, int patien
   {
     Ease(column);
   }
-  for (int patient = 0; patient < patients; ++patient)
+  for (const unsigned int seed : seeds)
   {
     for (const char * const position : { "supine", "prone" })
     {
-      column.cases.push_back(ValidationCase(preset, patient, position, spacing, isFromCt));
+      column.cases.push_back(ValidationCase(preset, seed, position, spacing, isFromCt));
     }
   }
   return column;
@@ -192,42 +194,33 @@ TryColumn(const Column & column, ValidationReport & report)
 }
 
 void
-Explain(ValidationReport & report)
+Explain(const ValidationSettings & settings, ValidationReport & report)
 {
   report.AddText(
-    "Synthetic patients (`ColonPhantom`, seeds 100 and above, which nothing was tuned on), supine and prone, both "
-    "presets. The colon is modelled from the true lumen or from the CT, flattened, and searched with default options. "
-    "CT columns are allowed 0.03 less of shares and 1.3 times the distances; voxels of 1.4 mm are reported only, for "
-    "the first four patients.");
+    "Synthetic patients (" + settings.SeedsInWords() +
+    "), supine and prone, both presets. The colon is modelled from the true lumen or from the CT, flattened, and "
+    "searched with default options. CT columns are allowed 0.03 less of shares and 1.3 times the distances; voxels "
+    "of 1.4 mm are reported only, for the first four patients.");
   report.AddText(
     "Folds: the true crest is sampled where it stands at least 1 mm above the wall; each sample goes to the nearest "
     "point of the surface, and is seen where that lies within 3 mm and is not on a bridge. A fold of which less than "
-    "half is seen is hidden and counts for nothing. A fold is found when at least half of its seen samples lie within "
-    "2 "
-    "mm of one label that is its own: a label belongs to the one fold of 2 mm and more that it covers most samples of. "
-    "A label is a fold when at least half of its pixels lie within 4 mm in space of the crest of a fold of 1.5 mm and "
-    "more. End points: distance in space from the ends of the true crest, where it has come down to the wall, of folds "
-    "that are found.");
+    "half is seen is hidden and counts for nothing. A fold is found when at least half of its seen samples lie "
+    "within 2 mm of one label that is its own: a label belongs to the one fold of 2 mm and more that it covers most "
+    "samples of. A label is a fold when at least half of its pixels lie within 4 mm in space of the crest of a fold "
+    "of 1.5 mm and more. End points: distance in space from the ends of the true crest, where it has come down to "
+    "the wall, of folds that are found.");
   report.AddText(
     "Taeniae: distances from the points of the true ones to those found, collapsed stretches left out; found taeniae "
-    "are "
-    "assigned to true ones anew in each open stretch. Three markers: a point of the middle of each true taenia is "
-    "given. Flexures: along the centreline from where one true segment ends and the next begins. Segments: share of "
-    "the "
-    "area. Exams in which nothing is found count as all wrong.");
-}
-
-int
-PatientsOf(const ValidationSettings & settings)
-{
-  return settings.patients > 0 ? settings.patients : 10;
+    "are assigned to true ones anew in each open stretch. Three markers: a point of the middle of each true taenia "
+    "is given. Flexures: along the centreline from where one true segment ends and the next begins. Segments: share "
+    "of the area. Exams in which nothing is found count as all wrong.");
 }
 
 /** The bounds are those of finer voxels and many patients, so only that it works is checked. */
 void
-TryCoarsePatient(ValidationReport & report)
+TryCoarsePatient(const ValidationSettings & settings, ValidationReport & report)
 {
-  const LandmarkExam exam = MakeLandmarkExam(MakeColumn("standard", false, 2.0, 1).cases[0]);
+  const LandmarkExam exam = MakeLandmarkExam(MakeColumn("standard", false, 2.0, { settings.firstSeed }).cases[0]);
   report.AddText("One coarse patient is flattened: " + report.Check(exam.failure.empty()));
   if (exam.failure.empty())
   {
@@ -243,25 +236,29 @@ TryCoarsePatient(ValidationReport & report)
 void
 ValidateColonLandmarks(const ValidationSettings & settings, ValidationReport & report)
 {
-  Explain(report);
+  Explain(settings, report);
   if (settings.quick)
   {
-    TryCoarsePatient(report);
+    TryCoarsePatient(settings, report);
     return;
   }
-  const int patients = PatientsOf(settings);
-  TryColumn(MakeColumn("standard", false, 0.8, patients), report);
-  TryColumn(MakeColumn("hard", false, 0.8, patients), report);
+  for (const char * const preset : { "standard", "hard" })
+  {
+    TryColumn(MakeColumn(preset, false, 0.8, settings.Seeds(patientsAsked)), report);
+  }
 }
 
 void
 ValidateColonLandmarksFromCt(const ValidationSettings & settings, ValidationReport & report)
 {
-  Explain(report);
-  const auto tryPresets = [&](double spacing, int patients) {
-    TryColumn(MakeColumn("standard", true, spacing, patients), report);
-    TryColumn(MakeColumn("hard", true, spacing, patients), report);
-  };
-  tryPresets(0.8, PatientsOf(settings));
-  tryPresets(1.4, std::min(PatientsOf(settings), 4));
+  Explain(settings, report);
+  const std::vector<unsigned int> all = settings.Seeds(patientsAsked);
+  const std::vector<unsigned int> first(all.begin(), all.begin() + std::min<std::ptrdiff_t>(all.size(), 4));
+  for (const auto & [spacing, seeds] : { std::make_pair(0.8, all), std::make_pair(1.4, first) })
+  {
+    for (const char * const preset : { "standard", "hard" })
+    {
+      TryColumn(MakeColumn(preset, true, spacing, seeds), report);
+    }
+  }
 }

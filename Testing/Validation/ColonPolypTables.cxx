@@ -42,7 +42,7 @@ Ease(PolypBounds & bounds)
 }
 
 Column
-MakeColumn(const std::string & preset, bool isFromCt, double spacing, int patients)
+MakeColumn(const std::string & preset, bool isFromCt, double spacing, const std::vector<unsigned int> & seeds)
 {
   Column column;
   column.title = TitleOfColumn(preset, isFromCt, spacing);
@@ -54,11 +54,11 @@ MakeColumn(const std::string & preset, bool isFromCt, double spacing, int patien
   {
     Ease(column.bounds);
   }
-  for (int patient = 0; patient < patients; ++patient)
+  for (const unsigned int seed : seeds)
   {
     for (const char * const position : { "supine", "prone" })
     {
-      column.cases.push_back(ValidationCase(preset, patient, position, spacing, isFromCt));
+      column.cases.push_back(ValidationCase(preset, seed, position, spacing, isFromCt));
     }
   }
   return column;
@@ -317,9 +317,9 @@ TryColumn(const Column & column, ValidationReport & report)
 void
 TryBothPresets(const ValidationSettings & settings, bool isFromCt, ValidationReport & report)
 {
-  const int   patients = settings.patients > 0 ? settings.patients : 20;
-  const Count standard = TryColumn(MakeColumn("standard", isFromCt, 0.8, patients), report);
-  const Count hard = TryColumn(MakeColumn("hard", isFromCt, 0.8, patients), report);
+  const auto  seeds = settings.Seeds(20);
+  const Count standard = TryColumn(MakeColumn("standard", isFromCt, 0.8, seeds), report);
+  const Count hard = TryColumn(MakeColumn("hard", isFromCt, 0.8, seeds), report);
   report.AddText("## Both presets");
   report.AddText("Sessile and pedunculated polyps >= 10 mm: " +
                  ShareWithBound({ standard.found + hard.found, standard.present + hard.present }) +
@@ -327,29 +327,25 @@ TryBothPresets(const ValidationSettings & settings, bool isFromCt, ValidationRep
 }
 
 void
-Explain(ValidationReport & report)
+Explain(const ValidationSettings & settings, ValidationReport & report)
 {
   report.AddText(
-    "Synthetic patients (`ColonPhantom`, seeds 100 and above, which nothing was tuned on), supine and prone, both "
-    "presets. The wall is made from the true lumen or from the CT, in voxels of 0.8 mm, and searched with default "
-    "options. From CT the bounds of shares are 0.03 lower and sizes are allowed 1.3 times the error. Polyps of the "
-    "truth "
-    "count unless they lie in a collapsed stretch. A candidate has found a polyp when its middle lies within the "
-    "radius of "
-    "the "
-    "polyp and 3 mm of the middle of its head or of its base. Other candidates are false, unless they are at another "
-    "polyp; "
-    "the false ones of a patient are those of both positions together, which is stricter than for each exam. The "
-    "ileocaecal valve of the phantom is half an ellipsoid, 22 mm wide and 8 mm high, and counts as false. Bounds of "
-    "shares are Wilson's 95 % intervals, two-sided, with polyps taken as independent; intervals of means are over "
-    "patients or polyps.");
+    "Synthetic patients (" + settings.SeedsInWords() +
+    "), supine and prone, both presets. The wall is made from the true lumen or from the CT, in voxels of 0.8 mm, "
+    "and searched with default options. From CT the bounds of shares are 0.03 lower and sizes are allowed 1.3 times "
+    "the error. Polyps of the truth count unless they lie in a collapsed stretch. A candidate has found a polyp when "
+    "its middle lies within the radius of the polyp and 3 mm of the middle of its head or of its base. Other "
+    "candidates are false, unless they are at another polyp; the false ones of a patient are those of both positions "
+    "together, which is stricter than for each exam. The ileocaecal valve of the phantom is half an ellipsoid, 22 mm "
+    "wide and 8 mm high, and counts as false. Bounds of shares are Wilson's 95 % intervals, two-sided, with polyps "
+    "taken as independent; intervals of means are over patients or polyps.");
 }
 
 /** Coarse voxels of one patient: only that it works is checked. */
 void
-TryCoarsePatient(ValidationReport & report)
+TryCoarsePatient(const ValidationSettings & settings, ValidationReport & report)
 {
-  const Column       column = MakeColumn("standard", false, 1.4, 1);
+  const Column       column = MakeColumn("standard", false, 1.4, { settings.firstSeed });
   const LandmarkExam exam = MakeLandmarkExam(column.cases[0]);
   report.AddText("One coarse patient is modelled: " + report.Check(exam.failure.empty()));
   if (exam.failure.empty())
@@ -367,10 +363,10 @@ TryCoarsePatient(ValidationReport & report)
 void
 ValidateColonPolyps(const ValidationSettings & settings, ValidationReport & report)
 {
-  Explain(report);
+  Explain(settings, report);
   if (settings.quick)
   {
-    TryCoarsePatient(report);
+    TryCoarsePatient(settings, report);
     return;
   }
   TryBothPresets(settings, false, report);
@@ -379,6 +375,6 @@ ValidateColonPolyps(const ValidationSettings & settings, ValidationReport & repo
 void
 ValidateColonPolypsFromCt(const ValidationSettings & settings, ValidationReport & report)
 {
-  Explain(report);
+  Explain(settings, report);
   TryBothPresets(settings, true, report);
 }

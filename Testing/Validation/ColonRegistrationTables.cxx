@@ -20,14 +20,14 @@ struct RegistrationBounds
   double timesFrame; ///< how many times better than the frame
 };
 
-/** Patients of one preset, seeds 100 and above. */
+/** Patients of one preset. */
 struct Column
 {
-  std::string        preset;
-  RegistrationBounds bounds;
-  int                patients{ 20 };
-  bool               isFromCt{ false };
-  double             spacing{ 0.8 };
+  std::string               preset;
+  RegistrationBounds        bounds;
+  std::vector<unsigned int> seeds;
+  bool                      isFromCt{ false };
+  double                    spacing{ 0.8 };
 };
 
 /** What is lost between the lumen and its CT. How the map compares with its frame stays. */
@@ -44,13 +44,13 @@ Ease(RegistrationBounds & bounds)
 }
 
 Column
-MakeColumn(const std::string & preset, bool isFromCt, int patients)
+MakeColumn(const std::string & preset, bool isFromCt, const std::vector<unsigned int> & seeds)
 {
   Column column;
   column.preset = preset;
   column.bounds = preset == "hard" ? RegistrationBounds{ 0.85, 0.80, 7.5, 0.85, 15.0, 0.30, 0.055, 1.7 }
                                    : RegistrationBounds{ 0.90, 0.88, 5.0, 0.92, 8.0, 0.20, 0.040, 2.0 };
-  column.patients = patients;
+  column.seeds = seeds;
   column.isFromCt = isFromCt;
   if (isFromCt)
   {
@@ -60,9 +60,9 @@ MakeColumn(const std::string & preset, bool isFromCt, int patients)
 }
 
 LandmarkExam
-MakeExam(const Column & column, int patient, const std::string & position)
+MakeExam(const Column & column, unsigned int seed, const std::string & position)
 {
-  const LandmarkCase one = ValidationCase(column.preset, patient, position, column.spacing, column.isFromCt);
+  const LandmarkCase one = ValidationCase(column.preset, seed, position, column.spacing, column.isFromCt);
   ValidationReport::Progress("colon-registration: " + column.preset + ", " + NameOfCase(one));
   return MakeLandmarkExam(one);
 }
@@ -325,13 +325,13 @@ TryColumn(const Column & column, ValidationReport & report)
   std::vector<LandmarkExam> prone;
   PatientScores             found;
   PatientScores             known;
-  for (int patient = 0; patient < column.patients; ++patient)
+  for (const unsigned int seed : column.seeds)
   {
-    supine.push_back(MakeExam(column, patient, "supine"));
-    prone.push_back(MakeExam(column, patient, "prone"));
+    supine.push_back(MakeExam(column, seed, "supine"));
+    prone.push_back(MakeExam(column, seed, "prone"));
     for (PatientScores * const scores : { &found, &known })
     {
-      scores->names.push_back("seed " + std::to_string(100 + patient));
+      scores->names.push_back("seed " + std::to_string(seed));
       RegistrationScore score;
       score.failure = supine.back().failure + prone.back().failure;
       scores->scores.push_back(score.failure.empty()
@@ -355,38 +355,34 @@ TryColumn(const Column & column, ValidationReport & report)
 }
 
 void
-Explain(ValidationReport & report)
+Explain(const ValidationSettings & settings, ValidationReport & report)
 {
   report.AddText(
-    "Synthetic patients (`ColonPhantom`, seeds 100 and above, which nothing was tuned on), supine registered to prone, "
-    "folds sliding 3 mm against the wall. Both colons are modelled from the true lumen or from the CT, in voxels of "
-    "0.8 "
-    "mm, flattened, and searched with default options. From CT the bounds of shares are 0.03 wider and errors may be "
-    "1.3 "
-    "times as large.");
+    "Synthetic patients (" + settings.SeedsInWords() +
+    "), supine registered to prone, folds sliding 3 mm against the wall. Both colons are modelled from the true "
+    "lumen or from the CT, in voxels of 0.8 mm, flattened, and searched with default options. From CT the bounds of "
+    "shares are 0.03 wider and errors may be 1.3 times as large.");
   report.AddText(
     "Errors: at points of the wall on a grid in material coordinates, which are no constraints, outside collapsed "
     "stretches (true ones, and those that the registration excludes and marks). Distance in space between where the "
     "map takes a point and where it is, and distance on the flat map, whose width (circumference) is 1. Measures of "
-    "each "
-    "patient are averaged over patients; +- of a patient is half the 95 % interval of the mean over 20 blocks along "
-    "the "
-    "colon. Patients that are flagged count.");
+    "each patient are averaged over patients; +- of a patient is half the 95 % interval of the mean over 20 blocks "
+    "along the colon. Patients that are flagged count.");
   report.AddText(
-    "Fold matches: a fold that was found is the true one whose crest lies nearest to its middle, within 6 mm. A match "
-    "is "
-    "right when both folds are the same true one. Recall counts true folds that were found in both positions. Feature "
-    "points are the ends of folds of the supine position; border points lie within 15 mm of the cut of the flat map.");
+    "Fold matches: a fold that was found is the true one whose crest lies nearest to its middle, within 6 mm. A "
+    "match is right when both folds are the same true one. Recall counts true folds that were found in both "
+    "positions. Feature points are the ends of folds of the supine position; border points lie within 15 mm of the "
+    "cut of the flat map.");
 }
 
 /** The bounds are those of finer voxels and many patients, so only that it works is checked. */
 void
-TryCoarsePair(ValidationReport & report)
+TryCoarsePair(const ValidationSettings & settings, ValidationReport & report)
 {
-  Column column = MakeColumn("standard", false, 1);
+  Column column = MakeColumn("standard", false, { settings.firstSeed });
   column.spacing = 2.0;
-  const LandmarkExam      supine = MakeExam(column, 0, "supine");
-  const LandmarkExam      prone = MakeExam(column, 0, "prone");
+  const LandmarkExam      supine = MakeExam(column, settings.firstSeed, "supine");
+  const LandmarkExam      prone = MakeExam(column, settings.firstSeed, "prone");
   const RegistrationScore score = TryRegistration(supine, prone, true, true);
   report.AddText("One coarse pair is registered: " + report.Check(score.failure.empty()) + ' ' + score.failure);
   if (score.failure.empty())
@@ -400,20 +396,20 @@ TryCoarsePair(ValidationReport & report)
 void
 TryBothPresets(const ValidationSettings & settings, bool isFromCt, ValidationReport & report)
 {
-  constexpr int asked = 20;
-  const int     patients = settings.patients > 0 ? settings.patients : asked;
-  TryColumn(MakeColumn("standard", isFromCt, patients), report);
-  TryColumn(MakeColumn("hard", isFromCt, patients), report);
+  for (const char * const preset : { "standard", "hard" })
+  {
+    TryColumn(MakeColumn(preset, isFromCt, settings.Seeds(20)), report);
+  }
 }
 } // namespace
 
 void
 ValidateColonRegistration(const ValidationSettings & settings, ValidationReport & report)
 {
-  Explain(report);
+  Explain(settings, report);
   if (settings.quick)
   {
-    TryCoarsePair(report);
+    TryCoarsePair(settings, report);
     return;
   }
   TryBothPresets(settings, false, report);
@@ -422,6 +418,6 @@ ValidateColonRegistration(const ValidationSettings & settings, ValidationReport 
 void
 ValidateColonRegistrationFromCt(const ValidationSettings & settings, ValidationReport & report)
 {
-  Explain(report);
+  Explain(settings, report);
   TryBothPresets(settings, true, report);
 }

@@ -42,20 +42,19 @@ MakeCase(unsigned int seed, const std::string & position, double fluid, double s
   return one;
 }
 
-/** Patients 100 to 100 + count - 1 in both positions, fluid from 0 to 0.5; every third patient has a collapsed stretch.
- */
+/** Both positions, fluid from 0 to 0.5; every third patient has a collapsed stretch. */
 Group
-MakeGroup(const std::string & title, unsigned int count, double spacing)
+MakeGroup(const std::string & title, const std::vector<unsigned int> & seeds, double spacing)
 {
   Group group;
   group.title = title;
   group.mostMedian = spacing < 1.0 ? 0.2 : 0.4;
-  for (unsigned int patient = 0; patient < count; ++patient)
+  for (unsigned int patient = 0; patient < seeds.size(); ++patient)
   {
     for (const bool isProne : { false, true })
     {
       const double fluid = 0.5 * ((2 * patient + (isProne ? 1 : 0)) % 6) / 5.0;
-      group.cases.push_back(MakeCase(100 + patient, isProne ? "prone" : "supine", fluid, spacing));
+      group.cases.push_back(MakeCase(seeds[patient], isProne ? "prone" : "supine", fluid, spacing));
       group.cases.back().parameters.collapsed = patient % 3 == 2 ? 1 : 0;
     }
   }
@@ -239,32 +238,30 @@ TryGroup(const Group & group, int faces, ValidationReport & report)
 constexpr int Faces = 55000;
 
 void
-Explain(ValidationReport & report)
+Explain(const ValidationSettings & settings, ValidationReport & report)
 {
   report.AddText(
-    "Synthetic patients (`ColonPhantom`, preset standard, seeds 100 and above, which nothing was tuned on), supine and "
-    "prone, with fluid from 0 to half of the lumen; every third patient has a collapsed stretch. `ColonSegmentation` "
-    "gets "
-    "the CT and the patient position alone. Surface error: distance of vertices of `wall.vtp`, synthetic bridges left "
-    "out, to the true wall; missed: the other way round. A line covers a place of the true centreline when it passes "
-    "within the "
-    "lumen's radius. Folds (within 0.8 of their height of the crest) and polyps are kept when their volume in the "
-    "cleansed "
-    "CT, the sum of the shares of tissue, is at least 90 % of the true one.");
+    "Synthetic patients of preset standard (" + settings.SeedsInWords() +
+    "), supine and prone, with fluid from 0 to half of the lumen; every third patient has a collapsed stretch. "
+    "`ColonSegmentation` gets the CT and the patient position alone. Surface error: distance of vertices of "
+    "`wall.vtp`, synthetic bridges left out, to the true wall; missed: the other way round. A line covers a place of "
+    "the true centreline when it passes within the lumen's radius. Folds (within 0.8 of their height of the crest) "
+    "and polyps are kept when their volume in the cleansed CT, the sum of the shares of tissue, is at least 90 % of "
+    "the true one.");
 }
 } // namespace
 
 void
 ValidateColonSurfaces(const ValidationSettings & settings, ValidationReport & report)
 {
-  Explain(report);
+  Explain(settings, report);
   if (!settings.quick)
   {
-    TryGroup(MakeGroup("1.4 mm voxels", 10, 1.4), Faces, report);
+    TryGroup(MakeGroup("1.4 mm voxels", settings.Seeds(10), 1.4), Faces, report);
     return;
   }
   // Coarse: the bounds are those of finer voxels, so only that it works is checked.
-  const ColonCase   one = MakeCase(100, "supine", 0.2, 2.8);
+  const ColonCase   one = MakeCase(settings.firstSeed, "supine", 0.2, 2.8);
   const ColonErrors errors = TryColon(one, 20000);
   CsvTable          table = EmptyCaseTable();
   AddCase(one, errors, table);
@@ -274,10 +271,10 @@ ValidateColonSurfaces(const ValidationSettings & settings, ValidationReport & re
 }
 
 void
-ValidateColonNoise(const ValidationSettings &, ValidationReport & report)
+ValidateColonNoise(const ValidationSettings & settings, ValidationReport & report)
 {
-  Explain(report);
-  Group group = MakeGroup("1.4 mm voxels, noise of 100 HU", 3, 1.4);
+  Explain(settings, report);
+  Group group = MakeGroup("1.4 mm voxels, noise of 100 HU", settings.Seeds(3), 1.4);
   group.leastDice = 0.97;
   for (ColonCase & one : group.cases)
   {
@@ -287,8 +284,8 @@ ValidateColonNoise(const ValidationSettings &, ValidationReport & report)
 }
 
 void
-ValidateColonSurfacesFine(const ValidationSettings &, ValidationReport & report)
+ValidateColonSurfacesFine(const ValidationSettings & settings, ValidationReport & report)
 {
-  Explain(report);
-  TryGroup(MakeGroup("0.7 mm voxels", 10, 0.7), Faces, report);
+  Explain(settings, report);
+  TryGroup(MakeGroup("0.7 mm voxels", settings.Seeds(10), 0.7), Faces, report);
 }

@@ -94,11 +94,15 @@ MakeFlat(const LandmarkCase & one, LandmarkExam & exam)
 } // namespace
 
 LandmarkCase
-ValidationCase(const std::string & preset, int patient, const std::string & position, double spacing, bool isFromCt)
+ValidationCase(const std::string & preset,
+               unsigned int        seed,
+               const std::string & position,
+               double              spacing,
+               bool                isFromCt)
 {
   LandmarkCase one;
   one.parameters = ColonPhantomPreset(preset);
-  one.parameters.seed = 100 + static_cast<unsigned int>(patient);
+  one.parameters.seed = seed;
   one.parameters.position = position;
   one.spacing = spacing;
   one.isFromCt = isFromCt;

@@ -31,9 +31,13 @@ struct LandmarkExam
   std::string failure;
 };
 
-/** Patient 0, 1, ... of the validation: seeds 100 and above, which nothing is tuned on. */
+/** A patient of the validation, see ValidationSettings::Seeds(). */
 LandmarkCase
-ValidationCase(const std::string & preset, int patient, const std::string & position, double spacing, bool isFromCt);
+ValidationCase(const std::string & preset,
+               unsigned int        seed,
+               const std::string & position,
+               double              spacing,
+               bool                isFromCt);
 
 /** Phantom, model, flat map. Where SHAPETON_LANDMARK_CACHE names a folder, surfaces and centrelines are kept there
  * and taken from there: for development alone, as nothing tells whether the programs have changed since. */

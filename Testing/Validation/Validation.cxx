@@ -1,4 +1,4 @@
-// Regenerates the tables of the validation report: Validation [--quick] [--patients N] [--output FOLDER] [PART]
+// Regenerates the tables of the validation report; see Utilities/run-validation.
 #include "ValidationReport.h"
 
 #include <cstdio>
@@ -84,9 +84,14 @@ main(int argc, char * argv[])
     {
       settings.patients = std::atoi(argv[++i]);
     }
+    else if (argument == "--firstSeed" && i + 1 < argc && std::atoi(argv[i + 1]) > 0)
+    {
+      settings.firstSeed = static_cast<unsigned int>(std::atoi(argv[++i]));
+    }
     else if (argument.empty() || argument[0] == '-' || !wanted.empty())
     {
-      return Fail("usage: Validation [--quick] [--patients N] [--output FOLDER] [PART], PART one of " + PartNames());
+      return Fail("usage: Validation [--quick] [--patients N] [--firstSeed N] [--output FOLDER] [PART], PART one of " +
+                  PartNames());
     }
     else
     {

@@ -55,11 +55,20 @@ MeanWithInterval(const std::vector<double> & values);
 /** What a part may use. */
 struct ValidationSettings
 {
-  bool        quick{ false };
-  int         patients{ 0 };       ///< synthetic ones of each preset; 0 for what is asked
-  std::string dataFolder;          ///< empty where there is no real data
-  std::string outputFolder{ "." }; ///< for pictures beside the page
-  std::string pictureFolder;       ///< for those of Documentation/pictures
+  /** Of the synthetic patients of a preset: `asked` of them, or as many as are set. */
+  std::vector<unsigned int>
+  Seeds(int asked) const;
+
+  /** The same in words, and what these patients were used for. */
+  std::string
+  SeedsInWords() const;
+
+  bool         quick{ false };
+  int          patients{ 0 }; ///< synthetic ones of each preset; 0 for what is asked
+  unsigned int firstSeed{ 100 };
+  std::string  dataFolder;          ///< empty where there is no real data
+  std::string  outputFolder{ "." }; ///< for pictures beside the page
+  std::string  pictureFolder;       ///< for those of Documentation/pictures
 };
 void
 ValidateAccuracyOfHeat(const ValidationSettings & settings, ValidationReport & report);
