@@ -93,6 +93,7 @@ AddImageSeeds(const std::string & folder, std::vector<FuzzSeed> & seeds)
     { ".nrrd",
       "NRRD0005\ntype: int\ndimension: 3\nsizes: 2 2 2\nspacings: 1 2 3\nencoding: ascii\n\n1 2 3 4 5 6 7 8\n" });
 }
+
 void
 AddSurfaceSeeds(const std::string & folder, std::vector<FuzzSeed> & seeds)
 {

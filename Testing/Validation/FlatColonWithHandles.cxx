@@ -74,6 +74,7 @@ TubeWith(int handles, int faces, int seed, double length)
   options.length = length;
   return testsurfaces::MakeColonTube(options).mesh;
 }
+
 /** What handles change in one metric. */
 struct Comparison
 {

@@ -294,6 +294,7 @@ TEST(HtmlReport, CannotBeWrittenEverywhere)
   EXPECT_EQ(reporttest::MessageOf([] { itk::HtmlReport("T").Write("/dev/full"); }),
             "1 cannot write \"/dev/full\": No space left on device; free some space or choose another folder");
 }
+
 TEST(HtmlReport, BeginsWithItsUseWhatWasFoundAndWhatIsDoubtful)
 {
   itk::HtmlReport sure("Colon");

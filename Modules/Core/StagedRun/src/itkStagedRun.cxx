@@ -41,6 +41,7 @@ RequireExpected(const Stage & stage, const std::string & folder, StageResult & r
     }
   }
 }
+
 StageResult
 CannotStart(const Stage & stage, const OutputError & error)
 {

@@ -146,6 +146,7 @@ FlushToZero::FlushToZero()
 {
   _mm_setcsr(m_Saved | 0x8040U); // flush to zero, denormals are zero
 }
+
 FlushToZero::~FlushToZero() { _mm_setcsr(m_Saved); }
 #else
   : m_Saved(0)

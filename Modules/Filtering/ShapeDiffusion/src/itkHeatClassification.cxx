@@ -156,6 +156,7 @@ LabelOf(float heat, const std::vector<HeatClass> & classes)
     });
   return above == classes.begin() ? 0 : (above - 1)->label;
 }
+
 void
 MeasureBorder(const Image<unsigned char, 3> * labels, std::vector<HeatClass> & classes)
 {

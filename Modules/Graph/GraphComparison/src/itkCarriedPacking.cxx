@@ -1,120 +1,168 @@
 #include "itkCarriedPacking.h"
 
 #include "itkGraphStructure.h"
-#include "itkPackingCarrier.h"
+#include "itkRoomForEdges.h"
 
 namespace itk
 {
-void
-PackingCarrier::NumberDummies()
+namespace
 {
-  m_NodeOf.resize(m_Old.Nodes(), -1);
-  for (int dummy = m_OldNodes; dummy < m_Old.Nodes(); ++dummy)
+/** The new graph, and the dummies that stay, as a map. */
+class CarriedMap
+{
+public:
+  CarriedMap(const Graph & before, const PackedMap & packed, const Graph & after, const CombinatorialMap & map)
+    : m_Packed(packed.map)
+    , m_Map(map)
+    , m_Match(before, packed, after, map)
+    , m_Dummies(packed.map, packed.graphNodes)
+    , m_Stretches(packed.map, map, m_Match, m_Dummies)
+    , m_Graph{ after.nodes, after.edges, {} }
   {
-    m_NodeOf[dummy] = this->Stays(dummy) ? m_Graph.nodes++ : -1;
+    MakeRoomForEdges(m_Packed, m_Map, m_Match, m_Stretches, m_Dummies);
+    this->AddDummies();
   }
-  for (int h = 0; h < m_Old.HalfEdges(); h += 2)
+
+  CombinatorialMap
+  Build() const;
+
+private:
+  void
+  AddDummies();
+  void
+  Append(const DummyStretch * stretch, std::vector<int> & order) const;
+  std::vector<int>
+  OrderOfNode(int node) const;
+  std::vector<int>
+  OrderOfDummy(int dummy) const;
+
+  const CombinatorialMap & m_Packed;
+  const CombinatorialMap & m_Map;
+  StepMatch                m_Match; ///< of dummies and their half-edges, too, once they are added
+  FaceDummies              m_Dummies;
+  DummyStretches           m_Stretches;
+  Graph                    m_Graph;
+};
+
+void
+CarriedMap::AddDummies()
+{
+  std::vector<int> & nodeOf = m_Match.nodeOf;
+  for (int dummy = static_cast<int>(nodeOf.size()); dummy < m_Packed.Nodes(); ++dummy)
   {
-    const int from = m_Old.Node(h);
-    const int to = this->OldHead(h);
-    if ((this->IsDummy(from) || this->IsDummy(to)) && m_NodeOf[from] >= 0 && m_NodeOf[to] >= 0)
+    nodeOf.push_back(m_Dummies.Stays(dummy) ? m_Graph.nodes++ : -1);
+  }
+  for (int h = 0; h < m_Packed.HalfEdges(); h += 2)
+  {
+    const int from = m_Packed.Node(h);
+    const int to = m_Dummies.Head(h);
+    if ((m_Dummies.IsDummy(from) || m_Dummies.IsDummy(to)) && nodeOf[from] >= 0 && nodeOf[to] >= 0)
     {
-      m_HalfEdgeOf[h] = static_cast<int>(2 * m_Graph.edges.size());
-      m_HalfEdgeOf[h + 1] = m_HalfEdgeOf[h] + 1;
-      m_Graph.edges.push_back({ m_NodeOf[from], m_NodeOf[to] });
+      m_Match.halfEdgeOf[h] = static_cast<int>(2 * m_Graph.edges.size());
+      m_Match.halfEdgeOf[h + 1] = m_Match.halfEdgeOf[h] + 1;
+      m_Graph.edges.push_back({ nodeOf[from], nodeOf[to] });
     }
   }
 }
 
 /** What a stretch has in the new map. */
 void
-PackingCarrier::Append(int stretch, std::vector<int> & order) const
+CarriedMap::Append(const DummyStretch * stretch, std::vector<int> & order) const
 {
-  if (stretch < 0)
+  if (!stretch)
   {
     return;
   }
-  const Stretch & own = m_Stretches[stretch];
-  if (own.place < 0)
+  if (stretch->place < 0)
   {
-    order.insert(order.end(), own.added.begin(), own.added.end()); // no dummy has stayed, or nothing is added
+    order.insert(order.end(), stretch->added.begin(), stretch->added.end()); // no dummy has stayed, or nothing is added
   }
-  for (std::size_t i = 0; i < own.dummies.size(); ++i)
+  for (std::size_t i = 0; i < stretch->dummies.size(); ++i)
   {
-    if (static_cast<int>(i) == own.place)
+    if (static_cast<int>(i) == stretch->place)
     {
-      order.push_back(own.added.front());
+      order.push_back(stretch->added.front());
     }
-    else if (m_HalfEdgeOf[own.dummies[i]] >= 0)
+    else if (m_Match.halfEdgeOf[stretch->dummies[i]] >= 0)
     {
-      order.push_back(m_HalfEdgeOf[own.dummies[i]]);
+      order.push_back(m_Match.halfEdgeOf[stretch->dummies[i]]);
     }
   }
 }
 
 std::vector<int>
-PackingCarrier::OrderOfNode(int node) const
+CarriedMap::OrderOfNode(int node) const
 {
-  if (m_OldNode[node] < 0)
+  if (m_Match.oldNode[node] < 0)
   {
     return m_Map.Around(node);
   }
   std::vector<int> order;
-  this->Append(m_LoneStretch[node], order);
+  this->Append(m_Stretches.Around(node), order);
   for (const int h : m_Map.Around(node))
   {
-    if (m_OldHalfEdge[h] >= 0)
+    if (m_Match.oldHalfEdge[h] >= 0)
     {
       order.push_back(h);
-      this->Append(m_StretchOf[h], order);
+      this->Append(m_Stretches.Of(h), order);
     }
   }
   return order;
 }
 
 std::vector<int>
-PackingCarrier::OrderOfDummy(int dummy) const
+CarriedMap::OrderOfDummy(int dummy) const
 {
   std::vector<int> order;
-  for (const int h : m_Old.Around(dummy))
+  for (const int h : m_Packed.Around(dummy))
   {
-    if (m_HalfEdgeOf[h] >= 0)
+    if (m_Match.halfEdgeOf[h] >= 0)
     {
-      order.push_back(m_HalfEdgeOf[h]);
+      order.push_back(m_Match.halfEdgeOf[h]);
     }
   }
   return order;
 }
 
 CombinatorialMap
-PackingCarrier::Build() const
+CarriedMap::Build() const
 {
   Rotation rotation;
-  for (int node = 0; node < m_After.nodes; ++node)
+  for (int node = 0; node < m_Map.Nodes(); ++node)
   {
     rotation.push_back(this->OrderOfNode(node));
   }
-  for (int dummy = m_OldNodes; dummy < m_Old.Nodes(); ++dummy)
+  for (int node = 0; node < m_Packed.Nodes(); ++node)
   {
-    if (m_NodeOf[dummy] >= 0)
+    if (m_Dummies.IsDummy(node) && m_Dummies.Stays(node))
     {
-      rotation.push_back(this->OrderOfDummy(dummy));
+      rotation.push_back(this->OrderOfDummy(node));
     }
   }
   return { m_Graph, rotation };
 }
+
+bool
+IsSimple(const Graph & graph)
+{
+  const std::vector<int> first = FirstParallels(graph);
+  for (std::size_t e = 0; e < first.size(); ++e)
+  {
+    if (first[e] != static_cast<int>(e))
+    {
+      return false;
+    }
+  }
+  return true;
+}
+} // namespace
+
 PackedMap
 CarryPackedMap(const Graph & before, const PackedMap & packed, const Graph & after, const CombinatorialMap & map)
 {
-  const std::vector<int> first = FirstParallels(after);
-  bool                   isSimple = packed.subdivided.empty();
-  for (std::size_t e = 0; e < first.size() && isSimple; ++e)
+  if (packed.subdivided.empty() && IsSimple(after))
   {
-    isSimple = first[e] == static_cast<int>(e);
-  }
-  if (isSimple)
-  {
-    const CombinatorialMap carried = PackingCarrier(before, packed, after, map).Build();
+    const CombinatorialMap carried = CarriedMap(before, packed, after, map).Build();
     if (carried.Genus() == map.Genus())
     {
       AugmentationOptions options;

@@ -23,6 +23,7 @@ IsWeight(std::string_view word)
   double number = 0.0;
   return ParseDouble(word, number);
 }
+
 /** The names of columns, as tables have them in their first line. */
 bool
 IsHeader(const std::vector<std::string_view> & words)

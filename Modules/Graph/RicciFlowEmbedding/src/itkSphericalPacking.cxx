@@ -100,6 +100,7 @@ CirclesAround(const CombinatorialMap & map, int face)
   }
   return infinite;
 }
+
 /** The printed projection sends the origin to the south pole, which is seen from the other side: counter-clockwise
  * turns would become clockwise ones. */
 void
@@ -176,6 +177,7 @@ LargestOnSphere(const SphericalPacking & sphere, const CirclePacking & flat)
   }
   return largest;
 }
+
 double
 AngleBetween(const std::array<double, 3> & a, const std::array<double, 3> & b)
 {
@@ -198,10 +200,7 @@ WorstTangency(const CombinatorialMap & map, const SphericalPacking & sphere)
   }
   return worst;
 }
-} // namespace
 
-namespace
-{
 /** A packing that `move` has brought into its position: laid out anew from the circle that has become largest, until
  * the way is short. `move` returns its rapidity and may stop on the way. */
 template <typename TMove>

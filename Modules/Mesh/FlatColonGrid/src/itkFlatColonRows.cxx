@@ -48,6 +48,7 @@ MeasureScale(const FlatColonGrid & grid, FlatColonRow & row)
   row.lowScale = quantile(0.1);
   row.highScale = quantile(0.9);
 }
+
 /** Nine in ten of its pixels: what else is there is the seam of a collapsed place. */
 bool
 IsBridgedAllAround(const FlatColonGrid & grid, int column)

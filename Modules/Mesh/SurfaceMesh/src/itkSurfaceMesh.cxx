@@ -37,6 +37,7 @@ RowsOfArrays(const Arrays & arrays, const std::vector<int> & rows)
   }
   return chosen;
 }
+
 void
 RequireFinite(const VertexMatrix & V, const std::string & what)
 {

@@ -115,14 +115,11 @@ MakeJoinEnd(const LumenGrid & grid, const PieceLine & line, bool isReversed, boo
   {
     std::reverse(nodes.begin(), nodes.end());
   }
-  const CurvePoints core = PhysicalPoints(grid, nodes);
-  JoinEnd           end;
-  double            passed = 0.0;
-  for (std::size_t i = core.size(); i-- > 0 && passed <= endReach;)
-  {
-    end.radius = std::max<double>(end.radius, grid.Distance(nodes[i]));
-    passed += i > 0 ? (core[i] - core[i - 1]).norm() : 0.0;
-  }
+  const CurvePoints   core = PhysicalPoints(grid, nodes);
+  std::vector<double> radii(nodes.size());
+  std::transform(nodes.begin(), nodes.end(), radii.begin(), [&grid](int node) { return grid.Distance(node); });
+  JoinEnd end;
+  end.radius = RadiusNearEnd(core, radii);
   end.position = core.back();
   Eigen::Vector3d middle = core.back();
   if (prolongs)

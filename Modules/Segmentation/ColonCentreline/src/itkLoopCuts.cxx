@@ -37,12 +37,14 @@ EndOf(const LumenGrid & grid, const LumenCells & cells, const std::vector<int> &
   JoinEnd               end;
   end.position = grid.ToPhysical(cells.positions[way.back()]) + cells.radii[way.back()] * out;
   end.out = out;
-  double passed = 0.0;
-  for (std::size_t i = way.size(); i-- > 0 && passed <= endReach;)
+  std::vector<Eigen::Vector3d> points;
+  std::vector<double>          radii;
+  for (const int cell : way)
   {
-    end.radius = std::max(end.radius, cells.radii[way[i]]);
-    passed += i > 0 ? (cells.positions[way[i]] - cells.positions[way[i - 1]]).norm() : 0.0;
+    points.push_back(cells.positions[cell]);
+    radii.push_back(cells.radii[cell]);
   }
+  end.radius = RadiusNearEnd(points, radii);
   return end;
 }
 

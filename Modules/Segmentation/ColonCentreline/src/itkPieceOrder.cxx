@@ -146,6 +146,23 @@ ClosestTips(const JoinEnd & a, const JoinEnd & b)
   return closest;
 }
 
+double
+RadiusNearEnd(const std::vector<Eigen::Vector3d> & points, const std::vector<double> & radii)
+{
+  double widest = radii.back();
+  double passed = 0.0;
+  for (std::size_t i = points.size() - 1; i-- > 0;)
+  {
+    passed += (points[i + 1] - points[i]).norm();
+    if (passed > endReach)
+    {
+      break;
+    }
+    widest = std::max(widest, radii[i]);
+  }
+  return widest;
+}
+
 void
 ColonExtent::Include(const Eigen::Vector3d & point)
 {

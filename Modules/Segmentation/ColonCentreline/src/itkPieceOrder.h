@@ -56,6 +56,10 @@ struct ColonExtent
 /** mm along the line within which the caecum and the rectum are wide. */
 constexpr double endReach = 30.0;
 
+/** Of the widest ball within `endReach` of the end of a way, mm; `radii` at its points. */
+double
+RadiusNearEnd(const std::vector<Eigen::Vector3d> & points, const std::vector<double> & radii);
+
 /** The most pieces that can be ordered: time doubles with each. */
 constexpr int mostJoinPieces = 14;
 

@@ -79,6 +79,7 @@ TakeTips(const ColonGrid & grid, const Islands & islands, std::vector<char> & ta
     }
   }
 }
+
 /** Follows the catheter's gas from the rectum down the anal canal, slice by slice, until it leaves the body. */
 class CanalWalk
 {

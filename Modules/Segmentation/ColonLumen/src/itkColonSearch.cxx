@@ -112,6 +112,7 @@ Enclose(VoxelBox & box, const std::array<int, 3> & low, const std::array<int, 3>
     box.high[a] = isNew ? high[a] : std::max(box.high[a], high[a]);
   }
 }
+
 const char * const SmallBowel = "small bowel or undistended colon";
 
 /** Why a piece of gas is no colon; empty for one that may be. */
@@ -220,6 +221,7 @@ ColumnsUnder(const ColonEvidence & evidence, int piece)
   }
   return voxels;
 }
+
 /** What a wall between the fluid and a bowel that is brighter still may reach, noise included: the more the prefilter
  * blurs, the brighter walls are. */
 double

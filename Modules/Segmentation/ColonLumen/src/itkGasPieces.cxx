@@ -421,6 +421,7 @@ MeasureDepth(const ColonGrid & grid, const std::vector<float> & hu, GasOfVolume 
     piece.inside = sum / static_cast<double>(count);
   }
 }
+
 MeasuredPiece
 MeasureTogether(const ColonGrid &                       grid,
                 const GasOfVolume &                     gas,

@@ -64,6 +64,7 @@ Print(const itk::ColonLumen & lumen)
   }
   std::cout << "failure: " << lumen.failure << '\n';
 }
+
 /** Whole slices, or with --look x,y,z (LPS, mm) what is around that point. */
 void
 Draw(const itk::Image<float, 3> *         image,

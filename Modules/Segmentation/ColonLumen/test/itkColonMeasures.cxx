@@ -86,6 +86,7 @@ PrintOverlap(const ColonLumen & lumen, const Image<float, 3> * truth, std::ostre
   }
   out << " )\n";
 }
+
 /** Found voxels with no true lumen within 3 mm along any axis: other organs, not an inexact border. */
 void
 PrintLeak(const ColonLumen & lumen, const Image<float, 3> * truth, std::ostream & out)
@@ -177,6 +178,7 @@ PrintBlobs(const ColonLumen & lumen, const Image<float, 3> * truth, const Image<
     }
   }
 }
+
 /** How much tissue there is around some points, found and true, and how much of the lumen around it is fluid. */
 struct Relief
 {

@@ -46,6 +46,7 @@ Contains(const itk::LumenMaskImage * mask, const Points & points)
   }
   return true;
 }
+
 /** How far the voxels that were cut away lie from the middle of the septum, at x = 10.5. */
 double
 GreatestDistanceOfCut(const itk::OccupancyImage * occupancy, const itk::LumenMaskImage * mask)

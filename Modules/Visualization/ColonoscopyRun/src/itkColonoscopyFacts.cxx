@@ -113,6 +113,7 @@ MeanConfidence(const CurveSet & curves, std::size_t curve)
   }
   return sum / static_cast<double>(curves.curves[curve].size());
 }
+
 /** How many, by which method, and how far the other one lies from it. */
 std::string
 TaeniaeInWords(const ColonoscopyResults & results)

@@ -47,6 +47,7 @@ CutInFour(const Refined & coarse)
   }
   return fine;
 }
+
 /** Into how many parts the sides of a face are cut. */
 int
 PartsOfSides(const SurfaceMesh & mesh, Eigen::Index face, double length)

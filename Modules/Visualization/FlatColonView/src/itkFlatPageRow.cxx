@@ -113,6 +113,7 @@ LabelStep(double pixelsPerCm, double least)
   }
   return step;
 }
+
 /** mm along the ruler without what is left out. */
 double
 LengthShown(const FlatColonRow & row, const std::vector<double> & distanceOfColumns)
@@ -124,6 +125,7 @@ LengthShown(const FlatColonRow & row, const std::vector<double> & distanceOfColu
   }
   return length;
 }
+
 /** The segment that began before this row, unless the next one begins where its name would stand. */
 const PlacedAnnotation *
 SegmentGoingOn(const FlatPageRow & place, const std::vector<PlacedAnnotation> & annotations, const TextStyle & style)

@@ -20,11 +20,13 @@ FirstSample(int place)
 {
   return (place - subsamples / 2 + subsamples - 1) >> 6;
 }
+
 int
 LastSample(int place)
 {
   return (place - subsamples / 2) >> 6;
 }
+
 static_assert(subsamples == 1 << 6, "the shifts above");
 
 /** The faces that touch each band, in their order. */

@@ -1,0 +1,26 @@
+#ifndef itkPackedEmbedding_h
+#define itkPackedEmbedding_h
+
+#include "itkGraphEmbedding.h"
+
+namespace itk
+{
+/** Packs circles, lays them out on the surface of the certificate's genus, and adds all of it to the certificate but
+ * the rotation system of the graph. `rank` is that of CanonicalMapOrder, for genus 0. */
+void
+AddPacking(const Graph &            graph,
+           const PackedMap &        packed,
+           PointAtInfinity          infinity,
+           const std::vector<int> & rank,
+           EmbeddingCertificate &   certificate);
+
+/** What circles are small beside: a period of the torus, else 1. */
+double
+UnitOfSurface(const EmbeddingCertificate & certificate);
+
+/** Adds the smallest circle of a node of the graph, and a warning where there are circles too small to be seen. */
+void
+AddSmallestCircle(EmbeddingCertificate & certificate);
+} // namespace itk
+
+#endif
