@@ -277,14 +277,16 @@ WarnOfNarrowPlaces(const LumenGrid & grid, const std::vector<Section> & sections
 void
 WarnOfUnlikelyRectum(ColonCentreline & result)
 {
-  constexpr double         fromMiddle = 0.2; // of the extent of the line; LPS: y grows towards the back
-  constexpr double         leastBack = 0.3;
-  const Eigen::MatrixXd &  V = result.curve.V;
-  const Eigen::RowVector3d extent = (V.colwise().maxCoeff() - V.colwise().minCoeff()).cwiseMax(1.0);
-  const Eigen::RowVector3d share = (V.row(0) - V.colwise().minCoeff()).cwiseQuotient(extent);
-  if (std::abs(share[0] - 0.5) > fromMiddle || share[1] < leastBack)
+  constexpr double fromMiddle = 0.2; // of the extent of the line; LPS: y grows towards the back
+  constexpr double leastBack = 0.3;
+  ColonExtent      extent;
+  for (Eigen::Index i = 0; i < result.curve.V.rows(); ++i)
   {
-    const Point<double, 3> place(Eigen::Vector3d(V.row(0)).data());
+    extent.Include(result.curve.V.row(i));
+  }
+  const Point<double, 3> place(Eigen::Vector3d(result.curve.V.row(0)).data());
+  if (std::abs(extent.ShareAlong(0, place) - 0.5) > fromMiddle || extent.ShareAlong(1, place) < leastBack)
+  {
     result.warnings.push_back("the line begins at " + PlaceInWords(place) +
                               ", which is no likely place of the anus: it may run from the caecum to the rectum, or "
                               "the rectum is missing");

@@ -160,9 +160,8 @@ ChooseOrder(const LumenNetwork &           network,
             const ColonCentrelineOptions & options,
             std::vector<PieceLine> &       lines)
 {
-  const LumenGrid & grid = network.grid;
-  ColonExtent       extent;
-  extent.usualRadius = network.cells.UsualRadius();
+  const LumenGrid &      grid = network.grid;
+  ColonExtent            extent;
   std::vector<JoinPiece> cores;
   std::vector<JoinPiece> pieces;
   for (const PieceLine & line : lines)
@@ -175,7 +174,7 @@ ChooseOrder(const LumenNetwork &           network,
     pieces.push_back(MakeJoinPiece(grid, line, true));
     pieces.back().isWanted = choice.isWanted[line.component] != 0;
   }
-  PreferCaecum(extent, pieces);
+  PreferCaecum(extent, network.cells.UsualRadius(), pieces);
   const auto order = OrderPieces(pieces, options.start ? PlacedPiece{ 0, false } : FindRectum(cores, extent));
   for (std::size_t i = 1; i < order.size(); ++i)
   {

@@ -93,16 +93,15 @@ class CutSearch
 {
 public:
   CutSearch(const LumenGrid & grid, const LumenCells & cells, CellTree & tree)
-    : m_Grid(grid), m_Cells(cells), m_Tree(tree)
+    : m_Grid(grid), m_Cells(cells), m_Tree(tree), m_UsualRadius(cells.UsualRadius())
   {
     for (const Eigen::Vector3d & position : cells.positions)
     {
       m_Extent.Include(grid.ToPhysical(position));
     }
-    m_Extent.usualRadius = cells.UsualRadius();
     for (const Eigen::Vector3d & position : cells.positions)
     {
-      m_NearestToAnus = std::min(m_NearestToAnus, DistanceFromAnus(grid.ToPhysical(position), m_Extent));
+      m_NearestToAnus = std::min(m_NearestToAnus, m_Extent.DistanceFromAnus(grid.ToPhysical(position)));
     }
   }
 
@@ -110,7 +109,7 @@ public:
   Cost() const
   {
     // About the cross-section of the lumen with its haustra.
-    const double area = 4.0 * m_Extent.usualRadius * m_Extent.usualRadius;
+    const double area = 4.0 * m_UsualRadius * m_UsualRadius;
     const Layout layout = LayOut(m_Grid, m_Cells, m_Tree, area);
     if (layout.pieces.size() > static_cast<std::size_t>(mostJoinPieces))
     {
@@ -121,12 +120,12 @@ public:
       return 0.0;
     }
     std::vector<JoinPiece> pieces = layout.pieces;
-    PreferCaecum(m_Extent, pieces);
+    PreferCaecum(m_Extent, m_UsualRadius, pieces);
     const PlacedPiece     rectum = FindRectum(pieces, m_Extent);
     const Eigen::Vector3d begin = pieces[rectum.piece].ends[rectum.isReversed ? 1 : 0].position;
     double                joins = 0.0;
     OrderPieces(pieces, rectum, &joins);
-    return joins + layout.faults + std::max(0.0, DistanceFromAnus(begin, m_Extent) - m_NearestToAnus);
+    return joins + layout.faults + std::max(0.0, m_Extent.DistanceFromAnus(begin) - m_NearestToAnus);
   }
 
   /** One cut or two, and the cost with them and with leastSaving for each. */
@@ -183,6 +182,7 @@ private:
   const LumenGrid &  m_Grid;
   const LumenCells & m_Cells;
   CellTree &         m_Tree;
+  double             m_UsualRadius;
   ColonExtent        m_Extent;
   /** Of all lumen. */
   double m_NearestToAnus{ 1e30 };

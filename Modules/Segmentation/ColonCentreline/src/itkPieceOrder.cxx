@@ -164,26 +164,19 @@ RadiusNearEnd(const std::vector<Eigen::Vector3d> & points, const std::vector<dou
 }
 
 void
-ColonExtent::Include(const Eigen::Vector3d & point)
-{
-  lowest = lowest.cwiseMin(point);
-  highest = highest.cwiseMax(point);
-}
-
-void
-PreferCaecum(const ColonExtent & extent, std::vector<JoinPiece> & pieces)
+PreferCaecum(const ColonExtent & extent, double usualRadius, std::vector<JoinPiece> & pieces)
 {
   // Of the extent of the colon, since the caecum is mobile: a tendency, not a rule.
-  const Eigen::Vector3d size = (extent.highest - extent.lowest).cwiseMax(1.0);
   for (JoinPiece & piece : pieces)
   {
     for (JoinEnd & end : piece.ends)
     {
       // LPS: x grows towards the left, z towards the head.
-      const Eigen::Vector3d share = (end.position - extent.lowest).cwiseQuotient(size);
-      const double          calibre = end.radius / extent.usualRadius;
-      const double          taper = std::clamp((caecumCalibre - calibre) / (caecumCalibre - taperCalibre), 0.0, 1.0);
-      end.asCaecum = caecumWeight * (0.7 * share[2] + 0.3 * share[0]) + taperWeight * taper;
+      const double high = extent.ShareAlong(2, end.position);
+      const double left = extent.ShareAlong(0, end.position);
+      const double calibre = end.radius / usualRadius;
+      const double taper = std::clamp((caecumCalibre - calibre) / (caecumCalibre - taperCalibre), 0.0, 1.0);
+      end.asCaecum = caecumWeight * (0.7 * high + 0.3 * left) + taperWeight * taper;
     }
   }
 }
@@ -233,14 +226,6 @@ OrderPieces(const std::vector<JoinPiece> & pieces, const PlacedPiece & first, do
   return order;
 }
 
-double
-DistanceFromAnus(const Eigen::Vector3d & place, const ColonExtent & extent)
-{
-  const double middle = 0.5 * (extent.lowest[0] + extent.highest[0]);
-  // LPS: z grows towards the head, y towards the back.
-  return (place[2] - extent.lowest[2]) + 0.7 * std::abs(place[0] - middle) + 0.5 * (extent.highest[1] - place[1]);
-}
-
 PlacedPiece
 FindRectum(const std::vector<JoinPiece> & pieces, const ColonExtent & extent)
 {
@@ -250,7 +235,7 @@ FindRectum(const std::vector<JoinPiece> & pieces, const ColonExtent & extent)
   {
     for (int e = 0; e < 2; ++e)
     {
-      const double distance = DistanceFromAnus(pieces[p].ends[e].position, extent);
+      const double distance = extent.DistanceFromAnus(pieces[p].ends[e].position);
       if (distance < least)
       {
         least = distance;

@@ -1,6 +1,8 @@
 #ifndef itkPieceOrder_h
 #define itkPieceOrder_h
 
+#include "itkColonExtent.h"
+
 #include <Eigen/Core>
 
 #include <array>
@@ -40,19 +42,6 @@ struct PlacedPiece
   bool isReversed{ false };
 };
 
-/** What the places of ends are judged by. */
-struct ColonExtent
-{
-  void
-  Include(const Eigen::Vector3d & point);
-
-  /** The box around the lumen, LPS in mm. */
-  Eigen::Vector3d lowest{ Eigen::Vector3d::Constant(1e30) };
-  Eigen::Vector3d highest{ Eigen::Vector3d::Constant(-1e30) };
-  /** LumenCells::UsualRadius. */
-  double usualRadius{ 0.0 };
-};
-
 /** mm along the line within which the caecum and the rectum are wide. */
 constexpr double endReach = 30.0;
 
@@ -71,19 +60,15 @@ std::array<int, 2>
 ClosestTips(const JoinEnd & a, const JoinEnd & b);
 
 /** The caecum lies caudal and on the right, and is wide, while the colon tapers where it collapses: fills in what other
- * ends cost as the last one. */
+ * ends cost as the last one. `usualRadius` is LumenCells::UsualRadius. */
 void
-PreferCaecum(const ColonExtent & extent, std::vector<JoinPiece> & pieces);
+PreferCaecum(const ColonExtent & extent, double usualRadius, std::vector<JoinPiece> & pieces);
 
 /** The order with the least sum of joins and of what leaving pieces out costs; the first piece and its direction are
  * given. Exact: dynamic programming over subsets (Held, Karp 1962). Pieces that would cost more than they bring are
  * left out. `cost` gets the sum, mm. */
 std::vector<PlacedPiece>
 OrderPieces(const std::vector<JoinPiece> & pieces, const PlacedPiece & first, double * cost = nullptr);
-
-/** How far a place is from where the rectum ends, mm: caudal, in the middle, at the back. */
-double
-DistanceFromAnus(const Eigen::Vector3d & place, const ColonExtent & extent);
 
 /** The end nearest to the anus: the piece, and whether it is its end 1. */
 PlacedPiece

@@ -6,7 +6,7 @@
 
 namespace itk
 {
-/** "12.3": tenths, without a locale. */
+/** "12.3": tenths, without a locale. \ingroup CommandLine */
 inline std::string
 InTenths(double value)
 {
@@ -15,7 +15,7 @@ InTenths(double value)
   return sign + std::to_string(tenths / 10) + "." + std::to_string(tenths % 10);
 }
 
-/** "(1, -2, 3) mm". */
+/** "(1, -2, 3) mm". \ingroup CommandLine */
 template <typename TPoint>
 std::string
 PlaceInWords(const TPoint & point)
