@@ -1,12 +1,14 @@
 #include "itkColonLumenSegmentation.h"
 
-#include "itkFluidWithoutGas.h"
+#include "itkColonCore.h"
 #include "itkColonGravity.h"
+#include "itkFluidWithoutGas.h"
 #include "itkLevelsAndGravity.h"
 #include "itkLumenReport.h"
 #include "itkLumenSeeds.h"
 #include "itkColonStatistics.h"
 #include "itkLumenVoxels.h"
+#include "itkPlaceInWords.h"
 #include "itkToolError.h"
 
 #include <algorithm>
@@ -17,9 +19,11 @@ namespace itk
 {
 namespace
 {
-constexpr double GasByDefinition = -1000.0; // HU
-constexpr double SeedShareOfGas = 0.2;      // of the way from gas to tissue
-constexpr double TolerableNoise = 50.0;     // a quarter of the way from gas to its seed threshold
+constexpr double   GasByDefinition = -1000.0; // HU
+constexpr double   SeedShareOfGas = 0.2;      // of the way from gas to tissue
+const char * const asColon = " are taken for colon, as no small bowel is so wide";
+const char * const asRectum = " are taken for rectum or sigmoid, as no other colon comes near the anus";
+constexpr double   TolerableNoise = 50.0; // a quarter of the way from gas to its seed threshold
 
 class LumenSegmentation
 {
@@ -35,7 +39,7 @@ public:
     FindGravity(m_Options.patientPosition, m_Evidence, m_Result);
     this->Progress(0.55);
     MeasureFluid(m_Evidence);
-    ReviewCore(m_Evidence);
+    this->ReviewGas();
     this->KeepSeeds();
     MeasureFluid(m_Evidence);
     FindBright(m_Evidence);
@@ -113,15 +117,23 @@ private:
   }
 
   void
+  ReviewGas()
+  {
+    for (const int piece : ReviewCore(m_Evidence))
+    {
+      const GasPiece & gas = m_Evidence.gas.pieces[piece];
+      m_Result.warnings.push_back(std::to_string(std::lround(gas.ml)) + " ml of gas around " +
+                                  PlaceInWords(gas.centre) + asRectum);
+    }
+  }
+
+  void
   AddFluidWithoutGas()
   {
     for (const auto & found : TakeFluidWithoutGas(m_Evidence))
     {
-      std::ostringstream text;
-      text << std::lround(found.ml) << " ml of tagged fluid without gas around (" << std::lround(found.centre[0])
-           << ", " << std::lround(found.centre[1]) << ", " << std::lround(found.centre[2])
-           << ") mm are taken for colon, as no small bowel is so wide";
-      m_Result.warnings.push_back(text.str());
+      m_Result.warnings.push_back(std::to_string(std::lround(found.ml)) + " ml of tagged fluid without gas around " +
+                                  PlaceInWords(found.centre) + (found.isRectum ? asRectum : asColon));
     }
   }
 

@@ -8,6 +8,9 @@
 
 namespace itk
 {
+constexpr double LargeLevel = 200.0; // mm^2
+constexpr double PoolArea = 20.0;    // mm^2
+
 /** All that is known of the volume before single voxels are decided. */
 struct ColonEvidence
 {
@@ -31,15 +34,6 @@ struct ColonEvidence
   std::vector<std::array<int, 3>> brightSeeds; ///< seed points in bright matter
   bool                            isTagged{ false };
 };
-
-/** Marks the distended pieces as colon. */
-void
-ChooseCore(ColonEvidence & evidence);
-
-/** With the levels known: a piece with fluid of the colon's brightness below it is as wide as both together. A piece
- * over much fluid that is far fainter than the rest of the colon's is stomach. */
-void
-ReviewCore(ColonEvidence & evidence);
 
 /** The intensity of the fluid under the colon's levels and the thresholds that follow from it. */
 void

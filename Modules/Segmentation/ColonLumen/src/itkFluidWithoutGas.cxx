@@ -1,5 +1,6 @@
 #include "itkFluidWithoutGas.h"
 
+#include "itkRectumPlace.h"
 #include "itkRunPieces.h"
 
 #include <algorithm>
@@ -10,7 +11,9 @@ namespace itk
 namespace
 {
 constexpr double LeastMl = 50.0;
-constexpr double LeastRadius = 14.0;  // mm; small bowel is 25 mm wide, and voxels add to it
+constexpr double LeastRadius = 14.0; // mm; small bowel is 25 mm wide, and voxels add to it
+constexpr double RectumMl = 20.0;
+constexpr double RectumRadius = 10.0; // mm
 constexpr double LeastLength = 2.5;   // volumes of the inscribed ball
 constexpr double WellTagged = 300.0;  // HU above tissue
 constexpr double SimilarShare = 0.25; // of the fluid's contrast
@@ -45,21 +48,24 @@ TakeFluidWithoutGas(ColonEvidence & evidence)
     return taken;
   }
   const auto pieces = PiecesOfRuns(evidence.brightSet, evidence.brightLabels);
+  const auto areNearer = PiecesNearerToAnus(evidence, evidence.brightSet, evidence.brightLabels);
   for (int p = 1; p <= evidence.brightLabels.number; ++p)
   {
     const double ml = 1e-3 * evidence.grid.VoxelVolume() * static_cast<double>(pieces[p].voxels);
-    if (evidence.isColonBright[p] || ml < LeastMl)
+    if (evidence.isColonBright[p] || ml < (areNearer[p] ? RectumMl : LeastMl))
     {
       continue;
     }
     const auto   deepest = FindDeepestVoxel(evidence.grid, evidence.brightSet, evidence.brightLabels, p, pieces[p]);
     const auto & v = deepest.voxel;
     const double ballMl = 4.18879e-3 * deepest.radius * deepest.radius * deepest.radius;
-    if (deepest.radius >= LeastRadius && ml >= LeastLength * ballMl && IsAsBright(evidence, v))
+    const bool   isWide = ml >= LeastMl && deepest.radius >= LeastRadius;
+    if ((isWide || (areNearer[p] && deepest.radius >= RectumRadius)) && ml >= LeastLength * ballMl &&
+        IsAsBright(evidence, v))
     {
       evidence.isColonBright[p] = 1;
       evidence.brightSeeds.push_back(v);
-      taken.push_back({ ml, evidence.grid.Position(evidence.grid.Index(v[0], v[1], v[2])) });
+      taken.push_back({ ml, !isWide, evidence.grid.Position(evidence.grid.Index(v[0], v[1], v[2])) });
     }
   }
   return taken;

@@ -277,6 +277,38 @@ TEST(ColonLumenSegmentation, FluidWithoutGasIsColonWhereItIsWiderThanSmallBowel)
   EXPECT_TRUE(narrow.warnings.empty());
 }
 
+/** Ascending and descending colon, each half full, and further bowel, a tube along the patient that fluid fills below
+ * `level`. */
+itk::ColonLumen
+SegmentWithBowel(const Vec & middle, double halfLength, double radius, double level)
+{
+  ColonTestScene scene;
+  scene.lumens.push_back({ Tube(At(-36, 0, 40), 2, 30, 18), 4.0, 700.0 });
+  scene.lumens.push_back({ Tube(At(36, 0, 40), 2, 30, 18), 4.0, 700.0 });
+  scene.lumens.push_back({ Tube(middle, 2, halfLength, radius), level, 700.0 });
+  const auto image = itk::CentredImage({ 88, 88, 124 }, { 1.5, 1.5, 1.5 }, Identity());
+  scene.Sample(image);
+  return Segment(image, "HFS");
+}
+
+TEST(ColonLumenSegmentation, BowelAtThePlaceOfTheRectumIsTakenThoughItIsThin)
+{
+  const double fullOfFluid = -1e9;
+  const double halfFull = 30.0; // its gas holds a ball of 5.5 mm, gas and fluid one of 11 mm
+  for (const double level : { fullOfFluid, halfFull })
+  {
+    const auto rectum = SegmentWithBowel(At(0, 30, -40), 28.0, 11.0, level);
+    EXPECT_EQ(rectum.pieces.size(), 3U) << level;
+    ASSERT_EQ(rectum.warnings.size(), 1U) << level;
+    EXPECT_NE(rectum.warnings[0].find("taken for rectum or sigmoid"), std::string::npos) << rectum.warnings[0];
+    const auto beside = SegmentWithBowel(At(0, 30, 40), 28.0, 11.0, level); // as near to the anus as the colon
+    EXPECT_EQ(beside.pieces.size(), 2U) << level;
+    EXPECT_TRUE(beside.warnings.empty()) << level;
+    const auto thin = SegmentWithBowel(At(0, 30, -40), 28.0, 8.0, level);
+    EXPECT_EQ(thin.pieces.size(), 2U) << level;
+  }
+}
+
 /** Volume of the labelled voxels with low <= z < high, ml. */
 double
 LabelledMl(const itk::ColonLumen & lumen, double low, double high)
