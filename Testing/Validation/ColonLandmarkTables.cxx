@@ -242,7 +242,7 @@ ValidateColonLandmarks(const ValidationSettings & settings, ValidationReport & r
     TryCoarsePatient(settings, report);
     return;
   }
-  for (const char * const preset : { "standard", "hard" })
+  for (const std::string & preset : settings.presets)
   {
     TryColumn(MakeColumn(preset, false, 0.8, settings.Seeds(patientsAsked)), report);
   }
@@ -256,7 +256,7 @@ ValidateColonLandmarksFromCt(const ValidationSettings & settings, ValidationRepo
   const std::vector<unsigned int> first(all.begin(), all.begin() + std::min<std::ptrdiff_t>(all.size(), 4));
   for (const auto & [spacing, seeds] : { std::make_pair(0.8, all), std::make_pair(1.4, first) })
   {
-    for (const char * const preset : { "standard", "hard" })
+    for (const std::string & preset : settings.presets)
     {
       TryColumn(MakeColumn(preset, true, spacing, seeds), report);
     }

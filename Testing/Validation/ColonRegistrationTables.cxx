@@ -396,7 +396,7 @@ TryCoarsePair(const ValidationSettings & settings, ValidationReport & report)
 void
 TryBothPresets(const ValidationSettings & settings, bool isFromCt, ValidationReport & report)
 {
-  for (const char * const preset : { "standard", "hard" })
+  for (const std::string & preset : settings.presets)
   {
     TryColumn(MakeColumn(preset, isFromCt, settings.Seeds(20)), report);
   }

@@ -1,10 +1,13 @@
 // Regenerates the tables of the validation report; see Utilities/run-validation.
 #include "ValidationReport.h"
 
+#include <algorithm>
 #include <cstdio>
 #include <cstdlib>
+#include <exception>
 #include <filesystem>
 #include <functional>
+#include <map>
 
 namespace
 {
@@ -61,78 +64,134 @@ PartNames()
   }
   return names;
 }
+
+/** What the command line asks for. */
+struct Request
+{
+  ValidationSettings settings;
+  std::string        output{ "." };
+  std::string        wanted;  ///< empty for all parts
+  std::string        options; ///< that change what a page holds
+};
+
+/** Takes the value of an option; false where it is wrong. */
+using Taker = std::function<bool(const std::string &, Request &)>;
+
+const std::map<std::string, Taker> takers = {
+  { "--output",
+    [](const std::string & value, Request & request) {
+      request.output = value;
+      return !value.empty();
+    } },
+  { "--patients",
+    [](const std::string & value, Request & request) {
+      request.settings.patients = std::atoi(value.c_str());
+      return request.settings.patients > 0;
+    } },
+  { "--firstSeed",
+    [](const std::string & value, Request & request) {
+      request.settings.firstSeed = static_cast<unsigned int>(std::max(0, std::atoi(value.c_str())));
+      return request.settings.firstSeed > 0;
+    } },
+  { "--preset",
+    [](const std::string & value, Request & request) {
+      request.settings.presets.assign(1, value);
+      return !value.empty();
+    } },
+};
+
+/** False where an argument is wrong. */
+bool
+Parse(const std::vector<std::string> & arguments, Request & request)
+{
+  for (std::size_t i = 0; i < arguments.size(); ++i)
+  {
+    const std::string & argument = arguments[i];
+    const auto          taker = takers.find(argument);
+    if (taker != takers.end())
+    {
+      if (i + 1 == arguments.size() || !taker->second(arguments[i + 1], request))
+      {
+        return false;
+      }
+      ++i;
+      request.options += argument == "--output" ? "" : argument + ' ' + arguments[i] + ' ';
+    }
+    else if (argument == "--quick")
+    {
+      request.settings.quick = true;
+      request.options += argument + ' ';
+    }
+    else if (argument.empty() || argument[0] == '-' || !request.wanted.empty())
+    {
+      return false;
+    }
+    else
+    {
+      request.wanted = argument;
+    }
+  }
+  return true;
+}
+
+/** Returns the exit status. */
+int
+Run(const Request & request)
+{
+  unsigned int failures = 0;
+  unsigned int done = 0;
+  for (const Part & part : parts)
+  {
+    if ((!request.wanted.empty() && request.wanted != part.name) || (request.settings.quick && !part.hasQuick))
+    {
+      continue;
+    }
+    ++done;
+    if (part.needsData && request.settings.dataFolder.empty())
+    {
+      std::printf("%-16s skipped: SHAPETON_TEST_DATA_DIR is not set\n", part.name.c_str());
+      continue;
+    }
+    ValidationReport report(part.title);
+    report.AddText("Made by `Utilities/run-validation " + request.options + part.name + "`.");
+    part.run(request.settings, report);
+    report.Write(request.output + '/' + part.name + ".md");
+    std::printf("%-16s %s\n", part.name.c_str(), report.GetNumberOfFailures() == 0 ? "pass" : "FAIL");
+    std::fflush(stdout);
+    failures += report.GetNumberOfFailures();
+  }
+  if (done == 0)
+  {
+    return Fail("no part \"" + request.wanted + "\"; the parts are " + PartNames());
+  }
+  return failures == 0 ? 0 : 1;
+}
 } // namespace
 
 int
 main(int argc, char * argv[])
 {
-  ValidationSettings settings;
-  std::string        output = ".";
-  std::string        wanted;
-  for (int i = 1; i < argc; ++i)
+  Request request;
+  if (!Parse({ argv + 1, argv + argc }, request))
   {
-    const std::string argument = argv[i];
-    if (argument == "--quick")
-    {
-      settings.quick = true;
-    }
-    else if (argument == "--output" && i + 1 < argc)
-    {
-      output = argv[++i];
-    }
-    else if (argument == "--patients" && i + 1 < argc && std::atoi(argv[i + 1]) > 0)
-    {
-      settings.patients = std::atoi(argv[++i]);
-    }
-    else if (argument == "--firstSeed" && i + 1 < argc && std::atoi(argv[i + 1]) > 0)
-    {
-      settings.firstSeed = static_cast<unsigned int>(std::atoi(argv[++i]));
-    }
-    else if (argument.empty() || argument[0] == '-' || !wanted.empty())
-    {
-      return Fail("usage: Validation [--quick] [--patients N] [--firstSeed N] [--output FOLDER] [PART], PART one of " +
-                  PartNames());
-    }
-    else
-    {
-      wanted = argument;
-    }
+    return Fail("usage: Validation [--quick] [--patients N] [--firstSeed N] [--preset NAME] [--output FOLDER] [PART], "
+                "PART one of " +
+                PartNames());
   }
   if (const char * const folder = std::getenv("SHAPETON_TEST_DATA_DIR"))
   {
-    settings.dataFolder = folder;
+    request.settings.dataFolder = folder;
   }
-  std::filesystem::create_directories(output);
-  settings.pictureFolder = settings.quick ? output : output + "/../pictures";
-  std::filesystem::create_directories(settings.pictureFolder);
-  settings.outputFolder = output;
-  unsigned int failures = 0;
-  unsigned int done = 0;
-  for (const Part & part : parts)
+  request.settings.outputFolder = request.output;
+  request.settings.pictureFolder = request.settings.quick ? request.output : request.output + "/../pictures";
+  try
   {
-    if ((!wanted.empty() && wanted != part.name) || (settings.quick && !part.hasQuick))
-    {
-      continue;
-    }
-    if (part.needsData && settings.dataFolder.empty())
-    {
-      std::printf("%-16s skipped: SHAPETON_TEST_DATA_DIR is not set\n", part.name.c_str());
-      ++done;
-      continue;
-    }
-    ValidationReport report(part.title);
-    report.AddText(std::string("Made by `Utilities/run-validation ") + (settings.quick ? "--quick " : "") + part.name +
-                   "`.");
-    part.run(settings, report);
-    report.Write(output + '/' + part.name + ".md");
-    std::printf("%-16s %s\n", part.name.c_str(), report.GetNumberOfFailures() == 0 ? "pass" : "FAIL");
-    std::fflush(stdout);
-    failures += report.GetNumberOfFailures();
-    ++done;
+    std::filesystem::create_directories(request.output);
+    std::filesystem::create_directories(request.settings.pictureFolder);
+    return Run(request);
   }
-  if (done == 0)
+  catch (const std::exception & error)
   {
-    return Fail("no part \"" + wanted + "\"; the parts are " + PartNames());
+    return Fail(error.what());
   }
-  return failures == 0 ? 0 : 1;
 }

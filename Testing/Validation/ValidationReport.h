@@ -66,9 +66,11 @@ struct ValidationSettings
   bool         quick{ false };
   int          patients{ 0 }; ///< synthetic ones of each preset; 0 for what is asked
   unsigned int firstSeed{ 100 };
-  std::string  dataFolder;          ///< empty where there is no real data
-  std::string  outputFolder{ "." }; ///< for pictures beside the page
-  std::string  pictureFolder;       ///< for those of Documentation/pictures
+  /** Of the synthetic patients. */
+  std::vector<std::string> presets{ "standard", "hard" };
+  std::string              dataFolder;          ///< empty where there is no real data
+  std::string              outputFolder{ "." }; ///< for pictures beside the page
+  std::string              pictureFolder;       ///< for those of Documentation/pictures
 };
 void
 ValidateAccuracyOfHeat(const ValidationSettings & settings, ValidationReport & report);
