@@ -158,10 +158,13 @@ public:
         panel.AddLabel(m_Graph.nodes[node], NameOfNode(m_Graph.certificate.graph, node));
       }
     }
-    const std::size_t leftOut = panel.LeftOut(); // a few are but the short ends of curves
-    panel.AddTitle(leftOut <= m_Graph.halfEdges.size() / 100
-                     ? plan.title
-                     : plan.title + "; " + std::to_string(leftOut) + " lines are too short to show");
+    const std::size_t        leftOut = panel.LeftOut(); // a few are but the short ends of curves
+    std::vector<std::string> title(1, plan.title);
+    if (leftOut > m_Graph.halfEdges.size() / 100)
+    {
+      title.push_back(std::to_string(leftOut) + " lines are too short to show");
+    }
+    panel.AddTitle(title);
     return panel.Content();
   }
 

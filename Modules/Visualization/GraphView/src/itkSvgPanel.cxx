@@ -357,12 +357,15 @@ SvgPanel::AddLabel(const Place & place, const std::string & text)
 }
 
 void
-SvgPanel::AddTitle(const std::string & text)
+SvgPanel::AddTitle(const std::vector<std::string> & lines)
 {
-  m_Content +=
-    "<text x=\"6\" y=\"18\" font-size=\"14\" font-family=\"sans-serif\" paint-order=\"stroke\" stroke=\"#ffffff\""
-    " stroke-width=\"4\">" +
-    SvgText(text) + "</text>\n";
+  for (std::size_t i = 0; i < lines.size(); ++i)
+  {
+    m_Content += "<text x=\"6\" y=\"" + std::to_string(18 * (i + 1)) +
+                 "\" font-size=\"14\" font-family=\"sans-serif\" paint-order=\"stroke\" stroke=\"#ffffff\""
+                 " stroke-width=\"4\">" +
+                 SvgText(lines[i]) + "</text>\n";
+  }
 }
 
 void

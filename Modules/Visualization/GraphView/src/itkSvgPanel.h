@@ -82,7 +82,7 @@ public:
   AddLabel(const Place & place, const std::string & text);
 
   void
-  AddTitle(const std::string & text);
+  AddTitle(const std::vector<std::string> & lines);
 
   /** A circle or rectangle of the picture itself, such as the rim of the disk: centre and radius in its plane. */
   void
