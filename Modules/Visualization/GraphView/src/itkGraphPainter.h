@@ -1,0 +1,39 @@
+#ifndef itkGraphPainter_h
+#define itkGraphPainter_h
+
+#include "itkPanelPlans.h"
+
+namespace itk
+{
+/** Paints panels of one graph. */
+class GraphPainter
+{
+public:
+  GraphPainter(const GraphView & view, const EmbeddedGraph & graph, int size)
+    : m_View(view), m_Graph(graph), m_Size(size)
+  {}
+
+  std::string
+  Paint(const PanelPlan & plan) const;
+
+private:
+  std::vector<EmbeddedGraph::Segment>
+  Edges() const;
+  double
+  LeastPixels() const;
+  double
+  LineWidth() const;
+  void
+  PaintTiles(const PanelPlan & plan, SvgPanel & panel) const;
+  void
+  PaintCircles(const PanelPlan & plan, SvgPanel & panel) const;
+  void
+  PaintDots(const PanelPlan & plan, SvgPanel & panel) const;
+
+  const GraphView &     m_View;
+  const EmbeddedGraph & m_Graph;
+  int                   m_Size;
+};
+} // namespace itk
+
+#endif
