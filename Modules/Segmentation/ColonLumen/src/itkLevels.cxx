@@ -1,5 +1,6 @@
 #include "itkLevels.h"
 
+#include "itkBelowLevel.h"
 #include "itkUnionFind.h"
 
 #include <Eigen/Cholesky>
@@ -17,23 +18,6 @@ constexpr double MaximumSlope = 0.1;  // tangent
 constexpr double MinimumArea = 30.0;  // mm^2
 constexpr double MinimumWidth = 1.5;  // mm: a strip along the bottom of a straight tube is thinner
 constexpr double HighestStepIn = 0.8; // mm between neighbours of one level
-
-constexpr double UsualBlur = 0.8; // mm, standard deviation of the scanner's
-constexpr double EdgeInBlurs = 2.4;
-constexpr double EndInBlurs = 3.0;
-constexpr double ThinnestWall = 2.0; // mm
-
-double
-Median(std::vector<double> & values)
-{
-  if (values.empty())
-  {
-    return 0.0;
-  }
-  const auto middle = values.begin() + values.size() / 2;
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
 
 struct Plane
 {
@@ -87,7 +71,6 @@ public:
     , m_Floors(floors)
     , m_Fall(fall)
     , m_Tissue(tissue)
-    , m_Blur(std::sqrt(UsualBlur * UsualBlur + fall.step * fall.step / 12.0))
     , m_Radius(std::max(3.0, 1.6 * grid.spacing.maxCoeff()))
     , m_Places(this->Places())
     , m_Cells(m_Places, m_Radius)
@@ -188,135 +171,6 @@ private:
     return sets;
   }
 
-  /** What is below one floor, 3 to 6 mm deep; false where the grid ends. */
-  bool
-  Below(std::size_t floor, double & mean) const
-  {
-    const auto v = m_Grid.Voxel(m_Floors[floor].voxel);
-    double     sum = 0.0;
-    int        count = 0;
-    for (int t = static_cast<int>(std::ceil(3.0 / m_Fall.step)); t * m_Fall.step <= 6.5; ++t, ++count)
-    {
-      const auto o = m_Fall.Offset(t);
-      if (!m_Grid.Holds(v[0] + o[0], v[1] + o[1], v[2] + o[2]))
-      {
-        return false;
-      }
-      sum += m_Hu[m_Grid.Index(v[0] + o[0], v[1] + o[1], v[2] + o[2])];
-    }
-    mean = sum / std::max(1, count);
-    return count > 0;
-  }
-
-  /** The value at some depth below the half-height of one floor, linear between voxels; false beyond the grid. */
-  bool
-  EdgeBelow(std::size_t f, double & value) const
-  {
-    const auto   v = m_Grid.Voxel(m_Floors[f].voxel);
-    const double own = m_Grid.Position(m_Floors[f].voxel).dot(m_Fall.direction);
-    const double steps = (m_Floors[f].depth - own + EdgeInBlurs * m_Blur) / m_Fall.step;
-    const int    t = static_cast<int>(std::floor(steps));
-    double       ends[2];
-    for (const int e : { 0, 1 })
-    {
-      const auto o = m_Fall.Offset(t + e);
-      if (!m_Grid.Holds(v[0] + o[0], v[1] + o[1], v[2] + o[2]))
-      {
-        return false;
-      }
-      ends[e] = m_Hu[m_Grid.Index(v[0] + o[0], v[1] + o[1], v[2] + o[2])];
-    }
-    value = ends[0] + (steps - t) * (ends[1] - ends[0]);
-    return true;
-  }
-
-  /** How values rise below one floor. */
-  struct Rise
-  {
-    double end{ 0.0 }; ///< where the rise of a level is over
-    bool   isOver{ false };
-    double excess{ 0.0 }; ///< variance of the rise beyond that of the blur, as a share of what a thin wall adds to it
-  };
-
-  /** False beyond the grid. The variance of a sampled rise hardly depends on where the voxels lie, not even where they
-   * are as large as the rise is thick: values in between do. */
-  bool
-  RiseBelow(std::size_t f, Rise & rise) const
-  {
-    const auto   v = m_Grid.Voxel(m_Floors[f].voxel);
-    const double own = m_Grid.Position(m_Floors[f].voxel).dot(m_Fall.direction);
-    const int    last = static_cast<int>(std::ceil((m_Floors[f].depth - own + EndInBlurs * m_Blur) / m_Fall.step));
-    double       sums[3] = { 0.0, 0.0, 0.0 };
-    double       gas = 0.0;
-    double       next = 0.0;
-    for (int t = -1; t <= last + 1; ++t)
-    {
-      const auto o = m_Fall.Offset(t);
-      if (!m_Grid.Holds(v[0] + o[0], v[1] + o[1], v[2] + o[2]))
-      {
-        return false;
-      }
-      const double value = m_Hu[m_Grid.Index(v[0] + o[0], v[1] + o[1], v[2] + o[2])];
-      next = value;
-      if (t > last)
-      {
-        break;
-      }
-      const double z = (t - 0.5) * m_Fall.step;
-      const double weight = t < 0 ? 0.0 : value - rise.end;
-      gas = t < 0 ? value : gas;
-      sums[0] += weight;
-      sums[1] += weight * z;
-      sums[2] += weight * z * z;
-      rise.end = value;
-    }
-    const double mean = sums[1] / sums[0];
-    const double variance = sums[2] / sums[0] - mean * mean - m_Blur * m_Blur - m_Fall.step * m_Fall.step / 12.0;
-    const double share = (m_Tissue - gas) / (rise.end - gas);
-    rise.excess = variance / (share * (1.0 - share) * ThinnestWall * ThinnestWall);
-    rise.isOver = rise.end - m_Tissue > LeastAtEdge * (next - m_Tissue);
-    return rise.end > m_Tissue + LeastTagging && gas < m_Tissue;
-  }
-
-  /** What lies right below a level whose rise is as steep as the blur lets it be; nothing where it is not. */
-  double
-  EndOfSteepRise(const Level & level) const
-  {
-    std::vector<double> ends;
-    std::vector<double> excesses;
-    for (const auto f : level.floors)
-    {
-      Rise rise;
-      if (this->RiseBelow(f, rise))
-      {
-        ends.push_back(rise.end);
-        excesses.push_back(rise.isOver ? rise.excess : 1e9);
-      }
-    }
-    return 2 * ends.size() > level.floors.size() && Median(excesses) < 0.5 ? Median(ends) : -1e9;
-  }
-
-  void
-  MeasureBelow(Level & level) const
-  {
-    std::vector<double> deep;
-    std::vector<double> edge;
-    for (const auto f : level.floors)
-    {
-      double value = 0.0;
-      if (this->Below(f, value))
-      {
-        deep.push_back(value);
-      }
-      if (this->EdgeBelow(f, value))
-      {
-        edge.push_back(value);
-      }
-    }
-    level.below = Median(deep);
-    level.edge = std::max(Median(edge), this->EndOfSteepRise(level));
-  }
-
   bool
   Measure(Level & level) const
   {
@@ -341,7 +195,7 @@ private:
     level.gas = m_Floors[level.floors[0]].gas;
     level.area = level.floors.size() * m_Fall.ColumnArea(m_Grid);
     level.width = std::sqrt(Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d>(covariance).eigenvalues()[0]);
-    this->MeasureBelow(level);
+    MeasureBelow(m_Grid, m_Hu, m_Floors, m_Fall, m_Tissue, level);
     for (auto & f : level.floors)
     {
       f = m_Floors[f].voxel;
@@ -354,73 +208,12 @@ private:
   const std::vector<Floor> &       m_Floors;
   const Fall &                     m_Fall;
   double                           m_Tissue;
-  double                           m_Blur; ///< mm, voxels included
   double                           m_Radius;
   std::vector<LateralCells::Place> m_Places;
   LateralCells                     m_Cells;
 };
 
-/** The half-height below one gas voxel, found within three steps; false where the gas goes on or the grid ends. */
-bool
-FloorBelow(const ColonGrid &          grid,
-           const std::vector<float> & hu,
-           std::size_t                voxel,
-           const Fall &               fall,
-           double                     half,
-           float &                    depth)
-{
-  const auto v = grid.Voxel(voxel);
-  float      above = hu[voxel];
-  for (int t = 1; t <= 3; ++t)
-  {
-    const auto o = fall.Offset(t);
-    if (!grid.Holds(v[0] + o[0], v[1] + o[1], v[2] + o[2]))
-    {
-      return false;
-    }
-    const float value = hu[grid.Index(v[0] + o[0], v[1] + o[1], v[2] + o[2])];
-    if (value >= half)
-    {
-      const double part = (half - above) / std::max(1.0F, value - above);
-      depth = static_cast<float>(grid.Position(voxel).dot(fall.direction) + (t - 1 + part) * fall.step);
-      return true;
-    }
-    above = value;
-  }
-  return false;
-}
 } // namespace
-
-std::vector<Floor>
-FloorsOfGas(const ColonGrid &          grid,
-            const std::vector<float> & hu,
-            const RunSet &             gas,
-            const RunLabels &          pieces,
-            const std::vector<char> &  use,
-            const Fall &               fall,
-            const ColonThresholds &    thresholds)
-{
-  std::vector<Floor> floors;
-  const auto         down = fall.Offset(1);
-  ForEachRun(gas, [&](std::size_t r, int j, int k) {
-    if (!use[pieces.ofRun[r]])
-    {
-      return;
-    }
-    for (int i = gas.runs[r].begin; i < gas.runs[r].end; ++i)
-    {
-      float      depth = 0.0F;
-      const auto voxel = grid.Index(i, j, k);
-      if (grid.Holds(i + down[0], j + down[1], k + down[2]) &&
-          hu[grid.Index(i + down[0], j + down[1], k + down[2])] >= thresholds.gasSeed &&
-          FloorBelow(grid, hu, voxel, fall, thresholds.gasBoundary, depth))
-      {
-        floors.push_back({ voxel, pieces.ofRun[r], depth });
-      }
-    }
-  });
-  return floors;
-}
 
 std::vector<Level>
 FindLevels(const ColonGrid &          grid,

@@ -1,9 +1,7 @@
 #ifndef itkLevels_h
 #define itkLevels_h
 
-#include "itkColonLumenSegmentation.h"
-#include "itkFall.h"
-#include "itkRuns.h"
+#include "itkFloors.h"
 
 namespace itk
 {
@@ -37,24 +35,6 @@ struct Level
     return this->Fluid() > tissue + LeastTagging && edge - tissue > LeastAtEdge * (this->Fluid() - tissue);
   }
 };
-
-/** Where the gas ends downwards. */
-struct Floor
-{
-  std::size_t voxel; ///< the last one of the gas
-  int         gas;   ///< its piece
-  float       depth; ///< of the half-height, along gravity, mm
-};
-
-/** The floors of all gas for whose piece `use` holds. */
-std::vector<Floor>
-FloorsOfGas(const ColonGrid &          grid,
-            const std::vector<float> & hu,
-            const RunSet &             gas,
-            const RunLabels &          pieces,
-            const std::vector<char> &  use,
-            const Fall &               fall,
-            const ColonThresholds &    thresholds);
 
 /** The flat parts of floors, perpendicular to gravity within 6 degrees, at least 30 mm^2, the largest first. Walls are
  * curved: the bottom of a haustrum is flat on a few mm^2 only. */
