@@ -16,6 +16,7 @@ constexpr double WideRadius = 12.5;    // mm; beyond the calibre of small bowel,
 constexpr double WideMl = 8.0;         //
 constexpr double CutRadius = 7.0;      // mm; how much a piece holds that the image's border cuts is not known
 constexpr double CutMl = 2.0;          //
+constexpr double RectumRadius = 7.0;   // mm; of gas and fluid near the anus
 constexpr double LungShare = 0.1;      // of the way from gas to tissue
 constexpr double FaintShare = 0.5;     // of the typical fluid's contrast
 constexpr double StomachShare = 0.25;  // of the colon's gas
@@ -199,6 +200,6 @@ ReviewCore(ColonEvidence & evidence)
   MarkStomach(evidence, areas);
   TakeOverFluid(evidence, areas, WideRadius, std::vector<char>(areas.size(), 1));
   return TakeOverFluid(
-    evidence, areas, CoreRadius, PiecesNearerToAnus(evidence, evidence.gas.set, evidence.gas.labels));
+    evidence, areas, RectumRadius, PiecesNearerToAnus(evidence, evidence.gas.set, evidence.gas.labels));
 }
 } // namespace itk

@@ -10,7 +10,8 @@ namespace itk
 {
 namespace
 {
-constexpr double RectumLead = 30.0; // mm
+constexpr double RectumLead = 30.0;     // mm nearer to the anus than the colon
+constexpr double FarthestRectum = 60.0; // mm; loops of small bowel in the pelvis lie above, or in front
 
 /** Calls `body(piece, point)` for both ends of all runs. */
 template <typename TBody>
@@ -72,7 +73,7 @@ PiecesNearerToAnus(const ColonEvidence & evidence, const RunSet & set, const Run
   std::vector<char> areNearer;
   for (const double distance : DistancesFromAnus(evidence.grid, set, labels, extent))
   {
-    areNearer.push_back(std::isfinite(colon) && distance + RectumLead <= colon);
+    areNearer.push_back(std::isfinite(colon) && distance <= std::min(FarthestRectum, colon - RectumLead));
   }
   areNearer[0] = 0;
   return areNearer;

@@ -293,18 +293,24 @@ SegmentWithBowel(const Vec & middle, double halfLength, double radius, double le
 
 TEST(ColonLumenSegmentation, BowelAtThePlaceOfTheRectumIsTakenThoughItIsThin)
 {
-  const double fullOfFluid = -1e9;
-  const double halfFull = 30.0; // its gas holds a ball of 5.5 mm, gas and fluid one of 11 mm
-  for (const double level : { fullOfFluid, halfFull })
+  struct Bowel
   {
-    const auto rectum = SegmentWithBowel(At(0, 30, -40), 28.0, 11.0, level);
+    double level;
+    double radius;
+    double tooThin;
+  };
+  const Bowel fullOfFluid{ -1e9, 11.0, 8.0 };
+  const Bowel halfFull{ 30.0, 9.0, 6.0 };
+  for (const auto & [level, radius, tooThin] : { fullOfFluid, halfFull })
+  {
+    const auto rectum = SegmentWithBowel(At(0, 30, -40), 34.0, radius, level);
     EXPECT_EQ(rectum.pieces.size(), 3U) << level;
     ASSERT_EQ(rectum.warnings.size(), 1U) << level;
     EXPECT_NE(rectum.warnings[0].find("taken for rectum or sigmoid"), std::string::npos) << rectum.warnings[0];
-    const auto beside = SegmentWithBowel(At(0, 30, 40), 28.0, 11.0, level); // as near to the anus as the colon
+    const auto beside = SegmentWithBowel(At(0, 30, 50), 34.0, radius, level); // as near to the anus as the colon
     EXPECT_EQ(beside.pieces.size(), 2U) << level;
     EXPECT_TRUE(beside.warnings.empty()) << level;
-    const auto thin = SegmentWithBowel(At(0, 30, -40), 28.0, 8.0, level);
+    const auto thin = SegmentWithBowel(At(0, 30, -40), 34.0, tooThin, level);
     EXPECT_EQ(thin.pieces.size(), 2U) << level;
   }
 }
