@@ -256,8 +256,10 @@ DrawAnnotationsOfRow(Picture * picture, const FlatPageRow & place, const std::ve
   const TextStyle          nameStyle = StyleOf(15, ink, HorizontalAnchor::Left, VerticalAnchor::Bottom);
   const PlacedAnnotation * goingOn = SegmentGoingOn(place, annotations, nameStyle);
   int                      textEnd = place.left - 1;
-  const auto               drawName = [&](const std::string & name, int x) {
+  const int                pageEnd = static_cast<int>(picture->GetLargestPossibleRegion().GetSize()[0]) - 3;
+  const auto               drawName = [&](const std::string & name, int at) {
     const int width = MeasureText(name, nameStyle).width;
+    const int x = std::min(at, pageEnd - width);
     if (x > textEnd)
     {
       DrawText(picture, name, x, place.StripTop() - 4, nameStyle);
