@@ -14,6 +14,7 @@ const Names ReservedNames{
   "help",      "version",    "xml", "quiet", "echo", "returnparameterfile", "processinformationaddress",
   "serialize", "deserialize"
 };
+
 /** Data that Slicer hands over as files made from nodes of its scene. */
 const Names NodeKinds{ "image", "geometry", "transform", "table", "measurement", "pointfile" };
 

@@ -227,6 +227,7 @@ private:
   std::vector<Eigen::Vector3i>             m_Faces;
   std::map<std::pair<double, double>, int> m_Shared;
 };
+
 // A grid point that rounding puts on the other side of the wall makes a piece of eight faces.
 SurfaceMesh
 WithoutSpecks(const SurfaceMesh & mesh)

@@ -61,21 +61,16 @@ private:
 class LevelFinder
 {
 public:
-  LevelFinder(const ColonGrid &          grid,
-              const std::vector<float> & hu,
-              const std::vector<Floor> & floors,
-              const Fall &               fall,
-              double                     tissue)
+  LevelFinder(const ColonGrid & grid, const std::vector<Floor> & floors, const Fall & fall)
     : m_Grid(grid)
-    , m_Hu(hu)
     , m_Floors(floors)
     , m_Fall(fall)
-    , m_Tissue(tissue)
     , m_Radius(std::max(3.0, 1.6 * grid.spacing.maxCoeff()))
     , m_Places(this->Places())
     , m_Cells(m_Places, m_Radius)
   {}
 
+  /** The largest first; their floors are indices. */
   std::vector<Level>
   Find() const
   {
@@ -195,19 +190,12 @@ private:
     level.gas = m_Floors[level.floors[0]].gas;
     level.area = level.floors.size() * m_Fall.ColumnArea(m_Grid);
     level.width = std::sqrt(Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d>(covariance).eigenvalues()[0]);
-    MeasureBelow(m_Grid, m_Hu, m_Floors, m_Fall, m_Tissue, level);
-    for (auto & f : level.floors)
-    {
-      f = m_Floors[f].voxel;
-    }
     return level.width >= MinimumWidth;
   }
 
   const ColonGrid &                m_Grid;
-  const std::vector<float> &       m_Hu;
   const std::vector<Floor> &       m_Floors;
   const Fall &                     m_Fall;
-  double                           m_Tissue;
   double                           m_Radius;
   std::vector<LateralCells::Place> m_Places;
   LateralCells                     m_Cells;
@@ -222,6 +210,15 @@ FindLevels(const ColonGrid &          grid,
            const Fall &               fall,
            double                     tissue)
 {
-  return LevelFinder(grid, hu, floors, fall, tissue).Find();
+  std::vector<Level> levels = LevelFinder(grid, floors, fall).Find();
+  for (Level & level : levels)
+  {
+    MeasureBelow(grid, hu, floors, fall, tissue, level);
+    for (auto & f : level.floors)
+    {
+      f = floors[f].voxel;
+    }
+  }
+  return levels;
 }
 } // namespace itk
