@@ -136,30 +136,64 @@ RadiusOf(const SphereCircle & circle)
 namespace
 {
 /** A packing that is laid out on the sphere from any finite node. */
-struct FlatPacking
+class FlatPacking
 {
-  FlatPacking(const CombinatorialMap & map, PointAtInfinity infinity, PackingPrecision precision)
-    : m_Map(map), m_Boundary(infinity == PointAtInfinity::Circle ? LongestFace(map) : -1), m_Precision(precision)
+public:
+  FlatPacking(const CombinatorialMap & map, PointAtInfinity infinity)
+    : m_Map(map)
+    , m_Boundary(infinity == PointAtInfinity::Circle ? LongestFace(map) : -1)
+    , m_Circles(this->Packed())
+    , m_Root(LargestFiniteNode(m_Circles))
+  {}
+  /** From here on the layout is in extended precision, of radii that are. */
+  void
+  Refine()
   {
-    circles = m_Boundary < 0
-                ? PackCircles(map, FlowGeometry::Euclidean, CirclesThrough(map, EdgeForInfinity(map)), precision)
-                : PackCircles(map, FlowGeometry::Hyperbolic, CirclesAround(map, m_Boundary), precision);
+    m_Precision = PackingPrecision::Extended;
+    if (m_Circles.nodeRests.empty())
+    {
+      m_Circles = this->Packed();
+    }
   }
   SphericalPacking
-  LaidOutFrom(int root) const
+  LaidOut() const
   {
-    SphericalPacking sphere = m_Boundary < 0 ? PlaneToSphere(m_Map, circles, root)
-                                             : DiskToSphere(m_Map, circles, root, m_Boundary, m_Precision);
+    SphericalPacking sphere = m_Boundary < 0 ? PlaneToSphere(m_Map, m_Circles, m_Root)
+                                             : DiskToSphere(m_Map, m_Circles, m_Root, m_Boundary, m_Precision);
     SeeFromOutside(sphere);
     return sphere;
   }
-
-  CirclePacking circles;
+  const CirclePacking &
+  Circles() const
+  {
+    return m_Circles;
+  }
+  /** The node that the layout starts from. */
+  int
+  Root() const
+  {
+    return m_Root;
+  }
+  void
+  SetRoot(int root)
+  {
+    m_Root = root;
+  }
 
 private:
+  CirclePacking
+  Packed() const
+  {
+    return m_Boundary < 0
+             ? PackCircles(m_Map, FlowGeometry::Euclidean, CirclesThrough(m_Map, EdgeForInfinity(m_Map)), m_Precision)
+             : PackCircles(m_Map, FlowGeometry::Hyperbolic, CirclesAround(m_Map, m_Boundary), m_Precision);
+  }
+
   const CombinatorialMap & m_Map;
   int                      m_Boundary; ///< face; -1 for an edge node at infinity
-  PackingPrecision         m_Precision;
+  PackingPrecision         m_Precision{ PackingPrecision::Double };
+  CirclePacking            m_Circles;
+  int                      m_Root;
 };
 
 /** The largest cap of those that are finite in the flat packing. */
@@ -205,19 +239,19 @@ WorstTangency(const CombinatorialMap & map, const SphericalPacking & sphere)
  * the way is short. `move` returns its rapidity and may stop on the way. */
 template <typename TMove>
 SphericalPacking
-LayOut(const FlatPacking & flat, int & root, const TMove & move)
+LayOut(FlatPacking & flat, const TMove & move)
 {
-  SphericalPacking sphere = flat.LaidOutFrom(root);
+  SphericalPacking sphere = flat.LaidOut();
   double           rapidity = move(sphere);
   for (int layout = 1; layout < mostLayouts && rapidity > smallRapidity; ++layout)
   {
-    const int next = LargestOnSphere(sphere, flat.circles);
-    if (next == root)
+    const int next = LargestOnSphere(sphere, flat.Circles());
+    if (next == flat.Root())
     {
       break;
     }
-    root = next;
-    sphere = flat.LaidOutFrom(root);
+    flat.SetRoot(next);
+    sphere = flat.LaidOut();
     rapidity = move(sphere);
   }
   return sphere;
@@ -238,14 +272,12 @@ HasSmallCap(const SphericalPacking & sphere, const std::vector<char> & isVisible
 
 /** In the position that PackOnSphere() describes. */
 SphericalPacking
-Positioned(const FlatPacking & flat, const std::vector<int> & edges, const std::vector<char> & isVisible)
+Positioned(FlatPacking & flat, const std::vector<int> & edges, const std::vector<char> & isVisible)
 {
-  int              root = LargestFiniteNode(flat.circles);
-  SphericalPacking sphere =
-    LayOut(flat, root, [&](SphericalPacking & s) { return CentrePacking(s, edges, mostRapidity); });
+  SphericalPacking sphere = LayOut(flat, [&](SphericalPacking & s) { return CentrePacking(s, edges, mostRapidity); });
   if (HasSmallCap(sphere, isVisible))
   {
-    sphere = LayOut(flat, root, [&](SphericalPacking & s) { return EnlargeSmallCaps(s, isVisible, mostRapidity); });
+    sphere = LayOut(flat, [&](SphericalPacking & s) { return EnlargeSmallCaps(s, isVisible, mostRapidity); });
   }
   return sphere;
 }
@@ -261,18 +293,15 @@ PackInGivenOrder(const CombinatorialMap &  map,
     edges.resize(map.Edges());
     std::iota(edges.begin(), edges.end(), 0);
   }
-  SphericalPacking sphere;
-  for (const PackingPrecision precision : { PackingPrecision::Double, PackingPrecision::Extended })
+  FlatPacking      flat(map, infinity);
+  SphericalPacking sphere = Positioned(flat, edges, isVisible);
+  if (!(WorstTangency(map, sphere) <= goodTangency))
   {
-    const FlatPacking flat(map, infinity, precision);
+    flat.Refine();
     sphere = Positioned(flat, edges, isVisible);
-    sphere.residual = flat.circles.residual;
-    sphere.steps = flat.circles.steps;
-    if (WorstTangency(map, sphere) <= goodTangency)
-    {
-      break;
-    }
   }
+  sphere.residual = flat.Circles().residual;
+  sphere.steps = flat.Circles().steps;
   if (const double miss = WorstTangency(map, sphere); !(miss <= worstTangency))
   {
     char text[200];
