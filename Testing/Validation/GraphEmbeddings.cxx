@@ -70,7 +70,7 @@ GraphSet::Add(const Graph & graph)
   options.isRotationFree = true;
   const EmbeddingCertificate certificate = EmbedGraph(graph, surface.map, options);
   const EmbeddingVerdict     verdict = VerifyEmbedding(certificate);
-  const double unit = certificate.genus == 1 ? std::hypot(certificate.periods[0], certificate.periods[1]) : 1.0;
+  const double               unit = UnitOfSurface(certificate);
   ++graphs;
   accepted += verdict.refusal.empty();
   largest = std::max(largest, certificate.genus);

@@ -110,6 +110,11 @@ CoordinatesOf(EmbeddingGeometry geometry)
   return geometry == EmbeddingGeometry::Spherical ? 3 : 2;
 }
 
+/** What circles are small beside: a period of the torus, else 1.
+ * \ingroup EmbeddingCertificate */
+EmbeddingCertificate_EXPORT double
+UnitOfSurface(const EmbeddingCertificate & certificate);
+
 /** "spherical", "euclidean", "hyperbolic".
  * \ingroup EmbeddingCertificate */
 EmbeddingCertificate_EXPORT std::string

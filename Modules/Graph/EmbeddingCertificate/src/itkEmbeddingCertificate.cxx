@@ -1,6 +1,8 @@
 #include "itkEmbeddingCertificate.h"
 #include "itkToolError.h"
 
+#include <cmath>
+
 namespace itk
 {
 namespace
@@ -36,6 +38,14 @@ GraphHalfEdges(const EmbeddingCertificate & certificate)
   return image;
 }
 } // namespace
+
+double
+UnitOfSurface(const EmbeddingCertificate & certificate)
+{
+  return certificate.geometry == EmbeddingGeometry::Euclidean
+           ? std::hypot(certificate.periods[0], certificate.periods[1])
+           : 1.0;
+}
 
 std::string
 NameOf(EmbeddingGeometry geometry)

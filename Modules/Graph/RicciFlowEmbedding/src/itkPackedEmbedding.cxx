@@ -218,14 +218,6 @@ AddPacking(const Graph &            graph,
   certificate.statistics.emplace_back("rings", packed.rings);
 }
 
-double
-UnitOfSurface(const EmbeddingCertificate & certificate)
-{
-  return certificate.geometry == EmbeddingGeometry::Euclidean
-           ? std::hypot(certificate.periods[0], certificate.periods[1])
-           : 1.0;
-}
-
 void
 AddSmallestCircle(EmbeddingCertificate & certificate)
 {

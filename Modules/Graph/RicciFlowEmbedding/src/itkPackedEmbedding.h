@@ -14,10 +14,6 @@ AddPacking(const Graph &            graph,
            const std::vector<int> & rank,
            EmbeddingCertificate &   certificate);
 
-/** What circles are small beside: a period of the torus, else 1. */
-double
-UnitOfSurface(const EmbeddingCertificate & certificate);
-
 /** Adds the smallest circle of a node of the graph, and a warning where there are circles too small to be seen. */
 void
 AddSmallestCircle(EmbeddingCertificate & certificate);

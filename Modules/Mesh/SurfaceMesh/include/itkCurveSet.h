@@ -42,13 +42,13 @@ SurfaceMesh_EXPORT Eigen::VectorXd
  * Throws OutputError when the file cannot be written, UsageError for another extension, InputError as RequireSound().
  * \ingroup SurfaceMesh */
 SurfaceMesh_EXPORT void
-WriteCurves(const CurveSet & curves, const std::string & path);
+WriteCurves(CurveSet curves, const std::string & path);
 
 /** Writes curves as WriteCurves() does, and the triangles of a surface through their vertices as VTK's polys, which
  * come after the lines; cell arrays have rows for these, too. ReadCurves() of the file gives the curves, ReadSurface()
  * the surface. Throws as WriteCurves(). \ingroup SurfaceMesh */
 SurfaceMesh_EXPORT void
-WriteCurvesOnSurface(const CurveSet & curves, const FaceMatrix & faces, const std::string & path);
+WriteCurvesOnSurface(CurveSet curves, const FaceMatrix & faces, const std::string & path);
 
 /** Reads the lines and verts of a VTP file; faces are left out. Throws InputError that names the file and the fault.
  * \ingroup SurfaceMesh */

@@ -35,19 +35,20 @@ RequireVertices(const CurveSet & curves, const std::string & what)
 
 /** The curves in VTK's order of cells: points, then lines. Rows of cell arrays that belong to faces stay last. */
 CurveSet
-PointsFirst(const CurveSet & curves, int faces)
+PointsFirst(CurveSet curves, int faces)
 {
   std::vector<int> order(curves.curves.size() + faces);
   std::iota(order.begin(), order.end(), 0);
   const auto endOfCurves = order.end() - faces;
   std::stable_partition(order.begin(), endOfCurves, [&](int c) { return curves.curves[c].size() == 1; });
-  CurveSet sorted = curves;
-  for (std::size_t i = 0; i < curves.curves.size(); ++i)
+  std::vector<std::vector<int>> sorted(curves.curves.size());
+  for (std::size_t i = 0; i < sorted.size(); ++i)
   {
-    sorted.curves[i] = curves.curves[order[i]];
+    sorted[i] = std::move(curves.curves[order[i]]);
   }
-  sorted.cellArrays = RowsOfArrays(curves.cellArrays, order);
-  return sorted;
+  curves.curves = std::move(sorted);
+  curves.cellArrays = RowsOfArrays(curves.cellArrays, order);
+  return curves;
 }
 
 void
@@ -90,21 +91,21 @@ PointValues(const CurveSet & curves, const std::string & array, const std::strin
 }
 
 void
-WriteCurves(const CurveSet & curves, const std::string & path)
+WriteCurves(CurveSet curves, const std::string & path)
 {
   RequireVtp(path);
   RequireSound(curves, "the curves");
-  WriteVtp(PointsFirst(curves, 0), {}, path);
+  WriteVtp(PointsFirst(std::move(curves), 0), {}, path);
 }
 
 void
-WriteCurvesOnSurface(const CurveSet & curves, const FaceMatrix & faces, const std::string & path)
+WriteCurvesOnSurface(CurveSet curves, const FaceMatrix & faces, const std::string & path)
 {
   RequireVtp(path);
   RequireSound(curves, faces.rows(), "the curves");
   const SurfaceMesh surface{ curves.V, faces, {}, {}, {}, {} };
   RequireSound(surface, "the surface of the curves");
-  WriteVtp(PointsFirst(curves, static_cast<int>(faces.rows())), faces, path);
+  WriteVtp(PointsFirst(std::move(curves), static_cast<int>(faces.rows())), faces, path);
 }
 
 CurveSet

@@ -64,7 +64,7 @@ WriteOnTorus(const EmbeddingCertificate &                             certificat
   set.fieldArrays = { { "tubeRadius", Column({ torus.TubeRadius() }), false },
                       { "dilatation", Column({ torus.Dilatation() }), false } };
   set.facts = facts;
-  WriteCurves(set, path);
+  WriteCurves(std::move(set), path);
 }
 
 void
@@ -86,7 +86,9 @@ WriteOnSurfaceWithHandles(const EmbeddingCertificate &                          
   set.fieldArrays = { { "twist", Column(surface.Twists()), false } };
   set.facts = facts;
   WriteCurvesOnSurface(
-    set, Eigen::Map<const FaceMatrix>(triangles.front().data(), static_cast<Eigen::Index>(triangles.size()), 3), path);
+    std::move(set),
+    Eigen::Map<const FaceMatrix>(triangles.front().data(), static_cast<Eigen::Index>(triangles.size()), 3),
+    path);
 }
 } // namespace
 

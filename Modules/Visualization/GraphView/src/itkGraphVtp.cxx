@@ -2,6 +2,9 @@
 #include "itkEmbeddedGraph.h"
 #include "itkGraphPictures.h"
 
+#include <algorithm>
+#include <cmath>
+
 namespace itk
 {
 namespace
@@ -14,6 +17,26 @@ enum CellKind
   NodeCircleCell = 2,
   FaceCircleCell = 3
 };
+
+/** How far a chord may be from its arc where that needs more than the fewest and not more than the most corners of a
+ * circle, or pieces of half an edge. Units of the surface. */
+constexpr double flatness = 1e-4;
+constexpr double fewestCorners = 8.0;
+constexpr double mostCorners = 32.0;
+constexpr double mostPieces = 6.0;
+
+int
+CornersOfCircle(double radius)
+{
+  constexpr double pi = 3.14159265358979323846;
+  return static_cast<int>(std::clamp(std::ceil(pi * std::sqrt(0.5 * radius / flatness)), fewestCorners, mostCorners));
+}
+
+int
+PiecesOfGeodesic(double length)
+{
+  return static_cast<int>(std::clamp(std::ceil(length / std::sqrt(8.0 * flatness)), 1.0, mostPieces));
+}
 
 /** Collects points and cells of a VTP file. */
 class CellCollector
@@ -41,11 +64,12 @@ public:
   CurveSet
   Take()
   {
-    CurveSet set;
-    set.V.resize(static_cast<Eigen::Index>(m_Points.size()), 3);
-    for (std::size_t i = 0; i < m_Points.size(); ++i)
+    const std::vector<Place> points = std::move(m_Points); // not longer than needed: there may be tens of millions
+    CurveSet                 set;
+    set.V.resize(static_cast<Eigen::Index>(points.size()), 3);
+    for (std::size_t i = 0; i < points.size(); ++i)
     {
-      set.V.row(static_cast<Eigen::Index>(i)) << m_Points[i].x, m_Points[i].y, m_Points[i].z;
+      set.V.row(static_cast<Eigen::Index>(i)) << points[i].x, points[i].y, points[i].z;
     }
     set.curves = std::move(m_Curves);
     set.cellArrays = { { "kind", Column(m_Kinds), true },
@@ -72,13 +96,13 @@ private:
 void
 AddHalfEdge(const EmbeddedGraph & graph, int halfEdge, int id, CellCollector & cells)
 {
-  constexpr int      pieces = 6;
+  const int          node = graph.map.Node(halfEdge);
+  const bool         isStraight = graph.space.Geometry() == EmbeddingGeometry::Euclidean;
+  const int          pieces = isStraight ? 1 : PiecesOfGeodesic(graph.certificate.nodeRadii[node]);
   std::vector<Place> points;
-  const int          last = graph.space.Geometry() == EmbeddingGeometry::Euclidean ? 1 : pieces;
-  for (int i = 0; i <= last; ++i)
+  for (int i = 0; i <= pieces; ++i)
   {
-    points.push_back(
-      graph.space.Between(graph.nodes[graph.map.Node(halfEdge)], graph.touch[halfEdge], i / static_cast<double>(last)));
+    points.push_back(graph.space.Between(graph.nodes[node], graph.touch[halfEdge], i / static_cast<double>(pieces)));
   }
   cells.Add(EdgeCell, id, 0.0, points, false);
 }
@@ -89,9 +113,12 @@ WriteGraphVtp(const EmbeddingCertificate &                             certifica
               const std::vector<std::pair<std::string, std::string>> & facts,
               const std::string &                                      path)
 {
-  constexpr int       corners = 32; // of a circle
   const EmbeddedGraph graph(certificate);
-  std::vector<int>    edgeOf(certificate.packed.edges.size(), -1); // of packed edges that belong to one of the graph
+  const double        unit = UnitOfSurface(certificate);
+  const auto          circle = [&](const Place & centre, double radius) {
+    return graph.space.Circle(centre, radius, CornersOfCircle(radius / unit));
+  };
+  std::vector<int> edgeOf(certificate.packed.edges.size(), -1); // of packed edges that belong to one of the graph
   for (std::size_t e = 0; e < certificate.graph.edges.size(); ++e)
   {
     edgeOf[e] = static_cast<int>(e);
@@ -118,19 +145,18 @@ WriteGraphVtp(const EmbeddingCertificate &                             certifica
   for (int node = 0; node < certificate.graph.nodes; ++node)
   {
     const double radius = certificate.nodeRadii[node];
-    cells.Add(NodeCircleCell, node, radius, graph.space.Circle(graph.nodes[node], radius, corners), true);
+    cells.Add(NodeCircleCell, node, radius, circle(graph.nodes[node], radius), true);
   }
   for (std::size_t face = 0; face < graph.faces.size(); ++face)
   {
     const double radius = certificate.faceRadii[face];
     if (graph.isVisibleFace[face] != 0)
     {
-      cells.Add(
-        FaceCircleCell, static_cast<int>(face), radius, graph.space.Circle(graph.faces[face], radius, corners), true);
+      cells.Add(FaceCircleCell, static_cast<int>(face), radius, circle(graph.faces[face], radius), true);
     }
   }
   CurveSet curves = cells.Take();
   curves.facts = facts;
-  WriteCurves(curves, path);
+  WriteCurves(std::move(curves), path);
 }
 } // namespace itk

@@ -134,6 +134,40 @@ TEST(GraphPictures, CurvesOfTheSphere)
   EXPECT_EQ(3.0, kinds(40));
 }
 
+/** The corners of a polygon lie on its circle, and the middles of its sides at most 1e-4 of a period within; circles
+ * this small need fewer corners than the 32 of large ones. */
+TEST(GraphPictures, PolygonsAreAsFineAsTheirCirclesNeed)
+{
+  const Folder               folder;
+  const EmbeddingCertificate torus = TorusGrid(30, 30);
+  itk::WriteGraphVtp(torus, {}, folder / "torus.vtp");
+  const itk::CurveSet curves = itk::ReadCurves(folder / "torus.vtp");
+  const auto          kinds = curves.cellArrays[0].values;
+  const auto          ids = curves.cellArrays[1].values;
+  int                 circles = 0;
+  for (std::size_t c = 0; c < curves.curves.size(); ++c)
+  {
+    if (kinds(static_cast<Eigen::Index>(c)) != 2.0)
+    {
+      continue;
+    }
+    ++circles;
+    const std::vector<int> & polygon = curves.curves[c];
+    const auto               node = static_cast<int>(ids(static_cast<Eigen::Index>(c)));
+    const double             radius = torus.nodeRadii[node];
+    EXPECT_GT(32u, polygon.size());
+    EXPECT_EQ(polygon.front(), polygon.back());
+    for (std::size_t i = 0; i + 1 < polygon.size(); ++i)
+    {
+      const Eigen::RowVector3d corner = curves.V.row(polygon[i]) - curves.V.row(node);
+      const Eigen::RowVector3d next = curves.V.row(polygon[i + 1]) - curves.V.row(node);
+      EXPECT_NEAR(radius, corner.norm(), 1e-12);
+      EXPECT_LE(radius - (0.5 * (corner + next)).norm(), 1e-4 * itk::UnitOfSurface(torus));
+    }
+  }
+  EXPECT_EQ(900, circles);
+}
+
 /** Genus 2 in space: nodes and edges are vertices of the surface in the same file. */
 TEST(GraphPictures, SurfaceInSpace)
 {
