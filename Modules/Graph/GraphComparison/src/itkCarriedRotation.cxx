@@ -1,8 +1,7 @@
 #include "itkCarriedRotation.h"
 
 #include "itkBlockArrangement.h"
-
-#include "itkIncrementalMap.h"
+#include "itkHeldEmbedding.h"
 
 #include <algorithm>
 #include <map>
@@ -65,6 +64,7 @@ public:
     , m_Map(KeptMap(before, map))
     , m_Parent(after.nodes)
     , m_NewEdgesOf(after.nodes)
+    , m_MayBePlanar(map.Genus() == 0)
   {
     std::iota(m_Parent.begin(), m_Parent.end(), 0);
     for (int e = 0; e < static_cast<int>(after.edges.size()); ++e)
@@ -89,7 +89,7 @@ public:
   {
     while (!m_Pending.empty())
     {
-      if (!InsertNodes() && !InsertEdges())
+      if (!InsertNodes() && !InsertEdges() && !InsertAll())
       {
         InsertAnywhere(*m_Pending.begin());
       }
@@ -164,6 +164,18 @@ private:
     }
   }
 
+  /** Where a part that an edge joins has most room; -1 for a node without edges. */
+  int
+  CornerOfLongestFace(int node) const
+  {
+    int longest = m_Map.Any(node);
+    ForCorners(node, [&](int h) {
+      const auto lengthAt = [this](int corner) { return m_Map.FaceLength(m_Map.FaceOfCorner(corner)); };
+      longest = lengthAt(h) > lengthAt(longest) ? h : longest;
+    });
+    return longest;
+  }
+
   void
   Insert(int edge, int a, int b)
   {
@@ -177,8 +189,8 @@ private:
   InsertIfFree(int edge)
   {
     const auto [node0, node1] = m_After.edges[edge];
-    int a = m_Map.Any(node0);
-    int b = m_Map.Any(node1);
+    int a = CornerOfLongestFace(node0);
+    int b = CornerOfLongestFace(node1);
     if (a >= 0 && b >= 0 && Root(node0) == Root(node1))
     {
       std::map<int, int> cornerOfFace;
@@ -257,6 +269,21 @@ private:
     return progress;
   }
 
+  /** Puts the rest in where that takes no handle, at the price of parts that turn over. */
+  bool
+  InsertAll()
+  {
+    CombinatorialMap all;
+    if (!m_MayBePlanar || !EmbedHeld(m_Map, all))
+    {
+      m_MayBePlanar = false;
+      return false;
+    }
+    m_Map = IncrementalMap(all);
+    m_Pending.clear();
+    return true;
+  }
+
   void
   InsertAnywhere(int edge)
   {
@@ -310,21 +337,8 @@ private:
   std::vector<int>              m_Parent; // of the components
   std::vector<std::vector<int>> m_NewEdgesOf;
   std::set<int>                 m_Pending;
+  bool                          m_MayBePlanar;
 };
-
-/** The side of `fresh` whose orders agree with `carried` in more places. */
-CombinatorialMap
-TurnedTo(const CombinatorialMap & carried, const CombinatorialMap & fresh)
-{
-  int same = 0;
-  int mirrored = 0;
-  for (int h = 0; h < fresh.HalfEdges(); ++h)
-  {
-    same += fresh.NextAround(h) == carried.NextAround(h) ? 1 : 0;
-    mirrored += fresh.PreviousAround(h) == carried.NextAround(h) ? 1 : 0;
-  }
-  return mirrored > same ? fresh.Mirrored() : fresh;
-}
 } // namespace
 
 CarriedRotation
@@ -344,7 +358,7 @@ CarryRotation(const Graph & before, const CombinatorialMap & map, const Graph & 
   }
   if (fresh.Genus() < genus)
   {
-    result = { TurnedTo(result.map, ArrangeBlocks(fresh)), true };
+    result = { TurnedTo(IncrementalMap(result.map), ArrangeBlocks(fresh)), true };
   }
   return result;
 }

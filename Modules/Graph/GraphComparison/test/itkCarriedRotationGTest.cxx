@@ -84,6 +84,36 @@ TEST(CarriedRotation, EditsStayPlanarAndLocal)
   EXPECT_EQ(back.map.GetRotation(), map.GetRotation());
 }
 
+/** A ladder between two nodes of the rim of a grid: one of its rails lies beside the face around, the other beside the
+ * grid. For an edge from there to the far rim it turns over, and the grid keeps its orders. */
+TEST(CarriedRotation, OnlyWhatIsInTheWayTurnsOver)
+{
+  itk::Graph before = itk::GridGraph(12, 10);
+  before.nodes += 6;
+  const std::vector<std::array<int, 2>> ladder{ { 4, 120 },   { 120, 121 }, { 121, 122 }, { 122, 7 },
+                                                { 4, 123 },   { 123, 124 }, { 124, 125 }, { 125, 7 },
+                                                { 120, 123 }, { 121, 124 }, { 122, 125 } };
+  before.edges.insert(before.edges.end(), ladder.begin(), ladder.end());
+  before = WithNames(before);
+  itk::CombinatorialMap map;
+  ASSERT_TRUE(itk::FindPlanarEmbedding(before, map));
+  const int edges = static_cast<int>(before.edges.size());
+  int       turned = 0;
+  for (const int rail : { 121, 124 })
+  {
+    itk::Graph after = before;
+    after.edges.push_back({ rail, 114 });
+    const itk::CarriedRotation carried = itk::CarryRotation(before, map, after);
+    EXPECT_FALSE(carried.embeddedAnew);
+    EXPECT_EQ(carried.map.Genus(), 0);
+    EXPECT_EQ(carried.map.ToGraph().edges, after.edges);
+    const int changed = 2 * edges - KeptOrders(map, carried.map, edges);
+    EXPECT_LE(changed, 2 + 18 + 2 * 3); // the new edge's ends, the ladder, where it begins and ends
+    turned += changed > 2 ? 1 : 0;
+  }
+  EXPECT_EQ(turned, 1);
+}
+
 TEST(CarriedRotation, HandlesComeAndGo)
 {
   const itk::Graph      k4 = WithNames(itk::CompleteGraph(4));
