@@ -100,13 +100,10 @@ SfdpDisplacement(const Graph & before, const Graph & after, const std::vector<in
 EmbeddingCertificate
 NotMoved(const EmbeddingCertificate & certificate)
 {
-  PackedMap packed;
-  packed.map = MapOfRotation(certificate.packed, certificate.packedRotation);
-  packed.graphNodes = certificate.graph.nodes;
-  packed.graphEdges = static_cast<int>(certificate.graph.edges.size());
-  packed.subdivided = certificate.subdivided;
-  return EmbedPackedGraph(
-    certificate.graph, MapOfRotation(certificate.graph, certificate.rotation), packed, PointAtInfinity::Circle);
+  return EmbedPackedGraph(certificate.graph,
+                          MapOfRotation(certificate.graph, certificate.rotation),
+                          PackedMapOf(certificate),
+                          PointAtInfinity::Circle);
 }
 } // namespace
 

@@ -115,6 +115,11 @@ CoordinatesOf(EmbeddingGeometry geometry)
 EmbeddingCertificate_EXPORT double
 UnitOfSurface(const EmbeddingCertificate & certificate);
 
+/** The radius of the smallest circle of a node of the graph, in that unit.
+ * \ingroup EmbeddingCertificate */
+EmbeddingCertificate_EXPORT double
+SmallestCircle(const EmbeddingCertificate & certificate);
+
 /** "spherical", "euclidean", "hyperbolic".
  * \ingroup EmbeddingCertificate */
 EmbeddingCertificate_EXPORT std::string

@@ -1,6 +1,7 @@
 #include "itkEmbeddingCertificate.h"
 #include "itkToolError.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace itk
@@ -45,6 +46,13 @@ UnitOfSurface(const EmbeddingCertificate & certificate)
   return certificate.geometry == EmbeddingGeometry::Euclidean
            ? std::hypot(certificate.periods[0], certificate.periods[1])
            : 1.0;
+}
+
+double
+SmallestCircle(const EmbeddingCertificate & certificate)
+{
+  const auto first = certificate.nodeRadii.begin();
+  return *std::min_element(first, first + certificate.graph.nodes) / UnitOfSurface(certificate);
 }
 
 std::string

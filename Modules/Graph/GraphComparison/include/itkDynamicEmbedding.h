@@ -49,16 +49,19 @@ struct DynamicStep
   EmbeddingCertificate certificate;
   /** Against the step before; empty for the first one. */
   GraphChanges changes;
-  /** The rotation system was sought anew, which may move nodes far. */
+  /** The rotation system was sought anew, or blocks and dummies were arranged anew, which may move nodes far. */
   bool embeddedAnew{ false };
 };
 
 /** \class DynamicEmbedding
  * \brief Embeds the steps of a dynamic graph so that what does not change stays where it is.
  *
- * The first step has its blocks arranged, see ArrangeBlocks(); each other one takes over the rotation system of the
- * step before, and the dummies that can stay (see CarryPackedMap()). Its sphere is turned so that nodes that did not
- * change lie as near to their old places as can be. \ingroup GraphComparison */
+ * The first step has its blocks arranged, see EmbedGraph(); each other one takes over the rotation system of the
+ * step before. Its sphere is turned so that nodes that did not change lie as near to their old places as can be. It is
+ * packed with the dummies that can stay (see CarryPackedMap()), which is steadier after few changes, and where nodes
+ * move then also with new ones, which is steadier after many; what moves less is taken. Where that leaves an illegible
+ * circle, blocks and dummies are arranged anew if this makes the smallest one ten times larger. \ingroup
+ * GraphComparison */
 class GraphComparison_EXPORT DynamicEmbedding
 {
 public:
@@ -69,14 +72,18 @@ public:
   Add(const Graph & graph);
 
 private:
-  PackedMap
-  PackAnew(const Graph & graph) const;
+  EmbeddingCertificate
+  EmbedAnew(const Graph & graph, const CombinatorialMap & map) const;
+  DynamicStep
+  StepTo(EmbeddingCertificate certificate) const;
+  DynamicStep
+  StepBy(const Graph & graph, const CombinatorialMap & map, const std::vector<PackedMap> & choices) const;
+  DynamicStep
+  NextStep(const Graph & graph) const;
 
   GenusOptions          m_Genus;
   GraphEmbeddingOptions m_Embedding;
   bool                  m_IsFirst{ true };
-  CombinatorialMap      m_Map;
-  PackedMap             m_Packed;
   EmbeddingCertificate  m_Last;
 };
 } // namespace itk

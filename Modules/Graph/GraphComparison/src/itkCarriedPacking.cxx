@@ -3,32 +3,51 @@
 #include "itkGraphStructure.h"
 #include "itkRoomForEdges.h"
 
+#include <algorithm>
+
 namespace itk
 {
 namespace
 {
+/** Rings of dummies halve from one to the next: nobody is farther from what has changed in a face of 2^8 half-edges. */
+constexpr int farthestReach = 8;
+
 /** The new graph, and the dummies that stay, as a map. */
 class CarriedMap
 {
 public:
-  CarriedMap(const Graph & before, const PackedMap & packed, const Graph & after, const CombinatorialMap & map)
+  CarriedMap(const Graph &            before,
+             const PackedMap &        packed,
+             const Graph &            after,
+             const CombinatorialMap & map,
+             int                      reach)
     : m_Packed(packed.map)
     , m_Map(map)
     , m_Match(before, packed, after, map)
     , m_Dummies(packed.map, packed.graphNodes)
-    , m_Stretches(packed.map, map, m_Match, m_Dummies)
+    , m_Stretches(packed.map, map, m_Match, m_Dummies, reach)
     , m_Graph{ after.nodes, after.edges, {} }
   {
-    MakeRoomForEdges(m_Packed, m_Map, m_Match, m_Stretches, m_Dummies);
-    this->AddDummies();
+    const std::vector<DummyWay> ways = MakeRoomForEdges(m_Packed, m_Map, m_Match, m_Stretches, m_Dummies);
+    this->AddDummies(ways);
   }
 
   CombinatorialMap
   Build() const;
+  /** As PackedMap has it. */
+  const std::vector<std::vector<int>> &
+  Subdivided() const
+  {
+    return m_Subdivided;
+  }
 
 private:
   void
-  AddDummies();
+  AddDummies(const std::vector<DummyWay> & ways);
+  void
+  BeginWay(const DummyWay & way);
+  void
+  EndWay(const DummyWay & way);
   void
   Append(const DummyStretch * stretch, std::vector<int> & order) const;
   std::vector<int>
@@ -42,27 +61,52 @@ private:
   FaceDummies              m_Dummies;
   DummyStretches           m_Stretches;
   Graph                    m_Graph;
+
+  std::vector<std::vector<int>> m_Subdivided;
 };
 
+/** Where a way begins is the edge itself, which ends at the first dummy now. */
 void
-CarriedMap::AddDummies()
+CarriedMap::BeginWay(const DummyWay & way)
+{
+  const int first = way.halfEdges.front();
+  m_Match.halfEdgeOf[first] = 2 * way.edge;
+  m_Match.halfEdgeOf[CombinatorialMap::Twin(first)] = 2 * way.edge + 1;
+  m_Graph.edges[way.edge][1] = m_Match.nodeOf[m_Dummies.Head(first)];
+}
+
+void
+CarriedMap::EndWay(const DummyWay & way)
+{
+  m_Subdivided.emplace_back();
+  for (const int h : way.halfEdges)
+  {
+    m_Subdivided.back().push_back(m_Match.halfEdgeOf[h]);
+  }
+}
+
+void
+CarriedMap::AddDummies(const std::vector<DummyWay> & ways)
 {
   std::vector<int> & nodeOf = m_Match.nodeOf;
   for (int dummy = static_cast<int>(nodeOf.size()); dummy < m_Packed.Nodes(); ++dummy)
   {
     nodeOf.push_back(m_Dummies.Stays(dummy) ? m_Graph.nodes++ : -1);
   }
+  std::for_each(ways.begin(), ways.end(), [this](const DummyWay & way) { this->BeginWay(way); });
   for (int h = 0; h < m_Packed.HalfEdges(); h += 2)
   {
-    const int from = m_Packed.Node(h);
-    const int to = m_Dummies.Head(h);
-    if ((m_Dummies.IsDummy(from) || m_Dummies.IsDummy(to)) && nodeOf[from] >= 0 && nodeOf[to] >= 0)
+    const int  from = m_Packed.Node(h);
+    const int  to = m_Dummies.Head(h);
+    const bool isOfDummy = m_Dummies.IsDummy(from) || m_Dummies.IsDummy(to);
+    if (isOfDummy && nodeOf[from] >= 0 && nodeOf[to] >= 0 && m_Match.halfEdgeOf[h] < 0)
     {
       m_Match.halfEdgeOf[h] = static_cast<int>(2 * m_Graph.edges.size());
       m_Match.halfEdgeOf[h + 1] = m_Match.halfEdgeOf[h] + 1;
       m_Graph.edges.push_back({ nodeOf[from], nodeOf[to] });
     }
   }
+  std::for_each(ways.begin(), ways.end(), [this](const DummyWay & way) { this->EndWay(way); });
 }
 
 /** What a stretch has in the new map. */
@@ -73,21 +117,23 @@ CarriedMap::Append(const DummyStretch * stretch, std::vector<int> & order) const
   {
     return;
   }
-  if (stretch->place < 0)
-  {
-    order.insert(order.end(), stretch->added.begin(), stretch->added.end()); // no dummy has stayed, or nothing is added
-  }
-  for (std::size_t i = 0; i < stretch->dummies.size(); ++i)
-  {
-    if (static_cast<int>(i) == stretch->place)
+  int        next = 0; // of the dummies
+  const auto appendDummiesTo = [&](int end) {
+    for (; next < end; ++next)
     {
-      order.push_back(stretch->added.front());
+      if (const int h = m_Match.halfEdgeOf[stretch->dummies[next]]; h >= 0)
+      {
+        order.push_back(h);
+      }
     }
-    else if (m_Match.halfEdgeOf[stretch->dummies[i]] >= 0)
-    {
-      order.push_back(m_Match.halfEdgeOf[stretch->dummies[i]]);
-    }
+  };
+  for (std::size_t i = 0; i < stretch->added.size(); ++i)
+  {
+    appendDummiesTo(stretch->places[i]);
+    const int way = stretch->places[i] < 0 ? -1 : m_Match.halfEdgeOf[stretch->dummies[next++]];
+    order.push_back(way < 0 ? stretch->added[i] : way);
   }
+  appendDummiesTo(static_cast<int>(stretch->dummies.size()));
 }
 
 std::vector<int>
@@ -155,24 +201,92 @@ IsSimple(const Graph & graph)
   }
   return true;
 }
+
+/** A graph and a map of it. */
+struct DrawnGraph
+{
+  Graph            graph;
+  CombinatorialMap map;
+};
+
+/** What of a graph was there in the step before, too. */
+DrawnGraph
+CommonPart(const Graph & after, const CombinatorialMap & map, const StepMatch & match)
+{
+  Graph            graph;
+  std::vector<int> nodeOf(after.nodes, -1);
+  std::vector<int> halfEdgeOf(map.HalfEdges(), -1);
+  for (int node = 0; node < after.nodes; ++node)
+  {
+    if (match.oldNode[node] >= 0)
+    {
+      nodeOf[node] = graph.nodes++;
+      graph.names.push_back(NameOfNode(after, node));
+    }
+  }
+  for (int h = 0; h < map.HalfEdges(); h += 2)
+  {
+    if (match.oldHalfEdge[h] >= 0)
+    {
+      halfEdgeOf[h] = static_cast<int>(2 * graph.edges.size());
+      halfEdgeOf[h + 1] = halfEdgeOf[h] + 1;
+      graph.edges.push_back({ nodeOf[map.Node(h)], nodeOf[map.Node(h + 1)] });
+    }
+  }
+  Rotation rotation(graph.nodes);
+  for (int node = 0; node < after.nodes; ++node)
+  {
+    for (const int h : map.Around(node))
+    {
+      if (halfEdgeOf[h] >= 0)
+      {
+        rotation[nodeOf[node]].push_back(halfEdgeOf[h]);
+      }
+    }
+  }
+  return { graph, CombinatorialMap(graph, rotation) };
+}
+
+/** More and more dummies go until those that stay fit the map. */
+PackedMap
+Carry(const Graph & before, const PackedMap & packed, const Graph & after, const CombinatorialMap & map)
+{
+  for (int reach = 0; reach <= farthestReach; ++reach)
+  {
+    const CarriedMap       carried(before, packed, after, map, reach);
+    const CombinatorialMap withDummies = carried.Build();
+    if (withDummies.Genus() == map.Genus())
+    {
+      PackedMap result = MakePackedMap(withDummies, FilledFaces());
+      result.graphNodes = map.Nodes();
+      result.graphEdges = map.Edges();
+      result.subdivided = carried.Subdivided();
+      return result;
+    }
+  }
+  return MakePackedMap(map, FilledFaces());
+}
 } // namespace
+
+AugmentationOptions
+FilledFaces()
+{
+  AugmentationOptions options;
+  options.longestFace = 6;
+  return options;
+}
 
 PackedMap
 CarryPackedMap(const Graph & before, const PackedMap & packed, const Graph & after, const CombinatorialMap & map)
 {
-  if (packed.subdivided.empty() && IsSimple(after))
+  if (IsSimple(before) && IsSimple(after))
   {
-    const CombinatorialMap carried = CarriedMap(before, packed, after, map).Build();
-    if (carried.Genus() == map.Genus())
+    const DrawnGraph common = CommonPart(after, map, StepMatch(before, packed, after, map));
+    if (common.graph.nodes > 0)
     {
-      AugmentationOptions options;
-      options.firstDummy = map.Nodes();
-      PackedMap result = MakePackedMap(carried, options);
-      result.graphNodes = map.Nodes();
-      result.graphEdges = map.Edges();
-      return result;
+      return Carry(common.graph, Carry(before, packed, common.graph, common.map), after, map);
     }
   }
-  return MakePackedMap(map);
+  return MakePackedMap(map, FilledFaces());
 }
 } // namespace itk

@@ -10,20 +10,21 @@ namespace itk
  * has none. */
 struct DummyStretch
 {
-  std::vector<int> dummies;     ///< half-edges of the old packed map that lead to dummies
-  std::vector<int> added;       ///< half-edges of the new graph
-  int              place{ -1 }; ///< in the list of dummies: of the one that makes room for the added half-edge
+  std::vector<int> dummies; ///< half-edges of the old packed map that lead to dummies
+  std::vector<int> added;   ///< half-edges of the new graph
+  std::vector<int> places;  ///< of each added one: which of the dummies makes room for it, or is on its way; -1: none
 };
 
-/** All stretches that are not empty. Where the order around a node has become another one, the dummies of the faces
- * there go. */
+/** All stretches that are not empty. Where the corner between its half-edges has become another one the dummies of a
+ * stretch go; with `reach` >= 1 also those where edges are added, and with k those beside them k - 1 times. */
 class DummyStretches
 {
 public:
   DummyStretches(const CombinatorialMap & packed,
                  const CombinatorialMap & map,
                  const StepMatch &        match,
-                 FaceDummies &            dummies);
+                 FaceDummies &            dummies,
+                 int                      reach);
 
   /** After a half-edge that both steps have, or around a new one; null for an empty one. */
   DummyStretch *

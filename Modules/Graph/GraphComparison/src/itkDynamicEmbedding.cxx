@@ -1,17 +1,23 @@
 #include "itkDynamicEmbedding.h"
 
-#include "itkBlockArrangement.h"
 #include "itkCarriedPacking.h"
 #include "itkCarriedRotation.h"
 #include "itkSphereAlignment.h"
+#include "itkToolError.h"
 
 #include <algorithm>
+#include <exception>
 #include <limits>
 
 namespace itk
 {
 namespace
 {
+/** A mean displacement that nobody sees. Radians. */
+constexpr double steadyEnough = 1e-3;
+/** What another arrangement has to bring. */
+constexpr double worthwhileGain = 10.0;
+
 bool
 AreSpheres(const EmbeddingCertificate & a, const EmbeddingCertificate & b)
 {
@@ -151,12 +157,96 @@ DynamicEmbedding::DynamicEmbedding(GenusOptions genus, GraphEmbeddingOptions emb
   : m_Genus(genus), m_Embedding(embedding)
 {}
 
-PackedMap
-DynamicEmbedding::PackAnew(const Graph & graph) const
+EmbeddingCertificate
+DynamicEmbedding::EmbedAnew(const Graph & graph, const CombinatorialMap & map) const
 {
-  AugmentationOptions options(m_Embedding.augmentation);
-  options.names = graph.names;
-  return MakePackedMap(m_Map, options);
+  GraphEmbeddingOptions options = m_Embedding;
+  options.isRotationFree = true;
+  options.isSideFree = m_IsFirst;
+  options.longestFace = FilledFaces().longestFace;
+  return EmbedGraph(graph, map, options);
+}
+
+/** Turned to the step before, with what has changed since. */
+DynamicStep
+DynamicEmbedding::StepTo(EmbeddingCertificate certificate) const
+{
+  DynamicStep            step;
+  const std::vector<int> image = NodesOfSameName(m_Last.graph, certificate.graph);
+  if (AreSpheres(m_Last, certificate))
+  {
+    MoveEmbedding(certificate, BestMotion(m_Last, certificate, image));
+  }
+  step.changes = ChangesBetween(m_Last, certificate, image);
+  step.certificate = std::move(certificate);
+  return step;
+}
+
+/** The first one that is steady enough, or the steadiest. Throws what the first one threw where none has a packing. */
+DynamicStep
+DynamicEmbedding::StepBy(const Graph &                  graph,
+                         const CombinatorialMap &       map,
+                         const std::vector<PackedMap> & choices) const
+{
+  DynamicStep        best;
+  bool               isFound = false;
+  std::exception_ptr failure;
+  for (const PackedMap & packed : choices)
+  {
+    try
+    {
+      DynamicStep step = this->StepTo(EmbedPackedGraph(graph, map, packed, m_Embedding.infinity));
+      if (!isFound || step.changes.meanDisplacement < best.changes.meanDisplacement)
+      {
+        best = std::move(step);
+      }
+      isFound = true;
+      if (best.changes.meanDisplacement <= steadyEnough)
+      {
+        break;
+      }
+    }
+    catch (const InputError &)
+    {
+      failure = failure ? failure : std::current_exception();
+    }
+  }
+  if (!isFound)
+  {
+    std::rethrow_exception(failure);
+  }
+  return best;
+}
+
+DynamicStep
+DynamicEmbedding::NextStep(const Graph & graph) const
+{
+  const CombinatorialMap before = MapOfRotation(m_Last.graph, m_Last.rotation);
+  const CarriedRotation  carried = CarryRotation(m_Last.graph, before, graph, m_Genus);
+  DynamicStep            step;
+  if (m_Embedding.augmentation == Augmentation::None)
+  {
+    step = this->StepTo(EmbedGraph(graph, carried.map, m_Embedding));
+    step.embeddedAnew = carried.embeddedAnew;
+    return step;
+  }
+  std::vector<PackedMap> choices{ CarryPackedMap(m_Last.graph, PackedMapOf(m_Last), graph, carried.map) };
+  if (carried.map.Genus() == 0)
+  {
+    choices.push_back(MakePackedMap(carried.map, FilledFaces()));
+  }
+  step = this->StepBy(graph, carried.map, choices);
+  step.embeddedAnew = carried.embeddedAnew;
+  if (const double smallest = SmallestCircle(step.certificate); smallest < smallestLegibleRadius)
+  {
+    EmbeddingCertificate anew = this->EmbedAnew(graph, carried.map);
+    if (SmallestCircle(anew) > worthwhileGain * smallest)
+    {
+      step = this->StepTo(std::move(anew));
+      step.embeddedAnew = true;
+    }
+  }
+  return step;
 }
 
 DynamicStep
@@ -165,26 +255,13 @@ DynamicEmbedding::Add(const Graph & graph)
   DynamicStep step;
   if (m_IsFirst)
   {
-    m_Map = ArrangeBlocks(FindEmbedding(graph, m_Genus).map);
-    m_Packed = this->PackAnew(graph);
-    step.certificate = EmbedPackedGraph(graph, m_Map, m_Packed, m_Embedding.infinity);
+    step.certificate = this->EmbedAnew(graph, FindEmbedding(graph, m_Genus).map);
+    m_IsFirst = false;
   }
   else
   {
-    CarriedRotation carried = CarryRotation(m_Last.graph, m_Map, graph, m_Genus);
-    m_Map = std::move(carried.map);
-    m_Packed = m_Embedding.augmentation == Augmentation::Ring ? CarryPackedMap(m_Last.graph, m_Packed, graph, m_Map)
-                                                              : this->PackAnew(graph);
-    step.embeddedAnew = carried.embeddedAnew;
-    step.certificate = EmbedPackedGraph(graph, m_Map, m_Packed, m_Embedding.infinity);
-    const std::vector<int> image = NodesOfSameName(m_Last.graph, graph);
-    if (AreSpheres(m_Last, step.certificate))
-    {
-      MoveEmbedding(step.certificate, BestMotion(m_Last, step.certificate, image));
-    }
-    step.changes = ChangesBetween(m_Last, step.certificate, image);
+    step = this->NextStep(graph);
   }
-  m_IsFirst = false;
   m_Last = step.certificate;
   return step;
 }

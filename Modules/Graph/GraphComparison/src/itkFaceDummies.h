@@ -10,7 +10,9 @@ class FaceDummies
 {
 public:
   /** Nodes from `first` on are dummies. */
-  FaceDummies(const CombinatorialMap & packed, int first);
+  FaceDummies(const CombinatorialMap & packed, int first)
+    : m_Packed(packed), m_First(first), m_IsGone(packed.Nodes(), 0), m_IsTaken(packed.Nodes(), 0)
+  {}
 
   bool
   IsDummy(int node) const
@@ -26,29 +28,43 @@ public:
   bool
   Stays(int dummy) const
   {
-    return !m_IsGone[dummy] && !m_IsFaceGone[m_Face[dummy]];
+    return !m_IsGone[dummy];
+  }
+  /** Stays, and is on no edge's way. */
+  bool
+  IsFree(int dummy) const
+  {
+    return this->Stays(dummy) && !m_IsTaken[dummy];
   }
   void
   Drop(int dummy)
   {
     m_IsGone[dummy] = 1;
   }
-  /** All in the faces of those that half-edges lead to. */
+  /** For the way of an edge. */
   void
-  DropFacesOf(const std::vector<int> & halfEdges)
+  Take(int dummy)
+  {
+    m_IsTaken[dummy] = 1;
+  }
+  /** Those that half-edges lead to, but for what is on an edge's way. */
+  void
+  DropHeads(const std::vector<int> & halfEdges)
   {
     for (const int h : halfEdges)
     {
-      m_IsFaceGone[m_Face[this->Head(h)]] = 1;
+      m_IsGone[this->Head(h)] = !m_IsTaken[this->Head(h)];
     }
   }
+  /** All that are beside one that has gone. */
+  void
+  DropNeighbours();
 
 private:
   const CombinatorialMap & m_Packed;
   int                      m_First;
-  std::vector<int>         m_Face; ///< of dummies that hang together: the first of them
   std::vector<char>        m_IsGone;
-  std::vector<char>        m_IsFaceGone;
+  std::vector<char>        m_IsTaken;
 };
 } // namespace itk
 

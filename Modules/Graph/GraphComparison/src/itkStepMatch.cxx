@@ -12,7 +12,11 @@ StepMatch::StepMatch(const Graph & before, const PackedMap & packed, const Graph
   , halfEdgeOf(packed.map.HalfEdges(), -1)
   , oldHalfEdge(map.HalfEdges(), -1)
 {
-  const std::vector<int> edgeOf = EdgesOfSameEnds(before, after, nodeOf);
+  std::vector<int> edgeOf = EdgesOfSameEnds(before, after, nodeOf);
+  for (const std::vector<int> & path : packed.subdivided)
+  {
+    edgeOf[path.front() / 2] = -1;
+  }
   for (std::size_t e = 0; e < edgeOf.size(); ++e)
   {
     if (edgeOf[e] >= 0)

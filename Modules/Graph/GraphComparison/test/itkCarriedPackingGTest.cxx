@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <map>
 #include <random>
 
 namespace
@@ -26,6 +27,31 @@ PartOfGrid(const std::vector<char> & isThere)
   return part;
 }
 
+/** Packed half-edges that begin half-edges of the graph, and these; an edge may be a path along dummies. */
+std::map<int, int>
+HalfEdgesOfGraph(const itk::PackedMap & packed)
+{
+  std::map<int, int> image;
+  for (int h = 0; h < 2 * packed.graphEdges; ++h)
+  {
+    image[h] = h;
+  }
+  for (const std::vector<int> & path : packed.subdivided)
+  {
+    image.erase(path.front() + 1);
+  }
+  for (const std::vector<int> & path : packed.subdivided)
+  {
+    for (std::size_t i = 0; i + 1 < path.size(); ++i)
+    {
+      EXPECT_EQ(packed.map.Node(path[i] ^ 1), packed.map.Node(path[i + 1]));
+      EXPECT_GE(packed.map.Node(path[i + 1]), packed.graphNodes);
+    }
+    EXPECT_TRUE(image.emplace(path.back() ^ 1, path.front() + 1).second);
+  }
+  return image;
+}
+
 /** Packable, and without the dummies the map is left, each order but where a component of its own lies. */
 void
 ExpectPackedMapOf(const itk::PackedMap & packed, const itk::CombinatorialMap & map)
@@ -35,15 +61,17 @@ ExpectPackedMapOf(const itk::PackedMap & packed, const itk::CombinatorialMap & m
   EXPECT_EQ(itk::FaceConflicts(packed.map).reason, "");
   ASSERT_EQ(packed.graphNodes, map.Nodes());
   ASSERT_EQ(packed.graphEdges, map.Edges());
-  for (int h = 0; h < map.HalfEdges(); ++h)
+  const std::map<int, int> image = HalfEdgesOfGraph(packed);
+  ASSERT_EQ(image.size(), static_cast<std::size_t>(map.HalfEdges()));
+  for (const auto & [h, own] : image)
   {
-    EXPECT_EQ(packed.map.Node(h), map.Node(h));
+    EXPECT_EQ(packed.map.Node(h), map.Node(own));
     int next = packed.map.NextAround(h);
-    while (next >= map.HalfEdges())
+    while (image.count(next) == 0)
     {
       next = packed.map.NextAround(next);
     }
-    EXPECT_EQ(next, map.NextAround(h));
+    EXPECT_EQ(image.at(next), map.NextAround(own));
   }
 }
 
@@ -105,6 +133,39 @@ TEST(CarriedPacking, DummiesFarFromAnEditStay)
   ExpectPackedMapOf(carried, edited);
   EXPECT_GT(NodesAsBefore(packed, carried), 180);
   EXPECT_LT(NodesAsBefore(packed, itk::MakePackedMap(edited)), 150); // made anew
+}
+
+/** The ends of an edge across a long face do not move: it runs along dummies, and all circles stay as they are. */
+TEST(CarriedPacking, AnEdgeAcrossALongFaceRunsAlongDummies)
+{
+  const itk::Graph      before = RingWithTail(200);
+  itk::CombinatorialMap map;
+  ASSERT_TRUE(itk::FindPlanarEmbedding(before, map));
+  const itk::PackedMap packed = itk::MakePackedMap(map);
+  itk::Graph           after = before;
+  after.edges.push_back({ 50, 150 });
+  const itk::CombinatorialMap edited = itk::CarryRotation(before, map, after).map;
+  const itk::PackedMap        carried = itk::CarryPackedMap(before, packed, after, edited);
+  ExpectPackedMapOf(carried, edited);
+  ASSERT_EQ(carried.subdivided.size(), 1U);
+  EXPECT_GT(carried.subdivided[0].size(), 3U);
+  EXPECT_EQ(carried.map.Nodes(), packed.map.Nodes());
+  EXPECT_EQ(carried.map.Edges(), packed.map.Edges());
+  EXPECT_EQ(NodesAsBefore(packed, carried), before.nodes);
+  // So do a second and a third edge beside it.
+  after.edges.insert(after.edges.end(), { { 20, 40 }, { 52, 100 } });
+  const itk::CombinatorialMap both = itk::CarryRotation(before, map, after).map;
+  const itk::PackedMap        all = itk::CarryPackedMap(before, packed, after, both);
+  ExpectPackedMapOf(all, both);
+  EXPECT_EQ(all.subdivided.size(), 3U);
+  EXPECT_EQ(NodesAsBefore(packed, all), before.nodes);
+  // The next step finds the way again, and gives it up with its edge.
+  const itk::PackedMap again = itk::CarryPackedMap(after, all, after, both);
+  ExpectPackedMapOf(again, both);
+  EXPECT_EQ(again.map.GetRotation().size(), all.map.GetRotation().size());
+  const itk::PackedMap back = itk::CarryPackedMap(after, all, before, map);
+  ExpectPackedMapOf(back, map);
+  EXPECT_EQ(NodesAsBefore(packed, back), before.nodes);
 }
 
 TEST(CarriedPacking, RandomEditsGivePackableMapsOfTheGraph)

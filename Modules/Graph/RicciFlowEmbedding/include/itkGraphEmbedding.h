@@ -12,9 +12,13 @@ struct GraphEmbeddingOptions
 {
   Augmentation    augmentation{ Augmentation::Ring };
   PointAtInfinity infinity{ PointAtInfinity::Circle }; ///< genus 0 alone
-  /** Nobody has chosen the rotation system: blocks may be arranged anew (see ArrangeBlocks), and a map of genus 0 may
-   * be seen from its other side, so that which of the two it is does not depend on numbers. */
+  /** Nobody has chosen the rotation system: blocks may be arranged anew (see ArrangeBlocks). */
   bool isRotationFree{ false };
+  /** With that, a map of genus 0 may be seen from its other side, so that which of the two it is does not depend on
+   * numbers. */
+  bool isSideFree{ true };
+  /** See AugmentationOptions. */
+  int longestFace{ AugmentationOptions().longestFace };
 };
 
 /** Below this radius, of a cap in radians or of a circle in the hyperbolic plane or as part of the lattice's shorter
@@ -38,6 +42,10 @@ EmbedGraph(const Graph & graph, const CombinatorialMap & map, const GraphEmbeddi
  * RicciFlowEmbedding */
 RicciFlowEmbedding_EXPORT EmbeddingCertificate
 EmbedPackedGraph(const Graph & graph, const CombinatorialMap & map, const PackedMap & packed, PointAtInfinity infinity);
+
+/** The packed map of a certificate. \ingroup RicciFlowEmbedding */
+RicciFlowEmbedding_EXPORT PackedMap
+PackedMapOf(const EmbeddingCertificate & certificate);
 } // namespace itk
 
 #endif

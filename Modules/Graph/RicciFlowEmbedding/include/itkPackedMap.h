@@ -62,9 +62,8 @@ struct AugmentationOptions
   Augmentation augmentation;
   /** Of a ring in a face that meets a node twice: the most half-edges for one dummy, >= 1. */
   int halfEdgesOfDummy{ 2 };
-  /** Nodes from this one on are dummies already: faces beside them with more than six half-edges are holes that other
-   * dummies have left, and are filled, too. */
-  int firstDummy{ std::numeric_limits<int>::max() };
+  /** Faces with more half-edges are filled, too. */
+  int longestFace{ std::numeric_limits<int>::max() };
   /** See FaceConflicts. */
   std::vector<std::string> names;
 };

@@ -32,7 +32,7 @@ EmbedMap(const Graph &                 graph,
   std::vector<int> rank;
   if (certificate.genus == 0)
   {
-    CanonicalMapOrder order(packed.map, options.isRotationFree);
+    CanonicalMapOrder order(packed.map, options.isRotationFree && options.isSideFree);
     if (order.isMirrored)
     {
       const CombinatorialMap mirrored = map.Mirrored();
@@ -47,14 +47,6 @@ EmbedMap(const Graph &                 graph,
     certificate.rotation = FlatRotation(map);
   }
   return certificate;
-}
-
-/** The smallest circle of a node of the graph, in units of the surface. */
-double
-SmallestCircle(const EmbeddingCertificate & certificate)
-{
-  const auto first = certificate.nodeRadii.begin();
-  return *std::min_element(first, first + certificate.graph.nodes) / UnitOfSurface(certificate);
 }
 
 bool
@@ -110,6 +102,7 @@ public:
       AugmentationOptions augmentation(m_Options.augmentation);
       augmentation.names = m_Graph.names;
       augmentation.halfEdgesOfDummy = candidate.halfEdgesOfDummy;
+      augmentation.longestFace = m_Options.longestFace;
       try
       {
         EmbeddingCertificate certificate = EmbedMap(m_Graph, *candidate.map, augmentation, m_Options);
@@ -191,6 +184,17 @@ EmbedPackedGraph(const Graph & graph, const CombinatorialMap & map, const Packed
   certificate.rotation = FlatRotation(map);
   AddSmallestCircle(certificate);
   return certificate;
+}
+
+PackedMap
+PackedMapOf(const EmbeddingCertificate & certificate)
+{
+  PackedMap packed;
+  packed.map = MapOfRotation(certificate.packed, certificate.packedRotation);
+  packed.graphNodes = certificate.graph.nodes;
+  packed.graphEdges = static_cast<int>(certificate.graph.edges.size());
+  packed.subdivided = certificate.subdivided;
+  return packed;
 }
 
 EmbeddingCertificate

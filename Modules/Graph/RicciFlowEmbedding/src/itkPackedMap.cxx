@@ -240,21 +240,16 @@ FillSmallMap(const CombinatorialMap & map)
   return builder.Build();
 }
 
-/** The faces that are no triangles and in conflict, or long and beside a dummy. */
+/** The faces that are no triangles and in conflict, or long. */
 std::vector<int>
-FacesToFill(const CombinatorialMap & map, const FaceConflicts & conflicts, int firstDummy)
+FacesToFill(const CombinatorialMap & map, const FaceConflicts & conflicts, int longestFace)
 {
   const std::vector<int> lengths = map.FaceLengths();
-  std::vector<char>      isBesideDummy(map.Faces(), 0);
-  for (int h = 0; h < map.HalfEdges(); ++h)
-  {
-    isBesideDummy[map.Face(h)] |= map.Node(h) >= firstDummy ? 1 : 0;
-  }
-  std::vector<int> faces;
+  std::vector<int>       faces;
   for (int face = 0; face < map.Faces(); ++face)
   {
-    const bool isHole = isBesideDummy[face] && lengths[face] > static_cast<int>(largestStar);
-    if (isHole || (lengths[face] != 3 && (conflicts.meetsANodeTwice[face] || conflicts.sharesTwoNodes[face])))
+    if (lengths[face] > longestFace ||
+        (lengths[face] != 3 && (conflicts.meetsANodeTwice[face] || conflicts.sharesTwoNodes[face])))
     {
       faces.push_back(face);
     }
@@ -266,7 +261,7 @@ CombinatorialMap
 FillFaces(const CombinatorialMap & map, const AugmentationOptions & options, int & rings)
 {
   const FaceConflicts    conflicts(map);
-  const std::vector<int> faces = FacesToFill(map, conflicts, options.firstDummy);
+  const std::vector<int> faces = FacesToFill(map, conflicts, options.longestFace);
   if (faces.empty())
   {
     return map;
