@@ -106,14 +106,23 @@ RingWithTail(int length)
   graph.edges.push_back({ 0, length });
   return graph;
 }
+
+struct PackedRing
+{
+  explicit PackedRing(int length) : graph(RingWithTail(length))
+  {
+    EXPECT_TRUE(itk::FindPlanarEmbedding(graph, map));
+    packed = itk::MakePackedMap(map);
+  }
+  itk::Graph            graph;
+  itk::CombinatorialMap map;
+  itk::PackedMap        packed;
+};
 } // namespace
 
 TEST(CarriedPacking, TheSameGraphKeepsAllDummies)
 {
-  const itk::Graph      graph = RingWithTail(40);
-  itk::CombinatorialMap map;
-  ASSERT_TRUE(itk::FindPlanarEmbedding(graph, map));
-  const itk::PackedMap packed = itk::MakePackedMap(map);
+  const auto [graph, map, packed] = PackedRing(40);
   ASSERT_GT(packed.map.Nodes(), graph.nodes);
   const itk::PackedMap carried = itk::CarryPackedMap(graph, packed, graph, map);
   EXPECT_EQ(carried.map.GetRotation(), packed.map.GetRotation());
@@ -121,11 +130,8 @@ TEST(CarriedPacking, TheSameGraphKeepsAllDummies)
 
 TEST(CarriedPacking, DummiesFarFromAnEditStay)
 {
-  const itk::Graph      before = RingWithTail(200);
-  itk::CombinatorialMap map;
-  ASSERT_TRUE(itk::FindPlanarEmbedding(before, map));
-  const itk::PackedMap packed = itk::MakePackedMap(map);
-  itk::Graph           after = before;
+  const auto [before, map, packed] = PackedRing(200);
+  itk::Graph after = before;
   after.edges.push_back({ 50, 52 });
   after.edges.erase(after.edges.begin() + 120);
   const itk::CombinatorialMap edited = itk::CarryRotation(before, map, after).map;
@@ -138,11 +144,8 @@ TEST(CarriedPacking, DummiesFarFromAnEditStay)
 /** The ends of an edge across a long face do not move: it runs along dummies, and all circles stay as they are. */
 TEST(CarriedPacking, AnEdgeAcrossALongFaceRunsAlongDummies)
 {
-  const itk::Graph      before = RingWithTail(200);
-  itk::CombinatorialMap map;
-  ASSERT_TRUE(itk::FindPlanarEmbedding(before, map));
-  const itk::PackedMap packed = itk::MakePackedMap(map);
-  itk::Graph           after = before;
+  const auto [before, map, packed] = PackedRing(200);
+  itk::Graph after = before;
   after.edges.push_back({ 50, 150 });
   const itk::CombinatorialMap edited = itk::CarryRotation(before, map, after).map;
   const itk::PackedMap        carried = itk::CarryPackedMap(before, packed, after, edited);
@@ -201,10 +204,7 @@ TEST(CarriedPacking, RandomEditsGivePackableMapsOfTheGraph)
 
 TEST(CarriedPacking, LoopsAndHandlesArePackedAnew)
 {
-  const itk::Graph      before = RingWithTail(20);
-  itk::CombinatorialMap map;
-  ASSERT_TRUE(itk::FindPlanarEmbedding(before, map));
-  const itk::PackedMap packed = itk::MakePackedMap(map);
+  const auto [before, map, packed] = PackedRing(20);
   for (const std::array<int, 2> & edge : { std::array<int, 2>{ 3, 3 }, std::array<int, 2>{ 5, 4 } })
   {
     itk::Graph after = before;
