@@ -106,13 +106,13 @@ void
 EmbeddedGraph::FindDual()
 {
   std::vector<int> parent(map.Faces(), -2); // half-edge that leads towards the representative; -1 there
+  std::vector<int> owner(map.Faces());
   std::vector<int> order(map.Faces());
 
   std::iota(order.begin(), order.end(), 0);
   std::stable_sort(
     order.begin(), order.end(), [&](int a, int b) { return certificate.faceRadii[a] > certificate.faceRadii[b]; });
   isVisibleFace.assign(map.Faces(), 0);
-  double largestArea = 0.0;
   for (const int start : order)
   {
     if (parent[start] != -2)
@@ -121,11 +121,10 @@ EmbeddedGraph::FindDual()
     }
     parent[start] = -1;
     representatives.push_back(start);
-    double           area = 0.0;
     std::vector<int> queue{ start };
     for (std::size_t i = 0; i < queue.size(); ++i)
     {
-      area += 1.0 - std::cos(certificate.faceRadii[queue[i]]);
+      owner[queue[i]] = start;
       const int first = map.FirstOfFace(queue[i]);
       int       h = first;
       do
@@ -140,10 +139,50 @@ EmbeddedGraph::FindDual()
       } while (h != first);
     }
     isVisibleFace[start] = queue.size() == 1 ? 1 : 0;
-    outerFace = area > largestArea ? start : outerFace;
-    largestArea = std::max(area, largestArea);
   }
   this->DrawDual(parent);
+  this->FindPole(owner);
+}
+
+/** Within a face of the graph are the circles of its packed faces, and of dummies that no edge of the graph runs along.
+ * `owner` is the representative of each packed face. */
+void
+EmbeddedGraph::FindPole(const std::vector<int> & owner)
+{
+  struct Circle
+  {
+    int    face;
+    double radius;
+    Place  centre;
+  };
+  std::vector<Circle> circles;
+  for (int face = 0; face < map.Faces(); ++face)
+  {
+    circles.push_back({ owner[face], certificate.faceRadii[face], faces[face] });
+  }
+  for (int node = certificate.graph.nodes; node < map.Nodes(); ++node)
+  {
+    const std::vector<int> around = map.Around(node);
+    if (std::none_of(around.begin(), around.end(), [this](int h) { return isVisibleEdge[h / 2] != 0; }))
+    {
+      circles.push_back({ owner[map.Face(around.front())], certificate.nodeRadii[node], nodes[node] });
+    }
+  }
+  std::vector<double> area(map.Faces(), 0.0);
+  for (const Circle & circle : circles)
+  {
+    area[circle.face] += 1.0 - std::cos(circle.radius);
+  }
+  const auto outer = static_cast<int>(std::max_element(area.begin(), area.end()) - area.begin());
+  double     largest = 0.0;
+  for (const Circle & circle : circles)
+  {
+    if (circle.face == outer && circle.radius > largest)
+    {
+      largest = circle.radius;
+      pole = circle.centre;
+    }
+  }
 }
 
 /** Each edge is crossed once, where it touches in the middle of its path; from there the dual follows the parents. */

@@ -34,8 +34,8 @@ struct EmbeddedGraph
   /** Packed faces that represent the faces of the graph; those that are a face of the graph have visible circles. */
   std::vector<int>  representatives;
   std::vector<char> isVisibleFace;
-  /** The representative of the face of the graph whose circles cover most of the sphere. */
-  int outerFace{ 0 };
+  /** On the sphere: the centre of the largest circle within the face of the graph that covers most of it. */
+  Place pole;
 
 private:
   void
@@ -46,6 +46,8 @@ private:
   FindDual();
   void
   DrawDual(const std::vector<int> & parent);
+  void
+  FindPole(const std::vector<int> & owner);
   void
   AddDualCrossing(int halfEdge);
 };

@@ -45,18 +45,22 @@ GraphPainter::Paint(const PanelPlan & plan) const
     panel.AddPolygon(PolygonCorners(m_Graph), {}, { "#8e24aa", "", 1.8, 1.0, true });
   }
   this->PaintDots(plan, panel);
-  if (m_View.hasLabels)
+  int namesLeftOut = 0;
+  for (int node = 0; node < m_Graph.certificate.graph.nodes && m_View.hasLabels; ++node)
   {
-    for (int node = 0; node < m_Graph.certificate.graph.nodes; ++node)
-    {
-      panel.AddLabel(m_Graph.nodes[node], NameOfNode(m_Graph.certificate.graph, node));
-    }
+    const Place & rim = m_Graph.touch[m_Graph.map.FirstAround(node)];
+    namesLeftOut += panel.AddLabel(m_Graph.nodes[node], rim, NameOfNode(m_Graph.certificate.graph, node)) ? 0 : 1;
   }
   const std::size_t        leftOut = panel.LeftOut(); // a few are but the short ends of curves
   std::vector<std::string> title(1, plan.title);
   if (leftOut > m_Graph.halfEdges.size() / 100)
   {
     title.push_back(std::to_string(leftOut) + " lines are too short to show");
+  }
+  if (namesLeftOut > 0)
+  {
+    title.push_back(namesLeftOut == 1 ? "1 name does not fit its circle"
+                                      : std::to_string(namesLeftOut) + " names do not fit their circles");
   }
   panel.AddTitle(title);
   return panel.Content();

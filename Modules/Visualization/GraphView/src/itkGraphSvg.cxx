@@ -56,7 +56,7 @@ WriteGraphSheetSvg(const std::vector<GraphView> & views, const GraphPictureOptio
   {
     const EmbeddedGraph & graph = graphs.emplace_back(*view.certificate);
     const bool            isSphere = graph.space.Geometry() == EmbeddingGeometry::Spherical;
-    pole = isSphere && pole == nullptr ? &graph.faces[graph.outerFace] : pole;
+    pole = isSphere && pole == nullptr ? &graph.pole : pole;
     plans.push_back((isSphere ? PlansOfSphere(graph, *pole) : PlansOf(graph, options.disk))[1]);
     plans.back().title = view.title;
     plans.back().hasDual = false;

@@ -25,7 +25,7 @@ WindowAround(const std::vector<Pixel> & pixels, double enlargement)
   return { { 0.5 * (least.x + most.x), 0.5 * (least.y + most.y) }, enlargement * half };
 }
 
-/** All nodes and touching points of the graph, and its circles where they are not much larger than that. */
+/** All nodes and edges of the graph, and its circles where they are not much larger than that. */
 PictureWindow
 WindowOfSphere(const EmbeddedGraph & graph, const PictureMap & picture)
 {
@@ -34,9 +34,10 @@ WindowOfSphere(const EmbeddedGraph & graph, const PictureMap & picture)
   {
     pixels.push_back(picture.map(graph.nodes[node]));
   }
-  for (const int h : graph.crossings)
+  for (const EmbeddedGraph::Segment & half : graph.halfEdges)
   {
-    pixels.push_back(picture.map(graph.touch[h]));
+    pixels.push_back(picture.map(half[0]));
+    pixels.push_back(picture.map(half[1]));
   }
   const PictureWindow near = WindowAround(pixels, 1.15);
   for (int node = 0; node < graph.certificate.graph.nodes; ++node)
@@ -152,7 +153,7 @@ PlansOf(const EmbeddedGraph & graph, DiskModel model)
   switch (graph.space.Geometry())
   {
     case EmbeddingGeometry::Spherical:
-      return PlansOfSphere(graph, graph.faces[graph.outerFace]);
+      return PlansOfSphere(graph, graph.pole);
     case EmbeddingGeometry::Euclidean:
       return PlansOfTorus(graph);
     default:

@@ -344,16 +344,28 @@ SvgPanel::AddPolygon(const std::vector<Place> & corners, const Motion & motion, 
   }
 }
 
-void
-SvgPanel::AddLabel(const Place & place, const std::string & text)
+bool
+SvgPanel::AddLabel(const Place & centre, const Place & rim, const std::string & text)
 {
-  if (!m_Picture.isVisible(place))
+  constexpr double largest = 12.0;
+  constexpr double smallest = 6.0;
+  constexpr double widthOfLetter = 0.55; // of the size
+  if (!m_Picture.isVisible(centre))
   {
-    return;
+    return true;
   }
-  const Pixel pixel = this->ToPixel(place);
-  m_Content += "<text x=\"" + SvgNumber(pixel.x) + "\" y=\"" + SvgNumber(pixel.y + 4.0) +
-               "\" font-size=\"12\" text-anchor=\"middle\" font-family=\"sans-serif\">" + SvgText(text) + "</text>\n";
+  const Pixel  pixel = this->ToPixel(centre);
+  const Pixel  end = this->ToPixel(rim);
+  const auto   letters = std::count_if(text.begin(), text.end(), [](char c) { return (c & 0xC0) != 0x80; });
+  const double room = 2.2 * std::hypot(end.x - pixel.x, end.y - pixel.y) / widthOfLetter;
+  const double size = std::min(largest, room / static_cast<double>(std::max<std::ptrdiff_t>(letters, 1)));
+  if (size < smallest)
+  {
+    return false;
+  }
+  m_Content += "<text x=\"" + SvgNumber(pixel.x) + "\" y=\"" + SvgNumber(pixel.y + size / 3.0) + "\" font-size=\"" +
+               SvgNumber(size) + "\" text-anchor=\"middle\" font-family=\"sans-serif\">" + SvgText(text) + "</text>\n";
+  return true;
 }
 
 void

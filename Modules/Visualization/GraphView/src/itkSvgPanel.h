@@ -78,8 +78,9 @@ public:
   void
   AddPolygon(const std::vector<Place> & corners, const Motion & motion, const SvgStyle & style);
 
-  void
-  AddLabel(const Place & place, const std::string & text);
+  /** A name of a size that suits the circle from its centre to its rim; false where that would be too small to read. */
+  bool
+  AddLabel(const Place & centre, const Place & rim, const std::string & text);
 
   void
   AddTitle(const std::vector<std::string> & lines);

@@ -87,6 +87,20 @@ TEST(GraphPictures, TilesOfTheUniversalCover)
   }
 }
 
+/** No name is wider than a little more than its circle, and the title counts those that would be too small to read. */
+TEST(GraphPictures, NamesFitTheirCirclesOrAreLeftOut)
+{
+  EmbeddingCertificate cube = Cube();
+  cube.graph.names = { "a", "b", "c", "d", "e", "f", "g", "h" };
+  const XmlPage small = PictureOf(cube, {}, true);
+  EXPECT_EQ(8u * 3u, small.Count("text", "text-anchor", "middle"));
+  EXPECT_EQ(std::string::npos, small.text.find("not fit"));
+  cube.graph.names[3] = std::string(2000, 'd');
+  const XmlPage large = PictureOf(cube, {}, true);
+  EXPECT_EQ(7u * 3u, large.Count("text", "text-anchor", "middle"));
+  EXPECT_NE(std::string::npos, large.text.find("1 name does not fit its circle"));
+}
+
 TEST(GraphPictures, KleinDiskHasStraightEdges)
 {
   itk::GraphPictureOptions options;
