@@ -4,6 +4,7 @@
 #include "itkRoomForEdges.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace itk
 {
@@ -16,14 +17,10 @@ constexpr int farthestReach = 8;
 class CarriedMap
 {
 public:
-  CarriedMap(const Graph &            before,
-             const PackedMap &        packed,
-             const Graph &            after,
-             const CombinatorialMap & map,
-             int                      reach)
+  CarriedMap(const PackedMap & packed, const Graph & after, const CombinatorialMap & map, StepMatch match, int reach)
     : m_Packed(packed.map)
     , m_Map(map)
-    , m_Match(before, packed, after, map)
+    , m_Match(std::move(match))
     , m_Dummies(packed.map, packed.graphNodes)
     , m_Stretches(packed.map, map, m_Match, m_Dummies, reach)
     , m_Graph{ after.nodes, after.edges, {} }
@@ -251,9 +248,10 @@ CommonPart(const Graph & after, const CombinatorialMap & map, const StepMatch & 
 PackedMap
 Carry(const Graph & before, const PackedMap & packed, const Graph & after, const CombinatorialMap & map)
 {
+  const StepMatch match(before, packed, after, map);
   for (int reach = 0; reach <= farthestReach; ++reach)
   {
-    const CarriedMap       carried(before, packed, after, map, reach);
+    const CarriedMap       carried(packed, after, map, match, reach);
     const CombinatorialMap withDummies = carried.Build();
     if (withDummies.Genus() == map.Genus())
     {

@@ -53,7 +53,10 @@ public:
   {
     for (const int h : halfEdges)
     {
-      m_IsGone[this->Head(h)] = !m_IsTaken[this->Head(h)];
+      if (!m_IsTaken[this->Head(h)])
+      {
+        this->Drop(this->Head(h));
+      }
     }
   }
   /** All that are beside one that has gone. */

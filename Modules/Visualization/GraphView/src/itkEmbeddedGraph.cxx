@@ -141,7 +141,10 @@ EmbeddedGraph::FindDual()
     isVisibleFace[start] = queue.size() == 1 ? 1 : 0;
   }
   this->DrawDual(parent);
-  this->FindPole(owner);
+  if (space.Geometry() == EmbeddingGeometry::Spherical)
+  {
+    this->FindPole(owner);
+  }
 }
 
 /** Within a face of the graph are the circles of its packed faces, and of dummies that no edge of the graph runs along.
