@@ -4,6 +4,8 @@
 #include "itkEmbeddingVerification.h"
 #include "itkTracedMap.h"
 
+#include <algorithm>
+
 namespace itk
 {
 using Measures = std::vector<std::pair<std::string, double>>;
@@ -61,6 +63,47 @@ SumKiteAngles(const EmbeddingCertificate & certificate,
     ofNodes[packed.node[h]] += 2.0 * halfAngle(ofNode, ofFace);
     ofFaces[packed.face[h]] += 2.0 * halfAngle(ofFace, ofNode);
   }
+}
+
+/** In plane and disk: the kites around each circle fit; radii are right to their scale there. Appends how well, and the
+ * smallest radius of a node of the graph. */
+template <typename HalfAngle>
+void
+CheckKiteAngles(const EmbeddingCertificate & certificate,
+                const TracedMap &            packed,
+                const HalfAngle &            halfAngle,
+                Measures &                   measures)
+{
+  constexpr double    mostError = 1e-10;
+  std::vector<double> ofNodes;
+  std::vector<double> ofFaces;
+  SumKiteAngles(certificate, packed, halfAngle, ofNodes, ofFaces);
+  const double atNodes = RequireAngleSums(ofNodes, std::vector<double>(ofNodes.size(), mostError), "node");
+  const double atFaces = RequireAngleSums(ofFaces, std::vector<double>(ofFaces.size(), mostError), "face");
+  measures.emplace_back("angleSum", std::max(atNodes, atFaces));
+  const auto end = certificate.nodeRadii.begin() + certificate.graph.nodes;
+  measures.emplace_back("smallestRadius", *std::min_element(certificate.nodeRadii.begin(), end));
+}
+
+/** In plane and disk: the direction of each half-edge in the chart at its node, one kite after the other. */
+template <typename HalfAngle>
+std::vector<double>
+DirectionsOfHalfEdges(const EmbeddingCertificate & certificate, const TracedMap & packed, const HalfAngle & halfAngle)
+{
+  std::vector<double> directions(packed.HalfEdges(), 0.0);
+  for (int node = 0; node < packed.nodes; ++node)
+  {
+    const int first = packed.firstOfNode[node];
+    double    angle = certificate.nodeAngles[node];
+    int       h = first;
+    do
+    {
+      directions[h] = angle;
+      angle += 2.0 * halfAngle(certificate.nodeRadii[node], certificate.faceRadii[packed.face[h]]);
+      h = packed.next[h];
+    } while (h != first);
+  }
+  return directions;
 }
 } // namespace itk
 

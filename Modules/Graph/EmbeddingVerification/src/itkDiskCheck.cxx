@@ -13,7 +13,6 @@ using Real = long double;
 using Complex = std::complex<Real>;
 
 constexpr double Pi = 3.14159265358979323846;
-constexpr double MostAngleError = 1e-10;
 constexpr double MostPlaceError = 1e-9; // a hyperbolic length
 /** Of the smallest radius, and of the smallest to the largest one: see the plane. */
 constexpr double LeastRadius = 1e-11;
@@ -89,8 +88,6 @@ private:
 
   void
   CheckPlaces() const;
-  void
-  FindDirections();
   static Complex
   Place(const std::vector<double> & places, int index)
   {
@@ -168,7 +165,7 @@ DiskCheck::Check(Measures & measures)
 {
   this->CheckRadii(measures);
   this->CheckPlaces();
-  this->FindDirections();
+  m_Direction = DirectionsOfHalfEdges(m_Certificate, m_Packed, HalfAngle);
   this->CheckTree(measures);
   this->CheckFaces(measures);
   this->CheckGenerators(measures);
@@ -180,14 +177,7 @@ DiskCheck::CheckRadii(Measures & measures) const
 {
   RequireRadii(m_Certificate.nodeRadii, LeastRadius, 100.0, "node");
   RequireRadii(m_Certificate.faceRadii, LeastRadius, 100.0, "face");
-  std::vector<double> ofNodes;
-  std::vector<double> ofFaces;
-  SumKiteAngles(m_Certificate, m_Packed, HalfAngle, ofNodes, ofFaces);
-  const double atNodes = RequireAngleSums(ofNodes, std::vector<double>(ofNodes.size(), MostAngleError), "node");
-  const double atFaces = RequireAngleSums(ofFaces, std::vector<double>(ofFaces.size(), MostAngleError), "face");
-  measures.emplace_back("angleSum", std::max(atNodes, atFaces));
-  const auto end = m_Certificate.nodeRadii.begin() + m_Certificate.graph.nodes;
-  measures.emplace_back("smallestRadius", *std::min_element(m_Certificate.nodeRadii.begin(), end));
+  CheckKiteAngles(m_Certificate, m_Packed, HalfAngle, measures);
 }
 
 void
@@ -203,24 +193,6 @@ DiskCheck::CheckPlaces() const
                       std::to_string(i / 2) + " is outside the disk");
       }
     }
-  }
-}
-
-void
-DiskCheck::FindDirections()
-{
-  m_Direction.assign(m_Packed.HalfEdges(), 0.0);
-  for (int node = 0; node < m_Packed.nodes; ++node)
-  {
-    const int first = m_Packed.firstOfNode[node];
-    double    angle = m_Certificate.nodeAngles[node];
-    int       h = first;
-    do
-    {
-      m_Direction[h] = angle;
-      angle += 2.0 * HalfAngle(m_Certificate.nodeRadii[node], m_Certificate.faceRadii[m_Packed.face[h]]);
-      h = m_Packed.next[h];
-    } while (h != first);
   }
 }
 

@@ -11,8 +11,7 @@ namespace
 using Complex = std::complex<double>;
 
 constexpr double Pi = 3.14159265358979323846;
-constexpr double MostAngleError = 1e-10; // radii are right to their scale in the plane
-constexpr double MostPlaceError = 1e-9;  // of the lattice's shorter period
+constexpr double MostPlaceError = 1e-9; // of the lattice's shorter period
 /** Of the smallest to the largest radius: what lies below cannot be told from a solution that degenerates. */
 constexpr double LeastRatio = 1e-11;
 
@@ -32,13 +31,19 @@ public:
   {
     this->CheckRadii(measures);
     this->CheckLattice(measures);
-    this->FindDirections();
+    m_Direction = DirectionsOfHalfEdges(m_Certificate, m_Packed, HalfAngle);
     this->CheckEdges(measures);
     this->CheckFaces(measures);
     this->CheckGenerators();
   }
 
 private:
+  static double
+  HalfAngle(double r, double s)
+  {
+    return std::atan2(s, r);
+  }
+
   void
   CheckRadii(Measures & measures) const
   {
@@ -46,15 +51,7 @@ private:
                                     *std::max_element(m_Certificate.faceRadii.begin(), m_Certificate.faceRadii.end()));
     RequireRadii(m_Certificate.nodeRadii, LeastRatio * largest, 1e300, "node");
     RequireRadii(m_Certificate.faceRadii, LeastRatio * largest, 1e300, "face");
-    std::vector<double> ofNodes;
-    std::vector<double> ofFaces;
-    SumKiteAngles(
-      m_Certificate, m_Packed, [](double r, double s) { return std::atan2(s, r); }, ofNodes, ofFaces);
-    const double atNodes = RequireAngleSums(ofNodes, std::vector<double>(ofNodes.size(), MostAngleError), "node");
-    const double atFaces = RequireAngleSums(ofFaces, std::vector<double>(ofFaces.size(), MostAngleError), "face");
-    measures.emplace_back("angleSum", std::max(atNodes, atFaces));
-    const auto end = m_Certificate.nodeRadii.begin() + m_Certificate.graph.nodes;
-    measures.emplace_back("smallestRadius", *std::min_element(m_Certificate.nodeRadii.begin(), end));
+    CheckKiteAngles(m_Certificate, m_Packed, HalfAngle, measures);
   }
 
   /** The periods are a reduced basis, and their parallelogram is as large as all kites: it is the whole torus once. */
@@ -79,24 +76,6 @@ private:
       throw Refusal("the kites cover " + Figure(kites / m_Area) + " times the parallelogram of the periods");
     }
     measures.emplace_back("areaError", error);
-  }
-
-  void
-  FindDirections()
-  {
-    m_Direction.assign(m_Packed.HalfEdges(), 0.0);
-    for (int node = 0; node < m_Packed.nodes; ++node)
-    {
-      const int first = m_Packed.firstOfNode[node];
-      double    angle = m_Certificate.nodeAngles[node];
-      int       h = first;
-      do
-      {
-        m_Direction[h] = angle;
-        angle += 2.0 * std::atan2(m_Certificate.faceRadii[m_Packed.face[h]], m_Certificate.nodeRadii[node]);
-        h = m_Packed.next[h];
-      } while (h != first);
-    }
   }
 
   static Complex
