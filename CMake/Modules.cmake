@@ -1,48 +1,44 @@
 # The modules of Shapeton, each one after all it depends on. This list is the only place that names them;
 # ModuleLayeringTest checks that no include points to a later one.
 set(Shapeton_MODULES
-  Core/CommandLine
-  Core/CounterRandom
-  Core/ParallelLoops
+  Core/Base
   Core/Report
   Core/SparseCholesky
-  Core/StagedRun
-  Bridge/VTKGlue
-  IO/DicomSeries
   Mesh/SurfaceMesh
-  IO/SlicerMarkups
   Mesh/HeatDiffusionMetric
   Mesh/ConformalFlattening
-  Mesh/FlatColonGrid
+  IO/VolumeFiles
+  IO/DicomSeries
+  IO/SlicerMarkups
   Filtering/ShapeDiffusion
   Phantom/ShapePhantom
   Phantom/ColonPhantom
-  Segmentation/LumenDistance
-  Segmentation/ColonLumen
-  Segmentation/ColonCentreline
-  Segmentation/ColonWall
-  Segmentation/ColonModel
-  Segmentation/HaustralFolds
-  Mesh/ColonLandmarks
-  Segmentation/PolypCandidates
-  Registration/SupineProne
   Graph/GraphModel
-  Graph/GraphFiles
   Graph/GraphGenus
   Graph/SensorNetwork
   Graph/EmbeddingCertificate
   Graph/EmbeddingVerification
   Graph/RicciFlowEmbedding
   Graph/GraphComparison
-  Visualization/ShapeRendering
-  Visualization/ConformalMapView
-  Visualization/ColonReport
-  Visualization/FlatColonView
-  Visualization/HaustralFoldView
-  Visualization/ColonLandmarkView
-  Visualization/RegistrationView
-  Visualization/PolypCandidateView
-  Visualization/ColonoscopyRun
-  Visualization/GraphView
-  Visualization/GraphComparisonView
+  Colon/ColonLumen
+  Colon/ColonCentreline
+  Colon/ColonWall
+  Colon/ColonModel
+  Colon/FlatColon
+  Colon/HaustralFolds
+  Colon/ColonLandmarks
+  Colon/PolypCandidates
+  Colon/SupineProne
+  Visualization/PictureKit
+  Visualization/HeatViews
+  Visualization/SurfaceViews
+  Visualization/ColonViews
+  Visualization/GraphViews
+  Tools/CommandLine
+  Tools/StagedRun
+  Tools/ToolInput
+  Tools/GraphTools
+  Tools/HeatTools
+  Tools/ColonTools
+  Tools/ColonoscopyRun
 )

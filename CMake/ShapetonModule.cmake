@@ -35,7 +35,7 @@ function(itk_module_add_library name)
     EXPORT_MACRO_NAME ${name}_EXPORT NO_EXPORT_MACRO_NAME ${name}_HIDDEN STATIC_DEFINE ITK_STATIC)
   set_target_properties(${name} PROPERTIES
     CXX_VISIBILITY_PRESET hidden VISIBILITY_INLINES_HIDDEN ON
-    VERSION ${Shapeton_VERSION} SOVERSION ${Shapeton_VERSION_MAJOR}
+    OUTPUT_NAME Shapeton${name} VERSION ${Shapeton_VERSION} SOVERSION ${Shapeton_VERSION_MAJOR}
     INSTALL_RPATH "$ORIGIN") # modules find each other where they are installed
   target_include_directories(${name} PUBLIC
     $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/include> $<BUILD_INTERFACE:${PROJECT_BINARY_DIR}/include>)

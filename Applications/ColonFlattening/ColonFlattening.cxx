@@ -2,10 +2,10 @@
 
 #include "itkColonFlatteningReport.h"
 #include "itkCommandLine.h"
-#include "itkSurfaceReader.h"
+#include "itkToolSurfaces.h"
 #include "itkSurfaceWriter.h"
-#include "itkToolError.h"
-#include "itkVolumeReader.h"
+#include "itkExceptions.h"
+#include "itkToolVolumes.h"
 
 namespace
 {
@@ -15,9 +15,9 @@ void
 CheckUsage(const CommandLine & commandLine)
 {
   const std::string metric = commandLine.GetString("metric");
-  itk::RequireUsage(metric != "euclidean" || !commandLine.IsGiven("time"),
+  itk::RequireParameter(metric != "euclidean" || !commandLine.IsGiven("time"),
                     "--time belongs to the heat diffusion metric; --metric euclidean has none");
-  itk::RequireUsage(metric == "truncatedHeatDiffusion" || !commandLine.IsGiven("eigenpairs"),
+  itk::RequireParameter(metric == "truncatedHeatDiffusion" || !commandLine.IsGiven("eigenpairs"),
                     "--eigenpairs belongs to --metric truncatedHeatDiffusion; heatDiffusion takes all of them");
 }
 
@@ -42,10 +42,7 @@ OptionsOf(CommandLine & commandLine)
   {
     options.centreline = itk::ReadCurves(commandLine, "centreline");
   }
-  options.progress = [&commandLine](const std::string & stage, double share) {
-    constexpr double mapEnd = 0.9; // then the files are written
-    commandLine.Progress(stage, mapEnd * share);
-  };
+  options.progress = commandLine.PartOfProgress(0.0, 0.9); // then the files are written
   return options;
 }
 
@@ -71,10 +68,7 @@ Flatten(CommandLine & commandLine)
   itk::Surface                        surface = itk::ReadSurface(commandLine, "inputSurface");
   itk::ColonFlattening                flattening =
     itk::FlattenColon(std::move(surface.mesh), '"' + commandLine.GetString("inputSurface") + '"', options);
-  for (const std::string & warning : flattening.warnings)
-  {
-    commandLine.Warn(warning);
-  }
+  commandLine.Warn(flattening.warnings);
 
   commandLine.Progress("Writing", 0.92);
   flattening.map.flat.facts = commandLine.GetProvenance();
@@ -86,10 +80,7 @@ Flatten(CommandLine & commandLine)
   if (!statisticsPath.empty())
   {
     itk::Json document;
-    for (const auto & [key, value] : commandLine.GetProvenance())
-    {
-      document["provenance"][key] = value;
-    }
+    document["provenance"] = itk::ProvenanceToJson(commandLine.GetProvenance());
     document["warnings"] = commandLine.GetWarnings();
     document.update(itk::ColonFlatteningToJson(flattening));
     itk::WriteJson(document, statisticsPath);

@@ -3,8 +3,8 @@
 #include "itkCommandLine.h"
 #include "itkHaustralFoldFiles.h"
 #include "itkHaustralFoldPicture.h"
-#include "itkSurfaceReader.h"
-#include "itkToolError.h"
+#include "itkToolSurfaces.h"
+#include "itkExceptions.h"
 
 namespace
 {
@@ -14,9 +14,9 @@ void
 CheckUsage(const CommandLine & commandLine)
 {
   const bool isPublished = commandLine.GetString("scheme") == "published";
-  itk::RequireUsage(isPublished || !(commandLine.IsGiven("publishedLow") || commandLine.IsGiven("publishedHigh")),
+  itk::RequireParameter(isPublished || !(commandLine.IsGiven("publishedLow") || commandLine.IsGiven("publishedHigh")),
                     "--publishedLow and --publishedHigh belong to --scheme published");
-  itk::RequireUsage(!isPublished || !commandLine.IsGiven("smoothness"), "--smoothness belongs to --scheme graphCut");
+  itk::RequireParameter(!isPublished || !commandLine.IsGiven("smoothness"), "--smoothness belongs to --scheme graphCut");
   itk::RequireFoldLabelsName(commandLine.GetString("outputLabels"));
 }
 
@@ -54,7 +54,7 @@ public:
   void
   Write(const itk::HaustralFolds & folds, const itk::FlatColonGrid & grid) const
   {
-    itk::WriteFoldLabels(folds, grid, m_Labels, itk::ProvenanceMetadata(m_CommandLine));
+    itk::WriteFoldLabels(folds, grid, m_Labels, itk::ProvenanceMetadata(m_CommandLine.GetProvenance()));
     if (!m_Features.empty())
     {
       itk::WriteFoldFeatures(folds, m_CommandLine.GetProvenance(), m_Features);
@@ -115,10 +115,7 @@ FindFolds(CommandLine & commandLine)
 
   commandLine.Progress("Folds", 0.2);
   const itk::HaustralFolds folds = itk::FindHaustralFolds(grid, options);
-  for (const std::string & warning : folds.warnings)
-  {
-    commandLine.Warn(warning);
-  }
+  commandLine.Warn(folds.warnings);
 
   commandLine.Progress("Writing", 0.7);
   files.Write(folds, grid);

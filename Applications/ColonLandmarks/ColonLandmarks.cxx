@@ -3,7 +3,7 @@
 #include "itkColonLandmarkFiles.h"
 #include "itkColonLandmarkReport.h"
 #include "itkCommandLine.h"
-#include "itkSurfaceReader.h"
+#include "itkToolSurfaces.h"
 
 #include <optional>
 
@@ -23,20 +23,8 @@ OptionsOf(CommandLine & commandLine)
   {
     options.markers = itk::ReadTaeniaMarkers(commandLine, "markers");
   }
-  options.progress = [&commandLine](const std::string & stage, double share) {
-    constexpr double landmarksEnd = 0.7; // then the colon is split and the files are written
-    commandLine.Progress(stage, landmarksEnd * share);
-  };
+  options.progress = commandLine.PartOfProgress(0.0, 0.7); // then the colon is split and the files are written
   return options;
-}
-
-void
-WarnAll(CommandLine & commandLine, const std::vector<std::string> & warnings)
-{
-  for (const std::string & warning : warnings)
-  {
-    commandLine.Warn(warning);
-  }
 }
 
 void
@@ -48,14 +36,14 @@ Mark(CommandLine & commandLine)
   const itk::CurveSet             centreline = itk::ReadCurves(commandLine, "inputCentreline");
   const itk::SurfaceMesh          flat = itk::ReadSurface(commandLine, "inputFlat").mesh;
   const itk::ColonLandmarks       landmarks = itk::FindColonLandmarks(flat, centreline, options);
-  WarnAll(commandLine, landmarks.warnings);
+  commandLine.Warn(landmarks.warnings);
 
   std::optional<itk::ColonPieces> pieces;
   if (commandLine.GetFlag("split"))
   {
     commandLine.Progress("Splitting", 0.7);
     pieces = itk::SplitColon(flat, landmarks);
-    WarnAll(commandLine, pieces->warnings);
+    commandLine.Warn(pieces->warnings);
   }
   commandLine.Progress("Writing", 0.9);
   files.Write(flat, landmarks, pieces ? &*pieces : nullptr);

@@ -1,12 +1,13 @@
 #include "ColonPhantomXML.h"
 
+#include "itkToolSurfaces.h"
 #include "itkColonPhantomImageSource.h"
 #include "itkColonTruthWriter.h"
 #include "itkCommandLine.h"
 #include "itkDicomSeriesWriter.h"
 #include "itkOrthonormalDirection.h"
 #include "itkPhantomGrid.h"
-#include "itkToolError.h"
+#include "itkExceptions.h"
 
 #include <map>
 
@@ -59,8 +60,8 @@ MakeSource(const itk::CommandLine & commandLine)
 {
   const double extent[3] = { 358.4, 358.4, 336.0 }; // mm
   const auto   grid =
-    itk::ReadPhantomGrid(commandLine, sizeof(short) + 2 * sizeof(unsigned char), itk::Vector<double, 3>(extent));
-  itk::RequireUsage(!itk::IsLeftHanded(grid.direction),
+    itk::MakePhantomGrid(commandLine.GetIntegers("size"), commandLine.GetDoubles("spacing"), commandLine.GetDoubles("direction"), sizeof(short) + 2 * sizeof(unsigned char), itk::Vector<double, 3>(extent));
+  itk::RequireParameter(!itk::IsLeftHanded(grid.direction),
                     "--direction: a CT series cannot have left-handed axes; change the sign of one column");
   const auto source = Source::New();
   source->SetSize(grid.size);
@@ -88,7 +89,7 @@ Describe(const itk::CommandLine & commandLine)
   description.patientPosition = positions.at(position).first;
   description.seriesNumber = positions.at(position).second;
   description.seed = static_cast<unsigned>(commandLine.GetInteger("seed"));
-  description.comments = itk::ProvenanceComment(commandLine);
+  description.comments = itk::ProvenanceComment(commandLine.GetProvenance());
   return description;
 }
 
@@ -100,7 +101,7 @@ ReadOtherPosition(itk::CommandLine & commandLine)
   {
     return {};
   }
-  itk::RequireUsage(commandLine.IsGiven("truth"), "--pairWith writes points.csv into the folder of --truth; give one");
+  itk::RequireParameter(commandLine.IsGiven("truth"), "--pairWith writes points.csv into the folder of --truth; give one");
   itk::CurveSet     other = itk::ReadCurves(commandLine, "pairWith");
   const std::string seed = commandLine.GetString("seed");
   for (const auto & [name, value] : other.facts)
@@ -119,7 +120,7 @@ MakePhantom(itk::CommandLine & commandLine)
 {
   const std::string folder = itk::WithoutTrailingSlashes(commandLine.GetString("outputFolder"));
   const std::string truth = itk::WithoutTrailingSlashes(commandLine.GetString("truth"));
-  itk::RequireUsage(folder != truth, "--truth: the series needs a folder of its own");
+  itk::RequireParameter(folder != truth, "--truth: the series needs a folder of its own");
   commandLine.LeaveOutOfProvenance("truth");
   const itk::CurveSet other = ReadOtherPosition(commandLine);
   const auto          source = MakeSource(commandLine);

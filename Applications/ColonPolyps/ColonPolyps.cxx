@@ -5,7 +5,7 @@
 #include "itkSha256.h"
 #include "itkSlicerMarkups.h"
 #include "itkSurfaceReader.h"
-#include "itkToolError.h"
+#include "itkExceptions.h"
 
 #include <limits>
 
@@ -17,7 +17,7 @@ using Candidates = std::vector<itk::PolypCandidate>;
 void
 CheckUsage(const CommandLine & commandLine)
 {
-  itk::RequireUsage(!commandLine.IsGiven("other") || commandLine.IsGiven("registration"),
+  itk::RequireParameter(!commandLine.IsGiven("other") || commandLine.IsGiven("registration"),
                     "--other needs --registration, which tells where candidates lie in the other position");
 }
 
@@ -80,18 +80,13 @@ SearchForPolyps(CommandLine & commandLine)
   {
     commandLine.AddProvenance(name, identity);
   }
-  for (const std::string & warning : colon.warnings)
-  {
-    commandLine.Warn(warning);
-  }
+  commandLine.Warn(colon.warnings);
 
   itk::PolypSearchOptions options;
   options.preset =
     commandLine.GetString("preset") == "published" ? itk::PolypPreset::Published : itk::PolypPreset::Default;
   options.sensitivity = commandLine.GetDouble("sensitivity");
-  options.progress = [&commandLine](const std::string & stage, double share) {
-    commandLine.Progress(stage, 0.2 + 0.5 * share);
-  };
+  options.progress = commandLine.PartOfProgress(0.2, 0.7);
   Candidates candidates = itk::SearchPolyps(colon, options);
   MapToOther(commandLine, candidates);
 

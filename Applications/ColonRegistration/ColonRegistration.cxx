@@ -14,10 +14,7 @@ Read(CommandLine & commandLine, const std::string & parameter, const std::string
 {
   itk::ColonPositionFiles files = itk::ReadColonPosition(commandLine.GetString(parameter), name);
   commandLine.AddInput(parameter, files.identity);
-  for (const std::string & warning : files.warnings)
-  {
-    commandLine.Warn(warning);
-  }
+  commandLine.Warn(files.warnings);
   return files;
 }
 
@@ -48,10 +45,7 @@ OptionsOf(const CommandLine & commandLine)
 void
 WarnOf(CommandLine & commandLine, const itk::SupineProneRegistration & registration)
 {
-  for (const std::string & warning : registration.warnings)
-  {
-    commandLine.Warn(warning);
-  }
+  commandLine.Warn(registration.warnings);
   for (const std::string & reason : registration.confidence.reasons)
   {
     commandLine.Warn("the registration is flagged as doubtful: " + reason);

@@ -3,8 +3,8 @@
 #include "itkColonModelFiles.h"
 #include "itkColonModelReport.h"
 #include "itkCommandLine.h"
-#include "itkToolError.h"
-#include "itkVolumeReader.h"
+#include "itkExceptions.h"
+#include "itkToolVolumes.h"
 
 namespace
 {
@@ -13,9 +13,9 @@ using itk::CommandLine;
 void
 CheckUsage(const CommandLine & commandLine)
 {
-  itk::RequireUsage(!commandLine.GetFlag("inputIsLumen") || !commandLine.IsGiven("lumen"),
+  itk::RequireParameter(!commandLine.GetFlag("inputIsLumen") || !commandLine.IsGiven("lumen"),
                     "--lumen belongs to a CT; with --inputIsLumen the input itself is the lumen");
-  itk::RequireUsage(!commandLine.GetFlag("inputIsLumen") || !commandLine.IsGiven("position"),
+  itk::RequireParameter(!commandLine.GetFlag("inputIsLumen") || !commandLine.IsGiven("position"),
                     "--position says where fluid pools; a lumen (--inputIsLumen) needs none");
 }
 
@@ -32,10 +32,7 @@ OptionsOf(CommandLine & commandLine, const std::string & patientPosition)
   options.faces = commandLine.GetInteger("faces");
   options.keepPieces = commandLine.GetFlag("keepPieces");
   options.keepPartial = commandLine.GetFlag("keepPartial");
-  options.progress = [&commandLine](const std::string & stage, double share) {
-    constexpr double modelEnd = 0.9; // then the files are written
-    commandLine.Progress(stage, modelEnd * share);
-  };
+  options.progress = commandLine.PartOfProgress(0.0, 0.9); // then the files are written
   return options;
 }
 
@@ -62,10 +59,7 @@ Segment(CommandLine & commandLine)
   const itk::ColonModelReport report(commandLine, commandLine.GetString("report"));
   const itk::Volume           volume = itk::ReadVolume(commandLine, "inputVolume");
   itk::ColonModel             model = ModelOf(commandLine, volume, OptionsOf(commandLine, volume.patientPosition));
-  for (const std::string & warning : model.warnings)
-  {
-    commandLine.Warn(warning);
-  }
+  commandLine.Warn(model.warnings);
   const bool isPartial = !model.failure.empty();
   if (!isPartial || commandLine.GetFlag("keepPartial"))
   {

@@ -4,9 +4,9 @@
 #include "itkConformalMapPicture.h"
 #include "itkCsvTable.h"
 #include "itkHeatDiffusionMetric.h"
-#include "itkSurfaceReader.h"
+#include "itkToolSurfaces.h"
 #include "itkSurfaceWriter.h"
-#include "itkToolError.h"
+#include "itkExceptions.h"
 
 #include <filesystem>
 #include <limits>
@@ -20,13 +20,13 @@ CheckUsage(const CommandLine & commandLine)
 {
   const auto        corners = commandLine.GetIntegers("corners");
   const std::string flat = commandLine.GetString("flatSurface");
-  itk::RequireUsage(std::filesystem::path(flat).extension() == ".vtp",
+  itk::RequireParameter(std::filesystem::path(flat).extension() == ".vtp",
                     "the output " + flat + " needs the extension .vtp, which keeps its arrays");
-  itk::RequireUsage(corners.empty() || corners.size() == 4,
+  itk::RequireParameter(corners.empty() || corners.size() == 4,
                     "--corners takes four vertices, for example --corners 0,10,20,30");
-  itk::RequireUsage(corners.empty() || commandLine.GetString("domain") == "rectangle",
+  itk::RequireParameter(corners.empty() || commandLine.GetString("domain") == "rectangle",
                     "--corners are those of a rectangle; give --domain rectangle");
-  itk::RequireUsage(!commandLine.IsGiven("time") || commandLine.GetString("metric") == "heatDiffusion",
+  itk::RequireParameter(!commandLine.IsGiven("time") || commandLine.GetString("metric") == "heatDiffusion",
                     "--time is that of the heat diffusion metric; give --metric heatDiffusion");
 }
 
@@ -73,10 +73,7 @@ void
 WriteStatistics(const CommandLine & commandLine, const itk::ConformalMap & map, const std::string & path)
 {
   itk::Json document;
-  for (const auto & [key, value] : commandLine.GetProvenance())
-  {
-    document["provenance"][key] = value;
-  }
+  document["provenance"] = itk::ProvenanceToJson(commandLine.GetProvenance());
   document["warnings"] = commandLine.GetWarnings();
   document["map"] = itk::ConformalMapToJson(map);
   itk::WriteJson(document, path);
@@ -94,12 +91,9 @@ Flatten(CommandLine & commandLine)
   const itk::Surface surface = itk::ReadRepairedSurface(commandLine, "inputSurface", true); // angles have no unit
   commandLine.Progress("Mapping", 0.1);
   const itk::ConformalMap map = MapOf(commandLine, surface.mesh);
-  for (const std::string & warning : map.warnings)
-  {
-    commandLine.Warn(warning);
-  }
+  commandLine.Warn(map.warnings);
   commandLine.Progress("Writing", 0.7);
-  itk::WriteSurface(commandLine, map.flat, flat);
+  itk::WriteSurface(map.flat, commandLine.GetProvenance(), flat);
   if (!statistics.empty())
   {
     WriteStatistics(commandLine, map, statistics);

@@ -5,8 +5,8 @@
 #include "itkCumulativeHeatDiffusionImageFilter.h"
 #include "itkHeatClassification.h"
 #include "itkHeatResultFiles.h"
-#include "itkToolError.h"
-#include "itkVolumeReader.h"
+#include "itkExceptions.h"
+#include "itkToolVolumes.h"
 
 #include <set>
 
@@ -20,15 +20,15 @@ void
 CheckUsage(const CommandLine & commandLine)
 {
   const auto window = commandLine.GetDoubles("intensityWindow");
-  itk::RequireUsage(window.empty() || (window.size() == 2 && window[0] < window[1]),
+  itk::RequireParameter(window.empty() || (window.size() == 2 && window[0] < window[1]),
                     "--intensityWindow needs two numbers, the lower one first, for example -160,240");
-  itk::RequireUsage(!commandLine.GetFlag("autoParameters") || !commandLine.IsGiven("p"),
+  itk::RequireParameter(!commandLine.GetFlag("autoParameters") || !commandLine.IsGiven("p"),
                     "--autoParameters chooses p; give either it or --p");
-  itk::RequireUsage(commandLine.IsGiven("snapshotSteps") == commandLine.IsGiven("snapshotFolder"),
+  itk::RequireParameter(commandLine.IsGiven("snapshotSteps") == commandLine.IsGiven("snapshotFolder"),
                     "--snapshotSteps and --snapshotFolder go together; give both");
   for (const int step : commandLine.GetIntegers("snapshotSteps"))
   {
-    itk::RequireUsage(step >= 0 && step <= commandLine.GetInteger("timeSteps"),
+    itk::RequireParameter(step >= 0 && step <= commandLine.GetInteger("timeSteps"),
                       "--snapshotSteps: " + std::to_string(step) + " does not lie between 0 and --timeSteps");
   }
 }

@@ -2,7 +2,7 @@
 
 #include "itkCommandLine.h"
 #include "itkDicomSeriesListing.h"
-#include "itkToolError.h"
+#include "itkExceptions.h"
 
 #include <iostream>
 
@@ -21,8 +21,8 @@ main(int argc, char * argv[])
     }
     if (!json.empty())
     {
-      itk::WriteDicomScan(scan, json);
+      itk::WriteDicomScan(scan, json, itk::CommandLine::InOptions);
     }
-    std::cout << itk::FormatDicomScan(scan);
+    std::cout << itk::FormatDicomScan(scan, itk::CommandLine::InOptions);
   });
 }

@@ -1,7 +1,7 @@
 #include "DicomSeriesToImageXML.h"
 
 #include "itkCommandLine.h"
-#include "itkVolumeReader.h"
+#include "itkToolVolumes.h"
 #include "itkVolumeWriter.h"
 
 int
@@ -18,11 +18,11 @@ main(int argc, char * argv[])
     const auto whole = itk::ToShort(volume.image);
     if (whole)
     {
-      itk::WriteVolume(whole.GetPointer(), output, itk::ProvenanceMetadata(commandLine));
+      itk::WriteVolume(whole.GetPointer(), output, itk::ProvenanceMetadata(commandLine.GetProvenance()));
     }
     else
     {
-      itk::WriteVolume(volume.image.GetPointer(), output, itk::ProvenanceMetadata(commandLine));
+      itk::WriteVolume(volume.image.GetPointer(), output, itk::ProvenanceMetadata(commandLine.GetProvenance()));
     }
     commandLine.Progress("Writing", 1.0);
   });

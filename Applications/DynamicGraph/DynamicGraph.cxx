@@ -4,7 +4,7 @@
 #include "itkGraphComparisonPictures.h"
 #include "itkGraphReader.h"
 #include "itkSha256.h"
-#include "itkToolError.h"
+#include "itkExceptions.h"
 
 #include <filesystem>
 
@@ -52,10 +52,7 @@ itk::Json
 DocumentOf(const CommandLine & commandLine, const itk::Json & content)
 {
   itk::Json document;
-  for (const auto & [key, value] : commandLine.GetProvenance())
-  {
-    document["provenance"][key] = value;
-  }
+  document["provenance"] = itk::ProvenanceToJson(commandLine.GetProvenance());
   document["warnings"] = commandLine.GetWarnings();
   document.update(content);
   return document;
@@ -66,7 +63,7 @@ std::vector<int>
 ComparedSteps(const CommandLine & commandLine)
 {
   std::vector<int> steps = commandLine.GetIntegers("compare");
-  itk::RequireUsage(steps.empty() || steps.size() == 2, "--compare takes two steps, for example 0,4");
+  itk::RequireParameter(steps.empty() || steps.size() == 2, "--compare takes two steps, for example 0,4");
   return steps;
 }
 
@@ -75,7 +72,7 @@ WriteComparison(CommandLine & commandLine, const itk::DynamicSequence & sequence
 {
   for (const int step : steps)
   {
-    itk::RequireUsage(step >= 0 && step < static_cast<int>(sequence.steps.size()),
+    itk::RequireParameter(step >= 0 && step < static_cast<int>(sequence.steps.size()),
                       "--compare names step " + std::to_string(step) + ", but the steps are 0 to " +
                         std::to_string(sequence.steps.size() - 1));
   }

@@ -3,7 +3,7 @@
 #include "itkCommandLine.h"
 #include "itkCsvTable.h"
 #include "itkGraphComparisonPictures.h"
-#include "itkGraphReader.h"
+#include "itkToolGraphs.h"
 
 namespace
 {
@@ -73,10 +73,7 @@ Compare(CommandLine & commandLine)
 
   commandLine.Progress("Writing", 0.9);
   itk::Json document;
-  for (const auto & [key, value] : commandLine.GetProvenance())
-  {
-    document["provenance"][key] = value;
-  }
+  document["provenance"] = itk::ProvenanceToJson(commandLine.GetProvenance());
   document["warnings"] = commandLine.GetWarnings();
   document.update(itk::ComparisonToJson(comparison));
   itk::WriteJson(document, comparisonPath);

@@ -4,10 +4,9 @@
 #include "itkGraphEmbedding.h"
 #include "itkGraphGenus.h"
 #include "itkGraphInSpace.h"
-#include "itkGraphReader.h"
+#include "itkToolGraphs.h"
 #include "itkGraphReport.h"
-#include "itkRotationFile.h"
-#include "itkToolError.h"
+#include "itkExceptions.h"
 
 #include <algorithm>
 #include <charconv>
@@ -24,7 +23,7 @@ GenusOf(const std::string & text)
   int          genus = -1;
   const char * end = text.data() + text.size();
   const auto   result = std::from_chars(text.data(), end, genus);
-  itk::RequireUsage(text == "auto" || (result.ec == std::errc() && result.ptr == end && genus >= 0),
+  itk::RequireParameter(text == "auto" || (result.ec == std::errc() && result.ptr == end && genus >= 0),
                     "--genus is auto or a number that is not negative, and not \"" + text + '"');
   return text == "auto" ? -1 : genus;
 }
@@ -110,7 +109,7 @@ void
 Embed(CommandLine & commandLine)
 {
   GenusOf(commandLine.GetString("genus"));
-  itk::RequireUsage(!commandLine.IsGiven("rotation") || !commandLine.IsGiven("genus"),
+  itk::RequireParameter(!commandLine.IsGiven("rotation") || !commandLine.IsGiven("genus"),
                     "--rotation fixes the genus; leave --genus out");
   const Pictures    pictures(commandLine);
   const std::string output = commandLine.GetString("certificate");

@@ -4,7 +4,7 @@
 #include "itkEmbeddingVerification.h"
 #include "itkJson.h"
 #include "itkSha256.h"
-#include "itkToolError.h"
+#include "itkExceptions.h"
 
 #include <iostream>
 
@@ -16,10 +16,7 @@ void
 WriteStatistics(CommandLine & commandLine, const itk::EmbeddingVerdict & verdict)
 {
   itk::Json document;
-  for (const auto & [key, value] : commandLine.GetProvenance())
-  {
-    document["provenance"][key] = value;
-  }
+  document["provenance"] = itk::ProvenanceToJson(commandLine.GetProvenance());
   document["valid"] = verdict.refusal.empty();
   document["refusal"] = verdict.refusal;
   document["measures"] = itk::Json::object();

@@ -4,9 +4,9 @@
 #include "itkHeatReport.h"
 #include "itkHeatSnapshot.h"
 #include "itkShapeAnalysis.h"
-#include "itkToolError.h"
+#include "itkExceptions.h"
 #include "itkTransferFunctionPicture.h"
-#include "itkVolumeReader.h"
+#include "itkToolVolumes.h"
 
 #include <filesystem>
 
@@ -112,7 +112,7 @@ MakeTransferFunction(itk::CommandLine & commandLine)
   const std::string output = commandLine.GetString("volumeProperty");
   if (std::filesystem::path(output).extension() != ".vp")
   {
-    throw itk::UsageError("the output " + output +
+    throw itk::ParameterError("the output " + output +
                           " needs the extension .vp, by which 3D Slicer knows a volume property");
   }
   const auto        lines = ParseLines(commandLine);

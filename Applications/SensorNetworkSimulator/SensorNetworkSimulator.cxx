@@ -4,7 +4,7 @@
 #include "itkCsvTable.h"
 #include "itkGraphReader.h"
 #include "itkSensorNetwork.h"
-#include "itkToolError.h"
+#include "itkExceptions.h"
 
 #include <cstdio>
 #include <filesystem>

@@ -6,7 +6,7 @@
 #include "itkPhantomGrid.h"
 #include "itkSha256.h"
 #include "itkShapePhantomImageSource.h"
-#include "itkToolError.h"
+#include "itkExceptions.h"
 #include "itkVolumeWriter.h"
 
 #include <algorithm>
@@ -29,10 +29,10 @@ ReadScene(itk::CommandLine & commandLine)
 Source::Pointer
 MakeSource(itk::CommandLine & commandLine)
 {
-  const auto grid = itk::ReadPhantomGrid(commandLine, sizeof(short) + sizeof(unsigned char));
+  const auto grid = itk::MakePhantomGrid(commandLine.GetIntegers("size"), commandLine.GetDoubles("spacing"), commandLine.GetDoubles("direction"), sizeof(short) + sizeof(unsigned char));
   if (commandLine.GetFlag("dicom") && itk::IsLeftHanded(grid.direction))
   {
-    throw itk::UsageError("--direction: a CT series cannot have left-handed axes; change the sign of one column");
+    throw itk::ParameterError("--direction: a CT series cannot have left-handed axes; change the sign of one column");
   }
   const auto source = Source::New();
   source->SetSize(grid.size);
@@ -67,7 +67,7 @@ WriteSeries(const itk::CommandLine & commandLine, const Source::ImageType * imag
   description.studyDescription = "Shape phantoms";
   description.seriesDescription = "Shape phantom";
   description.seed = commandLine.GetInteger("seed");
-  description.comments = itk::ProvenanceComment(commandLine);
+  description.comments = itk::ProvenanceComment(commandLine.GetProvenance());
   itk::WriteDicomSeriesFolder(image, folder, description);
 }
 

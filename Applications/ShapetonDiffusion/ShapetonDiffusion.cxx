@@ -5,8 +5,8 @@
 #include "itkShapetonDiffusionImageFilter.h"
 #include "itkShapetonMonitor.h"
 #include "itkShapetonResultFiles.h"
-#include "itkToolError.h"
-#include "itkVolumeReader.h"
+#include "itkExceptions.h"
+#include "itkToolVolumes.h"
 
 #include <charconv>
 
@@ -20,13 +20,13 @@ void
 CheckUsage(const CommandLine & commandLine)
 {
   const auto window = commandLine.GetDoubles("intensityWindow");
-  itk::RequireUsage(window.empty() || (window.size() == 2 && window[0] < window[1]),
+  itk::RequireParameter(window.empty() || (window.size() == 2 && window[0] < window[1]),
                     "--intensityWindow needs two numbers, the lower one first, for example -160,240");
-  itk::RequireUsage(!commandLine.IsGiven("featureSize") || !commandLine.IsGiven("distance"),
+  itk::RequireParameter(!commandLine.IsGiven("featureSize") || !commandLine.IsGiven("distance"),
                     "--featureSize chooses the distance; give either it or --distance");
-  itk::RequireUsage(!commandLine.IsGiven("previewEvery") || commandLine.IsGiven("preview"),
+  itk::RequireParameter(!commandLine.IsGiven("previewEvery") || commandLine.IsGiven("preview"),
                     "--previewEvery needs --preview, the picture to replace");
-  itk::RequireUsage(!commandLine.IsGiven("epsilon") || commandLine.GetFlag("untilSteady") ||
+  itk::RequireParameter(!commandLine.IsGiven("epsilon") || commandLine.GetFlag("untilSteady") ||
                       commandLine.IsGiven("preview") || commandLine.IsGiven("report"),
                     "--epsilon has no effect without --untilSteady, --preview or --report");
 }
@@ -43,7 +43,7 @@ SetEpsilon(const CommandLine & commandLine, FilterType * filter)
   double             epsilon = 0.0;
   const auto * const end = text.data() + text.size();
   const auto         parsed = std::from_chars(text.data(), end, epsilon);
-  itk::RequireUsage(parsed.ec == std::errc() && parsed.ptr == end && epsilon > 0.0 && epsilon < 1e300,
+  itk::RequireParameter(parsed.ec == std::errc() && parsed.ptr == end && epsilon > 0.0 && epsilon < 1e300,
                     "--epsilon: \"" + text + "\" is neither a positive number nor auto");
   filter->SetEpsilon(epsilon);
 }

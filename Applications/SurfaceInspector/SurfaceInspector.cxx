@@ -2,7 +2,7 @@
 
 #include "itkCommandLine.h"
 #include "itkSurfaceQuality.h"
-#include "itkSurfaceReader.h"
+#include "itkToolSurfaces.h"
 
 #include <iostream>
 
@@ -16,10 +16,7 @@ main(int argc, char * argv[])
     if (!json.empty())
     {
       itk::Json document;
-      for (const auto & [key, value] : commandLine.GetProvenance())
-      {
-        document["provenance"][key] = value;
-      }
+      document["provenance"] = itk::ProvenanceToJson(commandLine.GetProvenance());
       document["warnings"] = surface.notes;
       document["surface"] = itk::SurfaceQualityToJson(quality);
       itk::WriteJson(document, json);

@@ -3,9 +3,9 @@
 #include "itkCommandLine.h"
 #include "itkCsvTable.h"
 #include "itkHeatKernel.h"
-#include "itkSurfaceReader.h"
+#include "itkToolSurfaces.h"
 #include "itkSurfaceWriter.h"
-#include "itkToolError.h"
+#include "itkExceptions.h"
 
 namespace
 {
@@ -16,13 +16,13 @@ void
 CheckUsage(const CommandLine & commandLine)
 {
   const std::string signature = commandLine.GetString("heatKernelSignature");
-  itk::RequireUsage(signature.empty() || (signature.size() > 4 && signature.substr(signature.size() - 4) == ".vtp"),
+  itk::RequireParameter(signature.empty() || (signature.size() > 4 && signature.substr(signature.size() - 4) == ".vtp"),
                     "--heatKernelSignature writes VTP; give it a name that ends in .vtp");
-  itk::RequireUsage(!commandLine.IsGiven("times") || commandLine.IsGiven("heatKernelSignature"),
+  itk::RequireParameter(!commandLine.IsGiven("times") || commandLine.IsGiven("heatKernelSignature"),
                     "--times are those of the heat kernel signature; give --heatKernelSignature as well");
   for (const double time : commandLine.GetDoubles("times"))
   {
-    itk::RequireUsage(time > 0.0, "--times: a time of diffusion is greater than 0 mm^2");
+    itk::RequireParameter(time > 0.0, "--times: a time of diffusion is greater than 0 mm^2");
   }
 }
 
@@ -90,7 +90,7 @@ WriteSignature(CommandLine &                commandLine,
   }
   mesh.fieldArrays.push_back({ "times", Eigen::Map<const Eigen::VectorXd>(times.data(), times.size()) });
   mesh.fieldArrays.push_back({ "eigenvalues", spectrum.eigenvalues });
-  itk::WriteSurface(commandLine, std::move(mesh), path);
+  itk::WriteSurface(std::move(mesh), commandLine.GetProvenance(), path);
 }
 
 void

@@ -3,7 +3,7 @@
 #include "itkColonoscopyRun.h"
 #include "itkCommandLine.h"
 #include "itkStagedRun.h"
-#include "itkToolError.h"
+#include "itkExceptions.h"
 
 namespace
 {
@@ -23,10 +23,10 @@ CheckSecond(const CommandLine & commandLine)
                                    "segmentWise",
                                    "evaluate" })
   {
-    itk::RequireUsage(commandLine.IsGiven("second") || !commandLine.IsGiven(name),
+    itk::RequireParameter(commandLine.IsGiven("second") || !commandLine.IsGiven(name),
                       std::string("--") + name + " is of no use without --second");
   }
-  itk::RequireUsage(!commandLine.IsGiven("second") ||
+  itk::RequireParameter(!commandLine.IsGiven("second") ||
                       commandLine.GetString("second") != commandLine.GetString("inputVolume") ||
                       commandLine.GetString("secondSeriesUID") != commandLine.GetString("seriesUID"),
                     "the second series is the first one; name its --secondSeriesUID, or another folder");
@@ -39,13 +39,13 @@ CheckUsage(const CommandLine & commandLine)
   const bool isLumen = commandLine.GetFlag("inputIsLumen");
   for (const auto & [lumen, position] : { std::pair("lumen", "position"), std::pair("secondLumen", "secondPosition") })
   {
-    itk::RequireUsage(!isLumen || !commandLine.IsGiven(lumen),
+    itk::RequireParameter(!isLumen || !commandLine.IsGiven(lumen),
                       std::string("--") + lumen +
                         " belongs to a CT; with --inputIsLumen the input itself is the lumen");
-    itk::RequireUsage(!isLumen || !commandLine.IsGiven(position),
+    itk::RequireParameter(!isLumen || !commandLine.IsGiven(position),
                       std::string("--") + position + " says where fluid pools; a lumen (--inputIsLumen) needs none");
   }
-  itk::RequireUsage(commandLine.GetString("metric") != "euclidean" || !commandLine.IsGiven("time"),
+  itk::RequireParameter(commandLine.GetString("metric") != "euclidean" || !commandLine.IsGiven("time"),
                     "--time belongs to the heat diffusion metric; --metric euclidean has none");
   CheckSecond(commandLine);
 }

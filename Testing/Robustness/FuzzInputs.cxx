@@ -22,7 +22,7 @@
 #include "itkSurfaceQuality.h"
 #include "itkSurfaceReader.h"
 #include "itkSurfaceRepair.h"
-#include "itkToolError.h"
+#include "itkExceptions.h"
 #include "itkVolumeReader.h"
 
 #include <chrono>

@@ -1,6 +1,6 @@
 #include "FuzzTrial.h"
 
-#include "itkToolError.h"
+#include "itkExceptions.h"
 
 #include <cerrno>
 #include <csignal>

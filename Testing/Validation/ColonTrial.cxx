@@ -4,7 +4,7 @@
 #include "itkLinearInterpolateImageFunction.h"
 #include "itkSurfaceLocator.h"
 #include "itkSurfaceQuality.h"
-#include "itkToolError.h"
+#include "itkExceptions.h"
 
 #include <algorithm>
 #include <chrono>
@@ -400,7 +400,7 @@ TryColon(const ColonCase & one, int faces)
       MeasureMeshes(model, errors);
     }
   }
-  catch (const ToolError & error)
+  catch (const Exception & error)
   {
     errors.failure = error.what();
   }

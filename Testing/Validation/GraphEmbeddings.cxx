@@ -8,7 +8,7 @@
 #include "itkGraphGenus.h"
 #include "itkGraphReader.h"
 #include "itkSensorNetwork.h"
-#include "itkToolError.h"
+#include "itkExceptions.h"
 
 #include <algorithm>
 #include <chrono>

@@ -1,6 +1,6 @@
 #include "LandmarkScores.h"
 
-#include "itkToolError.h"
+#include "itkExceptions.h"
 
 #include <cmath>
 #include <limits>
@@ -17,7 +17,7 @@ TryLandmarks(const LandmarkExam & exam, const ColonLandmarkOptions & options, st
   {
     return MeasureLandmarks(FindColonLandmarks(exam.flat, exam.centreline, options), exam.centreline, *exam.anatomy);
   }
-  catch (const ToolError & error)
+  catch (const Exception & error)
   {
     failure = error.what();
   }

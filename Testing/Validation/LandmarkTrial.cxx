@@ -6,7 +6,7 @@
 #include "itkCsvTable.h"
 #include "itkSurfaceReader.h"
 #include "itkSurfaceWriter.h"
-#include "itkToolError.h"
+#include "itkExceptions.h"
 #include "itkVolumeWriter.h"
 
 #include "itkCastImageFilter.h"
@@ -126,7 +126,7 @@ MakeLandmarkExam(const LandmarkCase & one)
   {
     MakeFlat(one, exam);
   }
-  catch (const ToolError & error)
+  catch (const Exception & error)
   {
     exam.failure = error.what();
   }

@@ -5,7 +5,7 @@
 #include "itkConformalTube.h"
 #include "itkFlatDistortion.h"
 #include "itkHeatDiffusionMetric.h"
-#include "itkToolError.h"
+#include "itkExceptions.h"
 
 #include <cmath>
 

@@ -4,7 +4,7 @@
 
 #include "itkColonLandmarks.h"
 #include "itkColonTaeniae.h"
-#include "itkToolError.h"
+#include "itkExceptions.h"
 
 #include <chrono>
 #include <cmath>
@@ -250,7 +250,7 @@ TryRegistration(const LandmarkExam & first, const LandmarkExam & second, bool ha
       CompareSchemes(source, target, registration, pairs, score);
     }
   }
-  catch (const ToolError & error)
+  catch (const Exception & error)
   {
     score.failure = error.what();
   }
@@ -266,7 +266,7 @@ AreToldApart(const LandmarkExam & first, const LandmarkExam & second)
                                   MakeColonPosition(second, "the second patient", false))
       .confidence.isFlagged;
   }
-  catch (const ToolError &)
+  catch (const Exception &)
   {
     return true;
   }

@@ -37,7 +37,7 @@ on_model(Dicom --volume ${model}/patient --picture ${pictures}/dicom.png)
 shapeton_compare_test(NAME ColonFlatteningCurvatureBaseline DEPENDS ColonFlatteningPicturesAll TOLERANCE 2 PIXELS 200
   OUTPUT ${pictures}/curvatureAll.png BASELINE ${CMAKE_CURRENT_SOURCE_DIR}/Baseline/curvature.png)
 add_executable(CompareCoordinateMaps CompareCoordinateMaps.cxx)
-shapeton_link_modules(CompareCoordinateMaps PRIVATE FlatColonGrid ITKIOImageBase ITKIONRRD)
+shapeton_link_modules(CompareCoordinateMaps PRIVATE FlatColon ITKIOImageBase ITKIONRRD)
 add_test(NAME ColonFlatteningCoordinateMapBaseline COMMAND CompareCoordinateMaps ${pictures}/mapAll.nrrd
   ${CMAKE_CURRENT_SOURCE_DIR}/Baseline/coordinateMap.nrrd 0.01)
 set_tests_properties(ColonFlatteningCoordinateMapBaseline PROPERTIES LABELS Applications

@@ -1,9 +1,9 @@
-set(DOCUMENTATION "Writers of HTML reports, CSV tables and JSON documents. No VTK.")
+set(DOCUMENTATION "Writers and readers of HTML reports, CSV tables and JSON documents. No VTK.")
 
 itk_module(Report
   ENABLE_SHARED
   DEPENDS
-    CommandLine
+    Base
   TEST_DEPENDS
     ITKExpat
     ITKGoogleTest

@@ -2,11 +2,10 @@ set(DOCUMENTATION "Nested dissection, supernodes and Cholesky factors of sparse 
 
 itk_module(SparseCholesky
   ENABLE_SHARED
-  DEPENDS
-    ITKCommon
   PRIVATE_DEPENDS
-    ParallelLoops
+    Base
   TEST_DEPENDS
+    ITKCommon
     ITKGoogleTest
   DESCRIPTION "${DOCUMENTATION}"
 )

@@ -4,12 +4,9 @@ diffusion, heat histogram and classification.")
 itk_module(ShapeDiffusion
   ENABLE_SHARED
   DEPENDS
+    Base
     ITKCommon
-  PRIVATE_DEPENDS
-    CounterRandom
-    ParallelLoops
   TEST_DEPENDS
     ITKGoogleTest
-    ITKTestKernel
   DESCRIPTION "${DOCUMENTATION}"
 )

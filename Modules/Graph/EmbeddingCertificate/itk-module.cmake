@@ -3,12 +3,9 @@ set(DOCUMENTATION "The certificate of a graph embedding: rotation system, circle
 itk_module(EmbeddingCertificate
   ENABLE_SHARED
   DEPENDS
+    Base
     GraphModel
   PRIVATE_DEPENDS
-    CommandLine
     Report
-  TEST_DEPENDS
-    CommandLine
-    ITKGoogleTest
   DESCRIPTION "${DOCUMENTATION}"
 )

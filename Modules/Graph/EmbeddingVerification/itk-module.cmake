@@ -6,8 +6,6 @@ itk_module(EmbeddingVerification
   DEPENDS
     EmbeddingCertificate
   TEST_DEPENDS
-    CommandLine
-    EmbeddingCertificate
     ITKGoogleTest
   DESCRIPTION "${DOCUMENTATION}"
 )

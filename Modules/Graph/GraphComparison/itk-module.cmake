@@ -4,16 +4,14 @@ step of a dynamic graph to the next, layouts on the sphere turned to each other.
 itk_module(GraphComparison
   ENABLE_SHARED
   DEPENDS
-    EmbeddingCertificate
-    GraphGenus
-    GraphModel
     Report
+    GraphModel
+    GraphGenus
+    EmbeddingCertificate
     RicciFlowEmbedding
   PRIVATE_DEPENDS
-    CommandLine
+    Base
   TEST_DEPENDS
-    CommandLine
-    CounterRandom
     EmbeddingVerification
     ITKGoogleTest
   DESCRIPTION "${DOCUMENTATION}"

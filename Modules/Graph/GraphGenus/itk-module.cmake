@@ -6,13 +6,8 @@ itk_module(GraphGenus
   DEPENDS
     GraphModel
   PRIVATE_DEPENDS
-    CommandLine
-    CounterRandom
-    ParallelLoops
+    Base
   TEST_DEPENDS
-    CounterRandom
-    CommandLine
     ITKGoogleTest
-    ParallelLoops
   DESCRIPTION "${DOCUMENTATION}"
 )

@@ -1,10 +1,11 @@
-set(DOCUMENTATION "Graphs, combinatorial maps (rotation systems), their faces, genus, dual and overlap graph; components, blocks and
-families of known graphs.")
+set(DOCUMENTATION "Graphs, rotation systems (combinatorial maps), families of graphs, and graph files in ten formats.")
 
 itk_module(GraphModel
   ENABLE_SHARED
   DEPENDS
-    CommandLine
+    Base
+  PRIVATE_DEPENDS
+    ITKExpat
   TEST_DEPENDS
     ITKGoogleTest
   DESCRIPTION "${DOCUMENTATION}"

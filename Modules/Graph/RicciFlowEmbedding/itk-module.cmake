@@ -4,16 +4,12 @@ Ricci flow by Newton's method, layouts, deck transformations and fundamental pol
 itk_module(RicciFlowEmbedding
   ENABLE_SHARED
   DEPENDS
-    EmbeddingCertificate
     GraphModel
+    EmbeddingCertificate
   PRIVATE_DEPENDS
-    CommandLine
-    ITKCommon
-    ParallelLoops
+    Base
     SparseCholesky
   TEST_DEPENDS
-    CounterRandom
     ITKGoogleTest
-    SurfaceMesh
   DESCRIPTION "${DOCUMENTATION}"
 )

@@ -5,10 +5,8 @@ itk_module(SensorNetwork
   DEPENDS
     GraphModel
   PRIVATE_DEPENDS
-    CommandLine
-    CounterRandom
+    Base
   TEST_DEPENDS
-    CommandLine
     GraphGenus
     ITKGoogleTest
   DESCRIPTION "${DOCUMENTATION}"

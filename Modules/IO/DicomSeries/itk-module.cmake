@@ -1,27 +1,20 @@
-set(DOCUMENTATION "Reads DICOM series with strict geometry, and the research formats NRRD, NIfTI and MetaImage; writes volumes
-and CT series. Irregular series are refused by name of the defect unless a repair is asked for.")
+set(DOCUMENTATION "CT and MR series in DICOM: which series a folder holds, what is wrong with them, the volume of one, and
+series of 16-bit integers written.")
 
 itk_module(DicomSeries
   ENABLE_SHARED
   DEPENDS
-    CommandLine
+    VolumeFiles
     ITKCommon
   PRIVATE_DEPENDS
+    Base
     Report
-    ITKImageGrid
-    ITKIOImageBase
-    ITKIOMeta
-    ITKIONIFTI
-    ITKIONRRD
-    ITKZLIB
   TEST_DEPENDS
+    Report
     ITKGoogleTest
     ITKIOGDCM
     ITKIOImageBase
-    ITKIOMeta
     ITKIONIFTI
-    ITKIONRRD
     ITKZLIB
-    Report
   DESCRIPTION "${DOCUMENTATION}"
 )

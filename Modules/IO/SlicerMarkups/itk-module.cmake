@@ -3,12 +3,11 @@ set(DOCUMENTATION "Points and curves as markups of 3D Slicer (.mrk.json), read a
 itk_module(SlicerMarkups
   ENABLE_SHARED
   DEPENDS
-    CommandLine
     SurfaceMesh
   PRIVATE_DEPENDS
+    Base
     Report
   TEST_DEPENDS
     ITKGoogleTest
-    Report
   DESCRIPTION "${DOCUMENTATION}"
 )

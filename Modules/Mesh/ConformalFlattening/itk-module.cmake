@@ -3,17 +3,11 @@ set(DOCUMENTATION "Conformal maps of triangle surfaces to the plane by harmonic 
 itk_module(ConformalFlattening
   ENABLE_SHARED
   DEPENDS
-    HeatDiffusionMetric
+    Base
     Report
     SurfaceMesh
-  PRIVATE_DEPENDS
-    CommandLine
-    ITKCommon
-    ParallelLoops
+    HeatDiffusionMetric
   TEST_DEPENDS
-    CommandLine
-    CounterRandom
-    ITKCommon
     ITKGoogleTest
   DESCRIPTION "${DOCUMENTATION}"
 )

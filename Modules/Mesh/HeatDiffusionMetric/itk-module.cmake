@@ -5,13 +5,9 @@ itk_module(HeatDiffusionMetric
   DEPENDS
     SurfaceMesh
   PRIVATE_DEPENDS
-    CommandLine
-    ITKCommon
-    ParallelLoops
+    Base
     SparseCholesky
   TEST_DEPENDS
-    CommandLine
-    CounterRandom
     ITKGoogleTest
   DESCRIPTION "${DOCUMENTATION}"
 )

@@ -3,7 +3,7 @@ set(DOCUMENTATION "Triangle surfaces: files, connectivity, defects and quality, 
 itk_module(SurfaceMesh
   ENABLE_SHARED
   DEPENDS
-    CommandLine
+    Base
     Report
   TEST_DEPENDS
     ITKGoogleTest

@@ -3,15 +3,14 @@ set(DOCUMENTATION "A synthetic patient for CT colonography with known truth: the
 itk_module(ColonPhantom
   ENABLE_SHARED
   DEPENDS
-    CommandLine
-    DicomSeries
     Report
     SurfaceMesh
     ITKCommon
   PRIVATE_DEPENDS
-    CounterRandom
+    Base
     ShapePhantom
   TEST_DEPENDS
+    VolumeFiles
     ITKGoogleTest
   DESCRIPTION "${DOCUMENTATION}"
 )

@@ -4,12 +4,13 @@ functions in physical millimetres, rasterised as an image in Hounsfield units an
 itk_module(ShapePhantom
   ENABLE_SHARED
   DEPENDS
-    CommandLine
-    Report
     ITKCommon
   PRIVATE_DEPENDS
-    CounterRandom
+    Base
+    Report
   TEST_DEPENDS
+    Base
+    Report
     ITKGoogleTest
   DESCRIPTION "${DOCUMENTATION}"
 )

@@ -11,7 +11,7 @@
 
 namespace itk
 {
-/** Maps the final path of a file to the path to write it to, for example CommandLine::Output.
+/** Maps the final path of a file to the path to write it to, for example to a temporary one.
  * \ingroup Report */
 using OutputPath = std::function<std::string(const std::string &)>;
 

@@ -2,6 +2,7 @@
 #define itkJson_h
 
 #include "ReportExport.h"
+#include "itkProvenance.h"
 
 #include <nlohmann/json.hpp>
 
@@ -23,6 +24,11 @@ WriteJson(const Json & document, const std::string & path);
  * \ingroup Report */
 Report_EXPORT Json
 ReadJson(const std::string & path);
+
+/** An object with a key for each name; of equal names the last counts.
+ * \ingroup Report */
+Report_EXPORT Json
+ProvenanceToJson(const Provenance & provenance);
 
 /** A measured value for a document: rounded to `digits` significant digits, null where it is not finite.
  * \ingroup Report */

@@ -1,7 +1,7 @@
 #include "itkCsvFile.h"
 
 #include "itkFileBytes.h"
-#include "itkToolError.h"
+#include "itkExceptions.h"
 
 #include <algorithm>
 #include <charconv>

@@ -1,6 +1,6 @@
 #include "itkHtmlReport.h"
 #include "itkFileBytes.h"
-#include "itkToolError.h"
+#include "itkExceptions.h"
 
 namespace itk
 {

@@ -1,6 +1,6 @@
 #include "itkJson.h"
 #include "itkFileBytes.h"
-#include "itkToolError.h"
+#include "itkExceptions.h"
 
 #include <algorithm>
 #include <cmath>
@@ -51,5 +51,16 @@ ReadJson(const std::string & path)
   {
     throw InputError("\"" + path + "\" holds a number that is too large; correct the file");
   }
+}
+
+Json
+ProvenanceToJson(const Provenance & provenance)
+{
+  Json document = Json::object();
+  for (const auto & [name, value] : provenance)
+  {
+    document[name] = value;
+  }
+  return document;
 }
 } // namespace itk

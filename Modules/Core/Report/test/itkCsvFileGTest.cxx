@@ -1,6 +1,6 @@
 #include "itkCsvFile.h"
 #include "itkFileBytes.h"
-#include "itkToolError.h"
+#include "itkExceptions.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 #include "itkCsvTable.h"
 #include "itkFileBytes.h"
-#include "itkReportFolder.h"
+#include "itkTestFolder.h"
 
 #include "gtest/gtest.h"
 
@@ -56,7 +56,7 @@ ParseCsv(const std::string & text)
 std::string
 Written(const itk::CsvTable & table)
 {
-  const reporttest::Folder folder;
+  const basetest::Folder folder;
   table.Write(folder / "table.csv");
   return itk::ReadFileBytes(folder / "table.csv");
 }
@@ -125,13 +125,13 @@ TEST(CsvTable, RowsOfAnotherLengthAreRefused)
 
 TEST(CsvTable, CannotBeWrittenEverywhere)
 {
-  const reporttest::Folder folder;
+  const basetest::Folder folder;
   const std::string        path = folder / "no/table.csv";
-  EXPECT_EQ(reporttest::MessageOf([&] { itk::CsvTable({ "a" }).Write(path); }),
-            "1 cannot write \"" + path +
+  EXPECT_EQ(basetest::MessageOf([&] { itk::CsvTable({ "a" }).Write(path); }),
+            "OutputError: cannot write \"" + path +
               "\": No such file or directory; choose a folder that exists and can be written");
-  EXPECT_EQ(reporttest::MessageOf([] { itk::CsvTable({ "a" }).Write("/dev/full"); }),
-            "1 cannot write \"/dev/full\": No space left on device; free some space or choose another folder");
+  EXPECT_EQ(basetest::MessageOf([] { itk::CsvTable({ "a" }).Write("/dev/full"); }),
+            "OutputError: cannot write \"/dev/full\": No space left on device; free some space or choose another folder");
 }
 
 // ---- numbers ----

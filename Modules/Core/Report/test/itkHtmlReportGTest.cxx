@@ -1,6 +1,6 @@
 #include "itkHtmlReport.h"
 #include "itkFileBytes.h"
-#include "itkReportFolder.h"
+#include "itkTestFolder.h"
 
 #include "gtest/gtest.h"
 
@@ -16,7 +16,7 @@
 
 namespace
 {
-using reporttest::Folder;
+using basetest::Folder;
 
 const std::string pngSignature = "\x89PNG\r\n\x1A\n";
 
@@ -277,22 +277,22 @@ TEST(HtmlReport, PicturesThatAreNone)
 {
   const Folder    folder;
   itk::HtmlReport report("T");
-  EXPECT_EQ(reporttest::MessageOf([&] { report.AddPicture(folder / "no.png", "C"); }),
-            "3 cannot read \"" + (folder / "no.png") +
+  EXPECT_EQ(basetest::MessageOf([&] { report.AddPicture(folder / "no.png", "C"); }),
+            "InputError: cannot read \"" + (folder / "no.png") +
               "\": No such file or directory; check the name and its permissions");
   for (const std::string & bytes : { std::string(), std::string("text"), pngSignature.substr(0, 7) })
   {
     itk::WriteFileBytes(folder / "p.png", bytes);
-    EXPECT_EQ(reporttest::MessageOf([&] { report.AddPicture(folder / "p.png", "C"); }),
-              "3 the picture \"" + (folder / "p.png") + "\" is not a PNG file; convert it");
+    EXPECT_EQ(basetest::MessageOf([&] { report.AddPicture(folder / "p.png", "C"); }),
+              "InputError: the picture \"" + (folder / "p.png") + "\" is not a PNG file; convert it");
   }
   EXPECT_TRUE(Written(report).TextsOf("figcaption").empty());
 }
 
 TEST(HtmlReport, CannotBeWrittenEverywhere)
 {
-  EXPECT_EQ(reporttest::MessageOf([] { itk::HtmlReport("T").Write("/dev/full"); }),
-            "1 cannot write \"/dev/full\": No space left on device; free some space or choose another folder");
+  EXPECT_EQ(basetest::MessageOf([] { itk::HtmlReport("T").Write("/dev/full"); }),
+            "OutputError: cannot write \"/dev/full\": No space left on device; free some space or choose another folder");
 }
 
 TEST(HtmlReport, BeginsWithItsUseWhatWasFoundAndWhatIsDoubtful)

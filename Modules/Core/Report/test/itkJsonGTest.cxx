@@ -1,6 +1,6 @@
 #include "itkJson.h"
 #include "itkFileBytes.h"
-#include "itkReportFolder.h"
+#include "itkTestFolder.h"
 
 #include "gtest/gtest.h"
 
@@ -9,8 +9,8 @@
 
 namespace
 {
-using reporttest::Folder;
-using reporttest::MessageOf;
+using basetest::Folder;
+using basetest::MessageOf;
 
 /** The message about a file with this content, without its name. */
 std::string
@@ -75,30 +75,30 @@ TEST(Json, MeasuredValuesAreRounded)
 
 TEST(Json, FaultsHaveAPlace)
 {
-  EXPECT_EQ(FaultOf(""), "3 FILE is not valid JSON at line 1, column 1; correct the file there");
-  EXPECT_EQ(FaultOf("x"), "3 FILE is not valid JSON at line 1, column 1; correct the file there");
+  EXPECT_EQ(FaultOf(""), "InputError: FILE is not valid JSON at line 1, column 1; correct the file there");
+  EXPECT_EQ(FaultOf("x"), "InputError: FILE is not valid JSON at line 1, column 1; correct the file there");
   EXPECT_EQ(FaultOf("{\n  \"a\": 1,\n  \"b\" 2\n}\n"),
-            "3 FILE is not valid JSON at line 3, column 7; correct the file there");
-  EXPECT_EQ(FaultOf("[1, 2\n"), "3 FILE is not valid JSON at line 2, column 1; correct the file there");
-  EXPECT_EQ(FaultOf("[1] 2"), "3 FILE is not valid JSON at line 1, column 5; correct the file there");
-  EXPECT_EQ(FaultOf("[NaN]"), "3 FILE is not valid JSON at line 1, column 2; correct the file there");
-  EXPECT_EQ(FaultOf("[\"\xFF\"]"), "3 FILE is not valid JSON at line 1, column 3; correct the file there");
-  EXPECT_EQ(FaultOf("[1e999]"), "3 FILE holds a number that is too large; correct the file");
+            "InputError: FILE is not valid JSON at line 3, column 7; correct the file there");
+  EXPECT_EQ(FaultOf("[1, 2\n"), "InputError: FILE is not valid JSON at line 2, column 1; correct the file there");
+  EXPECT_EQ(FaultOf("[1] 2"), "InputError: FILE is not valid JSON at line 1, column 5; correct the file there");
+  EXPECT_EQ(FaultOf("[NaN]"), "InputError: FILE is not valid JSON at line 1, column 2; correct the file there");
+  EXPECT_EQ(FaultOf("[\"\xFF\"]"), "InputError: FILE is not valid JSON at line 1, column 3; correct the file there");
+  EXPECT_EQ(FaultOf("[1e999]"), "InputError: FILE holds a number that is too large; correct the file");
 }
 
 TEST(Json, HostileFilesAreRefusedWithoutACrash)
 {
   EXPECT_EQ(FaultOf(std::string(1000000, '[')),
-            "3 FILE is not valid JSON at line 1, column 1000001; correct the file there");
+            "InputError: FILE is not valid JSON at line 1, column 1000001; correct the file there");
   EXPECT_EQ(FaultOf(std::string(100000, '[') + std::string(100000, ']')), "no error");
 }
 
 TEST(Json, FilesThatCannotBeReadOrWritten)
 {
   EXPECT_EQ(MessageOf([] { itk::ReadJson("missing.json"); }),
-            "3 cannot read \"missing.json\": No such file or directory; check the name and its permissions");
-  EXPECT_EQ(MessageOf([] { itk::ReadJson("."); }), "3 cannot read \".\": Is a directory; give the name of a file");
+            "InputError: cannot read \"missing.json\": No such file or directory; check the name and its permissions");
+  EXPECT_EQ(MessageOf([] { itk::ReadJson("."); }), "InputError: cannot read \".\": Is a directory; give the name of a file");
   EXPECT_EQ(MessageOf([] { itk::WriteJson({}, "/dev/full"); }),
-            "1 cannot write \"/dev/full\": No space left on device; free some space or choose another folder");
+            "OutputError: cannot write \"/dev/full\": No space left on device; free some space or choose another folder");
 }
 } // namespace

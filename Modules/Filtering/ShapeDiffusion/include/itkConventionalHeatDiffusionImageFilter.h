@@ -1,10 +1,10 @@
 #ifndef itkConventionalHeatDiffusionImageFilter_h
 #define itkConventionalHeatDiffusionImageFilter_h
 
+#include "itkProgress.h"
 #include "itkVolumeDiffusionImageFilter.h"
 
 #include <cstdint>
-#include <functional>
 
 namespace itk
 {
@@ -17,7 +17,7 @@ DiffuseConventionalHeat(const VolumeGradientOperator &      volumeGradient,
                         std::uint64_t                       timeSteps,
                         double                              sourceHeat,
                         float *                             heat,
-                        const std::function<void(double)> & progress = {});
+                        const Progress & progress = {});
 
 /** \class ConventionalHeatDiffusionImageFilter
  * \brief Heat diffusion from one voxel at a time (dissertation 2.2.1): the slow reference that CHD replaces.

@@ -65,7 +65,7 @@ DiffuseCumulativeHeat(const float *                           intensities,
                       float *                                 heat,
                       float *                                 initialHeat = nullptr,
                       const HeatSnapshotConsumer &            consumer = {},
-                      const HeatDiffusionSolver::Progress &   progress = {});
+                      const Progress & progress = {});
 } // namespace itk
 
 #endif

@@ -1,6 +1,7 @@
 #ifndef itkHeatDiffusionSolver_h
 #define itkHeatDiffusionSolver_h
 
+#include "itkProgress.h"
 #include "itkVolumeGradientOperator.h"
 
 #include <cstdint>
@@ -51,7 +52,6 @@ public:
   using Visitor = std::function<void(std::size_t snapshot, std::size_t row, const float * heat, unsigned int worker)>;
 
   /** Told the progress in [0, 1] on the calling thread; may throw to abort. */
-  using Progress = std::function<void(double)>;
   void
   SetProgress(Progress progress)
   {

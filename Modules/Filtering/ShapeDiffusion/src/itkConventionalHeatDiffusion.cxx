@@ -111,7 +111,7 @@ DiffuseConventionalHeat(const VolumeGradientOperator &      volumeGradient,
                         std::uint64_t                       timeSteps,
                         double                              sourceHeat,
                         float *                             heat,
-                        const std::function<void(double)> & progress)
+                        const Progress & progress)
 {
   if (!(timeStepLength > 0.0) || timeStepLength > HeatDiffusionSolver::MaximumTimeStepLength * (1.0 + 1e-6))
   {
@@ -143,10 +143,7 @@ DiffuseConventionalHeat(const VolumeGradientOperator &      volumeGradient,
         heat[(z * size[1] + y) * size[0] + x] = static_cast<float>(sourceHeat * rest);
       }
     });
-    if (progress)
-    {
-      progress((z + 1.0) / size[2]);
-    }
+    progress((z + 1.0) / size[2]);
   }
 }
 } // namespace itk

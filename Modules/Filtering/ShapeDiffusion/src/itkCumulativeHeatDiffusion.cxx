@@ -203,7 +203,7 @@ DiffuseCumulativeHeat(const float *                           intensities,
                       float *                                 heat,
                       float *                                 initialHeat,
                       const HeatSnapshotConsumer &            consumer,
-                      const HeatDiffusionSolver::Progress &   progress)
+                      const Progress & progress)
 {
   CheckSettings(size, settings, consumer);
   auto                          parameters = settings.volumeGradient;
@@ -238,10 +238,7 @@ DiffuseCumulativeHeat(const float *                           intensities,
   SnapshotSorter sorter(volumeGradient.GetGrid(), settings, consumer);
   solver.SetProgress([&](double share) {
     sorter.Deliver();
-    if (progress)
-    {
-      progress(share);
-    }
+    progress(share);
   });
   result.timeStep =
     solver.Run(field,

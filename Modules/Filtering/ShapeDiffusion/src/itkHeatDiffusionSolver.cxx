@@ -281,10 +281,7 @@ void
 HeatDiffusionSolver::ReportProgress(double applications)
 {
   m_Applications += static_cast<std::uint64_t>(applications);
-  if (m_Progress)
-  {
-    m_Progress(std::min(1.0, static_cast<double>(m_Applications) / m_PlannedApplications));
-  }
+  m_Progress(std::min(1.0, static_cast<double>(m_Applications) / m_PlannedApplications));
 }
 
 void

@@ -2,6 +2,7 @@
 #define itkEmbeddingCertificate_h
 
 #include "EmbeddingCertificateExport.h"
+#include "itkRemarks.h"
 #include "itkCombinatorialMap.h"
 
 #include <array>
@@ -60,7 +61,7 @@ struct DeckTransformation
 struct EmbeddingCertificate
 {
   std::vector<std::pair<std::string, std::string>> provenance;
-  std::vector<std::string>                         warnings;
+  Remarks                         warnings;
 
   Graph            graph;
   std::vector<int> rotation; /**< of the half-edges of `graph` */

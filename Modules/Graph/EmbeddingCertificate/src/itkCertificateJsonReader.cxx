@@ -1,7 +1,7 @@
 #include "itkEmbeddingCertificate.h"
 #include "itkFileBytes.h"
 #include "itkJson.h"
-#include "itkToolError.h"
+#include "itkExceptions.h"
 
 #include <cmath>
 #include <cstdint>

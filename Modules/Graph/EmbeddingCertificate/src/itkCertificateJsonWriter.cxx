@@ -1,6 +1,6 @@
 #include "itkEmbeddingCertificate.h"
 #include "itkJson.h"
-#include "itkToolError.h"
+#include "itkExceptions.h"
 
 #include <cerrno>
 #include <charconv>

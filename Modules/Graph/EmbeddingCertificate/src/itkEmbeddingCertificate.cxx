@@ -1,5 +1,5 @@
 #include "itkEmbeddingCertificate.h"
-#include "itkToolError.h"
+#include "itkExceptions.h"
 
 #include <algorithm>
 #include <cmath>

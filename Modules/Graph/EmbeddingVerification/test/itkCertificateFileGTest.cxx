@@ -1,6 +1,6 @@
 #include "itkCertificateFixtures.h"
 #include "itkFileBytes.h"
-#include "itkToolError.h"
+#include "itkExceptions.h"
 
 #include "gtest/gtest.h"
 

@@ -24,7 +24,7 @@ GraphComparison_EXPORT CsvTable
 TableOfSteps(const DynamicSequence & sequence);
 
 /** For each step and each of these nodes: step, file, node, present (0 or 1), x, y, z (z is empty beyond the sphere),
- * radius, degree, neighbours (names, separated by spaces). Throws UsageError for a name that no step has.
+ * radius, degree, neighbours (names, separated by spaces). Throws ParameterError for a name that no step has.
  * \ingroup GraphComparison */
 GraphComparison_EXPORT CsvTable
 TableOfTrackedNodes(const DynamicSequence & sequence, const std::vector<std::string> & names);

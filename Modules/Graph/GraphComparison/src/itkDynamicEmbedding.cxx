@@ -3,7 +3,7 @@
 #include "itkCarriedPacking.h"
 #include "itkCarriedRotation.h"
 #include "itkSphereAlignment.h"
-#include "itkToolError.h"
+#include "itkExceptions.h"
 
 #include <algorithm>
 #include <exception>

@@ -3,7 +3,7 @@
 #include "itkCarriedRotation.h"
 #include "itkGraphComparison.h"
 #include "itkGraphStructure.h"
-#include "itkToolError.h"
+#include "itkExceptions.h"
 
 #include <algorithm>
 #include <cmath>
@@ -139,7 +139,7 @@ TableOfTrackedNodes(const DynamicSequence & sequence, const std::vector<std::str
   }
   for (std::size_t k = 0; k < names.size(); ++k)
   {
-    RequireUsage(found[k], "no step has a node \"" + names[k] + "\"; track nodes by the ids of the files");
+    RequireParameter(found[k], "no step has a node \"" + names[k] + "\"; track nodes by the ids of the files");
   }
   return table;
 }

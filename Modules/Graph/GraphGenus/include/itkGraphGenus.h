@@ -48,7 +48,7 @@ struct SurfaceEmbedding
 
 /** Embeds a graph, whatever it is: disconnected, a tree, one node, with loops and multiple edges. Throws InputError
  * when the graph is unsound, or when no embedding of the genus that was asked for is found, with the smallest and
- * greatest genus that were. UsageError for a wrong option. Same bytes for any number of threads. \ingroup GraphGenus */
+ * greatest genus that were. ParameterError for a wrong option. Same bytes for any number of threads. \ingroup GraphGenus */
 GraphGenus_EXPORT SurfaceEmbedding
 FindEmbedding(const Graph & graph, const GenusOptions & options = GenusOptions());
 

@@ -7,7 +7,7 @@
 #include "itkIncrementalMap.h"
 #include "itkParallelFor.h"
 #include "itkPlanarRotation.h"
-#include "itkToolError.h"
+#include "itkExceptions.h"
 
 #include <algorithm>
 #include <atomic>
@@ -342,9 +342,9 @@ RequireGenus(int genus, const SurfaceEmbedding & least, const CombinatorialMap &
 SurfaceEmbedding
 FindEmbedding(const Graph & graph, const GenusOptions & options)
 {
-  RequireUsage(options.genus >= -1, "the genus is negative; give 0 or more");
-  RequireUsage(options.restarts >= 1, "there are no restarts; give 1 or more");
-  RequireUsage(options.effort > 0.0, "the effort is not positive; give a number above 0");
+  RequireParameter(options.genus >= -1, "the genus is negative; give 0 or more");
+  RequireParameter(options.restarts >= 1, "there are no restarts; give 1 or more");
+  RequireParameter(options.effort > 0.0, "the effort is not positive; give a number above 0");
   RequireSound(graph, "embedding");
   SurfaceEmbedding result =
     options.method == GenusMethod::Genetic ? FindGenetically(graph, options) : FindAnnealed(graph, options);

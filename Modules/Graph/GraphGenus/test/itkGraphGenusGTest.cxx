@@ -1,7 +1,7 @@
 #include "itkGraphFamilies.h"
 #include "itkGraphGenus.h"
 #include "itkMultiThreaderBase.h"
-#include "itkToolError.h"
+#include "itkExceptions.h"
 
 #include <gtest/gtest.h>
 
@@ -152,13 +152,13 @@ TEST(GraphGenus, WrongOptionsAreRefused)
 {
   itk::GenusOptions options;
   options.restarts = 0;
-  EXPECT_THROW(itk::FindEmbedding(itk::PathGraph(2), options), itk::UsageError);
+  EXPECT_THROW(itk::FindEmbedding(itk::PathGraph(2), options), itk::ParameterError);
   options = itk::GenusOptions();
   options.effort = 0.0;
-  EXPECT_THROW(itk::FindEmbedding(itk::PathGraph(2), options), itk::UsageError);
+  EXPECT_THROW(itk::FindEmbedding(itk::PathGraph(2), options), itk::ParameterError);
   options = itk::GenusOptions();
   options.genus = -2;
-  EXPECT_THROW(itk::FindEmbedding(itk::PathGraph(2), options), itk::UsageError);
+  EXPECT_THROW(itk::FindEmbedding(itk::PathGraph(2), options), itk::ParameterError);
   EXPECT_THROW(itk::FindEmbedding({}, itk::GenusOptions()), itk::InputError);
 }
 

@@ -1,6 +1,6 @@
 #include "itkCombinatorialMap.h"
 
-#include "itkToolError.h"
+#include "itkExceptions.h"
 
 #include <numeric>
 

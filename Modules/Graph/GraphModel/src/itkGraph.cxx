@@ -1,6 +1,6 @@
 #include "itkGraph.h"
 
-#include "itkToolError.h"
+#include "itkExceptions.h"
 
 #include <limits>
 

@@ -1,6 +1,6 @@
 #include "itkGraph.h"
 #include "itkGraphFamilies.h"
-#include "itkToolError.h"
+#include "itkExceptions.h"
 
 #include <gtest/gtest.h>
 

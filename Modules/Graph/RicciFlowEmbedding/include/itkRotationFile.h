@@ -8,8 +8,6 @@
 
 namespace itk
 {
-class CommandLine;
-
 /** Reads a rotation system of a graph: from a certificate of the same graph (.json), or from text with one line for
  * each node that has edges, its name and then the names of its neighbours, counter-clockwise, in blanks; a colon after
  * the first name and lines that begin with # are passed over. The text needs a graph without loops and multiple edges;
@@ -19,9 +17,6 @@ class CommandLine;
  * none, neighbours that are not those of the graph. \ingroup RicciFlowEmbedding */
 RicciFlowEmbedding_EXPORT CombinatorialMap
 ReadRotation(const Graph & graph, const std::string & path);
-/** The same for the input parameter of a tool; states its identity. \ingroup RicciFlowEmbedding */
-RicciFlowEmbedding_EXPORT CombinatorialMap
-ReadRotation(CommandLine & commandLine, const std::string & parameter, const Graph & graph);
 } // namespace itk
 
 #endif

@@ -3,7 +3,7 @@
 #include "itkNearbyOrder.h"
 #include "itkRicciEnergy.h"
 #include "itkSparseCholesky.h"
-#include "itkToolError.h"
+#include "itkExceptions.h"
 
 #include <algorithm>
 #include <cmath>
@@ -108,7 +108,7 @@ NewtonFlow::FindDirection()
     throw InputError("the Hessian of the Ricci energy is not positive to working accuracy, with a curvature of " +
                      ShortNumber(m_Energy.Residual()) +
                      " left: the circles become too different in size; check that the map is 3-connected or use "
-                     "--augmentation ring");
+                     "the parameter \"augmentation\" = ring");
   }
   this->SolveForDirection(m_Energy.Gradient());
 }
@@ -280,7 +280,7 @@ PackInGivenOrder(const CombinatorialMap &  map,
   {
     throw InputError("the Ricci flow does not reach its target: after " + std::to_string(packing.steps) +
                      " steps of Newton's method a curvature of " + ShortNumber(packing.residual) +
-                     " rad is left; check that the map is 3-connected or use --augmentation ring");
+                     " rad is left; check that the map is 3-connected or use the parameter \"augmentation\" = ring");
   }
   return packing;
 }

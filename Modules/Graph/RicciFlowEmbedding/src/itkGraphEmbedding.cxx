@@ -4,7 +4,7 @@
 #include "itkCanonicalMapOrder.h"
 #include "itkPackedEmbedding.h"
 #include "itkSplitArrangement.h"
-#include "itkToolError.h"
+#include "itkExceptions.h"
 
 #include <algorithm>
 #include <exception>

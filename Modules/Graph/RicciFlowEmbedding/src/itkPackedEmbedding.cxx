@@ -1,7 +1,7 @@
 #include "itkPackedEmbedding.h"
 
 #include "itkSurfaceLayout.h"
-#include "itkToolError.h"
+#include "itkExceptions.h"
 
 #include <algorithm>
 #include <cmath>

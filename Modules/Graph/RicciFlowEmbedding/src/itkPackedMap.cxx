@@ -2,7 +2,7 @@
 
 #include "itkGraphStructure.h"
 #include "itkMapBuilder.h"
-#include "itkToolError.h"
+#include "itkExceptions.h"
 
 #include <algorithm>
 
@@ -314,7 +314,7 @@ RequirePackable(const CombinatorialMap & map, const std::vector<std::string> & n
     throw InputError(
       "without dummy nodes this map has no circle packing, only a degenerate limit that a small residual "
       "does not show: " +
-      reason + "; use --augmentation ring");
+      reason + "; use the parameter \"augmentation\" = ring");
   }
 }
 } // namespace

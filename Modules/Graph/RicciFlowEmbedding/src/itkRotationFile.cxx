@@ -1,10 +1,8 @@
 #include "itkRotationFile.h"
 
-#include "itkCommandLine.h"
 #include "itkEmbeddingCertificate.h"
 #include "itkFileBytes.h"
-#include "itkSha256.h"
-#include "itkToolError.h"
+#include "itkExceptions.h"
 
 #include <filesystem>
 #include <map>
@@ -143,14 +141,5 @@ ReadRotation(const Graph & graph, const std::string & path)
   }
   std::istringstream text(ReadFileBytes(path));
   return { graph, RotationText(graph, path).Read(text) };
-}
-
-CombinatorialMap
-ReadRotation(CommandLine & commandLine, const std::string & parameter, const Graph & graph)
-{
-  const std::string path = commandLine.GetString(parameter);
-  CombinatorialMap  map = ReadRotation(graph, path);
-  commandLine.AddInput(parameter, "sha256:" + Sha256OfFile(path));
-  return map;
 }
 } // namespace itk

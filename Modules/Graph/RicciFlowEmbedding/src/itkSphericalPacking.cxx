@@ -5,7 +5,7 @@
 #include "itkLayoutTree.h"
 #include "itkNearbyOrder.h"
 #include "itkPlaneToSphere.h"
-#include "itkToolError.h"
+#include "itkExceptions.h"
 
 #include <algorithm>
 #include <cmath>

@@ -5,7 +5,7 @@
 #include "itkGraphFamilies.h"
 #include "itkMultiThreaderBase.h"
 #include "itkSplitArrangement.h"
-#include "itkToolError.h"
+#include "itkExceptions.h"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 #include "itkPackedMap.h"
 
 #include "itkGraphFamilies.h"
-#include "itkToolError.h"
+#include "itkExceptions.h"
 
 #include <gtest/gtest.h>
 
@@ -208,7 +208,7 @@ TEST(PackedMap, WithoutDummiesConflictsAreRefusedWithTheReason)
     }
     catch (const InputError & error)
     {
-      EXPECT_NE(std::string(error.what()).find("use --augmentation ring"), std::string::npos);
+      EXPECT_NE(std::string(error.what()).find("use the parameter \"augmentation\" = ring"), std::string::npos);
     }
   }
 }

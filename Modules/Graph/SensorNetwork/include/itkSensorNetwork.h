@@ -53,7 +53,7 @@ struct SensorDevice
 class SensorNetwork_EXPORT SensorNetwork
 {
 public:
-  /** At step 0. Throws UsageError for an option out of range. */
+  /** At step 0. Throws ParameterError for an option out of range. */
   explicit SensorNetwork(const SensorNetworkOptions & options);
 
   /** Moves all devices by one step. */

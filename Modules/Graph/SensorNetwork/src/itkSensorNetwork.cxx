@@ -1,7 +1,7 @@
 #include "itkSensorNetwork.h"
 
 #include "itkPhilox.h"
-#include "itkToolError.h"
+#include "itkExceptions.h"
 
 #include <cmath>
 #include <cstdio>
@@ -52,10 +52,10 @@ IsInside(const SensorDevice & device, double side)
 SensorNetwork::SensorNetwork(const SensorNetworkOptions & options)
   : m_Options(options), m_Devices(options.devices > 0 ? options.devices : 0), m_IsCharging(m_Devices.size(), false)
 {
-  RequireUsage(options.devices >= 1, "there are no devices; give 1 or more");
-  RequireUsage(options.range > 0.0, "the range is not positive; give metres above 0");
-  RequireUsage(options.side > 0.0, "the side of the area is not positive; give metres above 0");
-  RequireUsage(options.speed >= 0.0 && options.speed < 0.05 * options.side,
+  RequireParameter(options.devices >= 1, "there are no devices; give 1 or more");
+  RequireParameter(options.range > 0.0, "the range is not positive; give metres above 0");
+  RequireParameter(options.side > 0.0, "the side of the area is not positive; give metres above 0");
+  RequireParameter(options.speed >= 0.0 && options.speed < 0.05 * options.side,
                "the speed is out of range; give 0 or more metres, less than a twentieth of the side");
   for (std::uint32_t i = 0; i < m_Devices.size(); ++i)
   {

@@ -1,6 +1,6 @@
 #include "itkGraphGenus.h"
 #include "itkSensorNetwork.h"
-#include "itkToolError.h"
+#include "itkExceptions.h"
 
 #include <gtest/gtest.h>
 
@@ -110,5 +110,5 @@ TEST(SensorNetwork, SameSeedSameNetwork)
   options.seed = 2;
   EXPECT_NE(itk::SensorNetwork(options).GetDevices()[0].x, a.GetDevices()[0].x);
   options.range = 0.0;
-  EXPECT_THROW(itk::SensorNetwork network(options), itk::UsageError);
+  EXPECT_THROW(itk::SensorNetwork network(options), itk::ParameterError);
 }

@@ -4,15 +4,19 @@
 #include "DicomSeriesExport.h"
 #include "itkDicomSeriesScan.h"
 
+#include <functional>
 #include <string>
 
 namespace itk
 {
+/** Changes the words of an advice, for a program with options in place of parameters. \ingroup DicomSeries */
+using AdviceInWords = std::function<std::string(const std::string & advice)>;
+
 /** The listing of a folder as text for people: a table with a line for each series, then for each series its UID,
  * encoding and defects with what to do about them, then the files outside any series.
  * \ingroup DicomSeries */
 DicomSeries_EXPORT std::string
-                   FormatDicomScan(const DicomScan & scan);
+                   FormatDicomScan(const DicomScan & scan, const AdviceInWords & inWords = {});
 
 /** Writes the listing of a folder as JSON for programmes. Names are stable, files are relative to the folder; lengths
  * in mm, LPS. Throws OutputError. \code
@@ -20,7 +24,7 @@ DicomSeries_EXPORT std::string
  *   "schema": "shapeton.dicomSeries.1",
  *   "files": 40,
  *   "series": [{
- *     "selector": "1.2.3",              text for --seriesUID: the UID, with "#part" for a part of a mixed series
+ *     "selector": "1.2.3",              VolumeReadOptions::seriesUID: the UID, with "#part" for a part of a mixed series
  *     "seriesInstanceUID": "1.2.3", "part": 1, "parts": 1,
  *     "seriesNumber": 2, "description": "SUPINE", "modality": "CT", "patientPosition": "HFS",
  *     "transferSyntax": "Little Endian Explicit", "lossy": false,
@@ -40,7 +44,7 @@ DicomSeries_EXPORT std::string
  * The names of defects are those of DicomDefectKind; slices and frames are counted from 1.
  * \ingroup DicomSeries */
 DicomSeries_EXPORT void
-WriteDicomScan(const DicomScan & scan, const std::string & path);
+WriteDicomScan(const DicomScan & scan, const std::string & path, const AdviceInWords & inWords = {});
 } // namespace itk
 
 #endif

@@ -3,15 +3,12 @@
 
 #include "DicomSeriesExport.h"
 
-#include "itkImage.h"
+#include "itkVolume.h"
 
 #include <string>
-#include <vector>
 
 namespace itk
 {
-class CommandLine;
-
 /** What a reader may repair. By default an irregular series is refused.
  * \ingroup DicomSeries */
 struct VolumeReadOptions
@@ -32,26 +29,6 @@ struct VolumeReadOptions
   bool allowSingleSlice{ false };
 };
 
-/** A volume with its geometry (LPS, mm) and where it comes from.
- * \ingroup DicomSeries */
-struct Volume
-{
-  using ImageType = Image<float, 3>;
-  /** Rescaled intensities; Hounsfield units for CT. */
-  ImageType::Pointer image;
-  /** "CT", "MR", ...; empty for formats that do not say. */
-  std::string modality;
-  /** DICOM Patient Position, for example "HFS"; empty when not known. */
-  std::string patientPosition;
-  std::string seriesUID;
-  /** "seriesInstanceUID:..." or "sha256:..." of the file. */
-  std::string identity;
-  /** Repairs that were made, in words; part of the provenance. */
-  std::vector<std::string> repairs;
-  /** Remarks for the user, for example "2 localizer images were left out". */
-  std::vector<std::string> notes;
-};
-
 /** Reads a folder (searched recursively), one DICOM file, or one NRRD, NIfTI or MetaImage file.
  *
  * A folder: one usable series beside localizers, other images or irregular series is taken with a note; two or more
@@ -62,32 +39,11 @@ struct Volume
  * finite spacing, perpendicular axes and finite voxels. A fourth dimension must have the size 1. Left-handed axes, as
  * most NIfTI files have, are kept.
  *
- * Throws InputError that names the file or series, the defect and the slices concerned, and what to do; UsageError when
+ * Throws InputError that names the file or series, the defect and the slices concerned, and what to do; ParameterError when
  * a series is chosen from a file that has none.
  * \ingroup DicomSeries */
 DicomSeries_EXPORT Volume
 ReadVolume(const std::string & path, const VolumeReadOptions & options = {});
-
-/** ReadVolume for a tool: `parameter` names the input in the tool's XML, which also declares the options seriesUID,
- * resampleGaps, deshear and dropDuplicates. Adds identity and repairs to the provenance, notes to the warnings.
- * \ingroup DicomSeries */
-DicomSeries_EXPORT Volume
-ReadVolume(CommandLine & commandLine, const std::string & parameter, bool allowSingleSlice = false);
-/** Whether two volumes have the same size and all their voxels lie at the same places, to a hundredth of the smallest
- * spacing. \ingroup DicomSeries */
-DicomSeries_EXPORT bool
-HaveSameGrid(const ImageBase<3> * a, const ImageBase<3> * b);
-
-/** 1 where the voxels of a volume are not 0. Throws InputError, with `path` in front, when there are none.
- * \ingroup DicomSeries */
-DicomSeries_EXPORT Image<unsigned char, 3>::Pointer
-                   MaskOfVolume(const Volume & volume, const std::string & path);
-
-/** Reads a mask for a tool: the voxels of the volume that the input `parameter` names, 1 where they are not 0. Adds its
- * identity to the provenance. Throws InputError where it has another grid than `image`, or no voxel other than 0.
- * \ingroup DicomSeries */
-DicomSeries_EXPORT Image<unsigned char, 3>::Pointer
-                   ReadMask(CommandLine & commandLine, const std::string & parameter, const ImageBase<3> * image);
 } // namespace itk
 
 #endif

@@ -3,7 +3,7 @@
 #include "itkByteStream.h"
 #include "itkContainedProcess.h"
 #include "itkDicomTransferSyntax.h"
-#include "itkToolError.h"
+#include "itkExceptions.h"
 
 #include "dcmtk/config/osconfig.h"
 #include "dcmtk/dcmdata/dctk.h"

@@ -2,7 +2,7 @@
 
 #include "itkDicomPixels.h"
 #include "itkNumberText.h"
-#include "itkToolError.h"
+#include "itkExceptions.h"
 
 #include <algorithm>
 #include <cstring>
@@ -185,14 +185,14 @@ GetDicomDefectAdvice(DicomDefectKind kind)
   {
     case DicomDefectKind::duplicateIdentical:
     case DicomDefectKind::duplicateConflicting:
-      return "--dropDuplicates keeps the first slice of each position";
+      return "the parameter \"dropDuplicates\" keeps the first slice of each position";
     case DicomDefectKind::gap:
     case DicomDefectKind::variableSpacing:
-      return "--resampleGaps interpolates";
+      return "the parameter \"resampleGaps\" interpolates";
     case DicomDefectKind::shear:
-      return "--deshear resamples onto perpendicular axes";
+      return "the parameter \"deshear\" resamples onto perpendicular axes";
     case DicomDefectKind::mixedSeries:
-      return "choose one part by --seriesUID UID#PART";
+      return "choose one part by the parameter \"seriesUID\" = UID#PART";
     case DicomDefectKind::localizer:
       return "choose a series with a volume";
     case DicomDefectKind::unsupportedTransferSyntax:

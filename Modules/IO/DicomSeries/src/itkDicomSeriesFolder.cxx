@@ -1,6 +1,6 @@
 #include "itkDicomSeriesFolder.h"
 
-#include "itkToolError.h"
+#include "itkExceptions.h"
 
 #include "dcmtk/config/osconfig.h"
 #include "dcmtk/dcmdata/dctk.h"

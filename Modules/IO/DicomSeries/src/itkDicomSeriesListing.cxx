@@ -130,14 +130,21 @@ FormatTable(const DicomScan & scan)
 }
 
 std::string
-FormatDetails(const DicomSeries & series, std::size_t number)
+AdviceOn(const DicomDefect & defect, const AdviceInWords & inWords)
+{
+  const std::string advice = GetDicomDefectAdvice(defect.kind);
+  return inWords ? inWords(advice) : advice;
+}
+
+std::string
+FormatDetails(const DicomSeries & series, std::size_t number, const AdviceInWords & inWords)
 {
   std::string text = "\nNo. " + std::to_string(number) + "  UID " + OrDash(series.GetSelector()) + "\n";
   text += "  encoding: " + OrDash(series.transferSyntax) + (series.isLossy ? " (lossy)" : "") + "\n";
   for (const DicomDefect & defect : series.defects)
   {
     text += "  " + std::string(GetDicomDefectName(defect.kind)) + ": " + defect.message + "; " +
-            GetDicomDefectAdvice(defect.kind) + "\n";
+            AdviceOn(defect, inWords) + "\n";
   }
   const bool isExplained = series.refusal.empty() || !series.defects.empty();
   return isExplained ? text : text + "  no volume: " + series.refusal + "\n";
@@ -184,14 +191,14 @@ DescribeFiles(const DicomScan & scan, const DicomDefect & defect)
 }
 
 Json
-DescribeDefects(const DicomScan & scan, const DicomSeries & series)
+DescribeDefects(const DicomScan & scan, const DicomSeries & series, const AdviceInWords & inWords)
 {
   Json defects = Json::array();
   for (const DicomDefect & defect : series.defects)
   {
     defects.push_back({ { "name", GetDicomDefectName(defect.kind) },
                         { "message", defect.message },
-                        { "advice", GetDicomDefectAdvice(defect.kind) },
+                        { "advice", AdviceOn(defect, inWords) },
                         { "files", DescribeFiles(scan, defect) },
                         { "slices", defect.slices } });
   }
@@ -213,7 +220,7 @@ DescribeSlices(const DicomScan & scan, const DicomSeries & series)
 }
 
 Json
-DescribeSeries(const DicomScan & scan, const DicomSeries & series)
+DescribeSeries(const DicomScan & scan, const DicomSeries & series, const AdviceInWords & inWords)
 {
   Json direction = Json::array();
   for (unsigned int i = 0; i < 9; ++i)
@@ -238,13 +245,13 @@ DescribeSeries(const DicomScan & scan, const DicomSeries & series)
            { "direction", direction },
            { "usable", series.IsUsable() },
            { "refusal", series.refusal },
-           { "defects", DescribeDefects(scan, series) },
+           { "defects", DescribeDefects(scan, series, inWords) },
            { "slices", DescribeSlices(scan, series) } };
 }
 } // namespace
 
 std::string
-FormatDicomScan(const DicomScan & scan)
+FormatDicomScan(const DicomScan & scan, const AdviceInWords & inWords)
 {
   if (scan.series.empty())
   {
@@ -253,18 +260,18 @@ FormatDicomScan(const DicomScan & scan)
   std::string text = FormatTable(scan);
   for (std::size_t i = 0; i < scan.series.size(); ++i)
   {
-    text += FormatDetails(scan.series[i], i + 1);
+    text += FormatDetails(scan.series[i], i + 1, inWords);
   }
   return text + FormatOtherFiles(scan);
 }
 
 void
-WriteDicomScan(const DicomScan & scan, const std::string & path)
+WriteDicomScan(const DicomScan & scan, const std::string & path, const AdviceInWords & inWords)
 {
   Json series = Json::array();
   for (const DicomSeries & each : scan.series)
   {
-    series.push_back(DescribeSeries(scan, each));
+    series.push_back(DescribeSeries(scan, each, inWords));
   }
   Json others = Json::array();
   for (const DicomDefect & file : scan.otherFiles)

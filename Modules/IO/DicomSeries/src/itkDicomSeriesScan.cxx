@@ -4,7 +4,7 @@
 #include "itkDicomFile.h"
 #include "itkDicomSeriesDefects.h"
 #include "itkFileWalk.h"
-#include "itkToolError.h"
+#include "itkExceptions.h"
 
 #include "dcmtk/config/osconfig.h"
 #include "dcmtk/dcmdata/dcdict.h"

@@ -2,7 +2,7 @@
 #include "itkDicomSeriesFolder.h"
 
 #include "itkSha256.h"
-#include "itkToolError.h"
+#include "itkExceptions.h"
 
 #include "itkImageRegionConstIterator.h"
 

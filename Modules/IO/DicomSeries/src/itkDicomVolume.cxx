@@ -2,10 +2,10 @@
 
 #include "itkDicomPixels.h"
 #include "itkDicomSeriesGeometry.h"
-#include "itkImageFile.h"
+#include "itkPhysicalMemory.h"
 #include "itkNumberText.h"
 #include "itkSha256.h"
-#include "itkToolError.h"
+#include "itkExceptions.h"
 
 #include <algorithm>
 #include <cmath>
@@ -39,7 +39,7 @@ Refuse(const DicomSeries & series, const std::string & reason)
 void
 CheckMemory(const DicomSeries & series, double voxels)
 {
-  if (voxels * sizeof(float) > GetPhysicalMemory())
+  if (voxels * sizeof(float) > PhysicalMemory())
   {
     Refuse(series, "the volume does not fit into the memory of this machine; take fewer slices");
   }

@@ -1,6 +1,6 @@
 #include "itkFileWalk.h"
 
-#include "itkToolError.h"
+#include "itkExceptions.h"
 
 #include <algorithm>
 #include <cerrno>

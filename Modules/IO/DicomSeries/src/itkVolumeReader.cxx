@@ -1,10 +1,9 @@
 #include "itkVolumeReader.h"
 
-#include "itkCommandLine.h"
 #include "itkDicomSeriesScan.h"
 #include "itkDicomVolume.h"
 #include "itkImageFile.h"
-#include "itkToolError.h"
+#include "itkExceptions.h"
 
 #include <algorithm>
 #include <filesystem>
@@ -143,7 +142,7 @@ RefuseUnknownDamage(const DicomScan & scan)
       Refuse(
         file.files.front(),
         "truncated: " + file.message +
-          "; it may belong to the series: copy it from its source again, remove it, or choose a series by --seriesUID");
+          "; it may belong to the series: copy it from its source again, remove it, or choose a series by the parameter \"seriesUID\"");
     }
   }
 }
@@ -200,7 +199,7 @@ SelectOnlyOne(const DicomScan & scan, const VolumeReadOptions & options)
   if (usable.size() > 1)
   {
     Refuse(scan.path,
-           std::to_string(usable.size()) + " usable volumes; choose one by --seriesUID: " + List(usable, Describe));
+           std::to_string(usable.size()) + " usable volumes; choose one by the parameter \"seriesUID\": " + List(usable, Describe));
   }
   const auto volumes = Select(scan, IsVolumeLike);
   // A single slice is taken where nothing else is meant, and not in place of a volume that is irregular.
@@ -307,96 +306,10 @@ ReadVolume(const std::string & path, const VolumeReadOptions & options)
   const bool isImageFile = IsImageFile(path) && !fs::is_directory(path, error);
   if (isImageFile && !options.seriesUID.empty())
   {
-    throw UsageError(path + ": --seriesUID chooses a DICOM series, and this file is none");
+    throw ParameterError(path + ": the parameter \"seriesUID\" chooses a DICOM series, and this file is none");
   }
   Volume volume = isImageFile ? ReadImageFile(path) : ReadDicom(path, options);
   CheckExtent(path, volume, options);
   return volume;
-}
-
-Volume
-ReadVolume(CommandLine & commandLine, const std::string & parameter, bool allowSingleSlice)
-{
-  VolumeReadOptions options;
-  options.seriesUID = commandLine.GetString("seriesUID");
-  options.resampleGaps = commandLine.GetFlag("resampleGaps");
-  options.deshear = commandLine.GetFlag("deshear");
-  options.dropDuplicates = commandLine.GetFlag("dropDuplicates");
-  options.allowSingleSlice = allowSingleSlice;
-  Volume volume = ReadVolume(commandLine.GetString(parameter), options);
-  commandLine.AddInput(parameter, volume.identity);
-  for (const std::string & repair : volume.repairs)
-  {
-    commandLine.AddProvenance("repair", repair);
-  }
-  for (const std::string & note : volume.notes)
-  {
-    commandLine.Warn(note);
-  }
-  return volume;
-}
-
-bool
-HaveSameGrid(const ImageBase<3> * a, const ImageBase<3> * b)
-{
-  const ImageRegion<3> region = a->GetLargestPossibleRegion();
-  if (region != b->GetLargestPossibleRegion())
-  {
-    return false;
-  }
-  const auto & spacing = a->GetSpacing();
-  const double tolerance = 0.01 * std::min({ spacing[0], spacing[1], spacing[2] });
-  for (unsigned int corner = 0; corner < 8; ++corner)
-  {
-    Index<3> index = region.GetIndex();
-    for (unsigned int axis = 0; axis < 3; ++axis)
-    {
-      index[axis] += (corner >> axis) & 1U ? static_cast<IndexValueType>(region.GetSize(axis)) - 1 : 0;
-    }
-    ImageBase<3>::PointType pointA;
-    ImageBase<3>::PointType pointB;
-    a->TransformIndexToPhysicalPoint(index, pointA);
-    b->TransformIndexToPhysicalPoint(index, pointB);
-    if (pointA.EuclideanDistanceTo(pointB) > tolerance)
-    {
-      return false;
-    }
-  }
-  return true;
-}
-
-Image<unsigned char, 3>::Pointer
-MaskOfVolume(const Volume & volume, const std::string & path)
-{
-  auto mask = Image<unsigned char, 3>::New();
-  mask->CopyInformation(volume.image);
-  mask->SetRegions(volume.image->GetLargestPossibleRegion());
-  mask->Allocate();
-  const float * const begin = volume.image->GetBufferPointer();
-  const float * const end = begin + volume.image->GetLargestPossibleRegion().GetNumberOfPixels();
-  std::transform(
-    begin, end, mask->GetBufferPointer(), [](float value) { return static_cast<unsigned char>(value != 0.0F); });
-  if (std::all_of(begin, end, [](float value) { return value == 0.0F; }))
-  {
-    Refuse(path, "the mask is empty: it needs voxels other than 0");
-  }
-  return mask;
-}
-
-Image<unsigned char, 3>::Pointer
-ReadMask(CommandLine & commandLine, const std::string & parameter, const ImageBase<3> * image)
-{
-  const std::string path = commandLine.GetString(parameter);
-  VolumeReadOptions options;
-  options.allowSingleSlice = true;
-  const Volume volume = ReadVolume(path, options);
-  commandLine.AddInput(parameter, volume.identity);
-  if (!HaveSameGrid(image, volume.image))
-  {
-    Refuse(path, "the mask differs in size or place from the volume: give a mask made on that volume");
-  }
-  const auto mask = MaskOfVolume(volume, path);
-  mask->CopyInformation(image); // equal up to rounding
-  return mask;
 }
 } // namespace itk

@@ -1,5 +1,5 @@
 #include "itkDicomSeriesWriter.h"
-#include "itkToolError.h"
+#include "itkExceptions.h"
 #include "itkVolumeReader.h"
 
 #include "itkGDCMImageIO.h"

@@ -315,13 +315,13 @@ TEST(VolumeReader, IrregularSeriesAreRefusedWithDefectSlicesAndAdvice)
   const DicomFixture fixture;
   const std::string  gap = RefusalOf(SlicesAt(fixture, { 0, 2, 8, 10 }));
   EXPECT_TRUE(Contains(gap, "gap: 2 slices are missing between slice 2 (im0002.dcm) and slice 3 (im0003.dcm)")) << gap;
-  EXPECT_TRUE(Contains(gap, "--resampleGaps")) << gap;
+  EXPECT_TRUE(Contains(gap, "the parameter \"resampleGaps\"")) << gap;
   EXPECT_TRUE(Contains(gap, fixture.seriesUID)) << gap;
   const std::string variable = RefusalOf(SlicesAt(fixture, { 0, 2, 4.5, 6, 8 }));
   EXPECT_TRUE(Contains(variable, "variableSpacing: ")) << variable;
   const std::string duplicate = RefusalOf(SlicesAt(fixture, { 0, 2, 2, 4 }));
   EXPECT_TRUE(Contains(duplicate, "duplicateIdentical: ")) << duplicate;
-  EXPECT_TRUE(Contains(duplicate, "--dropDuplicates")) << duplicate;
+  EXPECT_TRUE(Contains(duplicate, "the parameter \"dropDuplicates\"")) << duplicate;
 }
 
 TEST(VolumeReader, ModalityTablesAndZeroSlopesAreRefused)
@@ -355,7 +355,7 @@ TEST(VolumeReader, OneOfTwoVolumesHasToBeChosen)
   const std::string message = InputErrorOf([&folder] { ReadVolume(folder); });
   EXPECT_TRUE(Contains(message, first.seriesUID + " (FIXTURE, CT, 6 slices)")) << message;
   EXPECT_TRUE(Contains(message, "1.2.3.4 (PRONE, CT, 6 slices)")) << message;
-  EXPECT_TRUE(Contains(message, "--seriesUID")) << message;
+  EXPECT_TRUE(Contains(message, "the parameter \"seriesUID\"")) << message;
 
   VolumeReadOptions options;
   options.seriesUID = "1.2.3.4";

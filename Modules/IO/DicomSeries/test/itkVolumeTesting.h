@@ -2,7 +2,7 @@
 #define itkVolumeTesting_h
 
 #include "itkDicomFixture.h"
-#include "itkToolError.h"
+#include "itkExceptions.h"
 #include "itkVolumeReader.h"
 
 #include <gtest/gtest.h>

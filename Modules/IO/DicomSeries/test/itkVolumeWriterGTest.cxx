@@ -211,7 +211,7 @@ TEST(VolumeWriter, LabelsAreCompressedAndIntensitiesAreNot)
 TEST(VolumeWriter, Failures)
 {
   const auto image = MakeOblique<float>();
-  EXPECT_THROW(WriteVolume<float>(image.GetPointer(), TestFolder() + "/image.png"), itk::UsageError);
+  EXPECT_THROW(WriteVolume<float>(image.GetPointer(), TestFolder() + "/image.png"), itk::ParameterError);
   EXPECT_THROW(WriteVolume<float>(image.GetPointer(), TestFolder() + "/missing/image.nrrd"), itk::OutputError);
 }
 
@@ -329,7 +329,7 @@ TEST(ImageFile, UnsuitableKindsAreNamed)
   itk::VolumeReadOptions options;
   options.seriesUID = "1.2";
   const std::string path = WriteNrrd("type: uchar\ndimension: 3\nsizes: 2 2 2\nencoding: raw\n", Bytes8);
-  EXPECT_THROW(ReadVolume(path, options), itk::UsageError);
+  EXPECT_THROW(ReadVolume(path, options), itk::ParameterError);
 }
 
 TEST(ImageFile, UnusableGeometryIsRefused)

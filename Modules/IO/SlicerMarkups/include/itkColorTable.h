@@ -25,7 +25,7 @@ SlicerMarkups_EXPORT std::array<double, 3>
                      ColorOfLabel(int label);
 
 /** Writes a colour table of 3D Slicer (.ctbl): a line for each label, the background clear. Blanks in names become
- * underscores, as in Slicer's own files. Throws UsageError for another extension, std::invalid_argument for a value or
+ * underscores, as in Slicer's own files. Throws ParameterError for another extension, std::invalid_argument for a value or
  * colour out of range, a value given twice or an empty name; OutputError. \ingroup SlicerMarkups */
 SlicerMarkups_EXPORT void
 WriteColorTable(const std::vector<LabelColor> & labels, const std::string & path);

@@ -11,8 +11,6 @@
 
 namespace itk
 {
-class CommandLine;
-
 /** \class Markup
  * \brief Points or a curve that 3D Slicer shows and lets a person move.
  * \ingroup SlicerMarkups */
@@ -39,7 +37,7 @@ struct Markup
 };
 
 /** Writes markups of 3D Slicer, version 1.0.3 of their schema: one node of the scene for each, LPS, mm. Equal markups
- * give equal bytes. Throws UsageError unless the path ends with .mrk.json, std::invalid_argument where labels or
+ * give equal bytes. Throws ParameterError unless the path ends with .mrk.json, std::invalid_argument where labels or
  * descriptions are not one for each point, a colour is out of range or a coordinate is not finite; OutputError.
  * \ingroup SlicerMarkups */
 SlicerMarkups_EXPORT void
@@ -50,11 +48,6 @@ WriteMarkups(const std::vector<Markup> & markups, const std::string & path);
  * and the fault, also where no point is left. \ingroup SlicerMarkups */
 SlicerMarkups_EXPORT std::vector<Markup>
                      ReadMarkups(const std::string & path);
-
-/** ReadMarkups() for a tool, of the parameter with this name; adds the identity of the file to the provenance.
- * \ingroup SlicerMarkups */
-SlicerMarkups_EXPORT std::vector<Markup>
-                     ReadMarkups(CommandLine & commandLine, const std::string & parameter);
 
 /** A curve of a set as a markup with control points no further apart than `spacing` mm along it and both its ends:
  * Slicer is slow with thousands of them. Where kind is Points, all its vertices, as separate points. A closed curve may

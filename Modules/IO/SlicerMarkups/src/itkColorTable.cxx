@@ -1,7 +1,7 @@
 #include "itkColorTable.h"
 
 #include "itkFileBytes.h"
-#include "itkToolError.h"
+#include "itkExceptions.h"
 
 #include <algorithm>
 #include <cmath>
@@ -76,7 +76,7 @@ ColorOfLabel(int label)
 void
 WriteColorTable(const std::vector<LabelColor> & labels, const std::string & path)
 {
-  RequireUsage(std::filesystem::path(path).extension() == ".ctbl", "\"" + path + "\" names no colour table; use .ctbl");
+  RequireParameter(std::filesystem::path(path).extension() == ".ctbl", "\"" + path + "\" names no colour table; use .ctbl");
   std::string   text = "# Color table file\n# " + std::to_string(labels.size() + 1) + " values\n0 background 0 0 0 0\n";
   std::set<int> values;
   for (const LabelColor & label : labels)

@@ -1,7 +1,7 @@
 #include "itkSlicerMarkups.h"
 
 #include "itkJson.h"
-#include "itkToolError.h"
+#include "itkExceptions.h"
 
 #include <stdexcept>
 
@@ -114,7 +114,7 @@ JsonOf(const Markup & markup)
 void
 WriteMarkups(const std::vector<Markup> & markups, const std::string & path)
 {
-  RequireUsage(EndsWith(path, ".mrk.json"), "\"" + path + "\" names no markups of 3D Slicer; use .mrk.json");
+  RequireParameter(EndsWith(path, ".mrk.json"), "\"" + path + "\" names no markups of 3D Slicer; use .mrk.json");
   Json document;
   document["@schema"] = schema;
   document["markups"] = Json::array();

@@ -1,9 +1,7 @@
 #include "itkSlicerMarkups.h"
 
-#include "itkCommandLine.h"
 #include "itkJson.h"
-#include "itkSha256.h"
-#include "itkToolError.h"
+#include "itkExceptions.h"
 
 #include <optional>
 
@@ -152,14 +150,5 @@ ReadMarkups(const std::string & path)
   {
     Refuse(path, std::string("breaks the schema of 3D Slicer's markups (") + error.what() + ")", "correct it");
   }
-}
-
-std::vector<Markup>
-ReadMarkups(CommandLine & commandLine, const std::string & parameter)
-{
-  const std::string   path = commandLine.GetString(parameter);
-  std::vector<Markup> markups = ReadMarkups(path);
-  commandLine.AddInput(parameter, "sha256:" + Sha256OfFile(path));
-  return markups;
 }
 } // namespace itk

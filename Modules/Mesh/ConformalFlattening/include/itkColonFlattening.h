@@ -1,12 +1,13 @@
 #ifndef itkColonFlattening_h
 #define itkColonFlattening_h
 
+#include "itkRemarks.h"
+#include "itkProgress.h"
 #include "itkConformalTube.h"
 #include "itkCurveSet.h"
 #include "itkJson.h"
 #include "itkSurfaceHandles.h"
 
-#include <functional>
 
 namespace itk
 {
@@ -35,7 +36,7 @@ struct ColonFlatteningOptions
   /** From the rectum to the caecum; tells the rectum where the surface does not name it. May be empty. */
   CurveSet centreline;
   /** Told the stage and the share of the whole, from 0 to 1. */
-  std::function<void(const std::string & stage, double share)> progress;
+  Progress progress;
 };
 
 /** A flattened colon with what was measured. \ingroup ConformalFlattening */
@@ -63,7 +64,7 @@ struct ColonFlattening
   HandleDetection handles;
   /** Flipped faces farther than 3 rings from a handle. */
   int                      flipsAwayFromHandles{ 0 };
-  std::vector<std::string> warnings;
+  Remarks warnings;
 };
 
 /** From a tube to its flat map: preparation, metric, map, handles. Throws InputError that begins with `what` where the

@@ -1,6 +1,7 @@
 #ifndef itkConformalMap_h
 #define itkConformalMap_h
 
+#include "itkRemarks.h"
 #include "itkFlatDistortion.h"
 #include "itkJson.h"
 #include "itkQuadrilateralMap.h"
@@ -73,7 +74,7 @@ struct ConformalMap
   int flipsAtSlits{ 0 };
   /** Over the faces that are neither. */
   DistortionQuantiles      dilatation;
-  std::vector<std::string> warnings;
+  Remarks warnings;
 
   /** modulusU / modulusV - 1. */
   ConformalFlattening_EXPORT double

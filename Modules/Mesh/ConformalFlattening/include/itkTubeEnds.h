@@ -3,6 +3,7 @@
 
 #include "ConformalFlatteningExport.h"
 
+#include "itkRemarks.h"
 #include "itkSurfaceConnectivity.h"
 
 namespace itk
@@ -31,7 +32,7 @@ FindTubeEnds(const SurfaceMesh & mesh, const SurfaceConnectivity & connectivity,
 struct PreparedTube
 {
   SurfaceMesh              mesh;
-  std::vector<std::string> warnings;
+  Remarks warnings;
 };
 
 /** Repairs what can be repaired: coincident vertices, degenerate and duplicate faces, unreferenced vertices, faces that

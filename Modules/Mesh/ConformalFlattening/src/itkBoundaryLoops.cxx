@@ -1,6 +1,6 @@
 #include "itkBoundaryLoops.h"
 
-#include "itkToolError.h"
+#include "itkExceptions.h"
 
 #include <algorithm>
 

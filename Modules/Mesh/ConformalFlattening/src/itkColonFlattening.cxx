@@ -1,7 +1,7 @@
 #include "itkColonFlattening.h"
 
 #include "itkHeatDiffusionMetric.h"
-#include "itkToolError.h"
+#include "itkExceptions.h"
 
 #include <algorithm>
 #include <cmath>
@@ -30,13 +30,13 @@ public:
   Run(SurfaceMesh mesh)
   {
     this->Prepare(std::move(mesh));
-    this->Tell("Handles", 0.05);
+    m_Options.progress("Handles", 0.05);
     if (m_Options.removeHandles && m_Result.genusBefore > 0)
     {
       this->RemoveInRounds();
     }
     this->Flatten();
-    this->Tell("Distortion", 0.9);
+    m_Options.progress("Distortion", 0.9);
     const HandleDetection left = DetectHandles(*m_Connectivity, m_Result.map.flat);
     if (m_Options.removeHandles)
     {
@@ -53,18 +53,9 @@ public:
 
 private:
   void
-  Tell(const std::string & stage, double share) const
-  {
-    if (m_Options.progress)
-    {
-      m_Options.progress(stage, share);
-    }
-  }
-
-  void
   Prepare(SurfaceMesh mesh)
   {
-    this->Tell("Preparing", 0.0);
+    m_Options.progress("Preparing", 0.0);
     PreparedTube tube = PrepareTube(std::move(mesh), m_What);
     m_Result.surface = std::move(tube.mesh);
     m_Result.warnings = std::move(tube.warnings);
@@ -81,7 +72,7 @@ private:
     {
       m_Result.warnings.push_back(std::string(surfaceName) +
                                   " does not say which end is the rectum (field array rectumLoop, or " +
-                                  "--centreline): u begins at the loop with the least vertex");
+                                  "the parameter \"centreline\"): u begins at the loop with the least vertex");
     }
   }
 
@@ -132,7 +123,7 @@ private:
     {
       m_Result.warnings.push_back(
         std::string(surfaceName) + ": the time of diffusion is less than the square of the mean edge, which is " +
-        std::to_string(edge) + " mm, so the metric shows the mesh; take a finer surface or --metric euclidean");
+        std::to_string(edge) + " mm, so the metric shows the mesh; take a finer surface or the parameter \"metric\" = euclidean");
     }
   }
 
@@ -157,9 +148,9 @@ private:
   void
   Flatten()
   {
-    this->Tell("Metric", 0.2);
+    m_Options.progress("Metric", 0.2);
     m_Metric = this->MetricLengths();
-    this->Tell("Flattening", 0.7);
+    m_Options.progress("Flattening", 0.7);
     m_Result.map = FlattenTube(m_Result.surface, *m_Connectivity, m_Metric, m_Ends, m_Options.tube);
   }
 

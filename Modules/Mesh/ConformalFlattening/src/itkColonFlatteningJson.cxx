@@ -1,7 +1,7 @@
 #include "itkColonFlattening.h"
 
 #include "itkFileBytes.h"
-#include "itkToolError.h"
+#include "itkExceptions.h"
 
 #include <cmath>
 #include <cstdio>

@@ -3,7 +3,7 @@
 #include "itkConformalLayout.h"
 #include "itkCsvTable.h"
 #include "itkSurfaceQuality.h"
-#include "itkToolError.h"
+#include "itkExceptions.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,7 @@
 #include "itkSurfaceHandles.h"
 
 #include "itkHoleFilling.h"
-#include "itkToolError.h"
+#include "itkExceptions.h"
 #include "itkTubeEnds.h"
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 #include "itkHarmonicSolver.h"
 
-#include "itkToolError.h"
+#include "itkExceptions.h"
 
 #include <Eigen/SparseCholesky>
 

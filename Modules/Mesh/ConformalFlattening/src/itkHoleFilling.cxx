@@ -1,7 +1,7 @@
 #include "itkHoleFilling.h"
 
 #include "itkHolePatch.h"
-#include "itkToolError.h"
+#include "itkExceptions.h"
 
 #include <Eigen/SparseCholesky>
 

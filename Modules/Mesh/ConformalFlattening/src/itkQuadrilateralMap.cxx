@@ -2,7 +2,7 @@
 
 #include "itkHarmonicSolver.h"
 #include "itkParallelFor.h"
-#include "itkToolError.h"
+#include "itkExceptions.h"
 
 #include <Eigen/Geometry>
 

@@ -2,7 +2,7 @@
 
 #include "itkConjugateFunction.h"
 #include "itkParallelFor.h"
-#include "itkToolError.h"
+#include "itkExceptions.h"
 #include "itkTubeCut.h"
 
 #include <Eigen/Cholesky>

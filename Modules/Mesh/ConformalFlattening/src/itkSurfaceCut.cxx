@@ -1,6 +1,6 @@
 #include "itkSurfaceCut.h"
 
-#include "itkToolError.h"
+#include "itkExceptions.h"
 
 #include <algorithm>
 

@@ -1,6 +1,6 @@
 #include "itkSurfaceHandles.h"
 
-#include "itkToolError.h"
+#include "itkExceptions.h"
 #include "itkTubeCut.h"
 
 #include <algorithm>

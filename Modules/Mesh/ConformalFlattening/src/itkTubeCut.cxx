@@ -1,7 +1,7 @@
 #include "itkTubeCut.h"
 
 #include "itkSurfaceLocator.h"
-#include "itkToolError.h"
+#include "itkExceptions.h"
 
 #include <algorithm>
 #include <cmath>

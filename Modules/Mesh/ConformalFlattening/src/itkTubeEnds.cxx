@@ -1,7 +1,7 @@
 #include "itkTubeEnds.h"
 
 #include "itkSurfaceRepair.h"
-#include "itkToolError.h"
+#include "itkExceptions.h"
 
 #include <Eigen/Geometry>
 
@@ -52,10 +52,10 @@ AdviceFor(const SurfaceMesh & mesh, const std::vector<std::vector<int>> & loops)
       return " has no boundary; " + needs + ": cut its ends open, as ColonSegmentation does";
     case 1:
       return " has one boundary of " + LoopLengths(mesh, loops) + "; " + needs +
-             ": open the other end, or map it as a disk with ConformalMap --domain rectangle";
+             ": open the other end, or map it as a disk with ConformalMap (the parameter \"domain\" = rectangle)";
     default:
       return " has " + std::to_string(loops.size()) + " boundaries of " + LoopLengths(mesh, loops) + "; " + needs +
-             ": close the holes, or map it with ConformalMap --domain slit";
+             ": close the holes, or map it with ConformalMap (the parameter \"domain\" = slit)";
   }
 }
 
@@ -137,8 +137,8 @@ FindTubeEnds(const SurfaceMesh & mesh, const SurfaceConnectivity & connectivity,
   {
     throw InputError(
       what + " has " + std::to_string(connectivity.Components().size()) +
-      " components; choose one with --component N or, where the surface was one and fell apart where it was "
-      "not manifold, a part of the file with --part NAME");
+      " components; choose one with the parameter \"component\" = N or, where the surface was one and fell apart where it was "
+      "not manifold, a part of the file with the parameter \"part\" = NAME");
   }
   if (!connectivity.IsManifold() || !connectivity.Components().front().isOrientable)
   {

@@ -3,7 +3,7 @@
 #include "itkColonTube.h"
 #include "itkHeatDiffusionMetric.h"
 #include "itkTestSurfaces.h"
-#include "itkToolError.h"
+#include "itkExceptions.h"
 
 #include <gtest/gtest.h>
 

@@ -2,7 +2,7 @@
 
 #include "itkPlanarDomains.h"
 #include "itkSurfaceQuality.h"
-#include "itkToolError.h"
+#include "itkExceptions.h"
 
 #include <gtest/gtest.h>
 

@@ -4,7 +4,7 @@
 #include "itkFlatDistortion.h"
 #include "itkHeatDiffusionMetric.h"
 #include "itkTestSurfaces.h"
-#include "itkToolError.h"
+#include "itkExceptions.h"
 
 #include "itkMultiThreaderBase.h"
 

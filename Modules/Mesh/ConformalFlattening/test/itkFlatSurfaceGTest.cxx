@@ -1,7 +1,7 @@
 #include "itkFlatSurface.h"
 
 #include "itkTestSurfaces.h"
-#include "itkToolError.h"
+#include "itkExceptions.h"
 
 #include <gtest/gtest.h>
 

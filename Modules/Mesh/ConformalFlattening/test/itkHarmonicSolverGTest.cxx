@@ -2,7 +2,7 @@
 
 #include "itkColonTube.h"
 #include "itkTestSurfaces.h"
-#include "itkToolError.h"
+#include "itkExceptions.h"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 #include "itkQuadrilateralMap.h"
 
 #include "itkPlanarDomains.h"
-#include "itkToolError.h"
+#include "itkExceptions.h"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 #include "itkSlitMap.h"
 
 #include "itkPlanarDomains.h"
-#include "itkToolError.h"
+#include "itkExceptions.h"
 
 #include <Eigen/Eigenvalues>
 #include <gtest/gtest.h>

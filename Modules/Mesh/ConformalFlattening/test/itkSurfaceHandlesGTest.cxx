@@ -6,7 +6,7 @@
 #include "itkSurfaceLocator.h"
 #include "itkSurfaceSimplification.h"
 #include "itkTestSurfaces.h"
-#include "itkToolError.h"
+#include "itkExceptions.h"
 
 #include <gtest/gtest.h>
 

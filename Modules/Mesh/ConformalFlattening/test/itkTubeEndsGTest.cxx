@@ -1,7 +1,7 @@
 #include "itkTubeEnds.h"
 
 #include "itkTestSurfaces.h"
-#include "itkToolError.h"
+#include "itkExceptions.h"
 
 #include <gtest/gtest.h>
 
@@ -86,10 +86,10 @@ TEST(TubeEnds, RectumComesFirstWhereItIsKnown)
 TEST(TubeEnds, OtherSurfacesAreRefusedWithWhatTheyNeed)
 {
   EXPECT_NE(std::string::npos, ErrorOf(Icosphere(1, 30.0)).find("has no boundary"));
-  EXPECT_NE(std::string::npos, ErrorOf(Square(4, 30.0)).find("ConformalMap --domain rectangle"));
+  EXPECT_NE(std::string::npos, ErrorOf(Square(4, 30.0)).find("the parameter \"domain\" = rectangle"));
   const std::string three = ErrorOf(WithoutFaces(Tube(), 62, 1));
   EXPECT_NE(std::string::npos, three.find("has 3 boundaries of 124 mm, ")) << three;
-  EXPECT_NE(std::string::npos, three.find("--domain slit"));
+  EXPECT_NE(std::string::npos, three.find("the parameter \"domain\" = slit"));
   EXPECT_NE(std::string::npos, ErrorOf(MoebiusStrip(20, 4)).find("one side only"));
   itk::SurfaceMesh two = Tube();
   const int        half = two.NumberOfVertices();
@@ -98,7 +98,7 @@ TEST(TubeEnds, OtherSurfacesAreRefusedWithWhatTheyNeed)
   const auto faces = two.F.rows();
   two.F.conservativeResize(2 * faces, Eigen::NoChange);
   two.F.bottomRows(faces) = two.F.topRows(faces).array() + half;
-  EXPECT_NE(std::string::npos, ErrorOf(two).find("2 components; choose one with --component N"));
+  EXPECT_NE(std::string::npos, ErrorOf(two).find("2 components; choose one with the parameter \"component\" = N"));
   itk::SurfaceMesh broken = Tube();
   broken.V(7, 1) = std::nan("");
   EXPECT_NE(std::string::npos, ErrorOf(broken).find("vertex 7 has a coordinate that is not finite"));

@@ -1,6 +1,6 @@
 #include "itkDiffusionTime.h"
 
-#include "itkToolError.h"
+#include "itkExceptions.h"
 
 #include <algorithm>
 #include <cmath>

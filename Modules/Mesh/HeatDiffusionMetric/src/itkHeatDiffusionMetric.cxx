@@ -1,7 +1,7 @@
 #include "itkHeatDiffusionMetric.h"
 
 #include "itkExponentialPoles.h"
-#include "itkToolError.h"
+#include "itkExceptions.h"
 
 #include <cmath>
 

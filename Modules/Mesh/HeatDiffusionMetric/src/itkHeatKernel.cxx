@@ -1,7 +1,7 @@
 #include "itkHeatKernel.h"
 
 #include "itkDiffusionTime.h"
-#include "itkToolError.h"
+#include "itkExceptions.h"
 
 #include <algorithm>
 

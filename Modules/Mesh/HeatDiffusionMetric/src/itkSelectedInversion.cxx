@@ -1,7 +1,7 @@
 #include "itkSelectedInversion.h"
 
 #include "itkInversionSchedule.h"
-#include "itkToolError.h"
+#include "itkExceptions.h"
 #include "itkParallelFor.h"
 
 #include <algorithm>

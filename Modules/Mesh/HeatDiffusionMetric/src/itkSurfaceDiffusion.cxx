@@ -1,7 +1,7 @@
 #include "itkSurfaceDiffusion.h"
 
 #include "itkParallelFor.h"
-#include "itkToolError.h"
+#include "itkExceptions.h"
 
 #include <Eigen/IterativeLinearSolvers>
 

@@ -1,6 +1,6 @@
 #include "itkSurfaceLaplacian.h"
 
-#include "itkToolError.h"
+#include "itkExceptions.h"
 
 #include <Eigen/Geometry>
 

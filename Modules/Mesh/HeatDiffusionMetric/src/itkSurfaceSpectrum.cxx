@@ -1,6 +1,6 @@
 #include "itkSurfaceSpectrum.h"
 
-#include "itkToolError.h"
+#include "itkExceptions.h"
 
 #include <Eigen/Dense>
 #include <Eigen/SparseCholesky>

@@ -4,7 +4,7 @@
 #include "itkColonTube.h"
 #include "itkIntrinsicSurfaces.h"
 #include "itkSurfaceSimplification.h"
-#include "itkToolError.h"
+#include "itkExceptions.h"
 
 #include "itkMultiThreaderBase.h"
 

@@ -1,7 +1,7 @@
 #include "itkHeatKernel.h"
 
 #include "itkIntrinsicSurfaces.h"
-#include "itkToolError.h"
+#include "itkExceptions.h"
 
 #include <gtest/gtest.h>
 

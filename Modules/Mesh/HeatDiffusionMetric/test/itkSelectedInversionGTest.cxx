@@ -2,7 +2,7 @@
 #include "itkSurfaceConnectivity.h"
 
 #include "itkTestSurfaces.h"
-#include "itkToolError.h"
+#include "itkExceptions.h"
 
 #include "itkMultiThreaderBase.h"
 

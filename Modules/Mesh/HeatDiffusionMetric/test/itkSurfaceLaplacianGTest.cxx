@@ -2,7 +2,7 @@
 
 #include "itkColonTube.h"
 #include "itkIntrinsicSurfaces.h"
-#include "itkToolError.h"
+#include "itkExceptions.h"
 
 #include <Eigen/Dense>
 #include <gtest/gtest.h>

@@ -5,8 +5,6 @@
 
 namespace itk
 {
-class CommandLine;
-
 /** \class CurveSet
  * \brief Polylines in space, such as a centreline or taeniae, and single points: vertices V and arrays on them.
  * \ingroup SurfaceMesh
@@ -39,7 +37,7 @@ SurfaceMesh_EXPORT Eigen::VectorXd
 
 /** Writes curves as VTP (.vtp) with LPS stated, points as VTK's verts, which come before the lines; reading them back
  * gives the curves in that order. Equal curves give equal bytes.
- * Throws OutputError when the file cannot be written, UsageError for another extension, InputError as RequireSound().
+ * Throws OutputError when the file cannot be written, ParameterError for another extension, InputError as RequireSound().
  * \ingroup SurfaceMesh */
 SurfaceMesh_EXPORT void
 WriteCurves(CurveSet curves, const std::string & path);
@@ -54,11 +52,6 @@ WriteCurvesOnSurface(CurveSet curves, const FaceMatrix & faces, const std::strin
  * \ingroup SurfaceMesh */
 SurfaceMesh_EXPORT CurveSet
 ReadCurves(const std::string & path);
-
-/** ReadCurves() for a tool, of the parameter with this name; adds the identity of the file to the provenance.
- * \ingroup SurfaceMesh */
-SurfaceMesh_EXPORT CurveSet
-ReadCurves(CommandLine & commandLine, const std::string & parameter);
 } // namespace itk
 
 #endif

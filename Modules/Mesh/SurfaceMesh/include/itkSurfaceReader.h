@@ -1,12 +1,11 @@
 #ifndef itkSurfaceReader_h
 #define itkSurfaceReader_h
 
+#include "itkRemarks.h"
 #include "itkSurfaceMesh.h"
 
 namespace itk
 {
-class CommandLine;
-
 /** Some faces of a file that belong together under a name. \ingroup SurfaceMesh */
 struct SurfacePart
 {
@@ -24,7 +23,7 @@ struct SurfaceFile
    * names get " #2", " #3", ... */
   std::vector<SurfacePart> parts;
   /** What was changed, for example "12 polygons were cut into 30 triangles". */
-  std::vector<std::string> notes;
+  Remarks notes;
   /** "m" for glTF, "mm" for the other formats. */
   std::string unit{ "mm" };
 };
@@ -71,29 +70,24 @@ struct Surface
 {
   SurfaceMesh mesh;
   /** "sha256:..." of the file. */
-  std::string              identity;
-  std::vector<std::string> notes;
+  std::string identity;
+  /** What its file said besides, or what was taken with doubt. */
+  Remarks notes;
+  /** What ReadRepairedSurface() has mended, in words for each kind of change. */
+  Remarks repairs;
 };
 
 /** Reads a file and takes one part and component. Throws InputError as ReadSurfaceFile() does, and with the list of
- * what there is when the part or component is unknown, or when there are several and none was chosen; UsageError for
+ * what there is when the part or component is unknown, or when there are several and none was chosen; ParameterError for
  * another unit, or a component less than -1. \ingroup SurfaceMesh */
 SurfaceMesh_EXPORT Surface
 ReadSurface(const std::string & path, const SurfaceReadOptions & options = {});
 
-/** ReadSurface for a tool: `parameter` names the input in the tool's XML, which also declares the options part,
- * component and unit ("file" keeps that of the format). Adds the identity to the provenance and, unless `warns` is
- * false (a tool whose result is text prints nothing else), notes to the warnings. \ingroup SurfaceMesh */
+/** ReadSurface() of what is to be computed on: what RepairSurface() mends is mended. Throws InputError, which names the
+ * file, for what it cannot mend: no sound surface, faces without area, a part that is not orientable. Cutting a surface
+ * where it is not manifold may leave several components. \ingroup SurfaceMesh */
 SurfaceMesh_EXPORT Surface
-ReadSurface(CommandLine & commandLine, const std::string & parameter, bool warns = true);
-
-/** ReadSurface for a tool that computes on a surface: what RepairSurface() mends is mended, with a warning for each
- * kind of change and these words in the provenance as `repairs`. With `isAnyExtentPlausible`
- * another extent is a warning. Throws InputError,
- * which names the file, for what it cannot mend: no sound surface, faces without area, a part that is not orientable.
- * Cutting a surface where it is not manifold may leave several components. \ingroup SurfaceMesh */
-SurfaceMesh_EXPORT Surface
-ReadRepairedSurface(CommandLine & commandLine, const std::string & parameter, bool isAnyExtentPlausible = false);
+ReadRepairedSurface(const std::string & path, const SurfaceReadOptions & options = {});
 } // namespace itk
 
 #endif

@@ -1,9 +1,9 @@
 #ifndef itkSurfaceRemeshing_h
 #define itkSurfaceRemeshing_h
 
+#include "itkProgress.h"
 #include "itkSurfaceMesh.h"
 
-#include <functional>
 
 namespace itk
 {
@@ -15,7 +15,7 @@ struct SurfaceRemeshingOptions
   /** Rounds of splitting, collapsing, flipping and smoothing, from 1 to 100. */
   int iterations{ 8 };
   /** Told the share that is done, from 0 to 1. */
-  std::function<void(double)> progress;
+  Progress progress;
 };
 
 /** A surface of nearly equilateral triangles of one size.
@@ -30,7 +30,7 @@ struct SurfaceRemeshingOptions
  * Features such as sharp edges are rounded to about the target length. Arrays are left out, since the vertices are new
  * ones; facts are kept. Equal input gives equal output; one thread.
  *
- * Throws InputError as RequireManifold() does, and when the surface would get more than 100 million faces; UsageError
+ * Throws InputError as RequireManifold() does, and when the surface would get more than 100 million faces; ParameterError
  * for options out of range.
  * \ingroup SurfaceMesh */
 SurfaceMesh_EXPORT SurfaceMesh

@@ -47,7 +47,7 @@ struct SurfaceRepairReport
  * but with three vertices stay, because dropping them would open holes. Field arrays are kept as they are: their
  * indices of vertices lose their meaning when vertices are merged or dropped.
  *
- * Throws InputError as RequireSound() does, and when every face is degenerate; UsageError for a mergeDistance that is
+ * Throws InputError as RequireSound() does, and when every face is degenerate; ParameterError for a mergeDistance that is
  * negative or not finite.
  * \ingroup SurfaceMesh */
 SurfaceMesh_EXPORT SurfaceMesh

@@ -1,9 +1,9 @@
 #ifndef itkSurfaceSimplification_h
 #define itkSurfaceSimplification_h
 
+#include "itkProgress.h"
 #include "itkSurfaceMesh.h"
 
-#include <functional>
 
 namespace itk
 {
@@ -18,7 +18,7 @@ struct SurfaceSimplificationOptions
   /** Weight of boundary edges against faces, from 0. Large values keep the shape of boundaries. */
   double boundaryWeight{ 10.0 };
   /** Told the share that is done, from 0 to 1, now and then. */
-  std::function<void(double)> progress;
+  Progress progress;
 };
 
 /** \ingroup SurfaceMesh */
@@ -50,7 +50,7 @@ struct SurfaceSimplificationReport
  * Vertices and faces keep their order as far as they remain. The arrays of the surface are left out, since the vertices
  * are new ones; facts are kept. A surface with no more faces than asked for is returned with its arrays.
  *
- * Throws InputError as RequireManifold() does; UsageError for options out of range.
+ * Throws InputError as RequireManifold() does; ParameterError for options out of range.
  * \ingroup SurfaceMesh */
 SurfaceMesh_EXPORT SurfaceMesh
 SimplifySurface(const SurfaceMesh &                  mesh,

@@ -1,12 +1,11 @@
 #ifndef itkSurfaceWriter_h
 #define itkSurfaceWriter_h
 
+#include "itkProvenance.h"
 #include "itkSurfaceMesh.h"
 
 namespace itk
 {
-class CommandLine;
-
 /** Writes a surface as VTP, STL (binary), PLY (binary) or OBJ, by the extension of the name. LPS in mm is stated where
  * 3D Slicer looks for it: field data SPACE of VTP, a comment of the others.
  *
@@ -14,15 +13,14 @@ class CommandLine;
  * double precision and arrays with one component whose names have no blank; OBJ positions in double precision; STL
  * positions in single precision. Equal surfaces give equal bytes.
  *
- * Throws OutputError when the file cannot be written, UsageError for another extension, InputError as RequireSound().
+ * Throws OutputError when the file cannot be written, ParameterError for another extension, InputError as RequireSound().
  * \ingroup SurfaceMesh */
 SurfaceMesh_EXPORT void
 WriteSurface(const SurfaceMesh & mesh, const std::string & path);
 
-/** WriteSurface for a tool: with the provenance of the run, which is whole when the work is done, in place of the
- * facts. \param path as CommandLine::Output() has handed it out. \ingroup SurfaceMesh */
+/** WriteSurface() with ProvenanceMetadata() in place of the facts. \ingroup SurfaceMesh */
 SurfaceMesh_EXPORT void
-WriteSurface(const CommandLine & commandLine, SurfaceMesh mesh, const std::string & path);
+WriteSurface(SurfaceMesh mesh, const Provenance & provenance, const std::string & path);
 } // namespace itk
 
 #endif

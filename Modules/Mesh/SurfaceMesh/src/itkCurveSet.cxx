@@ -1,9 +1,7 @@
 #include "itkCurveSet.h"
-#include "itkCommandLine.h"
 #include "itkFileBytes.h"
-#include "itkSha256.h"
 #include "itkSurfaceFormats.h"
-#include "itkToolError.h"
+#include "itkExceptions.h"
 
 #include <algorithm>
 #include <numeric>
@@ -54,7 +52,7 @@ PointsFirst(CurveSet curves, int faces)
 void
 RequireVtp(const std::string & path)
 {
-  RequireUsage(SurfaceExtension(path) == "vtp", "\"" + path + "\" names no format of curves; use .vtp");
+  RequireParameter(SurfaceExtension(path) == "vtp", "\"" + path + "\" names no format of curves; use .vtp");
 }
 
 /** With rows of cell arrays for so many faces beside the curves. */
@@ -133,15 +131,6 @@ ReadCurves(const std::string & path)
   {
     curves.V.leftCols<2>() *= -1.0;
   }
-  return curves;
-}
-
-CurveSet
-ReadCurves(CommandLine & commandLine, const std::string & parameter)
-{
-  const std::string path = commandLine.GetString(parameter);
-  CurveSet          curves = ReadCurves(path);
-  commandLine.AddInput(parameter, "sha256:" + Sha256OfFile(path));
   return curves;
 }
 } // namespace itk

@@ -1,7 +1,7 @@
 #include "itkFileBytes.h"
 #include "itkPolygonTriangulation.h"
 #include "itkSurfaceFormats.h"
-#include "itkToolError.h"
+#include "itkExceptions.h"
 #include "itkVertexMerging.h"
 
 #include <algorithm>

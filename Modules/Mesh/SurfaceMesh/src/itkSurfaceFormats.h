@@ -1,6 +1,7 @@
 #ifndef itkSurfaceFormats_h
 #define itkSurfaceFormats_h
 
+#include "itkRemarks.h"
 #include "itkCurveSet.h"
 #include "itkSurfaceReader.h"
 
@@ -26,7 +27,7 @@ struct PolygonSurface
   /** In polygons. */
   std::vector<SurfacePart>                         parts;
   std::vector<std::pair<std::string, std::string>> facts;
-  std::vector<std::string>                         notes;
+  Remarks                         notes;
   std::string                                      unit{ "mm" };
   /** Axes to the right, to the front, upwards, in place of LPS. */
   bool isRas{ false };

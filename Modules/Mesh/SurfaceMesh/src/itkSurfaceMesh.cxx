@@ -1,5 +1,5 @@
 #include "itkSurfaceFormats.h"
-#include "itkToolError.h"
+#include "itkExceptions.h"
 
 #include <algorithm>
 #include <cmath>

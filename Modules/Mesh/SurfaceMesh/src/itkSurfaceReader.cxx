@@ -1,12 +1,11 @@
 #include "itkSurfaceReader.h"
-#include "itkCommandLine.h"
 #include "itkCsvTable.h"
 #include "itkSha256.h"
 #include "itkSurfaceConnectivity.h"
 #include "itkSurfaceFormats.h"
 #include "itkSurfaceQuality.h"
 #include "itkSurfaceRepair.h"
-#include "itkToolError.h"
+#include "itkExceptions.h"
 
 #include <algorithm>
 #include <map>
@@ -25,7 +24,7 @@ MillimetresOf(const std::string & unit)
 {
   static const std::map<std::string, double> millimetres{ { "m", 1000.0 }, { "mm", 1.0 }, { "um", 0.001 } };
   const auto                                 found = millimetres.find(unit);
-  RequireUsage(found != millimetres.end(), "the unit \"" + unit + "\" is none of m, mm, um");
+  RequireParameter(found != millimetres.end(), "the unit \"" + unit + "\" is none of m, mm, um");
   return found->second;
 }
 
@@ -80,7 +79,7 @@ ScaleToUnit(SurfaceFile & file, const SurfaceReadOptions & options, const std::s
   }
   const std::string measures = "read in " + file.unit + " it measures " + TextOfExtent(extent) +
                                ", which is implausible (5 mm to 5 m are plausible)";
-  const std::string advice = "state its unit: --unit m, mm or um";
+  const std::string advice = "state its unit: the parameter \"unit\" = m, mm or um";
   if (!options.isAnyExtentPlausible)
   {
     RefuseSurface(path, measures, advice);
@@ -98,7 +97,7 @@ TakePart(SurfaceFile & file, const std::string & name, const std::string & path)
     RefuseSurface(path,
                   file.parts.empty() ? "it has no named parts"
                                      : "it has no part \"" + name + "\" but " + ListOfParts(file),
-                  file.parts.empty() ? "leave --part out" : "choose one of them with --part NAME");
+                  file.parts.empty() ? "leave the parameter \"part\" out" : "choose one of them with the parameter \"part\" = NAME");
   }
   std::vector<int> faces(part->numberOfFaces);
   std::iota(faces.begin(), faces.end(), part->firstFace);
@@ -147,15 +146,15 @@ TakeComponent(SurfaceFile & file, const SurfaceReadOptions & options, const std:
     RefuseSurface(path,
                   "it has " + std::to_string(count) + " components: " + ListOfComponents(file.mesh, components) +
                     (isPartOpen ? ". Parts: " + ListOfParts(file) : ""),
-                  std::string("choose one with --component N") + (isPartOpen ? " or --part NAME" : "") +
-                    ", or all with --component -1");
+                  std::string("choose one with the parameter \"component\" = N") + (isPartOpen ? " or the parameter \"part\" = NAME" : "") +
+                    ", or all with the parameter \"component\" = -1");
   }
   if (options.component > count)
   {
     RefuseSurface(path,
                   "it has no component " + std::to_string(options.component) + " but " + std::to_string(count) + ": " +
                     ListOfComponents(file.mesh, components),
-                  "choose one of them with --component N");
+                  "choose one of them with the parameter \"component\" = N");
   }
   if (options.component > 0)
   {
@@ -168,7 +167,7 @@ TakeComponent(SurfaceFile & file, const SurfaceReadOptions & options, const std:
 Surface
 ReadSurface(const std::string & path, const SurfaceReadOptions & options)
 {
-  RequireUsage(options.component >= -1, "the component must be -1, 0 or the number of one");
+  RequireParameter(options.component >= -1, "the component must be -1, 0 or the number of one");
   if (!options.unit.empty())
   {
     MillimetresOf(options.unit);
@@ -180,64 +179,17 @@ ReadSurface(const std::string & path, const SurfaceReadOptions & options)
     TakePart(file, options.part, path);
   }
   TakeComponent(file, options, path);
-  return { std::move(file.mesh), "sha256:" + Sha256OfFile(path), std::move(file.notes) };
-}
-
-namespace
-{
-SurfaceReadOptions
-OptionsOf(const CommandLine & commandLine)
-{
-  SurfaceReadOptions options;
-  options.part = commandLine.GetString("part");
-  options.component = commandLine.GetInteger("component");
-  options.unit = commandLine.GetString("unit");
-  if (options.unit == "file")
-  {
-    options.unit.clear();
-  }
-  return options;
+  return { std::move(file.mesh), "sha256:" + Sha256OfFile(path), std::move(file.notes), {} };
 }
 
 Surface
-ReadForTool(CommandLine & commandLine, const std::string & parameter, const SurfaceReadOptions & options, bool warns)
+ReadRepairedSurface(const std::string & path, const SurfaceReadOptions & options)
 {
-  Surface surface = ReadSurface(commandLine.GetString(parameter), options);
-  commandLine.AddInput(parameter, surface.identity);
-  for (std::size_t i = 0; warns && i < surface.notes.size(); ++i)
-  {
-    commandLine.Warn(surface.notes[i]);
-  }
-  return surface;
-}
-} // namespace
-
-Surface
-ReadSurface(CommandLine & commandLine, const std::string & parameter, bool warns)
-{
-  return ReadForTool(commandLine, parameter, OptionsOf(commandLine), warns);
-}
-
-Surface
-ReadRepairedSurface(CommandLine & commandLine, const std::string & parameter, bool isAnyExtentPlausible)
-{
-  const std::string  path = commandLine.GetString(parameter);
-  SurfaceReadOptions options = OptionsOf(commandLine);
-  options.isAnyExtentPlausible = isAnyExtentPlausible;
-  Surface surface = ReadForTool(commandLine, parameter, options, true);
+  Surface surface = ReadSurface(path, options);
   RequireSound(surface.mesh, path);
   SurfaceRepairReport report;
   surface.mesh = RepairSurface(surface.mesh, {}, &report);
-  std::string repairs;
-  for (const std::string & words : report.Words())
-  {
-    commandLine.Warn(words);
-    repairs += (repairs.empty() ? "" : "; ") + words;
-  }
-  if (!repairs.empty())
-  {
-    commandLine.AddProvenance("repairs", repairs);
-  }
+  surface.repairs = report.Words();
   if (report.nonOrientableComponents > 0)
   {
     RefuseSurface(path, "it is one-sided like a Moebius strip", "cut it open so that it has two sides");

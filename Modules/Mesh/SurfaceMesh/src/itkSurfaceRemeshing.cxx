@@ -3,7 +3,7 @@
 #include "itkSurfaceLocator.h"
 #include "itkSurfaceQuality.h"
 #include "itkSurfaceRepair.h"
-#include "itkToolError.h"
+#include "itkExceptions.h"
 #include "itkTriangleShape.h"
 
 #include <algorithm>
@@ -271,9 +271,9 @@ private:
 SurfaceMesh
 RemeshSurface(const SurfaceMesh & mesh, const SurfaceRemeshingOptions & options)
 {
-  RequireUsage(options.targetEdgeLength > 0.0 && std::isfinite(options.targetEdgeLength),
+  RequireParameter(options.targetEdgeLength > 0.0 && std::isfinite(options.targetEdgeLength),
                "targetEdgeLength must be a finite number of mm greater than 0");
-  RequireUsage(options.iterations >= 1 && options.iterations <= 100, "iterations must be from 1 to 100");
+  RequireParameter(options.iterations >= 1 && options.iterations <= 100, "iterations must be from 1 to 100");
   RequireManifold(mesh, "the surface");
   const double faces = SurfaceArea(mesh.V, mesh.F) / (0.433 * options.targetEdgeLength * options.targetEdgeLength);
   if (!(faces <= MostFaces))
@@ -284,10 +284,7 @@ RemeshSurface(const SurfaceMesh & mesh, const SurfaceRemeshingOptions & options)
   for (int i = 0; i < options.iterations; ++i)
   {
     remesher.Iterate();
-    if (options.progress)
-    {
-      options.progress((i + 1.0) / options.iterations);
-    }
+    options.progress((i + 1.0) / options.iterations);
   }
   SurfaceMesh remeshed = remesher.ToSurface();
   remeshed.facts = mesh.facts;

@@ -1,7 +1,7 @@
 #include "itkSurfaceRepair.h"
 #include "itkSurfaceConnectivity.h"
 #include "itkSurfaceQuality.h"
-#include "itkToolError.h"
+#include "itkExceptions.h"
 #include "itkVertexMerging.h"
 
 #include <Eigen/Geometry>
@@ -178,7 +178,7 @@ SurfaceMesh
 RepairSurface(const SurfaceMesh & mesh, const SurfaceRepairOptions & options, SurfaceRepairReport * report)
 {
   RequireSound(mesh, "the surface");
-  RequireUsage(options.mergeDistance >= 0.0 && std::isfinite(options.mergeDistance),
+  RequireParameter(options.mergeDistance >= 0.0 && std::isfinite(options.mergeDistance),
                "mergeDistance must be a finite number of mm from 0 on");
   SurfaceRepairReport done;
   SurfaceMesh         repaired = mesh;

@@ -2,7 +2,7 @@
 #include "itkCornerTable.h"
 #include "itkQuadric.h"
 #include "itkSurfaceRepair.h"
-#include "itkToolError.h"
+#include "itkExceptions.h"
 #include "itkTriangleShape.h"
 
 #include <algorithm>
@@ -289,7 +289,7 @@ Simplifier::KeepsShape(int u, int v, const Eigen::Vector3d & place) const
 void
 Simplifier::TellProgress(const SurfaceSimplificationReport & report) const
 {
-  if (m_Options.progress && report.collapses % 8192 == 0)
+  if (report.collapses % 8192 == 0)
   {
     m_Options.progress(static_cast<double>(report.facesBefore - m_Table.NumberOfLiveFaces()) /
                        (report.facesBefore - m_Options.targetFaces));
@@ -302,9 +302,9 @@ SimplifySurface(const SurfaceMesh &                  mesh,
                 const SurfaceSimplificationOptions & options,
                 SurfaceSimplificationReport *        report)
 {
-  RequireUsage(options.targetFaces >= 1, "targetFaces must be 1 or more");
-  RequireUsage(options.smallestAngle >= 0.0 && options.smallestAngle <= 30.0, "smallestAngle must be from 0 to 30");
-  RequireUsage(options.boundaryWeight >= 0.0 && std::isfinite(options.boundaryWeight),
+  RequireParameter(options.targetFaces >= 1, "targetFaces must be 1 or more");
+  RequireParameter(options.smallestAngle >= 0.0 && options.smallestAngle <= 30.0, "smallestAngle must be from 0 to 30");
+  RequireParameter(options.boundaryWeight >= 0.0 && std::isfinite(options.boundaryWeight),
                "boundaryWeight must be a finite number from 0 on");
   RequireManifold(mesh, "the surface");
   SurfaceSimplificationReport done;

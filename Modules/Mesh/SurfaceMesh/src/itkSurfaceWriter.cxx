@@ -1,7 +1,6 @@
 #include "itkSurfaceWriter.h"
-#include "itkCommandLine.h"
 #include "itkSurfaceFormats.h"
-#include "itkToolError.h"
+#include "itkExceptions.h"
 
 #include <map>
 
@@ -15,19 +14,15 @@ WriteSurface(const SurfaceMesh & mesh, const std::string & path)
     { "vtp", WriteVtp }, { "stl", WriteStl }, { "obj", WriteObj }, { "ply", WritePly }
   };
   const auto writer = writers.find(SurfaceExtension(path));
-  RequireUsage(writer != writers.end(), "\"" + path + "\" names no format of a surface; use .vtp, .stl, .ply or .obj");
+  RequireParameter(writer != writers.end(), "\"" + path + "\" names no format of a surface; use .vtp, .stl, .ply or .obj");
   RequireSound(mesh, "the surface");
   writer->second(mesh, path);
 }
 
 void
-WriteSurface(const CommandLine & commandLine, SurfaceMesh mesh, const std::string & path)
+WriteSurface(SurfaceMesh mesh, const Provenance & provenance, const std::string & path)
 {
-  mesh.facts.clear();
-  for (const auto & [key, value] : commandLine.GetProvenance())
-  {
-    mesh.facts.emplace_back("Shapeton." + key, value);
-  }
+  mesh.facts = ProvenanceMetadata(provenance);
   WriteSurface(mesh, path);
 }
 } // namespace itk

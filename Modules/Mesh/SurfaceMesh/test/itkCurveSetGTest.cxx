@@ -98,7 +98,7 @@ TEST(CurveSet, CurvesAndTheirSurfaceAreReadApart)
   EXPECT_THROW(itk::WriteCurvesOnSurface(MakeCurves(), face, folder / "x.vtp"), itk::InputError);
   face(0, 2) = 5;
   EXPECT_THROW(itk::WriteCurvesOnSurface(curves, face, folder / "x.vtp"), itk::InputError);
-  EXPECT_THROW(itk::WriteCurvesOnSurface(curves, face, folder / "x.stl"), itk::UsageError);
+  EXPECT_THROW(itk::WriteCurvesOnSurface(curves, face, folder / "x.stl"), itk::ParameterError);
 }
 
 TEST(CurveSet, FaultsAreNamed)
@@ -117,7 +117,7 @@ TEST(CurveSet, FaultsAreNamed)
   curves.cellArrays[0].values.resize(2, 1);
   EXPECT_NE(FaultOfCurves(curves).find("\"id\" has 2 rows for 3"), std::string::npos);
   EXPECT_THROW(itk::PointValues(MakeCurves(), "arcLength", "it"), itk::InputError);
-  EXPECT_THROW(itk::WriteCurves(MakeCurves(), "curves.stl"), itk::UsageError);
+  EXPECT_THROW(itk::WriteCurves(MakeCurves(), "curves.stl"), itk::ParameterError);
   EXPECT_THROW(itk::ReadCurves("curves.stl"), itk::InputError);
 }
 } // namespace

@@ -1,6 +1,6 @@
 #include "itkSurfaceQuality.h"
 #include "itkTestSurfaces.h"
-#include "itkToolError.h"
+#include "itkExceptions.h"
 
 #include "gtest/gtest.h"
 

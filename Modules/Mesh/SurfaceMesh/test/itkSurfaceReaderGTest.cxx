@@ -34,7 +34,7 @@ TEST(SurfaceReader, SeveralComponentsNeedAChoice)
   itk::SurfaceReadOptions options;
   const std::string       fault = FaultOfReading(path, options);
   EXPECT_NE(fault.find("it has 2 components: 1: 80 faces, "), std::string::npos) << fault;
-  EXPECT_NE(fault.find("; 2: 8 faces, 2 x 2 x 2 mm; choose one with --component N"), std::string::npos) << fault;
+  EXPECT_NE(fault.find("; 2: 8 faces, 2 x 2 x 2 mm; choose one with the parameter \"component\" = N"), std::string::npos) << fault;
   options.component = 2;
   EXPECT_EQ(itk::ReadSurface(path, options).mesh.F, Octahedron().F);
   options.component = 1;
@@ -44,7 +44,7 @@ TEST(SurfaceReader, SeveralComponentsNeedAChoice)
   options.component = 3;
   EXPECT_NE(FaultOfReading(path, options).find("no component 3 but 2"), std::string::npos);
   options.component = -2;
-  EXPECT_THROW(itk::ReadSurface(path, options), itk::UsageError);
+  EXPECT_THROW(itk::ReadSurface(path, options), itk::ParameterError);
 }
 
 TEST(SurfaceReader, AnImplausibleExtentNeedsAUnit)
@@ -67,7 +67,7 @@ TEST(SurfaceReader, AnImplausibleExtentNeedsAUnit)
     options.unit = "mm";
     EXPECT_NEAR(itk::ReadSurface(path, options).mesh.V.row(0).norm(), radius, 1e-9 * radius);
     options.unit = "inch";
-    EXPECT_THROW(itk::ReadSurface(path, options), itk::UsageError);
+    EXPECT_THROW(itk::ReadSurface(path, options), itk::ParameterError);
   }
 }
 
@@ -181,7 +181,7 @@ TEST(SurfaceReader, MissingFilesAndFolders)
   EXPECT_THROW(itk::ReadSurfaceFile(folder / "absent.stl"), itk::InputError);
   EXPECT_THROW(itk::ReadSurfaceFile(folder / "."), itk::InputError);
   EXPECT_THROW(itk::WriteSurface(Octahedron(), folder / "absent/a.ply"), itk::OutputError);
-  EXPECT_THROW(itk::WriteSurface(Octahedron(), folder / "a.off"), itk::UsageError);
+  EXPECT_THROW(itk::WriteSurface(Octahedron(), folder / "a.off"), itk::ParameterError);
 }
 
 // Every file that is cut short is refused or, where a text ends at a whole line, a smaller surface; none crashes.

@@ -2,7 +2,7 @@
 #include "itkSurfaceLocator.h"
 #include "itkSurfaceQuality.h"
 #include "itkTestSurfaces.h"
-#include "itkToolError.h"
+#include "itkExceptions.h"
 
 #include "gtest/gtest.h"
 
@@ -95,8 +95,8 @@ TEST(SurfaceRemeshing, EqualInputGivesEqualOutput)
 
 TEST(SurfaceRemeshing, WrongInputIsRefused)
 {
-  EXPECT_THROW(Remeshed(Octahedron(), 0.0), itk::UsageError);
-  EXPECT_THROW(Remeshed(Octahedron(), -1.0), itk::UsageError);
+  EXPECT_THROW(Remeshed(Octahedron(), 0.0), itk::ParameterError);
+  EXPECT_THROW(Remeshed(Octahedron(), -1.0), itk::ParameterError);
   EXPECT_THROW(Remeshed(Octahedron(), 1e-6), itk::InputError); // too many faces
   EXPECT_THROW(Remeshed(MoebiusStrip(9, 2), 1.0), itk::InputError);
 }

@@ -1,7 +1,7 @@
 #include "itkSurfaceRepair.h"
 #include "itkSurfaceQuality.h"
 #include "itkTestSurfaces.h"
-#include "itkToolError.h"
+#include "itkExceptions.h"
 
 #include "gtest/gtest.h"
 
@@ -48,7 +48,7 @@ TEST(SurfaceRepair, MergesWithinADistanceWhateverTheCell)
   options.mergeVertices = false;
   EXPECT_EQ(itk::RepairSurface(cube, options).NumberOfVertices(), 24);
   options.mergeDistance = -1.0;
-  EXPECT_THROW(itk::RepairSurface(cube, options), itk::UsageError);
+  EXPECT_THROW(itk::RepairSurface(cube, options), itk::ParameterError);
 }
 
 TEST(SurfaceRepair, TurnsClosedSurfacesOutwards)

@@ -2,7 +2,7 @@
 #include "itkSurfaceLocator.h"
 #include "itkSurfaceQuality.h"
 #include "itkTestSurfaces.h"
-#include "itkToolError.h"
+#include "itkExceptions.h"
 
 #include "gtest/gtest.h"
 
@@ -178,11 +178,11 @@ TEST(SurfaceSimplification, ATetrahedronAndATriangleStay)
 
 TEST(SurfaceSimplification, WrongInputIsRefused)
 {
-  EXPECT_THROW(Simplified(Octahedron(), 0), itk::UsageError);
+  EXPECT_THROW(Simplified(Octahedron(), 0), itk::ParameterError);
   EXPECT_THROW(Simplified(MoebiusStrip(9, 3), 10), itk::InputError);
   EXPECT_THROW(Simplified(Together({ Octahedron(), FromLists({ { 0, 0, 0 } }, { { 0, 0, 0 } }) }), 4), itk::InputError);
   itk::SurfaceSimplificationOptions options;
   options.smallestAngle = 31.0;
-  EXPECT_THROW(itk::SimplifySurface(Octahedron(), options), itk::UsageError);
+  EXPECT_THROW(itk::SimplifySurface(Octahedron(), options), itk::ParameterError);
 }
 } // namespace

@@ -2,15 +2,15 @@
 #define itkSurfaceTestFiles_h
 
 #include "itkFileBytes.h"
-#include "itkReportFolder.h"
+#include "itkTestFolder.h"
 #include "itkSurfaceReader.h"
-#include "itkToolError.h"
+#include "itkExceptions.h"
 
 #include <string>
 
 namespace testsurfaces
 {
-using reporttest::Folder;
+using basetest::Folder;
 
 /** Reads bytes as a file with this extension. */
 inline itk::SurfaceFile

@@ -58,7 +58,7 @@ public:
     int segment;
   };
 
-  /** Throws UsageError as RequireValid(). */
+  /** Throws ParameterError as RequireValid(). */
   explicit ColonAnatomy(const ColonPhantomParameters & parameters);
   ~ColonAnatomy();
   ColonAnatomy(const ColonAnatomy &) = delete;

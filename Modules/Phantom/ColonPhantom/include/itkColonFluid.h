@@ -91,7 +91,7 @@ private:
   std::array<Wave, 8>    m_Waves;
 };
 
-/** The direction of gravity in a position, tilted by at most 1 degree in a way that the seed fixes. Throws UsageError
+/** The direction of gravity in a position, tilted by at most 1 degree in a way that the seed fixes. Throws ParameterError
  * for another position. \ingroup ColonPhantom */
 ColonPhantom_EXPORT Eigen::Vector3d
                     GravityOf(const ColonPhantomParameters & parameters);

@@ -51,7 +51,7 @@ public:
   itkNewMacro(Self);
   itkTypeMacro(ColonPhantomImageSource, GenerateImageSource);
 
-  /** The patient and the position; default: the preset standard. Throws UsageError when a parameter is out of range. */
+  /** The patient and the position; default: the preset standard. Throws ParameterError when a parameter is out of range. */
   void
   SetParameters(const ColonPhantomParameters & parameters);
   const ColonPhantomParameters &

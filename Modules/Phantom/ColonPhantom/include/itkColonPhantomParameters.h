@@ -43,11 +43,11 @@ struct ColonPhantomParameters
   double noise{ 25.0 };
 };
 
-/** The parameters of the preset standard or hard. Throws UsageError for another name. \ingroup ColonPhantom */
+/** The parameters of the preset standard or hard. Throws ParameterError for another name. \ingroup ColonPhantom */
 ColonPhantom_EXPORT ColonPhantomParameters
 ColonPhantomPreset(const std::string & name);
 
-/** Throws UsageError that names the first parameter out of its range. \ingroup ColonPhantom */
+/** Throws ParameterError that names the first parameter out of its range. \ingroup ColonPhantom */
 ColonPhantom_EXPORT void
 RequireValid(const ColonPhantomParameters & parameters);
 } // namespace itk

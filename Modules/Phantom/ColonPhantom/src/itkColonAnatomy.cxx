@@ -3,7 +3,7 @@
 #include "itkColonField.h"
 #include "itkColonTruth.h"
 #include "itkColonWallSurface.h"
-#include "itkToolError.h"
+#include "itkExceptions.h"
 
 #include <algorithm>
 #include <cmath>
@@ -110,7 +110,7 @@ ColonAnatomy::Correspondence() const
 SurfaceMesh
 ColonAnatomy::Wall(double edgeLength) const
 {
-  RequireUsage(edgeLength >= 0.1 && edgeLength <= 5, "the edge length of the wall must be from 0.1 to 5 mm");
+  RequireParameter(edgeLength >= 0.1 && edgeLength <= 5, "the edge length of the wall must be from 0.1 to 5 mm");
   Vector3d low, high;
   this->BoundingBox(2.0, low, high);
   return ExtractColonWall(m_Data->field, low, high, edgeLength);

@@ -2,7 +2,7 @@
 
 #include "itkFluidBasins.h"
 #include "itkPhantomRandom.h"
-#include "itkToolError.h"
+#include "itkExceptions.h"
 
 #include <Eigen/Geometry>
 
@@ -218,7 +218,7 @@ GravityOf(const ColonPhantomParameters & parameters)
   const auto                                   found = directions.find(parameters.position);
   if (found == directions.end())
   {
-    throw UsageError("the position \"" + parameters.position +
+    throw ParameterError("the position \"" + parameters.position +
                      "\" is none of supine, prone, leftDecubitus, rightDecubitus");
   }
   PhantomRandom random(parameters.seed, 0x7117);

@@ -1,6 +1,6 @@
 #include "itkColonPhantomParameters.h"
 
-#include "itkToolError.h"
+#include "itkExceptions.h"
 
 #include <sstream>
 
@@ -14,8 +14,8 @@ RequireRange(const char * name, double value, double low, double high)
   if (!(value >= low && value <= high))
   {
     std::ostringstream message;
-    message << "--" << name << " is " << value << "; give a number from " << low << " to " << high;
-    throw UsageError(message.str());
+    message << "the parameter \"" << name << "\" is " << value << "; give a number from " << low << " to " << high;
+    throw ParameterError(message.str());
   }
 }
 } // namespace
@@ -28,7 +28,7 @@ ColonPhantomPreset(const std::string & name)
   {
     return parameters;
   }
-  RequireUsage(name == "hard", "--preset is '" + name + "'; give standard or hard");
+  RequireParameter(name == "hard", "the parameter \"preset\" is '" + name + "'; give standard or hard");
   parameters.preset = name;
   parameters.polyps = 12;
   parameters.fluid = 0.4;
@@ -46,10 +46,10 @@ ColonPhantomPreset(const std::string & name)
 void
 RequireValid(const ColonPhantomParameters & p)
 {
-  RequireUsage(p.position == "supine" || p.position == "prone" || p.position == "leftDecubitus" ||
+  RequireParameter(p.position == "supine" || p.position == "prone" || p.position == "leftDecubitus" ||
                  p.position == "rightDecubitus",
-               "--position is '" + p.position + "'; give supine, prone, leftDecubitus or rightDecubitus");
-  RequireUsage(p.preset == "standard" || p.preset == "hard", "--preset is '" + p.preset + "'; give standard or hard");
+               "the parameter \"position\" is '" + p.position + "'; give supine, prone, leftDecubitus or rightDecubitus");
+  RequireParameter(p.preset == "standard" || p.preset == "hard", "the parameter \"preset\" is '" + p.preset + "'; give standard or hard");
   RequireRange("polyps", p.polyps, 0, 50);
   RequireRange("fluid", p.fluid, 0, 1);
   RequireRange("collapsed", p.collapsed, 0, 5);

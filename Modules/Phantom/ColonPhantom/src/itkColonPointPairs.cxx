@@ -1,6 +1,6 @@
 #include "itkColonPointPairs.h"
 
-#include "itkToolError.h"
+#include "itkExceptions.h"
 
 #include <map>
 

@@ -1,6 +1,6 @@
 #include "itkColonAnatomy.h"
 #include "itkColonPointPairs.h"
-#include "itkToolError.h"
+#include "itkExceptions.h"
 
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
@@ -401,8 +401,8 @@ TEST(ColonPhantomParameters, RefusesWhatIsOutOfRange)
 {
   itk::ColonPhantomParameters parameters = Patient(1);
   parameters.distension = 2.0;
-  EXPECT_THROW(itk::ColonAnatomy{ parameters }, itk::UsageError);
+  EXPECT_THROW(itk::ColonAnatomy{ parameters }, itk::ParameterError);
   parameters = Patient(1, "standing");
-  EXPECT_THROW(itk::ColonAnatomy{ parameters }, itk::UsageError);
-  EXPECT_THROW(itk::ColonPhantomPreset("easy"), itk::UsageError);
+  EXPECT_THROW(itk::ColonAnatomy{ parameters }, itk::ParameterError);
+  EXPECT_THROW(itk::ColonPhantomPreset("easy"), itk::ParameterError);
 }

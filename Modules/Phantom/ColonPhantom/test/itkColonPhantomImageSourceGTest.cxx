@@ -1,7 +1,7 @@
 #include "itkBodySampler.h"
 #include "itkColonAbdomen.h"
 #include "itkColonPhantomImageSource.h"
-#include "itkToolError.h"
+#include "itkExceptions.h"
 #include "itkVolumeWriter.h"
 
 #include "itkImageRegionConstIteratorWithIndex.h"
@@ -429,7 +429,7 @@ TEST(ColonPhantomImageSource, AnObliqueGridSamplesTheSameLumen)
 TEST(ColonPhantomImageSource, RefusesParametersOutOfRange)
 {
   auto parameters = Standard("supine", 1.5);
-  EXPECT_THROW(Source::New()->SetParameters(parameters), itk::UsageError);
+  EXPECT_THROW(Source::New()->SetParameters(parameters), itk::ParameterError);
   parameters = Standard("sitting", 0.2);
-  EXPECT_THROW(Source::New()->SetParameters(parameters), itk::UsageError);
+  EXPECT_THROW(Source::New()->SetParameters(parameters), itk::ParameterError);
 }

@@ -53,7 +53,7 @@ public:
   static const std::vector<std::string> &
   GetPresetNames();
 
-  /** A preset, or else a JSON file. Throws UsageError when it is neither, and what FromFile throws. */
+  /** A preset, or else a JSON file. Throws ParameterError when it is neither, and what FromFile throws. */
   static ShapeScene
   Load(const std::string & presetOrFile);
 

@@ -2,7 +2,7 @@
 #include "itkShapeSceneData.h"
 
 #include "itkJson.h"
-#include "itkToolError.h"
+#include "itkExceptions.h"
 
 #include <algorithm>
 #include <cmath>
@@ -71,7 +71,7 @@ ShapeScene::Load(const std::string & presetOrFile)
   std::error_code             error;
   if (path.extension() != ".json" && !std::filesystem::is_regular_file(path, error))
   {
-    throw UsageError("the shape \"" + presetOrFile + "\" is neither a JSON file nor one of " + ListOfPresets());
+    throw ParameterError("the shape \"" + presetOrFile + "\" is neither a JSON file nor one of " + ListOfPresets());
   }
   return FromFile(presetOrFile);
 }

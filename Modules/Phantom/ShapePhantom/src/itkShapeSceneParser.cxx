@@ -3,7 +3,7 @@
 #include "itkCsvTable.h"
 #include "itkJson.h"
 #include "itkMath.h"
-#include "itkToolError.h"
+#include "itkExceptions.h"
 
 #include <algorithm>
 #include <cmath>

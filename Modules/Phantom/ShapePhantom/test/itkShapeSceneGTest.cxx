@@ -1,6 +1,6 @@
 #include "itkShapeScene.h"
 #include "itkJson.h"
-#include "itkToolError.h"
+#include "itkExceptions.h"
 
 #include <gtest/gtest.h>
 
@@ -269,7 +269,7 @@ TEST(ShapeScene, PresetsHoldTheObjectsOfTheFigures)
 
 TEST(ShapeScene, LoadTellsAWrongNameFromAMissingFile)
 {
-  EXPECT_THROW(itk::ShapeScene::Load("figure9.9"), itk::UsageError);
+  EXPECT_THROW(itk::ShapeScene::Load("figure9.9"), itk::ParameterError);
   EXPECT_THROW(itk::ShapeScene::Load("does-not-exist.json"), itk::InputError);
 }
 

@@ -1,0 +1,15 @@
+set(DOCUMENTATION "The centreline of the colon from a mask of its lumen: distance to the wall, pieces and their order, places where
+loops touch, gaps, calibre.")
+
+itk_module(ColonCentreline
+  ENABLE_SHARED
+  DEPENDS
+    Base
+    SurfaceMesh
+    ColonLumen
+    ITKCommon
+  TEST_DEPENDS
+    DicomSeries
+    ITKGoogleTest
+  DESCRIPTION "${DOCUMENTATION}"
+)

@@ -1,0 +1,18 @@
+set(DOCUMENTATION "Landmarks of a colon: flexures of its centreline, the loops on the wall there, six segments, folds on the surface and the three
+taeniae; splitting along them.")
+
+itk_module(ColonLandmarks
+  ENABLE_SHARED
+  DEPENDS
+    Base
+    Report
+    SurfaceMesh
+  PRIVATE_DEPENDS
+    ConformalFlattening
+    FlatColon
+    HaustralFolds
+  TEST_DEPENDS
+    HaustralFolds
+    ITKGoogleTest
+  DESCRIPTION "${DOCUMENTATION}"
+)

@@ -1,0 +1,19 @@
+set(DOCUMENTATION "The lumen of a colon in CT colonography: gas and tagged fluid without seeds, the direction of gravity, and
+electronic cleansing.")
+
+itk_module(ColonLumen
+  ENABLE_SHARED
+  DEPENDS
+    Base
+    ITKCommon
+  TEST_DEPENDS
+    SurfaceMesh
+    DicomSeries
+    ITKConnectedComponents
+    ITKGoogleTest
+    ITKIOImageBase
+    ITKIOPNG
+    ITKImageFunction
+    ITKSmoothing
+  DESCRIPTION "${DOCUMENTATION}"
+)

@@ -1,0 +1,22 @@
+set(DOCUMENTATION "From CT colonography, or a mask of the lumen, to the model of a colon: lumen, cleansed CT, centreline, distension
+and wall, with what was measured and the files that hold it.")
+
+itk_module(ColonModel
+  ENABLE_SHARED
+  DEPENDS
+    Base
+    Report
+    ColonLumen
+    ColonCentreline
+    ColonWall
+  PRIVATE_DEPENDS
+    SurfaceMesh
+    ITKCommon
+    ITKImageGrid
+  TEST_DEPENDS
+    VolumeFiles
+    ColonPhantom
+    ITKGoogleTest
+    ITKImageGrid
+  DESCRIPTION "${DOCUMENTATION}"
+)

@@ -1,0 +1,16 @@
+set(DOCUMENTATION "The wall of the colon lumen as a surface: topology-preserving growth, bridges, extraction, open ends.")
+
+itk_module(ColonWall
+  ENABLE_SHARED
+  DEPENDS
+    Base
+    SurfaceMesh
+    ITKCommon
+  PRIVATE_DEPENDS
+    ITKDistanceMap
+    ITKSmoothing
+  TEST_DEPENDS
+    DicomSeries
+    ITKGoogleTest
+  DESCRIPTION "${DOCUMENTATION}"
+)

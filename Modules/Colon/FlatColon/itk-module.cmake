@@ -1,0 +1,20 @@
+set(DOCUMENTATION "The regular grid on the flat map of a colon: positions, curvature, distances along the centreline.")
+
+itk_module(FlatColon
+  ENABLE_SHARED
+  DEPENDS
+    SurfaceMesh
+    VolumeFiles
+    ITKCommon
+  PRIVATE_DEPENDS
+    Base
+    Report
+    ConformalFlattening
+    ITKIOImageBase
+    ITKIONRRD
+  TEST_DEPENDS
+    ITKGoogleTest
+    ITKIOImageBase
+    ITKIONRRD
+  DESCRIPTION "${DOCUMENTATION}"
+)

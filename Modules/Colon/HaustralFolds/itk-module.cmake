@@ -1,0 +1,23 @@
+set(DOCUMENTATION "Haustral folds on the flat map of a colon by a least cut of curvature: labels, lengths, end points and how sure they are.")
+
+itk_module(HaustralFolds
+  ENABLE_SHARED
+  DEPENDS
+    Base
+    Report
+    SurfaceMesh
+    VolumeFiles
+    SlicerMarkups
+    FlatColon
+    ITKCommon
+  PRIVATE_DEPENDS
+    HeatDiffusionMetric
+    ITKIOImageBase
+    ITKIONRRD
+  TEST_DEPENDS
+    HeatDiffusionMetric
+    ITKGoogleTest
+    ITKIOImageBase
+    ITKIONRRD
+  DESCRIPTION "${DOCUMENTATION}"
+)

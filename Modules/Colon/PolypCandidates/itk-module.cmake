@@ -1,0 +1,24 @@
+set(DOCUMENTATION "Candidates for polyps on the wall of a colon, by its curvature or by shapeton diffusion, with size, height and a score. For research use.")
+
+itk_module(PolypCandidates
+  ENABLE_SHARED
+  DEPENDS
+    Base
+    Report
+    SurfaceMesh
+    SlicerMarkups
+    ITKCommon
+  PRIVATE_DEPENDS
+    HeatDiffusionMetric
+    DicomSeries
+    ShapeDiffusion
+    FlatColon
+    ColonLandmarks
+    ITKIOImageBase
+    ITKIONRRD
+    ITKImageFunction
+  TEST_DEPENDS
+    ColonWall
+    ITKGoogleTest
+  DESCRIPTION "${DOCUMENTATION}"
+)

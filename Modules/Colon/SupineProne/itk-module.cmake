@@ -1,0 +1,16 @@
+set(DOCUMENTATION "One-to-one map between the walls of a colon in two positions, supine and prone: start frame from flexures and taeniae,
+cylindrical dynamic time warping, matching of haustral folds, robust smooth correction, projection to a bijection.")
+
+itk_module(SupineProne
+  ENABLE_SHARED
+  DEPENDS
+    Base
+    Report
+    SurfaceMesh
+    FlatColon
+    HaustralFolds
+    ColonLandmarks
+  TEST_DEPENDS
+    ITKGoogleTest
+  DESCRIPTION "${DOCUMENTATION}"
+)

@@ -1,0 +1,54 @@
+#include "itkProgress.h"
+#include "itkProvenance.h"
+
+#include <gtest/gtest.h>
+
+#include <stdexcept>
+#include <vector>
+
+namespace
+{
+using Report = std::pair<std::string, double>;
+
+TEST(Progress, OfNothingReportsNothing)
+{
+  const itk::Progress progress;
+  EXPECT_NO_THROW(progress("a", 0.5));
+  EXPECT_NO_THROW(progress.Part("b", 0.0, 1.0)(0.5));
+}
+
+TEST(Progress, OfAPartFillsItsPlaceInTheWhole)
+{
+  std::vector<Report> reports;
+  const itk::Progress whole = [&](const std::string & stage, double share) { reports.emplace_back(stage, share); };
+  whole("first", 0.25);
+  const itk::Progress part = whole.Part("second", 0.5, 1.0);
+  part(0.0);
+  part.Part("not told", 0.5, 1.0)("nor this", 0.5);
+  part(1.0);
+  EXPECT_EQ(reports, (std::vector<Report>{ { "first", 0.25 }, { "second", 0.5 }, { "second", 0.875 }, { "second", 1.0 } }));
+}
+
+TEST(Progress, OfTheShareAlone)
+{
+  double              last = 0.0;
+  const itk::Progress progress = [&last](double share) { last = share; };
+  progress("any stage", 0.75);
+  EXPECT_EQ(last, 0.75);
+}
+
+TEST(Progress, AbortsByAnException)
+{
+  const itk::Progress progress = [](double) { throw std::runtime_error("stop"); };
+  EXPECT_THROW(progress(0.5), std::runtime_error);
+}
+
+TEST(Provenance, StandsAmongOtherFactsAndInOneText)
+{
+  const itk::Provenance provenance = { { "tool", "T" }, { "option.p", "2" } };
+  EXPECT_EQ(itk::ProvenanceMetadata(provenance),
+            (itk::Provenance{ { "Shapeton.tool", "T" }, { "Shapeton.option.p", "2" } }));
+  EXPECT_EQ(itk::ProvenanceComment(provenance), "tool=T; option.p=2");
+  EXPECT_EQ(itk::ProvenanceComment({}), "");
+}
+} // namespace

@@ -1,0 +1,21 @@
+#ifndef itkImageFile_h
+#define itkImageFile_h
+
+#include "itkVolume.h"
+
+#include <string>
+
+namespace itk
+{
+/** True for the extensions of NRRD, NIfTI and MetaImage. \ingroup VolumeFiles */
+VolumeFiles_EXPORT bool
+IsImageFile(const std::string & path);
+
+/** Reads a NRRD, NIfTI or MetaImage file; image and identity of the result are set. Three-dimensional scalar images with
+ * positive finite spacing, perpendicular axes and finite voxels; a fourth dimension must have the size 1. Throws
+ * InputError that names the file and the defect. \ingroup VolumeFiles */
+VolumeFiles_EXPORT Volume
+ReadImageFile(const std::string & path);
+} // namespace itk
+
+#endif

@@ -1,0 +1,17 @@
+set(DOCUMENTATION "Volumes with their geometry, read from and written to NRRD, NIfTI and MetaImage.")
+
+itk_module(VolumeFiles
+  ENABLE_SHARED
+  DEPENDS
+    Base
+    ITKCommon
+  PRIVATE_DEPENDS
+    ITKIOImageBase
+    ITKIOMeta
+    ITKIONIFTI
+    ITKIONRRD
+    ITKZLIB
+  TEST_DEPENDS
+    ITKGoogleTest
+  DESCRIPTION "${DOCUMENTATION}"
+)

@@ -1,0 +1,28 @@
+set(DOCUMENTATION "What tools of the colon share: their result files and reports.")
+
+itk_module(ColonTools
+  ENABLE_SHARED
+  DEPENDS
+    Base
+    Report
+    SurfaceMesh
+    ConformalFlattening
+    ColonModel
+    ColonLandmarks
+    PolypCandidates
+    SupineProne
+    ColonViews
+  PRIVATE_DEPENDS
+    VolumeFiles
+    DicomSeries
+    SlicerMarkups
+    ColonPhantom
+    ColonLumen
+    FlatColon
+    PictureKit
+    CommandLine
+    ToolInput
+  TEST_DEPENDS
+    ITKGoogleTest
+  DESCRIPTION "${DOCUMENTATION}"
+)

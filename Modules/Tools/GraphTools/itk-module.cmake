@@ -1,0 +1,18 @@
+set(DOCUMENTATION "What tools of graphs share: graphs by the parameters of a command line, interactive reports.")
+
+itk_module(GraphTools
+  ENABLE_SHARED
+  DEPENDS
+    Report
+    GraphModel
+    RicciFlowEmbedding
+    GraphComparison
+    GraphViews
+  PRIVATE_DEPENDS
+    Base
+    CommandLine
+  TEST_DEPENDS
+    EmbeddingVerification
+    ITKGoogleTest
+  DESCRIPTION "${DOCUMENTATION}"
+)

@@ -1,0 +1,25 @@
+#include "itkToolGraphs.h"
+
+#include "itkCommandLine.h"
+#include "itkSha256.h"
+
+namespace itk
+{
+Graph
+ReadGraph(CommandLine & commandLine, const std::string & parameter)
+{
+  GraphFile file = ReadGraph(commandLine.GetString(parameter));
+  commandLine.AddInput(parameter, file.identity);
+  commandLine.Warn(file.notes);
+  return std::move(file.graph);
+}
+
+CombinatorialMap
+ReadRotation(CommandLine & commandLine, const std::string & parameter, const Graph & graph)
+{
+  const std::string path = commandLine.GetString(parameter);
+  CombinatorialMap  map = ReadRotation(graph, path);
+  commandLine.AddInput(parameter, "sha256:" + Sha256OfFile(path));
+  return map;
+}
+} // namespace itk

@@ -1,0 +1,19 @@
+set(DOCUMENTATION "What tools of heat and shapeton diffusion share: their result files, reports, and the monitor of a run.")
+
+itk_module(HeatTools
+  ENABLE_SHARED
+  DEPENDS
+    Base
+    Report
+    ShapeDiffusion
+    PictureKit
+    HeatViews
+    ITKCommon
+  PRIVATE_DEPENDS
+    VolumeFiles
+    DicomSeries
+    CommandLine
+  TEST_DEPENDS
+    ITKGoogleTest
+  DESCRIPTION "${DOCUMENTATION}"
+)

@@ -1,0 +1,192 @@
+#include "itkHeatReport.h"
+#include "itkPictureTestUtilities.h"
+
+#include "itkJson.h"
+#include "itkExceptions.h"
+
+#include <stdexcept>
+
+namespace
+{
+using ImageType = itk::Image<float, 3>;
+
+/** A small report with everything in it. */
+class HeatReport : public testing::Test
+{
+protected:
+  void
+  SetUp() override
+  {
+    m_Grey = ImageType::New();
+    m_Grey->SetRegions(ImageType::SizeType{ { 16, 14, 12 } });
+    const double spacing[3] = { 0.5, 0.5, 2.0 };
+    m_Grey->SetSpacing(spacing);
+    m_Grey->Allocate();
+    m_Heat = ImageType::New();
+    m_Heat->CopyInformation(m_Grey);
+    m_Heat->SetRegions(m_Grey->GetBufferedRegion());
+    m_Heat->Allocate();
+    m_Heat->FillBuffer(0.0F);
+    for (int i = 0; i < 16 * 14 * 12; ++i)
+    {
+      m_Grey->GetBufferPointer()[i] = static_cast<float>(i % 97);
+      m_Heat->GetBufferPointer()[i] = i % 5 == 0 ? 0.25F : 0.0F;
+    }
+    m_Histogram = itk::HeatHistogram({ 0, 100 });
+    m_Histogram.AddToRow(0, m_Heat->GetBufferPointer(), 16 * 14 * 12);
+    m_Histogram.AddToRow(1, m_Heat->GetBufferPointer(), 16 * 14 * 12);
+    itk::HeatClass background;
+    background.upperHeat = 0.1;
+    background.voxels = 2150;
+    itk::HeatClass object;
+    object.label = 1;
+    object.lowerHeat = 0.1;
+    object.upperHeat = 0.5;
+    object.meanHeat = 0.25;
+    object.voxels = 538;
+    object.volume = 269.0;
+    object.components = 3;
+    object.normalizedHeat = 0.8;
+    m_Content.classes = { background, object };
+    m_Content.input = { { "Name", "<phantom> & more" } };
+    m_Content.parameters = { { "p", "7" } };
+    m_Content.provenance = { { "tool", "test" } };
+    m_Content.warnings = { "mind the gap" };
+    m_Content.histogram = &m_Histogram;
+    m_Content.grey = m_Grey;
+    m_Content.heat = m_Heat;
+    m_Content.timeStep = 100;
+    m_Content.markedTimeSteps = { 100 };
+  }
+
+  ImageType::Pointer     m_Grey;
+  ImageType::Pointer     m_Heat;
+  itk::HeatHistogram     m_Histogram;
+  itk::HeatReportContent m_Content;
+};
+
+const itk::OutputPath inPlace = [](const std::string & path) { return path; };
+
+const char * const files[] = { "index.html",    "histogram.png", "slices-heat.png", "slices-classes.png",
+                               "rendering.png", "classes.csv",   "report.json" };
+} // namespace
+
+TEST_F(HeatReport, WritesAllFilesByTheGivenNames)
+{
+  const std::string        folder = itk::TemporaryFolder("report");
+  std::vector<std::string> asked;
+  itk::WriteHeatReport(m_Content, "/final", [&](const std::string & path) {
+    asked.push_back(path);
+    return folder + "/" + std::filesystem::path(path).filename().string();
+  });
+  for (const char * const file : files)
+  {
+    EXPECT_TRUE(std::filesystem::exists(folder + "/" + file)) << file;
+    EXPECT_EQ(std::count(asked.begin(), asked.end(), std::string("/final/") + file), 1) << file;
+  }
+  EXPECT_EQ(asked.size(), std::size(files));
+}
+
+TEST_F(HeatReport, ThePageNeedsNoNetworkAndSaysWhatItIs)
+{
+  const std::string folder = itk::TemporaryFolder("report-page");
+  itk::WriteHeatReport(m_Content, folder, inPlace);
+  const std::string html = itk::BytesOf(folder + "/index.html");
+  for (const char * const wanted : { "research use",
+                                     "not a diagnosis",
+                                     "mind the gap",
+                                     "&lt;phantom&gt; &amp; more",
+                                     "16 x 14 x 12",
+                                     "0.5, 0.5, 2",
+                                     "data:image/png;base64," })
+  {
+    EXPECT_NE(html.find(wanted), std::string::npos) << wanted;
+  }
+  for (const char * const unwanted : { "http:", "https:", "src=\"file", "<script", "/tmp", "\"nan\"" })
+  {
+    EXPECT_EQ(html.find(unwanted), std::string::npos) << unwanted;
+  }
+  std::size_t pictures = 0;
+  for (std::size_t at = html.find("<img"); at != std::string::npos; at = html.find("<img", at + 1))
+  {
+    ++pictures;
+  }
+  EXPECT_EQ(pictures, 4U);
+}
+
+TEST_F(HeatReport, TablesAndJsonHoldTheClasses)
+{
+  const std::string folder = itk::TemporaryFolder("report-data");
+  itk::WriteHeatReport(m_Content, folder, inPlace);
+  const itk::Json document = itk::ReadJson(folder + "/report.json");
+  EXPECT_EQ(document["timeStep"], 100);
+  EXPECT_EQ(document["classes"].size(), 2U);
+  EXPECT_EQ(document["classes"][1]["meanHeat"], 0.25);
+  EXPECT_EQ(document["warnings"][0], "mind the gap");
+  EXPECT_EQ(document["provenance"]["tool"], "test");
+  const itk::HeatAxis axis(m_Histogram);
+  const auto          table = itk::ClassTable(m_Content.classes, axis);
+  ASSERT_EQ(table.GetRows().size(), 2U);
+  EXPECT_EQ(table.GetRows()[1][3], "0.25");
+  EXPECT_EQ(table.GetRows()[1][4], "538");
+  EXPECT_EQ(table.GetRows()[0].back(), "");
+  EXPECT_EQ(table.GetRows()[1].back().size(), 7U);
+  const std::string csv = itk::BytesOf(folder + "/classes.csv");
+  EXPECT_EQ(csv.substr(0, 15), "label,lowerHeat");
+}
+
+TEST_F(HeatReport, EqualContentGivesEqualBytes)
+{
+  const std::string first = itk::TemporaryFolder("report-first");
+  const std::string second = itk::TemporaryFolder("report-second");
+  itk::WriteHeatReport(m_Content, first, inPlace);
+  itk::WriteHeatReport(m_Content, second, inPlace);
+  for (const char * const file : files)
+  {
+    EXPECT_EQ(itk::BytesOf(first + "/" + file), itk::BytesOf(second + "/" + file)) << file;
+  }
+}
+
+TEST_F(HeatReport, FailuresAreReported)
+{
+  EXPECT_THROW(itk::WriteHeatReport(m_Content, "/nonexistent-folder", inPlace), itk::OutputError);
+  m_Content.heat = nullptr;
+  EXPECT_THROW(itk::WriteHeatReport(m_Content, itk::TemporaryFolder("report-none"), inPlace), std::invalid_argument);
+}
+
+TEST_F(HeatReport, ABackgroundAloneIsReportedToo)
+{
+  m_Heat->FillBuffer(0.0F);
+  m_Histogram = itk::HeatHistogram({ 100 });
+  m_Histogram.AddToRow(0, m_Heat->GetBufferPointer(), 16 * 14 * 12);
+  m_Content.classes.resize(1);
+  const std::string folder = itk::TemporaryFolder("report-background");
+  EXPECT_NO_THROW(itk::WriteHeatReport(m_Content, folder, inPlace));
+}
+
+TEST(HeatTables, TheHistogramTableHoldsEveryVoxelInItsRange)
+{
+  itk::HeatHistogram       histogram({ 0, 50 });
+  const std::vector<float> heats{ 0.0F, 0.0F, 0.25F, 0.2501F, 1.0F };
+  histogram.AddToRow(1, heats.data(), heats.size());
+  const itk::CsvTable table = itk::HistogramTable(histogram);
+  ASSERT_EQ(table.GetRows().size(), 3U);
+  EXPECT_EQ(table.GetRows()[0], (std::vector<std::string>{ "50", "0", "1.52587890625e-05", "2" }));
+  EXPECT_EQ(table.GetRows()[1][1], "0.25");
+  EXPECT_EQ(table.GetRows()[1][3], "2");
+  EXPECT_EQ(table.GetRows()[2][2], "1");
+}
+
+TEST(HeatTables, RemarksTellWhatIsNotAsExpected)
+{
+  itk::CumulativeHeatDiffusionResult result;
+  result.timeStep = 500;
+  result.windowUpper = 1.0;
+  EXPECT_TRUE(itk::RunRemarks(result, false, 500).empty());
+  EXPECT_EQ(itk::RunRemarks(result, true, 0).size(), 1U);
+  result.steady = true;
+  EXPECT_TRUE(itk::RunRemarks(result, true, 0).empty());
+  EXPECT_EQ(itk::RunRemarks(result, true, 501).size(), 1U);
+  result.cold = true;
+  EXPECT_EQ(itk::RunRemarks(result, true, 501).size(), 2U);
+}

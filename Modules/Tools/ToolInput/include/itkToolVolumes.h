@@ -1,0 +1,23 @@
+#ifndef itkToolVolumes_h
+#define itkToolVolumes_h
+
+#include "ToolInputExport.h"
+#include "itkVolumeReader.h"
+
+namespace itk
+{
+class CommandLine;
+
+/** ReadVolume() for a tool: `parameter` names the input in the tool's XML, which also declares the options seriesUID,
+ * resampleGaps, deshear and dropDuplicates. Adds identity and repairs to the provenance, notes to the warnings.
+ * \ingroup ToolInput */
+ToolInput_EXPORT Volume
+ReadVolume(CommandLine & commandLine, const std::string & parameter, bool allowSingleSlice = false);
+
+/** MaskForImage() for a tool, of the volume that the input `parameter` names. Adds its identity to the provenance.
+ * \ingroup ToolInput */
+ToolInput_EXPORT Image<unsigned char, 3>::Pointer
+                 ReadMask(CommandLine & commandLine, const std::string & parameter, const ImageBase<3> * image);
+} // namespace itk
+
+#endif

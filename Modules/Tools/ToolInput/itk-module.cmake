@@ -1,0 +1,13 @@
+set(DOCUMENTATION "What tools read, by the parameters of their command line: volumes, masks, surfaces, curves, markups.")
+
+itk_module(ToolInput
+  ENABLE_SHARED
+  DEPENDS
+    SurfaceMesh
+    DicomSeries
+    SlicerMarkups
+  PRIVATE_DEPENDS
+    Base
+    CommandLine
+  DESCRIPTION "${DOCUMENTATION}"
+)

@@ -1,0 +1,23 @@
+set(DOCUMENTATION "The colon made visible: slices, projections, the flat colon and what is marked on it, supine beside prone,
+polyp candidates seen close by.")
+
+itk_module(ColonViews
+  ENABLE_SHARED
+  DEPENDS
+    SurfaceMesh
+    FlatColon
+    HaustralFolds
+    ColonLandmarks
+    PolypCandidates
+    SupineProne
+    PictureKit
+  PRIVATE_DEPENDS
+    Base
+    Report
+    DicomSeries
+    ITKCommon
+    ITKImageFunction
+  TEST_DEPENDS
+    ITKGoogleTest
+  DESCRIPTION "${DOCUMENTATION}"
+)

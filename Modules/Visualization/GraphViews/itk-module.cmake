@@ -1,0 +1,19 @@
+set(DOCUMENTATION "Embedded graphs made visible: pictures (SVG), surfaces in space (VTP).")
+
+itk_module(GraphViews
+  ENABLE_SHARED
+  DEPENDS
+    GraphModel
+    EmbeddingCertificate
+  PRIVATE_DEPENDS
+    Base
+    SurfaceMesh
+    RicciFlowEmbedding
+  TEST_DEPENDS
+    SurfaceMesh
+    EmbeddingVerification
+    RicciFlowEmbedding
+    ITKExpat
+    ITKGoogleTest
+  DESCRIPTION "${DOCUMENTATION}"
+)

@@ -1,0 +1,21 @@
+set(DOCUMENTATION "Heat and visits made visible: histogram pictures, slices, volume renderings, transfer functions.")
+
+itk_module(HeatViews
+  ENABLE_SHARED
+  DEPENDS
+    ShapeDiffusion
+    PictureKit
+    ITKCommon
+  PRIVATE_DEPENDS
+    Base
+    Report
+    ITKIOMeta
+    ITKIONRRD
+  TEST_DEPENDS
+    VolumeFiles
+    DicomSeries
+    ITKGoogleTest
+    ITKIOImageBase
+    ITKIONRRD
+  DESCRIPTION "${DOCUMENTATION}"
+)

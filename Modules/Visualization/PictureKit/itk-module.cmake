@@ -1,0 +1,16 @@
+set(DOCUMENTATION "Pictures without a display: axes and text, slices, surfaces and curves seen from the sides of a patient.")
+
+itk_module(PictureKit
+  ENABLE_SHARED
+  DEPENDS
+    SurfaceMesh
+    ITKCommon
+  PRIVATE_DEPENDS
+    Base
+    Report
+  TEST_DEPENDS
+    ITKGoogleTest
+    ITKIOImageBase
+    ITKIOPNG
+  DESCRIPTION "${DOCUMENTATION}"
+)

@@ -1,0 +1,11 @@
+set(DOCUMENTATION "Pictures of conformal maps.")
+
+itk_module(SurfaceViews
+  ENABLE_SHARED
+  DEPENDS
+    ConformalFlattening
+    PictureKit
+  TEST_DEPENDS
+    ITKGoogleTest
+  DESCRIPTION "${DOCUMENTATION}"
+)
