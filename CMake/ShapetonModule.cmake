@@ -68,7 +68,7 @@ macro(itk_module_impl)
   endif()
 endmacro()
 
-# Every public header compiles on its own: one translation unit for each.
+# Every public header compiles on its own: one translation unit for each, built by the target HeaderTests.
 function(shapeton_header_self_compile_test module)
   file(GLOB headers CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/include/*.h)
   set(sources "")
@@ -79,8 +79,12 @@ function(shapeton_header_self_compile_test module)
     list(APPEND sources ${source})
   endforeach()
   if(sources)
-    add_library(${module}HeaderTest OBJECT ${sources})
+    add_library(${module}HeaderTest OBJECT EXCLUDE_FROM_ALL ${sources})
     target_link_libraries(${module}HeaderTest PRIVATE Shapeton::${module})
+    if(NOT TARGET HeaderTests)
+      add_custom_target(HeaderTests)
+    endif()
+    add_dependencies(HeaderTests ${module}HeaderTest)
   endif()
 endfunction()
 
@@ -99,13 +103,26 @@ macro(itk_module_test)
   endforeach()
 endmacro()
 
-# creategoogletestdriver(<kit> "<libraries>" "<sources>"): one executable <kit>GTestDriver; each TEST is a ctest.
+# creategoogletestdriver(<kit> "<libraries>" "<sources>" [LONG <Suite.Test>...]): one executable <kit>GTestDriver; each
+# TEST is a ctest. Those after LONG have the label Long: Utilities/run-tests runs them with --long.
 function(creategoogletestdriver kit libraries sources)
+  cmake_parse_arguments(PARSE_ARGV 3 driver "" "" "LONG")
   add_executable(${kit}GTestDriver ${sources})
   target_link_libraries(${kit}GTestDriver PRIVATE ${libraries} GTest::gtest_main)
   target_compile_definitions(${kit}GTestDriver PRIVATE
+    SHAPETON_BASELINE_DIR="${Shapeton_SOURCE_DIR}/Testing/Baseline"
     SHAPETON_TEST_TEMPORARY_DIR="${Shapeton_BINARY_DIR}/Testing/Temporary")
-  gtest_discover_tests(${kit}GTestDriver DISCOVERY_TIMEOUT 120
-    PROPERTIES LABELS ${itk-module} SKIP_REGULAR_EXPRESSION "\\[  SKIPPED \\]"
+  list(JOIN driver_LONG ":" long)
+  shapeton_discover_tests(${kit} "-${long}" ${itk-module})
+  if(long)
+    shapeton_discover_tests(${kit} "${long}" "${itk-module}\\;Long")
+  endif()
+endfunction()
+
+# The tests of a driver that a filter of GoogleTest lets through.
+function(shapeton_discover_tests kit filter labels)
+  string(MD5 list "${filter}")
+  gtest_discover_tests(${kit}GTestDriver DISCOVERY_TIMEOUT 120 TEST_FILTER "${filter}" TEST_LIST ${kit}${list}
+    PROPERTIES LABELS "${labels}" SKIP_REGULAR_EXPRESSION "\\[  SKIPPED \\]"
       ENVIRONMENT "SHAPETON_TEST_DATA_DIR=${SHAPETON_TEST_DATA_DIR}")
 endfunction()

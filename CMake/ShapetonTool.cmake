@@ -36,11 +36,12 @@ function(shapeton_tool_target variable name)
   set(${variable} ${name} PARENT_SCOPE)
 endfunction()
 
-# shapeton_tool_test(NAME <name> [STATUS <exit status>] [STDOUT <regex>] [STDERR <regex>] [DATA] COMMAND <tool> <arguments...>)
+# shapeton_tool_test(NAME <name> [STATUS <exit status>] [STDOUT <regex>] [STDERR <regex>] [DATA] [LONG] COMMAND <tool> <arguments...>)
 # Runs a tool; the exit status must be the one asked for (default 0), stderr empty when it is 0 and one line otherwise.
 # DATA: the test reads SHAPETON_TEST_DATA_DIR and is reported as skipped where that is not set.
+# LONG: Utilities/run-tests runs it with --long.
 function(shapeton_tool_test)
-  cmake_parse_arguments(PARSE_ARGV 0 test "DATA" "NAME;STATUS;STDOUT;STDERR" "COMMAND")
+  cmake_parse_arguments(PARSE_ARGV 0 test "DATA;LONG" "NAME;STATUS;STDOUT;STDERR" "COMMAND")
   if(NOT test_STATUS)
     set(test_STATUS 0)
   endif()
@@ -50,7 +51,11 @@ function(shapeton_tool_test)
     -DSTATUS=${test_STATUS} "-DSTDOUT=${test_STDOUT}" "-DSTDERR=${test_STDERR}" -DNEEDS_DATA=${test_DATA}
     "-DDATA_DIR=${SHAPETON_TEST_DATA_DIR}"
     -P ${Shapeton_SOURCE_DIR}/CMake/RunTool.cmake)
-  set_tests_properties(${test_NAME} PROPERTIES LABELS Applications SKIP_REGULAR_EXPRESSION "SHAPETON_TEST_DATA_DIR is not set")
+  set(labels Applications)
+  if(test_LONG)
+    list(APPEND labels Long)
+  endif()
+  set_tests_properties(${test_NAME} PROPERTIES LABELS "${labels}" SKIP_REGULAR_EXPRESSION "SHAPETON_TEST_DATA_DIR is not set")
 endfunction()
 
 # shapeton_compare_test(NAME <name> DEPENDS <test that writes it> OUTPUT <file> BASELINE <file> [TOLERANCE <t>] [PIXELS <n>])

@@ -1,8 +1,8 @@
 // Samples the lumen of a synthetic colon as a mask, and makes its centreline and its wall without handles.
 // Usage: ExampleColonModel WALL.vtp CENTRELINE.vtp
-#include "itkColonAnatomy.h"
-#include "itkColonModel.h"
-#include "itkSurfaceWriter.h"
+#include "shapetonColonAnatomy.h"
+#include "shapetonColonModel.h"
+#include "shapetonSurfaceWriter.h"
 
 #include "itkImageRegionIteratorWithIndex.h"
 
@@ -16,11 +16,11 @@ main(int argc, char * argv[])
     std::cerr << "Usage: " << argv[0] << " WALL.vtp CENTRELINE.vtp\n";
     return 2;
   }
-  const itk::ColonAnatomy anatomy{ itk::ColonPhantomParameters() };
-  Eigen::Vector3d         low, high;
+  const shapeton::ColonAnatomy anatomy{ shapeton::ColonPhantomParameters() };
+  Eigen::Vector3d              low, high;
   anatomy.BoundingBox(4.0, low, high);
 
-  const auto      lumen = itk::LumenMask::New();
+  const auto      lumen = shapeton::LumenMask::New();
   constexpr float spacing = 2.0F; // mm
   itk::Size<3>    size;
   for (unsigned int axis = 0; axis < 3; ++axis)
@@ -28,20 +28,20 @@ main(int argc, char * argv[])
     size[axis] = static_cast<itk::SizeValueType>((high[axis] - low[axis]) / spacing) + 1;
   }
   lumen->SetRegions(size);
-  lumen->SetSpacing(itk::LumenMask::SpacingType(spacing));
+  lumen->SetSpacing(shapeton::LumenMask::SpacingType(spacing));
   lumen->SetOrigin(low.data());
   lumen->Allocate();
-  for (itk::ImageRegionIteratorWithIndex<itk::LumenMask> voxel(lumen, size); !voxel.IsAtEnd(); ++voxel)
+  for (itk::ImageRegionIteratorWithIndex<shapeton::LumenMask> voxel(lumen, size); !voxel.IsAtEnd(); ++voxel)
   {
     const auto point = lumen->TransformIndexToPhysicalPoint<double>(voxel.GetIndex());
     voxel.Set(anatomy.Evaluate({ point[0], point[1], point[2] }).distance > 0.0);
   }
 
-  itk::ColonModelOptions options;
+  shapeton::ColonModelOptions options;
   options.faces = 20000;
-  const itk::ColonModel colon = itk::BuildColonModelOfLumen(lumen, options);
-  itk::WriteSurface(colon.wall.simplified, argv[1]);
-  itk::WriteCurves(colon.centreline.curve, argv[2]);
+  const shapeton::ColonModel colon = shapeton::BuildColonModelOfLumen(lumen, options);
+  shapeton::WriteSurface(colon.wall.simplified, argv[1]);
+  shapeton::WriteCurves(colon.centreline.curve, argv[2]);
   std::cout << "a colon of " << static_cast<int>(colon.centreline.length / 100.0) << " dm, wall of genus "
             << colon.wall.report.repairedGenus << " in place of " << colon.wall.report.rawGenus << '\n';
 }

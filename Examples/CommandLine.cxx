@@ -1,6 +1,6 @@
 // A command-line tool: the XML declares its options, and gives --help, checks, exit status and 3D Slicer's panel.
 // Usage: ExampleCommandLine --radius 10
-#include "itkCommandLine.h"
+#include "shapetonCommandLine.h"
 
 #include <cmath>
 #include <iostream>
@@ -16,7 +16,7 @@ static const char xml[] = R"(<?xml version="1.0" encoding="utf-8"?>
 int
 main(int argc, char * argv[])
 {
-  return itk::CommandLine::Run(xml, argc, argv, [](itk::CommandLine & commandLine) {
+  return shapeton::CommandLine::Run(xml, argc, argv, [](shapeton::CommandLine & commandLine) {
     const double radius = commandLine.GetDouble("radius");
     std::cout << 4.0 / 3.0 * std::acos(-1.0) * std::pow(radius, 3) << " mm^3\n";
   });

@@ -1,9 +1,9 @@
-// A tube as a flat picture: flatten it, look up where a point of it lies on the map, and paint it.
-// Usage: ExampleFlatColon TUBE.off PICTURE.png
-#include "itkColonFlattening.h"
-#include "itkFlatColonLocator.h"
-#include "itkFlatColonPictures.h"
-#include "itkSurfaceReader.h"
+// From a point in space to its pixel on the flat map of a tube, and back; the point in space of every pixel as a file.
+// Usage: ExampleFlatColon TUBE COORDINATES.nrrd
+#include "shapetonColonFlattening.h"
+#include "shapetonFlatColonLocator.h"
+#include "shapetonFlatCoordinateMap.h"
+#include "shapetonSurfaceReader.h"
 
 #include <iostream>
 
@@ -12,24 +12,18 @@ main(int argc, char * argv[])
 {
   if (argc != 3)
   {
-    std::cerr << "Usage: " << argv[0] << " TUBE.off PICTURE.png\n";
+    std::cerr << "Usage: " << argv[0] << " TUBE COORDINATES.nrrd\n";
     return 2;
   }
-  const itk::Surface         tube = itk::ReadSurface(argv[1]);
-  const itk::ColonFlattening flattening = itk::FlattenColon(tube.mesh, argv[1]);
+  const shapeton::Surface         tube = shapeton::ReadSurface(argv[1]);
+  const shapeton::ColonFlattening flattening = shapeton::FlattenColon(tube.mesh, argv[1]);
+  const shapeton::FlatColonGrid   grid(flattening.map.flat); // pixels of 1 mm
+  shapeton::WriteFlatCoordinateMap(grid, argv[2]);
 
-  itk::FlatColonParts parts;
-  parts.flat = &flattening.map.flat;
-  itk::FlatAnnotation mark;
-  mark.text = "a vertex";
-  mark.point = tube.mesh.V.row(600);
-  parts.annotations.push_back(mark);
-  const itk::FlatColonPictures pictures(parts, 1.0); // pixels of 1 mm
-  itk::WritePng(pictures.Draw(itk::FlatColoring::Curvature, "A tube"), argv[2]);
-
-  const itk::FlatColonGrid & grid = pictures.Grid();
-  const itk::FlatPixel       pixel = itk::FlatColonLocator(grid).Find(*mark.point).pixel;
-  const double               away = (grid.PointOfPixel(pixel.column, pixel.row) - *mark.point).norm();
-  std::cout << grid.Columns() << " x " << grid.Rows() << " pixels; the vertex lies in pixel " << pixel.column << ", "
-            << pixel.row << ", whose middle is " << away << " mm away\n";
+  const Eigen::Vector3d     point = tube.mesh.V.row(600).transpose();
+  const shapeton::FlatPlace place = shapeton::FlatColonLocator(grid).Find(point);
+  const double              away = (grid.PointOfPixel(place.pixel.column, place.pixel.row) - point).norm();
+  std::cout << grid.Columns() << " x " << grid.Rows() << " pixels, " << grid.UncoveredPixels()
+            << " without a face; the point lies in pixel " << place.pixel.column << ", " << place.pixel.row
+            << ", whose centre is " << away << " mm away\n";
 }

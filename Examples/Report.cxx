@@ -1,7 +1,7 @@
 // One table as CSV, and inside an HTML report that opens from the file, without a network.
 // Usage: ExampleReport OUTPUT.html OUTPUT.csv
-#include "itkCsvTable.h"
-#include "itkHtmlReport.h"
+#include "shapetonCsvTable.h"
+#include "shapetonHtmlReport.h"
 
 #include <cmath>
 #include <iostream>
@@ -14,16 +14,17 @@ main(int argc, char * argv[])
     std::cerr << "Usage: " << argv[0] << " OUTPUT.html OUTPUT.csv\n";
     return 2;
   }
-  itk::CsvTable table({ "radius [mm]", "volume [mm^3]" });
+  shapeton::CsvTable table({ "radius [mm]", "volume [mm^3]" });
   for (const double radius : { 1.0, 2.0, 5.0 })
   {
     const double volume = 4.0 / 3.0 * std::acos(-1.0) * std::pow(radius, 3);
-    table.AddRow({ itk::CsvTable::Number(radius), itk::CsvTable::Rounded(volume, 6) });
+    table.AddRow({ shapeton::CsvTable::Number(radius), shapeton::CsvTable::Rounded(volume, 6) });
   }
   table.Write(argv[2]);
 
-  itk::HtmlReport report("Balls");
+  shapeton::HtmlReport report("Balls");
   report.AddParagraph("Volumes of three balls.");
   report.AddTable(table, "Eight times the volume for twice the radius.");
   report.Write(argv[1]);
+  std::cout << table.GetRows().size() << " rows, the last volume " << table.GetRows().back().back() << '\n';
 }

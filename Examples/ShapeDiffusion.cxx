@@ -1,7 +1,7 @@
-// Cumulative heat diffusion until each closed object has one heat, which tells its shape and size.
+// Cumulative heat diffusion until each closed object has one heat, which depends on its shape and size.
 // Usage: ExampleShapeDiffusion VOLUME
-#include "itkCumulativeHeatDiffusionImageFilter.h"
-#include "itkVolumeReader.h"
+#include "shapetonCumulativeHeatDiffusionImageFilter.h"
+#include "shapetonVolumeReader.h"
 
 #include <iostream>
 
@@ -13,8 +13,8 @@ main(int argc, char * argv[])
     std::cerr << "Usage: " << argv[0] << " VOLUME\n";
     return 2;
   }
-  const itk::Volume volume = itk::ReadVolume(argv[1]);
-  const auto        diffusion = itk::CumulativeHeatDiffusionImageFilter<itk::Volume::ImageType>::New();
+  const shapeton::Volume volume = shapeton::ReadVolume(argv[1]);
+  const auto             diffusion = shapeton::CumulativeHeatDiffusionImageFilter<shapeton::Volume::ImageType>::New();
   diffusion->SetInput(volume.image);
   diffusion->SetP(7.0);
   diffusion->SetTimeSteps(100000);

@@ -1,6 +1,6 @@
 // Makes a phantom with known truth and counts the voxels of each object.
 // Usage: ExampleShapePhantom PRESET|SCENE.json
-#include "itkShapePhantomImageSource.h"
+#include "shapetonShapePhantomImageSource.h"
 
 #include <iostream>
 #include <map>
@@ -13,8 +13,8 @@ main(int argc, char * argv[])
     std::cerr << "Usage: " << argv[0] << " PRESET|SCENE.json\n";
     return 2;
   }
-  const auto phantom = itk::ShapePhantomImageSource::New(); // 64 x 64 x 64 voxels of 1 mm
-  phantom->SetScene(itk::ShapeScene::Load(argv[1]));
+  const auto phantom = shapeton::ShapePhantomImageSource::New(); // 64 x 64 x 64 voxels of 1 mm
+  phantom->SetScene(shapeton::ShapeScene::Load(argv[1]));
   phantom->CenterOutput();
   phantom->SetBlur(0.5);
   phantom->SetNoiseStandardDeviation(20.0);

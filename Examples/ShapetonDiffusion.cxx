@@ -1,7 +1,7 @@
 // Shapeton diffusion, watched while it runs.
 // Usage: ExampleShapetonDiffusion VOLUME
-#include "itkShapetonDiffusionImageFilter.h"
-#include "itkVolumeReader.h"
+#include "shapetonShapetonDiffusionImageFilter.h"
+#include "shapetonVolumeReader.h"
 
 #include "itkCommand.h"
 
@@ -15,8 +15,8 @@ main(int argc, char * argv[])
     std::cerr << "Usage: " << argv[0] << " VOLUME\n";
     return 2;
   }
-  const itk::Volume volume = itk::ReadVolume(argv[1]);
-  const auto        diffusion = itk::ShapetonDiffusionImageFilter<itk::Volume::ImageType>::New();
+  const shapeton::Volume volume = shapeton::ReadVolume(argv[1]);
+  const auto             diffusion = shapeton::ShapetonDiffusionImageFilter<shapeton::Volume::ImageType>::New();
   diffusion->SetInput(volume.image);
   diffusion->SetNumberOfShapetons(20000);
   diffusion->SetDistance(0.03);

@@ -1,10 +1,10 @@
 // Repairs a surface, simplifies it to 600 faces and writes it for 3D Slicer.
 // Usage: ExampleSurfaceMesh SURFACE OUTPUT.vtp
-#include "itkSurfaceQuality.h"
-#include "itkSurfaceReader.h"
-#include "itkSurfaceRepair.h"
-#include "itkSurfaceSimplification.h"
-#include "itkSurfaceWriter.h"
+#include "shapetonSurfaceQuality.h"
+#include "shapetonSurfaceReader.h"
+#include "shapetonSurfaceRepair.h"
+#include "shapetonSurfaceSimplification.h"
+#include "shapetonSurfaceWriter.h"
 
 #include <iostream>
 
@@ -16,13 +16,13 @@ main(int argc, char * argv[])
     std::cerr << "Usage: " << argv[0] << " SURFACE OUTPUT.vtp\n";
     return 2;
   }
-  const itk::Surface                surface = itk::ReadSurface(argv[1]);
-  const itk::SurfaceMesh            repaired = itk::RepairSurface(surface.mesh);
-  itk::SurfaceSimplificationOptions options;
+  const shapeton::Surface                surface = shapeton::ReadSurface(argv[1]);
+  const shapeton::SurfaceMesh            repaired = shapeton::RepairSurface(surface.mesh);
+  shapeton::SurfaceSimplificationOptions options;
   options.targetFaces = 600;
-  const itk::SurfaceMesh    simple = itk::SimplifySurface(repaired, options);
-  const itk::SurfaceQuality quality = itk::InspectSurface(simple);
-  itk::WriteSurface(simple, argv[2]);
+  const shapeton::SurfaceMesh    simple = shapeton::SimplifySurface(repaired, options);
+  const shapeton::SurfaceQuality quality = shapeton::InspectSurface(simple);
+  shapeton::WriteSurface(simple, argv[2]);
   std::cout << repaired.NumberOfFaces() << " faces become " << quality.faces << ", genus " << quality.genus.value_or(-1)
             << ", smallest angle " << quality.smallestAngle.minimum << " degrees\n";
 }

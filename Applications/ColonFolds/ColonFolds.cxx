@@ -1,31 +1,33 @@
 #include "ColonFoldsXML.h"
 
-#include "itkCommandLine.h"
-#include "itkHaustralFoldFiles.h"
-#include "itkHaustralFoldPicture.h"
-#include "itkToolSurfaces.h"
-#include "itkExceptions.h"
+#include "shapetonCommandLine.h"
+#include "shapetonHaustralFoldFiles.h"
+#include "shapetonHaustralFoldPicture.h"
+#include "shapetonToolSurfaces.h"
+#include "shapetonExceptions.h"
 
 namespace
 {
-using itk::CommandLine;
+using shapeton::CommandLine;
 
 void
 CheckUsage(const CommandLine & commandLine)
 {
   const bool isPublished = commandLine.GetString("scheme") == "published";
-  itk::RequireParameter(isPublished || !(commandLine.IsGiven("publishedLow") || commandLine.IsGiven("publishedHigh")),
-                    "--publishedLow and --publishedHigh belong to --scheme published");
-  itk::RequireParameter(!isPublished || !commandLine.IsGiven("smoothness"), "--smoothness belongs to --scheme graphCut");
-  itk::RequireFoldLabelsName(commandLine.GetString("outputLabels"));
+  shapeton::RequireParameter(isPublished ||
+                               !(commandLine.IsGiven("publishedLow") || commandLine.IsGiven("publishedHigh")),
+                             "--publishedLow and --publishedHigh belong to --scheme published");
+  shapeton::RequireParameter(!isPublished || !commandLine.IsGiven("smoothness"),
+                             "--smoothness belongs to --scheme graphCut");
+  shapeton::RequireFoldLabelsName(commandLine.GetString("outputLabels"));
 }
 
-itk::HaustralFoldOptions
+shapeton::HaustralFoldOptions
 OptionsOf(const CommandLine & commandLine)
 {
-  itk::HaustralFoldOptions options;
-  options.scheme = commandLine.GetString("scheme") == "published" ? itk::HaustralFoldScheme::Published
-                                                                  : itk::HaustralFoldScheme::GraphCut;
+  shapeton::HaustralFoldOptions options;
+  options.scheme = commandLine.GetString("scheme") == "published" ? shapeton::HaustralFoldScheme::Published
+                                                                  : shapeton::HaustralFoldScheme::GraphCut;
   options.minimumLength = commandLine.GetDouble("minimumLength");
   options.minimumArea = commandLine.GetDouble("minimumArea");
   options.minimumElongation = commandLine.GetDouble("minimumElongation");
@@ -52,33 +54,33 @@ public:
   {}
 
   void
-  Write(const itk::HaustralFolds & folds, const itk::FlatColonGrid & grid) const
+  Write(const shapeton::HaustralFolds & folds, const shapeton::FlatColonGrid & grid) const
   {
-    itk::WriteFoldLabels(folds, grid, m_Labels, itk::ProvenanceMetadata(m_CommandLine.GetProvenance()));
+    shapeton::WriteFoldLabels(folds, grid, m_Labels, shapeton::ProvenanceMetadata(m_CommandLine.GetProvenance()));
     if (!m_Features.empty())
     {
-      itk::WriteFoldFeatures(folds, m_CommandLine.GetProvenance(), m_Features);
+      shapeton::WriteFoldFeatures(folds, m_CommandLine.GetProvenance(), m_Features);
     }
     if (!m_Table.empty())
     {
-      itk::TableOfFolds(folds).Write(m_Table);
+      shapeton::TableOfFolds(folds).Write(m_Table);
     }
     if (!m_Markups.empty())
     {
-      itk::WriteMarkups(itk::MarkupsOfFolds(folds), m_Markups);
+      shapeton::WriteMarkups(shapeton::MarkupsOfFolds(folds), m_Markups);
     }
     if (!m_ColorTable.empty())
     {
-      itk::WriteColorTable(itk::ColorsOfFolds(folds), m_ColorTable);
+      shapeton::WriteColorTable(shapeton::ColorsOfFolds(folds), m_ColorTable);
     }
   }
 
   void
-  WritePicture(const itk::HaustralFoldPictureContent & content, double pixelSize) const
+  WritePicture(const shapeton::HaustralFoldPictureContent & content, double pixelSize) const
   {
     if (!m_Picture.empty())
     {
-      itk::WritePng(itk::DrawHaustralFolds(content, 0.5 * pixelSize, "Haustral folds"), m_Picture);
+      shapeton::WritePng(shapeton::DrawHaustralFolds(content, 0.5 * pixelSize, "Haustral folds"), m_Picture);
     }
   }
 
@@ -100,21 +102,21 @@ FindFolds(CommandLine & commandLine)
   commandLine.RecordRun(commandLine.GetString("outputLabels") + ".run.json");
 
   commandLine.Progress("Reading", 0.0);
-  const std::string        what = '"' + commandLine.GetString("inputFlat") + '"';
-  const itk::Surface       surface = itk::ReadSurface(commandLine, "inputFlat");
-  itk::HaustralFoldOptions options = OptionsOf(commandLine);
-  itk::CurveSet            taeniae;
+  const std::string             what = '"' + commandLine.GetString("inputFlat") + '"';
+  const shapeton::Surface       surface = shapeton::ReadSurface(commandLine, "inputFlat");
+  shapeton::HaustralFoldOptions options = OptionsOf(commandLine);
+  shapeton::CurveSet            taeniae;
   if (commandLine.IsGiven("taeniae"))
   {
-    taeniae = itk::ReadCurves(commandLine, "taeniae");
+    taeniae = shapeton::ReadCurves(commandLine, "taeniae");
     options.taeniae = &taeniae;
   }
-  itk::FlatColonGridOptions gridOptions;
+  shapeton::FlatColonGridOptions gridOptions;
   gridOptions.pixelSize = commandLine.GetDouble("pixelSize");
-  const itk::FlatColonGrid grid(surface.mesh, gridOptions, what);
+  const shapeton::FlatColonGrid grid(surface.mesh, gridOptions, what);
 
   commandLine.Progress("Folds", 0.2);
-  const itk::HaustralFolds folds = itk::FindHaustralFolds(grid, options);
+  const shapeton::HaustralFolds folds = shapeton::FindHaustralFolds(grid, options);
   commandLine.Warn(folds.warnings);
 
   commandLine.Progress("Writing", 0.7);

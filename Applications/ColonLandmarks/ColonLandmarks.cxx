@@ -1,27 +1,27 @@
 #include "ColonLandmarksXML.h"
 
-#include "itkColonLandmarkFiles.h"
-#include "itkColonLandmarkReport.h"
-#include "itkCommandLine.h"
-#include "itkToolSurfaces.h"
+#include "shapetonColonLandmarkFiles.h"
+#include "shapetonColonLandmarkReport.h"
+#include "shapetonCommandLine.h"
+#include "shapetonToolSurfaces.h"
 
 #include <optional>
 
 namespace
 {
-using itk::CommandLine;
+using shapeton::CommandLine;
 
-itk::ColonLandmarkOptions
+shapeton::ColonLandmarkOptions
 OptionsOf(CommandLine & commandLine)
 {
-  itk::ColonLandmarkOptions options;
-  options.flexureRule =
-    commandLine.GetString("flexureRule") == "published" ? itk::FlexureRule::Published : itk::FlexureRule::Ordered;
+  shapeton::ColonLandmarkOptions options;
+  options.flexureRule = commandLine.GetString("flexureRule") == "published" ? shapeton::FlexureRule::Published
+                                                                            : shapeton::FlexureRule::Ordered;
   options.taeniaRule =
-    commandLine.GetString("taeniaRule") == "published" ? itk::TaeniaRule::Published : itk::TaeniaRule::Joint;
+    commandLine.GetString("taeniaRule") == "published" ? shapeton::TaeniaRule::Published : shapeton::TaeniaRule::Joint;
   if (commandLine.IsGiven("markers"))
   {
-    options.markers = itk::ReadTaeniaMarkers(commandLine, "markers");
+    options.markers = shapeton::ReadTaeniaMarkers(commandLine, "markers");
   }
   options.progress = commandLine.PartOfProgress(0.0, 0.7); // then the colon is split and the files are written
   return options;
@@ -30,19 +30,19 @@ OptionsOf(CommandLine & commandLine)
 void
 Mark(CommandLine & commandLine)
 {
-  const itk::ColonLandmarkFiles   files(commandLine, commandLine.GetString("outputFolder"));
-  const itk::ColonLandmarkReport  report(commandLine, commandLine.GetString("report"));
-  const itk::ColonLandmarkOptions options = OptionsOf(commandLine);
-  const itk::CurveSet             centreline = itk::ReadCurves(commandLine, "inputCentreline");
-  const itk::SurfaceMesh          flat = itk::ReadSurface(commandLine, "inputFlat").mesh;
-  const itk::ColonLandmarks       landmarks = itk::FindColonLandmarks(flat, centreline, options);
+  const shapeton::ColonLandmarkFiles   files(commandLine, commandLine.GetString("outputFolder"));
+  const shapeton::ColonLandmarkReport  report(commandLine, commandLine.GetString("report"));
+  const shapeton::ColonLandmarkOptions options = OptionsOf(commandLine);
+  const shapeton::CurveSet             centreline = shapeton::ReadCurves(commandLine, "inputCentreline");
+  const shapeton::SurfaceMesh          flat = shapeton::ReadSurface(commandLine, "inputFlat").mesh;
+  const shapeton::ColonLandmarks       landmarks = shapeton::FindColonLandmarks(flat, centreline, options);
   commandLine.Warn(landmarks.warnings);
 
-  std::optional<itk::ColonPieces> pieces;
+  std::optional<shapeton::ColonPieces> pieces;
   if (commandLine.GetFlag("split"))
   {
     commandLine.Progress("Splitting", 0.7);
-    pieces = itk::SplitColon(flat, landmarks);
+    pieces = shapeton::SplitColon(flat, landmarks);
     commandLine.Warn(pieces->warnings);
   }
   commandLine.Progress("Writing", 0.9);

@@ -1,24 +1,24 @@
 #include "ColonPolypsXML.h"
 
-#include "itkCommandLine.h"
-#include "itkPolypCandidateReport.h"
-#include "itkSha256.h"
-#include "itkSlicerMarkups.h"
-#include "itkSurfaceReader.h"
-#include "itkExceptions.h"
+#include "shapetonCommandLine.h"
+#include "shapetonPolypCandidateReport.h"
+#include "shapetonSha256.h"
+#include "shapetonSlicerMarkups.h"
+#include "shapetonSurfaceReader.h"
+#include "shapetonExceptions.h"
 
 #include <limits>
 
 namespace
 {
-using itk::CommandLine;
-using Candidates = std::vector<itk::PolypCandidate>;
+using shapeton::CommandLine;
+using Candidates = std::vector<shapeton::PolypCandidate>;
 
 void
 CheckUsage(const CommandLine & commandLine)
 {
-  itk::RequireParameter(!commandLine.IsGiven("other") || commandLine.IsGiven("registration"),
-                    "--other needs --registration, which tells where candidates lie in the other position");
+  shapeton::RequireParameter(!commandLine.IsGiven("other") || commandLine.IsGiven("registration"),
+                             "--other needs --registration, which tells where candidates lie in the other position");
 }
 
 std::vector<Eigen::Vector3d>
@@ -29,8 +29,8 @@ ReadOthers(CommandLine & commandLine)
     return {};
   }
   const std::string path = commandLine.GetString("other");
-  commandLine.AddInput("other", "sha256:" + itk::Sha256OfFile(path));
-  return itk::ReadPolypCandidatePlaces(path);
+  commandLine.AddInput("other", "sha256:" + shapeton::Sha256OfFile(path));
+  return shapeton::ReadPolypCandidatePlaces(path);
 }
 
 void
@@ -43,13 +43,13 @@ MapToOther(CommandLine & commandLine, Candidates & candidates)
   const std::vector<Eigen::Vector3d> others = ReadOthers(commandLine);
   const std::string                  folder = commandLine.GetString("registration");
   std::string                        nearest;
-  itk::SurfaceMesh                   map;
+  shapeton::SurfaceMesh              map;
   double                             least = std::numeric_limits<double>::infinity();
   for (const char * const name : { "/map-supine-to-prone.vtp", "/map-prone-to-supine.vtp" })
   {
-    const itk::Surface surface = itk::ReadSurface(folder + name);
+    const shapeton::Surface surface = shapeton::ReadSurface(folder + name);
     commandLine.AddProvenance(std::string("registration") + name, surface.identity);
-    const double distance = itk::MeanDistanceToWall(surface.mesh, candidates);
+    const double distance = shapeton::MeanDistanceToWall(surface.mesh, candidates);
     if (distance < least)
     {
       least = distance;
@@ -57,7 +57,7 @@ MapToOther(CommandLine & commandLine, Candidates & candidates)
       map = surface.mesh;
     }
   }
-  itk::FindInOtherPosition(map, '"' + nearest + '"', others, candidates);
+  shapeton::FindInOtherPosition(map, '"' + nearest + '"', others, candidates);
 }
 
 void
@@ -74,7 +74,7 @@ SearchForPolyps(CommandLine & commandLine)
   commandLine.RecordRun(commandLine.GetString("outputTable") + ".run.json");
 
   commandLine.Progress("Reading", 0.0);
-  const itk::PolypColon colon = itk::ReadPolypColon(commandLine.GetString("inputFolder"));
+  const shapeton::PolypColon colon = shapeton::ReadPolypColon(commandLine.GetString("inputFolder"));
   commandLine.LeaveOutOfProvenance("inputFolder");
   for (const auto & [name, identity] : colon.facts)
   {
@@ -82,21 +82,21 @@ SearchForPolyps(CommandLine & commandLine)
   }
   commandLine.Warn(colon.warnings);
 
-  itk::PolypSearchOptions options;
+  shapeton::PolypSearchOptions options;
   options.preset =
-    commandLine.GetString("preset") == "published" ? itk::PolypPreset::Published : itk::PolypPreset::Default;
+    commandLine.GetString("preset") == "published" ? shapeton::PolypPreset::Published : shapeton::PolypPreset::Default;
   options.sensitivity = commandLine.GetDouble("sensitivity");
   options.progress = commandLine.PartOfProgress(0.2, 0.7);
-  Candidates candidates = itk::SearchPolyps(colon, options);
+  Candidates candidates = shapeton::SearchPolyps(colon, options);
   MapToOther(commandLine, candidates);
 
   commandLine.Progress("Writing", 0.7);
-  itk::TableOfPolypCandidates(candidates).Write(table);
+  shapeton::TableOfPolypCandidates(candidates).Write(table);
   if (!markups.empty())
   {
-    itk::WriteMarkups(itk::MarkupsOfPolypCandidates(candidates), markups);
+    shapeton::WriteMarkups(shapeton::MarkupsOfPolypCandidates(candidates), markups);
   }
-  itk::WritePolypCandidateReport(commandLine, colon, candidates, report);
+  shapeton::WritePolypCandidateReport(commandLine, colon, candidates, report);
 }
 } // namespace
 

@@ -1,29 +1,29 @@
 #include "ColonSegmentationXML.h"
 
-#include "itkColonModelFiles.h"
-#include "itkColonModelReport.h"
-#include "itkCommandLine.h"
-#include "itkExceptions.h"
-#include "itkToolVolumes.h"
+#include "shapetonColonModelFiles.h"
+#include "shapetonColonModelReport.h"
+#include "shapetonCommandLine.h"
+#include "shapetonExceptions.h"
+#include "shapetonToolVolumes.h"
 
 namespace
 {
-using itk::CommandLine;
+using shapeton::CommandLine;
 
 void
 CheckUsage(const CommandLine & commandLine)
 {
-  itk::RequireParameter(!commandLine.GetFlag("inputIsLumen") || !commandLine.IsGiven("lumen"),
-                    "--lumen belongs to a CT; with --inputIsLumen the input itself is the lumen");
-  itk::RequireParameter(!commandLine.GetFlag("inputIsLumen") || !commandLine.IsGiven("position"),
-                    "--position says where fluid pools; a lumen (--inputIsLumen) needs none");
+  shapeton::RequireParameter(!commandLine.GetFlag("inputIsLumen") || !commandLine.IsGiven("lumen"),
+                             "--lumen belongs to a CT; with --inputIsLumen the input itself is the lumen");
+  shapeton::RequireParameter(!commandLine.GetFlag("inputIsLumen") || !commandLine.IsGiven("position"),
+                             "--position says where fluid pools; a lumen (--inputIsLumen) needs none");
 }
 
-itk::ColonModelOptions
+shapeton::ColonModelOptions
 OptionsOf(CommandLine & commandLine, const std::string & patientPosition)
 {
-  itk::ColonModelOptions options;
-  const std::string      position = commandLine.GetString("position");
+  shapeton::ColonModelOptions options;
+  const std::string           position = commandLine.GetString("position");
   options.patientPosition = position == "auto" ? patientPosition : position;
   for (const auto & point : commandLine.GetPoints("seedPoint"))
   {
@@ -36,29 +36,30 @@ OptionsOf(CommandLine & commandLine, const std::string & patientPosition)
   return options;
 }
 
-itk::ColonModel
-ModelOf(CommandLine & commandLine, const itk::Volume & volume, const itk::ColonModelOptions & options)
+shapeton::ColonModel
+ModelOf(CommandLine & commandLine, const shapeton::Volume & volume, const shapeton::ColonModelOptions & options)
 {
   if (commandLine.GetFlag("inputIsLumen"))
   {
-    return itk::BuildColonModelOfLumen(itk::MaskOfVolume(volume, commandLine.GetString("inputVolume")), options);
+    return shapeton::BuildColonModelOfLumen(shapeton::MaskOfVolume(volume, commandLine.GetString("inputVolume")),
+                                            options);
   }
   if (commandLine.IsGiven("lumen"))
   {
-    const auto mask = itk::ReadMask(commandLine, "lumen", volume.image);
-    return itk::BuildColonModel(volume.image, mask.GetPointer(), options);
+    const auto mask = shapeton::ReadMask(commandLine, "lumen", volume.image);
+    return shapeton::BuildColonModel(volume.image, mask.GetPointer(), options);
   }
-  return itk::BuildColonModel(volume.image, options);
+  return shapeton::BuildColonModel(volume.image, options);
 }
 
 void
 Segment(CommandLine & commandLine)
 {
   CheckUsage(commandLine);
-  const itk::ColonModelFiles  files(commandLine, commandLine.GetString("outputFolder"));
-  const itk::ColonModelReport report(commandLine, commandLine.GetString("report"));
-  const itk::Volume           volume = itk::ReadVolume(commandLine, "inputVolume");
-  itk::ColonModel             model = ModelOf(commandLine, volume, OptionsOf(commandLine, volume.patientPosition));
+  const shapeton::ColonModelFiles  files(commandLine, commandLine.GetString("outputFolder"));
+  const shapeton::ColonModelReport report(commandLine, commandLine.GetString("report"));
+  const shapeton::Volume           volume = shapeton::ReadVolume(commandLine, "inputVolume");
+  shapeton::ColonModel             model = ModelOf(commandLine, volume, OptionsOf(commandLine, volume.patientPosition));
   commandLine.Warn(model.warnings);
   const bool isPartial = !model.failure.empty();
   if (!isPartial || commandLine.GetFlag("keepPartial"))
@@ -69,7 +70,7 @@ Segment(CommandLine & commandLine)
   }
   if (isPartial)
   {
-    throw itk::InputError(commandLine.GetString("inputVolume") + ": " + model.failure);
+    throw shapeton::InputError(commandLine.GetString("inputVolume") + ": " + model.failure);
   }
 }
 } // namespace

@@ -1,35 +1,35 @@
 #include "CumulativeHeatDiffusionXML.h"
 
-#include "itkAutomaticParameters.h"
-#include "itkCommandLine.h"
-#include "itkCumulativeHeatDiffusionImageFilter.h"
-#include "itkHeatClassification.h"
-#include "itkHeatResultFiles.h"
-#include "itkExceptions.h"
-#include "itkToolVolumes.h"
+#include "shapetonAutomaticParameters.h"
+#include "shapetonCommandLine.h"
+#include "shapetonCumulativeHeatDiffusionImageFilter.h"
+#include "shapetonHeatClassification.h"
+#include "shapetonHeatResultFiles.h"
+#include "shapetonExceptions.h"
+#include "shapetonToolVolumes.h"
 
 #include <set>
 
 namespace
 {
-using itk::CommandLine;
+using shapeton::CommandLine;
 using ImageType = itk::Image<float, 3>;
-using FilterType = itk::CumulativeHeatDiffusionImageFilter<ImageType>;
+using FilterType = shapeton::CumulativeHeatDiffusionImageFilter<ImageType>;
 
 void
 CheckUsage(const CommandLine & commandLine)
 {
   const auto window = commandLine.GetDoubles("intensityWindow");
-  itk::RequireParameter(window.empty() || (window.size() == 2 && window[0] < window[1]),
-                    "--intensityWindow needs two numbers, the lower one first, for example -160,240");
-  itk::RequireParameter(!commandLine.GetFlag("autoParameters") || !commandLine.IsGiven("p"),
-                    "--autoParameters chooses p; give either it or --p");
-  itk::RequireParameter(commandLine.IsGiven("snapshotSteps") == commandLine.IsGiven("snapshotFolder"),
-                    "--snapshotSteps and --snapshotFolder go together; give both");
+  shapeton::RequireParameter(window.empty() || (window.size() == 2 && window[0] < window[1]),
+                             "--intensityWindow needs two numbers, the lower one first, for example -160,240");
+  shapeton::RequireParameter(!commandLine.GetFlag("autoParameters") || !commandLine.IsGiven("p"),
+                             "--autoParameters chooses p; give either it or --p");
+  shapeton::RequireParameter(commandLine.IsGiven("snapshotSteps") == commandLine.IsGiven("snapshotFolder"),
+                             "--snapshotSteps and --snapshotFolder go together; give both");
   for (const int step : commandLine.GetIntegers("snapshotSteps"))
   {
-    itk::RequireParameter(step >= 0 && step <= commandLine.GetInteger("timeSteps"),
-                      "--snapshotSteps: " + std::to_string(step) + " does not lie between 0 and --timeSteps");
+    shapeton::RequireParameter(step >= 0 && step <= commandLine.GetInteger("timeSteps"),
+                               "--snapshotSteps: " + std::to_string(step) + " does not lie between 0 and --timeSteps");
   }
 }
 
@@ -61,15 +61,15 @@ Configure(CommandLine & commandLine, FilterType * filter)
 void
 RequestHistogram(const CommandLine & commandLine, FilterType * filter)
 {
-  const auto spacing = commandLine.GetString("snapshotSpacing") == "linear" ? itk::SnapshotSpacing::Linear
-                                                                            : itk::SnapshotSpacing::Logarithmic;
+  const auto spacing = commandLine.GetString("snapshotSpacing") == "linear" ? shapeton::SnapshotSpacing::Linear
+                                                                            : shapeton::SnapshotSpacing::Logarithmic;
   filter->SetHistogramSteps(
-    itk::MakeSnapshotSteps(filter->GetTimeSteps(), commandLine.GetInteger("snapshots"), spacing));
+    shapeton::MakeSnapshotSteps(filter->GetTimeSteps(), commandLine.GetInteger("snapshots"), spacing));
 }
 
 /** Has the heat after --snapshotSteps written while the filter runs; returns the steps. */
 std::vector<std::uint64_t>
-RequestSnapshots(CommandLine & commandLine, const itk::HeatResultFiles & files, FilterType * filter)
+RequestSnapshots(CommandLine & commandLine, const shapeton::HeatResultFiles & files, FilterType * filter)
 {
   const auto                       given = commandLine.GetIntegers("snapshotSteps");
   const std::set<std::uint64_t>    distinct(given.begin(), given.end());
@@ -88,9 +88,9 @@ void
 Diffuse(CommandLine & commandLine)
 {
   CheckUsage(commandLine);
-  const itk::HeatResultFiles files(commandLine);
-  const itk::Volume          volume = itk::ReadVolume(commandLine, "inputVolume");
-  auto                       filter = FilterType::New();
+  const shapeton::HeatResultFiles files(commandLine);
+  const shapeton::Volume          volume = shapeton::ReadVolume(commandLine, "inputVolume");
+  auto                            filter = FilterType::New();
   filter->SetInput(volume.image);
   Configure(commandLine, filter);
   filter->SetWantInitialHeat(files.WantInitialHeat());
@@ -104,25 +104,25 @@ Diffuse(CommandLine & commandLine)
   filter->Update();
   const auto & result = filter->GetResult();
   const auto   lastSnapshot = snapshotSteps.empty() ? 0 : snapshotSteps.back();
-  for (const auto & remark : itk::RunRemarks(result, filter->GetUntilSteady(), lastSnapshot))
+  for (const auto & remark : shapeton::RunRemarks(result, filter->GetUntilSteady(), lastSnapshot))
   {
     commandLine.Warn(remark);
   }
   if (filter->GetAutomaticP())
   {
-    commandLine.AddProvenance("chosen.p", itk::CsvTable::Number(result.p.p));
+    commandLine.AddProvenance("chosen.p", shapeton::CsvTable::Number(result.p.p));
   }
-  itk::HeatClassification classification;
+  shapeton::HeatClassification classification;
   if (files.WantClasses())
   {
-    classification = itk::ClassifyHeat(filter->GetOutput(), result.components);
+    classification = shapeton::ClassifyHeat(filter->GetOutput(), result.components);
   }
-  itk::HeatReportContent content = itk::MakeReportContent(result, volume.image, filter->GetOutput());
+  shapeton::HeatReportContent content = shapeton::MakeReportContent(result, volume.image, filter->GetOutput());
   content.input = { { "Modality", volume.modality }, { "Identity", volume.identity } };
   content.provenance = commandLine.GetProvenance();
   content.warnings = commandLine.GetWarnings();
-  content.scale =
-    commandLine.GetString("histogramScale") == "equalized" ? itk::HeatScale::Equalized : itk::HeatScale::Normalized;
+  content.scale = commandLine.GetString("histogramScale") == "equalized" ? shapeton::HeatScale::Equalized
+                                                                         : shapeton::HeatScale::Normalized;
   content.classes = classification.classes;
   content.markedTimeSteps = snapshotSteps;
   files.Write(content, classification.labels);

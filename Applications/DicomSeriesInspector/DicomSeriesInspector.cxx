@@ -1,28 +1,28 @@
 #include "DicomSeriesInspectorXML.h"
 
-#include "itkCommandLine.h"
-#include "itkDicomSeriesListing.h"
-#include "itkExceptions.h"
+#include "shapetonCommandLine.h"
+#include "shapetonDicomSeriesListing.h"
+#include "shapetonExceptions.h"
 
 #include <iostream>
 
 int
 main(int argc, char * argv[])
 {
-  return itk::CommandLine::Run(ToolXML, argc, argv, [](itk::CommandLine & commandLine) {
-    const std::string    folder = commandLine.GetString("inputFolder");
-    const std::string    json = commandLine.OutputOf("json");
-    const itk::DicomScan scan = itk::ScanDicom(folder);
+  return shapeton::CommandLine::Run(ToolXML, argc, argv, [](shapeton::CommandLine & commandLine) {
+    const std::string         folder = commandLine.GetString("inputFolder");
+    const std::string         json = commandLine.OutputOf("json");
+    const shapeton::DicomScan scan = shapeton::ScanDicom(folder);
     if (scan.series.empty())
     {
-      throw itk::InputError(folder + ": notAnImage: none of its " + std::to_string(scan.files) +
-                            " files is a DICOM image (" + scan.otherFiles.front().message +
-                            "); name the folder that holds the series");
+      throw shapeton::InputError(folder + ": notAnImage: none of its " + std::to_string(scan.files) +
+                                 " files is a DICOM image (" + scan.otherFiles.front().message +
+                                 "); name the folder that holds the series");
     }
     if (!json.empty())
     {
-      itk::WriteDicomScan(scan, json, itk::CommandLine::InOptions);
+      shapeton::WriteDicomScan(scan, json, shapeton::CommandLine::InOptions);
     }
-    std::cout << itk::FormatDicomScan(scan, itk::CommandLine::InOptions);
+    std::cout << shapeton::FormatDicomScan(scan, shapeton::CommandLine::InOptions);
   });
 }

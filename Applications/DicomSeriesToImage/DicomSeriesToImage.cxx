@@ -1,28 +1,29 @@
 #include "DicomSeriesToImageXML.h"
 
-#include "itkCommandLine.h"
-#include "itkToolVolumes.h"
-#include "itkVolumeWriter.h"
+#include "shapetonCommandLine.h"
+#include "shapetonToolVolumes.h"
+#include "shapetonVolumeWriter.h"
 
 int
 main(int argc, char * argv[])
 {
-  return itk::CommandLine::Run(ToolXML, argc, argv, [](itk::CommandLine & commandLine) {
-    const std::string name = itk::RequireVolumeName(commandLine.GetString("outputVolume"));
+  return shapeton::CommandLine::Run(ToolXML, argc, argv, [](shapeton::CommandLine & commandLine) {
+    const std::string name = shapeton::RequireVolumeName(commandLine.GetString("outputVolume"));
     const std::string output = commandLine.Output(name);
     commandLine.RecordRun(name + ".run.json");
     commandLine.Progress("Reading", 0.0);
-    constexpr bool    allowSingleSlice = true;
-    const itk::Volume volume = itk::ReadVolume(commandLine, "inputVolume", allowSingleSlice);
+    constexpr bool         allowSingleSlice = true;
+    const shapeton::Volume volume = shapeton::ReadVolume(commandLine, "inputVolume", allowSingleSlice);
     commandLine.Progress("Writing", 0.7);
-    const auto whole = itk::ToShort(volume.image);
+    const auto whole = shapeton::ToShort(volume.image);
     if (whole)
     {
-      itk::WriteVolume(whole.GetPointer(), output, itk::ProvenanceMetadata(commandLine.GetProvenance()));
+      shapeton::WriteVolume(whole.GetPointer(), output, shapeton::ProvenanceMetadata(commandLine.GetProvenance()));
     }
     else
     {
-      itk::WriteVolume(volume.image.GetPointer(), output, itk::ProvenanceMetadata(commandLine.GetProvenance()));
+      shapeton::WriteVolume(
+        volume.image.GetPointer(), output, shapeton::ProvenanceMetadata(commandLine.GetProvenance()));
     }
     commandLine.Progress("Writing", 1.0);
   });

@@ -1,39 +1,39 @@
 #include "DynamicGraphXML.h"
 
-#include "itkCommandLine.h"
-#include "itkGraphComparisonPictures.h"
-#include "itkGraphReader.h"
-#include "itkSha256.h"
-#include "itkExceptions.h"
+#include "shapetonCommandLine.h"
+#include "shapetonGraphComparisonPictures.h"
+#include "shapetonGraphReader.h"
+#include "shapetonSha256.h"
+#include "shapetonExceptions.h"
 
 #include <filesystem>
 
 namespace
 {
-using itk::CommandLine;
+using shapeton::CommandLine;
 
 /** Reads and embeds all steps. */
-itk::DynamicSequence
+shapeton::DynamicSequence
 EmbedAll(CommandLine & commandLine)
 {
-  itk::GenusOptions genus;
+  shapeton::GenusOptions genus;
   genus.seed = static_cast<std::uint64_t>(commandLine.GetInteger("seed"));
-  itk::DynamicEmbedding dynamic(genus);
-  itk::DynamicSequence  sequence;
-  std::string           identities;
-  const auto            files = itk::GraphFilesOf(commandLine.GetString("sequenceFolder"));
+  shapeton::DynamicEmbedding dynamic(genus);
+  shapeton::DynamicSequence  sequence;
+  std::string                identities;
+  const auto                 files = shapeton::GraphFilesOf(commandLine.GetString("sequenceFolder"));
   for (const auto & file : files)
   {
-    itk::GraphFile read = itk::ReadGraph(file);
+    shapeton::GraphFile read = shapeton::ReadGraph(file);
     sequence.files.push_back(std::filesystem::path(file).filename().string());
     identities += sequence.files.back() + ' ' + read.identity + '\n';
     try
     {
       sequence.steps.push_back(dynamic.Add(read.graph));
     }
-    catch (const itk::InputError & error)
+    catch (const shapeton::InputError & error)
     {
-      throw itk::InputError(sequence.files.back() + ": " + error.what());
+      throw shapeton::InputError(sequence.files.back() + ": " + error.what());
     }
     for (const auto * remarks : { &read.notes, &sequence.steps.back().certificate.warnings })
     {
@@ -44,15 +44,15 @@ EmbedAll(CommandLine & commandLine)
     }
     commandLine.Progress("Embedding", 0.9 * sequence.steps.size() / files.size());
   }
-  commandLine.AddInput("sequenceFolder", "sha256:" + itk::Sha256OfBytes(identities));
+  commandLine.AddInput("sequenceFolder", "sha256:" + shapeton::Sha256OfBytes(identities));
   return sequence;
 }
 
-itk::Json
-DocumentOf(const CommandLine & commandLine, const itk::Json & content)
+shapeton::Json
+DocumentOf(const CommandLine & commandLine, const shapeton::Json & content)
 {
-  itk::Json document;
-  document["provenance"] = itk::ProvenanceToJson(commandLine.GetProvenance());
+  shapeton::Json document;
+  document["provenance"] = shapeton::ProvenanceToJson(commandLine.GetProvenance());
   document["warnings"] = commandLine.GetWarnings();
   document.update(content);
   return document;
@@ -63,26 +63,27 @@ std::vector<int>
 ComparedSteps(const CommandLine & commandLine)
 {
   std::vector<int> steps = commandLine.GetIntegers("compare");
-  itk::RequireParameter(steps.empty() || steps.size() == 2, "--compare takes two steps, for example 0,4");
+  shapeton::RequireParameter(steps.empty() || steps.size() == 2, "--compare takes two steps, for example 0,4");
   return steps;
 }
 
 void
-WriteComparison(CommandLine & commandLine, const itk::DynamicSequence & sequence, const std::vector<int> & steps)
+WriteComparison(CommandLine & commandLine, const shapeton::DynamicSequence & sequence, const std::vector<int> & steps)
 {
   for (const int step : steps)
   {
-    itk::RequireParameter(step >= 0 && step < static_cast<int>(sequence.steps.size()),
-                      "--compare names step " + std::to_string(step) + ", but the steps are 0 to " +
-                        std::to_string(sequence.steps.size() - 1));
+    shapeton::RequireParameter(step >= 0 && step < static_cast<int>(sequence.steps.size()),
+                               "--compare names step " + std::to_string(step) + ", but the steps are 0 to " +
+                                 std::to_string(sequence.steps.size() - 1));
   }
-  const auto &    a = sequence.steps[steps[0]].certificate;
-  const auto &    b = sequence.steps[steps[1]].certificate;
-  const itk::Json content{ { "steps", steps },
-                           { "files", { sequence.files[steps[0]], sequence.files[steps[1]] } },
-                           { "changes", itk::ChangesToJson(itk::ChangesBetween(a, b), a.graph, b.graph) } };
-  itk::WriteJson(DocumentOf(commandLine, content),
-                 commandLine.Output(commandLine.GetString("outputFolder") + "/compare.json"));
+  const auto &         a = sequence.steps[steps[0]].certificate;
+  const auto &         b = sequence.steps[steps[1]].certificate;
+  const shapeton::Json content{ { "steps", steps },
+                                { "files", { sequence.files[steps[0]], sequence.files[steps[1]] } },
+                                { "changes",
+                                  shapeton::ChangesToJson(shapeton::ChangesBetween(a, b), a.graph, b.graph) } };
+  shapeton::WriteJson(DocumentOf(commandLine, content),
+                      commandLine.Output(commandLine.GetString("outputFolder") + "/compare.json"));
 }
 
 void
@@ -97,13 +98,13 @@ Embed(CommandLine & commandLine)
   commandLine.RecordRun(folder + "/run.json");
   commandLine.LeaveOutOfProvenance("labels"); // of pictures alone
 
-  itk::DynamicSequence sequence = EmbedAll(commandLine);
+  shapeton::DynamicSequence sequence = EmbedAll(commandLine);
   commandLine.Progress("Writing", 0.9);
-  itk::WriteJson(DocumentOf(commandLine, itk::SequenceToJson(sequence)), documentPath);
-  itk::TableOfSteps(sequence).Write(stepsPath);
+  shapeton::WriteJson(DocumentOf(commandLine, shapeton::SequenceToJson(sequence)), documentPath);
+  shapeton::TableOfSteps(sequence).Write(stepsPath);
   if (!tracked.empty())
   {
-    itk::TableOfTrackedNodes(sequence, tracked).Write(commandLine.Output(folder + "/tracked.csv"));
+    shapeton::TableOfTrackedNodes(sequence, tracked).Write(commandLine.Output(folder + "/tracked.csv"));
   }
   if (!compared.empty())
   {
@@ -113,14 +114,14 @@ Embed(CommandLine & commandLine)
   {
     const std::string number = std::to_string(10000 + i).substr(i < 10000 ? 1 : 0); // in the order of names
     sequence.steps[i].certificate.provenance = commandLine.GetProvenance();
-    itk::WriteEmbeddingCertificate(sequence.steps[i].certificate,
-                                   commandLine.Output(folder + "/step-" + number + ".json"));
+    shapeton::WriteEmbeddingCertificate(sequence.steps[i].certificate,
+                                        commandLine.Output(folder + "/step-" + number + ".json"));
   }
   commandLine.Progress("Painting", 0.95);
-  const itk::GraphSideBySide sheet{
+  const shapeton::GraphSideBySide sheet{
     folder, commandLine.GetFlag("labels"), commandLine.GetProvenance(), commandLine.GetWarnings()
   };
-  itk::WriteSequencePictures(
+  shapeton::WriteSequencePictures(
     sequence, compared, tracked, sheet, [&](const std::string & path) { return commandLine.Output(path); });
 }
 } // namespace

@@ -1,28 +1,28 @@
 #include "GraphCompareXML.h"
 
-#include "itkCommandLine.h"
-#include "itkCsvTable.h"
-#include "itkGraphComparisonPictures.h"
-#include "itkToolGraphs.h"
+#include "shapetonCommandLine.h"
+#include "shapetonCsvTable.h"
+#include "shapetonGraphComparisonPictures.h"
+#include "shapetonToolGraphs.h"
 
 namespace
 {
-using itk::CommandLine;
+using shapeton::CommandLine;
 
 /** One row for each node of both graphs: its colour is that of its partner. */
-itk::CsvTable
-TableOfNodes(const itk::GraphComparison & comparison)
+shapeton::CsvTable
+TableOfNodes(const shapeton::GraphComparison & comparison)
 {
-  const auto               colours = itk::ColoursOfNodes(comparison);
+  const auto               colours = shapeton::ColoursOfNodes(comparison);
   const std::vector<int> & image = comparison.correspondence.image;
-  const itk::Graph &       a = comparison.a.graph;
-  const itk::Graph &       b = comparison.b.graph;
+  const shapeton::Graph &  a = comparison.a.graph;
+  const shapeton::Graph &  b = comparison.b.graph;
   std::vector<bool>        hasPartner(b.nodes, false);
-  itk::CsvTable            table({ "a", "b", "colour" });
+  shapeton::CsvTable       table({ "a", "b", "colour" });
   for (int v = 0; v < a.nodes; ++v)
   {
     const bool found = image[v] >= 0;
-    table.AddRow({ itk::NameOfNode(a, v), found ? itk::NameOfNode(b, image[v]) : "", colours[0][v] });
+    table.AddRow({ shapeton::NameOfNode(a, v), found ? shapeton::NameOfNode(b, image[v]) : "", colours[0][v] });
     if (found)
     {
       hasPartner[image[v]] = true;
@@ -32,17 +32,17 @@ TableOfNodes(const itk::GraphComparison & comparison)
   {
     if (!hasPartner[v])
     {
-      table.AddRow({ "", itk::NameOfNode(b, v), colours[1][v] });
+      table.AddRow({ "", shapeton::NameOfNode(b, v), colours[1][v] });
     }
   }
   return table;
 }
 
 void
-WriteCertificate(CommandLine & commandLine, itk::EmbeddingCertificate & certificate, const std::string & path)
+WriteCertificate(CommandLine & commandLine, shapeton::EmbeddingCertificate & certificate, const std::string & path)
 {
   certificate.provenance = commandLine.GetProvenance();
-  itk::WriteEmbeddingCertificate(certificate, path);
+  shapeton::WriteEmbeddingCertificate(certificate, path);
 }
 
 void
@@ -57,12 +57,12 @@ Compare(CommandLine & commandLine)
   commandLine.RecordRun(folder + "/run.json");
   commandLine.LeaveOutOfProvenance("labels"); // of pictures alone
 
-  const itk::Graph  a = itk::ReadGraph(commandLine, "graphA");
-  const itk::Graph  b = itk::ReadGraph(commandLine, "graphB");
-  itk::GenusOptions genus;
+  const shapeton::Graph  a = shapeton::ReadGraph(commandLine, "graphA");
+  const shapeton::Graph  b = shapeton::ReadGraph(commandLine, "graphB");
+  shapeton::GenusOptions genus;
   genus.seed = static_cast<std::uint64_t>(commandLine.GetInteger("seed"));
   commandLine.Progress("Comparing", 0.1);
-  itk::GraphComparison comparison = itk::CompareGraphs(a, b, genus);
+  shapeton::GraphComparison comparison = shapeton::CompareGraphs(a, b, genus);
   for (const auto * certificate : { &comparison.a, &comparison.b })
   {
     for (const std::string & warning : certificate->warnings)
@@ -72,16 +72,16 @@ Compare(CommandLine & commandLine)
   }
 
   commandLine.Progress("Writing", 0.9);
-  itk::Json document;
-  document["provenance"] = itk::ProvenanceToJson(commandLine.GetProvenance());
+  shapeton::Json document;
+  document["provenance"] = shapeton::ProvenanceToJson(commandLine.GetProvenance());
   document["warnings"] = commandLine.GetWarnings();
-  document.update(itk::ComparisonToJson(comparison));
-  itk::WriteJson(document, comparisonPath);
+  document.update(shapeton::ComparisonToJson(comparison));
+  shapeton::WriteJson(document, comparisonPath);
   TableOfNodes(comparison).Write(nodesPath);
   WriteCertificate(commandLine, comparison.a, pathA);
   WriteCertificate(commandLine, comparison.b, pathB);
   commandLine.Progress("Painting", 0.95);
-  itk::WriteComparisonPictures(
+  shapeton::WriteComparisonPictures(
     comparison,
     { folder, commandLine.GetFlag("labels"), commandLine.GetProvenance(), commandLine.GetWarnings() },
     [&](const std::string & path) { return commandLine.Output(path); });

@@ -1,12 +1,12 @@
 #include "GraphEmbeddingXML.h"
 
-#include "itkCommandLine.h"
-#include "itkGraphEmbedding.h"
-#include "itkGraphGenus.h"
-#include "itkGraphInSpace.h"
-#include "itkToolGraphs.h"
-#include "itkGraphReport.h"
-#include "itkExceptions.h"
+#include "shapetonCommandLine.h"
+#include "shapetonGraphEmbedding.h"
+#include "shapetonGraphGenus.h"
+#include "shapetonGraphInSpace.h"
+#include "shapetonToolGraphs.h"
+#include "shapetonGraphReport.h"
+#include "shapetonExceptions.h"
 
 #include <algorithm>
 #include <charconv>
@@ -14,7 +14,7 @@
 
 namespace
 {
-using itk::CommandLine;
+using shapeton::CommandLine;
 
 /** The genus that is asked for; -1 for the smallest. */
 int
@@ -23,35 +23,35 @@ GenusOf(const std::string & text)
   int          genus = -1;
   const char * end = text.data() + text.size();
   const auto   result = std::from_chars(text.data(), end, genus);
-  itk::RequireParameter(text == "auto" || (result.ec == std::errc() && result.ptr == end && genus >= 0),
-                    "--genus is auto or a number that is not negative, and not \"" + text + '"');
+  shapeton::RequireParameter(text == "auto" || (result.ec == std::errc() && result.ptr == end && genus >= 0),
+                             "--genus is auto or a number that is not negative, and not \"" + text + '"');
   return text == "auto" ? -1 : genus;
 }
 
-itk::GraphEmbeddingOptions
+shapeton::GraphEmbeddingOptions
 OptionsOf(const CommandLine & commandLine)
 {
-  itk::GraphEmbeddingOptions options;
+  shapeton::GraphEmbeddingOptions options;
   options.augmentation =
-    commandLine.GetString("augmentation") == "ring" ? itk::Augmentation::Ring : itk::Augmentation::None;
-  options.infinity =
-    commandLine.GetString("infinity") == "circle" ? itk::PointAtInfinity::Circle : itk::PointAtInfinity::EdgeNode;
+    commandLine.GetString("augmentation") == "ring" ? shapeton::Augmentation::Ring : shapeton::Augmentation::None;
+  options.infinity = commandLine.GetString("infinity") == "circle" ? shapeton::PointAtInfinity::Circle
+                                                                   : shapeton::PointAtInfinity::EdgeNode;
   options.isRotationFree = !commandLine.IsGiven("rotation");
   return options;
 }
 
 /** How the graph lies on its surface: as a file says, or with few handles. */
-itk::SurfaceEmbedding
-SurfaceOf(CommandLine & commandLine, const itk::Graph & graph)
+shapeton::SurfaceEmbedding
+SurfaceOf(CommandLine & commandLine, const shapeton::Graph & graph)
 {
   if (commandLine.IsGiven("rotation"))
   {
-    return { itk::ReadRotation(commandLine, "rotation", graph), 0, false };
+    return { shapeton::ReadRotation(commandLine, "rotation", graph), 0, false };
   }
-  itk::GenusOptions options;
+  shapeton::GenusOptions options;
   options.genus = GenusOf(commandLine.GetString("genus"));
   options.seed = static_cast<std::uint64_t>(commandLine.GetInteger("seed"));
-  return itk::FindEmbedding(graph, options);
+  return shapeton::FindEmbedding(graph, options);
 }
 
 /** The pictures that are asked for; their files are checked before the work. */
@@ -63,7 +63,8 @@ struct Pictures
     , surface(commandLine.OutputOf("surface"))
     , title(std::filesystem::path(commandLine.GetString("graph")).filename().string())
   {
-    options.disk = commandLine.GetString("disk") == "klein" ? itk::DiskModel::Klein : itk::DiskModel::Poincare;
+    options.disk =
+      commandLine.GetString("disk") == "klein" ? shapeton::DiskModel::Klein : shapeton::DiskModel::Poincare;
     commandLine.LeaveOutOfProvenance("disk"); // the certificate does not depend on it
     if (commandLine.IsGiven("report"))
     {
@@ -74,52 +75,52 @@ struct Pictures
   }
 
   void
-  Write(const itk::EmbeddingCertificate & certificate) const
+  Write(const shapeton::EmbeddingCertificate & certificate) const
   {
-    const itk::GraphView view{ title, &certificate, {}, false };
+    const shapeton::GraphView view{ title, &certificate, {}, false };
     if (!svg.empty())
     {
-      itk::WriteGraphSvg(view, options, svg);
+      shapeton::WriteGraphSvg(view, options, svg);
     }
     if (!vtp.empty())
     {
-      itk::WriteGraphVtp(certificate, certificate.provenance, vtp);
+      shapeton::WriteGraphVtp(certificate, certificate.provenance, vtp);
     }
     if (!surface.empty())
     {
-      itk::WriteGraphInSpace(certificate, certificate.provenance, surface);
+      shapeton::WriteGraphInSpace(certificate, certificate.provenance, surface);
     }
     if (!report.empty())
     {
-      itk::GraphReport page{ "Embedding of " + title,   { view }, {},          certificate.warnings,
-                             itk::FactsOf(certificate), {},       options.disk };
-      itk::WriteGraphReport(page, report);
+      shapeton::GraphReport page{ "Embedding of " + title,        { view }, {},          certificate.warnings,
+                                  shapeton::FactsOf(certificate), {},       options.disk };
+      shapeton::WriteGraphReport(page, report);
     }
   }
 
-  std::string              svg;
-  std::string              vtp;
-  std::string              surface;
-  std::string              title;
-  std::string              report;
-  itk::GraphPictureOptions options;
+  std::string                   svg;
+  std::string                   vtp;
+  std::string                   surface;
+  std::string                   title;
+  std::string                   report;
+  shapeton::GraphPictureOptions options;
 };
 
 void
 Embed(CommandLine & commandLine)
 {
   GenusOf(commandLine.GetString("genus"));
-  itk::RequireParameter(!commandLine.IsGiven("rotation") || !commandLine.IsGiven("genus"),
-                    "--rotation fixes the genus; leave --genus out");
+  shapeton::RequireParameter(!commandLine.IsGiven("rotation") || !commandLine.IsGiven("genus"),
+                             "--rotation fixes the genus; leave --genus out");
   const Pictures    pictures(commandLine);
   const std::string output = commandLine.GetString("certificate");
   const std::string path = commandLine.Output(output);
   commandLine.RecordRun(output + ".run.json");
-  const itk::Graph graph = itk::ReadGraph(commandLine, "graph");
+  const shapeton::Graph graph = shapeton::ReadGraph(commandLine, "graph");
   commandLine.Progress("Genus", 0.05);
-  const itk::SurfaceEmbedding surface = SurfaceOf(commandLine, graph);
+  const shapeton::SurfaceEmbedding surface = SurfaceOf(commandLine, graph);
   commandLine.Progress("Circle packing", 0.3);
-  itk::EmbeddingCertificate certificate = itk::EmbedGraph(graph, surface.map, OptionsOf(commandLine));
+  shapeton::EmbeddingCertificate certificate = shapeton::EmbedGraph(graph, surface.map, OptionsOf(commandLine));
   if (!commandLine.IsGiven("rotation"))
   {
     certificate.statistics.emplace_back("genusLowerBound", surface.lowerBound);
@@ -128,7 +129,7 @@ Embed(CommandLine & commandLine)
   certificate.provenance = commandLine.GetProvenance();
   certificate.warnings = commandLine.GetWarnings();
   commandLine.Progress("Writing", 0.8);
-  itk::WriteEmbeddingCertificate(certificate, path);
+  shapeton::WriteEmbeddingCertificate(certificate, path);
   commandLine.Progress("Painting", 0.9);
   pictures.Write(certificate);
 }

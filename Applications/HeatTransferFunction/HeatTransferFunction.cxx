@@ -1,12 +1,12 @@
 #include "HeatTransferFunctionXML.h"
 
-#include "itkCommandLine.h"
-#include "itkHeatReport.h"
-#include "itkHeatSnapshot.h"
-#include "itkShapeAnalysis.h"
-#include "itkExceptions.h"
-#include "itkTransferFunctionPicture.h"
-#include "itkToolVolumes.h"
+#include "shapetonCommandLine.h"
+#include "shapetonHeatReport.h"
+#include "shapetonHeatSnapshot.h"
+#include "shapetonShapeAnalysis.h"
+#include "shapetonExceptions.h"
+#include "shapetonTransferFunctionPicture.h"
+#include "shapetonToolVolumes.h"
 
 #include <filesystem>
 
@@ -17,56 +17,57 @@ using ImageType = itk::Image<float, 3>;
 /** The intensities and the heat, or the visits of shapetons, on one grid. */
 struct Volumes
 {
-  itk::Volume                  input;
-  itk::ShapeAnalysis           shape;
+  shapeton::Volume             input;
+  shapeton::ShapeAnalysis      shape;
   std::optional<std::uint64_t> timeStep;
 };
 
 Volumes
-ReadVolumes(itk::CommandLine & commandLine)
+ReadVolumes(shapeton::CommandLine & commandLine)
 {
   const int  timeStep = commandLine.GetInteger("timeStep");
-  const auto snapshot = itk::FindHeatSnapshot(commandLine.GetString("heatVolume"),
-                                              timeStep < 0 ? std::nullopt : std::optional<std::uint64_t>(timeStep));
-  Volumes    volumes;
+  const auto snapshot = shapeton::FindHeatSnapshot(
+    commandLine.GetString("heatVolume"), timeStep < 0 ? std::nullopt : std::optional<std::uint64_t>(timeStep));
+  Volumes volumes;
   volumes.timeStep = snapshot.timeStep;
   if (!snapshot.timeStep)
   {
     commandLine.Warn("the header of " + std::filesystem::path(snapshot.path).filename().string() +
                      " does not state its time step: the pictures cannot tell it");
   }
-  volumes.input = itk::ReadVolume(commandLine, "inputVolume");
+  volumes.input = shapeton::ReadVolume(commandLine, "inputVolume");
   commandLine.Progress("Reading", 0.2);
-  const itk::Volume heat = itk::ReadVolume(snapshot.path);
+  const shapeton::Volume heat = shapeton::ReadVolume(snapshot.path);
   commandLine.AddInput("heatVolume", heat.identity);
-  const auto visits = itk::VisitsOf(heat.image, snapshot);
+  const auto visits = shapeton::VisitsOf(heat.image, snapshot);
   if (!visits)
   {
-    itk::RequireHeat(heat.image, snapshot.path);
+    shapeton::RequireHeat(heat.image, snapshot.path);
   }
-  if (!itk::HaveSameGrid(volumes.input.image, heat.image))
+  if (!shapeton::HaveSameGrid(volumes.input.image, heat.image))
   {
-    throw itk::InputError("the grids of " + commandLine.GetString("inputVolume") + " and " + snapshot.path +
-                          " differ in size or place: give the volume that the heat was computed from");
+    throw shapeton::InputError("the grids of " + commandLine.GetString("inputVolume") + " and " + snapshot.path +
+                               " differ in size or place: give the volume that the heat was computed from");
   }
   commandLine.Progress("Classifying", 0.5);
   const std::uint64_t step = volumes.timeStep.value_or(0);
-  volumes.shape = visits ? itk::AnalyzeVisits(visits, step) : itk::AnalyzeHeat(heat.image, step);
+  volumes.shape = visits ? shapeton::AnalyzeVisits(visits, step) : shapeton::AnalyzeHeat(heat.image, step);
   return volumes;
 }
 
 /** The lines that the user gave, if any. */
-std::optional<itk::ShapeTransferFunction>
-ParseLines(const itk::CommandLine & commandLine)
+std::optional<shapeton::ShapeTransferFunction>
+ParseLines(const shapeton::CommandLine & commandLine)
 {
   const std::string lines = commandLine.GetString("lines");
-  return lines.empty() ? std::nullopt : std::make_optional(itk::ShapeTransferFunction::Parse(lines));
+  return lines.empty() ? std::nullopt : std::make_optional(shapeton::ShapeTransferFunction::Parse(lines));
 }
 
-itk::ShapeTransferFunction
-LinesOfClasses(itk::CommandLine & commandLine, const itk::ShapeAnalysis & shape)
+shapeton::ShapeTransferFunction
+LinesOfClasses(shapeton::CommandLine & commandLine, const shapeton::ShapeAnalysis & shape)
 {
-  auto transferFunction = itk::ShapeTransferFunction::FromClasses(shape.classes, itk::HeatAxis(shape.axisHistogram));
+  auto transferFunction =
+    shapeton::ShapeTransferFunction::FromClasses(shape.classes, shapeton::HeatAxis(shape.axisHistogram));
   if (transferFunction.GetLines().empty())
   {
     commandLine.Warn("the heat volume holds nothing but background: the transfer function shows nothing");
@@ -82,13 +83,13 @@ TitleOf(const Volumes & volumes)
 }
 
 void
-WriteReport(itk::CommandLine &                 commandLine,
-            const Volumes &                    volumes,
-            const itk::ShapeTransferFunction & transferFunction)
+WriteReport(shapeton::CommandLine &                 commandLine,
+            const Volumes &                         volumes,
+            const shapeton::ShapeTransferFunction & transferFunction)
 {
   const std::string folder = commandLine.GetString("report");
   commandLine.MakeFolder(folder);
-  itk::HeatReportContent content;
+  shapeton::HeatReportContent content;
   content.title = "Shape-based transfer function";
   content.input = { { "Modality", volumes.input.modality }, { "Identity", volumes.input.identity } };
   content.parameters = { { "Lines", transferFunction.ToText() },
@@ -103,17 +104,17 @@ WriteReport(itk::CommandLine &                 commandLine,
   content.timeStep = volumes.timeStep;
   content.classes = volumes.shape.classes;
   content.transferFunction = transferFunction;
-  itk::WriteHeatReport(content, folder, [&](const std::string & path) { return commandLine.Output(path); });
+  shapeton::WriteHeatReport(content, folder, [&](const std::string & path) { return commandLine.Output(path); });
 }
 
 void
-MakeTransferFunction(itk::CommandLine & commandLine)
+MakeTransferFunction(shapeton::CommandLine & commandLine)
 {
   const std::string output = commandLine.GetString("volumeProperty");
   if (std::filesystem::path(output).extension() != ".vp")
   {
-    throw itk::ParameterError("the output " + output +
-                          " needs the extension .vp, by which 3D Slicer knows a volume property");
+    throw shapeton::ParameterError("the output " + output +
+                                   " needs the extension .vp, by which 3D Slicer knows a volume property");
   }
   const auto        lines = ParseLines(commandLine);
   const std::string propertyFile = commandLine.Output(output);
@@ -126,9 +127,9 @@ MakeTransferFunction(itk::CommandLine & commandLine)
   commandLine.Progress("Drawing", 0.6);
   if (!pictureFile.empty())
   {
-    itk::WritePng(itk::DrawTransferFunction(
-                    volumes.input.image, shape.values, transferFunction, TitleOf(volumes), {}, shape.quantity),
-                  pictureFile);
+    shapeton::WritePng(shapeton::DrawTransferFunction(
+                         volumes.input.image, shape.values, transferFunction, TitleOf(volumes), {}, shape.quantity),
+                       pictureFile);
   }
   if (commandLine.IsGiven("report"))
   {
@@ -141,5 +142,5 @@ MakeTransferFunction(itk::CommandLine & commandLine)
 int
 main(int argc, char * argv[])
 {
-  return itk::CommandLine::Run(ToolXML, argc, argv, MakeTransferFunction);
+  return shapeton::CommandLine::Run(ToolXML, argc, argv, MakeTransferFunction);
 }

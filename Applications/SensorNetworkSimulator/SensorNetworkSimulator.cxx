@@ -1,28 +1,28 @@
 #include "SensorNetworkSimulatorXML.h"
 
-#include "itkCommandLine.h"
-#include "itkCsvTable.h"
-#include "itkGraphReader.h"
-#include "itkSensorNetwork.h"
-#include "itkExceptions.h"
+#include "shapetonCommandLine.h"
+#include "shapetonCsvTable.h"
+#include "shapetonGraphReader.h"
+#include "shapetonSensorNetwork.h"
+#include "shapetonExceptions.h"
 
 #include <cstdio>
 #include <filesystem>
 
 namespace
 {
-using itk::CommandLine;
+using shapeton::CommandLine;
 
-itk::SensorNetworkOptions
+shapeton::SensorNetworkOptions
 OptionsOf(const CommandLine & commandLine)
 {
-  itk::SensorNetworkOptions options;
+  shapeton::SensorNetworkOptions options;
   options.devices = commandLine.GetInteger("nodes");
   options.seed = static_cast<std::uint64_t>(commandLine.GetInteger("seed"));
   options.range = commandLine.GetDouble("range");
   options.speed = commandLine.GetDouble("speed");
   options.planar =
-    commandLine.GetString("planar") == "gabriel" ? itk::PlanarSubgraph::Gabriel : itk::PlanarSubgraph::None;
+    commandLine.GetString("planar") == "gabriel" ? shapeton::PlanarSubgraph::Gabriel : shapeton::PlanarSubgraph::None;
   return options;
 }
 
@@ -38,23 +38,23 @@ RequireOwnFolder(const std::string & folder, int steps)
     const bool        isStep = std::sscanf(name.c_str(), "step-%d.graphml", &step) == 1 && step >= 0 && step < steps;
     if (name[0] != '.' && name != "devices" && !isStep)
     {
-      throw itk::OutputError('"' + folder + "\" holds \"" + name +
-                             "\", which would become a step of the sequence; give an empty folder");
+      throw shapeton::OutputError('"' + folder + "\" holds \"" + name +
+                                  "\", which would become a step of the sequence; give an empty folder");
     }
   }
 }
 
 void
-AddDevices(itk::CsvTable & table, const itk::SensorNetwork & network, int step)
+AddDevices(shapeton::CsvTable & table, const shapeton::SensorNetwork & network, int step)
 {
   const auto & devices = network.GetDevices();
   for (std::size_t i = 0; i < devices.size(); ++i)
   {
     table.AddRow({ std::to_string(step),
-                   itk::SensorNetwork::NameOfDevice(static_cast<int>(i)),
-                   itk::CsvTable::Number(devices[i].x),
-                   itk::CsvTable::Number(devices[i].y),
-                   itk::CsvTable::Number(devices[i].power),
+                   shapeton::SensorNetwork::NameOfDevice(static_cast<int>(i)),
+                   shapeton::CsvTable::Number(devices[i].x),
+                   shapeton::CsvTable::Number(devices[i].y),
+                   shapeton::CsvTable::Number(devices[i].power),
                    devices[i].inNetwork ? "1" : "0" });
   }
 }
@@ -62,28 +62,28 @@ AddDevices(itk::CsvTable & table, const itk::SensorNetwork & network, int step)
 void
 Simulate(CommandLine & commandLine)
 {
-  const std::string  folder = commandLine.GetString("outputFolder");
-  const int          steps = commandLine.GetInteger("steps");
-  itk::SensorNetwork network(OptionsOf(commandLine));
+  const std::string       folder = commandLine.GetString("outputFolder");
+  const int               steps = commandLine.GetInteger("steps");
+  shapeton::SensorNetwork network(OptionsOf(commandLine));
   RequireOwnFolder(folder, steps);
   commandLine.MakeFolder(folder);
   commandLine.MakeFolder(folder + "/devices");
   commandLine.RecordRun(folder + "/devices/run.json");
-  itk::CsvTable table({ "step", "device", "x", "y", "power", "inNetwork" });
+  shapeton::CsvTable table({ "step", "device", "x", "y", "power", "inNetwork" });
   for (int step = 0; step < steps; ++step)
   {
     if (step > 0)
     {
       network.Advance();
     }
-    const itk::Graph graph = network.GetGraph();
+    const shapeton::Graph graph = network.GetGraph();
     if (graph.nodes == 0)
     {
-      throw itk::InputError("no device is in the network at step " + std::to_string(step) + "; give more devices");
+      throw shapeton::InputError("no device is in the network at step " + std::to_string(step) + "; give more devices");
     }
     char name[32];
     std::snprintf(name, sizeof(name), "/step-%04d.graphml", step);
-    itk::WriteGraphML(graph, commandLine.Output(folder + name));
+    shapeton::WriteGraphML(graph, commandLine.Output(folder + name));
     AddDevices(table, network, step);
     commandLine.Progress("Simulating", static_cast<double>(step + 1) / steps);
   }

@@ -1,38 +1,43 @@
 #include "ShapePhantomXML.h"
 
-#include "itkCommandLine.h"
-#include "itkDicomSeriesWriter.h"
-#include "itkOrthonormalDirection.h"
-#include "itkPhantomGrid.h"
-#include "itkSha256.h"
-#include "itkShapePhantomImageSource.h"
-#include "itkExceptions.h"
-#include "itkVolumeWriter.h"
+#include "shapetonCommandLine.h"
+#include "shapetonDicomSeriesWriter.h"
+#include "shapetonOrthonormalDirection.h"
+#include "shapetonPhantomGrid.h"
+#include "shapetonPrintable.h"
+#include "shapetonSha256.h"
+#include "shapetonShapePhantomImageSource.h"
+#include "shapetonExceptions.h"
+#include "shapetonVolumeWriter.h"
 
 #include <algorithm>
 
 namespace
 {
-using Source = itk::ShapePhantomImageSource;
+using Source = shapeton::ShapePhantomImageSource;
 
-itk::ShapeScene
-ReadScene(itk::CommandLine & commandLine)
+shapeton::ShapeScene
+ReadScene(shapeton::CommandLine & commandLine)
 {
   const std::string shape = commandLine.GetString("shape");
-  const auto        scene = itk::ShapeScene::Load(shape);
-  const auto &      presets = itk::ShapeScene::GetPresetNames();
+  const auto        scene = shapeton::ShapeScene::Load(shape);
+  const auto &      presets = shapeton::ShapeScene::GetPresetNames();
   const bool        isPreset = std::find(presets.begin(), presets.end(), shape) != presets.end();
-  commandLine.AddInput("shape", isPreset ? shape : "sha256:" + itk::Sha256OfFile(shape));
+  commandLine.AddInput("shape", isPreset ? shape : "sha256:" + shapeton::Sha256OfFile(shape));
   return scene;
 }
 
 Source::Pointer
-MakeSource(itk::CommandLine & commandLine)
+MakeSource(shapeton::CommandLine & commandLine)
 {
-  const auto grid = itk::MakePhantomGrid(commandLine.GetIntegers("size"), commandLine.GetDoubles("spacing"), commandLine.GetDoubles("direction"), sizeof(short) + sizeof(unsigned char));
-  if (commandLine.GetFlag("dicom") && itk::IsLeftHanded(grid.direction))
+  const auto grid = shapeton::MakePhantomGrid(commandLine.GetIntegers("size"),
+                                              commandLine.GetDoubles("spacing"),
+                                              commandLine.GetDoubles("direction"),
+                                              sizeof(short) + sizeof(unsigned char));
+  if (commandLine.GetFlag("dicom") && shapeton::IsLeftHanded(grid.direction))
   {
-    throw itk::ParameterError("--direction: a CT series cannot have left-handed axes; change the sign of one column");
+    throw shapeton::ParameterError(
+      "--direction: a CT series cannot have left-handed axes; change the sign of one column");
   }
   const auto source = Source::New();
   source->SetSize(grid.size);
@@ -47,7 +52,7 @@ MakeSource(itk::CommandLine & commandLine)
 }
 
 void
-WarnAboutIncompleteObjects(itk::CommandLine & commandLine, const Source * source)
+WarnAboutIncompleteObjects(shapeton::CommandLine & commandLine, const Source * source)
 {
   std::string names;
   for (const auto & name : source->FindIncompleteObjects())
@@ -61,27 +66,27 @@ WarnAboutIncompleteObjects(itk::CommandLine & commandLine, const Source * source
 }
 
 void
-WriteSeries(const itk::CommandLine & commandLine, const Source::ImageType * image, const std::string & folder)
+WriteSeries(const shapeton::CommandLine & commandLine, const Source::ImageType * image, const std::string & folder)
 {
-  itk::DicomSeriesDescription description;
+  shapeton::DicomSeriesDescription description;
   description.studyDescription = "Shape phantoms";
   description.seriesDescription = "Shape phantom";
   description.seed = commandLine.GetInteger("seed");
-  description.comments = itk::ProvenanceComment(commandLine.GetProvenance());
-  itk::WriteDicomSeriesFolder(image, folder, description);
+  description.comments = shapeton::ProvenanceComment(commandLine.GetProvenance());
+  shapeton::WriteDicomSeriesFolder(image, folder, description);
 }
 
 void
-MakePhantom(itk::CommandLine & commandLine)
+MakePhantom(shapeton::CommandLine & commandLine)
 {
-  const std::string output = itk::WithoutTrailingSlashes(commandLine.GetString("outputVolume"));
+  const std::string output = shapeton::WithoutTrailingSlashes(commandLine.GetString("outputVolume"));
   const bool        dicom = commandLine.GetFlag("dicom");
   const auto        source = MakeSource(commandLine);
   const std::string volumeFile = dicom ? "" : commandLine.Output(output);
   const std::string labelFile = commandLine.OutputOf("labels");
   if (dicom)
   {
-    itk::CheckDicomSeriesFolder(output);
+    shapeton::CheckDicomSeriesFolder(output);
   }
   commandLine.Watch(source, "Sampling the scene");
   source->Update();
@@ -89,7 +94,7 @@ MakePhantom(itk::CommandLine & commandLine)
 
   if (!labelFile.empty())
   {
-    itk::WriteVolume(source->GetLabelOutput(), labelFile, commandLine.GetProvenance());
+    shapeton::WriteVolume(source->GetLabelOutput(), labelFile, commandLine.GetProvenance());
   }
   if (dicom)
   {
@@ -97,7 +102,7 @@ MakePhantom(itk::CommandLine & commandLine)
   }
   else
   {
-    itk::WriteVolume(source->GetOutput(), volumeFile, commandLine.GetProvenance());
+    shapeton::WriteVolume(source->GetOutput(), volumeFile, commandLine.GetProvenance());
   }
   commandLine.RecordRun(output + ".run.json");
 }
@@ -106,5 +111,5 @@ MakePhantom(itk::CommandLine & commandLine)
 int
 main(int argc, char * argv[])
 {
-  return itk::CommandLine::Run(ToolXML, argc, argv, MakePhantom);
+  return shapeton::CommandLine::Run(ToolXML, argc, argv, MakePhantom);
 }

@@ -1,34 +1,34 @@
 #include "ShapetonDiffusionXML.h"
 
-#include "itkAutomaticParameters.h"
-#include "itkCommandLine.h"
-#include "itkShapetonDiffusionImageFilter.h"
-#include "itkShapetonMonitor.h"
-#include "itkShapetonResultFiles.h"
-#include "itkExceptions.h"
-#include "itkToolVolumes.h"
+#include "shapetonAutomaticParameters.h"
+#include "shapetonCommandLine.h"
+#include "shapetonShapetonDiffusionImageFilter.h"
+#include "shapetonShapetonMonitor.h"
+#include "shapetonShapetonResultFiles.h"
+#include "shapetonExceptions.h"
+#include "shapetonToolVolumes.h"
 
 #include <charconv>
 
 namespace
 {
-using itk::CommandLine;
+using shapeton::CommandLine;
 using ImageType = itk::Image<float, 3>;
-using FilterType = itk::ShapetonDiffusionImageFilter<ImageType>;
+using FilterType = shapeton::ShapetonDiffusionImageFilter<ImageType>;
 
 void
 CheckUsage(const CommandLine & commandLine)
 {
   const auto window = commandLine.GetDoubles("intensityWindow");
-  itk::RequireParameter(window.empty() || (window.size() == 2 && window[0] < window[1]),
-                    "--intensityWindow needs two numbers, the lower one first, for example -160,240");
-  itk::RequireParameter(!commandLine.IsGiven("featureSize") || !commandLine.IsGiven("distance"),
-                    "--featureSize chooses the distance; give either it or --distance");
-  itk::RequireParameter(!commandLine.IsGiven("previewEvery") || commandLine.IsGiven("preview"),
-                    "--previewEvery needs --preview, the picture to replace");
-  itk::RequireParameter(!commandLine.IsGiven("epsilon") || commandLine.GetFlag("untilSteady") ||
-                      commandLine.IsGiven("preview") || commandLine.IsGiven("report"),
-                    "--epsilon has no effect without --untilSteady, --preview or --report");
+  shapeton::RequireParameter(window.empty() || (window.size() == 2 && window[0] < window[1]),
+                             "--intensityWindow needs two numbers, the lower one first, for example -160,240");
+  shapeton::RequireParameter(!commandLine.IsGiven("featureSize") || !commandLine.IsGiven("distance"),
+                             "--featureSize chooses the distance; give either it or --distance");
+  shapeton::RequireParameter(!commandLine.IsGiven("previewEvery") || commandLine.IsGiven("preview"),
+                             "--previewEvery needs --preview, the picture to replace");
+  shapeton::RequireParameter(!commandLine.IsGiven("epsilon") || commandLine.GetFlag("untilSteady") ||
+                               commandLine.IsGiven("preview") || commandLine.IsGiven("report"),
+                             "--epsilon has no effect without --untilSteady, --preview or --report");
 }
 
 void
@@ -43,8 +43,8 @@ SetEpsilon(const CommandLine & commandLine, FilterType * filter)
   double             epsilon = 0.0;
   const auto * const end = text.data() + text.size();
   const auto         parsed = std::from_chars(text.data(), end, epsilon);
-  itk::RequireParameter(parsed.ec == std::errc() && parsed.ptr == end && epsilon > 0.0 && epsilon < 1e300,
-                    "--epsilon: \"" + text + "\" is neither a positive number nor auto");
+  shapeton::RequireParameter(parsed.ec == std::errc() && parsed.ptr == end && epsilon > 0.0 && epsilon < 1e300,
+                             "--epsilon: \"" + text + "\" is neither a positive number nor auto");
   filter->SetEpsilon(epsilon);
 }
 
@@ -60,13 +60,13 @@ Configure(const CommandLine & commandLine, FilterType * filter)
   filter->SetNumberOfShapetons(static_cast<std::uint32_t>(commandLine.GetInteger("shapetons")));
   filter->SetDistance(commandLine.GetDouble("distance"));
   filter->SetTimeSteps(static_cast<std::uint64_t>(commandLine.GetInteger("timeSteps")));
-  filter->SetDirectionSampling(sampling == "solidAngle"   ? itk::DirectionSampling::SolidAngle
-                               : sampling == "sectorArea" ? itk::DirectionSampling::SectorArea
-                                                          : itk::DirectionSampling::Uniform);
-  filter->SetPathRule(commandLine.GetString("pathRule") == "endpoint" ? itk::PathRule::Endpoint
-                                                                      : itk::PathRule::Traversal);
-  filter->SetPlacement(commandLine.GetString("placement") == "uniform" ? itk::ShapetonPlacement::Uniform
-                                                                       : itk::ShapetonPlacement::InitialHeat);
+  filter->SetDirectionSampling(sampling == "solidAngle"   ? shapeton::DirectionSampling::SolidAngle
+                               : sampling == "sectorArea" ? shapeton::DirectionSampling::SectorArea
+                                                          : shapeton::DirectionSampling::Uniform);
+  filter->SetPathRule(commandLine.GetString("pathRule") == "endpoint" ? shapeton::PathRule::Endpoint
+                                                                      : shapeton::PathRule::Traversal);
+  filter->SetPlacement(commandLine.GetString("placement") == "uniform" ? shapeton::ShapetonPlacement::Uniform
+                                                                       : shapeton::ShapetonPlacement::InitialHeat);
   filter->SetSeed(static_cast<std::uint64_t>(commandLine.GetInteger("seed")));
   filter->SetUntilSteady(commandLine.GetFlag("untilSteady"));
   SetEpsilon(commandLine, filter);
@@ -83,7 +83,7 @@ FilterType::StepsType
 HistogramSteps(std::uint64_t timeSteps)
 {
   constexpr std::size_t rows = 64;
-  auto                  steps = itk::MakeSnapshotSteps(timeSteps, rows, itk::SnapshotSpacing::Logarithmic);
+  auto                  steps = shapeton::MakeSnapshotSteps(timeSteps, rows, shapeton::SnapshotSpacing::Logarithmic);
   steps.erase(steps.begin()); // nothing is visited before the first step
   return steps;
 }
@@ -95,9 +95,9 @@ Update(const CommandLine & commandLine, FilterType * filter)
   {
     filter->Update();
   }
-  catch (const itk::ShapetonInputError & error)
+  catch (const shapeton::ShapetonInputError & error)
   {
-    throw itk::InputError(commandLine.GetString("inputVolume") + ": " + error.GetDescription());
+    throw shapeton::InputError(commandLine.GetString("inputVolume") + ": " + error.GetDescription());
   }
 }
 
@@ -107,30 +107,30 @@ Diffuse(CommandLine & commandLine)
   CheckUsage(commandLine);
   auto filter = FilterType::New();
   Configure(commandLine, filter);
-  const itk::ShapetonResultFiles files(commandLine);
-  const itk::Volume              volume = itk::ReadVolume(commandLine, "inputVolume", true);
+  const shapeton::ShapetonResultFiles files(commandLine);
+  const shapeton::Volume              volume = shapeton::ReadVolume(commandLine, "inputVolume", true);
   filter->SetInput(volume.image);
   if (commandLine.IsGiven("mask"))
   {
-    filter->SetMaskImage(itk::ReadMask(commandLine, "mask", volume.image));
+    filter->SetMaskImage(shapeton::ReadMask(commandLine, "mask", volume.image));
   }
   if (commandLine.IsGiven("resume"))
   {
-    itk::ResumeFromCheckpoint(commandLine, filter);
+    shapeton::ResumeFromCheckpoint(commandLine, filter);
   }
   if (files.WantHistogram())
   {
     filter->SetHistogramSteps(HistogramSteps(filter->GetTimeSteps()));
   }
-  itk::ShapetonMonitor monitor(commandLine, filter);
+  shapeton::ShapetonMonitor monitor(commandLine, filter);
   commandLine.Watch(filter, "Diffusing shapetons", 0.0, 0.95);
   Update(commandLine, filter);
   if (filter->GetAutomaticDistance())
   {
-    commandLine.AddProvenance("chosen.distance", itk::CsvTable::Number(filter->GetDistance()));
+    commandLine.AddProvenance("chosen.distance", shapeton::CsvTable::Number(filter->GetDistance()));
     commandLine.AddProvenance("chosen.shapetons", std::to_string(filter->GetNumberOfShapetons()));
   }
-  for (const auto & remark : itk::ShapetonRemarks(filter))
+  for (const auto & remark : shapeton::ShapetonRemarks(filter))
   {
     commandLine.Warn(remark);
   }

@@ -1,48 +1,49 @@
 #include "SurfaceSpectrumXML.h"
 
-#include "itkCommandLine.h"
-#include "itkCsvTable.h"
-#include "itkHeatKernel.h"
-#include "itkToolSurfaces.h"
-#include "itkSurfaceWriter.h"
-#include "itkExceptions.h"
+#include "shapetonCommandLine.h"
+#include "shapetonCsvTable.h"
+#include "shapetonHeatKernel.h"
+#include "shapetonToolSurfaces.h"
+#include "shapetonSurfaceWriter.h"
+#include "shapetonExceptions.h"
 
 namespace
 {
-using itk::CommandLine;
-using itk::CsvTable;
+using shapeton::CommandLine;
+using shapeton::CsvTable;
 
 void
 CheckUsage(const CommandLine & commandLine)
 {
   const std::string signature = commandLine.GetString("heatKernelSignature");
-  itk::RequireParameter(signature.empty() || (signature.size() > 4 && signature.substr(signature.size() - 4) == ".vtp"),
-                    "--heatKernelSignature writes VTP; give it a name that ends in .vtp");
-  itk::RequireParameter(!commandLine.IsGiven("times") || commandLine.IsGiven("heatKernelSignature"),
-                    "--times are those of the heat kernel signature; give --heatKernelSignature as well");
+  shapeton::RequireParameter(signature.empty() ||
+                               (signature.size() > 4 && signature.substr(signature.size() - 4) == ".vtp"),
+                             "--heatKernelSignature writes VTP; give it a name that ends in .vtp");
+  shapeton::RequireParameter(!commandLine.IsGiven("times") || commandLine.IsGiven("heatKernelSignature"),
+                             "--times are those of the heat kernel signature; give --heatKernelSignature as well");
   for (const double time : commandLine.GetDoubles("times"))
   {
-    itk::RequireParameter(time > 0.0, "--times: a time of diffusion is greater than 0 mm^2");
+    shapeton::RequireParameter(time > 0.0, "--times: a time of diffusion is greater than 0 mm^2");
   }
 }
 
-itk::SurfaceSpectrum
-SpectrumOf(const CommandLine & commandLine, const itk::SurfaceMesh & mesh)
+shapeton::SurfaceSpectrum
+SpectrumOf(const CommandLine & commandLine, const shapeton::SurfaceMesh & mesh)
 {
-  const itk::SurfaceConnectivity connectivity(mesh);
+  const shapeton::SurfaceConnectivity connectivity(mesh);
   try
   {
-    return itk::ComputeSurfaceSpectrum(itk::MakeSurfaceLaplacian(connectivity, mesh.V),
-                                       commandLine.GetInteger("eigenpairs"));
+    return shapeton::ComputeSurfaceSpectrum(shapeton::MakeSurfaceLaplacian(connectivity, mesh.V),
+                                            commandLine.GetInteger("eigenpairs"));
   }
-  catch (const itk::InputError & error)
+  catch (const shapeton::InputError & error)
   {
-    throw itk::InputError(commandLine.GetString("inputSurface") + ": " + error.what());
+    throw shapeton::InputError(commandLine.GetString("inputSurface") + ": " + error.what());
   }
 }
 
 void
-WriteEigenvalues(const itk::SurfaceSpectrum & spectrum, const std::string & path)
+WriteEigenvalues(const shapeton::SurfaceSpectrum & spectrum, const std::string & path)
 {
   CsvTable table({ "number", "eigenvalue", "residual" });
   for (int i = 0; i < spectrum.NumberOfPairs(); ++i)
@@ -55,18 +56,18 @@ WriteEigenvalues(const itk::SurfaceSpectrum & spectrum, const std::string & path
 }
 
 std::vector<double>
-TimesOf(CommandLine & commandLine, const itk::SurfaceSpectrum & spectrum)
+TimesOf(CommandLine & commandLine, const shapeton::SurfaceSpectrum & spectrum)
 {
   constexpr int    numberOfTimes = 4;
   constexpr double noticeable = 0.01;
   const auto       given = commandLine.GetDoubles("times");
   if (given.empty())
   {
-    return itk::HeatKernelSignatureTimes(spectrum, numberOfTimes);
+    return shapeton::HeatKernelSignatureTimes(spectrum, numberOfTimes);
   }
   for (const double time : given)
   {
-    if (const double share = itk::ShareOfLastPair(spectrum, time); share > noticeable)
+    if (const double share = shapeton::ShareOfLastPair(spectrum, time); share > noticeable)
     {
       commandLine.Warn("at " + CsvTable::Number(time) + " mm^2 the last eigenpair still has " +
                        CsvTable::Rounded(share, 2) +
@@ -77,20 +78,20 @@ TimesOf(CommandLine & commandLine, const itk::SurfaceSpectrum & spectrum)
 }
 
 void
-WriteSignature(CommandLine &                commandLine,
-               const itk::SurfaceSpectrum & spectrum,
-               itk::SurfaceMesh             mesh,
-               const std::string &          path)
+WriteSignature(CommandLine &                     commandLine,
+               const shapeton::SurfaceSpectrum & spectrum,
+               shapeton::SurfaceMesh             mesh,
+               const std::string &               path)
 {
   const std::vector<double> times = TimesOf(commandLine, spectrum);
   for (const double time : times)
   {
     mesh.pointArrays.push_back(
-      { "heatKernelSignature_" + CsvTable::Rounded(time, 6), itk::HeatKernelSignature(spectrum, time) });
+      { "heatKernelSignature_" + CsvTable::Rounded(time, 6), shapeton::HeatKernelSignature(spectrum, time) });
   }
   mesh.fieldArrays.push_back({ "times", Eigen::Map<const Eigen::VectorXd>(times.data(), times.size()) });
   mesh.fieldArrays.push_back({ "eigenvalues", spectrum.eigenvalues });
-  itk::WriteSurface(std::move(mesh), commandLine.GetProvenance(), path);
+  shapeton::WriteSurface(std::move(mesh), commandLine.GetProvenance(), path);
 }
 
 void
@@ -101,9 +102,9 @@ Analyse(CommandLine & commandLine)
   const std::string eigenvalues = commandLine.Output(output);
   const std::string signature = commandLine.OutputOf("heatKernelSignature");
   commandLine.RecordRun(output + ".run.json");
-  const itk::Surface surface = itk::ReadRepairedSurface(commandLine, "inputSurface");
+  const shapeton::Surface surface = shapeton::ReadRepairedSurface(commandLine, "inputSurface");
   commandLine.Progress("Computing eigenpairs", 0.1);
-  const itk::SurfaceSpectrum spectrum = SpectrumOf(commandLine, surface.mesh);
+  const shapeton::SurfaceSpectrum spectrum = SpectrumOf(commandLine, surface.mesh);
   commandLine.Progress("Writing", 0.9);
   WriteEigenvalues(spectrum, eigenvalues);
   if (!signature.empty())

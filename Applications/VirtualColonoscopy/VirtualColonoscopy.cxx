@@ -1,13 +1,13 @@
 #include "VirtualColonoscopyXML.h"
 
-#include "itkColonoscopyRun.h"
-#include "itkCommandLine.h"
-#include "itkStagedRun.h"
-#include "itkExceptions.h"
+#include "shapetonColonoscopyRun.h"
+#include "shapetonCommandLine.h"
+#include "shapetonStagedRun.h"
+#include "shapetonExceptions.h"
 
 namespace
 {
-using itk::CommandLine;
+using shapeton::CommandLine;
 
 /** Options that need another one. */
 void
@@ -23,13 +23,13 @@ CheckSecond(const CommandLine & commandLine)
                                    "segmentWise",
                                    "evaluate" })
   {
-    itk::RequireParameter(commandLine.IsGiven("second") || !commandLine.IsGiven(name),
-                      std::string("--") + name + " is of no use without --second");
+    shapeton::RequireParameter(commandLine.IsGiven("second") || !commandLine.IsGiven(name),
+                               std::string("--") + name + " is of no use without --second");
   }
-  itk::RequireParameter(!commandLine.IsGiven("second") ||
-                      commandLine.GetString("second") != commandLine.GetString("inputVolume") ||
-                      commandLine.GetString("secondSeriesUID") != commandLine.GetString("seriesUID"),
-                    "the second series is the first one; name its --secondSeriesUID, or another folder");
+  shapeton::RequireParameter(!commandLine.IsGiven("second") ||
+                               commandLine.GetString("second") != commandLine.GetString("inputVolume") ||
+                               commandLine.GetString("secondSeriesUID") != commandLine.GetString("seriesUID"),
+                             "the second series is the first one; name its --secondSeriesUID, or another folder");
 }
 
 /** What a tool would refuse after minutes is refused now. */
@@ -39,14 +39,15 @@ CheckUsage(const CommandLine & commandLine)
   const bool isLumen = commandLine.GetFlag("inputIsLumen");
   for (const auto & [lumen, position] : { std::pair("lumen", "position"), std::pair("secondLumen", "secondPosition") })
   {
-    itk::RequireParameter(!isLumen || !commandLine.IsGiven(lumen),
-                      std::string("--") + lumen +
-                        " belongs to a CT; with --inputIsLumen the input itself is the lumen");
-    itk::RequireParameter(!isLumen || !commandLine.IsGiven(position),
-                      std::string("--") + position + " says where fluid pools; a lumen (--inputIsLumen) needs none");
+    shapeton::RequireParameter(!isLumen || !commandLine.IsGiven(lumen),
+                               std::string("--") + lumen +
+                                 " belongs to a CT; with --inputIsLumen the input itself is the lumen");
+    shapeton::RequireParameter(!isLumen || !commandLine.IsGiven(position),
+                               std::string("--") + position +
+                                 " says where fluid pools; a lumen (--inputIsLumen) needs none");
   }
-  itk::RequireParameter(commandLine.GetString("metric") != "euclidean" || !commandLine.IsGiven("time"),
-                    "--time belongs to the heat diffusion metric; --metric euclidean has none");
+  shapeton::RequireParameter(commandLine.GetString("metric") != "euclidean" || !commandLine.IsGiven("time"),
+                             "--time belongs to the heat diffusion metric; --metric euclidean has none");
   CheckSecond(commandLine);
 }
 } // namespace
@@ -56,6 +57,6 @@ main(int argc, char * argv[])
 {
   return CommandLine::Run(ToolXML, argc, argv, [](CommandLine & commandLine) {
     CheckUsage(commandLine);
-    itk::RunColonoscopy(commandLine, itk::FolderOfThisProgram());
+    shapeton::RunColonoscopy(commandLine, shapeton::FolderOfThisProgram());
   });
 }

@@ -1,5 +1,5 @@
 #include "BenchmarkVolume.h"
-#include "itkParallelFor.h"
+#include "shapetonParallelFor.h"
 
 #include <cmath>
 #include <cstdint>
@@ -15,7 +15,7 @@ MakeBenchmarkVolume(const std::array<std::size_t, 3> & size)
     { { 0.31F, 0.35F, 0.39F, 0.16F, 120 }, { 0.66F, 0.59F, 0.55F, 0.21F, 200 }, { 0.23F, 0.74F, 0.70F, 0.10F, 250 } }
   };
   std::vector<float> volume(size[0] * size[1] * size[2]);
-  itk::ParallelFor(size[2], [&](std::size_t z) {
+  shapeton::ParallelFor(size[2], [&](std::size_t z) {
     for (std::size_t y = 0; y < size[1]; ++y)
     {
       for (std::size_t x = 0; x < size[0]; ++x)

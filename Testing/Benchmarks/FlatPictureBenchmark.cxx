@@ -1,9 +1,9 @@
 // Flat pictures of a made-up colon of 55,000 faces at 3000 x 200 and 12000 x 800 pixels: seconds of each step by the
 // clock and of the processor.
-#include "itkFlatColonPage.h"
-#include "itkFlatColonStrip.h"
-#include "itkFlatCoordinateMap.h"
-#include "itkFlatTestTubes.h"
+#include "shapetonFlatColonPage.h"
+#include "shapetonFlatColonStrip.h"
+#include "shapetonFlatCoordinateMap.h"
+#include "shapetonFlatTestTubes.h"
 
 #include <algorithm>
 #include <chrono>
@@ -32,7 +32,7 @@ RadiusAt(double u, double angle)
   return circumference / (2.0 * pi) - 6.0 * ridge * std::pow(std::sin(pi * third), 2);
 }
 
-itk::SurfaceMesh
+shapeton::SurfaceMesh
 MakeWall()
 {
   TubeForm form;
@@ -91,16 +91,16 @@ Time(const char * what, const std::function<void()> & run)
 }
 
 void
-TimePictures(const itk::SurfaceMesh & wall, const Ct * ct, double pixelSize)
+TimePictures(const shapeton::SurfaceMesh & wall, const Ct * ct, double pixelSize)
 {
-  itk::FlatColonGridOptions options;
+  shapeton::FlatColonGridOptions options;
   options.pixelSize = pixelSize;
-  const itk::FlatColonGrid grid(wall, options);
-  const itk::FlatColonAxis axis = MakeFlatColonAxis(grid);
-  const auto               distances = DistanceOfColumns(grid);
-  const auto               strip = PaintFlatVolume(grid, axis, ct);
+  const shapeton::FlatColonGrid grid(wall, options);
+  const shapeton::FlatColonAxis axis = MakeFlatColonAxis(grid);
+  const auto                    distances = DistanceOfColumns(grid);
+  const auto                    strip = PaintFlatVolume(grid, axis, ct);
   std::printf("%d x %d pixels, %d faces\n", grid.Columns(), grid.Rows(), static_cast<int>(wall.F.rows()));
-  Time("grid", [&] { itk::FlatColonGrid(wall, options); });
+  Time("grid", [&] { shapeton::FlatColonGrid(wall, options); });
   Time("axis of the tube", [&] { MakeFlatColonAxis(grid); });
   Time("coordinate map", [&] { MakeFlatCoordinateMap(grid); });
   Time("shaded relief", [&] { PaintFlatRelief(grid, axis); });
@@ -114,8 +114,8 @@ TimePictures(const itk::SurfaceMesh & wall, const Ct * ct, double pixelSize)
 int
 main()
 {
-  const itk::SurfaceMesh wall = MakeWall();
-  const auto             ct = MakeCt();
+  const shapeton::SurfaceMesh wall = MakeWall();
+  const auto                  ct = MakeCt();
   for (const double pixelSize : { 0.5, 0.125 })
   {
     TimePictures(wall, ct, pixelSize);

@@ -4,8 +4,8 @@
 #include "FlatteningTrial.h"
 #include "NewtonFlattening.h"
 
-#include "itkColonFlattening.h"
-#include "itkHarmonicSolver.h"
+#include "shapetonColonFlattening.h"
+#include "shapetonHarmonicSolver.h"
 
 #include <CGAL/Polygon_mesh_processing/measure.h>
 #include <CGAL/Simple_cartesian.h>
@@ -24,7 +24,7 @@
 
 namespace
 {
-using namespace itk;
+using namespace shapeton;
 namespace smp = CGAL::Surface_mesh_parameterization;
 using CgalMesh = CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3>;
 

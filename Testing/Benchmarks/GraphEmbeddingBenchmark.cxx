@@ -3,9 +3,9 @@
 // crossings. usage: GraphEmbeddingBenchmark [--large], which adds maps of a million nodes.
 #include "GraphPackingPeers.h"
 
-#include "itkGraphEmbedding.h"
-#include "itkGraphFamilies.h"
-#include "itkGraphGenus.h"
+#include "shapetonGraphEmbedding.h"
+#include "shapetonGraphFamilies.h"
+#include "shapetonGraphGenus.h"
 
 #include <sys/resource.h>
 
@@ -19,7 +19,7 @@
 
 namespace
 {
-using namespace itk;
+using namespace shapeton;
 
 double
 Seconds(const std::function<void()> & body)

@@ -1,9 +1,9 @@
 // Planarity of random triangulated grids beside Boost's test of Boyer and Myrvold, in one process; then the genus of
 // known graphs by the default search and by the genetic algorithm as published. Arguments: the side of the grid
 // (default 200).
-#include "itkGraphFamilies.h"
-#include "itkGraphGenus.h"
-#include "itkPhiloxStream.h"
+#include "shapetonGraphFamilies.h"
+#include "shapetonGraphGenus.h"
+#include "shapetonPhiloxStream.h"
 
 #include <boost/graph/adjacency_list.hpp>
 #include <boost/graph/boyer_myrvold_planar_test.hpp>
@@ -27,11 +27,11 @@ SecondsOf(const std::function<void()> & work)
 }
 
 /** A grid with a random diagonal in each square, its nodes and edges in random order. */
-itk::Graph
+shapeton::Graph
 TriangulatedGrid(int side)
 {
-  itk::PhiloxStream random(1, 0, 0);
-  itk::Graph        graph = itk::GridGraph(side, side);
+  shapeton::PhiloxStream random(1, 0, 0);
+  shapeton::Graph        graph = shapeton::GridGraph(side, side);
   for (int r = 0; r + 1 < side; ++r)
   {
     for (int c = 0; c + 1 < side; ++c)
@@ -47,7 +47,7 @@ TriangulatedGrid(int side)
   {
     std::swap(image[i - 1], image[random.Below(i)]);
   }
-  graph = itk::RelabelledGraph(graph, image);
+  graph = shapeton::RelabelledGraph(graph, image);
   for (int i = static_cast<int>(graph.edges.size()); i > 1; --i)
   {
     std::swap(graph.edges[i - 1], graph.edges[random.Below(i)]);
@@ -57,7 +57,7 @@ TriangulatedGrid(int side)
 
 /** With the embedding, as ours. */
 bool
-EmbedByBoost(const itk::Graph & graph)
+EmbedByBoost(const shapeton::Graph & graph)
 {
   using BoostGraph = boost::adjacency_list<boost::vecS,
                                            boost::vecS,
@@ -77,12 +77,12 @@ EmbedByBoost(const itk::Graph & graph)
 void
 ComparePlanarity(int side)
 {
-  const itk::Graph      graph = TriangulatedGrid(side);
-  itk::CombinatorialMap map;
-  bool                  planar = false;
-  const double          ours = SecondsOf([&] { planar = itk::FindPlanarEmbedding(graph, map); });
-  bool                  planarByBoost = false;
-  const double          boosts = SecondsOf([&] { planarByBoost = EmbedByBoost(graph); });
+  const shapeton::Graph      graph = TriangulatedGrid(side);
+  shapeton::CombinatorialMap map;
+  bool                       planar = false;
+  const double               ours = SecondsOf([&] { planar = shapeton::FindPlanarEmbedding(graph, map); });
+  bool                       planarByBoost = false;
+  const double               boosts = SecondsOf([&] { planarByBoost = EmbedByBoost(graph); });
   std::printf("planar embedding, %d nodes, %zu edges: %.3f s, genus %d; Boost %.3f s, ratio %.1f%s\n",
               graph.nodes,
               graph.edges.size(),
@@ -94,14 +94,14 @@ ComparePlanarity(int side)
 }
 
 void
-CompareSearches(const char * name, const itk::Graph & graph)
+CompareSearches(const char * name, const shapeton::Graph & graph)
 {
-  itk::GenusOptions     options;
-  itk::SurfaceEmbedding annealed;
-  itk::SurfaceEmbedding genetic;
-  const double          annealing = SecondsOf([&] { annealed = itk::FindEmbedding(graph, options); });
-  options.method = itk::GenusMethod::Genetic;
-  const double breeding = SecondsOf([&] { genetic = itk::FindEmbedding(graph, options); });
+  shapeton::GenusOptions     options;
+  shapeton::SurfaceEmbedding annealed;
+  shapeton::SurfaceEmbedding genetic;
+  const double               annealing = SecondsOf([&] { annealed = shapeton::FindEmbedding(graph, options); });
+  options.method = shapeton::GenusMethod::Genetic;
+  const double breeding = SecondsOf([&] { genetic = shapeton::FindEmbedding(graph, options); });
   std::printf("%-22s genus %3d in %.2f s (lower bound %d); genetic algorithm %3d in %.2f s\n",
               name,
               annealed.map.Genus(),
@@ -117,12 +117,12 @@ int
 main(int argc, char * argv[])
 {
   ComparePlanarity(argc > 1 ? std::max(2, std::atoi(argv[1])) : 200);
-  CompareSearches("K7", itk::CompleteGraph(7));
-  CompareSearches("K12", itk::CompleteGraph(12));
-  CompareSearches("K15", itk::CompleteGraph(15));
-  CompareSearches("K8,8", itk::CompleteBipartiteGraph(8, 8));
-  CompareSearches("Q5", itk::HypercubeGraph(5));
-  CompareSearches("Q6", itk::HypercubeGraph(6));
-  CompareSearches("torus grid 12 x 12", itk::TorusGridMap(12, 12).ToGraph());
+  CompareSearches("K7", shapeton::CompleteGraph(7));
+  CompareSearches("K12", shapeton::CompleteGraph(12));
+  CompareSearches("K15", shapeton::CompleteGraph(15));
+  CompareSearches("K8,8", shapeton::CompleteBipartiteGraph(8, 8));
+  CompareSearches("Q5", shapeton::HypercubeGraph(5));
+  CompareSearches("Q6", shapeton::HypercubeGraph(6));
+  CompareSearches("torus grid 12 x 12", shapeton::TorusGridMap(12, 12).ToGraph());
   return EXIT_SUCCESS;
 }

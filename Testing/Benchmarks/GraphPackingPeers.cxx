@@ -14,7 +14,7 @@ namespace peers
 {
 namespace
 {
-using itk::CombinatorialMap;
+using shapeton::CombinatorialMap;
 using Triangle = std::array<int, 3>;
 
 constexpr double pi = 3.14159265358979323846;
@@ -81,7 +81,7 @@ MapOf(int nodes, const std::vector<Triangle> & triangles)
 /** Circles as one list, nodes first, each with those it meets at a right angle. */
 struct Packing
 {
-  Packing(const CombinatorialMap & map, const itk::CirclesAtInfinity & infinite)
+  Packing(const CombinatorialMap & map, const shapeton::CirclesAtInfinity & infinite)
     : neighbours(map.Nodes() + map.Faces())
     , radius(neighbours.size(), 1.0)
     , lines(neighbours.size(), 0)
@@ -220,10 +220,10 @@ GridOnTorus(int side)
   return MapOf(side * side, triangles);
 }
 
-itk::CirclesAtInfinity
+shapeton::CirclesAtInfinity
 CirclesThroughFirstEdge(const CombinatorialMap & map)
 {
-  itk::CirclesAtInfinity infinite;
+  shapeton::CirclesAtInfinity infinite;
   infinite.lineNodes.assign(map.Nodes(), 0);
   infinite.lineFaces.assign(map.Faces(), 0);
   const int last = 2 * map.Edges() - 2; // beside the node that closes the grid
@@ -236,7 +236,7 @@ CirclesThroughFirstEdge(const CombinatorialMap & map)
 }
 
 PeerRun
-RunPeer(const CombinatorialMap & map, const itk::CirclesAtInfinity & infinite, Method method)
+RunPeer(const CombinatorialMap & map, const shapeton::CirclesAtInfinity & infinite, Method method)
 {
   Packing    packing(map, infinite);
   PeerRun    run;
@@ -276,7 +276,7 @@ Orientation(const Point & a, const Point & b, const Point & c)
 }
 
 long
-CrossingsOf(const itk::Graph & graph, const std::vector<Point> & places)
+CrossingsOf(const shapeton::Graph & graph, const std::vector<Point> & places)
 {
   long crossings = 0;
   for (std::size_t i = 0; i < graph.edges.size(); ++i)
@@ -298,7 +298,7 @@ CrossingsOf(const itk::Graph & graph, const std::vector<Point> & places)
 } // namespace
 
 SfdpRun
-RunSfdp(const itk::Graph & graph, bool countsCrossings)
+RunSfdp(const shapeton::Graph & graph, bool countsCrossings)
 {
   SfdpRun run;
   if (std::system("command -v sfdp > /dev/null") != 0)

@@ -1,8 +1,8 @@
 #ifndef GraphPackingPeers_h
 #define GraphPackingPeers_h
 
-#include "itkCirclePacking.h"
-#include "itkGraph.h"
+#include "shapetonCirclePacking.h"
+#include "shapetonGraph.h"
 
 #include <array>
 #include <vector>
@@ -11,13 +11,13 @@
 namespace peers
 {
 /** Triangulated grids, each diagonal one of the two: on the sphere with one node that closes the boundary. */
-itk::CombinatorialMap
+shapeton::CombinatorialMap
 GridOnSphere(int side);
-itk::CombinatorialMap
+shapeton::CombinatorialMap
 GridOnTorus(int side);
 
-itk::CirclesAtInfinity
-CirclesThroughFirstEdge(const itk::CombinatorialMap & map);
+shapeton::CirclesAtInfinity
+CirclesThroughFirstEdge(const shapeton::CombinatorialMap & map);
 
 enum class Method
 {
@@ -36,7 +36,7 @@ struct PeerRun
 
 /** Runs to a curvature of 1e-10 or for a minute, then time and steps are extrapolated. */
 PeerRun
-RunPeer(const itk::CombinatorialMap & map, const itk::CirclesAtInfinity & infinite, Method method);
+RunPeer(const shapeton::CombinatorialMap & map, const shapeton::CirclesAtInfinity & infinite, Method method);
 
 struct SfdpRun
 {
@@ -47,7 +47,7 @@ struct SfdpRun
 
 /** Graphviz's layout of a large graph by forces. Crossings are counted by all pairs of edges. */
 SfdpRun
-RunSfdp(const itk::Graph & graph, bool countsCrossings = true);
+RunSfdp(const shapeton::Graph & graph, bool countsCrossings = true);
 } // namespace peers
 
 #endif

@@ -3,11 +3,11 @@
 #include "BenchmarkVolume.h"
 #include "ScalarPeer.h"
 
-#include "itkAutomaticParameters.h"
-#include "itkDiffusionKernels.h"
-#include "itkHeatDiffusionSolver.h"
-#include "itkHeatHistogram.h"
-#include "itkTimeTiles.h"
+#include "shapetonAutomaticParameters.h"
+#include "shapetonDiffusionKernels.h"
+#include "shapetonHeatDiffusionSolver.h"
+#include "shapetonHeatHistogram.h"
+#include "shapetonTimeTiles.h"
 
 #include "itkGradientAnisotropicDiffusionImageFilter.h"
 
@@ -19,7 +19,7 @@
 
 namespace
 {
-using namespace itk;
+using namespace shapeton;
 
 constexpr std::size_t side = 256;
 constexpr double      voxels = static_cast<double>(side) * side * side;
@@ -164,13 +164,13 @@ void
 ItkGradientAnisotropicDiffusion(benchmark::State & state)
 {
   auto & s = Setting::Get();
-  using ImageType = Image<float, 3>;
+  using ImageType = itk::Image<float, 3>;
   auto image = ImageType::New();
   image->SetRegions(ImageType::SizeType::Filled(side));
   image->GetPixelContainer()->SetImportPointer(s.intensities.data(), s.intensities.size(), false);
   for (auto _ : state)
   {
-    auto filter = GradientAnisotropicDiffusionImageFilter<ImageType, ImageType>::New();
+    auto filter = itk::GradientAnisotropicDiffusionImageFilter<ImageType, ImageType>::New();
     filter->SetInput(image);
     filter->SetNumberOfIterations(5);
     filter->SetTimeStep(0.0625);

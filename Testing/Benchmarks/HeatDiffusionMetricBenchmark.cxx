@@ -1,7 +1,7 @@
 // Heat diffusion distances of all edges of colon-like tubes: exact, and from 50, 200 and 500 eigenpairs, in one run.
 // The numbers of faces are arguments. What the distances are worth: Utilities/run-validation flattening-metric.
-#include "itkColonTube.h"
-#include "itkHeatDiffusionMetric.h"
+#include "shapetonColonTube.h"
+#include "shapetonHeatDiffusionMetric.h"
 
 #include "itkMultiThreaderBase.h"
 
@@ -13,7 +13,7 @@
 
 namespace
 {
-using namespace itk;
+using namespace shapeton;
 
 constexpr int mostFacesForPairs = 60000;
 
@@ -88,7 +88,7 @@ Run(int faces)
               tube.mesh.NumberOfFaces(),
               t,
               t / std::pow(lengths.mean(), 2),
-              MultiThreaderBase::GetGlobalDefaultNumberOfThreads());
+              itk::MultiThreaderBase::GetGlobalDefaultNumberOfThreads());
   std::printf(
     "  order and symbolic analysis %.3f s, %d poles %.3f s; factor %.1f million, %.2f billion products for each "
     "pole; peak %.0f MB\n",

@@ -1,7 +1,7 @@
 #include "ScalarPeer.h"
 
 void
-ScalarStep(const itk::VolumeGradientOperator & volumeGradient, const float * f, float * out, float dt)
+ScalarStep(const shapeton::VolumeGradientOperator & volumeGradient, const float * f, float * out, float dt)
 {
   const auto &        grid = volumeGradient.GetGrid();
   const std::size_t   sy = grid.GetStride(1);

@@ -1,10 +1,10 @@
 #ifndef ScalarPeer_h
 #define ScalarPeer_h
 
-#include "itkVolumeGradientOperator.h"
+#include "shapetonVolumeGradientOperator.h"
 
 /** One explicit step as anyone would write it: one loop over the voxels, no vectors, one thread. */
 void
-ScalarStep(const itk::VolumeGradientOperator & volumeGradient, const float * f, float * out, float dt);
+ScalarStep(const shapeton::VolumeGradientOperator & volumeGradient, const float * f, float * out, float dt);
 
 #endif

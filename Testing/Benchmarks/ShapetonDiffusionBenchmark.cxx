@@ -3,10 +3,10 @@
 #include "BenchmarkVolume.h"
 #include "ShapetonPeer.h"
 
-#include "itkParallelFor.h"
-#include "itkShapetonDiffusion.h"
-#include "itkShapetonKernels.h"
-#include "itkShapetonRecords.h"
+#include "shapetonParallelFor.h"
+#include "shapetonShapetonDiffusion.h"
+#include "shapetonShapetonKernels.h"
+#include "shapetonShapetonRecords.h"
 
 #include <benchmark/benchmark.h>
 
@@ -17,7 +17,7 @@
 
 namespace
 {
-using namespace itk;
+using namespace shapeton;
 
 constexpr std::size_t   usualSide = 256;
 constexpr std::uint32_t shapetons = 65536;
@@ -114,13 +114,13 @@ Peer(benchmark::State & state)
 void
 Take(benchmark::State & state, Product & product, const std::optional<SteadyRule> & rule = {})
 {
-  const unsigned int all = MultiThreaderBase::GetGlobalDefaultNumberOfThreads();
-  MultiThreaderBase::SetGlobalDefaultNumberOfThreads(static_cast<unsigned int>(state.range(0)));
+  const unsigned int all = itk::MultiThreaderBase::GetGlobalDefaultNumberOfThreads();
+  itk::MultiThreaderBase::SetGlobalDefaultNumberOfThreads(static_cast<unsigned int>(state.range(0)));
   for (auto _ : state)
   {
     product.TakeSteps(stepsOfIteration, rule);
   }
-  MultiThreaderBase::SetGlobalDefaultNumberOfThreads(all);
+  itk::MultiThreaderBase::SetGlobalDefaultNumberOfThreads(all);
 }
 
 void

@@ -1,6 +1,6 @@
 #include "ShapetonPeer.h"
 
-#include "itkPhilox.h"
+#include "shapetonPhilox.h"
 
 #include <algorithm>
 #include <cmath>
@@ -171,11 +171,11 @@ ShapetonPeer::MoveOne(std::size_t shapeton, std::uint64_t step)
   float &    z = m_Places[2][shapeton];
   const auto weights =
     this->WeightsAt({ static_cast<std::size_t>(x), static_cast<std::size_t>(y), static_cast<std::size_t>(z) });
-  const auto      words = itk::Philox4x32(m_Parameters.seed,
-                                     { static_cast<std::uint32_t>(shapeton),
-                                            static_cast<std::uint32_t>(step),
-                                            static_cast<std::uint32_t>(step >> 32),
-                                            0 });
+  const auto      words = shapeton::Philox4x32(m_Parameters.seed,
+                                          { static_cast<std::uint32_t>(shapeton),
+                                                 static_cast<std::uint32_t>(step),
+                                                 static_cast<std::uint32_t>(step >> 32),
+                                                 0 });
   const Direction direction = this->DrawDirection(weights, ToUnit(words.a), ToUnit(words.b));
   x = Reflect(x + m_Parameters.stepInVoxels * direction.x, static_cast<float>(m_Size[0]));
   y = Reflect(y + m_Parameters.stepInVoxels * direction.y, static_cast<float>(m_Size[1]));

@@ -1,8 +1,8 @@
 // Simplification of a bumpy sphere beside its peers, all in one process: VTK's quadric decimation and CGAL's edge
 // collapse (Lindstrom-Turk, link condition). Prints times, what became of the surface, and the ratios of medians.
-#include "itkSurfaceQuality.h"
-#include "itkSurfaceSimplification.h"
-#include "itkTestSurfaces.h"
+#include "shapetonSurfaceQuality.h"
+#include "shapetonSurfaceSimplification.h"
+#include "shapetonTestSurfaces.h"
 
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
@@ -23,7 +23,7 @@
 
 namespace
 {
-using itk::SurfaceMesh;
+using shapeton::SurfaceMesh;
 
 constexpr int    Repetitions = 3;
 constexpr double KeptShare = 0.1;
@@ -44,9 +44,9 @@ MakeSurface()
 SurfaceMesh
 SimplifyByUs(const SurfaceMesh & mesh)
 {
-  itk::SurfaceSimplificationOptions options;
+  shapeton::SurfaceSimplificationOptions options;
   options.targetFaces = static_cast<int>(KeptShare * mesh.NumberOfFaces());
-  return itk::SimplifySurface(mesh, options);
+  return shapeton::SimplifySurface(mesh, options);
 }
 
 SurfaceMesh
@@ -137,7 +137,7 @@ Measure(const char * name, const SurfaceMesh & mesh, const std::function<Surface
     seconds.push_back(std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
   }
   std::sort(seconds.begin(), seconds.end());
-  const itk::SurfaceQuality quality = itk::InspectSurface(result);
+  const shapeton::SurfaceQuality quality = shapeton::InspectSurface(result);
   std::printf(
     "%-22s %8.2f s  %7d faces  manifold %-3s  Euler characteristic %d  smallest angle, 1st percentile %.1f degrees\n",
     name,

@@ -1,9 +1,9 @@
 // Table 2.1 of the dissertation with our column. Rows whose data are not at hand are run on a phantom of that size.
 #include "BenchmarkVolume.h"
 
-#include "itkCumulativeHeatDiffusion.h"
+#include "shapetonCumulativeHeatDiffusion.h"
 #include "itkMultiThreaderBase.h"
-#include "itkVolumeReader.h"
+#include "shapetonVolumeReader.h"
 
 #include <chrono>
 #include <cstdio>
@@ -44,8 +44,8 @@ Load(const Row & row, bool & real)
   {
     return MakeBenchmarkVolume(row.size);
   }
-  const itk::Volume volume = itk::ReadVolume(path);
-  const auto        size = volume.image->GetBufferedRegion().GetSize();
+  const shapeton::Volume volume = shapeton::ReadVolume(path);
+  const auto             size = volume.image->GetBufferedRegion().GetSize();
   if (!std::equal(size.begin(), size.end(), row.size.begin()))
   {
     std::fprintf(stderr, "%s does not have the published size\n", path.c_str());
@@ -58,14 +58,14 @@ Load(const Row & row, bool & real)
 double
 Seconds(const Row & row, std::vector<float> & volume)
 {
-  itk::CumulativeHeatDiffusionSettings settings;
-  const auto                           ends = std::minmax_element(volume.begin(), volume.end());
+  shapeton::CumulativeHeatDiffusionSettings settings;
+  const auto                                ends = std::minmax_element(volume.begin(), volume.end());
   settings.volumeGradient.lower = *ends.first;
   settings.volumeGradient.upper = *ends.second;
   settings.volumeGradient.p = row.p;
   settings.timeSteps = row.steps;
   const auto start = std::chrono::steady_clock::now();
-  itk::DiffuseCumulativeHeat(volume.data(), row.size, settings, volume.data());
+  shapeton::DiffuseCumulativeHeat(volume.data(), row.size, settings, volume.data());
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 } // namespace

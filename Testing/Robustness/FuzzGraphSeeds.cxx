@@ -1,7 +1,7 @@
 #include "FuzzGraphSeeds.h"
 
-#include "itkCertificateFixtures.h"
-#include "itkFileBytes.h"
+#include "shapetonCertificateFixtures.h"
+#include "shapetonFileBytes.h"
 
 #include <cstdio>
 #include <filesystem>
@@ -10,12 +10,12 @@
 namespace
 {
 std::string
-TextOf(const itk::EmbeddingCertificate & certificate)
+TextOf(const shapeton::EmbeddingCertificate & certificate)
 {
   const std::string path =
     (std::filesystem::temp_directory_path() / ("fuzz-seed-" + std::to_string(getpid()) + ".json")).string();
-  itk::WriteEmbeddingCertificate(certificate, path);
-  const std::string text = itk::ReadFileBytes(path);
+  shapeton::WriteEmbeddingCertificate(certificate, path);
+  const std::string text = shapeton::ReadFileBytes(path);
   std::remove(path.c_str());
   return text;
 }

@@ -14,16 +14,16 @@
 #include "FuzzSeeds.h"
 #include "FuzzTrial.h"
 
-#include "itkCurveSet.h"
-#include "itkDicomFixture.h"
-#include "itkDicomSeriesScan.h"
-#include "itkEmbeddingVerification.h"
-#include "itkGraphReader.h"
-#include "itkSurfaceQuality.h"
-#include "itkSurfaceReader.h"
-#include "itkSurfaceRepair.h"
-#include "itkExceptions.h"
-#include "itkVolumeReader.h"
+#include "shapetonCurveSet.h"
+#include "shapetonDicomFixture.h"
+#include "shapetonDicomSeriesScan.h"
+#include "shapetonEmbeddingVerification.h"
+#include "shapetonGraphReader.h"
+#include "shapetonSurfaceQuality.h"
+#include "shapetonSurfaceReader.h"
+#include "shapetonSurfaceRepair.h"
+#include "shapetonExceptions.h"
+#include "shapetonVolumeReader.h"
 
 #include <chrono>
 #include <csignal>
@@ -120,17 +120,17 @@ ReadAllOfSurface(const std::string & path)
       read();
       isRead = true;
     }
-    catch (const itk::InputError &)
+    catch (const shapeton::InputError &)
     {}
   };
   attempt([&] {
-    const itk::SurfaceMesh mesh = itk::ReadSurface(path, { {}, -1, "mm" }).mesh;
-    itk::InspectSurface(mesh);
-    itk::InspectSurface(itk::RepairSurface(mesh));
+    const shapeton::SurfaceMesh mesh = shapeton::ReadSurface(path, { {}, -1, "mm" }).mesh;
+    shapeton::InspectSurface(mesh);
+    shapeton::InspectSurface(shapeton::RepairSurface(mesh));
   });
   if (fs::path(path).extension() == ".vtp")
   {
-    attempt([&] { itk::ReadCurves(path); });
+    attempt([&] { shapeton::ReadCurves(path); });
   }
   return isRead;
 }
@@ -139,16 +139,16 @@ ReadAllOfSurface(const std::string & path)
 bool
 ReadAllOfVolume(const std::string & path, const std::string & soundFolder)
 {
-  itk::VolumeReadOptions options;
+  shapeton::VolumeReadOptions options;
   options.resampleGaps = options.deshear = options.dropDuplicates = options.allowSingleSlice = true;
   bool       isRead = false;
   const auto attempt = [&](const std::string & input) {
     try
     {
-      itk::ReadVolume(input, options);
+      shapeton::ReadVolume(input, options);
       isRead = true;
     }
-    catch (const itk::InputError &)
+    catch (const shapeton::InputError &)
     {}
   };
   attempt(path);
@@ -180,15 +180,15 @@ ReadAllOfGraph(const std::string & path)
   {
     if (IsGraph(path))
     {
-      itk::ReadGraph(path);
+      shapeton::ReadGraph(path);
     }
     else
     {
-      itk::VerifyEmbedding(itk::ReadEmbeddingCertificate(path));
+      shapeton::VerifyEmbedding(shapeton::ReadEmbeddingCertificate(path));
     }
     return true;
   }
-  catch (const itk::InputError &)
+  catch (const shapeton::InputError &)
   {
     return false;
   }
@@ -311,11 +311,11 @@ SeedsOf(const Options & options)
 int
 Fuzz(const Options & options)
 {
-  const std::string       sound = itk::MakeFolder(options.folder + "/sound");
-  const itk::DicomFixture fixture;
-  auto                    slices = fixture.MakeSeries();
+  const std::string            sound = shapeton::MakeFolder(options.folder + "/sound");
+  const shapeton::DicomFixture fixture;
+  auto                         slices = fixture.MakeSeries();
   slices.erase(slices.begin() + 2); // the place of the mutants
-  itk::SaveDicom(slices, sound);
+  shapeton::SaveDicom(slices, sound);
   const auto seeds = SeedsOf(options);
   Campaign   campaign(std::chrono::seconds(120)); // the readers give up earlier
   for (std::size_t i = 0; i < options.files; ++i)
@@ -326,7 +326,7 @@ Fuzz(const Options & options)
     const std::string bytes = Mutate(seed.bytes, other.bytes, random);
     const std::string path =
       options.folder + "/mutant-" + std::to_string(options.seed) + "-" + std::to_string(i) + seed.extension;
-    itk::WriteText(path, seed.isGzipped ? Gzip(bytes) : bytes);
+    shapeton::WriteText(path, seed.isGzipped ? Gzip(bytes) : bytes);
     campaign.Start(path, [&sound](const std::string & file) { return ReadAll(file, sound); });
   }
   campaign.Finish();
@@ -388,7 +388,7 @@ SelfTest(const Options & options)
   for (const auto & reader : faulty)
   {
     const std::string path = options.folder + "/" + reader.first;
-    itk::WriteText(path, "x");
+    shapeton::WriteText(path, "x");
     Campaign campaign(std::chrono::seconds(3));
     campaign.Start(path, reader.second);
     campaign.Finish();
@@ -399,7 +399,7 @@ SelfTest(const Options & options)
     }
   }
   Campaign sound(std::chrono::seconds(60));
-  itk::WriteText(options.folder + "/sound", "x");
+  shapeton::WriteText(options.folder + "/sound", "x");
   sound.Start(options.folder + "/sound", [](const std::string &) { return true; });
   sound.Finish();
   std::cout << faulty.size() - static_cast<std::size_t>(missed) << " of " << faulty.size() << " faults noticed\n";
@@ -422,7 +422,7 @@ main(int argc, char * argv[])
     fs::create_directories(parent);
     // A folder of its own: what lies beside it is not ours to remove.
     options.folder = (fs::canonical(parent) / ("FuzzInputs-" + std::to_string(getpid()))).string();
-    itk::MakeFolder(options.folder);
+    shapeton::MakeFolder(options.folder);
     const int status = options.isSelfTest ? SelfTest(options) : Fuzz(options);
     if (status == 0)
     {

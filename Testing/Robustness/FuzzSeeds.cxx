@@ -1,10 +1,10 @@
 #include "FuzzSeeds.h"
 
-#include "itkDicomFixture.h"
-#include "itkGltfTestFiles.h"
-#include "itkSurfaceWriter.h"
-#include "itkTestSurfaces.h"
-#include "itkVolumeWriter.h"
+#include "shapetonDicomFixture.h"
+#include "shapetonGltfTestFiles.h"
+#include "shapetonSurfaceWriter.h"
+#include "shapetonTestSurfaces.h"
+#include "shapetonVolumeWriter.h"
 
 #include "itk_zlib.h"
 
@@ -37,31 +37,31 @@ MakeImage()
 void
 AddDicomSeeds(const std::string & folder, std::vector<FuzzSeed> & seeds)
 {
-  const std::string       path = folder + "/seed.dcm";
-  const itk::DicomFixture fixture;
-  const auto              add = [&] { seeds.push_back({ ".dcm", BytesOf(path) }); };
-  const auto              slice = [&] { return fixture.MakeSlice(fixture.SlicePosition(4.0), 3); };
-  const auto              frames = [&] { return fixture.MakeEnhanced({ 6, 0, 4, 2 }); };
-  const E_TransferSyntax  native[] = { EXS_LittleEndianExplicit,
-                                       EXS_LittleEndianImplicit,
-                                       EXS_BigEndianExplicit,
-                                       EXS_DeflatedLittleEndianExplicit,
-                                       EXS_RLELossless };
+  const std::string            path = folder + "/seed.dcm";
+  const shapeton::DicomFixture fixture;
+  const auto                   add = [&] { seeds.push_back({ ".dcm", BytesOf(path) }); };
+  const auto                   slice = [&] { return fixture.MakeSlice(fixture.SlicePosition(4.0), 3); };
+  const auto                   frames = [&] { return fixture.MakeEnhanced({ 6, 0, 4, 2 }); };
+  const E_TransferSyntax       native[] = { EXS_LittleEndianExplicit,
+                                            EXS_LittleEndianImplicit,
+                                            EXS_BigEndianExplicit,
+                                            EXS_DeflatedLittleEndianExplicit,
+                                            EXS_RLELossless };
   for (const auto syntax : native)
   {
-    itk::SaveDicom(*slice(), path, syntax);
+    shapeton::SaveDicom(*slice(), path, syntax);
     add();
-    itk::SaveDicom(*frames(), path, syntax);
+    shapeton::SaveDicom(*frames(), path, syntax);
     add();
   }
   // JPEG lossless, JPEG-LS, JPEG 2000
   for (const char * syntax : { "1.2.840.10008.1.2.4.70", "1.2.840.10008.1.2.4.80", "1.2.840.10008.1.2.4.90" })
   {
-    itk::SaveDicom(*slice(), path);
-    itk::CompressDicom(path, syntax);
+    shapeton::SaveDicom(*slice(), path);
+    shapeton::CompressDicom(path, syntax);
     add();
-    itk::SaveDicom(*frames(), path);
-    itk::CompressDicom(path, syntax);
+    shapeton::SaveDicom(*frames(), path);
+    shapeton::CompressDicom(path, syntax);
     add();
   }
   slice()->getDataset()->saveFile(path.c_str(), EXS_LittleEndianImplicit); // without a meta header
@@ -71,12 +71,12 @@ AddDicomSeeds(const std::string & folder, std::vector<FuzzSeed> & seeds)
 void
 AddImageSeeds(const std::string & folder, std::vector<FuzzSeed> & seeds)
 {
-  const auto                image = MakeImage();
-  const itk::VolumeMetadata metadata = { { "key", "value" } };
+  const auto                     image = MakeImage();
+  const shapeton::VolumeMetadata metadata = { { "key", "value" } };
   for (const std::string extension : { ".nrrd", ".nii", ".mha" })
   {
     const std::string path = folder + "/seed" + extension;
-    itk::WriteVolume<short>(image.GetPointer(), path, metadata);
+    shapeton::WriteVolume<short>(image.GetPointer(), path, metadata);
     seeds.push_back({ extension, BytesOf(path) });
   }
   const auto floats = itk::Image<float, 3>::New();
@@ -85,7 +85,7 @@ AddImageSeeds(const std::string & folder, std::vector<FuzzSeed> & seeds)
   for (const std::string extension : { ".nrrd", ".mha" }) // raw
   {
     const std::string path = folder + "/seed" + extension;
-    itk::WriteVolume<float>(floats.GetPointer(), path, metadata);
+    shapeton::WriteVolume<float>(floats.GetPointer(), path, metadata);
     seeds.push_back({ extension, BytesOf(path) });
   }
   seeds.push_back({ ".nii.gz", BytesOf(folder + "/seed.nii"), true });
@@ -97,14 +97,14 @@ AddImageSeeds(const std::string & folder, std::vector<FuzzSeed> & seeds)
 void
 AddSurfaceSeeds(const std::string & folder, std::vector<FuzzSeed> & seeds)
 {
-  itk::SurfaceMesh mesh = testsurfaces::Octahedron();
+  shapeton::SurfaceMesh mesh = testsurfaces::Octahedron();
   mesh.pointArrays.push_back({ "heat", Eigen::VectorXd(mesh.V.col(1)), false });
   mesh.cellArrays.push_back({ "label", Eigen::VectorXd::Constant(8, 3.0), true });
   mesh.facts = { { "tool", "test" } };
   for (const std::string extension : { ".vtp", ".stl", ".ply", ".obj" })
   {
     const std::string path = folder + "/seed" + extension;
-    itk::WriteSurface(mesh, path);
+    shapeton::WriteSurface(mesh, path);
     seeds.push_back({ extension, BytesOf(path) });
   }
   const std::string document = testsurfaces::GltfDocument("");

@@ -1,6 +1,6 @@
 #include "FuzzTrial.h"
 
-#include "itkExceptions.h"
+#include "shapetonExceptions.h"
 
 #include <cerrno>
 #include <csignal>

@@ -3,13 +3,13 @@
 #include "NewtonFlattening.h"
 #include "ValidationReport.h"
 
-#include "itkDiffusionTime.h"
+#include "shapetonDiffusionTime.h"
 
 #include <algorithm>
 #include <cmath>
 #include <set>
 
-using namespace itk;
+using namespace shapeton;
 
 namespace
 {

@@ -1,10 +1,10 @@
 #include "ValidationReport.h"
 
-#include "itkAutomaticParameters.h"
-#include "itkHeatDiffusionSolver.h"
-#include "itkShapeDiffusionTestVolumes.h"
+#include "shapetonAutomaticParameters.h"
+#include "shapetonHeatDiffusionSolver.h"
+#include "shapetonShapeDiffusionTestVolumes.h"
 
-using namespace itk;
+using namespace shapeton;
 
 namespace
 {

@@ -2,14 +2,14 @@
 // by Chebyshev expansion, which needs no factorisation.
 #include "ValidationReport.h"
 
-#include "itkColonTube.h"
-#include "itkDiffusionTime.h"
-#include "itkHeatDiffusionMetric.h"
+#include "shapetonColonTube.h"
+#include "shapetonDiffusionTime.h"
+#include "shapetonHeatDiffusionMetric.h"
 
 #include <array>
 #include <cmath>
 
-using namespace itk;
+using namespace shapeton;
 
 namespace
 {

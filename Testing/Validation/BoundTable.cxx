@@ -49,7 +49,7 @@ ShareOf(int part, int whole)
 std::string
 Rounded(double value, int digits)
 {
-  return itk::CsvTable::Rounded(value, digits);
+  return shapeton::CsvTable::Rounded(value, digits);
 }
 
 std::string

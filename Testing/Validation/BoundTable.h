@@ -25,7 +25,7 @@ public:
 private:
   ValidationReport & m_Report;
   bool               m_HasBounds;
-  itk::CsvTable      m_Table;
+  shapeton::CsvTable m_Table;
 };
 
 /** 0 for none. */

@@ -1,13 +1,13 @@
 #include "ValidationReport.h"
 
-#include "itkCumulativeHeatDiffusionImageFilter.h"
-#include "itkHeatClassification.h"
-#include "itkShapePhantomImageSource.h"
+#include "shapetonCumulativeHeatDiffusionImageFilter.h"
+#include "shapetonHeatClassification.h"
+#include "shapetonShapePhantomImageSource.h"
 
 #include <map>
 #include <numeric>
 
-using namespace itk;
+using namespace shapeton;
 
 namespace
 {
@@ -21,7 +21,7 @@ struct Agreement
 };
 
 Agreement
-Compare(const Image<unsigned char, 3> * truth, const Image<unsigned char, 3> * labels)
+Compare(const itk::Image<unsigned char, 3> * truth, const itk::Image<unsigned char, 3> * labels)
 {
   std::map<int, std::map<int, double>> counts;
   const std::size_t                    voxels = truth->GetLargestPossibleRegion().GetNumberOfPixels();
@@ -56,13 +56,13 @@ RunPhantom(const std::string & preset, unsigned int side, double noise, double b
 {
   auto source = ShapePhantomImageSource::New();
   source->SetScene(ShapeScene::Load(preset));
-  source->SetSize(Image<short, 3>::SizeType::Filled(side));
+  source->SetSize(itk::Image<short, 3>::SizeType::Filled(side));
   source->SetNoiseStandardDeviation(noise);
   source->SetBlur(blur);
   source->SetSeed(seed);
   source->CenterOutput();
   source->Update();
-  auto filter = CumulativeHeatDiffusionImageFilter<Image<short, 3>>::New();
+  auto filter = CumulativeHeatDiffusionImageFilter<itk::Image<short, 3>>::New();
   filter->SetInput(source->GetOutput());
   filter->AutomaticPOn();
   filter->SetTimeSteps(100000);

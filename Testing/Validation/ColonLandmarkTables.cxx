@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-using namespace itk;
+using namespace shapeton;
 
 namespace
 {

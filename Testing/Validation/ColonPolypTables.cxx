@@ -1,12 +1,12 @@
 #include "BoundTable.h"
 #include "PolypTrial.h"
 
-#include "itkPolypShapeDiffusion.h"
+#include "shapetonPolypShapeDiffusion.h"
 
 #include <algorithm>
 #include <cmath>
 
-using namespace itk;
+using namespace shapeton;
 
 namespace
 {

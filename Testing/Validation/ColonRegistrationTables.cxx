@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <limits>
 
-using namespace itk;
+using namespace shapeton;
 
 namespace
 {

@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-using namespace itk;
+using namespace shapeton;
 
 namespace
 {

@@ -2,20 +2,20 @@
 
 #include "itkCastImageFilter.h"
 #include "itkLinearInterpolateImageFunction.h"
-#include "itkSurfaceLocator.h"
-#include "itkSurfaceQuality.h"
-#include "itkExceptions.h"
+#include "shapetonSurfaceLocator.h"
+#include "shapetonSurfaceQuality.h"
+#include "shapetonExceptions.h"
 
 #include <algorithm>
 #include <chrono>
 #include <cmath>
 
-using namespace itk;
+using namespace shapeton;
 
 namespace
 {
 using Source = ColonPhantomImageSource;
-using Interpolator = LinearInterpolateImageFunction<Image<float, 3>>;
+using Interpolator = itk::LinearInterpolateImageFunction<itk::Image<float, 3>>;
 
 Source::Pointer
 MakePhantom(const ColonCase & one)
@@ -31,10 +31,10 @@ MakePhantom(const ColonCase & one)
   return source;
 }
 
-Image<float, 3>::Pointer
+itk::Image<float, 3>::Pointer
 ToFloat(const Source::ImageType * image)
 {
-  const auto cast = CastImageFilter<Source::ImageType, Image<float, 3>>::New();
+  const auto cast = itk::CastImageFilter<Source::ImageType, itk::Image<float, 3>>::New();
   cast->SetInput(image);
   cast->Update();
   return cast->GetOutput();
@@ -53,10 +53,10 @@ Percentile(std::vector<double> values, double share)
 }
 
 Eigen::Vector3d
-VoxelCentre(const ImageBase<3> * image, std::size_t offset)
+VoxelCentre(const itk::ImageBase<3> * image, std::size_t offset)
 {
   const auto point =
-    image->TransformIndexToPhysicalPoint<double>(image->ComputeIndex(static_cast<OffsetValueType>(offset)));
+    image->TransformIndexToPhysicalPoint<double>(image->ComputeIndex(static_cast<itk::OffsetValueType>(offset)));
   return { point[0], point[1], point[2] };
 }
 
@@ -199,8 +199,8 @@ private:
   double
   TissueAt(const Eigen::Vector3d & p) const
   {
-    const Point<double, 3> point(p.data());
-    const double           value = m_Interpolator->IsInsideBuffer(point) ? m_Interpolator->Evaluate(point) : 0.0;
+    const itk::Point<double, 3> point(p.data());
+    const double                value = m_Interpolator->IsInsideBuffer(point) ? m_Interpolator->Evaluate(point) : 0.0;
     return std::clamp((value - m_Thresholds.gas) / (m_Thresholds.tissue - m_Thresholds.gas), 0.0, 1.0);
   }
 

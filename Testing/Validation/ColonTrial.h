@@ -1,17 +1,17 @@
 #ifndef ColonTrial_h
 #define ColonTrial_h
 
-#include "itkColonModel.h"
-#include "itkColonPhantomImageSource.h"
+#include "shapetonColonModel.h"
+#include "shapetonColonPhantomImageSource.h"
 
 #include <array>
 
 /** A synthetic patient in one position, as one scanner sees it. */
 struct ColonCase
 {
-  itk::ColonPhantomParameters parameters;
-  std::array<unsigned int, 3> size{ { 256, 256, 240 } };
-  double                      spacing{ 1.4 };
+  shapeton::ColonPhantomParameters parameters;
+  std::array<unsigned int, 3>      size{ { 256, 256, 240 } };
+  double                           spacing{ 1.4 };
 };
 
 /** How far the model of a colon is from the truth. Shares are of what there is; 1 where there is nothing. */

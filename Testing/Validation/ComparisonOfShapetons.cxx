@@ -4,7 +4,7 @@
 #include <cmath>
 #include <cstdio>
 
-using namespace itk;
+using namespace shapeton;
 
 std::string
 Percent(double share)
@@ -201,7 +201,8 @@ ValidateComparisonOfShapetons(const ValidationSettings & settings, ValidationRep
     "The variance between objects is its share of the variance over all voxels of objects; classes are those of "
     "ClassifyHeat() and ClassifyVisits(); the adjusted Rand index compares them with the objects, over the objects' "
     "voxels. Seeds are 1 throughout; visits are exact for a seed, times are not.");
-  RunShapetons(MakeTrialPhantom("figure2.4", Size<3>::Filled(8)), 7.0, publishedWalk, { 100, 0.1, 1 }); // fills tables
+  RunShapetons(
+    MakeTrialPhantom("figure2.4", itk::Size<3>::Filled(8)), 7.0, publishedWalk, { 100, 0.1, 1 }); // fills tables
   for (std::size_t i = 0; i < (settings.quick ? 1 : phantoms.size()); ++i)
   {
     ComparePhantom(comparison, phantoms[i]);

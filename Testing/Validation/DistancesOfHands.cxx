@@ -3,10 +3,10 @@
 #include "ShapetonPictures.h"
 #include "ValidationReport.h"
 
-#include "itkDiffusionTime.h"
-#include "itkHeatKernel.h"
+#include "shapetonDiffusionTime.h"
+#include "shapetonHeatKernel.h"
 
-using namespace itk;
+using namespace shapeton;
 
 namespace
 {

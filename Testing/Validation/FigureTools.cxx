@@ -6,7 +6,7 @@
 #include <limits>
 #include <queue>
 
-using namespace itk;
+using namespace shapeton;
 using Eigen::Vector3d;
 
 namespace

@@ -1,13 +1,13 @@
 #include "ValidationReport.h"
 #include "ValidationVolumes.h"
 
-#include "itkConventionalHeatDiffusionImageFilter.h"
-#include "itkHeatDiffusionSolver.h"
-#include "itkShapeComponents.h"
-#include "itkShapeDiffusionTestVolumes.h"
-#include "itkShapePhantomImageSource.h"
+#include "shapetonConventionalHeatDiffusionImageFilter.h"
+#include "shapetonHeatDiffusionSolver.h"
+#include "shapetonShapeComponents.h"
+#include "shapetonShapeDiffusionTestVolumes.h"
+#include "shapetonShapePhantomImageSource.h"
 
-using namespace itk;
+using namespace shapeton;
 
 namespace
 {
@@ -118,7 +118,7 @@ Figure27(const std::string & preset, const ValidationSettings & settings, Valida
   std::vector<ShapeComponent> objects;
   auto                        source = ShapePhantomImageSource::New();
   source->SetScene(ShapeScene::Load(preset));
-  source->SetSize(Image<short, 3>::SizeType::Filled(settings.quick ? 48 : 96));
+  source->SetSize(itk::Image<short, 3>::SizeType::Filled(settings.quick ? 48 : 96));
   source->CenterOutput();
   source->Update();
   const auto *      image = source->GetOutput();

@@ -7,7 +7,7 @@
 // terms over their standard deviations.
 #include "PolypTrial.h"
 
-#include "itkWallBulges.h"
+#include "shapetonWallBulges.h"
 
 #include <Eigen/Dense>
 
@@ -17,7 +17,7 @@
 #include <string>
 #include <vector>
 
-using namespace itk;
+using namespace shapeton;
 
 namespace
 {

@@ -2,16 +2,16 @@
 #include "ShapetonPictures.h"
 #include "ValidationReport.h"
 
-#include "itkColonTube.h"
-#include "itkConformalMapPicture.h"
-#include "itkConformalTube.h"
-#include "itkFlatDistortion.h"
-#include "itkHeatDiffusionMetric.h"
+#include "shapetonColonTube.h"
+#include "shapetonConformalMapPicture.h"
+#include "shapetonConformalTube.h"
+#include "shapetonFlatDistortion.h"
+#include "shapetonHeatDiffusionMetric.h"
 
 #include <algorithm>
 #include <cmath>
 
-using namespace itk;
+using namespace shapeton;
 
 namespace
 {

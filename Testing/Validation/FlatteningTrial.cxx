@@ -1,14 +1,14 @@
 #include "FlatteningTrial.h"
 
-#include "itkHeatDiffusionMetric.h"
-#include "itkSurfaceSimplification.h"
+#include "shapetonHeatDiffusionMetric.h"
+#include "shapetonSurfaceSimplification.h"
 
 #include <Eigen/Eigenvalues>
 
 #include <algorithm>
 #include <cmath>
 
-using namespace itk;
+using namespace shapeton;
 
 TubeCase::TubeCase(const testsurfaces::ColonTube & generated)
   : tube(generated)

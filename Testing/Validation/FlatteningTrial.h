@@ -1,28 +1,28 @@
 #ifndef FlatteningTrial_h
 #define FlatteningTrial_h
 
-#include "itkColonTube.h"
-#include "itkConformalTube.h"
-#include "itkFlatDistortion.h"
-#include "itkSurfaceHandles.h"
+#include "shapetonColonTube.h"
+#include "shapetonConformalTube.h"
+#include "shapetonFlatDistortion.h"
+#include "shapetonSurfaceHandles.h"
 
 /** A colon-like tube of the test generator with all that maps of it need. */
 struct TubeCase
 {
   explicit TubeCase(const testsurfaces::ColonTube & generated);
 
-  itk::TubeMap
+  shapeton::TubeMap
   Flatten(const Eigen::VectorXd & metric) const;
   /** Heat diffusion distances of the edges, t in mm^2. */
   Eigen::VectorXd
   Diffused(double t) const;
-  itk::FlatDistortion
-  Distortion(const itk::TubeMap & map, const Eigen::VectorXd & metric) const;
+  shapeton::FlatDistortion
+  Distortion(const shapeton::TubeMap & map, const Eigen::VectorXd & metric) const;
 
-  testsurfaces::ColonTube  tube;
-  itk::SurfaceConnectivity connectivity;
-  itk::TubeEnds            ends;
-  Eigen::VectorXd          lengths; ///< of the edges in space, mm
+  testsurfaces::ColonTube       tube;
+  shapeton::SurfaceConnectivity connectivity;
+  shapeton::TubeEnds            ends;
+  Eigen::VectorXd               lengths; ///< of the edges in space, mm
 };
 
 /** `span`: edges between the two faces that a handle joins. */
@@ -34,12 +34,14 @@ testsurfaces::ColonTube
 GenerateDecimatedTube(int handles, int seed);
 
 /** The handles that the generator made. */
-std::vector<itk::SurfaceHandle>
+std::vector<shapeton::SurfaceHandle>
 TrueHandles(const testsurfaces::ColonTube & tube);
 
 /** How many of the handles found lie within `distance` mm of a true one, each of which serves once. */
 int
-LocatedHandles(const std::vector<itk::SurfaceHandle> & found, std::vector<itk::SurfaceHandle> truth, double distance);
+LocatedHandles(const std::vector<shapeton::SurfaceHandle> & found,
+               std::vector<shapeton::SurfaceHandle>         truth,
+               double                                       distance);
 
 /** A tube with polyps: round bumps inwards around vertices far apart; the faces of each. */
 struct PolypTube
@@ -52,6 +54,6 @@ GenerateTubeWithPolyps(int faces, int seed, double length, double radius);
 
 /** The ratio of the axes of the ellipse with the second moments of these faces on the map, at least 1. */
 double
-AspectRatioOnMap(const itk::SurfaceMesh & flat, const std::vector<int> & faces);
+AspectRatioOnMap(const shapeton::SurfaceMesh & flat, const std::vector<int> & faces);
 
 #endif

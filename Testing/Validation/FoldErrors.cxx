@@ -1,7 +1,7 @@
 #include "FoldErrors.h"
 
-#include "itkCsvTable.h"
-#include "itkFlatColonLocator.h"
+#include "shapetonCsvTable.h"
+#include "shapetonFlatColonLocator.h"
 
 #include <Eigen/Geometry>
 
@@ -9,7 +9,7 @@
 #include <cmath>
 #include <map>
 
-using namespace itk;
+using namespace shapeton;
 
 namespace
 {

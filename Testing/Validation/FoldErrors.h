@@ -1,7 +1,7 @@
 #ifndef FoldErrors_h
 #define FoldErrors_h
 
-#include "itkHaustralFolds.h"
+#include "shapetonHaustralFolds.h"
 
 #include <string>
 
@@ -46,6 +46,8 @@ struct FoldErrors
 
 /** `truth` as ColonAnatomy::Folds() gives it, in the space of the surface. */
 FoldErrors
-MeasureFoldErrors(const itk::FlatColonGrid & grid, const itk::HaustralFolds & found, const itk::CurveSet & truth);
+MeasureFoldErrors(const shapeton::FlatColonGrid & grid,
+                  const shapeton::HaustralFolds & found,
+                  const shapeton::CurveSet &      truth);
 
 #endif

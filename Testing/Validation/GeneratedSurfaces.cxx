@@ -1,17 +1,17 @@
 #include "GeneratedSurfaces.h"
 
-#include "itkBoundaryLoops.h"
-#include "itkColonWall.h"
-#include "itkSurfaceCut.h"
-#include "itkSurfaceRemeshing.h"
-#include "itkSurfaceRepair.h"
+#include "shapetonBoundaryLoops.h"
+#include "shapetonColonWall.h"
+#include "shapetonSurfaceCut.h"
+#include "shapetonSurfaceRemeshing.h"
+#include "shapetonSurfaceRepair.h"
 
 #include <algorithm>
 #include <cmath>
 #include <map>
 #include <stdexcept>
 
-using namespace itk;
+using namespace shapeton;
 using Eigen::Vector3d;
 
 namespace
@@ -164,7 +164,7 @@ SurfaceOfSolid(const SignedDistance & solid, const Vector3d & low, const Vector3
   OccupancyImage::RegionType region;
   for (unsigned int axis = 0; axis < 3; ++axis)
   {
-    region.SetSize(axis, static_cast<SizeValueType>(std::ceil((high[axis] - low[axis]) / spacing)) + 1);
+    region.SetSize(axis, static_cast<itk::SizeValueType>(std::ceil((high[axis] - low[axis]) / spacing)) + 1);
   }
   occupancy->SetRegions(region);
   occupancy->SetSpacing(OccupancyImage::SpacingType(spacing));
@@ -172,11 +172,11 @@ SurfaceOfSolid(const SignedDistance & solid, const Vector3d & low, const Vector3
   occupancy->Allocate();
   float *    value = occupancy->GetBufferPointer();
   const auto size = region.GetSize();
-  for (SizeValueType z = 0; z < size[2]; ++z)
+  for (itk::SizeValueType z = 0; z < size[2]; ++z)
   {
-    for (SizeValueType y = 0; y < size[1]; ++y)
+    for (itk::SizeValueType y = 0; y < size[1]; ++y)
     {
-      for (SizeValueType x = 0; x < size[0]; ++x)
+      for (itk::SizeValueType x = 0; x < size[0]; ++x)
       {
         const double distance = solid(low + spacing * Vector3d(x, y, z));
         *value++ = static_cast<float>(std::clamp(0.5 - 0.25 * distance / spacing, 0.0, 1.0));

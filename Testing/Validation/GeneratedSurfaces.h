@@ -1,7 +1,7 @@
 #ifndef GeneratedSurfaces_h
 #define GeneratedSurfaces_h
 
-#include "itkSurfaceConnectivity.h"
+#include "shapetonSurfaceConnectivity.h"
 
 #include <Eigen/Geometry>
 
@@ -21,24 +21,27 @@ SignedDistance
 Joined(const std::vector<SignedDistance> & solids, double fillet);
 
 /** The surface of a solid inside a box, of nearly equilateral triangles with this edge, mm. */
-itk::SurfaceMesh
+shapeton::SurfaceMesh
 SurfaceOfSolid(const SignedDistance & solid, const Eigen::Vector3d & low, const Eigen::Vector3d & high, double edge);
 
 /** The closed loop of edges along which the surface crosses a plane within a ball around `place`, first vertex = last.
  * Throws std::runtime_error where it is no single loop. */
 std::vector<int>
-LoopAcross(const itk::SurfaceMesh & mesh, const Eigen::Vector3d & place, const Eigen::Vector3d & normal, double radius);
+LoopAcross(const shapeton::SurfaceMesh & mesh,
+           const Eigen::Vector3d &       place,
+           const Eigen::Vector3d &       normal,
+           double                        radius);
 
 /** The vertex next to a place. */
 int
-VertexAt(const itk::SurfaceMesh & mesh, const Eigen::Vector3d & place);
+VertexAt(const shapeton::SurfaceMesh & mesh, const Eigen::Vector3d & place);
 
 /** A surface before and after a cut along a loop of edges: the vertices of the first are the first ones of the second.
  */
 struct CutPair
 {
-  itk::SurfaceMesh whole;
-  itk::SurfaceMesh cut;
+  shapeton::SurfaceMesh whole;
+  shapeton::SurfaceMesh cut;
 };
 
 /** A hand whose thumb touches the index finger, and the same cut apart there. */
@@ -52,7 +55,7 @@ Eigen::Vector3d
 ThumbNail();
 
 /** A head with open eyes and mouth, cut off at the back: four boundaries, the longest is the outer one. */
-itk::SurfaceMesh
+shapeton::SurfaceMesh
 MakeFace(double edge);
 
 /** A patch of a pot with its handle, bounded by a rectangle on its wall, and the same with the handle cut through.

@@ -2,13 +2,13 @@
 #include "GraphPackingPeers.h"
 #include "GraphStability.h"
 
-#include "itkEmbeddingVerification.h"
-#include "itkGraphEmbedding.h"
-#include "itkGraphFamilies.h"
-#include "itkGraphGenus.h"
-#include "itkGraphReader.h"
-#include "itkSensorNetwork.h"
-#include "itkExceptions.h"
+#include "shapetonEmbeddingVerification.h"
+#include "shapetonGraphEmbedding.h"
+#include "shapetonGraphFamilies.h"
+#include "shapetonGraphGenus.h"
+#include "shapetonGraphReader.h"
+#include "shapetonSensorNetwork.h"
+#include "shapetonExceptions.h"
 
 #include <algorithm>
 #include <chrono>
@@ -16,7 +16,7 @@
 #include <filesystem>
 #include <functional>
 
-using namespace itk;
+using namespace shapeton;
 
 namespace
 {

@@ -2,14 +2,14 @@
 
 #include "GraphPackingPeers.h"
 
-#include "itkDynamicEmbedding.h"
-#include "itkGraphEmbedding.h"
+#include "shapetonDynamicEmbedding.h"
+#include "shapetonGraphEmbedding.h"
 
 #include <algorithm>
 #include <cmath>
 #include <complex>
 
-using namespace itk;
+using namespace shapeton;
 
 namespace
 {

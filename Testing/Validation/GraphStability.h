@@ -1,7 +1,7 @@
 #ifndef GraphStability_h
 #define GraphStability_h
 
-#include "itkGraph.h"
+#include "shapetonGraph.h"
 
 /** How far nodes move when a few edges change. Lengths are in radii of the sphere, or of the layout: the root mean
  * square distance of its nodes from their centre. */
@@ -18,6 +18,6 @@ struct GraphStability
 /** Two steps of a graph: both lack `edits` / 2 edges, not the same ones, spread evenly over their list. So edits / 2
  * edges go and as many come. */
 GraphStability
-MeasureStability(const itk::Graph & graph, int edits, bool withSfdp);
+MeasureStability(const shapeton::Graph & graph, int edits, bool withSfdp);
 
 #endif

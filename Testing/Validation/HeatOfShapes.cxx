@@ -1,12 +1,12 @@
 #include "ValidationReport.h"
 
-#include "itkHeatDiffusionSolver.h"
-#include "itkShapeComponents.h"
-#include "itkShapeDiffusionTestVolumes.h"
+#include "shapetonHeatDiffusionSolver.h"
+#include "shapetonShapeComponents.h"
+#include "shapetonShapeDiffusionTestVolumes.h"
 
 #include <functional>
 
-using namespace itk;
+using namespace shapeton;
 
 namespace
 {

@@ -1,6 +1,6 @@
 #include "LandmarkErrors.h"
 
-#include "itkSurfaceLocator.h"
+#include "shapetonSurfaceLocator.h"
 
 #include <Eigen/Geometry>
 
@@ -18,7 +18,7 @@ using Points = std::vector<Eigen::Vector3d>;
 
 /** The arcLength of the point of a line that is nearest. */
 double
-ArcLengthNear(const itk::CurveSet & line, const Eigen::VectorXd & arcLength, const Eigen::Vector3d & point)
+ArcLengthNear(const shapeton::CurveSet & line, const Eigen::VectorXd & arcLength, const Eigen::Vector3d & point)
 {
   Eigen::Index nearest = 0;
   (line.V.rowwise() - point.transpose()).rowwise().squaredNorm().minCoeff(&nearest);
@@ -26,14 +26,14 @@ ArcLengthNear(const itk::CurveSet & line, const Eigen::VectorXd & arcLength, con
 }
 
 std::array<double, 4>
-ErrorsOfFlexures(const itk::ColonLandmarks & landmarks,
-                 const itk::CurveSet &       centreline,
-                 const itk::ColonAnatomy &   anatomy)
+ErrorsOfFlexures(const shapeton::ColonLandmarks & landmarks,
+                 const shapeton::CurveSet &       centreline,
+                 const shapeton::ColonAnatomy &   anatomy)
 {
-  const itk::CurveSet   truth = anatomy.Centreline();
-  const Eigen::VectorXd segment = PointValues(truth, "segment", "the truth");
-  const Eigen::VectorXd arcLength = PointValues(centreline, "arcLength", "the centreline");
-  std::array<double, 4> errors{ infinite, infinite, infinite, infinite };
+  const shapeton::CurveSet truth = anatomy.Centreline();
+  const Eigen::VectorXd    segment = PointValues(truth, "segment", "the truth");
+  const Eigen::VectorXd    arcLength = PointValues(centreline, "arcLength", "the centreline");
+  std::array<double, 4>    errors{ infinite, infinite, infinite, infinite };
   for (Eigen::Index i = 1; i < segment.size(); ++i)
   {
     const int flexure = static_cast<int>(segment[i]) - 1;
@@ -42,7 +42,7 @@ ErrorsOfFlexures(const itk::ColonLandmarks & landmarks,
       continue;
     }
     const Eigen::Vector3d border = 0.5 * (truth.V.row(i - 1) + truth.V.row(i)).transpose();
-    for (const itk::SegmentBorder & found : landmarks.segments.borders)
+    for (const shapeton::SegmentBorder & found : landmarks.segments.borders)
     {
       if (found.number == flexure)
       {
@@ -54,7 +54,7 @@ ErrorsOfFlexures(const itk::ColonLandmarks & landmarks,
 }
 
 double
-ShareWithTrueSegment(const itk::ColonLandmarks & landmarks, const itk::ColonAnatomy & anatomy)
+ShareWithTrueSegment(const shapeton::ColonLandmarks & landmarks, const shapeton::ColonAnatomy & anatomy)
 {
   double right = 0.0;
   double all = 0.0;
@@ -78,7 +78,7 @@ using Stretch = std::array<Points, 3>;
 /** Distances between the k-th points of the three taeniae, mm, in rising order. Where a fold reaches over the phantom's
  * own centreline the taeniae meet in it. */
 std::array<double, 3>
-DistancesBetween(const itk::CurveSet & taeniae, std::size_t k)
+DistancesBetween(const shapeton::CurveSet & taeniae, std::size_t k)
 {
   const auto at = [&](int t) { return taeniae.V.row(taeniae.curves[t][std::min(k, taeniae.curves[t].size() - 1)]); };
   std::array<double, 3> distances{ (at(0) - at(1)).norm(), (at(0) - at(2)).norm(), (at(1) - at(2)).norm() };
@@ -87,7 +87,7 @@ DistancesBetween(const itk::CurveSet & taeniae, std::size_t k)
 }
 
 bool
-AreOnePoint(const itk::CurveSet & taeniae, std::size_t k)
+AreOnePoint(const shapeton::CurveSet & taeniae, std::size_t k)
 {
   return DistancesBetween(taeniae, k)[2] < 1.0;
 }
@@ -95,23 +95,23 @@ AreOnePoint(const itk::CurveSet & taeniae, std::size_t k)
 /** The open stretches, between the collapsed ones, as far as there is a wall: bridges are longer than what is
  * collapsed. */
 std::vector<Stretch>
-OpenStretches(const itk::ColonAnatomy & anatomy, const itk::ColonWallTube & tube)
+OpenStretches(const shapeton::ColonAnatomy & anatomy, const shapeton::ColonWallTube & tube)
 {
-  const itk::SurfaceLocator locator(tube.Points(), tube.Faces());
-  const itk::CurveSet       line = anatomy.Centreline();
-  const Eigen::VectorXd     lineArc = PointValues(line, "arcLength", "the truth");
-  const Eigen::VectorXd     collapsed = PointValues(line, "collapsed", "the truth");
-  std::vector<int>          stretchOf(lineArc.size(), -1);
-  int                       stretches = 0;
+  const shapeton::SurfaceLocator locator(tube.Points(), tube.Faces());
+  const shapeton::CurveSet       line = anatomy.Centreline();
+  const Eigen::VectorXd          lineArc = PointValues(line, "arcLength", "the truth");
+  const Eigen::VectorXd          collapsed = PointValues(line, "collapsed", "the truth");
+  std::vector<int>               stretchOf(lineArc.size(), -1);
+  int                            stretches = 0;
   for (Eigen::Index i = 0; i < lineArc.size(); ++i)
   {
     const bool begins = collapsed[i] == 0.0 && (i == 0 || collapsed[i - 1] != 0.0);
     stretches += begins ? 1 : 0;
     stretchOf[i] = collapsed[i] == 0.0 ? stretches - 1 : -1;
   }
-  const itk::CurveSet   taeniae = anatomy.Taeniae();
-  const Eigen::VectorXd arc = PointValues(taeniae, "arcLength", "the truth");
-  std::vector<Stretch>  result(stretches);
+  const shapeton::CurveSet taeniae = anatomy.Taeniae();
+  const Eigen::VectorXd    arc = PointValues(taeniae, "arcLength", "the truth");
+  std::vector<Stretch>     result(stretches);
   for (std::size_t t = 0; t < 3; ++t)
   {
     for (std::size_t k = 0; k < taeniae.curves[t].size(); ++k)
@@ -160,7 +160,7 @@ DistanceToLine(const Eigen::Vector3d & point, const Points & line)
 /** Distances of the points of each true taenia, for the assignment of found taeniae to true ones with the least mean.
  */
 std::array<std::vector<double>, 3>
-DistancesOfTaeniae(const itk::ColonTaeniae & found, const Stretch & truth)
+DistancesOfTaeniae(const shapeton::ColonTaeniae & found, const Stretch & truth)
 {
   std::array<std::array<std::vector<double>, 3>, 3> distances;
   for (int t = 0; t < 3; ++t)
@@ -218,11 +218,13 @@ ShareWithin10(const std::vector<double> & distances)
 }
 
 void
-MeasureTaeniae(const itk::ColonLandmarks & landmarks, const itk::ColonAnatomy & anatomy, LandmarkErrors & errors)
+MeasureTaeniae(const shapeton::ColonLandmarks & landmarks,
+               const shapeton::ColonAnatomy &   anatomy,
+               LandmarkErrors &                 errors)
 {
   errors.taeniaMean = errors.taenia95 = errors.taeniaGreatest = errors.taeniaWorstMean = infinite;
-  const itk::ColonTaeniae &  found = landmarks.taeniae;
-  const std::vector<Stretch> stretches = OpenStretches(anatomy, *landmarks.tube);
+  const shapeton::ColonTaeniae & found = landmarks.taeniae;
+  const std::vector<Stretch>     stretches = OpenStretches(anatomy, *landmarks.tube);
   if (found.taeniae.size() != 3 || Joined(stretches)[0].empty())
   {
     return;
@@ -248,9 +250,9 @@ MeasureTaeniae(const itk::ColonLandmarks & landmarks, const itk::ColonAnatomy & 
 } // namespace
 
 LandmarkErrors
-MeasureLandmarks(const itk::ColonLandmarks & landmarks,
-                 const itk::CurveSet &       centreline,
-                 const itk::ColonAnatomy &   anatomy)
+MeasureLandmarks(const shapeton::ColonLandmarks & landmarks,
+                 const shapeton::CurveSet &       centreline,
+                 const shapeton::ColonAnatomy &   anatomy)
 {
   LandmarkErrors errors;
   errors.flexures = ErrorsOfFlexures(landmarks, centreline, anatomy);
@@ -262,14 +264,14 @@ MeasureLandmarks(const itk::ColonLandmarks & landmarks,
 }
 
 std::vector<Eigen::Vector3d>
-MarkersOfTruth(const itk::ColonAnatomy & anatomy, const itk::SurfaceMesh & surface)
+MarkersOfTruth(const shapeton::ColonAnatomy & anatomy, const shapeton::SurfaceMesh & surface)
 {
-  constexpr int                transverse = 4;
-  constexpr double             seen = 2.0; // mm
-  const itk::SurfaceLocator    locator(surface.V, surface.F);
-  const itk::CurveSet          taeniae = anatomy.Taeniae();
-  const Eigen::VectorXd        arc = PointValues(taeniae, "arcLength", "the truth");
-  std::vector<Eigen::Vector3d> markers;
+  constexpr int                  transverse = 4;
+  constexpr double               seen = 2.0; // mm
+  const shapeton::SurfaceLocator locator(surface.V, surface.F);
+  const shapeton::CurveSet       taeniae = anatomy.Taeniae();
+  const Eigen::VectorXd          arc = PointValues(taeniae, "arcLength", "the truth");
+  std::vector<Eigen::Vector3d>   markers;
   for (const std::vector<int> & curve : taeniae.curves)
   {
     std::vector<int> own;

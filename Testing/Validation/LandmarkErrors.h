@@ -1,8 +1,8 @@
 #ifndef LandmarkErrors_h
 #define LandmarkErrors_h
 
-#include "itkColonAnatomy.h"
-#include "itkColonLandmarks.h"
+#include "shapetonColonAnatomy.h"
+#include "shapetonColonLandmarks.h"
 
 #include <array>
 #include <vector>
@@ -31,14 +31,14 @@ struct LandmarkErrors
 };
 
 LandmarkErrors
-MeasureLandmarks(const itk::ColonLandmarks & landmarks,
-                 const itk::CurveSet &       centreline,
-                 const itk::ColonAnatomy &   anatomy);
+MeasureLandmarks(const shapeton::ColonLandmarks & landmarks,
+                 const shapeton::CurveSet &       centreline,
+                 const shapeton::ColonAnatomy &   anatomy);
 
 /** A point on each true taenia in the middle of the transverse colon, where a person sees them best: the nearest one to
  * the middle that lies on the surface, as some of the wall is hidden from it, and not on a fold in which the taeniae
  * meet. */
 std::vector<Eigen::Vector3d>
-MarkersOfTruth(const itk::ColonAnatomy & anatomy, const itk::SurfaceMesh & surface);
+MarkersOfTruth(const shapeton::ColonAnatomy & anatomy, const shapeton::SurfaceMesh & surface);
 
 #endif

@@ -1,11 +1,11 @@
 #include "LandmarkScores.h"
 
-#include "itkExceptions.h"
+#include "shapetonExceptions.h"
 
 #include <cmath>
 #include <limits>
 
-using namespace itk;
+using namespace shapeton;
 
 namespace
 {

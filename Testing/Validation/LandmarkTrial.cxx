@@ -1,13 +1,13 @@
 #include "LandmarkTrial.h"
 
-#include "itkColonFlattening.h"
-#include "itkColonModel.h"
-#include "itkColonPhantomImageSource.h"
-#include "itkCsvTable.h"
-#include "itkSurfaceReader.h"
-#include "itkSurfaceWriter.h"
-#include "itkExceptions.h"
-#include "itkVolumeWriter.h"
+#include "shapetonColonFlattening.h"
+#include "shapetonColonModel.h"
+#include "shapetonColonPhantomImageSource.h"
+#include "shapetonCsvTable.h"
+#include "shapetonSurfaceReader.h"
+#include "shapetonSurfaceWriter.h"
+#include "shapetonExceptions.h"
+#include "shapetonVolumeWriter.h"
 
 #include "itkCastImageFilter.h"
 #include "itkImageFileReader.h"
@@ -17,7 +17,7 @@
 #include <cstdlib>
 #include <filesystem>
 
-using namespace itk;
+using namespace shapeton;
 
 namespace
 {
@@ -31,7 +31,7 @@ MakePhantom(const LandmarkCase & one)
   Source::SizeType size;
   for (unsigned int axis = 0; axis < 3; ++axis)
   {
-    size[axis] = static_cast<SizeValueType>(std::lround(extent[axis] / one.spacing));
+    size[axis] = static_cast<itk::SizeValueType>(std::lround(extent[axis] / one.spacing));
   }
   source->SetParameters(one.parameters);
   source->SetSize(size);
@@ -52,7 +52,7 @@ MakeModel(const LandmarkCase & one)
     return BuildColonModelOfLumen(source->GetLumenOutput(), options);
   }
   options.patientPosition = one.parameters.position;
-  const auto cast = CastImageFilter<Source::ImageType, Image<float, 3>>::New();
+  const auto cast = itk::CastImageFilter<Source::ImageType, itk::Image<float, 3>>::New();
   cast->SetInput(source->GetOutput());
   cast->Update();
   return BuildColonModel(cast->GetOutput(), options);
@@ -139,19 +139,19 @@ MakeLandmarkExam(const LandmarkCase & one)
   return exam;
 }
 
-Image<unsigned char, 3>::Pointer
+itk::Image<unsigned char, 3>::Pointer
 LumenOfCase(const LandmarkCase & one)
 {
   const std::string cached = CachedName(one);
   if (!cached.empty() && std::filesystem::exists(cached + ".lumen.nrrd"))
   {
-    const auto reader = ImageFileReader<Image<unsigned char, 3>>::New();
-    reader->SetImageIO(NrrdImageIO::New());
+    const auto reader = itk::ImageFileReader<itk::Image<unsigned char, 3>>::New();
+    reader->SetImageIO(itk::NrrdImageIO::New());
     reader->SetFileName(cached + ".lumen.nrrd");
     reader->Update();
     return reader->GetOutput();
   }
-  Image<unsigned char, 3>::Pointer lumen;
+  itk::Image<unsigned char, 3>::Pointer lumen;
   if (one.isFromCt)
   {
     const ColonModel model = MakeModel(one);

@@ -1,7 +1,7 @@
 #ifndef LandmarkTrial_h
 #define LandmarkTrial_h
 
-#include "itkColonAnatomy.h"
+#include "shapetonColonAnatomy.h"
 
 #include "itkImage.h"
 
@@ -11,7 +11,7 @@
 /** A synthetic patient in one position, whose colon is flattened. */
 struct LandmarkCase
 {
-  itk::ColonPhantomParameters parameters;
+  shapeton::ColonPhantomParameters parameters;
   /** mm. */
   double spacing{ 0.8 };
   /** The model is made from the CT; else from the true lumen on the same grid. */
@@ -21,12 +21,12 @@ struct LandmarkCase
 /** What landmarks are looked for on, and the truth. */
 struct LandmarkExam
 {
-  std::shared_ptr<const itk::ColonAnatomy> anatomy;
+  std::shared_ptr<const shapeton::ColonAnatomy> anatomy;
   /** As ColonFlattening makes it from the simplified wall. */
-  itk::SurfaceMesh flat;
-  itk::CurveSet    centreline;
+  shapeton::SurfaceMesh flat;
+  shapeton::CurveSet    centreline;
   /** Of full resolution, without handles. */
-  itk::SurfaceMesh wall;
+  shapeton::SurfaceMesh wall;
   /** Empty, or why there is no model; then the surfaces are empty. */
   std::string failure;
 };

@@ -30,7 +30,9 @@ struct State
 class Newton
 {
 public:
-  Newton(const itk::SurfaceConnectivity & connectivity, const itk::FaceMatrix & F, const Eigen::VectorXd & lengths)
+  Newton(const shapeton::SurfaceConnectivity & connectivity,
+         const shapeton::FaceMatrix &          F,
+         const Eigen::VectorXd &               lengths)
     : m_Connectivity(connectivity), m_F(F), m_Lengths(lengths), m_Flat(connectivity.NumberOfVertices())
   {
     m_Flat.setConstant(2.0 * pi);
@@ -152,22 +154,22 @@ private:
     }
   }
 
-  const itk::SurfaceConnectivity & m_Connectivity;
-  const itk::FaceMatrix &          m_F;
-  const Eigen::VectorXd &          m_Lengths;
-  Eigen::VectorXd                  m_Flat;
-  Sparse                           m_Matrix; ///< lower triangle
-  std::vector<int>                 m_PlaceOfVertex, m_PlaceOfEdge;
-  Eigen::SimplicialLDLT<Sparse>    m_Solver;
+  const shapeton::SurfaceConnectivity & m_Connectivity;
+  const shapeton::FaceMatrix &          m_F;
+  const Eigen::VectorXd &               m_Lengths;
+  Eigen::VectorXd                       m_Flat;
+  Sparse                                m_Matrix; ///< lower triangle
+  std::vector<int>                      m_PlaceOfVertex, m_PlaceOfEdge;
+  Eigen::SimplicialLDLT<Sparse>         m_Solver;
 };
 
 /** Faces laid side by side from the first on, not across the cut. */
 Eigen::MatrixX2d
-LayOut(const itk::SurfaceConnectivity & connectivity, const itk::CutSurface & cut, const State & state)
+LayOut(const shapeton::SurfaceConnectivity & connectivity, const shapeton::CutSurface & cut, const State & state)
 {
-  const itk::FaceMatrix & F = cut.mesh.F;
-  Eigen::MatrixX2d        uv = Eigen::MatrixX2d::Zero(cut.mesh.V.rows(), 2);
-  std::vector<char>       isPlaced(uv.rows(), 0), isDone(F.rows(), 0);
+  const shapeton::FaceMatrix & F = cut.mesh.F;
+  Eigen::MatrixX2d             uv = Eigen::MatrixX2d::Zero(cut.mesh.V.rows(), 2);
+  std::vector<char>            isPlaced(uv.rows(), 0), isDone(F.rows(), 0);
   uv(F(0, 1), 0) = state.lengths[connectivity.EdgeOfFace(0, 0)];
   isPlaced[F(0, 0)] = isPlaced[F(0, 1)] = 1;
   std::deque<std::array<int, 2>> queue{ { 0, 0 } };
@@ -205,7 +207,7 @@ LayOut(const itk::SurfaceConnectivity & connectivity, const itk::CutSurface & cu
 }
 
 double
-LengthOfLoop(const itk::SurfaceConnectivity & connectivity, const std::vector<int> & loop, const State & state)
+LengthOfLoop(const shapeton::SurfaceConnectivity & connectivity, const std::vector<int> & loop, const State & state)
 {
   double sum = 0.0;
   for (std::size_t i = 0; i < loop.size(); ++i)
@@ -217,11 +219,11 @@ LengthOfLoop(const itk::SurfaceConnectivity & connectivity, const std::vector<in
 } // namespace
 
 NewtonFlattening
-FlattenByNewton(const itk::SurfaceConnectivity & connectivity,
-                const itk::FaceMatrix &          F,
-                const Eigen::VectorXd &          edgeLengths,
-                const itk::TubeEnds &            ends,
-                const itk::CutSurface &          cut)
+FlattenByNewton(const shapeton::SurfaceConnectivity & connectivity,
+                const shapeton::FaceMatrix &          F,
+                const Eigen::VectorXd &               edgeLengths,
+                const shapeton::TubeEnds &            ends,
+                const shapeton::CutSurface &          cut)
 {
   NewtonFlattening result;
   Newton           newton(connectivity, F, edgeLengths);

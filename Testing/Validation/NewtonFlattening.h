@@ -1,8 +1,8 @@
 #ifndef NewtonFlattening_h
 #define NewtonFlattening_h
 
-#include "itkFlatDistortion.h"
-#include "itkTubeEnds.h"
+#include "shapetonFlatDistortion.h"
+#include "shapetonTubeEnds.h"
 
 /** The peer of harmonic flattening: conformal equivalence of triangle meshes, by Newton's method (Springborn, Schroeder
  * and Pinkall, 2008), whose flow is discrete Ricci flow. */
@@ -18,10 +18,10 @@ struct NewtonFlattening
  * straight, and lays the faces of the cut surface out. The order of elimination and the pattern serve all iterations.
  */
 NewtonFlattening
-FlattenByNewton(const itk::SurfaceConnectivity & connectivity,
-                const itk::FaceMatrix &          F,
-                const Eigen::VectorXd &          edgeLengths,
-                const itk::TubeEnds &            ends,
-                const itk::CutSurface &          cut);
+FlattenByNewton(const shapeton::SurfaceConnectivity & connectivity,
+                const shapeton::FaceMatrix &          F,
+                const Eigen::VectorXd &               edgeLengths,
+                const shapeton::TubeEnds &            ends,
+                const shapeton::CutSurface &          cut);
 
 #endif

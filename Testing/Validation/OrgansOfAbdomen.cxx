@@ -1,13 +1,13 @@
 #include "ValidationReport.h"
 
-#include "itkCumulativeHeatDiffusionImageFilter.h"
-#include "itkHeatClassification.h"
-#include "itkVolumeReader.h"
+#include "shapetonCumulativeHeatDiffusionImageFilter.h"
+#include "shapetonHeatClassification.h"
+#include "shapetonVolumeReader.h"
 
 #include <map>
 #include <stdexcept>
 
-using namespace itk;
+using namespace shapeton;
 
 namespace
 {
@@ -20,7 +20,7 @@ struct Overlap
 };
 
 std::map<int, Overlap>
-CompareOrgans(const Image<float, 3> * organs, const Image<unsigned char, 3> * labels)
+CompareOrgans(const itk::Image<float, 3> * organs, const itk::Image<unsigned char, 3> * labels)
 {
   std::map<int, std::map<int, double>> shared;
   std::map<int, double>                organSizes, classSizes;

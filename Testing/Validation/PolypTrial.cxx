@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-using namespace itk;
+using namespace shapeton;
 
 namespace
 {

@@ -3,14 +3,14 @@
 
 #include "LandmarkTrial.h"
 
-#include "itkPolypCandidates.h"
+#include "shapetonPolypCandidates.h"
 
 #include <vector>
 
 /** A polyp of a phantom that could be found, and what was. */
 struct PolypTruth
 {
-  itk::ColonPolyp polyp;
+  shapeton::ColonPolyp polyp;
   /** Of the candidate with the highest score at it; 0 for none. */
   double score{ 0.0 };
   /** Of that candidate, mm. */
@@ -33,18 +33,18 @@ constexpr double polypReach = 3.0;
 
 /** Whether a candidate is at a polyp. */
 bool
-IsAt(const itk::PolypCandidate & candidate, const itk::ColonPolyp & polyp);
+IsAt(const shapeton::PolypCandidate & candidate, const shapeton::ColonPolyp & polyp);
 
 /** Compares candidates, in any order, with the truth. The valve is the true one: the bump at the middle of the body
  * where ascending colon and caecum meet. */
 PolypExam
-ComparePolyps(const LandmarkCase &                     one,
-              const itk::ColonAnatomy &                anatomy,
-              const std::vector<itk::PolypCandidate> & candidates);
+ComparePolyps(const LandmarkCase &                          one,
+              const shapeton::ColonAnatomy &                anatomy,
+              const std::vector<shapeton::PolypCandidate> & candidates);
 
 /** Polyps outside of collapsed stretches. */
-std::vector<itk::ColonPolyp>
-VisiblePolyps(const itk::ColonAnatomy & anatomy);
+std::vector<shapeton::ColonPolyp>
+VisiblePolyps(const shapeton::ColonAnatomy & anatomy);
 
 /** The lower end of Wilson's 95 % interval (two-sided) of a share; 0 for none. */
 double

@@ -2,13 +2,13 @@
 #include "ShapetonPictures.h"
 #include "ValidationReport.h"
 
-#include "itkConformalMapPicture.h"
-#include "itkHeatDiffusionMetric.h"
+#include "shapetonConformalMapPicture.h"
+#include "shapetonHeatDiffusionMetric.h"
 
 #include <algorithm>
 #include <cmath>
 
-using namespace itk;
+using namespace shapeton;
 
 namespace
 {

@@ -1,15 +1,15 @@
 #include "ValidationChart.h"
 #include "ValidationReport.h"
 
-#include "itkColonTube.h"
-#include "itkConformalTube.h"
-#include "itkFlatDistortion.h"
-#include "itkHeatDiffusionMetric.h"
-#include "itkExceptions.h"
+#include "shapetonColonTube.h"
+#include "shapetonConformalTube.h"
+#include "shapetonFlatDistortion.h"
+#include "shapetonHeatDiffusionMetric.h"
+#include "shapetonExceptions.h"
 
 #include <cmath>
 
-using namespace itk;
+using namespace shapeton;
 
 namespace
 {

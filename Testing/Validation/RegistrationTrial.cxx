@@ -2,15 +2,15 @@
 
 #include "TrueFolds.h"
 
-#include "itkColonLandmarks.h"
-#include "itkColonTaeniae.h"
-#include "itkExceptions.h"
+#include "shapetonColonLandmarks.h"
+#include "shapetonColonTaeniae.h"
+#include "shapetonExceptions.h"
 
 #include <chrono>
 #include <cmath>
 #include <limits>
 
-using namespace itk;
+using namespace shapeton;
 
 namespace
 {

@@ -3,8 +3,8 @@
 
 #include "LandmarkTrial.h"
 
-#include "itkRegistrationErrors.h"
-#include "itkRegistrationSchemes.h"
+#include "shapetonRegistrationErrors.h"
+#include "shapetonRegistrationSchemes.h"
 
 #include <array>
 #include <map>
@@ -28,14 +28,14 @@ using FeaturePointTable = std::array<FeaturePointCounts, 7>;
 struct RegistrationScore
 {
   /** Of the map, and of simpler ways to register. Keys are names for a table. */
-  itk::RegistrationErrors                        errors;
-  itk::RegistrationErrors                        frame;
-  std::map<std::string, itk::RegistrationErrors> schemes;
-  int                                            flipsOfHardConstraints{ 0 };
-  int                                            flips{ 0 };
-  bool                                           isFlagged{ false };
-  double                                         confidence{ 0.0 };
-  double                                         seconds{ 0.0 };
+  shapeton::RegistrationErrors                        errors;
+  shapeton::RegistrationErrors                        frame;
+  std::map<std::string, shapeton::RegistrationErrors> schemes;
+  int                                                 flipsOfHardConstraints{ 0 };
+  int                                                 flips{ 0 };
+  bool                                                isFlagged{ false };
+  double                                              confidence{ 0.0 };
+  double                                              seconds{ 0.0 };
   /** Pairs of folds that are one fold in truth, all pairs, and folds that can be seen in both positions. */
   int right{ 0 };
   int pairs{ 0 };
@@ -48,7 +48,7 @@ struct RegistrationScore
 };
 
 /** An exam as the registration takes it: with the landmarks that ColonLandmarks finds, or the true ones. */
-itk::ColonPosition
+shapeton::ColonPosition
 MakeColonPosition(const LandmarkExam & exam, const std::string & name, bool hasTrueLandmarks);
 
 /** Registers the first to the second and measures. `comparesSchemes` adds the simpler ones. */

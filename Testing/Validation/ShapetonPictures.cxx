@@ -1,14 +1,14 @@
 #include "ShapetonPictures.h"
 
-#include "itkColorMap.h"
-#include "itkHeatAxis.h"
-#include "itkVolumeRendering.h"
+#include "shapetonColorMap.h"
+#include "shapetonHeatAxis.h"
+#include "shapetonVolumeRendering.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 
-using namespace itk;
+using namespace shapeton;
 
 namespace
 {
@@ -36,10 +36,10 @@ IsFlat(std::vector<float> values)
 }
 
 template <typename TLevel>
-Image<unsigned char, 3>::Pointer
+itk::Image<unsigned char, 3>::Pointer
 MakeLevels(const TrialVolume & volume, const TLevel & levelOfVoxel)
 {
-  auto levels = Image<unsigned char, 3>::New();
+  auto levels = itk::Image<unsigned char, 3>::New();
   levels->CopyInformation(volume.image);
   levels->SetRegions(volume.image->GetLargestPossibleRegion());
   levels->Allocate(true);
@@ -54,7 +54,7 @@ MakeLevels(const TrialVolume & volume, const TLevel & levelOfVoxel)
 }
 } // namespace
 
-Image<unsigned char, 3>::Pointer
+itk::Image<unsigned char, 3>::Pointer
 LevelsOf(const TrialVolume & volume, const Trial & trial)
 {
   const float * const field = trial.field->GetBufferPointer();
@@ -87,7 +87,7 @@ LevelsOf(const TrialVolume & volume, const Trial & trial)
 }
 
 Picture::Pointer
-RenderLevels(const Image<unsigned char, 3> * levels, unsigned int width, unsigned int height, double azimuth)
+RenderLevels(const itk::Image<unsigned char, 3> * levels, unsigned int width, unsigned int height, double azimuth)
 {
   constexpr double                  unit = 1.0 / (numberOfLevels + 1);
   std::vector<TransferFunctionLine> lines;
@@ -95,7 +95,7 @@ RenderLevels(const Image<unsigned char, 3> * levels, unsigned int width, unsigne
   {
     lines.push_back({ (level - 0.5) * unit, (level + 0.5) * unit, ColorOfLevel(level), 1.0 });
   }
-  auto field = Image<float, 3>::New();
+  auto field = itk::Image<float, 3>::New();
   field->CopyInformation(levels);
   field->SetRegions(levels->GetLargestPossibleRegion());
   field->Allocate();
@@ -116,12 +116,12 @@ RenderLevels(const Image<unsigned char, 3> * levels, unsigned int width, unsigne
 }
 
 Picture::Pointer
-DrawPlane(const TrialVolume &             volume,
-          const Image<unsigned char, 3> * levels,
-          unsigned int                    axis,
-          std::size_t                     slice,
-          unsigned int                    width,
-          unsigned int                    height)
+DrawPlane(const TrialVolume &                  volume,
+          const itk::Image<unsigned char, 3> * levels,
+          unsigned int                         axis,
+          std::size_t                          slice,
+          unsigned int                         width,
+          unsigned int                         height)
 {
   const unsigned int across = axis == 0 ? 1 : 0, down = axis == 2 ? 1 : 2;
   const auto         size = volume.image->GetLargestPossibleRegion().GetSize();
@@ -137,10 +137,10 @@ DrawPlane(const TrialVolume &             volume,
   {
     for (unsigned int column = 0; column < columns; ++column)
     {
-      Index<3> index;
-      index[axis] = static_cast<IndexValueType>(slice);
-      index[across] = std::min<IndexValueType>(size[across] - 1, (column + 0.5) * unit / spacing[across]);
-      index[down] = std::min<IndexValueType>(size[down] - 1, (row + 0.5) * unit / spacing[down]);
+      itk::Index<3> index;
+      index[axis] = static_cast<itk::IndexValueType>(slice);
+      index[across] = std::min<itk::IndexValueType>(size[across] - 1, (column + 0.5) * unit / spacing[across]);
+      index[down] = std::min<itk::IndexValueType>(size[down] - 1, (row + 0.5) * unit / spacing[down]);
       index[across] = flipAcross ? size[across] - 1 - index[across] : index[across];
       index[down] = flipDown ? size[down] - 1 - index[down] : index[down];
       const unsigned int level = levels == nullptr ? 0 : levels->GetPixel(index);

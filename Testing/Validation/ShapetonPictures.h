@@ -3,7 +3,7 @@
 
 #include "ShapetonTrial.h"
 
-#include "itkPicture.h"
+#include "shapetonPicture.h"
 
 #include <optional>
 #include <string>
@@ -19,12 +19,12 @@ itk::Image<unsigned char, 3>::Pointer
 LevelsOf(const TrialVolume & volume, const Trial & trial);
 
 /** The volume seen from the front, turned and from above a little, each level in its colour. */
-itk::Picture::Pointer
+shapeton::Picture::Pointer
 RenderLevels(const itk::Image<unsigned char, 3> * levels, unsigned int width, unsigned int height, double azimuth = 30);
 
 /** One slice perpendicular to an axis, as large as fits: levels in their colours, grey elsewhere; grey everywhere
  * without levels. Left and right, front and back are shown the radiological way. */
-itk::Picture::Pointer
+shapeton::Picture::Pointer
 DrawPlane(const TrialVolume &                  volume,
           const itk::Image<unsigned char, 3> * levels,
           unsigned int                         axis,
@@ -49,7 +49,7 @@ public:
   PictureSheet(const std::string & title, const Layout & layout);
 
   void
-  Put(std::size_t row, std::size_t column, const std::string & caption, const itk::Picture * panel);
+  Put(std::size_t row, std::size_t column, const std::string & caption, const shapeton::Picture * panel);
   void
   Write(const std::string & path) const;
 
@@ -60,8 +60,8 @@ public:
   }
 
 private:
-  Layout                m_Layout;
-  itk::Picture::Pointer m_Picture;
+  Layout                     m_Layout;
+  shapeton::Picture::Pointer m_Picture;
 };
 
 #endif

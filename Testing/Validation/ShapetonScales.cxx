@@ -4,13 +4,13 @@
 #include <array>
 #include <functional>
 
-using namespace itk;
+using namespace shapeton;
 
 namespace
 {
 /** The row of a field at the cube's corner, edge, face and centre: means over all eight corners and so on. */
 std::array<double, 4>
-CubeFeatures(const TrialVolume & volume, const Image<float, 3> * field)
+CubeFeatures(const TrialVolume & volume, const itk::Image<float, 3> * field)
 {
   const auto            side = static_cast<std::size_t>(volume.image->GetLargestPossibleRegion().GetSize(0));
   const std::size_t     first = side / 4, last = side - side / 4 - 1, inner = side / 8;

@@ -1,14 +1,14 @@
 // Tables 3.1 and 3.2 and Figure 3.6 of the dissertation with our columns.
 #include "ShapetonComparison.h"
 
-#include "itkVolumeReader.h"
+#include "shapetonVolumeReader.h"
 
 #include <array>
 #include <cmath>
 #include <filesystem>
 #include <memory>
 
-using namespace itk;
+using namespace shapeton;
 
 namespace
 {
@@ -85,7 +85,7 @@ CoverCube(const TrialVolume & volume, std::uint32_t shapetons)
 struct VolumeRow
 {
   const char *  name;
-  Size<3>       size;
+  itk::Size<3>  size;
   double        p;
   std::uint64_t heatSteps;
   std::uint64_t walkSteps;
@@ -111,7 +111,7 @@ LoadRow(const ValidationSettings & settings, const VolumeRow & row, bool & real)
   real = *row.file != '\0' && !settings.dataFolder.empty() && !settings.quick;
   if (!real)
   {
-    return MakeTrialPhantom("vessels", settings.quick ? Size<3>::Filled(32) : row.size);
+    return MakeTrialPhantom("vessels", settings.quick ? itk::Size<3>::Filled(32) : row.size);
   }
   return { row.name, ReadVolume(settings.dataFolder + '/' + row.file).image, nullptr, 0.0, 255.0 };
 }
@@ -123,7 +123,7 @@ TabulateCubeByShapetons(const Comparison & comparison)
   const ValidationSettings & settings = comparison.settings;
   ValidationReport &         report = comparison.report;
   const unsigned int         side = settings.quick ? 32 : 128;
-  const TrialVolume          volume = MakeTrialPhantom("figure2.4", Size<3>::Filled(side));
+  const TrialVolume          volume = MakeTrialPhantom("figure2.4", itk::Size<3>::Filled(side));
   const std::string          size = std::to_string(side);
   report.AddText("## Table 3.1 and Figure 3.6: the number of shapetons\n\nThe cube of figure2.4 (side " +
                  std::to_string(side / 2) + ") in " + size +

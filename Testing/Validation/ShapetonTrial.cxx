@@ -1,8 +1,8 @@
 #include "ShapetonTrial.h"
 
-#include "itkHeatClassification.h"
-#include "itkShapePhantomImageSource.h"
-#include "itkVisitDensity.h"
+#include "shapetonHeatClassification.h"
+#include "shapetonShapePhantomImageSource.h"
+#include "shapetonVisitDensity.h"
 
 #include "itkCastImageFilter.h"
 
@@ -10,7 +10,7 @@
 #include <cmath>
 #include <numeric>
 
-using namespace itk;
+using namespace shapeton;
 
 const WalkRule publishedWalk{ "shapetons, published",
                               DirectionSampling::SectorArea,
@@ -38,7 +38,7 @@ struct Sums
 };
 
 std::map<int, Sums>
-SumsOfObjects(const TrialVolume & volume, const Image<float, 3> * field)
+SumsOfObjects(const TrialVolume & volume, const itk::Image<float, 3> * field)
 {
   std::map<int, Sums> objects;
   for (std::size_t i = 0; i < volume.GetNumberOfVoxels(); ++i)
@@ -86,13 +86,13 @@ Pairs(double n)
 } // namespace
 
 TrialVolume
-MakeTrialPhantom(const std::string & preset, const Size<3> & size)
+MakeTrialPhantom(const std::string & preset, const itk::Size<3> & size)
 {
   auto source = ShapePhantomImageSource::New();
   source->SetScene(ShapeScene::Load(preset));
   source->SetSize(size);
   source->CenterOutput();
-  auto cast = CastImageFilter<Image<short, 3>, Image<float, 3>>::New();
+  auto cast = itk::CastImageFilter<itk::Image<short, 3>, itk::Image<float, 3>>::New();
   cast->SetInput(source->GetOutput());
   cast->Update();
   TrialVolume volume{ preset, cast->GetOutput(), source->GetLabelOutput(), 0.0, 1.0 };
@@ -105,7 +105,7 @@ MakeTrialPhantom(const std::string & preset, const Size<3> & size)
 Trial
 RunHeat(const TrialVolume & volume, double p, std::uint64_t steps)
 {
-  auto filter = CumulativeHeatDiffusionImageFilter<Image<float, 3>>::New();
+  auto filter = CumulativeHeatDiffusionImageFilter<itk::Image<float, 3>>::New();
   filter->SetInput(volume.image);
   filter->SetP(p);
   filter->SetIntensityWindow(volume.lower, volume.upper);
@@ -124,7 +124,7 @@ RunHeat(const TrialVolume & volume, double p, std::uint64_t steps)
 Trial
 RunShapetons(const TrialVolume & volume, double p, const WalkRule & rule, const WalkSettings & settings)
 {
-  auto filter = ShapetonDiffusionImageFilter<Image<float, 3>>::New();
+  auto filter = ShapetonDiffusionImageFilter<itk::Image<float, 3>>::New();
   filter->SetInput(volume.image);
   filter->SetP(p);
   filter->SetIntensityWindow(volume.lower, volume.upper);
@@ -174,7 +174,7 @@ MatchedHeatSteps(const TrialVolume & volume, const WalkSettings & settings)
 }
 
 std::map<int, double>
-MeansOfObjects(const TrialVolume & volume, const Image<float, 3> * field)
+MeansOfObjects(const TrialVolume & volume, const itk::Image<float, 3> * field)
 {
   std::map<int, double> means;
   for (const auto & [label, sums] : SumsOfObjects(volume, field))
@@ -185,7 +185,7 @@ MeansOfObjects(const TrialVolume & volume, const Image<float, 3> * field)
 }
 
 double
-VarianceBetweenObjects(const TrialVolume & volume, const Image<float, 3> * field)
+VarianceBetweenObjects(const TrialVolume & volume, const itk::Image<float, 3> * field)
 {
   Sums   all;
   double within = 0.0;
@@ -285,10 +285,10 @@ BlockMeans(const TrialVolume &                  volume,
 } // namespace
 
 double
-RankCorrelationOfFields(const TrialVolume &     volume,
-                        const Image<float, 3> * a,
-                        const Image<float, 3> * b,
-                        std::size_t             block)
+RankCorrelationOfFields(const TrialVolume &          volume,
+                        const itk::Image<float, 3> * a,
+                        const itk::Image<float, 3> * b,
+                        std::size_t                  block)
 {
   const auto                         size = volume.image->GetLargestPossibleRegion().GetSize();
   std::array<std::vector<double>, 2> means;

@@ -1,8 +1,8 @@
 #ifndef ShapetonTrial_h
 #define ShapetonTrial_h
 
-#include "itkCumulativeHeatDiffusionImageFilter.h"
-#include "itkShapetonDiffusionImageFilter.h"
+#include "shapetonCumulativeHeatDiffusionImageFilter.h"
+#include "shapetonShapetonDiffusionImageFilter.h"
 
 #include <ctime>
 #include <map>
@@ -38,10 +38,10 @@ MakeTrialPhantom(const std::string & preset, const itk::Size<3> & size);
 /** A rule by which shapetons walk. */
 struct WalkRule
 {
-  std::string            name;
-  itk::DirectionSampling sampling;
-  itk::PathRule          path;
-  itk::ShapetonPlacement placement;
+  std::string                 name;
+  shapeton::DirectionSampling sampling;
+  shapeton::PathRule          path;
+  shapeton::ShapetonPlacement placement;
 };
 /** The rule of chapter 3. */
 extern const WalkRule publishedWalk;
@@ -69,7 +69,7 @@ struct Trial
   itk::Image<std::uint32_t, 3>::Pointer visits;         ///< null for heat
   double                                seconds{ 0.0 }; ///< see ProcessorSeconds()
   std::uint64_t                         steps{ 0 };
-  itk::ShapetonMeasures                 measures; ///< of shapetons
+  shapeton::ShapetonMeasures            measures; ///< of shapetons
 };
 
 Trial
@@ -79,7 +79,7 @@ Trial
 RunShapetons(const TrialVolume & volume, double p, const WalkRule & rule, const WalkSettings & settings);
 
 /** The length of a step in units of the smallest spacing, and the steps of heat with the spread of the controlled walk
- * (see itk::EquivalentHeatTimeSteps). */
+ * (see shapeton::EquivalentHeatTimeSteps). */
 double
 StepInVoxels(const TrialVolume & volume, double distance);
 std::uint64_t

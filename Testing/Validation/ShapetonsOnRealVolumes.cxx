@@ -1,14 +1,14 @@
 // CHD and shapetons on real volumes.
 #include "ShapetonComparison.h"
 
-#include "itkVolumeReader.h"
+#include "shapetonVolumeReader.h"
 
 #include "itkRegionOfInterestImageFilter.h"
 
 #include <array>
 #include <stdexcept>
 
-using namespace itk;
+using namespace shapeton;
 
 namespace
 {
@@ -44,17 +44,17 @@ CropToObjects(TrialVolume & volume)
       const std::array<std::size_t, 3> at{ i % size[0], i / size[0] % size[1], i / size[0] / size[1] };
       for (unsigned int axis = 0; axis < 3; ++axis)
       {
-        lowest[axis] = std::min<IndexValueType>(lowest[axis], at[axis]);
-        highest[axis] = std::max<IndexValueType>(highest[axis], at[axis]);
+        lowest[axis] = std::min<itk::IndexValueType>(lowest[axis], at[axis]);
+        highest[axis] = std::max<itk::IndexValueType>(highest[axis], at[axis]);
       }
     }
   }
-  ImageRegion<3> box;
+  itk::ImageRegion<3> box;
   box.SetIndex(lowest);
   box.SetUpperIndex(highest);
   box.PadByRadius(8);
   box.Crop(whole);
-  auto crop = RegionOfInterestImageFilter<Image<float, 3>, Image<float, 3>>::New();
+  auto crop = itk::RegionOfInterestImageFilter<itk::Image<float, 3>, itk::Image<float, 3>>::New();
   crop->SetInput(volume.image);
   crop->SetRegionOfInterest(box);
   crop->Update();
@@ -77,7 +77,7 @@ LoadTrialVolume(const Comparison & comparison, const RealCase & real)
     {
       throw std::runtime_error(real.labels + " has another grid than " + real.file);
     }
-    volume.labels = Image<unsigned char, 3>::New();
+    volume.labels = itk::Image<unsigned char, 3>::New();
     volume.labels->SetRegions(labels->GetLargestPossibleRegion());
     volume.labels->Allocate();
     std::transform(labels->GetBufferPointer(),
@@ -98,7 +98,7 @@ ShowReal(const Comparison &         comparison,
   PictureSheet sheet(real.title + ", p = " + CsvTable::Number(real.p) + ", distance " +
                        CsvTable::Number(real.distance) + ", seed 1",
                      { 2, trials.size() + 1, 180, 180 });
-  const auto   plane = [&](const Image<unsigned char, 3> * levels, std::size_t row) {
+  const auto   plane = [&](const itk::Image<unsigned char, 3> * levels, std::size_t row) {
     const unsigned int axis = real.axes[row];
     return DrawPlane(volume, levels, axis, static_cast<std::size_t>(real.places[row] * size[axis]), 180, 180);
   };

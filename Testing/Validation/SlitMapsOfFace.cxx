@@ -2,12 +2,12 @@
 #include "ShapetonPictures.h"
 #include "ValidationReport.h"
 
-#include "itkConformalMapPicture.h"
-#include "itkHeatDiffusionMetric.h"
+#include "shapetonConformalMapPicture.h"
+#include "shapetonHeatDiffusionMetric.h"
 
 #include <cmath>
 
-using namespace itk;
+using namespace shapeton;
 
 namespace
 {

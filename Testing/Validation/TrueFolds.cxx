@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-using namespace itk;
+using namespace shapeton;
 
 namespace
 {

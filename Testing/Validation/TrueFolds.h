@@ -1,7 +1,7 @@
 #ifndef TrueFolds_h
 #define TrueFolds_h
 
-#include "itkColonAnatomy.h"
+#include "shapetonColonAnatomy.h"
 
 #include <vector>
 
@@ -9,7 +9,7 @@
 class TrueFolds
 {
 public:
-  explicit TrueFolds(const itk::ColonAnatomy & anatomy);
+  explicit TrueFolds(const shapeton::ColonAnatomy & anatomy);
 
   /** Index of the fold whose crest, where it stands at least 1 mm above the wall, lies nearest, within 6 mm; -1 where
    * there is none. */
@@ -23,8 +23,8 @@ public:
   SegmentOf(int number) const;
 
 private:
-  itk::CurveSet   m_Folds;
-  Eigen::VectorXd m_Height;
+  shapeton::CurveSet m_Folds;
+  Eigen::VectorXd    m_Height;
 };
 
 #endif

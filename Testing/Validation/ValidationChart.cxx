@@ -1,6 +1,6 @@
 #include "ValidationChart.h"
 
-#include "itkCsvTable.h"
+#include "shapetonCsvTable.h"
 
 #include <algorithm>
 #include <cmath>
@@ -10,7 +10,7 @@
 
 namespace
 {
-using itk::CsvTable;
+using shapeton::CsvTable;
 
 constexpr double left = 80, right = 600, top = 20, bottom = 400;
 

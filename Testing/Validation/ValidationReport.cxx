@@ -16,7 +16,7 @@ ValidationReport::AddText(const std::string & text)
 }
 
 void
-ValidationReport::AddTable(const itk::CsvTable & table)
+ValidationReport::AddTable(const shapeton::CsvTable & table)
 {
   const auto line = [this](const std::vector<std::string> & cells) {
     for (const auto & cell : cells)
@@ -83,10 +83,10 @@ std::string
 MeanWithInterval(const std::vector<double> & values)
 {
   const MeanInterval interval(values);
-  const std::string  text = itk::CsvTable::Rounded(interval.mean, 4);
+  const std::string  text = shapeton::CsvTable::Rounded(interval.mean, 4);
   return values.size() < 2 ? text + " (one sample)"
-                           : text + " [" + itk::CsvTable::Rounded(interval.lower, 4) + ", " +
-                               itk::CsvTable::Rounded(interval.upper, 4) + "]";
+                           : text + " [" + shapeton::CsvTable::Rounded(interval.lower, 4) + ", " +
+                               shapeton::CsvTable::Rounded(interval.upper, 4) + "]";
 }
 
 std::vector<unsigned int>

@@ -1,7 +1,7 @@
 #ifndef ValidationReport_h
 #define ValidationReport_h
 
-#include "itkCsvTable.h"
+#include "shapetonCsvTable.h"
 
 #include <string>
 #include <vector>
@@ -15,7 +15,7 @@ public:
   void
   AddText(const std::string & text);
   void
-  AddTable(const itk::CsvTable & table);
+  AddTable(const shapeton::CsvTable & table);
 
   /** Notes the check and returns "pass" or "FAIL" for a table; failures are counted. */
   std::string

@@ -1,14 +1,14 @@
 #ifndef ValidationVolumes_h
 #define ValidationVolumes_h
 
-#include "itkShapeDiffusionTestVolumes.h"
+#include "shapetonShapeDiffusionTestVolumes.h"
 
 /** A cube of 1 in the middle of a volume of 0. */
-inline itk::test::Volume
+inline shapeton::test::Volume
 Cube(std::size_t volumeSide, std::size_t side)
 {
-  itk::test::Volume volume({ volumeSide, volumeSide, volumeSide });
-  const std::size_t first = (volumeSide - side) / 2;
+  shapeton::test::Volume volume({ volumeSide, volumeSide, volumeSide });
+  const std::size_t      first = (volumeSide - side) / 2;
   volume.Fill([=](std::size_t x, std::size_t y, std::size_t z) {
     return std::min({ x, y, z }) >= first && std::max({ x, y, z }) < first + side ? 1.0 : 0.0;
   });

@@ -3,11 +3,11 @@
 #include "ValidationReport.h"
 #include "ValidationVolumes.h"
 
-#include "itkHeatDiffusionSolver.h"
+#include "shapetonHeatDiffusionSolver.h"
 #include "itkMultiThreaderBase.h"
-#include "itkShapetonDiffusion.h"
+#include "shapetonShapetonDiffusion.h"
 
-using namespace itk;
+using namespace shapeton;
 
 namespace
 {
@@ -357,7 +357,7 @@ MeanHeatOfCube(const test::Volume & volume, const Mask & domain, const std::vect
     steps.push_back(step);
   }
   // For each worker and each piece of time.
-  std::vector<std::vector<Density>> sums(MultiThreaderBase::GetGlobalDefaultNumberOfThreads(),
+  std::vector<std::vector<Density>> sums(itk::MultiThreaderBase::GetGlobalDefaultNumberOfThreads(),
                                          std::vector<Density>(times.size(), Density(volume.values.size())));
   HeatDiffusionSolver               solver(volumeGradient, HeatDiffusionSolver::Method::Chebyshev, 1.0 / 12.0, 1e-5);
   solver.Run(heat, times.back(), steps, [&](std::size_t i, std::size_t row, const float * values, unsigned int worker) {

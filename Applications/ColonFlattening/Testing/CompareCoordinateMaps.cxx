@@ -1,6 +1,6 @@
 // CompareCoordinateMaps MAP BASELINE TOLERANCE: status 0 when two coordinate maps have the same grid, and no point is
 // farther away from its counterpart than TOLERANCE mm. itkTestDriver sees the first component of vectors alone.
-#include "itkFlatCoordinateMap.h"
+#include "shapetonFlatCoordinateMap.h"
 
 #include "itkImageFileReader.h"
 #include "itkNrrdImageIO.h"
@@ -10,10 +10,10 @@
 
 namespace
 {
-itk::FlatCoordinateMap::Pointer
+shapeton::FlatCoordinateMap::Pointer
 Read(const char * path)
 {
-  const auto reader = itk::ImageFileReader<itk::FlatCoordinateMap>::New();
+  const auto reader = itk::ImageFileReader<shapeton::FlatCoordinateMap>::New();
   reader->SetFileName(path);
   reader->SetImageIO(itk::NrrdImageIO::New());
   reader->Update();

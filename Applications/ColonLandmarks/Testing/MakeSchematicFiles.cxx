@@ -1,8 +1,8 @@
 // Writes the inputs of the tests of ColonLandmarks into a folder: a colon as textbooks draw it, flat, with folds
 // between three taeniae, its centreline, and faulty variants.
-#include "itkLandmarkTubes.h"
+#include "shapetonLandmarkTubes.h"
 
-#include "itkSurfaceWriter.h"
+#include "shapetonSurfaceWriter.h"
 
 #include <iostream>
 
@@ -31,19 +31,19 @@ Folds(double u, double angle)
 void
 WritePoints(const std::vector<Eigen::Vector3d> & points, const std::string & path)
 {
-  itk::CurveSet set;
+  shapeton::CurveSet set;
   set.V.resize(points.size(), 3);
   for (std::size_t i = 0; i < points.size(); ++i)
   {
     set.V.row(i) = points[i].transpose();
     set.curves.push_back({ static_cast<int>(i) });
   }
-  itk::WriteCurves(set, path);
+  shapeton::WriteCurves(set, path);
 }
 
 /** Points on the taeniae of the flat surface in the middle of the colon. */
 std::vector<Eigen::Vector3d>
-Markers(const itk::SurfaceMesh & flat, double u)
+Markers(const shapeton::SurfaceMesh & flat, double u)
 {
   std::vector<Eigen::Vector3d> points;
   const auto &                 uv = flat.pointArrays[0].values;
@@ -68,20 +68,20 @@ Markers(const itk::SurfaceMesh & flat, double u)
 int
 main(int, char * argv[])
 {
-  const std::string      folder = argv[1];
-  const SchematicColon   colon = MakeSchematicColon();
-  const itk::SurfaceMesh flat = landmarktubes::TubeAlong(colon.centreline, radius, Folds, 60, 2.0);
-  itk::WriteSurface(flat, folder + "/flat.vtp");
-  itk::WriteCurves(colon.centreline, folder + "/centreline.vtp");
-  itk::WriteCurves(ReversedCurve(colon.centreline), folder + "/reversed.vtp");
-  itk::CurveSet other = colon.centreline;
+  const std::string           folder = argv[1];
+  const SchematicColon        colon = MakeSchematicColon();
+  const shapeton::SurfaceMesh flat = landmarktubes::TubeAlong(colon.centreline, radius, Folds, 60, 2.0);
+  shapeton::WriteSurface(flat, folder + "/flat.vtp");
+  shapeton::WriteCurves(colon.centreline, folder + "/centreline.vtp");
+  shapeton::WriteCurves(ReversedCurve(colon.centreline), folder + "/reversed.vtp");
+  shapeton::CurveSet other = colon.centreline;
   other.V.col(0) *= 0.6;
-  itk::WriteCurves(other, folder + "/other.vtp");
+  shapeton::WriteCurves(other, folder + "/other.vtp");
   WritePoints(Markers(flat, 900.0), folder + "/markers.vtp");
   WritePoints({ Eigen::Vector3d(0, 0, 900) }, folder + "/far.vtp");
 
-  const itk::CurveSet part = RoundedCurve({ { 0, 0, 0 }, { 0, 0, 150 }, { 120, 0, 200 } });
-  itk::WriteSurface(landmarktubes::TubeAlong(part, radius, {}, 40, 4.0), folder + "/partFlat.vtp");
-  itk::WriteCurves(part, folder + "/partCentreline.vtp");
+  const shapeton::CurveSet part = RoundedCurve({ { 0, 0, 0 }, { 0, 0, 150 }, { 120, 0, 200 } });
+  shapeton::WriteSurface(landmarktubes::TubeAlong(part, radius, {}, 40, 4.0), folder + "/partFlat.vtp");
+  shapeton::WriteCurves(part, folder + "/partCentreline.vtp");
   return 0;
 }

@@ -1,15 +1,15 @@
 // Writes folders of examinations and points for the tests: MakeExaminations FOLDER
-#include "itkTestColons.h"
+#include "shapetonTestColons.h"
 
-#include "itkRegistrationFiles.h"
+#include "shapetonRegistrationFiles.h"
 
 namespace
 {
 using namespace tubecolons;
 
 /** A stretch of the wall that was made up over a gap. */
-itk::ColonPositionFiles
-WithCollapse(itk::ColonPositionFiles files, double begin, double end)
+shapeton::ColonPositionFiles
+WithCollapse(shapeton::ColonPositionFiles files, double begin, double end)
 {
   for (Eigen::Index face = 0; face < files.flat.F.rows(); ++face)
   {
@@ -17,16 +17,17 @@ WithCollapse(itk::ColonPositionFiles files, double begin, double end)
     files.flat.cellArrays[0].values(face, 0) = u > begin && u < end;
   }
   auto & folds = files.position.folds;
-  folds.erase(std::remove_if(
-                folds.begin(),
-                folds.end(),
-                [&](const itk::HaustralFold & fold) { return fold.centreUv.x() > begin && fold.centreUv.x() < end; }),
+  folds.erase(std::remove_if(folds.begin(),
+                             folds.end(),
+                             [&](const shapeton::HaustralFold & fold) {
+                               return fold.centreUv.x() > begin && fold.centreUv.x() < end;
+                             }),
               folds.end());
   return files;
 }
 
-itk::ColonPositionFiles
-WithoutLandmarks(itk::ColonPositionFiles files)
+shapeton::ColonPositionFiles
+WithoutLandmarks(shapeton::ColonPositionFiles files)
 {
   files.position.flexures.fill(std::numeric_limits<double>::quiet_NaN());
   return files;
@@ -44,15 +45,15 @@ CopyWithout(const std::string & from, const std::string & to, const std::string 
 void
 WritePoints(const Movement & movement, const std::string & path)
 {
-  itk::CsvTable table({ "sx", "sy", "sz", "px", "py", "pz" });
-  for (const itk::PointPair & pair : KnownPoints(movement))
+  shapeton::CsvTable table({ "sx", "sy", "sz", "px", "py", "pz" });
+  for (const shapeton::PointPair & pair : KnownPoints(movement))
   {
     std::vector<std::string> cells;
     for (const Eigen::Vector3d & point : { pair.source, pair.target })
     {
       for (int k = 0; k < 3; ++k)
       {
-        cells.push_back(itk::CsvTable::Number(point[k]));
+        cells.push_back(shapeton::CsvTable::Number(point[k]));
       }
     }
     table.AddRow(cells);

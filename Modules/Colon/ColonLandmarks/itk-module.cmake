@@ -12,6 +12,7 @@ itk_module(ColonLandmarks
     FlatColon
     HaustralFolds
   TEST_DEPENDS
+    FlatColon
     HaustralFolds
     ITKGoogleTest
   DESCRIPTION "${DOCUMENTATION}"

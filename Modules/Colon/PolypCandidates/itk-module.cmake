@@ -10,7 +10,7 @@ itk_module(PolypCandidates
     ITKCommon
   PRIVATE_DEPENDS
     HeatDiffusionMetric
-    DicomSeries
+    VolumeFiles
     ShapeDiffusion
     FlatColon
     ColonLandmarks

@@ -14,7 +14,6 @@ itk_module(ColonTools
     ColonViews
   PRIVATE_DEPENDS
     VolumeFiles
-    DicomSeries
     SlicerMarkups
     ColonPhantom
     ColonLumen
@@ -24,5 +23,7 @@ itk_module(ColonTools
     ToolInput
   TEST_DEPENDS
     ITKGoogleTest
+    ITKIOImageBase
+    ITKIOPNG
   DESCRIPTION "${DOCUMENTATION}"
 )

@@ -3,7 +3,24 @@ Slicer.")
 
 itk_module(ColonoscopyRun
   ENABLE_SHARED
-  DEPENDS
+  PRIVATE_DEPENDS
+    Base
+    Report
+    SurfaceMesh
+    VolumeFiles
+    SlicerMarkups
+    ColonLandmarks
+    PolypCandidates
+    SupineProne
+    PictureKit
+    ColonViews
+    CommandLine
+    StagedRun
+    ColonTools
+    ITKCommon
+    ITKIOImageBase
+    ITKIONRRD
+  TEST_DEPENDS
     Base
     Report
     SurfaceMesh
@@ -12,16 +29,6 @@ itk_module(ColonoscopyRun
     SupineProne
     StagedRun
     ITKCommon
-  PRIVATE_DEPENDS
-    DicomSeries
-    SlicerMarkups
-    PictureKit
-    ColonViews
-    CommandLine
-    ColonTools
-    ITKIOImageBase
-    ITKIONRRD
-  TEST_DEPENDS
     ITKGoogleTest
   DESCRIPTION "${DOCUMENTATION}"
 )

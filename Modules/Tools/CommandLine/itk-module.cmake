@@ -5,8 +5,8 @@ itk_module(CommandLine
   ENABLE_SHARED
   DEPENDS
     Base
-  PRIVATE_DEPENDS
     ITKCommon
+  PRIVATE_DEPENDS
     ITKExpat
   TEST_DEPENDS
     ITKExpat

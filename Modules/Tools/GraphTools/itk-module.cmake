@@ -13,6 +13,7 @@ itk_module(GraphTools
     CommandLine
   TEST_DEPENDS
     EmbeddingVerification
+    ITKExpat
     ITKGoogleTest
   DESCRIPTION "${DOCUMENTATION}"
 )

@@ -11,9 +11,10 @@ itk_module(HeatTools
     ITKCommon
   PRIVATE_DEPENDS
     VolumeFiles
-    DicomSeries
     CommandLine
   TEST_DEPENDS
     ITKGoogleTest
+    ITKIOImageBase
+    ITKIOPNG
   DESCRIPTION "${DOCUMENTATION}"
 )

@@ -14,10 +14,13 @@ itk_module(ColonViews
   PRIVATE_DEPENDS
     Base
     Report
-    DicomSeries
+    VolumeFiles
     ITKCommon
     ITKImageFunction
   TEST_DEPENDS
+    ColonWall
     ITKGoogleTest
+    ITKIOImageBase
+    ITKIOPNG
   DESCRIPTION "${DOCUMENTATION}"
 )

@@ -3,11 +3,11 @@ set(DOCUMENTATION "Embedded graphs made visible: pictures (SVG), surfaces in spa
 itk_module(GraphViews
   ENABLE_SHARED
   DEPENDS
-    GraphModel
     EmbeddingCertificate
   PRIVATE_DEPENDS
     Base
     SurfaceMesh
+    GraphModel
     RicciFlowEmbedding
   TEST_DEPENDS
     SurfaceMesh

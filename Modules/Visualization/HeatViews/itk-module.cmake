@@ -17,5 +17,6 @@ itk_module(HeatViews
     ITKGoogleTest
     ITKIOImageBase
     ITKIONRRD
+    ITKIOPNG
   DESCRIPTION "${DOCUMENTATION}"
 )

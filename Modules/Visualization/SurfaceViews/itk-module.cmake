@@ -7,5 +7,7 @@ itk_module(SurfaceViews
     PictureKit
   TEST_DEPENDS
     ITKGoogleTest
+    ITKIOImageBase
+    ITKIOPNG
   DESCRIPTION "${DOCUMENTATION}"
 )

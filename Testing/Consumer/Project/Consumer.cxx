@@ -1,7 +1,7 @@
 // Writes a volume with a bright cube, reads it, and tells the cube from the background by its heat.
-#include "itkCumulativeHeatDiffusionImageFilter.h"
-#include "itkVolumeReader.h"
-#include "itkVolumeWriter.h"
+#include "shapetonCumulativeHeatDiffusionImageFilter.h"
+#include "shapetonVolumeReader.h"
+#include "shapetonVolumeWriter.h"
 
 #include <cstdlib>
 #include <iostream>
@@ -38,10 +38,10 @@ main(int argc, char * argv[])
     std::cerr << "usage: Consumer FILE.nrrd" << std::endl;
     return EXIT_FAILURE;
   }
-  itk::WriteVolume(MakeCube().GetPointer(), argv[1]);
-  const itk::Volume volume = itk::ReadVolume(argv[1]);
+  shapeton::WriteVolume(MakeCube().GetPointer(), argv[1]);
+  const shapeton::Volume volume = shapeton::ReadVolume(argv[1]);
 
-  auto diffusion = itk::CumulativeHeatDiffusionImageFilter<ImageType>::New();
+  auto diffusion = shapeton::CumulativeHeatDiffusionImageFilter<ImageType>::New();
   diffusion->SetInput(volume.image);
   diffusion->SetTimeSteps(1000);
   diffusion->Update();

@@ -3,10 +3,10 @@
 // Segments and cleanses a CT and prints what was found; beside the truth of a phantom, how far it is off. INPUT:
 // whatever ReadVolume() takes, or a NumPy file of 16-bit integers (1 mm voxels).
 
-#include "itkColonMeasures.h"
-#include "itkLumenPictures.h"
+#include "shapetonColonMeasures.h"
+#include "shapetonLumenPictures.h"
 
-#include "itkVolumeReader.h"
+#include "shapetonVolumeReader.h"
 
 #include <sys/resource.h>
 
@@ -26,7 +26,7 @@ SecondsSince(Clock::time_point start)
 }
 
 void
-Print(const itk::ColonLumen & lumen)
+Print(const shapeton::ColonLumen & lumen)
 {
   const auto & t = lumen.thresholds;
   std::cout << "gravity " << lumen.gravity << " source " << static_cast<int>(lumen.gravitySource) << " noise "
@@ -68,15 +68,16 @@ Print(const itk::ColonLumen & lumen)
 /** Whole slices, or with --look x,y,z (LPS, mm) what is around that point. */
 void
 Draw(const itk::Image<float, 3> *         image,
-     const itk::ColonLumen &              lumen,
-     const itk::CleansedColon &           cleansed,
+     const shapeton::ColonLumen &         lumen,
+     const shapeton::CleansedColon &      cleansed,
      std::map<std::string, std::string> & arguments)
 {
-  std::string unused;
-  const auto truth = arguments.count("--truth") ? itk::ReadColonTestVolume(arguments["--truth"] + "/lumen.nrrd", unused)
-                                                : itk::Image<float, 3>::Pointer();
-  const itk::ColonSlices slices(image, lumen, cleansed, truth);
-  const auto             size = image->GetLargestPossibleRegion().GetSize();
+  std::string                 unused;
+  const auto                  truth = arguments.count("--truth")
+                                        ? shapeton::ReadColonTestVolume(arguments["--truth"] + "/lumen.nrrd", unused)
+                                        : itk::Image<float, 3>::Pointer();
+  const shapeton::ColonSlices slices(image, lumen, cleansed, truth);
+  const auto                  size = image->GetLargestPossibleRegion().GetSize();
   for (int axis = 0; axis < 3; ++axis)
   {
     const std::string prefix = arguments["--pictures"] + "-" + std::string(1, "xyz"[axis]);
@@ -88,7 +89,8 @@ Draw(const itk::Image<float, 3> *         image,
       point[0] = x;
       point[1] = y;
       point[2] = z;
-      itk::WriteColonPicture(slices.Draw(axis, image->TransformPhysicalPointToIndex(point), 32, 6), prefix + ".png");
+      shapeton::WriteColonPicture(slices.Draw(axis, image->TransformPhysicalPointToIndex(point), 32, 6),
+                                  prefix + ".png");
       continue;
     }
     for (const int quarter : { 1, 2, 3 })
@@ -96,8 +98,8 @@ Draw(const itk::Image<float, 3> *         image,
       const itk::Index<3> middle{ { static_cast<int>(size[0]) / 2 * (axis == 0 ? quarter : 2) / 2,
                                     static_cast<int>(size[1]) / 2 * (axis == 1 ? quarter : 2) / 2,
                                     static_cast<int>(size[2]) / 2 * (axis == 2 ? quarter : 2) / 2 } };
-      itk::WriteColonPicture(slices.Draw(axis, middle, 1000, size[0] <= 150 ? 4 : 2),
-                             prefix + std::to_string(quarter) + ".png");
+      shapeton::WriteColonPicture(slices.Draw(axis, middle, 1000, size[0] <= 150 ? 4 : 2),
+                                  prefix + std::to_string(quarter) + ".png");
     }
   }
 }
@@ -112,19 +114,19 @@ try
   {
     arguments[argv[i]] = argv[i + 1];
   }
-  const std::string      path = argv[1];
-  itk::ColonLumenOptions options;
-  const auto             image = itk::ReadColonTestVolume(path, options.patientPosition);
+  const std::string           path = argv[1];
+  shapeton::ColonLumenOptions options;
+  const auto                  image = shapeton::ReadColonTestVolume(path, options.patientPosition);
   if (arguments.count("--position"))
   {
     options.patientPosition = arguments["--position"] == "none" ? "" : arguments["--position"];
   }
   auto       start = Clock::now();
-  const auto lumen = itk::SegmentColonLumen(image, options);
+  const auto lumen = shapeton::SegmentColonLumen(image, options);
   std::cout << image->GetLargestPossibleRegion().GetSize() << " segmented in " << SecondsSince(start) << " s\n";
   Print(lumen);
   start = Clock::now();
-  const auto cleansed = itk::CleanseColon(image, lumen);
+  const auto cleansed = shapeton::CleanseColon(image, lumen);
   std::cout << "cleansed in " << SecondsSince(start) << " s\n";
   struct rusage usage;
   getrusage(RUSAGE_SELF, &usage);
@@ -135,7 +137,7 @@ try
   }
   if (arguments.count("--truth"))
   {
-    itk::CompareWithTruth(image, lumen, cleansed, arguments["--truth"], std::cout);
+    shapeton::CompareWithTruth(image, lumen, cleansed, arguments["--truth"], std::cout);
   }
   return 0;
 }

@@ -1,5 +1,5 @@
 // DicomFaultyInputs FOLDER: writes sound and faulty inputs for the tests of tools.
-#include "itkDicomFixture.h"
+#include "shapetonDicomFixture.h"
 
 #include <exception>
 #include <iostream>
@@ -14,7 +14,7 @@ main(int argc, char * argv[])
   }
   try
   {
-    itk::WriteFaultyInputs(argv[1]);
+    shapeton::WriteFaultyInputs(argv[1]);
   }
   catch (const std::exception & error)
   {

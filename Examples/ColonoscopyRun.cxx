@@ -1,0 +1,57 @@
+// Virtual colonoscopy of the lumen of a coarse synthetic patient: all stages by the tools beside this program, then one
+// report on them. The options are those of the tool VirtualColonoscopy, whose module description is read.
+// Usage: ExampleColonoscopyRun FOLDER
+#include "shapetonColonPhantomImageSource.h"
+#include "shapetonColonoscopyRun.h"
+#include "shapetonCommandLine.h"
+#include "shapetonFileBytes.h"
+#include "shapetonJson.h"
+#include "shapetonStagedRun.h"
+#include "shapetonVolumeWriter.h"
+
+#include <cmath>
+#include <filesystem>
+#include <iostream>
+#include <iterator>
+
+int
+main(int argc, char * argv[])
+{
+  if (argc != 2)
+  {
+    std::cerr << "Usage: " << argv[0] << " FOLDER\n";
+    return 2;
+  }
+  const std::string folder = argv[1];
+  std::filesystem::create_directories(folder);
+  const auto phantom = shapeton::ColonPhantomImageSource::New();
+  phantom->SetSize({ { 128, 128, 120 } });
+  phantom->SetSpacing(shapeton::ColonPhantomImageSource::SpacingType(2.8)); // mm
+  phantom->CenterOutput();
+  phantom->TruthOnlyOn();
+  phantom->Update();
+  shapeton::WriteVolume(static_cast<const itk::Image<unsigned char, 3> *>(phantom->GetLumenOutput()),
+                        folder + "/lumen.nrrd");
+
+  const std::string  tools = shapeton::FolderOfThisProgram();
+  const std::string  xml = shapeton::ReadFileBytes(tools + "/VirtualColonoscopy.xml");
+  const std::string  lumen = folder + "/lumen.nrrd";
+  const std::string  results = folder + "/results";
+  const char * const arguments[] = { argv[0],       lumen.c_str(), results.c_str(), "--inputIsLumen",
+                                     "--faces",     "8000",        "--metric",      "euclidean",
+                                     "--pixelSize", "2",           "--quiet" };
+  const int          status = shapeton::CommandLine::Run(
+    xml.c_str(), static_cast<int>(std::size(arguments)), arguments, [&](shapeton::CommandLine & commandLine) {
+      shapeton::RunColonoscopy(commandLine, tools);
+    });
+  if (status == 0)
+  {
+    const shapeton::Json segmentation = shapeton::ReadJson(results + "/segmentation/quality.json");
+    const shapeton::Json landmarks = shapeton::ReadJson(results + "/landmarks/landmarks.json");
+    std::cout << "centreline of " << std::lround(segmentation["centreline"]["length"].get<double>())
+              << " mm, wall of genus " << segmentation["surface"]["genusRepaired"] << ", "
+              << landmarks["segments"].size() << " segments; report of "
+              << std::filesystem::file_size(results + "/report.html") / 1000 << " kB\n";
+  }
+  return status;
+}

@@ -1,0 +1,70 @@
+#ifndef shapetonColonDistension_h
+#define shapetonColonDistension_h
+
+#include "shapetonCurveSet.h"
+
+#include "ColonCentrelineExport.h"
+
+#include <string>
+#include <vector>
+
+namespace shapeton
+{
+/** A segment of the colon along its centreline. \ingroup ColonCentreline */
+struct ColonSegmentBorder
+{
+  std::string name;
+  /** arcLength where it ends towards the caecum, mm. */
+  double end{ 0.0 };
+};
+
+/** How far a stretch of the colon is filled: length, calibre, collapsed part. See MeasureDistension().
+ * \ingroup ColonCentreline */
+struct SegmentDistension
+{
+  std::string name;
+  /** arcLength, mm. */
+  double begin{ 0.0 };
+  double end{ 0.0 };
+  /** Share of its length with a calibre of at least 10 mm, 0 to 1. */
+  double share{ 0.0 };
+  /** Mean inner diameter, mm; collapsed stretches count as 0. */
+  double meanCalibre{ 0.0 };
+  /** Length without lumen, mm. */
+  double collapsedLength{ 0.0 };
+};
+
+/** Borders by customary shares of the length from the anal verge, for as long as no landmarks are known:
+ *
+ * | segment | share | from | to |
+ * |---|---|---|---|
+ * | rectum | 0.10 | 0 | 0.10 |
+ * | sigmoid | 0.25 | 0.10 | 0.35 |
+ * | descending | 0.17 | 0.35 | 0.52 |
+ * | transverse | 0.31 | 0.52 | 0.83 |
+ * | ascending | 0.13 | 0.83 | 0.96 |
+ * | caecum | 0.04 | 0.96 | 1 |
+ *
+ * Round figures for orientation, not measured here. Single patients differ from them by several per cent of the length.
+ * \ingroup ColonCentreline */
+ColonCentreline_EXPORT std::vector<ColonSegmentBorder>
+                       CustomarySegments(double length);
+
+/** How well each segment is distended, as reports of CT colonography and barium enema state it: the share of the
+ * centreline with a calibre of at least 1 cm.
+ *
+ * Calibre is the diameter of the largest ball inside the lumen across the line, 2 * radius: the inner diameter between
+ * folds, not between haustra. A gap counts as 0 mm. Each step of the line counts by its length.
+ *
+ * `curve` needs the point arrays arcLength, radius and gap of TraceColonCentreline(). The borders must ascend; the last
+ * segment goes to the end of the line. Throws InputError where an array is missing or the line has no length,
+ * ParameterError for borders that do not ascend or are missing. \ingroup ColonCentreline */
+ColonCentreline_EXPORT std::vector<SegmentDistension>
+                       MeasureDistension(const CurveSet & curve, const std::vector<ColonSegmentBorder> & borders);
+
+/** The same with CustomarySegments(). \ingroup ColonCentreline */
+ColonCentreline_EXPORT std::vector<SegmentDistension>
+                       MeasureDistension(const CurveSet & curve);
+} // namespace shapeton
+
+#endif

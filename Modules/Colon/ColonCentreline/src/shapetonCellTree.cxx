@@ -1,0 +1,417 @@
+#include "shapetonCellTree.h"
+
+#include <algorithm>
+#include <numeric>
+
+namespace shapeton
+{
+namespace
+{
+/** A hole between two loops is not wider (radius, mm). */
+constexpr double widestHole = 7.0;
+/** An exchange must make the way through the colon longer by this, mm. */
+constexpr double leastGain = 40.0;
+/** A ring is long when it is longer than this and some radii more, mm. The cost of paths keeps out of the narrow
+ * passage of a shorter one, and around a fold both ways are right. */
+constexpr double shortRing = 60.0;
+constexpr double ringRadii = 4.0;
+/** Side branches of this length (mm) and more are no haustra; nor those of this volume (mm^3) that lie so far (mm, and
+ * 1.5 radii) from the middle of the way. */
+constexpr double shortestBranch = 40.0;
+constexpr double smallestBranch = 20e3;
+constexpr double besideWay = 10.0;
+/** A passage is a likely hole where its radius is below this share of the calibre within so many mm on both sides. */
+constexpr double leastOpening = 0.4;
+constexpr double holeReach = 30.0;
+
+int
+FindRoot(std::vector<int> & parents, int cell)
+{
+  while (parents[cell] != cell)
+  {
+    parents[cell] = parents[parents[cell]];
+    cell = parents[cell];
+  }
+  return cell;
+}
+} // namespace
+
+CellTree::CellTree(const LumenCells & cells, double coreRadius)
+  : m_Cells(cells), m_CoreRadius(coreRadius), m_Links(cells.NumberOfCells()), m_IsInTree(cells.passages.size(), 0)
+{
+  this->SpanWidest();
+  // Each exchange makes some way longer, so this ends; the bound keeps a strange lumen from taking long.
+  for (int exchanges = 0; exchanges < 30 && this->Exchange(); ++exchanges)
+  {}
+}
+
+void
+CellTree::SpanWidest()
+{
+  std::vector<int> parents(m_Cells.NumberOfCells());
+  std::iota(parents.begin(), parents.end(), 0);
+  for (int p = 0; p < static_cast<int>(m_Cells.passages.size()); ++p)
+  {
+    const int a = FindRoot(parents, m_Cells.passages[p].a);
+    const int b = FindRoot(parents, m_Cells.passages[p].b);
+    if (a != b)
+    {
+      parents[std::max(a, b)] = std::min(a, b);
+      this->AddLink(p);
+    }
+  }
+}
+
+double
+CellTree::Length(int passage) const
+{
+  const CellPassage & p = m_Cells.passages[passage];
+  return (m_Cells.positions[p.a] - m_Cells.positions[p.b]).norm();
+}
+
+void
+CellTree::AddLink(int passage)
+{
+  const CellPassage & p = m_Cells.passages[passage];
+  m_Links[p.a].push_back({ p.b, passage, this->Length(passage) });
+  m_Links[p.b].push_back({ p.a, passage, this->Length(passage) });
+  m_IsInTree[passage] = 1;
+}
+
+void
+CellTree::RemoveLink(int passage)
+{
+  for (const int cell : { m_Cells.passages[passage].a, m_Cells.passages[passage].b })
+  {
+    auto & links = m_Links[cell];
+    links.erase(
+      std::find_if(links.begin(), links.end(), [passage](const Link & link) { return link.passage == passage; }));
+  }
+  m_IsInTree[passage] = 0;
+}
+
+void
+CellTree::Visit(int cell, Walk & walk) const
+{
+  const std::size_t begin = walk.order.size();
+  walk.order.push_back(cell);
+  walk.length[cell] = 0.0;
+  walk.depth[cell] = 0;
+  for (std::size_t i = begin; i < walk.order.size(); ++i)
+  {
+    const int at = walk.order[i];
+    for (const Link & link : m_Links[at])
+    {
+      if (walk.depth[link.cell] < 0)
+      {
+        walk.length[link.cell] = walk.length[at] + link.length;
+        walk.depth[link.cell] = walk.depth[at] + 1;
+        walk.parent[link.cell] = at;
+        walk.passage[link.cell] = link.passage;
+        walk.order.push_back(link.cell);
+      }
+    }
+  }
+}
+
+CellTree::Walk
+CellTree::WalkFrom(int cell) const
+{
+  Walk walk;
+  walk.length.assign(m_Links.size(), -1.0);
+  walk.depth.assign(m_Links.size(), -1);
+  walk.parent.assign(m_Links.size(), -1);
+  walk.passage.assign(m_Links.size(), -1);
+  if (cell >= 0)
+  {
+    this->Visit(cell, walk);
+  }
+  return walk;
+}
+
+CellTree::Walk
+CellTree::WalkAll() const
+{
+  Walk walk = this->WalkFrom(-1);
+  for (int cell = 0; cell < static_cast<int>(m_Links.size()); ++cell)
+  {
+    if (walk.depth[cell] < 0)
+    {
+      this->Visit(cell, walk);
+    }
+  }
+  return walk;
+}
+
+int
+CellTree::FarthestCore(const Walk & walk) const
+{
+  int farthest = walk.order.front();
+  for (const int cell : walk.order)
+  {
+    if (m_Cells.radii[cell] >= m_CoreRadius && walk.length[cell] > walk.length[farthest])
+    {
+      farthest = cell;
+    }
+  }
+  return farthest;
+}
+
+std::array<int, 2>
+CellTree::Ends(int member) const
+{
+  const int first = this->FarthestCore(this->WalkFrom(member));
+  return { first, this->FarthestCore(this->WalkFrom(first)) };
+}
+
+std::vector<int>
+CellTree::Groups() const
+{
+  const Walk       walk = this->WalkAll();
+  std::vector<int> groups(m_Links.size(), -1);
+  for (const int cell : walk.order)
+  {
+    groups[cell] = walk.parent[cell] < 0 ? cell : groups[walk.parent[cell]];
+  }
+  return groups;
+}
+
+std::vector<int>
+CellTree::Way(int from, int to) const
+{
+  const Walk       walk = this->WalkFrom(to);
+  std::vector<int> way;
+  for (int cell = from; cell >= 0; cell = walk.parent[cell])
+  {
+    way.push_back(cell);
+  }
+  return way;
+}
+
+double
+CellTree::SideBranches(const std::vector<int> & way, double area) const
+{
+  std::vector<int> place(m_Links.size(), -1);
+  for (int i = 0; i < static_cast<int>(way.size()); ++i)
+  {
+    place[way[i]] = i;
+  }
+  const Walk          walk = this->WalkFrom(way.front());
+  std::vector<double> longest(way.size(), 0.0);
+  std::vector<double> volumes(way.size(), 0.0);
+  for (const int cell : walk.order)
+  {
+    place[cell] = place[cell] < 0 ? place[walk.parent[cell]] : place[cell];
+    const int    stem = way[place[cell]];
+    const double beyond = walk.length[cell] - walk.length[stem] - m_Cells.radii[stem];
+    if (m_Cells.radii[cell] >= m_CoreRadius)
+    {
+      longest[place[cell]] = std::max(longest[place[cell]], beyond - m_Cells.radii[stem]);
+    }
+    volumes[place[cell]] += beyond > besideWay + 0.5 * m_Cells.radii[stem] ? m_Cells.volumes[cell] : 0.0;
+  }
+  double sum = 0.0;
+  for (std::size_t i = 0; i < way.size(); ++i)
+  {
+    const double length = longest[i] > shortestBranch ? longest[i] : 0.0;
+    sum += std::max(length, volumes[i] > smallestBranch ? volumes[i] / area : 0.0);
+  }
+  return sum;
+}
+
+double
+CellTree::WidestOnWay(const std::vector<int> & way, int i, int direction) const
+{
+  const int last = static_cast<int>(way.size()) - 1;
+  double    widest = m_Cells.radii[way[i]];
+  double    passed = 0.0;
+  for (int next = i + direction; next >= 0 && next <= last; next += direction)
+  {
+    passed += (m_Cells.positions[way[next]] - m_Cells.positions[way[next - direction]]).norm();
+    if (passed > holeReach)
+    {
+      break;
+    }
+    widest = std::max(widest, m_Cells.radii[way[next]]);
+  }
+  return widest;
+}
+
+double
+CellTree::Holes(const std::vector<int> & way) const
+{
+  double sum = 0.0;
+  double most = 0.0;
+  for (int i = 1; i < static_cast<int>(way.size()); ++i)
+  {
+    const auto & links = m_Links[way[i]];
+    const auto   link =
+      std::find_if(links.begin(), links.end(), [&](const Link & found) { return found.cell == way[i - 1]; });
+    const double width = std::min(this->WidestOnWay(way, i - 1, -1), this->WidestOnWay(way, i, 1));
+    const double likeness = 1.0 - m_Cells.passages[link->passage].clearance / (leastOpening * width);
+    // A hole is crossed by several passages, one after the other: it counts once.
+    sum += std::max(0.0, likeness - most);
+    most = likeness > 0.0 ? std::max(most, likeness) : 0.0;
+  }
+  return sum;
+}
+
+std::vector<CellTree::Neck>
+CellTree::Necks() const
+{
+  const Walk             walk = this->WalkAll();
+  const std::vector<int> groups = this->Groups();
+  std::vector<double>    beyond = m_Cells.volumes;
+  for (auto cell = walk.order.rbegin(); cell != walk.order.rend(); ++cell)
+  {
+    if (walk.parent[*cell] >= 0)
+    {
+      beyond[walk.parent[*cell]] += beyond[*cell];
+    }
+  }
+  std::vector<Neck> necks;
+  for (const int cell : walk.order)
+  {
+    const int passage = walk.passage[cell];
+    if (passage >= 0 && m_Cells.passages[passage].clearance <= widestHole)
+    {
+      necks.push_back({ passage, std::min(beyond[cell], beyond[groups[cell]] - beyond[cell]) });
+    }
+  }
+  return necks;
+}
+
+double
+CellTree::LongestWay(int member) const
+{
+  const Walk walk = this->WalkFrom(this->FarthestCore(this->WalkFrom(member)));
+  return walk.length[this->FarthestCore(walk)];
+}
+
+std::vector<int>
+CellTree::Ring(const Walk & all, int passage) const
+{
+  int              a = m_Cells.passages[passage].a;
+  int              b = m_Cells.passages[passage].b;
+  std::vector<int> ring;
+  while (a != b)
+  {
+    int & deeper = all.depth[a] >= all.depth[b] ? a : b;
+    if (all.parent[deeper] < 0)
+    {
+      return {};
+    }
+    ring.push_back(all.passage[deeper]);
+    deeper = all.parent[deeper];
+  }
+  return ring;
+}
+
+double
+CellTree::LengthOf(const std::vector<int> & passages) const
+{
+  double length = 0.0;
+  for (const int passage : passages)
+  {
+    length += this->Length(passage);
+  }
+  return length;
+}
+
+bool
+CellTree::IsLongRing(const std::vector<int> & ring, int passage) const
+{
+  double widest = 0.0;
+  for (const int p : ring)
+  {
+    widest = std::max({ widest, m_Cells.radii[m_Cells.passages[p].a], m_Cells.radii[m_Cells.passages[p].b] });
+  }
+  return this->LengthOf(ring) > shortRing + ringRadii * widest + this->Length(passage);
+}
+
+void
+CellTree::TryExchanges(int in, double & bestGain, std::array<int, 2> & best)
+{
+  const std::vector<int> ring = this->Ring(this->WalkAll(), in);
+  const int              member = m_Cells.passages[in].a;
+  const double           before = this->LongestWay(member);
+  for (const int out : ring)
+  {
+    if (m_Cells.passages[out].clearance > widestHole)
+    {
+      continue;
+    }
+    this->RemoveLink(out);
+    this->AddLink(in);
+    const double gain = this->LongestWay(member) - before;
+    this->RemoveLink(in);
+    this->AddLink(out);
+    if (gain > bestGain)
+    {
+      bestGain = gain;
+      best = { in, out };
+    }
+  }
+}
+
+bool
+CellTree::Exchange()
+{
+  const Walk       all = this->WalkAll();
+  std::vector<int> holes;
+  for (int p = 0; p < static_cast<int>(m_Cells.passages.size()); ++p)
+  {
+    if (!m_IsInTree[p] && m_Cells.passages[p].clearance <= widestHole && this->IsLongRing(this->Ring(all, p), p))
+    {
+      holes.push_back(p);
+    }
+  }
+  double             bestGain = leastGain;
+  std::array<int, 2> best = { -1, -1 };
+  for (const int hole : holes)
+  {
+    this->TryExchanges(hole, bestGain, best);
+  }
+  if (best[0] < 0)
+  {
+    return false;
+  }
+  this->RemoveLink(best[1]);
+  this->AddLink(best[0]);
+  return true;
+}
+
+void
+CellTree::SortOut()
+{
+  const Walk             all = this->WalkAll();
+  const std::vector<int> groups = this->Groups();
+  m_Open.assign(m_Cells.NumberOfCells(), {});
+  m_Merges.clear();
+  for (int p = 0; p < static_cast<int>(m_Cells.passages.size()); ++p)
+  {
+    const CellPassage & passage = m_Cells.passages[p];
+    if (!m_IsInTree[p])
+    {
+      const std::vector<int> ring = this->Ring(all, p);
+      if (groups[passage.a] != groups[passage.b] || this->IsLongRing(ring, p))
+      {
+        m_Merges.push_back({ p, this->LengthOf(ring) });
+        continue;
+      }
+    }
+    m_Open[passage.a].push_back(passage.b);
+    m_Open[passage.b].push_back(passage.a);
+  }
+  for (auto & cells : m_Open)
+  {
+    std::sort(cells.begin(), cells.end());
+  }
+}
+
+bool
+CellTree::IsOpen(int a, int b) const
+{
+  return std::binary_search(m_Open[a].begin(), m_Open[a].end(), b);
+}
+} // namespace shapeton

@@ -1,0 +1,463 @@
+#include "shapetonCentrelineAssembly.h"
+
+#include "shapetonMiddleLine.h"
+#include "shapetonPlaceInWords.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace shapeton
+{
+namespace
+{
+/** Narrower places (radius, mm) are told. */
+constexpr double narrow = 2.5;
+/** Share of lumen (DistanceField::Occupancy) below which the line is outside. */
+constexpr double leastInside = 0.55;
+
+/** A stretch of the curve, in the frame of the grid. */
+struct Section
+{
+  CurvePoints         points;
+  std::vector<double> radii;
+  /** What the curve comes from. */
+  std::vector<int> nodes;
+  bool             isGap{ false };
+  /** Index into the order of pieces; of the piece before a gap. */
+  int piece{ 0 };
+};
+
+itk::Point<double, 3>
+ToPoint(const LumenGrid & grid, const Eigen::Vector3d & position)
+{
+  const Eigen::Vector3d at = grid.ToPhysical(position);
+  itk::Point<double, 3> point;
+  for (int a = 0; a < 3; ++a)
+  {
+    point[a] = at[a];
+  }
+  return point;
+}
+
+/** The direction at the end of a curve, over its last 10 mm. */
+Eigen::Vector3d
+EndDirection(const CurvePoints & points, bool atBegin)
+{
+  const std::size_t     reach = std::min<std::size_t>(points.size() - 1, 10);
+  const auto &          tip = atBegin ? points.front() : points.back();
+  const auto &          inner = atBegin ? points[reach] : points[points.size() - 1 - reach];
+  const Eigen::Vector3d direction = atBegin ? inner - tip : tip - inner;
+  return direction.norm() > 0.0 ? Eigen::Vector3d(direction.normalized()) : Eigen::Vector3d(Eigen::Vector3d::UnitZ());
+}
+
+/** Of each point of a section whether it or the way to the next one lies outside the lumen. */
+std::vector<char>
+FindOutside(const DistanceField & field, const CurvePoints & points)
+{
+  std::vector<char> isOutside(points.size(), 0);
+  for (std::size_t i = 1; i + 1 < points.size(); ++i)
+  {
+    const double halfway = field.Occupancy(0.5 * (points[i] + points[i + 1]));
+    isOutside[i] = std::min(field.Occupancy(points[i]), halfway) < leastInside;
+  }
+  return isOutside;
+}
+
+/** A section as itself where all of it lies inside the lumen; else cut where it leaves the lumen, with gaps between. */
+void
+AddInside(const DistanceField & field, const Section & section, std::vector<Section> & sections)
+{
+  const std::vector<char> isOutside = FindOutside(field, section.points);
+  for (std::size_t begin = 0; begin < section.points.size();)
+  {
+    std::size_t end = begin;
+    while (end < section.points.size() && isOutside[end] == isOutside[begin])
+    {
+      ++end;
+    }
+    Section part;
+    part.points.assign(section.points.begin() + begin, section.points.begin() + end);
+    part.radii.assign(section.radii.begin() + begin, section.radii.begin() + end);
+    part.isGap = isOutside[begin] != 0;
+    part.piece = section.piece;
+    if (begin == 0)
+    {
+      part.nodes = section.nodes;
+    }
+    sections.push_back(part);
+    begin = end;
+  }
+}
+
+std::vector<Section>
+MakeSections(const LumenNetwork &             network,
+             const DistanceField &            field,
+             const std::vector<PieceLine> &   lines,
+             const std::vector<PlacedPiece> & order,
+             const ColonCentrelineOptions &   options)
+{
+  std::vector<Section> sections;
+  for (std::size_t i = 0; i < order.size(); ++i)
+  {
+    // The last end is the caecum, whose pole is wide: what is narrow there is the ileum or the appendix.
+    const bool isLast = i + 1 == order.size();
+    Section    section;
+    section.nodes = lines[order[i].piece].Nodes(true, !isLast);
+    section.points = ShapeLine(network, field, section.nodes, options);
+    if (isLast)
+    {
+      LeadToPole(network, field, options.step, section.points);
+    }
+    TrimEnds(field, options.step, section.points);
+    section.radii = RadiiAlong(network, field, section.points, options.step);
+    section.piece = static_cast<int>(i);
+    if (i > 0)
+    {
+      const CurvePoints & before = sections.back().points;
+      Section             gap;
+      gap.isGap = true;
+      gap.piece = static_cast<int>(i) - 1;
+      gap.points = BridgeGap(before.back(),
+                             EndDirection(before, false),
+                             section.points.front(),
+                             EndDirection(section.points, true),
+                             options.step);
+      gap.radii.assign(gap.points.size(), options.gapRadius);
+      sections.push_back(gap);
+    }
+    AddInside(field, section, sections);
+  }
+  return sections;
+}
+
+SurfaceArray
+MakeArray(const std::string & name, const std::vector<double> & values, int columns = 1, bool areIntegers = false)
+{
+  SurfaceArray array;
+  array.name = name;
+  array.areIntegers = areIntegers;
+  array.values.resize(static_cast<Eigen::Index>(values.size()) / columns, columns);
+  std::copy(values.begin(), values.end(), array.values.data());
+  return array;
+}
+
+/** The curve with its arrays; sets begin and end of each section by the arcLength. */
+void
+FillCurve(const LumenGrid &            grid,
+          const std::vector<Section> & sections,
+          std::vector<double> &        begins,
+          ColonCentreline &            result)
+{
+  std::vector<double> arcs, radii, gaps;
+  CurvePoints         points;
+  for (const Section & section : sections)
+  {
+    radii.insert(radii.end(), section.radii.begin(), section.radii.end());
+    for (const Eigen::Vector3d & point : section.points)
+    {
+      arcs.push_back(points.empty() ? 0.0 : arcs.back() + (point - points.back()).norm());
+      gaps.push_back(section.isGap ? 1.0 : 0.0);
+      if (&point == &section.points.front())
+      {
+        begins.push_back(arcs.back());
+      }
+      points.push_back(point);
+    }
+    if (section.points.empty())
+    {
+      begins.push_back(arcs.empty() ? 0.0 : arcs.back());
+    }
+  }
+  CurveSet & curve = result.curve;
+  curve.V.resize(static_cast<Eigen::Index>(points.size()), 3);
+  curve.curves.assign(1, std::vector<int>(points.size()));
+  for (std::size_t i = 0; i < points.size(); ++i)
+  {
+    curve.V.row(i) = grid.ToPhysical(points[i]).transpose();
+    curve.curves[0][i] = static_cast<int>(i);
+  }
+  result.length = arcs.back();
+  begins.push_back(result.length);
+  curve.pointArrays = { MakeArray("arcLength", arcs), MakeArray("radius", radii), MakeArray("gap", gaps, 1, true) };
+}
+
+void
+AddPieces(const LumenGrid &                grid,
+          const std::vector<PieceLine> &   lines,
+          const std::vector<PlacedPiece> & order,
+          const std::vector<Section> &     sections,
+          const std::vector<double> &      begins,
+          ColonCentreline &                result)
+{
+  for (std::size_t s = 0; s < sections.size(); ++s)
+  {
+    const double end = begins[s] + CurveLength(sections[s].points);
+    if (sections[s].isGap)
+    {
+      continue;
+    }
+    if (static_cast<int>(result.pieces.size()) > sections[s].piece)
+    {
+      result.pieces.back().end = end;
+      continue;
+    }
+    const PieceLine & line = lines[order[sections[s].piece].piece];
+    CentrelinePiece   piece;
+    piece.component = line.component;
+    piece.volume = 1e-3 * line.volume;
+    piece.isUsed = true;
+    piece.begin = begins[s];
+    piece.end = end;
+    piece.place = ToPoint(grid, sections[s].points[sections[s].points.size() / 2]);
+    result.pieces.push_back(piece);
+  }
+}
+
+void
+AddGaps(const LumenGrid &            grid,
+        const std::vector<Section> & sections,
+        const std::vector<double> &  begins,
+        ColonCentreline &            result)
+{
+  for (std::size_t s = 0; s < sections.size(); ++s)
+  {
+    if (!sections[s].isGap)
+    {
+      continue;
+    }
+    const Eigen::Vector3d & from = sections[s - 1].points.back();
+    const Eigen::Vector3d & to = sections[s + 1].points.front();
+    const double            before =
+      s == 0 ? 0.0 : begins[s] - (sections[s].points.empty() ? 0.0 : (sections[s].points.front() - from).norm());
+    CentrelineGap gap;
+    gap.begin = before;
+    gap.end = begins[s + 1];
+    gap.from = ToPoint(grid, from);
+    gap.to = ToPoint(grid, to);
+    gap.distance = (to - from).norm();
+    gap.isDoubtful = gap.distance > longestJoin;
+    result.gaps.push_back(gap);
+    result.warnings.push_back("no lumen over " + InTenths(gap.distance) + " mm from " + PlaceInWords(gap.from) +
+                              " to " + PlaceInWords(gap.to) + ": the centreline is bridged there" +
+                              (gap.isDoubtful ? "; so long a gap puts the order of the pieces in doubt" : ""));
+  }
+}
+
+/** Tells stretches inside the lumen that are hardly open. */
+void
+WarnOfNarrowPlaces(const LumenGrid & grid, const std::vector<Section> & sections, ColonCentreline & result)
+{
+  for (const Section & section : sections)
+  {
+    const std::vector<int> & nodes = section.nodes;
+    // Near the ends of a piece the lumen tapers.
+    const std::size_t margin = 15;
+    for (std::size_t i = margin; i + margin < nodes.size(); ++i)
+    {
+      std::size_t narrowest = i;
+      std::size_t end = i;
+      while (end + margin < nodes.size() && grid.Distance(nodes[end]) < narrow)
+      {
+        narrowest = grid.Distance(nodes[end]) < grid.Distance(nodes[narrowest]) ? end : narrowest;
+        ++end;
+      }
+      if (end > i)
+      {
+        result.warnings.push_back("the lumen is only " + InTenths(2.0 * grid.Distance(nodes[narrowest])) +
+                                  " mm wide at " + PlaceInWords(ToPoint(grid, grid.Position(nodes[narrowest]))) +
+                                  ": a collapsed place, or two loops have merged");
+        i = end;
+      }
+    }
+  }
+}
+
+/** The anus lies near the middle plane and not in front; of a line that begins elsewhere the direction is in doubt. */
+void
+WarnOfUnlikelyRectum(ColonCentreline & result)
+{
+  constexpr double fromMiddle = 0.2; // of the extent of the line; LPS: y grows towards the back
+  constexpr double leastBack = 0.3;
+  ColonExtent      extent;
+  for (Eigen::Index i = 0; i < result.curve.V.rows(); ++i)
+  {
+    extent.Include(result.curve.V.row(i));
+  }
+  const itk::Point<double, 3> place(Eigen::Vector3d(result.curve.V.row(0)).data());
+  if (std::abs(extent.ShareAlong(0, place) - 0.5) > fromMiddle || extent.ShareAlong(1, place) < leastBack)
+  {
+    result.warnings.push_back("the line begins at " + PlaceInWords(place) +
+                              ", which is no likely place of the anus: it may run from the caecum to the rectum, or "
+                              "the rectum is missing");
+  }
+}
+
+/** Lengths for the exponents 2, 3, 4: the line itself, changed by how much the other paths differ from its core. */
+void
+AddLengths(const LumenNetwork &             network,
+           const DistanceField &            field,
+           const std::vector<PieceLine> &   lines,
+           const std::vector<PlacedPiece> & order,
+           const ColonCentrelineOptions &   options,
+           ColonCentreline &                result)
+{
+  const auto lengthOf = [&](const std::vector<int> & nodes) {
+    return CurveLength(ShapeLine(network, field, nodes, options));
+  };
+  result.lengths.fill(result.length);
+  for (const PlacedPiece & placed : order)
+  {
+    const PieceLine & line = lines[placed.piece];
+    const double      core = lengthOf(line.core);
+    result.lengths[0] += lengthOf(OtherPath(network, line, 2)) - core;
+    result.lengths[2] += lengthOf(OtherPath(network, line, 4)) - core;
+  }
+  const auto [least, most] = std::minmax_element(result.lengths.begin(), result.lengths.end());
+  if (*most - *least > 0.03 * result.length)
+  {
+    result.warnings.push_back("the length of the centreline depends on the cost of paths, " +
+                              InTenths(result.lengths[0]) + ", " + InTenths(result.lengths[1]) + " and " +
+                              InTenths(result.lengths[2]) + " mm for the exponents 2, 3 and 4: loops may have merged");
+  }
+}
+
+void
+AddCover(const LumenNetwork &             network,
+         const std::vector<PieceLine> &   lines,
+         const std::vector<PlacedPiece> & order,
+         ColonCentreline &                result)
+{
+  double whole = 0.0;
+  double covered = 0.0;
+  for (const PlacedPiece & placed : order)
+  {
+    const PieceLine & line = lines[placed.piece];
+    whole += line.volume;
+    covered += line.coveredVolume;
+    if (line.branchVolume > std::max(20e3, 0.02 * line.volume))
+    {
+      const auto place = ToPoint(network.grid, network.grid.Position(line.branchPlace));
+      result.warnings.push_back("a side branch of " + InTenths(1e-3 * line.branchVolume) + " ml hangs on the line at " +
+                                PlaceInWords(place) + ": other bowel, or a loop that the line leaves out");
+    }
+  }
+  result.coverage = whole > 0.0 ? covered / whole : 0.0;
+}
+} // namespace
+
+ColonCentreline
+AssembleCentreline(const LumenNetwork &             network,
+                   const DistanceField &            field,
+                   const std::vector<PieceLine> &   lines,
+                   const std::vector<PlacedPiece> & order,
+                   const ColonCentrelineOptions &   options)
+{
+  ColonCentreline            result;
+  const std::vector<Section> sections = MakeSections(network, field, lines, order, options);
+  std::vector<double>        begins;
+  FillCurve(network.grid, sections, begins, result);
+  AddPieces(network.grid, lines, order, sections, begins, result);
+  AddGaps(network.grid, sections, begins, result);
+  AddLengths(network, field, lines, order, options, result);
+  AddCover(network, lines, order, result);
+  WarnOfNarrowPlaces(network.grid, sections, result);
+  if (!options.start)
+  {
+    WarnOfUnlikelyRectum(result);
+  }
+  return result;
+}
+
+void
+AddUnusedLines(const LumenNetwork &             network,
+               const std::vector<PieceLine> &   lines,
+               const std::vector<PlacedPiece> & order,
+               ColonCentreline &                result)
+{
+  for (std::size_t i = 0; i < lines.size(); ++i)
+  {
+    const auto isIt = [i](const PlacedPiece & placed) { return placed.piece == static_cast<int>(i); };
+    if (std::any_of(order.begin(), order.end(), isIt))
+    {
+      continue;
+    }
+    CentrelinePiece piece;
+    piece.component = lines[i].component;
+    piece.volume = 1e-3 * lines[i].volume;
+    piece.place = ToPoint(network.grid, network.grid.Position(lines[i].core[lines[i].core.size() / 2]));
+    piece.reason = "it lies too far from the ends of the other pieces";
+    result.pieces.push_back(piece);
+    result.warnings.push_back("a piece of lumen of " + InTenths(piece.volume) + " ml at " + PlaceInWords(piece.place) +
+                              " is not used: " + piece.reason);
+  }
+}
+
+void
+AddUnusedComponents(const LumenMask *       lumen,
+                    const LumenComponents & components,
+                    const LumenChoice &     choice,
+                    ColonCentreline &       result)
+{
+  for (std::size_t c = 1; c <= components.components.size(); ++c)
+  {
+    if (choice.isUsed[c])
+    {
+      continue;
+    }
+    CentrelinePiece piece;
+    piece.component = static_cast<int>(c);
+    piece.volume = components.components[c - 1].volume;
+    piece.place = PlaceOf(lumen, components.components[c - 1]);
+    piece.reason = choice.reasons[c];
+    result.pieces.push_back(piece);
+    if (piece.volume >= 1.0)
+    {
+      result.warnings.push_back("a piece of lumen of " + InTenths(piece.volume) + " ml at " +
+                                PlaceInWords(piece.place) + " is not used: " + piece.reason);
+    }
+  }
+}
+
+void
+AddMerges(const LumenNetwork & network, ColonCentreline & result)
+{
+  constexpr double onePlace = 30.0;
+  for (const CellTree::Merge & found : network.tree.Merges())
+  {
+    const CellPassage & passage = network.cells.passages[found.passage];
+    CentrelineMerge     merge;
+    merge.place = ToPoint(network.grid, network.grid.Position(passage.node));
+    merge.clearance = passage.clearance;
+    merge.loop = found.loop;
+    const bool isKnown = std::any_of(result.merges.begin(), result.merges.end(), [&](const CentrelineMerge & m) {
+      return m.place.EuclideanDistanceTo(merge.place) < onePlace;
+    });
+    if (!isKnown)
+    {
+      result.merges.push_back(merge);
+      const std::string loop = merge.loop > 0.0 ? " that would cut off " + InTenths(merge.loop) + " mm" : "";
+      result.warnings.push_back("loops of the colon touch at " + PlaceInWords(merge.place) + " through a hole of " +
+                                InTenths(2.0 * merge.clearance) + " mm" + loop + ": the centreline does not pass it");
+    }
+  }
+  std::vector<double> gaps, merges;
+  for (const CentrelineGap & gap : result.gaps)
+  {
+    gaps.insert(gaps.end(), { gap.begin, gap.end });
+  }
+  for (const CentrelineMerge & m : result.merges)
+  {
+    merges.insert(merges.end(), { m.place[0], m.place[1], m.place[2], m.clearance, m.loop });
+  }
+  result.curve.fieldArrays = { MakeArray("lengths", { result.lengths.begin(), result.lengths.end() }) };
+  if (!gaps.empty())
+  {
+    result.curve.fieldArrays.push_back(MakeArray("gaps", gaps, 2));
+  }
+  if (!merges.empty())
+  {
+    result.curve.fieldArrays.push_back(MakeArray("merges", merges, 5));
+  }
+}
+} // namespace shapeton

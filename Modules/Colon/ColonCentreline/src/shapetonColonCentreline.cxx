@@ -1,0 +1,287 @@
+#include "shapetonColonCentreline.h"
+
+#include "shapetonCentrelineAssembly.h"
+#include "shapetonLumenChoice.h"
+#include "shapetonPieceLine.h"
+#include "shapetonPieceOrder.h"
+#include "shapetonPlaceInWords.h"
+
+#include "shapetonExceptions.h"
+
+#include <algorithm>
+#include <map>
+#include <memory>
+
+namespace shapeton
+{
+namespace
+{
+void
+RequireOptions(const ColonCentrelineOptions & options)
+{
+  RequireParameter(options.exponent >= 1 && options.exponent <= 8,
+                   "the exponent of the centreline must be from 1 to 8");
+  RequireParameter(options.step >= 0.2 && options.step <= 10.0, "the step of the centreline must be from 0.2 to 10 mm");
+  RequireParameter(options.smoothing >= 0.0 && options.smoothing <= 20.0,
+                   "the smoothing of the centreline must be from 0 to 20 mm");
+  RequireParameter(options.minimumVolume >= 0.0 && options.minimumExtent >= 0.0 && options.gapRadius >= 0.0,
+                   "volumes, extents and radii of the centreline must not be negative");
+}
+
+Eigen::Vector3d
+ToVector(const itk::Point<double, 3> & point)
+{
+  return { point[0], point[1], point[2] };
+}
+
+/** A node of each piece, the widest; a piece is what hangs together by open passages. Crumbs that the grid tears off a
+ * component, smaller than the smallest piece, are left out. */
+std::vector<int>
+WidestNodes(const LumenNetwork & network, double minimumVolume)
+{
+  const std::vector<int> groups = network.tree.Groups();
+  std::vector<int>       widest(groups.size(), -1);
+  std::vector<double>    volumes(groups.size(), 0.0);
+  std::map<int, double>  largest;
+  for (std::size_t cell = 0; cell < groups.size(); ++cell)
+  {
+    int &     node = widest[groups[cell]];
+    const int centre = network.cells.centres[cell];
+    if (node < 0 || network.grid.Distance(centre) > network.grid.Distance(node))
+    {
+      node = centre;
+    }
+    volumes[groups[cell]] += network.cells.volumes[cell];
+    double & most = largest[network.grid.Component(centre)];
+    most = std::max(most, volumes[groups[cell]]);
+  }
+  std::vector<int> nodes;
+  for (std::size_t group = 0; group < groups.size(); ++group)
+  {
+    if (widest[group] >= 0 &&
+        (volumes[group] >= 1e3 * minimumVolume || volumes[group] == largest[network.grid.Component(widest[group])]))
+    {
+      nodes.push_back(widest[group]);
+    }
+  }
+  return nodes;
+}
+
+/** The lines of all pieces; the one of the rectum's given start comes first. */
+std::vector<PieceLine>
+TracePieces(const LumenNetwork & network, const ColonCentrelineOptions & options)
+{
+  const std::vector<int> groups = network.tree.Groups();
+  std::vector<PieceLine> lines;
+  int                    begun = -1;
+  if (options.start)
+  {
+    const int node = network.grid.NearestNode(network.grid.FromPhysical(ToVector(*options.start)));
+    lines.push_back(TracePieceFrom(network, node, options.exponent));
+    begun = groups[network.cells.cellOf[node]];
+  }
+  const std::vector<int> widest = WidestNodes(network, options.minimumVolume);
+  for (std::size_t i = 0; i < widest.size(); ++i)
+  {
+    if (groups[network.cells.cellOf[widest[i]]] != begun)
+    {
+      lines.push_back(TracePiece(network, widest[i], options.exponent));
+    }
+    options.progress(0.2 + 0.6 * (i + 1) / widest.size());
+  }
+  return lines;
+}
+
+CurvePoints
+PhysicalPoints(const LumenGrid & grid, const std::vector<int> & nodes)
+{
+  CurvePoints points;
+  for (const int node : nodes)
+  {
+    points.push_back(grid.ToPhysical(grid.Position(node)));
+  }
+  return points;
+}
+
+/** The end 1 of a line, or the end 0 of one that is reversed. Its direction is that of the last 40 mm of the core to
+ * the middle of the tips: paths turn to the wall in a blunt end. */
+JoinEnd
+MakeJoinEnd(const LumenGrid & grid, const PieceLine & line, bool isReversed, bool prolongs)
+{
+  std::vector<int> nodes = line.core;
+  if (isReversed)
+  {
+    std::reverse(nodes.begin(), nodes.end());
+  }
+  const CurvePoints   core = PhysicalPoints(grid, nodes);
+  std::vector<double> radii(nodes.size());
+  std::transform(nodes.begin(), nodes.end(), radii.begin(), [&grid](int node) { return grid.Distance(node); });
+  JoinEnd end;
+  end.radius = RadiusNearEnd(core, radii);
+  end.position = core.back();
+  Eigen::Vector3d middle = core.back();
+  if (prolongs)
+  {
+    middle.setZero();
+    for (const PieceEnd & tip : line.tips[isReversed ? 0 : 1])
+    {
+      end.tips.push_back(tip.nodes.empty() ? core.back() : grid.ToPhysical(grid.Position(tip.nodes.back())));
+      end.shortfalls.push_back(tip.shortfall);
+      middle += end.tips.back() / static_cast<double>(line.tips[isReversed ? 0 : 1].size());
+    }
+    end.position = end.tips.front();
+  }
+  std::size_t i = core.size() - 1;
+  while (i > 0 && (core[i] - core.back()).norm() < 40.0)
+  {
+    --i;
+  }
+  const Eigen::Vector3d out = middle - core[i];
+  end.out = out.norm() > 0.0 ? Eigen::Vector3d(out.normalized()) : Eigen::Vector3d(Eigen::Vector3d::UnitZ());
+  return end;
+}
+
+JoinPiece
+MakeJoinPiece(const LumenGrid & grid, const PieceLine & line, bool prolongs)
+{
+  JoinPiece piece;
+  piece.length = CurveLength(PhysicalPoints(grid, line.Nodes(prolongs, prolongs)));
+  piece.ends[0] = MakeJoinEnd(grid, line, true, prolongs);
+  piece.ends[1] = MakeJoinEnd(grid, line, false, prolongs);
+  return piece;
+}
+
+/** The pieces in their order from the rectum on; the ends of `lines` become those that are joined. */
+std::vector<PlacedPiece>
+ChooseOrder(const LumenNetwork &           network,
+            const LumenChoice &            choice,
+            const ColonCentrelineOptions & options,
+            std::vector<PieceLine> &       lines)
+{
+  const LumenGrid &      grid = network.grid;
+  ColonExtent            extent;
+  std::vector<JoinPiece> cores;
+  std::vector<JoinPiece> pieces;
+  for (const PieceLine & line : lines)
+  {
+    for (const Eigen::Vector3d & point : PhysicalPoints(grid, line.core))
+    {
+      extent.Include(point);
+    }
+    cores.push_back(MakeJoinPiece(grid, line, false));
+    pieces.push_back(MakeJoinPiece(grid, line, true));
+    pieces.back().isWanted = choice.isWanted[line.component] != 0;
+  }
+  PreferCaecum(extent, network.cells.UsualRadius(), pieces);
+  const auto order = OrderPieces(pieces, options.start ? PlacedPiece{ 0, false } : FindRectum(cores, extent));
+  for (std::size_t i = 1; i < order.size(); ++i)
+  {
+    const int         ends[2] = { order[i - 1].isReversed ? 0 : 1, order[i].isReversed ? 1 : 0 };
+    const PlacedPiece joined[2] = { order[i - 1], order[i] };
+    const auto closest = ClosestTips(pieces[joined[0].piece].ends[ends[0]], pieces[joined[1].piece].ends[ends[1]]);
+    for (int side = 0; side < 2; ++side)
+    {
+      PieceLine & line = lines[joined[side].piece];
+      line.ends[ends[side]] = line.tips[ends[side]][closest[side]];
+    }
+  }
+  return order;
+}
+
+/** The lines of a lumen in their order. The grid comes first, since the network refers to it. */
+struct Traced
+{
+  std::unique_ptr<LumenGrid>    grid;
+  std::unique_ptr<LumenNetwork> network;
+  std::vector<PieceLine>        lines;
+  std::vector<PlacedPiece>      order;
+};
+
+Traced
+TraceOn(const std::array<int, 3> &     blocks,
+        const LumenDistanceImage *     distance,
+        const LumenComponents &        components,
+        const LumenChoice &            choice,
+        const ColonCentrelineOptions & options)
+{
+  Traced traced;
+  traced.grid = std::make_unique<LumenGrid>(distance, components.labels.GetPointer(), choice.isUsed, blocks);
+  traced.network = std::make_unique<LumenNetwork>(*traced.grid);
+  traced.lines = TracePieces(*traced.network, options);
+  traced.order = ChooseOrder(*traced.network, choice, options, traced.lines);
+  for (const PlacedPiece & placed : traced.order)
+  {
+    if (placed.isReversed)
+    {
+      traced.lines[placed.piece].Reverse();
+    }
+  }
+  return traced;
+}
+
+/** Blocks of voxels can tear a narrow lumen that the voxels themselves hold together: it shows as a short gap between
+ * two lines of one component. */
+bool
+IsTorn(const Traced & traced)
+{
+  constexpr double shortGap = 12.0;
+  for (std::size_t i = 1; i < traced.order.size(); ++i)
+  {
+    const PieceLine &     before = traced.lines[traced.order[i - 1].piece];
+    const PieceLine &     after = traced.lines[traced.order[i].piece];
+    const Eigen::Vector3d gap =
+      traced.grid->Position(before.Nodes(true, true).back()) - traced.grid->Position(after.Nodes(true, true).front());
+    if (before.component == after.component && gap.norm() < shortGap)
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+Traced
+Trace(const LumenDistanceImage *     distance,
+      const LumenComponents &        components,
+      const LumenChoice &            choice,
+      const ColonCentrelineOptions & options)
+{
+  constexpr std::array<int, 3> single = { 1, 1, 1 };
+  const auto                   blocks = LumenGrid::Blocks(distance->GetSpacing().GetDataPointer());
+  Traced                       traced;
+  if (blocks != single)
+  {
+    traced = TraceOn(blocks, distance, components, choice, options);
+  }
+  if (blocks == single || !IsComplete(*traced.grid, choice.isUsed) || IsTorn(traced))
+  {
+    traced = TraceOn(single, distance, components, choice, options);
+  }
+  if (!options.start)
+  {
+    PieceLine & rectum = traced.lines[traced.order.front().piece];
+    rectum = BeginAtAnus(*traced.network, rectum, options.exponent);
+  }
+  return traced;
+}
+} // namespace
+
+ColonCentreline
+TraceColonCentreline(const LumenMask * lumen, const ColonCentrelineOptions & options)
+{
+  RequireOptions(options);
+  const itk::ImageRegion<3> region = LumenRegion(lumen);
+  const LumenComponents     components = FindLumenComponents(lumen, region);
+  const LumenChoice         choice = ChooseLumen(lumen, components, options);
+  const auto                distance = LumenDistance(lumen, region);
+  options.progress(0.2);
+  const Traced traced = Trace(distance, components, choice, options);
+  options.progress(0.8);
+  ColonCentreline result =
+    AssembleCentreline(*traced.network, DistanceField(distance), traced.lines, traced.order, options);
+  AddUnusedLines(*traced.network, traced.lines, traced.order, result);
+  AddUnusedComponents(lumen, components, choice, result);
+  AddMerges(*traced.network, result);
+  options.progress(1.0);
+  return result;
+}
+} // namespace shapeton

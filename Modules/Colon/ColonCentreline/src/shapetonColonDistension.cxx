@@ -1,0 +1,89 @@
+#include "shapetonColonDistension.h"
+
+#include "shapetonExceptions.h"
+
+#include <algorithm>
+
+namespace shapeton
+{
+namespace
+{
+constexpr double leastCalibre = 10.0;
+
+void
+RequireBorders(const std::vector<ColonSegmentBorder> & borders)
+{
+  RequireParameter(!borders.empty(), "distension needs at least one segment of the colon");
+  for (std::size_t i = 1; i < borders.size(); ++i)
+  {
+    RequireParameter(borders[i].end >= borders[i - 1].end,
+                     "the border of the segment \"" + borders[i].name +
+                       "\" lies before that of the segment ahead of it");
+  }
+}
+
+/** Adds the part of one step of the line that lies in the segment. */
+void
+AddStep(double from, double to, double calibre, bool isGap, SegmentDistension & segment)
+{
+  const double part = std::min(to, segment.end) - std::max(from, segment.begin);
+  if (part <= 0.0)
+  {
+    return;
+  }
+  segment.share += calibre >= leastCalibre ? part : 0.0;
+  segment.meanCalibre += part * calibre;
+  segment.collapsedLength += isGap ? part : 0.0;
+}
+} // namespace
+
+std::vector<ColonSegmentBorder>
+CustomarySegments(double length)
+{
+  return { { "rectum", 0.10 * length },     { "sigmoid", 0.35 * length },   { "descending", 0.52 * length },
+           { "transverse", 0.83 * length }, { "ascending", 0.96 * length }, { "caecum", length } };
+}
+
+std::vector<SegmentDistension>
+MeasureDistension(const CurveSet & curve, const std::vector<ColonSegmentBorder> & borders)
+{
+  RequireBorders(borders);
+  const Eigen::VectorXd arc = PointValues(curve, "arcLength", "the centreline");
+  const Eigen::VectorXd radius = PointValues(curve, "radius", "the centreline");
+  const Eigen::VectorXd gap = PointValues(curve, "gap", "the centreline");
+  const Eigen::Index    last = arc.size() - 1;
+  if (last < 1 || !(arc[last] > arc[0]))
+  {
+    throw InputError("the centreline has no length: distension cannot be measured. Give a line of several points.");
+  }
+  std::vector<SegmentDistension> segments;
+  double                         begin = arc[0];
+  for (const ColonSegmentBorder & border : borders)
+  {
+    const bool        isLast = &border == &borders.back();
+    SegmentDistension segment;
+    segment.name = border.name;
+    segment.begin = begin;
+    segment.end = isLast ? arc[last] : std::clamp(border.end, begin, arc[last]);
+    for (Eigen::Index i = 0; i < last; ++i)
+    {
+      const bool   isGap = gap[i] != 0.0 || gap[i + 1] != 0.0;
+      const double calibre = isGap ? 0.0 : radius[i] + radius[i + 1];
+      AddStep(arc[i], arc[i + 1], calibre, isGap, segment);
+    }
+    const double length = segment.end - segment.begin;
+    segment.share = length > 0.0 ? segment.share / length : 0.0;
+    segment.meanCalibre = length > 0.0 ? segment.meanCalibre / length : 0.0;
+    begin = segment.end;
+    segments.push_back(segment);
+  }
+  return segments;
+}
+
+std::vector<SegmentDistension>
+MeasureDistension(const CurveSet & curve)
+{
+  const Eigen::VectorXd arc = PointValues(curve, "arcLength", "the centreline");
+  return MeasureDistension(curve, CustomarySegments(arc.size() > 0 ? arc[arc.size() - 1] : 0.0));
+}
+} // namespace shapeton

@@ -1,0 +1,163 @@
+#include "shapetonLumenGrid.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace shapeton
+{
+namespace
+{
+/** The mean distance within a block of voxels of one component; `component` 0 where one of them is not lumen. */
+struct BlockContent
+{
+  float distance{ 0.0F };
+  int   component{ 0 };
+};
+
+BlockContent
+ReadBlock(const LumenDistanceImage * distance,
+          const LumenLabelImage *    labels,
+          std::size_t                first,
+          const std::array<int, 3> & block)
+{
+  const auto   size = labels->GetBufferedRegion().GetSize();
+  BlockContent content;
+  for (int z = 0; z < block[2]; ++z)
+  {
+    for (int y = 0; y < block[1]; ++y)
+    {
+      const std::size_t row = first + (z * size[1] + y) * size[0];
+      for (int x = 0; x < block[0]; ++x)
+      {
+        const int component = labels->GetBufferPointer()[row + x];
+        if (component == 0)
+        {
+          return {};
+        }
+        content.component = component;
+        content.distance += distance->GetBufferPointer()[row + x];
+      }
+    }
+  }
+  content.distance /= static_cast<float>(block[0] * block[1] * block[2]);
+  return content;
+}
+} // namespace
+
+std::array<int, 3>
+LumenGrid::Blocks(const itk::SpacePrecisionType * spacing)
+{
+  std::array<int, 3> blocks;
+  for (int a = 0; a < 3; ++a)
+  {
+    blocks[a] = std::max(1, static_cast<int>(std::floor(1.75 / spacing[a])));
+  }
+  return blocks;
+}
+
+LumenGrid::LumenGrid(const LumenDistanceImage * distance,
+                     const LumenLabelImage *    labels,
+                     const std::vector<char> &  isUsed,
+                     const std::array<int, 3> & block)
+  : m_Block(block)
+{
+  const auto region = distance->GetBufferedRegion();
+  for (int a = 0; a < 3; ++a)
+  {
+    // One empty voxel all around, so that every node has 26 neighbours to ask.
+    m_Size[a] = static_cast<int>(region.GetSize(a)) / block[a] + 2;
+    m_Spacing[a] = block[a] * distance->GetSpacing()[a];
+    m_First[a] = 0.5 * (block[a] - 1) * distance->GetSpacing()[a] - m_Spacing[a];
+    for (int b = 0; b < 3; ++b)
+    {
+      m_Direction(a, b) = distance->GetDirection()(a, b);
+    }
+  }
+  const auto origin = distance->TransformIndexToPhysicalPoint<itk::SpacePrecisionType>(region.GetIndex());
+  m_Origin = Eigen::Vector3d(origin[0], origin[1], origin[2]);
+  this->MakeNodes(distance, labels, isUsed);
+  this->MakeSteps();
+}
+
+void
+LumenGrid::MakeNodes(const LumenDistanceImage * distance,
+                     const LumenLabelImage *    labels,
+                     const std::vector<char> &  isUsed)
+{
+  const auto size = labels->GetBufferedRegion().GetSize();
+  m_NodeAt.assign(static_cast<std::size_t>(m_Size[0]) * m_Size[1] * m_Size[2], -1);
+  for (int z = 1; z < m_Size[2] - 1; ++z)
+  {
+    for (int y = 1; y < m_Size[1] - 1; ++y)
+    {
+      for (int x = 1; x < m_Size[0] - 1; ++x)
+      {
+        const std::size_t first =
+          ((z - 1) * m_Block[2] * size[1] + (y - 1) * m_Block[1]) * size[0] + (x - 1) * m_Block[0];
+        const BlockContent content = ReadBlock(distance, labels, first, m_Block);
+        if (isUsed[content.component])
+        {
+          const int voxel = (z * m_Size[1] + y) * m_Size[0] + x;
+          m_NodeAt[voxel] = static_cast<int>(m_Voxels.size());
+          m_Voxels.push_back(voxel);
+          m_Distances.push_back(content.distance);
+          m_Components.push_back(content.component);
+        }
+      }
+    }
+  }
+}
+
+void
+LumenGrid::MakeSteps()
+{
+  const auto strides = this->Strides();
+  for (int z = -1; z <= 1; ++z)
+  {
+    for (int y = -1; y <= 1; ++y)
+    {
+      for (int x = -1; x <= 1; ++x)
+      {
+        if (x != 0 || y != 0 || z != 0)
+        {
+          const double length = Eigen::Vector3d(x * m_Spacing[0], y * m_Spacing[1], z * m_Spacing[2]).norm();
+          m_Steps.push_back({ x * strides[0] + y * strides[1] + z * strides[2], length, { x, y, z } });
+        }
+      }
+    }
+  }
+}
+
+int
+LumenGrid::NodeOf(const Eigen::Vector3d & position) const
+{
+  std::array<int, 3> voxel;
+  for (int a = 0; a < 3; ++a)
+  {
+    voxel[a] = static_cast<int>(std::lround((position[a] - m_First[a]) / m_Spacing[a]));
+    if (voxel[a] < 0 || voxel[a] >= m_Size[a])
+    {
+      return -1;
+    }
+  }
+  return this->NodeAt(voxel[0], voxel[1], voxel[2]);
+}
+
+int
+LumenGrid::NearestNode(const Eigen::Vector3d & position) const
+{
+  int    nearest = -1;
+  double least = std::numeric_limits<double>::infinity();
+  for (int node = 0; node < this->NumberOfNodes(); ++node)
+  {
+    const double d = (this->Position(node) - position).squaredNorm();
+    if (d < least)
+    {
+      least = d;
+      nearest = node;
+    }
+  }
+  return nearest;
+}
+} // namespace shapeton

@@ -1,0 +1,151 @@
+#ifndef shapetonLumenGrid_h
+#define shapetonLumenGrid_h
+
+#include "shapetonLumenDistance.h"
+
+#include <Eigen/Core>
+
+#include <array>
+#include <vector>
+
+namespace shapeton
+{
+/** \class LumenGrid
+ * \brief The voxels of the lumen as nodes 0, 1, ..., in the order of the image, on voxels of at most about 1.7 mm.
+ *
+ * Finer images are joined to blocks, and a block is lumen only where all of its voxels are: walls never vanish.
+ * Positions are in a frame of the image's own axes, in mm from the first voxel of the region; LPS comes back by
+ * ToPhysical().
+ */
+class LumenGrid
+{
+public:
+  /** Nodes are the voxels whose component has a true entry in `isUsed` (from 1); `block` voxels make a node along each
+   * axis. */
+  LumenGrid(const LumenDistanceImage * distance,
+            const LumenLabelImage *    labels,
+            const std::vector<char> &  isUsed,
+            const std::array<int, 3> & block);
+
+  /** The number of voxels along each axis that make one of at most 1.75 mm. */
+  static std::array<int, 3>
+  Blocks(const itk::SpacePrecisionType * spacing);
+
+  int
+  NumberOfNodes() const
+  {
+    return static_cast<int>(m_Voxels.size());
+  }
+  /** mm from the wall. */
+  float
+  Distance(int node) const
+  {
+    return m_Distances[node];
+  }
+  /** The component of the image, from 1. */
+  int
+  Component(int node) const
+  {
+    return m_Components[node];
+  }
+  /** -1 where there is none. `offset` is one of Steps() or Strides(). */
+  int
+  Neighbour(int node, int offset) const
+  {
+    return m_NodeAt[m_Voxels[node] + offset];
+  }
+  /** The voxel of a node. */
+  std::array<int, 3>
+  Voxel(int node) const
+  {
+    return { m_Voxels[node] % m_Size[0],
+             m_Voxels[node] / m_Size[0] % m_Size[1],
+             m_Voxels[node] / m_Size[0] / m_Size[1] };
+  }
+  /** -1 where there is none. */
+  int
+  NodeAt(int x, int y, int z) const
+  {
+    return m_NodeAt[(z * m_Size[1] + y) * m_Size[0] + x];
+  }
+  const std::array<int, 3> &
+  Size() const
+  {
+    return m_Size;
+  }
+  Eigen::Vector3d
+  Position(int node) const
+  {
+    const auto voxel = this->Voxel(node);
+    return m_First + m_Spacing.cwiseProduct(Eigen::Vector3d(voxel[0], voxel[1], voxel[2]));
+  }
+  double
+  NodeVolume() const
+  {
+    return m_Spacing.prod();
+  }
+  const Eigen::Vector3d &
+  Spacing() const
+  {
+    return m_Spacing;
+  }
+
+  struct Step
+  {
+    int    offset;
+    double length;
+    /** The steps along each axis, -1, 0 or 1. */
+    std::array<int, 3> axes;
+  };
+  /** To the 26 neighbours. */
+  const std::vector<Step> &
+  Steps() const
+  {
+    return m_Steps;
+  }
+  /** To the next voxel along x, y, z. */
+  std::array<int, 3>
+  Strides() const
+  {
+    return { 1, m_Size[0], m_Size[0] * m_Size[1] };
+  }
+
+  Eigen::Vector3d
+  ToPhysical(const Eigen::Vector3d & position) const
+  {
+    return m_Origin + m_Direction * position;
+  }
+  Eigen::Vector3d
+  FromPhysical(const Eigen::Vector3d & point) const
+  {
+    return m_Direction.transpose() * (point - m_Origin);
+  }
+  /** The node whose voxel holds a position; -1 where that is not lumen. */
+  int
+  NodeOf(const Eigen::Vector3d & position) const;
+  /** The node nearest to a position; -1 where there is no node at all. */
+  int
+  NearestNode(const Eigen::Vector3d & position) const;
+
+private:
+  void
+  MakeNodes(const LumenDistanceImage * distance, const LumenLabelImage * labels, const std::vector<char> & isUsed);
+  void
+  MakeSteps();
+
+  std::array<int, 3> m_Block;
+  std::array<int, 3> m_Size;
+  Eigen::Vector3d    m_Spacing;
+  /** The position of the voxel 0. */
+  Eigen::Vector3d    m_First;
+  Eigen::Vector3d    m_Origin;
+  Eigen::Matrix3d    m_Direction;
+  std::vector<int>   m_NodeAt;
+  std::vector<int>   m_Voxels;
+  std::vector<float> m_Distances;
+  std::vector<int>   m_Components;
+  std::vector<Step>  m_Steps;
+};
+} // namespace shapeton
+
+#endif

@@ -1,0 +1,296 @@
+#include "shapetonPieceLine.h"
+
+#include "shapetonLoopCuts.h"
+
+#include <algorithm>
+
+namespace shapeton
+{
+namespace
+{
+/** A lumen of this radius (mm) or less is no end of a piece but a side branch, the terminal ileum, a taper. */
+constexpr double widestCore = 8.0;
+/** Rectum and anal canal, mm. */
+constexpr double rectumLength = 120.0;
+/** Tapers are followed down to this radius, mm. */
+constexpr double narrowestTaper = 1.0;
+/** Nodes so near the wall (mm) may be tips, and so many of them are looked at. */
+constexpr double      atWall = 3.5;
+constexpr std::size_t mostTips = 60;
+
+/** The node with at least this distance to the wall whose path is longest; the start where there is none. */
+int
+FarthestNode(const LumenGrid & grid, const PathTree & paths, double leastDistance)
+{
+  int farthest = paths.order.front();
+  for (const int node : paths.order)
+  {
+    if (grid.Distance(node) >= leastDistance && paths.lengths[node] > paths.lengths[farthest])
+    {
+      farthest = node;
+    }
+  }
+  return farthest;
+}
+
+/** Of each node the last one of the core on its path; the core's indices, -1 where none. */
+std::vector<int>
+BranchIndices(const LumenGrid & grid, const PathTree & paths, const std::vector<int> & core)
+{
+  std::vector<int> branch(grid.NumberOfNodes(), -1);
+  for (int i = 0; i < static_cast<int>(core.size()); ++i)
+  {
+    branch[core[i]] = i;
+  }
+  for (const int node : paths.order)
+  {
+    if (branch[node] < 0 && paths.parents[node] >= 0)
+    {
+      branch[node] = branch[paths.parents[node]];
+    }
+  }
+  return branch;
+}
+
+/** The way from the core to a node. */
+PieceEnd
+EndAt(const PathTree & paths, const std::vector<int> & core, const std::vector<int> & branch, int tip)
+{
+  PieceEnd end;
+  end.branch = branch[tip];
+  for (int node = tip; branch[node] < 0 || core[branch[node]] != node; node = paths.parents[node])
+  {
+    end.nodes.push_back(node);
+  }
+  std::reverse(end.nodes.begin(), end.nodes.end());
+  return end;
+}
+
+/** The nodes at the wall whose paths are nearly as long as that to the farthest one: within the calibre of the end. */
+std::vector<int>
+NodesAtEnd(const LumenGrid &        grid,
+           const PathTree &         paths,
+           const std::vector<int> & core,
+           const std::vector<int> & branch,
+           double                   earliest,
+           int                      farthest)
+{
+  double calibre = 10.0;
+  for (std::size_t i = core.size() - std::min<std::size_t>(core.size(), 30); i < core.size(); ++i)
+  {
+    calibre = std::max<double>(calibre, grid.Distance(core[i]));
+  }
+  std::vector<int> nodes;
+  for (const int node : paths.order)
+  {
+    if (branch[node] >= 0 && grid.Distance(node) >= narrowestTaper && grid.Distance(node) <= atWall &&
+        paths.lengths[node] >= paths.lengths[farthest] - 1.2 * calibre && paths.lengths[core[branch[node]]] >= earliest)
+    {
+      nodes.push_back(node);
+    }
+  }
+  return nodes;
+}
+
+/** Prolongs the core at its last node into a taper, or to places on the wall of a blunt end, the farthest one first;
+ * `paths` comes from the other end. */
+std::vector<PieceEnd>
+Prolong(const LumenGrid & grid, const PathTree & paths, const std::vector<int> & core)
+{
+  const std::vector<int> branch = BranchIndices(grid, paths, core);
+  const int              last = static_cast<int>(core.size()) - 1;
+  const double           reach = 30.0;
+  const double           earliest = paths.lengths[core[last]] - reach;
+  int                    best = core[last];
+  for (const int node : paths.order)
+  {
+    if (branch[node] >= 0 && grid.Distance(node) >= narrowestTaper && paths.lengths[node] > paths.lengths[best] &&
+        paths.lengths[core[branch[node]]] >= earliest)
+    {
+      best = node;
+    }
+  }
+  std::vector<PieceEnd>  tips = { EndAt(paths, core, branch, best) };
+  const std::vector<int> nodes = NodesAtEnd(grid, paths, core, branch, earliest, best);
+  const std::size_t      stride = nodes.size() / mostTips + 1;
+  for (std::size_t i = 0; i < nodes.size(); i += stride)
+  {
+    tips.push_back(EndAt(paths, core, branch, nodes[i]));
+    tips.back().shortfall = paths.lengths[best] - paths.lengths[nodes[i]];
+  }
+  return tips;
+}
+
+/** Volumes beside the line and in side branches. */
+void
+MeasureCover(const LumenGrid & grid, const PathTree & paths, PieceLine & line)
+{
+  const std::vector<int> all = line.Nodes(true, true);
+  const std::vector<int> branch = BranchIndices(grid, paths, all);
+  std::vector<double>    away(all.size(), 0.0);
+  line.volume = 0.0;
+  line.coveredVolume = 0.0;
+  for (const int node : paths.order)
+  {
+    const int i = branch[node];
+    line.volume += grid.NodeVolume();
+    const double side = i < 0 ? 0.0 : paths.lengths[node] - paths.lengths[all[i]];
+    const double beside = i < 0 ? 0.0 : 10.0 + 2.0 * grid.Distance(all[i]);
+    if (side <= beside)
+    {
+      line.coveredVolume += grid.NodeVolume();
+    }
+    else
+    {
+      away[i] += grid.NodeVolume();
+    }
+  }
+  const auto most = std::max_element(away.begin(), away.end());
+  line.branchPlace = all[most - away.begin()];
+  line.branchVolume = *most;
+}
+
+PathTree
+Grow(const LumenNetwork & network, int start, int exponent)
+{
+  return GrowPathTree(network.grid, network.cells, network.tree, start, exponent);
+}
+
+PieceLine
+TraceBetween(const LumenNetwork & network, int first, bool isFixed, int exponent)
+{
+  const LumenGrid & grid = network.grid;
+  PieceLine         line;
+  line.component = grid.Component(first);
+  const PathTree forth = Grow(network, first, exponent);
+  const int      last = FarthestNode(grid, forth, network.coreRadius);
+  const PathTree back = Grow(network, last, exponent);
+  const int      begin = isFixed ? first : FarthestNode(grid, back, network.coreRadius);
+  line.core = back.PathTo(begin);
+  line.tips[1] = isFixed ? std::vector<PieceEnd>{ { static_cast<int>(line.core.size()) - 1, {}, 0.0 } }
+                         : Prolong(grid, back, line.core);
+  line.ends[1] = line.tips[1].front();
+  line.Reverse();
+  line.tips[1] = Prolong(grid, forth, line.core);
+  line.ends[1] = line.tips[1].front();
+  MeasureCover(grid, back, line);
+  return line;
+}
+
+/** The tip of the rectum: of the nodes whose path joins the core near its last node, the one that is far along its path
+ * and caudal, in the middle of the lumen. */
+int
+FindTip(const LumenGrid & grid, const PathTree & paths, const std::vector<int> & core)
+{
+  const std::vector<int> branch = BranchIndices(grid, paths, core);
+  const double           earliest = paths.lengths[core.back()] - rectumLength;
+  // LPS: z grows towards the head.
+  const auto tipness = [&](int node) { return paths.lengths[node] - grid.ToPhysical(grid.Position(node))[2]; };
+  const auto isRectum = [&](int node) {
+    return branch[node] >= 0 && paths.lengths[core[branch[node]]] >= earliest && grid.Distance(node) >= narrowestTaper;
+  };
+  double most = tipness(core.back());
+  for (const int node : paths.order)
+  {
+    most = isRectum(node) ? std::max(most, tipness(node)) : most;
+  }
+  // A rectum that the image cuts is wide there; its middle counts.
+  constexpr double slab = 5.0;
+  int              tip = core.back();
+  double           widest = -1.0;
+  for (const int node : paths.order)
+  {
+    if (isRectum(node) && grid.Distance(node) > widest && tipness(node) >= most - slab)
+    {
+      widest = grid.Distance(node);
+      tip = node;
+    }
+  }
+  return tip;
+}
+} // namespace
+
+LumenNetwork::LumenNetwork(const LumenGrid & lumenGrid)
+  : grid(lumenGrid)
+  , cells(lumenGrid)
+  , coreRadius(std::min(widestCore, 0.5 * cells.UsualRadius()))
+  , tree(cells, coreRadius)
+  , cuts(CutLoops(grid, cells, tree))
+{
+  tree.SortOut();
+}
+
+std::vector<int>
+PieceLine::Nodes(bool prolongs0, bool prolongs1) const
+{
+  std::vector<int> nodes;
+  const int        last = static_cast<int>(core.size()) - 1;
+  if (prolongs0)
+  {
+    nodes.assign(ends[0].nodes.rbegin(), ends[0].nodes.rend());
+  }
+  const int from = prolongs0 ? ends[0].branch : 0;
+  const int to = prolongs1 ? ends[1].branch : last;
+  for (int i = from; i <= to; ++i)
+  {
+    nodes.push_back(core[i]);
+  }
+  if (prolongs1)
+  {
+    nodes.insert(nodes.end(), ends[1].nodes.begin(), ends[1].nodes.end());
+  }
+  return nodes;
+}
+
+void
+PieceLine::Reverse()
+{
+  const int last = static_cast<int>(core.size()) - 1;
+  std::reverse(core.begin(), core.end());
+  std::swap(ends[0], ends[1]);
+  std::swap(tips[0], tips[1]);
+  for (int e = 0; e < 2; ++e)
+  {
+    ends[e].branch = last - ends[e].branch;
+    for (PieceEnd & tip : tips[e])
+    {
+      tip.branch = last - tip.branch;
+    }
+  }
+}
+
+PieceLine
+TracePiece(const LumenNetwork & network, int node, int exponent)
+{
+  const auto ends = network.tree.Ends(network.cells.cellOf[node]);
+  return TraceBetween(network, network.cells.centres[ends[0]], false, exponent);
+}
+
+PieceLine
+BeginAtAnus(const LumenNetwork & network, const PieceLine & line, int exponent)
+{
+  const PathTree paths = Grow(network, line.core.back(), exponent);
+  const int      wide = line.core.front();
+  PieceLine      moved = line;
+  moved.core = paths.PathTo(FindTip(network.grid, paths, paths.PathTo(wide)));
+  std::reverse(moved.core.begin(), moved.core.end());
+  moved.ends[0] = {};
+  moved.tips = {};
+  // The prolongation leaves the core at the same distance from its other end.
+  moved.ends[1].branch += static_cast<int>(moved.core.size()) - static_cast<int>(line.core.size());
+  MeasureCover(network.grid, paths, moved);
+  return moved;
+}
+
+std::vector<int>
+OtherPath(const LumenNetwork & network, const PieceLine & line, int exponent)
+{
+  return Grow(network, line.core.front(), exponent).PathTo(line.core.back());
+}
+
+PieceLine
+TracePieceFrom(const LumenNetwork & network, int node, int exponent)
+{
+  return TraceBetween(network, node, true, exponent);
+}
+} // namespace shapeton

@@ -1,0 +1,91 @@
+#ifndef shapetonRadixQueue_h
+#define shapetonRadixQueue_h
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <cstring>
+#include <utility>
+#include <vector>
+
+namespace shapeton
+{
+/** A monotone priority queue (Ahuja, Mehlhorn, Orlin, Tarjan 1990): an entry lies in the bucket of the highest bit in
+ * which its key differs from the last key taken. Non-negative doubles are ordered as their bits are. */
+class RadixQueue
+{
+public:
+  struct Entry
+  {
+    std::uint64_t key;
+    int           node;
+  };
+
+  void
+  Push(double cost, int node)
+  {
+    std::uint64_t key = 0;
+    std::memcpy(&key, &cost, sizeof(key));
+    m_Buckets[BucketOf(key ^ m_Last)].push_back({ key, node });
+    ++m_Size;
+  }
+
+  bool
+  IsEmpty() const
+  {
+    return m_Size == 0;
+  }
+
+  std::pair<double, int>
+  Pop()
+  {
+    if (m_Buckets[0].empty())
+    {
+      this->Refill();
+    }
+    const Entry entry = m_Buckets[0].back();
+    m_Buckets[0].pop_back();
+    --m_Size;
+    double cost = 0.0;
+    std::memcpy(&cost, &entry.key, sizeof(cost));
+    return { cost, entry.node };
+  }
+
+private:
+  static int
+  BucketOf(std::uint64_t difference)
+  {
+    return difference == 0 ? 0 : 64 - __builtin_clzll(difference);
+  }
+
+  void
+  Refill()
+  {
+    int full = 1;
+    while (m_Buckets[full].empty())
+    {
+      ++full;
+    }
+    std::vector<Entry> entries;
+    entries.swap(m_Buckets[full]);
+    m_Last = entries.front().key;
+    for (const Entry & entry : entries)
+    {
+      m_Last = std::min(m_Last, entry.key);
+    }
+    for (const Entry & entry : entries)
+    {
+      m_Buckets[BucketOf(entry.key ^ m_Last)].push_back(entry);
+    }
+    // The memory serves the next entries of this bucket.
+    entries.clear();
+    entries.swap(m_Buckets[full]);
+  }
+
+  std::array<std::vector<Entry>, 65> m_Buckets;
+  std::uint64_t                      m_Last{ 0 };
+  std::size_t                        m_Size{ 0 };
+};
+} // namespace shapeton
+
+#endif

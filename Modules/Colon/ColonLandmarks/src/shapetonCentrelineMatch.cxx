@@ -1,0 +1,144 @@
+#include "shapetonCentrelineMatch.h"
+
+#include "shapetonCentrelineShape.h"
+#include "shapetonFlatColonAxis.h"
+#include "shapetonExceptions.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace shapeton
+{
+namespace
+{
+/** Of the length of the wall: where the centreline may run outside of it. Right ones have 0, those of another position
+ * of the same patient 0.24 and more. */
+constexpr double greatestShareOutside = 0.1;
+/** Narrow stretches are as good as this, mm. */
+constexpr double leastRadius = 8.0;
+constexpr double pixelSize = 2.0; // mm: the middle of the tube needs no more
+
+double
+Median(std::vector<double> values)
+{
+  std::nth_element(values.begin(), values.begin() + values.size() / 2, values.end());
+  return values[values.size() / 2];
+}
+
+/** How the places of a line lie to the columns that they are assigned to. */
+struct MatchQuality
+{
+  /** Share of the tube's length along which the line is farther from the middle than the wall. */
+  double shareOutside{ 0.0 };
+  /** mm. */
+  double medianDistance{ 0.0 };
+};
+
+MatchQuality
+QualityOf(const FlatColonAxis & axis, const CentrelineMatch & match)
+{
+  std::vector<double> distances;
+  double              outside = 0.0;
+  double              all = 0.0;
+  for (Eigen::Index column = 0; column < axis.centres.rows(); ++column)
+  {
+    const double * begin = match.arcLength.data();
+    const double * end = begin + match.arcLength.size();
+    const auto     i = std::min<Eigen::Index>(std::lower_bound(begin, end, match.arcLengthOfColumn[column]) - begin,
+                                          match.arcLength.size() - 1);
+    const double   length = column > 0 ? (axis.centres.row(column) - axis.centres.row(column - 1)).norm() : 0.0;
+    distances.push_back((axis.centres.row(column) - match.points.row(i)).norm());
+    all += length;
+    outside += distances.back() > std::max(axis.radii[column], leastRadius) ? length : 0.0;
+  }
+  return { all > 0.0 ? outside / all : 1.0, Median(distances) };
+}
+
+/** The median distance of the line's points from the nearest middle of a column, mm. */
+double
+MedianDistanceOfLine(const FlatColonAxis & axis, const VertexMatrix & points)
+{
+  std::vector<double> distances;
+  for (Eigen::Index i = 0; i < points.rows(); i += 5)
+  {
+    distances.push_back(std::sqrt((axis.centres.rowwise() - points.row(i)).rowwise().squaredNorm().minCoeff()));
+  }
+  return Median(distances);
+}
+
+CurveSet
+Reversed(const CentrelineMatch & match)
+{
+  CurveSet           line;
+  const Eigen::Index size = match.arcLength.size();
+  line.V = match.points.colwise().reverse();
+  SurfaceArray arc{ "arcLength", SurfaceArray::ValueMatrix(size, 1), false };
+  line.curves.emplace_back();
+  for (Eigen::Index i = 0; i < size; ++i)
+  {
+    line.curves[0].push_back(static_cast<int>(i));
+    arc.values(i, 0) = match.arcLength[size - 1] - match.arcLength[size - 1 - i];
+  }
+  line.pointArrays.push_back(arc);
+  return line;
+}
+
+CentrelineMatch
+Assign(const FlatColonGrid & grid, const FlatColonAxis & axis, const CurveSet & centreline)
+{
+  CentrelineMatch match;
+  OrderedCentreline(centreline, match.points, match.arcLength);
+  match.arcLengthOfColumn = DistanceOfColumns(axis, centreline);
+  match.columnWidth = grid.PixelSize();
+  return match;
+}
+
+/** Only called where the assignment is bad. */
+void
+ExplainMismatch(const FlatColonGrid & grid,
+                const FlatColonAxis & axis,
+                const MatchQuality &  quality,
+                CentrelineMatch &     match)
+{
+  if (QualityOf(axis, Assign(grid, axis, Reversed(match))).shareOutside <= greatestShareOutside)
+  {
+    throw InputError("the centreline runs from the caecum to the rectum of the flat surface. Turn its points round, or "
+                     "flatten the surface with this centreline.");
+  }
+  const double lengthOfLine = match.arcLength[match.arcLength.size() - 1] - match.arcLength[0];
+  double       lengthOfAxis = 0.0;
+  for (Eigen::Index i = 1; i < axis.centres.rows(); ++i)
+  {
+    lengthOfAxis += (axis.centres.row(i) - axis.centres.row(i - 1)).norm();
+  }
+  const double near = MedianDistanceOfLine(axis, match.points);
+  if (lengthOfLine > 0.6 * lengthOfAxis || near > leastRadius)
+  {
+    throw InputError("the centreline runs outside of the flat surface along " +
+                     std::to_string(static_cast<int>(std::lround(100.0 * quality.shareOutside))) +
+                     " % of its length (median distance from the middle " +
+                     std::to_string(static_cast<int>(std::lround(quality.medianDistance))) +
+                     " mm): they belong to different colons or positions. Give the centreline that was made with this "
+                     "surface.");
+  }
+  match.warnings.push_back("the centreline covers a part of the flat surface only: places beyond its ends have no "
+                           "distance along it");
+}
+} // namespace
+
+CentrelineMatch
+MatchCentreline(const SurfaceMesh & flat, const CurveSet & centreline)
+{
+  FlatColonGridOptions options;
+  options.pixelSize = pixelSize;
+  const FlatColonGrid grid(flat, options);
+  const FlatColonAxis axis = MakeFlatColonAxis(grid);
+  CentrelineMatch     match = Assign(grid, axis, centreline);
+  const MatchQuality  quality = QualityOf(axis, match);
+  if (quality.shareOutside > greatestShareOutside)
+  {
+    ExplainMismatch(grid, axis, quality, match);
+  }
+  return match;
+}
+} // namespace shapeton

@@ -1,0 +1,176 @@
+#include "shapetonColonFlexures.h"
+
+#include "shapetonCentrelineShape.h"
+#include "shapetonFlexureProgramme.h"
+#include "shapetonPublishedFlexures.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace shapeton
+{
+namespace
+{
+constexpr double leastColon = 800.0; // mm
+/** Mean squared deviation of a feature beyond which nothing like the flexure is there. */
+constexpr double greatestMeanDeviation = 4.0;
+/** How far the apex may lie from the best place, mm. The descending colon ends where it has run straight, not at a
+ * bend.
+ */
+constexpr std::array<double, 4> apexReach{ 16.0, 0.0, 16.0, 16.0 };
+constexpr double                impossible = -1e30;
+
+/** Near by, of the upper flexures the topmost place, of several as high the one farther back: the flexures are fixed to
+ * the posterior wall, and the transverse colon hangs forwards from them. Of the rectosigmoid one the sharpest. */
+int
+SnapToApex(const CentrelineShape & shape, const Eigen::VectorXd & turning, int flexure, int place)
+{
+  const int reach = static_cast<int>(apexReach[flexure] / CentrelineShape::Step);
+  int       best = place;
+  double    most = impossible;
+  for (int i = std::max(0, place - reach); i <= std::min(shape.Size() - 1, place + reach); ++i)
+  {
+    const double distance = std::abs(i - place) * CentrelineShape::Step;
+    const double value =
+      flexure >= 2 ? shape.Points()(i, 2) + 0.5 * shape.Points()(i, 1) - 0.01 * distance : turning[i] - 0.5 * distance;
+    if (value > most)
+    {
+      most = value;
+      best = i;
+    }
+  }
+  return best;
+}
+
+void
+PlaceFlexure(const CentrelineShape & shape, const VertexMatrix & tangents, int i, ColonFlexure & flexure)
+{
+  flexure.point = shape.Points().row(i).transpose();
+  flexure.tangent = tangents.row(i).transpose();
+  flexure.arcLength = shape.ArcLengthAt(i);
+}
+
+void
+FindOrdered(const CentrelineShape & shape, ColonFlexures & result)
+{
+  const FlexurePlaces   places = FindFlexurePlaces(shape);
+  const Eigen::VectorXd turning = 0.5 * (shape.Turning(35.0, 8.0) + shape.Turning(70.0, 8.0));
+  const VertexMatrix    tangents = shape.Tangents(10.0);
+  for (int k = 0; k < 4; ++k)
+  {
+    ColonFlexure & flexure = result.flexures[k];
+    PlaceFlexure(shape, tangents, SnapToApex(shape, turning, k, places.at[k]), flexure);
+    flexure.isFound = places.meanDeviation[k] <= greatestMeanDeviation;
+    flexure.confidence = flexure.isFound ? places.confidence[k] : 0.0;
+    if (!flexure.isFound)
+    {
+      flexure.reason = "no bend where anatomy has this flexure";
+    }
+  }
+}
+
+void
+FindPublished(const CentrelineShape & shape, ColonFlexures & result)
+{
+  const std::array<int, 4> places = PublishedFlexures(shape);
+  const VertexMatrix       tangents = shape.Tangents(10.0);
+  int                      previous = -1;
+  for (int k = 0; k < 4; ++k)
+  {
+    ColonFlexure & flexure = result.flexures[k];
+    if (places[k] < 0)
+    {
+      flexure.reason = "the published rule has no bend for it";
+    }
+    else if (places[k] <= previous)
+    {
+      flexure.reason = "the bend that the published rule takes lies out of anatomical order";
+    }
+    else
+    {
+      PlaceFlexure(shape, tangents, places[k], flexure);
+      flexure.isFound = true;
+      previous = places[k];
+    }
+  }
+  const double confidence = result.NumberFound() == 4 ? 0.5 : 0.25;
+  for (ColonFlexure & flexure : result.flexures)
+  {
+    flexure.confidence = flexure.isFound ? confidence : 0.0;
+  }
+}
+
+void
+WarnOfFlexures(ColonFlexures & result)
+{
+  const std::string & reason = result.flexures[0].reason;
+  const bool          isOneReason = std::all_of(
+    result.flexures.begin(), result.flexures.end(), [&](const ColonFlexure & f) { return f.reason == reason; });
+  if (isOneReason && !reason.empty())
+  {
+    result.warnings.push_back("no flexure was found: " + reason);
+    return;
+  }
+  for (const ColonFlexure & flexure : result.flexures)
+  {
+    const std::string name = "the " + NameOfFlexure(flexure.number) + " flexure";
+    if (!flexure.isFound)
+    {
+      result.warnings.push_back(name + " was not found: " + flexure.reason);
+    }
+    else if (flexure.confidence < 0.5 && result.rule == FlexureRule::Ordered)
+    {
+      result.warnings.push_back(name + " is uncertain (confidence " +
+                                std::to_string(static_cast<int>(100.0 * flexure.confidence)) + " %): look at it");
+    }
+  }
+}
+} // namespace
+
+int
+ColonFlexures::NumberFound() const
+{
+  return static_cast<int>(
+    std::count_if(flexures.begin(), flexures.end(), [](const ColonFlexure & f) { return f.isFound; }));
+}
+
+std::string
+NameOfFlexure(int number)
+{
+  static const char * const names[] = { "", "rectosigmoid", "descending-sigmoid", "splenic", "hepatic" };
+  return number >= 1 && number <= 4 ? names[number] : "";
+}
+
+std::string
+NameOf(FlexureRule rule)
+{
+  return rule == FlexureRule::Ordered ? "ordered" : "published";
+}
+
+ColonFlexures
+FindColonFlexures(const CurveSet & centreline, FlexureRule rule)
+{
+  const CentrelineShape shape(centreline);
+  ColonFlexures         result;
+  result.rule = rule;
+  for (int k = 0; k < 4; ++k)
+  {
+    result.flexures[k].number = k + 1;
+  }
+  if (shape.Length() < leastColon)
+  {
+    for (ColonFlexure & flexure : result.flexures)
+    {
+      flexure.reason = "the centreline is " + std::to_string(static_cast<int>(shape.Length() / 10.0)) +
+                       " cm long, a part of a colon (a whole one has 80 cm at least)";
+    }
+  }
+  else
+  {
+    rule == FlexureRule::Ordered ? FindOrdered(shape, result) : FindPublished(shape, result);
+  }
+  WarnOfFlexures(result);
+  return result;
+}
+} // namespace shapeton

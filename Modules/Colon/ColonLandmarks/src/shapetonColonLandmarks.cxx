@@ -1,0 +1,130 @@
+#include "shapetonColonLandmarks.h"
+
+#include "shapetonFlatSurface.h"
+
+#include <algorithm>
+
+namespace shapeton
+{
+namespace
+{
+std::vector<char>
+BridgedFaces(const SurfaceMesh & flat)
+{
+  std::vector<char>    isBridged;
+  const SurfaceArray * array = FindSurfaceArray(flat.cellArrays, "bridged");
+  for (int face = 0; array != nullptr && face < flat.NumberOfFaces(); ++face)
+  {
+    isBridged.push_back(array->values(face, 0) != 0.0);
+  }
+  return isBridged;
+}
+
+SurfaceArray
+IntegerArray(const std::string & name, const std::vector<int> & values)
+{
+  SurfaceArray array{ name, SurfaceArray::ValueMatrix(values.size(), 1), true };
+  for (std::size_t i = 0; i < values.size(); ++i)
+  {
+    array.values(i, 0) = values[i];
+  }
+  return array;
+}
+
+void
+SetArray(std::vector<SurfaceArray> & arrays, const SurfaceArray & array)
+{
+  arrays.erase(
+    std::remove_if(arrays.begin(), arrays.end(), [&](const SurfaceArray & a) { return a.name == array.name; }),
+    arrays.end());
+  arrays.push_back(array);
+}
+} // namespace
+
+ColonLandmarks
+FindColonLandmarks(const SurfaceMesh & flat, const CurveSet & centreline, const ColonLandmarkOptions & options)
+{
+  ColonLandmarks result;
+  options.progress("Matching the centreline", 0.0);
+  const auto tube = std::make_shared<const ColonWallTube>(flat, centreline);
+  result.tube = tube;
+  AppendRemarks(result.warnings, tube->Warnings());
+
+  options.progress("Finding flexures", 0.1);
+  result.flexures = FindColonFlexures(centreline, options.flexureRule);
+  AppendRemarks(result.warnings, result.flexures.warnings);
+  result.segments = FindColonSegments(*tube, centreline, result.flexures);
+  AppendRemarks(result.warnings, result.segments.warnings);
+
+  options.progress("Finding folds", 0.2);
+  const std::vector<char> isBridged = BridgedFaces(flat);
+  result.folds = FindSurfaceFolds(*tube, isBridged);
+
+  options.progress("Finding taeniae", 0.4);
+  ColonTaeniaOptions taeniaOptions;
+  taeniaOptions.rule = options.taeniaRule;
+  taeniaOptions.markers = options.markers;
+  result.taeniae = FindColonTaeniae(flat, *tube, taeniaOptions);
+  AppendRemarks(result.warnings, result.taeniae.warnings);
+  options.progress("Finding taeniae", 1.0);
+  return result;
+}
+
+CurveSet
+FlexureCurves(const ColonLandmarks & landmarks)
+{
+  CurveSet                           curves;
+  std::vector<const SegmentBorder *> borders;
+  int                                vertices = 0;
+  for (const SegmentBorder & border : landmarks.segments.borders)
+  {
+    if (border.number <= 4)
+    {
+      borders.push_back(&border);
+      vertices += static_cast<int>(border.loop.vertices.size());
+    }
+  }
+  curves.V.resize(vertices, 3);
+  SurfaceArray number{ "flexure", SurfaceArray::ValueMatrix(borders.size(), 1), true };
+  SurfaceArray arcLength{ "arcLength", SurfaceArray::ValueMatrix(borders.size(), 1), false };
+  SurfaceArray confidence{ "confidence", SurfaceArray::ValueMatrix(borders.size(), 1), false };
+  int          next = 0;
+  for (std::size_t i = 0; i < borders.size(); ++i)
+  {
+    curves.curves.emplace_back();
+    for (const int vertex : borders[i]->loop.vertices)
+    {
+      curves.V.row(next) = landmarks.tube->Points().row(vertex);
+      curves.curves.back().push_back(next++);
+    }
+    curves.curves.back().push_back(curves.curves.back().front());
+    number.values(i, 0) = borders[i]->number;
+    arcLength.values(i, 0) = borders[i]->arcLength;
+    confidence.values(i, 0) = borders[i]->confidence;
+  }
+  curves.cellArrays = { number, arcLength, confidence };
+  return curves;
+}
+
+SurfaceMesh
+SegmentSurface(const SurfaceMesh & flat, const ColonLandmarks & landmarks)
+{
+  SurfaceMesh surface = flat;
+  SetArray(surface.cellArrays, IntegerArray("segment", landmarks.segments.segmentOfFace));
+  return surface;
+}
+
+SurfaceMesh
+FoldSurface(const SurfaceMesh & flat, const ColonLandmarks & landmarks)
+{
+  SurfaceMesh surface = flat;
+  SetArray(surface.cellArrays, IntegerArray("fold", landmarks.folds.foldOfFace));
+  SurfaceArray curvature{ "meanCurvature", SurfaceArray::ValueMatrix(flat.V.rows(), 1), false };
+  for (int i = 0; i < flat.NumberOfVertices(); ++i)
+  {
+    curvature.values(i, 0) = landmarks.folds.curvature[landmarks.tube->VertexOfFlat(i)];
+  }
+  SetArray(surface.pointArrays, curvature);
+  return surface;
+}
+} // namespace shapeton

@@ -1,0 +1,192 @@
+#include "shapetonColonLandmarks.h"
+
+#include <Eigen/Geometry>
+
+#include <cmath>
+
+namespace shapeton
+{
+namespace
+{
+template <typename TVector>
+Json
+Numbers(const TVector & values)
+{
+  Json list = Json::array();
+  for (Eigen::Index i = 0; i < values.size(); ++i)
+  {
+    list.push_back(RoundedJson(values[i]));
+  }
+  return list;
+}
+
+const SegmentBorder *
+FindBorder(const ColonSegments & segments, int number)
+{
+  for (const SegmentBorder & border : segments.borders)
+  {
+    if (border.number == number)
+    {
+      return &border;
+    }
+  }
+  return nullptr;
+}
+
+/** The place of the loop on the map: its mean u, and the v of its first vertex. */
+Json
+UvOfLoop(const ColonLandmarks & landmarks, const SegmentBorder & border)
+{
+  Eigen::Vector2d uv(0.0, landmarks.tube->Uv(border.loop.vertices.front()).y());
+  for (const int vertex : border.loop.vertices)
+  {
+    uv[0] += landmarks.tube->Uv(vertex).x() / static_cast<double>(border.loop.vertices.size());
+  }
+  return Numbers(uv);
+}
+
+void
+AddPlace(const ColonLandmarks & landmarks, const SegmentBorder & border, Json & json)
+{
+  json["position"] = Numbers(border.point);
+  json["arcLength"] = RoundedJson(border.arcLength);
+  json["uv"] = UvOfLoop(landmarks, border);
+  json["loopLength"] = RoundedJson(border.loop.length);
+  json["confidence"] = RoundedJson(border.confidence);
+}
+
+Json
+FlexuresToJson(const ColonLandmarks & landmarks)
+{
+  Json list = Json::array();
+  for (const ColonFlexure & flexure : landmarks.flexures.flexures)
+  {
+    const SegmentBorder * border = FindBorder(landmarks.segments, flexure.number);
+    Json                  json;
+    json["number"] = flexure.number;
+    json["name"] = NameOfFlexure(flexure.number);
+    json["found"] = border != nullptr;
+    if (border != nullptr)
+    {
+      AddPlace(landmarks, *border, json);
+    }
+    else
+    {
+      json["reason"] = flexure.reason.empty() ? "no loop around the wall was found there" : flexure.reason;
+    }
+    list.push_back(json);
+  }
+  return list;
+}
+
+Json
+CaecumToJson(const ColonLandmarks & landmarks)
+{
+  const SegmentBorder * border = FindBorder(landmarks.segments, 5);
+  Json                  json;
+  json["found"] = border != nullptr;
+  if (border != nullptr)
+  {
+    AddPlace(landmarks, *border, json);
+  }
+  json["reason"] = border != nullptr ? "6 cm from the end of the centreline, the length of a caecum; the valve was not "
+                                       "looked for"
+                                     : "it is placed where the hepatic flexure is known and leaves room";
+  return json;
+}
+
+double
+AreaOfFace(const ColonWallTube & tube, int face)
+{
+  const Eigen::Vector3d a = tube.Points().row(tube.Faces()(face, 0));
+  const Eigen::Vector3d b = tube.Points().row(tube.Faces()(face, 1));
+  const Eigen::Vector3d c = tube.Points().row(tube.Faces()(face, 2));
+  return 0.5 * (b - a).cross(c - a).norm();
+}
+
+Json
+SegmentsToJson(const ColonLandmarks & landmarks)
+{
+  std::array<double, 7> area{};
+  for (std::size_t face = 0; face < landmarks.segments.segmentOfFace.size(); ++face)
+  {
+    area[landmarks.segments.segmentOfFace[face]] += AreaOfFace(*landmarks.tube, static_cast<int>(face));
+  }
+  Json list = Json::array();
+  for (int segment = 0; segment <= 6; ++segment)
+  {
+    if (area[segment] == 0.0)
+    {
+      continue;
+    }
+    const SegmentBorder * begin = FindBorder(landmarks.segments, segment - 1);
+    const SegmentBorder * end = FindBorder(landmarks.segments, segment);
+    Json                  json;
+    json["number"] = segment;
+    json["name"] = NameOfSegment(segment);
+    json["begin"] = begin != nullptr ? RoundedJson(begin->arcLength) : Json(nullptr);
+    json["end"] = end != nullptr ? RoundedJson(end->arcLength) : Json(nullptr);
+    json["area"] = RoundedJson(area[segment]);
+    list.push_back(json);
+  }
+  return list;
+}
+
+Json
+TaeniaeToJson(const ColonTaeniae & taeniae)
+{
+  Json json;
+  json["rule"] = NameOf(taeniae.rule);
+  json["found"] = static_cast<int>(taeniae.taeniae.size());
+  if (!taeniae.reason.empty())
+  {
+    json["reason"] = taeniae.reason;
+    return json;
+  }
+  json["kept"] = taeniae.kept;
+  json["energy"] = { { "joint", RoundedJson(taeniae.jointEnergy) },
+                     { taeniae.rule == TaeniaRule::Published ? "thirds" : "fuzzyCMeans",
+                       RoundedJson(taeniae.fuzzyEnergy) } };
+  json["meanDisagreement"] = RoundedJson(taeniae.meanDisagreement);
+  json["disagreeingShare"] = RoundedJson(taeniae.disagreeingShare);
+  json["taeniae"] = Json::array();
+  for (std::size_t t = 0; t < taeniae.taeniae.size(); ++t)
+  {
+    const ColonTaenia & taenia = taeniae.taeniae[t];
+    double              length = 0.0;
+    double              confidence = 0.0;
+    for (std::size_t i = 0; i < taenia.points.size(); ++i)
+    {
+      length += i > 0 ? (taenia.points[i] - taenia.points[i - 1]).norm() : 0.0;
+      confidence += taenia.confidence[i] / static_cast<double>(taenia.points.size());
+    }
+    json["taeniae"].push_back(
+      { { "taenia", t + 1 }, { "length", RoundedJson(length) }, { "meanConfidence", RoundedJson(confidence) } });
+  }
+  json["markers"] = Json::array();
+  for (const UsedMarker & marker : taeniae.markers)
+  {
+    json["markers"].push_back({ { "position", Numbers(marker.point) },
+                                { "taenia", marker.taenia },
+                                { "distanceFromWall", RoundedJson(marker.distanceFromWall) },
+                                { "distanceOfTaenia", RoundedJson(marker.distanceOfTaenia) } });
+  }
+  return json;
+}
+} // namespace
+
+Json
+ColonLandmarksToJson(const ColonLandmarks & landmarks)
+{
+  Json json;
+  json["flexureRule"] = NameOf(landmarks.flexures.rule);
+  json["flexures"] = FlexuresToJson(landmarks);
+  json["caecum"] = CaecumToJson(landmarks);
+  json["segments"] = SegmentsToJson(landmarks);
+  json["surfaceFolds"] = { { "number", landmarks.folds.number },
+                           { "leastCurvature", RoundedJson(landmarks.folds.leastCurvature) },
+                           { "area", RoundedJson(landmarks.folds.area) } };
+  json["taeniae"] = TaeniaeToJson(landmarks.taeniae);
+  return json;
+}
+} // namespace shapeton

@@ -1,0 +1,183 @@
+#include "shapetonColonSegments.h"
+
+#include "shapetonCentrelineShape.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace shapeton
+{
+namespace
+{
+/** mm, straight from the end of the centreline, which wanders in so wide a place. */
+constexpr double caecumLength = 60.0;
+constexpr int    borderOfCaecum = 5;
+constexpr int    numberOfSegments = 6;
+/** The place is that of an average anatomy, not of a structure that was seen. */
+constexpr double confidenceOfCaecum = 0.3;
+
+/** Faces that hang together without crossing a loop, by numbers from 0 on. */
+std::vector<int>
+PartsBetweenLoops(const ColonWallTube & tube, const std::vector<SegmentBorder> & borders)
+{
+  const SurfaceConnectivity & connectivity = tube.Connectivity();
+  std::vector<char>           isBlocked(connectivity.NumberOfEdges(), 0);
+  for (const SegmentBorder & border : borders)
+  {
+    const std::vector<int> & loop = border.loop.vertices;
+    for (std::size_t i = 0; i < loop.size(); ++i)
+    {
+      isBlocked[connectivity.FindEdge(loop[i], loop[(i + 1) % loop.size()])] = 1;
+    }
+  }
+  std::vector<int> part(tube.Faces().rows(), -1);
+  std::vector<int> stack;
+  int              parts = 0;
+  for (int seed = 0; seed < tube.Faces().rows(); ++seed)
+  {
+    if (part[seed] >= 0)
+    {
+      continue;
+    }
+    part[seed] = parts++;
+    stack.push_back(seed);
+    while (!stack.empty())
+    {
+      const int face = stack.back();
+      stack.pop_back();
+      for (int k = 0; k < 3; ++k)
+      {
+        const int edge = connectivity.EdgeOfFace(face, k);
+        if (edge < 0 || isBlocked[edge])
+        {
+          continue;
+        }
+        for (const int next : connectivity.FacesOfEdge(edge))
+        {
+          if (part[next] < 0)
+          {
+            part[next] = part[face];
+            stack.push_back(next);
+          }
+        }
+      }
+    }
+  }
+  return part;
+}
+
+/** The segment at a distance along the centreline; 0 where it cannot be said. */
+int
+SegmentAt(const std::vector<SegmentBorder> & borders, double arcLength)
+{
+  int before = 0;                // number of the last border before
+  int behind = numberOfSegments; // number of the first border behind
+  for (const SegmentBorder & border : borders)
+  {
+    if (border.arcLength <= arcLength)
+    {
+      before = border.number;
+    }
+    else
+    {
+      behind = std::min(behind, border.number);
+    }
+  }
+  return behind == before + 1 ? behind : 0;
+}
+
+/** Each part gets the segment of its middle. */
+std::vector<int>
+SegmentsOfFaces(const ColonWallTube & tube, const std::vector<SegmentBorder> & borders)
+{
+  const std::vector<int> part = PartsBetweenLoops(tube, borders);
+  const int              parts = 1 + *std::max_element(part.begin(), part.end());
+  std::vector<double>    sum(parts, 0.0);
+  std::vector<int>       count(parts, 0);
+  for (int face = 0; face < tube.Faces().rows(); ++face)
+  {
+    for (int k = 0; k < 3; ++k)
+    {
+      sum[part[face]] += tube.ArcLength(tube.Faces()(face, k));
+      ++count[part[face]];
+    }
+  }
+  std::vector<int> segments;
+  for (const int p : part)
+  {
+    segments.push_back(SegmentAt(borders, sum[p] / count[p]));
+  }
+  return segments;
+}
+
+void
+AddCaecum(const CurveSet & centreline, const ColonFlexures & flexures, std::vector<SegmentBorder> & borders)
+{
+  const CentrelineShape shape(centreline);
+  const int             end = shape.Size() - 1;
+  int                   i = end;
+  while (i > 0 && (shape.Points().row(i) - shape.Points().row(end)).norm() < caecumLength)
+  {
+    --i;
+  }
+  const ColonFlexure & hepatic = flexures.flexures[3];
+  if (!hepatic.isFound || hepatic.arcLength + 0.5 * caecumLength > shape.ArcLengthAt(i))
+  {
+    return;
+  }
+  SegmentBorder border;
+  border.number = borderOfCaecum;
+  border.arcLength = shape.ArcLengthAt(i);
+  border.confidence = confidenceOfCaecum;
+  border.point = shape.Points().row(i).transpose();
+  borders.push_back(border);
+}
+} // namespace
+
+std::string
+NameOfSegment(int segment)
+{
+  static const char * const names[] = { "unknown",    "rectum",    "sigmoid", "descending",
+                                        "transverse", "ascending", "caecum" };
+  return segment >= 0 && segment <= numberOfSegments ? names[segment] : "";
+}
+
+ColonSegments
+FindColonSegments(const ColonWallTube & tube, const CurveSet & centreline, const ColonFlexures & flexures)
+{
+  std::vector<SegmentBorder> candidates;
+  for (const ColonFlexure & flexure : flexures.flexures)
+  {
+    if (flexure.isFound)
+    {
+      candidates.push_back({ flexure.number, flexure.point, flexure.arcLength, flexure.confidence, {} });
+    }
+  }
+  AddCaecum(centreline, flexures, candidates);
+  const CentrelineShape shape(centreline);
+  const VertexMatrix    tangents = shape.Tangents(10.0);
+  ColonSegments         result;
+  for (SegmentBorder & border : candidates)
+  {
+    const int i = static_cast<int>(std::lround((border.arcLength - shape.ArcLengthAt(0)) / CentrelineShape::Step));
+    border.loop = FindLoop(tube, border.point, tangents.row(i).transpose(), border.arcLength);
+    if (border.loop.vertices.empty())
+    {
+      result.warnings.push_back("no loop around the wall was found at the end of the " + NameOfSegment(border.number));
+    }
+    else
+    {
+      result.borders.push_back(border);
+    }
+  }
+  result.segmentOfFace = SegmentsOfFaces(tube, result.borders);
+  const auto unknown = std::count(result.segmentOfFace.begin(), result.segmentOfFace.end(), 0);
+  if (unknown > 0)
+  {
+    result.warnings.push_back(
+      "the segment of " + std::to_string(static_cast<int>(std::lround(100.0 * unknown / result.segmentOfFace.size()))) +
+      " % of the faces cannot be said, as a border is missing");
+  }
+  return result;
+}
+} // namespace shapeton

@@ -1,0 +1,119 @@
+#ifndef shapetonFlexurePrior_h
+#define shapetonFlexurePrior_h
+
+#include <array>
+#include <cmath>
+
+namespace shapeton
+{
+/** A normal distribution. */
+struct PriorValue
+{
+  double mean;
+  double deviation;
+
+  double
+  SquaredDeviation(double value) const
+  {
+    const double d = (value - mean) / deviation;
+    return d * d;
+  }
+  double
+  LogDensity(double value) const
+  {
+    constexpr double rootOfTwoPi = 2.5066282746310002;
+    return -0.5 * this->SquaredDeviation(value) - std::log(rootOfTwoPi * deviation);
+  }
+};
+
+constexpr int NumberOfFlexureFeatures = 12;
+using FlexureFeatures = std::array<double, NumberOfFlexureFeatures>;
+
+/** What is known of a flexure from anatomy; see shapetonColonFlexures.h for the sources. */
+struct FlexurePrior
+{
+  /** Share of the length before it; place in the box (0 right, front, bottom; 1 left, back, top); turning between
+   * chords of 35 and 70 mm in units of 90 degrees; direction (left, back, up) 40 mm before and 40 mm behind. */
+  std::array<PriorValue, NumberOfFlexureFeatures> features;
+  /** Share of the length from the flexure before; of the first one see TheLengthOfRectum. */
+  PriorValue gap;
+};
+
+constexpr std::array<FlexurePrior, 4> TheFlexurePriors{
+  { // rectosigmoid: 16 of 152 cm; in the middle, before S3; the sigmoid leaves it forwards, to either side
+    { { { { 0.105, 0.06 },
+          { 0.50, 0.10 },
+          { 0.70, 0.15 },
+          { 0.32, 0.10 },
+          { 0.60, 0.30 },
+          { 0.70, 0.35 },
+          { 0.00, 0.40 },
+          { 0.00, 0.45 },
+          { 0.75, 0.35 },
+          { 0.00, 0.65 },
+          { -0.40, 0.50 },
+          { 0.10, 0.55 } } },
+      { 0.105, 0.03 } },
+    // end of the descending colon: pelvic brim, left iliac fossa; upwards from there
+    { { { { 0.37, 0.07 },
+          { 0.85, 0.12 },
+          { 0.65, 0.20 },
+          { 0.42, 0.12 },
+          { 0.50, 0.30 },
+          { 0.55, 0.35 },
+          { 0.40, 0.45 },
+          { 0.20, 0.50 },
+          { 0.30, 0.50 },
+          { 0.10, 0.30 },
+          { 0.20, 0.35 },
+          { 0.85, 0.25 } } },
+      { 0.26, 0.07 } },
+    // splenic: the highest place, left and back; from it the transverse colon goes to the right, forwards and down
+    { { { { 0.515, 0.06 },
+          { 0.90, 0.10 },
+          { 0.75, 0.18 },
+          { 0.98, 0.06 },
+          { 1.00, 0.40 },
+          { 1.40, 0.40 },
+          { 0.10, 0.35 },
+          { 0.10, 0.35 },
+          { 0.80, 0.30 },
+          { -0.45, 0.40 },
+          { -0.45, 0.40 },
+          { -0.40, 0.40 } } },
+      { 0.145, 0.045 } },
+    // hepatic: right, one to two vertebrae lower; from it the ascending colon goes down
+    { { { { 0.84, 0.045 },
+          { 0.12, 0.10 },
+          { 0.65, 0.18 },
+          { 0.88, 0.10 },
+          { 0.90, 0.40 },
+          { 1.20, 0.40 },
+          { -0.50, 0.40 },
+          { 0.35, 0.40 },
+          { 0.40, 0.40 },
+          { -0.10, 0.35 },
+          { 0.15, 0.40 },
+          { -0.80, 0.30 } } },
+      { 0.325, 0.06 } } }
+};
+
+/** Share of the length from the hepatic flexure to the end: ascending colon and caecum. */
+constexpr PriorValue ThePriorOfRightColon{ 0.165, 0.045 };
+
+/** From the anal verge to the rectosigmoid flexure, mm: it grows with the rest of the colon hardly at all. */
+constexpr PriorValue TheLengthOfRectum{ 160.0, 30.0 };
+
+/** What is known of all points of a section of the colon: place in the box and direction, as of a flexure. */
+struct SectionPrior
+{
+  std::array<PriorValue, 3> place;
+  std::array<PriorValue, 3> direction;
+};
+
+/** Descending colon: straight up along the left and posterior wall, from the iliac crest on. */
+constexpr SectionPrior TheDescendingColon{ { { { 0.90, 0.08 }, { 0.75, 0.20 }, { 0.68, 0.22 } } },
+                                           { { { 0.00, 0.30 }, { 0.00, 0.35 }, { 0.90, 0.20 } } } };
+} // namespace shapeton
+
+#endif

@@ -1,0 +1,27 @@
+#ifndef shapetonFlexureProgramme_h
+#define shapetonFlexureProgramme_h
+
+#include "shapetonCentrelineShape.h"
+
+#include <array>
+
+namespace shapeton
+{
+/** The best places of the four flexures, before any snap to an apex. */
+struct FlexurePlaces
+{
+  /** Points of the shape. */
+  std::array<int, 4> at{};
+  /** The probability, by the model, that the flexure lies within 30 mm. */
+  std::array<double, 4> confidence{};
+  /** Mean squared deviation of the flexure's features from the prior. */
+  std::array<double, 4> meanDeviation{};
+};
+
+/** Likelihoods of flexures, of the sections between them and of their lengths, as shapetonColonFlexures.h describes;
+ * the best places in their order, found exactly. */
+FlexurePlaces
+FindFlexurePlaces(const CentrelineShape & shape);
+} // namespace shapeton
+
+#endif

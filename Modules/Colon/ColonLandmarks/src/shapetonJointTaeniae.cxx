@@ -1,0 +1,214 @@
+#include "shapetonTaeniaEvidence.h"
+
+#include "shapetonParallelFor.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace shapeton
+{
+namespace
+{
+constexpr int   angles = TaeniaEvidence::Angles;
+constexpr int   leastGap = 14; // cells: 70 degrees
+constexpr int   gaps = 21;     // up to 170 degrees
+constexpr float turnCost = 0.35F;
+constexpr float gapCost = 0.25F;
+constexpr float unevenCost = 0.004F;
+/** Of a cell that the nearest track lies off a marker: more than any evidence. */
+constexpr float markCost = 50.0F;
+constexpr float impossible = 1e30F;
+
+/** Three gaps that are uneven. */
+float
+UnevenCost(double first, double second)
+{
+  const double even = angles / 3.0;
+  const double third = angles - first - second;
+  return static_cast<float>(unevenCost * ((first - even) * (first - even) + (second - even) * (second - even) +
+                                          (third - even) * (third - even)));
+}
+
+double
+CellsBetween(double a, double b)
+{
+  return std::abs(std::remainder(a - b, static_cast<double>(angles)));
+}
+
+/** The joint programme over states (angle of the first track, gap to the second, gap to the third). */
+class JointProgramme
+{
+public:
+  explicit JointProgramme(const TaeniaEvidence & evidence)
+    : m_Evidence(evidence)
+    , m_Best(States, 0.0F)
+    , m_Next(States, 0.0F)
+    , m_From(States * static_cast<std::size_t>(evidence.rows), 0)
+  {
+    for (int g = 0; g < gaps; ++g)
+    {
+      for (int h = 0; h < gaps; ++h)
+      {
+        const int  third = angles - (g + leastGap) - (h + leastGap);
+        const bool isAllowed = third >= leastGap && third < leastGap + gaps;
+        m_Uneven[g * gaps + h] = isAllowed ? UnevenCost(g + leastGap, h + leastGap) : impossible;
+      }
+    }
+  }
+
+  TaeniaTracks
+  Run()
+  {
+    for (int row = 0; row < m_Evidence.rows; ++row)
+    {
+      std::vector<double> marks;
+      for (const TaeniaMark & mark : m_Evidence.marks)
+      {
+        if (mark.row == row)
+        {
+          marks.push_back(mark.angle * angles - 0.5);
+        }
+      }
+      ParallelFor(angles, [&](std::size_t a) { this->Advance(row, static_cast<int>(a), marks); });
+      m_Best.swap(m_Next);
+    }
+    return this->Trace();
+  }
+
+private:
+  static constexpr std::size_t States = static_cast<std::size_t>(angles) * gaps * gaps;
+
+  void
+  Advance(int row, int a, const std::vector<double> & marks)
+  {
+    for (int g = 0; g < gaps; ++g)
+    {
+      for (int h = 0; h < gaps; ++h)
+      {
+        const std::size_t state = (static_cast<std::size_t>(a) * gaps + g) * gaps + h;
+        const float       uneven = m_Uneven[g * gaps + h];
+        if (uneven >= impossible)
+        {
+          m_Next[state] = impossible;
+          continue;
+        }
+        const int second = (a + g + leastGap) % angles;
+        const int third = (second + h + leastGap) % angles;
+        float     cost =
+          uneven + m_Evidence.CostAt(row, a) + m_Evidence.CostAt(row, second) + m_Evidence.CostAt(row, third);
+        for (const double mark : marks)
+        {
+          cost += markCost * static_cast<float>(std::min(
+                               { CellsBetween(a, mark), CellsBetween(second, mark), CellsBetween(third, mark) }));
+        }
+        m_Next[state] = row == 0 ? cost : cost + this->BestBefore(row, a, g, h, state);
+      }
+    }
+  }
+
+  float
+  BestBefore(int row, int a, int g, int h, std::size_t state)
+  {
+    float         best = impossible;
+    unsigned char from = 0;
+    for (int da = -1; da <= 1; ++da)
+    {
+      const std::size_t angle = (a + da + angles) % angles;
+      for (int dg = std::max(-1, -g); dg <= std::min(1, gaps - 1 - g); ++dg)
+      {
+        for (int dh = std::max(-1, -h); dh <= std::min(1, gaps - 1 - h); ++dh)
+        {
+          const float cost = m_Best[(angle * gaps + g + dg) * gaps + h + dh] + turnCost * std::abs(da) +
+                             gapCost * (std::abs(dg) + std::abs(dh));
+          if (cost < best)
+          {
+            best = cost;
+            from = static_cast<unsigned char>((da + 1) * 9 + (dg + 1) * 3 + dh + 1);
+          }
+        }
+      }
+    }
+    m_From[States * row + state] = from;
+    return best;
+  }
+
+  /** Middles of the cells in turns; each track without jumps. */
+  TaeniaTracks
+  Trace() const
+  {
+    TaeniaTracks tracks(m_Evidence.rows);
+    std::size_t  state = std::min_element(m_Best.begin(), m_Best.end()) - m_Best.begin();
+    int          angle = static_cast<int>(state / (gaps * gaps)); // not wrapped
+    for (int row = m_Evidence.rows - 1; row >= 0; --row)
+    {
+      const int g = static_cast<int>(state / gaps % gaps);
+      const int h = static_cast<int>(state % gaps);
+      const int second = angle + g + leastGap;
+      tracks[row] = { (angle + 0.5) / angles, (second + 0.5) / angles, (second + h + leastGap + 0.5) / angles };
+      const int from = m_From[States * row + state];
+      angle += row > 0 ? from / 9 - 1 : 0;
+      const std::size_t wrapped = ((angle % angles) + angles) % angles;
+      state = row > 0 ? (wrapped * gaps + g + from / 3 % 3 - 1) * gaps + h + from % 3 - 1 : state;
+    }
+    return tracks;
+  }
+
+  const TaeniaEvidence &         m_Evidence;
+  std::vector<float>             m_Best;
+  std::vector<float>             m_Next;
+  std::vector<unsigned char>     m_From;
+  std::array<float, gaps * gaps> m_Uneven{};
+};
+
+/** The tracks of a row in the order of their angles from the first on, in cells: first angle, two gaps. */
+std::array<double, 3>
+AngleAndGaps(const TaeniaAngles & tracks)
+{
+  const auto gapTo = [&](int t) {
+    const double turns = tracks[t] - tracks[0];
+    return angles * (turns - std::floor(turns));
+  };
+  const double near = std::min(gapTo(1), gapTo(2));
+  const double far = std::max(gapTo(1), gapTo(2));
+  return { angles * tracks[0], near, far - near };
+}
+} // namespace
+
+TaeniaTracks
+JointTaeniae(const TaeniaEvidence & evidence)
+{
+  return JointProgramme(evidence).Run();
+}
+
+double
+EnergyOfTaeniae(const TaeniaEvidence & evidence, const TaeniaTracks & tracks)
+{
+  double sum = 0.0;
+  for (int row = 0; row < evidence.rows; ++row)
+  {
+    const std::array<double, 3> state = AngleAndGaps(tracks[row]);
+    sum += UnevenCost(state[1], state[2]);
+    for (const double angle : tracks[row])
+    {
+      sum += evidence.CostAt(row, TaeniaEvidence::CellOf(angle));
+    }
+    if (row > 0)
+    {
+      const std::array<double, 3> before = AngleAndGaps(tracks[row - 1]);
+      sum += turnCost * std::abs(state[0] - before[0]) +
+             gapCost * (std::abs(state[1] - before[1]) + std::abs(state[2] - before[2]));
+    }
+  }
+  for (const TaeniaMark & mark : evidence.marks)
+  {
+    double least = 0.5;
+    for (const double angle : tracks[mark.row])
+    {
+      least = std::min(least, std::abs(TurnsBetween(angle, mark.angle)));
+    }
+    sum += markCost * angles * least;
+  }
+  return sum / std::max(evidence.rows, 1);
+}
+} // namespace shapeton

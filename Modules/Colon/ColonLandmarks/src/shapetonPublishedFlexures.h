@@ -1,0 +1,16 @@
+#ifndef shapetonPublishedFlexures_h
+#define shapetonPublishedFlexures_h
+
+#include "shapetonCentrelineShape.h"
+
+#include <array>
+
+namespace shapeton
+{
+/** The rule of the dissertation, 4.2.2: indices into the shape, from the rectosigmoid to the hepatic flexure; -1 where
+ * it has none. Not checked for their order but for that of the two upper ones. */
+std::array<int, 4>
+PublishedFlexures(const CentrelineShape & shape);
+} // namespace shapeton
+
+#endif

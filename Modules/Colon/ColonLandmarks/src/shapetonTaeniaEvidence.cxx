@@ -1,0 +1,197 @@
+#include "shapetonTaeniaEvidence.h"
+
+#include "shapetonFlatColonAxis.h"
+#include "shapetonWallBetweenFolds.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace shapeton
+{
+namespace
+{
+constexpr int    angles = TaeniaEvidence::Angles;
+constexpr double rowLength = 2.8; // mm of the map
+/** Weights of the three kinds of evidence, and how far each is averaged: rows, angles. */
+constexpr double foldWeight = 12.0;
+constexpr double foldRows = 6.0;
+constexpr double foldAngles = 2.0;
+constexpr double endWeight = 40.0;
+constexpr double endRows = 6.0;
+constexpr double endAngles = 3.5;
+constexpr double wallRows = 6.0;
+constexpr double wallAngles = 2.0;
+/** Folds end where the band of a taenia begins, and fade out before: from their ends to its middle, mm. */
+constexpr double halfBand = 6.0;
+/** At the ends of the tube the wall closes: evidence fades out over so many mm. */
+constexpr double fadingLength = 40.0;
+/** Folds that run along the tube end anywhere: least sine of their angle against it. */
+constexpr double leastSine = 0.35;
+
+using Cells = std::vector<double>;
+
+std::vector<double>
+Kernel(double deviation)
+{
+  const int           reach = static_cast<int>(std::ceil(4.0 * deviation));
+  std::vector<double> kernel;
+  double              sum = 0.0;
+  for (int k = -reach; k <= reach; ++k)
+  {
+    kernel.push_back(std::exp(-0.5 * k * k / (deviation * deviation)));
+    sum += kernel.back();
+  }
+  for (double & weight : kernel)
+  {
+    weight /= sum;
+  }
+  return kernel;
+}
+
+/** Periodic around, constant beyond the ends. */
+Cells
+Smoothed(const Cells & cells, int rows, double alongRows, double aroundAngles)
+{
+  const std::vector<double> along = Kernel(alongRows);
+  const std::vector<double> around = Kernel(aroundAngles);
+  const int                 reachAlong = static_cast<int>(along.size()) / 2;
+  const int                 reachAround = static_cast<int>(around.size()) / 2;
+  Cells                     turned(cells.size(), 0.0);
+  Cells                     result(cells.size(), 0.0);
+  for (int row = 0; row < rows; ++row)
+  {
+    for (int a = 0; a < angles; ++a)
+    {
+      for (int k = -reachAround; k <= reachAround; ++k)
+      {
+        turned[row * angles + a] += around[k + reachAround] * cells[row * angles + (a + k + 2 * angles) % angles];
+      }
+    }
+  }
+  for (int row = 0; row < rows; ++row)
+  {
+    for (int k = -reachAlong; k <= reachAlong; ++k)
+    {
+      const int other = std::clamp(row + k, 0, rows - 1);
+      for (int a = 0; a < angles; ++a)
+      {
+        result[row * angles + a] += along[k + reachAlong] * turned[other * angles + a];
+      }
+    }
+  }
+  return result;
+}
+
+/** The share of fold in each cell. */
+Cells
+FoldDensity(const FlatColonGrid & grid, const HaustralFolds & folds, const TaeniaEvidence & evidence)
+{
+  Cells density(static_cast<std::size_t>(evidence.rows) * angles, 0.0);
+  Cells count(density.size(), 0.0);
+  for (int column = 0; column < evidence.rows * evidence.columnsPerRow; ++column)
+  {
+    for (int row = 0; row < grid.Rows(); ++row)
+    {
+      const int cell = column / evidence.columnsPerRow * angles + TaeniaEvidence::CellOf((row + 0.5) / grid.Rows());
+      density[cell] += folds.labels->GetPixel({ { column, row } }) > 0 ? 1.0 : 0.0;
+      count[cell] += 1.0;
+    }
+  }
+  for (std::size_t i = 0; i < density.size(); ++i)
+  {
+    density[i] /= std::max(count[i], 1.0);
+  }
+  return density;
+}
+
+std::vector<FoldEnd>
+EndsOfFolds(const FlatColonGrid & grid, const HaustralFolds & folds, const TaeniaEvidence & evidence)
+{
+  const auto turnsOf = [&grid](const Eigen::Vector2d & uv) { return (grid.PixelOfUv(uv).row + 0.5) / grid.Rows(); };
+  std::vector<FoldEnd> ends;
+  for (const HaustralFold & fold : folds.folds)
+  {
+    if (std::abs(std::sin(fold.angle * M_PI / 180.0)) < leastSine)
+    {
+      continue;
+    }
+    for (const Eigen::Vector2d & uv : fold.endUv)
+    {
+      const double row = std::min((grid.PixelOfUv(uv).column + 0.5) / evidence.columnsPerRow, evidence.rows - 0.5);
+      const double outwards = std::copysign(halfBand / evidence.girth[static_cast<int>(row)],
+                                            TurnsBetween(turnsOf(uv), turnsOf(fold.centreUv)));
+      const double angle = turnsOf(uv) + outwards;
+      ends.push_back({ row, angle - std::floor(angle) });
+    }
+  }
+  return ends;
+}
+} // namespace
+
+int
+TaeniaEvidence::CellOf(double turns)
+{
+  return std::min(static_cast<int>((turns - std::floor(turns)) * Angles), Angles - 1);
+}
+
+double
+TurnsBetween(double a, double b)
+{
+  return std::remainder(a - b, 1.0);
+}
+
+TaeniaEvidence
+MakeTaeniaEvidence(const FlatColonGrid & grid, const ColonWallTube & tube, const HaustralFolds & folds)
+{
+  TaeniaEvidence evidence;
+  evidence.columnsPerRow = std::max(1, static_cast<int>(std::lround(rowLength / grid.PixelSize())));
+  evidence.rows = std::max(1, grid.Columns() / evidence.columnsPerRow);
+  evidence.columnsPerRow = std::min(evidence.columnsPerRow, grid.Columns());
+  const FlatColonAxis axis = MakeFlatColonAxis(grid);
+  for (int row = 0; row < evidence.rows; ++row)
+  {
+    const int column = std::min(static_cast<int>((row + 0.5) * evidence.columnsPerRow), grid.Columns() - 1);
+    evidence.arcLength.push_back(tube.ArcLengthOfU(grid.UvOfPixel(column, 0).x()));
+    evidence.girth.push_back(2.0 * M_PI * axis.radii[column]);
+  }
+  evidence.ends = EndsOfFolds(grid, folds, evidence);
+
+  Cells ends(static_cast<std::size_t>(evidence.rows) * angles, 0.0);
+  for (const FoldEnd & end : evidence.ends)
+  {
+    ends[static_cast<int>(end.row) * angles + TaeniaEvidence::CellOf(end.angle)] += 1.0;
+  }
+  const Cells endDensity = Smoothed(ends, evidence.rows, endRows, endAngles);
+  const Cells foldDensity = Smoothed(FoldDensity(grid, folds, evidence), evidence.rows, foldRows, foldAngles);
+  const Cells wall = Smoothed(WallBetweenFolds(grid, axis, folds, evidence), evidence.rows, wallRows, wallAngles);
+  for (std::size_t i = 0; i < endDensity.size(); ++i)
+  {
+    const double s = evidence.arcLength[i / angles];
+    const double toEnd = std::min(s - evidence.arcLength.front(), evidence.arcLength.back() - s);
+    const double share = std::clamp(toEnd / fadingLength, 0.0, 1.0);
+    evidence.cost.push_back(
+      static_cast<float>(share * (foldWeight * foldDensity[i] - endWeight * endDensity[i] - wall[i])));
+  }
+  return evidence;
+}
+
+TaeniaTracks
+SmoothedTracks(const TaeniaTracks & tracks, double deviation)
+{
+  const std::vector<double> kernel = Kernel(deviation);
+  const int                 reach = static_cast<int>(kernel.size()) / 2;
+  const int                 last = static_cast<int>(tracks.size()) - 1;
+  TaeniaTracks              result(tracks.size(), TaeniaAngles{ 0.0, 0.0, 0.0 });
+  for (int row = 0; row <= last; ++row)
+  {
+    for (int k = -reach; k <= reach; ++k)
+    {
+      for (int t = 0; t < 3; ++t)
+      {
+        result[row][t] += kernel[k + reach] * tracks[std::clamp(row + k, 0, last)][t];
+      }
+    }
+  }
+  return result;
+}
+} // namespace shapeton

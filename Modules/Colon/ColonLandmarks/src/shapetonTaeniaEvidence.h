@@ -1,0 +1,82 @@
+#ifndef shapetonTaeniaEvidence_h
+#define shapetonTaeniaEvidence_h
+
+#include "shapetonColonWallTube.h"
+#include "shapetonFlatColonGrid.h"
+#include "shapetonHaustralFolds.h"
+
+#include <array>
+#include <vector>
+
+namespace shapeton
+{
+/** Angles of the three taeniae in a row: turns around the tube in the direction of the grid's rows. */
+using TaeniaAngles = std::array<double, 3>;
+/** For each row along the tube; each track without jumps. */
+using TaeniaTracks = std::vector<TaeniaAngles>;
+
+/** The end of a fold. */
+struct FoldEnd
+{
+  double row{ 0.0 };
+  double angle{ 0.0 }; ///< turns, [0, 1)
+};
+
+/** A place that a taenia must pass. */
+struct TaeniaMark
+{
+  int    row{ 0 };
+  double angle{ 0.0 };
+};
+
+/** What folds tell of taeniae, on rows along the tube and angles around it. */
+struct TaeniaEvidence
+{
+  static constexpr int Angles = 72;
+  int                  rows{ 0 };
+  /** Columns of the grid for each row. */
+  int columnsPerRow{ 1 };
+  /** rows x Angles: low where a taenia runs. */
+  std::vector<float> cost;
+  /** Along the centreline, mm, and around the wall, mm. */
+  std::vector<double>     arcLength;
+  std::vector<double>     girth;
+  std::vector<FoldEnd>    ends;
+  std::vector<TaeniaMark> marks;
+
+  float
+  CostAt(int row, int angle) const
+  {
+    return cost[static_cast<std::size_t>(row) * Angles + angle];
+  }
+  /** The cell of an angle in turns. */
+  static int
+  CellOf(double turns);
+};
+
+TaeniaEvidence
+MakeTaeniaEvidence(const FlatColonGrid & grid, const ColonWallTube & tube, const HaustralFolds & folds);
+
+/** The best three tracks by dynamic programming. */
+TaeniaTracks
+JointTaeniae(const TaeniaEvidence & evidence);
+
+/** Mean energy of a row. */
+double
+EnergyOfTaeniae(const TaeniaEvidence & evidence, const TaeniaTracks & tracks);
+
+/** Tracks of windowed fuzzy C-means; with `thirds` the tightest of them and two at thirds of the circumference. Empty
+ * where there are too few fold ends. */
+TaeniaTracks
+FuzzyTaeniae(const TaeniaEvidence & evidence, bool thirds);
+
+/** Each track averaged over the rows with a Gaussian of this standard deviation. */
+TaeniaTracks
+SmoothedTracks(const TaeniaTracks & tracks, double deviation);
+
+/** a - b in turns, in [-0.5, 0.5]. */
+double
+TurnsBetween(double a, double b);
+} // namespace shapeton
+
+#endif

@@ -1,0 +1,87 @@
+#include "shapetonWallBetweenFolds.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace shapeton
+{
+namespace
+{
+constexpr int angles = TaeniaEvidence::Angles;
+/** Of the distance from the axis over the radius, and of the mean curvature times the radius (-0.5 on a tube). */
+constexpr double reliefWeight = 20.0;
+constexpr double curvatureWeight = 2.0;
+/** Of curvature times radius: more comes from steps of voxels. */
+constexpr double greatestCurvature = 2.0;
+/** Bends shift the middle of the tube and make it oval: turns around the tube that are left out. */
+constexpr int bendHarmonics = 2;
+
+/** Takes off each row its mean and first harmonics. */
+void
+RemoveBends(std::vector<double> & wall, int rows)
+{
+  for (int row = 0; row < rows; ++row)
+  {
+    double * const cells = wall.data() + static_cast<std::size_t>(row) * angles;
+    for (int harmonic = 0; harmonic <= bendHarmonics; ++harmonic)
+    {
+      double cosine = 0.0;
+      double sine = 0.0;
+      for (int a = 0; a < angles; ++a)
+      {
+        cosine += cells[a] * std::cos(2.0 * M_PI * harmonic * a / angles);
+        sine += cells[a] * std::sin(2.0 * M_PI * harmonic * a / angles);
+      }
+      const double share = (harmonic == 0 ? 1.0 : 2.0) / angles;
+      for (int a = 0; a < angles; ++a)
+      {
+        cells[a] -= share * (cosine * std::cos(2.0 * M_PI * harmonic * a / angles) +
+                             sine * std::sin(2.0 * M_PI * harmonic * a / angles));
+      }
+    }
+  }
+}
+
+/** Of one place of the wall. */
+double
+InwardForm(const FlatSample & sample, const FlatColonAxis & axis, int column)
+{
+  const Eigen::Vector3d spoke = sample.point - axis.centres.row(column).transpose();
+  const Eigen::Vector3d tangent = axis.tangents.row(column).transpose();
+  const double          radius = (spoke - tangent * tangent.dot(spoke)).norm();
+  const double          curvature = sample.curvature * axis.radii[column];
+  return reliefWeight * (1.0 - radius / axis.radii[column]) +
+         curvatureWeight * std::clamp(curvature, -greatestCurvature, greatestCurvature);
+}
+} // namespace
+
+std::vector<double>
+WallBetweenFolds(const FlatColonGrid &  grid,
+                 const FlatColonAxis &  axis,
+                 const HaustralFolds &  folds,
+                 const TaeniaEvidence & evidence)
+{
+  std::vector<double> wall(static_cast<std::size_t>(evidence.rows) * angles, 0.0);
+  std::vector<double> count(wall.size(), 0.0);
+  for (int column = 0; column < evidence.rows * evidence.columnsPerRow; ++column)
+  {
+    for (int row = 0; row < grid.Rows(); ++row)
+    {
+      const bool isFold = folds.labels->GetPixel({ { column, row } }) > 0;
+      const bool isSeen = !isFold && grid.FaceOfPixel(column, row) >= 0 && !grid.IsBridged(column, row);
+      if (isSeen)
+      {
+        const int cell = column / evidence.columnsPerRow * angles + TaeniaEvidence::CellOf((row + 0.5) / grid.Rows());
+        wall[cell] += InwardForm(grid.SampleOfPixel(column, row), axis, column);
+        count[cell] += 1.0;
+      }
+    }
+  }
+  for (std::size_t i = 0; i < wall.size(); ++i)
+  {
+    wall[i] /= std::max(count[i], 1.0);
+  }
+  RemoveBends(wall, evidence.rows);
+  return wall;
+}
+} // namespace shapeton

@@ -1,0 +1,172 @@
+#include "shapetonColonSplitting.h"
+
+#include "shapetonLandmarkTubes.h"
+
+#include <gtest/gtest.h>
+
+#include <set>
+
+namespace
+{
+using shapeton::ColonLandmarks;
+using shapeton::ColonWallTube;
+
+constexpr double radius = 120.0 / (2.0 * landmarktubes::pi);
+constexpr double length = 150.0;
+
+shapeton::SegmentBorder
+BorderAt(const ColonWallTube & tube, int number, double z)
+{
+  shapeton::SegmentBorder border;
+  border.number = number;
+  border.arcLength = z;
+  border.point = { 0.0, 0.0, z };
+  border.loop = shapeton::FindLoop(tube, border.point, Eigen::Vector3d::UnitZ(), z);
+  return border;
+}
+
+/** A cylinder that is said to be rectum, sigmoid and descending colon, with a straight taenia. */
+ColonLandmarks
+LandmarksOfCylinder(const shapeton::SurfaceMesh & flat)
+{
+  ColonLandmarks landmarks;
+  landmarks.tube = std::make_shared<const ColonWallTube>(flat, landmarktubes::StraightLine(length));
+  landmarks.segments.borders = { BorderAt(*landmarks.tube, 1, 40.0), BorderAt(*landmarks.tube, 2, 100.0) };
+  for (int face = 0; face < flat.NumberOfFaces(); ++face)
+  {
+    const double z = (flat.V(flat.F(face, 0), 2) + flat.V(flat.F(face, 1), 2) + flat.V(flat.F(face, 2), 2)) / 3.0;
+    landmarks.segments.segmentOfFace.push_back(z < 40.0 ? 1 : z < 100.0 ? 2 : 0);
+  }
+  shapeton::ColonTaenia taenia;
+  for (double z = 0.0; z <= length; z += 2.0)
+  {
+    taenia.points.emplace_back(0.0, radius, z);
+    taenia.arcLength.push_back(z);
+  }
+  landmarks.taeniae.taeniae = { taenia, taenia, taenia };
+  return landmarks;
+}
+} // namespace
+
+// A rectangle of circumference by length: the modulus is their quotient.
+TEST(ColonSplitting, OfACylinderHasTheModulusOfItsRectangles)
+{
+  flattubes::TubeForm form;
+  form.length = length;
+  const shapeton::SurfaceMesh flat = flattubes::MakeCylinder(form);
+  const shapeton::ColonPieces pieces = SplitColon(flat, LandmarksOfCylinder(flat));
+  ASSERT_EQ(pieces.pieces.size(), 2u);
+  EXPECT_EQ(pieces.warnings.size(), 4u); // of the segments that are not there
+  const double lengths[] = { 40.0, 60.0 };
+  for (int i = 0; i < 2; ++i)
+  {
+    const shapeton::ColonPiece & piece = pieces.pieces[i];
+    EXPECT_EQ(piece.name, shapeton::NameOfSegment(i + 1));
+    const double modulus = std::sqrt(piece.modulusU * piece.modulusV);
+    EXPECT_NEAR(modulus, 120.0 / lengths[i], 0.03 * modulus);
+    EXPECT_GE(piece.modulusU, piece.modulusV * (1.0 - 1e-9));
+    EXPECT_NEAR(piece.width, lengths[i], 0.03 * lengths[i]);
+    EXPECT_EQ(piece.flips, 0);
+    EXPECT_NEAR(piece.area, 120.0 * lengths[i], 0.01 * piece.area);
+  }
+}
+
+TEST(ColonSplitting, PutsTheRectalEndAtTheLeft)
+{
+  flattubes::TubeForm form;
+  form.length = length;
+  const shapeton::SurfaceMesh flat = flattubes::MakeCylinder(form);
+  const shapeton::ColonPieces pieces = SplitColon(flat, LandmarksOfCylinder(flat));
+  ASSERT_FALSE(pieces.pieces.empty());
+  const shapeton::SurfaceMesh &  piece = pieces.pieces[1].flat;
+  const shapeton::SurfaceArray * uv = shapeton::FindSurfaceArray(piece.pointArrays, "uv");
+  ASSERT_NE(uv, nullptr);
+  for (int i = 0; i < piece.NumberOfVertices(); ++i)
+  {
+    ASSERT_NEAR(uv->values(i, 0), piece.V(i, 2) - 40.0, 2.5);
+  }
+}
+
+TEST(ColonSplitting, NeedsATaenia)
+{
+  const shapeton::SurfaceMesh flat = flattubes::MakeCylinder({});
+  ColonLandmarks              landmarks = LandmarksOfCylinder(flat);
+  landmarks.taeniae.taeniae.clear();
+  const shapeton::ColonPieces pieces = SplitColon(flat, landmarks);
+  EXPECT_TRUE(pieces.pieces.empty());
+  EXPECT_EQ(pieces.warnings.size(), 1u);
+}
+
+TEST(SurfaceFolds, AreThoseThatWereMade)
+{
+  std::vector<foldtubes::Fold> folds;
+  for (int i = 0; i < 5; ++i)
+  {
+    foldtubes::Fold fold;
+    fold.u = 25.0 + 25.0 * i;
+    fold.angle = 1.1 * i;
+    fold.halfLength = 18.0;
+    fold.height = 6.0;
+    folds.push_back(fold);
+  }
+  const shapeton::SurfaceMesh  flat = foldtubes::MakeTube(folds);
+  const ColonWallTube          tube(flat, landmarktubes::StraightLine(160.0));
+  const shapeton::SurfaceFolds found = FindSurfaceFolds(tube, {});
+  EXPECT_EQ(found.number, 5);
+  EXPECT_GE(found.leastCurvature, 0.0);
+  for (const foldtubes::Fold & fold : folds)
+  {
+    std::set<int> numbers;
+    for (int face = 0; face < tube.Faces().rows(); ++face)
+    {
+      const Eigen::Vector3d p = tube.Points().row(tube.Faces()(face, 0));
+      const double          around = std::remainder(-std::atan2(p.y(), p.x()) - fold.angle, 2.0 * landmarktubes::pi);
+      if (std::abs(p.z() - fold.u) < 0.6 && std::abs(around) < 0.3)
+      {
+        numbers.insert(found.foldOfFace[face]);
+      }
+    }
+    ASSERT_EQ(numbers.size(), 1u);
+    EXPECT_GT(*numbers.begin(), 0);
+  }
+}
+
+TEST(SurfaceFolds, AreNotMadeUpWhereTheWallIs)
+{
+  foldtubes::Fold fold;
+  fold.u = 80.0;
+  fold.halfLength = 18.0;
+  fold.height = 6.0;
+  const shapeton::SurfaceMesh flat = foldtubes::MakeTube({ fold });
+  const ColonWallTube         tube(flat, landmarktubes::StraightLine(160.0));
+  EXPECT_EQ(FindSurfaceFolds(tube, std::vector<char>(flat.NumberOfFaces(), 1)).number, 0);
+}
+
+TEST(ColonLandmarks, AreFoundTogetherAndToldInJson)
+{
+  const SchematicColon        colon = MakeSchematicColon();
+  const shapeton::SurfaceMesh flat = landmarktubes::TubeAlong(colon.centreline, 12.0);
+  const ColonLandmarks        landmarks = shapeton::FindColonLandmarks(flat, colon.centreline);
+  EXPECT_EQ(landmarks.segments.borders.size(), 5u);
+  EXPECT_TRUE(landmarks.taeniae.taeniae.empty()); // a smooth tube has no folds
+  const shapeton::Json json = ColonLandmarksToJson(landmarks);
+  ASSERT_EQ(json["flexures"].size(), 4u);
+  for (const shapeton::Json & flexure : json["flexures"])
+  {
+    EXPECT_TRUE(flexure["found"]);
+    EXPECT_EQ(flexure["position"].size(), 3u);
+    EXPECT_EQ(flexure["uv"].size(), 2u);
+  }
+  EXPECT_EQ(json["segments"].size(), 6u);
+  EXPECT_EQ(json["taeniae"]["found"], 0);
+  EXPECT_FALSE(json["taeniae"]["reason"].empty());
+
+  const shapeton::CurveSet loops = FlexureCurves(landmarks);
+  ASSERT_EQ(loops.curves.size(), 4u);
+  for (const std::vector<int> & loop : loops.curves)
+  {
+    EXPECT_EQ(loop.front(), loop.back());
+  }
+  EXPECT_EQ(shapeton::FindSurfaceArray(SegmentSurface(flat, landmarks).cellArrays, "segment")->values.rows(),
+            flat.NumberOfFaces());
+}

@@ -1,0 +1,110 @@
+#ifndef shapetonLandmarkTubes_h
+#define shapetonLandmarkTubes_h
+
+#include "shapetonFoldTubes.h"
+#include "shapetonSchematicColon.h"
+
+/** Flat tubes with known landmarks, and their centrelines. */
+namespace landmarktubes
+{
+using flattubes::pi;
+
+/** How far the wall stands out into the lumen, mm, at (mm along, angle). */
+using Relief = std::function<double(double, double)>;
+
+/** A tube along a curve with points every millimetre. */
+inline shapeton::SurfaceMesh
+TubeAlong(const shapeton::CurveSet & curve,
+          double                     radius,
+          const Relief &             relief = {},
+          int                        around = 24,
+          double                     step = 5.0)
+{
+  const Eigen::Index           last = curve.V.rows() - 1;
+  std::vector<Eigen::Vector3d> frame(last + 1);
+  frame[0] = Eigen::Vector3d::UnitX();
+  const auto tangentAt = [&](Eigen::Index i) {
+    const Eigen::RowVector3d chord =
+      curve.V.row(std::min<Eigen::Index>(i + 1, last)) - curve.V.row(std::max<Eigen::Index>(i - 1, 0));
+    return Eigen::Vector3d(chord.transpose().normalized());
+  };
+  for (Eigen::Index i = 0; i <= last; ++i)
+  {
+    const Eigen::Vector3d t = tangentAt(i);
+    const Eigen::Vector3d before = frame[std::max<Eigen::Index>(i - 1, 0)];
+    frame[i] = (before - t * t.dot(before)).normalized();
+  }
+  flattubes::TubeForm form;
+  form.around = around;
+  form.along = static_cast<int>(last / step);
+  form.circumference = 2.0 * pi * radius;
+  form.length = form.along * step;
+  return flattubes::MakeFlatTube(form, [&](double u, double angle) {
+    const auto            i = std::min(static_cast<Eigen::Index>(u + 0.5), last);
+    const Eigen::Vector3d a = frame[i];
+    const Eigen::Vector3d b = tangentAt(i).cross(a);
+    const double          r = radius - (relief ? relief(u, angle) : 0.0);
+    return Eigen::Vector3d(curve.V.row(i).transpose() + r * (std::cos(angle) * a - std::sin(angle) * b));
+  });
+}
+
+/** The centreline of a straight tube along z. */
+inline shapeton::CurveSet
+StraightLine(double length)
+{
+  return RoundedCurve({ { 0.0, 0.0, 0.0 }, { 0.0, 0.0, length } });
+}
+
+/** The angle of a taenia of TubeWithTaeniae(), radians. */
+inline double
+TaeniaAngle(int taenia, double u)
+{
+  return 0.4 + 2.0 * pi * taenia / 3.0 + 0.5 * std::sin(u / 90.0);
+}
+
+/** A straight tube, 480 mm long, with folds between three taeniae that wind. Folds begin before `foldsEnd` mm; the wall
+ * bulges outwards by up to `bulge` mm between taeniae, all along. */
+inline shapeton::SurfaceMesh
+TubeWithTaeniae(double foldsEnd = 480.0, double bulge = 0.0)
+{
+  std::vector<foldtubes::Fold> folds;
+  for (int ring = 0; ring < 28; ++ring)
+  {
+    for (int t = 0; t < 3; ++t)
+    {
+      const double    u = 20.0 + 16.0 * ring + 5.0 * t;
+      foldtubes::Fold fold;
+      fold.u = u;
+      fold.angle = TaeniaAngle(t, u) + pi / 3.0;
+      fold.halfLength = 15.0;
+      fold.height = 6.0;
+      if (u < foldsEnd)
+      {
+        folds.push_back(fold);
+      }
+    }
+  }
+  flattubes::TubeForm form;
+  form.around = 90;
+  form.along = 360;
+  form.circumference = 2.0 * pi * foldtubes::radius;
+  form.length = 480.0;
+  return flattubes::MakeFlatTube(form, [&](double u, double angle) {
+    double r = foldtubes::radius + 0.5 * bulge * (1.0 - std::cos(3.0 * (angle - TaeniaAngle(0, u))));
+    for (const foldtubes::Fold & fold : folds)
+    {
+      r -= std::abs(u - fold.u) < 12.0 ? foldtubes::HeightAt(fold, u, angle) : 0.0;
+    }
+    return flattubes::OnCylinder(r, u, -angle);
+  });
+}
+
+/** Where a taenia of TubeWithTaeniae() runs. */
+inline Eigen::Vector3d
+PointOfTaenia(int taenia, double u, double aside = 0.0)
+{
+  return flattubes::OnCylinder(foldtubes::radius, u, -TaeniaAngle(taenia, u) - aside / foldtubes::radius);
+}
+} // namespace landmarktubes
+
+#endif

@@ -1,0 +1,53 @@
+#ifndef shapetonColonExtent_h
+#define shapetonColonExtent_h
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+namespace shapeton
+{
+/** \brief The box around what is known of a colon's lumen, LPS in mm: where in it a place lies tells which end of the
+ * colon it may be. Points are of any type whose coordinates are [0] to [2]. \ingroup ColonLumen */
+struct ColonExtent
+{
+  template <typename TPoint>
+  void
+  Include(const TPoint & point)
+  {
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      lowest[axis] = std::min<double>(lowest[axis], point[axis]);
+      highest[axis] = std::max<double>(highest[axis], point[axis]);
+    }
+  }
+
+  /** How far a place is from where the rectum ends, mm: caudal, in the middle, at the back. */
+  template <typename TPoint>
+  double
+  DistanceFromAnus(const TPoint & place) const
+  {
+    constexpr double sideways = 0.7;
+    constexpr double forwards = 0.5;
+    const double     middle = 0.5 * (lowest[0] + highest[0]);
+    return (place[2] - lowest[2]) + sideways * std::abs(place[0] - middle) + forwards * (highest[1] - place[1]);
+  }
+
+  /** Where a place lies between the lower and the upper side along an axis, 0 to 1. */
+  template <typename TPoint>
+  double
+  ShareAlong(int axis, const TPoint & place) const
+  {
+    return (place[axis] - lowest[axis]) / std::max(highest[axis] - lowest[axis], 1.0);
+  }
+
+  std::array<double, 3> lowest{ { nowhere, nowhere, nowhere } };
+  std::array<double, 3> highest{ { -nowhere, -nowhere, -nowhere } };
+
+private:
+  static constexpr double nowhere = std::numeric_limits<double>::max();
+};
+} // namespace shapeton
+
+#endif

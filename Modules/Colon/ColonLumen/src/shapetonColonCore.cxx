@@ -1,0 +1,205 @@
+#include "shapetonColonCore.h"
+
+#include "shapetonFall.h"
+#include "shapetonRectumPlace.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace shapeton
+{
+namespace
+{
+constexpr double CoreRadius = 10.0;    // mm; gas in small bowel stays thinner
+constexpr double CoreMl = 20.0;        //
+constexpr double WideRadius = 12.5;    // mm; beyond the calibre of small bowel, 25 mm
+constexpr double WideMl = 8.0;         //
+constexpr double CutRadius = 7.0;      // mm; how much a piece holds that the image's border cuts is not known
+constexpr double CutMl = 2.0;          //
+constexpr double RectumRadius = 7.0;   // mm; of gas and fluid near the anus
+constexpr double LungShare = 0.1;      // of the way from gas to tissue
+constexpr double FaintShare = 0.5;     // of the typical fluid's contrast
+constexpr double StomachShare = 0.25;  // of the colon's gas
+constexpr double LongestColumn = 60.0; // mm
+
+const char * const SmallBowel = "small bowel or undistended colon";
+const char * const Stomach = "stomach";
+
+/** Why a piece of gas is no colon; empty for one that may be. */
+std::string
+KindOfGas(const GasPiece & piece, const ColonThresholds & thresholds)
+{
+  if (piece.isOutside)
+  {
+    return "outside air";
+  }
+  if (piece.radius > 0.0 && piece.inside > thresholds.gas + LungShare * (thresholds.tissue - thresholds.gas))
+  {
+    return "lung";
+  }
+  const bool isWide = (piece.radius >= CoreRadius && piece.ml >= CoreMl) ||
+                      (piece.radius >= WideRadius && piece.ml >= WideMl) ||
+                      (piece.isCut && piece.radius >= CutRadius && piece.ml >= CutMl);
+  return isWide ? "" : SmallBowel;
+}
+
+/** Area of a piece's levels: over fluid as bright as the colon's, and over anything fainter. */
+struct LevelAreas
+{
+  double bright{ 0.0 };
+  double faint{ 0.0 };
+};
+
+std::vector<LevelAreas>
+AreasOfPieces(const ColonEvidence & evidence)
+{
+  const auto &            t = evidence.thresholds;
+  std::vector<LevelAreas> areas(evidence.gas.pieces.size());
+  for (const auto & level : evidence.levels)
+  {
+    const bool isBright = level.IsTagged(t.tissue) && level.Fluid() - t.tissue > FaintShare * (t.fluid - t.tissue);
+    (isBright ? areas[level.gas].bright : areas[level.gas].faint) += level.area;
+  }
+  return areas;
+}
+
+/** Voxel steps to the places around a column, up to 4 mm across gravity: the rim of a level is not flat. */
+std::vector<std::array<int, 3>>
+StepsAround(const ColonGrid & grid, const Fall & fall)
+{
+  std::vector<std::array<int, 3>> steps(1, { { 0, 0, 0 } });
+  for (int n = 0; n < 16; ++n)
+  {
+    const double          angle = 0.78539816 * (n % 8);
+    const double          reach = n < 8 ? 2.0 : 4.0;
+    const Eigen::Vector3d x = reach * (std::cos(angle) * fall.across[0] + std::sin(angle) * fall.across[1]);
+    const Eigen::Vector3d v = grid.VoxelOf(grid.origin + x);
+    steps.push_back({ { static_cast<int>(std::lround(v[0])),
+                        static_cast<int>(std::lround(v[1])),
+                        static_cast<int>(std::lround(v[2])) } });
+  }
+  return steps;
+}
+
+/** Adds what is brighter than `least` in the column under a voxel; the first 3.5 mm may be the blurred layer. */
+void
+AddColumn(const ColonEvidence &             evidence,
+          const Fall &                      fall,
+          const std::array<int, 3> &        v,
+          double                            least,
+          std::vector<std::array<int, 3>> & voxels)
+{
+  for (int n = 1; n * fall.step < LongestColumn; ++n)
+  {
+    const auto               o = fall.Offset(n);
+    const std::array<int, 3> w{ { v[0] + o[0], v[1] + o[1], v[2] + o[2] } };
+    if (!evidence.grid.Holds(w[0], w[1], w[2]))
+    {
+      return;
+    }
+    if (n * fall.step > 3.5 && evidence.hu[evidence.grid.Index(w[0], w[1], w[2])] < least)
+    {
+      return;
+    }
+    voxels.push_back(w);
+  }
+}
+
+/** The fluid in columns under the levels of one piece and around them. */
+std::vector<std::array<int, 3>>
+ColumnsUnder(const ColonEvidence & evidence, int piece)
+{
+  const auto &                    t = evidence.thresholds;
+  const Fall                      fall(evidence.grid, evidence.gravity);
+  const auto                      around = StepsAround(evidence.grid, fall);
+  std::vector<std::array<int, 3>> voxels;
+  for (const auto & level : evidence.levels)
+  {
+    if (level.gas != piece || !level.IsTagged(t.tissue))
+    {
+      continue;
+    }
+    for (const auto floor : level.floors)
+    {
+      const auto v = evidence.grid.Voxel(floor);
+      for (const auto & s : around)
+      {
+        AddColumn(
+          evidence, fall, { { v[0] + s[0], v[1] + s[1], v[2] + s[2] } }, 0.5 * (t.tissue + level.Fluid()), voxels);
+      }
+    }
+  }
+  return voxels;
+}
+
+void
+MarkStomach(ColonEvidence & evidence, const std::vector<LevelAreas> & areas)
+{
+  double colonMl = 0.0;
+  for (std::size_t p = 1; p < areas.size(); ++p)
+  {
+    colonMl += evidence.isColon[p] ? evidence.gas.pieces[p].ml : 0.0;
+  }
+  for (std::size_t p = 1; p < areas.size(); ++p)
+  {
+    if (evidence.isTagged && evidence.isCandidate[p] && areas[p].faint > std::max(LargeLevel, 3.0 * areas[p].bright) &&
+        evidence.gas.pieces[p].ml < StomachShare * colonMl)
+    {
+      evidence.kind[p] = Stomach;
+      evidence.isColon[p] = 0;
+    }
+  }
+}
+
+/** Of those that may be taken, pieces that hold a ball of this radius together with the fluid below them. */
+std::vector<int>
+TakeOverFluid(ColonEvidence &                 evidence,
+              const std::vector<LevelAreas> & areas,
+              double                          radius,
+              const std::vector<char> &       mayBeTaken)
+{
+  std::vector<int> taken;
+  for (int p = 1; p < static_cast<int>(areas.size()); ++p)
+  {
+    if (!mayBeTaken[p] || evidence.isColon[p] || !evidence.isCandidate[p] || evidence.kind[p] == Stomach ||
+        areas[p].bright < PoolArea || evidence.gas.pieces[p].ml < 1.0)
+    {
+      continue;
+    }
+    const auto both = MeasureTogether(evidence.grid, evidence.gas, p, ColumnsUnder(evidence, p));
+    if (both.radius >= radius && both.ml >= CoreMl)
+    {
+      evidence.isColon[p] = 1;
+      evidence.kind[p].clear();
+      taken.push_back(p);
+    }
+  }
+  return taken;
+}
+} // namespace
+
+void
+ChooseCore(ColonEvidence & evidence)
+{
+  const auto & pieces = evidence.gas.pieces;
+  evidence.isCandidate.assign(pieces.size(), 0);
+  evidence.isColon.assign(pieces.size(), 0);
+  evidence.kind.assign(pieces.size(), "outside air");
+  for (std::size_t p = 1; p < pieces.size(); ++p)
+  {
+    evidence.kind[p] = KindOfGas(pieces[p], evidence.thresholds);
+    evidence.isCandidate[p] = evidence.kind[p] != "outside air" && evidence.kind[p] != "lung" && pieces[p].ml >= 0.05;
+    evidence.isColon[p] = evidence.kind[p].empty();
+  }
+}
+
+std::vector<int>
+ReviewCore(ColonEvidence & evidence)
+{
+  const auto areas = AreasOfPieces(evidence);
+  MarkStomach(evidence, areas);
+  TakeOverFluid(evidence, areas, WideRadius, std::vector<char>(areas.size(), 1));
+  return TakeOverFluid(
+    evidence, areas, RectumRadius, PiecesNearerToAnus(evidence, evidence.gas.set, evidence.gas.labels));
+}
+} // namespace shapeton

@@ -1,0 +1,220 @@
+#include "shapetonColonLumenSegmentation.h"
+
+#include "shapetonColonCore.h"
+#include "shapetonColonGravity.h"
+#include "shapetonFluidWithoutGas.h"
+#include "shapetonLevelsAndGravity.h"
+#include "shapetonLumenReport.h"
+#include "shapetonLumenSeeds.h"
+#include "shapetonColonStatistics.h"
+#include "shapetonLumenVoxels.h"
+#include "shapetonPlaceInWords.h"
+#include "shapetonExceptions.h"
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+namespace shapeton
+{
+namespace
+{
+constexpr double   GasByDefinition = -1000.0; // HU
+constexpr double   SeedShareOfGas = 0.2;      // of the way from gas to tissue
+const char * const asColon = " are taken for colon, as no small bowel is so wide";
+const char * const asRectum = " are taken for rectum or sigmoid, as no other colon comes near the anus";
+constexpr double   TolerableNoise = 50.0; // a quarter of the way from gas to its seed threshold
+
+class LumenSegmentation
+{
+public:
+  LumenSegmentation(const ColonImage * ct, const ColonLumenOptions & options) : m_Image(ct), m_Options(options) {}
+
+  ColonLumen
+  Run()
+  {
+    this->CheckInput();
+    this->Load();
+    this->FindGasPieces();
+    FindGravity(m_Options.patientPosition, m_Evidence, m_Result);
+    m_Options.progress(0.55);
+    MeasureFluid(m_Evidence);
+    this->ReviewGas();
+    this->KeepSeeds();
+    MeasureFluid(m_Evidence);
+    FindBright(m_Evidence);
+    this->AddFluidWithoutGas();
+    m_Options.progress(0.6);
+    this->DecideLabels();
+    m_Options.progress(1.0);
+    return std::move(m_Result);
+  }
+
+private:
+  void
+  CheckInput() const
+  {
+    const auto size = m_Image->GetBufferedRegion().GetSize();
+    for (int a = 0; a < 3; ++a)
+    {
+      if (size[a] < 8)
+      {
+        throw InputError("the image has " + std::to_string(size[a]) + " voxels along an axis; at least 8 are needed");
+      }
+    }
+    RequireParameter(m_Options.patientPosition.empty() || GravityOfPatientPosition(m_Options.patientPosition),
+                     "the patient position \"" + m_Options.patientPosition +
+                       "\" is not known; give supine, prone, leftDecubitus or rightDecubitus");
+  }
+
+  void
+  Load()
+  {
+    auto & e = m_Evidence;
+    e.grid = GridOfImage(m_Image);
+    e.hu = LoadVoxels(m_Image, e.grid);
+    e.thresholds.tissue = ModeOfTissue(e.hu);
+    e.noise = NoiseInTissue(e.grid, e.hu, e.thresholds.tissue);
+    e.remainingNoise = e.noise;
+    m_Options.progress(0.1);
+    if (e.noise > TolerableNoise)
+    {
+      this->Smooth();
+    }
+    e.bodyMl =
+      e.grid.VoxelVolume() * 1e-3 * std::count_if(e.hu.begin(), e.hu.end(), [](float v) { return v > -400.0F; });
+    this->SetGasThresholds(GasByDefinition);
+    m_Options.progress(0.2);
+  }
+
+  /** In steps of 0.3 mm, no more than the noise asks for. */
+  void
+  Smooth()
+  {
+    auto & e = m_Evidence;
+    while (e.remainingNoise > TolerableNoise && e.smoothing < 0.85)
+    {
+      const double next = e.smoothing + 0.3;
+      SmoothVoxels(e.grid, e.hu, std::sqrt(next * next - e.smoothing * e.smoothing));
+      e.smoothing = next;
+      e.thresholds.tissue = ModeOfTissue(e.hu);
+      e.remainingNoise = NoiseInTissue(e.grid, e.hu, e.thresholds.tissue);
+    }
+    std::ostringstream text;
+    text << "the noise is high (standard deviation " << std::lround(e.noise)
+         << " HU); the volume was smoothed with a sigma of " << std::lround(10.0 * e.smoothing) / 10.0
+         << " mm before it was segmented";
+    m_Result.warnings.push_back(text.str());
+  }
+
+  void
+  ReviewGas()
+  {
+    for (const int piece : ReviewCore(m_Evidence))
+    {
+      const GasPiece & gas = m_Evidence.gas.pieces[piece];
+      m_Result.warnings.push_back(std::to_string(std::lround(gas.ml)) + " ml of gas around " +
+                                  PlaceInWords(gas.centre) + asRectum);
+    }
+  }
+
+  void
+  AddFluidWithoutGas()
+  {
+    for (const auto & found : TakeFluidWithoutGas(m_Evidence))
+    {
+      m_Result.warnings.push_back(std::to_string(std::lround(found.ml)) + " ml of tagged fluid without gas around " +
+                                  PlaceInWords(found.centre) + (found.isRectum ? asRectum : asColon));
+    }
+  }
+
+  void
+  SetGasThresholds(double gas)
+  {
+    auto & t = m_Evidence.thresholds;
+    t.gas = gas;
+    t.gasSeed = gas + SeedShareOfGas * (t.tissue - gas);
+    t.gasBoundary = 0.5 * (gas + t.tissue);
+  }
+
+  void
+  FindGasPieces()
+  {
+    auto &     e = m_Evidence;
+    LumenSeeds seeds = FindSeedVoxels(e, m_Options.seedPoints);
+    m_GasSeeds = std::move(seeds.gas);
+    e.brightSeeds = std::move(seeds.bright);
+    e.gas = FindGas(e.grid, e.hu, e.thresholds.gasSeed, m_GasSeeds);
+    m_Options.progress(0.3);
+    MeasureDepth(e.grid, e.hu, e.gas);
+    ChooseCore(e);
+    this->MeasureGas();
+    this->KeepSeeds();
+    m_Options.progress(0.45);
+  }
+
+  /** The pieces at seed points are colon. */
+  void
+  KeepSeeds()
+  {
+    for (const auto & seed : m_GasSeeds)
+    {
+      const auto run = m_Evidence.gas.set.Find(seed[0], seed[1], seed[2]);
+      const int  piece = m_Evidence.gas.labels.ofRun[run];
+      m_Evidence.isColon[piece] = m_Evidence.isCandidate[piece] = piece > 0;
+    }
+  }
+
+  /** Typical gas is what lies deep inside the core. */
+  void
+  MeasureGas()
+  {
+    double sum = 0.0;
+    double ml = 0.0;
+    for (std::size_t p = 1; p < m_Evidence.gas.pieces.size(); ++p)
+    {
+      if (m_Evidence.isColon[p])
+      {
+        sum += m_Evidence.gas.pieces[p].inside * m_Evidence.gas.pieces[p].ml;
+        ml += m_Evidence.gas.pieces[p].ml;
+      }
+    }
+    if (ml > 0.0)
+    {
+      const double seed = m_Evidence.thresholds.gasSeed;
+      this->SetGasThresholds(sum / ml);
+      m_Evidence.thresholds.gasSeed = seed; // the pieces stay what they are
+    }
+  }
+
+  void
+  DecideLabels()
+  {
+    m_Result.labels = EmptyLabels(m_Image);
+    if (!BoxOfColon(m_Evidence).IsEmpty())
+    {
+      const LumenVoxels voxels = DecideVoxels(m_Image, m_Evidence);
+      m_Options.progress(0.9);
+      WriteLabels(m_Image, voxels, m_Result);
+      DescribePieces(voxels, m_Result);
+      DescribeLevels(m_Evidence, voxels, m_Result);
+      DescribeOtherBright(voxels, m_Result);
+    }
+    DescribeRest(m_Evidence, m_Result);
+    JudgeLumen(m_Evidence, m_Result);
+  }
+
+  const ColonImage *              m_Image;
+  const ColonLumenOptions &       m_Options;
+  ColonEvidence                   m_Evidence;
+  ColonLumen                      m_Result;
+  std::vector<std::array<int, 3>> m_GasSeeds;
+};
+} // namespace
+
+ColonLumen
+SegmentColonLumen(const itk::Image<float, 3> * ct, const ColonLumenOptions & options)
+{
+  return LumenSegmentation(ct, options).Run();
+}
+} // namespace shapeton

@@ -1,0 +1,51 @@
+#ifndef shapetonColonSearch_h
+#define shapetonColonSearch_h
+
+#include "shapetonFall.h"
+#include "shapetonGasPieces.h"
+#include "shapetonLevels.h"
+#include "shapetonLumenGrowth.h"
+
+namespace shapeton
+{
+constexpr double LargeLevel = 200.0; // mm^2
+constexpr double PoolArea = 20.0;    // mm^2
+
+/** All that is known of the volume before single voxels are decided. */
+struct ColonEvidence
+{
+  ColonGrid                       grid;
+  std::vector<float>              hu;
+  ColonThresholds                 thresholds;
+  double                          noise{ 0.0 };
+  double                          remainingNoise{ 0.0 }; ///< after the prefilter
+  double                          smoothing{ 0.0 };
+  double                          bodyMl{ 0.0 }; ///< of everything denser than -400 HU
+  GasOfVolume                     gas;
+  std::vector<std::string>        kind;        ///< of pieces of gas: why not colon, empty for colon
+  std::vector<char>               isCandidate; ///< pieces of gas that may lie in a bowel
+  std::vector<char>               isColon;     ///< pieces of gas
+  Eigen::Vector3d                 gravity{ 0.0, 1.0, 0.0 };
+  std::vector<Level>              levels; ///< under the candidates
+  RunSet                          brightSet;
+  RunLabels                       brightLabels;
+  std::vector<char>               isColonBright; ///< bright pieces that hang on colon gas or hold a seed
+  std::vector<std::vector<int>>   brightOfLevel;
+  std::vector<std::array<int, 3>> brightSeeds; ///< seed points in bright matter
+  bool                            isTagged{ false };
+};
+
+/** The intensity of the fluid under the colon's levels and the thresholds that follow from it. */
+void
+MeasureFluid(ColonEvidence & evidence);
+
+/** Bright matter, and which of it hangs on the colon's gas. */
+void
+FindBright(ColonEvidence & evidence);
+
+/** The box around all that may be colon. */
+VoxelBox
+BoxOfColon(const ColonEvidence & evidence);
+} // namespace shapeton
+
+#endif

@@ -1,0 +1,365 @@
+#include "shapetonElectronicCleansing.h"
+
+#include "shapetonDistanceToBackground.h"
+#include "shapetonLevelSurface.h"
+
+#include "shapetonColonStatistics.h"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+namespace shapeton
+{
+namespace
+{
+constexpr double Margin = 6.0;        // mm around the lumen
+constexpr double Shell = 4.0;         // mm beyond which nothing of the lumen is seen
+constexpr double ScannerBlur = 0.75;  // mm, standard deviation
+constexpr double GreatestRate = 0.15; // of one step back; beyond it noise grows
+constexpr double ContinuedOver = 1.2; // mm, of the weights along gravity
+
+double
+NormalDistribution(double x)
+{
+  return 0.5 * std::erfc(-x / std::sqrt(2.0));
+}
+
+/** How much lumen one voxel holds, and how much of that is fluid. */
+struct Share
+{
+  float lumen{ 0.0F };
+  float fluid{ 0.0F };  ///< of the lumen's part
+  float weight{ 1.0F }; ///< how far the voxel's value tells
+};
+
+class Cleansing
+{
+public:
+  Cleansing(const ColonImage * ct, const ColonLumen & lumen, const ColonGrid & grid)
+    : m_Image(ct)
+    , m_Lumen(lumen)
+    , m_Grid(grid)
+    , m_Fall(grid, { lumen.gravity[0], lumen.gravity[1], lumen.gravity[2] })
+    , m_Hu(LoadVoxels(ct, grid))
+    , m_Labels(this->LoadLabels())
+    , m_Fluid(this->MakeFluid())
+    , m_Levels(m_Grid, m_Hu, m_Labels, m_Fall, m_Fluid, lumen.thresholds.gas)
+    , m_Blur(std::sqrt(0.64 + lumen.smoothing * lumen.smoothing + std::pow(grid.spacing.maxCoeff(), 2) / 12.0))
+  {}
+
+  void
+  Run(CleansedColon & result)
+  {
+    m_ToGas = this->DistanceTo(1);
+    m_ToFluid = this->DistanceTo(2);
+    m_ToWall = this->DistanceTo(0);
+    m_Shares.resize(m_Grid.NumberOfVoxels());
+    this->ForAll([this](std::size_t p) { m_Shares[p] = this->DirectShare(p); });
+    std::vector<float> occupancy(m_Shares.size());
+    this->ForAll([&](std::size_t p) { occupancy[p] = this->Bounded(p, this->Continued(p)); });
+    std::vector<float> sharp(m_Shares.size());
+    this->ForAll([&](std::size_t p) { sharp[p] = this->Sharpened(occupancy, p); });
+    this->WriteOccupancy(occupancy, result);
+    this->WriteCleansed(occupancy, sharp, result);
+  }
+
+private:
+  template <typename TBody>
+  void
+  ForAll(const TBody & body) const
+  {
+    ParallelFor(m_Grid.size[2], [&](std::size_t k) {
+      for (std::size_t p = k * m_Grid.stride[2]; p < (k + 1) * m_Grid.stride[2]; ++p)
+      {
+        body(p);
+      }
+    });
+  }
+
+  std::vector<unsigned char>
+  LoadLabels()
+  {
+    std::vector<unsigned char> labels(m_Grid.NumberOfVoxels());
+    const auto *               from = m_Lumen.labels->GetBufferPointer();
+    ForEachVoxel(m_Lumen.labels, m_Grid, [&](std::size_t q, std::size_t p) { labels[p] = from[q]; });
+    if (m_Lumen.smoothing > 0.0)
+    {
+      SmoothVoxels(m_Grid, m_Hu, m_Lumen.smoothing);
+    }
+    return labels;
+  }
+
+  LocalFluid
+  MakeFluid() const
+  {
+    std::vector<unsigned char> mask(m_Labels.size());
+    std::transform(m_Labels.begin(), m_Labels.end(), mask.begin(), [](unsigned char c) { return c == 2; });
+    return LocalFluid(m_Grid, m_Hu, mask, m_Lumen.thresholds.fluid);
+  }
+
+  /** mm to the nearest voxel of a class. */
+  std::vector<float>
+  DistanceTo(unsigned char c) const
+  {
+    std::vector<unsigned char> mask(m_Labels.size());
+    std::transform(m_Labels.begin(), m_Labels.end(), mask.begin(), [c](unsigned char l) { return l != c; });
+    auto d = SquaredDistanceToBackground(m_Grid, mask);
+    this->ForAll([&](std::size_t p) { d[p] = std::sqrt(d[p]); });
+    return d;
+  }
+
+  double
+  FluidAt(std::size_t p) const
+  {
+    const auto v = m_Grid.Voxel(p);
+    return std::max(m_Fluid.At(v[0], v[1], v[2]), m_Lumen.thresholds.tissue + 100.0);
+  }
+
+  /** The value of the lumen's matter alone, from tissue on. */
+  double
+  Contrast(double fluidShare, std::size_t p) const
+  {
+    const auto & t = m_Lumen.thresholds;
+    return fluidShare > 0.0 ? (1.0 - fluidShare) * (t.gas - t.tissue) + fluidShare * (this->FluidAt(p) - t.tissue)
+                            : t.gas - t.tissue;
+  }
+
+  /** The fluid's part of the lumen's share. */
+  double
+  FluidShare(std::size_t p) const
+  {
+    const bool isNearGas = m_ToGas[p] <= Shell;
+    const bool isNearFluid = m_ToFluid[p] <= Shell;
+    if (!isNearFluid || !isNearGas)
+    {
+      return isNearFluid ? 1.0 : 0.0;
+    }
+    const auto height = m_Levels.HeightAbove(p);
+    if (height)
+    {
+      const double share = NormalDistribution(-*height / m_Levels.Blur());
+      const bool   contradicts =
+        (share > 0.95 && m_ToGas[p] < m_ToFluid[p]) || (share < 0.05 && m_ToFluid[p] < m_ToGas[p]);
+      if (!contradicts)
+      {
+        return share < 0.005 ? 0.0 : share > 0.995 ? 1.0 : share;
+      }
+    }
+    return m_Hu[p] > m_Lumen.thresholds.tissue ? 1.0 : 0.0;
+  }
+
+  Share
+  DirectShare(std::size_t p) const
+  {
+    Share share;
+    if (std::min(m_ToGas[p], m_ToFluid[p]) > Shell)
+    {
+      return share;
+    }
+    share.fluid = static_cast<float>(this->FluidShare(p));
+    const double contrast = this->Contrast(share.fluid, p);
+    const double full = m_Lumen.thresholds.tissue - m_Lumen.thresholds.gas;
+    const double safe = contrast < 0.0 ? std::min(contrast, -1.0) : std::max(contrast, 1.0);
+    share.lumen = static_cast<float>(std::clamp((m_Hu[p] - m_Lumen.thresholds.tissue) / safe, -0.2, 1.2));
+    share.weight = static_cast<float>(
+      share.fluid > 0.0F && share.fluid < 1.0F ? std::min(1.0, contrast * contrast / (full * full)) : 1.0);
+    return share;
+  }
+
+  /** Where gas and fluid together look like tissue, the line through the shares above and below. */
+  double
+  Continued(std::size_t p) const
+  {
+    const Share & own = m_Shares[p];
+    const double  trust = std::clamp((own.weight - 0.1) / 0.3, 0.0, 1.0);
+    if (trust >= 1.0)
+    {
+      return own.lumen;
+    }
+    double     s0 = 0.0, s1 = 0.0, s2 = 0.0, y0 = 0.0, y1 = 0.0;
+    const auto v = m_Grid.Voxel(p);
+    const int  steps = static_cast<int>(std::ceil(3.0 / m_Fall.step));
+    for (int t = -steps; t <= steps; ++t)
+    {
+      const auto o = m_Fall.Offset(t);
+      if (m_Grid.Holds(v[0] + o[0], v[1] + o[1], v[2] + o[2]))
+      {
+        const Share & other = m_Shares[m_Grid.Index(v[0] + o[0], v[1] + o[1], v[2] + o[2])];
+        const double  x = t * m_Fall.step;
+        const double  w = other.weight * std::exp(-0.5 * x * x / (ContinuedOver * ContinuedOver));
+        s0 += w;
+        s1 += w * x;
+        s2 += w * x * x;
+        y0 += w * other.lumen;
+        y1 += w * x * other.lumen;
+      }
+    }
+    const double determinant = s0 * s2 - s1 * s1;
+    const double line = determinant > 1e-9 ? (s2 * y0 - s1 * y1) / determinant : own.lumen;
+    return trust * own.lumen + (1.0 - trust) * line;
+  }
+
+  /** A blurred edge cannot be seen further than the blur reaches: bounds by the distance from the labels' border. */
+  float
+  Bounded(std::size_t p, double share) const
+  {
+    const double half = 0.5 * m_Grid.spacing.maxCoeff();
+    if (m_Labels[p] != 0)
+    {
+      const double least = NormalDistribution((m_ToWall[p] - half) / m_Blur - 1.0);
+      return static_cast<float>(std::clamp(share, least, 1.0));
+    }
+    const double d = std::min(m_ToGas[p], m_ToFluid[p]);
+    if (d > Shell)
+    {
+      return 0.0F;
+    }
+    const double most = NormalDistribution(1.0 - (d - half) / m_Blur);
+    const double seen = std::clamp(share, 0.0, most);
+    return seen < 0.01 ? 0.0F : static_cast<float>(seen);
+  }
+
+  /** What the blur took from curved walls in fluid: crests of folds and heads of polyps lie inside their half-height.
+   * One step of diffusion back in time, as far as the voxels carry it. */
+  float
+  Sharpened(const std::vector<float> & occupancy, std::size_t p) const
+  {
+    const auto   v = m_Grid.Voxel(p);
+    const double own = occupancy[p];
+    double       change = 0.0;
+    for (int a = 0; a < 3; ++a)
+    {
+      if (m_Shares[p].fluid < 0.99F || v[a] == 0 || v[a] + 1 == m_Grid.size[a])
+      {
+        return occupancy[p];
+      }
+      const auto q = p - m_Grid.stride[a];
+      const auto r = p + m_Grid.stride[a];
+      const bool isFluid =
+        (m_Shares[q].fluid > 0.99F || occupancy[q] < 0.01F) && (m_Shares[r].fluid > 0.99F || occupancy[r] < 0.01F);
+      if (!isFluid)
+      {
+        return occupancy[p];
+      }
+      const double rate =
+        std::min(0.5 * ScannerBlur * ScannerBlur / (m_Grid.spacing[a] * m_Grid.spacing[a]), GreatestRate);
+      change += rate * (occupancy[q] + occupancy[r] - 2.0 * own);
+    }
+    return static_cast<float>(std::clamp(own - change, 0.0, 1.0));
+  }
+
+  void
+  WriteOccupancy(const std::vector<float> & occupancy, CleansedColon & result) const
+  {
+    auto                   image = ColonImage::New();
+    ColonImage::IndexType  first = m_Image->GetBufferedRegion().GetIndex();
+    ColonImage::RegionType region;
+    ColonGrid              grid = m_Grid;
+    for (int a = 0; a < 3; ++a)
+    {
+      region.SetSize(m_Grid.imageAxis[a], m_Grid.size[a]);
+      first[m_Grid.imageAxis[a]] += m_Grid.corner[a];
+      grid.corner[a] = 0;
+    }
+    ColonImage::PointType origin;
+    m_Image->TransformIndexToPhysicalPoint(first, origin);
+    image->CopyInformation(m_Image);
+    image->SetOrigin(origin);
+    image->SetRegions(region);
+    image->Allocate();
+    float * out = image->GetBufferPointer();
+    ForEachVoxel(image, grid, [&](std::size_t to, std::size_t from) { out[to] = occupancy[from]; });
+    result.occupancy = image;
+  }
+
+  /** Takes the fluid's part out of each voxel and puts gas in its place; what is all lumen becomes gas. */
+  void
+  WriteCleansed(const std::vector<float> & occupancy, const std::vector<float> & sharp, CleansedColon & result) const
+  {
+    const auto & t = m_Lumen.thresholds;
+    float *      out = result.ct->GetBufferPointer();
+    ForEachVoxel(m_Image, m_Grid, [&](std::size_t to, std::size_t p) {
+      const double fluid = m_Shares[p].fluid * occupancy[p];
+      if (fluid <= 0.001)
+      {
+        return;
+      }
+      const double value =
+        out[to] - fluid * (this->FluidAt(p) - t.gas) - (sharp[p] - occupancy[p]) * (t.tissue - t.gas);
+      const double most =
+        t.gas + (1.0 - sharp[p]) * (std::max<double>(out[to], t.tissue) - t.gas) + 2.0 * m_Lumen.noise;
+      out[to] = static_cast<float>(std::max(t.gas, std::min(value, most)));
+    });
+  }
+
+  const ColonImage *         m_Image;
+  const ColonLumen &         m_Lumen;
+  ColonGrid                  m_Grid;
+  Fall                       m_Fall;
+  std::vector<float>         m_Hu;
+  std::vector<unsigned char> m_Labels;
+  LocalFluid                 m_Fluid;
+  LevelSurface               m_Levels;
+  double                     m_Blur;
+  std::vector<float>         m_ToGas;
+  std::vector<float>         m_ToFluid;
+  std::vector<float>         m_ToWall;
+  std::vector<Share>         m_Shares;
+};
+
+VoxelBox
+BoxOfLabels(const ColonLumen & lumen, const ColonGrid & grid)
+{
+  std::vector<VoxelBox> ofSlice(grid.size[2]);
+  const auto *          labels = lumen.labels->GetBufferPointer();
+  ForEachVoxel(lumen.labels, grid, [&](std::size_t q, std::size_t p) {
+    if (labels[q] != 0)
+    {
+      const auto v = grid.Voxel(p);
+      auto &     box = ofSlice[v[2]];
+      const bool isNew = box.IsEmpty();
+      for (int a = 0; a < 3; ++a)
+      {
+        box.low[a] = isNew ? v[a] : std::min(box.low[a], v[a]);
+        box.high[a] = isNew ? v[a] + 1 : std::max(box.high[a], v[a] + 1);
+      }
+    }
+  });
+  VoxelBox whole;
+  for (const auto & box : ofSlice)
+  {
+    const bool isNew = whole.IsEmpty();
+    for (int a = 0; a < 3 && !box.IsEmpty(); ++a)
+    {
+      whole.low[a] = isNew ? box.low[a] : std::min(whole.low[a], box.low[a]);
+      whole.high[a] = isNew ? box.high[a] : std::max(whole.high[a], box.high[a]);
+    }
+  }
+  return whole;
+}
+} // namespace
+
+CleansedColon
+CleanseColon(const itk::Image<float, 3> * ct, const ColonLumen & lumen)
+{
+  if (!lumen.labels || lumen.labels->GetBufferedRegion() != ct->GetBufferedRegion())
+  {
+    throw std::invalid_argument("CleanseColon: the labels are not on the grid of the image");
+  }
+  CleansedColon result;
+  result.ct = ColonImage::New();
+  result.ct->CopyInformation(ct);
+  result.ct->SetRegions(ct->GetBufferedRegion());
+  result.ct->Allocate();
+  std::copy_n(ct->GetBufferPointer(), ct->GetBufferedRegion().GetNumberOfPixels(), result.ct->GetBufferPointer());
+  const ColonGrid whole = GridOfImage(ct);
+  VoxelBox        box = BoxOfLabels(lumen, whole);
+  if (box.IsEmpty())
+  {
+    box.high = { { 1, 1, 1 } };
+  }
+  Cleansing(ct, lumen, whole.Part(whole.Widened(box, Margin))).Run(result);
+  return result;
+}
+} // namespace shapeton

@@ -1,0 +1,142 @@
+#include "shapetonLevelSurface.h"
+
+#include "shapetonParallelFor.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace shapeton
+{
+namespace
+{
+constexpr double Reach = 5.0;     // mm across gravity
+constexpr double Thickness = 4.0; // mm along gravity
+constexpr double Sigma = 2.5;     // mm, of the weights across
+constexpr double UsualBlur = 0.8; // mm, where no level tells
+
+double
+NormalDistribution(double x)
+{
+  return 0.5 * std::erfc(-x / std::sqrt(2.0));
+}
+} // namespace
+
+LevelSurface::LevelSurface(const ColonGrid &                  grid,
+                           const std::vector<float> &         hu,
+                           const std::vector<unsigned char> & labels,
+                           const Fall &                       fall,
+                           const LocalFluid &                 fluid,
+                           double                             gas)
+  : m_Grid(grid)
+  , m_Fall(fall)
+  , m_Cells({}, Reach)
+  , m_Blur(std::sqrt(UsualBlur * UsualBlur + fall.step * fall.step / 12.0))
+{
+  this->Collect(hu, labels, fluid, gas);
+  m_Cells = LateralCells(m_Places, Reach);
+}
+
+bool
+LevelSurface::Crossing(const std::vector<float> & hu, std::size_t voxel, double half, double & depth, double & rise)
+  const
+{
+  const auto v = m_Grid.Voxel(voxel);
+  float      above = 0.0F;
+  for (int t = -2; t <= 3; ++t)
+  {
+    const auto o = m_Fall.Offset(t);
+    if (!m_Grid.Holds(v[0] + o[0], v[1] + o[1], v[2] + o[2]))
+    {
+      return false;
+    }
+    const float value = hu[m_Grid.Index(v[0] + o[0], v[1] + o[1], v[2] + o[2])];
+    if (t > -2 && above < half && value >= half)
+    {
+      depth = m_Grid.Position(voxel).dot(m_Fall.direction) + (t - 1 + (half - above) / (value - above)) * m_Fall.step;
+      rise = value - above;
+      return true;
+    }
+    above = value;
+  }
+  return false;
+}
+
+void
+LevelSurface::Collect(const std::vector<float> &         hu,
+                      const std::vector<unsigned char> & labels,
+                      const LocalFluid &                 fluid,
+                      double                             gas)
+{
+  const auto          down = m_Fall.Offset(1);
+  std::vector<double> rises;
+  for (std::size_t p = 0; p < labels.size(); ++p)
+  {
+    if (labels[p] != 1)
+    {
+      continue;
+    }
+    const auto v = m_Grid.Voxel(p);
+    if (!m_Grid.Holds(v[0] + down[0], v[1] + down[1], v[2] + down[2]) ||
+        labels[m_Grid.Index(v[0] + down[0], v[1] + down[1], v[2] + down[2])] != 2)
+    {
+      continue;
+    }
+    const double f = fluid.At(v[0], v[1], v[2]);
+    double       depth = 0.0;
+    double       rise = 0.0;
+    if (this->Crossing(hu, p, 0.5 * (gas + f), depth, rise))
+    {
+      const auto x = m_Grid.Position(p);
+      m_Places.push_back({ static_cast<float>(x.dot(m_Fall.across[0])), static_cast<float>(x.dot(m_Fall.across[1])) });
+      m_Depths.push_back(static_cast<float>(depth));
+      rises.push_back(rise / (f - gas));
+    }
+  }
+  this->MeasureBlur(rises);
+}
+
+void
+LevelSurface::MeasureBlur(std::vector<double> & shares)
+{
+  if (shares.size() < 50)
+  {
+    return;
+  }
+  std::nth_element(shares.begin(), shares.begin() + shares.size() / 2, shares.end());
+  const double median = shares[shares.size() / 2];
+  double       low = 0.2;
+  double       high = 3.0;
+  // The rise over a step that holds the crossing, at a phase of a quarter step: between the best and the worst.
+  for (int i = 0; i < 40; ++i)
+  {
+    const double sigma = 0.5 * (low + high);
+    const double rise =
+      NormalDistribution(0.75 * m_Fall.step / sigma) - NormalDistribution(-0.25 * m_Fall.step / sigma);
+    (rise > median ? low : high) = sigma;
+  }
+  m_Blur = std::min(std::max(0.5 * (low + high), 0.4), 1.5 + 0.5 * m_Fall.step);
+}
+
+std::optional<double>
+LevelSurface::HeightAbove(std::size_t voxel) const
+{
+  const auto   x = m_Grid.Position(voxel);
+  const double a = x.dot(m_Fall.across[0]);
+  const double b = x.dot(m_Fall.across[1]);
+  const double depth = x.dot(m_Fall.direction);
+  double       sum = 0.0;
+  double       weight = 0.0;
+  m_Cells.ForEachNear(a, b, [&](int i) {
+    const double da = m_Places[i].a - a;
+    const double db = m_Places[i].b - b;
+    const double square = da * da + db * db;
+    if (square <= Reach * Reach && std::abs(m_Depths[i] - depth) <= Thickness)
+    {
+      const double w = std::exp(-0.5 * square / (Sigma * Sigma));
+      sum += w * (m_Depths[i] - depth);
+      weight += w;
+    }
+  });
+  return weight > 0.0 ? std::optional<double>(sum / weight) : std::nullopt;
+}
+} // namespace shapeton

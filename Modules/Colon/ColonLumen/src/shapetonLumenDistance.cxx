@@ -1,0 +1,123 @@
+#include "shapetonLumenDistance.h"
+
+#include "shapetonParallelFor.h"
+#include "shapetonSquaredDistances.h"
+#include "shapetonExceptions.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace shapeton
+{
+namespace
+{
+bool
+HasLumen(const unsigned char * row, std::size_t size, std::size_t & first, std::size_t & last)
+{
+  first = 0;
+  while (first < size && row[first] == 0)
+  {
+    ++first;
+  }
+  if (first == size)
+  {
+    return false;
+  }
+  last = size - 1;
+  while (row[last] == 0)
+  {
+    --last;
+  }
+  return true;
+}
+
+template <typename TImage>
+typename TImage::Pointer
+ImageOfRegion(const LumenMask * lumen, const itk::ImageRegion<3> & region)
+{
+  const auto image = TImage::New();
+  image->SetRegions(region);
+  image->SetSpacing(lumen->GetSpacing());
+  image->SetOrigin(lumen->GetOrigin());
+  image->SetDirection(lumen->GetDirection());
+  image->Allocate();
+  return image;
+}
+} // namespace
+
+itk::ImageRegion<3>
+LumenRegion(const LumenMask * lumen, unsigned int margin)
+{
+  const itk::ImageRegion<3>               whole = lumen->GetBufferedRegion();
+  const auto                              size = whole.GetSize();
+  std::vector<std::array<std::size_t, 4>> extents(size[2], { size[0], 0, size[1], 0 });
+  ParallelFor(size[2], [&](std::size_t z) {
+    const unsigned char * const slice = lumen->GetBufferPointer() + z * size[0] * size[1];
+    for (std::size_t y = 0; y < size[1]; ++y)
+    {
+      std::size_t first = 0;
+      std::size_t last = 0;
+      if (HasLumen(slice + y * size[0], size[0], first, last))
+      {
+        auto & e = extents[z];
+        e = { std::min(e[0], first), std::max(e[1], last), std::min(e[2], y), std::max(e[3], y) };
+      }
+    }
+  });
+  std::array<std::size_t, 6> box = { size[0], 0, size[1], 0, size[2], 0 };
+  for (std::size_t z = 0; z < size[2]; ++z)
+  {
+    const auto & e = extents[z];
+    if (e[0] < size[0])
+    {
+      box = { std::min(box[0], e[0]), std::max(box[1], e[1]), std::min(box[2], e[2]),
+              std::max(box[3], e[3]), std::min(box[4], z),    std::max(box[5], z) };
+    }
+  }
+  if (box[0] == size[0])
+  {
+    throw InputError("the lumen mask is empty: no voxel differs from 0. Give a mask whose lumen is not 0.");
+  }
+  itk::ImageRegion<3> region = whole;
+  for (unsigned int a = 0; a < 3; ++a)
+  {
+    region.SetIndex(a, whole.GetIndex(a) + static_cast<itk::IndexValueType>(box[2 * a]));
+    region.SetSize(a, box[2 * a + 1] - box[2 * a] + 1);
+  }
+  region.PadByRadius(margin);
+  region.Crop(whole);
+  return region;
+}
+
+LumenDistanceImage::Pointer
+LumenDistance(const LumenMask * lumen, const itk::ImageRegion<3> & region)
+{
+  const auto        image = ImageOfRegion<LumenDistanceImage>(lumen, region);
+  const auto        size = region.GetSize();
+  const auto        spacing = lumen->GetSpacing();
+  const std::size_t row = size[0];
+  const std::size_t slice = row * size[1];
+  float * const     values = image->GetBufferPointer();
+  const auto        whole = lumen->GetBufferedRegion().GetSize();
+  SquaredDistances(
+    { lumen->GetBufferPointer() + lumen->ComputeOffset(region.GetIndex()), whole[0], whole[0] * whole[1] },
+    { row, size[1], size[2] },
+    { spacing[0], spacing[1], spacing[2] },
+    values);
+  const double      toWall = 0.25 * std::min({ spacing[0], spacing[1], spacing[2] });
+  std::vector<char> isUnknown(size[2], 0);
+  ParallelFor(size[2], [&](std::size_t z) {
+    for (float * value = values + z * slice; value != values + (z + 1) * slice; ++value)
+    {
+      isUnknown[z] = isUnknown[z] || *value >= UnknownSquaredDistance;
+      *value = *value > 0.0F ? static_cast<float>(std::sqrt(static_cast<double>(*value)) - toWall) : 0.0F;
+    }
+  });
+  if (std::find(isUnknown.begin(), isUnknown.end(), 1) != isUnknown.end())
+  {
+    throw InputError("the lumen mask fills its whole box: there is no wall. Give a mask whose background is 0.");
+  }
+  return image;
+}
+} // namespace shapeton

@@ -1,0 +1,235 @@
+#include "shapetonLumenReport.h"
+
+#include "shapetonRunPieces.h"
+
+#include "shapetonDistanceToBackground.h"
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+namespace shapeton
+{
+namespace
+{
+constexpr double LeastPieceMl = 0.05;
+constexpr double LeastLeftOutMl = 1.0;
+constexpr double LeastBrightMl = 10.0;
+constexpr double LeastBrightRadius = 7.0; // mm
+constexpr double UsableMl = 400.0;        // or UsableShare of the body, where the image shows less of it
+constexpr double UsableShare = 0.02;
+constexpr double UsableRadius = 10.0; // mm
+
+bool
+IsLumen(unsigned char c)
+{
+  return c == ColonGas || c == ColonFluid;
+}
+
+itk::Point<double, 3>
+ToPoint(const Eigen::Vector3d & x)
+{
+  itk::Point<double, 3> p;
+  for (int a = 0; a < 3; ++a)
+  {
+    p[a] = x[a];
+  }
+  return p;
+}
+
+std::string
+Rounded(double value, int digits)
+{
+  std::ostringstream text;
+  text.imbue(std::locale::classic());
+  text.setf(std::ios::fixed);
+  text.precision(digits);
+  text << value;
+  return text.str();
+}
+
+/** Sums over one connected part. */
+struct PieceSums
+{
+  double          gas{ 0.0 };
+  double          fluid{ 0.0 };
+  double          gasHU{ 0.0 };
+  Eigen::Vector3d place{ 0.0, 0.0, 0.0 };
+  float           deepest{ 0.0F };
+};
+} // namespace
+
+ColonLumen::LabelImageType::Pointer
+EmptyLabels(const ColonImage * image)
+{
+  auto labels = ColonLumen::LabelImageType::New();
+  labels->CopyInformation(image);
+  labels->SetRegions(image->GetBufferedRegion());
+  labels->Allocate(true);
+  return labels;
+}
+
+void
+WriteLabels(const ColonImage * image, const LumenVoxels & voxels, ColonLumen & lumen)
+{
+  unsigned char * out = lumen.labels->GetBufferPointer();
+  ForEachVoxel(image, voxels.grid, [&](std::size_t to, std::size_t from) {
+    const auto c = voxels.classes[from];
+    out[to] = IsLumen(c) ? c : 0;
+  });
+}
+
+void
+DescribePieces(const LumenVoxels & voxels, ColonLumen & lumen)
+{
+  const auto &    grid = voxels.grid;
+  const RunSet    set = CollectRuns(grid, [&](std::size_t p) { return IsLumen(voxels.classes[p]); });
+  const RunLabels labels = LabelRuns(set, true);
+  ClassVolume     mask(voxels.classes.size());
+  std::transform(voxels.classes.begin(), voxels.classes.end(), mask.begin(), IsLumen);
+  const auto             d = SquaredDistanceToBackground(grid, mask);
+  std::vector<PieceSums> sums(labels.number + 1);
+  ForEachRun(set, [&](std::size_t r, int j, int k) {
+    auto & sum = sums[labels.ofRun[r]];
+    for (int i = set.runs[r].begin; i < set.runs[r].end; ++i)
+    {
+      const auto p = grid.Index(i, j, k);
+      const bool isGas = voxels.classes[p] == ColonGas;
+      (isGas ? sum.gas : sum.fluid) += 1.0;
+      sum.gasHU += isGas ? voxels.hu[p] : 0.0;
+      sum.place += Eigen::Vector3d(i, j, k);
+      sum.deepest = std::max(sum.deepest, d[p]);
+    }
+  });
+  const double ml = grid.VoxelVolume() * 1e-3;
+  for (const auto & sum : sums)
+  {
+    if ((sum.gas + sum.fluid) * ml >= LeastPieceMl)
+    {
+      lumen.pieces.push_back({ sum.gas * ml,
+                               sum.fluid * ml,
+                               std::sqrt(std::min(sum.deepest, 1e6F)),
+                               sum.gas > 0.0 ? sum.gasHU / sum.gas : 0.0,
+                               ToPoint(grid.Position(Eigen::Vector3d(sum.place / (sum.gas + sum.fluid)))) });
+    }
+  }
+  std::stable_sort(lumen.pieces.begin(), lumen.pieces.end(), [](const LumenPiece & p, const LumenPiece & q) {
+    return p.gasMl + p.fluidMl > q.gasMl + q.fluidMl;
+  });
+}
+
+void
+DescribeLevels(const ColonEvidence & evidence, const LumenVoxels &, ColonLumen & lumen)
+{
+  const Fall fall(evidence.grid, evidence.gravity);
+  for (const auto & level : evidence.levels)
+  {
+    ColonLevel found;
+    found.centre =
+      ToPoint(fall.across[0] * level.centre[0] + fall.across[1] * level.centre[1] + fall.direction * level.depth);
+    found.area = level.area;
+    found.tilt = std::atan(level.slope.norm()) * 57.29577951308232;
+    found.fluidHU = level.Fluid();
+    found.isTagged = level.IsTagged(evidence.thresholds.tissue);
+    found.isColon = evidence.isColon[level.gas];
+    lumen.levels.push_back(found);
+  }
+}
+
+void
+DescribeOtherBright(const LumenVoxels & voxels, ColonLumen & lumen)
+{
+  const auto   set = CollectRuns(voxels.grid, [&](std::size_t p) { return voxels.classes[p] == OtherBright; });
+  const auto   labels = LabelRuns(set, true);
+  const auto   pieces = PiecesOfRuns(set, labels);
+  const double voxelMl = 1e-3 * voxels.grid.VoxelVolume();
+  for (int p = 1; p <= labels.number; ++p)
+  {
+    const double ml = voxelMl * static_cast<double>(pieces[p].voxels);
+    if (ml < LeastBrightMl)
+    {
+      continue;
+    }
+    const auto deepest = FindDeepestVoxel(voxels.grid, set, labels, p, pieces[p]);
+    if (deepest.radius < LeastBrightRadius)
+    {
+      continue;
+    }
+    const auto   middle = voxels.grid.Index(deepest.voxel[0], deepest.voxel[1], deepest.voxel[2]);
+    ColonLeftOut rest;
+    rest.what = "other bright matter";
+    rest.why =
+      "as bright as tagged fluid, inscribed radius " + Rounded(deepest.radius, 1) +
+      " mm, no level of the colon above it: small bowel, bone, or colon full of fluid, which a seed point takes";
+    rest.ml = ml;
+    rest.inscribedRadius = deepest.radius;
+    rest.meanHU = voxels.hu[middle];
+    rest.centre = ToPoint(voxels.grid.Position(middle));
+    lumen.leftOut.push_back(rest);
+  }
+}
+
+void
+DescribeRest(const ColonEvidence & evidence, ColonLumen & lumen)
+{
+  lumen.thresholds = evidence.thresholds;
+  lumen.noise = evidence.noise;
+  lumen.smoothing = evidence.smoothing;
+  lumen.isTagged = evidence.isTagged;
+  for (std::size_t p = 1; p < evidence.gas.pieces.size(); ++p)
+  {
+    const auto & piece = evidence.gas.pieces[p];
+    if (evidence.isColon[p] || piece.ml < LeastLeftOutMl)
+    {
+      continue;
+    }
+    ColonLeftOut rest;
+    rest.what = evidence.kind[p];
+    rest.why = rest.what == "lung"          ? "its inside has " + Rounded(piece.inside, 0) + " HU"
+               : rest.what == "outside air" ? "it is open to the outside, or a thin shell parts it from there"
+                                            : "inscribed radius " + Rounded(piece.radius, 1) + " mm, " +
+                                                Rounded(piece.ml, 1) + " ml, no level on the colon's fluid";
+    rest.ml = piece.ml;
+    rest.inscribedRadius = piece.radius;
+    rest.meanHU = piece.mean;
+    rest.centre = ToPoint(piece.centre);
+    lumen.leftOut.push_back(rest);
+  }
+  std::stable_sort(lumen.leftOut.begin(), lumen.leftOut.end(), [](const ColonLeftOut & p, const ColonLeftOut & q) {
+    return p.ml > q.ml;
+  });
+}
+
+void
+JudgeLumen(const ColonEvidence & evidence, ColonLumen & lumen)
+{
+  double ml = 0.0;
+  double radius = 0.0;
+  for (const auto & piece : lumen.pieces)
+  {
+    ml += piece.gasMl + piece.fluidMl;
+    radius = std::max(radius, piece.inscribedRadius);
+  }
+  const double usable = std::min(UsableMl, UsableShare * evidence.bodyMl);
+  if (ml >= usable && radius >= UsableRadius)
+  {
+    return;
+  }
+  double restMl = 0.0;
+  for (std::size_t p = 1; p < evidence.gas.pieces.size(); ++p)
+  {
+    const auto & piece = evidence.gas.pieces[p];
+    restMl += evidence.isCandidate[p] && !evidence.isColon[p] && piece.radius >= 3.0 ? piece.ml : 0.0;
+  }
+  if (restMl < 1.0 && ml < 1.0)
+  {
+    lumen.failure = "no colon found: there is no gas inside the body that a bowel could hold";
+    return;
+  }
+  lumen.failure = "the colon is not distended or tagged enough: " + Rounded(ml, 0) +
+                  " ml of lumen with an inscribed radius of at most " + Rounded(radius, 1) + " mm were found, and " +
+                  Rounded(restMl, 0) + " ml of gas in thinner bowel; at least " + Rounded(usable, 0) +
+                  " ml of lumen and a radius of " + Rounded(UsableRadius, 0) + " mm are needed" +
+                  (lumen.isTagged ? "" : "; no tagged fluid lies under the gas");
+}
+} // namespace shapeton

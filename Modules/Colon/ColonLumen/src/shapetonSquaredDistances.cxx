@@ -1,0 +1,185 @@
+#include "shapetonSquaredDistances.h"
+
+#include "shapetonParallelFor.h"
+
+#include <algorithm>
+#include <limits>
+#include <vector>
+
+namespace shapeton
+{
+namespace
+{
+constexpr float unknown = UnknownSquaredDistance;
+
+/** The lower envelope of the parabolas f(k) + (s (i - k))^2 over one line, where f is 0 outside the lumen. */
+class LineEnvelope
+{
+public:
+  LineEnvelope(std::size_t size, double spacing)
+    : m_Squared(spacing * spacing), m_Line(size), m_Vertex(size), m_From(size + 1)
+  {}
+
+  std::vector<float> &
+  Line()
+  {
+    return m_Line;
+  }
+
+  /** Parabolas beyond a voxel outside the lumen are never below its own, so runs between such voxels are
+   * independent. */
+  void
+  Transform()
+  {
+    const std::size_t size = m_Line.size();
+    for (std::size_t i = 0; i < size;)
+    {
+      if (m_Line[i] == 0.0F)
+      {
+        ++i;
+        continue;
+      }
+      std::size_t end = i;
+      while (end < size && m_Line[end] != 0.0F)
+      {
+        ++end;
+      }
+      this->TransformRun(i == 0 ? 0 : i - 1, std::min(end, size - 1));
+      i = end;
+    }
+  }
+
+private:
+  void
+  TransformRun(std::size_t first, std::size_t last)
+  {
+    int top = -1;
+    for (std::size_t k = first; k <= last; ++k)
+    {
+      if (m_Line[k] < unknown)
+      {
+        top = this->Push(top, k);
+      }
+    }
+    if (top < 0)
+    {
+      return;
+    }
+    m_Values.resize(last - first + 1);
+    int at = 0;
+    for (std::size_t i = first; i <= last; ++i)
+    {
+      while (at < top && m_From[at + 1] < static_cast<double>(i))
+      {
+        ++at;
+      }
+      const double step = static_cast<double>(i) - static_cast<double>(m_Vertex[at]);
+      m_Values[i - first] = static_cast<float>(m_Line[m_Vertex[at]] + m_Squared * step * step);
+    }
+    std::copy(m_Values.begin(), m_Values.end(), m_Line.begin() + first);
+  }
+
+  int
+  Push(int top, std::size_t k)
+  {
+    const double q = static_cast<double>(k);
+    double       from = -std::numeric_limits<double>::infinity();
+    while (top >= 0)
+    {
+      const double v = static_cast<double>(m_Vertex[top]);
+      from = 0.5 * ((m_Line[k] - m_Line[m_Vertex[top]]) / (m_Squared * (q - v)) + q + v);
+      if (from > m_From[top])
+      {
+        break;
+      }
+      --top;
+    }
+    ++top;
+    m_Vertex[top] = k;
+    m_From[top] = top == 0 ? -std::numeric_limits<double>::infinity() : from;
+    return top;
+  }
+
+  double                   m_Squared;
+  std::vector<float>       m_Line;
+  std::vector<std::size_t> m_Vertex;
+  std::vector<double>      m_From;
+  std::vector<float>       m_Values;
+};
+
+/** Squared distances along x of one row. */
+void
+TransformRow(const unsigned char * lumen, float * squared, std::size_t size, double spacing)
+{
+  float steps = unknown;
+  for (std::size_t i = 0; i < size; ++i)
+  {
+    steps = lumen[i] == 0 ? 0.0F : (steps < unknown ? steps + 1.0F : unknown);
+    squared[i] = steps;
+  }
+  steps = unknown;
+  for (std::size_t i = size; i-- > 0;)
+  {
+    steps = lumen[i] == 0 ? 0.0F : (steps < unknown ? steps + 1.0F : unknown);
+    const double nearest = std::min(squared[i], steps);
+    squared[i] = nearest < unknown ? static_cast<float>(nearest * nearest * spacing * spacing) : unknown;
+  }
+}
+
+/** All lines of one plane that run across the rows; some rows side by side, since memory comes by cache lines. */
+void
+TransformPlane(float * plane, std::size_t width, std::size_t lines, std::size_t stride, double spacing)
+{
+  constexpr std::size_t     block = 16;
+  std::vector<LineEnvelope> envelopes(std::min(block, width), LineEnvelope(lines, spacing));
+  for (std::size_t x = 0; x < width; x += block)
+  {
+    const std::size_t number = std::min(block, width - x);
+    float             highest = 0.0F;
+    for (std::size_t k = 0; k < lines; ++k)
+    {
+      for (std::size_t b = 0; b < number; ++b)
+      {
+        const float value = plane[k * stride + x + b];
+        envelopes[b].Line()[k] = value;
+        highest = std::max(highest, value);
+      }
+    }
+    if (highest == 0.0F)
+    {
+      continue;
+    }
+    for (std::size_t b = 0; b < number; ++b)
+    {
+      envelopes[b].Transform();
+    }
+    for (std::size_t k = 0; k < lines; ++k)
+    {
+      for (std::size_t b = 0; b < number; ++b)
+      {
+        plane[k * stride + x + b] = envelopes[b].Line()[k];
+      }
+    }
+  }
+}
+} // namespace
+
+void
+SquaredDistances(const VoxelRows &                  mask,
+                 const std::array<std::size_t, 3> & size,
+                 const std::array<double, 3> &      spacing,
+                 float *                            squares)
+{
+  const std::size_t row = size[0];
+  const std::size_t slice = row * size[1];
+  ParallelFor(size[2], [&](std::size_t z) {
+    for (std::size_t y = 0; y < size[1]; ++y)
+    {
+      TransformRow(
+        mask.first + y * mask.rowStride + z * mask.sliceStride, squares + z * slice + y * row, row, spacing[0]);
+    }
+    TransformPlane(squares + z * slice, row, size[1], row, spacing[1]);
+  });
+  ParallelFor(size[1], [&](std::size_t y) { TransformPlane(squares + y * row, row, size[2], slice, spacing[2]); });
+}
+} // namespace shapeton

@@ -1,0 +1,465 @@
+#include "shapetonColonLumenSegmentation.h"
+
+#include "shapetonColonMeasures.h"
+#include "shapetonColonTestScene.h"
+#include "itkMultiThreaderBase.h"
+#include "shapetonExceptions.h"
+
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+
+namespace
+{
+using shapeton::ColonTestScene;
+using shapeton::Tube;
+using Vec = ColonTestScene::Vec;
+using ImageType = itk::Image<float, 3>;
+
+Vec
+At(double x, double y, double z)
+{
+  Vec v;
+  v[0] = x;
+  v[1] = y;
+  v[2] = z;
+  return v;
+}
+
+itk::Matrix<double, 3, 3>
+Identity()
+{
+  itk::Matrix<double, 3, 3> m;
+  m.SetIdentity();
+  return m;
+}
+
+/** Turned about z and then about x, degrees. */
+itk::Matrix<double, 3, 3>
+Oblique(double aboutZ, double aboutX)
+{
+  const double              c = std::cos(aboutZ / 57.29578), s = std::sin(aboutZ / 57.29578);
+  const double              d = std::cos(aboutX / 57.29578), t = std::sin(aboutX / 57.29578);
+  itk::Matrix<double, 3, 3> z, x;
+  z.SetIdentity();
+  x.SetIdentity();
+  z(0, 0) = z(1, 1) = c;
+  z(0, 1) = -s;
+  z(1, 0) = s;
+  x(1, 1) = x(2, 2) = d;
+  x(1, 2) = -t;
+  x(2, 1) = t;
+  return z * x;
+}
+
+/** A half filled colon, and beside it, behind a wall of 3 mm, a thinner bowel filled with fluid of the same brightness.
+ */
+ColonTestScene
+ColonAndBowel(const Vec & gravity)
+{
+  ColonTestScene scene;
+  scene.gravity = gravity;
+  scene.lumens.push_back({ Tube(At(0, 0, 0), 2, 30, 18), 4.0, 700.0 });
+  // Across gravity from the colon, so that they touch below the level.
+  const Vec aside = At(gravity[1], -gravity[0], 0) * 30.0 + gravity * 8.0;
+  scene.lumens.push_back({ Tube(aside, 2, 30, 10), -1e9, 700.0 });
+  return scene;
+}
+
+struct Overlap
+{
+  double dice{ 0.0 };
+  double leakMl{ 0.0 };
+  double wrongKindMl{ 0.0 };
+};
+
+Overlap
+Compare(const ColonTestScene & scene, const shapeton::ColonLumen & lumen)
+{
+  Overlap      overlap;
+  double       both = 0.0, sum = 0.0;
+  const auto   size = lumen.labels->GetBufferedRegion().GetSize();
+  const auto   spacing = lumen.labels->GetSpacing();
+  const double ml = spacing[0] * spacing[1] * spacing[2] * 1e-3;
+  for (std::size_t p = 0; p < size[0] * size[1] * size[2]; ++p)
+  {
+    const auto            index = lumen.labels->ComputeIndex(static_cast<itk::OffsetValueType>(p));
+    itk::Point<double, 3> x;
+    lumen.labels->TransformIndexToPhysicalPoint(index, x);
+    const Vec  v = x.GetVectorFromOrigin();
+    const bool truth = scene.IsLumen(0, v);
+    const auto label = lumen.labels->GetPixel(index);
+    both += truth && label;
+    sum += truth + (label != 0);
+    overlap.leakMl += label && scene.IsLumen(1, v) ? ml : 0.0;
+    const double height = v * scene.gravity - scene.lumens[0].level;
+    overlap.wrongKindMl += truth && ((height < -1.5 && label == 2) || (height > 1.5 && label == 1)) ? ml : 0.0;
+  }
+  overlap.dice = 2.0 * both / sum;
+  return overlap;
+}
+
+shapeton::ColonLumen
+Segment(const ImageType * image, const std::string & position = "")
+{
+  shapeton::ColonLumenOptions options;
+  options.patientPosition = position;
+  return shapeton::SegmentColonLumen(image, options);
+}
+
+TEST(ColonLumenSegmentation, TakesGasAndFluidAndNoBowelOfEqualBrightness)
+{
+  const auto scene = ColonAndBowel(At(0, 1, 0));
+  const auto image = shapeton::CentredImage({ 110, 110, 80 }, { 1.3, 1.3, 1.3 }, Identity());
+  scene.Sample(image);
+  const auto lumen = Segment(image, "HFS");
+  EXPECT_EQ(lumen.failure, "");
+  EXPECT_TRUE(lumen.warnings.empty());
+  const auto overlap = Compare(scene, lumen);
+  EXPECT_GT(overlap.dice, 0.985);
+  EXPECT_LT(overlap.leakMl, 0.2);
+  EXPECT_LT(overlap.wrongKindMl, 0.01);
+  EXPECT_NEAR(lumen.thresholds.fluid, 700.0, 15.0);
+  EXPECT_NEAR(lumen.thresholds.gas, -1000.0, 5.0);
+  EXPECT_NEAR(lumen.thresholds.tissue, 50.0, 5.0);
+  ASSERT_EQ(lumen.pieces.size(), 1U);
+  EXPECT_NEAR(lumen.pieces[0].inscribedRadius, 18.0, 1.5);
+}
+
+/** A pool of badly mixed fluid runs out on a slanting floor; 2 mm below it lies bowel as bright as good fluid. */
+TEST(ColonLumenSegmentation, BrightBowelUnderAShallowFaintPoolStaysOut)
+{
+  const auto     floor = [](const Vec & x) { return 12.5 + 0.25 * (x[0] - 28.0); };
+  const auto     tube = Tube(At(28, 0, 0), 2, 30, 17);
+  ColonTestScene scene;
+  scene.bodyRadius = 75.0;
+  scene.lumens.push_back({ Tube(At(-28, 0, 0), 2, 30, 18), 4.0, 700.0 });
+  scene.lumens.push_back(
+    { [=](const Vec & x) {
+       const double below = x[1] - floor(x);
+       return std::min({ 11.0 - std::abs(x[0] - 28.0), 30.0 - std::abs(x[2]), below - 2.06, 14.0 - below });
+     },
+      -1e9,
+      650.0 });
+  scene.lumens.push_back({ [=](const Vec & x) { return std::min(tube(x), floor(x) - x[1]); }, 10.5, 270.0 });
+  const auto image = shapeton::CentredImage({ 116, 116, 76 }, { 1.4, 1.4, 1.4 }, Identity());
+  scene.Sample(image);
+  const auto lumen = Segment(image, "HFS");
+  EXPECT_EQ(lumen.failure, "");
+  const auto label = [&](double x, double y) {
+    itk::Point<double, 3> p(At(x, y, 0).GetDataPointer());
+    return lumen.labels->GetPixel(lumen.labels->TransformPhysicalPointToIndex(p));
+  };
+  EXPECT_LT(Compare(scene, lumen).leakMl, 0.2);
+  EXPECT_EQ(label(28, 8), 1);
+  EXPECT_EQ(label(34, 12), 2);
+  EXPECT_EQ(label(-28, 10), 2);
+}
+
+/** Voxels of 2.8 mm: wherever the level lies between them, the pool under it is found, though a bowel as bright hangs
+ * on it through a wall of 1 mm that hardly shows. */
+TEST(ColonLumenSegmentation, APoolOfCoarseVoxelsIsFoundThoughABrightBowelHangsOnIt)
+{
+  for (const double level : { 3.0, 3.7, 4.4, 5.1 })
+  {
+    ColonTestScene scene = ColonAndBowel(At(0, 1, 0));
+    scene.lumens[0].level = level;
+    scene.lumens[1].depth = Tube(At(27.9, 8, 0), 2, 30, 10);
+    const auto image = shapeton::CentredImage({ 52, 52, 40 }, { 2.8, 2.8, 2.8 }, Identity());
+    scene.Sample(image);
+    const auto lumen = Segment(image, "HFS");
+    ASSERT_EQ(lumen.failure, "") << level;
+    const Overlap overlap = Compare(scene, lumen);
+    EXPECT_GT(overlap.dice, 0.96) << level;
+    EXPECT_LT(overlap.leakMl, 1.0) << level;
+  }
+}
+
+TEST(ColonLumenSegmentation, GravityIsReadFromTheLevels)
+{
+  for (const Vec & gravity : { At(0, 1, 0), At(0, -1, 0), At(1, 0, 0), At(-1, 0, 0) })
+  {
+    const auto scene = ColonAndBowel(gravity);
+    const auto image = shapeton::CentredImage({ 72, 72, 50 }, { 2.0, 2.0, 2.0 }, Identity());
+    scene.Sample(image);
+    const auto lumen = Segment(image);
+    EXPECT_EQ(lumen.gravitySource, shapeton::ColonGravitySource::Levels);
+    EXPECT_EQ(lumen.gravity, gravity);
+    EXPECT_GT(Compare(scene, lumen).dice, 0.97);
+  }
+}
+
+TEST(ColonLumenSegmentation, TheGivenPositionWinsAndTheContradictionIsToldOf)
+{
+  const auto scene = ColonAndBowel(At(0, 1, 0));
+  const auto image = shapeton::CentredImage({ 72, 72, 50 }, { 2.0, 2.0, 2.0 }, Identity());
+  scene.Sample(image);
+  const auto lumen = Segment(image, "prone");
+  EXPECT_EQ(lumen.gravity, At(0, -1, 0));
+  ASSERT_EQ(lumen.warnings.size(), 1U);
+  EXPECT_NE(lumen.warnings[0].find("say supine"), std::string::npos);
+}
+
+TEST(ColonLumenSegmentation, ObliqueAnisotropicAndPermutedAxes)
+{
+  const auto scene = ColonAndBowel(At(0, 1, 0));
+  // Index axes: z, x, y of the patient, turned by 20 and 7 degrees; left-handed.
+  itk::Matrix<double, 3, 3> permuted;
+  permuted.Fill(0.0);
+  permuted(2, 0) = permuted(0, 1) = 1.0;
+  permuted(1, 2) = -1.0;
+  const auto image = shapeton::CentredImage({ 56, 130, 110 }, { 2.0, 1.1, 1.3 }, Oblique(20, 7) * permuted);
+  scene.Sample(image);
+  const auto lumen = Segment(image, "FFS");
+  EXPECT_EQ(lumen.failure, "");
+  const auto overlap = Compare(scene, lumen);
+  EXPECT_GT(overlap.dice, 0.97);
+  EXPECT_LT(overlap.leakMl, 0.2);
+  EXPECT_LT(overlap.wrongKindMl, 0.05);
+}
+
+TEST(ColonLumenSegmentation, SameBytesForAnyNumberOfThreads)
+{
+  const auto scene = ColonAndBowel(At(0, 1, 0));
+  const auto image = shapeton::CentredImage({ 72, 72, 50 }, { 2.0, 2.0, 2.0 }, Identity());
+  scene.Sample(image);
+  const auto threads = itk::MultiThreaderBase::GetGlobalDefaultNumberOfThreads();
+  itk::MultiThreaderBase::SetGlobalDefaultNumberOfThreads(1);
+  const auto one = Segment(image, "HFS");
+  itk::MultiThreaderBase::SetGlobalDefaultNumberOfThreads(5);
+  const auto five = Segment(image, "HFS");
+  itk::MultiThreaderBase::SetGlobalDefaultNumberOfThreads(threads);
+  const auto n = one.labels->GetBufferedRegion().GetNumberOfPixels();
+  EXPECT_TRUE(
+    std::equal(one.labels->GetBufferPointer(), one.labels->GetBufferPointer() + n, five.labels->GetBufferPointer()));
+  EXPECT_EQ(one.thresholds.fluid, five.thresholds.fluid);
+  EXPECT_EQ(one.noise, five.noise);
+}
+
+TEST(ColonLumenSegmentation, ASeedPointTakesAPieceThatIsTooThin)
+{
+  ColonTestScene scene;
+  scene.lumens.push_back({ Tube(At(-25, 0, 0), 2, 30, 18), 1e9, 0.0 });
+  scene.lumens.push_back({ Tube(At(25, 0, 0), 2, 20, 6), 1e9, 0.0 });
+  const auto image = shapeton::CentredImage({ 72, 72, 50 }, { 2.0, 2.0, 2.0 }, Identity());
+  scene.Sample(image);
+  shapeton::ColonLumenOptions options;
+  EXPECT_EQ(shapeton::SegmentColonLumen(image, options).pieces.size(), 1U);
+  itk::Point<double, 3> seed;
+  seed[0] = 25.0;
+  seed[1] = 1.0;
+  seed[2] = -3.0;
+  options.seedPoints.push_back(seed);
+  EXPECT_EQ(shapeton::SegmentColonLumen(image, options).pieces.size(), 2U);
+  options.seedPoints[0][1] = 30.0; // soft tissue
+  EXPECT_THROW(shapeton::SegmentColonLumen(image, options), shapeton::ParameterError);
+  options.seedPoints[0][1] = 3000.0;
+  EXPECT_THROW(shapeton::SegmentColonLumen(image, options), shapeton::ParameterError);
+}
+
+TEST(ColonLumenSegmentation, FluidWithoutGasIsColonWhereItIsWiderThanSmallBowel)
+{
+  ColonTestScene scene;
+  scene.lumens.push_back({ Tube(At(-30, -20, 0), 2, 40, 18), -16.0, 700.0 });
+  scene.lumens.push_back({ Tube(At(25, 30, 0), 2, 45, 16), -1e9, 700.0 });
+  const auto image = shapeton::CentredImage({ 100, 100, 90 }, { 1.5, 1.5, 1.5 }, Identity());
+  scene.Sample(image);
+  const auto wide = Segment(image, "HFS");
+  EXPECT_EQ(wide.pieces.size(), 2U);
+  ASSERT_EQ(wide.warnings.size(), 1U);
+  EXPECT_NE(wide.warnings[0].find("tagged fluid without gas"), std::string::npos) << wide.warnings[0];
+  scene.lumens[1].depth = Tube(At(25, 30, 0), 2, 200, 16); // the border of the image cuts it at both ends
+  scene.Sample(image);
+  EXPECT_EQ(Segment(image, "HFS").pieces.size(), 2U);
+  scene.lumens[1].depth = Tube(At(25, 30, 0), 2, 45, 11);
+  scene.Sample(image);
+  const auto narrow = Segment(image, "HFS");
+  EXPECT_EQ(narrow.pieces.size(), 1U);
+  EXPECT_TRUE(narrow.warnings.empty());
+}
+
+/** Ascending and descending colon, each half full, and further bowel, a tube along the patient that fluid fills below
+ * `level`. */
+shapeton::ColonLumen
+SegmentWithBowel(const Vec & middle, double halfLength, double radius, double level)
+{
+  ColonTestScene scene;
+  scene.lumens.push_back({ Tube(At(-36, 0, 40), 2, 30, 18), 4.0, 700.0 });
+  scene.lumens.push_back({ Tube(At(36, 0, 40), 2, 30, 18), 4.0, 700.0 });
+  scene.lumens.push_back({ Tube(middle, 2, halfLength, radius), level, 700.0 });
+  const auto image = shapeton::CentredImage({ 88, 88, 124 }, { 1.5, 1.5, 1.5 }, Identity());
+  scene.Sample(image);
+  return Segment(image, "HFS");
+}
+
+TEST(ColonLumenSegmentation, BowelAtThePlaceOfTheRectumIsTakenThoughItIsThin)
+{
+  struct Bowel
+  {
+    double level;
+    double radius;
+    double tooThin;
+  };
+  const Bowel fullOfFluid{ -1e9, 11.0, 8.0 };
+  const Bowel halfFull{ 30.0, 9.0, 6.0 };
+  for (const auto & [level, radius, tooThin] : { fullOfFluid, halfFull })
+  {
+    const auto rectum = SegmentWithBowel(At(0, 30, -40), 34.0, radius, level);
+    EXPECT_EQ(rectum.pieces.size(), 3U) << level;
+    ASSERT_EQ(rectum.warnings.size(), 1U) << level;
+    EXPECT_NE(rectum.warnings[0].find("taken for rectum or sigmoid"), std::string::npos) << rectum.warnings[0];
+    const auto beside = SegmentWithBowel(At(0, 30, 50), 34.0, radius, level); // as near to the anus as the colon
+    EXPECT_EQ(beside.pieces.size(), 2U) << level;
+    EXPECT_TRUE(beside.warnings.empty()) << level;
+    const auto thin = SegmentWithBowel(At(0, 30, -40), 34.0, tooThin, level);
+    EXPECT_EQ(thin.pieces.size(), 2U) << level;
+  }
+}
+
+/** Volume of the labelled voxels with low <= z < high, ml. */
+double
+LabelledMl(const shapeton::ColonLumen & lumen, double low, double high)
+{
+  const auto  size = lumen.labels->GetBufferedRegion().GetSize();
+  const auto  spacing = lumen.labels->GetSpacing();
+  std::size_t count = 0;
+  for (std::size_t p = 0; p < size[0] * size[1] * size[2]; ++p)
+  {
+    const auto            index = lumen.labels->ComputeIndex(static_cast<itk::OffsetValueType>(p));
+    itk::Point<double, 3> x;
+    lumen.labels->TransformIndexToPhysicalPoint(index, x);
+    count += lumen.labels->GetPixel(index) != 0 && x[2] >= low && x[2] < high;
+  }
+  return 1e-3 * spacing[0] * spacing[1] * spacing[2] * static_cast<double>(count);
+}
+
+/** The rectum ends at z = -18, the body at z = -45; a catheter of 4 mm radius lies in both and in the canal between. */
+TEST(ColonLumenSegmentation, TheCatheterIsLumenDownToTheAnalVerge)
+{
+  ColonTestScene scene;
+  scene.lumens.push_back({ Tube(At(0, 2, -30), 2, 50, 3), 1e9, 0.0 });
+  scene.lumens.push_back({ Tube(At(0, 2, -30), 2, 50, 4), -1e9, 280.0 });
+  scene.lumens.push_back({ Tube(At(0, 0, 25), 2, 25, 18), 1e9, 0.0 });
+  scene.lumens.push_back({ [](const Vec & x) { return -45.0 - x[2]; }, 1e9, 0.0 });
+  for (const double turn : { 0.0, 180.0 }) // about x: the slices run upwards and downwards
+  {
+    const auto image = shapeton::CentredImage({ 110, 110, 96 }, { 1.3, 1.3, 1.3 }, Oblique(0.0, turn));
+    scene.Sample(image);
+    const auto lumen = Segment(image);
+    EXPECT_EQ(lumen.failure, "");
+    const double canalMl = 1e-3 * 3.14159265 * 16.0 * 22.0;
+    EXPECT_NEAR(LabelledMl(lumen, -42.0, -20.0), canalMl, 0.25 * canalMl) << turn;
+    EXPECT_EQ(LabelledMl(lumen, -100.0, -48.0), 0.0) << turn;
+  }
+}
+
+/** Air under a thin shell over air under a thin shell over the room: a cleft that lies on a cushion. */
+TEST(ColonLumenSegmentation, AirThatOnlyThinShellsCoverIsOutside)
+{
+  ColonTestScene scene;
+  const auto     slab = [](double front, double back) {
+    return [=](const Vec & x) {
+      return std::min({ 14.0 - std::abs(x[0]), 40.0 - std::abs(x[2]), x[1] - front, back - x[1] });
+    };
+  };
+  scene.lumens.push_back({ Tube(At(0, -20, 0), 2, 30, 18), 1e9, 0.0 });
+  scene.lumens.push_back({ slab(20, 46), 1e9, 0.0 });
+  scene.lumens.push_back({ slab(50, 60), 1e9, 0.0 });
+  const auto image = shapeton::CentredImage({ 72, 72, 60 }, { 2.0, 2.0, 2.0 }, Identity());
+  scene.Sample(image);
+  EXPECT_EQ(Segment(image).pieces.size(), 1U);
+  scene.lumens.pop_back(); // without the cushion it lies under a wall of 18 mm
+  scene.Sample(image);
+  EXPECT_EQ(Segment(image).pieces.size(), 2U);
+}
+
+TEST(ColonLumenSegmentation, UntaggedFluidIsNoLumen)
+{
+  ColonTestScene scene;
+  scene.lumens.push_back({ Tube(At(0, 0, 0), 2, 30, 18), 4.0, 20.0 });
+  const auto image = shapeton::CentredImage({ 72, 72, 50 }, { 2.0, 2.0, 2.0 }, Identity());
+  scene.Sample(image);
+  const auto lumen = Segment(image);
+  EXPECT_FALSE(lumen.isTagged);
+  EXPECT_EQ(lumen.gravitySource, shapeton::ColonGravitySource::Levels);
+  ASSERT_EQ(lumen.pieces.size(), 1U);
+  EXPECT_EQ(lumen.pieces[0].fluidMl, 0.0);
+}
+
+TEST(ColonLumenSegmentation, ABodyWithoutGasHasNoColon)
+{
+  ColonTestScene scene;
+  const auto     image = shapeton::CentredImage({ 72, 72, 40 }, { 2.0, 2.0, 2.0 }, Identity());
+  scene.Sample(image);
+  EXPECT_EQ(Segment(image).failure.find("no colon found"), 0U);
+}
+
+TEST(ColonLumenSegmentation, ThinGasIsNoDistendedColon)
+{
+  ColonTestScene scene;
+  scene.lumens.push_back({ Tube(At(0, 0, 0), 2, 30, 7), 1e9, 0.0 });
+  const auto image = shapeton::CentredImage({ 72, 72, 50 }, { 2.0, 2.0, 2.0 }, Identity());
+  scene.Sample(image);
+  const auto lumen = Segment(image);
+  EXPECT_EQ(lumen.failure.find("the colon is not distended or tagged enough"), 0U);
+  ASSERT_FALSE(lumen.leftOut.empty());
+  EXPECT_NEAR(lumen.leftOut[0].inscribedRadius, 7.0, 2.0);
+}
+
+TEST(ColonLumenSegmentation, FaultyOptionsAndImages)
+{
+  const auto image = shapeton::CentredImage({ 72, 72, 7 }, { 2.0, 2.0, 2.0 }, Identity());
+  image->Allocate(true);
+  EXPECT_THROW(Segment(image), shapeton::InputError);
+  const auto other = shapeton::CentredImage({ 12, 12, 12 }, { 2.0, 2.0, 2.0 }, Identity());
+  other->Allocate(true);
+  EXPECT_THROW(Segment(other, "upright"), shapeton::ParameterError);
+  EXPECT_EQ(Segment(other).failure.find("no colon found"), 0U);
+}
+
+std::string
+DataFolder()
+{
+  const char * folder = std::getenv("SHAPETON_TEST_DATA_DIR");
+  return folder ? folder : "";
+}
+
+ImageType::Pointer
+RealVolume(const std::string & name)
+{
+  std::string position;
+  return shapeton::ReadColonTestVolume(DataFolder() + "/" + name, position);
+}
+
+TEST(ColonLumenSegmentation, AnklesHoldNoColon)
+{
+  if (DataFolder().empty())
+  {
+    GTEST_SKIP() << "SHAPETON_TEST_DATA_DIR is not set";
+  }
+  EXPECT_EQ(Segment(RealVolume("ct/visible-female-ankle")).failure.find("no colon found"), 0U);
+}
+
+TEST(ColonLumenSegmentation, AnUnpreparedColonIsRefused)
+{
+  if (DataFolder().empty())
+  {
+    GTEST_SKIP() << "SHAPETON_TEST_DATA_DIR is not set";
+  }
+  const auto lumen = Segment(RealVolume("ct/totalsegmentator/example_ct.nii.gz"));
+  EXPECT_EQ(lumen.failure.find("the colon is not distended or tagged enough"), 0U);
+  EXPECT_FALSE(lumen.pieces.empty());
+}
+
+TEST(ColonLumenSegmentation, ACropOfARealColonographyIsUsable)
+{
+  if (DataFolder().empty())
+  {
+    GTEST_SKIP() << "SHAPETON_TEST_DATA_DIR is not set";
+  }
+  const auto lumen = Segment(RealVolume("ctc/colonography-crop-1.npy"));
+  EXPECT_EQ(lumen.failure, "");
+  ASSERT_FALSE(lumen.pieces.empty());
+  EXPECT_NEAR(lumen.pieces[0].gasMl, 198.0, 4.0);
+}
+} // namespace

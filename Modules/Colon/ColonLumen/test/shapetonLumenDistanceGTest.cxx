@@ -1,0 +1,219 @@
+#include "shapetonLumenDistance.h"
+
+#include "shapetonPhilox.h"
+#include "shapetonTubeMask.h"
+
+#include "itkMultiThreaderBase.h"
+#include "shapetonExceptions.h"
+
+#include "gtest/gtest.h"
+
+#include <algorithm>
+#include <cstring>
+#include <limits>
+#include <vector>
+
+namespace
+{
+using shapeton::LumenMask;
+
+LumenMask::Pointer
+MakeMask(const itk::Size<3> & size, const Eigen::Vector3d & spacing)
+{
+  const auto mask = LumenMask::New();
+  mask->SetRegions(itk::ImageRegion<3>(size));
+  mask->SetSpacing(spacing.data());
+  mask->Allocate(true);
+  return mask;
+}
+
+/** Each voxel is lumen with the probability `share`. */
+LumenMask::Pointer
+RandomMask(const itk::Size<3> & size, const Eigen::Vector3d & spacing, double share)
+{
+  const auto        mask = MakeMask(size, spacing);
+  const std::size_t voxels = mask->GetBufferedRegion().GetNumberOfPixels();
+  for (std::size_t i = 0; i < voxels; ++i)
+  {
+    const auto word = shapeton::Philox4x32(7, { static_cast<std::uint32_t>(i), 0, 0, 0 }).a;
+    mask->GetBufferPointer()[i] = word < share * 4294967296.0 ? 1 : 0;
+  }
+  return mask;
+}
+
+double
+BruteForce(const LumenMask * mask, const itk::Index<3> & index)
+{
+  if (mask->GetPixel(index) == 0)
+  {
+    return 0.0;
+  }
+  const auto    size = mask->GetBufferedRegion().GetSize();
+  const auto    spacing = mask->GetSpacing();
+  double        least = std::numeric_limits<double>::infinity();
+  itk::Index<3> i;
+  for (i[2] = 0; i[2] < static_cast<long>(size[2]); ++i[2])
+  {
+    for (i[1] = 0; i[1] < static_cast<long>(size[1]); ++i[1])
+    {
+      for (i[0] = 0; i[0] < static_cast<long>(size[0]); ++i[0])
+      {
+        if (mask->GetPixel(i) == 0)
+        {
+          double squared = 0.0;
+          for (int a = 0; a < 3; ++a)
+          {
+            const double step = spacing[a] * (i[a] - index[a]);
+            squared += step * step;
+          }
+          least = std::min(least, squared);
+        }
+      }
+    }
+  }
+  return std::sqrt(least) - 0.25 * std::min({ spacing[0], spacing[1], spacing[2] });
+}
+
+TEST(LumenDistance, IsThatOfBruteForceOnUnequalSpacing)
+{
+  for (const double share : { 0.5, 0.9, 0.995 })
+  {
+    const auto    mask = RandomMask({ { 19, 13, 11 } }, { 0.7, 1.1, 2.3 }, share);
+    const auto    distance = shapeton::LumenDistance(mask, mask->GetBufferedRegion());
+    itk::Index<3> i;
+    for (i[2] = 0; i[2] < 11; ++i[2])
+    {
+      for (i[1] = 0; i[1] < 13; ++i[1])
+      {
+        for (i[0] = 0; i[0] < 19; ++i[0])
+        {
+          ASSERT_NEAR(distance->GetPixel(i), BruteForce(mask, i), 1e-5) << i << " of share " << share;
+        }
+      }
+    }
+  }
+}
+
+TEST(LumenDistance, OfATubeIsItsRadiusOnTheAxisOfAnObliqueImage)
+{
+  const shapeton::TubePoints axis = shapeton::CurveThrough({ { 0, 0, 0 }, { 20, 10, 30 }, { 40, 20, 60 } });
+  shapeton::TubeMask         mask(axis, 20.0, { 0.7, 0.8, 1.2 }, shapeton::ObliqueFrame());
+  mask.Paint(axis, 12.0);
+  const auto distance = shapeton::LumenDistance(mask.Get(), shapeton::LumenRegion(mask.Get()));
+  for (std::size_t k = axis.size() / 3; k < 2 * axis.size() / 3; ++k)
+  {
+    itk::Point<double, 3> point;
+    itk::Index<3>         index;
+    std::copy(axis[k].data(), axis[k].data() + 3, point.Begin());
+    ASSERT_TRUE(distance->TransformPhysicalPointToIndex(point, index));
+    EXPECT_NEAR(distance->GetPixel(index), 12.0, 0.9);
+  }
+}
+
+TEST(LumenDistance, CountsWhatLiesBeyondTheImageAsLumen)
+{
+  // A slab of 5 voxels that goes on over all other borders.
+  const auto mask = MakeMask({ { 9, 7, 6 } }, { 1.0, 2.0, 3.0 });
+  for (std::size_t i = 0; i < mask->GetBufferedRegion().GetNumberOfPixels(); ++i)
+  {
+    mask->GetBufferPointer()[i] = i % 9 >= 2 && i % 9 < 7;
+  }
+  const auto distance = shapeton::LumenDistance(mask, mask->GetBufferedRegion());
+  for (std::size_t i = 0; i < mask->GetBufferedRegion().GetNumberOfPixels(); ++i)
+  {
+    const float wanted[] = { 0, 0, 0.75F, 1.75F, 2.75F, 1.75F, 0.75F, 0, 0 };
+    EXPECT_EQ(distance->GetBufferPointer()[i], wanted[i % 9]);
+  }
+}
+
+TEST(LumenDistance, HasTheSameBytesForAnyNumberOfThreads)
+{
+  const auto         mask = RandomMask({ { 40, 30, 20 } }, { 0.7, 0.8, 1.0 }, 0.97);
+  std::vector<float> first;
+  const auto         before = itk::MultiThreaderBase::GetGlobalDefaultNumberOfThreads();
+  for (unsigned int threads = 1; threads <= 3; ++threads)
+  {
+    itk::MultiThreaderBase::SetGlobalDefaultNumberOfThreads(threads);
+    const auto               distance = shapeton::LumenDistance(mask, mask->GetBufferedRegion());
+    const std::vector<float> values(distance->GetBufferPointer(), distance->GetBufferPointer() + 24000);
+    first = threads == 1 ? values : first;
+    EXPECT_EQ(std::memcmp(values.data(), first.data(), 24000 * sizeof(float)), 0) << threads;
+  }
+  itk::MultiThreaderBase::SetGlobalDefaultNumberOfThreads(before);
+}
+
+TEST(LumenDistance, RefusesMasksWithoutLumenOrWall)
+{
+  const auto empty = MakeMask({ { 4, 4, 4 } }, { 1, 1, 1 });
+  EXPECT_THROW(shapeton::LumenRegion(empty), shapeton::InputError);
+  empty->FillBuffer(1);
+  EXPECT_THROW(shapeton::LumenDistance(empty, empty->GetBufferedRegion()), shapeton::InputError);
+}
+
+TEST(LumenRegion, IsTheBoxOfTheLumenWithinTheImage)
+{
+  const auto mask = MakeMask({ { 20, 20, 20 } }, { 1, 1, 1 });
+  mask->SetPixel({ { 3, 9, 0 } }, 200);
+  mask->SetPixel({ { 5, 7, 2 } }, 1);
+  const auto region = shapeton::LumenRegion(mask, 2);
+  EXPECT_EQ(region.GetIndex(), (itk::Index<3>{ { 1, 5, 0 } }));
+  EXPECT_EQ(region.GetSize(), (itk::Size<3>{ { 7, 7, 5 } }));
+}
+
+TEST(LumenComponents, HangTogetherByFacesAlone)
+{
+  const auto mask = MakeMask({ { 8, 8, 8 } }, { 1.0, 2.0, 5.0 });
+  // A ring around a column, and a voxel that touches it by an edge only.
+  for (long x = 1; x < 6; ++x)
+  {
+    for (long y = 1; y < 6; ++y)
+    {
+      mask->SetPixel({ { x, y, 3 } }, x == 3 && y == 3 ? 0 : 1);
+    }
+  }
+  mask->SetPixel({ { 6, 6, 3 } }, 1);
+  const auto found = shapeton::FindLumenComponents(mask, mask->GetBufferedRegion());
+  ASSERT_EQ(found.components.size(), 2u);
+  EXPECT_EQ(found.components[0].voxels, 24);
+  EXPECT_NEAR(found.components[0].volume, 0.24, 1e-12);
+  EXPECT_EQ(found.components[0].first, (itk::Index<3>{ { 1, 1, 3 } }));
+  EXPECT_EQ(found.components[0].last, (itk::Index<3>{ { 5, 5, 3 } }));
+  EXPECT_EQ(found.labels->GetPixel({ { 6, 6, 3 } }), 2);
+  EXPECT_EQ(found.labels->GetPixel({ { 3, 3, 3 } }), 0);
+}
+
+TEST(LumenComponents, LabelNeighboursAlikeAndCountAllVoxels)
+{
+  const auto    mask = RandomMask({ { 17, 15, 13 } }, { 1, 1, 1 }, 0.35);
+  const auto    found = shapeton::FindLumenComponents(mask, mask->GetBufferedRegion());
+  std::int64_t  counted = 0;
+  itk::Index<3> i;
+  for (i[2] = 0; i[2] < 13; ++i[2])
+  {
+    for (i[1] = 0; i[1] < 15; ++i[1])
+    {
+      for (i[0] = 0; i[0] < 17; ++i[0])
+      {
+        ASSERT_EQ(found.labels->GetPixel(i) != 0, mask->GetPixel(i) != 0);
+        counted += mask->GetPixel(i);
+        for (int a = 0; a < 3; ++a)
+        {
+          itk::Index<3> next = i;
+          if (++next[a] < static_cast<long>(mask->GetBufferedRegion().GetSize(a)) && mask->GetPixel(i) &&
+              mask->GetPixel(next))
+          {
+            ASSERT_EQ(found.labels->GetPixel(i), found.labels->GetPixel(next));
+          }
+        }
+      }
+    }
+  }
+  for (std::size_t c = 0; c < found.components.size(); ++c)
+  {
+    counted -= found.components[c].voxels;
+    EXPECT_TRUE(c == 0 || found.components[c].voxels <= found.components[c - 1].voxels);
+  }
+  EXPECT_EQ(counted, 0);
+  EXPECT_GT(found.components.size(), 10u);
+}
+} // namespace

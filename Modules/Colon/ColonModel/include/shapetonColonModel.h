@@ -1,0 +1,72 @@
+#ifndef shapetonColonModel_h
+#define shapetonColonModel_h
+
+#include "ColonModelExport.h"
+#include "shapetonRemarks.h"
+#include "shapetonProgress.h"
+#include "shapetonColonCentreline.h"
+#include "shapetonColonDistension.h"
+#include "shapetonColonLumenSegmentation.h"
+#include "shapetonColonWall.h"
+
+#include <string>
+#include <vector>
+
+namespace shapeton
+{
+/** What the chain from CT colonography to the wall is to use. See BuildColonModel(). \ingroup ColonModel */
+struct ColonModelOptions
+{
+  /** See ColonLumenOptions. Of a mask without a CT only the seed points count. */
+  std::string                        patientPosition;
+  std::vector<itk::Point<double, 3>> seedPoints;
+  /** Of the simplified wall. */
+  int faces{ 55000 };
+  /** Leave the pieces of a broken lumen apart: no tubes through collapsed stretches. */
+  bool keepPieces{ false };
+  /** Where the colon is not distended or tagged enough, go on with what was found as far as that leads. */
+  bool keepPartial{ false };
+  /** Told the stage and the share of all that is done, from 0 to 1; from the calling thread. */
+  Progress progress;
+};
+
+/** \class ColonModel
+ * \brief A colon: lumen, centreline and wall.
+ * \ingroup ColonModel
+ */
+struct ColonModel
+{
+  /** Labels on the grid of the input. Of a mask without a CT only the labels and pieces are known. */
+  ColonLumen lumen;
+  /** False where the input was a mask alone. */
+  bool hasIntensities{ true };
+  /** HU; null where there are no intensities. */
+  itk::Image<float, 3>::Pointer cleansed;
+  ColonCentreline               centreline;
+  /** Of the segments, and of the whole line. */
+  std::vector<SegmentDistension> distension;
+  SegmentDistension              wholeDistension;
+  ColonWall                      wall;
+  /** What is missing or doubtful, of all stages. */
+  Remarks warnings;
+  /** Empty, or why this is no usable colon; then only the first parts are there. With keepPartial those that could be
+   * made. */
+  std::string failure;
+};
+
+/** The chain from a CT colonography in HU: lumen, cleansing, centreline, distension, wall.
+ * Throws as its parts do. \ingroup ColonModel */
+ColonModel_EXPORT ColonModel
+BuildColonModel(const itk::Image<float, 3> * ct, const ColonModelOptions & options);
+
+/** The chain with a mask on the grid of the CT in place of the automatic lumen. \ingroup ColonModel */
+ColonModel_EXPORT ColonModel
+BuildColonModel(const itk::Image<float, 3> * ct, const LumenMask * lumen, const ColonModelOptions & options);
+
+/** The chain from a mask of the lumen alone: no cleansing. The raw wall is the 0.5 level of the mask as it is, with its
+ * stairs and handles; the repaired one that of the mask smoothed. \ingroup ColonModel */
+ColonModel_EXPORT ColonModel
+BuildColonModelOfLumen(const LumenMask * lumen, const ColonModelOptions & options);
+} // namespace shapeton
+
+#endif

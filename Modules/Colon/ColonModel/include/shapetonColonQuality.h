@@ -1,0 +1,15 @@
+#ifndef shapetonColonQuality_h
+#define shapetonColonQuality_h
+
+#include "shapetonColonModel.h"
+#include "shapetonJson.h"
+
+namespace shapeton
+{
+/** What was measured of a model, for programs: lumen, centreline, distension, surfaces, warnings. Lengths in mm,
+ * volumes in ml, intensities in HU, points in LPS. \ingroup ColonModel */
+ColonModel_EXPORT Json
+ColonQualityToJson(const ColonModel & model);
+} // namespace shapeton
+
+#endif

@@ -1,0 +1,128 @@
+#include "shapetonColonModel.h"
+
+#include "shapetonElectronicCleansing.h"
+#include "shapetonMaskedColonLumen.h"
+#include "shapetonExceptions.h"
+
+#include "itkRegionOfInterestImageFilter.h"
+
+namespace shapeton
+{
+namespace
+{
+/** Shares of the time of the stages, about. */
+constexpr double SegmentationEnd = 0.35;
+constexpr double CleansingEnd = 0.5;
+constexpr double CentrelineEnd = 0.65;
+
+ColonLumenOptions
+LumenOptionsOf(const ColonModelOptions & options)
+{
+  ColonLumenOptions lumen;
+  lumen.patientPosition = options.patientPosition;
+  lumen.seedPoints = options.seedPoints;
+  lumen.progress = options.progress.Part("Finding gas and fluid", 0.0, SegmentationEnd);
+  return lumen;
+}
+
+void
+TraceLine(ColonModel & model, const ColonModelOptions & options)
+{
+  ColonCentrelineOptions line;
+  line.seedPoints = options.seedPoints;
+  line.progress = options.progress.Part("Tracing the centreline", CleansingEnd, CentrelineEnd);
+  model.centreline = TraceColonCentreline(model.lumen.labels, line);
+  AppendRemarks(model.warnings, model.centreline.warnings);
+  model.distension = MeasureDistension(model.centreline.curve);
+  model.wholeDistension = MeasureDistension(model.centreline.curve, { { "colon", model.centreline.length } }).front();
+}
+
+ColonWallOptions
+WallOptionsOf(const ColonModelOptions & options)
+{
+  ColonWallOptions wall;
+  wall.faces = options.faces;
+  wall.keepPieces = options.keepPieces;
+  wall.progress = options.progress.Part("Making the wall", CentrelineEnd, 1.0);
+  return wall;
+}
+
+void
+TakeWall(ColonModel & model, ColonWall && wall)
+{
+  model.wall = std::move(wall);
+  AppendRemarks(model.warnings, model.wall.report.warnings);
+}
+
+/** Cleansing, centreline and wall of a lumen that has been found. */
+void
+Complete(ColonModel & model, const itk::Image<float, 3> * ct, const ColonModelOptions & options)
+{
+  options.progress("Cleansing", SegmentationEnd);
+  CleansedColon cleansed = CleanseColon(ct, model.lumen);
+  model.cleansed = cleansed.ct;
+  TraceLine(model, options);
+  TakeWall(model, BuildColonWall(cleansed.occupancy, model.centreline.curve, WallOptionsOf(options)));
+}
+
+ColonModel
+ModelOf(const itk::Image<float, 3> * ct, ColonLumen && lumen, const ColonModelOptions & options)
+{
+  ColonModel model;
+  model.lumen = std::move(lumen);
+  model.warnings = model.lumen.warnings;
+  model.failure = model.lumen.failure;
+  if (model.failure.empty())
+  {
+    Complete(model, ct, options);
+    return model;
+  }
+  if (options.keepPartial && !model.lumen.pieces.empty())
+  {
+    try
+    {
+      Complete(model, ct, options);
+    }
+    catch (const InputError & error)
+    {
+      model.warnings.push_back(error.what());
+    }
+  }
+  return model;
+}
+
+LumenMask::Pointer
+Cropped(const LumenMask * lumen)
+{
+  constexpr unsigned int margin = 3;
+  const auto             filter = itk::RegionOfInterestImageFilter<LumenMask, LumenMask>::New();
+  filter->SetInput(lumen);
+  filter->SetRegionOfInterest(LumenRegion(lumen, margin));
+  filter->Update();
+  return filter->GetOutput();
+}
+} // namespace
+
+ColonModel
+BuildColonModel(const itk::Image<float, 3> * ct, const ColonModelOptions & options)
+{
+  return ModelOf(ct, SegmentColonLumen(ct, LumenOptionsOf(options)), options);
+}
+
+ColonModel
+BuildColonModel(const itk::Image<float, 3> * ct, const LumenMask * lumen, const ColonModelOptions & options)
+{
+  return ModelOf(ct, ColonLumenOfMask(ct, lumen, LumenOptionsOf(options)), options);
+}
+
+ColonModel
+BuildColonModelOfLumen(const LumenMask * lumen, const ColonModelOptions & options)
+{
+  ColonModel model;
+  model.hasIntensities = false;
+  model.lumen = ColonLumenOfMask(lumen);
+  TraceLine(model, options);
+  TakeWall(model, BuildColonWallFromMask(Cropped(lumen), model.centreline.curve, WallOptionsOf(options)));
+  return model;
+}
+} // namespace shapeton

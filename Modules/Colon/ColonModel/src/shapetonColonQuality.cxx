@@ -1,0 +1,219 @@
+#include "shapetonColonQuality.h"
+
+#include "shapetonColonGravity.h"
+#include "shapetonSurfaceQuality.h"
+
+#include <algorithm>
+
+namespace shapeton
+{
+namespace
+{
+Json
+Triple(const itk::Point<double, 3> & point)
+{
+  return { point[0], point[1], point[2] };
+}
+
+std::string
+NameOf(ColonGravitySource source)
+{
+  switch (source)
+  {
+    case ColonGravitySource::PatientPosition:
+      return "patientPosition";
+    case ColonGravitySource::Levels:
+      return "levels";
+    case ColonGravitySource::Assumed:
+      return "assumed";
+  }
+  return {};
+}
+
+Json
+IntensitiesToJson(const ColonLumen & lumen)
+{
+  const ColonThresholds & thresholds = lumen.thresholds;
+  Json                    json;
+  json["position"] = NameOfGravity(lumen.gravity);
+  json["gravity"] = { lumen.gravity[0], lumen.gravity[1], lumen.gravity[2] };
+  json["gravitySource"] = NameOf(lumen.gravitySource);
+  json["noiseHU"] = lumen.noise;
+  json["smoothing"] = lumen.smoothing;
+  json["isTagged"] = lumen.isTagged;
+  json["thresholdsHU"] = { { "gas", thresholds.gas },
+                           { "tissue", thresholds.tissue },
+                           { "gasSeed", thresholds.gasSeed },
+                           { "gasBoundary", thresholds.gasBoundary },
+                           { "fluid", thresholds.fluid },
+                           { "fluidSeed", thresholds.fluidSeed },
+                           { "fluidBoundary", thresholds.fluidBoundary } };
+  json["levels"] = Json::array();
+  for (const ColonLevel & level : lumen.levels)
+  {
+    json["levels"].push_back({ { "centre", Triple(level.centre) },
+                               { "area", level.area },
+                               { "tilt", level.tilt },
+                               { "fluidHU", level.fluidHU },
+                               { "isTagged", level.isTagged },
+                               { "isColon", level.isColon } });
+  }
+  json["leftOut"] = Json::array();
+  for (const ColonLeftOut & one : lumen.leftOut)
+  {
+    json["leftOut"].push_back({ { "what", one.what },
+                                { "why", one.why },
+                                { "volume", one.ml },
+                                { "inscribedRadius", one.inscribedRadius },
+                                { "meanHU", one.meanHU },
+                                { "centre", Triple(one.centre) } });
+  }
+  return json;
+}
+
+Json
+LumenToJson(const ColonModel & model)
+{
+  Json   json = model.hasIntensities ? IntensitiesToJson(model.lumen) : Json::object();
+  double gas = 0.0;
+  double fluid = 0.0;
+  Json   pieces = Json::array();
+  for (const LumenPiece & piece : model.lumen.pieces)
+  {
+    gas += piece.gasMl;
+    fluid += piece.fluidMl;
+    pieces.push_back({ { "gasVolume", piece.gasMl },
+                       { "fluidVolume", piece.fluidMl },
+                       { "inscribedRadius", piece.inscribedRadius },
+                       { "centre", Triple(piece.centre) } });
+  }
+  json["gasVolume"] = gas;
+  json["fluidVolume"] = fluid;
+  json["pieces"] = pieces;
+  return json;
+}
+
+Json
+GapsToJson(const ColonCentreline & centreline)
+{
+  Json gaps = Json::array();
+  for (const CentrelineGap & gap : centreline.gaps)
+  {
+    gaps.push_back({ { "begin", gap.begin },
+                     { "end", gap.end },
+                     { "from", Triple(gap.from) },
+                     { "to", Triple(gap.to) },
+                     { "isDoubtful", gap.isDoubtful } });
+  }
+  return gaps;
+}
+
+Json
+CentrelineToJson(const ColonCentreline & centreline)
+{
+  Json json;
+  json["length"] = centreline.length;
+  json["lengthByExponent"] = { { "2", centreline.lengths[0] },
+                               { "3", centreline.lengths[1] },
+                               { "4", centreline.lengths[2] } };
+  json["coverage"] = centreline.coverage;
+  json["gaps"] = GapsToJson(centreline);
+  json["pieces"] = Json::array();
+  for (const CentrelinePiece & piece : centreline.pieces)
+  {
+    Json one = { { "volume", piece.volume }, { "isUsed", piece.isUsed }, { "place", Triple(piece.place) } };
+    if (piece.isUsed)
+    {
+      one["begin"] = piece.begin;
+      one["end"] = piece.end;
+    }
+    else
+    {
+      one["reason"] = piece.reason;
+    }
+    json["pieces"].push_back(one);
+  }
+  json["merges"] = Json::array();
+  for (const CentrelineMerge & merge : centreline.merges)
+  {
+    json["merges"].push_back(
+      { { "place", Triple(merge.place) }, { "clearance", merge.clearance }, { "loop", merge.loop } });
+  }
+  return json;
+}
+
+Json
+ToJson(const SegmentDistension & segment)
+{
+  return { { "name", segment.name },
+           { "begin", segment.begin },
+           { "end", segment.end },
+           { "share", segment.share },
+           { "meanCalibre", segment.meanCalibre },
+           { "collapsedLength", segment.collapsedLength } };
+}
+
+Json
+DistensionToJson(const ColonModel & model)
+{
+  Json json;
+  json["note"] = "share of the centreline with a calibre of at least 10 mm; borders of segments by customary shares of "
+                 "the length, not by landmarks";
+  json["whole"] = ToJson(model.wholeDistension);
+  json["segments"] = Json::array();
+  for (const SegmentDistension & segment : model.distension)
+  {
+    json["segments"].push_back(ToJson(segment));
+  }
+  return json;
+}
+
+Json
+SurfacesToJson(const ColonWall & wall)
+{
+  const ColonWallReport & report = wall.report;
+  Json                    json;
+  json["genusRaw"] = report.rawGenus;
+  json["genusRepaired"] = report.repairedGenus;
+  json["cutVolume"] = report.topology.cutVolume;
+  json["cavityVolume"] = report.topology.cavityVolume;
+  json["cavities"] = report.topology.cavities;
+  json["droppedPieces"] = report.topology.droppedPieces;
+  json["droppedVolume"] = report.topology.droppedVolume;
+  json["bridgedFaces"] = report.bridgedFaces;
+  json["openedRadius"] = { { "rectum", report.rectumRadius }, { "caecum", report.caecumRadius } };
+  const std::pair<const char *, const SurfaceMesh *> surfaces[] = { { "wall", &wall.raw },
+                                                                    { "wall-repaired", &wall.repaired },
+                                                                    { "wall-simplified", &wall.simplified } };
+  for (const auto & [name, surface] : surfaces)
+  {
+    json[name] = SurfaceQualityToJson(InspectSurface(*surface));
+  }
+  return json;
+}
+} // namespace
+
+Json
+ColonQualityToJson(const ColonModel & model)
+{
+  Json json;
+  json["note"] = "For research use; not a diagnosis. Lengths in mm, volumes in ml, points in LPS.";
+  json["isComplete"] = model.failure.empty();
+  if (!model.failure.empty())
+  {
+    json["failure"] = model.failure;
+  }
+  json["warnings"] = model.warnings;
+  json["lumen"] = LumenToJson(model);
+  if (!model.centreline.curve.curves.empty())
+  {
+    json["centreline"] = CentrelineToJson(model.centreline);
+    json["distension"] = DistensionToJson(model);
+  }
+  if (model.wall.raw.NumberOfFaces() > 0)
+  {
+    json["surface"] = SurfacesToJson(model.wall);
+  }
+  return json;
+}
+} // namespace shapeton

@@ -1,0 +1,208 @@
+#include "shapetonMaskedColonLumen.h"
+
+#include "shapetonColonGravity.h"
+#include "shapetonExceptions.h"
+
+#include "itkImageRegionConstIterator.h"
+#include "itkImageRegionConstIteratorWithIndex.h"
+#include "itkImageRegionIterator.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace shapeton
+{
+namespace
+{
+constexpr unsigned char Gas = 1;
+constexpr unsigned char Fluid = 2;
+constexpr double        TypicalTissue = 40.0; // HU
+
+double
+VoxelMl(const itk::ImageBase<3> * image)
+{
+  const auto & spacing = image->GetSpacing();
+  return 1e-3 * spacing[0] * spacing[1] * spacing[2];
+}
+
+/** What is summed over the voxels of a piece. */
+struct PieceSums
+{
+  double                 gas{ 0.0 };
+  double                 fluid{ 0.0 };
+  double                 gasHU{ 0.0 };
+  double                 radius{ 0.0 };
+  itk::Vector<double, 3> gasPlace{ 0.0 };
+  itk::Vector<double, 3> fluidPlace{ 0.0 };
+};
+
+/** Sums over the components of the labels; `ct` may be null. */
+std::vector<PieceSums>
+SumPieces(const itk::Image<float, 3> * ct, const LumenMask * labels, const LumenDistanceImage * distance)
+{
+  const auto                                        region = distance->GetBufferedRegion();
+  const auto                                        components = FindLumenComponents(labels, region);
+  std::vector<PieceSums>                            sums(components.components.size());
+  itk::ImageRegionConstIterator<LumenLabelImage>    piece(components.labels, components.labels->GetBufferedRegion());
+  itk::ImageRegionConstIterator<LumenDistanceImage> depth(distance, distance->GetBufferedRegion());
+  itk::ImageRegionConstIteratorWithIndex<LumenMask> label(labels, region);
+  for (; !label.IsAtEnd(); ++label, ++piece, ++depth)
+  {
+    if (label.Get() == 0)
+    {
+      continue;
+    }
+    PieceSums &            sum = sums[static_cast<std::size_t>(piece.Get()) - 1];
+    const auto             point = labels->TransformIndexToPhysicalPoint<double>(label.GetIndex());
+    const bool             isGas = label.Get() == Gas;
+    itk::Vector<double, 3> place = point.GetVectorFromOrigin();
+    (isGas ? sum.gas : sum.fluid) += 1.0;
+    (isGas ? sum.gasPlace : sum.fluidPlace) += place;
+    sum.gasHU += isGas && ct ? ct->GetPixel(label.GetIndex()) : 0.0;
+    sum.radius = std::max(sum.radius, static_cast<double>(depth.Get()));
+  }
+  return sums;
+}
+
+void
+DescribePieces(const std::vector<PieceSums> & sums, double voxelMl, ColonLumen & lumen)
+{
+  for (const PieceSums & sum : sums)
+  {
+    LumenPiece piece;
+    piece.gasMl = voxelMl * sum.gas;
+    piece.fluidMl = voxelMl * sum.fluid;
+    piece.inscribedRadius = sum.radius;
+    piece.meanGasHU = sum.gas > 0.0 ? sum.gasHU / sum.gas : 0.0;
+    const auto centre = (sum.gasPlace + sum.fluidPlace) / (sum.gas + sum.fluid);
+    piece.centre = itk::Point<double, 3>(centre.GetDataPointer());
+    lumen.pieces.push_back(piece);
+  }
+}
+
+/** Fluid lies below the gas of its piece. */
+void
+ChooseGravity(const std::vector<PieceSums> & sums, const std::string & patientPosition, ColonLumen & lumen)
+{
+  if (const auto given = GravityOfPatientPosition(patientPosition))
+  {
+    lumen.gravity = *given;
+    lumen.gravitySource = ColonGravitySource::PatientPosition;
+    return;
+  }
+  RequireParameter(patientPosition.empty(), "the patient position \"" + patientPosition + "\" is not known");
+  itk::Vector<double, 3> down(0.0);
+  for (const PieceSums & sum : sums)
+  {
+    if (sum.gas > 0.0 && sum.fluid > 0.0)
+    {
+      down += (sum.fluidPlace / sum.fluid - sum.gasPlace / sum.gas) * std::min(sum.gas, sum.fluid);
+    }
+  }
+  if (down.GetNorm() > 0.0)
+  {
+    lumen.gravity = *GravityOfPatientPosition(NameOfGravity(down));
+    lumen.gravitySource = ColonGravitySource::Levels;
+    return;
+  }
+  lumen.gravity = *GravityOfPatientPosition("supine");
+  lumen.warnings.push_back("no patient position is given and the lumen holds no fluid; supine is assumed");
+}
+
+/** \pre There are some. */
+double
+MedianOf(std::vector<float> & values)
+{
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+/** From what lies at least 2 mm and one and a half voxels deep: clear gas and clear fluid. */
+void
+MeasureThresholds(const itk::Image<float, 3> * ct, const LumenDistanceImage * distance, ColonLumen & lumen)
+{
+  const auto         region = distance->GetBufferedRegion();
+  const auto &       spacing = distance->GetSpacing();
+  const double       deep = std::max(2.0, 1.5 * *std::max_element(spacing.Begin(), spacing.End()));
+  std::vector<float> gas;
+  std::vector<float> fluid;
+  itk::ImageRegionConstIterator<itk::Image<float, 3>> value(ct, region);
+  itk::ImageRegionConstIterator<LumenDistanceImage>   depth(distance, distance->GetBufferedRegion());
+  for (; !value.IsAtEnd(); ++value, ++depth)
+  {
+    if (depth.Get() >= deep)
+    {
+      (value.Get() < -600.0F ? gas : fluid).push_back(value.Get());
+    }
+  }
+  if (gas.empty())
+  {
+    throw InputError(
+      "the lumen given holds no gas: none of its voxels away from the wall lies below -600 HU; give the CT in HU "
+      "that it belongs to");
+  }
+  ColonThresholds & thresholds = lumen.thresholds;
+  thresholds.tissue = TypicalTissue;
+  thresholds.gas = MedianOf(gas);
+  thresholds.gasBoundary = 0.5 * (thresholds.gas + thresholds.tissue);
+  thresholds.gasSeed = 0.2 * thresholds.tissue + 0.8 * thresholds.gas;
+  fluid.erase(std::remove_if(fluid.begin(), fluid.end(), [](float v) { return v < 150.0F; }), fluid.end());
+  lumen.isTagged = fluid.size() >= 20;
+  if (lumen.isTagged)
+  {
+    thresholds.fluid = MedianOf(fluid);
+    thresholds.fluidBoundary = 0.5 * (thresholds.fluid + thresholds.tissue);
+    thresholds.fluidSeed = thresholds.tissue + 0.7 * (thresholds.fluid - thresholds.tissue);
+  }
+}
+
+LumenMask::Pointer
+EmptyLabels(const LumenMask * mask)
+{
+  const auto labels = LumenMask::New();
+  labels->CopyInformation(mask);
+  labels->SetRegions(mask->GetLargestPossibleRegion());
+  labels->Allocate();
+  return labels;
+}
+} // namespace
+
+ColonLumen
+ColonLumenOfMask(const itk::Image<float, 3> * ct, const LumenMask * mask, const ColonLumenOptions & options)
+{
+  ColonLumen lumen;
+  const auto distance = LumenDistance(mask, LumenRegion(mask));
+  MeasureThresholds(ct, distance, lumen);
+  lumen.labels = EmptyLabels(mask);
+  const auto                                          region = mask->GetLargestPossibleRegion();
+  itk::ImageRegionConstIterator<LumenMask>            inside(mask, region);
+  itk::ImageRegionConstIterator<itk::Image<float, 3>> value(ct, region);
+  itk::ImageRegionIterator<LumenMask>                 label(lumen.labels, region);
+  for (; !label.IsAtEnd(); ++label, ++inside, ++value)
+  {
+    const bool isGas = !lumen.isTagged || value.Get() < lumen.thresholds.gasBoundary;
+    label.Set(inside.Get() == 0 ? 0 : isGas ? Gas : Fluid);
+  }
+  const auto sums = SumPieces(ct, lumen.labels, distance);
+  DescribePieces(sums, VoxelMl(mask), lumen);
+  ChooseGravity(sums, options.patientPosition, lumen);
+  return lumen;
+}
+
+ColonLumen
+ColonLumenOfMask(const LumenMask * mask)
+{
+  ColonLumen lumen;
+  lumen.labels = EmptyLabels(mask);
+  const auto                               region = mask->GetLargestPossibleRegion();
+  itk::ImageRegionConstIterator<LumenMask> inside(mask, region);
+  itk::ImageRegionIterator<LumenMask>      label(lumen.labels, region);
+  for (; !label.IsAtEnd(); ++label, ++inside)
+  {
+    label.Set(inside.Get() == 0 ? 0 : Gas);
+  }
+  DescribePieces(SumPieces(nullptr, lumen.labels, LumenDistance(mask, LumenRegion(mask))), VoxelMl(mask), lumen);
+  return lumen;
+}
+} // namespace shapeton

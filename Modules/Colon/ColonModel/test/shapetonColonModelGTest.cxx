@@ -1,0 +1,256 @@
+#include "shapetonColonModel.h"
+#include "shapetonColonPhantomImageSource.h"
+#include "shapetonColonQuality.h"
+#include "shapetonSurfaceQuality.h"
+#include "shapetonExceptions.h"
+#include "shapetonVolumeWriter.h"
+
+#include "itkCastImageFilter.h"
+#include "itkRegionOfInterestImageFilter.h"
+
+#include "gtest/gtest.h"
+
+#include <cmath>
+
+namespace
+{
+using CtImage = itk::Image<float, 3>;
+using Source = shapeton::ColonPhantomImageSource;
+
+/** A coarse patient: 2.8 mm, or as the grid says. */
+Source::Pointer
+MakePatient(const Source::DirectionType & direction, int collapsed = 0)
+{
+  const auto                       source = Source::New();
+  shapeton::ColonPhantomParameters parameters;
+  parameters.seed = 1;
+  parameters.collapsed = collapsed;
+  source->SetParameters(parameters);
+  source->SetSize({ { 128, 128, 120 } });
+  source->SetSpacing(Source::SpacingType(2.8));
+  source->SetDirection(direction);
+  source->CenterOutput();
+  source->Update();
+  return source;
+}
+
+Source::Pointer
+MakePatient(int collapsed = 0)
+{
+  Source::DirectionType axes;
+  axes.SetIdentity();
+  return MakePatient(axes, collapsed);
+}
+
+CtImage::Pointer
+CtOf(Source * source)
+{
+  const auto cast = itk::CastImageFilter<Source::ImageType, CtImage>::New();
+  cast->SetInput(source->GetOutput());
+  cast->Update();
+  return cast->GetOutput();
+}
+
+shapeton::ColonModelOptions
+Options()
+{
+  shapeton::ColonModelOptions options;
+  options.patientPosition = "HFS";
+  options.faces = 20000;
+  return options;
+}
+
+void
+ExpectTube(const shapeton::SurfaceMesh & mesh)
+{
+  const shapeton::SurfaceQuality quality = shapeton::InspectSurface(mesh);
+  EXPECT_EQ(quality.components.size(), 1U);
+  EXPECT_EQ(quality.boundaryLoopLengths.size(), 2U);
+  EXPECT_TRUE(quality.isManifold);
+  EXPECT_TRUE(quality.isOriented);
+}
+
+/** How far the points of the line lie from the true centreline on average, mm. */
+double
+MeanDistance(const shapeton::CurveSet & line, const shapeton::CurveSet & truth)
+{
+  double sum = 0.0;
+  for (Eigen::Index i = 0; i < line.V.rows(); ++i)
+  {
+    sum += std::sqrt((truth.V.rowwise() - line.V.row(i)).rowwise().squaredNorm().minCoeff());
+  }
+  return sum / static_cast<double>(line.V.rows());
+}
+
+double
+ShareOfLabels(const shapeton::ColonLumen::LabelImageType * found, const Source::LabelImageType * truth)
+{
+  std::size_t both = 0;
+  std::size_t all = 0;
+  for (std::size_t i = 0; i < found->GetLargestPossibleRegion().GetNumberOfPixels(); ++i)
+  {
+    const bool isFound = found->GetBufferPointer()[i] != 0;
+    const bool isReal = truth->GetBufferPointer()[i] != 0;
+    both += isFound && isReal;
+    all += isFound + isReal;
+  }
+  return 2.0 * static_cast<double>(both) / static_cast<double>(all);
+}
+
+void
+ExpectQuality(const shapeton::ColonModel & model)
+{
+  const shapeton::Json quality = shapeton::ColonQualityToJson(model);
+  EXPECT_TRUE(quality.at("isComplete").get<bool>());
+  EXPECT_EQ(quality.at("lumen").at("position").get<std::string>(), "supine");
+  EXPECT_EQ(quality.at("distension").at("segments").size(), 6U);
+  EXPECT_DOUBLE_EQ(quality.at("centreline").at("length").get<double>(), model.centreline.length);
+  EXPECT_EQ(quality.at("surface").at("genusRepaired").get<int>(), model.wall.report.repairedGenus);
+  EXPECT_EQ(quality.at("surface").at("wall-simplified").at("faces").get<int>(), model.wall.simplified.NumberOfFaces());
+}
+
+/** What the baselines are compared with: an axial slice of the cleansed CT, and the centreline as an image of 3
+ * columns. */
+void
+WriteForBaselines(const shapeton::ColonModel & model)
+{
+  const std::string folder = SHAPETON_TEST_TEMPORARY_DIR;
+  const auto        slice = itk::RegionOfInterestImageFilter<CtImage, CtImage>::New();
+  slice->SetInput(model.cleansed);
+  slice->SetRegionOfInterest({ { { 0, 0, 64 } }, { { 128, 128, 2 } } });
+  slice->Update();
+  shapeton::WriteVolume(slice->GetOutput(), folder + "/ColonCleansedSlice.nrrd");
+  const shapeton::VertexMatrix & line = model.centreline.curve.V;
+  const auto                     points = CtImage::New();
+  points->SetRegions(CtImage::SizeType{ { 3, static_cast<itk::SizeValueType>(line.rows()), 1 } });
+  points->Allocate();
+  std::copy(line.data(), line.data() + line.size(), points->GetBufferPointer());
+  shapeton::WriteVolume(points.GetPointer(), folder + "/ColonCentreline.nrrd");
+}
+
+TEST(ColonModel, OfACtIsATubeAroundTheTrueLine)
+{
+  const auto patient = MakePatient();
+  auto       options = Options();
+  double     progress = 0.0;
+  options.progress = [&progress](const std::string & stage, double share) {
+    EXPECT_FALSE(stage.empty());
+    EXPECT_GE(share, progress);
+    progress = share;
+  };
+  const shapeton::ColonModel model = shapeton::BuildColonModel(CtOf(patient).GetPointer(), options);
+  ASSERT_EQ(model.failure, "");
+  EXPECT_DOUBLE_EQ(progress, 1.0);
+  EXPECT_GT(ShareOfLabels(model.lumen.labels, patient->GetLumenOutput()), 0.95);
+  EXPECT_LT(MeanDistance(model.centreline.curve, patient->GetAnatomy().Centreline()), 3.0);
+  EXPECT_NEAR(model.centreline.length / patient->GetAnatomy().Length(), 1.0, 0.05);
+  ExpectTube(model.wall.repaired);
+  ExpectTube(model.wall.simplified);
+  EXPECT_LE(model.wall.report.repairedGenus, 2);
+  EXPECT_NEAR(model.wall.simplified.NumberOfFaces(), 20000, 400);
+  ExpectQuality(model);
+  WriteForBaselines(model);
+}
+
+TEST(ColonModel, ObliqueAxesGiveTheSameColon)
+{
+  Source::DirectionType axes; // a turn of 20 degrees about z and a swap of two axes
+  const double          c = std::cos(0.35);
+  const double          s = std::sin(0.35);
+  axes(0, 0) = c;
+  axes(0, 1) = 0.0;
+  axes(0, 2) = s;
+  axes(1, 0) = s;
+  axes(1, 1) = 0.0;
+  axes(1, 2) = -c;
+  axes(2, 0) = 0.0;
+  axes(2, 1) = 1.0;
+  axes(2, 2) = 0.0;
+  const auto                 patient = MakePatient(axes);
+  const shapeton::ColonModel model = shapeton::BuildColonModel(CtOf(patient).GetPointer(), Options());
+  ASSERT_EQ(model.failure, "");
+  EXPECT_LT(MeanDistance(model.centreline.curve, patient->GetAnatomy().Centreline()), 3.0);
+  EXPECT_NEAR(model.centreline.length / patient->GetAnatomy().Length(), 1.0, 0.05);
+  ExpectTube(model.wall.simplified);
+}
+
+void
+ExpectModelOfMask(Source * patient)
+{
+  const shapeton::ColonModel model = shapeton::BuildColonModelOfLumen(patient->GetLumenOutput(), Options());
+  EXPECT_FALSE(model.hasIntensities);
+  EXPECT_EQ(model.cleansed, nullptr);
+  ExpectTube(model.wall.simplified);
+  double volume = 0.0;
+  for (const shapeton::LumenPiece & piece : model.lumen.pieces)
+  {
+    volume += piece.gasMl;
+  }
+  EXPECT_NEAR(volume, model.wall.report.topology.lumenVolume + model.wall.report.topology.droppedVolume, 0.02 * volume);
+  EXPECT_LT(MeanDistance(model.centreline.curve, patient->GetAnatomy().Centreline()), 3.0);
+}
+
+/** No position is given: gravity points from the gas to the fluid. */
+void
+ExpectGasAndFluidOfMask(Source * patient)
+{
+  auto options = Options();
+  options.patientPosition.clear();
+  const auto                 ct = CtOf(patient);
+  const shapeton::ColonModel model = shapeton::BuildColonModel(ct.GetPointer(), patient->GetLumenOutput(), options);
+  ASSERT_EQ(model.failure, "");
+  EXPECT_EQ(model.lumen.gravity[1], 1.0);
+  EXPECT_TRUE(model.lumen.isTagged);
+  EXPECT_NEAR(model.lumen.thresholds.gas, -994.0, 5.0);
+  std::size_t right = 0;
+  std::size_t all = 0;
+  for (std::size_t i = 0; i < model.lumen.labels->GetLargestPossibleRegion().GetNumberOfPixels(); ++i)
+  {
+    const auto truth = patient->GetLumenOutput()->GetBufferPointer()[i];
+    all += truth != 0;
+    right += truth != 0 && truth == model.lumen.labels->GetBufferPointer()[i];
+  }
+  EXPECT_GT(static_cast<double>(right), 0.93 * static_cast<double>(all)); // voxels across levels and walls are mixed
+}
+
+TEST(ColonModel, OfTheTrueMaskAloneOrBesideTheCt)
+{
+  const auto patient = MakePatient();
+  ExpectModelOfMask(patient);
+  ExpectGasAndFluidOfMask(patient);
+}
+
+TEST(ColonModel, WithoutAColonSaysSo)
+{
+  const auto ct = CtImage::New();
+  ct->SetRegions(CtImage::SizeType{ { 32, 32, 32 } });
+  ct->Allocate();
+  ct->FillBuffer(40.0F);
+  auto options = Options();
+  options.keepPartial = true;
+  const shapeton::ColonModel model = shapeton::BuildColonModel(ct.GetPointer(), options);
+  EXPECT_EQ(model.failure.compare(0, 14, "no colon found"), 0) << model.failure;
+  EXPECT_EQ(model.wall.raw.NumberOfFaces(), 0);
+  const shapeton::Json quality = shapeton::ColonQualityToJson(model);
+  EXPECT_FALSE(quality.at("isComplete").get<bool>());
+  EXPECT_EQ(quality.at("failure").get<std::string>(), model.failure);
+}
+
+TEST(ColonModel, AMaskWithoutGasIsRefused)
+{
+  const auto ct = CtImage::New();
+  ct->SetRegions(CtImage::SizeType{ { 32, 32, 32 } });
+  ct->Allocate();
+  ct->FillBuffer(40.0F);
+  const auto mask = shapeton::LumenMask::New();
+  mask->SetRegions(ct->GetLargestPossibleRegion());
+  mask->Allocate(true);
+  EXPECT_THROW(shapeton::BuildColonModel(ct.GetPointer(), mask.GetPointer(), Options()), shapeton::InputError);
+  for (int i = 0; i < 12 * 12 * 12; ++i)
+  {
+    mask->SetPixel({ { 8 + i % 12, 8 + i / 12 % 12, 8 + i / 144 } }, 1);
+  }
+  EXPECT_THROW(shapeton::BuildColonModel(ct.GetPointer(), mask.GetPointer(), Options()), shapeton::InputError);
+}
+
+} // namespace

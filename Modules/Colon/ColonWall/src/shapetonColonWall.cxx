@@ -1,0 +1,255 @@
+#include "shapetonColonWall.h"
+
+#include "shapetonArcLengthField.h"
+#include "shapetonColonBridges.h"
+#include "shapetonCutDisc.h"
+#include "shapetonParallelFor.h"
+#include "shapetonRemoveBridges.h"
+#include "shapetonSurfaceConnectivity.h"
+#include "shapetonSurfaceSimplification.h"
+#include "shapetonExceptions.h"
+
+#include <cmath>
+#include <sstream>
+
+namespace shapeton
+{
+namespace
+{
+enum class Step
+{
+  Bridged,
+  Repaired,
+  Extracted,
+  Opened,
+  Simplified,
+  Done
+};
+
+/** Of the time, roughly. */
+double
+ShareAfter(Step step)
+{
+  constexpr double shares[] = { 0.02, 0.2, 0.3, 0.5, 0.95, 1.0 };
+  return shares[static_cast<int>(step)];
+}
+
+class Builder
+{
+public:
+  Builder(const OccupancyImage *   occupancy,
+          const CurveSet &         centreline,
+          const ColonWallOptions & options,
+          const OccupancyImage *   repairedOccupancy)
+    : m_Occupancy(occupancy)
+    , m_RepairedOccupancy(repairedOccupancy == nullptr ? occupancy : repairedOccupancy)
+    , m_Centreline(centreline)
+    , m_Options(options)
+  {}
+
+  ColonWall
+  Build()
+  {
+    this->Repair();
+    this->Extract();
+    this->Open();
+    this->Simplify();
+    const ArcLengthField arcLengths(m_Mask, m_Centreline);
+    for (SurfaceMesh * mesh : { &m_Wall.raw, &m_Wall.repaired, &m_Wall.simplified })
+    {
+      this->AddArrays(*mesh, arcLengths);
+    }
+    this->Report();
+    for (SurfaceMesh * mesh : { &m_Wall.raw, &m_Wall.repaired, &m_Wall.simplified })
+    {
+      if (m_Options.keepPieces)
+      {
+        *mesh = RemoveBridges(*mesh);
+      }
+    }
+    this->Advance(Step::Done);
+    return std::move(m_Wall);
+  }
+
+private:
+  void
+  Advance(Step step) const
+  {
+    m_Options.progress(ShareAfter(step));
+  }
+
+  void
+  Repair()
+  {
+    m_Bridges = AddBridges(m_Occupancy, m_Centreline, m_Options.bridgeRadius);
+    m_Wall.report.warnings = m_Bridges.warnings;
+    m_RepairedField = m_RepairedOccupancy == m_Occupancy
+                        ? m_Bridges.occupancy
+                        : AddBridges(m_RepairedOccupancy, m_Centreline, m_Options.bridgeRadius).occupancy;
+    this->Advance(Step::Bridged);
+    LumenTopology topology = RepairLumenTopology(m_Bridges.occupancy, m_Centreline);
+    m_Wall.report.topology = topology.report;
+    m_Mask = topology.mask;
+    if (topology.report.droppedPieces > 0)
+    {
+      std::ostringstream text;
+      text.precision(4);
+      text << topology.report.droppedPieces << " pieces of the lumen with " << topology.report.droppedVolume
+           << " ml in all hang on nothing and are left out of the wall";
+      m_Wall.report.warnings.push_back(text.str());
+    }
+    this->Advance(Step::Repaired);
+  }
+
+  void
+  Extract()
+  {
+    const auto           spacing = m_Occupancy->GetSpacing();
+    const double         finest = std::min({ spacing[0], spacing[1], spacing[2] });
+    WallSmoothingOptions smoothing;
+    smoothing.tangentialLimit = m_Options.tangentialLimit * finest;
+    smoothing.normalLimit = 0.0;
+    m_Wall.raw = SmoothWall(ExtractWall(m_Bridges.occupancy), smoothing);
+    smoothing.normalLimit = m_Options.normalLimit * finest;
+    m_Wall.repaired = SmoothWall(ExtractWall(m_RepairedField, m_Mask), smoothing);
+    this->Advance(Step::Extracted);
+  }
+
+  void
+  Open()
+  {
+    this->OpenRaw();
+    OpenWall opened = OpenColonEnds(m_Wall.repaired, m_Centreline, m_Options.ends);
+    m_Wall.repaired = std::move(opened.mesh);
+    ColonWallReport & report = m_Wall.report;
+    report.repairedGenus = opened.genus;
+    report.rectumRadius = opened.rectumRadius;
+    report.caecumRadius = opened.caecumRadius;
+    this->WarnOfSmallEnd("rectum", opened.rectumRadius);
+    this->WarnOfSmallEnd("caecum", opened.caecumRadius);
+    this->Advance(Step::Opened);
+  }
+
+  /** Handles next to an end may leave no disc to cut out; then the raw surface stays closed. */
+  void
+  OpenRaw()
+  {
+    OpenEndsOptions ends = m_Options.ends;
+    ends.smoothRims = false;
+    try
+    {
+      OpenWall opened = OpenColonEnds(m_Wall.raw, m_Centreline, ends);
+      m_Wall.raw = std::move(opened.mesh);
+      m_Wall.report.rawGenus = opened.genus;
+    }
+    catch (const InputError & error)
+    {
+      m_Wall.report.rawGenus = SurfaceConnectivity(m_Wall.raw).Components().front().genus.value_or(-1);
+      m_Wall.report.warnings.push_back(std::string("the raw surface stays closed: ") + error.what());
+    }
+  }
+
+  void
+  WarnOfSmallEnd(const char * end, double radius)
+  {
+    if (radius < m_Options.ends.radius)
+    {
+      std::ostringstream text;
+      text << "the opening at the " << end << " has a radius of " << radius << " mm instead of "
+           << m_Options.ends.radius << " mm: a larger disc is none";
+      m_Wall.report.warnings.push_back(text.str());
+    }
+  }
+
+  void
+  Simplify()
+  {
+    SurfaceSimplificationOptions options;
+    options.targetFaces = m_Options.faces;
+    options.progress = m_Options.progress.Part("", ShareAfter(Step::Opened), ShareAfter(Step::Simplified));
+    SurfaceSimplificationReport report;
+    m_Wall.simplified = SimplifySurface(m_Wall.repaired, options, &report);
+    if (!report.reachedTarget)
+    {
+      m_Wall.report.warnings.push_back("the simplified wall has " + std::to_string(report.faces) +
+                                       " faces instead of " + std::to_string(m_Options.faces) + ": " + report.reason);
+    }
+    const SurfaceConnectivity connectivity(m_Wall.simplified);
+    const int                 genus =
+      SetLoops(m_Wall.simplified, connectivity, this->EndOfCentreline(true), this->EndOfCentreline(false));
+    if (genus != m_Wall.report.repairedGenus)
+    {
+      throw InputError("the simplified wall has genus " + std::to_string(genus) + ", the repaired one " +
+                       std::to_string(m_Wall.report.repairedGenus));
+    }
+    this->Advance(Step::Simplified);
+  }
+
+  Eigen::Vector3d
+  EndOfCentreline(bool isRectum) const
+  {
+    const auto & curve = m_Centreline.curves.front();
+    return m_Centreline.V.row(isRectum ? curve.front() : curve.back());
+  }
+
+  /** `arcLength` and `bridged`. */
+  void
+  AddArrays(SurfaceMesh & mesh, const ArcLengthField & field) const
+  {
+    SurfaceArray array{ "arcLength", SurfaceArray::ValueMatrix(mesh.NumberOfVertices(), 1), false };
+    ParallelForBlocks(static_cast<std::size_t>(mesh.NumberOfVertices()), [&](std::size_t i) {
+      const auto v = static_cast<Eigen::Index>(i);
+      array.values(v, 0) = field.ArcLengthAt(mesh.V.row(v));
+    });
+    mesh.pointArrays.push_back(std::move(array));
+    mesh.cellArrays.push_back(BridgedFaces(mesh, m_Bridges, m_Occupancy));
+  }
+
+  void
+  Report()
+  {
+    ColonWallReport & report = m_Wall.report;
+    report.rawFaces = m_Wall.raw.NumberOfFaces();
+    report.repairedFaces = m_Wall.repaired.NumberOfFaces();
+    report.simplifiedFaces = m_Wall.simplified.NumberOfFaces();
+    report.bridgedFaces = static_cast<int>(FindSurfaceArray(m_Wall.repaired.cellArrays, "bridged")->values.sum());
+  }
+
+  const OccupancyImage *   m_Occupancy;
+  const OccupancyImage *   m_RepairedOccupancy;
+  const CurveSet &         m_Centreline;
+  const ColonWallOptions & m_Options;
+  BridgedOccupancy         m_Bridges;
+  OccupancyImage::Pointer  m_RepairedField;
+  LumenMaskImage::Pointer  m_Mask;
+  ColonWall                m_Wall;
+};
+} // namespace
+
+ColonWall
+BuildColonWall(const OccupancyImage *   occupancy,
+               const CurveSet &         centreline,
+               const ColonWallOptions & options,
+               const OccupancyImage *   repairedOccupancy)
+{
+  RequireParameter(options.faces >= 100, "the simplified wall needs at least 100 faces");
+  RequireSound(centreline, "the centreline");
+  if (centreline.curves.size() != 1 || centreline.curves.front().size() < 2)
+  {
+    throw InputError("the centreline must be one curve of at least two points; it has " +
+                     std::to_string(centreline.curves.size()) + " curves");
+  }
+  return Builder(occupancy, centreline, options, repairedOccupancy).Build();
+}
+
+ColonWall
+BuildColonWallFromMask(const LumenMaskImage * mask, const CurveSet & centreline, const ColonWallOptions & options)
+{
+  RequireParameter(options.maskSmoothing >= 0.0, "the smoothing of a lumen mask must not be negative");
+  const auto   spacing = mask->GetSpacing();
+  const double meanSpacing = std::cbrt(spacing[0] * spacing[1] * spacing[2]);
+  const auto   sharp = OccupancyFromMask(mask);
+  const auto   smooth = OccupancyFromMask(mask, options.maskSmoothing * meanSpacing);
+  return BuildColonWall(sharp, centreline, options, smooth);
+}
+} // namespace shapeton

@@ -1,0 +1,173 @@
+#include "shapetonLumenTopology.h"
+
+#include "shapetonCentrelineGeometry.h"
+#include "shapetonPaddedVoxels.h"
+#include "itkSignedMaurerDistanceMapImageFilter.h"
+#include "shapetonExceptions.h"
+
+#include <cmath>
+
+namespace shapeton
+{
+namespace
+{
+constexpr float         WallLevel = 0.5F;
+constexpr unsigned char Lumen = 1;
+constexpr double        RanksPerMillimetre = 100.0;
+constexpr std::uint16_t CentrelineRank = 65535;
+constexpr double        GreatestDistanceRank = 65534.0;
+
+LumenMaskImage::Pointer
+NewMaskLike(const OccupancyImage * occupancy)
+{
+  auto mask = LumenMaskImage::New();
+  mask->CopyInformation(occupancy);
+  mask->SetRegions(occupancy->GetBufferedRegion());
+  mask->Allocate(true);
+  return mask;
+}
+
+void
+CopyFlagsToMask(const PaddedVoxels & voxels, LumenMaskImage * mask)
+{
+  unsigned char * values = mask->GetBufferPointer();
+  voxels.ForEachVoxel([&](std::int64_t padded, std::int64_t inner) { values[inner] = voxels.flags[padded] & Lumen; });
+}
+
+/** Keeps the largest piece and fills its cavities. */
+void
+KeepSolidPiece(LumenMaskImage * mask, double voxelVolume, LumenTopologyReport & report)
+{
+  PaddedVoxels voxels(mask->GetBufferedRegion());
+  voxels.SetFlag(mask, Lumen);
+  const VoxelRuns pieces = FindVoxelRuns(voxels, Lumen, true, false);
+  if (pieces.sizes.empty())
+  {
+    throw InputError("the lumen is empty: no voxel has an occupancy of at least 0.5");
+  }
+  const int largest =
+    static_cast<int>(std::max_element(pieces.sizes.begin(), pieces.sizes.end()) - pieces.sizes.begin());
+  std::int64_t dropped = 0;
+  for (const auto & run : pieces.runs)
+  {
+    if (run.component != largest)
+    {
+      std::fill(voxels.flags.begin() + run.first, voxels.flags.begin() + run.last + 1, static_cast<unsigned char>(0));
+      dropped += run.last - run.first + 1;
+    }
+  }
+  CopyFlagsToMask(voxels, mask);
+  report.handlesBefore = TopologyOfMask(mask).handles;
+  const VoxelRuns background = FindVoxelRuns(voxels, Lumen, false, true);
+  std::int64_t    filled = 0;
+  for (const auto & run : background.runs)
+  {
+    if (run.component != 0)
+    {
+      std::fill(voxels.flags.begin() + run.first, voxels.flags.begin() + run.last + 1, Lumen);
+      filled += run.last - run.first + 1;
+    }
+  }
+  CopyFlagsToMask(voxels, mask);
+  report.droppedPieces = static_cast<std::int64_t>(pieces.sizes.size()) - 1;
+  report.cavities = static_cast<std::int64_t>(background.sizes.size()) - 1;
+  report.droppedVolume = static_cast<double>(dropped) * voxelVolume;
+  report.cavityVolume = static_cast<double>(filled) * voxelVolume;
+  report.lumenVolume = static_cast<double>(pieces.sizes[largest]) * voxelVolume;
+}
+
+/** The distance to the wall, as ranks. Next to the wall voxels have one and the same distance; there the occupancy
+ * decides, so that a membrane comes to lie where the septum shows best. */
+GrowthRankImage::Pointer
+RanksOfLumen(const LumenMaskImage * lumen, const OccupancyImage * occupancy)
+{
+  auto distance = itk::SignedMaurerDistanceMapImageFilter<LumenMaskImage, OccupancyImage>::New();
+  distance->SetInput(lumen);
+  distance->SetBackgroundValue(0);
+  distance->SetInsideIsPositive(true);
+  distance->SetSquaredDistance(false);
+  distance->SetUseImageSpacing(true);
+  distance->Update();
+  const OccupancyImage * distances = distance->GetOutput();
+
+  auto ranks = GrowthRankImage::New();
+  ranks->CopyInformation(lumen);
+  ranks->SetRegions(lumen->GetBufferedRegion());
+  ranks->Allocate();
+  const auto   spacing = lumen->GetSpacing();
+  const double finest = std::min({ spacing[0], spacing[1], spacing[2] });
+  for (std::size_t i = 0; i < lumen->GetBufferedRegion().GetNumberOfPixels(); ++i)
+  {
+    const double depth =
+      distances->GetBufferPointer()[i] + finest * (occupancy->GetBufferPointer()[i] - static_cast<double>(WallLevel));
+    ranks->GetBufferPointer()[i] =
+      static_cast<std::uint16_t>(std::clamp(RanksPerMillimetre * (depth + finest), 0.0, GreatestDistanceRank));
+  }
+  return ranks;
+}
+
+/** Raises the voxels along the centreline above all others. */
+void
+RaiseCentreline(GrowthRankImage * ranks, const CurveSet & centreline)
+{
+  const GridGeometry grid(ranks);
+  const auto         size = ranks->GetBufferedRegion().GetSize();
+  for (const auto & curve : centreline.curves)
+  {
+    for (std::size_t i = 0; i + 1 < curve.size(); ++i)
+    {
+      ForVoxelsOfSegment(
+        grid, size, centreline.V.row(curve[i]), centreline.V.row(curve[i + 1]), [&](std::array<long, 3> voxel) {
+          const std::size_t k = (voxel[2] * size[1] + voxel[1]) * size[0] + voxel[0];
+          ranks->GetBufferPointer()[k] = CentrelineRank;
+        });
+    }
+  }
+}
+
+/** One voxel of the lumen, of the greatest rank. */
+void
+PlantSeed(LumenMaskImage * grown, const LumenMaskImage * limit, const GrowthRankImage * ranks)
+{
+  std::size_t best = 0;
+  int         bestRank = -1;
+  for (std::size_t i = 0; i < limit->GetBufferedRegion().GetNumberOfPixels(); ++i)
+  {
+    if (limit->GetBufferPointer()[i] != 0 && ranks->GetBufferPointer()[i] > bestRank)
+    {
+      best = i;
+      bestRank = ranks->GetBufferPointer()[i];
+    }
+  }
+  grown->GetBufferPointer()[best] = 1;
+}
+} // namespace
+
+LumenTopology
+RepairLumenTopology(const OccupancyImage * occupancy, const CurveSet & centreline)
+{
+  const auto    spacing = occupancy->GetSpacing();
+  const double  voxelVolume = spacing[0] * spacing[1] * spacing[2] / 1000.0;
+  LumenTopology result;
+  const auto    limit = NewMaskLike(occupancy);
+  const auto    size = occupancy->GetBufferedRegion().GetNumberOfPixels();
+  for (std::size_t i = 0; i < size; ++i)
+  {
+    limit->GetBufferPointer()[i] = occupancy->GetBufferPointer()[i] >= WallLevel ? 1 : 0;
+  }
+  KeepSolidPiece(limit, voxelVolume, result.report);
+  const auto ranks = RanksOfLumen(limit, occupancy);
+  RaiseCentreline(ranks, centreline);
+  result.mask = NewMaskLike(occupancy);
+  PlantSeed(result.mask, limit, ranks);
+  GrowByTopologyPreservingPoints(result.mask, limit, ranks);
+  std::int64_t cut = 0;
+  for (std::size_t i = 0; i < size; ++i)
+  {
+    cut += limit->GetBufferPointer()[i] - result.mask->GetBufferPointer()[i];
+  }
+  result.report.cutVolume = static_cast<double>(cut) * voxelVolume;
+  result.report.handlesAfter = TopologyOfMask(result.mask).handles;
+  return result;
+}
+} // namespace shapeton

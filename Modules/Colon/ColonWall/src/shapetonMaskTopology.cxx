@@ -1,0 +1,78 @@
+#include "shapetonPaddedVoxels.h"
+
+#include <array>
+
+namespace shapeton
+{
+namespace
+{
+/** What a cube of 2 x 2 x 2 voxels adds to eight times the Euler number; bit x + 2 y + 4 z. The object is a complex of
+ * voxels as points, pairs by faces, full squares and full cubes. The background is not connected through corners, so
+ * the ring of six voxels around two opposite ones is closed, too. */
+int
+EightfoldEulerNumber(unsigned int cube)
+{
+  const auto has = [cube](unsigned int voxels) { return (cube & voxels) == voxels; };
+  int        eightfold = cube == 0xFFU ? -8 : 0;
+  for (unsigned int i = 0; i < 8; ++i)
+  {
+    eightfold += has(1U << i) ? 1 : 0; // a voxel has part in eight cubes
+    eightfold += i < 4 && cube == (0xFFU & ~(1U << i) & ~(0x80U >> i)) ? 8 : 0;
+  }
+  for (unsigned int a = 1; a < 8; a <<= 1)
+  {
+    const unsigned int b = a == 4 ? 1 : a << 1;
+    const unsigned int c = 7 - a - b;
+    for (const unsigned int i : { 0U, b, c, b + c })
+    {
+      eightfold -= has(1U << i | 1U << (i + a)) ? 2 : 0; // an edge in four
+    }
+    for (const unsigned int i : { 0U, c })
+    {
+      eightfold += has(1U << i | 1U << (i + a) | 1U << (i + b) | 1U << (i + a + b)) ? 4 : 0; // a square in two
+    }
+  }
+  return eightfold;
+}
+
+std::int64_t
+EulerNumber(const PaddedVoxels & voxels)
+{
+  std::array<int, 256> table;
+  for (unsigned int cube = 0; cube < 256; ++cube)
+  {
+    table[cube] = EightfoldEulerNumber(cube);
+  }
+  const auto &       flags = voxels.flags;
+  const std::int64_t slice = voxels.nx * voxels.ny;
+  std::int64_t       eightfold = 0;
+  for (std::int64_t i = 0; i + slice + voxels.nx + 1 < slice * voxels.nz; ++i)
+  {
+    const auto column = [&](std::int64_t k) {
+      return static_cast<unsigned int>(flags[k] | flags[k + voxels.nx] << 2 | flags[k + slice] << 4 |
+                                       flags[k + slice + voxels.nx] << 6);
+    };
+    eightfold += table[column(i) | column(i + 1) << 1];
+  }
+  return eightfold / 8;
+}
+} // namespace
+
+MaskTopology
+TopologyOfMask(const LumenMaskImage * mask)
+{
+  PaddedVoxels voxels(mask->GetBufferedRegion());
+  voxels.SetFlag(mask, 1);
+  MaskTopology    topology;
+  const VoxelRuns object = FindVoxelRuns(voxels, 1, true, false);
+  for (const std::int64_t size : object.sizes)
+  {
+    topology.voxels += size;
+  }
+  topology.components = static_cast<std::int64_t>(object.sizes.size());
+  topology.cavities = static_cast<std::int64_t>(FindVoxelRuns(voxels, 1, false, true).sizes.size()) - 1;
+  topology.eulerNumber = EulerNumber(voxels);
+  topology.handles = topology.components + topology.cavities - topology.eulerNumber;
+  return topology;
+}
+} // namespace shapeton

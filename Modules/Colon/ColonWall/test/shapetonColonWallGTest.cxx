@@ -1,0 +1,429 @@
+#include "shapetonColonWall.h"
+#include "shapetonLumenShapes.h"
+#include "itkMultiThreaderBase.h"
+#include "shapetonSurfaceConnectivity.h"
+#include "shapetonSurfaceQuality.h"
+#include "shapetonExceptions.h"
+
+#include <gtest/gtest.h>
+
+#include <cstring>
+
+using namespace lumenshapes;
+
+namespace
+{
+constexpr double TubeLength = 80;
+constexpr double TubeRadius = 12;
+const Points     TubeAxis = Line({ 0, 0, 0 }, { 0, 0, TubeLength });
+
+shapeton::OccupancyImage::Pointer
+TubeOccupancy(const Grid & grid = {})
+{
+  return Occupancy(Tube({ TubeAxis.front(), TubeAxis.back() }, TubeRadius), BoxOf(TubeAxis, TubeRadius), grid);
+}
+
+/** Two tubes with a gap of 20 mm. */
+shapeton::OccupancyImage::Pointer
+BrokenTube(const Grid & grid = {})
+{
+  const Depth lumen = Union(Tube({ { 0, 0, 0 }, { 0, 0, 40 } }, 10), Tube({ { 0, 0, 80 }, { 0, 0, 120 } }, 10));
+  return Occupancy(lumen, BoxOf({ { 0, 0, 0 }, { 0, 0, 120 } }, 10), grid);
+}
+
+shapeton::CurveSet
+BrokenCentreline()
+{
+  return Centreline(Line({ 0, 0, 0 }, { 0, 0, 120 }), [](const Eigen::Vector3d & p) { return p[2] > 49 && p[2] < 71; });
+}
+
+Eigen::VectorXd
+Field(const shapeton::SurfaceMesh & mesh, const char * name)
+{
+  const shapeton::SurfaceArray * array = shapeton::FindSurfaceArray(mesh.fieldArrays, name);
+  EXPECT_NE(nullptr, array) << name;
+  return array == nullptr ? Eigen::VectorXd() : Eigen::VectorXd(array->values.col(0));
+}
+
+/** One manifold component with two loops whose arrays name them in order, near the planes z = 0 and z = far. */
+void
+ExpectOpenEnds(const shapeton::SurfaceMesh & mesh, int genus)
+{
+  const shapeton::SurfaceQuality quality = shapeton::InspectSurface(mesh);
+  EXPECT_EQ(1U, quality.components.size());
+  EXPECT_EQ(2U, quality.boundaryLoopLengths.size());
+  EXPECT_TRUE(quality.isManifold);
+  EXPECT_TRUE(quality.isOriented);
+  EXPECT_EQ(genus, quality.genus.value_or(-1));
+  EXPECT_TRUE(quality.defects.AreNone());
+  const shapeton::SurfaceConnectivity connectivity(mesh);
+  for (const char * name : { "rectumLoop", "caecumLoop" })
+  {
+    const Eigen::VectorXd loop = Field(mesh, name);
+    ASSERT_GT(loop.size(), 3);
+    for (Eigen::Index i = 0; i < loop.size(); ++i)
+    {
+      const int edge = connectivity.FindEdge(static_cast<int>(loop[i]), static_cast<int>(loop[(i + 1) % loop.size()]));
+      ASSERT_GE(edge, 0);
+      EXPECT_TRUE(connectivity.IsBoundaryEdge(edge));
+    }
+  }
+}
+
+Eigen::Vector3d
+CentreOfLoop(const shapeton::SurfaceMesh & mesh, const char * name)
+{
+  const Eigen::VectorXd loop = Field(mesh, name);
+  Eigen::Vector3d       sum = Eigen::Vector3d::Zero();
+  for (const double vertex : loop)
+  {
+    sum += mesh.V.row(static_cast<Eigen::Index>(vertex));
+  }
+  return sum / static_cast<double>(loop.size());
+}
+
+/** The greatest distance of the vertices to the wall of a shape. */
+double
+GreatestError(const shapeton::SurfaceMesh & mesh, const Depth & depth)
+{
+  double greatest = 0.0;
+  for (Eigen::Index i = 0; i < mesh.V.rows(); ++i)
+  {
+    greatest = std::max(greatest, std::abs(depth(mesh.V.row(i))));
+  }
+  return greatest;
+}
+
+bool
+IsSameSurface(const shapeton::SurfaceMesh & a, const shapeton::SurfaceMesh & b)
+{
+  return a.V.rows() == b.V.rows() && a.F.rows() == b.F.rows() && a.F == b.F &&
+         std::memcmp(a.V.data(), b.V.data(), sizeof(double) * a.V.size()) == 0 &&
+         a.pointArrays[0].values == b.pointArrays[0].values && a.cellArrays[0].values == b.cellArrays[0].values;
+}
+} // namespace
+
+TEST(ColonWall, ClosedFormsOnAnyGrid)
+{
+  const double volume = Pi * TubeRadius * TubeRadius * (TubeLength + 4.0 / 3.0 * TubeRadius);
+  const double area = 2.0 * Pi * TubeRadius * (TubeLength + 2.0 * TubeRadius);
+  for (const Grid & grid : { Grid(), ObliqueGrid(false), ObliqueGrid(true) })
+  {
+    const auto mesh = shapeton::ExtractWall(TubeOccupancy(grid));
+    EXPECT_TRUE(shapeton::SurfaceConnectivity(mesh).IsClosed());
+    EXPECT_TRUE(shapeton::SurfaceConnectivity(mesh).IsOriented());
+    EXPECT_NEAR(volume, shapeton::EnclosedVolume(mesh.V, mesh.F), 0.005 * volume); // positive: the faces look outwards
+    EXPECT_NEAR(area, shapeton::SurfaceArea(mesh.V, mesh.F), 0.005 * area);
+    EXPECT_GT(0.03, GreatestError(mesh, Tube({ TubeAxis.front(), TubeAxis.back() }, TubeRadius)));
+  }
+}
+
+TEST(ColonWall, VerticesLieOnTheCrossing)
+{
+  const auto image = Occupancy(Sphere({ 0, 0, 0 }, 8), BoxOf({ { 0, 0, 0 } }, 8));
+  const auto mesh = shapeton::ExtractWall(image);
+  // On unit spacing each vertex has two whole coordinates relative to the grid; along the third the field is linear.
+  for (Eigen::Index i = 0; i < mesh.V.rows(); ++i)
+  {
+    Eigen::Vector3d low;
+    Eigen::Vector3d high;
+    for (int k = 0; k < 3; ++k)
+    {
+      const double index = mesh.V(i, k) - image->GetOrigin()[k];
+      const bool   isWhole = std::abs(index - std::round(index)) < 1e-4;
+      low[k] = isWhole ? std::round(index) : std::floor(index);
+      high[k] = isWhole ? std::round(index) : std::floor(index) + 1.0;
+    }
+    const auto valueAt = [&](const Eigen::Vector3d & p) {
+      return image->GetPixel({ { std::lround(p[0]), std::lround(p[1]), std::lround(p[2]) } });
+    };
+    const Eigen::Vector3d index = mesh.V.row(i).transpose() - Eigen::Vector3d(image->GetOrigin().GetDataPointer());
+    const double          length = (high - low).norm();
+    ASSERT_LE(length, 1.0 + 1e-9);
+    const double share = length > 0.0 ? (index - low).norm() / length : 0.0;
+    EXPECT_NEAR(0.5, (1.0 - share) * valueAt(low) + share * valueAt(high), 1e-3);
+  }
+}
+
+TEST(ColonWall, HandlesOfTheSurfaceAreThoseOfTheShape)
+{
+  const Depth two = Union(Torus({ -12, 0, 0 }, 12, 5), Torus({ 12, 0, 0 }, 12, 5));
+  const auto  occupancy = Occupancy(two, BoxOf({ { -12, 0, 0 }, { 12, 0, 0 } }, 17));
+  EXPECT_EQ(2, shapeton::SurfaceConnectivity(shapeton::ExtractWall(occupancy)).Components().front().genus.value());
+  const auto mask = shapeton::RepairLumenTopology(occupancy, shapeton::CurveSet()).mask;
+  EXPECT_EQ(0,
+            shapeton::SurfaceConnectivity(shapeton::ExtractWall(occupancy, mask)).Components().front().genus.value());
+  const auto torus = shapeton::ExtractWall(Occupancy(Torus({ 0, 0, 0 }, 12, 5), BoxOf({ { 0, 0, 0 } }, 17)));
+  EXPECT_NEAR(2.0 * Pi * Pi * 12 * 25, shapeton::EnclosedVolume(torus.V, torus.F), 60);
+}
+
+TEST(ColonWall, ClampingMovesOnlyWhatTheMaskChanges)
+{
+  const Depth whole = Sphere({ 0, 0, 0 }, 10);
+  const auto  occupancy = Occupancy(Without(whole, Sphere({ 0, 0, 0 }, 3)), BoxOf({ { 0, 0, 0 } }, 10));
+  const auto  mask = shapeton::RepairLumenTopology(occupancy, shapeton::CurveSet()).mask;
+  const auto  mesh = shapeton::ExtractWall(occupancy, mask);
+  EXPECT_GT(0.05, GreatestError(mesh, whole)); // the outer wall stays, the cavity is gone
+  auto other = shapeton::LumenMaskImage::New();
+  other->SetRegions({ { { 0, 0, 0 } }, { { 3, 3, 3 } } });
+  other->Allocate(true);
+  EXPECT_THROW(shapeton::ExtractWall(occupancy, other), std::invalid_argument);
+}
+
+TEST(ColonWall, RefusesAnEmptyField)
+{
+  const auto occupancy = Occupancy([](const Eigen::Vector3d &) { return -9.0; }, BoxOf({ { 0, 0, 0 } }, 4));
+  EXPECT_THROW(shapeton::ExtractWall(occupancy), shapeton::InputError);
+}
+
+TEST(ColonWall, SmoothingKeepsItsLimitsAndShapesTriangles)
+{
+  const auto                     mesh = shapeton::ExtractWall(TubeOccupancy(ObliqueGrid(false)));
+  shapeton::WallSmoothingOptions options;
+  options.normalLimit = 0.1;
+  options.tangentialLimit = 0.4;
+  const auto smooth = shapeton::SmoothWall(mesh, options);
+  EXPECT_GE(std::hypot(0.1, 0.4) + 1e-9, (smooth.V - mesh.V).rowwise().norm().maxCoeff());
+  EXPECT_GT(2.0, shapeton::InspectSurface(mesh).smallestAngle.percentile1);
+  EXPECT_LT(15.0, shapeton::InspectSurface(smooth).smallestAngle.percentile1);
+  EXPECT_GT(0.1, GreatestError(smooth, Tube({ TubeAxis.front(), TubeAxis.back() }, TubeRadius)));
+}
+
+TEST(ColonWall, BridgesJoinThePieces)
+{
+  for (const Grid & grid : { Grid(), ObliqueGrid(true) })
+  {
+    const auto broken = BrokenTube(grid);
+    const auto bridged = shapeton::AddBridges(broken, BrokenCentreline());
+    EXPECT_TRUE(bridged.warnings.empty());
+    EXPECT_EQ(1, shapeton::RepairLumenTopology(broken, shapeton::CurveSet()).report.droppedPieces);
+    EXPECT_EQ(0, shapeton::RepairLumenTopology(bridged.occupancy, BrokenCentreline()).report.droppedPieces);
+    const auto   mesh = shapeton::ExtractWall(bridged.occupancy);
+    const double piece = Pi * 100 * (40 + 40.0 / 3.0);
+    const double tube = Pi * 4 * 20;
+    EXPECT_NEAR(2 * piece + tube, shapeton::EnclosedVolume(mesh.V, mesh.F), 0.01 * piece);
+  }
+}
+
+TEST(ColonWall, BridgesEnlargeTheGridAndReportWhatNoGapExplains)
+{
+  const auto occupancy = Occupancy(Sphere({ 0, 0, 0 }, 8), BoxOf({ { 0, 0, 0 } }, 8));
+  const auto bridged = shapeton::AddBridges(occupancy, Centreline(Line({ 0, 0, 0 }, { 0, 30, 0 })));
+  ASSERT_EQ(1U, bridged.warnings.size());
+  EXPECT_NE(std::string::npos, bridged.warnings[0].find("to 30 mm")) << bridged.warnings[0];
+  const auto mesh = shapeton::ExtractWall(bridged.occupancy);
+  EXPECT_NEAR(32.0, mesh.V.col(1).maxCoeff(), 0.1);
+  EXPECT_NEAR(-8.0, mesh.V.col(1).minCoeff(), 0.05);
+  EXPECT_THROW(shapeton::AddBridges(occupancy, BrokenCentreline(), 0.0), shapeton::ParameterError);
+  EXPECT_THROW(shapeton::AddBridges(occupancy, shapeton::CurveSet()), shapeton::InputError);
+}
+
+TEST(ColonWall, OpensBothEnds)
+{
+  for (const Grid & grid : { Grid(), ObliqueGrid(true) })
+  {
+    const auto                closed = shapeton::ExtractWall(TubeOccupancy(grid));
+    shapeton::OpenEndsOptions options;
+    options.radius = 10.0;
+    const auto open = shapeton::OpenColonEnds(closed, Centreline(TubeAxis), options);
+    EXPECT_EQ(10.0, open.rectumRadius);
+    EXPECT_EQ(10.0, open.caecumRadius);
+    ExpectOpenEnds(open.mesh, 0);
+    // Discs of the round ends: 10 mm along the sphere of 12 mm, a little less since paths follow edges.
+    const double angle = 10.0 / TubeRadius;
+    const double height = TubeRadius * std::cos(angle);
+    EXPECT_NEAR(-height, CentreOfLoop(open.mesh, "rectumLoop")[2], 1.1);
+    EXPECT_NEAR(TubeLength + height, CentreOfLoop(open.mesh, "caecumLoop")[2], 1.1);
+    EXPECT_GT(0.5, CentreOfLoop(open.mesh, "caecumLoop").head<2>().norm());
+  }
+}
+
+TEST(ColonWall, MakesTheDiscSmallerWhereItIsNone)
+{
+  // 20 mm around the pole of a tube of 5 mm and 30 mm length meet the other end.
+  const Points axis = Line({ 0, 0, 0 }, { 0, 0, 20 });
+  const auto   closed = shapeton::ExtractWall(Occupancy(Tube({ axis.front(), axis.back() }, 5), BoxOf(axis, 5)));
+  const auto   open = shapeton::OpenColonEnds(closed, Centreline(axis));
+  EXPECT_EQ(20.0, open.rectumRadius);
+  EXPECT_GT(20.0, open.caecumRadius);
+  ExpectOpenEnds(open.mesh, 0);
+  // A torus within the disc is none, either.
+  const Depth lumen = Union(Tube({ { 0, 0, 0 }, { 0, 0, 50 } }, 6), Torus({ 0, 0, -6 }, 4, 2));
+  const auto  handle = shapeton::ExtractWall(
+    Occupancy(Union(lumen, Torus({ 6, 0, -4 }, 5, 1.5)), BoxOf({ { 0, 0, 0 }, { 0, 0, 50 } }, 14), {}, 1.0));
+  const int  genus = shapeton::SurfaceConnectivity(handle).Components().front().genus.value();
+  const auto cut = shapeton::OpenColonEnds(handle, Centreline(Line({ 0, 0, 0 }, { 0, 0, 50 })));
+  EXPECT_LT(0, genus);
+  ExpectOpenEnds(cut.mesh, genus);
+}
+
+TEST(ColonWall, RefusesToOpenWhatIsNotClosed)
+{
+  const auto open = shapeton::OpenColonEnds(shapeton::ExtractWall(TubeOccupancy()), Centreline(TubeAxis));
+  EXPECT_THROW(shapeton::OpenColonEnds(open.mesh, Centreline(TubeAxis)), shapeton::InputError);
+  const auto closed = shapeton::ExtractWall(TubeOccupancy());
+  EXPECT_THROW(shapeton::OpenColonEnds(closed, Centreline({ { 0, 0, 0 }, { 0, 0, 0 } })), shapeton::InputError);
+}
+
+TEST(ColonWall, PiecesCanStayApart)
+{
+  shapeton::ColonWallOptions options;
+  options.faces = 3000;
+  options.ends.radius = 8.0;
+  options.keepPieces = true;
+  const auto wall = shapeton::BuildColonWall(BrokenTube(), BrokenCentreline(), options);
+  for (const shapeton::SurfaceMesh * mesh : { &wall.raw, &wall.repaired, &wall.simplified })
+  {
+    const shapeton::SurfaceQuality quality = shapeton::InspectSurface(*mesh);
+    EXPECT_EQ(2U, quality.components.size());
+    EXPECT_EQ(4U, quality.boundaryLoopLengths.size()); // an opened end and a mouth of the tube at each piece
+    EXPECT_TRUE(quality.isManifold);
+    EXPECT_EQ(0.0, shapeton::FindSurfaceArray(mesh->cellArrays, "bridged")->values.sum());
+    const shapeton::SurfaceConnectivity connectivity(*mesh);
+    for (const char * name : { "rectumLoop", "caecumLoop" })
+    {
+      const Eigen::VectorXd loop = Field(*mesh, name);
+      ASSERT_GT(loop.size(), 3);
+      for (Eigen::Index i = 0; i < loop.size(); ++i)
+      {
+        const int edge =
+          connectivity.FindEdge(static_cast<int>(loop[i]), static_cast<int>(loop[(i + 1) % loop.size()]));
+        ASSERT_GE(edge, 0);
+        EXPECT_TRUE(connectivity.IsBoundaryEdge(edge));
+      }
+    }
+  }
+}
+
+TEST(ColonWall, TheChainOnABrokenTube)
+{
+  shapeton::ColonWallOptions options;
+  options.faces = 3000;
+  options.ends.radius = 8.0;
+  double progress = 0.0;
+  options.progress = [&progress](double share) {
+    EXPECT_LE(progress, share);
+    progress = share;
+  };
+  const auto wall = shapeton::BuildColonWall(BrokenTube(ObliqueGrid(true)), BrokenCentreline(), options);
+  ExpectOpenEnds(wall.raw, 0);
+  ExpectOpenEnds(wall.repaired, 0);
+  ExpectOpenEnds(wall.simplified, 0);
+  EXPECT_TRUE(wall.report.warnings.empty());
+  EXPECT_LT(15.0, shapeton::InspectSurface(wall.raw).smallestAngle.percentile1);
+  EXPECT_LT(15.0, shapeton::InspectSurface(wall.repaired).smallestAngle.percentile1);
+  EXPECT_NEAR(3000, wall.simplified.NumberOfFaces(), 60);
+  EXPECT_EQ(1.0, progress);
+  EXPECT_LT(15.0, shapeton::InspectSurface(wall.simplified).smallestAngle.percentile1);
+  for (const shapeton::SurfaceMesh * mesh : { &wall.raw, &wall.repaired, &wall.simplified })
+  {
+    const auto & bridged = shapeton::FindSurfaceArray(mesh->cellArrays, "bridged")->values;
+    const auto & arcLength = shapeton::FindSurfaceArray(mesh->pointArrays, "arcLength")->values;
+    for (Eigen::Index f = 0; f < mesh->F.rows(); ++f)
+    {
+      const Eigen::Vector3d centre =
+        (mesh->V.row(mesh->F(f, 0)) + mesh->V.row(mesh->F(f, 1)) + mesh->V.row(mesh->F(f, 2))) / 3.0;
+      if (centre[2] > 51.5 && centre[2] < 68.5)
+      {
+        EXPECT_EQ(1.0, bridged(f, 0)) << centre.transpose();
+      }
+      else if (centre[2] < 48.5 || centre[2] > 71.5)
+      {
+        EXPECT_EQ(0.0, bridged(f, 0)) << centre.transpose();
+      }
+    }
+    for (Eigen::Index v = 0; v < mesh->V.rows(); ++v)
+    {
+      EXPECT_NEAR(std::clamp(mesh->V(v, 2), 0.0, 120.0), arcLength(v, 0), 1e-6);
+    }
+  }
+}
+
+TEST(ColonWall, TheChainCutsALeak)
+{
+  const Points axis = UTurn(40, 21);
+  const Depth  tube = Tube(axis, 10);
+  const auto   occupancy =
+    Occupancy(Union(tube, Tube({ { 5, 0, 20 }, { 16, 0, 20 } }, 1.5)), BoxOf(axis, 10), ObliqueGrid(false), 2.0);
+  shapeton::ColonWallOptions options;
+  options.faces = 4000;
+  const auto wall = shapeton::BuildColonWall(occupancy, Centreline(axis), options);
+  EXPECT_EQ(1, wall.report.rawGenus);
+  EXPECT_EQ(0, wall.report.repairedGenus);
+  EXPECT_GT(0.02, wall.report.topology.cutVolume);
+  ExpectOpenEnds(wall.raw, 1);
+  ExpectOpenEnds(wall.repaired, 0);
+  ExpectOpenEnds(wall.simplified, 0);
+  EXPECT_LT(15.0, shapeton::InspectSurface(wall.simplified).smallestAngle.percentile1);
+}
+
+TEST(ColonWall, ArcLengthIsThatOfTheOwnLoop)
+{
+  // A wide leg beside a narrow one, 1 mm between them: its wall is closer to the axis of the narrow leg.
+  Points axis = Line({ 0, 0, 0 }, { 0, 0, 50 });
+  for (const Points & part : { Line({ 1, 0, 50 }, { 19, 0, 50 }), Line({ 19, 0, 49 }, { 19, 0, 0 }) })
+  {
+    axis.insert(axis.end(), part.begin(), part.end());
+  }
+  const Depth                lumen = Union(Tube({ { 0, 0, 0 }, { 0, 0, 50 } }, 14), Tube(axis, 4));
+  shapeton::ColonWallOptions options;
+  options.faces = 4000;
+  options.ends.radius = 5.0;
+  const auto wall =
+    shapeton::BuildColonWall(Occupancy(lumen, BoxOf(axis, 14), ObliqueGrid(true), 2.0), Centreline(axis), options);
+  const auto & arcLength = shapeton::FindSurfaceArray(wall.repaired.pointArrays, "arcLength")->values;
+  for (Eigen::Index v = 0; v < wall.repaired.V.rows(); ++v)
+  {
+    const Eigen::Vector3d p = wall.repaired.V.row(v);
+    if (p[2] > 0.0 && p[2] < 30.0 && std::abs(p[0] - 14.5) > 0.2)
+    {
+      EXPECT_NEAR(p[0] < 14.5 ? p[2] : 119.0 - p[2], arcLength(v, 0), 0.5) << p.transpose();
+    }
+  }
+}
+
+TEST(ColonWall, TheChainOnAMask)
+{
+  const auto occupancy = TubeOccupancy(ObliqueGrid(true));
+  auto       mask = shapeton::LumenMaskImage::New();
+  mask->CopyInformation(occupancy);
+  mask->SetRegions(occupancy->GetBufferedRegion());
+  mask->Allocate();
+  for (std::size_t i = 0; i < occupancy->GetBufferedRegion().GetNumberOfPixels(); ++i)
+  {
+    mask->GetBufferPointer()[i] = occupancy->GetBufferPointer()[i] >= 0.5F ? 2 : 0;
+  }
+  shapeton::ColonWallOptions options;
+  options.faces = 3000;
+  const auto  wall = shapeton::BuildColonWallFromMask(mask, Centreline(TubeAxis), options);
+  const Depth tube = Tube({ TubeAxis.front(), TubeAxis.back() }, TubeRadius);
+  ExpectOpenEnds(wall.raw, 0);
+  ExpectOpenEnds(wall.repaired, 0);
+  ExpectOpenEnds(wall.simplified, 0);
+  EXPECT_LT(0.3, GreatestError(wall.raw, tube)); // stairs of the mask
+  EXPECT_GT(0.3, GreatestError(wall.repaired, tube));
+  double sum = 0.0;
+  for (Eigen::Index v = 0; v < wall.repaired.V.rows(); ++v)
+  {
+    sum += tube(wall.repaired.V.row(v));
+  }
+  EXPECT_NEAR(0.0, sum / static_cast<double>(wall.repaired.V.rows()), 0.06); // neither shrunk nor grown
+}
+
+TEST(ColonWall, SameBytesForAnyNumberOfThreads)
+{
+  shapeton::ColonWallOptions options;
+  options.faces = 2000;
+  std::vector<shapeton::ColonWall> walls;
+  for (const unsigned int threads : { 1U, 2U, 3U })
+  {
+    itk::MultiThreaderBase::SetGlobalDefaultNumberOfThreads(threads);
+    walls.push_back(shapeton::BuildColonWall(BrokenTube(), BrokenCentreline(), options));
+  }
+  for (int i = 1; i < 3; ++i)
+  {
+    EXPECT_TRUE(IsSameSurface(walls[0].raw, walls[i].raw));
+    EXPECT_TRUE(IsSameSurface(walls[0].repaired, walls[i].repaired));
+    EXPECT_TRUE(IsSameSurface(walls[0].simplified, walls[i].simplified));
+  }
+}

@@ -1,0 +1,199 @@
+#ifndef shapetonLumenShapes_h
+#define shapetonLumenShapes_h
+
+#include "shapetonCurveSet.h"
+#include "shapetonLumenTopology.h"
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+
+/** Lumens given by a depth below their wall, mm, positive inside. */
+namespace lumenshapes
+{
+constexpr double Pi = 3.14159265358979323846;
+using Depth = std::function<double(const Eigen::Vector3d &)>;
+using Points = std::vector<Eigen::Vector3d>;
+
+struct Grid
+{
+  Eigen::Matrix3d direction{ Eigen::Matrix3d::Identity() };
+  Eigen::Vector3d spacing{ 1.0, 1.0, 1.0 };
+};
+
+inline Grid
+ObliqueGrid(bool isLeftHanded)
+{
+  Grid grid;
+  grid.direction = Eigen::AngleAxisd(0.5, Eigen::Vector3d(1, 2, 3).normalized()).toRotationMatrix();
+  grid.spacing = { 0.8, 0.9, 1.3 };
+  if (isLeftHanded)
+  {
+    grid.direction.col(1) *= -1.0;
+  }
+  return grid;
+}
+
+/** The field 0.5 + depth / width on a grid around the box of a shape, clamped to 0..1. Linear around the wall as long
+ * as the width is at least two voxels. */
+inline shapeton::OccupancyImage::Pointer
+Occupancy(const Depth & depth, const Eigen::AlignedBox3d & box, const Grid & grid = {}, double width = 3.0)
+{
+  Eigen::AlignedBox3d inner;
+  for (int corner = 0; corner < 8; ++corner)
+  {
+    inner.extend(grid.direction.transpose() * box.corner(static_cast<Eigen::AlignedBox3d::CornerType>(corner)));
+  }
+  auto                                    image = shapeton::OccupancyImage::New();
+  shapeton::OccupancyImage::SizeType      size;
+  shapeton::OccupancyImage::PointType     origin;
+  shapeton::OccupancyImage::DirectionType direction;
+  const Eigen::Vector3d                   first = inner.min() - 3.0 * grid.spacing;
+  const Eigen::Vector3d                   corner = grid.direction * first;
+  shapeton::OccupancyImage::SpacingType   spacing;
+  for (int i = 0; i < 3; ++i)
+  {
+    size[i] = static_cast<unsigned int>(std::ceil((inner.max()[i] - first[i]) / grid.spacing[i])) + 4;
+    origin[i] = corner[i];
+    spacing[i] = grid.spacing[i];
+    for (int k = 0; k < 3; ++k)
+    {
+      direction(i, k) = grid.direction(i, k);
+    }
+  }
+  image->SetRegions(size);
+  image->SetOrigin(origin);
+  image->SetSpacing(spacing);
+  image->SetDirection(direction);
+  image->Allocate();
+  std::size_t i = 0;
+  for (unsigned int z = 0; z < size[2]; ++z)
+  {
+    for (unsigned int y = 0; y < size[1]; ++y)
+    {
+      for (unsigned int x = 0; x < size[0]; ++x)
+      {
+        const Eigen::Vector3d point = corner + grid.direction * grid.spacing.cwiseProduct(Eigen::Vector3d(x, y, z));
+        image->GetBufferPointer()[i++] = static_cast<float>(std::clamp(0.5 + depth(point) / width, 0.0, 1.0));
+      }
+    }
+  }
+  return image;
+}
+
+inline Depth
+Sphere(const Eigen::Vector3d & centre, double radius)
+{
+  return [=](const Eigen::Vector3d & p) { return radius - (p - centre).norm(); };
+}
+
+/** In a plane z = const. */
+inline Depth
+Torus(const Eigen::Vector3d & centre, double ring, double radius)
+{
+  return [=](const Eigen::Vector3d & p) {
+    const Eigen::Vector3d q = p - centre;
+    return radius - std::hypot(std::hypot(q[0], q[1]) - ring, q[2]);
+  };
+}
+
+/** A tube with round ends along a polyline. */
+inline Depth
+Tube(const Points & axis, double radius)
+{
+  return [=](const Eigen::Vector3d & p) {
+    double square = 1e300;
+    for (std::size_t i = 0; i + 1 < axis.size(); ++i)
+    {
+      const Eigen::Vector3d way = axis[i + 1] - axis[i];
+      const double          share = std::clamp((p - axis[i]).dot(way) / way.squaredNorm(), 0.0, 1.0);
+      square = std::min(square, (p - axis[i] - share * way).squaredNorm());
+    }
+    return radius - std::sqrt(square);
+  };
+}
+
+inline Depth
+Union(const Depth & a, const Depth & b)
+{
+  return [=](const Eigen::Vector3d & p) { return std::max(a(p), b(p)); };
+}
+
+inline Depth
+Without(const Depth & a, const Depth & b)
+{
+  return [=](const Eigen::Vector3d & p) { return std::min(a(p), -b(p)); };
+}
+
+/** Two parallel legs at x = 0 and x = distance, from z = 0 up to `length`, joined there by a half circle. */
+inline Points
+UTurn(double length, double distance)
+{
+  Points points;
+  for (double z = 0.0; z < length; z += 2.0)
+  {
+    points.emplace_back(0.0, 0.0, z);
+  }
+  const int steps = 24;
+  for (int i = 0; i <= steps; ++i)
+  {
+    const double angle = Pi * i / steps;
+    points.emplace_back(0.5 * distance * (1.0 - std::cos(angle)), 0.0, length + 0.5 * distance * std::sin(angle));
+  }
+  for (double z = length - 2.0; z >= 0.0; z -= 2.0)
+  {
+    points.emplace_back(distance, 0.0, z);
+  }
+  return points;
+}
+
+inline Points
+Line(const Eigen::Vector3d & a, const Eigen::Vector3d & b, double step = 1.0)
+{
+  Points    points;
+  const int steps = static_cast<int>(std::ceil((b - a).norm() / step));
+  for (int i = 0; i <= steps; ++i)
+  {
+    points.emplace_back(a + (b - a) * i / steps);
+  }
+  return points;
+}
+
+/** A centreline with arrays arcLength, radius and gap; `isGap` tells which points lie in a gap. */
+inline shapeton::CurveSet
+Centreline(const Points & points, const std::function<bool(const Eigen::Vector3d &)> & isGap = {})
+{
+  shapeton::CurveSet curves;
+  const auto         n = static_cast<Eigen::Index>(points.size());
+  curves.V.resize(n, 3);
+  curves.curves.resize(1);
+  shapeton::SurfaceArray arcLength{ "arcLength", shapeton::SurfaceArray::ValueMatrix::Zero(n, 1), false };
+  shapeton::SurfaceArray radius{ "radius", shapeton::SurfaceArray::ValueMatrix::Ones(n, 1), false };
+  shapeton::SurfaceArray gap{ "gap", shapeton::SurfaceArray::ValueMatrix::Zero(n, 1), true };
+  for (Eigen::Index i = 0; i < n; ++i)
+  {
+    curves.V.row(i) = points[i];
+    curves.curves[0].push_back(static_cast<int>(i));
+    arcLength.values(i, 0) = i == 0 ? 0.0 : arcLength.values(i - 1, 0) + (points[i] - points[i - 1]).norm();
+    gap.values(i, 0) = isGap && isGap(points[i]) ? 1.0 : 0.0;
+  }
+  curves.pointArrays = { arcLength, radius, gap };
+  return curves;
+}
+
+inline Eigen::AlignedBox3d
+BoxOf(const Points & points, double margin)
+{
+  Eigen::AlignedBox3d box;
+  for (const auto & point : points)
+  {
+    box.extend(point);
+  }
+  const Eigen::Vector3d around = Eigen::Vector3d::Constant(margin);
+  return { box.min() - around, box.max() + around };
+}
+} // namespace lumenshapes
+
+#endif

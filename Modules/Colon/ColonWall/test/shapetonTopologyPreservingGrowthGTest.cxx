@@ -1,0 +1,248 @@
+#include "shapetonTopologyPreservingGrowth.h"
+
+#include <gtest/gtest.h>
+
+#include <vtkCellArray.h>
+#include <vtkFlyingEdges3D.h>
+#include <vtkImageData.h>
+#include <vtkNew.h>
+#include <vtkPolyData.h>
+
+#include <numeric>
+#include <random>
+#include <set>
+
+namespace
+{
+shapeton::LumenMaskImage::Pointer
+NewMask(unsigned int nx, unsigned int ny, unsigned int nz)
+{
+  auto mask = shapeton::LumenMaskImage::New();
+  mask->SetRegions({ { { 0, 0, 0 } }, { { nx, ny, nz } } });
+  mask->Allocate(true);
+  return mask;
+}
+
+struct SurfaceNumbers
+{
+  long eulerNumber{ 0 };
+  long components{ 0 };
+};
+
+/** What VTK makes of a mask with a layer of background around. */
+SurfaceNumbers
+SurfaceOfMask(const shapeton::LumenMaskImage * mask)
+{
+  const auto           size = mask->GetBufferedRegion().GetSize();
+  vtkNew<vtkImageData> image;
+  image->SetDimensions(size[0] + 2, size[1] + 2, size[2] + 2);
+  image->AllocateScalars(VTK_FLOAT, 1);
+  auto * values = static_cast<float *>(image->GetScalarPointer());
+  std::fill(values, values + image->GetNumberOfPoints(), 0.0F);
+  for (unsigned int z = 0, i = 0; z < size[2]; ++z)
+  {
+    for (unsigned int y = 0; y < size[1]; ++y)
+    {
+      for (unsigned int x = 0; x < size[0]; ++x, ++i)
+      {
+        values[((z + 1) * (size[1] + 2) + y + 1) * (size[0] + 2) + x + 1] =
+          mask->GetBufferPointer()[i] != 0 ? 1.0F : 0.0F;
+      }
+    }
+  }
+  vtkNew<vtkFlyingEdges3D> contour;
+  contour->SetInputData(image);
+  contour->SetValue(0, 0.5);
+  contour->Update();
+  std::set<std::pair<vtkIdType, vtkIdType>> edges;
+  std::vector<int>                          parents(contour->GetOutput()->GetNumberOfPoints());
+  std::iota(parents.begin(), parents.end(), 0);
+  const auto root = [&parents](int i) {
+    while (parents[i] != i)
+    {
+      i = parents[i];
+    }
+    return i;
+  };
+  const vtkIdType faces = contour->GetOutput()->GetNumberOfPolys();
+  for (vtkIdType f = 0; f < faces; ++f)
+  {
+    vtkIdType         n = 0;
+    const vtkIdType * ids = nullptr;
+    contour->GetOutput()->GetPolys()->GetCellAtId(f, n, ids);
+    for (int k = 0; k < 3; ++k)
+    {
+      edges.insert(std::minmax(ids[k], ids[(k + 1) % 3]));
+      parents[root(static_cast<int>(ids[k]))] = root(static_cast<int>(ids[(k + 1) % 3]));
+    }
+  }
+  SurfaceNumbers numbers;
+  numbers.eulerNumber = static_cast<long>(parents.size()) - static_cast<long>(edges.size()) + static_cast<long>(faces);
+  for (int i = 0; i < static_cast<int>(parents.size()); ++i)
+  {
+    numbers.components += parents[i] == i ? 1 : 0;
+  }
+  return numbers;
+}
+
+void
+ExpectTopologyOfSurface(const shapeton::LumenMaskImage * mask)
+{
+  const SurfaceNumbers         surface = SurfaceOfMask(mask);
+  const shapeton::MaskTopology topology = shapeton::TopologyOfMask(mask);
+  ASSERT_EQ(surface.eulerNumber, 2 * topology.eulerNumber);
+  ASSERT_EQ(surface.components, topology.components + topology.cavities);
+}
+
+void
+FillAtRandom(shapeton::LumenMaskImage * mask, std::mt19937 & generator, double share)
+{
+  for (std::size_t i = 0; i < mask->GetBufferedRegion().GetNumberOfPixels(); ++i)
+  {
+    mask->GetBufferPointer()[i] = generator() < share * 4294967296.0 ? 1 : 0;
+  }
+}
+} // namespace
+
+TEST(TopologyPreservingGrowth, EachCubeHasTheTopologyOfItsSurface)
+{
+  for (unsigned int cube = 0; cube < 256; ++cube)
+  {
+    const auto mask = NewMask(2, 2, 2);
+    for (unsigned int i = 0; i < 8; ++i)
+    {
+      mask->GetBufferPointer()[i] = cube >> i & 1;
+    }
+    SCOPED_TRACE(cube);
+    ExpectTopologyOfSurface(mask);
+  }
+}
+
+TEST(TopologyPreservingGrowth, RandomMasksHaveTheTopologyOfTheirSurface)
+{
+  std::mt19937 generator(1);
+  for (int i = 0; i < 600; ++i)
+  {
+    const auto mask = NewMask(3 + i % 4, 3 + i / 4 % 3, 3 + i / 12 % 5);
+    FillAtRandom(mask, generator, 0.1 + 0.1 * (i % 9));
+    SCOPED_TRACE(i);
+    ExpectTopologyOfSurface(mask);
+  }
+}
+
+TEST(TopologyPreservingGrowth, SimplePointsChangeNoNumberOfTheSurface)
+{
+  std::mt19937 generator(2);
+  int          simple = 0;
+  for (int i = 0; i < 1500; ++i)
+  {
+    const auto mask = NewMask(3, 3, 3);
+    FillAtRandom(mask, generator, 0.1 + 0.1 * (i % 9));
+    std::uint32_t bits = 0;
+    for (int k = 0; k < 27; ++k)
+    {
+      bits |= static_cast<std::uint32_t>(mask->GetBufferPointer()[k]) << k;
+    }
+    ASSERT_EQ(shapeton::IsSimplePoint(bits), shapeton::IsSimplePoint(bits ^ 1U << 13)); // it does not matter itself
+    mask->GetBufferPointer()[13] = 0;
+    const SurfaceNumbers without = SurfaceOfMask(mask);
+    mask->GetBufferPointer()[13] = 1;
+    const SurfaceNumbers with = SurfaceOfMask(mask);
+    if (shapeton::IsSimplePoint(bits))
+    {
+      ++simple;
+      EXPECT_EQ(without.eulerNumber, with.eulerNumber) << bits;
+      EXPECT_EQ(without.components, with.components) << bits;
+    }
+  }
+  EXPECT_GT(simple, 100);
+}
+
+TEST(TopologyPreservingGrowth, KnownPointsAreSimpleOrNot)
+{
+  const auto bit = [](int x, int y, int z) { return 1U << (x + 3 * y + 9 * z); };
+  EXPECT_FALSE(shapeton::IsSimplePoint(0));                           // alone: a new piece
+  EXPECT_FALSE(shapeton::IsSimplePoint(0x7FFFFFF));                   // the last voxel of a cavity
+  EXPECT_TRUE(shapeton::IsSimplePoint(bit(0, 1, 1)));                 // a tip
+  EXPECT_FALSE(shapeton::IsSimplePoint(bit(0, 0, 1)));                // an edge does not connect the object
+  EXPECT_FALSE(shapeton::IsSimplePoint(bit(0, 1, 1) | bit(2, 1, 1))); // a bridge
+  EXPECT_TRUE(shapeton::IsSimplePoint(0x7FFFFFF & ~bit(0, 1, 1)));    // the bottom of a pit
+  EXPECT_FALSE(shapeton::IsSimplePoint(0x7FFFFFF & ~bit(0, 0, 0)));   // a corner does not connect the background
+  EXPECT_TRUE(shapeton::IsSimplePoint(0x7FFFFFF & ~bit(0, 0, 1)));    // but an edge does
+  EXPECT_FALSE(shapeton::IsSimplePoint(0x7FFFFFF & ~bit(0, 1, 1) & ~bit(2, 1, 1))); // would close a tunnel
+}
+
+TEST(TopologyPreservingGrowth, GrowthKeepsTheTopologyOfItsSeed)
+{
+  std::mt19937 generator(3);
+  for (int i = 0; i < 20; ++i)
+  {
+    const auto limit = NewMask(12, 14, 13);
+    FillAtRandom(limit, generator, 0.75);
+    const auto seed = NewMask(12, 14, 13);
+    seed->GetBufferPointer()[700 + i] = 1;
+    auto ranks = shapeton::GrowthRankImage::New();
+    ranks->SetRegions(limit->GetBufferedRegion());
+    ranks->Allocate();
+    for (std::size_t k = 0; k < limit->GetBufferedRegion().GetNumberOfPixels(); ++k)
+    {
+      ranks->GetBufferPointer()[k] = static_cast<std::uint16_t>(generator() % 5);
+    }
+    const auto added = shapeton::GrowByTopologyPreservingPoints(seed, limit, ranks);
+    EXPECT_GT(added, 500);
+    const auto topology = shapeton::TopologyOfMask(seed);
+    EXPECT_EQ(added + 1, topology.voxels);
+    EXPECT_EQ(1, topology.components);
+    EXPECT_EQ(0, topology.cavities);
+    EXPECT_EQ(0, topology.handles);
+    EXPECT_EQ(2, SurfaceOfMask(seed).eulerNumber);
+  }
+}
+
+TEST(TopologyPreservingGrowth, FillsAConvexLimitAndCutsARingWhereTheRankIsLowest)
+{
+  const auto limit = NewMask(9, 9, 3);
+  const auto seed = NewMask(9, 9, 3);
+  auto       ranks = shapeton::GrowthRankImage::New();
+  ranks->SetRegions(limit->GetBufferedRegion());
+  ranks->Allocate();
+  ranks->FillBuffer(10);
+  limit->FillBuffer(1);
+  seed->SetPixel({ { 4, 1, 1 } }, 1);
+  shapeton::GrowByTopologyPreservingPoints(seed, limit, ranks);
+  EXPECT_EQ(9 * 9 * 3, shapeton::TopologyOfMask(seed).voxels);
+
+  for (int z = 0; z < 3; ++z) // a hole: the limit becomes a ring
+  {
+    for (int y = 3; y < 6; ++y)
+    {
+      for (int x = 3; x < 6; ++x)
+      {
+        limit->SetPixel({ { x, y, z } }, 0);
+      }
+      ranks->SetPixel({ { y, 7, z } }, 10); // nothing special
+    }
+    for (int x = 0; x < 3; ++x)
+    {
+      ranks->SetPixel({ { x, 4, z } }, 1);
+    }
+  }
+  EXPECT_EQ(1, shapeton::TopologyOfMask(limit).handles);
+  seed->FillBuffer(0);
+  seed->SetPixel({ { 4, 1, 1 } }, 1);
+  shapeton::GrowByTopologyPreservingPoints(seed, limit, ranks);
+  EXPECT_EQ(9 * 9 * 3 - 27 - 9, shapeton::TopologyOfMask(seed).voxels);
+  for (int x = 0; x < 3; ++x)
+  {
+    EXPECT_EQ(0, seed->GetPixel({ { x, 4, 1 } }));
+  }
+}
+
+TEST(TopologyPreservingGrowth, RefusesOtherSizes)
+{
+  auto ranks = shapeton::GrowthRankImage::New();
+  ranks->SetRegions({ { { 0, 0, 0 } }, { { 3, 3, 3 } } });
+  ranks->Allocate(true);
+  EXPECT_THROW(shapeton::GrowByTopologyPreservingPoints(NewMask(3, 3, 3), NewMask(3, 3, 4), ranks),
+               std::invalid_argument);
+}

@@ -1,0 +1,42 @@
+#ifndef shapetonFlatColonLocator_h
+#define shapetonFlatColonLocator_h
+
+#include "shapetonFlatColonGrid.h"
+#include "shapetonSurfaceLocator.h"
+
+namespace shapeton
+{
+/** Where a point in space lies on the flat map. \ingroup FlatColon */
+struct FlatPlace
+{
+  FlatPixel pixel;
+  /** mm; v in [0, circumference). */
+  Eigen::Vector2d uv{ Eigen::Vector2d::Zero() };
+  /** The nearest point of the surface, LPS, mm. */
+  Eigen::Vector3d surfacePoint{ Eigen::Vector3d::Zero() };
+  /** From the point to the surface, mm. */
+  double distance{ 0.0 };
+  int    face{ -1 };
+};
+
+/** \class FlatColonLocator
+ * \brief From points in space to the flat map, by the nearest point of the surface.
+ *
+ * The grid must outlive the locator. May be asked from any number of threads at once.
+ * \ingroup FlatColon */
+class FlatColon_EXPORT FlatColonLocator
+{
+public:
+  explicit FlatColonLocator(const FlatColonGrid & grid);
+  ~FlatColonLocator();
+
+  FlatPlace
+  Find(const Eigen::Vector3d & point) const;
+
+private:
+  const FlatColonGrid & m_Grid;
+  SurfaceLocator        m_Surface;
+};
+} // namespace shapeton
+
+#endif

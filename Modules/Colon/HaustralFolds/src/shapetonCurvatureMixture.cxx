@@ -1,0 +1,162 @@
+#include "shapetonCurvatureMixture.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace shapeton
+{
+namespace
+{
+constexpr int         rounds = 60;
+constexpr std::size_t mostSamples = 60000;
+/** Of a class, 1/mm: no wall is smoother, and a class cannot shrink to a few values. */
+constexpr double leastDeviation = 0.01;
+constexpr double greatestOdds = 6.0;
+/** Mean curvature of folds, 1/mm: the rim of a fold 10 mm thick has 0.1, of which smoothing leaves about half. */
+constexpr double leastFold = 0.05;
+
+struct Samples
+{
+  std::vector<double> values;
+  std::vector<double> areas;
+};
+
+Samples
+TakeSamples(const FoldPicture & picture)
+{
+  Samples           samples;
+  const std::size_t step = 1 + picture.Size() / mostSamples;
+  for (std::size_t pixel = 0; pixel < picture.Size(); pixel += step)
+  {
+    if (picture.isWall[pixel])
+    {
+      samples.values.push_back(picture.curvature[pixel]);
+      samples.areas.push_back(picture.AreaOf(pixel));
+    }
+  }
+  return samples;
+}
+
+double
+Percentile(std::vector<double> values, double share)
+{
+  const auto place = values.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
+  std::nth_element(values.begin(), place, values.end());
+  return *place;
+}
+
+double
+Deviation(const std::vector<double> & values)
+{
+  double sum = 0.0;
+  double squares = 0.0;
+  for (const double value : values)
+  {
+    sum += value;
+    squares += value * value;
+  }
+  const auto number = static_cast<double>(values.size());
+  return std::sqrt(std::max(0.0, squares / number - sum / number * (sum / number)));
+}
+
+double
+Density(const CurvatureMixture::Class & one, double value)
+{
+  const double z = (value - one.mean) / one.deviation;
+  return one.share * std::exp(-0.5 * z * z) / one.deviation;
+}
+
+/** Area, and its sums with values and their squares, of one class. */
+struct Moments
+{
+  double area{ 0.0 };
+  double first{ 0.0 };
+  double second{ 0.0 };
+
+  void
+  Add(double part, double value)
+  {
+    area += part;
+    first += part * value;
+    second += part * value * value;
+  }
+  CurvatureMixture::Class
+  ToClass(double whole) const
+  {
+    const double mean = first / area;
+    return { mean, std::max(leastDeviation, std::sqrt(std::max(0.0, second / area - mean * mean))), area / whole };
+  }
+};
+
+/** False where a class has died out. */
+bool
+Improve(const Samples & samples, CurvatureMixture & mixture)
+{
+  const std::array<CurvatureMixture::Class *, 3> classes{ &mixture.wall, &mixture.uneven, &mixture.fold };
+  std::array<Moments, 3>                         moments;
+  for (std::size_t i = 0; i < samples.values.size(); ++i)
+  {
+    const double          value = samples.values[i];
+    std::array<double, 3> densities;
+    double                sum = 0.0;
+    for (int k = 0; k < 3; ++k)
+    {
+      // Folds bulge more than the wall does: what bulges less, as pouches do, is not for their class to explain.
+      const bool isPossible = k < 2 || value > mixture.wall.mean;
+      densities[k] = isPossible ? Density(*classes[k], value) + 1e-12 : 0.0;
+      sum += densities[k];
+    }
+    for (int k = 0; k < 3; ++k)
+    {
+      moments[k].Add(densities[k] / sum * samples.areas[i], value);
+    }
+  }
+  const double whole = moments[0].area + moments[1].area + moments[2].area;
+  for (int k = 0; k < 3; ++k)
+  {
+    if (!(moments[k].area > 0.0))
+    {
+      return false;
+    }
+    *classes[k] = moments[k].ToClass(whole);
+  }
+  return true;
+}
+} // namespace
+
+double
+CurvatureMixture::LogOdds(double curvature) const
+{
+  constexpr double least = 1e-30;
+  const double     ofFold = Density(fold, curvature) / fold.share;
+  const double     ofRest = (Density(wall, curvature) + Density(uneven, curvature)) / (wall.share + uneven.share);
+  const double     odds = std::log((ofFold + least) / (ofRest + least));
+  const double     signedOdds = curvature > fold.mean   ? std::max(odds, 0.0)
+                                : curvature < wall.mean ? std::min(odds, 0.0)
+                                                        : odds;
+  return std::clamp(signedOdds, -greatestOdds, greatestOdds);
+}
+
+CurvatureMixture
+FitCurvatureMixture(const FoldPicture & picture)
+{
+  const Samples    samples = TakeSamples(picture);
+  CurvatureMixture mixture{ { 0.0, 1.0, 0.5 }, { 0.0, 1.0, 0.4 }, { 0.0, 1.0, 0.1 }, false };
+  if (samples.values.empty())
+  {
+    return mixture;
+  }
+  const double half = std::max(leastDeviation, 0.5 * Deviation(samples.values));
+  mixture.wall = { Percentile(samples.values, 0.40), half, 0.5 };
+  mixture.uneven = { Percentile(samples.values, 0.80), half, 0.4 };
+  mixture.fold = { Percentile(samples.values, 0.97), half, 0.1 };
+  bool isAlive = true;
+  for (int round = 0; round < rounds && isAlive; ++round)
+  {
+    isAlive = Improve(samples, mixture);
+  }
+  mixture.hasFolds = isAlive && mixture.fold.mean >= leastFold;
+  return mixture;
+}
+} // namespace shapeton

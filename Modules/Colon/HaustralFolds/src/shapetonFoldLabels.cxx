@@ -1,0 +1,76 @@
+#include "shapetonFoldLabels.h"
+
+#include <opencv2/core.hpp>
+#include <opencv2/imgproc.hpp>
+
+#include <numeric>
+
+namespace shapeton
+{
+namespace
+{
+int
+Root(std::vector<int> & parents, int i)
+{
+  while (parents[i] != i)
+  {
+    i = parents[i] = parents[parents[i]];
+  }
+  return i;
+}
+
+/** Labels that meet across the first and last row become one, the least of them. */
+std::vector<int>
+JoinAcrossCut(const cv::Mat1i & labels, int number)
+{
+  std::vector<int> parents(number);
+  std::iota(parents.begin(), parents.end(), 0);
+  const int * const first = labels.ptr<int>(0);
+  const int * const last = labels.ptr<int>(labels.rows - 1);
+  for (int column = 0; column < labels.cols; ++column)
+  {
+    for (int other = std::max(0, column - 1); other <= std::min(labels.cols - 1, column + 1); ++other)
+    {
+      if (first[column] != 0 && last[other] != 0)
+      {
+        const int a = Root(parents, first[column]);
+        const int b = Root(parents, last[other]);
+        parents[std::max(a, b)] = std::min(a, b);
+      }
+    }
+  }
+  return parents;
+}
+} // namespace
+
+std::vector<FoldPixels>
+ConnectedFolds(const FoldPicture & picture, const std::vector<char> & mask)
+{
+  const cv::Mat1b image(
+    picture.rows, picture.columns, reinterpret_cast<unsigned char *>(const_cast<char *>(mask.data())));
+  cv::Mat1i labels;
+  // Labels may be numbered differently for other numbers of threads: only what hangs together is taken from them.
+  const int               number = cv::connectedComponents(image, labels, 8, CV_32S);
+  std::vector<int>        parents = JoinAcrossCut(labels, number);
+  std::vector<int>        places(number, -1);
+  std::vector<FoldPixels> folds;
+  for (int row = 0; row < picture.rows; ++row)
+  {
+    const int * const line = labels.ptr<int>(row);
+    for (int column = 0; column < picture.columns; ++column)
+    {
+      if (line[column] != 0)
+      {
+        int & place = places[Root(parents, line[column])];
+        if (place < 0)
+        {
+          place = static_cast<int>(folds.size());
+          folds.emplace_back();
+        }
+        folds[place].push_back({ column, row });
+      }
+    }
+  }
+  return folds;
+}
+} // namespace shapeton

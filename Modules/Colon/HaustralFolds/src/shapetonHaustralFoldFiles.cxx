@@ -1,0 +1,191 @@
+#include "shapetonHaustralFoldFiles.h"
+
+#include "shapetonFileBytes.h"
+#include "shapetonExceptions.h"
+
+#include "itkImageFileReader.h"
+#include "itkImageFileWriter.h"
+#include "itkMetaDataObject.h"
+#include "itkNrrdImageIO.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace shapeton
+{
+namespace
+{
+using LabelImage = itk::Image<unsigned short, 2>;
+
+constexpr int pointsOfFold = 3;
+
+/** WriteCurves() refuses curves without points. */
+constexpr const char * emptyFile =
+  "<?xml version=\"1.0\"?>\n<VTKFile type=\"PolyData\" version=\"1.0\" byte_order=\"LittleEndian\">\n<PolyData>"
+  "<Piece NumberOfPoints=\"0\" NumberOfVerts=\"0\" NumberOfLines=\"0\" NumberOfStrips=\"0\" NumberOfPolys=\"0\"/>"
+  "</PolyData>\n</VTKFile>\n";
+
+/** Of a feature: 0 the centre, 1 and 2 the ends. */
+struct Feature
+{
+  Feature(const HaustralFold & fold, int kind)
+    : point(kind == 0 ? fold.centre : fold.ends[kind - 1])
+    , uv(kind == 0 ? fold.centreUv : fold.endUv[kind - 1])
+    , reliability(kind == 0 ? fold.reliability : fold.endReliability[kind - 1])
+  {}
+
+  Eigen::Vector3d point;
+  Eigen::Vector2d uv;
+  double          reliability;
+};
+
+SurfaceArray
+CellArray(const std::string & name, std::size_t rows, int columns, bool areIntegers)
+{
+  SurfaceArray array;
+  array.name = name;
+  array.values.setZero(static_cast<Eigen::Index>(rows), columns);
+  array.areIntegers = areIntegers;
+  return array;
+}
+
+bool
+AreArcLengthsKnown(const HaustralFolds & folds)
+{
+  return std::all_of(
+    folds.folds.begin(), folds.folds.end(), [](const HaustralFold & fold) { return std::isfinite(fold.arcLength); });
+}
+} // namespace
+
+CurveSet
+FeaturesOfFolds(const HaustralFolds & folds)
+{
+  const std::size_t rows = pointsOfFold * folds.folds.size();
+  CurveSet          features;
+  features.V.resize(static_cast<Eigen::Index>(rows), 3);
+  features.cellArrays = { CellArray("fold", rows, 1, true),
+                          CellArray("kind", rows, 1, true),
+                          CellArray("reliability", rows, 1, false),
+                          CellArray("uv", rows, 2, false) };
+  const bool hasArcLength = AreArcLengthsKnown(folds);
+  if (hasArcLength)
+  {
+    features.cellArrays.push_back(CellArray("arcLength", rows, 1, false));
+  }
+  int row = 0;
+  for (const HaustralFold & fold : folds.folds)
+  {
+    for (int kind = 0; kind < pointsOfFold; ++kind, ++row)
+    {
+      const Feature feature(fold, kind);
+      features.V.row(row) = feature.point;
+      features.curves.push_back({ row });
+      features.cellArrays[0].values(row, 0) = fold.label;
+      features.cellArrays[1].values(row, 0) = kind;
+      features.cellArrays[2].values(row, 0) = feature.reliability;
+      features.cellArrays[3].values.row(row) = feature.uv;
+      if (hasArcLength)
+      {
+        features.cellArrays[4].values(row, 0) = fold.arcLength;
+      }
+    }
+  }
+  return features;
+}
+
+void
+WriteFoldFeatures(const HaustralFolds &                                    folds,
+                  const std::vector<std::pair<std::string, std::string>> & facts,
+                  const std::string &                                      path)
+{
+  if (folds.folds.empty())
+  {
+    WriteFileBytes(path, emptyFile);
+    return;
+  }
+  CurveSet features = FeaturesOfFolds(folds);
+  features.facts = facts;
+  WriteCurves(features, path);
+}
+
+std::vector<Markup>
+MarkupsOfFolds(const HaustralFolds & folds)
+{
+  Markup centres;
+  centres.name = "Fold centres";
+  centres.color = { 0.2, 0.5, 1.0 };
+  Markup ends;
+  ends.name = "Fold ends";
+  ends.color = { 0.2, 0.9, 0.3 };
+  for (const HaustralFold & fold : folds.folds)
+  {
+    for (int kind = 0; kind < pointsOfFold; ++kind)
+    {
+      const Feature feature(fold, kind);
+      Markup &      markup = kind == 0 ? centres : ends;
+      markup.points.push_back(feature.point);
+      markup.labels.push_back(std::to_string(fold.label) + (kind == 0 ? "" : kind == 1 ? "a" : "b"));
+      markup.descriptions.push_back("reliability " + CsvTable::Rounded(feature.reliability, 2));
+    }
+  }
+  return folds.folds.empty() ? std::vector<Markup>{} : std::vector<Markup>{ centres, ends };
+}
+
+std::vector<LabelColor>
+ColorsOfFolds(const HaustralFolds & folds)
+{
+  std::vector<LabelColor> colors;
+  for (const HaustralFold & fold : folds.folds)
+  {
+    colors.push_back({ fold.label, "fold " + std::to_string(fold.label), ColorOfLabel(fold.label) });
+  }
+  return colors;
+}
+
+const std::string &
+RequireFoldLabelsName(const std::string & path)
+{
+  const std::string extension = ".nrrd";
+  const bool        fits =
+    path.size() > extension.size() && path.compare(path.size() - extension.size(), std::string::npos, extension) == 0;
+  RequireParameter(path.empty() || fits, path + ": labels of folds are written as .nrrd");
+  return path;
+}
+
+void
+WriteFoldLabels(const HaustralFolds &  folds,
+                const FlatColonGrid &  grid,
+                const std::string &    path,
+                const VolumeMetadata & metadata)
+{
+  RequireFoldLabelsName(path);
+  VolumeMetadata entries{ { "Shapeton.labels", "haustral folds on the flat colon; 0 is wall" },
+                          { "Shapeton.pixelSize", CsvTable::Number(grid.PixelSize()) },
+                          { "Shapeton.circumference", CsvTable::Number(grid.Circumference()) },
+                          { "Shapeton.length", CsvTable::Number(grid.Length()) } };
+  entries.insert(entries.end(), metadata.begin(), metadata.end());
+  itk::MetaDataDictionary dictionary;
+  for (const auto & entry : entries)
+  {
+    itk::EncapsulateMetaData<std::string>(dictionary, entry.first, entry.second);
+  }
+  folds.labels->SetMetaDataDictionary(dictionary);
+  const auto writer = itk::ImageFileWriter<LabelImage>::New();
+  writer->SetInput(folds.labels);
+  writer->SetFileName(path);
+  writer->SetImageIO(itk::NrrdImageIO::New());
+  writer->SetUseCompression(true);
+  const auto reader = itk::ImageFileReader<LabelImage>::New();
+  reader->SetFileName(path);
+  reader->SetImageIO(itk::NrrdImageIO::New());
+  try
+  {
+    writer->Update();
+    reader->Update(); // a full disk is noticed
+  }
+  catch (const itk::ExceptionObject & failure)
+  {
+    throw OutputError(path + ": cannot be written: " + failure.GetDescription());
+  }
+}
+} // namespace shapeton

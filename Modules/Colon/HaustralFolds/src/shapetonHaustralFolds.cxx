@@ -1,0 +1,190 @@
+#include "shapetonHaustralFolds.h"
+
+#include "shapetonFlatCoordinateMap.h"
+#include "shapetonFoldMask.h"
+#include "shapetonFoldReliability.h"
+#include "shapetonFoldSplitting.h"
+#include "shapetonExceptions.h"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <limits>
+
+namespace shapeton
+{
+namespace
+{
+constexpr double widthOfTaenia = 4.0; ///< mm
+
+void
+RequireValid(const HaustralFoldOptions & options)
+{
+  for (const double value : { options.minimumLength, options.minimumArea, options.smoothness, options.smoothingTime })
+  {
+    RequireParameter(value >= 0.0 && std::isfinite(value),
+                     "the least length and area of a fold, smoothness and time of smoothing must not be negative");
+  }
+  RequireParameter(options.minimumElongation >= 1.0, "the least elongation of a fold must be at least 1");
+  RequireParameter(options.minimumAngle >= 0.0 && options.minimumAngle <= 90.0,
+                   "the least angle of a fold against the tube must be from 0 to 90 degrees");
+  RequireParameter(options.contrast > 0.0, "the contrast of the outline must be greater than 0");
+  RequireParameter(options.publishedLow < options.publishedHigh && options.publishedHigh <= 0.0,
+                   "the published interval must not be empty, and lie below 0");
+}
+
+bool
+IsFold(const HaustralFold & fold, const HaustralFoldOptions & options)
+{
+  return fold.length >= options.minimumLength && fold.area >= options.minimumArea &&
+         fold.elongation >= options.minimumElongation && std::abs(fold.angle) >= options.minimumAngle;
+}
+
+/** Finds the folds of one grid. */
+class FoldFinder
+{
+public:
+  FoldFinder(const FlatColonGrid & grid, const HaustralFoldOptions & options)
+    : m_Grid(grid), m_Options(options), m_Picture(MakeFoldPicture(grid, options))
+  {
+    if (options.taeniae)
+    {
+      m_Rule.isTaenia = MaskOfTaeniae(grid, *options.taeniae, 0.5 * widthOfTaenia);
+    }
+  }
+
+  HaustralFolds
+  Find()
+  {
+    for (FoldPixels & part : this->Parts())
+    {
+      MeasuredFold measured = MeasureFold(m_Grid, m_Picture, std::move(part), m_Options.scheme);
+      if (IsFold(measured.fold, m_Options))
+      {
+        RateFold(m_Picture, m_Mixture, m_Options, measured);
+        m_Found.push_back(std::move(measured));
+      }
+    }
+    std::stable_sort(m_Found.begin(), m_Found.end(), [](const MeasuredFold & a, const MeasuredFold & b) {
+      return a.fold.centreUv.x() < b.fold.centreUv.x();
+    });
+    RateEnds(m_Grid, m_Options.taeniae, m_Found);
+    return this->Collect();
+  }
+
+private:
+  bool
+  IsPublished() const
+  {
+    return m_Options.scheme == HaustralFoldScheme::Published;
+  }
+
+  std::vector<char>
+  Mask()
+  {
+    if (this->IsPublished())
+    {
+      return ThresholdFolds(m_Picture, m_Options);
+    }
+    m_Mixture = FitCurvatureMixture(m_Picture);
+    return m_Mixture.hasFolds ? CutFolds(m_Picture, m_Mixture, m_Options) : std::vector<char>(m_Picture.Size(), 0);
+  }
+
+  /** What hangs together, split where folds have grown together. What is large enough is marked in the picture, so that
+   * crests end there. */
+  std::vector<FoldPixels>
+  Parts()
+  {
+    std::vector<FoldPixels> parts;
+    for (FoldPixels & whole : ConnectedFolds(m_Picture, this->Mask()))
+    {
+      std::vector<FoldPixels> some =
+        this->IsPublished() ? std::vector<FoldPixels>{ std::move(whole) } : SplitFold(m_Picture, whole, m_Rule);
+      std::move(some.begin(), some.end(), std::back_inserter(parts));
+    }
+    for (std::size_t i = 0; i < parts.size(); ++i)
+    {
+      double area = 0.0;
+      for (const FlatPixel & pixel : parts[i])
+      {
+        area += m_Picture.AreaOf(m_Picture.Index(pixel.column, pixel.row));
+      }
+      for (const FlatPixel & pixel : parts[i])
+      {
+        m_Picture.part[m_Picture.Index(pixel.column, pixel.row)] =
+          area >= m_Rule.leastArea ? static_cast<int>(i) + 1 : 0;
+      }
+    }
+    return parts;
+  }
+
+  HaustralFolds
+  Collect() const
+  {
+    HaustralFolds folds;
+    folds.labels = itk::Image<unsigned short, 2>::New();
+    SetFlatSpace(m_Grid, folds.labels);
+    folds.labels->Allocate(true);
+    if (m_Found.size() > std::numeric_limits<unsigned short>::max())
+    {
+      throw InputError("there are more than 65535 folds; is the surface very noisy?");
+    }
+    for (const MeasuredFold & measured : m_Found)
+    {
+      folds.folds.push_back(measured.fold);
+      folds.folds.back().label = static_cast<int>(folds.folds.size());
+      this->Paint(measured.pixels, folds.folds.back().label, folds.labels);
+    }
+    if (!this->IsPublished())
+    {
+      this->LengthenLabels(folds);
+    }
+    if (m_Found.empty())
+    {
+      folds.warnings.push_back("no haustral folds were found: the wall is smooth, or what bulges from it is too small");
+    }
+    return folds;
+  }
+
+  /** Gives pixels that have no label this one; their area, mm^2. */
+  double
+  Paint(const FoldPixels & pixels, int label, itk::Image<unsigned short, 2> * labels) const
+  {
+    double area = 0.0;
+    for (const FlatPixel & pixel : pixels)
+    {
+      const std::size_t index = m_Picture.Index(pixel.column, pixel.row);
+      unsigned short &  value = labels->GetBufferPointer()[index];
+      area += value == 0 ? m_Picture.AreaOf(index) : 0.0;
+      value = value == 0 ? static_cast<unsigned short>(label) : value;
+    }
+    return area;
+  }
+
+  /** The cut ends before the crests do: labels go on along them. */
+  void
+  LengthenLabels(HaustralFolds & folds) const
+  {
+    for (std::size_t i = 0; i < folds.folds.size(); ++i)
+    {
+      HaustralFold & fold = folds.folds[i];
+      fold.area += this->Paint(PixelsAlongCrest(m_Picture, m_Found[i].crest), fold.label, folds.labels);
+    }
+  }
+
+  const FlatColonGrid &       m_Grid;
+  const HaustralFoldOptions & m_Options;
+  FoldPicture                 m_Picture;
+  FoldSplittingRule           m_Rule;
+  CurvatureMixture            m_Mixture{};
+  std::vector<MeasuredFold>   m_Found;
+};
+} // namespace
+
+HaustralFolds
+FindHaustralFolds(const FlatColonGrid & grid, const HaustralFoldOptions & options)
+{
+  RequireValid(options);
+  return FoldFinder(grid, options).Find();
+}
+} // namespace shapeton

@@ -1,0 +1,70 @@
+#include "shapetonSmoothedCurvature.h"
+
+#include "shapetonSurfaceDiffusion.h"
+#include "shapetonExceptions.h"
+
+#include <Eigen/Geometry>
+
+#include <cmath>
+
+namespace shapeton
+{
+namespace
+{
+/** 1/mm: a ball of 1 mm. What is curved more is a fault of the mesh, such as a needle. */
+constexpr double greatestCurvature = 1.0;
+
+/** Means of the faces' normals by area; unit vectors, or zero. */
+VertexMatrix
+VertexNormals(const VertexMatrix & V, const FaceMatrix & F)
+{
+  VertexMatrix normals = VertexMatrix::Zero(V.rows(), 3);
+  for (Eigen::Index face = 0; face < F.rows(); ++face)
+  {
+    const Eigen::Vector3d a = V.row(F(face, 0)), b = V.row(F(face, 1)), c = V.row(F(face, 2));
+    const Eigen::Vector3d normal = (b - a).cross(c - a);
+    for (int k = 0; k < 3; ++k)
+    {
+      normals.row(F(face, k)) += normal;
+    }
+  }
+  normals.rowwise().normalize();
+  return normals;
+}
+
+void
+ClearBoundary(const SurfaceConnectivity & connectivity, Eigen::VectorXd & values)
+{
+  for (int edge = 0; edge < connectivity.NumberOfEdges(); ++edge)
+  {
+    if (connectivity.IsBoundaryEdge(edge))
+    {
+      for (const int vertex : connectivity.VerticesOfEdge(edge))
+      {
+        values[vertex] = 0.0;
+      }
+    }
+  }
+}
+} // namespace
+
+Eigen::VectorXd
+SmoothedMeanCurvature(const VertexMatrix & V, const FaceMatrix & F, double time, CurvatureUnit unit)
+{
+  RequireParameter(time >= 0.0 && std::isfinite(time),
+                   "the time over which curvature is smoothed must not be negative");
+  const SurfaceConnectivity         connectivity(F, static_cast<int>(V.rows()));
+  const SurfaceLaplacian            laplacian = MakeSurfaceLaplacian(connectivity, EdgeLengths(connectivity, V));
+  const Eigen::SparseMatrix<double> stiffness = StiffnessMatrix(laplacian);
+  // Faces without area are taken for needles. L V = -2 H M n with n outwards: where the surface bulges inwards L V
+  // points inwards.
+  Eigen::VectorXd      values = -(stiffness * V).cwiseProduct(VertexNormals(V, F)).rowwise().sum();
+  const Eigen::ArrayXd area = laplacian.mass.array().max(1e-12);
+  const Eigen::ArrayXd curvature = (0.5 * values.array() / area).max(-greatestCurvature).min(greatestCurvature);
+  values = unit == CurvatureUnit::PerArea ? curvature : (-2.0 * curvature * area).eval();
+  ClearBoundary(connectivity, values);
+  Eigen::MatrixXd smoothed = values;
+  DiffuseOverSurface(laplacian, time, smoothed);
+  return smoothed;
+}
+} // namespace shapeton

@@ -1,0 +1,278 @@
+#include "shapetonHaustralFolds.h"
+
+#include "shapetonFlatCoordinateMap.h"
+#include "shapetonFoldTubes.h"
+#include "shapetonExceptions.h"
+
+#include "itkMultiThreaderBase.h"
+
+#include <gtest/gtest.h>
+
+namespace
+{
+using foldtubes::Fold;
+using foldtubes::MakeTube;
+using shapeton::FindHaustralFolds;
+using shapeton::FlatColonGrid;
+using shapeton::HaustralFold;
+using shapeton::HaustralFoldOptions;
+using shapeton::HaustralFolds;
+using shapeton::HaustralFoldScheme;
+
+constexpr double pi = flattubes::pi;
+
+std::vector<Fold>
+FourFolds()
+{
+  return { { 30.0, 2.0, 18.0, 6.0 }, { 55.0, 0.0, 15.0, 5.0 }, { 90.0, 4.0, 20.0, 8.0 }, { 125.0, 3.0, 12.0, 4.0 } };
+}
+
+double
+DistanceOnMap(const FlatColonGrid & grid, const Eigen::Vector2d & a, const Eigen::Vector2d & b)
+{
+  return std::hypot(a.x() - b.x(), std::remainder(a.y() - b.y(), grid.Circumference()));
+}
+} // namespace
+
+TEST(HaustralFolds, FindsFoldsWithTheirPlaceLengthAndHeight)
+{
+  const FlatColonGrid     grid(MakeTube(FourFolds()));
+  const HaustralFolds     found = FindHaustralFolds(grid);
+  const std::vector<Fold> truth = FourFolds();
+  ASSERT_EQ(found.folds.size(), truth.size());
+  EXPECT_TRUE(found.warnings.empty());
+  for (std::size_t i = 0; i < truth.size(); ++i)
+  {
+    const HaustralFold &  fold = found.folds[i];
+    const Eigen::Vector2d centre(truth[i].u, foldtubes::radius * truth[i].angle);
+    EXPECT_EQ(fold.label, static_cast<int>(i) + 1);
+    EXPECT_LT(DistanceOnMap(grid, fold.centreUv, centre), 1.5);
+    EXPECT_NEAR(fold.arcLength, 10.0 + truth[i].u, 1.0);
+    EXPECT_NEAR(std::abs(fold.angle), 90.0, 5.0);
+    EXPECT_NEAR(fold.height, truth[i].height, 0.25 * truth[i].height);
+    EXPECT_NEAR(fold.length, 2.0 * truth[i].halfLength, 5.0);
+    EXPECT_GT(fold.reliability, 0.5);
+    for (int end = 0; end < 2; ++end)
+    {
+      const double sign = fold.endUv[end].y() < fold.centreUv.y() ? -1.0 : 1.0;
+      const double way = std::abs(fold.endUv[end].y() - fold.centreUv.y()) > 60.0 ? -sign : sign;
+      EXPECT_LT(DistanceOnMap(grid, fold.endUv[end], centre + Eigen::Vector2d(0.0, way * truth[i].halfLength)), 3.0);
+      const shapeton::FlatPixel pixel = grid.PixelOfUv(fold.endUv[end]);
+      EXPECT_LT((grid.PointOfPixel(pixel.column, pixel.row) - fold.ends[end]).norm(), 1e-9);
+    }
+  }
+}
+
+TEST(HaustralFolds, AFoldAcrossTheCutIsOne)
+{
+  const FlatColonGrid grid(MakeTube(FourFolds()));
+  const HaustralFolds found = FindHaustralFolds(grid);
+  ASSERT_EQ(found.folds.size(), 4u);
+  for (const HaustralFold & fold : found.folds)
+  {
+    EXPECT_EQ(fold.crossesCut, fold.label == 2);
+  }
+  int sides[2] = { 0, 0 };
+  for (int column = 0; column < grid.Columns(); ++column)
+  {
+    sides[0] += found.labels->GetPixel({ { column, 0 } }) == 2;
+    sides[1] += found.labels->GetPixel({ { column, grid.Rows() - 1 } }) == 2;
+  }
+  EXPECT_GT(sides[0], 0);
+  EXPECT_GT(sides[1], 0);
+}
+
+TEST(HaustralFolds, LabelsLieOnTheCoordinateMap)
+{
+  const FlatColonGrid grid(MakeTube(FourFolds()));
+  const HaustralFolds found = FindHaustralFolds(grid);
+  const auto          map = shapeton::MakeFlatCoordinateMap(grid);
+  EXPECT_EQ(found.labels->GetLargestPossibleRegion(), map->GetLargestPossibleRegion());
+  EXPECT_EQ(found.labels->GetOrigin(), map->GetOrigin());
+  EXPECT_EQ(found.labels->GetSpacing(), map->GetSpacing());
+  EXPECT_EQ(found.labels->GetDirection(), map->GetDirection());
+  for (const HaustralFold & fold : found.folds)
+  {
+    const shapeton::FlatPixel pixel = grid.PixelOfUv(fold.centreUv);
+    EXPECT_EQ(found.labels->GetPixel({ { pixel.column, pixel.row } }), fold.label);
+  }
+}
+
+TEST(HaustralFolds, ASmoothTubeHasNoneAndSaysSo)
+{
+  for (const HaustralFoldScheme scheme : { HaustralFoldScheme::GraphCut, HaustralFoldScheme::Published })
+  {
+    HaustralFoldOptions options;
+    options.scheme = scheme;
+    const HaustralFolds found = FindHaustralFolds(FlatColonGrid(flattubes::MakeCylinder({})), options);
+    EXPECT_TRUE(found.folds.empty());
+    ASSERT_EQ(found.warnings.size(), 1u);
+    EXPECT_NE(found.warnings[0].find("no haustral folds"), std::string::npos);
+  }
+}
+
+TEST(HaustralFolds, TinyTubesAreNoError)
+{
+  flattubes::TubeForm form;
+  form.around = 8;
+  form.along = 3;
+  form.circumference = 6.0;
+  form.length = 2.0;
+  EXPECT_TRUE(FindHaustralFolds(FlatColonGrid(flattubes::MakeCylinder(form))).folds.empty());
+}
+
+TEST(HaustralFolds, BridgedStretchesHoldNone)
+{
+  shapeton::SurfaceMesh mesh = MakeTube(FourFolds());
+  for (Eigen::Index face = 0; face < mesh.F.rows(); ++face)
+  {
+    mesh.cellArrays[0].values(face, 0) = mesh.V(mesh.F(face, 0), 2) > 75.0 && mesh.V(mesh.F(face, 0), 2) < 105.0;
+  }
+  const HaustralFolds found = FindHaustralFolds(FlatColonGrid(mesh));
+  ASSERT_EQ(found.folds.size(), 3u);
+  EXPECT_GT(found.folds[2].centreUv.x(), 110.0);
+}
+
+TEST(HaustralFolds, RidgesAlongTheTubeAreNoFolds)
+{
+  std::vector<Fold> folds = FourFolds();
+  folds.push_back({ 75.0, 2.0, 3.0, 5.0, 0.0, 0.0, 12.0 }); // narrow around, long along
+  const FlatColonGrid grid(MakeTube(folds));
+  EXPECT_EQ(FindHaustralFolds(grid).folds.size(), 4u);
+  HaustralFoldOptions options;
+  options.minimumAngle = 0.0;
+  EXPECT_EQ(FindHaustralFolds(grid, options).folds.size(), 5u);
+}
+
+TEST(HaustralFolds, LengthAndAreaAreOnTheSurface)
+{
+  HaustralFoldOptions options;
+  const FlatColonGrid grid(MakeTube(FourFolds()));
+  const HaustralFolds all = FindHaustralFolds(grid);
+  options.minimumLength = 0.5 * (all.folds[3].length + all.folds[1].length);
+  EXPECT_EQ(FindHaustralFolds(grid, options).folds.size(), 3u);
+  options.minimumLength = 0.0;
+  options.minimumArea = 0.5 * (all.folds[3].area + all.folds[1].area);
+  EXPECT_EQ(FindHaustralFolds(grid, options).folds.size(), 3u);
+  // A map at twice the scale has the same folds: everything is measured in space.
+  shapeton::SurfaceMesh large = MakeTube(FourFolds());
+  large.pointArrays[0].values *= 2.0;
+  large.fieldArrays[0].values *= 2.0;
+  large.fieldArrays[1].values *= 2.0;
+  const HaustralFolds scaled = FindHaustralFolds(FlatColonGrid(large));
+  ASSERT_EQ(scaled.folds.size(), all.folds.size());
+  for (std::size_t i = 0; i < all.folds.size(); ++i)
+  {
+    EXPECT_NEAR(scaled.folds[i].length, all.folds[i].length, 0.1 * all.folds[i].length);
+    EXPECT_NEAR(scaled.folds[i].area, all.folds[i].area, 0.15 * all.folds[i].area);
+  }
+}
+
+TEST(HaustralFolds, TaeniaeSplitWhatHasGrownTogether)
+{
+  std::vector<Fold> folds = FourFolds();
+  folds[2].dip = 0.22; // both halves meet at angle 4
+  folds[2].halfLength = 30.0;
+  const FlatColonGrid grid(MakeTube(folds));
+  EXPECT_EQ(FindHaustralFolds(grid).folds.size(), 4u);
+  shapeton::CurveSet taenia;
+  taenia.V.resize(161, 3);
+  taenia.curves.emplace_back();
+  for (int i = 0; i <= 160; ++i)
+  {
+    taenia.V.row(i) = flattubes::OnCylinder(foldtubes::radius, i, -4.0);
+    taenia.curves[0].push_back(i);
+  }
+  HaustralFoldOptions options;
+  options.taeniae = &taenia;
+  EXPECT_EQ(FindHaustralFolds(grid, options).folds.size(), 5u);
+}
+
+TEST(HaustralFolds, EndsNearTheBorderAreMoreReliable)
+{
+  const HaustralFolds  found = FindHaustralFolds(FlatColonGrid(MakeTube(FourFolds())));
+  const HaustralFold & far = found.folds[3]; // at the angle 3
+  EXPECT_NEAR(far.endReliability[0], 0.5 * far.reliability, 0.05);
+  const Fold           nearBorder{ 60.0, 18.5 / foldtubes::radius, 18.0, 6.0 };
+  const HaustralFolds  one = FindHaustralFolds(FlatColonGrid(MakeTube({ nearBorder, { 120.0, 3.0, 12.0, 6.0 } })));
+  const HaustralFold & fold = one.folds[0];
+  const int            low = fold.endUv[0].y() < fold.endUv[1].y() ? 0 : 1;
+  EXPECT_GT(fold.endReliability[low], 0.9 * fold.reliability);
+  EXPECT_LT(fold.endReliability[1 - low], 0.6 * fold.reliability);
+}
+
+TEST(HaustralFolds, OrientationOfFacesAndMapDoesNotMatter)
+{
+  const HaustralFolds expected = FindHaustralFolds(FlatColonGrid(MakeTube(FourFolds())));
+  flattubes::TubeForm form;
+  form.isInsideOut = true;
+  const HaustralFolds insideOut = FindHaustralFolds(FlatColonGrid(MakeTube(FourFolds(), form)));
+  form.isInsideOut = false;
+  form.isMirrored = true;
+  const HaustralFolds mirrored = FindHaustralFolds(FlatColonGrid(MakeTube(FourFolds(), form)));
+  ASSERT_EQ(insideOut.folds.size(), expected.folds.size());
+  ASSERT_EQ(mirrored.folds.size(), expected.folds.size());
+  for (std::size_t i = 0; i < expected.folds.size(); ++i)
+  {
+    EXPECT_NEAR(insideOut.folds[i].length, expected.folds[i].length, 1.0);
+    EXPECT_LT((mirrored.folds[i].centre - expected.folds[i].centre).norm(), 2.0);
+  }
+}
+
+TEST(HaustralFolds, NeedlesDoNoHarm)
+{
+  shapeton::SurfaceMesh mesh = MakeTube(FourFolds());
+  // A vertex on the line between two neighbours: a face without area.
+  const Eigen::Index face = 2 * 120 * 75;
+  const auto         corner = [&](int k) { return mesh.V.row(mesh.F(face, k)); };
+  corner(0) = 0.5 * (corner(1) + corner(2)).eval();
+  EXPECT_EQ(FindHaustralFolds(FlatColonGrid(mesh)).folds.size(), 4u);
+}
+
+TEST(HaustralFolds, ThreadsDoNotMatter)
+{
+  const FlatColonGrid grid(MakeTube(FourFolds()));
+  const auto          threads = itk::MultiThreaderBase::GetGlobalDefaultNumberOfThreads();
+  itk::MultiThreaderBase::SetGlobalDefaultNumberOfThreads(1);
+  const HaustralFolds one = FindHaustralFolds(grid);
+  itk::MultiThreaderBase::SetGlobalDefaultNumberOfThreads(3);
+  const HaustralFolds three = FindHaustralFolds(grid);
+  itk::MultiThreaderBase::SetGlobalDefaultNumberOfThreads(threads);
+  ASSERT_EQ(one.folds.size(), three.folds.size());
+  const auto pixels = one.labels->GetLargestPossibleRegion().GetNumberOfPixels();
+  EXPECT_TRUE(std::equal(
+    one.labels->GetBufferPointer(), one.labels->GetBufferPointer() + pixels, three.labels->GetBufferPointer()));
+  for (std::size_t i = 0; i < one.folds.size(); ++i)
+  {
+    EXPECT_EQ(one.folds[i].ends[0], three.folds[i].ends[0]);
+    EXPECT_EQ(one.folds[i].length, three.folds[i].length);
+  }
+}
+
+TEST(HaustralFolds, RefusesWrongOptions)
+{
+  const FlatColonGrid grid(flattubes::MakeCylinder({}));
+  const auto          refuses = [&](const auto & change) {
+    HaustralFoldOptions options;
+    change(options);
+    EXPECT_THROW(FindHaustralFolds(grid, options), shapeton::ParameterError);
+  };
+  refuses([](HaustralFoldOptions & o) { o.minimumLength = -1.0; });
+  refuses([](HaustralFoldOptions & o) { o.minimumArea = std::nan(""); });
+  refuses([](HaustralFoldOptions & o) { o.minimumElongation = 0.5; });
+  refuses([](HaustralFoldOptions & o) { o.minimumAngle = 91.0; });
+  refuses([](HaustralFoldOptions & o) { o.smoothingTime = -2.0; });
+  refuses([](HaustralFoldOptions & o) { o.contrast = 0.0; });
+  refuses([](HaustralFoldOptions & o) { o.publishedLow = 1.0; });
+}
+
+TEST(HaustralFolds, RefusesTaeniaeOfAnotherSurface)
+{
+  shapeton::CurveSet taenia;
+  taenia.V.resize(2, 3);
+  taenia.V << 500.0, 0.0, 0.0, 500.0, 0.0, 100.0;
+  taenia.curves = { { 0, 1 } };
+  HaustralFoldOptions options;
+  options.taeniae = &taenia;
+  EXPECT_THROW(FindHaustralFolds(FlatColonGrid(MakeTube(FourFolds())), options), shapeton::InputError);
+}

@@ -1,0 +1,25 @@
+#ifndef shapetonCandidateList_h
+#define shapetonCandidateList_h
+
+#include "shapetonPolypCandidates.h"
+
+namespace shapeton
+{
+/** For each vertex whether it is no wall: on a bridge, or within 3 mm, along edges, of a rim. */
+std::vector<char>
+FindNoWall(const SurfaceMesh & wall, const SurfaceConnectivity & connectivity);
+
+PolypCandidate
+CandidateOf(WallBulge bulge, const PolypFeatures & features, double score, const SurfaceMesh & wall);
+
+/** By falling score; of two whose heads share more than a tenth of the smaller one's vertices, or whose middles are
+ * nearer than half of the larger diameter, the one with the lower score goes. */
+void
+SortAndNumber(std::vector<PolypCandidate> & candidates);
+
+/** LPS, mm: as PointsBelowSurface() of MeasureAttenuation() tells, one for each vertex of the head. */
+std::vector<Eigen::Vector3d>
+PointsBelowSurface(const SurfaceMesh & wall, const PolypCandidate & candidate);
+} // namespace shapeton
+
+#endif

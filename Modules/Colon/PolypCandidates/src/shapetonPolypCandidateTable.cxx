@@ -1,0 +1,215 @@
+#include "shapetonColonSegments.h"
+#include "shapetonCsvFile.h"
+#include "shapetonPolypSearch.h"
+
+#include <cmath>
+
+namespace shapeton
+{
+namespace
+{
+std::string
+Cell(double value, int digits = 5)
+{
+  return std::isfinite(value) ? CsvTable::Rounded(value, digits) : "";
+}
+
+void
+AddPoint(const Eigen::Vector3d & point, std::vector<std::string> & cells)
+{
+  for (int k = 0; k < 3; ++k)
+  {
+    cells.push_back(Cell(point[k], 6));
+  }
+}
+
+void
+AddOther(const std::optional<PolypInOtherPosition> & other, std::vector<std::string> & cells)
+{
+  if (!other)
+  {
+    cells.insert(cells.end(), 7, "");
+    return;
+  }
+  cells.push_back(other->isExcluded ? "excluded" : other->isSeen ? "1" : "0");
+  cells.push_back(other->candidate > 0 ? std::to_string(other->candidate) : "");
+  cells.push_back(Cell(other->distance));
+  AddPoint(other->point, cells);
+  cells.push_back(Cell(other->confidence, 3));
+}
+
+int
+SegmentNamed(const std::string & name)
+{
+  int segment = 1;
+  while (!NameOfSegment(segment).empty() && NameOfSegment(segment) != name)
+  {
+    ++segment;
+  }
+  return NameOfSegment(segment).empty() ? 0 : segment;
+}
+
+std::optional<PolypInOtherPosition>
+ReadOther(const CsvFile & table, std::size_t row)
+{
+  const std::string & seen = table.Text(row, "seenInOther");
+  if (seen.empty())
+  {
+    return std::nullopt;
+  }
+  PolypInOtherPosition other;
+  other.isSeen = seen == "1";
+  other.isExcluded = seen == "excluded";
+  other.point = { table.NumberOrNothing(row, "otherX"),
+                  table.NumberOrNothing(row, "otherY"),
+                  table.NumberOrNothing(row, "otherZ") };
+  other.confidence = table.NumberOrNothing(row, "otherConfidence");
+  if (!table.Text(row, "otherCandidate").empty())
+  {
+    other.candidate = static_cast<int>(table.Number(row, "otherCandidate"));
+    other.distance = table.Number(row, "otherDistance");
+  }
+  return other;
+}
+} // namespace
+
+CsvTable
+TableOfPolypCandidates(const std::vector<PolypCandidate> & candidates)
+{
+  CsvTable table({ "candidate",
+                   "score",
+                   "x",
+                   "y",
+                   "z",
+                   "segment",
+                   "arcLength",
+                   "diameter",
+                   "size",
+                   "leastDiameter",
+                   "height",
+                   "attenuation",
+                   "tissue",
+                   "u",
+                   "v",
+                   "shapeIndex",
+                   "roundness",
+                   "hollowness",
+                   "curvedness",
+                   "solidAngle",
+                   "prominence",
+                   "heat",
+                   "shapetonDensity",
+                   "seenInOther",
+                   "otherCandidate",
+                   "otherDistance",
+                   "otherX",
+                   "otherY",
+                   "otherZ",
+                   "otherConfidence",
+                   "remark" });
+  for (const PolypCandidate & one : candidates)
+  {
+    std::vector<std::string> cells{ std::to_string(one.number), Cell(one.score, 4) };
+    AddPoint(one.position, cells);
+    const PolypFeatures & features = one.features;
+    for (const std::string & cell : { NameOfSegment(one.segment),
+                                      Cell(one.arcLength),
+                                      Cell(one.diameter, 4),
+                                      NameOf(SizeOf(one.diameter)),
+                                      Cell(one.leastDiameter, 4),
+                                      Cell(one.height, 4),
+                                      Cell(one.attenuation, 4),
+                                      NameOf(one.tissue),
+                                      Cell(one.uv.x(), 6),
+                                      Cell(one.uv.y(), 6),
+                                      Cell(features.shapeIndex, 4),
+                                      Cell(features.roundness, 4),
+                                      Cell(features.hollowness, 4),
+                                      Cell(features.curvedness, 4),
+                                      Cell(features.solidAngle, 4),
+                                      Cell(features.prominence, 4),
+                                      Cell(features.heat, 4),
+                                      Cell(features.shapetonDensity, 4) })
+    {
+      cells.push_back(cell);
+    }
+    AddOther(one.other, cells);
+    cells.push_back(one.remark);
+    table.AddRow(std::move(cells));
+  }
+  return table;
+}
+
+std::vector<PolypCandidate>
+ReadPolypCandidates(const std::string & path)
+{
+  const CsvFile               table(path, TableOfPolypCandidates({}).GetColumns());
+  std::vector<PolypCandidate> candidates(table.Rows());
+  for (std::size_t row = 0; row < table.Rows(); ++row)
+  {
+    PolypCandidate & one = candidates[row];
+    one.number = static_cast<int>(table.Number(row, "candidate"));
+    one.score = table.Number(row, "score");
+    one.position = { table.Number(row, "x"), table.Number(row, "y"), table.Number(row, "z") };
+    one.segment = SegmentNamed(table.Text(row, "segment"));
+    one.arcLength = table.NumberOrNothing(row, "arcLength");
+    one.diameter = table.Number(row, "diameter");
+    one.leastDiameter = table.Number(row, "leastDiameter");
+    one.height = table.Number(row, "height");
+    one.attenuation = table.NumberOrNothing(row, "attenuation");
+    one.tissue = TissueOf(one.attenuation);
+    one.uv = { table.NumberOrNothing(row, "u"), table.NumberOrNothing(row, "v") };
+    one.other = ReadOther(table, row);
+    one.remark = table.Text(row, "remark");
+  }
+  return candidates;
+}
+
+std::vector<Eigen::Vector3d>
+ReadPolypCandidatePlaces(const std::string & path)
+{
+  const CsvFile                table(path, { "x", "y", "z" });
+  std::vector<Eigen::Vector3d> places;
+  for (std::size_t row = 0; row < table.Rows(); ++row)
+  {
+    places.emplace_back(table.Number(row, "x"), table.Number(row, "y"), table.Number(row, "z"));
+  }
+  return places;
+}
+
+std::vector<Markup>
+MarkupsOfPolypCandidates(const std::vector<PolypCandidate> & candidates)
+{
+  if (candidates.empty())
+  {
+    return {};
+  }
+  Markup markup;
+  markup.name = "Polyp candidates (research use)";
+  markup.color = { 1.0, 0.85, 0.2 };
+  for (const PolypCandidate & one : candidates)
+  {
+    markup.points.push_back(one.position);
+    markup.labels.push_back(std::to_string(one.number));
+    markup.descriptions.push_back("candidate, " + CsvTable::Rounded(one.diameter, 3) + " mm, score " +
+                                  CsvTable::Rounded(one.score, 2));
+  }
+  return { markup };
+}
+
+std::string
+CategoryImplied(const std::vector<PolypCandidate> & candidates)
+{
+  int medium = 0, large = 0;
+  for (const PolypCandidate & one : candidates)
+  {
+    const PolypSize size = SizeOf(one.diameter);
+    medium += size == PolypSize::From6To9 ? 1 : 0;
+    large += size == PolypSize::From10 || size == PolypSize::From30 ? 1 : 0;
+  }
+  const std::string category = large > 0 || medium >= 3 ? "C3" : medium > 0 ? "C2" : "C1";
+  return category + ", implied by the sizes of the candidates alone (" + std::to_string(large) +
+         " of 10 mm and more, " + std::to_string(medium) +
+         " of 6 to 9 mm), if all of them were polyps; a category is a reader's to give";
+}
+} // namespace shapeton

@@ -1,0 +1,158 @@
+#include "shapetonPolypCandidates.h"
+
+#include "shapetonCandidateList.h"
+#include "shapetonExceptions.h"
+
+#include "itkLinearInterpolateImageFunction.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace shapeton
+{
+std::string
+NameOf(PolypPreset preset)
+{
+  return preset == PolypPreset::Published ? "published" : "default";
+}
+
+PolypSize
+SizeOf(double diameter)
+{
+  const double whole = std::round(diameter);
+  return whole <= 5.0   ? PolypSize::AtMost5
+         : whole < 10.0 ? PolypSize::From6To9
+         : whole < 30.0 ? PolypSize::From10
+                        : PolypSize::From30;
+}
+
+std::string
+NameOf(PolypSize size)
+{
+  switch (size)
+  {
+    case PolypSize::AtMost5:
+      return "<= 5 mm";
+    case PolypSize::From6To9:
+      return "6-9 mm";
+    case PolypSize::From10:
+      return ">= 10 mm";
+    default:
+      return ">= 30 mm";
+  }
+}
+
+PolypTissue
+TissueOf(double meanHounsfield)
+{
+  return !std::isfinite(meanHounsfield) ? PolypTissue::Unknown
+         : meanHounsfield < -150.0      ? PolypTissue::Gas
+         : meanHounsfield < -30.0       ? PolypTissue::Fat
+         : meanHounsfield <= 150.0      ? PolypTissue::Soft
+                                        : PolypTissue::Tagged;
+}
+
+std::string
+NameOf(PolypTissue tissue)
+{
+  switch (tissue)
+  {
+    case PolypTissue::Gas:
+      return "gas";
+    case PolypTissue::Fat:
+      return "fat";
+    case PolypTissue::Soft:
+      return "soft tissue";
+    case PolypTissue::Tagged:
+      return "tagged";
+    default:
+      return "unknown";
+  }
+}
+
+std::vector<PolypCandidate>
+FindPolypCandidates(const SurfaceMesh & wall, const PolypCandidateOptions & options)
+{
+  RequireParameter(options.sensitivity >= 0.0 && options.sensitivity <= 1.0, "the sensitivity must be from 0 to 1");
+  const SurfaceConnectivity connectivity(wall);
+  const std::vector<char>   isLeftOut = FindNoWall(wall, connectivity);
+  const double              leastScore = 1.0 - options.sensitivity;
+
+  std::vector<PolypCandidate> candidates;
+  const SurfaceShape          shape = MeasureSurfaceShape(wall.V, connectivity, wall.F, options.smoothingTime);
+  for (WallBulge & bulge : FindWallBulges(wall.V, connectivity, shape, isLeftOut, options.leastCurvature))
+  {
+    const PolypFeatures features = FeaturesOf(bulge);
+    const double        score = PolypScore(features);
+    if (score < leastScore)
+    {
+      continue;
+    }
+    PolypCandidate candidate = CandidateOf(std::move(bulge), features, score, wall);
+    if (candidate.diameter >= options.leastDiameter)
+    {
+      candidates.push_back(std::move(candidate));
+    }
+  }
+  SortAndNumber(candidates);
+  return candidates;
+}
+
+void
+MeasureAttenuation(const SurfaceMesh & wall, const itk::Image<float, 3> * ct, std::vector<PolypCandidate> & candidates)
+{
+  using Interpolator = itk::LinearInterpolateImageFunction<itk::Image<float, 3>, double>;
+  const auto interpolator = Interpolator::New();
+  interpolator->SetInputImage(ct);
+  for (PolypCandidate & candidate : candidates)
+  {
+    double sum = 0.0;
+    int    number = 0;
+    for (const Eigen::Vector3d & point : PointsBelowSurface(wall, candidate))
+    {
+      const itk::Point<double, 3> place(point.data());
+      if (interpolator->IsInsideBuffer(place))
+      {
+        sum += interpolator->Evaluate(place);
+        ++number;
+      }
+    }
+    candidate.attenuation = number > 0 ? sum / number : std::numeric_limits<double>::quiet_NaN();
+    candidate.tissue = TissueOf(candidate.attenuation);
+  }
+}
+
+void
+NoteIleocaecalValve(double lengthOfCentreline, std::vector<PolypCandidate> & candidates)
+{
+  constexpr double leastDiameter = 15.0;
+  constexpr double nearest = 30.0, farthest = 100.0; // mm before the end of the caecum
+  PolypCandidate * valve = nullptr;
+  for (PolypCandidate & candidate : candidates)
+  {
+    const double before = lengthOfCentreline - candidate.arcLength;
+    if (candidate.diameter >= leastDiameter && before >= nearest && before <= farthest &&
+        (valve == nullptr || candidate.diameter > valve->diameter))
+    {
+      valve = &candidate;
+    }
+  }
+  if (valve != nullptr)
+  {
+    valve->remark = "may be the ileocaecal valve";
+  }
+}
+
+void
+NoteRectalCatheter(std::vector<PolypCandidate> & candidates)
+{
+  constexpr double reach = 60.0; // mm
+  for (PolypCandidate & candidate : candidates)
+  {
+    if (candidate.arcLength <= reach)
+    {
+      candidate.remark = "may be a rectal catheter, its balloon or haemorrhoids";
+    }
+  }
+}
+} // namespace shapeton

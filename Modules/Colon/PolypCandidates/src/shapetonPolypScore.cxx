@@ -1,0 +1,53 @@
+#include "shapetonPolypScore.h"
+
+#include "shapetonWallBulges.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace shapeton
+{
+PolypFeatures
+FeaturesOf(const WallBulge & bulge)
+{
+  PolypFeatures features;
+  features.shapeIndex = bulge.shapeIndex;
+  features.roundness = bulge.leastWidth / bulge.greatestWidth;
+  features.solidAngle = bulge.solidAngle;
+  features.hollowness = -bulge.footCurvature * bulge.greatestWidth;
+  features.curvedness = bulge.curvedness;
+  features.prominence = bulge.height / bulge.greatestWidth;
+  return features;
+}
+
+std::array<double, numberOfPolypTerms>
+TermsOf(const PolypFeatures & features)
+{
+  constexpr double leastRoundness = 1e-3, leastHollowness = 0.05;
+  constexpr double sharp = 0.25; // 1/mm
+  return { { features.shapeIndex,
+             std::log(std::max(features.roundness, leastRoundness)),
+             std::log(std::max(features.hollowness, leastHollowness)),
+             std::log(std::max(features.curvedness / sharp, 1.0)) } };
+}
+
+// Printed by Testing/Validation's FitPolypScore; see the README for what it was run on.
+const PolypWeights &
+FittedPolypWeights()
+{
+  static const PolypWeights weights{ { 33.114, 4.948, 3.635, -8.594, -21.830 } };
+  return weights;
+}
+
+double
+PolypScore(const PolypFeatures & features, const PolypWeights & weights)
+{
+  const auto terms = TermsOf(features);
+  double     sum = weights.back();
+  for (int i = 0; i < numberOfPolypTerms; ++i)
+  {
+    sum += weights[i] * terms[i];
+  }
+  return 1.0 / (1.0 + std::exp(-sum));
+}
+} // namespace shapeton

@@ -1,0 +1,162 @@
+#include "shapetonPolypSearch.h"
+
+#include "shapetonColonSegments.h"
+#include "shapetonFlatColonLocator.h"
+#include "shapetonSurfaceReader.h"
+#include "shapetonExceptions.h"
+#include "shapetonImageFile.h"
+
+#include "itkImageFileReader.h"
+#include "itkNrrdImageIO.h"
+
+#include <cmath>
+#include <filesystem>
+
+namespace shapeton
+{
+namespace
+{
+bool
+IsThere(const std::string & path)
+{
+  return std::filesystem::exists(path);
+}
+
+void
+RequireThere(const std::string & path)
+{
+  if (!IsThere(path))
+  {
+    throw InputError("\"" + path + "\" is not there; give a folder that VirtualColonoscopy has written");
+  }
+}
+
+PolypLumenImage::Pointer
+ReadLumen(const std::string & path)
+{
+  auto reader = itk::ImageFileReader<PolypLumenImage>::New();
+  reader->SetImageIO(itk::NrrdImageIO::New());
+  reader->SetFileName(path);
+  try
+  {
+    reader->Update();
+  }
+  catch (const itk::ExceptionObject & error)
+  {
+    throw InputError("\"" + path + "\" cannot be read (" + error.GetDescription() + "); run VirtualColonoscopy again");
+  }
+  return reader->GetOutput();
+}
+
+SurfaceMesh
+ReadPart(const std::string & path, const std::string & name, const std::string & cost, PolypColon & colon)
+{
+  if (!IsThere(path))
+  {
+    colon.warnings.push_back("\"" + path + "\" is not there: " + cost);
+    return {};
+  }
+  SurfaceReadOptions any;
+  any.component = -1;
+  Surface surface = ReadSurface(path, any);
+  colon.facts.emplace_back(name, surface.identity);
+  return std::move(surface.mesh);
+}
+
+double
+LengthOf(const CurveSet & centreline)
+{
+  const SurfaceArray * const distance = FindSurfaceArray(centreline.pointArrays, "arcLength");
+  return distance && distance->values.size() > 0 ? distance->values.maxCoeff()
+                                                 : std::numeric_limits<double>::quiet_NaN();
+}
+
+void
+PlaceOnFlatMap(const SurfaceMesh & flat, std::vector<PolypCandidate> & candidates)
+{
+  const FlatColonGrid    grid(flat);
+  const FlatColonLocator locator(grid);
+  for (PolypCandidate & candidate : candidates)
+  {
+    candidate.uv = locator.Find(candidate.position).uv;
+  }
+}
+
+void
+NameSegments(const SurfaceMesh & segments, std::vector<PolypCandidate> & candidates)
+{
+  const SurfaceArray * const segment = FindSurfaceArray(segments.cellArrays, "segment");
+  if (segment == nullptr)
+  {
+    throw InputError("segments.vtp has no cell array segment; run ColonLandmarks again");
+  }
+  const SurfaceLocator locator(segments.V, segments.F);
+  for (PolypCandidate & candidate : candidates)
+  {
+    candidate.segment = static_cast<int>(segment->values(locator.FindClosest(candidate.position).face, 0));
+  }
+}
+
+std::vector<PolypCandidate>
+Find(const PolypColon & colon, const PolypSearchOptions & options)
+{
+  if (options.preset == PolypPreset::Published)
+  {
+    PublishedPolypOptions published;
+    published.sensitivity = options.sensitivity;
+    return FindPublishedPolypCandidates(colon.wall, colon.lumen, colon.ct, published);
+  }
+  PolypCandidateOptions ours;
+  ours.sensitivity = options.sensitivity;
+  return FindPolypCandidates(colon.wall, ours);
+}
+} // namespace
+
+PolypColon
+ReadPolypColon(const std::string & folder)
+{
+  const std::string segmentation = folder + "/segmentation/";
+  PolypColon        colon;
+  RequireThere(segmentation + "wall-repaired.vtp");
+  RequireThere(segmentation + "lumen.nrrd");
+  colon.wall = ReadPart(segmentation + "wall-repaired.vtp", "wall", "", colon);
+  colon.lumen = ReadLumen(segmentation + "lumen.nrrd");
+  if (IsThere(segmentation + "centreline.vtp"))
+  {
+    colon.centreline = ReadCurves(segmentation + "centreline.vtp");
+  }
+  if (IsThere(segmentation + "cleansed.nrrd"))
+  {
+    colon.ct = ReadImageFile(segmentation + "cleansed.nrrd").image;
+  }
+  colon.flat = ReadPart(
+    folder + "/flattening/flat.vtp", "flat", "candidates have no place on the flat map, and no picture", colon);
+  colon.segments = ReadPart(folder + "/landmarks/segments.vtp", "segments", "segments are not named", colon);
+  return colon;
+}
+
+std::vector<PolypCandidate>
+SearchPolyps(const PolypColon & colon, const PolypSearchOptions & options)
+{
+  options.progress("Candidates", 0.0);
+  std::vector<PolypCandidate> candidates = Find(colon, options);
+  options.progress("Shape diffusion", 0.7);
+  MeasureShapeDiffusion(colon.wall, colon.lumen, candidates);
+  if (colon.ct)
+  {
+    MeasureAttenuation(colon.wall, colon.ct, candidates);
+  }
+  if (colon.flat.NumberOfFaces() > 0)
+  {
+    PlaceOnFlatMap(colon.flat, candidates);
+  }
+  if (colon.segments.NumberOfFaces() > 0)
+  {
+    NameSegments(colon.segments, candidates);
+  }
+  NoteIleocaecalValve(LengthOf(colon.centreline), candidates);
+  NoteRectalCatheter(candidates);
+  options.progress("Candidates", 1.0);
+  return candidates;
+}
+} // namespace shapeton

@@ -1,0 +1,171 @@
+#include "shapetonPolypShapeDiffusion.h"
+
+#include "shapetonCandidateList.h"
+#include "shapetonTissueBox.h"
+
+#include "shapetonCumulativeHeatDiffusion.h"
+#include "shapetonShapetonDiffusion.h"
+#include "shapetonSurfaceDiffusion.h"
+#include "shapetonExceptions.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace shapeton
+{
+namespace
+{
+constexpr double publishedSteepness = 15.0;
+
+std::vector<float>
+HeatIn(const TissueBox & box)
+{
+  constexpr double                time = 10.0; // mm^2
+  CumulativeHeatDiffusionSettings settings;
+  settings.volumeGradient.p = publishedSteepness;
+  settings.volumeGradient.spacing = box.Spacing();
+  settings.spacing = box.Spacing();
+  const double spacing = *std::min_element(settings.spacing.begin(), settings.spacing.end());
+  settings.timeSteps =
+    static_cast<std::uint64_t>(std::max(1.0, std::round(time / (settings.timeStepLength * spacing * spacing))));
+  std::vector<float> heat(box.NumberOfVoxels());
+  DiffuseCumulativeHeat(box.Intensities().data(), box.Size(), settings, heat.data());
+  return heat;
+}
+
+std::vector<float>
+VisitsIn(const TissueBox & box, const ShapetonDiffusionSettings & settings, double depth, std::uint64_t steps)
+{
+  const std::vector<unsigned char> mask = box.TissueNearLumen(depth);
+  std::vector<std::uint32_t>       visits(box.NumberOfVoxels());
+  ShapetonDiffusion diffusion(box.Intensities().data(), box.Size(), settings, mask.data(), visits.data());
+  diffusion.Run(steps);
+  return std::vector<float>(visits.begin(), visits.end());
+}
+
+double
+MeanOfTissue(const TissueBox & box, const std::vector<float> & values)
+{
+  double sum = 0.0, number = 0.0;
+  for (std::size_t voxel = 0; voxel < values.size(); ++voxel)
+  {
+    sum += box.Intensities()[voxel] * values[voxel];
+    number += box.Intensities()[voxel];
+  }
+  return number > 0.0 ? sum / number : 0.0;
+}
+
+/** The share of the wall, by area, with a smaller value. */
+Eigen::VectorXd
+RanksByArea(const Eigen::VectorXd & values, const Eigen::VectorXd & areas)
+{
+  std::vector<int> order(values.size());
+  std::iota(order.begin(), order.end(), 0);
+  std::stable_sort(order.begin(), order.end(), [&](int a, int b) { return values[a] < values[b]; });
+  Eigen::VectorXd ranks(values.size());
+  double          below = 0.0;
+  for (const int vertex : order)
+  {
+    ranks[vertex] = below / areas.sum();
+    below += areas[vertex];
+  }
+  return ranks;
+}
+
+/** Of the visits 1.5 mm below each vertex, smoothed over the wall. */
+Eigen::VectorXd
+DensityOnWall(const SurfaceMesh &         wall,
+              const SurfaceConnectivity & connectivity,
+              const SurfaceShape &        shape,
+              const TissueBox &           box,
+              const std::vector<float> &  visits)
+{
+  constexpr double depth = 1.5;         // mm
+  constexpr double smoothingTime = 2.0; // mm^2
+  Eigen::MatrixXd  density = Eigen::MatrixXd::Zero(wall.V.rows(), 1);
+  for (Eigen::Index i = 0; i < wall.V.rows(); ++i)
+  {
+    const Eigen::Vector3d below = (wall.V.row(i) - depth * shape.inwardNormals.row(i)).transpose();
+    const std::ptrdiff_t  voxel = box.VoxelAt(below);
+    density(i, 0) = voxel >= 0 ? visits[voxel] : 0.0;
+  }
+  DiffuseOverSurface(
+    MakeSurfaceLaplacian(connectivity, EdgeLengths(connectivity, wall.V)), smoothingTime, density, 1e-6);
+  return density;
+}
+} // namespace
+
+void
+MeasureShapeDiffusion(const SurfaceMesh & wall, const PolypLumenImage * lumen, std::vector<PolypCandidate> & candidates)
+{
+  constexpr double        margin = 12.0; // mm
+  constexpr double        step = 1.8;    // mm
+  constexpr std::uint64_t steps = 200;
+  for (PolypCandidate & candidate : candidates)
+  {
+    const std::vector<Eigen::Vector3d> points = PointsBelowSurface(wall, candidate);
+    const TissueBox                    box(lumen, points, margin);
+    candidate.features.heat = box.MeanAt(HeatIn(box), points);
+    ShapetonDiffusionSettings settings;
+    settings.volumeGradient.p = publishedSteepness;
+    settings.volumeGradient.spacing = box.Spacing();
+    settings.shapetons = 4000;
+    settings.distance = std::min(1.0, step / box.LongestSide());
+    const std::vector<float> visits = VisitsIn(box, settings, margin, steps);
+    candidate.features.shapetonDensity = box.MeanAt(visits, points) / std::max(1e-12, MeanOfTissue(box, visits));
+  }
+}
+
+std::vector<PolypCandidate>
+FindPublishedPolypCandidates(const SurfaceMesh &           wall,
+                             const PolypLumenImage *       lumen,
+                             const itk::Image<float, 3> *  ct,
+                             const PublishedPolypOptions & options)
+{
+  constexpr double depth = 8.0;  // mm of tissue that shapetons start in
+  constexpr double least = 0.96; // rank
+  constexpr double narrowest = 3.0, widest = 40.0;
+  RequireParameter(options.sensitivity >= 0.0 && options.sensitivity <= 1.0, "the sensitivity must be from 0 to 1");
+  const SurfaceConnectivity    connectivity(wall);
+  const SurfaceShape           shape = MeasureSurfaceShape(wall.V, connectivity, wall.F, 1.0);
+  std::vector<Eigen::Vector3d> corners = { wall.V.colwise().minCoeff().transpose(),
+                                           wall.V.colwise().maxCoeff().transpose() };
+  TissueBox                    box(lumen, corners, depth);
+  if (ct != nullptr)
+  {
+    box.TakeIntensities(ct);
+  }
+  ShapetonDiffusionSettings settings;
+  settings.volumeGradient.p = options.p;
+  settings.volumeGradient.spacing = box.Spacing();
+  settings.shapetons = options.shapetons;
+  settings.distance = options.distance;
+  const Eigen::VectorXd ranks = RanksByArea(
+    DensityOnWall(wall, connectivity, shape, box, VisitsIn(box, settings, depth, options.steps)), shape.areas);
+  const std::vector<char> isLeftOut = FindNoWall(wall, connectivity);
+  std::vector<char>       isMember(wall.V.rows());
+  for (Eigen::Index i = 0; i < wall.V.rows(); ++i)
+  {
+    isMember[i] = !isLeftOut[i] && ranks[i] > least;
+  }
+  std::vector<PolypCandidate> candidates;
+  const WallPartLimits        limits{ -std::numeric_limits<double>::infinity(), narrowest };
+  for (WallBulge & part : MeasureWallParts(wall.V, connectivity, shape, isMember, limits))
+  {
+    const PolypFeatures features = FeaturesOf(part);
+    double              rank = 0.0;
+    for (const int vertex : part.vertices)
+    {
+      rank += shape.areas[vertex] * ranks[vertex] / part.area;
+    }
+    const double score = (rank - least) / (1.0 - least) * features.roundness;
+    if (part.greatestWidth <= widest && score >= 1.0 - options.sensitivity)
+    {
+      candidates.push_back(CandidateOf(std::move(part), features, score, wall));
+    }
+  }
+  SortAndNumber(candidates);
+  return candidates;
+}
+} // namespace shapeton

@@ -1,0 +1,390 @@
+#include "shapetonPolypSearch.h"
+
+#include "shapetonPolypTubes.h"
+#include "shapetonExceptions.h"
+
+#include "itkMultiThreaderBase.h"
+
+#include <gtest/gtest.h>
+
+namespace
+{
+using namespace polyptubes;
+using shapeton::PolypCandidate;
+
+std::vector<PolypCandidate>
+Find(const shapeton::SurfaceMesh & wall, double sensitivity = shapeton::defaultPolypSensitivity)
+{
+  shapeton::PolypCandidateOptions options;
+  options.sensitivity = sensitivity;
+  return shapeton::FindPolypCandidates(wall, options);
+}
+
+const Body polyp = Ellipsoid(Base(0.0), 5.0, 6.0);
+} // namespace
+
+TEST(PolypCandidates, HalfEllipsoidIsFoundWithItsSize)
+{
+  for (const double spacing : { 0.6, 0.8, 1.0 }) // the density of the mesh does not matter
+  {
+    const auto candidates = Find(MakeWall({ polyp }, spacing));
+    ASSERT_EQ(candidates.size(), 1u) << spacing;
+    const PolypCandidate & one = candidates.front();
+    EXPECT_EQ(one.number, 1);
+    EXPECT_NEAR(one.diameter, 10.0, 1.0) << spacing;
+    EXPECT_NEAR(one.leastDiameter, 10.0, 1.2) << spacing;
+    // Above a ring on the hollow wall, which is higher than the base itself.
+    EXPECT_GT(one.height, 3.8) << spacing;
+    EXPECT_LT(one.height, 6.0) << spacing;
+    EXPECT_LT((one.position - Base(0.0)).norm(), 5.0);
+    EXPECT_LT((one.apex - (Base(0.0) + 6.0 * Vector3d::UnitZ())).norm(), 0.8);
+    EXPECT_GT(one.axis.z(), 0.99);
+    EXPECT_GT(one.score, 0.9);
+    EXPECT_TRUE(std::isnan(one.arcLength));
+    EXPECT_TRUE(std::isnan(one.features.heat));
+  }
+}
+
+// Edges of 2 mm and more, longer than the ring that the foot is taken from.
+TEST(PolypCandidates, CoarseWallsHaveFeetToo)
+{
+  for (const double spacing : { 1.4, 2.0, 2.8 })
+  {
+    const auto candidates = Find(MakeWall({ polyp }, spacing));
+    ASSERT_EQ(candidates.size(), 1u) << spacing;
+    EXPECT_GT(candidates.front().features.hollowness, 0.4) << spacing;
+  }
+}
+
+TEST(PolypCandidates, BallIsMeasuredAcross)
+{
+  for (const double radiusOfHead : { 3.5, 5.0, 8.0 })
+  {
+    const auto candidates = Find(MakeWall({ Ball(Base(0.0) + 0.8 * radiusOfHead * Vector3d::UnitZ(), radiusOfHead) }));
+    ASSERT_EQ(candidates.size(), 1u) << radiusOfHead;
+    EXPECT_NEAR(candidates.front().diameter, 2.0 * radiusOfHead, 0.5);
+    EXPECT_GT(candidates.front().features.solidAngle, 2.0 * M_PI); // more than half of it is seen
+  }
+}
+
+TEST(PolypCandidates, FoldIsNoneAndPolypOnItIs)
+{
+  EXPECT_TRUE(Find(MakeWall({ Plate(0.0, 7.0) })).empty());
+  const Vector3d middle(0.0, 0.0, -radius + 8.0);
+  const auto     candidates = Find(MakeWall({ Plate(0.0, 7.0), Ball(middle, 4.0) }));
+  ASSERT_EQ(candidates.size(), 1u);
+  EXPECT_LT((candidates.front().position - middle).norm(), 3.0);
+  EXPECT_NEAR(candidates.front().diameter, 8.0, 1.0);
+}
+
+// Caps of one ball that look out of the wall more or less: their feet are less hollow, the less they do.
+TEST(PolypCandidates, FootOfALowHeadIsLessHollow)
+{
+  constexpr double ballRadius = 8.0;
+  double           before = 0.0;
+  for (const double height : { 2.0, 3.0, 4.5, 7.0 })
+  {
+    const auto candidates =
+      Find(MakeWall({ Ball(Base(0.0) + (height - ballRadius) * Vector3d::UnitZ(), ballRadius) }), 1.0);
+    ASSERT_FALSE(candidates.empty()) << height;
+    const PolypCandidate & one = candidates.front();
+    EXPECT_GT(one.features.hollowness, before + 0.2) << height;
+    before = one.features.hollowness;
+  }
+}
+
+TEST(PolypCandidates, CurvednessOfABallIsThatOfItsRadius)
+{
+  for (const double ballRadius : { 4.0, 6.0 })
+  {
+    const auto candidates = Find(MakeWall({ Ball(Base(0.0) + 0.9 * ballRadius * Vector3d::UnitZ(), ballRadius) }));
+    ASSERT_EQ(candidates.size(), 1u);
+    EXPECT_NEAR(candidates.front().features.curvedness * ballRadius, 1.0, 0.1) << ballRadius;
+  }
+}
+
+TEST(PolypCandidates, SmallerOnesThanAskedForAreLeftOut)
+{
+  const shapeton::SurfaceMesh wall =
+    MakeWall({ Ball(Base(0.0) + 2.6 * Vector3d::UnitZ(), 2.8), Ellipsoid(Base(14.0), 5.0, 6.0) });
+  shapeton::PolypCandidateOptions options;
+  options.sensitivity = 1.0;
+  const auto all = shapeton::FindPolypCandidates(wall, options);
+  ASSERT_EQ(all.size(), 2u);
+  options.leastDiameter = 7.0;
+  const auto large = shapeton::FindPolypCandidates(wall, options);
+  ASSERT_EQ(large.size(), 1u);
+  EXPECT_NEAR(large.front().diameter, 10.0, 1.0);
+}
+
+TEST(PolypCandidates, ScoreGoesWithItsFeatures)
+{
+  shapeton::PolypFeatures lump; // as what is left of badly mixed fluid
+  lump.shapeIndex = 0.74;
+  lump.roundness = 0.8;
+  lump.hollowness = 0.9;
+  lump.curvedness = 0.2;
+  const double score = shapeton::PolypScore(lump);
+  EXPECT_GT(score, 1.0 - shapeton::defaultPolypSensitivity);
+  shapeton::PolypFeatures other = lump;
+  other.curvedness = 0.1; // how large a head is does not matter as long as it is no crumb
+  EXPECT_EQ(shapeton::PolypScore(other), score);
+  other.curvedness = 0.45;
+  EXPECT_LT(shapeton::PolypScore(other), 0.05);
+  for (double shapeton::PolypFeatures::*const feature : { &shapeton::PolypFeatures::shapeIndex,
+                                                          &shapeton::PolypFeatures::roundness,
+                                                          &shapeton::PolypFeatures::hollowness })
+  {
+    other = lump;
+    other.*feature *= 0.8;
+    EXPECT_LT(shapeton::PolypScore(other), score);
+  }
+}
+
+TEST(PolypCandidates, PlainTubeHasNone) { EXPECT_TRUE(Find(MakeWall({})).empty()); }
+
+TEST(PolypCandidates, RigidMotionMovesThemAlong)
+{
+  shapeton::SurfaceMesh wall = MakeWall({ polyp, Ball(Base(16.0), 4.0) });
+  const auto            before = Find(wall);
+  const Eigen::Matrix3d turn = Eigen::AngleAxisd(0.7, Vector3d(1.0, 2.0, -0.5).normalized()).toRotationMatrix();
+  const Vector3d        shift(30.0, -200.0, 70.0);
+  wall.V = (wall.V * turn.transpose()).rowwise() + shift.transpose();
+  const auto after = Find(wall);
+  ASSERT_EQ(before.size(), 2u);
+  ASSERT_EQ(after.size(), 2u);
+  for (std::size_t i = 0; i < 2; ++i)
+  {
+    EXPECT_LT((turn * before[i].position + shift - after[i].position).norm(), 0.01);
+    EXPECT_NEAR(before[i].score, after[i].score, 1e-3);
+    EXPECT_NEAR(before[i].diameter, after[i].diameter, 0.1); // other directions of the widths
+  }
+}
+
+TEST(PolypCandidates, MoreSensitivityFindsAtLeastAsMany)
+{
+  const shapeton::SurfaceMesh wall = MakeWall({ polyp, Ellipsoid(Base(15.0), 5.0, 1.5), Plate(-14.0, 6.0) });
+  const auto                  few = Find(wall, 0.05);
+  const auto                  some = Find(wall);
+  const auto                  all = Find(wall, 1.0);
+  EXPECT_GE(some.size(), few.size());
+  EXPECT_GT(all.size(), some.size());
+  for (std::size_t i = 0; i < some.size(); ++i)
+  {
+    EXPECT_EQ(some[i].position, all[i].position);
+    EXPECT_GE(some[i].score, 1.0 - shapeton::defaultPolypSensitivity);
+    EXPECT_TRUE(i == 0 || some[i - 1].score >= some[i].score);
+  }
+  EXPECT_THROW(Find(wall, 1.1), shapeton::ParameterError);
+  EXPECT_THROW(Find(wall, -0.1), shapeton::ParameterError);
+}
+
+TEST(PolypCandidates, BridgesAreLeftOutAndArcLengthsTaken)
+{
+  shapeton::SurfaceMesh wall = MakeWall({ polyp });
+  wall.pointArrays.push_back({ "arcLength", wall.V.col(0).array() + 100.0, false });
+  wall.cellArrays.push_back({ "bridged", Eigen::MatrixXd::Zero(wall.F.rows(), 1), false });
+  const auto candidates = Find(wall);
+  ASSERT_EQ(candidates.size(), 1u);
+  EXPECT_NEAR(candidates.front().arcLength, 100.0, 0.5);
+  wall.cellArrays[0].values.setOnes();
+  EXPECT_TRUE(Find(wall, 1.0).empty());
+}
+
+TEST(PolypCandidates, SameBytesForAnyNumberOfThreads)
+{
+  const std::vector<Body>         bodies{ polyp, Ball(Base(16.0), 4.0) };
+  const shapeton::SurfaceMesh     wall = MakeWall(bodies);
+  const auto                      lumen = MakeLumen(bodies);
+  std::vector<shapeton::CsvTable> tables;
+  const itk::ThreadIdType         before = itk::MultiThreaderBase::GetGlobalDefaultNumberOfThreads();
+  for (const itk::ThreadIdType threads : { 1u, 3u })
+  {
+    itk::MultiThreaderBase::SetGlobalDefaultNumberOfThreads(threads);
+    auto candidates = Find(wall, 1.0);
+    shapeton::MeasureShapeDiffusion(wall, lumen, candidates);
+    tables.push_back(shapeton::TableOfPolypCandidates(candidates));
+    shapeton::PublishedPolypOptions published;
+    published.steps = 200;
+    published.sensitivity = 1.0;
+    tables.push_back(
+      shapeton::TableOfPolypCandidates(shapeton::FindPublishedPolypCandidates(wall, lumen, nullptr, published)));
+  }
+  itk::MultiThreaderBase::SetGlobalDefaultNumberOfThreads(before);
+  EXPECT_EQ(tables[0].GetRows(), tables[2].GetRows());
+  EXPECT_EQ(tables[1].GetRows(), tables[3].GetRows());
+  EXPECT_FALSE(tables[1].GetRows().empty());
+}
+
+TEST(PolypCandidates, PlacesAreReadFromTheTable)
+{
+  const std::string path = SHAPETON_TEST_TEMPORARY_DIR "/PolypCandidatePlaces.csv";
+  shapeton::TableOfPolypCandidates({}).Write(path);
+  EXPECT_TRUE(shapeton::ReadPolypCandidatePlaces(path).empty());
+  std::vector<shapeton::PolypCandidate> candidates(2);
+  candidates[0].position = { 1.5, -2.25, 3.0 };
+  candidates[1].position = { -40.0, 50.5, 60.0 };
+  shapeton::TableOfPolypCandidates(candidates).Write(path);
+  const auto places = shapeton::ReadPolypCandidatePlaces(path);
+  ASSERT_EQ(places.size(), 2u);
+  EXPECT_LT((places[0] - candidates[0].position).norm(), 1e-6);
+  EXPECT_LT((places[1] - candidates[1].position).norm(), 1e-6);
+}
+
+TEST(PolypCandidates, ATableTellsWhatWasWritten)
+{
+  const std::string        path = SHAPETON_TEST_TEMPORARY_DIR "/PolypCandidateTable.csv";
+  shapeton::PolypCandidate bare;
+  bare.number = 2;
+  shapeton::PolypCandidate full;
+  full.number = 1;
+  full.score = 0.875;
+  full.position = { 1.5, -2.25, 3.0 };
+  full.segment = 4;
+  full.arcLength = 812.5;
+  full.diameter = 11.5;
+  full.leastDiameter = 9.25;
+  full.height = 4.5;
+  full.attenuation = 37.5;
+  full.tissue = shapeton::PolypTissue::Soft;
+  full.uv = { 900.5, 12.25 };
+  full.other = shapeton::PolypInOtherPosition{ { 4.0, 5.0, -6.5 }, 7.25, 3, true, false, 0.75 };
+  full.remark = "seen, and \"noted\"";
+  const shapeton::CsvTable table = shapeton::TableOfPolypCandidates({ full, bare });
+  table.Write(path);
+  EXPECT_EQ(shapeton::TableOfPolypCandidates(shapeton::ReadPolypCandidates(path)).GetRows(), table.GetRows());
+}
+
+// Heat of a closed body goes with its surface over its volume.
+TEST(PolypCandidates, SmallHeadsAreHotter)
+{
+  std::vector<double> heats;
+  for (const double radiusOfHead : { 3.0, 6.0 })
+  {
+    const std::vector<Body>     bodies{ Ball(Base(0.0) + 0.8 * radiusOfHead * Vector3d::UnitZ(), radiusOfHead) };
+    const shapeton::SurfaceMesh wall = MakeWall(bodies);
+    auto                        candidates = Find(wall);
+    ASSERT_EQ(candidates.size(), 1u);
+    shapeton::MeasureShapeDiffusion(wall, MakeLumen(bodies), candidates);
+    heats.push_back(candidates.front().features.heat);
+    EXPECT_GT(candidates.front().features.shapetonDensity, 0.0);
+  }
+  EXPECT_GT(heats[0], 1.3 * heats[1]);
+  EXPECT_LT(heats[0], 1.0);
+}
+
+TEST(PolypCandidates, AttenuationTellsTissues)
+{
+  const std::vector<Body>     bodies{ Ball(Base(0.0) + 4.0 * Vector3d::UnitZ(), 5.0) };
+  const shapeton::SurfaceMesh wall = MakeWall(bodies);
+  auto                        candidates = Find(wall);
+  ASSERT_EQ(candidates.size(), 1u);
+  for (const auto & [hounsfield, tissue] : { std::pair(45.0, shapeton::PolypTissue::Soft),
+                                             { -90.0, shapeton::PolypTissue::Fat },
+                                             { 600.0, shapeton::PolypTissue::Tagged } })
+  {
+    const double inside = hounsfield;
+    const auto   ct = MakeImage<itk::Image<float, 3>>(
+      0.8, [=](double d) { return d > 0.0 ? -900.0 : inside; }, bodies);
+    shapeton::MeasureAttenuation(wall, ct, candidates);
+    EXPECT_NEAR(candidates.front().attenuation, hounsfield, 40.0 + 0.1 * std::abs(hounsfield));
+    EXPECT_EQ(candidates.front().tissue, tissue);
+  }
+  EXPECT_EQ(shapeton::TissueOf(-600.0), shapeton::PolypTissue::Gas);
+  EXPECT_EQ(shapeton::TissueOf(std::nan("")), shapeton::PolypTissue::Unknown);
+}
+
+TEST(PolypCandidates, OtherPositionIsFoundThroughTheMap)
+{
+  const shapeton::SurfaceMesh wall = MakeWall({ polyp });
+  auto                        candidates = Find(wall);
+  ASSERT_EQ(candidates.size(), 1u);
+  shapeton::SurfaceMesh map;
+  map.V = wall.V;
+  map.F = wall.F;
+  EXPECT_THROW(shapeton::FindInOtherPosition(map, "map", {}, candidates), shapeton::InputError); // no arrays
+  map.pointArrays.push_back({ "mapped", wall.V.rowwise() + Eigen::RowVector3d(100.0, 0.0, 0.0), false });
+  map.pointArrays.push_back({ "confidence", Eigen::MatrixXd::Constant(wall.V.rows(), 1, 0.75), false });
+  map.pointArrays.push_back({ "excluded", Eigen::MatrixXd::Zero(wall.V.rows(), 1), false });
+  const Vector3d there = candidates.front().position + Vector3d(100.0, 0.0, 0.0);
+  shapeton::FindInOtherPosition(
+    map, "map", { there + Vector3d(0.0, 80.0, 0.0), there + Vector3d(12.0, 0.0, 0.0) }, candidates);
+  ASSERT_TRUE(candidates.front().other.has_value());
+  const shapeton::PolypInOtherPosition & other = *candidates.front().other;
+  EXPECT_LT((other.point - there).norm(), 3.0); // the nearest point of the wall is taken
+  EXPECT_EQ(other.candidate, 2);
+  EXPECT_TRUE(other.isSeen);
+  EXPECT_NEAR(other.confidence, 0.75, 1e-9);
+  shapeton::FindInOtherPosition(map, "map", { there + Vector3d(0.0, 80.0, 0.0) }, candidates);
+  EXPECT_FALSE(candidates.front().other->isSeen);
+  map.pointArrays[2].values.setOnes();
+  shapeton::FindInOtherPosition(map, "map", { there }, candidates);
+  EXPECT_TRUE(candidates.front().other->isExcluded);
+  EXPECT_FALSE(candidates.front().other->isSeen);
+  map.V.rowwise() += Eigen::RowVector3d(0.0, 0.0, 500.0); // of another colon
+  EXPECT_THROW(shapeton::FindInOtherPosition(map, "map", {}, candidates), shapeton::InputError);
+}
+
+TEST(PolypCandidates, AllOfThemTellOnWhichWallTheyAre)
+{
+  const auto square = [](double slope) { // through the x axis
+    shapeton::SurfaceMesh wall;
+    wall.V.resize(4, 3);
+    wall.V << -100.0, 0.0, -slope, 100.0, 0.0, slope, 100.0, 100.0, slope, -100.0, 100.0, -slope;
+    wall.F.resize(2, 3);
+    wall.F << 0, 1, 2, 0, 2, 3;
+    return wall;
+  };
+  std::vector<PolypCandidate> candidates(3);
+  candidates[0].position = { 0.0, 50.0, 1.0 }; // both walls are equally near
+  candidates[1].position = { 80.0, 50.0, 2.0 };
+  candidates[2].position = { -80.0, 50.0, 3.0 };
+  EXPECT_NEAR(shapeton::MeanDistanceToWall(square(0.0), candidates), 2.0, 1e-12);
+  const double cosine = std::sqrt(0.5);
+  EXPECT_NEAR(shapeton::MeanDistanceToWall(square(100.0), candidates), cosine * (1.0 + 78.0 + 83.0) / 3.0, 1e-9);
+  EXPECT_EQ(shapeton::MeanDistanceToWall(square(0.0), {}), 0.0);
+}
+
+TEST(PolypCandidates, SizesAndCategories)
+{
+  EXPECT_EQ(shapeton::SizeOf(5.4), shapeton::PolypSize::AtMost5);
+  EXPECT_EQ(shapeton::SizeOf(5.6), shapeton::PolypSize::From6To9);
+  EXPECT_EQ(shapeton::SizeOf(9.4), shapeton::PolypSize::From6To9);
+  EXPECT_EQ(shapeton::SizeOf(9.6), shapeton::PolypSize::From10);
+  EXPECT_EQ(shapeton::SizeOf(29.6), shapeton::PolypSize::From30);
+  PolypCandidate medium, large;
+  medium.diameter = 7.0;
+  large.diameter = 12.0;
+  EXPECT_EQ(shapeton::CategoryImplied({}).substr(0, 11), "C1, implied");
+  EXPECT_EQ(shapeton::CategoryImplied({ medium, medium }).substr(0, 2), "C2");
+  EXPECT_EQ(shapeton::CategoryImplied({ medium, medium, medium }).substr(0, 2), "C3");
+  EXPECT_EQ(shapeton::CategoryImplied({ large }).substr(0, 2), "C3");
+}
+
+TEST(PolypCandidates, ValveIsNotedByItsPlace)
+{
+  PolypCandidate valve, polypElsewhere, smallOne;
+  valve.diameter = 21.0;
+  valve.arcLength = 1640.0;
+  polypElsewhere.diameter = 25.0;
+  polypElsewhere.arcLength = 900.0;
+  smallOne.diameter = 8.0;
+  smallOne.arcLength = 1640.0;
+  std::vector<PolypCandidate> candidates{ smallOne, polypElsewhere, valve };
+  shapeton::NoteIleocaecalValve(1700.0, candidates);
+  EXPECT_EQ(candidates[0].remark, "");
+  EXPECT_EQ(candidates[1].remark, "");
+  EXPECT_EQ(candidates[2].remark, "may be the ileocaecal valve");
+}
+
+TEST(PolypCandidates, CatheterIsNotedByItsPlace)
+{
+  PolypCandidate atVerge, above, unknown;
+  atVerge.arcLength = 33.0;
+  above.arcLength = 128.0;
+  std::vector<PolypCandidate> candidates{ atVerge, above, unknown };
+  shapeton::NoteRectalCatheter(candidates);
+  EXPECT_NE(candidates[0].remark.find("catheter"), std::string::npos);
+  EXPECT_EQ(candidates[1].remark, "");
+  EXPECT_EQ(candidates[2].remark, "");
+}

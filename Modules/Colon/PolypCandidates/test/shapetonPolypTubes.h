@@ -1,0 +1,120 @@
+#ifndef shapetonPolypTubes_h
+#define shapetonPolypTubes_h
+
+#include "shapetonColonWall.h"
+
+#include <Eigen/Geometry>
+
+#include <cmath>
+#include <functional>
+#include <vector>
+
+/** Closed straight lumens of radius 20 mm along x, with bodies of a known form in them. */
+namespace polyptubes
+{
+using Eigen::Vector3d;
+/** mm to the surface of a body of tissue, negative inside; of first order. */
+using Body = std::function<double(const Vector3d &)>;
+
+constexpr double radius = 20.0;
+constexpr double halfLength = 28.0;
+
+/** On the wall below the middle. */
+inline Vector3d
+Base(double x)
+{
+  return { x, 0.0, -radius };
+}
+
+/** Half of it stands in the lumen, on the wall below. */
+inline Body
+Ellipsoid(const Vector3d & middle, double halfWidth, double height)
+{
+  return [=](const Vector3d & p) {
+    const Vector3d scaled = (p - middle).cwiseQuotient(Vector3d(halfWidth, halfWidth, height));
+    const Vector3d slope = scaled.cwiseQuotient(Vector3d(halfWidth, halfWidth, height));
+    return scaled.norm() * (scaled.norm() - 1.0) / std::max(1e-9, slope.norm());
+  };
+}
+
+inline Body
+Ball(const Vector3d & middle, double ballRadius)
+{
+  return [=](const Vector3d & p) { return (p - middle).norm() - ballRadius; };
+}
+
+/** A rounded plate across the lower half of the tube, 3 mm thick, as a fold. */
+inline Body
+Plate(double x, double height)
+{
+  return [=](const Vector3d & p) {
+    const double          toCrest = radius - height - std::hypot(p.y(), p.z()); // negative within the plate's rim
+    const double          sideways = std::max(0.0, p.z() + 4.0);
+    const Eigen::Vector2d off(p.x() - x, std::max(0.0, toCrest + 1.5));
+    return std::hypot(off.norm(), sideways) - 1.5;
+  };
+}
+
+/** mm to the wall, positive in the lumen. */
+inline double
+Distance(const Vector3d & p, const std::vector<Body> & bodies)
+{
+  double distance = std::min(radius - std::hypot(p.y(), p.z()), halfLength - std::abs(p.x()));
+  for (const Body & body : bodies)
+  {
+    distance = std::min(distance, body(p));
+  }
+  return distance;
+}
+
+template <typename TImage>
+typename TImage::Pointer
+MakeImage(double spacing, const std::function<double(double)> & valueOfDistance, const std::vector<Body> & bodies)
+{
+  const double               half[3] = { halfLength + 6.0, radius + 6.0, radius + 6.0 };
+  typename TImage::SizeType  size;
+  typename TImage::PointType origin;
+  for (unsigned int k = 0; k < 3; ++k)
+  {
+    size[k] = static_cast<itk::SizeValueType>(2.0 * half[k] / spacing) + 1;
+    origin[k] = -half[k];
+  }
+  auto image = TImage::New();
+  image->SetRegions(size);
+  image->SetSpacing(typename TImage::SpacingType(spacing));
+  image->SetOrigin(origin);
+  image->Allocate();
+  std::size_t i = 0;
+  for (itk::SizeValueType z = 0; z < size[2]; ++z)
+  {
+    for (itk::SizeValueType y = 0; y < size[1]; ++y)
+    {
+      for (itk::SizeValueType x = 0; x < size[0]; ++x, ++i)
+      {
+        const Vector3d p(origin[0] + spacing * static_cast<double>(x),
+                         origin[1] + spacing * static_cast<double>(y),
+                         origin[2] + spacing * static_cast<double>(z));
+        image->GetBufferPointer()[i] = static_cast<typename TImage::PixelType>(valueOfDistance(Distance(p, bodies)));
+      }
+    }
+  }
+  return image;
+}
+
+inline shapeton::SurfaceMesh
+MakeWall(const std::vector<Body> & bodies, double spacing = 0.8)
+{
+  const auto occupancy = MakeImage<shapeton::OccupancyImage>(
+    spacing, [=](double d) { return std::min(1.0, std::max(0.0, 0.5 + 0.5 * d / spacing)); }, bodies);
+  return shapeton::ExtractWall(occupancy);
+}
+
+inline itk::Image<unsigned char, 3>::Pointer
+MakeLumen(const std::vector<Body> & bodies)
+{
+  return MakeImage<itk::Image<unsigned char, 3>>(
+    0.8, [](double d) { return d > 0.0 ? 1.0 : 0.0; }, bodies);
+}
+} // namespace polyptubes
+
+#endif

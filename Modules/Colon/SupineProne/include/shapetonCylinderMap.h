@@ -1,0 +1,82 @@
+#ifndef shapetonCylinderMap_h
+#define shapetonCylinderMap_h
+
+#include "shapetonColonCylinder.h"
+
+#include <optional>
+
+namespace shapeton
+{
+/** Nodes of a map between cylinders: rows are even steps along the source, columns are even angles from turn 0 on.
+ * \ingroup SupineProne */
+struct CylinderNodes
+{
+  double begin{ 0.0 };
+  double step{ 1.0 };
+  /** Where each node goes: mm along the target, and turns, without jumps along rows and columns (the last column and
+   * the first one differ by the turn that is missing). */
+  Eigen::MatrixXd s;
+  Eigen::MatrixXd turn;
+
+  int
+  Rows() const
+  {
+    return static_cast<int>(s.rows());
+  }
+  int
+  Angles() const
+  {
+    return static_cast<int>(s.cols());
+  }
+  /** Of a node; the turn of column Angles() is 1 more than that of column 0. */
+  CylinderPlace
+  At(int row, int angle) const
+  {
+    const int around = angle / this->Angles();
+    return { s(row, angle % this->Angles()), turn(row, angle % this->Angles()) + around };
+  }
+};
+
+/** \class CylinderMap
+ * \brief A map between two cylinders that is linear on triangles, and its inverse.
+ *
+ * Each cell of the nodes is cut along its diagonal. Beyond the ends the map goes on as a shift along the colon. It is
+ * one-to-one where no triangle is turned over, which Flips() counts. May be asked by many threads at once.
+ * \ingroup SupineProne */
+class SupineProne_EXPORT CylinderMap
+{
+public:
+  CylinderMap() = default;
+  /** At least two rows and three angles. */
+  explicit CylinderMap(CylinderNodes nodes);
+
+  CylinderPlace
+  Forward(const CylinderPlace & place) const;
+  /** Nothing where the map is no bijection and misses the place. The turn is in [0, 1). */
+  std::optional<CylinderPlace>
+  Inverse(const CylinderPlace & place) const;
+  /** Triangles that are turned over or have no area. */
+  int
+  Flips() const;
+  /** The same nodes without those added beyond the ends. */
+  const CylinderNodes &
+  Nodes() const
+  {
+    return m_Nodes;
+  }
+
+private:
+  void
+  MakeBins();
+  std::optional<CylinderPlace>
+  InverseOnTriangle(int triangle, const CylinderPlace & place) const;
+
+  CylinderNodes                 m_Nodes;
+  CylinderNodes                 m_Extended; ///< with a row far beyond each end
+  std::vector<std::vector<int>> m_Bins;
+  double                        m_BinBegin{ 0.0 };
+  int                           m_BinRows{ 0 };
+};
+} // namespace shapeton
+
+#endif

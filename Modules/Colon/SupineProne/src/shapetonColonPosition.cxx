@@ -1,0 +1,56 @@
+#include "shapetonColonPosition.h"
+
+#include "shapetonColonCylinder.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace shapeton
+{
+namespace
+{
+bool
+IsMostlyBridged(const FlatColonGrid & grid, int column)
+{
+  int bridged = 0;
+  for (int row = 0; row < grid.Rows(); ++row)
+  {
+    bridged += grid.IsBridged(column, row);
+  }
+  return 2 * bridged > grid.Rows();
+}
+
+/** Columns that lie at a gap of the centreline. */
+void
+ExcludeGaps(const ColonCylinder & cylinder, const CurveSet & centreline, std::vector<char> & isExcluded)
+{
+  const SurfaceArray * gap = FindSurfaceArray(centreline.pointArrays, "gap");
+  const SurfaceArray * arc = FindSurfaceArray(centreline.pointArrays, "arcLength");
+  if (!gap || !arc)
+  {
+    return;
+  }
+  for (Eigen::Index i = 0; i < arc->values.rows(); ++i)
+  {
+    const double column = std::floor(cylinder.ColumnOfArc(arc->values(i, 0)));
+    if (gap->values(i, 0) != 0.0 && column >= 0.0 && column < isExcluded.size())
+    {
+      isExcluded[static_cast<std::size_t>(column)] = 1;
+    }
+  }
+}
+} // namespace
+
+std::vector<char>
+FindExcludedColumns(const FlatColonGrid & grid, const CurveSet & centreline, double leastRadius)
+{
+  const ColonCylinder cylinder(grid, centreline);
+  std::vector<char>   isExcluded(grid.Columns(), 0);
+  for (int column = 0; column < grid.Columns(); ++column)
+  {
+    isExcluded[column] = cylinder.Radii()[column] < leastRadius || IsMostlyBridged(grid, column);
+  }
+  ExcludeGaps(cylinder, centreline, isExcluded);
+  return isExcluded;
+}
+} // namespace shapeton

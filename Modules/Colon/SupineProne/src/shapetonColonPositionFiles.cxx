@@ -1,0 +1,124 @@
+#include "shapetonColonPositionFiles.h"
+
+#include "shapetonHaustralFoldFiles.h"
+#include "shapetonSha256.h"
+#include "shapetonSurfaceReader.h"
+#include "shapetonExceptions.h"
+
+#include <filesystem>
+
+namespace fs = std::filesystem;
+
+namespace shapeton
+{
+namespace
+{
+/** A folder of an examination, from which files are taken one by one. */
+class Examination
+{
+public:
+  Examination(const std::string & folder, const std::string & name) : m_Folder(folder), m_Name(name)
+  {
+    if (!fs::is_directory(folder))
+    {
+      throw InputError(name + ": there is no folder \"" + folder + "\"; give one that VirtualColonoscopy has written");
+    }
+  }
+
+  bool
+  Has(const std::string & stage, const std::string & file) const
+  {
+    return fs::is_regular_file(this->PathOf(stage, file));
+  }
+
+  /** The path of a file that must be there. */
+  std::string
+  Take(const std::string & stage, const std::string & file, const std::string & tool)
+  {
+    if (!this->Has(stage, file))
+    {
+      throw InputError(m_Name + ": \"" + this->PathOf(stage, file) + "\" is missing; run VirtualColonoscopy into \"" +
+                       m_Folder + "\", whose stage " + stage + " (" + tool + ") writes it");
+    }
+    m_Identities += file + ' ' + Sha256OfFile(this->PathOf(stage, file)) + '\n';
+    return this->PathOf(stage, file);
+  }
+
+  std::string
+  Identity() const
+  {
+    return "sha256:" + Sha256OfBytes(m_Identities);
+  }
+
+private:
+  std::string
+  PathOf(const std::string & stage, const std::string & file) const
+  {
+    return (fs::path(m_Folder) / stage / file).string();
+  }
+
+  std::string m_Folder;
+  std::string m_Name;
+  std::string m_Identities;
+};
+
+Eigen::VectorXd
+CurvatureOf(const SurfaceMesh & surface, const SurfaceMesh & flat, const std::string & path)
+{
+  const SurfaceArray * const curvature = FindSurfaceArray(surface.pointArrays, "meanCurvature");
+  if (!curvature || curvature->values.cols() != 1)
+  {
+    throw InputError('"' + path + "\" has no point array meanCurvature; it must be the one that ColonLandmarks writes");
+  }
+  if (surface.V.rows() != flat.V.rows() || surface.F.rows() != flat.F.rows())
+  {
+    throw InputError('"' + path + "\" is not of the flat surface beside it; run VirtualColonoscopy again");
+  }
+  return curvature->values.col(0);
+}
+
+void
+ReadLandmarks(Examination & examination, ColonPositionFiles & files)
+{
+  const Json document = ReadJson(examination.Take("landmarks", "landmarks.json", "ColonLandmarks"));
+  const auto flexures = FlexuresOf(document);
+  for (std::size_t i = 0; i < flexures.size(); ++i)
+  {
+    files.position.flexures[i] = flexures[i].arcLength;
+    files.position.flexureConfidence[i] = flexures[i].confidence;
+  }
+  const Eigen::VectorXd arcLength = PointValues(files.position.centreline, "arcLength", files.position.name);
+  files.segments = SegmentsOf(document, arcLength.maxCoeff());
+  if (examination.Has("landmarks", "taeniae.vtp"))
+  {
+    files.position.taeniae = ReadCurves(examination.Take("landmarks", "taeniae.vtp", "ColonLandmarks"));
+  }
+  else
+  {
+    files.warnings.push_back(files.position.name +
+                             ": no taeniae were found there, so that any rotation is tried; mark some points of them "
+                             "(VirtualColonoscopy the parameter \"markers\") for a surer result");
+  }
+}
+} // namespace
+
+ColonPositionFiles
+ReadColonPosition(const std::string & folder, const std::string & name)
+{
+  Examination        examination(folder, name);
+  ColonPositionFiles files;
+  ColonPosition &    position = files.position;
+  position.name = name;
+  position.centreline = ReadCurves(examination.Take("segmentation", "centreline.vtp", "ColonSegmentation"));
+  const std::string flatPath = examination.Take("flattening", "flat.vtp", "ColonFlattening");
+  files.flat = ReadSurface(flatPath).mesh;
+  position.grid = std::make_shared<FlatColonGrid>(files.flat, FlatColonGridOptions{}, '"' + flatPath + '"');
+  ReadLandmarks(examination, files);
+  const std::string foldsPath = examination.Take("landmarks", "folds-surface.vtp", "ColonLandmarks");
+  position.curvature = CurvatureOf(ReadSurface(foldsPath).mesh, files.flat, foldsPath);
+  position.folds = ReadFoldTable(examination.Take("folds", "folds.csv", "ColonFolds"));
+  position.isExcluded = FindExcludedColumns(*position.grid, position.centreline);
+  files.identity = examination.Identity();
+  return files;
+}
+} // namespace shapeton

@@ -1,0 +1,21 @@
+#ifndef shapetonFinalMap_h
+#define shapetonFinalMap_h
+
+#include "shapetonCorrectedWarp.h"
+#include "shapetonSupineProneRegistration.h"
+
+namespace shapeton
+{
+/** A map at the nodes of the final one: every 4 mm and 10 degrees. */
+CylinderNodes
+NodesOf(const ColonPair & pair, const RowMap & map);
+
+/** Fills in map, matches, what is excluded, and the figures of these. */
+void
+ProjectMap(const ColonPair &         pair,
+           const CorrectedWarp &     corrected,
+           double                    greatestDilatation,
+           SupineProneRegistration & registration);
+} // namespace shapeton
+
+#endif

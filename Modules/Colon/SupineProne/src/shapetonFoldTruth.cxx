@@ -1,0 +1,202 @@
+#include "shapetonFoldTruth.h"
+
+#include "shapetonFlatColonLocator.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+#include <set>
+
+namespace shapeton
+{
+namespace
+{
+/** A point on both unrolled walls. */
+struct PlacePair
+{
+  CylinderPlace source;
+  CylinderPlace target;
+};
+
+std::vector<PlacePair>
+PlacesOf(const SupineProneRegistration & registration, const std::vector<PointPair> & points)
+{
+  constexpr double       greatestDistance = 10.0; // mm from the wall
+  std::vector<PlacePair> places;
+  if (points.empty())
+  {
+    return places;
+  }
+  const FlatColonLocator source(*registration.sourceGrid);
+  const FlatColonLocator target(*registration.targetGrid);
+  for (const PointPair & pair : points)
+  {
+    const FlatPlace from = source.Find(pair.source);
+    const FlatPlace to = target.Find(pair.target);
+    if (from.distance < greatestDistance && to.distance < greatestDistance)
+    {
+      places.push_back({ registration.source->PlaceOfUv(from.uv), registration.target->PlaceOfUv(to.uv) });
+    }
+  }
+  return places;
+}
+
+/** mm along and around from one place to another. */
+Eigen::Vector2d
+Way(const CylinderPlace & from, const CylinderPlace & to, double around)
+{
+  return { to.s - from.s, TurnDifference(to.turn, from.turn) * around };
+}
+
+/** Where a place goes as the points around it do; nothing where there are none. */
+std::optional<CylinderPlace>
+Moved(const CylinderPlace & place, const std::vector<PlacePair> & pairs, double around)
+{
+  constexpr double reach = 10.0; // mm
+  double           weights = 0.0;
+  CylinderPlace    moved{ 0.0, 0.0 };
+  double           firstTurn = 0.0;
+  for (const PlacePair & pair : pairs)
+  {
+    const double distance = Way(place, pair.source, around).norm();
+    if (distance > reach)
+    {
+      continue;
+    }
+    const double weight = 1.0 / (1.0 + distance * distance);
+    const double turn = pair.target.turn - pair.source.turn;
+    firstTurn = weights > 0.0 ? firstTurn : turn;
+    moved.s += weight * (pair.target.s - pair.source.s);
+    moved.turn += weight * TurnDifference(turn, firstTurn);
+    weights += weight;
+  }
+  if (weights == 0.0)
+  {
+    return std::nullopt;
+  }
+  return CylinderPlace{ place.s + moved.s / weights, place.turn + firstTurn + moved.turn / weights };
+}
+
+/** Of a place to the line from a to b, all on the plane. */
+double
+DistanceToLine(const Eigen::Vector2d & place, const Eigen::Vector2d & a, const Eigen::Vector2d & b)
+{
+  const Eigen::Vector2d edge = b - a;
+  const double          square = edge.squaredNorm();
+  const double          share = square > 0.0 ? std::clamp((place - a).dot(edge) / square, 0.0, 1.0) : 0.0;
+  return (place - a - share * edge).norm();
+}
+
+/** End, middle and end of a crest in mm on a plane. */
+using Crest = std::array<Eigen::Vector2d, 3>;
+
+double
+MeanDistance(const Crest & from, const Crest & to)
+{
+  const std::array<Eigen::Vector2d, 5> places{
+    { from[0], 0.5 * (from[0] + from[1]), from[1], 0.5 * (from[1] + from[2]), from[2] }
+  };
+  double sum = 0.0;
+  for (const Eigen::Vector2d & place : places)
+  {
+    sum += std::min(DistanceToLine(place, to[0], to[1]), DistanceToLine(place, to[1], to[2]));
+  }
+  return sum / static_cast<double>(places.size());
+}
+
+std::array<CylinderPlace, 3>
+PlacesOfCrest(const HaustralFold & fold, const ColonCylinder & cylinder)
+{
+  return {
+    { cylinder.PlaceOfUv(fold.endUv[0]), cylinder.PlaceOfUv(fold.centreUv), cylinder.PlaceOfUv(fold.endUv[1]) }
+  };
+}
+
+/** Ends without points near them move as the middle does; nothing where that has none either. */
+std::optional<std::array<CylinderPlace, 3>>
+MovedCrest(const std::array<CylinderPlace, 3> & crest, const std::vector<PlacePair> & pairs, double around)
+{
+  const std::optional<CylinderPlace> middle = Moved(crest[1], pairs, around);
+  if (!middle)
+  {
+    return std::nullopt;
+  }
+  std::array<CylinderPlace, 3> moved{ { *middle, *middle, *middle } };
+  for (const int end : { 0, 2 })
+  {
+    const std::optional<CylinderPlace> known = Moved(crest[end], pairs, around);
+    moved[end] = known ? *known
+                       : CylinderPlace{ middle->s + crest[end].s - crest[1].s,
+                                        middle->turn + TurnDifference(crest[end].turn, crest[1].turn) };
+  }
+  return moved;
+}
+
+/** On the plane about a place. */
+Crest
+Unrolled(const std::array<CylinderPlace, 3> & crest, const CylinderPlace & about, double around)
+{
+  return { { Way(about, crest[0], around), Way(about, crest[1], around), Way(about, crest[2], around) } };
+}
+} // namespace
+
+FoldTruth::FoldTruth(const ColonPositionFiles &      supine,
+                     const ColonPositionFiles &      prone,
+                     const SupineProneRegistration & registration,
+                     const std::vector<PointPair> &  points)
+  : m_IsKnown(supine.position.folds.size(), 0), m_Same(supine.position.folds.size())
+{
+  constexpr double             greatest = 8.0; // mm
+  const double                 around = registration.target->Around();
+  const std::vector<PlacePair> places = PlacesOf(registration, points);
+  for (std::size_t i = 0; i < m_Same.size(); ++i)
+  {
+    const auto moved =
+      MovedCrest(PlacesOfCrest(supine.position.folds[i], *registration.source), places, registration.source->Around());
+    m_IsKnown[i] = moved.has_value();
+    for (std::size_t j = 0; moved && j < prone.position.folds.size(); ++j)
+    {
+      const CylinderPlace & about = (*moved)[1];
+      const Crest           own = Unrolled(*moved, about, around);
+      const Crest other = Unrolled(PlacesOfCrest(prone.position.folds[j], *registration.target), about, around);
+      if (std::min(MeanDistance(own, other), MeanDistance(other, own)) < greatest)
+      {
+        m_Same[i].push_back(static_cast<int>(j));
+      }
+    }
+  }
+}
+
+std::vector<FoldVerdict>
+FoldTruth::Judge(const std::vector<FoldMatch> & matches) const
+{
+  std::vector<FoldVerdict> verdicts(m_Same.size(), FoldVerdict::Unknown);
+  std::vector<char>        isAlone(m_Same.size(), 1);
+  std::set<int>            taken;
+  for (const FoldMatch & match : matches)
+  {
+    const std::vector<int> & same = m_Same[match.source];
+    isAlone[match.source] = 0;
+    if (m_IsKnown[match.source])
+    {
+      const bool isCorrect = std::find(same.begin(), same.end(), match.target) != same.end();
+      verdicts[match.source] = isCorrect ? FoldVerdict::Correct : FoldVerdict::Wrong;
+      if (isCorrect)
+      {
+        taken.insert(match.target);
+      }
+    }
+  }
+  for (std::size_t i = 0; i < m_Same.size(); ++i)
+  {
+    const bool hasFree =
+      std::any_of(m_Same[i].begin(), m_Same[i].end(), [&](int other) { return taken.count(other) == 0; });
+    if (isAlone[i] && hasFree)
+    {
+      verdicts[i] = FoldVerdict::Unmatched;
+    }
+  }
+  return verdicts;
+}
+} // namespace shapeton

@@ -1,0 +1,128 @@
+#include "shapetonRegistrationConfidence.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace shapeton
+{
+namespace
+{
+constexpr double followed = 0.5; ///< least weight of a pair that the map follows
+
+bool
+IsFoldSeen(const ColonCylinder & cylinder, const ColonPosition & position, const HaustralFold & fold)
+{
+  const int column = cylinder.Grid().PixelOfUv(fold.centreUv).column;
+  return position.isExcluded.empty() || !position.isExcluded[column];
+}
+
+int
+SeenFolds(const ColonCylinder & cylinder, const ColonPosition & position)
+{
+  return static_cast<int>(std::count_if(position.folds.begin(), position.folds.end(), [&](const HaustralFold & fold) {
+    return IsFoldSeen(cylinder, position, fold);
+  }));
+}
+
+void
+CountMatches(const ColonPosition & source, const ColonPosition & target, SupineProneRegistration & registration)
+{
+  RegistrationConfidence & confidence = registration.confidence;
+  int                      followedPairs = 0;
+  double                   squares = 0.0;
+  for (const FoldMatch & match : registration.matches)
+  {
+    if (match.weight >= followed)
+    {
+      ++followedPairs;
+      squares += match.residual * match.residual;
+    }
+  }
+  const int  seen = std::min(SeenFolds(*registration.source, source), SeenFolds(*registration.target, target));
+  const auto pairs = static_cast<double>(registration.matches.size());
+  confidence.matchedShare = seen > 0 ? followedPairs / static_cast<double>(seen) : 0.0;
+  confidence.contradictedShare = pairs > 0.0 ? 1.0 - followedPairs / pairs : 1.0;
+  confidence.residual = std::sqrt(squares / std::max(1, followedPairs));
+}
+
+/** Of each node: pairs that the map follows nearby, against folds that it does not explain. */
+void
+JudgeNodes(const ColonPosition & source, SupineProneRegistration & registration)
+{
+  constexpr double reach = 25.0; // mm, standard deviation
+  struct Evidence
+  {
+    CylinderPlace place;
+    double        support;
+  };
+  std::vector<Evidence> evidence;
+  std::vector<double>   weightOfFold(source.folds.size(), 0.0);
+  for (const FoldMatch & match : registration.matches)
+  {
+    weightOfFold[match.source] = match.weight;
+  }
+  for (std::size_t i = 0; i < source.folds.size(); ++i)
+  {
+    evidence.push_back({ registration.source->PlaceOfUv(source.folds[i].centreUv), weightOfFold[i] });
+  }
+  const CylinderNodes & nodes = registration.map.Nodes();
+  Eigen::MatrixXd &     ofNodes = registration.confidence.ofNodes;
+  ofNodes.setZero(nodes.Rows(), nodes.Angles());
+  for (int i = 0; i < nodes.Rows(); ++i)
+  {
+    for (int j = 0; j < nodes.Angles(); ++j)
+    {
+      constexpr double doubt = 0.5; // a fold, unexplained, at the very place: where there is no fold nothing is sure
+      double           sum = 0.0;
+      double           weights = doubt;
+      for (const Evidence & item : evidence)
+      {
+        const double along = (nodes.begin + i * nodes.step - item.place.s) / reach;
+        if (std::abs(along) > 3.0)
+        {
+          continue;
+        }
+        const double around = TurnDifference(static_cast<double>(j) / nodes.Angles(), item.place.turn) *
+                              registration.source->Around() / reach;
+        const double weight = std::exp(-0.5 * (along * along + around * around));
+        sum += weight * item.support;
+        weights += weight;
+      }
+      ofNodes(i, j) = registration.isExcluded(i, j) ? 0.0 : sum / weights;
+    }
+  }
+}
+
+double
+Logistic(double value, double middle, double width)
+{
+  return 1.0 / (1.0 + std::exp(-(value - middle) / width));
+}
+} // namespace
+
+void
+JudgeRegistration(const ColonPosition & source, const ColonPosition & target, SupineProneRegistration & registration)
+{
+  CountMatches(source, target, registration);
+  JudgeNodes(source, registration);
+  RegistrationConfidence & confidence = registration.confidence;
+  const double             byFolds = Logistic(confidence.matchedShare, 0.75, 0.03);
+  const double             byContradiction = Logistic(-confidence.contradictedShare, -0.08, 0.02);
+  const double             byEnergy = Logistic(-confidence.energy, -0.16, 0.015);
+  const double             byMargin = Logistic(confidence.margin, 0.1, 0.02);
+  const double             bySense = Logistic(confidence.senseMargin, 0.045, 0.008);
+  confidence.whole = std::min({ byFolds, byContradiction, byEnergy, byMargin, bySense });
+  if (byFolds < 0.5 || byContradiction < 0.5 || byEnergy < 0.5 || bySense < 0.5)
+  {
+    confidence.reasons.push_back(byFolds < 0.5 || byEnergy < 0.5 || bySense < 0.5
+                                   ? "the folds of the two positions do not fit: are these two patients?"
+                                   : "many pairs of folds contradict each other");
+  }
+  if (byMargin < 0.5)
+  {
+    confidence.reasons.push_back(
+      "it is in doubt which taenia is which: turned by a third, the folds fit nearly as well");
+  }
+  confidence.isFlagged = !confidence.reasons.empty();
+}
+} // namespace shapeton

@@ -1,0 +1,258 @@
+#include "shapetonRegistrationResults.h"
+
+#include "shapetonColonPointMapper.h"
+#include "shapetonFoldTruth.h"
+#include "shapetonParallelFor.h"
+#include "shapetonRegistrationDocument.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace shapeton
+{
+namespace
+{
+SurfaceArray &
+AddArray(SurfaceMesh & surface, const std::string & name, int columns, bool areIntegers = false)
+{
+  surface.pointArrays.push_back({ name, SurfaceArray::ValueMatrix(surface.V.rows(), columns), areIntegers });
+  return surface.pointArrays.back();
+}
+
+/** `flat` with what lies in the other position at each vertex. */
+template <typename TMap>
+SurfaceMesh
+MappedSurface(const SurfaceMesh & flat, const TMap & map)
+{
+  SurfaceMesh surface = flat;
+  surface.facts.clear();
+  const SurfaceArray::ValueMatrix uv = FindSurfaceArray(flat.pointArrays, "uv")->values;
+  surface.pointArrays.reserve(surface.pointArrays.size() + 5);
+  SurfaceArray & mapped = AddArray(surface, "mapped", 3);
+  SurfaceArray & mappedUv = AddArray(surface, "mappedUv", 2);
+  SurfaceArray & displacement = AddArray(surface, "displacement", 3);
+  SurfaceArray & confidence = AddArray(surface, "confidence", 1);
+  SurfaceArray & excluded = AddArray(surface, "excluded", 1, true);
+  ParallelFor(static_cast<std::size_t>(flat.V.rows()), [&](std::size_t i) {
+    const auto        row = static_cast<Eigen::Index>(i);
+    const MappedPoint to = map(uv.row(row).transpose());
+    mapped.values.row(row) = to.point;
+    mappedUv.values.row(row) = to.uv;
+    displacement.values.row(row) = to.point.transpose() - flat.V.row(row);
+    confidence.values(row, 0) = to.confidence;
+    excluded.values(row, 0) = to.isExcluded;
+  });
+  return surface;
+}
+
+/** Labels of segments on the way along a colon. */
+std::string
+SegmentAt(const std::vector<ColonSegmentExtent> & segments, double arcLength)
+{
+  for (const ColonSegmentExtent & segment : segments)
+  {
+    if (arcLength >= segment.begin && arcLength < segment.end)
+    {
+      return segment.name;
+    }
+  }
+  return "";
+}
+
+/** Of the columns of the flat map. */
+Json
+ExcludedShare(const ColonPosition & position)
+{
+  const auto excluded = std::count(position.isExcluded.begin(), position.isExcluded.end(), 1);
+  return RoundedJson(static_cast<double>(excluded) / position.grid->Columns());
+}
+
+class Telling
+{
+public:
+  Telling(const ColonPositionFiles &      supine,
+          const ColonPositionFiles &      prone,
+          const SupineProneRegistration & registration,
+          const std::vector<PointPair> &  truth)
+    : m_Supine(supine)
+    , m_Prone(prone)
+    , m_Registration(registration)
+    , m_Verdicts(FoldTruth(supine, prone, registration, truth).Judge(registration.matches))
+  {
+    m_Results.points = truth;
+  }
+
+  RegistrationResults
+  Run()
+  {
+    const ColonPointMapper mapper(m_Registration);
+    m_Results.supineToProne =
+      MappedSurface(m_Supine.flat, [&](const Eigen::Vector2d & uv) { return mapper.ForwardUv(uv); });
+    m_Results.proneToSupine =
+      MappedSurface(m_Prone.flat, [&](const Eigen::Vector2d & uv) { return mapper.InverseUv(uv); });
+    this->TellMatches();
+    this->CountSegments();
+    RegistrationErrors frame;
+    if (!m_Results.points.empty())
+    {
+      m_Results.errors = ErrorsOfPoints(m_Registration, m_Registration.map, m_Results.points);
+      frame = MeasureRegistrationErrors(m_Registration, m_Results.points, true);
+    }
+    m_Results.document = DocumentOf(m_Registration, m_Results, frame);
+    m_Results.document["map"]["excludedShareOfSupine"] = ExcludedShare(m_Supine.position);
+    m_Results.document["map"]["excludedShareOfProne"] = ExcludedShare(m_Prone.position);
+    return std::move(m_Results);
+  }
+
+private:
+  double
+  SupineArc(const HaustralFold & fold) const
+  {
+    return m_Registration.source->PlaceOfUv(fold.centreUv).s;
+  }
+
+  double
+  ProneArc(const HaustralFold & fold) const
+  {
+    return m_Registration.target->PlaceOfUv(fold.centreUv).s;
+  }
+
+  void
+  TellMatches()
+  {
+    const std::vector<HaustralFold> & supine = m_Supine.position.folds;
+    const std::vector<HaustralFold> & prone = m_Prone.position.folds;
+    for (const FoldMatch & match : m_Registration.matches)
+    {
+      const HaustralFold & from = supine[match.source];
+      const HaustralFold & to = prone[match.target];
+      MatchedFolds         told;
+      told.supineFold = from.label;
+      told.proneFold = to.label;
+      told.supinePoint = from.centre;
+      told.pronePoint = to.centre;
+      told.supineArcLength = this->SupineArc(from);
+      told.proneArcLength = this->ProneArc(to);
+      told.segment = SegmentAt(m_Supine.segments, told.supineArcLength);
+      told.cost = match.cost;
+      told.residual = match.residual;
+      told.weight = match.weight;
+      told.verdict = m_Verdicts[match.source];
+      m_Results.matches.push_back(told);
+    }
+  }
+
+  /** The row of a segment; "" is that of places whose segment is not known. */
+  SegmentMatches &
+  RowOf(const std::string & segment)
+  {
+    const auto found = std::find_if(m_Results.segments.begin(),
+                                    m_Results.segments.end(),
+                                    [&](const SegmentMatches & row) { return row.segment == segment; });
+    if (found != m_Results.segments.end())
+    {
+      return *found;
+    }
+    m_Results.segments.emplace_back();
+    m_Results.segments.back().segment = segment;
+    return m_Results.segments.back();
+  }
+
+  void
+  CountSegments()
+  {
+    for (const ColonSegmentExtent & segment : m_Supine.segments)
+    {
+      this->RowOf(segment.name);
+    }
+    for (std::size_t i = 0; i < m_Supine.position.folds.size(); ++i)
+    {
+      SegmentMatches & row = this->RowOf(SegmentAt(m_Supine.segments, this->SupineArc(m_Supine.position.folds[i])));
+      ++row.supineFolds;
+      row.correct += m_Verdicts[i] == FoldVerdict::Correct;
+      row.wrong += m_Verdicts[i] == FoldVerdict::Wrong;
+      row.unmatched += m_Verdicts[i] == FoldVerdict::Unmatched;
+    }
+    for (const MatchedFolds & match : m_Results.matches)
+    {
+      SegmentMatches & row = this->RowOf(match.segment);
+      (match.IsFollowed() ? row.followed : row.contradicted) += 1;
+    }
+    this->CountProne();
+    for (SegmentMatches & row : m_Results.segments)
+    {
+      row.supineAlone = row.supineFolds - row.followed - row.contradicted;
+      row.confidence = this->ConfidenceOf(row.segment);
+    }
+  }
+
+  void
+  CountProne()
+  {
+    std::vector<char> isMatched(m_Prone.position.folds.size(), 0);
+    for (const FoldMatch & match : m_Registration.matches)
+    {
+      isMatched[match.target] = 1;
+    }
+    for (std::size_t j = 0; j < isMatched.size(); ++j)
+    {
+      SegmentMatches & row = this->RowOf(SegmentAt(m_Prone.segments, this->ProneArc(m_Prone.position.folds[j])));
+      ++row.proneFolds;
+      row.proneAlone += !isMatched[j];
+    }
+  }
+
+  double
+  ConfidenceOf(const std::string & segment) const
+  {
+    const CylinderNodes & nodes = m_Registration.map.Nodes();
+    double                sum = 0.0;
+    int                   number = 0;
+    for (int i = 0; i < nodes.Rows(); ++i)
+    {
+      const bool isWithin = SegmentAt(m_Supine.segments, nodes.begin + i * nodes.step) == segment;
+      for (int j = 0; isWithin && j < nodes.Angles(); ++j)
+      {
+        if (!m_Registration.isExcluded(i, j))
+        {
+          sum += m_Registration.confidence.ofNodes(i, j);
+          ++number;
+        }
+      }
+    }
+    return sum / number; // not a number where nothing is to be seen
+  }
+
+  const ColonPositionFiles &      m_Supine;
+  const ColonPositionFiles &      m_Prone;
+  const SupineProneRegistration & m_Registration;
+  std::vector<FoldVerdict>        m_Verdicts; ///< of the supine folds
+  RegistrationResults             m_Results;
+};
+} // namespace
+
+std::string
+NameOf(FoldVerdict verdict)
+{
+  switch (verdict)
+  {
+    case FoldVerdict::Correct:
+      return "correct";
+    case FoldVerdict::Wrong:
+      return "wrong";
+    case FoldVerdict::Unmatched:
+      return "unmatched";
+    default:
+      return "";
+  }
+}
+
+RegistrationResults
+MakeRegistrationResults(const ColonPositionFiles &      supine,
+                        const ColonPositionFiles &      prone,
+                        const SupineProneRegistration & registration,
+                        const std::vector<PointPair> &  truth)
+{
+  return Telling(supine, prone, registration, truth).Run();
+}
+} // namespace shapeton

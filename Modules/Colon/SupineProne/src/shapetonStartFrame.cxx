@@ -1,0 +1,280 @@
+#include "shapetonStartFrame.h"
+
+#include "shapetonFlatColonLocator.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace shapeton
+{
+namespace
+{
+constexpr double pi = 3.14159265358979323846;
+constexpr double greatestStretch = 3.0;
+
+/** Whether each piece is stretched at most `greatestStretch` times against the whole, either way. */
+bool
+IsPlausible(const PiecewiseLine & frame)
+{
+  const double whole = (frame.to.back() - frame.to.front()) / (frame.from.back() - frame.from.front());
+  for (std::size_t i = 1; i < frame.from.size(); ++i)
+  {
+    const double     from = (frame.from[i] - frame.from[i - 1]) * whole;
+    const double     to = frame.to[i] - frame.to[i - 1];
+    constexpr double slack = 15.0; // mm: short pieces may differ by the error of a flexure
+    if (!(from > 0.0 && to > 0.0) || to > greatestStretch * from + slack || from > greatestStretch * to + slack)
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+PiecewiseLine
+FrameOf(const ColonPosition &    source,
+        const ColonCylinder &    sourceCylinder,
+        const ColonPosition &    target,
+        const ColonCylinder &    targetCylinder,
+        const std::vector<int> & flexures)
+{
+  PiecewiseLine frame{ { sourceCylinder.Begin() }, { targetCylinder.Begin() } };
+  for (const int flexure : flexures)
+  {
+    frame.from.push_back(source.flexures[flexure]);
+    frame.to.push_back(target.flexures[flexure]);
+  }
+  frame.from.push_back(sourceCylinder.End());
+  frame.to.push_back(targetCylinder.End());
+  return frame;
+}
+
+/** Of an error that is within 30 mm with this probability, mm (inverse error function after Winitzki 2008). */
+double
+DeviationOf(double confidence)
+{
+  constexpr double within = 30.0;
+  constexpr double a = 0.147;
+  const double     x = std::clamp(confidence, 0.1, 0.98);
+  const double     logarithm = std::log(1.0 - x * x);
+  const double     b = 2.0 / (pi * a) + 0.5 * logarithm;
+  return within / std::sqrt(2.0 * (std::sqrt(b * b - logarithm / a) - b));
+}
+
+/** Confidence of the flexure that was found at this place. */
+double
+ConfidenceOfFlexure(const ColonPosition & position, double arcLength)
+{
+  for (std::size_t i = 0; i < position.flexures.size(); ++i)
+  {
+    if (position.flexures[i] == arcLength)
+    {
+      return position.flexureConfidence[i];
+    }
+  }
+  return 0.0;
+}
+
+struct AngleSample
+{
+  double s;
+  double turn;
+};
+
+/** Places along one taenia, in ascending order of s. */
+std::vector<AngleSample>
+SamplesOfTaenia(const CurveSet &         curves,
+                const std::vector<int> & curve,
+                const ColonCylinder &    cylinder,
+                const FlatColonLocator & locator)
+{
+  constexpr double         greatestDistance = 10.0; // mm from the wall
+  std::vector<AngleSample> samples;
+  for (const int vertex : curve)
+  {
+    const FlatPlace place = locator.Find(curves.V.row(vertex));
+    if (place.distance <= greatestDistance)
+    {
+      const CylinderPlace on = cylinder.PlaceOfUv(place.uv);
+      samples.push_back({ on.s, on.turn });
+    }
+  }
+  std::stable_sort(
+    samples.begin(), samples.end(), [](const AngleSample & a, const AngleSample & b) { return a.s < b.s; });
+  for (std::size_t i = 1; i < samples.size(); ++i)
+  {
+    samples[i].turn = samples[i - 1].turn + TurnDifference(samples[i].turn, samples[i - 1].turn);
+  }
+  return samples;
+}
+
+/** Straight between samples, constant beyond them. */
+std::vector<double>
+Resampled(const std::vector<AngleSample> & samples, double begin, double step, int number)
+{
+  std::vector<double> turns(number);
+  std::size_t         next = 0;
+  for (int i = 0; i < number; ++i)
+  {
+    const double s = begin + i * step;
+    while (next < samples.size() && samples[next].s <= s)
+    {
+      ++next;
+    }
+    if (next == 0 || next == samples.size())
+    {
+      turns[i] = next == 0 ? samples.front().turn : samples.back().turn;
+      continue;
+    }
+    const AngleSample & a = samples[next - 1];
+    const AngleSample & b = samples[next];
+    turns[i] = a.turn + (s - a.s) / (b.s - a.s) * (b.turn - a.turn);
+  }
+  return turns;
+}
+
+/** How far a taenia lies around the tube from the first one, turns in [0, 1), in the middle of all places. */
+double
+MedianOffset(const std::vector<double> & turns, const std::vector<double> & first)
+{
+  std::vector<double> offsets;
+  for (std::size_t i = 0; i < turns.size(); ++i)
+  {
+    offsets.push_back(turns[i] - first[i] - std::floor(turns[i] - first[i]));
+  }
+  std::nth_element(offsets.begin(), offsets.begin() + offsets.size() / 2, offsets.end());
+  return offsets[offsets.size() / 2];
+}
+} // namespace
+
+double
+PiecewiseLine::operator()(double value) const
+{
+  const int after = static_cast<int>(std::upper_bound(from.begin(), from.end(), value) - from.begin());
+  const int i = std::clamp(after - 1, 0, static_cast<int>(from.size()) - 2);
+  return to[i] + (value - from[i]) / (from[i + 1] - from[i]) * (to[i + 1] - to[i]);
+}
+
+PiecewiseLine
+FlexureFrame(const ColonPosition &      source,
+             const ColonCylinder &      sourceCylinder,
+             const ColonPosition &      target,
+             const ColonCylinder &      targetCylinder,
+             std::vector<std::string> & warnings)
+{
+  static const std::array<const char *, 4> names{ { "rectosigmoid", "descending-sigmoid", "splenic", "hepatic" } };
+  std::vector<int>                         used;
+  for (int flexure = 0; flexure < 4; ++flexure)
+  {
+    if (!std::isfinite(source.flexures[flexure]) || !std::isfinite(target.flexures[flexure]))
+    {
+      warnings.push_back(std::string("the ") + names[flexure] + " flexure is not known in both positions");
+      continue;
+    }
+    used.push_back(flexure);
+    if (!IsPlausible(FrameOf(source, sourceCylinder, target, targetCylinder, used)))
+    {
+      used.pop_back();
+      warnings.push_back(std::string("the ") + names[flexure] + " flexure lies at places too different to be used");
+    }
+  }
+  return FrameOf(source, sourceCylinder, target, targetCylinder, used);
+}
+
+PiecewiseLine
+EndFrame(const PiecewiseLine & frame)
+{
+  return { { frame.from.front(), frame.from.back() }, { frame.to.front(), frame.to.back() } };
+}
+
+PiecewiseLine
+CautiousFrame(const PiecewiseLine & frame, const ColonPosition & source, const ColonPosition & target)
+{
+  constexpr double    expected = 40.0; // mm
+  const PiecewiseLine proportional = EndFrame(frame);
+  PiecewiseLine       cautious = frame;
+  for (std::size_t i = 1; i + 1 < frame.from.size(); ++i)
+  {
+    const double ofSource = DeviationOf(ConfidenceOfFlexure(source, frame.from[i]));
+    const double ofTarget = DeviationOf(ConfidenceOfFlexure(target, frame.to[i]));
+    const double share = expected * expected / (expected * expected + ofSource * ofSource + ofTarget * ofTarget);
+    const double plain = proportional(frame.from[i]);
+    cautious.to[i] = plain + share * (frame.to[i] - plain);
+  }
+  return IsPlausible(cautious) ? cautious : frame;
+}
+
+double
+TaeniaAngles::At(int taenia, double s) const
+{
+  const std::vector<double> & values = turns[taenia];
+  const double                place = std::clamp((s - begin) / step, 0.0, values.size() - 1.0);
+  const std::size_t           i = std::min(static_cast<std::size_t>(place), values.size() - 2);
+  return values[i] + (place - i) * (values[i + 1] - values[i]);
+}
+
+TaeniaAngles
+AnglesOfTaeniae(const ColonPosition & position, const ColonCylinder & cylinder, std::vector<std::string> & warnings)
+{
+  TaeniaAngles angles;
+  angles.begin = cylinder.Begin();
+  const int number = std::max(2, static_cast<int>((cylinder.End() - cylinder.Begin()) / angles.step) + 1);
+  if (position.taeniae.curves.size() != 3)
+  {
+    warnings.push_back(position.name + ": three taeniae are needed, there are " +
+                       std::to_string(position.taeniae.curves.size()));
+    return angles;
+  }
+  const FlatColonLocator           locator(*position.grid);
+  std::vector<std::vector<double>> turns;
+  for (const std::vector<int> & curve : position.taeniae.curves)
+  {
+    const std::vector<AngleSample> samples = SamplesOfTaenia(position.taeniae, curve, cylinder, locator);
+    if (samples.size() < 2)
+    {
+      warnings.push_back(position.name + ": a taenia does not lie on the wall");
+      return angles;
+    }
+    turns.push_back(Resampled(samples, angles.begin, angles.step, number));
+  }
+  const bool isSwapped = MedianOffset(turns[2], turns[0]) < MedianOffset(turns[1], turns[0]);
+  angles.turns = { turns[0], turns[isSwapped ? 2 : 1], turns[isSwapped ? 1 : 2] };
+  angles.isKnown = true;
+  return angles;
+}
+
+std::vector<double>
+RotationOfTaeniae(const TaeniaAngles &        source,
+                  const TaeniaAngles &        target,
+                  const PiecewiseLine &       frame,
+                  int                         shift,
+                  const std::vector<double> & s)
+{
+  Eigen::MatrixX2d directions(s.size(), 2);
+  for (std::size_t i = 0; i < s.size(); ++i)
+  {
+    directions.row(i).setZero();
+    for (int taenia = 0; taenia < 3; ++taenia)
+    {
+      const double turn = target.At((taenia + shift) % 3, frame(s[i])) - source.At(taenia, s[i]);
+      directions.row(i) += Eigen::RowVector2d(std::cos(2.0 * pi * turn), std::sin(2.0 * pi * turn));
+    }
+  }
+  constexpr double    smoothing = 15.0; // mm: a taenia that is found wrongly for a while makes no jump
+  const double        step = s.size() > 1 ? (s.back() - s.front()) / (s.size() - 1.0) : 1.0;
+  std::vector<double> rotation;
+  for (std::size_t i = 0; i < s.size(); ++i)
+  {
+    Eigen::RowVector2d mean = Eigen::RowVector2d::Zero();
+    const int          reach = static_cast<int>(3.0 * smoothing / step);
+    for (int k = -reach; k <= reach; ++k)
+    {
+      const int    at = std::clamp(static_cast<int>(i) + k, 0, static_cast<int>(s.size()) - 1);
+      const double t = k * step / smoothing;
+      mean += std::exp(-0.5 * t * t) * directions.row(at);
+    }
+    const double turn = std::atan2(mean[1], mean[0]) / (2.0 * pi);
+    rotation.push_back(rotation.empty() ? turn : rotation.back() + TurnDifference(turn, rotation.back()));
+  }
+  return rotation;
+}
+} // namespace shapeton

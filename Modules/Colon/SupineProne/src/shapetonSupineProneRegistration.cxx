@@ -1,0 +1,114 @@
+#include "shapetonSupineProneRegistration.h"
+
+#include "shapetonColonSense.h"
+#include "shapetonFinalMap.h"
+#include "shapetonRegistrationConfidence.h"
+#include "shapetonExceptions.h"
+#include "shapetonWarpingTrials.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace shapeton
+{
+namespace
+{
+/** Whether folds tell the map from one that is turned by a third. */
+void
+JudgeThirds(const WarpingChoice & choice, RegistrationConfidence & confidence)
+{
+  confidence.energies = choice.energies;
+  confidence.energy = choice.energies[0];
+  confidence.margin = std::min(choice.energies[1], choice.energies[2]) - choice.energies[0];
+}
+
+void
+RequireUsable(const ColonPosition & position)
+{
+  if (!position.grid)
+  {
+    throw InputError(position.name + ": there is no flat map");
+  }
+  if (position.folds.empty())
+  {
+    throw InputError(position.name + ": there are no haustral folds to register; see ColonFolds");
+  }
+  RequireParameter(position.isExcluded.empty() ||
+                     position.isExcluded.size() == static_cast<std::size_t>(position.grid->Columns()),
+                   position.name + ": excluded columns are not those of the grid");
+}
+
+/** The node that is nearest to a place. */
+std::pair<int, int>
+NearestNode(const CylinderNodes & nodes, const CylinderPlace & place)
+{
+  const int row = static_cast<int>(std::lround((place.s - nodes.begin) / nodes.step));
+  const int angle = static_cast<int>(std::lround((place.turn - std::floor(place.turn)) * nodes.Angles()));
+  return { std::clamp(row, 0, nodes.Rows() - 1), angle % nodes.Angles() };
+}
+} // namespace
+
+SupineProneRegistration
+RegisterColonPositions(const ColonPosition & source, const ColonPosition & target, const SupineProneOptions & options)
+{
+  RequireUsable(source);
+  RequireUsable(target);
+  RequireParameter(options.greatestDilatation > 0.0 && options.greatestDilatation < 1.0,
+                   "the greatest dilatation must lie between 0 and 1");
+  ColonPair               pair(source, target);
+  SupineProneRegistration result;
+  result.sourceGrid = source.grid;
+  result.targetGrid = target.grid;
+  result.source = pair.sourceCylinder;
+  result.target = pair.targetCylinder;
+  result.confidence.senseMargin = RequireSameSense({ source, *pair.sourceCylinder, pair.sourceFolds },
+                                                   { target, *pair.targetCylinder, pair.targetFolds });
+  FindFrame(pair, options.isSegmentWise, result.warnings);
+  for (std::size_t i = 1; i + 1 < pair.frame.from.size(); ++i)
+  {
+    result.flexures.emplace_back(pair.frame.from[i], pair.frame.to[i]);
+  }
+  WarpingChoice choice = WarpByTrials(pair, options.matching);
+  JudgeThirds(choice, result.confidence);
+  if (options.refines)
+  {
+    RefineByPictures(pair, choice.best);
+  }
+  result.matching = choice.best.matching;
+  result.frame =
+    CylinderMap(NodesOf(pair, { pair.frame, { choice.best.warp.s, choice.frameRotation }, nullptr, pair.Around() }));
+  result.warp = CylinderMap(NodesOf(pair, choice.best.Warp(pair)));
+  ProjectMap(pair, choice.best, options.greatestDilatation, result);
+  JudgeRegistration(source, target, result);
+  return result;
+}
+
+Eigen::Vector2d
+MapUv(const SupineProneRegistration & registration, const Eigen::Vector2d & sourceUv)
+{
+  return registration.target->UvOfPlace(registration.map.Forward(registration.source->PlaceOfUv(sourceUv)));
+}
+
+Eigen::Vector2d
+InverseMapUv(const SupineProneRegistration & registration, const Eigen::Vector2d & targetUv)
+{
+  const std::optional<CylinderPlace> place = registration.map.Inverse(registration.target->PlaceOfUv(targetUv));
+  return place ? registration.source->UvOfPlace(*place)
+               : Eigen::Vector2d::Constant(std::numeric_limits<double>::quiet_NaN()).eval();
+}
+
+double
+ConfidenceAt(const SupineProneRegistration & registration, const CylinderPlace & place)
+{
+  const auto [row, angle] = NearestNode(registration.map.Nodes(), place);
+  return registration.confidence.ofNodes(row, angle);
+}
+
+bool
+IsExcludedAt(const SupineProneRegistration & registration, const CylinderPlace & place)
+{
+  const auto [row, angle] = NearestNode(registration.map.Nodes(), place);
+  return registration.isExcluded(row, angle) != 0;
+}
+} // namespace shapeton

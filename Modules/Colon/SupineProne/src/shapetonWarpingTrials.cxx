@@ -1,0 +1,192 @@
+#include "shapetonWarpingTrials.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace shapeton
+{
+namespace
+{
+/** A frame to try, and how far the path may leave it. */
+struct Trial
+{
+  PiecewiseLine frame;
+  double        band;
+  double        deviation;
+  /** Weights of slope, rotation and taeniae. */
+  double slope;
+  double rotation;
+  double taeniae;
+};
+
+/** Flexures are found with errors of centimetres, and lengths are not quite proportional: neither is a frame that can
+ * be trusted alone. Segments need the flexures themselves. */
+std::vector<Trial>
+Trials(const ColonPair & pair)
+{
+  std::vector<Trial>         trials;
+  std::vector<PiecewiseLine> frames{ pair.frame };
+  if (pair.breaks.empty())
+  {
+    frames.push_back(CautiousFrame(pair.frame, pair.source, pair.target));
+    frames.push_back(EndFrame(pair.frame));
+  }
+  for (std::size_t i = 0; i < frames.size(); ++i)
+  {
+    const double band = 60.0 + 15.0 * static_cast<double>(i);
+    const double deviation = 25.0 + 12.0 * static_cast<double>(i);
+    trials.push_back({ frames[i], band, deviation, 2.0, 1.0, 0.0 });
+    if (pair.AreTaeniaeKnown())
+    {
+      trials.push_back({ frames[i], band, deviation, 0.8, 1.0, 0.3 });
+      trials.push_back({ frames[i], band, deviation, 2.0, 1.0, 0.3 });
+    }
+    else
+    {
+      trials.push_back({ frames[i], band, deviation, 0.3, 0.4, 0.0 });
+    }
+  }
+  return trials;
+}
+
+/** Bands along the taeniae at these places of a colon. */
+Eigen::MatrixXd
+BandsOf(const TaeniaAngles & taeniae, const std::vector<double> & s, int angles)
+{
+  constexpr double deviation = 0.04; // turns
+  Eigen::MatrixXd  bands = Eigen::MatrixXd::Zero(s.size(), angles);
+  for (Eigen::Index row = 0; row < bands.rows(); ++row)
+  {
+    for (int angle = 0; angle < angles; ++angle)
+    {
+      for (int taenia = 0; taenia < 3; ++taenia)
+      {
+        const double away = TurnDifference((angle + 0.5) / angles, taeniae.At(taenia, s[row])) / deviation;
+        bands(row, angle) += std::exp(-0.5 * away * away);
+      }
+    }
+    bands.row(row).array() -= bands.row(row).mean();
+    bands.row(row) *= std::sqrt(angles / bands.row(row).squaredNorm());
+  }
+  return bands;
+}
+
+/** Rows of the warping lie in the coordinate of the source. The source without a frame. */
+CylinderPicture
+PictureOf(const ColonPair & pair, const PiecewiseLine * frame)
+{
+  CylinderPictureForm form;
+  form.begin = pair.sourceCylinder->Begin() + 0.5 * WarpRowStep;
+  form.step = frame ? 0.5 * WarpRowStep : WarpRowStep;
+  form.rows = std::max(2, static_cast<int>((pair.sourceCylinder->End() - pair.sourceCylinder->Begin()) / form.step));
+  form.angles = WarpAngles;
+  form.smoothRows = frame ? 1.6 : 0.8;
+  const PiecewiseLine there = frame ? *frame : PiecewiseLine{ { 0.0, 1.0 }, { 0.0, 1.0 } };
+  form.coordinate = [back = there.Inverse()](double s) { return back(s); };
+  CylinderPicture picture = frame ? MakeCylinderPicture(pair.target, *pair.targetCylinder, pair.targetFolds, form)
+                                  : MakeCylinderPicture(pair.source, *pair.sourceCylinder, pair.sourceFolds, form);
+  if (pair.AreTaeniaeKnown())
+  {
+    std::vector<double> places;
+    for (int row = 0; row < form.rows; ++row)
+    {
+      places.push_back(there(form.begin + row * form.step));
+    }
+    picture.taeniae = BandsOf(frame ? pair.targetTaeniae : pair.sourceTaeniae, places, form.angles);
+  }
+  return picture;
+}
+
+CylindricalWarp
+WarpAbout(const ColonPair & pair, const Trial & trial, const CylinderPicture & source)
+{
+  CylindricalWarpingOptions options;
+  options.breaks = pair.breaks;
+  options.band = trial.band;
+  options.frameDeviation = trial.deviation;
+  options.slopeWeight = trial.slope;
+  options.rotationWeight = trial.rotation;
+  options.taeniaWeight = trial.taeniae;
+  return WarpCylinder(source, PictureOf(pair, &trial.frame), trial.frame, {}, options);
+}
+
+/** The path along the colon as a frame, which must ascend. */
+PiecewiseLine
+FrameOf(const CylindricalWarp & warp)
+{
+  constexpr double least = 0.1; // slope
+  PiecewiseLine    frame{ warp.s, warp.targetS };
+  for (std::size_t i = 1; i < frame.to.size(); ++i)
+  {
+    frame.to[i] = std::max(frame.to[i], frame.to[i - 1] + least * (frame.from[i] - frame.from[i - 1]));
+  }
+  return frame;
+}
+
+/** Least energies near the warp, and near it turned by one and two thirds. */
+std::vector<double>
+EnergiesOfThirds(const ColonPair & pair, const CylindricalWarp & warp, const CylinderPicture & source)
+{
+  const PiecewiseLine       frame = FrameOf(warp);
+  const CylinderPicture     target = PictureOf(pair, &frame);
+  CylindricalWarpingOptions options;
+  options.breaks = pair.breaks;
+  options.band = 30.0;
+  options.slopeWeight = 2.0;
+  options.rotationWeight = 1.0;
+  std::vector<double> energies;
+  for (int third = 0; third < 3; ++third)
+  {
+    std::vector<double> rotation = warp.rotation;
+    std::transform(rotation.begin(), rotation.end(), rotation.begin(), [third](double t) { return t + third / 3.0; });
+    energies.push_back(WarpCylinder(source, target, frame, rotation, options).energy);
+  }
+  return energies;
+}
+
+/** Of the frame of flexures, from the taeniae: of the three ways in which they may correspond the one that turns most
+ * as the warp does. */
+std::vector<double>
+RotationOfFrame(const ColonPair & pair, const CylindricalWarp & warp)
+{
+  std::vector<double> best;
+  double              most = -std::numeric_limits<double>::infinity();
+  for (int way = 0; way < 3; ++way)
+  {
+    const std::vector<double> rotation =
+      RotationOfTaeniae(pair.sourceTaeniae, pair.targetTaeniae, pair.frame, way, warp.s);
+    double agreement = 0.0;
+    for (std::size_t i = 0; i < rotation.size(); ++i)
+    {
+      agreement -= std::abs(TurnDifference(rotation[i], warp.rotation[i]));
+    }
+    if (agreement > most)
+    {
+      most = agreement;
+      best = rotation;
+    }
+  }
+  return best;
+}
+} // namespace
+
+WarpingChoice
+WarpByTrials(const ColonPair & pair, FoldMatchingMethod method)
+{
+  const CylinderPicture source = PictureOf(pair, nullptr);
+  WarpingChoice         choice;
+  for (const Trial & trial : Trials(pair))
+  {
+    CorrectedWarp corrected = CorrectWarp(pair, WarpAbout(pair, trial, source), method);
+    if (choice.best.warp.s.empty() || corrected.Support() > choice.best.Support())
+    {
+      choice.best = std::move(corrected);
+    }
+  }
+  choice.best = CorrectChosenWarp(pair, choice.best.warp, method);
+  choice.energies = EnergiesOfThirds(pair, choice.best.warp, source);
+  choice.frameRotation = pair.AreTaeniaeKnown() ? RotationOfFrame(pair, choice.best.warp) : choice.best.warp.rotation;
+  return choice;
+}
+} // namespace shapeton

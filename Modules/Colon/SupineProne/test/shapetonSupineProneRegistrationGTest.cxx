@@ -1,0 +1,188 @@
+#include "shapetonRegistrationErrors.h"
+#include "shapetonRegistrationSchemes.h"
+#include "shapetonTestColons.h"
+#include "shapetonExceptions.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+namespace
+{
+using namespace tubecolons;
+using flattubes::pi;
+
+constexpr double halfCollapse = 20.0; // mm
+
+Movement
+SomeMovement()
+{
+  return { 0.37, 8.0 };
+}
+
+/** The middle of the tube is collapsed: this is seen of it no more. */
+shapeton::ColonPosition
+WithCollapse(shapeton::ColonPosition position)
+{
+  const auto isInside = [](double u) { return std::abs(u - 0.5 * length) < halfCollapse; };
+  position.isExcluded.assign(position.grid->Columns(), 0);
+  for (int column = 0; column < position.grid->Columns(); ++column)
+  {
+    position.isExcluded[column] = isInside(position.grid->UvOfPixel(column, 0).x());
+  }
+  const auto seen = std::remove_if(position.folds.begin(),
+                                   position.folds.end(),
+                                   [&](const shapeton::HaustralFold & fold) { return isInside(fold.centreUv.x()); });
+  position.folds.erase(seen, position.folds.end());
+  return position;
+}
+
+/** Errors of a map in mm of the flat map at places all over the tube, but for so many mm about its middle. */
+double
+GreatestError(const shapeton::SupineProneRegistration & registration,
+              const shapeton::CylinderMap &             map,
+              const Movement &                          movement,
+              double                                    withoutMiddle = 0.0)
+{
+  const double circumference = 2.0 * pi * radius;
+  double       greatest = 0.0;
+  for (double s = 40.0; s < length - 40.0; s += 13.0)
+  {
+    for (double turn = 0.03; turn < 1.0; turn += 0.11)
+    {
+      if (std::abs(s - 0.5 * length) < withoutMiddle)
+      {
+        continue;
+      }
+      const shapeton::CylinderPlace goal = movement({ s, turn });
+      const Eigen::Vector2d         from(s, turn * circumference);
+      const Eigen::Vector2d uv = registration.target->UvOfPlace(map.Forward(registration.source->PlaceOfUv(from)));
+      greatest = std::max(
+        greatest,
+        std::hypot(uv.x() - goal.s, shapeton::TurnDifference(uv.y() / circumference, goal.turn) * circumference));
+    }
+  }
+  return greatest;
+}
+
+double
+GreatestError(const shapeton::SupineProneRegistration & registration, const Movement & movement)
+{
+  return GreatestError(registration, registration.map, movement);
+}
+} // namespace
+
+TEST(SupineProneRegistration, FindsAKnownMovement)
+{
+  const auto registration =
+    shapeton::RegisterColonPositions(MakePosition("supine", 1, {}), MakePosition("prone", 1, SomeMovement()));
+  EXPECT_LT(GreatestError(registration, SomeMovement()), 3.0);
+  EXPECT_EQ(registration.figures.flips, 0);
+  EXPECT_FALSE(registration.confidence.isFlagged);
+  for (const shapeton::FoldMatch & match : registration.matches)
+  {
+    EXPECT_EQ(match.source, match.target);
+  }
+  EXPECT_GT(registration.matches.size(), 0.9 * FoldsOfPatient(1).size());
+}
+
+/** Taeniae alone cannot tell it: the tube turns by a third where nothing is seen, so that they lie where they would
+ * without. */
+TEST(SupineProneRegistration, TheRotationMayChangeInACollapse)
+{
+  Movement movement = SomeMovement();
+  movement.turnBehind = 1.0 / 3.0;
+  const auto registration = shapeton::RegisterColonPositions(WithCollapse(MakePosition("supine", 1, {})),
+                                                             WithCollapse(MakePosition("prone", 1, movement)));
+  EXPECT_LT(GreatestError(registration, registration.map, movement, 2.5 * halfCollapse), 4.0);
+  EXPECT_EQ(registration.figures.flips, 0);
+  EXPECT_FALSE(registration.confidence.isFlagged);
+}
+
+TEST(SupineProneRegistration, TheMarginTellsTheRightThird)
+{
+  const auto registration =
+    shapeton::RegisterColonPositions(MakePosition("supine", 1, {}), MakePosition("prone", 1, SomeMovement()));
+  const std::vector<double> & energies = registration.confidence.energies;
+  ASSERT_EQ(energies.size(), 3U);
+  EXPECT_LT(energies[0], std::min(energies[1], energies[2]));
+  EXPECT_DOUBLE_EQ(registration.confidence.margin, std::min(energies[1], energies[2]) - energies[0]);
+}
+
+TEST(SupineProneRegistration, ForwardAndInverseAgree)
+{
+  const auto registration =
+    shapeton::RegisterColonPositions(MakePosition("supine", 1, {}), MakePosition("prone", 1, SomeMovement()));
+  const Eigen::Vector2d uv(200.0, 33.0);
+  EXPECT_LT((shapeton::InverseMapUv(registration, shapeton::MapUv(registration, uv)) - uv).norm(), 1e-6);
+}
+
+TEST(SupineProneRegistration, TwoPatientsAreFlagged)
+{
+  const auto registration =
+    shapeton::RegisterColonPositions(MakePosition("supine", 1, {}), MakePosition("prone", 2, SomeMovement()));
+  EXPECT_TRUE(registration.confidence.isFlagged);
+  EXPECT_FALSE(registration.confidence.reasons.empty());
+}
+
+TEST(SupineProneRegistration, AColonThatRunsTheOtherWayIsRefused)
+{
+  try
+  {
+    shapeton::RegisterColonPositions(MakePosition("supine", 1, {}), MakePosition("prone", 1, SomeMovement(), true));
+    FAIL();
+  }
+  catch (const shapeton::InputError & error)
+  {
+    EXPECT_NE(std::string(error.what()).find("runs from the caecum to the rectum"), std::string::npos) << error.what();
+  }
+}
+
+TEST(SupineProneRegistration, WithoutLandmarksOrFoldsThereIsNoMap)
+{
+  const shapeton::ColonPosition supine = MakePosition("supine", 1, {});
+  shapeton::ColonPosition       prone = MakePosition("prone", 1, SomeMovement());
+  prone.taeniae = {};
+  prone.flexures.fill(std::numeric_limits<double>::quiet_NaN());
+  EXPECT_THROW(shapeton::RegisterColonPositions(supine, prone), shapeton::InputError);
+  prone = MakePosition("prone", 1, SomeMovement());
+  prone.folds.clear();
+  EXPECT_THROW(shapeton::RegisterColonPositions(supine, prone), shapeton::InputError);
+}
+
+TEST(SupineProneRegistration, ErrorsAreMeasuredAgainstPointsInSpace)
+{
+  const auto same = shapeton::RegisterColonPositions(MakePosition("supine", 1, {}), MakePosition("prone", 1, {}));
+  std::vector<shapeton::PointPair> pairs;
+  for (double u = 50.0; u < 550.0; u += 10.0)
+  {
+    const Eigen::Vector3d point = flattubes::OnCylinder(radius, u, 0.0); // on a taenia, where no fold stands
+    pairs.push_back({ point, point });
+  }
+  pairs.push_back({ Eigen::Vector3d(500.0, 0.0, 0.0), Eigen::Vector3d(500.0, 0.0, 0.0) });
+  const shapeton::RegistrationErrors errors = shapeton::MeasureRegistrationErrors(same, pairs);
+  EXPECT_EQ(errors.offSurface, 1);
+  EXPECT_EQ(errors.inSpace.size(), 50U);
+  EXPECT_LT(errors.Mean(), 1.0);
+  EXPECT_EQ(errors.ShareWithin10(), 1.0);
+}
+
+TEST(SupineProneRegistration, SimplerSchemesFindWhatTheyCanExpress)
+{
+  using Scheme = shapeton::RegistrationScheme;
+  const auto errorOf = [](Scheme scheme, const Movement & movement) {
+    const shapeton::ColonPosition supine = MakePosition("supine", 1, {});
+    const shapeton::ColonPosition prone = MakePosition("prone", 1, movement);
+    const auto                    registration = shapeton::RegisterColonPositions(supine, prone);
+    return GreatestError(registration, shapeton::MapOfScheme(scheme, supine, prone, registration), movement);
+  };
+  const Movement turned{ 0.375, 0.0 }; // a rotation that the schemes try, of 48
+  for (const Scheme scheme : { Scheme::Rectangles, Scheme::Centreline, Scheme::Landmarks, Scheme::HardConstraints })
+  {
+    EXPECT_LT(errorOf(scheme, turned), 3.0) << static_cast<int>(scheme);
+  }
+  const Movement both = SomeMovement();
+  EXPECT_GT(errorOf(Scheme::Centreline, both), 7.0); // 8 mm of stretch are out of its reach
+  EXPECT_LT(errorOf(Scheme::Warping, both), 5.0);
+  EXPECT_LT(errorOf(Scheme::HardConstraints, both), 3.0);
+}

@@ -1,0 +1,89 @@
+#ifndef shapetonExceptions_h
+#define shapetonExceptions_h
+
+#include "BaseExport.h"
+
+#include "itkMacro.h"
+
+#include <string>
+
+namespace shapeton
+{
+/** \class Exception
+ * \brief What all errors of Shapeton derive from; itself an itk::ExceptionObject.
+ *
+ * The description, which what() gives as it is, is one line: what is wrong, with which file or parameter, and what to
+ * do. It names a parameter as `the parameter "name"`, so that a command-line tool can put its option in that place.
+ * File, line and location are those of the code that throws. Throw one of the three derived classes.
+ *
+ * \ingroup Base */
+class Base_EXPORT Exception : public itk::ExceptionObject
+{
+public:
+  ~Exception() override;
+
+  const char *
+  what() const noexcept override;
+
+  const char *
+  GetNameOfClass() const override;
+
+protected:
+  Exception(const std::string & description, const char * file, unsigned int line, const char * function);
+};
+
+// The defaults of the last three arguments are evaluated where the exception is made.
+#define SHAPETON_EXCEPTION(name)                                                                                       \
+  explicit name(const std::string & description,                                                                       \
+                const char *        file = __builtin_FILE(),                                                           \
+                unsigned int        line = __builtin_LINE(),                                                           \
+                const char *        function = __builtin_FUNCTION());                                                         \
+  ~name() override;                                                                                                    \
+  const char * GetNameOfClass() const override
+
+/** \class ParameterError
+ * \brief A parameter is missing, out of range or contradicts another one: the call is wrong, whatever the data.
+ * \ingroup Base */
+class Base_EXPORT ParameterError : public Exception
+{
+public:
+  SHAPETON_EXCEPTION(ParameterError);
+};
+
+/** \class InputError
+ * \brief The input is missing, unreadable, malformed or unsuitable.
+ * \ingroup Base */
+class Base_EXPORT InputError : public Exception
+{
+public:
+  SHAPETON_EXCEPTION(InputError);
+};
+
+/** \class OutputError
+ * \brief A result cannot be written.
+ * \ingroup Base */
+class Base_EXPORT OutputError : public Exception
+{
+public:
+  SHAPETON_EXCEPTION(OutputError);
+};
+
+#undef SHAPETON_EXCEPTION
+
+/** Throws ParameterError with the description unless the condition holds.
+ * \ingroup Base */
+inline void
+RequireParameter(bool                condition,
+                 const std::string & description,
+                 const char *        file = __builtin_FILE(),
+                 unsigned int        line = __builtin_LINE(),
+                 const char *        function = __builtin_FUNCTION())
+{
+  if (!condition)
+  {
+    throw ParameterError(description, file, line, function);
+  }
+}
+} // namespace shapeton
+
+#endif

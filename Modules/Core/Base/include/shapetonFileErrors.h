@@ -1,0 +1,23 @@
+#ifndef shapetonFileErrors_h
+#define shapetonFileErrors_h
+
+#include "BaseExport.h"
+
+#include <string>
+
+namespace shapeton
+{
+/** Throws InputError with the reason of `error` (an errno) and what to do. \ingroup Base */
+[[noreturn]] Base_EXPORT void
+ThrowCannotRead(const std::string & path, int error);
+
+/** Throws OutputError with the reason of `error` (an errno) and what to do. \ingroup Base */
+[[noreturn]] Base_EXPORT void
+ThrowCannotWrite(const std::string & path, int error);
+
+/** Throws OutputError. \ingroup Base */
+[[noreturn]] Base_EXPORT void
+ThrowCannotWrite(const std::string & path, const std::string & reason, const std::string & advice);
+} // namespace shapeton
+
+#endif

@@ -1,0 +1,97 @@
+#ifndef shapetonParallelFor_h
+#define shapetonParallelFor_h
+
+#include "itkMultiThreaderBase.h"
+
+#include <algorithm>
+#include <atomic>
+#include <exception>
+#include <mutex>
+
+namespace shapeton
+{
+/** The number of threads that ITK's settings allow. \ingroup Base */
+inline unsigned int
+NumberOfThreads()
+{
+  return std::max<unsigned int>(1, itk::MultiThreaderBase::GetGlobalDefaultNumberOfThreads());
+}
+
+/** Runs `body(worker)` on `workers` workers of ITK's threader. A worker may start after another one has ended, so none
+ * may wait for one that has not begun. The first exception is thrown again when all workers have ended; ITK's threader
+ * would lose those of all workers but one. \ingroup Base */
+template <typename TBody>
+void
+ParallelWorkers(unsigned int workers, const TBody & body)
+{
+  if (workers <= 1)
+  {
+    body(0U);
+    return;
+  }
+  std::mutex         mutex;
+  std::exception_ptr failure;
+  auto               threader = itk::MultiThreaderBase::New();
+  threader->SetNumberOfWorkUnits(workers);
+  threader->ParallelizeArray(
+    0,
+    workers,
+    [&](itk::SizeValueType worker) {
+      try
+      {
+        body(static_cast<unsigned int>(worker));
+      }
+      catch (...)
+      {
+        const std::lock_guard<std::mutex> lock(mutex);
+        failure = failure ? failure : std::current_exception();
+      }
+    },
+    nullptr);
+  if (failure)
+  {
+    std::rethrow_exception(failure);
+  }
+}
+
+/** Calls `body(i, worker)` for 0 <= i < number, each i once, in no certain order. \ingroup Base */
+template <typename TBody>
+void
+ParallelForWorkers(std::size_t number, const TBody & body)
+{
+  std::atomic<std::size_t> next{ 0 };
+  ParallelWorkers(static_cast<unsigned int>(std::min<std::size_t>(NumberOfThreads(), number)),
+                  [&](unsigned int worker) {
+                    for (std::size_t i = next++; i < number; i = next++)
+                    {
+                      body(i, worker);
+                    }
+                  });
+}
+
+/** Calls `body(i)` for 0 <= i < number, each i once, in no certain order; for bodies that take a microsecond or more.
+ * \ingroup Base */
+template <typename TBody>
+void
+ParallelFor(std::size_t number, const TBody & body)
+{
+  ParallelForWorkers(number, [&body](std::size_t i, unsigned int) { body(i); });
+}
+
+/** ParallelFor() in blocks, for bodies that take less. \ingroup Base */
+template <typename TBody>
+void
+ParallelForBlocks(std::size_t number, const TBody & body)
+{
+  constexpr std::size_t blockSize = 4096;
+  ParallelFor((number + blockSize - 1) / blockSize, [&](std::size_t block) {
+    const std::size_t end = std::min(number, (block + 1) * blockSize);
+    for (std::size_t i = block * blockSize; i < end; ++i)
+    {
+      body(i);
+    }
+  });
+}
+} // namespace shapeton
+
+#endif

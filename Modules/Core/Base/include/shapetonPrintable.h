@@ -1,0 +1,25 @@
+#ifndef shapetonPrintable_h
+#define shapetonPrintable_h
+
+#include "BaseExport.h"
+
+#include <string>
+
+namespace shapeton
+{
+/** The text as one line of valid UTF-8 without control characters: white space and control characters collapse into
+ * single blanks, malformed bytes become '?'. File names may hold anything; terminals and XML may not.
+ * \ingroup Base */
+Base_EXPORT std::string
+            Printable(const std::string & text);
+
+/** `text` in double quotes, shortened when it is too long for a message. \ingroup Base */
+Base_EXPORT std::string
+            Quoted(const std::string & text);
+
+/** A folder's name without slashes at its end, so that names can be made from it. \ingroup Base */
+Base_EXPORT std::string
+            WithoutTrailingSlashes(std::string path);
+} // namespace shapeton
+
+#endif

@@ -1,0 +1,67 @@
+#include "shapetonFileErrors.h"
+#include "shapetonExceptions.h"
+
+#include <cerrno>
+#include <system_error>
+
+namespace shapeton
+{
+namespace
+{
+std::string
+ReasonOf(int error)
+{
+  return std::generic_category().message(error);
+}
+
+std::string
+AdviceForReading(int error)
+{
+  switch (error)
+  {
+    case EISDIR:
+      return "give the name of a file";
+    case EIO:
+      return "check the disk";
+    default:
+      return "check the name and its permissions";
+  }
+}
+
+std::string
+AdviceForWriting(int error)
+{
+  switch (error)
+  {
+    case ENOSPC:
+    case EDQUOT:
+    case EFBIG:
+      return "free some space or choose another folder";
+    case ENAMETOOLONG:
+      return "choose a shorter name";
+    case EISDIR:
+      return "give a file name";
+    default:
+      return "choose a folder that exists and can be written";
+  }
+}
+} // namespace
+
+void
+ThrowCannotRead(const std::string & path, int error)
+{
+  throw InputError("cannot read \"" + path + "\": " + ReasonOf(error) + "; " + AdviceForReading(error));
+}
+
+void
+ThrowCannotWrite(const std::string & path, int error)
+{
+  ThrowCannotWrite(path, ReasonOf(error), AdviceForWriting(error));
+}
+
+void
+ThrowCannotWrite(const std::string & path, const std::string & reason, const std::string & advice)
+{
+  throw OutputError("cannot write \"" + path + "\": " + reason + "; " + advice);
+}
+} // namespace shapeton

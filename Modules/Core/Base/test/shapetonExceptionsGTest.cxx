@@ -1,0 +1,80 @@
+#include "shapetonExceptions.h"
+
+#include <gtest/gtest.h>
+
+#include <sstream>
+
+namespace
+{
+/** The line of the throw. */
+template <typename TException>
+unsigned int
+Throw(const std::string & description)
+{
+  throw TException(description);
+}
+
+template <typename TException>
+void
+ExpectWhole(const std::string & name)
+{
+  try
+  {
+    Throw<TException>("what it says");
+    FAIL() << "nothing was thrown";
+  }
+  catch (const itk::ExceptionObject & error) // as a pipeline of ITK catches it
+  {
+    EXPECT_STREQ(error.what(), "what it says");
+    EXPECT_STREQ(error.GetDescription(), "what it says");
+    EXPECT_EQ(error.GetNameOfClass(), name);
+    EXPECT_NE(std::string(error.GetFile()).find("ExceptionsGTest.cxx"), std::string::npos);
+    EXPECT_EQ(error.GetLine(), 15U);
+    EXPECT_STREQ(error.GetLocation(), "Throw");
+    std::ostringstream printed;
+    printed << error;
+    EXPECT_NE(printed.str().find(name), std::string::npos);
+    EXPECT_NE(printed.str().find("what it says"), std::string::npos);
+    EXPECT_NE(printed.str().find("ExceptionsGTest.cxx"), std::string::npos);
+  }
+}
+
+TEST(Exceptions, AreItkExceptionsThatNameTheirPlace)
+{
+  ExpectWhole<shapeton::ParameterError>("ParameterError");
+  ExpectWhole<shapeton::InputError>("InputError");
+  ExpectWhole<shapeton::OutputError>("OutputError");
+}
+
+TEST(Exceptions, AreToldApart)
+{
+  EXPECT_THROW(throw shapeton::InputError("a"), shapeton::Exception);
+  bool isParameter = false;
+  try
+  {
+    throw shapeton::InputError("a");
+  }
+  catch (const shapeton::ParameterError &)
+  {
+    isParameter = true;
+  }
+  catch (const shapeton::InputError &)
+  {}
+  EXPECT_FALSE(isParameter);
+}
+
+TEST(Exceptions, ARequirementNamesThePlaceThatRequires)
+{
+  EXPECT_NO_THROW(shapeton::RequireParameter(true, "a"));
+  try
+  {
+    shapeton::RequireParameter(false, "p must be positive");
+    FAIL() << "nothing was thrown";
+  }
+  catch (const shapeton::ParameterError & error)
+  {
+    EXPECT_STREQ(error.what(), "p must be positive");
+    EXPECT_NE(std::string(error.GetFile()).find("ExceptionsGTest.cxx"), std::string::npos);
+  }
+}
+} // namespace

@@ -1,0 +1,59 @@
+#include "shapetonParallelFor.h"
+
+#include "gtest/gtest.h"
+
+#include <stdexcept>
+#include <vector>
+
+namespace
+{
+class WithThreads : public testing::TestWithParam<unsigned int>
+{
+protected:
+  void
+  SetUp() override
+  {
+    itk::MultiThreaderBase::SetGlobalDefaultNumberOfThreads(GetParam());
+  }
+};
+
+TEST_P(WithThreads, EachIndexIsTakenOnce)
+{
+  for (const std::size_t number : { 0, 1, 7, 4096, 4097, 20000 })
+  {
+    std::vector<int> single(number, 0);
+    std::vector<int> blocks(number, 0);
+    shapeton::ParallelFor(number, [&](std::size_t i) { ++single[i]; });
+    shapeton::ParallelForBlocks(number, [&](std::size_t i) { ++blocks[i]; });
+    EXPECT_EQ(single, std::vector<int>(number, 1));
+    EXPECT_EQ(blocks, std::vector<int>(number, 1));
+  }
+}
+
+TEST_P(WithThreads, WorkersHaveTheirOwnNumbers)
+{
+  std::vector<int> counts(GetParam(), 0);
+  shapeton::ParallelForWorkers(1000, [&](std::size_t, unsigned int worker) { ++counts.at(worker); });
+  int sum = 0;
+  for (const int count : counts)
+  {
+    sum += count;
+  }
+  EXPECT_EQ(sum, 1000);
+}
+
+TEST_P(WithThreads, AnExceptionComesBack)
+{
+  const auto loop = [] {
+    shapeton::ParallelFor(100, [](std::size_t i) {
+      if (i == 37)
+      {
+        throw std::runtime_error("thirty-seven");
+      }
+    });
+  };
+  EXPECT_THROW(loop(), std::runtime_error);
+}
+
+INSTANTIATE_TEST_SUITE_P(Threads, WithThreads, testing::Values(1U, 2U, 3U));
+} // namespace

@@ -1,0 +1,57 @@
+#ifndef shapetonCsvTable_h
+#define shapetonCsvTable_h
+
+#include "ReportExport.h"
+
+#include <string>
+#include <vector>
+
+namespace shapeton
+{
+/** \class CsvTable
+ * \brief A table with named columns, written as RFC 4180 CSV (comma, double quotes where needed, LF).
+ *
+ * Cells are text in UTF-8.
+ *
+ * \ingroup Report
+ */
+class Report_EXPORT CsvTable
+{
+public:
+  explicit CsvTable(std::vector<std::string> columns);
+  ~CsvTable();
+
+  /** Throws std::invalid_argument when the number of cells differs from that of the columns. */
+  void
+  AddRow(std::vector<std::string> cells);
+
+  const std::vector<std::string> &
+  GetColumns() const
+  {
+    return m_Columns;
+  }
+  const std::vector<std::vector<std::string>> &
+  GetRows() const
+  {
+    return m_Rows;
+  }
+
+  /** Throws OutputError. */
+  void
+  Write(const std::string & path) const;
+
+  /** The shortest text that reads back as `value`, with a full stop in every locale; "nan", "inf", "-inf". */
+  static std::string
+  Number(double value);
+
+  /** `value` with `digits` significant digits (1 to 17), for people. */
+  static std::string
+  Rounded(double value, int digits);
+
+private:
+  std::vector<std::string>              m_Columns;
+  std::vector<std::vector<std::string>> m_Rows;
+};
+} // namespace shapeton
+
+#endif

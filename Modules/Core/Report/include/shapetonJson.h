@@ -1,0 +1,44 @@
+#ifndef shapetonJson_h
+#define shapetonJson_h
+
+#include "ReportExport.h"
+#include "shapetonProvenance.h"
+
+#include <nlohmann/json.hpp>
+
+#include <string>
+
+namespace shapeton
+{
+/** A JSON document that keeps the order of its keys.
+ * \ingroup Report */
+using Json = nlohmann::ordered_json;
+
+/** Writes a document, indented by two spaces, with a final newline. Malformed UTF-8 becomes U+FFFD, a number that is
+ * not finite becomes null. Throws OutputError.
+ * \ingroup Report */
+Report_EXPORT void
+WriteJson(const Json & document, const std::string & path);
+
+/** Reads a document. Throws InputError that names the file and the line and column of the fault.
+ * \ingroup Report */
+Report_EXPORT Json
+ReadJson(const std::string & path);
+
+/** An object with a key for each name; of equal names the last counts.
+ * \ingroup Report */
+Report_EXPORT Json
+ProvenanceToJson(const Provenance & provenance);
+
+/** A measured value for a document: rounded to `digits` significant digits, null where it is not finite.
+ * \ingroup Report */
+Report_EXPORT Json
+RoundedJson(double value, int digits = 6);
+
+/** "line 3, column 14": where a reader of the text finds byte number `byte`, counted from 1.
+ * \ingroup Report */
+Report_EXPORT std::string
+              PlaceInText(const std::string & text, std::size_t byte);
+} // namespace shapeton
+
+#endif

@@ -1,0 +1,321 @@
+#include "shapetonHtmlReport.h"
+#include "shapetonFileBytes.h"
+#include "shapetonTestFolder.h"
+
+#include "gtest/gtest.h"
+
+#if __has_include("itk_expat.h") // in an ITK source tree
+#  include "itk_expat.h"
+#else
+#  include <expat.h>
+#endif
+
+#include <algorithm>
+#include <map>
+#include <set>
+
+namespace
+{
+using basetest::Folder;
+
+const std::string pngSignature = "\x89PNG\r\n\x1A\n";
+
+struct Element
+{
+  std::string                        tag;
+  std::map<std::string, std::string> attributes;
+  std::string                        text; ///< its own, without that of its children
+};
+
+struct Page
+{
+  std::string              bytes;
+  std::vector<Element>     elements; // in the order of their begins
+  std::vector<std::size_t> open;
+
+  std::vector<std::string>
+  TextsOf(const std::string & tag) const
+  {
+    std::vector<std::string> texts;
+    for (const auto & element : elements)
+    {
+      if (element.tag == tag)
+      {
+        texts.push_back(element.text);
+      }
+    }
+    return texts;
+  }
+};
+
+/** The page as a browser that is strict about tags sees it; fails when it is not well-formed. */
+Page
+Parse(const std::string & bytes)
+{
+  Page page;
+  page.bytes = bytes;
+  XML_Parser parser = XML_ParserCreate("UTF-8");
+  XML_SetUserData(parser, &page);
+  XML_SetElementHandler(
+    parser,
+    [](void * data, const char * tag, const char ** attributes) {
+      auto & here = *static_cast<Page *>(data);
+      here.open.push_back(here.elements.size());
+      here.elements.push_back({ tag, {}, {} });
+      for (; *attributes; attributes += 2)
+      {
+        here.elements.back().attributes[attributes[0]] = attributes[1];
+      }
+    },
+    [](void * data, const char *) { static_cast<Page *>(data)->open.pop_back(); });
+  XML_SetCharacterDataHandler(parser, [](void * data, const char * text, int size) {
+    auto & here = *static_cast<Page *>(data);
+    here.elements[here.open.back()].text.append(text, size);
+  });
+  const auto status = XML_Parse(parser, bytes.data(), static_cast<int>(bytes.size()), 1);
+  EXPECT_EQ(status, XML_STATUS_OK) << XML_ErrorString(XML_GetErrorCode(parser)) << " in line "
+                                   << XML_GetCurrentLineNumber(parser);
+  XML_ParserFree(parser);
+  return page;
+}
+
+Page
+Written(const shapeton::HtmlReport & report)
+{
+  const Folder folder;
+  report.Write(folder / "index.html");
+  return Parse(shapeton::ReadFileBytes(folder / "index.html"));
+}
+
+shapeton::HtmlReport
+FullReport(const Folder & folder)
+{
+  shapeton::WriteFileBytes(folder / "p.png", pngSignature + "pixels");
+  shapeton::CsvTable table({ "class", "heat" });
+  table.AddRow({ "bone", "1" });
+  table.AddRow({ "skin", "2" });
+  shapeton::HtmlReport report("Heat of the ankle");
+  report.AddParagraph("First.");
+  report.AddNote("Look here.");
+  report.AddHeading("Pictures");
+  report.AddPicture(folder / "p.png", "The histogram");
+  report.AddTable(table, "Classes");
+  report.AddFacts({ { "tool", "CumulativeHeatDiffusion" }, { "version", "0.1.0" } });
+  return report;
+}
+
+TEST(HtmlReport, ShowsWhatWasAddedInItsOrder)
+{
+  const Folder folder;
+  const Page   page = Written(FullReport(folder));
+  EXPECT_EQ(page.bytes.find("<!DOCTYPE html>\n<html lang=\"en\">\n"), 0u);
+  EXPECT_EQ(page.TextsOf("title"), page.TextsOf("h1"));
+  using Texts = std::vector<std::string>;
+  EXPECT_EQ(page.TextsOf("h1"), Texts({ "Heat of the ankle" }));
+  EXPECT_EQ(page.TextsOf("h2"), Texts({ "Pictures" }));
+  EXPECT_EQ(page.TextsOf("p"), Texts({ "First.", "Look here." }));
+  EXPECT_EQ(page.TextsOf("figcaption"), Texts({ "The histogram" }));
+  EXPECT_EQ(page.TextsOf("caption"), Texts({ "Classes" }));
+  EXPECT_EQ(page.TextsOf("th"), Texts({ "class", "heat", "tool", "version" }));
+  EXPECT_EQ(page.TextsOf("td"), Texts({ "bone", "1", "skin", "2", "CumulativeHeatDiffusion", "0.1.0" }));
+
+  std::vector<std::string> order;
+  for (const auto & element : page.elements)
+  {
+    if (std::set<std::string>{ "h1", "p", "h2", "figure", "table" }.count(element.tag))
+    {
+      order.push_back(element.tag);
+    }
+  }
+  EXPECT_EQ(order, Texts({ "h1", "p", "p", "h2", "figure", "table", "table" }));
+}
+
+TEST(HtmlReport, RefersToNothingOutside)
+{
+  const Folder folder;
+  const Page   page = Written(FullReport(folder));
+  for (const auto & element : page.elements)
+  {
+    EXPECT_EQ(element.attributes.count("href"), 0u);
+    EXPECT_FALSE(std::set<std::string>({ "link", "script", "iframe", "object", "embed", "base" }).count(element.tag))
+      << element.tag;
+    if (const auto source = element.attributes.find("src"); source != element.attributes.end())
+    {
+      EXPECT_EQ(source->second.find("data:"), 0u);
+    }
+  }
+  for (const std::string reference : { "http:", "https:", "file:", "url(", "@import", "p.png" })
+  {
+    EXPECT_EQ(page.bytes.find(reference), std::string::npos) << reference;
+  }
+}
+
+TEST(HtmlReport, IsTheSameBytesForTheSameContent)
+{
+  const Folder one;
+  const Folder two; // pictures and report lie elsewhere
+  EXPECT_EQ(Written(FullReport(one)).bytes, Written(FullReport(two)).bytes);
+}
+
+TEST(HtmlReport, MayBeWrittenTwiceAndContinued)
+{
+  shapeton::HtmlReport report("T");
+  const std::string    empty = Written(report).bytes;
+  EXPECT_EQ(Written(report).bytes, empty);
+  report.AddParagraph("more");
+  EXPECT_EQ(Written(report).TextsOf("p"), std::vector<std::string>({ "more" }));
+}
+
+TEST(HtmlReport, TextIsNeverMarkup)
+{
+  const Folder      folder;
+  const std::string text = "</td></style><script>alert('1' & \"2\")</script> &amp; ]]> \xC3\xA4 <!--";
+  shapeton::WriteFileBytes(folder / "p.png", pngSignature);
+  shapeton::CsvTable table({ text });
+  table.AddRow({ text });
+  shapeton::HtmlReport report(text);
+  report.AddHeading(text);
+  report.AddParagraph(text);
+  report.AddNote(text);
+  report.AddPicture(folder / "p.png", text);
+  report.AddTable(table, text);
+  report.AddFacts({ { text, text } });
+  const Page page = Written(report);
+  for (const std::string tag : { "title", "h1", "h2", "p", "figcaption", "caption", "th", "td" })
+  {
+    const auto texts = page.TextsOf(tag);
+    EXPECT_FALSE(texts.empty());
+    EXPECT_TRUE(std::all_of(texts.begin(), texts.end(), [&](const auto & found) { return found == text; })) << tag;
+  }
+  EXPECT_TRUE(page.TextsOf("script").empty());
+  const auto picture =
+    std::find_if(page.elements.begin(), page.elements.end(), [](const Element & e) { return e.tag == "img"; });
+  ASSERT_NE(picture, page.elements.end());
+  EXPECT_EQ(picture->attributes.at("alt"), text);
+}
+
+TEST(HtmlReport, ControlCharactersBecomeBlanks)
+{
+  shapeton::HtmlReport report("T");
+  report.AddParagraph("a\x01"
+                      "b\x1B"
+                      "c" +
+                      std::string(1, '\0') + "d\te\nf");
+  EXPECT_EQ(Written(report).TextsOf("p"), std::vector<std::string>({ "a b c d\te\nf" }));
+}
+
+// ---- pictures ----
+
+std::string
+SourceOfPicture(const std::string & bytes)
+{
+  const Folder folder;
+  shapeton::WriteFileBytes(folder / "p.png", bytes);
+  shapeton::HtmlReport report("T");
+  report.AddPicture(folder / "p.png", "C");
+  const Page page = Written(report);
+  for (const auto & element : page.elements)
+  {
+    if (element.tag == "img")
+    {
+      return element.attributes.at("src");
+    }
+  }
+  return "no picture";
+}
+
+// With one more byte the signature of PNG ends on a border of base64, so that what follows is encoded on its own.
+TEST(HtmlReport, PicturesAreEncodedAsTheExamplesOfRFC4648)
+{
+  const std::pair<std::string, std::string> examples[] = { { "", "" },
+                                                           { "f", "Zg==" },
+                                                           { "fo", "Zm8=" },
+                                                           { "foo", "Zm9v" },
+                                                           { "foob", "Zm9vYg==" },
+                                                           { "fooba", "Zm9vYmE=" },
+                                                           { "foobar", "Zm9vYmFy" } };
+  for (const auto & [bytes, encoded] : examples)
+  {
+    EXPECT_EQ(SourceOfPicture(pngSignature + "\n" + bytes), "data:image/png;base64,iVBORw0KGgoK" + encoded);
+  }
+  EXPECT_EQ(SourceOfPicture(pngSignature), "data:image/png;base64,iVBORw0KGgo=");
+}
+
+int
+ValueOf(char c)
+{
+  static const std::string alphabet = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  return static_cast<int>(alphabet.find(c));
+}
+
+TEST(HtmlReport, PicturesOfAllBytesAreDecodedAsTheyWere)
+{
+  std::string bytes = pngSignature;
+  for (unsigned int i = 0; i < 70000; ++i)
+  {
+    bytes += static_cast<char>(i * i / 7 + i);
+  }
+  const std::string source = SourceOfPicture(bytes).substr(std::string("data:image/png;base64,").size());
+  std::string       decoded;
+  unsigned int      bits = 0;
+  int               number = 0;
+  for (const char c : source.substr(0, source.find('=')))
+  {
+    bits = (bits << 6 | ValueOf(c)) & 0xFFFFFF;
+    number += 6;
+    if (number >= 8)
+    {
+      number -= 8;
+      decoded += static_cast<char>(bits >> number & 0xFF);
+    }
+  }
+  EXPECT_EQ(decoded, bytes);
+  EXPECT_EQ(source.size() % 4, 0u);
+}
+
+TEST(HtmlReport, PicturesThatAreNone)
+{
+  const Folder         folder;
+  shapeton::HtmlReport report("T");
+  EXPECT_EQ(basetest::MessageOf([&] { report.AddPicture(folder / "no.png", "C"); }),
+            "InputError: cannot read \"" + (folder / "no.png") +
+              "\": No such file or directory; check the name and its permissions");
+  for (const std::string & bytes : { std::string(), std::string("text"), pngSignature.substr(0, 7) })
+  {
+    shapeton::WriteFileBytes(folder / "p.png", bytes);
+    EXPECT_EQ(basetest::MessageOf([&] { report.AddPicture(folder / "p.png", "C"); }),
+              "InputError: the picture \"" + (folder / "p.png") + "\" is not a PNG file; convert it");
+  }
+  EXPECT_TRUE(Written(report).TextsOf("figcaption").empty());
+}
+
+TEST(HtmlReport, CannotBeWrittenEverywhere)
+{
+  EXPECT_EQ(
+    basetest::MessageOf([] { shapeton::HtmlReport("T").Write("/dev/full"); }),
+    "OutputError: cannot write \"/dev/full\": No space left on device; free some space or choose another folder");
+}
+
+TEST(HtmlReport, BeginsWithItsUseWhatWasFoundAndWhatIsDoubtful)
+{
+  shapeton::HtmlReport sure("Colon");
+  sure.AddHead({ { "Length", "1.6 m" } }, {});
+  shapeton::HtmlReport doubtful("Colon");
+  doubtful.AddHead({ { "Length", "1.6 m" } }, { "a gap" });
+  const Folder folder;
+  sure.Write(folder / "sure.html");
+  doubtful.Write(folder / "doubtful.html");
+  const std::string pages[] = { shapeton::ReadFileBytes(folder / "sure.html"),
+                                shapeton::ReadFileBytes(folder / "doubtful.html") };
+  for (const std::string & page : pages)
+  {
+    const auto use = page.find("For research use. This is not a diagnosis");
+    const auto found = page.find("1.6 m");
+    EXPECT_LT(use, found);
+    EXPECT_LT(found, page.find("What is missing or doubtful"));
+  }
+  EXPECT_NE(pages[0].find("Nothing was found missing or doubtful"), std::string::npos);
+  EXPECT_NE(pages[1].find("<p class=\"note\">a gap</p>"), std::string::npos);
+  EXPECT_EQ(pages[1].find("Nothing was found"), std::string::npos);
+}
+} // namespace

@@ -1,0 +1,136 @@
+#ifndef shapetonCumulativeHeatDiffusionImageFilter_hxx
+#define shapetonCumulativeHeatDiffusionImageFilter_hxx
+
+#include "shapetonCumulativeHeatDiffusionImageFilter.h"
+
+#include <algorithm>
+#include <type_traits>
+
+namespace shapeton
+{
+template <typename TInputImage>
+CumulativeHeatDiffusionImageFilter<TInputImage>::CumulativeHeatDiffusionImageFilter() : Superclass(100000)
+{
+  this->SetNumberOfRequiredOutputs(2);
+  this->SetNthOutput(1, HeatImageType::New());
+}
+
+template <typename TInputImage>
+void
+CumulativeHeatDiffusionImageFilter<TInputImage>::SetHistogramSteps(const StepsType & steps)
+{
+  m_HistogramSteps = steps;
+  this->Modified();
+}
+
+template <typename TInputImage>
+void
+CumulativeHeatDiffusionImageFilter<TInputImage>::SetSnapshotSteps(const StepsType &        steps,
+                                                                  const SnapshotConsumer & consumer)
+{
+  m_SnapshotSteps = steps;
+  m_SnapshotConsumer = consumer;
+  this->Modified();
+}
+
+template <typename TInputImage>
+CumulativeHeatDiffusionSettings
+CumulativeHeatDiffusionImageFilter<TInputImage>::MakeSettings(const float * intensities)
+{
+  CumulativeHeatDiffusionSettings settings;
+  settings.volumeGradient = this->MakeOperatorParameters(intensities);
+  settings.spacing = settings.volumeGradient.spacing;
+  settings.volumeGradient.conductance = m_Conductance;
+  if (m_IgnoreSpacing)
+  {
+    settings.volumeGradient.spacing = { { 1.0, 1.0, 1.0 } };
+  }
+  settings.automaticP = m_AutomaticP;
+  settings.method = m_Method;
+  settings.timeSteps = this->GetTimeSteps();
+  settings.timeStepLength = m_TimeStepLength;
+  settings.tolerance = m_Tolerance;
+  settings.untilSteady = m_UntilSteady;
+  settings.histogramSteps = m_HistogramSteps;
+  settings.snapshotSteps = m_SnapshotSteps;
+  settings.wantComponents = m_WantComponents;
+  return settings;
+}
+
+template <typename TInputImage>
+void
+CumulativeHeatDiffusionImageFilter<TInputImage>::HandOut(std::uint64_t step, const std::vector<float> & values) const
+{
+  auto snapshot = HeatImageType::New();
+  snapshot->CopyInformation(this->GetOutput());
+  snapshot->SetRegions(this->GetOutput()->GetLargestPossibleRegion());
+  snapshot->GetPixelContainer()->SetImportPointer(const_cast<float *>(values.data()), values.size(), false);
+  m_SnapshotConsumer(step, snapshot);
+}
+
+template <typename TInputImage>
+void
+CumulativeHeatDiffusionImageFilter<TInputImage>::GenerateData()
+{
+  const TInputImage * const input = this->GetInput();
+  HeatImageType * const     heat = this->GetOutput();
+  heat->SetBufferedRegion(heat->GetLargestPossibleRegion());
+  heat->Allocate();
+  HeatImageType * const initialHeat = this->GetInitialHeatOutput();
+  if (m_WantInitialHeat)
+  {
+    initialHeat->SetBufferedRegion(initialHeat->GetLargestPossibleRegion());
+    initialHeat->Allocate();
+  }
+  // Other pixel types are converted in the output, which the heat replaces at the end.
+  const float * intensities = heat->GetBufferPointer();
+  if constexpr (std::is_same_v<typename TInputImage::PixelType, float>)
+  {
+    intensities = input->GetBufferPointer();
+  }
+  else
+  {
+    std::transform(input->GetBufferPointer(),
+                   input->GetBufferPointer() + input->GetBufferedRegion().GetNumberOfPixels(),
+                   heat->GetBufferPointer(),
+                   [](auto value) { return static_cast<float>(value); });
+  }
+  try
+  {
+    m_Result = DiffuseCumulativeHeat(
+      intensities,
+      this->GetVolumeSize(),
+      this->MakeSettings(intensities),
+      heat->GetBufferPointer(),
+      m_WantInitialHeat ? initialHeat->GetBufferPointer() : nullptr,
+      m_SnapshotConsumer
+        ? [this](std::uint64_t step, const std::vector<float> & values) { this->HandOut(step, values); }
+        : HeatSnapshotConsumer(),
+      [this](double share) { this->ReportProgress(share); });
+  }
+  catch (const std::logic_error & error)
+  {
+    itkExceptionMacro(<< error.what());
+  }
+}
+
+template <typename TInputImage>
+void
+CumulativeHeatDiffusionImageFilter<TInputImage>::PrintSelf(std::ostream & os, itk::Indent indent) const
+{
+  Superclass::PrintSelf(os, indent);
+  os << indent << "AutomaticP: " << m_AutomaticP << std::endl;
+  os << indent << "TimeStepLength: " << m_TimeStepLength << std::endl;
+  os << indent << "Method: " << (m_Method == Method::Chebyshev ? "Chebyshev" : "Explicit") << std::endl;
+  os << indent << "Tolerance: " << m_Tolerance << std::endl;
+  os << indent << "Conductance: " << (m_Conductance == Conductance::Physical ? "Physical" : "Published") << std::endl;
+  os << indent << "IgnoreSpacing: " << m_IgnoreSpacing << std::endl;
+  os << indent << "UntilSteady: " << m_UntilSteady << std::endl;
+  os << indent << "WantComponents: " << m_WantComponents << std::endl;
+  os << indent << "WantInitialHeat: " << m_WantInitialHeat << std::endl;
+  os << indent << "HistogramSteps: " << m_HistogramSteps.size() << std::endl;
+  os << indent << "SnapshotSteps: " << m_SnapshotSteps.size() << std::endl;
+}
+} // namespace shapeton
+
+#endif

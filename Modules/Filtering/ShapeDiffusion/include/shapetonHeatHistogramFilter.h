@@ -1,0 +1,71 @@
+#ifndef shapetonHeatHistogramFilter_h
+#define shapetonHeatHistogramFilter_h
+
+#include "shapetonHeatHistogram.h"
+
+#include "itkImage.h"
+#include "itkProcessObject.h"
+#include "itkSimpleDataObjectDecorator.h"
+
+#include <cstdint>
+#include <vector>
+
+namespace shapeton
+{
+/** \class HeatHistogramFilter
+ * \brief The heat histogram of heat volumes that exist already, one row for each.
+ *
+ * Where the heats are not kept, CumulativeHeatDiffusionImageFilter makes the same histogram while it runs.
+ *
+ * \par Inputs and Outputs
+ * Inputs: heat volumes in [0, 1] in the order of ascending time steps, by AddHeat(). Output: a HeatHistogram in a
+ * SimpleDataObjectDecorator.
+ *
+ * \ingroup ShapeDiffusion
+ */
+class ShapeDiffusion_EXPORT HeatHistogramFilter : public itk::ProcessObject
+{
+public:
+  ITK_DISALLOW_COPY_AND_MOVE(HeatHistogramFilter);
+
+  using Self = HeatHistogramFilter;
+  using Superclass = itk::ProcessObject;
+  using Pointer = itk::SmartPointer<Self>;
+  using ConstPointer = itk::SmartPointer<const Self>;
+  using HeatImageType = itk::Image<float, 3>;
+  using OutputType = itk::SimpleDataObjectDecorator<HeatHistogram>;
+
+  itkNewMacro(Self);
+  itkTypeMacro(HeatHistogramFilter, itk::ProcessObject);
+
+  /** Adds the heat after `timeStep`, which must not be less than the one before it. */
+  void
+  AddHeat(const HeatImageType * heat, std::uint64_t timeStep);
+
+  const OutputType *
+  GetOutput() const;
+
+  /** The histogram itself; valid after Update(). */
+  const HeatHistogram &
+  GetHistogram() const
+  {
+    return this->GetOutput()->Get();
+  }
+
+protected:
+  HeatHistogramFilter();
+  ~HeatHistogramFilter() override;
+
+  itk::DataObject::Pointer
+  MakeOutput(DataObjectPointerArraySizeType index) override;
+  void
+  PrintSelf(std::ostream & os, itk::Indent indent) const override;
+  void
+  GenerateData() override;
+
+private:
+  std::vector<std::uint64_t> m_TimeSteps;
+};
+} // namespace shapeton
+
+#endif

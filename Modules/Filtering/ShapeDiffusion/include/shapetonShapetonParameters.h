@@ -1,0 +1,39 @@
+#ifndef shapetonShapetonParameters_h
+#define shapetonShapetonParameters_h
+
+#include "ShapeDiffusionExport.h"
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <string>
+
+namespace shapeton
+{
+/** A distance and a number of shapetons chosen from the volume and the features that are looked for, and why.
+ * \ingroup ShapeDiffusion */
+struct AutomaticShapetons
+{
+  double        distance{ 0.0 }; ///< in (0, 1], as ShapetonDiffusionSettings::distance
+  std::string   distanceReason;
+  std::uint32_t shapetons{ 0 };
+  std::string   shapetonsReason;
+};
+
+/** Chooses the step and the number of shapetons (3.4.1, 3.4.2).
+ *
+ * A step longer than a feature passes over it (Figure 3.7): the step is half of `featureSize`, in mm. Too few shapetons
+ * never cover the volume (Figure 3.6): there are as many as give each voxel 20 visits on average in `timeSteps` steps,
+ * and at least so many that three start in the volume of a feature; at least 1000 and at most ten million, in
+ * thousands.
+ *
+ * `size` in voxels, `spacing` in mm. Throws std::invalid_argument for a feature smaller than a voxel or larger than the
+ * volume. \ingroup ShapeDiffusion */
+ShapeDiffusion_EXPORT AutomaticShapetons
+ChooseShapetons(const std::array<std::size_t, 3> & size,
+                const std::array<double, 3> &      spacing,
+                double                             featureSize,
+                std::uint64_t                      timeSteps);
+} // namespace shapeton
+
+#endif

@@ -1,0 +1,126 @@
+#ifndef shapetonVolumeGradientOperator_h
+#define shapetonVolumeGradientOperator_h
+
+#include "shapetonPaddedGrid.h"
+
+#include <array>
+#include <cmath>
+#include <vector>
+
+namespace shapeton
+{
+/** \class VolumeGradientOperator
+ * \brief The edge weights that a volume's intensities give to the diffusion of heat or particles.
+ *
+ * Between neighbours i and j along axis k, with intensities scaled to [0, 1] by a window,
+ *
+ *   halfGradient = |I_i - I_j| / res_k,   weight = clamp(1 - p * halfGradient, 0, 1)      (2.5, 2.6)
+ *
+ * where res_k = h_k / h_min is the distance of the neighbours relative to the smallest spacing, so that p keeps its
+ * meaning. The Laplacian of an anisotropic grid does not cancel as it does in (2.4) on a cubic one: the conductance of
+ * an edge is weight * (h_min / h_k)^2 (Physical, the default; (2.4) writes a sum, ours is a product) or the weight
+ * alone (Published). The diffusion uses the conductances, the initial heat the weights.
+ *
+ * The volume is extended by one layer that repeats the border intensities (weight 1) and stays at heat 0.
+ *
+ * Source: Gurijala, Shape-based analysis, chapter 2. The source does not say how I is scaled; the window is our
+ * reading.
+ *
+ * \ingroup ShapeDiffusion
+ */
+class ShapeDiffusion_EXPORT VolumeGradientOperator
+{
+public:
+  enum class Conductance
+  {
+    Physical,
+    Published
+  };
+
+  struct Parameters
+  {
+    /** Steepness; non-negative. An edge insulates where the half gradient reaches 1 / p. Default 7. */
+    double p{ 7.0 };
+    /** Intensity that maps to 0, and the greater one that maps to 1; intensities beyond are clamped. */
+    double lower{ 0.0 };
+    double upper{ 1.0 };
+    /** Voxel spacing in mm along x, y, z; positive. Use {1, 1, 1} to ignore it. */
+    std::array<double, 3> spacing{ { 1.0, 1.0, 1.0 } };
+    Conductance           conductance{ Conductance::Physical };
+  };
+
+  /** `intensities`: size[0] * size[1] * size[2] values, x fastest. Throws std::invalid_argument for parameters out of
+   * range and for intensities that are not finite. When lower == upper the volume counts as constant. */
+  VolumeGradientOperator(const float *                      intensities,
+                         const std::array<std::size_t, 3> & size,
+                         const Parameters &                 parameters);
+
+  /** For intensities in [0, 1]; `resolution` is res_k >= 1.
+   *
+   * \equation{2.6}
+   *
+   * \equation{3.3} */
+  static double
+  HalfGradient(double a, double b, double resolution)
+  {
+    return std::abs(a - b) / resolution;
+  }
+
+  /** In [0, 1]. What rounding leaves of a weight that is 0 would be a leak: it is cut off.
+   *
+   * \equation{2.5}
+   *
+   * \equation{3.2} */
+  static double
+  EdgeWeight(double halfGradient, double p)
+  {
+    const double weight = 1.0 - p * halfGradient;
+    return weight > 1e-12 ? weight : 0.0;
+  }
+
+  const PaddedGrid &
+  GetGrid() const
+  {
+    return m_Grid;
+  }
+  const Parameters &
+  GetParameters() const
+  {
+    return m_Parameters;
+  }
+
+  /** Conductances along an axis: entry i belongs to the edge from voxel i to its successor; on the padded grid. */
+  const float *
+  GetConductances(unsigned int axis) const
+  {
+    return m_Conductances[axis].GetData();
+  }
+  /** Conductance / weight of the edges along an axis. */
+  double
+  GetFactor(unsigned int axis) const
+  {
+    return m_Factors[axis];
+  }
+
+  /** (2.3): 1 - S_i / max S, S the sum of the six weights; in [0, 1], 0 everywhere in a constant volume. */
+  void
+  ComputeInitialHeat(PaddedField & heat) const;
+
+  /** An upper bound of the eigenvalues of the diffusion operator L, (L f)_i = sum_j c_ij (f_i - f_j): 12 on a cubic
+   * grid. Gershgorin: twice the largest sum of conductances that the grid allows. */
+  double
+  GetEigenvalueBound() const;
+
+private:
+  void
+  ComputeConductances(const float * intensities);
+
+  PaddedGrid                 m_Grid;
+  Parameters                 m_Parameters;
+  std::array<double, 3>      m_Resolution{};
+  std::array<double, 3>      m_Factors{};
+  std::array<PaddedField, 3> m_Conductances;
+};
+} // namespace shapeton
+
+#endif

@@ -1,0 +1,151 @@
+#include "shapetonAutomaticParameters.h"
+#include "shapetonParallelFor.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <iterator>
+
+namespace shapeton
+{
+namespace
+{
+constexpr std::size_t bins = 8192; // of half gradients in [0, 1]
+using Histogram = std::vector<std::uint64_t>;
+
+std::uint64_t
+Sum(const Histogram & histogram, std::size_t first = 0)
+{
+  std::uint64_t sum = 0;
+  for (std::size_t bin = first; bin < bins; ++bin)
+  {
+    sum += histogram[bin];
+  }
+  return sum;
+}
+
+/** The half gradient below which the share of the counts from bin `first` on lies. */
+double
+Quantile(const Histogram & histogram, double share, std::size_t first)
+{
+  const double wanted = share * static_cast<double>(Sum(histogram, first));
+  double       below = 0.0;
+  for (std::size_t bin = first; bin < bins; ++bin)
+  {
+    below += static_cast<double>(histogram[bin]);
+    if (below >= wanted)
+    {
+      return (bin + 0.5) / bins;
+    }
+  }
+  return 1.0;
+}
+
+/** Counts the half gradients along all lines of the volume; `peaksOnly`: those that exceed both their neighbours. */
+Histogram
+CountHalfGradients(const float *                      intensities,
+                   const std::array<std::size_t, 3> & size,
+                   const std::array<double, 3> &      resolution,
+                   double                             lower,
+                   double                             upper,
+                   bool                               peaksOnly)
+{
+  const std::array<std::size_t, 3> strides = { 1, size[0], size[0] * size[1] };
+  std::vector<Histogram>           histograms(NumberOfThreads(), Histogram(bins, 0));
+  const auto scaled = [&](std::size_t i) { return std::clamp((intensities[i] - lower) / (upper - lower), 0.0, 1.0); };
+  ParallelForWorkers(size[2], [&](std::size_t z, unsigned int worker) {
+    for (std::size_t y = 0; y < size[1]; ++y)
+    {
+      for (std::size_t x = 0; x < size[0]; ++x)
+      {
+        const std::array<std::size_t, 3> index = { x, y, z };
+        const std::size_t                voxel = x + y * strides[1] + z * strides[2];
+        for (unsigned int axis = 0; axis < 3; ++axis)
+        {
+          if (index[axis] + 2 >= size[axis] || index[axis] == 0)
+          {
+            continue;
+          }
+          const auto half = [&](std::size_t i) {
+            return std::abs(scaled(i + strides[axis]) - scaled(i)) / resolution[axis];
+          };
+          const double value = half(voxel);
+          if (!peaksOnly || (value > half(voxel - strides[axis]) && value >= half(voxel + strides[axis])))
+          {
+            ++histograms[worker]
+                        [value < 1.0 ? static_cast<std::size_t>(value * bins) : bins - 1]; // NaN is refused later
+          }
+        }
+      }
+    }
+  });
+  for (std::size_t worker = 1; worker < histograms.size(); ++worker)
+  {
+    std::transform(
+      histograms[0].begin(), histograms[0].end(), histograms[worker].begin(), histograms[0].begin(), std::plus<>());
+  }
+  return histograms[0];
+}
+} // namespace
+
+AutomaticP
+ChooseP(const float *                      intensities,
+        const std::array<std::size_t, 3> & size,
+        const std::array<double, 3> &      spacing,
+        double                             lower,
+        double                             upper)
+{
+  AutomaticP choice;
+  if (!(upper > lower))
+  {
+    choice.reason = "the volume is constant: any p gives heat 0";
+    return choice;
+  }
+  const double          smallest = std::min({ spacing[0], spacing[1], spacing[2] });
+  std::array<double, 3> resolution{};
+  std::transform(spacing.begin(), spacing.end(), resolution.begin(), [smallest](double h) { return h / smallest; });
+  const Histogram all = CountHalfGradients(intensities, size, resolution, lower, upper, false);
+  const bool      noisy = 10 * Sum(all, 1) > Sum(all);
+  choice.noise = noisy ? 3.138 * Quantile(all, 0.25, 1) : 0.0; // the lower quartile of |normal| is sd / 3.138
+
+  const Histogram peaks = CountHalfGradients(intensities, size, resolution, lower, upper, true);
+  const auto      firstEdge = std::max<std::size_t>(1, static_cast<std::size_t>(std::ceil(4.0 * choice.noise * bins)));
+  if (firstEdge >= bins || Sum(peaks, firstEdge) == 0)
+  {
+    choice.reason = "no edge rises above the noise: the default is kept";
+    return choice;
+  }
+  choice.edgeContrast = Quantile(peaks, 0.25, firstEdge);
+  // Between what noise reaches and what edges exceed, with room on both sides.
+  const double reach = std::max(4.0 * choice.noise, 0.25 * choice.edgeContrast);
+  const double cut = std::sqrt(reach * std::max(choice.edgeContrast, reach));
+  choice.p = std::clamp(1.0 / cut, 1.0, 50.0);
+  char text[240];
+  std::snprintf(
+    text,
+    sizeof(text),
+    "neighbours differ by %.4f of the intensity window where there is noise (standard deviation) and by more "
+    "than %.4f at three edges in four: edges insulate from 1/p = %.4f on",
+    choice.noise,
+    choice.edgeContrast,
+    1.0 / choice.p);
+  choice.reason = text;
+  return choice;
+}
+
+std::vector<std::uint64_t>
+MakeSnapshotSteps(std::uint64_t last, std::size_t number, SnapshotSpacing spacing)
+{
+  std::vector<std::uint64_t> steps{ 0 };
+  const auto                 intervals = static_cast<double>(std::max<std::size_t>(number, 2) - 1);
+  for (std::size_t i = 1; i <= intervals; ++i)
+  {
+    const double share = i / intervals;
+    const double step = spacing == SnapshotSpacing::Linear ? share * last : std::pow(static_cast<double>(last), share);
+    steps.push_back(std::min(last, static_cast<std::uint64_t>(std::llround(step))));
+  }
+  steps.back() = last;
+  steps.erase(std::unique(steps.begin(), steps.end()), steps.end());
+  return steps;
+}
+} // namespace shapeton

@@ -1,0 +1,49 @@
+#ifndef shapetonChecksum_h
+#define shapetonChecksum_h
+
+#include <cstdint>
+#include <cstring>
+
+namespace shapeton
+{
+/** A 64-bit sum that finds damage and differences, not forgery. Depends on how the bytes are cut into calls. */
+class Checksum
+{
+public:
+  void
+  Add(const void * bytes, std::size_t number)
+  {
+    const auto * next = static_cast<const unsigned char *>(bytes);
+    for (; number >= 8; number -= 8, next += 8)
+    {
+      std::uint64_t word;
+      std::memcpy(&word, next, 8);
+      this->Mix(word);
+    }
+    std::uint64_t rest = number;
+    if (number > 0) // nothing may lie at a null pointer
+    {
+      std::memcpy(reinterpret_cast<unsigned char *>(&rest) + 1, next, number);
+    }
+    this->Mix(rest);
+  }
+
+  std::uint64_t
+  Get() const
+  {
+    return m_Sum;
+  }
+
+private:
+  void
+  Mix(std::uint64_t word)
+  {
+    m_Sum = (m_Sum ^ word) * 0x9E3779B97F4A7C15U;
+    m_Sum ^= m_Sum >> 32;
+  }
+
+  std::uint64_t m_Sum{ 0x243F6A8885A308D3U };
+};
+} // namespace shapeton
+
+#endif

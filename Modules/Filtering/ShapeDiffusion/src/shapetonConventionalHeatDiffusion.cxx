@@ -1,0 +1,149 @@
+#include "shapetonConventionalHeatDiffusionImageFilter.h"
+#include "shapetonHeatDiffusionSolver.h"
+#include "shapetonParallelFor.h"
+
+#include <algorithm>
+#include <stdexcept>
+#include <vector>
+
+namespace shapeton
+{
+namespace
+{
+/** The heat of one source in the box that it has reached. */
+class SingleSource
+{
+public:
+  SingleSource(const VolumeGradientOperator & volumeGradient, double dt)
+    : m_VolumeGradient(volumeGradient)
+    , m_TimeStepLength(dt)
+    , m_Heat(volumeGradient.GetGrid().GetLength(), 0.0)
+    , m_Next(m_Heat)
+  {}
+
+  void
+  Start(const std::array<std::size_t, 3> & source)
+  {
+    this->Clear();
+    for (unsigned int axis = 0; axis < 3; ++axis)
+    {
+      m_First[axis] = static_cast<std::ptrdiff_t>(source[axis]);
+      m_Last[axis] = m_First[axis];
+    }
+    m_Heat[m_VolumeGradient.GetGrid().GetRow(m_First[1], m_First[2]) + source[0]] = 1.0;
+  }
+
+  void
+  Step()
+  {
+    const auto & grid = m_VolumeGradient.GetGrid();
+    for (unsigned int axis = 0; axis < 3; ++axis)
+    {
+      m_First[axis] = std::max<std::ptrdiff_t>(0, m_First[axis] - 1);
+      m_Last[axis] = std::min<std::ptrdiff_t>(grid.GetSize()[axis] - 1, m_Last[axis] + 1);
+    }
+    this->ForBox([&](std::size_t i) {
+      double flow = 0.0;
+      for (unsigned int axis = 0; axis < 3; ++axis)
+      {
+        const std::size_t   stride = grid.GetStride(axis);
+        const float * const c = m_VolumeGradient.GetConductances(axis);
+        flow += c[i] * (m_Heat[i + stride] - m_Heat[i]) + c[i - stride] * (m_Heat[i - stride] - m_Heat[i]);
+      }
+      m_Next[i] = m_Heat[i] + m_TimeStepLength * flow;
+    });
+    std::swap(m_Heat, m_Next);
+  }
+
+  /** Sum of products of the heat now and one step before. */
+  double
+  ProductWithPrevious()
+  {
+    double sum = 0.0;
+    this->ForBox([&](std::size_t i) { sum += m_Heat[i] * m_Next[i]; });
+    return sum;
+  }
+
+  double
+  SquaredNorm()
+  {
+    double sum = 0.0;
+    this->ForBox([&](std::size_t i) { sum += m_Heat[i] * m_Heat[i]; });
+    return sum;
+  }
+
+private:
+  template <typename TBody>
+  void
+  ForBox(const TBody & body)
+  {
+    for (std::ptrdiff_t z = m_First[2]; z <= m_Last[2]; ++z)
+    {
+      for (std::ptrdiff_t y = m_First[1]; y <= m_Last[1]; ++y)
+      {
+        const std::size_t row = m_VolumeGradient.GetGrid().GetRow(y, z);
+        for (std::ptrdiff_t x = m_First[0]; x <= m_Last[0]; ++x)
+        {
+          body(row + static_cast<std::size_t>(x));
+        }
+      }
+    }
+  }
+
+  void
+  Clear()
+  {
+    this->ForBox([this](std::size_t i) { m_Heat[i] = m_Next[i] = 0.0; });
+  }
+
+  const VolumeGradientOperator & m_VolumeGradient;
+  double                         m_TimeStepLength;
+  std::vector<double>            m_Heat;
+  std::vector<double>            m_Next;
+  std::array<std::ptrdiff_t, 3>  m_First{ { 0, 0, 0 } };
+  std::array<std::ptrdiff_t, 3>  m_Last{ { -1, -1, -1 } };
+};
+} // namespace
+
+void
+DiffuseConventionalHeat(const VolumeGradientOperator & volumeGradient,
+                        double                         timeStepLength,
+                        std::uint64_t                  timeSteps,
+                        double                         sourceHeat,
+                        float *                        heat,
+                        const Progress &               progress)
+{
+  if (!(timeStepLength > 0.0) || timeStepLength > HeatDiffusionSolver::MaximumTimeStepLength * (1.0 + 1e-6))
+  {
+    throw std::invalid_argument("the length of a time step must be positive and at most 1/12");
+  }
+  if (timeSteps < 1)
+  {
+    throw std::invalid_argument("the number of time steps must be at least 1");
+  }
+  if (!(sourceHeat > 0.0) || sourceHeat > 1.0)
+  {
+    throw std::invalid_argument("the heat of the source must be positive and at most 1");
+  }
+  const auto &              size = volumeGradient.GetGrid().GetSize();
+  std::vector<SingleSource> sources(NumberOfThreads(), SingleSource(volumeGradient, timeStepLength));
+  for (std::size_t z = 0; z < size[2]; ++z)
+  {
+    ParallelForWorkers(size[1], [&](std::size_t y, unsigned int worker) {
+      for (std::size_t x = 0; x < size[0]; ++x)
+      {
+        // P = 1 - dt L is symmetric: e' P^(2k) e = |P^k e|^2, so that half of the steps are enough.
+        SingleSource & source = sources[worker];
+        source.Start({ x, y, z });
+        for (std::uint64_t step = 0; step < (timeSteps + 1) / 2; ++step)
+        {
+          source.Step();
+        }
+        const double rest = timeSteps % 2 == 0 ? source.SquaredNorm() : source.ProductWithPrevious();
+        heat[(z * size[1] + y) * size[0] + x] = static_cast<float>(sourceHeat * rest);
+      }
+    });
+    progress((z + 1.0) / size[2]);
+  }
+}
+} // namespace shapeton

@@ -1,0 +1,257 @@
+#include "shapetonCumulativeHeatDiffusion.h"
+#include "shapetonParallelFor.h"
+
+#include <algorithm>
+#include <atomic>
+#include <cstring>
+#include <functional>
+#include <iterator>
+#include <limits>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <stdexcept>
+
+namespace shapeton
+{
+namespace
+{
+void
+Unpad(const PaddedGrid & grid, const PaddedField & field, float * values)
+{
+  const auto & size = grid.GetSize();
+  for (std::size_t z = 0; z < size[2]; ++z)
+  {
+    for (std::size_t y = 0; y < size[1]; ++y)
+    {
+      const float * const row = field.GetData() + grid.GetRow(y, z);
+      std::copy(row, row + size[0], values + (z * size[1] + y) * size[0]);
+    }
+  }
+}
+
+void
+CheckSteps(const std::vector<std::uint64_t> & steps, std::uint64_t last)
+{
+  const bool ascend = std::adjacent_find(steps.begin(), steps.end(), std::greater_equal<>()) == steps.end();
+  if (!ascend || (!steps.empty() && steps.back() > last))
+  {
+    throw std::invalid_argument("the steps to record must ascend and none may lie beyond the last step");
+  }
+}
+
+void
+CheckSettings(const std::array<std::size_t, 3> &      size,
+              const CumulativeHeatDiffusionSettings & settings,
+              const HeatSnapshotConsumer &            consumer)
+{
+  CheckSteps(settings.histogramSteps, settings.timeSteps);
+  CheckSteps(settings.snapshotSteps, settings.timeSteps);
+  if (!settings.snapshotSteps.empty() && !consumer)
+  {
+    throw std::invalid_argument("snapshots are asked for but nothing takes them");
+  }
+  if (size[0] * size[1] * size[2] >= std::numeric_limits<std::uint32_t>::max())
+  {
+    throw std::length_error("the volume has 2^32 voxels or more; crop it");
+  }
+}
+
+bool
+IsZero(const PaddedGrid & grid, const PaddedField & field)
+{
+  const float * const data = field.GetData();
+  return std::all_of(data, data + grid.GetLength(), [](float value) { return value == 0.0F; });
+}
+
+/** Sorts what the solver shows into histogram rows and whole volumes. */
+class SnapshotSorter
+{
+public:
+  SnapshotSorter(const PaddedGrid &                      grid,
+                 const CumulativeHeatDiffusionSettings & settings,
+                 const HeatSnapshotConsumer &            consumer)
+    : m_RowLength(grid.GetSize()[0])
+    , m_RowsPerVolume(grid.GetSize()[1] * grid.GetSize()[2])
+    , m_Consumer(consumer)
+    , m_Counts(NumberOfTables(settings.histogramSteps.size()))
+  {
+    std::set_union(settings.histogramSteps.begin(),
+                   settings.histogramSteps.end(),
+                   settings.snapshotSteps.begin(),
+                   settings.snapshotSteps.end(),
+                   std::back_inserter(m_Steps));
+    m_Steps.erase(std::unique(m_Steps.begin(), m_Steps.end()), m_Steps.end());
+    m_HistogramRow.assign(m_Steps.size(), -1);
+    for (std::size_t row = 0; row < settings.histogramSteps.size(); ++row)
+    {
+      m_HistogramRow[this->Find(settings.histogramSteps[row])] = static_cast<std::ptrdiff_t>(row);
+    }
+    for (auto & table : m_Counts)
+    {
+      table.counts.assign(settings.histogramSteps.size() * HeatHistogram::NumberOfBins, 0);
+    }
+    for (const std::uint64_t step : settings.snapshotSteps)
+    {
+      m_Volumes[this->Find(step)] = std::make_unique<Volume>();
+    }
+  }
+
+  const std::vector<std::uint64_t> &
+  GetSteps() const
+  {
+    return m_Steps;
+  }
+
+  /** Called from several threads. */
+  void
+  Visit(std::size_t snapshot, std::size_t row, const float * heat, unsigned int worker)
+  {
+    if (m_HistogramRow[snapshot] >= 0)
+    {
+      CountTable &                      table = m_Counts[worker % m_Counts.size()];
+      const std::lock_guard<std::mutex> lock(table.mutex);
+      HeatHistogram::CountHeats(
+        heat, m_RowLength, table.counts.data() + m_HistogramRow[snapshot] * HeatHistogram::NumberOfBins);
+    }
+    if (const auto found = m_Volumes.find(snapshot); found != m_Volumes.end())
+    {
+      Volume & volume = *found->second;
+      std::call_once(volume.allocated, [&] { volume.heat.resize(m_RowLength * m_RowsPerVolume); });
+      std::copy(heat, heat + m_RowLength, volume.heat.data() + row * m_RowLength);
+      ++volume.rows;
+    }
+  }
+
+  /** Hands out the volumes that are complete; called from one thread while no row is visited. */
+  void
+  Deliver()
+  {
+    for (auto volume = m_Volumes.begin(); volume != m_Volumes.end();)
+    {
+      if (volume->second->rows == m_RowsPerVolume)
+      {
+        m_Consumer(m_Steps[volume->first], volume->second->heat);
+        volume = m_Volumes.erase(volume);
+      }
+      else
+      {
+        ++volume;
+      }
+    }
+  }
+
+  HeatHistogram
+  MakeHistogram(const std::vector<std::uint64_t> & histogramSteps, std::uint64_t lastStep) const
+  {
+    const auto    end = std::upper_bound(histogramSteps.begin(), histogramSteps.end(), lastStep);
+    HeatHistogram histogram(std::vector<std::uint64_t>(histogramSteps.begin(), end));
+    for (const auto & table : m_Counts)
+    {
+      for (std::size_t row = 0; row < histogram.GetNumberOfRows(); ++row)
+      {
+        histogram.AddToRow(row, table.counts.data() + row * HeatHistogram::NumberOfBins);
+      }
+    }
+    return histogram;
+  }
+
+private:
+  struct Volume
+  {
+    std::once_flag           allocated;
+    std::vector<float>       heat;
+    std::atomic<std::size_t> rows{ 0 };
+  };
+
+  /** Counts of all rows; each worker mostly has its own. */
+  struct CountTable
+  {
+    std::mutex                 mutex;
+    std::vector<std::uint32_t> counts;
+  };
+
+  /** One for each thread, but no more than 256 MB of them. */
+  static std::size_t
+  NumberOfTables(std::size_t rows)
+  {
+    constexpr std::size_t budget = std::size_t{ 1 } << 28;
+    const std::size_t     bytes = std::max<std::size_t>(1, rows * HeatHistogram::NumberOfBins * sizeof(std::uint32_t));
+    return rows == 0 ? 0 : std::clamp<std::size_t>(budget / bytes, 1, NumberOfThreads());
+  }
+
+  std::size_t
+  Find(std::uint64_t step) const
+  {
+    return std::lower_bound(m_Steps.begin(), m_Steps.end(), step) - m_Steps.begin();
+  }
+
+  std::size_t                                    m_RowLength;
+  std::size_t                                    m_RowsPerVolume;
+  const HeatSnapshotConsumer &                   m_Consumer;
+  std::vector<std::uint64_t>                     m_Steps;
+  std::vector<std::ptrdiff_t>                    m_HistogramRow; // of each step, or -1
+  std::vector<CountTable>                        m_Counts;
+  std::map<std::size_t, std::unique_ptr<Volume>> m_Volumes;
+};
+} // namespace
+
+CumulativeHeatDiffusionResult
+DiffuseCumulativeHeat(const float *                           intensities,
+                      const std::array<std::size_t, 3> &      size,
+                      const CumulativeHeatDiffusionSettings & settings,
+                      float *                                 heat,
+                      float *                                 initialHeat,
+                      const HeatSnapshotConsumer &            consumer,
+                      const Progress &                        progress)
+{
+  CheckSettings(size, settings, consumer);
+  auto                          parameters = settings.volumeGradient;
+  CumulativeHeatDiffusionResult result;
+  result.p.p = parameters.p;
+  result.windowLower = parameters.lower;
+  result.windowUpper = parameters.upper;
+  result.timeStepLength = settings.timeStepLength;
+  if (settings.automaticP)
+  {
+    result.p = ChooseP(intensities, size, parameters.spacing, parameters.lower, parameters.upper);
+    parameters.p = result.p.p;
+  }
+  const VolumeGradientOperator volumeGradient(intensities, size, parameters);
+  HeatDiffusionSolver          solver(volumeGradient, settings.method, settings.timeStepLength, settings.tolerance);
+  if (settings.untilSteady)
+  {
+    solver.StopWhenSteady({});
+  }
+  PaddedField field(volumeGradient.GetGrid());
+  volumeGradient.ComputeInitialHeat(field);
+  result.cold = IsZero(volumeGradient.GetGrid(), field);
+
+  if (settings.wantComponents)
+  {
+    result.components = FindShapeComponents(volumeGradient, field, settings.spacing, settings.minimumComponentVoxels);
+  }
+  if (initialHeat)
+  {
+    Unpad(volumeGradient.GetGrid(), field, initialHeat);
+  }
+  SnapshotSorter sorter(volumeGradient.GetGrid(), settings, consumer);
+  solver.SetProgress([&](double share) {
+    sorter.Deliver();
+    progress(share);
+  });
+  result.timeStep =
+    solver.Run(field,
+               settings.timeSteps,
+               sorter.GetSteps(),
+               [&sorter](std::size_t snapshot, std::size_t row, const float * values, unsigned int worker) {
+                 sorter.Visit(snapshot, row, values, worker);
+               });
+  sorter.Deliver();
+  Unpad(volumeGradient.GetGrid(), field, heat);
+  result.steady = solver.IsSteady();
+  result.operatorApplications = solver.GetNumberOfApplications();
+  result.histogram = sorter.MakeHistogram(settings.histogramSteps, result.timeStep);
+  return result;
+}
+} // namespace shapeton

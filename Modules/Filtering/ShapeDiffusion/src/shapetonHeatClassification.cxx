@@ -1,0 +1,298 @@
+#include "shapetonHeatClassification.h"
+
+#include "itkImageRegionConstIterator.h"
+#include "itkImageRegionConstIteratorWithIndex.h"
+#include "itkImageRegionIterator.h"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+namespace shapeton
+{
+namespace
+{
+/** Bins [first, end) around one peak of the smoothed row. */
+struct Hill
+{
+  unsigned int first;
+  unsigned int end;
+  double       peak;
+  unsigned int peakBin;
+  double       mass; // voxels, not smoothed
+};
+
+/** Voxels for each unit of log(heat): bins are wider at the start of each octave. */
+std::vector<double>
+SmoothedDensity(const std::uint32_t * counts)
+{
+  constexpr int                   radius = 2;
+  constexpr std::array<double, 3> kernel = { 0.36, 0.24, 0.08 }; // about a Gaussian of 1.1 bins: 0.4 % of the heat
+  constexpr auto                  last = static_cast<int>(HeatHistogram::NumberOfBins) - 1;
+  std::vector<double>             density(HeatHistogram::NumberOfBins, 0.0);
+  for (int bin = 1; bin <= last; ++bin)
+  {
+    density[bin] = counts[bin] / std::log(HeatHistogram::LowerEdge(bin + 1) / HeatHistogram::LowerEdge(bin));
+  }
+  std::vector<double> smooth(HeatHistogram::NumberOfBins, 0.0);
+  for (int bin = 1; bin <= last; ++bin)
+  {
+    for (int offset = -radius; offset <= radius; ++offset)
+    {
+      const int neighbour = bin + offset;
+      if (neighbour >= 1 && neighbour <= last)
+      {
+        smooth[bin] += kernel[std::abs(offset)] * density[neighbour];
+      }
+    }
+  }
+  return smooth;
+}
+
+std::vector<Hill>
+FindHills(const std::vector<double> & smooth, const std::uint32_t * counts)
+{
+  std::vector<Hill> hills;
+  const auto        bins = static_cast<unsigned int>(smooth.size());
+  for (unsigned int bin = 1; bin < bins;)
+  {
+    Hill hill{ bin, bin, 0.0, bin, 0.0 };
+    while (bin < bins && (hill.end == hill.first || smooth[bin] >= smooth[bin - 1])) // up
+    {
+      hill.end = ++bin;
+    }
+    while (bin < bins && smooth[bin] <= smooth[bin - 1] && !(smooth[bin] == 0.0 && smooth[bin - 1] == 0.0)) // down
+    {
+      hill.end = ++bin;
+    }
+    while (bin < bins && smooth[bin] == 0.0) // half of an empty stretch would do: the cut lies in it either way
+    {
+      hill.end = ++bin;
+    }
+    for (unsigned int k = hill.first; k < hill.end; ++k)
+    {
+      hill.peakBin = smooth[k] > hill.peak ? k : hill.peakBin;
+      hill.peak = std::max(hill.peak, smooth[k]);
+      hill.mass += counts[k];
+    }
+    if (hill.mass > 0.0)
+    {
+      hills.push_back(hill);
+    }
+  }
+  return hills;
+}
+
+/** Joins the hill least worth keeping with a neighbour until all satisfy the rule. */
+void
+JoinHills(std::vector<Hill> & hills, const std::vector<double> & smooth, const HeatClassificationRule & rule)
+{
+  double total = 0.0;
+  for (const Hill & hill : hills)
+  {
+    total += hill.mass;
+  }
+  const auto valley = [&](std::size_t left) { // between hill `left` and the next one
+    double least = std::numeric_limits<double>::max();
+    for (unsigned int bin = hills[left].end - 1; bin <= hills[left + 1].first && bin < smooth.size(); ++bin)
+    {
+      least = std::min(least, smooth[bin]);
+    }
+    return least;
+  };
+  while (hills.size() > 1)
+  {
+    // What breaks the rule goes first, then what rises least above its valley, by its mass.
+    std::size_t             weakest = 0;
+    std::pair<bool, double> least{ true, std::numeric_limits<double>::max() };
+    bool                    allowed = hills.size() <= rule.maximumNumberOfClasses;
+    for (std::size_t i = 0; i + 1 < hills.size(); ++i)
+    {
+      const double low = std::min(hills[i].peak, hills[i + 1].peak);
+      const double ratio = low / std::max(valley(i), 1e-3 * low);
+      const double mass = std::min(hills[i].mass, hills[i + 1].mass);
+      const bool   keep = ratio >= rule.minimumPeakToValley && mass >= rule.minimumShare * total;
+      const auto   worth = std::make_pair(keep, std::log(ratio) * mass);
+      allowed &= keep;
+      if (worth < least)
+      {
+        least = worth;
+        weakest = i;
+      }
+    }
+    if (allowed)
+    {
+      return;
+    }
+    Hill &       joined = hills[weakest];
+    Hill &       next = hills[weakest + 1];
+    const Hill & higher = joined.peak >= next.peak ? joined : next;
+    joined = { joined.first, next.end, higher.peak, higher.peakBin, joined.mass + next.mass };
+    hills.erase(hills.begin() + static_cast<std::ptrdiff_t>(weakest) + 1);
+  }
+}
+
+HeatClass
+MakeClass(const Hill & hill, const std::uint32_t * counts)
+{
+  HeatClass heatClass;
+  heatClass.lowerHeat = HeatHistogram::LowerEdge(hill.first);
+  heatClass.upperHeat = HeatHistogram::LowerEdge(hill.end);
+  for (unsigned int bin = hill.first; bin < hill.end; ++bin)
+  {
+    heatClass.voxels += counts[bin];
+    heatClass.meanHeat += counts[bin] * 0.5 * (HeatHistogram::LowerEdge(bin) + HeatHistogram::LowerEdge(bin + 1));
+  }
+  heatClass.meanHeat /= static_cast<double>(std::max<std::uint64_t>(1, heatClass.voxels));
+  return heatClass;
+}
+
+unsigned int
+LabelOf(float heat, const std::vector<HeatClass> & classes)
+{
+  const auto above =
+    std::upper_bound(classes.begin(), classes.end(), static_cast<double>(heat), [](double h, const HeatClass & c) {
+      return h < c.lowerHeat;
+    });
+  return above == classes.begin() ? 0 : (above - 1)->label;
+}
+
+void
+MeasureBorder(const itk::Image<unsigned char, 3> * labels, std::vector<HeatClass> & classes)
+{
+  const auto region = labels->GetBufferedRegion();
+  const auto size = region.GetSize();
+  double     total = 0.0;
+  for (itk::ImageRegionConstIteratorWithIndex<itk::Image<unsigned char, 3>> it(labels, region); !it.IsAtEnd(); ++it)
+  {
+    bool atBorder = false;
+    for (unsigned int axis = 0; axis < 3; ++axis)
+    {
+      const auto place = it.GetIndex()[axis] - region.GetIndex(axis);
+      atBorder |= place == 0 || place + 1 == static_cast<itk::IndexValueType>(size[axis]);
+    }
+    if (atBorder)
+    {
+      classes[it.Get()].borderShare += 1.0;
+      total += 1.0;
+    }
+  }
+  for (auto & heatClass : classes)
+  {
+    heatClass.borderShare /= std::max(1.0, total);
+  }
+}
+} // namespace
+
+std::vector<HeatClass>
+FindHeatClasses(const HeatHistogram & histogram, std::size_t row, const HeatClassificationRule & rule)
+{
+  if (rule.maximumNumberOfClasses < 1 || rule.maximumNumberOfClasses > 254)
+  {
+    throw std::invalid_argument("the greatest number of classes must lie between 1 and 254");
+  }
+  const std::uint32_t * const counts = histogram.GetRow(row);
+  const auto                  smooth = SmoothedDensity(counts);
+  std::vector<Hill>           hills = FindHills(smooth, counts);
+  JoinHills(hills, smooth, rule);
+  Hill background{ 0, 1, 0.0, 0, 0.0 };
+  while (!hills.empty() && HeatHistogram::LowerEdge(hills.front().peakBin) < rule.backgroundHeat)
+  {
+    background.end = hills.front().end;
+    hills.erase(hills.begin());
+  }
+  hills.insert(hills.begin(), background);
+
+  std::vector<HeatClass> classes;
+  for (const Hill & hill : hills)
+  {
+    classes.push_back(MakeClass(hill, counts));
+    classes.back().label = static_cast<unsigned int>(classes.size() - 1);
+    if (classes.size() > 1)
+    {
+      classes.back().lowerHeat = classes[classes.size() - 2].upperHeat; // no gap between classes
+    }
+  }
+  if (classes.size() > 1)
+  {
+    classes.back().upperHeat = 1.0;
+  }
+  return classes;
+}
+
+itk::Image<unsigned char, 3>::Pointer
+LabelHeat(const itk::Image<float, 3> * heat, std::vector<HeatClass> & classes)
+{
+  auto labels = itk::Image<unsigned char, 3>::New();
+  labels->CopyInformation(heat);
+  labels->SetRegions(heat->GetBufferedRegion());
+  labels->Allocate();
+  std::vector<double> sums(classes.size(), 0.0);
+  for (auto & heatClass : classes)
+  {
+    heatClass.voxels = 0;
+  }
+  itk::ImageRegionConstIterator<itk::Image<float, 3>>    in(heat, heat->GetBufferedRegion());
+  itk::ImageRegionIterator<itk::Image<unsigned char, 3>> out(labels, heat->GetBufferedRegion());
+  for (; !in.IsAtEnd(); ++in, ++out)
+  {
+    const unsigned int label = LabelOf(in.Get(), classes);
+    out.Set(static_cast<unsigned char>(label));
+    ++classes[label].voxels;
+    sums[label] += in.Get();
+  }
+  const auto & spacing = heat->GetSpacing();
+  for (auto & heatClass : classes)
+  {
+    heatClass.meanHeat = heatClass.voxels > 0 ? sums[heatClass.label] / heatClass.voxels : heatClass.meanHeat;
+    heatClass.volume = heatClass.voxels * spacing[0] * spacing[1] * spacing[2];
+    heatClass.borderShare = 0.0;
+  }
+  MeasureBorder(labels, classes);
+  return labels;
+}
+
+void
+AssignComponents(const std::vector<ShapeComponent> & components,
+                 const itk::Image<float, 3> *        heat,
+                 std::vector<HeatClass> &            classes)
+{
+  const auto          first = heat->GetBufferedRegion().GetIndex();
+  std::vector<double> voxels(classes.size(), 0.0);
+  for (const auto & component : components)
+  {
+    itk::Index<3> index = first;
+    for (unsigned int axis = 0; axis < 3; ++axis)
+    {
+      index[axis] += static_cast<itk::IndexValueType>(component.index[axis]);
+    }
+    const float now = heat->GetPixel(index);
+    if (!component.closed || std::abs(now - component.convergedHeat) > 0.05 * component.convergedHeat)
+    {
+      continue;
+    }
+    const unsigned int label = LabelOf(now, classes);
+    ++classes[label].components;
+    classes[label].normalizedHeat += component.voxels * component.normalizedHeat;
+    voxels[label] += component.voxels;
+  }
+  for (auto & heatClass : classes)
+  {
+    heatClass.normalizedHeat /= std::max(1.0, voxels[heatClass.label]);
+  }
+}
+
+HeatClassification
+ClassifyHeat(const itk::Image<float, 3> *        heat,
+             const std::vector<ShapeComponent> & components,
+             const HeatClassificationRule &      rule)
+{
+  HeatHistogram histogram({ 0 });
+  histogram.AddToRow(0, heat->GetBufferPointer(), heat->GetBufferedRegion().GetNumberOfPixels());
+  HeatClassification classification;
+  classification.classes = FindHeatClasses(histogram, 0, rule);
+  classification.labels = LabelHeat(heat, classification.classes);
+  AssignComponents(components, heat, classification.classes);
+  return classification;
+}
+} // namespace shapeton

@@ -1,0 +1,31 @@
+#include "shapetonHugePages.h"
+
+#include <cstdlib>
+#include <new>
+
+#ifdef __linux__
+#  include <sys/mman.h>
+#endif
+
+namespace shapeton
+{
+void *
+AllocateHuge(std::size_t bytes)
+{
+  constexpr std::size_t page = std::size_t{ 1 } << 21;
+  const std::size_t     alignment = bytes < page ? 64 : page;
+  const std::size_t     whole = (bytes + alignment - 1) / alignment * alignment;
+  void * const          memory = std::aligned_alloc(alignment, whole);
+  if (!memory)
+  {
+    throw std::bad_alloc();
+  }
+#ifdef __linux__
+  if (alignment == page)
+  {
+    madvise(memory, whole, MADV_HUGEPAGE);
+  }
+#endif
+  return memory;
+}
+} // namespace shapeton

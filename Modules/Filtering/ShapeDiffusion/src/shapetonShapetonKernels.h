@@ -1,0 +1,101 @@
+#ifndef shapetonShapetonKernels_h
+#define shapetonShapetonKernels_h
+
+#include <cstddef>
+#include <cstdint>
+
+namespace shapeton
+{
+/** The arithmetic of the shapetons, many at once in vectors. It exists for several instruction sets; all do the same
+ * operations for each shapeton, so that every CPU gives the same bytes. The files that are compiled for one instruction
+ * set include nothing of the standard library that the linker could merge with code for another. */
+namespace ShapetonKernels
+{
+/** Numbers of a voxel's record: the weights of the edges at -x, +x, -y, +y, -z, +z in units of 1 / 65535, and marks. */
+constexpr unsigned int  RecordLength = 8;
+constexpr unsigned int  MarksOfRecord = 6;
+constexpr std::uint16_t ObjectMark = 1; ///< the voxel counts for the coverage
+constexpr std::uint16_t TrapMark = 2;   ///< all six weights are 0
+
+/** What the shapetons see of a volume. */
+struct Surroundings
+{
+  const std::uint16_t * records;
+  const std::uint32_t * visits; ///< fetched ahead of their use
+  std::int32_t          size[3];
+  float                 step[3]; ///< length of a step along each axis, in voxels
+};
+
+/** Shapetons first, first + 1, ..., their places in voxels (a voxel holds the places from its index to the next one)
+ * and the indices of their voxels. Arrays are read and written in whole vectors: see Granularity. */
+struct Shapetons
+{
+  std::uint32_t   first;
+  std::size_t     number;
+  float *         x;
+  float *         y;
+  float *         z;
+  std::uint32_t * voxel;
+};
+
+/** Components of unit vectors. */
+struct Directions
+{
+  float * x;
+  float * y;
+  float * z;
+};
+
+/** Array lengths are multiples of this. */
+constexpr std::size_t Granularity = 16;
+
+/** Entries of the tables of ThetaTable. */
+constexpr int ThetaTableSize = 512;
+
+/** 1 - cos(theta) and cos(theta) by quantile, for theta distributed as (1 - u)^(3-j) u^j sin(theta): with a quantile q
+ * below one half, `low[j]` holds 1 - cos(theta) at q = (i / ThetaTableSize)^2 / 2; above it, `high[j]` holds cos(theta)
+ * at 1 - q = (i / ThetaTableSize)^2 / 2. Smooth in i, so that a straight line between entries is right to 1e-5. */
+struct ThetaTable
+{
+  ThetaTable();
+  float low[4][ThetaTableSize + 1];
+  float high[4][ThetaTableSize + 1];
+};
+
+struct Random
+{
+  std::uint64_t seed;
+  std::uint64_t step;
+};
+
+/** Draws directions from the weights of the shapetons' voxels; the zero vector where all weights are 0. */
+using Draw = void (*)(const Surroundings &, const Shapetons &, const Random &, const ThetaTable &, const Directions &);
+
+/** Moves shapetons by one step, reflected at the border of the volume, and finds their voxels. */
+using Move = void (*)(const Surroundings &, const Shapetons &, const Directions &);
+
+struct Set
+{
+  const char * name;
+  Draw         drawBySolidAngle;
+  Draw         drawBySectorArea;
+  Draw         drawUniformly;
+  Move         move;
+};
+
+const Set &
+GetBaseline();
+#if defined(__x86_64__)
+const Set &
+GetAvx2();
+const Set &
+GetAvx512();
+#endif
+
+/** The fastest that this CPU has. */
+const Set &
+GetBest();
+} // namespace ShapetonKernels
+} // namespace shapeton
+
+#endif

@@ -1,0 +1,20 @@
+#ifndef shapetonShapetonMoments_h
+#define shapetonShapetonMoments_h
+
+namespace shapeton
+{
+/** The integrals over theta in [0, pi/2] that the shape distribution of an octant is made of. */
+namespace ShapetonMoments
+{
+constexpr double pi = 3.14159265358979323846;
+
+/** binomial(3, j) times the integral of (1 - u)^(3-j) u^j sin(theta), u = 2 theta / pi; they sum to 1. In closed form
+ * combinations of 2/pi, 8/pi^2 (pi/2 - 1) and 24/pi^3 (pi^2/4 - 2). */
+constexpr double moment[4] = { 0.11636524537746896620,
+                               0.21919585645148658675,
+                               0.30265323386187589868,
+                               0.36178566430916854837 };
+} // namespace ShapetonMoments
+} // namespace shapeton
+
+#endif

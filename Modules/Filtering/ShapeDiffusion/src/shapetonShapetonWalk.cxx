@@ -1,0 +1,206 @@
+#include "shapetonShapetonWalk.h"
+
+#include "shapetonParallelFor.h"
+#include "shapetonShapetonPlacement.h"
+#include "shapetonShapetonTraversal.h"
+
+#include <algorithm>
+#include <atomic>
+#include <mutex>
+
+namespace shapeton
+{
+using namespace ShapetonKernels;
+
+namespace
+{
+/** So many shapetons are moved together: what they need next is fetched while the others move. */
+constexpr std::size_t GroupSize = 256;
+
+const ThetaTable &
+SharedThetaTable()
+{
+  static const ThetaTable table;
+  return table;
+}
+
+VolumeGradientOperator::Parameters
+WeightsAlone(VolumeGradientOperator::Parameters parameters)
+{
+  parameters.conductance = VolumeGradientOperator::Conductance::Published;
+  return parameters;
+}
+
+/** Small groups of work do not pay for a second thread. */
+unsigned int
+WorkersFor(std::uint64_t shapetonSteps)
+{
+  return static_cast<unsigned int>(std::clamp<std::uint64_t>(shapetonSteps / 4096, 1, NumberOfThreads()));
+}
+} // namespace
+
+ShapetonWalk::ShapetonWalk(const float *                      intensities,
+                           const std::array<std::size_t, 3> & volumeSize,
+                           const ShapetonDiffusionSettings &  given,
+                           const unsigned char *              mask,
+                           std::uint32_t *                    visitsOfVoxels,
+                           const std::function<void()> &      poll)
+  : settings(given)
+  , size(volumeSize)
+  , visits(visitsOfVoxels)
+  , kernels(GetBest())
+  , table(SharedThetaTable())
+  , records(intensities, size, WeightsAlone(settings.volumeGradient), mask, poll)
+{
+  DescribeSurroundings();
+  const std::size_t length = (settings.shapetons + Granularity - 1) / Granularity * Granularity;
+  for (auto & axis : places)
+  {
+    axis.assign(length, 0.0F);
+  }
+  voxels.assign(length, 0);
+  ParallelFor(size[2], [this](std::size_t z) { std::fill_n(visits + z * size[0] * size[1], size[0] * size[1], 0U); });
+  poll();
+  Place(mask);
+}
+
+void
+ShapetonWalk::DescribeSurroundings()
+{
+  const auto & spacing = settings.volumeGradient.spacing;
+  const double side = std::max({ size[0] * spacing[0], size[1] * spacing[1], size[2] * spacing[2] });
+  surroundings.records = records.GetData();
+  surroundings.visits = visits;
+  for (unsigned int axis = 0; axis < 3; ++axis)
+  {
+    surroundings.size[axis] = static_cast<std::int32_t>(size[axis]);
+    surroundings.step[axis] = static_cast<float>(settings.distance * side / spacing[axis]);
+  }
+}
+
+void
+ShapetonWalk::Place(const unsigned char * mask)
+{
+  const Shapetons all = Group(0, settings.shapetons);
+  const bool      byInitialHeat = settings.placement == ShapetonPlacement::InitialHeat;
+  if (byInitialHeat || mask)
+  {
+    PlaceByDensity(surroundings, all, settings.seed, records, byInitialHeat, mask);
+  }
+  else
+  {
+    PlaceUniformly(surroundings, all, settings.seed);
+  }
+}
+
+Shapetons
+ShapetonWalk::Group(std::size_t first, std::size_t number)
+{
+  return { static_cast<std::uint32_t>(first), number,
+           places[0].data() + first,          places[1].data() + first,
+           places[2].data() + first,          voxels.data() + first };
+}
+
+void
+ShapetonWalk::Move(const Shapetons & group, std::uint64_t step) const
+{
+  alignas(64) float components[3][GroupSize];
+  const Directions  directions{ components[0], components[1], components[2] };
+  const Random      random{ settings.seed, step };
+  const Draw        draw = settings.directionSampling == DirectionSampling::SolidAngle   ? kernels.drawBySolidAngle
+                           : settings.directionSampling == DirectionSampling::SectorArea ? kernels.drawBySectorArea
+                                                                                         : kernels.drawUniformly;
+  draw(surroundings, group, random, table, directions);
+  if (settings.pathRule == PathRule::Traversal)
+  {
+    TraverseVoxels(surroundings, group, random, directions);
+  }
+  else
+  {
+    kernels.move(surroundings, group, directions);
+  }
+}
+
+template <bool VShared>
+ShapetonTally
+ShapetonWalk::Count(const Shapetons & group) const
+{
+  ShapetonTally tally;
+  for (std::size_t i = 0; i < group.number; ++i)
+  {
+    const std::uint32_t voxel = group.voxel[i];
+    std::uint32_t       old = 0;
+    if constexpr (VShared)
+    {
+      old = __atomic_fetch_add(visits + voxel, 1U, __ATOMIC_RELAXED);
+    }
+    else
+    {
+      old = visits[voxel]++;
+    }
+    tally.sumOfOld += old;
+    tally.maximum = std::max(tally.maximum, old + 1);
+    if (old == 0)
+    {
+      ++tally.reached;
+      tally.objectsReached += records.GetRecord(voxel)[MarksOfRecord] & ObjectMark;
+    }
+  }
+  return tally;
+}
+
+template <typename TBody>
+void
+ShapetonWalk::ForGroups(std::size_t first, std::size_t number, std::uint64_t shapetonSteps, const TBody & body)
+{
+  const std::size_t        groups = (number + GroupSize - 1) / GroupSize;
+  std::atomic<std::size_t> next{ 0 };
+  const unsigned int       workers = WorkersFor(shapetonSteps);
+  ParallelWorkers(workers, [&](unsigned int) {
+    for (std::size_t i = next++; i < groups; i = next++)
+    {
+      const std::size_t begin = i * GroupSize;
+      body(Group(first + begin, std::min(GroupSize, number - begin)), workers > 1);
+    }
+  });
+}
+
+ShapetonTally
+ShapetonWalk::TakeSteps(std::size_t first, std::size_t number, std::uint64_t begin, std::uint64_t end)
+{
+  ShapetonTally whole;
+  std::mutex    mutex;
+  ForGroups(first, number, number * (end - begin), [&](const Shapetons & group, bool shared) {
+    ShapetonTally tally;
+    for (std::uint64_t step = begin; step < end; ++step)
+    {
+      Move(group, step);
+      tally.Add(shared ? Count<true>(group) : Count<false>(group));
+    }
+    const std::lock_guard<std::mutex> lock(mutex);
+    whole.Add(tally);
+  });
+  return whole;
+}
+
+std::pair<std::uint64_t, std::uint32_t>
+ShapetonWalk::SumOverShapetons()
+{
+  std::uint64_t sum = 0;
+  std::uint32_t trapped = 0;
+  std::mutex    mutex;
+  ForGroups(0, settings.shapetons, settings.shapetons, [&](const Shapetons & group, bool) {
+    std::uint64_t groupSum = 0;
+    std::uint32_t groupTrapped = 0;
+    for (std::size_t i = 0; i < group.number; ++i)
+    {
+      groupSum += visits[group.voxel[i]];
+      groupTrapped += (records.GetRecord(group.voxel[i])[MarksOfRecord] & TrapMark) != 0;
+    }
+    const std::lock_guard<std::mutex> lock(mutex);
+    sum += groupSum;
+    trapped += groupTrapped;
+  });
+  return { sum, trapped };
+}
+} // namespace shapeton

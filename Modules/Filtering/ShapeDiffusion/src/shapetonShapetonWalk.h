@@ -1,0 +1,89 @@
+#ifndef shapetonShapetonWalk_h
+#define shapetonShapetonWalk_h
+
+#include "shapetonShapetonDiffusion.h"
+#include "shapetonShapetonKernels.h"
+#include "shapetonShapetonRecords.h"
+
+#include <array>
+#include <cstdint>
+#include <functional>
+#include <utility>
+#include <vector>
+
+namespace shapeton
+{
+/** What counting visits one by one finds out. `old` is the count before a visit; the order of visits is arbitrary, but
+ * these sums do not depend on it. */
+struct ShapetonTally
+{
+  std::uint64_t sumOfOld{ 0 };
+  std::uint32_t maximum{ 0 };
+  std::uint64_t reached{ 0 };
+  std::uint64_t objectsReached{ 0 };
+
+  void
+  Add(const ShapetonTally & other)
+  {
+    sumOfOld += other.sumOfOld;
+    maximum = std::max(maximum, other.maximum);
+    reached += other.reached;
+    objectsReached += other.objectsReached;
+  }
+};
+
+/** The shapetons of a run in their volume: where they are, how they move, and how their visits are counted. */
+struct ShapetonWalk
+{
+  /** Places the shapetons; see ShapetonDiffusion. */
+  ShapetonWalk(const float *                      intensities,
+               const std::array<std::size_t, 3> & volumeSize,
+               const ShapetonDiffusionSettings &  given,
+               const unsigned char *              mask,
+               std::uint32_t *                    visitsOfVoxels,
+               const std::function<void()> &      poll);
+
+  std::size_t
+  NumberOfVoxels() const
+  {
+    return size[0] * size[1] * size[2];
+  }
+
+  /** Steps [begin, end) of shapetons [first, first + number). */
+  ShapetonTally
+  TakeSteps(std::size_t first, std::size_t number, std::uint64_t begin, std::uint64_t end);
+
+  /** The visits of the shapetons' voxels, summed over the shapetons, and how many are trapped. */
+  std::pair<std::uint64_t, std::uint32_t>
+  SumOverShapetons();
+
+  const ShapetonDiffusionSettings     settings;
+  const std::array<std::size_t, 3>    size;
+  std::uint32_t * const               visits;
+  const ShapetonKernels::Set &        kernels;
+  const ShapetonKernels::ThetaTable & table;
+  const ShapetonRecords               records;
+  ShapetonKernels::Surroundings       surroundings{};
+  std::array<std::vector<float>, 3>   places; ///< in voxels, as long as the kernels want them
+  std::vector<std::uint32_t>          voxels;
+
+private:
+  void
+  DescribeSurroundings();
+  void
+  Place(const unsigned char * mask);
+  ShapetonKernels::Shapetons
+  Group(std::size_t first, std::size_t number);
+  /** One step of a group: directions, move. */
+  void
+  Move(const ShapetonKernels::Shapetons & group, std::uint64_t step) const;
+  template <bool VShared>
+  ShapetonTally
+  Count(const ShapetonKernels::Shapetons & group) const;
+  template <typename TBody>
+  void
+  ForGroups(std::size_t first, std::size_t number, std::uint64_t shapetonSteps, const TBody & body);
+};
+} // namespace shapeton
+
+#endif

@@ -1,0 +1,94 @@
+#ifndef shapetonTimeTiles_h
+#define shapetonTimeTiles_h
+
+#include "shapetonDiffusionKernels.h"
+#include "shapetonPaddedGrid.h"
+#include "shapetonParallelFor.h"
+
+#include <algorithm>
+#include <atomic>
+#include <thread>
+#include <vector>
+
+namespace shapeton
+{
+/** How many rows along y and slices along z a tile of the sweep holds, and how many steps it goes in one visit. */
+struct TimeTileShape
+{
+  std::ptrdiff_t y;
+  std::ptrdiff_t z;
+  unsigned int   steps;
+};
+
+/** Calls `operation(step, row)` for steps 1 .. `steps` and all rows of the grid, in an order that respects the stencil:
+ * a row's step s comes after step s-1 of itself and its four neighbours, and before their step s+1.
+ *
+ * Tiles of rows are carried through all steps while they lie in the cache; each step moves a tile by one row and one
+ * slice towards the origin (time skewing), so that all it needs is its own or was done by tiles before it. Two buffers,
+ * used in turn, are enough. The result does not depend on the number of threads.
+ */
+template <typename TOperation>
+void
+RunTimeTiles(const PaddedGrid & grid, unsigned int steps, const TimeTileShape & shape, const TOperation & operation)
+{
+  const auto           ny = static_cast<std::ptrdiff_t>(grid.GetSize()[1]);
+  const auto           nz = static_cast<std::ptrdiff_t>(grid.GetSize()[2]);
+  const std::ptrdiff_t tilesY = (ny + steps + shape.y - 1) / shape.y;
+  const std::ptrdiff_t tilesZ = (nz + steps + shape.z - 1) / shape.z;
+
+  struct Tile
+  {
+    std::ptrdiff_t y;
+    std::ptrdiff_t z;
+  };
+  std::vector<Tile> order; // by diagonals: what a tile waits for stands before it
+  for (std::ptrdiff_t diagonal = 0; diagonal < tilesY + tilesZ - 1; ++diagonal)
+  {
+    for (std::ptrdiff_t z = std::max<std::ptrdiff_t>(0, diagonal - tilesY + 1); z <= std::min(diagonal, tilesZ - 1);
+         ++z)
+    {
+      order.push_back({ diagonal - z, z });
+    }
+  }
+  std::vector<std::atomic<bool>> done(order.size());
+  std::atomic<std::size_t>       next{ 0 };
+  const auto                     waitFor = [&](std::ptrdiff_t y, std::ptrdiff_t z) {
+    while (y >= 0 && z >= 0 && !done[static_cast<std::size_t>(z * tilesY + y)].load(std::memory_order_acquire))
+    {
+      std::this_thread::yield();
+    }
+  };
+  const auto runTile = [&](const Tile & tile) {
+    for (unsigned int step = 1; step <= steps; ++step)
+    {
+      const std::ptrdiff_t firstZ = std::max<std::ptrdiff_t>(0, tile.z * shape.z - step);
+      const std::ptrdiff_t endZ = std::min(nz, (tile.z + 1) * shape.z - step);
+      const std::ptrdiff_t firstY = std::max<std::ptrdiff_t>(0, tile.y * shape.y - step);
+      const std::ptrdiff_t endY = std::min(ny, (tile.y + 1) * shape.y - step);
+      for (std::ptrdiff_t z = firstZ; z < endZ; ++z)
+      {
+        for (std::ptrdiff_t y = firstY; y < endY; ++y)
+        {
+          operation(step, grid.GetRow(y, z));
+        }
+      }
+    }
+  };
+  // Tiles are taken in order, so whatever a tile waits for has been taken by a worker that runs: no deadlock, however
+  // few of the workers the threader really starts.
+  const auto workers = std::min<std::size_t>(NumberOfThreads(), std::min(tilesY, tilesZ));
+  ParallelWorkers(static_cast<unsigned int>(workers), [&](unsigned int) {
+    const DiffusionKernels::FlushToZero flushToZero;
+    for (std::size_t i = next++; i < order.size(); i = next++)
+    {
+      const Tile & tile = order[i];
+      waitFor(tile.y - 1, tile.z);
+      waitFor(tile.y, tile.z - 1);
+      runTile(tile);
+      done[static_cast<std::size_t>(tile.z * tilesY + tile.y)].store(true, std::memory_order_release);
+    }
+  });
+}
+} // namespace shapeton
+
+#endif

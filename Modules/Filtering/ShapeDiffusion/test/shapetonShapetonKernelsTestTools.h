@@ -1,0 +1,112 @@
+#ifndef shapetonShapetonKernelsTestTools_h
+#define shapetonShapetonKernelsTestTools_h
+
+#include "shapetonShapetonKernels.h"
+
+#include <array>
+#include <cstring>
+#include <random>
+#include <vector>
+
+namespace shapeton
+{
+namespace test
+{
+/** The kernels that this CPU can run; the baseline comes first. */
+inline std::vector<const ShapetonKernels::Set *>
+AvailableKernels()
+{
+  std::vector<const ShapetonKernels::Set *> sets = { &ShapetonKernels::GetBaseline() };
+#if defined(__x86_64__)
+  if (__builtin_cpu_supports("avx2"))
+  {
+    sets.push_back(&ShapetonKernels::GetAvx2());
+  }
+  if (__builtin_cpu_supports("avx512f"))
+  {
+    sets.push_back(&ShapetonKernels::GetAvx512());
+  }
+#endif
+  return sets;
+}
+
+inline const ShapetonKernels::ThetaTable &
+Table()
+{
+  static const ShapetonKernels::ThetaTable table;
+  return table;
+}
+
+/** Some shapetons and the volume around them, in arrays as the kernels want them. */
+struct Crowd
+{
+  Crowd(std::size_t numberOfShapetons, const std::array<std::int32_t, 3> & size)
+    : number(numberOfShapetons)
+    , records(static_cast<std::size_t>(size[0]) * size[1] * size[2] * ShapetonKernels::RecordLength, 0)
+    , visits(static_cast<std::size_t>(size[0]) * size[1] * size[2], 0)
+    , voxels(PaddedNumber(), 0)
+  {
+    for (unsigned int axis = 0; axis < 3; ++axis)
+    {
+      places[axis].assign(PaddedNumber(), 0.0F);
+      directions[axis].assign(PaddedNumber(), 0.0F);
+      surroundings.size[axis] = size[axis];
+    }
+  }
+
+  std::size_t
+  PaddedNumber() const
+  {
+    constexpr std::size_t granularity = ShapetonKernels::Granularity;
+    return (number + granularity - 1) / granularity * granularity;
+  }
+
+  void
+  SetWeights(std::size_t voxel, const std::array<std::uint16_t, 6> & weights)
+  {
+    std::uint16_t * const record = records.data() + voxel * ShapetonKernels::RecordLength;
+    std::copy(weights.begin(), weights.end(), record);
+    const bool trap = weights == std::array<std::uint16_t, 6>{};
+    record[ShapetonKernels::MarksOfRecord] = trap ? ShapetonKernels::TrapMark : 0;
+  }
+
+  ShapetonKernels::Surroundings
+  GetSurroundings() const
+  {
+    ShapetonKernels::Surroundings own = surroundings;
+    own.records = records.data();
+    own.visits = visits.data();
+    return own;
+  }
+
+  ShapetonKernels::Shapetons
+  GetShapetons(std::uint32_t first = 0)
+  {
+    return { first, number, places[0].data(), places[1].data(), places[2].data(), voxels.data() };
+  }
+
+  ShapetonKernels::Directions
+  GetDirections()
+  {
+    return { directions[0].data(), directions[1].data(), directions[2].data() };
+  }
+
+  std::size_t                       number;
+  std::vector<std::uint16_t>        records;
+  std::vector<std::uint32_t>        visits;
+  std::array<std::vector<float>, 3> places;
+  std::array<std::vector<float>, 3> directions;
+  std::vector<std::uint32_t>        voxels;
+  ShapetonKernels::Surroundings     surroundings{};
+};
+
+template <typename TNumber>
+bool
+SameBytes(const std::vector<TNumber> & a, const std::vector<TNumber> & b)
+{
+  return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof(TNumber)) == 0;
+}
+} // namespace test
+} // namespace shapeton
+
+#endif

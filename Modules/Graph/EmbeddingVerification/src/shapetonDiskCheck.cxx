@@ -1,0 +1,331 @@
+#include "shapetonChecks.h"
+
+#include <algorithm>
+#include <cmath>
+#include <complex>
+
+namespace shapeton
+{
+namespace
+{
+// Products of transformations of the disk lose as many digits as their numbers have.
+using Real = long double;
+using Complex = std::complex<Real>;
+
+constexpr double Pi = 3.14159265358979323846;
+constexpr double MostPlaceError = 1e-9; // a hyperbolic length
+/** Of the smallest radius, and of the smallest to the largest one: see the plane. */
+constexpr double LeastRadius = 1e-11;
+
+/** z -> (a z + b) / (conj(b) z + conj(a)). */
+struct Isometry
+{
+  Complex a{ 1.0L };
+  Complex b{ 0.0L };
+
+  Isometry
+  operator*(const Isometry & other) const
+  {
+    return { a * other.a + b * std::conj(other.b), a * other.b + b * std::conj(other.a) };
+  }
+
+  Isometry
+  Inverse() const
+  {
+    return { std::conj(a), -b };
+  }
+
+  /** From the identity; a transformation and its negative are one. */
+  double
+  Deviation() const
+  {
+    const Real plus = std::max(std::abs(a - Complex(1.0L)), std::abs(b));
+    const Real minus = std::max(std::abs(a + Complex(1.0L)), std::abs(b));
+    return static_cast<double>(std::min(plus, minus));
+  }
+};
+
+Isometry
+Turn(double angle)
+{
+  return { std::polar<Real>(1.0L, 0.5L * angle), 0.0L };
+}
+
+Isometry
+Walk(double length)
+{
+  return { std::cosh(0.5L * length), std::sinh(0.5L * length) };
+}
+
+class DiskCheck
+{
+public:
+  DiskCheck(const EmbeddingCertificate & certificate, const TracedMap & packed)
+    : m_Certificate(certificate), m_Packed(packed)
+  {}
+
+  void
+  Check(Measures & measures);
+
+private:
+  void
+  CheckRadii(Measures & measures) const;
+  /** Of the right triangle with these legs, at the end of the first. */
+  static double
+  HalfAngle(double r, double s)
+  {
+    return std::atan2(std::tanh(s), std::sinh(r));
+  }
+
+  /** Of the right angle between these legs: cosh l = cosh r cosh s, without cancellation for small circles. */
+  static double
+  Diagonal(double r, double s)
+  {
+    const double a = std::sinh(0.5 * r) * std::sinh(0.5 * r);
+    const double b = std::sinh(0.5 * s) * std::sinh(0.5 * s);
+    return 2.0 * std::asinh(std::sqrt(a + b + 2.0 * a * b));
+  }
+
+  void
+  CheckPlaces() const;
+  static Complex
+  Place(const std::vector<double> & places, int index)
+  {
+    return { places[2 * static_cast<std::size_t>(index)], places[2 * static_cast<std::size_t>(index) + 1] };
+  }
+
+  Isometry
+  Frame(int node, double angle) const;
+  /** The frame of the end node, its axis along the twin, as it is reached by a walk along the half-edge. */
+  Isometry
+  Reached(int h) const
+  {
+    const double length = m_Certificate.nodeRadii[m_Packed.node[h]] + m_Certificate.nodeRadii[m_Packed.node[h ^ 1]];
+    return this->Frame(m_Packed.node[h], m_Direction[h]) * Walk(length) * Turn(Pi);
+  }
+
+  /** The transformation that is met along a half-edge. */
+  Isometry
+  Transformation(int h) const
+  {
+    return this->Reached(h) * this->Frame(m_Packed.node[h ^ 1], m_Direction[h ^ 1]).Inverse();
+  }
+
+  /** Rounding of a place near the rim is a long way. */
+  static double
+  Tolerance(Complex z)
+  {
+    return MostPlaceError + static_cast<double>(1e-14L / ((1.0L - std::abs(z)) * (1.0L + std::abs(z))));
+  }
+
+  double
+  ToleranceOf(int node) const
+  {
+    return Tolerance(Place(m_Certificate.nodePositions, node));
+  }
+
+  void
+  CheckTree(Measures & measures) const;
+  void
+  CheckFaces(Measures & measures) const;
+  static Real
+  Norm(const Isometry & isometry)
+  {
+    return std::abs(isometry.a) + std::abs(isometry.b);
+  }
+
+  static Isometry
+  IsometryOf(const DeckTransformation & generator)
+  {
+    return { { generator.a.real(), generator.a.imag() }, { generator.b.real(), generator.b.imag() } };
+  }
+
+  double
+  GeneratorTolerance(int halfEdge, const Isometry & transformation) const;
+  /** How far rounding takes |a|^2 - |b|^2 from 1. */
+  static Real
+  DriftOfFactor(const Isometry & transformation)
+  {
+    constexpr Real rounding = 2e-15L;
+    return rounding * std::norm(transformation.a);
+  }
+
+  void
+  CheckGenerators(Measures & measures) const;
+  void
+  CheckWord(Measures & measures) const;
+
+  const EmbeddingCertificate & m_Certificate;
+  const TracedMap &            m_Packed;
+  std::vector<double>          m_Direction; // of each half-edge at its node
+};
+
+void
+DiskCheck::Check(Measures & measures)
+{
+  this->CheckRadii(measures);
+  this->CheckPlaces();
+  m_Direction = DirectionsOfHalfEdges(m_Certificate, m_Packed, HalfAngle);
+  this->CheckTree(measures);
+  this->CheckFaces(measures);
+  this->CheckGenerators(measures);
+  this->CheckWord(measures);
+}
+
+void
+DiskCheck::CheckRadii(Measures & measures) const
+{
+  RequireRadii(m_Certificate.nodeRadii, LeastRadius, 100.0, "node");
+  RequireRadii(m_Certificate.faceRadii, LeastRadius, 100.0, "face");
+  CheckKiteAngles(m_Certificate, m_Packed, HalfAngle, measures);
+}
+
+void
+DiskCheck::CheckPlaces() const
+{
+  for (const auto * places : { &m_Certificate.nodePositions, &m_Certificate.facePositions })
+  {
+    for (std::size_t i = 0; i < places->size(); i += 2)
+    {
+      if (!(std::hypot((*places)[i], (*places)[i + 1]) < 1.0))
+      {
+        throw Refusal(std::string("the place of ") + (places == &m_Certificate.nodePositions ? "node " : "face ") +
+                      std::to_string(i / 2) + " is outside the disk");
+      }
+    }
+  }
+}
+
+/** Takes the centre of the disk to the place of a node, and the direction of the real axis to `angle` there. */
+Isometry
+DiskCheck::Frame(int node, double angle) const
+{
+  const Complex z = Place(m_Certificate.nodePositions, node);
+  const Real    scale = 1.0L / std::sqrt((1.0L - std::abs(z)) * (1.0L + std::abs(z)));
+  const Complex turn = std::polar<Real>(1.0L, 0.5L * angle);
+  return { scale * turn, scale * z * std::conj(turn) };
+}
+
+/** Along the tree each node is where its parent says: the circles touch, and it looks back at the parent. */
+void
+DiskCheck::CheckTree(Measures & measures) const
+{
+  double largest = 0.0;
+  for (int node = 0; node < m_Packed.nodes; ++node)
+  {
+    const int h = m_Certificate.tree[node];
+    if (h < 0)
+    {
+      continue;
+    }
+    const double error = (this->Frame(node, m_Direction[h ^ 1]).Inverse() * this->Reached(h)).Deviation();
+    if (!(error <= std::max(ToleranceOf(node), ToleranceOf(m_Packed.node[h]))))
+    {
+      throw Refusal("the circles of nodes " + std::to_string(m_Packed.node[h]) + " and " + std::to_string(node) +
+                    " are not tangent: they miss by " + Figure(error));
+    }
+    largest = std::max(largest, error);
+  }
+  measures.emplace_back("tangency", largest);
+}
+
+/** The circle of each face lies where the kite of its lowest half-edge says. */
+void
+DiskCheck::CheckFaces(Measures & measures) const
+{
+  double largest = 0.0;
+  for (std::size_t f = 0; f < m_Packed.firstOfFace.size(); ++f)
+  {
+    const int    h = m_Packed.firstOfFace[f];
+    const int    v = m_Packed.node[h];
+    const double r = m_Certificate.nodeRadii[v];
+    const double s = m_Certificate.faceRadii[f];
+    const double length = Diagonal(r, s);
+    const auto   kite = this->Frame(v, m_Direction[h] + HalfAngle(r, s)) * Walk(length);
+    const auto   expected = kite.b / std::conj(kite.a);
+    const auto   place = Place(m_Certificate.facePositions, static_cast<int>(f));
+    const Real   gap = std::abs(place - expected) / std::abs(Complex(1.0L) - std::conj(place) * expected);
+    const double error = 2.0 * static_cast<double>(std::atanh(std::min<Real>(gap, 0.999L)));
+    if (!(error <= std::max(ToleranceOf(v), Tolerance(place))))
+    {
+      throw Refusal("the circles of node " + std::to_string(v) + " and face " + std::to_string(f) +
+                    " are not orthogonal: the face lies " + Figure(error) + " beside its place");
+    }
+    largest = std::max(largest, error);
+  }
+  measures.emplace_back("orthogonality", largest);
+}
+
+/** Relative to the numbers of the transformation F L G^-1 from the frames F, G of the ends: rounding of a place moves
+ * its frame by about |F|^2 times the spacing of doubles, which F and G^-1 enlarge. */
+double
+DiskCheck::GeneratorTolerance(int halfEdge, const Isometry & transformation) const
+{
+  constexpr Real rounding = 2e-15L;
+  const Real     start = Norm(this->Frame(m_Packed.node[halfEdge], 0.0));
+  const Real     end = Norm(this->Frame(m_Packed.node[halfEdge ^ 1], 0.0));
+  const Real     enlarged = start * end * (start * start + end * end) / Norm(transformation);
+  return MostPlaceError + static_cast<double>(rounding * enlarged);
+}
+
+void
+DiskCheck::CheckGenerators(Measures & measures) const
+{
+  double largest = 0.0;
+  for (const DeckTransformation & generator : m_Certificate.generators)
+  {
+    const Isometry stated = IsometryOf(generator);
+    const Isometry measured = this->Transformation(generator.halfEdge);
+    const Real     size = std::abs(measured.a);
+    // A common real factor changes nothing; that of a transformation of far places cannot be told from 1 in doubles.
+    const Real   factor = std::real(stated.a * std::conj(measured.a)) / (size * size);
+    const Real   drift = std::abs(std::abs(factor) - 1.0L);
+    const double error = static_cast<double>(
+      std::max(std::abs(stated.a - factor * measured.a), std::abs(stated.b - factor * measured.b)) / size);
+    if (!(drift <= MostPlaceError + DriftOfFactor(measured)))
+    {
+      throw Refusal("the generator of half-edge " + std::to_string(generator.halfEdge) + " has |a|^2 - |b|^2 = 1 + " +
+                    Figure(static_cast<double>(2.0L * drift)));
+    }
+    if (!(error <= this->GeneratorTolerance(generator.halfEdge, measured)))
+    {
+      throw Refusal("the generator of half-edge " + std::to_string(generator.halfEdge) +
+                    " is not its deck transformation: they differ by " + Figure(error));
+    }
+    largest = std::max(largest, error);
+  }
+  measures.emplace_back("generatorError", largest);
+}
+
+/** The product along the word. That it is the identity follows from all else; what may be missing is what rounding of
+ * the generators explains: an error of the factor between two partial products, of which the second is nearly the
+ * inverse of all that follows. */
+void
+DiskCheck::CheckWord(Measures & measures) const
+{
+  constexpr Real rounding = 1e-14L; // of the numbers of a generator, with its places
+  Isometry       product;
+  Real           explained = 1e-10L;
+  for (const int letter : m_Certificate.word)
+  {
+    const Isometry generator = IsometryOf(m_Certificate.generators[std::abs(letter) - 1]);
+    const Isometry factor = letter > 0 ? generator : generator.Inverse();
+    const Isometry next = product * factor;
+    explained += (rounding + DriftOfFactor(factor)) * Norm(product) * Norm(factor) * Norm(next);
+    product = next;
+  }
+  const double error = product.Deviation();
+  if (!(error <= static_cast<double>(explained)))
+  {
+    throw Refusal("the product of the generators along the word misses the identity by " + Figure(error));
+  }
+  measures.emplace_back("wordError", error);
+}
+} // namespace
+
+void
+CheckDisk(const EmbeddingCertificate & certificate, const TracedMap & packed, Measures & measures)
+{
+  DiskCheck(certificate, packed).Check(measures);
+}
+} // namespace shapeton

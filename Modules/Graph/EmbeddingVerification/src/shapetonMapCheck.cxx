@@ -1,0 +1,161 @@
+#include "shapetonChecks.h"
+
+#include <algorithm>
+
+namespace shapeton
+{
+namespace
+{
+/** Marks what a path of a subdivided edge uses; refuses one that is no path of dummies, or meets another. */
+class PathCheck
+{
+public:
+  PathCheck(const EmbeddingCertificate & certificate, const TracedMap & packed)
+    : m_Certificate(certificate)
+    , m_Packed(packed)
+    , m_IsUsedNode(packed.nodes, false)
+    , m_IsUsedEdge(packed.HalfEdges() / 2, false)
+    , m_IsSubdivided(certificate.graph.edges.size(), false)
+  {}
+
+  void
+  Check(const std::vector<int> & path)
+  {
+    const int edge = path.front() / 2;
+    Require(!m_IsSubdivided[edge], edge, "is subdivided twice");
+    m_IsSubdivided[edge] = true;
+    for (std::size_t i = 0; i + 1 < path.size(); ++i)
+    {
+      const int inner = m_Packed.Node(path[i] ^ 1);
+      Require(inner == m_Packed.Node(path[i + 1]), edge, "is subdivided into half-edges that do not follow each other");
+      Require(
+        inner >= m_Certificate.graph.nodes && !m_IsUsedNode[inner], edge, "runs through a node that is not its own");
+      m_IsUsedNode[inner] = true;
+      const int more = path[i + 1] / 2;
+      Require(static_cast<std::size_t>(more) >= m_Certificate.graph.edges.size() && !m_IsUsedEdge[more],
+              edge,
+              "runs along an edge that is not its own");
+      m_IsUsedEdge[more] = true;
+    }
+    Require(
+      m_Packed.Node(path.back() ^ 1) == m_Certificate.graph.edges[edge][1], edge, "does not lead to its end node");
+  }
+
+  /** All edges that are not subdivided have the ends of the graph. */
+  void
+  CheckOthers() const
+  {
+    for (std::size_t e = 0; e < m_Certificate.graph.edges.size(); ++e)
+    {
+      const auto [first, second] = m_Certificate.graph.edges[e];
+      const int edge = static_cast<int>(e);
+      Require(m_Packed.Node(2 * edge) == first, edge, "begins at another node in the packed map");
+      Require(
+        m_IsSubdivided[e] || m_Packed.Node(2 * edge + 1) == second, edge, "ends at another node in the packed map");
+    }
+  }
+
+private:
+  static void
+  Require(bool condition, int edge, const char * fault)
+  {
+    if (!condition)
+    {
+      throw Refusal("edge " + std::to_string(edge) + " of the graph " + fault);
+    }
+  }
+
+  const EmbeddingCertificate & m_Certificate;
+  const TracedMap &            m_Packed;
+  std::vector<bool>            m_IsUsedNode;
+  std::vector<bool>            m_IsUsedEdge;
+  std::vector<bool>            m_IsSubdivided;
+};
+
+/** Of each packed half-edge the half-edge of the graph that starts with it; -1 for the others. */
+std::vector<int>
+StartsOfGraph(const EmbeddingCertificate & certificate, const TracedMap & packed)
+{
+  std::vector<int> starts(packed.HalfEdges(), -1);
+  for (std::size_t h = 0; h < 2 * certificate.graph.edges.size(); ++h)
+  {
+    starts[h] = static_cast<int>(h);
+  }
+  for (const std::vector<int> & path : certificate.subdivided)
+  {
+    starts[path.front() ^ 1] = -1;
+    starts[path.back() ^ 1] = path.front() ^ 1;
+  }
+  return starts;
+}
+
+/** Around each node of the graph the packed map shows the half-edges of the graph in the order of its rotation. */
+void
+RequireSameRotation(const EmbeddingCertificate & certificate, const TracedMap & packed, const TracedMap & graph)
+{
+  const std::vector<int> starts = StartsOfGraph(certificate, packed);
+  for (int h = 0; h < packed.HalfEdges(); ++h)
+  {
+    if (starts[h] < 0)
+    {
+      continue;
+    }
+    int after = packed.next[h];
+    while (starts[after] < 0)
+    {
+      after = packed.next[after];
+    }
+    if (graph.next[starts[h]] != starts[after])
+    {
+      throw Refusal("the rotation of the graph and that of the packed map differ at node " +
+                    std::to_string(packed.Node(h)) + ", half-edge " + std::to_string(starts[h]));
+    }
+  }
+}
+
+void
+AppendSizes(const EmbeddingCertificate & certificate, const TracedMap & packed, Measures & measures)
+{
+  measures.emplace_back("genus", certificate.genus);
+  measures.emplace_back("nodes", certificate.graph.nodes);
+  measures.emplace_back("edges", static_cast<double>(certificate.graph.edges.size()));
+  measures.emplace_back("dummyNodes", packed.nodes - certificate.graph.nodes);
+  measures.emplace_back("packedEdges", packed.HalfEdges() / 2);
+  measures.emplace_back("faces", static_cast<double>(packed.firstOfFace.size()));
+}
+} // namespace
+
+void
+CheckMap(const EmbeddingCertificate & certificate, const TracedMap & packed, Measures & measures)
+{
+  PathCheck paths(certificate, packed);
+  for (const std::vector<int> & path : certificate.subdivided)
+  {
+    paths.Check(path);
+  }
+  paths.CheckOthers();
+  if (packed.components != 1 || packed.lonelyNodes > 0)
+  {
+    throw Refusal("the packed map is not connected");
+  }
+  if (packed.firstOfFace.size() != certificate.faceRadii.size())
+  {
+    throw Refusal("the rotation has " + std::to_string(packed.firstOfFace.size()) + " faces, but the certificate " +
+                  std::to_string(certificate.faceRadii.size()) + " circles of faces");
+  }
+  if (packed.Genus() != certificate.genus)
+  {
+    throw Refusal("by Euler's formula the packed map has genus " + std::to_string(packed.Genus()) + ", not " +
+                  std::to_string(certificate.genus));
+  }
+  const TracedMap graph(certificate.graph, certificate.rotation, "the rotation of the graph");
+  RequireSameRotation(certificate, packed, graph);
+  // A part of a map has its genus only where what was left out lies inside the faces of the part.
+  if (graph.Genus() != certificate.genus)
+  {
+    throw Refusal("the rotation of the graph has genus " + std::to_string(graph.Genus()) + ", but the surface " +
+                  std::to_string(certificate.genus) + ": dummies leave the faces of the graph");
+  }
+  AppendSizes(certificate, packed, measures);
+}
+} // namespace shapeton

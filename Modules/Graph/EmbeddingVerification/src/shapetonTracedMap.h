@@ -1,0 +1,79 @@
+#ifndef shapetonTracedMap_h
+#define shapetonTracedMap_h
+
+#include "shapetonEmbeddingCertificate.h"
+
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace shapeton
+{
+/** The reason why a certificate is refused. */
+class Refusal : public std::runtime_error
+{
+public:
+  using std::runtime_error::runtime_error;
+};
+
+/** A rotation system, traced: faces lie to the left of their half-edges. */
+struct TracedMap
+{
+  /** Throws Refusal that begins with `what` unless `rotation` lists, node after node, each half-edge once. */
+  TracedMap(const Graph & graph, const std::vector<int> & rotation, const std::string & what);
+
+  int
+  Node(int halfEdge) const
+  {
+    return node[halfEdge];
+  }
+  int
+  HalfEdges() const
+  {
+    return static_cast<int>(node.size());
+  }
+  int
+  FaceNext(int halfEdge) const
+  {
+    return previous[halfEdge ^ 1];
+  }
+  /** Sum of the genera of the components; a node without edges has genus 0. */
+  int
+  Genus() const;
+
+  int              nodes;
+  std::vector<int> node;
+  std::vector<int> next; ///< counter-clockwise around the node
+  std::vector<int> previous;
+  std::vector<int> face; ///< numbered in the order of the lowest half-edges
+  std::vector<int> firstOfFace;
+  std::vector<int> firstOfNode; ///< the first in the rotation; -1 for a node without edges
+  int              components{ 0 };
+  int              lonelyNodes{ 0 };
+
+private:
+  void
+  TraceFaces();
+  void
+  CountComponents();
+};
+
+/** Disjoint sets. */
+class DisjointSets
+{
+public:
+  explicit DisjointSets(int size);
+
+  int
+  Find(int element);
+
+  /** False when both were in one set already. */
+  bool
+  Unite(int first, int second);
+
+private:
+  std::vector<int> m_Parent;
+};
+} // namespace shapeton
+
+#endif

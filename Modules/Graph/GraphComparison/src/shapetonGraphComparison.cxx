@@ -1,0 +1,344 @@
+#include "shapetonGraphComparison.h"
+
+#include "shapetonCarriedRotation.h"
+#include "shapetonGraphStructure.h"
+#include "shapetonSphereAlignment.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <map>
+#include <set>
+
+namespace shapeton
+{
+namespace
+{
+int
+CountTriangles(const std::vector<std::vector<int>> & greaterNeighbours)
+{
+  int               triangles = 0;
+  std::vector<bool> isNeighbour(greaterNeighbours.size(), false);
+  for (const auto & neighbours : greaterNeighbours)
+  {
+    for (const int w : neighbours)
+    {
+      isNeighbour[w] = true;
+    }
+    for (const int w : neighbours)
+    {
+      triangles += static_cast<int>(
+        std::count_if(greaterNeighbours[w].begin(), greaterNeighbours[w].end(), [&](int x) { return isNeighbour[x]; }));
+    }
+    for (const int w : neighbours)
+    {
+      isNeighbour[w] = false;
+    }
+  }
+  return triangles;
+}
+} // namespace
+
+GraphFigures
+FiguresOf(const Graph & graph)
+{
+  const Incidence               incidence(graph);
+  GraphFigures                  figures;
+  std::set<std::array<int, 2>>  ends;
+  std::vector<std::vector<int>> greaterNeighbours(graph.nodes);
+  figures.nodes = graph.nodes;
+  figures.edges = static_cast<int>(graph.edges.size());
+  for (const auto & edge : graph.edges)
+  {
+    const std::array<int, 2> sorted{ std::min(edge[0], edge[1]), std::max(edge[0], edge[1]) };
+    if (edge[0] == edge[1])
+    {
+      ++figures.loops;
+    }
+    else if (ends.insert(sorted).second)
+    {
+      greaterNeighbours[sorted[0]].push_back(sorted[1]);
+    }
+    else
+    {
+      ++figures.parallelEdges;
+    }
+  }
+  figures.components = static_cast<int>(ConnectedComponents(graph).size());
+  figures.blocks = static_cast<int>(BlocksOf(graph).size());
+  figures.triangles = CountTriangles(greaterNeighbours);
+  for (int v = 0; v < graph.nodes; ++v)
+  {
+    const std::size_t degree = incidence.Degree(v);
+    figures.nodesOfDegree.resize(std::max(figures.nodesOfDegree.size(), degree + 1), 0);
+    ++figures.nodesOfDegree[degree];
+  }
+  return figures;
+}
+
+std::vector<std::string>
+DifferencesBetween(const GraphFigures & a, const GraphFigures & b)
+{
+  std::vector<std::string> differences;
+  const auto               compare = [&differences](const std::string & what, int ofA, int ofB) {
+    if (ofA != ofB)
+    {
+      differences.push_back(what + ": " + std::to_string(ofA) + " and " + std::to_string(ofB));
+    }
+  };
+  compare("nodes", a.nodes, b.nodes);
+  compare("edges", a.edges, b.edges);
+  compare("loops", a.loops, b.loops);
+  compare("parallel edges", a.parallelEdges, b.parallelEdges);
+  compare("components", a.components, b.components);
+  compare("blocks", a.blocks, b.blocks);
+  compare("triangles", a.triangles, b.triangles);
+  for (std::size_t d = 0; d < std::max(a.nodesOfDegree.size(), b.nodesOfDegree.size()); ++d)
+  {
+    compare("nodes of degree " + std::to_string(d),
+            d < a.nodesOfDegree.size() ? a.nodesOfDegree[d] : 0,
+            d < b.nodesOfDegree.size() ? b.nodesOfDegree[d] : 0);
+  }
+  return differences;
+}
+
+namespace
+{
+constexpr int roundsOfRefinement = 4;
+
+/** Colours of the nodes of both graphs by what lies around them; equal colours, equal surroundings. */
+class Refinement
+{
+public:
+  Refinement(const Graph & a, const Graph & b)
+    : m_Shift(a.nodes), m_Neighbours(a.nodes + b.nodes), m_Colour(a.nodes + b.nodes, 0)
+  {
+    AddEdges(a, 0);
+    AddEdges(b, a.nodes);
+  }
+
+  void
+  Refine()
+  {
+    std::map<std::vector<int>, int> colourOf;
+    std::vector<int>                refined(m_Colour.size());
+    for (std::size_t v = 0; v < m_Colour.size(); ++v)
+    {
+      std::vector<int> signature;
+      for (const int w : m_Neighbours[v])
+      {
+        signature.push_back(m_Colour[w]);
+      }
+      std::sort(signature.begin(), signature.end());
+      signature.push_back(m_Colour[v]);
+      refined[v] = colourOf.try_emplace(signature, static_cast<int>(colourOf.size())).first->second;
+    }
+    m_Colour.swap(refined);
+  }
+
+  /** Pairs nodes that are the only ones of their colour in both graphs and have no partner yet. */
+  void
+  PairUnique(std::vector<int> & image, std::vector<bool> & taken) const
+  {
+    std::map<int, std::array<std::vector<int>, 2>> nodesOfColour;
+    for (int v = 0; v < static_cast<int>(m_Colour.size()); ++v)
+    {
+      const bool ofB = v >= m_Shift;
+      nodesOfColour[m_Colour[v]][ofB ? 1 : 0].push_back(ofB ? v - m_Shift : v);
+    }
+    for (const auto & [colour, nodes] : nodesOfColour)
+    {
+      if (nodes[0].size() == 1 && nodes[1].size() == 1 && image[nodes[0][0]] < 0 && !taken[nodes[1][0]])
+      {
+        image[nodes[0][0]] = nodes[1][0];
+        taken[nodes[1][0]] = true;
+      }
+    }
+  }
+
+private:
+  void
+  AddEdges(const Graph & graph, int shift)
+  {
+    for (const auto & edge : graph.edges)
+    {
+      m_Neighbours[edge[0] + shift].push_back(edge[1] + shift);
+      m_Neighbours[edge[1] + shift].push_back(edge[0] + shift);
+    }
+  }
+
+  int                           m_Shift;
+  std::vector<std::vector<int>> m_Neighbours;
+  std::vector<int>              m_Colour;
+};
+
+NodeCorrespondence
+ByNeighbourhoods(const Graph & a, const Graph & b)
+{
+  NodeCorrespondence result{ "none", std::vector<int>(a.nodes, -1) };
+  std::vector<bool>  taken(b.nodes, false);
+  Refinement         refinement(a, b);
+  for (int round = 0; round < roundsOfRefinement; ++round)
+  {
+    refinement.Refine();
+    refinement.PairUnique(result.image, taken);
+  }
+  if (std::any_of(result.image.begin(), result.image.end(), [](int v) { return v >= 0; }))
+  {
+    result.by = "neighbourhoods";
+  }
+  return result;
+}
+} // namespace
+
+NodeCorrespondence
+CorrespondingNodes(const CanonicalForm & a, const CanonicalForm & b)
+{
+  NodeCorrespondence result{ "isomorphism", {} };
+  if (!Isomorphism(a, b).empty())
+  {
+    for (int v = 0; v < a.graph.nodes; ++v)
+    {
+      result.image.push_back(v);
+    }
+    return result;
+  }
+  if (!a.graph.names.empty() && !b.graph.names.empty())
+  {
+    result = { "names", NodesOfSameName(a.graph, b.graph) };
+    const auto found = std::count_if(result.image.begin(), result.image.end(), [](int v) { return v >= 0; });
+    if (2 * found >= std::min(a.graph.nodes, b.graph.nodes))
+    {
+      return result;
+    }
+  }
+  return ByNeighbourhoods(a.graph, b.graph);
+}
+
+GraphComparison
+CompareGraphs(const Graph & a, const Graph & b, const GenusOptions & genus, const GraphEmbeddingOptions & embedding)
+{
+  const CanonicalForm formA(a);
+  const CanonicalForm formB(b);
+  GraphComparison     result;
+  result.correspondence = CorrespondingNodes(formA, formB);
+  result.isomorphic = result.correspondence.by == "isomorphism";
+  const CombinatorialMap mapA = FindEmbedding(formA.graph, genus).map;
+  result.a = EmbedGraph(formA.graph, mapA, embedding);
+  const bool             carries = result.correspondence.by == "names";
+  const CombinatorialMap mapB =
+    carries ? CarryRotation(formA.graph, mapA, formB.graph, genus).map : FindEmbedding(formB.graph, genus).map;
+  result.b = EmbedGraph(formB.graph, mapB, embedding);
+  if (!result.isomorphic)
+  {
+    result.differences = DifferencesBetween(FiguresOf(a), FiguresOf(b));
+    if (result.differences.empty())
+    {
+      result.differences.push_back("the counts agree, the canonical forms do not");
+    }
+    if (result.a.geometry == EmbeddingGeometry::Spherical && result.b.geometry == EmbeddingGeometry::Spherical)
+    {
+      MoveEmbedding(result.b, BestMotion(result.a, result.b, result.correspondence.image));
+    }
+  }
+  result.changes = ChangesBetween(result.a, result.b, result.correspondence.image);
+  return result;
+}
+
+namespace
+{
+/** Hues by the golden angle, three lightnesses in turn. */
+std::string
+ColourOf(int index)
+{
+  const double hue = std::fmod(index * 0.6180339887498949, 1.0) * 6.0;
+  const double value = 0.95 - 0.15 * (index % 3);
+  const auto   channel = [&](double shift) {
+    const double k = std::fmod(shift + hue, 6.0);
+    return static_cast<int>(255.0 * (value - 0.7 * value * std::max(0.0, std::min({ k, 4.0 - k, 1.0 }))));
+  };
+  char text[8];
+  std::snprintf(text, sizeof(text), "#%02x%02x%02x", channel(5.0), channel(3.0), channel(1.0));
+  return text;
+}
+
+Json
+NamesOf(const std::vector<int> & nodes, const Graph & graph)
+{
+  Json names = Json::array();
+  for (const int v : nodes)
+  {
+    names.push_back(NameOfNode(graph, v));
+  }
+  return names;
+}
+
+Json
+EdgeNamesOf(const std::vector<int> & edges, const Graph & graph)
+{
+  Json names = Json::array();
+  for (const int e : edges)
+  {
+    names.push_back({ NameOfNode(graph, graph.edges[e][0]), NameOfNode(graph, graph.edges[e][1]) });
+  }
+  return names;
+}
+
+Json
+FiguresToJson(const EmbeddingCertificate & certificate)
+{
+  const GraphFigures figures = FiguresOf(certificate.graph);
+  return { { "nodes", figures.nodes },           { "edges", figures.edges },
+           { "loops", figures.loops },           { "parallelEdges", figures.parallelEdges },
+           { "components", figures.components }, { "blocks", figures.blocks },
+           { "triangles", figures.triangles },   { "nodesOfDegree", figures.nodesOfDegree },
+           { "genus", certificate.genus } };
+}
+} // namespace
+
+std::array<std::vector<std::string>, 2>
+ColoursOfNodes(const GraphComparison & comparison)
+{
+  const std::string                       grey = "#9a9a9a";
+  std::array<std::vector<std::string>, 2> colours{ std::vector<std::string>(comparison.a.graph.nodes, grey),
+                                                   std::vector<std::string>(comparison.b.graph.nodes, grey) };
+  for (int v = 0; v < comparison.a.graph.nodes; ++v)
+  {
+    if (const int partner = comparison.correspondence.image[v]; partner >= 0)
+    {
+      colours[0][v] = colours[1][partner] = ColourOf(v);
+    }
+  }
+  return colours;
+}
+
+Json
+ChangesToJson(const GraphChanges & changes, const Graph & a, const Graph & b)
+{
+  return {
+    { "removedNodes", NamesOf(changes.removedNodes, a) },     { "addedNodes", NamesOf(changes.addedNodes, b) },
+    { "removedEdges", EdgeNamesOf(changes.removedEdges, a) }, { "addedEdges", EdgeNamesOf(changes.addedEdges, b) },
+    { "changedNodes", NamesOf(changes.changedNodes, b) },     { "unchangedNodes", changes.unchangedNodes },
+    { "meanDisplacement", changes.meanDisplacement },         { "largestDisplacement", changes.largestDisplacement }
+  };
+}
+
+Json
+ComparisonToJson(const GraphComparison & comparison)
+{
+  Json pairs = Json::array();
+  for (int v = 0; v < comparison.a.graph.nodes; ++v)
+  {
+    if (const int partner = comparison.correspondence.image[v]; partner >= 0)
+    {
+      pairs.push_back({ NameOfNode(comparison.a.graph, v), NameOfNode(comparison.b.graph, partner) });
+    }
+  }
+  return { { "isomorphic", comparison.isomorphic },
+           { "differences", comparison.differences },
+           { "a", FiguresToJson(comparison.a) },
+           { "b", FiguresToJson(comparison.b) },
+           { "correspondence", { { "by", comparison.correspondence.by }, { "nodes", pairs } } },
+           { "changes", ChangesToJson(comparison.changes, comparison.a.graph, comparison.b.graph) } };
+}
+} // namespace shapeton

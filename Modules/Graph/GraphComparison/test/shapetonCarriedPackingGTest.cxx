@@ -1,0 +1,217 @@
+#include "shapetonCarriedPacking.h"
+
+#include "shapetonCarriedRotation.h"
+#include "shapetonGraphFamilies.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <map>
+#include <random>
+
+namespace
+{
+/** The edges of a grid that are marked; every other square is large where most of them are. */
+shapeton::Graph
+PartOfGrid(const std::vector<char> & isThere)
+{
+  const shapeton::Graph grid = shapeton::GridGraph(12, 10);
+  shapeton::Graph       part{ grid.nodes, {}, {} };
+  for (std::size_t e = 0; e < grid.edges.size(); ++e)
+  {
+    if (isThere[e])
+    {
+      part.edges.push_back(grid.edges[e]);
+    }
+  }
+  return part;
+}
+
+/** Packed half-edges that begin half-edges of the graph, and these; an edge may be a path along dummies. */
+std::map<int, int>
+HalfEdgesOfGraph(const shapeton::PackedMap & packed)
+{
+  std::map<int, int> image;
+  for (int h = 0; h < 2 * packed.graphEdges; ++h)
+  {
+    image[h] = h;
+  }
+  for (const std::vector<int> & path : packed.subdivided)
+  {
+    image.erase(path.front() + 1);
+  }
+  for (const std::vector<int> & path : packed.subdivided)
+  {
+    for (std::size_t i = 0; i + 1 < path.size(); ++i)
+    {
+      EXPECT_EQ(packed.map.Node(path[i] ^ 1), packed.map.Node(path[i + 1]));
+      EXPECT_GE(packed.map.Node(path[i + 1]), packed.graphNodes);
+    }
+    EXPECT_TRUE(image.emplace(path.back() ^ 1, path.front() + 1).second);
+  }
+  return image;
+}
+
+/** Packable, and without the dummies the map is left, each order but where a component of its own lies. */
+void
+ExpectPackedMapOf(const shapeton::PackedMap & packed, const shapeton::CombinatorialMap & map)
+{
+  EXPECT_EQ(packed.map.Components(), 1);
+  EXPECT_EQ(packed.map.Genus(), map.Genus());
+  EXPECT_EQ(shapeton::FaceConflicts(packed.map).reason, "");
+  ASSERT_EQ(packed.graphNodes, map.Nodes());
+  ASSERT_EQ(packed.graphEdges, map.Edges());
+  const std::map<int, int> image = HalfEdgesOfGraph(packed);
+  ASSERT_EQ(image.size(), static_cast<std::size_t>(map.HalfEdges()));
+  for (const auto & [h, own] : image)
+  {
+    EXPECT_EQ(packed.map.Node(h), map.Node(own));
+    int next = packed.map.NextAround(h);
+    while (image.count(next) == 0)
+    {
+      next = packed.map.NextAround(next);
+    }
+    EXPECT_EQ(image.at(next), map.NextAround(own));
+  }
+}
+
+/** Nodes of the graph around which nothing has changed, dummies included. */
+int
+NodesAsBefore(const shapeton::PackedMap & a, const shapeton::PackedMap & b)
+{
+  const auto degreesAround = [](const shapeton::PackedMap & packed, int node) {
+    std::vector<int>       list;
+    const std::vector<int> degrees = packed.map.Degrees();
+    for (const int h : packed.map.Around(node))
+    {
+      list.push_back(degrees[packed.map.Node(h ^ 1)]);
+    }
+    std::sort(list.begin(), list.end());
+    return list;
+  };
+  int same = 0;
+  for (int node = 0; node < a.graphNodes; ++node)
+  {
+    same += degreesAround(a, node) == degreesAround(b, node) ? 1 : 0;
+  }
+  return same;
+}
+
+/** A ring of `length` nodes with a tail, so that its two faces are filled with rings of dummies. */
+shapeton::Graph
+RingWithTail(int length)
+{
+  shapeton::Graph graph = shapeton::CycleGraph(length);
+  graph.nodes += 1;
+  graph.edges.push_back({ 0, length });
+  return graph;
+}
+
+struct PackedRing
+{
+  explicit PackedRing(int length) : graph(RingWithTail(length))
+  {
+    EXPECT_TRUE(shapeton::FindPlanarEmbedding(graph, map));
+    packed = shapeton::MakePackedMap(map);
+  }
+  shapeton::Graph            graph;
+  shapeton::CombinatorialMap map;
+  shapeton::PackedMap        packed;
+};
+} // namespace
+
+TEST(CarriedPacking, TheSameGraphKeepsAllDummies)
+{
+  const auto [graph, map, packed] = PackedRing(40);
+  ASSERT_GT(packed.map.Nodes(), graph.nodes);
+  const shapeton::PackedMap carried = shapeton::CarryPackedMap(graph, packed, graph, map);
+  EXPECT_EQ(carried.map.GetRotation(), packed.map.GetRotation());
+}
+
+TEST(CarriedPacking, DummiesFarFromAnEditStay)
+{
+  const auto [before, map, packed] = PackedRing(200);
+  shapeton::Graph after = before;
+  after.edges.push_back({ 50, 52 });
+  after.edges.erase(after.edges.begin() + 120);
+  const shapeton::CombinatorialMap edited = shapeton::CarryRotation(before, map, after).map;
+  const shapeton::PackedMap        carried = shapeton::CarryPackedMap(before, packed, after, edited);
+  ExpectPackedMapOf(carried, edited);
+  EXPECT_GT(NodesAsBefore(packed, carried), 180);
+  EXPECT_LT(NodesAsBefore(packed, shapeton::MakePackedMap(edited)), 150); // made anew
+}
+
+/** The ends of an edge across a long face do not move: it runs along dummies, and all circles stay as they are. */
+TEST(CarriedPacking, AnEdgeAcrossALongFaceRunsAlongDummies)
+{
+  const auto [before, map, packed] = PackedRing(200);
+  shapeton::Graph after = before;
+  after.edges.push_back({ 50, 150 });
+  const shapeton::CombinatorialMap edited = shapeton::CarryRotation(before, map, after).map;
+  const shapeton::PackedMap        carried = shapeton::CarryPackedMap(before, packed, after, edited);
+  ExpectPackedMapOf(carried, edited);
+  ASSERT_EQ(carried.subdivided.size(), 1U);
+  EXPECT_GT(carried.subdivided[0].size(), 3U);
+  EXPECT_EQ(carried.map.Nodes(), packed.map.Nodes());
+  EXPECT_EQ(carried.map.Edges(), packed.map.Edges());
+  EXPECT_EQ(NodesAsBefore(packed, carried), before.nodes);
+  // So do a second and a third edge beside it.
+  after.edges.insert(after.edges.end(), { { 20, 40 }, { 52, 100 } });
+  const shapeton::CombinatorialMap both = shapeton::CarryRotation(before, map, after).map;
+  const shapeton::PackedMap        all = shapeton::CarryPackedMap(before, packed, after, both);
+  ExpectPackedMapOf(all, both);
+  EXPECT_EQ(all.subdivided.size(), 3U);
+  EXPECT_EQ(NodesAsBefore(packed, all), before.nodes);
+  // The next step finds the way again, and gives it up with its edge.
+  const shapeton::PackedMap again = shapeton::CarryPackedMap(after, all, after, both);
+  ExpectPackedMapOf(again, both);
+  EXPECT_EQ(again.map.GetRotation().size(), all.map.GetRotation().size());
+  const shapeton::PackedMap back = shapeton::CarryPackedMap(after, all, before, map);
+  ExpectPackedMapOf(back, map);
+  EXPECT_EQ(NodesAsBefore(packed, back), before.nodes);
+}
+
+TEST(CarriedPacking, RandomEditsGivePackableMapsOfTheGraph)
+{
+  std::mt19937      random(5);
+  std::vector<char> isThere(shapeton::GridGraph(12, 10).edges.size(), 1);
+  for (char & flag : isThere)
+  {
+    flag = random() % 4 != 0;
+  }
+  shapeton::Graph            graph = PartOfGrid(isThere);
+  shapeton::CombinatorialMap map;
+  ASSERT_TRUE(shapeton::FindPlanarEmbedding(graph, map));
+  shapeton::PackedMap packed = shapeton::MakePackedMap(map);
+  int                 carriedSteps = 0;
+  for (int step = 0; step < 60; ++step)
+  {
+    for (int edit = 0; edit < 1 + step % 7; ++edit)
+    {
+      char & flag = isThere[random() % isThere.size()];
+      flag = !flag;
+    }
+    const shapeton::Graph            next = PartOfGrid(isThere);
+    const shapeton::CombinatorialMap nextMap = shapeton::CarryRotation(graph, map, next).map;
+    packed = shapeton::CarryPackedMap(graph, packed, next, nextMap);
+    ExpectPackedMapOf(packed, nextMap);
+    carriedSteps += packed.map.GetRotation() != shapeton::MakePackedMap(nextMap).map.GetRotation() ? 1 : 0;
+    graph = next;
+    map = nextMap;
+  }
+  EXPECT_GT(carriedSteps, 50);
+}
+
+TEST(CarriedPacking, LoopsAndHandlesArePackedAnew)
+{
+  const auto [before, map, packed] = PackedRing(20);
+  for (const std::array<int, 2> & edge : { std::array<int, 2>{ 3, 3 }, std::array<int, 2>{ 5, 4 } })
+  {
+    shapeton::Graph after = before;
+    after.edges.push_back(edge);
+    const shapeton::CombinatorialMap edited = shapeton::CarryRotation(before, map, after).map;
+    const shapeton::PackedMap        carried = shapeton::CarryPackedMap(before, packed, after, edited);
+    EXPECT_EQ(carried.map.GetRotation(), shapeton::MakePackedMap(edited).map.GetRotation());
+    EXPECT_EQ(carried.subdivided.size(), 1U);
+  }
+}

@@ -1,0 +1,146 @@
+#ifndef shapetonIncrementalMap_h
+#define shapetonIncrementalMap_h
+
+#include "GraphGenusExport.h"
+
+#include "shapetonCombinatorialMap.h"
+
+#include <vector>
+
+namespace shapeton
+{
+/** \class IncrementalMap
+ * \brief A rotation system whose edges are taken out and put in while its faces are kept up to date.
+ *
+ * A corner is named by the half-edge before it, counter-clockwise: an edge that is put in "after a" has its half-edge
+ * between a and NextAround(a), within the face FaceOfCorner(a). An edge put between two corners of one face divides it;
+ * one between two faces joins them, which costs a handle when both belong to one component. Of a face that is divided,
+ * the shorter part is named anew, of two that are joined, the shorter one: a change costs the length of the shorter
+ * face. Conventions are those of CombinatorialMap. Loops may lie in the map, but are neither taken out nor put in.
+ *
+ * \ingroup GraphGenus
+ */
+class GraphGenus_EXPORT IncrementalMap
+{
+public:
+  /** A map of these edges, none of them put in yet. */
+  IncrementalMap(int nodes, const std::vector<std::array<int, 2>> & edges);
+
+  /** All edges put in as they lie in `map`. */
+  explicit IncrementalMap(const CombinatorialMap & map);
+
+  int
+  Nodes() const
+  {
+    return static_cast<int>(m_Any.size());
+  }
+  int
+  Edges() const
+  {
+    return static_cast<int>(m_Node.size() / 2);
+  }
+  /** Faces of the edges that are put in. */
+  int
+  Faces() const
+  {
+    return m_Faces;
+  }
+  bool
+  Contains(int edge) const
+  {
+    return m_Next[2 * edge] >= 0;
+  }
+  int
+  Node(int halfEdge) const
+  {
+    return m_Node[halfEdge];
+  }
+  int
+  Degree(int node) const
+  {
+    return m_Degree[node];
+  }
+  /** A half-edge of the node; -1 when there is none. */
+  int
+  Any(int node) const
+  {
+    return m_Any[node];
+  }
+  int
+  NextAround(int halfEdge) const
+  {
+    return m_Next[halfEdge];
+  }
+  int
+  PreviousAround(int halfEdge) const
+  {
+    return m_Previous[halfEdge];
+  }
+  int
+  FaceNext(int halfEdge) const
+  {
+    return m_Previous[halfEdge ^ 1];
+  }
+  /** The face to the left of a half-edge, a label in [0, FaceLabels()): the face of the corner after it. */
+  int
+  FaceOfCorner(int halfEdge) const
+  {
+    return m_Face[halfEdge];
+  }
+  int
+  FaceLabels() const
+  {
+    return static_cast<int>(m_Length.size());
+  }
+  int
+  FaceLength(int label) const
+  {
+    return m_Length[label];
+  }
+
+  /** Appends an edge that is not put in; returns its index. */
+  int
+  AddEdge(int node0, int node1);
+
+  /** Puts an edge between the corners after `a`, at the edge's first node, and after `b`, at its second one; -1 for a
+   * node that has no half-edge. */
+  void
+  Insert(int edge, int a, int b);
+
+  void
+  Remove(int edge);
+
+  /** The permutation that CombinatorialMap takes; -1 for edges that are not put in. */
+  const std::vector<int> &
+  GetNextAround() const
+  {
+    return m_Next;
+  }
+
+private:
+  void
+  Link(int halfEdge, int after);
+  void
+  Unlink(int halfEdge);
+  int
+  NewLabel();
+  void
+  Relabel(int start, int label);
+  int
+  Join(int one, int other);
+  void
+  Divide(int one, int other);
+
+  std::vector<int> m_Node;
+  std::vector<int> m_Next;
+  std::vector<int> m_Previous;
+  std::vector<int> m_Face;
+  std::vector<int> m_Any;
+  std::vector<int> m_Degree;
+  std::vector<int> m_Length;
+  std::vector<int> m_FreeLabels;
+  int              m_Faces{ 0 };
+};
+} // namespace shapeton
+
+#endif

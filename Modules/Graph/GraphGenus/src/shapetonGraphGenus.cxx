@@ -1,0 +1,360 @@
+#include "shapetonGraphGenus.h"
+
+#include "shapetonBlockKernel.h"
+#include "shapetonGenusAnnealing.h"
+#include "shapetonGenusGenetic.h"
+#include "shapetonGraphStructure.h"
+#include "shapetonIncrementalMap.h"
+#include "shapetonParallelFor.h"
+#include "shapetonPlanarRotation.h"
+#include "shapetonExceptions.h"
+
+#include <algorithm>
+#include <atomic>
+
+namespace shapeton
+{
+namespace
+{
+constexpr std::uint32_t annealingPurpose = 0x6E05A1;
+constexpr std::uint32_t geneticPurpose = 0x6E05A2;
+// Of the searches in turn. Sparse graphs of large genus like low exponents, complete graphs high ones: K15 finds its
+// genus of 11 with 16 alone. With 0 (any corner is as good as another) a quarter more handles are left.
+constexpr int lastExponents[] = { 8, 16, 12, 6 };
+// Of one search at effort 1. On the Rome graphs and K15 more moves of one search gain nothing that more searches do
+// not.
+constexpr double movesOfAnEdge = 4000.0;
+constexpr double mostMoves = 3.0e6;
+constexpr double mostCorners = 4.0e8;
+// A node with very many neighbours would be looked at once for each of them.
+constexpr double mostCornersOfBreadth = 2000.0;
+constexpr double childrenOfASearch = 5000.0;
+
+/** A part of the graph that is searched on its own. */
+struct SearchPart
+{
+  const Graph *    graph;
+  int              lowerBound;
+  std::vector<int> nextAround;
+};
+
+/** Runs all searches of all parts on all threads. Of a part the best search counts, of equal ones the first, so a
+ * search may be left out when an earlier one has reached the lower bound, and the result depends on no thread. */
+template <typename TSearch>
+void
+SearchAll(std::vector<SearchPart> & parts, int restarts, const TSearch & search)
+{
+  struct Outcome
+  {
+    int              genus{ std::numeric_limits<int>::max() };
+    std::vector<int> nextAround;
+  };
+  std::vector<Outcome>          outcomes(parts.size() * restarts);
+  std::vector<std::atomic<int>> firstAtBound(parts.size());
+  for (auto & first : firstAtBound)
+  {
+    first = restarts;
+  }
+  const auto run = [&](std::size_t part, int restart) {
+    const std::size_t task = part * restarts + restart;
+    if (restart > firstAtBound[part])
+    {
+      return;
+    }
+    Outcome & outcome = outcomes[task];
+    outcome.nextAround =
+      search(parts[part], restart, static_cast<std::uint32_t>(task), [&] { return restart > firstAtBound[part]; });
+    outcome.genus = CombinatorialMap(parts[part].graph->nodes, parts[part].graph->edges, outcome.nextAround).Genus();
+    int first = firstAtBound[part];
+    while (outcome.genus <= parts[part].lowerBound && restart < first &&
+           !firstAtBound[part].compare_exchange_weak(first, restart))
+    {}
+  };
+  // The first search is often all that is needed: of a large graph the others would only take time and memory.
+  ParallelFor(parts.size(), [&](std::size_t part) { run(part, 0); });
+  const std::size_t others = restarts - 1;
+  ParallelFor(parts.size() * others, [&](std::size_t i) { run(i / others, 1 + static_cast<int>(i % others)); });
+  for (std::size_t part = 0; part < parts.size(); ++part)
+  {
+    const auto begin = outcomes.begin() + part * restarts;
+    parts[part].nextAround = std::min_element(begin, begin + restarts, [](const Outcome & a, const Outcome & b) {
+                               return a.genus < b.genus;
+                             })->nextAround;
+  }
+}
+
+/** Mean number of corners that a move looks at: those of both ends of an edge. */
+double
+CornersOfAMove(const Graph & graph)
+{
+  const Incidence incidence(graph);
+  double          sum = 0.0;
+  for (int v = 0; v < graph.nodes; ++v)
+  {
+    sum += static_cast<double>(incidence.Degree(v)) * incidence.Degree(v);
+  }
+  return sum / graph.edges.size();
+}
+
+/** A block of the graph with its kernel. */
+struct Block
+{
+  explicit Block(Subgraph subgraph) : part(std::move(subgraph)), kernel(part.graph) {}
+
+  Subgraph    part;
+  BlockKernel kernel;
+};
+
+/** Draws the orders of a block into those of the graph, each in one corner of what is there. */
+void
+AddOrders(const Graph &            graph,
+          const std::vector<int> & edges,
+          const std::vector<int> & blockNext,
+          std::vector<int> &       next,
+          std::vector<int> &       any)
+{
+  const auto ofGraph = [&edges](int halfEdge) { return 2 * edges[halfEdge / 2] + halfEdge % 2; };
+  for (std::size_t h = 0; h < blockNext.size(); ++h)
+  {
+    next[ofGraph(static_cast<int>(h))] = ofGraph(blockNext[h]);
+  }
+  std::vector<int> corners; // of nodes that the block meets for the first time
+  for (std::size_t h = 0; h < blockNext.size(); ++h)
+  {
+    const int halfEdge = ofGraph(static_cast<int>(h));
+    int &     corner = any[graph.edges[halfEdge / 2][halfEdge % 2]];
+    if (corner == -1 || corner >= 0)
+    {
+      if (corner >= 0)
+      {
+        SpliceOrders(next, corner, halfEdge);
+      }
+      corner = -2 - halfEdge; // done for this block
+      corners.push_back(graph.edges[halfEdge / 2][halfEdge % 2]);
+    }
+  }
+  for (const int node : corners)
+  {
+    any[node] = -2 - any[node];
+  }
+}
+
+/** Of a graph that is not planar: one of its blocks at least is not. */
+class AnnealedEmbedding
+{
+public:
+  AnnealedEmbedding(const Graph & graph, const GenusOptions & options)
+    : m_Graph(graph), m_Options(options), m_Next(2 * graph.edges.size(), -1), m_Any(graph.nodes, -1)
+  {}
+
+  SurfaceEmbedding
+  Find()
+  {
+    AddPlanarBlocks();
+    SearchOthers();
+    SurfaceEmbedding result;
+    result.map = CombinatorialMap(m_Graph.nodes, m_Graph.edges, std::move(m_Next));
+    result.lowerBound = m_LowerBound;
+    return result;
+  }
+
+private:
+  void
+  AddPlanarBlocks()
+  {
+    const std::vector<std::vector<int>> blocks = BlocksOf(m_Graph);
+    for (const auto & edges : blocks)
+    {
+      Subgraph               part = SubgraphOfEdges(m_Graph, edges);
+      const std::vector<int> planar = blocks.size() > 1 ? PlanarNextAround(part.graph) : std::vector<int>();
+      if (!planar.empty())
+      {
+        AddOrders(m_Graph, edges, planar, m_Next, m_Any);
+      }
+      else
+      {
+        m_Blocks.emplace_back(std::move(part));
+      }
+    }
+  }
+
+  void
+  SearchOthers()
+  {
+    std::vector<SearchPart> parts;
+    for (const Block & block : m_Blocks)
+    {
+      const Graph & kernel = block.kernel.GetGraph();
+      parts.push_back({ &kernel, std::max(1, GenusLowerBound(kernel)), {} });
+      m_LowerBound += parts.back().lowerBound;
+    }
+    SearchAll(parts,
+              m_Options.restarts,
+              [this](const SearchPart & part, int restart, std::uint32_t stream, const auto & isInVain) {
+                const double   cornersOfAMove = CornersOfAMove(*part.graph);
+                GenusAnnealing annealing(*part.graph,
+                                         PhiloxStream(m_Options.seed, stream, annealingPurpose),
+                                         restart % 3 == 0 && cornersOfAMove < mostCornersOfBreadth
+                                           ? GenusAnnealing::Growth::Breadth
+                                           : GenusAnnealing::Growth::Tree);
+                const double   moves =
+                  std::min({ movesOfAnEdge * part.graph->edges.size(), mostMoves, mostCorners / cornersOfAMove }) *
+                  m_Options.effort;
+                annealing.Anneal(
+                  static_cast<std::int64_t>(moves), lastExponents[restart % 4], part.lowerBound, isInVain);
+                return annealing.BestNextAround();
+              });
+    for (std::size_t i = 0; i < parts.size(); ++i)
+    {
+      AddOrders(m_Graph, m_Blocks[i].part.edges, m_Blocks[i].kernel.Expand(parts[i].nextAround), m_Next, m_Any);
+    }
+  }
+
+  const Graph &        m_Graph;
+  const GenusOptions & m_Options;
+  std::vector<int>     m_Next;
+  std::vector<int>     m_Any; // a half-edge of each node that is drawn already
+  std::vector<Block>   m_Blocks;
+  int                  m_LowerBound{ 0 };
+};
+
+SurfaceEmbedding
+FindAnnealed(const Graph & graph, const GenusOptions & options)
+{
+  SurfaceEmbedding result;
+  if (FindPlanarEmbedding(graph, result.map))
+  {
+    return result;
+  }
+  return AnnealedEmbedding(graph, options).Find();
+}
+
+/** The bound of a graph is that of its blocks' kernels, as annealing has it, without the search. */
+int
+LowerBoundOf(const Graph & graph)
+{
+  int bound = 0;
+  for (const auto & edges : BlocksOf(graph))
+  {
+    const Subgraph part = SubgraphOfEdges(graph, edges);
+    if (PlanarNextAround(part.graph).empty())
+    {
+      bound += std::max(1, GenusLowerBound(BlockKernel(part.graph).GetGraph()));
+    }
+  }
+  return bound;
+}
+
+SurfaceEmbedding
+FindGenetically(const Graph & graph, const GenusOptions & options)
+{
+  const std::vector<Subgraph> components = ConnectedComponents(graph);
+  std::vector<SearchPart>     parts;
+  for (const Subgraph & component : components)
+  {
+    parts.push_back({ &component.graph, 0, {} });
+  }
+  SearchAll(parts, options.restarts, [&options](const SearchPart & part, int, std::uint32_t stream, const auto &) {
+    return SearchGenetically(*part.graph,
+                             PhiloxStream(options.seed, stream, geneticPurpose),
+                             static_cast<std::int64_t>(childrenOfASearch * options.effort));
+  });
+  std::vector<int> next(2 * graph.edges.size(), -1);
+  std::vector<int> any(graph.nodes, -1);
+  for (std::size_t i = 0; i < parts.size(); ++i)
+  {
+    AddOrders(graph, components[i].edges, parts[i].nextAround, next, any);
+  }
+  SurfaceEmbedding result;
+  result.map = CombinatorialMap(graph.nodes, graph.edges, std::move(next));
+  result.lowerBound = LowerBoundOf(graph);
+  return result;
+}
+
+/** A pair of corners of the edge's nodes in two faces; false when there is none. */
+bool
+FindCornersOfTwoFaces(const IncrementalMap & map, int edge, int & a, int & b)
+{
+  const int first0 = map.Any(map.Node(2 * edge));
+  const int first1 = map.Any(map.Node(2 * edge + 1));
+  a = first0;
+  do
+  {
+    b = first1;
+    do
+    {
+      if (map.FaceOfCorner(a) != map.FaceOfCorner(b))
+      {
+        return true;
+      }
+      b = map.NextAround(b);
+    } while (b != first1);
+    a = map.NextAround(a);
+  } while (a != first0);
+  return false;
+}
+
+/** Adds handles until the map has the genus: an edge between two faces is taken out, which joins them, and put between
+ * two faces again. */
+CombinatorialMap
+RaiseGenus(const Graph & graph, const CombinatorialMap & map, int genus)
+{
+  IncrementalMap changed(map);
+  int            missing = genus - map.Genus();
+  bool           progress = true;
+  while (missing > 0 && progress)
+  {
+    progress = false;
+    for (int e = 0; e < changed.Edges() && missing > 0; ++e)
+    {
+      const bool isLoop = graph.edges[e][0] == graph.edges[e][1];
+      if (isLoop || changed.FaceOfCorner(2 * e) == changed.FaceOfCorner(2 * e + 1))
+      {
+        continue;
+      }
+      const int oldA = changed.PreviousAround(2 * e);
+      const int oldB = changed.PreviousAround(2 * e + 1);
+      changed.Remove(e);
+      int        a = oldA;
+      int        b = oldB;
+      const bool found = FindCornersOfTwoFaces(changed, e, a, b);
+      changed.Insert(e, found ? a : oldA, found ? b : oldB);
+      missing -= found ? 1 : 0;
+      progress = progress || found;
+    }
+  }
+  return CombinatorialMap(graph.nodes, graph.edges, changed.GetNextAround());
+}
+
+void
+RequireGenus(int genus, const SurfaceEmbedding & least, const CombinatorialMap & greatest)
+{
+  if (greatest.Genus() != genus)
+  {
+    throw InputError("no embedding of genus " + std::to_string(genus) + " was found, only of genus " +
+                     std::to_string(least.map.Genus()) + " to " + std::to_string(greatest.Genus()) +
+                     (genus < least.lowerBound ? "; none exists below " + std::to_string(least.lowerBound) : "") +
+                     "; ask for one of these");
+  }
+}
+} // namespace
+
+SurfaceEmbedding
+FindEmbedding(const Graph & graph, const GenusOptions & options)
+{
+  RequireParameter(options.genus >= -1, "the genus is negative; give 0 or more");
+  RequireParameter(options.restarts >= 1, "there are no restarts; give 1 or more");
+  RequireParameter(options.effort > 0.0, "the effort is not positive; give a number above 0");
+  RequireSound(graph, "embedding");
+  SurfaceEmbedding result =
+    options.method == GenusMethod::Genetic ? FindGenetically(graph, options) : FindAnnealed(graph, options);
+  if (options.genus >= 0)
+  {
+    const CombinatorialMap raised = RaiseGenus(graph, result.map, options.genus);
+    RequireGenus(options.genus, result, raised);
+    result.map = raised;
+  }
+  result.minimal = result.map.Genus() == result.lowerBound;
+  return result;
+}
+} // namespace shapeton

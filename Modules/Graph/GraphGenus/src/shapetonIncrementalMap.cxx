@@ -1,0 +1,202 @@
+#include "shapetonIncrementalMap.h"
+
+#include <utility>
+
+namespace shapeton
+{
+IncrementalMap::IncrementalMap(int nodes, const std::vector<std::array<int, 2>> & edges)
+  : m_Next(2 * edges.size(), -1)
+  , m_Previous(2 * edges.size(), -1)
+  , m_Face(2 * edges.size(), -1)
+  , m_Any(nodes, -1)
+  , m_Degree(nodes, 0)
+{
+  m_Node.reserve(2 * edges.size());
+  for (const auto & edge : edges)
+  {
+    m_Node.insert(m_Node.end(), edge.begin(), edge.end());
+  }
+}
+
+IncrementalMap::IncrementalMap(const CombinatorialMap & map)
+  : m_Any(map.Nodes()), m_Degree(map.Degrees()), m_Length(map.FaceLengths()), m_Faces(map.Faces())
+{
+  for (int v = 0; v < map.Nodes(); ++v)
+  {
+    m_Any[v] = map.FirstAround(v);
+  }
+  for (int h = 0; h < map.HalfEdges(); ++h)
+  {
+    m_Node.push_back(map.Node(h));
+    m_Next.push_back(map.NextAround(h));
+    m_Previous.push_back(map.PreviousAround(h));
+    m_Face.push_back(map.Face(h));
+  }
+}
+
+int
+IncrementalMap::AddEdge(int node0, int node1)
+{
+  m_Node.insert(m_Node.end(), { node0, node1 });
+  for (std::vector<int> * links : { &m_Next, &m_Previous, &m_Face })
+  {
+    links->insert(links->end(), 2, -1);
+  }
+  return Edges() - 1;
+}
+
+void
+IncrementalMap::Link(int halfEdge, int after)
+{
+  const int node = m_Node[halfEdge];
+  if (after < 0)
+  {
+    m_Next[halfEdge] = m_Previous[halfEdge] = halfEdge;
+    m_Any[node] = halfEdge;
+  }
+  else
+  {
+    const int before = m_Next[after];
+    m_Next[after] = halfEdge;
+    m_Previous[halfEdge] = after;
+    m_Next[halfEdge] = before;
+    m_Previous[before] = halfEdge;
+  }
+  ++m_Degree[node];
+}
+
+void
+IncrementalMap::Unlink(int halfEdge)
+{
+  const int node = m_Node[halfEdge];
+  const int next = m_Next[halfEdge];
+  if (next == halfEdge)
+  {
+    m_Any[node] = -1;
+  }
+  else
+  {
+    m_Next[m_Previous[halfEdge]] = next;
+    m_Previous[next] = m_Previous[halfEdge];
+    m_Any[node] = next;
+  }
+  m_Next[halfEdge] = m_Previous[halfEdge] = -1;
+  --m_Degree[node];
+}
+
+int
+IncrementalMap::NewLabel()
+{
+  if (m_FreeLabels.empty())
+  {
+    m_Length.push_back(0);
+    return FaceLabels() - 1;
+  }
+  const int label = m_FreeLabels.back();
+  m_FreeLabels.pop_back();
+  return label;
+}
+
+void
+IncrementalMap::Relabel(int start, int label)
+{
+  int h = start;
+  do
+  {
+    m_Face[h] = label;
+    h = FaceNext(h);
+  } while (h != start);
+}
+
+/** Gives the faces of two half-edges one label, and returns it. */
+int
+IncrementalMap::Join(int one, int other)
+{
+  if (m_Length[m_Face[one]] < m_Length[m_Face[other]])
+  {
+    std::swap(one, other);
+  }
+  const int kept = m_Face[one];
+  const int lost = m_Face[other];
+  if (kept != lost)
+  {
+    Relabel(other, kept);
+    m_Length[kept] += m_Length[lost];
+    m_FreeLabels.push_back(lost);
+    --m_Faces;
+  }
+  return kept;
+}
+
+/** The half-edges lie in two faces that still have one label. Walks around both at once until the shorter one closes.
+ */
+void
+IncrementalMap::Divide(int one, int other)
+{
+  const int label = m_Face[one];
+  int       a = one;
+  int       b = other;
+  int       length = 0;
+  do
+  {
+    a = FaceNext(a);
+    b = FaceNext(b);
+    ++length;
+  } while (a != one && b != other);
+  const int fresh = NewLabel();
+  Relabel(a == one ? one : other, fresh);
+  m_Length[fresh] = length;
+  m_Length[label] -= length;
+  ++m_Faces;
+}
+
+void
+IncrementalMap::Insert(int edge, int a, int b)
+{
+  const int one = 2 * edge;
+  const int other = one + 1;
+  if (a < 0 && b < 0)
+  {
+    Link(one, a);
+    Link(other, b);
+    m_Face[one] = m_Face[other] = NewLabel();
+    m_Length[m_Face[one]] = 2;
+    ++m_Faces;
+    return;
+  }
+  const bool divides = a >= 0 && b >= 0 && m_Face[a] == m_Face[b];
+  const int  kept = Join(a < 0 ? b : a, b < 0 ? a : b);
+  Link(one, a);
+  Link(other, b);
+  m_Face[one] = m_Face[other] = kept;
+  m_Length[kept] += 2;
+  if (divides)
+  {
+    Divide(one, other);
+  }
+}
+
+void
+IncrementalMap::Remove(int edge)
+{
+  const int one = 2 * edge;
+  const int other = one + 1;
+  // The corners that stay where the edge was: after these half-edges.
+  const int  a = m_Previous[one] == one ? -1 : m_Previous[one];
+  const int  b = m_Previous[other] == other ? -1 : m_Previous[other];
+  const bool divides = a >= 0 && b >= 0 && m_Face[one] == m_Face[other];
+  const int  kept = Join(one, other);
+  Unlink(one);
+  Unlink(other);
+  m_Length[kept] -= 2;
+  if (a < 0 && b < 0)
+  {
+    m_FreeLabels.push_back(kept);
+    --m_Faces;
+  }
+  if (divides)
+  {
+    Divide(a, b);
+  }
+}
+} // namespace shapeton

@@ -1,0 +1,114 @@
+#ifndef shapetonLeftRightPlanarity_h
+#define shapetonLeftRightPlanarity_h
+
+#include "shapetonGraph.h"
+
+#include <vector>
+
+namespace shapeton
+{
+/** \class LeftRightPlanarity
+ * \brief The left-right planarity test and embedding (de Fraysseix and Rosenstiehl; Brandes, The Left-Right Planarity
+ * Test, 2009), in linear time but for sorts of the edges of each node, without recursion.
+ *
+ * A depth-first search orients all edges: tree edges away from the root, back edges towards it. Two back edges whose
+ * paths cross must lie on one side, or on different sides, of the tree; the graph is planar when all these demands can
+ * be met. They are kept as a stack of pairs of intervals of back edges.
+ *
+ * \ingroup GraphGenus */
+class LeftRightPlanarity
+{
+public:
+  /** Of the edges with `isUsed` alone, which are neither loops nor parallel. */
+  LeftRightPlanarity(const Graph & graph, const std::vector<bool> & isUsed);
+
+  bool
+  IsPlanar() const
+  {
+    return m_IsPlanar;
+  }
+
+  /** Writes the half-edge after each one of the edges that are used; only of a planar graph, and once. */
+  void
+  WriteNextAround(std::vector<int> & next);
+
+private:
+  class EdgeOrders;
+  /** Back edges from the lowest to the highest return point; -1 and -1 when empty. */
+  struct Interval
+  {
+    int low{ -1 };
+    int high{ -1 };
+    bool
+    IsEmpty() const
+    {
+      return low < 0 && high < 0;
+    }
+  };
+  struct ConflictPair
+  {
+    Interval left;
+    Interval right;
+  };
+
+  void
+  Orient();
+  void
+  OrientFrom(int root);
+  void
+  FinishOriented(int edge);
+  void
+  SortLeaving();
+  bool
+  TestFrom(int root);
+  bool
+  FinishTested(int edge, int position);
+  bool
+  AddConstraints(int edge, int parent);
+  bool
+  MergeReturnEdges(int edge, int parent, ConflictPair & merged);
+  bool
+  MergeConflicting(int edge, ConflictPair & merged);
+  void
+  RemoveBackEdges(int edge);
+  void
+  Trim(Interval & trimmed, const Interval & other, int node);
+  bool
+  IsConflicting(const Interval & interval, int edge) const;
+  int
+  LowestOf(const ConflictPair & pair) const;
+  int
+  SideOf(int edge);
+  int
+  LeavingHalfEdge(int edge) const;
+  void
+  LinkLeaving(EdgeOrders & orders) const;
+  void
+  EmbedFrom(int root, EdgeOrders & orders);
+
+  const Graph &    m_Graph;
+  std::vector<int> m_Start;  // of each node in m_Edges
+  std::vector<int> m_Edges;  // first all of each node, then those that leave it
+  std::vector<int> m_End;    // of those that leave each node
+  std::vector<int> m_From;   // of each edge
+  std::vector<int> m_To;     // of each edge
+  std::vector<int> m_Height; // of each node, -1 before the search
+  std::vector<int> m_Parent; // the tree edge to each node
+  std::vector<int> m_Low;    // lowest return point of each edge
+  std::vector<int> m_SecondLow;
+  std::vector<int> m_Nesting;
+  std::vector<int> m_Reference;
+  std::vector<int> m_Side;
+  std::vector<int> m_LowEdge;
+  std::vector<int> m_StackBottom;
+  std::vector<int> m_Roots;
+  std::vector<int> m_LeftOf;  // of each node: the outermost half-edge beside its last tree edge, on the left
+  std::vector<int> m_RightOf; // of each node: its last tree edge
+  std::vector<int> m_Place;   // of the search in m_Edges, of each node
+
+  std::vector<ConflictPair> m_Stack;
+  bool                      m_IsPlanar{ true };
+};
+} // namespace shapeton
+
+#endif

@@ -1,0 +1,222 @@
+#include "shapetonGraphFamilies.h"
+#include "shapetonGraphGenus.h"
+#include "itkMultiThreaderBase.h"
+#include "shapetonExceptions.h"
+
+#include <gtest/gtest.h>
+
+namespace
+{
+/** The map is one of the graph: same edges in the same order. Returns its genus. */
+int
+GenusOf(const shapeton::Graph & graph, const shapeton::SurfaceEmbedding & embedding)
+{
+  EXPECT_EQ(embedding.map.Nodes(), graph.nodes);
+  EXPECT_EQ(embedding.map.ToGraph().edges, graph.edges);
+  EXPECT_LE(embedding.lowerBound, embedding.map.Genus());
+  EXPECT_EQ(embedding.minimal, embedding.map.Genus() == embedding.lowerBound);
+  return embedding.map.Genus();
+}
+
+int
+GenusOf(const shapeton::Graph & graph, const shapeton::GenusOptions & options = shapeton::GenusOptions())
+{
+  return GenusOf(graph, shapeton::FindEmbedding(graph, options));
+}
+
+/** Both graphs side by side, or with one node in common. */
+shapeton::Graph
+Together(const shapeton::Graph & a, const shapeton::Graph & b, int common)
+{
+  shapeton::Graph result = a;
+  result.nodes += b.nodes - common;
+  for (const auto & edge : b.edges)
+  {
+    result.edges.push_back({ edge[0] + a.nodes - common, edge[1] + a.nodes - common });
+  }
+  return result;
+}
+
+/** Each edge as a path of `pieces` edges, each node with a leaf, each edge with a parallel one. */
+shapeton::Graph
+Decorated(const shapeton::Graph & graph, int pieces)
+{
+  shapeton::Graph result;
+  result.nodes = 2 * graph.nodes;
+  for (int v = 0; v < graph.nodes; ++v)
+  {
+    result.edges.push_back({ v, graph.nodes + v });
+  }
+  for (const auto & edge : graph.edges)
+  {
+    int last = edge[0];
+    for (int i = 1; i < pieces; ++i)
+    {
+      result.edges.push_back({ result.nodes, last });
+      last = result.nodes++;
+    }
+    result.edges.push_back({ last, edge[1] });
+    result.edges.push_back({ edge[1], edge[0] });
+  }
+  return result;
+}
+} // namespace
+
+TEST(GraphGenus, TrivialGraphsArePlanar)
+{
+  for (const shapeton::Graph & graph :
+       { shapeton::PathGraph(1),
+         shapeton::PathGraph(2),
+         shapeton::PathGraph(30),
+         shapeton::CycleGraph(1),
+         shapeton::CycleGraph(2),
+         shapeton::CycleGraph(3),
+         shapeton::Graph{ 4, {}, {} },
+         shapeton::Graph{ 3, { { 0, 1 }, { 1, 0 }, { 0, 1 }, { 1, 1 }, { 1, 1 }, { 0, 0 } }, {} },
+         shapeton::Graph{ 1, { { 0, 0 }, { 0, 0 }, { 0, 0 } }, {} },
+         shapeton::GridGraph(9, 7),
+         shapeton::WheelGraph(12) })
+  {
+    const shapeton::SurfaceEmbedding embedding = shapeton::FindEmbedding(graph);
+    EXPECT_EQ(GenusOf(graph, embedding), 0);
+    EXPECT_TRUE(embedding.minimal);
+  }
+}
+
+TEST(GraphGenus, KnownGeneraOfSmallGraphs)
+{
+  EXPECT_EQ(GenusOf(shapeton::CompleteGraph(4)), 0);
+  EXPECT_EQ(GenusOf(shapeton::CompleteGraph(5)), 1);
+  EXPECT_EQ(GenusOf(shapeton::CompleteBipartiteGraph(3, 3)), 1);
+  EXPECT_EQ(GenusOf(shapeton::CompleteBipartiteGraph(4, 4)), 1);
+  EXPECT_EQ(GenusOf(shapeton::CompleteBipartiteGraph(5, 5)), 3);
+  EXPECT_EQ(GenusOf(shapeton::CompleteGraph(7)), 1);
+  EXPECT_EQ(GenusOf(shapeton::CompleteGraph(8)), 2);
+  EXPECT_EQ(GenusOf(shapeton::CompleteGraph(9)), 3);
+  EXPECT_EQ(GenusOf(shapeton::GeneralizedPetersenGraph(5, 2)), 1);
+  EXPECT_EQ(GenusOf(shapeton::GeneralizedPetersenGraph(10, 3)), 2); // Desargues
+  EXPECT_EQ(GenusOf(shapeton::HypercubeGraph(4)), 1);
+  EXPECT_EQ(GenusOf(shapeton::HypercubeGraph(5)), 5);
+}
+
+TEST(GraphGenus, CompleteGraphsReachTheFormulaOfRingelAndYoungs)
+{
+  for (const int n : { 10, 12, 13 })
+  {
+    const shapeton::SurfaceEmbedding embedding = shapeton::FindEmbedding(shapeton::CompleteGraph(n));
+    EXPECT_EQ(embedding.map.Genus(), ((n - 3) * (n - 4) + 11) / 12) << n;
+    EXPECT_TRUE(embedding.minimal) << n;
+  }
+}
+
+TEST(GraphGenus, ComponentsAndBlocksAddUp)
+{
+  const shapeton::Graph k5 = shapeton::CompleteGraph(5);
+  EXPECT_EQ(GenusOf(Together(k5, shapeton::CompleteGraph(7), 0)), 2);
+  EXPECT_EQ(GenusOf(Together(k5, shapeton::CompleteBipartiteGraph(3, 3), 1)), 2);
+  shapeton::Graph mixed = Together(Together(k5, shapeton::GridGraph(4, 4), 1), shapeton::CompleteGraph(5), 1);
+  mixed.edges.insert(mixed.edges.begin() + 3, { { 2, 2 }, { 0, 1 } });
+  mixed.nodes += 2;
+  const shapeton::SurfaceEmbedding embedding = shapeton::FindEmbedding(mixed);
+  EXPECT_EQ(GenusOf(mixed, embedding), 2);
+  EXPECT_TRUE(embedding.minimal);
+  EXPECT_EQ(embedding.map.Components(), 3);
+}
+
+TEST(GraphGenus, DecorationsChangeNoGenus)
+{
+  for (int pieces = 1; pieces < 4; ++pieces)
+  {
+    EXPECT_EQ(GenusOf(Decorated(shapeton::GridGraph(4, 4), pieces)), 0);
+    EXPECT_EQ(GenusOf(Decorated(shapeton::CompleteGraph(5), pieces)), 1);
+    EXPECT_EQ(GenusOf(Decorated(shapeton::CompleteGraph(8), pieces)), 2);
+  }
+}
+
+TEST(GraphGenus, GenusThatIsAskedForIsReachedOrRefused)
+{
+  shapeton::GenusOptions options;
+  for (options.genus = 1; options.genus <= 3; ++options.genus) // 3 is the greatest one of K5
+  {
+    EXPECT_EQ(GenusOf(shapeton::CompleteGraph(5), options), options.genus);
+  }
+  EXPECT_THROW(shapeton::FindEmbedding(shapeton::CompleteGraph(5), options), shapeton::InputError);
+  options.genus = 0;
+  EXPECT_THROW(shapeton::FindEmbedding(shapeton::CompleteGraph(5), options), shapeton::InputError);
+  EXPECT_EQ(GenusOf(shapeton::CompleteGraph(4), options), 0);
+  options.genus = 1;
+  EXPECT_EQ(GenusOf(shapeton::CompleteGraph(4), options), 1);
+  EXPECT_THROW(shapeton::FindEmbedding(shapeton::PathGraph(5), options), shapeton::InputError);
+}
+
+TEST(GraphGenus, WrongOptionsAreRefused)
+{
+  shapeton::GenusOptions options;
+  options.restarts = 0;
+  EXPECT_THROW(shapeton::FindEmbedding(shapeton::PathGraph(2), options), shapeton::ParameterError);
+  options = shapeton::GenusOptions();
+  options.effort = 0.0;
+  EXPECT_THROW(shapeton::FindEmbedding(shapeton::PathGraph(2), options), shapeton::ParameterError);
+  options = shapeton::GenusOptions();
+  options.genus = -2;
+  EXPECT_THROW(shapeton::FindEmbedding(shapeton::PathGraph(2), options), shapeton::ParameterError);
+  EXPECT_THROW(shapeton::FindEmbedding({}, shapeton::GenusOptions()), shapeton::InputError);
+}
+
+TEST(GraphGenus, GeneticAlgorithmGivesAMapOfTheGraph)
+{
+  shapeton::GenusOptions options;
+  options.method = shapeton::GenusMethod::Genetic;
+  EXPECT_LE(GenusOf(shapeton::CompleteGraph(5), options), 2);
+  EXPECT_LE(GenusOf(shapeton::CompleteGraph(7), options), 5);
+  EXPECT_EQ(GenusOf(shapeton::PathGraph(5), options), 0);
+  EXPECT_EQ(GenusOf(shapeton::Graph{ 3, { { 0, 1 } }, {} }, options), 0);
+}
+
+TEST(GraphGenus, ThreadsAndRunsAgreeAndSeedsDiffer)
+{
+  const auto nextAround = [](unsigned int threads, std::uint64_t seed) {
+    itk::MultiThreaderBase::SetGlobalDefaultNumberOfThreads(threads);
+    shapeton::GenusOptions options;
+    options.seed = seed;
+    options.effort = 0.05;
+    return shapeton::FindEmbedding(Together(shapeton::CompleteGraph(9), shapeton::CompleteGraph(8), 1), options)
+      .map.GetRotation();
+  };
+  const auto one = nextAround(1, 1);
+  EXPECT_EQ(nextAround(4, 1), one);
+  EXPECT_EQ(nextAround(2, 1), one);
+  EXPECT_NE(nextAround(1, 2), one);
+}
+
+TEST(GraphGenus, LowerBoundsOfKnownGraphs)
+{
+  EXPECT_EQ(shapeton::GenusLowerBound(shapeton::CompleteGraph(4)), 0);
+  EXPECT_EQ(shapeton::GenusLowerBound(shapeton::CompleteGraph(8)), 2);
+  EXPECT_EQ(shapeton::GenusLowerBound(shapeton::CompleteBipartiteGraph(5, 5)), 3);
+  EXPECT_EQ(shapeton::GenusLowerBound(shapeton::GeneralizedPetersenGraph(5, 2)), 1);
+  EXPECT_EQ(shapeton::GenusLowerBound(shapeton::GeneralizedPetersenGraph(10, 3)), 1);
+}
+
+TEST(GraphGenus, PlanarGraphOfManyNodes)
+{
+  const shapeton::Graph      graph = shapeton::GridGraph(300, 300);
+  shapeton::CombinatorialMap map;
+  ASSERT_TRUE(shapeton::FindPlanarEmbedding(graph, map));
+  EXPECT_EQ(map.Genus(), 0);
+  EXPECT_FALSE(shapeton::FindPlanarEmbedding(shapeton::CompleteGraph(5), map));
+}
+
+TEST(GraphGenus, LargeTiledSurfacesAreFound)
+{
+  const auto shuffled = [](const shapeton::Graph & graph) {
+    std::vector<int> image(graph.nodes);
+    for (int v = 0; v < graph.nodes; ++v)
+    {
+      image[v] = static_cast<int>((7919LL * v + 11) % graph.nodes); // 7919 is a prime
+    }
+    return shapeton::RelabelledGraph(graph, image);
+  };
+  EXPECT_EQ(GenusOf(shuffled(shapeton::TorusGridMap(100, 100).ToGraph())), 1);
+  EXPECT_EQ(GenusOf(shuffled(shapeton::TorusGridMap(70, 50, true).ToGraph())), 1);
+}

@@ -1,0 +1,133 @@
+#include "shapetonGraphFamilies.h"
+#include "shapetonGraphGenus.h"
+#include "shapetonPhiloxStream.h"
+
+#include <boost/graph/adjacency_list.hpp>
+#include <boost/graph/boyer_myrvold_planar_test.hpp>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+namespace
+{
+/** The peer: Boost's test of Boyer and Myrvold. */
+bool
+IsPlanarByBoost(const shapeton::Graph & graph)
+{
+  boost::adjacency_list<boost::vecS, boost::vecS, boost::undirectedS> boostGraph(graph.nodes);
+  for (const auto & edge : graph.edges)
+  {
+    boost::add_edge(edge[0], edge[1], boostGraph);
+  }
+  return boost::boyer_myrvold_planarity_test(boostGraph);
+}
+
+/** The map is planar, and one of the graph: CombinatorialMap has checked the orders. */
+bool
+IsPlanar(const shapeton::Graph & graph)
+{
+  shapeton::CombinatorialMap map;
+  const bool                 planar = shapeton::FindPlanarEmbedding(graph, map);
+  if (planar)
+  {
+    EXPECT_EQ(map.Genus(), 0);
+    EXPECT_EQ(map.ToGraph().edges, graph.edges);
+  }
+  return planar;
+}
+
+/** Random simple graph with so many edges at most. */
+shapeton::Graph
+RandomGraph(int nodes, int edges, shapeton::PhiloxStream & random)
+{
+  shapeton::Graph graph;
+  graph.nodes = nodes;
+  while (edges-- > 0)
+  {
+    std::array<int, 2> edge{ random.Below(nodes), random.Below(nodes) };
+    const bool         known = std::any_of(graph.edges.begin(), graph.edges.end(), [&edge](const auto & other) {
+      return other == edge || (other[0] == edge[1] && other[1] == edge[0]);
+    });
+    if (edge[0] != edge[1] && !known)
+    {
+      graph.edges.push_back(edge);
+    }
+  }
+  return graph;
+}
+
+/** A triangulation of the plane with all edges in random order: nodes are put into random triangles, then edges flip.
+ */
+shapeton::Graph
+RandomTriangulation(int nodes, shapeton::PhiloxStream & random)
+{
+  shapeton::Graph                 graph{ 3, { { 0, 1 }, { 1, 2 }, { 2, 0 } }, {} };
+  std::vector<std::array<int, 3>> triangles{ { 0, 1, 2 }, { 2, 1, 0 } };
+  for (; graph.nodes < nodes; ++graph.nodes)
+  {
+    auto &                   triangle = triangles[random.Below(static_cast<int>(triangles.size()))];
+    const std::array<int, 3> t = triangle;
+    const int                node = graph.nodes;
+    triangle = { t[0], t[1], node };
+    triangles.push_back({ t[1], t[2], node });
+    triangles.push_back({ t[2], t[0], node });
+    graph.edges.insert(graph.edges.end(), { { t[0], node }, { node, t[1] }, { node, t[2] } });
+  }
+  for (int i = static_cast<int>(graph.edges.size()); i > 1; --i)
+  {
+    std::swap(graph.edges[i - 1], graph.edges[random.Below(i)]);
+  }
+  return graph;
+}
+} // namespace
+
+TEST(Planarity, AgreesWithBoostOnRandomGraphs)
+{
+  shapeton::PhiloxStream random(7, 0, 0);
+  int                    planar = 0;
+  constexpr int          trials = 4000;
+  for (int trial = 0; trial < trials; ++trial)
+  {
+    const int             nodes = 4 + random.Below(14);
+    const shapeton::Graph graph = RandomGraph(nodes, nodes + random.Below(2 * nodes), random);
+    const bool            isPlanar = IsPlanar(graph);
+    ASSERT_EQ(isPlanar, IsPlanarByBoost(graph)) << trial;
+    planar += isPlanar ? 1 : 0;
+  }
+  EXPECT_GT(planar, trials / 5);
+  EXPECT_LT(planar, trials - trials / 5);
+}
+
+TEST(Planarity, PartsOfTriangulationsArePlanarAndOneEdgeMoreIsNot)
+{
+  shapeton::PhiloxStream random(8, 0, 0);
+  for (int trial = 0; trial < 60; ++trial)
+  {
+    shapeton::Graph graph = RandomTriangulation(5 + random.Below(200), random);
+    ASSERT_TRUE(IsPlanar(graph));
+    shapeton::Graph more = graph;
+    more.edges.push_back({ 0, graph.nodes - 1 });
+    EXPECT_EQ(IsPlanar(more), IsPlanarByBoost(more));
+    graph.edges.resize(graph.edges.size() * (50 + random.Below(50)) / 100);
+    ASSERT_TRUE(IsPlanar(graph));
+  }
+}
+
+TEST(Planarity, DeepGraphsNeedNoStack)
+{
+  EXPECT_TRUE(IsPlanar(shapeton::PathGraph(300000)));
+  EXPECT_TRUE(IsPlanar(shapeton::CycleGraph(300000)));
+  EXPECT_TRUE(IsPlanar(shapeton::WheelGraph(100000)));
+}
+
+TEST(Planarity, KnownGraphs)
+{
+  EXPECT_TRUE(IsPlanar(shapeton::CompleteGraph(4)));
+  EXPECT_FALSE(IsPlanar(shapeton::CompleteGraph(5)));
+  EXPECT_FALSE(IsPlanar(shapeton::CompleteBipartiteGraph(3, 3)));
+  EXPECT_TRUE(IsPlanar(shapeton::CompleteBipartiteGraph(2, 50)));
+  EXPECT_TRUE(IsPlanar(shapeton::GeneralizedPetersenGraph(10, 2))); // dodecahedron
+  EXPECT_FALSE(IsPlanar(shapeton::GeneralizedPetersenGraph(5, 2)));
+  EXPECT_FALSE(IsPlanar(shapeton::TorusGridMap(4, 4).ToGraph()));
+}

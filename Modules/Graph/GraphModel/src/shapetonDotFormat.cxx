@@ -1,0 +1,238 @@
+#include "shapetonDotTokens.h"
+#include "shapetonGraphBuilder.h"
+#include "shapetonGraphFormat.h"
+
+#include <algorithm>
+#include <set>
+
+namespace shapeton
+{
+namespace
+{
+/** A parser by recursive descent of the grammar of the DOT language; attributes are passed over. */
+class DotReader
+{
+public:
+  explicit DotReader(const GraphText & text) : m_Text(text), m_Tokens(text), m_Builder(text) { this->Advance(); }
+
+  Graph
+  Read(std::vector<std::string> & notes)
+  {
+    m_IsStrict = this->SkipKeyword("strict");
+    m_Text.Require(!m_Token.IsKeyword("digraph"),
+                   m_Token.line,
+                   "the graph is directed (digraph)",
+                   "write \"graph\" and \"--\" to have its edges without directions");
+    this->Expect(this->SkipKeyword("graph"), "the keyword graph");
+    if (m_Token.IsName())
+    {
+      this->Advance();
+    }
+    this->ReadBody();
+    if (m_Token.kind != DotToken::Kind::End)
+    {
+      m_Text.Refuse(
+        m_Token.line, Quoted(m_Token.text) + " stands after the end of the graph", "give one graph in a file");
+    }
+    if (m_Dropped > 0)
+    {
+      notes.push_back(std::to_string(m_Dropped) + " repeated edges are left out, as the graph is strict");
+    }
+    return m_Builder.Take();
+  }
+
+private:
+  using Nodes = std::vector<int>;
+
+  void
+  Advance()
+  {
+    m_Token = m_Tokens.Next();
+  }
+
+  void
+  Expect(bool condition, const std::string & what) const
+  {
+    if (!condition)
+    {
+      m_Text.Refuse(m_Token.line,
+                    what + " is expected, but " + Quoted(m_Token.text) + " stands there",
+                    m_Token.kind == DotToken::Kind::End ? "take a whole copy of the file" : "correct the file there");
+    }
+  }
+
+  bool
+  SkipKeyword(std::string_view word)
+  {
+    const bool isThere = m_Token.IsKeyword(word);
+    if (isThere)
+    {
+      this->Advance();
+    }
+    return isThere;
+  }
+
+  bool
+  SkipSymbol(std::string_view symbol)
+  {
+    const bool isThere = m_Token.Is(symbol);
+    if (isThere)
+    {
+      this->Advance();
+    }
+    return isThere;
+  }
+
+  /** { statements }; the nodes that they name. */
+  Nodes
+  ReadBody()
+  {
+    constexpr int mostDepth = 200; // each level takes stack
+    m_Text.Require(++m_Depth <= mostDepth, m_Token.line, "subgraphs lie more than 200 deep in each other");
+    this->Expect(this->SkipSymbol("{"), "an opening brace");
+    Nodes nodes;
+    while (!this->SkipSymbol("}"))
+    {
+      const Nodes more = this->ReadStatement();
+      nodes.insert(nodes.end(), more.begin(), more.end());
+      this->SkipSymbol(";");
+    }
+    --m_Depth;
+    std::sort(nodes.begin(), nodes.end());
+    nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
+    return nodes;
+  }
+
+  Nodes
+  ReadStatement()
+  {
+    if (this->SkipKeyword("graph") || this->SkipKeyword("node") || this->SkipKeyword("edge"))
+    {
+      this->Expect(m_Token.Is("["), "a list of attributes");
+      this->ReadAttributes();
+      return {};
+    }
+    if (m_Token.IsName() && !m_Token.IsKeyword("subgraph"))
+    {
+      const DotToken name = m_Token;
+      this->Advance();
+      if (this->SkipSymbol("="))
+      {
+        this->Expect(m_Token.IsName(), "a value");
+        this->Advance();
+        return {};
+      }
+      return this->ReadChain(this->NodeOf(name));
+    }
+    return this->ReadChain(this->ReadEnd());
+  }
+
+  /** The node of a name that has been read, with its port. */
+  Nodes
+  NodeOf(const DotToken & name)
+  {
+    for (int i = 0; i < 2 && this->SkipSymbol(":"); ++i)
+    {
+      this->Expect(m_Token.IsName(), "a port");
+      this->Advance();
+    }
+    return { m_Builder.NodeOf(name.text) };
+  }
+
+  /** An end of an edge: a node or a subgraph. */
+  Nodes
+  ReadEnd()
+  {
+    if (m_Token.IsName() && !m_Token.IsKeyword("subgraph"))
+    {
+      const DotToken name = m_Token;
+      this->Advance();
+      return this->NodeOf(name);
+    }
+    if (this->SkipKeyword("subgraph") && m_Token.IsName())
+    {
+      this->Advance();
+    }
+    this->Expect(m_Token.Is("{"), "a node or a subgraph");
+    return this->ReadBody();
+  }
+
+  /** -- end -- end ... [attributes] */
+  Nodes
+  ReadChain(Nodes nodes)
+  {
+    Nodes last = nodes;
+    while (m_Token.Is("--") || m_Token.Is("->"))
+    {
+      m_Text.Require(m_Token.Is("--"),
+                     m_Token.line,
+                     "an edge \"->\" has a direction, but the graph is none of directed edges",
+                     "write \"--\"");
+      const int line = m_Token.line;
+      this->Advance();
+      const Nodes next = this->ReadEnd();
+      this->AddEdges(last, next, line);
+      nodes.insert(nodes.end(), next.begin(), next.end());
+      last = next;
+    }
+    this->ReadAttributes();
+    return nodes;
+  }
+
+  void
+  ReadAttributes()
+  {
+    while (this->SkipSymbol("["))
+    {
+      while (!this->SkipSymbol("]"))
+      {
+        this->Expect(m_Token.IsName(), "the name of an attribute");
+        this->Advance();
+        if (this->SkipSymbol("="))
+        {
+          this->Expect(m_Token.IsName(), "the value of an attribute");
+          this->Advance();
+        }
+        if (!this->SkipSymbol(","))
+        {
+          this->SkipSymbol(";");
+        }
+      }
+    }
+  }
+
+  /** An edge from each node of one end to each of the other. */
+  void
+  AddEdges(const Nodes & from, const Nodes & to, int line)
+  {
+    for (const int first : from)
+    {
+      for (const int second : to)
+      {
+        if (m_IsStrict && !m_Known.insert(std::minmax(first, second)).second)
+        {
+          ++m_Dropped;
+          continue;
+        }
+        m_Builder.AddEdge(first, second, line);
+      }
+    }
+  }
+
+  const GraphText &             m_Text;
+  DotTokens                     m_Tokens;
+  GraphBuilder                  m_Builder;
+  DotToken                      m_Token;
+  std::set<std::pair<int, int>> m_Known; // of a strict graph
+  int                           m_Dropped{ 0 };
+  int                           m_Depth{ 0 };
+  bool                          m_IsStrict{ false };
+};
+} // namespace
+
+Graph
+ReadDot(const GraphText & text, std::vector<std::string> & notes)
+{
+  return DotReader(text).Read(notes);
+}
+} // namespace shapeton

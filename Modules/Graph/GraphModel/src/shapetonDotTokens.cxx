@@ -1,0 +1,162 @@
+#include "shapetonDotTokens.h"
+
+#include <algorithm>
+#include <cctype>
+
+namespace shapeton
+{
+namespace
+{
+bool
+IsLetter(char c)
+{
+  const auto byte = static_cast<unsigned char>(c);
+  return std::isalpha(byte) != 0 || byte == '_' || byte >= 0x80;
+}
+
+bool
+IsDigit(char c)
+{
+  return std::isdigit(static_cast<unsigned char>(c)) != 0;
+}
+
+/** The length of [-]?(.[0-9]+ | [0-9]+(.[0-9]*)?), 0 when the text begins otherwise. */
+std::size_t
+LengthOfNumber(std::string_view text)
+{
+  std::size_t i = !text.empty() && text[0] == '-' ? 1 : 0;
+  std::size_t digits = 0;
+  bool        hasPoint = false;
+  for (; i < text.size() && (IsDigit(text[i]) || (text[i] == '.' && !hasPoint)); ++i)
+  {
+    digits += IsDigit(text[i]) ? 1 : 0;
+    hasPoint = hasPoint || text[i] == '.';
+  }
+  return digits > 0 ? i : 0;
+}
+
+std::size_t
+LengthOfName(std::string_view text)
+{
+  const auto isPart = [](char c) { return IsLetter(c) || IsDigit(c); };
+  return IsLetter(text[0]) ? std::find_if_not(text.begin(), text.end(), isPart) - text.begin() : LengthOfNumber(text);
+}
+} // namespace
+
+void
+DotTokens::Skip(std::size_t length)
+{
+  length = std::min(length, m_Rest.size());
+  m_Line += static_cast<int>(std::count(m_Rest.begin(), m_Rest.begin() + length, '\n'));
+  m_IsLineStart = length > 0 && m_Rest[length - 1] == '\n';
+  m_Rest.remove_prefix(length);
+}
+
+void
+DotTokens::SkipBlanks()
+{
+  while (!m_Rest.empty())
+  {
+    if (std::isspace(static_cast<unsigned char>(m_Rest[0])) != 0)
+    {
+      this->Skip(1);
+    }
+    else if (m_Rest.substr(0, 2) == "//" || (m_IsLineStart && m_Rest[0] == '#'))
+    {
+      this->Skip(std::min(m_Rest.find('\n'), m_Rest.size()));
+    }
+    else if (m_Rest.substr(0, 2) == "/*")
+    {
+      const std::size_t end = m_Rest.find("*/", 2);
+      m_Text.Require(end != std::string_view::npos, m_Line, "a comment has no end");
+      this->Skip(end + 2);
+    }
+    else
+    {
+      return;
+    }
+  }
+}
+
+DotToken
+DotTokens::Next()
+{
+  this->SkipBlanks();
+  if (m_Rest.empty())
+  {
+    return { DotToken::Kind::End, "the end of the file", m_Line, false };
+  }
+  if (m_Rest[0] == '"')
+  {
+    return this->QuotedText();
+  }
+  return m_Rest[0] == '<' ? this->Html() : this->Plain();
+}
+
+DotToken
+DotTokens::Plain()
+{
+  const std::string_view pair = m_Rest.substr(0, 2);
+  const std::size_t      name = LengthOfName(m_Rest);
+  const bool             isPair = pair == "--" || pair == "->";
+  const bool             isSymbol = isPair || std::string_view("{}[];,=:").find(m_Rest[0]) != std::string_view::npos;
+  if (!(isSymbol || name > 0))
+  {
+    m_Text.Refuse(m_Line, "the character " + Quoted(m_Rest.substr(0, 1)) + " does not belong there");
+  }
+  const std::size_t length = isPair ? 2 : isSymbol ? 1 : name;
+  DotToken          token{
+    isSymbol ? DotToken::Kind::Symbol : DotToken::Kind::Name, std::string(m_Rest.substr(0, length)), m_Line, false
+  };
+  this->Skip(length);
+  return token;
+}
+
+/** A text in quotes, with those joined to it by a plus sign. */
+DotToken
+DotTokens::QuotedText()
+{
+  DotToken token{ DotToken::Kind::Name, {}, m_Line, true };
+  for (bool goesOn = true; goesOn;)
+  {
+    std::size_t end = 1;
+    for (; end < m_Rest.size() && m_Rest[end] != '"'; ++end)
+    {
+      if (m_Rest[end] == '\\' && end + 1 < m_Rest.size() && (m_Rest[end + 1] == '"' || m_Rest[end + 1] == '\n'))
+      {
+        ++end;
+        token.text += m_Rest[end] == '"' ? "\"" : ""; // a line that goes on
+        continue;
+      }
+      token.text += m_Rest[end];
+    }
+    m_Text.Require(end < m_Rest.size(), token.line, "a text in quotes has no end");
+    this->Skip(end + 1);
+    this->SkipBlanks();
+    goesOn = !m_Rest.empty() && m_Rest[0] == '+';
+    if (goesOn)
+    {
+      this->Skip(1);
+      this->SkipBlanks();
+      m_Text.Require(!m_Rest.empty() && m_Rest[0] == '"', m_Line, "a text in quotes is expected after the plus sign");
+    }
+  }
+  return token;
+}
+
+DotToken
+DotTokens::Html()
+{
+  int         depth = 0;
+  std::size_t end = 0;
+  do
+  {
+    m_Text.Require(end < m_Rest.size(), m_Line, "a text in angle brackets has no end");
+    depth += m_Rest[end] == '<' ? 1 : m_Rest[end] == '>' ? -1 : 0;
+    ++end;
+  } while (depth > 0);
+  DotToken token{ DotToken::Kind::Name, std::string(m_Rest.substr(0, end)), m_Line, true };
+  this->Skip(end);
+  return token;
+}
+} // namespace shapeton

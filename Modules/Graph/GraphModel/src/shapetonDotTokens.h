@@ -1,0 +1,68 @@
+#ifndef shapetonDotTokens_h
+#define shapetonDotTokens_h
+
+#include "shapetonGraphText.h"
+
+namespace shapeton
+{
+/** A token of the DOT language. */
+struct DotToken
+{
+  enum class Kind
+  {
+    End,
+    Name,   // an identifier, number, text in quotes or HTML text
+    Symbol, // { } [ ] ; , = : -- ->
+  };
+  Kind        kind{ Kind::End };
+  std::string text;
+  int         line{ 0 };
+  /** Of a name: keywords stand without quotes. */
+  bool isQuoted{ false };
+
+  bool
+  Is(std::string_view symbol) const
+  {
+    return kind == Kind::Symbol && text == symbol;
+  }
+  bool
+  IsKeyword(std::string_view word) const
+  {
+    return kind == Kind::Name && !isQuoted && EqualWithoutCase(text, word);
+  }
+  bool
+  IsName() const
+  {
+    return kind == Kind::Name;
+  }
+};
+
+/** The tokens of a DOT file one after another; comments and lines of a preprocessor are passed over. */
+class DotTokens
+{
+public:
+  explicit DotTokens(const GraphText & text) : m_Text(text), m_Rest(text.bytes) {}
+
+  DotToken
+  Next();
+
+private:
+  DotToken
+  Plain();
+  DotToken
+  QuotedText();
+  DotToken
+  Html();
+  void
+  Skip(std::size_t length);
+  void
+  SkipBlanks();
+
+  const GraphText & m_Text;
+  std::string_view  m_Rest;
+  int               m_Line{ 1 };
+  bool              m_IsLineStart{ true };
+};
+} // namespace shapeton
+
+#endif

@@ -1,0 +1,174 @@
+#include "shapetonGraphBuilder.h"
+#include "shapetonGraphFormat.h"
+
+#include <cstdint>
+
+namespace shapeton
+{
+namespace
+{
+/** The six bits of a printable byte. */
+class SixBits
+{
+public:
+  SixBits(const GraphText & text, std::string_view line, int number) : m_Text(text), m_Line(line), m_Number(number)
+  {
+    for (const char c : line)
+    {
+      if (!(c >= 63 && c <= 126))
+      {
+        text.Refuse(number, "the byte " + Quoted({ &c, 1 }) + " does not belong to the format");
+      }
+    }
+  }
+
+  /** The number of nodes: 1, 4 or 8 bytes. */
+  int
+  TakeSize()
+  {
+    const bool         isLong = !m_Line.empty() && m_Line[0] == '~';
+    const bool         isLongest = isLong && m_Line.size() > 1 && m_Line[1] == '~';
+    const std::size_t  skip = isLongest ? 2 : isLong ? 1 : 0;
+    const std::size_t  digits = isLongest ? 6 : isLong ? 3 : 1;
+    const std::int64_t most = 2147483647;
+    m_Text.Require(
+      m_Line.size() >= skip + digits, m_Number, "the number of nodes is cut off", "take a whole copy of the file");
+    std::int64_t size = 0;
+    for (std::size_t i = skip; i < skip + digits; ++i)
+    {
+      size = size * 64 + (m_Line[i] - 63);
+    }
+    m_Line.remove_prefix(skip + digits);
+    if (size > most)
+    {
+      m_Text.Refuse(m_Number, "the graph has " + std::to_string(size) + " nodes, more than can be read");
+    }
+    return static_cast<int>(size);
+  }
+
+  std::size_t
+  Bits() const
+  {
+    return 6 * m_Line.size();
+  }
+
+  bool
+  Bit(std::size_t index) const
+  {
+    return ((m_Line[index / 6] - 63) >> (5 - index % 6) & 1) != 0;
+  }
+
+private:
+  const GraphText & m_Text;
+  std::string_view  m_Line;
+  int               m_Number;
+};
+
+struct GraphLine
+{
+  std::string_view text;
+  int              number;
+};
+
+/** The only line of the file that holds a graph, without the header. */
+GraphLine
+OnlyLine(const GraphText & text, std::string_view header)
+{
+  GraphLine  only{ {}, 0 };
+  LineReader lines(text.bytes);
+  for (std::string_view line; lines.Next(line);)
+  {
+    if (line.substr(0, header.size()) == header)
+    {
+      line.remove_prefix(header.size());
+    }
+    if (line.find_first_not_of(" \t") == std::string_view::npos)
+    {
+      continue;
+    }
+    text.Require(only.number == 0, lines.Number(), "the file holds a second graph", "give one graph in a file");
+    only = { line, lines.Number() };
+  }
+  text.Require(only.number > 0, 0, "the file holds no graph", "give a file that holds a graph");
+  text.Require(
+    only.text[0] != '&', only.number, "the graph is directed (digraph6)", "write it as an undirected graph, graph6");
+  return only;
+}
+} // namespace
+
+Graph
+ReadGraph6(const GraphText & text, std::vector<std::string> & notes)
+{
+  const GraphLine line = OnlyLine(text, ">>graph6<<");
+  if (line.text[0] == ':' || line.text[0] == ';')
+  {
+    return ReadSparse6(text, notes);
+  }
+  SixBits              bits(text, line.text, line.number);
+  NumberedGraphBuilder builder(text, bits.TakeSize(), line.number, 0);
+  const std::size_t    pairs = static_cast<std::size_t>(builder.Nodes()) * (builder.Nodes() - 1) / 2;
+  if (bits.Bits() / 6 != (pairs + 5) / 6)
+  {
+    text.Refuse(line.number,
+                "a graph of " + std::to_string(builder.Nodes()) + " nodes needs " + std::to_string((pairs + 5) / 6) +
+                  " bytes of edges, but " + std::to_string(bits.Bits() / 6) + " follow",
+                "take a whole copy of the file");
+  }
+  std::size_t index = 0;
+  for (int second = 1; second < builder.Nodes(); ++second)
+  {
+    for (int first = 0; first < second; ++first, ++index)
+    {
+      if (bits.Bit(index))
+      {
+        builder.AddEdge(first, second);
+      }
+    }
+  }
+  return builder.Take();
+}
+
+Graph
+ReadSparse6(const GraphText & text, std::vector<std::string> &)
+{
+  GraphLine line = OnlyLine(text, ">>sparse6<<");
+  if (line.text[0] != ':')
+  {
+    text.Refuse(line.number,
+                line.text[0] == ';' ? "incremental sparse6 needs the graph before"
+                                    : "a graph in sparse6 begins with a colon",
+                "write the graph as graph6 or sparse6");
+  }
+  line.text.remove_prefix(1);
+  SixBits              bits(text, line.text, line.number);
+  NumberedGraphBuilder builder(text, bits.TakeSize(), line.number, 0);
+  std::size_t          width = 0;
+  while ((static_cast<std::int64_t>(1) << width) < builder.Nodes())
+  {
+    ++width;
+  }
+  std::int64_t current = 0;
+  for (std::size_t i = 0; i + 1 + width <= bits.Bits(); i += 1 + width)
+  {
+    current += bits.Bit(i) ? 1 : 0;
+    std::int64_t other = 0;
+    for (std::size_t k = 1; k <= width; ++k)
+    {
+      other = 2 * other + (bits.Bit(i + k) ? 1 : 0);
+    }
+    if (current >= builder.Nodes() || other >= builder.Nodes())
+    {
+      break; // the padding
+    }
+    if (other > current)
+    {
+      current = other;
+    }
+    else
+    {
+      builder.AddEdge(static_cast<int>(other), static_cast<int>(current));
+    }
+  }
+  return builder.Take();
+}
+} // namespace shapeton

@@ -1,0 +1,162 @@
+#include "shapetonGraphFamilies.h"
+
+namespace shapeton
+{
+Graph
+CompleteGraph(int nodes)
+{
+  Graph graph;
+  graph.nodes = nodes;
+  for (int i = 0; i < nodes; ++i)
+  {
+    for (int j = i + 1; j < nodes; ++j)
+    {
+      graph.edges.push_back({ i, j });
+    }
+  }
+  return graph;
+}
+
+Graph
+CompleteBipartiteGraph(int left, int right)
+{
+  Graph graph;
+  graph.nodes = left + right;
+  for (int i = 0; i < left; ++i)
+  {
+    for (int j = 0; j < right; ++j)
+    {
+      graph.edges.push_back({ i, left + j });
+    }
+  }
+  return graph;
+}
+
+Graph
+HypercubeGraph(int dimension)
+{
+  Graph graph;
+  graph.nodes = 1 << dimension;
+  for (int v = 0; v < graph.nodes; ++v)
+  {
+    for (int bit = 1; bit < graph.nodes; bit *= 2)
+    {
+      if ((v & bit) == 0)
+      {
+        graph.edges.push_back({ v, v | bit });
+      }
+    }
+  }
+  return graph;
+}
+
+Graph
+PathGraph(int nodes)
+{
+  Graph graph;
+  graph.nodes = nodes;
+  for (int i = 0; i + 1 < nodes; ++i)
+  {
+    graph.edges.push_back({ i, i + 1 });
+  }
+  return graph;
+}
+
+Graph
+CycleGraph(int nodes)
+{
+  Graph graph = PathGraph(nodes);
+  graph.edges.push_back({ nodes - 1, 0 });
+  return graph;
+}
+
+Graph
+WheelGraph(int spokes)
+{
+  Graph graph = CycleGraph(spokes);
+  graph.nodes = spokes + 1;
+  for (int i = 0; i < spokes; ++i)
+  {
+    graph.edges.push_back({ i, spokes });
+  }
+  return graph;
+}
+
+Graph
+GeneralizedPetersenGraph(int n, int step)
+{
+  Graph graph;
+  graph.nodes = 2 * n;
+  for (int i = 0; i < n; ++i)
+  {
+    graph.edges.push_back({ i, (i + 1) % n });
+    graph.edges.push_back({ i, n + i });
+    graph.edges.push_back({ n + i, n + (i + step) % n });
+  }
+  return graph;
+}
+
+Graph
+GridGraph(int columns, int rows)
+{
+  Graph graph;
+  graph.nodes = columns * rows;
+  for (int r = 0; r < rows; ++r)
+  {
+    for (int c = 0; c < columns; ++c)
+    {
+      const int node = r * columns + c;
+      if (c + 1 < columns)
+      {
+        graph.edges.push_back({ node, node + 1 });
+      }
+      if (r + 1 < rows)
+      {
+        graph.edges.push_back({ node, node + columns });
+      }
+    }
+  }
+  return graph;
+}
+
+CombinatorialMap
+TorusGridMap(int columns, int rows, bool diagonals)
+{
+  const int                       kinds = diagonals ? 3 : 2; // east, north, north-east
+  const auto                      nodeOf = [&](int c, int r) { return (r % rows) * columns + c % columns; };
+  std::vector<std::array<int, 2>> edges;
+  for (int r = 0; r < rows; ++r)
+  {
+    for (int c = 0; c < columns; ++c)
+    {
+      edges.push_back({ nodeOf(c, r), nodeOf(c + 1, r) });
+      edges.push_back({ nodeOf(c, r), nodeOf(c, r + 1) });
+      if (diagonals)
+      {
+        edges.push_back({ nodeOf(c, r), nodeOf(c + 1, r + 1) });
+      }
+    }
+  }
+  std::vector<int> next(2 * edges.size());
+  const auto       leaving = [&](int c, int r, int kind) { return 2 * (kinds * nodeOf(c, r) + kind); };
+  for (int r = 0; r < rows; ++r)
+  {
+    for (int c = 0; c < columns; ++c)
+    {
+      const int        west = leaving(c + columns - 1, r, 0) + 1;
+      const int        south = leaving(c, r + rows - 1, 1) + 1;
+      std::vector<int> order{ leaving(c, r, 0), leaving(c, r, 1), west, south };
+      if (diagonals)
+      {
+        const int southWest = leaving(c + columns - 1, r + rows - 1, 2) + 1;
+        order = { leaving(c, r, 0), leaving(c, r, 2), leaving(c, r, 1), west, southWest, south };
+      }
+      for (std::size_t i = 0; i < order.size(); ++i)
+      {
+        next[order[i]] = order[(i + 1) % order.size()];
+      }
+    }
+  }
+  return CombinatorialMap(columns * rows, edges, std::move(next));
+}
+} // namespace shapeton

@@ -1,0 +1,134 @@
+#include "shapetonGraphFormat.h"
+
+#include <algorithm>
+#include <cctype>
+#include <filesystem>
+#include <map>
+
+namespace shapeton
+{
+namespace
+{
+const GraphFormat GraphMLFormat{ "GraphML", ReadGraphML };
+const GraphFormat GmlFormat{ "GML", ReadGml };
+const GraphFormat DotFormat{ "DOT", ReadDot };
+const GraphFormat EdgeListFormat{ "edge list", ReadEdgeList };
+const GraphFormat MetisFormat{ "METIS", ReadMetis };
+const GraphFormat MatpowerFormat{ "MATPOWER", ReadMatpower };
+const GraphFormat PaceFormat{ "PACE", ReadPace };
+const GraphFormat Graph6Format{ "graph6", ReadGraph6 };
+const GraphFormat Sparse6Format{ "sparse6", ReadSparse6 };
+
+const GraphFormat *
+FormatOfExtension(const std::string & path)
+{
+  static const std::map<std::string, const GraphFormat *> formats = {
+    { ".graphml", &GraphMLFormat }, { ".xml", &GraphMLFormat },    { ".gml", &GmlFormat },
+    { ".dot", &DotFormat },         { ".gv", &DotFormat },         { ".txt", &EdgeListFormat },
+    { ".edges", &EdgeListFormat },  { ".el", &EdgeListFormat },    { ".edgelist", &EdgeListFormat },
+    { ".csv", &EdgeListFormat },    { ".tsv", &EdgeListFormat },   { ".graph", &MetisFormat },
+    { ".metis", &MetisFormat },     { ".m", &MatpowerFormat },     { ".gr", &PaceFormat },
+    { ".col", &PaceFormat },        { ".g6", &Graph6Format },      { ".graph6", &Graph6Format },
+    { ".s6", &Sparse6Format },      { ".sparse6", &Sparse6Format }
+  };
+  std::string extension = std::filesystem::path(path).extension().string();
+  std::transform(extension.begin(), extension.end(), extension.begin(), [](unsigned char c) {
+    return static_cast<char>(std::tolower(c));
+  });
+  const auto found = formats.find(extension);
+  return found != formats.end() ? found->second : nullptr;
+}
+
+/** The words of the first lines that are no comments of any format. */
+std::vector<std::string_view>
+FirstWords(std::string_view bytes)
+{
+  std::vector<std::string_view> words;
+  LineReader                    lines(bytes);
+  for (std::string_view line; words.size() < 4 && lines.Next(line);)
+  {
+    const std::vector<std::string_view> pieces = Words(line, "{");
+    const bool isComment = pieces.empty() || pieces[0][0] == '%' || pieces[0][0] == '#' || pieces[0] == "c" ||
+                           pieces[0].substr(0, 2) == "//" || pieces[0].substr(0, 2) == "/*" || pieces[0][0] == '*';
+    if (!isComment)
+    {
+      words.insert(words.end(), pieces.begin(), pieces.end());
+    }
+  }
+  return words;
+}
+
+bool
+StartsWith(std::string_view text, std::string_view start)
+{
+  return text.substr(0, start.size()) == start;
+}
+
+/** The format whose first words cannot be those of another one. */
+const GraphFormat *
+FormatOfContent(std::string_view bytes)
+{
+  const std::vector<std::string_view> words = FirstWords(bytes);
+  const std::string_view              first = words.empty() ? std::string_view() : words[0];
+  const std::string_view              second = words.size() < 2 ? std::string_view() : words[1];
+  if (StartsWith(first, ">>graph6<<"))
+  {
+    return &Graph6Format;
+  }
+  if (StartsWith(first, ">>sparse6<<"))
+  {
+    return &Sparse6Format;
+  }
+  if (StartsWith(first, "<"))
+  {
+    return &GraphMLFormat;
+  }
+  if (first == "Creator" || first == "Version" || first == "graph[" || (first == "graph" && StartsWith(second, "[")))
+  {
+    return &GmlFormat;
+  }
+  if (EqualWithoutCase(first, "strict") || EqualWithoutCase(first, "graph") || EqualWithoutCase(first, "digraph"))
+  {
+    return &DotFormat;
+  }
+  if (first == "function" || StartsWith(first, "mpc.") || StartsWith(first, "mpc="))
+  {
+    return &MatpowerFormat;
+  }
+  return first == "p" ? &PaceFormat : nullptr;
+}
+
+void
+RequireText(const GraphText & text)
+{
+  text.Require(text.bytes.find_first_not_of(" \t\r\n\f\v") != std::string::npos,
+               0,
+               "the file is empty",
+               "give a file that holds a graph");
+  const bool isBinary = std::any_of(text.bytes.begin(), text.bytes.end(), [](char c) {
+    const auto byte = static_cast<unsigned char>(c);
+    return byte < 0x09 || (byte > 0x0D && byte < 0x20 && byte != 0x1A && byte != 0x1B);
+  });
+  text.Require(!isBinary,
+               0,
+               "the file is binary, but all formats of graphs are text",
+               "give GraphML, GML, DOT, an edge list, METIS, MATPOWER, PACE or graph6");
+}
+} // namespace
+
+GraphFormat
+FormatOf(const GraphText & text)
+{
+  RequireText(text);
+  if (const GraphFormat * const format = FormatOfContent(text.bytes))
+  {
+    return *format;
+  }
+  const GraphFormat * const format = FormatOfExtension(text.path);
+  text.Require(format != nullptr,
+               0,
+               "neither the extension nor the content tells the format of the graph",
+               "name it .graphml, .gml, .dot, .edges, .graph (METIS), .m (MATPOWER), .gr (PACE) or .g6 (graph6)");
+  return *format;
+}
+} // namespace shapeton

@@ -1,0 +1,65 @@
+#ifndef shapetonGraphText_h
+#define shapetonGraphText_h
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace shapeton
+{
+/** A graph file as text: the bytes, and the errors that name it. */
+struct GraphText
+{
+  std::string path;
+  std::string bytes;
+
+  /** Throws InputError: "PATH", line N: fault; advice. Line 0 stands for the whole file. */
+  [[noreturn]] void
+  Refuse(int line, const std::string & fault, const std::string & advice = "correct the file there") const;
+
+  void
+  Require(bool condition, int line, std::string_view fault, std::string_view advice = "correct the file there") const;
+};
+
+/** The lines of a text one after another, without their ends (LF or CR LF). */
+class LineReader
+{
+public:
+  explicit LineReader(std::string_view text) : m_Text(text) {}
+
+  bool
+  Next(std::string_view & line);
+
+  /** Of the line that Next gave, from 1 on. */
+  int
+  Number() const
+  {
+    return m_Number;
+  }
+
+private:
+  std::string_view m_Text;
+  int              m_Number{ 0 };
+};
+
+/** The pieces of a line between blanks, tabs and characters of `separators`. */
+std::vector<std::string_view>
+Words(std::string_view line, std::string_view separators = {});
+
+/** True, and the number, when all of `word` is a decimal integer of type int. */
+bool
+ParseInt(std::string_view word, int & value);
+
+/** True, and the number, when all of `word` is a decimal floating-point number. */
+bool
+ParseDouble(std::string_view word, double & value);
+
+/** A piece of the file for a message: in quotes, printable, shortened. */
+std::string
+Quoted(std::string_view text);
+
+bool
+EqualWithoutCase(std::string_view first, std::string_view second);
+} // namespace shapeton
+
+#endif

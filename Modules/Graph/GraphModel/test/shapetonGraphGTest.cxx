@@ -1,0 +1,59 @@
+#include "shapetonGraph.h"
+#include "shapetonGraphFamilies.h"
+#include "shapetonExceptions.h"
+
+#include <gtest/gtest.h>
+
+namespace
+{
+std::string
+FaultOf(const shapeton::Graph & graph)
+{
+  try
+  {
+    shapeton::RequireSound(graph, "file.gml");
+  }
+  catch (const shapeton::InputError & error)
+  {
+    return error.what();
+  }
+  return "";
+}
+} // namespace
+
+TEST(Graph, UnsoundGraphsAreRefusedByName)
+{
+  EXPECT_EQ(FaultOf({ 1, {}, {} }), "");
+  EXPECT_EQ(FaultOf({ 2, { { 0, 1 }, { 1, 1 } }, { "a", "b" } }), "");
+  EXPECT_EQ(FaultOf({ 0, {}, {} }), "file.gml: the graph has no nodes; give one with at least one");
+  EXPECT_EQ(FaultOf({ 2, { { 0, 1 }, { 0, 2 } }, {} }), "file.gml: edge 1 names node 2, but there are 2");
+  EXPECT_EQ(FaultOf({ 2, { { -1, 1 } }, {} }), "file.gml: edge 0 names node -1, but there are 2");
+  EXPECT_EQ(FaultOf({ 2, {}, { "a" } }), "file.gml: the graph has 2 nodes but 1 names");
+}
+
+TEST(Graph, RelabellingMovesNodesAndNames)
+{
+  const shapeton::Graph graph =
+    shapeton::RelabelledGraph({ 3, { { 0, 1 }, { 1, 2 } }, { "a", "b", "c" } }, { 2, 0, 1 });
+  EXPECT_EQ(graph.edges, (std::vector<std::array<int, 2>>{ { 2, 0 }, { 0, 1 } }));
+  EXPECT_EQ(graph.names, (std::vector<std::string>{ "b", "c", "a" }));
+  EXPECT_EQ(shapeton::NameOfNode(graph, 2), "a");
+  EXPECT_EQ(shapeton::NameOfNode(shapeton::PathGraph(3), 2), "2");
+}
+
+TEST(Graph, FamiliesHaveTheirNumbersOfNodesAndEdges)
+{
+  const auto expect = [](const shapeton::Graph & graph, int nodes, std::size_t edges) {
+    shapeton::RequireSound(graph, "family");
+    EXPECT_EQ(graph.nodes, nodes);
+    EXPECT_EQ(graph.edges.size(), edges);
+  };
+  expect(shapeton::CompleteGraph(7), 7, 21);
+  expect(shapeton::CompleteBipartiteGraph(3, 4), 7, 12);
+  expect(shapeton::HypercubeGraph(4), 16, 32);
+  expect(shapeton::PathGraph(1), 1, 0);
+  expect(shapeton::CycleGraph(1), 1, 1);
+  expect(shapeton::WheelGraph(5), 6, 10);
+  expect(shapeton::GeneralizedPetersenGraph(5, 2), 10, 15);
+  expect(shapeton::GridGraph(4, 3), 12, 17);
+}

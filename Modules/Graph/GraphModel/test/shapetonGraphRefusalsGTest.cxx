@@ -1,0 +1,116 @@
+#include "shapetonGraphTestFiles.h"
+
+#include "gtest/gtest.h"
+
+using graphtest::AnswerTo;
+
+namespace
+{
+struct Refusal
+{
+  const char * name;
+  std::string  text;
+  const char * message;
+};
+
+std::string
+GraphMLOf(const std::string & content)
+{
+  return "<graphml>\n<graph edgedefault=\"undirected\">\n" + content + "\n</graph>\n</graphml>\n";
+}
+
+void
+ExpectRefused(const std::vector<Refusal> & refusals)
+{
+  for (const Refusal & refusal : refusals)
+  {
+    const std::string answer = AnswerTo(refusal.name, refusal.text);
+    EXPECT_EQ("InputError: ", answer.substr(0, 12)) << refusal.text;
+    EXPECT_NE(std::string::npos, answer.find(refusal.name)) << answer;
+    EXPECT_NE(std::string::npos, answer.find(refusal.message)) << answer << "\ninstead of " << refusal.message;
+    EXPECT_EQ(std::string::npos, answer.find('\n')) << answer;
+  }
+}
+} // namespace
+
+TEST(GraphRefusals, EmptyAndBinaryFiles)
+{
+  ExpectRefused({ { "a.graphml", "", "the file is empty" },
+                  { "a.edges", " \n\r\n", "the file is empty" },
+                  { "a.dot", std::string("graph { a\0b }", 13), "the file is binary" },
+                  { "a.g6", "\x89PNG\r\n\x1a\n\x01", "the file is binary" },
+                  { "a.graphml", std::string("\xFF\xFE<\0g\0", 6), "the file is binary" },
+                  { "a.unknown", "hello world\n", "neither the extension nor the content" },
+                  { "a.edges", "# nothing\n", "the graph has no nodes" } });
+}
+
+TEST(GraphRefusals, DirectedGraphs)
+{
+  ExpectRefused(
+    { { "a.graphml",
+        "<graphml><graph edgedefault=\"directed\"><node id=\"a\"/>\n<edge source=\"a\" "
+        "target=\"a\"/></graph></graphml>",
+        "line 2: the graph is directed" },
+      { "a.graphml", GraphMLOf("<node id=\"a\"/><edge directed=\"true\" source=\"a\" target=\"a\"/>"), "is directed" },
+      { "a.gml", "graph [\n directed 1 ]", "line 2: the graph is directed" },
+      { "a.dot", "digraph { a -> b }", "line 1: the graph is directed" },
+      { "a.dot", "graph { a -> b }", "has a direction" },
+      { "a.graph", "3 2\n2\n3\n2\n", "more often than that lists it" },
+      { "a.gr", "p sp 2 1\na 1 2 3\n", "is directed" },
+      { "a.g6", "&BP_", "is directed" } });
+}
+
+TEST(GraphRefusals, DuplicateAndMissingNodes)
+{
+  ExpectRefused(
+    { { "a.graphml", GraphMLOf("<node id=\"a\"/>\n<node id=\"a\"/>"), "line 4: the node \"a\" is declared twice" },
+      { "a.gml", "graph [ node [ id 1 ]\n node [ id 1 ] ]", "line 2: the node \"1\" is declared twice" },
+      { "a.m", "mpc.bus = [ 1 1;\n 1 1 ];\nmpc.branch = [];", "line 2: the node \"1\" is declared twice" },
+      { "a.graphml", GraphMLOf("<node id=\"a\"/>\n<edge source=\"a\" target=\"b\"/>"), "line 4: an edge names" },
+      { "a.gml", "graph [ node [ id 1 ]\n edge [ source 1 target 2 ] ]", "line 2: an edge names the node \"2\"" },
+      { "a.m", "mpc.bus = [ 1 1 ];\nmpc.branch = [ 1 2 ];", "line 2: an edge names the node \"2\"" },
+      { "a.gr", "p tw 3 1\n1 4\n", "line 2: \"4\" is no node" },
+      { "a.gr", "p tw 3 1\n0 1\n", "line 2: \"0\" is no node" },
+      { "a.graph", "2 1\n3\n1\n", "line 2: there is no node \"3\"" } });
+}
+
+TEST(GraphRefusals, TruncatedFiles)
+{
+  ExpectRefused({ { "a.graphml", "<graphml>\n<graph>\n<node id=\"a\"/>\n<no", "line 4: the XML is not well-formed" },
+                  { "a.gml", "graph [ node [ id 1 ]", "no closing bracket" },
+                  { "a.gml", "graph [ node [ id", "the file ends after the key \"id\"" },
+                  { "a.dot", "graph {\n a -- b", "but \"the end of the file\" stands there" },
+                  { "a.dot", "graph {\n a -- \"b", "line 2: a text in quotes has no end" },
+                  { "a.edges", "a b\nc", "line 2: the line has one word" },
+                  { "a.graph", "3 2\n2\n1 3\n", "the file ends at node 2 of 3" },
+                  { "a.m", "mpc.bus = [ 1 1 ];\nmpc.branch = [ 1 1\n", "line 2: the matrix \"branch\" has no end" },
+                  { "a.m", "mpc.bus = [ 1 1 ];\n", "the matrix \"branch\" is missing" },
+                  { "a.gr", "p tw 3 2\n1 2\n", "the file ends after 1 edges, but its line \"p\" states 2" },
+                  { "a.g6", "IheA@G", "needs 8 bytes of edges, but 5 follow" },
+                  { "a.s6", ":", "the number of nodes is cut off" } });
+}
+
+TEST(GraphRefusals, MalformedFiles)
+{
+  ExpectRefused({ { "a.xml", "<html></html>", "the outermost element is \"html\", not graphml" },
+                  { "a.graphml", GraphMLOf("<node id=\"a\"><graph/></node>"), "one inside a node" },
+                  { "a.graphml", GraphMLOf("<hyperedge/>"), "a hyperedge" },
+                  { "a.graphml", GraphMLOf("<node/>"), "a node has no id" },
+                  { "a.gml", "graph [ ] graph [ ]", "a second graph" },
+                  { "a.gml", "graph [ node [ id x ] ]", "\"x\" is no whole number" },
+                  { "a.gml", "graph [ node [ label \"x\" ] ]", "the node has no id" },
+                  { "a.dot", "graph { a [b=] }", "the value of an attribute is expected, but \"]\"" },
+                  { "a.dot", "graph { a } graph { b }", "stands after the end of the graph" },
+                  { "a.dot", "graph { a -- ? }", "\"?\" does not belong there" },
+                  { "a.dot", "graph " + std::string(5000, '{'), "200 deep" },
+                  { "a.edges", "a b c\n", "\"c\" after the two nodes of an edge is no number" },
+                  { "a.graph", "2 2\n2\n1\n", "has 1 edges, but its first line states 2" },
+                  { "a.graph", "2 1 7\n2\n1\n", "not of the digits 0 and 1" },
+                  { "a.graph", "2 1\n2\n1\n1\n", "goes on after the last" },
+                  { "a.graph", "2000000000 1\n", "more than 10 million" },
+                  { "a.gr", "1 2\n", "stands before the line \"p tw" },
+                  { "a.gr", "p tw 2 0\np tw 2 0\n", "line 2: a second line \"p\"" },
+                  { "a.m", "mpc.bus = [ 1.5 1 ];\nmpc.branch = [];", "\"1.5\" is no number of a bus" },
+                  { "a.g6", "DQc\nDQc\n", "a second graph" },
+                  { "a.g6", "D Q", "does not belong to the format" } });
+}

@@ -1,0 +1,122 @@
+#ifndef shapetonCirclePacking_h
+#define shapetonCirclePacking_h
+
+#include "RicciFlowEmbeddingExport.h"
+#include "shapetonCombinatorialMap.h"
+
+#include <cmath>
+#include <vector>
+
+namespace shapeton
+{
+/** The background geometry of a Ricci flow. \ingroup RicciFlowEmbedding */
+enum class FlowGeometry
+{
+  Euclidean,
+  Hyperbolic
+};
+
+/** Circles of infinite radius: one flag for each node or face, or empty lists for none. A straight line, in hyperbolic
+ * geometry a geodesic, is seen under the angle pi by the circles that it meets at a right angle. A horocycle touches
+ * the ideal boundary. \ingroup RicciFlowEmbedding */
+struct CirclesAtInfinity
+{
+  std::vector<char> lineNodes;
+  std::vector<char> lineFaces;
+  std::vector<char> horocycleFaces; ///< hyperbolic geometry alone
+};
+
+/** \brief Radii of the circles of nodes and faces: circles of nodes that an edge joins are tangent, so are those of the
+ * faces beside it, at the same point, where the two pairs are orthogonal. Infinite ones are infinity.
+ * \ingroup RicciFlowEmbedding */
+struct CirclePacking
+{
+  FlowGeometry        geometry{ FlowGeometry::Euclidean };
+  std::vector<double> nodeRadii;
+  std::vector<double> faceRadii;
+  std::vector<char>   horocycleFaces; ///< see CirclesAtInfinity
+  /** What rounding has taken off the radii; empty where the last steps were in double precision. */
+  std::vector<double> nodeRests;
+  std::vector<double> faceRests;
+  /** The largest curvature, 2 pi minus the sum of angles, that is left at a circle. Radians. */
+  double residual{ 0.0 };
+  int    steps{ 0 };
+};
+
+/** Of the last steps and of the layout. Along a chain of n circles around another one, errors grow as n^2: some maps of
+ * thousands of nodes need extended precision, which takes a few times longer. \ingroup RicciFlowEmbedding */
+enum class PackingPrecision
+{
+  Double, ///< extended where the Hessian is seen to ask for it
+  Extended
+};
+
+/** \brief The limit of the discrete Ricci flow du/dt = -K of a map, by Newton's method.
+ *
+ * u = log r in Euclidean, log tanh(r / 2) in hyperbolic geometry; K = 2 pi minus the sum of the angles at a circle,
+ * with one kite of angle 2 atan(r_f / r_v), or 2 atan2(tanh r_f, sinh r_v), for each half-edge: a node and the face to
+ * the left. The energy whose gradient is K is convex. Its Hessian has h / l = 2 r_v r_f / (r_v^2 + r_f^2) for each
+ * kite, or (6.7) and (6.8) of the dissertation with the signs of dK/du, where cosh^2 a cosh^2 b - 1 is computed as
+ * sinh^2 a cosh^2 b + sinh^2 b. A face of three finite nodes is eliminated: r_f^2 = abc / (a + b + c), or tanh^2 r_f =
+ * sinh a sinh b sinh c / sinh(a + b + c). One analysis of the sparsity serves all steps. A step is halved while the
+ * energy rises along it at its end by more than half of what it fell at the start; in hyperbolic geometry it ends at 95
+ * % of the way to u = 0.
+ *
+ * Throws InputError where the curvature does not vanish: the map has no packing, or not in double precision.
+ *
+ * \pre `map` is connected, without loops and parallel edges, and no face meets a node twice; genus 1 for Euclidean
+ * geometry without circles at infinity, 2 and more for hyperbolic geometry. That the map is 3-connected (see
+ * FaceConflicts) is not checked here. \ingroup RicciFlowEmbedding */
+RicciFlowEmbedding_EXPORT CirclePacking
+PackCircles(const CombinatorialMap &  map,
+            FlowGeometry              geometry,
+            const CirclesAtInfinity & infinite = {},
+            PackingPrecision          precision = PackingPrecision::Double);
+
+/** Half the angle of the kite of two circles at the first, finite one. Of infinite radius the other one is a straight
+ * line, or with `isHorocycle` a horocycle. \ingroup RicciFlowEmbedding */
+template <typename TReal>
+TReal
+HalfKiteAngle(FlowGeometry geometry, TReal radius, TReal otherRadius, bool isHorocycle = false)
+{
+  if (isHorocycle)
+  {
+    return std::atan2(TReal(1), std::sinh(radius));
+  }
+  if (std::isinf(otherRadius))
+  {
+    return std::acos(TReal(-1)) / 2;
+  }
+  return geometry == FlowGeometry::Euclidean ? std::atan2(otherRadius, radius)
+                                             : std::atan2(std::tanh(otherRadius), std::sinh(radius));
+}
+
+/** \name Radii with their rests, where TReal can hold them \ingroup RicciFlowEmbedding */
+///@{
+template <typename TReal>
+TReal
+NodeRadius(const CirclePacking & packing, int node)
+{
+  return TReal(packing.nodeRadii[node]) + (packing.nodeRests.empty() ? TReal(0) : TReal(packing.nodeRests[node]));
+}
+template <typename TReal>
+TReal
+FaceRadius(const CirclePacking & packing, int face)
+{
+  return TReal(packing.faceRadii[face]) + (packing.faceRests.empty() ? TReal(0) : TReal(packing.faceRests[face]));
+}
+///@}
+
+/** The curvatures of given radii: nodes, then faces; 0 for infinite circles. \ingroup RicciFlowEmbedding */
+RicciFlowEmbedding_EXPORT std::vector<double>
+                          CurvaturesOf(const CombinatorialMap & map, const CirclePacking & packing);
+
+/** Whether the circle of a face is a horocycle. \ingroup RicciFlowEmbedding */
+inline bool
+IsHorocycle(const CirclePacking & packing, int face)
+{
+  return !packing.horocycleFaces.empty() && packing.horocycleFaces[face] != 0;
+}
+} // namespace shapeton
+
+#endif

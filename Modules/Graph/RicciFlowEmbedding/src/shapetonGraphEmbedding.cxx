@@ -1,0 +1,215 @@
+#include "shapetonGraphEmbedding.h"
+
+#include "shapetonBlockArrangement.h"
+#include "shapetonCanonicalMapOrder.h"
+#include "shapetonPackedEmbedding.h"
+#include "shapetonSplitArrangement.h"
+#include "shapetonExceptions.h"
+
+#include <algorithm>
+#include <exception>
+
+namespace shapeton
+{
+namespace
+{
+/** The packing of a larger graph is not computed several times to choose the best. */
+constexpr int mostEdgesForChoice = 4000;
+/** A smaller circle of a node makes it worth while to arrange split components anew, which takes quadratic time: not in
+ * larger graphs. Units of the surface. */
+constexpr double smallCircle = 1e-4;
+constexpr int    mostEdgesForSplits = 10000;
+
+EmbeddingCertificate
+EmbedMap(const Graph &                 graph,
+         const CombinatorialMap &      map,
+         const AugmentationOptions &   augmentation,
+         const GraphEmbeddingOptions & options)
+{
+  PackedMap            packed = MakePackedMap(map, augmentation);
+  EmbeddingCertificate certificate;
+  certificate.genus = map.Genus();
+  std::vector<int> rank;
+  if (certificate.genus == 0)
+  {
+    CanonicalMapOrder order(packed.map, options.isRotationFree && options.isSideFree);
+    if (order.isMirrored)
+    {
+      const CombinatorialMap mirrored = map.Mirrored();
+      packed = MakePackedMap(mirrored, augmentation);
+      certificate.rotation = FlatRotation(mirrored);
+    }
+    rank = std::move(order.rank);
+  }
+  AddPacking(graph, packed, options.infinity, rank, certificate);
+  if (certificate.rotation.empty())
+  {
+    certificate.rotation = FlatRotation(map);
+  }
+  return certificate;
+}
+
+bool
+IsSameMap(const CombinatorialMap & one, const CombinatorialMap & other)
+{
+  for (int h = 0; h < one.HalfEdges(); ++h)
+  {
+    if (one.NextAround(h) != other.NextAround(h))
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+/** A way to draw a graph: an arrangement of its blocks, and the width of rings. */
+struct Candidate
+{
+  const CombinatorialMap * map;
+  int                      halfEdgesOfDummy;
+};
+
+/** All that are worth a try: the maps, in this order, with rings of several widths where there are rings and the graph
+ * is small. */
+std::vector<Candidate>
+CandidatesOf(const std::vector<const CombinatorialMap *> & maps, const GraphEmbeddingOptions & options)
+{
+  const bool isChoice = maps.front()->Edges() <= mostEdgesForChoice && options.isRotationFree;
+  const bool hasRings =
+    isChoice && options.augmentation == Augmentation::Ring && MakePackedMap(*maps.front()).rings > 0;
+  std::vector<Candidate> candidates;
+  for (const int halfEdges : hasRings ? std::vector<int>{ 2, 4, 1 } : std::vector<int>{ 2 })
+  {
+    for (const CombinatorialMap * map : maps)
+    {
+      candidates.push_back({ map, halfEdges });
+    }
+  }
+  return candidates;
+}
+
+/** The embedding with the largest smallest circle. */
+class BestEmbedding
+{
+public:
+  BestEmbedding(const Graph & graph, const GraphEmbeddingOptions & options) : m_Graph(graph), m_Options(options) {}
+
+  void
+  Try(const std::vector<Candidate> & candidates)
+  {
+    for (const Candidate & candidate : candidates)
+    {
+      AugmentationOptions augmentation(m_Options.augmentation);
+      augmentation.names = m_Graph.names;
+      augmentation.halfEdgesOfDummy = candidate.halfEdgesOfDummy;
+      augmentation.longestFace = m_Options.longestFace;
+      try
+      {
+        EmbeddingCertificate certificate = EmbedMap(m_Graph, *candidate.map, augmentation, m_Options);
+        const double         smallest = SmallestCircle(certificate);
+        if (smallest > m_Smallest)
+        {
+          m_Smallest = smallest;
+          m_Best = std::move(certificate);
+        }
+      }
+      catch (const InputError &)
+      {
+        m_Failure = m_Failure ? m_Failure : std::current_exception();
+      }
+    }
+  }
+  /** Its smallest circle; 0 where there is none. */
+  double
+  Smallest() const
+  {
+    return m_Smallest;
+  }
+  /** Throws what the first candidate threw where none has a packing. */
+  EmbeddingCertificate
+  Take()
+  {
+    if (m_Smallest == 0.0)
+    {
+      std::rethrow_exception(m_Failure);
+    }
+    AddSmallestCircle(m_Best);
+    return std::move(m_Best);
+  }
+
+private:
+  const Graph &                 m_Graph;
+  const GraphEmbeddingOptions & m_Options;
+  EmbeddingCertificate          m_Best;
+  std::exception_ptr            m_Failure;
+  double                        m_Smallest{ 0.0 };
+};
+
+/** Blocks, and where circles are small also split components, arranged anew. */
+EmbeddingCertificate
+EmbedArranged(const Graph & graph, const CombinatorialMap & map, const GraphEmbeddingOptions & options)
+{
+  BestEmbedding    best(graph, options);
+  CombinatorialMap other = ArrangeBlocks(map);
+  const bool       isSame = IsSameMap(map, other);
+  if (isSame)
+  {
+    other = CombinatorialMap(); // of a large map one copy is enough
+  }
+  const CombinatorialMap & blocks = isSame ? map : other;
+  const bool               isChoice = !isSame && map.Edges() <= mostEdgesForChoice && map.Genus() == blocks.Genus();
+  best.Try(isChoice ? CandidatesOf({ &blocks, &map }, options) : CandidatesOf({ &blocks }, options));
+  if (best.Smallest() < smallCircle && map.Edges() <= mostEdgesForSplits)
+  {
+    const CombinatorialMap splits = ArrangeBlocks(ArrangeSplitComponents(map));
+    if (!IsSameMap(blocks, splits))
+    {
+      best.Try(CandidatesOf({ &splits }, options));
+    }
+  }
+  return best.Take();
+}
+} // namespace
+
+EmbeddingCertificate
+EmbedPackedGraph(const Graph & graph, const CombinatorialMap & map, const PackedMap & packed, PointAtInfinity infinity)
+{
+  EmbeddingCertificate certificate;
+  certificate.genus = map.Genus();
+  AddPacking(graph,
+             packed,
+             infinity,
+             certificate.genus == 0 ? CanonicalMapOrder(packed.map, false).rank : std::vector<int>(),
+             certificate);
+  certificate.rotation = FlatRotation(map);
+  AddSmallestCircle(certificate);
+  return certificate;
+}
+
+PackedMap
+PackedMapOf(const EmbeddingCertificate & certificate)
+{
+  PackedMap packed;
+  packed.map = MapOfRotation(certificate.packed, certificate.packedRotation);
+  packed.graphNodes = certificate.graph.nodes;
+  packed.graphEdges = static_cast<int>(certificate.graph.edges.size());
+  packed.subdivided = certificate.subdivided;
+  return packed;
+}
+
+EmbeddingCertificate
+EmbedGraph(const Graph & graph, const CombinatorialMap & map, const GraphEmbeddingOptions & options)
+{
+  if (graph.nodes == 0)
+  {
+    throw InputError("a graph without nodes cannot be embedded");
+  }
+  if (options.isRotationFree)
+  {
+    return EmbedArranged(graph, map, options);
+  }
+  BestEmbedding best(graph, options);
+  best.Try({ { &map, 2 } });
+  return best.Take();
+}
+} // namespace shapeton

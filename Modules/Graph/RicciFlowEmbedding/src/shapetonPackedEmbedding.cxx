@@ -1,0 +1,245 @@
+#include "shapetonPackedEmbedding.h"
+
+#include "shapetonSurfaceLayout.h"
+#include "shapetonExceptions.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <numeric>
+
+namespace shapeton
+{
+namespace
+{
+/** What a verifier takes, of the largest matrix. */
+constexpr double worstWordResidual = 1e-6;
+
+/** Packed edges that the graph's edges are made of. */
+std::vector<int>
+EdgesOfGraph(const PackedMap & packed)
+{
+  std::vector<int> edges(packed.graphEdges);
+  std::iota(edges.begin(), edges.end(), 0);
+  for (const std::vector<int> & path : packed.subdivided)
+  {
+    for (std::size_t i = 1; i < path.size(); ++i)
+    {
+      edges.push_back(path[i] / 2);
+    }
+  }
+  return edges;
+}
+
+/** After the packing, so as not to stand in its memory. */
+void
+AddMaps(const Graph & graph, const PackedMap & packed, EmbeddingCertificate & certificate)
+{
+  certificate.graph = graph;
+  certificate.packed = packed.map.ToGraph();
+  certificate.packedRotation = FlatRotation(packed.map);
+  certificate.subdivided = packed.subdivided;
+}
+
+void
+AddSphere(const PackedMap & packed, PointAtInfinity infinity, std::vector<int> rank, EmbeddingCertificate & certificate)
+{
+  std::vector<char> isVisible(packed.map.Nodes(), 0);
+  std::fill_n(isVisible.begin(), packed.graphNodes, 1);
+  SphericalPacking sphere = PackOnSphere(packed.map, infinity, EdgesOfGraph(packed), isVisible);
+  rank.resize(packed.graphNodes); // dummies may be numbered differently on the other side
+  TurnToCanonicalPosition(sphere, rank);
+  certificate.geometry = EmbeddingGeometry::Spherical;
+  const auto add =
+    [](const std::vector<SphereCircle> & circles, std::vector<double> & radii, std::vector<double> & places) {
+      for (const SphereCircle & circle : circles)
+      {
+        const std::array<double, 3> centre = CentreOf(circle);
+        radii.push_back(RadiusOf(circle));
+        places.insert(places.end(), centre.begin(), centre.end());
+      }
+    };
+  add(sphere.nodes, certificate.nodeRadii, certificate.nodePositions);
+  add(sphere.faces, certificate.faceRadii, certificate.facePositions);
+  certificate.statistics.emplace_back("residual", sphere.residual);
+  certificate.statistics.emplace_back("newtonSteps", sphere.steps);
+}
+
+/** Puts a number of the plane or the disk at the end of a list. */
+void
+Append(const PlaneMotion::Complex & z, std::vector<double> & list)
+{
+  list.push_back(z.real());
+  list.push_back(z.imag());
+}
+
+void
+AddLayout(const CombinatorialMap & map, const SurfaceLayout & layout, EmbeddingCertificate & certificate)
+{
+  for (const PlaneMotion & frame : layout.Frames())
+  {
+    Append(frame(0.0), certificate.nodePositions);
+    certificate.nodeAngles.push_back(frame.Direction());
+  }
+  for (int face = 0; face < map.Faces(); ++face)
+  {
+    Append(layout.FaceCentre(face), certificate.facePositions);
+  }
+  certificate.tree = layout.Arrivals();
+  certificate.word = layout.Word();
+  certificate.canonicalWords = CanonicalWords(layout.Word());
+}
+
+std::vector<PlaneMotion>
+GeneratorsOf(const SurfaceLayout & layout)
+{
+  std::vector<PlaneMotion> generators;
+  for (const int h : layout.CutHalfEdges())
+  {
+    generators.push_back(layout.DeckTransformationOf(h));
+  }
+  return generators;
+}
+
+void
+AddGenerators(const SurfaceLayout &            layout,
+              const std::vector<PlaneMotion> & generators,
+              EmbeddingCertificate &           certificate)
+{
+  for (std::size_t k = 0; k < generators.size(); ++k)
+  {
+    certificate.generators.push_back({ layout.CutHalfEdges()[k], generators[k].a, generators[k].b });
+  }
+}
+
+void
+AddTorus(const CombinatorialMap & map, EmbeddingCertificate & certificate)
+{
+  const CirclePacking      packing = PackCircles(map, FlowGeometry::Euclidean);
+  const SurfaceLayout      layout(map, packing);
+  std::vector<PlaneMotion> generators = GeneratorsOf(layout);
+  for (PlaneMotion & generator : generators)
+  {
+    generator.a = 1.0; // a translation, but for rounding
+  }
+  certificate.geometry = EmbeddingGeometry::Euclidean;
+  certificate.nodeRadii = packing.nodeRadii;
+  certificate.faceRadii = packing.faceRadii;
+  AddLayout(map, layout, certificate);
+  AddGenerators(layout, generators, certificate);
+  const auto lattice = ReducedLattice(generators[0].b, generators[1].b);
+  Append(lattice[0], certificate.periods);
+  Append(lattice[1], certificate.periods);
+  certificate.statistics.emplace_back("residual", packing.residual);
+  certificate.statistics.emplace_back("newtonSteps", packing.steps);
+  certificate.statistics.emplace_back("wordResidual", WordResidual(generators, layout.Word()) / std::abs(lattice[0]));
+}
+
+/** A fundamental domain of many handles reaches so far that all beyond lies on the circle at infinity, to double
+ * precision. */
+void
+RequireFinite(const std::vector<PlaneMotion> & generators, int genus)
+{
+  for (const PlaneMotion & generator : generators)
+  {
+    if (!std::isfinite(std::abs(generator.a)) || !std::isfinite(std::abs(generator.b)))
+    {
+      throw InputError("the surface of genus " + std::to_string(genus) +
+                       " cannot be laid out: its fundamental domain reaches farther than double precision tells "
+                       "places apart. Take out edges, or embed parts of the graph");
+    }
+  }
+}
+
+/** Products of very many matrices overflow: then there is no figure, and a warning says that the relation fails. */
+void
+AddResidual(const std::string & name, double residual, EmbeddingCertificate & certificate)
+{
+  if (std::isfinite(residual))
+  {
+    certificate.statistics.emplace_back(name, residual);
+  }
+}
+
+void
+AddHyperbolicSurface(const CombinatorialMap & map, EmbeddingCertificate & certificate)
+{
+  const CirclePacking packing = PackCircles(map, FlowGeometry::Hyperbolic);
+  const SurfaceLayout layout(map, packing);
+  certificate.geometry = EmbeddingGeometry::Hyperbolic;
+  certificate.nodeRadii = packing.nodeRadii;
+  certificate.faceRadii = packing.faceRadii;
+  AddLayout(map, layout, certificate);
+  const std::vector<PlaneMotion> generators = GeneratorsOf(layout);
+  certificate.word = CentredWord(generators, layout.Word());
+  certificate.canonicalWords = CanonicalWords(certificate.word);
+  const DeckRelation relation = RefineDeckRelation(generators, certificate.word, certificate.canonicalWords);
+  RequireFinite(relation.generators, certificate.genus);
+  AddGenerators(layout, relation.generators, certificate);
+  certificate.statistics.emplace_back("residual", packing.residual);
+  certificate.statistics.emplace_back("newtonSteps", packing.steps);
+  AddResidual("givenWordResidual", relation.givenResidual, certificate);
+  AddResidual("wordResidual", relation.residual, certificate);
+  if (!relation.canonical.empty())
+  {
+    AddResidual("canonicalResidual", relation.canonicalResidual, certificate);
+  }
+  double largest = 1.0;
+  for (const PlaneMotion & generator : relation.generators)
+  {
+    largest = std::max(largest, std::abs(generator.a));
+  }
+  if (!(relation.residual <= worstWordResidual * largest))
+  {
+    certificate.warnings.emplace_back(
+      "the relation of the deck transformations does not hold in double precision, as their "
+      "matrices are large: the verifier refuses this certificate; the packing itself is "
+      "not affected");
+  }
+}
+} // namespace
+
+void
+AddPacking(const Graph &            graph,
+           const PackedMap &        packed,
+           PointAtInfinity          infinity,
+           const std::vector<int> & rank,
+           EmbeddingCertificate &   certificate)
+{
+  if (certificate.genus == 0)
+  {
+    AddSphere(packed, infinity, rank, certificate);
+  }
+  else
+  {
+    certificate.genus == 1 ? AddTorus(packed.map, certificate) : AddHyperbolicSurface(packed.map, certificate);
+  }
+  AddMaps(graph, packed, certificate);
+  certificate.statistics.emplace_back("rings", packed.rings);
+}
+
+void
+AddSmallestCircle(EmbeddingCertificate & certificate)
+{
+  const double unit = UnitOfSurface(certificate);
+  const auto   first = certificate.nodeRadii.begin();
+  const auto   end = first + certificate.graph.nodes;
+  const auto   smallest = std::min_element(first, end);
+  certificate.statistics.emplace_back("smallestRadius", *smallest);
+  const auto illegible = std::count_if(first, end, [unit](double r) { return r < smallestLegibleRadius * unit; });
+  if (illegible > 0)
+  {
+    char text[320];
+    std::snprintf(text,
+                  sizeof(text),
+                  "%ld of %d nodes have circles below %.0e of the surface, the smallest that of node %s with %.1e: no "
+                  "picture is legible there, and the verifier refuses circles below 1e-12",
+                  static_cast<long>(illegible),
+                  certificate.graph.nodes,
+                  smallestLegibleRadius,
+                  NameOfNode(certificate.graph, static_cast<int>(smallest - first)).substr(0, 60).c_str(),
+                  *smallest / unit);
+    certificate.warnings.emplace_back(text);
+  }
+}
+} // namespace shapeton

@@ -1,0 +1,139 @@
+#include "shapetonPlaneToSphere.h"
+
+#include "shapetonLayoutTree.h"
+
+#include <cmath>
+#include <complex>
+
+namespace shapeton
+{
+namespace
+{
+constexpr double pi = 3.14159265358979323846;
+
+using Complex = std::complex<double>;
+
+bool
+IsFinite(double radius)
+{
+  return !std::isinf(radius);
+}
+
+SphereCircle
+FromCircle(const Complex & centre, double radius, double scale)
+{
+  return FromScaled(centre.real() / radius,
+                    centre.imag() / radius,
+                    (std::norm(centre) - radius * radius) / radius,
+                    1.0 / radius,
+                    scale);
+}
+
+/** The half plane ahead of a point in a direction of length 1. */
+SphereCircle
+FromHalfPlane(const Complex & ahead, const Complex & point, double scale)
+{
+  const double offset = (std::conj(ahead) * point).real();
+  return FromScaled(ahead.real(), ahead.imag(), 2.0 * offset, 0.0, scale);
+}
+
+/** Places everything that a finite node touches. */
+class PlaneLayout
+{
+public:
+  PlaneLayout(const CombinatorialMap & map, const CirclePacking & packing, double scale)
+    : m_Map(map)
+    , m_Packing(packing)
+    , m_Scale(scale)
+    , m_Directions(HalfEdgeAngles(map, packing))
+    , m_Centres(map.Nodes())
+    , m_IsPlaced(map.Faces(), 0)
+  {
+    sphere.nodes.resize(map.Nodes());
+    sphere.faces.resize(map.Faces());
+    sphere.touchPoints.assign(map.Edges(), { 0.0, 0.0, 1.0 }); // that of the edge between two lines
+  }
+  void
+  Place(int node, int arrival);
+
+  SphericalPacking sphere;
+
+private:
+  void
+  PlaceAlong(int node, int halfEdge);
+  void
+  PlaceFace(int node, int halfEdge);
+
+  const CombinatorialMap & m_Map;
+  const CirclePacking &    m_Packing;
+  double                   m_Scale;
+  std::vector<double>      m_Directions;
+  std::vector<Complex>     m_Centres;
+  std::vector<char>        m_IsPlaced;
+};
+
+void
+PlaneLayout::Place(int node, int arrival)
+{
+  double turn = 0.0;
+  if (arrival >= 0)
+  {
+    const int before = m_Map.Node(arrival);
+    m_Centres[node] =
+      m_Centres[before] + std::polar(m_Packing.nodeRadii[before] + m_Packing.nodeRadii[node], m_Directions[arrival]);
+    turn = m_Directions[arrival] + pi - m_Directions[CombinatorialMap::Twin(arrival)];
+  }
+  sphere.nodes[node] = FromCircle(m_Centres[node], m_Packing.nodeRadii[node], m_Scale);
+  const int first = m_Map.FirstAround(node);
+  int       h = first;
+  do
+  {
+    m_Directions[h] = std::remainder(m_Directions[h] + turn, 2.0 * pi);
+    this->PlaceAlong(node, h);
+    if (!m_IsPlaced[m_Map.Face(h)])
+    {
+      m_IsPlaced[m_Map.Face(h)] = 1;
+      this->PlaceFace(node, h);
+    }
+    h = m_Map.NextAround(h);
+  } while (h != first);
+}
+
+/** The touch point on a half-edge, and the circle beyond it where that is a line. */
+void
+PlaneLayout::PlaceAlong(int node, int halfEdge)
+{
+  const int     other = m_Map.Node(CombinatorialMap::Twin(halfEdge));
+  const Complex ahead = std::polar(1.0, m_Directions[halfEdge]);
+  const Complex touch = m_Centres[node] + m_Packing.nodeRadii[node] * ahead;
+  sphere.touchPoints[halfEdge / 2] = PointOnSphere(m_Scale * touch.real(), m_Scale * touch.imag());
+  if (!IsFinite(m_Packing.nodeRadii[other]))
+  {
+    sphere.nodes[other] = FromHalfPlane(ahead, touch, m_Scale);
+  }
+}
+
+void
+PlaneLayout::PlaceFace(int node, int halfEdge)
+{
+  const int     face = m_Map.Face(halfEdge);
+  const double  radius = m_Packing.faceRadii[face];
+  const double  own = m_Packing.nodeRadii[node];
+  const Complex ahead = std::polar(1.0, m_Directions[halfEdge] + HalfKiteAngle(FlowGeometry::Euclidean, own, radius));
+  sphere.faces[face] = IsFinite(radius) ? FromCircle(m_Centres[node] + std::hypot(radius, own) * ahead, radius, m_Scale)
+                                        : FromHalfPlane(ahead, m_Centres[node], m_Scale);
+}
+} // namespace
+
+SphericalPacking
+PlaneToSphere(const CombinatorialMap & map, const CirclePacking & packing, int root)
+{
+  PlaneLayout      layout(map, packing, 1.0 / packing.nodeRadii[root]);
+  const LayoutTree tree = LayoutTree::OfLargestCircles(map, packing, root);
+  for (const int node : tree.order)
+  {
+    layout.Place(node, tree.arrival[node]);
+  }
+  return std::move(layout.sphere);
+}
+} // namespace shapeton

@@ -1,0 +1,351 @@
+#include "shapetonSphericalPacking.h"
+
+#include "shapetonCirclePacking.h"
+#include "shapetonConformalBarycentre.h"
+#include "shapetonLayoutTree.h"
+#include "shapetonNearbyOrder.h"
+#include "shapetonPlaneToSphere.h"
+#include "shapetonExceptions.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <numeric>
+
+namespace shapeton
+{
+namespace
+{
+/** A layout is moved so far at once at most, e^9 in size: then it is computed anew from what has become large. One that
+ * was moved less than e^2 is exact enough. */
+constexpr double mostRapidity = 9.0;
+constexpr double smallRapidity = 2.0;
+constexpr int    mostLayouts = 40;
+
+/** The worst layout that is taken for one, and the worst of double precision that is not computed anew. Radians. */
+constexpr double worstTangency = 1e-9;
+constexpr double goodTangency = 5e-11;
+
+/** The edge whose ends both have many neighbours: its four circles are large in a packing of even density, so the
+ * others keep their sizes when these become straight lines. */
+int
+EdgeForInfinity(const CombinatorialMap & map)
+{
+  const std::vector<int> degrees = map.Degrees();
+  const auto weight = [&](int edge) { return std::min(degrees[map.Node(2 * edge)], degrees[map.Node(2 * edge + 1)]); };
+  int        best = 0;
+  for (int edge = 1; edge < map.Edges(); ++edge)
+  {
+    best = weight(edge) >= weight(best) ? edge : best;
+  }
+  return best;
+}
+
+CirclesAtInfinity
+CirclesThrough(const CombinatorialMap & map, int edge)
+{
+  CirclesAtInfinity infinite;
+  infinite.lineNodes.assign(map.Nodes(), 0);
+  infinite.lineFaces.assign(map.Faces(), 0);
+  for (int h = 2 * edge; h < 2 * edge + 2; ++h)
+  {
+    infinite.lineNodes[map.Node(h)] = 1;
+    infinite.lineFaces[map.Face(h)] = 1;
+  }
+  return infinite;
+}
+
+/** The longest face, and of those the one whose nodes have most neighbours, the last one: dummies in the middle of the
+ * rings, which come last, have large circles. */
+int
+LongestFace(const CombinatorialMap & map)
+{
+  const std::vector<int> lengths = map.FaceLengths();
+  const std::vector<int> degrees = map.Degrees();
+  std::array<int, 3>     best{ -1, -1, -1 };
+  int                    longest = -1;
+  for (int face = 0; face < map.Faces(); ++face)
+  {
+    std::array<int, 3> weight{ lengths[face], map.HalfEdges(), map.Nodes() };
+    const int          first = map.FirstOfFace(face);
+    int                h = first;
+    do
+    {
+      weight[1] = std::min(weight[1], degrees[map.Node(h)]);
+      weight[2] = std::min(weight[2], map.Node(h));
+      h = map.FaceNext(h);
+    } while (h != first);
+    if (weight >= best)
+    {
+      best = weight;
+      longest = face;
+    }
+  }
+  return longest;
+}
+
+/** The circle of a face as the ideal boundary: its nodes become geodesics, the faces beside it horocycles. */
+CirclesAtInfinity
+CirclesAround(const CombinatorialMap & map, int face)
+{
+  CirclesAtInfinity infinite;
+  infinite.lineNodes.assign(map.Nodes(), 0);
+  infinite.lineFaces.assign(map.Faces(), 0);
+  infinite.horocycleFaces.assign(map.Faces(), 0);
+  infinite.lineFaces[face] = 1; // meets lines alone, and no kite is computed
+  for (const int h : map.Boundary(face))
+  {
+    infinite.lineNodes[map.Node(h)] = 1;
+    infinite.horocycleFaces[map.Face(CombinatorialMap::Twin(h))] = 1;
+  }
+  return infinite;
+}
+
+/** The printed projection sends the origin to the south pole, which is seen from the other side: counter-clockwise
+ * turns would become clockwise ones. */
+void
+SeeFromOutside(SphericalPacking & sphere)
+{
+  for (auto * circles : { &sphere.nodes, &sphere.faces, &sphere.nodeRests, &sphere.faceRests })
+  {
+    for (SphereCircle & circle : *circles)
+    {
+      circle[2] = -circle[2];
+    }
+  }
+  for (auto & point : sphere.touchPoints)
+  {
+    point[2] = -point[2];
+  }
+}
+} // namespace
+
+std::array<double, 3>
+CentreOf(const SphereCircle & circle)
+{
+  const double length = std::sqrt(circle[0] * circle[0] + circle[1] * circle[1] + circle[2] * circle[2]);
+  return { circle[0] / length, circle[1] / length, circle[2] / length };
+}
+
+double
+RadiusOf(const SphereCircle & circle)
+{
+  return std::atan2(1.0, circle[3]);
+}
+
+namespace
+{
+/** A packing that is laid out on the sphere from any finite node. */
+class FlatPacking
+{
+public:
+  FlatPacking(const CombinatorialMap & map, PointAtInfinity infinity)
+    : m_Map(map)
+    , m_Boundary(infinity == PointAtInfinity::Circle ? LongestFace(map) : -1)
+    , m_Circles(this->Packed())
+    , m_Root(LargestFiniteNode(m_Circles))
+  {}
+  /** From here on the layout is in extended precision, of radii that are. */
+  void
+  Refine()
+  {
+    m_Precision = PackingPrecision::Extended;
+    if (m_Circles.nodeRests.empty())
+    {
+      m_Circles = this->Packed();
+    }
+  }
+  SphericalPacking
+  LaidOut() const
+  {
+    SphericalPacking sphere = m_Boundary < 0 ? PlaneToSphere(m_Map, m_Circles, m_Root)
+                                             : DiskToSphere(m_Map, m_Circles, m_Root, m_Boundary, m_Precision);
+    SeeFromOutside(sphere);
+    return sphere;
+  }
+  const CirclePacking &
+  Circles() const
+  {
+    return m_Circles;
+  }
+  /** The node that the layout starts from. */
+  int
+  Root() const
+  {
+    return m_Root;
+  }
+  void
+  SetRoot(int root)
+  {
+    m_Root = root;
+  }
+
+private:
+  CirclePacking
+  Packed() const
+  {
+    return m_Boundary < 0
+             ? PackCircles(m_Map, FlowGeometry::Euclidean, CirclesThrough(m_Map, EdgeForInfinity(m_Map)), m_Precision)
+             : PackCircles(m_Map, FlowGeometry::Hyperbolic, CirclesAround(m_Map, m_Boundary), m_Precision);
+  }
+
+  const CombinatorialMap & m_Map;
+  int                      m_Boundary; ///< face; -1 for an edge node at infinity
+  PackingPrecision         m_Precision{ PackingPrecision::Double };
+  CirclePacking            m_Circles;
+  int                      m_Root;
+};
+
+/** The largest cap of those that are finite in the flat packing. */
+int
+LargestOnSphere(const SphericalPacking & sphere, const CirclePacking & flat)
+{
+  int largest = -1;
+  for (std::size_t node = 0; node < sphere.nodes.size(); ++node)
+  {
+    // The cotangent of the angle falls with the angle.
+    if (!std::isinf(flat.nodeRadii[node]) && (largest < 0 || sphere.nodes[node][3] < sphere.nodes[largest][3]))
+    {
+      largest = static_cast<int>(node);
+    }
+  }
+  return largest;
+}
+
+double
+AngleBetween(const std::array<double, 3> & a, const std::array<double, 3> & b)
+{
+  const double difference = std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
+  const double sum = std::hypot(a[0] + b[0], a[1] + b[1], a[2] + b[2]);
+  return 2.0 * std::atan2(difference, sum);
+}
+
+/** How far circles that should touch miss each other, at most. Radians. */
+double
+WorstTangency(const CombinatorialMap & map, const SphericalPacking & sphere)
+{
+  double worst = 0.0;
+  for (int edge = 0; edge < map.Edges(); ++edge)
+  {
+    const SphereCircle & one = sphere.nodes[map.Node(2 * edge)];
+    const SphereCircle & other = sphere.nodes[map.Node(2 * edge + 1)];
+    const double miss = std::abs(AngleBetween(CentreOf(one), CentreOf(other)) - RadiusOf(one) - RadiusOf(other));
+    worst = miss <= worst ? worst : miss; // keeps what is no number
+  }
+  return worst;
+}
+
+/** A packing that `move` has brought into its position: laid out anew from the circle that has become largest, until
+ * the way is short. `move` returns its rapidity and may stop on the way. */
+template <typename TMove>
+SphericalPacking
+LayOut(FlatPacking & flat, const TMove & move)
+{
+  SphericalPacking sphere = flat.LaidOut();
+  double           rapidity = move(sphere);
+  for (int layout = 1; layout < mostLayouts && rapidity > smallRapidity; ++layout)
+  {
+    const int next = LargestOnSphere(sphere, flat.Circles());
+    if (next == flat.Root())
+    {
+      break;
+    }
+    flat.SetRoot(next);
+    sphere = flat.LaidOut();
+    rapidity = move(sphere);
+  }
+  return sphere;
+}
+
+bool
+HasSmallCap(const SphericalPacking & sphere, const std::vector<char> & isVisible)
+{
+  for (std::size_t node = 0; node < isVisible.size(); ++node)
+  {
+    if (isVisible[node] && RadiusOf(sphere.nodes[node]) < smallestCapOfBarycentre)
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+/** In the position that PackOnSphere() describes. */
+SphericalPacking
+Positioned(FlatPacking & flat, const std::vector<int> & edges, const std::vector<char> & isVisible)
+{
+  SphericalPacking sphere = LayOut(flat, [&](SphericalPacking & s) { return CentrePacking(s, edges, mostRapidity); });
+  if (HasSmallCap(sphere, isVisible))
+  {
+    sphere = LayOut(flat, [&](SphericalPacking & s) { return EnlargeSmallCaps(s, isVisible, mostRapidity); });
+  }
+  return sphere;
+}
+
+SphericalPacking
+PackInGivenOrder(const CombinatorialMap &  map,
+                 PointAtInfinity           infinity,
+                 std::vector<int>          edges,
+                 const std::vector<char> & isVisible)
+{
+  if (edges.size() < 3)
+  {
+    edges.resize(map.Edges());
+    std::iota(edges.begin(), edges.end(), 0);
+  }
+  FlatPacking      flat(map, infinity);
+  SphericalPacking sphere = Positioned(flat, edges, isVisible);
+  if (!(WorstTangency(map, sphere) <= goodTangency))
+  {
+    flat.Refine();
+    sphere = Positioned(flat, edges, isVisible);
+  }
+  sphere.residual = flat.Circles().residual;
+  sphere.steps = flat.Circles().steps;
+  if (const double miss = WorstTangency(map, sphere); !(miss <= worstTangency))
+  {
+    char text[200];
+    std::snprintf(text,
+                  sizeof(text),
+                  "the radii are right to %.1e rad, but circles of neighbours miss each other by %.1e rad on the "
+                  "sphere: their sizes differ too much for double precision",
+                  sphere.residual,
+                  miss);
+    throw InputError(text);
+  }
+  sphere.nodeRests.clear(); // they would not follow a rotation
+  sphere.faceRests.clear();
+  return sphere;
+}
+
+SphericalPacking
+PackInNearbyOrder(const CombinatorialMap &  map,
+                  PointAtInfinity           infinity,
+                  std::vector<int>          edges,
+                  const std::vector<char> & isVisible)
+{
+  const NearbyOrder order(map);
+  for (int & edge : edges)
+  {
+    edge = order.Edge(edge);
+  }
+  std::sort(edges.begin(), edges.end());
+  SphericalPacking sphere = PackInGivenOrder(
+    order.Map(), infinity, std::move(edges), isVisible.empty() ? isVisible : order.NodesThere(isVisible));
+  sphere.nodes = order.NodesBack(sphere.nodes);
+  sphere.faces = order.FacesBack(sphere.faces);
+  sphere.touchPoints = order.EdgesBack(sphere.touchPoints);
+  return sphere;
+}
+} // namespace
+
+SphericalPacking
+PackOnSphere(const CombinatorialMap &  map,
+             PointAtInfinity           infinity,
+             std::vector<int>          edges,
+             const std::vector<char> & isVisible)
+{
+  return NearbyOrder::Pays(map) ? PackInNearbyOrder(map, infinity, std::move(edges), isVisible)
+                                : PackInGivenOrder(map, infinity, std::move(edges), isVisible);
+}
+} // namespace shapeton

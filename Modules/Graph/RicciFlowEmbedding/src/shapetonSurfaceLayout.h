@@ -1,0 +1,133 @@
+#ifndef shapetonSurfaceLayout_h
+#define shapetonSurfaceLayout_h
+
+#include "RicciFlowEmbeddingExport.h"
+#include "shapetonPlaneMotion.h"
+
+#include <vector>
+
+namespace shapeton
+{
+/** \brief A packing of a surface of genus >= 1, cut open along a graph and laid out in the plane or the Poincare disk.
+ *
+ * The nodes lie along the tree of shortest paths from the centre of the largest circle, which is the origin. The other
+ * edges that are not cut form a tree of the dual graph; it has the longest loops, so the 2g loops that are left, and
+ * their deck transformations, are the shortest that one base point allows (Erickson and Whittlesey 2005).
+ * \ingroup RicciFlowEmbedding */
+class RicciFlowEmbedding_EXPORT SurfaceLayout
+{
+public:
+  /** \pre `map` has genus 1 and a Euclidean packing, or genus 2 and more and a hyperbolic one. Both must outlive the
+   * layout. */
+  SurfaceLayout(const CombinatorialMap & map, const CirclePacking & packing);
+
+  /** Of each node: the motion that takes the origin to its lift and the real axis to its first half-edge. */
+  const std::vector<PlaneMotion> &
+  Frames() const
+  {
+    return m_Frames;
+  }
+  /** The half-edge that leads to each node along the tree; -1 for the root. */
+  const std::vector<int> &
+  Arrivals() const
+  {
+    return m_Arrivals;
+  }
+  /** The frame of the end node that is reached along a half-edge from the frame of its start node. */
+  PlaneMotion
+  FrameAcross(int halfEdge) const;
+  /** The deck transformation from the frame of the end node to FrameAcross(). */
+  PlaneMotion
+  DeckTransformationOf(int halfEdge) const;
+  /** The lift of a face that lies beside the lift of the start node of its smallest half-edge. */
+  PlaneMotion::Complex
+  FaceCentre(int face) const;
+
+  /** The half-edges 2e of the 2g edges that cut the surface open, with the tree, into one disk; ascending. */
+  const std::vector<int> &
+  CutHalfEdges() const
+  {
+    return m_Cut;
+  }
+  /** The boundary of the disk: k + 1 where half-edge CutHalfEdges()[k] is met, -(k + 1) for its twin. Each letter
+   * stands for its deck transformation; their product in this order is the identity. */
+  const std::vector<int> &
+  Word() const
+  {
+    return m_Word;
+  }
+
+private:
+  void
+  BuildFrames();
+  void
+  FindCut(const std::vector<double> & distances);
+  void
+  ReadWord(const std::vector<char> & isCrossed);
+
+  const CombinatorialMap & m_Map;
+  const CirclePacking &    m_Packing;
+  std::vector<double>      m_Angles;
+  std::vector<PlaneMotion> m_Frames;
+  std::vector<int>         m_Arrivals;
+  std::vector<int>         m_Cut;
+  std::vector<int>         m_Word;
+};
+
+/** \brief The words of a canonical fundamental polygon: A1, B1, ... Ag, Bg with A1 B1 A1^-1 B1^-1 ... equal to `word`
+ * in the free group.
+ *
+ * For a word U a P b Q a^-1 R b^-1 S: A = U a Q^-1 R^-1 U^-1, B = U R Q P b R^-1 U^-1, and U R Q P S is left. Throws
+ * std::invalid_argument for a word that is not that of a closed orientable surface cut into one disk.
+ * \ingroup RicciFlowEmbedding */
+RicciFlowEmbedding_EXPORT std::vector<std::vector<int>>
+                          CanonicalWords(const std::vector<int> & word);
+
+/** The cyclic rotation of a word of motions of the disk whose partial products stay smallest: rounding errors of the
+ * product grow with the square of their size. \ingroup RicciFlowEmbedding */
+RicciFlowEmbedding_EXPORT std::vector<int>
+                          CentredWord(const std::vector<PlaneMotion> & generators, const std::vector<int> & word);
+
+/** A reduced basis of the lattice of two translations: |w1| <= |w2|, |Re(conj(w1) w2)| <= |w1|^2 / 2, Im(conj(w1) w2) >
+ * 0. \ingroup RicciFlowEmbedding */
+RicciFlowEmbedding_EXPORT std::array<std::complex<double>, 2>
+                          ReducedLattice(std::complex<double> w1, std::complex<double> w2);
+
+/** \brief Motions of the Poincare disk that obey a relation, to 300 digits.
+ *
+ * The generators come from radii in double precision, so their relation holds to about 1e-11 times the size of the
+ * matrices. The least change of all of them that makes the relation exact is found by Newton's method, so that long
+ * words keep their meaning. \ingroup RicciFlowEmbedding */
+struct DeckRelation
+{
+  /** The generators after the change, rounded. */
+  std::vector<PlaneMotion> generators;
+  /** Whether they were changed: not where the relation does not even hold to 0.1, for genera of about 30 and more. */
+  bool isRefined{ false };
+  /** The largest |product - identity| of the relation: as given, with the rounded generators after the change, and of
+   * the product of commutators of `canonicalWords` with the exact ones. */
+  double givenResidual{ 0.0 };
+  double residual{ 0.0 };
+  double canonicalResidual{ 0.0 };
+  /** The motions of the canonical words, rounded; empty for words of more than 160 letters (genus 40), for which the
+   * residual is 0, too. */
+  std::vector<PlaneMotion> canonical;
+};
+
+RicciFlowEmbedding_EXPORT DeckRelation
+RefineDeckRelation(const std::vector<PlaneMotion> &      generators,
+                   const std::vector<int> &              word,
+                   const std::vector<std::vector<int>> & canonicalWords);
+
+/** The largest difference between a product of motions of the disk, by letters, and plus or minus the identity, in
+ * double precision. \ingroup RicciFlowEmbedding */
+RicciFlowEmbedding_EXPORT double
+WordResidual(const std::vector<PlaneMotion> & generators, const std::vector<int> & word);
+
+/** The `number` elements of the group whose images of the origin lie nearest to it, the identity first: a finite part
+ * of the universal cover. \ingroup RicciFlowEmbedding */
+RicciFlowEmbedding_EXPORT std::vector<PlaneMotion>
+                          UniversalCover(const std::vector<PlaneMotion> & generators, int number);
+} // namespace shapeton
+
+#endif

@@ -1,0 +1,397 @@
+#include "shapetonGraphEmbedding.h"
+
+#include "shapetonBlockArrangement.h"
+#include "shapetonCanonicalMapOrder.h"
+#include "shapetonGraphFamilies.h"
+#include "itkMultiThreaderBase.h"
+#include "shapetonSplitArrangement.h"
+#include "shapetonExceptions.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace
+{
+/** A triangulation of the sphere: nodes put into triangles, whose choice looks random. */
+shapeton::CombinatorialMap
+StackedTriangles(int nodes)
+{
+  std::vector<std::array<int, 3>> triangles{ { 0, 1, 2 }, { 0, 2, 1 } };
+  unsigned int                    state = 12345;
+  for (int node = 3; node < nodes; ++node)
+  {
+    state = state * 1664525U + 1013904223U;
+    std::array<int, 3> &     t = triangles[(state >> 8) % triangles.size()];
+    const std::array<int, 3> old = t;
+    t = { old[0], old[1], node };
+    triangles.push_back({ old[1], old[2], node });
+    triangles.push_back({ old[2], old[0], node });
+  }
+  shapeton::Graph               graph;
+  std::vector<std::vector<int>> halfEdge(nodes, std::vector<int>(nodes, -1));
+  graph.nodes = nodes;
+  for (const auto & t : triangles)
+  {
+    for (int k = 0; k < 3; ++k)
+    {
+      const int a = t[k];
+      const int b = t[(k + 1) % 3];
+      if (halfEdge[a][b] < 0)
+      {
+        halfEdge[a][b] = static_cast<int>(2 * graph.edges.size());
+        halfEdge[b][a] = halfEdge[a][b] + 1;
+        graph.edges.push_back({ a, b });
+      }
+    }
+  }
+  std::vector<int> next(2 * graph.edges.size());
+  for (const auto & t : triangles)
+  {
+    for (int k = 0; k < 3; ++k)
+    {
+      next[halfEdge[t[k]][t[(k + 1) % 3]]] = halfEdge[t[k]][t[(k + 2) % 3]];
+    }
+  }
+  return { nodes, graph.edges, next };
+}
+
+/** The same map with nodes and edges numbered backwards in strides. */
+shapeton::CombinatorialMap
+Renumbered(const shapeton::CombinatorialMap & map, std::vector<int> & image)
+{
+  const auto stride = [](int number) {
+    std::vector<int> list(number);
+    for (int i = 0; i < number; ++i)
+    {
+      list[i] = static_cast<int>((7LL * i + 3) % number);
+    }
+    return list;
+  };
+  image = stride(map.Nodes());
+  const std::vector<int>          edgeImage = stride(map.Edges());
+  std::vector<std::array<int, 2>> edges(map.Edges());
+  std::vector<int>                next(map.HalfEdges());
+  for (int h = 0; h < map.HalfEdges(); ++h)
+  {
+    const int to = 2 * edgeImage[h / 2] + h % 2;
+    edges[to / 2][to % 2] = image[map.Node(h)];
+    next[to] = 2 * edgeImage[map.NextAround(h) / 2] + map.NextAround(h) % 2;
+  }
+  return { map.Nodes(), edges, next };
+}
+
+/** The order of half-edges around the nodes of a path. */
+shapeton::CombinatorialMap
+PathMap(int nodes)
+{
+  const shapeton::Graph path = shapeton::PathGraph(nodes);
+  shapeton::Rotation    rotation(nodes);
+  for (int i = 0; i < nodes; ++i)
+  {
+    if (i > 0)
+    {
+      rotation[i].push_back(2 * i - 1);
+    }
+    if (i + 1 < nodes)
+    {
+      rotation[i].push_back(2 * i);
+    }
+  }
+  return { path, rotation };
+}
+
+double
+Statistic(const shapeton::EmbeddingCertificate & certificate, const std::string & name)
+{
+  for (const auto & [key, value] : certificate.statistics)
+  {
+    if (key == name)
+    {
+      return value;
+    }
+  }
+  ADD_FAILURE() << name;
+  return 0.0;
+}
+} // namespace
+
+TEST(GraphEmbedding, ThreeConnectedGraphsAgreeWhateverTheirNumbersAndSide)
+{
+  const shapeton::CombinatorialMap map = StackedTriangles(80);
+  std::vector<int>                 image;
+  const shapeton::CombinatorialMap other = Renumbered(map, image).Mirrored();
+  shapeton::GraphEmbeddingOptions  options;
+  options.isRotationFree = true;
+  const auto one = shapeton::EmbedGraph(map.ToGraph(), map, options);
+  const auto two = shapeton::EmbedGraph(other.ToGraph(), other, options);
+  for (int node = 0; node < map.Nodes(); ++node)
+  {
+    EXPECT_NEAR(one.nodeRadii[node], two.nodeRadii[image[node]], 1e-9);
+    for (int i = 0; i < 3; ++i)
+    {
+      EXPECT_NEAR(one.nodePositions[3 * node + i], two.nodePositions[3 * image[node] + i], 1e-9);
+    }
+  }
+}
+
+TEST(GraphEmbedding, BothPointsAtInfinityGiveTheSamePlaces)
+{
+  const shapeton::CombinatorialMap map = StackedTriangles(60);
+  shapeton::GraphEmbeddingOptions  options;
+  const auto                       circle = shapeton::EmbedGraph(map.ToGraph(), map, options);
+  options.infinity = shapeton::PointAtInfinity::EdgeNode;
+  const auto edgeNode = shapeton::EmbedGraph(map.ToGraph(), map, options);
+  for (std::size_t i = 0; i < circle.nodePositions.size(); ++i)
+  {
+    EXPECT_NEAR(circle.nodePositions[i], edgeNode.nodePositions[i], 1e-9);
+  }
+}
+
+TEST(GraphEmbedding, TheSameBytesForAnyNumberOfThreads)
+{
+  const shapeton::CombinatorialMap                                 torus = shapeton::TorusGridMap(70, 90, true);
+  std::vector<std::pair<std::vector<double>, std::vector<double>>> results;
+  for (const unsigned int threads : { 1U, 3U })
+  {
+    itk::MultiThreaderBase::SetGlobalDefaultNumberOfThreads(threads);
+    const auto certificate = shapeton::EmbedGraph(torus.ToGraph(), torus);
+    results.emplace_back(certificate.nodeRadii, certificate.nodePositions);
+  }
+  EXPECT_EQ(results[0], results[1]);
+}
+
+TEST(GraphEmbedding, ALongPathKeepsItsCirclesLarge)
+{
+  const shapeton::CombinatorialMap map = PathMap(80);
+  const auto                       certificate = shapeton::EmbedGraph(map.ToGraph(), map);
+  EXPECT_GT(Statistic(certificate, "smallestRadius"), 1e-5);
+  EXPECT_LE(Statistic(certificate, "residual"), 1e-12);
+}
+
+TEST(GraphEmbedding, NestedTrianglesAreEmbeddedWithAWarning)
+{
+  // Each triangle within the one before: the radii fall by a constant factor from one to the next.
+  shapeton::Graph    graph;
+  shapeton::Rotation rotation;
+  constexpr int      layers = 20;
+  graph.nodes = 3 * layers;
+  rotation.resize(graph.nodes);
+  for (int layer = 0; layer < layers; ++layer)
+  {
+    for (int k = 0; k < 3; ++k)
+    {
+      graph.edges.push_back({ 3 * layer + k, 3 * layer + (k + 1) % 3 }); // edge 6 layer + 2 k
+      graph.edges.push_back({ 3 * layer + k, layer + 1 < layers ? 3 * layer + 3 + k : 3 * layer + k });
+    }
+  }
+  std::vector<std::array<int, 2>> edges;
+  std::vector<int>                numberOf(graph.edges.size(), -1);
+  for (std::size_t e = 0; e < graph.edges.size(); ++e)
+  {
+    if (graph.edges[e][0] != graph.edges[e][1])
+    {
+      numberOf[e] = static_cast<int>(edges.size());
+      edges.push_back(graph.edges[e]);
+    }
+  }
+  for (int layer = 0; layer < layers; ++layer)
+  {
+    for (int k = 0; k < 3; ++k)
+    {
+      std::vector<int> & around = rotation[3 * layer + k];
+      const auto         half = [&](int e, int end) { return 2 * numberOf[e] + end; };
+      around.push_back(half(6 * layer + 2 * k, 0));
+      if (layer + 1 < layers)
+      {
+        around.push_back(half(6 * layer + 2 * k + 1, 0));
+      }
+      around.push_back(half(6 * layer + 2 * ((k + 2) % 3), 1));
+      if (layer > 0)
+      {
+        around.push_back(half(6 * (layer - 1) + 2 * k + 1, 1));
+      }
+    }
+  }
+  graph.edges = edges;
+  const shapeton::CombinatorialMap map(graph, rotation);
+  ASSERT_EQ(map.Genus(), 0);
+  const auto certificate = shapeton::EmbedGraph(graph, map);
+  EXPECT_EQ(certificate.packed.nodes, graph.nodes);
+  EXPECT_LE(Statistic(certificate, "residual"), 1e-12);
+  EXPECT_EQ(certificate.warnings.empty(), Statistic(certificate, "smallestRadius") > shapeton::smallestLegibleRadius);
+}
+
+TEST(GraphEmbedding, BlocksOfAFaceComeOutOfIt)
+{
+  // Two triangles with a common node, one within the other; then side by side, and the faces are 3, 3 and 6 long.
+  const shapeton::Graph            graph{ 5, { { 0, 1 }, { 1, 2 }, { 2, 0 }, { 0, 3 }, { 3, 4 }, { 4, 0 } }, {} };
+  const shapeton::CombinatorialMap mixed(graph, { { 0, 6, 5, 11 }, { 1, 2 }, { 3, 4 }, { 7, 8 }, { 9, 10 } });
+  ASSERT_EQ(mixed.Genus(), 1);
+  const shapeton::CombinatorialMap arranged = shapeton::ArrangeBlocks(mixed);
+  EXPECT_EQ(arranged.Genus(), 0);
+  std::vector<int> lengths = arranged.FaceLengths();
+  std::sort(lengths.begin(), lengths.end());
+  EXPECT_EQ(lengths, (std::vector<int>{ 3, 3, 6 }));
+}
+
+TEST(GraphEmbedding, LargerSplitComponentsComeNearerToTheMiddle)
+{
+  // Nodes 0 and 1 with the edge 0 and paths of 1, 2, ... 5 inner nodes between them, in this order.
+  shapeton::Graph    graph{ 2, { { 0, 1 } }, {} };
+  shapeton::Rotation rotation{ { 0 }, { 1 } };
+  for (int inner = 1; inner <= 5; ++inner)
+  {
+    int last = 0;
+    for (int i = 0; i <= inner; ++i)
+    {
+      const int next = i < inner ? graph.nodes++ : 1;
+      const int h = 2 * static_cast<int>(graph.edges.size());
+      rotation.resize(graph.nodes);
+      graph.edges.push_back({ last, next });
+      rotation[last].push_back(h);
+      rotation[next].insert(next == 1 ? rotation[1].begin() : rotation[next].end(), h + 1);
+      last = next;
+    }
+  }
+  const shapeton::CombinatorialMap map(graph, rotation);
+  ASSERT_EQ(map.Genus(), 0);
+  const shapeton::CombinatorialMap arranged = shapeton::ArrangeSplitComponents(map);
+  EXPECT_EQ(arranged.Genus(), 0);
+  EXPECT_EQ(arranged.ToGraph().edges, graph.edges);
+  std::vector<int> sizes; // of the paths around node 0, from the edge on
+  for (const int h : arranged.Around(0))
+  {
+    int node = arranged.Node(h + 1);
+    int size = 0;
+    for (int along = h; node != 1; ++size)
+    {
+      along = arranged.NextAround(shapeton::CombinatorialMap::Twin(along));
+      node = arranged.Node(shapeton::CombinatorialMap::Twin(along));
+    }
+    sizes.push_back(size);
+  }
+  EXPECT_EQ(sizes, (std::vector<int>{ 0, 1, 3, 5, 4, 2 }));
+}
+
+TEST(GraphEmbedding, RungsOfALadderComeToTheSameSide)
+{
+  constexpr int      rungs = 12;
+  shapeton::Graph    ladder{ 2 * rungs, {}, {} };
+  shapeton::Rotation rotation(ladder.nodes);
+  for (int i = 0; i < rungs; ++i) // edges 3 i: rung, 3 i + 1 and 3 i + 2: onwards
+  {
+    ladder.edges.push_back({ i, rungs + i });
+    if (i + 1 < rungs)
+    {
+      ladder.edges.insert(ladder.edges.end(), { { i, i + 1 }, { rungs + i, rungs + i + 1 } });
+    }
+    const std::vector<int> forth = i + 1 < rungs ? std::vector<int>{ 6 * i + 2, 6 * i + 4 } : std::vector<int>{};
+    const std::vector<int> back = i > 0 ? std::vector<int>{ 6 * i - 3, 6 * i - 1 } : std::vector<int>{};
+    for (int side = 0; side < 2; ++side)
+    {
+      std::vector<int> & around = rotation[side * rungs + i];
+      around.push_back(6 * i + side);
+      for (const std::vector<int> & along : (i + side) % 2 == 0 ? std::array{ forth, back } : std::array{ back, forth })
+      {
+        around.insert(
+          around.end(), along.begin() + (along.empty() ? 0 : side), along.end() - (along.empty() ? 0 : 1 - side));
+      }
+    }
+  }
+  const shapeton::CombinatorialMap map(ladder, rotation);
+  ASSERT_EQ(map.Genus(), 0);
+  const auto longest = [](const shapeton::CombinatorialMap & m) {
+    const std::vector<int> lengths = m.FaceLengths();
+    return *std::max_element(lengths.begin(), lengths.end());
+  };
+  ASSERT_LT(longest(map), 8);
+  const shapeton::CombinatorialMap arranged = shapeton::ArrangeSplitComponents(map);
+  EXPECT_EQ(arranged.Genus(), 0);
+  EXPECT_EQ(longest(arranged), 2 * rungs);
+}
+
+TEST(GraphEmbedding, SplitComponentsWithEqualSidesStayAsTheyAre)
+{
+  const shapeton::CombinatorialMap map = StackedTriangles(40); // 3-connected
+  EXPECT_EQ(shapeton::ArrangeSplitComponents(map).GetRotation(), map.GetRotation());
+  const shapeton::Graph            theta{ 4, { { 0, 1 }, { 0, 2 }, { 2, 1 }, { 0, 3 }, { 3, 1 } }, {} };
+  const shapeton::CombinatorialMap three(theta, { { 0, 2, 6 }, { 1, 9, 5 }, { 3, 4 }, { 7, 8 } });
+  ASSERT_EQ(three.Genus(), 0);
+  EXPECT_EQ(shapeton::ArrangeSplitComponents(three).GetRotation(), three.GetRotation());
+}
+
+namespace
+{
+/** In each generation every edge gets a new node, joined with both of its ends (Dorogovtsev, Goltsev and Mendes). The
+ * oldest and largest triangles lie next to their edge, far from all else. */
+struct NestedTriangles
+{
+  explicit NestedTriangles(int generations)
+  {
+    std::vector<int> first;
+    std::vector<int> second;
+    rotation.resize(2);
+    graph.edges.push_back({ 0, 1 });
+    this->Grow(0, generations, first, second);
+    rotation[0] = first;
+    rotation[1].assign(second.rbegin(), second.rend());
+  }
+  /** Half-edges of an edge and of all that lies to its left: around the first node counter-clockwise, around the second
+   * clockwise. */
+  void
+  Grow(int edge, int generations, std::vector<int> & first, std::vector<int> & second)
+  {
+    first.push_back(2 * edge);
+    second.push_back(2 * edge + 1);
+    for (int rest = generations - 1; rest >= 0; --rest)
+    {
+      const int node = graph.nodes++;
+      const int before = static_cast<int>(graph.edges.size());
+      graph.edges.push_back({ graph.edges[edge][0], node });
+      graph.edges.push_back({ node, graph.edges[edge][1] });
+      std::vector<int> arriving;
+      std::vector<int> leaving;
+      this->Grow(before, rest, first, arriving);
+      this->Grow(before + 1, rest, leaving, second);
+      leaving.insert(leaving.end(), arriving.rbegin(), arriving.rend());
+      rotation.resize(graph.nodes);
+      rotation[node] = leaving;
+    }
+  }
+  shapeton::Graph    graph{ 2, {}, {} };
+  shapeton::Rotation rotation;
+};
+} // namespace
+
+TEST(GraphEmbedding, NestedSplitComponentsComeSideBySide)
+{
+  const NestedTriangles            nested(5);
+  const shapeton::CombinatorialMap map(nested.graph, nested.rotation);
+  ASSERT_EQ(map.Genus(), 0);
+  ASSERT_EQ(map.Nodes(), 123);
+  shapeton::GraphEmbeddingOptions options;
+  const double given = Statistic(shapeton::EmbedGraph(map.ToGraph(), map, options), "smallestRadius");
+  options.isRotationFree = true;
+  const auto   certificate = shapeton::EmbedGraph(map.ToGraph(), map, options);
+  const double arranged = Statistic(certificate, "smallestRadius");
+  EXPECT_LT(given, 1e-5);
+  EXPECT_GT(arranged, 3e-4);
+  EXPECT_LE(Statistic(certificate, "residual"), 1e-12);
+}
+
+TEST(GraphEmbedding, TheCanonicalOrderIsThatOfTheMapAlone)
+{
+  const shapeton::CombinatorialMap  map = StackedTriangles(50);
+  std::vector<int>                  image;
+  const shapeton::CombinatorialMap  other = Renumbered(map, image);
+  const shapeton::CanonicalMapOrder one(map, true);
+  const shapeton::CanonicalMapOrder two(other.Mirrored(), true);
+  EXPECT_NE(one.isMirrored, two.isMirrored);
+  for (int node = 0; node < map.Nodes(); ++node)
+  {
+    EXPECT_EQ(one.rank[node], two.rank[image[node]]);
+  }
+}

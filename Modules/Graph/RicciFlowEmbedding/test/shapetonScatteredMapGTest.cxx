@@ -1,0 +1,173 @@
+#include "shapetonCirclePacking.h"
+#include "shapetonGraphFamilies.h"
+#include "shapetonSphericalPacking.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace
+{
+/** Number i of n, when they are scattered over all of them; `n` is no multiple of 7919. */
+int
+Scattered(long i, long n)
+{
+  return static_cast<int>((i * 7919 + 13) % n);
+}
+
+/** The map with nodes and edges in an order without neighbourhood. */
+shapeton::CombinatorialMap
+ScatteredMap(const shapeton::CombinatorialMap & map)
+{
+  const auto                      halfEdgeOf = [&](int h) { return 2 * Scattered(h / 2, map.Edges()) + h % 2; };
+  std::vector<std::array<int, 2>> edges(map.Edges());
+  std::vector<int>                next(map.HalfEdges());
+  for (int h = 0; h < map.HalfEdges(); ++h)
+  {
+    edges[halfEdgeOf(h) / 2][h % 2] = Scattered(map.Node(h), map.Nodes());
+    next[halfEdgeOf(h)] = halfEdgeOf(map.NextAround(h));
+  }
+  return { map.Nodes(), edges, next };
+}
+
+/** A torus of squares without each 13th edge, so that circles differ; no node loses two. */
+shapeton::CombinatorialMap
+TorusWithHoles(int columns, int rows)
+{
+  const shapeton::CombinatorialMap torus = shapeton::TorusGridMap(columns, rows);
+  const shapeton::Graph            whole = torus.ToGraph();
+  std::vector<int>                 number(torus.Edges(), -1);
+  shapeton::Graph                  graph{ torus.Nodes(), {}, {} };
+  for (int edge = 0; edge < torus.Edges(); ++edge)
+  {
+    if (edge % 13 != 0)
+    {
+      number[edge] = static_cast<int>(graph.edges.size());
+      graph.edges.push_back(whole.edges[edge]);
+    }
+  }
+  shapeton::Rotation rotation(torus.Nodes());
+  for (int node = 0; node < torus.Nodes(); ++node)
+  {
+    for (const int h : torus.Around(node))
+    {
+      if (number[h / 2] >= 0)
+      {
+        rotation[node].push_back(2 * number[h / 2] + h % 2);
+      }
+    }
+  }
+  return { graph, rotation };
+}
+
+/** A tube of squares with one more node at either end: genus 0, 3-connected. */
+shapeton::CombinatorialMap
+ClosedTube(int columns, int rows)
+{
+  const int          south = columns * rows;
+  shapeton::Graph    graph{ south + 2, {}, {} };
+  shapeton::Rotation rotation(graph.nodes);
+  const auto at = [=](int c, int r) { return r < 0 ? south : r == rows ? south + 1 : r * columns + c % columns; };
+  // Edges first: to the right, then upwards from below the first row on.
+  const auto right = [=](int c, int r) { return r * columns + (c + columns) % columns; };
+  const auto up = [=](int c, int r) { return (rows + 1 + r) * columns + c; };
+  for (int r = 0; r < rows; ++r)
+  {
+    for (int c = 0; c < columns; ++c)
+    {
+      graph.edges.push_back({ at(c, r), at(c + 1, r) });
+    }
+  }
+  for (int r = -1; r < rows; ++r)
+  {
+    for (int c = 0; c < columns; ++c)
+    {
+      graph.edges.push_back({ at(c, r), at(c, r + 1) });
+    }
+  }
+  for (int r = 0; r < rows; ++r)
+  {
+    for (int c = 0; c < columns; ++c)
+    {
+      rotation[at(c, r)] = { 2 * right(c, r), 2 * up(c, r), 2 * right(c - 1, r) + 1, 2 * up(c, r - 1) + 1 };
+    }
+  }
+  for (int c = 0; c < columns; ++c)
+  {
+    rotation[south].push_back(2 * up(columns - 1 - c, -1));
+    rotation[south + 1].push_back(2 * up(c, rows - 1) + 1);
+  }
+  return { graph, rotation };
+}
+
+double
+Angle(const std::array<double, 3> & a, const std::array<double, 3> & b)
+{
+  return 2.0 * std::atan2(std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]),
+                          std::hypot(a[0] + b[0], a[1] + b[1], a[2] + b[2]));
+}
+} // namespace
+
+/** Large maps are packed in another order of nodes and edges; what comes back belongs to the given one. */
+TEST(ScatteredMap, RadiiAreThoseOfTheirCircles)
+{
+  const shapeton::CombinatorialMap map = ScatteredMap(TorusWithHoles(330, 340));
+  ASSERT_EQ(map.Genus(), 1);
+  ASSERT_GT(map.Edges(), 200'000);
+  const shapeton::CirclePacking packing = shapeton::PackCircles(map, shapeton::FlowGeometry::Euclidean);
+  const std::vector<double>     curvatures = shapeton::CurvaturesOf(map, packing);
+  const auto [least, most] = std::minmax_element(packing.nodeRadii.begin(), packing.nodeRadii.end());
+  EXPECT_GT(*most / *least, 1.1);
+  EXPECT_LT(*std::max_element(curvatures.begin(), curvatures.end()), 1e-10);
+  EXPECT_GT(*std::min_element(curvatures.begin(), curvatures.end()), -1e-10);
+}
+
+TEST(ScatteredMap, CirclesOfTheSphereTouch)
+{
+  const shapeton::CombinatorialMap map = ScatteredMap(ClosedTube(460, 230));
+  ASSERT_EQ(map.Genus(), 0);
+  ASSERT_GT(map.Edges(), 200'000);
+  const shapeton::SphericalPacking sphere = shapeton::PackOnSphere(map, shapeton::PointAtInfinity::Circle);
+  double                           worst = 0.0;
+  for (int edge = 0; edge < map.Edges(); ++edge)
+  {
+    const shapeton::SphereCircle & one = sphere.nodes[map.Node(2 * edge)];
+    const shapeton::SphereCircle & other = sphere.nodes[map.Node(2 * edge + 1)];
+    const shapeton::SphereCircle & left = sphere.faces[map.Face(2 * edge)];
+    const shapeton::SphereCircle & right = sphere.faces[map.Face(2 * edge + 1)];
+    for (const auto & [a, b] : { std::pair(one, other), std::pair(left, right) })
+    {
+      worst = std::max(
+        worst,
+        std::abs(Angle(shapeton::CentreOf(a), shapeton::CentreOf(b)) - shapeton::RadiusOf(a) - shapeton::RadiusOf(b)));
+    }
+    const double touch = Angle(shapeton::CentreOf(one), sphere.touchPoints[edge]) - shapeton::RadiusOf(one);
+    worst = std::max(worst, std::abs(touch));
+  }
+  EXPECT_LT(worst, 1e-9);
+}
+
+TEST(ScatteredMap, AHubIsFarFromItsNeighboursInAnyOrder)
+{
+  // A wheel whose hub comes first.
+  constexpr int      spokes = 101'000;
+  shapeton::Graph    graph{ spokes + 1, {}, {} };
+  shapeton::Rotation rotation(graph.nodes);
+  for (int i = 0; i < spokes; ++i)
+  {
+    graph.edges.push_back({ 0, 1 + i });
+    graph.edges.push_back({ 1 + i, 1 + (i + 1) % spokes });
+    rotation[0].push_back(4 * i);
+    rotation[1 + i] = { 4 * i + 2, 4 * i + 1, 4 * ((i + spokes - 1) % spokes) + 3 };
+  }
+  const shapeton::CombinatorialMap map(graph, rotation);
+  ASSERT_EQ(map.Genus(), 0);
+  ASSERT_GT(map.Edges(), 200'000);
+  const shapeton::SphericalPacking sphere = shapeton::PackOnSphere(map, shapeton::PointAtInfinity::Circle);
+  const double                     rim = shapeton::RadiusOf(sphere.nodes[1]);
+  // As in the closed form for wheels, see shapetonSphericalPackingGTest.cxx.
+  EXPECT_NEAR(std::sin(rim) / std::sin(rim + shapeton::RadiusOf(sphere.nodes[0])) / std::sin(std::acos(-1.0) / spokes),
+              1.0,
+              1e-7);
+}

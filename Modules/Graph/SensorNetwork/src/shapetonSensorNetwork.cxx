@@ -1,0 +1,125 @@
+#include "shapetonSensorNetwork.h"
+
+#include "shapetonPhilox.h"
+#include "shapetonExceptions.h"
+
+#include <cmath>
+#include <cstdio>
+
+namespace shapeton
+{
+namespace
+{
+constexpr std::uint32_t startPurpose = 0x5E4501;
+constexpr std::uint32_t stepPurpose = 0x5E4502;
+constexpr double        fullTurn = 6.283185307179586;
+// Devices turn around here, beyond the area, in parts of its side.
+constexpr double margin = 0.1;
+// A device in the network loses this part of its charge in a step, on the average, and gains so much when charging.
+constexpr double meanDrain = 0.01;
+constexpr double chargeOfStep = 0.05;
+constexpr double leastPower = 0.1;
+constexpr double powerToReturn = 0.5;
+constexpr double greatestTurn = 0.3; // radians in a step, to either side
+
+double
+Unit(std::uint32_t word)
+{
+  return word * (1.0 / 4294967296.0);
+}
+
+/** A coordinate beyond the margin is mirrored back. Returns whether it was. */
+bool
+Reflect(double & x, double side)
+{
+  const double low = -margin * side;
+  const double high = (1.0 + margin) * side;
+  if (x >= low && x <= high)
+  {
+    return false;
+  }
+  x = x < low ? 2.0 * low - x : 2.0 * high - x;
+  return true;
+}
+
+bool
+IsInside(const SensorDevice & device, double side)
+{
+  return device.x >= 0.0 && device.x <= side && device.y >= 0.0 && device.y <= side;
+}
+} // namespace
+
+SensorNetwork::SensorNetwork(const SensorNetworkOptions & options)
+  : m_Options(options), m_Devices(options.devices > 0 ? options.devices : 0), m_IsCharging(m_Devices.size(), false)
+{
+  RequireParameter(options.devices >= 1, "there are no devices; give 1 or more");
+  RequireParameter(options.range > 0.0, "the range is not positive; give metres above 0");
+  RequireParameter(options.side > 0.0, "the side of the area is not positive; give metres above 0");
+  RequireParameter(options.speed >= 0.0 && options.speed < 0.05 * options.side,
+                   "the speed is out of range; give 0 or more metres, less than a twentieth of the side");
+  for (std::uint32_t i = 0; i < m_Devices.size(); ++i)
+  {
+    const auto words = Philox4x32(options.seed, { i, 0, 0, startPurpose });
+    const auto more = Philox4x32(options.seed, { i, 1, 0, startPurpose });
+    m_Devices[i].x = options.side * Unit(words.a);
+    m_Devices[i].y = options.side * Unit(words.b);
+    m_Devices[i].power = powerToReturn + (1.0 - powerToReturn) * Unit(words.c);
+    m_Direction.push_back(fullTurn * Unit(words.d));
+    m_Drain.push_back(2.0 * meanDrain * Unit(more.a));
+  }
+}
+
+void
+SensorNetwork::Advance()
+{
+  ++m_Step;
+  for (std::uint32_t i = 0; i < m_Devices.size(); ++i)
+  {
+    SensorDevice & device = m_Devices[i];
+    const auto     words = Philox4x32(m_Options.seed, { i, m_Step, 0, stepPurpose });
+    m_Direction[i] += greatestTurn * (2.0 * Unit(words.a) - 1.0);
+    const double way = 2.0 * m_Options.speed * Unit(words.b);
+    device.x += way * std::cos(m_Direction[i]);
+    device.y += way * std::sin(m_Direction[i]);
+    if (Reflect(device.x, m_Options.side))
+    {
+      m_Direction[i] = 0.5 * fullTurn - m_Direction[i];
+    }
+    if (Reflect(device.y, m_Options.side))
+    {
+      m_Direction[i] = -m_Direction[i];
+    }
+    device.power += m_IsCharging[i] ? chargeOfStep : device.inNetwork ? -m_Drain[i] : 0.0;
+    m_IsCharging[i] = device.power < (m_IsCharging[i] ? powerToReturn : leastPower);
+    device.inNetwork = IsInside(device, m_Options.side) && !m_IsCharging[i];
+  }
+}
+
+std::string
+SensorNetwork::NameOfDevice(int device)
+{
+  char text[16];
+  std::snprintf(text, sizeof(text), "d%05d", device);
+  return text;
+}
+
+Graph
+SensorNetwork::GetGraph() const
+{
+  Graph                              graph;
+  std::vector<std::array<double, 2>> points;
+  std::vector<double>                reach;
+  for (std::size_t i = 0; i < m_Devices.size(); ++i)
+  {
+    if (m_Devices[i].inNetwork)
+    {
+      graph.names.push_back(NameOfDevice(static_cast<int>(i)));
+      points.push_back({ m_Devices[i].x, m_Devices[i].y });
+      reach.push_back(m_Options.range * std::sqrt(m_Devices[i].power));
+    }
+  }
+  graph.nodes = static_cast<int>(points.size());
+  graph.edges = LinksBetween(points, reach, m_Options.planar == PlanarSubgraph::Gabriel);
+  return graph;
+}
+} // namespace shapeton

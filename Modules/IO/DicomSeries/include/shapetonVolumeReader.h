@@ -1,0 +1,48 @@
+#ifndef shapetonVolumeReader_h
+#define shapetonVolumeReader_h
+
+#include "DicomSeriesExport.h"
+
+#include "shapetonVolume.h"
+
+#include <string>
+
+namespace shapeton
+{
+/** What a reader may repair. By default an irregular series is refused.
+ * \ingroup DicomSeries */
+struct VolumeReadOptions
+{
+  /** The Series Instance UID to take; needed where a folder holds two or more usable volumes. "UID#2" takes the second
+   * part of a mixed series, as DicomSeriesInspector numbers them. */
+  std::string seriesUID;
+  /** Fill gaps and uneven spacing by linear interpolation along the slice axis. Slices that lie on the new grid are
+   * kept as they are. */
+  bool resampleGaps{ false };
+  /** Resample a sheared (tilted) volume onto a grid with perpendicular axes: each slice keeps its plane and is moved
+   * within it by linear interpolation; what no slice covers gets the lowest intensity. */
+  bool deshear{ false };
+  /** Keep the first of several slices at one position. */
+  bool dropDuplicates{ false };
+  /** Take one DICOM slice as a volume of one slice; its thickness is its Slice Thickness, 1 mm where that is missing.
+   */
+  bool allowSingleSlice{ false };
+};
+
+/** Reads a folder (searched recursively), one DICOM file, or one NRRD, NIfTI or MetaImage file.
+ *
+ * A folder: one usable series beside localizers, other images or irregular series is taken with a note; two or more
+ * need VolumeReadOptions::seriesUID. One DICOM file: that file alone, all frames of an enhanced multi-frame image,
+ * never the other files of its folder. Pixel Padding Value becomes the lowest other intensity of the volume.
+ *
+ * NRRD (.nrrd, .nhdr), NIfTI (.nii, .nii.gz) and MetaImage (.mha, .mhd): three-dimensional scalar images with positive
+ * finite spacing, perpendicular axes and finite voxels. A fourth dimension must have the size 1. Left-handed axes, as
+ * most NIfTI files have, are kept.
+ *
+ * Throws InputError that names the file or series, the defect and the slices concerned, and what to do; ParameterError
+ * when a series is chosen from a file that has none. \ingroup DicomSeries */
+DicomSeries_EXPORT Volume
+ReadVolume(const std::string & path, const VolumeReadOptions & options = {});
+} // namespace shapeton
+
+#endif

@@ -1,0 +1,582 @@
+#include "shapetonDicomFile.h"
+
+#include "shapetonDicomTransferSyntax.h"
+
+#include "dcmtk/config/osconfig.h"
+#include "dcmtk/dcmdata/dctk.h"
+#include "dcmtk/dcmdata/dcpixseq.h"
+#include "dcmtk/dcmdata/dcpxitem.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+
+namespace shapeton
+{
+namespace
+{
+// Values longer than this stay on disk until they are asked for.
+constexpr Uint32 MaximumEagerValue = 4096;
+
+// A decoder may be asked for this many bytes of a frame whatever the size of its input ...
+constexpr std::uint64_t HarmlessFrameBytes = 64u << 20;
+// ... and for this many times its input. JPEG and RLE compress less; JPEG-LS and JPEG 2000 more, on constant images.
+constexpr std::uint64_t MaximumCompression = 2000;
+constexpr std::uint64_t MaximumDeflateRatio = 1032;
+
+// Cosines are written with six digits or so; more error than this is no rotation.
+constexpr double CosineTolerance = 1e-3;
+
+std::string
+Trimmed(const std::string & text)
+{
+  const auto first = text.find_first_not_of(std::string(" \0\t\r\n", 5));
+  const auto last = text.find_last_not_of(std::string(" \0\t\r\n", 5));
+  return first == std::string::npos ? std::string() : text.substr(first, last - first + 1);
+}
+
+/** Text for tables and messages: no control characters, one line, not endless. */
+std::string
+Printable(std::string text)
+{
+  std::replace_if(
+    text.begin(), text.end(), [](char c) { return static_cast<unsigned char>(c) < ' ' || c == 127; }, ' ');
+  return text.substr(0, 256);
+}
+
+std::string
+GetText(DcmItem & item, const DcmTagKey & tag)
+{
+  OFString value;
+  if (item.findAndGetOFStringArray(tag, value).bad())
+  {
+    return {};
+  }
+  return Printable(Trimmed(std::string(value.c_str(), value.size())));
+}
+
+/** The numbers of a value; empty when one of them is not a finite number. */
+std::vector<double>
+GetNumbers(DcmItem & item, const DcmTagKey & tag)
+{
+  OFString text;
+  if (item.findAndGetOFStringArray(tag, text).bad())
+  {
+    return {};
+  }
+  std::vector<double> numbers;
+  const char *        next = text.c_str();
+  const char * const  end = next + text.size();
+  while (next < end)
+  {
+    const char * const stop = std::find(next, end, '\\');
+    const std::string  token = Trimmed(std::string(next, stop));
+    const char *       first = token.data() + (!token.empty() && token.front() == '+' ? 1 : 0);
+    double             number = 0;
+    const auto         result = std::from_chars(first, token.data() + token.size(), number);
+    if (result.ec != std::errc() || result.ptr != token.data() + token.size() || !std::isfinite(number))
+    {
+      return {};
+    }
+    numbers.push_back(number);
+    next = stop + 1;
+  }
+  return numbers;
+}
+
+double
+GetNumber(DcmItem & item, const DcmTagKey & tag, double missing)
+{
+  const auto numbers = GetNumbers(item, tag);
+  return numbers.empty() ? missing : numbers.front();
+}
+
+int
+GetInteger(DcmItem & item, const DcmTagKey & tag, int missing)
+{
+  const double number = GetNumber(item, tag, missing);
+  return std::abs(number) <= 2147483647.0 ? static_cast<int>(number) : missing;
+}
+
+std::uint16_t
+GetWord(DcmItem & item, const DcmTagKey & tag, std::uint16_t missing)
+{
+  Uint16 word = missing;
+  return item.findAndGetUint16(tag, word).good() ? word : missing;
+}
+
+/** The first item of a sequence, or null. */
+DcmItem *
+GetItem(DcmItem * item, const DcmTagKey & sequence, signed long number = 0)
+{
+  DcmItem * found = nullptr;
+  return item && item->findAndGetSequenceItem(sequence, found, number).good() ? found : nullptr;
+}
+
+/** The bytes that tell DICOM from other files, so that no parser guesses at those. */
+enum class Signature
+{
+  none,
+  /** A data set without a meta header, perhaps. */
+  dataSet,
+  file
+};
+
+Signature
+FindSignature(const std::string & path)
+{
+  std::ifstream stream(path, std::ios::binary);
+  char          head[132] = {};
+  stream.read(head, sizeof(head));
+  if (stream.gcount() == sizeof(head) && std::string(head + 128, 4) == "DICM")
+  {
+    return Signature::file;
+  }
+  // Without a meta header the file starts with group 0002 or 0008, in either byte order.
+  const bool isLittle = (head[0] == 2 || head[0] == 8) && head[1] == 0;
+  const bool isBig = head[0] == 0 && (head[1] == 2 || head[1] == 8);
+  return stream.gcount() >= 8 && (isLittle || isBig) ? Signature::dataSet : Signature::none;
+}
+
+// ---- frames ----
+
+/** Where an attribute of a frame lies: in the frame's own functional group, in the shared one, or in the data set. */
+class FrameAttributes
+{
+public:
+  FrameAttributes(DcmItem & dataset, DcmItem * own, DcmItem * shared, bool isEnhanced)
+    : m_Dataset(dataset), m_Own(own), m_Shared(shared), m_IsEnhanced(isEnhanced)
+  {}
+
+  /** The item that holds the attributes of a functional group. */
+  DcmItem *
+  Find(const DcmTagKey & group) const
+  {
+    if (!m_IsEnhanced)
+    {
+      return &m_Dataset;
+    }
+    DcmItem * const own = GetItem(m_Own, group);
+    return own ? own : GetItem(m_Shared, group);
+  }
+
+  std::vector<double>
+  Numbers(const DcmTagKey & group, const DcmTagKey & tag) const
+  {
+    DcmItem * const item = this->Find(group);
+    return item ? GetNumbers(*item, tag) : std::vector<double>();
+  }
+
+  std::string
+  Text(const DcmTagKey & group, const DcmTagKey & tag) const
+  {
+    DcmItem * const item = this->Find(group);
+    return item ? GetText(*item, tag) : std::string();
+  }
+
+private:
+  DcmItem & m_Dataset;
+  DcmItem * m_Own;
+  DcmItem * m_Shared;
+  bool      m_IsEnhanced;
+};
+
+bool
+IsRotation(const double (&cosines)[6])
+{
+  const double * const row = cosines;
+  const double * const column = cosines + 3;
+  const auto           dot = [](const double * a, const double * b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; };
+  return std::abs(dot(row, row) - 1) <= CosineTolerance && std::abs(dot(column, column) - 1) <= CosineTolerance &&
+         std::abs(dot(row, column)) <= CosineTolerance;
+}
+
+void
+ReadGeometry(const FrameAttributes & attributes, DicomFrame & frame, std::string & refusal)
+{
+  const auto position = attributes.Numbers(DCM_PlanePositionSequence, DCM_ImagePositionPatient);
+  const auto orientation = attributes.Numbers(DCM_PlaneOrientationSequence, DCM_ImageOrientationPatient);
+  const auto spacing = attributes.Numbers(DCM_PixelMeasuresSequence, DCM_PixelSpacing);
+  const auto thickness = attributes.Numbers(DCM_PixelMeasuresSequence, DCM_SliceThickness);
+  frame.thickness = !thickness.empty() && thickness[0] > 0 ? thickness[0] : 0.0;
+  if (position.size() != 3 || orientation.size() != 6)
+  {
+    refusal = "a 2-D image (no Image Position and Orientation (Patient))";
+    return;
+  }
+  std::copy(position.begin(), position.end(), frame.position);
+  std::copy(orientation.begin(), orientation.end(), frame.orientation);
+  if (!IsRotation(frame.orientation))
+  {
+    refusal = "Image Orientation (Patient) is no pair of perpendicular unit vectors";
+    return;
+  }
+  if (spacing.size() != 2 || !(spacing[0] > 0) || !(spacing[1] > 0))
+  {
+    refusal = "Pixel Spacing is missing or not positive";
+    return;
+  }
+  std::copy(spacing.begin(), spacing.end(), frame.spacing);
+  frame.hasGeometry = true;
+}
+
+void
+ReadRescale(const FrameAttributes & attributes, DicomPixelFormat & pixels, std::string & refusal)
+{
+  DcmItem * const item = attributes.Find(DCM_PixelValueTransformationSequence);
+  if (!item)
+  {
+    return;
+  }
+  for (const auto & tag : { DCM_RescaleSlope, DCM_RescaleIntercept })
+  {
+    if (item->tagExistsWithValue(tag) && GetNumbers(*item, tag).size() != 1)
+    {
+      refusal = "Rescale Slope or Intercept is no number";
+    }
+  }
+  pixels.hasRescale = item->tagExistsWithValue(DCM_RescaleSlope) || item->tagExistsWithValue(DCM_RescaleIntercept);
+  pixels.slope = GetNumber(*item, DCM_RescaleSlope, 1.0);
+  pixels.intercept = GetNumber(*item, DCM_RescaleIntercept, 0.0);
+  if (pixels.slope == 0)
+  {
+    refusal = "Rescale Slope is 0";
+  }
+}
+
+void
+ReadAcquisition(const FrameAttributes & attributes, bool isEnhanced, bool isMR, DicomFrame & frame)
+{
+  const DcmTagKey typeGroup = isMR ? DCM_MRImageFrameTypeSequence : DCM_CTImageFrameTypeSequence;
+  auto *          next = frame.acquisition;
+  if (isEnhanced)
+  {
+    *next++ = attributes.Text(DCM_FrameContentSequence, DCM_FrameAcquisitionNumber);
+    *next++ = attributes.Text(DCM_FrameContentSequence, DCM_TemporalPositionIndex);
+    *next++ = attributes.Text(DCM_MREchoSequence, DCM_EffectiveEchoTime);
+    *next++ = attributes.Text(DCM_MRDiffusionSequence, DCM_DiffusionBValue);
+    *next++ = attributes.Text(DCM_FrameContentSequence, DCM_StackID);
+    *next = attributes.Text(typeGroup, DCM_FrameType);
+  }
+  else
+  {
+    *next++ = attributes.Text(DCM_Item, DCM_AcquisitionNumber);
+    *next++ = attributes.Text(DCM_Item, DCM_TemporalPositionIdentifier);
+    *next++ = attributes.Text(DCM_Item, DCM_EchoNumbers);
+    *next++ = attributes.Text(DCM_Item, DCM_DiffusionBValue);
+    *next++ = std::string();
+    *next = attributes.Text(DCM_Item, DCM_ImageType);
+  }
+  frame.isLocalizer = next->find("LOCALIZER") != std::string::npos || next->find("SCOUT") != std::string::npos;
+}
+
+// ---- pixels ----
+
+std::int64_t
+SignExtended(std::int64_t value, unsigned int bits)
+{
+  const std::int64_t sign = std::int64_t(1) << (bits - 1);
+  return ((value & (2 * sign - 1)) ^ sign) - sign;
+}
+
+/** Pixel Padding Value is written as US or SS, not always as the one that the pixels have. */
+void
+ReadPadding(DcmItem & dataset, DicomPixelFormat & pixels)
+{
+  const auto value = GetNumbers(dataset, DCM_PixelPaddingValue);
+  if (value.size() != 1 || std::abs(value[0]) > 65535)
+  {
+    return;
+  }
+  const double limit = GetNumber(dataset, DCM_PixelPaddingRangeLimit, value[0]);
+  const auto   stored = [&pixels](double number) {
+    const auto integer = static_cast<std::int64_t>(number);
+    return pixels.isSigned ? SignExtended(integer, 16) : integer & 0xFFFF;
+  };
+  if (std::abs(limit) > 65535)
+  {
+    return;
+  }
+  pixels.hasPadding = true;
+  pixels.paddingLow = std::min(stored(value[0]), stored(limit));
+  pixels.paddingHigh = std::max(stored(value[0]), stored(limit));
+}
+
+std::string
+ReadPixelFormat(DcmItem & dataset, DicomPixelFormat & pixels)
+{
+  pixels.bitsAllocated = GetWord(dataset, DCM_BitsAllocated, 0);
+  pixels.bitsStored = GetWord(dataset, DCM_BitsStored, pixels.bitsAllocated);
+  pixels.highBit = GetWord(dataset, DCM_HighBit, static_cast<std::uint16_t>(pixels.bitsStored - 1));
+  pixels.isSigned = GetWord(dataset, DCM_PixelRepresentation, 0) == 1;
+  if (pixels.bitsAllocated != 8 && pixels.bitsAllocated != 16)
+  {
+    return std::to_string(pixels.bitsAllocated) + " bits allocated for a pixel are not supported";
+  }
+  if (pixels.bitsStored < 1 || pixels.bitsStored > pixels.bitsAllocated || pixels.highBit >= pixels.bitsAllocated ||
+      pixels.highBit + 1 < pixels.bitsStored)
+  {
+    return "Bits Stored and High Bit contradict Bits Allocated";
+  }
+  ReadPadding(dataset, pixels);
+  return {};
+}
+
+std::string
+GetRefusal(DcmItem & dataset, bool & isOtherObject)
+{
+  const std::string photometric = GetText(dataset, DCM_PhotometricInterpretation);
+  isOtherObject = true;
+  if (GetText(dataset, DCM_SOPClassUID) == UID_SegmentationStorage)
+  {
+    return "a segmentation, no intensities";
+  }
+  if (dataset.tagExists(DCM_DoseGridScaling))
+  {
+    return "a dose grid, no intensities";
+  }
+  if (GetWord(dataset, DCM_SamplesPerPixel, 1) != 1 || photometric == "RGB" || photometric == "PALETTE COLOR" ||
+      photometric.compare(0, 3, "YBR") == 0)
+  {
+    return "a colour image (" + (photometric.empty() ? "several samples per pixel" : photometric) + ")";
+  }
+  isOtherObject = false;
+  if (!photometric.empty() && photometric != "MONOCHROME1" && photometric != "MONOCHROME2")
+  {
+    return "Photometric Interpretation " + photometric + " is not supported";
+  }
+  if (dataset.tagExistsWithValue(DCM_ModalityLUTSequence))
+  {
+    return "its Modality LUT Sequence (a table of intensities) is not supported";
+  }
+  if (dataset.tagExists(DCM_FloatPixelData) || dataset.tagExists(DCM_DoubleFloatPixelData))
+  {
+    isOtherObject = true;
+    return "floating-point pixel data are not supported";
+  }
+  return {};
+}
+
+/** Bytes of the encapsulated pixel data. */
+std::uint64_t
+CountFragmentBytes(DcmPixelSequence & sequence)
+{
+  std::uint64_t bytes = 0;
+  for (unsigned long i = 1; i < sequence.card(); ++i)
+  {
+    DcmPixelItem * item = nullptr;
+    if (sequence.getItem(item, i).good() && item)
+    {
+      bytes += item->getLength();
+    }
+  }
+  return bytes;
+}
+
+std::string
+CheckEncapsulated(DcmPixelData & pixelData, E_TransferSyntax syntax, std::uint64_t frames, std::uint64_t frameBytes)
+{
+  DcmPixelSequence *                 sequence = nullptr;
+  E_TransferSyntax                   storedSyntax = syntax;
+  const DcmRepresentationParameter * parameters = nullptr;
+  pixelData.getOriginalRepresentationKey(storedSyntax, parameters);
+  if (pixelData.getEncapsulatedRepresentation(storedSyntax, parameters, sequence).bad() || !sequence)
+  {
+    return "the compressed pixel data are missing";
+  }
+  const unsigned long fragments = sequence->card() > 0 ? sequence->card() - 1 : 0;
+  if (fragments < frames)
+  {
+    return "it has " + std::to_string(fragments) + " of " + std::to_string(frames) + " compressed frames";
+  }
+  const std::uint64_t bytes = CountFragmentBytes(*sequence);
+  if (frameBytes > HarmlessFrameBytes && frameBytes / MaximumCompression > bytes)
+  {
+    return "its " + std::to_string(bytes) + " compressed bytes cannot hold the image that the header claims";
+  }
+  return {};
+}
+
+/** Compares what the header claims with what the file holds; returns what is missing. */
+std::string
+CheckPixelData(DcmDataset & dataset, const DicomFile & file, const DicomPixelFormat & pixels)
+{
+  DcmElement * element = nullptr;
+  if (dataset.findAndGetElement(DCM_PixelData, element).bad() || !element)
+  {
+    return "it has no pixel data";
+  }
+  auto * const pixelData = dynamic_cast<DcmPixelData *>(element);
+  if (!pixelData)
+  {
+    return "its pixel data are malformed";
+  }
+  const std::uint64_t frameBytes = std::uint64_t(file.rows) * file.columns * (pixels.bitsAllocated / 8);
+  const std::uint64_t needed = frameBytes * file.frames.size();
+  const DcmXfer       syntax(dataset.getOriginalXfer());
+  if (syntax.isEncapsulated())
+  {
+    return CheckEncapsulated(*pixelData, syntax.getXfer(), file.frames.size(), frameBytes);
+  }
+  std::error_code     error;
+  const std::uint64_t length = std::filesystem::file_size(file.path, error);
+  const bool          isDeflated = syntax.getStreamCompression() == ESC_zlib;
+  const std::uint64_t limit = error ? 0 : isDeflated ? length * MaximumDeflateRatio : length;
+  const std::uint64_t present = std::min<std::uint64_t>(pixelData->getLength(dataset.getOriginalXfer()), limit);
+  if (present < needed)
+  {
+    return "its pixel data have " + std::to_string(present) + " of " + std::to_string(needed) + " bytes";
+  }
+  return {};
+}
+
+// ---- the file ----
+
+bool
+IsEnhanced(DcmDataset & dataset)
+{
+  return dataset.tagExists(DCM_PerFrameFunctionalGroupsSequence) ||
+         dataset.tagExists(DCM_SharedFunctionalGroupsSequence);
+}
+
+void
+ReadFrames(DcmDataset & dataset, std::uint64_t count, DicomFile & file)
+{
+  const bool      isEnhanced = IsEnhanced(dataset);
+  DcmItem * const shared = GetItem(&dataset, DCM_SharedFunctionalGroupsSequence);
+  DicomFrame      common;
+  std::string     refusal = ReadPixelFormat(dataset, common.pixels);
+  for (std::uint64_t i = 0; i < count && refusal.empty(); ++i)
+  {
+    DicomFrame            frame = common;
+    DcmItem * const       own = GetItem(&dataset, DCM_PerFrameFunctionalGroupsSequence, static_cast<signed long>(i));
+    const FrameAttributes attributes(dataset, own, shared, isEnhanced);
+    ReadGeometry(attributes, frame, refusal);
+    ReadRescale(attributes, frame.pixels, refusal);
+    ReadAcquisition(attributes, isEnhanced, file.modality == "MR", frame);
+    file.frames.push_back(frame);
+  }
+  if (file.refusal.empty() && !refusal.empty())
+  {
+    file.refusal = refusal;
+    file.isOtherObject = file.frames.empty() || !file.frames.back().hasGeometry;
+  }
+}
+
+/** The number of frames, as far as the file has descriptions of them. */
+std::uint64_t
+CountFrames(DcmDataset & dataset, DicomFile & file)
+{
+  const int claimed = GetInteger(dataset, DCM_NumberOfFrames, 1);
+  if (claimed <= 1 && !IsEnhanced(dataset))
+  {
+    return 1;
+  }
+  if (!IsEnhanced(dataset))
+  {
+    file.refusal = "a multi-frame image whose frames have no position (no functional groups)";
+    file.isOtherObject = true;
+    return 1;
+  }
+  DcmSequenceOfItems * sequence = nullptr;
+  dataset.findAndGetSequence(DCM_PerFrameFunctionalGroupsSequence, sequence);
+  const unsigned long described = sequence ? sequence->card() : 0;
+  if (file.refusal.empty() && (claimed < 1 || static_cast<unsigned long>(claimed) != described))
+  {
+    file.truncation = "it describes " + std::to_string(described) + " of " + std::to_string(claimed) + " frames";
+  }
+  return std::min<std::uint64_t>(described, claimed < 1 ? 0 : static_cast<std::uint64_t>(claimed));
+}
+
+void
+ReadIdentity(DcmFileFormat & format, DcmDataset & dataset, DicomFile & file)
+{
+  file.seriesUID = GetText(dataset, DCM_SeriesInstanceUID);
+  file.frameOfReferenceUID = GetText(dataset, DCM_FrameOfReferenceUID);
+  file.description = GetText(dataset, DCM_SeriesDescription);
+  file.modality = GetText(dataset, DCM_Modality);
+  file.patientPosition = GetText(dataset, DCM_PatientPosition);
+  file.seriesNumber = GetInteger(dataset, DCM_SeriesNumber, 0);
+  file.instanceNumber = GetInteger(dataset, DCM_InstanceNumber, 0);
+  file.isInverted = GetText(dataset, DCM_PhotometricInterpretation) == "MONOCHROME1";
+
+  const DcmXfer     syntax(dataset.getOriginalXfer());
+  const std::string stated = GetText(*format.getMetaInfo(), DCM_TransferSyntaxUID);
+  const bool        isKnown = stated.empty() || DcmXfer(stated.c_str()).getXfer() != EXS_Unknown;
+  file.transferSyntax = isKnown ? std::string(syntax.getXferName()) : stated;
+  file.isUnsupportedTransferSyntax = !isKnown || !IsSupported(syntax.getXfer());
+  file.isLossy = IsLossy(syntax.getXfer()) || GetText(dataset, DCM_LossyImageCompression) == "01";
+}
+
+void
+ReadImage(DcmDataset & dataset, DicomFile & file, bool isIncomplete)
+{
+  file.kind = DicomFile::Kind::image;
+  file.rows = GetWord(dataset, DCM_Rows, 0);
+  file.columns = GetWord(dataset, DCM_Columns, 0);
+  file.refusal = GetRefusal(dataset, file.isOtherObject);
+  if (file.refusal.empty() && (file.rows == 0 || file.columns == 0))
+  {
+    file.refusal = "it has no rows or no columns";
+    file.isOtherObject = true;
+  }
+  ReadFrames(dataset, CountFrames(dataset, file), file);
+  if (file.refusal.empty() && file.truncation.empty() && !file.isUnsupportedTransferSyntax && !file.frames.empty())
+  {
+    file.truncation = CheckPixelData(dataset, file, file.frames.front().pixels);
+  }
+  if (file.truncation.empty() && isIncomplete)
+  {
+    file.truncation = "the file ends within its data, or they are malformed";
+  }
+}
+
+/** What an object without an image is called. */
+std::string
+ObjectName(DcmFileFormat & format, DcmDataset & dataset)
+{
+  std::string uid = GetText(dataset, DCM_SOPClassUID);
+  if (uid.empty())
+  {
+    uid = GetText(*format.getMetaInfo(), DCM_MediaStorageSOPClassUID);
+  }
+  return uid.empty() ? std::string() : std::string(dcmFindNameOfUID(uid.c_str(), uid.c_str()));
+}
+} // namespace
+
+DicomFile
+ParseDicomFile(const std::string & path)
+{
+  DicomFile file;
+  file.path = path;
+  const Signature signature = FindSignature(path);
+  if (signature == Signature::none)
+  {
+    return file;
+  }
+  DcmFileFormat     format;
+  const OFCondition status =
+    format.loadFile(path.c_str(), EXS_Unknown, EGL_noChange, MaximumEagerValue, ERM_autoDetect);
+  DcmDataset &      dataset = *format.getDataset();
+  const std::string object = ObjectName(format, dataset);
+  const bool        isImage = dataset.tagExists(DCM_Rows) && dataset.tagExists(DCM_Columns);
+  if (isImage)
+  {
+    ReadIdentity(format, dataset, file);
+    ReadImage(dataset, file, status.bad());
+  }
+  else if (status.bad())
+  {
+    file.kind = DicomFile::Kind::damaged;
+    file.what = "the file ends within its header, or it is malformed (" + Printable(status.text()) + ")";
+  }
+  else if (!object.empty() || signature == Signature::file)
+  {
+    file.kind = DicomFile::Kind::notImage;
+    file.what = object.empty() ? "of unknown kind" : object;
+  }
+  return file;
+}
+} // namespace shapeton

@@ -1,0 +1,107 @@
+#ifndef shapetonDicomFile_h
+#define shapetonDicomFile_h
+
+#include "shapetonByteStream.h"
+#include "shapetonDicomSeriesScan.h"
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace shapeton
+{
+/** What the header of a DICOM file says of one frame. */
+struct DicomFrame
+{
+  bool   hasGeometry{ false };
+  double position[3]{};
+  /** Cosines along a row, then along a column. */
+  double orientation[6]{};
+  /** Between rows, between columns. */
+  double           spacing[2]{};
+  double           thickness{ 0 };
+  bool             isLocalizer{ false };
+  DicomPixelFormat pixels;
+
+  /** Attributes that may tell acquisitions at equal positions apart. */
+  static constexpr unsigned int NumberOfAcquisitionKeys = 6;
+  /** Acquisition number, temporal position, echo, b-value, stack, image type. */
+  std::string acquisition[NumberOfAcquisitionKeys];
+};
+
+/** What the header of a file says. */
+struct DicomFile
+{
+  enum class Kind : std::uint8_t
+  {
+    notDicom,
+    notImage,
+    /** Ends before its series is known. */
+    damaged,
+    image
+  };
+
+  std::string path;
+  Kind        kind{ Kind::notDicom };
+  /** notImage: what the object is. damaged: what is wrong. */
+  std::string what;
+
+  std::string seriesUID;
+  std::string frameOfReferenceUID;
+  std::string description;
+  std::string modality;
+  std::string patientPosition;
+  std::string transferSyntax;
+  int         seriesNumber{ 0 };
+  int         instanceNumber{ 0 };
+
+  std::uint16_t rows{ 0 };
+  std::uint16_t columns{ 0 };
+  bool          isLossy{ false };
+  bool          isInverted{ false };
+  /** The encoding of the pixels cannot be read. */
+  bool isUnsupportedTransferSyntax{ false };
+  /** What is missing; empty for a whole file. */
+  std::string truncation;
+  /** Why its pixels are no slice of a volume: colour, 2-D, ... */
+  std::string refusal;
+  /** The refusal says that the image is of another kind, and no damaged part of a volume. */
+  bool isOtherObject{ false };
+
+  std::vector<DicomFrame> frames;
+};
+
+/** Parses the header of a file by DCMTK. Runs in a contained process. */
+DicomFile
+ParseDicomFile(const std::string & path);
+
+/** Writes or reads all members of a file but its path. */
+template <typename TStream, typename TFile>
+void
+Transmit(TStream & stream, TFile & file)
+{
+  stream & file.kind & file.what & file.seriesUID & file.frameOfReferenceUID & file.description & file.modality & file
+    .patientPosition & file.transferSyntax & file.seriesNumber & file.instanceNumber & file.rows & file.columns & file
+    .isLossy & file.isInverted & file.isUnsupportedTransferSyntax & file.truncation & file.refusal & file.isOtherObject;
+  auto     count = static_cast<std::uint64_t>(file.frames.size());
+  stream & count;
+  if constexpr (!std::is_const<TFile>::value)
+  {
+    if (count > stream.GetLeft())
+    {
+      throw std::runtime_error("incomplete message");
+    }
+    file.frames.resize(count);
+  }
+  for (auto & frame : file.frames)
+  {
+    auto &   pixels = frame.pixels;
+    stream & frame.hasGeometry & frame.position & frame.orientation & frame.spacing & frame.thickness & frame
+      .isLocalizer & frame.acquisition & pixels.bitsAllocated & pixels.bitsStored & pixels.highBit & pixels
+      .isSigned & pixels.hasRescale & pixels.slope & pixels.intercept & pixels.hasPadding & pixels.paddingLow & pixels
+      .paddingHigh;
+  }
+}
+} // namespace shapeton
+
+#endif

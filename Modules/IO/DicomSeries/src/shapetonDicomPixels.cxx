@@ -1,0 +1,454 @@
+#include "shapetonDicomPixels.h"
+
+#include "shapetonByteStream.h"
+#include "shapetonContainedProcess.h"
+#include "shapetonDicomTransferSyntax.h"
+#include "shapetonExceptions.h"
+
+#include "dcmtk/config/osconfig.h"
+#include "dcmtk/dcmdata/dctk.h"
+#include "dcmtk/dcmdata/dcpixseq.h"
+#include "dcmtk/dcmdata/dcpxitem.h"
+
+#include "gdcmFragment.h"
+#include "gdcmImage.h"
+#include "gdcmSequenceOfFragments.h"
+#include "gdcmTrace.h"
+
+#include "itkMultiThreaderBase.h"
+
+#include <algorithm>
+#include <atomic>
+#include <limits>
+#include <memory>
+#include <mutex>
+#include <thread>
+
+namespace shapeton
+{
+namespace
+{
+// Decoding is limited by the memory's speed beyond this.
+constexpr std::size_t MaximumProcesses = 16;
+
+// ---- in the contained process ----
+
+/** The file that was asked for last: the frames of a multi-frame file come one after the other. */
+struct OpenFile
+{
+  std::string                    path;
+  std::unique_ptr<DcmFileFormat> format;
+};
+
+DcmDataset &
+Open(const std::string & path, OpenFile & file)
+{
+  if (file.path != path || !file.format)
+  {
+    file.format = std::make_unique<DcmFileFormat>();
+    file.path = path;
+    const OFCondition status = file.format->loadFile(path.c_str());
+    if (status.bad())
+    {
+      file.format.reset();
+      throw std::runtime_error(std::string("it is truncated or malformed (") + status.text() + ")");
+    }
+  }
+  return *file.format->getDataset();
+}
+
+void
+ReadNativeFrame(DcmDataset & dataset, DcmPixelData & pixelData, unsigned int frame, std::size_t bytes, char * pixels)
+{
+  Uint32            fragment = 0;
+  OFString          colorModel;
+  const OFCondition status =
+    pixelData.getUncompressedFrame(&dataset, frame, fragment, pixels, static_cast<Uint32>(bytes), colorModel);
+  if (status.bad())
+  {
+    throw std::runtime_error(std::string("its pixels cannot be read (") + status.text() + ")");
+  }
+}
+
+struct Fragment
+{
+  const char * data;
+  std::size_t  size;
+};
+
+std::vector<Fragment>
+ListFragments(DcmPixelSequence & sequence)
+{
+  std::vector<Fragment> fragments;
+  for (unsigned long i = 1; i < sequence.card(); ++i)
+  {
+    DcmPixelItem * item = nullptr;
+    Uint8 *        bytes = nullptr;
+    if (sequence.getItem(item, i).bad() || !item || (item->getLength() > 0 && item->getUint8Array(bytes).bad()))
+    {
+      throw std::runtime_error("its compressed pixels cannot be read");
+    }
+    fragments.push_back({ reinterpret_cast<const char *>(bytes), bytes ? item->getLength() : 0 });
+  }
+  return fragments;
+}
+
+/** Offsets of the frames from the first fragment's item tag; empty when the file has no table. */
+std::vector<std::size_t>
+ReadOffsetTable(DcmPixelSequence & sequence)
+{
+  DcmPixelItem *           table = nullptr;
+  Uint8 *                  bytes = nullptr;
+  std::vector<std::size_t> offsets;
+  if (sequence.getItem(table, 0).bad() || !table || table->getLength() < 4 || table->getUint8Array(bytes).bad())
+  {
+    return offsets;
+  }
+  for (Uint32 i = 0; i + 4 <= table->getLength(); i += 4)
+  {
+    offsets.push_back(bytes[i] | bytes[i + 1] << 8 | bytes[i + 2] << 16 | std::size_t(bytes[i + 3]) << 24);
+  }
+  return offsets;
+}
+
+/** The first fragment of each frame, by the offset table. */
+std::vector<std::size_t>
+FindFrameStarts(const std::vector<Fragment> & fragments, const std::vector<std::size_t> & offsets)
+{
+  constexpr std::size_t    itemHeader = 8;
+  std::vector<std::size_t> starts;
+  std::size_t              position = 0;
+  for (std::size_t i = 0; i < fragments.size() && starts.size() < offsets.size(); ++i)
+  {
+    if (position == offsets[starts.size()])
+    {
+      starts.push_back(i);
+    }
+    position += itemHeader + fragments[i].size;
+  }
+  return starts;
+}
+
+/** The first fragment of each frame, by the marker with which each JPEG (-LS, 2000) image starts. */
+std::vector<std::size_t>
+FindFrameStarts(const std::vector<Fragment> & fragments)
+{
+  std::vector<std::size_t> starts;
+  for (std::size_t i = 0; i < fragments.size(); ++i)
+  {
+    const auto * const data = reinterpret_cast<const unsigned char *>(fragments[i].data);
+    const bool         isStart =
+      fragments[i].size >= 3 && data[0] == 0xFF && ((data[1] == 0xD8 && data[2] == 0xFF) || data[1] == 0x4F);
+    if (isStart)
+    {
+      starts.push_back(i);
+    }
+  }
+  return starts;
+}
+
+/** The fragments of one frame. */
+std::vector<Fragment>
+SelectFragments(DcmPixelSequence & sequence, std::size_t frames, unsigned int frame)
+{
+  const auto fragments = ListFragments(sequence);
+  if (frames == 1)
+  {
+    return fragments;
+  }
+  if (fragments.size() == frames)
+  {
+    return { fragments[frame] };
+  }
+  auto starts = FindFrameStarts(fragments, ReadOffsetTable(sequence));
+  if (starts.size() != frames)
+  {
+    starts = FindFrameStarts(fragments);
+  }
+  if (starts.size() != frames)
+  {
+    throw std::runtime_error("its " + std::to_string(fragments.size()) +
+                             " compressed fragments cannot be assigned to " + std::to_string(frames) + " frames");
+  }
+  const std::size_t end = frame + 1 < frames ? starts[frame + 1] : fragments.size();
+  return { fragments.begin() + static_cast<std::ptrdiff_t>(starts[frame]),
+           fragments.begin() + static_cast<std::ptrdiff_t>(end) };
+}
+
+gdcm::PixelFormat
+ReadGdcmPixelFormat(DcmDataset & dataset)
+{
+  Uint16 allocated = 16;
+  Uint16 stored = 16;
+  Uint16 high = 15;
+  Uint16 representation = 0;
+  dataset.findAndGetUint16(DCM_BitsAllocated, allocated);
+  dataset.findAndGetUint16(DCM_BitsStored, stored);
+  high = static_cast<Uint16>(stored - 1);
+  dataset.findAndGetUint16(DCM_HighBit, high);
+  dataset.findAndGetUint16(DCM_PixelRepresentation, representation);
+  return gdcm::PixelFormat(1, allocated, stored, high, representation);
+}
+
+/** Returns the precision that the compressed stream states. */
+std::uint16_t
+DecodeFragments(DcmDataset & dataset, const std::vector<Fragment> & fragments, std::size_t bytes, char * pixels)
+{
+  auto sequence = gdcm::SequenceOfFragments::New();
+  for (const Fragment & fragment : fragments)
+  {
+    gdcm::Fragment copy;
+    copy.SetByteValue(fragment.data, static_cast<std::uint32_t>(fragment.size));
+    sequence->AddFragment(copy);
+  }
+  gdcm::DataElement element(gdcm::Tag(0x7fe0, 0x0010), 0, gdcm::VR::OB);
+  element.SetValue(*sequence);
+
+  Uint16 rows = 0;
+  Uint16 columns = 0;
+  dataset.findAndGetUint16(DCM_Rows, rows);
+  dataset.findAndGetUint16(DCM_Columns, columns);
+  gdcm::Image image;
+  image.SetNumberOfDimensions(2);
+  image.SetDimension(0, columns);
+  image.SetDimension(1, rows);
+  image.SetPixelFormat(ReadGdcmPixelFormat(dataset));
+  image.SetPhotometricInterpretation(gdcm::PhotometricInterpretation::MONOCHROME2);
+  image.SetTransferSyntax(gdcm::TransferSyntax::GetTSType(DcmXfer(dataset.getOriginalXfer()).getXferID()));
+  image.SetDataElement(element);
+  if (image.GetBufferLength() != bytes)
+  {
+    throw std::runtime_error("its header contradicts itself about the size of a frame");
+  }
+  std::vector<char> decoded(bytes);
+  if (!image.GetBuffer(decoded.data()))
+  {
+    throw std::runtime_error("its compressed pixels cannot be decoded");
+  }
+  // The codec corrects the format where the compressed stream has other bits than the header says.
+  if (image.GetBufferLength() != bytes)
+  {
+    throw std::runtime_error("its compressed pixels are not of the size that the header states");
+  }
+  std::copy(decoded.begin(), decoded.end(), pixels);
+  return image.GetPixelFormat().GetBitsStored();
+}
+
+/** Returns the bits of a decoded pixel where the encoding defines them, otherwise 0: then the header does. A JPEG 2000
+ * stream holds numbers, sometimes of more bits than Bits Stored says; the other encodings hold words. */
+std::uint16_t
+DecodeFrame(OpenFile & file, const std::string & path, unsigned int frame, std::size_t bytes, char * pixels)
+{
+  DcmDataset & dataset = Open(path, file);
+  DcmElement * element = nullptr;
+  dataset.findAndGetElement(DCM_PixelData, element);
+  auto * const pixelData = dynamic_cast<DcmPixelData *>(element);
+  if (!pixelData)
+  {
+    throw std::runtime_error("it has no pixel data");
+  }
+  const DcmXfer syntax(dataset.getOriginalXfer());
+  if (!syntax.isEncapsulated())
+  {
+    ReadNativeFrame(dataset, *pixelData, frame, bytes, pixels);
+    return 0;
+  }
+  DcmPixelSequence *                 sequence = nullptr;
+  E_TransferSyntax                   storedSyntax = EXS_Unknown;
+  const DcmRepresentationParameter * parameters = nullptr;
+  pixelData->getOriginalRepresentationKey(storedSyntax, parameters);
+  if (pixelData->getEncapsulatedRepresentation(storedSyntax, parameters, sequence).bad() || !sequence)
+  {
+    throw std::runtime_error("its compressed pixels are missing");
+  }
+  Sint32 frames = 1;
+  dataset.findAndGetSint32(DCM_NumberOfFrames, frames);
+  const auto count = static_cast<std::size_t>(std::max<Sint32>(frames, 1));
+  if (frame >= count)
+  {
+    throw std::runtime_error("it has no frame " + std::to_string(frame + 1));
+  }
+  const std::uint16_t bits = DecodeFragments(dataset, SelectFragments(*sequence, count, frame), bytes, pixels);
+  return syntax.getXfer() == EXS_JPEG2000 || syntax.getXfer() == EXS_JPEG2000LosslessOnly ? bits : std::uint16_t(0);
+}
+
+std::string
+Serve(OpenFile & file, const std::string & request, char * shared)
+{
+  gdcm::Trace::WarningOff();
+  gdcm::Trace::ErrorOff();
+  OFLog::configure(OFLogger::OFF_LOG_LEVEL);
+  std::string             path;
+  unsigned int            frame = 0;
+  std::size_t             bytes = 0;
+  ByteReader              reader(request);
+  reader & path & frame & bytes;
+  ByteWriter              response;
+  response &              DecodeFrame(file, path, frame, bytes, shared);
+  return response.GetBytes();
+}
+
+// ---- in this process ----
+
+template <typename TWord>
+void
+Convert(const char * stored, const DicomPixelFormat & format, std::size_t count, float * intensities)
+{
+  const auto * const  words = reinterpret_cast<const TWord *>(stored);
+  const unsigned int  shift = format.highBit + 1u - format.bitsStored;
+  const std::uint64_t mask = (std::uint64_t(1) << format.bitsStored) - 1;
+  const std::int64_t  sign = format.isSigned ? std::int64_t(1) << (format.bitsStored - 1) : 0;
+  const std::int64_t  lowest = format.isSigned ? -sign : 0;
+  const std::int64_t  highest = lowest + static_cast<std::int64_t>(mask);
+  // Some scanners write a padding value that does not fit into Bits Stored; then the whole word is compared.
+  const bool isWordPadding = format.hasPadding && (format.paddingLow < lowest || format.paddingHigh > highest);
+  const auto paddingWord = static_cast<TWord>(format.paddingLow);
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    const auto         bits = static_cast<std::int64_t>((std::uint64_t(words[i]) >> shift) & mask);
+    const std::int64_t value = (bits ^ sign) - sign;
+    const bool         isPadding =
+      format.hasPadding &&
+      (isWordPadding ? words[i] == paddingWord : value >= format.paddingLow && value <= format.paddingHigh);
+    intensities[i] = isPadding ? std::numeric_limits<float>::quiet_NaN()
+                               : static_cast<float>(format.slope * static_cast<double>(value) + format.intercept);
+  }
+}
+
+std::size_t
+BytesOf(const DicomSlice & slice, std::size_t pixels)
+{
+  return pixels * (slice.pixels.bitsAllocated / 8);
+}
+
+/** The first failure, in the order of the slices, of threads that share the work. */
+class FirstFailure
+{
+public:
+  void
+  Record(std::size_t slice, const std::exception_ptr & error)
+  {
+    const std::lock_guard<std::mutex> lock(m_Mutex);
+    if (slice < m_Slice)
+    {
+      m_Slice = slice;
+      m_Error = error;
+    }
+    m_IsSet = true;
+  }
+  bool
+  IsSet() const
+  {
+    return m_IsSet;
+  }
+  void
+  Rethrow() const
+  {
+    if (m_Error)
+    {
+      std::rethrow_exception(m_Error);
+    }
+  }
+
+private:
+  std::mutex         m_Mutex;
+  std::size_t        m_Slice{ std::numeric_limits<std::size_t>::max() };
+  std::exception_ptr m_Error;
+  std::atomic<bool>  m_IsSet{ false };
+};
+
+void
+ReadSlice(ContainedProcess & process, const DicomSlice & slice, std::size_t pixels, float * intensities)
+{
+  ByteWriter request;
+  request & slice.file & slice.frame & BytesOf(slice, pixels);
+  DicomPixelFormat                     format = slice.pixels;
+  std::uint16_t                        bits = 0;
+  try
+  {
+    const std::string response = process.Call(request.GetBytes());
+    ByteReader(response) & bits;
+  }
+  catch (const ContainedProcess::Failure & failure)
+  {
+    throw InputError(slice.file + ": " + failure.what());
+  }
+  if (bits > format.bitsStored && bits <= format.bitsAllocated)
+  {
+    format.bitsStored = bits;
+    format.highBit = static_cast<std::uint16_t>(bits - 1);
+  }
+  ConvertDicomPixels(process.GetShared(), format, pixels, intensities);
+}
+} // namespace
+
+void
+ConvertDicomPixels(const char * stored, const DicomPixelFormat & format, std::size_t count, float * intensities)
+{
+  switch (format.bitsAllocated)
+  {
+    case 8:
+      return Convert<std::uint8_t>(stored, format, count, intensities);
+    default:
+      return Convert<std::uint16_t>(stored, format, count, intensities);
+  }
+}
+
+void
+ReadDicomSlices(const std::vector<const DicomSlice *> & slices,
+                unsigned int                            columns,
+                unsigned int                            rows,
+                float *                                 intensities)
+{
+  if (slices.empty())
+  {
+    return;
+  }
+  const std::size_t pixels = std::size_t(columns) * rows;
+  std::size_t       bytes = 0;
+  for (const DicomSlice * slice : slices)
+  {
+    bytes = std::max(bytes, BytesOf(*slice, pixels));
+  }
+  // JPEG 2000 takes about a second for 10 MB.
+  const auto                     seconds = static_cast<unsigned int>(20 + bytes / 1000000);
+  const ContainedProcess::Limits limits{ (std::size_t(512) << 20) + 16 * bytes, seconds, 600 + seconds };
+  const std::size_t              threads = itk::MultiThreaderBase::GetGlobalDefaultNumberOfThreads();
+  const std::size_t count = std::min({ slices.size(), std::max<std::size_t>(threads, 1), MaximumProcesses });
+
+  // All children are forked before the first thread starts.
+  std::vector<std::unique_ptr<ContainedProcess>> processes;
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    const auto file = std::make_shared<OpenFile>();
+    processes.push_back(std::make_unique<ContainedProcess>(
+      [file](const std::string & request, char * shared) { return Serve(*file, request, shared); }, bytes, limits));
+  }
+  std::atomic<std::size_t> next{ 0 };
+  FirstFailure             failure;
+  const auto               work = [&](ContainedProcess & process) {
+    for (std::size_t i = next++; i < slices.size() && !failure.IsSet(); i = next++)
+    {
+      try
+      {
+        ReadSlice(process, *slices[i], pixels, intensities + i * pixels);
+      }
+      catch (...)
+      {
+        failure.Record(i, std::current_exception());
+      }
+    }
+  };
+  std::vector<std::thread> helpers;
+  for (std::size_t i = 1; i < count; ++i)
+  {
+    helpers.emplace_back(work, std::ref(*processes[i]));
+  }
+  work(*processes[0]);
+  for (std::thread & helper : helpers)
+  {
+    helper.join();
+  }
+  failure.Rethrow();
+}
+} // namespace shapeton

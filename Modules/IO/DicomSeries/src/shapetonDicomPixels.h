@@ -1,0 +1,28 @@
+#ifndef shapetonDicomPixels_h
+#define shapetonDicomPixels_h
+
+#include "shapetonDicomSeriesScan.h"
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace shapeton
+{
+/** Turns stored pixels into intensities; padding becomes NaN. */
+void
+ConvertDicomPixels(const char * stored, const DicomPixelFormat & format, std::size_t count, float * intensities);
+
+/** Reads slices of equal size into consecutive blocks of `columns` x `rows` intensities; padding becomes NaN.
+ *
+ * Native encodings (implicit and explicit, little and big endian, deflated) are read by DCMTK, which has parsed the
+ * header anyway and reads one frame from the middle of a large file; compressed frames are decoded by GDCM, which has
+ * all codecs. Both work in contained processes, several at once. Throws InputError that names the file. */
+void
+ReadDicomSlices(const std::vector<const DicomSlice *> & slices,
+                unsigned int                            columns,
+                unsigned int                            rows,
+                float *                                 intensities);
+} // namespace shapeton
+
+#endif

@@ -1,0 +1,255 @@
+#include "shapetonDicomSeriesDefects.h"
+
+#include "shapetonDicomPixels.h"
+#include "shapetonNumberText.h"
+#include "shapetonExceptions.h"
+
+#include <algorithm>
+#include <cstring>
+#include <filesystem>
+#include <numeric>
+
+namespace shapeton
+{
+namespace
+{
+std::string
+Millimetres(double value)
+{
+  return NumberText(value) + " mm";
+}
+
+bool
+HaveEqualPixels(const DicomSeries & series, const SlicesGeometry::Duplicate & duplicate)
+{
+  std::vector<const DicomSlice *> slices;
+  for (unsigned int i = 0; i < duplicate.count; ++i)
+  {
+    slices.push_back(&series.slices[duplicate.first + i]);
+  }
+  const std::size_t  pixels = std::size_t(series.size[0]) * series.size[1];
+  std::vector<float> first(pixels);
+  std::vector<float> other(pixels);
+  ReadDicomSlices({ slices[0] }, series.size[0], series.size[1], first.data());
+  for (std::size_t i = 1; i < slices.size(); ++i)
+  {
+    ReadDicomSlices({ slices[i] }, series.size[0], series.size[1], other.data());
+    if (std::memcmp(first.data(), other.data(), pixels * sizeof(float)) != 0)
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+/** Pixels that cannot be read are not known to be equal. */
+bool
+AreIdentical(const DicomSeries & series, const SlicesGeometry::Duplicate & duplicate)
+{
+  try
+  {
+    return HaveEqualPixels(series, duplicate);
+  }
+  catch (const InputError &)
+  {
+    return false;
+  }
+}
+
+void
+AddDuplicates(DicomSeries & series, const SlicesGeometry & geometry)
+{
+  const bool isReadable =
+    !series.Has(DicomDefectKind::unsupportedTransferSyntax) && !series.Has(DicomDefectKind::truncated);
+  std::vector<unsigned int> indices[2];
+  unsigned int              positions[2] = { 0, 0 };
+  for (const auto & duplicate : geometry.duplicates)
+  {
+    const int kind = isReadable && AreIdentical(series, duplicate) ? 0 : 1;
+    ++positions[kind];
+    for (unsigned int i = 0; i < duplicate.count; ++i)
+    {
+      indices[kind].push_back(duplicate.first + i);
+    }
+  }
+  const char * endings[] = { " with equal pixels, the first: ", " with different pixels, the first: " };
+  for (const int kind : { 0, 1 })
+  {
+    if (!indices[kind].empty())
+    {
+      AddDefect(series,
+                kind == 0 ? DicomDefectKind::duplicateIdentical : DicomDefectKind::duplicateConflicting,
+                Count(positions[kind], "position") + " with several slices" + endings[kind] +
+                  NameOfSlice(series, indices[kind][0]) + " and " + NameOfSlice(series, indices[kind][1]),
+                indices[kind]);
+    }
+  }
+}
+
+void
+AddGaps(DicomSeries & series, const SlicesGeometry & geometry)
+{
+  if (geometry.gaps.empty())
+  {
+    return;
+  }
+  std::vector<unsigned int> indices;
+  std::size_t               missing = 0;
+  for (const auto & gap : geometry.gaps)
+  {
+    missing += gap.missing;
+    indices.push_back(gap.before);
+    indices.push_back(gap.after);
+  }
+  std::string message = Count(missing, "slice") + (missing == 1 ? " is" : " are") + " missing";
+  message += geometry.gaps.size() > 1 ? " in " + Count(geometry.gaps.size(), "gap") + ", the first" : "";
+  AddDefect(series,
+            DicomDefectKind::gap,
+            message + " between " + NameOfSlice(series, indices[0]) + " and " + NameOfSlice(series, indices[1]),
+            indices);
+}
+
+void
+AddVariableSpacing(DicomSeries & series, const SlicesGeometry & geometry)
+{
+  if (!geometry.isVariable)
+  {
+    return;
+  }
+  double lowest = series.slices.back().position;
+  double highest = 0;
+  for (std::size_t i = 1; i < series.slices.size(); ++i)
+  {
+    const double distance = series.slices[i].position - series.slices[i - 1].position;
+    if (distance > PositionTolerance(geometry.spacing))
+    {
+      lowest = std::min(lowest, distance);
+      highest = std::max(highest, distance);
+    }
+  }
+  AddDefect(series,
+            DicomDefectKind::variableSpacing,
+            "the distance of slices varies from " + Millimetres(lowest) + " to " + Millimetres(highest) +
+              ", first at " + NameOfSlice(series, geometry.unusual.front()),
+            geometry.unusual);
+}
+
+void
+AddShear(DicomSeries & series, const SlicesGeometry & geometry)
+{
+  if (!geometry.isSheared)
+  {
+    return;
+  }
+  AddDefect(series,
+            DicomDefectKind::shear,
+            geometry.isLinearShear ? "the line through the slices is tilted against their normal by " +
+                                       NumberText(geometry.tiltDegrees, 3) + " degrees (gantry tilt)"
+                                   : std::string("the slices are displaced against one another within their planes"),
+            AllIndices(series));
+}
+} // namespace
+
+const char *
+GetDicomDefectName(DicomDefectKind kind)
+{
+  switch (kind)
+  {
+    case DicomDefectKind::duplicateIdentical:
+      return "duplicateIdentical";
+    case DicomDefectKind::duplicateConflicting:
+      return "duplicateConflicting";
+    case DicomDefectKind::gap:
+      return "gap";
+    case DicomDefectKind::variableSpacing:
+      return "variableSpacing";
+    case DicomDefectKind::shear:
+      return "shear";
+    case DicomDefectKind::localizer:
+      return "localizer";
+    case DicomDefectKind::mixedSeries:
+      return "mixedSeries";
+    case DicomDefectKind::truncated:
+      return "truncated";
+    case DicomDefectKind::unsupportedTransferSyntax:
+      return "unsupportedTransferSyntax";
+    default:
+      return "notAnImage";
+  }
+}
+
+const char *
+GetDicomDefectAdvice(DicomDefectKind kind)
+{
+  switch (kind)
+  {
+    case DicomDefectKind::duplicateIdentical:
+    case DicomDefectKind::duplicateConflicting:
+      return "the parameter \"dropDuplicates\" keeps the first slice of each position";
+    case DicomDefectKind::gap:
+    case DicomDefectKind::variableSpacing:
+      return "the parameter \"resampleGaps\" interpolates";
+    case DicomDefectKind::shear:
+      return "the parameter \"deshear\" resamples onto perpendicular axes";
+    case DicomDefectKind::mixedSeries:
+      return "choose one part by the parameter \"seriesUID\" = UID#PART";
+    case DicomDefectKind::localizer:
+      return "choose a series with a volume";
+    case DicomDefectKind::unsupportedTransferSyntax:
+      return "convert the files to an uncompressed or JPEG encoding";
+    default:
+      return "copy the files from their source again";
+  }
+}
+
+std::string
+Count(std::size_t count, const std::string & noun)
+{
+  return std::to_string(count) + " " + noun + (count == 1 ? "" : "s");
+}
+
+std::string
+NameOfSlice(const DicomSeries & series, unsigned int index)
+{
+  const DicomSlice & slice = series.slices[index];
+  std::string        name =
+    "slice " + std::to_string(index + 1) + " (" + std::filesystem::path(slice.file).filename().string();
+  return name + (slice.frame > 0 ? ", frame " + std::to_string(slice.frame + 1) : "") + ")";
+}
+
+std::vector<unsigned int>
+AllIndices(const DicomSeries & series)
+{
+  std::vector<unsigned int> indices(series.slices.size());
+  std::iota(indices.begin(), indices.end(), 0U);
+  return indices;
+}
+
+void
+AddDefect(DicomSeries &                     series,
+          DicomDefectKind                   kind,
+          const std::string &               message,
+          const std::vector<unsigned int> & indices)
+{
+  DicomDefect defect{ kind, message, {}, {} };
+  for (const unsigned int index : indices)
+  {
+    const std::string & file = series.slices[index].file;
+    if (defect.files.empty() || defect.files.back() != file)
+    {
+      defect.files.push_back(file);
+    }
+    defect.slices.push_back(index + 1);
+  }
+  series.defects.push_back(std::move(defect));
+}
+
+void
+AddGeometryDefects(DicomSeries & series, const SlicesGeometry & geometry)
+{
+  AddDuplicates(series, geometry);
+  AddGaps(series, geometry);
+  AddVariableSpacing(series, geometry);
+  AddShear(series, geometry);
+}
+} // namespace shapeton

@@ -1,0 +1,349 @@
+#include "shapetonDicomSeriesFolder.h"
+
+#include "shapetonExceptions.h"
+
+#include "dcmtk/config/osconfig.h"
+#include "dcmtk/dcmdata/dctk.h"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <cerrno>
+#include <csignal>
+#include <cstring>
+#include <filesystem>
+#include <system_error>
+#include <vector>
+
+#include <fcntl.h>
+#include <stdio.h> // renameat2
+#include <unistd.h>
+
+namespace fs = std::filesystem;
+
+namespace shapeton
+{
+namespace
+{
+[[noreturn]] void
+ThrowCannotWrite(const fs::path & folder, const std::string & reason, const std::string & advice)
+{
+  throw OutputError("cannot write a series to \"" + folder.string() + "\": " + reason + "; " + advice);
+}
+
+bool
+IsNumber(const std::string & text)
+{
+  return !text.empty() && std::all_of(text.begin(), text.end(), [](unsigned char c) { return std::isdigit(c) != 0; });
+}
+
+bool
+IsSliceName(const std::string & name)
+{
+  const fs::path    path(name);
+  const std::string stem = path.stem().string();
+  return path.extension() == ".dcm" && stem.size() >= 6 && stem.compare(0, 2, "IM") == 0 && IsNumber(stem.substr(2));
+}
+
+bool
+IsOurSlice(const fs::directory_entry & entry)
+{
+  if (entry.is_symlink() || !entry.is_regular_file() || !IsSliceName(entry.path().filename().string()))
+  {
+    return false;
+  }
+  DcmFileFormat file;
+  OFString      manufacturer;
+  OFString      model;
+  return file.loadFile(entry.path().c_str()).good() &&
+         file.getDataset()->findAndGetOFString(DCM_Manufacturer, manufacturer).good() &&
+         file.getDataset()->findAndGetOFString(DCM_ManufacturerModelName, model).good() &&
+         manufacturer == DicomSeriesManufacturer && model == DicomSeriesModel;
+}
+
+// The real folder: through links, without a trailing separator.
+fs::path
+TargetOf(const std::string & folder)
+{
+  if (folder.empty())
+  {
+    throw OutputError("the name of the output folder is empty; give a folder name");
+  }
+  std::error_code error;
+  fs::path        target = fs::weakly_canonical(fs::absolute(folder), error).lexically_normal();
+  if (error)
+  {
+    ThrowCannotWrite(folder, error.message(), "give another name");
+  }
+  return target.has_filename() ? target : target.parent_path();
+}
+
+void
+CheckContents(const fs::path & target)
+{
+  if (!fs::exists(target))
+  {
+    return;
+  }
+  if (!fs::is_directory(target))
+  {
+    ThrowCannotWrite(target, "it is not a folder", "give another name");
+  }
+  std::error_code error;
+  if (fs::equivalent(target, fs::current_path(), error))
+  {
+    ThrowCannotWrite(target, "it is the current folder", "give the name of a folder inside it");
+  }
+  for (const auto & entry : fs::directory_iterator(target))
+  {
+    if (!IsOurSlice(entry))
+    {
+      ThrowCannotWrite(target,
+                       "it holds \"" + entry.path().filename().string() +
+                         "\", which is no slice of a series that this program wrote",
+                       "give a new or an empty folder");
+    }
+  }
+}
+
+void
+CheckTarget(const fs::path & target)
+{
+  try
+  {
+    CheckContents(target);
+  }
+  catch (const fs::filesystem_error & failure)
+  {
+    ThrowCannotWrite(target, failure.code().message(), "choose a folder that can be read and written");
+  }
+  if (access(target.parent_path().c_str(), W_OK | X_OK) != 0)
+  {
+    ThrowCannotWrite(target, std::strerror(errno), "choose a place that exists and can be written");
+  }
+}
+
+// Removes the slices of a folder and the folder, unless other things lie there. Never more than that.
+void
+RemoveSeries(const fs::path & folder)
+{
+  std::error_code       error;
+  std::vector<fs::path> slices;
+  for (const auto & entry : fs::directory_iterator(folder, error))
+  {
+    if (IsSliceName(entry.path().filename().string()))
+    {
+      slices.push_back(entry.path());
+    }
+  }
+  for (const auto & slice : slices)
+  {
+    fs::remove(slice, error);
+  }
+  fs::remove(folder, error);
+}
+
+fs::path
+HiddenName(const fs::path & target, const std::string & process, const std::string & kind)
+{
+  return target.parent_path() / ('.' + target.filename().string() + '.' + process + kind);
+}
+
+// The hidden folders `.name.<process>.<kind>` of processes that are gone.
+std::vector<fs::path>
+FindLeftovers(const fs::path & target, const std::string & kind)
+{
+  std::vector<fs::path> leftovers;
+  const std::string     start = '.' + target.filename().string() + '.';
+  std::error_code       error;
+  for (const auto & entry : fs::directory_iterator(target.parent_path(), error))
+  {
+    const std::string name = entry.path().filename().string();
+    if (name.size() <= start.size() + kind.size() || name.compare(0, start.size(), start) != 0 ||
+        name.compare(name.size() - kind.size(), kind.size(), kind) != 0 || !entry.is_directory(error))
+    {
+      continue;
+    }
+    const std::string process = name.substr(start.size(), name.size() - start.size() - kind.size());
+    if (IsNumber(process) && process.size() < 10 && kill(std::stoi(process), 0) != 0 && errno == ESRCH)
+    {
+      leftovers.push_back(entry.path());
+    }
+  }
+  return leftovers;
+}
+
+// Tidies after runs that were killed: a series that had been moved aside comes back, unfinished ones go.
+void
+Recover(const fs::path & target)
+{
+  std::error_code error;
+  for (const auto & old : FindLeftovers(target, ".old"))
+  {
+    if (fs::exists(target, error))
+    {
+      RemoveSeries(old);
+    }
+    else
+    {
+      fs::rename(old, target, error);
+    }
+  }
+  for (const auto & part : FindLeftovers(target, ".part"))
+  {
+    RemoveSeries(part);
+  }
+}
+
+// Postpones the signals that end a program until the unfinished folder has been removed or has its name.
+class DeferredSignals
+{
+public:
+  DeferredSignals()
+  {
+    pending = 0;
+    for (std::size_t i = 0; i < signals.size(); ++i)
+    {
+      m_Previous[i] = std::signal(signals[i], [](int signal) { pending = signal; });
+    }
+  }
+  DeferredSignals(const DeferredSignals &) = delete;
+  DeferredSignals &
+  operator=(const DeferredSignals &) = delete;
+  ~DeferredSignals()
+  {
+    for (std::size_t i = 0; i < signals.size(); ++i)
+    {
+      std::signal(signals[i], m_Previous[i]);
+    }
+    if (pending != 0)
+    {
+      std::raise(pending);
+    }
+  }
+
+  static void
+  ThrowWhenPending()
+  {
+    if (pending != 0)
+    {
+      throw OutputError("interrupted by a signal while a series was written; nothing was changed");
+    }
+  }
+
+private:
+  using Handler = void (*)(int);
+  static constexpr std::array<int, 3> signals{ SIGINT, SIGTERM, SIGHUP };
+  static volatile std::sig_atomic_t   pending;
+  std::array<Handler, signals.size()> m_Previous{};
+};
+
+volatile std::sig_atomic_t DeferredSignals::pending = 0;
+
+// The folder that becomes the target, or goes.
+class TemporaryFolder
+{
+public:
+  explicit TemporaryFolder(const fs::path & target)
+    : m_Target(target), m_Path(HiddenName(target, std::to_string(getpid()), ".part"))
+  {
+    std::error_code error;
+    if (!fs::create_directory(m_Path, error))
+    {
+      ThrowCannotWrite(target, error ? error.message() : "another run writes it", "choose another place");
+    }
+  }
+  TemporaryFolder(const TemporaryFolder &) = delete;
+  TemporaryFolder &
+  operator=(const TemporaryFolder &) = delete;
+  ~TemporaryFolder() { RemoveSeries(m_Path); }
+
+  std::string
+  GetPath() const
+  {
+    return m_Path.string();
+  }
+
+  void
+  Commit()
+  {
+    this->Sync();
+    if (!fs::exists(m_Target) || fs::is_empty(m_Target))
+    {
+      this->Rename(m_Path, m_Target);
+    }
+    else if (renameat2(AT_FDCWD, m_Path.c_str(), AT_FDCWD, m_Target.c_str(), RENAME_EXCHANGE) != 0)
+    {
+      this->ReplaceInTwoSteps(); // not every file system can exchange
+    }
+  }
+
+private:
+  void
+  Sync() const
+  {
+    const int  folder = open(m_Path.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+    const bool durable = folder >= 0 && syncfs(folder) == 0;
+    const int  reason = errno;
+    if (folder >= 0)
+    {
+      close(folder);
+    }
+    if (!durable)
+    {
+      ThrowCannotWrite(m_Target, std::strerror(reason), "free some space or choose another place");
+    }
+  }
+
+  void
+  Rename(const fs::path & from, const fs::path & to) const
+  {
+    std::error_code error;
+    fs::rename(from, to, error);
+    if (error)
+    {
+      ThrowCannotWrite(m_Target, error.message(), "choose another place");
+    }
+  }
+
+  // A kill between the two steps leaves the old series under a name from which Recover() brings it back.
+  void
+  ReplaceInTwoSteps()
+  {
+    const fs::path old = HiddenName(m_Target, std::to_string(getpid()), ".old");
+    this->Rename(m_Target, old);
+    std::error_code error;
+    fs::rename(m_Path, m_Target, error);
+    if (error)
+    {
+      this->Rename(old, m_Target);
+      ThrowCannotWrite(m_Target, error.message(), "choose another place");
+    }
+    RemoveSeries(old);
+  }
+
+  fs::path m_Target;
+  fs::path m_Path;
+};
+} // namespace
+
+void
+CheckDicomSeriesFolder(const std::string & folder)
+{
+  CheckTarget(TargetOf(folder));
+}
+
+void
+WriteDicomSeriesFolder(const itk::Image<short, 3> *   image,
+                       const std::string &            folder,
+                       const DicomSeriesDescription & description)
+{
+  const fs::path target = TargetOf(folder);
+  Recover(target);
+  CheckTarget(target);
+  const DeferredSignals signals;
+  TemporaryFolder       temporary(target);
+  WriteDicomSlices(image, temporary.GetPath(), description, DeferredSignals::ThrowWhenPending);
+  temporary.Commit();
+}
+} // namespace shapeton

@@ -1,0 +1,573 @@
+#include "shapetonDicomSeriesScan.h"
+
+#include "shapetonContainedProcess.h"
+#include "shapetonDicomFile.h"
+#include "shapetonDicomSeriesDefects.h"
+#include "shapetonFileWalk.h"
+#include "shapetonExceptions.h"
+
+#include "dcmtk/config/osconfig.h"
+#include "dcmtk/dcmdata/dcdict.h"
+#include "dcmtk/oflog/oflog.h"
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <map>
+#include <set>
+
+namespace shapeton
+{
+namespace
+{
+constexpr double CosineTolerance = 1e-4;
+constexpr double PixelSpacingTolerance = 1e-4;
+
+/** One slice on its way into a series; null frame: the image has none that can be described. */
+struct Item
+{
+  const DicomFile *  file;
+  const DicomFrame * frame;
+  unsigned int       number;
+};
+using Items = std::vector<Item>;
+
+// ---- headers ----
+
+std::string
+ParseInChild(const std::string & path)
+{
+  OFLog::configure(OFLogger::OFF_LOG_LEVEL);
+  ByteWriter      writer;
+  const DicomFile file = ParseDicomFile(path);
+  Transmit(writer, file);
+  return writer.GetBytes();
+}
+
+DicomFile
+ParseContained(ContainedProcess & process, const std::string & path)
+{
+  DicomFile file;
+  try
+  {
+    const std::string response = process.Call(path);
+    ByteReader        reader(response);
+    Transmit(reader, file);
+  }
+  catch (const ContainedProcess::Failure & failure)
+  {
+    file = DicomFile();
+    file.kind = DicomFile::Kind::damaged;
+    file.what = std::string("its header cannot be read: ") + failure.what();
+  }
+  file.path = path;
+  return file;
+}
+
+std::vector<DicomFile>
+ParseFiles(const std::vector<std::string> & paths)
+{
+  if (!dcmDataDict.isDictionaryLoaded()) // here, so that each child inherits it
+  {
+    throw std::runtime_error("DCMTK's data dictionary is missing; install dcmtk or set DCMDICTPATH");
+  }
+  ContainedProcess process(
+    [](const std::string & path, char *) { return ParseInChild(path); }, 0, { std::size_t(512) << 20, 15, 600 });
+  std::vector<DicomFile> files;
+  files.reserve(paths.size());
+  for (const std::string & path : paths)
+  {
+    files.push_back(ParseContained(process, path));
+  }
+  return files;
+}
+
+// ---- grouping ----
+
+/** True for an image that has its place in a volume, or would have if it were whole. */
+bool
+IsPartOfVolume(const Item & item)
+{
+  return item.frame && item.frame->hasGeometry && !item.frame->isLocalizer && !item.file->isOtherObject;
+}
+
+bool
+AreClose(const double * a, const double * b, int count, double tolerance)
+{
+  for (int i = 0; i < count; ++i)
+  {
+    if (!(std::abs(a[i] - b[i]) <= tolerance))
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+bool
+BelongTogether(const Item & a, const Item & b)
+{
+  if (a.file->rows != b.file->rows || a.file->columns != b.file->columns || a.file->refusal != b.file->refusal ||
+      a.file->frameOfReferenceUID != b.file->frameOfReferenceUID || !a.frame != !b.frame)
+  {
+    return false;
+  }
+  if (!a.frame)
+  {
+    return true;
+  }
+  return a.frame->hasGeometry == b.frame->hasGeometry && a.frame->isLocalizer == b.frame->isLocalizer &&
+         a.frame->pixels.hasRescale == b.frame->pixels.hasRescale && // else some slices would be in other units
+         AreClose(a.frame->orientation, b.frame->orientation, 6, CosineTolerance) &&
+         AreClose(a.frame->spacing, b.frame->spacing, 2, PixelSpacingTolerance * a.frame->spacing[0]);
+}
+
+std::vector<Items>
+SplitByGeometry(const Items & items)
+{
+  std::vector<Items> groups;
+  for (const Item & item : items)
+  {
+    const auto group = std::find_if(
+      groups.begin(), groups.end(), [&item](const Items & other) { return BelongTogether(other.front(), item); });
+    if (group == groups.end())
+    {
+      groups.push_back({ item });
+    }
+    else
+    {
+      group->push_back(item);
+    }
+  }
+  return groups;
+}
+
+// ---- geometry of a group ----
+
+/** An orthonormal frame from Image Orientation (Patient). */
+itk::Matrix<double, 3, 3>
+MakeDirection(const double (&orientation)[6])
+{
+  itk::Vector<double, 3> row(orientation);
+  itk::Vector<double, 3> column(orientation + 3);
+  row.Normalize();
+  column -= row * (row * column);
+  column.Normalize();
+  const itk::Vector<double, 3> normal = itk::CrossProduct(row, column);
+  itk::Matrix<double, 3, 3>    direction;
+  for (unsigned int i = 0; i < 3; ++i)
+  {
+    direction(i, 0) = row[i];
+    direction(i, 1) = column[i];
+    direction(i, 2) = normal[i];
+  }
+  return direction;
+}
+
+double
+Along(const itk::Matrix<double, 3, 3> & direction, unsigned int axis, const double (&position)[3])
+{
+  return direction(0, axis) * position[0] + direction(1, axis) * position[1] + direction(2, axis) * position[2];
+}
+
+void
+SortAlongNormal(Items & items)
+{
+  const itk::Matrix<double, 3, 3> direction = MakeDirection(items.front().frame->orientation);
+  std::sort(items.begin(), items.end(), [&direction](const Item & a, const Item & b) {
+    const double positionA = Along(direction, 2, a.frame->position);
+    const double positionB = Along(direction, 2, b.frame->position);
+    if (positionA != positionB)
+    {
+      return positionA < positionB;
+    }
+    if (a.file->instanceNumber != b.file->instanceNumber)
+    {
+      return a.file->instanceNumber < b.file->instanceNumber;
+    }
+    return a.file != b.file ? a.file->path < b.file->path : a.number < b.number;
+  });
+}
+
+std::vector<SlicePlace>
+PlacesOf(const Items & sorted)
+{
+  const itk::Matrix<double, 3, 3> direction = MakeDirection(sorted.front().frame->orientation);
+  const double(&origin)[3] = sorted.front().frame->position;
+  std::vector<SlicePlace> places;
+  for (const Item & item : sorted)
+  {
+    const double(&position)[3] = item.frame->position;
+    const double step[3] = { position[0] - origin[0], position[1] - origin[1], position[2] - origin[2] };
+    places.push_back({ Along(direction, 2, step), { Along(direction, 0, step), Along(direction, 1, step) } });
+  }
+  return places;
+}
+
+SlicesGeometry
+ExamineItems(const Items & sorted)
+{
+  const double(&spacing)[2] = sorted.front().frame->spacing;
+  const double pixelSpacing[2] = { spacing[1], spacing[0] };
+  return ExamineSlices(PlacesOf(sorted), pixelSpacing);
+}
+
+// ---- acquisitions ----
+
+/** True when two groups cover the same stretch of the normal. */
+bool
+Overlap(const Items & a, const Items & b, double spacing)
+{
+  const itk::Matrix<double, 3, 3> direction = MakeDirection(a.front().frame->orientation);
+  const double                    start =
+    std::max(Along(direction, 2, a.front().frame->position), Along(direction, 2, b.front().frame->position));
+  const double end =
+    std::min(Along(direction, 2, a.back().frame->position), Along(direction, 2, b.back().frame->position));
+  return end - start > 0.5 * spacing;
+}
+
+/** Groups by one attribute; a single group when the attribute tells no two acquisitions apart that cover the same
+ * positions: then it merely numbers the steps of one scan. */
+std::vector<Items>
+SplitByAcquisition(const Items & items, unsigned int key)
+{
+  std::map<std::string, Items> byValue;
+  for (const Item & item : items)
+  {
+    byValue[item.frame->acquisition[key]].push_back(item);
+  }
+  std::vector<Items> groups;
+  for (auto & entry : byValue)
+  {
+    SortAlongNormal(entry.second);
+    const SlicesGeometry geometry = ExamineItems(entry.second);
+    const bool           isVolume = entry.second.size() > 1 && geometry.IsRegular();
+    const bool overlaps = groups.empty() || std::any_of(groups.begin(), groups.end(), [&](const Items & other) {
+                            return Overlap(other, entry.second, geometry.spacing);
+                          });
+    if (!isVolume || !overlaps)
+    {
+      return { items };
+    }
+    groups.push_back(entry.second);
+  }
+  return groups;
+}
+
+std::vector<Items>
+SplitByAcquisition(Items items)
+{
+  SortAlongNormal(items);
+  const SlicesGeometry geometry = ExamineItems(items);
+  if (geometry.duplicates.empty() && !geometry.isVariable)
+  {
+    return { items };
+  }
+  for (unsigned int key = 0; key < DicomFrame::NumberOfAcquisitionKeys; ++key)
+  {
+    auto groups = SplitByAcquisition(items, key);
+    if (groups.size() > 1)
+    {
+      return groups;
+    }
+  }
+  return { items };
+}
+
+// ---- defects ----
+
+/** Defects that the headers of single files tell. */
+void
+AddFileDefects(DicomSeries & series, const Items & items)
+{
+  std::vector<unsigned int> truncated;
+  std::vector<unsigned int> unsupported;
+  for (unsigned int i = 0; i < items.size(); ++i)
+  {
+    if (!items[i].file->truncation.empty())
+    {
+      truncated.push_back(i);
+    }
+    if (items[i].file->isUnsupportedTransferSyntax)
+    {
+      unsupported.push_back(i);
+    }
+  }
+  if (!truncated.empty())
+  {
+    const std::string & reason = items[truncated.front()].file->truncation;
+    AddDefect(series,
+              DicomDefectKind::truncated,
+              Count(truncated.size(), "slice") + (truncated.size() == 1 ? " is" : " are") +
+                " truncated: " + NameOfSlice(series, truncated.front()) + ": " + reason,
+              truncated);
+  }
+  if (!unsupported.empty())
+  {
+    AddDefect(series,
+              DicomDefectKind::unsupportedTransferSyntax,
+              "the encoding " + items[unsupported.front()].file->transferSyntax + " is not supported, " +
+                NameOfSlice(series, unsupported.front()),
+              unsupported);
+  }
+}
+
+void
+ExamineGeometry(DicomSeries & series, const Items & items)
+{
+  const SlicesGeometry geometry = ExamineItems(items);
+  series.spacing[2] = geometry.spacing;
+  if (geometry.isSheared)
+  {
+    const auto places = PlacesOf(items);
+    for (std::size_t i = 0; i < places.size(); ++i)
+    {
+      series.slices[i].offset[0] = places[i].offset[0];
+      series.slices[i].offset[1] = places[i].offset[1];
+    }
+  }
+  AddGeometryDefects(series, geometry);
+}
+
+// ---- series ----
+
+std::string
+JoinTransferSyntaxes(const Items & items)
+{
+  std::set<std::string> names;
+  for (const Item & item : items)
+  {
+    names.insert(item.file->transferSyntax);
+  }
+  std::string joined;
+  for (const std::string & name : names)
+  {
+    joined += (joined.empty() ? "" : ", ") + name;
+  }
+  return joined;
+}
+
+DicomSlice
+MakeSlice(const Item & item)
+{
+  DicomSlice slice;
+  slice.file = item.file->path;
+  slice.frame = item.number;
+  slice.instanceNumber = item.file->instanceNumber;
+  if (item.frame)
+  {
+    slice.imagePosition = itk::Point<double, 3>(item.frame->position);
+    slice.thickness = item.frame->thickness;
+    slice.pixels = item.frame->pixels;
+  }
+  return slice;
+}
+
+void
+DescribeSeries(DicomSeries & series, const Items & items)
+{
+  const DicomFile & file = *items.front().file;
+  series.uid = file.seriesUID;
+  series.number = file.seriesNumber;
+  series.description = file.description;
+  series.modality = file.modality;
+  series.patientPosition = file.patientPosition;
+  series.transferSyntax = JoinTransferSyntaxes(items);
+  series.size[0] = file.columns;
+  series.size[1] = file.rows;
+  series.size[2] = static_cast<unsigned int>(items.size());
+  series.refusal = file.refusal;
+  series.direction.SetIdentity();
+  for (const Item & item : items)
+  {
+    series.isLossy = series.isLossy || item.file->isLossy;
+    series.isInverted = series.isInverted || item.file->isInverted;
+    series.slices.push_back(MakeSlice(item));
+  }
+}
+
+DicomSeries
+MakeSeries(Items items)
+{
+  const bool hasGeometry = items.front().frame && items.front().frame->hasGeometry;
+  if (hasGeometry)
+  {
+    SortAlongNormal(items);
+  }
+  DicomSeries series;
+  DescribeSeries(series, items);
+  AddFileDefects(series, items);
+  if (!hasGeometry)
+  {
+    return series;
+  }
+  const DicomFrame & frame = *items.front().frame;
+  series.direction = MakeDirection(frame.orientation);
+  series.spacing[0] = frame.spacing[1];
+  series.spacing[1] = frame.spacing[0];
+  const auto places = PlacesOf(items);
+  for (std::size_t i = 0; i < places.size(); ++i)
+  {
+    series.slices[i].position = places[i].position;
+  }
+  if (frame.isLocalizer)
+  {
+    AddDefect(series, DicomDefectKind::localizer, "planning images (localizer), no volume", AllIndices(series));
+  }
+  else if (series.refusal.empty())
+  {
+    ExamineGeometry(series, items);
+  }
+  if (items.size() == 1 && series.refusal.empty())
+  {
+    series.isSingleSlice = true;
+    series.refusal = "a single slice";
+  }
+  return series;
+}
+
+std::string
+Extent(const DicomSeries & series)
+{
+  return std::to_string(series.size[0]) + "x" + std::to_string(series.size[1]) + "x" + std::to_string(series.size[2]);
+}
+
+/** True for an image that lies beside the volume of a series and is no part of it. */
+bool
+IsBesideTheVolume(const DicomSeries & part)
+{
+  return part.Has(DicomDefectKind::localizer) || (!part.refusal.empty() && !part.isSingleSlice);
+}
+
+std::string
+ListParts(const std::vector<DicomSeries> & parts)
+{
+  constexpr std::size_t longestList = 4;
+  std::string           list;
+  for (std::size_t i = 0; i < parts.size() && i < longestList; ++i)
+  {
+    list += (i > 0 ? ", #" : "#") + std::to_string(i + 1) + " " + Extent(parts[i]);
+  }
+  return parts.size() > longestList ? list + ", ..." : list;
+}
+
+/** Numbers the groups of one series; several groups that could be volumes make it a mixed series. */
+void
+NumberParts(std::vector<DicomSeries> & parts, unsigned int volumes)
+{
+  std::stable_sort(
+    parts.begin(), parts.end(), [](const DicomSeries & a, const DicomSeries & b) { return a.size[2] > b.size[2]; });
+  for (unsigned int i = 0; i < parts.size(); ++i)
+  {
+    parts[i].part = i + 1;
+    parts[i].parts = static_cast<unsigned int>(parts.size());
+    if (volumes > 1 && !IsBesideTheVolume(parts[i]))
+    {
+      AddDefect(parts[i],
+                DicomDefectKind::mixedSeries,
+                "one Series Instance UID holds images of " + std::to_string(parts.size()) +
+                  " kinds (columns x rows x slices): " + ListParts(parts),
+                AllIndices(parts[i]));
+    }
+  }
+}
+
+std::vector<DicomSeries>
+MakeSeriesOfUID(const Items & items)
+{
+  std::vector<DicomSeries> parts;
+  unsigned int             volumes = 0;
+  for (const Items & group : SplitByGeometry(items))
+  {
+    const bool isPart = IsPartOfVolume(group.front());
+    for (const Items & acquisition : isPart ? SplitByAcquisition(group) : std::vector<Items>{ group })
+    {
+      parts.push_back(MakeSeries(acquisition));
+      volumes += isPart ? 1 : 0;
+    }
+  }
+  NumberParts(parts, volumes);
+  return parts;
+}
+
+void
+AddOtherFile(const DicomFile & file, DicomScan & scan)
+{
+  const std::string name = std::filesystem::path(file.path).filename().string();
+  switch (file.kind)
+  {
+    case DicomFile::Kind::damaged:
+      scan.otherFiles.push_back({ DicomDefectKind::truncated, name + ": " + file.what, { file.path }, {} });
+      break;
+    case DicomFile::Kind::notImage:
+      scan.otherFiles.push_back(
+        { DicomDefectKind::notAnImage, name + ": DICOM without a slice image (" + file.what + ")", { file.path }, {} });
+      break;
+    default:
+      scan.otherFiles.push_back({ DicomDefectKind::notAnImage, name + ": not a DICOM file", { file.path }, {} });
+  }
+}
+
+void
+CollectSeries(const std::vector<DicomFile> & files, DicomScan & scan)
+{
+  std::map<std::string, Items> byUID;
+  for (const DicomFile & file : files)
+  {
+    if (file.kind != DicomFile::Kind::image)
+    {
+      AddOtherFile(file, scan);
+      continue;
+    }
+    Items & items = byUID[file.seriesUID];
+    for (unsigned int i = 0; i < file.frames.size(); ++i)
+    {
+      items.push_back({ &file, &file.frames[i], i });
+    }
+    if (file.frames.empty())
+    {
+      items.push_back({ &file, nullptr, 0 });
+    }
+  }
+  for (const auto & entry : byUID)
+  {
+    for (DicomSeries & series : MakeSeriesOfUID(entry.second))
+    {
+      scan.series.push_back(std::move(series));
+    }
+  }
+  std::stable_sort(scan.series.begin(), scan.series.end(), [](const DicomSeries & a, const DicomSeries & b) {
+    return a.number < b.number;
+  });
+}
+} // namespace
+
+std::string
+DicomSeries::GetSelector() const
+{
+  return parts > 1 ? uid + "#" + std::to_string(part) : uid;
+}
+
+bool
+DicomSeries::Has(DicomDefectKind kind) const
+{
+  return std::any_of(
+    defects.begin(), defects.end(), [kind](const DicomDefect & defect) { return defect.kind == kind; });
+}
+
+DicomScan
+ScanDicom(const std::string & path)
+{
+  DicomScan scan;
+  scan.path = path;
+  const auto paths = ListFiles(path);
+  if (paths.empty())
+  {
+    throw InputError(path + ": the folder is empty; name the folder that holds the DICOM files");
+  }
+  scan.files = static_cast<unsigned int>(paths.size());
+  const std::vector<DicomFile> files = ParseFiles(paths);
+  CollectSeries(files, scan);
+  return scan;
+}
+} // namespace shapeton

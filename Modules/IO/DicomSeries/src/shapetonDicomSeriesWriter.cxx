@@ -1,0 +1,455 @@
+#include "shapetonDicomSeriesWriter.h"
+#include "shapetonDicomSeriesFolder.h"
+
+#include "shapetonSha256.h"
+#include "shapetonExceptions.h"
+
+#include "itkImageRegionConstIterator.h"
+
+#include "dcmtk/config/osconfig.h"
+#include "dcmtk/dcmdata/dctk.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+namespace shapeton
+{
+namespace
+{
+using ImageType = itk::Image<short, 3>;
+
+constexpr int rescaleIntercept = -1024;
+constexpr int largestValue = 31743;
+
+// Number of Unicode characters of a UTF-8 text.
+std::size_t
+CountCharacters(const std::string & text)
+{
+  return std::count_if(text.begin(), text.end(), [](unsigned char c) { return (c & 0xC0) != 0x80; });
+}
+
+void
+CheckText(const char * name, const std::string & text, std::size_t limit)
+{
+  if (CountCharacters(text) > limit)
+  {
+    throw InputError(std::string("the ") + name + " has more than " + std::to_string(limit) +
+                     " characters, the most that DICOM allows; shorten it");
+  }
+  if (std::any_of(text.begin(), text.end(), [](unsigned char c) { return c < 32 || c == 127 || c == '\\'; }))
+  {
+    throw InputError(std::string("the ") + name +
+                     " holds a backslash or a control character, which DICOM does not allow; remove it");
+  }
+}
+
+void
+CheckDescription(const DicomSeriesDescription & description)
+{
+  CheckText("patient's name", description.patientName, 64);
+  CheckText("patient ID", description.patientID, 64);
+  CheckText("study description", description.studyDescription, 64);
+  CheckText("series description", description.seriesDescription, 64);
+  CheckText("comment", description.comments, 10240);
+  const std::array<const char *, 8> positions{ "HFS", "HFP", "HFDR", "HFDL", "FFS", "FFP", "FFDR", "FFDL" };
+  if (std::find(positions.begin(), positions.end(), description.patientPosition) == positions.end())
+  {
+    throw InputError("the patient position \"" + description.patientPosition +
+                     "\" is none of HFS, HFP, HFDR, HFDL, FFS, FFP, FFDR, FFDL");
+  }
+  if (description.seriesNumber < 0)
+  {
+    throw InputError("the series number " + std::to_string(description.seriesNumber) + " is negative");
+  }
+}
+
+void
+CheckDirection(const ImageType::DirectionType & direction)
+{
+  constexpr double                      tolerance = 1e-6;
+  std::array<itk::Vector<double, 3>, 3> axes;
+  for (unsigned int i = 0; i < 3; ++i)
+  {
+    for (unsigned int row = 0; row < 3; ++row)
+    {
+      axes[i][row] = direction(row, i);
+    }
+  }
+  for (unsigned int i = 0; i < 3; ++i)
+  {
+    for (unsigned int j = i; j < 3; ++j)
+    {
+      if (!(std::abs(axes[i] * axes[j] - (i == j ? 1.0 : 0.0)) <= tolerance))
+      {
+        throw InputError(
+          "the image axes are not perpendicular unit vectors, which a CT series needs; resample the image");
+      }
+    }
+  }
+  if (itk::CrossProduct(axes[0], axes[1]) * axes[2] < 0.0)
+  {
+    throw InputError("the image axes are left-handed, which a CT series cannot state; flip one axis of the image");
+  }
+}
+
+void
+CheckValues(const ImageType * image)
+{
+  short lowest = std::numeric_limits<short>::max();
+  short highest = std::numeric_limits<short>::min();
+  for (itk::ImageRegionConstIterator<ImageType> it(image, image->GetLargestPossibleRegion()); !it.IsAtEnd(); ++it)
+  {
+    lowest = std::min(lowest, it.Get());
+    highest = std::max(highest, it.Get());
+  }
+  if (lowest < rescaleIntercept || highest > largestValue)
+  {
+    throw InputError("the values " + std::to_string(lowest) + " to " + std::to_string(highest) +
+                     " leave the range -1024 to 31743 of a CT series; clamp or rescale them");
+  }
+}
+
+void
+CheckImage(const ImageType * image)
+{
+  const auto & region = image->GetLargestPossibleRegion();
+  if (image->GetBufferedRegion() != region)
+  {
+    throw InputError("the image is not in memory as a whole, as a CT series needs it; update its largest region");
+  }
+  if (region.GetSize(0) < 1 || region.GetSize(1) < 1 || region.GetSize(0) > 65535 || region.GetSize(1) > 65535)
+  {
+    throw InputError("the slices have " + std::to_string(region.GetSize(0)) + " x " +
+                     std::to_string(region.GetSize(1)) + " pixels; a CT series allows 1 to 65535 each way");
+  }
+  if (region.GetSize(2) < 2)
+  {
+    throw InputError("the image has fewer than two slices, so that no reader could tell their distance");
+  }
+  CheckDirection(image->GetDirection());
+  CheckValues(image);
+}
+
+// A Decimal String: at most 16 characters, as many digits as fit.
+std::string
+DecimalString(double value)
+{
+  value = value == 0.0 ? 0.0 : value; // no "-0"
+  for (int digits = 16; digits > 0; --digits)
+  {
+    std::array<char, 40> text{};
+    const auto           end =
+      std::to_chars(text.data(), text.data() + text.size(), value, std::chars_format::general, digits).ptr;
+    if (end - text.data() <= 16)
+    {
+      return std::string(text.data(), end);
+    }
+  }
+  throw InputError("a number of the image geometry cannot be written as a DICOM Decimal String");
+}
+
+std::string
+Join(const std::vector<std::string> & values)
+{
+  std::string joined;
+  for (const auto & value : values)
+  {
+    joined += (joined.empty() ? "" : "\\") + value;
+  }
+  return joined;
+}
+
+// 2.25.<decimal of a UUID> (DICOM PS3.5 B.2); the UUID is a custom one (RFC 9562, version 8) made from a SHA-256.
+std::string
+MakeUID(const std::string & text)
+{
+  const std::string           digits = Sha256OfBytes(text);
+  std::array<unsigned int, 4> words{}; // most significant first
+  for (std::size_t i = 0; i < words.size(); ++i)
+  {
+    words[i] = static_cast<unsigned int>(std::stoul(digits.substr(8 * i, 8), nullptr, 16));
+  }
+  words[1] = (words[1] & 0xFFFF0FFFU) | 0x00008000U; // version 8
+  words[2] = (words[2] & 0x3FFFFFFFU) | 0x80000000U; // variant of RFC 9562
+  std::string decimal;
+  while (std::any_of(words.begin(), words.end(), [](unsigned int word) { return word != 0; }))
+  {
+    std::uint64_t remainder = 0;
+    for (auto & word : words)
+    {
+      const std::uint64_t dividend = (remainder << 32) | word;
+      word = static_cast<unsigned int>(dividend / 10);
+      remainder = dividend % 10;
+    }
+    decimal.insert(decimal.begin(), static_cast<char>('0' + remainder));
+  }
+  return "2.25." + decimal;
+}
+
+// Length-prefixed, so that no two lists of texts give the same result.
+std::string
+Concatenate(const std::vector<std::string> & texts)
+{
+  std::string all;
+  for (const auto & text : texts)
+  {
+    all += std::to_string(text.size()) + ':' + text;
+  }
+  return all;
+}
+
+// The texts and numbers that are equal in all slices.
+struct SeriesHeader
+{
+  std::string studyUID;
+  std::string seriesUID;
+  std::string frameOfReferenceUID;
+  std::string orientation;
+  std::string pixelSpacing;
+  std::string sliceThickness;
+  std::string windowCenter;
+  std::string windowWidth;
+  Uint16      bitsStored{ 16 };
+};
+
+std::string
+IdentityOfImage(const ImageType * image)
+{
+  const auto &             size = image->GetLargestPossibleRegion().GetSize();
+  const std::size_t        slicePixels = size[0] * size[1];
+  std::vector<std::string> parts;
+  ImageType::PointType     origin;
+  image->TransformIndexToPhysicalPoint(image->GetLargestPossibleRegion().GetIndex(), origin);
+  for (unsigned int i = 0; i < 3; ++i)
+  {
+    parts.push_back(std::to_string(size[i]));
+    parts.push_back(DecimalString(image->GetSpacing()[i]));
+    parts.push_back(DecimalString(origin[i]));
+    for (unsigned int j = 0; j < 3; ++j)
+    {
+      parts.push_back(DecimalString(image->GetDirection()(i, j)));
+    }
+  }
+  for (std::size_t slice = 0; slice < size[2]; ++slice)
+  {
+    const auto * const pixels = reinterpret_cast<const char *>(image->GetBufferPointer() + slice * slicePixels);
+    parts.push_back(Sha256OfBytes(std::string(pixels, slicePixels * sizeof(short))));
+  }
+  return Concatenate(parts);
+}
+
+SeriesHeader
+MakeSeriesHeader(const ImageType * image, const DicomSeriesDescription & description)
+{
+  const std::string study =
+    Concatenate({ description.patientID, description.studyDescription, std::to_string(description.seed) });
+  const std::string series = Concatenate({ study,
+                                           description.patientName,
+                                           description.seriesDescription,
+                                           description.comments,
+                                           description.patientPosition,
+                                           std::to_string(description.seriesNumber),
+                                           IdentityOfImage(image) });
+  SeriesHeader      header;
+  header.studyUID = MakeUID("study " + study);
+  header.frameOfReferenceUID = MakeUID("frame of reference " + study);
+  header.seriesUID = MakeUID("series " + series);
+
+  const auto & direction = image->GetDirection();
+  header.orientation = Join({ DecimalString(direction(0, 0)),
+                              DecimalString(direction(1, 0)),
+                              DecimalString(direction(2, 0)),
+                              DecimalString(direction(0, 1)),
+                              DecimalString(direction(1, 1)),
+                              DecimalString(direction(2, 1)) });
+  const auto & spacing = image->GetSpacing();
+  header.pixelSpacing = Join({ DecimalString(spacing[1]), DecimalString(spacing[0]) }); // rows first
+  header.sliceThickness = DecimalString(spacing[2]);
+
+  const short * const first = image->GetBufferPointer();
+  const auto          range = std::minmax_element(first, first + image->GetLargestPossibleRegion().GetNumberOfPixels());
+  const int           lowest = *range.first;
+  const int           highest = *range.second;
+  header.windowCenter = DecimalString(0.5 * (lowest + highest + 1));
+  header.windowWidth = std::to_string(highest - lowest + 1);
+  header.bitsStored = highest - rescaleIntercept < 4096 ? 12 : 16;
+  return header;
+}
+
+// Inserts attributes and remembers the first failure.
+class DatasetWriter
+{
+public:
+  explicit DatasetWriter(DcmDataset & dataset) : m_Dataset(dataset) {}
+
+  void
+  Text(const DcmTagKey & tag, const std::string & value)
+  {
+    this->Check(value.empty() ? m_Dataset.insertEmptyElement(tag) : m_Dataset.putAndInsertString(tag, value.c_str()));
+  }
+  void
+  Number(const DcmTagKey & tag, Uint16 value)
+  {
+    this->Check(m_Dataset.putAndInsertUint16(tag, value));
+  }
+  void
+  Pixels(const std::vector<Uint16> & pixels)
+  {
+    this->Check(m_Dataset.putAndInsertUint16Array(DCM_PixelData, pixels.data(), pixels.size()));
+  }
+
+private:
+  void
+  Check(const OFCondition & condition)
+  {
+    if (condition.bad())
+    {
+      throw OutputError(std::string("cannot make a DICOM header: ") + condition.text() + "; report this as a bug");
+    }
+  }
+  DcmDataset & m_Dataset;
+};
+
+void
+PutPatientAndStudy(DatasetWriter & writer, const DicomSeriesDescription & description, const SeriesHeader & header)
+{
+  writer.Text(DCM_SpecificCharacterSet, "ISO_IR 192");
+  writer.Text(DCM_PatientName, description.patientName);
+  writer.Text(DCM_PatientID, description.patientID);
+  writer.Text(DCM_PatientBirthDate, "");
+  writer.Text(DCM_PatientSex, "O");
+  writer.Text(DCM_StudyInstanceUID, header.studyUID);
+  writer.Text(DCM_StudyDate, "20000101");
+  writer.Text(DCM_StudyTime, "120000");
+  writer.Text(DCM_StudyID, "1");
+  writer.Text(DCM_StudyDescription, description.studyDescription);
+  writer.Text(DCM_AccessionNumber, "");
+  writer.Text(DCM_ReferringPhysicianName, "");
+}
+
+void
+PutSeriesAndEquipment(DatasetWriter & writer, const DicomSeriesDescription & description, const SeriesHeader & header)
+{
+  writer.Text(DCM_Modality, "CT");
+  writer.Text(DCM_SeriesInstanceUID, header.seriesUID);
+  writer.Text(DCM_SeriesNumber, std::to_string(description.seriesNumber));
+  writer.Text(DCM_SeriesDate, "20000101");
+  writer.Text(DCM_SeriesTime, "120000");
+  writer.Text(DCM_SeriesDescription, description.seriesDescription);
+  writer.Text(DCM_PatientPosition, description.patientPosition);
+  writer.Text(DCM_FrameOfReferenceUID, header.frameOfReferenceUID);
+  writer.Text(DCM_PositionReferenceIndicator, "");
+  writer.Text(DCM_Manufacturer, DicomSeriesManufacturer);
+  writer.Text(DCM_ManufacturerModelName, DicomSeriesModel);
+}
+
+void
+PutImage(DatasetWriter &                writer,
+         const DicomSeriesDescription & description,
+         const SeriesHeader &           header,
+         const ImageType *              image,
+         std::size_t                    slice)
+{
+  const auto &         region = image->GetLargestPossibleRegion();
+  ImageType::IndexType index = region.GetIndex();
+  index[2] += static_cast<itk::IndexValueType>(slice);
+  ImageType::PointType position;
+  image->TransformIndexToPhysicalPoint(index, position);
+
+  const std::string number = std::to_string(slice + 1);
+  writer.Text(DCM_SOPClassUID, UID_CTImageStorage);
+  writer.Text(DCM_SOPInstanceUID, MakeUID("image " + header.seriesUID + ' ' + number));
+  writer.Text(DCM_ImageType, "ORIGINAL\\PRIMARY\\AXIAL");
+  writer.Text(DCM_InstanceNumber, number);
+  writer.Text(DCM_AcquisitionNumber, "1");
+  writer.Text(DCM_ImageLaterality, "U"); // not one of a pair
+  writer.Text(DCM_AcquisitionDate, "20000101");
+  writer.Text(DCM_AcquisitionTime, "120000");
+  writer.Text(DCM_ContentDate, "20000101");
+  writer.Text(DCM_ContentTime, "120000");
+  if (!description.comments.empty())
+  {
+    writer.Text(DCM_ImageComments, description.comments);
+  }
+  writer.Text(DCM_ImagePositionPatient,
+              Join({ DecimalString(position[0]), DecimalString(position[1]), DecimalString(position[2]) }));
+  writer.Text(DCM_ImageOrientationPatient, header.orientation);
+  writer.Text(DCM_PixelSpacing, header.pixelSpacing);
+  writer.Text(DCM_SliceThickness, header.sliceThickness);
+  writer.Text(DCM_KVP, "");
+  writer.Text(DCM_RescaleIntercept, std::to_string(rescaleIntercept));
+  writer.Text(DCM_RescaleSlope, "1");
+  writer.Text(DCM_RescaleType, "HU");
+  writer.Text(DCM_WindowCenter, header.windowCenter);
+  writer.Text(DCM_WindowWidth, header.windowWidth);
+
+  writer.Number(DCM_SamplesPerPixel, 1);
+  writer.Text(DCM_PhotometricInterpretation, "MONOCHROME2");
+  writer.Number(DCM_Rows, static_cast<Uint16>(region.GetSize(1)));
+  writer.Number(DCM_Columns, static_cast<Uint16>(region.GetSize(0)));
+  writer.Number(DCM_BitsAllocated, 16);
+  writer.Number(DCM_BitsStored, header.bitsStored);
+  writer.Number(DCM_HighBit, header.bitsStored - 1);
+  writer.Number(DCM_PixelRepresentation, 0);
+
+  const std::size_t   slicePixels = region.GetSize(0) * region.GetSize(1);
+  const short * const first = image->GetBufferPointer() + slice * slicePixels;
+  std::vector<Uint16> pixels(slicePixels);
+  std::transform(first, first + slicePixels, pixels.begin(), [](short value) {
+    return static_cast<Uint16>(value - rescaleIntercept);
+  });
+  writer.Pixels(pixels);
+}
+
+void
+SaveSlice(DcmFileFormat & file, const std::string & folder, const std::string & name)
+{
+  const OFCondition condition = file.saveFile((folder + '/' + name).c_str(), EXS_LittleEndianExplicit);
+  if (condition.bad())
+  {
+    throw OutputError("cannot write the slice " + name + " of the series: " + condition.text() +
+                      "; free some space or choose another folder");
+  }
+}
+} // namespace
+
+std::string
+DicomSliceName(std::size_t number)
+{
+  const std::string digits = std::to_string(number);
+  return "IM" + std::string(digits.size() < 4 ? 4 - digits.size() : 0, '0') + digits + ".dcm";
+}
+
+void
+WriteDicomSlices(const ImageType *              image,
+                 const std::string &            folder,
+                 const DicomSeriesDescription & description,
+                 const std::function<void()> &  beforeSlice)
+{
+  CheckDescription(description);
+  CheckImage(image);
+  const SeriesHeader header = MakeSeriesHeader(image, description);
+  const std::size_t  slices = image->GetLargestPossibleRegion().GetSize(2);
+  for (std::size_t slice = 0; slice < slices; ++slice)
+  {
+    beforeSlice();
+    DcmFileFormat file;
+    DatasetWriter writer(*file.getDataset());
+    PutPatientAndStudy(writer, description, header);
+    PutSeriesAndEquipment(writer, description, header);
+    PutImage(writer, description, header, image, slice);
+    SaveSlice(file, folder, DicomSliceName(slice + 1));
+  }
+}
+
+void
+WriteDicomSeries(const ImageType * image, const std::string & folder, const DicomSeriesDescription & description)
+{
+  WriteDicomSlices(image, folder, description, [] {});
+}
+} // namespace shapeton

@@ -1,0 +1,15 @@
+#ifndef shapetonFileWalk_h
+#define shapetonFileWalk_h
+
+#include <string>
+#include <vector>
+
+namespace shapeton
+{
+/** The regular files below a folder, sorted, or the file itself. Symbolic links are followed; a file or folder that is
+ * reached by several ways is listed once. Throws InputError when something cannot be read. */
+std::vector<std::string>
+ListFiles(const std::string & path);
+} // namespace shapeton
+
+#endif

@@ -1,0 +1,475 @@
+#include "shapetonDicomFixture.h"
+
+#include "dcmtk/dcmdata/dcrledrg.h"
+#include "dcmtk/dcmdata/dcrleerg.h"
+
+#include "gdcmImageChangeTransferSyntax.h"
+#include "gdcmImageReader.h"
+#include "gdcmTrace.h"
+#include "gdcmWriter.h"
+
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+namespace shapeton
+{
+namespace
+{
+namespace fs = std::filesystem;
+
+void
+Check(const OFCondition & condition, const std::string & what)
+{
+  if (condition.bad())
+  {
+    throw std::runtime_error(what + ": " + condition.text());
+  }
+}
+
+void
+Put(DcmItem & item, const DcmTagKey & tag, const std::string & value)
+{
+  Check(item.putAndInsertString(tag, value.c_str()), "put");
+}
+
+/** A new item in a sequence of an item. */
+DcmItem &
+AddItem(DcmItem & item, const DcmTagKey & sequence)
+{
+  DcmItem * added = nullptr;
+  Check(item.findOrCreateSequenceItem(sequence, added, -2), "add item");
+  return *added;
+}
+
+void
+SetPixelAttributes(DcmItem & item, const DicomFixture & fixture)
+{
+  item.putAndInsertUint16(DCM_SamplesPerPixel, 1);
+  Put(item, DCM_PhotometricInterpretation, "MONOCHROME2");
+  item.putAndInsertUint16(DCM_Rows, static_cast<Uint16>(fixture.rows));
+  item.putAndInsertUint16(DCM_Columns, static_cast<Uint16>(fixture.columns));
+  item.putAndInsertUint16(DCM_BitsAllocated, DicomFixture::bitsAllocated);
+  item.putAndInsertUint16(DCM_BitsStored, static_cast<Uint16>(fixture.bitsStored));
+  item.putAndInsertUint16(DCM_HighBit, static_cast<Uint16>(fixture.bitsStored - 1));
+  item.putAndInsertUint16(DCM_PixelRepresentation, fixture.isSigned ? 1 : 0);
+}
+} // namespace
+
+std::string
+DicomNumbers(const std::vector<double> & numbers)
+{
+  std::string text;
+  for (const double number : numbers)
+  {
+    char digits[32];
+    std::snprintf(digits, sizeof(digits), "%.10g", number);
+    text += (text.empty() ? "" : "\\") + std::string(digits);
+  }
+  return text;
+}
+
+std::string
+DicomOrientation(const itk::Matrix<double, 3, 3> & m)
+{
+  return DicomNumbers({ m(0, 0), m(1, 0), m(2, 0), m(0, 1), m(1, 1), m(2, 1) });
+}
+
+void
+SetText(DcmFileFormat & file, const DcmTagKey & tag, const std::string & value)
+{
+  Put(*file.getDataset(), tag, value);
+}
+
+itk::Matrix<double, 3, 3>
+DicomFixture::MakeIdentity()
+{
+  itk::Matrix<double, 3, 3> identity;
+  identity.SetIdentity();
+  return identity;
+}
+
+DicomFixture::PointType
+DicomFixture::MakeOrigin()
+{
+  const double origin[3] = { -3.5, 12.25, -20.0 };
+  return PointType(origin);
+}
+
+itk::Matrix<double, 3, 3>
+DicomFixture::ObliqueDirection()
+{
+  // Rotation by 30 degrees about z after 20 degrees about x.
+  const double              a = 0.5235987755982988;
+  const double              b = 0.3490658503988659;
+  itk::Matrix<double, 3, 3> m;
+  m(0, 0) = std::cos(a);
+  m(0, 1) = -std::sin(a) * std::cos(b);
+  m(0, 2) = std::sin(a) * std::sin(b);
+  m(1, 0) = std::sin(a);
+  m(1, 1) = std::cos(a) * std::cos(b);
+  m(1, 2) = -std::cos(a) * std::sin(b);
+  m(2, 0) = 0;
+  m(2, 1) = std::sin(b);
+  m(2, 2) = std::cos(b);
+  return m;
+}
+
+std::vector<double>
+DicomFixture::RegularDistances() const
+{
+  std::vector<double> distances;
+  for (unsigned int i = 0; i < slices; ++i)
+  {
+    distances.push_back(i * sliceSpacing);
+  }
+  return distances;
+}
+
+DicomFixture::PointType
+DicomFixture::SlicePosition(double distance, double alongRow, double alongColumn) const
+{
+  PointType position = origin;
+  for (unsigned int i = 0; i < 3; ++i)
+  {
+    position[i] += direction(i, 0) * alongRow + direction(i, 1) * alongColumn + direction(i, 2) * distance;
+  }
+  return position;
+}
+
+std::vector<Uint16>
+DicomFixture::MakePixels(const PointType & position) const
+{
+  std::vector<Uint16> pixels;
+  const unsigned int  mask = (1u << bitsStored) - 1;
+  for (unsigned int row = 0; row < rows; ++row)
+  {
+    for (unsigned int column = 0; column < columns; ++column)
+    {
+      PointType point = position;
+      for (unsigned int i = 0; i < 3; ++i)
+      {
+        point[i] += direction(i, 0) * columnSpacing * column + direction(i, 1) * rowSpacing * row;
+      }
+      const auto stored = static_cast<int>(std::lround((intensity(point) - intercept) / slope));
+      pixels.push_back(static_cast<Uint16>(static_cast<unsigned int>(stored) & mask));
+    }
+  }
+  return pixels;
+}
+
+void
+DicomFixture::FillIdentity(DcmDataset & dataset, int instanceNumber) const
+{
+  Put(dataset, DCM_SpecificCharacterSet, "ISO_IR 192");
+  Put(dataset, DCM_SOPInstanceUID, seriesUID + "." + std::to_string(instanceNumber));
+  Put(dataset, DCM_StudyInstanceUID, "1.2.826.0.1.3680043.10.1");
+  Put(dataset, DCM_SeriesInstanceUID, seriesUID);
+  Put(dataset, DCM_FrameOfReferenceUID, "1.2.826.0.1.3680043.10.1.9");
+  Put(dataset, DCM_Modality, modality);
+  Put(dataset, DCM_SeriesDescription, description);
+  Put(dataset, DCM_SeriesNumber, std::to_string(seriesNumber));
+  Put(dataset, DCM_InstanceNumber, std::to_string(instanceNumber));
+  Put(dataset, DCM_PatientPosition, "HFS");
+}
+
+DicomFixture::File
+DicomFixture::MakeSlice(const PointType & position, int instanceNumber) const
+{
+  auto         file = std::make_unique<DcmFileFormat>();
+  DcmDataset & dataset = *file->getDataset();
+  Put(dataset, DCM_SOPClassUID, UID_CTImageStorage);
+  FillIdentity(dataset, instanceNumber);
+  Put(dataset, DCM_ImageType, "ORIGINAL\\PRIMARY\\AXIAL");
+  Put(dataset, DCM_AcquisitionNumber, "1");
+  // Wrong on purpose: neither may be used for the distance of slices.
+  Put(dataset, DCM_SliceThickness, DicomNumbers({ 3 * sliceSpacing }));
+  Put(dataset, DCM_SpacingBetweenSlices, DicomNumbers({ 5 * sliceSpacing }));
+  Put(dataset, DCM_ImagePositionPatient, DicomNumbers({ position[0], position[1], position[2] }));
+  Put(dataset, DCM_ImageOrientationPatient, DicomOrientation(direction));
+  Put(dataset, DCM_PixelSpacing, DicomNumbers({ rowSpacing, columnSpacing }));
+  Put(dataset, DCM_RescaleSlope, DicomNumbers({ slope }));
+  Put(dataset, DCM_RescaleIntercept, DicomNumbers({ intercept }));
+  SetPixelAttributes(dataset, *this);
+  const auto pixels = MakePixels(position);
+  Check(dataset.putAndInsertUint16Array(DCM_PixelData, pixels.data(), pixels.size()), "pixels");
+  return file;
+}
+
+DicomFixture::Files
+DicomFixture::MakeSeries() const
+{
+  Files files;
+  for (unsigned int i = 0; i < slices; ++i)
+  {
+    files.push_back(MakeSlice(SlicePosition(i * sliceSpacing), static_cast<int>(i) + 1));
+  }
+  return files;
+}
+
+DicomFixture::File
+DicomFixture::MakeEnhanced(const std::vector<double> & distances) const
+{
+  auto         file = std::make_unique<DcmFileFormat>();
+  DcmDataset & dataset = *file->getDataset();
+  Put(dataset, DCM_SOPClassUID, UID_EnhancedCTImageStorage);
+  FillIdentity(dataset, 1);
+  Put(dataset, DCM_ImageType, "ORIGINAL\\PRIMARY\\VOLUME\\NONE");
+  Put(dataset, DCM_NumberOfFrames, std::to_string(distances.size()));
+  SetPixelAttributes(dataset, *this);
+
+  DcmItem & shared = AddItem(dataset, DCM_SharedFunctionalGroupsSequence);
+  Put(AddItem(shared, DCM_PlaneOrientationSequence), DCM_ImageOrientationPatient, DicomOrientation(direction));
+  Put(AddItem(shared, DCM_PixelMeasuresSequence), DCM_PixelSpacing, DicomNumbers({ rowSpacing, columnSpacing }));
+  std::vector<Uint16> pixels;
+  for (std::size_t i = 0; i < distances.size(); ++i)
+  {
+    const PointType position = SlicePosition(distances[i]);
+    DicomFixture    frame(*this);
+    frame.slope = slope * (i % 2 == 0 ? 1 : 2); // each frame has its own rescale
+    frame.intercept = intercept + static_cast<double>(i);
+    DcmItem & own = AddItem(dataset, DCM_PerFrameFunctionalGroupsSequence);
+    Put(AddItem(own, DCM_PlanePositionSequence),
+        DCM_ImagePositionPatient,
+        DicomNumbers({ position[0], position[1], position[2] }));
+    DcmItem & rescale = AddItem(own, DCM_PixelValueTransformationSequence);
+    Put(rescale, DCM_RescaleSlope, DicomNumbers({ frame.slope }));
+    Put(rescale, DCM_RescaleIntercept, DicomNumbers({ frame.intercept }));
+    const auto framePixels = frame.MakePixels(position);
+    pixels.insert(pixels.end(), framePixels.begin(), framePixels.end());
+  }
+  Check(dataset.putAndInsertUint16Array(DCM_PixelData, pixels.data(), pixels.size()), "pixels");
+  return file;
+}
+
+void
+SaveDicom(DcmFileFormat & file, const std::string & path, E_TransferSyntax syntax)
+{
+  if (syntax == EXS_RLELossless)
+  {
+    DcmRLEEncoderRegistration::registerCodecs();
+    Check(file.getDataset()->chooseRepresentation(syntax, nullptr), "compress");
+  }
+  Check(file.saveFile(path.c_str(), syntax), path);
+}
+
+void
+SaveDicom(const DicomFixture::Files & files,
+          const std::string &         folder,
+          E_TransferSyntax            syntax,
+          const std::string &         stem)
+{
+  for (std::size_t i = 0; i < files.size(); ++i)
+  {
+    char number[16];
+    std::snprintf(number, sizeof(number), "%04u", static_cast<unsigned int>(i + 1));
+    SaveDicom(*files[i], folder + "/" + stem + number + ".dcm", syntax);
+  }
+}
+
+void
+CompressDicom(const std::string & path, const std::string & syntax)
+{
+  gdcm::Trace::WarningOff();
+  gdcm::Trace::ErrorOff();
+  gdcm::ImageReader reader;
+  reader.SetFileName(path.c_str());
+  gdcm::ImageChangeTransferSyntax change;
+  change.SetTransferSyntax(gdcm::TransferSyntax::GetTSType(syntax.c_str()));
+  if (!reader.Read())
+  {
+    throw std::runtime_error("cannot read " + path);
+  }
+  change.SetInput(reader.GetImage());
+  if (!change.Change())
+  {
+    throw std::runtime_error("cannot compress " + path);
+  }
+  // gdcm::ImageWriter would replace the rescale of each frame by a common one.
+  gdcm::File & file = reader.GetFile();
+  file.GetDataSet().Replace(change.GetOutput().GetDataElement());
+  file.GetHeader().SetDataSetTransferSyntax(gdcm::TransferSyntax::GetTSType(syntax.c_str()));
+  gdcm::Writer writer;
+  writer.SetFileName(path.c_str());
+  writer.SetFile(file);
+  if (!writer.Write())
+  {
+    throw std::runtime_error("cannot write " + path);
+  }
+}
+
+void
+Truncate(const std::string & path, std::size_t bytes)
+{
+  fs::resize_file(path, bytes);
+}
+
+std::string
+MakeFolder(const std::string & path)
+{
+  fs::remove_all(path);
+  fs::create_directories(path);
+  return path;
+}
+
+void
+WriteText(const std::string & path, const std::string & text)
+{
+  std::ofstream(path, std::ios::binary) << text;
+}
+
+namespace
+{
+/** A NRRD file of 2 x 2 x 2 float voxels, all 1 but the one given. */
+void
+WriteNrrd(const std::string & path, float special)
+{
+  const float voxels[8] = { 1, 1, 1, 1, 1, special, 1, 1 };
+  WriteText(path,
+            "NRRD0004\ntype: float\ndimension: 3\nsizes: 2 2 2\nspacings: 1 1 1\nendian: little\nencoding: raw\n\n" +
+              std::string(reinterpret_cast<const char *>(voxels), sizeof(voxels)));
+}
+
+void
+WriteSeriesFaults(const std::string & folder)
+{
+  const DicomFixture fixture;
+  SaveDicom(fixture.MakeSeries(), MakeFolder(folder + "/regular"));
+
+  auto files = fixture.MakeSeries();
+  files.erase(files.begin() + 2, files.begin() + 4);
+  SaveDicom(files, MakeFolder(folder + "/gap"));
+
+  files = fixture.MakeSeries();
+  files.push_back(fixture.MakeSlice(fixture.SlicePosition(2 * fixture.sliceSpacing), 7));
+  SaveDicom(files, MakeFolder(folder + "/duplicateIdentical"));
+
+  DicomFixture other = fixture;
+  other.intensity = [](const DicomFixture::PointType & point) { return DicomFixture::Ramp(point) + 10; };
+  files = fixture.MakeSeries();
+  files.push_back(other.MakeSlice(fixture.SlicePosition(2 * fixture.sliceSpacing), 7));
+  SaveDicom(files, MakeFolder(folder + "/duplicateConflicting"));
+
+  files.clear();
+  for (const double distance : { 0.0, 2.0, 4.0, 7.0, 10.0, 13.0 })
+  {
+    files.push_back(fixture.MakeSlice(fixture.SlicePosition(distance), static_cast<int>(files.size()) + 1));
+  }
+  SaveDicom(files, MakeFolder(folder + "/variableSpacing"));
+
+  files.clear();
+  for (unsigned int i = 0; i < fixture.slices; ++i)
+  {
+    files.push_back(fixture.MakeSlice(fixture.SlicePosition(2.0 * i, 0.0, 0.5 * i), static_cast<int>(i) + 1));
+  }
+  SaveDicom(files, MakeFolder(folder + "/shear"));
+}
+
+void
+WriteGroups(const std::string & folder)
+{
+  const DicomFixture fixture;
+  DicomFixture       sagittal = fixture;
+  sagittal.direction.Fill(0.0);
+  sagittal.direction(1, 0) = 1;
+  sagittal.direction(2, 1) = -1;
+  sagittal.direction(0, 2) = -1;
+  MakeFolder(folder + "/mixedSeries");
+  SaveDicom(fixture.MakeSeries(), folder + "/mixedSeries");
+  SaveDicom(sagittal.MakeSeries(), folder + "/mixedSeries", EXS_LittleEndianExplicit, "other");
+
+  DicomFixture scout = sagittal;
+  scout.slices = 2;
+  scout.seriesUID += ".2";
+  scout.description = "SCOUT";
+  auto scouts = scout.MakeSeries();
+  for (auto & file : scouts)
+  {
+    SetText(*file, DCM_ImageType, "ORIGINAL\\PRIMARY\\LOCALIZER");
+  }
+  SaveDicom(scouts, MakeFolder(folder + "/localizer"));
+  SaveDicom(fixture.MakeSeries(), MakeFolder(folder + "/withLocalizer"));
+  SaveDicom(scouts, folder + "/withLocalizer", EXS_LittleEndianExplicit, "scout");
+
+  DicomFixture second = fixture;
+  second.seriesUID += ".3";
+  second.seriesNumber = 2;
+  second.description = "SECOND";
+  SaveDicom(fixture.MakeSeries(), MakeFolder(folder + "/twoSeries"));
+  SaveDicom(second.MakeSeries(), folder + "/twoSeries", EXS_LittleEndianExplicit, "second");
+
+  const auto distances = fixture.RegularDistances();
+  SaveDicom(
+    *fixture.MakeEnhanced({ distances[3], distances[0], distances[5], distances[1], distances[4], distances[2] }),
+    MakeFolder(folder + "/enhancedShuffled") + "/multi.dcm");
+  SaveDicom(*fixture.MakeEnhanced({ distances[0], distances[1], distances[4], distances[5] }),
+            MakeFolder(folder + "/enhancedGap") + "/multi.dcm");
+}
+
+void
+WriteBadFiles(const std::string & folder)
+{
+  const DicomFixture fixture;
+  SaveDicom(fixture.MakeSeries(), MakeFolder(folder + "/truncated"));
+  const std::string cut = folder + "/truncated/im0003.dcm";
+  Truncate(cut, fs::file_size(cut) - 40);
+
+  const std::string cutHeader = MakeFolder(folder + "/truncatedHeader") + "/im0001.dcm";
+  SaveDicom(fixture.MakeSeries(), folder + "/truncatedHeader");
+  Truncate(cutHeader, 400);
+
+  auto video = fixture.MakeSeries();
+  SaveDicom(video, MakeFolder(folder + "/unsupportedTransferSyntax"));
+  for (const auto & entry : fs::directory_iterator(folder + "/unsupportedTransferSyntax"))
+  {
+    // The last digits of "1.2.840.10008.1.2.1" become those of an encoding that nobody has registered.
+    std::fstream      stream(entry.path(), std::ios::in | std::ios::out | std::ios::binary);
+    std::string       bytes((std::istreambuf_iterator<char>(stream)), std::istreambuf_iterator<char>());
+    const std::size_t place = bytes.find("1.2.840.10008.1.2.1");
+    stream.seekp(static_cast<std::streamoff>(place));
+    stream << "1.2.840.10008.1.2.9";
+  }
+
+  MakeFolder(folder + "/empty");
+  WriteText(MakeFolder(folder + "/text") + "/a.txt", "no image\n");
+  WriteText(folder + "/text/b.csv", "1,2\n");
+  SaveDicom(*fixture.MakeSlice(fixture.origin, 1), MakeFolder(folder + "/single") + "/slice.dcm");
+
+  const auto colour = fixture.MakeSlice(fixture.origin, 1);
+  colour->getDataset()->putAndInsertUint16(DCM_SamplesPerPixel, 3);
+  SetText(*colour, DCM_PhotometricInterpretation, "RGB");
+  SaveDicom(*colour, MakeFolder(folder + "/colour") + "/colour.dcm");
+
+  const auto flat = fixture.MakeSlice(fixture.origin, 1);
+  flat->getDataset()->findAndDeleteElement(DCM_ImagePositionPatient);
+  SaveDicom(*flat, MakeFolder(folder + "/twoDimensional") + "/flat.dcm");
+}
+
+void
+WriteImageFiles(const std::string & folder)
+{
+  WriteNrrd(folder + "/finite.nrrd", 2.0F);
+  WriteNrrd(folder + "/nan.nrrd", std::nanf(""));
+  WriteText(folder + "/short.nrrd",
+            "NRRD0004\ntype: float\ndimension: 3\nsizes: 900 900 900\nendian: little\nencoding: raw\n\nabcd");
+  WriteText(folder + "/text.nrrd", "no image\n");
+  WriteText(folder + "/text.nii", "no image\n");
+  WriteText(folder + "/text.mha", "no image\n");
+  WriteText(folder + "/flat.nrrd", "NRRD0004\ntype: uchar\ndimension: 2\nsizes: 2 2\nencoding: raw\n\nabcd");
+  WriteText(folder + "/colour.nrrd",
+            "NRRD0004\ntype: uchar\ndimension: 4\nsizes: 3 1 1 2\nkinds: RGB-color domain domain domain\n"
+            "encoding: raw\n\nabcdef");
+}
+} // namespace
+
+void
+WriteFaultyInputs(const std::string & folder)
+{
+  MakeFolder(folder);
+  WriteSeriesFaults(folder);
+  WriteGroups(folder);
+  WriteBadFiles(folder);
+  WriteImageFiles(folder);
+}
+} // namespace shapeton

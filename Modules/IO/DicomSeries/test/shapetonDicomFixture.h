@@ -1,0 +1,130 @@
+#ifndef shapetonDicomFixture_h
+#define shapetonDicomFixture_h
+
+#include "itkMatrix.h"
+#include "itkPoint.h"
+
+#include "dcmtk/config/osconfig.h"
+#include "dcmtk/dcmdata/dctk.h"
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace shapeton
+{
+/** Series for tests, sound and faulty, made by DCMTK. The intensities are a function of the place in space, so that a
+ * test sees a wrong geometry as wrong intensities. */
+class DicomFixture
+{
+public:
+  using PointType = itk::Point<double, 3>;
+  using File = std::unique_ptr<DcmFileFormat>;
+  using Files = std::vector<File>;
+
+  /** An affine function: linear interpolation reproduces it. */
+  static double
+  Ramp(const PointType & point)
+  {
+    return 100.0 + 7.0 * point[0] - 5.0 * point[1] + 9.0 * point[2];
+  }
+
+  unsigned int                             columns{ 7 };
+  unsigned int                             rows{ 9 };
+  unsigned int                             slices{ 6 };
+  double                                   columnSpacing{ 0.75 };
+  double                                   rowSpacing{ 1.25 };
+  double                                   sliceSpacing{ 2.0 };
+  itk::Matrix<double, 3, 3>                direction{ MakeIdentity() };
+  PointType                                origin{ MakeOrigin() };
+  std::function<double(const PointType &)> intensity{ Ramp };
+  std::string                              seriesUID{ "1.2.826.0.1.3680043.10.1.1" };
+  std::string                              description{ "FIXTURE" };
+  std::string                              modality{ "CT" };
+  int                                      seriesNumber{ 1 };
+  double                                   slope{ 1.0 / 32 };
+  double                                   intercept{ -50.0 };
+  bool                                     isSigned{ true };
+  unsigned int                             bitsStored{ 16 };
+
+  static constexpr unsigned int bitsAllocated = 16;
+
+  /** The first pixel of a slice, `distance` along the normal from the origin, displaced within the plane. */
+  PointType
+  SlicePosition(double distance, double alongRow = 0.0, double alongColumn = 0.0) const;
+
+  /** A slice whose first pixel lies at `position`. */
+  File
+  MakeSlice(const PointType & position, int instanceNumber) const;
+
+  /** All slices, in the order of position. */
+  Files
+  MakeSeries() const;
+
+  /** An enhanced multi-frame image with a frame for each distance along the normal. */
+  File
+  MakeEnhanced(const std::vector<double> & distances) const;
+
+  /** `count` distances of slices, 0, spacing, 2 * spacing, ... */
+  std::vector<double>
+  RegularDistances() const;
+
+  /** A rotation about an axis that is none of the coordinate axes. */
+  static itk::Matrix<double, 3, 3>
+  ObliqueDirection();
+
+private:
+  static itk::Matrix<double, 3, 3>
+  MakeIdentity();
+  static PointType
+  MakeOrigin();
+  void
+  FillIdentity(DcmDataset & dataset, int instanceNumber) const;
+  std::vector<Uint16>
+  MakePixels(const PointType & position) const;
+};
+
+/** "a\b\c" with enough digits. */
+std::string
+DicomNumbers(const std::vector<double> & numbers);
+
+/** Image Orientation (Patient) of a direction matrix. */
+std::string
+DicomOrientation(const itk::Matrix<double, 3, 3> & direction);
+
+void
+SetText(DcmFileFormat & file, const DcmTagKey & tag, const std::string & value);
+
+/** Saves a file; throws std::runtime_error. */
+void
+SaveDicom(DcmFileFormat & file, const std::string & path, E_TransferSyntax syntax = EXS_LittleEndianExplicit);
+
+/** Saves files as `stem`0001.dcm and so on. */
+void
+SaveDicom(const DicomFixture::Files & files,
+          const std::string &         folder,
+          E_TransferSyntax            syntax = EXS_LittleEndianExplicit,
+          const std::string &         stem = "im");
+
+/** Compresses a file in place by GDCM; `syntax` is a transfer syntax UID. */
+void
+CompressDicom(const std::string & path, const std::string & syntax);
+
+/** Cuts a file after `bytes` bytes. */
+void
+Truncate(const std::string & path, std::size_t bytes);
+
+/** Makes a new, empty folder. */
+std::string
+MakeFolder(const std::string & path);
+
+void
+WriteText(const std::string & path, const std::string & text);
+
+/** Folders with one fault each, named after it, and files that are no volumes; see the source for the list. */
+void
+WriteFaultyInputs(const std::string & folder);
+} // namespace shapeton
+
+#endif

@@ -1,0 +1,66 @@
+#ifndef shapetonVolumeTesting_h
+#define shapetonVolumeTesting_h
+
+#include "shapetonDicomFixture.h"
+#include "shapetonExceptions.h"
+#include "shapetonVolumeReader.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <string>
+
+namespace shapeton
+{
+/** A new folder of the running test. */
+inline std::string
+TestFolder()
+{
+  const auto * const info = ::testing::UnitTest::GetInstance()->current_test_info();
+  return MakeFolder(std::string(SHAPETON_TEST_TEMPORARY_DIR) + "/DicomSeries/" + info->test_suite_name() + "." +
+                    info->name());
+}
+
+/** The message of the InputError of a call; fails when there is none. */
+inline std::string
+InputErrorOf(const std::function<void()> & call)
+{
+  try
+  {
+    call();
+  }
+  catch (const InputError & error)
+  {
+    EXPECT_EQ(std::string(error.what()).find('\n'), std::string::npos) << error.what();
+    return error.what();
+  }
+  ADD_FAILURE() << "no InputError";
+  return {};
+}
+
+/** The largest deviation of a volume from a function of space. */
+inline double
+LargestDeviation(const Volume & volume, const std::function<double(const DicomFixture::PointType &)> & intensity)
+{
+  double     largest = 0;
+  const auto region = volume.image->GetLargestPossibleRegion();
+  for (std::size_t i = 0; i < region.GetNumberOfPixels(); ++i)
+  {
+    const auto              index = volume.image->ComputeIndex(static_cast<itk::OffsetValueType>(i));
+    DicomFixture::PointType point;
+    volume.image->TransformIndexToPhysicalPoint(index, point);
+    largest = std::max(largest, std::abs(volume.image->GetPixel(index) - intensity(point)));
+  }
+  return largest;
+}
+
+inline bool
+Contains(const std::string & text, const std::string & part)
+{
+  return text.find(part) != std::string::npos;
+}
+} // namespace shapeton
+
+#endif

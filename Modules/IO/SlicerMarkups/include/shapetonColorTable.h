@@ -1,0 +1,34 @@
+#ifndef shapetonColorTable_h
+#define shapetonColorTable_h
+
+#include "SlicerMarkupsExport.h"
+
+#include <array>
+#include <string>
+#include <vector>
+
+namespace shapeton
+{
+/** What a value of a label map means, and how it is shown. \ingroup SlicerMarkups */
+struct LabelColor
+{
+  /** 1 to 32767; 0 is the background. */
+  int         value{ 1 };
+  std::string name;
+  /** Red, green and blue in [0, 1]. */
+  std::array<double, 3> color{ 1.0, 1.0, 1.0 };
+};
+
+/** A colour far from those of the labels just before: hues in steps of the golden angle, two strengths, two values.
+ * \ingroup SlicerMarkups */
+SlicerMarkups_EXPORT std::array<double, 3>
+                     ColorOfLabel(int label);
+
+/** Writes a colour table of 3D Slicer (.ctbl): a line for each label, the background clear. Blanks in names become
+ * underscores, as in Slicer's own files. Throws ParameterError for another extension, std::invalid_argument for a value
+ * or colour out of range, a value given twice or an empty name; OutputError. \ingroup SlicerMarkups */
+SlicerMarkups_EXPORT void
+WriteColorTable(const std::vector<LabelColor> & labels, const std::string & path);
+} // namespace shapeton
+
+#endif

@@ -1,0 +1,21 @@
+#ifndef shapetonImageFile_h
+#define shapetonImageFile_h
+
+#include "shapetonVolume.h"
+
+#include <string>
+
+namespace shapeton
+{
+/** True for the extensions of NRRD, NIfTI and MetaImage. \ingroup VolumeFiles */
+VolumeFiles_EXPORT bool
+IsImageFile(const std::string & path);
+
+/** Reads a NRRD, NIfTI or MetaImage file; image and identity of the result are set. Three-dimensional scalar images
+ * with positive finite spacing, perpendicular axes and finite voxels; a fourth dimension must have the size 1. Throws
+ * InputError that names the file and the defect. \ingroup VolumeFiles */
+VolumeFiles_EXPORT Volume
+ReadImageFile(const std::string & path);
+} // namespace shapeton
+
+#endif

@@ -1,0 +1,542 @@
+#include "shapetonImageFile.h"
+#include "shapetonPhysicalMemory.h"
+
+#include "shapetonByteStream.h"
+#include "shapetonContainedProcess.h"
+#include "itkMetaImageIO.h"
+#include "itkNiftiImageIO.h"
+#include "itkNrrdImageIO.h"
+#include "shapetonSha256.h"
+#include "shapetonStoredVoxels.h"
+#include "shapetonExceptions.h"
+
+#include "itkMetaDataObject.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <functional>
+#include <sstream>
+#include <unistd.h>
+
+namespace shapeton
+{
+namespace
+{
+using ComponentEnum = itk::ImageIOBase::IOComponentEnum;
+
+// Directions are stored as float or as short decimals.
+constexpr double OrthonormalTolerance = 1e-3;
+
+std::string
+Trimmed(const std::string & text)
+{
+  const auto first = text.find_first_not_of(" \t\r\n");
+  const auto last = text.find_last_not_of(" \t\r\n");
+  return first == std::string::npos ? std::string() : text.substr(first, last - first + 1);
+}
+
+itk::ImageIOBase::Pointer
+MakeImageIO(ImageFormat format)
+{
+  switch (format)
+  {
+    case ImageFormat::nrrd:
+      return itk::NrrdImageIO::New().GetPointer();
+    case ImageFormat::nifti:
+      return itk::NiftiImageIO::New().GetPointer();
+    default:
+      return itk::MetaImageIO::New().GetPointer();
+  }
+}
+
+[[noreturn]] void
+Refuse(const std::string & path, const std::string & reason)
+{
+  throw InputError(path + ": " + reason);
+}
+
+// ---- the header ----
+
+struct ImageHeader
+{
+  std::vector<std::uint64_t> size;
+  std::vector<double>        spacing;
+  std::vector<double>        origin;
+  std::vector<double>        direction; // row by row
+  int                        componentType{ 0 };
+  std::uint32_t              componentBytes{ 0 };
+  std::uint32_t              components{ 0 };
+  bool                       isScalar{ false };
+  /** The axes of the NIfTI sform are not perpendicular. */
+  bool isSheared{ false };
+};
+
+template <typename TStream, typename THeader>
+void
+Transmit(TStream & stream, THeader & header)
+{
+  auto     dimension = static_cast<std::uint32_t>(header.size.size());
+  stream & dimension;
+  if constexpr (!std::is_const<THeader>::value)
+  {
+    if (dimension > 16)
+    {
+      throw std::runtime_error("incomplete message");
+    }
+    header.size.resize(dimension);
+    header.spacing.resize(dimension);
+    header.origin.resize(dimension);
+    header.direction.resize(dimension * dimension);
+  }
+  for (std::uint32_t i = 0; i < dimension; ++i)
+  {
+    stream & header.size[i] & header.spacing[i] & header.origin[i];
+  }
+  for (auto & cosine : header.direction)
+  {
+    stream & cosine;
+  }
+  stream & header.componentType & header.componentBytes & header.components & header.isScalar & header.isSheared;
+}
+
+/** ITK takes the qform when the sform is sheared; the file's author meant the sform. */
+bool
+HasShearedSform(const itk::MetaDataDictionary & dictionary)
+{
+  std::string code;
+  if (!itk::ExposeMetaData(dictionary, "sform_code", code) || std::strtol(code.c_str(), nullptr, 10) <= 0)
+  {
+    return false;
+  }
+  double       matrix[3][3];
+  const char * keys[] = { "srow_x", "srow_y", "srow_z" };
+  for (int row = 0; row < 3; ++row)
+  {
+    std::string text;
+    if (!itk::ExposeMetaData(dictionary, keys[row], text))
+    {
+      return false;
+    }
+    std::istringstream stream(text);
+    stream.imbue(std::locale::classic());
+    stream >> matrix[row][0] >> matrix[row][1] >> matrix[row][2];
+  }
+  for (int a = 0; a < 3; ++a)
+  {
+    const int b = (a + 1) % 3;
+    double    dot = 0;
+    double    lengthA = 0;
+    double    lengthB = 0;
+    for (const auto & row : matrix)
+    {
+      dot += row[a] * row[b];
+      lengthA += row[a] * row[a];
+      lengthB += row[b] * row[b];
+    }
+    if (std::abs(dot) > OrthonormalTolerance * std::sqrt(lengthA * lengthB))
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+/** The cause that an ITK exception states, without names of classes and functions. NrrdIO lists the functions from the
+ * outermost to the one that knows. */
+std::string
+Summary(const itk::ExceptionObject & error)
+{
+  std::string       text = Trimmed(error.GetDescription());
+  const std::string nrrdLine = "[nrrd] ";
+  const auto        nrrd = text.rfind(nrrdLine);
+  const auto        colon = text.find("): ");
+  if (nrrd != std::string::npos)
+  {
+    text = text.substr(nrrd + nrrdLine.size());
+    text = text.substr(text.find(": ") == std::string::npos ? 0 : text.find(": ") + 2);
+  }
+  else if (colon != std::string::npos)
+  {
+    text = text.substr(colon + 3);
+  }
+  std::replace_if(
+    text.begin(), text.end(), [](char c) { return static_cast<unsigned char>(c) < ' '; }, ' ');
+  return text.substr(0, 200);
+}
+
+ImageHeader
+ReadHeader(const std::string & path, ImageFormat format)
+{
+  const itk::ImageIOBase::Pointer io = MakeImageIO(format);
+  io->SetFileName(path);
+  io->ReadImageInformation();
+  ImageHeader       header;
+  const std::size_t dimension = io->GetNumberOfDimensions();
+  for (std::size_t i = 0; i < dimension; ++i)
+  {
+    const auto axis = static_cast<unsigned int>(i);
+    header.size.push_back(io->GetDimensions(axis));
+    header.spacing.push_back(io->GetSpacing(axis));
+    header.origin.push_back(io->GetOrigin(axis));
+  }
+  for (std::size_t row = 0; row < dimension; ++row)
+  {
+    for (std::size_t column = 0; column < dimension; ++column)
+    {
+      const auto axis = io->GetDirection(static_cast<unsigned int>(column)); // a column of the matrix
+      header.direction.push_back(row < axis.size() ? axis[row] : 0.0);
+    }
+  }
+  header.componentType = static_cast<int>(io->GetComponentType());
+  if (io->GetComponentType() != ComponentEnum::UNKNOWNCOMPONENTTYPE)
+  {
+    header.componentBytes = io->GetComponentSize();
+  }
+  header.components = io->GetNumberOfComponents();
+  header.isScalar = io->GetPixelType() == itk::IOPixelEnum::SCALAR && header.components == 1;
+  header.isSheared = format == ImageFormat::nifti && HasShearedSform(io->GetMetaDataDictionary());
+  return header;
+}
+
+void
+ReadVoxels(const std::string & path, ImageFormat format, char * voxels)
+{
+  const itk::ImageIOBase::Pointer io = MakeImageIO(format);
+  io->SetFileName(path);
+  io->ReadImageInformation();
+  itk::ImageIORegion region(io->GetNumberOfDimensions());
+  for (unsigned int i = 0; i < io->GetNumberOfDimensions(); ++i)
+  {
+    region.SetIndex(i, 0);
+    region.SetSize(i, io->GetDimensions(i));
+  }
+  io->SetIORegion(region);
+  io->Read(voxels);
+}
+
+std::string
+Contained(const std::function<std::string()> & work)
+{
+  try
+  {
+    return work();
+  }
+  catch (const itk::ExceptionObject & error)
+  {
+    throw std::runtime_error(Summary(error));
+  }
+}
+
+/** For work on `bytes` bytes of voxels; a slow machine handles a megabyte in a second. */
+ContainedProcess::Limits
+LimitsFor(double bytes)
+{
+  const double seconds = 10 + bytes / 1e6;
+  return { static_cast<std::size_t>((256u << 20) + 3 * bytes),
+           static_cast<unsigned int>(seconds),
+           static_cast<unsigned int>(600 + seconds) };
+}
+
+ImageHeader
+ReadHeaderContained(const std::string & path, ImageFormat format)
+{
+  ContainedProcess process(
+    [format](const std::string & request, char *) {
+      return Contained([&] {
+        ByteWriter        writer;
+        const ImageHeader header = ReadHeader(request, format);
+        Transmit(writer, header);
+        return writer.GetBytes();
+      });
+    },
+    0,
+    LimitsFor(0));
+  ImageHeader header;
+  try
+  {
+    const std::string response = process.Call(path);
+    ByteReader        reader(response);
+    Transmit(reader, header);
+  }
+  catch (const ContainedProcess::Failure & failure)
+  {
+    Refuse(path, "the " + NameOf(format) + " header cannot be read: " + failure.what());
+  }
+  return header;
+}
+
+// ---- checks ----
+
+bool
+AreFinite(const std::vector<double> & values)
+{
+  return std::all_of(values.begin(), values.end(), [](double value) { return std::isfinite(value); });
+}
+
+void
+CheckKind(const std::string & path, const ImageHeader & header)
+{
+  if (!header.isScalar)
+  {
+    Refuse(path,
+           "its voxels have " + std::to_string(header.components) +
+             " components (colour, vector or complex); one intensity for each voxel is needed");
+  }
+  if (header.componentBytes == 0)
+  {
+    Refuse(path, "its type of voxel is not supported");
+  }
+  if (header.size.size() < 3)
+  {
+    Refuse(path, "a 2-D image; a volume is needed");
+  }
+  for (std::size_t i = 3; i < header.size.size(); ++i)
+  {
+    if (header.size[i] != 1)
+    {
+      Refuse(path,
+             "a series of " + std::to_string(header.size[i]) + " volumes (dimension " + std::to_string(i + 1) +
+               "); extract one of them");
+    }
+  }
+}
+
+void
+CheckGeometry(const std::string & path, const ImageHeader & header)
+{
+  if (!AreFinite(header.spacing) || !AreFinite(header.origin) || !AreFinite(header.direction))
+  {
+    Refuse(path, "spacing, origin or direction is not a finite number; repair the header");
+  }
+  for (int i = 0; i < 3; ++i)
+  {
+    if (header.spacing[i] <= 0)
+    {
+      Refuse(path, "the spacing of axis " + std::to_string(i + 1) + " is not positive; repair the header");
+    }
+  }
+  const std::size_t n = header.size.size();
+  bool              isOrthonormal = !header.isSheared;
+  for (int a = 0; a < 3; ++a)
+  {
+    for (int b = 0; b < 3; ++b)
+    {
+      double dot = 0;
+      for (int row = 0; row < 3; ++row)
+      {
+        dot += header.direction[row * n + a] * header.direction[row * n + b];
+      }
+      isOrthonormal = isOrthonormal && std::abs(dot - (a == b ? 1 : 0)) <= OrthonormalTolerance;
+    }
+  }
+  if (!isOrthonormal)
+  {
+    Refuse(path, "its axes are not perpendicular (sheared direction matrix); resample it onto a perpendicular grid");
+  }
+}
+
+/** The voxels' bytes; refuses a header that claims more than the file can hold, or the machine. */
+double
+CheckSize(const std::string & path, const ImageHeader & header, const StoredVoxels & stored)
+{
+  double voxels = 1;
+  for (const std::uint64_t size : header.size)
+  {
+    voxels *= static_cast<double>(size);
+  }
+  if (voxels < 1)
+  {
+    Refuse(path, "it has no voxels");
+  }
+  const double bytes = voxels * header.componentBytes;
+  // Integers that the header rescales are of one byte or more and become doubles in ITK's NIfTI reader.
+  const bool isNifti = ImageFormatOf(path) == ImageFormat::nifti;
+  if (!CanHold(stored, isNifti ? voxels : bytes, voxels))
+  {
+    std::ostringstream text;
+    text << "truncated: the header claims " << header.size[0] << "x" << header.size[1] << "x" << header.size[2]
+         << " voxels, more than the file can hold";
+    Refuse(path, text.str());
+  }
+  if (bytes + voxels * sizeof(float) > PhysicalMemory())
+  {
+    Refuse(path, "the volume does not fit into the memory of this machine; crop it");
+  }
+  return bytes;
+}
+
+// ---- voxels ----
+
+template <typename TStored>
+void
+CopyVoxels(const char * stored, std::size_t count, float * voxels)
+{
+  const auto * const values = reinterpret_cast<const TStored *>(stored);
+  std::transform(values, values + count, voxels, [](TStored value) { return static_cast<float>(value); });
+}
+
+void
+ConvertVoxels(const std::string & path, ComponentEnum type, const char * stored, std::size_t count, float * voxels)
+{
+  switch (type)
+  {
+    case ComponentEnum::UCHAR:
+      return CopyVoxels<unsigned char>(stored, count, voxels);
+    case ComponentEnum::CHAR:
+      return CopyVoxels<signed char>(stored, count, voxels);
+    case ComponentEnum::USHORT:
+      return CopyVoxels<unsigned short>(stored, count, voxels);
+    case ComponentEnum::SHORT:
+      return CopyVoxels<short>(stored, count, voxels);
+    case ComponentEnum::UINT:
+      return CopyVoxels<unsigned int>(stored, count, voxels);
+    case ComponentEnum::INT:
+      return CopyVoxels<int>(stored, count, voxels);
+    case ComponentEnum::ULONG:
+      return CopyVoxels<unsigned long>(stored, count, voxels);
+    case ComponentEnum::LONG:
+      return CopyVoxels<long>(stored, count, voxels);
+    case ComponentEnum::ULONGLONG:
+      return CopyVoxels<unsigned long long>(stored, count, voxels);
+    case ComponentEnum::LONGLONG:
+      return CopyVoxels<long long>(stored, count, voxels);
+    case ComponentEnum::FLOAT:
+      return CopyVoxels<float>(stored, count, voxels);
+    case ComponentEnum::DOUBLE:
+      return CopyVoxels<double>(stored, count, voxels);
+    default:
+      Refuse(path, "its type of voxel is not supported");
+  }
+}
+
+void
+CheckFinite(const std::string & path, const Volume::ImageType * image)
+{
+  const float * const voxels = image->GetBufferPointer();
+  const std::size_t   count = image->GetLargestPossibleRegion().GetNumberOfPixels();
+  const auto          isBad = [](float value) { return !std::isfinite(value); };
+  const auto          bad = static_cast<std::size_t>(std::count_if(voxels, voxels + count, isBad));
+  if (bad == 0)
+  {
+    return;
+  }
+  const auto         offset = std::find_if(voxels, voxels + count, isBad) - voxels;
+  const auto         index = image->ComputeIndex(offset);
+  std::ostringstream text;
+  text << bad << " of " << count << " voxels are not finite numbers, the first at index (" << index[0] << ", "
+       << index[1] << ", " << index[2] << "); replace NaN and infinity by numbers";
+  Refuse(path, text.str());
+}
+
+/** Whole numbers are exact up to 2^24 in single precision. */
+void
+NoteRounding(const ImageHeader & header, Volume & volume)
+{
+  const auto type = static_cast<ComponentEnum>(header.componentType);
+  const bool isWide = type == ComponentEnum::INT || type == ComponentEnum::UINT || type == ComponentEnum::LONG ||
+                      type == ComponentEnum::ULONG || type == ComponentEnum::LONGLONG ||
+                      type == ComponentEnum::ULONGLONG;
+  const float * const voxels = volume.image->GetBufferPointer();
+  const std::size_t   count = volume.image->GetLargestPossibleRegion().GetNumberOfPixels();
+  if (isWide && std::any_of(voxels, voxels + count, [](float value) { return std::abs(value) >= 16777216.0F; }))
+  {
+    volume.notes.push_back("intensities of 2^24 and more are rounded to single precision: small differences are lost");
+  }
+}
+
+Volume::ImageType::Pointer
+MakeImage(const ImageHeader & header)
+{
+  auto                             image = Volume::ImageType::New();
+  Volume::ImageType::SizeType      size;
+  Volume::ImageType::SpacingType   spacing;
+  Volume::ImageType::PointType     origin;
+  Volume::ImageType::DirectionType direction;
+  for (unsigned int i = 0; i < 3; ++i)
+  {
+    size[i] = header.size[i];
+    spacing[i] = header.spacing[i];
+    origin[i] = header.origin[i];
+    for (unsigned int j = 0; j < 3; ++j)
+    {
+      direction(i, j) = header.direction[i * header.size.size() + j];
+    }
+  }
+  image->SetRegions(size);
+  image->SetSpacing(spacing);
+  image->SetOrigin(origin);
+  image->SetDirection(direction);
+  image->Allocate();
+  return image;
+}
+
+Volume::ImageType::Pointer
+ReadImage(const std::string &  path,
+          ImageFormat          format,
+          const StoredVoxels & stored,
+          const ImageHeader &  header,
+          double               bytes)
+{
+  ContainedProcess process(
+    [&](const std::string & request, char * shared) {
+      return Contained([&] {
+        VerifyVoxels(stored, format, static_cast<std::uint64_t>(bytes));
+        ReadVoxels(request, format, shared);
+        return std::string();
+      });
+    },
+    static_cast<std::size_t>(bytes),
+    LimitsFor(bytes));
+  try
+  {
+    process.Call(path);
+  }
+  catch (const ContainedProcess::Failure & failure)
+  {
+    Refuse(path, failure.what());
+  }
+  process.Stop();
+  const auto image = MakeImage(header);
+  ConvertVoxels(path,
+                static_cast<ComponentEnum>(header.componentType),
+                process.GetShared(),
+                image->GetLargestPossibleRegion().GetNumberOfPixels(),
+                image->GetBufferPointer());
+  return image;
+}
+
+std::string
+IdentityOf(const std::string & path, const StoredVoxels & stored)
+{
+  if (stored.file == path)
+  {
+    return "sha256:" + Sha256OfFile(path);
+  }
+  return "sha256:" + Sha256OfBytes(Sha256OfFile(path) + Sha256OfFile(stored.file));
+}
+} // namespace
+
+bool
+IsImageFile(const std::string & path)
+{
+  return ImageFormatOf(path) != ImageFormat::none;
+}
+
+Volume
+ReadImageFile(const std::string & path)
+{
+  const ImageFormat  format = ImageFormatOf(path);
+  const StoredVoxels stored = LocateVoxels(path, format);
+  const ImageHeader  header = ReadHeaderContained(path, format);
+  CheckKind(path, header);
+  CheckGeometry(path, header);
+  const double bytes = CheckSize(path, header, stored);
+  Volume       volume;
+  volume.image = ReadImage(path, format, stored, header, bytes);
+  CheckFinite(path, volume.image);
+  NoteRounding(header, volume);
+  volume.identity = IdentityOf(path, stored);
+  return volume;
+}
+} // namespace shapeton

@@ -1,0 +1,423 @@
+#include "shapetonStoredVoxels.h"
+
+#include "shapetonExceptions.h"
+
+#include "itk_zlib.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <functional>
+#include <sstream>
+#include <stdexcept>
+#include <vector>
+
+namespace shapeton
+{
+namespace
+{
+namespace fs = std::filesystem;
+
+// The limit of the deflate format.
+constexpr double MaximumDeflateRatio = 1032;
+
+// Any real text header is shorter.
+constexpr std::size_t LongestTextHeader = 1u << 20;
+
+constexpr std::size_t NiftiHeaderBytes = 348;
+
+std::string
+LowerCase(std::string text)
+{
+  std::transform(text.begin(), text.end(), text.begin(), [](char c) {
+    return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+  });
+  return text;
+}
+
+bool
+EndsWith(const std::string & text, const std::string & end)
+{
+  return text.size() >= end.size() && text.compare(text.size() - end.size(), end.size(), end) == 0;
+}
+
+std::string
+Trimmed(const std::string & text)
+{
+  const auto first = text.find_first_not_of(" \t\r\n");
+  const auto last = text.find_last_not_of(" \t\r\n");
+  return first == std::string::npos ? std::string() : text.substr(first, last - first + 1);
+}
+
+[[noreturn]] void
+Refuse(const std::string & path, const std::string & reason)
+{
+  throw InputError(path + ": " + reason);
+}
+
+// ---- text headers ----
+
+struct TextHeader
+{
+  std::vector<std::string> lines;
+  /** Bytes up to the end of the last line. */
+  std::uint64_t bytes{ 0 };
+  bool          isComplete{ false };
+
+  std::string
+  ValueOf(const std::string & key, char separator) const
+  {
+    for (const std::string & line : lines)
+    {
+      const auto position = line.find(separator);
+      if (position != std::string::npos && LowerCase(Trimmed(line.substr(0, position))) == key)
+      {
+        return Trimmed(line.substr(position + 1));
+      }
+    }
+    return {};
+  }
+};
+
+TextHeader
+ReadTextHeader(const std::string & path, const std::function<bool(const std::string &)> & isLast)
+{
+  std::ifstream stream(path, std::ios::binary);
+  std::string   text(LongestTextHeader, '\0');
+  stream.read(&text[0], static_cast<std::streamsize>(text.size()));
+  text.resize(static_cast<std::size_t>(stream.gcount()));
+  TextHeader  header;
+  std::size_t start = 0;
+  while (start < text.size() && !header.isComplete)
+  {
+    const std::size_t end = std::min(text.find('\n', start), text.size());
+    header.lines.push_back(Trimmed(text.substr(start, end - start)));
+    header.isComplete = isLast(header.lines.back());
+    start = end + 1;
+  }
+  header.bytes = std::min(start, text.size());
+  return header;
+}
+
+/** A data file named by a header: one plain file. Lists and patterns of files are refused. */
+std::string
+DetachedFile(const std::string & path, const std::string & name)
+{
+  const bool isList = LowerCase(name).compare(0, 4, "list") == 0;
+  if (isList || name.find('%') != std::string::npos || name.find(' ') != std::string::npos)
+  {
+    Refuse(path, "its data lie in several files (" + name + "); store the volume in one file");
+  }
+  const std::string file = (fs::path(path).parent_path() / name).string();
+  std::error_code   error;
+  if (!fs::is_regular_file(file, error))
+  {
+    Refuse(path, "its data file " + file + " is missing");
+  }
+  return file;
+}
+
+StoredVoxels
+LocateNrrdVoxels(const std::string & path)
+{
+  const TextHeader header = ReadTextHeader(path, [](const std::string & line) { return line.empty(); });
+  if (header.lines.empty() || header.lines.front().compare(0, 4, "NRRD") != 0)
+  {
+    Refuse(path, "this is no NRRD file");
+  }
+  StoredVoxels voxels{ path, header.bytes };
+  std::string  detached = header.ValueOf("data file", ':');
+  detached = detached.empty() ? header.ValueOf("datafile", ':') : detached;
+  if (!detached.empty())
+  {
+    voxels = { DetachedFile(path, detached) };
+  }
+  const std::string encoding = LowerCase(header.ValueOf("encoding", ':'));
+  if (encoding == "gzip" || encoding == "gz")
+  {
+    voxels.coding = StoredVoxels::Coding::deflated;
+  }
+  else if (encoding == "ascii" || encoding == "text" || encoding == "txt" || encoding == "hex")
+  {
+    voxels.coding = StoredVoxels::Coding::text;
+  }
+  else if (encoding != "raw")
+  {
+    Refuse(path, "NRRD encoding \"" + encoding + "\" is not supported; use raw or gzip");
+  }
+  return voxels;
+}
+
+StoredVoxels
+LocateMetaVoxels(const std::string & path)
+{
+  const TextHeader header =
+    ReadTextHeader(path, [](const std::string & line) { return line.compare(0, 15, "ElementDataFile") == 0; });
+  if (!header.isComplete)
+  {
+    Refuse(path, "this is no MetaImage file: it has no ElementDataFile");
+  }
+  const std::string dimensions = header.ValueOf("ndims", '=');
+  if (dimensions.size() != 1 || dimensions < "1" || dimensions > "9") // MetaIO would loop over any number
+  {
+    Refuse(path, "this is no MetaImage file: its NDims is no number of dimensions");
+  }
+  StoredVoxels      voxels{ path, header.bytes };
+  const std::string detached = header.ValueOf("elementdatafile", '=');
+  if (LowerCase(detached) != "local")
+  {
+    voxels = { DetachedFile(path, detached) };
+  }
+  if (LowerCase(header.ValueOf("compresseddata", '=')) == "true")
+  {
+    voxels.coding = StoredVoxels::Coding::deflated;
+  }
+  else if (LowerCase(header.ValueOf("binarydata", '=')) == "false")
+  {
+    Refuse(path, "MetaImage with voxels as text (BinaryData = False) is not supported; store them binary");
+  }
+  return voxels;
+}
+
+// ---- verification ----
+
+std::uint64_t
+LengthOf(const StoredVoxels & voxels)
+{
+  std::error_code error;
+  const auto      length = fs::file_size(voxels.file, error);
+  return error || length < voxels.offset ? 0 : length - voxels.offset;
+}
+
+std::string
+Missing(std::uint64_t present, std::uint64_t needed)
+{
+  return "truncated: it holds " + std::to_string(present) + " of " + std::to_string(needed) + " bytes of voxels";
+}
+
+/** The first bytes of a stream of stored voxels, and its length. */
+struct Stream
+{
+  std::string   head;
+  std::uint64_t bytes{ 0 };
+};
+
+/** Inflates a zlib or gzip stream, of one member or several, and checks its checksums. */
+class Inflater
+{
+public:
+  Inflater()
+  {
+    if (inflateInit2(&m_State, 15 + 32) != Z_OK) // zlib or gzip, whichever it is
+    {
+      throw std::bad_alloc();
+    }
+  }
+  ~Inflater() { inflateEnd(&m_State); }
+  Inflater(const Inflater &) = delete;
+  Inflater &
+  operator=(const Inflater &) = delete;
+
+  /** False after the end of the last member; what follows it is not looked at. */
+  bool
+  Take(char * data, std::size_t size, Stream & stream)
+  {
+    m_State.next_in = reinterpret_cast<Bytef *>(data);
+    m_State.avail_in = static_cast<uInt>(size);
+    while (m_State.avail_in > 0)
+    {
+      if (m_HasEnded && !this->StartMember())
+      {
+        return false;
+      }
+      this->Step(stream);
+    }
+    return true;
+  }
+
+  bool
+  HasEnded() const
+  {
+    return m_HasEnded;
+  }
+
+private:
+  bool
+  StartMember()
+  {
+    constexpr Bytef gzipMagic = 0x1F;
+    m_HasEnded = *m_State.next_in != gzipMagic || inflateReset(&m_State) != Z_OK;
+    return !m_HasEnded;
+  }
+
+  void
+  Step(Stream & stream)
+  {
+    char buffer[1u << 16];
+    m_State.next_out = reinterpret_cast<Bytef *>(buffer);
+    m_State.avail_out = sizeof(buffer);
+    const int status = inflate(&m_State, Z_NO_FLUSH);
+    if (status != Z_OK && status != Z_STREAM_END && status != Z_BUF_ERROR)
+    {
+      throw std::runtime_error("damaged: its compressed voxels are corrupt after " + std::to_string(stream.bytes) +
+                               " bytes");
+    }
+    const std::size_t produced = sizeof(buffer) - m_State.avail_out;
+    if (stream.head.size() < NiftiHeaderBytes)
+    {
+      stream.head.append(buffer, std::min(produced, NiftiHeaderBytes - stream.head.size()));
+    }
+    stream.bytes += produced;
+    m_HasEnded = status == Z_STREAM_END;
+  }
+
+  z_stream m_State{};
+  bool     m_HasEnded{ false };
+};
+
+Stream
+ReadDeflated(const StoredVoxels & voxels)
+{
+  std::ifstream file(voxels.file, std::ios::binary);
+  file.seekg(static_cast<std::streamoff>(voxels.offset));
+  Inflater          inflater;
+  Stream            stream;
+  std::vector<char> buffer(1u << 18);
+  bool              goesOn = true;
+  while (goesOn && file)
+  {
+    file.read(buffer.data(), static_cast<std::streamsize>(buffer.size()));
+    goesOn = file.gcount() > 0 && inflater.Take(buffer.data(), static_cast<std::size_t>(file.gcount()), stream);
+  }
+  if (!inflater.HasEnded())
+  {
+    throw std::runtime_error("truncated: its compressed voxels break off after " + std::to_string(stream.bytes) +
+                             " bytes");
+  }
+  return stream;
+}
+
+Stream
+ReadRaw(const StoredVoxels & voxels)
+{
+  Stream stream;
+  stream.bytes = LengthOf(voxels);
+  std::ifstream file(voxels.file, std::ios::binary);
+  stream.head.resize(NiftiHeaderBytes);
+  file.read(&stream.head[0], NiftiHeaderBytes);
+  stream.head.resize(static_cast<std::size_t>(file.gcount()));
+  return stream;
+}
+
+/** A number of the NIfTI-1 header, in the byte order of the file. */
+template <typename TNumber>
+TNumber
+NiftiNumber(const std::string & header, std::size_t offset, bool isSwapped)
+{
+  char bytes[sizeof(TNumber)];
+  std::memcpy(bytes, &header[offset], sizeof(TNumber));
+  if (isSwapped)
+  {
+    std::reverse(bytes, bytes + sizeof(TNumber));
+  }
+  TNumber number;
+  std::memcpy(&number, bytes, sizeof(TNumber));
+  return number;
+}
+
+/** The bytes up to the end of the voxels that a NIfTI-1 header announces. */
+std::uint64_t
+NiftiBytes(const std::string & header)
+{
+  if (header.size() < NiftiHeaderBytes)
+  {
+    throw std::runtime_error("truncated: it ends within its header");
+  }
+  const bool isSwapped = NiftiNumber<std::int32_t>(header, 0, false) != static_cast<int>(NiftiHeaderBytes);
+  if (isSwapped && NiftiNumber<std::int32_t>(header, 0, true) != static_cast<int>(NiftiHeaderBytes))
+  {
+    throw std::runtime_error("this is no NIfTI-1 file");
+  }
+  const int dimensions = NiftiNumber<std::int16_t>(header, 40, isSwapped);
+  double    bytes = NiftiNumber<std::int16_t>(header, 72, isSwapped) / 8.0;
+  for (int i = 1; i <= std::min(dimensions, 7); ++i)
+  {
+    bytes *= std::max<int>(1, NiftiNumber<std::int16_t>(header, 40 + 2 * static_cast<std::size_t>(i), isSwapped));
+  }
+  bytes += NiftiNumber<float>(header, 108, isSwapped);
+  if (!(bytes >= 0 && bytes < 1e18))
+  {
+    throw std::runtime_error("its header is malformed");
+  }
+  return static_cast<std::uint64_t>(bytes);
+}
+} // namespace
+
+ImageFormat
+ImageFormatOf(const std::string & path)
+{
+  const std::string name = LowerCase(path);
+  if (EndsWith(name, ".nrrd") || EndsWith(name, ".nhdr"))
+  {
+    return ImageFormat::nrrd;
+  }
+  if (EndsWith(name, ".nii") || EndsWith(name, ".nii.gz"))
+  {
+    return ImageFormat::nifti;
+  }
+  return EndsWith(name, ".mha") || EndsWith(name, ".mhd") ? ImageFormat::meta : ImageFormat::none;
+}
+
+std::string
+NameOf(ImageFormat format)
+{
+  return format == ImageFormat::nrrd ? "NRRD" : format == ImageFormat::nifti ? "NIfTI" : "MetaImage";
+}
+
+StoredVoxels
+LocateVoxels(const std::string & path, ImageFormat format)
+{
+  switch (format)
+  {
+    case ImageFormat::nrrd:
+      return LocateNrrdVoxels(path);
+    case ImageFormat::meta:
+      return LocateMetaVoxels(path);
+    default:
+      return { path, 0, EndsWith(LowerCase(path), ".gz") ? StoredVoxels::Coding::deflated : StoredVoxels::Coding::raw };
+  }
+}
+
+bool
+CanHold(const StoredVoxels & voxels, double bytes, double values)
+{
+  const auto length = static_cast<double>(LengthOf(voxels));
+  switch (voxels.coding)
+  {
+    case StoredVoxels::Coding::deflated:
+      return bytes <= MaximumDeflateRatio * length;
+    case StoredVoxels::Coding::text:
+      return values <= length; // a digit for each
+    default:
+      return bytes <= length;
+  }
+}
+
+void
+VerifyVoxels(const StoredVoxels & voxels, ImageFormat format, std::uint64_t bytes)
+{
+  if (voxels.coding == StoredVoxels::Coding::text)
+  {
+    return; // NRRD: its reader notices when the numbers end
+  }
+  const bool          isDeflated = voxels.coding == StoredVoxels::Coding::deflated;
+  const Stream        stream = isDeflated ? ReadDeflated(voxels) : ReadRaw(voxels);
+  const std::uint64_t needed = format == ImageFormat::nifti ? NiftiBytes(stream.head) : bytes;
+  if (stream.bytes < needed)
+  {
+    throw std::runtime_error(Missing(stream.bytes, needed));
+  }
+}
+} // namespace shapeton

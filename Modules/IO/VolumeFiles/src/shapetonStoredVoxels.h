@@ -1,0 +1,57 @@
+#ifndef shapetonStoredVoxels_h
+#define shapetonStoredVoxels_h
+
+#include <cstdint>
+#include <string>
+
+namespace shapeton
+{
+/** The image formats that are no DICOM. */
+enum class ImageFormat
+{
+  none,
+  nrrd,
+  nifti,
+  meta
+};
+
+/** The format by the extension of a name. */
+ImageFormat
+ImageFormatOf(const std::string & path);
+
+/** "NRRD", "NIfTI" or "MetaImage". */
+std::string
+NameOf(ImageFormat format);
+
+/** Where the voxels of an image file lie and how they are coded. */
+struct StoredVoxels
+{
+  enum class Coding
+  {
+    raw,
+    deflated,
+    text
+  };
+  /** The file itself, or the data file that a header names. */
+  std::string   file;
+  std::uint64_t offset{ 0 };
+  Coding        coding{ Coding::raw };
+};
+
+/** Finds the voxels by the text header of NRRD and MetaImage, or by the name of a NIfTI file. Throws InputError. */
+StoredVoxels
+LocateVoxels(const std::string & path, ImageFormat format);
+
+/** True when the file is long enough for `bytes` bytes of voxels in the worst case of its coding. Cheap: a claim that
+ * fails here is not worth an allocation. */
+bool
+CanHold(const StoredVoxels & voxels, double bytes, double values);
+
+/** Reads the stored bytes to their end and compares them with the need and with their checksum: ITK's readers of NIfTI
+ * and MetaImage take truncated and damaged files for good ones. `bytes` is not used for NIfTI, whose header is in the
+ * stream. Runs in a contained process; throws std::runtime_error. */
+void
+VerifyVoxels(const StoredVoxels & voxels, ImageFormat format, std::uint64_t bytes);
+} // namespace shapeton
+
+#endif

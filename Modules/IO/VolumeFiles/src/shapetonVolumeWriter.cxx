@@ -1,0 +1,283 @@
+#include "shapetonVolumeWriter.h"
+
+#include "shapetonStoredVoxels.h"
+#include "shapetonExceptions.h"
+
+#include "itkImageFileReader.h"
+#include "itkImageFileWriter.h"
+#include "itkMetaDataObject.h"
+#include "itkMetaImageIO.h"
+#include "itkNiftiImageIO.h"
+#include "itkNrrdImageIO.h"
+
+#include <algorithm>
+#include <cerrno>
+#include <cmath>
+#include <cstdio>
+#include <cstring>
+#include <fcntl.h>
+#include <iostream>
+#include <sys/stat.h>
+#include <type_traits>
+#include <unistd.h>
+
+namespace shapeton
+{
+namespace
+{
+// NIfTI keeps its geometry as float.
+constexpr double GeometryTolerance = 1e-4;
+
+bool
+HasExtension(const std::string & path, const std::string & extension)
+{
+  return path.size() > extension.size() &&
+         path.compare(path.size() - extension.size(), extension.size(), extension) == 0;
+}
+
+itk::ImageIOBase::Pointer
+MakeImageIO(const std::string & path)
+{
+  if (HasExtension(path, ".nrrd"))
+  {
+    return itk::NrrdImageIO::New().GetPointer();
+  }
+  if (HasExtension(path, ".nii") || HasExtension(path, ".nii.gz"))
+  {
+    return itk::NiftiImageIO::New().GetPointer();
+  }
+  if (HasExtension(path, ".mha"))
+  {
+    return itk::MetaImageIO::New().GetPointer();
+  }
+  throw ParameterError(path + ": the extension is none of .nrrd, .nii, .nii.gz, .mha");
+}
+
+/** The header is text with one entry for each line. */
+std::string
+OnOneLine(std::string text)
+{
+  for (char & c : text)
+  {
+    c = static_cast<unsigned char>(c) < ' ' ? ' ' : c;
+  }
+  return text;
+}
+
+/** Both formats end a key at a colon or an equals sign, MetaImage also at a space. */
+std::string
+AsKey(std::string text)
+{
+  for (char & c : text)
+  {
+    c = static_cast<unsigned char>(c) <= ' ' || c == ':' || c == '=' ? '_' : c;
+  }
+  return text;
+}
+
+itk::MetaDataDictionary
+MakeDictionary(const VolumeMetadata & metadata)
+{
+  itk::MetaDataDictionary dictionary;
+  for (const auto & entry : metadata)
+  {
+    const std::string value = OnOneLine(entry.second);
+    if (!value.empty())
+    {
+      itk::EncapsulateMetaData<std::string>(dictionary, AsKey(entry.first), value);
+    }
+  }
+  return dictionary;
+}
+
+/** Waits until the file has reached the disk, where a late failure shows. */
+void
+Flush(const std::string & path)
+{
+  struct stat status = {};
+  const int   file = open(path.c_str(), O_RDONLY | O_NONBLOCK);
+  int         reason = file < 0 || fstat(file, &status) != 0 ? errno : 0;
+  if (reason == 0 && !S_ISREG(status.st_mode))
+  {
+    reason = EINVAL;
+  }
+  if (reason == 0 && fsync(file) != 0 && errno != EINVAL && errno != EROFS)
+  {
+    reason = errno;
+  }
+  if (file >= 0)
+  {
+    close(file);
+  }
+  if (reason != 0)
+  {
+    throw OutputError(path + ": cannot be written: " + std::strerror(reason));
+  }
+}
+
+/** ITK's writers of MetaImage and NIfTI print to the standard error what they also report, or should. The standard
+ * error of a tool holds its one message and nothing else. */
+class QuietStandardError
+{
+public:
+  QuietStandardError() : m_Saved(dup(STDERR_FILENO))
+  {
+    const int nowhere = open("/dev/null", O_WRONLY | O_CLOEXEC);
+    if (m_Saved >= 0 && nowhere >= 0)
+    {
+      dup2(nowhere, STDERR_FILENO);
+    }
+    close(nowhere);
+  }
+  ~QuietStandardError()
+  {
+    std::cerr.flush();
+    std::fflush(stderr);
+    if (m_Saved >= 0)
+    {
+      dup2(m_Saved, STDERR_FILENO);
+      close(m_Saved);
+    }
+  }
+  QuietStandardError(const QuietStandardError &) = delete;
+  QuietStandardError &
+  operator=(const QuietStandardError &) = delete;
+
+private:
+  int m_Saved;
+};
+
+template <typename TVector>
+bool
+AreClose(const TVector & a, const TVector & b)
+{
+  for (unsigned int i = 0; i < 3; ++i)
+  {
+    if (!(std::abs(a[i] - b[i]) <= GeometryTolerance * (1 + std::abs(a[i]))))
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+template <typename TImage>
+bool
+HasSameGeometry(const TImage * a, const TImage * b)
+{
+  if (a->GetLargestPossibleRegion().GetSize() != b->GetLargestPossibleRegion().GetSize() ||
+      !AreClose(a->GetSpacing(), b->GetSpacing()) || !AreClose(a->GetOrigin(), b->GetOrigin()))
+  {
+    return false;
+  }
+  for (unsigned int row = 0; row < 3; ++row)
+  {
+    if (!AreClose(a->GetDirection()[row], b->GetDirection()[row]))
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+template <typename TImage>
+void
+Verify(const TImage * image, const std::string & path)
+{
+  // ITK reads the missing end of a compressed file as zeros, which labels may end with.
+  const ImageFormat format = ImageFormatOf(path);
+  const std::size_t count = image->GetLargestPossibleRegion().GetNumberOfPixels();
+  VerifyVoxels(LocateVoxels(path, format), format, count * sizeof(typename TImage::PixelType));
+
+  const auto reader = itk::ImageFileReader<TImage>::New();
+  reader->SetFileName(path);
+  reader->SetImageIO(MakeImageIO(path));
+  reader->Update();
+  const TImage * const copy = reader->GetOutput();
+  if (!HasSameGeometry(image, copy))
+  {
+    throw OutputError(path + ": the geometry cannot be stored in this format; write .nrrd instead");
+  }
+  if (std::memcmp(image->GetBufferPointer(), copy->GetBufferPointer(), count * sizeof(typename TImage::PixelType)) != 0)
+  {
+    throw OutputError(path + ": the file does not hold what was written; is the disk full?");
+  }
+}
+} // namespace
+
+const std::string &
+RequireVolumeName(const std::string & path)
+{
+  if (!path.empty())
+  {
+    MakeImageIO(path);
+  }
+  return path;
+}
+
+template <typename TPixel>
+void
+WriteVolume(const itk::Image<TPixel, 3> * image, const std::string & path, const VolumeMetadata & metadata)
+{
+  using ImageType = itk::Image<TPixel, 3>;
+  const itk::ImageIOBase::Pointer io = MakeImageIO(path);
+  // A copy of the header that shares the pixels, so that the caller's image keeps its own dictionary.
+  const auto output = ImageType::New();
+  output->Graft(image);
+  output->SetMetaDataDictionary(MakeDictionary(metadata));
+  const auto writer = itk::ImageFileWriter<ImageType>::New();
+  writer->SetInput(output);
+  writer->SetFileName(path);
+  writer->SetImageIO(io);
+  writer->SetUseCompression(std::is_integral<TPixel>::value);
+  try
+  {
+    const QuietStandardError quiet;
+    writer->Update();
+    Flush(path);
+    Verify(image, path);
+  }
+  catch (const OutputError &)
+  {
+    throw;
+  }
+  catch (const std::bad_alloc &)
+  {
+    throw;
+  }
+  catch (const std::exception &)
+  {
+    throw OutputError(path + ": cannot be written; is the folder writable and the disk not full?");
+  }
+}
+
+template VolumeFiles_EXPORT void
+WriteVolume(const itk::Image<float, 3> *, const std::string &, const VolumeMetadata &);
+template VolumeFiles_EXPORT void
+WriteVolume(const itk::Image<short, 3> *, const std::string &, const VolumeMetadata &);
+template VolumeFiles_EXPORT void
+WriteVolume(const itk::Image<unsigned char, 3> *, const std::string &, const VolumeMetadata &);
+template VolumeFiles_EXPORT void
+WriteVolume(const itk::Image<unsigned short, 3> *, const std::string &, const VolumeMetadata &);
+template VolumeFiles_EXPORT void
+WriteVolume(const itk::Image<unsigned int, 3> *, const std::string &, const VolumeMetadata &);
+
+itk::Image<short, 3>::Pointer
+ToShort(const itk::Image<float, 3> * image)
+{
+  const float * const first = image->GetBufferPointer();
+  const float * const last = first + image->GetLargestPossibleRegion().GetNumberOfPixels();
+  const bool          isShort = std::all_of(
+    first, last, [](float value) { return value >= -32768.0F && value <= 32767.0F && value == std::floor(value); });
+  if (!isShort)
+  {
+    return nullptr;
+  }
+  const auto copy = itk::Image<short, 3>::New();
+  copy->CopyInformation(image);
+  copy->SetRegions(image->GetLargestPossibleRegion());
+  copy->Allocate();
+  std::transform(first, last, copy->GetBufferPointer(), [](float value) { return static_cast<short>(value); });
+  return copy;
+}
+} // namespace shapeton

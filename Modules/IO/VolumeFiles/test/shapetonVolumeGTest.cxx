@@ -1,0 +1,81 @@
+#include "shapetonExceptions.h"
+#include "shapetonImageFile.h"
+#include "shapetonTestFolder.h"
+#include "shapetonVolumeWriter.h"
+
+#include <gtest/gtest.h>
+
+namespace
+{
+using ImageType = shapeton::Volume::ImageType;
+
+/** Oblique and anisotropic, with the numbers 0 to 59. */
+ImageType::Pointer
+MakeImage()
+{
+  const auto   image = ImageType::New();
+  const double spacing[3] = { 0.5, 0.75, 2.0 };
+  const double origin[3] = { -12.5, 30.25, 100.0 };
+
+  ImageType::DirectionType direction;
+  direction.SetIdentity();
+  direction(0, 0) = direction(1, 1) = 0.6;
+  direction(0, 1) = -0.8;
+  direction(1, 0) = 0.8;
+  image->SetRegions(ImageType::SizeType{ { 5, 4, 3 } });
+  image->SetSpacing(spacing);
+  image->SetOrigin(origin);
+  image->SetDirection(direction);
+  image->Allocate();
+  for (int i = 0; i < 60; ++i)
+  {
+    image->GetBufferPointer()[i] = static_cast<float>(i);
+  }
+  return image;
+}
+
+TEST(Volume, ComesBackFromEveryFormat)
+{
+  const basetest::Folder folder;
+  const auto             image = MakeImage();
+  for (const std::string name : { "a.nrrd", "a.nii", "a.nii.gz", "a.mha" })
+  {
+    shapeton::WriteVolume(image.GetPointer(), folder / name);
+    ASSERT_TRUE(shapeton::IsImageFile(folder / name));
+    const shapeton::Volume copy = shapeton::ReadImageFile(folder / name);
+    EXPECT_TRUE(shapeton::HaveSameGrid(image, copy.image)) << name;
+    EXPECT_EQ(copy.image->GetPixel({ { 1, 2, 2 } }), 51.0F) << name;
+    EXPECT_EQ(copy.identity.substr(0, 7), "sha256:") << name;
+  }
+}
+
+TEST(Volume, OfAnotherGridIsToldApart)
+{
+  const auto image = MakeImage();
+  auto       other = MakeImage();
+  EXPECT_TRUE(shapeton::HaveSameGrid(image, other));
+  auto origin = other->GetOrigin();
+  origin[2] += 0.02; // a hundredth of the least spacing is 0.005
+  other->SetOrigin(origin);
+  EXPECT_FALSE(shapeton::HaveSameGrid(image, other));
+}
+
+TEST(Volume, AsAMaskHasOnesAndTheGridOfTheImage)
+{
+  const auto       image = MakeImage();
+  shapeton::Volume volume;
+  volume.image = MakeImage();
+  const auto mask = shapeton::MaskForImage(volume, "m.nrrd", image);
+  EXPECT_EQ(mask->GetPixel({ { 0, 0, 0 } }), 0);
+  EXPECT_EQ(mask->GetPixel({ { 1, 0, 0 } }), 1);
+  EXPECT_TRUE(shapeton::HaveSameGrid(image, mask));
+
+  volume.image->FillBuffer(0.0F);
+  EXPECT_EQ(basetest::MessageOf([&] { shapeton::MaskForImage(volume, "m.nrrd", image); }),
+            "InputError: m.nrrd: the mask is empty: it needs voxels other than 0");
+  volume.image->SetSpacing(2.0);
+  EXPECT_NE(
+    basetest::MessageOf([&] { shapeton::MaskForImage(volume, "m.nrrd", image); }).find("differs in size or place"),
+    std::string::npos);
+}
+} // namespace

@@ -1,0 +1,48 @@
+#ifndef shapetonFlatSurface_h
+#define shapetonFlatSurface_h
+
+#include "shapetonSurfaceCut.h"
+
+namespace shapeton
+{
+/** \defgroup FlatSurface A surface with a map to the plane
+ * A flat surface is a SurfaceMesh: V are the points in space (LPS, mm), with the vertices of the cut duplicated.
+ * - point array `uv`: two components, the place in the plane. For a tube mm at the mean circumference: u from the first
+ *   boundary loop (the rectum) on, v in [0, circumference]. Seen with u to the right and v up it shows the surface as
+ *   from inside, where a face is clockwise.
+ * - point array `sourcePointId`: whole numbers, the vertex of the surface that was cut.
+ * - field arrays `circumference` and `length` of a tube: one value each, mm. The mean circumference is the integral of
+ *   |grad u| over the surface in space for u from 0 to 1, the mean length of its level sets by the coarea formula.
+ * All arrays and facts of the source come along; a source that is flat itself loses these four.
+ * \ingroup ConformalFlattening */
+///@{
+
+/** A cut surface with its places in the plane, a row for each of its vertices. Throws InputError where a place is not
+ * finite or a row is missing. */
+ConformalFlattening_EXPORT SurfaceMesh
+MakeFlatSurface(CutSurface cut, const Eigen::MatrixX2d & uv);
+
+/** Gives a flat surface `circumference` and `length`, mm. */
+ConformalFlattening_EXPORT void
+SetFlatExtent(SurfaceMesh & flat, double circumference, double length);
+
+/** `uv`, a row for each vertex. Throws InputError that begins with `what` where there is none, and names the tool that
+ * makes it. */
+ConformalFlattening_EXPORT Eigen::MatrixX2d
+                           FlatCoordinates(const SurfaceMesh & flat, const std::string & what);
+
+/** `circumference` in mm. Throws InputError that begins with `what` where there is none, or it is not positive. */
+ConformalFlattening_EXPORT double
+FlatCircumference(const SurfaceMesh & flat, const std::string & what);
+
+/** `length` in mm; as FlatCircumference(). */
+ConformalFlattening_EXPORT double
+FlatLength(const SurfaceMesh & flat, const std::string & what);
+
+/** `sourcePointId`. Throws InputError that begins with `what` where there is none. */
+ConformalFlattening_EXPORT std::vector<int>
+                           FlatSourcePoints(const SurfaceMesh & flat, const std::string & what);
+///@}
+} // namespace shapeton
+
+#endif

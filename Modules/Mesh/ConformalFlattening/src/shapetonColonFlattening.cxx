@@ -1,0 +1,263 @@
+#include "shapetonColonFlattening.h"
+
+#include "shapetonHeatDiffusionMetric.h"
+#include "shapetonExceptions.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <memory>
+#include <sstream>
+
+namespace shapeton
+{
+namespace
+{
+/** In warnings, which go to result files, where no path belongs. */
+constexpr const char * surfaceName = "the surface";
+constexpr int          ringsOfHandle = 3;
+constexpr int          mostRounds = 5;     // of removal
+constexpr double       largeHandle = 30.0; // mm; loops of noise are smaller
+constexpr double       foldedShare = 0.01; // of the faces
+
+/** The chain of one surface; m_Result fills up on the way. */
+class ColonFlattener
+{
+public:
+  ColonFlattener(const std::string & what, const ColonFlatteningOptions & options) : m_What(what), m_Options(options) {}
+
+  ColonFlattening
+  Run(SurfaceMesh mesh)
+  {
+    this->Prepare(std::move(mesh));
+    m_Options.progress("Handles", 0.05);
+    if (m_Options.removeHandles && m_Result.genusBefore > 0)
+    {
+      this->RemoveInRounds();
+    }
+    this->Flatten();
+    m_Options.progress("Distortion", 0.9);
+    const HandleDetection left = DetectHandles(*m_Connectivity, m_Result.map.flat);
+    if (m_Options.removeHandles)
+    {
+      this->PlaceOnMap();
+    }
+    else
+    {
+      m_Result.handles = left;
+    }
+    this->CompareGenus();
+    this->Measure(left.handles);
+    return std::move(m_Result);
+  }
+
+private:
+  void
+  Prepare(SurfaceMesh mesh)
+  {
+    m_Options.progress("Preparing", 0.0);
+    PreparedTube tube = PrepareTube(std::move(mesh), m_What);
+    m_Result.surface = std::move(tube.mesh);
+    m_Result.warnings = std::move(tube.warnings);
+    m_Result.metric = m_Options.metric;
+    this->Connect();
+    m_Result.genusBefore = m_Result.genusAfter = m_Connectivity->Components().front().genus.value_or(0);
+    if (!m_Laplacian.clampedFaces.empty())
+    {
+      m_Result.warnings.push_back(std::string(surfaceName) + ": " + std::to_string(m_Laplacian.clampedFaces.size()) +
+                                  " faces with hardly any area, such as face " +
+                                  std::to_string(m_Laplacian.clampedFaces.front()) + ", were taken for thin ones");
+    }
+    if (m_Result.rectumFrom == "firstLoop")
+    {
+      m_Result.warnings.push_back(std::string(surfaceName) +
+                                  " does not say which end is the rectum (field array rectumLoop, or " +
+                                  "the parameter \"centreline\"): u begins at the loop with the least vertex");
+    }
+  }
+
+  /** All that depends on the faces, after each change of them. */
+  void
+  Connect()
+  {
+    m_Connectivity = std::make_unique<SurfaceConnectivity>(m_Result.surface);
+    m_Ends = FindTubeEnds(m_Result.surface, *m_Connectivity, m_What);
+    m_Result.rectumFrom = m_Ends.isRectumKnown ? "rectumLoop" : "firstLoop";
+    const CurveSet & centreline = m_Options.centreline;
+    if (!m_Ends.isRectumKnown && !centreline.curves.empty())
+    {
+      const Eigen::RowVector3d start = centreline.V.row(centreline.curves.front().front());
+      if (this->DistanceOfLoop(m_Ends.second, start) < this->DistanceOfLoop(m_Ends.first, start))
+      {
+        std::swap(m_Ends.first, m_Ends.second);
+      }
+      m_Result.rectumFrom = "centreline";
+    }
+    m_Lengths = EdgeLengths(*m_Connectivity, m_Result.surface.V);
+    m_Laplacian = MakeSurfaceLaplacian(*m_Connectivity, m_Lengths);
+  }
+
+  double
+  DistanceOfLoop(const std::vector<int> & loop, const Eigen::RowVector3d & point) const
+  {
+    double least = std::numeric_limits<double>::infinity();
+    for (const int v : loop)
+    {
+      least = std::min(least, (m_Result.surface.V.row(v) - point).norm());
+    }
+    return least;
+  }
+
+  /** The time given, or the default one, which needs to know how narrow the tube is. */
+  void
+  ChooseTime()
+  {
+    m_Result.time = m_Options.time;
+    if (!(m_Result.time > 0.0))
+    {
+      m_Result.narrowestRadius = NarrowestLevelRadius(m_Result.surface, HarmonicAlongTube(m_Laplacian, m_Ends));
+      m_Result.time = DefaultDiffusionTime(*m_Connectivity, m_Lengths, m_Result.narrowestRadius);
+    }
+    const double edge = m_Lengths.mean();
+    if (m_Result.time < edge * edge)
+    {
+      m_Result.warnings.push_back(
+        std::string(surfaceName) + ": the time of diffusion is less than the square of the mean edge, which is " +
+        std::to_string(edge) +
+        " mm, so the metric shows the mesh; take a finer surface or the parameter \"metric\" = euclidean");
+    }
+  }
+
+  /** The lengths of the edges in the metric of the map. */
+  Eigen::VectorXd
+  MetricLengths()
+  {
+    if (m_Options.metric == FlatMetric::Euclidean)
+    {
+      return m_Lengths;
+    }
+    this->ChooseTime();
+    if (m_Options.metric == FlatMetric::HeatDiffusion)
+    {
+      return HeatDiffusionMetricSolver(m_Laplacian).Compute(m_Result.time).edgeLengths;
+    }
+    m_Result.eigenpairs = m_Options.eigenpairs;
+    const SurfaceSpectrum spectrum = ComputeSurfaceSpectrum(m_Laplacian, m_Options.eigenpairs);
+    return TruncatedHeatDiffusionMetric(m_Laplacian, spectrum, m_Result.time, m_Options.eigenpairs).edgeLengths;
+  }
+
+  void
+  Flatten()
+  {
+    m_Options.progress("Metric", 0.2);
+    m_Metric = this->MetricLengths();
+    m_Options.progress("Flattening", 0.7);
+    m_Result.map = FlattenTube(m_Result.surface, *m_Connectivity, m_Metric, m_Ends, m_Options.tube);
+  }
+
+  void
+  RemoveInRounds()
+  {
+    for (int round = 0; round < mostRounds && m_Result.genusAfter > 0; ++round)
+    {
+      const TubeMap         map = FlattenTube(m_Result.surface, *m_Connectivity, m_Lengths, m_Ends);
+      const HandleDetection found = DetectHandles(*m_Connectivity, map.flat);
+      if (found.handles.empty())
+      {
+        break;
+      }
+      HandleRemoval removal = RemoveHandles(m_Result.surface, *m_Connectivity, found.handles);
+      m_Result.surface = std::move(removal.mesh);
+      m_Result.genusAfter = removal.genus;
+      this->Connect();
+      auto & all = m_Result.handles;
+      all.handles.insert(all.handles.end(), found.handles.begin(), found.handles.end());
+      all.falseAlarms += round == 0 ? found.falseAlarms : 0;
+      all.genus += found.genus;
+    }
+    if (m_Result.genusAfter > 0)
+    {
+      m_Result.warnings.push_back(std::string(surfaceName) + ": " + std::to_string(m_Result.genusAfter) +
+                                  " handles could not be removed");
+    }
+  }
+
+  /** Where the handles that were removed lie on the final map: at the nearest vertex. */
+  void
+  PlaceOnMap()
+  {
+    const SurfaceMesh &    flat = m_Result.map.flat;
+    const Eigen::MatrixX2d uv = FlatCoordinates(flat, m_What);
+    for (SurfaceHandle & handle : m_Result.handles.handles)
+    {
+      Eigen::Index nearest = 0;
+      (flat.V.rowwise() - handle.place.transpose()).rowwise().squaredNorm().minCoeff(&nearest);
+      handle.flatPlace = uv.row(nearest).transpose();
+    }
+  }
+
+  void
+  CompareGenus()
+  {
+    for (const SurfaceHandle & handle : m_Result.handles.handles)
+    {
+      if (handle.radius > largeHandle)
+      {
+        std::ostringstream text;
+        text << surfaceName << ": a handle of radius " << handle.radius << " mm at " << handle.place.transpose()
+             << ": parts of the colon seem to touch there, and what lies between them is not mapped; take a surface "
+             << "with its topology repaired, as wall-repaired.vtp of ColonSegmentation";
+        m_Result.warnings.push_back(text.str());
+      }
+    }
+    if (m_Result.handles.genus != m_Result.genusBefore)
+    {
+      m_Result.warnings.push_back(std::string(surfaceName) + " has " + std::to_string(m_Result.genusBefore) +
+                                  " handles, but " + std::to_string(m_Result.handles.genus) + " were located: " +
+                                  (m_Options.tube.conjugate == TubeConjugate::Published
+                                     ? "the published method folds the map elsewhere, too"
+                                     : "others lie at a boundary, or the map is folded in many places"));
+    }
+  }
+
+  void
+  Measure(const std::vector<SurfaceHandle> & left)
+  {
+    const SurfaceMesh &    flat = m_Result.map.flat;
+    const Eigen::MatrixX2d uv = FlatCoordinates(flat, m_What);
+    const SideLengths      sides = SidesOfFaces(*m_Connectivity, m_Metric);
+    const SideLengths      sidesInSpace = SidesOfFaces(*m_Connectivity, m_Lengths);
+    m_Result.distortion = MeasureFlatDistortion(flat.F, uv, sides);
+    m_Result.distortionInSpace = MeasureFlatDistortion(flat.F, uv, sidesInSpace);
+    m_Result.quality = MeasureTriangleQuality(sides);
+    m_Result.qualityInSpace = MeasureTriangleQuality(sidesInSpace);
+    const std::vector<char> isNear = FacesNearHandles(*m_Connectivity, left, ringsOfHandle);
+    for (std::size_t f = 0; f < isNear.size(); ++f)
+    {
+      m_Result.flipsAwayFromHandles += m_Result.distortion.isFlipped[f] && !isNear[f] ? 1 : 0;
+    }
+    if (m_Result.distortion.flips > foldedShare * flat.NumberOfFaces())
+    {
+      m_Result.warnings.push_back(std::string(surfaceName) + ": " + std::to_string(m_Result.distortion.flips) + " of " +
+                                  std::to_string(flat.NumberOfFaces()) +
+                                  " faces are folded on the map; look at the handles, or remesh the surface");
+    }
+  }
+
+  const std::string &                  m_What;
+  const ColonFlatteningOptions &       m_Options;
+  std::unique_ptr<SurfaceConnectivity> m_Connectivity;
+  TubeEnds                             m_Ends;
+  Eigen::VectorXd                      m_Lengths; ///< in space
+  Eigen::VectorXd                      m_Metric;
+  SurfaceLaplacian                     m_Laplacian; ///< in space
+  ColonFlattening                      m_Result;
+};
+} // namespace
+
+ColonFlattening
+FlattenColon(SurfaceMesh mesh, const std::string & what, const ColonFlatteningOptions & options)
+{
+  return ColonFlattener(what, options).Run(std::move(mesh));
+}
+} // namespace shapeton

@@ -1,0 +1,256 @@
+#include "shapetonConformalMap.h"
+
+#include "shapetonConformalLayout.h"
+#include "shapetonCsvTable.h"
+#include "shapetonSurfaceQuality.h"
+#include "shapetonExceptions.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace shapeton
+{
+namespace
+{
+/** Part of a modulus: more than the grain of a mesh makes. */
+constexpr double wideGap = 0.1;
+/** Part of the outer circle. */
+constexpr double smallestCircle = 0.01;
+
+std::string
+CountOfBoundaries(std::size_t number)
+{
+  return std::to_string(number) + (number == 1 ? " boundary" : " boundaries");
+}
+
+int
+ElementOfBoundary(int number, std::size_t count, const char * role)
+{
+  if (number < 1 || number > static_cast<int>(count))
+  {
+    throw InputError("there is no boundary " + std::to_string(number) + " to be the " + role + " one; it has " +
+                     CountOfBoundaries(count) + ", number 1 is the longest");
+  }
+  return number - 1;
+}
+
+void
+RequireBoundaries(const ConformalMapOptions & options, std::size_t count)
+{
+  if (count == 0)
+  {
+    throw InputError("it has no boundary, but a map to the plane needs one; cut it open: one boundary for a rectangle, "
+                     "two or more for an annulus");
+  }
+  if (count == 1 && options.domain != ConformalDomain::Rectangle)
+  {
+    throw InputError(
+      "an annulus needs an outer and an inner boundary, and it has 1 boundary; map it to a rectangle, or "
+      "cut a hole");
+  }
+  if (count > 2 && options.domain == ConformalDomain::Annulus)
+  {
+    throw InputError("an annulus has two boundaries, and it has " + std::to_string(count) +
+                     "; map it to an annulus with slits (domain slit), or fill its holes");
+  }
+  if (count > 1 && !options.corners.empty())
+  {
+    throw InputError("corners belong to a surface with one boundary, and it has " + std::to_string(count));
+  }
+  if (count == 1 && options.innerBoundary != 0)
+  {
+    throw InputError("it has 1 boundary and no inner one");
+  }
+}
+
+/** The outer and inner boundary. */
+void
+ChooseBoundaries(const ConformalMapOptions & options, ConformalMap & map)
+{
+  const std::size_t count = map.loops.size();
+  map.outer = options.outerBoundary == 0 ? 0 : ElementOfBoundary(options.outerBoundary, count, "outer");
+  if (count > 1)
+  {
+    map.inner =
+      options.innerBoundary == 0 ? (map.outer == 0 ? 1 : 0) : ElementOfBoundary(options.innerBoundary, count, "inner");
+    if (map.inner == map.outer)
+    {
+      throw InputError("boundary " + std::to_string(map.inner + 1) + " cannot be the outer and the inner one");
+    }
+  }
+}
+
+std::array<int, 4>
+CornersOf(const ConformalMapOptions & options, const BoundaryLoop & boundary, const VertexMatrix & V)
+{
+  if (options.corners.empty())
+  {
+    return SpreadCorners(boundary, V);
+  }
+  if (options.corners.size() != 4)
+  {
+    throw InputError("a rectangle has 4 corners, not " + std::to_string(options.corners.size()));
+  }
+  return { options.corners[0], options.corners[1], options.corners[2], options.corners[3] };
+}
+
+void
+MapToRectangle(const SurfaceMesh &         mesh,
+               const SurfaceConnectivity & connectivity,
+               const Eigen::VectorXd &     lengths,
+               const ConformalMapOptions & options,
+               ConformalMap &              map)
+{
+  const auto             corners = CornersOf(options, map.loops[0], mesh.V);
+  const QuadrilateralMap quadrilateral = MapQuadrilateral(connectivity, lengths, map.loops[0], corners);
+  map.corners.assign(quadrilateral.corners.begin(), quadrilateral.corners.end());
+  map.modulusU = quadrilateral.modulusU;
+  map.modulusV = quadrilateral.modulusV;
+  map.ears = EarsOfSides(mesh.F, quadrilateral);
+  map.flat = LayOutRectangle(mesh, connectivity, quadrilateral);
+}
+
+void
+MapToAnnulus(const SurfaceMesh &         mesh,
+             const SurfaceConnectivity & connectivity,
+             const Eigen::VectorXd &     lengths,
+             const ConformalMapOptions & options,
+             ConformalMap &              map)
+{
+  const SlitMapSolver solver(mesh, connectivity, lengths, map.loops, map.outer);
+  const SlitMap       chosen = solver.Map(map.inner);
+  map.modulusU = chosen.modulusU;
+  map.modulusV = chosen.modulusV;
+  map.ears = EarsOfLoops(mesh.F, LoopOfVertices(map.loops, mesh.NumberOfVertices()));
+  if (options.domain != ConformalDomain::Slit)
+  {
+    map.slitMaps.push_back(chosen);
+  }
+  else
+  {
+    for (const int inner : solver.InnerLoops())
+    {
+      map.slitMaps.push_back(inner == map.inner ? chosen : solver.Map(inner));
+    }
+  }
+  map.flat = options.domain == ConformalDomain::Rectangle ? LayOutStrip(mesh, connectivity, chosen)
+                                                          : LayOutAnnulus(mesh, connectivity, chosen);
+  if (options.domain == ConformalDomain::Slit)
+  {
+    AddSlitMaps(map.slitMaps, map.flat);
+  }
+}
+
+bool
+TouchesSlit(const Eigen::Vector3i & face, const std::vector<int> & loopOf, const ConformalMap & map)
+{
+  return std::any_of(face.begin(), face.end(), [&](int vertex) {
+    return loopOf[vertex] != -1 && loopOf[vertex] != map.outer && loopOf[vertex] != map.inner;
+  });
+}
+
+void
+Measure(const FaceMatrix &          sourceFaces,
+        const SurfaceConnectivity & connectivity,
+        const Eigen::VectorXd &     lengths,
+        ConformalMap &              map)
+{
+  const SideLengths      sides = SidesOfFaces(connectivity, lengths);
+  const std::vector<int> loopOf = LoopOfVertices(map.loops, connectivity.NumberOfVertices());
+  map.distortion = MeasureFlatDistortion(map.flat.F, FlatCoordinates(map.flat, "the map"), sides);
+  std::vector<char> isEar(map.flat.F.rows(), 0);
+  for (const int face : map.ears)
+  {
+    isEar[face] = 1;
+  }
+  for (std::size_t face = 0; face < isEar.size(); ++face)
+  {
+    const bool isFlipped = map.distortion.isFlipped[face] && !isEar[face];
+    map.flips += isFlipped ? 1 : 0;
+    map.flipsAtSlits += isFlipped && TouchesSlit(sourceFaces.row(static_cast<Eigen::Index>(face)), loopOf, map) ? 1 : 0;
+  }
+  map.dilatation = QuantilesOfDilatation(map.distortion, isEar);
+}
+
+void
+Warn(ConformalMap & map)
+{
+  if (map.genus > 0)
+  {
+    map.warnings.push_back("the surface has " + std::to_string(map.genus) + (map.genus == 1 ? " handle" : " handles") +
+                           ": the map is conformal away from them as far as they are small");
+  }
+  if (!map.ears.empty())
+  {
+    map.warnings.push_back(std::to_string(map.ears.size()) + (map.ears.size() == 1 ? " face has" : " faces have") +
+                           " all corners on one boundary, and no area on the plane");
+  }
+  if (map.flips > 0)
+  {
+    map.warnings.push_back(std::to_string(map.flips) + (map.flips == 1 ? " face is" : " faces are") + " flipped, " +
+                           std::to_string(map.flipsAtSlits) + " of them at slits");
+  }
+  if (map.ModulusGap() > wideGap)
+  {
+    map.warnings.push_back("the two moduli differ by " + CsvTable::Rounded(100.0 * map.ModulusGap(), 2) +
+                           " %, so the map is not conformal everywhere: " +
+                           (map.genus > 0 ? "handles are not small; remove them" : "remesh the surface finer"));
+  }
+  if (map.domain != ConformalDomain::Rectangle &&
+      map.slitMaps.front().logRadiusOfLoops.minCoeff() < std::log(smallestCircle))
+  {
+    map.warnings.push_back("the inner circle is less than a hundredth of the outer one; domain rectangle shows more");
+  }
+}
+
+ConformalMap
+MapSoundSurface(const SurfaceMesh & mesh, const SurfaceConnectivity & connectivity, const ConformalMapOptions & options)
+{
+  ConformalMap map;
+  map.domain = options.domain;
+  map.genus = connectivity.Components().front().genus.value_or(0);
+  map.loops = BoundaryLoopsByLength(connectivity, mesh.V);
+  RequireBoundaries(options, map.loops.size());
+  ChooseBoundaries(options, map);
+  const Eigen::VectorXd lengths =
+    options.edgeLengths.size() == 0 ? EdgeLengths(connectivity, mesh.V) : options.edgeLengths;
+  if (map.loops.size() == 1)
+  {
+    MapToRectangle(mesh, connectivity, lengths, options, map);
+  }
+  else
+  {
+    MapToAnnulus(mesh, connectivity, lengths, options, map);
+  }
+  Measure(mesh.F, connectivity, lengths, map);
+  Warn(map);
+  return map;
+}
+} // namespace
+
+double
+ConformalMap::ModulusGap() const
+{
+  return modulusU / modulusV - 1.0;
+}
+
+ConformalMap
+MapConformally(const SurfaceMesh & mesh, const ConformalMapOptions & options, const std::string & what)
+{
+  RequireSound(mesh, what);
+  const SurfaceConnectivity connectivity(mesh);
+  RequireOneManifold(connectivity, what);
+  if (!connectivity.IsOriented())
+  {
+    throw InputError(what + ": neighbouring faces are turned against each other; repair the surface");
+  }
+  try
+  {
+    return MapSoundSurface(mesh, connectivity, options);
+  }
+  catch (const InputError & error)
+  {
+    throw InputError(what + ": " + error.what());
+  }
+}
+} // namespace shapeton

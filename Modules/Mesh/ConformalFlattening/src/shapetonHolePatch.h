@@ -1,0 +1,80 @@
+#ifndef shapetonHolePatch_h
+#define shapetonHolePatch_h
+
+#include "shapetonSurfaceMesh.h"
+
+#include <array>
+#include <functional>
+#include <optional>
+#include <vector>
+
+namespace shapeton
+{
+/** \class HolePatch
+ * \brief A disk that closes a polygon, with triangles as large as those around it.
+ *
+ * After Liepa, Filling holes in meshes (2003): the triangulation of least area (dynamic programming), whose triangles
+ * are split at their centres until their corners are as near as the edges around the hole are long; edges are flipped
+ * in between so that opposite angles sum to less than 180 degrees. */
+class HolePatch
+{
+public:
+  /** \param rim the polygon, counterclockwise where seen from the side that the faces look to.
+   * \param scales the length that edges shall have at each vertex of it.
+   * \param isTaken whether two vertices of the rim have an edge outside, which must not get a second time. */
+  HolePatch(std::vector<Eigen::Vector3d>               rim,
+            std::vector<double>                        scales,
+            std::function<bool(int first, int second)> isTaken);
+
+  /** False where all triangulations need a taken edge. */
+  bool
+  Triangulate();
+
+  void
+  Refine();
+
+  /** The vertices of the rim, then new ones. */
+  const std::vector<Eigen::Vector3d> &
+  Points() const
+  {
+    return m_Points;
+  }
+  std::vector<std::array<int, 3>>
+  Faces() const;
+
+private:
+  /** Neighbour k lies across the edge from corner k to the next; -1 at the rim. */
+  struct Face
+  {
+    std::array<int, 3> corners;
+    std::array<int, 3> neighbours;
+  };
+
+  double
+  LeastArea(std::vector<int> & middles) const;
+  void
+  AddFaces(const std::vector<int> & middles, int first, int last);
+  void
+  Connect();
+  bool
+  IsTooLarge(const Face & face) const;
+  void
+  Split(int face);
+  void
+  ReplaceNeighbour(int face, int before, int after);
+  bool
+  HasEdge(int a, int b) const;
+  bool
+  FlipIfBetter(int face, int k);
+  void
+  FlipAll();
+
+  int                           m_Rim;
+  std::vector<Eigen::Vector3d>  m_Points;
+  std::vector<double>           m_Scales;
+  std::function<bool(int, int)> m_IsTaken;
+  std::vector<Face>             m_Faces;
+};
+} // namespace shapeton
+
+#endif

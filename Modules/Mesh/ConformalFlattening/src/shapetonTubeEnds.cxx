@@ -1,0 +1,221 @@
+#include "shapetonTubeEnds.h"
+
+#include "shapetonSurfaceRepair.h"
+#include "shapetonExceptions.h"
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <array>
+#include <map>
+#include <sstream>
+
+namespace shapeton
+{
+namespace
+{
+constexpr const char * rectumName = "rectumLoop";
+constexpr const char * caecumName = "caecumLoop";
+
+bool
+IsLoopArray(const SurfaceArray & array)
+{
+  return array.name == rectumName || array.name == caecumName;
+}
+
+std::string
+LoopLengths(const SurfaceMesh & mesh, const std::vector<std::vector<int>> & loops)
+{
+  std::ostringstream text;
+  text.precision(3);
+  for (std::size_t i = 0; i < std::min<std::size_t>(loops.size(), 5); ++i)
+  {
+    double length = 0.0;
+    for (std::size_t k = 0; k < loops[i].size(); ++k)
+    {
+      length += (mesh.V.row(loops[i][k]) - mesh.V.row(loops[i][(k + 1) % loops[i].size()])).norm();
+    }
+    text << (i > 0 ? ", " : "") << length << " mm";
+  }
+  text << (loops.size() > 5 ? ", ..." : "");
+  return text.str();
+}
+
+/** What a surface that is no tube needs. */
+std::string
+AdviceFor(const SurfaceMesh & mesh, const std::vector<std::vector<int>> & loops)
+{
+  const std::string needs = "a tube needs two, one at each end";
+  switch (loops.size())
+  {
+    case 0:
+      return " has no boundary; " + needs + ": cut its ends open, as ColonSegmentation does";
+    case 1:
+      return " has one boundary of " + LoopLengths(mesh, loops) + "; " + needs +
+             ": open the other end, or map it as a disk with ConformalMap (the parameter \"domain\" = rectangle)";
+    default:
+      return " has " + std::to_string(loops.size()) + " boundaries of " + LoopLengths(mesh, loops) + "; " + needs +
+             ": close the holes, or map it with ConformalMap (the parameter \"domain\" = slit)";
+  }
+}
+
+bool
+IsSoundTube(const SurfaceMesh & mesh, const SurfaceConnectivity & connectivity)
+{
+  if (!connectivity.IsManifold() || !connectivity.IsOriented() || connectivity.BoundaryLoops().size() != 2)
+  {
+    return false;
+  }
+  for (int v = 0; v < connectivity.NumberOfVertices(); ++v)
+  {
+    if (connectivity.FacesOfVertex(v).size() == 0)
+    {
+      return false;
+    }
+  }
+  for (int edge = 0; edge < connectivity.NumberOfEdges(); ++edge)
+  {
+    const auto & ends = connectivity.VerticesOfEdge(edge);
+    if (mesh.V.row(ends[0]) == mesh.V.row(ends[1]))
+    {
+      return false;
+    }
+  }
+  const auto & components = connectivity.ComponentOfFaces();
+  return std::find(components.begin(), components.end(), -1) == components.end();
+}
+
+/** Six times the volume between the surface and its ends, each closed by a fan around its centre. */
+double
+SixfoldVolume(const SurfaceMesh & mesh, const SurfaceConnectivity & connectivity)
+{
+  const Eigen::RowVector3d origin = mesh.V.colwise().mean();
+  const auto               tetrahedron =
+    [&](const Eigen::RowVector3d & a, const Eigen::RowVector3d & b, const Eigen::RowVector3d & c) {
+      return (a - origin).dot((b - origin).cross(c - origin));
+    };
+  double volume = 0.0;
+  for (int f = 0; f < mesh.NumberOfFaces(); ++f)
+  {
+    volume += tetrahedron(mesh.V.row(mesh.F(f, 0)), mesh.V.row(mesh.F(f, 1)), mesh.V.row(mesh.F(f, 2)));
+  }
+  for (const std::vector<int> & loop : connectivity.BoundaryLoops())
+  {
+    Eigen::RowVector3d centre = Eigen::RowVector3d::Zero();
+    for (const int v : loop)
+    {
+      centre += mesh.V.row(v) / static_cast<double>(loop.size());
+    }
+    for (std::size_t k = 0; k < loop.size(); ++k)
+    {
+      // The face runs along the loop, so its neighbour in the cap runs against it.
+      volume += tetrahedron(mesh.V.row(loop[(k + 1) % loop.size()]), mesh.V.row(loop[k]), centre);
+    }
+  }
+  return volume;
+}
+
+std::array<double, 3>
+PositionOf(const SurfaceMesh & mesh, int vertex)
+{
+  return { mesh.V(vertex, 0), mesh.V(vertex, 1), mesh.V(vertex, 2) };
+}
+} // namespace
+
+std::vector<int>
+TubeEnds::Vertices() const
+{
+  std::vector<int> all = first;
+  all.insert(all.end(), second.begin(), second.end());
+  return all;
+}
+
+TubeEnds
+FindTubeEnds(const SurfaceMesh & mesh, const SurfaceConnectivity & connectivity, const std::string & what)
+{
+  if (connectivity.Components().size() != 1)
+  {
+    throw InputError(what + " has " + std::to_string(connectivity.Components().size()) +
+                     " components; choose one with the parameter \"component\" = N or, where the surface was one and "
+                     "fell apart where it was "
+                     "not manifold, a part of the file with the parameter \"part\" = NAME");
+  }
+  if (!connectivity.IsManifold() || !connectivity.Components().front().isOrientable)
+  {
+    throw InputError(what + " is not manifold, or has one side only; remesh it");
+  }
+  if (!connectivity.IsOriented())
+  {
+    throw InputError(what + " has faces that are turned over; repair it");
+  }
+  const auto & loops = connectivity.BoundaryLoops();
+  if (loops.size() != 2)
+  {
+    throw InputError(what + AdviceFor(mesh, loops));
+  }
+  TubeEnds                   ends{ loops[0], loops[1], false };
+  const SurfaceArray * const rectum = FindSurfaceArray(mesh.fieldArrays, rectumName);
+  if (rectum && rectum->values.size() > 0)
+  {
+    const int vertex = static_cast<int>(rectum->values(0, 0));
+    for (const std::vector<int> & loop : loops)
+    {
+      if (std::find(loop.begin(), loop.end(), vertex) != loop.end())
+      {
+        ends = { loop, &loop == &loops[0] ? loops[1] : loops[0], true };
+      }
+    }
+  }
+  return ends;
+}
+
+void
+RenumberLoopArrays(const SurfaceMesh & before, SurfaceMesh & after)
+{
+  std::map<std::array<double, 3>, int> vertexAt;
+  for (int v = 0; v < after.NumberOfVertices() && !after.fieldArrays.empty(); ++v)
+  {
+    vertexAt.emplace(PositionOf(after, v), v);
+  }
+  const auto isLost = [&](SurfaceArray & array) {
+    bool lost = false;
+    for (Eigen::Index i = 0; i < array.values.rows() && IsLoopArray(array); ++i)
+    {
+      const int  vertex = static_cast<int>(array.values(i, 0));
+      const bool exists = vertex >= 0 && vertex < before.NumberOfVertices();
+      const auto found = exists ? vertexAt.find(PositionOf(before, vertex)) : vertexAt.end();
+      lost = lost || found == vertexAt.end();
+      array.values(i, 0) = lost ? -1.0 : found->second;
+    }
+    return lost;
+  };
+  auto & arrays = after.fieldArrays;
+  arrays.erase(std::remove_if(arrays.begin(), arrays.end(), isLost), arrays.end());
+}
+
+PreparedTube
+PrepareTube(SurfaceMesh mesh, const std::string & what)
+{
+  RequireSound(mesh, what);
+  PreparedTube tube{ std::move(mesh), {} };
+  if (!IsSoundTube(tube.mesh, SurfaceConnectivity(tube.mesh)))
+  {
+    SurfaceRepairReport report;
+    SurfaceMesh         repaired = RepairSurface(tube.mesh, {}, &report);
+    for (const std::string & words : report.Words())
+    {
+      tube.warnings.push_back("the surface: " + words);
+    }
+    RenumberLoopArrays(tube.mesh, repaired);
+    tube.mesh = std::move(repaired);
+  }
+  const SurfaceConnectivity connectivity(tube.mesh);
+  FindTubeEnds(tube.mesh, connectivity, what);
+  if (SixfoldVolume(tube.mesh, connectivity) < 0.0)
+  {
+    tube.mesh.F.col(1).swap(tube.mesh.F.col(2));
+    tube.warnings.emplace_back("the surface: its faces looked inwards; they were turned");
+  }
+  return tube;
+}
+} // namespace shapeton

@@ -1,0 +1,150 @@
+#include "shapetonColonFlattening.h"
+
+#include "shapetonColonTube.h"
+#include "shapetonHeatDiffusionMetric.h"
+#include "shapetonTestSurfaces.h"
+#include "shapetonExceptions.h"
+
+#include <gtest/gtest.h>
+
+namespace
+{
+using namespace testsurfaces;
+
+shapeton::SurfaceMesh
+Tube(int handles = 0)
+{
+  ColonTubeOptions options;
+  options.faces = 6000;
+  options.length = 750.0;
+  options.handles = handles;
+  return MakeColonTube(options).mesh;
+}
+
+/** A straight line of so many points, 10 mm apart. */
+shapeton::CurveSet
+Line(int points, bool isDownwards = false)
+{
+  shapeton::CurveSet line;
+  line.V = shapeton::VertexMatrix::Zero(points, 3);
+  line.curves.emplace_back();
+  for (int i = 0; i < points; ++i)
+  {
+    line.V(i, 2) = 10.0 * (isDownwards ? points - 1 - i : i);
+    line.curves[0].push_back(i);
+  }
+  return line;
+}
+} // namespace
+
+TEST(ColonFlattening, StatesItsMetricAndTime)
+{
+  shapeton::ColonFlatteningOptions options;
+  const shapeton::ColonFlattening  automatic = shapeton::FlattenColon(Tube(), "it", options);
+  EXPECT_GT(automatic.time, 0.0);
+  EXPECT_GT(automatic.narrowestRadius, 10.0);
+  options.time = 33.0;
+  EXPECT_EQ(33.0, shapeton::FlattenColon(Tube(), "it", options).time);
+  options.metric = shapeton::FlatMetric::TruncatedHeatDiffusion;
+  options.eigenpairs = 20;
+  const shapeton::ColonFlattening truncated = shapeton::FlattenColon(Tube(), "it", options);
+  EXPECT_EQ(20, truncated.eigenpairs);
+  // So few do not tell the angle around the tube (see the README).
+  EXPECT_GT(std::abs(truncated.map.modulusU / automatic.map.modulusU - 1.0), 0.3);
+  options.metric = shapeton::FlatMetric::Euclidean;
+  EXPECT_EQ(0.0, shapeton::FlattenColon(Tube(), "it", options).time);
+}
+
+TEST(ColonFlattening, RemovesHandlesOnRequest)
+{
+  shapeton::ColonFlatteningOptions options;
+  options.time = 40.0;
+  const shapeton::ColonFlattening with = shapeton::FlattenColon(Tube(5), "it", options);
+  EXPECT_EQ(5, with.genusBefore);
+  EXPECT_EQ(5, with.genusAfter);
+  EXPECT_EQ(5, with.handles.genus);
+  EXPECT_GT(with.distortion.flips, 0);
+  EXPECT_EQ(0, with.flipsAwayFromHandles);
+  options.removeHandles = true;
+  const shapeton::ColonFlattening without = shapeton::FlattenColon(Tube(5), "it", options);
+  EXPECT_EQ(5, without.genusBefore);
+  EXPECT_EQ(0, without.genusAfter);
+  EXPECT_EQ(5U, without.handles.handles.size());
+  EXPECT_EQ(0, without.distortion.flips);
+  EXPECT_EQ(40.0, without.time);
+  const shapeton::Json json = shapeton::ColonFlatteningToJson(without);
+  EXPECT_EQ(5U, json["handles"].size());
+  EXPECT_EQ(0, json["genusAfter"]);
+  EXPECT_TRUE(json["eigenpairs"].is_null());
+  EXPECT_NEAR(without.map.modulusU, json["modulusU"].get<double>(), 1e-9);
+  // On the final map the place is where the nearest vertex lies.
+  for (const shapeton::SurfaceHandle & handle : without.handles.handles)
+  {
+    EXPECT_GT(handle.flatPlace.x(), 0.0);
+    EXPECT_LT(handle.flatPlace.x(), without.map.length);
+  }
+}
+
+TEST(ColonFlattening, PublishedRouteIsWarnedOf)
+{
+  shapeton::ColonFlatteningOptions options;
+  options.metric = shapeton::FlatMetric::Euclidean;
+  options.tube.conjugate = shapeton::TubeConjugate::Published;
+  const shapeton::ColonFlattening result = shapeton::FlattenColon(Tube(5), "it", options);
+  EXPECT_GT(result.distortion.flips, 50);
+  const shapeton::ColonFlattening good = shapeton::FlattenColon(Tube(5), "it", {});
+  EXPECT_LT(good.distortion.flips, 50);
+}
+
+TEST(ColonFlattening, CentrelineTellsTheRectum)
+{
+  shapeton::ColonFlatteningOptions options;
+  options.centreline = Line(9, true);
+  const shapeton::SurfaceMesh     cylinder = Cylinder(30, 30, 20.0, 80.0);
+  const shapeton::ColonFlattening result = shapeton::FlattenColon(cylinder, "it", options);
+  EXPECT_EQ("centreline", result.rectumFrom);
+  EXPECT_NEAR(1.0, result.map.u[0], 1e-12); // at the height 0, where the line ends
+  options.centreline = Line(9);
+  EXPECT_NEAR(0.0, shapeton::FlattenColon(cylinder, "it", options).map.u[0], 1e-12);
+  EXPECT_EQ("firstLoop", shapeton::FlattenColon(cylinder, "it", {}).rectumFrom);
+}
+
+TEST(ColonFlattening, BridgedFacesAreNotTheNarrowestPlace)
+{
+  // A cylinder with a waist of radius 3.
+  shapeton::SurfaceMesh mesh = Grid(30, 60, Wrap::Around, [](double s, double t) {
+    const double r = std::abs(t - 0.5) < 0.1 ? 3.0 : 20.0;
+    return Eigen::Vector3d(r * std::cos(2 * Pi * s), r * std::sin(2 * Pi * s), 100.0 * t);
+  });
+  EXPECT_NEAR(3.0, shapeton::FlattenColon(mesh, "it", {}).narrowestRadius, 0.1);
+  shapeton::SurfaceArray bridged{ "bridged", shapeton::SurfaceArray::ValueMatrix::Zero(mesh.NumberOfFaces(), 1), true };
+  for (int f = 0; f < mesh.NumberOfFaces(); ++f)
+  {
+    const double z = mesh.V(mesh.F(f, 0), 2);
+    bridged.values(f, 0) = z > 37.0 && z < 63.0 ? 1.0 : 0.0;
+  }
+  mesh.cellArrays.push_back(bridged);
+  EXPECT_NEAR(20.0, shapeton::FlattenColon(mesh, "it", {}).narrowestRadius, 0.3);
+}
+
+TEST(ColonFlattening, FacesWithoutAreaAreTakenForThinOnes)
+{
+  shapeton::SurfaceMesh mesh = Cylinder(30, 30, 20.0, 80.0);
+  // A vertex on the middle of an edge: one of the faces at it has no area.
+  mesh.V.row(mesh.F(400, 1)) = 0.5 * (mesh.V.row(mesh.F(400, 0)) + mesh.V.row(mesh.F(400, 2)));
+  const shapeton::ColonFlattening result = shapeton::FlattenColon(mesh, "it", {});
+  EXPECT_TRUE(std::any_of(result.warnings.begin(), result.warnings.end(), [](const std::string & warning) {
+    return warning.find("face 400, were taken for thin ones") != std::string::npos;
+  }));
+  EXPECT_TRUE(shapeton::FlatCoordinates(result.map.flat, "it").allFinite());
+}
+
+TEST(ColonFlattening, OnlyCurveRefusesOthers)
+{
+  shapeton::CurveSet line = Line(3);
+  EXPECT_EQ(3U, shapeton::OnlyCurve(line, "it").size());
+  line.curves.push_back({ 0, 2 });
+  EXPECT_THROW(shapeton::OnlyCurve(line, "it"), shapeton::InputError);
+  line.curves = { { 1 } };
+  EXPECT_THROW(shapeton::OnlyCurve(line, "it"), shapeton::InputError);
+}

@@ -1,0 +1,170 @@
+#include "shapetonTubeEnds.h"
+
+#include "shapetonTestSurfaces.h"
+#include "shapetonExceptions.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+namespace
+{
+using namespace testsurfaces;
+
+shapeton::SurfaceMesh
+Tube()
+{
+  return Cylinder(10, 8, 20.0, 90.0);
+}
+
+std::string
+ErrorOf(const shapeton::SurfaceMesh & mesh)
+{
+  try
+  {
+    shapeton::PrepareTube(mesh, "the surface");
+  }
+  catch (const shapeton::InputError & error)
+  {
+    return error.what();
+  }
+  return {};
+}
+
+shapeton::SurfaceMesh
+WithoutFaces(const shapeton::SurfaceMesh & mesh, int first, int number)
+{
+  std::vector<int> kept;
+  for (int f = 0; f < mesh.NumberOfFaces(); ++f)
+  {
+    if (f < first || f >= first + number)
+    {
+      kept.push_back(f);
+    }
+  }
+  return shapeton::FacesOfSurface(mesh, kept);
+}
+
+/** The mean height of the first end. */
+double
+HeightOfFirst(const shapeton::SurfaceMesh & mesh)
+{
+  const shapeton::TubeEnds ends = shapeton::FindTubeEnds(mesh, shapeton::SurfaceConnectivity(mesh), "it");
+  double                   sum = 0.0;
+  for (const int v : ends.first)
+  {
+    sum += mesh.V(v, 2) / static_cast<double>(ends.first.size());
+  }
+  return sum;
+}
+
+shapeton::SurfaceMesh
+WithRectum(shapeton::SurfaceMesh mesh, int vertex)
+{
+  shapeton::SurfaceArray array{ "rectumLoop", shapeton::SurfaceArray::ValueMatrix::Constant(1, 1, vertex), true };
+  mesh.fieldArrays.push_back(array);
+  return mesh;
+}
+} // namespace
+
+TEST(TubeEnds, RectumComesFirstWhereItIsKnown)
+{
+  const shapeton::SurfaceMesh mesh = Tube();
+  EXPECT_NEAR(0.0, HeightOfFirst(mesh), 1e-12);
+  EXPECT_NEAR(0.0, HeightOfFirst(WithRectum(mesh, 3)), 1e-12);
+  const int last = mesh.NumberOfVertices() - 1;
+  EXPECT_NEAR(90.0, HeightOfFirst(WithRectum(mesh, last)), 1e-12);
+  const auto ends = [](const shapeton::SurfaceMesh & surface) {
+    return shapeton::FindTubeEnds(surface, shapeton::SurfaceConnectivity(surface), "it");
+  };
+  EXPECT_FALSE(ends(mesh).isRectumKnown);
+  EXPECT_TRUE(ends(WithRectum(mesh, last)).isRectumKnown);
+  EXPECT_FALSE(ends(WithRectum(mesh, 45)).isRectumKnown); // not on a boundary
+  EXPECT_EQ(20U, ends(mesh).Vertices().size());
+}
+
+TEST(TubeEnds, OtherSurfacesAreRefusedWithWhatTheyNeed)
+{
+  EXPECT_NE(std::string::npos, ErrorOf(Icosphere(1, 30.0)).find("has no boundary"));
+  EXPECT_NE(std::string::npos, ErrorOf(Square(4, 30.0)).find("the parameter \"domain\" = rectangle"));
+  const std::string three = ErrorOf(WithoutFaces(Tube(), 62, 1));
+  EXPECT_NE(std::string::npos, three.find("has 3 boundaries of 124 mm, ")) << three;
+  EXPECT_NE(std::string::npos, three.find("the parameter \"domain\" = slit"));
+  EXPECT_NE(std::string::npos, ErrorOf(MoebiusStrip(20, 4)).find("one side only"));
+  shapeton::SurfaceMesh two = Tube();
+  const int             half = two.NumberOfVertices();
+  two.V.conservativeResize(2 * half, Eigen::NoChange);
+  two.V.bottomRows(half) = two.V.topRows(half).array() + 500.0;
+  const auto faces = two.F.rows();
+  two.F.conservativeResize(2 * faces, Eigen::NoChange);
+  two.F.bottomRows(faces) = two.F.topRows(faces).array() + half;
+  EXPECT_NE(std::string::npos, ErrorOf(two).find("2 components; choose one with the parameter \"component\" = N"));
+  shapeton::SurfaceMesh broken = Tube();
+  broken.V(7, 1) = std::nan("");
+  EXPECT_NE(std::string::npos, ErrorOf(broken).find("vertex 7 has a coordinate that is not finite"));
+}
+
+TEST(TubeEnds, SoundTubesStayAsTheyAre)
+{
+  const shapeton::SurfaceMesh  mesh = WithRectum(Tube(), 4);
+  const shapeton::PreparedTube tube = shapeton::PrepareTube(mesh, "it");
+  EXPECT_TRUE(tube.warnings.empty());
+  EXPECT_EQ(mesh.F, tube.mesh.F);
+  EXPECT_EQ(mesh.V, tube.mesh.V);
+}
+
+TEST(TubeEnds, InvertedTubesAreTurned)
+{
+  const shapeton::SurfaceMesh mesh = Tube();
+  shapeton::SurfaceMesh       inverted = mesh;
+  inverted.F.col(1).swap(inverted.F.col(2));
+  const shapeton::PreparedTube tube = shapeton::PrepareTube(inverted, "it");
+  EXPECT_EQ(mesh.F, tube.mesh.F);
+  ASSERT_EQ(1U, tube.warnings.size());
+  EXPECT_NE(std::string::npos, tube.warnings[0].find("looked inwards"));
+}
+
+TEST(TubeEnds, DefectsAreRepairedWithAWarning)
+{
+  const shapeton::SurfaceMesh mesh = WithRectum(Tube(), Tube().NumberOfVertices() - 1);
+  shapeton::SurfaceMesh       bad = mesh;
+  // An unreferenced vertex in front, a turned face, a degenerate and a duplicate one.
+  bad.V.resize(mesh.V.rows() + 1, 3);
+  bad.V.row(0) << 1.0, 2.0, 3.0;
+  bad.V.bottomRows(mesh.V.rows()) = mesh.V;
+  bad.F.resize(mesh.F.rows() + 2, 3);
+  bad.F.topRows(mesh.F.rows()) = mesh.F.array() + 1;
+  bad.F.row(mesh.F.rows()) = bad.F.row(3);
+  bad.F.row(mesh.F.rows() + 1) << 5, 5, 6;
+  std::swap(bad.F(30, 0), bad.F(30, 1));
+  bad.fieldArrays[0].values(0, 0) += 1;
+  const shapeton::PreparedTube tube = shapeton::PrepareTube(bad, "it");
+  EXPECT_GE(tube.warnings.size(), 3U);
+  EXPECT_EQ(mesh.V, tube.mesh.V);
+  EXPECT_EQ(mesh.NumberOfFaces(), tube.mesh.NumberOfFaces());
+  EXPECT_NEAR(90.0, HeightOfFirst(tube.mesh), 1e-12);
+}
+
+TEST(TubeEnds, SeamsOfEqualPositionsAreClosed)
+{
+  const shapeton::SurfaceMesh  strip = Grid(10, 8, Wrap::None, [](double s, double t) {
+    const double turn = s == 1.0 ? 0.0 : 2.0 * Pi * s;
+    return Eigen::Vector3d(20.0 * std::cos(turn), 20.0 * std::sin(turn), 90.0 * t);
+  });
+  const shapeton::PreparedTube tube = shapeton::PrepareTube(strip, "it");
+  EXPECT_EQ(Tube().NumberOfVertices(), tube.mesh.NumberOfVertices());
+  EXPECT_FALSE(tube.warnings.empty());
+}
+
+TEST(TubeEnds, LoopArraysFollowTheirVertices)
+{
+  const shapeton::SurfaceMesh before = WithRectum(Tube(), 12);
+  shapeton::SurfaceMesh       after = before;
+  after.V = before.V.colwise().reverse();
+  shapeton::RenumberLoopArrays(before, after);
+  EXPECT_EQ(before.NumberOfVertices() - 1 - 12, after.fieldArrays.at(0).values(0, 0));
+  shapeton::SurfaceMesh elsewhere = before;
+  elsewhere.V.array() += 1.0;
+  shapeton::RenumberLoopArrays(before, elsewhere);
+  EXPECT_TRUE(elsewhere.fieldArrays.empty());
+}

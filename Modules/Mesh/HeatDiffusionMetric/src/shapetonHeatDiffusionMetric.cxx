@@ -1,0 +1,109 @@
+#include "shapetonHeatDiffusionMetric.h"
+
+#include "shapetonExponentialPoles.h"
+#include "shapetonExceptions.h"
+
+#include <cmath>
+
+namespace shapeton
+{
+namespace
+{
+/** Below this part of H_pp + H_qq a difference has no digits left. */
+constexpr double rounding = 1e-12;
+
+std::string
+EdgeName(const SurfaceLaplacian & laplacian, Eigen::Index edge)
+{
+  const auto & [p, q] = laplacian.edges[edge];
+  return "between vertices " + std::to_string(p) + " and " + std::to_string(q);
+}
+
+/** The distances of the ends of all edges from elements of the heat kernel at twice the time. \equation{5.4} as the
+ * square of the distance; the source gives it as the distance itself, at odds with (5.5). */
+Eigen::VectorXd
+DistancesOf(const SurfaceLaplacian & laplacian, const Eigen::VectorXd & diagonal, const Eigen::VectorXd & offDiagonal)
+{
+  Eigen::VectorXd distances(offDiagonal.size());
+  for (Eigen::Index edge = 0; edge < distances.size(); ++edge)
+  {
+    const double sum = diagonal[laplacian.edges[edge][0]] + diagonal[laplacian.edges[edge][1]];
+    const double square = sum - 2.0 * offDiagonal[edge];
+    if (!(square > rounding * sum))
+    {
+      throw InputError("the diffusion distance " + EdgeName(laplacian, edge) +
+                       " drowns in rounding; take a shorter time, eigenpairs, or remesh the surface");
+    }
+    distances[edge] = std::sqrt(square);
+  }
+  return distances;
+}
+} // namespace
+
+HeatDiffusionMetricSolver::HeatDiffusionMetricSolver(SurfaceLaplacian laplacian)
+  : m_Laplacian(std::move(laplacian))
+  , m_Diagonal(StiffnessDiagonal(m_Laplacian))
+  , m_Inversion(m_Laplacian.NumberOfVertices(), m_Laplacian.edges)
+{}
+
+HeatDiffusionMetric
+HeatDiffusionMetricSolver::Compute(double t, int poles, int atOnce) const
+{
+  RequireDiffusionTime(t);
+  if (poles < leastPoles || poles > mostPoles)
+  {
+    throw InputError("the number of poles must be " + std::to_string(leastPoles) + " to " + std::to_string(mostPoles) +
+                     ", not " + std::to_string(poles));
+  }
+  const ExponentialPoles & rational = GetExponentialPoles(poles);
+  Eigen::VectorXd          diagonal = Eigen::VectorXd::Zero(m_Diagonal.size());
+  Eigen::VectorXd          offDiagonal = Eigen::VectorXd::Zero(m_Laplacian.weights.size());
+  m_Inversion.InvertAll(
+    poles,
+    [&](int i) {
+      const std::complex<double> pole = rational.terms[i].pole;
+      return SymmetricElements{ pole * m_Laplacian.mass + 2.0 * t * m_Diagonal,
+                                (-2.0 * t * m_Laplacian.weights).cast<std::complex<double>>() };
+    },
+    [&](int i, const SymmetricElements & inverse) {
+      diagonal += (rational.terms[i].residue * inverse.diagonal).real();
+      offDiagonal += (rational.terms[i].residue * inverse.offDiagonal).real();
+    },
+    atOnce);
+  return { DistancesOf(m_Laplacian, diagonal, offDiagonal), t, 0, rational.error };
+}
+
+HeatDiffusionMetric
+ComputeHeatDiffusionMetric(const SurfaceMesh & mesh, double t)
+{
+  RequireDiffusionTime(t);
+  RequireSound(mesh, "the surface");
+  const SurfaceConnectivity connectivity(mesh);
+  RequireOneManifold(connectivity, "the surface");
+  return HeatDiffusionMetricSolver(MakeSurfaceLaplacian(connectivity, mesh.V)).Compute(t);
+}
+
+HeatDiffusionMetric
+TruncatedHeatDiffusionMetric(const SurfaceLaplacian & laplacian, const SurfaceSpectrum & spectrum, double t, int pairs)
+{
+  RequireDiffusionTime(t);
+  if (pairs < 2 || pairs > spectrum.NumberOfPairs())
+  {
+    throw InputError("the number of eigenpairs must be 2 to " + std::to_string(spectrum.NumberOfPairs()) + ", not " +
+                     std::to_string(pairs));
+  }
+  const auto      edges = static_cast<Eigen::Index>(laplacian.edges.size());
+  Eigen::VectorXd squares = Eigen::VectorXd::Zero(edges);
+  for (int i = 1; i < pairs; ++i) // the first one is constant
+  {
+    const double decay = std::exp(-2.0 * t * spectrum.eigenvalues[i]);
+    const auto   function = spectrum.eigenfunctions.col(i);
+    for (Eigen::Index edge = 0; edge < edges; ++edge)
+    {
+      const double step = function[laplacian.edges[edge][0]] - function[laplacian.edges[edge][1]];
+      squares[edge] += decay * step * step;
+    }
+  }
+  return { squares.cwiseSqrt(), t, pairs, 0.0 };
+}
+} // namespace shapeton

@@ -1,0 +1,234 @@
+#include "shapetonSurfaceSpectrum.h"
+
+#include "shapetonExceptions.h"
+
+#include <Eigen/Dense>
+#include <Eigen/SparseCholesky>
+#include <Spectra/SymEigsShiftSolver.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace shapeton
+{
+namespace
+{
+constexpr double pi = 3.14159265358979323846;
+/** A dense decomposition is faster below. */
+constexpr int fewVertices = 300;
+
+using Factorisation = Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>>;
+
+/** Pairs of M^-1/2 L M^-1/2. */
+struct SymmetricPairs
+{
+  std::vector<double>          values;
+  std::vector<Eigen::VectorXd> vectors;
+
+  /** Ascending eigenvalues. */
+  void
+  Sort()
+  {
+    std::vector<std::size_t> order(values.size());
+    std::iota(order.begin(), order.end(), 0);
+    std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return values[a] < values[b]; });
+    SymmetricPairs sorted;
+    for (const std::size_t i : order)
+    {
+      sorted.values.push_back(values[i]);
+      sorted.vectors.push_back(std::move(vectors[i]));
+    }
+    *this = std::move(sorted);
+  }
+};
+
+/** The inverse of M^-1/2 L M^-1/2 + shift, as Spectra asks for it, on the complement of the pairs already known. */
+class ShiftedInverse
+{
+public:
+  using Scalar = double;
+
+  ShiftedInverse(const SurfaceLaplacian & laplacian, double shift)
+    : m_RootMass(laplacian.mass.cwiseSqrt()), m_Shift(shift)
+  {
+    Eigen::SparseMatrix<double> matrix = StiffnessMatrix(laplacian);
+    matrix.diagonal() += shift * laplacian.mass;
+    m_Factor.compute(matrix);
+    if (m_Factor.info() != Eigen::Success)
+    {
+      throw InputError("the stiffness matrix of the surface cannot be factorised; repair or remesh the surface");
+    }
+  }
+  void
+  LeaveOut(const SymmetricPairs & known)
+  {
+    m_Known = &known;
+  }
+  Eigen::Index
+  rows() const
+  {
+    return m_RootMass.size();
+  }
+  Eigen::Index
+  cols() const
+  {
+    return m_RootMass.size();
+  }
+  void
+  set_shift(double)
+  {
+    // The matrix was factorised with its shift.
+  }
+  void
+  perform_op(const double * from, double * to) const
+  {
+    const Eigen::Map<const Eigen::VectorXd> x(from, m_RootMass.size());
+    Eigen::Map<Eigen::VectorXd>             y(to, m_RootMass.size());
+    y = m_Factor.solve(m_RootMass.cwiseProduct(x)).cwiseProduct(m_RootMass);
+    for (std::size_t i = 0; m_Known && i < m_Known->values.size(); ++i)
+    {
+      y -= m_Known->vectors[i].dot(x) / (m_Known->values[i] + m_Shift) * m_Known->vectors[i];
+    }
+  }
+
+private:
+  Eigen::VectorXd        m_RootMass;
+  double                 m_Shift;
+  Factorisation          m_Factor;
+  const SymmetricPairs * m_Known{ nullptr };
+};
+
+SymmetricPairs
+DensePairs(const SurfaceLaplacian & laplacian, int pairs)
+{
+  const Eigen::VectorXd scale = laplacian.mass.cwiseSqrt().cwiseInverse();
+  const Eigen::MatrixXd matrix = scale.asDiagonal() * Eigen::MatrixXd(StiffnessMatrix(laplacian)) * scale.asDiagonal();
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(matrix);
+  SymmetricPairs                                       found;
+  for (int i = 0; i < pairs; ++i)
+  {
+    found.values.push_back(solver.eigenvalues()[i]);
+    found.vectors.push_back(solver.eigenvectors().col(i));
+  }
+  return found;
+}
+
+/** By Weyl's law the eigenvalues grow by 4 pi / area on the average. */
+double
+EigenvalueStep(const SurfaceLaplacian & laplacian)
+{
+  return 4.0 * pi / laplacian.mass.sum();
+}
+
+/** Adds the smallest pairs that are not known. */
+void
+AddPairs(ShiftedInverse &               inverse,
+         double                         shift,
+         int                            pairs,
+         const SurfaceSpectrumOptions & options,
+         SymmetricPairs &               known)
+{
+  const int subspace = std::min(static_cast<int>(inverse.rows()), std::max(2 * pairs, pairs + 20));
+  inverse.LeaveOut(known);
+  Spectra::SymEigsShiftSolver<ShiftedInverse> solver(inverse, pairs, subspace, -shift);
+  solver.init();
+  const auto converged = solver.compute(
+    Spectra::SortRule::LargestMagn, options.restarts, options.tolerance, Spectra::SortRule::SmallestAlge);
+  if (solver.info() != Spectra::CompInfo::Successful)
+  {
+    throw InputError("only " + std::to_string(converged) + " of " + std::to_string(pairs) +
+                     " eigenpairs converged; ask for fewer, or remesh the surface");
+  }
+  const Eigen::VectorXd values = solver.eigenvalues();
+  const Eigen::MatrixXd vectors = solver.eigenvectors();
+  for (int i = 0; i < pairs; ++i)
+  {
+    known.values.push_back(values[i]);
+    known.vectors.push_back(vectors.col(i));
+  }
+  known.Sort();
+}
+
+/** How many eigenvalues are below a number: by Sylvester's law of inertia the negative pivots of L - number M. */
+int
+CountEigenvaluesBelow(const SurfaceLaplacian & laplacian, double number)
+{
+  Eigen::SparseMatrix<double> matrix = StiffnessMatrix(laplacian);
+  matrix.diagonal() -= number * laplacian.mass;
+  const Factorisation factor(matrix);
+  return static_cast<int>((factor.vectorD().array() < 0.0).count());
+}
+
+/** Lanczos with one vector sees one direction of the space of a multiple eigenvalue, and others through rounding alone.
+ * So the pairs are counted, and those that are missing are looked for in the complement of the others. */
+SymmetricPairs
+LanczosPairs(const SurfaceLaplacian & laplacian, int pairs, const SurfaceSpectrumOptions & options)
+{
+  constexpr int  spare = 6;
+  constexpr int  attempts = 8;
+  const double   shift = 0.5 * EigenvalueStep(laplacian);
+  ShiftedInverse inverse(laplacian, shift);
+  SymmetricPairs found;
+  AddPairs(inverse, shift, pairs + spare, options, found);
+  for (int attempt = 0; attempt < attempts; ++attempt)
+  {
+    // The widest gap above those asked for, where a count is certain.
+    int below = pairs;
+    for (int i = pairs; i < pairs + spare; ++i)
+    {
+      if (found.values[i] - found.values[i - 1] > found.values[below] - found.values[below - 1])
+      {
+        below = i;
+      }
+    }
+    const int missing = CountEigenvaluesBelow(laplacian, 0.5 * (found.values[below] + found.values[below - 1])) - below;
+    if (missing == 0)
+    {
+      return found;
+    }
+    AddPairs(inverse, shift, std::max(1, missing), options, found);
+  }
+  throw InputError("eigenpairs of multiple eigenvalues are missing; roughen or remesh the surface");
+}
+
+void
+FixSign(Eigen::Ref<Eigen::VectorXd> function)
+{
+  Eigen::Index place = 0;
+  function.cwiseAbs().maxCoeff(&place);
+  if (function[place] < 0.0)
+  {
+    function = -function;
+  }
+}
+} // namespace
+
+SurfaceSpectrum
+ComputeSurfaceSpectrum(const SurfaceLaplacian & laplacian, int pairs, const SurfaceSpectrumOptions & options)
+{
+  const int vertices = laplacian.NumberOfVertices();
+  if (pairs < 1 || pairs > vertices)
+  {
+    throw InputError("a surface of " + std::to_string(vertices) + " vertices has as many eigenpairs, not " +
+                     std::to_string(pairs));
+  }
+  const bool isDense = vertices <= fewVertices || 3 * pairs > vertices; // and Lanczos keeps twice the pairs, and some
+  const SymmetricPairs  found = isDense ? DensePairs(laplacian, pairs) : LanczosPairs(laplacian, pairs, options);
+  SurfaceSpectrum       spectrum{ Eigen::VectorXd(pairs), Eigen::MatrixXd(vertices, pairs), {} };
+  const Eigen::VectorXd rootMass = laplacian.mass.cwiseSqrt();
+  const Eigen::SparseMatrix<double> stiffness = StiffnessMatrix(laplacian);
+  spectrum.residuals.resize(pairs);
+  for (int i = 0; i < pairs; ++i)
+  {
+    auto function = spectrum.eigenfunctions.col(i);
+    spectrum.eigenvalues[i] = std::max(0.0, found.values[i]);
+    function = found.vectors[i].cwiseQuotient(rootMass);
+    FixSign(function);
+    const Eigen::VectorXd rest = stiffness * function - spectrum.eigenvalues[i] * laplacian.mass.cwiseProduct(function);
+    spectrum.residuals[i] = rest.cwiseQuotient(rootMass).norm();
+  }
+  spectrum.residuals /= std::max(spectrum.eigenvalues[pairs - 1], EigenvalueStep(laplacian));
+  return spectrum;
+}
+} // namespace shapeton

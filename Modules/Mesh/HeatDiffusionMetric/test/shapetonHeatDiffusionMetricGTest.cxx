@@ -1,0 +1,282 @@
+#include "shapetonHeatDiffusionMetric.h"
+#include "shapetonHeatKernel.h"
+
+#include "shapetonColonTube.h"
+#include "shapetonIntrinsicSurfaces.h"
+#include "shapetonSurfaceSimplification.h"
+#include "shapetonExceptions.h"
+
+#include "itkMultiThreaderBase.h"
+
+#include <Eigen/Geometry>
+#include <gtest/gtest.h>
+
+#include <limits>
+#include <numeric>
+
+namespace
+{
+using namespace shapeton;
+using namespace testsurfaces;
+
+SurfaceLaplacian
+LaplacianOf(const SurfaceMesh & mesh)
+{
+  return MakeSurfaceLaplacian(SurfaceConnectivity(mesh), mesh.V);
+}
+
+double
+MeanEdge(const SurfaceMesh & mesh)
+{
+  return EdgeLengths(SurfaceConnectivity(mesh), mesh.V).mean();
+}
+
+double
+LargestRelative(const Eigen::VectorXd & a, const Eigen::VectorXd & b)
+{
+  return ((a - b).array() / b.array()).abs().maxCoeff();
+}
+
+double
+RelativeRms(const Eigen::VectorXd & a, const Eigen::VectorXd & b)
+{
+  return std::sqrt(((a - b).array() / b.array()).square().mean());
+}
+
+/** With all eigenpairs, from a dense decomposition. */
+Eigen::VectorXd
+DenseMetric(const SurfaceLaplacian & laplacian, double t)
+{
+  const int n = laplacian.NumberOfVertices();
+  return TruncatedHeatDiffusionMetric(laplacian, ComputeSurfaceSpectrum(laplacian, n), t, n).edgeLengths;
+}
+
+TEST(HeatDiffusionMetric, IsThatOfAllEigenpairs)
+{
+  const SurfaceMesh meshes[] = { Icosphere(2, 10.0),
+                                 Roughened(Cylinder(16, 18, 5.0, 20.0), 0.2, 1),
+                                 Roughened(Torus(24, 12, 10.0, 4.0), 0.2, 2),
+                                 Roughened(Square(18, 18.0), 0.2, 3) };
+  for (const SurfaceMesh & mesh : meshes)
+  {
+    const HeatDiffusionMetricSolver solver(LaplacianOf(mesh));
+    const double                    h = MeanEdge(mesh);
+    for (const double factor : { 0.1, 1.0, 4.0 })
+    {
+      const double          t = factor * h * h;
+      const Eigen::VectorXd right = DenseMetric(solver.Laplacian(), t);
+      EXPECT_LT(LargestRelative(solver.Compute(t, 8).edgeLengths, right), 1e-9) << factor;
+      EXPECT_LT(LargestRelative(solver.Compute(t).edgeLengths, right), 1e-6) << factor;
+    }
+  }
+}
+
+TEST(HeatDiffusionMetric, IsThatOfEnoughEigenpairsOnAColonOf12000Faces)
+{
+  ColonTubeOptions options;
+  options.faces = 12000;
+  options.length = 700.0;
+  const SurfaceMesh     mesh = MakeColonTube(options).mesh;
+  const auto            laplacian = LaplacianOf(mesh);
+  const double          t = 32.0 * std::pow(MeanEdge(mesh), 2);
+  const SurfaceSpectrum spectrum = ComputeSurfaceSpectrum(laplacian, 150);
+  ASSERT_GT(2.0 * t * spectrum.eigenvalues[149], 18.0);
+  const auto metric = HeatDiffusionMetricSolver(laplacian).Compute(t);
+  EXPECT_LT(RelativeRms(metric.edgeLengths, TruncatedHeatDiffusionMetric(laplacian, spectrum, t, 150).edgeLengths),
+            1e-5);
+}
+
+TEST(HeatDiffusionMetric, KeepsItsDigitsOnASimplifiedSurface)
+{
+  ColonTubeOptions options;
+  options.faces = 30000;
+  SurfaceSimplificationOptions simplification;
+  simplification.targetFaces = 6000;
+  const SurfaceMesh               mesh = SimplifySurface(MakeColonTube(options).mesh, simplification);
+  const HeatDiffusionMetricSolver solver(LaplacianOf(mesh));
+  for (const double factor : { 0.5, 2.0, 4.0 })
+  {
+    const double t = factor * std::pow(MeanEdge(mesh), 2);
+    EXPECT_LT(LargestRelative(solver.Compute(t).edgeLengths, solver.Compute(t, 8).edgeLengths), 1e-6) << factor;
+  }
+}
+
+TEST(HeatDiffusionMetric, StatesItsTime)
+{
+  const auto mesh = Icosphere(2, 10.0);
+  const auto laplacian = LaplacianOf(mesh);
+  const auto exact = ComputeHeatDiffusionMetric(mesh, 1.5);
+  EXPECT_EQ(exact.time, 1.5);
+  EXPECT_EQ(exact.eigenpairs, 0);
+  EXPECT_GT(exact.rationalError, 0.0);
+  const auto truncated = TruncatedHeatDiffusionMetric(laplacian, ComputeSurfaceSpectrum(laplacian, 50), 2.5, 50);
+  EXPECT_EQ(truncated.time, 2.5);
+  EXPECT_EQ(truncated.eigenpairs, 50);
+  EXPECT_EQ(truncated.rationalError, 0.0);
+}
+
+TEST(HeatDiffusionMetric, DoesNotChangeWithRigidMotionsAndScalesAsALength)
+{
+  SurfaceMesh             mesh = Roughened(Torus(30, 15, 10.0, 4.0), 0.2, 4);
+  const Eigen::VectorXd   right = ComputeHeatDiffusionMetric(mesh, 2.0).edgeLengths;
+  const Eigen::AngleAxisd turn(0.7, Eigen::Vector3d(1.0, -2.0, 0.5).normalized());
+  const SurfaceMesh       original = mesh;
+  mesh.V = (original.V * turn.toRotationMatrix().transpose()).rowwise() + Eigen::RowVector3d(30.0, -80.0, 11.0);
+  EXPECT_LT(LargestRelative(ComputeHeatDiffusionMetric(mesh, 2.0).edgeLengths, right), 1e-10);
+  mesh.V = 3.0 * original.V;
+  EXPECT_LT(LargestRelative(3.0 * ComputeHeatDiffusionMetric(mesh, 18.0).edgeLengths, right), 1e-10);
+}
+
+TEST(HeatDiffusionMetric, DoesNotDependOnTheNumbersOfTheVertices)
+{
+  const SurfaceMesh mesh = Roughened(Cylinder(20, 30, 5.0, 20.0), 0.2, 5);
+  const int         n = mesh.NumberOfVertices();
+  std::vector<int>  newNumber(n);
+  std::iota(newNumber.begin(), newNumber.end(), 0);
+  Random random(6);
+  for (int i = n - 1; i > 0; --i)
+  {
+    std::swap(newNumber[i], newNumber[random.Below(i + 1)]);
+  }
+  SurfaceMesh renumbered = mesh;
+  for (int i = 0; i < n; ++i)
+  {
+    renumbered.V.row(newNumber[i]) = mesh.V.row(i);
+  }
+  for (Eigen::Index i = 0; i < mesh.F.size(); ++i)
+  {
+    renumbered.F.data()[i] = newNumber[mesh.F.data()[i]];
+  }
+  const SurfaceConnectivity connectivity(mesh), other(renumbered);
+  const Eigen::VectorXd     a = ComputeHeatDiffusionMetric(mesh, 2.0).edgeLengths;
+  const Eigen::VectorXd     b = ComputeHeatDiffusionMetric(renumbered, 2.0).edgeLengths;
+  for (int edge = 0; edge < connectivity.NumberOfEdges(); ++edge)
+  {
+    const auto & ends = connectivity.VerticesOfEdge(edge);
+    const int    same = other.FindEdge(newNumber[ends[0]], newNumber[ends[1]]);
+    EXPECT_NEAR(b[same], a[edge], 1e-10 * a[edge]);
+  }
+}
+
+TEST(HeatDiffusionMetric, MakesATriangleOfEachFace)
+{
+  ColonTubeOptions options;
+  options.faces = 8000;
+  options.handles = 5;
+  const SurfaceMesh         mesh = MakeColonTube(options).mesh;
+  const SurfaceConnectivity connectivity(mesh);
+  const double              h = MeanEdge(mesh);
+  const auto                metric = ComputeHeatDiffusionMetric(mesh, 4.0 * h * h);
+  for (int face = 0; face < mesh.NumberOfFaces(); ++face)
+  {
+    double sides[3];
+    for (int k = 0; k < 3; ++k)
+    {
+      sides[k] = metric.edgeLengths[connectivity.EdgeOfFace(face, k)];
+    }
+    std::sort(sides, sides + 3);
+    EXPECT_LT(sides[2], sides[0] + sides[1]) << face;
+  }
+  EXPECT_NO_THROW(MakeSurfaceLaplacian(connectivity, metric.edgeLengths));
+}
+
+TEST(HeatDiffusionMetric, BeginsWithTheMassesAndEndsWithTheSlowestFunction)
+{
+  const SurfaceMesh               mesh = Icosphere(2, 10.0);
+  const HeatDiffusionMetricSolver solver(LaplacianOf(mesh));
+  const auto &                    laplacian = solver.Laplacian();
+  const Eigen::VectorXd           early = solver.Compute(1e-9).edgeLengths;
+  for (std::size_t edge = 0; edge < laplacian.edges.size(); ++edge)
+  {
+    const auto & [p, q] = laplacian.edges[edge];
+    EXPECT_NEAR(early[edge], std::sqrt(1.0 / laplacian.mass[p] + 1.0 / laplacian.mass[q]), 1e-6);
+  }
+  const SurfaceSpectrum spectrum = ComputeSurfaceSpectrum(laplacian, 4); // the constant and three of one eigenvalue
+  const double          t = 2.0 / spectrum.eigenvalues[3];               // the next have e^-8 less in the square
+  const Eigen::VectorXd late = solver.Compute(t, 8).edgeLengths;
+  for (std::size_t edge = 0; edge < laplacian.edges.size(); ++edge)
+  {
+    const double right = DiffusionDistance(spectrum, laplacian.edges[edge][0], laplacian.edges[edge][1], t);
+    EXPECT_NEAR(late[edge], right, 2e-3 * right);
+  }
+}
+
+TEST(HeatDiffusionMetric, GivesTheSameBytesForAnyNumberOfThreads)
+{
+  ColonTubeOptions options;
+  options.faces = 8000;
+  const HeatDiffusionMetricSolver solver(LaplacianOf(MakeColonTube(options).mesh));
+  Eigen::VectorXd                 first;
+  for (const unsigned int threads : { 1, 2, 3 })
+  {
+    itk::MultiThreaderBase::SetGlobalDefaultNumberOfThreads(threads);
+    for (const int atOnce : { 1, 2, 3 })
+    {
+      const Eigen::VectorXd lengths = solver.Compute(40.0, 6, atOnce).edgeLengths;
+      first = first.size() == 0 ? lengths : first;
+      EXPECT_EQ(lengths, first) << threads << " threads";
+    }
+  }
+}
+
+TEST(HeatDiffusionMetric, TruncatedLacksTheAnglesOfALongTube)
+{
+  // Why 50 pairs, as published, do not do for a whole colon: none of them varies around the tube.
+  const SurfaceMesh         mesh = Cylinder(12, 300, 1.0, 200.0);
+  const SurfaceConnectivity connectivity(mesh);
+  const auto                laplacian = MakeSurfaceLaplacian(connectivity, mesh.V);
+  const auto truncated = TruncatedHeatDiffusionMetric(laplacian, ComputeSurfaceSpectrum(laplacian, 50), 0.1, 50);
+  const auto exact = HeatDiffusionMetricSolver(laplacian).Compute(0.1);
+  const int  around = connectivity.FindEdge(12 * 150, 12 * 150 + 1);
+  EXPECT_LT(truncated.edgeLengths[around], 0.05 * exact.edgeLengths[around]);
+}
+
+TEST(HeatDiffusionMetric, DefaultTimeIsThatOf55000FacesOrOfTheLumen)
+{
+  ColonTubeOptions options;
+  options.faces = 8000;
+  const SurfaceMesh         coarse = MakeColonTube(options).mesh;
+  const SurfaceConnectivity connectivity(coarse);
+  const Eigen::VectorXd     lengths = EdgeLengths(connectivity, coarse.V);
+  const double              h = MeanEdgeAt55000Faces(connectivity, lengths);
+  EXPECT_NEAR(DefaultDiffusionTime(connectivity, lengths, std::numeric_limits<double>::infinity()), 8.0 * h * h, 1e-12);
+  EXPECT_NEAR(DefaultDiffusionTime(connectivity, lengths, 5.0), 15.0, 1e-12);
+  EXPECT_THROW(DefaultDiffusionTime(connectivity, lengths, 0.0), InputError);
+  EXPECT_THROW(DefaultDiffusionTime(connectivity, lengths, std::nan("")), InputError);
+  options.faces = 32000;
+  const SurfaceMesh         fine = MakeColonTube(options).mesh;
+  const SurfaceConnectivity fineConnectivity(fine);
+  EXPECT_NEAR(MeanEdgeAt55000Faces(fineConnectivity, EdgeLengths(fineConnectivity, fine.V)), h, 0.1 * h);
+}
+
+TEST(HeatDiffusionMetric, RefusesBadInput)
+{
+  const SurfaceMesh sphere = Icosphere(2, 10.0);
+  for (const double t : { 0.0, -1.0, std::numeric_limits<double>::infinity(), std::nan("") })
+  {
+    EXPECT_THROW(ComputeHeatDiffusionMetric(sphere, t), InputError);
+  }
+  EXPECT_THROW(ComputeHeatDiffusionMetric(sphere, 1e6), InputError); // distances of 1e-12000
+  EXPECT_THROW(ComputeHeatDiffusionMetric(SurfaceMesh(), 1.0), InputError);
+  EXPECT_THROW(ComputeHeatDiffusionMetric(Together({ sphere, Square(3, 3.0) }), 1.0), InputError);
+  SurfaceMesh mesh = sphere;
+  mesh.V(3, 0) = std::nan("");
+  EXPECT_THROW(ComputeHeatDiffusionMetric(mesh, 1.0), InputError);
+  mesh = sphere;
+  mesh.V.row(mesh.F(0, 0)) = mesh.V.row(mesh.F(0, 1));
+  EXPECT_THROW(ComputeHeatDiffusionMetric(mesh, 1.0), InputError);
+  mesh = sphere;
+  mesh.F.conservativeResize(mesh.F.rows() + 1, Eigen::NoChange);
+  mesh.F.row(mesh.F.rows() - 1) << mesh.F(0, 0), mesh.F(0, 1), mesh.F(100, 2); // a third face at an edge
+  EXPECT_THROW(ComputeHeatDiffusionMetric(mesh, 1.0), InputError);
+  mesh = Square(1, 3.0);
+  mesh.V.row(1) << 1.5, 1.5, 0.0; // a face without area
+  EXPECT_THROW(ComputeHeatDiffusionMetric(mesh, 1.0), InputError);
+  const HeatDiffusionMetricSolver solver(LaplacianOf(sphere));
+  EXPECT_THROW(solver.Compute(1.0, 2), InputError);
+  EXPECT_THROW(solver.Compute(1.0, 9), InputError);
+  const SurfaceSpectrum spectrum = ComputeSurfaceSpectrum(solver.Laplacian(), 20);
+  EXPECT_THROW(TruncatedHeatDiffusionMetric(solver.Laplacian(), spectrum, 1.0, 21), InputError);
+  EXPECT_THROW(TruncatedHeatDiffusionMetric(solver.Laplacian(), spectrum, -1.0, 10), InputError);
+}
+} // namespace

@@ -1,0 +1,85 @@
+#ifndef shapetonGltfScene_h
+#define shapetonGltfScene_h
+
+#include "shapetonJson.h"
+
+#include <Eigen/Core>
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace shapeton
+{
+/** A whole number from 0 on. Throws std::out_of_range for any other value. */
+std::size_t
+GltfIndex(const Json & json);
+
+/** \class GltfScene
+ * \brief The document of a glTF 2.0 or GLB file, its buffers and the nodes that have a mesh.
+ *
+ * https://registry.khronos.org/glTF/specs/2.0/glTF-2.0.html. Throws InputError; nlohmann's exceptions and
+ * std::out_of_range where the document lacks what it must have.
+ */
+class GltfScene
+{
+public:
+  struct Instance
+  {
+    std::string     name;
+    std::size_t     mesh{ 0 };
+    Eigen::Matrix4d transform;
+  };
+
+  GltfScene(const std::string & bytes, const std::string & path);
+  ~GltfScene();
+
+  /** The nodes of the scene that have a mesh, in the order of a walk from its roots. */
+  std::vector<Instance>
+  Instances() const;
+
+  const Json &
+  Document() const
+  {
+    return m_Document;
+  }
+
+  /** Positions of an accessor: three floats for each vertex. */
+  std::vector<double>
+  Positions(std::size_t accessor) const;
+  /** Indices of an accessor. */
+  std::vector<std::int64_t>
+  Indices(std::size_t accessor) const;
+
+private:
+  struct View
+  {
+    const std::string * bytes;
+    std::size_t         begin, stride, count;
+    int                 componentType;
+  };
+
+  void
+  ReadChunks(const std::string & bytes);
+  void
+  ReadBuffers(const std::string & binary, bool hasBinary);
+  std::string
+  BufferOfUri(const std::string & uri) const;
+  void
+  RefuseExtensions() const;
+  View
+  ViewOf(std::size_t accessor, const std::string & type) const;
+  void
+  Visit(std::size_t             node,
+        const Eigen::Matrix4d & parent,
+        std::vector<bool> &     isVisited,
+        std::vector<Instance> & instances,
+        int                     depth) const;
+
+  std::string              m_Path;
+  Json                     m_Document;
+  std::vector<std::string> m_Buffers;
+};
+} // namespace shapeton
+
+#endif

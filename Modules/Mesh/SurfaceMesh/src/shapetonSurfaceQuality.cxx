@@ -1,0 +1,299 @@
+#include "shapetonSurfaceQuality.h"
+#include "shapetonTriangleShape.h"
+
+#include <algorithm>
+#include <array>
+#include <numeric>
+
+namespace shapeton
+{
+namespace
+{
+constexpr double DegreesPerRadian = 57.295779513082320877;
+constexpr double LeastHeight = 1e-12; // of the longest side
+
+struct Triangle
+{
+  Eigen::Vector3d a, b, c;
+};
+
+Triangle
+TriangleOf(const VertexMatrix & V, const FaceMatrix & F, int f)
+{
+  return { V.row(F(f, 0)), V.row(F(f, 1)), V.row(F(f, 2)) };
+}
+
+bool
+NamesAVertexTwice(const FaceMatrix & F, int f)
+{
+  return F(f, 0) == F(f, 1) || F(f, 1) == F(f, 2) || F(f, 2) == F(f, 0);
+}
+
+bool
+HasNoArea(const Triangle & t)
+{
+  const double longest = std::max({ (t.b - t.a).squaredNorm(), (t.c - t.b).squaredNorm(), (t.a - t.c).squaredNorm() });
+  return !(DoubleAreaNormal(t.a, t.b, t.c).norm() > LeastHeight * longest);
+}
+
+std::vector<int>
+DuplicateFaces(const FaceMatrix & F)
+{
+  std::vector<std::array<int, 4>> keys; // sorted vertices and face
+  for (int f = 0; f < F.rows(); ++f)
+  {
+    std::array<int, 4> key{ F(f, 0), F(f, 1), F(f, 2), f };
+    std::sort(key.begin(), key.begin() + 3);
+    keys.push_back(key);
+  }
+  std::sort(keys.begin(), keys.end());
+  std::vector<int> duplicates;
+  for (std::size_t i = 1; i < keys.size(); ++i)
+  {
+    if (std::equal(keys[i].begin(), keys[i].begin() + 3, keys[i - 1].begin()))
+    {
+      duplicates.push_back(keys[i][3]);
+    }
+  }
+  std::sort(duplicates.begin(), duplicates.end());
+  return duplicates;
+}
+
+std::vector<int>
+CoincidentVertices(const VertexMatrix & V)
+{
+  std::vector<int> order(V.rows());
+  std::iota(order.begin(), order.end(), 0);
+  const auto position = [&](int v) { return std::array<double, 3>{ V(v, 0), V(v, 1), V(v, 2) }; };
+  std::sort(order.begin(), order.end(), [&](int a, int b) {
+    const auto p = position(a);
+    const auto q = position(b);
+    return p != q ? p < q : a < b;
+  });
+  std::vector<int> coincident;
+  for (std::size_t i = 1; i < order.size(); ++i)
+  {
+    if (position(order[i]) == position(order[i - 1]))
+    {
+      coincident.push_back(order[i]);
+    }
+  }
+  std::sort(coincident.begin(), coincident.end());
+  return coincident;
+}
+
+std::vector<int>
+UnreferencedVertices(const SurfaceMesh & mesh)
+{
+  std::vector<bool> isNamed(mesh.V.rows(), false);
+  for (Eigen::Index i = 0; i < mesh.F.size(); ++i)
+  {
+    isNamed[mesh.F.data()[i]] = true;
+  }
+  std::vector<int> unreferenced;
+  for (int v = 0; v < mesh.NumberOfVertices(); ++v)
+  {
+    if (!isNamed[v])
+    {
+      unreferenced.push_back(v);
+    }
+  }
+  return unreferenced;
+}
+
+void
+MeasureFaces(const SurfaceMesh & mesh, SurfaceQuality & quality)
+{
+  std::vector<double> smallest;
+  std::vector<double> largest;
+  std::vector<double> aspects;
+  for (int f = 0; f < mesh.NumberOfFaces(); ++f)
+  {
+    const Triangle t = TriangleOf(mesh.V, mesh.F, f);
+    const double   angles[] = { AngleAt(t.a, t.b, t.c), AngleAt(t.b, t.c, t.a), AngleAt(t.c, t.a, t.b) };
+    smallest.push_back(DegreesPerRadian * *std::min_element(angles, angles + 3));
+    largest.push_back(DegreesPerRadian * *std::max_element(angles, angles + 3));
+    if (!HasNoArea(t))
+    {
+      aspects.push_back(AspectRatio(t.a, t.b, t.c));
+    }
+  }
+  quality.smallestAngle = StatisticsOf(std::move(smallest));
+  quality.largestAngle = StatisticsOf(std::move(largest));
+  quality.aspectRatio = StatisticsOf(std::move(aspects));
+}
+
+void
+MeasureEdges(const SurfaceMesh & mesh, const SurfaceConnectivity & connectivity, SurfaceQuality & quality)
+{
+  std::vector<double> lengths;
+  for (int e = 0; e < connectivity.NumberOfEdges(); ++e)
+  {
+    const auto & ends = connectivity.VerticesOfEdge(e);
+    lengths.push_back((mesh.V.row(ends[0]) - mesh.V.row(ends[1])).norm());
+  }
+  quality.edgeLength = StatisticsOf(std::move(lengths));
+  for (const auto & loop : connectivity.BoundaryLoops())
+  {
+    double length = 0.0;
+    for (std::size_t i = 0; i < loop.size(); ++i)
+    {
+      const int next = loop[(i + 1) % loop.size()];
+      if (connectivity.FindEdge(loop[i], next) >= 0) // not so where an open chain ends
+      {
+        length += (mesh.V.row(loop[i]) - mesh.V.row(next)).norm();
+      }
+    }
+    quality.boundaryLoopLengths.push_back(length);
+    quality.boundaryLoopVertices.push_back(static_cast<int>(loop.size()));
+  }
+}
+
+void
+DescribeTopology(const SurfaceConnectivity & connectivity, SurfaceQuality & quality)
+{
+  quality.components = connectivity.Components();
+  quality.isManifold = connectivity.IsManifold();
+  quality.isClosed = connectivity.IsClosed();
+  quality.isOriented = connectivity.IsOriented();
+  quality.genus = quality.components.empty() ? std::optional<int>() : 0;
+  for (const SurfaceComponent & component : quality.components)
+  {
+    quality.genus =
+      quality.genus && component.genus ? std::optional<int>(*quality.genus + *component.genus) : std::optional<int>();
+  }
+  int vertices = 0;
+  for (int v = 0; v < connectivity.NumberOfVertices(); ++v)
+  {
+    vertices += connectivity.FacesOfVertex(v).size() > 0;
+  }
+  int faces = 0;
+  for (const SurfaceComponent & component : quality.components)
+  {
+    faces += component.faces;
+  }
+  quality.edges = connectivity.NumberOfEdges();
+  quality.eulerCharacteristic = vertices - quality.edges + faces;
+}
+} // namespace
+
+bool
+SurfaceDefects::AreNone() const
+{
+  return degenerateFaces.empty() && zeroAreaFaces.empty() && duplicateFaces.empty() && unreferencedVertices.empty() &&
+         nonManifoldEdges.empty() && nonManifoldVertices.empty() && inconsistentEdges.empty();
+}
+
+SurfaceDefects
+FindSurfaceDefects(const SurfaceMesh & mesh, const SurfaceConnectivity & connectivity)
+{
+  SurfaceDefects defects;
+  for (int f = 0; f < mesh.NumberOfFaces(); ++f)
+  {
+    if (NamesAVertexTwice(mesh.F, f))
+    {
+      defects.degenerateFaces.push_back(f);
+    }
+    else if (HasNoArea(TriangleOf(mesh.V, mesh.F, f)))
+    {
+      defects.zeroAreaFaces.push_back(f);
+    }
+  }
+  defects.duplicateFaces = DuplicateFaces(mesh.F);
+  defects.unreferencedVertices = UnreferencedVertices(mesh);
+  defects.coincidentVertices = CoincidentVertices(mesh.V);
+  for (int e = 0; e < connectivity.NumberOfEdges(); ++e)
+  {
+    if (connectivity.IsNonManifoldEdge(e))
+    {
+      defects.nonManifoldEdges.push_back(e);
+    }
+    else if (connectivity.IsInconsistentEdge(e))
+    {
+      defects.inconsistentEdges.push_back(e);
+    }
+  }
+  for (int v = 0; v < mesh.NumberOfVertices(); ++v)
+  {
+    if (connectivity.IsNonManifoldVertex(v))
+    {
+      defects.nonManifoldVertices.push_back(v);
+    }
+  }
+  return defects;
+}
+
+SurfaceStatistics
+StatisticsOf(std::vector<double> values)
+{
+  SurfaceStatistics statistics;
+  if (values.empty())
+  {
+    return statistics;
+  }
+  std::sort(values.begin(), values.end());
+  const auto at = [&](double fraction) {
+    const double      place = fraction * static_cast<double>(values.size() - 1);
+    const std::size_t below = static_cast<std::size_t>(place);
+    const std::size_t above = std::min(below + 1, values.size() - 1);
+    return values[below] + (place - static_cast<double>(below)) * (values[above] - values[below]);
+  };
+  statistics.minimum = values.front();
+  statistics.percentile1 = at(0.01);
+  statistics.median = at(0.5);
+  statistics.percentile99 = at(0.99);
+  statistics.maximum = values.back();
+  return statistics;
+}
+
+double
+SurfaceArea(const VertexMatrix & V, const FaceMatrix & F)
+{
+  double area = 0.0;
+  for (int f = 0; f < F.rows(); ++f)
+  {
+    const Triangle t = TriangleOf(V, F, f);
+    area += 0.5 * DoubleAreaNormal(t.a, t.b, t.c).norm();
+  }
+  return area;
+}
+
+double
+EnclosedVolume(const VertexMatrix & V, const FaceMatrix & F)
+{
+  if (F.rows() == 0)
+  {
+    return 0.0;
+  }
+  const Eigen::Vector3d origin = V.row(F(0, 0)); // near the surface, so that little cancels
+  double                volume = 0.0;
+  for (int f = 0; f < F.rows(); ++f)
+  {
+    const Triangle t = TriangleOf(V, F, f);
+    volume += (t.a - origin).dot((t.b - origin).cross(t.c - origin)) / 6.0;
+  }
+  return volume;
+}
+
+SurfaceQuality
+InspectSurface(const SurfaceMesh & mesh)
+{
+  RequireSound(mesh, "the surface");
+  const SurfaceConnectivity connectivity(mesh);
+  SurfaceQuality            quality;
+  quality.vertices = mesh.NumberOfVertices();
+  quality.faces = mesh.NumberOfFaces();
+  DescribeTopology(connectivity, quality);
+  quality.area = SurfaceArea(mesh.V, mesh.F);
+  if (quality.isClosed && quality.isOriented)
+  {
+    quality.volume = EnclosedVolume(mesh.V, mesh.F);
+  }
+  quality.lowestCorner = mesh.V.colwise().minCoeff();
+  quality.highestCorner = mesh.V.colwise().maxCoeff();
+  MeasureEdges(mesh, connectivity, quality);
+  MeasureFaces(mesh, quality);
+  quality.defects = FindSurfaceDefects(mesh, connectivity);
+  return quality;
+}
+} // namespace shapeton

@@ -1,0 +1,330 @@
+#include "shapetonSurfaceSimplification.h"
+#include "shapetonCornerTable.h"
+#include "shapetonQuadric.h"
+#include "shapetonSurfaceRepair.h"
+#include "shapetonExceptions.h"
+#include "shapetonTriangleShape.h"
+
+#include <algorithm>
+#include <queue>
+
+namespace shapeton
+{
+namespace
+{
+constexpr double PointWeight = 1e-3;       // of the distance to the old vertices against that to the planes
+constexpr double LeastNormalProduct = 0.3; // of the normals of a face before and after
+constexpr double RadiansPerDegree = 0.017453292519943295769;
+constexpr double StepOfAngles = 5.0; // degrees
+
+/** An edge at the time when it was put into the queue. */
+struct Candidate
+{
+  double   cost;
+  int      u, v; ///< u < v
+  unsigned versionU, versionV;
+
+  bool
+  operator<(const Candidate & other) const // the queue gives the greatest one first
+  {
+    if (cost != other.cost)
+    {
+      return cost > other.cost;
+    }
+    return u != other.u ? u > other.u : v > other.v;
+  }
+};
+
+class Simplifier
+{
+public:
+  Simplifier(const SurfaceMesh & mesh, const SurfaceSimplificationOptions & options);
+  SurfaceMesh
+  Run(SurfaceSimplificationReport & report);
+
+private:
+  void
+  AddQuadricsOfFace(int first);
+  void
+  AddQuadricsOfBoundary(int h, const Eigen::Vector3d & normal);
+  double
+  Place(int u, int v, Eigen::Vector3d & place) const;
+  bool
+  IsFar(int u, int v, const Eigen::Vector3d & place) const
+  {
+    const Eigen::Vector3d middle = 0.5 * (m_Positions[u] + m_Positions[v]);
+    return !((place - middle).squaredNorm() <= 4.0 * (m_Positions[u] - m_Positions[v]).squaredNorm());
+  }
+
+  Candidate
+  CandidateOf(int a, int b) const;
+  void
+  FillQueue();
+  void
+  CollapseQueue(SurfaceSimplificationReport & report);
+  bool
+  TryCollapse(int u, int v);
+  bool
+  KeepsShape(int u, int v, const Eigen::Vector3d & place) const;
+  void
+  TellProgress(const SurfaceSimplificationReport & report) const;
+
+  SurfaceSimplificationOptions   m_Options;
+  CornerTable                    m_Table;
+  Eigen::Vector3d                m_Origin;
+  std::vector<Eigen::Vector3d>   m_Positions;
+  std::vector<Quadric>           m_Quadrics;
+  std::vector<unsigned>          m_Version;
+  std::priority_queue<Candidate> m_Queue;
+  double                         m_CosineLimit{ 1.0 };
+};
+
+Simplifier::Simplifier(const SurfaceMesh & mesh, const SurfaceSimplificationOptions & options)
+  : m_Options(options), m_Table(mesh.F, mesh.NumberOfVertices()), m_Version(mesh.V.rows(), 0)
+{
+  m_Origin = 0.5 * (mesh.V.colwise().minCoeff() + mesh.V.colwise().maxCoeff()).transpose();
+  m_Positions.resize(mesh.V.rows());
+  for (int v = 0; v < mesh.NumberOfVertices(); ++v)
+  {
+    m_Positions[v] = mesh.V.row(v).transpose() - m_Origin; // near 0, so that little cancels in the quadrics
+  }
+  m_Quadrics.resize(mesh.V.rows());
+  for (int h = 0; h < m_Table.NumberOfHalfEdges(); h += 3)
+  {
+    this->AddQuadricsOfFace(h);
+  }
+}
+
+SurfaceMesh
+Simplifier::Run(SurfaceSimplificationReport & report)
+{
+  report.facesBefore = m_Table.NumberOfLiveFaces();
+  double limit = m_Options.smallestAngle;
+  for (;;)
+  {
+    report.smallestAngle = limit;
+    m_CosineLimit = limit > 0.0 ? std::cos(limit * RadiansPerDegree) : 1.0;
+    const int before = report.collapses;
+    this->FillQueue();
+    this->CollapseQueue(report);
+    if (m_Table.NumberOfLiveFaces() <= m_Options.targetFaces)
+    {
+      report.reachedTarget = true;
+      break;
+    }
+    if (report.collapses > before)
+    {
+      continue; // what was refused may be possible now
+    }
+    if (limit <= 0.0)
+    {
+      report.reason = "every further collapse would fold the surface over or change its topology";
+      break;
+    }
+    limit = std::max(limit - StepOfAngles, 0.0);
+  }
+  report.faces = m_Table.NumberOfLiveFaces();
+  for (Eigen::Vector3d & position : m_Positions)
+  {
+    position += m_Origin;
+  }
+  return m_Table.ToSurface(m_Positions);
+}
+
+void
+Simplifier::AddQuadricsOfFace(int first)
+{
+  const Eigen::Vector3d & a = m_Positions[m_Table.From(first)];
+  const Eigen::Vector3d & b = m_Positions[m_Table.From(first + 1)];
+  const Eigen::Vector3d & c = m_Positions[m_Table.From(first + 2)];
+  const Eigen::Vector3d   doubleArea = DoubleAreaNormal(a, b, c);
+  const double            length = doubleArea.norm();
+  if (!(length > 0.0))
+  {
+    return;
+  }
+  const Eigen::Vector3d normal = doubleArea / length;
+  for (int h = first; h < first + 3; ++h)
+  {
+    Quadric & own = m_Quadrics[m_Table.From(h)];
+    own.AddPlane(a, normal, length / 6.0); // a third of the area
+    own.AddPoint(m_Positions[m_Table.From(h)], PointWeight * length / 6.0);
+    if (m_Table.Twin(h) < 0)
+    {
+      this->AddQuadricsOfBoundary(h, normal);
+    }
+  }
+}
+
+void
+Simplifier::AddQuadricsOfBoundary(int h, const Eigen::Vector3d & normal)
+{
+  const Eigen::Vector3d & from = m_Positions[m_Table.From(h)];
+  const Eigen::Vector3d   edge = m_Positions[m_Table.To(h)] - from;
+  const Eigen::Vector3d   across = edge.cross(normal);
+  const double            length = across.norm();
+  if (length > 0.0)
+  {
+    Quadric boundary;
+    boundary.AddPlane(from, across / length, m_Options.boundaryWeight * edge.squaredNorm());
+    m_Quadrics[m_Table.From(h)] += boundary;
+    m_Quadrics[m_Table.To(h)] += boundary;
+  }
+}
+
+/** Where the vertices of an edge would meet, and what that costs. */
+double
+Simplifier::Place(int u, int v, Eigen::Vector3d & place) const
+{
+  Quadric quadric = m_Quadrics[u];
+  quadric += m_Quadrics[v];
+  const bool isBoundaryU = m_Table.IsBoundary(u);
+  if (isBoundaryU != m_Table.IsBoundary(v))
+  {
+    place = m_Positions[isBoundaryU ? u : v];
+  }
+  else if (!quadric.Minimize(place) || this->IsFar(u, v, place))
+  {
+    place = 0.5 * (m_Positions[u] + m_Positions[v]);
+    for (const int w : { u, v })
+    {
+      place = quadric.At(m_Positions[w]) < quadric.At(place) ? m_Positions[w] : place;
+    }
+  }
+  return std::max(quadric.At(place), 0.0); // rounding may make it negative
+}
+
+Candidate
+Simplifier::CandidateOf(int a, int b) const
+{
+  const int       u = std::min(a, b);
+  const int       v = std::max(a, b);
+  Eigen::Vector3d place;
+  const double    cost = this->Place(u, v, place);
+  return { cost, u, v, m_Version[u], m_Version[v] };
+}
+
+void
+Simplifier::FillQueue()
+{
+  std::vector<Candidate> candidates;
+  candidates.reserve(m_Table.NumberOfLiveFaces() * 3 / 2 + 1);
+  for (int h = 0; h < m_Table.NumberOfHalfEdges(); ++h)
+  {
+    if (m_Table.StandsForEdge(h))
+    {
+      candidates.push_back(this->CandidateOf(m_Table.From(h), m_Table.To(h)));
+    }
+  }
+  m_Queue = std::priority_queue<Candidate>(std::less<Candidate>(), std::move(candidates));
+}
+
+void
+Simplifier::CollapseQueue(SurfaceSimplificationReport & report)
+{
+  while (!m_Queue.empty() && m_Table.NumberOfLiveFaces() > m_Options.targetFaces)
+  {
+    const Candidate candidate = m_Queue.top();
+    m_Queue.pop();
+    if (!m_Table.IsLiveVertex(candidate.u) || !m_Table.IsLiveVertex(candidate.v) ||
+        m_Version[candidate.u] != candidate.versionU || m_Version[candidate.v] != candidate.versionV)
+    {
+      continue; // a later entry stands for the edge, or it is gone
+    }
+    if (this->TryCollapse(candidate.u, candidate.v))
+    {
+      ++report.collapses;
+      this->TellProgress(report);
+    }
+  }
+}
+
+bool
+Simplifier::TryCollapse(int u, int v)
+{
+  const int       h = m_Table.FindHalfEdge(v, u);
+  Eigen::Vector3d place;
+  this->Place(u, v, place);
+  if (!m_Table.CanCollapse(h) || !this->KeepsShape(u, v, place))
+  {
+    return false;
+  }
+  const int kept = m_Table.To(h);
+  m_Quadrics[kept] += m_Quadrics[m_Table.From(h)];
+  m_Positions[kept] = place;
+  m_Table.Collapse(h);
+  ++m_Version[kept];
+  m_Table.ForEachNeighbour(kept, [&](int w) { m_Queue.push(this->CandidateOf(kept, w)); });
+  return true;
+}
+
+/** Whether no face that stays turns over or gets too small an angle. */
+bool
+Simplifier::KeepsShape(int u, int v, const Eigen::Vector3d & place) const
+{
+  double worstBefore = m_CosineLimit;
+  double worstAfter = -1.0;
+  bool   turnsOver = false;
+  for (const int w : { u, v })
+  {
+    const int other = w == u ? v : u;
+    m_Table.ForEachOutgoing(w, [&](int h) {
+      const Eigen::Vector3d & a = m_Positions[w];
+      const Eigen::Vector3d & b = m_Positions[m_Table.To(h)];
+      const Eigen::Vector3d & c = m_Positions[m_Table.Apex(h)];
+      worstBefore = std::max(worstBefore, CosineOfSmallestAngle(a, b, c));
+      if (m_Table.To(h) == other || m_Table.Apex(h) == other)
+      {
+        return; // goes with the edge
+      }
+      worstAfter = std::max(worstAfter, CosineOfSmallestAngle(place, b, c));
+      const Eigen::Vector3d before = DoubleAreaNormal(a, b, c);
+      const Eigen::Vector3d after = DoubleAreaNormal(place, b, c);
+      turnsOver = turnsOver || !(before.dot(after) >= LeastNormalProduct * before.norm() * after.norm());
+    });
+  }
+  return !turnsOver && worstAfter <= worstBefore;
+}
+
+void
+Simplifier::TellProgress(const SurfaceSimplificationReport & report) const
+{
+  if (report.collapses % 8192 == 0)
+  {
+    m_Options.progress(static_cast<double>(report.facesBefore - m_Table.NumberOfLiveFaces()) /
+                       (report.facesBefore - m_Options.targetFaces));
+  }
+}
+} // namespace
+
+SurfaceMesh
+SimplifySurface(const SurfaceMesh &                  mesh,
+                const SurfaceSimplificationOptions & options,
+                SurfaceSimplificationReport *        report)
+{
+  RequireParameter(options.targetFaces >= 1, "targetFaces must be 1 or more");
+  RequireParameter(options.smallestAngle >= 0.0 && options.smallestAngle <= 30.0, "smallestAngle must be from 0 to 30");
+  RequireParameter(options.boundaryWeight >= 0.0 && std::isfinite(options.boundaryWeight),
+                   "boundaryWeight must be a finite number from 0 on");
+  RequireManifold(mesh, "the surface");
+  SurfaceSimplificationReport done;
+  SurfaceMesh                 simplified;
+  if (mesh.NumberOfFaces() <= options.targetFaces)
+  {
+    simplified = mesh;
+    done.facesBefore = done.faces = mesh.NumberOfFaces();
+    done.smallestAngle = options.smallestAngle;
+    done.reachedTarget = true;
+  }
+  else
+  {
+    simplified = Simplifier(mesh, options).Run(done);
+    simplified.facts = mesh.facts;
+  }
+  if (report)
+  {
+    *report = done;
+  }
+  return simplified;
+}
+} // namespace shapeton

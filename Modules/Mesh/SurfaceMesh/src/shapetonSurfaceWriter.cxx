@@ -1,0 +1,29 @@
+#include "shapetonSurfaceWriter.h"
+#include "shapetonSurfaceFormats.h"
+#include "shapetonExceptions.h"
+
+#include <map>
+
+namespace shapeton
+{
+void
+WriteSurface(const SurfaceMesh & mesh, const std::string & path)
+{
+  using Writer = void (*)(const SurfaceMesh &, const std::string &);
+  static const std::map<std::string, Writer> writers{
+    { "vtp", WriteVtp }, { "stl", WriteStl }, { "obj", WriteObj }, { "ply", WritePly }
+  };
+  const auto writer = writers.find(SurfaceExtension(path));
+  RequireParameter(writer != writers.end(),
+                   "\"" + path + "\" names no format of a surface; use .vtp, .stl, .ply or .obj");
+  RequireSound(mesh, "the surface");
+  writer->second(mesh, path);
+}
+
+void
+WriteSurface(SurfaceMesh mesh, const Provenance & provenance, const std::string & path)
+{
+  mesh.facts = ProvenanceMetadata(provenance);
+  WriteSurface(mesh, path);
+}
+} // namespace shapeton

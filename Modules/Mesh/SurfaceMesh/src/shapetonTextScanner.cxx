@@ -1,0 +1,124 @@
+#include "shapetonTextScanner.h"
+#include "shapetonSurfaceFormats.h"
+
+#include <algorithm>
+#include <charconv>
+
+namespace shapeton
+{
+namespace
+{
+constexpr std::size_t LongestQuotation = 40;
+
+bool
+IsBlank(char c)
+{
+  return c == ' ' || c == '\t' || c == '\r' || c == '\v' || c == '\f';
+}
+} // namespace
+
+TextScanner::TextScanner(const std::string & text, const std::string & path, char comment, std::size_t begin, int line)
+  : m_Text(text), m_Path(path), m_Comment(comment), m_Place(begin), m_Line(line)
+{}
+
+std::string_view
+TextScanner::WordOfLine()
+{
+  while (m_Place < m_Text.size() && IsBlank(m_Text[m_Place]))
+  {
+    ++m_Place;
+  }
+  if (m_Comment && m_Place < m_Text.size() && m_Text[m_Place] == m_Comment)
+  {
+    m_Place = std::min(m_Text.find('\n', m_Place), m_Text.size());
+  }
+  const std::size_t begin = m_Place;
+  while (m_Place < m_Text.size() && !IsBlank(m_Text[m_Place]) && m_Text[m_Place] != '\n')
+  {
+    ++m_Place;
+  }
+  return std::string_view(m_Text).substr(begin, m_Place - begin);
+}
+
+bool
+TextScanner::NextLine()
+{
+  for (;;)
+  {
+    m_Place = std::min(m_Text.find('\n', m_Place), m_Text.size());
+    if (m_Place == m_Text.size())
+    {
+      return false;
+    }
+    ++m_Place;
+    ++m_Line;
+    const std::size_t begin = m_Place;
+    if (!this->WordOfLine().empty())
+    {
+      m_Place = begin;
+      return true;
+    }
+  }
+}
+
+std::string_view
+TextScanner::Word()
+{
+  std::string_view word = this->WordOfLine();
+  while (word.empty() && this->NextLine())
+  {
+    word = this->WordOfLine();
+  }
+  return word;
+}
+
+std::string_view
+TextScanner::WordFor(const char * what, bool onLaterLines)
+{
+  std::string_view word = onLaterLines ? this->Word() : this->WordOfLine();
+  if (word.empty())
+  {
+    this->Refuse(std::string(m_Place == m_Text.size() ? "the file ends" : "the line ends") + " where " + what +
+                 " should be");
+  }
+  if (word[0] == '+')
+  {
+    word.remove_prefix(1);
+  }
+  return word;
+}
+
+double
+TextScanner::Number(const char * what, bool onLaterLines)
+{
+  const std::string_view word = this->WordFor(what, onLaterLines);
+  double                 value = 0.0;
+  const auto             result = std::from_chars(word.data(), word.data() + word.size(), value);
+  const bool             isTiny = result.ec == std::errc::result_out_of_range && // rounded to 0; others are too large
+                      (word.find("e-") != std::string_view::npos || word.find("E-") != std::string_view::npos);
+  if ((result.ec != std::errc() && !isTiny) || result.ptr != word.data() + word.size())
+  {
+    this->Refuse("\"" + std::string(word.substr(0, LongestQuotation)) + "\" is not a number for " + what);
+  }
+  return value;
+}
+
+std::int64_t
+TextScanner::Integer(const char * what, bool onLaterLines)
+{
+  const std::string_view word = this->WordFor(what, onLaterLines);
+  std::int64_t           value = 0;
+  const auto             result = std::from_chars(word.data(), word.data() + word.size(), value);
+  if (result.ec != std::errc() || result.ptr != word.data() + word.size())
+  {
+    this->Refuse("\"" + std::string(word.substr(0, LongestQuotation)) + "\" is not a whole number for " + what);
+  }
+  return value;
+}
+
+void
+TextScanner::Refuse(const std::string & fault) const
+{
+  RefuseSurface(m_Path, "line " + std::to_string(m_Line) + ": " + fault, "correct the file there");
+}
+} // namespace shapeton

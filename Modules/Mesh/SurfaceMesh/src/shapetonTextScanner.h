@@ -1,0 +1,61 @@
+#ifndef shapetonTextScanner_h
+#define shapetonTextScanner_h
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+namespace shapeton
+{
+/** Reads words and numbers of a text, and says where something is wrong. Keeps references to both strings. */
+class TextScanner
+{
+public:
+  /** `comment` begins a comment that goes to the end of the line; 0 for none. Reading starts at `begin`, which lies in
+   * line number `line`. */
+  TextScanner(const std::string & text,
+              const std::string & path,
+              char                comment = 0,
+              std::size_t         begin = 0,
+              int                 line = 1);
+
+  /** Goes to the next line that holds a word; false at the end of the text. */
+  bool
+  NextLine();
+  /** The next word of this line; empty at its end. */
+  std::string_view
+  WordOfLine();
+  /** The next word on this or a later line; empty at the end of the text. */
+  std::string_view
+  Word();
+
+  /** The next word of this line, or with `onLaterLines` of the text, as a number. Any number that a double can hold,
+   * also "nan" and "inf". `what` is for the message. */
+  double
+  Number(const char * what, bool onLaterLines = false);
+  std::int64_t
+  Integer(const char * what, bool onLaterLines = false);
+
+  /** Throws InputError that names the line. */
+  [[noreturn]] void
+  Refuse(const std::string & fault) const;
+
+  int
+  LineNumber() const
+  {
+    return m_Line;
+  }
+
+private:
+  std::string_view
+  WordFor(const char * what, bool onLaterLines);
+
+  const std::string & m_Text;
+  const std::string & m_Path;
+  char                m_Comment;
+  std::size_t         m_Place;
+  int                 m_Line;
+};
+} // namespace shapeton
+
+#endif

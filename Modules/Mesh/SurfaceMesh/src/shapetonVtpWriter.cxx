@@ -1,0 +1,144 @@
+#include "shapetonCurveSet.h"
+#include "shapetonFileBytes.h"
+#include "shapetonSurfaceFormats.h"
+
+#include <vtkCellArray.h>
+#include <vtkCellData.h>
+#include <vtkDoubleArray.h>
+#include <vtkFieldData.h>
+#include <vtkIntArray.h>
+#include <vtkNew.h>
+#include <vtkPointData.h>
+#include <vtkPolyData.h>
+#include <vtkStringArray.h>
+#include <vtkXMLPolyDataWriter.h>
+
+namespace shapeton
+{
+namespace
+{
+template <typename TArray>
+vtkSmartPointer<vtkDataArray>
+Filled(const SurfaceArray & array)
+{
+  auto filled = vtkSmartPointer<TArray>::New();
+  filled->SetName(array.name.c_str());
+  filled->SetNumberOfComponents(static_cast<int>(array.values.cols()));
+  filled->SetNumberOfTuples(array.values.rows());
+  for (Eigen::Index i = 0; i < array.values.size(); ++i)
+  {
+    filled->SetValue(i, static_cast<typename TArray::ValueType>(array.values.data()[i]));
+  }
+  return filled;
+}
+
+void
+AddArrays(const std::vector<SurfaceArray> & arrays, vtkFieldData & data)
+{
+  for (const SurfaceArray & array : arrays)
+  {
+    data.AddArray(array.areIntegers ? Filled<vtkIntArray>(array) : Filled<vtkDoubleArray>(array));
+  }
+}
+
+void
+AddFact(const std::string & name, const std::string & value, vtkFieldData & data)
+{
+  vtkNew<vtkStringArray> fact;
+  fact->SetName(name.c_str());
+  fact->InsertNextValue(value);
+  data.AddArray(fact);
+}
+
+/** Points, arrays and facts of a surface or of curves; no cells. */
+template <typename TGeometry>
+vtkSmartPointer<vtkPolyData>
+PolyDataWithoutCells(const TGeometry & geometry)
+{
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  points->SetNumberOfPoints(geometry.V.rows());
+  for (Eigen::Index v = 0; v < geometry.V.rows(); ++v)
+  {
+    points->SetPoint(v, geometry.V(v, 0), geometry.V(v, 1), geometry.V(v, 2));
+  }
+  auto data = vtkSmartPointer<vtkPolyData>::New();
+  data->SetPoints(points);
+  AddArrays(geometry.pointArrays, *data->GetPointData());
+  AddArrays(geometry.cellArrays, *data->GetCellData());
+  AddArrays(geometry.fieldArrays, *data->GetFieldData());
+  AddFact(VtpSpaceName, "LPS", *data->GetFieldData());
+  for (const auto & [name, value] : geometry.facts)
+  {
+    AddFact(name, value, *data->GetFieldData());
+  }
+  return data;
+}
+
+vtkSmartPointer<vtkCellArray>
+PolysOf(const FaceMatrix & F)
+{
+  auto polys = vtkSmartPointer<vtkCellArray>::New();
+  for (Eigen::Index f = 0; f < F.rows(); ++f)
+  {
+    const vtkIdType corners[] = { F(f, 0), F(f, 1), F(f, 2) };
+    polys->InsertNextCell(3, corners);
+  }
+  return polys;
+}
+
+vtkSmartPointer<vtkPolyData>
+PolyDataOf(const SurfaceMesh & mesh)
+{
+  auto data = PolyDataWithoutCells(mesh);
+  data->SetPolys(PolysOf(mesh.F));
+  return data;
+}
+
+/** \pre Curves of one vertex stand first, as VTK numbers its cells. */
+vtkSmartPointer<vtkPolyData>
+PolyDataOf(const CurveSet & curves)
+{
+  const auto             data = PolyDataWithoutCells(curves);
+  vtkNew<vtkCellArray>   verts;
+  vtkNew<vtkCellArray>   lines;
+  std::vector<vtkIdType> ids;
+  for (const std::vector<int> & curve : curves.curves)
+  {
+    ids.assign(curve.begin(), curve.end());
+    (ids.size() == 1 ? verts : lines)->InsertNextCell(static_cast<vtkIdType>(ids.size()), ids.data());
+  }
+  data->SetVerts(verts);
+  data->SetLines(lines);
+  return data;
+}
+
+void
+Write(vtkPolyData * data, const std::string & path)
+{
+  vtkNew<vtkXMLPolyDataWriter> writer;
+  writer->SetInputData(data);
+  writer->WriteToOutputStringOn();
+  writer->SetHeaderTypeToUInt64();
+  writer->Write();
+  WriteFileBytes(path, writer->GetOutputString());
+}
+} // namespace
+
+void
+WriteVtp(const SurfaceMesh & mesh, const std::string & path)
+{
+  Write(PolyDataOf(mesh), path);
+}
+
+void
+WriteVtp(const CurveSet & curves, const FaceMatrix & faces, const std::string & path)
+{
+  const auto data = PolyDataOf(curves);
+  if (faces.rows() > 0)
+  {
+    data->SetPolys(PolysOf(faces));
+  }
+  Write(data, path);
+}
+} // namespace shapeton

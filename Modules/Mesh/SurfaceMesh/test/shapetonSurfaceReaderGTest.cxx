@@ -1,0 +1,249 @@
+#include "shapetonSurfaceReader.h"
+#include "shapetonSurfaceConnectivity.h"
+#include "shapetonSurfaceTestFiles.h"
+#include "shapetonSurfaceWriter.h"
+#include "shapetonTestSurfaces.h"
+
+#include "gtest/gtest.h"
+
+namespace
+{
+using namespace testsurfaces;
+
+// ---- what to take ----
+
+std::string
+FaultOfReading(const std::string & path, const shapeton::SurfaceReadOptions & options)
+{
+  try
+  {
+    shapeton::ReadSurface(path, options);
+  }
+  catch (const shapeton::InputError & error)
+  {
+    return error.what();
+  }
+  return "";
+}
+
+TEST(SurfaceReader, SeveralComponentsNeedAChoice)
+{
+  const Folder      folder;
+  const std::string path = folder / "a.vtp";
+  shapeton::WriteSurface(Together({ Octahedron(), Icosphere(1, 30) }), path);
+  shapeton::SurfaceReadOptions options;
+  const std::string            fault = FaultOfReading(path, options);
+  EXPECT_NE(fault.find("it has 2 components: 1: 80 faces, "), std::string::npos) << fault;
+  EXPECT_NE(fault.find("; 2: 8 faces, 2 x 2 x 2 mm; choose one with the parameter \"component\" = N"),
+            std::string::npos)
+    << fault;
+  options.component = 2;
+  EXPECT_EQ(shapeton::ReadSurface(path, options).mesh.F, Octahedron().F);
+  options.component = 1;
+  EXPECT_EQ(shapeton::ReadSurface(path, options).mesh.NumberOfFaces(), 80);
+  options.component = -1;
+  EXPECT_EQ(shapeton::ReadSurface(path, options).mesh.NumberOfFaces(), 88);
+  options.component = 3;
+  EXPECT_NE(FaultOfReading(path, options).find("no component 3 but 2"), std::string::npos);
+  options.component = -2;
+  EXPECT_THROW(shapeton::ReadSurface(path, options), shapeton::ParameterError);
+}
+
+TEST(SurfaceReader, AnImplausibleExtentNeedsAUnit)
+{
+  const Folder folder;
+  for (const double radius : { 0.75, 750000.0 }) // a colon of 1.5 mm, and of 1500 m
+  {
+    const std::string path = folder / "a.ply";
+    shapeton::WriteSurface(Icosphere(1, radius), path);
+    shapeton::SurfaceReadOptions options;
+    EXPECT_NE(FaultOfReading(path, options).find("implausible"), std::string::npos);
+    options.isAnyExtentPlausible = true;
+    const shapeton::Surface surface = shapeton::ReadSurface(path, options);
+    EXPECT_NEAR(surface.mesh.V.row(0).norm(), radius, 1e-9 * radius);
+    ASSERT_FALSE(surface.notes.empty());
+    EXPECT_NE(surface.notes.back().find("implausible"), std::string::npos);
+    options.unit = radius < 1.0 ? "m" : "um";
+    const double factor = radius < 1.0 ? 1000.0 : 0.001;
+    EXPECT_NEAR(shapeton::ReadSurface(path, options).mesh.V.row(0).norm(), factor * radius, 1e-9 * factor * radius);
+    options.unit = "mm";
+    EXPECT_NEAR(shapeton::ReadSurface(path, options).mesh.V.row(0).norm(), radius, 1e-9 * radius);
+    options.unit = "inch";
+    EXPECT_THROW(shapeton::ReadSurface(path, options), shapeton::ParameterError);
+  }
+}
+
+TEST(SurfaceReader, PartsByName)
+{
+  const Folder folder;
+  shapeton::WriteFileBytes(
+    folder / "a.obj",
+    "v 0 0 0\nv 9 0 0\nv 0 9 0\nv 0 0 9\nv 9 9 9\no one\nf 1 2 3\no two\nf 2 3 4\nf 2 3 5\no one\nf 1 2 4\n");
+  shapeton::SurfaceReadOptions options;
+  options.component = -1;
+  for (const auto & [name, faces] :
+       std::vector<std::pair<std::string, int>>{ { "one", 1 }, { "two", 2 }, { "one #2", 1 } })
+  {
+    options.part = name;
+    const shapeton::Surface surface = shapeton::ReadSurface(folder / "a.obj", options);
+    EXPECT_EQ(surface.mesh.NumberOfFaces(), faces);
+    EXPECT_EQ(surface.mesh.NumberOfVertices(), 2 + faces);
+  }
+  options.part = "three";
+  EXPECT_NE(FaultOfReading(folder / "a.obj", options).find("but one (1 faces); two (2 faces); one #2"),
+            std::string::npos);
+  shapeton::WriteSurface(Icosphere(1, 30), folder / "b.ply");
+  EXPECT_NE(FaultOfReading(folder / "b.ply", options).find("no named parts"), std::string::npos);
+}
+
+TEST(SurfaceReader, IdentityIsTheHashOfTheFile)
+{
+  const Folder folder;
+  shapeton::WriteFileBytes(folder / "a.off", "OFF 3 1 0\n0 0 0\n9 0 0\n0 9 0\n3 0 1 2\n");
+  const shapeton::Surface surface = shapeton::ReadSurface(folder / "a.off");
+  EXPECT_EQ(surface.identity.size(), 7u + 64u);
+  EXPECT_EQ(surface.identity.find("sha256:"), 0u);
+}
+
+// ---- faulty files ----
+
+struct Faulty
+{
+  const char * extension;
+  std::string  bytes;
+  const char * message; ///< a part of it
+};
+
+std::vector<Faulty>
+FaultyFiles()
+{
+  const std::string ply =
+    "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\n"
+    "element face 1\nproperty list uchar int vertex_indices\nend_header\n";
+  const std::string triangle = "0 0 0\n1 0 0\n0 1 0\n";
+  const std::string text = "This is a letter,\nno surface.\n";
+  return { { "off", "", "the file is empty" },
+           { "txt", text, "no format of a surface" },
+           { "off", text, "line 1: the file does not begin with OFF" },
+           { "off", "OFF 3 1 0\n" + triangle, "the file ends at face 0 of 1" },
+           { "off", "OFF 3 1 0\n0 0 0\n1 0 0\n", "the file ends at vertex 2 of 3" },
+           { "off", "OFF 3 1 0\n0 0 0\n1 x 0\n", "line 3: \"x\" is not a number" },
+           { "off", "OFF 3 1 0\n0 0 0\n1 0\n", "line 3: the line ends where a coordinate" },
+           { "off", "OFF 3 1 0\n" + triangle + "3 0 1 3\n", "face 0 names vertex 3 (counted from 0), but there are 3" },
+           { "off", "OFF 3 1 0\n" + triangle + "3 0 1 -1\n", "face 0 names vertex -1" },
+           { "off", "OFF 3 1 0\n" + triangle + "2 0 1\n", "face 0 has 2 corners" },
+           { "off", "OFF 3 1 0\n0 0 0\n1 nan 0\n0 1 0\n3 0 1 2\n", "vertex 1 has a coordinate that is not finite" },
+           { "off", "OFF 3 1 0\n0 0 0\n1 1e999 0\n0 1 0\n3 0 1 2\n", "is not a number" },
+           { "off", "OFF 3 0 0\n" + triangle, "there are no faces" },
+           { "off", "OFF 999999999999 1 0\n", "more than the file can hold" },
+           { "4off.off", "4OFF 1 1 0\n", "four or more dimensions" },
+           { "obj", text, "there are no faces" },
+           { "obj", "v 0 0 0\nv 1 0\n", "line 2: the line ends where a coordinate" },
+           { "obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 4\n", "face 0 names vertex 3" },
+           { "obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 0 1 2\n", "line 4: \"0\" is not the index" },
+           { "obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf -4 1 2\n", "behind the first vertex" },
+           { "obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2\n", "face 0 has 2 corners" },
+           { "obj", "v 0 0 0\nv 1 0 inf\nv 0 1 0\nf 1 2 3\n", "not finite" },
+           { "ply", text, "no PLY file" },
+           { "ply", ply + triangle, "the file ends where a value" },
+           { "ply", ply + triangle + "3 0 1 7\n", "face 0 names vertex 7" },
+           { "ply", ply + triangle + "3 0 1 1.5\n", "no whole number" },
+           { "ply", "ply\nformat binary_little_endian 1.0\n" + ply.substr(ply.find("element")) + "abc", "truncated" },
+           { "ply", "ply\nformat ascii 1.0\nelement vertex 99999999\nend_header\n", "more than the file can hold" },
+           { "ply", "ply\nformat ascii 1.0\nelement vertex 1\nproperty quad x\nend_header\n", "no type of a property" },
+           { "ply", "ply\nformat morse 1.0\nend_header\n", "the format \"morse\" is unknown" },
+           { "stl", text, "neither a text nor a binary STL file" },
+           { "stl", std::string(84, '\xFF'), "truncated, or no STL file: it states 4294967295 triangles" },
+           { "stl", std::string(84, '\0'), "there are no faces" },
+           { "stl", "solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\n", "truncated" },
+           { "stl", "solid a\nendsolid a\n", "there are no faces" },
+           { "stl", "solid a\nsphere\n", "line 2: \"sphere\" stands where \"facet\"" },
+           { "gltf", text, "no valid glTF" },
+           { "glb", "glTF\2", "truncated" },
+           { "vtp", text, "no VTP file" },
+           { "vtp", "<VTKFile type=\"PolyData\"", "truncated: it ends within a tag" },
+           { "vtp", "<html><body></body></html>", "lacks <VTKFile> or <PolyData>" },
+           { "vtp", "<VTKFile><PolyData></VTKFile>", "<PolyData> is not closed" } };
+}
+
+TEST(SurfaceReader, FaultyFilesAreRefusedWithTheirFault)
+{
+  for (const Faulty & faulty : FaultyFiles())
+  {
+    const std::string fault = FaultOf(faulty.extension, faulty.bytes);
+    EXPECT_NE(fault.find(faulty.message), std::string::npos)
+      << faulty.extension << " [" << faulty.bytes.substr(0, 300) << "] gave [" << fault << ']';
+    EXPECT_EQ(fault.find('\n'), std::string::npos);
+  }
+}
+
+TEST(SurfaceReader, MissingFilesAndFolders)
+{
+  const Folder folder;
+  EXPECT_THROW(shapeton::ReadSurfaceFile(folder / "absent.stl"), shapeton::InputError);
+  EXPECT_THROW(shapeton::ReadSurfaceFile(folder / "."), shapeton::InputError);
+  EXPECT_THROW(shapeton::WriteSurface(Octahedron(), folder / "absent/a.ply"), shapeton::OutputError);
+  EXPECT_THROW(shapeton::WriteSurface(Octahedron(), folder / "a.off"), shapeton::ParameterError);
+}
+
+// Every file that is cut short is refused or, where a text ends at a whole line, a smaller surface; none crashes.
+TEST(SurfaceReader, TruncatedBinaryFilesAreRefused)
+{
+  const Folder folder;
+  for (const std::string extension : { "vtp", "stl", "ply" })
+  {
+    shapeton::WriteSurface(Icosphere(1, 10), folder / ("a." + extension));
+    const std::string bytes = shapeton::ReadFileBytes(folder / ("a." + extension));
+    for (std::size_t size = 1; size < bytes.size() - 20; size += bytes.size() / 23)
+    {
+      EXPECT_NE(FaultOf(extension, bytes.substr(0, size)), "") << extension << " cut to " << size;
+    }
+  }
+}
+
+class SurfaceReaderOfMutants : public testing::TestWithParam<std::string>
+{};
+
+// A mutant is refused, or what it gives is sound; nothing else is thrown, and nothing crashes.
+TEST_P(SurfaceReaderOfMutants, AreRefusedOrSound)
+{
+  const Folder      folder;
+  const std::string extension = GetParam();
+  const std::string path = folder / ("a." + extension);
+  shapeton::WriteSurface(Torus(6, 5, 30, 10), path);
+  const std::string sound = shapeton::ReadFileBytes(path);
+  Random            random(extension.size() + extension[0]);
+  int               refused = 0;
+  for (int trial = 0; trial < 300; ++trial)
+  {
+    std::string mutant = sound;
+    for (int changes = 1 + random.Below(4); changes > 0; --changes)
+    {
+      const int place = random.Below(static_cast<int>(mutant.size()) / (trial % 2 ? 1 : 4) + 1);
+      switch (random.Below(3))
+      {
+        case 0:
+          mutant[place % mutant.size()] = static_cast<char>(random.Below(256));
+          break;
+        case 1:
+          mutant.erase(place, 1 + random.Below(8));
+          break;
+        default:
+          mutant.insert(place, std::string(1 + random.Below(4), static_cast<char>('0' + random.Below(10))));
+      }
+    }
+    shapeton::WriteFileBytes(path, mutant);
+    try
+    {
+      shapeton::RequireSound(shapeton::ReadSurfaceFile(path).mesh, "mutant");
+    }
+    catch (const shapeton::InputError &)
+    {
+      ++refused;
+    }
+  }
+  EXPECT_GT(refused, 10);
+}
+
+INSTANTIATE_TEST_SUITE_P(Formats, SurfaceReaderOfMutants, testing::Values("vtp", "stl", "ply", "obj"));
+} // namespace

@@ -1,0 +1,97 @@
+#include "shapetonSurfaceQuality.h"
+#include "shapetonSurfaceReader.h"
+#include "shapetonSurfaceRepair.h"
+#include "shapetonSurfaceSimplification.h"
+
+#include "gtest/gtest.h"
+
+#include <algorithm>
+#include <cstdlib>
+
+namespace
+{
+std::string
+MeshFolder()
+{
+  const char * const folder = std::getenv("SHAPETON_TEST_DATA_DIR");
+  return folder && *folder ? std::string(folder) + "/meshes/" : "";
+}
+
+struct Fact
+{
+  const char * name;
+  int          genus, loops;
+};
+
+class SurfaceRealData : public testing::TestWithParam<Fact>
+{};
+
+TEST_P(SurfaceRealData, TopologyIsThatOfTheSourceAlsoWhenSimplified)
+{
+  if (MeshFolder().empty())
+  {
+    GTEST_SKIP() << "SHAPETON_TEST_DATA_DIR is not set";
+  }
+  const shapeton::SurfaceMesh    mesh = shapeton::ReadSurfaceFile(MeshFolder() + GetParam().name).mesh;
+  const shapeton::SurfaceQuality quality = shapeton::InspectSurface(mesh);
+  EXPECT_TRUE(quality.isManifold);
+  EXPECT_EQ(quality.components.size(), 1u);
+  EXPECT_EQ(quality.genus, GetParam().genus);
+  EXPECT_EQ(static_cast<int>(quality.boundaryLoopLengths.size()), GetParam().loops);
+
+  shapeton::SurfaceSimplificationOptions options;
+  options.targetFaces = mesh.NumberOfFaces() / 4;
+  const shapeton::SurfaceQuality simple = shapeton::InspectSurface(shapeton::SimplifySurface(mesh, options));
+  EXPECT_NEAR(simple.faces, options.targetFaces, 1);
+  EXPECT_TRUE(simple.isManifold);
+  EXPECT_EQ(simple.genus, quality.genus);
+  EXPECT_EQ(simple.boundaryLoopLengths.size(), quality.boundaryLoopLengths.size());
+  EXPECT_GE(simple.smallestAngle.percentile1, std::min(15.0, quality.smallestAngle.percentile1)); // hand.off: 6 degrees
+  EXPECT_NEAR(simple.area, quality.area, 0.02 * quality.area);
+}
+
+INSTANTIATE_TEST_SUITE_P(Meshes,
+                         SurfaceRealData,
+                         testing::Values(Fact{ "fertility.off", 4, 0 },
+                                         Fact{ "kitten.obj", 1, 0 },
+                                         Fact{ "elephant.off", 3, 0 },
+                                         Fact{ "hand.off", 0, 0 },
+                                         Fact{ "holes.off", 0, 7 },
+                                         Fact{ "face.obj", 0, 1 },
+                                         Fact{ "punctured-torus.obj", 1, 1 },
+                                         Fact{ "aorta-surface.stl", 0, 0 },
+                                         Fact{ "aorta-surface-open-ends.stl", 0, 3 },
+                                         Fact{ "colon-tube.stl", 0, 2 }));
+
+TEST(SurfaceRealData, ColonOfTenParts)
+{
+  if (MeshFolder().empty())
+  {
+    GTEST_SKIP() << "SHAPETON_TEST_DATA_DIR is not set";
+  }
+  const shapeton::SurfaceFile file = shapeton::ReadSurfaceFile(MeshFolder() + "SBU_F_Intestine_Large.glb");
+  ASSERT_EQ(file.parts.size(), 10u);
+  EXPECT_EQ(file.parts[2].name, "VH_F_ascending_colon");
+  EXPECT_EQ(file.unit, "m");
+  const Eigen::RowVector3d extent = file.mesh.V.colwise().maxCoeff() - file.mesh.V.colwise().minCoeff();
+  EXPECT_GT(extent.maxCoeff(), 200.0); // a colon in mm
+  EXPECT_LT(extent.maxCoeff(), 600.0);
+  shapeton::SurfaceReadOptions options;
+  options.part = "VH_F_ascending_colon";
+  options.component = -1; // its inner and outer wall
+  EXPECT_EQ(shapeton::ReadSurface(MeshFolder() + "SBU_F_Intestine_Large.glb", options).mesh.NumberOfFaces(), 4968 / 3);
+}
+
+TEST(SurfaceRealData, TeapotIsRepaired)
+{
+  if (MeshFolder().empty())
+  {
+    GTEST_SKIP() << "SHAPETON_TEST_DATA_DIR is not set";
+  }
+  const shapeton::SurfaceMesh teapot = shapeton::ReadSurfaceFile(MeshFolder() + "teapot.obj").mesh;
+  EXPECT_FALSE(shapeton::InspectSurface(teapot).isManifold);
+  const shapeton::SurfaceQuality repaired = shapeton::InspectSurface(shapeton::RepairSurface(teapot));
+  EXPECT_TRUE(repaired.isManifold);
+  EXPECT_TRUE(repaired.isOriented);
+}
+} // namespace

@@ -1,0 +1,44 @@
+#ifndef shapetonSurfaceTestFiles_h
+#define shapetonSurfaceTestFiles_h
+
+#include "shapetonFileBytes.h"
+#include "shapetonTestFolder.h"
+#include "shapetonSurfaceReader.h"
+#include "shapetonExceptions.h"
+
+#include <string>
+
+namespace testsurfaces
+{
+using basetest::Folder;
+
+/** Reads bytes as a file with this extension. */
+inline shapeton::SurfaceFile
+ReadBytes(const std::string & extension, const std::string & bytes)
+{
+  const Folder      folder;
+  const std::string path = folder / ("surface." + extension);
+  shapeton::WriteFileBytes(path, bytes);
+  return shapeton::ReadSurfaceFile(path);
+}
+
+/** The message of the InputError that reading these bytes throws, without the name of the file; "" when it throws none.
+ */
+inline std::string
+FaultOf(const std::string & extension, const std::string & bytes)
+{
+  try
+  {
+    ReadBytes(extension, bytes);
+  }
+  catch (const shapeton::InputError & error)
+  {
+    const std::string message = error.what();
+    const auto        end = message.find("\": ");
+    return end == std::string::npos ? message : message.substr(end + 3);
+  }
+  return "";
+}
+} // namespace testsurfaces
+
+#endif

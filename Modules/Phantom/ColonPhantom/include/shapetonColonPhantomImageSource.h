@@ -1,0 +1,122 @@
+#ifndef shapetonColonPhantomImageSource_h
+#define shapetonColonPhantomImageSource_h
+
+#include "ColonPhantomExport.h"
+#include "shapetonColonAnatomy.h"
+#include "shapetonColonFluid.h"
+
+#include "itkGenerateImageSource.h"
+#include "itkImage.h"
+
+#include <memory>
+#include <vector>
+
+namespace shapeton
+{
+/** \class ColonPhantomImageSource
+ * \brief The CT volume of a synthetic patient for CT colonography, and its truth.
+ *
+ * The patient lies in physical space (LPS, mm), with the middle of the abdomen at (0, 0, 0): grids with other spacings
+ * or directions show the same patient. Each voxel is the mean of what lies in it (BodySampler), blurred by the scanner,
+ * with correlated noise (CorrelatedNoise), rounded to whole HU and clamped to [-1024, 31743].
+ *
+ * The lumen's truth is that of the voxel's centre: neither blur nor noise changes it. The catheter lies in the lumen
+ * and counts as part of it.
+ *
+ * Each voxel depends on its index and position alone: the same bytes for any number of threads. The whole volume is
+ * made at once.
+ *
+ * \par Inputs and Outputs
+ * No input. Output 0 is the image in HU; output 1 the lumen (1 gas, 2 fluid); output 2 the segments of the lumen (see
+ * ColonAnatomy).
+ *
+ * \par Parameters
+ * Size (default 256, 256, 240), Spacing (default 1.4 mm), Origin (default: such that the volume's centre is at the
+ * patient's (0, 0, 0)) and Direction are those of GenerateImageSource; CenterOutput() moves the origin after a change.
+ *
+ * \ingroup ColonPhantom
+ */
+class ColonPhantom_EXPORT ColonPhantomImageSource : public itk::GenerateImageSource<itk::Image<short, 3>>
+{
+public:
+  ITK_DISALLOW_COPY_AND_MOVE(ColonPhantomImageSource);
+
+  using Self = ColonPhantomImageSource;
+  using Superclass = itk::GenerateImageSource<itk::Image<short, 3>>;
+  using Pointer = itk::SmartPointer<Self>;
+  using ConstPointer = itk::SmartPointer<const Self>;
+  using ImageType = itk::Image<short, 3>;
+  using LabelImageType = itk::Image<unsigned char, 3>;
+
+  itkNewMacro(Self);
+  itkTypeMacro(ColonPhantomImageSource, itk::GenerateImageSource);
+
+  /** The patient and the position; default: the preset standard. Throws ParameterError when a parameter is out of
+   * range. */
+  void
+  SetParameters(const ColonPhantomParameters & parameters);
+  const ColonPhantomParameters &
+  GetParameters() const
+  {
+    return m_Parameters;
+  }
+
+  /** Standard deviation of the profile of a plane face, mm, in [0, 3]; default 0.75. A voxel's own width is part of it.
+   */
+  itkSetClampMacro(Blur, double, 0.0, 3.0);
+  itkGetConstMacro(Blur, double);
+
+  /** Make the outputs 1 and 2 alone, which takes a small part of the time; output 0 stays without pixels. Default off.
+   */
+  itkSetMacro(TruthOnly, bool);
+  itkGetConstMacro(TruthOnly, bool);
+  itkBooleanMacro(TruthOnly);
+
+  /** Sets the origin from size, spacing and direction such that the centre of the volume is at (0, 0, 0). */
+  void
+  CenterOutput();
+
+  /** The truth; made when it is first asked for. Valid until the parameters change. */
+  const ColonAnatomy &
+  GetAnatomy();
+  const ColonFluid &
+  GetFluid();
+
+  /** 1 gas, 2 fluid, 0 elsewhere. */
+  LabelImageType *
+  GetLumenOutput();
+
+  /** 1 to 6 in the lumen, 0 elsewhere. */
+  LabelImageType *
+  GetSegmentOutput();
+
+  using Superclass::MakeOutput;
+  itk::ProcessObject::DataObjectPointer
+  MakeOutput(itk::ProcessObject::DataObjectPointerArraySizeType output) override;
+
+protected:
+  ColonPhantomImageSource();
+  ~ColonPhantomImageSource() override = default;
+  void
+  PrintSelf(std::ostream & os, itk::Indent indent) const override;
+
+  void
+  GenerateOutputInformation() override;
+  void
+  EnlargeOutputRequestedRegion(itk::DataObject * output) override;
+  void
+  GenerateData() override;
+
+private:
+  void
+  PaintImage(const std::vector<OutputImageRegionType> & tiles);
+
+  ColonPhantomParameters              m_Parameters;
+  double                              m_Blur{ 0.75 };
+  bool                                m_TruthOnly{ false };
+  std::unique_ptr<const ColonAnatomy> m_Anatomy;
+  std::unique_ptr<const ColonFluid>   m_Fluid;
+};
+} // namespace shapeton
+
+#endif

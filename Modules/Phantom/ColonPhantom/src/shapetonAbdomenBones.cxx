@@ -1,0 +1,138 @@
+#include "shapetonAbdomenParts.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace shapeton
+{
+namespace
+{
+using PointType = PhantomBody::PointType;
+
+constexpr double cortex = 700.0;
+constexpr double vertebraPitch = 36.0; // mm
+constexpr double discHeight = 9.0;
+constexpr double lumbosacral = -52.0; // z of the top of the sacrum
+
+void
+AddBone(PhantomBodies & bodies, const PhantomSolid & bone, double thickness, double marrow)
+{
+  bodies.push_back(MakeSolidBody(bone, cortex));
+  bodies.push_back(MakeSolidBody(Grown(bone, -thickness), marrow));
+}
+
+// Height above the middle of the nearest vertebra.
+double
+InVertebra(double z)
+{
+  const double turns = (z - lumbosacral) / vertebraPitch;
+  return (turns - std::floor(turns) - 0.5) * vertebraPitch;
+}
+
+// A solid around the middle of each vertebra, at most `height` mm high.
+PhantomSolid
+EachVertebra(const PhantomSolid & section, double height)
+{
+  const auto inside = section.distance;
+  return { [inside, height](const PointType & p) {
+            return std::max({ inside(p), std::abs(InVertebra(p[2])) - 0.5 * height, lumbosacral - p[2] });
+          },
+           section.slope };
+}
+
+PhantomSolid
+Behind(double y)
+{
+  return HalfSpaceSolid(MakeVector(0, -1, 0), -y);
+}
+
+void
+AddSpine(PhantomBodies & bodies)
+{
+  const auto body = ColumnSolid(0.0, 72.0, 25.0, 18.0, 2.5);
+  const auto high = HalfSpaceSolid(MakeVector(0, 0, -1), -lumbosacral);
+  bodies.push_back(MakeSolidBody(Both(Grown(body, -1.0), high), 90.0)); // discs
+  const auto arch = Both(ColumnSolid(0.0, 100.0, 17.0, 15.0), Behind(86.0));
+  AddBone(bodies, EachVertebra(arch, 26.0), 2.5, 450.0);
+  AddBone(bodies, EachVertebra(BoxSolid(MakePoint(0, 118, 0), MakeVector(3.5, 12, 1000)), 18.0), 1.2, 350.0);
+  AddBone(bodies, EachVertebra(BoxSolid(MakePoint(0, 97, 0), MakeVector(38, 3.5, 1000)), 8.0), 1.2, 350.0);
+  AddBone(bodies, EachVertebra(body, vertebraPitch - discHeight), 1.5, 190.0);
+  bodies.push_back(MakeSolidBody(Both(ColumnSolid(0.0, 99.0, 10.0, 8.5), high), 20.0)); // canal
+}
+
+// Follows the axis that the colon keeps clear of; the tip is narrow.
+PhantomSolid
+Sacrum()
+{
+  const auto distance = [](const PointType & p) {
+    const double along = std::clamp((lumbosacral - p[2]) / 85.0, 0.0, 1.0);
+    const double width = 52.0 - 40.0 * along;
+    const double depth = 19.0 - 11.0 * along;
+    const double x = p[0] / width;
+    const double y = (p[1] - ColonAnatomy::SpineAxis(p[2])[1]) / depth;
+    const double section = (std::hypot(x, y) - 1.0) * depth;
+    return std::max({ section, p[2] - lumbosacral, lumbosacral - 88.0 - p[2] });
+  };
+  return { distance, 2.2 };
+}
+
+void
+AddPelvis(PhantomBodies & bodies)
+{
+  AddBone(bodies, Sacrum(), 1.8, 200.0);
+  // The wings of the ilium widen upwards.
+  const auto bowl = ShellOf(EllipsoidSolid(MakePoint(0, 34, -35), MakeVector(136, 78, 152), 2.5), 11.0);
+  const auto slab = Both(HalfSpaceSolid(MakeVector(0, 0, 1), -34.0), HalfSpaceSolid(MakeVector(0, 0, -1), 172.0));
+  const auto front = HalfSpaceSolid(MakeVector(0, -0.9578, -0.2873), 38.0);
+  for (const double side : { -1.0, 1.0 })
+  {
+    const auto lateral = HalfSpaceSolid(MakeVector(-side * 0.9055, 0.4243, 0.0), -12.0);
+    AddBone(bodies, Both(Both(bowl, slab), Both(lateral, front)), 2.0, 260.0);
+    const auto socket = EllipsoidSolid(MakePoint(side * 93, 6, -152), MakeVector(33, 33, 33));
+    AddBone(bodies, socket, 2.5, 300.0);
+    bodies.push_back(MakeSolidBody(EllipsoidSolid(MakePoint(side * 97, 3, -156), MakeVector(27, 27, 27)), 60.0));
+    AddBone(bodies, EllipsoidSolid(MakePoint(side * 97, 3, -156), MakeVector(24, 24, 24)), 2.0, 320.0);
+  }
+}
+
+// A rib descends from the spine towards the front, along the wall of the chest.
+PhantomSolid
+Rib(double height)
+{
+  const auto wall = ColumnSolid(0.0, 11.0, 154.0, 112.0, 2.5);
+  const auto distance = [wall, height](const PointType & p) {
+    const double     turn = std::atan2(std::abs(p[0]), p[1] - 11.0) / 3.14159265358979;
+    const double     along = 0.75 * (p[2] - (height - 105.0 * std::min(turn, 0.75)));
+    constexpr double far = 40.0;
+    if (std::abs(along) > far)
+    {
+      return std::abs(along) / 1.5 - 4.5;
+    }
+    const double across = wall.distance(p);
+    return std::max(std::hypot(along / 1.5, across) - 4.5, 24.0 - std::abs(p[0]));
+  };
+  return { distance, 1.6 * wall.slope };
+}
+
+void
+AddRibs(PhantomBodies & bodies)
+{
+  for (int i = 0; i < 6; ++i)
+  {
+    const double height = 95.0 + 27.0 * i;
+    // The lowest ribs are short; the others end in cartilage.
+    const double end = i == 0 ? 60.0 : (i == 1 ? 0.0 : -55.0);
+    bodies.push_back(MakeSolidBody(Both(Rib(height), Behind(i < 2 ? end : -80.0)), 110.0));
+    AddBone(bodies, Both(Rib(height), Behind(end)), 1.4, 250.0);
+  }
+}
+} // namespace
+
+void
+AddBones(PhantomBodies & bodies)
+{
+  AddSpine(bodies);
+  AddPelvis(bodies);
+  AddRibs(bodies);
+}
+} // namespace shapeton

@@ -1,0 +1,40 @@
+#ifndef shapetonAbdomenParts_h
+#define shapetonAbdomenParts_h
+
+#include "shapetonColonAnatomy.h"
+#include "shapetonPhantomSolid.h"
+
+namespace shapeton
+{
+/** The outline of the body, and the inside of its muscular wall. */
+PhantomSolid
+BodyOutline();
+PhantomSolid
+AbdominalCavity();
+
+/** Skin, subcutaneous fat, the muscular wall, the fat inside it, muscles of the back, buttocks and pelvic floor. */
+void
+AddBodyWall(PhantomBodies & bodies);
+
+/** Spine, sacrum, pelvis, hips and ribs. */
+void
+AddBones(PhantomBodies & bodies);
+
+/** Liver, spleen, kidneys, great vessels, bladder, and the stomach with fluid and a small gas bubble. */
+void
+AddOrgans(PhantomBodies & bodies, const ColonAnatomy & anatomy, const itk::Vector<double, 3> & down);
+
+/** Vessels in the fat between the loops of bowel. */
+void
+AddMesentery(PhantomBodies & bodies, unsigned seed);
+
+/** Lung bases over the diaphragm, and the heart between them. */
+void
+AddChest(PhantomBodies & bodies, const ColonAnatomy & anatomy);
+
+/** The scanner's table under the body. */
+void
+AddTable(PhantomBodies & bodies, const std::string & position);
+} // namespace shapeton
+
+#endif

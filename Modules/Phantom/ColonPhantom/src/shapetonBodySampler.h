@@ -1,0 +1,58 @@
+#ifndef shapetonBodySampler_h
+#define shapetonBodySampler_h
+
+#include "shapetonPhantomBody.h"
+
+#include "itkImageBase.h"
+
+#include <array>
+
+namespace shapeton
+{
+/** \class BodySampler
+ * \brief The intensities that a scanner would give to the voxels of a grid.
+ *
+ * Each voxel is split into up to three cells along each axis, none wider than about 0.7 mm where that suffices. A cell
+ * takes the mean intensity of the bodies in it, faces being plane over its width; cells far from all faces are filled
+ * in blocks. Then the cells are blurred by a Gaussian and averaged over the voxel. The profile of a plane face has the
+ * standard deviation `blur`, or that of the voxel's own width (spacing / sqrt(12)) where this is larger.
+ *
+ * A voxel's value depends on its position alone.
+ *
+ * \ingroup ColonPhantom
+ */
+class ColonPhantom_EXPORT BodySampler
+{
+public:
+  using RegionType = itk::ImageRegion<3>;
+  using PointType = PhantomBody::PointType;
+
+  /** `blur` in mm, `background` in HU. The geometry of the grid is copied. */
+  BodySampler(PhantomBodies bodies, const itk::ImageBase<3> * grid, double blur, double background);
+
+  /** The values of a region, the first index running fastest. */
+  std::vector<float>
+  Sample(const RegionType & region) const;
+
+private:
+  struct Axis
+  {
+    int                cells;  // in a voxel
+    int                margin; // cells that the blur reaches beyond it
+    double             width;  // mm
+    std::vector<float> weights;
+  };
+  class Canvas;
+
+  static Axis
+  MakeAxis(double spacing, double blur);
+
+  PhantomBodies                         m_Bodies;
+  double                                m_Background;
+  std::array<Axis, 3>                   m_Axes;
+  PointType                             m_FirstCell;
+  std::array<itk::Vector<double, 3>, 3> m_Steps;
+};
+} // namespace shapeton
+
+#endif

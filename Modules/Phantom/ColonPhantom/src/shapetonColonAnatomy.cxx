@@ -1,0 +1,166 @@
+#include "shapetonColonAnatomy.h"
+
+#include "shapetonColonField.h"
+#include "shapetonColonTruth.h"
+#include "shapetonColonWallSurface.h"
+#include "shapetonExceptions.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace shapeton
+{
+using Eigen::Vector3d;
+
+namespace
+{
+const ColonPhantomParameters &
+Checked(const ColonPhantomParameters & parameters)
+{
+  RequireValid(parameters);
+  return parameters;
+}
+
+// The wall's radius at each node as the position will have it, for which stretches must make room.
+std::vector<double>
+NodeRadii(const ColonPath & rest, const ColonPlan & plan, const ColonPhantomParameters & parameters)
+{
+  const int           steps = ColonCurve::NumberOfSteps(rest.Length());
+  const ColonRelief   relief(plan, parameters, nullptr);
+  std::vector<double> radii;
+  for (double material : rest.material)
+  {
+    radii.push_back(std::max(3.0, relief.MeanRadiusAt(material / rest.Length() * steps)));
+  }
+  return radii;
+}
+} // namespace
+
+struct ColonAnatomy::Data
+{
+  explicit Data(const ColonPhantomParameters & p)
+    : parameters(Checked(p))
+    , rest(RestPath(p.seed))
+    , plan(rest, p.seed, p.polyps)
+    , field(PositionedPath(rest, NodeRadii(rest, plan, p), p), plan, p, Reach)
+  {}
+
+  ColonPhantomParameters parameters;
+  ColonPath              rest;
+  ColonPlan              plan;
+  ColonField             field;
+};
+
+ColonAnatomy::ColonAnatomy(const ColonPhantomParameters & parameters) : m_Data(std::make_unique<const Data>(parameters))
+{}
+
+ColonAnatomy::~ColonAnatomy() = default;
+
+const ColonPhantomParameters &
+ColonAnatomy::GetParameters() const
+{
+  return m_Data->parameters;
+}
+
+ColonAnatomy::Sample
+ColonAnatomy::Evaluate(const Vector3d & point) const
+{
+  ColonField::Place place;
+  if (!m_Data->field.Evaluate(point, place) || place.distance.value <= -Reach)
+  {
+    return { -Reach, 0.0, 0.0, 0 };
+  }
+  const ColonCurve & curve = m_Data->field.GetCurve();
+  return { std::min(place.distance.value, Reach),
+           curve.ArcLengthAt(place.t),
+           place.angle,
+           m_Data->plan.SegmentAt(place.t * curve.GetStep()) };
+}
+
+CurveSet
+ColonAnatomy::Centreline() const
+{
+  return ColonCentrelineTruth(m_Data->plan, m_Data->field);
+}
+
+CurveSet
+ColonAnatomy::Taeniae() const
+{
+  return ColonTaeniaTruth(m_Data->plan, m_Data->field);
+}
+
+CurveSet
+ColonAnatomy::Folds() const
+{
+  return ColonFoldTruth(m_Data->plan, m_Data->field);
+}
+
+std::vector<ColonPolyp>
+ColonAnatomy::Polyps() const
+{
+  return ColonPolypTruth(m_Data->plan, m_Data->field);
+}
+
+CurveSet
+ColonAnatomy::Correspondence() const
+{
+  return ColonCorrespondenceTruth(m_Data->plan, m_Data->field);
+}
+
+SurfaceMesh
+ColonAnatomy::Wall(double edgeLength) const
+{
+  RequireParameter(edgeLength >= 0.1 && edgeLength <= 5, "the edge length of the wall must be from 0.1 to 5 mm");
+  Vector3d low, high;
+  this->BoundingBox(2.0, low, high);
+  return ExtractColonWall(m_Data->field, low, high, edgeLength);
+}
+
+double
+ColonAnatomy::Length() const
+{
+  return m_Data->field.GetCurve().Length();
+}
+
+int
+ColonAnatomy::SegmentAt(double arcLength) const
+{
+  const ColonCurve & curve = m_Data->field.GetCurve();
+  return m_Data->plan.SegmentAt(curve.ParameterAt(arcLength) * curve.GetStep());
+}
+
+std::string
+ColonAnatomy::SegmentName(int segment)
+{
+  static const std::vector<std::string> names{ "rectum", "sigmoid", "descending", "transverse", "ascending", "caecum" };
+  return segment >= 1 && segment <= 6 ? names[segment - 1] : std::string();
+}
+
+void
+ColonAnatomy::BoundingBox(double margin, Vector3d & low, Vector3d & high) const
+{
+  const ColonField & field = m_Data->field;
+  low.setConstant(1e9);
+  high.setConstant(-1e9);
+  for (int k = 0; k <= field.GetCurve().GetNumberOfSteps(); ++k)
+  {
+    const Vector3d spread = Vector3d::Constant(field.GetRelief().LargestRadiusNear(k) + margin);
+    low = low.cwiseMin(field.GetCurve().At(k).position - spread);
+    high = high.cwiseMax(field.GetCurve().At(k).position + spread);
+  }
+}
+
+Vector3d
+ColonAnatomy::SpineAxis(double z)
+{
+  return SpineAxisAt(z);
+}
+
+void
+ColonAnatomy::AnalVerge(Vector3d & point, Vector3d & inwards) const
+{
+  const ColonCurve::Frame frame = m_Data->field.GetCurve().At(0.0);
+  point = frame.position;
+  inwards = frame.first.normalized();
+}
+} // namespace shapeton

@@ -1,0 +1,152 @@
+#include "shapetonColonBody.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace shapeton
+{
+namespace
+{
+// Distances to the colon are of first order: away from the wall they may be too large by this factor.
+constexpr double colonSlope = 3.0;
+// The levels of neighbouring pools differ: blocks of the lumen are smaller than this, mm.
+constexpr double largestBlock = 4.0;
+
+Eigen::Vector3d
+ToEigen(const itk::Point<double, 3> & p)
+{
+  return { p[0], p[1], p[2] };
+}
+
+class ColonBody : public PhantomBody
+{
+public:
+  ColonBody(const ColonAnatomy & anatomy, const ColonFluid & fluid) : m_Anatomy(anatomy), m_Fluid(fluid) {}
+
+  BodyProbe
+  Probe(const PointType & p) const override
+  {
+    const auto   point = ToEigen(p);
+    const auto   sample = m_Anatomy.Evaluate(point);
+    const double outer = -(sample.distance + bowelWall) / colonSlope;
+    double       clearance = std::min(std::abs(sample.distance), std::abs(sample.distance + bowelWall)) / colonSlope;
+    bool         textured = false;
+    if (sample.distance > 0.0)
+    {
+      const double depth = m_Fluid.DepthBelowLevel(point, sample.arcLength);
+      clearance = std::min({ clearance, std::abs(depth), largestBlock });
+      textured = depth > 0.0;
+    }
+    return { outer, clearance, textured };
+  }
+
+  double
+  Intensity(const PointType & p) const override
+  {
+    const auto point = ToEigen(p);
+    const auto sample = m_Anatomy.Evaluate(point);
+    if (sample.distance <= 0.0)
+    {
+      return softTissueIntensity;
+    }
+    return m_Fluid.DepthBelowLevel(point, sample.arcLength) > 0.0 ? m_Fluid.Intensity(point, sample.arcLength)
+                                                                  : gasIntensity;
+  }
+
+  void
+  Paint(const PointType & p, double width, double & value) const override
+  {
+    const auto   point = ToEigen(p);
+    const auto   sample = m_Anatomy.Evaluate(point);
+    const double wall = ShareInside(-(sample.distance + bowelWall), width);
+    value += wall * (softTissueIntensity - value);
+    const double lumen = ShareInside(-sample.distance, width);
+    if (lumen <= 0.0)
+    {
+      return;
+    }
+    const double fluid = ShareInside(-m_Fluid.DepthBelowLevel(point, sample.arcLength), width);
+    double       content = gasIntensity;
+    if (fluid > 0.0)
+    {
+      content += fluid * (m_Fluid.Intensity(point, sample.arcLength) - gasIntensity);
+    }
+    value += lumen * (content - value);
+  }
+
+private:
+  const ColonAnatomy & m_Anatomy;
+  const ColonFluid &   m_Fluid;
+};
+
+constexpr double catheterDepth = 75.0; // mm from the anal verge
+constexpr double catheterOutside = 40.0;
+
+std::vector<itk::Point<double, 3>>
+CatheterAxis(const ColonAnatomy & anatomy)
+{
+  Eigen::Vector3d verge;
+  Eigen::Vector3d inwards;
+  anatomy.AnalVerge(verge, inwards);
+  const Eigen::Vector3d              start = verge - catheterOutside * inwards;
+  std::vector<itk::Point<double, 3>> axis{ MakePoint(start[0], start[1], start[2]) };
+  const CurveSet                     line = anatomy.Centreline();
+  const Eigen::VectorXd              arcLength = PointValues(line, "arcLength", "the centreline of the phantom");
+  double                             next = 0.0;
+  for (const int vertex : line.curves[0])
+  {
+    if (arcLength[vertex] >= next && arcLength[vertex] <= catheterDepth)
+    {
+      axis.push_back(MakePoint(line.V(vertex, 0), line.V(vertex, 1), line.V(vertex, 2)));
+      next = arcLength[vertex] + 6.0;
+    }
+  }
+  return axis;
+}
+} // namespace
+
+std::shared_ptr<const PhantomBody>
+MakeColonBody(const ColonAnatomy & anatomy, const ColonFluid & fluid)
+{
+  return std::make_shared<ColonBody>(anatomy, fluid);
+}
+
+PhantomBodies
+MakeCatheter(const ColonAnatomy & anatomy)
+{
+  const auto axis = CatheterAxis(anatomy);
+  return { MakeSolidBody(TubeSolid(axis, 4.0), 280.0), MakeSolidBody(TubeSolid(axis, 3.0), gasIntensity) };
+}
+
+PhantomSolid
+NatalCleft(const ColonAnatomy & anatomy)
+{
+  constexpr double halfWidth = 3.0; // mm at the anal verge
+  constexpr double widening = 0.35; // mm for each mm below it
+  constexpr double perineum = 20.0; // mm before the anal verge
+  Eigen::Vector3d  verge;
+  Eigen::Vector3d  inwards;
+  anatomy.AnalVerge(verge, inwards);
+  const auto below = [&](const Eigen::Vector3d & normal, double offset) {
+    const double norm = normal.norm();
+    const auto   unit = MakeVector(normal[0] / norm, normal[1] / norm, normal[2] / norm);
+    return HalfSpaceSolid(unit, (normal.dot(verge) + offset) / norm);
+  };
+  const Eigen::Vector3d side = Eigen::Vector3d::UnitX();
+  const PhantomSolid    wedge =
+    Both(below(side + widening * inwards, halfWidth), below(widening * inwards - side, halfWidth));
+  return Both(Both(wedge, below(inwards, 0.0)), below(-Eigen::Vector3d::UnitY(), perineum));
+}
+
+PhantomSolid
+AwayFromColon(const PhantomSolid & solid, const ColonAnatomy & anatomy, double gap)
+{
+  const auto                 distance = solid.distance;
+  const ColonAnatomy * const colon = &anatomy;
+  return { [distance, colon, gap](const PhantomBody::PointType & p) {
+            const double own = distance(p);
+            return own > ColonAnatomy::Reach ? own : std::max(own, colon->Evaluate(ToEigen(p)).distance + gap);
+          },
+           std::max(solid.slope, colonSlope) };
+}
+} // namespace shapeton

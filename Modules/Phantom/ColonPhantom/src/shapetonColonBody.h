@@ -1,0 +1,34 @@
+#ifndef shapetonColonBody_h
+#define shapetonColonBody_h
+
+#include "shapetonColonAnatomy.h"
+#include "shapetonColonFluid.h"
+#include "shapetonPhantomSolid.h"
+
+namespace shapeton
+{
+/** The colon: its wall of 2 mm, gas and tagged fluid. Anatomy and fluid have to outlive it. */
+std::shared_ptr<const PhantomBody>
+MakeColonBody(const ColonAnatomy & anatomy, const ColonFluid & fluid);
+
+/** Thickness of the wall around the lumen of colon and small bowel, mm. */
+constexpr double bowelWall = 2.0;
+
+/** Mean intensities, HU. */
+constexpr double gasIntensity = -994.0;
+constexpr double softTissueIntensity = 50.0;
+
+/** The tube in the anal canal and the rectum, and the gas in it: outer radius 4 mm, wall 1 mm. */
+PhantomBodies
+MakeCatheter(const ColonAnatomy & anatomy);
+
+/** The air between the buttocks, below the anal verge and behind the perineum. */
+PhantomSolid
+NatalCleft(const ColonAnatomy & anatomy);
+
+/** The part of a solid that is more than `gap` mm (at most 9) from the lumen of the colon. */
+PhantomSolid
+AwayFromColon(const PhantomSolid & solid, const ColonAnatomy & anatomy, double gap);
+} // namespace shapeton
+
+#endif

@@ -1,0 +1,367 @@
+#include "shapetonColonField.h"
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <cmath>
+
+namespace shapeton
+{
+using Eigen::Vector3d;
+
+namespace
+{
+constexpr double c_FoldFillet = 1.2;  // mm
+constexpr double c_PolypFillet = 0.8; // mm
+
+void
+Normalise(ColonDistance & distance)
+{
+  const double length = distance.gradient.norm();
+  if (length > 0.3)
+  {
+    distance.value /= length;
+    distance.gradient /= length;
+  }
+}
+
+// The nearer of two bodies of tissue, with a round fillet in the corner between them.
+ColonDistance
+Join(const ColonDistance & a, const ColonDistance & b, double fillet)
+{
+  if (a.value >= fillet || b.value >= fillet)
+  {
+    return a.value < b.value ? a : b;
+  }
+  const double  x = fillet - a.value;
+  const double  y = fillet - b.value;
+  const double  r = std::sqrt(x * x + y * y);
+  ColonDistance result{ fillet - r, (x * a.gradient + y * b.gradient) / r };
+  // Bodies that lie alongside add up; that is undone.
+  const double length = result.gradient.norm();
+  if (length > 1.0)
+  {
+    result.gradient /= length;
+  }
+  return result;
+}
+
+ColonDistance
+SphereDistance(const Vector3d & point, const Vector3d & centre, double radius)
+{
+  const Vector3d off = point - centre;
+  const double   length = std::max(off.norm(), 1e-9);
+  return { length - radius, off / length };
+}
+
+ColonDistance
+CapsuleDistance(const Vector3d & point, const Vector3d & from, const Vector3d & to, double radius)
+{
+  const Vector3d along = to - from;
+  const double   t = std::clamp((point - from).dot(along) / along.squaredNorm(), 0.0, 1.0);
+  return SphereDistance(point, from + t * along, radius);
+}
+
+// An ellipsoid of revolution, of first order near its surface.
+ColonDistance
+EllipsoidDistance(const Vector3d & point, const PolypBody & polyp)
+{
+  const Vector3d off = point - polyp.head;
+  const double   h = off.dot(polyp.axis);
+  const Vector3d side = off - h * polyp.axis;
+  const Vector3d scaled = side / polyp.radius + (h / polyp.height) * polyp.axis;
+  const double   k = std::max(scaled.norm(), 1e-6);
+  const Vector3d slope = (side / (polyp.radius * polyp.radius) + (h / (polyp.height * polyp.height)) * polyp.axis) / k;
+  const double   length = std::max(slope.norm(), 1e-9);
+  return { (k - 1.0) / length, slope / length };
+}
+} // namespace
+
+struct ColonField::Local
+{
+  double   t;
+  double   angle;
+  double   distance; ///< from the centreline
+  double   speed;    ///< mm along the wall's direction per unit of t, at this distance
+  Vector3d tangent;
+  Vector3d outwards;
+  Vector3d around;
+};
+
+ColonField::ColonField(const ColonPath &              path,
+                       const ColonPlan &              plan,
+                       const ColonPhantomParameters & parameters,
+                       double                         reach)
+  : m_Curve(path, ColonTwist(plan, parameters)), m_Relief(plan, parameters, &m_Curve), m_Reach(reach)
+{
+  std::vector<double> reaches;
+  for (int k = 0; k <= m_Curve.GetNumberOfSteps(); ++k)
+  {
+    // A flat or collapsed wall is never a shorter way than to the centreline.
+    reaches.push_back(std::max(0.0, m_Relief.LargestRadiusNear(k)) + reach);
+  }
+  m_Curve.BuildGrid(reaches);
+  this->FillSepta(path, parameters.preset == "hard" ? 2.0 : 3.0);
+  m_PolypsNear.resize(m_Curve.GetNumberOfSteps() + 1);
+  this->PlacePolyps(plan);
+}
+
+void
+ColonField::FillSepta(const ColonPath & path, double least)
+{
+  m_Septum.assign(m_Curve.GetNumberOfSteps() + 1, least);
+  for (const ColonPath::Contact & contact : path.contacts)
+  {
+    for (int node : { contact.first, contact.second })
+    {
+      for (std::size_t k = 0; k < m_Septum.size(); ++k)
+      {
+        const double off = std::abs(k * m_Curve.GetStep() - path.material[node]);
+        const double share = std::clamp((off - 30.0) / 20.0, 0.0, 1.0);
+        m_Septum[k] = std::min(m_Septum[k], contact.septum + share * (least - contact.septum));
+      }
+    }
+  }
+}
+
+void
+ColonField::Locate(const Vector3d & point, double t, Local & local) const
+{
+  const ColonCurve::Frame frame = m_Curve.At(t);
+  const double            first = frame.first.norm();
+  const Vector3d          off = point - frame.position;
+  local.t = t;
+  local.distance = off.norm();
+  local.tangent = frame.first / first;
+  const double bend = std::max(0.2, 1.0 - off.dot(frame.second) / (first * first));
+  local.speed = first * bend;
+  const Vector3d normal = m_Curve.NormalAt(t, local.tangent);
+  const Vector3d binormal = local.tangent.cross(normal);
+  local.angle = std::atan2(off.dot(binormal), off.dot(normal));
+  local.outwards = local.distance > 1e-9 ? Vector3d(off / local.distance) : normal;
+  local.around = std::cos(local.angle) * binormal - std::sin(local.angle) * normal;
+}
+
+ColonDistance
+ColonField::WallDistance(const Local & local) const
+{
+  const ReliefValue radius = m_Relief.RadiusAt(local.t, local.angle);
+  // Near the centreline angles mean little.
+  const double  arm = std::max(local.distance, 0.7 * std::abs(radius.value) + 0.1);
+  ColonDistance wall{ radius.value - local.distance,
+                      (radius.byAngle / arm) * local.around + (radius.byT / local.speed) * local.tangent -
+                        local.outwards };
+  Normalise(wall);
+  return wall;
+}
+
+void
+ColonField::AddFolds(const Local & local, ColonDistance & distance) const
+{
+  for (int i : m_Relief.FoldsNear(local.t))
+  {
+    const FoldCourse & fold = m_Relief.GetFolds()[i];
+    ReliefValue        t, crest;
+    if (!fold.At(WrapAngle(local.angle - fold.angle) / fold.halfAngle, t, crest))
+    {
+      continue;
+    }
+    // Slopes count at the crest and behind it; near the centreline angles mean little.
+    const double arm = std::max(local.distance, 0.8 * std::abs(crest.value) + 0.1);
+    // Across the fold, and towards the lumen from the middle of its crest.
+    const double   slant = t.byAngle * local.speed / arm;
+    const double   slantLength = std::sqrt(1.0 + slant * slant);
+    const double   across = (local.t - t.value) * local.speed / slantLength;
+    const Vector3d acrossGradient = (local.tangent - slant * local.around) / slantLength;
+    const double   rise = crest.byAngle / arm;
+    const double   riseLength = std::sqrt(1.0 + rise * rise);
+    // Far from the crest the slope of a fold's end says nothing about how near it is.
+    const double  radial = crest.value + fold.halfThickness - local.distance;
+    const double  above = std::max(radial / riseLength, radial - 3.0);
+    ColonDistance body;
+    if (above > 0)
+    {
+      const double r = std::max(std::sqrt(across * across + above * above), 1e-9);
+      body.value = r - fold.halfThickness;
+      body.gradient = (across * acrossGradient + above * (rise * local.around - local.outwards) / riseLength) / r;
+    }
+    else
+    {
+      body.value = std::abs(across) - fold.halfThickness;
+      body.gradient = across < 0 ? Vector3d(-acrossGradient) : acrossGradient;
+    }
+    distance = Join(distance, body, c_FoldFillet);
+  }
+}
+
+void
+ColonField::AddPolyps(const Vector3d & point, double t, ColonDistance & distance) const
+{
+  for (int i : m_PolypsNear[static_cast<std::size_t>(t + 0.5)])
+  {
+    const PolypBody & polyp = m_Polyps[i];
+    if ((point - polyp.head).norm() > std::max(polyp.radius, polyp.height) + polyp.height + m_Reach + 12.0)
+    {
+      continue;
+    }
+    if (polyp.isPedunculated)
+    {
+      const Vector3d foot = polyp.base - 2.0 * polyp.axis;
+      distance = Join(distance, CapsuleDistance(point, foot, polyp.head, polyp.stalkRadius), c_PolypFillet);
+      distance = Join(distance, SphereDistance(point, polyp.head, polyp.radius), c_PolypFillet);
+    }
+    else
+    {
+      distance = Join(distance, EllipsoidDistance(point, polyp), c_PolypFillet);
+    }
+  }
+}
+
+// Half of the septum lies on either side of where both walls are equally far.
+void
+ColonField::AddSeptum(const Local &         here,
+                      const ColonDistance & own,
+                      const Local &         there,
+                      const ColonDistance & other,
+                      ColonDistance &       distance) const
+{
+  const auto   step = [](double t) { return static_cast<std::size_t>(t + 0.5); };
+  const double septum = std::min(m_Septum[step(here.t)], m_Septum[step(there.t)]);
+  Vector3d     gradient = own.gradient - other.gradient;
+  const double length = std::max(0.5, gradient.norm());
+  const double value = (own.value - other.value) / length - 0.5 * septum;
+  if (value < distance.value)
+  {
+    distance = { value, gradient / length };
+  }
+}
+
+bool
+ColonField::Evaluate(const Vector3d & point, Place & place) const
+{
+  ColonCurve::Near near;
+  m_Curve.FindNear(point, near);
+  if (near.count == 0)
+  {
+    return false;
+  }
+  Local         locals[ColonCurve::MostNear];
+  ColonDistance walls[ColonCurve::MostNear];
+  for (int i = 0; i < near.count; ++i)
+  {
+    this->Locate(point, near.t[i], locals[i]);
+    walls[i] = this->WallDistance(locals[i]);
+  }
+  place.distance.value = -1e9;
+  for (int i = 0; i < near.count; ++i)
+  {
+    ColonDistance distance = walls[i];
+    if (distance.value > -m_Reach && distance.value > place.distance.value)
+    {
+      this->AddFolds(locals[i], distance);
+      this->AddPolyps(point, locals[i].t, distance);
+      Normalise(distance);
+      for (int k = 0; k < near.count; ++k)
+      {
+        if (k != i)
+        {
+          this->AddSeptum(locals[i], walls[i], locals[k], walls[k], distance);
+        }
+      }
+    }
+    if (distance.value > place.distance.value)
+    {
+      place = { distance, locals[i].t, locals[i].angle };
+    }
+  }
+  return true;
+}
+
+Vector3d
+ColonField::WallPoint(double t, double angle, double & radius) const
+{
+  const Vector3d centre = m_Curve.At(t).position;
+  const Vector3d direction = m_Curve.Direction(t, angle);
+  const auto     distanceAt = [&](double r) {
+    Place place;
+    return this->Evaluate(centre + r * direction, place) ? place.distance.value : -m_Reach;
+  };
+  // Steps shorter than any fold is thick, then bisection.
+  double low = 0.0;
+  double high = 0.0;
+  while (distanceAt(high) > 0)
+  {
+    low = high;
+    high += std::max(0.4, 0.7 * distanceAt(high));
+  }
+  for (int round = 0; round < 40 && high > low; ++round)
+  {
+    const double middle = 0.5 * (low + high);
+    (distanceAt(middle) > 0 ? low : high) = middle;
+  }
+  radius = 0.5 * (low + high);
+  return centre + radius * direction;
+}
+
+PolypBody
+ColonField::MakeValve(const ColonPlan & plan) const
+{
+  PolypBody valve;
+  double    radius;
+  valve.t = plan.valveMaterial / m_Curve.GetStep();
+  valve.angle = plan.valveAngle;
+  valve.base = this->WallPoint(valve.t, valve.angle, radius);
+  valve.axis = -m_Curve.Direction(valve.t, valve.angle);
+  valve.isPedunculated = false;
+  valve.radius = 11.0;
+  valve.height = 8.0;
+  valve.stalkRadius = 0.0;
+  valve.head = valve.base;
+  return valve;
+}
+
+void
+ColonField::PlacePolyps(const ColonPlan & plan)
+{
+  std::vector<PolypBody> bodies;
+  for (const PolypPlan & polyp : plan.polyps)
+  {
+    PolypBody body;
+    body.t = polyp.material / m_Curve.GetStep();
+    body.angle = polyp.angle;
+    if (polyp.fold >= 0)
+    {
+      const FoldCourse & fold = m_Relief.GetFolds()[polyp.fold];
+      ReliefValue        t, crest;
+      fold.At(WrapAngle(polyp.angle - fold.angle) / fold.halfAngle, t, crest);
+      body.t = t.value;
+    }
+    double radius;
+    body.base = this->WallPoint(body.t, body.angle, radius);
+    body.axis = -m_Curve.Direction(body.t, body.angle);
+    Place place;
+    if (polyp.fold < 0 && polyp.stalk <= 0 && this->Evaluate(body.base, place))
+    {
+      body.axis = place.distance.gradient.normalized();
+    }
+    body.isPedunculated = polyp.stalk > 0;
+    body.radius = 0.5 * polyp.diameter;
+    body.height = body.isPedunculated ? body.radius : polyp.height;
+    body.stalkRadius = polyp.stalkRadius;
+    body.head = body.base + (body.isPedunculated ? polyp.stalk + body.radius : 0.0) * body.axis;
+    bodies.push_back(body);
+  }
+  bodies.push_back(this->MakeValve(plan));
+  m_Polyps = bodies;
+  for (std::size_t i = 0; i < m_Polyps.size(); ++i)
+  {
+    for (std::size_t k = 0; k < m_PolypsNear.size(); ++k)
+    {
+      if (std::abs(k - m_Polyps[i].t) * m_Curve.GetStep() < m_Polyps[i].radius + 30.0)
+      {
+        m_PolypsNear[k].push_back(static_cast<int>(i));
+      }
+    }
+  }
+}
+} // namespace shapeton

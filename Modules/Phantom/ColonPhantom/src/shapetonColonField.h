@@ -1,0 +1,109 @@
+#ifndef shapetonColonField_h
+#define shapetonColonField_h
+
+#include "shapetonColonCurve.h"
+#include "shapetonColonRelief.h"
+
+#include <Eigen/Core>
+
+#include <vector>
+
+namespace shapeton
+{
+/** A distance and the direction in which it grows. */
+struct ColonDistance
+{
+  double          value; ///< mm, positive in the lumen
+  Eigen::Vector3d gradient;
+};
+
+/** A polyp in a position. */
+struct PolypBody
+{
+  bool            isPedunculated;
+  Eigen::Vector3d base;
+  Eigen::Vector3d axis; ///< unit vector into the lumen
+  Eigen::Vector3d head; ///< middle of the head
+  double          radius;
+  double          height; ///< half axis of the head along the axis
+  double          stalkRadius;
+  double          t; ///< place on the curve
+  double          angle;
+};
+
+/** \class ColonField
+ * \brief Signed distance to the wall of the colon in a position.
+ *
+ * Each body of tissue gives a distance and its gradient; they are joined with fillets, and the result is divided by the
+ * length of its gradient, which makes it of first order near the wall.
+ */
+class ColonField
+{
+public:
+  ColonField(const ColonPath & path, const ColonPlan & plan, const ColonPhantomParameters & parameters, double reach);
+
+  struct Place
+  {
+    ColonDistance distance;
+    double        t;
+    double        angle;
+  };
+
+  /** False, and nothing is filled in, where no wall is within reach. */
+  bool
+  Evaluate(const Eigen::Vector3d & point, Place & place) const;
+
+  /** The point of the wall where a ray from the centreline first meets it, and how far out that is. */
+  Eigen::Vector3d
+  WallPoint(double t, double angle, double & radius) const;
+
+  const ColonCurve &
+  GetCurve() const
+  {
+    return m_Curve;
+  }
+  const ColonRelief &
+  GetRelief() const
+  {
+    return m_Relief;
+  }
+  /** Those of the plan in its order, then the ileocaecal valve. */
+  const std::vector<PolypBody> &
+  GetPolyps() const
+  {
+    return m_Polyps;
+  }
+
+private:
+  struct Local; // a point seen from one stretch
+  void
+  Locate(const Eigen::Vector3d & point, double t, Local & local) const;
+  ColonDistance
+  WallDistance(const Local & local) const;
+  void
+  AddFolds(const Local & local, ColonDistance & distance) const;
+  void
+  AddPolyps(const Eigen::Vector3d & point, double t, ColonDistance & distance) const;
+  void
+  AddSeptum(const Local &         here,
+            const ColonDistance & own,
+            const Local &         there,
+            const ColonDistance & other,
+            ColonDistance &       distance) const;
+  PolypBody
+  MakeValve(const ColonPlan & plan) const;
+  void
+  PlacePolyps(const ColonPlan & plan);
+  void
+  FillSepta(const ColonPath & path, double least);
+
+  ColonCurve                    m_Curve;
+  ColonRelief                   m_Relief;
+  double                        m_Reach;
+  std::vector<double>           m_Septum; ///< at each step
+  std::vector<PolypBody>        m_Polyps;
+  std::vector<std::vector<int>> m_PolypsNear;
+};
+} // namespace shapeton
+
+#endif

@@ -1,0 +1,72 @@
+#ifndef shapetonColonNoise_h
+#define shapetonColonNoise_h
+
+#include <cstdint>
+#include <vector>
+
+namespace shapeton
+{
+/** What random numbers are for: each purpose has its own, so that more of one thing moves nothing else. */
+enum class ColonStream : std::uint32_t
+{
+  SegmentLengths = 1,
+  Template,
+  Radius,
+  Taeniae,
+  Folds,
+  Roughness,
+  Polyps,
+  Displacement,
+  Distension,
+  Torsion,
+  FoldSlide,
+  FoldFlattening,
+  Collapse,
+  Septa
+};
+
+/** Uniform and normal numbers from Philox, keyed by seed, purpose and, where it matters, the position (from 1). */
+class ColonRandom
+{
+public:
+  ColonRandom(unsigned seed, ColonStream stream, unsigned position = 0);
+
+  /** In [0, 1); the next one at each call. */
+  double
+  Uniform();
+  double
+  Uniform(double low, double high);
+  /** Mean 0, standard deviation 1. */
+  double
+  Normal();
+  /** The same numbers whatever was drawn before: those of this index. */
+  void
+  Seek(std::uint32_t index);
+
+private:
+  std::uint64_t m_Key;
+  std::uint32_t m_Position;
+  std::uint32_t m_Index{ 0 };
+  std::uint32_t m_Draw{ 0 };
+};
+
+/** A smooth random function of a length, about [-1, 1]: a cubic B-spline with uniform coefficients. */
+class SmoothNoise
+{
+public:
+  SmoothNoise(ColonRandom & random, double length, double knotDistance);
+
+  double
+  operator()(double x) const;
+
+private:
+  double              m_KnotDistance;
+  std::vector<double> m_Coefficients;
+};
+
+/** 0 below a, 1 above b, smooth between. */
+double
+SmoothStep(double a, double b, double x);
+} // namespace shapeton
+
+#endif

@@ -1,0 +1,240 @@
+#include "shapetonColonPath.h"
+
+#include "shapetonColonNoise.h"
+#include "shapetonColonRelaxation.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace shapeton
+{
+using Eigen::Vector3d;
+
+namespace
+{
+// Places that a colon passes, after drawings and CT of the abdomen; each segment begins where the one before ends.
+struct TemplateSegment
+{
+  double                shortest; // mm
+  double                longest;  // mm
+  std::vector<Vector3d> points;
+};
+
+const std::vector<TemplateSegment> &
+Template()
+{
+  static const std::vector<TemplateSegment> segments{
+    { 150,
+      165,
+      { { 0, 50, -156 }, { 0, 43, -127 }, { 0, 54, -110 }, { -4, 66, -90 }, { 4, 60, -64 }, { 0, 36, -48 } } },
+    { 500,
+      760,
+      { { 0, 36, -48 },
+        { -28, 16, -40 },
+        { -62, 0, -50 },
+        { -72, -35, -40 },
+        { -45, -62, -22 },
+        { -5, -72, -32 },
+        { 25, -62, -62 },
+        { 26, -20, -85 },
+        { 55, 0, -92 },
+        { 88, 15, -75 },
+        { 108, 44, -45 } } },
+    { 255,
+      330,
+      { { 108, 44, -45 }, { 122, 48, -15 }, { 106, 58, 20 }, { 122, 56, 55 }, { 110, 62, 92 }, { 108, 44, 126 } } },
+    { 620,
+      900,
+      { { 108, 44, 126 },
+        { 82, 18, 130 },
+        { 80, -24, 110 },
+        { 84, -60, 65 },
+        { 50, -74, 22 },
+        { 14, -74, -5 },
+        { -14, -72, 18 },
+        { -44, -74, 2 },
+        { -68, -66, 40 },
+        { -80, -34, 68 },
+        { -98, 8, 92 } } },
+    { 200, 245, { { -98, 8, 92 }, { -114, 44, 84 }, { -112, 58, 45 }, { -122, 54, 5 }, { -114, 50, -35 } } },
+    { 55, 65, { { -114, 50, -35 }, { -112, 36, -60 }, { -102, 18, -82 } } },
+  };
+  return segments;
+}
+
+Vector3d
+CatmullRom(const std::vector<Vector3d> & points, double t)
+{
+  const int  last = static_cast<int>(points.size()) - 1;
+  const int  i = std::min(static_cast<int>(t), last - 1);
+  const auto at = [&](int k) {
+    return k < 0 ? Vector3d(2 * points[0] - points[1])
+                 : (k > last ? Vector3d(2 * points[last] - points[last - 1]) : points[k]);
+  };
+  const double   x = t - i;
+  const Vector3d a = at(i - 1), b = at(i), c = at(i + 1), d = at(i + 2);
+  return 0.5 * (2 * b + x * (c - a) + x * x * (2 * a - 5 * b + 4 * c - d) + x * x * x * (3 * b - a - 3 * c + d));
+}
+
+// Smooth sideways changes of the template, small where the colon is held.
+Vector3d
+PatientOffset(unsigned seed, double place, int segment)
+{
+  ColonRandom       random(seed, ColonStream::Template);
+  const SmoothNoise x(random, 40, 4), y(random, 40, 4), z(random, 40, 4);
+  const double      amplitude = segment == 1 ? 2.0 : (segment == 2 || segment == 4 ? 22.0 : 8.0);
+  return amplitude * Vector3d(x(place), y(place), z(place));
+}
+
+double
+Mobility(int segment, double share)
+{
+  const bool mobile = segment == 2 || segment == 4;
+  return mobile ? std::sin(M_PI * share) : 0.0;
+}
+
+std::vector<double>
+Mobilities(const ColonPath & path)
+{
+  std::vector<double> result(path.nodes.size());
+  for (int segment = 1; segment <= 6; ++segment)
+  {
+    const auto range = std::equal_range(path.segment.begin(), path.segment.end(), segment);
+    const auto first = range.first - path.segment.begin();
+    const auto count = range.second - range.first;
+    for (long i = 0; i < count; ++i)
+    {
+      result[first + i] = Mobility(segment, (i + 0.5) / count);
+    }
+  }
+  return result;
+}
+
+Vector3d
+GravityOf(const std::string & position)
+{
+  static const Vector3d directions[] = { { 0, 1, 0 }, { 0, -1, 0 }, { 1, 0, 0 }, { -1, 0, 0 } };
+  return directions[PositionNumber(position) - 1];
+}
+} // namespace
+
+unsigned
+PositionNumber(const std::string & position)
+{
+  return position == "supine" ? 1 : (position == "prone" ? 2 : (position == "leftDecubitus" ? 3 : 4));
+}
+
+Vector3d
+SpineAxisAt(double z)
+{
+  // The sacrum bends back behind the rectum and forwards again at its tip.
+  const double below = std::clamp((-50.0 - z) / 90.0, 0.0, 1.0);
+  return { 0.0, 80.0 + 40.0 * std::sin(3.0 * below), z };
+}
+
+ColonPath
+RestPath(unsigned seed)
+{
+  ColonPath   path;
+  ColonRandom random(seed, ColonStream::SegmentLengths);
+  double      material = 0.0;
+  double      place = 0.0;
+  for (std::size_t k = 0; k < Template().size(); ++k)
+  {
+    const TemplateSegment & segment = Template()[k];
+    const double            length = random.Uniform(segment.shortest, segment.longest);
+    const int               edges = static_cast<int>(std::lround(length / 10.0));
+    const bool              isLast = k + 1 == Template().size();
+    const double            knots = static_cast<double>(segment.points.size() - 1);
+    for (int i = 0; i < edges + (isLast ? 1 : 0); ++i)
+    {
+      const double t = knots * i / edges;
+      path.nodes.push_back(CatmullRom(segment.points, t) + PatientOffset(seed, place + t, static_cast<int>(k) + 1));
+      path.material.push_back(material + length * i / edges);
+      path.segment.push_back(static_cast<int>(k) + 1);
+    }
+    material += length;
+    place += knots;
+  }
+  const std::vector<double> radius = RestRadius(path, seed, static_cast<int>(path.nodes.size()));
+  ColonRelaxation           relaxation(path, radius);
+  relaxation.SetMobility(Mobilities(path));
+  relaxation.Run(700);
+  path.nodes = relaxation.GetNodes();
+  // What smoothness and room have left of the lengths is the patient's.
+  for (std::size_t i = 1; i < path.nodes.size(); ++i)
+  {
+    path.material[i] = path.material[i - 1] + (path.nodes[i] - path.nodes[i - 1]).norm();
+  }
+  return path;
+}
+
+std::vector<double>
+RestRadius(const ColonPath & path, unsigned seed, int count)
+{
+  // Radii at the beginning, the middle and the end of each segment.
+  static const double table[6][3] = { { 22, 24, 15 }, { 14, 12, 14 },   { 15, 17, 19 },
+                                      { 20, 21, 22 }, { 22, 23.5, 25 }, { 25, 27, 27 } };
+  ColonRandom         random(seed, ColonStream::Radius);
+  const SmoothNoise   slow(random, path.Length(), 70.0);
+  const SmoothNoise   narrow(random, path.Length(), 30.0);
+  std::vector<double> begin(7, 0.0);
+  for (int segment = 1; segment <= 6; ++segment)
+  {
+    const auto next = std::upper_bound(path.segment.begin(), path.segment.end(), segment) - path.segment.begin();
+    begin[segment] = next < static_cast<long>(path.material.size()) ? path.material[next] : path.Length();
+  }
+  std::vector<double> radius(count);
+  for (int i = 0; i < count; ++i)
+  {
+    const double m = path.Length() * i / (count - 1);
+    int          segment = 1;
+    while (segment < 6 && m >= begin[segment])
+    {
+      ++segment;
+    }
+    const double * r = table[segment - 1];
+    const double   x = 2.0 * (m - begin[segment - 1]) / (begin[segment] - begin[segment - 1]);
+    double         value = x < 1 ? r[0] + x * (r[1] - r[0]) : r[1] + (x - 1) * (r[2] - r[1]);
+    value *= 1.0 + 0.11 * slow(m);
+    // The sigmoid has contracted stretches.
+    value *= 1.0 - (segment == 2 ? 0.42 : 0.0) * SmoothStep(0.35, 0.9, narrow(m));
+    // The anal canal opens into the ampulla.
+    radius[i] = 4.0 + (std::min(value, 28.0) - 4.0) * SmoothStep(22.0, 55.0, m);
+  }
+  return radius;
+}
+
+ColonPath
+PositionedPath(const ColonPath & rest, const std::vector<double> & radius, const ColonPhantomParameters & parameters)
+{
+  ColonPath         path = rest;
+  const unsigned    position = PositionNumber(parameters.position);
+  ColonRandom       random(parameters.seed, ColonStream::Displacement, position);
+  const SmoothNoise x(random, rest.Length(), 130.0), y(random, rest.Length(), 130.0), z(random, rest.Length(), 130.0);
+  const auto        mobility = Mobilities(rest);
+  const Vector3d    gravity = GravityOf(parameters.position);
+  for (std::size_t i = 0; i < path.nodes.size(); ++i)
+  {
+    const double   m = rest.material[i];
+    const Vector3d random3(x(m), y(m), z(m));
+    const double   free = SmoothStep(60.0, 140.0, m);
+    path.nodes[i] += mobility[i] * (20.0 * gravity + 13.0 * random3) + 3.0 * free * random3;
+  }
+  ColonRelaxation     relaxation(path, radius);
+  std::vector<double> held(path.nodes.size(), 0.0);
+  relaxation.SetMobility(held);
+  relaxation.Run(250);
+  const bool  isHard = parameters.preset == "hard";
+  ColonRandom septa(parameters.seed, ColonStream::Septa, position);
+  path.contacts = relaxation.FindContacts(parameters.fakeHandles);
+  for (ColonPath::Contact & contact : path.contacts)
+  {
+    contact.septum = isHard ? septa.Uniform(0.8, 1.8) : septa.Uniform(1.0, 2.5);
+  }
+  relaxation.DrawTogether(path.contacts);
+  relaxation.Run(250);
+  path.nodes = relaxation.GetNodes();
+  return path;
+}
+} // namespace shapeton

@@ -1,0 +1,58 @@
+#ifndef shapetonColonPath_h
+#define shapetonColonPath_h
+
+#include "shapetonColonPhantomParameters.h"
+
+#include <Eigen/Core>
+
+#include <vector>
+
+namespace shapeton
+{
+/** The colon as a chain of nodes about 10 mm apart from the anal verge to the caecum. Material coordinates are lengths
+ * along the chain at rest. */
+struct ColonPath
+{
+  std::vector<Eigen::Vector3d> nodes;
+  std::vector<double>          material; ///< mm, of each node
+  std::vector<int>             segment;  ///< 1 to 6, of each node
+  /** Pairs of nodes whose stretches touch. */
+  struct Contact
+  {
+    int    first;
+    int    second;
+    double septum; ///< mm
+  };
+  std::vector<Contact> contacts;
+
+  double
+  Length() const
+  {
+    return material.back();
+  }
+};
+
+/** The chain of a patient at rest, through a template of the anatomy, drawn out to the patient's lengths. `radius` is
+ * filled with that of the wall at each node. */
+ColonPath
+RestPath(unsigned seed);
+
+/** Radius in mm of the patient's distended colon at each of `count` equal steps of the material length. */
+std::vector<double>
+RestRadius(const ColonPath & path, unsigned seed, int count);
+
+/** The chain in a position: the mobile stretches are displaced, and stretches of these radii (one for each node) stay
+ * apart but where they are drawn together. */
+ColonPath
+PositionedPath(const ColonPath & rest, const std::vector<double> & radius, const ColonPhantomParameters & parameters);
+
+/** 1 for supine, 2 prone, 3 leftDecubitus, 4 rightDecubitus. */
+unsigned
+PositionNumber(const std::string & position);
+
+/** The middle of spine and sacrum at a height. */
+Eigen::Vector3d
+SpineAxisAt(double z);
+} // namespace shapeton
+
+#endif

@@ -1,0 +1,223 @@
+#include "shapetonColonPhantomImageSource.h"
+
+#include "shapetonBodySampler.h"
+#include "shapetonColonAbdomen.h"
+#include "shapetonCorrelatedNoise.h"
+#include "shapetonLumenLabels.h"
+
+#include "itkImageRegionIterator.h"
+#include "itkImageRegionSplitterMultidimensional.h"
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+
+namespace shapeton
+{
+namespace
+{
+using RegionType = itk::ImageRegion<3>;
+using ImageType = ColonPhantomImageSource::ImageType;
+
+constexpr itk::SizeValueType tileSide = 32;
+
+// Measured on CT colonographies, along x, y and z.
+constexpr std::array<double, 3> noiseCorrelation{ { 0.63, 0.14, 0.42 } };
+
+// Tiles do not depend on the number of threads.
+std::vector<RegionType>
+TilesOf(const RegionType & region)
+{
+  std::vector<RegionType> tiles;
+  RegionType              tile;
+  for (itk::SizeValueType z = 0; z < region.GetSize(2); z += tileSide)
+  {
+    for (itk::SizeValueType y = 0; y < region.GetSize(1); y += tileSide)
+    {
+      for (itk::SizeValueType x = 0; x < region.GetSize(0); x += tileSide)
+      {
+        const itk::SizeValueType start[3] = { x, y, z };
+        for (unsigned int i = 0; i < 3; ++i)
+        {
+          tile.SetIndex(i, region.GetIndex(i) + static_cast<itk::IndexValueType>(start[i]));
+          tile.SetSize(i, std::min(tileSide, region.GetSize(i) - start[i]));
+        }
+        tiles.push_back(tile);
+      }
+    }
+  }
+  return tiles;
+}
+
+short
+ToHounsfieldUnits(float value)
+{
+  return static_cast<short>(std::floor(std::clamp(value, -1024.0F, 31743.0F) + 0.5F));
+}
+
+std::uint64_t
+NoiseSeed(const ColonPhantomParameters & parameters)
+{
+  return (std::uint64_t{ parameters.seed } << 8) + static_cast<unsigned char>(parameters.position[0]);
+}
+} // namespace
+
+ColonPhantomImageSource::ColonPhantomImageSource()
+{
+  SizeType size;
+  size.Fill(256);
+  size[2] = 240;
+  this->SetSize(size);
+  SpacingType spacing;
+  spacing.Fill(1.4);
+  this->SetSpacing(spacing);
+  this->CenterOutput();
+  this->SetNumberOfRequiredOutputs(3);
+  this->SetNthOutput(1, this->MakeOutput(1));
+  this->SetNthOutput(2, this->MakeOutput(2));
+}
+
+itk::ProcessObject::DataObjectPointer
+ColonPhantomImageSource::MakeOutput(itk::ProcessObject::DataObjectPointerArraySizeType output)
+{
+  if (output > 0)
+  {
+    return LabelImageType::New().GetPointer();
+  }
+  return Superclass::MakeOutput(output);
+}
+
+ColonPhantomImageSource::LabelImageType *
+ColonPhantomImageSource::GetLumenOutput()
+{
+  return static_cast<LabelImageType *>(this->ProcessObject::GetOutput(1));
+}
+
+ColonPhantomImageSource::LabelImageType *
+ColonPhantomImageSource::GetSegmentOutput()
+{
+  return static_cast<LabelImageType *>(this->ProcessObject::GetOutput(2));
+}
+
+void
+ColonPhantomImageSource::SetParameters(const ColonPhantomParameters & parameters)
+{
+  RequireValid(parameters);
+  m_Parameters = parameters;
+  m_Fluid.reset();
+  m_Anatomy.reset();
+  this->Modified();
+}
+
+const ColonAnatomy &
+ColonPhantomImageSource::GetAnatomy()
+{
+  if (!m_Anatomy)
+  {
+    m_Anatomy = std::make_unique<const ColonAnatomy>(m_Parameters);
+  }
+  return *m_Anatomy;
+}
+
+const ColonFluid &
+ColonPhantomImageSource::GetFluid()
+{
+  if (!m_Fluid)
+  {
+    m_Fluid = std::make_unique<const ColonFluid>(this->GetAnatomy());
+  }
+  return *m_Fluid;
+}
+
+void
+ColonPhantomImageSource::CenterOutput()
+{
+  itk::Vector<double, 3> toCenter;
+  for (unsigned int i = 0; i < 3; ++i)
+  {
+    toCenter[i] = 0.5 * (static_cast<double>(this->GetSize()[i]) - 1.0) * this->GetSpacing()[i];
+  }
+  this->SetOrigin(PointType(0.0) - this->GetDirection() * toCenter);
+}
+
+void
+ColonPhantomImageSource::GenerateOutputInformation()
+{
+  for (unsigned int n = 0; n < 3; ++n)
+  {
+    auto * const output = static_cast<itk::ImageBase<3> *>(this->ProcessObject::GetOutput(n));
+    if (this->GetUseReferenceImage() && this->GetReferenceImage())
+    {
+      output->CopyInformation(this->GetReferenceImage());
+      continue;
+    }
+    output->SetLargestPossibleRegion(OutputImageRegionType(this->GetStartIndex(), this->GetSize()));
+    output->SetSpacing(this->GetSpacing());
+    output->SetOrigin(this->GetOrigin());
+    output->SetDirection(this->GetDirection());
+  }
+}
+
+void
+ColonPhantomImageSource::EnlargeOutputRequestedRegion(itk::DataObject * output)
+{
+  output->SetRequestedRegionToLargestPossibleRegion();
+}
+
+void
+ColonPhantomImageSource::GenerateData()
+{
+  LabelImageType * const lumen = this->GetLumenOutput();
+  LabelImageType * const segments = this->GetSegmentOutput();
+  for (LabelImageType * const output : { lumen, segments })
+  {
+    output->SetBufferedRegion(output->GetRequestedRegion());
+    output->Allocate();
+  }
+  const LumenLabels             labels(this->GetAnatomy(), this->GetFluid(), lumen, segments);
+  const std::vector<RegionType> tiles = TilesOf(lumen->GetLargestPossibleRegion());
+  this->GetMultiThreader()->SetNumberOfWorkUnits(this->GetNumberOfWorkUnits());
+  this->GetMultiThreader()->ParallelizeArray(
+    0, tiles.size(), [&](itk::SizeValueType i) { labels.Fill(tiles[i]); }, m_TruthOnly ? this : nullptr);
+  if (!m_TruthOnly)
+  {
+    this->PaintImage(tiles);
+  }
+}
+
+void
+ColonPhantomImageSource::PaintImage(const std::vector<OutputImageRegionType> & tiles)
+{
+  ImageType * const image = this->GetOutput();
+  image->SetBufferedRegion(image->GetRequestedRegion());
+  image->Allocate();
+  const BodySampler     sampler(MakeColonAbdomen(this->GetAnatomy(), this->GetFluid()), image, m_Blur, airIntensity);
+  const CorrelatedNoise noise(
+    NoiseSeed(m_Parameters), image->GetLargestPossibleRegion(), m_Parameters.noise, noiseCorrelation);
+  this->GetMultiThreader()->ParallelizeArray(
+    0,
+    tiles.size(),
+    [&](itk::SizeValueType i) {
+      std::vector<float> values = sampler.Sample(tiles[i]);
+      noise.AddTo(values, tiles[i]);
+      itk::ImageRegionIterator<ImageType> it(image, tiles[i]);
+      for (const float value : values)
+      {
+        it.Set(ToHounsfieldUnits(value));
+        ++it;
+      }
+    },
+    this);
+}
+
+void
+ColonPhantomImageSource::PrintSelf(std::ostream & os, itk::Indent indent) const
+{
+  Superclass::PrintSelf(os, indent);
+  os << indent << "Seed: " << m_Parameters.seed << '\n';
+  os << indent << "Position: " << m_Parameters.position << '\n';
+  os << indent << "Preset: " << m_Parameters.preset << '\n';
+  os << indent << "Blur: " << m_Blur << '\n';
+  os << indent << "TruthOnly: " << m_TruthOnly << '\n';
+}
+} // namespace shapeton

@@ -1,0 +1,272 @@
+#include "shapetonColonPlan.h"
+
+#include "shapetonColonCurve.h"
+#include "shapetonColonNoise.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace shapeton
+{
+namespace
+{
+constexpr double c_TableStep = 2.0;
+
+double
+Lookup(const std::vector<double> & table, double x)
+{
+  const double      t = std::clamp(x / c_TableStep, 0.0, table.size() - 1.001);
+  const std::size_t i = static_cast<std::size_t>(t);
+  return table[i] + (t - i) * (table[i + 1] - table[i]);
+}
+} // namespace
+
+double
+WrapAngle(double angle)
+{
+  return angle - 2 * M_PI * std::ceil((angle - M_PI) / (2 * M_PI));
+}
+
+ColonPlan::ColonPlan(const ColonPath & rest, unsigned seed, int polyps) : m_Length(rest.Length())
+{
+  for (int segment = 1; segment <= 6; ++segment)
+  {
+    const auto first = std::lower_bound(rest.segment.begin(), rest.segment.end(), segment);
+    m_SegmentBegin.push_back(rest.material[first - rest.segment.begin()]);
+  }
+  m_SegmentBegin.push_back(m_Length);
+  const int count = static_cast<int>(m_Length / c_TableStep) + 2;
+  m_Radius = RestRadius(rest, seed, count);
+  this->PlanTaeniae(seed);
+  this->PlanFolds(seed);
+  this->PlanPolyps(seed, polyps);
+  this->PlanValve(rest);
+}
+
+// The ileum comes from the middle of the body.
+void
+ColonPlan::PlanValve(const ColonPath & rest)
+{
+  const ColonCurve curve(rest, std::vector<double>(ColonCurve::NumberOfSteps(m_Length) + 1, 0.0));
+  valveMaterial = m_SegmentBegin[5] + 4.0;
+  double most = -2.0;
+  for (double angle = -3.1; angle < M_PI; angle += 0.1)
+  {
+    const double medial = curve.Direction(valveMaterial / curve.GetStep(), angle).x();
+    valveAngle = medial > most ? angle : valveAngle;
+    most = std::max(most, medial);
+  }
+}
+
+int
+ColonPlan::SegmentAt(double material) const
+{
+  int segment = 1;
+  while (segment < 6 && material >= m_SegmentBegin[segment])
+  {
+    ++segment;
+  }
+  return segment;
+}
+
+double
+ColonPlan::RadiusAt(double material) const
+{
+  const double t = std::clamp(material / m_Length, 0.0, 1.0) * (m_Radius.size() - 1);
+  return Lookup(m_Radius, t * c_TableStep);
+}
+
+double
+ColonPlan::TaeniaAngle(int taenia, double material) const
+{
+  return Lookup(m_Taenia[taenia], material);
+}
+
+double
+ColonPlan::HaustraStrength(double material) const
+{
+  // The taeniae of the rectum are one coat; they meet at the end of the caecum.
+  const double rectumEnd = m_SegmentBegin[1];
+  return SmoothStep(rectumEnd - 20, rectumEnd + 40, material) * SmoothStep(0, 25, m_Length - material);
+}
+
+void
+ColonPlan::PlanTaeniae(unsigned seed)
+{
+  ColonRandom       random(seed, ColonStream::Taeniae);
+  const double      start = random.Uniform(-M_PI, M_PI);
+  const SmoothNoise drift(random, m_Length, 220.0);
+  for (int taenia = 0; taenia < 3; ++taenia)
+  {
+    const SmoothNoise own(random, m_Length, 80.0);
+    for (double m = 0; m < m_Length + 2 * c_TableStep; m += c_TableStep)
+    {
+      m_Taenia[taenia].push_back(start + taenia * 2 * M_PI / 3 + 0.6 * drift(m) + 0.1 * own(m));
+    }
+  }
+}
+
+FoldPlan
+ColonPlan::MakeFold(double material, double angle, double halfAngle, ColonRandom & random) const
+{
+  FoldPlan     fold;
+  const double radius = this->RadiusAt(material);
+  const double wide = std::clamp((radius - 18.0) / 5.0, -2.0, 1.5);
+  fold.material = material;
+  fold.angle = angle;
+  fold.halfAngle = halfAngle;
+  // Wide stretches have the higher folds; quartiles 3.5, 6.6 and 11.4 mm.
+  fold.height = std::clamp(8.3 * std::exp(0.95 * (0.5 * wide + 0.85 * random.Normal())), 1.8, 16.0);
+  fold.thickness = random.Uniform(1.5, 3.0);
+  fold.slant = random.Uniform(-3.0, 3.0);
+  fold.bow = random.Uniform(-2.5, 4.0);
+  fold.wave = random.Uniform(0.0, 1.2);
+  fold.wavePhase = random.Uniform(-M_PI, M_PI);
+  return fold;
+}
+
+void
+ColonPlan::PlanValves(ColonRandom & random)
+{
+  // The transverse folds of the rectum, left, right, left.
+  const double places[] = { 0.5, 0.68, 0.86 };
+  for (int i = 0; i < 3; ++i)
+  {
+    FoldPlan fold =
+      this->MakeFold(places[i] * m_SegmentBegin[1], (i % 2 == 0 ? -0.5 : 0.5) * M_PI, random.Uniform(1.2, 1.5), random);
+    fold.height = random.Uniform(8.0, 12.0);
+    folds.push_back(fold);
+  }
+}
+
+void
+ColonPlan::PlanLevel(double material, int level, ColonRandom & random)
+{
+  const int    segment = this->SegmentAt(material);
+  const bool   isRight = segment >= 4;
+  const double kind = random.Uniform();
+  const int    first = std::min(2, static_cast<int>(3 * random.Uniform()));
+  const auto   middleOf = [&](int row, double m) {
+    const double a = this->TaeniaAngle(row, m);
+    return a + 0.5 * WrapAngle(this->TaeniaAngle((row + 1) % 3, m) - a);
+  };
+  if (kind < (isRight ? 0.4 : 0.12))
+  {
+    folds.push_back(this->MakeFold(material, middleOf(first, material), random.Uniform(2.3, 2.7), random));
+    return;
+  }
+  const bool spansTwo = kind < (isRight ? 0.7 : 0.4);
+  if (spansTwo)
+  {
+    const double angle = this->TaeniaAngle((first + 1) % 3, material);
+    folds.push_back(this->MakeFold(material, angle, random.Uniform(1.7, 2.0), random));
+  }
+  for (int row = 0; row < 3; ++row)
+  {
+    if (spansTwo && row != (first + 2) % 3)
+    {
+      continue;
+    }
+    // Neighbouring rows alternate.
+    const double m = material + (((row + level) % 3) - 1) * 7.0 + random.Uniform(-2.0, 2.0);
+    folds.push_back(this->MakeFold(m, middleOf(row, m), random.Uniform(0.85, 1.1), random));
+  }
+}
+
+void
+ColonPlan::PlanFolds(unsigned seed)
+{
+  ColonRandom random(seed, ColonStream::Folds);
+  this->PlanValves(random);
+  double material = m_SegmentBegin[1] + 12.0;
+  for (int level = 0; material < m_Length - 18.0; ++level)
+  {
+    random.Seek(level + 1);
+    this->PlanLevel(material, level, random);
+    material += random.Uniform(20.0, 30.0);
+  }
+}
+
+bool
+ColonPlan::IsClearOfFolds(const PolypPlan & polyp) const
+{
+  // Heads stay clear of folds, which may slide in other positions.
+  const double head = polyp.kind == "pedunculated" ? 0.5 * polyp.diameter + 4.0 : 0.3 * polyp.diameter + 1.0;
+  return std::all_of(folds.begin(), folds.end(), [&](const FoldPlan & fold) {
+    if (polyp.fold >= 0 && &fold == &folds[polyp.fold])
+    {
+      return true;
+    }
+    const double beside = std::abs(WrapAngle(polyp.angle - fold.angle)) - fold.halfAngle;
+    return std::abs(polyp.material - fold.material) > head + 3.0 || beside * this->RadiusAt(polyp.material) > head;
+  });
+}
+
+bool
+ColonPlan::PlacePolyp(ColonRandom & random, PolypPlan & polyp) const
+{
+  const bool onFold = polyp.kind != "flat" && random.Uniform() < (polyp.kind == "pedunculated" ? 0.7 : 0.4);
+  if (onFold)
+  {
+    polyp.fold = std::min(static_cast<int>(folds.size() * random.Uniform()), static_cast<int>(folds.size()) - 1);
+    const FoldPlan & fold = folds[polyp.fold];
+    polyp.material = fold.material;
+    polyp.angle = fold.angle + random.Uniform(-0.5, 0.5) * fold.halfAngle;
+  }
+  else
+  {
+    polyp.fold = -1;
+    polyp.material = random.Uniform(60.0, m_Length - 10.0);
+    polyp.angle = random.Uniform(-M_PI, M_PI);
+  }
+  if ((!onFold || polyp.kind == "pedunculated") && !this->IsClearOfFolds(polyp))
+  {
+    return false;
+  }
+  const double radius = this->RadiusAt(polyp.material);
+  const double onTop = onFold ? std::min(folds[polyp.fold].height, 0.6 * radius) : 0.0;
+  const bool   leavesRoom = polyp.diameter < 1.2 * radius && onTop + polyp.height + polyp.stalk < 1.1 * radius;
+  return leavesRoom && std::none_of(polyps.begin(), polyps.end(), [&polyp](const PolypPlan & other) {
+           return std::abs(other.material - polyp.material) < 0.5 * (other.diameter + polyp.diameter) + 8.0;
+         });
+}
+
+void
+ColonPlan::PlanPolyps(unsigned seed, int count)
+{
+  ColonRandom random(seed, ColonStream::Polyps);
+  for (int i = 0; i < count; ++i)
+  {
+    PolypPlan polyp{};
+    // A place that does not suit is drawn again, in the end with a smaller polyp.
+    bool isPlaced = false;
+    for (int attempt = 0; attempt < 400 && !isPlaced; ++attempt)
+    {
+      random.Seek(1000 * i + attempt);
+      const double kind = random.Uniform();
+      const double size = random.Uniform();
+      const double shrink = std::pow(0.995, attempt);
+      polyp.kind = kind < 0.5 ? "sessile" : (kind < 0.75 ? "pedunculated" : "flat");
+      polyp.diameter = (polyp.kind == "sessile" ? 3.0 * std::pow(10.0, size) : 7.0 * std::pow(3.0, size)) * shrink;
+      polyp.diameter = std::max(3.0, polyp.diameter);
+      polyp.stalk = 0.0;
+      polyp.height = polyp.diameter * random.Uniform(0.45, 0.6);
+      if (polyp.kind == "pedunculated")
+      {
+        polyp.height = polyp.diameter;
+        polyp.stalk = random.Uniform(4.0, 9.0);
+        polyp.stalkRadius = random.Uniform(1.5, 2.5);
+      }
+      if (polyp.kind == "flat")
+      {
+        polyp.height = std::min(random.Uniform(2.0, 3.0), 0.4 * polyp.diameter);
+      }
+      isPlaced = this->PlacePolyp(random, polyp);
+    }
+    if (isPlaced)
+    {
+      polyps.push_back(polyp);
+    }
+  }
+}
+} // namespace shapeton

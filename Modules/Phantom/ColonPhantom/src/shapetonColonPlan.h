@@ -1,0 +1,102 @@
+#ifndef shapetonColonPlan_h
+#define shapetonColonPlan_h
+
+#include "shapetonColonPath.h"
+
+#include <array>
+#include <string>
+#include <vector>
+
+namespace shapeton
+{
+/** An angle brought into (-pi, pi]. */
+double
+WrapAngle(double angle);
+
+/** A fold at rest. Along it runs u from -1 to 1, its ends. */
+struct FoldPlan
+{
+  double material;  ///< mm
+  double angle;     ///< of its middle
+  double halfAngle; ///< from the middle to an end, < pi
+  double height;    ///< mm
+  double thickness; ///< mm
+  double slant;     ///< mm by which the end u = 1 lies ahead
+  double bow;       ///< mm by which both ends lie ahead of the middle
+  double wave;      ///< mm
+  double wavePhase;
+};
+
+/** A polyp at rest. */
+struct PolypPlan
+{
+  std::string kind;
+  double      diameter;
+  double      height; ///< of the head, or of the whole when there is no stalk
+  double      stalk;  ///< length, 0 without
+  double      stalkRadius;
+  double      material;
+  double      angle;
+  int         fold; ///< -1: on the wall
+};
+
+/** \class ColonPlan
+ * \brief What belongs to the patient in material coordinates: place along the colon at rest (mm) and angle.
+ */
+class ColonPlan
+{
+public:
+  ColonPlan(const ColonPath & rest, unsigned seed, int polyps);
+
+  /** Angle of taenia 0, 1 or 2. */
+  double
+  TaeniaAngle(int taenia, double material) const;
+
+  /** 0 to 1: how far the three taeniae and the haustra between are formed. */
+  double
+  HaustraStrength(double material) const;
+
+  int
+  SegmentAt(double material) const;
+  double
+  RadiusAt(double material) const;
+  double
+  Length() const
+  {
+    return m_Length;
+  }
+
+  std::vector<FoldPlan>  folds;
+  std::vector<PolypPlan> polyps;
+  /** Where the ileocaecal valve stands out of the wall. */
+  double valveMaterial{ 0.0 };
+  double valveAngle{ 0.0 };
+
+private:
+  void
+  PlanTaeniae(unsigned seed);
+  void
+  PlanFolds(unsigned seed);
+  void
+  PlanLevel(double material, int level, class ColonRandom & random);
+  void
+  PlanValves(class ColonRandom & random);
+  FoldPlan
+  MakeFold(double material, double angle, double halfAngle, class ColonRandom & random) const;
+  void
+  PlanPolyps(unsigned seed, int count);
+  void
+  PlanValve(const ColonPath & rest);
+  bool
+  PlacePolyp(class ColonRandom & random, PolypPlan & polyp) const;
+  bool
+  IsClearOfFolds(const PolypPlan & polyp) const;
+
+  double                             m_Length;
+  std::vector<double>                m_SegmentBegin; ///< six, and the length
+  std::vector<double>                m_Radius;
+  std::array<std::vector<double>, 3> m_Taenia; ///< every 2 mm
+};
+} // namespace shapeton
+
+#endif

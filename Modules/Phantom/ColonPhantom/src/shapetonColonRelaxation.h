@@ -1,0 +1,77 @@
+#ifndef shapetonColonRelaxation_h
+#define shapetonColonRelaxation_h
+
+#include "shapetonColonPath.h"
+
+#include <Eigen/Core>
+
+#include <vector>
+
+namespace shapeton
+{
+/** \class ColonRelaxation
+ * \brief Settles a chain of nodes: lengths kept, bends not too tight, stretches apart, inside the abdomen.
+ *
+ * Position based dynamics (Mueller et al. 2007): each demand moves the nodes just so far that it is met, in a fixed
+ * order, many times over. Two nodes must be at least as far apart as on a circle as tight as the tube allows; that one
+ * rule keeps bends open and stretches apart.
+ */
+class ColonRelaxation
+{
+public:
+  /** `radius` of the lumen at each node in mm. The nodes are also the places that they are drawn back to. */
+  ColonRelaxation(const ColonPath & path, const std::vector<double> & radius);
+
+  /** 0 (held at its place) to 1 (free), for each node; 0.5 by default. */
+  void
+  SetMobility(const std::vector<double> & mobility)
+  {
+    m_Mobility = mobility;
+  }
+
+  void
+  Run(int rounds);
+
+  /** Up to `number` pairs of stretches that come closest to each other, well apart from another. */
+  std::vector<ColonPath::Contact>
+  FindContacts(int number) const;
+
+  /** From now on these pairs shall touch. */
+  void
+  DrawTogether(const std::vector<ColonPath::Contact> & contacts);
+
+  const std::vector<Eigen::Vector3d> &
+  GetNodes() const
+  {
+    return m_Nodes;
+  }
+
+private:
+  void
+  PullToAnchors();
+  void
+  Unbend();
+  void
+  OpenBends();
+  void
+  PushApart();
+  void
+  PullContacts();
+  void
+  Confine();
+  void
+  KeepLengths();
+  double
+  LeastDistance(int i, int j) const;
+
+  std::vector<Eigen::Vector3d>    m_Nodes;
+  std::vector<Eigen::Vector3d>    m_Anchors;
+  std::vector<double>             m_Material;
+  std::vector<double>             m_Radius;
+  std::vector<double>             m_Mobility;
+  std::vector<ColonPath::Contact> m_Contacts;
+  Eigen::MatrixXd                 m_Slack;
+};
+} // namespace shapeton
+
+#endif

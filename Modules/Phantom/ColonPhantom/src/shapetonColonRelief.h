@@ -1,0 +1,110 @@
+#ifndef shapetonColonRelief_h
+#define shapetonColonRelief_h
+
+#include "shapetonColonCurve.h"
+#include "shapetonColonPhantomParameters.h"
+#include "shapetonColonPlan.h"
+
+#include <vector>
+
+namespace shapeton
+{
+/** A value and its derivatives by the parameter t of the curve and by the angle. */
+struct ReliefValue
+{
+  double value;
+  double byT;
+  double byAngle;
+};
+
+/** A fold in a position: where its crest runs. */
+struct FoldCourse
+{
+  static constexpr int    Knots = 40;
+  static constexpr double End = 1.12; ///< of u; beyond, nothing is left of the fold
+
+  double angle;
+  double halfAngle;
+  double halfThickness;
+  double height; ///< mm, the highest in this position
+  bool   isFlattened;
+  float  t[Knots + 3];
+  float  crest[Knots + 3]; ///< mm from the centreline
+
+  /** False beyond the ends. */
+  bool
+  At(double u, ReliefValue & t, ReliefValue & crest) const;
+};
+
+/** Turn of the tube about its centreline in this position, in radians, at each step of the curve. */
+std::vector<double>
+ColonTwist(const ColonPlan & plan, const ColonPhantomParameters & parameters);
+
+/** \class ColonRelief
+ * \brief The wall in a position: radius by place and angle, and the folds on it.
+ *
+ * Radii are a cubic B-spline over a grid of half steps of the curve and of 128 angles.
+ */
+class ColonRelief
+{
+public:
+  static constexpr int Angles = 128;
+
+  /** Without a curve the colon is straight. With one, the wall keeps off the centre of sharp bends. */
+  ColonRelief(const ColonPlan & plan, const ColonPhantomParameters & parameters, const ColonCurve * curve);
+
+  /** Radius of the wall without folds in mm; below 0 where collapsed. */
+  ReliefValue
+  RadiusAt(double t, double angle) const;
+  /** The mean over the angles. */
+  double
+  MeanRadiusAt(double t) const;
+  /** The largest within the step. */
+  double
+  LargestRadiusNear(int step) const;
+  /** 0 open to 1 collapsed. */
+  double
+  CollapseAt(double t) const;
+
+  const std::vector<FoldCourse> &
+  GetFolds() const
+  {
+    return m_Folds;
+  }
+  /** The folds that may be within reach of this place. */
+  const std::vector<int> &
+  FoldsNear(double t) const;
+
+private:
+  void
+  FillCollapse(const ColonPlan & plan, const ColonPhantomParameters & parameters);
+  void
+  FillBase(const ColonPlan & plan, const ColonPhantomParameters & parameters);
+  std::vector<double>
+  FoldPlaces(const ColonPlan & plan, const ColonPhantomParameters & parameters) const;
+  void
+  FillTable(const ColonPlan & plan, const std::vector<double> & places, const ColonPhantomParameters & parameters);
+  void
+  RelieveBends(const ColonCurve & curve);
+  double
+  Waist(const ColonPlan & plan, const std::vector<double> & places, double material, double angle) const;
+  void
+  SumUpRows();
+  void
+  LayFolds(const ColonPlan & plan, const std::vector<double> & places, const ColonPhantomParameters & parameters);
+
+  int                           m_Steps;
+  double                        m_Step;
+  int                           m_Rows;
+  std::vector<double>           m_Collapse; ///< at each step
+  std::vector<double>           m_Base;     ///< at each row
+  std::vector<float>            m_Table;    ///< rows, one more at each end
+  std::vector<double>           m_Mean;
+  std::vector<double>           m_Largest;
+  std::vector<FoldCourse>       m_Folds;
+  std::vector<std::vector<int>> m_FoldsNear;
+  std::vector<std::vector<int>> m_PlansNear; ///< for building, by 10 mm of material
+};
+} // namespace shapeton
+
+#endif

@@ -1,0 +1,24 @@
+#ifndef shapetonColonTruth_h
+#define shapetonColonTruth_h
+
+#include "shapetonColonAnatomy.h"
+#include "shapetonColonField.h"
+
+#include <vector>
+
+namespace shapeton
+{
+/** What ColonAnatomy hands out as truth; see there. */
+CurveSet
+ColonCentrelineTruth(const ColonPlan & plan, const ColonField & field);
+CurveSet
+ColonTaeniaTruth(const ColonPlan & plan, const ColonField & field);
+CurveSet
+ColonFoldTruth(const ColonPlan & plan, const ColonField & field);
+std::vector<ColonPolyp>
+ColonPolypTruth(const ColonPlan & plan, const ColonField & field);
+CurveSet
+ColonCorrespondenceTruth(const ColonPlan & plan, const ColonField & field);
+} // namespace shapeton
+
+#endif

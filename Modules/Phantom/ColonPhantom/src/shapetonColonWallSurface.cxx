@@ -1,0 +1,255 @@
+#include "shapetonColonWallSurface.h"
+
+#include "itkMultiThreaderBase.h"
+#include "shapetonSurfaceConnectivity.h"
+
+#include <Eigen/Geometry>
+#include <vtkCellArray.h>
+#include <vtkFloatArray.h>
+#include <vtkFlyingEdges3D.h>
+#include <vtkImageData.h>
+#include <vtkIdList.h>
+#include <vtkNew.h>
+#include <vtkPointData.h>
+#include <vtkPoints.h>
+#include <vtkPolyData.h>
+
+#include <algorithm>
+#include <cstring>
+#include <map>
+#include <utility>
+
+namespace shapeton
+{
+using Eigen::Vector3d;
+
+namespace
+{
+constexpr int c_Block = 8;
+constexpr int c_SlabBlocks = 2;
+
+template <typename TBody>
+void
+ForAll(std::size_t number, const TBody & body)
+{
+  itk::MultiThreaderBase::New()->ParallelizeArray(0, number, body, nullptr);
+}
+
+class WallExtractor
+{
+public:
+  WallExtractor(const ColonField & field, const Vector3d & low, const Vector3d & high, double spacing)
+    : m_Field(field), m_Low(low), m_Spacing(spacing)
+  {
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      m_Blocks[axis] = static_cast<int>((high[axis] - low[axis]) / (c_Block * spacing)) + 1;
+    }
+    // One layer more than there are blocks, the first of the next slab.
+    m_SizeX = c_Block * m_Blocks[0] + 1;
+    m_SizeY = c_Block * m_Blocks[1] + 1;
+  }
+
+  SurfaceMesh
+  Run()
+  {
+    for (int slab = 0; slab * c_SlabBlocks < m_Blocks[2]; ++slab)
+    {
+      this->SampleSlab(slab);
+      this->ContourSlab(slab * c_SlabBlocks * c_Block);
+    }
+    return this->MakeMesh();
+  }
+
+private:
+  std::size_t
+  IndexOf(int x, int y, int z) const
+  {
+    return (std::size_t(z) * m_SizeY + y) * m_SizeX + x;
+  }
+
+  Vector3d
+  PointAt(double x, double y, double z) const
+  {
+    return m_Low + m_Spacing * Vector3d(x, y, z);
+  }
+
+  // Never so near nought that points on different edges of the grid would round to one.
+  double
+  DistanceAt(const Vector3d & point) const
+  {
+    ColonField::Place place;
+    const double      value = m_Field.Evaluate(point, place) ? place.distance.value : -1e3;
+    const double      least = 0.003 * m_Spacing;
+    return value < 0 ? std::min(value, -least) : std::max(value, least);
+  }
+
+  void
+  SampleSlab(int slab)
+  {
+    const int depth = c_SlabBlocks * c_Block + 1;
+    m_Values.resize(std::size_t(m_SizeX) * m_SizeY * depth);
+    ForAll(m_Blocks[1] + 1, [this, slab, depth](itk::SizeValueType rowOfBlocks) {
+      const int begin = static_cast<int>(rowOfBlocks) * c_Block;
+      const int end = std::min(begin + c_Block, m_SizeY);
+      for (int z = 0; z < depth; z += c_Block)
+      {
+        for (int x = 0; x < m_SizeX; x += c_Block)
+        {
+          this->SampleBlock({ x, begin, z },
+                            { std::min(x + c_Block, m_SizeX), end, std::min(z + c_Block, depth) },
+                            slab * c_SlabBlocks * c_Block);
+        }
+      }
+    });
+  }
+
+  // Blocks far from the wall take the value of their middle.
+  void
+  SampleBlock(const std::array<int, 3> & begin, const std::array<int, 3> & end, int base)
+  {
+    const double   half = 0.5 * (c_Block - 1);
+    const Vector3d middle = this->PointAt(begin[0] + half, begin[1] + half, base + begin[2] + half);
+    const double   distance = this->DistanceAt(middle);
+    const bool     isFar = std::abs(distance) > 1.5 * 1.7321 * half * m_Spacing + 0.5;
+    for (int z = begin[2]; z < end[2]; ++z)
+    {
+      for (int y = begin[1]; y < end[1]; ++y)
+      {
+        for (int x = begin[0]; x < end[0]; ++x)
+        {
+          m_Values[this->IndexOf(x, y, z)] =
+            static_cast<float>(isFar ? distance : this->DistanceAt(this->PointAt(x, y, base + z)));
+        }
+      }
+    }
+  }
+
+  void
+  ContourSlab(int base)
+  {
+    vtkNew<vtkFloatArray> scalars;
+    scalars->SetArray(m_Values.data(), static_cast<vtkIdType>(m_Values.size()), 1);
+    vtkNew<vtkImageData> image;
+    image->SetDimensions(m_SizeX, m_SizeY, c_SlabBlocks * c_Block + 1);
+    image->GetPointData()->SetScalars(scalars);
+    vtkNew<vtkFlyingEdges3D> contour;
+    contour->SetInputData(image);
+    contour->SetValue(0, 0.0);
+    contour->ComputeNormalsOff();
+    contour->ComputeScalarsOff();
+    contour->Update();
+    this->Append(contour->GetOutput(), base);
+  }
+
+  // Points on the layer that two slabs share have the same x and y in both, to the last bit.
+  void
+  Append(vtkPolyData * surface, int base)
+  {
+    std::map<std::pair<double, double>, int> top;
+    std::vector<int>                         ids(surface->GetNumberOfPoints());
+    const double                             topZ = c_SlabBlocks * c_Block;
+    for (vtkIdType i = 0; i < surface->GetNumberOfPoints(); ++i)
+    {
+      double p[3];
+      surface->GetPoint(i, p);
+      const auto shared = p[2] == 0.0 ? m_Shared.find({ p[0], p[1] }) : m_Shared.end();
+      ids[i] = shared != m_Shared.end() ? shared->second : static_cast<int>(m_Points.size());
+      if (shared == m_Shared.end())
+      {
+        m_Points.push_back(this->PointAt(p[0], p[1], p[2] + base));
+      }
+      if (p[2] == topZ)
+      {
+        top[{ p[0], p[1] }] = ids[i];
+      }
+    }
+    vtkNew<vtkIdList> corners;
+    for (vtkIdType c = 0; c < surface->GetPolys()->GetNumberOfCells(); ++c)
+    {
+      surface->GetPolys()->GetCellAtId(c, corners);
+      m_Faces.push_back({ ids[corners->GetId(0)], ids[corners->GetId(1)], ids[corners->GetId(2)] });
+    }
+    m_Shared = std::move(top);
+  }
+
+  Vector3d
+  OntoWall(Vector3d point) const
+  {
+    // Newton's steps; half steps where they swing to and fro across an edge of the field.
+    for (int round = 0; round < 40; ++round)
+    {
+      ColonField::Place place;
+      if (!m_Field.Evaluate(point, place) || std::abs(place.distance.value) < 1e-4)
+      {
+        break;
+      }
+      const double length = std::max(place.distance.gradient.norm(), 0.5);
+      const double share = round < 6 ? 1.0 : 0.5;
+      const double step = std::clamp(share * place.distance.value / length, -0.5 * m_Spacing, 0.5 * m_Spacing);
+      point -= (step / length) * place.distance.gradient;
+    }
+    return point;
+  }
+
+  SurfaceMesh
+  MakeMesh() const
+  {
+    SurfaceMesh mesh;
+    mesh.V.resize(m_Points.size(), 3);
+    ForAll(m_Points.size() / 1024 + 1, [&](itk::SizeValueType piece) {
+      for (std::size_t i = 1024 * piece; i < std::min<std::size_t>(m_Points.size(), 1024 * (piece + 1)); ++i)
+      {
+        mesh.V.row(i) = this->OntoWall(m_Points[i]);
+      }
+    });
+    double volume = 0.0;
+    for (const Eigen::Vector3i & face : m_Faces)
+    {
+      volume += m_Points[face[0]].dot(m_Points[face[1]].cross(m_Points[face[2]]));
+    }
+    mesh.F.resize(m_Faces.size(), 3);
+    for (std::size_t i = 0; i < m_Faces.size(); ++i)
+    {
+      mesh.F.row(i) = volume > 0 ? m_Faces[i] : Eigen::Vector3i(m_Faces[i][0], m_Faces[i][2], m_Faces[i][1]);
+    }
+    return mesh;
+  }
+
+  const ColonField &                       m_Field;
+  Vector3d                                 m_Low;
+  double                                   m_Spacing;
+  std::array<int, 3>                       m_Blocks;
+  int                                      m_SizeX;
+  int                                      m_SizeY;
+  std::vector<float>                       m_Values;
+  std::vector<Vector3d>                    m_Points;
+  std::vector<Eigen::Vector3i>             m_Faces;
+  std::map<std::pair<double, double>, int> m_Shared;
+};
+
+// A grid point that rounding puts on the other side of the wall makes a piece of eight faces.
+SurfaceMesh
+WithoutSpecks(const SurfaceMesh & mesh)
+{
+  constexpr int             speck = 50;
+  const SurfaceConnectivity connectivity(mesh);
+  std::vector<int>          faces;
+  for (int i = 0; i < mesh.NumberOfFaces(); ++i)
+  {
+    const int component = connectivity.ComponentOfFaces()[i];
+    if (component >= 0 && connectivity.Components()[component].faces >= speck)
+    {
+      faces.push_back(i);
+    }
+  }
+  return FacesOfSurface(mesh, faces);
+}
+} // namespace
+
+SurfaceMesh
+ExtractColonWall(const ColonField & field, const Vector3d & low, const Vector3d & high, double spacing)
+{
+  return WithoutSpecks(WallExtractor(field, low, high, spacing).Run());
+}
+} // namespace shapeton

@@ -1,0 +1,37 @@
+#ifndef shapetonFluidBasins_h
+#define shapetonFluidBasins_h
+
+#include "shapetonPhantomRandom.h"
+
+#include <vector>
+
+namespace shapeton
+{
+/** Where fluid can pass from one slice of the lumen to another. */
+struct FluidPassage
+{
+  int    a;
+  int    b;
+  double height; // mm
+};
+
+/** The slices with fluid under one level. */
+struct FluidPool
+{
+  std::vector<int> slices;
+  double           level;
+  double           bottom;
+  std::size_t      points;
+};
+
+/** Distributes fluid, measured in points of a lattice, over the slices of a lumen; `heights` are those of the points of
+ * each slice, each sorted. See ColonFluid. */
+std::vector<FluidPool>
+FillBasins(const std::vector<std::vector<float>> & heights,
+           std::vector<FluidPassage>               passages,
+           std::size_t                             points,
+           std::size_t                             smallestBasin,
+           PhantomRandom &                         random);
+} // namespace shapeton
+
+#endif

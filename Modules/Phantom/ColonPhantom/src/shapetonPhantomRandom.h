@@ -1,0 +1,29 @@
+#ifndef shapetonPhantomRandom_h
+#define shapetonPhantomRandom_h
+
+#include "shapetonPhilox.h"
+
+namespace shapeton
+{
+/** Numbers that depend on the seed, the stream and how many were drawn before. */
+class PhantomRandom
+{
+public:
+  PhantomRandom(unsigned seed, std::uint32_t stream) : m_Seed(seed), m_Stream(stream) {}
+
+  /** In [low, high). */
+  double
+  Uniform(double low, double high)
+  {
+    const auto words = Philox4x32(m_Seed, PhiloxWords<std::uint32_t>{ m_Next++, m_Stream, 0x5ca17eU, 0 });
+    return low + (high - low) * UnitFloat(words.a);
+  }
+
+private:
+  std::uint64_t m_Seed;
+  std::uint32_t m_Stream;
+  std::uint32_t m_Next{ 0 };
+};
+} // namespace shapeton
+
+#endif

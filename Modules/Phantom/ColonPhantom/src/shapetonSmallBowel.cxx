@@ -1,0 +1,286 @@
+#include "shapetonSmallBowel.h"
+
+#include "shapetonColonBody.h"
+#include "shapetonPhantomRandom.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace shapeton
+{
+namespace
+{
+using PointType = PhantomBody::PointType;
+using VectorType = itk::Vector<double, 3>;
+
+constexpr int    numberOfLoops = 90;
+constexpr double stepLength = 11.0; // mm
+constexpr double cellSide = 12.0;   // mm
+constexpr double reach = 6.0;       // mm around the loops within which distances are known
+
+struct Loop
+{
+  std::vector<PointType> axis;
+  double                 radius;
+  double                 intensity;
+  double                 gasHeight; // gas lies above it: -down * p, mm
+};
+
+// The part of the abdomen that the loops fill.
+const PointType  regionCenter = MakePoint(0.0, -32.0, -30.0);
+const VectorType regionRadii = MakeVector(98.0, 52.0, 88.0);
+
+bool
+IsInRegion(const PointType & p)
+{
+  double sum = 0.0;
+  for (unsigned int i = 0; i < 3; ++i)
+  {
+    const double x = (p[i] - regionCenter[i]) / regionRadii[i];
+    sum += x * x;
+  }
+  return sum < 1.0;
+}
+
+VectorType
+RandomDirection(PhantomRandom & random)
+{
+  VectorType direction = MakeVector(random.Uniform(-1, 1), random.Uniform(-0.7, 0.7), random.Uniform(-1, 1));
+  direction.Normalize();
+  return direction;
+}
+
+std::vector<PointType>
+RandomAxis(PhantomRandom & random)
+{
+  PointType start = regionCenter;
+  do
+  {
+    for (unsigned int i = 0; i < 3; ++i)
+    {
+      start[i] = regionCenter[i] + random.Uniform(-1, 1) * regionRadii[i];
+    }
+  } while (!IsInRegion(start));
+  std::vector<PointType> axis{ start };
+  VectorType             direction = RandomDirection(random);
+  const VectorType       turn = RandomDirection(random) * 0.35;
+  const auto             steps = static_cast<std::size_t>(random.Uniform(6.0, 12.0));
+  while (axis.size() < steps)
+  {
+    direction += turn;
+    direction.Normalize();
+    const PointType next = axis.back() + direction * stepLength;
+    if (!IsInRegion(next))
+    {
+      break;
+    }
+    axis.push_back(next);
+  }
+  return axis;
+}
+
+double
+RandomIntensity(PhantomRandom & random)
+{
+  const double kind = random.Uniform(0.0, 1.0);
+  if (kind < 0.55)
+  {
+    return random.Uniform(260.0, 460.0);
+  }
+  return kind < 0.8 ? random.Uniform(560.0, 800.0) : random.Uniform(20.0, 60.0);
+}
+
+Loop
+RandomLoop(PhantomRandom & random, const VectorType & down)
+{
+  Loop loop;
+  loop.axis = RandomAxis(random);
+  loop.radius = random.Uniform(10.0, 14.0);
+  loop.intensity = RandomIntensity(random);
+  double highest = -1e9;
+  for (const auto & p : loop.axis)
+  {
+    highest = std::max(highest, -(down * p.GetVectorFromOrigin()));
+  }
+  const bool   holdsGas = random.Uniform(0.0, 1.0) < 0.3;
+  const double bubble = random.Uniform(5.0, 11.0);
+  loop.gasHeight = holdsGas ? highest + loop.radius - bowelWall - bubble : 1e9;
+  return loop;
+}
+
+class SmallBowel : public PhantomBody
+{
+public:
+  SmallBowel(unsigned seed, const VectorType & down) : m_Down(down)
+  {
+    PhantomRandom random(seed, 0x5b0);
+    for (int i = 0; i < numberOfLoops; ++i)
+    {
+      m_Loops.push_back(RandomLoop(random, down));
+    }
+    this->FillCells();
+  }
+
+  BodyProbe
+  Probe(const PointType & point) const override
+  {
+    const Nearest near = this->FindNearest(point);
+    if (near.loop == nullptr)
+    {
+      return { near.outer, near.outer };
+    }
+    double clearance = std::min(std::abs(near.outer), std::abs(near.lumen));
+    if (near.lumen < 0.0)
+    {
+      clearance = std::min(clearance, std::abs(this->AboveLevel(*near.loop, point)));
+    }
+    return { near.outer, clearance };
+  }
+
+  double
+  Intensity(const PointType & point) const override
+  {
+    const Nearest near = this->FindNearest(point);
+    if (near.loop == nullptr || near.lumen > 0.0)
+    {
+      return softTissueIntensity;
+    }
+    return this->AboveLevel(*near.loop, point) > 0.0 ? gasIntensity : near.loop->intensity;
+  }
+
+  void
+  Paint(const PointType & point, double width, double & value) const override
+  {
+    const Nearest near = this->FindNearest(point);
+    if (near.loop == nullptr)
+    {
+      return;
+    }
+    value += ShareInside(near.outer, width) * (softTissueIntensity - value);
+    const double gas = ShareInside(-this->AboveLevel(*near.loop, point), width);
+    const double content = near.loop->intensity + gas * (gasIntensity - near.loop->intensity);
+    value += ShareInside(near.lumen, width) * (content - value);
+  }
+
+private:
+  struct Segment
+  {
+    int loop;
+    int end; // its second point on the axis
+  };
+
+  struct Nearest
+  {
+    const Loop * loop;
+    double       outer; // signed distances, negative inside
+    double       lumen;
+  };
+
+  double
+  AboveLevel(const Loop & loop, const PointType & point) const
+  {
+    return -(m_Down * point.GetVectorFromOrigin()) - loop.gasHeight;
+  }
+
+  void
+  FillCells()
+  {
+    for (unsigned int i = 0; i < 3; ++i)
+    {
+      m_Corner[i] = regionCenter[i] - regionRadii[i] - 26.0;
+      m_Size[i] = static_cast<int>(std::ceil(2.0 * (regionRadii[i] + 26.0) / cellSide));
+    }
+    m_Cells.resize(static_cast<std::size_t>(m_Size[0]) * m_Size[1] * m_Size[2]);
+    const double farthest = 0.87 * cellSide + reach;
+    for (std::size_t cell = 0; cell < m_Cells.size(); ++cell)
+    {
+      const PointType center = this->CenterOf(cell);
+      for (int i = 0; i < numberOfLoops; ++i)
+      {
+        const auto & axis = m_Loops[i].axis;
+        for (std::size_t k = 0; k + 1 < std::max<std::size_t>(axis.size(), 2); ++k)
+        {
+          const auto end = std::min(k + 1, axis.size() - 1);
+          if (DistanceToSegment(center, axis[k], axis[end]) - m_Loops[i].radius < farthest)
+          {
+            m_Cells[cell].push_back({ i, static_cast<int>(end) });
+          }
+        }
+      }
+    }
+  }
+
+  PointType
+  CenterOf(std::size_t cell) const
+  {
+    const auto x = static_cast<int>(cell % m_Size[0]);
+    const auto y = static_cast<int>(cell / m_Size[0] % m_Size[1]);
+    const auto z = static_cast<int>(cell / m_Size[0] / m_Size[1]);
+    return m_Corner + MakeVector(x + 0.5, y + 0.5, z + 0.5) * cellSide;
+  }
+
+  const std::vector<Segment> *
+  CellAt(const PointType & point) const
+  {
+    std::size_t cell = 0;
+    for (int i = 2; i >= 0; --i)
+    {
+      const double x = (point[i] - m_Corner[i]) / cellSide;
+      if (x < 0.0 || x >= m_Size[i])
+      {
+        return nullptr;
+      }
+      cell = cell * m_Size[i] + static_cast<std::size_t>(x);
+    }
+    return &m_Cells[cell];
+  }
+
+  // The walls of the nearest two loops meet in the middle between them.
+  Nearest
+  FindNearest(const PointType & point) const
+  {
+    const auto * const cell = this->CellAt(point);
+    Nearest            nearest{ nullptr, reach, reach };
+    double             second = reach;
+    if (cell == nullptr)
+    {
+      return nearest;
+    }
+    for (const auto & segment : *cell)
+    {
+      const Loop & loop = m_Loops[segment.loop];
+      const int    start = std::max(segment.end - 1, 0);
+      const double distance = DistanceToSegment(point, loop.axis[start], loop.axis[segment.end]) - loop.radius;
+      if (&loop == nearest.loop)
+      {
+        nearest.outer = std::min(nearest.outer, distance);
+      }
+      else if (distance < nearest.outer)
+      {
+        second = nearest.outer;
+        nearest = { &loop, distance, 0.0 };
+      }
+      else
+      {
+        second = std::min(second, distance);
+      }
+    }
+    nearest.lumen = std::max(nearest.outer + bowelWall, 0.5 * (bowelWall - (second - nearest.outer)));
+    return nearest;
+  }
+
+  VectorType                        m_Down;
+  std::vector<Loop>                 m_Loops;
+  PointType                         m_Corner;
+  std::array<int, 3>                m_Size;
+  std::vector<std::vector<Segment>> m_Cells;
+};
+} // namespace
+
+std::shared_ptr<const PhantomBody>
+MakeSmallBowel(unsigned seed, const itk::Vector<double, 3> & down)
+{
+  return std::make_shared<SmallBowel>(seed, down);
+}
+} // namespace shapeton

@@ -1,0 +1,435 @@
+#include "shapetonBodySampler.h"
+#include "shapetonColonAbdomen.h"
+#include "shapetonColonPhantomImageSource.h"
+#include "shapetonExceptions.h"
+#include "shapetonVolumeWriter.h"
+
+#include "itkImageRegionConstIteratorWithIndex.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <stdexcept>
+#include <vector>
+
+namespace
+{
+using Source = shapeton::ColonPhantomImageSource;
+using LabelImage = Source::LabelImageType;
+
+Source::Pointer
+MakeSource(const shapeton::ColonPhantomParameters & parameters, itk::SizeValueType size, double extent = 358.4)
+{
+  const auto source = Source::New();
+  source->SetSize({ { size, size, size } });
+  const double spacing[3] = { extent / size, extent / size, extent / size };
+  source->SetSpacing(spacing);
+  source->CenterOutput();
+  source->SetParameters(parameters);
+  return source;
+}
+
+shapeton::ColonPhantomParameters
+Standard(const std::string & position, double fluid, unsigned seed = 3)
+{
+  auto parameters = shapeton::ColonPhantomPreset("standard");
+  parameters.position = position;
+  parameters.fluid = fluid;
+  parameters.seed = seed;
+  return parameters;
+}
+
+Eigen::Vector3d
+PointOf(const itk::ImageBase<3> * image, const itk::Index<3> & index)
+{
+  itk::Point<double, 3> p;
+  image->TransformIndexToPhysicalPoint(index, p);
+  return { p[0], p[1], p[2] };
+}
+
+// Mean and deviation of the intensities at lumen voxels of one label that are `depth` mm from wall and level.
+struct Statistics
+{
+  double      mean{ 0.0 };
+  double      deviation{ 0.0 };
+  std::size_t count{ 0 };
+};
+
+Statistics
+IntensityOf(Source * source, unsigned char label, double depth)
+{
+  Statistics                                         result;
+  double                                             squares = 0.0;
+  const auto                                         lumen = source->GetLumenOutput();
+  itk::ImageRegionConstIteratorWithIndex<LabelImage> it(lumen, lumen->GetLargestPossibleRegion());
+  for (; !it.IsAtEnd(); ++it)
+  {
+    const auto point = PointOf(lumen, it.GetIndex());
+    const auto sample = source->GetAnatomy().Evaluate(point);
+    if (it.Get() != label || sample.distance < depth || sample.arcLength < 100.0 ||
+        std::abs(source->GetFluid().DepthBelowLevel(point, sample.arcLength)) < depth)
+    {
+      continue;
+    }
+    const double value = source->GetOutput()->GetPixel(it.GetIndex());
+    result.mean += value;
+    squares += value * value;
+    ++result.count;
+  }
+  result.mean /= static_cast<double>(result.count);
+  result.deviation = std::sqrt(squares / static_cast<double>(result.count) - result.mean * result.mean);
+  return result;
+}
+
+// Paints every cell, so that nothing can be skipped wrongly.
+class NeverSkipped : public shapeton::PhantomBody
+{
+public:
+  explicit NeverSkipped(std::shared_ptr<const shapeton::PhantomBody> body) : m_Body(std::move(body)) {}
+  shapeton::BodyProbe
+  Probe(const PointType &) const override
+  {
+    return { 0.0, 0.0 };
+  }
+  double
+  Intensity(const PointType & p) const override
+  {
+    return m_Body->Intensity(p);
+  }
+  void
+  Paint(const PointType & p, double width, double & value) const override
+  {
+    m_Body->Paint(p, width, value);
+  }
+
+private:
+  std::shared_ptr<const shapeton::PhantomBody> m_Body;
+};
+} // namespace
+
+// Visits points of the lumen, the same ones in each call.
+template <typename TVisitor>
+void
+VisitLumen(const shapeton::ColonAnatomy & anatomy, int points, const TVisitor & visit)
+{
+  Eigen::Vector3d low;
+  Eigen::Vector3d high;
+  anatomy.BoundingBox(1.0, low, high);
+  std::uint64_t state = 1;
+  const auto    next = [&state] {
+    state = state * 6364136223846793005ULL + 1442695040888963407ULL;
+    return std::ldexp(static_cast<double>(state >> 11), -53);
+  };
+  for (int i = 0; i < points; ++i)
+  {
+    const Eigen::Vector3d share(next(), next(), next());
+    const Eigen::Vector3d point = low + share.cwiseProduct(high - low);
+    const auto            sample = anatomy.Evaluate(point);
+    if (sample.distance > 0.0)
+    {
+      visit(point, sample.arcLength);
+    }
+  }
+}
+
+// Two slices of the middle of the body along each of two axes, for baselines.
+TEST(ColonPhantomImageSource, MiddleSlices)
+{
+  for (const unsigned axis : { 0U, 1U })
+  {
+    const auto       source = Source::New();
+    Source::SizeType size{ { 180, 180, 170 } };
+    size[axis] = 2;
+    source->SetParameters(Standard("supine", 0.3));
+    source->SetSize(size);
+    source->SetSpacing(Source::SpacingType(2.0));
+    source->CenterOutput();
+    source->Update();
+    const std::string name = axis == 0 ? "Sagittal" : "Coronal";
+    shapeton::WriteVolume(source->GetOutput(), SHAPETON_TEST_TEMPORARY_DIR "/ColonPhantom" + name + ".nrrd");
+  }
+}
+
+TEST(ColonPhantomImageSource, FluidHasTheShareAskedFor)
+{
+  for (const double share : { 0.0, 0.2, 0.6, 1.0 })
+  {
+    const shapeton::ColonAnatomy anatomy(Standard("supine", share));
+    const shapeton::ColonFluid   fluid(anatomy);
+    double                       wet = 0.0;
+    double                       all = 0.0;
+    VisitLumen(anatomy, 400000, [&](const Eigen::Vector3d & point, double arcLength) {
+      wet += fluid.DepthBelowLevel(point, arcLength) > 0.0;
+      all += 1.0;
+    });
+    EXPECT_GT(all, 20000.0);
+    EXPECT_NEAR(wet / all, share, share == 0.0 || share == 1.0 ? 1e-12 : 0.005) << share;
+  }
+}
+
+TEST(ColonPhantomImageSource, SkippingBlocksChangesNothing)
+{
+  const shapeton::ColonAnatomy anatomy(Standard("supine", 0.25));
+  const shapeton::ColonFluid   fluid(anatomy);
+  const auto                   bodies = shapeton::MakeColonAbdomen(anatomy, fluid);
+  shapeton::PhantomBodies      all;
+  for (const auto & body : bodies)
+  {
+    all.push_back(std::make_shared<NeverSkipped>(body));
+  }
+  const auto source = MakeSource(Standard("supine", 0.25), 256);
+  source->UpdateOutputInformation();
+  const shapeton::BodySampler fast(bodies, source->GetOutput(), 0.75, shapeton::airIntensity);
+  const shapeton::BodySampler slow(all, source->GetOutput(), 0.75, shapeton::airIntensity);
+  itk::ImageRegion<3>         tile;
+  tile.SetSize({ { 12, 12, 12 } });
+  for (const auto & index : { itk::Index<3>{ { 40, 130, 90 } },
+                              itk::Index<3>{ { 190, 150, 130 } },
+                              itk::Index<3>{ { 120, 80, 100 } },
+                              itk::Index<3>{ { 60, 90, 215 } } })
+  {
+    tile.SetIndex(index);
+    const auto quick = fast.Sample(tile);
+    const auto exact = slow.Sample(tile);
+    double     largest = 0.0;
+    for (std::size_t i = 0; i < quick.size(); ++i)
+    {
+      largest = std::max(largest, std::abs(static_cast<double>(quick[i]) - exact[i]));
+    }
+    EXPECT_LT(largest, 0.5) << index;
+  }
+}
+
+class EachPosition : public testing::TestWithParam<const char *>
+{};
+
+// Where gas and fluid lie 1.4 mm apart with lumen between them, there is a level between them, to 0.4 mm.
+TEST_P(EachPosition, FluidEndsInLevelsOnly)
+{
+  const shapeton::ColonAnatomy anatomy(Standard(GetParam(), 0.3));
+  const shapeton::ColonFluid   fluid(anatomy);
+  std::size_t                  faces = 0;
+  std::size_t                  wrong = 0;
+  const auto isInLumen = [&](const Eigen::Vector3d & p) { return anatomy.Evaluate(p).distance > 0.0; };
+  VisitLumen(anatomy, 300000, [&](const Eigen::Vector3d & point, double arcLength) {
+    const bool wet = fluid.DepthBelowLevel(point, arcLength) > 0.0;
+    for (unsigned int axis = 0; axis < 3; ++axis)
+    {
+      const Eigen::Vector3d next = point + 1.4 * Eigen::Vector3d::Unit(axis);
+      if (!isInLumen(next) || !isInLumen(0.5 * (point + next)) ||
+          (fluid.DepthBelowLevel(next, anatomy.Evaluate(next).arcLength) > 0.0) == wet)
+      {
+        continue;
+      }
+      const auto heights = std::minmax({ -fluid.Down().dot(point), -fluid.Down().dot(next) });
+      ++faces;
+      wrong += std::none_of(fluid.Pools().begin(), fluid.Pools().end(), [&heights](const shapeton::ColonPool & pool) {
+        return pool.level > heights.first - 0.4 && pool.level < heights.second + 0.4;
+      });
+    }
+  });
+  EXPECT_GT(faces, 300U);
+  EXPECT_LE(wrong, faces / 500);
+}
+
+TEST_P(EachPosition, LevelsArePerpendicularToGravityAndDiffer)
+{
+  const shapeton::ColonAnatomy anatomy(Standard(GetParam(), 0.2));
+  const shapeton::ColonFluid   fluid(anatomy);
+  const std::string            position = GetParam();
+  const Eigen::Vector3d        down(position == "leftDecubitus" ? 1.0 : (position == "rightDecubitus" ? -1.0 : 0.0),
+                             position == "supine" ? 1.0 : (position == "prone" ? -1.0 : 0.0),
+                             0.0);
+  EXPECT_GT(fluid.Down().dot(down), std::cos(1.0 * 3.14159265 / 180.0));
+  ASSERT_GE(fluid.Pools().size(), 3U);
+  double lowest = 1e9;
+  double highest = -1e9;
+  double volume = 0.0;
+  for (const auto & pool : fluid.Pools())
+  {
+    EXPECT_GT(pool.level, pool.bottom);
+    EXPECT_GE(pool.intensity, 600.0);
+    EXPECT_LE(pool.intensity, 830.0);
+    lowest = std::min(lowest, pool.level);
+    highest = std::max(highest, pool.level);
+    volume += pool.volume;
+  }
+  EXPECT_GT(highest - lowest, 5.0);
+  EXPECT_NEAR(volume / fluid.LumenVolume(), 0.2, 0.001);
+}
+
+INSTANTIATE_TEST_SUITE_P(ColonPhantomImageSource,
+                         EachPosition,
+                         testing::Values("supine", "prone", "leftDecubitus", "rightDecubitus"));
+
+// A place on the centreline in gas, with fluid deep enough below it.
+Eigen::Vector3d
+PlaceOverFluid(Source * source)
+{
+  const auto            line = source->GetAnatomy().Centreline();
+  const Eigen::VectorXd arcLength = shapeton::PointValues(line, "arcLength", "centreline");
+  const Eigen::VectorXd radius = shapeton::PointValues(line, "radius", "centreline");
+  for (const int vertex : line.curves[0])
+  {
+    const Eigen::Vector3d place = line.V.row(vertex);
+    const double          depth = source->GetFluid().DepthBelowLevel(place, arcLength[vertex]);
+    if (arcLength[vertex] > 150.0 && depth < -3.0 && depth > 12.0 - radius[vertex])
+    {
+      return place;
+    }
+  }
+  throw std::logic_error("no place over fluid");
+}
+
+void
+CenterOver(Source * source, const Eigen::Vector3d & place)
+{
+  source->CenterOutput();
+  auto origin = source->GetOrigin();
+  for (unsigned int i = 0; i < 3; ++i)
+  {
+    origin[i] += place[i];
+  }
+  source->SetOrigin(origin);
+}
+
+TEST(ColonPhantomImageSource, GasAndFluidHaveTheirIntensities)
+{
+  auto parameters = Standard("supine", 0.3);
+  parameters.noise = 10.0;
+  const auto source = MakeSource(parameters, 40, 56.0);
+  CenterOver(source, PlaceOverFluid(source));
+  source->UpdateLargestPossibleRegion();
+  const auto gas = IntensityOf(source, 1, 3.5);
+  ASSERT_GT(gas.count, 300U);
+  EXPECT_NEAR(gas.mean, -994.0, 3.0);
+  EXPECT_NEAR(gas.deviation, 10.0, 1.5);
+  const auto fluid = IntensityOf(source, 2, 3.5);
+  ASSERT_GT(fluid.count, 100U);
+  EXPECT_GT(fluid.mean, 230.0); // an unmixed wedge
+  EXPECT_LT(fluid.mean, 880.0);
+}
+
+template <typename TImage>
+std::vector<typename TImage::PixelType>
+VoxelsOf(const TImage * image)
+{
+  const auto number = image->GetLargestPossibleRegion().GetNumberOfPixels();
+  return { image->GetBufferPointer(), image->GetBufferPointer() + number };
+}
+
+TEST(ColonPhantomImageSource, SameBytesForAnyNumberOfThreads)
+{
+  const auto source = MakeSource(Standard("prone", 0.2), 36);
+  source->SetNumberOfWorkUnits(1);
+  source->UpdateLargestPossibleRegion();
+  const auto image = VoxelsOf(source->GetOutput());
+  const auto lumen = VoxelsOf(source->GetLumenOutput());
+  const auto segments = VoxelsOf(source->GetSegmentOutput());
+  for (const unsigned int threads : { 2U, 3U })
+  {
+    source->SetNumberOfWorkUnits(threads);
+    source->Modified();
+    source->UpdateLargestPossibleRegion();
+    EXPECT_EQ(image, VoxelsOf(source->GetOutput()));
+    EXPECT_EQ(lumen, VoxelsOf(source->GetLumenOutput()));
+    EXPECT_EQ(segments, VoxelsOf(source->GetSegmentOutput()));
+  }
+}
+
+// The axes of the second grid are z, -x, -y of the first; both have the same voxels in space.
+TEST(ColonPhantomImageSource, TheTruthAloneIsThatOfTheImage)
+{
+  const auto whole = MakeSource(Standard("prone", 0.3), 48);
+  const auto truth = MakeSource(Standard("prone", 0.3), 48);
+  truth->TruthOnlyOn();
+  whole->Update();
+  truth->Update();
+  const auto   pixels = whole->GetLumenOutput()->GetLargestPossibleRegion().GetNumberOfPixels();
+  const auto * lumen = truth->GetLumenOutput()->GetBufferPointer();
+  const auto * segments = truth->GetSegmentOutput()->GetBufferPointer();
+  EXPECT_TRUE(std::equal(lumen, lumen + pixels, whole->GetLumenOutput()->GetBufferPointer()));
+  EXPECT_TRUE(std::equal(segments, segments + pixels, whole->GetSegmentOutput()->GetBufferPointer()));
+  EXPECT_GT(std::count(lumen, lumen + pixels, 1), 100);
+  EXPECT_EQ(truth->GetOutput()->GetBufferedRegion().GetNumberOfPixels(), 0U);
+}
+
+TEST(ColonPhantomImageSource, GridsWithOtherAxesShowTheSamePatient)
+{
+  auto parameters = Standard("supine", 0.2);
+  parameters.noise = 0.0;
+  const auto            straight = MakeSource(parameters, 28);
+  const auto            turned = MakeSource(parameters, 28);
+  Source::DirectionType direction;
+  direction.Fill(0.0);
+  direction(2, 0) = 1.0;
+  direction(0, 1) = -1.0;
+  direction(1, 2) = -1.0;
+  turned->SetDirection(direction);
+  turned->CenterOutput();
+  straight->UpdateLargestPossibleRegion();
+  turned->UpdateLargestPossibleRegion();
+  double                                             largest = 0.0;
+  std::size_t                                        otherLabels = 0;
+  itk::ImageRegionConstIteratorWithIndex<LabelImage> it(turned->GetLumenOutput(),
+                                                        turned->GetLumenOutput()->GetLargestPossibleRegion());
+  for (; !it.IsAtEnd(); ++it)
+  {
+    const auto          index = it.GetIndex();
+    const itk::Index<3> same{ { 27 - index[1], 27 - index[2], index[0] } };
+    otherLabels += it.Get() != straight->GetLumenOutput()->GetPixel(same);
+    largest = std::max(
+      largest,
+      std::abs(static_cast<double>(turned->GetOutput()->GetPixel(index)) - straight->GetOutput()->GetPixel(same)));
+  }
+  EXPECT_LE(otherLabels, 3U);
+  EXPECT_LE(largest, 2.0);
+}
+
+TEST(ColonPhantomImageSource, AnObliqueGridSamplesTheSameLumen)
+{
+  auto parameters = Standard("supine", 0.3);
+  parameters.noise = 0.0;
+  const auto            source = MakeSource(parameters, 40, 56.0);
+  Source::DirectionType direction;
+  direction.SetIdentity();
+  direction(0, 0) = direction(2, 2) = 0.8;
+  direction(0, 2) = 0.6;
+  direction(2, 0) = -0.6;
+  source->SetDirection(direction);
+  CenterOver(source, PlaceOverFluid(source));
+  source->UpdateLargestPossibleRegion();
+  const auto                                         lumen = source->GetLumenOutput();
+  std::size_t                                        gas = 0;
+  std::size_t                                        fluid = 0;
+  itk::ImageRegionConstIteratorWithIndex<LabelImage> it(lumen, lumen->GetLargestPossibleRegion());
+  for (; !it.IsAtEnd(); ++it)
+  {
+    const auto point = PointOf(lumen, it.GetIndex());
+    const auto sample = source->GetAnatomy().Evaluate(point);
+    EXPECT_EQ(it.Get() != 0, sample.distance > 0.0);
+    EXPECT_EQ(source->GetSegmentOutput()->GetPixel(it.GetIndex()), sample.distance > 0.0 ? sample.segment : 0);
+    const double depth = source->GetFluid().DepthBelowLevel(point, sample.arcLength);
+    if (it.Get() == 0 || sample.distance < 4.5 || std::abs(depth) < 4.5)
+    {
+      continue;
+    }
+    const double value = source->GetOutput()->GetPixel(it.GetIndex());
+    EXPECT_EQ(it.Get(), depth > 0.0 ? 2 : 1);
+    EXPECT_NEAR(value, depth > 0.0 ? source->GetFluid().Intensity(point, sample.arcLength) : -994.0, 40.0);
+    gas += depth < 0.0;
+    fluid += depth > 0.0;
+  }
+  EXPECT_GT(gas, 300U);
+  EXPECT_GT(fluid, 50U);
+}
+
+TEST(ColonPhantomImageSource, RefusesParametersOutOfRange)
+{
+  auto parameters = Standard("supine", 1.5);
+  EXPECT_THROW(Source::New()->SetParameters(parameters), shapeton::ParameterError);
+  parameters = Standard("sitting", 0.2);
+  EXPECT_THROW(Source::New()->SetParameters(parameters), shapeton::ParameterError);
+}

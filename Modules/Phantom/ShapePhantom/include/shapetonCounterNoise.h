@@ -1,0 +1,22 @@
+#ifndef shapetonCounterNoise_h
+#define shapetonCounterNoise_h
+
+#include "ShapePhantomExport.h"
+
+#include <cstdint>
+
+namespace shapeton
+{
+/** A standard normal number that depends on `seed` and `counter` alone, so that threads may ask in any order.
+ * Philox4x32-10 (Salmon et al. 2011) and the inverse normal distribution function AS 241 (Wichura 1988). Only
+ * operations that IEEE 754 rounds correctly are used: every machine gets the same number. \ingroup ShapePhantom */
+ShapePhantom_EXPORT double
+NormalNoise(std::uint64_t seed, std::uint64_t counter);
+
+/** The standard normal distribution function, to about 1e-14, with the same arithmetic. 0 below -8 and 1 above 8.
+ * \ingroup ShapePhantom */
+ShapePhantom_EXPORT double
+NormalDistribution(double x);
+} // namespace shapeton
+
+#endif

@@ -1,0 +1,585 @@
+#include "shapetonShapePhantomImageSource.h"
+#include "shapetonJson.h"
+
+#include "itkImageRegionConstIteratorWithIndex.h"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <cstring>
+#include <random>
+#include <set>
+
+namespace
+{
+using Source = shapeton::ShapePhantomImageSource;
+using PointType = Source::PointType;
+const double pi = std::acos(-1.0);
+
+shapeton::ShapeScene
+SceneOf(const std::string & objects, double background = 0.0)
+{
+  return shapeton::ShapeScene::FromJson(shapeton::Json::parse(R"({ "units": "mm", "background": )" +
+                                                              std::to_string(background) + R"(, "objects": [)" +
+                                                              objects + "] }"),
+                                        "test");
+}
+
+Source::Pointer
+MakeSource(const shapeton::ShapeScene & scene, unsigned int size, double spacing = 1.0)
+{
+  auto             source = Source::New();
+  Source::SizeType sizes;
+  sizes.Fill(size);
+  source->SetSize(sizes);
+  Source::SpacingType spacings(spacing);
+  source->SetSpacing(spacings);
+  source->CenterOutput();
+  source->SetScene(scene);
+  return source;
+}
+
+// 40 degrees about (1, 2, 3), anisotropic.
+Source::Pointer
+MakeObliqueSource(const shapeton::ShapeScene & scene)
+{
+  auto                   source = Source::New();
+  const Source::SizeType size{ { 50, 40, 70 } };
+  source->SetSize(size);
+  Source::SpacingType spacing;
+  spacing[0] = 0.9;
+  spacing[1] = 1.3;
+  spacing[2] = 0.7;
+  source->SetSpacing(spacing);
+  const double                norm = std::sqrt(14.0);
+  const std::array<double, 3> axis{ { 1 / norm, 2 / norm, 3 / norm } };
+  const double                c = std::cos(40 * pi / 180);
+  const double                s = std::sin(40 * pi / 180);
+  Source::DirectionType       direction;
+  for (unsigned int i = 0; i < 3; ++i)
+  {
+    const unsigned int j = (i + 1) % 3;
+    const unsigned int k = (i + 2) % 3;
+    direction(i, i) = c + axis[i] * axis[i] * (1 - c);
+    direction(i, j) = axis[i] * axis[j] * (1 - c) - axis[k] * s;
+    direction(i, k) = axis[i] * axis[k] * (1 - c) + axis[j] * s;
+  }
+  source->SetDirection(direction);
+  source->CenterOutput();
+  source->SetScene(scene);
+  return source;
+}
+
+template <typename TImage>
+std::string
+BytesOf(const TImage * image)
+{
+  return std::string(reinterpret_cast<const char *>(image->GetBufferPointer()),
+                     image->GetLargestPossibleRegion().GetNumberOfPixels() * sizeof(typename TImage::PixelType));
+}
+
+struct Counts
+{
+  double voxels{ 0.0 };
+  double faces{ 0.0 }; // between voxels of label 0 and others
+};
+
+Counts
+Count(const Source::LabelImageType * labels)
+{
+  Counts counts;
+  for (itk::ImageRegionConstIteratorWithIndex<Source::LabelImageType> it(labels, labels->GetLargestPossibleRegion());
+       !it.IsAtEnd();
+       ++it)
+  {
+    counts.voxels += it.Get() != 0;
+    for (unsigned int i = 0; i < 3; ++i)
+    {
+      auto next = it.GetIndex();
+      if (++next[i] < static_cast<itk::IndexValueType>(labels->GetLargestPossibleRegion().GetSize(i)))
+      {
+        counts.faces += (it.Get() != 0) != (labels->GetPixel(next) != 0);
+      }
+    }
+  }
+  return counts;
+}
+
+struct Statistics
+{
+  double sum{ 0.0 };
+  double sumOfSquares{ 0.0 };
+  int    number{ 0 };
+
+  void
+  Add(double value)
+  {
+    sum += value;
+    sumOfSquares += value * value;
+    ++number;
+  }
+  double
+  Mean() const
+  {
+    return sum / number;
+  }
+  double
+  Deviation() const
+  {
+    return std::sqrt(std::max(0.0, sumOfSquares / number - this->Mean() * this->Mean()));
+  }
+  double
+  StandardError() const
+  {
+    return this->Deviation() / std::sqrt(number - 1.0);
+  }
+};
+} // namespace
+
+// Over uniform random places of the lattice, the expected number of lattice points in a body of volume V is exactly
+// V / h^3 (Fubini). A lattice line that meets a convex body cuts two faces, unless it passes between two of its points:
+// the expected number of faces across an axis is 2 / h^2 times the integral of min(1, chord / h) over the body's shadow
+// along the axis. For smooth bodies this is the shadow's area to 1e-3 at the sizes below.
+struct Body
+{
+  const char * object;
+  double       volume;
+  double       shadows; // that integral for the three axes together; 0: not convex
+};
+
+constexpr double latticeSpacing = 0.8;
+
+class ClosedForms : public testing::TestWithParam<Body>
+{};
+
+TEST_P(ClosedForms, VoxelAndFaceCountsAreUnbiased)
+{
+  constexpr double                       spacing = latticeSpacing;
+  const auto                             source = MakeSource(SceneOf(GetParam().object), 36, spacing);
+  std::mt19937                           engine(11);
+  std::uniform_real_distribution<double> uniform(-0.5 * spacing, 0.5 * spacing);
+  Statistics                             volume;
+  Statistics                             shadows;
+  for (int sample = 0; sample < 40; ++sample)
+  {
+    source->CenterOutput();
+    auto origin = source->GetOrigin();
+    for (unsigned int i = 0; i < 3; ++i)
+    {
+      origin[i] += uniform(engine);
+    }
+    source->SetOrigin(origin);
+    source->Update();
+    ASSERT_TRUE(source->FindIncompleteObjects().empty());
+    const Counts counts = Count(source->GetLabelOutput());
+    volume.Add(counts.voxels * spacing * spacing * spacing);
+    shadows.Add(0.5 * counts.faces * spacing * spacing);
+  }
+  EXPECT_NEAR(volume.Mean(), GetParam().volume, 4.0 * volume.StandardError() + 1e-9);
+  EXPECT_LT(volume.StandardError(), 0.005 * GetParam().volume); // or the bound above says nothing
+  if (GetParam().shadows > 0.0)
+  {
+    EXPECT_NEAR(shadows.Mean(), GetParam().shadows, 4.0 * shadows.StandardError() + 1e-3 * GetParam().shadows);
+    EXPECT_LT(shadows.StandardError(), 0.005 * GetParam().shadows);
+  }
+}
+
+// Sphere: 3 pi r^2. Box a, b, c turned by 30 degrees about z: along x and y each face counts by the cosine of its
+// normal.
+INSTANTIATE_TEST_SUITE_P(
+  Bodies,
+  ClosedForms,
+  testing::Values(
+    Body{ R"({ "kind": "sphere", "radius": 10 })", 4.0 / 3.0 * pi * 1000.0, 300.0 * pi },
+    Body{ R"({ "kind": "box", "size": [10, 12, 16], "rotation": { "axis": [0, 0, 1], "angle": 30 } })",
+          10.0 * 12.0 * 16.0,
+          10.0 * 12.0 + 16.0 * (12.0 + 10.0) * (std::cos(pi / 6) + std::sin(pi / 6)) -
+            2.0 * 16.0 * latticeSpacing * std::cos(pi / 6) * std::sin(pi / 6) },
+    Body{ R"({ "kind": "ellipsoid", "radii": [6, 9, 12] })",
+          4.0 / 3.0 * pi * 6.0 * 9.0 * 12.0,
+          pi *(6.0 * 9.0 + 6.0 * 12.0 + 9.0 * 12.0) },
+    Body{ R"({ "kind": "cylinder", "radius": 6, "length": 20 })", pi * 720.0, pi * 36.0 + 2.0 * 12.0 * 20.0 },
+    Body{ R"({ "kind": "capsule", "radius": 6, "length": 12 })",
+          pi * 36.0 * 12.0 + 4.0 / 3.0 * pi * 216.0,
+          3.0 * pi * 36.0 + 2.0 * 12.0 * 12.0 },
+    Body{ R"({ "kind": "torus", "ringRadius": 9, "tubeRadius": 3, "rotation": { "axis": [1, 1, 0], "angle": 50 } })",
+          2.0 * pi * pi * 9.0 * 9.0,
+          0.0 },
+    // Twisting keeps volumes; so does bending, when the section's centroid lies on the axis (Pappus).
+    Body{ R"({ "kind": "box", "size": [6, 7, 20], "deformations": [{ "kind": "twist", "angle": 90 },
+                                                                  { "kind": "bend", "angle": 110 }] })",
+          6.0 * 7.0 * 20.0,
+          0.0 }));
+
+// No lattice point farther than half a voxel's diagonal from the surface is on the wrong side, so the error is at most
+// the volume of that shell.
+TEST(ShapePhantomImageSource, VoxelCountOfASphereStaysWithinTheShell)
+{
+  const double half = 0.5 * std::sqrt(3.0);
+  for (const double radius : { 5.0, 8.3, 13.7 })
+  {
+    const auto source = MakeSource(SceneOf(R"({ "kind": "sphere", "radius": )" + std::to_string(radius) + " }"), 32);
+    source->Update();
+    const double voxels = Count(source->GetLabelOutput()).voxels;
+    EXPECT_LE(voxels, 4.0 / 3.0 * pi * std::pow(radius + half, 3));
+    EXPECT_GE(voxels, 4.0 / 3.0 * pi * std::pow(radius - half, 3));
+  }
+}
+
+TEST(ShapePhantomImageSource, CubeOfFigure24IsExact)
+{
+  const auto source = MakeSource(shapeton::ShapeScene::Load("figure2.4"), 32);
+  source->Update();
+  const Counts counts = Count(source->GetLabelOutput());
+  EXPECT_EQ(counts.voxels, 16.0 * 16.0 * 16.0);
+  EXPECT_EQ(counts.faces, 6.0 * 16.0 * 16.0);
+  EXPECT_EQ(source->GetOutput()->GetPixel({ { 16, 16, 16 } }), 1000);
+  EXPECT_EQ(source->GetOutput()->GetPixel({ { 7, 16, 16 } }), 0);
+  EXPECT_EQ(source->GetOutput()->GetPixel({ { 8, 16, 16 } }), 1000);
+}
+
+// The search for near objects, line by line, changes nothing.
+TEST(ShapePhantomImageSource, LabelsAreTheSignOfTheDistanceInAnObliqueImage)
+{
+  for (const auto & preset : shapeton::ShapeScene::GetPresetNames())
+  {
+    const auto source = MakeObliqueSource(shapeton::ShapeScene::Load(preset));
+    source->SetBlur(0.8);
+    source->SetNoiseStandardDeviation(30.0);
+    source->Update();
+    auto scene = source->GetScene();
+    scene.SetUnitLength(50 * 0.9); // the shortest extent
+    const auto * labels = source->GetLabelOutput();
+    std::size_t  differences = 0;
+    for (itk::ImageRegionConstIteratorWithIndex<Source::LabelImageType> it(labels, labels->GetLargestPossibleRegion());
+         !it.IsAtEnd();
+         ++it)
+    {
+      PointType point;
+      labels->TransformIndexToPhysicalPoint(it.GetIndex(), point);
+      differences += it.Get() != scene.GetLabel(point);
+    }
+    EXPECT_EQ(differences, 0U) << preset;
+    EXPECT_TRUE(source->FindIncompleteObjects().empty()) << preset;
+  }
+}
+
+namespace
+{
+struct Moments
+{
+  double                               volume{ 0.0 };
+  std::array<double, 3>                mean{ { 0, 0, 0 } };
+  std::array<std::array<double, 3>, 3> second{};
+};
+
+Moments
+MomentsInSpace(const Source::LabelImageType * labels, unsigned char label)
+{
+  Moments moments;
+  double  voxel = 1.0;
+  for (unsigned int i = 0; i < 3; ++i)
+  {
+    voxel *= labels->GetSpacing()[i];
+  }
+  for (itk::ImageRegionConstIteratorWithIndex<Source::LabelImageType> it(labels, labels->GetLargestPossibleRegion());
+       !it.IsAtEnd();
+       ++it)
+  {
+    if (it.Get() != label)
+    {
+      continue;
+    }
+    PointType point;
+    labels->TransformIndexToPhysicalPoint(it.GetIndex(), point);
+    moments.volume += voxel;
+    for (unsigned int i = 0; i < 3; ++i)
+    {
+      moments.mean[i] += voxel * point[i];
+      for (unsigned int j = 0; j < 3; ++j)
+      {
+        moments.second[i][j] += voxel * point[i] * point[j];
+      }
+    }
+  }
+  for (unsigned int i = 0; i < 3; ++i)
+  {
+    moments.mean[i] /= moments.volume;
+  }
+  for (unsigned int i = 0; i < 3; ++i)
+  {
+    for (unsigned int j = 0; j < 3; ++j)
+    {
+      moments.second[i][j] = moments.second[i][j] / moments.volume - moments.mean[i] * moments.mean[j];
+    }
+  }
+  return moments;
+}
+} // namespace
+
+TEST(ShapePhantomImageSource, ObliqueImageSamplesTheSamePhysicalScene)
+{
+  // The tensor of second moments of a box is diag(a^2, b^2, c^2) / 12.
+  const auto scene = SceneOf(R"({ "kind": "box", "size": [10, 14, 18], "center": [3, -2, 1] })");
+  const auto straight = MakeSource(scene, 40);
+  const auto oblique = MakeObliqueSource(scene);
+  for (const auto & source : { straight, oblique })
+  {
+    source->Update();
+    const Moments moments = MomentsInSpace(source->GetLabelOutput(), 1);
+    EXPECT_NEAR(moments.volume, 2520.0, 0.03 * 2520.0);
+    const std::array<double, 3> center{ { 3, -2, 1 } };
+    const std::array<double, 3> size{ { 10, 14, 18 } };
+    for (unsigned int i = 0; i < 3; ++i)
+    {
+      EXPECT_NEAR(moments.mean[i], center[i], 0.15);
+      for (unsigned int j = 0; j < 3; ++j)
+      {
+        EXPECT_NEAR(moments.second[i][j], i == j ? size[i] * size[i] / 12.0 : 0.0, 0.35);
+      }
+    }
+  }
+}
+
+TEST(ShapePhantomImageSource, BlurIsTheGaussianIntegralAcrossAPlaneFace)
+{
+  // The face z = 0.37 of a box that reaches far beyond the volume in x and y, so that no other face matters.
+  const auto source = MakeSource(
+    SceneOf(R"({ "kind": "box", "size": [400, 400, 100], "center": [0, 0, -49.63], "intensity": 1000 })", -200.0),
+    24,
+    0.5);
+  constexpr double blur = 1.1;
+  source->SetBlur(blur);
+  source->Update();
+  const auto * image = source->GetOutput();
+  for (itk::ImageRegionConstIteratorWithIndex<Source::ImageType> it(image, image->GetLargestPossibleRegion());
+       !it.IsAtEnd();
+       ++it)
+  {
+    PointType point;
+    image->TransformIndexToPhysicalPoint(it.GetIndex(), point);
+    const double expected = -200.0 + 1200.0 * 0.5 * std::erfc((point[2] - 0.37) / (blur * std::sqrt(2.0)));
+    EXPECT_NEAR(it.Get(), expected, 0.5 + 1e-6);
+  }
+}
+
+TEST(ShapePhantomImageSource, EqualIntensitiesAreAUnionAndOthersPaintOver)
+{
+  // Two halves of a sphere's interior overlap: no seam. A cavity lies inside.
+  const auto source = MakeSource(SceneOf(R"(
+      { "kind": "sphere", "radius": 9, "center": [-1, 0, 0], "intensity": 500 },
+      { "kind": "sphere", "radius": 9, "center": [1, 0, 0], "intensity": 500 },
+      { "kind": "sphere", "radius": 3, "intensity": -1000, "label": 0 })"),
+                                 32);
+  source->SetBlur(0.5);
+  source->Update();
+  const auto * image = source->GetOutput();
+  for (itk::ImageRegionConstIteratorWithIndex<Source::ImageType> it(image, image->GetLargestPossibleRegion());
+       !it.IsAtEnd();
+       ++it)
+  {
+    PointType point;
+    image->TransformIndexToPhysicalPoint(it.GetIndex(), point);
+    const auto share = [](double distance) { return 0.5 * std::erfc(distance / (0.5 * std::sqrt(2.0))); };
+    const auto distanceTo = [&point](double x) {
+      return std::sqrt((point[0] - x) * (point[0] - x) + point[1] * point[1] + point[2] * point[2]);
+    };
+    const double spheres = 500.0 * share(std::min(distanceTo(-1.0), distanceTo(1.0)) - 9.0);
+    const double expected = spheres + share(distanceTo(0.0) - 3.0) * (-1000.0 - spheres);
+    EXPECT_NEAR(it.Get(), expected, 0.5 + 1e-6);
+  }
+}
+
+TEST(ShapePhantomImageSource, NoiseIsNormal)
+{
+  const auto source = MakeSource(SceneOf("", 100.0), 64);
+  source->SetNoiseStandardDeviation(50.0);
+  source->SetSeed(5);
+  source->Update();
+  const short * const values = source->GetOutput()->GetBufferPointer();
+  const int           number = 64 * 64 * 64;
+  Statistics          statistics;
+  double              neighbours = 0.0;
+  std::array<int, 4>  beyond{ { 0, 0, 0, 0 } };
+  for (int i = 0; i < number; ++i)
+  {
+    const double z = (values[i] - 100.0) / 50.0;
+    statistics.Add(z);
+    neighbours += i > 0 ? z * (values[i - 1] - 100.0) / 50.0 : 0.0;
+    for (int k = 0; k < 4; ++k)
+    {
+      beyond[k] += std::abs(values[i] - 100.0) > 50.0 * k + 0.5;
+    }
+  }
+  const double standardError = 1.0 / std::sqrt(number);
+  EXPECT_NEAR(statistics.Mean(), 0.0, 4.0 * standardError);
+  const double rounding = 1.0 / 12.0 / 2500.0; // variance that rounding to whole HU adds
+  EXPECT_NEAR(statistics.Deviation(), std::sqrt(1.0 + rounding), 4.0 * standardError / std::sqrt(2.0));
+  EXPECT_NEAR(neighbours / number, 0.0, 4.0 * standardError);
+  for (int k = 0; k < 4; ++k)
+  {
+    const double share =
+      std::erfc((50.0 * k + 0.5 + (k == 0 ? 0.0 : 0.5) - (k == 0 ? 0.0 : 0.5)) / 50.0 / std::sqrt(2.0));
+    EXPECT_NEAR(beyond[k] / static_cast<double>(number), share, 4.0 * std::sqrt(share / number)) << k;
+  }
+}
+
+// Random123's known answer for Philox4x32-10 with counter 0 and key 0 starts 6627e8d5 e169c58d: the uniform number
+// 0.39905..., whose normal quantile is -0.25581.
+TEST(ShapePhantomImageSource, NoiseFollowsPhilox)
+{
+  const auto source = MakeSource(SceneOf(""), 2);
+  source->SetNoiseStandardDeviation(10000.0);
+  source->SetScene(SceneOf("", 10000.0));
+  source->Update();
+  const double uniform = 0x6627e8d5 / 4294967296.0;
+  const double z = (source->GetOutput()->GetBufferPointer()[0] - 10000.0) / 10000.0;
+  EXPECT_NEAR(0.5 * std::erfc(-z / std::sqrt(2.0)), uniform, 3e-5); // one HU is 1e-4 in z
+}
+
+TEST(ShapePhantomImageSource, SeedsGiveIndependentNoise)
+{
+  const auto source = MakeSource(SceneOf(""), 32);
+  source->SetNoiseStandardDeviation(100.0);
+  source->Update();
+  const std::string first = BytesOf(source->GetOutput());
+  source->SetSeed(1);
+  source->Update();
+  const std::string second = BytesOf(source->GetOutput());
+  const auto *      a = reinterpret_cast<const short *>(first.data());
+  const auto *      b = reinterpret_cast<const short *>(second.data());
+  const int         number = 32 * 32 * 32;
+  double            correlation = 0.0;
+  for (int i = 0; i < number; ++i)
+  {
+    correlation += a[i] * b[i] / 1e4;
+  }
+  EXPECT_NEAR(correlation / number, 0.0, 4.0 / std::sqrt(number));
+}
+
+TEST(ShapePhantomImageSource, SameBytesForAnyNumberOfThreads)
+{
+  const auto source = MakeObliqueSource(shapeton::ShapeScene::Load("figure3.5"));
+  source->SetBlur(0.7);
+  source->SetNoiseStandardDeviation(20.0);
+  std::set<std::string> images;
+  std::set<std::string> labels;
+  for (const unsigned int threads : { 1U, 2U, 3U, 8U })
+  {
+    source->SetNumberOfWorkUnits(threads);
+    source->Modified();
+    source->Update();
+    images.insert(BytesOf(source->GetOutput()));
+    labels.insert(BytesOf(source->GetLabelOutput()));
+  }
+  EXPECT_EQ(images.size(), 1U);
+  EXPECT_EQ(labels.size(), 1U);
+}
+
+TEST(ShapePhantomImageSource, APieceEqualsTheSamePartOfTheWhole)
+{
+  const auto whole = MakeObliqueSource(shapeton::ShapeScene::Load("vessels"));
+  const auto piece = MakeObliqueSource(shapeton::ShapeScene::Load("vessels"));
+  for (const auto & source : { whole, piece })
+  {
+    source->SetBlur(1.5);
+    source->SetNoiseStandardDeviation(5.0);
+  }
+  whole->Update();
+  const Source::RegionType region({ { 13, 11, 30 } }, { { 20, 9, 25 } });
+  piece->GetOutput()->SetRequestedRegion(region);
+  piece->GetOutput()->Update();
+  EXPECT_EQ(piece->GetOutput()->GetBufferedRegion(), region);
+  for (itk::ImageRegionConstIteratorWithIndex<Source::ImageType> it(piece->GetOutput(), region); !it.IsAtEnd(); ++it)
+  {
+    ASSERT_EQ(it.Get(), whole->GetOutput()->GetPixel(it.GetIndex()));
+    ASSERT_EQ(piece->GetLabelOutput()->GetPixel(it.GetIndex()), whole->GetLabelOutput()->GetPixel(it.GetIndex()));
+  }
+}
+
+TEST(ShapePhantomImageSource, VesselTreeIsOnePieceWithThreeLabels)
+{
+  const auto source = MakeSource(shapeton::ShapeScene::Load("vessels"), 96);
+  source->Update();
+  const auto *                      labels = source->GetLabelOutput();
+  const auto                        region = labels->GetLargestPossibleRegion();
+  std::set<unsigned char>           found;
+  std::size_t                       voxels = 0;
+  Source::LabelImageType::IndexType seed{};
+  for (itk::ImageRegionConstIteratorWithIndex<Source::LabelImageType> it(labels, region); !it.IsAtEnd(); ++it)
+  {
+    if (it.Get() != 0)
+    {
+      found.insert(it.Get());
+      ++voxels;
+      seed = it.GetIndex();
+    }
+  }
+  EXPECT_EQ(found, (std::set<unsigned char>{ 1, 2, 3 }));
+
+  std::vector<bool>                              seen(region.GetNumberOfPixels(), false);
+  std::vector<Source::LabelImageType::IndexType> stack{ seed };
+  std::size_t                                    reached = 0;
+  seen[labels->ComputeOffset(seed)] = true;
+  while (!stack.empty())
+  {
+    const auto index = stack.back();
+    stack.pop_back();
+    ++reached;
+    for (unsigned int side = 0; side < 6; ++side)
+    {
+      auto next = index;
+      next[side / 2] += side % 2 == 0 ? 1 : -1;
+      if (region.IsInside(next) && labels->GetPixel(next) != 0 && !seen[labels->ComputeOffset(next)])
+      {
+        seen[labels->ComputeOffset(next)] = true;
+        stack.push_back(next);
+      }
+    }
+  }
+  EXPECT_EQ(reached, voxels);
+}
+
+TEST(ShapePhantomImageSource, NamesObjectsThatTheVolumeCutsOrMisses)
+{
+  const auto source = MakeSource(SceneOf(R"({ "name": "whole", "kind": "sphere", "radius": 3 },
+                                            { "name": "cut", "kind": "sphere", "radius": 3, "center": [7, 0, 0] },
+                                            { "name": "missed", "kind": "sphere", "radius": 3, "center": [0, 99, 0] })"),
+                                 20);
+  source->UpdateOutputInformation();
+  EXPECT_EQ(source->FindIncompleteObjects(), (std::vector<std::string>{ "cut", "missed" }));
+}
+
+TEST(ShapePhantomImageSource, TakesTheGridOfAReferenceImage)
+{
+  const auto direct = MakeObliqueSource(shapeton::ShapeScene::Load("figure2.7b"));
+  direct->Update();
+  const auto referred = Source::New();
+  referred->SetScene(shapeton::ShapeScene::Load("figure2.7b"));
+  referred->SetReferenceImage(direct->GetOutput());
+  referred->UseReferenceImageOn();
+  referred->Update();
+  EXPECT_EQ(referred->GetOutput()->GetDirection(), direct->GetOutput()->GetDirection());
+  EXPECT_EQ(BytesOf(referred->GetOutput()), BytesOf(direct->GetOutput()));
+  EXPECT_EQ(BytesOf(referred->GetLabelOutput()), BytesOf(direct->GetLabelOutput()));
+}
+
+TEST(ShapePhantomImageSource, ValuesStayInTheRangeOfACTSeries)
+{
+  const auto source = MakeSource(SceneOf(R"({ "kind": "sphere", "radius": 5, "intensity": 31743 })", -1024.0), 16);
+  source->SetNoiseStandardDeviation(3000.0);
+  source->Update();
+  short lowest = 0;
+  short highest = 0;
+  for (itk::ImageRegionConstIteratorWithIndex<Source::ImageType> it(source->GetOutput(),
+                                                                    source->GetOutput()->GetLargestPossibleRegion());
+       !it.IsAtEnd();
+       ++it)
+  {
+    lowest = std::min(lowest, it.Get());
+    highest = std::max(highest, it.Get());
+  }
+  EXPECT_EQ(lowest, -1024);
+  EXPECT_EQ(highest, 31743);
+}

@@ -1,0 +1,53 @@
+#ifndef shapetonColonLandmarkFiles_h
+#define shapetonColonLandmarkFiles_h
+
+#include "ColonToolsExport.h"
+#include "shapetonColonSplitting.h"
+
+namespace shapeton
+{
+class CommandLine;
+
+/** \class ColonLandmarkFiles
+ * \brief The files of landmarks in a folder, as the tools write them.
+ *
+ * taeniae.vtp, flexures.vtp, segments.vtp, folds-surface.vtp, landmarks.json, taeniae.mrk.json, flexures.mrk.json;
+ * segment-NAME.vtp of pieces. What was not found has no file: one that an earlier run left is removed. All state their
+ * provenance.
+ *
+ * \ingroup ColonTools */
+class ColonTools_EXPORT ColonLandmarkFiles
+{
+public:
+  /** Makes the folder. Throws OutputError where nothing can be written. */
+  ColonLandmarkFiles(CommandLine & commandLine, const std::string & folder);
+
+  /** `pieces` may be null. The warnings of the command line go into landmarks.json. */
+  void
+  Write(const SurfaceMesh & flat, const ColonLandmarks & landmarks, const ColonPieces * pieces) const;
+
+private:
+  void
+  WriteOrRemove(const std::string & name, const CurveSet & curves) const;
+  void
+  WriteTaeniaMarkups(const CurveSet & taeniae) const;
+  void
+  WriteFlexureMarkups(const ColonLandmarks & landmarks, const CurveSet & loops) const;
+  void
+  WriteDocument(const ColonLandmarks & landmarks, const ColonPieces * pieces) const;
+  void
+  WritePieces(const ColonPieces * pieces) const;
+  std::string
+  PathOf(const std::string & name) const;
+
+  CommandLine & m_CommandLine;
+  std::string   m_Folder;
+};
+
+/** Markers for taeniae that a tool was given: points and vertices of a VTP file, or of markups of 3D Slicer; LPS, mm.
+ * Throws InputError for a file without points, ParameterError for another extension. \ingroup ColonTools */
+ColonTools_EXPORT std::vector<Eigen::Vector3d>
+                  ReadTaeniaMarkers(CommandLine & commandLine, const std::string & parameter);
+} // namespace shapeton
+
+#endif

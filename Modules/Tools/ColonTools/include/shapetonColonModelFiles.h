@@ -1,0 +1,38 @@
+#ifndef shapetonColonModelFiles_h
+#define shapetonColonModelFiles_h
+
+#include "ColonToolsExport.h"
+#include "shapetonColonModel.h"
+
+namespace shapeton
+{
+class CommandLine;
+
+/** \class ColonModelFiles
+ * \brief The files of a colon in a folder, as the tools write and read them.
+ *
+ * lumen.nrrd (1 gas, 2 fluid), cleansed.nrrd (HU; not of a mask alone), centreline.vtp, wall.vtp, wall-repaired.vtp,
+ * wall-simplified.vtp, quality.json. All state their provenance.
+ *
+ * \ingroup ColonTools
+ */
+class ColonTools_EXPORT ColonModelFiles
+{
+public:
+  /** Makes the folder. Throws OutputError where nothing can be written. */
+  ColonModelFiles(CommandLine & commandLine, const std::string & folder);
+
+  /** Writes what the model has. With `atOnce` the files get their names now, even if the run fails later. */
+  void
+  Write(const ColonModel & model, bool atOnce = false) const;
+
+private:
+  void
+  WriteFile(const std::string & name, bool atOnce, const std::function<void(const std::string & path)> & write) const;
+
+  CommandLine & m_CommandLine;
+  std::string   m_Folder;
+};
+} // namespace shapeton
+
+#endif

@@ -1,0 +1,208 @@
+#include "shapetonColonFlatteningReport.h"
+
+#include "shapetonCsvTable.h"
+#include "shapetonFlatColonRows.h"
+#include "shapetonTriangleQualityChart.h"
+
+#include <cmath>
+
+namespace shapeton
+{
+namespace
+{
+using Facts = ColonFlatteningReportContent::Facts;
+
+constexpr int pixelsAround = 200;
+constexpr int pixelsOfRow = 900; // the page shows pictures no wider than 992 pixels
+
+std::string
+Rounded(double value, int digits = 4)
+{
+  return CsvTable::Rounded(value, digits);
+}
+
+std::string
+Percent(double share)
+{
+  return Rounded(100.0 * share, 3) + " %";
+}
+
+std::string
+Point(const Eigen::Vector3d & p)
+{
+  return Rounded(p.x()) + ", " + Rounded(p.y()) + ", " + Rounded(p.z());
+}
+
+std::string
+MetricInWords(const ColonFlattening & flattening)
+{
+  if (flattening.metric == FlatMetric::Euclidean)
+  {
+    return "straight lengths of edges";
+  }
+  const std::string pairs =
+    flattening.metric == FlatMetric::HeatDiffusion ? "all" : "the first " + std::to_string(flattening.eigenpairs);
+  return "heat diffusion distance of " + pairs + " eigenpairs, t = " + Rounded(flattening.time) + " mm^2";
+}
+
+Facts
+SummaryOf(const ColonFlattening & flattening)
+{
+  const TubeMap & map = flattening.map;
+  return { { "Faces", std::to_string(flattening.surface.NumberOfFaces()) },
+           { "Metric of the map", MetricInWords(flattening) },
+           { "Mean circumference", Rounded(map.circumference) + " mm" },
+           { "Length of the map", Rounded(map.length) + " mm" },
+           { "Conformal moduli", Rounded(map.modulusU, 6) + " and " + Rounded(map.modulusV, 6) },
+           { "Their gap (the error bar without handles)", Percent(map.Gap()) },
+           { "Handles",
+             std::to_string(flattening.genusBefore) + ", in the map " + std::to_string(flattening.genusAfter) },
+           { "Flipped faces",
+             std::to_string(flattening.distortion.flips) + ", of these away from handles " +
+               std::to_string(flattening.flipsAwayFromHandles) } };
+}
+
+std::string
+CaptionOf(FlatColoring coloring)
+{
+  switch (coloring)
+  {
+    case FlatColoring::Volume:
+      return "The CT along the normals of the wall: gas is clear, tissue opaque, contrast medium white.";
+    case FlatColoring::Relief:
+      return "The wall in the light from the left: folds are bands across with a bright and a dark side.";
+    default:
+      return "Mean curvature: red bulges into the lumen (folds, polyps), blue outwards.";
+  }
+}
+
+void
+AddPictures(HtmlReport &              html,
+            const FlatColonPictures & pictures,
+            bool                      hasCt,
+            const std::string &       folder,
+            const OutputPath &        outputPath)
+{
+  html.AddHeading("Flat pictures");
+  html.AddParagraph(
+    "The wall from the rectum to the caecum, cut open along the colon and unrolled, in rows. Rulers "
+    "count the distance along the centreline. Shapes are kept, sizes are not: the bar above each row "
+    "holds for its middle value. Grey hatched stretches are synthetic wall over a collapsed place; long ones "
+    "are cut short at a break.");
+  for (const FlatColoring coloring : { FlatColoring::Volume, FlatColoring::Relief, FlatColoring::Curvature })
+  {
+    if (coloring != FlatColoring::Volume || hasCt)
+    {
+      const std::string path = outputPath(folder + "/flat-" + NameOf(coloring) + ".png");
+      WritePng(pictures.Draw(coloring, "", pixelsOfRow), path);
+      html.AddPicture(path, CaptionOf(coloring));
+    }
+  }
+}
+
+void
+AddScales(HtmlReport & html, const FlatColonPictures & pictures)
+{
+  CsvTable table({ "row", "from, cm", "to, cm", "mm of wall for 1 mm of the map", "10 %", "90 %" });
+  int      number = 0;
+  for (const FlatColonRow & row : BreakIntoRows(pictures.Grid(), pixelsOfRow, FlatColonPageOptions().longestBridge))
+  {
+    const auto centimetres = [&](int column) {
+      const std::vector<double> & distances = pictures.Distances();
+      const double                mm = distances.empty() ? column * pictures.Grid().PixelSize() : distances[column];
+      return Rounded(std::round(mm) / 10.0, 5);
+    };
+    table.AddRow({ std::to_string(++number),
+                   centimetres(row.firstColumn),
+                   centimetres(row.firstColumn + row.columns - 1),
+                   Rounded(row.scale, 3),
+                   Rounded(row.lowScale, 3),
+                   Rounded(row.highScale, 3) });
+  }
+  html.AddTable(table, "Local scale of the rows: median, and 10 and 90 % of their pixels");
+}
+
+void
+AddDistortion(HtmlReport &            html,
+              const ColonFlattening & flattening,
+              const std::string &     folder,
+              const OutputPath &      outputPath)
+{
+  html.AddHeading("Distortion");
+  CsvTable   table({ "metric", "dilatation, median", "95 %", "99 %", "2r/R, mean", "2r/R below 0.6" });
+  const auto addRow =
+    [&](const std::string & name, const FlatDistortion & distortion, const TriangleQuality & quality) {
+      const DistortionQuantiles quantiles = QuantilesOfDilatation(distortion);
+      table.AddRow({ name,
+                     Rounded(quantiles.median),
+                     Rounded(quantiles.p95),
+                     Rounded(quantiles.p99),
+                     Rounded(quality.mean, 3),
+                     Percent(quality.shareBelowThreshold) });
+    };
+  addRow("of the map", flattening.distortion, flattening.quality);
+  addRow("straight edges", flattening.distortionInSpace, flattening.qualityInSpace);
+  html.AddTable(table, "Quasi-conformal dilatation (1: a circle stays a circle) and shape of the triangles");
+  const std::string path = outputPath(folder + "/triangle-quality.png");
+  WritePng(DrawTriangleQualities(flattening), path);
+  html.AddPicture(path, "Shape of the triangles: faces by 2r/R.");
+}
+
+void
+AddHandles(HtmlReport & html, const ColonFlattening & flattening)
+{
+  html.AddHeading("Handles");
+  const auto & handles = flattening.handles.handles;
+  if (handles.empty())
+  {
+    html.AddParagraph("None was found.");
+    return;
+  }
+  CsvTable table({ "number", "genus", "place, LPS mm", "u, v on the map, mm", "radius, mm" });
+  for (std::size_t i = 0; i < handles.size(); ++i)
+  {
+    const SurfaceHandle & handle = handles[i];
+    table.AddRow({ std::to_string(i + 1),
+                   std::to_string(handle.genus),
+                   Point(handle.place),
+                   Rounded(handle.flatPlace.x()) + ", " + Rounded(handle.flatPlace.y()),
+                   Rounded(handle.radius, 3) });
+  }
+  const std::string before =
+    flattening.genusAfter < flattening.genusBefore ? "; u, v on the map before they were removed" : "";
+  html.AddTable(table, "Handles by Gauss and Bonnet, marked in the pictures" + before);
+}
+} // namespace
+
+std::vector<FlatAnnotation>
+AnnotationsOfHandles(const ColonFlattening & flattening)
+{
+  std::vector<FlatAnnotation> annotations;
+  for (const SurfaceHandle & handle : flattening.handles.handles)
+  {
+    FlatAnnotation annotation;
+    annotation.text = std::to_string(annotations.size() + 1);
+    annotation.point = handle.place;
+    annotations.push_back(annotation);
+  }
+  return annotations;
+}
+
+void
+WriteColonFlatteningReport(const ColonFlatteningReportContent & content,
+                           const std::string &                  folder,
+                           const OutputPath &                   outputPath)
+{
+  const ColonFlattening & flattening = *content.flattening;
+  const FlatColonPictures pictures(content.parts, flattening.map.circumference / pixelsAround);
+  HtmlReport              html("Flat colon");
+  html.AddHead(SummaryOf(flattening), content.warnings);
+  AddPictures(html, pictures, content.parts.ct != nullptr, folder, outputPath);
+  AddScales(html, pictures);
+  AddDistortion(html, flattening, folder, outputPath);
+  AddHandles(html, flattening);
+  html.AddHeading("Provenance");
+  html.AddFacts(content.provenance);
+  html.Write(outputPath(folder + "/index.html"));
+}
+} // namespace shapeton

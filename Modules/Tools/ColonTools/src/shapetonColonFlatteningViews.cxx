@@ -1,0 +1,75 @@
+#include "shapetonColonFlatteningReport.h"
+
+#include "shapetonCommandLine.h"
+#include "shapetonFlatCoordinateMap.h"
+#include "shapetonExceptions.h"
+
+namespace shapeton
+{
+ColonFlatteningViews::ColonFlatteningViews(CommandLine & commandLine) : m_CommandLine(commandLine)
+{
+  const std::string coloring = commandLine.GetString("coloring");
+  RequireParameter(commandLine.GetDouble("pixelSize") > 0.0, "--pixelSize must be greater than 0");
+  RequireParameter(coloring != "volume" || commandLine.IsGiven("volume"), "--coloring volume needs --volume CT");
+  RequireCoordinateMapName(commandLine.GetString("coordinateMap"));
+  m_Picture = commandLine.OutputOf("picture");
+  m_CoordinateMap = commandLine.OutputOf("coordinateMap");
+  m_Report = commandLine.GetString("report");
+  RequireParameter(!commandLine.IsGiven("volume") || this->ArePicturesWanted(),
+                   "--volume serves pictures alone: give --picture or --report, too");
+  if (!m_Report.empty())
+  {
+    commandLine.MakeFolder(m_Report);
+  }
+}
+
+bool
+ColonFlatteningViews::ArePicturesWanted() const
+{
+  return !m_Picture.empty() || !m_Report.empty();
+}
+
+FlatColoring
+ColonFlatteningViews::ColoringFor(const itk::Image<float, 3> * ct) const
+{
+  const std::string coloring = m_CommandLine.GetString("coloring");
+  if (coloring == "auto")
+  {
+    return ct ? FlatColoring::Volume : FlatColoring::Curvature;
+  }
+  return coloring == "volume"      ? FlatColoring::Volume
+         : coloring == "curvature" ? FlatColoring::Curvature
+                                   : FlatColoring::Relief;
+}
+
+void
+ColonFlatteningViews::Write(const ColonFlattening &      flattening,
+                            const CurveSet &             centreline,
+                            const itk::Image<float, 3> * ct) const
+{
+  const double   pixelSize = m_CommandLine.GetDouble("pixelSize");
+  FlatColonParts parts;
+  parts.flat = &flattening.map.flat;
+  parts.centreline = centreline.curves.empty() ? nullptr : &centreline;
+  parts.ct = ct;
+  parts.annotations = AnnotationsOfHandles(flattening);
+  if (!m_CoordinateMap.empty())
+  {
+    FlatColonGridOptions options;
+    options.pixelSize = pixelSize;
+    WriteFlatCoordinateMap(
+      FlatColonGrid(flattening.map.flat, options), m_CoordinateMap, ProvenanceMetadata(m_CommandLine.GetProvenance()));
+  }
+  if (!m_Picture.empty())
+  {
+    WritePng(FlatColonPictures(parts, pixelSize).Draw(this->ColoringFor(ct), "Flat colon"), m_Picture);
+  }
+  if (!m_Report.empty())
+  {
+    const ColonFlatteningReportContent content{
+      &flattening, parts, m_CommandLine.GetWarnings(), m_CommandLine.GetProvenance()
+    };
+    WriteColonFlatteningReport(content, m_Report, [&](const std::string & path) { return m_CommandLine.Output(path); });
+  }
+}
+} // namespace shapeton

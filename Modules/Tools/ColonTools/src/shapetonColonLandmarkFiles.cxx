@@ -1,0 +1,185 @@
+#include "shapetonToolSurfaces.h"
+#include "shapetonColonLandmarkFiles.h"
+
+#include "shapetonColorTable.h"
+#include "shapetonCommandLine.h"
+#include "shapetonSlicerMarkups.h"
+#include "shapetonSurfaceWriter.h"
+#include "shapetonExceptions.h"
+
+#include <filesystem>
+
+namespace shapeton
+{
+namespace
+{
+bool
+EndsWith(const std::string & text, const std::string & end)
+{
+  return text.size() >= end.size() && text.compare(text.size() - end.size(), end.size(), end) == 0;
+}
+
+void
+RemoveOld(const std::string & path)
+{
+  std::error_code ignored;
+  std::filesystem::remove(path, ignored);
+}
+} // namespace
+
+ColonLandmarkFiles::ColonLandmarkFiles(CommandLine & commandLine, const std::string & folder)
+  : m_CommandLine(commandLine), m_Folder(folder)
+{
+  commandLine.MakeFolder(folder);
+  commandLine.RecordRun(this->PathOf("run.json"));
+}
+
+std::string
+ColonLandmarkFiles::PathOf(const std::string & name) const
+{
+  return m_Folder + '/' + name;
+}
+
+void
+ColonLandmarkFiles::WriteOrRemove(const std::string & name, const CurveSet & curves) const
+{
+  if (curves.curves.empty())
+  {
+    RemoveOld(this->PathOf(name));
+    return;
+  }
+  CurveSet withFacts = curves;
+  withFacts.facts = m_CommandLine.GetProvenance();
+  WriteCurves(withFacts, m_CommandLine.Output(this->PathOf(name)));
+}
+
+void
+ColonLandmarkFiles::WriteTaeniaMarkups(const CurveSet & taeniae) const
+{
+  std::vector<Markup> markups;
+  for (std::size_t t = 0; t < taeniae.curves.size(); ++t)
+  {
+    markups.push_back(MarkupOfCurve(taeniae, t, Markup::Kind::Curve, 10.0));
+    markups.back().name = "taenia-" + std::to_string(t + 1);
+    markups.back().color = { 1.0, 0.85, 0.2 };
+  }
+  if (markups.empty())
+  {
+    RemoveOld(this->PathOf("taeniae.mrk.json"));
+    return;
+  }
+  WriteMarkups(markups, m_CommandLine.Output(this->PathOf("taeniae.mrk.json")));
+}
+
+void
+ColonLandmarkFiles::WriteFlexureMarkups(const ColonLandmarks & landmarks, const CurveSet & loops) const
+{
+  Markup points;
+  points.name = "flexures";
+  points.color = { 0.9, 0.2, 0.2 };
+  std::vector<Markup> markups;
+  for (const SegmentBorder & border : landmarks.segments.borders)
+  {
+    if (border.number > 4)
+    {
+      continue;
+    }
+    points.points.push_back(border.point);
+    points.labels.push_back(NameOfFlexure(border.number));
+    points.descriptions.push_back("confidence " + std::to_string(static_cast<int>(100.0 * border.confidence)) + " %");
+    markups.push_back(MarkupOfCurve(loops, markups.size(), Markup::Kind::ClosedCurve, 5.0));
+    markups.back().name = NameOfFlexure(border.number) + "-loop";
+    markups.back().color = points.color;
+  }
+  if (markups.empty())
+  {
+    RemoveOld(this->PathOf("flexures.mrk.json"));
+    return;
+  }
+  markups.insert(markups.begin(), points);
+  WriteMarkups(markups, m_CommandLine.Output(this->PathOf("flexures.mrk.json")));
+}
+
+void
+ColonLandmarkFiles::WriteDocument(const ColonLandmarks & landmarks, const ColonPieces * pieces) const
+{
+  Json document;
+  document["provenance"] = ProvenanceToJson(m_CommandLine.GetProvenance());
+  document["warnings"] = m_CommandLine.GetWarnings();
+  document.update(ColonLandmarksToJson(landmarks));
+  if (pieces != nullptr)
+  {
+    document["pieces"] = ColonPiecesToJson(*pieces);
+  }
+  WriteJson(document, m_CommandLine.Output(this->PathOf("landmarks.json")));
+}
+
+void
+ColonLandmarkFiles::WritePieces(const ColonPieces * pieces) const
+{
+  for (int segment = 1; pieces != nullptr && segment <= 6; ++segment)
+  {
+    const std::string  path = this->PathOf("segment-" + NameOfSegment(segment) + ".vtp");
+    const ColonPiece * made = nullptr;
+    for (const ColonPiece & piece : pieces->pieces)
+    {
+      made = piece.segment == segment ? &piece : made;
+    }
+    if (made != nullptr)
+    {
+      WriteSurface(made->flat, m_CommandLine.GetProvenance(), m_CommandLine.Output(path));
+    }
+    else
+    {
+      RemoveOld(path);
+    }
+  }
+}
+
+void
+ColonLandmarkFiles::Write(const SurfaceMesh & flat, const ColonLandmarks & landmarks, const ColonPieces * pieces) const
+{
+  const CurveSet taeniae = TaeniaCurves(landmarks.taeniae);
+  const CurveSet loops = FlexureCurves(landmarks);
+  this->WriteOrRemove("taeniae.vtp", taeniae);
+  this->WriteOrRemove("flexures.vtp", loops);
+  WriteSurface(
+    SegmentSurface(flat, landmarks), m_CommandLine.GetProvenance(), m_CommandLine.Output(this->PathOf("segments.vtp")));
+  WriteSurface(FoldSurface(flat, landmarks),
+               m_CommandLine.GetProvenance(),
+               m_CommandLine.Output(this->PathOf("folds-surface.vtp")));
+  this->WriteTaeniaMarkups(taeniae);
+  this->WriteFlexureMarkups(landmarks, loops);
+  this->WritePieces(pieces);
+  this->WriteDocument(landmarks, pieces);
+}
+
+std::vector<Eigen::Vector3d>
+ReadTaeniaMarkers(CommandLine & commandLine, const std::string & parameter)
+{
+  std::vector<Eigen::Vector3d> points;
+  const std::string            path = commandLine.GetString(parameter);
+  if (EndsWith(path, ".json"))
+  {
+    for (const Markup & markup : ReadMarkups(commandLine, parameter))
+    {
+      points.insert(points.end(), markup.points.begin(), markup.points.end());
+    }
+  }
+  else
+  {
+    RequireParameter(EndsWith(path, ".vtp"),
+                     "--" + parameter + " takes VTP points or markups of 3D Slicer (.mrk.json), not \"" + path + '"');
+    const CurveSet curves = ReadCurves(commandLine, parameter);
+    for (Eigen::Index i = 0; i < curves.V.rows(); ++i)
+    {
+      points.push_back(curves.V.row(i).transpose());
+    }
+  }
+  if (points.empty())
+  {
+    throw InputError('"' + path + "\" holds no points for markers");
+  }
+  return points;
+}
+} // namespace shapeton

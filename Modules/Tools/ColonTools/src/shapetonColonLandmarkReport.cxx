@@ -1,0 +1,144 @@
+#include "shapetonColonLandmarkReport.h"
+
+#include "shapetonCommandLine.h"
+#include "shapetonHtmlReport.h"
+
+#include <cmath>
+
+namespace shapeton
+{
+namespace
+{
+std::string
+Whole(double value)
+{
+  return CsvTable::Rounded(std::round(value), 6);
+}
+
+CsvTable
+FlexureTable(const ColonLandmarks & landmarks)
+{
+  CsvTable table({ "Flexure", "Distance from the anal verge (mm)", "Position (LPS, mm)", "Confidence", "Remark" });
+  for (const ColonFlexure & flexure : landmarks.flexures.flexures)
+  {
+    const SegmentBorder * border = nullptr;
+    for (const SegmentBorder & one : landmarks.segments.borders)
+    {
+      border = one.number == flexure.number ? &one : border;
+    }
+    if (border == nullptr)
+    {
+      table.AddRow({ NameOfFlexure(flexure.number), "", "", "", "not found: " + flexure.reason });
+      continue;
+    }
+    const Eigen::Vector3d & p = border->point;
+    table.AddRow({ NameOfFlexure(flexure.number),
+                   Whole(border->arcLength),
+                   Whole(p.x()) + ", " + Whole(p.y()) + ", " + Whole(p.z()),
+                   Whole(100.0 * border->confidence) + " %",
+                   border->confidence < 0.5 ? "uncertain: look at it" : "" });
+  }
+  return table;
+}
+
+CsvTable
+TaeniaTable(const ColonTaeniae & taeniae)
+{
+  CsvTable table({ "Taenia", "Length on the wall (mm)", "Mean confidence", "Markers" });
+  for (std::size_t t = 0; t < taeniae.taeniae.size(); ++t)
+  {
+    const ColonTaenia & taenia = taeniae.taeniae[t];
+    double              length = 0.0;
+    double              confidence = 0.0;
+    for (std::size_t i = 0; i < taenia.points.size(); ++i)
+    {
+      length += i > 0 ? (taenia.points[i] - taenia.points[i - 1]).norm() : 0.0;
+      confidence += taenia.confidence[i] / static_cast<double>(taenia.points.size());
+    }
+    int markers = 0;
+    for (const UsedMarker & marker : taeniae.markers)
+    {
+      markers += marker.taenia == static_cast<int>(t) + 1 ? 1 : 0;
+    }
+    table.AddRow({ std::to_string(t + 1), Whole(length), CsvTable::Rounded(confidence, 2), std::to_string(markers) });
+  }
+  return table;
+}
+
+CsvTable
+PieceTable(const ColonPieces & pieces)
+{
+  CsvTable table({ "Segment", "Modulus (height over width)", "Width (mm)", "Height (mm)", "Area (mm^2)" });
+  for (const ColonPiece & piece : pieces.pieces)
+  {
+    table.AddRow({ piece.name,
+                   CsvTable::Rounded(std::sqrt(piece.modulusU * piece.modulusV), 4),
+                   Whole(piece.width),
+                   Whole(piece.height),
+                   Whole(piece.area) });
+  }
+  return table;
+}
+
+std::string
+HowTaeniaeWereFound(const ColonTaeniae & taeniae)
+{
+  if (!taeniae.reason.empty())
+  {
+    return "No taeniae: " + taeniae.reason + ".";
+  }
+  return "Rule " + NameOf(taeniae.rule) + ", kept: " + taeniae.kept + ". Energy of the joint programme " +
+         CsvTable::Rounded(taeniae.jointEnergy, 4) + ", of fuzzy C-means " + CsvTable::Rounded(taeniae.fuzzyEnergy, 4) +
+         " (less is better). They are " + CsvTable::Rounded(taeniae.meanDisagreement, 3) +
+         " mm apart in the mean, more than 10 mm along " + Whole(100.0 * taeniae.disagreeingShare) + " % of the colon.";
+}
+} // namespace
+
+ColonLandmarkReport::ColonLandmarkReport(CommandLine & commandLine, const std::string & folder)
+  : m_CommandLine(commandLine), m_Folder(folder)
+{
+  if (!m_Folder.empty())
+  {
+    commandLine.MakeFolder(m_Folder);
+  }
+}
+
+void
+ColonLandmarkReport::Write(const SurfaceMesh & flat, const ColonLandmarks & landmarks, const ColonPieces * pieces) const
+{
+  if (m_Folder.empty())
+  {
+    return;
+  }
+  HtmlReport report("Landmarks of a colon");
+  report.AddParagraph("For research use; not a diagnosis.");
+  for (const std::string & warning : m_CommandLine.GetWarnings())
+  {
+    report.AddNote(warning);
+  }
+  const auto addPicture = [&](const Picture * picture, const std::string & name, const std::string & caption) {
+    const std::string path = m_CommandLine.Output(m_Folder + '/' + name);
+    WritePng(picture, path);
+    report.AddPicture(path, caption);
+  };
+  const ColonLandmarkParts parts{ &flat, &landmarks };
+  report.AddHeading("Segments, taeniae and flexures");
+  addPicture(DrawColonLandmarks(parts, PatientSide::Anterior), "landmarks-anterior.png", "From the front");
+  addPicture(DrawColonLandmarks(parts, PatientSide::Posterior), "landmarks-posterior.png", "From the back");
+  report.AddTable(FlexureTable(landmarks), "Flexures");
+  report.AddHeading("Flat colon");
+  addPicture(DrawFlatLandmarks(parts), "landmarks-flat.png", "Taeniae and flexures on the flat colon");
+  report.AddParagraph(HowTaeniaeWereFound(landmarks.taeniae));
+  report.AddTable(TaeniaTable(landmarks.taeniae), "Taeniae");
+  report.AddHeading("Folds on the surface");
+  addPicture(DrawSurfaceFolds(parts, PatientSide::Anterior), "folds-surface.png", "Folds found without the flat map");
+  if (pieces != nullptr)
+  {
+    report.AddHeading("Split colon");
+    report.AddTable(PieceTable(*pieces), "Conformal moduli of the segments, each cut along a taenia");
+  }
+  report.AddHeading("Provenance");
+  report.AddFacts(m_CommandLine.GetProvenance());
+  report.Write(m_CommandLine.Output(m_Folder + "/index.html"));
+}
+} // namespace shapeton

@@ -1,0 +1,98 @@
+#include "shapetonColonModelFiles.h"
+
+#include "shapetonColonQuality.h"
+#include "shapetonCommandLine.h"
+#include "shapetonSurfaceWriter.h"
+#include "shapetonVolumeWriter.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace shapeton
+{
+namespace
+{
+/** Whole HU, as a scanner gives them. */
+itk::Image<short, 3>::Pointer
+RoundedToHU(const itk::Image<float, 3> * image)
+{
+  const auto rounded = itk::Image<short, 3>::New();
+  rounded->CopyInformation(image);
+  rounded->SetRegions(image->GetLargestPossibleRegion());
+  rounded->Allocate();
+  const float * const from = image->GetBufferPointer();
+  const float * const end = from + image->GetLargestPossibleRegion().GetNumberOfPixels();
+  std::transform(from, end, rounded->GetBufferPointer(), [](float value) {
+    return static_cast<short>(std::lround(std::clamp(value, -32768.0F, 32767.0F)));
+  });
+  return rounded;
+}
+
+template <typename TGeometry>
+TGeometry
+WithProvenance(TGeometry geometry, const CommandLine & commandLine)
+{
+  geometry.facts = ProvenanceMetadata(commandLine.GetProvenance());
+  return geometry;
+}
+} // namespace
+
+ColonModelFiles::ColonModelFiles(CommandLine & commandLine, const std::string & folder)
+  : m_CommandLine(commandLine), m_Folder(folder)
+{
+  commandLine.MakeFolder(folder);
+  commandLine.RecordRun(folder + "/run.json");
+}
+
+void
+ColonModelFiles::WriteFile(const std::string &                                   name,
+                           bool                                                  atOnce,
+                           const std::function<void(const std::string & path)> & write) const
+{
+  const std::string path = m_Folder + '/' + name;
+  write(m_CommandLine.Output(path));
+  if (atOnce)
+  {
+    m_CommandLine.Publish(path);
+  }
+}
+
+void
+ColonModelFiles::Write(const ColonModel & model, bool atOnce) const
+{
+  const auto metadata = ProvenanceMetadata(m_CommandLine.GetProvenance());
+  this->WriteFile("lumen.nrrd", atOnce, [&](const std::string & path) {
+    WriteVolume(model.lumen.labels.GetPointer(), path, metadata);
+  });
+  if (model.cleansed)
+  {
+    this->WriteFile("cleansed.nrrd", atOnce, [&](const std::string & path) {
+      WriteVolume(RoundedToHU(model.cleansed).GetPointer(), path, metadata);
+    });
+  }
+  if (!model.centreline.curve.curves.empty())
+  {
+    this->WriteFile("centreline.vtp", atOnce, [&](const std::string & path) {
+      WriteCurves(WithProvenance(model.centreline.curve, m_CommandLine), path);
+    });
+  }
+  const std::pair<const char *, const SurfaceMesh *> surfaces[] = { { "wall.vtp", &model.wall.raw },
+                                                                    { "wall-repaired.vtp", &model.wall.repaired },
+                                                                    { "wall-simplified.vtp", &model.wall.simplified } };
+  for (const auto & [name, surface] : surfaces)
+  {
+    if (surface->NumberOfFaces() > 0)
+    {
+      this->WriteFile(name, atOnce, [&, mesh = surface](const std::string & path) {
+        WriteSurface(WithProvenance(*mesh, m_CommandLine), path);
+      });
+    }
+  }
+  this->WriteFile("quality.json", atOnce, [&](const std::string & path) {
+    Json document;
+    document["provenance"] = ProvenanceToJson(m_CommandLine.GetProvenance());
+    document.update(ColonQualityToJson(model));
+    WriteJson(document, path);
+  });
+}
+} // namespace shapeton

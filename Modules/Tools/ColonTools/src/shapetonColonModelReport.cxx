@@ -1,0 +1,207 @@
+#include "shapetonColonModelReport.h"
+
+#include "shapetonColonGravity.h"
+#include "shapetonColonReport.h"
+#include "shapetonCommandLine.h"
+#include "shapetonCsvTable.h"
+#include "shapetonVolume.h"
+
+#include <cmath>
+
+namespace shapeton
+{
+namespace
+{
+using Facts = ColonReportContent::Facts;
+
+std::string
+Millilitres(double ml)
+{
+  return CsvTable::Rounded(ml, 4) + " ml";
+}
+
+std::string
+Millimetres(double mm)
+{
+  return CsvTable::Rounded(std::round(mm), 6) + " mm";
+}
+
+Facts
+InputFacts(const Volume & volume)
+{
+  const auto & size = volume.image->GetLargestPossibleRegion().GetSize();
+  const auto & spacing = volume.image->GetSpacing();
+  std::string  sizes;
+  std::string  spacings;
+  for (unsigned int axis = 0; axis < 3; ++axis)
+  {
+    const char * const between = axis == 0 ? "" : " x ";
+    sizes += between + std::to_string(size[axis]);
+    spacings += between + CsvTable::Rounded(spacing[axis], 4);
+  }
+  Facts facts = { { "Identity", volume.identity }, { "Voxels", sizes }, { "Spacing", spacings + " mm" } };
+  if (!volume.modality.empty())
+  {
+    facts.insert(facts.begin(), { "Modality", volume.modality });
+  }
+  if (!volume.patientPosition.empty())
+  {
+    facts.emplace_back("Patient position in the header", volume.patientPosition);
+  }
+  return facts;
+}
+
+void
+AddLineFacts(const ColonModel & model, Facts & facts)
+{
+  const ColonCentreline & line = model.centreline;
+  if (line.curve.curves.empty())
+  {
+    return;
+  }
+  double bridged = 0.0;
+  for (const CentrelineGap & gap : line.gaps)
+  {
+    bridged += gap.end - gap.begin;
+  }
+  facts.emplace_back("Length of the centreline", Millimetres(line.length));
+  facts.emplace_back("Gaps that are bridged",
+                     std::to_string(line.gaps.size()) + (line.gaps.empty() ? "" : ", " + Millimetres(bridged)));
+  facts.emplace_back("Places where loops have merged", std::to_string(line.merges.size()));
+  facts.emplace_back("Distended (calibre of at least 10 mm)",
+                     CsvTable::Rounded(100.0 * model.wholeDistension.share, 3) + " % of the centreline");
+}
+
+void
+AddWallFacts(const ColonWall & wall, Facts & facts)
+{
+  if (wall.raw.NumberOfFaces() == 0)
+  {
+    return;
+  }
+  const ColonWallReport & report = wall.report;
+  facts.emplace_back("Handles of the wall",
+                     std::to_string(report.rawGenus) + ", after the repair " + std::to_string(report.repairedGenus));
+  facts.emplace_back("Changed by the repair",
+                     Millilitres(report.topology.cutVolume) + " cut, " + Millilitres(report.topology.cavityVolume) +
+                       " of cavities filled");
+  facts.emplace_back("Faces of the wall",
+                     std::to_string(report.rawFaces) + ", simplified " + std::to_string(report.simplifiedFaces));
+  facts.emplace_back("Synthetic faces", std::to_string(report.bridgedFaces));
+}
+
+Facts
+SummaryFacts(const ColonModel & model)
+{
+  double gas = 0.0;
+  double fluid = 0.0;
+  for (const LumenPiece & piece : model.lumen.pieces)
+  {
+    gas += piece.gasMl;
+    fluid += piece.fluidMl;
+  }
+  Facts facts;
+  if (!model.failure.empty())
+  {
+    facts.emplace_back("Result", "partial: " + model.failure);
+  }
+  facts.emplace_back(model.hasIntensities ? "Gas" : "Lumen", Millilitres(gas));
+  if (model.hasIntensities)
+  {
+    facts.emplace_back("Tagged fluid", Millilitres(fluid));
+  }
+  facts.emplace_back("Pieces of the lumen", std::to_string(model.lumen.pieces.size()));
+  AddLineFacts(model, facts);
+  AddWallFacts(model.wall, facts);
+  return facts;
+}
+
+Facts
+ParameterFacts(const ColonLumen & lumen)
+{
+  const ColonThresholds & thresholds = lumen.thresholds;
+  const auto              hu = [](double value) { return CsvTable::Rounded(std::round(value), 5) + " HU"; };
+  Facts                   facts = { { "Position of the patient",
+                                      NameOfGravity(lumen.gravity) +
+                                        (lumen.gravitySource == ColonGravitySource::PatientPosition ? ", as given"
+                                         : lumen.gravitySource == ColonGravitySource::Levels ? ", from the fluid levels"
+                                                                                             : ", assumed") },
+                                    { "Noise", hu(lumen.noise) },
+                                    { "Gas, soft tissue", hu(thresholds.gas) + ", " + hu(thresholds.tissue) },
+                                    { "Wall under gas at", hu(thresholds.gasBoundary) } };
+  if (lumen.isTagged)
+  {
+    facts.emplace_back("Tagged fluid, its boundary", hu(thresholds.fluid) + ", " + hu(thresholds.fluidBoundary));
+  }
+  if (lumen.smoothing > 0.0)
+  {
+    facts.emplace_back("Smoothed against noise", CsvTable::Rounded(lumen.smoothing, 3) + " mm");
+  }
+  return facts;
+}
+
+std::vector<ColonSegment>
+SegmentsOf(const std::vector<SegmentDistension> & distension)
+{
+  std::vector<ColonSegment> segments;
+  for (const SegmentDistension & one : distension)
+  {
+    segments.push_back({ one.name, one.begin, one.end, one.share });
+  }
+  return segments;
+}
+
+std::vector<std::pair<std::string, std::string>>
+LeftOutFacts(const ColonLumen & lumen)
+{
+  constexpr std::size_t most = 12;
+  Facts                 facts;
+  for (std::size_t i = 0; i < std::min(most, lumen.leftOut.size()); ++i)
+  {
+    const ColonLeftOut & one = lumen.leftOut[i];
+    facts.emplace_back("Left out: " + one.what, Millilitres(one.ml) + ", " + one.why);
+  }
+  return facts;
+}
+} // namespace
+
+ColonModelReport::ColonModelReport(CommandLine & commandLine, const std::string & folder)
+  : m_CommandLine(commandLine), m_Folder(folder)
+{
+  if (!folder.empty())
+  {
+    commandLine.MakeFolder(folder);
+  }
+}
+
+void
+ColonModelReport::Write(const ColonModel & model, const Volume & volume, bool atOnce) const
+{
+  if (m_Folder.empty() || model.lumen.pieces.empty())
+  {
+    return;
+  }
+  ColonReportContent content;
+  content.colon.ct = model.hasIntensities ? volume.image.GetPointer() : nullptr;
+  content.colon.lumen = model.lumen.labels;
+  content.colon.centreline = model.centreline.curve.curves.empty() ? nullptr : &model.centreline.curve;
+  content.colon.wall = model.wall.simplified.NumberOfFaces() > 0 ? &model.wall.simplified : nullptr;
+  content.segments = SegmentsOf(model.distension);
+  content.input = InputFacts(volume);
+  content.summary = SummaryFacts(model);
+  content.parameters = model.hasIntensities ? ParameterFacts(model.lumen) : Facts{ { "Lumen", "a mask, as given" } };
+  const Facts leftOut = LeftOutFacts(model.lumen);
+  content.parameters.insert(content.parameters.end(), leftOut.begin(), leftOut.end());
+  content.warnings = m_CommandLine.GetWarnings();
+  content.provenance = m_CommandLine.GetProvenance();
+  std::vector<std::string> written;
+  WriteColonReport(content, m_Folder, [&](const std::string & path) {
+    written.push_back(path);
+    return m_CommandLine.Output(path);
+  });
+  for (std::size_t i = 0; atOnce && i < written.size(); ++i)
+  {
+    m_CommandLine.Publish(written[i]);
+  }
+}
+} // namespace shapeton

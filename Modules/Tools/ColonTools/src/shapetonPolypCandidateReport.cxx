@@ -1,0 +1,142 @@
+#include "shapetonPolypCandidateReport.h"
+
+#include "shapetonColonSegments.h"
+#include "shapetonCommandLine.h"
+#include "shapetonPolypCandidatePictures.h"
+
+#include <cmath>
+
+namespace shapeton
+{
+namespace
+{
+std::string
+Cell(double value, int digits)
+{
+  return std::isfinite(value) ? CsvTable::Rounded(value, digits) : "";
+}
+
+std::string
+OtherPosition(const PolypCandidate & candidate)
+{
+  if (!candidate.other)
+  {
+    return "";
+  }
+  const PolypInOtherPosition & other = *candidate.other;
+  return other.isExcluded ? "not imaged"
+         : other.isSeen   ? "candidate " + std::to_string(other.candidate) + ", " + Cell(other.distance, 2) + " mm off"
+                          : "no candidate";
+}
+
+CsvTable
+TableForReaders(const std::vector<PolypCandidate> & candidates)
+{
+  CsvTable table({ "Candidate",
+                   "Score",
+                   "Segment",
+                   "From the anal verge (cm)",
+                   "Largest diameter (mm)",
+                   "Size",
+                   "Height (mm)",
+                   "Mean HU",
+                   "Inside",
+                   "Other position",
+                   "Remark" });
+  for (const PolypCandidate & one : candidates)
+  {
+    table.AddRow({ std::to_string(one.number),
+                   CsvTable::Rounded(one.score, 2),
+                   NameOfSegment(one.segment),
+                   Cell(one.arcLength / 10.0, 4),
+                   Cell(one.diameter, 3),
+                   NameOf(SizeOf(one.diameter)),
+                   Cell(one.height, 2),
+                   Cell(one.attenuation, 3),
+                   NameOf(one.tissue),
+                   OtherPosition(one),
+                   one.remark });
+  }
+  return table;
+}
+
+void
+AddPicture(HtmlReport &        report,
+           const Picture *     picture,
+           const std::string & path,
+           const std::string & caption,
+           const OutputPath &  outputPath)
+{
+  const std::string written = outputPath(path);
+  WritePng(picture, written);
+  report.AddPicture(written, caption);
+}
+} // namespace
+
+void
+AddPolypCandidateTable(HtmlReport & report, const std::vector<PolypCandidate> & candidates)
+{
+  report.AddHeading("Polyp candidates");
+  report.AddNote("For research use; not a diagnosis. A candidate is a place whose shape is that of a polyp. It may be "
+                 "stool, the ileocaecal valve or the end of a fold, and a polyp may be missing from the list.");
+  if (candidates.empty())
+  {
+    report.AddParagraph("No candidates at this sensitivity.");
+    return;
+  }
+  report.AddTable(TableForReaders(candidates), "Candidates by falling score");
+  report.AddParagraph("Category implied by candidates: " + CategoryImplied(candidates) + ".");
+}
+
+std::string
+CaptionOfPolypPicture(int candidate)
+{
+  return candidate == 0 ? "Candidates on the flat colon"
+                        : "Candidate " + std::to_string(candidate) +
+                            ": on the flat map at four times the resolution, and from the centreline";
+}
+
+void
+AddPolypCandidateSection(HtmlReport &                        report,
+                         const PolypColon &                  colon,
+                         const std::vector<PolypCandidate> & candidates,
+                         const std::string &                 folder,
+                         const OutputPath &                  outputPath)
+{
+  AddPolypCandidateTable(report, candidates);
+  if (candidates.empty() || colon.flat.NumberOfFaces() == 0)
+  {
+    return;
+  }
+  const PolypCandidatePictures pictures(colon, candidates);
+  AddPicture(
+    report, pictures.DrawFlatColon(), folder + "/polyp-candidates-flat.png", CaptionOfPolypPicture(0), outputPath);
+  for (const PolypCandidate & one : candidates)
+  {
+    AddPicture(report,
+               pictures.DrawCandidate(one),
+               folder + "/polyp-candidate-" + std::to_string(one.number) + ".png",
+               CaptionOfPolypPicture(one.number),
+               outputPath);
+  }
+}
+
+void
+WritePolypCandidateReport(CommandLine &                       commandLine,
+                          const PolypColon &                  colon,
+                          const std::vector<PolypCandidate> & candidates,
+                          const std::string &                 folder)
+{
+  if (folder.empty())
+  {
+    return;
+  }
+  HtmlReport report("Polyp candidates of a colon");
+  report.AddHead({ { "Candidates", std::to_string(candidates.size()) } }, commandLine.GetWarnings());
+  AddPolypCandidateSection(
+    report, colon, candidates, folder, [&](const std::string & path) { return commandLine.Output(path); });
+  report.AddHeading("Provenance");
+  report.AddFacts(commandLine.GetProvenance());
+  report.Write(commandLine.Output(folder + "/index.html"));
+}
+} // namespace shapeton

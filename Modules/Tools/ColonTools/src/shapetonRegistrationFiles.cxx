@@ -1,0 +1,298 @@
+#include "shapetonRegistrationFiles.h"
+
+#include "shapetonCommandLine.h"
+#include "shapetonCsvFile.h"
+#include "shapetonSurfaceReader.h"
+#include "shapetonSurfaceWriter.h"
+#include "shapetonExceptions.h"
+
+#include <cmath>
+#include <filesystem>
+#include <limits>
+
+namespace fs = std::filesystem;
+
+namespace shapeton
+{
+namespace
+{
+constexpr const char * forwardName = "map-supine-to-prone.vtp";
+constexpr const char * inverseName = "map-prone-to-supine.vtp";
+constexpr const char * matchesName = "matches.csv";
+constexpr const char * errorsName = "errors.csv";
+constexpr const char * documentName = "registration.json";
+
+const std::vector<std::string> matchColumns{
+  "supineFold",      "proneFold",      "sx",      "sy",   "sz",       "px",     "py",       "pz",
+  "supineArcLength", "proneArcLength", "segment", "cost", "residual", "weight", "followed", "verdict"
+};
+const std::vector<std::string> pointColumns{ "sx", "sy", "sz", "px", "py", "pz" };
+const std::vector<std::string> errorColumns{ "sx", "sy", "sz", "px", "py", "pz", "kind", "inSpace", "onMap" };
+
+/** Not the folder of an examination or of one of its stages, where names would meet. */
+void
+RequireOwnFolder(const std::string & folder, const std::string & examination)
+{
+  const fs::path own = fs::weakly_canonical(fs::path(folder) / ".");
+  const fs::path whole = fs::weakly_canonical(fs::path(examination) / ".");
+  bool           isTaken = own == whole;
+  for (const char * stage : { "inspection", "segmentation", "flattening", "landmarks", "folds", "slicer", "stages" })
+  {
+    const fs::path relative = own.lexically_relative(whole / stage);
+    isTaken = isTaken || own == whole / stage || (!relative.empty() && *relative.begin() != "..");
+  }
+  RequireParameter(!isTaken,
+                   "the output folder \"" + folder + "\" is that of the examination \"" + examination +
+                     "\" or of one of its stages; give a folder of its own");
+}
+
+Eigen::Vector3d
+PointOf(const CsvFile & file, std::size_t row, const std::string & prefix)
+{
+  return { file.Number(row, prefix + "x"), file.Number(row, prefix + "y"), file.Number(row, prefix + "z") };
+}
+
+/** To a thousandth, of mm or of a share: more is not known. Empty for what is no number. */
+std::string
+Cell(double value)
+{
+  constexpr double parts = 1000.0;
+  constexpr int    digits = 9;
+  return std::isfinite(value) ? CsvTable::Rounded(std::round(parts * value) / parts + 0.0, digits) : "";
+}
+
+std::vector<std::string>
+CellsOf(const Eigen::Vector3d & supine, const Eigen::Vector3d & prone)
+{
+  std::vector<std::string> cells;
+  for (const Eigen::Vector3d & point : { supine, prone })
+  {
+    for (int k = 0; k < 3; ++k)
+    {
+      cells.push_back(Cell(point[k]));
+    }
+  }
+  return cells;
+}
+
+FoldVerdict
+VerdictOf(const std::string & name)
+{
+  return name == "correct" ? FoldVerdict::Correct : name == "wrong" ? FoldVerdict::Wrong : FoldVerdict::Unknown;
+}
+
+std::vector<MatchedFolds>
+ReadMatches(const std::string & path)
+{
+  const CsvFile             file(path, matchColumns);
+  std::vector<MatchedFolds> matches;
+  for (std::size_t row = 0; row < file.Rows(); ++row)
+  {
+    MatchedFolds match;
+    match.supineFold = static_cast<int>(file.Number(row, "supineFold"));
+    match.proneFold = static_cast<int>(file.Number(row, "proneFold"));
+    match.supinePoint = PointOf(file, row, "s");
+    match.pronePoint = PointOf(file, row, "p");
+    match.supineArcLength = file.Number(row, "supineArcLength");
+    match.proneArcLength = file.Number(row, "proneArcLength");
+    match.segment = file.Text(row, "segment");
+    match.cost = file.Number(row, "cost");
+    match.residual = file.Number(row, "residual");
+    match.weight = file.Number(row, "weight");
+    match.verdict = VerdictOf(file.Text(row, "verdict"));
+    matches.push_back(match);
+  }
+  return matches;
+}
+
+SurfaceMesh
+ReadMap(const std::string & path)
+{
+  SurfaceMesh surface = ReadSurface(path).mesh;
+  for (const auto & [name, columns] :
+       { std::pair<const char *, int>("mapped", 3), { "mappedUv", 2 }, { "confidence", 1 }, { "excluded", 1 } })
+  {
+    const SurfaceArray * const array = FindSurfaceArray(surface.pointArrays, name);
+    if (!array || array->values.cols() != columns)
+    {
+      throw InputError('"' + path + "\" has no point array " + name + "; it must be one that ColonRegistration writes");
+    }
+  }
+  return surface;
+}
+
+void
+ReadErrors(const std::string & path, RegistrationResults & results)
+{
+  const CsvFile file(path, errorColumns);
+  for (std::size_t row = 0; row < file.Rows(); ++row)
+  {
+    const std::string & kind = file.Text(row, "kind");
+    results.points.push_back({ PointOf(file, row, "s"), PointOf(file, row, "p") });
+    results.errors.push_back({ kind == "counted"    ? PointError::Kind::Counted
+                               : kind == "excluded" ? PointError::Kind::Excluded
+                                                    : PointError::Kind::OffSurface,
+                               file.NumberOrNothing(row, "inSpace"),
+                               file.NumberOrNothing(row, "onMap") });
+  }
+}
+
+/** Where a document lacks it: not a number. */
+double
+NumberAt(const Json & json, const char * key)
+{
+  return json.at(key).is_null() ? std::numeric_limits<double>::quiet_NaN() : json.at(key).get<double>();
+}
+
+std::vector<SegmentMatches>
+SegmentsOfDocument(const Json & document, const std::string & path)
+{
+  std::vector<SegmentMatches> segments;
+  try
+  {
+    for (const Json & one : document.at("segments"))
+    {
+      SegmentMatches row;
+      row.segment = one.at("segment").is_null() ? "" : one["segment"].get<std::string>();
+      row.confidence = NumberAt(one, "confidence");
+      row.supineFolds = one.at("supineFolds").get<int>();
+      row.proneFolds = one.at("proneFolds").get<int>();
+      row.followed = one.at("followed").get<int>();
+      row.contradicted = one.at("contradicted").get<int>();
+      row.supineAlone = one.at("supineAlone").get<int>();
+      row.proneAlone = one.at("proneAlone").get<int>();
+      row.correct = one.value("correct", 0);
+      row.wrong = one.value("wrong", 0);
+      row.unmatched = one.value("unmatched", 0);
+      segments.push_back(row);
+    }
+  }
+  catch (const Json::exception & error)
+  {
+    throw InputError('"' + path + "\" is not what ColonRegistration writes (" + error.what() + "); run it again");
+  }
+  return segments;
+}
+} // namespace
+
+RegistrationFiles::RegistrationFiles(CommandLine &                    commandLine,
+                                     const std::string &              folder,
+                                     const std::vector<std::string> & examinations)
+  : m_CommandLine(commandLine), m_Folder(folder)
+{
+  for (const std::string & examination : examinations)
+  {
+    RequireOwnFolder(folder, examination);
+  }
+  commandLine.MakeFolder(folder);
+  commandLine.RecordRun(this->PathOf("run.json"));
+}
+
+std::string
+RegistrationFiles::PathOf(const std::string & name) const
+{
+  return m_Folder + '/' + name;
+}
+
+void
+RegistrationFiles::Write(const RegistrationResults & results) const
+{
+  WriteSurface(results.supineToProne, m_CommandLine.GetProvenance(), m_CommandLine.Output(this->PathOf(forwardName)));
+  WriteSurface(results.proneToSupine, m_CommandLine.GetProvenance(), m_CommandLine.Output(this->PathOf(inverseName)));
+  TableOfMatches(results).Write(m_CommandLine.Output(this->PathOf(matchesName)));
+  this->WriteErrors(results);
+  Json document;
+  document["provenance"] = ProvenanceToJson(m_CommandLine.GetProvenance());
+  document["warnings"] = m_CommandLine.GetWarnings();
+  document.update(results.document);
+  WriteJson(document, m_CommandLine.Output(this->PathOf(documentName)));
+}
+
+void
+RegistrationFiles::WriteErrors(const RegistrationResults & results) const
+{
+  if (results.points.empty())
+  {
+    std::error_code ignored;
+    fs::remove(this->PathOf(errorsName), ignored);
+    return;
+  }
+  TableOfErrors(results).Write(m_CommandLine.Output(this->PathOf(errorsName)));
+}
+
+CsvTable
+TableOfMatches(const RegistrationResults & results)
+{
+  CsvTable table(matchColumns);
+  for (const MatchedFolds & match : results.matches)
+  {
+    std::vector<std::string> cells{ std::to_string(match.supineFold), std::to_string(match.proneFold) };
+    for (const std::string & cell : CellsOf(match.supinePoint, match.pronePoint))
+    {
+      cells.push_back(cell);
+    }
+    cells.push_back(Cell(match.supineArcLength));
+    cells.push_back(Cell(match.proneArcLength));
+    cells.push_back(match.segment);
+    for (const double value : { match.cost, match.residual, match.weight })
+    {
+      cells.push_back(Cell(value));
+    }
+    cells.push_back(match.IsFollowed() ? "1" : "0");
+    cells.push_back(NameOf(match.verdict));
+    table.AddRow(cells);
+  }
+  return table;
+}
+
+CsvTable
+TableOfErrors(const RegistrationResults & results)
+{
+  CsvTable table(errorColumns);
+  for (std::size_t i = 0; i < results.points.size(); ++i)
+  {
+    const PointError &       error = results.errors[i];
+    std::vector<std::string> cells = CellsOf(results.points[i].source, results.points[i].target);
+    cells.push_back(error.kind == PointError::Kind::Counted    ? "counted"
+                    : error.kind == PointError::Kind::Excluded ? "excluded"
+                                                               : "offSurface");
+    cells.push_back(Cell(error.inSpace));
+    cells.push_back(std::isfinite(error.onMap) ? CsvTable::Rounded(error.onMap, 4) : "");
+    table.AddRow(cells);
+  }
+  return table;
+}
+
+std::vector<PointPair>
+ReadPointPairs(const std::string & path)
+{
+  const CsvFile          file(path, pointColumns);
+  std::vector<PointPair> points;
+  for (std::size_t row = 0; row < file.Rows(); ++row)
+  {
+    points.push_back({ PointOf(file, row, "s"), PointOf(file, row, "p") });
+  }
+  if (points.empty())
+  {
+    throw InputError('"' + path + "\" holds no points; give a row of sx,sy,sz,px,py,pz (LPS, mm) for each");
+  }
+  return points;
+}
+
+RegistrationResults
+ReadRegistrationResults(const std::string & folder)
+{
+  const auto          pathOf = [&](const char * name) { return folder + '/' + name; };
+  RegistrationResults results;
+  results.document = ReadJson(pathOf(documentName));
+  results.segments = SegmentsOfDocument(results.document, pathOf(documentName));
+  results.supineToProne = ReadMap(pathOf(forwardName));
+  results.proneToSupine = ReadMap(pathOf(inverseName));
+  results.matches = ReadMatches(pathOf(matchesName));
+  if (fs::exists(pathOf(errorsName)))
+  {
+    ReadErrors(pathOf(errorsName), results);
+  }
+  return results;
+}
+} // namespace shapeton

@@ -1,0 +1,144 @@
+#include "shapetonColonFlatteningReport.h"
+
+#include "shapetonColonTube.h"
+#include "shapetonFlatTestColon.h"
+#include "shapetonPictureTestUtilities.h"
+#include "shapetonTestFolder.h"
+
+#include <filesystem>
+#include <set>
+
+namespace
+{
+const shapeton::OutputPath inPlace = [](const std::string & path) { return path; };
+
+/** A tube with two handles, flattened. */
+shapeton::ColonFlattening
+Flattened()
+{
+  testsurfaces::ColonTubeOptions options;
+  options.faces = 6000;
+  options.length = 750.0;
+  options.handles = 2;
+  return shapeton::FlattenColon(testsurfaces::MakeColonTube(options).mesh, "tube");
+}
+
+std::size_t
+CountOf(const std::string & text, const std::string & what)
+{
+  std::size_t count = 0;
+  for (std::size_t at = text.find(what); at != std::string::npos; at = text.find(what, at + 1))
+  {
+    ++count;
+  }
+  return count;
+}
+} // namespace
+
+TEST(ColonFlatteningReport, HoldsPicturesTablesAndWarnings)
+{
+  const shapeton::ColonFlattening        flattening = Flattened();
+  shapeton::ColonFlatteningReportContent content;
+  content.flattening = &flattening;
+  content.parts.flat = &flattening.map.flat;
+  content.parts.annotations = AnnotationsOfHandles(flattening);
+  content.warnings = { "a <warning>" };
+  content.provenance = { { "tool", "a & b" } };
+  ASSERT_EQ(flattening.handles.handles.size(), 2U);
+  ASSERT_EQ(content.parts.annotations.size(), 2U);
+  EXPECT_EQ(content.parts.annotations[1].text, "2");
+
+  const basetest::Folder folder;
+  WriteColonFlatteningReport(content, folder / ".", inPlace);
+  std::set<std::string> files;
+  for (const auto & entry : std::filesystem::directory_iterator(folder / "."))
+  {
+    files.insert(entry.path().filename().string());
+  }
+  EXPECT_EQ(files,
+            (std::set<std::string>{ "index.html", "flat-relief.png", "flat-curvature.png", "triangle-quality.png" }));
+  const std::string html = shapeton::BytesOf(folder / "index.html");
+  EXPECT_EQ(CountOf(html, "data:image/png;base64,"), 3U);
+  for (const char * text : { "For research use. This is not a diagnosis",
+                             "a &lt;warning&gt;",
+                             "a &amp; b",
+                             "heat diffusion distance of all eigenpairs, t = ",
+                             "Quasi-conformal dilatation",
+                             "Handles by Gauss and Bonnet" })
+  {
+    EXPECT_NE(html.find(text), std::string::npos) << text;
+  }
+  const std::string again = html;
+  WriteColonFlatteningReport(content, folder / ".", inPlace);
+  EXPECT_EQ(shapeton::BytesOf(folder / "index.html"), again);
+}
+
+TEST(FlatColonPictures, DistancesComeFromTheSurfaceElseFromTheCentreline)
+{
+  shapeton::SurfaceMesh wall = flatcolon::Wall();
+  shapeton::CurveSet    line;
+  const Eigen::Index    points = 25;
+  line.V = shapeton::VertexMatrix::Zero(points, 3);
+  line.curves.emplace_back();
+  flattubes::AddArray(line.pointArrays, "arcLength", points, 1);
+  for (int i = 0; i < points; ++i)
+  {
+    line.V(i, 2) = 10.0 * i;
+    line.curves[0].push_back(i);
+    line.pointArrays[0].values(i, 0) = 500.0 + 10.0 * i;
+  }
+  shapeton::FlatColonParts parts;
+  parts.flat = &wall;
+  parts.centreline = &line;
+  const shapeton::FlatColonPictures pictures(parts, 1.0);
+  const double                      u = 100.5 * pictures.Grid().PixelSize();
+  EXPECT_NEAR(pictures.Distances()[100], 10.0 + u, 1e-6);
+  wall.pointArrays.pop_back();
+  EXPECT_NEAR(shapeton::FlatColonPictures(parts, 1.0).Distances()[100], 500.0 + u, 2.0);
+  parts.centreline = nullptr;
+  EXPECT_TRUE(shapeton::FlatColonPictures(parts, 1.0).Distances().empty());
+}
+
+TEST(FlatColonPictures, AVolumeRenderingNeedsACt)
+{
+  const shapeton::SurfaceMesh wall = flatcolon::Wall();
+  shapeton::FlatColonParts    parts;
+  parts.flat = &wall;
+  const shapeton::FlatColonPictures pictures(parts, 1.0);
+  EXPECT_THROW(pictures.Draw(shapeton::FlatColoring::Volume, ""), std::invalid_argument);
+  EXPECT_EQ(shapeton::NameOf(shapeton::FlatColoring::Volume), "volume");
+}
+
+TEST(FlatColonPictures, TwoByTwoSamplesForEachPixel)
+{
+  const shapeton::SurfaceMesh wall = flatcolon::Wall();
+  shapeton::FlatColonParts    parts;
+  parts.flat = &wall;
+  const shapeton::FlatColonPictures pictures(parts, 1.0);
+  shapeton::FlatColonGridOptions    options;
+  options.pixelSize = 0.5 * pictures.Grid().PixelSize();
+  options.curvatureLength = 2.0;
+  options.normalLength = 1.0;
+  const shapeton::FlatColonGrid  fine(wall, options);
+  const auto                     strip = PaintFlatRelief(fine, MakeFlatColonAxis(fine));
+  shapeton::FlatColonPageOptions page;
+  page.title = "Folds";
+  const auto plain =
+    DrawFlatColonPage(shapeton::ReduceStrip(strip, 2, pictures.Grid().Columns(), pictures.Grid().Rows()),
+                      pictures.Grid(),
+                      pictures.Distances(),
+                      {},
+                      page);
+  const auto drawn = pictures.Draw(shapeton::FlatColoring::Relief, "Folds");
+  // The same but for the note below the title, which moves the rest down.
+  const auto sizes = plain->GetBufferedRegion().GetSize();
+  const int  shift = static_cast<int>(drawn->GetBufferedRegion().GetSize()[1] - sizes[1]);
+  ASSERT_EQ(shift, 60); // three lines of 20 on a narrow page
+  for (int y = 60; y < static_cast<int>(sizes[1]); ++y)
+  {
+    for (int x = 0; x < static_cast<int>(sizes[0]); ++x)
+    {
+      ASSERT_EQ(shapeton::At(plain, x, y), shapeton::At(drawn, x, y + shift)) << x << " " << y;
+    }
+  }
+}

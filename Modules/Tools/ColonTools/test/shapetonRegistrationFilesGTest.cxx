@@ -1,0 +1,297 @@
+#include "shapetonColonPointMapper.h"
+#include "shapetonRegistrationFiles.h"
+#include "shapetonTestColons.h"
+#include "shapetonFileBytes.h"
+#include "shapetonExceptions.h"
+
+#include <gtest/gtest.h>
+
+namespace
+{
+namespace fs = std::filesystem;
+using namespace tubecolons;
+
+const Movement movement{ 0.37, 8.0 };
+
+std::string
+FreshFolder(const std::string & name)
+{
+  const std::string folder = ::testing::TempDir() + "RegistrationFiles/" + name;
+  fs::remove_all(folder);
+  fs::create_directories(folder);
+  return folder;
+}
+
+template <typename TAction>
+std::string
+FaultOf(const TAction & action)
+{
+  try
+  {
+    action();
+  }
+  catch (const shapeton::InputError & error)
+  {
+    return error.what();
+  }
+  return "";
+}
+
+/** Registered once for all tests. */
+struct Pair
+{
+  Pair()
+    : supine(MakeExamination("supine", 1, {}))
+    , prone(MakeExamination("prone", 1, movement))
+    , registration(shapeton::RegisterColonPositions(supine.position, prone.position))
+    , results(shapeton::MakeRegistrationResults(supine, prone, registration, KnownPoints(movement)))
+  {}
+
+  shapeton::ColonPositionFiles      supine;
+  shapeton::ColonPositionFiles      prone;
+  shapeton::SupineProneRegistration registration;
+  shapeton::RegistrationResults     results;
+};
+
+const Pair &
+TestPair()
+{
+  static const Pair pair;
+  return pair;
+}
+} // namespace
+
+TEST(ColonPositionFiles, ReadsWhatTheFolderHolds)
+{
+  const shapeton::ColonPositionFiles written = MakeExamination("supine", 1, {});
+  const std::string                  folder = FreshFolder("examination");
+  WriteExamination(written, folder);
+  const shapeton::ColonPositionFiles read = shapeton::ReadColonPosition(folder, "supine");
+  EXPECT_TRUE(read.warnings.empty());
+  EXPECT_EQ(read.flat.V, written.flat.V);
+  EXPECT_EQ(read.position.flexures, written.position.flexures);
+  EXPECT_EQ(read.position.taeniae.curves, written.position.taeniae.curves);
+  EXPECT_EQ(read.position.curvature.size(), written.flat.V.rows());
+  EXPECT_EQ(read.position.isExcluded.size(), static_cast<std::size_t>(read.position.grid->Columns()));
+  ASSERT_EQ(read.segments.size(), written.segments.size());
+  EXPECT_EQ(read.segments[2].name, "descending");
+  ASSERT_EQ(read.position.folds.size(), written.position.folds.size());
+  for (std::size_t i = 0; i < read.position.folds.size(); ++i)
+  {
+    const shapeton::HaustralFold & a = read.position.folds[i];
+    const shapeton::HaustralFold & b = written.position.folds[i];
+    EXPECT_EQ(a.label, b.label);
+    EXPECT_LT((a.centreUv - b.centreUv).norm() + (a.endUv[1] - b.endUv[1]).norm(), 1e-2); // 6 digits
+    EXPECT_LT((a.centre - b.centre).norm() + (a.ends[0] - b.ends[0]).norm(), 1e-2);
+    EXPECT_EQ(a.length, b.length);
+    EXPECT_EQ(a.area, b.area);
+  }
+}
+
+TEST(ColonPositionFiles, EqualExaminationsHaveOneIdentity)
+{
+  WriteExamination(MakeExamination("a", 1, {}), FreshFolder("one"));
+  WriteExamination(MakeExamination("b", 1, {}), FreshFolder("same"));
+  WriteExamination(MakeExamination("c", 2, {}), FreshFolder("other"));
+  const auto identity = [](const char * name) {
+    return shapeton::ReadColonPosition(::testing::TempDir() + "RegistrationFiles/" + name, "supine").identity;
+  };
+  EXPECT_EQ(identity("one"), identity("same"));
+  EXPECT_NE(identity("one"), identity("other"));
+}
+
+TEST(ColonPositionFiles, NamesWhatIsMissingAndWhoWritesIt)
+{
+  const auto faultWithout = [](const std::string & file) {
+    const std::string folder = FreshFolder("part");
+    WriteExamination(MakeExamination("prone", 1, {}), folder);
+    fs::remove(folder + '/' + file);
+    return FaultOf([&] { shapeton::ReadColonPosition(folder, "prone"); });
+  };
+  for (const auto & [file, tool] :
+       { std::pair<const char *, const char *>{ "segmentation/centreline.vtp", "(ColonSegmentation)" },
+         { "flattening/flat.vtp", "(ColonFlattening)" },
+         { "landmarks/landmarks.json", "(ColonLandmarks)" },
+         { "landmarks/folds-surface.vtp", "(ColonLandmarks)" },
+         { "folds/folds.csv", "(ColonFolds)" } })
+  {
+    const std::string fault = faultWithout(file);
+    EXPECT_NE(fault.find(std::string(file) + "\" is missing"), std::string::npos) << fault;
+    EXPECT_NE(fault.find(tool), std::string::npos) << fault;
+    EXPECT_EQ(fault.find("prone: "), 0U) << fault;
+  }
+  EXPECT_EQ(faultWithout("landmarks/taeniae.vtp"), "");
+  EXPECT_NE(FaultOf([] { shapeton::ReadColonPosition("absent", "prone"); }).find("no folder \"absent\""),
+            std::string::npos);
+}
+
+TEST(ColonPositionFiles, WithoutTaeniaeThereIsAWarning)
+{
+  const std::string folder = FreshFolder("noTaeniae");
+  WriteExamination(MakeExamination("prone", 1, {}), folder);
+  fs::remove(folder + "/landmarks/taeniae.vtp");
+  const shapeton::ColonPositionFiles files = shapeton::ReadColonPosition(folder, "prone");
+  ASSERT_EQ(files.warnings.size(), 1U);
+  EXPECT_NE(files.warnings[0].find("no taeniae"), std::string::npos);
+}
+
+TEST(ColonPositionFiles, MalformedFilesAreRefused)
+{
+  const auto faultWith = [](const std::string & file, const std::string & bytes) {
+    const std::string folder = FreshFolder("malformed");
+    WriteExamination(MakeExamination("prone", 1, {}), folder);
+    shapeton::WriteFileBytes(folder + '/' + file, bytes);
+    return FaultOf([&] { shapeton::ReadColonPosition(folder, "prone"); });
+  };
+  EXPECT_NE(faultWith("landmarks/landmarks.json", "{}").find("not what ColonLandmarks writes"), std::string::npos);
+  EXPECT_NE(faultWith("folds/folds.csv", "fold,u\n1,2\n").find("folds.csv\", line 1"), std::string::npos);
+  EXPECT_NE(faultWith("flattening/flat.vtp", "").find("flat.vtp"), std::string::npos);
+}
+
+TEST(RegistrationResults, TheMapOnTheSurfaceIsThatOfTheRegistration)
+{
+  const Pair &                  pair = TestPair();
+  const shapeton::SurfaceMesh & map = pair.results.supineToProne;
+  EXPECT_EQ(map.V, pair.supine.flat.V);
+  EXPECT_EQ(map.F, pair.supine.flat.F);
+  const auto & uv = shapeton::FindSurfaceArray(map.pointArrays, "uv")->values;
+  const auto & mapped = shapeton::FindSurfaceArray(map.pointArrays, "mapped")->values;
+  const auto & mappedUv = shapeton::FindSurfaceArray(map.pointArrays, "mappedUv")->values;
+  const auto & displacement = shapeton::FindSurfaceArray(map.pointArrays, "displacement")->values;
+  for (Eigen::Index i = 0; i < map.V.rows(); i += 97)
+  {
+    EXPECT_LT((shapeton::MapUv(pair.registration, uv.row(i).transpose()) - mappedUv.row(i).transpose()).norm(), 1e-9);
+    EXPECT_LT((map.V.row(i) + displacement.row(i) - mapped.row(i)).norm(), 1e-9);
+    // On the prone wall: at most 5 mm, the height of a fold, inside of the tube.
+    EXPECT_LT(mapped.row(i).head<2>().norm(), radius + 1e-6);
+    EXPECT_GT(mapped.row(i).head<2>().norm(), radius - 5.1);
+  }
+  const auto & confidence = shapeton::FindSurfaceArray(map.pointArrays, "confidence")->values;
+  EXPECT_GE(confidence.minCoeff(), 0.0);
+  EXPECT_LE(confidence.maxCoeff(), 1.0);
+  EXPECT_EQ(shapeton::FindSurfaceArray(map.pointArrays, "excluded")->values.sum(), 0.0);
+}
+
+TEST(RegistrationResults, BothMapsAreInverse)
+{
+  const Pair &                     pair = TestPair();
+  const shapeton::ColonPointMapper mapper(pair.registration);
+  const auto & back = shapeton::FindSurfaceArray(pair.results.proneToSupine.pointArrays, "mappedUv")->values;
+  const auto & uv = shapeton::FindSurfaceArray(pair.prone.flat.pointArrays, "uv")->values;
+  for (Eigen::Index i = 0; i < uv.rows(); i += 97)
+  {
+    const Eigen::Vector2d forth = mapper.ForwardUv(back.row(i).transpose()).uv;
+    EXPECT_NEAR(forth.x(), uv(i, 0), 1e-6);
+    EXPECT_NEAR(std::remainder(forth.y() - uv(i, 1), Form().circumference), 0.0, 1e-6);
+  }
+}
+
+TEST(RegistrationResults, PointsInSpaceGoThere)
+{
+  const Pair &                     pair = TestPair();
+  const shapeton::ColonPointMapper mapper(pair.registration);
+  const shapeton::PointPair        known = KnownPoints(movement)[240]; // of a taenia
+  const shapeton::MappedPoint      at = mapper.Forward(known.source);
+  EXPECT_LT((at.point - known.target).norm(), 3.0);
+  EXPECT_LT((mapper.Inverse(at.point).point - known.source).norm(), 0.5);
+  EXPECT_NEAR(mapper.Forward(Eigen::Vector3d(radius + 7.0, 0.0, 300.0)).distance, 7.0, 0.1);
+  EXPECT_FALSE(at.isExcluded);
+}
+
+TEST(RegistrationResults, CountsOfSegmentsAddUp)
+{
+  const Pair & pair = TestPair();
+  int          supine = 0, prone = 0, pairs = 0, correct = 0, wrong = 0, unmatched = 0;
+  for (const shapeton::SegmentMatches & row : pair.results.segments)
+  {
+    supine += row.supineFolds;
+    prone += row.proneFolds;
+    pairs += row.followed + row.contradicted;
+    correct += row.correct;
+    wrong += row.wrong;
+    unmatched += row.unmatched;
+    EXPECT_EQ(row.supineAlone + row.followed + row.contradicted, row.supineFolds);
+    EXPECT_GT(row.confidence, 0.5) << row.segment;
+  }
+  EXPECT_EQ(pair.results.segments.size(), 5U);
+  EXPECT_EQ(supine, static_cast<int>(pair.supine.position.folds.size()));
+  EXPECT_EQ(prone, static_cast<int>(pair.prone.position.folds.size()));
+  EXPECT_EQ(pairs, static_cast<int>(pair.results.matches.size()));
+  EXPECT_EQ(pair.results.document["matches"]["correct"], correct);
+  EXPECT_EQ(wrong, 0);
+  EXPECT_GT(correct, 0.8 * supine); // the others have no known point near, or were not matched
+}
+
+TEST(RegistrationResults, VerdictsFollowTheTruth)
+{
+  const Pair & pair = TestPair();
+  // As if the prone wall lay one gap between folds farther along: hardly a pair can be right by chance.
+  std::vector<shapeton::PointPair> shifted = KnownPoints(movement);
+  for (shapeton::PointPair & known : shifted)
+  {
+    known.target.z() += 20.0;
+  }
+  const auto wrong = shapeton::MakeRegistrationResults(pair.supine, pair.prone, pair.registration, shifted);
+  EXPECT_GT(wrong.document["matches"]["wrong"], 0.6 * wrong.matches.size());
+  // A pair that is taken away is missed, both alike.
+  shapeton::SupineProneRegistration fewer = pair.registration;
+  fewer.matches.erase(fewer.matches.begin() + 20);
+  const auto missed = shapeton::MakeRegistrationResults(pair.supine, pair.prone, fewer, pair.results.points);
+  EXPECT_EQ(missed.document["matches"]["unmatched"], 1);
+  EXPECT_EQ(missed.document["matches"]["correct"], pair.results.document["matches"]["correct"].get<int>() - 1);
+  EXPECT_EQ(missed.matches[20].verdict, shapeton::FoldVerdict::Correct);
+  // Without points nothing is known.
+  const auto unknown = shapeton::MakeRegistrationResults(pair.supine, pair.prone, pair.registration);
+  EXPECT_EQ(unknown.matches[0].verdict, shapeton::FoldVerdict::Unknown);
+  EXPECT_FALSE(unknown.document["matches"].contains("correct"));
+}
+
+TEST(RegistrationResults, TablesAreReadBack)
+{
+  const shapeton::RegistrationResults & results = TestPair().results;
+  const std::string                     folder = FreshFolder("results");
+  shapeton::TableOfMatches(results).Write(folder + "/matches.csv");
+  shapeton::TableOfErrors(results).Write(folder + "/errors.csv");
+  shapeton::WriteJson(results.document, folder + "/registration.json");
+  shapeton::WriteSurface(results.supineToProne, folder + "/map-supine-to-prone.vtp");
+  shapeton::WriteSurface(results.proneToSupine, folder + "/map-prone-to-supine.vtp");
+  const shapeton::RegistrationResults read = shapeton::ReadRegistrationResults(folder);
+  EXPECT_EQ(shapeton::TableOfMatches(read).GetRows(), shapeton::TableOfMatches(results).GetRows());
+  EXPECT_EQ(shapeton::TableOfErrors(read).GetRows(), shapeton::TableOfErrors(results).GetRows());
+  EXPECT_EQ(read.document, results.document);
+  ASSERT_EQ(read.segments.size(), results.segments.size());
+  EXPECT_EQ(read.segments[1].followed, results.segments[1].followed);
+  EXPECT_NEAR(read.segments[1].confidence, results.segments[1].confidence, 1e-5);
+  const auto & mapped = shapeton::FindSurfaceArray(read.supineToProne.pointArrays, "mapped")->values;
+  EXPECT_EQ(mapped, shapeton::FindSurfaceArray(results.supineToProne.pointArrays, "mapped")->values);
+  std::filesystem::remove(folder + "/matches.csv");
+  EXPECT_NE(FaultOf([&] { shapeton::ReadRegistrationResults(folder); }).find("matches.csv"), std::string::npos);
+}
+
+TEST(RegistrationResults, ErrorsOfTheMapAndOfTheFrame)
+{
+  const shapeton::Json & document = TestPair().results.document;
+  EXPECT_LT(document["errors"]["mean"].get<double>(), 2.0);
+  EXPECT_EQ(document["errors"]["counted"], TestPair().results.points.size());
+  EXPECT_EQ(document["errors"]["shareWithin10"], 1.0);
+  EXPECT_GT(document["errorsOfFrame"]["mean"].get<double>(), 0.0);
+  EXPECT_EQ(document["map"]["flips"], 0);
+  EXPECT_EQ(document["flexures"].size(), 4U);
+}
+
+TEST(RegistrationFiles, PointPairsAreReadOrRefusedByLine)
+{
+  const std::string path = FreshFolder("points") + "/points.csv";
+  shapeton::WriteFileBytes(path, "sx,sy,sz,px,py,pz\n1,2,3,4,5,6\n-1,0,0.5,0,0,0\n");
+  const auto pairs = shapeton::ReadPointPairs(path);
+  ASSERT_EQ(pairs.size(), 2U);
+  EXPECT_EQ(pairs[0].target, Eigen::Vector3d(4, 5, 6));
+  EXPECT_EQ(pairs[1].source, Eigen::Vector3d(-1, 0, 0.5));
+  const auto fault = [&](const std::string & text) {
+    shapeton::WriteFileBytes(path, text);
+    return FaultOf([&] { shapeton::ReadPointPairs(path); });
+  };
+  EXPECT_NE(fault("sx,sy,sz,px,py,pz\n1,2,3,4,five,6\n").find("line 2: py is \"five\""), std::string::npos);
+  EXPECT_NE(fault("x,y,z\n1,2,3\n").find("no column \"sx\""), std::string::npos);
+  EXPECT_NE(fault("sx,sy,sz,px,py,pz\n").find("holds no points"), std::string::npos);
+}

@@ -1,0 +1,245 @@
+#include "shapetonColonoscopyFacts.h"
+
+#include "shapetonColonFlexures.h"
+#include "shapetonColonoscopyPictures.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace shapeton
+{
+namespace
+{
+std::string
+Rounded(double value, int digits = 4)
+{
+  return CsvTable::Rounded(value, digits);
+}
+
+std::string
+Centimetres(double mm)
+{
+  return Rounded(std::round(mm) / 10.0, 5) + " cm";
+}
+
+std::string
+Percent(double share)
+{
+  return share < 0.0 ? "" : Rounded(std::round(100.0 * share), 3) + " %";
+}
+
+/** A number of a document, or not a number. */
+double
+NumberAt(const Json & document, const char * pointer)
+{
+  const Json::json_pointer place(pointer);
+  return document.contains(place) && document[place].is_number() ? document[place].get<double>()
+                                                                 : std::numeric_limits<double>::quiet_NaN();
+}
+
+void
+AddModelFacts(const Json & quality, ColonoscopyFacts & facts)
+{
+  const double gas = NumberAt(quality, "/lumen/gasVolume");
+  const double fluid = NumberAt(quality, "/lumen/fluidVolume");
+  if (std::isfinite(gas))
+  {
+    facts.emplace_back("Lumen", Rounded(gas) + " ml of gas, " + Rounded(fluid) + " ml of tagged fluid");
+  }
+  const double length = NumberAt(quality, "/centreline/length");
+  if (std::isfinite(length))
+  {
+    facts.emplace_back("Length of the centreline", Centimetres(length));
+    facts.emplace_back("Distended (calibre of at least 10 mm)",
+                       Percent(NumberAt(quality, "/distension/whole/share")) + " of it");
+    facts.emplace_back("Gaps that are bridged", std::to_string(quality["centreline"]["gaps"].size()));
+  }
+}
+
+void
+AddMapFacts(const Json & statistics, ColonoscopyFacts & facts)
+{
+  const double circumference = NumberAt(statistics, "/circumference");
+  if (std::isfinite(circumference))
+  {
+    facts.emplace_back("Flat map",
+                       Centimetres(NumberAt(statistics, "/length")) + " by " + Centimetres(circumference) +
+                         ", gap of the conformal moduli " + Percent(NumberAt(statistics, "/modulusGap")));
+  }
+}
+
+/** Of a curve, by a cell array. */
+double
+CellValue(const CurveSet & curves, const char * array, std::size_t curve)
+{
+  const SurfaceArray * const found = FindSurfaceArray(curves.cellArrays, array);
+  return found ? found->values(static_cast<Eigen::Index>(curve), 0) : std::numeric_limits<double>::quiet_NaN();
+}
+
+std::string
+NumberOrNothing(double value, int digits)
+{
+  return std::isfinite(value) ? Rounded(value, digits) : "";
+}
+
+int
+FoldsBetween(const ColonoscopyResults & results, double begin, double end)
+{
+  return static_cast<int>(std::count_if(results.folds.begin(), results.folds.end(), [&](const ColonoscopyFold & fold) {
+    return fold.arcLength >= begin && fold.arcLength < end;
+  }));
+}
+
+double
+LengthOf(const CurveSet & curves, std::size_t curve)
+{
+  double length = 0.0;
+  for (std::size_t i = 1; i < curves.curves[curve].size(); ++i)
+  {
+    length += (curves.V.row(curves.curves[curve][i]) - curves.V.row(curves.curves[curve][i - 1])).norm();
+  }
+  return length;
+}
+
+double
+MeanConfidence(const CurveSet & curves, std::size_t curve)
+{
+  const SurfaceArray * const confidence = FindSurfaceArray(curves.pointArrays, "confidence");
+  double                     sum = 0.0;
+  for (const int vertex : curves.curves[curve])
+  {
+    sum += confidence ? confidence->values(vertex, 0) : std::numeric_limits<double>::quiet_NaN();
+  }
+  return sum / static_cast<double>(curves.curves[curve].size());
+}
+
+/** How many, by which method, and how far the other one lies from it. */
+std::string
+TaeniaeInWords(const ColonoscopyResults & results)
+{
+  const Json & taeniae = results.landmarks.at("taeniae");
+  std::string  text = std::to_string(results.taeniae.curves.size()) + " of 3 found";
+  if (taeniae.contains("kept"))
+  {
+    text += ", method " + taeniae["kept"].get<std::string>();
+  }
+  const double disagreement = NumberAt(taeniae, "/meanDisagreement");
+  if (std::isfinite(disagreement))
+  {
+    text += "; the other method lies " + Rounded(disagreement, 2) + " mm from it on average, more than 10 mm along " +
+            Percent(NumberAt(taeniae, "/disagreeingShare")) + " of the colon";
+  }
+  return text;
+}
+
+long
+NumberOfFlexures(const Json & landmarks)
+{
+  const Json & flexures = landmarks.at("flexures");
+  return std::count_if(
+    flexures.begin(), flexures.end(), [](const Json & flexure) { return flexure.at("found").get<bool>(); });
+}
+} // namespace
+
+ColonoscopyFacts
+SummaryOf(const ColonoscopyReportContent & content)
+{
+  const ColonoscopyResults & results = *content.results;
+  ColonoscopyFacts facts{ { "Result", content.failure.empty() ? "complete" : "partial: " + content.failure } };
+  for (const auto & [key, value] : content.provenance)
+  {
+    if (key == "input.inputVolume")
+    {
+      facts.emplace_back("Input", value);
+    }
+  }
+  AddModelFacts(results.quality, facts);
+  AddMapFacts(results.flatStatistics, facts);
+  if (results.IsDone(colonoscopystage::landmarks))
+  {
+    facts.emplace_back("Taeniae", TaeniaeInWords(results));
+    facts.emplace_back("Flexures", std::to_string(NumberOfFlexures(results.landmarks)) + " of 4 found");
+  }
+  if (results.IsDone(colonoscopystage::folds))
+  {
+    facts.emplace_back("Haustral folds", std::to_string(results.folds.size()));
+  }
+  if (results.IsDone(colonoscopystage::polyps))
+  {
+    facts.emplace_back("Polyp candidates", std::to_string(results.polyps.size()));
+  }
+  return facts;
+}
+
+CsvTable
+SegmentTable(const ColonoscopyResults & results)
+{
+  CsvTable                        table({ "segment", "from", "to", "length", "wall, cm^2", "distended", "folds" });
+  const std::vector<ColonSegment> shares = ChartSegmentsOf(results);
+  for (std::size_t i = 0; i < results.segments.size(); ++i)
+  {
+    const ColonSegmentExtent & segment = results.segments[i];
+    table.AddRow({ segment.name,
+                   Centimetres(segment.begin),
+                   Centimetres(segment.end),
+                   Centimetres(segment.end - segment.begin),
+                   Rounded(std::round(segment.area / 100.0), 5),
+                   Percent(shares[i].distendedShare),
+                   results.IsDone(colonoscopystage::folds)
+                     ? std::to_string(FoldsBetween(results, segment.begin, segment.end))
+                     : "" });
+  }
+  return table;
+}
+
+CsvTable
+FlexureTable(const ColonoscopyResults & results)
+{
+  CsvTable table({ "flexure", "distance from the anal verge", "place, LPS mm", "confidence" });
+  for (const Json & flexure : results.landmarks.at("flexures"))
+  {
+    const std::string name = flexure.at("name").get<std::string>();
+    if (!flexure.at("found").get<bool>())
+    {
+      table.AddRow({ name, "not found: " + flexure.at("reason").get<std::string>(), "", "" });
+      continue;
+    }
+    const Json & p = flexure.at("position");
+    table.AddRow(
+      { name,
+        Centimetres(NumberAt(flexure, "/arcLength")),
+        Rounded(p[0].get<double>()) + ", " + Rounded(p[1].get<double>()) + ", " + Rounded(p[2].get<double>()),
+        NumberOrNothing(NumberAt(flexure, "/confidence"), 2) });
+  }
+  return table;
+}
+
+CsvTable
+TaeniaTable(const ColonoscopyResults & results)
+{
+  CsvTable table({ "taenia", "length", "mean confidence" });
+  for (std::size_t curve = 0; curve < results.taeniae.curves.size(); ++curve)
+  {
+    table.AddRow({ NumberOrNothing(CellValue(results.taeniae, "taenia", curve), 2),
+                   Centimetres(LengthOf(results.taeniae, curve)),
+                   NumberOrNothing(MeanConfidence(results.taeniae, curve), 2) });
+  }
+  return table;
+}
+
+CsvTable
+StageTable(const ColonoscopyReportContent & content)
+{
+  CsvTable table({ "stage", "tool", "version", "result", "files" });
+  for (const StageResult & stage : content.results->stages)
+  {
+    table.AddRow({ stage.name,
+                   stage.program,
+                   stage.version,
+                   stage.status == 0 ? "done" : "failed: " + stage.message,
+                   std::to_string(stage.files.size()) });
+  }
+  return table;
+}
+} // namespace shapeton

@@ -1,0 +1,259 @@
+#include "shapetonColonoscopyPictures.h"
+
+#include "shapetonColonFlexures.h"
+#include "shapetonColonLandmarkPictures.h"
+#include "shapetonSurfaceRendering.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace shapeton
+{
+namespace
+{
+constexpr int pixelsAround = 200;
+constexpr int pixelsOfRow = 900; // the page shows pictures no wider than 992 pixels
+
+const RGBColor glass = MakeColor(206, 190, 184);
+const RGBColor loopColor = MakeColor(24, 26, 32);
+
+std::string
+SideInWords(PatientSide side)
+{
+  return side == PatientSide::Anterior ? "front" : side == PatientSide::Posterior ? "back" : NameOf(side);
+}
+
+/** The label of a curve by a cell array; its number where there is none. */
+int
+LabelOf(const CurveSet & curves, const char * array, std::size_t curve)
+{
+  const SurfaceArray * const labels = FindSurfaceArray(curves.cellArrays, array);
+  return labels ? static_cast<int>(labels->values(static_cast<Eigen::Index>(curve), 0)) : static_cast<int>(curve) + 1;
+}
+
+SurfaceRenderingOptions
+OptionsFor(PatientSide side, const std::string & title)
+{
+  SurfaceRenderingOptions options;
+  LookFrom(side, options);
+  options.width = 1000;
+  options.height = 820;
+  options.title = title + ", from the " + SideInWords(side);
+  return options;
+}
+
+void
+AddTaeniae(SurfaceScene & scene, const CurveSet & taeniae, double radius)
+{
+  if (taeniae.curves.empty())
+  {
+    return;
+  }
+  CurveActor actor;
+  actor.curves = &taeniae;
+  actor.radius = radius;
+  actor.vertexColors.resize(taeniae.V.rows());
+  for (std::size_t curve = 0; curve < taeniae.curves.size(); ++curve)
+  {
+    for (const int vertex : taeniae.curves[curve])
+    {
+      actor.vertexColors[vertex] = ColorOfTaenia(LabelOf(taeniae, "taenia", curve));
+    }
+  }
+  scene.curves.push_back(actor);
+}
+
+void
+AddFlexureLoops(SurfaceScene & scene, const CurveSet & flexures)
+{
+  if (!flexures.curves.empty())
+  {
+    CurveActor actor;
+    actor.curves = &flexures;
+    actor.radius = 1.6;
+    actor.color = loopColor;
+    scene.curves.push_back(actor);
+  }
+}
+
+Eigen::Vector3d
+MiddleOf(const CurveSet & curves, std::size_t curve)
+{
+  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+  for (const int vertex : curves.curves[curve])
+  {
+    sum += curves.V.row(vertex).transpose();
+  }
+  return sum / static_cast<double>(curves.curves[curve].size());
+}
+
+void
+AddFlexureNames(SurfaceScene & scene, const CurveSet & flexures)
+{
+  for (std::size_t curve = 0; curve < flexures.curves.size(); ++curve)
+  {
+    scene.markers.push_back(
+      { MiddleOf(flexures, curve), 5.0, MakeColor(250, 214, 80), NameOfFlexure(LabelOf(flexures, "flexure", curve)) });
+  }
+}
+
+void
+AddEnds(SurfaceScene & scene, const CurveSet & centreline)
+{
+  const std::vector<int> & line = centreline.curves.front();
+  scene.markers.push_back({ centreline.V.row(line.front()), 5.0, MakeColor(240, 240, 240), "anal verge" });
+  scene.markers.push_back({ centreline.V.row(line.back()), 5.0, MakeColor(240, 240, 240), "caecum" });
+}
+
+void
+AddCentreline(SurfaceScene & scene, SurfaceRenderingOptions & options, const CurveSet & centreline)
+{
+  const SurfaceArray * const distance = FindSurfaceArray(centreline.pointArrays, "arcLength");
+  CurveActor                 actor;
+  actor.curves = &centreline;
+  actor.radius = 1.8;
+  if (distance && distance->values.size() > 0)
+  {
+    options.colorBar = ColorScale{ "distance from the anal verge (mm)", 0.0, distance->values.maxCoeff() };
+    for (Eigen::Index i = 0; i < centreline.V.rows(); ++i)
+    {
+      actor.vertexColors.push_back(options.colorBar->ColorOf(distance->values(i, 0)));
+    }
+  }
+  scene.curves.push_back(actor);
+}
+
+/** The share of the centreline between two distances with a calibre of at least 10 mm; gaps have none. */
+double
+DistendedShare(const CurveSet & centreline, double begin, double end)
+{
+  const SurfaceArray * const distance = FindSurfaceArray(centreline.pointArrays, "arcLength");
+  const SurfaceArray * const radius = FindSurfaceArray(centreline.pointArrays, "radius");
+  const SurfaceArray * const gap = FindSurfaceArray(centreline.pointArrays, "gap");
+  constexpr double           enough = 10.0;
+  int                        wide = 0;
+  int                        all = 0;
+  for (Eigen::Index i = 0; distance && radius && i < distance->values.rows(); ++i)
+  {
+    if (distance->values(i, 0) >= begin && distance->values(i, 0) < end)
+    {
+      ++all;
+      wide += 2.0 * radius->values(i, 0) >= enough && (!gap || gap->values(i, 0) == 0.0) ? 1 : 0;
+    }
+  }
+  return all > 0 ? static_cast<double>(wide) / all : -1.0;
+}
+
+std::vector<FlatLine>
+FlatTaeniae(const CurveSet & taeniae)
+{
+  std::vector<FlatLine>      lines;
+  const SurfaceArray * const uv = FindSurfaceArray(taeniae.pointArrays, "uv");
+  for (std::size_t curve = 0; uv && uv->values.cols() == 2 && curve < taeniae.curves.size(); ++curve)
+  {
+    FlatLine line;
+    line.color = ColorOfTaenia(LabelOf(taeniae, "taenia", curve));
+    for (const int vertex : taeniae.curves[curve])
+    {
+      line.places.emplace_back(uv->values.row(vertex));
+    }
+    lines.push_back(line);
+  }
+  return lines;
+}
+
+FlatOutlines
+FoldOutlines(const itk::Image<unsigned short, 2> * labels)
+{
+  FlatOutlines outlines;
+  outlines.labels = labels->GetBufferPointer();
+  outlines.columns = static_cast<int>(labels->GetBufferedRegion().GetSize(0));
+  outlines.rows = static_cast<int>(labels->GetBufferedRegion().GetSize(1));
+  outlines.colorOf = [](int) { return MakeColor(20, 130, 60); };
+  outlines.thickness = 1;
+  return outlines;
+}
+} // namespace
+
+std::vector<ColonSegment>
+ChartSegmentsOf(const ColonoscopyResults & results)
+{
+  std::vector<ColonSegment> segments;
+  for (const ColonSegmentExtent & segment : results.segments)
+  {
+    segments.push_back(
+      { segment.name, segment.begin, segment.end, DistendedShare(results.centreline, segment.begin, segment.end) });
+  }
+  const Json::json_pointer guessed("/distension/segments");
+  if (segments.empty() && results.quality.contains(guessed))
+  {
+    for (const Json & one : results.quality[guessed])
+    {
+      segments.push_back({ one["name"], one["begin"], one["end"], one["share"] });
+    }
+  }
+  return segments;
+}
+
+Picture::Pointer
+DrawSegments(const ColonoscopyResults & results, PatientSide side)
+{
+  SurfaceScene            scene;
+  SurfaceRenderingOptions options = OptionsFor(side, "Segments, taeniae and flexures");
+  SurfaceActor            wall;
+  wall.surface = results.labelled.F.rows() > 0 ? &results.labelled : &results.wall;
+  if (const SurfaceArray * const segment = FindSurfaceArray(results.labelled.cellArrays, "segment"))
+  {
+    for (Eigen::Index face = 0; face < segment->values.rows(); ++face)
+    {
+      wall.faceColors.push_back(ColorOfSegment(static_cast<int>(segment->values(face, 0))));
+    }
+    for (const ColonSegmentExtent & one : results.segments)
+    {
+      options.legend.push_back({ ColorOfSegment(one.label), one.name });
+    }
+  }
+  else
+  {
+    options.title = "Wall, from the " + SideInWords(side);
+  }
+  scene.surfaces.push_back(wall);
+  AddTaeniae(scene, results.taeniae, 1.6);
+  AddFlexureLoops(scene, results.flexures);
+  return RenderSurfaces(scene, options);
+}
+
+Picture::Pointer
+DrawInside(const ColonoscopyResults & results, PatientSide side)
+{
+  SurfaceScene            scene;
+  SurfaceRenderingOptions options = OptionsFor(side, "Centreline and flexures");
+  SurfaceActor            wall;
+  wall.surface = &results.wall;
+  wall.color = glass;
+  wall.opacity = 0.3;
+  scene.surfaces.push_back(wall);
+  AddCentreline(scene, options, results.centreline);
+  AddFlexureLoops(scene, results.flexures);
+  AddFlexureNames(scene, results.flexures);
+  AddEnds(scene, results.centreline);
+  return RenderSurfaces(scene, options);
+}
+
+Picture::Pointer
+DrawFlat(const ColonoscopyResults & results, FlatColoring coloring)
+{
+  FlatColonParts parts;
+  parts.flat = &results.flat;
+  parts.centreline = &results.centreline;
+  parts.ct = results.ct;
+  parts.annotations = SegmentAnnotations(results.segments);
+  if (results.foldLabels)
+  {
+    parts.outlines.push_back(FoldOutlines(results.foldLabels));
+  }
+  parts.lines = FlatTaeniae(results.taeniae);
+  const double circumference = results.flatStatistics.at("circumference").get<double>();
+  return FlatColonPictures(parts, circumference / pixelsAround).Draw(coloring, "", pixelsOfRow);
+}
+} // namespace shapeton

@@ -1,0 +1,114 @@
+#include "shapetonColonoscopyPresentation.h"
+
+#include "shapetonColonoscopyReport.h"
+#include "shapetonContentIdentity.h"
+#include "shapetonSha256.h"
+#include "shapetonExceptions.h"
+
+namespace shapeton
+{
+namespace
+{
+class Presenter
+{
+public:
+  Presenter(CommandLine & commandLine, const ColonoscopyPresentation & presentation)
+    : m_CommandLine(commandLine), m_Presentation(presentation), m_Folder(presentation.folder)
+  {}
+
+  void
+  Update()
+  {
+    const Json signature = this->Signature();
+    if (!this->IsUnchanged(signature))
+    {
+      this->Write(signature);
+    }
+  }
+
+private:
+  Json
+  Signature() const
+  {
+    Json signature;
+    for (const auto & [key, value] : m_Presentation.provenance)
+    {
+      signature[key] = value;
+    }
+    signature["failure"] = m_Presentation.failure;
+    signature["warnings"] = m_Presentation.warnings;
+    for (const StageResult & stage : m_Presentation.stages)
+    {
+      std::string files;
+      for (const auto & [name, hash] : stage.files)
+      {
+        files += name + ' ' + hash + '\n';
+      }
+      signature["stages"][stage.name] = stage.version + ' ' + Sha256OfBytes(files);
+    }
+    return signature;
+  }
+
+  bool
+  IsUnchanged(const Json & signature) const
+  {
+    try
+    {
+      const Json record = ReadJson(m_Folder + "/stages/report.json");
+      bool       isUnchanged = record.at("signature") == signature;
+      for (const auto & file : record.at("files").items())
+      {
+        isUnchanged = isUnchanged && IdentityOf(m_Folder + '/' + file.key()) == file.value();
+      }
+      return isUnchanged;
+    }
+    catch (const InputError &) // a file is missing
+    {
+      return false;
+    }
+    catch (const Json::exception &)
+    {
+      return false;
+    }
+  }
+
+  void
+  Write(const Json & signature)
+  {
+    m_CommandLine.Progress("report", 0.94);
+    const ColonoscopyResults results = ReadColonoscopyResults(m_Folder, m_Presentation.stages);
+    ColonoscopyReportContent content;
+    content.results = &results;
+    content.failure = m_Presentation.failure;
+    content.warnings = m_Presentation.warnings;
+    content.provenance = m_Presentation.provenance;
+    Json record;
+    record["signature"] = signature;
+    const auto publish = [&](const std::string & name) {
+      m_CommandLine.Publish(m_Folder + '/' + name); // the run may fail: the report is there all the same
+      record["files"][name] = IdentityOf(m_Folder + '/' + name);
+    };
+    WriteColonoscopyReport(content, m_CommandLine.Output(m_Folder + "/report.html"), m_Folder + "/.report.part");
+    publish("report.html");
+    m_CommandLine.MakeFolder(m_Folder + "/slicer");
+    const OutputPath outputPath = [&](const std::string & path) { return m_CommandLine.Output(path); };
+    for (const std::string & name : WriteColonoscopySlicerFiles(results, m_Folder + "/slicer", outputPath))
+    {
+      publish("slicer/" + name);
+    }
+    WriteJson(record, m_CommandLine.Output(m_Folder + "/stages/report.json"));
+    m_CommandLine.Publish(m_Folder + "/stages/report.json");
+  }
+
+  CommandLine &                   m_CommandLine;
+  const ColonoscopyPresentation & m_Presentation;
+  std::string                     m_Folder;
+};
+} // namespace
+
+void
+Present(CommandLine & commandLine, const ColonoscopyPresentation & presentation)
+{
+  Presenter(commandLine, presentation).Update();
+}
+} // namespace shapeton

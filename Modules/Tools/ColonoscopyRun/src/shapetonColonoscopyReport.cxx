@@ -1,0 +1,174 @@
+#include "shapetonColonoscopyReport.h"
+
+#include "shapetonColonoscopyFacts.h"
+#include "shapetonColonoscopyPictures.h"
+#include "shapetonDistensionChart.h"
+#include "shapetonPolypCandidateReport.h"
+#include "shapetonRegistrationReport.h"
+
+#include <filesystem>
+
+namespace shapeton
+{
+namespace
+{
+/** Puts pictures into the page alone: they pass through a folder that is removed; what a killed run leaves of it the
+ * next one removes. */
+class PagePictures
+{
+public:
+  PagePictures(HtmlReport & html, const std::string & folder) : m_Html(html), m_Folder(folder)
+  {
+    std::filesystem::create_directories(m_Folder);
+  }
+
+  ~PagePictures()
+  {
+    std::error_code error;
+    std::filesystem::remove_all(m_Folder, error);
+  }
+
+  void
+  Add(const Picture * picture, const std::string & caption)
+  {
+    const std::string path = (m_Folder / "picture.png").string();
+    WritePng(picture, path);
+    m_Html.AddPicture(path, caption);
+  }
+
+private:
+  HtmlReport &          m_Html;
+  std::filesystem::path m_Folder;
+};
+
+void
+AddDistension(HtmlReport & html, PagePictures & pictures, const ColonoscopyResults & results)
+{
+  html.AddHeading("Distension");
+  pictures.Add(
+    DrawDistensionChart(results.centreline, ChartSegmentsOf(results)),
+    std::string("Calibre (twice the radius of the largest ball inside) along the centreline. The dashed line "
+                "marks 10 mm. ") +
+      (results.segments.empty() ? "Borders of segments are customary shares of the length."
+                                : "Borders of segments are those of the landmarks."));
+}
+
+void
+AddViews(HtmlReport & html, PagePictures & pictures, const ColonoscopyResults & results)
+{
+  html.AddHeading("In space");
+  const bool        hasLandmarks = results.labelled.F.rows() > 0;
+  const std::string what =
+    hasLandmarks ? "The wall coloured by segments; taeniae 1 yellow, 2 blue, 3 pink; flexures dark." : "The wall.";
+  pictures.Add(DrawSegments(results, PatientSide::Anterior), what);
+  pictures.Add(DrawSegments(results, PatientSide::Posterior), "The same from the back.");
+  if (!results.centreline.curves.empty())
+  {
+    pictures.Add(DrawInside(results, PatientSide::Anterior),
+                 "The wall, see-through, with the centreline coloured by the distance from the anal verge" +
+                   std::string(results.flexures.curves.empty() ? "." : ", and the flexures."));
+    pictures.Add(DrawInside(results, PatientSide::Left), "The same from the patient's left side.");
+  }
+}
+
+void
+AddFlat(HtmlReport & html, PagePictures & pictures, const ColonoscopyResults & results)
+{
+  html.AddHeading("The flat colon");
+  html.AddParagraph(
+    "The wall from the rectum to the caecum, cut open along the colon and unrolled, in rows, as seen from "
+    "the lumen. Rulers count the distance along the centreline. Shapes are kept, sizes are not: the bar "
+    "above each row holds for its middle value. Grey hatched stretches are synthetic wall over a "
+    "collapsed place.");
+  std::string marks;
+  marks += results.taeniae.curves.empty() ? "" : " Taeniae: 1 yellow, 2 blue, 3 pink.";
+  marks += results.foldLabels ? " Green outlines: haustral folds." : "";
+  if (results.ct)
+  {
+    pictures.Add(DrawFlat(results, FlatColoring::Volume), "The CT along the normals of the wall." + marks);
+  }
+  pictures.Add(DrawFlat(results, FlatColoring::Curvature),
+               "Mean curvature: red bulges into the lumen (folds, polyps), blue outwards." + marks);
+}
+
+void
+AddPolyps(HtmlReport & html, const ColonoscopyResults & results)
+{
+  AddPolypCandidateTable(html, results.polyps);
+  for (std::size_t i = 0; i < results.polypPictures.size(); ++i)
+  {
+    html.AddPicture(results.polypPictures[i], CaptionOfPolypPicture(static_cast<int>(i)));
+  }
+}
+
+void
+AddPair(HtmlReport & html, PagePictures & pictures, const ColonoscopyPair & pair)
+{
+  const RegistrationParts parts{ &pair.first, &pair.second, &pair.registration };
+  html.AddHeading("Two positions");
+  html.AddParagraph("The first series is called supine here, the second prone. The report of the second by itself is " +
+                    std::string(colonoscopySecondFolder) + "/report.html.");
+  html.AddFacts(RegistrationFacts(parts));
+  AddRegistrationSection(html, parts, [&](const Picture * picture, const std::string &, const std::string & caption) {
+    pictures.Add(picture, caption);
+  });
+}
+
+void
+AddTables(HtmlReport & html, const ColonoscopyResults & results)
+{
+  html.AddHeading("Landmarks");
+  if (!results.IsDone(colonoscopystage::landmarks))
+  {
+    html.AddParagraph("None: the stage was not done.");
+    return;
+  }
+  html.AddTable(SegmentTable(results), "Segments by distance from the anal verge along the centreline");
+  html.AddTable(FlexureTable(results), "Flexures; confidence from 0 to 1");
+  html.AddTable(TaeniaTable(results), "Taeniae; confidence from 0 to 1");
+}
+
+void
+AddProvenance(HtmlReport & html, const ColonoscopyReportContent & content)
+{
+  html.AddHeading("Stages");
+  html.AddTable(StageTable(content), "The files lie in the folder of the stage, their SHA-256 in stages/STAGE.json");
+  html.AddHeading("Provenance");
+  html.AddFacts(content.provenance);
+}
+} // namespace
+
+void
+WriteColonoscopyReport(const ColonoscopyReportContent & content,
+                       const std::string &              path,
+                       const std::string &              scratchFolder)
+{
+  const ColonoscopyResults & results = *content.results;
+  HtmlReport                 html("Virtual colonoscopy");
+  PagePictures               pictures(html, scratchFolder);
+  html.AddHead(SummaryOf(content), content.warnings);
+  if (!results.centreline.curves.empty())
+  {
+    AddDistension(html, pictures, results);
+  }
+  if (results.wall.F.rows() > 0)
+  {
+    AddViews(html, pictures, results);
+  }
+  if (results.flat.F.rows() > 0)
+  {
+    AddFlat(html, pictures, results);
+  }
+  AddTables(html, results);
+  if (results.IsDone(colonoscopystage::polyps))
+  {
+    AddPolyps(html, results);
+  }
+  if (results.pair)
+  {
+    AddPair(html, pictures, *results.pair);
+  }
+  AddProvenance(html, content);
+  html.Write(path);
+}
+} // namespace shapeton

@@ -1,0 +1,164 @@
+#include "shapetonColonoscopyResults.h"
+
+#include "shapetonRegistrationFiles.h"
+#include "shapetonPolypSearch.h"
+#include "shapetonSurfaceReader.h"
+#include "shapetonExceptions.h"
+#include "shapetonImageFile.h"
+
+#include "itkImageFileReader.h"
+#include "itkNrrdImageIO.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace shapeton
+{
+namespace
+{
+namespace names = colonoscopystage;
+
+/** Reads the files of stages that are there. */
+class StageFiles
+{
+public:
+  StageFiles(const std::string & folder, const ColonoscopyResults & results) : m_Folder(folder), m_Results(results) {}
+
+  template <typename TRead>
+  void
+  Read(const char * stage, const char * file, const TRead & read) const
+  {
+    const StageResult * const result = m_Results.Find(stage);
+    if (result && result->Has(file))
+    {
+      read(m_Folder + '/' + stage + '/' + file);
+    }
+  }
+
+private:
+  std::string                m_Folder;
+  const ColonoscopyResults & m_Results;
+};
+
+itk::Image<unsigned short, 2>::Pointer
+ReadLabels(const std::string & path)
+{
+  auto reader = itk::ImageFileReader<itk::Image<unsigned short, 2>>::New();
+  reader->SetImageIO(itk::NrrdImageIO::New());
+  reader->SetFileName(path);
+  try
+  {
+    reader->Update();
+  }
+  catch (const itk::ExceptionObject & error)
+  {
+    throw InputError("\"" + path + "\" cannot be read (" + error.GetDescription() + "); remove it and run again");
+  }
+  return reader->GetOutput();
+}
+
+/** The centres (kind 0) among the feature points. */
+std::vector<ColonoscopyFold>
+FoldsOf(const CurveSet & features)
+{
+  const SurfaceArray * const   fold = FindSurfaceArray(features.cellArrays, "fold");
+  const SurfaceArray * const   kind = FindSurfaceArray(features.cellArrays, "kind");
+  const SurfaceArray * const   arcLength = FindSurfaceArray(features.cellArrays, "arcLength");
+  const SurfaceArray * const   reliability = FindSurfaceArray(features.cellArrays, "reliability");
+  std::vector<ColonoscopyFold> folds;
+  for (Eigen::Index i = 0; fold && kind && arcLength && i < fold->values.rows(); ++i)
+  {
+    if (kind->values(i, 0) == 0.0)
+    {
+      folds.push_back({ static_cast<int>(fold->values(i, 0)),
+                        arcLength->values(i, 0),
+                        reliability ? reliability->values(i, 0) : 1.0 });
+    }
+  }
+  return folds;
+}
+
+/** Those that the report of ColonPolyps has: the flat colon, and one for each candidate. */
+std::vector<std::string>
+PicturesOfPolyps(const StageFiles & files, std::size_t polyps)
+{
+  std::vector<std::string> paths;
+  const auto               add = [&](const std::string & path) { paths.push_back(path); };
+  files.Read(names::polyps, "report/polyp-candidates-flat.png", add);
+  for (std::size_t i = 1; i <= polyps; ++i)
+  {
+    files.Read(names::polyps, ("report/polyp-candidate-" + std::to_string(i) + ".png").c_str(), add);
+  }
+  return paths;
+}
+
+/** mm; 0 where the curve does not tell. */
+double
+LengthOfCentreline(const CurveSet & centreline)
+{
+  const SurfaceArray * const distance = FindSurfaceArray(centreline.pointArrays, "arcLength");
+  return distance && distance->values.size() > 0 ? distance->values.maxCoeff() : 0.0;
+}
+} // namespace
+
+const StageResult *
+ColonoscopyResults::Find(const std::string & stage) const
+{
+  const auto found =
+    std::find_if(stages.begin(), stages.end(), [&](const StageResult & result) { return result.name == stage; });
+  return found == stages.end() ? nullptr : &*found;
+}
+
+bool
+ColonoscopyResults::IsDone(const std::string & stage) const
+{
+  const StageResult * const result = this->Find(stage);
+  return result && result->status == 0;
+}
+
+ColonoscopyResults
+ReadColonoscopyResults(const std::string & folder, const std::vector<StageResult> & stages)
+{
+  ColonoscopyResults results;
+  results.stages = stages;
+  const StageFiles files(folder, results);
+  const auto       surface = [](SurfaceMesh & mesh) {
+    return [&mesh](const std::string & path) { mesh = ReadSurface(path).mesh; };
+  };
+  const auto curves = [](CurveSet & set) { return [&set](const std::string & path) { set = ReadCurves(path); }; };
+  const auto json = [](Json & document) {
+    return [&document](const std::string & path) { document = ReadJson(path); };
+  };
+  files.Read(names::segmentation, "quality.json", json(results.quality));
+  files.Read(names::segmentation, "centreline.vtp", curves(results.centreline));
+  files.Read(names::segmentation, "wall-simplified.vtp", surface(results.wall));
+  files.Read(
+    names::segmentation, "cleansed.nrrd", [&](const std::string & path) { results.ct = ReadImageFile(path).image; });
+  files.Read(names::flattening, "flat.vtp", surface(results.flat));
+  files.Read(names::flattening, "flat.json", json(results.flatStatistics));
+  files.Read(names::landmarks, "landmarks.json", json(results.landmarks));
+  files.Read(names::landmarks, "taeniae.vtp", curves(results.taeniae));
+  files.Read(names::landmarks, "flexures.vtp", curves(results.flexures));
+  files.Read(names::landmarks, "segments.vtp", surface(results.labelled));
+  files.Read(names::folds, "labels.nrrd", [&](const std::string & path) { results.foldLabels = ReadLabels(path); });
+  files.Read(names::folds, "features.vtp", curves(results.features));
+  if (!results.landmarks.is_null())
+  {
+    results.segments = SegmentsOf(results.landmarks, LengthOfCentreline(results.centreline));
+  }
+  results.folds = FoldsOf(results.features);
+  files.Read(
+    names::polyps, "candidates.csv", [&](const std::string & path) { results.polyps = ReadPolypCandidates(path); });
+  results.polypPictures = PicturesOfPolyps(files, results.polyps.size());
+  if (results.IsDone(names::registration))
+  {
+    const std::string second = folder + '/' + colonoscopySecondFolder;
+    results.pair = std::make_shared<const ColonoscopyPair>(
+      ColonoscopyPair{ ReadColonPosition(folder, "supine"),
+                       ReadColonPosition(second, "prone"),
+                       ReadRegistrationResults(folder + '/' + names::registration) });
+  }
+  return results;
+}
+} // namespace shapeton

@@ -1,0 +1,245 @@
+#include "shapetonColonoscopyRun.h"
+
+#include "shapetonColonoscopyPresentation.h"
+#include "shapetonColonoscopyStages.h"
+#include "shapetonCommandLine.h"
+#include "shapetonExceptions.h"
+
+#include <algorithm>
+#include <filesystem>
+
+namespace fs = std::filesystem;
+
+namespace shapeton
+{
+namespace
+{
+std::string
+Joined(const std::vector<std::string> & words)
+{
+  std::string text;
+  for (const std::string & word : words)
+  {
+    text += (text.empty() ? "" : ", ") + word;
+  }
+  return text;
+}
+
+/** Results inside of the input would change what the input holds. */
+void
+RequireApart(const std::string & input, const std::string & output)
+{
+  if (!fs::exists(input))
+  {
+    throw InputError("\"" + input + "\" does not exist; give a folder with a DICOM series, a DICOM file or a volume");
+  }
+  const fs::path relative = fs::weakly_canonical(output).lexically_relative(fs::weakly_canonical(input));
+  RequireParameter(!fs::is_directory(input) || relative.empty() || *relative.begin() == "..",
+                   "the output folder lies in the input folder; name one beside it");
+}
+
+/** Options of the registration, which change nothing that is told of one series alone. */
+const std::vector<std::string> optionsOfPair{ "matching", "refine", "segmentWise", "evaluate" };
+
+/** The stages of one series in its folder. */
+class SeriesRun
+{
+public:
+  SeriesRun(CommandLine & commandLine, const std::string & toolFolder, ColonoscopySeries series)
+    : m_CommandLine(commandLine)
+    , m_Series(series)
+    , m_Folder(FolderOfSeries(commandLine.GetString("outputFolder"), series))
+    , m_Run(MadeFolder(commandLine, m_Folder), toolFolder)
+  {}
+
+  void
+  AddInputs()
+  {
+    for (const char * const option : { "inputVolume", "lumen", "markers" })
+    {
+      const std::string parameter = ParameterOfSeries(option, m_Series);
+      if (m_CommandLine.IsGiven(parameter))
+      {
+        m_CommandLine.AddInput(parameter, m_Run.Identify(m_CommandLine.GetString(parameter)));
+      }
+    }
+  }
+
+  /** All up to the first that fails; they take `share` of the time of the whole run. */
+  bool
+  Run(const std::vector<ColonoscopyStage> & stages, double begin, double share)
+  {
+    for (const ColonoscopyStage & stage : stages)
+    {
+      const std::string name = this->Prefix() + stage.name;
+      m_CommandLine.Progress(name, begin);
+      m_Results.push_back(m_Run.Run(stage.make(m_Run), [&](const std::string & step, double done) {
+        m_CommandLine.Progress(name + ": " + step, begin + done * stage.share * share);
+      }));
+      begin += stage.share * share;
+      for (const std::string & warning : m_Results.back().warnings)
+      {
+        m_Warnings.push_back(stage.name + ": " + warning);
+        m_CommandLine.Warn(name + ": " + warning);
+      }
+      if (m_Results.back().status != 0)
+      {
+        return false;
+      }
+    }
+    return true;
+  }
+
+  int
+  Status() const
+  {
+    return m_Results.empty() ? 0 : m_Results.back().status;
+  }
+
+  /** "" where all is well. */
+  std::string
+  Failure() const
+  {
+    if (this->Status() == 0)
+    {
+      return "";
+    }
+    const StageResult &      last = m_Results.back();
+    std::vector<std::string> kept;
+    for (const StageResult & stage : m_Results)
+    {
+      kept.push_back(stage.status == 0 ? stage.name : "a part of " + stage.name);
+    }
+    if (last.files.empty())
+    {
+      kept.pop_back();
+    }
+    return "the stage " + last.name + " (" + last.program + ")" +
+           (m_Series == ColonoscopySeries::Second ? " of the second series" : "") + " failed: " + last.message +
+           "; kept: " + (kept.empty() ? "nothing" : Joined(kept)) + ", report.html";
+  }
+
+  ColonoscopyPresentation
+  Presentation() const
+  {
+    return { m_Folder, m_Results, m_Warnings, m_CommandLine.GetProvenance(), this->Failure() };
+  }
+
+private:
+  static const std::string &
+  MadeFolder(CommandLine & commandLine, const std::string & folder)
+  {
+    commandLine.MakeFolder(folder);
+    commandLine.MakeFolder(folder + "/stages");
+    return folder;
+  }
+
+  std::string
+  Prefix() const
+  {
+    return m_Series == ColonoscopySeries::Second ? "second: " : "";
+  }
+
+  CommandLine &            m_CommandLine;
+  ColonoscopySeries        m_Series;
+  std::string              m_Folder;
+  StagedRun                m_Run;
+  std::vector<StageResult> m_Results;
+  std::vector<std::string> m_Warnings;
+};
+
+void
+LeaveOut(const std::vector<std::string> & options, Provenance & provenance)
+{
+  const auto isOne = [&](const std::pair<std::string, std::string> & fact) {
+    return std::count(options.begin(), options.end(), fact.first.substr(fact.first.find('.') + 1)) > 0;
+  };
+  provenance.erase(std::remove_if(provenance.begin(), provenance.end(), isOne), provenance.end());
+}
+
+/** The run fails as its stage did. */
+[[noreturn]] void
+ThrowFailure(int status, const std::string & failure)
+{
+  switch (status)
+  {
+    case 2:
+      throw ParameterError(failure);
+    case 3:
+      throw InputError(failure);
+    default:
+      throw OutputError(failure);
+  }
+}
+
+void
+RunOne(CommandLine & commandLine, SeriesRun & only)
+{
+  if (only.Run(StagesOfSeries(commandLine, ColonoscopySeries::First), 0.0, 0.9))
+  {
+    only.Run({ StageOfPolyps(commandLine, ColonoscopySeries::First) }, 0.86, 0.07);
+  }
+  Present(commandLine, only.Presentation());
+  if (only.Status() != 0)
+  {
+    ThrowFailure(only.Status(), only.Failure());
+  }
+}
+
+/** The report of the first series tells what both have in common, so it comes last. */
+void
+RunTwo(CommandLine & commandLine, SeriesRun & first, SeriesRun & second)
+{
+  constexpr double share = 0.4; // of the time, for each series
+  const bool       hasFirst = first.Run(StagesOfSeries(commandLine, ColonoscopySeries::First), 0.0, share);
+  if (hasFirst && second.Run(StagesOfSeries(commandLine, ColonoscopySeries::Second), share, share) &&
+      first.Run({ StageOfRegistration(commandLine) }, 2.0 * share, 0.06) &&
+      second.Run({ StageOfPolyps(commandLine, ColonoscopySeries::Second) }, 0.86, 0.03))
+  {
+    first.Run({ StageOfPolyps(commandLine, ColonoscopySeries::First) }, 0.89, 0.03);
+  }
+  if (hasFirst)
+  {
+    ColonoscopyPresentation presentation = second.Presentation();
+    LeaveOut(optionsOfPair, presentation.provenance);
+    Present(commandLine, presentation);
+  }
+  ColonoscopyPresentation presentation = first.Presentation();
+  presentation.failure += second.Failure(); // the run ends with the first stage that fails
+  Present(commandLine, presentation);
+  if (!presentation.failure.empty())
+  {
+    ThrowFailure(std::max(first.Status(), second.Status()), presentation.failure);
+  }
+}
+} // namespace
+
+void
+RunColonoscopy(CommandLine & commandLine, const std::string & toolFolder)
+{
+  const std::string folder = commandLine.GetString("outputFolder");
+  const bool        hasSecond = commandLine.IsGiven("second");
+  RequireApart(commandLine.GetString("inputVolume"), folder);
+  if (hasSecond)
+  {
+    RequireApart(commandLine.GetString("second"), folder);
+  }
+  SeriesRun first(commandLine, toolFolder, ColonoscopySeries::First);
+  commandLine.RecordRun(folder + "/run.json");
+  commandLine.Progress("reading", 0.0);
+  first.AddInputs();
+  if (!hasSecond)
+  {
+    commandLine.LeaveOutOfProvenance("secondPosition");
+    for (const std::string & option : optionsOfPair)
+    {
+      commandLine.LeaveOutOfProvenance(option);
+    }
+    RunOne(commandLine, first);
+    return;
+  }
+  SeriesRun second(commandLine, toolFolder, ColonoscopySeries::Second);
+  second.AddInputs();
+  RunTwo(commandLine, first, second);
+}
+} // namespace shapeton

@@ -1,0 +1,64 @@
+#include "shapetonColonoscopyReport.h"
+
+#include "shapetonColonLandmarkPictures.h"
+#include "shapetonColorTable.h"
+#include "shapetonSlicerMarkups.h"
+
+#include <algorithm>
+
+namespace shapeton
+{
+namespace
+{
+std::array<double, 3>
+Shares(const RGBColor & color)
+{
+  return { color[0] / 255.0, color[1] / 255.0, color[2] / 255.0 };
+}
+
+Markup
+CentrelineMarkup(const CurveSet & centreline)
+{
+  Markup markup = MarkupOfCurve(centreline, 0, Markup::Kind::Curve, 10.0);
+  markup.name = "centreline";
+  markup.color = { 1.0, 0.85, 0.2 };
+  return markup;
+}
+
+std::vector<LabelColor>
+SegmentColors(const std::vector<ColonSegmentExtent> & segments)
+{
+  std::vector<LabelColor> colors;
+  for (const ColonSegmentExtent & segment : segments)
+  {
+    colors.push_back({ segment.label, segment.name, Shares(ColorOfSegment(segment.label)) });
+  }
+  return colors;
+}
+} // namespace
+
+std::vector<std::string>
+WriteColonoscopySlicerFiles(const ColonoscopyResults & results,
+                            const std::string &        folder,
+                            const OutputPath &         outputPath)
+{
+  std::vector<std::string> written;
+  const auto               pathOf = [&](const std::string & name) {
+    written.push_back(name);
+    return outputPath(folder + '/' + name);
+  };
+  if (results.Find(colonoscopystage::segmentation) && results.Find(colonoscopystage::segmentation)->Has("lumen.nrrd"))
+  {
+    WriteColorTable({ { 1, "gas", { 0.35, 0.6, 0.9 } }, { 2, "fluid", { 0.95, 0.85, 0.3 } } }, pathOf("lumen.ctbl"));
+  }
+  if (!results.centreline.curves.empty())
+  {
+    WriteMarkups({ CentrelineMarkup(results.centreline) }, pathOf("centreline.mrk.json"));
+  }
+  if (!results.segments.empty())
+  {
+    WriteColorTable(SegmentColors(results.segments), pathOf("segments.ctbl"));
+  }
+  return written;
+}
+} // namespace shapeton

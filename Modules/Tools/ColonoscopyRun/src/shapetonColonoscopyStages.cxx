@@ -1,0 +1,332 @@
+#include "shapetonColonoscopyStages.h"
+
+#include "shapetonColonoscopyResults.h"
+#include "shapetonCommandLine.h"
+#include "shapetonContentIdentity.h"
+#include "shapetonCsvTable.h"
+#include "shapetonSha256.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <sstream>
+
+namespace fs = std::filesystem;
+
+namespace shapeton
+{
+namespace
+{
+namespace names = colonoscopystage;
+
+/** Hands options on to the tools, in the one spelling that provenance has for each. */
+class OptionPasser
+{
+public:
+  OptionPasser(const CommandLine & commandLine, ColonoscopySeries series)
+    : m_CommandLine(commandLine), m_Provenance(commandLine.GetProvenance()), m_Series(series)
+  {}
+
+  /** Options that hold for all series. */
+  void
+  Pass(Stage & stage, const std::vector<std::string> & options) const
+  {
+    for (const auto & [key, value] : m_Provenance)
+    {
+      if (key.rfind("option.", 0) == 0 && std::count(options.begin(), options.end(), key.substr(7)) > 0)
+      {
+        stage.Option(key.substr(7), value);
+      }
+    }
+  }
+
+  /** One of this series alone. */
+  void
+  PassOwn(Stage & stage, const std::string & option) const
+  {
+    for (const auto & [key, value] : m_Provenance)
+    {
+      if (key == "option." + ParameterOfSeries(option, m_Series))
+      {
+        stage.Option(option, value);
+      }
+    }
+  }
+
+  void
+  PassOwnInput(Stage & stage, const std::string & option) const
+  {
+    const std::string parameter = ParameterOfSeries(option, m_Series);
+    if (m_CommandLine.IsGiven(parameter))
+    {
+      stage.Input(option, m_CommandLine.GetString(parameter));
+    }
+  }
+
+  void
+  PassSeedPoints(Stage & stage) const
+  {
+    for (const auto & p : m_CommandLine.GetPoints(ParameterOfSeries("seedPoint", m_Series)))
+    {
+      stage.Option("seedPoint", CsvTable::Number(p[0]) + ',' + CsvTable::Number(p[1]) + ',' + CsvTable::Number(p[2]));
+    }
+  }
+
+  /** The series itself. */
+  std::string
+  Volume() const
+  {
+    return m_CommandLine.GetString(ParameterOfSeries("inputVolume", m_Series));
+  }
+
+  void
+  PassThreads(Stage & stage) const
+  {
+    stage.Idle("threads", m_CommandLine.GetString("threads"));
+  }
+
+private:
+  const CommandLine & m_CommandLine;
+  Provenance          m_Provenance;
+  ColonoscopySeries   m_Series;
+};
+
+bool
+IsDicom(const std::string & path)
+{
+  const std::vector<std::string> others{ ".nrrd", ".nhdr", ".nii", ".gz", ".mha", ".mhd" };
+  std::string                    extension = fs::path(path).extension().string();
+  std::transform(
+    extension.begin(), extension.end(), extension.begin(), [](unsigned char c) { return std::tolower(c); });
+  return fs::is_directory(path) || std::count(others.begin(), others.end(), extension) == 0;
+}
+
+Stage
+Inspection(const OptionPasser & passer)
+{
+  Stage stage(names::inspection, "DicomSeriesInspector");
+  stage.Input("", passer.Volume()).Output("json", "series.json");
+  passer.PassThreads(stage);
+  return stage;
+}
+
+Stage
+Segmentation(const OptionPasser & passer)
+{
+  Stage stage(names::segmentation, "ColonSegmentation");
+  stage.Input("", passer.Volume())
+    .Output("", "")
+    .Output("report", "report")
+    .Option("keepPartial", "true") // so that the report shows why it failed
+    .Expect({ "lumen.nrrd", "centreline.vtp", "wall.vtp", "wall-repaired.vtp", "wall-simplified.vtp", "quality.json" });
+  passer.Pass(stage, { "inputIsLumen", "faces", "resampleGaps", "deshear", "dropDuplicates" });
+  passer.PassOwn(stage, "position");
+  passer.PassOwn(stage, "seriesUID");
+  passer.PassOwnInput(stage, "lumen");
+  passer.PassSeedPoints(stage);
+  passer.PassThreads(stage);
+  return stage;
+}
+
+Stage
+Flattening(const OptionPasser & passer, const StagedRun & run)
+{
+  Stage stage(names::flattening, "ColonFlattening");
+  stage.Input("", run.PathOf(names::segmentation, "wall-simplified.vtp"))
+    .Output("", "flat.vtp")
+    .Input("centreline", run.PathOf(names::segmentation, "centreline.vtp"))
+    .Output("statistics", "flat.json")
+    .Output("handles", "handles.vtp")
+    .Output("picture", "flat.png")
+    .Output("coordinateMap", "coordinates.nrrd")
+    .Output("report", "report");
+  if (fs::exists(run.PathOf(names::segmentation, "cleansed.nrrd")))
+  {
+    stage.Input("volume", run.PathOf(names::segmentation, "cleansed.nrrd"));
+  }
+  passer.Pass(stage, { "metric", "time", "removeHandles", "pixelSize" });
+  passer.PassThreads(stage);
+  return stage;
+}
+
+Stage
+Landmarks(const OptionPasser & passer, const StagedRun & run)
+{
+  Stage stage(names::landmarks, "ColonLandmarks");
+  stage.Input("", run.PathOf(names::flattening, "flat.vtp"))
+    .Input("", run.PathOf(names::segmentation, "centreline.vtp"))
+    .Output("", "")
+    .Output("report", "report")
+    .Expect({ "landmarks.json", "segments.vtp" });
+  passer.PassOwnInput(stage, "markers");
+  passer.Pass(stage, { "flexureRule", "taeniaRule", "split" });
+  passer.PassThreads(stage);
+  return stage;
+}
+
+/** What the curves are, without the facts on how they were made: another option that leaves them as they are does not
+ * ask for new folds. */
+std::string
+IdentityOfCurves(const std::string & path)
+{
+  const CurveSet     curves = ReadCurves(path);
+  std::ostringstream text;
+  const auto         add = [&](const SurfaceArray & array) {
+    text << array.name << ' ' << array.values.rows() << ' ' << array.values.cols() << '\n';
+    for (Eigen::Index i = 0; i < array.values.size(); ++i)
+    {
+      text << CsvTable::Number(array.values.data()[i]) << '\n';
+    }
+  };
+  add({ "V", curves.V, false });
+  for (const std::vector<int> & curve : curves.curves)
+  {
+    text << "curve";
+    for (const int vertex : curve)
+    {
+      text << ' ' << vertex;
+    }
+    text << '\n';
+  }
+  for (const auto * arrays : { &curves.pointArrays, &curves.cellArrays, &curves.fieldArrays })
+  {
+    std::for_each(arrays->begin(), arrays->end(), add);
+  }
+  return "sha256:" + Sha256OfBytes(text.str());
+}
+
+Stage
+Folds(const OptionPasser & passer, const StagedRun & run)
+{
+  Stage stage(names::folds, "ColonFolds");
+  stage.Input("", run.PathOf(names::flattening, "flat.vtp"))
+    .Output("", "labels.nrrd")
+    .Output("features", "features.vtp")
+    .Output("table", "folds.csv")
+    .Output("picture", "folds.png")
+    .Output("markups", "features.mrk.json")
+    .Output("colorTable", "labels.ctbl");
+  if (fs::exists(run.PathOf(names::landmarks, "taeniae.vtp")))
+  {
+    stage.Input("taeniae", run.PathOf(names::landmarks, "taeniae.vtp"), IdentityOfCurves);
+  }
+  passer.Pass(stage, { "pixelSize", "minimumLength", "minimumArea" });
+  passer.PassThreads(stage);
+  return stage;
+}
+
+/** What a tool that is given a whole folder reads of it. */
+Stage::Identity
+IdentityOfFiles(const std::vector<std::string> & names)
+{
+  return [names](const std::string & folder) {
+    std::string lines;
+    for (const std::string & name : names)
+    {
+      const std::string path = folder + '/' + name;
+      lines += fs::exists(path) ? IdentityOf(path) + ' ' + name + '\n' : "";
+    }
+    return "sha256:" + Sha256OfBytes(lines);
+  };
+}
+} // namespace
+
+std::string
+FolderOfSeries(const std::string & outputFolder, ColonoscopySeries series)
+{
+  return series == ColonoscopySeries::First ? outputFolder : outputFolder + '/' + colonoscopySecondFolder;
+}
+
+std::string
+ParameterOfSeries(const std::string & option, ColonoscopySeries series)
+{
+  if (series == ColonoscopySeries::First)
+  {
+    return option;
+  }
+  if (option == "inputVolume")
+  {
+    return "second";
+  }
+  const auto first = static_cast<char>(std::toupper(static_cast<unsigned char>(option.front())));
+  return "second" + std::string(1, first) + option.substr(1);
+}
+
+std::vector<ColonoscopyStage>
+StagesOfSeries(const CommandLine & commandLine, ColonoscopySeries series)
+{
+  const OptionPasser            passer(commandLine, series);
+  std::vector<ColonoscopyStage> stages;
+  if (IsDicom(passer.Volume()))
+  {
+    stages.push_back({ names::inspection, 0.02, [=](const StagedRun &) { return Inspection(passer); } });
+  }
+  stages.push_back({ names::segmentation, 0.5, [=](const StagedRun &) { return Segmentation(passer); } });
+  stages.push_back({ names::flattening, 0.25, [=](const StagedRun & run) { return Flattening(passer, run); } });
+  stages.push_back({ names::landmarks, 0.1, [=](const StagedRun & run) { return Landmarks(passer, run); } });
+  stages.push_back({ names::folds, 0.06, [=](const StagedRun & run) { return Folds(passer, run); } });
+  return stages;
+}
+
+ColonoscopyStage
+StageOfRegistration(const CommandLine & commandLine)
+{
+  const OptionPasser passer(commandLine, ColonoscopySeries::First);
+  const std::string  folder = commandLine.GetString("outputFolder");
+  const auto         make = [=](const StagedRun &) {
+    Stage stage(names::registration, "ColonRegistration");
+    for (const ColonoscopySeries series : { ColonoscopySeries::First, ColonoscopySeries::Second })
+    {
+      stage.Input("",
+                  FolderOfSeries(folder, series),
+                  IdentityOfFiles({ "flattening/flat.vtp",
+                                    "segmentation/centreline.vtp",
+                                    "landmarks/landmarks.json",
+                                    "landmarks/folds-surface.vtp",
+                                    "landmarks/taeniae.vtp",
+                                    "folds/folds.csv" }));
+    }
+    stage.Output("", "").Output("report", "report").Expect({ "registration.json", "matches.csv" });
+    passer.Pass(stage, { "matching", "refine", "segmentWise" });
+    passer.PassOwnInput(stage, "evaluate");
+    passer.PassThreads(stage);
+    return stage;
+  };
+  return { names::registration, 1.0, make };
+}
+
+ColonoscopyStage
+StageOfPolyps(const CommandLine & commandLine, ColonoscopySeries series)
+{
+  const OptionPasser passer(commandLine, series);
+  const std::string  folder = commandLine.GetString("outputFolder");
+  const bool         hasOther = series == ColonoscopySeries::First && commandLine.IsGiven("second");
+  const auto         make = [=](const StagedRun & run) {
+    Stage stage(names::polyps, "ColonPolyps");
+    stage
+      .Input("",
+             FolderOfSeries(folder, series),
+             IdentityOfFiles({ "segmentation/wall-repaired.vtp",
+                               "segmentation/lumen.nrrd",
+                               "segmentation/centreline.vtp",
+                               "segmentation/cleansed.nrrd",
+                               "flattening/flat.vtp",
+                               "landmarks/segments.vtp" }))
+      .Output("", "candidates.csv")
+      .Output("markups", "candidates.mrk.json")
+      .Output("report", "report");
+    if (hasOther)
+    {
+      const std::string second = FolderOfSeries(folder, ColonoscopySeries::Second);
+      stage
+        .Input("registration",
+               run.PathOf(names::registration, ""),
+               IdentityOfFiles({ "map-supine-to-prone.vtp", "map-prone-to-supine.vtp" }))
+        .Input("other", second + '/' + names::polyps + "/candidates.csv");
+    }
+    passer.Pass(stage, { "sensitivity" });
+    passer.PassThreads(stage);
+    return stage;
+  };
+  return { names::polyps, 1.0, make };
+}
+} // namespace shapeton

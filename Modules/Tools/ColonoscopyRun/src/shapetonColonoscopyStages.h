@@ -1,0 +1,53 @@
+#ifndef shapetonColonoscopyStages_h
+#define shapetonColonoscopyStages_h
+
+#include "shapetonStagedRun.h"
+
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace shapeton
+{
+class CommandLine;
+
+/** A stage that is made when those before it have come to their end, and its share of the time. */
+struct ColonoscopyStage
+{
+  std::string                             name;
+  double                                  share;
+  std::function<Stage(const StagedRun &)> make;
+};
+
+/** One of the series of a run. Options that belong to one series alone (seriesUID, lumen, markers, seedPoint, position)
+ * have "second" in front for the second one. */
+enum class ColonoscopySeries
+{
+  First,
+  Second
+};
+
+/** Where results of a series lie in the output folder of the run. */
+std::string
+FolderOfSeries(const std::string & outputFolder, ColonoscopySeries series);
+
+/** The parameter of the tool that gives this option to this series: seriesUID or secondSeriesUID; inputVolume or
+ * second. */
+std::string
+ParameterOfSeries(const std::string & option, ColonoscopySeries series);
+
+/** The stages of a series in their order, with the options that the command line gives them. */
+std::vector<ColonoscopyStage>
+StagesOfSeries(const CommandLine & commandLine, ColonoscopySeries series);
+
+/** What looks at both series, when each has come to its end. */
+ColonoscopyStage
+StageOfRegistration(const CommandLine & commandLine);
+
+/** The search for polyps in a series; that of the first one looks at the second and at the registration, where there
+ * are two. */
+ColonoscopyStage
+StageOfPolyps(const CommandLine & commandLine, ColonoscopySeries series);
+} // namespace shapeton
+
+#endif

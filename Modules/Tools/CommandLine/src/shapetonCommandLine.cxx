@@ -1,0 +1,618 @@
+#include "shapetonCommandLine.h"
+#include "shapetonArguments.h"
+#include "shapetonFileBytes.h"
+#include "shapetonModuleDescription.h"
+#include "shapetonModuleHelp.h"
+#include "shapetonOutputFiles.h"
+#include "shapetonParameterValue.h"
+#include "shapetonPrintable.h"
+#include "shapetonProgressDisplay.h"
+#include "shapetonExceptions.h"
+
+#include "itkCommand.h"
+#include "itkMultiThreaderBase.h"
+#include "itkProcessObject.h"
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <cerrno>
+#include <chrono>
+#include <cstdio>
+#include <cstring>
+#include <ctime>
+#include <filesystem>
+#include <iostream>
+#include <map>
+#include <new>
+#include <regex>
+#include <set>
+
+#include <fcntl.h>
+#include <unistd.h>
+
+namespace shapeton
+{
+namespace
+{
+using Parameter = ModuleDescription::Parameter;
+
+// A tool started with a closed stdout would otherwise open an output file as stdout and print its progress into it.
+void
+OpenMissingStandardStreams()
+{
+  for (const int descriptor : { STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO })
+  {
+    if (fcntl(descriptor, F_GETFD) < 0 && errno == EBADF)
+    {
+      open("/dev/null", O_RDWR); // gets the lowest free number, which is this one
+    }
+  }
+}
+
+void
+FlushStdout()
+{
+  std::cout.flush();
+  if (std::fflush(stdout) != 0 || std::ferror(stdout) || !std::cout)
+  {
+    throw OutputError("cannot write to the standard output; free some space or send it elsewhere");
+  }
+}
+
+// Without "ITK ERROR: Class(0x55d0c0a8): ", and without the location that a rethrown exception carries before it.
+std::string
+WithoutItkPrefix(const std::string & message)
+{
+  const std::string prefix = "ITK ERROR: ";
+  const auto        start = message.rfind(prefix);
+  if (start == std::string::npos)
+  {
+    return message;
+  }
+  const std::string text = message.substr(start + prefix.size());
+  const auto        object = text.find("(0x");
+  const auto        end = text.find("): ");
+  const bool        hasObject = object != std::string::npos && end != std::string::npos && object < end;
+  return hasObject && text.find(' ') > end ? text.substr(end + 3) : text;
+}
+
+struct Failure
+{
+  int         status;
+  std::string message;
+};
+
+// Call from a catch block.
+Failure
+DescribeException()
+{
+  const char * const noMemory = "not enough memory; use a smaller volume or fewer outputs at once";
+  try
+  {
+    throw;
+  }
+  catch (const ParameterError & error)
+  {
+    return { 2, CommandLine::InOptions(error.what()) };
+  }
+  catch (const InputError & error)
+  {
+    return { 3, CommandLine::InOptions(error.what()) };
+  }
+  catch (const OutputError & error)
+  {
+    return { 1, CommandLine::InOptions(error.what()) };
+  }
+  catch (const std::bad_alloc &)
+  {
+    return { 1, noMemory };
+  }
+  catch (const itk::MemoryAllocationError &)
+  {
+    return { 1, noMemory };
+  }
+  catch (const itk::ExceptionObject & error)
+  {
+    return { 1, WithoutItkPrefix(error.GetDescription()) };
+  }
+  catch (const std::exception & error)
+  {
+    return { 1, WithoutItkPrefix(error.what()) };
+  }
+  catch (...)
+  {
+    return { 1, "an unknown failure; report this as a bug" };
+  }
+}
+
+// ISO 8601, UTC.
+std::string
+TimeText(std::chrono::system_clock::time_point point)
+{
+  const std::time_t time = std::chrono::system_clock::to_time_t(point);
+  std::tm           parts{};
+  gmtime_r(&time, &parts);
+  char text[32];
+  std::strftime(text, sizeof(text), "%Y-%m-%dT%H:%M:%SZ", &parts);
+  return text;
+}
+
+std::string
+HostName()
+{
+  char host[256] = {};
+  gethostname(host, sizeof(host) - 1);
+  return host;
+}
+
+} // namespace
+
+struct CommandLine::State
+{
+  const char *                                xml{ nullptr };
+  ModuleDescription                           module;
+  std::string                                 program;
+  std::vector<std::string>                    arguments; // as they came
+  Arguments                                   parsed;
+  std::string                                 returnFile; // temporary name
+  std::map<std::string, std::string>          returned;
+  std::vector<std::string>                    warnings;
+  Provenance                                  facts;
+  std::vector<std::string>                    runRecords; // temporary names
+  OutputFiles                                 outputs;
+  std::set<std::string>                       replaceable;       // inputs that an output may replace
+  std::set<std::string>                       idle{ "threads" }; // options that change no result
+  ProgressDisplay                             display;
+  const std::chrono::system_clock::time_point start{ std::chrono::system_clock::now() };
+  const std::chrono::steady_clock::time_point steadyStart{ std::chrono::steady_clock::now() };
+
+  const Parameter &
+  Find(const std::string & name) const;
+  void
+  CheckInteger(const std::string & name) const;
+  const std::vector<std::string> *
+  FindGiven(const std::string & name) const;
+  void
+  RequireNoInput(const std::string & path) const;
+  bool
+  IsInProvenance(const Parameter & parameter) const;
+  std::string
+  ProvenanceOf(const Parameter & parameter) const;
+  void
+  Answer(const std::string & question) const;
+  void
+  Prepare(const CommandLine & commandLine);
+  void
+  Finish();
+  std::string
+  ReturnText() const;
+  std::string
+  RunRecordText() const;
+};
+
+const Parameter &
+CommandLine::State::Find(const std::string & name) const
+{
+  const auto parameter = std::find_if(
+    module.parameters.begin(), module.parameters.end(), [&](const Parameter & p) { return p.name == name; });
+  if (parameter == module.parameters.end())
+  {
+    throw std::logic_error("the module description has no parameter \"" + name + '"');
+  }
+  return *parameter;
+}
+
+// A double need not fit into an int.
+void
+CommandLine::State::CheckInteger(const std::string & name) const
+{
+  if (!this->Find(name).IsInteger())
+  {
+    throw std::logic_error("\"" + name + "\" is no integer parameter");
+  }
+}
+
+// An output never replaces an input of the same run.
+void
+CommandLine::State::RequireNoInput(const std::string & path) const
+{
+  for (const auto & parameter : module.parameters)
+  {
+    const auto * values = parameter.channel == "input" && parameter.IsPath() && replaceable.count(parameter.name) == 0
+                            ? this->FindGiven(parameter.name)
+                            : nullptr;
+    for (const auto & value : values ? *values : std::vector<std::string>())
+    {
+      std::error_code error;
+      if (std::filesystem::equivalent(value, path, error))
+      {
+        throw ParameterError("the output " + Quoted(path) + " is an input of this run; give another name");
+      }
+    }
+  }
+}
+
+// Null when the default holds.
+const std::vector<std::string> *
+CommandLine::State::FindGiven(const std::string & name) const
+{
+  const auto values = parsed.given.find(name);
+  return values == parsed.given.end() ? nullptr : &values->second;
+}
+
+// Inputs stand there by their identity; where outputs go and how many threads compute them changes no result.
+bool
+CommandLine::State::IsInProvenance(const Parameter & parameter) const
+{
+  const bool isStated = std::any_of(facts.begin(), facts.end(), [&](const auto & fact) {
+    return fact.first == "input." + parameter.name || fact.first == "option." + parameter.name;
+  });
+  return !parameter.IsPath() && parameter.channel != "output" && idle.count(parameter.name) == 0 && !isStated;
+}
+
+std::string
+CommandLine::State::ProvenanceOf(const Parameter & parameter) const
+{
+  const auto * values = this->FindGiven(parameter.name);
+  if (!values)
+  {
+    return parameter.defaultValue.empty() ? "" : CanonicalValue(parameter, parameter.defaultValue);
+  }
+  std::string text;
+  for (const auto & value : *values)
+  {
+    text += (text.empty() ? "" : ",") + CanonicalValue(parameter, value);
+  }
+  return text;
+}
+
+void
+CommandLine::State::Answer(const std::string & question) const
+{
+  const std::string answer = question == "--xml"       ? xml
+                             : question == "--version" ? module.version + '\n'
+                                                       : HelpText(module, program);
+  std::fputs(answer.c_str(), stdout);
+  FlushStdout();
+}
+
+void
+CommandLine::State::Prepare(const CommandLine & commandLine)
+{
+  parsed = ParseArguments(module, arguments);
+  display.SetMode(parsed.quiet ? ProgressDisplay::Mode::Off : ProgressDisplay::ModeOfStdout());
+  if (!parsed.returnFile.empty())
+  {
+    returnFile = outputs.Add(parsed.returnFile);
+  }
+  const int threads = commandLine.Declares("threads") ? commandLine.GetInteger("threads") : 0;
+  if (threads > 0)
+  {
+    itk::MultiThreaderBase::SetGlobalDefaultNumberOfThreads(threads);
+  }
+}
+
+void
+CommandLine::State::Finish()
+{
+  display.End();
+  FlushStdout();
+  for (const auto & record : runRecords)
+  {
+    WriteFileBytes(record, this->RunRecordText());
+  }
+  if (!returnFile.empty())
+  {
+    WriteFileBytes(returnFile, this->ReturnText());
+  }
+  outputs.Commit();
+}
+
+std::string
+CommandLine::State::ReturnText() const
+{
+  std::string text;
+  for (const auto & value : returned)
+  {
+    text += value.first + " = " + value.second + '\n';
+  }
+  return text;
+}
+
+std::string
+CommandLine::State::RunRecordText() const
+{
+  const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - steadyStart;
+  nlohmann::ordered_json              record;
+  record["tool"] = program;
+  record["version"] = module.version;
+  record["arguments"] = arguments;
+  record["host"] = HostName();
+  record["threads"] = itk::MultiThreaderBase::GetGlobalDefaultNumberOfThreads();
+  record["start"] = TimeText(start);
+  record["seconds"] = elapsed.count();
+  record["stages"] = nlohmann::ordered_json::object();
+  for (const auto & [stage, seconds] : display.StageSeconds())
+  {
+    record["stages"][stage] = seconds;
+  }
+  record["warnings"] = warnings;
+  return record.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + '\n';
+}
+
+CommandLine::CommandLine(const char * xml) : m_State(std::make_unique<State>())
+{
+  m_State->xml = xml;
+  m_State->module = ParseModuleDescription(xml);
+}
+
+CommandLine::~CommandLine()
+{
+  m_State->display.End(); // a failure's message begins on a line of its own
+}
+
+int
+CommandLine::Run(const char * xml, int argc, const char * const argv[], const Body & body)
+{
+  OpenMissingStandardStreams();
+  itk::Object::GlobalWarningDisplayOff(); // ITK's warnings would go to stderr of a run that succeeds
+  const std::string path = argc > 0 ? argv[0] : "";
+  std::string       program = path.substr(path.find_last_of('/') + 1);
+  program = program.empty() ? "tool" : program;
+  try
+  {
+    CommandLine commandLine(xml);
+    State &     state = *commandLine.m_State;
+    state.program = program;
+    state.arguments.assign(argv + std::min(argc, 1), argv + argc);
+    if (const std::string question = FindQuestion(state.arguments); !question.empty())
+    {
+      state.Answer(question);
+      return 0;
+    }
+    state.Prepare(commandLine);
+    body(commandLine);
+    state.Finish();
+    return 0;
+  }
+  catch (...)
+  {
+    const Failure failure = DescribeException();
+    std::fprintf(stderr, "%s: %s\n", Printable(program).c_str(), Printable(failure.message).c_str());
+    return failure.status;
+  }
+}
+
+bool
+CommandLine::Declares(const std::string & name) const
+{
+  const auto & parameters = m_State->module.parameters;
+  return std::any_of(parameters.begin(), parameters.end(), [&](const Parameter & p) { return p.name == name; });
+}
+
+bool
+CommandLine::IsGiven(const std::string & name) const
+{
+  m_State->Find(name);
+  return m_State->FindGiven(name) != nullptr;
+}
+
+std::string
+CommandLine::GetString(const std::string & name) const
+{
+  const auto & parameter = m_State->Find(name);
+  const auto * values = m_State->FindGiven(name);
+  return values ? values->back() : parameter.defaultValue;
+}
+
+double
+CommandLine::GetDouble(const std::string & name) const
+{
+  const auto &      parameter = m_State->Find(name);
+  const std::string text = this->GetString(name);
+  if (text.empty())
+  {
+    throw ParameterError(parameter.Display() + " is missing; it has no default");
+  }
+  return ParseNumber(parameter, text);
+}
+
+int
+CommandLine::GetInteger(const std::string & name) const
+{
+  m_State->CheckInteger(name);
+  return static_cast<int>(this->GetDouble(name));
+}
+
+bool
+CommandLine::GetFlag(const std::string & name) const
+{
+  return this->GetString(name) == "true";
+}
+
+std::vector<std::string>
+CommandLine::GetStrings(const std::string & name) const
+{
+  const auto * values = m_State->FindGiven(name);
+  return m_State->Find(name).multiple && values ? *values : SplitAtCommas(this->GetString(name));
+}
+
+std::vector<double>
+CommandLine::GetDoubles(const std::string & name) const
+{
+  std::vector<double> numbers;
+  for (const auto & text : this->GetStrings(name))
+  {
+    numbers.push_back(ParseNumber(m_State->Find(name), text));
+  }
+  return numbers;
+}
+
+std::vector<std::array<double, 3>>
+CommandLine::GetPoints(const std::string & name) const
+{
+  std::vector<std::array<double, 3>> points;
+  const Parameter &                  parameter = m_State->Find(name);
+  const auto * const                 values = m_State->FindGiven(name);
+  for (std::size_t i = 0; values && i < values->size(); ++i)
+  {
+    const auto numbers = SplitAtCommas((*values)[i]); // three of them, as has been checked
+    points.push_back(
+      { ParseNumber(parameter, numbers[0]), ParseNumber(parameter, numbers[1]), ParseNumber(parameter, numbers[2]) });
+  }
+  return points;
+}
+
+std::vector<int>
+CommandLine::GetIntegers(const std::string & name) const
+{
+  m_State->CheckInteger(name);
+  const std::vector<double> numbers = this->GetDoubles(name);
+  return std::vector<int>(numbers.begin(), numbers.end());
+}
+
+std::string
+CommandLine::Output(const std::string & path)
+{
+  m_State->RequireNoInput(path);
+  return m_State->outputs.Add(path);
+}
+
+void
+CommandLine::LeaveOutOfProvenance(const std::string & name)
+{
+  m_State->Find(name);
+  m_State->idle.insert(name);
+}
+
+void
+CommandLine::AllowReplacing(const std::string & name)
+{
+  m_State->Find(name);
+  m_State->replaceable.insert(name);
+}
+
+void
+CommandLine::Publish(const std::string & path)
+{
+  m_State->outputs.Publish(path);
+}
+
+std::string
+CommandLine::OutputOf(const std::string & name)
+{
+  return this->IsGiven(name) ? this->Output(this->GetString(name)) : std::string();
+}
+
+void
+CommandLine::MakeFolder(const std::string & path)
+{
+  m_State->outputs.MakeFolder(path);
+}
+
+std::string
+CommandLine::InOptions(const std::string & message)
+{
+  static const std::regex parameter("the parameter \"(\\w+)\"( = )?");
+  std::string             text;
+  auto                    rest = message.begin();
+  for (std::sregex_iterator match(message.begin(), message.end(), parameter), end; match != end; ++match)
+  {
+    text.append(rest, (*match)[0].first).append("--").append((*match)[1].str()).append((*match)[2].matched ? " " : "");
+    rest = (*match)[0].second;
+  }
+  return text.append(rest, message.end());
+}
+
+void
+CommandLine::Warn(const std::string & message)
+{
+  m_State->warnings.push_back(InOptions(message));
+  m_State->display.Comment(m_State->warnings.back());
+}
+
+void
+CommandLine::Warn(const Remarks & remarks)
+{
+  for (const std::string & remark : remarks)
+  {
+    this->Warn(remark);
+  }
+}
+
+const Remarks &
+CommandLine::GetWarnings() const
+{
+  return m_State->warnings;
+}
+
+void
+CommandLine::Watch(itk::ProcessObject * filter, const std::string & stage, double start, double fraction)
+{
+  auto & display = m_State->display;
+  filter->AddObserver(itk::ProgressEvent(), [=, &display](const itk::EventObject &) {
+    const double progress = std::min(1.0, static_cast<double>(filter->GetProgress()));
+    display.Update(stage, progress, start + fraction * progress);
+  });
+}
+
+void
+CommandLine::Progress(const std::string & stage, double fraction)
+{
+  m_State->display.Update(stage, fraction, fraction);
+}
+
+Progress
+CommandLine::PartOfProgress(double begin, double end)
+{
+  return [this, begin, end](const std::string & stage, double share) {
+    this->Progress(stage, begin + share * (end - begin));
+  };
+}
+
+void
+CommandLine::Return(const std::string & name, const std::string & value)
+{
+  const auto & parameter = m_State->Find(name);
+  if (parameter.channel != "output" || parameter.IsPath())
+  {
+    throw std::logic_error("\"" + name + "\" is no output parameter of a simple type");
+  }
+  m_State->returned[name] = Printable(value);
+}
+
+void
+CommandLine::AddInput(const std::string & name, const std::string & identity)
+{
+  this->AddProvenance("input." + name, identity);
+}
+
+void
+CommandLine::AddProvenance(const std::string & key, const std::string & value)
+{
+  m_State->facts.emplace_back(key, value);
+}
+
+Provenance
+CommandLine::GetProvenance() const
+{
+  Provenance provenance = { { "tool", m_State->program }, { "version", m_State->module.version } };
+  provenance.insert(provenance.end(), m_State->facts.begin(), m_State->facts.end());
+  for (const auto & parameter : m_State->module.parameters)
+  {
+    const std::string value = m_State->IsInProvenance(parameter) ? m_State->ProvenanceOf(parameter) : "";
+    if (!value.empty() && (parameter.tag != "boolean" || value == "true"))
+    {
+      provenance.emplace_back("option." + parameter.name, value);
+    }
+  }
+  return provenance;
+}
+
+void
+CommandLine::RecordRun(const std::string & path)
+{
+  m_State->runRecords.push_back(this->Output(path));
+}
+} // namespace shapeton

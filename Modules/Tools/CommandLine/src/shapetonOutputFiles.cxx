@@ -1,0 +1,285 @@
+#include "shapetonOutputFiles.h"
+#include "shapetonFileErrors.h"
+#include "shapetonTemporaryName.h"
+#include "shapetonExceptions.h"
+
+#include <algorithm>
+#include <cerrno>
+#include <cstdio>
+#include <stdexcept>
+#include <system_error>
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+namespace fs = std::filesystem;
+
+namespace shapeton
+{
+namespace
+{
+void
+CheckName(const std::string & path)
+{
+  if (path.empty())
+  {
+    throw ParameterError("the name of an output is empty; give a file name");
+  }
+  const fs::path name = fs::path(path).filename();
+  if (name.empty() || name == "." || name == "..")
+  {
+    ThrowCannotWrite(path, "it is a folder", "give a file name");
+  }
+}
+
+// The file that the path means: a symbolic link stays and its target is replaced, as `cp` and a redirection do.
+fs::path
+ResolveTarget(const std::string & path)
+{
+  std::error_code error;
+  fs::path        target = fs::absolute(path);
+  for (int depth = 0; depth < 40 && fs::is_symlink(fs::symlink_status(target, error)); ++depth)
+  {
+    target = target.parent_path() / fs::read_symlink(target, error);
+  }
+  const fs::path folder = fs::canonical(target.parent_path(), error);
+  if (error)
+  {
+    ThrowCannotWrite(path, error.value());
+  }
+  return folder / target.filename();
+}
+
+void
+CheckTarget(const std::string & path, const fs::path & target)
+{
+  std::error_code error;
+  const auto      status = fs::status(target, error);
+  if (fs::is_directory(status))
+  {
+    ThrowCannotWrite(path, "it is a folder", "give a file name");
+  }
+  if (!fs::status_known(status))
+  {
+    ThrowCannotWrite(path, error.value());
+  }
+  if (!fs::exists(status))
+  {
+    return;
+  }
+  if (!fs::is_regular_file(status))
+  {
+    ThrowCannotWrite(path, "it is not a regular file", "give the name of a file on a disk");
+  }
+  if (faccessat(AT_FDCWD, target.c_str(), W_OK, AT_EACCESS) != 0)
+  {
+    ThrowCannotWrite(path, std::generic_category().message(errno), "choose another name or allow writing to the file");
+  }
+}
+
+// Fails now and not after an hour; what the check made is gone again when it returns.
+void
+CheckCreation(const std::string & path, const std::string & temporary)
+{
+  unlink(temporary.c_str());
+  const int file = open(temporary.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0666);
+  if (file < 0)
+  {
+    ThrowCannotWrite(path, errno);
+  }
+  close(file);
+  unlink(temporary.c_str());
+}
+
+// Some file systems (FUSE, network) have no fsync.
+bool
+IsSyncMissing(int error)
+{
+  return error == EINVAL || error == ENOSYS || error == EOPNOTSUPP;
+}
+
+int
+Sync(const fs::path & path)
+{
+  const int file = open(path.c_str(), O_RDONLY | O_CLOEXEC);
+  if (file < 0)
+  {
+    return errno;
+  }
+  const int error = fsync(file) == 0 || IsSyncMissing(errno) ? 0 : errno;
+  close(file);
+  return error;
+}
+
+// An old result that only its owner could read does not become readable for all by being made anew.
+void
+KeepPermissions(const fs::path & target, const std::string & temporary)
+{
+  struct stat status = {};
+  if (stat(target.c_str(), &status) == 0)
+  {
+    chmod(temporary.c_str(), status.st_mode & 0777);
+  }
+}
+
+std::vector<fs::path>
+MissingFolders(const fs::path & target)
+{
+  std::error_code       error;
+  std::vector<fs::path> missing;
+  for (fs::path folder = target; !fs::exists(folder, error) && folder.has_relative_path();
+       folder = folder.parent_path())
+  {
+    missing.insert(missing.begin(), folder);
+  }
+  return missing;
+}
+} // namespace
+
+OutputFiles::OutputFiles() { RemovalAtDeath::InstallHandlers(); }
+
+OutputFiles::~OutputFiles()
+{
+  std::error_code error;
+  for (const File & file : m_Files)
+  {
+    fs::remove(file.temporary, error);
+  }
+  for (auto folder = m_Folders.rbegin(); folder != m_Folders.rend(); ++folder)
+  {
+    fs::remove(folder->path, error); // only when empty
+  }
+}
+
+// Leftovers of runs that were killed beyond help (SIGKILL, power).
+void
+OutputFiles::RemoveLeftovers(const fs::path & folder)
+{
+  if (!m_TidyFolders.insert(folder).second)
+  {
+    return;
+  }
+  std::error_code       error;
+  std::vector<fs::path> leftovers;
+  for (fs::directory_iterator entry(folder, error), end; !error && entry != end; entry.increment(error))
+  {
+    if (IsLeftover(entry->path().filename().string()))
+    {
+      leftovers.push_back(entry->path());
+    }
+  }
+  for (const fs::path & leftover : leftovers)
+  {
+    fs::remove(leftover, error);
+  }
+}
+
+std::string
+OutputFiles::Add(const std::string & path)
+{
+  CheckName(path);
+  const fs::path target = ResolveTarget(path);
+  CheckTarget(path, target);
+  if (std::any_of(m_Files.begin(), m_Files.end(), [&](const File & file) { return file.target == target; }))
+  {
+    throw ParameterError("two outputs have the same name \"" + path + "\"; give each its own");
+  }
+  this->RemoveLeftovers(target.parent_path());
+  const std::string temporary = TemporaryNameFor(target, m_Added++).string();
+  RemovalAtDeath    removal(temporary);
+  CheckCreation(path, temporary);
+  m_Files.push_back({ path, target, temporary, std::move(removal) });
+  return temporary;
+}
+
+void
+OutputFiles::MakeFolder(const std::string & path)
+{
+  if (path.empty())
+  {
+    throw ParameterError("the name of a folder for outputs is empty; give one");
+  }
+  std::error_code error;
+  const fs::path  target = fs::absolute(path);
+  for (const fs::path & folder : MissingFolders(target))
+  {
+    RemovalAtDeath removal(folder.string());
+    const bool     isNew = fs::create_directory(folder, error);
+    if (error)
+    {
+      ThrowCannotWrite(path, error.message(), "choose a place that can be written");
+    }
+    if (isNew) // and not made by another run in the meantime
+    {
+      m_Folders.push_back({ folder, std::move(removal) });
+    }
+  }
+  if (!fs::is_directory(target, error))
+  {
+    ThrowCannotWrite(path, "it exists and is no folder", "give another name");
+  }
+}
+
+// Checks that the file was written, and makes it durable.
+void
+OutputFiles::Finish(const File & file)
+{
+  if (!fs::exists(file.temporary))
+  {
+    ThrowCannotWrite(file.path, "the program wrote nothing", "report this as a bug");
+  }
+  if (const int error = Sync(file.temporary))
+  {
+    ThrowCannotWrite(file.path, error);
+  }
+  KeepPermissions(file.target, file.temporary);
+}
+
+void
+OutputFiles::Rename(const File & file)
+{
+  if (std::rename(file.temporary.c_str(), file.target.c_str()) != 0)
+  {
+    ThrowCannotWrite(file.path, std::generic_category().message(errno), "choose another name");
+  }
+}
+
+void
+OutputFiles::Publish(const std::string & path)
+{
+  const fs::path target = ResolveTarget(path);
+  const auto     file =
+    std::find_if(m_Files.begin(), m_Files.end(), [&](const File & candidate) { return candidate.target == target; });
+  if (file == m_Files.end())
+  {
+    throw std::logic_error("\"" + path + "\" is no output of this run that waits to be published");
+  }
+  Finish(*file);
+  const DeathDelay delay;
+  Rename(*file);
+  m_Files.erase(file);
+}
+
+void
+OutputFiles::Commit()
+{
+  for (const File & file : m_Files)
+  {
+    Finish(file);
+  }
+  {
+    const DeathDelay delay;
+    for (const File & file : m_Files)
+    {
+      Rename(file);
+    }
+    m_Files.clear();
+    m_Folders.clear();
+  }
+  for (const fs::path & folder : m_TidyFolders)
+  {
+    Sync(folder); // makes the new names durable; they are in place already
+  }
+}
+} // namespace shapeton

@@ -1,0 +1,123 @@
+#include "shapetonTemporaryName.h"
+
+#include <algorithm>
+#include <cctype>
+#include <cerrno>
+#include <charconv>
+#include <csignal>
+#include <cstdint>
+
+#include <unistd.h>
+
+namespace fs = std::filesystem;
+
+namespace shapeton
+{
+namespace
+{
+const std::string mark = ".part";
+
+// Process numbers mean something only inside one process name space of one host: of a run on another one that shares
+// the folder nothing can be known.
+std::string
+ComputeMachineTag()
+{
+  char host[256] = {};
+  gethostname(host, sizeof(host) - 1);
+  std::error_code error;
+  std::uint32_t   hash = 2166136261u; // FNV-1a
+  for (const char c : host + fs::read_symlink("/proc/self/ns/pid", error).string())
+  {
+    hash = (hash ^ static_cast<unsigned char>(c)) * 16777619u;
+  }
+  std::string tag;
+  for (int shift = 28; shift >= 0; shift -= 4)
+  {
+    tag += "0123456789abcdef"[hash >> shift & 15];
+  }
+  return tag;
+}
+
+const std::string &
+MachineTag()
+{
+  static const std::string tag = ComputeMachineTag();
+  return tag;
+}
+
+// Where the extension of a file name begins; ".nii.gz" and ".mrk.json" are one.
+std::size_t
+ExtensionStart(const std::string & name)
+{
+  const std::size_t last = name.rfind('.');
+  if (last == std::string::npos || last == 0)
+  {
+    return name.size();
+  }
+  const std::size_t before = name.rfind('.', last - 1);
+  std::string       extension = name.substr(before == std::string::npos ? last : before);
+  std::transform(
+    extension.begin(), extension.end(), extension.begin(), [](unsigned char c) { return std::tolower(c); });
+  const bool isDouble = extension == ".mrk.json" || extension.substr(extension.rfind('.')) == ".gz";
+  return isDouble && before != std::string::npos ? before : last;
+}
+
+// At most `size` bytes, no character of UTF-8 cut in two.
+std::string
+Shortened(const std::string & text, std::size_t size)
+{
+  if (text.size() <= size)
+  {
+    return text;
+  }
+  while (size > 0 && (static_cast<unsigned char>(text[size]) & 0xC0) == 0x80)
+  {
+    --size;
+  }
+  return text.substr(0, size);
+}
+
+// Reads a number and moves behind it; -1 when there is none.
+long
+TakeNumber(const char *& position, const char * end)
+{
+  long       number = -1;
+  const auto result = std::from_chars(position, end, number);
+  position = result.ptr;
+  return result.ec == std::errc() ? number : -1;
+}
+} // namespace
+
+fs::path
+TemporaryNameFor(const fs::path & target, std::size_t number)
+{
+  constexpr std::size_t longest = 255; // of a name in the file systems of Linux
+  const std::string     name = target.filename().string();
+  const std::size_t     extension = ExtensionStart(name);
+  const std::string     end =
+    '.' + MachineTag() + '-' + std::to_string(getpid()) + '-' + std::to_string(number) + mark + name.substr(extension);
+  const std::size_t room = end.size() + 1 < longest ? longest - end.size() - 1 : 0;
+  return target.parent_path() / ('.' + Shortened(name.substr(0, extension), room) + end);
+}
+
+bool
+IsLeftover(const std::string & name)
+{
+  const std::string start = '.' + MachineTag() + '-';
+  const std::size_t tag = name.rfind(start);
+  if (tag == std::string::npos || name[0] != '.')
+  {
+    return false;
+  }
+  const char *       position = name.data() + tag + start.size();
+  const char * const end = name.data() + name.size();
+  const long         process = TakeNumber(position, end);
+  if (process <= 0 || position == end || *position++ != '-' || TakeNumber(position, end) < 0 ||
+      name.compare(position - name.data(), mark.size(), mark) != 0)
+  {
+    return false;
+  }
+  // A process of our own number is dead too: it came before us.
+  return process == getpid() || (kill(static_cast<pid_t>(process), 0) != 0 && errno == ESRCH);
+}
+} // namespace shapeton

@@ -1,0 +1,384 @@
+#include "shapetonToolProcess.h"
+
+#include "itkImage.h"
+#include "itkImageSource.h"
+#include "shapetonExceptions.h"
+
+#include "gtest/gtest.h"
+
+#if __has_include("itk_expat.h") // in an ITK source tree
+#  include "itk_expat.h"
+#else
+#  include <expat.h>
+#endif
+
+#include <algorithm>
+#include <chrono>
+#include <iostream>
+#include <limits>
+#include <regex>
+#include <sstream>
+#include <thread>
+
+namespace
+{
+using namespace tooltest;
+
+using Elements = std::vector<std::pair<std::string, std::string>>; // in the order of their ends
+
+struct XmlReader
+{
+  Elements    elements;
+  std::string text;
+};
+
+/** The elements of `fragment`; fails when it is not well-formed. */
+Elements
+ReadXml(const std::string & fragment)
+{
+  XmlReader  reader;
+  XML_Parser parser = XML_ParserCreate("UTF-8");
+  XML_SetUserData(parser, &reader);
+  XML_SetElementHandler(
+    parser,
+    [](void * data, const char *, const char **) { static_cast<XmlReader *>(data)->text.clear(); },
+    [](void * data, const char * tag) {
+      auto & here = *static_cast<XmlReader *>(data);
+      here.elements.emplace_back(tag, here.text);
+    });
+  XML_SetCharacterDataHandler(
+    parser, [](void * data, const char * text, int size) { static_cast<XmlReader *>(data)->text.append(text, size); });
+  const std::string document = "<all>" + fragment + "</all>";
+  const auto        status = XML_Parse(parser, document.data(), static_cast<int>(document.size()), 1);
+  EXPECT_EQ(status, XML_STATUS_OK) << XML_ErrorString(XML_GetErrorCode(parser)) << " in:\n" << fragment;
+  XML_ParserFree(parser);
+  return reader.elements;
+}
+
+Words
+TextsOf(const Elements & elements, const std::string & tag)
+{
+  Words texts;
+  for (const auto & element : elements)
+  {
+    if (element.first == tag)
+    {
+      texts.push_back(element.second);
+    }
+  }
+  return texts;
+}
+
+std::vector<double>
+NumbersOf(const Elements & elements, const std::string & tag)
+{
+  std::vector<double> numbers;
+  for (const auto & text : TextsOf(elements, tag))
+  {
+    numbers.push_back(std::stod(text));
+  }
+  return numbers;
+}
+
+void
+TwoStages(shapeton::CommandLine & commandLine)
+{
+  for (int i = 0; i <= 500; ++i)
+  {
+    commandLine.Progress("Diffusing <1> & \"more\"", 0.5 * i / 500);
+  }
+  for (int i = 0; i <= 500; ++i)
+  {
+    commandLine.Progress("Classifying", 0.5 + 0.5 * i / 500);
+  }
+}
+
+TEST(CommandLineProgress, IsWellFormedMonotoneAndShort)
+{
+  const auto outcome = RunWithOptions({}, TwoStages);
+  EXPECT_EQ(outcome.status, 0);
+  EXPECT_EQ(outcome.err, "");
+  const auto elements = ReadXml(outcome.out);
+  const auto progress = NumbersOf(elements, "filter-progress");
+  EXPECT_TRUE(std::is_sorted(progress.begin(), progress.end()));
+  EXPECT_EQ(progress.front(), 0.0);
+  EXPECT_EQ(progress.back(), 1.0);
+  EXPECT_GE(progress.size(), 50u);
+  EXPECT_LE(progress.size(), 110u);
+  const Words stages = { "Diffusing <1> & \"more\"", "Classifying" };
+  EXPECT_EQ(TextsOf(elements, "filter-comment"), stages);
+  EXPECT_EQ(TextsOf(elements, "filter-start").size(), 2u);
+  EXPECT_EQ(TextsOf(elements, "filter-end").size(), 2u);
+  EXPECT_EQ(TextsOf(elements, "filter-name"), Words({ stages[0], stages[0], stages[1], stages[1] })) << "begin and end";
+  for (const double seconds : NumbersOf(elements, "filter-time"))
+  {
+    EXPECT_GE(seconds, 0.0);
+    EXPECT_LT(seconds, 60.0);
+  }
+}
+
+TEST(CommandLineProgress, IsForcedIntoItsRangeAndNeverGoesBack)
+{
+  const auto outcome = RunWithOptions({}, [](shapeton::CommandLine & commandLine) {
+    for (const double fraction : { -1.0,
+                                   0.5,
+                                   0.2,
+                                   std::numeric_limits<double>::quiet_NaN(),
+                                   0.7,
+                                   7.0,
+                                   std::numeric_limits<double>::infinity(),
+                                   0.1 })
+    {
+      commandLine.Progress("Work", fraction);
+    }
+  });
+  EXPECT_EQ(NumbersOf(ReadXml(outcome.out), "filter-progress"), std::vector<double>({ 0.0, 0.5, 0.7, 1.0 }));
+}
+
+TEST(CommandLineProgress, OfAFailedRunIsWellFormedToo)
+{
+  const auto outcome = RunWithOptions({}, [](shapeton::CommandLine & commandLine) {
+    commandLine.Progress("Work", 0.5);
+    throw shapeton::InputError("no");
+  });
+  EXPECT_EQ(outcome.status, 3);
+  EXPECT_EQ(outcome.err, "TestTool: no\n");
+  EXPECT_EQ(TextsOf(ReadXml(outcome.out), "filter-end").size(), 1u);
+}
+
+TEST(CommandLineProgress, IsSilentWithQuietOrWithoutReports)
+{
+  const Body talkative = [](shapeton::CommandLine & commandLine) {
+    TwoStages(commandLine);
+    commandLine.Warn("a remark");
+  };
+  EXPECT_EQ(RunWithOptions({ "--quiet" }, talkative).out, "");
+  EXPECT_EQ(RunWithOptions({ "--quiet=true" }, talkative).out, "");
+  EXPECT_NE(RunWithOptions({ "--quiet=false" }, talkative).out, "");
+  EXPECT_EQ(RunWithOptions({}, [](shapeton::CommandLine &) {}).out, "");
+  EXPECT_EQ(RunWithOptions({ "--quiet=1" }, talkative).err, "TestTool: --quiet: \"1\" is neither true nor false\n");
+}
+
+TEST(CommandLineProgress, WarningsAreKeptAndToldAsWellFormedComments)
+{
+  const std::string remark = "slices 3 <and> 4 & \"5\"\nof \x01\x1B[31m\xFF\xEF\xBF\xBE\xED\xA0\x80 \xC3\xA4";
+  const auto        outcome = RunWithOptions({}, [&](shapeton::CommandLine & commandLine) {
+    commandLine.Warn(remark);
+    commandLine.Warn("another");
+    if (commandLine.GetWarnings() != Words({ remark, "another" }))
+    {
+      throw std::logic_error("they are not kept");
+    }
+  });
+  EXPECT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_EQ(outcome.err, "");
+  EXPECT_EQ(TextsOf(ReadXml(outcome.out), "filter-comment"),
+            Words({ "slices 3 <and> 4 & \"5\" of [31m????? \xC3\xA4", "another" }));
+}
+
+/** A source whose progress is told step by step. */
+class SlowSource : public itk::ImageSource<itk::Image<float, 3>>
+{
+public:
+  using Self = SlowSource;
+  using Pointer = itk::SmartPointer<Self>;
+  itkFactorylessNewMacro(Self);
+
+protected:
+  void
+  GenerateOutputInformation() override
+  {}
+  void
+  GenerateData() override
+  {
+    for (const float progress : { 0.0f, 0.25f, 0.5f, 1.0f })
+    {
+      this->UpdateProgress(progress);
+    }
+  }
+};
+
+TEST(CommandLineProgress, OfAFilterIsItsShareOfTheRun)
+{
+  const auto outcome = RunWithOptions({}, [](shapeton::CommandLine & commandLine) {
+    auto source = SlowSource::New();
+    commandLine.Watch(source, "Diffusing", 0.2, 0.4);
+    source->Update();
+    commandLine.Progress("Writing", 0.8);
+  });
+  const auto elements = ReadXml(outcome.out);
+  const auto progress = NumbersOf(elements, "filter-progress");
+  const auto ofStage = NumbersOf(elements, "filter-stage-progress");
+  ASSERT_EQ(progress.size(), 5u) << outcome.out;
+  const double expected[] = { 0.2, 0.3, 0.4, 0.6, 0.8 };
+  const double expectedOfStage[] = { 0.0, 0.25, 0.5, 1.0 };
+  for (int i = 0; i < 5; ++i)
+  {
+    EXPECT_NEAR(progress[i], expected[i], 1e-6);
+  }
+  for (int i = 0; i < 4; ++i)
+  {
+    EXPECT_NEAR(ofStage[i], expectedOfStage[i], 1e-6);
+  }
+}
+
+TEST(CommandLineProgress, ByDefaultAFilterIsTheWholeRun)
+{
+  const auto outcome = RunWithOptions({}, [](shapeton::CommandLine & commandLine) {
+    auto source = SlowSource::New();
+    commandLine.Watch(source, "Diffusing");
+    source->Update();
+    source->Modified();
+    source->Update(); // again: the progress does not go back
+  });
+  EXPECT_EQ(NumbersOf(ReadXml(outcome.out), "filter-progress"), std::vector<double>({ 0.0, 0.25, 0.5, 1.0 }));
+}
+
+TEST(CommandLineProgress, MayComeFromManyThreads)
+{
+  const auto outcome = RunWithOptions({}, [](shapeton::CommandLine & commandLine) {
+    std::vector<std::thread> threads;
+    for (int t = 0; t < 4; ++t)
+    {
+      threads.emplace_back([&commandLine, t] {
+        for (int i = 0; i <= 1000; ++i)
+        {
+          commandLine.Progress(t % 2 ? "Odd" : "Even", i / 1000.0);
+        }
+      });
+    }
+    for (auto & thread : threads)
+    {
+      thread.join();
+    }
+  });
+  const auto progress = NumbersOf(ReadXml(outcome.out), "filter-progress");
+  EXPECT_TRUE(std::is_sorted(progress.begin(), progress.end()));
+  EXPECT_EQ(progress.back(), 1.0);
+}
+
+TEST(CommandLineProgress, HasAFullStopInEveryLocale)
+{
+  struct Comma : std::numpunct<char>
+  {
+    char
+    do_decimal_point() const override
+    {
+      return ',';
+    }
+  };
+  const auto outcome = InProcess([] {
+    std::locale::global(std::locale(std::locale::classic(), new Comma));
+    return RunHere({ "in", "out" }, [](shapeton::CommandLine & commandLine) { commandLine.Progress("Work", 0.5); });
+  });
+  EXPECT_NE(outcome.out.find("<filter-progress>0.500000</filter-progress>"), std::string::npos) << outcome.out;
+}
+
+// ---- on a terminal ----
+
+/** What a terminal's lines show after `text`, of which only carriage returns, line feeds and printable characters are
+ * known. */
+Words
+LinesShown(const std::string & text)
+{
+  Words       lines{ "" };
+  std::size_t column = 0;
+  for (const char c : text)
+  {
+    if (c == '\r')
+    {
+      column = 0;
+      continue;
+    }
+    if (c == '\n')
+    {
+      lines.emplace_back();
+      continue;
+    }
+    EXPECT_GE(c, ' ') << "an escape code that not every terminal knows";
+    std::string & line = lines.back();
+    line.resize(std::max(line.size(), column + 1), ' ');
+    line[column++] = c;
+  }
+  for (auto & line : lines)
+  {
+    line.erase(line.find_last_not_of(' ') + 1);
+  }
+  return lines;
+}
+
+std::function<int()>
+Tool(const Words & options, const Body & body)
+{
+  Words arguments = { "in", "out" };
+  arguments.insert(arguments.end(), options.begin(), options.end());
+  return [=] { return RunHere(arguments, body); };
+}
+
+TEST(CommandLineTerminal, ShowsABarWithTheRemainingTimeAndClearsIt)
+{
+  const auto outcome = OnTerminal(Tool({},
+                                       [](shapeton::CommandLine & commandLine) {
+                                         commandLine.Progress("Diffusing", 0.0);
+                                         std::this_thread::sleep_for(std::chrono::milliseconds(60));
+                                         commandLine.Progress("Diffusing", 0.05); // 19 times as long is left
+                                         commandLine.Progress("Writing", 1.0);
+                                       }),
+                                  120);
+  EXPECT_EQ(outcome.status, 0);
+  EXPECT_EQ(outcome.err, "");
+  const std::string bar(40, '=');
+  const std::string blank(40, ' ');
+  EXPECT_NE(outcome.out.find("[" + blank + "]   0 %  Diffusing"), std::string::npos) << outcome.out;
+  std::smatch match;
+  ASSERT_TRUE(std::regex_search(outcome.out, match, std::regex("\\[== {38}\\]   5 %  Diffusing  0:(\\d\\d) left")))
+    << outcome.out;
+  EXPECT_GE(std::stoi(match[1]), 2) << "19 times 60 ms, rounded up";
+  EXPECT_NE(outcome.out.find("[" + bar + "] 100 %  Writing"), std::string::npos) << outcome.out;
+  EXPECT_EQ(outcome.out.find("Writing  0:"), std::string::npos) << "nothing is left";
+  EXPECT_EQ(outcome.out.find('<'), std::string::npos) << "no XML";
+  EXPECT_EQ(LinesShown(outcome.out), Words({ "" }));
+}
+
+TEST(CommandLineTerminal, StaysOnOneLineHoweverNarrow)
+{
+  for (const unsigned short columns : { 120, 80, 47, 20, 2, 1, 0 })
+  {
+    const auto outcome = OnTerminal(Tool({}, TwoStages), columns);
+    EXPECT_EQ(outcome.status, 0);
+    std::istringstream pieces(outcome.out);
+    for (std::string piece; std::getline(pieces, piece, '\r');)
+    {
+      EXPECT_LT(piece.size(), columns ? columns : 80u);
+    }
+    EXPECT_EQ(LinesShown(outcome.out), Words({ "" }));
+  }
+}
+
+TEST(CommandLineTerminal, ShowsWarningsOnLinesOfTheirOwn)
+{
+  const auto outcome = OnTerminal(Tool({},
+                                       [](shapeton::CommandLine & commandLine) {
+                                         commandLine.Progress("Diffusing", 0.5);
+                                         commandLine.Warn("the bed is\nin the \x1B[5mpicture");
+                                         commandLine.Progress("Diffusing", 0.9);
+                                       }),
+                                  80);
+  EXPECT_EQ(LinesShown(outcome.out), Words({ "Note: the bed is in the [5mpicture", "" }));
+}
+
+TEST(CommandLineTerminal, AFailureBeginsOnALineOfItsOwn)
+{
+  const auto outcome = OnTerminal(Tool({},
+                                       [](shapeton::CommandLine & commandLine) {
+                                         commandLine.Progress("Diffusing", 0.5);
+                                         throw shapeton::InputError("no");
+                                       }),
+                                  80);
+  EXPECT_EQ(outcome.status, 3);
+  EXPECT_EQ(LinesShown(outcome.out), Words({ "" }));
+  EXPECT_EQ(outcome.err, "TestTool: no\n");
+}
+
+TEST(CommandLineTerminal, IsSilentWithQuiet) { EXPECT_EQ(OnTerminal(Tool({ "--quiet" }, TwoStages), 80).out, ""); }
+} // namespace

@@ -1,0 +1,59 @@
+#include "shapetonFaultySystem.h"
+
+#include <cerrno>
+#include <csignal>
+
+#include <dlfcn.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+namespace tooltest
+{
+FaultySystem faultySystem;
+} // namespace tooltest
+
+using tooltest::faultySystem;
+
+// A function of the program is found before that of the same name in a library, also by the libraries.
+extern "C" int
+fsync(int descriptor) noexcept(noexcept(::fsync(0)))
+{
+  if (faultySystem.fsyncError)
+  {
+    errno = faultySystem.fsyncError;
+    return -1;
+  }
+  static const auto system = reinterpret_cast<int (*)(int)>(dlsym(RTLD_NEXT, "fsync"));
+  return system(descriptor);
+}
+
+extern "C" int
+rename(const char * from, const char * to) noexcept
+{
+  static int calls = 0;
+  if (++calls == faultySystem.callOfRename)
+  {
+    if (faultySystem.signalAtRename)
+    {
+      raise(faultySystem.signalAtRename);
+    }
+    if (faultySystem.renameError)
+    {
+      errno = faultySystem.renameError;
+      return -1;
+    }
+  }
+  static const auto system = reinterpret_cast<int (*)(const char *, const char *)>(dlsym(RTLD_NEXT, "rename"));
+  return system(from, to);
+}
+
+extern "C" int
+mkdir(const char * path, mode_t mode) noexcept
+{
+  static const auto system = reinterpret_cast<int (*)(const char *, mode_t)>(dlsym(RTLD_NEXT, "mkdir"));
+  if (faultySystem.losesRaceForFolder)
+  {
+    system(path, mode);
+  }
+  return system(path, mode);
+}

@@ -1,0 +1,67 @@
+#ifndef shapetonToolProcess_h
+#define shapetonToolProcess_h
+
+#include "shapetonCommandLine.h"
+#include "shapetonTestFolder.h"
+
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace tooltest
+{
+/** How a process ended. */
+struct Outcome
+{
+  int         status{ -1 }; ///< exit status, or the negative number of the signal that ended it
+  std::string out;
+  std::string err;
+};
+
+/** Runs `work` in a forked process; its value is the exit status. */
+Outcome
+InProcess(const std::function<int()> & work);
+
+/** The same with a pseudo-terminal of so many columns as stdout; 0: a terminal that does not tell its width. */
+Outcome
+OnTerminal(const std::function<int()> & work, unsigned short columns);
+
+/** A module description with a parameter of every kind; see shapetonToolProcess.cxx. */
+extern const char * const Xml;
+
+using Words = std::vector<std::string>;
+using Body = shapeton::CommandLine::Body;
+
+/** CommandLine::Run in this process, as the program `path`. */
+int
+RunHere(const Words &       arguments,
+        const Body &        body,
+        const char *        xml = Xml,
+        const std::string & path = "/opt/bin/TestTool");
+
+/** CommandLine::Run in a process of its own. */
+Outcome
+RunTool(const Words & arguments, const Body & body, const char * xml = Xml);
+
+/** The same, with "in.nrrd" and "out.nrrd" as positional arguments before `options`. */
+Outcome
+RunWithOptions(const Words & options, const Body & body);
+
+using basetest::Scratch;
+
+void
+WriteText(const std::string & path, const std::string & text);
+std::string
+ReadText(const std::string & path);
+
+/** The names in a folder, hidden ones too, in alphabetical order. */
+Words
+NamesIn(const std::string & folder = ".");
+
+/** Gives up the rights of root, which may write everywhere. */
+void
+BecomeNobody();
+} // namespace tooltest
+
+#endif

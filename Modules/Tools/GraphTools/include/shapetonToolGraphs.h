@@ -1,0 +1,22 @@
+#ifndef shapetonToolGraphs_h
+#define shapetonToolGraphs_h
+
+#include "GraphToolsExport.h"
+#include "shapetonGraphReader.h"
+#include "shapetonRotationFile.h"
+
+namespace shapeton
+{
+class CommandLine;
+
+/** ReadGraph() for the input parameter of a tool; states its identity and tells the notes as warnings.
+ * \ingroup GraphTools */
+GraphTools_EXPORT Graph
+ReadGraph(CommandLine & commandLine, const std::string & parameter);
+
+/** ReadRotation() for the input parameter of a tool; states its identity. \ingroup GraphTools */
+GraphTools_EXPORT CombinatorialMap
+ReadRotation(CommandLine & commandLine, const std::string & parameter, const Graph & graph);
+} // namespace shapeton
+
+#endif

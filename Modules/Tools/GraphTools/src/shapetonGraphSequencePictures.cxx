@@ -1,0 +1,150 @@
+#include "shapetonGraphComparisonPictures.h"
+#include "shapetonGraphReport.h"
+
+#include <algorithm>
+#include <map>
+
+namespace shapeton
+{
+namespace
+{
+const char * const ChangedColor = "#43a047";
+const char * const OtherColor = "#ef9a9a";
+const char * const TrackedColor = "#1e88e5";
+
+std::vector<std::string>
+ColorsOfChange(const Graph & graph, const std::vector<int> & changed, const std::vector<std::string> & tracked)
+{
+  std::vector<std::string> colors(graph.nodes, OtherColor);
+  for (const int node : changed)
+  {
+    colors[node] = ChangedColor;
+  }
+  for (int node = 0; node < graph.nodes && !tracked.empty(); ++node)
+  {
+    if (std::find(tracked.begin(), tracked.end(), NameOfNode(graph, node)) != tracked.end())
+    {
+      colors[node] = TrackedColor;
+    }
+  }
+  return colors;
+}
+
+/** Steps from the first to the last, at most mostStepsOfPicture. */
+std::vector<int>
+ShownSteps(int steps)
+{
+  const int        shown = std::min(steps, mostStepsOfPicture);
+  std::vector<int> list;
+  for (int i = 0; i < shown; ++i)
+  {
+    list.push_back(shown > 1 ? static_cast<int>(static_cast<long long>(i) * (steps - 1) / (shown - 1)) : 0);
+  }
+  return list;
+}
+
+std::string
+TitleOf(const DynamicSequence & sequence, int step)
+{
+  return "step " + std::to_string(step) + ": " + sequence.files[step];
+}
+
+/** The same colour for a name in all steps, in the order in which names appear. */
+class ColorsOfNames
+{
+public:
+  explicit ColorsOfNames(const DynamicSequence & sequence)
+  {
+    for (const DynamicStep & step : sequence.steps)
+    {
+      for (int node = 0; node < step.certificate.graph.nodes; ++node)
+      {
+        m_Numbers.emplace(NameOfNode(step.certificate.graph, node), static_cast<int>(m_Numbers.size()));
+      }
+    }
+    m_Colors = DistinctColors(static_cast<int>(m_Numbers.size()));
+  }
+
+  std::vector<std::string>
+  Of(const Graph & graph) const
+  {
+    std::vector<std::string> colors;
+    for (int node = 0; node < graph.nodes; ++node)
+    {
+      colors.push_back(m_Colors[m_Numbers.at(NameOfNode(graph, node))]);
+    }
+    return colors;
+  }
+
+private:
+  std::map<std::string, int> m_Numbers;
+  std::vector<std::string>   m_Colors;
+};
+
+/** What changed between the two steps: on the second step, and on the first the ends of what is gone. */
+void
+WriteComparedSteps(const DynamicSequence &          sequence,
+                   const std::vector<int> &         compared,
+                   const std::vector<std::string> & tracked,
+                   const GraphSideBySide &          sheet,
+                   const std::string &              path)
+{
+  const EmbeddingCertificate & a = sequence.steps[compared[0]].certificate;
+  const EmbeddingCertificate & b = sequence.steps[compared[1]].certificate;
+  const GraphChanges           changes = ChangesBetween(a, b);
+  std::vector<int>             gone = changes.removedNodes;
+  for (const int edge : changes.removedEdges)
+  {
+    gone.insert(gone.end(), a.graph.edges[edge].begin(), a.graph.edges[edge].end());
+  }
+  WriteGraphSheetSvg(
+    { { TitleOf(sequence, compared[0]), &a, ColorsOfChange(a.graph, gone, tracked), sheet.hasLabels },
+      { TitleOf(sequence, compared[1]), &b, ColorsOfChange(b.graph, changes.changedNodes, tracked), sheet.hasLabels } },
+    {},
+    path);
+}
+} // namespace
+
+void
+WriteSequencePictures(const DynamicSequence &          sequence,
+                      const std::vector<int> &         compared,
+                      const std::vector<std::string> & tracked,
+                      const GraphSideBySide &          sheet,
+                      const OutputPath &               output)
+{
+  const ColorsOfNames    names(sequence);
+  std::vector<GraphView> changes;
+  std::vector<GraphView> correspondence;
+  const auto             steps = static_cast<int>(sequence.steps.size());
+  for (const int step : ShownSteps(steps))
+  {
+    const DynamicStep & shown = sequence.steps[step];
+    const Graph &       graph = shown.certificate.graph;
+    const std::string   title = TitleOf(sequence, step);
+    const auto          colors = ColorsOfChange(graph, shown.changes.changedNodes, tracked);
+    changes.push_back({ title, &shown.certificate, colors, sheet.hasLabels });
+    correspondence.push_back({ title, &shown.certificate, names.Of(graph), sheet.hasLabels });
+  }
+  GraphPictureOptions options;
+  options.panelSize = 400;
+  options.columns = 4;
+  WriteGraphSheetSvg(changes, options, output(sheet.folder + "/steps.svg"));
+  WriteGraphSheetSvg(correspondence, options, output(sheet.folder + "/correspondence.svg"));
+  if (!compared.empty())
+  {
+    WriteComparedSteps(sequence, compared, tracked, sheet, output(sheet.folder + "/compare.svg"));
+  }
+  GraphReport report{ "Dynamic graph", changes, {}, sheet.warnings, sheet.provenance, {} };
+  report.paragraphs = {
+    "Green: nodes that are new or have gained or lost an edge since the step before; blue: tracked nodes; "
+    "red: all others."
+  };
+  if (steps > mostStepsOfPicture)
+  {
+    report.paragraphs.push_back(std::to_string(mostStepsOfPicture) + " of " + std::to_string(steps) +
+                                " steps are shown; the tables hold all of them.");
+  }
+  report.tables.emplace_back("All steps", TableOfSteps(sequence));
+  WriteGraphReport(report, output(sheet.folder + "/index.html"));
+}
+} // namespace shapeton

@@ -1,0 +1,80 @@
+#include "shapetonGraphComparisonPictures.h"
+#include "shapetonFileBytes.h"
+#include "shapetonGraphFamilies.h"
+#include "shapetonTestFolder.h"
+
+#include "gtest/gtest.h"
+
+using basetest::Folder;
+
+namespace
+{
+int
+Count(const std::string & text, const std::string & word)
+{
+  int count = 0;
+  for (auto place = text.find(word); place != std::string::npos; place = text.find(word, place + 1))
+  {
+    ++count;
+  }
+  return count;
+}
+
+std::string
+Same(const std::string & path)
+{
+  return path;
+}
+
+shapeton::Graph
+NamedWheel(int spokes)
+{
+  shapeton::Graph wheel = shapeton::WheelGraph(spokes);
+  for (int node = 0; node < wheel.nodes; ++node)
+  {
+    wheel.names.push_back("n" + std::to_string(node));
+  }
+  return wheel;
+}
+} // namespace
+
+/** Each colour of a node of one picture is that of its partner in the other one. */
+TEST(GraphComparisonPictures, PartnersHaveOneColor)
+{
+  const Folder                    folder;
+  const shapeton::Graph           wheel = shapeton::WheelGraph(6);
+  const shapeton::Graph           turned = shapeton::RelabelledGraph(wheel, { 3, 1, 4, 6, 5, 2, 0 });
+  const shapeton::GraphComparison comparison = shapeton::CompareGraphs(wheel, turned);
+  ASSERT_TRUE(comparison.isomorphic);
+  shapeton::WriteComparisonPictures(comparison, { folder / "", false, {}, {} }, Same);
+  const std::string picture = shapeton::ReadFileBytes(folder / "comparison.svg");
+  const auto        colors = shapeton::ColoursOfNodes(comparison);
+  for (const std::string & color : colors[0])
+  {
+    EXPECT_EQ(2, Count(picture, "fill=\"" + color + "\" stroke")) << color;
+  }
+  EXPECT_NE(std::string::npos,
+            shapeton::ReadFileBytes(folder / "index.html").find("The graphs are isomorphic. 7 nodes have a partner"));
+}
+
+/** An edge is added between two steps: its ends are green in the second panel. */
+TEST(GraphComparisonPictures, ChangedNodesAreHighlighted)
+{
+  const Folder               folder;
+  shapeton::DynamicEmbedding dynamic;
+  shapeton::DynamicSequence  sequence;
+  shapeton::Graph            graph = NamedWheel(6);
+  for (int step = 0; step < 3; ++step)
+  {
+    sequence.files.push_back("file" + std::to_string(step));
+    sequence.steps.push_back(dynamic.Add(graph));
+    graph.edges.push_back({ 0, 2 + step });
+  }
+  shapeton::WriteSequencePictures(sequence, { 0, 2 }, { "n6" }, { folder / "", false, {}, {} }, Same);
+  const std::string steps = shapeton::ReadFileBytes(folder / "steps.svg");
+  EXPECT_EQ(3, Count(steps, "#1e88e5"));     // the tracked node in each step
+  EXPECT_EQ(2 * 2, Count(steps, "#43a047")); // two ends in each of two steps
+  EXPECT_EQ(3, Count(shapeton::ReadFileBytes(folder / "compare.svg"), "#43a047"));
+  EXPECT_EQ(3, Count(shapeton::ReadFileBytes(folder / "index.html"), "<canvas"));
+  EXPECT_EQ(4, Count(shapeton::ReadFileBytes(folder / "correspondence.svg"), "<svg"));
+}

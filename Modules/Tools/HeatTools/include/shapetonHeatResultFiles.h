@@ -1,0 +1,75 @@
+#ifndef shapetonHeatResultFiles_h
+#define shapetonHeatResultFiles_h
+
+#include "HeatToolsExport.h"
+
+#include "shapetonHeatReport.h"
+#include "itkImage.h"
+
+#include <cstdint>
+#include <string>
+
+namespace shapeton
+{
+class CommandLine;
+
+/** \class HeatResultFiles
+ * \brief The files that a tool of heat diffusion writes, by the parameters of its XML.
+ *
+ * outputHeat, initialHeatOutput and labels are volumes, classTable and histogramTable CSV, histogram a PNG, report a
+ * folder. Those that were not given are not written. A record of the run (`<outputHeat>.run.json`) is. Volumes carry
+ * the provenance of the run, heat also its time step (key `timeStep`).
+ *
+ * \ingroup HeatTools
+ */
+class HeatTools_EXPORT HeatResultFiles
+{
+public:
+  /** Registers the outputs. Throws ParameterError for a volume whose extension cannot be written, and OutputError where
+   * nothing can be written. */
+  explicit HeatResultFiles(CommandLine & commandLine);
+
+  bool
+  WantInitialHeat() const
+  {
+    return !m_InitialHeat.empty();
+  }
+  bool
+  WantHistogram() const
+  {
+    return !m_Histogram.empty() || !m_HistogramTable.empty() || !m_Report.empty();
+  }
+  bool
+  WantClasses() const
+  {
+    return !m_Labels.empty() || !m_ClassTable.empty() || !m_Report.empty();
+  }
+
+  /** Writes all but the initial heat: content.heat is the heat after content.timeStep; `labels` may be null where no
+   * classes are wanted. */
+  void
+  Write(const HeatReportContent & content, const itk::Image<unsigned char, 3> * labels) const;
+
+  void
+  WriteInitialHeat(const itk::Image<float, 3> * heat) const;
+
+  /** Writes the heat after a time step into a folder of snapshots; see HeatSnapshotName(). */
+  void
+  WriteSnapshot(const itk::Image<float, 3> * heat, std::uint64_t timeStep, const std::string & folder) const;
+
+private:
+  void
+  WriteHeat(const itk::Image<float, 3> * heat, std::uint64_t timeStep, const std::string & path) const;
+
+  CommandLine & m_CommandLine;
+  std::string   m_Heat;
+  std::string   m_InitialHeat;
+  std::string   m_Labels;
+  std::string   m_ClassTable;
+  std::string   m_Histogram;
+  std::string   m_HistogramTable;
+  std::string   m_Report;
+};
+} // namespace shapeton
+
+#endif

@@ -1,0 +1,428 @@
+#include "shapetonHeatReport.h"
+
+#include "shapetonAxisTicks.h"
+#include "shapetonColorMap.h"
+#include "shapetonHeatHistogramPicture.h"
+#include "shapetonHtmlReport.h"
+#include "shapetonJson.h"
+#include "shapetonTransferFunctionPicture.h"
+
+#include <numeric>
+#include <stdexcept>
+
+namespace shapeton
+{
+namespace
+{
+using Facts = HeatReportContent::Facts;
+
+std::string
+Joined(const double (&values)[3])
+{
+  return CsvTable::Rounded(values[0], 6) + ", " + CsvTable::Rounded(values[1], 6) + ", " +
+         CsvTable::Rounded(values[2], 6);
+}
+
+Facts
+GeometryOf(const itk::ImageBase<3> * image)
+{
+  const auto   size = image->GetLargestPossibleRegion().GetSize();
+  const auto & direction = image->GetDirection();
+  const double spacing[3] = { image->GetSpacing()[0], image->GetSpacing()[1], image->GetSpacing()[2] };
+  const double origin[3] = { image->GetOrigin()[0], image->GetOrigin()[1], image->GetOrigin()[2] };
+  std::string  cosines;
+  for (unsigned int axis = 0; axis < 3; ++axis)
+  {
+    const double column[3] = { direction[0][axis], direction[1][axis], direction[2][axis] };
+    cosines += (axis == 0 ? "(" : " (") + Joined(column) + ")";
+  }
+  return { { "Size, voxels",
+             std::to_string(size[0]) + " x " + std::to_string(size[1]) + " x " + std::to_string(size[2]) },
+           { "Spacing, mm", Joined(spacing) },
+           { "Origin, mm (LPS)", Joined(origin) },
+           { "Directions of the axes (LPS)", cosines } };
+}
+
+template <typename TItem>
+void
+Append(std::vector<TItem> & items, const std::vector<TItem> & more)
+{
+  items.insert(items.end(), more.begin(), more.end());
+}
+
+Facts
+Combined(Facts facts, const Facts & more)
+{
+  Append(facts, more);
+  return facts;
+}
+
+/** Components are sought for heat alone. */
+bool
+IsHeat(const ShapeQuantity & quantity)
+{
+  return quantity.greatestVisits == 0;
+}
+
+/** The table for people: rounded, with volumes in ml. */
+CsvTable
+ReadableClassTable(const std::vector<HeatClass> & classes, const HeatAxis & axis, const ShapeQuantity & quantity)
+{
+  std::vector<std::string> columns = { "class",  "colour",     quantity.name + " from", "to", "mean " + quantity.name,
+                                       "voxels", "volume, ml", "share of the border" };
+  Append(columns,
+         IsHeat(quantity) ? std::vector<std::string>{ "closed components", "scale-normalized heat" }
+                          : std::vector<std::string>{ "mean number of visits" });
+  CsvTable table(columns);
+  for (const HeatClass & heatClass : classes)
+  {
+    const bool               isBackground = heatClass.label == 0;
+    std::vector<std::string> row = { isBackground ? "background" : std::to_string(heatClass.label),
+                                     isBackground ? "" : HexOf(axis.ColorOf(heatClass.meanHeat)),
+                                     CsvTable::Rounded(heatClass.lowerHeat, 4),
+                                     CsvTable::Rounded(heatClass.upperHeat, 4),
+                                     CsvTable::Rounded(heatClass.meanHeat, 4),
+                                     GroupedDigits(heatClass.voxels),
+                                     CsvTable::Rounded(heatClass.volume / 1000.0, 4),
+                                     CsvTable::Rounded(heatClass.borderShare, 2) };
+    if (IsHeat(quantity))
+    {
+      row.push_back(std::to_string(heatClass.components));
+      row.push_back(heatClass.components == 0 ? "" : CsvTable::Rounded(heatClass.normalizedHeat, 4));
+    }
+    else
+    {
+      row.push_back(CsvTable::Rounded(heatClass.meanHeat * quantity.greatestVisits, 4));
+    }
+    table.AddRow(row);
+  }
+  return table;
+}
+
+Json
+JsonOf(const Facts & facts)
+{
+  Json object = Json::object();
+  for (const auto & [name, value] : facts)
+  {
+    object[name] = value;
+  }
+  return object;
+}
+
+Json
+JsonOf(const std::vector<HeatClass> & classes, const HeatAxis & axis, const ShapeQuantity & quantity)
+{
+  Json list = Json::array();
+  for (const HeatClass & heatClass : classes)
+  {
+    Json entry = { { "label", heatClass.label },
+                   { "lower" + quantity.GetTitle(), heatClass.lowerHeat },
+                   { "upper" + quantity.GetTitle(), heatClass.upperHeat },
+                   { "mean" + quantity.GetTitle(), heatClass.meanHeat },
+                   { "voxels", heatClass.voxels },
+                   { "volume", heatClass.volume },
+                   { "borderShare", heatClass.borderShare } };
+    if (IsHeat(quantity))
+    {
+      entry["components"] = heatClass.components;
+      entry["normalizedHeat"] = heatClass.normalizedHeat;
+    }
+    else
+    {
+      entry["meanVisits"] = heatClass.meanHeat * quantity.greatestVisits;
+    }
+    entry["color"] = heatClass.label == 0 ? "" : HexOf(axis.ColorOf(heatClass.meanHeat));
+    list.push_back(entry);
+  }
+  return list;
+}
+
+Json
+JsonOf(const HeatReportContent & content, const HeatAxis & axis, const ShapeTransferFunction & transferFunction)
+{
+  Json document;
+  document["title"] = content.title;
+  document["input"] = JsonOf(Combined(content.input, GeometryOf(content.grey)));
+  document["parameters"] = JsonOf(content.parameters);
+  if (content.timeStep)
+  {
+    document["timeStep"] = *content.timeStep;
+  }
+  document["classes"] = JsonOf(content.classes, axis, content.quantity);
+  document["transferFunction"] = transferFunction.ToText();
+  document["warnings"] = content.warnings;
+  document["provenance"] = JsonOf(content.provenance);
+  return document;
+}
+
+Picture::Pointer
+Slices(const HeatReportContent &        content,
+       const std::string &              title,
+       const HeatColoring &             coloring,
+       const std::vector<LegendEntry> & legend)
+{
+  SliceMontageOptions options;
+  options.title = title;
+  options.window = content.window;
+  options.legend = legend;
+  return DrawSliceMontage(content.grey, content.heat, coloring, options);
+}
+
+HeatAxis
+AxisOf(const HeatReportContent & content)
+{
+  return HeatAxis(content.axisHistogram ? *content.axisHistogram : *content.histogram, content.scale);
+}
+
+std::string
+TitleOfHistogram(const ShapeQuantity & quantity)
+{
+  return quantity.GetTitle() + " histogram";
+}
+
+void
+AddSummary(HtmlReport & html, const HeatReportContent & content)
+{
+  html.AddResearchNote();
+  for (const std::string & warning : content.warnings)
+  {
+    html.AddNote(warning);
+  }
+  html.AddHeading("Input");
+  html.AddFacts(Combined(content.input, GeometryOf(content.grey)));
+  html.AddHeading("Parameters");
+  html.AddFacts(content.parameters);
+}
+
+std::vector<std::string>
+ReadingGuideOfHeat()
+{
+  return {
+    "Every voxel starts with heat where the image has edges; with each time step heat flows to neighbours of "
+    "similar intensity and hardly across edges. What is closed off by edges ends at one heat of its own, which "
+    "depends on its shape and size; what is open to the border of the volume loses its heat and joins the "
+    "background.",
+    "Histogram: time runs downwards, heat to the right. A vertical line at the bottom is an object, or several "
+    "objects of similar shape. Few time steps (top) show local shape such as edges and corners, many (bottom) "
+    "whole objects. On the equalized scale, room is given by the number of voxels, so distances along the axis "
+    "are no differences of heat: read the numbers.",
+    "Colours are the same in all pictures: the colour of a heat is its place on the histogram's axis, from blue "
+    "(least heat) to red (most). Similar heats have similar colours. A class is a range of heats; two objects "
+    "may share a class without being alike in any other way, and one organ may fall into several classes. The class "
+    "that holds most of the volume's border is what surrounds the objects; the rendering leaves it out. "
+    "Heat depends on size too: it is lower for a larger object of the same shape. The scale-normalized heat "
+    "of closed components makes up for that."
+  };
+}
+
+std::vector<std::string>
+ReadingGuideOfVisits()
+{
+  return {
+    "Shapetons are particles. In each time step every one of them moves by the same distance, in a direction that "
+    "the edges of the image make more or less likely, and the voxel where it ends counts one visit. Density is "
+    "the number of visits in units of the greatest one.",
+    "Histogram: time runs downwards, density to the right. A vertical line at the bottom is an object, or several "
+    "objects that are visited alike. Visits are a sample: n visits are right to about the square root of n, so "
+    "that lines are broad where visits are few; more shapetons or steps make them sharper.",
+    "Colours are the same in all pictures: the colour of a density is its place on the histogram's axis, from blue "
+    "(fewest visits) to red (most). A class is a range of densities; two objects may share a class without being "
+    "alike in any other way.",
+    "As published, a step ends where it ends: steps longer than a feature pass over it and over its walls. Where "
+    "all six neighbours are cut off by edges a shapeton stays for ever; such voxels have by far the most visits."
+  };
+}
+
+void
+AddReadingGuide(HtmlReport & html, const ShapeQuantity & quantity)
+{
+  html.AddHeading("How to read the pictures");
+  for (const std::string & paragraph : IsHeat(quantity) ? ReadingGuideOfHeat() : ReadingGuideOfVisits())
+  {
+    html.AddParagraph(paragraph);
+  }
+}
+} // namespace
+
+CsvTable
+ClassTable(const std::vector<HeatClass> & classes, const HeatAxis & axis, const ShapeQuantity & quantity)
+{
+  const std::string        title = quantity.GetTitle();
+  std::vector<std::string> columns = { "label",  "lower" + title, "upper" + title, "mean" + title,
+                                       "voxels", "volume",        "borderShare" };
+  Append(columns,
+         IsHeat(quantity) ? std::vector<std::string>{ "components", "normalizedHeat", "color" }
+                          : std::vector<std::string>{ "meanVisits", "color" });
+  CsvTable table(columns);
+  for (const HeatClass & heatClass : classes)
+  {
+    std::vector<std::string> row = { std::to_string(heatClass.label),
+                                     CsvTable::Number(heatClass.lowerHeat),
+                                     CsvTable::Number(heatClass.upperHeat),
+                                     CsvTable::Number(heatClass.meanHeat),
+                                     std::to_string(heatClass.voxels),
+                                     CsvTable::Number(heatClass.volume),
+                                     CsvTable::Rounded(heatClass.borderShare, 6) };
+    if (IsHeat(quantity))
+    {
+      row.push_back(std::to_string(heatClass.components));
+      row.push_back(CsvTable::Number(heatClass.normalizedHeat));
+    }
+    else
+    {
+      row.push_back(CsvTable::Rounded(heatClass.meanHeat * quantity.greatestVisits, 6));
+    }
+    row.push_back(heatClass.label == 0 ? "" : HexOf(axis.ColorOf(heatClass.meanHeat)));
+    table.AddRow(row);
+  }
+  return table;
+}
+
+Picture::Pointer
+DrawHistogram(const HeatReportContent & content)
+{
+  HeatHistogramPictureOptions options;
+  options.title = TitleOfHistogram(content.quantity);
+  options.quantity = content.quantity;
+  options.axisHistogram = content.axisHistogram;
+  options.scale = content.scale;
+  options.classes = content.classes;
+  options.markedTimeSteps = content.markedTimeSteps;
+  return DrawHeatHistogram(*content.histogram, options);
+}
+
+CsvTable
+ClassTable(const HeatReportContent & content)
+{
+  return ClassTable(content.classes, AxisOf(content), content.quantity);
+}
+
+CsvTable
+HistogramTable(const HeatHistogram & histogram, const ShapeQuantity & quantity)
+{
+  constexpr unsigned int width = HeatHistogram::BinsPerOctave / 32;
+  CsvTable               table({ "timeStep", "lower" + quantity.GetTitle(), "upper" + quantity.GetTitle(), "voxels" });
+  for (std::size_t row = 0; row < histogram.GetNumberOfRows(); ++row)
+  {
+    for (unsigned int first = 0, end = 1; first < HeatHistogram::NumberOfBins; first = end, end += width)
+    {
+      const std::uint32_t * const counts = histogram.GetRow(row);
+      const auto                  voxels = std::accumulate(counts + first, counts + end, std::uint64_t{ 0 });
+      if (voxels > 0)
+      {
+        table.AddRow({ std::to_string(histogram.GetTimeSteps()[row]),
+                       CsvTable::Number(HeatHistogram::LowerEdge(first)),
+                       CsvTable::Number(HeatHistogram::LowerEdge(end)),
+                       std::to_string(voxels) });
+      }
+    }
+  }
+  return table;
+}
+
+HeatReportContent::Facts
+RunFacts(const CumulativeHeatDiffusionResult & result)
+{
+  Facts facts = { { "Intensity window",
+                    CsvTable::Number(result.windowLower) + " to " + CsvTable::Number(result.windowUpper) },
+                  { "p", CsvTable::Rounded(result.p.p, 6) } };
+  if (!result.p.reason.empty())
+  {
+    facts.emplace_back("Why this p", result.p.reason);
+  }
+  facts.emplace_back("Time steps", std::to_string(result.timeStep) + (result.steady ? ": the heat is steady" : ""));
+  if (result.steady)
+  {
+    facts.emplace_back(
+      "Why so many steps",
+      "the histogram's lines have flattened: over the last stretch of time, of ratio 2.5, the heat of at most "
+      "one voxel in 1000 changed by more than 1 %");
+  }
+  facts.emplace_back("Time step length", CsvTable::Rounded(result.timeStepLength, 6));
+  facts.emplace_back("Applications of the operator", std::to_string(result.operatorApplications));
+  return facts;
+}
+
+HeatReportContent
+MakeReportContent(const CumulativeHeatDiffusionResult & result,
+                  const itk::Image<float, 3> *          grey,
+                  const itk::Image<float, 3> *          heat)
+{
+  HeatReportContent content;
+  content.parameters = RunFacts(result);
+  content.histogram = &result.histogram;
+  content.grey = grey;
+  content.heat = heat;
+  content.timeStep = result.timeStep;
+  return content;
+}
+
+std::vector<std::string>
+RunRemarks(const CumulativeHeatDiffusionResult & result, bool untilSteady, std::uint64_t lastSnapshotStep)
+{
+  std::vector<std::string> remarks;
+  const std::string        steps = std::to_string(result.timeStep) + " steps";
+  if (result.cold)
+  {
+    remarks.push_back("all voxels have the same intensity in the window: the heat is 0 everywhere");
+  }
+  if (lastSnapshotStep > result.timeStep)
+  {
+    remarks.push_back("the heat is steady after " + steps + ": snapshots of later steps were not written");
+  }
+  if (untilSteady && !result.steady)
+  {
+    remarks.push_back("the heat is not yet steady after " + steps);
+  }
+  return remarks;
+}
+
+void
+WriteHeatReport(const HeatReportContent & content, const std::string & folder, const OutputPath & outputPath)
+{
+  if (!content.histogram || !content.grey || !content.heat)
+  {
+    throw std::invalid_argument("a heat report needs a histogram, an image and a heat volume");
+  }
+  const HeatAxis              axis = AxisOf(content);
+  const ShapeTransferFunction transferFunction =
+    content.transferFunction ? *content.transferFunction : ShapeTransferFunction::FromClasses(content.classes, axis);
+  const std::string time =
+    content.timeStep ? " after " + GroupedDigits(*content.timeStep) + " time steps" : std::string();
+
+  HtmlReport html(content.title);
+  AddSummary(html, content);
+  const auto addPicture = [&](const std::string & name, const Picture * picture, const std::string & caption) {
+    const std::string path = outputPath(folder + "/" + name);
+    WritePng(picture, path);
+    html.AddPicture(path, caption);
+  };
+  const ShapeQuantity & quantity = content.quantity;
+  html.AddHeading(TitleOfHistogram(quantity));
+  addPicture("histogram.png",
+             DrawHistogram(content),
+             "Numbers of voxels by " + quantity.name + " and time step; the bars below are the classes.");
+  html.AddHeading("Classes");
+  html.AddTable(ReadableClassTable(content.classes, axis, quantity), "Classes" + time + ", by " + quantity.name);
+  addPicture(
+    "slices-classes.png",
+    Slices(content, "Classes" + time, ColorByClass(content.classes, axis), LegendOf(content.classes, axis, quantity)),
+    "Slices of the input, coloured by class.");
+  addPicture("slices-" + quantity.name + ".png",
+             Slices(content, quantity.GetTitle() + time, ColorByHeat(axis), {}),
+             "Slices of the input, coloured by " + quantity.name + ".");
+  html.AddHeading("Shape-based transfer function");
+  addPicture("rendering.png",
+             DrawTransferFunction(
+               content.grey, content.heat, transferFunction, "Transfer function" + time, content.window, quantity),
+             "The " + quantity.name + " volume with the lines " + transferFunction.ToText());
+  AddReadingGuide(html, quantity);
+  html.AddHeading("Provenance");
+  html.AddFacts(content.provenance);
+
+  ClassTable(content.classes, axis, quantity).Write(outputPath(folder + "/classes.csv"));
+  WriteJson(JsonOf(content, axis, transferFunction), outputPath(folder + "/report.json"));
+  html.Write(outputPath(folder + "/index.html"));
+}
+} // namespace shapeton

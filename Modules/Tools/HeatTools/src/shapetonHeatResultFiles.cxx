@@ -1,0 +1,73 @@
+#include "shapetonHeatResultFiles.h"
+
+#include "shapetonCommandLine.h"
+#include "shapetonHeatSnapshot.h"
+#include "shapetonVolumeOutput.h"
+
+namespace shapeton
+{
+HeatResultFiles::HeatResultFiles(CommandLine & commandLine)
+  : m_CommandLine(commandLine)
+  , m_Heat(VolumeOutput(commandLine, "outputHeat"))
+  , m_InitialHeat(VolumeOutput(commandLine, "initialHeatOutput"))
+  , m_Labels(VolumeOutput(commandLine, "labels"))
+  , m_ClassTable(commandLine.OutputOf("classTable"))
+  , m_Histogram(commandLine.OutputOf("histogram"))
+  , m_HistogramTable(commandLine.OutputOf("histogramTable"))
+  , m_Report(commandLine.GetString("report"))
+{
+  commandLine.RecordRun(commandLine.GetString("outputHeat") + ".run.json");
+  if (!m_Report.empty())
+  {
+    commandLine.MakeFolder(m_Report);
+  }
+}
+
+void
+HeatResultFiles::Write(const HeatReportContent & content, const itk::Image<unsigned char, 3> * labels) const
+{
+  this->WriteHeat(content.heat, content.timeStep.value_or(0), m_Heat);
+  if (!m_Labels.empty())
+  {
+    WriteVolume(labels, m_Labels, ProvenanceMetadata(m_CommandLine.GetProvenance()));
+  }
+  if (!m_ClassTable.empty())
+  {
+    shapeton::ClassTable(content).Write(m_ClassTable);
+  }
+  if (!m_Histogram.empty())
+  {
+    WritePng(DrawHistogram(content), m_Histogram);
+  }
+  if (!m_HistogramTable.empty())
+  {
+    shapeton::HistogramTable(*content.histogram).Write(m_HistogramTable);
+  }
+  if (!m_Report.empty())
+  {
+    WriteHeatReport(content, m_Report, [this](const std::string & path) { return m_CommandLine.Output(path); });
+  }
+}
+
+void
+HeatResultFiles::WriteInitialHeat(const itk::Image<float, 3> * heat) const
+{
+  this->WriteHeat(heat, 0, m_InitialHeat);
+}
+
+void
+HeatResultFiles::WriteSnapshot(const itk::Image<float, 3> * heat,
+                               std::uint64_t                timeStep,
+                               const std::string &          folder) const
+{
+  this->WriteHeat(heat, timeStep, m_CommandLine.Output(folder + '/' + HeatSnapshotName(timeStep)));
+}
+
+void
+HeatResultFiles::WriteHeat(const itk::Image<float, 3> * heat, std::uint64_t timeStep, const std::string & path) const
+{
+  auto metadata = ProvenanceMetadata(m_CommandLine.GetProvenance());
+  metadata.emplace_back("timeStep", std::to_string(timeStep));
+  WriteVolume(heat, path, metadata);
+}
+} // namespace shapeton

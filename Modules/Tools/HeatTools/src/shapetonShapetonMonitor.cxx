@@ -1,0 +1,233 @@
+#include "shapetonShapetonMonitor.h"
+
+#include "shapetonAxisTicks.h"
+#include "shapetonCommandLine.h"
+#include "shapetonCsvTable.h"
+#include "shapetonHeatColoring.h"
+#include "shapetonShapeAnalysis.h"
+#include "shapetonSliceMontage.h"
+#include "shapetonExceptions.h"
+
+#include "itkCommand.h"
+#include "itkImageRegionConstIteratorWithIndex.h"
+
+#include <chrono>
+#include <cmath>
+#include <fstream>
+
+namespace shapeton
+{
+namespace
+{
+using Clock = std::chrono::steady_clock;
+
+/** A state is as large as the volume: it is saved no more often than this. */
+constexpr double secondsBetweenCheckpoints = 60.0;
+
+double
+SecondsSince(const Clock::time_point & start)
+{
+  return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+std::string
+DescribeProgress(const ShapetonProgress & progress)
+{
+  const ShapetonMeasures & measures = progress.measures;
+  std::string              text = "Step " + GroupedDigits(measures.step) + " of " + GroupedDigits(progress.timeSteps);
+  if (progress.stepsPerSecond > 0.0)
+  {
+    text += ", " + CsvTable::Rounded(progress.stepsPerSecond, 3) + " steps/s";
+  }
+  text += ", coverage " + CsvTable::Rounded(100.0 * measures.GetCoverage(), 3) + " %, change " +
+          CsvTable::Rounded(measures.change, 3) + " (steady: " + CsvTable::Rounded(progress.epsilon, 3) + ")";
+  return text;
+}
+} // namespace
+
+Picture::Pointer
+DrawShapetonPreview(const itk::Image<float, 3> *         grey,
+                    const itk::Image<std::uint32_t, 3> * visits,
+                    const itk::Index<3> &                cut,
+                    const ShapetonProgress &             progress)
+{
+  const ShapeAnalysis shape = AnalyzeVisits(visits, progress.measures.step, false);
+  SliceMontageOptions options;
+  options.title = DescribeProgress(progress);
+  options.cut = cut;
+  return DrawSliceMontage(grey, shape.values, ColorByHeat(HeatAxis(shape.axisHistogram)), options);
+}
+
+itk::Index<3>
+MiddleOfObjects(const itk::Image<float, 3> * grey, double lower)
+{
+  const auto            region = grey->GetBufferedRegion();
+  std::array<double, 3> sum{};
+  double                voxels = 0.0;
+  for (itk::ImageRegionConstIteratorWithIndex<itk::Image<float, 3>> voxel(grey, region); !voxel.IsAtEnd(); ++voxel)
+  {
+    if (voxel.Get() > lower)
+    {
+      voxels += 1.0;
+      for (unsigned int axis = 0; axis < 3; ++axis)
+      {
+        sum[axis] += static_cast<double>(voxel.GetIndex()[axis]);
+      }
+    }
+  }
+  itk::Index<3> middle;
+  for (unsigned int axis = 0; axis < 3; ++axis)
+  {
+    middle[axis] = voxels > 0.0 ? static_cast<itk::IndexValueType>(std::lround(sum[axis] / voxels))
+                                : region.GetIndex(axis) + static_cast<itk::IndexValueType>(region.GetSize(axis) / 2);
+  }
+  return middle;
+}
+
+void
+ResumeFromCheckpoint(CommandLine & commandLine, ShapetonDiffusionImageFilter<itk::Image<float, 3>> * filter)
+{
+  const std::string path = commandLine.GetString("resume");
+  std::ifstream     stream(path, std::ios::binary);
+  ShapetonState     state;
+  try
+  {
+    state = ReadShapetonState(stream);
+  }
+  catch (const std::runtime_error & error)
+  {
+    throw InputError(path + " is no usable checkpoint, " + (stream.is_open() ? error.what() : "it cannot be read") +
+                     ": give a file written by --checkpoint");
+  }
+  if (state.step > filter->GetTimeSteps())
+  {
+    throw ParameterError("the checkpoint " + path + " is of step " + std::to_string(state.step) +
+                         ": give --timeSteps of at least that");
+  }
+  filter->SetInitialState(std::move(state));
+  commandLine.AllowReplacing("resume");
+}
+
+struct ShapetonMonitor::Impl
+{
+  Impl(CommandLine & line, FilterType * watched)
+    : commandLine(line)
+    , filter(watched)
+    , preview(line.GetString("preview"))
+    , checkpoint(line.GetString("checkpoint"))
+    , previewEvery(line.GetDouble("previewEvery"))
+  {
+    commandLine.LeaveOutOfProvenance("previewEvery");
+    // Refused now if they cannot be written.
+    Register(preview);
+    Register(checkpoint);
+  }
+
+  void
+  Register(const std::string & path)
+  {
+    if (!path.empty())
+    {
+      temporary[path] = commandLine.Output(path);
+    }
+  }
+
+  void
+  Publish(const std::string & path)
+  {
+    commandLine.Publish(path);
+    Register(path);
+  }
+
+  double
+  RateSinceLastPreview()
+  {
+    const std::uint64_t step = filter->GetMeasures().step;
+    const double        rate = static_cast<double>(step - previewStep) / std::max(1e-9, SecondsSince(previewTime));
+    previewStep = step;
+    previewTime = Clock::now();
+    return rate;
+  }
+
+  void
+  WritePreview(double stepsPerSecond)
+  {
+    if (!cut)
+    {
+      cut = MiddleOfObjects(filter->GetInput(), filter->GetWindowLower());
+    }
+    const ShapetonMeasures & measures = filter->GetMeasures();
+    const double             epsilon = filter->GetAutomaticEpsilon() ? measures.automaticEpsilon : filter->GetEpsilon();
+    WritePng(
+      DrawShapetonPreview(
+        filter->GetInput(), filter->GetOutput(), *cut, { measures, filter->GetTimeSteps(), stepsPerSecond, epsilon }),
+      temporary[preview]);
+  }
+
+  void
+  WriteCheckpoint()
+  {
+    std::ofstream stream(temporary[checkpoint], std::ios::binary);
+    WriteShapetonState(filter->GetState(), stream);
+    stream.close();
+    if (!stream)
+    {
+      throw OutputError("cannot write the checkpoint " + checkpoint + "; free some space or choose another place");
+    }
+  }
+
+  void
+  Look()
+  {
+    if (!preview.empty() && SecondsSince(previewTime) >= previewEvery)
+    {
+      WritePreview(RateSinceLastPreview());
+      Publish(preview);
+    }
+    if (!checkpoint.empty() && SecondsSince(checkpointTime) >= secondsBetweenCheckpoints)
+    {
+      WriteCheckpoint();
+      Publish(checkpoint);
+      checkpointTime = Clock::now();
+    }
+  }
+
+  CommandLine &                      commandLine;
+  FilterType *                       filter;
+  const std::string                  preview;
+  const std::string                  checkpoint;
+  const double                       previewEvery;
+  std::map<std::string, std::string> temporary;
+  std::optional<itk::Index<3>>       cut;
+  unsigned long                      observer{ 0 };
+  const Clock::time_point            start{ Clock::now() };
+  Clock::time_point                  previewTime{ start };
+  Clock::time_point                  checkpointTime{ start };
+  std::uint64_t                      previewStep{ 0 };
+};
+
+ShapetonMonitor::ShapetonMonitor(CommandLine & commandLine, FilterType * filter)
+  : m_Impl(std::make_unique<Impl>(commandLine, filter))
+{
+  filter->SetWantState(!m_Impl->checkpoint.empty());
+  auto command = itk::SimpleMemberCommand<Impl>::New();
+  command->SetCallbackFunction(m_Impl.get(), &Impl::Look);
+  m_Impl->observer = filter->AddObserver(itk::IterationEvent(), command);
+}
+
+ShapetonMonitor::~ShapetonMonitor() { m_Impl->filter->RemoveObserver(m_Impl->observer); }
+
+void
+ShapetonMonitor::Finish()
+{
+  if (!m_Impl->preview.empty())
+  {
+    m_Impl->WritePreview(static_cast<double>(m_Impl->filter->GetMeasures().step) /
+                         std::max(1e-9, SecondsSince(m_Impl->start)));
+  }
+  if (!m_Impl->checkpoint.empty())
+  {
+    m_Impl->WriteCheckpoint();
+  }
+}
+} // namespace shapeton

@@ -1,0 +1,18 @@
+#ifndef shapetonVolumeOutput_h
+#define shapetonVolumeOutput_h
+
+#include "shapetonCommandLine.h"
+#include "shapetonVolumeWriter.h"
+
+namespace shapeton
+{
+/** CommandLine::OutputOf() for a volume: throws ParameterError when its extension cannot be written. */
+inline std::string
+VolumeOutput(CommandLine & commandLine, const std::string & parameter)
+{
+  RequireVolumeName(commandLine.GetString(parameter));
+  return commandLine.OutputOf(parameter);
+}
+} // namespace shapeton
+
+#endif

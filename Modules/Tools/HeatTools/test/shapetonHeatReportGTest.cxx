@@ -1,0 +1,193 @@
+#include "shapetonHeatReport.h"
+#include "shapetonPictureTestUtilities.h"
+
+#include "shapetonJson.h"
+#include "shapetonExceptions.h"
+
+#include <stdexcept>
+
+namespace
+{
+using ImageType = itk::Image<float, 3>;
+
+/** A small report with everything in it. */
+class HeatReport : public testing::Test
+{
+protected:
+  void
+  SetUp() override
+  {
+    m_Grey = ImageType::New();
+    m_Grey->SetRegions(ImageType::SizeType{ { 16, 14, 12 } });
+    const double spacing[3] = { 0.5, 0.5, 2.0 };
+    m_Grey->SetSpacing(spacing);
+    m_Grey->Allocate();
+    m_Heat = ImageType::New();
+    m_Heat->CopyInformation(m_Grey);
+    m_Heat->SetRegions(m_Grey->GetBufferedRegion());
+    m_Heat->Allocate();
+    m_Heat->FillBuffer(0.0F);
+    for (int i = 0; i < 16 * 14 * 12; ++i)
+    {
+      m_Grey->GetBufferPointer()[i] = static_cast<float>(i % 97);
+      m_Heat->GetBufferPointer()[i] = i % 5 == 0 ? 0.25F : 0.0F;
+    }
+    m_Histogram = shapeton::HeatHistogram({ 0, 100 });
+    m_Histogram.AddToRow(0, m_Heat->GetBufferPointer(), 16 * 14 * 12);
+    m_Histogram.AddToRow(1, m_Heat->GetBufferPointer(), 16 * 14 * 12);
+    shapeton::HeatClass background;
+    background.upperHeat = 0.1;
+    background.voxels = 2150;
+    shapeton::HeatClass object;
+    object.label = 1;
+    object.lowerHeat = 0.1;
+    object.upperHeat = 0.5;
+    object.meanHeat = 0.25;
+    object.voxels = 538;
+    object.volume = 269.0;
+    object.components = 3;
+    object.normalizedHeat = 0.8;
+    m_Content.classes = { background, object };
+    m_Content.input = { { "Name", "<phantom> & more" } };
+    m_Content.parameters = { { "p", "7" } };
+    m_Content.provenance = { { "tool", "test" } };
+    m_Content.warnings = { "mind the gap" };
+    m_Content.histogram = &m_Histogram;
+    m_Content.grey = m_Grey;
+    m_Content.heat = m_Heat;
+    m_Content.timeStep = 100;
+    m_Content.markedTimeSteps = { 100 };
+  }
+
+  ImageType::Pointer          m_Grey;
+  ImageType::Pointer          m_Heat;
+  shapeton::HeatHistogram     m_Histogram;
+  shapeton::HeatReportContent m_Content;
+};
+
+const shapeton::OutputPath inPlace = [](const std::string & path) { return path; };
+
+const char * const files[] = { "index.html",    "histogram.png", "slices-heat.png", "slices-classes.png",
+                               "rendering.png", "classes.csv",   "report.json" };
+} // namespace
+
+TEST_F(HeatReport, WritesAllFilesByTheGivenNames)
+{
+  const std::string        folder = shapeton::TemporaryFolder("report");
+  std::vector<std::string> asked;
+  shapeton::WriteHeatReport(m_Content, "/final", [&](const std::string & path) {
+    asked.push_back(path);
+    return folder + "/" + std::filesystem::path(path).filename().string();
+  });
+  for (const char * const file : files)
+  {
+    EXPECT_TRUE(std::filesystem::exists(folder + "/" + file)) << file;
+    EXPECT_EQ(std::count(asked.begin(), asked.end(), std::string("/final/") + file), 1) << file;
+  }
+  EXPECT_EQ(asked.size(), std::size(files));
+}
+
+TEST_F(HeatReport, ThePageNeedsNoNetworkAndSaysWhatItIs)
+{
+  const std::string folder = shapeton::TemporaryFolder("report-page");
+  shapeton::WriteHeatReport(m_Content, folder, inPlace);
+  const std::string html = shapeton::BytesOf(folder + "/index.html");
+  for (const char * const wanted : { "research use",
+                                     "not a diagnosis",
+                                     "mind the gap",
+                                     "&lt;phantom&gt; &amp; more",
+                                     "16 x 14 x 12",
+                                     "0.5, 0.5, 2",
+                                     "data:image/png;base64," })
+  {
+    EXPECT_NE(html.find(wanted), std::string::npos) << wanted;
+  }
+  for (const char * const unwanted : { "http:", "https:", "src=\"file", "<script", "/tmp", "\"nan\"" })
+  {
+    EXPECT_EQ(html.find(unwanted), std::string::npos) << unwanted;
+  }
+  std::size_t pictures = 0;
+  for (std::size_t at = html.find("<img"); at != std::string::npos; at = html.find("<img", at + 1))
+  {
+    ++pictures;
+  }
+  EXPECT_EQ(pictures, 4U);
+}
+
+TEST_F(HeatReport, TablesAndJsonHoldTheClasses)
+{
+  const std::string folder = shapeton::TemporaryFolder("report-data");
+  shapeton::WriteHeatReport(m_Content, folder, inPlace);
+  const shapeton::Json document = shapeton::ReadJson(folder + "/report.json");
+  EXPECT_EQ(document["timeStep"], 100);
+  EXPECT_EQ(document["classes"].size(), 2U);
+  EXPECT_EQ(document["classes"][1]["meanHeat"], 0.25);
+  EXPECT_EQ(document["warnings"][0], "mind the gap");
+  EXPECT_EQ(document["provenance"]["tool"], "test");
+  const shapeton::HeatAxis axis(m_Histogram);
+  const auto               table = shapeton::ClassTable(m_Content.classes, axis);
+  ASSERT_EQ(table.GetRows().size(), 2U);
+  EXPECT_EQ(table.GetRows()[1][3], "0.25");
+  EXPECT_EQ(table.GetRows()[1][4], "538");
+  EXPECT_EQ(table.GetRows()[0].back(), "");
+  EXPECT_EQ(table.GetRows()[1].back().size(), 7U);
+  const std::string csv = shapeton::BytesOf(folder + "/classes.csv");
+  EXPECT_EQ(csv.substr(0, 15), "label,lowerHeat");
+}
+
+TEST_F(HeatReport, EqualContentGivesEqualBytes)
+{
+  const std::string first = shapeton::TemporaryFolder("report-first");
+  const std::string second = shapeton::TemporaryFolder("report-second");
+  shapeton::WriteHeatReport(m_Content, first, inPlace);
+  shapeton::WriteHeatReport(m_Content, second, inPlace);
+  for (const char * const file : files)
+  {
+    EXPECT_EQ(shapeton::BytesOf(first + "/" + file), shapeton::BytesOf(second + "/" + file)) << file;
+  }
+}
+
+TEST_F(HeatReport, FailuresAreReported)
+{
+  EXPECT_THROW(shapeton::WriteHeatReport(m_Content, "/nonexistent-folder", inPlace), shapeton::OutputError);
+  m_Content.heat = nullptr;
+  EXPECT_THROW(shapeton::WriteHeatReport(m_Content, shapeton::TemporaryFolder("report-none"), inPlace),
+               std::invalid_argument);
+}
+
+TEST_F(HeatReport, ABackgroundAloneIsReportedToo)
+{
+  m_Heat->FillBuffer(0.0F);
+  m_Histogram = shapeton::HeatHistogram({ 100 });
+  m_Histogram.AddToRow(0, m_Heat->GetBufferPointer(), 16 * 14 * 12);
+  m_Content.classes.resize(1);
+  const std::string folder = shapeton::TemporaryFolder("report-background");
+  EXPECT_NO_THROW(shapeton::WriteHeatReport(m_Content, folder, inPlace));
+}
+
+TEST(HeatTables, TheHistogramTableHoldsEveryVoxelInItsRange)
+{
+  shapeton::HeatHistogram  histogram({ 0, 50 });
+  const std::vector<float> heats{ 0.0F, 0.0F, 0.25F, 0.2501F, 1.0F };
+  histogram.AddToRow(1, heats.data(), heats.size());
+  const shapeton::CsvTable table = shapeton::HistogramTable(histogram);
+  ASSERT_EQ(table.GetRows().size(), 3U);
+  EXPECT_EQ(table.GetRows()[0], (std::vector<std::string>{ "50", "0", "1.52587890625e-05", "2" }));
+  EXPECT_EQ(table.GetRows()[1][1], "0.25");
+  EXPECT_EQ(table.GetRows()[1][3], "2");
+  EXPECT_EQ(table.GetRows()[2][2], "1");
+}
+
+TEST(HeatTables, RemarksTellWhatIsNotAsExpected)
+{
+  shapeton::CumulativeHeatDiffusionResult result;
+  result.timeStep = 500;
+  result.windowUpper = 1.0;
+  EXPECT_TRUE(shapeton::RunRemarks(result, false, 500).empty());
+  EXPECT_EQ(shapeton::RunRemarks(result, true, 0).size(), 1U);
+  result.steady = true;
+  EXPECT_TRUE(shapeton::RunRemarks(result, true, 0).empty());
+  EXPECT_EQ(shapeton::RunRemarks(result, true, 501).size(), 1U);
+  result.cold = true;
+  EXPECT_EQ(shapeton::RunRemarks(result, true, 501).size(), 2U);
+}

@@ -1,0 +1,90 @@
+#include "shapetonStageRecord.h"
+
+#include "shapetonJson.h"
+#include "shapetonExceptions.h"
+
+#include <filesystem>
+
+namespace shapeton
+{
+namespace
+{
+/** Old files are removed by their names: none may lead out of the stage's folder. */
+void
+RequireInside(const std::string & name)
+{
+  const std::filesystem::path path = name;
+  if (path.is_absolute() || path.lexically_normal().string().rfind("..", 0) == 0)
+  {
+    throw InputError("a record names the file \"" + name + "\", which is none of its stage; remove the record");
+  }
+}
+
+StageRecord
+RecordOf(const Json & json)
+{
+  StageRecord record;
+  record.signature = json.at("signature").dump();
+  record.result.name = json.at("stage").get<std::string>();
+  record.result.program = json.at("signature").at("program").get<std::string>();
+  record.result.version = json.at("signature").at("version").get<std::string>();
+  record.result.status = json.at("status").get<int>();
+  record.result.message = json.at("message").get<std::string>();
+  record.result.warnings = json.at("warnings").get<std::vector<std::string>>();
+  for (const auto & file : json.at("files").items())
+  {
+    RequireInside(file.key());
+    record.result.files.emplace_back(file.key(), file.value().get<std::string>());
+  }
+  return record;
+}
+} // namespace
+
+std::optional<StageRecord>
+ReadStageRecord(const std::string & path)
+{
+  if (!std::filesystem::exists(path))
+  {
+    return std::nullopt;
+  }
+  try
+  {
+    return RecordOf(ReadJson(path));
+  }
+  catch (const InputError &)
+  {
+    return std::nullopt;
+  }
+  catch (const Json::exception &)
+  {
+    return std::nullopt;
+  }
+}
+
+void
+WriteStageRecord(const StageRecord & record, const std::string & path)
+{
+  const StageResult & result = record.result;
+  Json                json;
+  json["stage"] = result.name;
+  json["signature"] = Json::parse(record.signature);
+  json["status"] = result.status;
+  json["message"] = result.message;
+  json["warnings"] = result.warnings;
+  json["files"] = Json::object();
+  for (const auto & [name, hash] : result.files)
+  {
+    json["files"][name] = hash;
+  }
+  const std::filesystem::path target = path;
+  const std::filesystem::path temporary = target.parent_path() / ('.' + target.filename().string() + ".part");
+  std::error_code             error;
+  std::filesystem::create_directories(target.parent_path(), error);
+  WriteJson(json, temporary.string());
+  std::filesystem::rename(temporary, target, error);
+  if (error)
+  {
+    throw OutputError("cannot write \"" + path + "\" (" + error.message() + "); check the folder and its disk");
+  }
+}
+} // namespace shapeton

@@ -1,0 +1,194 @@
+#include "shapetonStagedRun.h"
+
+#include "shapetonChildTool.h"
+#include "shapetonContentIdentity.h"
+#include "shapetonFolderLock.h"
+#include "shapetonJson.h"
+#include "shapetonStageFolder.h"
+#include "shapetonStageRecord.h"
+#include "shapetonExceptions.h"
+
+#include <algorithm>
+#include <filesystem>
+
+namespace fs = std::filesystem;
+
+namespace shapeton
+{
+namespace
+{
+using Kind = Stage::Argument::Kind;
+
+FileHashes
+WithoutRecordsOfOneRun(FileHashes files)
+{
+  files.erase(
+    std::remove_if(files.begin(), files.end(), [](const auto & file) { return IsRecordOfOneRun(file.first); }),
+    files.end());
+  return files;
+}
+
+/** Where the tool says it is done but lacks a file, it is not. */
+void
+RequireExpected(const Stage & stage, const std::string & folder, StageResult & result)
+{
+  for (const std::string & name : stage.GetExpected())
+  {
+    if (result.status == 0 && !fs::exists(folder + '/' + name))
+    {
+      result.status = 1;
+      result.message = "ended without \"" + name + "\"; report this as a bug";
+    }
+  }
+}
+
+StageResult
+CannotStart(const Stage & stage, const OutputError & error)
+{
+  StageResult result;
+  result.name = stage.GetName();
+  result.program = stage.GetProgram();
+  result.status = 1;
+  result.message = error.what();
+  return result;
+}
+} // namespace
+
+bool
+StageResult::Has(const std::string & file) const
+{
+  return std::any_of(files.begin(), files.end(), [&](const auto & one) { return one.first == file; });
+}
+
+StagedRun::StagedRun(const std::string & folder, const std::string & toolFolder)
+  : m_Lock(std::make_unique<Lock>(folder)), m_Folder(folder), m_ToolFolder(toolFolder)
+{}
+
+StagedRun::~StagedRun() = default;
+
+std::string
+StagedRun::PathOf(const std::string & stage, const std::string & file) const
+{
+  return m_Folder + '/' + stage + (file.empty() ? "" : '/' + file);
+}
+
+std::string
+StagedRun::VersionOf(const std::string & program)
+{
+  const ChildOutcome outcome = RunChildTool(m_ToolFolder + '/' + program, { "--version" });
+  if (outcome.status != 0)
+  {
+    throw OutputError("the program \"" + m_ToolFolder + '/' + program + "\" does not work (" + outcome.message +
+                      "); install it again");
+  }
+  return outcome.text.substr(0, outcome.text.find('\n'));
+}
+
+std::string
+StagedRun::IdentityOfInput(const Stage::Argument & argument)
+{
+  if (argument.identity)
+  {
+    return argument.identity(argument.value);
+  }
+  return this->Identify(argument.value);
+}
+
+std::string
+StagedRun::Identify(const std::string & path)
+{
+  auto & identity = m_Identities[path];
+  identity = identity.empty() ? IdentityOf(path) : identity;
+  return identity;
+}
+
+std::string
+StagedRun::SignatureOf(const Stage & stage, const std::string & version)
+{
+  Json signature;
+  signature["program"] = stage.GetProgram();
+  signature["version"] = version;
+  signature["arguments"] = Json::array();
+  for (const Stage::Argument & argument : stage.GetArguments())
+  {
+    if (argument.kind != Kind::Idle)
+    {
+      const std::string value = argument.kind == Kind::Input ? this->IdentityOfInput(argument) : argument.value;
+      signature["arguments"].push_back({ argument.flag, value });
+    }
+  }
+  return signature.dump();
+}
+
+bool
+StagedRun::IsUnchanged(const StageResult & result) const
+{
+  const FileHashes now = HashesOfFolder(this->PathOf(result.name, ""));
+  return std::includes(now.begin(), now.end(), result.files.begin(), result.files.end());
+}
+
+StageResult
+StagedRun::Compute(const Stage & stage, const std::string & scratch, const Progress & progress) const
+{
+  MakeEmptyFolder(scratch);
+  ChildOutcome outcome = RunChildTool(m_ToolFolder + '/' + stage.GetProgram(), stage.CommandIn(scratch), progress);
+  StageResult  result;
+  result.name = stage.GetName();
+  result.program = stage.GetProgram();
+  result.status = outcome.status;
+  result.message = outcome.status == 0 ? "" : outcome.message;
+  result.warnings = std::move(outcome.warnings);
+  RequireExpected(stage, scratch, result);
+  result.files = WithoutRecordsOfOneRun(HashesOfFolder(scratch));
+  return result;
+}
+
+StageResult
+StagedRun::Run(const Stage & stage, const Progress & progress)
+{
+  const std::string recordPath = m_Folder + "/stages/" + stage.GetName() + ".json";
+  const std::string scratch = m_Folder + "/." + stage.GetName() + ".part";
+  std::string       version;
+  try
+  {
+    version = this->VersionOf(stage.GetProgram());
+  }
+  catch (const OutputError & error)
+  {
+    return CannotStart(stage, error);
+  }
+  const std::string signature = this->SignatureOf(stage, version);
+  const auto        old = ReadStageRecord(recordPath);
+  const bool        isDone = old && old->result.name == stage.GetName() && old->result.status == 0 &&
+                      old->signature == signature && this->IsUnchanged(old->result);
+  StageResult result = isDone ? old->result : this->Compute(stage, scratch, progress);
+  result.isResumed = isDone;
+  result.version = version;
+  if (!isDone && result.status != 0 && result.files.empty())
+  {
+    RemoveFolder(scratch);
+  }
+  else if (!isDone)
+  {
+    ReplaceFiles(scratch, this->PathOf(stage.GetName(), ""), old ? old->result.files : FileHashes());
+    WriteStageRecord({ signature, result }, recordPath);
+  }
+  for (const auto & [name, hash] : result.files)
+  {
+    m_Identities[this->PathOf(stage.GetName(), name)] = "sha256:" + hash;
+  }
+  return result;
+}
+
+std::string
+FolderOfThisProgram()
+{
+  std::error_code error;
+  const fs::path  program = fs::read_symlink("/proc/self/exe", error);
+  if (error)
+  {
+    throw OutputError("cannot tell where this program lies (" + error.message() + "); mount /proc");
+  }
+  return program.parent_path().string();
+}
+} // namespace shapeton

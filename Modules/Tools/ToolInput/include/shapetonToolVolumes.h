@@ -1,0 +1,23 @@
+#ifndef shapetonToolVolumes_h
+#define shapetonToolVolumes_h
+
+#include "ToolInputExport.h"
+#include "shapetonVolumeReader.h"
+
+namespace shapeton
+{
+class CommandLine;
+
+/** ReadVolume() for a tool: `parameter` names the input in the tool's XML, which also declares the options seriesUID,
+ * resampleGaps, deshear and dropDuplicates. Adds identity and repairs to the provenance, notes to the warnings.
+ * \ingroup ToolInput */
+ToolInput_EXPORT Volume
+ReadVolume(CommandLine & commandLine, const std::string & parameter, bool allowSingleSlice = false);
+
+/** MaskForImage() for a tool, of the volume that the input `parameter` names. Adds its identity to the provenance.
+ * \ingroup ToolInput */
+ToolInput_EXPORT itk::Image<unsigned char, 3>::Pointer
+                 ReadMask(CommandLine & commandLine, const std::string & parameter, const itk::ImageBase<3> * image);
+} // namespace shapeton
+
+#endif

@@ -1,0 +1,79 @@
+#include "shapetonToolSurfaces.h"
+
+#include "shapetonCommandLine.h"
+#include "shapetonSha256.h"
+
+namespace shapeton
+{
+namespace
+{
+SurfaceReadOptions
+OptionsOf(const CommandLine & commandLine)
+{
+  SurfaceReadOptions options;
+  options.part = commandLine.GetString("part");
+  options.component = commandLine.GetInteger("component");
+  options.unit = commandLine.GetString("unit");
+  if (options.unit == "file")
+  {
+    options.unit.clear();
+  }
+  return options;
+}
+
+void
+AddFile(CommandLine & commandLine, const std::string & parameter)
+{
+  commandLine.AddInput(parameter, "sha256:" + Sha256OfFile(commandLine.GetString(parameter)));
+}
+} // namespace
+
+Surface
+ReadSurface(CommandLine & commandLine, const std::string & parameter, bool warns)
+{
+  Surface surface = ReadSurface(commandLine.GetString(parameter), OptionsOf(commandLine));
+  commandLine.AddInput(parameter, surface.identity);
+  if (warns)
+  {
+    commandLine.Warn(surface.notes);
+  }
+  return surface;
+}
+
+Surface
+ReadRepairedSurface(CommandLine & commandLine, const std::string & parameter, bool isAnyExtentPlausible)
+{
+  SurfaceReadOptions options = OptionsOf(commandLine);
+  options.isAnyExtentPlausible = isAnyExtentPlausible;
+  Surface surface = ReadRepairedSurface(commandLine.GetString(parameter), options);
+  commandLine.AddInput(parameter, surface.identity);
+  commandLine.Warn(surface.notes);
+  commandLine.Warn(surface.repairs);
+  std::string repairs;
+  for (const std::string & words : surface.repairs)
+  {
+    repairs += (repairs.empty() ? "" : "; ") + words;
+  }
+  if (!repairs.empty())
+  {
+    commandLine.AddProvenance("repairs", repairs);
+  }
+  return surface;
+}
+
+CurveSet
+ReadCurves(CommandLine & commandLine, const std::string & parameter)
+{
+  CurveSet curves = ReadCurves(commandLine.GetString(parameter));
+  AddFile(commandLine, parameter);
+  return curves;
+}
+
+std::vector<Markup>
+ReadMarkups(CommandLine & commandLine, const std::string & parameter)
+{
+  std::vector<Markup> markups = ReadMarkups(commandLine.GetString(parameter));
+  AddFile(commandLine, parameter);
+  return markups;
+}
+} // namespace shapeton

@@ -1,0 +1,88 @@
+#ifndef shapetonFlatColonPictures_h
+#define shapetonFlatColonPictures_h
+
+#include "shapetonFlatColonOverlay.h"
+#include "shapetonFlatColonPage.h"
+#include "shapetonFlatColonStrip.h"
+
+#include <memory>
+
+namespace shapeton
+{
+/** What a flat picture shows. \ingroup ColonViews */
+enum class FlatColoring
+{
+  Relief,
+  Curvature,
+  /** Needs a CT. */
+  Volume
+};
+
+/** "relief", "curvature", "volume". \ingroup ColonViews */
+ColonViews_EXPORT std::string
+                  NameOf(FlatColoring coloring);
+
+/** What flat pictures of a colon are made of. Nothing is owned. \ingroup ColonViews */
+struct FlatColonParts
+{
+  /** See FlatColonGrid. */
+  const SurfaceMesh * flat{ nullptr };
+  /** Names the surface in messages. */
+  std::string what{ "the flat surface" };
+  /** One curve with the point array arcLength; tells the distances of the ruler where the surface has no arcLength. */
+  const CurveSet * centreline{ nullptr };
+  /** Hounsfield units. */
+  const itk::Image<float, 3> * ct{ nullptr };
+  std::vector<FlatAnnotation>  annotations;
+  /** \name What is drawn over the picture, in this order */
+  ///@{
+  std::vector<FlatOutlines> outlines;
+  std::vector<FlatLine>     lines;
+  ///@}
+};
+
+/** \class FlatColonPictures
+ * \brief Pages of one flat colon, with the settings that suit reading.
+ *
+ * Strips are painted with 2 x 2 pixels for each one of the page, as long as these are at most 16 million, and averaged.
+ * Curvature is averaged over 2 mm, normals over 1 mm.
+ *
+ * \ingroup ColonViews */
+class ColonViews_EXPORT FlatColonPictures
+{
+public:
+  /** The parts must outlive the object. Throws InputError and ParameterError as FlatColonGrid and DistanceOfColumns()
+   * do.
+   */
+  FlatColonPictures(const FlatColonParts & parts, double pixelSize);
+  ~FlatColonPictures();
+
+  /** A pixel for each of the page's strips. */
+  const FlatColonGrid &
+  Grid() const
+  {
+    return *m_Grid;
+  }
+  /** For each column, mm; empty where neither surface nor centreline tell. */
+  const std::vector<double> &
+  Distances() const
+  {
+    return m_Distances;
+  }
+  /** Throws std::invalid_argument for Volume without a CT, else as PaintFlatVolume() and DrawFlatColonPage(). */
+  Picture::Pointer
+  Draw(FlatColoring coloring, const std::string & title, int greatestColumns = 1500) const;
+
+private:
+  Picture::Pointer
+  Paint(FlatColoring coloring) const;
+
+  FlatColonParts                 m_Parts;
+  std::unique_ptr<FlatColonGrid> m_Grid;
+  std::unique_ptr<FlatColonGrid> m_Fine; ///< only where it is another one
+  FlatColonAxis                  m_Axis; ///< of the finer grid
+  std::vector<double>            m_Distances;
+};
+} // namespace shapeton
+
+#endif

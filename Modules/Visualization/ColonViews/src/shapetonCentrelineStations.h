@@ -1,0 +1,35 @@
+#ifndef shapetonCentrelineStations_h
+#define shapetonCentrelineStations_h
+
+#include "shapetonColonPictures.h"
+#include "shapetonPictureAnnotation.h"
+
+#include <Eigen/Core>
+
+namespace shapeton
+{
+/** A point of the centreline. */
+struct CentrelineStation
+{
+  Eigen::Vector3d point;
+  int             vertex;
+  double          distance; ///< from the anal verge, mm
+  double          calibre;  ///< mm
+  bool            isGap;
+};
+
+/** The points of all curves in order. Throws InputError where there is none, or the arrays arcLength or radius
+ * are missing. */
+std::vector<CentrelineStation>
+StationsOf(const CurveSet & centreline);
+
+/** The colours of the distance from the anal verge, in every picture of a colon. */
+ColorScale
+DistanceScale(const std::vector<CentrelineStation> & stations);
+
+/** Of bridges over gaps, in every picture. */
+RGBColor
+GapColor();
+} // namespace shapeton
+
+#endif

@@ -1,0 +1,254 @@
+#include "shapetonColonLandmarkPictures.h"
+
+#include "shapetonFlatColonAxis.h"
+#include "shapetonFlatColonLocator.h"
+#include "shapetonFlatColonOverlay.h"
+#include "shapetonFlatColonPage.h"
+#include "shapetonFlatColonStrip.h"
+#include "shapetonSurfaceRendering.h"
+
+#include <array>
+
+namespace shapeton
+{
+namespace
+{
+const RGBColor colorOfLoops = MakeColor(20, 20, 20);
+const RGBColor colorOfMarkers = MakeColor(255, 255, 255);
+
+SurfaceRenderingOptions
+OptionsFor(PatientSide side, const std::string & title)
+{
+  SurfaceRenderingOptions options;
+  options.width = 900;
+  options.height = 900;
+  options.title = title + ", " + NameOf(side);
+  LookFrom(side, options);
+  return options;
+}
+
+void
+AddSegmentLegend(const ColonSegments & segments, SurfaceRenderingOptions & options)
+{
+  std::array<bool, 7> isThere{};
+  for (const int segment : segments.segmentOfFace)
+  {
+    isThere[segment] = true;
+  }
+  for (int segment = 0; segment <= 6; ++segment)
+  {
+    if (isThere[segment])
+    {
+      options.legend.push_back({ ColorOfSegment(segment), NameOfSegment(segment) });
+    }
+  }
+}
+
+/** A place of the loop that looks to the viewer, as names inside of the colon could not be seen. */
+Eigen::Vector3d
+FrontOfLoop(const ColonLandmarks & landmarks, const SegmentBorder & border, const PatientView & view)
+{
+  Eigen::Vector3d best = border.point;
+  const auto &    to = view.GetForward();
+  double          least = 1e30;
+  for (const int vertex : border.loop.vertices)
+  {
+    const auto   point = landmarks.tube->Points().row(vertex);
+    const double depth = point[0] * to[0] + point[1] * to[1] + point[2] * to[2];
+    if (depth < least)
+    {
+      least = depth;
+      best = point.transpose();
+    }
+  }
+  return best;
+}
+
+void
+AddTaeniae(const ColonTaeniae & taeniae, std::vector<CurveSet> & sets, SurfaceScene & scene)
+{
+  for (std::size_t t = 0; t < taeniae.taeniae.size(); ++t)
+  {
+    ColonTaeniae one;
+    one.taeniae.push_back(taeniae.taeniae[t]);
+    sets.push_back(TaeniaCurves(one));
+  }
+  for (std::size_t t = 0; t < sets.size(); ++t)
+  {
+    CurveActor actor;
+    actor.curves = &sets[t];
+    actor.radius = 1.6;
+    actor.color = ColorOfTaenia(static_cast<int>(t) + 1);
+    scene.curves.push_back(actor);
+  }
+}
+
+/** The line of a closed walk on the map. */
+FlatLine
+LineOfLoop(const ColonWallTube & tube, const SurfaceWalk & loop)
+{
+  FlatLine line;
+  line.color = colorOfLoops;
+  line.thickness = 3.0;
+  for (const int vertex : loop.vertices)
+  {
+    line.places.push_back(tube.Uv(vertex));
+  }
+  line.places.push_back(line.places.front());
+  return line;
+}
+
+void
+DrawOnStrip(const ColonLandmarks & landmarks, const FlatColonGrid & grid, Picture * strip)
+{
+  for (std::size_t t = 0; t < landmarks.taeniae.taeniae.size(); ++t)
+  {
+    DrawFlatLine(strip, grid, { landmarks.taeniae.taeniae[t].uv, ColorOfTaenia(static_cast<int>(t) + 1), 2.0 });
+  }
+  for (const SegmentBorder & border : landmarks.segments.borders)
+  {
+    DrawFlatLine(strip, grid, LineOfLoop(*landmarks.tube, border.loop));
+  }
+  for (const UsedMarker & marker : landmarks.taeniae.markers)
+  {
+    DrawFlatDot(strip, grid, { FlatColonLocator(grid).Find(marker.point).uv, colorOfMarkers, 4.0 });
+  }
+}
+
+FlatAnnotation
+SegmentAnnotation(const std::string & name, double begin)
+{
+  FlatAnnotation annotation;
+  annotation.kind = FlatAnnotation::Kind::Segment;
+  annotation.text = name;
+  annotation.distance = begin;
+  return annotation;
+}
+
+std::vector<FlatAnnotation>
+SegmentNames(const ColonSegments & segments)
+{
+  std::vector<FlatAnnotation> annotations;
+  const auto                  add = [&annotations](int segment, double distance) {
+    annotations.push_back(SegmentAnnotation(NameOfSegment(segment), distance));
+  };
+  if (!segments.borders.empty() && segments.borders.front().number == 1)
+  {
+    add(1, 0.0);
+  }
+  for (std::size_t i = 0; i < segments.borders.size(); ++i)
+  {
+    const int  number = segments.borders[i].number;
+    const bool isKnown =
+      number == 5 || (i + 1 < segments.borders.size() && segments.borders[i + 1].number == number + 1);
+    add(isKnown ? number + 1 : 0, segments.borders[i].arcLength);
+  }
+  return annotations;
+}
+} // namespace
+
+RGBColor
+ColorOfSegment(int segment)
+{
+  static const RGBColor colors[] = { MakeColor(170, 170, 170), MakeColor(214, 120, 108), MakeColor(232, 182, 92),
+                                     MakeColor(150, 186, 96),  MakeColor(96, 178, 176),  MakeColor(110, 140, 208),
+                                     MakeColor(176, 120, 190) };
+  return colors[segment >= 1 && segment <= 6 ? segment : 0];
+}
+
+RGBColor
+ColorOfTaenia(int taenia)
+{
+  return taenia == 1 ? MakeColor(255, 214, 10) : taenia == 2 ? MakeColor(30, 144, 255) : MakeColor(255, 60, 160);
+}
+
+std::vector<FlatAnnotation>
+SegmentAnnotations(const std::vector<ColonSegmentExtent> & segments)
+{
+  std::vector<FlatAnnotation> annotations;
+  for (const ColonSegmentExtent & segment : segments)
+  {
+    annotations.push_back(SegmentAnnotation(segment.name, segment.begin));
+  }
+  return annotations;
+}
+
+Picture::Pointer
+DrawColonLandmarks(const ColonLandmarkParts & parts, PatientSide side)
+{
+  const ColonLandmarks &  landmarks = *parts.landmarks;
+  SurfaceRenderingOptions options = OptionsFor(side, "Segments, taeniae and flexures");
+  AddSegmentLegend(landmarks.segments, options);
+  SurfaceScene scene;
+  SurfaceActor wall;
+  wall.surface = parts.flat;
+  for (const int segment : landmarks.segments.segmentOfFace)
+  {
+    wall.faceColors.push_back(ColorOfSegment(segment));
+  }
+  scene.surfaces.push_back(wall);
+  std::vector<CurveSet> taeniae;
+  AddTaeniae(landmarks.taeniae, taeniae, scene);
+  const CurveSet loops = FlexureCurves(landmarks);
+  if (!loops.curves.empty())
+  {
+    CurveActor actor;
+    actor.curves = &loops;
+    actor.radius = 2.2;
+    actor.color = colorOfLoops;
+    scene.curves.push_back(actor);
+  }
+  const PatientView view = ViewOfScene(scene, options);
+  for (const SegmentBorder & border : landmarks.segments.borders)
+  {
+    if (border.number <= 4)
+    {
+      scene.markers.push_back(
+        { FrontOfLoop(landmarks, border, view), 4.0, colorOfLoops, NameOfFlexure(border.number) });
+    }
+  }
+  for (const UsedMarker & marker : landmarks.taeniae.markers)
+  {
+    scene.markers.push_back({ marker.point, 4.0, colorOfMarkers, "marker" });
+  }
+  return RenderSurfaces(scene, options);
+}
+
+Picture::Pointer
+DrawSurfaceFolds(const ColonLandmarkParts & parts, PatientSide side)
+{
+  SurfaceScene scene;
+  SurfaceActor wall;
+  wall.surface = parts.flat;
+  for (const int fold : parts.landmarks->folds.foldOfFace)
+  {
+    wall.faceColors.push_back(fold > 0 ? MakeColor(52, 96, 196) : MakeColor(226, 178, 164));
+  }
+  scene.surfaces.push_back(wall);
+  return RenderSurfaces(
+    scene, OptionsFor(side, std::to_string(parts.landmarks->folds.number) + " folds found on the surface"));
+}
+
+Picture::Pointer
+DrawFlatLandmarks(const ColonLandmarkParts & parts, int greatestColumns)
+{
+  FlatColonGridOptions gridOptions;
+  gridOptions.normalLength = 1.0;
+  gridOptions.pixelSize = 0.7;
+  const FlatColonGrid    grid(*parts.flat, gridOptions);
+  const FlatColonAxis    axis = MakeFlatColonAxis(grid);
+  const Picture::Pointer strip = PaintFlatRelief(grid, axis);
+  DrawOnStrip(*parts.landmarks, grid, strip);
+  std::vector<double> distances;
+  for (int column = 0; column < grid.Columns(); ++column)
+  {
+    distances.push_back(parts.landmarks->tube->ArcLengthOfU(grid.UvOfPixel(column, 0).x()));
+  }
+  FlatColonPageOptions options;
+  options.title = "Taeniae and flexures on the flat colon";
+  options.note = "Yellow, blue, pink: taeniae 1 to 3; black: borders of segments; white: markers that were set. Seen "
+                 "from the lumen, rectum at the left. For research use; not a diagnosis.";
+  options.greatestColumns = greatestColumns;
+  return DrawFlatColonPage(strip, grid, distances, SegmentNames(parts.landmarks->segments), options);
+}
+} // namespace shapeton

@@ -1,0 +1,106 @@
+#include "shapetonColonPictures.h"
+
+#include "shapetonCentrelineStations.h"
+#include "shapetonSurfaceRendering.h"
+
+#include <stdexcept>
+
+namespace shapeton
+{
+namespace
+{
+const RGBColor tissue = MakeColor(226, 178, 164);
+const RGBColor glass = MakeColor(168, 186, 212);
+const RGBColor bridge = MakeColor(250, 214, 60);
+
+bool
+IsBridged(const SurfaceArray * bridged, Eigen::Index face)
+{
+  return bridged && bridged->values(face, 0) != 0.0;
+}
+
+void
+AddWall(SurfaceScene & scene, SurfaceRenderingOptions & options, const SurfaceMesh & wall, bool isSolid)
+{
+  SurfaceActor actor;
+  actor.surface = &wall;
+  actor.color = isSolid ? tissue : glass;
+  actor.opacity = isSolid ? 1.0 : 0.3;
+  const SurfaceArray * bridged = FindSurfaceArray(wall.cellArrays, "bridged");
+  bool                 any = false;
+  for (Eigen::Index face = 0; bridged && face < wall.F.rows(); ++face)
+  {
+    any = any || IsBridged(bridged, face);
+  }
+  if (any)
+  {
+    actor.faceColors.resize(wall.F.rows());
+    for (Eigen::Index face = 0; face < wall.F.rows(); ++face)
+    {
+      actor.faceColors[face] = IsBridged(bridged, face) ? bridge : actor.color;
+    }
+    options.legend.push_back({ bridge, "bridge over a gap" });
+  }
+  scene.surfaces.push_back(actor);
+}
+
+void
+AddCentreline(SurfaceScene & scene, SurfaceRenderingOptions & options, const CurveSet & centreline)
+{
+  const std::vector<CentrelineStation> stations = StationsOf(centreline);
+  options.colorBar = DistanceScale(stations);
+  CurveActor actor;
+  actor.curves = &centreline;
+  actor.radius = 1.8;
+  actor.vertexColors.resize(centreline.V.rows());
+  bool hasGaps = false;
+  for (const CentrelineStation & station : stations)
+  {
+    actor.vertexColors[station.vertex] = station.isGap ? GapColor() : options.colorBar->ColorOf(station.distance);
+    hasGaps = hasGaps || station.isGap;
+  }
+  if (hasGaps)
+  {
+    options.legend.push_back({ GapColor(), "gap in the lumen" });
+  }
+  scene.curves.push_back(actor);
+}
+
+void
+AddEnds(SurfaceScene & scene, const CurveSet & centreline)
+{
+  const std::vector<CentrelineStation> stations = StationsOf(centreline);
+  const ColorScale                     scale = DistanceScale(stations);
+  scene.markers.push_back({ stations.front().point, 4.5, scale.ColorOf(stations.front().distance), "anal verge" });
+  scene.markers.push_back({ stations.back().point, 4.5, scale.ColorOf(stations.back().distance), "caecum" });
+}
+} // namespace
+
+Picture::Pointer
+DrawColonWall(const ColonParts & colon, PatientSide side, bool isSolid)
+{
+  if (!colon.wall || (!isSolid && !colon.centreline))
+  {
+    throw std::invalid_argument("a picture of the colon needs a wall, and a centreline to see inside of it");
+  }
+  SurfaceScene            scene;
+  SurfaceRenderingOptions options;
+  LookFrom(side, options);
+  options.width = 1000;
+  options.height = 860;
+  options.title = (isSolid ? "Wall, from the " : "Centreline, from the ") +
+                  std::string(side == PatientSide::Anterior    ? "front"
+                              : side == PatientSide::Posterior ? "back"
+                                                               : NameOf(side));
+  AddWall(scene, options, *colon.wall, isSolid);
+  if (colon.centreline)
+  {
+    AddEnds(scene, *colon.centreline);
+  }
+  if (!isSolid)
+  {
+    AddCentreline(scene, options, *colon.centreline);
+  }
+  return RenderSurfaces(scene, options);
+}
+} // namespace shapeton

@@ -1,0 +1,225 @@
+#include "shapetonDistensionChart.h"
+
+#include "shapetonCentrelineStations.h"
+#include "shapetonCsvTable.h"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+namespace shapeton
+{
+namespace
+{
+const RGBColor paper = MakeColor(255, 255, 255);
+const RGBColor ink = MakeColor(30, 32, 38);
+const RGBColor faintInk = MakeColor(92, 96, 106);
+const RGBColor gapShade = MakeColor(206, 208, 214);
+const RGBColor wide = MakeColor(160, 200, 226);
+const RGBColor narrow = MakeColor(240, 150, 100);
+const RGBColor curveColor = MakeColor(22, 74, 116);
+const RGBColor limitColor = MakeColor(196, 44, 44);
+
+using Stations = std::vector<CentrelineStation>;
+
+/** The values at a distance from the anal verge, between two stations. */
+struct Place
+{
+  double calibre{ 0.0 };
+  bool   isGap{ false };
+  bool   isKnown{ false };
+};
+
+Place
+PlaceAt(const Stations & stations, double distance)
+{
+  const auto after =
+    std::find_if(stations.begin(), stations.end(), [&](const CentrelineStation & s) { return s.distance >= distance; });
+  if (after == stations.end())
+  {
+    return {};
+  }
+  if (after == stations.begin())
+  {
+    return { after->calibre, after->isGap, after->distance == distance };
+  }
+  const auto   before = after - 1;
+  const double length = after->distance - before->distance;
+  const double share = length > 0.0 ? (distance - before->distance) / length : 1.0;
+  return { before->calibre + share * (after->calibre - before->calibre), before->isGap || after->isGap, true };
+}
+
+/** The areas under the curve, and the gaps, column by column. */
+void
+DrawAreas(Picture * picture, const PlotFrame & frame, const Stations & stations)
+{
+  const int bottom = frame.top + frame.height;
+  for (int column = 0; column < frame.width; ++column)
+  {
+    const double distance = frame.x.lower + (frame.x.upper - frame.x.lower) * column / (frame.width - 1.0);
+    const Place  place = PlaceAt(stations, distance);
+    const int    x = frame.left + column;
+    if (place.isKnown && place.isGap)
+    {
+      FillRectangle(picture, x, frame.top, 1, frame.height, gapShade);
+    }
+    else if (place.isKnown)
+    {
+      const int y = static_cast<int>(std::lround(frame.PixelOfY(place.calibre)));
+      FillRectangle(picture, x, y, 1, bottom - y, place.calibre < distendedCalibre ? narrow : wide, 0.75);
+    }
+  }
+}
+
+void
+DrawCurve(Picture * picture, const PlotFrame & frame, const Stations & stations)
+{
+  for (std::size_t i = 1; i < stations.size(); ++i)
+  {
+    const CentrelineStation & a = stations[i - 1];
+    const CentrelineStation & b = stations[i];
+    if (!a.isGap && !b.isGap)
+    {
+      DrawLine(picture,
+               frame.PixelOfX(a.distance),
+               frame.PixelOfY(a.calibre),
+               frame.PixelOfX(b.distance),
+               frame.PixelOfY(b.calibre),
+               curveColor,
+               1.6);
+    }
+  }
+}
+
+void
+DrawLimit(Picture * picture, const PlotFrame & frame)
+{
+  constexpr int dash = 8;
+  const int     y = static_cast<int>(std::lround(frame.PixelOfY(distendedCalibre)));
+  for (int x = 0; x < frame.width; x += 2 * dash)
+  {
+    FillRectangle(picture, frame.left + x, y - 1, std::min(dash, frame.width - x), 2, limitColor);
+  }
+  TextStyle style;
+  style.size = 14;
+  style.color = limitColor;
+  style.vertical = VerticalAnchor::Center;
+  DrawText(picture, CsvTable::Rounded(distendedCalibre, 3) + " mm", frame.left + frame.width + 6, y, style);
+}
+
+/** The borders, and the names above the chart, on the first of two lines with room for them. */
+void
+DrawSegments(Picture * picture, const PlotFrame & frame, const std::vector<ColonSegment> & segments)
+{
+  constexpr int lineHeight = 18;
+  int           ends[2] = { frame.left - 8, frame.left - 8 };
+  for (const ColonSegment & segment : segments)
+  {
+    const int left = static_cast<int>(std::lround(frame.PixelOfX(segment.begin)));
+    const int right = static_cast<int>(std::lround(frame.PixelOfX(segment.end)));
+    for (const int x : { left, right })
+    {
+      FillRectangle(picture, x, frame.top - 8, 1, frame.height + 8, faintInk);
+    }
+    std::string name = segment.name;
+    if (segment.distendedShare >= 0.0)
+    {
+      name += " " + CsvTable::Rounded(std::round(100.0 * segment.distendedShare), 3) + " %";
+    }
+    TextStyle style;
+    style.size = 14;
+    style.color = ink;
+    const int textWidth = MeasureText(name, style).width;
+    const int start = std::clamp(
+      (left + right - textWidth) / 2, frame.left, std::max(frame.left + frame.width + 40 - textWidth, frame.left));
+    const int line = start > ends[0] + 8 ? 0 : 1;
+    ends[line] = start + textWidth;
+    style.vertical = VerticalAnchor::Bottom;
+    DrawText(picture, name, start, frame.top - 10 - line * lineHeight, style);
+  }
+}
+
+void
+DrawKey(Picture *                         picture,
+        const PlotFrame &                 frame,
+        const std::vector<ColonSegment> & segments,
+        const DistensionChartOptions &    options,
+        bool                              hasGaps)
+{
+  TextStyle style;
+  style.size = 22;
+  style.bold = true;
+  style.color = ink;
+  const TextStyle title = FitText(options.title, style, frame.width / 3);
+  DrawText(picture, options.title, frame.left, 12, title);
+  std::vector<LegendEntry> legend{ { wide, "at least 10 mm" }, { narrow, "narrower" } };
+  if (hasGaps)
+  {
+    legend.push_back({ gapShade, "no lumen found" });
+  }
+  int right = frame.left + frame.width;
+  style.size = 14;
+  style.bold = false;
+  const bool hasShares = std::any_of(
+    segments.begin(), segments.end(), [](const ColonSegment & segment) { return segment.distendedShare >= 0.0; });
+  if (hasShares)
+  {
+    const std::string note = ", share of each segment that is at least 10 mm wide in %";
+    const int         titleEnd = frame.left + MeasureText(options.title, title).width;
+    style.color = faintInk;
+    DrawText(picture, note, titleEnd, 18, style);
+    style.color = ink;
+  }
+  style.size = 15;
+  for (auto entry = legend.rbegin(); entry != legend.rend(); ++entry)
+  {
+    right -= MeasureText(entry->text, style).width + 40;
+    DrawLegend(picture, { *entry }, right, 16, 40, ink);
+  }
+}
+} // namespace
+
+PlotFrame
+DistensionFrame(const CurveSet & centreline, const DistensionChartOptions & options)
+{
+  if (options.width < 500 || options.height < 300)
+  {
+    throw std::invalid_argument("the picture of a distension chart needs at least 500 x 300 pixels");
+  }
+  PlotFrame frame;
+  frame.left = 90;
+  frame.top = 96;
+  frame.width = static_cast<int>(options.width) - frame.left - 66;
+  frame.height = static_cast<int>(options.height) - frame.top - 62;
+  frame.x = { "distance from the anal verge (mm)", 0.0, 1.0 };
+  frame.y = { "calibre (mm)", 0.0, 2.0 * distendedCalibre };
+  for (const CentrelineStation & station : StationsOf(centreline))
+  {
+    frame.x.upper = std::max(frame.x.upper, station.distance);
+    frame.y.upper = std::max(frame.y.upper, 1.08 * station.calibre);
+  }
+  return frame;
+}
+
+Picture::Pointer
+DrawDistensionChart(const CurveSet &                  centreline,
+                    const std::vector<ColonSegment> & segments,
+                    const DistensionChartOptions &    options)
+{
+  const PlotFrame frame = DistensionFrame(centreline, options);
+  Stations        stations = StationsOf(centreline);
+  std::stable_sort(stations.begin(), stations.end(), [](const CentrelineStation & a, const CentrelineStation & b) {
+    return a.distance < b.distance;
+  });
+  const bool hasGaps =
+    std::any_of(stations.begin(), stations.end(), [](const CentrelineStation & s) { return s.isGap; });
+  auto picture = NewPicture(options.width, options.height, paper);
+  DrawPlotFrame(picture, frame);
+  DrawAreas(picture, frame, stations);
+  DrawLimit(picture, frame);
+  DrawCurve(picture, frame, stations);
+  DrawSegments(picture, frame, segments);
+  DrawKey(picture, frame, segments, options, hasGaps);
+  return picture;
+}
+} // namespace shapeton

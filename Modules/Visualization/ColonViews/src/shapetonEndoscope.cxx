@@ -1,0 +1,136 @@
+#include "shapetonEndoscope.h"
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace shapeton
+{
+namespace
+{
+using Eigen::Vector3d;
+
+constexpr double nearestEye = 15.0; // mm
+constexpr double farthestEye = 60.0;
+constexpr double bestDistance = 25.0;
+
+/** Whether nothing lies between two points; `to` may touch the wall. Steps are no longer than the distance to the wall.
+ */
+bool
+IsFree(const SurfaceLocator & wall, const Vector3d & from, const Vector3d & to)
+{
+  constexpr double touch = 0.3; // mm
+  constexpr double last = 2.0;  // mm before the end
+  const double     length = (to - from).norm();
+  double           way = 0.0;
+  while (way < length - last)
+  {
+    const double distance = wall.FindClosest(from + way / length * (to - from)).distance;
+    if (distance < touch)
+    {
+      return false;
+    }
+    way += distance;
+  }
+  return true;
+}
+
+/** What is lost against a look from the best distance straight down. */
+double
+CostOf(const Vector3d & eye, const PolypCandidate & candidate)
+{
+  const Vector3d way = eye - candidate.apex;
+  const double   facing = way.normalized().dot(candidate.axis);
+  return std::abs(std::log(way.norm() / bestDistance)) + 1.5 * (1.0 - facing);
+}
+
+Vector3d
+EyeAbove(const SurfaceLocator & wall, const PolypCandidate & candidate)
+{
+  for (const double distance : { 25.0, 20.0, 15.0, 10.0 })
+  {
+    const Vector3d eye = candidate.apex + distance * candidate.axis;
+    if (IsFree(wall, eye, candidate.apex))
+    {
+      return eye;
+    }
+  }
+  return candidate.apex + 6.0 * candidate.axis;
+}
+} // namespace
+
+PerspectiveCamera
+ChooseEye(const SurfaceLocator & wall, const CurveSet & centreline, const PolypCandidate & candidate)
+{
+  std::vector<std::pair<double, Eigen::Index>> places;
+  for (Eigen::Index i = 0; i < centreline.V.rows(); ++i)
+  {
+    const Vector3d eye = centreline.V.row(i).transpose();
+    const double   distance = (eye - candidate.apex).norm();
+    if (distance >= nearestEye && distance <= farthestEye)
+    {
+      places.emplace_back(CostOf(eye, candidate), i);
+    }
+  }
+  std::sort(places.begin(), places.end());
+  PerspectiveCamera camera;
+  camera.focus = candidate.apex;
+  camera.fieldOfView = 70.0;
+  const auto best = std::find_if(places.begin(), places.end(), [&](const std::pair<double, Eigen::Index> & place) {
+    return IsFree(wall, centreline.V.row(place.second).transpose(), candidate.apex);
+  });
+  camera.eye = best == places.end() ? EyeAbove(wall, candidate) : Vector3d(centreline.V.row(best->second).transpose());
+  const Vector3d look = (camera.focus - camera.eye).normalized();
+  camera.up = std::abs(look.z()) < 0.9 ? Vector3d::UnitZ() : Vector3d(-Vector3d::UnitY()); // the head, or the front
+  return camera;
+}
+
+VertexMatrix
+InwardNormalsOf(const SurfaceMesh & wall)
+{
+  VertexMatrix normals = VertexMatrix::Zero(wall.V.rows(), 3);
+  for (Eigen::Index face = 0; face < wall.F.rows(); ++face)
+  {
+    const Vector3d a = wall.V.row(wall.F(face, 0)), b = wall.V.row(wall.F(face, 1)), c = wall.V.row(wall.F(face, 2));
+    const Vector3d outwards = (b - a).cross(c - a);
+    for (int k = 0; k < 3; ++k)
+    {
+      normals.row(wall.F(face, k)) -= outwards;
+    }
+  }
+  normals.rowwise().normalize();
+  return normals;
+}
+
+SurfaceMesh
+WallAround(const SurfaceMesh & wall, const std::vector<char> & isHead, const Vector3d & point, double reach)
+{
+  SurfaceMesh whole;
+  whole.V = wall.V;
+  whole.F = wall.F;
+  SurfaceArray head;
+  head.name = "head";
+  head.values.resize(wall.V.rows(), 1);
+  for (Eigen::Index i = 0; i < wall.V.rows(); ++i)
+  {
+    head.values(i, 0) = isHead[i];
+  }
+  whole.pointArrays.push_back(std::move(head));
+  std::vector<int> faces;
+  for (int face = 0; face < wall.NumberOfFaces(); ++face)
+  {
+    bool isNear = false;
+    for (int k = 0; k < 3; ++k)
+    {
+      isNear = isNear || (wall.V.row(wall.F(face, k)).transpose() - point).squaredNorm() < reach * reach;
+    }
+    if (isNear)
+    {
+      faces.push_back(face);
+    }
+  }
+  return FacesOfSurface(whole, faces);
+}
+} // namespace shapeton

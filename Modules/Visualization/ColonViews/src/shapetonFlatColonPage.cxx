@@ -1,0 +1,310 @@
+#include "shapetonFlatColonPage.h"
+
+#include "shapetonFlatColonLocator.h"
+#include "shapetonFlatPageRow.h"
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <sstream>
+#include <stdexcept>
+
+namespace shapeton
+{
+namespace
+{
+const RGBColor paper = MakeColor(255, 255, 255);
+const RGBColor ink = MakeColor(30, 32, 38);
+const RGBColor faintInk = MakeColor(112, 116, 126);
+
+constexpr int leftMargin = 52;
+constexpr int rightMargin = 20;
+constexpr int gapBetweenRows = 10;
+constexpr int leastWidth = 480;
+constexpr int noteLineHeight = 20;
+constexpr int gapOfLinks = 26; ///< between two strips of a row
+
+/** The place of a distance along the centreline, in columns. */
+double
+ColumnOfDistance(const std::vector<double> & distanceOfColumns, double distance)
+{
+  const auto after = std::lower_bound(distanceOfColumns.begin(), distanceOfColumns.end(), distance);
+  return static_cast<double>(after - distanceOfColumns.begin());
+}
+
+class Placing
+{
+public:
+  Placing(const FlatColonGrid & grid, const std::vector<double> & distanceOfColumns)
+    : m_Grid(grid), m_DistanceOfColumns(distanceOfColumns)
+  {}
+
+  PlacedAnnotation
+  Place(const FlatAnnotation & annotation)
+  {
+    PlacedAnnotation placed;
+    placed.annotation = annotation;
+    if (annotation.distance && !m_DistanceOfColumns.empty())
+    {
+      placed.column = ColumnOfDistance(m_DistanceOfColumns, *annotation.distance);
+      return placed;
+    }
+    if (!annotation.uv && !annotation.point)
+    {
+      throw std::invalid_argument("the annotation '" + annotation.text + "' has no place on the map");
+    }
+    const FlatPixel pixel = annotation.uv ? m_Grid.PixelOfUv(*annotation.uv) : this->Locate(*annotation.point);
+    placed.column = pixel.column + 0.5;
+    placed.row = pixel.row + 0.5;
+    const FlatSample sample = m_Grid.SampleOfPixel(pixel.column, pixel.row);
+    const double     scale = sample.face >= 0 && sample.scale > 0.0 ? sample.scale : 1.0;
+    placed.diameter = annotation.diameter / scale / m_Grid.PixelSize();
+    return placed;
+  }
+
+private:
+  FlatPixel
+  Locate(const Eigen::Vector3d & point)
+  {
+    if (!m_Locator)
+    {
+      m_Locator = std::make_unique<FlatColonLocator>(m_Grid);
+    }
+    return m_Locator->Find(point).pixel;
+  }
+
+  const FlatColonGrid &             m_Grid;
+  const std::vector<double> &       m_DistanceOfColumns;
+  std::unique_ptr<FlatColonLocator> m_Locator; ///< only where it is needed
+};
+
+std::vector<PlacedAnnotation>
+PlaceAll(const FlatColonGrid &               grid,
+         const std::vector<double> &         distanceOfColumns,
+         const std::vector<FlatAnnotation> & annotations)
+{
+  Placing                       placing(grid, distanceOfColumns);
+  std::vector<PlacedAnnotation> placed;
+  for (const FlatAnnotation & annotation : annotations)
+  {
+    placed.push_back(placing.Place(annotation));
+  }
+  std::stable_sort(placed.begin(), placed.end(), [](const PlacedAnnotation & a, const PlacedAnnotation & b) {
+    return a.column < b.column;
+  });
+  return placed;
+}
+
+std::vector<double>
+DistanceAlongMap(const FlatColonGrid & grid)
+{
+  std::vector<double> distances;
+  for (int column = 0; column < grid.Columns(); ++column)
+  {
+    distances.push_back((column + 0.5) * grid.PixelSize());
+  }
+  return distances;
+}
+
+std::vector<std::string>
+LinesOf(const std::string & text)
+{
+  std::vector<std::string> lines;
+  std::istringstream       stream(text);
+  for (std::string line; std::getline(stream, line);)
+  {
+    lines.push_back(line);
+  }
+  return lines;
+}
+
+int
+HeadHeight(const FlatColonPageOptions & options)
+{
+  return 12 + (options.title.empty() ? 0 : 30) + noteLineHeight * static_cast<int>(LinesOf(options.note).size());
+}
+
+void
+DrawHead(Picture * picture, const FlatColonPageOptions & options, int width)
+{
+  TextStyle style;
+  style.size = 21;
+  style.bold = true;
+  style.color = ink;
+  int y = 10;
+  if (!options.title.empty())
+  {
+    DrawText(picture, options.title, leftMargin, y, FitText(options.title, style, width));
+    y += 30;
+  }
+  style.size = 14;
+  style.bold = false;
+  style.color = faintInk;
+  for (const std::string & line : LinesOf(options.note))
+  {
+    DrawText(picture, line, leftMargin, y, FitText(line, style, width));
+    y += noteLineHeight;
+  }
+}
+
+void
+RequireFit(const Picture * strip, const FlatColonGrid & grid, const std::vector<double> & distances, double overlap)
+{
+  const auto size = strip->GetLargestPossibleRegion().GetSize();
+  if (size[0] != static_cast<itk::SizeValueType>(grid.Columns()) ||
+      size[1] != static_cast<itk::SizeValueType>(grid.Rows()))
+  {
+    throw std::invalid_argument("the strip has not the size of the grid");
+  }
+  if (!distances.empty() && distances.size() != size[0])
+  {
+    throw std::invalid_argument("there is not a distance for each column");
+  }
+  if (!(overlap >= 0.0 && overlap <= 0.5))
+  {
+    throw std::invalid_argument("the overlap must be from 0 to 0.5");
+  }
+}
+
+/** \param strips of each row, below each other. */
+std::vector<FlatPageRow>
+LayOut(const FlatColonGrid & grid, const FlatColonPageOptions & options, int strips)
+{
+  std::vector<FlatPageRow> places;
+  int                      top = HeadHeight(options);
+  for (const FlatColonRow & row : BreakIntoRows(grid, options.greatestColumns, options.longestBridge))
+  {
+    FlatPageRow place;
+    place.row = row;
+    place.left = leftMargin;
+    place.top = top;
+    place.turn = grid.Rows();
+    place.overlap = static_cast<int>(std::lround(options.overlap * grid.Rows()));
+    top = place.Bottom() + (strips - 1) * (place.StripHeight() + gapOfLinks) + gapBetweenRows;
+    places.push_back(place);
+  }
+  return places;
+}
+
+/** The place of the second strip of a row. */
+FlatPageRow
+Lower(FlatPageRow place)
+{
+  place.top += place.StripHeight() + gapOfLinks;
+  return place;
+}
+
+/** What a page is made of: one strip, or a pair. */
+struct PageParts
+{
+  const FlatColonGrid &               grid;
+  const std::vector<double> &         distanceOfColumns;
+  const std::vector<FlatAnnotation> & annotations;
+  const FlatColonPageOptions &        options;
+  const Picture *                     strip{ nullptr };
+  const FlatColonPair *               pair{ nullptr };
+};
+
+void
+DrawNameOfStrip(Picture * picture, const FlatPageRow & place, const std::string & name)
+{
+  TextStyle style;
+  style.size = 16;
+  style.color = ink;
+  style.upwards = true;
+  style.horizontal = HorizontalAnchor::Right;
+  style.vertical = VerticalAnchor::Center;
+  DrawText(picture, name, place.left - 8, place.StripTop() + place.StripHeight() / 2, style);
+}
+
+void
+DrawLinks(Picture * picture, const FlatPageRow & place, const PageParts & parts)
+{
+  const double top = place.StripTop() + place.StripHeight() + 1.0;
+  const double bottom = Lower(place).StripTop() - 2.0;
+  for (const FlatColonLink & link : parts.pair->links)
+  {
+    const double upper = link.upper.x() / parts.grid.PixelSize();
+    const double lower = link.lower.x() / parts.grid.PixelSize();
+    if (place.row.Shows(upper) && place.row.Shows(lower))
+    {
+      DrawLine(picture, place.XOf(upper), top, place.XOf(lower), bottom, link.color, 2.0);
+    }
+  }
+}
+
+void
+DrawRow(Picture * picture, const FlatPageRow & place, const PageParts & parts, const std::vector<double> & distances)
+{
+  FlatPageRow last = place;
+  if (parts.pair)
+  {
+    last = Lower(place);
+    DrawStripOfRow(picture, place, parts.pair->upper, parts.grid);
+    DrawStripOfRow(picture, last, parts.pair->lower, parts.grid);
+    DrawNameOfStrip(picture, place, parts.pair->upperName);
+    DrawNameOfStrip(picture, last, parts.pair->lowerName);
+    DrawLinks(picture, place, parts);
+  }
+  else
+  {
+    DrawStripOfRow(picture, place, parts.strip, parts.grid);
+  }
+  DrawRulerOfRow(picture, last, distances, !parts.distanceOfColumns.empty());
+  DrawScaleOfRow(picture, place, parts.grid.PixelSize());
+}
+
+Picture::Pointer
+DrawPage(const PageParts & parts)
+{
+  const std::vector<FlatPageRow>      places = LayOut(parts.grid, parts.options, parts.pair ? 2 : 1);
+  const std::vector<PlacedAnnotation> placed = PlaceAll(parts.grid, parts.distanceOfColumns, parts.annotations);
+  const std::vector<double>           distances =
+    parts.distanceOfColumns.empty() ? DistanceAlongMap(parts.grid) : parts.distanceOfColumns;
+  int rowWidth = leastWidth;
+  for (const FlatPageRow & place : places)
+  {
+    rowWidth = std::max(rowWidth, place.Width());
+  }
+  const int bottom = (parts.pair ? Lower(places.back()) : places.back()).Bottom();
+  const int barWidth = parts.options.colorBar ? colorBarWidth : 0;
+  const int width = leftMargin + rowWidth + rightMargin + barWidth;
+  auto      picture = NewPicture(width, bottom + gapBetweenRows, paper);
+  DrawHead(picture, parts.options, width - leftMargin - rightMargin);
+  for (const FlatPageRow & place : places)
+  {
+    DrawRow(picture, place, parts, distances);
+    DrawAnnotationsOfRow(picture, place, placed);
+  }
+  if (parts.options.colorBar)
+  {
+    const int height = std::min(320, bottom - places.front().StripTop() - FlatPageRow::ruler);
+    DrawColorBar(picture, width - barWidth, places.front().StripTop(), height, *parts.options.colorBar, ink);
+  }
+  return picture;
+}
+} // namespace
+
+Picture::Pointer
+DrawFlatColonPage(const Picture *                     strip,
+                  const FlatColonGrid &               grid,
+                  const std::vector<double> &         distanceOfColumns,
+                  const std::vector<FlatAnnotation> & annotations,
+                  const FlatColonPageOptions &        options)
+{
+  RequireFit(strip, grid, distanceOfColumns, options.overlap);
+  return DrawPage({ grid, distanceOfColumns, annotations, options, strip, nullptr });
+}
+
+Picture::Pointer
+DrawFlatColonPairPage(const FlatColonPair &               pair,
+                      const FlatColonGrid &               grid,
+                      const std::vector<double> &         distanceOfColumns,
+                      const std::vector<FlatAnnotation> & annotations,
+                      const FlatColonPageOptions &        options)
+{
+  RequireFit(pair.upper, grid, distanceOfColumns, options.overlap);
+  RequireFit(pair.lower, grid, distanceOfColumns, options.overlap);
+  return DrawPage({ grid, distanceOfColumns, annotations, options, nullptr, &pair });
+}
+} // namespace shapeton

@@ -1,0 +1,100 @@
+#include "shapetonFlatColonPictures.h"
+
+#include "shapetonCsvTable.h"
+
+#include <stdexcept>
+
+namespace shapeton
+{
+namespace
+{
+constexpr unsigned int samples = 2; ///< in each direction of a pixel
+constexpr double       mostSamples = 16e6;
+
+FlatColonGridOptions
+OptionsFor(double pixelSize)
+{
+  FlatColonGridOptions options;
+  options.pixelSize = pixelSize;
+  options.curvatureLength = 2.0;
+  options.normalLength = 1.0;
+  return options;
+}
+
+std::string
+NoteOn(const FlatColonGrid & grid, FlatColoring coloring)
+{
+  constexpr int     widthOfOneLine = 800; // columns; a narrower page would have to shrink it
+  const std::string end = grid.Columns() < widthOfOneLine ? "\n" : " ";
+  const std::string light = coloring == FlatColoring::Curvature ? "" : ", light from the left";
+  return "Seen from the lumen, rectum at the left" + light + "." + end + "A pixel is " +
+         CsvTable::Rounded(grid.PixelSize(), 3) + " mm at the mean circumference of " +
+         CsvTable::Rounded(grid.Circumference(), 3) + " mm." + end + "For research use; not a diagnosis.";
+}
+} // namespace
+
+std::string
+NameOf(FlatColoring coloring)
+{
+  return coloring == FlatColoring::Relief ? "relief" : coloring == FlatColoring::Curvature ? "curvature" : "volume";
+}
+
+FlatColonPictures::FlatColonPictures(const FlatColonParts & parts, double pixelSize)
+  : m_Parts(parts), m_Grid(std::make_unique<FlatColonGrid>(*parts.flat, OptionsFor(pixelSize), parts.what))
+{
+  if (static_cast<double>(m_Grid->Columns()) * m_Grid->Rows() * samples * samples <= mostSamples)
+  {
+    m_Fine = std::make_unique<FlatColonGrid>(*parts.flat, OptionsFor(m_Grid->PixelSize() / samples), parts.what);
+  }
+  m_Axis = MakeFlatColonAxis(m_Fine ? *m_Fine : *m_Grid);
+  m_Distances = DistanceOfColumns(*m_Grid);
+  if (m_Distances.empty() && parts.centreline)
+  {
+    m_Distances = DistanceOfColumns(MakeFlatColonAxis(*m_Grid), *parts.centreline);
+  }
+}
+
+FlatColonPictures::~FlatColonPictures() = default;
+
+Picture::Pointer
+FlatColonPictures::Paint(FlatColoring coloring) const
+{
+  const FlatColonGrid & grid = m_Fine ? *m_Fine : *m_Grid;
+  if (coloring == FlatColoring::Volume)
+  {
+    return PaintFlatVolume(grid, m_Axis, m_Parts.ct);
+  }
+  return coloring == FlatColoring::Relief ? PaintFlatRelief(grid, m_Axis) : PaintFlatCurvature(grid, m_Axis);
+}
+
+Picture::Pointer
+FlatColonPictures::Draw(FlatColoring coloring, const std::string & title, int greatestColumns) const
+{
+  if (coloring == FlatColoring::Volume && !m_Parts.ct)
+  {
+    throw std::invalid_argument("a volume rendering needs a CT");
+  }
+  Picture::Pointer strip = this->Paint(coloring);
+  if (m_Fine)
+  {
+    strip = ReduceStrip(strip, samples, m_Grid->Columns(), m_Grid->Rows());
+  }
+  for (const FlatOutlines & outlines : m_Parts.outlines)
+  {
+    DrawFlatOutlines(strip, *m_Grid, outlines);
+  }
+  for (const FlatLine & line : m_Parts.lines)
+  {
+    DrawFlatLine(strip, *m_Grid, line);
+  }
+  FlatColonPageOptions options;
+  options.title = title;
+  options.note = NoteOn(*m_Grid, coloring);
+  options.greatestColumns = greatestColumns;
+  if (coloring == FlatColoring::Curvature)
+  {
+    options.colorBar = CurvatureScale();
+  }
+  return DrawFlatColonPage(strip, *m_Grid, m_Distances, m_Parts.annotations, options);
+}
+} // namespace shapeton

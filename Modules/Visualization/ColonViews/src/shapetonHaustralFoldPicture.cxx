@@ -1,0 +1,97 @@
+#include "shapetonHaustralFoldPicture.h"
+
+#include "shapetonCsvTable.h"
+#include "shapetonFlatColonOverlay.h"
+#include "shapetonFlatColonStrip.h"
+
+#include <array>
+
+namespace shapeton
+{
+namespace
+{
+const RGBColor colorOfEnds = MakeColor(40, 220, 70);
+const RGBColor colorOfTaeniae = MakeColor(255, 214, 0);
+
+FlatColonGridOptions
+OptionsFor(double pixelSize)
+{
+  FlatColonGridOptions options;
+  options.pixelSize = pixelSize;
+  options.curvatureLength = 2.0;
+  options.normalLength = 1.0;
+  return options;
+}
+
+/** Neighbours along the colon differ, and all stand out from mucosa, the green of ends and the yellow of taeniae. */
+RGBColor
+ColorOf(int label)
+{
+  static const std::array<RGBColor, 4> colors{
+    MakeColor(0, 229, 255), MakeColor(255, 255, 255), MakeColor(40, 90, 255), MakeColor(214, 64, 255)
+  };
+  return colors[label % colors.size()];
+}
+
+void
+DrawFolds(Picture * strip, const FlatColonGrid & grid, const HaustralFolds & folds)
+{
+  const auto   size = folds.labels->GetLargestPossibleRegion().GetSize();
+  FlatOutlines outlines;
+  outlines.labels = folds.labels->GetBufferPointer();
+  outlines.columns = static_cast<int>(size[0]);
+  outlines.rows = static_cast<int>(size[1]);
+  outlines.colorOf = ColorOf;
+  DrawFlatOutlines(strip, grid, outlines);
+  for (const HaustralFold & fold : folds.folds)
+  {
+    for (int end = 0; end < 2; ++end)
+    {
+      DrawFlatDot(strip, grid, { fold.endUv[end], colorOfEnds, 1.5 + 1.5 * fold.endReliability[end] });
+    }
+  }
+}
+
+void
+DrawTaeniae(Picture * strip, const FlatColonGrid & grid, const CurveSet & taeniae)
+{
+  for (const std::vector<int> & curve : taeniae.curves)
+  {
+    std::vector<Eigen::Vector3d> points;
+    for (const int vertex : curve)
+    {
+      points.emplace_back(taeniae.V.row(vertex));
+    }
+    DrawFlatLine(strip, grid, { PlacesOfCurve(grid, points), colorOfTaeniae, 2.0 });
+  }
+}
+
+std::string
+NoteOn(const HaustralFoldPictureContent & content)
+{
+  std::string note = std::to_string(content.folds->folds.size()) + " folds, green: their ends";
+  note += content.taeniae ? ", yellow: taeniae" : "";
+  return note + ". Seen from the lumen, rectum at the left. For research use; not a diagnosis.";
+}
+} // namespace
+
+Picture::Pointer
+DrawHaustralFolds(const HaustralFoldPictureContent & content,
+                  double                             pixelSize,
+                  const std::string &                title,
+                  int                                greatestColumns)
+{
+  const FlatColonGrid    grid(*content.flat, OptionsFor(pixelSize), content.what);
+  const Picture::Pointer strip = PaintFlatRelief(grid, MakeFlatColonAxis(grid));
+  if (content.taeniae)
+  {
+    DrawTaeniae(strip, grid, *content.taeniae);
+  }
+  DrawFolds(strip, grid, *content.folds);
+  FlatColonPageOptions options;
+  options.title = title;
+  options.note = NoteOn(content);
+  options.greatestColumns = greatestColumns;
+  return DrawFlatColonPage(strip, grid, DistanceOfColumns(grid), content.annotations, options);
+}
+} // namespace shapeton

@@ -1,0 +1,181 @@
+#include "shapetonRegistrationPictures.h"
+
+#include "shapetonAlignedColons.h"
+#include "shapetonColonLandmarkPictures.h"
+#include "shapetonFlatColonOverlay.h"
+#include "shapetonFlatColonPage.h"
+
+#include <array>
+#include <map>
+
+namespace shapeton
+{
+namespace
+{
+const RGBColor colorOfAlone = MakeColor(24, 24, 28);
+const RGBColor colorOfDoubt = MakeColor(230, 20, 20);
+constexpr char seenFrom[] = "Seen from the lumen, rectum at the left. For research use; not a diagnosis.";
+
+/** Neighbours along the colon differ; all stand out from mucosa, black and red. */
+RGBColor
+ColorOfPair(std::size_t pair)
+{
+  static const std::array<RGBColor, 5> colors{ MakeColor(0, 229, 255),
+                                               MakeColor(255, 255, 255),
+                                               MakeColor(40, 90, 255),
+                                               MakeColor(60, 235, 70),
+                                               MakeColor(255, 225, 0) };
+  return colors[pair % colors.size()];
+}
+
+bool
+IsDoubtful(const MatchedFolds & match)
+{
+  return !match.IsFollowed() || match.verdict == FoldVerdict::Wrong;
+}
+
+std::map<int, const HaustralFold *>
+FoldsByLabel(const ColonPositionFiles & files)
+{
+  std::map<int, const HaustralFold *> folds;
+  for (const HaustralFold & fold : files.position.folds)
+  {
+    folds[fold.label] = &fold;
+  }
+  return folds;
+}
+
+/** Draws crests on both strips, and collects the links between them. */
+class FoldDrawing
+{
+public:
+  FoldDrawing(const RegistrationParts & parts, const AlignedColons & colons, FlatColonPair & pair)
+    : m_Parts(parts), m_Colons(colons), m_Pair(pair)
+  {}
+
+  void
+  Draw(Picture * upper, Picture * lower)
+  {
+    std::map<int, const HaustralFold *> supine = FoldsByLabel(*m_Parts.supine);
+    std::map<int, const HaustralFold *> prone = FoldsByLabel(*m_Parts.prone);
+    const auto &                        matches = m_Parts.results->matches;
+    for (std::size_t i = 0; i < matches.size(); ++i)
+    {
+      const auto from = supine.find(matches[i].supineFold);
+      const auto to = prone.find(matches[i].proneFold);
+      if (from == supine.end() || to == prone.end())
+      {
+        continue; // of another run of ColonFolds: shown as alone
+      }
+      const RGBColor color = IsDoubtful(matches[i]) ? colorOfDoubt : ColorOfPair(i);
+      this->DrawCrest(upper, *from->second, false, color, 3.0);
+      this->DrawCrest(lower, *to->second, true, color, 3.0);
+      m_Pair.links.push_back({ from->second->centreUv, m_Colons.InSupineFrame(to->second->centreUv), color });
+      supine.erase(from);
+      prone.erase(to);
+    }
+    for (const auto & [label, fold] : supine)
+    {
+      this->DrawCrest(upper, *fold, false, colorOfAlone, 2.0);
+    }
+    for (const auto & [label, fold] : prone)
+    {
+      this->DrawCrest(lower, *fold, true, colorOfAlone, 2.0);
+    }
+  }
+
+private:
+  void
+  DrawCrest(Picture * strip, const HaustralFold & fold, bool isProne, const RGBColor & color, double thickness) const
+  {
+    FlatLine line;
+    line.color = color;
+    line.thickness = thickness;
+    for (const Eigen::Vector2d & uv : { fold.endUv[0], fold.centreUv, fold.endUv[1] })
+    {
+      line.places.push_back(isProne ? m_Colons.InSupineFrame(uv) : uv);
+    }
+    DrawFlatLine(strip, m_Colons.Grid(), line);
+  }
+
+  const RegistrationParts & m_Parts;
+  const AlignedColons &     m_Colons;
+  FlatColonPair &           m_Pair;
+};
+
+Picture::Pointer
+PaintRelief(const FlatColonGrid & grid, const FlatColonAxis & axis)
+{
+  return PaintFlatRelief(grid, axis);
+}
+
+Picture::Pointer
+PaintCurvature(const FlatColonGrid & grid, const FlatColonAxis & axis)
+{
+  return PaintFlatCurvature(grid, axis);
+}
+
+std::string
+NoteOnMatches(const RegistrationResults & results)
+{
+  std::size_t doubtful = 0;
+  for (const MatchedFolds & match : results.matches)
+  {
+    doubtful += IsDoubtful(match);
+  }
+  return std::to_string(results.matches.size()) +
+         " pairs of folds, each of one colour in both; red: " + std::to_string(doubtful) +
+         (results.points.empty() ? " that the map contradicts" : " contradicted or wrong") +
+         "; black: alone.\nThe prone wall lies where the map takes it. Striped: nothing to be seen in one of them.\n" +
+         seenFrom;
+}
+} // namespace
+
+Picture::Pointer
+DrawAlignedColons(const RegistrationParts & parts, const AlignedColonsOptions & options)
+{
+  const AlignedColons    colons(parts, options.pixelsAround);
+  const Picture::Pointer upper = colons.PaintSupine(PaintRelief);
+  const Picture::Pointer lower = colons.PaintProne(PaintRelief);
+  FlatColonPair          pair{ upper, lower, "supine", "prone", {} };
+  FoldDrawing(parts, colons, pair).Draw(upper, lower);
+  colons.Hatch(upper);
+  colons.Hatch(lower);
+  FlatColonPageOptions page;
+  page.title = "Both positions, the prone one in the supine frame";
+  page.note = NoteOnMatches(*parts.results);
+  page.greatestColumns = options.greatestColumns;
+  return DrawFlatColonPairPage(
+    pair, colons.Grid(), colons.Distances(), SegmentAnnotations(parts.supine->segments), page);
+}
+
+Picture::Pointer
+DrawCurvatureCheckerboard(const RegistrationParts & parts, const AlignedColonsOptions & options)
+{
+  const AlignedColons    colons(parts, options.pixelsAround);
+  const Picture::Pointer board = colons.PaintSupine(PaintCurvature);
+  const Picture::Pointer prone = colons.PaintProne(PaintCurvature);
+  const int              rows = colons.Grid().Rows();
+  constexpr int          squaresAround = 4; // an even number, so that colours alternate across the cut, too
+  for (int row = 0; row < rows; ++row)
+  {
+    for (int column = 0; column < colons.Grid().Columns(); ++column)
+    {
+      if ((squaresAround * row / rows + squaresAround * column / rows) % 2 != 0)
+      {
+        const Picture::IndexType pixel{ { column, row } };
+        board->SetPixel(pixel, MixColors(prone->GetPixel(pixel), MakeColor(90, 190, 90), 0.12));
+      }
+    }
+  }
+  colons.Hatch(board);
+  FlatColonPageOptions page;
+  page.title = "Curvature of both walls in squares";
+  page.note =
+    std::string("Greenish squares: prone; the others: supine. Folds go on from square to square where the map is "
+                "right.\nStriped: nothing to be seen in one of them.\n") +
+    seenFrom;
+  page.greatestColumns = options.greatestColumns;
+  return DrawFlatColonPage(board, colons.Grid(), colons.Distances(), SegmentAnnotations(parts.supine->segments), page);
+}
+} // namespace shapeton

@@ -1,0 +1,77 @@
+#ifndef shapetonModelSpace_h
+#define shapetonModelSpace_h
+
+#include "GraphViewsExport.h"
+#include "shapetonEmbeddingCertificate.h"
+
+#include <vector>
+
+namespace shapeton
+{
+/** A point of the unit sphere, or of the plane or the Poincare disk (z = 0). */
+struct Place
+{
+  double x{ 0.0 };
+  double y{ 0.0 };
+  double z{ 0.0 };
+};
+
+/** A motion of the plane or the disk: z -> z + b, or z -> (a z + b) / (conj(b) z + conj(a)). */
+struct Motion
+{
+  std::complex<double> a{ 1.0 };
+  std::complex<double> b{ 0.0 };
+};
+
+/** Points, geodesics and circles of one of the three geometries. */
+class GraphViews_EXPORT ModelSpace
+{
+public:
+  explicit ModelSpace(EmbeddingGeometry geometry) : m_Geometry(geometry) {}
+
+  EmbeddingGeometry
+  Geometry() const
+  {
+    return m_Geometry;
+  }
+
+  /** The point of the geodesic from one point to another at this share of its length. */
+  Place
+  Between(const Place & from, const Place & to, double share) const;
+
+  /** `number` points of a circle in turn. */
+  std::vector<Place>
+  Circle(const Place & centre, double radius, int number) const;
+
+  /** The point at this distance from `from`, in this direction of the chart; plane and disk alone. */
+  Place
+  Walk(const Place & from, double direction, double distance) const;
+
+  /** On the sphere: the point at this distance from `from` on the arc to `to`. */
+  static Place
+  OnArc(const Place & from, const Place & to, double distance);
+
+  /** Half the angle, at the centre of a circle of radius r, of the kite with a circle of radius s; plane and disk. */
+  double
+  HalfKiteAngle(double r, double s) const;
+
+  /** The distance of centres of orthogonal circles; plane and disk. */
+  double
+  KiteDiagonal(double r, double s) const;
+
+  Place
+  Moved(const Motion & motion, const Place & place) const;
+
+  /** The motion that does `second` first. */
+  Motion
+  Product(const Motion & first, const Motion & second) const;
+
+  Motion
+  Inverse(const Motion & motion) const;
+
+private:
+  EmbeddingGeometry m_Geometry;
+};
+} // namespace shapeton
+
+#endif

@@ -1,0 +1,113 @@
+#include "shapetonGraphInSpace.h"
+
+#include "shapetonCurveSet.h"
+#include "shapetonGraphPictures.h"
+#include "shapetonSurfaceWithHandles.h"
+#include "shapetonTorusInSpace.h"
+
+#include <numeric>
+
+namespace shapeton
+{
+namespace
+{
+Eigen::VectorXd
+Column(const std::vector<double> & values)
+{
+  return Eigen::Map<const Eigen::VectorXd>(values.data(), static_cast<Eigen::Index>(values.size()));
+}
+
+/** What kind of cell each cell is, and its number in its kind. */
+std::vector<SurfaceArray>
+CellArraysOf(const std::array<std::size_t, 3> & numbers)
+{
+  std::vector<double> kinds;
+  std::vector<double> ids;
+  for (std::size_t kind = 0; kind < numbers.size(); ++kind)
+  {
+    for (std::size_t id = 0; id < numbers[kind]; ++id)
+    {
+      kinds.push_back(static_cast<double>(kind));
+      ids.push_back(static_cast<double>(id));
+    }
+  }
+  return { { "kind", Column(kinds), true }, { "id", Column(ids), true } };
+}
+
+VertexMatrix
+VerticesOf(const std::vector<std::array<double, 3>> & points)
+{
+  return Eigen::Map<const VertexMatrix>(points.front().data(), static_cast<Eigen::Index>(points.size()), 3);
+}
+
+void
+WriteOnTorus(const EmbeddingCertificate &                             certificate,
+             const std::vector<std::pair<std::string, std::string>> & facts,
+             const std::string &                                      path)
+{
+  const TorusInSpace               torus(certificate);
+  const auto                       edges = torus.Edges();
+  std::vector<TorusInSpace::Point> points = torus.Nodes();
+  CurveSet                         set;
+  for (std::size_t node = 0; node < points.size(); ++node)
+  {
+    set.curves.push_back({ static_cast<int>(node) });
+  }
+  for (const std::vector<TorusInSpace::Point> & edge : edges)
+  {
+    set.curves.emplace_back(edge.size());
+    std::iota(set.curves.back().begin(), set.curves.back().end(), static_cast<int>(points.size()));
+    points.insert(points.end(), edge.begin(), edge.end());
+  }
+  set.V = VerticesOf(points);
+  set.cellArrays = CellArraysOf({ torus.Nodes().size(), edges.size(), 0 });
+  set.fieldArrays = { { "tubeRadius", Column({ torus.TubeRadius() }), false },
+                      { "dilatation", Column({ torus.Dilatation() }), false } };
+  set.facts = facts;
+  WriteCurves(std::move(set), path);
+}
+
+void
+WriteOnSurfaceWithHandles(const EmbeddingCertificate &                             certificate,
+                          const std::vector<std::pair<std::string, std::string>> & facts,
+                          const std::string &                                      path)
+{
+  const SurfaceWithHandles surface(MapOfRotation(certificate.graph, certificate.rotation));
+  const std::size_t        nodes = certificate.graph.nodes;
+  CurveSet                 set;
+  set.V = VerticesOf(surface.Vertices());
+  for (std::size_t node = 0; node < nodes; ++node)
+  {
+    set.curves.push_back({ static_cast<int>(node) });
+  }
+  set.curves.insert(set.curves.end(), surface.Edges().begin(), surface.Edges().end());
+  const auto & triangles = surface.Triangles();
+  set.cellArrays = CellArraysOf({ nodes, surface.Edges().size(), triangles.size() });
+  set.fieldArrays = { { "twist", Column(surface.Twists()), false } };
+  set.facts = facts;
+  WriteCurvesOnSurface(
+    std::move(set),
+    Eigen::Map<const FaceMatrix>(triangles.front().data(), static_cast<Eigen::Index>(triangles.size()), 3),
+    path);
+}
+} // namespace
+
+void
+WriteGraphInSpace(const EmbeddingCertificate &                             certificate,
+                  const std::vector<std::pair<std::string, std::string>> & facts,
+                  const std::string &                                      path)
+{
+  if (certificate.genus == 0)
+  {
+    WriteGraphVtp(certificate, facts, path);
+  }
+  else if (certificate.genus == 1)
+  {
+    WriteOnTorus(certificate, facts, path);
+  }
+  else
+  {
+    WriteOnSurfaceWithHandles(certificate, facts, path);
+  }
+}
+} // namespace shapeton

@@ -1,0 +1,164 @@
+#include "shapetonGraphPainter.h"
+
+#include "shapetonGraphTiles.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace shapeton
+{
+namespace
+{
+const char * const                 NodeColor = "#c62828";
+const char * const                 FaceColor = "#2e7d32";
+const char * const                 EdgeColor = "#212121";
+const char * const                 EdgeNodeColor = "#1565c0";
+const std::array<const char *, 12> TileColors{ "#fff3c4", "#cfe8ff", "#ffd9d4", "#d6f5d6", "#eadcff", "#ffe3c2",
+                                               "#d2f4f0", "#ffd6ec", "#e8f0c8", "#dfe3ee", "#f5e0d3", "#d9ecd9" };
+} // namespace
+
+std::string
+GraphPainter::Paint(const PanelPlan & plan) const
+{
+  SvgPanel panel(m_Graph.space, plan.picture, plan.window, m_Size, LeastPixels());
+  if (plan.hasTiles)
+  {
+    this->PaintTiles(plan, panel);
+  }
+  if (plan.hasRim)
+  {
+    panel.AddRim({ 0.0, 0.0 }, 1.0, { "#9e9e9e", plan.hasTiles ? "" : "#fafafa", 1.0, 1.0, false });
+  }
+  if (plan.hasCircles)
+  {
+    this->PaintCircles(plan, panel);
+  }
+  const double width = LineWidth();
+  panel.AddSegments(this->Edges(), plan.tiles, { EdgeColor, "", width, 1.0, false });
+  if (plan.hasDual)
+  {
+    panel.AddSegments(m_Graph.dual, plan.tiles, { FaceColor, "", 0.7 * width, 1.0, false });
+  }
+  if (plan.hasTiles)
+  {
+    panel.AddPolygon(PolygonCorners(m_Graph), {}, { "#8e24aa", "", 1.8, 1.0, true });
+  }
+  this->PaintDots(plan, panel);
+  int namesLeftOut = 0;
+  for (int node = 0; node < m_Graph.certificate.graph.nodes && m_View.hasLabels; ++node)
+  {
+    const Place & rim = m_Graph.touch[m_Graph.map.FirstAround(node)];
+    namesLeftOut += panel.AddLabel(m_Graph.nodes[node], rim, NameOfNode(m_Graph.certificate.graph, node)) ? 0 : 1;
+  }
+  const std::size_t        leftOut = panel.LeftOut(); // a few are but the short ends of curves
+  std::vector<std::string> title(1, plan.title);
+  if (leftOut > m_Graph.halfEdges.size() / 100)
+  {
+    title.push_back(std::to_string(leftOut) + " lines are too short to show");
+  }
+  if (namesLeftOut > 0)
+  {
+    title.push_back(namesLeftOut == 1 ? "1 name does not fit its circle"
+                                      : std::to_string(namesLeftOut) + " names do not fit their circles");
+  }
+  panel.AddTitle(title);
+  return panel.Content();
+}
+
+/** Whole edges on the sphere, where the arc between the ends runs through the touching point; else halves. */
+std::vector<EmbeddedGraph::Segment>
+GraphPainter::Edges() const
+{
+  if (m_Graph.space.Geometry() != EmbeddingGeometry::Spherical)
+  {
+    return m_Graph.halfEdges;
+  }
+  std::vector<EmbeddedGraph::Segment> edges;
+  for (int h = 0; h < m_Graph.map.HalfEdges(); h += 2)
+  {
+    if (m_Graph.isVisibleEdge[h / 2] != 0)
+    {
+      edges.push_back({ m_Graph.nodes[m_Graph.map.Node(h)], m_Graph.nodes[m_Graph.map.Node(h + 1)] });
+    }
+  }
+  return edges;
+}
+
+/** From a tenth of a pixel for small graphs to a pixel for those that fill the panel with points. */
+double
+GraphPainter::LeastPixels() const
+{
+  return std::clamp(0.1 * std::sqrt(static_cast<double>(m_Graph.halfEdges.size()) / 4000.0), 0.1, 1.0);
+}
+
+double
+GraphPainter::LineWidth() const
+{
+  const double edges = static_cast<double>(std::max<std::size_t>(m_Graph.halfEdges.size(), 1));
+  return std::clamp(30.0 / std::sqrt(edges), 0.15, 1.4);
+}
+
+void
+GraphPainter::PaintTiles(const PanelPlan & plan, SvgPanel & panel) const
+{
+  const std::vector<Place> boundary = DomainBoundary(m_Graph);
+  if (boundary.empty())
+  {
+    return;
+  }
+  for (std::size_t i = plan.tiles.size(); i-- > 0;)
+  {
+    panel.AddPolygon(boundary, plan.tiles[i], { "#b0a890", TileColors[i % TileColors.size()], 0.6, 1.0, false });
+  }
+  panel.AddPolygon(boundary, {}, { "#8d6e00", "", 1.6, 1.0, false });
+}
+
+void
+GraphPainter::PaintCircles(const PanelPlan & plan, SvgPanel & panel) const
+{
+  const double width = 0.8 * LineWidth();
+  for (const Motion & tile : plan.tiles)
+  {
+    for (int node = 0; node < m_Graph.certificate.graph.nodes; ++node)
+    {
+      const std::string fill = m_View.nodeColors.empty() ? "#f8c9c4" : m_View.nodeColors[node];
+      panel.AddCircle(
+        m_Graph.nodes[node], m_Graph.certificate.nodeRadii[node], tile, { NodeColor, fill, width, 1.0, false });
+    }
+    for (std::size_t face = 0; plan.hasDual && face < m_Graph.faces.size(); ++face)
+    {
+      if (m_Graph.isVisibleFace[face] != 0)
+      {
+        panel.AddCircle(
+          m_Graph.faces[face], m_Graph.certificate.faceRadii[face], tile, { FaceColor, "", width, 1.0, false });
+      }
+    }
+  }
+}
+
+void
+GraphPainter::PaintDots(const PanelPlan & plan, SvgPanel & panel) const
+{
+  constexpr double largest = 5.0;
+  for (const Motion & tile : plan.tiles)
+  {
+    for (int node = 0; node < m_Graph.certificate.graph.nodes && !m_View.hasLabels; ++node)
+    {
+      const double pixels = panel.PixelsOf(m_Graph.nodes[node], m_Graph.certificate.nodeRadii[node], tile);
+      panel.AddDot(m_Graph.nodes[node], tile, std::min(largest, 0.3 * pixels), NodeColor);
+    }
+    for (const int face : plan.hasDual ? m_Graph.representatives : std::vector<int>())
+    {
+      const double pixels = panel.PixelsOf(m_Graph.faces[face], m_Graph.certificate.faceRadii[face], tile);
+      panel.AddDot(m_Graph.faces[face], tile, std::min(0.8 * largest, 0.25 * pixels), FaceColor);
+    }
+    for (const int h : plan.hasDual && !plan.hasCircles ? m_Graph.crossings : std::vector<int>())
+    {
+      const int    node = m_Graph.map.Node(h);
+      const double pixels = panel.PixelsOf(m_Graph.nodes[node], m_Graph.certificate.nodeRadii[node], tile);
+      panel.AddDot(m_Graph.touch[h], tile, std::min(1.6 * LineWidth(), 0.12 * pixels), EdgeNodeColor);
+    }
+  }
+}
+} // namespace shapeton

@@ -1,0 +1,96 @@
+#include "shapetonFileBytes.h"
+#include "shapetonGraphPainter.h"
+#include "shapetonGraphPictures.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace shapeton
+{
+namespace
+{
+/** Panels in rows, with their own coordinates and clipped. */
+void
+WriteSheet(const std::vector<std::string> & panels, const GraphPictureOptions & options, const std::string & path)
+{
+  const int         columns = std::max(1, std::min<int>(options.columns, static_cast<int>(panels.size())));
+  const int         rows = (static_cast<int>(panels.size()) + columns - 1) / columns;
+  const std::string width = std::to_string(columns * options.panelSize);
+  const std::string height = std::to_string(rows * options.panelSize);
+  const std::string size = std::to_string(options.panelSize);
+  std::string text = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"" +
+                     width + "\" height=\"" + height + "\" viewBox=\"0 0 " + width + ' ' + height +
+                     "\">\n<rect width=\"100%\" height=\"100%\" fill=\"#ffffff\"/>\n";
+  for (std::size_t i = 0; i < panels.size(); ++i)
+  {
+    const int column = static_cast<int>(i) % columns;
+    const int row = static_cast<int>(i) / columns;
+    text += "<svg x=\"" + std::to_string(column * options.panelSize) + "\" y=\"" +
+            std::to_string(row * options.panelSize) + "\" width=\"" + size + "\" height=\"" + size +
+            "\" viewBox=\"0 0 " + size + ' ' + size + "\">\n" + panels[i] + "</svg>\n";
+  }
+  WriteFileBytes(path, text + "</svg>\n");
+}
+} // namespace
+
+void
+WriteGraphSvg(const GraphView & view, const GraphPictureOptions & options, const std::string & path)
+{
+  const EmbeddedGraph      graph(*view.certificate);
+  const GraphPainter       painter(view, graph, options.panelSize);
+  std::vector<std::string> panels;
+  for (const PanelPlan & plan : PlansOf(graph, options.disk))
+  {
+    panels.push_back(painter.Paint(plan));
+  }
+  WriteSheet(panels, options, path);
+}
+
+void
+WriteGraphSheetSvg(const std::vector<GraphView> & views, const GraphPictureOptions & options, const std::string & path)
+{
+  std::list<EmbeddedGraph> graphs;
+  std::vector<PanelPlan>   plans;
+  const Place *            pole = nullptr; // one for all spheres, so that what stays in place does so in the pictures
+  for (const GraphView & view : views)
+  {
+    const EmbeddedGraph & graph = graphs.emplace_back(*view.certificate);
+    const bool            isSphere = graph.space.Geometry() == EmbeddingGeometry::Spherical;
+    pole = isSphere && pole == nullptr ? &graph.pole : pole;
+    plans.push_back((isSphere ? PlansOfSphere(graph, *pole) : PlansOf(graph, options.disk))[1]);
+    plans.back().title = view.title;
+    plans.back().hasDual = false;
+  }
+  UniteWindows(graphs, plans);
+  std::vector<std::string> panels;
+  auto                     graph = graphs.begin();
+  for (std::size_t i = 0; i < views.size(); ++i, ++graph)
+  {
+    panels.push_back(GraphPainter(views[i], *graph, options.panelSize).Paint(plans[i]));
+  }
+  WriteSheet(panels, options, path);
+}
+
+std::vector<std::string>
+DistinctColors(int count)
+{
+  constexpr double         golden = 0.61803398874989485; // neighbours in number differ most in hue
+  std::vector<std::string> colors;
+  for (int i = 0; i < count; ++i)
+  {
+    const double hue = 6.0 * std::fmod(i * golden, 1.0);
+    std::string  color = "#";
+    for (const double shift : { 5.0, 3.0, 1.0 })
+    {
+      const double      k = std::fmod(shift + hue, 6.0);
+      const double      value = 0.95 - 0.55 * std::clamp(std::min(k, 4.0 - k), 0.0, 1.0);
+      const int         byte = static_cast<int>(std::lround(255.0 * value));
+      static const char digits[] = "0123456789abcdef";
+      color += digits[byte / 16];
+      color += digits[byte % 16];
+    }
+    colors.push_back(color);
+  }
+  return colors;
+}
+} // namespace shapeton

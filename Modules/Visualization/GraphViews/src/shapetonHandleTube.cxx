@@ -1,0 +1,160 @@
+#include "shapetonHandleTube.h"
+
+#include "shapetonExceptions.h"
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace shapeton
+{
+namespace
+{
+constexpr double thickest = 0.06;
+constexpr int    levels = 12;
+constexpr int    mostHalvings = 12;
+constexpr int    chimneySections = 5;
+constexpr int    bendSections = 40;
+
+double
+AngleBetween(const Eigen::Vector3d & p, const Eigen::Vector3d & q)
+{
+  return std::atan2(p.cross(q).norm(), p.dot(q));
+}
+
+/** The normal of the plane of both axes; any where they are in line. */
+Eigen::Vector3d
+NormalOf(const Eigen::Vector3d & p, const Eigen::Vector3d & q)
+{
+  const Eigen::Vector3d normal = p.cross(q);
+  return normal.norm() > 1e-9 ? normal.normalized() : p.unitOrthogonal();
+}
+
+/** The height where a chimney ends. Its profile is a parabola above the tangent of the sphere at the rim, and a bend of
+ * this radius there stays outside the sphere. */
+double
+HeightOfChimney(const SphereHole & hole, double radius)
+{
+  const double rim = std::sin(hole.angle);
+  const double low = std::cos(hole.angle);
+  return std::max(1.0 + 1.5 * radius, low + 2.5 * std::max(0.0, rim - radius) * rim / low);
+}
+
+/** Upwards, without its lowest section; `along` is the direction of the tube there. */
+std::vector<TubeSection>
+Chimney(const SphereHole & hole, double radius, const Eigen::Vector3d & normal, const Eigen::Vector3d & along)
+{
+  const double             rim = std::sin(hole.angle);
+  const double             low = std::cos(hole.angle);
+  const double             high = HeightOfChimney(hole, radius);
+  std::vector<TubeSection> sections;
+  for (int i = 0; i <= chimneySections; ++i)
+  {
+    const double u = static_cast<double>(i) / chimneySections;
+    sections.push_back({ (low + u * (high - low)) * hole.centre,
+                         normal,
+                         along.cross(normal),
+                         radius + (rim - radius) * (1.0 - u) * (1.0 - u) });
+  }
+  return sections;
+}
+
+/** The free space between two tubes, by their sections as balls; negative where they meet. */
+double
+Clearance(const std::vector<TubeSection> & one, const std::vector<TubeSection> & other)
+{
+  double least = 1e300;
+  for (const TubeSection & a : one)
+  {
+    for (const TubeSection & b : other)
+    {
+      least = std::min(least, (a.centre - b.centre).norm() - a.radius - b.radius);
+    }
+  }
+  return least;
+}
+
+/** The lowest tube between two holes that stays clear of the others by the radius of a tube. */
+bool
+PlaceTube(HandleTube & tube, std::vector<std::vector<TubeSection>> & placed)
+{
+  const double angle = AngleBetween(tube.start.centre, tube.end.centre);
+  const double least = std::min(0.5 * angle, 0.6);
+  for (int level = 0; level < levels; ++level)
+  {
+    tube.lift = least * (1.0 + 0.3 * level);
+    const std::vector<TubeSection> sections = tube.Sections();
+    if (std::all_of(
+          placed.begin(), placed.end(), [&](const auto & other) { return Clearance(sections, other) > tube.radius; }))
+    {
+      placed.push_back(sections);
+      return true;
+    }
+  }
+  return false;
+}
+} // namespace
+
+std::vector<TubeSection>
+HandleTube::Sections() const
+{
+  const Eigen::Vector3d    p = start.centre;
+  const Eigen::Vector3d    q = end.centre;
+  const Eigen::Vector3d    normal = NormalOf(p, q);
+  const Eigen::Vector3d    side = normal.cross(p);
+  const double             angle = AngleBetween(p, q);
+  const double             low = HeightOfChimney(start, radius);
+  const double             rise = HeightOfChimney(end, radius) - low;
+  std::vector<TubeSection> sections = Chimney(start, radius, normal, p);
+  for (int i = 1; i < bendSections; ++i)
+  {
+    const double t = static_cast<double>(i) / bendSections;
+    // The angle stands still at both ends, where the tube rises: so it leaves the chimneys along their axes.
+    const double          smooth = t * t * (3.0 - 2.0 * t);
+    const double          slope = 6.0 * t * (1.0 - t);
+    const double          height = low + rise * smooth + 4.0 * lift * t * (1.0 - t);
+    const double          heightSlope = rise * slope + 4.0 * lift * (1.0 - 2.0 * t);
+    const Eigen::Vector3d up = std::cos(angle * smooth) * p + std::sin(angle * smooth) * side;
+    const Eigen::Vector3d ahead = std::cos(angle * smooth) * side - std::sin(angle * smooth) * p;
+    const Eigen::Vector3d along = (heightSlope * up + height * angle * slope * ahead).normalized();
+    sections.push_back({ height * up, normal, along.cross(normal), radius });
+  }
+  std::vector<TubeSection> down = Chimney(end, radius, normal, -q);
+  sections.insert(sections.end(), down.rbegin(), down.rend());
+  return sections;
+}
+
+std::vector<HandleTube>
+PlaceTubes(const std::vector<std::array<SphereHole, 2>> & pairs)
+{
+  std::vector<HandleTube> tubes;
+  for (const auto & [start, end] : pairs)
+  {
+    tubes.push_back({ start, end, std::min(thickest, 0.15 * AngleBetween(start.centre, end.centre)), 0.0 });
+  }
+  // Short tubes pass below long ones.
+  std::vector<int> order(tubes.size());
+  std::iota(order.begin(), order.end(), 0);
+  std::stable_sort(order.begin(), order.end(), [&](int a, int b) {
+    return tubes[a].start.centre.dot(tubes[a].end.centre) > tubes[b].start.centre.dot(tubes[b].end.centre);
+  });
+  for (int halving = 0; halving < mostHalvings; ++halving)
+  {
+    std::vector<std::vector<TubeSection>> placed;
+    if (std::all_of(order.begin(), order.end(), [&](int i) { return PlaceTube(tubes[i], placed); }))
+    {
+      return tubes;
+    }
+    for (HandleTube & tube : tubes)
+    {
+      tube.radius *= 0.5;
+    }
+  }
+  throw InputError(
+    "the " + std::to_string(tubes.size()) +
+    " handles of the surface are too crowded for tubes in space; leave the parameter \"surface\" out and see the tiles "
+    "of the Poincare disk with the parameter \"svg\" or the parameter \"report\"");
+}
+} // namespace shapeton

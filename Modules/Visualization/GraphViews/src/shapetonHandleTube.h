@@ -1,0 +1,51 @@
+#ifndef shapetonHandleTube_h
+#define shapetonHandleTube_h
+
+#include "shapetonSphereWithHoles.h"
+
+namespace shapeton
+{
+/** A round cross section of a tube: centre + radius (cos(angle) first + sin(angle) second). */
+struct TubeSection
+{
+  Eigen::Vector3d
+  At(double angle) const
+  {
+    return centre + radius * (std::cos(angle) * first + std::sin(angle) * second);
+  }
+  /** The angle of a point of the circle. */
+  double
+  AngleOf(const Eigen::Vector3d & point) const
+  {
+    return std::atan2((point - centre).dot(second), (point - centre).dot(first));
+  }
+
+  Eigen::Vector3d centre;
+  Eigen::Vector3d first;
+  Eigen::Vector3d second; ///< first, second and the direction of the tube are right-handed
+  double          radius;
+};
+
+/** \brief A tube outside the unit sphere from the rim of one hole to that of another.
+ *
+ * It rises from both holes as a chimney, whose radius becomes `radius`, and bends from one to the other in the plane of
+ * their axes, `lift` higher than the chimneys. */
+struct HandleTube
+{
+  /** From the first hole to the second, both rims included. */
+  std::vector<TubeSection>
+  Sections() const;
+
+  SphereHole start;
+  SphereHole end;
+  double     radius;
+  double     lift;
+};
+
+/** Tubes for pairs of holes, apart from each other. Where they would meet, they pass at several heights, then all
+ * become thinner. Throws InputError where no way is found. */
+std::vector<HandleTube>
+PlaceTubes(const std::vector<std::array<SphereHole, 2>> & pairs);
+} // namespace shapeton
+
+#endif

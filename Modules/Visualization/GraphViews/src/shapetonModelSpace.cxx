@@ -1,0 +1,173 @@
+#include "shapetonModelSpace.h"
+
+#include <cmath>
+
+namespace shapeton
+{
+namespace
+{
+using Complex = std::complex<double>;
+
+constexpr double Pi = 3.14159265358979323846;
+
+Place
+Unit(const Place & p)
+{
+  const double length = std::sqrt(p.x * p.x + p.y * p.y + p.z * p.z);
+  return { p.x / length, p.y / length, p.z / length };
+}
+
+double
+Dot(const Place & p, const Place & q)
+{
+  return p.x * q.x + p.y * q.y + p.z * q.z;
+}
+
+Place
+Combination(double a, const Place & p, double b, const Place & q)
+{
+  return { a * p.x + b * q.x, a * p.y + b * q.y, a * p.z + b * q.z };
+}
+
+/** The direction at p of the arc to q. */
+Place
+Tangent(const Place & p, const Place & q)
+{
+  const Place chord = Combination(1.0, q, -1.0, p);
+  return Unit(Combination(1.0, chord, -Dot(chord, p), p));
+}
+
+Complex
+Number(const Place & p)
+{
+  return { p.x, p.y };
+}
+
+Place
+PlaceOf(Complex z)
+{
+  return { z.real(), z.imag(), 0.0 };
+}
+
+/** The Moebius transformation of the disk that takes 0 to z. */
+Complex
+FromCentre(Complex z, Complex w)
+{
+  return (w + z) / (1.0 + std::conj(z) * w);
+}
+
+double
+Angle(const Place & p, const Place & q)
+{
+  const Place sum = Combination(1.0, p, 1.0, q);
+  const Place difference = Combination(1.0, p, -1.0, q);
+  return 2.0 * std::atan2(std::sqrt(Dot(difference, difference)), std::sqrt(Dot(sum, sum)));
+}
+} // namespace
+
+Place
+ModelSpace::OnArc(const Place & from, const Place & to, double distance)
+{
+  return Unit(Combination(std::cos(distance), from, std::sin(distance), Tangent(from, to)));
+}
+
+Place
+ModelSpace::Between(const Place & from, const Place & to, double share) const
+{
+  if (m_Geometry == EmbeddingGeometry::Spherical)
+  {
+    const double angle = Angle(from, to);
+    return angle > 1e-12 ? OnArc(from, to, share * angle) : from;
+  }
+  if (m_Geometry == EmbeddingGeometry::Euclidean)
+  {
+    return Combination(1.0 - share, from, share, to);
+  }
+  const Complex w = FromCentre(-Number(from), Number(to)); // seen from `from` the geodesic is straight
+  const double  length = std::abs(w);
+  const Complex part = length > 0.0 ? w / length * std::tanh(share * std::atanh(std::min(length, 1.0 - 1e-16))) : w;
+  return PlaceOf(FromCentre(Number(from), part));
+}
+
+std::vector<Place>
+ModelSpace::Circle(const Place & centre, double radius, int number) const
+{
+  std::vector<Place> points;
+  const Place        x = Unit(std::abs(centre.x) < 0.7 ? Combination(1.0, { 1.0, 0.0, 0.0 }, -centre.x, centre)
+                                                : Combination(1.0, { 0.0, 1.0, 0.0 }, -centre.y, centre));
+  const Place y{ centre.y * x.z - centre.z * x.y, centre.z * x.x - centre.x * x.z, centre.x * x.y - centre.y * x.x };
+  for (int i = 0; i < number; ++i)
+  {
+    const double angle = 2.0 * Pi * i / number;
+    if (m_Geometry == EmbeddingGeometry::Spherical)
+    {
+      const Place direction = Combination(std::cos(angle), x, std::sin(angle), y);
+      points.push_back(Combination(std::cos(radius), centre, std::sin(radius), direction));
+    }
+    else
+    {
+      points.push_back(this->Walk(centre, angle, radius));
+    }
+  }
+  return points;
+}
+
+Place
+ModelSpace::Walk(const Place & from, double direction, double distance) const
+{
+  if (m_Geometry == EmbeddingGeometry::Euclidean)
+  {
+    return PlaceOf(Number(from) + std::polar(distance, direction));
+  }
+  return PlaceOf(FromCentre(Number(from), std::polar(std::tanh(0.5 * distance), direction)));
+}
+
+double
+ModelSpace::HalfKiteAngle(double r, double s) const
+{
+  return m_Geometry == EmbeddingGeometry::Euclidean ? std::atan2(s, r) : std::atan2(std::tanh(s), std::sinh(r));
+}
+
+double
+ModelSpace::KiteDiagonal(double r, double s) const
+{
+  if (m_Geometry == EmbeddingGeometry::Euclidean)
+  {
+    return std::hypot(r, s);
+  }
+  const double a = std::sinh(0.5 * r) * std::sinh(0.5 * r); // cosh l = cosh r cosh s without cancellation
+  const double b = std::sinh(0.5 * s) * std::sinh(0.5 * s);
+  return 2.0 * std::asinh(std::sqrt(a + b + 2.0 * a * b));
+}
+
+Place
+ModelSpace::Moved(const Motion & motion, const Place & place) const
+{
+  switch (m_Geometry)
+  {
+    case EmbeddingGeometry::Spherical:
+      return place;
+    case EmbeddingGeometry::Euclidean:
+      return PlaceOf(Number(place) + motion.b);
+    default:
+      return PlaceOf((motion.a * Number(place) + motion.b) /
+                     (std::conj(motion.b) * Number(place) + std::conj(motion.a)));
+  }
+}
+
+Motion
+ModelSpace::Product(const Motion & first, const Motion & second) const
+{
+  if (m_Geometry == EmbeddingGeometry::Euclidean)
+  {
+    return { 1.0, first.b + second.b };
+  }
+  return { first.a * second.a + first.b * std::conj(second.b), first.a * second.b + first.b * std::conj(second.a) };
+}
+
+Motion
+ModelSpace::Inverse(const Motion & motion) const
+{
+  return { std::conj(motion.a), -motion.b };
+}
+} // namespace shapeton

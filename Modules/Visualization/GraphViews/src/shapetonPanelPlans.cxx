@@ -1,0 +1,186 @@
+#include "shapetonPanelPlans.h"
+
+#include "shapetonGraphTiles.h"
+#include "shapetonPictureMaps.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace shapeton
+{
+namespace
+{
+/** The square around these points, a little larger. */
+PictureWindow
+WindowAround(const std::vector<Pixel> & pixels, double enlargement)
+{
+  Pixel least{ 1e300, 1e300 };
+  Pixel most{ -1e300, -1e300 };
+  for (const Pixel & pixel : pixels)
+  {
+    least = { std::min(least.x, pixel.x), std::min(least.y, pixel.y) };
+    most = { std::max(most.x, pixel.x), std::max(most.y, pixel.y) };
+  }
+  const double half = 0.5 * std::max({ most.x - least.x, most.y - least.y, 1e-9 });
+  return { { 0.5 * (least.x + most.x), 0.5 * (least.y + most.y) }, enlargement * half };
+}
+
+/** All nodes and edges of the graph, and its circles where they are not much larger than that. */
+PictureWindow
+WindowOfSphere(const EmbeddedGraph & graph, const PictureMap & picture)
+{
+  std::vector<Pixel> pixels;
+  for (int node = 0; node < graph.certificate.graph.nodes; ++node)
+  {
+    pixels.push_back(picture.map(graph.nodes[node]));
+  }
+  for (const EmbeddedGraph::Segment & half : graph.halfEdges)
+  {
+    pixels.push_back(picture.map(half[0]));
+    pixels.push_back(picture.map(half[1]));
+  }
+  const PictureWindow near = WindowAround(pixels, 1.15);
+  for (int node = 0; node < graph.certificate.graph.nodes; ++node)
+  {
+    for (const Place & place : graph.space.Circle(graph.nodes[node], graph.certificate.nodeRadii[node], 16))
+    {
+      pixels.push_back(picture.map(place));
+    }
+  }
+  const PictureWindow whole = WindowAround(pixels, 1.05);
+  const bool          isSingle = graph.certificate.graph.nodes == 1;
+  return isSingle || whole.halfWidth < 2.5 * near.halfWidth ? whole : near;
+}
+
+std::vector<PanelPlan>
+PlansOfTorus(const EmbeddedGraph & graph)
+{
+  std::vector<Pixel> pixels;
+  const auto         flat = Flat(true);
+  for (const Place & place : graph.nodes)
+  {
+    pixels.push_back(flat.map(place));
+  }
+  for (const Place & place : DomainBoundary(graph))
+  {
+    pixels.push_back(flat.map(place));
+  }
+  PanelPlan overlap{ "Universal cover: overlap graph and fundamental domain", flat, WindowAround(pixels, 1.4) };
+  overlap.hasTiles = true;
+  // Copies of a large graph are grey; painting them takes as long as the original each.
+  const std::size_t segments = graph.halfEdges.size() + graph.dual.size();
+  overlap.tiles = TilesAround(graph, segments > 1000000 ? 1 : segments > 100000 ? 9 : 25);
+  PanelPlan circles = overlap;
+  circles.title = "Circles of nodes and faces";
+  circles.hasCircles = true;
+  return { overlap, circles };
+}
+
+/** Tiles shrink towards the rim, so large graphs need no more of them. */
+int
+NumberOfTiles(const EmbeddedGraph & graph)
+{
+  constexpr double mostSegments = 150000.0;
+  const double     segments = static_cast<double>(graph.halfEdges.size() + graph.dual.size() + 1);
+  const int        least = 4 * graph.certificate.genus + 1;
+  return static_cast<int>(std::clamp(mostSegments / segments, static_cast<double>(least), 240.0));
+}
+
+/** The tiles that a picture of the disk shows as more than a speck. */
+std::vector<Motion>
+VisibleTiles(const EmbeddedGraph & graph, const PictureMap & picture)
+{
+  constexpr double         least = 1e-4; // of an area of the disk's plane, about 9 pixels of a panel
+  const std::vector<Place> boundary = DomainBoundary(graph);
+  std::vector<Motion>      tiles;
+  for (const Motion & tile : TilesAround(graph, NumberOfTiles(graph)))
+  {
+    double twice = 0.0;
+    for (std::size_t i = 0; i < boundary.size(); ++i)
+    {
+      const Pixel p = picture.map(graph.space.Moved(tile, boundary[i]));
+      const Pixel q = picture.map(graph.space.Moved(tile, boundary[(i + 1) % boundary.size()]));
+      twice += p.x * q.y - p.y * q.x;
+    }
+    if (tiles.empty() || std::abs(twice) > 2.0 * least)
+    {
+      tiles.push_back(tile);
+    }
+  }
+  return tiles;
+}
+
+std::vector<PanelPlan>
+PlansOfDisk(const EmbeddedGraph & graph, DiskModel model)
+{
+  const bool        isKlein = model == DiskModel::Klein;
+  const std::string name = isKlein ? "Klein disk" : "Poincare disk";
+  PanelPlan         overlap{ name + ": overlap graph, tiles of the universal cover",
+                     isKlein ? Klein() : Flat(false),
+                     { { 0.0, 0.0 }, 1.02 } };
+  overlap.hasTiles = overlap.hasRim = true;
+  overlap.tiles = VisibleTiles(graph, overlap.picture);
+  PanelPlan circles = overlap;
+  circles.title = name + ": circles of nodes and faces";
+  circles.hasCircles = true;
+  return { overlap, circles };
+}
+} // namespace
+
+std::vector<PanelPlan>
+PlansOfSphere(const EmbeddedGraph & graph, const Place & outer)
+{
+  const auto             flat = Stereographic(FrameOf({ -outer.x, -outer.y, -outer.z }));
+  const Place            side{ 0.48, -0.6, 0.64 };
+  const PictureWindow    ball{ { 0.0, 0.0 }, 1.06 };
+  const PictureWindow    window = WindowOfSphere(graph, flat);
+  std::vector<PanelPlan> plans(4);
+  plans[0] = { "Overlap graph: graph and dual (stereographic)", flat, window };
+  plans[1] = { "Circles of nodes and faces (stereographic)", flat, window };
+  plans[1].hasCircles = true;
+  plans[2] = { "Sphere, front", Orthographic(FrameOf(side)), ball };
+  plans[3] = { "Sphere, back", Orthographic(FrameOf({ -side.x, -side.y, -side.z })), ball };
+  for (const int i : { 2, 3 })
+  {
+    plans[i].hasCircles = plans[i].hasRim = true;
+  }
+  return plans;
+}
+
+std::vector<PanelPlan>
+PlansOf(const EmbeddedGraph & graph, DiskModel model)
+{
+  switch (graph.space.Geometry())
+  {
+    case EmbeddingGeometry::Spherical:
+      return PlansOfSphere(graph, graph.pole);
+    case EmbeddingGeometry::Euclidean:
+      return PlansOfTorus(graph);
+    default:
+      return PlansOfDisk(graph, model);
+  }
+}
+
+void
+UniteWindows(const std::list<EmbeddedGraph> & graphs, std::vector<PanelPlan> & plans)
+{
+  std::vector<Pixel>       corners;
+  std::vector<PanelPlan *> ofSpheres;
+  std::size_t              i = 0;
+  for (const EmbeddedGraph & graph : graphs)
+  {
+    PanelPlan & plan = plans[i++];
+    if (graph.space.Geometry() == EmbeddingGeometry::Spherical)
+    {
+      const double half = plan.window.halfWidth;
+      corners.push_back({ plan.window.centre.x - half, plan.window.centre.y - half });
+      corners.push_back({ plan.window.centre.x + half, plan.window.centre.y + half });
+      ofSpheres.push_back(&plan);
+    }
+  }
+  for (PanelPlan * const plan : ofSpheres)
+  {
+    plan->window = WindowAround(corners, 1.0);
+  }
+}
+} // namespace shapeton

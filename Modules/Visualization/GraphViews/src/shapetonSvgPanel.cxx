@@ -1,0 +1,391 @@
+#include "shapetonSvgPanel.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+
+namespace shapeton
+{
+namespace
+{
+std::string
+Attributes(const SvgStyle & style)
+{
+  std::string text = " fill=\"" + (style.fill.empty() ? "none" : style.fill) + '"';
+  if (!style.stroke.empty())
+  {
+    text += " stroke=\"" + style.stroke + "\" stroke-width=\"" + SvgNumber(style.width) + '"';
+  }
+  if (style.opacity < 1.0)
+  {
+    text += " opacity=\"" + SvgNumber(style.opacity) + '"';
+  }
+  return text + (style.isDashed ? " stroke-dasharray=\"5 4\"" : "");
+}
+
+std::string
+Pair(const Pixel & pixel)
+{
+  return SvgNumber(pixel.x) + ' ' + SvgNumber(pixel.y);
+}
+
+double
+Distance(const Pixel & p, const Pixel & q)
+{
+  return std::hypot(p.x - q.x, p.y - q.y);
+}
+
+struct FlatCircle
+{
+  Pixel  centre;
+  double radius;
+};
+
+/** The circle through three points; a huge one for points on a line. */
+FlatCircle
+CircleThrough(const Pixel & a, const Pixel & b, const Pixel & c)
+{
+  const double bx = b.x - a.x;
+  const double by = b.y - a.y;
+  const double cx = c.x - a.x;
+  const double cy = c.y - a.y;
+  const double d = 2.0 * (bx * cy - by * cx);
+  const double b2 = bx * bx + by * by;
+  const double c2 = cx * cx + cy * cy;
+  const Pixel  centre{ a.x + (cy * b2 - by * c2) / d, a.y + (bx * c2 - cx * b2) / d };
+  return { centre, Distance(centre, a) };
+}
+} // namespace
+
+std::string
+SvgNumber(double value)
+{
+  char       text[64];
+  const auto end =
+    std::to_chars(text, text + sizeof(text), std::round(value * 100.0) / 100.0, std::chars_format::fixed, 2).ptr;
+  std::string number(text, end);
+  number.erase(number.find_last_not_of('0') + 1);
+  if (number.back() == '.')
+  {
+    number.pop_back();
+  }
+  return number == "-0" ? "0" : number;
+}
+
+std::string
+SvgText(const std::string & text)
+{
+  std::string safe;
+  for (const char c : text)
+  {
+    switch (c)
+    {
+      case '<':
+        safe += "&lt;";
+        break;
+      case '>':
+        safe += "&gt;";
+        break;
+      case '&':
+        safe += "&amp;";
+        break;
+      case '"':
+        safe += "&quot;";
+        break;
+      default: // control characters have no place in XML
+        safe += static_cast<unsigned char>(c) < 0x20 ? ' ' : c;
+    }
+  }
+  return safe;
+}
+
+SvgPanel::SvgPanel(const ModelSpace &    space,
+                   const PictureMap &    picture,
+                   const PictureWindow & window,
+                   int                   size,
+                   double                least)
+  : m_Space(space), m_Picture(picture), m_Window(window), m_Size(size), m_Least(least)
+{}
+
+/** Copies of what is shown once need no detail. */
+double
+SvgPanel::LeastOf(const Motion & motion) const
+{
+  return motion.a == 1.0 && motion.b == 0.0 ? m_Least : std::max(1.0, m_Least);
+}
+
+Pixel
+SvgPanel::ToPixel(const Place & place) const
+{
+  const Pixel  flat = m_Picture.map(place);
+  const double scale = 0.5 * m_Size / m_Window.halfWidth;
+  return { 0.5 * m_Size + scale * (flat.x - m_Window.centre.x), 0.5 * m_Size + scale * (flat.y - m_Window.centre.y) };
+}
+
+bool
+SvgPanel::IsNear(const Pixel & pixel, double margin) const
+{
+  return pixel.x > -margin && pixel.y > -margin && pixel.x < m_Size + margin && pixel.y < m_Size + margin;
+}
+
+/** "M x y L x y ..." with as many points as the bend needs; `goesOn` leaves the first point out. */
+std::string
+SvgPanel::PathOfSegment(const Place & from, const Place & to, bool goesOn) const
+{
+  constexpr double most = 64.0;
+  const Pixel      start = this->ToPixel(from);
+  const Pixel      end = this->ToPixel(to);
+  const Pixel      middle = m_Picture.isStraight ? start : this->ToPixel(m_Space.Between(from, to, 0.5));
+  const double     bend =
+    m_Picture.isStraight ? 0.0 : Distance(middle, { 0.5 * (start.x + end.x), 0.5 * (start.y + end.y) });
+  const int pieces = static_cast<int>(
+    std::min(most, std::max(1.0, std::ceil(std::sqrt(bend / 0.05))))); // a twentieth of a pixel beside it
+  std::string path = goesOn ? "" : 'M' + Pair(start);
+  for (int i = 1; i <= pieces; ++i)
+  {
+    path += 'L' + Pair(i == pieces ? end : this->ToPixel(m_Space.Between(from, to, i / static_cast<double>(pieces))));
+  }
+  return path;
+}
+
+/** Cuts off the part of a geodesic that lies behind; false when nothing is left. */
+bool
+SvgPanel::Shorten(Place & from, Place & to) const
+{
+  const bool isFromSeen = m_Picture.isVisible(from);
+  if (isFromSeen == m_Picture.isVisible(to))
+  {
+    return isFromSeen;
+  }
+  Place &   hidden = isFromSeen ? to : from;
+  Place     seen = isFromSeen ? from : to;
+  const int halvings = 30;
+  for (int i = 0; i < halvings; ++i)
+  {
+    const Place middle = m_Space.Between(seen, hidden, 0.5);
+    (m_Picture.isVisible(middle) ? seen : hidden) = middle;
+  }
+  hidden = seen;
+  return true;
+}
+
+void
+SvgPanel::AddSegments(const std::vector<EmbeddedGraph::Segment> & segments,
+                      const std::vector<Motion> &                 motions,
+                      const SvgStyle &                            style)
+{
+  std::string path;
+  for (const Motion & motion : motions)
+  {
+    for (const auto & segment : segments)
+    {
+      Place       from = m_Space.Moved(motion, segment[0]);
+      Place       to = m_Space.Moved(motion, segment[1]);
+      const bool  isThere = this->Shorten(from, to);
+      const Pixel start = this->ToPixel(from);
+      const Pixel end = this->ToPixel(to);
+      const bool  isSeen = isThere && (IsNear(start, 0.2 * m_Size) || IsNear(end, 0.2 * m_Size));
+      if (isSeen && Distance(start, end) >= LeastOf(motion))
+      {
+        path += this->PathOfSegment(from, to, false);
+      }
+      else if (isSeen && motion.a == 1.0 && motion.b == 0.0)
+      {
+        ++m_LeftOut;
+      }
+    }
+  }
+  if (!path.empty())
+  {
+    m_Content += "<path d=\"" + path + '"' + Attributes(style) + "/>\n";
+  }
+}
+
+double
+SvgPanel::PixelsOf(const Place & centre, double radius, const Motion & motion) const
+{
+  const Place place = m_Space.Moved(motion, centre);
+  return Distance(this->ToPixel(place), this->ToPixel(m_Space.Circle(place, radius, 4)[0]));
+}
+
+void
+SvgPanel::AddCircle(const Place & centre, double radius, const Motion & motion, const SvgStyle & style)
+{
+  const Place place = m_Space.Moved(motion, centre);
+  if (!m_Picture.keepsCircles)
+  {
+    this->AddOutline(place, radius, style);
+    return;
+  }
+  const std::vector<Place> points = m_Space.Circle(place, radius, 3);
+  const FlatCircle circle = CircleThrough(this->ToPixel(points[0]), this->ToPixel(points[1]), this->ToPixel(points[2]));
+  const double     margin = circle.radius;
+  constexpr double most = 1e5; // a line, as far as the picture goes
+  if (!(circle.radius >= LeastOf(motion) && circle.radius < most) || !IsNear(circle.centre, margin))
+  {
+    return;
+  }
+  const std::string x = SvgNumber(circle.centre.x);
+  const std::string y = SvgNumber(circle.centre.y);
+  const std::string r = SvgNumber(circle.radius);
+  if (Distance(this->ToPixel(place), circle.centre) < circle.radius)
+  {
+    m_Content += "<circle cx=\"" + x + "\" cy=\"" + y + "\" r=\"" + r + '"' + Attributes(style) + "/>\n";
+    return;
+  }
+  // The centre lies beyond: the inside of the circle is the outside of the flat one.
+  const std::string size = SvgNumber(m_Size);
+  const std::string arc = 'A' + r + ' ' + r + " 0 0 0 ";
+  m_Content += "<path fill-rule=\"evenodd\" d=\"M-9 -9H" + size + "9V" + size + "9H-9ZM" +
+               Pair({ circle.centre.x - circle.radius, circle.centre.y }) + arc +
+               Pair({ circle.centre.x + circle.radius, circle.centre.y }) + arc +
+               Pair({ circle.centre.x - circle.radius, circle.centre.y }) + "Z\"" + Attributes(style) + "/>\n";
+}
+
+/** On from the last visible point of a cap's circle along the rim, as far as it lies inside the cap. */
+std::string
+SvgPanel::PathAlongRim(const Place & centre, double radius, const Pixel & end) const
+{
+  const std::size_t number = m_Picture.rim.size();
+  const double      least = std::cos(radius);
+  const auto        isInside = [&](std::size_t i) {
+    const Place & p = m_Picture.rim[i % number];
+    return p.x * centre.x + p.y * centre.y + p.z * centre.z > least;
+  };
+  std::size_t start = 0;
+  while (start < number && (isInside(start + number - 1) || !isInside(start)))
+  {
+    ++start;
+  }
+  std::vector<Pixel> pixels;
+  for (std::size_t i = start; start < number && i < start + number && isInside(i); ++i)
+  {
+    pixels.push_back(this->ToPixel(m_Picture.rim[i % number]));
+  }
+  if (!pixels.empty() && Distance(end, pixels.back()) < Distance(end, pixels.front()))
+  {
+    std::reverse(pixels.begin(), pixels.end());
+  }
+  std::string path;
+  for (const Pixel & pixel : pixels)
+  {
+    path += 'L' + Pair(pixel);
+  }
+  return path;
+}
+
+/** The visible part of a circle that is no circle in the picture, as a polygon; where it goes behind, along the rim. */
+void
+SvgPanel::AddOutline(const Place & centre, double radius, const SvgStyle & style)
+{
+  const double size = this->PixelsOf(centre, radius, {});
+  if (size < m_Least || !IsNear(this->ToPixel(centre), 2.0 * size + 2.0))
+  {
+    return;
+  }
+  const auto               number = static_cast<std::size_t>(std::clamp(8.0 * std::sqrt(size), 8.0, 160.0));
+  const std::vector<Place> points = m_Space.Circle(centre, radius, static_cast<int>(number));
+  const auto               isSeen = [&](std::size_t i) { return m_Picture.isVisible(points[i % number]); };
+  std::size_t              start = 0; // the first point that comes into sight, if one is out of sight
+  while (start < number && (isSeen(start + number - 1) || !isSeen(start)))
+  {
+    ++start;
+  }
+  const bool  isWhole = start == number && isSeen(0);
+  std::string path;
+  Pixel       end;
+  for (std::size_t i = start; (isWhole || start < number) && i < start + number && isSeen(i); ++i)
+  {
+    end = this->ToPixel(points[i % number]);
+    path += (path.empty() ? 'M' : 'L') + Pair(end);
+  }
+  if (!path.empty())
+  {
+    path += isWhole ? std::string() : this->PathAlongRim(centre, radius, end);
+    m_Content += "<path d=\"" + path + "Z\"" + Attributes(style) + "/>\n";
+  }
+}
+
+void
+SvgPanel::AddDot(const Place & place, const Motion & motion, double radius, const std::string & color)
+{
+  const Place moved = m_Space.Moved(motion, place);
+  const Pixel pixel = this->ToPixel(moved);
+  if (m_Picture.isVisible(moved) && IsNear(pixel, radius) && radius >= LeastOf(motion))
+  {
+    m_Content += "<circle cx=\"" + SvgNumber(pixel.x) + "\" cy=\"" + SvgNumber(pixel.y) + "\" r=\"" +
+                 SvgNumber(radius) + "\" fill=\"" + color + "\"/>\n";
+  }
+}
+
+void
+SvgPanel::AddPolygon(const std::vector<Place> & corners, const Motion & motion, const SvgStyle & style)
+{
+  const double       least = 2.0 * LeastOf(motion); // corners that are nearer to each other become one
+  std::vector<Place> kept;
+  bool               isSeen = false;
+  for (const Place & corner : corners)
+  {
+    const Place place = m_Space.Moved(motion, corner);
+    isSeen = isSeen || IsNear(this->ToPixel(place), 0.0);
+    if (kept.empty() || Distance(this->ToPixel(kept.back()), this->ToPixel(place)) >= least)
+    {
+      kept.push_back(place);
+    }
+  }
+  std::string path;
+  for (std::size_t i = 0; i < kept.size(); ++i)
+  {
+    path += this->PathOfSegment(kept[i], kept[(i + 1) % kept.size()], i > 0);
+  }
+  if (isSeen && kept.size() > 2)
+  {
+    m_Content += "<path d=\"" + path + "Z\"" + Attributes(style) + "/>\n";
+  }
+}
+
+bool
+SvgPanel::AddLabel(const Place & centre, const Place & rim, const std::string & text)
+{
+  constexpr double largest = 12.0;
+  constexpr double smallest = 6.0;
+  constexpr double widthOfLetter = 0.55; // of the size
+  if (!m_Picture.isVisible(centre))
+  {
+    return true;
+  }
+  const Pixel  pixel = this->ToPixel(centre);
+  const Pixel  end = this->ToPixel(rim);
+  const auto   letters = std::count_if(text.begin(), text.end(), [](char c) { return (c & 0xC0) != 0x80; });
+  const double room = 2.2 * std::hypot(end.x - pixel.x, end.y - pixel.y) / widthOfLetter;
+  const double size = std::min(largest, room / static_cast<double>(std::max<std::ptrdiff_t>(letters, 1)));
+  if (size < smallest)
+  {
+    return false;
+  }
+  m_Content += "<text x=\"" + SvgNumber(pixel.x) + "\" y=\"" + SvgNumber(pixel.y + size / 3.0) + "\" font-size=\"" +
+               SvgNumber(size) + "\" text-anchor=\"middle\" font-family=\"sans-serif\">" + SvgText(text) + "</text>\n";
+  return true;
+}
+
+void
+SvgPanel::AddTitle(const std::vector<std::string> & lines)
+{
+  for (std::size_t i = 0; i < lines.size(); ++i)
+  {
+    m_Content += "<text x=\"6\" y=\"" + std::to_string(18 * (i + 1)) +
+                 "\" font-size=\"14\" font-family=\"sans-serif\" paint-order=\"stroke\" stroke=\"#ffffff\""
+                 " stroke-width=\"4\">" +
+                 SvgText(lines[i]) + "</text>\n";
+  }
+}
+
+void
+SvgPanel::AddRim(const Pixel & centre, double radius, const SvgStyle & style)
+{
+  const double scale = 0.5 * m_Size / m_Window.halfWidth;
+  m_Content += "<circle cx=\"" + SvgNumber(0.5 * m_Size + scale * (centre.x - m_Window.centre.x)) + "\" cy=\"" +
+               SvgNumber(0.5 * m_Size + scale * (centre.y - m_Window.centre.y)) + "\" r=\"" +
+               SvgNumber(scale * radius) + '"' + Attributes(style) + "/>\n";
+}
+} // namespace shapeton

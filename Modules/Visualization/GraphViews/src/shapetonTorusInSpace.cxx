@@ -1,0 +1,112 @@
+#include "shapetonTorusInSpace.h"
+
+#include <cmath>
+
+namespace shapeton
+{
+namespace
+{
+constexpr double pi = 3.14159265358979323846;
+
+using Complex = std::complex<double>;
+
+/** The coordinates of z in the basis w1, w2. */
+std::array<double, 2>
+Coordinates(const Complex & z, const Complex & w1, const Complex & w2)
+{
+  const double area = (std::conj(w1) * w2).imag();
+  return { (std::conj(z) * w2).imag() / area, (std::conj(w1) * z).imag() / area };
+}
+} // namespace
+
+TorusInSpace::TorusInSpace(const EmbeddingCertificate & certificate)
+  : m_Certificate(certificate)
+  , m_W1(certificate.periods.at(0), certificate.periods.at(1))
+  , m_W2(certificate.periods.at(2), certificate.periods.at(3))
+{
+  const Complex ratio = m_W2 / m_W1;
+  const Complex rectangle(0.0, std::abs(ratio));
+  const double  k = std::abs((ratio - rectangle) / (ratio - std::conj(rectangle)));
+  m_Dilatation = (1.0 + k) / (1.0 - k);
+  m_TubeRadius = 1.0 / std::sqrt(1.0 + std::norm(ratio));
+}
+
+TorusInSpace::Point
+TorusInSpace::operator()(const Complex & z) const
+{
+  const auto [s, t] = Coordinates(z, m_W1, m_W2);
+  const double u = -2.0 * pi * t; // so that counter-clockwise stays so, seen from outside
+  const double r = m_TubeRadius;
+  const double v = 2.0 * std::atan2(std::sqrt(1.0 + r) * std::sin(pi * s), std::sqrt(1.0 - r) * std::cos(pi * s));
+  const double distance = 1.0 + r * std::cos(v);
+  return { distance * std::cos(u), distance * std::sin(u), r * std::sin(v) };
+}
+
+Complex
+TorusInSpace::Place(int node) const
+{
+  return { m_Certificate.nodePositions[2 * node], m_Certificate.nodePositions[2 * node + 1] };
+}
+
+/** The vector of an edge: of all lifts of its end the one at the distance of touching circles. */
+Complex
+TorusInSpace::Along(int halfEdge) const
+{
+  const auto &  ends = m_Certificate.packed.edges[halfEdge / 2];
+  const int     from = ends[halfEdge % 2];
+  const int     to = ends[1 - halfEdge % 2];
+  const double  length = m_Certificate.nodeRadii[from] + m_Certificate.nodeRadii[to];
+  const Complex difference = this->Place(to) - this->Place(from);
+  const auto    whole = Coordinates(difference, m_W1, m_W2);
+  const Complex nearest = difference - std::round(whole[0]) * m_W1 - std::round(whole[1]) * m_W2;
+  Complex       best = nearest;
+  for (int i = -2; i <= 2; ++i)
+  {
+    for (int j = -2; j <= 2; ++j)
+    {
+      const Complex candidate = nearest + static_cast<double>(i) * m_W1 + static_cast<double>(j) * m_W2;
+      best = std::abs(std::abs(candidate) - length) < std::abs(std::abs(best) - length) ? candidate : best;
+    }
+  }
+  return best;
+}
+
+std::vector<TorusInSpace::Point>
+TorusInSpace::Nodes() const
+{
+  std::vector<Point> nodes;
+  for (int node = 0; node < m_Certificate.graph.nodes; ++node)
+  {
+    nodes.push_back((*this)(this->Place(node)));
+  }
+  return nodes;
+}
+
+std::vector<std::vector<TorusInSpace::Point>>
+TorusInSpace::Edges(int pieces) const
+{
+  std::vector<std::vector<int>> paths;
+  for (std::size_t edge = 0; edge < m_Certificate.graph.edges.size(); ++edge)
+  {
+    paths.push_back({ static_cast<int>(2 * edge) });
+  }
+  for (const std::vector<int> & path : m_Certificate.subdivided)
+  {
+    paths[path.front() / 2] = path;
+  }
+  std::vector<std::vector<Point>> curves(paths.size());
+  for (std::size_t edge = 0; edge < paths.size(); ++edge)
+  {
+    for (const int h : paths[edge])
+    {
+      const Complex start = this->Place(m_Certificate.packed.edges[h / 2][h % 2]);
+      const Complex along = this->Along(h);
+      for (int i = curves[edge].empty() ? 0 : 1; i <= pieces; ++i)
+      {
+        curves[edge].push_back((*this)(start + along * (static_cast<double>(i) / pieces)));
+      }
+    }
+  }
+  return curves;
+}
+} // namespace shapeton

@@ -1,0 +1,205 @@
+#include "shapetonGraphPictures.h"
+#include "shapetonCertificateFixtures.h"
+#include "shapetonCurveSet.h"
+#include "shapetonGraphInSpace.h"
+#include "shapetonTestFolder.h"
+#include "shapetonSurfaceQuality.h"
+#include "shapetonSurfaceReader.h"
+#include "shapetonXmlPage.h"
+
+#include "gtest/gtest.h"
+
+#include <set>
+
+using namespace certificatetest;
+using basetest::Folder;
+
+namespace
+{
+XmlPage
+PictureOf(const EmbeddingCertificate &          certificate,
+          const shapeton::GraphPictureOptions & options = {},
+          bool                                  hasLabels = false)
+{
+  const Folder        folder;
+  shapeton::GraphView view{ "a & b", &certificate, {}, hasLabels };
+  shapeton::WriteGraphSvg(view, options, folder / "picture.svg");
+  return XmlPage(folder / "picture.svg");
+}
+
+void
+ExpectBaseline(const EmbeddingCertificate & certificate, const std::string & name)
+{
+  const std::string text = PictureOf(certificate, {}, true).text;
+  const std::string baseline = shapeton::ReadFileBytes(std::string(BASELINE_FOLDER) + '/' + name);
+  EXPECT_TRUE(text == baseline) << name << " differs from its baseline; written to " << name
+                                << " in the folder of tests";
+  if (text != baseline)
+  {
+    shapeton::WriteFileBytes(std::string(SHAPETON_TEST_TEMPORARY_DIR) + '/' + name, text);
+  }
+}
+
+const char * const Node = "#c62828";
+const char * const Face = "#2e7d32";
+} // namespace
+
+TEST(GraphPictures, Baselines)
+{
+  ExpectBaseline(Cube(), "Cube.svg");
+  ExpectBaseline(PathInTetrahedron(), "PathInTetrahedron.svg");
+  ExpectBaseline(TorusGrid(3, 2), "TorusGrid.svg");
+}
+
+/** The stereographic picture of a cube shows all of it: 8 nodes and 6 circles of faces, one of them around the rest. */
+TEST(GraphPictures, SphereShowsEachCircle)
+{
+  const XmlPage page = PictureOf(Cube());
+  ASSERT_TRUE(page.isWellFormed);
+  EXPECT_EQ(5u, page.elements.at("svg").size()); // the sheet and four panels
+  EXPECT_EQ(8u, page.Count("circle", "stroke", Node));
+  EXPECT_EQ(6u, page.Count("circle", "stroke", Face));
+  // Marks of nodes: in both flat panels, and each once on the front or the back of the sphere.
+  EXPECT_EQ(8u * 3u, page.Count("circle", "fill", Node));
+}
+
+/** A path of three nodes: of the four circles of the tetrahedron and its four faces nothing else is shown. */
+TEST(GraphPictures, DummiesAreHidden)
+{
+  const XmlPage page = PictureOf(PathInTetrahedron(), {}, true);
+  ASSERT_TRUE(page.isWellFormed);
+  EXPECT_EQ(3u, page.Count("circle", "stroke", Node));
+  EXPECT_EQ(0u, page.Count("circle", "stroke", Face));
+  EXPECT_NE(std::string::npos, page.text.find(">left<"));
+}
+
+/** Where tiles of the torus and of the octagon meet nothing is left out: each colour of a tile has its polygon. */
+TEST(GraphPictures, TilesOfTheUniversalCover)
+{
+  for (const auto & certificate : { TorusGrid(3, 3), Octagon() })
+  {
+    const XmlPage page = PictureOf(certificate);
+    ASSERT_TRUE(page.isWellFormed);
+    EXPECT_EQ(3u, page.elements.at("svg").size());
+    EXPECT_EQ(2u, page.Count("path", "stroke", "#8d6e00")); // the domain itself, in both panels
+    EXPECT_EQ(2u, page.Count("path", "stroke", "#8e24aa")); // the fundamental polygon
+    EXPECT_GE(page.Count("path", "stroke", "#b0a890"), 2u * 9u);
+  }
+}
+
+/** No name is wider than a little more than its circle, and the title counts those that would be too small to read. */
+TEST(GraphPictures, NamesFitTheirCirclesOrAreLeftOut)
+{
+  EmbeddingCertificate cube = Cube();
+  cube.graph.names = { "a", "b", "c", "d", "e", "f", "g", "h" };
+  const XmlPage small = PictureOf(cube, {}, true);
+  EXPECT_EQ(8u * 3u, small.Count("text", "text-anchor", "middle"));
+  EXPECT_EQ(std::string::npos, small.text.find("not fit"));
+  cube.graph.names[3] = std::string(2000, 'd');
+  const XmlPage large = PictureOf(cube, {}, true);
+  EXPECT_EQ(7u * 3u, large.Count("text", "text-anchor", "middle"));
+  EXPECT_NE(std::string::npos, large.text.find("1 name does not fit its circle"));
+}
+
+TEST(GraphPictures, KleinDiskHasStraightEdges)
+{
+  shapeton::GraphPictureOptions options;
+  options.disk = shapeton::DiskModel::Klein;
+  const XmlPage klein = PictureOf(Octagon(), options);
+  const XmlPage poincare = PictureOf(Octagon());
+  ASSERT_TRUE(klein.isWellFormed);
+  EXPECT_EQ(0u, klein.Count("circle", "stroke", Node)); // ellipses
+  EXPECT_LT(0u, poincare.Count("circle", "stroke", Node));
+  EXPECT_NE(std::string::npos, klein.text.find("Klein disk"));
+}
+
+TEST(GraphPictures, SmallMultiplesHaveTheColorsOfTheirNodes)
+{
+  const Folder               folder;
+  const EmbeddingCertificate cube = Cube();
+  const auto                 colors = shapeton::DistinctColors(8);
+  EXPECT_EQ(8u, std::set<std::string>(colors.begin(), colors.end()).size());
+  shapeton::GraphPictureOptions options;
+  options.columns = 3;
+  shapeton::WriteGraphSheetSvg({ { "one", &cube, colors }, { "two", &cube, colors } }, options, folder / "sheet.svg");
+  const XmlPage page(folder / "sheet.svg");
+  ASSERT_TRUE(page.isWellFormed);
+  for (const std::string & color : colors)
+  {
+    EXPECT_EQ(2u, page.Count("circle", "fill", color));
+  }
+}
+
+/** Circles of the VTP file of a cube touch where they should: the nearest points of two of them are the same but for
+ * the corners of the polygon. */
+TEST(GraphPictures, CurvesOfTheSphere)
+{
+  const Folder folder;
+  shapeton::WriteGraphVtp(Cube(), { { "tool", "test" } }, folder / "cube.vtp");
+  const shapeton::CurveSet curves = shapeton::ReadCurves(folder / "cube.vtp");
+  ASSERT_EQ(8u + 24u + 8u + 6u, curves.curves.size()); // nodes, halves of edges, circles of nodes and faces
+  EXPECT_EQ(1u, curves.curves[0].size());
+  EXPECT_NEAR(1.0, curves.V.rowwise().norm().minCoeff(), 1e-12);
+  EXPECT_NEAR(1.0, curves.V.rowwise().norm().maxCoeff(), 1e-12);
+  const auto kinds = curves.cellArrays[0].values;
+  EXPECT_EQ(0.0, kinds(0));
+  EXPECT_EQ(1.0, kinds(8));
+  EXPECT_EQ(2.0, kinds(32));
+  EXPECT_EQ(3.0, kinds(40));
+}
+
+/** The corners of a polygon lie on its circle, and the middles of its sides at most 1e-4 of a period within; circles
+ * this small need fewer corners than the 32 of large ones. */
+TEST(GraphPictures, PolygonsAreAsFineAsTheirCirclesNeed)
+{
+  const Folder               folder;
+  const EmbeddingCertificate torus = TorusGrid(30, 30);
+  shapeton::WriteGraphVtp(torus, {}, folder / "torus.vtp");
+  const shapeton::CurveSet curves = shapeton::ReadCurves(folder / "torus.vtp");
+  const auto               kinds = curves.cellArrays[0].values;
+  const auto               ids = curves.cellArrays[1].values;
+  int                      circles = 0;
+  for (std::size_t c = 0; c < curves.curves.size(); ++c)
+  {
+    if (kinds(static_cast<Eigen::Index>(c)) != 2.0)
+    {
+      continue;
+    }
+    ++circles;
+    const std::vector<int> & polygon = curves.curves[c];
+    const auto               node = static_cast<int>(ids(static_cast<Eigen::Index>(c)));
+    const double             radius = torus.nodeRadii[node];
+    EXPECT_GT(32u, polygon.size());
+    EXPECT_EQ(polygon.front(), polygon.back());
+    for (std::size_t i = 0; i + 1 < polygon.size(); ++i)
+    {
+      const Eigen::RowVector3d corner = curves.V.row(polygon[i]) - curves.V.row(node);
+      const Eigen::RowVector3d next = curves.V.row(polygon[i + 1]) - curves.V.row(node);
+      EXPECT_NEAR(radius, corner.norm(), 1e-12);
+      EXPECT_LE(radius - (0.5 * (corner + next)).norm(), 1e-4 * shapeton::UnitOfSurface(torus));
+    }
+  }
+  EXPECT_EQ(900, circles);
+}
+
+/** Genus 2 in space: nodes and edges are vertices of the surface in the same file. */
+TEST(GraphPictures, SurfaceInSpace)
+{
+  const Folder               folder;
+  const EmbeddingCertificate octagon = Octagon();
+  shapeton::WriteGraphInSpace(octagon, { { "tool", "test" } }, folder / "octagon.vtp");
+  const shapeton::CurveSet    curves = shapeton::ReadCurves(folder / "octagon.vtp");
+  const shapeton::SurfaceMesh surface = shapeton::ReadSurfaceFile(folder / "octagon.vtp").mesh;
+  const shapeton::CurveSet    torus = [&] {
+    shapeton::WriteGraphInSpace(TorusGrid(3, 4), {}, folder / "torus.vtp");
+    return shapeton::ReadCurves(folder / "torus.vtp");
+  }();
+  EXPECT_EQ(2, shapeton::InspectSurface(surface).genus);
+  EXPECT_EQ(surface.V, curves.V);
+  ASSERT_EQ(octagon.graph.nodes + octagon.graph.edges.size(), curves.curves.size());
+  EXPECT_EQ(std::vector<int>{ 0 }, curves.curves[0]);
+  EXPECT_EQ(2.0, surface.cellArrays.at(0).values(0, 0)); // kind
+  EXPECT_EQ(0.0, surface.cellArrays.at(1).values(0, 0)); // id
+  EXPECT_EQ(12u + 24u, torus.curves.size());
+  EXPECT_EQ(1.0, torus.cellArrays.at(0).values(12, 0));
+}

@@ -1,0 +1,36 @@
+#ifndef shapetonHeatColoring_h
+#define shapetonHeatColoring_h
+
+#include "HeatViewsExport.h"
+
+#include "shapetonHeatAxis.h"
+#include "shapetonHeatClasses.h"
+#include "shapetonShapeTransferFunction.h"
+
+#include <functional>
+#include <optional>
+#include <vector>
+
+namespace shapeton
+{
+/** The colour of a voxel by its heat; none where the voxel is not to be coloured.
+ * \ingroup HeatViews */
+using HeatColoring = std::function<std::optional<RGBColor>(float)>;
+
+/** Every heat but the background's (below the first bin of HeatHistogram) by its place on the axis.
+ * \ingroup HeatViews */
+HeatViews_EXPORT HeatColoring
+ColorByHeat(const HeatAxis & axis);
+
+/** Every class but the background in the colour of its mean heat.
+ * \ingroup HeatViews */
+HeatViews_EXPORT HeatColoring
+ColorByClass(const std::vector<HeatClass> & classes, const HeatAxis & axis);
+
+/** The lines of a transfer function in their colours.
+ * \ingroup HeatViews */
+HeatViews_EXPORT HeatColoring
+ColorByLine(const ShapeTransferFunction & transferFunction);
+} // namespace shapeton
+
+#endif

@@ -1,0 +1,39 @@
+#ifndef shapetonShapeAnalysis_h
+#define shapetonShapeAnalysis_h
+
+#include "HeatViewsExport.h"
+#include "shapetonHeatAxis.h"
+#include "shapetonHeatClasses.h"
+#include "shapetonShapeQuantity.h"
+
+#include "itkImage.h"
+
+#include <cstdint>
+#include <vector>
+
+namespace shapeton
+{
+/** One volume of heat or of visits, and all that pictures and tables of it need.
+ * \ingroup HeatViews */
+struct ShapeAnalysis
+{
+  ShapeQuantity                         quantity;
+  itk::Image<float, 3>::ConstPointer    values;    ///< in [0, 1]
+  HeatHistogram                         histogram; ///< one row
+  std::vector<HeatClass>                classes;
+  itk::Image<unsigned char, 3>::Pointer labels;
+  /** Lays out the axis and the colours. */
+  HeatHistogram axisHistogram;
+};
+
+/** Heat after `timeStep`. \ingroup HeatViews */
+HeatViews_EXPORT ShapeAnalysis
+AnalyzeHeat(const itk::Image<float, 3> * heat, std::uint64_t timeStep);
+
+/** Visits of shapetons after `timeStep`, as a density; its axis balances the classes. Without labels, which take a look
+ * at every voxel, the classes lack borderShare, volume and exact numbers of voxels. \ingroup HeatViews */
+HeatViews_EXPORT ShapeAnalysis
+AnalyzeVisits(const itk::Image<std::uint32_t, 3> * visits, std::uint64_t timeStep, bool wantLabels = true);
+} // namespace shapeton
+
+#endif

@@ -1,0 +1,39 @@
+#include "shapetonShapeAnalysis.h"
+
+#include "shapetonHeatClassification.h"
+#include "shapetonVisitDensity.h"
+
+#include <algorithm>
+
+namespace shapeton
+{
+ShapeAnalysis
+AnalyzeHeat(const itk::Image<float, 3> * heat, std::uint64_t timeStep)
+{
+  ShapeAnalysis analysis;
+  analysis.values = heat;
+  analysis.histogram = HeatHistogram({ timeStep });
+  analysis.histogram.AddToRow(0, heat->GetBufferPointer(), heat->GetBufferedRegion().GetNumberOfPixels());
+  analysis.classes = FindHeatClasses(analysis.histogram, 0);
+  analysis.labels = LabelHeat(heat, analysis.classes);
+  analysis.axisHistogram = analysis.histogram;
+  return analysis;
+}
+
+ShapeAnalysis
+AnalyzeVisits(const itk::Image<std::uint32_t, 3> * visits, std::uint64_t timeStep, bool wantLabels)
+{
+  ShapeAnalysis analysis;
+  analysis.quantity = ShapeQuantity::Density(std::max(1U, GreatestVisits(visits)));
+  analysis.values = NormalizeVisits(visits).GetPointer();
+  analysis.histogram = HeatHistogram({ timeStep });
+  AddVisitsToRow(visits, 0, analysis.histogram);
+  analysis.classes = FindVisitClasses(analysis.histogram, 0, analysis.quantity.greatestVisits);
+  if (wantLabels)
+  {
+    analysis.labels = LabelHeat(analysis.values, analysis.classes);
+  }
+  analysis.axisHistogram = BalanceClasses(analysis.histogram, 0, analysis.classes);
+  return analysis;
+}
+} // namespace shapeton

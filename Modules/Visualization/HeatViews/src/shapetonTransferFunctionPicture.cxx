@@ -1,0 +1,85 @@
+#include "shapetonTransferFunctionPicture.h"
+
+#include "shapetonAxisTicks.h"
+#include "shapetonVolumeRendering.h"
+
+#include <algorithm>
+
+namespace shapeton
+{
+namespace
+{
+constexpr unsigned int pageWidth = 1200;
+constexpr int          margin = 16;
+constexpr int          titleHeight = 48;
+constexpr int          renderingWidth = 860;
+constexpr int          renderingHeight = 620;
+
+std::vector<LegendEntry>
+LegendWithVoxels(const itk::Image<float, 3> * heat, const ShapeTransferFunction & transferFunction)
+{
+  const std::vector<std::uint64_t> voxels = CountVoxelsOfLines(heat, transferFunction);
+  std::vector<LegendEntry>         legend = LegendOf(transferFunction);
+  for (std::size_t line = 0; line < legend.size(); ++line)
+  {
+    legend[line].text += ", " + GroupedDigits(voxels[line]) + " voxels";
+  }
+  return legend;
+}
+} // namespace
+
+std::vector<std::uint64_t>
+CountVoxelsOfLines(const itk::Image<float, 3> * heat, const ShapeTransferFunction & transferFunction)
+{
+  std::vector<std::uint64_t> voxels(transferFunction.GetLines().size(), 0);
+  const float * const        heats = heat->GetBufferPointer();
+  const std::size_t          number = heat->GetBufferedRegion().GetNumberOfPixels();
+  for (std::size_t i = 0; i < number; ++i)
+  {
+    const int line = transferFunction.LineOf(heats[i]);
+    if (line >= 0)
+    {
+      ++voxels[line];
+    }
+  }
+  return voxels;
+}
+
+Picture::Pointer
+DrawTransferFunction(const itk::Image<float, 3> *  grey,
+                     const itk::Image<float, 3> *  heat,
+                     const ShapeTransferFunction & transferFunction,
+                     const std::string &           title,
+                     const IntensityWindow &       window,
+                     const ShapeQuantity &         quantity)
+{
+  SliceMontageOptions slices;
+  slices.width = pageWidth;
+  slices.window = window;
+  const auto montage = DrawSliceMontage(grey, heat, ColorByLine(transferFunction), slices);
+
+  VolumeRenderingOptions view;
+  view.azimuth = 25.0;
+  view.elevation = 15.0;
+  view.width = renderingWidth;
+  view.height = renderingHeight;
+  view.focus = VisibleRegion(heat, transferFunction);
+  const auto rendering = RenderVolume(heat, transferFunction, view);
+
+  const int top = margin + titleHeight;
+  const int montageTop = top + renderingHeight + 8;
+  auto page = NewPicture(pageWidth, montageTop + montage->GetBufferedRegion().GetSize(1), MakeColor(255, 255, 255));
+  TextStyle style;
+  style.size = 24;
+  style.bold = true;
+  style.color = MakeColor(30, 32, 38);
+  DrawText(page, title, margin, margin, style);
+  PastePicture(page, rendering, margin, top);
+  style.size = 17;
+  const int legendLeft = margin + renderingWidth + 16;
+  DrawText(page, "Lines: range of " + quantity.plural, legendLeft, top, style);
+  DrawLegend(page, LegendWithVoxels(heat, transferFunction), legendLeft, top + 32, top + renderingHeight);
+  PastePicture(page, montage, 0, montageTop);
+  return page;
+}
+} // namespace shapeton

@@ -1,0 +1,115 @@
+#ifndef shapetonPatientView_h
+#define shapetonPatientView_h
+
+#include "PictureKitExport.h"
+
+#include "itkImageBase.h"
+
+#include <string>
+
+namespace shapeton
+{
+/** How a parallel projection looks at a patient.
+ * \ingroup PictureKit */
+struct PatientViewOptions
+{
+  /** Degrees about the patient's long axis: 0 from the front (anterior; the patient's left is on the right of the
+   * picture), 90 from the patient's left, 180 from the back, -90 from the right. */
+  double azimuth{ 0.0 };
+  /** Degrees, -90 to 90: positive from above (the head). */
+  double elevation{ 0.0 };
+  /** Pixels. */
+  unsigned int width{ 800 };
+  unsigned int height{ 600 };
+  /** 1 shows the whole focus from any side; larger values enlarge its centre. */
+  double zoom{ 1.0 };
+};
+
+/** The sides of a patient. \ingroup PictureKit */
+enum class PatientSide
+{
+  Anterior,
+  Left,
+  Posterior,
+  Right,
+  Superior,
+  Inferior
+};
+
+/** Sets azimuth and elevation for a look from this side. From below, the patient's front is on top, as in axial slices;
+ * from above, the back is. \ingroup PictureKit */
+PictureKit_EXPORT void
+LookFrom(PatientSide side, PatientViewOptions & options);
+
+/** "anterior", "left", ... \ingroup PictureKit */
+PictureKit_EXPORT std::string
+                  NameOf(PatientSide side);
+
+/** \class PatientView
+ * \brief A parallel projection of patient space (LPS, mm) onto the pixels of a picture.
+ *
+ * The centre of the focus lies in the centre of the picture; all lengths have one scale.
+ *
+ * \ingroup PictureKit
+ */
+class PictureKit_EXPORT PatientView
+{
+public:
+  using PointType = itk::ImageBase<3>::PointType;
+  using VectorType = itk::Vector<double, 3>;
+
+  /** Throws std::invalid_argument for an elevation beyond 90 degrees, a zoom that is not positive, or no pixels. */
+  PatientView(const itk::ImageBase<3> * volume, const itk::ImageRegion<3> & focus, const PatientViewOptions & options);
+
+  /** Shows so many mm on each side of the centre, along GetRight() and GetUp(). Throws the same. */
+  PatientView(const PointType & center, double halfWidth, double halfHeight, const PatientViewOptions & options);
+
+  /** The place in the picture, in pixels (x to the right, y downwards), of a physical point. */
+  itk::Point<double, 2>
+  Project(const PointType & point) const;
+
+  /** The point of the picture plane (through the centre of the focus) that is seen in pixel (x, y). */
+  PointType
+  PointOfPixel(double x, double y) const;
+
+  const VectorType &
+  GetRight() const
+  {
+    return m_Right;
+  }
+  const VectorType &
+  GetUp() const
+  {
+    return m_Up;
+  }
+  /** From the viewer into the picture. */
+  const VectorType &
+  GetForward() const
+  {
+    return m_Forward;
+  }
+  double
+  GetMillimetresPerPixel() const
+  {
+    return m_MillimetresPerPixel;
+  }
+
+private:
+  void
+  TurnTo(const PatientViewOptions & options);
+
+  void
+  FitTo(double halfWidth, double halfHeight, const PatientViewOptions & options);
+
+  PointType  m_Center;
+  VectorType m_Right;
+  VectorType m_Up;
+  VectorType m_Forward;
+  double     m_MillimetresPerPixel{ 1.0 };
+  double     m_MiddleX{ 0.0 };
+  double     m_MiddleY{ 0.0 };
+};
+
+} // namespace shapeton
+
+#endif

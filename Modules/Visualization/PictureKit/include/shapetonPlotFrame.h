@@ -1,0 +1,48 @@
+#ifndef shapetonPlotFrame_h
+#define shapetonPlotFrame_h
+
+#include "shapetonPicture.h"
+
+#include <string>
+
+namespace shapeton
+{
+/** One axis of a chart: values and where they lie. \ingroup PictureKit */
+struct PlotAxis
+{
+  std::string title;
+  double      lower{ 0.0 };
+  double      upper{ 1.0 };
+};
+
+/** A chart with two linear axes: the pixels of its area, and the values at their borders. \ingroup PictureKit */
+struct PlotFrame
+{
+  int      left{ 0 };
+  int      top{ 0 };
+  int      width{ 1 };
+  int      height{ 1 };
+  PlotAxis x; ///< to the right
+  PlotAxis y; ///< upwards
+
+  /** Where a value lies, in pixels: the lower end in the middle of the first pixel, the upper one in that of the last.
+   */
+  double
+  PixelOfX(double value) const
+  {
+    return left + (value - x.lower) / (x.upper - x.lower) * (width - 1.0);
+  }
+  double
+  PixelOfY(double value) const
+  {
+    return top + (y.upper - value) / (y.upper - y.lower) * (height - 1.0);
+  }
+};
+
+/** Draws grid lines, the border, ticks at round values with numbers, and titles; these lie outside of the area, at most
+ * 74 pixels to the left and 52 below it. \ingroup PictureKit */
+PictureKit_EXPORT void
+DrawPlotFrame(Picture * picture, const PlotFrame & frame);
+} // namespace shapeton
+
+#endif

@@ -1,0 +1,167 @@
+#ifndef shapetonSliceView_h
+#define shapetonSliceView_h
+
+#include "PictureKitExport.h"
+
+#include "itkImage.h"
+#include "shapetonPicture.h"
+#include "shapetonSurfaceMesh.h"
+
+#include <functional>
+#include <optional>
+#include <string>
+
+namespace shapeton
+{
+/** Grey values: lower is black, upper is white. The default stands for the 0.5 % and 99.5 % quantiles of the image.
+ * \ingroup PictureKit */
+struct IntensityWindow
+{
+  double lower{ 0.0 };
+  double upper{ 0.0 };
+};
+
+/** The planes of a patient in which slices are shown. \ingroup PictureKit */
+enum class SlicePlane
+{
+  Axial,
+  Coronal,
+  Sagittal
+};
+
+/** "axial", ... \ingroup PictureKit */
+PictureKit_EXPORT std::string
+                  NameOf(SlicePlane plane);
+
+/** The axes of a volume in the picture of a slice, and whether the picture runs against the index.
+ * \ingroup PictureKit */
+struct SliceAxes
+{
+  unsigned int across{ 0 };
+  unsigned int down{ 1 };
+  unsigned int through{ 2 };
+  bool         isAcrossReversed{ false };
+  bool         isDownReversed{ false };
+};
+
+/** The radiological way, as near as the volume's own axes allow: axial with the patient's right at the left and
+ * anterior on top; coronal with right at the left and the head on top; sagittal with anterior at the left and the head
+ * on top. \ingroup PictureKit */
+PictureKit_EXPORT SliceAxes
+AxesOf(const itk::ImageBase<3> * volume, SlicePlane plane);
+
+/** \class SliceView
+ * \brief Where the voxels of a slice, or of a part of it, lie in its picture.
+ *
+ * A slice follows two of the volume's own axes; the picture has one scale in mm, whatever the spacing.
+ *
+ * \ingroup PictureKit
+ */
+class PictureKit_EXPORT SliceView
+{
+public:
+  /** The voxels of `focus` fill the picture; `slice` is an index along the axis through it. Throws
+   * std::invalid_argument for a focus that is empty or outside of the volume, a slice outside of it, or a scale that is
+   * not positive. The volume must outlive the view. */
+  SliceView(const itk::ImageBase<3> *   volume,
+            const itk::ImageRegion<3> & focus,
+            SlicePlane                  plane,
+            itk::IndexValueType         slice,
+            double                      millimetresPerPixel);
+
+  unsigned int
+  GetWidth() const
+  {
+    return m_Width;
+  }
+  unsigned int
+  GetHeight() const
+  {
+    return m_Height;
+  }
+  double
+  GetMillimetresPerPixel() const
+  {
+    return m_MillimetresPerPixel;
+  }
+  const SliceAxes &
+  GetAxes() const
+  {
+    return m_Axes;
+  }
+  itk::IndexValueType
+  GetSlice() const
+  {
+    return m_Slice;
+  }
+  const itk::ImageRegion<3> &
+  GetFocus() const
+  {
+    return m_Focus;
+  }
+  const itk::ImageBase<3> *
+  GetVolume() const
+  {
+    return m_Volume;
+  }
+
+  /** Of the picture, in LPS. */
+  itk::Vector<double, 3>
+  GetRight() const;
+  itk::Vector<double, 3>
+  GetUp() const;
+
+  /** The place in the volume of the middle of a pixel, inside of the focus. */
+  itk::ContinuousIndex<double, 3>
+  IndexOfPixel(int x, int y) const;
+
+  /** The place in the picture, in pixels, of a place in the volume; what lies off the slice is projected along the axis
+   * through it. */
+  itk::Point<double, 2>
+  PixelOf(const itk::ContinuousIndex<double, 3> & index) const;
+
+private:
+  const itk::ImageBase<3> * m_Volume;
+  itk::ImageRegion<3>       m_Focus;
+  SliceAxes                 m_Axes;
+  itk::IndexValueType       m_Slice;
+  double                    m_MillimetresPerPixel;
+  unsigned int              m_Width;
+  unsigned int              m_Height;
+};
+
+/** A slice in grey, linear between its voxels. \pre The image has the geometry of the view's volume.
+ * \ingroup PictureKit */
+PictureKit_EXPORT Picture::Pointer
+                  PaintSlice(const SliceView & view, const itk::Image<float, 3> * grey, const IntensityWindow & window);
+
+/** Lays colours over the pixels of voxels; none leaves the picture as it is. \ingroup PictureKit */
+PictureKit_EXPORT void
+ColorSlice(Picture *                                                             picture,
+           const SliceView &                                                     view,
+           const std::function<std::optional<RGBColor>(const itk::Index<3> &)> & colorOf,
+           double                                                                opacity);
+
+/** Draws the border of a set of voxels: between the centres of a voxel inside and one outside, in the middle (marching
+ * squares). What lies outside of the view's focus counts as outside. \ingroup PictureKit */
+PictureKit_EXPORT void
+DrawMaskOutline(Picture *                                          picture,
+                const SliceView &                                  view,
+                const std::function<bool(const itk::Index<3> &)> & isInside,
+                const RGBColor &                                   color,
+                double                                             thickness);
+
+/** Draws the line in which a slice cuts a surface. \ingroup PictureKit */
+PictureKit_EXPORT void
+DrawSurfaceCut(Picture *           picture,
+               const SliceView &   view,
+               const SurfaceMesh & surface,
+               const RGBColor &    color,
+               double              thickness);
+
+/** The letters of the patient's sides at the borders of a slice. \ingroup PictureKit */
+PictureKit_EXPORT void
+DrawSliceLetters(Picture * picture, const SliceView & view);
+} // namespace shapeton
+
+#endif

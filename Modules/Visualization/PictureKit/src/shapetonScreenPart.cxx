@@ -1,0 +1,87 @@
+#include "shapetonScreenPart.h"
+
+#include "itkMultiThreaderBase.h"
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <cmath>
+
+namespace shapeton
+{
+namespace
+{
+using Row = Eigen::RowVector3d;
+
+Row
+RowOf(const itk::Vector<double, 3> & vector)
+{
+  return { vector[0], vector[1], vector[2] };
+}
+} // namespace
+
+int
+ScreenPlace(double pixel)
+{
+  // Far outside of any picture, and small enough for products of two differences in 64 bits.
+  constexpr double limit = 1 << 28;
+  return static_cast<int>(std::lround(std::clamp((pixel + 0.5) * samplesAlongPixel * subsamples, -limit, limit)));
+}
+
+VertexMatrix
+VertexNormals(const VertexMatrix & V, const FaceMatrix & F)
+{
+  VertexMatrix normals = VertexMatrix::Zero(V.rows(), 3);
+  for (Eigen::Index face = 0; face < F.rows(); ++face)
+  {
+    const Row a = V.row(F(face, 0));
+    const Row normal = (V.row(F(face, 1)) - a).cross(V.row(F(face, 2)) - a);
+    for (int k = 0; k < 3; ++k)
+    {
+      normals.row(F(face, k)) += normal;
+    }
+  }
+  for (Eigen::Index i = 0; i < V.rows(); ++i)
+  {
+    const double length = normals.row(i).norm();
+    normals.row(i) *= length > 0.0 ? 1.0 / length : 0.0;
+  }
+  return normals;
+}
+
+ScreenPart
+ProjectMesh(const SurfaceMesh & mesh, const PatientView & view)
+{
+  const VertexMatrix           normals = VertexNormals(mesh.V, mesh.F);
+  const Row                    right = RowOf(view.GetRight());
+  const Row                    up = RowOf(view.GetUp());
+  const Row                    forward = RowOf(view.GetForward());
+  const itk::Vector<double, 3> centre = view.PointOfPixel(0.0, 0.0).GetVectorFromOrigin();
+  const double                 originDepth = centre * view.GetForward();
+
+  ScreenPart part;
+  part.faces = &mesh.F;
+  part.vertices.resize(mesh.V.rows());
+  constexpr itk::SizeValueType block = 4096;
+  const auto                   number = static_cast<itk::SizeValueType>(mesh.V.rows());
+  itk::MultiThreaderBase::New()->ParallelizeArray(
+    0,
+    (number + block - 1) / block,
+    [&](itk::SizeValueType chunk) {
+      for (itk::SizeValueType i = chunk * block; i < std::min(number, (chunk + 1) * block); ++i)
+      {
+        const Row  p = mesh.V.row(i);
+        const Row  n = normals.row(i);
+        const auto place = view.Project(PatientView::PointType{ p.data() });
+        part.vertices[i] = {
+          ScreenPlace(place[0]),
+          ScreenPlace(place[1]),
+          static_cast<float>(p.dot(forward) - originDepth),
+          { static_cast<float>(n.dot(right)), static_cast<float>(n.dot(up)), static_cast<float>(-n.dot(forward)) }
+        };
+      }
+    },
+    nullptr);
+  return part;
+}
+} // namespace shapeton

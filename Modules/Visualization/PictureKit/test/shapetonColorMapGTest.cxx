@@ -1,0 +1,99 @@
+#include "shapetonColorMap.h"
+
+#include "gtest/gtest.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace
+{
+/** CIELAB under D65. */
+std::array<double, 3>
+LabOf(const shapeton::RGBColor & color)
+{
+  double linear[3];
+  for (unsigned int i = 0; i < 3; ++i)
+  {
+    const double c = color[i] / 255.0;
+    linear[i] = c <= 0.04045 ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4);
+  }
+  const auto   f = [](double t) { return t > 216.0 / 24389.0 ? std::cbrt(t) : (24389.0 / 27.0 * t + 16.0) / 116.0; };
+  const double x = f((0.4124 * linear[0] + 0.3576 * linear[1] + 0.1805 * linear[2]) / 0.95047);
+  const double y = f(0.2126 * linear[0] + 0.7152 * linear[1] + 0.0722 * linear[2]);
+  const double z = f((0.0193 * linear[0] + 0.1192 * linear[1] + 0.9505 * linear[2]) / 1.08883);
+  return { 116.0 * y - 16.0, 500.0 * (x - y), 200.0 * (y - z) };
+}
+
+double
+HueOf(const shapeton::RGBColor & color)
+{
+  const double red = color[0];
+  const double green = color[1];
+  const double blue = color[2];
+  const double greatest = std::max({ red, green, blue });
+  const double span = greatest - std::min({ red, green, blue });
+  if (greatest == red)
+  {
+    return 60.0 * (green - blue) / span;
+  }
+  return greatest == green ? 60.0 * (2.0 + (blue - red) / span) : 60.0 * (4.0 + (red - green) / span);
+}
+} // namespace
+
+TEST(ColorMap, RunsFromBlueToRedThroughAllHues)
+{
+  const shapeton::RGBColor least = shapeton::HeatColor(0.0);
+  const shapeton::RGBColor most = shapeton::HeatColor(1.0);
+  EXPECT_GT(least[2], 2 * std::max(least[0], least[1]));
+  EXPECT_GT(most[0], 3 * std::max(most[1], most[2]));
+  double hue = HueOf(least);
+  for (int i = 1; i <= 400; ++i)
+  {
+    const double next = HueOf(shapeton::HeatColor(i / 400.0));
+    EXPECT_LE(next, hue + 1.0) << i; // rounding of channels
+    hue = next;
+  }
+  EXPECT_EQ(shapeton::HeatColor(-3.0), least);
+  EXPECT_EQ(shapeton::HeatColor(7.0), most);
+  EXPECT_EQ(shapeton::HeatColor(std::nan("")), least);
+}
+
+TEST(ColorMap, EqualStepsLookEquallyDifferent)
+{
+  for (int i = 0; i < 32; ++i)
+  {
+    const auto   a = LabOf(shapeton::HeatColor(i / 32.0));
+    const auto   b = LabOf(shapeton::HeatColor((i + 1) / 32.0));
+    const double distance =
+      std::sqrt((a[0] - b[0]) * (a[0] - b[0]) + (a[1] - b[1]) * (a[1] - b[1]) + (a[2] - b[2]) * (a[2] - b[2]));
+    EXPECT_NEAR(distance, 9.6, 1.2) << i;
+  }
+}
+
+TEST(ColorMap, LightnessRisesOnceThenFallsAndStaysOffBlack)
+{
+  constexpr double turn = 22.0 / 32.0;
+  double           previous = 0.0;
+  for (int i = 0; i <= 320; ++i)
+  {
+    const double lightness = LabOf(shapeton::HeatColor(i / 320.0))[0];
+    EXPECT_GT(lightness, 41.0);
+    const bool isRising = i / 320.0 <= turn;
+    EXPECT_TRUE(i == 0 || (isRising ? lightness > previous - 0.4 : lightness < previous + 0.4)) << i;
+    previous = lightness;
+  }
+}
+
+TEST(ColorMap, NamesAndHexadecimalColours)
+{
+  EXPECT_EQ(*shapeton::ColorOf("red"), shapeton::MakeColor(255, 0, 0));
+  EXPECT_EQ(*shapeton::ColorOf("SteelBlue"), shapeton::MakeColor(70, 130, 180));
+  EXPECT_EQ(*shapeton::ColorOf("#0a0B0c"), shapeton::MakeColor(10, 11, 12));
+  EXPECT_EQ(shapeton::HexOf(shapeton::MakeColor(10, 11, 252)), "#0a0bfc");
+  for (const char * const wrong : { "", "reddish", "#12345", "#1234567", "#12345g", "0x123456", "# 12345" })
+  {
+    EXPECT_FALSE(shapeton::ColorOf(wrong)) << wrong;
+  }
+  EXPECT_NE(shapeton::ColorNames().find("yellow"), std::string::npos);
+}

@@ -1,0 +1,147 @@
+#include "shapetonConformalMapPicture.h"
+
+#include "shapetonRefinedPattern.h"
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <cmath>
+
+namespace shapeton
+{
+namespace
+{
+constexpr double degrees = 57.2957795130823208768;
+
+RGBColor
+ColorOfBoundary(std::size_t boundary)
+{
+  static const std::array<RGBColor, 9> colors{ MakeColor(250, 214, 60),  MakeColor(214, 39, 40),
+                                               MakeColor(44, 160, 44),   MakeColor(255, 127, 14),
+                                               MakeColor(148, 80, 190),  MakeColor(23, 170, 190),
+                                               MakeColor(227, 119, 194), MakeColor(188, 220, 34),
+                                               MakeColor(140, 86, 75) };
+  return colors[boundary % colors.size()];
+}
+
+/** Each boundary as a closed curve. */
+std::vector<CurveSet>
+CurvesOf(const std::vector<BoundaryLoop> & boundaries, const VertexMatrix & V)
+{
+  std::vector<CurveSet> sets;
+  for (const BoundaryLoop & boundary : boundaries)
+  {
+    CurveSet         set;
+    std::vector<int> curve;
+    set.V.resize(static_cast<Eigen::Index>(boundary.vertices.size()), 3);
+    for (std::size_t i = 0; i < boundary.vertices.size(); ++i)
+    {
+      set.V.row(static_cast<Eigen::Index>(i)) = V.row(boundary.vertices[i]);
+      curve.push_back(static_cast<int>(i));
+    }
+    curve.push_back(0);
+    set.curves.push_back(curve);
+    sets.push_back(set);
+  }
+  return sets;
+}
+
+PlanePattern
+PatternOf(const ConformalMap & map, int checks)
+{
+  const auto   uv = FlatCoordinates(map.flat, "the map");
+  const double longer = (uv.colwise().maxCoeff() - uv.colwise().minCoeff()).maxCoeff();
+  if (map.domain != ConformalDomain::Rectangle)
+  {
+    return PolarCheckerboard(checks);
+  }
+  if (map.loops.size() == 1)
+  {
+    return Checkerboard(longer / checks);
+  }
+  // The checks meet along the cut where a turn has an even number of them.
+  const double circumference = FlatCircumference(map.flat, "the map");
+  const double around = 2.0 * std::max(1.0, std::round(0.5 * checks * circumference / longer));
+  return Checkerboard(circumference / around);
+}
+} // namespace
+
+SurfaceMesh
+PlaneOf(const SurfaceMesh & flat, const Eigen::MatrixX2d & uv)
+{
+  SurfaceMesh plane;
+  plane.F = flat.F;
+  plane.V = VertexMatrix::Zero(flat.V.rows(), 3);
+  plane.V.col(0) = uv.col(0);
+  plane.V.col(2) = uv.col(1);
+  return plane;
+}
+
+Picture::Pointer
+DrawPattern(const SurfaceMesh &               shape,
+            const Eigen::MatrixX2d &          uv,
+            const PlanePattern &              pattern,
+            const std::vector<BoundaryLoop> & boundaries,
+            const SurfaceRenderingOptions &   options)
+{
+  const ColoredSurface        refined = RefineForPattern(shape, uv, pattern);
+  const std::vector<CurveSet> curves = CurvesOf(boundaries, shape.V);
+  const double                extent = (shape.V.colwise().maxCoeff() - shape.V.colwise().minCoeff()).norm();
+  SurfaceScene                scene;
+  SurfaceActor                actor;
+  actor.surface = &refined.mesh;
+  actor.faceColors = refined.faceColors;
+  scene.surfaces.push_back(actor);
+  for (std::size_t i = 0; i < curves.size(); ++i)
+  {
+    CurveActor curve;
+    curve.curves = &curves[i];
+    curve.radius = 0.003 * extent;
+    curve.color = ColorOfBoundary(i);
+    scene.curves.push_back(curve);
+  }
+  return RenderSurfaces(scene, options);
+}
+
+void
+LookAtSurface(const SurfaceMesh & mesh, PatientViewOptions & options)
+{
+  Eigen::Vector3d normal = Eigen::Vector3d::Zero();
+  double          area = 0.0;
+  for (Eigen::Index face = 0; face < mesh.F.rows(); ++face)
+  {
+    const Eigen::Vector3d a = mesh.V.row(mesh.F(face, 0));
+    const Eigen::Vector3d b = mesh.V.row(mesh.F(face, 1));
+    const Eigen::Vector3d c = mesh.V.row(mesh.F(face, 2));
+    const Eigen::Vector3d twice = (b - a).cross(c - a);
+    normal += twice;
+    area += twice.norm();
+  }
+  constexpr double least = 0.2;
+  if (normal.norm() > least * area)
+  {
+    normal.normalize();
+    options.azimuth = degrees * std::atan2(normal.x(), -normal.y());
+    options.elevation = degrees * std::asin(std::clamp(normal.z(), -1.0, 1.0));
+  }
+}
+
+Picture::Pointer
+DrawConformalMap(const ConformalMap & map, const ConformalMapPictureOptions & options)
+{
+  const auto              uv = FlatCoordinates(map.flat, "the map");
+  const PlanePattern      pattern = PatternOf(map, options.checks);
+  SurfaceRenderingOptions view;
+  view.width = options.width / 2;
+  view.height = options.height;
+  view.annotations = false;
+  view.depthShading = 0.0;
+  const auto plane = DrawPattern(PlaneOf(map.flat, uv), uv, pattern, map.loops, view);
+  LookAtSurface(map.flat, view);
+  const auto space = DrawPattern(map.flat, uv, pattern, map.loops, view);
+  const auto picture = NewPicture(2 * view.width, view.height, MakeColor(255, 255, 255));
+  PastePicture(picture, space, 0, 0);
+  PastePicture(picture, plane, static_cast<int>(view.width), 0);
+  return picture;
+}
+} // namespace shapeton

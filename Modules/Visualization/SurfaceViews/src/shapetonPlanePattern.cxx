@@ -1,0 +1,58 @@
+#include "shapetonConformalMapPicture.h"
+
+#include <cmath>
+#include <stdexcept>
+
+namespace shapeton
+{
+namespace
+{
+constexpr double pi = 3.14159265358979323846;
+
+void
+Require(bool condition, const char * message)
+{
+  if (!condition)
+  {
+    throw std::invalid_argument(message);
+  }
+}
+
+RGBColor
+CheckColor(double column, double row)
+{
+  const bool isOdd = std::fmod(std::abs(std::floor(column) + std::floor(row)), 2.0) == 1.0;
+  return isOdd ? MakeColor(58, 86, 138) : MakeColor(244, 236, 220);
+}
+} // namespace
+
+PlanePattern
+Checkerboard(double side)
+{
+  Require(side > 0.0, "a check needs a side greater than 0");
+  return [side](double u, double v) { return CheckColor(u / side, v / side); };
+}
+
+PlanePattern
+PolarCheckerboard(int around)
+{
+  Require(around > 0 && around % 2 == 0, "checks around an annulus come in pairs");
+  const double perRadian = around / (2.0 * pi);
+  return [perRadian](double u, double v) {
+    return CheckColor(perRadian * std::log(std::hypot(u, v)), perRadian * std::atan2(v, u));
+  };
+}
+
+PlanePattern
+LevelSets(double lower, double upper, double width)
+{
+  Require(lower < upper && width > 0.0, "level sets need an ascending range and a width");
+  return [=](double u, double) {
+    const double     band = std::floor((u - lower) / width);
+    const double     within = (u - lower) / width - band;
+    const RGBColor   color = HeatColor((band + 0.5) * width / (upper - lower));
+    constexpr double line = 0.06; // of the width, on either side of a level
+    return std::min(within, 1.0 - within) < line ? MixColors(color, MakeColor(20, 22, 28), 0.8) : color;
+  };
+}
+} // namespace shapeton

@@ -1,0 +1,22 @@
+# Doxygen finds no fault in the comments of the modules.
+cmake_minimum_required(VERSION 3.22)
+
+find_program(DOXYGEN doxygen)
+if(DOXYGEN)
+  execute_process(COMMAND ${DOXYGEN} --version OUTPUT_VARIABLE version OUTPUT_STRIP_TRAILING_WHITESPACE)
+endif()
+if(NOT DOXYGEN OR version VERSION_LESS 1.9.2)
+  message("doxygen 1.9.2 or later is not installed")
+  return()
+endif()
+execute_process(COMMAND ${SHAPETON_SOURCE_DIR}/Utilities/build-docs --output ${WORK_DIR} OUTPUT_VARIABLE out
+  ERROR_VARIABLE out RESULT_VARIABLE status)
+if(NOT status EQUAL 0 OR NOT EXISTS ${WORK_DIR}/html/index.html)
+  message(FATAL_ERROR "build-docs: status ${status}\n${out}")
+endif()
+file(STRINGS ${WORK_DIR}/html/equations.html entries REGEX "^<dt>.*\\([0-9]+\\.[0-9]+\\).*</dt><dd>.*</dd>$")
+foreach(number 2.4 3.10 5.5 6.7 8.5)
+  if(NOT entries MATCHES "\\(${number}\\)")
+    message(FATAL_ERROR "the index of equations has no entry (${number})")
+  endif()
+endforeach()

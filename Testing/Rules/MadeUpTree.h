@@ -1,0 +1,45 @@
+#ifndef MadeUpTree_h
+#define MadeUpTree_h
+
+#include "SourceTree.h"
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+
+namespace rules
+{
+/** A folder of files that a test makes up; removed when the test ends. */
+class MadeUpTree : public ::testing::Test
+{
+protected:
+  void
+  SetUp() override
+  {
+    const ::testing::TestInfo * test = ::testing::UnitTest::GetInstance()->current_test_info();
+    m_Root = std::filesystem::path(SHAPETON_TEST_TEMPORARY_DIR) /
+             (std::string("Rules-") + test->test_suite_name() + "-" + test->name());
+    std::filesystem::remove_all(m_Root);
+    std::filesystem::create_directories(m_Root);
+  }
+
+  void
+  TearDown() override
+  {
+    std::filesystem::remove_all(m_Root);
+  }
+
+  void
+  Write(const std::string & path, const std::string & text) const
+  {
+    std::filesystem::create_directories((m_Root / path).parent_path());
+    std::ofstream stream(m_Root / path, std::ios::binary);
+    stream << text;
+    ASSERT_TRUE(stream.flush()) << path;
+  }
+
+  std::filesystem::path m_Root;
+};
+} // namespace rules
+
+#endif
