@@ -115,14 +115,14 @@ function(creategoogletestdriver kit libraries sources)
   list(JOIN driver_LONG ":" long)
   shapeton_discover_tests(${kit} "-${long}" ${itk-module})
   if(long)
-    shapeton_discover_tests(${kit} "${long}" "${itk-module}\\;Long")
+    shapeton_discover_tests(${kit} "${long}" Long)
   endif()
 endfunction()
 
 # The tests of a driver that a filter of GoogleTest lets through.
-function(shapeton_discover_tests kit filter labels)
+function(shapeton_discover_tests kit filter label)
   string(MD5 list "${filter}")
   gtest_discover_tests(${kit}GTestDriver DISCOVERY_TIMEOUT 120 TEST_FILTER "${filter}" TEST_LIST ${kit}${list}
-    PROPERTIES LABELS "${labels}" SKIP_REGULAR_EXPRESSION "\\[  SKIPPED \\]"
+    PROPERTIES LABELS ${label} SKIP_REGULAR_EXPRESSION "\\[  SKIPPED \\]"
       ENVIRONMENT "SHAPETON_TEST_DATA_DIR=${SHAPETON_TEST_DATA_DIR}")
 endfunction()

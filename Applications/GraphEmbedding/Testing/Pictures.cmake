@@ -43,7 +43,7 @@ if(NODE_PROGRAM)
   shapeton_tool_test(NAME GraphEmbeddingCubeReport COMMAND GraphEmbedding ${here}/Cube.gr ${out}/CubeReport.json --report ${out}/CubeReport)
   set_tests_properties(GraphEmbeddingCubeReport PROPERTIES FIXTURES_SETUP GraphEmbeddingCubeReportFixture)
   add_test(NAME GraphEmbeddingViewMoves COMMAND ${NODE_PROGRAM}
-    ${Shapeton_SOURCE_DIR}/Modules/Visualization/GraphView/test/RunViewer.js ${out}/CubeReport/index.html)
+    ${Shapeton_SOURCE_DIR}/Modules/Tools/GraphTools/test/RunViewer.js ${out}/CubeReport/index.html)
   set_tests_properties(GraphEmbeddingViewMoves PROPERTIES LABELS Applications FIXTURES_REQUIRED GraphEmbeddingCubeReportFixture
     PASS_REGULAR_EXPRESSION "the view moves as it should")
 endif()

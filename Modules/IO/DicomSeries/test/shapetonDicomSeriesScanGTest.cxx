@@ -210,10 +210,12 @@ TEST_F(DicomSeriesScan, ListingsHoldWhatTheScanFound)
   const DicomScan   scan = shapeton::ScanDicom(Faults() + "/gap");
   const std::string text = shapeton::FormatDicomScan(scan);
   for (const std::string part :
-       { "FIXTURE", "CT", "axial", "7 x 9 x 4", "0.75 x 1.25 x 2", "HFS", "no: gap", "--resampleGaps" })
+       { "FIXTURE", "CT", "axial", "7 x 9 x 4", "0.75 x 1.25 x 2", "HFS", "no: gap", "the parameter \"resampleGaps\"" })
   {
     EXPECT_TRUE(shapeton::Contains(text, part)) << part << "\n" << text;
   }
+  const auto asOption = [](const std::string &) { return std::string("--option"); };
+  EXPECT_TRUE(shapeton::Contains(shapeton::FormatDicomScan(scan, asOption), "(im0003.dcm); --option\n"));
   const std::string path = shapeton::TestFolder() + "/listing.json";
   shapeton::WriteDicomScan(scan, path);
   const shapeton::Json json = shapeton::ReadJson(path);
