@@ -18,7 +18,8 @@ using OutputPath = std::function<std::string(const std::string &)>;
 /** \class HtmlReport
  * \brief One HTML file that opens without a network or other files: styles and pictures are inside it.
  *
- * Text is UTF-8 and is escaped. The page is HTML 5, and well-formed XML too. The bytes depend on the content alone.
+ * Text is UTF-8, is escaped, and shows numbers as ReadableText() does. The page is HTML 5, and well-formed XML too. The
+ * bytes depend on the content alone.
  *
  * \ingroup Report
  */
@@ -45,9 +46,11 @@ public:
    */
   void
   AddPicture(const std::string & pngPath, const std::string & caption);
+  /** Columns of numbers are aligned at the right, with the unit that all share in the head; a colour "#rrggbb" gets a
+   * patch. A table that is too wide scrolls in a box of its own. */
   void
   AddTable(const CsvTable & table, const std::string & caption);
-  /** Two columns: name and value. */
+  /** Two columns: name and value. A name with a full stop is that of an option, whose value stays as it was given. */
   void
   AddFacts(const std::vector<std::pair<std::string, std::string>> & facts);
   /** Markup as it is, well-formed XML, for drawings and scripts that are part of the page. The caller has escaped it.

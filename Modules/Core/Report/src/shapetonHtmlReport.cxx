@@ -1,6 +1,9 @@
 #include "shapetonHtmlReport.h"
 #include "shapetonFileBytes.h"
 #include "shapetonExceptions.h"
+#include "shapetonReadableText.h"
+
+#include <optional>
 
 namespace shapeton
 {
@@ -14,10 +17,17 @@ h2 { font-size: 1.25rem; margin-top: 2.2rem; border-bottom: 1px solid #ddd; padd
 figure { margin: 1rem 0; }
 img { max-width: 100%; height: auto; border: 1px solid #ddd; }
 figcaption { color: #555; font-size: .92rem; }
-table { border-collapse: collapse; font-size: .92rem; margin: .5rem 0; }
+.table { overflow-x: auto; margin: .5rem 0 1.2rem; }
+table { border-collapse: collapse; font-size: .92rem; }
 caption { text-align: left; color: #555; padding-bottom: .3rem; }
-th, td { text-align: left; padding: .25rem .8rem .25rem 0; border-bottom: 1px solid #eee; vertical-align: top; overflow-wrap: anywhere; }
-th { font-weight: 600; }
+th, td { text-align: left; padding: .25rem 1.2rem .25rem 0; border-bottom: 1px solid #eee; vertical-align: top; }
+th { font-weight: 600; vertical-align: bottom; }
+.facts th { vertical-align: top; }
+.number { text-align: right; }
+td.number { white-space: nowrap; font-variant-numeric: tabular-nums; }
+td.color { white-space: nowrap; }
+.swatch { display: inline-block; width: 1.6em; height: 1em; margin-right: .4em; border: 1px solid #999; vertical-align: -.1em; }
+@media print { .table { overflow: visible; } }
 .note { background: #fff6df; border-left: 4px solid #e0a100; padding: .5rem .8rem; margin: .6rem 0; }
 )";
 
@@ -52,6 +62,74 @@ std::string
 Element(const std::string & tag, const std::string & text)
 {
   return '<' + tag + '>' + Escaped(text) + "</" + tag + ">\n";
+}
+
+/** "#23cbac" as CsvTable holds the colour of a class. */
+bool
+IsColor(const std::string & text)
+{
+  return text.size() == 7 && text[0] == '#' && text.find_first_not_of("0123456789abcdef", 1) == std::string::npos;
+}
+
+/** What the cells of a column have in common: where all that are not empty hold numbers of one unit. */
+struct ColumnStyle
+{
+  bool        isNumber{ false };
+  std::string unit;
+};
+
+ColumnStyle
+StyleOf(const CsvTable & table, std::size_t column)
+{
+  std::optional<ColumnStyle> style;
+  for (const auto & row : table.GetRows())
+  {
+    if (row[column].empty())
+    {
+      continue;
+    }
+    const auto quantity = QuantityOf(row[column]);
+    if (!quantity || (style && style->unit != quantity->unit))
+    {
+      return {};
+    }
+    style = ColumnStyle{ true, quantity->unit };
+  }
+  return style.value_or(ColumnStyle());
+}
+
+std::string
+TableHead(const std::string & name, const ColumnStyle & style)
+{
+  const std::string text = ReadableText(name + (style.unit.empty() ? "" : ", " + style.unit));
+  return (style.isNumber ? "<th class=\"number\">" : "<th>") + Escaped(text) + "</th>\n";
+}
+
+std::string
+TableCell(const std::string & text, const ColumnStyle & style)
+{
+  if (style.isNumber)
+  {
+    const auto quantity = QuantityOf(text); // its unit stands in the head
+    return "<td class=\"number\">" + Escaped(quantity ? ReadableQuantity({ quantity->number, "" }) : text) + "</td>\n";
+  }
+  if (IsColor(text))
+  {
+    return "<td class=\"color\"><span class=\"swatch\" style=\"background:" + text + "\"></span>" + text + "</td>\n";
+  }
+  return Element("td", ReadableText(text));
+}
+
+/** The value of a fact for people; options and inputs of a program ("option.faces") stay as they were given. */
+std::string
+FactValue(const std::string & name, const std::string & value)
+{
+  if (name.find('.') != std::string::npos)
+  {
+    return value;
+  }
+  const auto quantity = QuantityOf(value);
+  return quantity ? ReadableQuantity(*quantity) : ReadableText(value);
 }
 
 std::string
@@ -112,13 +190,13 @@ HtmlReport::AddHeading(const std::string & text)
 void
 HtmlReport::AddParagraph(const std::string & text)
 {
-  m_Body += Element("p", text);
+  m_Body += Element("p", ReadableText(text));
 }
 
 void
 HtmlReport::AddNote(const std::string & text)
 {
-  m_Body += "<p class=\"note\">" + Escaped(text) + "</p>\n";
+  m_Body += "<p class=\"note\">" + Escaped(ReadableText(text)) + "</p>\n";
 }
 
 void
@@ -130,39 +208,41 @@ HtmlReport::AddPicture(const std::string & pngPath, const std::string & caption)
     throw InputError("the picture \"" + pngPath + "\" is not a PNG file; convert it");
   }
   m_Body += "<figure><img alt=\"" + Escaped(caption) + "\" src=\"data:image/png;base64," + Base64(bytes) + "\"/>\n" +
-            Element("figcaption", caption) + "</figure>\n";
+            Element("figcaption", ReadableText(caption)) + "</figure>\n";
 }
 
 void
 HtmlReport::AddTable(const CsvTable & table, const std::string & caption)
 {
-  m_Body += "<table>" + Element("caption", caption) + "<tr>";
+  std::vector<ColumnStyle> styles;
+  m_Body += "<div class=\"table\"><table>" + Element("caption", ReadableText(caption)) + "<tr>";
   for (const auto & column : table.GetColumns())
   {
-    m_Body += Element("th", column);
+    styles.push_back(StyleOf(table, styles.size()));
+    m_Body += TableHead(column, styles.back());
   }
   m_Body += "</tr>\n";
   for (const auto & row : table.GetRows())
   {
     m_Body += "<tr>";
-    for (const auto & cell : row)
+    for (std::size_t column = 0; column < row.size(); ++column)
     {
-      m_Body += Element("td", cell);
+      m_Body += TableCell(row[column], styles[column]);
     }
     m_Body += "</tr>\n";
   }
-  m_Body += "</table>\n";
+  m_Body += "</table></div>\n";
 }
 
 void
 HtmlReport::AddFacts(const std::vector<std::pair<std::string, std::string>> & facts)
 {
-  m_Body += "<table>\n";
-  for (const auto & fact : facts)
+  m_Body += "<div class=\"table\"><table class=\"facts\">\n";
+  for (const auto & [name, value] : facts)
   {
-    m_Body += "<tr>" + Element("th", fact.first) + Element("td", fact.second) + "</tr>\n";
+    m_Body += "<tr>" + Element("th", ReadableText(name)) + Element("td", FactValue(name, value)) + "</tr>\n";
   }
-  m_Body += "</table>\n";
+  m_Body += "</table></div>\n";
 }
 
 void

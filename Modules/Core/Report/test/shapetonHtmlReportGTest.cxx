@@ -194,6 +194,94 @@ TEST(HtmlReport, TextIsNeverMarkup)
   EXPECT_EQ(picture->attributes.at("alt"), text);
 }
 
+/** The class of the style, by the text, of the elements of a tag. */
+std::map<std::string, std::string>
+StylesOf(const Page & page, const std::string & tag)
+{
+  std::map<std::string, std::string> styles;
+  for (const auto & element : page.elements)
+  {
+    if (element.tag == tag)
+    {
+      const auto style = element.attributes.find("class");
+      styles[element.text] = style == element.attributes.end() ? "" : style->second;
+    }
+  }
+  return styles;
+}
+
+TEST(HtmlReport, NumbersStandAtTheRightUnderTheirUnit)
+{
+  shapeton::CsvTable table({ "segment", "length", "wall", "place", "voxels" });
+  table.AddRow({ "rectum", "14 cm", "2.322e+04", "1, 2", "246 908" });
+  table.AddRow({ "sigmoid", "9.5 cm", "", "not found", "1234" });
+  shapeton::HtmlReport report("T");
+  report.AddTable(table, "C");
+  const Page page = Written(report);
+  using Styles = std::map<std::string, std::string>;
+  EXPECT_EQ(StylesOf(page, "th"),
+            Styles({ { "segment", "" },
+                     { "length, cm", "number" },
+                     { "wall", "number" },
+                     { "place", "" },
+                     { "voxels", "number" } }));
+  EXPECT_EQ(StylesOf(page, "td"),
+            Styles({ { "rectum", "" },
+                     { "sigmoid", "" },
+                     { "14", "number" },
+                     { "9.5", "number" },
+                     { "23\u202F220", "number" },
+                     { "", "number" },
+                     { "1, 2", "" },
+                     { "not found", "" },
+                     { "246\u202F908", "number" },
+                     { "1\u202F234", "number" } }));
+}
+
+TEST(HtmlReport, UnitsThatDifferStayWithTheirNumbers)
+{
+  shapeton::CsvTable table({ "length" });
+  table.AddRow({ "14 cm" });
+  table.AddRow({ "140 mm" });
+  shapeton::HtmlReport report("T");
+  report.AddTable(table, "C");
+  const Page page = Written(report);
+  EXPECT_EQ(page.TextsOf("th"), std::vector<std::string>({ "length" }));
+  EXPECT_EQ(page.TextsOf("td"), std::vector<std::string>({ "14 cm", "140 mm" }));
+}
+
+TEST(HtmlReport, ColoursAreSeen)
+{
+  shapeton::CsvTable table({ "colour" });
+  table.AddRow({ "#23cbac" });
+  table.AddRow({ "#23cbac; x" });
+  shapeton::HtmlReport report("T");
+  report.AddTable(table, "C");
+  const Page page = Written(report);
+  EXPECT_EQ(page.TextsOf("td"), std::vector<std::string>({ "#23cbac", "#23cbac; x" }));
+  const auto patches = std::count_if(
+    page.elements.begin(), page.elements.end(), [](const Element & element) { return element.tag == "span"; });
+  EXPECT_EQ(patches, 1);
+}
+
+TEST(HtmlReport, FactsArePlainAndOptionsStay)
+{
+  shapeton::HtmlReport report("T");
+  report.AddFacts({ { "Length", "2322 mm" }, { "Faces", "5.5e+04" }, { "option.faces", "5.5e+04" } });
+  EXPECT_EQ(Written(report).TextsOf("td"), std::vector<std::string>({ "2\u202F322 mm", "55\u202F000", "5.5e+04" }));
+}
+
+TEST(HtmlReport, WordsAndNumbersAreNotBroken)
+{
+  shapeton::HtmlReport report("T");
+  const Page           page = Written(report);
+  for (const std::string breaking : { "overflow-wrap", "word-break", "word-wrap" })
+  {
+    EXPECT_EQ(page.bytes.find(breaking), std::string::npos) << breaking;
+  }
+  EXPECT_NE(page.bytes.find("overflow-x: auto"), std::string::npos) << "a wide table scrolls";
+}
+
 TEST(HtmlReport, ControlCharactersBecomeBlanks)
 {
   shapeton::HtmlReport report("T");

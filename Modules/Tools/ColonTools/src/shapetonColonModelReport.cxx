@@ -85,8 +85,9 @@ AddWallFacts(const ColonWall & wall, Facts & facts)
   facts.emplace_back("Changed by the repair",
                      Millilitres(report.topology.cutVolume) + " cut, " + Millilitres(report.topology.cavityVolume) +
                        " of cavities filled");
-  facts.emplace_back("Faces of the wall",
-                     std::to_string(report.rawFaces) + ", simplified " + std::to_string(report.simplifiedFaces));
+  facts.emplace_back("Wall",
+                     std::to_string(report.rawFaces) + " faces, simplified to " +
+                       std::to_string(report.simplifiedFaces) + " faces");
   facts.emplace_back("Synthetic faces", std::to_string(report.bridgedFaces));
 }
 

@@ -1,6 +1,7 @@
 #include "shapetonAxisTicks.h"
 
 #include "shapetonCsvTable.h"
+#include "shapetonReadableText.h"
 
 #include <algorithm>
 #include <cmath>
@@ -179,7 +180,7 @@ RoundTicks(double lower, double upper, int greatestNumber)
 std::string
 HeatLabel(double heat)
 {
-  return CsvTable::Rounded(heat, 3);
+  return PlainNumber(CsvTable::Rounded(heat, 3));
 }
 
 std::string
