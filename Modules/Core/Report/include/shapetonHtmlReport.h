@@ -35,6 +35,10 @@ public:
   /** How a report begins: that note, what was found, and what is missing or doubtful. */
   void
   AddHead(const std::vector<std::pair<std::string, std::string>> & summary, const std::vector<std::string> & warnings);
+  /** A box for each kind of warning, the worst first: what failed or is missing, what is doubtful, notes. Warnings that
+   * are the same but for numbers and quoted names share a box with their number, which unfolds to their full texts. */
+  void
+  AddWarnings(const std::vector<std::string> & warnings);
   void
   AddHeading(const std::string & text);
   void

@@ -2,6 +2,7 @@
 #include "shapetonFileBytes.h"
 #include "shapetonExceptions.h"
 #include "shapetonReadableText.h"
+#include "shapetonWarningKinds.h"
 
 #include <optional>
 
@@ -29,6 +30,7 @@ td.color { white-space: nowrap; }
 .swatch { display: inline-block; width: 1.6em; height: 1em; margin-right: .4em; border: 1px solid #999; vertical-align: -.1em; }
 @media print { .table { overflow: visible; } }
 .note { background: #fff6df; border-left: 4px solid #e0a100; padding: .5rem .8rem; margin: .6rem 0; }
+summary { cursor: pointer; }
 )";
 
 std::string
@@ -171,13 +173,31 @@ HtmlReport::AddHead(const std::vector<std::pair<std::string, std::string>> & sum
   this->AddHeading("Summary");
   this->AddFacts(summary);
   this->AddHeading("What is missing or doubtful");
-  for (const std::string & warning : warnings)
-  {
-    this->AddNote(warning);
-  }
+  this->AddWarnings(warnings);
   if (warnings.empty())
   {
     this->AddParagraph("Nothing was found missing or doubtful. Look at the pictures all the same.");
+  }
+}
+
+void
+HtmlReport::AddWarnings(const std::vector<std::string> & warnings)
+{
+  for (const WarningKind & kind : KindsOf(warnings))
+  {
+    if (kind.warnings.size() == 1)
+    {
+      this->AddNote(kind.text);
+      continue;
+    }
+    m_Body += "<details class=\"note\">" +
+              Element("summary", ReadableText(std::to_string(kind.warnings.size()) + " times: " + kind.text)) +
+              "<ul>\n";
+    for (const std::string & warning : kind.warnings)
+    {
+      m_Body += Element("li", ReadableText(warning));
+    }
+    m_Body += "</ul></details>\n";
   }
 }
 

@@ -406,4 +406,59 @@ TEST(HtmlReport, BeginsWithItsUseWhatWasFoundAndWhatIsDoubtful)
   EXPECT_NE(pages[1].find("<p class=\"note\">a gap</p>"), std::string::npos);
   EXPECT_EQ(pages[1].find("Nothing was found"), std::string::npos);
 }
+
+using Texts = std::vector<std::string>;
+
+Page
+PageWithWarnings(const Texts & warnings)
+{
+  shapeton::HtmlReport report("T");
+  report.AddWarnings(warnings);
+  return Written(report);
+}
+
+TEST(HtmlReport, WarningsOfOneKindAreCounted)
+{
+  const Texts warnings{ "the lumen is only 4.3 mm wide at (-29, 43, 7) mm: a collapsed place",
+                        "\"a.vtp\" has 3 of 12 holes",
+                        "the lumen is only 4.3 mm wide at (29, -1.5, 7) mm: a collapsed place",
+                        "\"b.vtp\" has 3 of 12 holes" };
+  const Page  page = PageWithWarnings(warnings);
+  EXPECT_EQ(page.TextsOf("summary"),
+            Texts({ "2 times: the lumen is only 4.3 mm wide at (\u2026, \u2026, 7) mm: a collapsed place",
+                    "2 times: \u2026 has 3 of 12 holes" }));
+  EXPECT_EQ(page.TextsOf("li"), Texts({ warnings[0], warnings[2], warnings[1], warnings[3] })) << "in full";
+  EXPECT_TRUE(page.TextsOf("p").empty());
+}
+
+TEST(HtmlReport, WarningsThatAreAloneOrDifferStayOpen)
+{
+  const Texts warnings{ "part 1 of 2", "part 1 of two", "the \"x quote", "the \"y quote", "", "7", "7 mm" };
+  const Page  page = PageWithWarnings(warnings);
+  EXPECT_EQ(page.TextsOf("p"), warnings);
+  EXPECT_TRUE(page.TextsOf("details").empty());
+}
+
+TEST(HtmlReport, EqualWarningsAreCountedToo)
+{
+  const Page page = PageWithWarnings({ "turned 3", "turned 3", "turned 3" });
+  EXPECT_EQ(page.TextsOf("summary"), Texts({ "3 times: turned 3" }));
+}
+
+TEST(HtmlReport, TheWorstWarningsComeFirst)
+{
+  EXPECT_EQ(PageWithWarnings({ "the faces looked inwards; they were turned",
+                               "the splenic flexure is uncertain (confidence 31 %): look at it",
+                               "the surface: 3 vertices were joined",
+                               "landmarks: the hepatic flexure was not found: no bend there",
+                               "the heat is not yet steady after 500 steps",
+                               "No window of the wall holds enough fold ends" })
+              .TextsOf("p"),
+            Texts({ "landmarks: the hepatic flexure was not found: no bend there",
+                    "No window of the wall holds enough fold ends",
+                    "the splenic flexure is uncertain (confidence 31 %): look at it",
+                    "the heat is not yet steady after 500 steps",
+                    "the faces looked inwards; they were turned",
+                    "the surface: 3 vertices were joined" }));
+}
 } // namespace

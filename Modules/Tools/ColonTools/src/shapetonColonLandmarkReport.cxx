@@ -112,10 +112,7 @@ ColonLandmarkReport::Write(const SurfaceMesh & flat, const ColonLandmarks & land
   }
   HtmlReport report("Landmarks of a colon");
   report.AddParagraph("For research use; not a diagnosis.");
-  for (const std::string & warning : m_CommandLine.GetWarnings())
-  {
-    report.AddNote(warning);
-  }
+  report.AddWarnings(m_CommandLine.GetWarnings());
   const auto addPicture = [&](const Picture * picture, const std::string & name, const std::string & caption) {
     const std::string path = m_CommandLine.Output(m_Folder + '/' + name);
     WritePng(picture, path);

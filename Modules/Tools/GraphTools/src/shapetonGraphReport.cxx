@@ -322,10 +322,7 @@ WriteGraphReport(const GraphReport & report, const std::string & path)
   {
     AddViews(report, page);
   }
-  for (const std::string & warning : report.warnings)
-  {
-    page.AddNote(warning);
-  }
+  page.AddWarnings(report.warnings);
   for (const std::string & paragraph : report.paragraphs)
   {
     page.AddParagraph(paragraph);

@@ -185,10 +185,7 @@ void
 AddSummary(HtmlReport & html, const HeatReportContent & content)
 {
   html.AddResearchNote();
-  for (const std::string & warning : content.warnings)
-  {
-    html.AddNote(warning);
-  }
+  html.AddWarnings(content.warnings);
   html.AddHeading("Input");
   html.AddFacts(Combined(content.input, GeometryOf(content.grey)));
   html.AddHeading("Parameters");
