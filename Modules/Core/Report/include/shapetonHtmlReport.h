@@ -50,8 +50,8 @@ public:
    */
   void
   AddPicture(const std::string & pngPath, const std::string & caption);
-  /** Columns of numbers are aligned at the right, with the unit that all share in the head; a colour "#rrggbb" gets a
-   * patch. A table that is too wide scrolls in a box of its own. */
+  /** Columns of numbers are aligned at the right, with the unit that all share in the head; a colour "#rrggbb" is a
+   * patch that tells its name. A table that is too wide scrolls in a box of its own. */
   void
   AddTable(const CsvTable & table, const std::string & caption);
   /** Two columns: name and value. A name with a full stop is that of an option, whose value stays as it was given. */

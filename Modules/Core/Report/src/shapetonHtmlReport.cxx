@@ -21,13 +21,12 @@ figcaption { color: #555; font-size: .92rem; }
 .table { overflow-x: auto; margin: .5rem 0 1.2rem; }
 table { border-collapse: collapse; font-size: .92rem; }
 caption { text-align: left; color: #555; padding-bottom: .3rem; }
-th, td { text-align: left; padding: .25rem 1.2rem .25rem 0; border-bottom: 1px solid #eee; vertical-align: top; }
+th, td { text-align: left; padding: .25rem 1rem .25rem 0; border-bottom: 1px solid #eee; vertical-align: top; }
 th { font-weight: 600; vertical-align: bottom; }
 .facts th { vertical-align: top; }
 .number { text-align: right; }
 td.number { white-space: nowrap; font-variant-numeric: tabular-nums; }
-td.color { white-space: nowrap; }
-.swatch { display: inline-block; width: 1.6em; height: 1em; margin-right: .4em; border: 1px solid #999; vertical-align: -.1em; }
+.swatch { display: inline-block; width: 2em; height: 1em; border: 1px solid #999; vertical-align: -.1em; }
 @media print { .table { overflow: visible; } }
 .note { background: #fff6df; border-left: 4px solid #e0a100; padding: .5rem .8rem; margin: .6rem 0; }
 summary { cursor: pointer; }
@@ -117,7 +116,7 @@ TableCell(const std::string & text, const ColumnStyle & style)
   }
   if (IsColor(text))
   {
-    return "<td class=\"color\"><span class=\"swatch\" style=\"background:" + text + "\"></span>" + text + "</td>\n";
+    return "<td><span class=\"swatch\" title=\"" + text + "\" style=\"background:" + text + "\"></span></td>\n";
   }
   return Element("td", ReadableText(text));
 }
