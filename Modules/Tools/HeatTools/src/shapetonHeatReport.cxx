@@ -68,8 +68,10 @@ IsHeat(const ShapeQuantity & quantity)
 CsvTable
 ReadableClassTable(const std::vector<HeatClass> & classes, const HeatAxis & axis, const ShapeQuantity & quantity)
 {
-  std::vector<std::string> columns = { "class",  "colour",     quantity.name + " from", "to", "mean " + quantity.name,
-                                       "voxels", "volume, ml", "share of the border" };
+  std::vector<std::string> columns = {
+    "class",  "colour",     quantity.name + " from", "to", "mean " + quantity.name, "colour of that " + quantity.name,
+    "voxels", "volume, ml", "share of the border"
+  };
   Append(columns,
          IsHeat(quantity) ? std::vector<std::string>{ "closed components", "scale-normalized heat" }
                           : std::vector<std::string>{ "mean number of visits" });
@@ -78,10 +80,11 @@ ReadableClassTable(const std::vector<HeatClass> & classes, const HeatAxis & axis
   {
     const bool               isBackground = heatClass.label == 0;
     std::vector<std::string> row = { isBackground ? "background" : std::to_string(heatClass.label),
-                                     isBackground ? "" : HexOf(axis.ColorOf(heatClass.meanHeat)),
+                                     isBackground ? "" : HexOf(ClassColor(heatClass.label)),
                                      CsvTable::Rounded(heatClass.lowerHeat, 4),
                                      CsvTable::Rounded(heatClass.upperHeat, 4),
                                      CsvTable::Rounded(heatClass.meanHeat, 4),
+                                     isBackground ? "" : HexOf(axis.ColorOf(heatClass.meanHeat)),
                                      GroupedDigits(heatClass.voxels),
                                      CsvTable::Rounded(heatClass.volume / 1000.0, 4),
                                      CsvTable::Rounded(heatClass.borderShare, 2) };
@@ -204,8 +207,9 @@ ReadingGuideOfHeat()
     "objects of similar shape. Few time steps (top) show local shape such as edges and corners, many (bottom) "
     "whole objects. On the equalized scale, room is given by the number of voxels, so distances along the axis "
     "are no differences of heat: read the numbers.",
-    "Colours are the same in all pictures: the colour of a heat is its place on the histogram's axis, from blue "
-    "(least heat) to red (most). Similar heats have similar colours. A class is a range of heats; two objects "
+    "The colour of a heat is its place on the histogram's axis, from blue (least heat) to red (most), also in the "
+    "rendering: similar heats have similar colours. Classes have colours of their own, which tell them apart: in "
+    "their slices, in the table and in the bars below the histogram. A class is a range of heats; two objects "
     "may share a class without being alike in any other way, and one organ may fall into several classes. The class "
     "that holds most of the volume's border is what surrounds the objects; the rendering leaves it out. "
     "Heat depends on size too: it is lower for a larger object of the same shape. The scale-normalized heat "
@@ -223,8 +227,9 @@ ReadingGuideOfVisits()
     "Histogram: time runs downwards, density to the right. A vertical line at the bottom is an object, or several "
     "objects that are visited alike. Visits are a sample: n visits are right to about the square root of n, so "
     "that lines are broad where visits are few; more shapetons or steps make them sharper.",
-    "Colours are the same in all pictures: the colour of a density is its place on the histogram's axis, from blue "
-    "(fewest visits) to red (most). A class is a range of densities; two objects may share a class without being "
+    "The colour of a density is its place on the histogram's axis, from blue (fewest visits) to red (most), also in "
+    "the rendering. Classes have colours of their own, which tell them apart: in their slices, in the table and in "
+    "the bars below the histogram. A class is a range of densities; two objects may share a class without being "
     "alike in any other way.",
     "As published, a step ends where it ends: steps longer than a feature pass over it and over its walls. Where "
     "all six neighbours are cut off by edges a shapeton stays for ever; such voxels have by far the most visits."
@@ -399,13 +404,13 @@ WriteHeatReport(const HeatReportContent & content, const std::string & folder, c
   html.AddHeading(TitleOfHistogram(quantity));
   addPicture("histogram.png",
              DrawHistogram(content),
-             "Numbers of voxels by " + quantity.name + " and time step; the bars below are the classes.");
+             "Numbers of voxels by " + quantity.name +
+               " and time step; the bars below are the classes in their colours.");
   html.AddHeading("Classes");
   html.AddTable(ReadableClassTable(content.classes, axis, quantity), "Classes" + time + ", by " + quantity.name);
-  addPicture(
-    "slices-classes.png",
-    Slices(content, "Classes" + time, ColorByClass(content.classes, axis), LegendOf(content.classes, axis, quantity)),
-    "Slices of the input, coloured by class.");
+  addPicture("slices-classes.png",
+             Slices(content, "Classes" + time, ColorByClass(content.classes), LegendOf(content.classes, quantity)),
+             "Slices of the input, coloured by class.");
   addPicture("slices-" + quantity.name + ".png",
              Slices(content, quantity.GetTitle() + time, ColorByHeat(axis), {}),
              "Slices of the input, coloured by " + quantity.name + ".");

@@ -1,6 +1,7 @@
 #include "shapetonHeatReport.h"
 #include "shapetonPictureTestUtilities.h"
 
+#include "shapetonColorMap.h"
 #include "shapetonJson.h"
 #include "shapetonExceptions.h"
 
@@ -133,6 +134,26 @@ TEST_F(HeatReport, TablesAndJsonHoldTheClasses)
   EXPECT_EQ(table.GetRows()[1].back().size(), 7U);
   const std::string csv = shapeton::BytesOf(folder + "/classes.csv");
   EXPECT_EQ(csv.substr(0, 15), "label,lowerHeat");
+}
+
+TEST_F(HeatReport, ClassesOfOneHeatColourHaveTheirOwnColours)
+{
+  shapeton::HeatClass other = m_Content.classes[1];
+  other.label = 2;
+  other.lowerHeat = 0.5;
+  other.upperHeat = 1.0;
+  other.meanHeat = 0.9;
+  m_Content.classes.push_back(other);
+  const std::string folder = shapeton::TemporaryFolder("report-colours");
+  shapeton::WriteHeatReport(m_Content, folder, inPlace);
+  const std::string html = shapeton::BytesOf(folder + "/index.html");
+  for (const unsigned int label : { 1U, 2U })
+  {
+    EXPECT_NE(html.find("background:" + shapeton::HexOf(shapeton::ClassColor(label))), std::string::npos) << label;
+  }
+  const shapeton::HeatAxis axis(m_Histogram);
+  EXPECT_NE(html.find("background:" + shapeton::HexOf(axis.ColorOf(0.25))), std::string::npos)
+    << "the colour of its line in the histogram";
 }
 
 TEST_F(HeatReport, EqualContentGivesEqualBytes)

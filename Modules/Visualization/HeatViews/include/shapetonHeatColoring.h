@@ -22,10 +22,11 @@ using HeatColoring = std::function<std::optional<RGBColor>(float)>;
 HeatViews_EXPORT HeatColoring
 ColorByHeat(const HeatAxis & axis);
 
-/** Every class but the background in the colour of its mean heat.
+/** Every class but the background in ClassColor(). Colours by heat would not tell classes apart: on the equalised axis
+ * heat that sinks in early time steps takes nearly all room, and classes of late ones share one colour.
  * \ingroup HeatViews */
 HeatViews_EXPORT HeatColoring
-ColorByClass(const std::vector<HeatClass> & classes, const HeatAxis & axis);
+ColorByClass(const std::vector<HeatClass> & classes);
 
 /** The lines of a transfer function in their colours.
  * \ingroup HeatViews */

@@ -47,10 +47,10 @@ HeatViews_EXPORT Picture::Pointer
                                   const HeatColoring &         coloring,
                                   const SliceMontageOptions &  options = {});
 
-/** A legend for the classes but the background: number, mean value.
+/** A legend for the classes but the background: ClassColor(), number, mean value.
  * \ingroup HeatViews */
 HeatViews_EXPORT std::vector<LegendEntry>
-LegendOf(const std::vector<HeatClass> & classes, const HeatAxis & axis, const ShapeQuantity & quantity = {});
+                 LegendOf(const std::vector<HeatClass> & classes, const ShapeQuantity & quantity = {});
 
 /** A legend for the lines of a transfer function: range of heats.
  * \ingroup HeatViews */

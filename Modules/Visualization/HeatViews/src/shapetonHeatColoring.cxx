@@ -1,4 +1,5 @@
 #include "shapetonHeatColoring.h"
+#include "shapetonColorMap.h"
 
 #include <algorithm>
 
@@ -13,7 +14,7 @@ ColorByHeat(const HeatAxis & axis)
 }
 
 HeatColoring
-ColorByClass(const std::vector<HeatClass> & classes, const HeatAxis & axis)
+ColorByClass(const std::vector<HeatClass> & classes)
 {
   struct Range
   {
@@ -26,7 +27,7 @@ ColorByClass(const std::vector<HeatClass> & classes, const HeatAxis & axis)
   {
     if (heatClass.label != 0)
     {
-      ranges.push_back({ heatClass.lowerHeat, heatClass.upperHeat, axis.ColorOf(heatClass.meanHeat) });
+      ranges.push_back({ heatClass.lowerHeat, heatClass.upperHeat, ClassColor(heatClass.label) });
     }
   }
   return [ranges](float heat) {

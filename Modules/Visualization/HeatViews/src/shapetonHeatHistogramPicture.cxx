@@ -294,8 +294,8 @@ DrawHeatTicks(Picture * picture, const HeatAxis & axis, const PlotArea & area, i
   }
 }
 
-/** A bar from the lower to the upper heat of each class, its number below, on the first of two lines with room for
- * it. */
+/** A bar from the lower to the upper heat of each class in its colour, its number below, on the first of two lines with
+ * room for it. */
 void
 DrawClasses(Picture *                      picture,
             const HeatAxis &               axis,
@@ -316,7 +316,7 @@ DrawClasses(Picture *                      picture,
     const int left = area.left + static_cast<int>(axis.PositionOf(heatClass.lowerHeat) * (area.width - 1));
     const int right = area.left + static_cast<int>(axis.PositionOf(heatClass.upperHeat) * (area.width - 1));
     const int width = std::max(right - left, 3);
-    FillRectangle(picture, left, top, width, barHeight, axis.ColorOf(heatClass.meanHeat));
+    FillRectangle(picture, left, top, width, barHeight, ClassColor(heatClass.label));
     FillRectangle(picture, left, top, 1, barHeight + 3, ink);
     FillRectangle(picture, left + width - 1, top, 1, barHeight + 3, ink);
     const std::string number = std::to_string(heatClass.label);

@@ -1,6 +1,7 @@
 #include "shapetonSliceMontage.h"
 
 #include "shapetonAxisTicks.h"
+#include "shapetonColorMap.h"
 #include "shapetonCsvTable.h"
 
 #include <algorithm>
@@ -220,7 +221,7 @@ DrawSliceMontage(const itk::Image<float, 3> * grey,
 }
 
 std::vector<LegendEntry>
-LegendOf(const std::vector<HeatClass> & classes, const HeatAxis & axis, const ShapeQuantity & quantity)
+LegendOf(const std::vector<HeatClass> & classes, const ShapeQuantity & quantity)
 {
   std::vector<LegendEntry> legend;
   for (const HeatClass & heatClass : classes)
@@ -228,7 +229,7 @@ LegendOf(const std::vector<HeatClass> & classes, const HeatAxis & axis, const Sh
     if (heatClass.label != 0)
     {
       legend.push_back(
-        { axis.ColorOf(heatClass.meanHeat),
+        { ClassColor(heatClass.label),
           "class " + std::to_string(heatClass.label) + ": " + quantity.name + " " + HeatLabel(heatClass.meanHeat) });
     }
   }

@@ -1,4 +1,5 @@
 #include "shapetonSliceMontage.h"
+#include "shapetonColorMap.h"
 #include "shapetonPictureTestUtilities.h"
 
 #include "shapetonColorMap.h"
@@ -185,14 +186,21 @@ TEST(SliceMontage, ColoringsAgreeWithTheirSource)
   object.lowerHeat = 0.2;
   object.upperHeat = 0.8;
   object.meanHeat = 0.5;
-  const auto byClass = shapeton::ColorByClass({ background, object }, axis);
+  shapeton::HeatClass hotter;
+  hotter.label = 2;
+  hotter.lowerHeat = 0.8;
+  hotter.upperHeat = 0.9;
+  hotter.meanHeat = 0.85;
+  const auto byClass = shapeton::ColorByClass({ background, object, hotter });
   EXPECT_FALSE(byClass(0.1F));
-  EXPECT_EQ(*byClass(0.3F), axis.ColorOf(0.5));
-  EXPECT_FALSE(byClass(0.8F));
-  const auto legend = shapeton::LegendOf({ background, object }, axis);
-  ASSERT_EQ(legend.size(), 1U);
+  EXPECT_EQ(*byClass(0.3F), shapeton::ClassColor(1));
+  EXPECT_EQ(*byClass(0.8F), shapeton::ClassColor(2));
+  EXPECT_FALSE(byClass(0.95F));
+  const auto legend = shapeton::LegendOf({ background, object, hotter });
+  ASSERT_EQ(legend.size(), 2U);
   EXPECT_EQ(legend[0].text, "class 1: heat 0.5");
-  EXPECT_EQ(legend[0].color, axis.ColorOf(0.5));
+  EXPECT_EQ(legend[0].color, shapeton::ClassColor(1));
+  EXPECT_EQ(legend[1].color, shapeton::ClassColor(2));
 }
 
 TEST(SliceMontage, RefusesWhatCannotBeDrawn)

@@ -17,6 +17,10 @@ constexpr std::array<std::array<unsigned char, 3>, 33> heatColors{
     { 237, 105, 44 }, { 229, 85, 44 },  { 221, 61, 44 } }
 };
 
+// Found by search from the colours of Okabe and Ito, of which yellow and orange are but 17 apart for deutan sight.
+constexpr std::array<unsigned int, 12> classColors{ 0x05bffa, 0xffeb07, 0x1538ff, 0x973f2c, 0x73ffcf, 0x0e7dfa,
+                                                    0xdc760a, 0x974f79, 0xc2f78a, 0x7c3f9d, 0x0eb479, 0x11d4d6 };
+
 struct NamedColor
 {
   const char * name;
@@ -61,6 +65,12 @@ HeatColor(double position)
   const double      place = (position > 0.0 ? std::min(position, 1.0) : 0.0) * (heatColors.size() - 1);
   const std::size_t below = std::min(static_cast<std::size_t>(place), heatColors.size() - 2);
   return MixColors(HeatColorAt(below), HeatColorAt(below + 1), place - static_cast<double>(below));
+}
+
+RGBColor
+ClassColor(unsigned int label)
+{
+  return FromBits(classColors[(label - 1) % classColors.size()]);
 }
 
 std::optional<RGBColor>

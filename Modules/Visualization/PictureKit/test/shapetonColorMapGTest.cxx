@@ -8,21 +8,76 @@
 
 namespace
 {
-/** CIELAB under D65. */
-std::array<double, 3>
-LabOf(const shapeton::RGBColor & color)
+using Triple = std::array<double, 3>;
+
+Triple
+LinearOf(const shapeton::RGBColor & color)
 {
-  double linear[3];
+  Triple linear;
   for (unsigned int i = 0; i < 3; ++i)
   {
     const double c = color[i] / 255.0;
     linear[i] = c <= 0.04045 ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4);
   }
+  return linear;
+}
+
+/** CIELAB under D65. */
+Triple
+LabOf(const Triple & linear)
+{
   const auto   f = [](double t) { return t > 216.0 / 24389.0 ? std::cbrt(t) : (24389.0 / 27.0 * t + 16.0) / 116.0; };
   const double x = f((0.4124 * linear[0] + 0.3576 * linear[1] + 0.1805 * linear[2]) / 0.95047);
   const double y = f(0.2126 * linear[0] + 0.7152 * linear[1] + 0.0722 * linear[2]);
   const double z = f((0.0193 * linear[0] + 0.1192 * linear[1] + 0.9505 * linear[2]) / 1.08883);
   return { 116.0 * y - 16.0, 500.0 * (x - y), 200.0 * (y - z) };
+}
+
+Triple
+LabOf(const shapeton::RGBColor & color)
+{
+  return LabOf(LinearOf(color));
+}
+
+double
+Difference(const Triple & a, const Triple & b)
+{
+  return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
+}
+
+using Matrix = std::array<std::array<double, 3>, 3>;
+
+/** How linear sRGB looks without red or green cones (Vienot, Brettel, Mollon 1999). */
+constexpr Matrix normalSight{ { { 1.0, 0.0, 0.0 }, { 0.0, 1.0, 0.0 }, { 0.0, 0.0, 1.0 } } };
+constexpr Matrix protanSight{ { { 0.11238, 0.88762, 0.0 }, { 0.11238, 0.88762, 0.0 }, { 0.00401, -0.00401, 1.0 } } };
+constexpr Matrix deutanSight{ { { 0.29275, 0.70725, 0.0 }, { 0.29275, 0.70725, 0.0 }, { -0.02234, 0.02234, 1.0 } } };
+
+/** CIELAB of a colour as it is seen. */
+Triple
+Seen(const shapeton::RGBColor & color, const Matrix & sight)
+{
+  const Triple linear = LinearOf(color);
+  Triple       seen;
+  for (unsigned int i = 0; i < 3; ++i)
+  {
+    seen[i] = std::clamp(sight[i][0] * linear[0] + sight[i][1] * linear[1] + sight[i][2] * linear[2], 0.0, 1.0);
+  }
+  return LabOf(seen);
+}
+
+/** The least difference, CIE 1976, of any two of the first classes whose labels are at most `apart` apart. */
+double
+LeastDifference(unsigned int classes, unsigned int apart, const Matrix & sight)
+{
+  double least = 1000.0;
+  for (unsigned int a = 1; a <= classes; ++a)
+  {
+    for (unsigned int b = a + 1; b <= std::min(classes, a + apart); ++b)
+    {
+      least = std::min(least, Difference(Seen(shapeton::ClassColor(a), sight), Seen(shapeton::ClassColor(b), sight)));
+    }
+  }
+  return least;
 }
 
 double
@@ -63,11 +118,9 @@ TEST(ColorMap, EqualStepsLookEquallyDifferent)
 {
   for (int i = 0; i < 32; ++i)
   {
-    const auto   a = LabOf(shapeton::HeatColor(i / 32.0));
-    const auto   b = LabOf(shapeton::HeatColor((i + 1) / 32.0));
-    const double distance =
-      std::sqrt((a[0] - b[0]) * (a[0] - b[0]) + (a[1] - b[1]) * (a[1] - b[1]) + (a[2] - b[2]) * (a[2] - b[2]));
-    EXPECT_NEAR(distance, 9.6, 1.2) << i;
+    const auto a = LabOf(shapeton::HeatColor(i / 32.0));
+    const auto b = LabOf(shapeton::HeatColor((i + 1) / 32.0));
+    EXPECT_NEAR(Difference(a, b), 9.6, 1.2) << i;
   }
 }
 
@@ -82,6 +135,27 @@ TEST(ColorMap, LightnessRisesOnceThenFallsAndStaysOffBlack)
     const bool isRising = i / 320.0 <= turn;
     EXPECT_TRUE(i == 0 || (isRising ? lightness > previous - 0.4 : lightness < previous + 0.4)) << i;
     previous = lightness;
+  }
+}
+
+TEST(ColorMap, ClassesAreToldApartAlsoByTheColourBlind)
+{
+  for (const Matrix & sight : { normalSight, protanSight, deutanSight })
+  {
+    EXPECT_GT(LeastDifference(8, 7, sight), 39.0);
+    EXPECT_GT(LeastDifference(12, 11, sight), 27.0);
+    EXPECT_GT(LeastDifference(13, 1, sight), 28.0) << "neighbours, also where the colours begin again";
+  }
+  EXPECT_EQ(shapeton::ClassColor(13), shapeton::ClassColor(1));
+}
+
+TEST(ColorMap, ClassesStandOffTheGreysOfAnImage)
+{
+  for (unsigned int label = 1; label <= 12; ++label)
+  {
+    const auto lab = LabOf(shapeton::ClassColor(label));
+    EXPECT_GT(lab[0], 37.0) << label;
+    EXPECT_GT(std::hypot(lab[1], lab[2]), 27.0) << label;
   }
 }
 
