@@ -1,7 +1,8 @@
 #include "shapetonCellTree.h"
 
+#include "shapetonDisjointSets.h"
+
 #include <algorithm>
-#include <numeric>
 
 namespace shapeton
 {
@@ -23,17 +24,6 @@ constexpr double besideWay = 10.0;
 /** A passage is a likely hole where its radius is below this share of the calibre within so many mm on both sides. */
 constexpr double leastOpening = 0.4;
 constexpr double holeReach = 30.0;
-
-int
-FindRoot(std::vector<int> & parents, int cell)
-{
-  while (parents[cell] != cell)
-  {
-    parents[cell] = parents[parents[cell]];
-    cell = parents[cell];
-  }
-  return cell;
-}
 } // namespace
 
 CellTree::CellTree(const LumenCells & cells, double coreRadius)
@@ -48,15 +38,11 @@ CellTree::CellTree(const LumenCells & cells, double coreRadius)
 void
 CellTree::SpanWidest()
 {
-  std::vector<int> parents(m_Cells.NumberOfCells());
-  std::iota(parents.begin(), parents.end(), 0);
+  DisjointSets pieces(m_Cells.NumberOfCells());
   for (int p = 0; p < static_cast<int>(m_Cells.passages.size()); ++p)
   {
-    const int a = FindRoot(parents, m_Cells.passages[p].a);
-    const int b = FindRoot(parents, m_Cells.passages[p].b);
-    if (a != b)
+    if (pieces.Join(m_Cells.passages[p].a, m_Cells.passages[p].b))
     {
-      parents[std::max(a, b)] = std::min(a, b);
       this->AddLink(p);
     }
   }

@@ -1,7 +1,7 @@
 #include "shapetonLevels.h"
 
 #include "shapetonBelowLevel.h"
-#include "shapetonUnionFind.h"
+#include "shapetonDisjointSets.h"
 
 #include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
@@ -74,14 +74,14 @@ public:
   std::vector<Level>
   Find() const
   {
-    const auto                    flat = this->FlatFloors();
-    std::map<unsigned int, Level> levels;
-    auto                          sets = this->Neighbours(flat);
+    const auto           flat = this->FlatFloors();
+    std::map<int, Level> levels;
+    auto                 sets = this->Neighbours(flat);
     for (std::size_t f = 0; f < m_Floors.size(); ++f)
     {
       if (flat[f])
       {
-        levels[sets.Find(static_cast<unsigned int>(f))].floors.push_back(f);
+        levels[sets.Find(static_cast<int>(f))].floors.push_back(f);
       }
     }
     std::vector<Level> found;
@@ -142,10 +142,10 @@ private:
     return flat;
   }
 
-  UnionFind
+  DisjointSets<>
   Neighbours(const std::vector<char> & flat) const
   {
-    UnionFind    sets(m_Floors.size());
+    DisjointSets sets(m_Floors.size());
     const double reach = std::min(m_Radius, 1.5 * m_Grid.spacing.maxCoeff());
     for (std::size_t f = 0; f < m_Floors.size(); ++f)
     {
@@ -159,7 +159,7 @@ private:
         if (flat[g] && m_Floors[g].gas == m_Floors[f].gas && a * a + b * b <= reach * reach &&
             std::abs(m_Floors[g].depth - m_Floors[f].depth) < HighestStepIn)
         {
-          sets.Unite(static_cast<unsigned int>(f), static_cast<unsigned int>(g));
+          sets.Join(static_cast<int>(f), g);
         }
       });
     }

@@ -1,5 +1,6 @@
 #include "shapetonLumenDistance.h"
 
+#include "shapetonDisjointSets.h"
 #include "shapetonParallelFor.h"
 
 #include <algorithm>
@@ -35,8 +36,7 @@ public:
       }
     }
     m_RowBegin.push_back(m_Runs.size());
-    m_Parents.resize(m_Runs.size());
-    std::iota(m_Parents.begin(), m_Parents.end(), std::size_t{ 0 });
+    m_Sets = DisjointSets<std::size_t>(m_Runs.size());
     for (std::size_t r = 0; r < size[1] * size[2]; ++r)
     {
       if (r % size[1] != 0)
@@ -60,12 +60,7 @@ public:
   std::size_t
   Root(std::size_t run)
   {
-    while (m_Parents[run] != run)
-    {
-      m_Parents[run] = m_Parents[m_Parents[run]];
-      run = m_Parents[run];
-    }
-    return run;
+    return m_Sets.Find(run);
   }
 
 private:
@@ -99,17 +94,15 @@ private:
     {
       if (m_Runs[a].first <= m_Runs[b].last && m_Runs[b].first <= m_Runs[a].last)
       {
-        const std::size_t rootA = this->Root(a);
-        const std::size_t rootB = this->Root(b);
-        m_Parents[std::max(rootA, rootB)] = std::min(rootA, rootB);
+        m_Sets.Join(a, b);
       }
       (m_Runs[a].last < m_Runs[b].last ? a : b)++;
     }
   }
 
-  std::vector<Run>         m_Runs;
-  std::vector<std::size_t> m_RowBegin;
-  std::vector<std::size_t> m_Parents;
+  std::vector<Run>          m_Runs;
+  std::vector<std::size_t>  m_RowBegin;
+  DisjointSets<std::size_t> m_Sets;
 };
 
 void

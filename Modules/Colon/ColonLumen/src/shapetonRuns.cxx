@@ -1,6 +1,6 @@
 #include "shapetonRuns.h"
 
-#include "shapetonUnionFind.h"
+#include "shapetonDisjointSets.h"
 
 namespace shapeton
 {
@@ -17,11 +17,11 @@ RunSet::Find(int i, int j, int k) const
 RunLabels
 LabelRuns(const RunSet & set, bool acrossSlices, const std::vector<char> & use)
 {
-  UnionFind  sets(set.runs.size());
-  const auto unite = [&](std::size_t r, std::size_t s, int) {
+  DisjointSets sets(set.runs.size());
+  const auto   unite = [&](std::size_t r, std::size_t s, int) {
     if (use.empty() || (use[r] && use[s]))
     {
-      sets.Unite(static_cast<unsigned int>(r), static_cast<unsigned int>(s));
+      sets.Join(static_cast<int>(r), static_cast<int>(s));
     }
   };
   for (int k = 0; k < set.size[2]; ++k)
@@ -44,7 +44,7 @@ LabelRuns(const RunSet & set, bool acrossSlices, const std::vector<char> & use)
   {
     if (use.empty() || use[r])
     {
-      const auto first = sets.Find(static_cast<unsigned int>(r));
+      const auto first = static_cast<std::size_t>(sets.Find(static_cast<int>(r)));
       labels.ofRun[r] = first == r ? ++labels.number : labels.ofRun[first];
     }
   }

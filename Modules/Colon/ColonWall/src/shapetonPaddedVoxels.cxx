@@ -1,20 +1,12 @@
 #include "shapetonPaddedVoxels.h"
 
+#include "shapetonDisjointSets.h"
+
 namespace shapeton
 {
 namespace
 {
-int
-RootOf(std::vector<int> & parents, int i)
-{
-  while (parents[i] != i)
-  {
-    i = parents[i] = parents[parents[i]];
-  }
-  return i;
-}
-
-/** Rows of runs, and the forest that joins them. */
+/** Rows of runs, and how they are joined. */
 class RunJoiner
 {
 public:
@@ -27,11 +19,7 @@ public:
       this->FindRunsOfRow(row * voxels.nx, flag, isSet);
     }
     m_RowBegin.push_back(static_cast<int>(m_Runs.size()));
-    m_Parents.resize(m_Runs.size());
-    for (std::size_t i = 0; i < m_Parents.size(); ++i)
-    {
-      m_Parents[i] = static_cast<int>(i);
-    }
+    m_Sets = DisjointSets(m_Runs.size());
   }
 
   void
@@ -60,7 +48,7 @@ public:
     std::vector<int> componentOfRoot(m_Runs.size(), -1);
     for (std::size_t i = 0; i < m_Runs.size(); ++i)
     {
-      int & component = componentOfRoot[RootOf(m_Parents, static_cast<int>(i))];
+      int & component = componentOfRoot[m_Sets.Find(static_cast<int>(i))];
       if (component < 0)
       {
         component = static_cast<int>(result.sizes.size());
@@ -111,24 +99,16 @@ private:
       const std::int64_t last = m_Runs[b].last + shift;
       if (m_Runs[a].first <= last + reach && first <= m_Runs[a].last + reach)
       {
-        this->Join(a, b);
+        m_Sets.Join(a, b);
       }
       (m_Runs[a].last < last ? a : b) += 1;
     }
   }
 
-  void
-  Join(int a, int b)
-  {
-    const int rootA = RootOf(m_Parents, a);
-    const int rootB = RootOf(m_Parents, b);
-    m_Parents[std::max(rootA, rootB)] = std::min(rootA, rootB);
-  }
-
   const PaddedVoxels &        m_Voxels;
   std::vector<VoxelRuns::Run> m_Runs;
   std::vector<int>            m_RowBegin;
-  std::vector<int>            m_Parents;
+  DisjointSets<>              m_Sets;
 };
 } // namespace
 

@@ -1,5 +1,6 @@
 #include "shapetonCentrelineGeometry.h"
 #include "shapetonColonWall.h"
+#include "shapetonDisjointSets.h"
 #include "shapetonExceptions.h"
 
 #include <vtkCellArray.h>
@@ -15,7 +16,6 @@
 #include <Eigen/LU>
 
 #include <cmath>
-#include <numeric>
 #include <stdexcept>
 
 namespace shapeton
@@ -95,29 +95,18 @@ ContourOf(vtkImageData * field, const GridGeometry & grid)
 std::vector<int>
 ComponentOfVertices(const SurfaceMesh & mesh)
 {
-  std::vector<int> parents(static_cast<std::size_t>(mesh.NumberOfVertices()));
-  std::iota(parents.begin(), parents.end(), 0);
-  const auto rootOf = [&parents](int i) {
-    while (parents[i] != i)
-    {
-      i = parents[i] = parents[parents[i]];
-    }
-    return i;
-  };
+  DisjointSets components(mesh.NumberOfVertices());
   for (Eigen::Index f = 0; f < mesh.F.rows(); ++f)
   {
-    for (int k = 1; k < 3; ++k)
-    {
-      const int a = rootOf(mesh.F(f, 0));
-      const int b = rootOf(mesh.F(f, k));
-      parents[std::max(a, b)] = std::min(a, b);
-    }
+    components.Join(mesh.F(f, 0), mesh.F(f, 1));
+    components.Join(mesh.F(f, 0), mesh.F(f, 2));
   }
+  std::vector<int> least(mesh.NumberOfVertices());
   for (int i = 0; i < mesh.NumberOfVertices(); ++i)
   {
-    parents[i] = rootOf(i);
+    least[i] = components.Find(i);
   }
-  return parents;
+  return least;
 }
 
 /** The component that encloses most, with its faces outwards. */

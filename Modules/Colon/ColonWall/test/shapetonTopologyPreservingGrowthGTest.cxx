@@ -1,5 +1,7 @@
 #include "shapetonTopologyPreservingGrowth.h"
 
+#include "shapetonDisjointSets.h"
+
 #include <gtest/gtest.h>
 
 #include <vtkCellArray.h>
@@ -8,7 +10,6 @@
 #include <vtkNew.h>
 #include <vtkPolyData.h>
 
-#include <numeric>
 #include <random>
 #include <set>
 
@@ -55,16 +56,9 @@ SurfaceOfMask(const shapeton::LumenMaskImage * mask)
   contour->SetValue(0, 0.5);
   contour->Update();
   std::set<std::pair<vtkIdType, vtkIdType>> edges;
-  std::vector<int>                          parents(contour->GetOutput()->GetNumberOfPoints());
-  std::iota(parents.begin(), parents.end(), 0);
-  const auto root = [&parents](int i) {
-    while (parents[i] != i)
-    {
-      i = parents[i];
-    }
-    return i;
-  };
-  const vtkIdType faces = contour->GetOutput()->GetNumberOfPolys();
+  const vtkIdType                           points = contour->GetOutput()->GetNumberOfPoints();
+  shapeton::DisjointSets                    sets(points);
+  const vtkIdType                           faces = contour->GetOutput()->GetNumberOfPolys();
   for (vtkIdType f = 0; f < faces; ++f)
   {
     vtkIdType         n = 0;
@@ -73,14 +67,14 @@ SurfaceOfMask(const shapeton::LumenMaskImage * mask)
     for (int k = 0; k < 3; ++k)
     {
       edges.insert(std::minmax(ids[k], ids[(k + 1) % 3]));
-      parents[root(static_cast<int>(ids[k]))] = root(static_cast<int>(ids[(k + 1) % 3]));
+      sets.Join(static_cast<int>(ids[k]), static_cast<int>(ids[(k + 1) % 3]));
     }
   }
   SurfaceNumbers numbers;
-  numbers.eulerNumber = static_cast<long>(parents.size()) - static_cast<long>(edges.size()) + static_cast<long>(faces);
-  for (int i = 0; i < static_cast<int>(parents.size()); ++i)
+  numbers.eulerNumber = static_cast<long>(points) - static_cast<long>(edges.size()) + static_cast<long>(faces);
+  for (int i = 0; i < points; ++i)
   {
-    numbers.components += parents[i] == i ? 1 : 0;
+    numbers.components += sets.Find(i) == i ? 1 : 0;
   }
   return numbers;
 }

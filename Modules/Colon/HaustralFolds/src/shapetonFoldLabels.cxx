@@ -1,30 +1,21 @@
 #include "shapetonFoldLabels.h"
 
+#include "shapetonDisjointSets.h"
+
 #include <opencv2/core.hpp>
 #include <opencv2/imgproc.hpp>
 
-#include <numeric>
+#include <algorithm>
 
 namespace shapeton
 {
 namespace
 {
-int
-Root(std::vector<int> & parents, int i)
-{
-  while (parents[i] != i)
-  {
-    i = parents[i] = parents[parents[i]];
-  }
-  return i;
-}
-
 /** Labels that meet across the first and last row become one, the least of them. */
-std::vector<int>
+DisjointSets<>
 JoinAcrossCut(const cv::Mat1i & labels, int number)
 {
-  std::vector<int> parents(number);
-  std::iota(parents.begin(), parents.end(), 0);
+  DisjointSets      sets(number);
   const int * const first = labels.ptr<int>(0);
   const int * const last = labels.ptr<int>(labels.rows - 1);
   for (int column = 0; column < labels.cols; ++column)
@@ -33,13 +24,11 @@ JoinAcrossCut(const cv::Mat1i & labels, int number)
     {
       if (first[column] != 0 && last[other] != 0)
       {
-        const int a = Root(parents, first[column]);
-        const int b = Root(parents, last[other]);
-        parents[std::max(a, b)] = std::min(a, b);
+        sets.Join(first[column], last[other]);
       }
     }
   }
-  return parents;
+  return sets;
 }
 } // namespace
 
@@ -51,7 +40,7 @@ ConnectedFolds(const FoldPicture & picture, const std::vector<char> & mask)
   cv::Mat1i labels;
   // Labels may be numbered differently for other numbers of threads: only what hangs together is taken from them.
   const int               number = cv::connectedComponents(image, labels, 8, CV_32S);
-  std::vector<int>        parents = JoinAcrossCut(labels, number);
+  DisjointSets            sets = JoinAcrossCut(labels, number);
   std::vector<int>        places(number, -1);
   std::vector<FoldPixels> folds;
   for (int row = 0; row < picture.rows; ++row)
@@ -61,7 +50,7 @@ ConnectedFolds(const FoldPicture & picture, const std::vector<char> & mask)
     {
       if (line[column] != 0)
       {
-        int & place = places[Root(parents, line[column])];
+        int & place = places[sets.Find(line[column])];
         if (place < 0)
         {
           place = static_cast<int>(folds.size());

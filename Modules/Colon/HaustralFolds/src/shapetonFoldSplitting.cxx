@@ -1,5 +1,6 @@
 #include "shapetonFoldSplitting.h"
 
+#include "shapetonDisjointSets.h"
 #include "shapetonFlatColonLocator.h"
 #include "shapetonExceptions.h"
 
@@ -41,7 +42,6 @@ public:
 private:
   struct Part
   {
-    int    parent;
     double peak;
     double area;
   };
@@ -56,16 +56,6 @@ private:
   {
     return std::abs(m_Picture.curvature[this->IndexOf(i)]);
   }
-  int
-  Root(int part)
-  {
-    while (m_Parts[part].parent != part)
-    {
-      part = m_Parts[part].parent = m_Parts[m_Parts[part].parent].parent;
-    }
-    return part;
-  }
-
   /** The parts that are next to a pixel, that of its greatest neighbour first. */
   std::vector<int>
   PartsAround(int i)
@@ -82,7 +72,7 @@ private:
                              : m_PlaceOfPixel.find(m_Picture.Index(column, row));
         if (other != m_PlaceOfPixel.end() && m_PartOf[other->second] >= 0)
         {
-          found.emplace_back(-this->Value(other->second), this->Root(m_PartOf[other->second]));
+          found.emplace_back(-this->Value(other->second), m_Joined.Find(m_PartOf[other->second]));
         }
       }
     }
@@ -112,17 +102,17 @@ private:
     const std::vector<int> around = this->PartsAround(i);
     if (around.empty())
     {
-      m_PartOf[i] = static_cast<int>(m_Parts.size());
-      m_Parts.push_back({ m_PartOf[i], this->Value(i), m_Picture.AreaOf(this->IndexOf(i)) });
+      m_PartOf[i] = m_Joined.Add();
+      m_Parts.push_back({ this->Value(i), m_Picture.AreaOf(this->IndexOf(i)) });
       return;
     }
     int own = around.front();
     for (std::size_t k = 1; k < around.size(); ++k)
     {
-      const int other = this->Root(around[k]);
+      const int other = m_Joined.Find(around[k]);
       if (other != own && !this->StaysApart(m_Parts[own], m_Parts[other], i))
       {
-        m_Parts[other].parent = own;
+        m_Joined.Absorb(own, other);
         m_Parts[own].peak = std::max(m_Parts[own].peak, m_Parts[other].peak);
         m_Parts[own].area += m_Parts[other].area;
       }
@@ -138,7 +128,7 @@ private:
     std::vector<FoldPixels> folds;
     for (std::size_t i = 0; i < m_Pixels.size(); ++i)
     {
-      int & place = places[this->Root(m_PartOf[i])];
+      int & place = places[m_Joined.Find(m_PartOf[i])];
       if (place < 0)
       {
         place = static_cast<int>(folds.size());
@@ -155,7 +145,8 @@ private:
   std::vector<int>                     m_Order; ///< falling curvature
   std::unordered_map<std::size_t, int> m_PlaceOfPixel;
   std::vector<int>                     m_PartOf;
-  std::vector<Part>                    m_Parts;
+  std::vector<Part>                    m_Parts; ///< of the members that stand for joined parts
+  DisjointSets<>                       m_Joined;
 };
 /** Places along a curve, at most `step` mm apart. */
 std::vector<Eigen::Vector3d>

@@ -1,9 +1,10 @@
 #include "shapetonShapeComponents.h"
 
+#include "shapetonDisjointSets.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
 #include <stdexcept>
 
 namespace shapeton
@@ -12,41 +13,15 @@ namespace
 {
 constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
 
-/** Disjoint sets of voxels; the root of a set is its least voxel. */
-class DisjointSets
-{
-public:
-  explicit DisjointSets(std::size_t number) : m_Parents(number) { std::iota(m_Parents.begin(), m_Parents.end(), 0U); }
+using VoxelSets = DisjointSets<std::uint32_t>;
 
-  std::uint32_t
-  Find(std::uint32_t i)
-  {
-    while (m_Parents[i] != i)
-    {
-      m_Parents[i] = m_Parents[m_Parents[i]];
-      i = m_Parents[i];
-    }
-    return i;
-  }
-
-  void
-  Join(std::uint32_t a, std::uint32_t b)
-  {
-    a = this->Find(a);
-    b = this->Find(b);
-    m_Parents[std::max(a, b)] = std::min(a, b);
-  }
-
-private:
-  std::vector<std::uint32_t> m_Parents;
-};
-
-DisjointSets
+/** The least voxel stands for its set. */
+VoxelSets
 JoinVoxels(const VolumeGradientOperator & op)
 {
   const auto &                     grid = op.GetGrid();
   const auto &                     size = grid.GetSize();
-  DisjointSets                     sets(grid.GetNumberOfVoxels());
+  VoxelSets                        sets(grid.GetNumberOfVoxels());
   const std::array<std::size_t, 3> strides = { 1, size[0], size[0] * size[1] };
   std::uint32_t                    voxel = 0;
   for (std::size_t z = 0; z < size[2]; ++z)
@@ -78,7 +53,7 @@ struct Labelling
 };
 
 Labelling
-LabelLargeComponents(DisjointSets & sets, const std::array<std::size_t, 3> & size, std::uint64_t minimumVoxels)
+LabelLargeComponents(VoxelSets & sets, const std::array<std::size_t, 3> & size, std::uint64_t minimumVoxels)
 {
   Labelling         labelling;
   const std::size_t number = size[0] * size[1] * size[2];
@@ -251,7 +226,7 @@ FindShapeComponents(const VolumeGradientOperator & volumeGradient,
   }
   Labelling labelling;
   {
-    DisjointSets sets = JoinVoxels(volumeGradient);
+    VoxelSets sets = JoinVoxels(volumeGradient);
     labelling = LabelLargeComponents(sets, size, std::max<std::uint64_t>(1, minimumVoxels));
   }
   MeasureHeat(labelling, volumeGradient, initialHeat);

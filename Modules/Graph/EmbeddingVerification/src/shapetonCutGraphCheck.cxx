@@ -13,9 +13,9 @@ using CutEdges = std::vector<char>;
 CutEdges
 EdgesOfTree(const EmbeddingCertificate & certificate, const TracedMap & packed)
 {
-  CutEdges     cut(packed.HalfEdges() / 2, 0);
-  DisjointSets sets(packed.nodes);
-  int          roots = 0;
+  CutEdges       cut(packed.HalfEdges() / 2, 0);
+  UnitedElements sets(packed.nodes);
+  int            roots = 0;
   for (int node = 0; node < packed.nodes; ++node)
   {
     const int halfEdge = certificate.tree[node];
@@ -56,9 +56,9 @@ AddGenerators(const EmbeddingCertificate & certificate, CutEdges & cut)
 void
 RequireDisk(const TracedMap & packed, const CutEdges & cut)
 {
-  const auto   faces = static_cast<int>(packed.firstOfFace.size());
-  DisjointSets sets(faces);
-  int          components = faces;
+  const auto     faces = static_cast<int>(packed.firstOfFace.size());
+  UnitedElements sets(faces);
+  int            components = faces;
   for (int h = 0; h < packed.HalfEdges(); h += 2)
   {
     if (cut[h / 2] == 0 && sets.Unite(packed.face[h], packed.face[h + 1]))

@@ -5,10 +5,10 @@
 
 namespace shapeton
 {
-DisjointSets::DisjointSets(int size) : m_Parent(size) { std::iota(m_Parent.begin(), m_Parent.end(), 0); }
+UnitedElements::UnitedElements(int size) : m_Parent(size) { std::iota(m_Parent.begin(), m_Parent.end(), 0); }
 
 int
-DisjointSets::Find(int element)
+UnitedElements::Find(int element)
 {
   while (m_Parent[element] != element)
   {
@@ -19,7 +19,7 @@ DisjointSets::Find(int element)
 }
 
 bool
-DisjointSets::Unite(int first, int second)
+UnitedElements::Unite(int first, int second)
 {
   first = this->Find(first);
   second = this->Find(second);
@@ -90,7 +90,7 @@ TracedMap::TraceFaces()
 void
 TracedMap::CountComponents()
 {
-  DisjointSets sets(nodes);
+  UnitedElements sets(nodes);
   components = nodes;
   for (int halfEdge = 0; halfEdge < this->HalfEdges(); halfEdge += 2)
   {

@@ -58,11 +58,11 @@ private:
   CountComponents();
 };
 
-/** Disjoint sets. */
-class DisjointSets
+/** Disjoint sets; of its own, since the verifier shares no code with what it checks. */
+class UnitedElements
 {
 public:
-  explicit DisjointSets(int size);
+  explicit UnitedElements(int size);
 
   int
   Find(int element);

@@ -1,11 +1,11 @@
 #include "shapetonCarriedRotation.h"
 
 #include "shapetonBlockArrangement.h"
+#include "shapetonDisjointSets.h"
 #include "shapetonHeldEmbedding.h"
 
 #include <algorithm>
 #include <map>
-#include <numeric>
 #include <set>
 #include <unordered_map>
 #include <utility>
@@ -64,8 +64,6 @@ public:
   Run();
 
 private:
-  int
-  Root(int node);
   IncrementalMap
   KeptMap(const Graph & before, const CombinatorialMap & map);
 
@@ -86,7 +84,7 @@ private:
   Insert(int edge, int a, int b)
   {
     m_Map.Insert(m_IndexOfEdge[edge], a, b);
-    m_Parent[Root(m_After.edges[edge][0])] = Root(m_After.edges[edge][1]);
+    m_Components.Join(m_After.edges[edge][0], m_After.edges[edge][1]);
     m_Pending.erase(edge);
   }
 
@@ -112,7 +110,7 @@ private:
   const Graph &                 m_After;
   std::vector<int>              m_IndexOfEdge; // in m_Map, of each edge of m_After; -1 for new loops
   IncrementalMap                m_Map;
-  std::vector<int>              m_Parent; // of the components
+  DisjointSets<>                m_Components;
   std::vector<std::vector<int>> m_NewEdgesOf;
   std::set<int>                 m_Pending;
   bool                          m_MayBePlanar;
@@ -122,17 +120,16 @@ EdgeInsertion::EdgeInsertion(const Graph & before, const CombinatorialMap & map,
   : m_After(after)
   , m_IndexOfEdge(after.edges.size(), -1)
   , m_Map(KeptMap(before, map))
-  , m_Parent(after.nodes)
+  , m_Components(after.nodes)
   , m_NewEdgesOf(after.nodes)
   , m_MayBePlanar(map.Genus() == 0)
 {
-  std::iota(m_Parent.begin(), m_Parent.end(), 0);
   for (int e = 0; e < static_cast<int>(after.edges.size()); ++e)
   {
     const auto [node0, node1] = after.edges[e];
     if (m_IndexOfEdge[e] >= 0)
     {
-      m_Parent[Root(node0)] = Root(node1);
+      m_Components.Join(node0, node1);
     }
     else if (node0 != node1)
     {
@@ -155,16 +152,6 @@ EdgeInsertion::Run()
     }
   }
   return CombinatorialMap(m_After.nodes, m_After.edges, NextAround());
-}
-
-int
-EdgeInsertion::Root(int node)
-{
-  while (m_Parent[node] != node)
-  {
-    node = m_Parent[node] = m_Parent[m_Parent[node]];
-  }
-  return node;
 }
 
 /** The old map without what is gone; its edges are numbered in the order of `after`. */
@@ -229,7 +216,7 @@ bool
 EdgeInsertion::InsertIfFree(int edge)
 {
   const auto [node0, node1] = m_After.edges[edge];
-  if (Root(node0) != Root(node1))
+  if (m_Components.Find(node0) != m_Components.Find(node1))
   {
     Insert(edge, CornerOfLongestFace(node0), CornerOfLongestFace(node1));
     return true;

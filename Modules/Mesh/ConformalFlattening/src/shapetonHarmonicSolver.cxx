@@ -1,11 +1,11 @@
 #include "shapetonHarmonicSolver.h"
 
+#include "shapetonDisjointSets.h"
 #include "shapetonExceptions.h"
 
 #include <Eigen/SparseCholesky>
 
 #include <algorithm>
-#include <numeric>
 
 namespace shapeton
 {
@@ -40,34 +40,23 @@ RowsOfVertices(int vertices, const std::vector<int> & fixed)
   return rows;
 }
 
-int
-Root(std::vector<int> & parents, int i)
-{
-  while (parents[i] != i)
-  {
-    i = parents[i] = parents[parents[i]];
-  }
-  return i;
-}
-
 /** The solution is unique where each component has a fixed vertex. */
 void
 RequireFixedComponents(const SurfaceLaplacian & laplacian, const std::vector<int> & fixed)
 {
-  std::vector<int> parents(laplacian.NumberOfVertices());
-  std::iota(parents.begin(), parents.end(), 0);
+  DisjointSets components(laplacian.NumberOfVertices());
   for (const auto & [a, b] : laplacian.edges)
   {
-    parents[Root(parents, a)] = Root(parents, b);
+    components.Join(a, b);
   }
-  std::vector<char> hasFixed(parents.size(), 0);
+  std::vector<char> hasFixed(laplacian.NumberOfVertices(), 0);
   for (const int vertex : fixed)
   {
-    hasFixed[Root(parents, vertex)] = 1;
+    hasFixed[components.Find(vertex)] = 1;
   }
   for (int vertex = 0; vertex < laplacian.NumberOfVertices(); ++vertex)
   {
-    if (!hasFixed[Root(parents, vertex)])
+    if (!hasFixed[components.Find(vertex)])
     {
       throw InputError("a harmonic function needs a fixed value in each component of the surface; that of vertex " +
                        std::to_string(vertex) + " has none");

@@ -1,9 +1,10 @@
 #include "shapetonVertexMerging.h"
 
+#include "shapetonDisjointSets.h"
+
 #include <array>
 #include <cmath>
 #include <cstdint>
-#include <numeric>
 #include <unordered_map>
 
 namespace shapeton
@@ -27,35 +28,9 @@ struct HashOfCell
   }
 };
 
-class Groups
-{
-public:
-  explicit Groups(Eigen::Index size) : m_Parent(size) { std::iota(m_Parent.begin(), m_Parent.end(), 0); }
-  int
-  Find(int i)
-  {
-    while (m_Parent[i] != i)
-    {
-      m_Parent[i] = m_Parent[m_Parent[i]];
-      i = m_Parent[i];
-    }
-    return i;
-  }
-  void
-  Join(int a, int b)
-  {
-    a = this->Find(a);
-    b = this->Find(b);
-    m_Parent[std::max(a, b)] = std::min(a, b); // the least index stands for all
-  }
-
-private:
-  std::vector<int> m_Parent;
-};
-
 /** Equal positions: the bits are the key; -0 is 0. */
 void
-JoinEqual(const VertexMatrix & V, Groups & groups)
+JoinEqual(const VertexMatrix & V, DisjointSets<> & groups)
 {
   std::unordered_map<Cell, int, HashOfCell> first;
   first.reserve(V.rows());
@@ -78,7 +53,7 @@ JoinEqual(const VertexMatrix & V, Groups & groups)
 
 /** Near positions: each vertex is compared with those in the 27 cells of side `distance` around it. */
 void
-JoinNear(const VertexMatrix & V, double distance, Groups & groups)
+JoinNear(const VertexMatrix & V, double distance, DisjointSets<> & groups)
 {
   const Eigen::RowVector3d                               corner = V.colwise().minCoeff();
   std::unordered_map<Cell, std::vector<int>, HashOfCell> cells;
@@ -128,7 +103,7 @@ KeepRows(SurfaceMesh & mesh, const std::vector<int> & kept)
 int
 MergeVertices(SurfaceMesh & mesh, double distance)
 {
-  Groups groups(mesh.V.rows());
+  DisjointSets groups(mesh.V.rows()); // the least vertex stands for all
   JoinEqual(mesh.V, groups);
   if (distance > 0.0)
   {

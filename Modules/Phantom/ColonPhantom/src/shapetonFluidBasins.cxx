@@ -1,5 +1,7 @@
 #include "shapetonFluidBasins.h"
 
+#include "shapetonDisjointSets.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -34,11 +36,10 @@ class BasinTree
 {
 public:
   BasinTree(const Heights & heights, std::vector<FluidPassage> passages, std::size_t smallest)
-    : m_Heights(heights), m_Smallest(smallest), m_Parent(heights.size()), m_BasinOf(heights.size(), -1)
+    : m_Heights(heights), m_Smallest(smallest), m_Sets(heights.size()), m_BasinOf(heights.size(), -1)
   {
     for (std::size_t i = 0; i < heights.size(); ++i)
     {
-      m_Parent[i] = static_cast<int>(i);
       if (!heights[i].empty())
       {
         m_BasinOf[i] = static_cast<int>(m_Basins.size());
@@ -68,23 +69,12 @@ public:
   }
 
 private:
-  int
-  Find(int slice)
-  {
-    while (m_Parent[slice] != slice)
-    {
-      m_Parent[slice] = m_Parent[m_Parent[slice]];
-      slice = m_Parent[slice];
-    }
-    return slice;
-  }
-
   // A part too small to be a basin of its own leaves no ridge.
   void
   Join(int sliceA, int sliceB, double height)
   {
-    const int a = this->Find(sliceA);
-    const int b = this->Find(sliceB);
+    const int a = m_Sets.Find(sliceA);
+    const int b = m_Sets.Find(sliceB);
     if (a == b)
     {
       return;
@@ -93,7 +83,7 @@ private:
     const int  basinB = m_BasinOf[b];
     const bool divides = PointsBelow(m_Heights, m_Basins[basinA].slices, height) >= m_Smallest &&
                          PointsBelow(m_Heights, m_Basins[basinB].slices, height) >= m_Smallest;
-    m_Parent[b] = a;
+    m_Sets.Absorb(a, b);
     if (divides)
     {
       Basin both;
@@ -128,7 +118,7 @@ private:
   JoinPieces()
   {
     int first = -1;
-    for (std::size_t i = 0; i < m_Parent.size(); ++i)
+    for (std::size_t i = 0; i < m_Heights.size(); ++i)
     {
       if (!m_Heights[i].empty() && first < 0)
       {
@@ -139,12 +129,12 @@ private:
         this->Join(first, static_cast<int>(i), std::numeric_limits<float>::max());
       }
     }
-    m_Root = first < 0 ? -1 : m_BasinOf[this->Find(first)];
+    m_Root = first < 0 ? -1 : m_BasinOf[m_Sets.Find(first)];
   }
 
   const Heights &    m_Heights;
   std::size_t        m_Smallest;
-  std::vector<int>   m_Parent;
+  DisjointSets<>     m_Sets;
   std::vector<int>   m_BasinOf; // of a representative
   std::vector<Basin> m_Basins;
   int                m_Root{ -1 };
