@@ -2,6 +2,7 @@
 # ModuleLayeringTest checks that no include points to a later one.
 set(Shapeton_MODULES
   Core/Base
+  Core/Voxels
   Core/Report
   Core/SparseCholesky
   Mesh/SurfaceMesh

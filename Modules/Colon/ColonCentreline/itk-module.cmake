@@ -8,6 +8,8 @@ itk_module(ColonCentreline
     SurfaceMesh
     ColonLumen
     ITKCommon
+  PRIVATE_DEPENDS
+    Voxels
   TEST_DEPENDS
     DicomSeries
     ITKGoogleTest

@@ -6,6 +6,8 @@ itk_module(ColonLumen
   DEPENDS
     Base
     ITKCommon
+  PRIVATE_DEPENDS
+    Voxels
   TEST_DEPENDS
     SurfaceMesh
     DicomSeries

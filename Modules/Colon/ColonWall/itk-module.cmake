@@ -7,6 +7,7 @@ itk_module(ColonWall
     SurfaceMesh
     ITKCommon
   PRIVATE_DEPENDS
+    Voxels
     ITKDistanceMap
     ITKSmoothing
   TEST_DEPENDS

@@ -62,11 +62,12 @@ LumenGrid::LumenGrid(const LumenDistanceImage * distance,
                      const std::array<int, 3> & block)
   : m_Block(block)
 {
-  const auto region = distance->GetBufferedRegion();
+  const auto         region = distance->GetBufferedRegion();
+  std::array<int, 3> size;
   for (int a = 0; a < 3; ++a)
   {
     // One empty voxel all around, so that every node has 26 neighbours to ask.
-    m_Size[a] = static_cast<int>(region.GetSize(a)) / block[a] + 2;
+    size[a] = static_cast<int>(region.GetSize(a)) / block[a] + 2;
     m_Spacing[a] = block[a] * distance->GetSpacing()[a];
     m_First[a] = 0.5 * (block[a] - 1) * distance->GetSpacing()[a] - m_Spacing[a];
     for (int b = 0; b < 3; ++b)
@@ -74,6 +75,7 @@ LumenGrid::LumenGrid(const LumenDistanceImage * distance,
       m_Direction(a, b) = distance->GetDirection()(a, b);
     }
   }
+  m_Grid.SetSize(size);
   const auto origin = distance->TransformIndexToPhysicalPoint<itk::SpacePrecisionType>(region.GetIndex());
   m_Origin = Eigen::Vector3d(origin[0], origin[1], origin[2]);
   this->MakeNodes(distance, labels, isUsed);
@@ -86,19 +88,19 @@ LumenGrid::MakeNodes(const LumenDistanceImage * distance,
                      const std::vector<char> &  isUsed)
 {
   const auto size = labels->GetBufferedRegion().GetSize();
-  m_NodeAt.assign(static_cast<std::size_t>(m_Size[0]) * m_Size[1] * m_Size[2], -1);
-  for (int z = 1; z < m_Size[2] - 1; ++z)
+  m_NodeAt.assign(m_Grid.NumberOfVoxels(), -1);
+  for (int z = 1; z < m_Grid.size[2] - 1; ++z)
   {
-    for (int y = 1; y < m_Size[1] - 1; ++y)
+    for (int y = 1; y < m_Grid.size[1] - 1; ++y)
     {
-      for (int x = 1; x < m_Size[0] - 1; ++x)
+      for (int x = 1; x < m_Grid.size[0] - 1; ++x)
       {
         const std::size_t first =
           ((z - 1) * m_Block[2] * size[1] + (y - 1) * m_Block[1]) * size[0] + (x - 1) * m_Block[0];
         const BlockContent content = ReadBlock(distance, labels, first, m_Block);
         if (isUsed[content.component])
         {
-          const int voxel = (z * m_Size[1] + y) * m_Size[0] + x;
+          const int voxel = static_cast<int>(m_Grid.Index(x, y, z));
           m_NodeAt[voxel] = static_cast<int>(m_Voxels.size());
           m_Voxels.push_back(voxel);
           m_Distances.push_back(content.distance);
@@ -112,7 +114,6 @@ LumenGrid::MakeNodes(const LumenDistanceImage * distance,
 void
 LumenGrid::MakeSteps()
 {
-  const auto strides = this->Strides();
   for (int z = -1; z <= 1; ++z)
   {
     for (int y = -1; y <= 1; ++y)
@@ -122,7 +123,7 @@ LumenGrid::MakeSteps()
         if (x != 0 || y != 0 || z != 0)
         {
           const double length = Eigen::Vector3d(x * m_Spacing[0], y * m_Spacing[1], z * m_Spacing[2]).norm();
-          m_Steps.push_back({ x * strides[0] + y * strides[1] + z * strides[2], length, { x, y, z } });
+          m_Steps.push_back({ static_cast<int>(m_Grid.Offset(x, y, z)), length, { x, y, z } });
         }
       }
     }
@@ -136,7 +137,7 @@ LumenGrid::NodeOf(const Eigen::Vector3d & position) const
   for (int a = 0; a < 3; ++a)
   {
     voxel[a] = static_cast<int>(std::lround((position[a] - m_First[a]) / m_Spacing[a]));
-    if (voxel[a] < 0 || voxel[a] >= m_Size[a])
+    if (voxel[a] < 0 || voxel[a] >= m_Grid.size[a])
     {
       return -1;
     }

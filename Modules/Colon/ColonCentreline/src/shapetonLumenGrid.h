@@ -2,6 +2,7 @@
 #define shapetonLumenGrid_h
 
 #include "shapetonLumenDistance.h"
+#include "shapetonVoxelGrid.h"
 
 #include <Eigen/Core>
 
@@ -58,20 +59,18 @@ public:
   std::array<int, 3>
   Voxel(int node) const
   {
-    return { m_Voxels[node] % m_Size[0],
-             m_Voxels[node] / m_Size[0] % m_Size[1],
-             m_Voxels[node] / m_Size[0] / m_Size[1] };
+    return m_Grid.Voxel(m_Voxels[node]);
   }
   /** -1 where there is none. */
   int
   NodeAt(int x, int y, int z) const
   {
-    return m_NodeAt[(z * m_Size[1] + y) * m_Size[0] + x];
+    return m_NodeAt[m_Grid.Index(x, y, z)];
   }
   const std::array<int, 3> &
   Size() const
   {
-    return m_Size;
+    return m_Grid.size;
   }
   Eigen::Vector3d
   Position(int node) const
@@ -107,7 +106,7 @@ public:
   std::array<int, 3>
   Strides() const
   {
-    return { 1, m_Size[0], m_Size[0] * m_Size[1] };
+    return { 1, static_cast<int>(m_Grid.stride[1]), static_cast<int>(m_Grid.stride[2]) };
   }
 
   Eigen::Vector3d
@@ -134,7 +133,7 @@ private:
   MakeSteps();
 
   std::array<int, 3> m_Block;
-  std::array<int, 3> m_Size;
+  VoxelGrid          m_Grid;
   Eigen::Vector3d    m_Spacing;
   /** The position of the voxel 0. */
   Eigen::Vector3d    m_First;

@@ -1,6 +1,6 @@
 #include "shapetonCatheter.h"
 
-#include "shapetonRuns.h"
+#include "shapetonVoxelRuns.h"
 
 #include <algorithm>
 #include <cmath>
@@ -26,7 +26,7 @@ IsLumen(unsigned char c)
 /** Parts of slices outside the lumen. */
 struct Islands
 {
-  RunSet            set;
+  VoxelRuns         set;
   RunLabels         labels;
   std::vector<char> isSmall; ///< enclosed by lumen in its slice
   std::vector<char> hasGas;
@@ -37,13 +37,13 @@ FindIslands(const ColonGrid & grid, const std::vector<float> & hu, double gasBou
 {
   Islands islands;
   islands.set = CollectRuns(grid, [&](std::size_t p) { return !IsLumen(classes[p]); });
-  islands.labels = LabelRuns(islands.set, false);
+  islands.labels = LabelRuns(islands.set, VoxelContact::FaceInSlice);
   islands.isSmall.assign(islands.labels.number + 1, 1);
   islands.hasGas.assign(islands.labels.number + 1, 0);
   std::vector<double> area(islands.labels.number + 1, 0.0);
   ForEachRun(islands.set, [&](std::size_t r, int j, int k) {
-    const int island = islands.labels.ofRun[r];
-    const Run run = islands.set.runs[r];
+    const int      island = islands.labels.ofRun[r];
+    const VoxelRun run = islands.set.runs[r];
     area[island] += (run.end - run.begin) * grid.spacing[0] * grid.spacing[1];
     if (run.begin == 0 || run.end == grid.size[0] || j == 0 || j + 1 == grid.size[1] || area[island] > LargestIsland)
     {

@@ -151,7 +151,7 @@ FindBright(ColonEvidence & evidence)
   const auto & t = evidence.thresholds;
   const double above = t.fluid > 0.0 ? t.fluidSeed : 1e9;
   evidence.brightSet = CollectRuns(evidence.grid, [&](std::size_t p) { return evidence.hu[p] > above; });
-  evidence.brightLabels = LabelRuns(evidence.brightSet, true);
+  evidence.brightLabels = LabelRuns(evidence.brightSet);
   evidence.isColonBright.assign(evidence.brightLabels.number + 1, 0);
   evidence.brightOfLevel.clear();
   const Fall fall(evidence.grid, evidence.gravity);

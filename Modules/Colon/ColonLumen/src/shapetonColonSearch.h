@@ -27,7 +27,7 @@ struct ColonEvidence
   std::vector<char>               isColon;     ///< pieces of gas
   Eigen::Vector3d                 gravity{ 0.0, 1.0, 0.0 };
   std::vector<Level>              levels; ///< under the candidates
-  RunSet                          brightSet;
+  VoxelRuns                       brightSet;
   RunLabels                       brightLabels;
   std::vector<char>               isColonBright; ///< bright pieces that hang on colon gas or hold a seed
   std::vector<std::vector<int>>   brightOfLevel;

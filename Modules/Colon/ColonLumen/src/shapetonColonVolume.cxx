@@ -1,5 +1,7 @@
 #include "shapetonColonVolume.h"
 
+#include "shapetonSquaredDistances.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -21,27 +23,18 @@ WorkingOrder(const itk::ImageBase<3> * image)
   }
   return { { axial == 0 ? 1 : 0, axial == 2 ? 1 : 2, axial } };
 }
-
-void
-SetStrides(ColonGrid & grid)
-{
-  grid.stride = {
-    { 1, static_cast<std::size_t>(grid.size[0]), static_cast<std::size_t>(grid.size[0]) * grid.size[1] }
-  };
-}
 } // namespace
 
 ColonGrid
 ColonGrid::Part(const VoxelBox & box) const
 {
   ColonGrid part = *this;
+  part.SetSize({ { box.high[0] - box.low[0], box.high[1] - box.low[1], box.high[2] - box.low[2] } });
   for (int a = 0; a < 3; ++a)
   {
-    part.size[a] = box.high[a] - box.low[a];
     part.corner[a] += box.low[a];
   }
   part.origin = this->Position(Eigen::Vector3d(box.low[0], box.low[1], box.low[2]));
-  SetStrides(part);
   return part;
 }
 
@@ -64,12 +57,13 @@ GridOfImage(const itk::ImageBase<3> * image)
   ColonGrid             grid;
   const auto            region = image->GetBufferedRegion();
   itk::Point<double, 3> origin;
+  std::array<int, 3>    size;
   image->TransformIndexToPhysicalPoint(region.GetIndex(), origin);
   grid.imageAxis = WorkingOrder(image);
   for (int a = 0; a < 3; ++a)
   {
     const int axis = grid.imageAxis[a];
-    grid.size[a] = static_cast<int>(region.GetSize(axis));
+    size[a] = static_cast<int>(region.GetSize(axis));
     grid.spacing[a] = image->GetSpacing()[axis];
     grid.origin[a] = origin[a];
     for (int r = 0; r < 3; ++r)
@@ -77,7 +71,7 @@ GridOfImage(const itk::ImageBase<3> * image)
       grid.axes(r, a) = image->GetDirection()(r, axis);
     }
   }
-  SetStrides(grid);
+  grid.SetSize(size);
   return grid;
 }
 
@@ -106,5 +100,11 @@ CropVoxels(const std::vector<float> & voxels, const ColonGrid & grid, const Voxe
     }
   });
   return crop;
+}
+
+std::vector<float>
+SquaredDistanceToBackground(const ColonGrid & grid, const std::vector<unsigned char> & mask)
+{
+  return SquaredDistances(grid, { { grid.spacing[0], grid.spacing[1], grid.spacing[2] } }, mask);
 }
 } // namespace shapeton

@@ -1,6 +1,5 @@
 #include "shapetonElectronicCleansing.h"
 
-#include "shapetonDistanceToBackground.h"
 #include "shapetonLevelSurface.h"
 
 #include "shapetonColonStatistics.h"

@@ -40,7 +40,7 @@ FloorBelow(const ColonGrid &          grid,
 std::vector<Floor>
 FloorsOfGas(const ColonGrid &          grid,
             const std::vector<float> & hu,
-            const RunSet &             gas,
+            const VoxelRuns &          gas,
             const RunLabels &          pieces,
             const std::vector<char> &  use,
             const Fall &               fall,

@@ -3,7 +3,7 @@
 
 #include "shapetonColonLumenSegmentation.h"
 #include "shapetonFall.h"
-#include "shapetonRuns.h"
+#include "shapetonVoxelRuns.h"
 
 namespace shapeton
 {
@@ -19,7 +19,7 @@ struct Floor
 std::vector<Floor>
 FloorsOfGas(const ColonGrid &          grid,
             const std::vector<float> & hu,
-            const RunSet &             gas,
+            const VoxelRuns &          gas,
             const RunLabels &          pieces,
             const std::vector<char> &  use,
             const Fall &               fall,

@@ -1,6 +1,5 @@
 #include "shapetonFluidNecks.h"
 
-#include "shapetonDistanceToBackground.h"
 #include "shapetonLevelColumn.h"
 
 #include <algorithm>
@@ -34,7 +33,7 @@ public:
     const auto   d = SquaredDistanceToBackground(field.grid, mask);
     const double radius = std::max(PassageRadius, PassageInVoxels * field.grid.spacing.maxCoeff());
     m_Runs = CollectRuns(field.grid, [&](std::size_t p) { return d[p] >= radius * radius && classes[p] == Undecided; });
-    m_Labels = LabelRuns(m_Runs, true);
+    m_Labels = LabelRuns(m_Runs);
     m_IsColon.assign(m_Labels.number + 1, 0);
   }
 
@@ -126,7 +125,7 @@ private:
 
   LumenField &      m_Field;
   LevelColumn       m_Column;
-  RunSet            m_Runs;
+  VoxelRuns         m_Runs;
   RunLabels         m_Labels;
   std::vector<char> m_IsColon; ///< by label
 };

@@ -1,6 +1,5 @@
 #include "shapetonGasPieces.h"
 
-#include "shapetonDistanceToBackground.h"
 #include "shapetonRunPieces.h"
 
 #include <Eigen/Eigenvalues>
@@ -29,15 +28,15 @@ struct Outline
 
 /** The outline of each labelled part of the slices. */
 std::vector<Outline>
-OutlinesInSlices(const ColonGrid & grid, const RunSet & set, const RunLabels & labels)
+OutlinesInSlices(const ColonGrid & grid, const VoxelRuns & set, const RunLabels & labels)
 {
   std::vector<Outline> outlines(labels.number + 1);
   const double         sx = grid.spacing[0];
   const double         sy = grid.spacing[1];
   ForEachRun(set, [&](std::size_t r, int j, int) {
-    auto &       outline = outlines[labels.ofRun[r]];
-    const Run    run = set.runs[r];
-    const double length = (run.end - run.begin) * sx;
+    auto &         outline = outlines[labels.ofRun[r]];
+    const VoxelRun run = set.runs[r];
+    const double   length = (run.end - run.begin) * sx;
     (run.begin == 0 ? outline.border : outline.edge) += sy;
     (run.end == grid.size[0] ? outline.border : outline.edge) += sy;
     (j == 0 ? outline.border : outline.edge) += length;
@@ -69,7 +68,7 @@ RunsOf(const RunLabels & labels, const std::vector<char> & isIn)
 
 /** 1 for each part that holds one of the voxels. */
 std::vector<char>
-PartsOf(const RunSet & set, const RunLabels & parts, const std::vector<std::array<int, 3>> & voxels)
+PartsOf(const VoxelRuns & set, const RunLabels & parts, const std::vector<std::array<int, 3>> & voxels)
 {
   std::vector<char> holds(parts.number + 1, 0);
   for (const auto & v : voxels)
@@ -82,16 +81,16 @@ PartsOf(const RunSet & set, const RunLabels & parts, const std::vector<std::arra
 
 /** The groups of slice parts at the border that are outside air. */
 std::vector<char>
-OutsideRuns(const ColonGrid & grid, const RunSet & set, const std::vector<std::array<int, 3>> & kept)
+OutsideRuns(const ColonGrid & grid, const VoxelRuns & set, const std::vector<std::array<int, 3>> & kept)
 {
-  const RunLabels   parts = LabelRuns(set, false);
+  const RunLabels   parts = LabelRuns(set, VoxelContact::FaceInSlice);
   const auto        outlines = OutlinesInSlices(grid, set, parts);
   std::vector<char> touches(parts.number + 1, 0);
   for (int p = 1; p <= parts.number; ++p)
   {
     touches[p] = outlines[p].border > 0.0;
   }
-  const RunLabels      groups = LabelRuns(set, true, RunsOf(parts, touches));
+  const RunLabels      groups = LabelRuns(set, VoxelContact::Face, RunsOf(parts, touches));
   std::vector<Outline> ofGroup(groups.number + 1);
   std::vector<char>    done(parts.number + 1, 0);
   for (std::size_t r = 0; r < set.runs.size(); ++r)
@@ -138,7 +137,7 @@ struct Section
 };
 
 std::vector<Section>
-SectionsOfParts(const ColonGrid & grid, const RunSet & set, const RunLabels & parts, int slice)
+SectionsOfParts(const ColonGrid & grid, const VoxelRuns & set, const RunLabels & parts, int slice)
 {
   std::vector<Section> sections(parts.number + 1);
   ForEachRun(set, [&](std::size_t r, int j, int k) {
@@ -158,11 +157,11 @@ SectionsOfParts(const ColonGrid & grid, const RunSet & set, const RunLabels & pa
  * rectum is not, and goes on upwards as long as the next slice shows a quarter of it: the canal is much smaller. */
 void
 AddCleft(const ColonGrid &                       grid,
-         const RunSet &                          set,
+         const VoxelRuns &                       set,
          const std::vector<std::array<int, 3>> & kept,
          std::vector<char> &                     isOutsideRun)
 {
-  const RunLabels     parts = LabelRuns(set, false);
+  const RunLabels     parts = LabelRuns(set, VoxelContact::FaceInSlice);
   const int           caudal = grid.axes(2, 2) > 0.0 ? 0 : grid.size[2] - 1;
   const auto          sections = SectionsOfParts(grid, set, parts, caudal);
   const int           up = caudal == 0 ? 1 : -1;
@@ -224,8 +223,8 @@ MeasurePieces(const ColonGrid & grid, const std::vector<float> & hu, bool showsO
   const auto                   measured = PiecesOfRuns(gas.set, gas.labels);
   std::vector<Eigen::Vector3d> sums(gas.pieces.size(), Eigen::Vector3d::Zero());
   ForEachRun(gas.set, [&](std::size_t r, int j, int k) {
-    const int p = gas.labels.ofRun[r];
-    const Run run = gas.set.runs[r];
+    const int      p = gas.labels.ofRun[r];
+    const VoxelRun run = gas.set.runs[r];
     sums[p] += Eigen::Vector3d(0.5 * (run.begin + run.end - 1), j, k) * (run.end - run.begin);
     for (int i = run.begin; i < run.end; ++i)
     {
@@ -310,8 +309,8 @@ FindShells(const ColonGrid & grid, GasOfVolume & gas)
     {
       return;
     }
-    const Run run = gas.set.runs[r];
-    const int i = (run.begin + run.end) / 2;
+    const VoxelRun run = gas.set.runs[r];
+    const int      i = (run.begin + run.end) / 2;
     for (const int towards : { -1, 1 })
     {
       const int row = j + towards;
@@ -375,7 +374,7 @@ FindGas(const ColonGrid &                       grid,
   {
     inside[r] = !gas.isOutsideRun[r];
   }
-  gas.labels = LabelRuns(gas.set, true, inside);
+  gas.labels = LabelRuns(gas.set, VoxelContact::Face, inside);
   gas.pieces.resize(gas.labels.number + 1);
   gas.pieces[0].isOutside = true;
   MeasurePieces(grid, hu, showsOutside, gas);

@@ -2,7 +2,8 @@
 #define shapetonGasPieces_h
 
 #include "shapetonColonLumenSegmentation.h"
-#include "shapetonRuns.h"
+#include "shapetonColonVolume.h"
+#include "shapetonVoxelRuns.h"
 
 namespace shapeton
 {
@@ -23,7 +24,7 @@ struct GasPiece
 /** All gas of a volume, and which part of it lies outside the body. Entry 0 of `pieces` stands for the air outside. */
 struct GasOfVolume
 {
-  RunSet                set;
+  VoxelRuns             set;
   RunLabels             labels; ///< 0: outside
   std::vector<GasPiece> pieces;
   std::vector<char>     isOutsideRun;

@@ -96,13 +96,12 @@ LumenDistance(const LumenMask * lumen, const itk::ImageRegion<3> & region)
   const auto        image = ImageOfRegion<LumenDistanceImage>(lumen, region);
   const auto        size = region.GetSize();
   const auto        spacing = lumen->GetSpacing();
-  const std::size_t row = size[0];
-  const std::size_t slice = row * size[1];
+  const std::size_t slice = size[0] * size[1];
   float * const     values = image->GetBufferPointer();
   const auto        whole = lumen->GetBufferedRegion().GetSize();
   SquaredDistances(
     { lumen->GetBufferPointer() + lumen->ComputeOffset(region.GetIndex()), whole[0], whole[0] * whole[1] },
-    { row, size[1], size[2] },
+    VoxelGrid(static_cast<int>(size[0]), static_cast<int>(size[1]), static_cast<int>(size[2])),
     { spacing[0], spacing[1], spacing[2] },
     values);
   const double      toWall = 0.25 * std::min({ spacing[0], spacing[1], spacing[2] });

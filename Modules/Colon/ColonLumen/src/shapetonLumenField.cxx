@@ -17,7 +17,7 @@ LumenField::LumenField(ColonEvidence & colonEvidence)
 }
 
 void
-LumenField::Fill(const Run & run, int j, int k, unsigned char voxelClass)
+LumenField::Fill(const VoxelRun & run, int j, int k, unsigned char voxelClass)
 {
   const int begin = std::max(run.begin, box.low[0]);
   const int end = std::min(run.end, box.high[0]);

@@ -14,7 +14,7 @@ struct LumenField
 
   /** Gives the voxels of a run of the whole volume a class. */
   void
-  Fill(const Run & run, int j, int k, unsigned char voxelClass);
+  Fill(const VoxelRun & run, int j, int k, unsigned char voxelClass);
 
   /** Voxel of this part; false where a voxel of the whole volume lies outside. */
   bool

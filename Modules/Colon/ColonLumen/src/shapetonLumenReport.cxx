@@ -2,8 +2,6 @@
 
 #include "shapetonRunPieces.h"
 
-#include "shapetonDistanceToBackground.h"
-
 #include <algorithm>
 #include <cmath>
 #include <sstream>
@@ -83,8 +81,8 @@ void
 DescribePieces(const LumenVoxels & voxels, ColonLumen & lumen)
 {
   const auto &    grid = voxels.grid;
-  const RunSet    set = CollectRuns(grid, [&](std::size_t p) { return IsLumen(voxels.classes[p]); });
-  const RunLabels labels = LabelRuns(set, true);
+  const VoxelRuns set = CollectRuns(grid, [&](std::size_t p) { return IsLumen(voxels.classes[p]); });
+  const RunLabels labels = LabelRuns(set);
   ClassVolume     mask(voxels.classes.size());
   std::transform(voxels.classes.begin(), voxels.classes.end(), mask.begin(), IsLumen);
   const auto             d = SquaredDistanceToBackground(grid, mask);
@@ -140,7 +138,7 @@ void
 DescribeOtherBright(const LumenVoxels & voxels, ColonLumen & lumen)
 {
   const auto   set = CollectRuns(voxels.grid, [&](std::size_t p) { return voxels.classes[p] == OtherBright; });
-  const auto   labels = LabelRuns(set, true);
+  const auto   labels = LabelRuns(set);
   const auto   pieces = PiecesOfRuns(set, labels);
   const double voxelMl = 1e-3 * voxels.grid.VoxelVolume();
   for (int p = 1; p <= labels.number; ++p)

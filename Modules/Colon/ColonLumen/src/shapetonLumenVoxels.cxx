@@ -167,10 +167,10 @@ AddUnmixed(const ColonImage * image, LumenField & field)
 void
 FillCavities(LumenField & field)
 {
-  ClassVolume & classes = field.classes;
-  const RunSet  set =
+  ClassVolume &   classes = field.classes;
+  const VoxelRuns set =
     CollectRuns(field.grid, [&](std::size_t p) { return classes[p] != ColonGas && classes[p] != ColonFluid; });
-  const RunLabels          labels = LabelRuns(set, true);
+  const RunLabels          labels = LabelRuns(set);
   std::vector<std::size_t> voxels(labels.number + 1, 0);
   for (std::size_t r = 0; r < set.runs.size(); ++r)
   {

@@ -16,7 +16,7 @@ constexpr double FarthestRectum = 60.0; // mm; loops of small bowel in the pelvi
 /** Calls `body(piece, point)` for both ends of all runs. */
 template <typename TBody>
 void
-ForEachEnd(const ColonGrid & grid, const RunSet & set, const RunLabels & labels, const TBody & body)
+ForEachEnd(const ColonGrid & grid, const VoxelRuns & set, const RunLabels & labels, const TBody & body)
 {
   ForEachRun(set, [&](std::size_t r, int j, int k) {
     for (const int i : { set.runs[r].begin, set.runs[r].end - 1 })
@@ -41,7 +41,7 @@ ExtentOfBowel(const ColonEvidence & evidence)
 
 /** Of the nearest voxel of each piece. */
 std::vector<double>
-DistancesFromAnus(const ColonGrid & grid, const RunSet & set, const RunLabels & labels, const ColonExtent & extent)
+DistancesFromAnus(const ColonGrid & grid, const VoxelRuns & set, const RunLabels & labels, const ColonExtent & extent)
 {
   std::vector<double> distances(labels.number + 1, std::numeric_limits<double>::infinity());
   ForEachEnd(grid, set, labels, [&](int piece, const Eigen::Vector3d & point) {
@@ -64,7 +64,7 @@ NearestOf(const std::vector<double> & distances, const std::vector<char> & isCho
 } // namespace
 
 std::vector<char>
-PiecesNearerToAnus(const ColonEvidence & evidence, const RunSet & set, const RunLabels & labels)
+PiecesNearerToAnus(const ColonEvidence & evidence, const VoxelRuns & set, const RunLabels & labels)
 {
   const ColonExtent extent = ExtentOfBowel(evidence);
   const auto        ofGas = DistancesFromAnus(evidence.grid, evidence.gas.set, evidence.gas.labels, extent);

@@ -10,7 +10,7 @@ namespace shapeton
  * None while there is no colon. Places are judged by the box around all gas that may lie in a bowel, see ColonExtent.
  */
 std::vector<char>
-PiecesNearerToAnus(const ColonEvidence & evidence, const RunSet & set, const RunLabels & labels);
+PiecesNearerToAnus(const ColonEvidence & evidence, const VoxelRuns & set, const RunLabels & labels);
 } // namespace shapeton
 
 #endif

@@ -1,21 +1,19 @@
 #include "shapetonRunPieces.h"
 
-#include "shapetonDistanceToBackground.h"
-
 #include <algorithm>
 #include <cmath>
 
 namespace shapeton
 {
 std::vector<RunPiece>
-PiecesOfRuns(const RunSet & set, const RunLabels & labels)
+PiecesOfRuns(const VoxelRuns & set, const RunLabels & labels)
 {
   std::vector<RunPiece> pieces(labels.number + 1);
   ForEachRun(set, [&](std::size_t r, int j, int k) {
-    auto &     piece = pieces[labels.ofRun[r]];
-    const Run  run = set.runs[r];
-    const auto low = std::array<int, 3>{ { run.begin, j, k } };
-    const auto high = std::array<int, 3>{ { run.end, j + 1, k + 1 } };
+    auto &         piece = pieces[labels.ofRun[r]];
+    const VoxelRun run = set.runs[r];
+    const auto     low = std::array<int, 3>{ { run.begin, j, k } };
+    const auto     high = std::array<int, 3>{ { run.end, j + 1, k + 1 } };
     for (int a = 0; a < 3; ++a)
     {
       piece.box.low[a] = piece.voxels == 0 ? low[a] : std::min(piece.box.low[a], low[a]);
@@ -27,7 +25,7 @@ PiecesOfRuns(const RunSet & set, const RunLabels & labels)
 }
 
 std::vector<unsigned char>
-MaskOfRuns(const ColonGrid & grid, const RunSet & set, const RunLabels & labels, int label, const VoxelBox & box)
+MaskOfRuns(const ColonGrid & grid, const VoxelRuns & set, const RunLabels & labels, int label, const VoxelBox & box)
 {
   const ColonGrid            part = grid.Part(box);
   std::vector<unsigned char> mask(part.NumberOfVoxels(), 0);
@@ -51,7 +49,7 @@ MaskOfRuns(const ColonGrid & grid, const RunSet & set, const RunLabels & labels,
 
 DeepestVoxel
 FindDeepestVoxel(const ColonGrid & grid,
-                 const RunSet &    set,
+                 const VoxelRuns & set,
                  const RunLabels & labels,
                  int               label,
                  const RunPiece &  piece)

@@ -1,11 +1,12 @@
 #ifndef shapetonRunPieces_h
 #define shapetonRunPieces_h
 
-#include "shapetonRuns.h"
+#include "shapetonColonVolume.h"
+#include "shapetonVoxelRuns.h"
 
 namespace shapeton
 {
-/** A labelled part of a RunSet. */
+/** A labelled part of a VoxelRuns. */
 struct RunPiece
 {
   std::size_t voxels{ 0 };
@@ -14,11 +15,11 @@ struct RunPiece
 
 /** The pieces 1, 2, ... of labelled runs; entry 0 counts for nothing. */
 std::vector<RunPiece>
-PiecesOfRuns(const RunSet & set, const RunLabels & labels);
+PiecesOfRuns(const VoxelRuns & set, const RunLabels & labels);
 
 /** The voxels of one label in a box of the grid. */
 std::vector<unsigned char>
-MaskOfRuns(const ColonGrid & grid, const RunSet & set, const RunLabels & labels, int label, const VoxelBox & box);
+MaskOfRuns(const ColonGrid & grid, const VoxelRuns & set, const RunLabels & labels, int label, const VoxelBox & box);
 
 /** The middle of the largest ball in a piece. */
 struct DeepestVoxel
@@ -29,7 +30,7 @@ struct DeepestVoxel
 
 DeepestVoxel
 FindDeepestVoxel(const ColonGrid & grid,
-                 const RunSet &    set,
+                 const VoxelRuns & set,
                  const RunLabels & labels,
                  int               label,
                  const RunPiece &  piece);

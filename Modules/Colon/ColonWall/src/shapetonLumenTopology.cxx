@@ -34,43 +34,44 @@ CopyFlagsToMask(const PaddedVoxels & voxels, LumenMaskImage * mask)
   voxels.ForEachVoxel([&](std::int64_t padded, std::int64_t inner) { values[inner] = voxels.flags[padded] & Lumen; });
 }
 
+/** Gives all voxels of all components but one the same flags; their number. */
+std::int64_t
+SetFlagsOfOthers(PaddedVoxels & voxels, const VoxelComponents & components, int kept, unsigned char flags)
+{
+  std::int64_t changed = 0;
+  ForEachRun(components.runs, [&](std::size_t r, int j, int k) {
+    if (components.labels.ofRun[r] != kept)
+    {
+      const VoxelRun run = components.runs.runs[r];
+      const auto     row = voxels.flags.begin() + static_cast<std::ptrdiff_t>(voxels.grid.Index(0, j, k));
+      std::fill(row + run.begin, row + run.end, flags);
+      changed += run.end - run.begin;
+    }
+  });
+  return changed;
+}
+
 /** Keeps the largest piece and fills its cavities. */
 void
 KeepSolidPiece(LumenMaskImage * mask, double voxelVolume, LumenTopologyReport & report)
 {
   PaddedVoxels voxels(mask->GetBufferedRegion());
   voxels.SetFlag(mask, Lumen);
-  const VoxelRuns pieces = FindVoxelRuns(voxels, Lumen, true, false);
-  if (pieces.sizes.empty())
+  const VoxelComponents pieces = FindComponents(voxels, Lumen, true, VoxelContact::Face);
+  if (pieces.labels.number == 0)
   {
     throw InputError("the lumen is empty: no voxel has an occupancy of at least 0.5");
   }
   const int largest =
     static_cast<int>(std::max_element(pieces.sizes.begin(), pieces.sizes.end()) - pieces.sizes.begin());
-  std::int64_t dropped = 0;
-  for (const auto & run : pieces.runs)
-  {
-    if (run.component != largest)
-    {
-      std::fill(voxels.flags.begin() + run.first, voxels.flags.begin() + run.last + 1, static_cast<unsigned char>(0));
-      dropped += run.last - run.first + 1;
-    }
-  }
+  const std::int64_t dropped = SetFlagsOfOthers(voxels, pieces, largest, 0);
   CopyFlagsToMask(voxels, mask);
   report.handlesBefore = TopologyOfMask(mask).handles;
-  const VoxelRuns background = FindVoxelRuns(voxels, Lumen, false, true);
-  std::int64_t    filled = 0;
-  for (const auto & run : background.runs)
-  {
-    if (run.component != 0)
-    {
-      std::fill(voxels.flags.begin() + run.first, voxels.flags.begin() + run.last + 1, Lumen);
-      filled += run.last - run.first + 1;
-    }
-  }
+  const VoxelComponents background = FindComponents(voxels, Lumen, false, VoxelContact::FaceOrEdge);
+  const std::int64_t    filled = SetFlagsOfOthers(voxels, background, 1, Lumen);
   CopyFlagsToMask(voxels, mask);
-  report.droppedPieces = static_cast<std::int64_t>(pieces.sizes.size()) - 1;
-  report.cavities = static_cast<std::int64_t>(background.sizes.size()) - 1;
+  report.droppedPieces = pieces.labels.number - 1;
+  report.cavities = background.labels.number - 1;
   report.droppedVolume = static_cast<double>(dropped) * voxelVolume;
   report.cavityVolume = static_cast<double>(filled) * voxelVolume;
   report.lumenVolume = static_cast<double>(pieces.sizes[largest]) * voxelVolume;

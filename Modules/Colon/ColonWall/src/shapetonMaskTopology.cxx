@@ -43,14 +43,15 @@ EulerNumber(const PaddedVoxels & voxels)
   {
     table[cube] = EightfoldEulerNumber(cube);
   }
-  const auto &       flags = voxels.flags;
-  const std::int64_t slice = voxels.nx * voxels.ny;
-  std::int64_t       eightfold = 0;
-  for (std::int64_t i = 0; i + slice + voxels.nx + 1 < slice * voxels.nz; ++i)
+  const auto &      flags = voxels.flags;
+  const std::size_t row = voxels.grid.stride[1];
+  const std::size_t slice = voxels.grid.stride[2];
+  std::int64_t      eightfold = 0;
+  for (std::size_t i = 0; i + slice + row + 1 < flags.size(); ++i)
   {
-    const auto column = [&](std::int64_t k) {
-      return static_cast<unsigned int>(flags[k] | flags[k + voxels.nx] << 2 | flags[k + slice] << 4 |
-                                       flags[k + slice + voxels.nx] << 6);
+    const auto column = [&](std::size_t k) {
+      return static_cast<unsigned int>(flags[k] | flags[k + row] << 2 | flags[k + slice] << 4 |
+                                       flags[k + slice + row] << 6);
     };
     eightfold += table[column(i) | column(i + 1) << 1];
   }
@@ -63,14 +64,14 @@ TopologyOfMask(const LumenMaskImage * mask)
 {
   PaddedVoxels voxels(mask->GetBufferedRegion());
   voxels.SetFlag(mask, 1);
-  MaskTopology    topology;
-  const VoxelRuns object = FindVoxelRuns(voxels, 1, true, false);
+  MaskTopology          topology;
+  const VoxelComponents object = FindComponents(voxels, 1, true, VoxelContact::Face);
   for (const std::int64_t size : object.sizes)
   {
     topology.voxels += size;
   }
-  topology.components = static_cast<std::int64_t>(object.sizes.size());
-  topology.cavities = static_cast<std::int64_t>(FindVoxelRuns(voxels, 1, false, true).sizes.size()) - 1;
+  topology.components = object.labels.number;
+  topology.cavities = FindComponents(voxels, 1, false, VoxelContact::FaceOrEdge).labels.number - 1;
   topology.eulerNumber = EulerNumber(voxels);
   topology.handles = topology.components + topology.cavities - topology.eulerNumber;
   return topology;

@@ -2,8 +2,8 @@
 #define shapetonPaddedVoxels_h
 
 #include "shapetonTopologyPreservingGrowth.h"
+#include "shapetonVoxelRuns.h"
 
-#include <algorithm>
 #include <vector>
 
 namespace shapeton
@@ -11,21 +11,15 @@ namespace shapeton
 /** Flags of voxels with a layer of zeros around, so that each voxel has 26 neighbours. */
 struct PaddedVoxels
 {
-  std::int64_t               nx, ny, nz; ///< with the layer
+  VoxelGrid                  grid; ///< with the layer
   std::vector<unsigned char> flags;
 
   explicit PaddedVoxels(const itk::ImageRegion<3> & region)
-    : nx(static_cast<std::int64_t>(region.GetSize(0)) + 2)
-    , ny(static_cast<std::int64_t>(region.GetSize(1)) + 2)
-    , nz(static_cast<std::int64_t>(region.GetSize(2)) + 2)
-    , flags(static_cast<std::size_t>(nx * ny * nz), 0)
+    : grid(static_cast<int>(region.GetSize(0)) + 2,
+           static_cast<int>(region.GetSize(1)) + 2,
+           static_cast<int>(region.GetSize(2)) + 2)
+    , flags(grid.NumberOfVoxels(), 0)
   {}
-
-  std::int64_t
-  Index(std::int64_t x, std::int64_t y, std::int64_t z) const
-  {
-    return (z * ny + y) * nx + x;
-  }
 
   /** Calls `body(padded index, index in the image's buffer)` for each voxel of the image, in order. */
   template <typename TBody>
@@ -33,12 +27,12 @@ struct PaddedVoxels
   ForEachVoxel(const TBody & body) const
   {
     std::int64_t inner = 0;
-    for (std::int64_t z = 1; z + 1 < nz; ++z)
+    for (int z = 1; z + 1 < grid.size[2]; ++z)
     {
-      for (std::int64_t y = 1; y + 1 < ny; ++y)
+      for (int y = 1; y + 1 < grid.size[1]; ++y)
       {
-        const std::int64_t row = this->Index(0, y, z);
-        for (std::int64_t x = 1; x + 1 < nx; ++x)
+        const auto row = static_cast<std::int64_t>(grid.Index(0, y, z));
+        for (int x = 1; x + 1 < grid.size[0]; ++x)
         {
           body(row + x, inner++);
         }
@@ -56,22 +50,18 @@ struct PaddedVoxels
   }
 };
 
-/** Components of voxels, as runs along x. */
-struct VoxelRuns
+/** Components of voxels; runs are those of the padded grid. */
+struct VoxelComponents
 {
-  struct Run
-  {
-    std::int64_t first, last; ///< padded indices, both included
-    int          component;   ///< from 0 on, in the order of their first voxels
-  };
-  std::vector<Run>          runs;
-  std::vector<std::int64_t> sizes; ///< voxels of each component
+  VoxelRuns                 runs;
+  RunLabels                 labels;
+  std::vector<std::int64_t> sizes; ///< voxels of each label; 0 for the label 0, which no run has
 };
 
-/** The components of the voxels where (flags & flag) != 0 equals `isSet`; connected by faces, or by faces and edges.
- * The layer of padding takes part: with `isSet` false, component 0 is the outside. */
-VoxelRuns
-FindVoxelRuns(const PaddedVoxels & voxels, unsigned char flag, bool isSet, bool throughEdges);
+/** The components of the voxels where (flags & flag) != 0 equals `isSet`. The layer of padding takes part: with `isSet`
+ * false, the label 1 is the outside. */
+VoxelComponents
+FindComponents(const PaddedVoxels & voxels, unsigned char flag, bool isSet, VoxelContact contact);
 } // namespace shapeton
 
 #endif

@@ -113,11 +113,14 @@ public:
   static constexpr unsigned char Queued = 4;
 
   Growth(PaddedVoxels & voxels, const GrowthRankImage * ranks)
-    : m_Voxels(voxels), m_Flags(voxels.flags), m_Ranks(ranks->GetBufferPointer())
+    : m_Voxels(voxels)
+    , m_Flags(voxels.flags)
+    , m_Inner(voxels.grid.size[0] - 2, voxels.grid.size[1] - 2, voxels.grid.size[2] - 2)
+    , m_Ranks(ranks->GetBufferPointer())
   {
     for (int i = 0; i < 27; ++i)
     {
-      m_Offsets[i] = voxels.Index(i % 3 - 1, i / 3 % 3 - 1, i / 9 - 1);
+      m_Offsets[i] = voxels.grid.Offset(i % 3 - 1, i / 3 % 3 - 1, i / 9 - 1);
     }
   }
 
@@ -174,15 +177,13 @@ private:
   std::uint16_t
   RankOf(std::int64_t voxel) const
   {
-    const std::int64_t x = voxel % m_Voxels.nx;
-    const std::int64_t row = voxel / m_Voxels.nx;
-    const std::int64_t y = row % m_Voxels.ny;
-    const std::int64_t z = row / m_Voxels.ny;
-    return m_Ranks[((z - 1) * (m_Voxels.ny - 2) + y - 1) * (m_Voxels.nx - 2) + x - 1];
+    const auto v = m_Voxels.grid.Voxel(voxel);
+    return m_Ranks[m_Inner.Index(v[0] - 1, v[1] - 1, v[2] - 1)];
   }
 
   PaddedVoxels &               m_Voxels;
   std::vector<unsigned char> & m_Flags;
+  VoxelGrid                    m_Inner; ///< without the layer
   const std::uint16_t *        m_Ranks;
   std::array<std::int64_t, 27> m_Offsets;
   RankQueue                    m_Queue;

@@ -165,21 +165,27 @@ TransformPlane(float * plane, std::size_t width, std::size_t lines, std::size_t 
 } // namespace
 
 void
-SquaredDistances(const VoxelRows &                  mask,
-                 const std::array<std::size_t, 3> & size,
-                 const std::array<double, 3> &      spacing,
-                 float *                            squares)
+SquaredDistances(const VoxelRows & mask, const VoxelGrid & box, const std::array<double, 3> & spacing, float * squares)
 {
-  const std::size_t row = size[0];
-  const std::size_t slice = row * size[1];
-  ParallelFor(size[2], [&](std::size_t z) {
-    for (std::size_t y = 0; y < size[1]; ++y)
+  const std::size_t row = box.stride[1];
+  const std::size_t slice = box.stride[2];
+  ParallelFor(box.size[2], [&](std::size_t z) {
+    for (int y = 0; y < box.size[1]; ++y)
     {
       TransformRow(
         mask.first + y * mask.rowStride + z * mask.sliceStride, squares + z * slice + y * row, row, spacing[0]);
     }
-    TransformPlane(squares + z * slice, row, size[1], row, spacing[1]);
+    TransformPlane(squares + z * slice, row, box.size[1], row, spacing[1]);
   });
-  ParallelFor(size[1], [&](std::size_t y) { TransformPlane(squares + y * row, row, size[2], slice, spacing[2]); });
+  ParallelFor(box.size[1],
+              [&](std::size_t y) { TransformPlane(squares + y * row, row, box.size[2], slice, spacing[2]); });
+}
+
+std::vector<float>
+SquaredDistances(const VoxelGrid & grid, const std::array<double, 3> & spacing, const std::vector<unsigned char> & mask)
+{
+  std::vector<float> squares(mask.size());
+  SquaredDistances({ mask.data(), grid.stride[1], grid.stride[2] }, grid, spacing, squares.data());
+  return squares;
 }
 } // namespace shapeton

@@ -1,0 +1,10 @@
+set(DOCUMENTATION "Sets of voxels: index arithmetic, runs and their connected components, exact distances.")
+
+itk_module(Voxels
+  ENABLE_SHARED
+  DEPENDS
+    Base
+  TEST_DEPENDS
+    ITKGoogleTest
+  DESCRIPTION "${DOCUMENTATION}"
+)
