@@ -1,7 +1,9 @@
 #ifndef shapetonColonVolume_h
 #define shapetonColonVolume_h
 
+#include "shapetonParallelFor.h"
 #include "shapetonVoxelGrid.h"
+#include "shapetonVoxelRuns.h"
 #include "itkImage.h"
 
 #include <Eigen/Core>
@@ -9,6 +11,8 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
+#include <unordered_map>
 #include <vector>
 
 namespace shapeton
@@ -74,9 +78,120 @@ SquaredDistanceToBackground(const ColonGrid & grid, const std::vector<unsigned c
 /** Calls `body(indexInImage, indexInGrid)` for all voxels of a part; each slice of the grid by one thread. */
 template <typename TBody>
 void
-ForEachVoxel(const itk::ImageBase<3> * image, const ColonGrid & grid, const TBody & body);
-} // namespace shapeton
+ForEachVoxel(const itk::ImageBase<3> * image, const ColonGrid & grid, const TBody & body)
+{
+  const auto *               offsets = image->GetOffsetTable();
+  std::array<std::size_t, 3> step;
+  std::size_t                first = 0;
+  for (int a = 0; a < 3; ++a)
+  {
+    step[a] = static_cast<std::size_t>(offsets[grid.imageAxis[a]]);
+    first += step[a] * grid.corner[a];
+  }
+  ParallelFor(grid.size[2], [&](std::size_t k) {
+    for (int j = 0; j < grid.size[1]; ++j)
+    {
+      std::size_t from = first + j * step[1] + k * step[2];
+      std::size_t to = grid.Index(0, j, static_cast<int>(k));
+      for (int i = 0; i < grid.size[0]; ++i, from += step[0], ++to)
+      {
+        body(from, to);
+      }
+    }
+  });
+}
 
-#include "shapetonColonVolume.hxx"
+/** The mode of soft tissue, HU; 40 where the volume shows none between -20 and 120. */
+double
+ModeOfTissue(const std::vector<float> & hu);
+
+/** Standard deviation of noise in soft tissue: the lower quartile of that in blocks of about 5 mm with a mean within 60
+ * HU of `tissue`. 0 where fewer than 20 blocks are found. */
+double
+NoiseInTissue(const ColonGrid & grid, const std::vector<float> & hu, double tissue);
+
+/** Gaussian smoothing in place, sigma in mm, the border value going on beyond the border. */
+void
+SmoothVoxels(const ColonGrid & grid, std::vector<float> & hu, double sigma);
+
+/** What the middle of a wall of 2 mm between two bowels still shows of their contrast, 0..1, after a prefilter of sigma
+ * `smoothing` in mm. */
+double
+ShareInWall(const ColonGrid & grid, double smoothing);
+
+/** Indices of voxels, ascending: a small part of a large grid. */
+using VoxelSet = std::vector<std::size_t>;
+
+/** Whether `holds(index, squared distance in mm^2)` for each voxel of the box that reaches `reach` mm to each side of
+ * this one; stops at the first one for which it does not. */
+template <typename THolds>
+bool
+ForAllWithin(const ColonGrid & grid, std::size_t voxel, double reach, const THolds & holds)
+{
+  const auto v = grid.Voxel(voxel);
+  const auto box = grid.Widened({ v, { { v[0] + 1, v[1] + 1, v[2] + 1 } } }, reach);
+  for (int k = box.low[2]; k < box.high[2]; ++k)
+  {
+    for (int j = box.low[1]; j < box.high[1]; ++j)
+    {
+      for (int i = box.low[0]; i < box.high[0]; ++i)
+      {
+        const Eigen::Vector3d d = Eigen::Vector3d(i - v[0], j - v[1], k - v[2]).cwiseProduct(grid.spacing);
+        if (!holds(grid.Index(i, j, k), d.squaredNorm()))
+        {
+          return false;
+        }
+      }
+    }
+  }
+  return true;
+}
+
+/** Parts of a set: voxels without an entry are one more part. */
+using VoxelParts = std::unordered_map<std::size_t, int>;
+
+/** The pieces whose voxels are joined by faces, in the order of their first voxels; each one in the order in which it
+ * is reached. Voxels join only those of their own part. */
+std::vector<std::vector<std::size_t>>
+ConnectedPieces(const ColonGrid & grid, const VoxelSet & voxels, const VoxelParts & parts = {});
+
+/** Cuts a set at its necks, where no ball of this radius (mm) fits that holds nothing but the set and what is `isOpen`:
+ * for each voxel the number, from 1, of the wide part that is the next within the set. None where there is no wide
+ * part. */
+VoxelParts
+PartsAtNecks(const ColonGrid &                        grid,
+             const VoxelSet &                         voxels,
+             double                                   radius,
+             const std::function<bool(std::size_t)> & isOpen);
+
+/** A labelled part of a VoxelRuns. */
+struct RunPiece
+{
+  std::size_t voxels{ 0 };
+  VoxelBox    box;
+};
+
+/** The pieces 1, 2, ... of labelled runs; entry 0 counts for nothing. */
+std::vector<RunPiece>
+PiecesOfRuns(const VoxelRuns & set, const RunLabels & labels);
+
+/** The voxels of one label in a box of the grid. */
+std::vector<unsigned char>
+MaskOfRuns(const ColonGrid & grid, const VoxelRuns & set, const RunLabels & labels, int label, const VoxelBox & box);
+
+/** The middle of the largest ball in a piece. */
+struct DeepestVoxel
+{
+  std::array<int, 3> voxel{ { 0, 0, 0 } };
+  double             radius{ 0.0 }; ///< mm
+};
+
+DeepestVoxel
+FindDeepestVoxel(const ColonGrid & grid,
+                 const VoxelRuns & set,
+                 const RunLabels & labels,
+                 int               label,
+                 const RunPiece &  piece);
+} // namespace shapeton
 
 #endif

@@ -1,8 +1,8 @@
 #include "shapetonElectronicCleansing.h"
 
-#include "shapetonLevelSurface.h"
+#include "shapetonAirFluidInterface.h"
 
-#include "shapetonColonStatistics.h"
+#include "shapetonColonVolume.h"
 
 #include <algorithm>
 #include <cmath>
@@ -295,7 +295,7 @@ private:
   const ColonImage *         m_Image;
   const ColonLumen &         m_Lumen;
   ColonGrid                  m_Grid;
-  Fall                       m_Fall;
+  GravitySteps               m_Fall;
   std::vector<float>         m_Hu;
   std::vector<unsigned char> m_Labels;
   LocalFluid                 m_Fluid;

@@ -1,6 +1,6 @@
 #include "shapetonGasPieces.h"
 
-#include "shapetonRunPieces.h"
+#include "shapetonColonVolume.h"
 
 #include <Eigen/Eigenvalues>
 

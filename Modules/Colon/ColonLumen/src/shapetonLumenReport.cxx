@@ -1,6 +1,6 @@
 #include "shapetonLumenReport.h"
 
-#include "shapetonRunPieces.h"
+#include "shapetonColonVolume.h"
 
 #include <algorithm>
 #include <cmath>
@@ -119,7 +119,7 @@ DescribePieces(const LumenVoxels & voxels, ColonLumen & lumen)
 void
 DescribeLevels(const ColonEvidence & evidence, const LumenVoxels &, ColonLumen & lumen)
 {
-  const Fall fall(evidence.grid, evidence.gravity);
+  const GravitySteps fall(evidence.grid, evidence.gravity);
   for (const auto & level : evidence.levels)
   {
     ColonLevel found;

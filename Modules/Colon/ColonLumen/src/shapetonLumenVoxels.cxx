@@ -1,19 +1,272 @@
 #include "shapetonLumenVoxels.h"
 
-#include "shapetonCatheter.h"
-#include "shapetonFluidNecks.h"
-#include "shapetonLevelLayers.h"
-#include "shapetonLocalFluid.h"
-#include "shapetonLumenField.h"
-#include "shapetonUnmixedFluid.h"
+#include "shapetonAirFluidInterface.h"
+#include "shapetonParallelFor.h"
+#include "shapetonRectalCatheter.h"
+#include "shapetonTaggedPools.h"
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace shapeton
 {
 namespace
 {
+bool
+IsGrowing(unsigned char c)
+{
+  return c >= ColonGas && c <= OtherBright;
+}
+
+bool
+IsColon(unsigned char c)
+{
+  return c == ColonGas || c == ColonFluid;
+}
+
+/** The voxels of growing classes that touch one of another class. */
+std::vector<std::size_t>
+Front(const ColonGrid & grid, const ClassVolume & classes)
+{
+  std::vector<std::vector<std::size_t>> ofSlice(grid.size[2]);
+  ParallelFor(grid.size[2], [&](std::size_t k) {
+    for (std::size_t p = k * grid.stride[2]; p < (k + 1) * grid.stride[2]; ++p)
+    {
+      bool isFront = false;
+      if (IsGrowing(classes[p]))
+      {
+        ForEachNeighbour(grid, p, [&](std::size_t q) { isFront = isFront || !IsGrowing(classes[q]); });
+      }
+      if (isFront)
+      {
+        ofSlice[k].push_back(p);
+      }
+    }
+  });
+  std::vector<std::size_t> front;
+  for (const auto & slice : ofSlice)
+  {
+    front.insert(front.end(), slice.begin(), slice.end());
+  }
+  return front;
+}
+} // namespace
+
+void
+GrowClasses(const ColonGrid &                                               grid,
+            ClassVolume &                                                   classes,
+            int                                                             layers,
+            const std::function<bool(std::size_t voxel, unsigned char c)> & mayEnter)
+{
+  auto front = Front(grid, classes);
+  for (int layer = 0; layer < layers && !front.empty(); ++layer)
+  {
+    std::vector<std::size_t> next;
+    for (const bool colon : { true, false })
+    {
+      for (const auto p : front)
+      {
+        if (IsColon(classes[p]) != colon)
+        {
+          continue;
+        }
+        ForEachNeighbour(grid, p, [&](std::size_t q) {
+          if (!IsGrowing(classes[q]) && mayEnter(q, classes[p]))
+          {
+            classes[q] = classes[p];
+            next.push_back(q);
+          }
+        });
+      }
+    }
+    front.swap(next);
+  }
+}
+
+LumenField::LumenField(ColonEvidence & colonEvidence)
+  : evidence(colonEvidence)
+  , box(BoxOfColon(colonEvidence))
+  , grid(colonEvidence.grid.Part(box))
+  , hu(CropVoxels(colonEvidence.hu, colonEvidence.grid, box))
+  , classes(grid.NumberOfVoxels(), Nothing)
+  , fall(grid, colonEvidence.gravity)
+{
+  std::vector<float>().swap(colonEvidence.hu);
+}
+
+void
+LumenField::Fill(const VoxelRun & run, int j, int k, unsigned char voxelClass)
+{
+  const int begin = std::max(run.begin, box.low[0]);
+  const int end = std::min(run.end, box.high[0]);
+  if (begin < end && j >= box.low[1] && j < box.high[1] && k >= box.low[2] && k < box.high[2])
+  {
+    const auto first = classes.begin() + grid.Index(begin - box.low[0], j - box.low[1], k - box.low[2]);
+    std::fill(first, first + (end - begin), voxelClass);
+  }
+}
+
+bool
+LumenField::Local(std::size_t whole, std::array<int, 3> & v) const
+{
+  v = evidence.grid.Voxel(whole);
+  for (int a = 0; a < 3; ++a)
+  {
+    v[a] -= box.low[a];
+  }
+  return grid.Holds(v[0], v[1], v[2]);
+}
+
+std::ptrdiff_t
+LumenField::Below(const std::array<int, 3> & v, int t) const
+{
+  const auto o = fall.Offset(t);
+  return grid.Holds(v[0] + o[0], v[1] + o[1], v[2] + o[2])
+           ? static_cast<std::ptrdiff_t>(grid.Index(v[0] + o[0], v[1] + o[1], v[2] + o[2]))
+           : -1;
+}
+
+double
+LumenField::FluidReach() const
+{
+  return std::max(5.0, StepsToFluid * fall.step);
+}
+
+bool
+LumenField::LiesOnColonFluid(const Level & level) const
+{
+  std::size_t hits = 0;
+  for (const auto floor : level.floors)
+  {
+    std::array<int, 3> v;
+    bool               isOnFluid = false;
+    for (int t = 1; this->Local(floor, v) && t * fall.step <= this->FluidReach() && !isOnFluid; ++t)
+    {
+      const auto q = this->Below(v, t);
+      isOnFluid = q >= 0 && classes[q] == ColonFluid;
+    }
+    hits += isOnFluid;
+  }
+  return 2 * hits > level.floors.size();
+}
+
+std::vector<Level>
+LumenField::ColonLevels() const
+{
+  std::vector<Level> levels;
+  for (const auto & level : evidence.levels)
+  {
+    if (evidence.isColon[level.gas] && this->LiesOnColonFluid(level))
+    {
+      levels.push_back(level);
+    }
+  }
+  return levels;
+}
+
+namespace
+{
+constexpr double LevelReach = 6.0;  // mm around the flat part of a level
+constexpr double LevelLeeway = 0.5; // mm
+
+/** From where values leave the gas to where they reach the fluid, mm: between 31 % and 81 % of a blurred step. */
+double
+LayerThickness(const LumenField & field)
+{
+  const double smoothing = field.evidence.smoothing;
+  return 1.38 * std::sqrt(UsualBlur * UsualBlur + smoothing * smoothing + field.fall.step * field.fall.step / 12.0);
+}
+
+/** The floors of the colon's levels: which places lie near one. */
+class NearLevels
+{
+public:
+  explicit NearLevels(const LumenField & field)
+    : m_Field(field), m_Deepest(LayerThickness(field) + LevelLeeway), m_Cells(this->CollectPlaces(), LevelReach)
+  {}
+
+  bool
+  Hold(std::size_t p) const
+  {
+    const GravitySteps & fall = m_Field.fall;
+    const auto           x = m_Field.grid.Position(p);
+    const double         a = x.dot(fall.across[0]);
+    const double         b = x.dot(fall.across[1]);
+    const double         depth = x.dot(fall.direction);
+    bool                 isNear = false;
+    m_Cells.ForEachNear(a, b, [&](int i) {
+      const double da = m_Places[i].a - a;
+      const double db = m_Places[i].b - b;
+      const double below = depth - m_Depths[i];
+      isNear = isNear || (da * da + db * db <= LevelReach * LevelReach && below >= -LevelLeeway && below <= m_Deepest);
+    });
+    return isNear;
+  }
+
+private:
+  const std::vector<LateralCells::Place> &
+  CollectPlaces()
+  {
+    const GravitySteps & fall = m_Field.fall;
+    for (const auto & level : m_Field.ColonLevels())
+    {
+      for (const auto floor : level.floors)
+      {
+        const auto p = m_Field.evidence.grid.Position(floor);
+        m_Places.push_back({ static_cast<float>(p.dot(fall.across[0])), static_cast<float>(p.dot(fall.across[1])) });
+        const Eigen::Vector2d d = Eigen::Vector2d(m_Places.back().a, m_Places.back().b) - level.centre;
+        m_Depths.push_back(static_cast<float>(level.depth + level.slope.dot(d)));
+      }
+    }
+    return m_Places;
+  }
+
+  const LumenField &               m_Field;
+  double                           m_Deepest; ///< mm below a level
+  std::vector<LateralCells::Place> m_Places;
+  std::vector<float>               m_Depths;
+  LateralCells                     m_Cells;
+};
+
+/** Gas above and fluid below, nothing else in between, all within some steps. */
+bool
+IsBetween(const LumenField & field, const ClassVolume & classes, std::size_t p, int steps)
+{
+  const auto v = field.grid.Voxel(p);
+  int        up = 1;
+  while (up <= steps && field.Below(v, -up) >= 0 && classes[field.Below(v, -up)] == Nothing)
+  {
+    ++up;
+  }
+  int down = 1;
+  while (down <= steps && field.Below(v, down) >= 0 && classes[field.Below(v, down)] == Nothing)
+  {
+    ++down;
+  }
+  return up + down <= steps + 1 && field.Below(v, -up) >= 0 && field.Below(v, down) >= 0 &&
+         classes[field.Below(v, -up)] == ColonGas && classes[field.Below(v, down)] == ColonFluid;
+}
+/** Fills the layer in which values pass from gas to fluid, near levels only: elsewhere a wall may lie between. */
+void
+FillLevelLayers(LumenField & field)
+{
+  const NearLevels  levels(field);
+  const double      thickness = LayerThickness(field) + 2.0 * LevelLeeway;
+  const int         steps = static_cast<int>(std::ceil(thickness / field.fall.step)) + 1;
+  const double      half = 0.5 * (field.evidence.thresholds.gas + field.evidence.thresholds.fluid);
+  const ClassVolume before = field.classes;
+  ParallelFor(field.grid.size[2], [&](std::size_t k) {
+    for (std::size_t p = k * field.grid.stride[2]; p < (k + 1) * field.grid.stride[2]; ++p)
+    {
+      if (before[p] == Nothing && IsBetween(field, before, p, steps) && levels.Hold(p))
+      {
+        field.classes[p] = field.hu[p] < half ? ColonGas : ColonFluid;
+      }
+    }
+  });
+}
+
 constexpr double GrowthReach = 3.0;    // mm
 constexpr double LeastBrightMl = 0.05; // of other bright matter that competes
 constexpr double FaintDepth = 2.0;     // mm below a level, where faintly tagged fluid is looked for

@@ -1,7 +1,7 @@
-#ifndef shapetonCatheter_h
-#define shapetonCatheter_h
+#ifndef shapetonRectalCatheter_h
+#define shapetonRectalCatheter_h
 
-#include "shapetonLumenGrowth.h"
+#include "shapetonLumenVoxels.h"
 
 namespace shapeton
 {

@@ -1,10 +1,9 @@
-#ifndef shapetonColonSearch_h
-#define shapetonColonSearch_h
+#ifndef shapetonColonEvidence_h
+#define shapetonColonEvidence_h
 
-#include "shapetonFall.h"
+#include "shapetonAirFluidLevels.h"
+#include "shapetonColonLumenSegmentation.h"
 #include "shapetonGasPieces.h"
-#include "shapetonLevels.h"
-#include "shapetonLumenGrowth.h"
 
 namespace shapeton
 {
@@ -46,6 +45,24 @@ FindBright(ColonEvidence & evidence);
 /** The box around all that may be colon. */
 VoxelBox
 BoxOfColon(const ColonEvidence & evidence);
+
+/** Voxels of the seed points. */
+struct LumenSeeds
+{
+  std::vector<std::array<int, 3>> gas;
+  std::vector<std::array<int, 3>> bright;
+};
+
+/** Of each point (LPS, mm) the most extreme voxel within 2 mm: gas, else bright. Throws ParameterError for a point that
+ * lies outside the image, or in neither. */
+LumenSeeds
+FindSeedVoxels(const ColonEvidence & evidence, const std::vector<itk::Point<double, 3>> & points);
+
+/** Fills in which way fluid falls and the levels under the candidates: along the direction that the position of the
+ * patient says, else the one with by far the most flat levels, else supine. Warns where the position contradicts the
+ * levels, and where nothing is known. */
+void
+FindGravity(const std::string & patientPosition, ColonEvidence & evidence, ColonLumen & lumen);
 } // namespace shapeton
 
 #endif

@@ -1,13 +1,85 @@
-#include "shapetonColonCore.h"
+#include "shapetonColonPieces.h"
 
-#include "shapetonFall.h"
-#include "shapetonRectumPlace.h"
+#include "shapetonAirFluidLevels.h"
+#include "shapetonColonExtent.h"
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace shapeton
 {
+namespace
+{
+constexpr double RectumLead = 30.0;     // mm nearer to the anus than the colon
+constexpr double FarthestRectum = 60.0; // mm; loops of small bowel in the pelvis lie above, or in front
+
+/** Calls `body(piece, point)` for both ends of all runs. */
+template <typename TBody>
+void
+ForEachEnd(const ColonGrid & grid, const VoxelRuns & set, const RunLabels & labels, const TBody & body)
+{
+  ForEachRun(set, [&](std::size_t r, int j, int k) {
+    for (const int i : { set.runs[r].begin, set.runs[r].end - 1 })
+    {
+      body(labels.ofRun[r], grid.Position(Eigen::Vector3d(i, j, k)));
+    }
+  });
+}
+
+ColonExtent
+ExtentOfBowel(const ColonEvidence & evidence)
+{
+  ColonExtent extent;
+  ForEachEnd(evidence.grid, evidence.gas.set, evidence.gas.labels, [&](int piece, const Eigen::Vector3d & point) {
+    if (evidence.isCandidate[piece])
+    {
+      extent.Include(point);
+    }
+  });
+  return extent;
+}
+
+/** Of the nearest voxel of each piece. */
+std::vector<double>
+DistancesFromAnus(const ColonGrid & grid, const VoxelRuns & set, const RunLabels & labels, const ColonExtent & extent)
+{
+  std::vector<double> distances(labels.number + 1, std::numeric_limits<double>::infinity());
+  ForEachEnd(grid, set, labels, [&](int piece, const Eigen::Vector3d & point) {
+    distances[piece] = std::min(distances[piece], extent.DistanceFromAnus(point));
+  });
+  return distances;
+}
+
+/** Infinite where none is chosen. */
+double
+NearestOf(const std::vector<double> & distances, const std::vector<char> & isChosen)
+{
+  double nearest = std::numeric_limits<double>::infinity();
+  for (std::size_t p = 1; p < isChosen.size(); ++p)
+  {
+    nearest = isChosen[p] ? std::min(nearest, distances[p]) : nearest;
+  }
+  return nearest;
+}
+} // namespace
+
+std::vector<char>
+PiecesNearerToAnus(const ColonEvidence & evidence, const VoxelRuns & set, const RunLabels & labels)
+{
+  const ColonExtent extent = ExtentOfBowel(evidence);
+  const auto        ofGas = DistancesFromAnus(evidence.grid, evidence.gas.set, evidence.gas.labels, extent);
+  const auto        ofBright = DistancesFromAnus(evidence.grid, evidence.brightSet, evidence.brightLabels, extent);
+  const double      colon = std::min(NearestOf(ofGas, evidence.isColon), NearestOf(ofBright, evidence.isColonBright));
+  std::vector<char> areNearer;
+  for (const double distance : DistancesFromAnus(evidence.grid, set, labels, extent))
+  {
+    areNearer.push_back(std::isfinite(colon) && distance <= std::min(FarthestRectum, colon - RectumLead));
+  }
+  areNearer[0] = 0;
+  return areNearer;
+}
+
 namespace
 {
 constexpr double CoreRadius = 10.0;    // mm; gas in small bowel stays thinner
@@ -65,7 +137,7 @@ AreasOfPieces(const ColonEvidence & evidence)
 
 /** Voxel steps to the places around a column, up to 4 mm across gravity: the rim of a level is not flat. */
 std::vector<std::array<int, 3>>
-StepsAround(const ColonGrid & grid, const Fall & fall)
+StepsAround(const ColonGrid & grid, const GravitySteps & fall)
 {
   std::vector<std::array<int, 3>> steps(1, { { 0, 0, 0 } });
   for (int n = 0; n < 16; ++n)
@@ -84,7 +156,7 @@ StepsAround(const ColonGrid & grid, const Fall & fall)
 /** Adds what is brighter than `least` in the column under a voxel; the first 3.5 mm may be the blurred layer. */
 void
 AddColumn(const ColonEvidence &             evidence,
-          const Fall &                      fall,
+          const GravitySteps &              fall,
           const std::array<int, 3> &        v,
           double                            least,
           std::vector<std::array<int, 3>> & voxels)
@@ -110,7 +182,7 @@ std::vector<std::array<int, 3>>
 ColumnsUnder(const ColonEvidence & evidence, int piece)
 {
   const auto &                    t = evidence.thresholds;
-  const Fall                      fall(evidence.grid, evidence.gravity);
+  const GravitySteps              fall(evidence.grid, evidence.gravity);
   const auto                      around = StepsAround(evidence.grid, fall);
   std::vector<std::array<int, 3>> voxels;
   for (const auto & level : evidence.levels)

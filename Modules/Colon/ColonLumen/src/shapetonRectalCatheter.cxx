@@ -1,4 +1,4 @@
-#include "shapetonCatheter.h"
+#include "shapetonRectalCatheter.h"
 
 #include "shapetonVoxelRuns.h"
 

@@ -1,11 +1,16 @@
-#include "shapetonColonSearch.h"
+#include "shapetonColonEvidence.h"
 
-#include "shapetonColonStatistics.h"
-#include "shapetonLevelColumn.h"
+#include "shapetonAirFluidLevels.h"
+#include "shapetonColonGravity.h"
+#include "shapetonColonVolume.h"
+#include "shapetonExceptions.h"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <numeric>
+#include <optional>
+#include <sstream>
 
 namespace shapeton
 {
@@ -53,7 +58,7 @@ LargeTaggedLevels(const ColonEvidence & evidence)
 /** The bright pieces that columns under a level meet within 8 mm, on 20 mm^2 at least and mostly without a wall in
  * between; one level may cover several pools. */
 std::vector<int>
-BrightUnder(const ColonEvidence & evidence, const Fall & fall, const Level & level)
+BrightUnder(const ColonEvidence & evidence, const GravitySteps & fall, const Level & level)
 {
   const LevelColumn column(
     evidence.grid, evidence.hu, fall, evidence.thresholds, evidence.remainingNoise, evidence.smoothing);
@@ -154,7 +159,7 @@ FindBright(ColonEvidence & evidence)
   evidence.brightLabels = LabelRuns(evidence.brightSet);
   evidence.isColonBright.assign(evidence.brightLabels.number + 1, 0);
   evidence.brightOfLevel.clear();
-  const Fall fall(evidence.grid, evidence.gravity);
+  const GravitySteps fall(evidence.grid, evidence.gravity);
   for (const auto & level : evidence.levels)
   {
     const bool isTagged = level.IsTagged(t.tissue);
@@ -214,5 +219,143 @@ BoxOfColon(const ColonEvidence & evidence)
     box.high[2] = std::min(evidence.grid.size[2], box.high[2] + canal);
   }
   return box;
+}
+
+namespace
+{
+constexpr double SeedReach = 2.0;       // mm
+constexpr double LeastContrast = 150.0; // HU, of bright matter above tissue
+
+std::string
+NameOf(const itk::Point<double, 3> & point)
+{
+  std::ostringstream name;
+  name << "the seed point " << point[0] << ',' << point[1] << ',' << point[2];
+  return name.str();
+}
+
+std::size_t
+VoxelOf(const ColonGrid & grid, const itk::Point<double, 3> & point)
+{
+  const Eigen::Vector3d    x = grid.VoxelOf(Eigen::Vector3d(point[0], point[1], point[2]));
+  const std::array<int, 3> v{
+    { static_cast<int>(std::lround(x[0])), static_cast<int>(std::lround(x[1])), static_cast<int>(std::lround(x[2])) }
+  };
+  RequireParameter(x.allFinite() && grid.Holds(v[0], v[1], v[2]), NameOf(point) + " lies outside the image");
+  return grid.Index(v[0], v[1], v[2]);
+}
+
+/** The voxel near this one whose value, times `sign`, is greatest, and greater than a threshold. */
+std::optional<std::size_t>
+MostExtreme(const ColonEvidence & evidence, std::size_t voxel, double sign, double threshold)
+{
+  std::optional<std::size_t> best;
+  double                     most = sign * threshold;
+  ForAllWithin(evidence.grid, voxel, SeedReach, [&](std::size_t p, double) {
+    if (sign * evidence.hu[p] > most)
+    {
+      most = sign * evidence.hu[p];
+      best = p;
+    }
+    return true;
+  });
+  return best;
+}
+} // namespace
+
+LumenSeeds
+FindSeedVoxels(const ColonEvidence & evidence, const std::vector<itk::Point<double, 3>> & points)
+{
+  LumenSeeds seeds;
+  for (const auto & point : points)
+  {
+    const std::size_t voxel = VoxelOf(evidence.grid, point);
+    if (const auto gas = MostExtreme(evidence, voxel, -1.0, evidence.thresholds.gasSeed))
+    {
+      seeds.gas.push_back(evidence.grid.Voxel(*gas));
+      continue;
+    }
+    const auto bright = MostExtreme(evidence, voxel, 1.0, evidence.thresholds.tissue + LeastContrast);
+    RequireParameter(bright.has_value(),
+                     NameOf(point) +
+                       " lies in neither gas nor bright fluid; give a point inside the colon's lumen in LPS, mm");
+    seeds.bright.push_back(evidence.grid.Voxel(*bright));
+  }
+  return seeds;
+}
+
+namespace
+{
+constexpr double ClearLevels = 500.0; // mm^2
+constexpr double ClearRatio = 3.0;
+
+/** What lies flat along one direction. */
+struct LevelsOfDirection
+{
+  itk::Vector<double, 3> gravity;
+  std::vector<Level>     levels;
+  double                 area{ 0.0 }; ///< mm^2
+};
+
+LevelsOfDirection
+LevelsAlong(const ColonEvidence & e, const itk::Vector<double, 3> & gravity)
+{
+  const GravitySteps fall(e.grid, Eigen::Vector3d(gravity[0], gravity[1], gravity[2]));
+  const auto         floors = FloorsOfGas(e.grid, e.hu, e.gas.set, e.gas.labels, e.isCandidate, fall, e.thresholds);
+  LevelsOfDirection  found;
+  found.gravity = gravity;
+  found.levels = FindLevels(e.grid, e.hu, floors, fall, e.thresholds.tissue);
+  found.area = std::accumulate(
+    found.levels.begin(), found.levels.end(), 0.0, [](double sum, const Level & level) { return sum + level.area; });
+  return found;
+}
+
+void
+WarnOfGravity(const std::string & patientPosition, const LevelsOfDirection * contradiction, ColonLumen & lumen)
+{
+  if (contradiction)
+  {
+    lumen.warnings.push_back(
+      "the patient position \"" + patientPosition +
+      "\" contradicts the fluid levels in the data: " + std::to_string(std::lround(contradiction->area)) +
+      " mm^2 of flat levels say " + NameOfGravity(contradiction->gravity) + "; the position given was used");
+  }
+  if (lumen.gravitySource == ColonGravitySource::Assumed)
+  {
+    lumen.warnings.push_back("no patient position is given and the data show no clear fluid levels; supine is assumed");
+  }
+}
+} // namespace
+
+void
+FindGravity(const std::string & patientPosition, ColonEvidence & evidence, ColonLumen & lumen)
+{
+  const auto given = GravityOfPatientPosition(patientPosition);
+  const auto assumed = *GravityOfPatientPosition("supine");
+  // Of the direction that is given, or else assumed, and of the one with most levels.
+  LevelsOfDirection usual;
+  LevelsOfDirection clearest;
+  for (const char * name : { "supine", "prone", "leftDecubitus", "rightDecubitus" })
+  {
+    const auto        gravity = *GravityOfPatientPosition(name);
+    LevelsOfDirection found = LevelsAlong(evidence, gravity);
+    if (gravity == (given ? *given : assumed))
+    {
+      usual = found;
+    }
+    if (found.area > clearest.area)
+    {
+      clearest = std::move(found);
+    }
+  }
+  const bool isClear = clearest.area >= ClearLevels && clearest.area > ClearRatio * (given ? usual.area : 0.0);
+  lumen.gravitySource = given     ? ColonGravitySource::PatientPosition
+                        : isClear ? ColonGravitySource::Levels
+                                  : ColonGravitySource::Assumed;
+  WarnOfGravity(patientPosition, given && isClear && !(clearest.gravity == *given) ? &clearest : nullptr, lumen);
+  const LevelsOfDirection & taken = !given && isClear ? clearest : usual;
+  lumen.gravity = taken.gravity;
+  evidence.levels = taken.levels;
+  evidence.gravity = Eigen::Vector3d(taken.gravity[0], taken.gravity[1], taken.gravity[2]);
 }
 } // namespace shapeton

@@ -1,0 +1,185 @@
+#ifndef shapetonAirFluidLevels_h
+#define shapetonAirFluidLevels_h
+
+#include "shapetonColonLumenSegmentation.h"
+#include "shapetonColonVolume.h"
+#include "shapetonVoxelRuns.h"
+
+namespace shapeton
+{
+/** A voxel's way down along gravity: step t leads to the voxel nearest to the point t steps below. The steps are as
+ * long as it takes to pass from voxel to voxel, so that they are columns where gravity is within a few degrees of an
+ * axis. */
+struct GravitySteps
+{
+  Eigen::Vector3d direction;   ///< of gravity, unit vector in LPS
+  Eigen::Vector3d across[2];   ///< perpendicular to it and to each other
+  double          step{ 1.0 }; ///< mm
+
+  GravitySteps(const ColonGrid & grid, const Eigen::Vector3d & gravity);
+
+  std::array<int, 3>
+  Offset(int steps) const
+  {
+    return { { static_cast<int>(std::lround(steps * m_VoxelsPerStep[0])),
+               static_cast<int>(std::lround(steps * m_VoxelsPerStep[1])),
+               static_cast<int>(std::lround(steps * m_VoxelsPerStep[2])) } };
+  }
+  /** Area that one column stands for, mm^2. */
+  double
+  ColumnArea(const ColonGrid & grid) const
+  {
+    return grid.VoxelVolume() / step;
+  }
+
+private:
+  Eigen::Vector3d m_VoxelsPerStep;
+};
+
+/** Points in a plane, sorted into square cells, to find those near a place. */
+class LateralCells
+{
+public:
+  struct Place
+  {
+    float a, b;
+  };
+  LateralCells(const std::vector<Place> & places, double cellSize);
+
+  /** Calls `body(index)` for all points of the 3 by 3 cells around a place: at least those within the cell size. */
+  template <typename TBody>
+  void
+  ForEachNear(double a, double b, const TBody & body) const
+  {
+    const int ca = this->CellOf(a - m_Low[0]);
+    const int cb = this->CellOf(b - m_Low[1]);
+    for (int y = std::max(cb - 1, 0); y <= std::min(cb + 1, m_Size[1] - 1); ++y)
+    {
+      for (int x = std::max(ca - 1, 0); x <= std::min(ca + 1, m_Size[0] - 1); ++x)
+      {
+        const std::size_t cell = x + static_cast<std::size_t>(y) * m_Size[0];
+        for (auto p = m_Begin[cell]; p < m_Begin[cell + 1]; ++p)
+        {
+          body(m_Order[p]);
+        }
+      }
+    }
+  }
+
+private:
+  int
+  CellOf(double x) const
+  {
+    return static_cast<int>(std::floor(x / m_CellSize));
+  }
+
+  double                   m_CellSize;
+  std::array<double, 2>    m_Low{ { 0.0, 0.0 } };
+  std::array<int, 2>       m_Size{ { 0, 0 } };
+  std::vector<std::size_t> m_Begin;
+  std::vector<int>         m_Order;
+};
+
+/** Where the gas ends downwards. */
+struct Floor
+{
+  std::size_t voxel; ///< the last one of the gas
+  int         gas;   ///< its piece
+  float       depth; ///< of the half-height, along gravity, mm
+};
+
+/** The floors of all gas for whose piece `use` holds. */
+std::vector<Floor>
+FloorsOfGas(const ColonGrid &          grid,
+            const std::vector<float> & hu,
+            const VoxelRuns &          gas,
+            const RunLabels &          pieces,
+            const std::vector<char> &  use,
+            const GravitySteps &       fall,
+            const ColonThresholds &    thresholds);
+
+constexpr double UsualBlur = 0.8;      // mm, standard deviation of the scanner's
+constexpr double LeastTagging = 100.0; // HU above tissue
+constexpr double LeastAtEdge = 0.7;    // of the fluid's contrast, where the rise of a level is over
+constexpr double StepsToFluid = 3.0;   // from a gas voxel above a level: two may lie in the rise
+
+/** A flat part of the floor of some gas: depth = depth + slope . (place - centre), in mm along and across gravity. */
+struct Level
+{
+  int                 gas{ 0 };     ///< the piece above it
+  double              area{ 0.0 };  ///< mm^2
+  double              width{ 0.0 }; ///< standard deviation along its shorter way, mm
+  double              depth{ 0.0 };
+  Eigen::Vector2d     slope;
+  Eigen::Vector2d     centre;
+  std::vector<size_t> floors;       ///< indices of the gas voxels just above it
+  double              below{ 0.0 }; ///< median intensity 3 to 6 mm below it
+  double              edge{ 0.0 };  ///< median intensity where a level is over and a wall is not: about 2 mm below it
+
+  /** Of what lies below; shallow pools are brightest near the level. */
+  double
+  Fluid() const
+  {
+    return below > edge ? below : edge;
+  }
+  /** Bright matter lies right below, no wall in between. */
+  bool
+  IsTagged(double tissue) const
+  {
+    return this->Fluid() > tissue + LeastTagging && edge - tissue > LeastAtEdge * (this->Fluid() - tissue);
+  }
+};
+
+/** The flat parts of floors, perpendicular to gravity within 6 degrees, at least 30 mm^2, the largest first. Walls are
+ * curved: the bottom of a haustrum is flat on a few mm^2 only. */
+std::vector<Level>
+FindLevels(const ColonGrid &          grid,
+           const std::vector<float> & hu,
+           const std::vector<Floor> & floors,
+           const GravitySteps &       fall,
+           double                     tissue);
+
+/** Columns along gravity, from a level down to bright matter.
+ *
+ * Below a level values rise as the blur has it, and stay. Where they lag behind that rise, or fall again before the
+ * bright matter is reached, a wall lies in between: what is bright there is another bowel. */
+class LevelColumn
+{
+public:
+  /** Columns from levels to one piece of bright matter. */
+  struct Votes
+  {
+    std::size_t open{ 0 };
+    std::size_t all{ 0 };
+
+    /** Noise opens some columns through a wall, and closes some that are open. */
+    bool
+    AreOpen() const
+    {
+      return 3 * open > 2 * all;
+    }
+  };
+
+  /** `noise`: standard deviation in HU; `smoothing`: sigma of the prefilter in mm. */
+  LevelColumn(const ColonGrid &          grid,
+              const std::vector<float> & hu,
+              const GravitySteps &       fall,
+              const ColonThresholds &    thresholds,
+              double                     noise,
+              double                     smoothing);
+
+  /** Whether no wall shows between the level and the voxel `steps` below one of its floors; both on the grid. */
+  bool
+  IsOpen(const Level & level, const std::array<int, 3> & floor, int steps) const;
+
+private:
+  const ColonGrid &          m_Grid;
+  const std::vector<float> & m_Hu;
+  const GravitySteps &       m_Fall;
+  const ColonThresholds &    m_Thresholds;
+  double                     m_Noise;
+  double                     m_Blur; ///< mm, voxels included
+};
+} // namespace shapeton
+
+#endif
