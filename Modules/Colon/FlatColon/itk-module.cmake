@@ -10,9 +10,11 @@ itk_module(FlatColon
     Base
     Report
     ConformalFlattening
+    HeatDiffusionMetric
     ITKIOImageBase
     ITKIONRRD
   TEST_DEPENDS
+    HeatDiffusionMetric
     ITKGoogleTest
     ITKIOImageBase
     ITKIONRRD

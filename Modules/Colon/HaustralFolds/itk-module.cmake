@@ -11,11 +11,9 @@ itk_module(HaustralFolds
     FlatColon
     ITKCommon
   PRIVATE_DEPENDS
-    HeatDiffusionMetric
     ITKIOImageBase
     ITKIONRRD
   TEST_DEPENDS
-    HeatDiffusionMetric
     ITKGoogleTest
     ITKIOImageBase
     ITKIONRRD

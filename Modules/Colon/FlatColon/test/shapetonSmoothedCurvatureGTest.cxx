@@ -1,6 +1,6 @@
 #include "shapetonSmoothedCurvature.h"
 
-#include "shapetonFoldTubes.h"
+#include "shapetonFlatTestTubes.h"
 #include "shapetonSurfaceLaplacian.h"
 #include "shapetonExceptions.h"
 

@@ -1,13 +1,13 @@
 #ifndef shapetonSmoothedCurvature_h
 #define shapetonSmoothedCurvature_h
 
-#include "HaustralFoldsExport.h"
+#include "FlatColonExport.h"
 
 #include "shapetonSurfaceMesh.h"
 
 namespace shapeton
 {
-/** What the mean curvature of a vertex is divided by. \ingroup HaustralFolds */
+/** What the mean curvature of a vertex is divided by. \ingroup FlatColon */
 enum class CurvatureUnit
 {
   /** Half the sum of the principal curvatures, 1/mm: does not depend on the mesh. */
@@ -21,12 +21,12 @@ enum class CurvatureUnit
  * boundaries). A surface whose faces are counterclockwise from outside has positive values PerArea, and negative
  * Published ones, where it bulges inwards, as at folds. 0 at boundary vertices before smoothing, where curvature is
  * not defined; cut to +-1/mm, so that needles do no harm. Throws InputError as MakeSurfaceLaplacian() with lengths
- * does, ParameterError for a negative time. \ingroup HaustralFolds */
-HaustralFolds_EXPORT Eigen::VectorXd
-                     SmoothedMeanCurvature(const VertexMatrix & V,
-                                           const FaceMatrix &   F,
-                                           double               time,
-                                           CurvatureUnit        unit = CurvatureUnit::PerArea);
+ * does, ParameterError for a negative time. \ingroup FlatColon */
+FlatColon_EXPORT Eigen::VectorXd
+                 SmoothedMeanCurvature(const VertexMatrix & V,
+                                       const FaceMatrix &   F,
+                                       double               time,
+                                       CurvatureUnit        unit = CurvatureUnit::PerArea);
 } // namespace shapeton
 
 #endif
