@@ -25,11 +25,12 @@ WriteFoldFeatures(const HaustralFolds &                                    folds
                   const std::vector<std::pair<std::string, std::string>> & facts,
                   const std::string &                                      path);
 
-/** A row for each fold, of the numbers of HaustralFold; empty cells for what is not known. */
+/** A row for each fold, of the numbers of HaustralFold, in the shortest text that reads back to the same number; empty
+ * cells for what is not known. */
 HaustralFolds_EXPORT CsvTable
 TableOfFolds(const HaustralFolds & folds);
 
-/** The folds of such a table as a file, with 6 digits of each number. Throws InputError that names the file and the
+/** The folds of such a table as a file: exactly those that were written. Throws InputError that names the file and the
  * line. */
 HaustralFolds_EXPORT std::vector<HaustralFold>
                      ReadFoldTable(const std::string & path);

@@ -11,7 +11,7 @@ namespace
 std::string
 Cell(double value)
 {
-  return std::isfinite(value) ? CsvTable::Rounded(value, 6) : "";
+  return std::isfinite(value) ? CsvTable::Number(value) : "";
 }
 
 void

@@ -81,8 +81,10 @@ TEST(ColonPositionFiles, ReadsWhatTheFolderHolds)
     const shapeton::HaustralFold & a = read.position.folds[i];
     const shapeton::HaustralFold & b = written.position.folds[i];
     EXPECT_EQ(a.label, b.label);
-    EXPECT_LT((a.centreUv - b.centreUv).norm() + (a.endUv[1] - b.endUv[1]).norm(), 1e-2); // 6 digits
-    EXPECT_LT((a.centre - b.centre).norm() + (a.ends[0] - b.ends[0]).norm(), 1e-2);
+    EXPECT_EQ(a.centreUv, b.centreUv);
+    EXPECT_EQ(a.endUv, b.endUv);
+    EXPECT_EQ(a.centre, b.centre);
+    EXPECT_EQ(a.ends, b.ends);
     EXPECT_EQ(a.length, b.length);
     EXPECT_EQ(a.area, b.area);
   }
