@@ -42,8 +42,8 @@ main(int argc, char * argv[])
   shapeton::ColonFlatteningOptions options;
   options.metric = shapeton::FlatMetric::Euclidean;
   const shapeton::ColonFlattening flattening = shapeton::FlattenColon(tube, "the tube", options);
-  const shapeton::FlatColonGrid   grid(flattening.map.flat); // pixels of 1 mm
-  const shapeton::HaustralFolds   folds = shapeton::FindHaustralFolds(grid);
+  const shapeton::FlatColon       flat(flattening.map.flat); // pixels of 1 mm
+  const shapeton::HaustralFolds   folds = shapeton::FindHaustralFolds(flat);
   shapeton::TableOfFolds(folds).Write(argv[1]);
   std::cout << folds.folds.size() << " folds\n";
   for (const shapeton::HaustralFold & fold : folds.folds)

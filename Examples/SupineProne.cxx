@@ -41,16 +41,16 @@ Examine(Phantom * phantom)
 
   shapeton::ColonPosition position;
   position.name = phantom->GetParameters().position;
-  position.grid = std::make_shared<shapeton::FlatColonGrid>(flattening.map.flat);
+  position.flat = std::make_shared<shapeton::FlatColon>(flattening.map.flat);
   position.centreline = colon.centreline.curve;
   // position.taeniae stays empty: the rotation comes from the folds alone
-  position.folds = shapeton::FindHaustralFolds(*position.grid).folds;
+  position.folds = shapeton::FindHaustralFolds(*position.flat).folds;
   for (int i = 0; i < 4; ++i)
   {
     position.flexures[i] = flexures[i].isFound ? flexures[i].arcLength : std::nan("");
     position.flexureConfidence[i] = flexures[i].confidence;
   }
-  position.isExcluded = shapeton::FindExcludedColumns(*position.grid, position.centreline);
+  position.isExcluded = shapeton::FindExcludedColumns(*position.flat, position.centreline);
   return position;
 }
 

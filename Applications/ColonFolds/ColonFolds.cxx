@@ -113,16 +113,16 @@ FindFolds(CommandLine & commandLine)
   }
   shapeton::FlatColonGridOptions gridOptions;
   gridOptions.pixelSize = commandLine.GetDouble("pixelSize");
-  const shapeton::FlatColonGrid grid(surface.mesh, gridOptions, what);
+  const shapeton::FlatColon flat(surface.mesh, gridOptions, what);
 
   commandLine.Progress("Folds", 0.2);
-  const shapeton::HaustralFolds folds = shapeton::FindHaustralFolds(grid, options);
+  const shapeton::HaustralFolds folds = shapeton::FindHaustralFolds(flat, options);
   commandLine.Warn(folds.warnings);
 
   commandLine.Progress("Writing", 0.7);
-  files.Write(folds, grid);
+  files.Write(folds, flat.Grid());
   commandLine.Progress("Painting", 0.8);
-  files.WritePicture({ &surface.mesh, &folds, options.taeniae, what, {} }, grid.PixelSize());
+  files.WritePicture({ &surface.mesh, &folds, options.taeniae, what, {} }, flat.Grid().PixelSize());
 }
 } // namespace
 

@@ -35,7 +35,8 @@ Mark(CommandLine & commandLine)
   const shapeton::ColonLandmarkOptions options = OptionsOf(commandLine);
   const shapeton::CurveSet             centreline = shapeton::ReadCurves(commandLine, "inputCentreline");
   const shapeton::SurfaceMesh          flat = shapeton::ReadSurface(commandLine, "inputFlat").mesh;
-  const shapeton::ColonLandmarks       landmarks = shapeton::FindColonLandmarks(flat, centreline, options);
+  const shapeton::ColonLandmarks       landmarks =
+    shapeton::FindColonLandmarks(shapeton::FlatColon(flat), centreline, options);
   commandLine.Warn(landmarks.warnings);
 
   std::optional<shapeton::ColonPieces> pieces;

@@ -80,11 +80,11 @@ MakeColumn(const std::string & preset, bool isFromCt, double spacing, const std:
 }
 
 FoldErrors
-TryFolds(const FlatColonGrid & grid, const LandmarkExam & exam, HaustralFoldScheme scheme)
+TryFolds(const FlatColon & flat, const LandmarkExam & exam, HaustralFoldScheme scheme)
 {
   HaustralFoldOptions options;
   options.scheme = scheme;
-  return MeasureFoldErrors(grid, FindHaustralFolds(grid, options), exam.anatomy->Folds());
+  return MeasureFoldErrors(flat.Grid(), FindHaustralFolds(flat, options), exam.anatomy->Folds());
 }
 
 void
@@ -162,9 +162,9 @@ TryColumn(const Column & column, ValidationReport & report)
       exams.AddRow({ NameOfCase(one), "FAILED: " + exam.failure + ' ' + report.Check(false), "", "", "", "" });
       continue;
     }
-    const FlatColonGrid grid(exam.flat);
-    const FoldErrors    mine = TryFolds(grid, exam, HaustralFoldScheme::GraphCut);
-    const FoldErrors    theirs = TryFolds(grid, exam, HaustralFoldScheme::Published);
+    const FlatColon  flat(exam.flat);
+    const FoldErrors mine = TryFolds(flat, exam, HaustralFoldScheme::GraphCut);
+    const FoldErrors theirs = TryFolds(flat, exam, HaustralFoldScheme::Published);
     AddExam(mine, ours);
     AddExam(theirs, published);
     exams.AddRow({ NameOfCase(one),
@@ -224,7 +224,7 @@ TryCoarsePatient(const ValidationSettings & settings, ValidationReport & report)
   report.AddText("One coarse patient is flattened: " + report.Check(exam.failure.empty()));
   if (exam.failure.empty())
   {
-    const FoldErrors errors = TryFolds(FlatColonGrid(exam.flat), exam, HaustralFoldScheme::GraphCut);
+    const FoldErrors errors = TryFolds(FlatColon(exam.flat), exam, HaustralFoldScheme::GraphCut);
     report.AddText(
       "Folds found " + RatioOf(errors.found, errors.present) + ", labels that are folds " +
       RatioOf(errors.right, errors.labels) + ": " +

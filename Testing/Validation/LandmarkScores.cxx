@@ -15,7 +15,8 @@ TryLandmarks(const LandmarkExam & exam, const ColonLandmarkOptions & options, st
 {
   try
   {
-    return MeasureLandmarks(FindColonLandmarks(exam.flat, exam.centreline, options), exam.centreline, *exam.anatomy);
+    return MeasureLandmarks(
+      FindColonLandmarks(FlatColon(exam.flat), exam.centreline, options), exam.centreline, *exam.anatomy);
   }
   catch (const Exception & error)
   {

@@ -39,7 +39,7 @@ TrueFlexures(const LandmarkExam & exam)
 void
 AddFoundLandmarks(const LandmarkExam & exam, ColonPosition & position)
 {
-  const ColonLandmarks landmarks = FindColonLandmarks(exam.flat, exam.centreline);
+  const ColonLandmarks landmarks = FindColonLandmarks(*position.flat, exam.centreline);
   position.taeniae = TaeniaCurves(landmarks.taeniae);
   for (std::size_t k = 0; k < landmarks.flexures.flexures.size(); ++k)
   {
@@ -102,7 +102,7 @@ CountPoints(const ColonPosition &                   source,
       for (const int row : { 0, segment })
       {
         score.allPoints[row].Add(outcome[i]);
-        if (IsBorderPoint(*source.grid, uv))
+        if (IsBorderPoint(source.flat->Grid(), uv))
         {
           score.borderPoints[row].Add(outcome[i]);
         }
@@ -118,7 +118,7 @@ CountPoints(const ColonPosition &                   source,
 bool
 IsSeen(const ColonPosition & position, const HaustralFold & fold)
 {
-  return position.isExcluded.empty() || !position.isExcluded[position.grid->PixelOfUv(fold.centreUv).column];
+  return position.isExcluded.empty() || !position.isExcluded[position.flat->Grid().PixelOfUv(fold.centreUv).column];
 }
 
 /** True folds of what is seen; -1 for what is none. */
@@ -211,10 +211,10 @@ MakeColonPosition(const LandmarkExam & exam, const std::string & name, bool hasT
 {
   ColonPosition position;
   position.name = name;
-  position.grid = std::make_shared<FlatColonGrid>(exam.flat);
+  position.flat = std::make_shared<FlatColon>(exam.flat);
   position.centreline = exam.centreline;
-  position.isExcluded = FindExcludedColumns(*position.grid, position.centreline);
-  position.folds = FindHaustralFolds(*position.grid).folds;
+  position.isExcluded = FindExcludedColumns(*position.flat, position.centreline);
+  position.folds = FindHaustralFolds(*position.flat).folds;
   if (hasTrueLandmarks)
   {
     position.taeniae = exam.anatomy->Taeniae();

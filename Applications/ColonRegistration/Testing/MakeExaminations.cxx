@@ -11,11 +11,13 @@ using namespace tubecolons;
 shapeton::ColonPositionFiles
 WithCollapse(shapeton::ColonPositionFiles files, double begin, double end)
 {
-  for (Eigen::Index face = 0; face < files.flat.F.rows(); ++face)
+  shapeton::SurfaceMesh flat = files.position.flat->Surface();
+  for (Eigen::Index face = 0; face < flat.F.rows(); ++face)
   {
-    const double u = files.flat.V(files.flat.F(face, 0), 2);
-    files.flat.cellArrays[0].values(face, 0) = u > begin && u < end;
+    const double u = flat.V(flat.F(face, 0), 2);
+    flat.cellArrays[0].values(face, 0) = u > begin && u < end;
   }
+  files.position.flat = std::make_shared<shapeton::FlatColon>(std::move(flat));
   auto & folds = files.position.folds;
   folds.erase(std::remove_if(folds.begin(),
                              folds.end(),

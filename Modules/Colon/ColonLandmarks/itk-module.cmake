@@ -7,10 +7,10 @@ itk_module(ColonLandmarks
     Base
     Report
     SurfaceMesh
-  PRIVATE_DEPENDS
-    ConformalFlattening
     FlatColon
     HaustralFolds
+  PRIVATE_DEPENDS
+    ConformalFlattening
   TEST_DEPENDS
     FlatColon
     HaustralFolds

@@ -1,4 +1,4 @@
-set(DOCUMENTATION "The regular grid on the flat map of a colon: positions, curvature, distances along the centreline.")
+set(DOCUMENTATION "The flat wall of a colon: grids of pixels, axis, curvature, distances along the centreline.")
 
 itk_module(FlatColon
   ENABLE_SHARED

@@ -40,7 +40,7 @@ struct ColonLandmarks
  * centreline. A landmark that is not found is absent, and the warnings say why. Throws InputError where the surface is
  * no flat tube, or the centreline does not belong to it. \ingroup ColonLandmarks */
 ColonLandmarks_EXPORT ColonLandmarks
-FindColonLandmarks(const SurfaceMesh & flat, const CurveSet & centreline, const ColonLandmarkOptions & options = {});
+FindColonLandmarks(const FlatColon & flat, const CurveSet & centreline, const ColonLandmarkOptions & options = {});
 
 /** \name What the files of landmarks hold */
 ///@{

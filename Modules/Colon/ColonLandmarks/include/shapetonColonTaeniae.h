@@ -89,7 +89,7 @@ ColonLandmarks_EXPORT std::string
  *
  * Throws InputError where a marker lies more than 15 mm from the wall. \ingroup ColonLandmarks */
 ColonLandmarks_EXPORT ColonTaeniae
-FindColonTaeniae(const SurfaceMesh & flat, const ColonWallTube & tube, const ColonTaeniaOptions & options = {});
+FindColonTaeniae(const FlatColon & flat, const ColonWallTube & tube, const ColonTaeniaOptions & options = {});
 
 /** Three curves with the cell array taenia (1 to 3) and the point arrays arcLength (mm), uv and confidence.
  * \ingroup ColonLandmarks */

@@ -4,6 +4,7 @@
 #include "ColonLandmarksExport.h"
 
 #include "shapetonCurveSet.h"
+#include "shapetonFlatColon.h"
 #include "shapetonSurfaceConnectivity.h"
 
 #include <memory>
@@ -22,11 +23,10 @@ namespace shapeton
 class ColonLandmarks_EXPORT ColonWallTube
 {
 public:
-  /** \param flat as FlattenTube() gives it: uv, sourcePointId, circumference, length.
-   * \param centreline one curve with arcLength, from the rectum to the caecum of this surface.
+  /** \param centreline one curve with arcLength, from the rectum to the caecum of this surface.
    * Throws InputError, with the reason, where an array is missing, or the centreline belongs to another colon or runs
    * the other way. One that covers a part of the surface is taken, with a warning. */
-  ColonWallTube(const SurfaceMesh & flat, const CurveSet & centreline);
+  ColonWallTube(const FlatColon & colon, const CurveSet & centreline);
   ~ColonWallTube();
 
   const VertexMatrix &
@@ -104,7 +104,7 @@ private:
   void
   CountTurns(const SurfaceMesh & flat, const Eigen::MatrixX2d & uv);
   void
-  MeasureArcLength(const SurfaceMesh & flat, const CurveSet & centreline);
+  MeasureArcLength(const FlatColon & colon, const CurveSet & centreline);
 
   VertexMatrix                         m_V;
   FaceMatrix                           m_F;

@@ -1,7 +1,6 @@
 #include "shapetonCentrelineMatch.h"
 
 #include "shapetonCentrelineShape.h"
-#include "shapetonFlatColonAxis.h"
 #include "shapetonExceptions.h"
 
 #include <algorithm>
@@ -127,14 +126,14 @@ ExplainMismatch(const FlatColonGrid & grid,
 } // namespace
 
 CentrelineMatch
-MatchCentreline(const SurfaceMesh & flat, const CurveSet & centreline)
+MatchCentreline(const FlatColon & flat, const CurveSet & centreline)
 {
   FlatColonGridOptions options;
   options.pixelSize = pixelSize;
-  const FlatColonGrid grid(flat, options);
-  const FlatColonAxis axis = MakeFlatColonAxis(grid);
-  CentrelineMatch     match = Assign(grid, axis, centreline);
-  const MatchQuality  quality = QualityOf(axis, match);
+  const FlatColonGrid & grid = flat.Grid(options);
+  const FlatColonAxis & axis = flat.Axis(options);
+  CentrelineMatch       match = Assign(grid, axis, centreline);
+  const MatchQuality    quality = QualityOf(axis, match);
   if (quality.shareOutside > greatestShareOutside)
   {
     ExplainMismatch(grid, axis, quality, match);

@@ -3,6 +3,7 @@
 
 #include "shapetonRemarks.h"
 #include "shapetonCurveSet.h"
+#include "shapetonFlatColon.h"
 
 #include <string>
 #include <vector>
@@ -23,7 +24,7 @@ struct CentrelineMatch
 
 /** Throws InputError where the centreline is not that of the surface, or runs from the caecum to the rectum. */
 CentrelineMatch
-MatchCentreline(const SurfaceMesh & flat, const CurveSet & centreline);
+MatchCentreline(const FlatColon & flat, const CurveSet & centreline);
 } // namespace shapeton
 
 #endif

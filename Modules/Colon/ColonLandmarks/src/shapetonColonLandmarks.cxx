@@ -1,25 +1,11 @@
 #include "shapetonColonLandmarks.h"
 
-#include "shapetonFlatSurface.h"
-
 #include <algorithm>
 
 namespace shapeton
 {
 namespace
 {
-std::vector<char>
-BridgedFaces(const SurfaceMesh & flat)
-{
-  std::vector<char>    isBridged;
-  const SurfaceArray * array = FindSurfaceArray(flat.cellArrays, "bridged");
-  for (int face = 0; array != nullptr && face < flat.NumberOfFaces(); ++face)
-  {
-    isBridged.push_back(array->values(face, 0) != 0.0);
-  }
-  return isBridged;
-}
-
 SurfaceArray
 IntegerArray(const std::string & name, const std::vector<int> & values)
 {
@@ -42,7 +28,7 @@ SetArray(std::vector<SurfaceArray> & arrays, const SurfaceArray & array)
 } // namespace
 
 ColonLandmarks
-FindColonLandmarks(const SurfaceMesh & flat, const CurveSet & centreline, const ColonLandmarkOptions & options)
+FindColonLandmarks(const FlatColon & flat, const CurveSet & centreline, const ColonLandmarkOptions & options)
 {
   ColonLandmarks result;
   options.progress("Matching the centreline", 0.0);
@@ -57,8 +43,7 @@ FindColonLandmarks(const SurfaceMesh & flat, const CurveSet & centreline, const 
   AppendRemarks(result.warnings, result.segments.warnings);
 
   options.progress("Finding folds", 0.2);
-  const std::vector<char> isBridged = BridgedFaces(flat);
-  result.folds = FindSurfaceFolds(*tube, isBridged);
+  result.folds = FindSurfaceFolds(flat);
 
   options.progress("Finding taeniae", 0.4);
   ColonTaeniaOptions taeniaOptions;
@@ -119,12 +104,7 @@ FoldSurface(const SurfaceMesh & flat, const ColonLandmarks & landmarks)
 {
   SurfaceMesh surface = flat;
   SetArray(surface.cellArrays, IntegerArray("fold", landmarks.folds.foldOfFace));
-  SurfaceArray curvature{ "meanCurvature", SurfaceArray::ValueMatrix(flat.V.rows(), 1), false };
-  for (int i = 0; i < flat.NumberOfVertices(); ++i)
-  {
-    curvature.values(i, 0) = landmarks.folds.curvature[landmarks.tube->VertexOfFlat(i)];
-  }
-  SetArray(surface.pointArrays, curvature);
+  SetArray(surface.pointArrays, { "meanCurvature", landmarks.folds.curvature, false });
   return surface;
 }
 } // namespace shapeton

@@ -211,11 +211,11 @@ NameOf(TaeniaRule rule)
 }
 
 ColonTaeniae
-FindColonTaeniae(const SurfaceMesh & flat, const ColonWallTube & tube, const ColonTaeniaOptions & options)
+FindColonTaeniae(const FlatColon & flat, const ColonWallTube & tube, const ColonTaeniaOptions & options)
 {
-  const FlatColonGrid    grid(flat);
-  const HaustralFolds    folds = FindHaustralFolds(grid);
-  TaeniaEvidence         evidence = MakeTaeniaEvidence(grid, tube, folds);
+  const FlatColonGrid &  grid = flat.Grid();
+  const HaustralFolds    folds = FindHaustralFolds(flat);
+  TaeniaEvidence         evidence = MakeTaeniaEvidence(flat, tube, folds);
   const FlatColonLocator locator(grid);
   ColonTaeniae           result;
   result.rule = options.rule;

@@ -10,8 +10,9 @@
 
 namespace shapeton
 {
-ColonWallTube::ColonWallTube(const SurfaceMesh & flat, const CurveSet & centreline)
+ColonWallTube::ColonWallTube(const FlatColon & colon, const CurveSet & centreline)
 {
+  const SurfaceMesh & flat = colon.Surface();
   RequireSound(flat, "the flat surface");
   const Eigen::MatrixX2d uv = FlatCoordinates(flat, "the flat surface");
   m_Circumference = FlatCircumference(flat, "the flat surface");
@@ -22,7 +23,7 @@ ColonWallTube::ColonWallTube(const SurfaceMesh & flat, const CurveSet & centreli
     m_Uv.row(vertex) = uv.row(m_FlatOfVertex[vertex]);
   }
   this->CountTurns(flat, uv);
-  this->MeasureArcLength(flat, centreline);
+  this->MeasureArcLength(colon, centreline);
 }
 
 ColonWallTube::~ColonWallTube() = default;
@@ -95,9 +96,9 @@ ColonWallTube::ArcLengthOfU(double u) const
 
 // The nearest point of the centreline near that of the vertex's column: loops of the colon that touch do not mislead.
 void
-ColonWallTube::MeasureArcLength(const SurfaceMesh & flat, const CurveSet & centreline)
+ColonWallTube::MeasureArcLength(const FlatColon & colon, const CurveSet & centreline)
 {
-  const CentrelineMatch match = MatchCentreline(flat, centreline);
+  const CentrelineMatch match = MatchCentreline(colon, centreline);
   m_Warnings = match.warnings;
   m_ArcLengthOfColumn = match.arcLengthOfColumn;
   m_ColumnWidth = match.columnWidth;

@@ -141,13 +141,14 @@ TurnsBetween(double a, double b)
 }
 
 TaeniaEvidence
-MakeTaeniaEvidence(const FlatColonGrid & grid, const ColonWallTube & tube, const HaustralFolds & folds)
+MakeTaeniaEvidence(const FlatColon & flat, const ColonWallTube & tube, const HaustralFolds & folds)
 {
-  TaeniaEvidence evidence;
+  const FlatColonGrid & grid = flat.Grid();
+  const FlatColonAxis & axis = flat.Axis();
+  TaeniaEvidence        evidence;
   evidence.columnsPerRow = std::max(1, static_cast<int>(std::lround(rowLength / grid.PixelSize())));
   evidence.rows = std::max(1, grid.Columns() / evidence.columnsPerRow);
   evidence.columnsPerRow = std::min(evidence.columnsPerRow, grid.Columns());
-  const FlatColonAxis axis = MakeFlatColonAxis(grid);
   for (int row = 0; row < evidence.rows; ++row)
   {
     const int column = std::min(static_cast<int>((row + 0.5) * evidence.columnsPerRow), grid.Columns() - 1);

@@ -55,7 +55,7 @@ struct TaeniaEvidence
 };
 
 TaeniaEvidence
-MakeTaeniaEvidence(const FlatColonGrid & grid, const ColonWallTube & tube, const HaustralFolds & folds);
+MakeTaeniaEvidence(const FlatColon & flat, const ColonWallTube & tube, const HaustralFolds & folds);
 
 /** The best three tracks by dynamic programming. */
 TaeniaTracks

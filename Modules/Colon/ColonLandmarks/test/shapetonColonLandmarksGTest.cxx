@@ -4,8 +4,6 @@
 
 #include <gtest/gtest.h>
 
-#include <set>
-
 namespace
 {
 using shapeton::ColonLandmarks;
@@ -30,7 +28,8 @@ ColonLandmarks
 LandmarksOfCylinder(const shapeton::SurfaceMesh & flat)
 {
   ColonLandmarks landmarks;
-  landmarks.tube = std::make_shared<const ColonWallTube>(flat, landmarktubes::StraightLine(length));
+  landmarks.tube =
+    std::make_shared<const ColonWallTube>(shapeton::FlatColon(flat), landmarktubes::StraightLine(length));
   landmarks.segments.borders = { BorderAt(*landmarks.tube, 1, 40.0), BorderAt(*landmarks.tube, 2, 100.0) };
   for (int face = 0; face < flat.NumberOfFaces(); ++face)
   {
@@ -97,56 +96,11 @@ TEST(ColonSplitting, NeedsATaenia)
   EXPECT_EQ(pieces.warnings.size(), 1u);
 }
 
-TEST(SurfaceFolds, AreThoseThatWereMade)
-{
-  std::vector<foldtubes::Fold> folds;
-  for (int i = 0; i < 5; ++i)
-  {
-    foldtubes::Fold fold;
-    fold.u = 25.0 + 25.0 * i;
-    fold.angle = 1.1 * i;
-    fold.halfLength = 18.0;
-    fold.height = 6.0;
-    folds.push_back(fold);
-  }
-  const shapeton::SurfaceMesh  flat = foldtubes::MakeTube(folds);
-  const ColonWallTube          tube(flat, landmarktubes::StraightLine(160.0));
-  const shapeton::SurfaceFolds found = FindSurfaceFolds(tube, {});
-  EXPECT_EQ(found.number, 5);
-  EXPECT_GE(found.leastCurvature, 0.0);
-  for (const foldtubes::Fold & fold : folds)
-  {
-    std::set<int> numbers;
-    for (int face = 0; face < tube.Faces().rows(); ++face)
-    {
-      const Eigen::Vector3d p = tube.Points().row(tube.Faces()(face, 0));
-      const double          around = std::remainder(-std::atan2(p.y(), p.x()) - fold.angle, 2.0 * landmarktubes::pi);
-      if (std::abs(p.z() - fold.u) < 0.6 && std::abs(around) < 0.3)
-      {
-        numbers.insert(found.foldOfFace[face]);
-      }
-    }
-    ASSERT_EQ(numbers.size(), 1u);
-    EXPECT_GT(*numbers.begin(), 0);
-  }
-}
-
-TEST(SurfaceFolds, AreNotMadeUpWhereTheWallIs)
-{
-  foldtubes::Fold fold;
-  fold.u = 80.0;
-  fold.halfLength = 18.0;
-  fold.height = 6.0;
-  const shapeton::SurfaceMesh flat = foldtubes::MakeTube({ fold });
-  const ColonWallTube         tube(flat, landmarktubes::StraightLine(160.0));
-  EXPECT_EQ(FindSurfaceFolds(tube, std::vector<char>(flat.NumberOfFaces(), 1)).number, 0);
-}
-
 TEST(ColonLandmarks, AreFoundTogetherAndToldInJson)
 {
   const SchematicColon        colon = MakeSchematicColon();
   const shapeton::SurfaceMesh flat = landmarktubes::TubeAlong(colon.centreline, 12.0);
-  const ColonLandmarks        landmarks = shapeton::FindColonLandmarks(flat, colon.centreline);
+  const ColonLandmarks        landmarks = shapeton::FindColonLandmarks(shapeton::FlatColon(flat), colon.centreline);
   EXPECT_EQ(landmarks.segments.borders.size(), 5u);
   EXPECT_TRUE(landmarks.taeniae.taeniae.empty()); // a smooth tube has no folds
   const shapeton::Json json = ColonLandmarksToJson(landmarks);

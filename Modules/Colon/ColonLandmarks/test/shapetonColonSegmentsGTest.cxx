@@ -16,8 +16,8 @@ constexpr double radius = 12.0;
 
 struct LabelledColon
 {
-  SchematicColon          colon{ MakeSchematicColon() };
-  ColonWallTube           tube{ landmarktubes::TubeAlong(colon.centreline, radius), colon.centreline };
+  SchematicColon colon{ MakeSchematicColon() };
+  ColonWallTube  tube{ shapeton::FlatColon(landmarktubes::TubeAlong(colon.centreline, radius)), colon.centreline };
   shapeton::ColonFlexures flexures{ shapeton::FindColonFlexures(colon.centreline) };
 };
 
@@ -33,7 +33,8 @@ TEST(FlexureLoops, RunOnceAroundInThePlane)
 {
   flattubes::TubeForm form;
   form.cutSway = 1.0;
-  const ColonWallTube         tube(flattubes::MakeCylinder(form), landmarktubes::StraightLine(form.length));
+  const ColonWallTube         tube(shapeton::FlatColon(flattubes::MakeCylinder(form)),
+                           landmarktubes::StraightLine(form.length));
   const shapeton::SurfaceWalk loop = shapeton::FindLoop(tube, { 0, 0, 70.0 }, Eigen::Vector3d::UnitZ(), 70.0);
   const std::vector<int> &    vertices = loop.vertices;
   ASSERT_GE(vertices.size(), 48u);
@@ -52,7 +53,8 @@ TEST(FlexureLoops, RunOnceAroundInThePlane)
 TEST(FlexureLoops, AreEmptyWhereThereIsNoWall)
 {
   flattubes::TubeForm form;
-  const ColonWallTube tube(flattubes::MakeCylinder(form), landmarktubes::StraightLine(form.length));
+  const ColonWallTube tube(shapeton::FlatColon(flattubes::MakeCylinder(form)),
+                           landmarktubes::StraightLine(form.length));
   EXPECT_TRUE(shapeton::FindLoop(tube, { 0, 0, 900.0 }, Eigen::Vector3d::UnitZ(), 900.0).vertices.empty());
 }
 

@@ -8,6 +8,7 @@
 using shapeton::ColonTaeniae;
 using shapeton::ColonWallTube;
 using shapeton::FindColonTaeniae;
+using shapeton::FlatColon;
 using shapeton::TaeniaRule;
 
 namespace
@@ -16,8 +17,8 @@ constexpr double length = 480.0;
 
 struct Tube
 {
-  shapeton::SurfaceMesh flat{ landmarktubes::TubeWithTaeniae() };
-  ColonWallTube         tube{ flat, landmarktubes::StraightLine(length) };
+  FlatColon     flat{ landmarktubes::TubeWithTaeniae() };
+  ColonWallTube tube{ flat, landmarktubes::StraightLine(length) };
 };
 
 /** mm around the tube between a place of a taenia and the nearest true one. */
@@ -170,8 +171,8 @@ TEST(ColonTaeniae, TellOfMarkersThatContradictEachOther)
 
 TEST(ColonTaeniae, RunOnBetweenBulgesWhereThereAreNoFolds)
 {
-  const shapeton::SurfaceMesh flat = landmarktubes::TubeWithTaeniae(240.0, 3.0);
-  const ColonTaeniae          found = FindColonTaeniae(flat, ColonWallTube(flat, landmarktubes::StraightLine(length)));
+  const FlatColon    flat(landmarktubes::TubeWithTaeniae(240.0, 3.0));
+  const ColonTaeniae found = FindColonTaeniae(flat, ColonWallTube(flat, landmarktubes::StraightLine(length)));
   ASSERT_EQ(found.taeniae.size(), 3u) << found.reason;
   EXPECT_LT(GreatestErrorWithin(found, 40.0, 440.0), 5.0);
 }
@@ -186,9 +187,9 @@ TEST(ColonTaeniae, RefuseAMarkerFarFromTheWall)
 
 TEST(ColonTaeniae, AreAbsentWhereThereAreNoFolds)
 {
-  flattubes::TubeForm         form;
-  const shapeton::SurfaceMesh flat = flattubes::MakeCylinder(form);
-  const ColonTaeniae found = FindColonTaeniae(flat, ColonWallTube(flat, landmarktubes::StraightLine(form.length)));
+  flattubes::TubeForm form;
+  const FlatColon     flat(flattubes::MakeCylinder(form));
+  const ColonTaeniae  found = FindColonTaeniae(flat, ColonWallTube(flat, landmarktubes::StraightLine(form.length)));
   EXPECT_TRUE(found.taeniae.empty());
   EXPECT_NE(found.reason.find("too few"), std::string::npos);
   EXPECT_FALSE(found.warnings.empty());

@@ -27,7 +27,7 @@ MessageOf(const shapeton::SurfaceMesh & flat, const shapeton::CurveSet & centrel
 {
   try
   {
-    const ColonWallTube tube(flat, centreline);
+    const ColonWallTube tube(shapeton::FlatColon(flat), centreline);
   }
   catch (const shapeton::InputError & error)
   {
@@ -40,7 +40,7 @@ MessageOf(const shapeton::SurfaceMesh & flat, const shapeton::CurveSet & centrel
 TEST(ColonWallTube, HasOneVertexForEachPlaceOfTheCut)
 {
   const shapeton::SurfaceMesh flat = Cylinder();
-  const ColonWallTube         tube(flat, StraightLine(length));
+  const ColonWallTube         tube(shapeton::FlatColon(flat), StraightLine(length));
   EXPECT_EQ(tube.NumberOfVertices(), 48 * 61);
   EXPECT_EQ(tube.Faces().rows(), flat.F.rows());
   EXPECT_EQ(tube.Connectivity().BoundaryLoops().size(), 2u);
@@ -52,7 +52,7 @@ TEST(ColonWallTube, HasOneVertexForEachPlaceOfTheCut)
 
 TEST(ColonWallTube, CountsTheTurnsOfWalks)
 {
-  const ColonWallTube tube(Cylinder(), StraightLine(length));
+  const ColonWallTube tube(shapeton::FlatColon(Cylinder()), StraightLine(length));
   for (const std::vector<int> & loop : tube.Connectivity().BoundaryLoops())
   {
     int turns = 0;
@@ -75,7 +75,7 @@ TEST(ColonWallTube, CountsTheTurnsOfWalks)
 TEST(ColonWallTube, KnowsTheDistanceAlongTheCentreline)
 {
   const SchematicColon colon = MakeSchematicColon();
-  const ColonWallTube  tube(landmarktubes::TubeAlong(colon.centreline, 12.0), colon.centreline);
+  const ColonWallTube  tube(shapeton::FlatColon(landmarktubes::TubeAlong(colon.centreline, 12.0)), colon.centreline);
   for (int vertex = 0; vertex < tube.NumberOfVertices(); vertex += 7)
   {
     const Eigen::Index i = static_cast<Eigen::Index>(tube.Uv(vertex).x());
@@ -111,7 +111,7 @@ TEST(ColonWallTube, TakesACentrelineOfAPartWithAWarning)
   {
     part.curves[0].push_back(i);
   }
-  const ColonWallTube tube(landmarktubes::TubeAlong(colon.centreline, 12.0), part);
+  const ColonWallTube tube(shapeton::FlatColon(landmarktubes::TubeAlong(colon.centreline, 12.0)), part);
   ASSERT_EQ(tube.Warnings().size(), 1u);
   EXPECT_NE(tube.Warnings()[0].find("a part of the flat surface"), std::string::npos);
 }

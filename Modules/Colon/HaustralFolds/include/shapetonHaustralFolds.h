@@ -5,7 +5,7 @@
 
 #include "shapetonRemarks.h"
 #include "shapetonCurveSet.h"
-#include "shapetonFlatColonGrid.h"
+#include "shapetonFlatColon.h"
 
 #include "itkImage.h"
 
@@ -103,11 +103,12 @@ struct HaustralFolds
   Remarks                                warnings;
 };
 
-/** Folds on the flat map of a colon (dissertation 4.3.1). Stretches bridged over gaps hold none. A surface without
- * folds is no error: there is a warning. Equal input gives equal results for any number of threads. Throws
- * ParameterError for options out of range, InputError where vertices of the surface coincide. \ingroup HaustralFolds */
+/** Folds on the flat map of a colon (dissertation 4.3.1), in the pixels of its own grid. Stretches bridged over gaps
+ * hold none. A surface without folds is no error: there is a warning. Equal input gives equal results for any number of
+ * threads. Throws ParameterError for options out of range, InputError where vertices of the surface coincide.
+ * \ingroup HaustralFolds */
 HaustralFolds_EXPORT HaustralFolds
-FindHaustralFolds(const FlatColonGrid & grid, const HaustralFoldOptions & options = {});
+FindHaustralFolds(const FlatColon & flat, const HaustralFoldOptions & options = {});
 } // namespace shapeton
 
 #endif

@@ -1,60 +1,17 @@
 #include "shapetonFoldPicture.h"
 
 #include "shapetonParallelFor.h"
-#include "shapetonSmoothedCurvature.h"
-
-#include <Eigen/Geometry>
 
 namespace shapeton
 {
-namespace
-{
-/** The tube before it was cut. */
-struct Tube
-{
-  explicit Tube(const FlatColonGrid & grid) : V(grid.InwardNormals().rows(), 3), F(grid.Faces())
-  {
-    const std::vector<int> & source = grid.SourceOfPoints();
-    for (std::size_t i = 0; i < source.size(); ++i)
-    {
-      V.row(source[i]) = grid.Points().row(static_cast<Eigen::Index>(i));
-    }
-    for (Eigen::Index i = 0; i < F.size(); ++i)
-    {
-      F.data()[i] = source[F.data()[i]];
-    }
-    if (this->LooksInwards(grid.InwardNormals()))
-    {
-      F.col(1).swap(F.col(2));
-    }
-  }
-
-  VertexMatrix V;
-  FaceMatrix   F;
-
-private:
-  bool
-  LooksInwards(const VertexMatrix & inwardNormals) const
-  {
-    double sum = 0.0;
-    for (Eigen::Index face = 0; face < F.rows(); ++face)
-    {
-      const Eigen::Vector3d a = V.row(F(face, 0)), b = V.row(F(face, 1)), c = V.row(F(face, 2));
-      sum += (b - a).cross(c - a).dot(inwardNormals.row(F(face, 0)));
-    }
-    return sum > 0.0;
-  }
-};
-} // namespace
-
 FoldPicture
-MakeFoldPicture(const FlatColonGrid & grid, const HaustralFoldOptions & options)
+MakeFoldPicture(const FlatColon & flat, const HaustralFoldOptions & options)
 {
-  const Tube          tube(grid);
-  const CurvatureUnit unit =
+  const FlatColonGrid & grid = flat.Grid();
+  const CurvatureUnit   unit =
     options.scheme == HaustralFoldScheme::Published ? CurvatureUnit::Published : CurvatureUnit::PerArea;
-  const Eigen::VectorXd curvature = SmoothedMeanCurvature(tube.V, tube.F, options.smoothingTime, unit);
-  FoldPicture           picture;
+  const Eigen::VectorXd & curvature = flat.Curvature(options.smoothingTime, unit);
+  FoldPicture             picture;
   picture.sign = unit == CurvatureUnit::Published ? -1.0 : 1.0;
   picture.columns = grid.Columns();
   picture.rows = grid.Rows();

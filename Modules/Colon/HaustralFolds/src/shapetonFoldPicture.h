@@ -42,7 +42,7 @@ struct FoldPicture
 };
 
 FoldPicture
-MakeFoldPicture(const FlatColonGrid & grid, const HaustralFoldOptions & options);
+MakeFoldPicture(const FlatColon & flat, const HaustralFoldOptions & options);
 } // namespace shapeton
 
 #endif

@@ -40,16 +40,16 @@ IsFold(const HaustralFold & fold, const HaustralFoldOptions & options)
          fold.elongation >= options.minimumElongation && std::abs(fold.angle) >= options.minimumAngle;
 }
 
-/** Finds the folds of one grid. */
+/** Finds the folds of one flat colon. */
 class FoldFinder
 {
 public:
-  FoldFinder(const FlatColonGrid & grid, const HaustralFoldOptions & options)
-    : m_Grid(grid), m_Options(options), m_Picture(MakeFoldPicture(grid, options))
+  FoldFinder(const FlatColon & flat, const HaustralFoldOptions & options)
+    : m_Grid(flat.Grid()), m_Options(options), m_Picture(MakeFoldPicture(flat, options))
   {
     if (options.taeniae)
     {
-      m_Rule.isTaenia = MaskOfTaeniae(grid, *options.taeniae, 0.5 * widthOfTaenia);
+      m_Rule.isTaenia = MaskOfTaeniae(m_Grid, *options.taeniae, 0.5 * widthOfTaenia);
     }
   }
 
@@ -182,9 +182,9 @@ private:
 } // namespace
 
 HaustralFolds
-FindHaustralFolds(const FlatColonGrid & grid, const HaustralFoldOptions & options)
+FindHaustralFolds(const FlatColon & flat, const HaustralFoldOptions & options)
 {
   RequireValid(options);
-  return FoldFinder(grid, options).Find();
+  return FoldFinder(flat, options).Find();
 }
 } // namespace shapeton

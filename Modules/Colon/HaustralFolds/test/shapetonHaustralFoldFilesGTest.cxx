@@ -14,11 +14,11 @@ namespace
 {
 using foldtubes::MakeTube;
 
-const shapeton::FlatColonGrid &
-Grid()
+const shapeton::FlatColon &
+Flat()
 {
-  static const shapeton::FlatColonGrid grid(MakeTube({ { 40.0, 2.0, 18.0, 6.0 }, { 100.0, 4.0, 20.0, 8.0 } }));
-  return grid;
+  static const shapeton::FlatColon flat(MakeTube({ { 40.0, 2.0, 18.0, 6.0 }, { 100.0, 4.0, 20.0, 8.0 } }));
+  return flat;
 }
 
 std::string
@@ -32,7 +32,7 @@ Temporary(const std::string & name)
 
 TEST(HaustralFoldFiles, FeaturesAreThreePointsOfEachFold)
 {
-  const shapeton::HaustralFolds folds = shapeton::FindHaustralFolds(Grid());
+  const shapeton::HaustralFolds folds = shapeton::FindHaustralFolds(Flat());
   ASSERT_EQ(folds.folds.size(), 2u);
   const std::string path = Temporary("features.vtp");
   shapeton::WriteFoldFeatures(folds, {}, path);
@@ -68,7 +68,7 @@ TEST(HaustralFoldFiles, WithoutFoldsThereAreNoPoints)
 
 TEST(HaustralFoldFiles, TheTableHasARowForEachFold)
 {
-  shapeton::HaustralFolds folds = shapeton::FindHaustralFolds(Grid());
+  shapeton::HaustralFolds folds = shapeton::FindHaustralFolds(Flat());
   folds.folds[1].height = std::numeric_limits<double>::quiet_NaN();
   const shapeton::CsvTable table = shapeton::TableOfFolds(folds);
   ASSERT_EQ(table.GetRows().size(), 2u);
@@ -84,7 +84,7 @@ TEST(HaustralFoldFiles, TheTableHasARowForEachFold)
 
 TEST(HaustralFoldFiles, TheTableReadsBackExactly)
 {
-  shapeton::HaustralFolds folds = shapeton::FindHaustralFolds(Grid());
+  shapeton::HaustralFolds folds = shapeton::FindHaustralFolds(Flat());
   folds.folds[0].arcLength = 0.1 + 0.2; // 17 digits
   folds.folds[1].height = std::numeric_limits<double>::quiet_NaN();
   folds.folds[1].crossesCut = true;
@@ -121,7 +121,7 @@ TEST(HaustralFoldFiles, TheTableReadsBackExactly)
 
 TEST(HaustralFoldFiles, MarkupsAndColoursNameTheLabels)
 {
-  const shapeton::HaustralFolds       folds = shapeton::FindHaustralFolds(Grid());
+  const shapeton::HaustralFolds       folds = shapeton::FindHaustralFolds(Flat());
   const std::vector<shapeton::Markup> markups = shapeton::MarkupsOfFolds(folds);
   ASSERT_EQ(markups.size(), 2u);
   EXPECT_EQ(markups[0].points.size(), 2u);
@@ -136,9 +136,9 @@ TEST(HaustralFoldFiles, MarkupsAndColoursNameTheLabels)
 
 TEST(HaustralFoldFiles, LabelsAreReadBackWithTheirSpace)
 {
-  const shapeton::HaustralFolds folds = shapeton::FindHaustralFolds(Grid());
+  const shapeton::HaustralFolds folds = shapeton::FindHaustralFolds(Flat());
   const std::string             path = Temporary("labels.nrrd");
-  shapeton::WriteFoldLabels(folds, Grid(), path, { { "note", "a test" } });
+  shapeton::WriteFoldLabels(folds, Flat().Grid(), path, { { "note", "a test" } });
   const auto reader = itk::ImageFileReader<itk::Image<unsigned short, 2>>::New();
   reader->SetFileName(path);
   reader->SetImageIO(itk::NrrdImageIO::New());
@@ -152,7 +152,7 @@ TEST(HaustralFoldFiles, LabelsAreReadBackWithTheirSpace)
 
 TEST(HaustralFoldFiles, OtherExtensionsAndFoldersAreRefused)
 {
-  const shapeton::HaustralFolds folds = shapeton::FindHaustralFolds(Grid());
-  EXPECT_THROW(shapeton::WriteFoldLabels(folds, Grid(), "labels.png"), shapeton::ParameterError);
-  EXPECT_THROW(shapeton::WriteFoldLabels(folds, Grid(), "/nowhere/labels.nrrd"), shapeton::OutputError);
+  const shapeton::HaustralFolds folds = shapeton::FindHaustralFolds(Flat());
+  EXPECT_THROW(shapeton::WriteFoldLabels(folds, Flat().Grid(), "labels.png"), shapeton::ParameterError);
+  EXPECT_THROW(shapeton::WriteFoldLabels(folds, Flat().Grid(), "/nowhere/labels.nrrd"), shapeton::OutputError);
 }

@@ -13,6 +13,7 @@ namespace
 using foldtubes::Fold;
 using foldtubes::MakeTube;
 using shapeton::FindHaustralFolds;
+using shapeton::FlatColon;
 using shapeton::FlatColonGrid;
 using shapeton::HaustralFold;
 using shapeton::HaustralFoldOptions;
@@ -36,8 +37,8 @@ DistanceOnMap(const FlatColonGrid & grid, const Eigen::Vector2d & a, const Eigen
 
 TEST(HaustralFolds, FindsFoldsWithTheirPlaceLengthAndHeight)
 {
-  const FlatColonGrid     grid(MakeTube(FourFolds()));
-  const HaustralFolds     found = FindHaustralFolds(grid);
+  const FlatColon         flat(MakeTube(FourFolds()));
+  const HaustralFolds     found = FindHaustralFolds(flat);
   const std::vector<Fold> truth = FourFolds();
   ASSERT_EQ(found.folds.size(), truth.size());
   EXPECT_TRUE(found.warnings.empty());
@@ -46,7 +47,7 @@ TEST(HaustralFolds, FindsFoldsWithTheirPlaceLengthAndHeight)
     const HaustralFold &  fold = found.folds[i];
     const Eigen::Vector2d centre(truth[i].u, foldtubes::radius * truth[i].angle);
     EXPECT_EQ(fold.label, static_cast<int>(i) + 1);
-    EXPECT_LT(DistanceOnMap(grid, fold.centreUv, centre), 1.5);
+    EXPECT_LT(DistanceOnMap(flat.Grid(), fold.centreUv, centre), 1.5);
     EXPECT_NEAR(fold.arcLength, 10.0 + truth[i].u, 1.0);
     EXPECT_NEAR(std::abs(fold.angle), 90.0, 5.0);
     EXPECT_NEAR(fold.height, truth[i].height, 0.25 * truth[i].height);
@@ -56,27 +57,28 @@ TEST(HaustralFolds, FindsFoldsWithTheirPlaceLengthAndHeight)
     {
       const double sign = fold.endUv[end].y() < fold.centreUv.y() ? -1.0 : 1.0;
       const double way = std::abs(fold.endUv[end].y() - fold.centreUv.y()) > 60.0 ? -sign : sign;
-      EXPECT_LT(DistanceOnMap(grid, fold.endUv[end], centre + Eigen::Vector2d(0.0, way * truth[i].halfLength)), 3.0);
-      const shapeton::FlatPixel pixel = grid.PixelOfUv(fold.endUv[end]);
-      EXPECT_LT((grid.PointOfPixel(pixel.column, pixel.row) - fold.ends[end]).norm(), 1e-9);
+      EXPECT_LT(DistanceOnMap(flat.Grid(), fold.endUv[end], centre + Eigen::Vector2d(0.0, way * truth[i].halfLength)),
+                3.0);
+      const shapeton::FlatPixel pixel = flat.Grid().PixelOfUv(fold.endUv[end]);
+      EXPECT_LT((flat.Grid().PointOfPixel(pixel.column, pixel.row) - fold.ends[end]).norm(), 1e-9);
     }
   }
 }
 
 TEST(HaustralFolds, AFoldAcrossTheCutIsOne)
 {
-  const FlatColonGrid grid(MakeTube(FourFolds()));
-  const HaustralFolds found = FindHaustralFolds(grid);
+  const FlatColon     flat(MakeTube(FourFolds()));
+  const HaustralFolds found = FindHaustralFolds(flat);
   ASSERT_EQ(found.folds.size(), 4u);
   for (const HaustralFold & fold : found.folds)
   {
     EXPECT_EQ(fold.crossesCut, fold.label == 2);
   }
   int sides[2] = { 0, 0 };
-  for (int column = 0; column < grid.Columns(); ++column)
+  for (int column = 0; column < flat.Grid().Columns(); ++column)
   {
     sides[0] += found.labels->GetPixel({ { column, 0 } }) == 2;
-    sides[1] += found.labels->GetPixel({ { column, grid.Rows() - 1 } }) == 2;
+    sides[1] += found.labels->GetPixel({ { column, flat.Grid().Rows() - 1 } }) == 2;
   }
   EXPECT_GT(sides[0], 0);
   EXPECT_GT(sides[1], 0);
@@ -84,16 +86,16 @@ TEST(HaustralFolds, AFoldAcrossTheCutIsOne)
 
 TEST(HaustralFolds, LabelsLieOnTheCoordinateMap)
 {
-  const FlatColonGrid grid(MakeTube(FourFolds()));
-  const HaustralFolds found = FindHaustralFolds(grid);
-  const auto          map = shapeton::MakeFlatCoordinateMap(grid);
+  const FlatColon     flat(MakeTube(FourFolds()));
+  const HaustralFolds found = FindHaustralFolds(flat);
+  const auto          map = shapeton::MakeFlatCoordinateMap(flat.Grid());
   EXPECT_EQ(found.labels->GetLargestPossibleRegion(), map->GetLargestPossibleRegion());
   EXPECT_EQ(found.labels->GetOrigin(), map->GetOrigin());
   EXPECT_EQ(found.labels->GetSpacing(), map->GetSpacing());
   EXPECT_EQ(found.labels->GetDirection(), map->GetDirection());
   for (const HaustralFold & fold : found.folds)
   {
-    const shapeton::FlatPixel pixel = grid.PixelOfUv(fold.centreUv);
+    const shapeton::FlatPixel pixel = flat.Grid().PixelOfUv(fold.centreUv);
     EXPECT_EQ(found.labels->GetPixel({ { pixel.column, pixel.row } }), fold.label);
   }
 }
@@ -104,7 +106,7 @@ TEST(HaustralFolds, ASmoothTubeHasNoneAndSaysSo)
   {
     HaustralFoldOptions options;
     options.scheme = scheme;
-    const HaustralFolds found = FindHaustralFolds(FlatColonGrid(flattubes::MakeCylinder({})), options);
+    const HaustralFolds found = FindHaustralFolds(FlatColon(flattubes::MakeCylinder({})), options);
     EXPECT_TRUE(found.folds.empty());
     ASSERT_EQ(found.warnings.size(), 1u);
     EXPECT_NE(found.warnings[0].find("no haustral folds"), std::string::npos);
@@ -118,7 +120,7 @@ TEST(HaustralFolds, TinyTubesAreNoError)
   form.along = 3;
   form.circumference = 6.0;
   form.length = 2.0;
-  EXPECT_TRUE(FindHaustralFolds(FlatColonGrid(flattubes::MakeCylinder(form))).folds.empty());
+  EXPECT_TRUE(FindHaustralFolds(FlatColon(flattubes::MakeCylinder(form))).folds.empty());
 }
 
 TEST(HaustralFolds, BridgedStretchesHoldNone)
@@ -128,7 +130,7 @@ TEST(HaustralFolds, BridgedStretchesHoldNone)
   {
     mesh.cellArrays[0].values(face, 0) = mesh.V(mesh.F(face, 0), 2) > 75.0 && mesh.V(mesh.F(face, 0), 2) < 105.0;
   }
-  const HaustralFolds found = FindHaustralFolds(FlatColonGrid(mesh));
+  const HaustralFolds found = FindHaustralFolds(FlatColon(mesh));
   ASSERT_EQ(found.folds.size(), 3u);
   EXPECT_GT(found.folds[2].centreUv.x(), 110.0);
 }
@@ -137,29 +139,29 @@ TEST(HaustralFolds, RidgesAlongTheTubeAreNoFolds)
 {
   std::vector<Fold> folds = FourFolds();
   folds.push_back({ 75.0, 2.0, 3.0, 5.0, 0.0, 0.0, 12.0 }); // narrow around, long along
-  const FlatColonGrid grid(MakeTube(folds));
-  EXPECT_EQ(FindHaustralFolds(grid).folds.size(), 4u);
+  const FlatColon flat(MakeTube(folds));
+  EXPECT_EQ(FindHaustralFolds(flat).folds.size(), 4u);
   HaustralFoldOptions options;
   options.minimumAngle = 0.0;
-  EXPECT_EQ(FindHaustralFolds(grid, options).folds.size(), 5u);
+  EXPECT_EQ(FindHaustralFolds(flat, options).folds.size(), 5u);
 }
 
 TEST(HaustralFolds, LengthAndAreaAreOnTheSurface)
 {
   HaustralFoldOptions options;
-  const FlatColonGrid grid(MakeTube(FourFolds()));
-  const HaustralFolds all = FindHaustralFolds(grid);
+  const FlatColon     flat(MakeTube(FourFolds()));
+  const HaustralFolds all = FindHaustralFolds(flat);
   options.minimumLength = 0.5 * (all.folds[3].length + all.folds[1].length);
-  EXPECT_EQ(FindHaustralFolds(grid, options).folds.size(), 3u);
+  EXPECT_EQ(FindHaustralFolds(flat, options).folds.size(), 3u);
   options.minimumLength = 0.0;
   options.minimumArea = 0.5 * (all.folds[3].area + all.folds[1].area);
-  EXPECT_EQ(FindHaustralFolds(grid, options).folds.size(), 3u);
+  EXPECT_EQ(FindHaustralFolds(flat, options).folds.size(), 3u);
   // A map at twice the scale has the same folds: everything is measured in space.
   shapeton::SurfaceMesh large = MakeTube(FourFolds());
   large.pointArrays[0].values *= 2.0;
   large.fieldArrays[0].values *= 2.0;
   large.fieldArrays[1].values *= 2.0;
-  const HaustralFolds scaled = FindHaustralFolds(FlatColonGrid(large));
+  const HaustralFolds scaled = FindHaustralFolds(FlatColon(large));
   ASSERT_EQ(scaled.folds.size(), all.folds.size());
   for (std::size_t i = 0; i < all.folds.size(); ++i)
   {
@@ -173,8 +175,8 @@ TEST(HaustralFolds, TaeniaeSplitWhatHasGrownTogether)
   std::vector<Fold> folds = FourFolds();
   folds[2].dip = 0.22; // both halves meet at angle 4
   folds[2].halfLength = 30.0;
-  const FlatColonGrid grid(MakeTube(folds));
-  EXPECT_EQ(FindHaustralFolds(grid).folds.size(), 4u);
+  const FlatColon flat(MakeTube(folds));
+  EXPECT_EQ(FindHaustralFolds(flat).folds.size(), 4u);
   shapeton::CurveSet taenia;
   taenia.V.resize(161, 3);
   taenia.curves.emplace_back();
@@ -185,16 +187,16 @@ TEST(HaustralFolds, TaeniaeSplitWhatHasGrownTogether)
   }
   HaustralFoldOptions options;
   options.taeniae = &taenia;
-  EXPECT_EQ(FindHaustralFolds(grid, options).folds.size(), 5u);
+  EXPECT_EQ(FindHaustralFolds(flat, options).folds.size(), 5u);
 }
 
 TEST(HaustralFolds, EndsNearTheBorderAreMoreReliable)
 {
-  const HaustralFolds  found = FindHaustralFolds(FlatColonGrid(MakeTube(FourFolds())));
+  const HaustralFolds  found = FindHaustralFolds(FlatColon(MakeTube(FourFolds())));
   const HaustralFold & far = found.folds[3]; // at the angle 3
   EXPECT_NEAR(far.endReliability[0], 0.5 * far.reliability, 0.05);
   const Fold           nearBorder{ 60.0, 18.5 / foldtubes::radius, 18.0, 6.0 };
-  const HaustralFolds  one = FindHaustralFolds(FlatColonGrid(MakeTube({ nearBorder, { 120.0, 3.0, 12.0, 6.0 } })));
+  const HaustralFolds  one = FindHaustralFolds(FlatColon(MakeTube({ nearBorder, { 120.0, 3.0, 12.0, 6.0 } })));
   const HaustralFold & fold = one.folds[0];
   const int            low = fold.endUv[0].y() < fold.endUv[1].y() ? 0 : 1;
   EXPECT_GT(fold.endReliability[low], 0.9 * fold.reliability);
@@ -203,13 +205,13 @@ TEST(HaustralFolds, EndsNearTheBorderAreMoreReliable)
 
 TEST(HaustralFolds, OrientationOfFacesAndMapDoesNotMatter)
 {
-  const HaustralFolds expected = FindHaustralFolds(FlatColonGrid(MakeTube(FourFolds())));
+  const HaustralFolds expected = FindHaustralFolds(FlatColon(MakeTube(FourFolds())));
   flattubes::TubeForm form;
   form.isInsideOut = true;
-  const HaustralFolds insideOut = FindHaustralFolds(FlatColonGrid(MakeTube(FourFolds(), form)));
+  const HaustralFolds insideOut = FindHaustralFolds(FlatColon(MakeTube(FourFolds(), form)));
   form.isInsideOut = false;
   form.isMirrored = true;
-  const HaustralFolds mirrored = FindHaustralFolds(FlatColonGrid(MakeTube(FourFolds(), form)));
+  const HaustralFolds mirrored = FindHaustralFolds(FlatColon(MakeTube(FourFolds(), form)));
   ASSERT_EQ(insideOut.folds.size(), expected.folds.size());
   ASSERT_EQ(mirrored.folds.size(), expected.folds.size());
   for (std::size_t i = 0; i < expected.folds.size(); ++i)
@@ -226,17 +228,17 @@ TEST(HaustralFolds, NeedlesDoNoHarm)
   const Eigen::Index face = 2 * 120 * 75;
   const auto         corner = [&](int k) { return mesh.V.row(mesh.F(face, k)); };
   corner(0) = 0.5 * (corner(1) + corner(2)).eval();
-  EXPECT_EQ(FindHaustralFolds(FlatColonGrid(mesh)).folds.size(), 4u);
+  EXPECT_EQ(FindHaustralFolds(FlatColon(mesh)).folds.size(), 4u);
 }
 
 TEST(HaustralFolds, ThreadsDoNotMatter)
 {
-  const FlatColonGrid grid(MakeTube(FourFolds()));
-  const auto          threads = itk::MultiThreaderBase::GetGlobalDefaultNumberOfThreads();
+  const FlatColon flat(MakeTube(FourFolds()));
+  const auto      threads = itk::MultiThreaderBase::GetGlobalDefaultNumberOfThreads();
   itk::MultiThreaderBase::SetGlobalDefaultNumberOfThreads(1);
-  const HaustralFolds one = FindHaustralFolds(grid);
+  const HaustralFolds one = FindHaustralFolds(flat);
   itk::MultiThreaderBase::SetGlobalDefaultNumberOfThreads(3);
-  const HaustralFolds three = FindHaustralFolds(grid);
+  const HaustralFolds three = FindHaustralFolds(flat);
   itk::MultiThreaderBase::SetGlobalDefaultNumberOfThreads(threads);
   ASSERT_EQ(one.folds.size(), three.folds.size());
   const auto pixels = one.labels->GetLargestPossibleRegion().GetNumberOfPixels();
@@ -251,11 +253,11 @@ TEST(HaustralFolds, ThreadsDoNotMatter)
 
 TEST(HaustralFolds, RefusesWrongOptions)
 {
-  const FlatColonGrid grid(flattubes::MakeCylinder({}));
-  const auto          refuses = [&](const auto & change) {
+  const FlatColon flat(flattubes::MakeCylinder({}));
+  const auto      refuses = [&](const auto & change) {
     HaustralFoldOptions options;
     change(options);
-    EXPECT_THROW(FindHaustralFolds(grid, options), shapeton::ParameterError);
+    EXPECT_THROW(FindHaustralFolds(flat, options), shapeton::ParameterError);
   };
   refuses([](HaustralFoldOptions & o) { o.minimumLength = -1.0; });
   refuses([](HaustralFoldOptions & o) { o.minimumArea = std::nan(""); });
@@ -274,5 +276,5 @@ TEST(HaustralFolds, RefusesTaeniaeOfAnotherSurface)
   taenia.curves = { { 0, 1 } };
   HaustralFoldOptions options;
   options.taeniae = &taenia;
-  EXPECT_THROW(FindHaustralFolds(FlatColonGrid(MakeTube(FourFolds())), options), shapeton::InputError);
+  EXPECT_THROW(FindHaustralFolds(FlatColon(MakeTube(FourFolds())), options), shapeton::InputError);
 }

@@ -4,7 +4,7 @@
 #include "SupineProneExport.h"
 
 #include "shapetonCurveSet.h"
-#include "shapetonFlatColonGrid.h"
+#include "shapetonFlatColon.h"
 
 namespace shapeton
 {
@@ -27,14 +27,14 @@ TurnDifference(double turn, double from);
  *
  * The flat map is conformal, so its length measures folds and calibre; two positions of one colon agree much better in
  * the length of the centreline. The place along it is that of the column of the grid (DistanceOfColumns()), made
- * strictly ascending. Both directions are exact inverses of each other. The grid must outlive this object.
+ * strictly ascending. Both directions are exact inverses of each other. The flat colon must outlive this object.
  * \ingroup SupineProne */
 class SupineProne_EXPORT ColonCylinder
 {
 public:
   /** \param centreline with the point array arcLength, mm; needed where the grid has none.
    * Throws InputError where neither tells the distance along the centreline. */
-  ColonCylinder(const FlatColonGrid & grid, const CurveSet & centreline);
+  ColonCylinder(const FlatColon & flat, const CurveSet & centreline);
 
   double
   Begin() const

@@ -4,7 +4,7 @@
 #include "SupineProneExport.h"
 
 #include "shapetonCurveSet.h"
-#include "shapetonFlatColonGrid.h"
+#include "shapetonFlatColon.h"
 #include "shapetonHaustralFolds.h"
 
 #include <array>
@@ -18,8 +18,8 @@ struct ColonPosition
 {
   /** For messages: "supine", a folder. */
   std::string name;
-  /** The flat map. */
-  std::shared_ptr<const FlatColonGrid> grid;
+  /** The flat wall. */
+  std::shared_ptr<const FlatColon> flat;
   /** One curve from the rectum to the caecum, LPS, mm, with the point array arcLength (mm). */
   CurveSet centreline;
   /** Up to three curves on the wall, LPS, mm, with the cell array taenia; the numbers need not be those of the other
@@ -45,7 +45,7 @@ struct ColonPosition
  * gap, used where it is there), or where the wall lies less than `leastRadius` mm from its middle: collapsed
  * stretches. \ingroup SupineProne */
 SupineProne_EXPORT std::vector<char>
-FindExcludedColumns(const FlatColonGrid & grid, const CurveSet & centreline, double leastRadius = 9.0);
+                   FindExcludedColumns(const FlatColon & flat, const CurveSet & centreline, double leastRadius = 9.0);
 } // namespace shapeton
 
 #endif

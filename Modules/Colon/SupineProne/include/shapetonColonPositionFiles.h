@@ -11,8 +11,6 @@ namespace shapeton
 struct ColonPositionFiles
 {
   ColonPosition position;
-  /** The flat surface with all its arrays, on which maps are written. */
-  SurfaceMesh flat;
   /** Those that are known. */
   std::vector<ColonSegmentExtent> segments;
   /** "sha256:..." of all that was read; equal for equal examinations wherever they lie. */

@@ -75,9 +75,9 @@ struct RegistrationFigures
  * RegisterColonPositions(). \ingroup SupineProne */
 struct SupineProneRegistration
 {
-  /** The flat maps that it refers to. */
-  std::shared_ptr<const FlatColonGrid> sourceGrid;
-  std::shared_ptr<const FlatColonGrid> targetGrid;
+  /** The flat walls that it refers to. */
+  std::shared_ptr<const FlatColon>     sourceFlat;
+  std::shared_ptr<const FlatColon>     targetFlat;
   std::shared_ptr<const ColonCylinder> source;
   std::shared_ptr<const ColonCylinder> target;
   /** From source to target. */

@@ -41,10 +41,11 @@ TurnDifference(double turn, double from)
   return difference - std::floor(difference) - 0.5;
 }
 
-ColonCylinder::ColonCylinder(const FlatColonGrid & grid, const CurveSet & centreline) : m_Grid(&grid)
+ColonCylinder::ColonCylinder(const FlatColon & flat, const CurveSet & centreline) : m_Grid(&flat.Grid())
 {
-  const FlatColonAxis axis = MakeFlatColonAxis(grid);
-  std::vector<double> distance = grid.HasArcLength() ? DistanceOfColumns(grid) : DistanceOfColumns(axis, centreline);
+  const FlatColonGrid & grid = *m_Grid;
+  const FlatColonAxis & axis = flat.Axis();
+  std::vector<double>   distance = grid.HasArcLength() ? DistanceOfColumns(grid) : DistanceOfColumns(axis, centreline);
   if (distance.size() < 2 || !(distance.back() > distance.front()))
   {
     throw InputError("the flat surface and its centreline do not tell the distance along the colon; make them with "

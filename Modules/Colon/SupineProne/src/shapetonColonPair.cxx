@@ -8,8 +8,8 @@ namespace shapeton
 ColonPair::ColonPair(const ColonPosition & first, const ColonPosition & second)
   : source(first)
   , target(second)
-  , sourceCylinder(std::make_shared<ColonCylinder>(*first.grid, first.centreline))
-  , targetCylinder(std::make_shared<ColonCylinder>(*second.grid, second.centreline))
+  , sourceCylinder(std::make_shared<ColonCylinder>(*first.flat, first.centreline))
+  , targetCylinder(std::make_shared<ColonCylinder>(*second.flat, second.centreline))
   , sourceFolds(FoldProbability(first))
   , targetFolds(FoldProbability(second))
 {}

@@ -5,7 +5,7 @@
 namespace shapeton
 {
 ColonPointMapper::ColonPointMapper(const SupineProneRegistration & registration)
-  : m_Registration(registration), m_Source(*registration.sourceGrid), m_Target(*registration.targetGrid)
+  : m_Registration(registration), m_Source(registration.sourceFlat->Grid()), m_Target(registration.targetFlat->Grid())
 {}
 
 MappedPoint

@@ -42,10 +42,11 @@ ExcludeGaps(const ColonCylinder & cylinder, const CurveSet & centreline, std::ve
 } // namespace
 
 std::vector<char>
-FindExcludedColumns(const FlatColonGrid & grid, const CurveSet & centreline, double leastRadius)
+FindExcludedColumns(const FlatColon & flat, const CurveSet & centreline, double leastRadius)
 {
-  const ColonCylinder cylinder(grid, centreline);
-  std::vector<char>   isExcluded(grid.Columns(), 0);
+  const FlatColonGrid & grid = flat.Grid();
+  const ColonCylinder   cylinder(flat, centreline);
+  std::vector<char>     isExcluded(grid.Columns(), 0);
   for (int column = 0; column < grid.Columns(); ++column)
   {
     isExcluded[column] = cylinder.Radii()[column] < leastRadius || IsMostlyBridged(grid, column);

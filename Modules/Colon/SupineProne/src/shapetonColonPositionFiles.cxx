@@ -111,13 +111,13 @@ ReadColonPosition(const std::string & folder, const std::string & name)
   position.name = name;
   position.centreline = ReadCurves(examination.Take("segmentation", "centreline.vtp", "ColonSegmentation"));
   const std::string flatPath = examination.Take("flattening", "flat.vtp", "ColonFlattening");
-  files.flat = ReadSurface(flatPath).mesh;
-  position.grid = std::make_shared<FlatColonGrid>(files.flat, FlatColonGridOptions{}, '"' + flatPath + '"');
+  position.flat = std::make_shared<FlatColon>(ReadSurface(flatPath).mesh, FlatColonGridOptions{}, '"' + flatPath + '"');
+  position.flat->Grid(); // refuses a surface that is not flat before the rest is read
   ReadLandmarks(examination, files);
   const std::string foldsPath = examination.Take("landmarks", "folds-surface.vtp", "ColonLandmarks");
-  position.curvature = CurvatureOf(ReadSurface(foldsPath).mesh, files.flat, foldsPath);
+  position.curvature = CurvatureOf(ReadSurface(foldsPath).mesh, position.flat->Surface(), foldsPath);
   position.folds = ReadFoldTable(examination.Take("folds", "folds.csv", "ColonFolds"));
-  position.isExcluded = FindExcludedColumns(*position.grid, position.centreline);
+  position.isExcluded = FindExcludedColumns(*position.flat, position.centreline);
   files.identity = examination.Identity();
   return files;
 }

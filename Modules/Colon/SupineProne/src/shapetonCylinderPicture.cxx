@@ -125,7 +125,7 @@ MakeCylinderPicture(const ColonPosition &       position,
                     const std::vector<float> &  probability,
                     const CylinderPictureForm & form)
 {
-  const FlatColonGrid & grid = *position.grid;
+  const FlatColonGrid & grid = position.flat->Grid();
   Splat           splat{ Eigen::MatrixXd::Zero(form.rows, form.angles), Eigen::MatrixXd::Zero(form.rows, form.angles) };
   Eigen::VectorXd excluded = Eigen::VectorXd::Zero(form.rows);
   Eigen::VectorXd columns = Eigen::VectorXd::Zero(form.rows);

@@ -11,22 +11,23 @@ namespace shapeton
 {
 namespace
 {
+/** `ofPoints` as ColonPosition has it. */
 double
-CurvatureAt(const ColonPosition & position, int column, int row)
+CurvatureAt(const FlatColonGrid & grid, const Eigen::VectorXd & ofPoints, int column, int row)
 {
-  const FlatSample sample = position.grid->SampleOfPixel(column, row);
+  const FlatSample sample = grid.SampleOfPixel(column, row);
   if (sample.face < 0 || sample.isBridged)
   {
     return std::numeric_limits<double>::quiet_NaN();
   }
-  if (position.curvature.size() == 0)
+  if (ofPoints.size() == 0)
   {
     return sample.curvature;
   }
   double curvature = 0.0;
   for (int corner = 0; corner < 3; ++corner)
   {
-    curvature += sample.barycentric[corner] * position.curvature[position.grid->Faces()(sample.face, corner)];
+    curvature += sample.barycentric[corner] * ofPoints[grid.Faces()(sample.face, corner)];
   }
   return curvature;
 }
@@ -35,13 +36,13 @@ CurvatureAt(const ColonPosition & position, int column, int row)
 std::vector<float>
 BulgeOfPixels(const ColonPosition & position)
 {
-  const FlatColonGrid & grid = *position.grid;
+  const FlatColonGrid & grid = position.flat->Grid();
   std::vector<float>    curvature(static_cast<std::size_t>(grid.Rows()) * grid.Columns());
   ParallelFor(grid.Rows(), [&](std::size_t row) {
     for (int column = 0; column < grid.Columns(); ++column)
     {
       curvature[row * grid.Columns() + column] =
-        static_cast<float>(CurvatureAt(position, column, static_cast<int>(row)));
+        static_cast<float>(CurvatureAt(grid, position.curvature, column, static_cast<int>(row)));
     }
   });
   std::vector<float> sorted;
@@ -86,7 +87,7 @@ DrawPoint(const FlatColonGrid & grid, const Eigen::Vector2d & uv, double pixel, 
 std::vector<float>
 DrawFolds(const ColonPosition & position)
 {
-  const FlatColonGrid & grid = *position.grid;
+  const FlatColonGrid & grid = position.flat->Grid();
   const double          around = grid.Circumference();
   const double          pixel = (grid.UvOfPixel(1, 0) - grid.UvOfPixel(0, 0)).norm();
   std::vector<float>    picture(static_cast<std::size_t>(grid.Rows()) * grid.Columns(), 0.0F);

@@ -28,8 +28,8 @@ PlacesOf(const SupineProneRegistration & registration, const std::vector<PointPa
   {
     return places;
   }
-  const FlatColonLocator source(*registration.sourceGrid);
-  const FlatColonLocator target(*registration.targetGrid);
+  const FlatColonLocator source(registration.sourceFlat->Grid());
+  const FlatColonLocator target(registration.targetFlat->Grid());
   for (const PointPair & pair : points)
   {
     const FlatPlace from = source.Find(pair.source);

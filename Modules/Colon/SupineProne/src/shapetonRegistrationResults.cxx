@@ -64,7 +64,7 @@ Json
 ExcludedShare(const ColonPosition & position)
 {
   const auto excluded = std::count(position.isExcluded.begin(), position.isExcluded.end(), 1);
-  return RoundedJson(static_cast<double>(excluded) / position.grid->Columns());
+  return RoundedJson(static_cast<double>(excluded) / position.flat->Grid().Columns());
 }
 
 class Telling
@@ -86,10 +86,10 @@ public:
   Run()
   {
     const ColonPointMapper mapper(m_Registration);
-    m_Results.supineToProne =
-      MappedSurface(m_Supine.flat, [&](const Eigen::Vector2d & uv) { return mapper.ForwardUv(uv); });
+    m_Results.supineToProne = MappedSurface(m_Supine.position.flat->Surface(),
+                                            [&](const Eigen::Vector2d & uv) { return mapper.ForwardUv(uv); });
     m_Results.proneToSupine =
-      MappedSurface(m_Prone.flat, [&](const Eigen::Vector2d & uv) { return mapper.InverseUv(uv); });
+      MappedSurface(m_Prone.position.flat->Surface(), [&](const Eigen::Vector2d & uv) { return mapper.InverseUv(uv); });
     this->TellMatches();
     this->CountSegments();
     RegistrationErrors frame;

@@ -224,7 +224,7 @@ AnglesOfTaeniae(const ColonPosition & position, const ColonCylinder & cylinder, 
                        std::to_string(position.taeniae.curves.size()));
     return angles;
   }
-  const FlatColonLocator           locator(*position.grid);
+  const FlatColonLocator           locator(position.flat->Grid());
   std::vector<std::vector<double>> turns;
   for (const std::vector<int> & curve : position.taeniae.curves)
   {

@@ -26,7 +26,7 @@ JudgeThirds(const WarpingChoice & choice, RegistrationConfidence & confidence)
 void
 RequireUsable(const ColonPosition & position)
 {
-  if (!position.grid)
+  if (!position.flat)
   {
     throw InputError(position.name + ": there is no flat map");
   }
@@ -35,7 +35,7 @@ RequireUsable(const ColonPosition & position)
     throw InputError(position.name + ": there are no haustral folds to register; see ColonFolds");
   }
   RequireParameter(position.isExcluded.empty() ||
-                     position.isExcluded.size() == static_cast<std::size_t>(position.grid->Columns()),
+                     position.isExcluded.size() == static_cast<std::size_t>(position.flat->Grid().Columns()),
                    position.name + ": excluded columns are not those of the grid");
 }
 
@@ -58,8 +58,8 @@ RegisterColonPositions(const ColonPosition & source, const ColonPosition & targe
                    "the greatest dilatation must lie between 0 and 1");
   ColonPair               pair(source, target);
   SupineProneRegistration result;
-  result.sourceGrid = source.grid;
-  result.targetGrid = target.grid;
+  result.sourceFlat = source.flat;
+  result.targetFlat = target.flat;
   result.source = pair.sourceCylinder;
   result.target = pair.targetCylinder;
   result.confidence.senseMargin = RequireSameSense({ source, *pair.sourceCylinder, pair.sourceFolds },

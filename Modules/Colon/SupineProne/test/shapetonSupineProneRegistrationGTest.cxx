@@ -25,10 +25,10 @@ shapeton::ColonPosition
 WithCollapse(shapeton::ColonPosition position)
 {
   const auto isInside = [](double u) { return std::abs(u - 0.5 * length) < halfCollapse; };
-  position.isExcluded.assign(position.grid->Columns(), 0);
-  for (int column = 0; column < position.grid->Columns(); ++column)
+  position.isExcluded.assign(position.flat->Grid().Columns(), 0);
+  for (int column = 0; column < position.flat->Grid().Columns(); ++column)
   {
-    position.isExcluded[column] = isInside(position.grid->UvOfPixel(column, 0).x());
+    position.isExcluded[column] = isInside(position.flat->Grid().UvOfPixel(column, 0).x());
   }
   const auto seen = std::remove_if(position.folds.begin(),
                                    position.folds.end(),

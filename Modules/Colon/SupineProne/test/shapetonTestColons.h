@@ -165,9 +165,8 @@ MakeExamination(const std::string & name, int patient, const Movement & movement
   }
   std::stable_sort(places.begin(), places.end(), [](const auto & a, const auto & b) { return a.s < b.s; });
   shapeton::ColonPositionFiles files;
-  files.flat = MakeWall(places);
   files.position.name = name;
-  files.position.grid = std::make_shared<shapeton::FlatColonGrid>(files.flat);
+  files.position.flat = std::make_shared<shapeton::FlatColon>(MakeWall(places));
   files.position.centreline = MakeCentreline();
   files.position.taeniae = MakeTaeniae(movement.rotation, isReversed);
   for (const shapeton::CylinderPlace & place : places)
@@ -230,16 +229,15 @@ WriteExamination(const shapeton::ColonPositionFiles & files, const std::string &
     std::filesystem::create_directories(folder + '/' + stage);
   }
   shapeton::WriteCurves(files.position.centreline, folder + "/segmentation/centreline.vtp");
-  shapeton::WriteSurface(files.flat, folder + "/flattening/flat.vtp");
+  const shapeton::SurfaceMesh & flat = files.position.flat->Surface();
+  shapeton::WriteSurface(flat, folder + "/flattening/flat.vtp");
   shapeton::WriteJson(LandmarksOf(files), folder + "/landmarks/landmarks.json");
   shapeton::WriteCurves(files.position.taeniae, folder + "/landmarks/taeniae.vtp");
-  shapeton::SurfaceMesh  withCurvature = files.flat;
-  shapeton::SurfaceArray curvature{ "meanCurvature",
-                                    shapeton::SurfaceArray::ValueMatrix(files.flat.V.rows(), 1),
-                                    false };
-  for (Eigen::Index i = 0; i < files.flat.V.rows(); ++i)
+  shapeton::SurfaceMesh  withCurvature = flat;
+  shapeton::SurfaceArray curvature{ "meanCurvature", shapeton::SurfaceArray::ValueMatrix(flat.V.rows(), 1), false };
+  for (Eigen::Index i = 0; i < flat.V.rows(); ++i)
   {
-    curvature.values(i, 0) = 1.0 / files.flat.V.row(i).head<2>().norm() - 1.0 / radius; // highest on folds
+    curvature.values(i, 0) = 1.0 / flat.V.row(i).head<2>().norm() - 1.0 / radius; // highest on folds
   }
   withCurvature.pointArrays.push_back(curvature);
   shapeton::WriteSurface(withCurvature, folder + "/landmarks/folds-surface.vtp");

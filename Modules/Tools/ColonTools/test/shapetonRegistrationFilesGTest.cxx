@@ -68,11 +68,11 @@ TEST(ColonPositionFiles, ReadsWhatTheFolderHolds)
   WriteExamination(written, folder);
   const shapeton::ColonPositionFiles read = shapeton::ReadColonPosition(folder, "supine");
   EXPECT_TRUE(read.warnings.empty());
-  EXPECT_EQ(read.flat.V, written.flat.V);
+  EXPECT_EQ(read.position.flat->Surface().V, written.position.flat->Surface().V);
   EXPECT_EQ(read.position.flexures, written.position.flexures);
   EXPECT_EQ(read.position.taeniae.curves, written.position.taeniae.curves);
-  EXPECT_EQ(read.position.curvature.size(), written.flat.V.rows());
-  EXPECT_EQ(read.position.isExcluded.size(), static_cast<std::size_t>(read.position.grid->Columns()));
+  EXPECT_EQ(read.position.curvature.size(), written.position.flat->Surface().V.rows());
+  EXPECT_EQ(read.position.isExcluded.size(), static_cast<std::size_t>(read.position.flat->Grid().Columns()));
   ASSERT_EQ(read.segments.size(), written.segments.size());
   EXPECT_EQ(read.segments[2].name, "descending");
   ASSERT_EQ(read.position.folds.size(), written.position.folds.size());
@@ -154,8 +154,8 @@ TEST(RegistrationResults, TheMapOnTheSurfaceIsThatOfTheRegistration)
 {
   const Pair &                  pair = TestPair();
   const shapeton::SurfaceMesh & map = pair.results.supineToProne;
-  EXPECT_EQ(map.V, pair.supine.flat.V);
-  EXPECT_EQ(map.F, pair.supine.flat.F);
+  EXPECT_EQ(map.V, pair.supine.position.flat->Surface().V);
+  EXPECT_EQ(map.F, pair.supine.position.flat->Surface().F);
   const auto & uv = shapeton::FindSurfaceArray(map.pointArrays, "uv")->values;
   const auto & mapped = shapeton::FindSurfaceArray(map.pointArrays, "mapped")->values;
   const auto & mappedUv = shapeton::FindSurfaceArray(map.pointArrays, "mappedUv")->values;
@@ -179,7 +179,7 @@ TEST(RegistrationResults, BothMapsAreInverse)
   const Pair &                     pair = TestPair();
   const shapeton::ColonPointMapper mapper(pair.registration);
   const auto & back = shapeton::FindSurfaceArray(pair.results.proneToSupine.pointArrays, "mappedUv")->values;
-  const auto & uv = shapeton::FindSurfaceArray(pair.prone.flat.pointArrays, "uv")->values;
+  const auto & uv = shapeton::FindSurfaceArray(pair.prone.position.flat->Surface().pointArrays, "uv")->values;
   for (Eigen::Index i = 0; i < uv.rows(); i += 97)
   {
     const Eigen::Vector2d forth = mapper.ForwardUv(back.row(i).transpose()).uv;

@@ -14,20 +14,35 @@ constexpr int  finer = 2; ///< pixels that are painted for each one of a strip
 const RGBColor noWall = MakeColor(150, 150, 156);
 const RGBColor stripe = MakeColor(70, 74, 84);
 
-std::unique_ptr<FlatColonGrid>
-GridOf(const SurfaceMesh & flat, double pixelsAround)
+FlatColonGridOptions
+OptionsFor(const FlatColon & flat, double pixelsAround)
 {
   FlatColonGridOptions options;
-  options.pixelSize = FindSurfaceArray(flat.fieldArrays, "circumference")->values(0, 0) / pixelsAround;
+  options.pixelSize = flat.Grid().Circumference() / pixelsAround;
   options.curvatureLength = 2.0;
   options.normalLength = 1.0;
-  return std::make_unique<FlatColonGrid>(flat, options);
+  return options;
+}
+
+const FlatColonGrid &
+GridOf(const ColonPositionFiles & files, double pixelsAround)
+{
+  const FlatColon & flat = *files.position.flat;
+  return flat.Grid(OptionsFor(flat, pixelsAround));
+}
+
+const FlatColonAxis &
+AxisOf(const ColonPositionFiles & files, double pixelsAround)
+{
+  const FlatColon & flat = *files.position.flat;
+  return flat.Axis(OptionsFor(flat, pixelsAround));
 }
 
 void
 RequireFit(const SurfaceMesh & map, const ColonPositionFiles & files)
 {
-  if (map.V.rows() != files.flat.V.rows() || map.F.rows() != files.flat.F.rows() || map.V != files.flat.V)
+  const SurfaceMesh & flat = files.position.flat->Surface();
+  if (map.V.rows() != flat.V.rows() || map.F.rows() != flat.F.rows() || map.V != flat.V)
   {
     throw InputError("the registration is not that of the " + files.position.name +
                      " examination; run ColonRegistration again");
@@ -80,12 +95,14 @@ MapOfSurface::At(const Eigen::Vector2d & uv) const
 
 AlignedColons::AlignedColons(const RegistrationParts & parts, int pixelsAround)
   : m_Parts(parts)
-  , m_Grid(GridOf(parts.supine->flat, pixelsAround))
-  , m_Fine(GridOf(parts.supine->flat, finer * pixelsAround))
-  , m_Prone(GridOf(parts.prone->flat, finer * pixelsAround))
-  , m_Distances(m_Grid->HasArcLength()
-                  ? DistanceOfColumns(*m_Grid)
-                  : DistanceOfColumns(MakeFlatColonAxis(*m_Grid), parts.supine->position.centreline))
+  , m_Grid(GridOf(*parts.supine, pixelsAround))
+  , m_Fine(GridOf(*parts.supine, finer * pixelsAround))
+  , m_FineAxis(AxisOf(*parts.supine, finer * pixelsAround))
+  , m_Prone(GridOf(*parts.prone, finer * pixelsAround))
+  , m_ProneAxis(AxisOf(*parts.prone, finer * pixelsAround))
+  , m_Distances(m_Grid.HasArcLength()
+                  ? DistanceOfColumns(m_Grid)
+                  : DistanceOfColumns(AxisOf(*parts.supine, pixelsAround), parts.supine->position.centreline))
 {
   RequireFit(parts.results->supineToProne, *parts.supine);
   RequireFit(parts.results->proneToSupine, *parts.prone);
@@ -94,29 +111,29 @@ AlignedColons::AlignedColons(const RegistrationParts & parts, int pixelsAround)
 Picture::Pointer
 AlignedColons::Reduced(const Picture * fine) const
 {
-  return ReduceStrip(fine, finer, m_Grid->Columns(), m_Grid->Rows());
+  return ReduceStrip(fine, finer, m_Grid.Columns(), m_Grid.Rows());
 }
 
 Picture::Pointer
 AlignedColons::PaintSupine(const StripPainter & paint) const
 {
-  return this->Reduced(paint(*m_Fine, MakeFlatColonAxis(*m_Fine)));
+  return this->Reduced(paint(m_Fine, m_FineAxis));
 }
 
 Picture::Pointer
 AlignedColons::PaintProne(const StripPainter & paint) const
 {
-  const Picture::Pointer own = paint(*m_Prone, MakeFlatColonAxis(*m_Prone));
-  const MapOfSurface     map(m_Parts.results->supineToProne, *m_Fine, m_Prone->Circumference());
-  Picture::Pointer       warped = NewPicture(m_Fine->Columns(), m_Fine->Rows(), noWall);
-  ParallelFor(static_cast<std::size_t>(m_Fine->Rows()), [&](std::size_t line) {
+  const Picture::Pointer own = paint(m_Prone, m_ProneAxis);
+  const MapOfSurface     map(m_Parts.results->supineToProne, m_Fine, m_Prone.Circumference());
+  Picture::Pointer       warped = NewPicture(m_Fine.Columns(), m_Fine.Rows(), noWall);
+  ParallelFor(static_cast<std::size_t>(m_Fine.Rows()), [&](std::size_t line) {
     const int row = static_cast<int>(line);
-    for (int column = 0; column < m_Fine->Columns(); ++column)
+    for (int column = 0; column < m_Fine.Columns(); ++column)
     {
       const Eigen::Vector2d uv = map.AtPixel(column, row).uv;
       if (uv.allFinite())
       {
-        const FlatPixel from = m_Prone->PixelOfUv(uv);
+        const FlatPixel from = m_Prone.PixelOfUv(uv);
         warped->SetPixel({ { column, row } }, own->GetPixel({ { from.column, from.row } }));
       }
     }
@@ -128,10 +145,10 @@ void
 AlignedColons::Hatch(Picture * strip) const
 {
   constexpr int      period = 9;
-  const MapOfSurface map(m_Parts.results->supineToProne, *m_Grid, m_Prone->Circumference());
-  for (int row = 0; row < m_Grid->Rows(); ++row)
+  const MapOfSurface map(m_Parts.results->supineToProne, m_Grid, m_Prone.Circumference());
+  for (int row = 0; row < m_Grid.Rows(); ++row)
   {
-    for (int column = 0; column < m_Grid->Columns(); ++column)
+    for (int column = 0; column < m_Grid.Columns(); ++column)
     {
       if ((column + row) % period < 2 && map.AtPixel(column, row).isExcluded)
       {
@@ -145,6 +162,6 @@ AlignedColons::Hatch(Picture * strip) const
 Eigen::Vector2d
 AlignedColons::InSupineFrame(const Eigen::Vector2d & proneUv) const
 {
-  return MapOfSurface(m_Parts.results->proneToSupine, *m_Prone, m_Grid->Circumference()).At(proneUv).uv;
+  return MapOfSurface(m_Parts.results->proneToSupine, m_Prone, m_Grid.Circumference()).At(proneUv).uv;
 }
 } // namespace shapeton

@@ -51,7 +51,7 @@ public:
   const FlatColonGrid &
   Grid() const
   {
-    return *m_Grid;
+    return m_Grid;
   }
   /** mm along the supine centreline of each column. */
   const std::vector<double> &
@@ -76,11 +76,13 @@ private:
   Picture::Pointer
   Reduced(const Picture * fine) const;
 
-  RegistrationParts              m_Parts;
-  std::unique_ptr<FlatColonGrid> m_Grid;
-  std::unique_ptr<FlatColonGrid> m_Fine;  ///< of the supine wall, painted on
-  std::unique_ptr<FlatColonGrid> m_Prone; ///< of the prone wall, as fine
-  std::vector<double>            m_Distances;
+  RegistrationParts     m_Parts;
+  const FlatColonGrid & m_Grid;
+  const FlatColonGrid & m_Fine; ///< of the supine wall, painted on
+  const FlatColonAxis & m_FineAxis;
+  const FlatColonGrid & m_Prone; ///< of the prone wall, as fine
+  const FlatColonAxis & m_ProneAxis;
+  std::vector<double>   m_Distances;
 };
 } // namespace shapeton
 

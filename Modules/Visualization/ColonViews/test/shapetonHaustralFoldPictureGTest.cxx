@@ -23,9 +23,8 @@ Count(const shapeton::Picture * picture, int red, int green, int blue)
 
 TEST(HaustralFoldPicture, ShowsOutlinesEndsAndTaeniae)
 {
-  const shapeton::SurfaceMesh   flat = foldtubes::MakeTube({ { 40.0, 2.0, 18.0, 6.0 }, { 100.0, 4.0, 20.0, 8.0 } });
-  const shapeton::FlatColonGrid grid(flat);
-  shapeton::HaustralFolds       folds = shapeton::FindHaustralFolds(grid);
+  const shapeton::SurfaceMesh flat = foldtubes::MakeTube({ { 40.0, 2.0, 18.0, 6.0 }, { 100.0, 4.0, 20.0, 8.0 } });
+  shapeton::HaustralFolds     folds = shapeton::FindHaustralFolds(shapeton::FlatColon(flat));
   ASSERT_EQ(folds.folds.size(), 2u);
   const shapeton::HaustralFoldPictureContent content{ &flat, &folds, nullptr, "the tube", {} };
   const auto                                 picture = shapeton::DrawHaustralFolds(content, 0.5, "Folds");

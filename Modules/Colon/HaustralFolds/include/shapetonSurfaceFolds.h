@@ -1,12 +1,16 @@
 #ifndef shapetonSurfaceFolds_h
 #define shapetonSurfaceFolds_h
 
-#include "shapetonColonWallTube.h"
+#include "HaustralFoldsExport.h"
+
+#include "shapetonFlatColon.h"
+
+#include <vector>
 
 namespace shapeton
 {
 /** From which curvature and which size on a patch of the wall is a fold. See FindSurfaceFolds().
- * \ingroup ColonLandmarks */
+ * \ingroup HaustralFolds */
 struct SurfaceFoldOptions
 {
   /** Of the heat diffusion that smooths the curvature, mm^2. */
@@ -20,12 +24,12 @@ struct SurfaceFoldOptions
   double leastExtent{ 7.0 };
 };
 
-/** Folds found on the surface itself, without the flat picture (dissertation 4.2.1). \ingroup ColonLandmarks */
+/** Folds found on the surface itself, without the flat picture (dissertation 4.2.1). \ingroup HaustralFolds */
 struct SurfaceFolds
 {
   /** That was used, 1/mm. */
   double leastCurvature{ 0.0 };
-  /** For each vertex of the tube, 1/mm. */
+  /** For each point of the flat surface, 1/mm. */
   Eigen::VectorXd curvature;
   /** For each face the number of its fold from 1 on, by the least face; 0 for wall. */
   std::vector<int> foldOfFace;
@@ -35,12 +39,10 @@ struct SurfaceFolds
 };
 
 /** Faces whose mean curvature, divided by area and smoothed by heat diffusion, exceeds the threshold; what hangs
- * together by edges is a fold where it is large enough. Faces with a value in `isBridged` (one for each face, or none)
- * hold no folds. Throws InputError where a face has no area. \ingroup ColonLandmarks */
-ColonLandmarks_EXPORT SurfaceFolds
-FindSurfaceFolds(const ColonWallTube &      tube,
-                 const std::vector<char> &  isBridged,
-                 const SurfaceFoldOptions & options = {});
+ * together by edges, also across the cut, is a fold where it is large enough. Bridged faces hold no folds. Throws
+ * InputError where a face has no area. \ingroup HaustralFolds */
+HaustralFolds_EXPORT SurfaceFolds
+FindSurfaceFolds(const FlatColon & flat, const SurfaceFoldOptions & options = {});
 } // namespace shapeton
 
 #endif
