@@ -28,9 +28,10 @@ main(int argc, char * argv[])
     options.progress = commandLine.PartOfProgress(0.0, 0.8);
     const shapeton::ColonFlattening flattening = shapeton::FlattenColon(tube.mesh, "the tube", options);
 
+    const shapeton::FlatColon              flat(flattening.map.flat);
     shapeton::ColonFlatteningReportContent content;
     content.flattening = &flattening;
-    content.parts.flat = &flattening.map.flat;
+    content.parts.flat = &flat;
     content.parts.annotations = shapeton::AnnotationsOfHandles(flattening);
     content.warnings = flattening.warnings;
     content.provenance = commandLine.GetProvenance();

@@ -17,8 +17,9 @@ main(int argc, char * argv[])
   const shapeton::Surface         tube = shapeton::ReadSurface(argv[1]);
   const shapeton::ColonFlattening flattening = shapeton::FlattenColon(tube.mesh, argv[1]);
 
-  shapeton::FlatColonParts parts;
-  parts.flat = &flattening.map.flat;
+  const shapeton::FlatColon flat(flattening.map.flat);
+  shapeton::FlatColonParts  parts;
+  parts.flat = &flat;
   shapeton::FlatAnnotation mark;
   mark.text = "a vertex";
   mark.point = tube.mesh.V.row(600);

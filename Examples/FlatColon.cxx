@@ -1,6 +1,7 @@
 // From a point in space to its pixel on the flat map of a tube, and back; the point in space of every pixel as a file.
 // Usage: ExampleFlatColon TUBE COORDINATES.nrrd
 #include "shapetonColonFlattening.h"
+#include "shapetonFlatColon.h"
 #include "shapetonFlatColonLocator.h"
 #include "shapetonFlatCoordinateMap.h"
 #include "shapetonSurfaceReader.h"
@@ -17,7 +18,8 @@ main(int argc, char * argv[])
   }
   const shapeton::Surface         tube = shapeton::ReadSurface(argv[1]);
   const shapeton::ColonFlattening flattening = shapeton::FlattenColon(tube.mesh, argv[1]);
-  const shapeton::FlatColonGrid   grid(flattening.map.flat); // pixels of 1 mm
+  const shapeton::FlatColon       flat(flattening.map.flat);
+  const shapeton::FlatColonGrid & grid = flat.Grid(); // pixels of 1 mm
   shapeton::WriteFlatCoordinateMap(grid, argv[2]);
 
   const Eigen::Vector3d     point = tube.mesh.V.row(600).transpose();

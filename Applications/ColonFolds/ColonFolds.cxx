@@ -122,7 +122,7 @@ FindFolds(CommandLine & commandLine)
   commandLine.Progress("Writing", 0.7);
   files.Write(folds, flat.Grid());
   commandLine.Progress("Painting", 0.8);
-  files.WritePicture({ &surface.mesh, &folds, options.taeniae, what, {} }, flat.Grid().PixelSize());
+  files.WritePicture({ &flat, &folds, options.taeniae, {} }, flat.Grid().PixelSize());
 }
 } // namespace
 

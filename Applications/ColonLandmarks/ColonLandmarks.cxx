@@ -34,20 +34,19 @@ Mark(CommandLine & commandLine)
   const shapeton::ColonLandmarkReport  report(commandLine, commandLine.GetString("report"));
   const shapeton::ColonLandmarkOptions options = OptionsOf(commandLine);
   const shapeton::CurveSet             centreline = shapeton::ReadCurves(commandLine, "inputCentreline");
-  const shapeton::SurfaceMesh          flat = shapeton::ReadSurface(commandLine, "inputFlat").mesh;
-  const shapeton::ColonLandmarks       landmarks =
-    shapeton::FindColonLandmarks(shapeton::FlatColon(flat), centreline, options);
+  const shapeton::FlatColon            flat(shapeton::ReadSurface(commandLine, "inputFlat").mesh);
+  const shapeton::ColonLandmarks       landmarks = shapeton::FindColonLandmarks(flat, centreline, options);
   commandLine.Warn(landmarks.warnings);
 
   std::optional<shapeton::ColonPieces> pieces;
   if (commandLine.GetFlag("split"))
   {
     commandLine.Progress("Splitting", 0.7);
-    pieces = shapeton::SplitColon(flat, landmarks);
+    pieces = shapeton::SplitColon(flat.Surface(), landmarks);
     commandLine.Warn(pieces->warnings);
   }
   commandLine.Progress("Writing", 0.9);
-  files.Write(flat, landmarks, pieces ? &*pieces : nullptr);
+  files.Write(flat.Surface(), landmarks, pieces ? &*pieces : nullptr);
   report.Write(flat, landmarks, pieces ? &*pieces : nullptr);
 }
 } // namespace

@@ -7,12 +7,12 @@ itk_module(PolypCandidates
     Report
     SurfaceMesh
     SlicerMarkups
+    FlatColon
     ITKCommon
   PRIVATE_DEPENDS
     HeatDiffusionMetric
     VolumeFiles
     ShapeDiffusion
-    FlatColon
     ColonLandmarks
     ITKIOImageBase
     ITKIONRRD

@@ -9,6 +9,7 @@ itk_module(ColonoscopyRun
     SurfaceMesh
     VolumeFiles
     SlicerMarkups
+    FlatColon
     ColonLandmarks
     PolypCandidates
     SupineProne

@@ -7,7 +7,10 @@
 
 #include "shapetonCsvTable.h"
 #include "shapetonCurveSet.h"
+#include "shapetonFlatColon.h"
 #include "shapetonSlicerMarkups.h"
+
+#include <memory>
 
 namespace shapeton
 {
@@ -21,8 +24,8 @@ struct PolypColon
   PolypLumenImage::Pointer lumen;
   /** HU, cleansed; null of a mask. */
   itk::Image<float, 3>::Pointer ct;
-  /** As FlattenTube() gives it; empty where there is none. */
-  SurfaceMesh flat;
+  /** Null where there is none. */
+  std::shared_ptr<const FlatColon> flat;
   /** With the cell array segment; empty where there is none. */
   SurfaceMesh segments;
   /** What is missing, and what that costs. */

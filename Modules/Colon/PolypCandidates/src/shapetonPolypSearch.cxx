@@ -72,10 +72,9 @@ LengthOf(const CurveSet & centreline)
 }
 
 void
-PlaceOnFlatMap(const SurfaceMesh & flat, std::vector<PolypCandidate> & candidates)
+PlaceOnFlatMap(const FlatColon & flat, std::vector<PolypCandidate> & candidates)
 {
-  const FlatColonGrid    grid(flat);
-  const FlatColonLocator locator(grid);
+  const FlatColonLocator locator(flat.Grid());
   for (PolypCandidate & candidate : candidates)
   {
     candidate.uv = locator.Find(candidate.position).uv;
@@ -129,8 +128,12 @@ ReadPolypColon(const std::string & folder)
   {
     colon.ct = ReadImageFile(segmentation + "cleansed.nrrd").image;
   }
-  colon.flat = ReadPart(
+  SurfaceMesh flat = ReadPart(
     folder + "/flattening/flat.vtp", "flat", "candidates have no place on the flat map, and no picture", colon);
+  if (flat.NumberOfFaces() > 0)
+  {
+    colon.flat = std::make_shared<FlatColon>(std::move(flat));
+  }
   colon.segments = ReadPart(folder + "/landmarks/segments.vtp", "segments", "segments are not named", colon);
   return colon;
 }
@@ -146,9 +149,9 @@ SearchPolyps(const PolypColon & colon, const PolypSearchOptions & options)
   {
     MeasureAttenuation(colon.wall, colon.ct, candidates);
   }
-  if (colon.flat.NumberOfFaces() > 0)
+  if (colon.flat)
   {
-    PlaceOnFlatMap(colon.flat, candidates);
+    PlaceOnFlatMap(*colon.flat, candidates);
   }
   if (colon.segments.NumberOfFaces() > 0)
   {

@@ -20,7 +20,7 @@ public:
 
   /** `pieces` may be null. */
   void
-  Write(const SurfaceMesh & flat, const ColonLandmarks & landmarks, const ColonPieces * pieces) const;
+  Write(const FlatColon & flat, const ColonLandmarks & landmarks, const ColonPieces * pieces) const;
 
 private:
   CommandLine & m_CommandLine;

@@ -47,9 +47,10 @@ ColonFlatteningViews::Write(const ColonFlattening &      flattening,
                             const CurveSet &             centreline,
                             const itk::Image<float, 3> * ct) const
 {
-  const double   pixelSize = m_CommandLine.GetDouble("pixelSize");
-  FlatColonParts parts;
-  parts.flat = &flattening.map.flat;
+  const double    pixelSize = m_CommandLine.GetDouble("pixelSize");
+  const FlatColon flat(flattening.map.flat);
+  FlatColonParts  parts;
+  parts.flat = &flat;
   parts.centreline = centreline.curves.empty() ? nullptr : &centreline;
   parts.ct = ct;
   parts.annotations = AnnotationsOfHandles(flattening);
@@ -57,8 +58,7 @@ ColonFlatteningViews::Write(const ColonFlattening &      flattening,
   {
     FlatColonGridOptions options;
     options.pixelSize = pixelSize;
-    WriteFlatCoordinateMap(
-      FlatColonGrid(flattening.map.flat, options), m_CoordinateMap, ProvenanceMetadata(m_CommandLine.GetProvenance()));
+    WriteFlatCoordinateMap(flat.Grid(options), m_CoordinateMap, ProvenanceMetadata(m_CommandLine.GetProvenance()));
   }
   if (!m_Picture.empty())
   {

@@ -104,7 +104,7 @@ ColonLandmarkReport::ColonLandmarkReport(CommandLine & commandLine, const std::s
 }
 
 void
-ColonLandmarkReport::Write(const SurfaceMesh & flat, const ColonLandmarks & landmarks, const ColonPieces * pieces) const
+ColonLandmarkReport::Write(const FlatColon & flat, const ColonLandmarks & landmarks, const ColonPieces * pieces) const
 {
   if (m_Folder.empty())
   {

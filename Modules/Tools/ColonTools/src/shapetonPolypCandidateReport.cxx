@@ -104,7 +104,7 @@ AddPolypCandidateSection(HtmlReport &                        report,
                          const OutputPath &                  outputPath)
 {
   AddPolypCandidateTable(report, candidates);
-  if (candidates.empty() || colon.flat.NumberOfFaces() == 0)
+  if (candidates.empty() || !colon.flat)
   {
     return;
   }

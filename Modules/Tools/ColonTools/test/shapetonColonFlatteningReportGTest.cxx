@@ -38,9 +38,10 @@ CountOf(const std::string & text, const std::string & what)
 TEST(ColonFlatteningReport, HoldsPicturesTablesAndWarnings)
 {
   const shapeton::ColonFlattening        flattening = Flattened();
+  const shapeton::FlatColon              flat(flattening.map.flat);
   shapeton::ColonFlatteningReportContent content;
   content.flattening = &flattening;
-  content.parts.flat = &flattening.map.flat;
+  content.parts.flat = &flat;
   content.parts.annotations = AnnotationsOfHandles(flattening);
   content.warnings = { "a <warning>" };
   content.provenance = { { "tool", "a & b" } };
@@ -87,13 +88,16 @@ TEST(FlatColonPictures, DistancesComeFromTheSurfaceElseFromTheCentreline)
     line.curves[0].push_back(i);
     line.pointArrays[0].values(i, 0) = 500.0 + 10.0 * i;
   }
-  shapeton::FlatColonParts parts;
-  parts.flat = &wall;
+  const shapeton::FlatColon flat(wall);
+  shapeton::FlatColonParts  parts;
+  parts.flat = &flat;
   parts.centreline = &line;
   const shapeton::FlatColonPictures pictures(parts, 1.0);
   const double                      u = 100.5 * pictures.Grid().PixelSize();
   EXPECT_NEAR(pictures.Distances()[100], 10.0 + u, 1e-6);
   wall.pointArrays.pop_back();
+  const shapeton::FlatColon withoutDistance(wall);
+  parts.flat = &withoutDistance;
   EXPECT_NEAR(shapeton::FlatColonPictures(parts, 1.0).Distances()[100], 500.0 + u, 2.0);
   parts.centreline = nullptr;
   EXPECT_TRUE(shapeton::FlatColonPictures(parts, 1.0).Distances().empty());
@@ -101,9 +105,9 @@ TEST(FlatColonPictures, DistancesComeFromTheSurfaceElseFromTheCentreline)
 
 TEST(FlatColonPictures, AVolumeRenderingNeedsACt)
 {
-  const shapeton::SurfaceMesh wall = flatcolon::Wall();
-  shapeton::FlatColonParts    parts;
-  parts.flat = &wall;
+  const shapeton::FlatColon flat(flatcolon::Wall());
+  shapeton::FlatColonParts  parts;
+  parts.flat = &flat;
   const shapeton::FlatColonPictures pictures(parts, 1.0);
   EXPECT_THROW(pictures.Draw(shapeton::FlatColoring::Volume, ""), std::invalid_argument);
   EXPECT_EQ(shapeton::NameOf(shapeton::FlatColoring::Volume), "volume");
@@ -111,16 +115,15 @@ TEST(FlatColonPictures, AVolumeRenderingNeedsACt)
 
 TEST(FlatColonPictures, TwoByTwoSamplesForEachPixel)
 {
-  const shapeton::SurfaceMesh wall = flatcolon::Wall();
-  shapeton::FlatColonParts    parts;
-  parts.flat = &wall;
+  const shapeton::FlatColon flat(flatcolon::Wall());
+  shapeton::FlatColonParts  parts;
+  parts.flat = &flat;
   const shapeton::FlatColonPictures pictures(parts, 1.0);
   shapeton::FlatColonGridOptions    options;
   options.pixelSize = 0.5 * pictures.Grid().PixelSize();
   options.curvatureLength = 2.0;
   options.normalLength = 1.0;
-  const shapeton::FlatColonGrid  fine(wall, options);
-  const auto                     strip = PaintFlatRelief(fine, MakeFlatColonAxis(fine));
+  const auto                     strip = PaintFlatRelief(flat.Grid(options), flat.Axis(options));
   shapeton::FlatColonPageOptions page;
   page.title = "Folds";
   const auto plain =

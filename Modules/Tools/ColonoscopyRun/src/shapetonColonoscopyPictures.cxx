@@ -244,7 +244,7 @@ Picture::Pointer
 DrawFlat(const ColonoscopyResults & results, FlatColoring coloring)
 {
   FlatColonParts parts;
-  parts.flat = &results.flat;
+  parts.flat = results.flat.get();
   parts.centreline = &results.centreline;
   parts.ct = results.ct;
   parts.annotations = SegmentAnnotations(results.segments);

@@ -155,7 +155,7 @@ WriteColonoscopyReport(const ColonoscopyReportContent & content,
   {
     AddViews(html, pictures, results);
   }
-  if (results.flat.F.rows() > 0)
+  if (results.flat)
   {
     AddFlat(html, pictures, results);
   }

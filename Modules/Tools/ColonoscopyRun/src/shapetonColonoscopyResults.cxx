@@ -135,7 +135,9 @@ ReadColonoscopyResults(const std::string & folder, const std::vector<StageResult
   files.Read(names::segmentation, "wall-simplified.vtp", surface(results.wall));
   files.Read(
     names::segmentation, "cleansed.nrrd", [&](const std::string & path) { results.ct = ReadImageFile(path).image; });
-  files.Read(names::flattening, "flat.vtp", surface(results.flat));
+  files.Read(names::flattening, "flat.vtp", [&](const std::string & path) {
+    results.flat = std::make_shared<FlatColon>(ReadSurface(path).mesh);
+  });
   files.Read(names::flattening, "flat.json", json(results.flatStatistics));
   files.Read(names::landmarks, "landmarks.json", json(results.landmarks));
   files.Read(names::landmarks, "taeniae.vtp", curves(results.taeniae));

@@ -6,6 +6,7 @@
 #include "shapetonColonLandmarkDocument.h"
 #include "shapetonColonPositionFiles.h"
 #include "shapetonCurveSet.h"
+#include "shapetonFlatColon.h"
 #include "shapetonJson.h"
 #include "shapetonPolypCandidates.h"
 #include "shapetonRegistrationResults.h"
@@ -13,6 +14,7 @@
 
 #include "itkImage.h"
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -59,8 +61,9 @@ struct ColonoscopyRun_EXPORT ColonoscopyResults
   SurfaceMesh                   wall;
   itk::Image<float, 3>::Pointer ct; ///< cleansed; null of a mask
 
-  Json        flatStatistics;
-  SurfaceMesh flat;
+  Json flatStatistics;
+  /** Null where it was not read. */
+  std::shared_ptr<const FlatColon> flat;
 
   Json                            landmarks;
   CurveSet                        taeniae;

@@ -14,7 +14,7 @@ namespace shapeton
 /** What pictures of landmarks are made of. Nothing is owned. \ingroup ColonViews */
 struct ColonLandmarkParts
 {
-  const SurfaceMesh *    flat{ nullptr };
+  const FlatColon *      flat{ nullptr };
   const ColonLandmarks * landmarks{ nullptr };
 };
 

@@ -1,11 +1,10 @@
 #ifndef shapetonFlatColonPictures_h
 #define shapetonFlatColonPictures_h
 
+#include "shapetonFlatColon.h"
 #include "shapetonFlatColonOverlay.h"
 #include "shapetonFlatColonPage.h"
 #include "shapetonFlatColonStrip.h"
-
-#include <memory>
 
 namespace shapeton
 {
@@ -25,10 +24,7 @@ ColonViews_EXPORT std::string
 /** What flat pictures of a colon are made of. Nothing is owned. \ingroup ColonViews */
 struct FlatColonParts
 {
-  /** See FlatColonGrid. */
-  const SurfaceMesh * flat{ nullptr };
-  /** Names the surface in messages. */
-  std::string what{ "the flat surface" };
+  const FlatColon * flat{ nullptr };
   /** One curve with the point array arcLength; tells the distances of the ruler where the surface has no arcLength. */
   const CurveSet * centreline{ nullptr };
   /** Hounsfield units. */
@@ -77,11 +73,11 @@ private:
   Picture::Pointer
   Paint(FlatColoring coloring) const;
 
-  FlatColonParts                 m_Parts;
-  std::unique_ptr<FlatColonGrid> m_Grid;
-  std::unique_ptr<FlatColonGrid> m_Fine; ///< only where it is another one
-  FlatColonAxis                  m_Axis; ///< of the finer grid
-  std::vector<double>            m_Distances;
+  FlatColonParts        m_Parts;
+  const FlatColonGrid * m_Grid;
+  const FlatColonGrid * m_Fine{ nullptr }; ///< only where it is another one
+  const FlatColonAxis * m_Axis{ nullptr }; ///< of the finer grid
+  std::vector<double>   m_Distances;
 };
 } // namespace shapeton
 

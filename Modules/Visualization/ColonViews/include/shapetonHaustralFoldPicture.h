@@ -11,13 +11,11 @@ namespace shapeton
 /** What a picture of folds is made of. Nothing is owned. \ingroup ColonViews */
 struct HaustralFoldPictureContent
 {
-  /** See FlatColonGrid; that of the folds. */
-  const SurfaceMesh *   flat{ nullptr };
+  /** That of the folds. */
+  const FlatColon *     flat{ nullptr };
   const HaustralFolds * folds{ nullptr };
   /** Curves on the wall; may be null. */
   const CurveSet * taeniae{ nullptr };
-  /** Names the surface in messages. */
-  std::string what{ "the flat surface" };
   /** More to tell, such as segments. */
   std::vector<FlatAnnotation> annotations;
 };

@@ -181,7 +181,7 @@ DrawColonLandmarks(const ColonLandmarkParts & parts, PatientSide side)
   AddSegmentLegend(landmarks.segments, options);
   SurfaceScene scene;
   SurfaceActor wall;
-  wall.surface = parts.flat;
+  wall.surface = &parts.flat->Surface();
   for (const int segment : landmarks.segments.segmentOfFace)
   {
     wall.faceColors.push_back(ColorOfSegment(segment));
@@ -219,7 +219,7 @@ DrawSurfaceFolds(const ColonLandmarkParts & parts, PatientSide side)
 {
   SurfaceScene scene;
   SurfaceActor wall;
-  wall.surface = parts.flat;
+  wall.surface = &parts.flat->Surface();
   for (const int fold : parts.landmarks->folds.foldOfFace)
   {
     wall.faceColors.push_back(fold > 0 ? MakeColor(52, 96, 196) : MakeColor(226, 178, 164));
@@ -235,9 +235,8 @@ DrawFlatLandmarks(const ColonLandmarkParts & parts, int greatestColumns)
   FlatColonGridOptions gridOptions;
   gridOptions.normalLength = 1.0;
   gridOptions.pixelSize = 0.7;
-  const FlatColonGrid    grid(*parts.flat, gridOptions);
-  const FlatColonAxis    axis = MakeFlatColonAxis(grid);
-  const Picture::Pointer strip = PaintFlatRelief(grid, axis);
+  const FlatColonGrid &  grid = parts.flat->Grid(gridOptions);
+  const Picture::Pointer strip = PaintFlatRelief(grid, parts.flat->Axis(gridOptions));
   DrawOnStrip(*parts.landmarks, grid, strip);
   std::vector<double> distances;
   for (int column = 0; column < grid.Columns(); ++column)

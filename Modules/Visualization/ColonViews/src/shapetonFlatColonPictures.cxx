@@ -40,17 +40,19 @@ NameOf(FlatColoring coloring)
 }
 
 FlatColonPictures::FlatColonPictures(const FlatColonParts & parts, double pixelSize)
-  : m_Parts(parts), m_Grid(std::make_unique<FlatColonGrid>(*parts.flat, OptionsFor(pixelSize), parts.what))
+  : m_Parts(parts), m_Grid(&parts.flat->Grid(OptionsFor(pixelSize)))
 {
+  FlatColonGridOptions painted = OptionsFor(pixelSize);
   if (static_cast<double>(m_Grid->Columns()) * m_Grid->Rows() * samples * samples <= mostSamples)
   {
-    m_Fine = std::make_unique<FlatColonGrid>(*parts.flat, OptionsFor(m_Grid->PixelSize() / samples), parts.what);
+    painted = OptionsFor(m_Grid->PixelSize() / samples);
+    m_Fine = &parts.flat->Grid(painted);
   }
-  m_Axis = MakeFlatColonAxis(m_Fine ? *m_Fine : *m_Grid);
+  m_Axis = &parts.flat->Axis(painted);
   m_Distances = DistanceOfColumns(*m_Grid);
   if (m_Distances.empty() && parts.centreline)
   {
-    m_Distances = DistanceOfColumns(MakeFlatColonAxis(*m_Grid), *parts.centreline);
+    m_Distances = DistanceOfColumns(parts.flat->Axis(OptionsFor(pixelSize)), *parts.centreline);
   }
 }
 
@@ -62,9 +64,9 @@ FlatColonPictures::Paint(FlatColoring coloring) const
   const FlatColonGrid & grid = m_Fine ? *m_Fine : *m_Grid;
   if (coloring == FlatColoring::Volume)
   {
-    return PaintFlatVolume(grid, m_Axis, m_Parts.ct);
+    return PaintFlatVolume(grid, *m_Axis, m_Parts.ct);
   }
-  return coloring == FlatColoring::Relief ? PaintFlatRelief(grid, m_Axis) : PaintFlatCurvature(grid, m_Axis);
+  return coloring == FlatColoring::Relief ? PaintFlatRelief(grid, *m_Axis) : PaintFlatCurvature(grid, *m_Axis);
 }
 
 Picture::Pointer

@@ -81,8 +81,8 @@ DrawHaustralFolds(const HaustralFoldPictureContent & content,
                   const std::string &                title,
                   int                                greatestColumns)
 {
-  const FlatColonGrid    grid(*content.flat, OptionsFor(pixelSize), content.what);
-  const Picture::Pointer strip = PaintFlatRelief(grid, MakeFlatColonAxis(grid));
+  const FlatColonGrid &  grid = content.flat->Grid(OptionsFor(pixelSize));
+  const Picture::Pointer strip = PaintFlatRelief(grid, content.flat->Axis(OptionsFor(pixelSize)));
   if (content.taeniae)
   {
     DrawTaeniae(strip, grid, *content.taeniae);

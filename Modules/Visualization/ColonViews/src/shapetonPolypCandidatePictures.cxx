@@ -107,10 +107,10 @@ struct PolypCandidatePictures::Data
 {
   Data(const PolypColon & theColon, const std::vector<PolypCandidate> & candidates)
     : colon(theColon)
-    , flatParts{ &colon.flat, "the flat surface", &colon.centreline, nullptr, AnnotationsOf(candidates), {}, {} }
-    , pixelSize(FlatColonGrid(colon.flat).Circumference() / 200.0)
-    , fine(colon.flat, { pixelSize / magnification, 0.0, 0.0 })
-    , axis(MakeFlatColonAxis(fine))
+    , flatParts{ colon.flat.get(), &colon.centreline, nullptr, AnnotationsOf(candidates), {}, {} }
+    , pixelSize(colon.flat->Grid().Circumference() / 200.0)
+    , fine(colon.flat->Grid({ pixelSize / magnification, 0.0, 0.0 }))
+    , axis(colon.flat->Axis({ pixelSize / magnification, 0.0, 0.0 }))
     , wall(colon.wall.V, colon.wall.F)
     , inwardNormals(InwardNormalsOf(colon.wall))
     , isHead(colon.wall.NumberOfVertices(), 0)
@@ -141,19 +141,19 @@ struct PolypCandidatePictures::Data
     return Lit(MixColors(mucosa, head, 0.7 * std::clamp(share, 0.0, 1.0)), frame, normal.normalized());
   }
 
-  const PolypColon & colon;
-  FlatColonParts     flatParts;
-  double             pixelSize;
-  FlatColonGrid      fine;
-  FlatColonAxis      axis;
-  SurfaceLocator     wall;
-  VertexMatrix       inwardNormals;
-  std::vector<char>  isHead;
+  const PolypColon &    colon;
+  FlatColonParts        flatParts;
+  double                pixelSize;
+  const FlatColonGrid & fine;
+  const FlatColonAxis & axis;
+  SurfaceLocator        wall;
+  VertexMatrix          inwardNormals;
+  std::vector<char>     isHead;
 };
 
 PolypCandidatePictures::PolypCandidatePictures(const PolypColon & colon, const std::vector<PolypCandidate> & candidates)
 {
-  if (colon.flat.NumberOfFaces() == 0)
+  if (!colon.flat)
   {
     throw InputError("pictures of candidates need the flat colon; run VirtualColonoscopy or ColonFlattening");
   }

@@ -11,8 +11,8 @@ namespace
 struct Colon
 {
   SchematicColon           line{ MakeSchematicColon() };
-  shapeton::SurfaceMesh    flat{ landmarktubes::TubeAlong(line.centreline, 15.0) };
-  shapeton::ColonLandmarks landmarks{ shapeton::FindColonLandmarks(shapeton::FlatColon(flat), line.centreline) };
+  shapeton::FlatColon      flat{ landmarktubes::TubeAlong(line.centreline, 15.0) };
+  shapeton::ColonLandmarks landmarks{ shapeton::FindColonLandmarks(flat, line.centreline) };
 
   shapeton::ColonLandmarkParts
   Parts() const

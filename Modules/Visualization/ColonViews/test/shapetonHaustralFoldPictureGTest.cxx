@@ -23,10 +23,10 @@ Count(const shapeton::Picture * picture, int red, int green, int blue)
 
 TEST(HaustralFoldPicture, ShowsOutlinesEndsAndTaeniae)
 {
-  const shapeton::SurfaceMesh flat = foldtubes::MakeTube({ { 40.0, 2.0, 18.0, 6.0 }, { 100.0, 4.0, 20.0, 8.0 } });
-  shapeton::HaustralFolds     folds = shapeton::FindHaustralFolds(shapeton::FlatColon(flat));
+  const shapeton::FlatColon flat(foldtubes::MakeTube({ { 40.0, 2.0, 18.0, 6.0 }, { 100.0, 4.0, 20.0, 8.0 } }));
+  shapeton::HaustralFolds   folds = shapeton::FindHaustralFolds(flat);
   ASSERT_EQ(folds.folds.size(), 2u);
-  const shapeton::HaustralFoldPictureContent content{ &flat, &folds, nullptr, "the tube", {} };
+  const shapeton::HaustralFoldPictureContent content{ &flat, &folds, nullptr, {} };
   const auto                                 picture = shapeton::DrawHaustralFolds(content, 0.5, "Folds");
   const int                                  green = Count(picture, 40, 220, 70);
   EXPECT_GT(green, 4 * 8);                    // four ends
@@ -37,7 +37,7 @@ TEST(HaustralFoldPicture, ShowsOutlinesEndsAndTaeniae)
   taenia.V.row(0) = flattubes::OnCylinder(20.0, 5.0, -1.0);
   taenia.V.row(1) = flattubes::OnCylinder(20.0, 150.0, -1.0);
   taenia.curves = { { 0, 1 } };
-  const auto withTaenia = shapeton::DrawHaustralFolds({ &flat, &folds, &taenia, "the tube", {} }, 0.5, "Folds");
+  const auto withTaenia = shapeton::DrawHaustralFolds({ &flat, &folds, &taenia, {} }, 0.5, "Folds");
   EXPECT_GT(Count(withTaenia, 255, 214, 0), 100);
   folds.folds.clear();
   folds.labels->FillBuffer(0);

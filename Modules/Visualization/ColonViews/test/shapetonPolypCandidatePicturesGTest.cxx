@@ -70,7 +70,7 @@ TEST(PolypCandidatePictures, HeadIsInTheMiddleOfBothViews)
 {
   shapeton::PolypColon colon;
   colon.wall = MakeWall({ Ellipsoid(Base(0.0), 6.0, 7.0) });
-  colon.flat = FlatTube();
+  colon.flat = std::make_shared<shapeton::FlatColon>(FlatTube());
   colon.centreline.V.resize(49, 3);
   for (int i = 0; i < 49; ++i)
   {
@@ -92,7 +92,7 @@ TEST(PolypCandidatePictures, HeadIsInTheMiddleOfBothViews)
   const auto flat = pictures.DrawFlatColon();
   EXPECT_GT(flat->GetLargestPossibleRegion().GetSize(0), 100u);
   EXPECT_EQ(pictures.DrawCandidate(candidates.front())->GetLargestPossibleRegion().GetSize(0), 808u);
-  colon.flat = {};
+  colon.flat = nullptr;
   EXPECT_THROW(shapeton::PolypCandidatePictures(colon, candidates), shapeton::InputError);
 }
 
