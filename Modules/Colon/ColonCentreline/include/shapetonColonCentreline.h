@@ -69,7 +69,7 @@ struct CentrelinePiece
   itk::Point<double, 3> place;
 };
 
-/** A place where two loops of the colon touch and their lumens hang together. \ingroup ColonCentreline */
+/** A place where two loops of the colon touch and their lumens are connected. \ingroup ColonCentreline */
 struct CentrelineMerge
 {
   itk::Point<double, 3> place;

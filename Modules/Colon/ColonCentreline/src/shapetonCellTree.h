@@ -9,7 +9,7 @@ namespace shapeton
  * \brief Which passages between cells belong to the colon, and which join loops that only touch.
  *
  * Loops of the colon touch, and thin septa leak, so the cells form a graph with handles. The maximum spanning tree
- * takes the widest passages first and so leaves out each hole between parts that hang together by wider ways. Where the
+ * takes the widest passages first and so leaves out each hole between parts that wider passages connect. Where the
  * colon itself is narrower than a hole, the tree would go through the hole and leave two dead ends; therefore a hole is
  * exchanged for a narrower passage wherever that makes the longest way through the tree clearly longer. Passages
  * outside the tree that close a short ring (around a fold, within a wide place) are allowed; those that close a long
@@ -29,7 +29,7 @@ public:
   std::array<int, 2>
   Ends(int member) const;
 
-  /** Of each cell the first cell that it hangs together with. */
+  /** Of each cell the first cell that it is connected to. */
   std::vector<int>
   Groups() const;
 

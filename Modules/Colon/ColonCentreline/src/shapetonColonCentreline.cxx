@@ -34,7 +34,7 @@ ToVector(const itk::Point<double, 3> & point)
   return { point[0], point[1], point[2] };
 }
 
-/** A node of each piece, the widest; a piece is what hangs together by open passages. Crumbs that the grid tears off a
+/** A node of each piece, the widest; a piece is what open passages connect. Crumbs that the grid tears off a
  * component, smaller than the smallest piece, are left out. */
 std::vector<int>
 WidestNodes(const LumenNetwork & network, double minimumVolume)

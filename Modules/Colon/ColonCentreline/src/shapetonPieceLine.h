@@ -27,7 +27,7 @@ struct PieceLine
   /** mm^3 of the piece, and what of it lies beside the line. */
   double volume{ 0.0 };
   double coveredVolume{ 0.0 };
-  /** Where most of the rest hangs on the line (a node), and its mm^3. */
+  /** Where most of the rest is connected to the line (a node), and its mm^3. */
   int    branchPlace{ 0 };
   double branchVolume{ 0.0 };
 

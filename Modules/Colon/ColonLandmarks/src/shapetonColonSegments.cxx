@@ -9,14 +9,14 @@ namespace shapeton
 {
 namespace
 {
-/** mm, straight from the end of the centreline, which wanders in so wide a place. */
+/** mm, straight from the end of the centreline, which is not certain in so wide a place. */
 constexpr double caecumLength = 60.0;
 constexpr int    borderOfCaecum = 5;
 constexpr int    numberOfSegments = 6;
 /** The place is that of an average anatomy, not of a structure that was seen. */
 constexpr double confidenceOfCaecum = 0.3;
 
-/** Faces that hang together without crossing a loop, by numbers from 0 on. */
+/** Faces that are connected without crossing a loop, by numbers from 0 on. */
 std::vector<int>
 PartsBetweenLoops(const ColonWallTube & tube, const std::vector<SegmentBorder> & borders)
 {

@@ -37,7 +37,7 @@ ColonLumen_EXPORT itk::ImageRegion<3>
 ColonLumen_EXPORT LumenDistanceImage::Pointer
                   LumenDistance(const LumenMask * lumen, const itk::ImageRegion<3> & region);
 
-/** What hangs together by faces of voxels. \ingroup ColonLumen */
+/** Connected components by faces of voxels. \ingroup ColonLumen */
 struct LumenComponent
 {
   std::int64_t voxels{ 0 };

@@ -28,7 +28,7 @@ struct ColonEvidence
   std::vector<Level>              levels; ///< under the candidates
   VoxelRuns                       brightSet;
   RunLabels                       brightLabels;
-  std::vector<char>               isColonBright; ///< bright pieces that hang on colon gas or hold a seed
+  std::vector<char>               isColonBright; ///< bright pieces that are connected to colon gas or hold a seed
   std::vector<std::vector<int>>   brightOfLevel;
   std::vector<std::array<int, 3>> brightSeeds; ///< seed points in bright matter
   bool                            isTagged{ false };
@@ -38,7 +38,7 @@ struct ColonEvidence
 void
 MeasureFluid(ColonEvidence & evidence);
 
-/** Bright matter, and which of it hangs on the colon's gas. */
+/** Bright matter, and which of it is connected to the colon's gas. */
 void
 FindBright(ColonEvidence & evidence);
 

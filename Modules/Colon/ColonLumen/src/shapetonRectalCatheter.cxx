@@ -162,7 +162,7 @@ private:
     }
   }
 
-  /** The gas in this slice that hangs together with what lies over or under the bore; none where it is no bore. */
+  /** The gas in this slice that is connected to what lies over or under the bore; none where it is no bore. */
   std::vector<std::size_t>
   NextBore(const std::vector<std::size_t> & bore, int slice)
   {

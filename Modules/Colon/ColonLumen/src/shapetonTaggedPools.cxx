@@ -159,7 +159,7 @@ constexpr double LeastContrast = 100.0; // HU above tissue
 constexpr double Plateau = 0.75;        // of a core's contrast: a wall in between goes below it
 constexpr double GreatestDepth = 15.0;  // mm, a core's volume by its open contact with the fluid
 constexpr double LeastCoreMl = 0.05;
-constexpr double NeckRadius = 2.5; // mm; what hangs on more narrowly is judged alone
+constexpr double NeckRadius = 2.5; // mm; what is connected more narrowly is judged alone
 
 struct Arrival
 {

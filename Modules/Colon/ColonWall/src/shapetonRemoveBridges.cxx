@@ -74,7 +74,7 @@ RemoveBridges(const SurfaceMesh & mesh)
   {
     return mesh;
   }
-  SurfaceRepairOptions repair; // faces that hang together by a vertex alone are cut apart
+  SurfaceRepairOptions repair; // faces that a vertex alone connects are cut apart
   repair.mergeVertices = false;
   repair.orient = false;
   SurfaceMesh pieces = RepairSurface(FacesOfSurface(mesh, lumen), repair);

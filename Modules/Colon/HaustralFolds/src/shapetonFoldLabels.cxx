@@ -38,7 +38,7 @@ ConnectedFolds(const FoldPicture & picture, const std::vector<char> & mask)
   const cv::Mat1b image(
     picture.rows, picture.columns, reinterpret_cast<unsigned char *>(const_cast<char *>(mask.data())));
   cv::Mat1i labels;
-  // Labels may be numbered differently for other numbers of threads: only what hangs together is taken from them.
+  // Labels may be numbered differently for other numbers of threads: only the connected components are taken from them.
   const int               number = cv::connectedComponents(image, labels, 8, CV_32S);
   DisjointSets            sets = JoinAcrossCut(labels, number);
   std::vector<int>        places(number, -1);

@@ -90,8 +90,8 @@ private:
     return m_Mixture.hasFolds ? CutFolds(m_Picture, m_Mixture, m_Options) : std::vector<char>(m_Picture.Size(), 0);
   }
 
-  /** What hangs together, split where folds have grown together. What is large enough is marked in the picture, so that
-   * crests end there. */
+  /** Connected components, split where folds have grown together. What is large enough is marked in the picture, so
+   * that crests end there. */
   std::vector<FoldPixels>
   Parts()
   {

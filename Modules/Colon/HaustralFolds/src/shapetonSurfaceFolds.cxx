@@ -111,7 +111,7 @@ ThresholdBetween(const SurfaceMesh &         surface,
   return std::max(low + width * (best + 1), 0.0);
 }
 
-/** Faces of candidates that hang together with this one; they are taken off the candidates. */
+/** Faces of candidates that are connected to this one; they are taken off the candidates. */
 std::vector<int>
 TakeComponent(const SurfaceConnectivity & tube, int seed, std::vector<char> & isCandidate)
 {

@@ -31,9 +31,9 @@ struct PublishedPolypOptions
 };
 
 /** Candidates by shapeton diffusion (dissertation 3.5.2). Shapetons start in the tissue within 8 mm of the lumen and
- * wander through the volume; their density in the tissue below each vertex of the wall, smoothed, is ranked. Polyps are
- * parts of the wall that are among the 4 % with the most visits, 3 to 40 mm wide; the score is the mean share of the
- * wall with fewer visits, scaled from (0.96, 1) to (0, 1), times the roundness.
+ * move at random through the volume; their density in the tissue below each vertex of the wall, smoothed, is ranked.
+ * Polyps are parts of the wall that are among the 4 % with the most visits, 3 to 40 mm wide; the score is the mean
+ * share of the wall with fewer visits, scaled from (0.96, 1) to (0, 1), times the roundness.
  *
  * The source shows its density by a transfer function that a person chooses, and gives no rule for a candidate: ranks
  * and limits are ours. \param ct HU, cleansed, or null: then tissue is 1 and lumen 0.

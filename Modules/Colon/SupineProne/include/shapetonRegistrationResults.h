@@ -9,7 +9,7 @@
 
 namespace shapeton
 {
-/** \defgroup RegistrationResults What is told about a registration of two examinations
+/** \defgroup RegistrationResults What is reported about a registration of two examinations
  * \ingroup SupineProne */
 ///@{
 

@@ -108,7 +108,7 @@ TEST(CsvTable, AnyTextComesBack)
   }
 }
 
-TEST(CsvTable, ALonelyEmptyCellIsNoEmptyLine)
+TEST(CsvTable, ASingleEmptyCellIsNoEmptyLine)
 {
   shapeton::CsvTable table({ "name" });
   table.AddRow({ "" });

@@ -101,8 +101,8 @@ struct ShapetonMeasures
 };
 
 /** \class ShapetonDiffusion
- * \brief Particles that wander through a volume as its edge weights allow, and the visits of each voxel (dissertation
- * chapter 3).
+ * \brief Particles that move at random through a volume as its edge weights allow, and the visits of each voxel
+ * (dissertation chapter 3).
  *
  * In each step a shapeton draws a direction from the six weights of its voxel (3.2.1), moves by a fixed distance, and
  * the voxel where it ends counts one visit. The distance is given in the unit cube around the volume: 1 is the longest

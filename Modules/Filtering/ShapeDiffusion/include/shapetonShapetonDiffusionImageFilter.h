@@ -24,7 +24,8 @@ public:
 };
 
 /** \class ShapetonDiffusionImageFilter
- * \brief Describes each voxel by the number of visits of particles that wander through the volume (shapeton diffusion).
+ * \brief Describes each voxel by the number of visits of particles that move at random through the volume (shapeton
+ * diffusion).
  *
  * Shapetons start at random places. In each step every shapeton draws a direction from the six edge weights of its
  * voxel, moves by a fixed distance, and adds one visit to the voxel where it ends. The more often a voxel is visited

@@ -52,7 +52,7 @@ AddGenerators(const EmbeddingCertificate & certificate, CutEdges & cut)
   }
 }
 
-/** What is left when the surface is cut hangs together. It is a disk then, by Euler's formula. */
+/** What is left when the surface is cut is connected. It is a disk then, by Euler's formula. */
 void
 RequireDisk(const TracedMap & packed, const CutEdges & cut)
 {

@@ -134,7 +134,7 @@ CheckMap(const EmbeddingCertificate & certificate, const TracedMap & packed, Mea
     paths.Check(path);
   }
   paths.CheckOthers();
-  if (packed.components != 1 || packed.lonelyNodes > 0)
+  if (packed.components != 1 || packed.isolatedNodes > 0)
   {
     throw Refusal("the packed map is not connected");
   }

@@ -98,14 +98,14 @@ TracedMap::CountComponents()
   }
   for (const int first : firstOfNode)
   {
-    lonelyNodes += first < 0 ? 1 : 0;
+    isolatedNodes += first < 0 ? 1 : 0;
   }
 }
 
 int
 TracedMap::Genus() const
 {
-  const int faces = static_cast<int>(firstOfFace.size()) + lonelyNodes;
+  const int faces = static_cast<int>(firstOfFace.size()) + isolatedNodes;
   return (2 * components - nodes + this->HalfEdges() / 2 - faces) / 2;
 }
 } // namespace shapeton

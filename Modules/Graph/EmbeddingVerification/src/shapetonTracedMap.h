@@ -49,7 +49,7 @@ struct TracedMap
   std::vector<int> firstOfFace;
   std::vector<int> firstOfNode; ///< the first in the rotation; -1 for a node without edges
   int              components{ 0 };
-  int              lonelyNodes{ 0 };
+  int              isolatedNodes{ 0 };
 
 private:
   void

@@ -139,7 +139,7 @@ CombinatorialMap::FindComponents()
       continue;
     }
     m_ComponentOfNode[start] = static_cast<int>(euler.size());
-    euler.push_back(m_FirstAround[start] < 0 ? 1 : 0); // the face of a lonely node
+    euler.push_back(m_FirstAround[start] < 0 ? 1 : 0); // the face of an isolated node
     stack.push_back(start);
     while (!stack.empty())
     {

@@ -141,7 +141,7 @@ TEST(CombinatorialMap, ComponentsHaveTheirOwnSurfaces)
   const shapeton::CombinatorialMap torus = shapeton::TorusGridMap(3, 3);
   shapeton::Graph                  graph = torus.ToGraph();
   shapeton::Rotation               rotation = torus.GetRotation();
-  graph.nodes = 13; // an edge, a loop, a lonely node
+  graph.nodes = 13; // an edge, a loop, an isolated node
   graph.edges.push_back({ 9, 10 });
   graph.edges.push_back({ 11, 11 });
   rotation.insert(rotation.end(), { { 36 }, { 37 }, { 38, 39 }, {} });

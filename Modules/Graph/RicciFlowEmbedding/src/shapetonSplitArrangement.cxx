@@ -241,7 +241,7 @@ Arranger::LabelAround(int node, int number, int offset)
   } while (h != first);
 }
 
-/** Nodes within each component, with all that hangs on them; 0 for an edge. */
+/** Nodes within each component, with all that is connected to them; 0 for an edge. */
 std::vector<int>
 Arranger::SizesOf(const NodePair & pair, int number)
 {

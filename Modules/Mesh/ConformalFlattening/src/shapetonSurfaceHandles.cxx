@@ -25,7 +25,7 @@ SourceFaces(const SurfaceMesh & flat, const std::vector<int> & source)
   return F;
 }
 
-/** Marked vertices that hang together by edges, each list ascending, in the order of their first vertices. */
+/** Marked vertices that are connected by edges, each list ascending, in the order of their first vertices. */
 std::vector<std::vector<int>>
 Clusters(const EdgeGraph & graph, const std::vector<char> & isMarked)
 {

@@ -39,7 +39,7 @@ private:
   const int * m_Last;
 };
 
-/** What hangs together by edges: numbers of one component. \ingroup SurfaceMesh */
+/** A connected component by edges: numbers of one component. \ingroup SurfaceMesh */
 struct SurfaceComponent
 {
   int faces{ 0 };
@@ -63,7 +63,7 @@ struct SurfaceComponent
  * \brief Which vertices, edges and faces of a triangle surface meet; built once, never changed.
  *
  * An edge is a pair of vertices, whatever the number of its faces. A degenerate face, one that names a vertex twice,
- * takes part in nothing: it has no edges and no component. Faces hang together where they share an edge; two that share
+ * takes part in nothing: it has no edges and no component. Faces are connected where they share an edge; two that share
  * only a vertex do not. Everything is in the order of the indices, so equal input gives equal output. Memory: about 100
  * bytes for each face.
  *
@@ -144,7 +144,7 @@ public:
   NeighboursOfVertex(int vertex) const;
   bool
   IsBoundaryVertex(int vertex) const;
-  /** For each of FacesOfVertex() the number, from 0 on, of the fan that it belongs to: faces that hang together by
+  /** For each of FacesOfVertex() the number, from 0 on, of the fan that it belongs to: faces that are connected by
    * edges at this vertex; with `throughManifoldEdges` only by edges of two faces. */
   std::vector<int>
   FanOfFaces(int vertex, bool throughManifoldEdges = false) const;

@@ -41,7 +41,7 @@ struct SurfaceRepairReport
  *
  * In this order: coincident vertices are merged into the first one, faces that name a vertex twice and duplicates of
  * earlier faces are dropped, each edge with more than two faces and each vertex with several fans is cut (every fan of
- * faces that hang together by edges of two faces gets a vertex of its own), faces are turned, unreferenced vertices are
+ * faces that are connected by edges of two faces gets a vertex of its own), faces are turned, unreferenced vertices are
  * dropped. Vertices keep their order, added ones follow. Point arrays are copied to added vertices; arrays come along.
  * Cutting opens boundaries along non-manifold edges; the positions stay, so nothing is torn apart. Faces without area
  * but with three vertices stay, because dropping them would open holes. Field arrays are kept as they are: their
