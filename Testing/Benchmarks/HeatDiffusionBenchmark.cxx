@@ -5,6 +5,7 @@
 
 #include "shapetonAutomaticParameters.h"
 #include "shapetonDiffusionKernels.h"
+#include "shapetonKernelSets.h"
 #include "shapetonHeatDiffusionSolver.h"
 #include "shapetonHeatHistogram.h"
 #include "shapetonTimeTiles.h"
@@ -121,7 +122,8 @@ Sweep(benchmark::State & state)
       for (std::size_t y = 0; y < side; ++y)
       {
         const std::size_t row = s.volumeGradient.GetGrid().GetRow(y, z);
-        DiffusionKernels::ExplicitStep(s.EdgesOf(row), s.even.GetData() + row, s.odd.GetData() + row, side, dt);
+        BestKernels<DiffusionKernels::Set>().ExplicitStep(
+          s.EdgesOf(row), s.even.GetData() + row, s.odd.GetData() + row, side, dt);
       }
     });
     std::swap(s.even, s.odd);
@@ -138,7 +140,8 @@ Tiled(benchmark::State & state)
   for (auto _ : state)
   {
     RunTimeTiles(s.volumeGradient.GetGrid(), 16, { 32, 32, 16 }, [&](unsigned int step, std::size_t row) {
-      DiffusionKernels::ExplicitStep(s.EdgesOf(row), buffers[(step + 1) % 2] + row, buffers[step % 2] + row, side, dt);
+      BestKernels<DiffusionKernels::Set>().ExplicitStep(
+        s.EdgesOf(row), buffers[(step + 1) % 2] + row, buffers[step % 2] + row, side, dt);
     });
   }
   s.Reset();
@@ -152,7 +155,7 @@ TiledCompensated(benchmark::State & state)
   for (auto _ : state)
   {
     RunTimeTiles(s.volumeGradient.GetGrid(), 16, { 32, 32, 16 }, [&](unsigned int step, std::size_t row) {
-      DiffusionKernels::CompensatedStep(
+      BestKernels<DiffusionKernels::Set>().CompensatedStep(
         s.EdgesOf(row), buffers[(step + 1) % 2] + row, buffers[step % 2] + row, s.rest.GetData() + row, side, dt);
     });
   }

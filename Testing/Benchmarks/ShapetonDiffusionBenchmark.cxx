@@ -3,6 +3,7 @@
 #include "BenchmarkVolume.h"
 #include "ShapetonPeer.h"
 
+#include "shapetonKernelSets.h"
 #include "shapetonParallelFor.h"
 #include "shapetonShapetonDiffusion.h"
 #include "shapetonShapetonKernels.h"
@@ -233,23 +234,6 @@ Kernels(benchmark::State & state, const ShapetonKernels::Set & kernels, Shapeton
   }
 }
 
-std::vector<const ShapetonKernels::Set *>
-KernelsOfThisCpu()
-{
-  std::vector<const ShapetonKernels::Set *> sets{ &ShapetonKernels::GetBaseline() };
-#if defined(__x86_64__)
-  if (__builtin_cpu_supports("avx2"))
-  {
-    sets.push_back(&ShapetonKernels::GetAvx2());
-  }
-  if (__builtin_cpu_supports("avx512f"))
-  {
-    sets.push_back(&ShapetonKernels::GetAvx512());
-  }
-#endif
-  return sets;
-}
-
 void
 Register()
 {
@@ -269,7 +253,7 @@ Register()
     ->Args({ 1, 64 })
     ->Args({ 1, 256 })
     ->Args({ 1, 512 });
-  for (const auto * const kernels : KernelsOfThisCpu())
+  for (const auto * const kernels : KernelsOfThisCpu<ShapetonKernels::Set>())
   {
     const std::string name = std::string("Kernels ") + kernels->name;
     inTurns(benchmark::RegisterBenchmark(

@@ -1,5 +1,6 @@
 #include "shapetonHeatDiffusionSolver.h"
 #include "shapetonDiffusionKernels.h"
+#include "shapetonKernelSets.h"
 #include "shapetonTimeTiles.h"
 
 #include <algorithm>
@@ -37,6 +38,12 @@ constexpr std::uint64_t explicitStart = 16;
 // an expansion and with the fine detail of its start, which the stretch before has smoothed away.
 constexpr std::uint64_t longestRatio = 32;
 constexpr std::uint64_t shortestStretch = 1000;
+
+const DiffusionKernels::Set &
+Kernels()
+{
+  return BestKernels<DiffusionKernels::Set>();
+}
 
 DiffusionKernels::Edges
 EdgesOfRow(const VolumeGradientOperator & op, std::size_t row)
@@ -303,10 +310,10 @@ HeatDiffusionSolver::Advance(PaddedField & heat, std::uint64_t steps, Sums sums,
       float *       next = buffers[step % 2] + row;
       if (sums == Sums::Plain)
       {
-        DiffusionKernels::ExplicitStep(edges, current, next, nx, dt);
+        Kernels().ExplicitStep(edges, current, next, nx, dt);
         return;
       }
-      DiffusionKernels::CompensatedStep(edges, current, next, rest.GetData() + row, nx, dt);
+      Kernels().CompensatedStep(edges, current, next, rest.GetData() + row, nx, dt);
     });
     if (count % 2 == 1)
     {
@@ -334,8 +341,7 @@ HeatDiffusionSolver::Expand(const PaddedField &                start,
   ForAllRows(grid, [&](std::size_t, std::size_t row, unsigned int) {
     for (std::size_t g = 0; g < results.size(); ++g)
     {
-      DiffusionKernels::Scale(
-        results[g]->GetData() + row, start.GetData() + row, nx, static_cast<float>(coefficients[g][0]));
+      Kernels().Scale(results[g]->GetData() + row, start.GetData() + row, nx, static_cast<float>(coefficients[g][0]));
     }
   });
   std::size_t degree = 0;
@@ -356,14 +362,13 @@ HeatDiffusionSolver::Expand(const PaddedField &                start,
       const std::size_t   k = done + s;
       const float * const current = buffers[(k + 1) % 2] + row;
       float * const       next = buffers[k % 2] + row;
-      DiffusionKernels::ChebyshevStep(
+      Kernels().ChebyshevStep(
         EdgesOfRow(m_VolumeGradient, row), current, next, difference.GetData() + row, nx, k == 1 ? step : 2.0F * step);
       for (std::size_t g = 0; k % 2 == 0 && g < results.size(); ++g)
       {
         if (k - 1 < coefficients[g].size())
         {
-          DiffusionKernels::AddPair(
-            results[g]->GetData() + row, next, current, nx, coefficient(g, k), coefficient(g, k - 1));
+          Kernels().AddPair(results[g]->GetData() + row, next, current, nx, coefficient(g, k), coefficient(g, k - 1));
         }
       }
     });
@@ -437,7 +442,7 @@ private:
         nodes.begin(), nodes.end(), rows.begin() + 1, [place](PaddedField * node) { return node->GetData() + place; });
       for (std::size_t i = 0; i < weights.size(); ++i)
       {
-        DiffusionKernels::Combine(buffers[worker].data(), rows, nx, weights[i].data());
+        Kernels().Combine(buffers[worker].data(), rows.data(), nx, weights[i].data());
         m_Visitor(m_Next + i, row, buffers[worker].data(), worker);
       }
     });
@@ -535,7 +540,7 @@ HeatDiffusionSolver::RunByExpansion(PaddedField &                      heat,
     for (PaddedField * const node : nodes)
     {
       ForAllRows(grid, [&](std::size_t, std::size_t place, unsigned int) {
-        DiffusionKernels::ClampToZero(node->GetData() + place, grid.GetSize()[0]);
+        Kernels().ClampToZero(node->GetData() + place, grid.GetSize()[0]);
       });
     }
     if (plan[i].interpolate)

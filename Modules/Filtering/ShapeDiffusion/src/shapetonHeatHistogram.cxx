@@ -1,5 +1,6 @@
 #include "shapetonHeatHistogram.h"
 #include "shapetonDiffusionKernels.h"
+#include "shapetonKernelSets.h"
 
 #include <algorithm>
 #include <cmath>
@@ -21,7 +22,7 @@ unsigned int
 HeatHistogram::BinOf(float heat)
 {
   unsigned short bin = 0;
-  DiffusionKernels::BinHeats(&heat, &bin, 1);
+  BestKernels<DiffusionKernels::Set>().BinHeats(&heat, &bin, 1);
   return bin;
 }
 
@@ -57,11 +58,12 @@ void
 HeatHistogram::CountHeats(const float * heats, std::size_t number, std::uint32_t * counts)
 {
   constexpr std::size_t block = 512;
+  const auto &          kernels = BestKernels<DiffusionKernels::Set>();
   unsigned short        bins[block];
   for (std::size_t start = 0; start < number; start += block)
   {
     const std::size_t length = std::min(block, number - start);
-    DiffusionKernels::BinHeats(heats + start, bins, length);
+    kernels.BinHeats(heats + start, bins, length);
     for (std::size_t i = 0; i < length; ++i)
     {
       ++counts[bins[i]];

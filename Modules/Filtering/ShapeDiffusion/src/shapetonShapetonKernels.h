@@ -1,14 +1,14 @@
 #ifndef shapetonShapetonKernels_h
 #define shapetonShapetonKernels_h
 
+#include "shapetonInstructionSets.h"
+
 #include <cstddef>
 #include <cstdint>
 
 namespace shapeton
 {
-/** The arithmetic of the shapetons, many at once in vectors. It exists for several instruction sets; all do the same
- * operations for each shapeton, so that every CPU gives the same bytes. The files that are compiled for one instruction
- * set include nothing of the standard library that the linker could merge with code for another. */
+/** The arithmetic of the shapetons, many at once in vectors, for each instruction set: see InstructionSets. */
 namespace ShapetonKernels
 {
 /** Numbers of a voxel's record: the weights of the edges at -x, +x, -y, +y, -z, +z in units of 1 / 65535, and marks. */
@@ -81,20 +81,11 @@ struct Set
   Draw         drawBySectorArea;
   Draw         drawUniformly;
   Move         move;
+
+  static const Set & Compiled(InstructionSets::Baseline);
+  static const Set & Compiled(InstructionSets::Avx2);
+  static const Set & Compiled(InstructionSets::Avx512);
 };
-
-const Set &
-GetBaseline();
-#if defined(__x86_64__)
-const Set &
-GetAvx2();
-const Set &
-GetAvx512();
-#endif
-
-/** The fastest that this CPU has. */
-const Set &
-GetBest();
 } // namespace ShapetonKernels
 } // namespace shapeton
 

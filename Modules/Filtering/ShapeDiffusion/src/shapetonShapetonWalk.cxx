@@ -1,5 +1,6 @@
 #include "shapetonShapetonWalk.h"
 
+#include "shapetonKernelSets.h"
 #include "shapetonParallelFor.h"
 #include "shapetonShapetonPlacement.h"
 #include "shapetonShapetonTraversal.h"
@@ -48,7 +49,7 @@ ShapetonWalk::ShapetonWalk(const float *                      intensities,
   : settings(given)
   , size(volumeSize)
   , visits(visitsOfVoxels)
-  , kernels(GetBest())
+  , kernels(BestKernels<Set>())
   , table(SharedThetaTable())
   , records(intensities, size, WeightsAlone(settings.volumeGradient), mask, poll)
 {

@@ -1,3 +1,4 @@
+#include "shapetonKernelSets.h"
 #include "shapetonPhilox.h"
 #include "shapetonShapetonDirection.h"
 #include "shapetonShapetonKernelsTestTools.h"
@@ -170,7 +171,7 @@ ForDirections(const std::array<std::uint16_t, 6> & weights,
   crowd.SetWeights(0, weights);
   for (std::uint64_t step = 1; step <= number / group; ++step)
   {
-    DrawOf(GetBest(),
+    DrawOf(BestKernels<Set>(),
            sampling)(crowd.GetSurroundings(), crowd.GetShapetons(), Random{ 5, step }, Table(), crowd.GetDirections());
     for (std::size_t i = 0; i < group; ++i)
     {
@@ -319,7 +320,7 @@ TEST(ShapetonKernels, UniformDirectionsAreUniformWhateverTheWeights)
 
 TEST(ShapetonKernels, AllInstructionSetsGiveTheSameDirections)
 {
-  const auto sets = AvailableKernels();
+  const auto sets = KernelsOfThisCpu<Set>();
   if (sets.size() == 1)
   {
     GTEST_SKIP() << "this CPU runs the baseline alone";
@@ -351,7 +352,7 @@ TEST(ShapetonKernels, DirectionsAreUnitVectorsOrNone)
   for (const auto sampling : allSamplings)
   {
     Crowd crowd = MakeMixedCrowd(30000);
-    DrawOf(GetBest(),
+    DrawOf(BestKernels<Set>(),
            sampling)(crowd.GetSurroundings(), crowd.GetShapetons(), Random{ 1, 1 }, Table(), crowd.GetDirections());
     std::size_t trapped = 0;
     for (std::size_t i = 0; i < crowd.number; ++i)
@@ -377,7 +378,8 @@ TEST(ShapetonKernels, RandomNumbersAreTheShareOfTheDistributionUpToTheDirection)
   {
     Crowd        crowd = MakeMixedCrowd(400000);
     const Random random{ 99, 5 };
-    DrawOf(GetBest(), sampling)(crowd.GetSurroundings(), crowd.GetShapetons(), random, Table(), crowd.GetDirections());
+    DrawOf(BestKernels<Set>(),
+           sampling)(crowd.GetSurroundings(), crowd.GetShapetons(), random, Table(), crowd.GetDirections());
     double largestOfOctant = 0.0;
     double largestOfPhi = 0.0;
     double largestOfTheta = 0.0;
@@ -413,7 +415,7 @@ TEST(ShapetonKernels, DirectionsDependOnTheShapetonAndTheStepAlone)
   Crowd some = MakeMixedCrowd(48);
   some.number = 16;
   std::copy_n(all.voxels.begin() + 32, 16, some.voxels.begin());
-  const auto draw = GetBest().drawBySolidAngle;
+  const auto draw = BestKernels<Set>().drawBySolidAngle;
   draw(all.GetSurroundings(), all.GetShapetons(100), Random{ 2, 77 }, Table(), all.GetDirections());
   draw(some.GetSurroundings(), some.GetShapetons(132), Random{ 2, 77 }, Table(), some.GetDirections());
   EXPECT_TRUE(std::equal(all.directions[0].begin() + 32, all.directions[0].end(), some.directions[0].begin()));

@@ -12,24 +12,6 @@ namespace shapeton
 {
 namespace test
 {
-/** The kernels that this CPU can run; the baseline comes first. */
-inline std::vector<const ShapetonKernels::Set *>
-AvailableKernels()
-{
-  std::vector<const ShapetonKernels::Set *> sets = { &ShapetonKernels::GetBaseline() };
-#if defined(__x86_64__)
-  if (__builtin_cpu_supports("avx2"))
-  {
-    sets.push_back(&ShapetonKernels::GetAvx2());
-  }
-  if (__builtin_cpu_supports("avx512f"))
-  {
-    sets.push_back(&ShapetonKernels::GetAvx512());
-  }
-#endif
-  return sets;
-}
-
 inline const ShapetonKernels::ThetaTable &
 Table()
 {

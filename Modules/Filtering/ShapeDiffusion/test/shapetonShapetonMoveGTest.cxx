@@ -1,3 +1,4 @@
+#include "shapetonKernelSets.h"
 #include "shapetonShapetonKernelsTestTools.h"
 
 #include <gtest/gtest.h>
@@ -61,7 +62,7 @@ TEST(ShapetonMove, EqualsFoldingInDoublePrecision)
   {
     const Crowd before = MakeCrowd(moveCase, 20000);
     Crowd       after = before;
-    GetBest().move(after.GetSurroundings(), after.GetShapetons(), after.GetDirections());
+    BestKernels<Set>().move(after.GetSurroundings(), after.GetShapetons(), after.GetDirections());
     for (unsigned int axis = 0; axis < 3; ++axis)
     {
       for (std::size_t i = 0; i < before.number; ++i)
@@ -82,7 +83,7 @@ TEST(ShapetonMove, TheVoxelHoldsThePlaceAndLiesInside)
     Crowd crowd = MakeCrowd(moveCase, 20000);
     for (int step = 0; step < 5; ++step)
     {
-      GetBest().move(crowd.GetSurroundings(), crowd.GetShapetons(), crowd.GetDirections());
+      BestKernels<Set>().move(crowd.GetSurroundings(), crowd.GetShapetons(), crowd.GetDirections());
       for (std::size_t i = 0; i < crowd.number; ++i)
       {
         std::size_t voxel = 0;
@@ -113,7 +114,7 @@ TEST(ShapetonMove, TheUpperBorderBelongsToTheLastVoxel)
       crowd.directions[0][i] = directions[i];
       crowd.places[0][i] = places[i];
     }
-    GetBest().move(crowd.GetSurroundings(), crowd.GetShapetons(), crowd.GetDirections());
+    BestKernels<Set>().move(crowd.GetSurroundings(), crowd.GetShapetons(), crowd.GetDirections());
     for (unsigned int i = 0; i < 4; ++i)
     {
       EXPECT_LT(crowd.places[0][i], upper);
@@ -124,7 +125,7 @@ TEST(ShapetonMove, TheUpperBorderBelongsToTheLastVoxel)
 
 TEST(ShapetonMove, AllInstructionSetsGiveTheSamePlaces)
 {
-  const auto sets = AvailableKernels();
+  const auto sets = KernelsOfThisCpu<Set>();
   if (sets.size() == 1)
   {
     GTEST_SKIP() << "this CPU runs the baseline alone";

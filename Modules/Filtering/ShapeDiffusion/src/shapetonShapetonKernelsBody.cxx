@@ -1,5 +1,4 @@
-// The body of the shapeton kernels, compiled once for each instruction set: SHAPETON_LANES shapetons to a vector. No
-// include guard and no standard library: see shapetonShapetonKernels.h.
+// Compiled once for each instruction set: see shapetonInstructionSets.h.
 #include "shapetonPhilox.h"
 #include "shapetonShapetonKernels.h"
 #include "shapetonShapetonMoments.h"
@@ -14,10 +13,10 @@ namespace ShapetonKernels
 {
 namespace
 {
-constexpr int lanes = SHAPETON_LANES;
-using Floats = float __attribute__((vector_size(4 * SHAPETON_LANES)));
-using Integers = std::int32_t __attribute__((vector_size(4 * SHAPETON_LANES)));
-using Words = std::uint32_t __attribute__((vector_size(4 * SHAPETON_LANES)));
+constexpr int lanes = SHAPETON_VECTOR_BYTES / 4;
+using Floats = float __attribute__((vector_size(SHAPETON_VECTOR_BYTES)));
+using Integers = std::int32_t __attribute__((vector_size(SHAPETON_VECTOR_BYTES)));
+using Words = std::uint32_t __attribute__((vector_size(SHAPETON_VECTOR_BYTES)));
 
 #define SHAPETON_INLINE __attribute__((always_inline)) inline
 
@@ -432,12 +431,17 @@ MoveAll(const Surroundings & surroundings, const Shapetons & shapetons, const Di
   }
 }
 
-const Set kernels = { SHAPETON_NAME,
-                      DrawAll<Sampling::SolidAngle>,
-                      DrawAll<Sampling::SectorArea>,
-                      DrawAll<Sampling::Uniform>,
-                      MoveAll };
-#undef SHAPETON_INLINE
+constexpr Set kernels{ SHAPETON_STRING(SHAPETON_INSTRUCTION_SET),
+                       DrawAll<Sampling::SolidAngle>,
+                       DrawAll<Sampling::SectorArea>,
+                       DrawAll<Sampling::Uniform>,
+                       MoveAll };
 } // namespace
+
+const Set &
+Set::Compiled(InstructionSets::SHAPETON_INSTRUCTION_SET)
+{
+  return kernels;
+}
 } // namespace ShapetonKernels
 } // namespace shapeton
