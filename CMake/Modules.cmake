@@ -4,7 +4,7 @@ set(Shapeton_MODULES
   Core/Base
   Core/Voxels
   Core/Report
-  Core/SparseCholesky
+  Core/SparseFactorisation
   Mesh/SurfaceMesh
   Mesh/HeatDiffusionMetric
   Mesh/ConformalFlattening

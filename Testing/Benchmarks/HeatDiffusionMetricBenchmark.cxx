@@ -95,8 +95,8 @@ Run(int faces)
     setUpSeconds,
     HeatDiffusionMetricSolver::defaultPoles,
     seconds,
-    1e-6 * static_cast<double>(solver.Inversion().FactorElements()),
-    1e-9 * solver.Inversion().Products(),
+    1e-6 * static_cast<double>(solver.Inversion().Symbolic().FactorElements()),
+    1e-9 * solver.Inversion().Symbolic().Products(),
     PeakMegabytes());
   if (hasPairs)
   {

@@ -10,6 +10,8 @@ itk_module(SupineProne
     FlatColon
     HaustralFolds
     ColonLandmarks
+  PRIVATE_DEPENDS
+    SparseFactorisation
   TEST_DEPENDS
     ITKGoogleTest
   DESCRIPTION "${DOCUMENTATION}"

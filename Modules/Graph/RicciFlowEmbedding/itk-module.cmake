@@ -8,7 +8,7 @@ itk_module(RicciFlowEmbedding
     EmbeddingCertificate
   PRIVATE_DEPENDS
     Base
-    SparseCholesky
+    SparseFactorisation
   TEST_DEPENDS
     ITKGoogleTest
   DESCRIPTION "${DOCUMENTATION}"

@@ -5,6 +5,7 @@ itk_module(ConformalFlattening
   DEPENDS
     Base
     Report
+    SparseFactorisation
     SurfaceMesh
     HeatDiffusionMetric
   TEST_DEPENDS

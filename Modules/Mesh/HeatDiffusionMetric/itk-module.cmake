@@ -1,12 +1,12 @@
-set(DOCUMENTATION "Cotangent Laplacian, spectrum, heat kernel and heat diffusion distance of triangle surfaces; selected inversion of sparse complex-symmetric matrices.")
+set(DOCUMENTATION "Cotangent Laplacian, spectrum, heat kernel and heat diffusion distance of triangle surfaces.")
 
 itk_module(HeatDiffusionMetric
   ENABLE_SHARED
   DEPENDS
+    SparseFactorisation
     SurfaceMesh
   PRIVATE_DEPENDS
     Base
-    SparseCholesky
   TEST_DEPENDS
     ITKGoogleTest
   DESCRIPTION "${DOCUMENTATION}"

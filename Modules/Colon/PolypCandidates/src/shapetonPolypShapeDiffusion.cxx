@@ -90,8 +90,7 @@ DensityOnWall(const SurfaceMesh &         wall,
     const std::ptrdiff_t  voxel = box.VoxelAt(below);
     density(i, 0) = voxel >= 0 ? visits[voxel] : 0.0;
   }
-  DiffuseOverSurface(
-    MakeSurfaceLaplacian(connectivity, EdgeLengths(connectivity, wall.V)), smoothingTime, density, 1e-6);
+  DiffuseOverSurface(MakeSurfaceLaplacian(connectivity, EdgeLengths(connectivity, wall.V)), smoothingTime, density);
   return density;
 }
 } // namespace

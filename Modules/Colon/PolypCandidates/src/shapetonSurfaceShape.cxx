@@ -98,7 +98,7 @@ MeasureSurfaceShape(const VertexMatrix & V, const SurfaceConnectivity & connecti
   SurfaceShape           shape;
   shape.areas = laplacian.mass;
   Eigen::MatrixXd normals = InwardNormals(V, F);
-  DiffuseOverSurface(laplacian, time, normals, 1e-6);
+  DiffuseOverSurface(laplacian, time, normals);
   normals.rowwise().normalize();
   shape.inwardNormals = normals;
 

@@ -1,6 +1,6 @@
 #include "shapetonBeltramiProjection.h"
 
-#include <Eigen/SparseCholesky>
+#include "shapetonSparseCholesky.h"
 
 #include <algorithm>
 #include <cmath>
@@ -209,13 +209,11 @@ private:
     Eigen::VectorXd fixed = values;
     fixed.segment(first, inner).setZero();
     right -= stiffness * fixed;
-    const SparseMatrix                        part = stiffness.block(first, first, inner, inner);
-    const Eigen::SimplicialLDLT<SparseMatrix> solver(part);
-    if (solver.info() != Eigen::Success)
+    if (!SolvePositiveDefinite(stiffness.block(first, first, inner, inner), right.segment(first, inner)))
     {
       throw std::runtime_error("the equations of the Beltrami solver cannot be solved");
     }
-    values.segment(first, inner) = solver.solve(right.segment(first, inner));
+    values.segment(first, inner) = right.segment(first, inner);
   }
 
   int             m_Rows;

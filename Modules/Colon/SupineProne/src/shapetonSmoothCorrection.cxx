@@ -1,6 +1,6 @@
 #include "shapetonSmoothCorrection.h"
 
-#include <Eigen/SparseCholesky>
+#include "shapetonSparseCholesky.h"
 
 #include <algorithm>
 #include <cmath>
@@ -131,12 +131,11 @@ SmoothCorrection::Solve(const std::vector<DisplacementConstraint> & constraints,
   }
   SparseMatrix system(2 * nodes, 2 * nodes);
   system.setFromTriplets(entries.begin(), entries.end());
-  const Eigen::SimplicialLDLT<SparseMatrix> solver(system);
-  if (solver.info() != Eigen::Success)
+  if (!SolvePositiveDefinite(system, right))
   {
     throw std::runtime_error("the equations of the smooth correction cannot be solved");
   }
-  m_Values = solver.solve(right);
+  m_Values = right;
 }
 
 std::vector<double>

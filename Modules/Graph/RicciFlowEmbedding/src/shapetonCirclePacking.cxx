@@ -14,6 +14,12 @@ namespace shapeton
 {
 namespace
 {
+Eigen::Map<Eigen::VectorXd>
+AsVector(std::vector<double> & values)
+{
+  return { values.data(), static_cast<Eigen::Index>(values.size()) };
+}
+
 constexpr double pi = 3.14159265358979323846;
 constexpr double restOfPi = 1.2246467991473532e-16; // see RicciEnergy
 /** The curvature that is asked for, and the largest that rounding may leave. Radians. */
@@ -62,7 +68,7 @@ public:
     : m_Unknowns(unknowns)
     , m_Energy(unknowns)
     , m_IsHyperbolic(unknowns.geometry == FlowGeometry::Hyperbolic)
-    , m_Solver(unknowns.number, m_Energy.TakePattern())
+    , m_Solver(SymbolicFactorisation(unknowns.number, m_Energy.TakePattern(), EliminationOrder::NestedDissection))
     , m_Point(unknowns.StartingPoint())
   {}
 
@@ -103,7 +109,7 @@ void
 NewtonFlow::FindDirection()
 {
   m_Energy.Hessian(m_Diagonal, m_OffDiagonal);
-  if (!m_Solver.Factorise(m_Diagonal, m_OffDiagonal))
+  if (!m_Solver.Factorise(AsVector(m_Diagonal), AsVector(m_OffDiagonal)))
   {
     throw InputError("the Hessian of the Ricci energy is not positive to working accuracy, with a curvature of " +
                      ShortNumber(m_Energy.Residual()) +
@@ -121,7 +127,7 @@ NewtonFlow::SolveForDirection(std::vector<double> gradient)
   {
     d = -d;
   }
-  m_Solver.Solve(m_Direction);
+  m_Solver.SolveInPlace(AsVector(m_Direction));
 }
 
 /** The part of the Newton step that stays in the domain and is not longer than longestStep. */

@@ -4,6 +4,7 @@
 #include "ConformalFlatteningExport.h"
 
 #include "shapetonSurfaceLaplacian.h"
+#include "shapetonSymbolicFactorisation.h"
 
 #include <memory>
 
@@ -13,9 +14,8 @@ namespace shapeton
  * \brief Functions on a surface with given values at some vertices and a given Laplacian at the others.
  *
  * Solves (L x)_i = source_i at the free vertices i, x = given at the fixed ones; boundaries without fixed vertices are
- * natural (Neumann). With source 0 this is the harmonic function of the fixed values. L is factorised once (sparse
- * Cholesky, L D L^T), any number of right-hand sides follow. One thread; the same input
- * gives the same bytes.
+ * natural (Neumann). With source 0 this is the harmonic function of the fixed values. L is factorised once by
+ * SparseCholesky, any number of right-hand sides follow. The same input gives the same bytes.
  *
  * \ingroup ConformalFlattening
  */
@@ -25,9 +25,11 @@ public:
   /** Throws InputError where a fixed vertex does not exist or is named twice, a component of the surface has no fixed
    * vertex (the solution would not be unique), or the factorisation breaks down. */
   HarmonicSolver(const SurfaceLaplacian & laplacian, std::vector<int> fixedVertices);
-  /** \param order EliminationOrder() of the edges: finding it is a third of the work, and it serves any fixed vertices
+  /** \param symbolic Analyse() of the surface: finding it is two thirds of the work, and it serves any fixed vertices
    * and any metric. */
-  HarmonicSolver(const SurfaceLaplacian & laplacian, std::vector<int> fixedVertices, const std::vector<int> & order);
+  HarmonicSolver(const SurfaceLaplacian &      laplacian,
+                 std::vector<int>              fixedVertices,
+                 const SymbolicFactorisation & symbolic);
   ~HarmonicSolver();
   HarmonicSolver(HarmonicSolver &&) noexcept;
   HarmonicSolver &
@@ -41,9 +43,8 @@ public:
   Eigen::MatrixXd
   Solve(const Eigen::MatrixXd & fixedValues, const Eigen::MatrixXd & source = {}) const;
 
-  /** The vertices in an order of elimination with little fill (approximate minimum degree). */
-  static std::vector<int>
-  EliminationOrder(const SurfaceConnectivity & connectivity);
+  static SymbolicFactorisation
+  Analyse(const SurfaceConnectivity & connectivity);
 
 private:
   struct Factor;

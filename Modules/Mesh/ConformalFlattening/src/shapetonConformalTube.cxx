@@ -9,6 +9,7 @@
 #include <cmath>
 #include <limits>
 #include <memory>
+#include <optional>
 
 namespace shapeton
 {
@@ -64,15 +65,15 @@ public:
   }
 
 private:
-  /** The order of elimination beside the Laplacian, then both factorisations at once. */
+  /** The symbolic analysis beside the Laplacian, then the factorisations. */
   void
   Factorise()
   {
-    std::vector<int> order;
+    std::optional<SymbolicFactorisation> symbolic;
     ParallelFor(2, [&](std::size_t i) {
       if (i == 0)
       {
-        order = HarmonicSolver::EliminationOrder(m_Connectivity);
+        symbolic = HarmonicSolver::Analyse(m_Connectivity);
       }
       else
       {
@@ -81,12 +82,11 @@ private:
         m_Lengths = EdgeLengths(m_Connectivity, m_Mesh.V);
       }
     });
-    const bool needsBoth = m_Options.conjugate == TubeConjugate::Laplacian;
-    ParallelFor(needsBoth ? 2 : 1, [&](std::size_t i) {
-      auto &     solver = i == 0 ? m_Along : m_Around;
-      const auto fixed = i == 0 ? m_Ends.Vertices() : std::vector<int>{ m_Ends.first[0] };
-      solver = std::make_unique<HarmonicSolver>(m_Laplacian, fixed, order);
-    });
+    m_Along = std::make_unique<HarmonicSolver>(m_Laplacian, m_Ends.Vertices(), *symbolic);
+    if (m_Options.conjugate == TubeConjugate::Laplacian)
+    {
+      m_Around = std::make_unique<HarmonicSolver>(m_Laplacian, std::vector<int>{ m_Ends.first[0] }, *symbolic);
+    }
   }
 
   /** The costs of edges near vertices that the cut shall keep away from. */

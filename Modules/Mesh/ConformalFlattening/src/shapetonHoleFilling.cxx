@@ -1,9 +1,8 @@
 #include "shapetonHoleFilling.h"
 
-#include "shapetonHolePatch.h"
 #include "shapetonExceptions.h"
-
-#include <Eigen/SparseCholesky>
+#include "shapetonHolePatch.h"
+#include "shapetonSparseCholesky.h"
 
 #include <numeric>
 
@@ -153,9 +152,8 @@ SmoothFilling(const HoleFilling & filling, const SurfaceConnectivity & connectiv
   }
   Eigen::SparseMatrix<double> laplacian(known.rows(), n);
   laplacian.setFromTriplets(triplets.begin(), triplets.end());
-  const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> solver(laplacian.transpose() * laplacian);
-  const Eigen::Matrix<double, Eigen::Dynamic, 3>           places = solver.solve(laplacian.transpose() * known);
-  if (solver.info() != Eigen::Success || !places.allFinite())
+  Eigen::MatrixXd places = laplacian.transpose() * known;
+  if (!SolvePositiveDefinite(laplacian.transpose() * laplacian, places) || !places.allFinite())
   {
     throw InputError("a hole with " + std::to_string(filling.rim.size()) +
                      " edges cannot be filled; repair the surface");

@@ -1,7 +1,6 @@
 #include "shapetonQuadrilateralMap.h"
 
 #include "shapetonHarmonicSolver.h"
-#include "shapetonParallelFor.h"
 #include "shapetonExceptions.h"
 
 #include <Eigen/Geometry>
@@ -58,15 +57,15 @@ SideOfBoundary(const std::vector<int> & boundary, int from, int to)
 
 /** The harmonic function that is 0 on one side and 1 on the other. */
 Eigen::VectorXd
-Between(const SurfaceLaplacian & laplacian,
-        const std::vector<int> & order,
-        std::vector<int>         zero,
-        const std::vector<int> & one)
+Between(const SurfaceLaplacian &      laplacian,
+        const SymbolicFactorisation & symbolic,
+        std::vector<int>              zero,
+        const std::vector<int> &      one)
 {
   Eigen::VectorXd values = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(zero.size() + one.size()));
   values.tail(static_cast<Eigen::Index>(one.size())).setOnes();
   zero.insert(zero.end(), one.begin(), one.end());
-  return HarmonicSolver(laplacian, std::move(zero), order).Solve(values);
+  return HarmonicSolver(laplacian, std::move(zero), symbolic).Solve(values);
 }
 } // namespace
 
@@ -76,19 +75,17 @@ MapQuadrilateral(const SurfaceConnectivity & connectivity,
                  const BoundaryLoop &        boundary,
                  const std::array<int, 4> &  corners)
 {
-  const std::array<int, 4> places = PlacesOfCorners(boundary.vertices, corners);
-  const SurfaceLaplacian   laplacian = MakeSurfaceLaplacian(connectivity, edgeLengths);
-  const std::vector<int>   order = HarmonicSolver::EliminationOrder(connectivity);
+  const std::array<int, 4>    places = PlacesOfCorners(boundary.vertices, corners);
+  const SurfaceLaplacian      laplacian = MakeSurfaceLaplacian(connectivity, edgeLengths);
+  const SymbolicFactorisation symbolic = HarmonicSolver::Analyse(connectivity);
   const auto       side = [&](int i) { return SideOfBoundary(boundary.vertices, places[i], places[(i + 1) % 4]); };
   QuadrilateralMap map;
   for (int i = 0; i < 4; ++i)
   {
     map.corners[i] = boundary.vertices[places[i]];
   }
-  ParallelFor(2, [&](std::size_t i) {
-    (i == 0 ? map.u : map.v) =
-      i == 0 ? Between(laplacian, order, side(3), side(1)) : Between(laplacian, order, side(0), side(2));
-  });
+  map.u = Between(laplacian, symbolic, side(3), side(1));
+  map.v = Between(laplacian, symbolic, side(0), side(2));
   map.modulusU = GradientEnergy(laplacian, map.u);
   map.modulusV = 1.0 / GradientEnergy(laplacian, map.v);
   return map;

@@ -1,7 +1,6 @@
 #include "shapetonSlitMap.h"
 
 #include "shapetonConjugateFunction.h"
-#include "shapetonParallelFor.h"
 #include "shapetonExceptions.h"
 #include "shapetonTubeCut.h"
 
@@ -112,17 +111,9 @@ struct SlitMapSolver::State
     , stiffness(StiffnessMatrix(laplacian))
     , graph(itsConnectivity)
   {
-    const std::vector<int> order = HarmonicSolver::EliminationOrder(itsConnectivity);
-    ParallelFor(2, [&](std::size_t i) {
-      if (i == 0)
-      {
-        functions = HarmonicSolver(laplacian, VerticesOfLoops(loops), order).Solve(ValuesOfLoops(loops, innerLoops));
-      }
-      else
-      {
-        angleSolver = std::make_unique<HarmonicSolver>(laplacian, std::vector<int>{ loops[outer].vertices[0] }, order);
-      }
-    });
+    const SymbolicFactorisation symbolic = HarmonicSolver::Analyse(itsConnectivity);
+    functions = HarmonicSolver(laplacian, VerticesOfLoops(loops), symbolic).Solve(ValuesOfLoops(loops, innerLoops));
+    angleSolver = std::make_unique<HarmonicSolver>(laplacian, std::vector<int>{ loops[outer].vertices[0] }, symbolic);
     const Eigen::MatrixXd fluxes = functions.transpose() * (stiffness * functions);
     P = 0.5 * (fluxes + fluxes.transpose());
   }

@@ -43,7 +43,8 @@ DistancesOf(const SurfaceLaplacian & laplacian, const Eigen::VectorXd & diagonal
 HeatDiffusionMetricSolver::HeatDiffusionMetricSolver(SurfaceLaplacian laplacian)
   : m_Laplacian(std::move(laplacian))
   , m_Diagonal(StiffnessDiagonal(m_Laplacian))
-  , m_Inversion(m_Laplacian.NumberOfVertices(), m_Laplacian.edges)
+  , m_Inversion(
+      SymbolicFactorisation(m_Laplacian.NumberOfVertices(), m_Laplacian.edges, EliminationOrder::NestedDissection))
 {}
 
 HeatDiffusionMetric

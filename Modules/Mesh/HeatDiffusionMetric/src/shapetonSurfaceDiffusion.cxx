@@ -1,9 +1,7 @@
 #include "shapetonSurfaceDiffusion.h"
 
-#include "shapetonParallelFor.h"
 #include "shapetonExceptions.h"
-
-#include <Eigen/IterativeLinearSolvers>
+#include "shapetonSparseCholesky.h"
 
 #include <stdexcept>
 
@@ -11,7 +9,7 @@ namespace shapeton
 {
 /** \equation{5.1} with the sign of the forward heat equation. */
 void
-DiffuseOverSurface(const SurfaceLaplacian & laplacian, double time, Eigen::MatrixXd & values, double tolerance)
+DiffuseOverSurface(const SurfaceLaplacian & laplacian, double time, Eigen::MatrixXd & values)
 {
   constexpr int steps = 2;
   if (values.rows() != laplacian.NumberOfVertices() || !(time >= 0.0))
@@ -22,22 +20,19 @@ DiffuseOverSurface(const SurfaceLaplacian & laplacian, double time, Eigen::Matri
   {
     return;
   }
-  Eigen::SparseMatrix<double> system = time / steps * StiffnessMatrix(laplacian);
-  system.diagonal() += laplacian.mass;
-  ParallelFor(static_cast<std::size_t>(values.cols()), [&](std::size_t column) {
-    Eigen::ConjugateGradient<Eigen::SparseMatrix<double>, Eigen::Lower> solver(system);
-    solver.setTolerance(tolerance);
-    Eigen::VectorXd x = values.col(static_cast<Eigen::Index>(column));
-    for (int step = 0; step < steps; ++step)
-    {
-      const Eigen::VectorXd right = laplacian.mass.cwiseProduct(x);
-      x = solver.solveWithGuess(right, x);
-      if (solver.info() != Eigen::Success || !x.allFinite())
-      {
-        throw InputError("values cannot be smoothed over the surface; repair or remesh it");
-      }
-    }
-    values.col(static_cast<Eigen::Index>(column)) = x;
-  });
+  SparseCholesky solver(
+    SymbolicFactorisation(laplacian.NumberOfVertices(), laplacian.edges, EliminationOrder::MinimumDegree));
+  const double step = time / steps;
+  const bool   isPositive =
+    solver.Factorise(laplacian.mass + step * StiffnessDiagonal(laplacian), -step * laplacian.weights);
+  for (int i = 0; i < steps && isPositive; ++i)
+  {
+    values = laplacian.mass.asDiagonal() * values;
+    solver.SolveInPlace(values);
+  }
+  if (!isPositive || !values.allFinite())
+  {
+    throw InputError("values cannot be smoothed over the surface; repair or remesh it");
+  }
 }
 } // namespace shapeton

@@ -1,9 +1,10 @@
 #include "shapetonSurfaceSpectrum.h"
 
 #include "shapetonExceptions.h"
+#include "shapetonSelectedInversion.h"
+#include "shapetonSparseCholesky.h"
 
 #include <Eigen/Dense>
-#include <Eigen/SparseCholesky>
 #include <Spectra/SymEigsShiftSolver.h>
 
 #include <algorithm>
@@ -17,8 +18,6 @@ namespace
 constexpr double pi = 3.14159265358979323846;
 /** A dense decomposition is faster below. */
 constexpr int fewVertices = 300;
-
-using Factorisation = Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>>;
 
 /** Pairs of M^-1/2 L M^-1/2. */
 struct SymmetricPairs
@@ -49,13 +48,10 @@ class ShiftedInverse
 public:
   using Scalar = double;
 
-  ShiftedInverse(const SurfaceLaplacian & laplacian, double shift)
-    : m_RootMass(laplacian.mass.cwiseSqrt()), m_Shift(shift)
+  ShiftedInverse(const SurfaceLaplacian & laplacian, const SymbolicFactorisation & symbolic, double shift)
+    : m_RootMass(laplacian.mass.cwiseSqrt()), m_Shift(shift), m_Factor(symbolic)
   {
-    Eigen::SparseMatrix<double> matrix = StiffnessMatrix(laplacian);
-    matrix.diagonal() += shift * laplacian.mass;
-    m_Factor.compute(matrix);
-    if (m_Factor.info() != Eigen::Success)
+    if (!m_Factor.Factorise(StiffnessDiagonal(laplacian) + shift * laplacian.mass, -laplacian.weights))
     {
       throw InputError("the stiffness matrix of the surface cannot be factorised; repair or remesh the surface");
     }
@@ -85,7 +81,9 @@ public:
   {
     const Eigen::Map<const Eigen::VectorXd> x(from, m_RootMass.size());
     Eigen::Map<Eigen::VectorXd>             y(to, m_RootMass.size());
-    y = m_Factor.solve(m_RootMass.cwiseProduct(x)).cwiseProduct(m_RootMass);
+    y = m_RootMass.cwiseProduct(x);
+    m_Factor.SolveInPlace(y);
+    y = y.cwiseProduct(m_RootMass);
     for (std::size_t i = 0; m_Known && i < m_Known->values.size(); ++i)
     {
       y -= m_Known->vectors[i].dot(x) / (m_Known->values[i] + m_Shift) * m_Known->vectors[i];
@@ -95,7 +93,7 @@ public:
 private:
   Eigen::VectorXd        m_RootMass;
   double                 m_Shift;
-  Factorisation          m_Factor;
+  SparseCholesky         m_Factor;
   const SymmetricPairs * m_Known{ nullptr };
 };
 
@@ -150,25 +148,21 @@ AddPairs(ShiftedInverse &               inverse,
   known.Sort();
 }
 
-/** How many eigenvalues are below a number: by Sylvester's law of inertia the negative pivots of L - number M. */
-int
-CountEigenvaluesBelow(const SurfaceLaplacian & laplacian, double number)
-{
-  Eigen::SparseMatrix<double> matrix = StiffnessMatrix(laplacian);
-  matrix.diagonal() -= number * laplacian.mass;
-  const Factorisation factor(matrix);
-  return static_cast<int>((factor.vectorD().array() < 0.0).count());
-}
-
 /** Lanczos with one vector sees one direction of the space of a multiple eigenvalue, and others through rounding alone.
  * So the pairs are counted, and those that are missing are looked for in the complement of the others. */
 SymmetricPairs
 LanczosPairs(const SurfaceLaplacian & laplacian, int pairs, const SurfaceSpectrumOptions & options)
 {
-  constexpr int  spare = 6;
-  constexpr int  attempts = 8;
-  const double   shift = 0.5 * EigenvalueStep(laplacian);
-  ShiftedInverse inverse(laplacian, shift);
+  constexpr int               spare = 6;
+  constexpr int               attempts = 8;
+  const double                shift = 0.5 * EigenvalueStep(laplacian);
+  const SymbolicFactorisation symbolic(laplacian.NumberOfVertices(), laplacian.edges, EliminationOrder::MinimumDegree);
+  const Eigen::VectorXd       diagonal = StiffnessDiagonal(laplacian);
+  // L - number M has as many negative eigenvalues as there are eigenvalues below the number.
+  const auto countBelow = [&, counter = SelectedInversion(symbolic)](double number) {
+    return counter.CountNegativeEigenvalues(diagonal - number * laplacian.mass, -laplacian.weights);
+  };
+  ShiftedInverse inverse(laplacian, symbolic, shift);
   SymmetricPairs found;
   AddPairs(inverse, shift, pairs + spare, options, found);
   for (int attempt = 0; attempt < attempts; ++attempt)
@@ -182,7 +176,7 @@ LanczosPairs(const SurfaceLaplacian & laplacian, int pairs, const SurfaceSpectru
         below = i;
       }
     }
-    const int missing = CountEigenvaluesBelow(laplacian, 0.5 * (found.values[below] + found.values[below - 1])) - below;
+    const int missing = countBelow(0.5 * (found.values[below] + found.values[below - 1])) - below;
     if (missing == 0)
     {
       return found;

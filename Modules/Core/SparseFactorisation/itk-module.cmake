@@ -1,0 +1,13 @@
+set(DOCUMENTATION "Sparse symmetric matrices: order of elimination, supernodes, Cholesky factors of real matrices, selected inversion of
+complex ones.")
+
+itk_module(SparseFactorisation
+  ENABLE_SHARED
+  PRIVATE_DEPENDS
+    Base
+  TEST_DEPENDS
+    Base
+    ITKCommon
+    ITKGoogleTest
+  DESCRIPTION "${DOCUMENTATION}"
+)

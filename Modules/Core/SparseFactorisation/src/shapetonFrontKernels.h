@@ -1,0 +1,86 @@
+#ifndef shapetonFrontKernels_h
+#define shapetonFrontKernels_h
+
+#include "shapetonInstructionSets.h"
+
+#include <cstddef>
+
+namespace shapeton
+{
+/** Dense kernels of frontal matrices, real and complex, for each instruction set: see InstructionSets. A sum runs over
+ * one index in ascending order. */
+namespace FrontKernels
+{
+/** Rows of a matrix come in groups of so many doubles, a cache line; the last group is padded. */
+constexpr int rowGroup = 8;
+
+inline constexpr int
+PaddedRows(int rows)
+{
+  return (rows + rowGroup - 1) / rowGroup * rowGroup;
+}
+
+/** A real matrix, column by column. */
+struct Panel
+{
+  double *       data;
+  std::ptrdiff_t stride; ///< from one column to the next
+};
+
+/** A complex matrix, column by column: all real parts, then, `plane` doubles further, all imaginary parts. */
+struct Block
+{
+  double *       data;
+  std::ptrdiff_t stride; ///< from one column to the next
+  std::ptrdiff_t plane;
+};
+
+/** A complex matrix that is read element by element. */
+struct Elements
+{
+  const double * data;
+  std::ptrdiff_t rowStride;
+  std::ptrdiff_t columnStride;
+  std::ptrdiff_t plane;
+};
+
+enum class Store
+{
+  Assign,  ///< C = A B
+  Negate,  ///< C = -A B
+  Add,     ///< C = C + A B
+  Subtract ///< C = C - A B
+};
+
+struct Set
+{
+  const char * name;
+  /** Replaces the first `width` columns of a real symmetric positive definite front of `rows` rows, of which the lower
+   * triangle is given, by those of its Cholesky factor. The stride is PaddedRows(rows) or more. Returns the first
+   * column whose pivot is not positive, or -1. */
+  int (*Factor)(int rows, int width, const Panel & panel);
+  /** Subtracts from the lower triangle of the real C, columns `begin` <= j < `end`, the elements of A A^T: A has `rows`
+   * rows and `depth` columns. `begin` is a multiple of rowGroup. C and A are read up to PaddedRows(rows). */
+  void (*SubtractSquare)(int rows, int begin, int end, int depth, const Panel & A, const Panel & C);
+  /** Stores A B into the complex C: C has `rows` rows, a multiple of rowGroup, and `columns` columns; A has `depth`
+   * columns. With `lowerOnly` elements above the diagonal of C may or may not be computed. */
+  void (*Multiply)(int              rows,
+                   int              columns,
+                   int              depth,
+                   const Block &    A,
+                   const Elements & B,
+                   const Block &    C,
+                   Store            store,
+                   bool             lowerOnly);
+  /** Replaces the leading n x n part of the complex P, whose padding is zero, by its inverse, without pivoting. `work`
+   * holds 2 PaddedRows(n) doubles. Returns the number of pivots with a negative real part. */
+  int (*Invert)(int n, const Block & P, double * work);
+
+  static const Set & Compiled(InstructionSets::Baseline);
+  static const Set & Compiled(InstructionSets::Avx2);
+  static const Set & Compiled(InstructionSets::Avx512);
+};
+} // namespace FrontKernels
+} // namespace shapeton
+
+#endif
