@@ -20,12 +20,14 @@ struct ValuedCorner
   Eigen::Vector3d place;
 };
 
-/** The length of the line value = level in a triangle, corners in the order of their values. */
+/** The length of the line value = level in a triangle, corners in the order of their values. A level at the lowest
+ * corners, or below them by rounding, has no length here: it has it in the triangle below. */
 double
 LengthInTriangle(const std::array<ValuedCorner, 3> & corners, double level)
 {
   const auto between = [level](const ValuedCorner & low, const ValuedCorner & high) -> Eigen::Vector3d {
-    return low.place + (level - low.value) / (high.value - low.value) * (high.place - low.place);
+    const double part = level > low.value ? (level - low.value) / (high.value - low.value) : 0.0;
+    return low.place + part * (high.place - low.place);
   };
   const Eigen::Vector3d along = between(corners[0], corners[2]);
   const Eigen::Vector3d other =

@@ -148,6 +148,19 @@ TEST(ConformalTube, ConeHasItsModulus)
   EXPECT_NEAR(10.0, shapeton::NarrowestLevelRadius(flat.mesh, flat.map.u), 0.05);
 }
 
+TEST(ConformalTube, LevelsAtVerticesHaveTheirLengthOnce)
+{
+  const shapeton::SurfaceMesh mesh = Cylinder(24, 40, 20.0, 100.0);
+  const double                level = 0.55;
+  const double                circumference = 48.0 * 20.0 * std::sin(Pi / 24.0);
+  for (const double value : { std::nextafter(level, 0.0), level, std::nextafter(level, 1.0) })
+  {
+    Eigen::VectorXd u = mesh.V.col(2) / 100.0;
+    u = (u.array() - level).abs().matrix().unaryExpr([](double away) { return away < 1e-9; }).select(value, u);
+    EXPECT_NEAR(shapeton::LevelLengths(mesh, u, 10)[5], circumference, 1e-9);
+  }
+}
+
 TEST(ConformalTube, MapShowsTheViewFromInside)
 {
   for (const int rectum : { 0, 24 * 41 - 1 })
