@@ -338,7 +338,7 @@ AddCover(const LumenNetwork &             network,
     if (line.branchVolume > std::max(20e3, 0.02 * line.volume))
     {
       const auto place = ToPoint(network.grid, network.grid.Position(line.branchPlace));
-      result.warnings.push_back("a side branch of " + InTenths(1e-3 * line.branchVolume) + " ml hangs on the line at " +
+      result.warnings.push_back("a side branch of " + InTenths(1e-3 * line.branchVolume) + " ml leaves the line at " +
                                 PlaceInWords(place) + ": other bowel, or a loop that the line leaves out");
     }
   }

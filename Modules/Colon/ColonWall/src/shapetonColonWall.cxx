@@ -95,7 +95,7 @@ private:
       std::ostringstream text;
       text.precision(4);
       text << topology.report.droppedPieces << " pieces of the lumen with " << topology.report.droppedVolume
-           << " ml in all hang on nothing and are left out of the wall";
+           << " ml in all are connected to nothing and are left out of the wall";
       m_Wall.report.warnings.push_back(text.str());
     }
     this->Advance(Step::Repaired);

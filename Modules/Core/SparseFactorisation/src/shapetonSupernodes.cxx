@@ -108,7 +108,7 @@ Supernodes::BuildRows(const std::vector<int> & place, const std::vector<std::arr
   }
 }
 
-/** The panels of a supernode form a chain: each has those after it in its rows, all children hang from the first. */
+/** The panels of a supernode form a chain: each has those after it in its rows, all children belong to the first. */
 void
 Supernodes::CutWideOnes()
 {

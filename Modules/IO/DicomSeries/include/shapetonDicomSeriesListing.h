@@ -12,9 +12,9 @@ namespace shapeton
 /** Changes the words of an advice, for a program with options in place of parameters. \ingroup DicomSeries */
 using AdviceInWords = std::function<std::string(const std::string & advice)>;
 
-/** The listing of a folder as text for people: a table with a line for each series, then for each series its UID,
- * encoding and defects with what to do about them, then the files outside any series.
- * \ingroup DicomSeries */
+/** The listing of a folder as text for people: a table with a line for each series (one line for all single slices of
+ * one UID), then for each series its UID, encoding and defects with what to do about them, then the files outside any
+ * series. \ingroup DicomSeries */
 DicomSeries_EXPORT std::string
                    FormatDicomScan(const DicomScan & scan, const AdviceInWords & inWords = {});
 
@@ -34,6 +34,7 @@ DicomSeries_EXPORT std::string
  *     "usable": false,                  true: a volume can be read without a repair
  *     "refusal": "",                    why it is no volume, where no defect says it
  *     "defects": [{ "name": "gap", "message": "...", "advice": "...", "files": ["..."], "slices": [17, 18] }],
+ *     "remarks": [],                    like the defects; they keep nobody from reading the volume
  *     "slices": [{ "file": "im0001.dcm", "frame": 1, "instanceNumber": 1, "position": 0 }]
  *   }],
  *   "otherFiles": [{ "name": "notAnImage", "message": "...", "files": ["README"] }]

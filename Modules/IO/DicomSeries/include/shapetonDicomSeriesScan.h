@@ -35,7 +35,9 @@ enum class DicomDefectKind
   /** Pixels in an encoding that cannot be read (video, JPIP, ...). */
   unsupportedTransferSyntax,
   /** A file without a slice image: text, report, structure set, DICOMDIR, ... */
-  notAnImage
+  notAnImage,
+  /** The slices of one volume name several frames of reference, a flaw of some de-identifications: a remark. */
+  mixedFrameOfReference
 };
 
 /** The fixed name, for example "duplicateIdentical".
@@ -125,6 +127,8 @@ struct DicomSeries
   /** In ascending order along the normal. */
   std::vector<DicomSlice>  slices;
   std::vector<DicomDefect> defects;
+  /** What is unusual and keeps nobody from reading the volume. */
+  std::vector<DicomDefect> remarks;
   /** Why this is no volume, when no defect says it: colour, 2-D image, a single slice, ... Empty otherwise. */
   std::string refusal;
   /** The slices are sound but there is only one. */
@@ -159,10 +163,12 @@ struct DicomScan
 /** \brief Lists the DICOM series in a folder (searched recursively; each file and folder once, symbolic links followed)
  * or in one file. Reads headers only, except of slices at equal positions, whose pixels are compared.
  *
- * Grouping: by Series Instance UID, frame of reference, orientation, size and pixel spacing; then by acquisition
- * number, temporal position, echo, b-value, stack or image type, where several such groups cover the same positions and
- * each of them is regular on its own. Slices are ordered by Image Position (Patient) along the normal of Image
- * Orientation (Patient); Slice Thickness, Spacing Between Slices, Slice Location and Instance Number are not used.
+ * Grouping: by Series Instance UID, frame of reference, orientation, size and pixel spacing. Groups of one study that
+ * differ in the frame of reference alone are one volume with the remark mixedFrameOfReference where their slices, three
+ * or more, are equidistant together. Then by acquisition number, temporal position, echo, b-value, stack or image type,
+ * where several such groups cover the same positions and each of them is regular on its own. Slices are ordered by
+ * Image Position (Patient) along the normal of Image Orientation (Patient); Slice Thickness, Spacing Between Slices,
+ * Slice Location and Instance Number are not used.
  *
  * Tolerances. Direction cosines: 1e-4. Pixel spacing: relative 1e-4. Positions along the normal and within the plane:
  * 1 % of the slice distance (of the pixel spacing), at least 0.01 mm, where that is at most 10 % of the distance; real

@@ -493,6 +493,7 @@ CountFrames(DcmDataset & dataset, DicomFile & file)
 void
 ReadIdentity(DcmFileFormat & format, DcmDataset & dataset, DicomFile & file)
 {
+  file.studyUID = GetText(dataset, DCM_StudyInstanceUID);
   file.seriesUID = GetText(dataset, DCM_SeriesInstanceUID);
   file.frameOfReferenceUID = GetText(dataset, DCM_FrameOfReferenceUID);
   file.description = GetText(dataset, DCM_SeriesDescription);

@@ -46,6 +46,7 @@ struct DicomFile
   /** notImage: what the object is. damaged: what is wrong. */
   std::string what;
 
+  std::string studyUID;
   std::string seriesUID;
   std::string frameOfReferenceUID;
   std::string description;
@@ -80,9 +81,10 @@ template <typename TStream, typename TFile>
 void
 Transmit(TStream & stream, TFile & file)
 {
-  stream & file.kind & file.what & file.seriesUID & file.frameOfReferenceUID & file.description & file.modality & file
-    .patientPosition & file.transferSyntax & file.seriesNumber & file.instanceNumber & file.rows & file.columns & file
-    .isLossy & file.isInverted & file.isUnsupportedTransferSyntax & file.truncation & file.refusal & file.isOtherObject;
+  stream & file.kind & file.what & file.studyUID & file.seriesUID & file.frameOfReferenceUID & file.description & file
+    .modality & file.patientPosition & file.transferSyntax & file.seriesNumber & file.instanceNumber & file.rows & file
+    .columns & file.isLossy & file.isInverted & file.isUnsupportedTransferSyntax & file.truncation & file.refusal & file
+    .isOtherObject;
   auto     count = static_cast<std::uint64_t>(file.frames.size());
   stream & count;
   if constexpr (!std::is_const<TFile>::value)

@@ -173,6 +173,8 @@ GetDicomDefectName(DicomDefectKind kind)
       return "truncated";
     case DicomDefectKind::unsupportedTransferSyntax:
       return "unsupportedTransferSyntax";
+    case DicomDefectKind::mixedFrameOfReference:
+      return "mixedFrameOfReference";
     default:
       return "notAnImage";
   }
@@ -193,6 +195,8 @@ GetDicomDefectAdvice(DicomDefectKind kind)
       return "the parameter \"deshear\" resamples onto perpendicular axes";
     case DicomDefectKind::mixedSeries:
       return "choose one part by the parameter \"seriesUID\" = UID#PART";
+    case DicomDefectKind::mixedFrameOfReference:
+      return "if the series was put together from several, check that no part is displaced";
     case DicomDefectKind::localizer:
       return "choose a series with a volume";
     case DicomDefectKind::unsupportedTransferSyntax:
@@ -225,11 +229,11 @@ AllIndices(const DicomSeries & series)
   return indices;
 }
 
-void
-AddDefect(DicomSeries &                     series,
-          DicomDefectKind                   kind,
-          const std::string &               message,
-          const std::vector<unsigned int> & indices)
+DicomDefect
+DefectOfSlices(const DicomSeries &               series,
+               DicomDefectKind                   kind,
+               const std::string &               message,
+               const std::vector<unsigned int> & indices)
 {
   DicomDefect defect{ kind, message, {}, {} };
   for (const unsigned int index : indices)
@@ -241,7 +245,28 @@ AddDefect(DicomSeries &                     series,
     }
     defect.slices.push_back(index + 1);
   }
-  series.defects.push_back(std::move(defect));
+  return defect;
+}
+
+void
+AddDefect(DicomSeries &                     series,
+          DicomDefectKind                   kind,
+          const std::string &               message,
+          const std::vector<unsigned int> & indices)
+{
+  series.defects.push_back(DefectOfSlices(series, kind, message, indices));
+}
+
+std::size_t
+LengthOfSingles(const std::vector<const DicomSeries *> & list, std::size_t first)
+{
+  std::size_t end = first + 1;
+  while (end < list.size() && list[first]->isSingleSlice && list[end]->isSingleSlice &&
+         list[end]->uid == list[first]->uid)
+  {
+    ++end;
+  }
+  return end - first;
 }
 
 void

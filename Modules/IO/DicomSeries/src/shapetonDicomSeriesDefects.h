@@ -21,12 +21,24 @@ NameOfSlice(const DicomSeries & series, unsigned int index);
 std::vector<unsigned int>
 AllIndices(const DicomSeries & series);
 
-/** Adds a defect that concerns the slices with these indices, counted from 0. */
+/** A defect or remark that concerns the slices with these indices, counted from 0. */
+DicomDefect
+DefectOfSlices(const DicomSeries &               series,
+               DicomDefectKind                   kind,
+               const std::string &               message,
+               const std::vector<unsigned int> & indices);
+
+/** Adds it to the defects. */
 void
 AddDefect(DicomSeries &                     series,
           DicomDefectKind                   kind,
           const std::string &               message,
           const std::vector<unsigned int> & indices);
+
+/** How many elements of a list of series from `first` on are single slices of one Series Instance UID: what a person
+ * wants to read in one line. 1 for any other series. */
+std::size_t
+LengthOfSingles(const std::vector<const DicomSeries *> & list, std::size_t first);
 
 /** Adds the duplicates, gaps, changes of spacing and shear that an examination of the slices has found. Reads the
  * pixels of duplicates. */

@@ -1,5 +1,6 @@
 #include "shapetonDicomSeriesListing.h"
 
+#include "shapetonDicomSeriesDefects.h"
 #include "shapetonJson.h"
 #include "shapetonNumberText.h"
 
@@ -107,21 +108,42 @@ Align(const std::vector<Row> & rows)
   return text;
 }
 
+std::vector<const DicomSeries *>
+PointersTo(const DicomScan & scan)
+{
+  std::vector<const DicomSeries *> list;
+  for (const DicomSeries & series : scan.series)
+  {
+    list.push_back(&series);
+  }
+  return list;
+}
+
+/** "3", or "3-277": elements of a list from an index on, counted from 1. */
+std::string
+NumbersFrom(std::size_t index, std::size_t number)
+{
+  const std::string first = std::to_string(index + 1);
+  return number > 1 ? first + "-" + std::to_string(index + number) : first;
+}
+
 std::string
 FormatTable(const DicomScan & scan)
 {
   std::vector<Row> rows{
     { "No.", "Series", "Description", "Modality", "Plane", "Size", "Spacing [mm]", "Position", "Usable" }
   };
-  for (std::size_t i = 0; i < scan.series.size(); ++i)
+  const auto list = PointersTo(scan);
+  for (std::size_t i = 0, number = 1; i < list.size(); i += number)
   {
-    const DicomSeries & series = scan.series[i];
-    rows.push_back({ std::to_string(i + 1),
+    const DicomSeries & series = *list[i];
+    number = LengthOfSingles(list, i);
+    rows.push_back({ NumbersFrom(i, number),
                      std::to_string(series.number),
                      OrDash(series.description),
                      OrDash(series.modality),
                      OrDash(PlaneOf(series)),
-                     SizeOf(series),
+                     SizeOf(series) + (number > 1 ? ", " + std::to_string(number) + " times" : ""),
                      SpacingOf(series),
                      OrDash(series.patientPosition),
                      VerdictOn(series) });
@@ -137,14 +159,22 @@ AdviceOn(const DicomDefect & defect, const AdviceInWords & inWords)
 }
 
 std::string
-FormatDetails(const DicomSeries & series, std::size_t number, const AdviceInWords & inWords)
+FormatDetails(const DicomSeries &   series,
+              const std::string &   numbers,
+              const std::string &   selectors,
+              const AdviceInWords & inWords)
 {
-  std::string text = "\nNo. " + std::to_string(number) + "  UID " + OrDash(series.GetSelector()) + "\n";
+  std::string text = "\nNo. " + numbers + "  UID " + OrDash(selectors) + "\n";
   text += "  encoding: " + OrDash(series.transferSyntax) + (series.isLossy ? " (lossy)" : "") + "\n";
   for (const DicomDefect & defect : series.defects)
   {
     text += "  " + std::string(GetDicomDefectName(defect.kind)) + ": " + defect.message + "; " +
             AdviceOn(defect, inWords) + "\n";
+  }
+  for (const DicomDefect & remark : series.remarks)
+  {
+    text += "  " + std::string(GetDicomDefectName(remark.kind)) + " (a remark): " + remark.message + "; " +
+            AdviceOn(remark, inWords) + "\n";
   }
   const bool isExplained = series.refusal.empty() || !series.defects.empty();
   return isExplained ? text : text + "  no volume: " + series.refusal + "\n";
@@ -191,18 +221,18 @@ DescribeFiles(const DicomScan & scan, const DicomDefect & defect)
 }
 
 Json
-DescribeDefects(const DicomScan & scan, const DicomSeries & series, const AdviceInWords & inWords)
+DescribeDefects(const DicomScan & scan, const std::vector<DicomDefect> & defects, const AdviceInWords & inWords)
 {
-  Json defects = Json::array();
-  for (const DicomDefect & defect : series.defects)
+  Json list = Json::array();
+  for (const DicomDefect & defect : defects)
   {
-    defects.push_back({ { "name", GetDicomDefectName(defect.kind) },
-                        { "message", defect.message },
-                        { "advice", AdviceOn(defect, inWords) },
-                        { "files", DescribeFiles(scan, defect) },
-                        { "slices", defect.slices } });
+    list.push_back({ { "name", GetDicomDefectName(defect.kind) },
+                     { "message", defect.message },
+                     { "advice", AdviceOn(defect, inWords) },
+                     { "files", DescribeFiles(scan, defect) },
+                     { "slices", defect.slices } });
   }
-  return defects;
+  return list;
 }
 
 Json
@@ -245,7 +275,8 @@ DescribeSeries(const DicomScan & scan, const DicomSeries & series, const AdviceI
            { "direction", direction },
            { "usable", series.IsUsable() },
            { "refusal", series.refusal },
-           { "defects", DescribeDefects(scan, series, inWords) },
+           { "defects", DescribeDefects(scan, series.defects, inWords) },
+           { "remarks", DescribeDefects(scan, series.remarks, inWords) },
            { "slices", DescribeSlices(scan, series) } };
 }
 } // namespace
@@ -258,9 +289,13 @@ FormatDicomScan(const DicomScan & scan, const AdviceInWords & inWords)
     return FormatOtherFiles(scan);
   }
   std::string text = FormatTable(scan);
-  for (std::size_t i = 0; i < scan.series.size(); ++i)
+  const auto  list = PointersTo(scan);
+  for (std::size_t i = 0, number = 1; i < list.size(); i += number)
   {
-    text += FormatDetails(scan.series[i], i + 1, inWords);
+    number = LengthOfSingles(list, i);
+    const std::string first = list[i]->GetSelector();
+    const std::string selectors = number > 1 ? first + " to " + list[i + number - 1]->GetSelector() : first;
+    text += FormatDetails(*list[i], NumbersFrom(i, number), selectors, inWords);
   }
   return text + FormatOtherFiles(scan);
 }

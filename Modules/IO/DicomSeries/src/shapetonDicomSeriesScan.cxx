@@ -104,11 +104,12 @@ AreClose(const double * a, const double * b, int count, double tolerance)
   return true;
 }
 
+/** True for images of one kind, whatever frame of reference they name. */
 bool
-BelongTogether(const Item & a, const Item & b)
+AreOfOneKind(const Item & a, const Item & b)
 {
   if (a.file->rows != b.file->rows || a.file->columns != b.file->columns || a.file->refusal != b.file->refusal ||
-      a.file->frameOfReferenceUID != b.file->frameOfReferenceUID || !a.frame != !b.frame)
+      !a.frame != !b.frame)
   {
     return false;
   }
@@ -122,14 +123,16 @@ BelongTogether(const Item & a, const Item & b)
          AreClose(a.frame->spacing, b.frame->spacing, 2, PixelSpacingTolerance * a.frame->spacing[0]);
 }
 
+/** Groups of items of which each belongs to the first one of its group. */
+template <typename TBelong>
 std::vector<Items>
-SplitByGeometry(const Items & items)
+GroupBy(const Items & items, const TBelong & belong)
 {
   std::vector<Items> groups;
   for (const Item & item : items)
   {
-    const auto group = std::find_if(
-      groups.begin(), groups.end(), [&item](const Items & other) { return BelongTogether(other.front(), item); });
+    const auto group =
+      std::find_if(groups.begin(), groups.end(), [&](const Items & other) { return belong(other.front(), item); });
     if (group == groups.end())
     {
       groups.push_back({ item });
@@ -212,8 +215,6 @@ ExamineItems(const Items & sorted)
   return ExamineSlices(PlacesOf(sorted), pixelSpacing);
 }
 
-// ---- acquisitions ----
-
 /** True when two groups cover the same stretch of the normal. */
 bool
 Overlap(const Items & a, const Items & b, double spacing)
@@ -225,6 +226,64 @@ Overlap(const Items & a, const Items & b, double spacing)
     std::min(Along(direction, 2, a.back().frame->position), Along(direction, 2, b.back().frame->position));
   return end - start > 0.5 * spacing;
 }
+
+// ---- frames of reference ----
+
+/** True for groups of which two are volumes on their own that cover the same stretch. */
+bool
+HaveTwoVolumes(std::vector<Items> groups)
+{
+  for (auto group = groups.begin(); group != groups.end(); ++group)
+  {
+    SortAlongNormal(*group);
+    const SlicesGeometry geometry = ExamineItems(*group);
+    const bool           isVolume = group->size() > 2 && geometry.IsRegular();
+    if (isVolume && std::any_of(groups.begin(), group, [&](const Items & other) {
+          return other.size() > 2 && Overlap(other, *group, geometry.spacing);
+        }))
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+/** Items of one kind by their frames of reference; one group where these are a flaw, and the slices of one volume. Two
+ * slices are always equidistant, and tell nothing. */
+std::vector<Items>
+SplitByFrameOfReference(Items items)
+{
+  std::vector<Items> groups = GroupBy(
+    items, [](const Item & a, const Item & b) { return a.file->frameOfReferenceUID == b.file->frameOfReferenceUID; });
+  const bool isOneStudy = std::all_of(items.begin(), items.end(), [&items](const Item & item) {
+    return item.file->studyUID == items.front().file->studyUID;
+  });
+  if (groups.size() > 1 && items.size() > 2 && isOneStudy && IsPartOfVolume(items.front()) && !HaveTwoVolumes(groups))
+  {
+    SortAlongNormal(items);
+    if (ExamineItems(items).IsRegular())
+    {
+      return { items };
+    }
+  }
+  return groups;
+}
+
+std::vector<Items>
+SplitByGeometry(const Items & items)
+{
+  std::vector<Items> groups;
+  for (const Items & kind : GroupBy(items, AreOfOneKind))
+  {
+    for (Items & group : SplitByFrameOfReference(kind))
+    {
+      groups.push_back(std::move(group));
+    }
+  }
+  return groups;
+}
+
+// ---- acquisitions ----
 
 /** Groups by one attribute; a single group when the attribute tells no two acquisitions apart that cover the same
  * positions: then it merely numbers the steps of one scan. */
@@ -309,6 +368,24 @@ AddFileDefects(DicomSeries & series, const Items & items)
               "the encoding " + items[unsupported.front()].file->transferSyntax + " is not supported, " +
                 NameOfSlice(series, unsupported.front()),
               unsupported);
+  }
+}
+
+void
+RemarkOnFrames(DicomSeries & series, const Items & items)
+{
+  std::set<std::string> frames;
+  for (const Item & item : items)
+  {
+    frames.insert(item.file->frameOfReferenceUID);
+  }
+  if (frames.size() > 1)
+  {
+    series.remarks.push_back(DefectOfSlices(series,
+                                            DicomDefectKind::mixedFrameOfReference,
+                                            "the slices name " + std::to_string(frames.size()) +
+                                              " frames of reference, but are equidistant and taken for one volume",
+                                            AllIndices(series)));
   }
 }
 
@@ -410,6 +487,7 @@ MakeSeries(Items items)
   {
     series.slices[i].position = places[i].position;
   }
+  RemarkOnFrames(series, items);
   if (frame.isLocalizer)
   {
     AddDefect(series, DicomDefectKind::localizer, "planning images (localizer), no volume", AllIndices(series));
@@ -451,6 +529,21 @@ ListParts(const std::vector<DicomSeries> & parts)
   return parts.size() > longestList ? list + ", ..." : list;
 }
 
+/** Why the parts of a series are no volume together. */
+std::string
+MixtureOf(const std::vector<DicomSeries> & parts)
+{
+  const std::string number = std::to_string(parts.size());
+  const bool        areSlices =
+    std::all_of(parts.begin(), parts.end(), [](const DicomSeries & part) { return part.isSingleSlice; });
+  return areSlices
+           ? "one Series Instance UID holds " + number +
+               " slices that are no volume: they differ in frame of reference, orientation or size, and are not "
+               "equidistant"
+           : "one Series Instance UID holds images of " + number +
+               " kinds (columns x rows x slices): " + ListParts(parts);
+}
+
 /** Numbers the groups of one series; several groups that could be volumes make it a mixed series. */
 void
 NumberParts(std::vector<DicomSeries> & parts, unsigned int volumes)
@@ -463,11 +556,7 @@ NumberParts(std::vector<DicomSeries> & parts, unsigned int volumes)
     parts[i].parts = static_cast<unsigned int>(parts.size());
     if (volumes > 1 && !IsBesideTheVolume(parts[i]))
     {
-      AddDefect(parts[i],
-                DicomDefectKind::mixedSeries,
-                "one Series Instance UID holds images of " + std::to_string(parts.size()) +
-                  " kinds (columns x rows x slices): " + ListParts(parts),
-                AllIndices(parts[i]));
+      AddDefect(parts[i], DicomDefectKind::mixedSeries, MixtureOf(parts), AllIndices(parts[i]));
     }
   }
 }

@@ -1,5 +1,6 @@
 #include "shapetonVolumeReader.h"
 
+#include "shapetonDicomSeriesDefects.h"
 #include "shapetonDicomSeriesScan.h"
 #include "shapetonDicomVolume.h"
 #include "shapetonImageFile.h"
@@ -82,11 +83,15 @@ std::string
 List(const SeriesList & list, const std::function<std::string(const DicomSeries &)> & text)
 {
   std::string joined;
-  for (std::size_t i = 0; i < list.size() && i < LongestList; ++i)
+  std::size_t i = 0;
+  for (std::size_t entries = 0; i < list.size() && entries < LongestList; ++entries)
   {
+    const std::size_t number = LengthOfSingles(list, i);
     joined += (i > 0 ? "; " : "") + text(*list[i]);
+    joined += number > 1 ? ", and " + Count(number - 1, "other slice") + " apart like it" : "";
+    i += number;
   }
-  return list.size() > LongestList ? joined + "; and " + std::to_string(list.size() - LongestList) + " more" : joined;
+  return i < list.size() ? joined + "; and " + std::to_string(list.size() - i) + " more" : joined;
 }
 
 /** True for what a person calls a series of slices, whole or not. */
@@ -180,7 +185,8 @@ UnusableSlicesOf(const DicomSeries & series, const DicomScan & scan)
   std::string text;
   for (const DicomSeries & other : scan.series)
   {
-    const bool isUnusable = other.uid == series.uid && &other != &series && !other.refusal.empty();
+    const bool isUnusable = other.uid == series.uid && &other != &series && !other.refusal.empty() &&
+                            !(other.isSingleSlice && series.isSingleSlice);
     if (isUnusable && !other.slices.empty() && !other.Has(DicomDefectKind::localizer))
     {
       text += "; not usable of this series: " + other.slices.front().file +
@@ -219,6 +225,11 @@ SelectOnlyOne(const DicomScan & scan, const VolumeReadOptions & options)
 void
 NoteOthers(const DicomScan & scan, const DicomSeries & taken, Volume & volume)
 {
+  for (const DicomDefect & remark : taken.remarks)
+  {
+    volume.notes.push_back(std::string(GetDicomDefectName(remark.kind)) + ": " + remark.message + "; " +
+                           GetDicomDefectAdvice(remark.kind));
+  }
   std::size_t              localizers = 0;
   std::vector<std::string> others;
   const std::string        uid = taken.GetSelector();

@@ -379,6 +379,15 @@ WriteGroups(const std::string & folder)
   SaveDicom(fixture.MakeSeries(), folder + "/mixedSeries");
   SaveDicom(sagittal.MakeSeries(), folder + "/mixedSeries", EXS_LittleEndianExplicit, "other");
 
+  auto deidentified = fixture.MakeSeries();
+  for (std::size_t i = 0; i < deidentified.size(); ++i)
+  {
+    SetText(*deidentified[i], DCM_FrameOfReferenceUID, fixture.seriesUID + ".7." + std::to_string(i + 1));
+  }
+  SaveDicom(deidentified, MakeFolder(folder + "/mixedFrameOfReference"));
+  deidentified.erase(deidentified.begin() + 2);
+  SaveDicom(deidentified, MakeFolder(folder + "/framesApart"));
+
   DicomFixture scout = sagittal;
   scout.slices = 2;
   scout.seriesUID += ".2";

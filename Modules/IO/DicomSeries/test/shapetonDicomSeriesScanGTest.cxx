@@ -112,6 +112,47 @@ TEST_F(DicomSeriesScan, MixedSeriesHasNumberedParts)
   }
 }
 
+TEST_F(DicomSeriesScan, EquidistantSlicesOfSeveralFramesAreOneVolumeWithARemark)
+{
+  const DicomScan scan = shapeton::ScanDicom(Faults() + "/mixedFrameOfReference");
+  ASSERT_EQ(scan.series.size(), 1u);
+  EXPECT_TRUE(scan.series[0].IsUsable());
+  EXPECT_EQ(scan.series[0].slices.size(), 6u);
+  ASSERT_EQ(scan.series[0].remarks.size(), 1u);
+  EXPECT_EQ(scan.series[0].remarks[0].kind, DicomDefectKind::mixedFrameOfReference);
+  EXPECT_EQ(scan.series[0].remarks[0].slices.size(), 6u);
+}
+
+TEST_F(DicomSeriesScan, FramesStayApartWhereTheirSlicesAreNotEquidistantOrNotOfOneStudy)
+{
+  EXPECT_EQ(shapeton::ScanDicom(Faults() + "/framesApart").series.size(), 5u);
+  const std::string folder = shapeton::TestFolder();
+  auto              files = DicomFixture().MakeSeries();
+  for (std::size_t i = 0; i < files.size(); ++i)
+  {
+    shapeton::SetText(*files[i], DCM_FrameOfReferenceUID, "1.2.3." + std::to_string(i + 1));
+    shapeton::SetText(*files[i], DCM_StudyInstanceUID, i < 3 ? "1.2.4.1" : "1.2.4.2");
+  }
+  shapeton::SaveDicom(files, folder);
+  EXPECT_EQ(shapeton::ScanDicom(folder).series.size(), 6u);
+}
+
+TEST_F(DicomSeriesScan, TwoVolumesInTwoFramesAreMixedEvenWhereTheirSlicesInterleave)
+{
+  const std::string folder = shapeton::TestFolder();
+  DicomFixture      fixture;
+  auto              files = fixture.MakeSeries();
+  for (std::size_t i = 0; i < files.size(); ++i)
+  {
+    shapeton::SetText(*files[i], DCM_FrameOfReferenceUID, i % 2 == 0 ? "1.2.3.1" : "1.2.3.2");
+  }
+  shapeton::SaveDicom(files, folder);
+  const DicomScan scan = shapeton::ScanDicom(folder);
+  ASSERT_EQ(scan.series.size(), 2u);
+  EXPECT_TRUE(scan.series[0].Has(DicomDefectKind::mixedSeries));
+  EXPECT_EQ(scan.series[0].slices.size(), 3u);
+}
+
 TEST_F(DicomSeriesScan, FilesWithoutAnImage)
 {
   const DicomScan text = shapeton::ScanDicom(Faults() + "/text");

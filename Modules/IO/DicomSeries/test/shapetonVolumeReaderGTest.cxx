@@ -176,6 +176,35 @@ TEST(VolumeReader, ASliceWithoutTheRescaleOfTheOthersMakesAMixedSeries)
   EXPECT_NE(RefusalOf(files).find("mixedSeries"), std::string::npos);
 }
 
+TEST(VolumeReader, SlicesWithAFrameOfReferenceEachAreAVolumeWithANote)
+{
+  auto files = DicomFixture().MakeSeries();
+  for (std::size_t i = 0; i < files.size(); ++i)
+  {
+    SetText(*files[i], DCM_FrameOfReferenceUID, "1.2.3." + std::to_string(i + 1));
+  }
+  const std::string folder = TestFolder();
+  SaveDicom(files, folder);
+  const Volume volume = ReadVolume(folder);
+  EXPECT_LT(LargestDeviation(volume, DicomFixture::Ramp), Quantisation);
+  ASSERT_EQ(volume.notes.size(), 1U);
+  EXPECT_NE(volume.notes[0].find("mixedFrameOfReference: the slices name 6 frames of reference"), std::string::npos);
+}
+
+TEST(VolumeReader, SlicesApartAreOneEntryOfTheRefusal)
+{
+  auto files = DicomFixture().MakeSeries();
+  for (std::size_t i = 0; i < files.size(); ++i)
+  {
+    SetText(*files[i], DCM_FrameOfReferenceUID, "1.2.3." + std::to_string(i + 1));
+  }
+  files.erase(files.begin() + 2);
+  const std::string refusal = RefusalOf(files);
+  EXPECT_NE(refusal.find("mixedSeries"), std::string::npos);
+  EXPECT_NE(refusal.find("and 4 other slices apart like it"), std::string::npos) << refusal;
+  EXPECT_EQ(refusal.find("#2 ("), std::string::npos) << refusal;
+}
+
 TEST(VolumeReader, ASliceWithoutPositionIsNamedBesideTheGapItLeaves)
 {
   auto files = DicomFixture().MakeSeries();
