@@ -96,7 +96,8 @@ struct ColonCentreline
   std::vector<CentrelineMerge> merges;
   /** Of the line for the exponents 2, 3 and 4, mm. */
   std::array<double, 3> lengths{};
-  /** Share of the volume of the used pieces that lies beside the line, not in side branches; 0 to 1. */
+  /** Share of the volume of the used pieces that lies beside the line, not in side branches; 0 to 1. Beside: the
+   * straight way to the line within the lumen is at most 10 mm + twice the radius there. */
   double coverage{ 0.0 };
   /** In words, with places. */
   Remarks warnings;

@@ -16,6 +16,9 @@ constexpr double narrow = 2.5;
 /** Share of lumen (DistanceField::Occupancy) below which the line is outside. */
 constexpr double leastInside = 0.55;
 
+/** A side branch of more than this volume (mm^3) is told. */
+constexpr double largeBranch = 20e3;
+
 /** A stretch of the curve, in the frame of the grid. */
 struct Section
 {
@@ -322,27 +325,75 @@ AddLengths(const LumenNetwork &             network,
   }
 }
 
-void
-AddCover(const LumenNetwork &             network,
-         const std::vector<PieceLine> &   lines,
-         const std::vector<PlacedPiece> & order,
-         ColonCentreline &                result)
+/** Lumen that is connected to the line, but lies away from it. */
+struct SideBranch
 {
-  double whole = 0.0;
-  double covered = 0.0;
-  for (const PlacedPiece & placed : order)
+  int    place;  ///< index of the line's point where most of it is connected
+  double volume; ///< mm^3
+};
+
+/** A branch is connected to neighbouring points of the line; `away` has mm^3 for each point. */
+std::vector<SideBranch>
+SideBranches(const std::vector<double> & away)
+{
+  std::vector<SideBranch> branches;
+  for (int i = 0; i < static_cast<int>(away.size()); ++i)
   {
-    const PieceLine & line = lines[placed.piece];
-    whole += line.volume;
-    covered += line.coveredVolume;
-    if (line.branchVolume > std::max(20e3, 0.02 * line.volume))
+    if (away[i] == 0.0)
     {
-      const auto place = ToPoint(network.grid, network.grid.Position(line.branchPlace));
-      result.warnings.push_back("a side branch of " + InTenths(1e-3 * line.branchVolume) + " ml leaves the line at " +
+      continue;
+    }
+    if (i == 0 || away[i - 1] == 0.0)
+    {
+      branches.push_back({ i, 0.0 });
+    }
+    branches.back().volume += away[i];
+    branches.back().place = away[i] > away[branches.back().place] ? i : branches.back().place;
+  }
+  return branches;
+}
+
+/** Lumen lies beside the line where the straight way to it within the lumen is not longer than the calibre explains. */
+void
+AddCover(const LumenNetwork & network, const std::vector<Section> & sections, ColonCentreline & result)
+{
+  std::vector<int>    path; // a node for each point of the line, -1 outside the lumen
+  std::vector<double> reach;
+  for (const Section & section : sections)
+  {
+    for (std::size_t i = 0; i < section.points.size(); ++i)
+    {
+      path.push_back(section.isGap ? -1 : network.grid.NodeOf(section.points[i]));
+      reach.push_back(10.0 + 2.0 * section.radii[i]);
+    }
+  }
+  const NearestPlaces nearest = NearestOnPath(network.grid, network.cells, network.tree, path);
+  std::vector<double> away(path.size(), 0.0);
+  double              whole = 0.0;
+  double              uncovered = 0.0;
+  for (int node = 0; node < network.grid.NumberOfNodes(); ++node)
+  {
+    const int i = nearest.indices[node];
+    if (i >= 0)
+    {
+      whole += network.grid.NodeVolume();
+      if (nearest.distances[node] > reach[i])
+      {
+        uncovered += network.grid.NodeVolume();
+        away[i] += network.grid.NodeVolume();
+      }
+    }
+  }
+  result.coverage = whole > 0.0 ? 1.0 - uncovered / whole : 0.0;
+  for (const SideBranch & branch : SideBranches(away))
+  {
+    if (branch.volume > largeBranch)
+    {
+      const auto place = ToPoint(network.grid, network.grid.Position(path[branch.place]));
+      result.warnings.push_back("a side branch of " + InTenths(1e-3 * branch.volume) + " ml leaves the line at " +
                                 PlaceInWords(place) + ": other bowel, or a loop that the line leaves out");
     }
   }
-  result.coverage = whole > 0.0 ? covered / whole : 0.0;
 }
 } // namespace
 
@@ -360,7 +411,7 @@ AssembleCentreline(const LumenNetwork &             network,
   AddPieces(network.grid, lines, order, sections, begins, result);
   AddGaps(network.grid, sections, begins, result);
   AddLengths(network, field, lines, order, options, result);
-  AddCover(network, lines, order, result);
+  AddCover(network, sections, result);
   WarnOfNarrowPlaces(network.grid, sections, result);
   if (!options.start)
   {

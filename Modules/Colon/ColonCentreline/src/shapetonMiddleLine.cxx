@@ -40,7 +40,7 @@ NearestPoints(const LumenNetwork & network, const CurvePoints & points)
   {
     path.push_back(network.grid.NodeOf(point));
   }
-  return NearestOnPath(network.grid, network.cells, network.tree, path);
+  return NearestOnPath(network.grid, network.cells, network.tree, path).indices;
 }
 
 /** The lumen across each point of a curve. */

@@ -90,7 +90,7 @@ GrowPathTree(const LumenGrid & grid, const LumenCells & cells, const CellTree & 
   return paths;
 }
 
-std::vector<int>
+NearestPlaces
 NearestOnPath(const LumenGrid & grid, const LumenCells & cells, const CellTree & tree, const std::vector<int> & path)
 {
   std::vector<int>    nearest(grid.NumberOfNodes(), -1);
@@ -125,6 +125,6 @@ NearestOnPath(const LumenGrid & grid, const LumenCells & cells, const CellTree &
       }
     }
   }
-  return nearest;
+  return { std::move(nearest), { reached.begin(), reached.end() } };
 }
 } // namespace shapeton

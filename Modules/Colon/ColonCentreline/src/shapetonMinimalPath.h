@@ -25,9 +25,16 @@ struct PathTree
 PathTree
 GrowPathTree(const LumenGrid & grid, const LumenCells & cells, const CellTree & tree, int start, int exponent);
 
-/** Of each node the index of the path's node that is nearest within the lumen; -1 where nothing leads. Nodes of the
- * path that are -1 are passed over. */
-std::vector<int>
+/** Of each node the index of the path's node that is nearest within the lumen, -1 where nothing leads, and how far away
+ * that is, mm. */
+struct NearestPlaces
+{
+  std::vector<int>   indices;
+  std::vector<float> distances;
+};
+
+/** Nodes of the path that are -1 are passed over. */
+NearestPlaces
 NearestOnPath(const LumenGrid & grid, const LumenCells & cells, const CellTree & tree, const std::vector<int> & path);
 } // namespace shapeton
 

@@ -121,35 +121,6 @@ Prolong(const LumenGrid & grid, const PathTree & paths, const std::vector<int> &
   return tips;
 }
 
-/** Volumes beside the line and in side branches. */
-void
-MeasureCover(const LumenGrid & grid, const PathTree & paths, PieceLine & line)
-{
-  const std::vector<int> all = line.Nodes(true, true);
-  const std::vector<int> branch = BranchIndices(grid, paths, all);
-  std::vector<double>    away(all.size(), 0.0);
-  line.volume = 0.0;
-  line.coveredVolume = 0.0;
-  for (const int node : paths.order)
-  {
-    const int i = branch[node];
-    line.volume += grid.NodeVolume();
-    const double side = i < 0 ? 0.0 : paths.lengths[node] - paths.lengths[all[i]];
-    const double beside = i < 0 ? 0.0 : 10.0 + 2.0 * grid.Distance(all[i]);
-    if (side <= beside)
-    {
-      line.coveredVolume += grid.NodeVolume();
-    }
-    else
-    {
-      away[i] += grid.NodeVolume();
-    }
-  }
-  const auto most = std::max_element(away.begin(), away.end());
-  line.branchPlace = all[most - away.begin()];
-  line.branchVolume = *most;
-}
-
 PathTree
 Grow(const LumenNetwork & network, int start, int exponent)
 {
@@ -173,7 +144,7 @@ TraceBetween(const LumenNetwork & network, int first, bool isFixed, int exponent
   line.Reverse();
   line.tips[1] = Prolong(grid, forth, line.core);
   line.ends[1] = line.tips[1].front();
-  MeasureCover(grid, back, line);
+  line.volume = grid.NodeVolume() * static_cast<double>(back.order.size());
   return line;
 }
 
@@ -278,7 +249,6 @@ BeginAtAnus(const LumenNetwork & network, const PieceLine & line, int exponent)
   moved.tips = {};
   // The prolongation leaves the core at the same distance from its other end.
   moved.ends[1].branch += static_cast<int>(moved.core.size()) - static_cast<int>(line.core.size());
-  MeasureCover(network.grid, paths, moved);
   return moved;
 }
 

@@ -24,12 +24,8 @@ struct PieceLine
   std::array<PieceEnd, 2> ends;
   /** Other tips of the ends; the lumen may go on behind any of them. The first is that of `ends`. */
   std::array<std::vector<PieceEnd>, 2> tips;
-  /** mm^3 of the piece, and what of it lies beside the line. */
+  /** mm^3 of the piece. */
   double volume{ 0.0 };
-  double coveredVolume{ 0.0 };
-  /** Where most of the rest is connected to the line (a node), and its mm^3. */
-  int    branchPlace{ 0 };
-  double branchVolume{ 0.0 };
 
   /** All nodes, from end 0 to end 1, the ends prolonged where asked for. */
   std::vector<int>

@@ -180,6 +180,41 @@ TEST(ColonCentreline, OfAColonIsItsAxisInAnyImageFrame)
   }
 }
 
+TEST(ColonCentreline, CoversAWideLumenButNotABranch)
+{
+  // Three tubes side by side overlap: 64 mm wide, 36 mm deep. The branch leaves at a right angle.
+  TubePoints axis;
+  for (double z = -150.0; z <= 150.0; z += 0.5)
+  {
+    axis.emplace_back(0.0, 0.0, z);
+  }
+  TubeMask mask(axis, 200.0, { 1.5, 1.5, 1.5 }, shapeton::ObliqueFrame());
+  for (const double x : { -14.0, 0.0, 14.0 })
+  {
+    TubePoints beside = axis;
+    for (Eigen::Vector3d & point : beside)
+    {
+      point.x() = x;
+    }
+    mask.Paint(beside, 18.0);
+  }
+  const ColonCentreline wide = shapeton::TraceColonCentreline(mask.Get());
+  EXPECT_GT(wide.coverage, 0.99);
+  EXPECT_FALSE(HasWarning(wide, "side branch"));
+
+  TubePoints branch;
+  for (double y = 0.0; y <= 130.0; y += 0.5)
+  {
+    branch.emplace_back(0.0, y, 0.0);
+  }
+  mask.Paint(branch, 12.0);
+  const ColonCentreline line = shapeton::TraceColonCentreline(mask.Get());
+  const double          volume = line.pieces.front().volume;                            // ml
+  const double          away = (130.0 + 8.0 - 10.0 - 36.0) * M_PI * 12.0 * 12.0 * 1e-3; // beyond 10 mm + 2 radii; a cap
+  EXPECT_NEAR((1.0 - line.coverage) * volume, away, 0.15 * away);
+  EXPECT_TRUE(HasWarning(line, "side branch"));
+}
+
 TEST(ColonCentreline, DoubtsARectumAtAnUnlikelyPlace)
 {
   for (const double begin : { 0.0, 0.5 }) // the right half alone ends at the caecum
