@@ -4,8 +4,6 @@
 #include "shapetonPolypScore.h"
 #include "shapetonWallBulges.h"
 
-#include "itkImage.h"
-
 #include <limits>
 #include <optional>
 #include <string>
@@ -47,7 +45,7 @@ SizeOf(double diameter);
 PolypCandidates_EXPORT std::string
                        NameOf(PolypSize size);
 
-/** What a candidate is made of, by the mean HU inside of it. \ingroup PolypCandidates */
+/** What a candidate is made of, by the HU inside of it. \ingroup PolypCandidates */
 enum class PolypTissue
 {
   Unknown,
@@ -57,9 +55,9 @@ enum class PolypTissue
   Tagged, ///< above 150 HU: holds contrast medium, as stool does
 };
 
-/** The kind of tissue of a mean attenuation in HU. \ingroup PolypCandidates */
+/** The kind of tissue of an attenuation in HU. \ingroup PolypCandidates */
 PolypCandidates_EXPORT PolypTissue
-TissueOf(double meanHounsfield);
+TissueOf(double hounsfield);
 /** "unknown", "gas", "fat", "soft tissue", "tagged". \ingroup PolypCandidates */
 PolypCandidates_EXPORT std::string
                        NameOf(PolypTissue tissue);
@@ -87,8 +85,10 @@ struct PolypCandidate
 {
   /** From 1, by falling score. */
   int number{ 0 };
-  /** 0 to 1. */
+  /** 0 to 1: that of the shape, times the TissueLikelihood() of what the head is made of, where that is known. */
   double score{ 0.0 };
+  /** Of the shape alone, 0 to 1. */
+  double shapeScore{ 0.0 };
   /** The head: the middle of its surface, LPS, mm. */
   Eigen::Vector3d position{ Eigen::Vector3d::Zero() };
   /** Where it stands out farthest, LPS, mm. */
@@ -111,9 +111,11 @@ struct PolypCandidate
   int segment{ 0 };
   /** mm of the flat map; not numbers where there is none. */
   Eigen::Vector2d uv{ Eigen::Vector2d::Constant(std::numeric_limits<double>::quiet_NaN()) };
-  /** Mean HU inside; not a number without a CT. */
+  /** Median HU inside; not a number without a CT. */
   double      attenuation{ std::numeric_limits<double>::quiet_NaN() };
   PolypTissue tissue{ PolypTissue::Unknown };
+  /** Share of the head before which tagged fluid lies, 0 to 1; not a number without a CT. */
+  double submergedShare{ std::numeric_limits<double>::quiet_NaN() };
   /** What a reader should think of, for example "may be the ileocaecal valve"; "" for nothing. */
   std::string                         remark;
   std::optional<PolypInOtherPosition> other;
@@ -146,11 +148,6 @@ struct PolypCandidateOptions
  * number of threads. \ingroup PolypCandidates */
 PolypCandidates_EXPORT std::vector<PolypCandidate>
                        FindPolypCandidates(const SurfaceMesh & wall, const PolypCandidateOptions & options = {});
-
-/** Adds mean attenuation and tissue: of points below the surface of the head, at a third of its least diameter, 1 to 4
- * mm deep. \param ct HU, cleansed or not. \ingroup PolypCandidates */
-PolypCandidates_EXPORT void
-MeasureAttenuation(const SurfaceMesh & wall, const itk::Image<float, 3> * ct, std::vector<PolypCandidate> & candidates);
 
 /** Notes the candidate that may be the ileocaecal valve: the largest of at least 15 mm that lies 30 to 100 mm before
  * the end of the centreline. \ingroup PolypCandidates */

@@ -3,6 +3,8 @@
 
 #include "shapetonPolypCandidates.h"
 
+#include "itkImage.h"
+
 #include <cstdint>
 
 namespace shapeton

@@ -94,6 +94,7 @@ CandidateOf(WallBulge bulge, const PolypFeatures & features, double score, const
 {
   PolypCandidate candidate;
   candidate.score = score;
+  candidate.shapeScore = score;
   candidate.position = bulge.centre;
   candidate.apex = bulge.apex;
   candidate.axis = bulge.axis;

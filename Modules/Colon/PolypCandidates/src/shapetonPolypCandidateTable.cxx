@@ -78,6 +78,7 @@ TableOfPolypCandidates(const std::vector<PolypCandidate> & candidates)
 {
   CsvTable table({ "candidate",
                    "score",
+                   "shapeScore",
                    "x",
                    "y",
                    "z",
@@ -89,6 +90,7 @@ TableOfPolypCandidates(const std::vector<PolypCandidate> & candidates)
                    "height",
                    "attenuation",
                    "tissue",
+                   "submergedShare",
                    "u",
                    "v",
                    "shapeIndex",
@@ -109,7 +111,7 @@ TableOfPolypCandidates(const std::vector<PolypCandidate> & candidates)
                    "remark" });
   for (const PolypCandidate & one : candidates)
   {
-    std::vector<std::string> cells{ std::to_string(one.number), Cell(one.score, 4) };
+    std::vector<std::string> cells{ std::to_string(one.number), Cell(one.score, 4), Cell(one.shapeScore, 4) };
     AddPoint(one.position, cells);
     const PolypFeatures & features = one.features;
     for (const std::string & cell : { NameOfSegment(one.segment),
@@ -120,6 +122,7 @@ TableOfPolypCandidates(const std::vector<PolypCandidate> & candidates)
                                       Cell(one.height, 4),
                                       Cell(one.attenuation, 4),
                                       NameOf(one.tissue),
+                                      Cell(one.submergedShare, 3),
                                       Cell(one.uv.x(), 6),
                                       Cell(one.uv.y(), 6),
                                       Cell(features.shapeIndex, 4),
@@ -150,6 +153,7 @@ ReadPolypCandidates(const std::string & path)
     PolypCandidate & one = candidates[row];
     one.number = static_cast<int>(table.Number(row, "candidate"));
     one.score = table.Number(row, "score");
+    one.shapeScore = table.Number(row, "shapeScore");
     one.position = { table.Number(row, "x"), table.Number(row, "y"), table.Number(row, "z") };
     one.segment = SegmentNamed(table.Text(row, "segment"));
     one.arcLength = table.NumberOrNothing(row, "arcLength");
@@ -158,6 +162,7 @@ ReadPolypCandidates(const std::string & path)
     one.height = table.Number(row, "height");
     one.attenuation = table.NumberOrNothing(row, "attenuation");
     one.tissue = TissueOf(one.attenuation);
+    one.submergedShare = table.NumberOrNothing(row, "submergedShare");
     one.uv = { table.NumberOrNothing(row, "u"), table.NumberOrNothing(row, "v") };
     one.other = ReadOther(table, row);
     one.remark = table.Text(row, "remark");

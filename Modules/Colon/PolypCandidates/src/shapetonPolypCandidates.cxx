@@ -3,13 +3,20 @@
 #include "shapetonCandidateList.h"
 #include "shapetonExceptions.h"
 
-#include "itkLinearInterpolateImageFunction.h"
-
 #include <algorithm>
 #include <cmath>
 
 namespace shapeton
 {
+namespace
+{
+void
+AddRemark(const std::string & remark, PolypCandidate & candidate)
+{
+  candidate.remark += (candidate.remark.empty() ? "" : "; ") + remark;
+}
+} // namespace
+
 std::string
 NameOf(PolypPreset preset)
 {
@@ -43,13 +50,13 @@ NameOf(PolypSize size)
 }
 
 PolypTissue
-TissueOf(double meanHounsfield)
+TissueOf(double hounsfield)
 {
-  return !std::isfinite(meanHounsfield) ? PolypTissue::Unknown
-         : meanHounsfield < -150.0      ? PolypTissue::Gas
-         : meanHounsfield < -30.0       ? PolypTissue::Fat
-         : meanHounsfield <= 150.0      ? PolypTissue::Soft
-                                        : PolypTissue::Tagged;
+  return !std::isfinite(hounsfield) ? PolypTissue::Unknown
+         : hounsfield < -150.0      ? PolypTissue::Gas
+         : hounsfield < -30.0       ? PolypTissue::Fat
+         : hounsfield <= 150.0      ? PolypTissue::Soft
+                                    : PolypTissue::Tagged;
 }
 
 std::string
@@ -99,30 +106,6 @@ FindPolypCandidates(const SurfaceMesh & wall, const PolypCandidateOptions & opti
 }
 
 void
-MeasureAttenuation(const SurfaceMesh & wall, const itk::Image<float, 3> * ct, std::vector<PolypCandidate> & candidates)
-{
-  using Interpolator = itk::LinearInterpolateImageFunction<itk::Image<float, 3>, double>;
-  const auto interpolator = Interpolator::New();
-  interpolator->SetInputImage(ct);
-  for (PolypCandidate & candidate : candidates)
-  {
-    double sum = 0.0;
-    int    number = 0;
-    for (const Eigen::Vector3d & point : PointsBelowSurface(wall, candidate))
-    {
-      const itk::Point<double, 3> place(point.data());
-      if (interpolator->IsInsideBuffer(place))
-      {
-        sum += interpolator->Evaluate(place);
-        ++number;
-      }
-    }
-    candidate.attenuation = number > 0 ? sum / number : std::numeric_limits<double>::quiet_NaN();
-    candidate.tissue = TissueOf(candidate.attenuation);
-  }
-}
-
-void
 NoteIleocaecalValve(double lengthOfCentreline, std::vector<PolypCandidate> & candidates)
 {
   constexpr double leastDiameter = 15.0;
@@ -139,7 +122,7 @@ NoteIleocaecalValve(double lengthOfCentreline, std::vector<PolypCandidate> & can
   }
   if (valve != nullptr)
   {
-    valve->remark = "may be the ileocaecal valve";
+    AddRemark("may be the ileocaecal valve", *valve);
   }
 }
 
@@ -151,7 +134,7 @@ NoteRectalCatheter(std::vector<PolypCandidate> & candidates)
   {
     if (candidate.arcLength <= reach)
     {
-      candidate.remark = "may be a rectal catheter, its balloon or haemorrhoids";
+      AddRemark("may be a rectal catheter, its balloon or haemorrhoids", candidate);
     }
   }
 }

@@ -2,6 +2,7 @@
 
 #include "shapetonColonSegments.h"
 #include "shapetonFlatColonLocator.h"
+#include "shapetonPolypContent.h"
 #include "shapetonSurfaceReader.h"
 #include "shapetonExceptions.h"
 #include "shapetonImageFile.h"
@@ -147,7 +148,7 @@ SearchPolyps(const PolypColon & colon, const PolypSearchOptions & options)
   MeasureShapeDiffusion(colon.wall, colon.lumen, candidates);
   if (colon.ct)
   {
-    MeasureAttenuation(colon.wall, colon.ct, candidates);
+    MeasureContent(colon.wall, colon.ct, colon.lumen, candidates);
   }
   if (colon.flat)
   {

@@ -1,3 +1,4 @@
+#include "shapetonPolypContent.h"
 #include "shapetonPolypSearch.h"
 
 #include "shapetonPolypTubes.h"
@@ -273,25 +274,52 @@ TEST(PolypCandidates, SmallHeadsAreHotter)
   EXPECT_LT(heats[0], 1.0);
 }
 
-TEST(PolypCandidates, AttenuationTellsTissues)
+TEST(PolypCandidates, ContentIsMeasuredInsideAndRanks)
 {
   const std::vector<Body>     bodies{ Ball(Base(0.0) + 4.0 * Vector3d::UnitZ(), 5.0) };
   const shapeton::SurfaceMesh wall = MakeWall(bodies);
-  auto                        candidates = Find(wall);
-  ASSERT_EQ(candidates.size(), 1u);
+  const auto                  found = Find(wall);
+  ASSERT_EQ(found.size(), 1u);
   for (const auto & [hounsfield, tissue] : { std::pair(45.0, shapeton::PolypTissue::Soft),
                                              { -90.0, shapeton::PolypTissue::Fat },
+                                             { -860.0, shapeton::PolypTissue::Gas },
                                              { 600.0, shapeton::PolypTissue::Tagged } })
   {
     const double inside = hounsfield;
-    const auto   ct = MakeImage<itk::Image<float, 3>>(
-      0.8, [=](double d) { return d > 0.0 ? -900.0 : inside; }, bodies);
-    shapeton::MeasureAttenuation(wall, ct, candidates);
-    EXPECT_NEAR(candidates.front().attenuation, hounsfield, 40.0 + 0.1 * std::abs(hounsfield));
+    // A partial volume 2 mm wide; none of it may enter the value.
+    const auto ct = MakeImage<itk::Image<float, 3>>(
+      0.8, [=](double d) { return inside + (-900.0 - inside) * std::clamp(0.5 * d + 0.5, 0.0, 1.0); }, bodies);
+    const auto gas = MakeImage<shapeton::PolypLumenImage>(
+      0.8, [](double d) { return static_cast<unsigned char>(d > 0.0); }, bodies);
+    auto candidates = found;
+    shapeton::MeasureContent(wall, ct, gas, candidates);
+    EXPECT_NEAR(candidates.front().attenuation, hounsfield, 1.0);
     EXPECT_EQ(candidates.front().tissue, tissue);
+    EXPECT_EQ(candidates.front().submergedShare, 0.0);
+    EXPECT_NEAR(candidates.front().score,
+                found.front().score * shapeton::TissueLikelihood(candidates.front().attenuation),
+                1e-12);
+    EXPECT_EQ(candidates.front().shapeScore, found.front().score);
+    EXPECT_EQ(candidates.front().remark.empty(), hounsfield > -150.0 && hounsfield < 150.0);
+    const auto fluid = MakeImage<shapeton::PolypLumenImage>(
+      0.8, [](double d) { return static_cast<unsigned char>(d > 0.0 ? 2 : 0); }, bodies);
+    candidates = found;
+    shapeton::MeasureContent(wall, ct, fluid, candidates);
+    EXPECT_GT(candidates.front().submergedShare, 0.95);
   }
   EXPECT_EQ(shapeton::TissueOf(-600.0), shapeton::PolypTissue::Gas);
   EXPECT_EQ(shapeton::TissueOf(std::nan("")), shapeton::PolypTissue::Unknown);
+}
+
+TEST(PolypCandidates, TissueLikelihoodKeepsTissueAndDropsGas)
+{
+  for (double hounsfield = -180.0; hounsfield <= 150.0; hounsfield += 10.0)
+  {
+    EXPECT_GT(shapeton::TissueLikelihood(hounsfield), 0.95) << hounsfield;
+  }
+  EXPECT_LT(shapeton::TissueLikelihood(-420.0), 0.05);
+  EXPECT_NEAR(shapeton::TissueLikelihood(500.0), 0.25, 1e-3);
+  EXPECT_EQ(shapeton::TissueLikelihood(std::nan("")), 1.0);
 }
 
 TEST(PolypCandidates, OtherPositionIsFoundThroughTheMap)

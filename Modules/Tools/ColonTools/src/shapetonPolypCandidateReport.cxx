@@ -39,7 +39,7 @@ TableForReaders(const std::vector<PolypCandidate> & candidates)
                    "Largest diameter (mm)",
                    "Size",
                    "Height (mm)",
-                   "Mean HU",
+                   "HU inside",
                    "Inside",
                    "Other position",
                    "Remark" });

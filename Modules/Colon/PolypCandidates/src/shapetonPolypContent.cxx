@@ -1,0 +1,199 @@
+#include "shapetonPolypContent.h"
+
+#include "itkLinearInterpolateImageFunction.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+
+namespace shapeton
+{
+namespace
+{
+constexpr unsigned char fluidLabel = 2;
+
+double
+Step(double value, double middle, double width)
+{
+  return 1.0 / (1.0 + std::exp(-(value - middle) / width));
+}
+
+/** What is at a place of the lumen's labels; 0 outside of the image. */
+class LumenAt
+{
+public:
+  explicit LumenAt(const PolypLumenImage * lumen) : m_Lumen(lumen) {}
+
+  unsigned char
+  operator()(const Eigen::Vector3d & point) const
+  {
+    PolypLumenImage::IndexType index;
+    const bool isInside = m_Lumen->TransformPhysicalPointToIndex(itk::Point<double, 3>(point.data()), index);
+    return isInside ? m_Lumen->GetPixel(index) : 0;
+  }
+
+  /** How far no lumen lies in any of 26 directions, mm: 0, or up to 3 in steps of 0.6. */
+  double
+  Clearance(const Eigen::Vector3d & point) const
+  {
+    constexpr double step = 0.6;
+    constexpr int    steps = 5;
+    for (int i = 0; i <= steps; ++i)
+    {
+      for (int direction = 0; direction < 27; ++direction)
+      {
+        const Eigen::Vector3d way(direction % 3 - 1, direction / 3 % 3 - 1, direction / 9 - 1);
+        if ((*this)(point + i * step * way.stableNormalized()) != 0)
+        {
+          return std::max(0, i - 1) * step;
+        }
+      }
+    }
+    return steps * step;
+  }
+
+private:
+  const PolypLumenImage * m_Lumen;
+};
+
+/** A place inside a head: HU and mm from the lumen. */
+struct InnerPoint
+{
+  double clearance;
+  double hounsfield;
+};
+
+/** mm from the surface of a head to the middle of its body. */
+double
+DepthOf(const PolypCandidate & candidate)
+{
+  return std::clamp(0.5 * candidate.leastDiameter, 1.5, 6.0);
+}
+
+Eigen::Vector3d
+MiddleOf(const SurfaceMesh & wall, const PolypCandidate & candidate)
+{
+  Eigen::Vector3d middle = Eigen::Vector3d::Zero();
+  for (const int vertex : candidate.vertices)
+  {
+    middle += wall.V.row(vertex).transpose() / static_cast<double>(candidate.vertices.size());
+  }
+  return middle - DepthOf(candidate) * candidate.axis;
+}
+
+/** On the ways from the vertices of a head to the middle of its body. */
+std::vector<InnerPoint>
+InnerPointsOf(const SurfaceMesh &                                                       wall,
+              const PolypCandidate &                                                    candidate,
+              const itk::LinearInterpolateImageFunction<itk::Image<float, 3>, double> & ct,
+              const LumenAt &                                                           lumen)
+{
+  const double            depth = DepthOf(candidate);
+  const Eigen::Vector3d   middle = MiddleOf(wall, candidate);
+  std::vector<InnerPoint> points;
+  for (const int vertex : candidate.vertices)
+  {
+    const Eigen::Vector3d surface = wall.V.row(vertex).transpose();
+    const Eigen::Vector3d way = (middle - surface).stableNormalized();
+    for (double below = 1.0; below <= std::min(depth, (middle - surface).norm()); below += 0.5)
+    {
+      const Eigen::Vector3d       point = surface + below * way;
+      const itk::Point<double, 3> place(point.data());
+      if (ct.IsInsideBuffer(place))
+      {
+        points.push_back({ lumen.Clearance(point), ct.Evaluate(place) });
+      }
+    }
+  }
+  return points;
+}
+
+/** Of the points away from the lumen, or of the deepest quarter where these are few; not a number where there is none.
+ */
+double
+MedianInside(std::vector<InnerPoint> points)
+{
+  constexpr double awayFromLumen = 1.2;
+  constexpr int    few = 5;
+  if (points.empty())
+  {
+    return std::numeric_limits<double>::quiet_NaN();
+  }
+  std::stable_sort(
+    points.begin(), points.end(), [](const InnerPoint & a, const InnerPoint & b) { return a.clearance > b.clearance; });
+  const auto away = std::count_if(
+    points.begin(), points.end(), [](const InnerPoint & point) { return point.clearance >= awayFromLumen; });
+  const auto number = away >= few ? static_cast<std::size_t>(away) : (points.size() + 3) / 4;
+  const auto middle = points.begin() + static_cast<std::ptrdiff_t>(number / 2);
+  std::nth_element(points.begin(),
+                   middle,
+                   points.begin() + static_cast<std::ptrdiff_t>(number),
+                   [](const InnerPoint & a, const InnerPoint & b) { return a.hounsfield < b.hounsfield; });
+  return middle->hounsfield;
+}
+
+/** Of the vertices of a head, those before which fluid lies. */
+double
+SubmergedShare(const SurfaceMesh & wall, const PolypCandidate & candidate, const LumenAt & lumen)
+{
+  constexpr double      before = 1.5; // mm
+  const Eigen::Vector3d middle = MiddleOf(wall, candidate);
+  int                   wet = 0;
+  for (const int vertex : candidate.vertices)
+  {
+    const Eigen::Vector3d surface = wall.V.row(vertex).transpose();
+    wet += lumen(surface + before * (surface - middle).stableNormalized()) == fluidLabel ? 1 : 0;
+  }
+  return static_cast<double>(wet) / static_cast<double>(candidate.vertices.size());
+}
+
+std::string
+RemarkOn(const PolypCandidate & candidate)
+{
+  if (candidate.tissue == PolypTissue::Gas)
+  {
+    return "made of gas: a bubble or a film";
+  }
+  if (candidate.tissue == PolypTissue::Tagged)
+  {
+    return "tagged: stool or residue";
+  }
+  return candidate.submergedShare > 0.5 ? "under tagged fluid" : "";
+}
+} // namespace
+
+double
+TissueLikelihood(double hounsfield)
+{
+  constexpr double ofTagged = 0.25;
+  return std::isfinite(hounsfield)
+           ? Step(hounsfield, -300.0, 35.0) * (1.0 - (1.0 - ofTagged) * Step(hounsfield, 225.0, 25.0))
+           : 1.0;
+}
+
+void
+MeasureContent(const SurfaceMesh &           wall,
+               const itk::Image<float, 3> *  ct,
+               const PolypLumenImage *       lumen,
+               std::vector<PolypCandidate> & candidates)
+{
+  const auto interpolator = itk::LinearInterpolateImageFunction<itk::Image<float, 3>, double>::New();
+  interpolator->SetInputImage(ct);
+  const LumenAt lumenAt(lumen);
+  for (PolypCandidate & candidate : candidates)
+  {
+    candidate.attenuation = MedianInside(InnerPointsOf(wall, candidate, *interpolator, lumenAt));
+    candidate.tissue = TissueOf(candidate.attenuation);
+    candidate.submergedShare = SubmergedShare(wall, candidate, lumenAt);
+    candidate.remark = RemarkOn(candidate);
+    candidate.score = candidate.shapeScore * TissueLikelihood(candidate.attenuation);
+  }
+  std::stable_sort(candidates.begin(), candidates.end(), [](const PolypCandidate & a, const PolypCandidate & b) {
+    return a.score > b.score;
+  });
+  for (std::size_t i = 0; i < candidates.size(); ++i)
+  {
+    candidates[i].number = static_cast<int>(i) + 1;
+  }
+}
+} // namespace shapeton
