@@ -25,6 +25,17 @@ TEST(ColonFlexures, AreFoundOnASchematicColonInTheirOrder)
   EXPECT_TRUE(found.warnings.empty());
 }
 
+TEST(ColonFlexures, OfARedundantDescendingColonAreWhereItBeginsAndEnds)
+{
+  const SchematicColon colon = MakeSchematicColon({ { 50, -20, 250 }, { 60, 10, 290 }, { 150, 20, 300 } });
+  const ColonFlexures  found = FindColonFlexures(colon.centreline);
+  ASSERT_EQ(found.NumberFound(), 4);
+  for (int k = 0; k < 4; ++k)
+  {
+    EXPECT_NEAR(found.flexures[k].arcLength, colon.flexures[k], 30.0) << shapeton::NameOfFlexure(k + 1);
+  }
+}
+
 TEST(ColonFlexures, DoNotDependOnWhereThePatientLies)
 {
   SchematicColon      colon = MakeSchematicColon();

@@ -54,21 +54,23 @@ ArcLengthNear(const shapeton::CurveSet & curve, const Eigen::Vector3d & point)
   return curve.pointArrays[0].values(i, 0);
 }
 
+/** \param loop places of a loop of the descending colon, for a redundant one. */
 inline SchematicColon
-MakeSchematicColon()
+MakeSchematicColon(const std::vector<Eigen::Vector3d> & loop = {})
 {
   // Anal verge; rectum along the sacrum; a sigmoid loop; descending; transverse hanging down; ascending; caecum.
-  const std::vector<Eigen::Vector3d> places{ { 0, 40, 0 },      { 0, 62, 60 },     { 0, 45, 120 },    { -45, -10, 135 },
-                                             { 10, -50, 150 },  { 70, -20, 130 },  { 105, 30, 160 },  { 125, 45, 240 },
-                                             { 130, 50, 350 },  { 80, -20, 320 },  { 40, -50, 230 },  { 0, -55, 215 },
-                                             { -50, -45, 240 }, { -90, -15, 290 }, { -115, 40, 320 }, { -125, 45, 240 },
-                                             { -118, 40, 150 } };
-  SchematicColon                     colon;
+  std::vector<Eigen::Vector3d> places{ { 0, 40, 0 },      { 0, 62, 60 },     { 0, 45, 120 },    { -45, -10, 135 },
+                                       { 10, -50, 150 },  { 70, -20, 130 },  { 105, 30, 160 },  { 125, 45, 240 },
+                                       { 130, 50, 350 },  { 80, -20, 320 },  { 40, -50, 230 },  { 0, -55, 215 },
+                                       { -50, -45, 240 }, { -90, -15, 290 }, { -115, 40, 320 }, { -125, 45, 240 },
+                                       { -118, 40, 150 } };
+  const std::array<Eigen::Vector3d, 4> flexures{ places[2], places[6], places[8], places[14] };
+  places.insert(places.begin() + 8, loop.begin(), loop.end());
+  SchematicColon colon;
   colon.centreline = RoundedCurve(places);
-  const std::array<int, 4> at{ 2, 6, 8, 14 };
   for (int k = 0; k < 4; ++k)
   {
-    colon.flexures[k] = ArcLengthNear(colon.centreline, places[at[k]]);
+    colon.flexures[k] = ArcLengthNear(colon.centreline, flexures[k]);
   }
   return colon;
 }
