@@ -254,3 +254,15 @@ TEST(ColonModel, AMaskWithoutGasIsRefused)
 }
 
 } // namespace
+
+TEST(ColonModel, OfACoarseLumenIsMadeWhereTheLineLeavesOneOfItsFields)
+{
+  const auto source = Source::New();
+  source->SetSize({ { 96, 96, 90 } });
+  source->SetSpacing(Source::SpacingType(3.7));
+  source->CenterOutput();
+  source->SetTruthOnly(true);
+  source->Update();
+  const shapeton::ColonModel model = shapeton::BuildColonModelOfLumen(source->GetLumenOutput(), Options());
+  EXPECT_GT(model.wall.repaired.NumberOfFaces(), 10000);
+}

@@ -154,14 +154,21 @@ AddBridges(const OccupancyImage * occupancy, const CurveSet & centreline, double
   BridgedOccupancy result;
   result.radius = radius;
   FindAxes(occupancy, centreline, result);
-  const GridGeometry given(occupancy);
-  result.occupancy = EnlargedCopy(occupancy, result.axes, radius + given.spacing.maxCoeff());
-  const GridGeometry grid(result.occupancy);
-  for (const Axis & axis : result.axes)
-  {
-    DrawTube(result.occupancy, grid, axis, radius);
-  }
+  result.occupancy = DrawBridges(occupancy, result);
   return result;
+}
+
+OccupancyImage::Pointer
+DrawBridges(const OccupancyImage * occupancy, const BridgedOccupancy & bridges)
+{
+  const double       width = GridGeometry(occupancy).spacing.maxCoeff();
+  const auto         image = EnlargedCopy(occupancy, bridges.axes, bridges.radius + width);
+  const GridGeometry grid(image);
+  for (const Axis & axis : bridges.axes)
+  {
+    DrawTube(image, grid, axis, bridges.radius);
+  }
+  return image;
 }
 
 SurfaceArray

@@ -5,6 +5,10 @@
 
 namespace shapeton
 {
+/** The same bridges in another field on the grid of the one that they were found for. */
+OccupancyImage::Pointer
+DrawBridges(const OccupancyImage * occupancy, const BridgedOccupancy & bridges);
+
 /** For each face 1 where the tubes and not the given lumen make the wall. `lumen` is the field before the tubes came.
  */
 SurfaceArray

@@ -83,9 +83,8 @@ private:
   {
     m_Bridges = AddBridges(m_Occupancy, m_Centreline, m_Options.bridgeRadius);
     m_Wall.report.warnings = m_Bridges.warnings;
-    m_RepairedField = m_RepairedOccupancy == m_Occupancy
-                        ? m_Bridges.occupancy
-                        : AddBridges(m_RepairedOccupancy, m_Centreline, m_Options.bridgeRadius).occupancy;
+    m_RepairedField =
+      m_RepairedOccupancy == m_Occupancy ? m_Bridges.occupancy : DrawBridges(m_RepairedOccupancy, m_Bridges);
     this->Advance(Step::Bridged);
     LumenTopology topology = RepairLumenTopology(m_Bridges.occupancy, m_Centreline);
     m_Wall.report.topology = topology.report;
