@@ -31,7 +31,7 @@ struct FlatDistortion
   Eigen::VectorXd dilatation;
   /** Area in the plane over area in the metric, positive also for flipped faces. */
   Eigen::VectorXd areaScale;
-  /** The face has no area in the plane, or its orientation there is not that of most of the flat area. */
+  /** FlippedFaces(). */
   std::vector<char> isFlipped;
   int               flips{ 0 };
   /** Faces of most of the flat area are clockwise, as in the view from inside. */
@@ -42,6 +42,11 @@ struct FlatDistortion
  * \pre `uv` has a row for each vertex that F names, `sides` one for each face; else InputError. */
 ConformalFlattening_EXPORT FlatDistortion
 MeasureFlatDistortion(const FaceMatrix & F, const Eigen::MatrixX2d & uv, const SideLengths & sides);
+
+/** Marks the faces that have no area in the plane, or whose orientation there is not that of most of the flat area: by
+ * the places as they are, without rounding (ExactOrientation()). None is marked where the map is locally one to one. */
+ConformalFlattening_EXPORT std::vector<char>
+                           FlippedFaces(const FaceMatrix & F, const Eigen::MatrixX2d & uv);
 
 /** Places in the plane of the corners of faces, corner k of a face in row 3 * face + k. */
 using CornerPlaces = Eigen::MatrixX2d;

@@ -1,5 +1,6 @@
 #include "shapetonFlatDistortion.h"
 
+#include "shapetonExactOrientation.h"
 #include "shapetonExceptions.h"
 
 #include <algorithm>
@@ -132,14 +133,26 @@ MeasureFlatDistortion(const FaceMatrix & F, const Eigen::MatrixX2d & uv, const S
     distortion.dilatation[face] = Dilatation(F, uv, sides, face, area, flatArea);
   }
   distortion.isClockwise = signedAreas.sum() < 0.0;
-  const double sign = distortion.isClockwise ? -1.0 : 1.0;
+  distortion.isFlipped = FlippedFaces(F, uv);
+  distortion.flips = static_cast<int>(std::count(distortion.isFlipped.begin(), distortion.isFlipped.end(), 1));
+  return distortion;
+}
+
+std::vector<char>
+FlippedFaces(const FaceMatrix & F, const Eigen::MatrixX2d & uv)
+{
+  double area = 0.0;
   for (Eigen::Index face = 0; face < F.rows(); ++face)
   {
-    const bool isFlipped = !(sign * signedAreas[face] > 0.0);
-    distortion.isFlipped.push_back(isFlipped);
-    distortion.flips += isFlipped ? 1 : 0;
+    area += SignedFlatArea(F, uv, face);
   }
-  return distortion;
+  const int         sign = area < 0.0 ? -1 : 1;
+  std::vector<char> isFlipped(static_cast<std::size_t>(F.rows()));
+  for (Eigen::Index face = 0; face < F.rows(); ++face)
+  {
+    isFlipped[face] = ExactOrientation(uv.row(F(face, 0)), uv.row(F(face, 1)), uv.row(F(face, 2))) != sign;
+  }
+  return isFlipped;
 }
 
 CornerPlaces
