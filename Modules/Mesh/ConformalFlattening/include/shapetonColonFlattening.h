@@ -7,6 +7,7 @@
 #include "shapetonCurveSet.h"
 #include "shapetonJson.h"
 #include "shapetonSurfaceHandles.h"
+#include "shapetonTubeUnfolding.h"
 
 namespace shapeton
 {
@@ -41,10 +42,18 @@ struct ColonFlatteningOptions
 /** A flattened colon with what was measured. \ingroup ConformalFlattening */
 struct ColonFlattening
 {
-  /** The tube that was flattened: prepared, and without handles if they were removed. */
+  /** The tube that was flattened: prepared, without ears, without handles if they were removed, and with caps where
+   * pouches were cut off (UnfoldedTube). */
   SurfaceMesh surface;
   TubeMap     map;
-  FlatMetric  metric{ FlatMetric::HeatDiffusion };
+  /** How often u and v of the map were computed: once, where it had no folds. */
+  int                   solves{ 0 };
+  std::vector<PouchCap> caps;
+  /** Faces that TrimEars() removed. */
+  int ears{ 0 };
+  /** The part of the area of the prepared tube that ears and cut off pouches had. */
+  double     cutOffAreaFraction{ 0.0 };
+  FlatMetric metric{ FlatMetric::HeatDiffusion };
   /** mm^2; 0 for the Euclidean metric. */
   double time{ 0.0 };
   int    eigenpairs{ 0 };
@@ -72,11 +81,12 @@ ConformalFlattening_EXPORT ColonFlattening
 FlattenColon(SurfaceMesh mesh, const std::string & what, const ColonFlatteningOptions & options = {});
 
 /** The statistics for programs. Keys: faces, genusBefore, genusAfter, metric, time (mm^2), eigenpairs (null: all),
- * modulusU, modulusV, modulusGap (relative), circumference, length (mm), flips, flipsAwayFromHandles, dilatation and
- * dilatationInSpace (median, p95, p99: of faces that are not flipped, each counting once), triangleQuality and
- * triangleQualityInSpace (mean, shareBelowThreshold, histogram), handles (a list of genus, place, flatPlace, radius),
- * falseAlarms, rectumFrom, narrowestRadius (mm; null: not needed). Numbers are rounded to 9 significant
- * digits. \ingroup ConformalFlattening */
+ * modulusU, modulusV, modulusGap (relative), circumference, length (mm), flips, flipsAwayFromHandles, solves, ears
+ * (faces), caps (a list of neck in mm, area in mm^2 and place in LPS mm), cutOffAreaFraction, dilatation and
+ * dilatationInSpace (median, p95, p99: of faces of the wall, not of caps, that are not flipped, each counting once),
+ * triangleQuality and triangleQualityInSpace (mean, shareBelowThreshold, histogram), handles (a list of genus, place,
+ * flatPlace, radius), falseAlarms, rectumFrom, narrowestRadius (mm; null: not needed). Numbers are rounded to 9
+ * significant digits. \ingroup ConformalFlattening */
 ConformalFlattening_EXPORT Json
 ColonFlatteningToJson(const ColonFlattening & flattening);
 

@@ -43,6 +43,22 @@ struct PreparedTube
 ConformalFlattening_EXPORT PreparedTube
 PrepareTube(SurfaceMesh mesh, const std::string & what);
 
+/** A tube without ears. \ingroup ConformalFlattening */
+struct TrimmedTube
+{
+  SurfaceMesh mesh;
+  /** What was removed. */
+  int    faces{ 0 };
+  double area{ 0.0 }; ///< mm^2
+};
+
+/** Removes what edges cut off that join two vertices of one end and are not of that end: for the most part ears, faces
+ * with all their corners on one end. A function that is constant on the end is constant there, so no map gives them an
+ * area. `rectumLoop` and `caecumLoop` lose the vertices that are gone. A tube is returned as it is where it has no such
+ * edge, or would be none without what they cut off. \pre As for FindTubeEnds(). \ingroup ConformalFlattening */
+ConformalFlattening_EXPORT TrimmedTube
+TrimEars(SurfaceMesh mesh);
+
 /** Gives the field arrays `rectumLoop` and `caecumLoop` of `after` the vertices that lie where those of `before` lay;
  * arrays of which a vertex is gone are removed. \ingroup ConformalFlattening */
 ConformalFlattening_EXPORT void

@@ -1,6 +1,7 @@
 #include "shapetonColonFlattening.h"
 
 #include "shapetonHeatDiffusionMetric.h"
+#include "shapetonSurfaceQuality.h"
 #include "shapetonExceptions.h"
 
 #include <algorithm>
@@ -60,6 +61,7 @@ private:
     m_Result.surface = std::move(tube.mesh);
     m_Result.warnings = std::move(tube.warnings);
     m_Result.metric = m_Options.metric;
+    this->Trim();
     this->Connect();
     m_Result.genusBefore = m_Result.genusAfter = m_Connectivity->Components().front().genus.value_or(0);
     if (!m_Laplacian.clampedFaces.empty())
@@ -73,6 +75,21 @@ private:
       m_Result.warnings.push_back(std::string(surfaceName) +
                                   " does not say which end is the rectum (field array rectumLoop, or " +
                                   "the parameter \"centreline\"): u begins at the loop with the least vertex");
+    }
+  }
+
+  void
+  Trim()
+  {
+    m_AreaOfTube = SurfaceArea(m_Result.surface.V, m_Result.surface.F);
+    TrimmedTube trimmed = TrimEars(std::move(m_Result.surface));
+    m_Result.surface = std::move(trimmed.mesh);
+    m_Result.ears = trimmed.faces;
+    m_Result.cutOffAreaFraction = trimmed.area / m_AreaOfTube;
+    if (trimmed.faces > 0)
+    {
+      m_Result.warnings.push_back(std::string(surfaceName) + ": " + std::to_string(trimmed.faces) +
+                                  " faces were removed that edges cut off from one of its ends");
     }
   }
 
@@ -128,31 +145,65 @@ private:
     }
   }
 
-  /** The lengths of the edges in the metric of the map. */
+  /** The lengths of the edges of a surface in the metric of the map. */
   Eigen::VectorXd
-  MetricLengths()
+  MetricLengths(const SurfaceMesh & surface, const SurfaceConnectivity & connectivity)
   {
+    const Eigen::VectorXd lengths = EdgeLengths(connectivity, surface.V);
     if (m_Options.metric == FlatMetric::Euclidean)
     {
-      return m_Lengths;
+      return lengths;
     }
-    this->ChooseTime();
+    const SurfaceLaplacian laplacian = MakeSurfaceLaplacian(connectivity, lengths);
     if (m_Options.metric == FlatMetric::HeatDiffusion)
     {
-      return HeatDiffusionMetricSolver(m_Laplacian).Compute(m_Result.time).edgeLengths;
+      return HeatDiffusionMetricSolver(laplacian).Compute(m_Result.time).edgeLengths;
     }
     m_Result.eigenpairs = m_Options.eigenpairs;
-    const SurfaceSpectrum spectrum = ComputeSurfaceSpectrum(m_Laplacian, m_Options.eigenpairs);
-    return TruncatedHeatDiffusionMetric(m_Laplacian, spectrum, m_Result.time, m_Options.eigenpairs).edgeLengths;
+    const SurfaceSpectrum spectrum = ComputeSurfaceSpectrum(laplacian, m_Options.eigenpairs);
+    return TruncatedHeatDiffusionMetric(laplacian, spectrum, m_Result.time, m_Options.eigenpairs).edgeLengths;
   }
 
   void
   Flatten()
   {
     m_Options.progress("Metric", 0.2);
-    m_Metric = this->MetricLengths();
-    m_Options.progress("Flattening", 0.7);
-    m_Result.map = FlattenTube(m_Result.surface, *m_Connectivity, m_Metric, m_Ends, m_Options.tube);
+    if (m_Options.metric != FlatMetric::Euclidean)
+    {
+      this->ChooseTime();
+    }
+    const TubeMetric metric = [this](const SurfaceMesh & surface, const SurfaceConnectivity & connectivity) {
+      Eigen::VectorXd lengths = this->MetricLengths(surface, connectivity);
+      m_Options.progress("Flattening", 0.7);
+      return lengths;
+    };
+    UnfoldedTube tube = FlattenWithoutFolds(std::move(m_Result.surface), m_Ends, metric, m_Options.tube);
+    m_Result.surface = std::move(tube.surface);
+    m_Result.map = std::move(tube.map);
+    m_Result.solves = tube.solves;
+    m_Result.caps = std::move(tube.caps);
+    m_Metric = std::move(tube.edgeLengths);
+    if (!m_Result.caps.empty())
+    {
+      m_Connectivity = std::make_unique<SurfaceConnectivity>(m_Result.surface);
+      m_Lengths = EdgeLengths(*m_Connectivity, m_Result.surface.V);
+      this->ReportCaps();
+    }
+  }
+
+  void
+  ReportCaps()
+  {
+    double area = 0.0;
+    for (const PouchCap & cap : m_Result.caps)
+    {
+      area += cap.area / m_AreaOfTube;
+    }
+    m_Result.cutOffAreaFraction += area;
+    std::ostringstream text;
+    text << surfaceName << ": " << m_Result.caps.size() << " blind pouches with " << 100.0 * area
+         << " % of the wall were cut off and closed by caps, as their flat map would be folded";
+    m_Result.warnings.push_back(text.str());
   }
 
   void
@@ -250,7 +301,8 @@ private:
   TubeEnds                             m_Ends;
   Eigen::VectorXd                      m_Lengths; ///< in space
   Eigen::VectorXd                      m_Metric;
-  SurfaceLaplacian                     m_Laplacian; ///< in space
+  SurfaceLaplacian                     m_Laplacian;         ///< in space
+  double                               m_AreaOfTube{ 0.0 }; ///< mm^2
   ColonFlattening                      m_Result;
 };
 } // namespace

@@ -34,9 +34,9 @@ Number(double value)
 }
 
 Json
-QuantilesToJson(const FlatDistortion & distortion)
+QuantilesToJson(const FlatDistortion & distortion, const std::vector<char> & isCap)
 {
-  const DistortionQuantiles quantiles = QuantilesOfDilatation(distortion);
+  const DistortionQuantiles quantiles = QuantilesOfDilatation(distortion, isCap);
   Json                      json;
   json["median"] = Number(quantiles.median);
   json["p95"] = Number(quantiles.p95);
@@ -62,6 +62,16 @@ HandleToJson(const SurfaceHandle & handle)
   json["place"] = { Number(handle.place.x()), Number(handle.place.y()), Number(handle.place.z()) };
   json["flatPlace"] = { Number(handle.flatPlace.x()), Number(handle.flatPlace.y()) };
   json["radius"] = Number(handle.radius);
+  return json;
+}
+
+Json
+CapToJson(const PouchCap & cap)
+{
+  Json json;
+  json["neck"] = Number(cap.neck);
+  json["area"] = Number(cap.area);
+  json["place"] = { Number(cap.place.x()), Number(cap.place.y()), Number(cap.place.z()) };
   return json;
 }
 
@@ -111,8 +121,17 @@ ColonFlatteningToJson(const ColonFlattening & flattening)
   json["length"] = Number(flattening.map.length);
   json["flips"] = flattening.distortion.flips;
   json["flipsAwayFromHandles"] = flattening.flipsAwayFromHandles;
-  json["dilatation"] = QuantilesToJson(flattening.distortion);
-  json["dilatationInSpace"] = QuantilesToJson(flattening.distortionInSpace);
+  json["solves"] = flattening.solves;
+  json["ears"] = flattening.ears;
+  json["caps"] = Json::array();
+  for (const PouchCap & cap : flattening.caps)
+  {
+    json["caps"].push_back(CapToJson(cap));
+  }
+  json["cutOffAreaFraction"] = Number(flattening.cutOffAreaFraction);
+  const std::vector<char> isCap = FacesOfCaps(flattening.surface);
+  json["dilatation"] = QuantilesToJson(flattening.distortion, isCap);
+  json["dilatationInSpace"] = QuantilesToJson(flattening.distortionInSpace, isCap);
   json["triangleQuality"] = QualityToJson(flattening.quality);
   json["triangleQualityInSpace"] = QualityToJson(flattening.qualityInSpace);
   json["handles"] = Json::array();

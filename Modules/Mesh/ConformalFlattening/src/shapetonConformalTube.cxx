@@ -1,9 +1,11 @@
 #include "shapetonConformalTube.h"
 
+#include "shapetonBoundedWeights.h"
 #include "shapetonConjugateFunction.h"
 #include "shapetonHarmonicSolver.h"
 #include "shapetonParallelFor.h"
 #include "shapetonTubeCut.h"
+#include "shapetonTubeSolver.h"
 
 #include <algorithm>
 #include <cmath>
@@ -32,21 +34,27 @@ EndValues(const TubeEnds & ends)
   return values;
 }
 
+} // namespace
+
 /** All of one map, from its metric to the rectangle. */
-class TubeFlattening
+class TubeSolver::Flattening
 {
 public:
-  TubeFlattening(const SurfaceMesh &         mesh,
-                 const SurfaceConnectivity & connectivity,
-                 const Eigen::VectorXd &     edgeLengths,
-                 const TubeEnds &            ends,
-                 const TubeOptions &         options)
+  Flattening(const SurfaceMesh &         mesh,
+             const SurfaceConnectivity & connectivity,
+             const Eigen::VectorXd &     edgeLengths,
+             const TubeEnds &            ends,
+             const TubeOptions &         options)
     : m_Mesh(mesh), m_Connectivity(connectivity), m_MetricLengths(edgeLengths), m_Ends(ends), m_Options(options)
-  {}
+  {
+    this->Prepare();
+  }
 
   TubeMap
   Run()
   {
+    m_Map = {};
+    m_IsSaddle.clear();
     this->Factorise();
     m_Map.u = m_Along->Solve(EndValues(m_Ends)).col(0);
     m_Map.modulusU = GradientEnergy(m_Laplacian, m_Map.u);
@@ -64,16 +72,22 @@ public:
     return std::move(m_Map);
   }
 
-private:
-  /** The symbolic analysis beside the Laplacian, then the factorisations. */
+  /** \param levels of the vertices, for BoundedWeights(). */
   void
-  Factorise()
+  BoundWeights(const std::vector<int> & levels)
   {
-    std::optional<SymbolicFactorisation> symbolic;
+    m_Solved.weights = BoundedWeights(m_Laplacian, levels);
+  }
+
+private:
+  /** The symbolic analysis beside the Laplacian. */
+  void
+  Prepare()
+  {
     ParallelFor(2, [&](std::size_t i) {
       if (i == 0)
       {
-        symbolic = HarmonicSolver::Analyse(m_Connectivity);
+        m_Symbolic = HarmonicSolver::Analyse(m_Connectivity);
       }
       else
       {
@@ -82,10 +96,16 @@ private:
         m_Lengths = EdgeLengths(m_Connectivity, m_Mesh.V);
       }
     });
-    m_Along = std::make_unique<HarmonicSolver>(m_Laplacian, m_Ends.Vertices(), *symbolic);
+    m_Solved = m_Laplacian;
+  }
+
+  void
+  Factorise()
+  {
+    m_Along = std::make_unique<HarmonicSolver>(m_Solved, m_Ends.Vertices(), *m_Symbolic);
     if (m_Options.conjugate == TubeConjugate::Laplacian)
     {
-      m_Around = std::make_unique<HarmonicSolver>(m_Laplacian, std::vector<int>{ m_Ends.first[0] }, *symbolic);
+      m_Around = std::make_unique<HarmonicSolver>(m_Solved, std::vector<int>{ m_Ends.first[0] }, *m_Symbolic);
     }
   }
 
@@ -154,7 +174,7 @@ private:
   SolveConjugate()
   {
     const std::vector<int> left = LeftCorners(m_Mesh.F, m_Connectivity, m_Map.cutPath);
-    Eigen::VectorXd        v = SolveWithUnitJump(m_Laplacian, *m_Around, m_Mesh.F, m_Connectivity, left);
+    Eigen::VectorXd        v = SolveWithUnitJump(m_Solved, *m_Around, m_Mesh.F, m_Connectivity, left);
     m_Around.reset();
     v.array() -= this->MeanOnPath(v);
     const CornerValues lifted = LiftedValues(m_Mesh.F, v, left);
@@ -305,22 +325,45 @@ private:
     SetFlatExtent(m_Map.flat, m_Map.circumference, m_Map.length);
   }
 
-  const SurfaceMesh &             m_Mesh;
-  const SurfaceConnectivity &     m_Connectivity;
-  const Eigen::VectorXd &         m_MetricLengths;
-  const TubeEnds &                m_Ends;
-  const TubeOptions &             m_Options;
-  SurfaceLaplacian                m_Laplacian;
-  EdgeGraph                       m_Graph;
-  Eigen::VectorXd                 m_Lengths; ///< in space
-  std::unique_ptr<HarmonicSolver> m_Along;
-  std::unique_ptr<HarmonicSolver> m_Around;
-  std::vector<char>               m_IsSaddle;
-  CutSurface                      m_Cut;
-  Eigen::VectorXd                 m_V; ///< of the vertices of the cut surface, period 1
-  TubeMap                         m_Map;
+  const SurfaceMesh &                  m_Mesh;
+  const SurfaceConnectivity &          m_Connectivity;
+  const Eigen::VectorXd &              m_MetricLengths;
+  const TubeEnds &                     m_Ends;
+  const TubeOptions &                  m_Options;
+  std::optional<SymbolicFactorisation> m_Symbolic;
+  SurfaceLaplacian                     m_Laplacian; ///< of the metric
+  SurfaceLaplacian                     m_Solved;    ///< with the weights that are solved with
+  EdgeGraph                            m_Graph;
+  Eigen::VectorXd                      m_Lengths; ///< in space
+  std::unique_ptr<HarmonicSolver>      m_Along;
+  std::unique_ptr<HarmonicSolver>      m_Around;
+  std::vector<char>                    m_IsSaddle;
+  CutSurface                           m_Cut;
+  Eigen::VectorXd                      m_V; ///< of the vertices of the cut surface, period 1
+  TubeMap                              m_Map;
 };
-} // namespace
+
+TubeSolver::TubeSolver(const SurfaceMesh &         mesh,
+                       const SurfaceConnectivity & connectivity,
+                       const Eigen::VectorXd &     edgeLengths,
+                       const TubeEnds &            ends,
+                       const TubeOptions &         options)
+  : m_Flattening(std::make_unique<Flattening>(mesh, connectivity, edgeLengths, ends, options))
+{}
+
+TubeSolver::~TubeSolver() = default;
+
+TubeMap
+TubeSolver::Solve()
+{
+  return m_Flattening->Run();
+}
+
+void
+TubeSolver::BoundWeights(const std::vector<int> & levels)
+{
+  m_Flattening->BoundWeights(levels);
+}
 
 TubeMap
 FlattenTube(const SurfaceMesh &         mesh,
@@ -329,7 +372,7 @@ FlattenTube(const SurfaceMesh &         mesh,
             const TubeEnds &            ends,
             const TubeOptions &         options)
 {
-  return TubeFlattening(mesh, connectivity, edgeLengths, ends, options).Run();
+  return TubeSolver(mesh, connectivity, edgeLengths, ends, options).Solve();
 }
 
 Eigen::VectorXd

@@ -1,0 +1,234 @@
+#include "shapetonTubeUnfolding.h"
+
+#include "shapetonBoundedWeights.h"
+#include "shapetonPouches.h"
+#include "shapetonSurfaceHandles.h"
+#include "shapetonTubeCut.h"
+#include "shapetonTubeSolver.h"
+
+#include <algorithm>
+#include <functional>
+#include <memory>
+
+namespace shapeton
+{
+namespace
+{
+constexpr int mostSolves = 8; // of a round
+constexpr int mostRounds = 5; // of cutting off
+constexpr int ringsOfHandle = 3;
+/** After so many maps of a round weights change one ring farther out. */
+constexpr int solvesWithoutRing = 3;
+
+constexpr const char * wallPointName = "wallPointId";
+constexpr const char * capName = "cap";
+
+using FaceMarks = std::vector<char>;
+
+bool
+HasMark(const FaceMarks & marks)
+{
+  return std::find(marks.begin(), marks.end(), 1) != marks.end();
+}
+
+/** Raises the levels of the corners of marked faces and of so many rings around them. */
+void
+RaiseLevels(const FaceMatrix & F,
+            const EdgeGraph &  graph,
+            const FaceMarks &  isFlipped,
+            int                rings,
+            std::vector<int> & levels)
+{
+  std::vector<char> isRaised(levels.size(), 0);
+  for (Eigen::Index corner = 0; corner < F.size(); ++corner)
+  {
+    isRaised[F.data()[corner]] |= isFlipped[corner / 3];
+  }
+  Dilate(graph, isRaised, rings);
+  for (std::size_t v = 0; v < levels.size(); ++v)
+  {
+    levels[v] = std::min(greatestWeightLevel, levels[v] + isRaised[v]);
+  }
+}
+
+void
+RemoveArray(const std::string & name, std::vector<SurfaceArray> & arrays)
+{
+  const auto isIt = [&](const SurfaceArray & array) { return array.name == name; };
+  arrays.erase(std::remove_if(arrays.begin(), arrays.end(), isIt), arrays.end());
+}
+
+/** The numbers of the vertices that are left; the others have gone. */
+std::vector<int>
+Renumbered(const std::vector<int> & vertices, const std::vector<int> & kept)
+{
+  std::vector<int> numbers;
+  for (const int vertex : vertices)
+  {
+    numbers.push_back(static_cast<int>(std::lower_bound(kept.begin(), kept.end(), vertex) - kept.begin()));
+  }
+  return numbers;
+}
+
+/** A tube on its way to a map without folds. */
+class TubeUnfolding
+{
+public:
+  TubeUnfolding(SurfaceMesh mesh, const TubeEnds & ends, const TubeMetric & metric, const TubeOptions & options)
+    : m_Metric(metric), m_Options(options), m_MostSolves(options.conjugate == TubeConjugate::Published ? 1 : mostSolves)
+  {
+    m_Tube.surface = std::move(mesh);
+    m_Tube.ends = ends;
+    RemoveArray(capName, m_Tube.surface.cellArrays);
+    RemoveArray(wallPointName, m_Tube.surface.pointArrays);
+    this->Connect();
+  }
+
+  UnfoldedTube
+  Run()
+  {
+    bool isDone = this->MapUntilUnfolded(0) || m_Options.conjugate == TubeConjugate::Published;
+    for (int round = 0; !isDone && this->FindPouches() && round < mostRounds; ++round)
+    {
+      this->CutOffPouches();
+      isDone = this->MapUntilUnfolded(0);
+    }
+    if (!isDone && m_IsTube)
+    {
+      this->MapUntilUnfolded(1);
+    }
+    return std::move(m_Tube);
+  }
+
+private:
+  /** All that depends on the faces, after each change of them. */
+  void
+  Connect()
+  {
+    m_Connectivity = std::make_unique<SurfaceConnectivity>(m_Tube.surface);
+    m_Graph = EdgeGraph(*m_Connectivity);
+    m_Tube.edgeLengths = m_Metric(m_Tube.surface, *m_Connectivity);
+    m_IsTube = m_Connectivity->Components().front().genus == 0;
+  }
+
+  /** Maps with weights that are bounded where faces are flipped, at first with this level everywhere. The answer is
+   * false where that does not help, or pouches that nobody would see are to be cut off first. */
+  bool
+  MapUntilUnfolded(int level)
+  {
+    TubeSolver       solver(m_Tube.surface, *m_Connectivity, m_Tube.edgeLengths, m_Tube.ends, m_Options);
+    std::vector<int> levels(m_Tube.surface.NumberOfVertices(), level);
+    for (int solve = 1; solve <= m_MostSolves; ++solve)
+    {
+      if (level > 0 || solve > 1)
+      {
+        solver.BoundWeights(levels);
+      }
+      this->Map(solver);
+      if (!HasMark(m_IsFlipped))
+      {
+        return true;
+      }
+      if (solve == 1 && level == 0 && HasMark(this->InvisiblePouches()))
+      {
+        return false;
+      }
+      RaiseLevels(m_Tube.surface.F, m_Graph, m_IsFlipped, solve < solvesWithoutRing ? 0 : 1, levels);
+    }
+    return false;
+  }
+
+  /** One map; marks the faces that are flipped and ought not to be. */
+  void
+  Map(TubeSolver & solver)
+  {
+    m_Tube.map = solver.Solve();
+    ++m_Tube.solves;
+    const SurfaceMesh & flat = m_Tube.map.flat;
+    m_IsFlipped = FlippedFaces(flat.F, FlatCoordinates(flat, "the map"));
+    if (!m_IsTube && HasMark(m_IsFlipped))
+    {
+      const HandleDetection found = DetectHandles(*m_Connectivity, flat);
+      const FaceMarks       isNear = FacesNearHandles(*m_Connectivity, found.handles, ringsOfHandle);
+      std::transform(m_IsFlipped.begin(), m_IsFlipped.end(), isNear.begin(), m_IsFlipped.begin(), std::greater<>());
+    }
+  }
+
+  /** Those that nobody sees; none where there are handles. */
+  FaceMarks
+  InvisiblePouches() const
+  {
+    const SurfaceMesh & flat = m_Tube.map.flat;
+    return m_IsTube ? this->PouchesOf(InvisibleFaces(m_Tube.surface, *m_Connectivity, flat)) : FaceMarks();
+  }
+
+  FaceMarks
+  PouchesOf(const FaceMarks & isCore) const
+  {
+    return FacesOfPouches(m_Tube.surface, *m_Connectivity, m_Tube.map.flat, isCore);
+  }
+
+  /** Whether there is something to cut off: pouches that nobody sees, else those with flipped faces. */
+  bool
+  FindPouches()
+  {
+    m_IsPouch = this->InvisiblePouches();
+    if (m_IsTube && !HasMark(m_IsPouch))
+    {
+      m_IsPouch = this->PouchesOf(m_IsFlipped);
+    }
+    return HasMark(m_IsPouch);
+  }
+
+  void
+  CutOffPouches()
+  {
+    this->NumberWallPoints();
+    CappedSurface capped = shapeton::CutOffPouches(m_Tube.surface, *m_Connectivity, m_IsPouch, m_Tube.caps);
+    m_Tube.surface = std::move(capped.mesh);
+    m_Tube.caps = std::move(capped.caps);
+    m_Tube.ends.first = Renumbered(m_Tube.ends.first, capped.keptVertices);
+    m_Tube.ends.second = Renumbered(m_Tube.ends.second, capped.keptVertices);
+    const auto kept = static_cast<Eigen::Index>(capped.keptVertices.size());
+    this->WallPoints().values.bottomRows(m_Tube.surface.NumberOfVertices() - kept).setConstant(-1.0);
+    this->Connect();
+  }
+
+  /** Gives the surface `wallPointId` before it changes for the first time. */
+  void
+  NumberWallPoints()
+  {
+    auto & arrays = m_Tube.surface.pointArrays;
+    if (!FindSurfaceArray(arrays, wallPointName))
+    {
+      const int number = m_Tube.surface.NumberOfVertices();
+      arrays.push_back({ wallPointName, Eigen::VectorXd::LinSpaced(number, 0.0, number - 1.0), true });
+    }
+  }
+
+  SurfaceArray &
+  WallPoints()
+  {
+    auto & arrays = m_Tube.surface.pointArrays;
+    return *std::find_if(
+      arrays.begin(), arrays.end(), [](const SurfaceArray & array) { return array.name == wallPointName; });
+  }
+
+  const TubeMetric &                   m_Metric;
+  const TubeOptions &                  m_Options;
+  const int                            m_MostSolves; ///< of a round
+  UnfoldedTube                         m_Tube;
+  std::unique_ptr<SurfaceConnectivity> m_Connectivity;
+  EdgeGraph                            m_Graph;
+  bool                                 m_IsTube{ true }; ///< it has no handles
+  FaceMarks                            m_IsFlipped;
+  FaceMarks                            m_IsPouch;
+};
+} // namespace
+
+UnfoldedTube
+FlattenWithoutFolds(SurfaceMesh mesh, const TubeEnds & ends, const TubeMetric & metric, const TubeOptions & options)
+{
+  return TubeUnfolding(std::move(mesh), ends, metric, options).Run();
+}
+} // namespace shapeton
