@@ -48,18 +48,24 @@ MetricInWords(const ColonFlattening & flattening)
 Facts
 SummaryOf(const ColonFlattening & flattening)
 {
-  const TubeMap & map = flattening.map;
-  return { { "Faces", std::to_string(flattening.surface.NumberOfFaces()) },
-           { "Metric of the map", MetricInWords(flattening) },
-           { "Mean circumference", Rounded(map.circumference) + " mm" },
-           { "Length of the map", Rounded(map.length) + " mm" },
-           { "Conformal moduli", Rounded(map.modulusU, 6) + " and " + Rounded(map.modulusV, 6) },
-           { "Their gap (the error bar without handles)", Percent(map.Gap()) },
-           { "Handles",
-             std::to_string(flattening.genusBefore) + ", in the map " + std::to_string(flattening.genusAfter) },
-           { "Flipped faces",
-             std::to_string(flattening.distortion.flips) + ", of these away from handles " +
-               std::to_string(flattening.flipsAwayFromHandles) } };
+  const TubeMap &   map = flattening.map;
+  const std::string handles =
+    std::to_string(flattening.genusBefore) + ", in the map " + std::to_string(flattening.genusAfter);
+  const std::string flips = std::to_string(flattening.distortion.flips) + ", of these away from handles " +
+                            std::to_string(flattening.flipsAwayFromHandles);
+  Facts facts{ { "Faces", std::to_string(flattening.surface.NumberOfFaces()) },
+               { "Metric of the map", MetricInWords(flattening) },
+               { "Mean circumference", Rounded(map.circumference) + " mm" },
+               { "Length of the map", Rounded(map.length) + " mm" },
+               { "Conformal moduli", Rounded(map.modulusU, 6) + " and " + Rounded(map.modulusV, 6) },
+               { "Their gap (the error bar without handles)", Percent(map.Gap()) },
+               { "Handles", handles },
+               { "Flipped faces", flips } };
+  if (flattening.cutOffAreaFraction > 0.0)
+  {
+    facts.emplace_back("Cut off, as its map would be folded", Percent(flattening.cutOffAreaFraction) + " of the wall");
+  }
+  return facts;
 }
 
 std::string
@@ -129,10 +135,11 @@ AddDistortion(HtmlReport &            html,
               const OutputPath &      outputPath)
 {
   html.AddHeading("Distortion");
-  CsvTable   table({ "metric", "dilatation, median", "95 %", "99 %", "2r/R, mean", "2r/R below 0.6" });
-  const auto addRow =
+  CsvTable                table({ "metric", "dilatation, median", "95 %", "99 %", "2r/R, mean", "2r/R below 0.6" });
+  const std::vector<char> isCap = FacesOfCaps(flattening.surface);
+  const auto              addRow =
     [&](const std::string & name, const FlatDistortion & distortion, const TriangleQuality & quality) {
-      const DistortionQuantiles quantiles = QuantilesOfDilatation(distortion);
+      const DistortionQuantiles quantiles = QuantilesOfDilatation(distortion, isCap);
       table.AddRow({ name,
                      Rounded(quantiles.median),
                      Rounded(quantiles.p95),
@@ -172,6 +179,25 @@ AddHandles(HtmlReport & html, const ColonFlattening & flattening)
     flattening.genusAfter < flattening.genusBefore ? "; u, v on the map before they were removed" : "";
   html.AddTable(table, "Handles by Gauss and Bonnet, marked in the pictures" + before);
 }
+
+void
+AddCaps(HtmlReport & html, const ColonFlattening & flattening)
+{
+  if (flattening.caps.empty())
+  {
+    return;
+  }
+  html.AddHeading("Blind pouches");
+  html.AddParagraph("The flat map of these would be folded, and nothing of them would be seen. They were cut off and "
+                    "closed by caps (cell array cap).");
+  CsvTable table({ "cap", "place, LPS mm", "neck, mm", "area cut off, mm^2" });
+  for (std::size_t i = 0; i < flattening.caps.size(); ++i)
+  {
+    const PouchCap & cap = flattening.caps[i];
+    table.AddRow({ std::to_string(i + 1), Point(cap.place), Rounded(cap.neck, 3), Rounded(cap.area, 3) });
+  }
+  html.AddTable(table, "Caps; the neck is the length of the rim");
+}
 } // namespace
 
 std::vector<FlatAnnotation>
@@ -201,6 +227,7 @@ WriteColonFlatteningReport(const ColonFlatteningReportContent & content,
   AddScales(html, pictures);
   AddDistortion(html, flattening, folder, outputPath);
   AddHandles(html, flattening);
+  AddCaps(html, flattening);
   html.AddHeading("Provenance");
   html.AddFacts(content.provenance);
   html.Write(outputPath(folder + "/index.html"));

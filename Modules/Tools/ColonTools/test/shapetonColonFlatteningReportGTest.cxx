@@ -72,6 +72,25 @@ TEST(ColonFlatteningReport, HoldsPicturesTablesAndWarnings)
   const std::string again = html;
   WriteColonFlatteningReport(content, folder / ".", inPlace);
   EXPECT_EQ(shapeton::BytesOf(folder / "index.html"), again);
+  EXPECT_EQ(again.find("Blind pouches"), std::string::npos);
+}
+
+TEST(ColonFlatteningReport, ListsCaps)
+{
+  shapeton::ColonFlattening flattening = Flattened();
+  flattening.cutOffAreaFraction = 0.0125;
+  flattening.caps = { { 12.5, 345.0, { 1.0, 2.0, 3.0 } } };
+  const shapeton::FlatColon              flat(flattening.map.flat);
+  shapeton::ColonFlatteningReportContent content;
+  content.flattening = &flattening;
+  content.parts.flat = &flat;
+  const basetest::Folder folder;
+  WriteColonFlatteningReport(content, folder / ".", inPlace);
+  const std::string html = shapeton::BytesOf(folder / "index.html");
+  for (const char * text : { "Blind pouches", "1.25 % of the wall", "1, 2, 3", "12.5", "345" })
+  {
+    EXPECT_NE(html.find(text), std::string::npos) << text;
+  }
 }
 
 TEST(FlatColonPictures, DistancesComeFromTheSurfaceElseFromTheCentreline)
