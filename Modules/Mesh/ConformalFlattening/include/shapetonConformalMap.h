@@ -74,7 +74,10 @@ struct ConformalMap
   int flipsAtSlits{ 0 };
   /** Over the faces that are neither. */
   DistortionQuantiles dilatation;
-  Remarks             warnings;
+  /** How often the map was computed: again, with weights of edges brought nearer to 1, where faces away from slits were
+   * flipped, though there is no handle. */
+  int     solves{ 1 };
+  Remarks warnings;
 
   /** modulusU / modulusV - 1. */
   ConformalFlattening_EXPORT double
@@ -90,8 +93,8 @@ MapConformally(const SurfaceMesh & mesh, const ConformalMapOptions & options, co
 
 /** The figures for programs. Keys, whose names stay: faces, genus, domain, boundaries (a list of number, vertices,
  * length in mm, role), outerBoundary, innerBoundary, corners, modulusU, modulusV, modulusGap, flips, flipsAtSlits,
- * ears, dilatation (median, p95, p99), slitMaps (a list of innerBoundary, modulusU, modulusV, and for each boundary
- * logRadius and turns). \ingroup ConformalFlattening */
+ * solves, ears, dilatation (median, p95, p99), slitMaps (a list of innerBoundary, modulusU, modulusV, and for each
+ * boundary logRadius and turns). \ingroup ConformalFlattening */
 ConformalFlattening_EXPORT Json
 ConformalMapToJson(const ConformalMap & map);
 } // namespace shapeton

@@ -32,13 +32,16 @@ struct QuadrilateralMap
  * \param boundary the only one of the surface.
  * \param corners four of its vertices in the order of the boundary, in either direction; if it runs clockwise the first
  * one stays and the others are taken in reverse.
+ * \param weightLevels for each vertex 0, or from 1 to 6 how near to 1 the weights of its edges are brought so that no
+ * face is flipped; empty: 0. The moduli are those of the metric all the same.
  * Throws InputError where a corner does not lie on the boundary, is named twice, or lies out of order, and as
  * MakeSurfaceLaplacian() does. \ingroup ConformalFlattening */
 ConformalFlattening_EXPORT QuadrilateralMap
 MapQuadrilateral(const SurfaceConnectivity & connectivity,
                  const Eigen::VectorXd &     edgeLengths,
                  const BoundaryLoop &        boundary,
-                 const std::array<int, 4> &  corners);
+                 const std::array<int, 4> &  corners,
+                 const std::vector<int> &    weightLevels = {});
 
 /** Four vertices well spread on a boundary: the corners of a quadrilateral of large area that is inscribed in it. From
  * the quarters of its length that span most area each corner moves to where the area is largest until none can. A

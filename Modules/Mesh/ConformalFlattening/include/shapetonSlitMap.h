@@ -56,13 +56,16 @@ class ConformalFlattening_EXPORT SlitMapSolver
 public:
   /** \param edgeLengths in any metric, such as that of heat diffusion.
    * \param outer the element of `loops` that becomes the outer circle.
+   * \param weightLevels for each vertex 0, or from 1 to 6 how near to 1 the weights of its edges are brought so that no
+   * face is flipped; empty: 0. Fluxes and moduli are those of these weights.
    * \pre One manifold, oriented component; the loops are those of BoundaryLoopsByLength(). Throws InputError where
    * there are fewer than two loops or no such outer one, and as MakeSurfaceLaplacian() does. */
   SlitMapSolver(const SurfaceMesh &         mesh,
                 const SurfaceConnectivity & connectivity,
                 const Eigen::VectorXd &     edgeLengths,
                 std::vector<BoundaryLoop>   loops,
-                int                         outer = 0);
+                int                         outer = 0,
+                const std::vector<int> &    weightLevels = {});
   ~SlitMapSolver();
 
   /** Throws InputError where there is no such loop or it is the outer one. */

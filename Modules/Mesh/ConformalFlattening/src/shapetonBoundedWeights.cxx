@@ -22,4 +22,33 @@ BoundedWeights(const SurfaceLaplacian & laplacian, const std::vector<int> & leve
   }
   return weights;
 }
+
+SurfaceLaplacian
+WithBoundedWeights(SurfaceLaplacian laplacian, const std::vector<int> & levels)
+{
+  if (!levels.empty())
+  {
+    laplacian.weights = BoundedWeights(laplacian, levels);
+  }
+  return laplacian;
+}
+
+void
+RaiseWeightLevels(const FaceMatrix &        F,
+                  const EdgeGraph &         graph,
+                  const std::vector<char> & isFlipped,
+                  int                       rings,
+                  std::vector<int> &        levels)
+{
+  std::vector<char> isRaised(levels.size(), 0);
+  for (Eigen::Index corner = 0; corner < F.size(); ++corner)
+  {
+    isRaised[F.data()[corner]] |= isFlipped[corner / 3];
+  }
+  Dilate(graph, isRaised, rings);
+  for (std::size_t v = 0; v < levels.size(); ++v)
+  {
+    levels[v] = std::min(greatestWeightLevel, levels[v] + isRaised[v]);
+  }
+}
 } // namespace shapeton

@@ -2,6 +2,7 @@
 #define shapetonBoundedWeights_h
 
 #include "shapetonSurfaceLaplacian.h"
+#include "shapetonTubeCut.h"
 
 #include <vector>
 
@@ -16,6 +17,26 @@ constexpr int greatestWeightLevel = 6;
  * Gotsman and Thurston, Discrete one-forms on meshes and applications to 3D mesh parameterization, 2006). */
 Eigen::VectorXd
 BoundedWeights(const SurfaceLaplacian & laplacian, const std::vector<int> & levels);
+
+/** The Laplacian with these weights; as it is for no levels. */
+SurfaceLaplacian
+WithBoundedWeights(SurfaceLaplacian laplacian, const std::vector<int> & levels);
+
+/** How far from flipped faces weights are to change after map number `solve`, counted from 1: one ring from the third
+ * on. */
+inline int
+RingsOfSolve(int solve)
+{
+  return solve < 3 ? 0 : 1;
+}
+
+/** Raises by 1 the levels of the corners of marked faces and of so many rings around them. */
+void
+RaiseWeightLevels(const FaceMatrix &        F,
+                  const EdgeGraph &         graph,
+                  const std::vector<char> & isFlipped,
+                  int                       rings,
+                  std::vector<int> &        levels);
 } // namespace shapeton
 
 #endif

@@ -1,5 +1,6 @@
 #include "shapetonConformalMap.h"
 
+#include "shapetonBoundedWeights.h"
 #include "shapetonConformalLayout.h"
 #include "shapetonCsvTable.h"
 #include "shapetonSurfaceQuality.h"
@@ -16,6 +17,7 @@ namespace
 constexpr double wideGap = 0.1;
 /** Part of the outer circle. */
 constexpr double smallestCircle = 0.01;
+constexpr int    mostSolves = 8;
 
 std::string
 CountOfBoundaries(std::size_t number)
@@ -99,10 +101,11 @@ MapToRectangle(const SurfaceMesh &         mesh,
                const SurfaceConnectivity & connectivity,
                const Eigen::VectorXd &     lengths,
                const ConformalMapOptions & options,
+               const std::vector<int> &    weightLevels,
                ConformalMap &              map)
 {
   const auto             corners = CornersOf(options, map.loops[0], mesh.V);
-  const QuadrilateralMap quadrilateral = MapQuadrilateral(connectivity, lengths, map.loops[0], corners);
+  const QuadrilateralMap quadrilateral = MapQuadrilateral(connectivity, lengths, map.loops[0], corners, weightLevels);
   map.corners.assign(quadrilateral.corners.begin(), quadrilateral.corners.end());
   map.modulusU = quadrilateral.modulusU;
   map.modulusV = quadrilateral.modulusV;
@@ -115,9 +118,10 @@ MapToAnnulus(const SurfaceMesh &         mesh,
              const SurfaceConnectivity & connectivity,
              const Eigen::VectorXd &     lengths,
              const ConformalMapOptions & options,
+             const std::vector<int> &    weightLevels,
              ConformalMap &              map)
 {
-  const SlitMapSolver solver(mesh, connectivity, lengths, map.loops, map.outer);
+  const SlitMapSolver solver(mesh, connectivity, lengths, map.loops, map.outer, weightLevels);
   const SlitMap       chosen = solver.Map(map.inner);
   map.modulusU = chosen.modulusU;
   map.modulusV = chosen.modulusV;
@@ -149,27 +153,36 @@ TouchesSlit(const Eigen::Vector3i & face, const std::vector<int> & loopOf, const
   });
 }
 
-void
-Measure(const FaceMatrix &          sourceFaces,
-        const SurfaceConnectivity & connectivity,
-        const Eigen::VectorXd &     lengths,
-        ConformalMap &              map)
+std::vector<char>
+EarMarks(const ConformalMap & map)
 {
-  const SideLengths      sides = SidesOfFaces(connectivity, lengths);
-  const std::vector<int> loopOf = LoopOfVertices(map.loops, connectivity.NumberOfVertices());
-  map.distortion = MeasureFlatDistortion(map.flat.F, FlatCoordinates(map.flat, "the map"), sides);
   std::vector<char> isEar(map.flat.F.rows(), 0);
   for (const int face : map.ears)
   {
     isEar[face] = 1;
   }
+  return isEar;
+}
+
+/** Counts flipped faces but for ears, and marks those away from slits: a map of a surface without handles need not have
+ * any. */
+std::vector<char>
+CountFlips(const FaceMatrix & sourceFaces, const SurfaceConnectivity & connectivity, ConformalMap & map)
+{
+  const std::vector<int>  loopOf = LoopOfVertices(map.loops, connectivity.NumberOfVertices());
+  const std::vector<char> isEar = EarMarks(map);
+  std::vector<char>       isNeedless(isEar.size(), 0);
   for (std::size_t face = 0; face < isEar.size(); ++face)
   {
-    const bool isFlipped = map.distortion.isFlipped[face] && !isEar[face];
-    map.flips += isFlipped ? 1 : 0;
-    map.flipsAtSlits += isFlipped && TouchesSlit(sourceFaces.row(static_cast<Eigen::Index>(face)), loopOf, map) ? 1 : 0;
+    if (map.distortion.isFlipped[face] && !isEar[face])
+    {
+      const bool isAtSlit = TouchesSlit(sourceFaces.row(static_cast<Eigen::Index>(face)), loopOf, map);
+      ++map.flips;
+      map.flipsAtSlits += isAtSlit ? 1 : 0;
+      isNeedless[face] = !isAtSlit && map.genus == 0;
+    }
   }
-  map.dilatation = QuantilesOfDilatation(map.distortion, isEar);
+  return isNeedless;
 }
 
 void
@@ -203,8 +216,9 @@ Warn(ConformalMap & map)
   }
 }
 
+/** Which boundaries go where. */
 ConformalMap
-MapSoundSurface(const SurfaceMesh & mesh, const SurfaceConnectivity & connectivity, const ConformalMapOptions & options)
+ChosenDomain(const SurfaceMesh & mesh, const SurfaceConnectivity & connectivity, const ConformalMapOptions & options)
 {
   ConformalMap map;
   map.domain = options.domain;
@@ -212,17 +226,51 @@ MapSoundSurface(const SurfaceMesh & mesh, const SurfaceConnectivity & connectivi
   map.loops = BoundaryLoopsByLength(connectivity, mesh.V);
   RequireBoundaries(options, map.loops.size());
   ChooseBoundaries(options, map);
-  const Eigen::VectorXd lengths =
-    options.edgeLengths.size() == 0 ? EdgeLengths(connectivity, mesh.V) : options.edgeLengths;
+  return map;
+}
+
+/** A map of the domain chosen, with its distortion. */
+ConformalMap
+MapOnce(const SurfaceMesh &         mesh,
+        const SurfaceConnectivity & connectivity,
+        const Eigen::VectorXd &     lengths,
+        const ConformalMapOptions & options,
+        const std::vector<int> &    weightLevels,
+        ConformalMap                map)
+{
   if (map.loops.size() == 1)
   {
-    MapToRectangle(mesh, connectivity, lengths, options, map);
+    MapToRectangle(mesh, connectivity, lengths, options, weightLevels, map);
   }
   else
   {
-    MapToAnnulus(mesh, connectivity, lengths, options, map);
+    MapToAnnulus(mesh, connectivity, lengths, options, weightLevels, map);
   }
-  Measure(mesh.F, connectivity, lengths, map);
+  map.distortion =
+    MeasureFlatDistortion(map.flat.F, FlatCoordinates(map.flat, "the map"), SidesOfFaces(connectivity, lengths));
+  map.dilatation = QuantilesOfDilatation(map.distortion, EarMarks(map));
+  return map;
+}
+
+/** Maps again, with weights bounded at flipped faces and at last everywhere, where faces are flipped needlessly. */
+ConformalMap
+MapSoundSurface(const SurfaceMesh & mesh, const SurfaceConnectivity & connectivity, const ConformalMapOptions & options)
+{
+  const Eigen::VectorXd lengths =
+    options.edgeLengths.size() == 0 ? EdgeLengths(connectivity, mesh.V) : options.edgeLengths;
+  const ConformalMap chosen = ChosenDomain(mesh, connectivity, options);
+  ConformalMap       map = MapOnce(mesh, connectivity, lengths, options, {}, chosen);
+  std::vector<char>  isFlipped = CountFlips(mesh.F, connectivity, map);
+  std::vector<int>   levels(mesh.NumberOfVertices(), 0);
+  for (int solve = 1; solve < mostSolves && std::count(isFlipped.begin(), isFlipped.end(), 1) > 0; ++solve)
+  {
+    RaiseWeightLevels(mesh.F, EdgeGraph(connectivity), isFlipped, RingsOfSolve(solve), levels);
+    const int least = solve + 1 == mostSolves ? 1 : 0;
+    std::transform(levels.begin(), levels.end(), levels.begin(), [&](int level) { return std::max(level, least); });
+    map = MapOnce(mesh, connectivity, lengths, options, levels, chosen);
+    map.solves = solve + 1;
+    isFlipped = CountFlips(mesh.F, connectivity, map);
+  }
   Warn(map);
   return map;
 }

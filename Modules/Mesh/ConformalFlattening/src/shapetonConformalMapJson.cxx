@@ -83,6 +83,7 @@ ConformalMapToJson(const ConformalMap & map)
   document["modulusGap"] = Figure(map.ModulusGap());
   document["flips"] = map.flips;
   document["flipsAtSlits"] = map.flipsAtSlits;
+  document["solves"] = map.solves;
   document["ears"] = map.ears.size();
   document["dilatation"] = { { "median", Figure(map.dilatation.median) },
                              { "p95", Figure(map.dilatation.p95) },

@@ -1,5 +1,6 @@
 #include "shapetonQuadrilateralMap.h"
 
+#include "shapetonBoundedWeights.h"
 #include "shapetonHarmonicSolver.h"
 #include "shapetonExceptions.h"
 
@@ -73,10 +74,12 @@ QuadrilateralMap
 MapQuadrilateral(const SurfaceConnectivity & connectivity,
                  const Eigen::VectorXd &     edgeLengths,
                  const BoundaryLoop &        boundary,
-                 const std::array<int, 4> &  corners)
+                 const std::array<int, 4> &  corners,
+                 const std::vector<int> &    weightLevels)
 {
   const std::array<int, 4>    places = PlacesOfCorners(boundary.vertices, corners);
   const SurfaceLaplacian      laplacian = MakeSurfaceLaplacian(connectivity, edgeLengths);
+  const SurfaceLaplacian      bounded = WithBoundedWeights(laplacian, weightLevels);
   const SymbolicFactorisation symbolic = HarmonicSolver::Analyse(connectivity);
   const auto       side = [&](int i) { return SideOfBoundary(boundary.vertices, places[i], places[(i + 1) % 4]); };
   QuadrilateralMap map;
@@ -84,8 +87,8 @@ MapQuadrilateral(const SurfaceConnectivity & connectivity,
   {
     map.corners[i] = boundary.vertices[places[i]];
   }
-  map.u = Between(laplacian, symbolic, side(3), side(1));
-  map.v = Between(laplacian, symbolic, side(0), side(2));
+  map.u = Between(bounded, symbolic, side(3), side(1));
+  map.v = Between(bounded, symbolic, side(0), side(2));
   map.modulusU = GradientEnergy(laplacian, map.u);
   map.modulusV = 1.0 / GradientEnergy(laplacian, map.v);
   return map;

@@ -1,5 +1,6 @@
 #include "shapetonSlitMap.h"
 
+#include "shapetonBoundedWeights.h"
 #include "shapetonConjugateFunction.h"
 #include "shapetonExceptions.h"
 #include "shapetonTubeCut.h"
@@ -100,14 +101,15 @@ struct SlitMapSolver::State
         const SurfaceConnectivity & itsConnectivity,
         const Eigen::VectorXd &     edgeLengths,
         std::vector<BoundaryLoop>   itsLoops,
-        int                         outerLoop)
+        int                         outerLoop,
+        const std::vector<int> &    weightLevels)
     : F(surface.F)
     , connectivity(itsConnectivity)
     , spaceLengths(EdgeLengths(itsConnectivity, surface.V))
     , loops(std::move(itsLoops))
     , outer(outerLoop)
     , innerLoops(InnerOf(loops, outer))
-    , laplacian(MakeSurfaceLaplacian(itsConnectivity, edgeLengths))
+    , laplacian(WithBoundedWeights(MakeSurfaceLaplacian(itsConnectivity, edgeLengths), weightLevels))
     , stiffness(StiffnessMatrix(laplacian))
     , graph(itsConnectivity)
   {
@@ -185,8 +187,9 @@ SlitMapSolver::SlitMapSolver(const SurfaceMesh &         mesh,
                              const SurfaceConnectivity & connectivity,
                              const Eigen::VectorXd &     edgeLengths,
                              std::vector<BoundaryLoop>   loops,
-                             int                         outer)
-  : m_State(std::make_unique<const State>(mesh, connectivity, edgeLengths, std::move(loops), outer))
+                             int                         outer,
+                             const std::vector<int> &    weightLevels)
+  : m_State(std::make_unique<const State>(mesh, connectivity, edgeLengths, std::move(loops), outer, weightLevels))
 {}
 
 SlitMapSolver::~SlitMapSolver() = default;

@@ -14,12 +14,9 @@ namespace shapeton
 {
 namespace
 {
-constexpr int mostSolves = 8; // of a round
-constexpr int mostRounds = 5; // of cutting off
-constexpr int ringsOfHandle = 3;
-/** After so many maps of a round weights change one ring farther out. */
-constexpr int solvesWithoutRing = 3;
-
+constexpr int          mostSolves = 8; // of a round
+constexpr int          mostRounds = 5; // of cutting off
+constexpr int          ringsOfHandle = 3;
 constexpr const char * wallPointName = "wallPointId";
 constexpr const char * capName = "cap";
 
@@ -29,26 +26,6 @@ bool
 HasMark(const FaceMarks & marks)
 {
   return std::find(marks.begin(), marks.end(), 1) != marks.end();
-}
-
-/** Raises the levels of the corners of marked faces and of so many rings around them. */
-void
-RaiseLevels(const FaceMatrix & F,
-            const EdgeGraph &  graph,
-            const FaceMarks &  isFlipped,
-            int                rings,
-            std::vector<int> & levels)
-{
-  std::vector<char> isRaised(levels.size(), 0);
-  for (Eigen::Index corner = 0; corner < F.size(); ++corner)
-  {
-    isRaised[F.data()[corner]] |= isFlipped[corner / 3];
-  }
-  Dilate(graph, isRaised, rings);
-  for (std::size_t v = 0; v < levels.size(); ++v)
-  {
-    levels[v] = std::min(greatestWeightLevel, levels[v] + isRaised[v]);
-  }
 }
 
 void
@@ -133,7 +110,7 @@ private:
       {
         return false;
       }
-      RaiseLevels(m_Tube.surface.F, m_Graph, m_IsFlipped, solve < solvesWithoutRing ? 0 : 1, levels);
+      RaiseWeightLevels(m_Tube.surface.F, m_Graph, m_IsFlipped, RingsOfSolve(solve), levels);
     }
     return false;
   }

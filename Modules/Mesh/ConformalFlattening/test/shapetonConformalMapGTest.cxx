@@ -1,6 +1,7 @@
 #include "shapetonConformalMap.h"
 
 #include "shapetonPlanarDomains.h"
+#include "shapetonRoughTube.h"
 #include "shapetonSurfaceQuality.h"
 #include "shapetonExceptions.h"
 
@@ -203,3 +204,40 @@ TEST(ConformalMap, StatisticsHaveTheirKeys)
   }
 }
 } // namespace
+
+TEST(ConformalMap, NoiseDoesNotFoldMaps)
+{
+  int folded = 0;
+  for (const std::uint64_t seed : { 1, 2, 3, 4, 5, 6 })
+  {
+    RoughTubeOptions rough;
+    rough.seed = seed;
+    rough.noise = 0.8;
+    const shapeton::SurfaceMesh tube = MakeRoughTube(rough);
+    // Without the faces of two columns it has one boundary.
+    std::vector<int> faces;
+    for (int face = 0; face < tube.NumberOfFaces(); ++face)
+    {
+      if (face % (2 * rough.around) > 3)
+      {
+        faces.push_back(face);
+      }
+    }
+    const shapeton::SurfaceMesh   sheet = shapeton::FacesOfSurface(tube, faces);
+    shapeton::ConformalMapOptions options;
+    for (const auto domain :
+         { shapeton::ConformalDomain::Rectangle, shapeton::ConformalDomain::Annulus, shapeton::ConformalDomain::Slit })
+    {
+      options.domain = domain;
+      const shapeton::ConformalMap map = shapeton::MapConformally(tube, options, "the tube");
+      EXPECT_EQ(0, map.flips) << seed;
+      folded += map.solves > 1;
+    }
+    options.domain = shapeton::ConformalDomain::Rectangle;
+    const shapeton::ConformalMap map = shapeton::MapConformally(sheet, options, "the sheet");
+    EXPECT_EQ(0, map.flips) << seed;
+    EXPECT_GE(map.ModulusGap(), 0.0);
+    folded += map.solves > 1;
+  }
+  EXPECT_GE(folded, 6);
+}

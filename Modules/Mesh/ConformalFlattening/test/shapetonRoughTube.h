@@ -1,7 +1,7 @@
 #ifndef shapetonRoughTube_h
 #define shapetonRoughTube_h
 
-#include "shapetonColonTube.h"
+#include "shapetonPhilox.h"
 #include "shapetonTestSurfaces.h"
 
 /** Tubes whose flat maps fold: noise, blind pouches, needles and ears. */
@@ -39,7 +39,7 @@ struct Builder
   double
   Random()
   {
-    return colontube::Uniform(seed, 7, next++);
+    return shapeton::UnitFloat(shapeton::Philox4x32(seed, { next++, 7, 0, 0 }).a);
   }
 
   /** One of the first `number`. */

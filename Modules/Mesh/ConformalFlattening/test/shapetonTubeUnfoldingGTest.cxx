@@ -1,6 +1,7 @@
 #include "shapetonTubeUnfolding.h"
 
 #include "shapetonColonFlattening.h"
+#include "shapetonColonTube.h"
 #include "shapetonRoughTube.h"
 #include "shapetonSurfaceQuality.h"
 #include "shapetonSurfaceReader.h"
@@ -127,6 +128,28 @@ ExpectNoFoldsOfTube(int n)
   options.time = n % 2 == 0 ? 0.0 : 20.0;
   ExpectNoFolds(rough, options);
 }
+
+void
+ExpectNoFoldsWithoutHandles(int faces, int handles, const std::vector<std::uint64_t> & seeds)
+{
+  for (const std::uint64_t seed : seeds)
+  {
+    ColonTubeOptions tube;
+    tube.faces = faces;
+    tube.handles = handles;
+    tube.seed = seed;
+    for (const auto metric : { shapeton::FlatMetric::Euclidean, shapeton::FlatMetric::HeatDiffusion })
+    {
+      shapeton::ColonFlatteningOptions options;
+      options.metric = metric;
+      options.removeHandles = true;
+      const shapeton::ColonFlattening flat = shapeton::FlattenColon(MakeColonTube(tube).mesh, "the tube", options);
+      EXPECT_EQ(0, flat.distortion.flips) << "seed " << seed << ", left " << flat.genusAfter;
+      EXPECT_EQ(0, flat.genusAfter);
+      EXPECT_EQ(0.0, flat.cutOffAreaFraction);
+    }
+  }
+}
 } // namespace
 
 TEST(TubeUnfolding, MapWithoutFoldsIsThatOfOneSolve)
@@ -212,6 +235,14 @@ TEST(TubeUnfolding, HandlesAreLetBe)
   const shapeton::UnfoldedTube tube = Unfold(MakeColonTube(options).mesh);
   EXPECT_GT(FlipsOf(tube.map.flat), 0);
   EXPECT_TRUE(tube.caps.empty());
+}
+
+TEST(TubeUnfolding, TubesWithoutTheirHandlesHaveNoFolds) { ExpectNoFoldsWithoutHandles(12000, 10, { 1, 2, 3 }); }
+
+TEST(TubeUnfolding, LongTubesWithoutTheirHandlesHaveNoFolds)
+{
+  ExpectNoFoldsWithoutHandles(55000, 43, { 11, 12, 13, 14, 15, 16 });
+  ExpectNoFoldsWithoutHandles(55000, 100, { 11, 12, 13, 14, 15, 16 });
 }
 
 TEST(TubeUnfolding, FewGeneratedTubes)
