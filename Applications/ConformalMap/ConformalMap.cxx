@@ -47,8 +47,8 @@ DiffusionLengths(CommandLine & commandLine, const shapeton::SurfaceMesh & mesh)
   double time = commandLine.GetDouble("time");
   if (time == 0.0)
   {
-    time = shapeton::DefaultDiffusionTime(
-      connectivity, shapeton::EdgeLengths(connectivity, mesh.V), std::numeric_limits<double>::infinity());
+    const double h = shapeton::MeanEdgeAt55000Faces(connectivity, shapeton::EdgeLengths(connectivity, mesh.V));
+    time = 8.0 * h * h;
     commandLine.AddProvenance("chosen.time", shapeton::CsvTable::Number(time));
   }
   return shapeton::ComputeHeatDiffusionMetric(mesh, time).edgeLengths;

@@ -48,6 +48,8 @@ CheckUsage(const CommandLine & commandLine)
   }
   shapeton::RequireParameter(commandLine.GetString("metric") != "euclidean" || !commandLine.IsGiven("time"),
                              "--time belongs to the heat diffusion metric; --metric euclidean has none");
+  const int faces = commandLine.GetInteger("faces");
+  shapeton::RequireParameter(faces == 0 || faces >= 1000, "--faces takes 0 or at least 1000");
   CheckSecond(commandLine);
 }
 } // namespace

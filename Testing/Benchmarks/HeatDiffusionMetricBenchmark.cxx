@@ -76,7 +76,7 @@ Run(int faces)
   const Eigen::VectorXd     lengths = EdgeLengths(connectivity, tube.mesh.V);
   const bool                hasPairs = faces <= mostFacesForPairs;
   const double              t =
-    hasPairs ? 32.0 * std::pow(lengths.mean(), 2) : DefaultDiffusionTime(connectivity, lengths, tube.narrowestRadius);
+    hasPairs ? 32.0 * std::pow(lengths.mean(), 2) : DefaultDiffusionTime(lengths.mean(), tube.narrowestRadius);
 
   const Stopwatch                 setUp;
   const HeatDiffusionMetricSolver solver(laplacian);

@@ -134,12 +134,12 @@ AddRow(int faces, bool isQuick, ValidationReport & report, CsvTable & table)
   const HeatDiffusionMetricSolver solver(laplacian);
   const double                    h = lengths.mean();
   const bool                      hasPairs = faces <= mostFacesForPairs;
-  const double t = hasPairs ? 32.0 * h * h : DefaultDiffusionTime(connectivity, lengths, tube.narrowestRadius);
-  const HeatDiffusionMetric metric = solver.Compute(t);
-  const double              poles = RelativeErrors(metric.edgeLengths, solver.Compute(t, 8).edgeLengths).largest;
-  const int                 blocks = isQuick ? 1 : 13;
-  const double              columns = ErrorAgainstColumns(laplacian, metric, blocks);
-  const double              pairs = hasPairs ? ErrorAgainstPairs(laplacian, metric) : 0.0;
+  const double                    t = hasPairs ? 32.0 * h * h : DefaultDiffusionTime(h, tube.narrowestRadius);
+  const HeatDiffusionMetric       metric = solver.Compute(t);
+  const double                    poles = RelativeErrors(metric.edgeLengths, solver.Compute(t, 8).edgeLengths).largest;
+  const int                       blocks = isQuick ? 1 : 13;
+  const double                    columns = ErrorAgainstColumns(laplacian, metric, blocks);
+  const double                    pairs = hasPairs ? ErrorAgainstPairs(laplacian, metric) : 0.0;
   table.AddRow({ std::to_string(tube.mesh.NumberOfFaces()),
                  CsvTable::Rounded(t, 3),
                  CsvTable::Rounded(t / (h * h), 3),

@@ -7,6 +7,8 @@ itk_module(ColonWall
     SurfaceMesh
     ITKCommon
   PRIVATE_DEPENDS
+    ConformalFlattening
+    HeatDiffusionMetric
     Voxels
     ITKDistanceMap
     ITKSmoothing

@@ -20,8 +20,8 @@ struct ColonModelOptions
   /** See ColonLumenOptions. Of a mask without a CT only the seed points count. */
   std::string                        patientPosition;
   std::vector<itk::Point<double, 3>> seedPoints;
-  /** Of the simplified wall. */
-  int faces{ 55000 };
+  /** Of the simplified wall; 0: a number that suits it, as in ColonWallOptions. */
+  int faces{ 0 };
   /** Leave the pieces of a broken lumen apart: no tubes through collapsed stretches. */
   bool keepPieces{ false };
   /** Where the colon is not distended or tagged enough, go on with what was found as far as that leads. */

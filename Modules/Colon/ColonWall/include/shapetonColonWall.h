@@ -99,8 +99,8 @@ OpenColonEnds(const SurfaceMesh & closed, const CurveSet & centreline, const Ope
 /** Size, bridges, ends and smoothing of the walls that BuildColonWall() gives. \ingroup ColonWall */
 struct ColonWallOptions
 {
-  /** Of the simplified surface. */
-  int faces{ 55000 };
+  /** Of the simplified surface; 0: FacesForDiffusion() by the area and the narrowest radius of that with 55,000. */
+  int faces{ 0 };
   /** Of the tubes through gaps, mm. */
   double          bridgeRadius{ 2.0 };
   OpenEndsOptions ends;

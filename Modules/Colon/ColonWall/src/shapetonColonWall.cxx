@@ -2,10 +2,13 @@
 
 #include "shapetonArcLengthField.h"
 #include "shapetonColonBridges.h"
+#include "shapetonConformalTube.h"
 #include "shapetonCutDisc.h"
+#include "shapetonDiffusionTime.h"
 #include "shapetonParallelFor.h"
 #include "shapetonRemoveBridges.h"
 #include "shapetonSurfaceConnectivity.h"
+#include "shapetonSurfaceQuality.h"
 #include "shapetonSurfaceSimplification.h"
 #include "shapetonExceptions.h"
 
@@ -16,6 +19,9 @@ namespace shapeton
 {
 namespace
 {
+/** Of FacesForDiffusion(). */
+constexpr int leastChosenFaces = 55000;
+
 enum class Step
 {
   Bridged,
@@ -163,15 +169,22 @@ private:
   void
   Simplify()
   {
-    SurfaceSimplificationOptions options;
-    options.targetFaces = m_Options.faces;
-    options.progress = m_Options.progress.Part("", ShareAfter(Step::Opened), ShareAfter(Step::Simplified));
-    SurfaceSimplificationReport report;
-    m_Wall.simplified = SimplifySurface(m_Wall.repaired, options, &report);
-    if (!report.reachedTarget)
+    const bool   isGiven = m_Options.faces > 0;
+    const double begin = ShareAfter(Step::Opened);
+    const double end = ShareAfter(Step::Simplified);
+    const double middle = isGiven ? end : 0.5 * (begin + end);
+    int          faces = isGiven ? m_Options.faces : leastChosenFaces;
+    this->SimplifyTo(faces, begin, middle);
+    const int chosen = isGiven ? faces : this->FacesForFlatMap();
+    if (chosen > faces)
     {
-      m_Wall.report.warnings.push_back("the simplified wall has " + std::to_string(report.faces) +
-                                       " faces instead of " + std::to_string(m_Options.faces) + ": " + report.reason);
+      faces = chosen;
+      this->SimplifyTo(faces, middle, end);
+    }
+    if (!m_Simplification.reachedTarget)
+    {
+      m_Wall.report.warnings.push_back("the simplified wall has " + std::to_string(m_Simplification.faces) +
+                                       " faces instead of " + std::to_string(faces) + ": " + m_Simplification.reason);
     }
     const SurfaceConnectivity connectivity(m_Wall.simplified);
     const int                 genus =
@@ -182,6 +195,28 @@ private:
                        std::to_string(m_Wall.report.repairedGenus));
     }
     this->Advance(Step::Simplified);
+  }
+
+  /** Between these shares of the whole. */
+  void
+  SimplifyTo(int faces, double begin, double end)
+  {
+    SurfaceSimplificationOptions options;
+    options.targetFaces = faces;
+    options.progress = m_Options.progress.Part("", begin, end);
+    m_Wall.simplified = SimplifySurface(m_Wall.repaired, options, &m_Simplification);
+  }
+
+  /** By area and narrowest radius of the simplified wall. */
+  int
+  FacesForFlatMap() const
+  {
+    SurfaceMesh wall = m_Wall.simplified;
+    wall.cellArrays.push_back(BridgedFaces(wall, m_Bridges, m_Occupancy)); // no levels of the lumen
+    const SurfaceConnectivity connectivity(wall);
+    const TubeEnds            ends = FindTubeEnds(wall, connectivity, "the wall");
+    const Eigen::VectorXd     u = HarmonicAlongTube(MakeSurfaceLaplacian(connectivity, wall.V), ends);
+    return FacesForDiffusion(SurfaceArea(wall.V, wall.F), NarrowestLevelRadius(wall, u));
   }
 
   Eigen::Vector3d
@@ -214,14 +249,15 @@ private:
     report.bridgedFaces = static_cast<int>(FindSurfaceArray(m_Wall.repaired.cellArrays, "bridged")->values.sum());
   }
 
-  const OccupancyImage *   m_Occupancy;
-  const OccupancyImage *   m_RepairedOccupancy;
-  const CurveSet &         m_Centreline;
-  const ColonWallOptions & m_Options;
-  BridgedOccupancy         m_Bridges;
-  OccupancyImage::Pointer  m_RepairedField;
-  LumenMaskImage::Pointer  m_Mask;
-  ColonWall                m_Wall;
+  const OccupancyImage *      m_Occupancy;
+  const OccupancyImage *      m_RepairedOccupancy;
+  const CurveSet &            m_Centreline;
+  const ColonWallOptions &    m_Options;
+  BridgedOccupancy            m_Bridges;
+  OccupancyImage::Pointer     m_RepairedField;
+  LumenMaskImage::Pointer     m_Mask;
+  SurfaceSimplificationReport m_Simplification; ///< of the last one
+  ColonWall                   m_Wall;
 };
 } // namespace
 
@@ -231,7 +267,8 @@ BuildColonWall(const OccupancyImage *   occupancy,
                const ColonWallOptions & options,
                const OccupancyImage *   repairedOccupancy)
 {
-  RequireParameter(options.faces >= 100, "the simplified wall needs at least 100 faces");
+  RequireParameter(options.faces == 0 || options.faces >= 100,
+                   "the simplified wall needs at least 100 faces, or 0 for a number that suits it");
   RequireSound(centreline, "the centreline");
   if (centreline.curves.size() != 1 || centreline.curves.front().size() < 2)
   {

@@ -26,7 +26,7 @@ enum class FlatMetric
 struct ColonFlatteningOptions
 {
   FlatMetric metric{ FlatMetric::HeatDiffusion };
-  /** Time of diffusion, mm^2; 0: DefaultDiffusionTime(). */
+  /** Time of diffusion, mm^2; 0: DefaultDiffusionTime(), or the Euclidean metric where IsTooCoarseForDiffusion(). */
   double time{ 0.0 };
   /** Of TruncatedHeatDiffusion. */
   int eigenpairs{ 50 };

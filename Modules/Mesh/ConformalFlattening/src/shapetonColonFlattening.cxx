@@ -125,17 +125,23 @@ private:
     return least;
   }
 
-  /** The time given, or the default one, which needs to know how narrow the tube is. */
+  /** The time given, or the default one, which needs to know how narrow the tube is; the Euclidean metric where no time
+   * would do. */
   void
   ChooseTime()
   {
+    const double edge = m_Lengths.mean();
     m_Result.time = m_Options.time;
     if (!(m_Result.time > 0.0))
     {
       m_Result.narrowestRadius = NarrowestLevelRadius(m_Result.surface, HarmonicAlongTube(m_Laplacian, m_Ends));
-      m_Result.time = DefaultDiffusionTime(*m_Connectivity, m_Lengths, m_Result.narrowestRadius);
+      if (IsTooCoarseForDiffusion(edge, m_Result.narrowestRadius))
+      {
+        this->TakeEuclideanMetric(edge);
+        return;
+      }
+      m_Result.time = DefaultDiffusionTime(edge, m_Result.narrowestRadius);
     }
-    const double edge = m_Lengths.mean();
     if (m_Result.time < edge * edge)
     {
       m_Result.warnings.push_back(
@@ -145,17 +151,27 @@ private:
     }
   }
 
+  void
+  TakeEuclideanMetric(double edge)
+  {
+    m_Result.metric = FlatMetric::Euclidean;
+    m_Result.warnings.push_back(
+      std::string(surfaceName) + ": the mean edge, which is " + std::to_string(edge) +
+      " mm, is too long for a time of diffusion that keeps the narrowest place, whose radius is " +
+      std::to_string(m_Result.narrowestRadius) + " mm: the metric is euclidean; take a finer surface");
+  }
+
   /** The lengths of the edges of a surface in the metric of the map. */
   Eigen::VectorXd
   MetricLengths(const SurfaceMesh & surface, const SurfaceConnectivity & connectivity)
   {
     const Eigen::VectorXd lengths = EdgeLengths(connectivity, surface.V);
-    if (m_Options.metric == FlatMetric::Euclidean)
+    if (m_Result.metric == FlatMetric::Euclidean)
     {
       return lengths;
     }
     const SurfaceLaplacian laplacian = MakeSurfaceLaplacian(connectivity, lengths);
-    if (m_Options.metric == FlatMetric::HeatDiffusion)
+    if (m_Result.metric == FlatMetric::HeatDiffusion)
     {
       return HeatDiffusionMetricSolver(laplacian).Compute(m_Result.time).edgeLengths;
     }

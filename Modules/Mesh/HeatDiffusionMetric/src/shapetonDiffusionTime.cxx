@@ -7,6 +7,21 @@
 
 namespace shapeton
 {
+namespace
+{
+/** Of the meshes of FacesForDiffusion(), mm. */
+constexpr double greatestEdge = 3.0;
+
+void
+RequireRadius(double radius)
+{
+  if (!(radius > 0.0))
+  {
+    throw InputError("the narrowest radius of the lumen must be positive, not " + std::to_string(radius));
+  }
+}
+} // namespace
+
 double
 MeanEdgeAt55000Faces(const SurfaceConnectivity & connectivity, const Eigen::VectorXd & edgeLengths)
 {
@@ -14,16 +29,27 @@ MeanEdgeAt55000Faces(const SurfaceConnectivity & connectivity, const Eigen::Vect
 }
 
 double
-DefaultDiffusionTime(const SurfaceConnectivity & connectivity,
-                     const Eigen::VectorXd &     edgeLengths,
-                     double                      narrowestRadius)
+DefaultDiffusionTime(double meanEdge, double narrowestRadius)
 {
-  if (!(narrowestRadius > 0.0))
-  {
-    throw InputError("the narrowest radius of the lumen must be positive, not " + std::to_string(narrowestRadius));
-  }
-  const double h = MeanEdgeAt55000Faces(connectivity, edgeLengths);
-  return std::min(8.0 * h * h, 0.6 * narrowestRadius * narrowestRadius);
+  RequireRadius(narrowestRadius);
+  const double ofHandles = 8.0 * std::pow(std::min(meanEdge, greatestEdge), 2);
+  return std::min(ofHandles, std::max(0.6 * narrowestRadius * narrowestRadius, meanEdge * meanEdge));
+}
+
+bool
+IsTooCoarseForDiffusion(double meanEdge, double narrowestRadius)
+{
+  RequireRadius(narrowestRadius);
+  return meanEdge * meanEdge > 1.3 * narrowestRadius * narrowestRadius;
+}
+
+int
+FacesForDiffusion(double area, double narrowestRadius)
+{
+  constexpr double areaOfFace = 0.42; // of the square of the mean edge: most faces are nearly equilateral
+  RequireRadius(narrowestRadius);
+  const double edge = std::min(greatestEdge, narrowestRadius);
+  return static_cast<int>(std::clamp(area / (areaOfFace * edge * edge), 55000.0, 500000.0));
 }
 
 void

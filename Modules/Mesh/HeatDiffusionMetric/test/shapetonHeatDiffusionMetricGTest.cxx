@@ -231,22 +231,43 @@ TEST(HeatDiffusionMetric, TruncatedLacksTheAnglesOfALongTube)
   EXPECT_LT(truncated.edgeLengths[around], 0.05 * exact.edgeLengths[around]);
 }
 
-TEST(HeatDiffusionMetric, DefaultTimeIsThatOf55000FacesOrOfTheLumen)
+TEST(HeatDiffusionMetric, DefaultTimeIsThatOfTheMeshAndTheLumen)
 {
-  ColonTubeOptions options;
-  options.faces = 8000;
-  const SurfaceMesh         coarse = MakeColonTube(options).mesh;
-  const SurfaceConnectivity connectivity(coarse);
-  const Eigen::VectorXd     lengths = EdgeLengths(connectivity, coarse.V);
-  const double              h = MeanEdgeAt55000Faces(connectivity, lengths);
-  EXPECT_NEAR(DefaultDiffusionTime(connectivity, lengths, std::numeric_limits<double>::infinity()), 8.0 * h * h, 1e-12);
-  EXPECT_NEAR(DefaultDiffusionTime(connectivity, lengths, 5.0), 15.0, 1e-12);
-  EXPECT_THROW(DefaultDiffusionTime(connectivity, lengths, 0.0), InputError);
-  EXPECT_THROW(DefaultDiffusionTime(connectivity, lengths, std::nan("")), InputError);
-  options.faces = 32000;
-  const SurfaceMesh         fine = MakeColonTube(options).mesh;
-  const SurfaceConnectivity fineConnectivity(fine);
-  EXPECT_NEAR(MeanEdgeAt55000Faces(fineConnectivity, EdgeLengths(fineConnectivity, fine.V)), h, 0.1 * h);
+  const double infinity = std::numeric_limits<double>::infinity();
+  EXPECT_DOUBLE_EQ(72.0, DefaultDiffusionTime(3.0, infinity));
+  EXPECT_DOUBLE_EQ(72.0, DefaultDiffusionTime(3.0, 20.0));
+  EXPECT_DOUBLE_EQ(72.0, DefaultDiffusionTime(6.0, 20.0));
+  EXPECT_DOUBLE_EQ(32.0, DefaultDiffusionTime(2.0, 20.0));
+  EXPECT_DOUBLE_EQ(15.0, DefaultDiffusionTime(3.0, 5.0));
+  EXPECT_DOUBLE_EQ(9.0, DefaultDiffusionTime(3.0, 2.0));
+  EXPECT_FALSE(IsTooCoarseForDiffusion(3.0, 2.7));
+  EXPECT_TRUE(IsTooCoarseForDiffusion(3.0, 2.6));
+  for (const double radius : { 0.0, -1.0, std::nan("") })
+  {
+    EXPECT_THROW(DefaultDiffusionTime(3.0, radius), InputError);
+    EXPECT_THROW(IsTooCoarseForDiffusion(3.0, radius), InputError);
+    EXPECT_THROW(FacesForDiffusion(1e5, radius), InputError);
+  }
+}
+
+TEST(HeatDiffusionMetric, FacesFollowAreaAndRadius)
+{
+  EXPECT_EQ(55000, FacesForDiffusion(150000.0, 8.0));
+  EXPECT_EQ(105820, FacesForDiffusion(400000.0, 8.0));
+  EXPECT_EQ(238095, FacesForDiffusion(400000.0, 2.0));
+  EXPECT_EQ(500000, FacesForDiffusion(400000.0, 0.5));
+}
+
+TEST(HeatDiffusionMetric, MeanEdgeAt55000FacesDoesNotDependOnTheMesh)
+{
+  const auto meanEdge = [](int faces) {
+    ColonTubeOptions options;
+    options.faces = faces;
+    const SurfaceMesh         mesh = MakeColonTube(options).mesh;
+    const SurfaceConnectivity connectivity(mesh);
+    return MeanEdgeAt55000Faces(connectivity, EdgeLengths(connectivity, mesh.V));
+  };
+  EXPECT_NEAR(meanEdge(32000), meanEdge(8000), 0.1 * meanEdge(8000));
 }
 
 TEST(HeatDiffusionMetric, RefusesBadInput)
