@@ -192,6 +192,31 @@ TEST(TubeUnfolding, NoiseIsUnfoldedWithoutCaps)
   EXPECT_GE(folded, 3);
 }
 
+TEST(TubeUnfolding, MetricThatFoldsEverywhereIsUnfolded)
+{
+  // Lengths of 1 and nearly 2 by chance: half of the triangles are needles, whose weights are large and negative.
+  const shapeton::TubeMetric metric = [](const shapeton::SurfaceMesh &,
+                                         const shapeton::SurfaceConnectivity & connectivity) {
+    Eigen::VectorXd lengths(connectivity.NumberOfEdges());
+    for (Eigen::Index edge = 0; edge < lengths.size(); ++edge)
+    {
+      const auto random = shapeton::Philox4x32(3, { static_cast<std::uint32_t>(edge), 0, 0, 0 });
+      lengths[edge] = shapeton::UnitFloat(random.a) < 0.5 ? 1.0 : 1.999;
+    }
+    return lengths;
+  };
+  const shapeton::SurfaceMesh         mesh = MakeRoughTube({});
+  const shapeton::SurfaceConnectivity connectivity(mesh);
+  const shapeton::TubeEnds            ends = shapeton::FindTubeEnds(mesh, connectivity, "the tube");
+  const auto plain = shapeton::FlattenTube(mesh, connectivity, metric(mesh, connectivity), ends);
+  EXPECT_GT(FlipsOf(plain.flat), 50);
+  const shapeton::UnfoldedTube tube = shapeton::FlattenWithoutFolds(mesh, ends, metric);
+  EXPECT_EQ(0, FlipsOf(tube.map.flat));
+  EXPECT_GT(tube.solves, 2);
+  EXPECT_GE(tube.map.modulusU, plain.modulusU); // Dirichlet's principle: theirs is the harmonic function
+  EXPECT_LE(tube.map.modulusV, plain.modulusV);
+}
+
 TEST(TubeUnfolding, BlindPouchesAreCutOffAndListed)
 {
   RoughTubeOptions rough;
