@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <functional>
+#include <limits>
 #include <memory>
 
 namespace shapeton
@@ -22,10 +23,10 @@ constexpr const char * capName = "cap";
 
 using FaceMarks = std::vector<char>;
 
-bool
-HasMark(const FaceMarks & marks)
+std::ptrdiff_t
+NumberOf(const FaceMarks & marks)
 {
-  return std::find(marks.begin(), marks.end(), 1) != marks.end();
+  return std::count(marks.begin(), marks.end(), 1);
 }
 
 void
@@ -95,6 +96,7 @@ private:
   {
     TubeSolver       solver(m_Tube.surface, *m_Connectivity, m_Tube.edgeLengths, m_Tube.ends, m_Options);
     std::vector<int> levels(m_Tube.surface.NumberOfVertices(), level);
+    std::ptrdiff_t   before = std::numeric_limits<std::ptrdiff_t>::max();
     for (int solve = 1; solve <= m_MostSolves; ++solve)
     {
       if (level > 0 || solve > 1)
@@ -102,14 +104,18 @@ private:
         solver.BoundWeights(levels);
       }
       this->Map(solver);
-      if (!HasMark(m_IsFlipped))
+      const std::ptrdiff_t flips = NumberOf(m_IsFlipped);
+      if (flips == 0)
       {
         return true;
       }
-      if (solve == 1 && level == 0 && HasMark(this->InvisiblePouches()))
+      // Handles that were not found fold the map whatever the weights are.
+      const bool isStuck = !m_IsTube && flips >= before;
+      if (isStuck || (solve == 1 && level == 0 && NumberOf(this->InvisiblePouches()) > 0))
       {
         return false;
       }
+      before = flips;
       RaiseWeightLevels(m_Tube.surface.F, m_Graph, m_IsFlipped, RingsOfSolve(solve), levels);
     }
     return false;
@@ -123,7 +129,7 @@ private:
     ++m_Tube.solves;
     const SurfaceMesh & flat = m_Tube.map.flat;
     m_IsFlipped = FlippedFaces(flat.F, FlatCoordinates(flat, "the map"));
-    if (!m_IsTube && HasMark(m_IsFlipped))
+    if (!m_IsTube && NumberOf(m_IsFlipped) > 0)
     {
       const HandleDetection found = DetectHandles(*m_Connectivity, flat);
       const FaceMarks       isNear = FacesNearHandles(*m_Connectivity, found.handles, ringsOfHandle);
@@ -150,11 +156,11 @@ private:
   FindPouches()
   {
     m_IsPouch = this->InvisiblePouches();
-    if (m_IsTube && !HasMark(m_IsPouch))
+    if (m_IsTube && NumberOf(m_IsPouch) == 0)
     {
       m_IsPouch = this->PouchesOf(m_IsFlipped);
     }
-    return HasMark(m_IsPouch);
+    return NumberOf(m_IsPouch) > 0;
   }
 
   void
