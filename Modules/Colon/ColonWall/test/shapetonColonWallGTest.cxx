@@ -295,6 +295,17 @@ TEST(ColonWall, PiecesCanStayApart)
   }
 }
 
+TEST(ColonWall, SmallWallsKeepTheirFacesUnlessANumberIsGiven)
+{
+  shapeton::ColonWallOptions options;
+  options.ends.radius = 8.0;
+  const auto wall = shapeton::BuildColonWall(BrokenTube(), BrokenCentreline(), options);
+  ASSERT_LT(wall.repaired.NumberOfFaces(), 55000);
+  EXPECT_EQ(wall.repaired.F, wall.simplified.F);
+  options.faces = 99;
+  EXPECT_THROW(shapeton::BuildColonWall(BrokenTube(), BrokenCentreline(), options), shapeton::ParameterError);
+}
+
 TEST(ColonWall, TheChainOnABrokenTube)
 {
   shapeton::ColonWallOptions options;
