@@ -57,7 +57,7 @@ struct TrimmedTube
  * area. `rectumLoop` and `caecumLoop` lose the vertices that are gone. A tube is returned as it is where it has no such
  * edge, or would be none without what they cut off. \pre As for FindTubeEnds(). \ingroup ConformalFlattening */
 ConformalFlattening_EXPORT TrimmedTube
-TrimEars(SurfaceMesh mesh);
+TrimEars(SurfaceMesh mesh, const SurfaceConnectivity & connectivity);
 
 /** Gives the field arrays `rectumLoop` and `caecumLoop` of `after` the vertices that lie where those of `before` lay;
  * arrays of which a vertex is gone are removed. \ingroup ConformalFlattening */

@@ -61,8 +61,8 @@ private:
     m_Result.surface = std::move(tube.mesh);
     m_Result.warnings = std::move(tube.warnings);
     m_Result.metric = m_Options.metric;
-    this->Trim();
     this->Connect();
+    this->Trim();
     m_Result.genusBefore = m_Result.genusAfter = m_Connectivity->Components().front().genus.value_or(0);
     if (!m_Laplacian.clampedFaces.empty())
     {
@@ -82,12 +82,13 @@ private:
   Trim()
   {
     m_AreaOfTube = SurfaceArea(m_Result.surface.V, m_Result.surface.F);
-    TrimmedTube trimmed = TrimEars(std::move(m_Result.surface));
+    TrimmedTube trimmed = TrimEars(std::move(m_Result.surface), *m_Connectivity);
     m_Result.surface = std::move(trimmed.mesh);
-    m_Result.ears = trimmed.faces;
-    m_Result.cutOffAreaFraction = trimmed.area / m_AreaOfTube;
     if (trimmed.faces > 0)
     {
+      this->Connect();
+      m_Result.ears = trimmed.faces;
+      m_Result.cutOffAreaFraction = trimmed.area / m_AreaOfTube;
       m_Result.warnings.push_back(std::string(surfaceName) + ": " + std::to_string(trimmed.faces) +
                                   " faces were removed that edges cut off from one of its ends");
     }

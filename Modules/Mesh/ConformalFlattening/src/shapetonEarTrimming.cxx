@@ -101,9 +101,9 @@ IsTube(const SurfaceMesh & mesh)
 } // namespace
 
 TrimmedTube
-TrimEars(SurfaceMesh mesh)
+TrimEars(SurfaceMesh mesh, const SurfaceConnectivity & connectivity)
 {
-  const std::vector<int> faces = FacesWithoutEars(SurfaceConnectivity(mesh));
+  const std::vector<int> faces = FacesWithoutEars(connectivity);
   TrimmedTube            trimmed;
   if (static_cast<int>(faces.size()) < mesh.NumberOfFaces())
   {

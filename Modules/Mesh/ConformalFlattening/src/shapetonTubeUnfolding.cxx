@@ -3,7 +3,6 @@
 #include "shapetonBoundedWeights.h"
 #include "shapetonPouches.h"
 #include "shapetonSurfaceHandles.h"
-#include "shapetonTubeCut.h"
 #include "shapetonTubeSolver.h"
 
 #include <algorithm>
@@ -84,7 +83,6 @@ private:
   Connect()
   {
     m_Connectivity = std::make_unique<SurfaceConnectivity>(m_Tube.surface);
-    m_Graph = EdgeGraph(*m_Connectivity);
     m_Tube.edgeLengths = m_Metric(m_Tube.surface, *m_Connectivity);
     m_IsTube = m_Connectivity->Components().front().genus == 0;
   }
@@ -116,7 +114,7 @@ private:
         return false;
       }
       before = flips;
-      RaiseWeightLevels(m_Tube.surface.F, m_Graph, m_IsFlipped, RingsOfSolve(solve), levels);
+      RaiseWeightLevels(m_Tube.surface.F, EdgeGraph(*m_Connectivity), m_IsFlipped, RingsOfSolve(solve), levels);
     }
     return false;
   }
@@ -202,7 +200,6 @@ private:
   const int                            m_MostSolves; ///< of a round
   UnfoldedTube                         m_Tube;
   std::unique_ptr<SurfaceConnectivity> m_Connectivity;
-  EdgeGraph                            m_Graph;
   bool                                 m_IsTube{ true }; ///< it has no handles
   FaceMarks                            m_IsFlipped;
   FaceMarks                            m_IsPouch;
