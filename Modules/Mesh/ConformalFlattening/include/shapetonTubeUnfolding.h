@@ -47,7 +47,8 @@ using TubeMetric = std::function<Eigen::VectorXd(const SurfaceMesh &, const Surf
  * - what is flipped after 8 maps is cut off, with the pouch around it where the scale is below 1e-3;
  * - at last all weights are brought between bounds, which makes an embedding but for rounding.
  *
- * Handles must fold: where the tube has some nothing is cut off, and faces within 3 rings of them are let be.
+ * Handles must fold: where the tube has some nothing is cut off, faces within 3 rings of them are let be, and the first
+ * map is given where that leaves others flipped.
  *
  * The published conjugate is folded wherever it likes: it is mapped once.
  *

@@ -74,6 +74,12 @@ public:
     {
       this->MapUntilUnfolded(1);
     }
+    else if (!isDone)
+    {
+      // Handles that were not found fold the map whatever the weights are: those of the metric are the best.
+      TubeSolver solver(m_Tube.surface, *m_Connectivity, m_Tube.edgeLengths, m_Tube.ends, m_Options);
+      this->Map(solver);
+    }
     return std::move(m_Tube);
   }
 
@@ -107,7 +113,6 @@ private:
       {
         return true;
       }
-      // Handles that were not found fold the map whatever the weights are.
       const bool isStuck = !m_IsTube && flips >= before;
       if (isStuck || (solve == 1 && level == 0 && NumberOf(this->InvisiblePouches()) > 0))
       {
