@@ -3,12 +3,14 @@
 
 #include "ColonLumenExport.h"
 
+#include "shapetonRectalCatheter.h"
 #include "shapetonRemarks.h"
 #include "shapetonProgress.h"
 #include "itkImage.h"
 #include "itkPoint.h"
 #include "itkVector.h"
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -97,6 +99,8 @@ struct ColonLumen
   std::vector<LumenPiece>   pieces;            ///< the largest first
   std::vector<ColonLeftOut> leftOut;           ///< the largest first
   Remarks                   warnings;
+  /** A tube in the rectum: a catheter, which is filled in, or what may be one; none of a mask. */
+  std::optional<RectalCatheter> catheter;
   /** Empty, or why this is no usable colon: "no colon found: ..." or "the colon is not distended or tagged enough:
    * ..."; the labels then hold what was found. */
   std::string failure;

@@ -22,6 +22,8 @@ constexpr double   GasByDefinition = -1000.0; // HU
 constexpr double   SeedShareOfGas = 0.2;      // of the way from gas to tissue
 const char * const asColon = " are taken for colon, as no small bowel is so wide";
 const char * const asRectum = " are taken for rectum or sigmoid, as no other colon comes near the anus";
+const char * const asCatheter = ": a rectal catheter, which is filled in";
+const char * const asTube = ": it may be a catheter, but that cannot be told";
 constexpr double   TolerableNoise = 50.0; // a quarter of the way from gas to its seed threshold
 
 class LumenSegmentation
@@ -193,6 +195,7 @@ private:
     if (!BoxOfColon(m_Evidence).IsEmpty())
     {
       const LumenVoxels voxels = DecideVoxels(m_Image, m_Evidence);
+      this->ReportCatheter(voxels.catheter);
       m_Options.progress(0.9);
       WriteLabels(m_Image, voxels, m_Result);
       DescribePieces(voxels, m_Result);
@@ -201,6 +204,19 @@ private:
     }
     DescribeRest(m_Evidence, m_Result);
     JudgeLumen(m_Evidence, m_Result);
+  }
+
+  void
+  ReportCatheter(const std::optional<RectalCatheter> & catheter)
+  {
+    m_Result.catheter = catheter;
+    if (catheter)
+    {
+      const auto & axis = catheter->axis;
+      m_Result.warnings.push_back("a tube of " + InTenths(catheter->outerDiameter) + " mm lies in the rectum from " +
+                                  PlaceInWords(axis.front()) + " to " + PlaceInWords(axis.back()) +
+                                  (catheter->isSure ? asCatheter : asTube));
+    }
   }
 
   const ColonImage *              m_Image;

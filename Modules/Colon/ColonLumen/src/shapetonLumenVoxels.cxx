@@ -1,8 +1,9 @@
 #include "shapetonLumenVoxels.h"
 
 #include "shapetonAirFluidInterface.h"
+#include "shapetonCatheterFilling.h"
+#include "shapetonHollowIslands.h"
 #include "shapetonParallelFor.h"
-#include "shapetonRectalCatheter.h"
 #include "shapetonTaggedPools.h"
 
 #include <algorithm>
@@ -459,8 +460,16 @@ DecideVoxels(const ColonImage * image, ColonEvidence & evidence)
   AddUnmixed(image, field);
   FillLevelLayers(field);
   FillCavities(field);
-  FillCatheter(field.grid, field.hu, evidence.thresholds.gasBoundary, field.classes);
+  auto catheter = FillRectalCatheter(field);
+  if (catheter && catheter->isSure)
+  {
+    FillCavities(field);
+  }
+  else
+  {
+    FillHollowIslands(field.grid, field.hu, evidence.thresholds.gasBoundary, field.classes);
+  }
   auto levels = field.ColonLevels();
-  return { field.grid, std::move(field.hu), std::move(field.classes), std::move(levels) };
+  return { field.grid, std::move(field.hu), std::move(field.classes), std::move(levels), std::move(catheter) };
 }
 } // namespace shapeton

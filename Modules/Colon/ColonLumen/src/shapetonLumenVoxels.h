@@ -5,6 +5,7 @@
 #include "shapetonColonVolume.h"
 
 #include <functional>
+#include <optional>
 
 namespace shapeton
 {
@@ -82,6 +83,8 @@ struct LumenVoxels
   std::vector<float> hu;
   ClassVolume        classes;
   std::vector<Level> levels; ///< of the colon; floors are voxels of `grid`
+
+  std::optional<RectalCatheter> catheter;
 };
 
 /** Decides voxel by voxel. Takes the intensities out of `evidence` to save memory, and marks there the pieces of gas

@@ -1,4 +1,4 @@
-#include "shapetonRectalCatheter.h"
+#include "shapetonHollowIslands.h"
 
 #include "shapetonVoxelRuns.h"
 
@@ -221,7 +221,7 @@ private:
 } // namespace
 
 void
-FillCatheter(const ColonGrid & grid, const std::vector<float> & hu, double gasBoundary, ClassVolume & classes)
+FillHollowIslands(const ColonGrid & grid, const std::vector<float> & hu, double gasBoundary, ClassVolume & classes)
 {
   const Islands     islands = FindIslands(grid, hu, gasBoundary, classes);
   std::vector<char> taken(islands.isSmall.size(), 0);

@@ -1,0 +1,43 @@
+#ifndef shapetonRectalCatheter_h
+#define shapetonRectalCatheter_h
+
+#include "itkPoint.h"
+
+#include <vector>
+
+namespace shapeton
+{
+/** How far a tube in the rectum is sure to be a catheter. \ingroup ColonLumen */
+struct CatheterEvidence
+{
+  double length{ 0.0 };         ///< mm of bore inside the body
+  double enclosedLength{ 0.0 }; ///< mm of it where 80 % of the rays across it cross a wall and enter the lumen
+  double enclosedShare{ 0.0 };  ///< of the rays that do, 0..1: at least, in the best 15 mm
+  double boreSpread{ 0.0 };     ///< mm, of the bore's radius along these: between its 20th and 80th percentile
+  double ovality{ 0.0 }; ///< of the bore: standard deviation of its radius over the rays by their mean; the median
+  /** 0..1: how far lengths, share, spread, ovality and the radius of the bore lie within their limits, .5 at the limit;
+   * the least of them. A catheter from .5 on. */
+  double confidence{ 0.0 };
+};
+
+/** \class RectalCatheter
+ * \brief A tube for insufflation that lies in the rectum. Lengths in mm, points in LPS.
+ * \ingroup ColonLumen */
+struct RectalCatheter
+{
+  /** Whether it is taken for a catheter and filled in. Where not, it can be told neither from one nor from bowel. */
+  bool isSure{ false };
+  /** The middle of the bore, a point each mm, from the anal side (or the image's border) on; straight through the tip
+   * to its end, where it is sure. */
+  std::vector<itk::Point<double, 3>> axis;
+  double                             boreDiameter{ 0.0 };
+  double                             outerDiameter{ 0.0 };
+  double                             tipRadius{ 0.0 };       ///< of the widest place of the tip, from the axis
+  double                             wallHU{ 0.0 };          ///< the greatest across the wall, the median
+  double                             balloonDiameter{ 0.0 }; ///< 0 where none is seen
+  double                             filledMl{ 0.0 };        ///< of tube, tip and balloon that were not lumen before
+  CatheterEvidence                   evidence;
+};
+} // namespace shapeton
+
+#endif

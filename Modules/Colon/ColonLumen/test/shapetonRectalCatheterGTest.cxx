@@ -1,0 +1,209 @@
+#include "shapetonRectalCatheter.h"
+
+#include "shapetonColonLumenSegmentation.h"
+#include "shapetonColonTestScene.h"
+
+#include <gtest/gtest.h>
+
+namespace
+{
+using shapeton::ColonTestScene;
+using shapeton::Tube;
+using Vec = ColonTestScene::Vec;
+using ImageType = itk::Image<float, 3>;
+
+constexpr double Rectum = 18.0; // mm, radius
+constexpr double Bore = 2.5;
+constexpr double Outer = 5.0;
+constexpr double Plastic = 150.0; // HU
+
+Vec
+At(double x, double y, double z)
+{
+  Vec v;
+  v[0] = x;
+  v[1] = y;
+  v[2] = z;
+  return v;
+}
+
+/** Along z through (x, y) up to `tip`, bent by `bend` mm towards x over its way through the rectum. */
+std::function<double(const Vec &)>
+BentTube(double x, double y, double tip, double radius, double bend)
+{
+  return [=](const Vec & p) {
+    const double share = std::max(0.0, p[2] + 20.0) / 60.0;
+    return std::min(radius - std::hypot(p[0] - x - bend * share * share, p[1] - y), tip - p[2]);
+  };
+}
+
+/** A rectum from z = -20 up to 56, a body that ends at -45, and a catheter through both, its tip at `tip`. */
+ColonTestScene
+RectumScene(double tip, double y = 0.0, double wall = Plastic, double bend = 0.0)
+{
+  ColonTestScene scene;
+  scene.bodyRadius = 36.0;
+  scene.lumens.push_back({ BentTube(0, y, tip - 4.0, Bore, bend), 1e9, 0.0 });
+  scene.lumens.push_back({ BentTube(0, y, tip, Outer, bend), -1e9, wall });
+  scene.lumens.push_back({ Tube(At(0, 0, 18), 2, 20, Rectum), 1e9, 0.0 });
+  scene.lumens.push_back({ [](const Vec & p) { return -45.0 - p[2]; }, 1e9, 0.0 });
+  return scene;
+}
+
+itk::Matrix<double, 3, 3>
+Turned(double aboutZ, double aboutX)
+{
+  const double              c = std::cos(aboutZ), s = std::sin(aboutZ), d = std::cos(aboutX), t = std::sin(aboutX);
+  itk::Matrix<double, 3, 3> z, x;
+  z.SetIdentity();
+  x.SetIdentity();
+  z(0, 0) = z(1, 1) = c;
+  z(0, 1) = -s;
+  z(1, 0) = s;
+  x(1, 1) = x(2, 2) = d;
+  x(1, 2) = -t;
+  x(2, 1) = t;
+  return z * x;
+}
+
+ImageType::Pointer
+Sampled(const ColonTestScene & scene, const std::array<double, 3> & spacing, const itk::Matrix<double, 3, 3> & axes)
+{
+  std::array<int, 3> size;
+  for (int a = 0; a < 3; ++a)
+  {
+    size[a] = static_cast<int>((a < 2 ? 80.0 : 116.0) / spacing[a]);
+  }
+  const auto image = shapeton::CentredImage(size, spacing, axes);
+  scene.Sample(image);
+  return image;
+}
+
+shapeton::ColonLumen
+Segment(const ImageType * image)
+{
+  shapeton::ColonLumenOptions options;
+  options.patientPosition = "HFS";
+  return shapeton::SegmentColonLumen(image, options);
+}
+
+shapeton::ColonLumen
+Segment(const ColonTestScene & scene)
+{
+  return Segment(Sampled(scene, { 1.1, 1.1, 1.1 }, Turned(0.0, 0.0)));
+}
+
+/** Voxels in the rectum, farther than `margin` mm from its wall, that are not lumen. */
+int
+HolesInRectum(const shapeton::ColonLumen & lumen, double margin)
+{
+  const auto   inside = Tube(At(0, 0, 18), 2, 20, Rectum - margin);
+  int          holes = 0;
+  const auto * labels = lumen.labels.GetPointer();
+  const auto   number = labels->GetBufferedRegion().GetNumberOfPixels();
+  for (std::size_t p = 0; p < number; ++p)
+  {
+    itk::Point<double, 3> x;
+    labels->TransformIndexToPhysicalPoint(labels->ComputeIndex(static_cast<itk::OffsetValueType>(p)), x);
+    holes += inside(x.GetVectorFromOrigin()) > 0.0 && labels->GetBufferPointer()[p] == 0;
+  }
+  return holes;
+}
+
+void
+ExpectTube(const shapeton::ColonLumen & lumen, double tip, double margin = 2.0)
+{
+  ASSERT_TRUE(lumen.catheter.has_value());
+  const auto & catheter = *lumen.catheter;
+  EXPECT_TRUE(catheter.isSure) << catheter.evidence.confidence;
+  EXPECT_NEAR(catheter.boreDiameter, 2.0 * Bore, 0.4);
+  EXPECT_NEAR(catheter.outerDiameter, 2.0 * Outer, 0.4);
+  EXPECT_NEAR(catheter.axis.front()[2], -45.0, 4.0);
+  EXPECT_NEAR(catheter.axis.back()[2], tip, 2.5);
+  EXPECT_EQ(HolesInRectum(lumen, margin), 0);
+}
+
+TEST(RectalCatheter, ATubeInGasIsFoundAndFilledIn)
+{
+  const auto lumen = Segment(RectumScene(24.0));
+  ExpectTube(lumen, 24.0);
+  EXPECT_NEAR(lumen.catheter->wallHU, Plastic, 60.0);
+  EXPECT_GT(lumen.catheter->evidence.enclosedLength, 25.0);
+  EXPECT_EQ(lumen.catheter->balloonDiameter, 0.0);
+  ASSERT_FALSE(lumen.warnings.empty());
+  EXPECT_NE(lumen.warnings.back().find("a rectal catheter, which is filled in"), std::string::npos);
+}
+
+TEST(RectalCatheter, AxesAndSpacingMakeNoDifference)
+{
+  ExpectTube(Segment(Sampled(RectumScene(24.0), { 0.8, 0.9, 1.5 }, Turned(0.3, 0.25))), 24.0);
+}
+
+TEST(RectalCatheter, ATubeInFluidIsFoundAndFilledIn)
+{
+  auto scene = RectumScene(24.0, 10.5);
+  scene.lumens[2].level = 4.0;
+  scene.lumens[2].fluid = 700.0;
+  ExpectTube(Segment(scene), 24.0);
+}
+
+TEST(RectalCatheter, ASoftBentTubeIsFoundAndFilledIn) { ExpectTube(Segment(RectumScene(24.0, 0.0, 30.0, 10.0)), 24.0); }
+
+TEST(RectalCatheter, ABalloonIsFilledIn)
+{
+  constexpr double radius = 11.0, membrane = 1.6;
+  auto             scene = RectumScene(24.0);
+  const auto       ball = [](double r) { return [r](const Vec & x) { return r - (x - At(0, 0, 6)).GetNorm(); }; };
+  scene.lumens.insert(scene.lumens.begin() + 2,
+                      { { ball(radius), 1e9, 0.0 }, { ball(radius + membrane), -1e9, 60.0 } });
+  const auto lumen = Segment(scene);
+  ExpectTube(lumen, 24.0);
+  EXPECT_NEAR(lumen.catheter->balloonDiameter, 2.0 * radius, 2.0);
+}
+
+/** Mirrored left to right and at another spacing it is the same one. */
+TEST(RectalCatheter, MirrorAndResamplingKeepIt)
+{
+  auto       scene = RectumScene(24.0, -6.0, Plastic, 8.0);
+  const auto one = Segment(scene).catheter;
+  const auto at = scene.lumens;
+  for (std::size_t n = 0; n < at.size(); ++n)
+  {
+    scene.lumens[n].depth = [depth = at[n].depth](const Vec & x) { return depth(At(-x[0], x[1], x[2])); };
+  }
+  const auto other = Segment(Sampled(scene, { 1.3, 1.3, 1.3 }, Turned(0.0, 0.0))).catheter;
+  ASSERT_TRUE(one && other && one->isSure && other->isSure);
+  EXPECT_NEAR(other->boreDiameter, one->boreDiameter, 0.3);
+  EXPECT_NEAR(other->outerDiameter, one->outerDiameter, 0.3);
+  const auto p = one->axis[one->axis.size() / 2];
+  double     nearest = 1e9;
+  for (const auto & q : other->axis)
+  {
+    nearest = std::min(nearest, (At(-q[0], q[1], q[2]) - p.GetVectorFromOrigin()).GetNorm());
+  }
+  EXPECT_LT(nearest, 0.8);
+}
+
+TEST(RectalCatheter, ABowelWithoutOneHasNone)
+{
+  auto scene = RectumScene(24.0);
+  scene.lumens.erase(scene.lumens.begin(), scene.lumens.begin() + 2);
+  EXPECT_FALSE(Segment(scene).catheter.has_value());
+  // A collapsed bowel: a thread of gas in tissue.
+  scene.lumens.push_back({ BentTube(0, 26, 30, Bore, 0), 1e9, 0.0 });
+  EXPECT_FALSE(Segment(scene).catheter.has_value());
+  // A slit between two folds: walls on two sides, open along the others.
+  scene.fold = [](const Vec & x) { return std::min({ 4.0 - std::abs(x[0]), std::abs(x[0]) - 2.0, x[1] }); };
+  EXPECT_FALSE(Segment(scene).catheter.has_value());
+}
+
+/** Ten millimetres in the rectum are enough to mention it, not to be sure. */
+TEST(RectalCatheter, AShortPieceInTheRectumIsDoubtful)
+{
+  const auto lumen = Segment(RectumScene(-4.0));
+  ASSERT_TRUE(lumen.catheter.has_value());
+  EXPECT_FALSE(lumen.catheter->isSure);
+  EXPECT_EQ(lumen.catheter->filledMl, 0.0);
+  EXPECT_NE(lumen.warnings.back().find("it may be a catheter"), std::string::npos);
+}
+} // namespace
