@@ -72,9 +72,34 @@ IntensitiesToJson(const ColonLumen & lumen)
 }
 
 Json
+CatheterToJson(const RectalCatheter & catheter)
+{
+  const CatheterEvidence & evidence = catheter.evidence;
+  return { { "found", catheter.isSure },
+           { "from", Triple(catheter.axis.front()) },
+           { "to", Triple(catheter.axis.back()) },
+           { "length", evidence.length },
+           { "boreDiameter", catheter.boreDiameter },
+           { "outerDiameter", catheter.outerDiameter },
+           { "balloonDiameter", catheter.balloonDiameter },
+           { "wallHU", catheter.wallHU },
+           { "filledVolume", catheter.filledMl },
+           { "confidence", evidence.confidence },
+           { "evidence",
+             { { "enclosedLength", evidence.enclosedLength },
+               { "enclosedShare", evidence.enclosedShare },
+               { "boreSpread", evidence.boreSpread },
+               { "ovality", evidence.ovality } } } };
+}
+
+Json
 LumenToJson(const ColonModel & model)
 {
-  Json   json = model.hasIntensities ? IntensitiesToJson(model.lumen) : Json::object();
+  Json json = model.hasIntensities ? IntensitiesToJson(model.lumen) : Json::object();
+  if (model.lumen.catheter)
+  {
+    json["catheter"] = CatheterToJson(*model.lumen.catheter);
+  }
   double gas = 0.0;
   double fluid = 0.0;
   Json   pieces = Json::array();

@@ -220,6 +220,30 @@ TEST(ColonModel, OfTheTrueMaskAloneOrBesideTheCt)
   ExpectGasAndFluidOfMask(patient);
 }
 
+TEST(ColonModel, TheCatheterIsWrittenWhereOneLies)
+{
+  shapeton::ColonModel model;
+  EXPECT_FALSE(shapeton::ColonQualityToJson(model)["lumen"].contains("catheter"));
+  shapeton::RectalCatheter catheter;
+  catheter.isSure = true;
+  catheter.axis.resize(41);
+  catheter.axis.back().Fill(40.0);
+  catheter.outerDiameter = 10.0;
+  catheter.wallHU = 150.0;
+  catheter.evidence.length = 35.0;
+  catheter.evidence.confidence = 0.75;
+  model.lumen.catheter = catheter;
+  const auto json = shapeton::ColonQualityToJson(model)["lumen"]["catheter"];
+  EXPECT_EQ(json["found"], true);
+  EXPECT_EQ(json["from"], shapeton::Json({ 0.0, 0.0, 0.0 }));
+  EXPECT_EQ(json["to"], shapeton::Json({ 40.0, 40.0, 40.0 }));
+  EXPECT_EQ(json["length"], 35.0);
+  EXPECT_EQ(json["outerDiameter"], 10.0);
+  EXPECT_EQ(json["wallHU"], 150.0);
+  EXPECT_EQ(json["confidence"], 0.75);
+  EXPECT_TRUE(json["evidence"].contains("enclosedShare"));
+}
+
 TEST(ColonModel, WithoutAColonSaysSo)
 {
   const auto ct = CtImage::New();

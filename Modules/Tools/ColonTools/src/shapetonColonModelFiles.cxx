@@ -35,6 +35,27 @@ WithProvenance(TGeometry geometry, const CommandLine & commandLine)
   geometry.facts = ProvenanceMetadata(commandLine.GetProvenance());
   return geometry;
 }
+/** The axis of a catheter with its outer radius, which is another one in the tip. */
+CurveSet
+CurveOf(const RectalCatheter & catheter)
+{
+  const auto      number = static_cast<int>(catheter.axis.size());
+  Eigen::VectorXd radius = Eigen::VectorXd::Constant(number, 0.5 * catheter.outerDiameter);
+  CurveSet        curve;
+  curve.V.resize(number, 3);
+  curve.curves.emplace_back();
+  for (int n = 0; n < number; ++n)
+  {
+    curve.V.row(n) << catheter.axis[n][0], catheter.axis[n][1], catheter.axis[n][2];
+    curve.curves.back().push_back(n);
+    if (n >= catheter.evidence.length)
+    {
+      radius[n] = std::max(radius[n], catheter.tipRadius);
+    }
+  }
+  curve.pointArrays.push_back({ "radius", radius });
+  return curve;
+}
 } // namespace
 
 ColonModelFiles::ColonModelFiles(CommandLine & commandLine, const std::string & folder)
@@ -74,6 +95,12 @@ ColonModelFiles::Write(const ColonModel & model, bool atOnce) const
   {
     this->WriteFile("centreline.vtp", atOnce, [&](const std::string & path) {
       WriteCurves(WithProvenance(model.centreline.curve, m_CommandLine), path);
+    });
+  }
+  if (model.lumen.catheter && model.lumen.catheter->isSure)
+  {
+    this->WriteFile("catheter.vtp", atOnce, [&](const std::string & path) {
+      WriteCurves(WithProvenance(CurveOf(*model.lumen.catheter), m_CommandLine), path);
     });
   }
   const std::pair<const char *, const SurfaceMesh *> surfaces[] = { { "wall.vtp", &model.wall.raw },

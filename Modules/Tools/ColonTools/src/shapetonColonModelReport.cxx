@@ -4,6 +4,7 @@
 #include "shapetonColonReport.h"
 #include "shapetonCommandLine.h"
 #include "shapetonCsvTable.h"
+#include "shapetonPlaceInWords.h"
 #include "shapetonVolume.h"
 
 #include <cmath>
@@ -91,6 +92,16 @@ AddWallFacts(const ColonWall & wall, Facts & facts)
   facts.emplace_back("Synthetic faces", std::to_string(report.bridgedFaces));
 }
 
+std::string
+CatheterInWords(const RectalCatheter & catheter)
+{
+  const std::string balloon =
+    catheter.balloonDiameter > 0.0 ? ", with a balloon of " + Millimetres(catheter.balloonDiameter) : "";
+  return (catheter.isSure ? "filled in, " : "doubtful, ") + InTenths(catheter.outerDiameter) +
+         " mm wide" + balloon + ", " + Millimetres(catheter.evidence.length) + " from " +
+         PlaceInWords(catheter.axis.front()) + " to " + PlaceInWords(catheter.axis.back());
+}
+
 Facts
 SummaryFacts(const ColonModel & model)
 {
@@ -112,6 +123,10 @@ SummaryFacts(const ColonModel & model)
     facts.emplace_back("Tagged fluid", Millilitres(fluid));
   }
   facts.emplace_back("Pieces of the lumen", std::to_string(model.lumen.pieces.size()));
+  if (model.lumen.catheter)
+  {
+    facts.emplace_back("Rectal catheter", CatheterInWords(*model.lumen.catheter));
+  }
   AddLineFacts(model, facts);
   AddWallFacts(model.wall, facts);
   return facts;
