@@ -1,6 +1,7 @@
 #ifndef shapetonPolypCandidates_h
 #define shapetonPolypCandidates_h
 
+#include "shapetonCurveSet.h"
 #include "shapetonPolypScore.h"
 #include "shapetonWallBulges.h"
 
@@ -158,6 +159,12 @@ NoteIleocaecalValve(double lengthOfCentreline, std::vector<PolypCandidate> & can
  * haemorrhoids lie there, and have the shape of polyps. \ingroup PolypCandidates */
 PolypCandidates_EXPORT void
 NoteRectalCatheter(std::vector<PolypCandidate> & candidates);
+
+/** Puts candidates that are what is left of a rectal catheter behind all others, with a score of 0 and the remark "the
+ * rectal catheter": those with their middle within 3 mm of its surface, or inside. \param catheter its axis, a point
+ * each mm, with the point array radius in mm. Throws InputError where that is missing. \ingroup PolypCandidates */
+PolypCandidates_EXPORT void
+RankCatheterLast(const CurveSet & catheter, std::vector<PolypCandidate> & candidates);
 } // namespace shapeton
 
 #endif

@@ -20,7 +20,9 @@ struct PolypColon
   /** Of full resolution, without handles. */
   SurfaceMesh wall;
   /** One curve with the point array arcLength (mm); empty where there is none. */
-  CurveSet                 centreline;
+  CurveSet centreline;
+  /** The axis of a rectal catheter with the point array radius (mm); empty where there is none. */
+  CurveSet                 catheter;
   PolypLumenImage::Pointer lumen;
   /** HU, cleansed; null of a mask. */
   itk::Image<float, 3>::Pointer ct;
@@ -35,8 +37,8 @@ struct PolypColon
 };
 
 /** Reads a folder that VirtualColonoscopy wrote: segmentation/wall-repaired.vtp and lumen.nrrd, and, as far as they are
- * there, centreline.vtp, cleansed.nrrd, ../flattening/flat.vtp, ../landmarks/segments.vtp. Throws InputError that names
- * the file. \ingroup PolypCandidates */
+ * there, centreline.vtp, catheter.vtp, cleansed.nrrd, ../flattening/flat.vtp, ../landmarks/segments.vtp. Throws
+ * InputError that names the file. \ingroup PolypCandidates */
 PolypCandidates_EXPORT PolypColon
 ReadPolypColon(const std::string & folder);
 

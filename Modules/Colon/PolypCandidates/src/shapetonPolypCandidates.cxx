@@ -138,4 +138,25 @@ NoteRectalCatheter(std::vector<PolypCandidate> & candidates)
     }
   }
 }
+
+void
+RankCatheterLast(const CurveSet & catheter, std::vector<PolypCandidate> & candidates)
+{
+  constexpr double      reach = 3.0; // mm
+  const Eigen::VectorXd radius = PointValues(catheter, "radius", "the rectal catheter");
+  const auto            isCatheter = [&](const PolypCandidate & candidate) {
+    const Eigen::VectorXd toAxis = (catheter.V.rowwise() - candidate.position.transpose()).rowwise().norm();
+    return (toAxis - radius).minCoeff() <= reach;
+  };
+  const auto first = std::stable_partition(
+    candidates.begin(), candidates.end(), [&](const PolypCandidate & candidate) { return !isCatheter(candidate); });
+  std::for_each(first, candidates.end(), [](PolypCandidate & candidate) {
+    candidate.score = 0.0;
+    candidate.remark = "the rectal catheter";
+  });
+  for (std::size_t n = 0; n < candidates.size(); ++n)
+  {
+    candidates[n].number = static_cast<int>(n) + 1;
+  }
+}
 } // namespace shapeton

@@ -125,6 +125,10 @@ ReadPolypColon(const std::string & folder)
   {
     colon.centreline = ReadCurves(segmentation + "centreline.vtp");
   }
+  if (IsThere(segmentation + "catheter.vtp"))
+  {
+    colon.catheter = ReadCurves(segmentation + "catheter.vtp");
+  }
   if (IsThere(segmentation + "cleansed.nrrd"))
   {
     colon.ct = ReadImageFile(segmentation + "cleansed.nrrd").image;
@@ -160,6 +164,10 @@ SearchPolyps(const PolypColon & colon, const PolypSearchOptions & options)
   }
   NoteIleocaecalValve(LengthOf(colon.centreline), candidates);
   NoteRectalCatheter(candidates);
+  if (!colon.catheter.curves.empty())
+  {
+    RankCatheterLast(colon.catheter, candidates);
+  }
   options.progress("Candidates", 1.0);
   return candidates;
 }

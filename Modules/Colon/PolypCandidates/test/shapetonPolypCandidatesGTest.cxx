@@ -405,6 +405,32 @@ TEST(PolypCandidates, ValveIsNotedByItsPlace)
   EXPECT_EQ(candidates[2].remark, "may be the ileocaecal valve");
 }
 
+TEST(PolypCandidates, WhatIsLeftOfACatheterRanksLast)
+{
+  shapeton::CurveSet catheter;
+  catheter.V.resize(2, 3);
+  catheter.V << 0.0, 0.0, 0.0, 0.0, 0.0, 1.0;
+  catheter.curves = { { 0, 1 } };
+  catheter.pointArrays.push_back({ "radius", Eigen::Vector2d(5.0, 5.0) });
+  PolypCandidate onTube, beside;
+  onTube.number = 1;
+  onTube.score = 0.9;
+  onTube.position = { 7.9, 0.0, 1.0 };
+  beside.number = 2;
+  beside.score = 0.5;
+  beside.position = { 8.1, 0.0, 1.0 };
+  std::vector<PolypCandidate> candidates{ onTube, beside };
+  shapeton::RankCatheterLast(catheter, candidates);
+  ASSERT_EQ(candidates.size(), 2U);
+  EXPECT_EQ(candidates[0].position, beside.position);
+  EXPECT_EQ(candidates[0].number, 1);
+  EXPECT_EQ(candidates[0].score, 0.5);
+  EXPECT_EQ(candidates[0].remark, "");
+  EXPECT_EQ(candidates[1].number, 2);
+  EXPECT_EQ(candidates[1].score, 0.0);
+  EXPECT_EQ(candidates[1].remark, "the rectal catheter");
+}
+
 TEST(PolypCandidates, CatheterIsNotedByItsPlace)
 {
   PolypCandidate atVerge, above, unknown;
