@@ -124,6 +124,20 @@ private:
                             : t.gas - t.tissue;
   }
 
+  /** Whether a share of fluid cannot be: the nearest label tells otherwise, or the voxel's own with its value. With f
+   * fluid and g gas, f + g at most 1, a value over the half-height of fluid leaves gas no more than a fifth of f + g,
+   * one below the half-height of gas leaves fluid less than half. So it is at the rim of a level, where fluid that wets
+   * the wall stands above it. */
+  bool
+  IsRefuted(double share, std::size_t p) const
+  {
+    const auto & t = m_Lumen.thresholds;
+    const bool   isFluid = m_Labels[p] == 2 && m_Hu[p] > 0.5 * (t.tissue + this->FluidAt(p));
+    const bool   isGas = m_Labels[p] == 1 && m_Hu[p] < 0.5 * (t.tissue + t.gas);
+    return (share > 0.95 && m_ToGas[p] < m_ToFluid[p]) || (share < 0.05 && m_ToFluid[p] < m_ToGas[p]) ||
+           (share < 0.5 && isFluid) || (share > 0.5 && isGas);
+  }
+
   /** The fluid's part of the lumen's share. */
   double
   FluidShare(std::size_t p) const
@@ -138,9 +152,7 @@ private:
     if (height)
     {
       const double share = NormalDistribution(-*height / m_Levels.Blur());
-      const bool   contradicts =
-        (share > 0.95 && m_ToGas[p] < m_ToFluid[p]) || (share < 0.05 && m_ToFluid[p] < m_ToGas[p]);
-      if (!contradicts)
+      if (!this->IsRefuted(share, p))
       {
         return share < 0.005 ? 0.0 : share > 0.995 ? 1.0 : share;
       }

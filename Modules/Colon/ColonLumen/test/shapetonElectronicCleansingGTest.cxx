@@ -35,14 +35,12 @@ struct Cleansed
   shapeton::CleansedColon       result;
 };
 
-/** A half filled tube, axes turned by 10 degrees about the long axis. */
+/** Axes turned by 10 degrees about the long axis. */
 Cleansed
-CleanseTube(double voxel, const std::function<double(const Vec &)> & fold = {})
+Cleanse(const ColonTestScene & scene, double voxel)
 {
   Cleansed c;
-  c.scene.bodyRadius = 40.0;
-  c.scene.lumens.push_back({ Tube(At(0, 0, 0), 2, 24, 18), 3.0, 700.0 });
-  c.scene.fold = fold;
+  c.scene = scene;
   itk::Matrix<double, 3, 3> direction;
   direction.SetIdentity();
   direction(0, 0) = direction(1, 1) = 0.984807753;
@@ -56,6 +54,17 @@ CleanseTube(double voxel, const std::function<double(const Vec &)> & fold = {})
   c.lumen = shapeton::SegmentColonLumen(c.ct, options);
   c.result = shapeton::CleanseColon(c.ct, c.lumen);
   return c;
+}
+
+/** A half filled tube. */
+Cleansed
+CleanseTube(double voxel, const std::function<double(const Vec &)> & fold = {})
+{
+  ColonTestScene scene;
+  scene.bodyRadius = 40.0;
+  scene.lumens.push_back({ Tube(At(0, 0, 0), 2, 24, 18), 3.0, 700.0 });
+  scene.fold = fold;
+  return Cleanse(scene, voxel);
 }
 
 double
@@ -83,6 +92,34 @@ TEST(ElectronicCleansing, TheWallIsFoundFinerThanVoxels)
   // A membrane along the level would be up to 18 mm from the wall.
   EXPECT_LT(Percentile(nearLevel, 0.95), 0.8);
   EXPECT_LT(Percentile(nearLevel, 1.0), 2.0);
+}
+
+/** Gas in a dome over a wide pool: beyond the dome's edge the pool's roof lies 1.5 mm above the level, and fluid, which
+ * wets it, keeps the gas out. */
+TEST(ElectronicCleansing, NoSlitsAreLeftAtTheRimOfALevel)
+{
+  const auto box = [](double halfWidth, double top, double bottom) {
+    return [=](const Vec & x) {
+      return std::min({ halfWidth - std::abs(x[0]), x[1] - top, bottom - x[1], 24.0 - std::abs(x[2]) });
+    };
+  };
+  const auto     dome = box(11.0, -23.0, 0.0);
+  const auto     pool = box(20.0, -1.5, 14.0);
+  ColonTestScene scene;
+  scene.bodyRadius = 40.0;
+  scene.lumens.push_back({ dome, 1e9, 0.0 });
+  scene.lumens.push_back({ pool, -1e9, 700.0 });
+  const auto          c = Cleanse(scene, 1.0);
+  std::vector<double> roof;
+  for (const auto & point : shapeton::HalfLevelPoints(c.result.occupancy))
+  {
+    if (std::abs(point[1]) < 5.0 && std::abs(point[2]) < 20.0 && std::abs(point[0]) < 18.0)
+    {
+      roof.push_back(std::abs(std::max(dome(point.GetVectorFromOrigin()), pool(point.GetVectorFromOrigin()))));
+    }
+  }
+  EXPECT_LT(Percentile(roof, 0.95), 0.5);
+  EXPECT_LT(Percentile(roof, 1.0), 1.0);
 }
 
 TEST(ElectronicCleansing, TheInsideBecomesGasAndTissueStays)
