@@ -97,9 +97,9 @@ CatheterInWords(const RectalCatheter & catheter)
 {
   const std::string balloon =
     catheter.balloonDiameter > 0.0 ? ", with a balloon of " + Millimetres(catheter.balloonDiameter) : "";
-  return (catheter.isSure ? "filled in, " : "doubtful, ") + InTenths(catheter.outerDiameter) +
-         " mm wide" + balloon + ", " + Millimetres(catheter.evidence.length) + " from " +
-         PlaceInWords(catheter.axis.front()) + " to " + PlaceInWords(catheter.axis.back());
+  return (catheter.isSure ? "filled in, " : "doubtful, ") + InTenths(catheter.outerDiameter) + " mm wide" + balloon +
+         ", " + Millimetres(catheter.evidence.length) + " from " + PlaceInWords(catheter.axis.front()) + " to " +
+         PlaceInWords(catheter.axis.back());
 }
 
 Facts
