@@ -101,8 +101,9 @@ constexpr std::array<FlexurePrior, 4> TheFlexurePriors{
 /** Share of the length from the hepatic flexure to the end: ascending colon and caecum. */
 constexpr PriorValue ThePriorOfRightColon{ 0.165, 0.045 };
 
-/** From the anal verge to the rectosigmoid flexure, mm: it grows with the rest of the colon hardly at all. */
-constexpr PriorValue TheLengthOfRectum{ 160.0, 30.0 };
+/** From the anal verge to the rectosigmoid flexure, mm: it grows with the rest of the colon hardly at all. Up to 5 cm
+ * of the anal canal may lie outside the image. */
+constexpr PriorValue TheLengthOfRectum{ 150.0, 40.0 };
 
 /** What is known of all points of a section of the colon: place in the box and direction, as of a flexure. */
 struct SectionPrior
