@@ -21,9 +21,10 @@ TissueLikelihood(double hounsfield);
  * near (1.2 mm; of small heads, where there are none, the deepest quarter of the points): inside the tissue, not across
  * its surface.
  *
- * \param ct HU, cleansed or not. \param lumen 0 outside, 2 tagged fluid, else gas; on any grid. \ingroup
- * PolypCandidates
- */
+ * \param ct HU, cleansed or not.
+ * \param lumen 0 outside, 2 tagged fluid, else gas; on any grid.
+ *
+ * \ingroup PolypCandidates */
 PolypCandidates_EXPORT void
 MeasureContent(const SurfaceMesh &           wall,
                const itk::Image<float, 3> *  ct,

@@ -57,11 +57,6 @@ public:
             const std::function<void(int, const SymmetricElements &)> & take,
             int                                                         atOnce = 2) const;
 
-  /** The number of negative eigenvalues of a real matrix, which by Sylvester's law of inertia is that of its negative
-   * pivots. Throws InputError where sizes do not fit. */
-  int
-  CountNegativeEigenvalues(const Eigen::VectorXd & diagonal, const Eigen::VectorXd & offDiagonal) const;
-
   const SymbolicFactorisation &
   Symbolic() const
   {

@@ -6,10 +6,11 @@
 namespace shapeton
 {
 /** \class SparseCholesky
- * \brief Solves A x = b for real symmetric positive definite matrices A.
+ * \brief Solves A x = b for real symmetric matrices A, as a rule positive definite ones.
  *
- * A = L L^T, front by front (multifrontal, supernodes), with dense kernels for the instruction set of the CPU at hand
- * and all of ITK's threads. The same bytes come out for any number of threads and on any CPU.
+ * A = L D L^T with D of 1 and, where A is not positive definite, -1; front by front (multifrontal, supernodes), with
+ * dense kernels for the instruction set of the CPU at hand and all of ITK's threads. The same bytes come out for any
+ * number of threads and on any CPU.
  *
  * \ingroup SparseFactorisation
  */
@@ -22,8 +23,9 @@ public:
   SparseCholesky &
   operator=(SparseCholesky &&) noexcept;
 
-  /** Factorises the matrix with this diagonal and these elements at the edges. False where a pivot is not positive: the
-   * matrix is not positive definite, or not to working accuracy; then there is no factor. */
+  /** Factorises the matrix with this diagonal and these elements at the edges, without pivoting. True where it is
+   * positive definite to working accuracy. An indefinite one has a factor, too, unless a pivot is 0 or not finite: see
+   * HasFactor(). */
   bool
   Factorise(const Eigen::Ref<const Eigen::VectorXd> & diagonal, const Eigen::Ref<const Eigen::VectorXd> & offDiagonal);
 
@@ -31,7 +33,15 @@ public:
   bool
   Factorise(const Eigen::SparseMatrix<double> & matrix);
 
-  /** Replaces each column b by x. \pre The last Factorise() gave true. */
+  bool
+  HasFactor() const;
+
+  /** Of the last matrix; by Sylvester's law of inertia the number of negative pivots. \pre HasFactor(). */
+  int
+  NegativeEigenvalues() const;
+
+  /** Replaces each column b by x; exact to rounding for a positive definite matrix, while elements of the factor of an
+   * indefinite one can grow. \pre HasFactor(). */
   void
   SolveInPlace(Eigen::Ref<Eigen::MatrixXd> b) const;
 

@@ -38,10 +38,15 @@ Save(Vector value, double * to)
 
 // ---- real
 
-/** C -= A B^T for a tile: `b` points to its rows of B. */
+/** C -= A diag(signs) B^T for a tile: `b` points to its rows of B. */
 template <int VVectors, int VColumns>
 SHAPETON_INLINE void
-SubtractTile(int depth, const double * a, const double * b, std::ptrdiff_t stride, const Panel & C)
+SubtractTile(int            depth,
+             const double * a,
+             const double * signs,
+             const double * b,
+             std::ptrdiff_t stride,
+             const Panel &  C)
 {
   Vector sum[VColumns][VVectors] = {};
   for (int k = 0; k < depth; ++k)
@@ -49,7 +54,7 @@ SubtractTile(int depth, const double * a, const double * b, std::ptrdiff_t strid
     Vector column[VVectors];
     for (int v = 0; v < VVectors; ++v)
     {
-      column[v] = Load(a + v * lanes);
+      column[v] = Load(a + v * lanes) * signs[k];
     }
     for (int c = 0; c < VColumns; ++c)
     {
@@ -73,18 +78,24 @@ SubtractTile(int depth, const double * a, const double * b, std::ptrdiff_t strid
 
 template <int VVectors>
 SHAPETON_INLINE void
-SubtractRows(int columns, int depth, const double * a, const double * b, std::ptrdiff_t stride, Panel C)
+SubtractRows(int            columns,
+             int            depth,
+             const double * a,
+             const double * signs,
+             const double * b,
+             std::ptrdiff_t stride,
+             Panel          C)
 {
   int column = 0;
   for (; column + realColumns <= columns; column += realColumns)
   {
-    SubtractTile<VVectors, realColumns>(depth, a, b, stride, C);
+    SubtractTile<VVectors, realColumns>(depth, a, signs, b, stride, C);
     b += realColumns;
     C.data += realColumns * C.stride;
   }
   for (; column < columns; ++column)
   {
-    SubtractTile<VVectors, 1>(depth, a, b, stride, C);
+    SubtractTile<VVectors, 1>(depth, a, signs, b, stride, C);
     ++b;
     C.data += C.stride;
   }
@@ -97,21 +108,27 @@ Smaller(int a, int b)
 }
 
 void
-SubtractSquare(int rows, int begin, int end, int depth, const Panel & A, const Panel & C)
+SubtractSquare(int rows, int begin, int end, int depth, const Panel & A, const double * signs, const Panel & C)
 {
   constexpr int  tileRows = realVectors * lanes;
   double * const first = C.data + begin * C.stride;
   int            row = begin;
   for (; row + tileRows <= rows; row += tileRows)
   {
-    SubtractRows<realVectors>(
-      Smaller(row + tileRows, end) - begin, depth, A.data + row, A.data + begin, A.stride, { first + row, C.stride });
+    SubtractRows<realVectors>(Smaller(row + tileRows, end) - begin,
+                              depth,
+                              A.data + row,
+                              signs,
+                              A.data + begin,
+                              A.stride,
+                              { first + row, C.stride });
   }
   for (; row < rows; row += lanes)
   {
     SubtractRows<1>(Smaller(Smaller(row + lanes, end), rows) - begin,
                     depth,
                     A.data + row,
+                    signs,
                     A.data + begin,
                     A.stride,
                     { first + row, C.stride });
@@ -120,18 +137,20 @@ SubtractSquare(int rows, int begin, int end, int depth, const Panel & A, const P
 
 /** Eliminates the columns [begin, end) of a panel from which those before have been subtracted. */
 SHAPETON_INLINE int
-FactorBlock(int rows, int begin, int end, const Panel & panel)
+FactorBlock(int rows, int begin, int end, const Panel & panel, double * signs)
 {
   for (int j = begin; j < end; ++j)
   {
     double * const column = panel.data + j * panel.stride;
     const double   pivot = column[j];
-    if (!(pivot > 0.0 && pivot < 1e300))
+    const double   size = __builtin_fabs(pivot);
+    if (!(size > 0.0 && size < 1e300))
     {
       return j;
     }
-    const double root = __builtin_sqrt(pivot);
-    const double inverse = 1.0 / root;
+    const double root = __builtin_sqrt(size);
+    signs[j] = pivot > 0.0 ? 1.0 : -1.0;
+    const double inverse = signs[j] / root;
     for (int i = begin; i < rows; i += lanes)
     {
       Save(Load(column + i) * inverse, column + i);
@@ -140,7 +159,7 @@ FactorBlock(int rows, int begin, int end, const Panel & panel)
     for (int c = j + 1; c < end; ++c)
     {
       double * const next = panel.data + c * panel.stride;
-      const double   factor = column[c];
+      const double   factor = signs[j] * column[c];
       for (int i = begin; i < rows; i += lanes)
       {
         Save(Load(next + i) - Load(column + i) * factor, next + i);
@@ -151,16 +170,16 @@ FactorBlock(int rows, int begin, int end, const Panel & panel)
 }
 
 int
-Factor(int rows, int width, const Panel & panel)
+Factor(int rows, int width, const Panel & panel, double * signs)
 {
   for (int begin = 0; begin < width; begin += blockWidth)
   {
     const int end = Smaller(begin + blockWidth, width);
     if (begin > 0)
     {
-      SubtractSquare(rows, begin, end, begin, panel, panel);
+      SubtractSquare(rows, begin, end, begin, panel, signs, panel);
     }
-    const int failure = FactorBlock(rows, begin, end, panel);
+    const int failure = FactorBlock(rows, begin, end, panel, signs);
     if (failure >= 0)
     {
       return failure;
@@ -331,11 +350,10 @@ SubtractMultiple(int padded, const double * v, double re, double im, double * co
   }
 }
 
-int
+void
 Invert(int n, const Block & P, double * work)
 {
   const int padded = PaddedRows(n);
-  int       negative = 0;
   for (int k = 0; k < n; ++k)
   {
     double * const pivotColumn = P.data + k * P.stride;
@@ -346,7 +364,6 @@ Invert(int n, const Block & P, double * work)
       pivotColumn[i] = 0.0;
       pivotColumn[P.plane + i] = 0.0;
     }
-    negative += work[k] < 0.0;
     const double square = work[k] * work[k] + work[padded + k] * work[padded + k];
     const double re = work[k] / square;
     const double im = -work[padded + k] / square;
@@ -365,7 +382,6 @@ Invert(int n, const Block & P, double * work)
       column[P.plane + k] = scaledIm;
     }
   }
-  return negative;
 }
 
 constexpr Set kernels{ SHAPETON_STRING(SHAPETON_INSTRUCTION_SET), Factor, SubtractSquare, Multiply, Invert };

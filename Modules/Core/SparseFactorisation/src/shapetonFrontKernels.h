@@ -55,13 +55,15 @@ enum class Store
 struct Set
 {
   const char * name;
-  /** Replaces the first `width` columns of a real symmetric positive definite front of `rows` rows, of which the lower
-   * triangle is given, by those of its Cholesky factor. The stride is PaddedRows(rows) or more. Returns the first
-   * column whose pivot is not positive, or -1. */
-  int (*Factor)(int rows, int width, const Panel & panel);
-  /** Subtracts from the lower triangle of the real C, columns `begin` <= j < `end`, the elements of A A^T: A has `rows`
-   * rows and `depth` columns. `begin` is a multiple of rowGroup. C and A are read up to PaddedRows(rows). */
-  void (*SubtractSquare)(int rows, int begin, int end, int depth, const Panel & A, const Panel & C);
+  /** Replaces the first `width` columns of a real symmetric front of `rows` rows, of which the lower triangle is given,
+   * by those of L, and sets `signs`, so that L diag(signs) L^T is the front: Cholesky's factor where all are 1. The
+   * stride is PaddedRows(rows) or more. Returns the first column whose pivot is 0 or not finite, or -1. */
+  int (*Factor)(int rows, int width, const Panel & panel, double * signs);
+  /** Subtracts from the lower triangle of the real C, columns `begin` <= j < `end`, the elements of A diag(signs) A^T:
+   * A has `rows` rows and `depth` columns. `begin` is a multiple of rowGroup. C and A are read up to PaddedRows(rows).
+   */
+  void (
+    *SubtractSquare)(int rows, int begin, int end, int depth, const Panel & A, const double * signs, const Panel & C);
   /** Stores A B into the complex C: C has `rows` rows, a multiple of rowGroup, and `columns` columns; A has `depth`
    * columns. With `lowerOnly` elements above the diagonal of C may or may not be computed. */
   void (*Multiply)(int              rows,
@@ -73,8 +75,8 @@ struct Set
                    Store            store,
                    bool             lowerOnly);
   /** Replaces the leading n x n part of the complex P, whose padding is zero, by its inverse, without pivoting. `work`
-   * holds 2 PaddedRows(n) doubles. Returns the number of pivots with a negative real part. */
-  int (*Invert)(int n, const Block & P, double * work);
+   * holds 2 PaddedRows(n) doubles. */
+  void (*Invert)(int n, const Block & P, double * work);
 
   static const Set & Compiled(InstructionSets::Baseline);
   static const Set & Compiled(InstructionSets::Avx2);

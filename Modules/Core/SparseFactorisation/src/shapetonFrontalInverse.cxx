@@ -210,7 +210,7 @@ FrontalInverse::AddUpdate(int child, const Block & pivots, const Block & panel, 
   }
 }
 
-int
+void
 FrontalInverse::Factor(int s, FrontWorkspace & workspace)
 {
   const int   width = m_Supernodes.Width(s);
@@ -236,7 +236,7 @@ FrontalInverse::Factor(int s, FrontWorkspace & workspace)
       Put(pivots, i, j, Get(pivots, j, i));
     }
   }
-  const int negative = m_Kernels.Invert(width, pivots, workspace.columns.Data());
+  m_Kernels.Invert(width, pivots, workspace.columns.Data());
   m_Kernels.Multiply(PaddedRows(rows),
                      width,
                      width,
@@ -253,7 +253,6 @@ FrontalInverse::Factor(int s, FrontWorkspace & workspace)
                      update,
                      Store::Subtract,
                      true);
-  return negative;
 }
 
 void

@@ -41,8 +41,7 @@ public:
                  SymmetricElements    elements,
                  AlignedBuffer        factor);
 
-  /** Returns the number of pivots with a negative real part. */
-  int
+  void
   Factor(int s, FrontWorkspace & workspace);
   /** Takes from the parent's front what Invert() needs; it does so by itself where this has not been called. */
   void

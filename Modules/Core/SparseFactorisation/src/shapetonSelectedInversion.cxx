@@ -75,20 +75,4 @@ SelectedInversion::InvertAll(int                                                
   ParallelWorkers(static_cast<unsigned int>(std::min<std::size_t>(pieces, NumberOfThreads())),
                   [&](unsigned int) { schedule.Work(); });
 }
-
-int
-SelectedInversion::CountNegativeEigenvalues(const Eigen::VectorXd & diagonal, const Eigen::VectorXd & offDiagonal) const
-{
-  const SymmetricElements matrix{ diagonal, offDiagonal };
-  this->CheckSizes(matrix);
-  const Supernodes & supernodes = m_Symbolic.GetParts().supernodes;
-  FrontWorkspace     workspace(*m_Layout);
-  FrontalInverse     factor(supernodes, *m_Layout, matrix, AlignedBuffer(m_Layout->begin.back()));
-  int                negative = 0;
-  for (int s = 0; s < supernodes.Number(); ++s)
-  {
-    negative += factor.Factor(s, workspace);
-  }
-  return negative;
-}
 } // namespace shapeton

@@ -37,6 +37,16 @@ public:
   Factorise(const Eigen::Ref<const Eigen::VectorXd> & diagonal, const Eigen::Ref<const Eigen::VectorXd> & offDiagonal);
   void
   SolveInPlace(Eigen::Ref<Eigen::VectorXd> b) const;
+  bool
+  HasFactor() const
+  {
+    return m_HasFactor;
+  }
+  int
+  NegativeEigenvalues() const
+  {
+    return static_cast<int>(std::count(m_Signs.begin(), m_Signs.end(), -1.0));
+  }
   const SymbolicFactorisation &
   Symbolic() const
   {
@@ -70,7 +80,9 @@ private:
   std::vector<std::size_t>   m_Begin; ///< of the panel of each supernode, Rows x Width without padding
   std::size_t                m_LargestPanel{ 0 };
   AlignedBuffer              m_Factor;
+  std::vector<double>        m_Signs; ///< of the pivots
   std::vector<AlignedBuffer> m_Updates;
+  bool                       m_HasFactor{ false };
   const double *             m_Diagonal{ nullptr };
   const double *             m_OffDiagonal{ nullptr };
 };
@@ -80,6 +92,7 @@ SparseCholesky::Implementation::Implementation(SymbolicFactorisation symbolic)
   , m_Supernodes(m_Symbolic.GetParts().supernodes)
   , m_Kernels(BestKernels<FrontKernels::Set>())
   , m_Begin(1, 0)
+  , m_Signs(m_Supernodes.order.size())
   , m_Updates(m_Supernodes.Number())
 {
   for (int s = 0; s < m_Supernodes.Number(); ++s)
@@ -138,18 +151,19 @@ SparseCholesky::Implementation::Assemble(int s, const Panel & front, const Panel
 void
 SparseCholesky::Implementation::SubtractPanel(int s, bool shared, const Panel & front, const Panel & update) const
 {
-  const int   width = m_Supernodes.Width(s);
-  const int   rows = m_Supernodes.NumberOfRows(s);
-  const Panel below{ front.data + width, front.stride };
+  const int            width = m_Supernodes.Width(s);
+  const int            rows = m_Supernodes.NumberOfRows(s);
+  const Panel          below{ front.data + width, front.stride };
+  const double * const signs = m_Signs.data() + m_Supernodes.firstColumn[s];
   if (!shared || rows < rowsWorthSharing)
   {
-    m_Kernels.SubtractSquare(rows, 0, rows, width, below, update);
+    m_Kernels.SubtractSquare(rows, 0, rows, width, below, signs, update);
     return;
   }
   constexpr int strip = 64;
   ParallelFor((rows + strip - 1) / strip, [&](std::size_t i) {
     const int begin = static_cast<int>(i) * strip;
-    m_Kernels.SubtractSquare(rows, begin, std::min(begin + strip, rows), width, below, update);
+    m_Kernels.SubtractSquare(rows, begin, std::min(begin + strip, rows), width, below, signs, update);
   });
 }
 
@@ -183,7 +197,7 @@ SparseCholesky::Implementation::Eliminate(int s, bool shared, AlignedBuffer & wo
   {
     m_Updates[child].Free();
   }
-  if (m_Kernels.Factor(width + rows, width, front) >= 0)
+  if (m_Kernels.Factor(width + rows, width, front, m_Signs.data() + m_Supernodes.firstColumn[s]) >= 0)
   {
     return false;
   }
@@ -206,7 +220,7 @@ SparseCholesky::Implementation::Factorise(const Eigen::Ref<const Eigen::VectorXd
   m_Diagonal = diagonal.data();
   m_OffDiagonal = offDiagonal.data();
   const SubtreeTasks &       tasks = m_Symbolic.GetParts().tasks;
-  std::atomic<bool>          positive{ true };
+  std::atomic<bool>          isRegular{ true };
   std::vector<AlignedBuffer> workspaces(NumberOfThreads());
   ParallelForWorkers(tasks.roots.size(), [&](std::size_t task, unsigned int worker) {
     if (!workspaces[worker])
@@ -214,24 +228,25 @@ SparseCholesky::Implementation::Factorise(const Eigen::Ref<const Eigen::VectorXd
       workspaces[worker] = AlignedBuffer(m_LargestPanel);
     }
     const int root = tasks.roots[task];
-    for (int s = m_Supernodes.firstDescendant[root]; s <= root && positive; ++s)
+    for (int s = m_Supernodes.firstDescendant[root]; s <= root && isRegular; ++s)
     {
       if (!this->Eliminate(s, false, workspaces[worker]))
       {
-        positive = false;
+        isRegular = false;
       }
     }
   });
   AlignedBuffer workspace(m_LargestPanel);
-  for (std::size_t i = 0; i < tasks.trunk.size() && positive; ++i)
+  for (std::size_t i = 0; i < tasks.trunk.size() && isRegular; ++i)
   {
-    positive = this->Eliminate(tasks.trunk[i], true, workspace);
+    isRegular = this->Eliminate(tasks.trunk[i], true, workspace);
   }
-  if (!positive)
+  m_HasFactor = isRegular;
+  if (!m_HasFactor)
   {
     m_Updates = std::vector<AlignedBuffer>(m_Supernodes.Number());
   }
-  return positive;
+  return m_HasFactor && this->NegativeEigenvalues() == 0;
 }
 
 void
@@ -271,7 +286,7 @@ SparseCholesky::Implementation::SolveBackward(double * x) const
     for (int j = width - 1; j >= 0; --j)
     {
       const double * const column = m_Factor.Data() + m_Begin[s] + static_cast<std::size_t>(j) * (width + rows);
-      double               value = own[j];
+      double               value = m_Signs[m_Supernodes.firstColumn[s] + j] * own[j];
       for (int i = 0; i < rows; ++i)
       {
         value -= column[width + i] * x[below[i]];
@@ -336,6 +351,18 @@ SparseCholesky::Factorise(const Eigen::SparseMatrix<double> & matrix)
   return this->Factorise(
     matrix.diagonal(),
     Eigen::Map<const Eigen::VectorXd>(offDiagonal.data(), static_cast<Eigen::Index>(offDiagonal.size())));
+}
+
+bool
+SparseCholesky::HasFactor() const
+{
+  return m_Implementation->HasFactor();
+}
+
+int
+SparseCholesky::NegativeEigenvalues() const
+{
+  return m_Implementation->NegativeEigenvalues();
 }
 
 void

@@ -154,26 +154,6 @@ EdgesOfTorus(int rows, int columns)
 
 TEST(SelectedInversion, OfSurfaces) { CheckAgainstDense(360, EdgesOfTorus(30, 12)); }
 
-TEST(SelectedInversion, CountsTheNegativeEigenvaluesOfARealMatrix)
-{
-  const int             n = 360;
-  const Edges           edges = EdgesOfTorus(30, 12);
-  const Eigen::VectorXd offDiagonal = Eigen::VectorXd::Constant(static_cast<Eigen::Index>(edges.size()), -1.0);
-  Eigen::MatrixXd       laplacian = 6.0 * Eigen::MatrixXd::Identity(n, n);
-  for (const auto & [a, b] : edges)
-  {
-    laplacian(a, b) = laplacian(b, a) = -1.0;
-  }
-  const Eigen::VectorXd   eigenvalues = Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(laplacian).eigenvalues();
-  const SelectedInversion inversion = InversionOf(n, edges);
-  for (const double shift : { -0.5, 0.1, 1.234, 3.3, 7.7, 20.0 })
-  {
-    EXPECT_EQ(inversion.CountNegativeEigenvalues(Eigen::VectorXd::Constant(n, 6.0 - shift), offDiagonal),
-              (eigenvalues.array() < shift).count())
-      << shift;
-  }
-}
-
 TEST(SelectedInversion, OfSeveralComponentsAndSingleVertices)
 {
   CheckAgainstDense(1, {});

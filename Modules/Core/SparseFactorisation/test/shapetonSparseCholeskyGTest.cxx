@@ -4,6 +4,7 @@
 
 #include "itkMultiThreaderBase.h"
 
+#include <Eigen/Dense>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -150,6 +151,27 @@ TEST(SparseCholesky, AMatrixWithANegativeEigenvalueIsRefused)
   EXPECT_TRUE(solver.Factorise(system.diagonal, system.offDiagonal));
   system.diagonal[3] = std::numeric_limits<double>::quiet_NaN();
   EXPECT_FALSE(solver.Factorise(system.diagonal, system.offDiagonal));
+  EXPECT_FALSE(solver.HasFactor());
+}
+
+TEST(SparseCholesky, IndefiniteMatricesAreSolvedAndTheirNegativeEigenvaluesCounted)
+{
+  System                system(20);
+  const Eigen::VectorXd eigenvalues =
+    Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(Eigen::MatrixXd(system.Matrix())).eigenvalues();
+  const Eigen::MatrixXd expected = Waves(400, 2);
+  SparseCholesky        solver = system.Solver();
+  for (const double shift : { 0.3, 0.8, 0.9, 5.0 })
+  {
+    system.diagonal.array() -= shift;
+    EXPECT_FALSE(solver.Factorise(system.diagonal, system.offDiagonal));
+    ASSERT_TRUE(solver.HasFactor());
+    EXPECT_EQ(solver.NegativeEigenvalues(), (eigenvalues.array() < shift).count()) << shift;
+    Eigen::MatrixXd x = system.Matrix() * expected;
+    solver.SolveInPlace(x);
+    EXPECT_LT((x - expected).cwiseAbs().maxCoeff(), 1e-7) << shift;
+    system.diagonal.array() += shift;
+  }
 }
 
 TEST(SparseCholesky, TheSameBytesForAnyNumberOfThreads)

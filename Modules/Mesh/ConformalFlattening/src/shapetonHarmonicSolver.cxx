@@ -99,7 +99,8 @@ HarmonicSolver::Factor::Factor(const SurfaceLaplacian &      laplacian,
   {
     diagonal[vertex] = 1.0;
   }
-  if (!cholesky.Factorise(diagonal, offDiagonal))
+  cholesky.Factorise(diagonal, offDiagonal);
+  if (!cholesky.HasFactor()) // bounded weights can make it indefinite
   {
     throw InputError("the stiffness matrix of the surface cannot be factorised; repair or remesh the surface");
   }

@@ -14,8 +14,8 @@ MeanEdgeAt55000Faces(const SurfaceConnectivity & connectivity, const Eigen::Vect
 
 /** \name Mesh and time of diffusion for a tube, by its narrowest radius r in mm
  * With h the mean edge, noise of the mesh asks for t >= h^2, its shape for t <= 1.3 r^2 (measured on walls of
- * patients). Throw InputError for a radius that is not positive; infinity is allowed where there is no lumen. \ingroup
- * HeatDiffusionMetric */
+ * patients). Throw InputError for a radius that is not positive; infinity is allowed where there is no lumen.
+ * \ingroup HeatDiffusionMetric */
 ///@{
 
 /** min(8 min(h, 3 mm)^2, max(0.6 r^2, h^2)), mm^2. At 8 h^2 loops of about 8 edges, the handles, are diffused away

@@ -1,7 +1,6 @@
 #include "shapetonSurfaceSpectrum.h"
 
 #include "shapetonExceptions.h"
-#include "shapetonSelectedInversion.h"
 #include "shapetonSparseCholesky.h"
 
 #include <Eigen/Dense>
@@ -159,8 +158,9 @@ LanczosPairs(const SurfaceLaplacian & laplacian, int pairs, const SurfaceSpectru
   const SymbolicFactorisation symbolic(laplacian.NumberOfVertices(), laplacian.edges, EliminationOrder::MinimumDegree);
   const Eigen::VectorXd       diagonal = StiffnessDiagonal(laplacian);
   // L - number M has as many negative eigenvalues as there are eigenvalues below the number.
-  const auto countBelow = [&, counter = SelectedInversion(symbolic)](double number) {
-    return counter.CountNegativeEigenvalues(diagonal - number * laplacian.mass, -laplacian.weights);
+  auto countBelow = [&, counter = SparseCholesky(symbolic)](double number) mutable {
+    counter.Factorise(diagonal - number * laplacian.mass, -laplacian.weights);
+    return counter.NegativeEigenvalues();
   };
   ShiftedInverse inverse(laplacian, symbolic, shift);
   SymmetricPairs found;
