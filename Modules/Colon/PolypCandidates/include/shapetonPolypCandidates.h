@@ -125,7 +125,7 @@ struct PolypCandidate
 /** Sensitivity and least sizes for FindPolypCandidates(). \ingroup PolypCandidates */
 struct PolypCandidateOptions
 {
-  /** 0 to 1: candidates with a score of at least 1 - sensitivity. */
+  /** 0 to 1: candidates with a score of the shape of at least 1 - sensitivity. */
   double sensitivity{ defaultPolypSensitivity };
   /** Of the diffusion of normals, mm^2. */
   double smoothingTime{ 1.0 };

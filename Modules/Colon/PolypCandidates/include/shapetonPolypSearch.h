@@ -46,7 +46,7 @@ ReadPolypColon(const std::string & folder);
 struct PolypSearchOptions
 {
   PolypPreset preset{ PolypPreset::Default };
-  /** 0 to 1: candidates with a score of at least 1 - sensitivity. */
+  /** 0 to 1: candidates with a score of the shape of at least 1 - sensitivity. */
   double sensitivity{ defaultPolypSensitivity };
   /** Told the stage and the share that is done, from 0 to 1. */
   Progress progress;

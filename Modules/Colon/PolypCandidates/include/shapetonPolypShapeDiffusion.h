@@ -28,7 +28,7 @@ struct PublishedPolypOptions
   double        distance{ 0.005 };
   double        p{ 15.0 };
   std::uint64_t steps{ 4000 };
-  /** 0 to 1: candidates with a score of at least 1 - sensitivity. */
+  /** 0 to 1: candidates with a score of the shape of at least 1 - sensitivity. */
   double sensitivity{ defaultPolypSensitivity };
 };
 

@@ -61,6 +61,12 @@ struct RegistrationConfidence
   double residual{ 0.0 };
   /** 0 to 1, of each node of the map. */
   Eigen::MatrixXd ofNodes;
+
+  /** The probability that both positions are of one patient: log odds of matchedShare, energy, margin and senseMargin,
+   * each at most 4, added up from even odds. Each is 0 midway between what was measured of one patient and of two, so
+   * that folds that only one position shows do not outweigh a picture that fits in one way alone. */
+  SupineProne_EXPORT double
+  ProbabilityOfOnePatient() const;
 };
 
 /** What was measured on the way. \ingroup SupineProne */

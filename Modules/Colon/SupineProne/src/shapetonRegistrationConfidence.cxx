@@ -98,7 +98,24 @@ Logistic(double value, double middle, double width)
 {
   return 1.0 / (1.0 + std::exp(-(value - middle) / width));
 }
+
+/** Of one piece of evidence, none of which is to decide alone. */
+double
+LogOdds(double value, double middle, double width)
+{
+  constexpr double most = 4.0;
+  return std::clamp((value - middle) / width, -most, most);
+}
 } // namespace
+
+double
+RegistrationConfidence::ProbabilityOfOnePatient() const
+{
+  return Logistic(LogOdds(matchedShare, 0.775, 0.05) + LogOdds(-energy, -0.13, 0.015) + LogOdds(margin, 0.145, 0.02) +
+                    LogOdds(senseMargin, 0.047, 0.008),
+                  0.0,
+                  1.0);
+}
 
 void
 JudgeRegistration(const ColonPosition & source, const ColonPosition & target, SupineProneRegistration & registration)
@@ -106,17 +123,17 @@ JudgeRegistration(const ColonPosition & source, const ColonPosition & target, Su
   CountMatches(source, target, registration);
   JudgeNodes(source, registration);
   RegistrationConfidence & confidence = registration.confidence;
-  const double             byFolds = Logistic(confidence.matchedShare, 0.75, 0.03);
+  const double             ofOnePatient = confidence.ProbabilityOfOnePatient();
   const double             byContradiction = Logistic(-confidence.contradictedShare, -0.08, 0.02);
-  const double             byEnergy = Logistic(-confidence.energy, -0.16, 0.015);
   const double             byMargin = Logistic(confidence.margin, 0.1, 0.02);
-  const double             bySense = Logistic(confidence.senseMargin, 0.045, 0.008);
-  confidence.whole = std::min({ byFolds, byContradiction, byEnergy, byMargin, bySense });
-  if (byFolds < 0.5 || byContradiction < 0.5 || byEnergy < 0.5 || bySense < 0.5)
+  confidence.whole = std::min({ ofOnePatient, byContradiction, byMargin });
+  if (ofOnePatient < 0.5)
   {
-    confidence.reasons.push_back(byFolds < 0.5 || byEnergy < 0.5 || bySense < 0.5
-                                   ? "the folds of the two positions do not fit: are these two patients?"
-                                   : "many pairs of folds contradict each other");
+    confidence.reasons.push_back("the folds of the two positions do not fit: are these two patients?");
+  }
+  else if (byContradiction < 0.5)
+  {
+    confidence.reasons.push_back("many pairs of folds contradict each other");
   }
   if (byMargin < 0.5)
   {

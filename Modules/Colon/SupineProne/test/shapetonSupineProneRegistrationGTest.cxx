@@ -125,6 +125,26 @@ TEST(SupineProneRegistration, TwoPatientsAreFlagged)
   EXPECT_FALSE(registration.confidence.reasons.empty());
 }
 
+TEST(SupineProneRegistration, EvidenceOfOnePatientAddsUp)
+{
+  const auto probability = [](double matchedShare, double energy, double margin, double senseMargin) {
+    shapeton::RegistrationConfidence confidence;
+    confidence.matchedShare = matchedShare;
+    confidence.energy = energy;
+    confidence.margin = margin;
+    confidence.senseMargin = senseMargin;
+    return confidence.ProbabilityOfOnePatient();
+  };
+  // The best of each kind that two patients had in 14 pairs, and the worst that one patient had in 20.
+  EXPECT_LT(probability(0.75, 0.13, 0.15, 0.042), 0.5);
+  EXPECT_GT(probability(0.80, 0.13, 0.14, 0.052), 0.5);
+  // Many folds that only one position shows, in a picture that fits in one way alone.
+  EXPECT_GT(probability(0.61, 0.14, 0.23, 0.096), 0.9);
+  // No kind decides alone.
+  EXPECT_LT(probability(1.0, 0.2, 0.05, 0.0), 0.5);
+  EXPECT_LT(probability(0.6, 0.2, 0.05, 0.2), 0.5);
+}
+
 TEST(SupineProneRegistration, AColonThatRunsTheOtherWayIsRefused)
 {
   try
