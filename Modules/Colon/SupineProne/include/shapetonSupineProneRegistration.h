@@ -63,8 +63,9 @@ struct RegistrationConfidence
   Eigen::MatrixXd ofNodes;
 
   /** The probability that both positions are of one patient: log odds of matchedShare, energy, margin and senseMargin,
-   * each at most 4, added up from even odds. Each is 0 midway between what was measured of one patient and of two, so
-   * that folds that only one position shows do not outweigh a picture that fits in one way alone. */
+   * each at most 4, added up from even odds, but not more than those of senseMargin alone, as few folds can be alike in
+   * two patients. Each is 0 midway between what was measured of one patient and of two, so that folds that only one
+   * position shows do not outweigh a picture that fits in one way alone. */
   SupineProne_EXPORT double
   ProbabilityOfOnePatient() const;
 };

@@ -99,7 +99,7 @@ Logistic(double value, double middle, double width)
   return 1.0 / (1.0 + std::exp(-(value - middle) / width));
 }
 
-/** Of one piece of evidence, none of which is to decide alone. */
+/** Of one piece of evidence. */
 double
 LogOdds(double value, double middle, double width)
 {
@@ -111,10 +111,10 @@ LogOdds(double value, double middle, double width)
 double
 RegistrationConfidence::ProbabilityOfOnePatient() const
 {
-  return Logistic(LogOdds(matchedShare, 0.775, 0.05) + LogOdds(-energy, -0.13, 0.015) + LogOdds(margin, 0.145, 0.02) +
-                    LogOdds(senseMargin, 0.047, 0.008),
-                  0.0,
-                  1.0);
+  const double ofSense = LogOdds(senseMargin, 0.047, 0.008);
+  const double ofAll =
+    ofSense + LogOdds(matchedShare, 0.775, 0.05) + LogOdds(-energy, -0.13, 0.015) + LogOdds(margin, 0.145, 0.02);
+  return Logistic(std::min(ofAll, ofSense), 0.0, 1.0);
 }
 
 void
