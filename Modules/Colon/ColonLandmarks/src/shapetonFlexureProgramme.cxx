@@ -50,7 +50,8 @@ double
 MixedWithRedundant(double ratioOfUsual)
 {
   constexpr double redundant = 0.1;
-  return LogSum({ std::log(1.0 - redundant) + ratioOfUsual, std::log(redundant) });
+  const auto [lesser, greater] = std::minmax({ std::log(1.0 - redundant) + ratioOfUsual, std::log(redundant) });
+  return greater + std::log1p(std::exp(lesser - greater));
 }
 
 double

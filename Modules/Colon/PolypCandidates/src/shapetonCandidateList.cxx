@@ -109,11 +109,21 @@ CandidateOf(WallBulge bulge, const PolypFeatures & features, double score, const
 }
 
 void
-SortAndNumber(std::vector<PolypCandidate> & candidates)
+Rank(std::vector<PolypCandidate> & candidates)
 {
   std::stable_sort(candidates.begin(), candidates.end(), [](const PolypCandidate & a, const PolypCandidate & b) {
     return a.score > b.score;
   });
+  for (std::size_t i = 0; i < candidates.size(); ++i)
+  {
+    candidates[i].number = static_cast<int>(i) + 1;
+  }
+}
+
+void
+SortAndNumber(std::vector<PolypCandidate> & candidates)
+{
+  Rank(candidates);
   std::vector<PolypCandidate> kept;
   for (PolypCandidate & candidate : candidates)
   {

@@ -12,7 +12,11 @@ FindNoWall(const SurfaceMesh & wall, const SurfaceConnectivity & connectivity);
 PolypCandidate
 CandidateOf(WallBulge bulge, const PolypFeatures & features, double score, const SurfaceMesh & wall);
 
-/** By falling score; of two whose heads share more than a tenth of the smaller one's vertices, or whose middles are
+/** By falling score, numbered from 1. */
+void
+Rank(std::vector<PolypCandidate> & candidates);
+
+/** Ranked; of two whose heads share more than a tenth of the smaller one's vertices, or whose middles are
  * nearer than half of the larger diameter, the one with the lower score goes. */
 void
 SortAndNumber(std::vector<PolypCandidate> & candidates);

@@ -148,15 +148,14 @@ RankCatheterLast(const CurveSet & catheter, std::vector<PolypCandidate> & candid
     const Eigen::VectorXd toAxis = (catheter.V.rowwise() - candidate.position.transpose()).rowwise().norm();
     return (toAxis - radius).minCoeff() <= reach;
   };
-  const auto first = std::stable_partition(
-    candidates.begin(), candidates.end(), [&](const PolypCandidate & candidate) { return !isCatheter(candidate); });
-  std::for_each(first, candidates.end(), [](PolypCandidate & candidate) {
-    candidate.score = 0.0;
-    candidate.remark = "the rectal catheter";
-  });
-  for (std::size_t n = 0; n < candidates.size(); ++n)
+  for (PolypCandidate & candidate : candidates)
   {
-    candidates[n].number = static_cast<int>(n) + 1;
+    if (isCatheter(candidate))
+    {
+      candidate.score = 0.0;
+      candidate.remark = "the rectal catheter";
+    }
   }
+  Rank(candidates);
 }
 } // namespace shapeton

@@ -1,10 +1,12 @@
 #include "shapetonPolypContent.h"
 
+#include "shapetonCandidateList.h"
+
 #include "itkLinearInterpolateImageFunction.h"
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
+#include <limits>
 
 namespace shapeton
 {
@@ -188,12 +190,6 @@ MeasureContent(const SurfaceMesh &           wall,
     candidate.remark = RemarkOn(candidate);
     candidate.score = candidate.shapeScore * TissueLikelihood(candidate.attenuation);
   }
-  std::stable_sort(candidates.begin(), candidates.end(), [](const PolypCandidate & a, const PolypCandidate & b) {
-    return a.score > b.score;
-  });
-  for (std::size_t i = 0; i < candidates.size(); ++i)
-  {
-    candidates[i].number = static_cast<int>(i) + 1;
-  }
+  Rank(candidates);
 }
 } // namespace shapeton
