@@ -22,6 +22,10 @@ BoundedWeights(const SurfaceLaplacian & laplacian, const std::vector<int> & leve
 SurfaceLaplacian
 WithBoundedWeights(SurfaceLaplacian laplacian, const std::vector<int> & levels);
 
+/** Maps of one surface, with weights that are bounded where the map before had flipped faces, before something else is
+ * done about them. */
+constexpr int mostSolves = 8;
+
 /** How far from flipped faces weights are to change after map number `solve`, counted from 1: one ring from the third
  * on. */
 inline int

@@ -17,7 +17,6 @@ namespace
 constexpr double wideGap = 0.1;
 /** Part of the outer circle. */
 constexpr double smallestCircle = 0.01;
-constexpr int    mostSolves = 8;
 
 std::string
 CountOfBoundaries(std::size_t number)

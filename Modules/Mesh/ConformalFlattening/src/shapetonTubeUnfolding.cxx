@@ -14,7 +14,6 @@ namespace shapeton
 {
 namespace
 {
-constexpr int          mostSolves = 8; // of a round
 constexpr int          mostRounds = 5; // of cutting off
 constexpr int          ringsOfHandle = 3;
 constexpr const char * wallPointName = "wallPointId";
