@@ -1,5 +1,6 @@
 #include "BoundTable.h"
 
+#include <algorithm>
 #include <numeric>
 
 BoundTable::BoundTable(ValidationReport & report, bool hasBounds)
@@ -38,6 +39,18 @@ double
 MeanOf(const std::vector<double> & values)
 {
   return values.empty() ? 0.0 : std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
+}
+
+double
+Percentile(std::vector<double> values, double share)
+{
+  if (values.empty())
+  {
+    return 0.0;
+  }
+  const auto place = values.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
+  std::nth_element(values.begin(), place, values.end());
+  return *place;
 }
 
 double

@@ -31,6 +31,9 @@ private:
 /** 0 for none. */
 double
 MeanOf(const std::vector<double> & values);
+/** The value that this share of them does not exceed; 0 for none. */
+double
+Percentile(std::vector<double> values, double share);
 /** 1 where there is nothing. */
 double
 ShareOf(int part, int whole);

@@ -1,4 +1,5 @@
 #include "ColonTrial.h"
+#include "BoundTable.h"
 
 #include "itkCastImageFilter.h"
 #include "itkLinearInterpolateImageFunction.h"
@@ -38,18 +39,6 @@ ToFloat(const Source::ImageType * image)
   cast->SetInput(image);
   cast->Update();
   return cast->GetOutput();
-}
-
-double
-Percentile(std::vector<double> values, double share)
-{
-  if (values.empty())
-  {
-    return 0.0;
-  }
-  const auto place = values.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
-  std::nth_element(values.begin(), place, values.end());
-  return *place;
 }
 
 Eigen::Vector3d
