@@ -120,6 +120,10 @@ try
     columns.push_back(ReadColons(argv[i]));
   }
   ValidationReport report("Colons beside each other");
+  report.AddText(
+    "Made by `ColonRealism`; [what the columns are](notes-real-colons.md). Segments lie between the borders "
+    "that the tools find. A cell holds the mean over all places or folds of a segment and, of ten and "
+    "more, the values that 10, 50 and 90 % do not exceed; what each colon has one of is a mean of colons.");
   for (const Measure & measure : measures)
   {
     AddTable(measure, columns, report);
