@@ -2,6 +2,7 @@
 
 #include "shapetonColonFlatteningReport.h"
 #include "shapetonCommandLine.h"
+#include "shapetonJson.h"
 #include "shapetonToolSurfaces.h"
 #include "shapetonSurfaceWriter.h"
 #include "shapetonExceptions.h"

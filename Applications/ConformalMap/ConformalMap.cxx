@@ -4,6 +4,7 @@
 #include "shapetonConformalMapPicture.h"
 #include "shapetonCsvTable.h"
 #include "shapetonHeatDiffusionMetric.h"
+#include "shapetonJson.h"
 #include "shapetonToolSurfaces.h"
 #include "shapetonSurfaceWriter.h"
 #include "shapetonExceptions.h"

@@ -3,6 +3,7 @@
 #include "shapetonCommandLine.h"
 #include "shapetonGraphComparisonPictures.h"
 #include "shapetonGraphReader.h"
+#include "shapetonJson.h"
 #include "shapetonSha256.h"
 #include "shapetonExceptions.h"
 

@@ -3,6 +3,7 @@
 #include "shapetonCommandLine.h"
 #include "shapetonCsvTable.h"
 #include "shapetonGraphComparisonPictures.h"
+#include "shapetonJson.h"
 #include "shapetonToolGraphs.h"
 
 namespace

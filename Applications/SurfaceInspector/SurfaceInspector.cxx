@@ -1,6 +1,7 @@
 #include "SurfaceInspectorXML.h"
 
 #include "shapetonCommandLine.h"
+#include "shapetonJson.h"
 #include "shapetonSurfaceQuality.h"
 #include "shapetonToolSurfaces.h"
 

@@ -3,7 +3,7 @@
 
 #include "ColonLandmarksExport.h"
 
-#include "shapetonJson.h"
+#include "shapetonJsonForward.h"
 
 #include <array>
 #include <limits>

@@ -7,7 +7,7 @@
 #include "shapetonColonTaeniae.h"
 #include "shapetonSurfaceFolds.h"
 
-#include "shapetonJson.h"
+#include "shapetonJsonForward.h"
 
 #include <memory>
 

@@ -1,6 +1,7 @@
 #include "shapetonColonLandmarkDocument.h"
 
 #include "shapetonExceptions.h"
+#include "shapetonJson.h"
 
 #include <cmath>
 

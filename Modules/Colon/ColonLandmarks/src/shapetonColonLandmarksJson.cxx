@@ -1,5 +1,7 @@
 #include "shapetonColonLandmarks.h"
 
+#include "shapetonJson.h"
+
 #include <Eigen/Geometry>
 
 #include <cmath>

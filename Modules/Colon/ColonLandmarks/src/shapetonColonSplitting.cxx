@@ -2,6 +2,7 @@
 
 #include "shapetonBoundaryLoops.h"
 #include "shapetonConformalMap.h"
+#include "shapetonJson.h"
 #include "shapetonSurfaceCut.h"
 #include "shapetonSurfaceQuality.h"
 #include "shapetonExceptions.h"

@@ -1,5 +1,6 @@
 #include "shapetonColonLandmarkDocument.h"
 #include "shapetonExceptions.h"
+#include "shapetonJson.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,6 @@
 #include "shapetonColonSplitting.h"
 
+#include "shapetonJson.h"
 #include "shapetonLandmarkTubes.h"
 
 #include <gtest/gtest.h>

@@ -2,7 +2,7 @@
 #define shapetonColonQuality_h
 
 #include "shapetonColonModel.h"
-#include "shapetonJson.h"
+#include "shapetonJsonForward.h"
 
 namespace shapeton
 {

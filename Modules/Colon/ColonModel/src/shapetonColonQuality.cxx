@@ -1,6 +1,7 @@
 #include "shapetonColonQuality.h"
 
 #include "shapetonColonGravity.h"
+#include "shapetonJson.h"
 #include "shapetonSurfaceQuality.h"
 
 #include <algorithm>

@@ -9,6 +9,7 @@
 #include "itkRegionOfInterestImageFilter.h"
 
 #include "gtest/gtest.h"
+#include "shapetonJson.h"
 
 #include <cmath>
 

@@ -2,6 +2,7 @@
 #define shapetonRegistrationResults_h
 
 #include "shapetonColonPositionFiles.h"
+#include "shapetonJson.h"
 #include "shapetonRegistrationErrors.h"
 
 #include <string>

@@ -5,7 +5,7 @@
 #include "shapetonColonPosition.h"
 #include "shapetonCylinderMap.h"
 #include "shapetonFoldMatching.h"
-#include "shapetonJson.h"
+#include "shapetonJsonForward.h"
 
 namespace shapeton
 {

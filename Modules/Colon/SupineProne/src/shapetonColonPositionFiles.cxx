@@ -1,6 +1,7 @@
 #include "shapetonColonPositionFiles.h"
 
 #include "shapetonHaustralFoldFiles.h"
+#include "shapetonJson.h"
 #include "shapetonSha256.h"
 #include "shapetonSurfaceReader.h"
 #include "shapetonExceptions.h"

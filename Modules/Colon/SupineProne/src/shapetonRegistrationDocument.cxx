@@ -1,5 +1,7 @@
 #include "shapetonRegistrationDocument.h"
 
+#include "shapetonJson.h"
+
 namespace shapeton
 {
 namespace

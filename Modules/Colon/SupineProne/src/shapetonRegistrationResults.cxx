@@ -2,6 +2,7 @@
 
 #include "shapetonColonPointMapper.h"
 #include "shapetonFoldTruth.h"
+#include "shapetonJson.h"
 #include "shapetonParallelFor.h"
 #include "shapetonRegistrationDocument.h"
 

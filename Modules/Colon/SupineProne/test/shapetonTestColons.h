@@ -4,6 +4,7 @@
 #include "shapetonColonPositionFiles.h"
 #include "shapetonFlatTestTubes.h"
 #include "shapetonHaustralFoldFiles.h"
+#include "shapetonJson.h"
 #include "shapetonRegistrationErrors.h"
 #include "shapetonSurfaceWriter.h"
 

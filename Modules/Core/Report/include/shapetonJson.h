@@ -2,6 +2,7 @@
 #define shapetonJson_h
 
 #include "ReportExport.h"
+#include "shapetonJsonForward.h"
 #include "shapetonProvenance.h"
 
 #include <nlohmann/json.hpp>
@@ -10,10 +11,6 @@
 
 namespace shapeton
 {
-/** A JSON document that keeps the order of its keys.
- * \ingroup Report */
-using Json = nlohmann::ordered_json;
-
 /** Writes a document, indented by two spaces, with a final newline. Malformed UTF-8 becomes U+FFFD, a number that is
  * not finite becomes null. Throws OutputError.
  * \ingroup Report */

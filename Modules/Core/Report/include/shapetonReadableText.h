@@ -9,7 +9,7 @@
 namespace shapeton
 {
 /** A number as CsvTable writes it, in plain decimal notation: "2.322e+04" becomes "23220". Beyond 15 places left or
- * right of the decimal point it keeps a power of ten, in superscript. Any other text stays. \ingroup Report */
+ * 6 right of the decimal point it keeps a power of ten, in superscript. Any other text stays. \ingroup Report */
 Report_EXPORT std::string
               PlainNumber(const std::string & number);
 

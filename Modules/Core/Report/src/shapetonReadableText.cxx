@@ -10,7 +10,8 @@ namespace shapeton
 namespace
 {
 constexpr const char * const narrowSpace = "\u202F"; // no line breaks at it
-constexpr int                mostPlaces = 15;
+constexpr int                mostPlacesLeft = 15;
+constexpr int                mostPlacesRight = 6;
 
 bool
 IsDigit(char c)
@@ -124,7 +125,7 @@ Expanded(Decimal decimal)
 std::string
 PlainText(const Decimal & decimal, bool isGrouped)
 {
-  if (std::abs(decimal.exponent) > mostPlaces)
+  if (decimal.exponent > mostPlacesLeft || -decimal.exponent > mostPlacesRight)
   {
     return TextOf(decimal) + " \u00D7 10" + Superscript(decimal.exponent);
   }

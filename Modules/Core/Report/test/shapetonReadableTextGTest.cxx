@@ -17,6 +17,8 @@ TEST(PlainNumber, MovesTheDecimalPoint)
   EXPECT_EQ(PlainNumber("1e+00"), "1");
   EXPECT_EQ(PlainNumber("1.25e+01"), "12.5");
   EXPECT_EQ(PlainNumber("12.5"), "12.5");
+  EXPECT_EQ(PlainNumber("1.559e-06"), "0.000001559");
+  EXPECT_EQ(PlainNumber("1.559e-07"), "1.559 \u00D7 10\u207B\u2077");
   EXPECT_EQ(PlainNumber("4.469e-26"), "4.469 \u00D7 10\u207B\u00B2\u2076");
   EXPECT_EQ(PlainNumber("1e+300"), "1 \u00D7 10\u00B3\u2070\u2070");
 }
@@ -25,7 +27,7 @@ TEST(PlainNumber, IsTheSameNumber)
 {
   for (const double value : { 1.0, 1.0 / 3.0, 23220.0, 1.52587890625e-05, 123456789.0, -0.00071 })
   {
-    for (int exponent = -8; exponent <= 6; ++exponent)
+    for (int exponent = -1; exponent <= 6; ++exponent) // none beyond the places that are written out
     {
       const double      scaled = value * std::pow(10.0, exponent);
       const std::string plain = PlainNumber(shapeton::CsvTable::Number(scaled));

@@ -3,7 +3,7 @@
 
 #include "shapetonCanonicalForm.h"
 #include "shapetonDynamicEmbedding.h"
-#include "shapetonJson.h"
+#include "shapetonJsonForward.h"
 
 #include <string>
 #include <vector>

@@ -4,6 +4,7 @@
 #include "shapetonGraphComparison.h"
 #include "shapetonGraphStructure.h"
 #include "shapetonExceptions.h"
+#include "shapetonJson.h"
 
 #include <algorithm>
 #include <cmath>

@@ -2,6 +2,7 @@
 
 #include "shapetonCarriedRotation.h"
 #include "shapetonGraphStructure.h"
+#include "shapetonJson.h"
 #include "shapetonSphereAlignment.h"
 
 #include <algorithm>

@@ -3,6 +3,7 @@
 #include "shapetonCarriedRotation.h"
 #include "shapetonEmbeddingVerification.h"
 #include "shapetonGraphFamilies.h"
+#include "shapetonJson.h"
 #include "shapetonSphereAlignment.h"
 
 #include <gtest/gtest.h>

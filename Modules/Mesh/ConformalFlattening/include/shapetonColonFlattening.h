@@ -5,7 +5,7 @@
 #include "shapetonProgress.h"
 #include "shapetonConformalTube.h"
 #include "shapetonCurveSet.h"
-#include "shapetonJson.h"
+#include "shapetonJsonForward.h"
 #include "shapetonSurfaceHandles.h"
 #include "shapetonTubeUnfolding.h"
 

@@ -3,7 +3,7 @@
 
 #include "shapetonRemarks.h"
 #include "shapetonFlatDistortion.h"
-#include "shapetonJson.h"
+#include "shapetonJsonForward.h"
 #include "shapetonQuadrilateralMap.h"
 #include "shapetonSlitMap.h"
 

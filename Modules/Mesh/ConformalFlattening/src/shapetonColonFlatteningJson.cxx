@@ -2,6 +2,7 @@
 
 #include "shapetonFileBytes.h"
 #include "shapetonExceptions.h"
+#include "shapetonJson.h"
 
 #include <cmath>
 #include <cstdio>

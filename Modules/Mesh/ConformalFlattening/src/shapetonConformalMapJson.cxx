@@ -1,6 +1,7 @@
 #include "shapetonConformalMap.h"
 
 #include "shapetonCsvTable.h"
+#include "shapetonJson.h"
 
 namespace shapeton
 {

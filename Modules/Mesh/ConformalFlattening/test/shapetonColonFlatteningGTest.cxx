@@ -2,6 +2,7 @@
 
 #include "shapetonColonTube.h"
 #include "shapetonHeatDiffusionMetric.h"
+#include "shapetonJson.h"
 #include "shapetonTestSurfaces.h"
 #include "shapetonExceptions.h"
 

@@ -1,5 +1,6 @@
 #include "shapetonConformalMap.h"
 
+#include "shapetonJson.h"
 #include "shapetonPlanarDomains.h"
 #include "shapetonRoughTube.h"
 #include "shapetonSurfaceQuality.h"

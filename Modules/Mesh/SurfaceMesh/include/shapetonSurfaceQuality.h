@@ -1,7 +1,7 @@
 #ifndef shapetonSurfaceQuality_h
 #define shapetonSurfaceQuality_h
 
-#include "shapetonJson.h"
+#include "shapetonJsonForward.h"
 #include "shapetonSurfaceConnectivity.h"
 
 namespace shapeton

@@ -1,4 +1,5 @@
 #include "shapetonGltfScene.h"
+#include "shapetonJson.h"
 #include "shapetonSurfaceFormats.h"
 
 #include <Eigen/LU>

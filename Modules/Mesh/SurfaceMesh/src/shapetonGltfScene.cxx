@@ -2,6 +2,7 @@
 #include "shapetonBase64.h"
 #include "shapetonBinaryValues.h"
 #include "shapetonFileBytes.h"
+#include "shapetonJson.h"
 #include "shapetonSurfaceFormats.h"
 
 #include <Eigen/Geometry>

@@ -1,3 +1,4 @@
+#include "shapetonJson.h"
 #include "shapetonSurfaceQuality.h"
 #include "shapetonCsvTable.h"
 

@@ -3,6 +3,7 @@
 #include "shapetonExceptions.h"
 
 #include "gtest/gtest.h"
+#include "shapetonJson.h"
 
 #include <limits>
 

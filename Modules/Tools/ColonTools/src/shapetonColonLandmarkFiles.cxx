@@ -3,6 +3,7 @@
 
 #include "shapetonColorTable.h"
 #include "shapetonCommandLine.h"
+#include "shapetonJson.h"
 #include "shapetonSlicerMarkups.h"
 #include "shapetonSurfaceWriter.h"
 #include "shapetonExceptions.h"

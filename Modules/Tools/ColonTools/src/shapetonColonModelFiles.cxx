@@ -2,6 +2,7 @@
 
 #include "shapetonColonQuality.h"
 #include "shapetonCommandLine.h"
+#include "shapetonJson.h"
 #include "shapetonSurfaceWriter.h"
 #include "shapetonVolumeWriter.h"
 

@@ -2,6 +2,7 @@
 
 #include "shapetonCommandLine.h"
 #include "shapetonCsvFile.h"
+#include "shapetonJson.h"
 #include "shapetonSurfaceReader.h"
 #include "shapetonSurfaceWriter.h"
 #include "shapetonExceptions.h"

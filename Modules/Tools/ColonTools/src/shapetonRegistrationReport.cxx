@@ -1,6 +1,7 @@
 #include "shapetonRegistrationReport.h"
 
 #include "shapetonCommandLine.h"
+#include "shapetonJson.h"
 
 #include <cmath>
 

@@ -1,4 +1,5 @@
 #include "shapetonColonPointMapper.h"
+#include "shapetonJson.h"
 #include "shapetonRegistrationFiles.h"
 #include "shapetonTestColons.h"
 #include "shapetonFileBytes.h"

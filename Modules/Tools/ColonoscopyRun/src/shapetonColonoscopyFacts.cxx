@@ -2,6 +2,7 @@
 
 #include "shapetonColonFlexures.h"
 #include "shapetonColonoscopyPictures.h"
+#include "shapetonJson.h"
 
 #include <algorithm>
 #include <cmath>

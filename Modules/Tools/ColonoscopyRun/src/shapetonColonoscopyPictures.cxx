@@ -2,6 +2,7 @@
 
 #include "shapetonColonFlexures.h"
 #include "shapetonColonLandmarkPictures.h"
+#include "shapetonJson.h"
 #include "shapetonSurfaceRendering.h"
 
 #include <algorithm>

@@ -8,6 +8,7 @@
 
 #include "itkImageFileReader.h"
 #include "itkNrrdImageIO.h"
+#include "shapetonJson.h"
 
 #include <algorithm>
 #include <cmath>

@@ -4,6 +4,7 @@
 #include "shapetonTestFolder.h"
 
 #include "gtest/gtest.h"
+#include "shapetonJson.h"
 
 namespace
 {
