@@ -34,6 +34,8 @@ shapeton::SupineProneOptions
 OptionsOf(const CommandLine & commandLine)
 {
   shapeton::SupineProneOptions options;
+  options.map = commandLine.GetString("map") == "published" ? shapeton::SupineProneMap::Published
+                                                            : shapeton::SupineProneMap::Default;
   options.matching = commandLine.GetString("matching") == "dualDecomposition"
                        ? shapeton::FoldMatchingMethod::DualDecomposition
                        : shapeton::FoldMatchingMethod::Hungarian;

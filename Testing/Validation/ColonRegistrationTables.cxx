@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <set>
 
 using namespace shapeton;
 
@@ -264,33 +265,36 @@ WritePoints(const PatientScores & patients, ValidationReport & report)
 void
 WriteSchemes(const PatientScores & patients, ValidationReport & report)
 {
-  CsvTable table({ "scheme", "mean, mm, 95 % interval", "95 % of points, mm", "below 10 mm", "on the map" });
-  std::map<std::string, double> names;
+  CsvTable              table({ "scheme",
+                                "mean, mm, 95 % interval",
+                                "95 % of points, mm",
+                                "below 10 mm",
+                                "on the map",
+                                "triangles turned over, of a patient",
+                                "patients with any" });
+  std::set<std::string> names;
   for (const RegistrationScore & score : patients.scores)
   {
-    for (const auto & [name, errors] : score.schemes)
+    for (const auto & [name, scheme] : score.schemes)
     {
-      names[name] = 0.0;
+      names.insert(name);
     }
   }
-  for (const auto & [key, unused] : names)
+  for (const std::string & name : names)
   {
-    const std::string name = key;
-    const auto        of = [&](auto measure) {
-      return patients.Of([&](const RegistrationScore & s) { return measure(s.schemes.at(name)); });
+    const auto of = [&](auto measure) {
+      return patients.Of([&](const RegistrationScore & s) { return measure(s.schemes.at(name).errors); });
     };
+    const auto flips = patients.Of([&](const RegistrationScore & s) { return s.schemes.at(name).flips; });
     table.AddRow({ name.substr(2),
                    MeanWithInterval(of([](const RegistrationErrors & e) { return e.Mean(); })),
                    Rounded(MeanOf(of([](const RegistrationErrors & e) { return e.Percentile95(); }))),
                    Rounded(MeanOf(of([](const RegistrationErrors & e) { return e.ShareWithin10(); }))),
-                   Rounded(MeanOf(of([](const RegistrationErrors & e) { return e.MeanOnMap(); }))) });
+                   Rounded(MeanOf(of([](const RegistrationErrors & e) { return e.MeanOnMap(); }))),
+                   Rounded(MeanOf(flips)),
+                   std::to_string(std::count_if(flips.begin(), flips.end(), [](double n) { return n > 0.0; })) });
   }
   report.AddTable(table);
-  const int  flips = patients.Sum([](const RegistrationScore & s) { return s.flipsOfHardConstraints; });
-  const int  folded = patients.Sum([](const RegistrationScore & s) { return s.flipsOfHardConstraints > 0 ? 1 : 0; });
-  const auto all = static_cast<int>(patients.scores.size());
-  report.AddText("The published scheme turns " + std::to_string(flips) + " triangles over, in " + RatioOf(folded, all) +
-                 " of the patients.");
 }
 
 /** Each patient supine and the next one prone. */

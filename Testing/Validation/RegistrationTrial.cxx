@@ -52,33 +52,6 @@ AddFoundLandmarks(const LandmarkExam & exam, ColonPosition & position)
   }
 }
 
-/** Points of the wall that both positions have, outside true collapse. */
-std::vector<PointPair>
-TruePairs(const ColonAnatomy & source, const ColonAnatomy & target)
-{
-  const CurveSet        a = source.Correspondence();
-  const CurveSet        b = target.Correspondence();
-  const Eigen::VectorXd idOfA = PointValues(a, "materialId", "the truth");
-  const Eigen::VectorXd idOfB = PointValues(b, "materialId", "the truth");
-  const Eigen::VectorXd collapsedA = PointValues(a, "collapsed", "the truth");
-  const Eigen::VectorXd collapsedB = PointValues(b, "collapsed", "the truth");
-  std::map<long, int>   rowOfId;
-  for (Eigen::Index i = 0; i < idOfB.size(); ++i)
-  {
-    rowOfId[std::lround(idOfB[i])] = static_cast<int>(i);
-  }
-  std::vector<PointPair> pairs;
-  for (Eigen::Index i = 0; i < idOfA.size(); ++i)
-  {
-    const auto found = rowOfId.find(std::lround(idOfA[i]));
-    if (found != rowOfId.end() && collapsedA[i] == 0.0 && collapsedB[found->second] == 0.0)
-    {
-      pairs.push_back({ a.V.row(i), b.V.row(found->second) });
-    }
-  }
-  return pairs;
-}
-
 bool
 IsBorderPoint(const FlatColonGrid & grid, const Eigen::Vector2d & uv)
 {
@@ -183,18 +156,15 @@ CompareSchemes(const ColonPosition &           source,
     { RegistrationScheme::Centreline, "2 centrelines, one rotation" },
     { RegistrationScheme::Landmarks, "3 flexures and taeniae" },
     { RegistrationScheme::Warping, "4 cylindrical warping" },
-    { RegistrationScheme::HardConstraints, "6 published: frame, folds as hard constraints" }
+    { RegistrationScheme::Published, "6 published: quasi-conformal through flexures, a taenia and folds" },
+    { RegistrationScheme::QuasiConformal, "7 quasi-conformal through the folds that are delivered as matched" }
   };
   for (const auto & [scheme, name] : schemes)
   {
     const CylinderMap map = MapOfScheme(scheme, source, target, registration);
-    score.schemes[name] = SummaryOf(ErrorsOfPoints(registration, map, pairs));
-    if (scheme == RegistrationScheme::HardConstraints)
-    {
-      score.flipsOfHardConstraints = map.Flips();
-    }
+    score.schemes[name] = { SummaryOf(ErrorsOfPoints(registration, map, pairs)), map.Flips() };
   }
-  score.schemes["5 and folds, robust: what is delivered"] = score.errors;
+  score.schemes["5 and folds, robust: what is delivered"] = { score.errors, score.flips };
 }
 } // namespace
 
@@ -204,6 +174,32 @@ FeaturePointCounts::Add(const FeaturePointCounts & other)
   correct += other.correct;
   wrong += other.wrong;
   unmatched += other.unmatched;
+}
+
+std::vector<PointPair>
+TruePairs(const ColonAnatomy & source, const ColonAnatomy & target)
+{
+  const CurveSet        a = source.Correspondence();
+  const CurveSet        b = target.Correspondence();
+  const Eigen::VectorXd idOfA = PointValues(a, "materialId", "the truth");
+  const Eigen::VectorXd idOfB = PointValues(b, "materialId", "the truth");
+  const Eigen::VectorXd collapsedA = PointValues(a, "collapsed", "the truth");
+  const Eigen::VectorXd collapsedB = PointValues(b, "collapsed", "the truth");
+  std::map<long, int>   rowOfId;
+  for (Eigen::Index i = 0; i < idOfB.size(); ++i)
+  {
+    rowOfId[std::lround(idOfB[i])] = static_cast<int>(i);
+  }
+  std::vector<PointPair> pairs;
+  for (Eigen::Index i = 0; i < idOfA.size(); ++i)
+  {
+    const auto found = rowOfId.find(std::lround(idOfA[i]));
+    if (found != rowOfId.end() && collapsedA[i] == 0.0 && collapsedB[found->second] == 0.0)
+    {
+      pairs.push_back({ a.V.row(i), b.V.row(found->second) });
+    }
+  }
+  return pairs;
 }
 
 ColonPosition

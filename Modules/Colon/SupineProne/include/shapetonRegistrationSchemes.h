@@ -16,10 +16,11 @@ enum class RegistrationScheme
   Landmarks,
   /** The warping without matched folds: SupineProneRegistration::warp. */
   Warping,
-  /** As the dissertation (4.3): folds are matched once about the frame of flexures and taeniae, and the map is forced
-   * through middle and ends of all of them; the thin plate stands for its harmonic map. Triangles may be turned over.
-   */
-  HardConstraints
+  /** SupineProneMap::Published. */
+  Published,
+  /** The quasi-conformal map of Published, but through the folds that the registration has matched and the map follows,
+   * and the ends of the colon alone. */
+  QuasiConformal
 };
 
 /** The map that a scheme gives for a pair that RegisterColonPositions() has registered; frame and warp are taken from

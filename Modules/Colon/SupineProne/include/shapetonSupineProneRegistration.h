@@ -9,13 +9,27 @@
 
 namespace shapeton
 {
+/** How RegisterColonPositions() makes its map of what corresponds. \ingroup SupineProne */
+enum class SupineProneMap
+{
+  /** Warped, corrected by folds and taeniae as far as they agree, projected to a bijection. */
+  Default,
+  /** As in the dissertation (4.3, 5.4.2; Zeng, Marino, Gurijala, Gu, Kaufman 2010): folds are matched once, segment by
+   * segment, about the frame of flexures and the main taenia; the map is quasi-conformal and is forced through
+   * flexures, taenia and the ends of all matched folds. Triangles may be turned over. See FindQuasiConformalMap(). */
+  Published
+};
+
 /** What RegisterColonPositions() is to use. \ingroup SupineProne */
 struct SupineProneOptions
 {
+  SupineProneMap     map{ SupineProneMap::Default };
   FoldMatchingMethod matching{ FoldMatchingMethod::Hungarian };
-  /** Folds and rows keep to their segment of the colon, between flexures that both positions have. */
+  /** Folds and rows keep to their segment of the colon, between flexures that both positions have; of the default map.
+   */
   bool isSegmentWise{ false };
-  /** Refine by the curvature of the wall itself: of use where folds do not slide against the wall. */
+  /** Refine by the curvature of the wall itself: of use where folds do not slide against the wall; of the default map.
+   */
   bool refines{ false };
   /** Greatest absolute Beltrami coefficient of the map. */
   double greatestDilatation{ 0.8 };
@@ -76,6 +90,12 @@ struct RegistrationFigures
   int    flips{ 0 };
   int    flipsBeforeProjection{ 0 };
   double greatestDilatation{ 0.0 };
+  /** \name The published map, see QuasiConformalMap: maps that were solved for, and by how much a landmark is missed at
+   * most, mm */
+  ///@{
+  int    solves{ 0 };
+  double greatestMiss{ 0.0 };
+  ///@}
 };
 
 /** A one-to-one map between the walls of a colon in two positions, with the matched folds and its confidence. See
@@ -112,6 +132,8 @@ struct SupineProneRegistration
  * 3. Matching of folds about the warp (MatchFolds()), and twice again about the corrected warp.
  * 4. A thin plate through middles and ends of matched folds, robust against wrong pairs.
  * 5. Projection to a bijection: no triangle is turned over.
+ *
+ * 3 to 5 are another thing for SupineProneMap::Published.
  *
  * Where a stretch is excluded the map is carried on from both sides; it is marked. Equal input gives equal results for
  * any number of threads. Throws InputError where a position has no folds, or neither flexures nor taeniae, or

@@ -1,85 +1,14 @@
 #include "shapetonCorrectedWarp.h"
 
+#include "shapetonMatchedFolds.h"
+
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 namespace shapeton
 {
 namespace
 {
-FoldFeature
-FeatureOf(const ColonPair & pair, const ColonCylinder & cylinder, const HaustralFold & fold, const RowMap * map)
-{
-  const CylinderPlace own = cylinder.PlaceOfUv(fold.centreUv);
-  const double        s = map ? own.s : pair.frame.Inverse()(own.s);
-  const auto          group = std::count_if(pair.breaks.begin(), pair.breaks.end(), [s](double at) { return s > at; });
-  const CylinderPlace place = map ? (*map)(own) : own;
-  return {
-    place.s, place.turn * pair.Around(), std::max(1.0, fold.length), std::max(1.0, fold.area), static_cast<int>(group)
-  };
-}
-
-FoldMatching
-MatchAbout(const ColonPair & pair, const RowMap & map, FoldMatchingMethod method)
-{
-  std::vector<FoldFeature> source;
-  std::vector<FoldFeature> target;
-  for (const HaustralFold & fold : pair.source.folds)
-  {
-    source.push_back(FeatureOf(pair, *pair.sourceCylinder, fold, &map));
-  }
-  for (const HaustralFold & fold : pair.target.folds)
-  {
-    target.push_back(FeatureOf(pair, *pair.targetCylinder, fold, nullptr));
-  }
-  FoldMatchingOptions options;
-  options.method = method;
-  return MatchFolds(source, target, pair.Around(), options);
-}
-
-/** Where the middle and the ends of a fold are to move, more than the warp moves them. Ends are paired as they lie. */
-void
-AddFolds(const ColonPair &                     pair,
-         const RowMap &                        warp,
-         const HaustralFold &                  a,
-         const HaustralFold &                  b,
-         std::vector<DisplacementConstraint> & constraints)
-{
-  const auto constraint = [&](const Eigen::Vector2d & from, const Eigen::Vector2d & to, double weight) {
-    const CylinderPlace place = pair.sourceCylinder->PlaceOfUv(from);
-    const CylinderPlace start = warp(place);
-    const CylinderPlace goal = pair.targetCylinder->PlaceOfUv(to);
-    const double        around = TurnDifference(goal.turn, start.turn) * pair.Around();
-    return DisplacementConstraint{ place, { goal.s - start.s, around }, weight };
-  };
-  const auto endsOf = [&](bool isTurned) {
-    return std::array<DisplacementConstraint, 2>{ constraint(a.endUv[0], b.endUv[isTurned ? 1 : 0], 1.0),
-                                                  constraint(a.endUv[1], b.endUv[isTurned ? 0 : 1], 1.0) };
-  };
-  const auto straight = endsOf(false);
-  const auto turned = endsOf(true);
-  const auto cost = [](const std::array<DisplacementConstraint, 2> & ends) {
-    return ends[0].displacement.squaredNorm() + ends[1].displacement.squaredNorm();
-  };
-  constraints.push_back(constraint(a.centreUv, b.centreUv, 1.0));
-  const auto & ends = cost(turned) < cost(straight) ? turned : straight;
-  constraints.insert(constraints.end(), ends.begin(), ends.end());
-}
-
-/** Of each pair its middle and its ends. */
-std::vector<DisplacementConstraint>
-ConstraintsOfFolds(const ColonPair & pair, const CorrectedWarp & corrected)
-{
-  const RowMap                        warp = corrected.Warp(pair);
-  std::vector<DisplacementConstraint> constraints;
-  for (const auto & [i, j] : corrected.matching.pairs)
-  {
-    AddFolds(pair, warp, pair.source.folds[i], pair.target.folds[j], constraints);
-  }
-  return constraints;
-}
-
 /** Taeniae of the source are to come to lie on those of the target, where the map takes them along the colon. In the
  * rectum the muscle is one coat without bands; what is found there are mere continuations. */
 std::vector<DirectionConstraint>
@@ -121,7 +50,7 @@ MatchAndFit(const ColonPair & pair, FoldMatchingMethod method, int rounds, Corre
   for (int round = 0; round < rounds; ++round)
   {
     const RowMap map = corrected.Map(pair);
-    corrected.matching = MatchAbout(pair, map, method);
+    corrected.matching = MatchFoldsAbout(pair, map, method);
     FitCorrection(pair, map, {}, corrected);
   }
 }
@@ -177,7 +106,8 @@ FitCorrection(const ColonPair &                pair,
   options.stiffness = corrected.stiffness;
   const auto correction = std::make_shared<SmoothCorrection>(
     pair.sourceCylinder->Begin(), pair.sourceCylinder->End(), pair.Around(), options);
-  const std::vector<double> weights = correction->Fit(ConstraintsOfFolds(pair, corrected), directions);
+  const std::vector<double> weights =
+    correction->Fit(ConstraintsOfFolds(pair, corrected.Warp(pair), corrected.matching), directions);
   corrected.correction = correction;
   corrected.pairWeights.clear();
   for (std::size_t i = 0; i < corrected.matching.pairs.size(); ++i)
@@ -203,25 +133,6 @@ CorrectChosenWarp(const ColonPair & pair, const CylindricalWarp & warp, FoldMatc
   corrected.taeniaDeviation = 6.0;
   corrected.stiffness = 1.0;
   MatchAndFit(pair, method, 3, corrected);
-  return corrected;
-}
-
-CorrectedWarp
-CorrectWarpExactly(const ColonPair & pair, const CylindricalWarp & warp)
-{
-  SmoothCorrectionOptions options;
-  options.step = 4.0;
-  options.angles = 36;
-  options.deviation = 0.1;
-  options.iterations = 1;
-  CorrectedWarp corrected;
-  corrected.warp = warp;
-  corrected.matching = MatchAbout(pair, corrected.Warp(pair), FoldMatchingMethod::Hungarian);
-  const auto correction = std::make_shared<SmoothCorrection>(
-    pair.sourceCylinder->Begin(), pair.sourceCylinder->End(), pair.Around(), options);
-  correction->Fit(ConstraintsOfFolds(pair, corrected));
-  corrected.correction = correction;
-  corrected.pairWeights.assign(corrected.matching.pairs.size(), 1.0);
   return corrected;
 }
 } // namespace shapeton

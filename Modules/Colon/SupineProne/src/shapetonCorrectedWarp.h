@@ -54,10 +54,6 @@ CorrectWarp(const ColonPair & pair, const CylindricalWarp & warp, FoldMatchingMe
 CorrectedWarp
 CorrectChosenWarp(const ColonPair & pair, const CylindricalWarp & warp, FoldMatchingMethod method);
 
-/** Matches folds once about the warp; the correction goes through middle and ends of all of them, right or wrong. */
-CorrectedWarp
-CorrectWarpExactly(const ColonPair & pair, const CylindricalWarp & warp);
-
 /** Corrects it further by the pictures of folds themselves (Gauss-Newton). */
 void
 RefineByPictures(const ColonPair & pair, CorrectedWarp & corrected);

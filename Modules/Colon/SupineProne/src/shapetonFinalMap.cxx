@@ -1,6 +1,7 @@
 #include "shapetonFinalMap.h"
 
 #include "shapetonBeltramiProjection.h"
+#include "shapetonPublishedMap.h"
 
 #include <algorithm>
 #include <cmath>
@@ -24,20 +25,20 @@ SegmentOf(const SupineProneRegistration & registration, double s)
 }
 
 void
-AddMatches(const ColonPair & pair, const CorrectedWarp & corrected, SupineProneRegistration & registration)
+AddMatches(const ColonPair & pair, const std::vector<double> & weights, SupineProneRegistration & registration)
 {
-  for (std::size_t k = 0; k < corrected.matching.pairs.size(); ++k)
+  for (std::size_t k = 0; k < registration.matching.pairs.size(); ++k)
   {
-    const auto [i, j] = corrected.matching.pairs[k];
+    const auto [i, j] = registration.matching.pairs[k];
     const CylinderPlace from = pair.sourceCylinder->PlaceOfUv(pair.source.folds[i].centreUv);
     const CylinderPlace to = pair.targetCylinder->PlaceOfUv(pair.target.folds[j].centreUv);
     const CylinderPlace mapped = registration.map.Forward(from);
     FoldMatch           match;
     match.source = i;
     match.target = j;
-    match.cost = corrected.matching.costs[k];
+    match.cost = registration.matching.costs[k];
     match.residual = std::hypot(mapped.s - to.s, TurnDifference(mapped.turn, to.turn) * pair.Around());
-    match.weight = corrected.pairWeights[k];
+    match.weight = weights[k];
     match.segment = SegmentOf(registration, from.s);
     registration.matches.push_back(match);
   }
@@ -57,6 +58,19 @@ MarkExcluded(const ColonPair & pair, SupineProneRegistration & registration)
                                       IsExcluded(pair.target, *pair.targetCylinder, nodes.At(i, j));
     }
   }
+}
+
+/** `weights` are those of the pairs of registration.matching. */
+void
+FillIn(const ColonPair &           pair,
+       CylinderMap                 map,
+       const std::vector<double> & weights,
+       SupineProneRegistration &   registration)
+{
+  registration.map = std::move(map);
+  registration.figures.flips = registration.map.Flips();
+  AddMatches(pair, weights, registration);
+  MarkExcluded(pair, registration);
 }
 } // namespace
 
@@ -92,11 +106,28 @@ ProjectMap(const ColonPair &         pair,
   options.greatest = greatestDilatation;
   const BeltramiProjection projection =
     ProjectToBijection(NodesOf(pair, corrected.Map(pair)), pair.sourceCylinder->Around(), pair.Around(), options);
-  registration.map = CylinderMap(projection.nodes);
-  registration.figures.flips = registration.map.Flips();
+  registration.matching = corrected.matching;
   registration.figures.flipsBeforeProjection = projection.flipsBefore;
   registration.figures.greatestDilatation = projection.greatest;
-  AddMatches(pair, corrected, registration);
-  MarkExcluded(pair, registration);
+  FillIn(pair, CylinderMap(projection.nodes), corrected.pairWeights, registration);
+}
+
+void
+MapAsPublished(const ColonPair &         pair,
+               FoldMatchingMethod        method,
+               double                    greatestDilatation,
+               SupineProneRegistration & registration)
+{
+  const PublishedMap published = FindPublishedMap(pair, registration.frame, method, greatestDilatation);
+  registration.matching = published.matching;
+  registration.figures.greatestDilatation = published.greatestDilatation;
+  registration.figures.solves = published.solves;
+  registration.figures.greatestMiss = published.greatestMiss;
+  FillIn(pair, published.map, published.pairWeights, registration);
+  if (registration.figures.flips > 0)
+  {
+    registration.warnings.push_back("the published map turns " + std::to_string(registration.figures.flips) +
+                                    " triangles over: it is not one-to-one there");
+  }
 }
 } // namespace shapeton

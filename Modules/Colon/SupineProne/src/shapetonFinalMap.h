@@ -10,12 +10,19 @@ namespace shapeton
 CylinderNodes
 NodesOf(const ColonPair & pair, const RowMap & map);
 
-/** Fills in map, matches, what is excluded, and the figures of these. */
+/** Fills in map, matching and matches, what is excluded, and the figures of these. */
 void
 ProjectMap(const ColonPair &         pair,
            const CorrectedWarp &     corrected,
            double                    greatestDilatation,
            SupineProneRegistration & registration);
+
+/** The same by FindPublishedMap() about the frame of the registration; warns of triangles that are turned over. */
+void
+MapAsPublished(const ColonPair &         pair,
+               FoldMatchingMethod        method,
+               double                    greatestDilatation,
+               SupineProneRegistration & registration);
 } // namespace shapeton
 
 #endif

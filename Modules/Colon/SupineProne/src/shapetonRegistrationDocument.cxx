@@ -112,6 +112,11 @@ FiguresToJson(const RegistrationFigures & figures)
   json["flips"] = figures.flips;
   json["flipsBeforeProjection"] = figures.flipsBeforeProjection;
   json["greatestDilatation"] = RoundedJson(figures.greatestDilatation);
+  if (figures.solves > 0) // the published map
+  {
+    json["solves"] = figures.solves;
+    json["greatestMiss"] = RoundedJson(figures.greatestMiss);
+  }
   return json;
 }
 } // namespace

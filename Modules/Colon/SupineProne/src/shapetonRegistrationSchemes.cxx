@@ -1,6 +1,7 @@
 #include "shapetonRegistrationSchemes.h"
 
 #include "shapetonFinalMap.h"
+#include "shapetonPublishedMap.h"
 
 #include <algorithm>
 #include <limits>
@@ -68,18 +69,18 @@ MapOfFrame(const ColonPair & pair, const PiecewiseLine & frame)
   return CylinderMap(NodesOf(pair, { frame, { { 0.0, 1.0 }, { rotation, rotation } }, nullptr, pair.Around() }));
 }
 
-CylinderMap
-MapThroughFolds(const ColonPair & pair, const CylinderMap & frame)
+FoldMatching
+FollowedPairs(const SupineProneRegistration & registration)
 {
-  const CylinderNodes & nodes = frame.Nodes();
-  CylindricalWarp       warp;
-  for (int row = 0; row < nodes.Rows(); ++row)
+  FoldMatching followed;
+  for (const FoldMatch & match : registration.matches)
   {
-    warp.s.push_back(nodes.begin + row * nodes.step);
-    warp.targetS.push_back(nodes.s(row, 0));
-    warp.rotation.push_back(nodes.turn(row, 0));
+    if (match.weight >= 0.5)
+    {
+      followed.pairs.emplace_back(match.source, match.target);
+    }
   }
-  return CylinderMap(NodesOf(pair, CorrectWarpExactly(pair, warp).Map(pair)));
+  return followed;
 }
 } // namespace
 
@@ -89,6 +90,7 @@ MapOfScheme(RegistrationScheme              scheme,
             const ColonPosition &           target,
             const SupineProneRegistration & registration)
 {
+  const double             greatestDilatation = SupineProneOptions().greatestDilatation;
   ColonPair                pair(source, target);
   std::vector<std::string> warnings; // the registration has told them
   FindFrame(pair, false, warnings);
@@ -100,8 +102,10 @@ MapOfScheme(RegistrationScheme              scheme,
       return MapOfFrame(pair, EndFrame(pair.frame));
     case RegistrationScheme::Warping:
       return registration.warp;
-    case RegistrationScheme::HardConstraints:
-      return MapThroughFolds(pair, registration.frame);
+    case RegistrationScheme::Published:
+      return FindPublishedMap(pair, registration.frame, FoldMatchingMethod::Hungarian, greatestDilatation).map;
+    case RegistrationScheme::QuasiConformal:
+      return QuasiConformalMapThrough(pair, registration.map, FollowedPairs(registration), greatestDilatation);
     default:
       return registration.frame;
   }

@@ -56,6 +56,11 @@ RegisterColonPositions(const ColonPosition & source, const ColonPosition & targe
   RequireUsable(target);
   RequireParameter(options.greatestDilatation > 0.0 && options.greatestDilatation < 1.0,
                    "the greatest dilatation must lie between 0 and 1");
+  const bool isPublished = options.map == SupineProneMap::Published;
+  RequireParameter(
+    !isPublished || !(options.refines || options.isSegmentWise),
+    "the published map takes neither the parameter \"refine\" nor the parameter \"segmentWise\": it is always "
+    "made by segments, and never refined");
   ColonPair               pair(source, target);
   SupineProneRegistration result;
   result.sourceFlat = source.flat;
@@ -75,11 +80,17 @@ RegisterColonPositions(const ColonPosition & source, const ColonPosition & targe
   {
     RefineByPictures(pair, choice.best);
   }
-  result.matching = choice.best.matching;
   result.frame =
     CylinderMap(NodesOf(pair, { pair.frame, { choice.best.warp.s, choice.frameRotation }, nullptr, pair.Around() }));
   result.warp = CylinderMap(NodesOf(pair, choice.best.Warp(pair)));
-  ProjectMap(pair, choice.best, options.greatestDilatation, result);
+  if (isPublished)
+  {
+    MapAsPublished(pair, options.matching, options.greatestDilatation, result);
+  }
+  else
+  {
+    ProjectMap(pair, choice.best, options.greatestDilatation, result);
+  }
   JudgeRegistration(source, target, result);
   return result;
 }

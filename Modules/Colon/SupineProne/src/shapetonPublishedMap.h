@@ -1,0 +1,46 @@
+#ifndef shapetonPublishedMap_h
+#define shapetonPublishedMap_h
+
+#include "shapetonColonPair.h"
+#include "shapetonCylinderMap.h"
+#include "shapetonFoldMatching.h"
+
+namespace shapeton
+{
+/** The map of the dissertation. */
+struct PublishedMap
+{
+  CylinderMap  map;
+  FoldMatching matching;
+  /** How much the map follows the middle of each pair, 0 to 1. */
+  std::vector<double> pairWeights;
+  double              greatestDilatation{ 0.0 };
+  /** See QuasiConformalMap. */
+  int    solves{ 0 };
+  double greatestMiss{ 0.0 };
+};
+
+/** Supine to prone as in 4.3 and 5.4.2 of the dissertation, which refers to Zeng, Marino, Gurijala, Gu, Kaufman 2010: a
+ * quasi-conformal map of the flat walls, which are conformal, through landmarks. Ends and flexures go to ends and
+ * flexures, as circles that may turn, and the main taenia, along which the method cuts the wall, goes to the main
+ * taenia. Folds are matched once about the map that this gives, segment by segment. The final map is forced through
+ * the border points too: those ends of matched folds that lie near the main taenia, right or wrong.
+ *
+ * Open in the dissertation, and chosen here: how the Beltrami coefficient is found, see FindQuasiConformalMap(); how
+ * near a border point lies, 15 mm. Other than there the map is periodic around, and `frame` tells which taenia is
+ * which. */
+PublishedMap
+FindPublishedMap(const ColonPair &   pair,
+                 const CylinderMap & frame,
+                 FoldMatchingMethod  method,
+                 double              greatestDilatation);
+
+/** The same map through the ends of folds that are matched already, and the ends of the colon, but nothing else. */
+CylinderMap
+QuasiConformalMapThrough(const ColonPair &    pair,
+                         const CylinderMap &  start,
+                         const FoldMatching & matching,
+                         double               greatestDilatation);
+} // namespace shapeton
+
+#endif
