@@ -42,6 +42,7 @@ const std::vector<Part> parts = {
   { "colon-landmarks-ct", "Folds, taeniae and flexures from CT", ValidateColonLandmarksFromCt, false, false },
   { "colon-registration", "Supine and prone: one map between two positions", ValidateColonRegistration, false },
   { "colon-registration-ct", "Supine and prone from CT", ValidateColonRegistrationFromCt, false, false },
+  { "colon-pairs", "Confidence of pairs of positions", ValidateReliabilityOfPairs, false, false },
   { "colon-polyps", "Polyp candidates of synthetic colons", ValidateColonPolyps, false },
   { "colon-polyps-ct", "Polyp candidates from CT", ValidateColonPolypsFromCt, false, false },
   { "graph-embedding", "Embeddings of graphs", ValidateGraphEmbedding, false },

@@ -111,6 +111,8 @@ ValidateColonRegistration(const ValidationSettings & settings, ValidationReport 
 void
 ValidateColonRegistrationFromCt(const ValidationSettings & settings, ValidationReport & report);
 void
+ValidateReliabilityOfPairs(const ValidationSettings & settings, ValidationReport & report);
+void
 ValidateColonPolyps(const ValidationSettings & settings, ValidationReport & report);
 void
 ValidateColonPolypsFromCt(const ValidationSettings & settings, ValidationReport & report);
