@@ -15,8 +15,9 @@ enum class SupineProneMap
   /** Warped, corrected by folds and taeniae as far as they agree, projected to a bijection. */
   Default,
   /** As in the dissertation (4.3, 5.4.2; Zeng, Marino, Gurijala, Gu, Kaufman 2010): folds are matched once, segment by
-   * segment, about the frame of flexures and the main taenia; the map is quasi-conformal and is forced through
-   * flexures, taenia and the ends of all matched folds. Triangles may be turned over. See FindQuasiConformalMap(). */
+   * segment, about a conformal map between flexures and along the main taenia; the final map is quasi-conformal and is
+   * forced through flexures, this taenia and the ends of all matched folds, right or wrong. Triangles may be turned
+   * over. See FindQuasiConformalMap(). */
   Published
 };
 

@@ -104,17 +104,7 @@ SegmentWise(ColonPair pair)
   return pair;
 }
 
-/** Whether a fold end is a border point: near the main taenia, along which the published method cuts the wall. */
-bool
-IsAtBorder(const ColonPair & pair, const CylinderPlace & place)
-{
-  constexpr double close = 15.0; // mm
-  return !pair.AreTaeniaeKnown() ||
-         std::abs(TurnDifference(place.turn, pair.sourceTaeniae.At(0, place.s))) * pair.sourceCylinder->Around() <
-           close;
-}
-
-/** The ends of matched folds that are border points. */
+/** The ends of matched folds. */
 std::vector<Landmark>
 LandmarksOf(const ColonPair & pair, const CylinderMap & map, const FoldMatching & matching)
 {
@@ -124,7 +114,7 @@ LandmarksOf(const ColonPair & pair, const CylinderMap & map, const FoldMatching 
   for (const DisplacementConstraint & constraint : ConstraintsOfFolds(pair, forward, matching))
   {
     const bool isMiddle = point++ % 3 == 0;
-    if (!isMiddle && IsAtBorder(pair, constraint.place))
+    if (!isMiddle)
     {
       const CylinderPlace at = map.Forward(constraint.place);
       landmarks.push_back(

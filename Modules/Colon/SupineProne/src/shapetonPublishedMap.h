@@ -23,12 +23,12 @@ struct PublishedMap
 /** Supine to prone as in 4.3 and 5.4.2 of the dissertation, which refers to Zeng, Marino, Gurijala, Gu, Kaufman 2010: a
  * quasi-conformal map of the flat walls, which are conformal, through landmarks. Ends and flexures go to ends and
  * flexures, as circles that may turn, and the main taenia, along which the method cuts the wall, goes to the main
- * taenia. Folds are matched once about the map that this gives, segment by segment. The final map is forced through
- * the border points too: those ends of matched folds that lie near the main taenia, right or wrong.
+ * taenia. Folds are matched once about the map that this gives, segment by segment, and the final map is forced
+ * through the ends of all that were matched, right or wrong.
  *
- * Open in the dissertation, and chosen here: how the Beltrami coefficient is found, see FindQuasiConformalMap(); how
- * near a border point lies, 15 mm. Other than there the map is periodic around, and `frame` tells which taenia is
- * which. */
+ * Open in the dissertation, and chosen here: how the Beltrami coefficient is found, see FindQuasiConformalMap(). It
+ * gives ends of folds near the main taenia more weight than others, which hard constraints cannot. Other than there
+ * the map is periodic around, and `frame` tells which taenia is which. */
 PublishedMap
 FindPublishedMap(const ColonPair &   pair,
                  const CylinderMap & frame,
