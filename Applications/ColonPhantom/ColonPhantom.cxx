@@ -2,6 +2,7 @@
 
 #include "shapetonToolSurfaces.h"
 #include "shapetonColonPhantomImageSource.h"
+#include "shapetonColonPhantomOptions.h"
 #include "shapetonColonTruthWriter.h"
 #include "shapetonCommandLine.h"
 #include "shapetonDicomSeriesWriter.h"
@@ -16,54 +17,14 @@ namespace
 {
 using Source = shapeton::ColonPhantomImageSource;
 
-template <typename TNumber>
-void
-Override(const shapeton::CommandLine & commandLine, const char * name, TNumber & value)
-{
-  if (commandLine.IsGiven(name))
-  {
-    value = static_cast<TNumber>(commandLine.GetDouble(name));
-  }
-}
-
-void
-OverrideCount(const shapeton::CommandLine & commandLine, const char * name, int & value)
-{
-  if (commandLine.IsGiven(name))
-  {
-    value = commandLine.GetInteger(name);
-  }
-}
-
-// Options that are not given, or -1, have the value of the preset.
-shapeton::ColonPhantomParameters
-ReadParameters(const shapeton::CommandLine & commandLine)
-{
-  auto parameters = shapeton::ColonPhantomPreset(commandLine.GetString("preset"));
-  parameters.position = commandLine.GetString("position");
-  parameters.seed = static_cast<unsigned>(commandLine.GetInteger("seed"));
-  OverrideCount(commandLine, "polyps", parameters.polyps);
-  OverrideCount(commandLine, "collapsed", parameters.collapsed);
-  OverrideCount(commandLine, "fakeHandles", parameters.fakeHandles);
-  Override(commandLine, "fluid", parameters.fluid);
-  Override(commandLine, "roughness", parameters.roughness);
-  Override(commandLine, "flattenedFolds", parameters.flattenedFolds);
-  Override(commandLine, "foldSlide", parameters.foldSlide);
-  Override(commandLine, "distension", parameters.distension);
-  Override(commandLine, "torsion", parameters.torsion);
-  Override(commandLine, "noise", parameters.noise);
-  shapeton::RequireValid(parameters);
-  return parameters;
-}
-
 Source::Pointer
-MakeSource(const shapeton::CommandLine & commandLine)
+MakeSource(shapeton::CommandLine & commandLine)
 {
   const double extent[3] = { 358.4, 358.4, 336.0 }; // mm
   const auto   grid = shapeton::MakePhantomGrid(commandLine.GetIntegers("size"),
                                               commandLine.GetDoubles("spacing"),
                                               commandLine.GetDoubles("direction"),
-                                              sizeof(short) + 2 * sizeof(unsigned char),
+                                              sizeof(short) + 3 * sizeof(unsigned char),
                                               itk::Vector<double, 3>(extent));
   shapeton::RequireParameter(!shapeton::IsLeftHanded(grid.direction),
                              "--direction: a CT series cannot have left-handed axes; change the sign of one column");
@@ -72,7 +33,7 @@ MakeSource(const shapeton::CommandLine & commandLine)
   source->SetSpacing(grid.spacing);
   source->SetDirection(grid.direction);
   source->CenterOutput();
-  source->SetParameters(ReadParameters(commandLine));
+  source->SetParameters(shapeton::ReadColonPhantomParameters(commandLine));
   return source;
 }
 

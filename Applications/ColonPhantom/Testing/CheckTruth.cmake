@@ -1,12 +1,13 @@
 # The truth is complete, and its images lie on the grid of the series.
-set(names centreline.vtp correspondence.vtp folds.vtp lumen.nrrd polyps.csv segments.nrrd taeniae.vtp wall.vtp)
+set(names centreline.vtp correspondence.vtp folds.vtp lumen.nrrd polyps.csv segments.nrrd structures.json
+  structures.nrrd structures.vtp taeniae.vtp wall.vtp)
 file(GLOB found RELATIVE ${FOLDER} ${FOLDER}/* ${FOLDER}/.*)
 list(SORT found)
 list(REMOVE_ITEM found . ..)
 if(NOT found STREQUAL names)
   message(FATAL_ERROR "${FOLDER} holds [${found}], not [${names}]")
 endif()
-foreach(name lumen segments)
+foreach(name lumen segments structures)
   file(STRINGS ${FOLDER}/${name}.nrrd header LIMIT_INPUT 2000 REGEX "^(sizes|space|type).*")
   if(NOT header MATCHES "sizes: 36 36 34" OR NOT header MATCHES "space: left-posterior-superior" OR
      NOT header MATCHES "type: unsigned char")

@@ -29,6 +29,23 @@ struct ColonPolyp
   int             materialId; ///< the nearest wall point of Correspondence()
 };
 
+/** The ileocaecal valve of the phantom. LPS, mm. \ingroup ColonPhantom */
+struct ColonValve
+{
+  std::string     kind;      ///< bump or lips
+  Eigen::Vector3d position;  ///< in the middle between base and crest
+  Eigen::Vector3d base;      ///< on the wall without folds
+  Eigen::Vector3d mouth;     ///< where the ileum opens, at the bottom of the cleft between the lips; of a bump its top
+  Eigen::Vector3d direction; ///< unit vector out of the wall into the lumen
+  Eigen::Vector3d slit;      ///< unit vector around the colon, along the mouth
+  Eigen::Vector3d upperLip;  ///< the middle of the crest of the lip towards the ascending colon; of a bump its top
+  Eigen::Vector3d lowerLip;  ///< of that towards the caecum
+  double          length;    ///< along the slit
+  double          height;    ///< above the wall
+  double          thickness; ///< of each lip; of a bump the whole
+  double          arcLength;
+};
+
 /** \class ColonAnatomy
  * \brief The colon of a synthetic patient in one position, known exactly.
  *
@@ -87,6 +104,13 @@ public:
 
   std::vector<ColonPolyp>
   Polyps() const;
+
+  ColonValve
+  Valve() const;
+
+  /** The point of the wall that is farthest from the mouth of the caecum, the middle of the lumen at the valve. */
+  Eigen::Vector3d
+  CaecalPole() const;
 
   /** Points of the wall on a grid in material coordinates with the point arrays materialId, arcLength, angle, segment,
    * collapsed and onFold. The same materialId is the same piece of wall in all positions of one seed. */

@@ -4,6 +4,7 @@
 #include "ColonPhantomExport.h"
 #include "shapetonColonAnatomy.h"
 #include "shapetonColonFluid.h"
+#include "shapetonColonStructures.h"
 
 #include "itkGenerateImageSource.h"
 #include "itkImage.h"
@@ -28,7 +29,7 @@ namespace shapeton
  *
  * \par Inputs and Outputs
  * No input. Output 0 is the image in HU; output 1 the lumen (1 gas, 2 fluid); output 2 the segments of the lumen (see
- * ColonAnatomy).
+ * ColonAnatomy); output 3 what else is known of a voxel (ColonStructure).
  *
  * \par Parameters
  * Size (default 256, 256, 240), Spacing (default 1.4 mm), Origin (default: such that the volume's centre is at the
@@ -66,7 +67,7 @@ public:
   itkSetClampMacro(Blur, double, 0.0, 3.0);
   itkGetConstMacro(Blur, double);
 
-  /** Make the outputs 1 and 2 alone, which takes a small part of the time; output 0 stays without pixels. Default off.
+  /** Make the outputs 1 to 3 alone, which takes a small part of the time; output 0 stays without pixels. Default off.
    */
   itkSetMacro(TruthOnly, bool);
   itkGetConstMacro(TruthOnly, bool);
@@ -81,6 +82,8 @@ public:
   GetAnatomy();
   const ColonFluid &
   GetFluid();
+  const ColonStructures &
+  GetStructures();
 
   /** 1 gas, 2 fluid, 0 elsewhere. */
   LabelImageType *
@@ -89,6 +92,10 @@ public:
   /** 1 to 6 in the lumen, 0 elsewhere. */
   LabelImageType *
   GetSegmentOutput();
+
+  /** A ColonStructure for each voxel. */
+  LabelImageType *
+  GetStructureOutput();
 
   using Superclass::MakeOutput;
   itk::ProcessObject::DataObjectPointer
@@ -111,11 +118,12 @@ private:
   void
   PaintImage(const std::vector<OutputImageRegionType> & tiles);
 
-  ColonPhantomParameters              m_Parameters;
-  double                              m_Blur{ 0.75 };
-  bool                                m_TruthOnly{ false };
-  std::unique_ptr<const ColonAnatomy> m_Anatomy;
-  std::unique_ptr<const ColonFluid>   m_Fluid;
+  ColonPhantomParameters                 m_Parameters;
+  double                                 m_Blur{ 0.75 };
+  bool                                   m_TruthOnly{ false };
+  std::unique_ptr<const ColonAnatomy>    m_Anatomy;
+  std::unique_ptr<const ColonFluid>      m_Fluid;
+  std::unique_ptr<const ColonStructures> m_Structures;
 };
 } // namespace shapeton
 

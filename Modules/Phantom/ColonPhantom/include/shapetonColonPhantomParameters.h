@@ -7,11 +7,16 @@
 
 namespace shapeton
 {
+/** Of a parameter: its value is drawn from the seed. \ingroup ColonPhantom */
+constexpr double drawnBySeed = -1.0;
+
 /** \class ColonPhantomParameters
  * \brief What a synthetic patient for CT colonography is like, and how the patient lies.
  *
  * The seed fixes the patient: the shape of the colon at rest, folds, taeniae and polyps. Everything else may differ
  * between two examinations of one patient. The defaults are the preset standard.
+ *
+ * Where a comment names two ranges, the second is that from which drawnBySeed takes the value.
  * \ingroup ColonPhantom
  */
 struct ColonPhantomParameters
@@ -41,11 +46,51 @@ struct ColonPhantomParameters
   double torsion{ 15.0 };
   /** Standard deviation of the scanner's noise in HU, 0 to 300. */
   double noise{ 25.0 };
+  /** The rectal catheter: none, central (in the middle of the lumen, with a closed end), rigid (straight beyond the
+   * anal canal), soft (sinks onto the wall) or drawn: rigid or soft, none in four of ten patients. Without a catheter
+   * the anal canal is closed. The parameters that follow are those of the catheter where there is one. */
+  std::string catheter{ "central" };
+  /** Inner diameter in mm, 2 to 8; 4 to 6. */
+  double catheterBore{ 6.0 };
+  /** Thickness of its wall in mm, 0.8 to 3; 2 to 2.6. */
+  double catheterWall{ 1.0 };
+  /** HU of its wall, 50 to 1000; 120 to 280. */
+  double catheterIntensity{ 280.0 };
+  /** From the anal verge to its tip in mm, 45 to 150, less where a rigid one meets the wall; 55 to 80, soft 75 to 125.
+   */
+  double catheterDepth{ 75.0 };
+  /** Number of holes in its side near the tip, 0 to 4; none, then with an open end, in four of ten. */
+  int catheterHoles{ 0 };
+  /** Around the catheter inside the anal canal: none, gas, fluid (water), deflated (a sleeve) or drawn. */
+  std::string balloon{ "none" };
+  /** Of a balloon with gas or fluid in mm, 12 to 45, less where the rectum is narrower; 22 to 38. */
+  double balloonDiameter{ drawnBySeed };
+  /** The ileocaecal valve: bump (a smooth half ellipsoid) or lips (two of them around a slit, with the terminal ileum
+   * behind it). The six parameters that follow are for lips. */
+  std::string valve{ "bump" };
+  /** Of the lips along the slit in mm, 12 to 40; 15 to 30. */
+  double valveLength{ drawnBySeed };
+  /** Of the lips above the wall in mm, 5 to 18; 8 to 15. */
+  double valveHeight{ drawnBySeed };
+  /** Share of fat in the lips under their mucosa, 0 to 1; .7 to .95, in three of ten patients 0 to .2. */
+  double valveFat{ drawnBySeed };
+  /** The bore of the terminal ileum in mm, 5 to 16; 8 to 12. */
+  double ileumBore{ drawnBySeed };
+  /** Its length in mm, 40 to 150; 60 to 120, less where there is no room. */
+  double ileumLength{ drawnBySeed };
+  /** collapsed, gas, fluid (tagged) or drawn, which may differ between positions. */
+  std::string ileumContent{ "drawn" };
 };
 
-/** The parameters of the preset standard or hard. Throws ParameterError for another name. \ingroup ColonPhantom */
+/** The parameters of the preset standard, hard or realistic. Throws ParameterError for another name.
+ * \ingroup ColonPhantom */
 ColonPhantom_EXPORT ColonPhantomParameters
 ColonPhantomPreset(const std::string & name);
+
+/** The parameters with all that is drawnBySeed drawn: from the seed, and where a comment says so from the position.
+ * What is given moves nothing that is drawn. \ingroup ColonPhantom */
+ColonPhantom_EXPORT ColonPhantomParameters
+Drawn(const ColonPhantomParameters & parameters);
 
 /** Throws ParameterError that names the first parameter out of its range. \ingroup ColonPhantom */
 ColonPhantom_EXPORT void

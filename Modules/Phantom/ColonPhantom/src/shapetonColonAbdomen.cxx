@@ -2,12 +2,13 @@
 
 #include "shapetonAbdomenParts.h"
 #include "shapetonColonBody.h"
+#include "shapetonColonStructurePart.h"
 #include "shapetonSmallBowel.h"
 
 namespace shapeton
 {
 PhantomBodies
-MakeColonAbdomen(const ColonAnatomy & anatomy, const ColonFluid & fluid)
+MakeColonAbdomen(const ColonAnatomy & anatomy, const ColonFluid & fluid, const ColonStructures & structures)
 {
   const auto    down = MakeVector(fluid.Down()[0], fluid.Down()[1], fluid.Down()[2]);
   const auto &  parameters = anatomy.GetParameters();
@@ -20,11 +21,18 @@ MakeColonAbdomen(const ColonAnatomy & anatomy, const ColonFluid & fluid)
   bodies.push_back(MakeSmallBowel(parameters.seed, down));
   AddBones(bodies);
   bodies.push_back(MakeSolidBody(Both(NatalCleft(anatomy), BodyOutline()), airIntensity));
+  const auto add = [&](bool behindColon) {
+    for (const auto & part : structures.GetParts())
+    {
+      if (part.body && part.isBehindColon == behindColon)
+      {
+        bodies.push_back(part.body);
+      }
+    }
+  };
+  add(true);
   bodies.push_back(MakeColonBody(anatomy, fluid));
-  for (const auto & body : MakeCatheter(anatomy))
-  {
-    bodies.push_back(body);
-  }
+  add(false);
   return bodies;
 }
 } // namespace shapeton

@@ -39,10 +39,10 @@ NodeRadii(const ColonPath & rest, const ColonPlan & plan, const ColonPhantomPara
 struct ColonAnatomy::Data
 {
   explicit Data(const ColonPhantomParameters & p)
-    : parameters(Checked(p))
-    , rest(RestPath(p.seed))
-    , plan(rest, p.seed, p.polyps)
-    , field(PositionedPath(rest, NodeRadii(rest, plan, p), p), plan, p, Reach)
+    : parameters(Drawn(Checked(p)))
+    , rest(RestPath(parameters))
+    , plan(rest, parameters)
+    , field(PositionedPath(rest, NodeRadii(rest, plan, parameters), parameters), plan, parameters, Reach)
   {}
 
   ColonPhantomParameters parameters;
@@ -99,6 +99,18 @@ std::vector<ColonPolyp>
 ColonAnatomy::Polyps() const
 {
   return ColonPolypTruth(m_Data->plan, m_Data->field);
+}
+
+ColonValve
+ColonAnatomy::Valve() const
+{
+  return ColonValveTruth(m_Data->plan, m_Data->field);
+}
+
+Vector3d
+ColonAnatomy::CaecalPole() const
+{
+  return CaecalPoleTruth(m_Data->plan, m_Data->field);
 }
 
 CurveSet

@@ -78,44 +78,12 @@ private:
   const ColonAnatomy & m_Anatomy;
   const ColonFluid &   m_Fluid;
 };
-
-constexpr double catheterDepth = 75.0; // mm from the anal verge
-constexpr double catheterOutside = 40.0;
-
-std::vector<itk::Point<double, 3>>
-CatheterAxis(const ColonAnatomy & anatomy)
-{
-  Eigen::Vector3d verge;
-  Eigen::Vector3d inwards;
-  anatomy.AnalVerge(verge, inwards);
-  const Eigen::Vector3d              start = verge - catheterOutside * inwards;
-  std::vector<itk::Point<double, 3>> axis{ MakePoint(start[0], start[1], start[2]) };
-  const CurveSet                     line = anatomy.Centreline();
-  const Eigen::VectorXd              arcLength = PointValues(line, "arcLength", "the centreline of the phantom");
-  double                             next = 0.0;
-  for (const int vertex : line.curves[0])
-  {
-    if (arcLength[vertex] >= next && arcLength[vertex] <= catheterDepth)
-    {
-      axis.push_back(MakePoint(line.V(vertex, 0), line.V(vertex, 1), line.V(vertex, 2)));
-      next = arcLength[vertex] + 6.0;
-    }
-  }
-  return axis;
-}
 } // namespace
 
 std::shared_ptr<const PhantomBody>
 MakeColonBody(const ColonAnatomy & anatomy, const ColonFluid & fluid)
 {
   return std::make_shared<ColonBody>(anatomy, fluid);
-}
-
-PhantomBodies
-MakeCatheter(const ColonAnatomy & anatomy)
-{
-  const auto axis = CatheterAxis(anatomy);
-  return { MakeSolidBody(TubeSolid(axis, 4.0), 280.0), MakeSolidBody(TubeSolid(axis, 3.0), gasIntensity) };
 }
 
 PhantomSolid

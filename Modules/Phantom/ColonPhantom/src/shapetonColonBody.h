@@ -18,10 +18,6 @@ constexpr double bowelWall = 2.0;
 constexpr double gasIntensity = -994.0;
 constexpr double softTissueIntensity = 50.0;
 
-/** The tube in the anal canal and the rectum, and the gas in it: outer radius 4 mm, wall 1 mm. */
-PhantomBodies
-MakeCatheter(const ColonAnatomy & anatomy);
-
 /** The air between the buttocks, below the anal verge and behind the perineum. */
 PhantomSolid
 NatalCleft(const ColonAnatomy & anatomy);

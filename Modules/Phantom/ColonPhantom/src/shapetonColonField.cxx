@@ -13,6 +13,8 @@ namespace
 {
 constexpr double c_FoldFillet = 1.2;  // mm
 constexpr double c_PolypFillet = 0.8; // mm
+constexpr double c_LipsFillet = 1.5;  // mm
+constexpr double c_LipsReach = 60.0;  // mm along the colon within which the lips are looked at
 
 void
 Normalise(ColonDistance & distance)
@@ -23,27 +25,6 @@ Normalise(ColonDistance & distance)
     distance.value /= length;
     distance.gradient /= length;
   }
-}
-
-// The nearer of two bodies of tissue, with a round fillet in the corner between them.
-ColonDistance
-Join(const ColonDistance & a, const ColonDistance & b, double fillet)
-{
-  if (a.value >= fillet || b.value >= fillet)
-  {
-    return a.value < b.value ? a : b;
-  }
-  const double  x = fillet - a.value;
-  const double  y = fillet - b.value;
-  const double  r = std::sqrt(x * x + y * y);
-  ColonDistance result{ fillet - r, (x * a.gradient + y * b.gradient) / r };
-  // Bodies that lie alongside add up; that is undone.
-  const double length = result.gradient.norm();
-  if (length > 1.0)
-  {
-    result.gradient /= length;
-  }
-  return result;
 }
 
 ColonDistance
@@ -104,6 +85,10 @@ ColonField::ColonField(const ColonPath &              path,
   this->FillSepta(path, parameters.preset == "hard" ? 2.0 : 3.0);
   m_PolypsNear.resize(m_Curve.GetNumberOfSteps() + 1);
   this->PlacePolyps(plan);
+  if (plan.valve.hasLips)
+  {
+    this->PlaceLips(plan);
+  }
 }
 
 void
@@ -190,7 +175,7 @@ ColonField::AddFolds(const Local & local, ColonDistance & distance) const
       body.value = std::abs(across) - fold.halfThickness;
       body.gradient = across < 0 ? Vector3d(-acrossGradient) : acrossGradient;
     }
-    distance = Join(distance, body, c_FoldFillet);
+    distance = JoinTissue(distance, body, c_FoldFillet);
   }
 }
 
@@ -207,13 +192,22 @@ ColonField::AddPolyps(const Vector3d & point, double t, ColonDistance & distance
     if (polyp.isPedunculated)
     {
       const Vector3d foot = polyp.base - 2.0 * polyp.axis;
-      distance = Join(distance, CapsuleDistance(point, foot, polyp.head, polyp.stalkRadius), c_PolypFillet);
-      distance = Join(distance, SphereDistance(point, polyp.head, polyp.radius), c_PolypFillet);
+      distance = JoinTissue(distance, CapsuleDistance(point, foot, polyp.head, polyp.stalkRadius), c_PolypFillet);
+      distance = JoinTissue(distance, SphereDistance(point, polyp.head, polyp.radius), c_PolypFillet);
     }
     else
     {
-      distance = Join(distance, EllipsoidDistance(point, polyp), c_PolypFillet);
+      distance = JoinTissue(distance, EllipsoidDistance(point, polyp), c_PolypFillet);
     }
+  }
+}
+
+void
+ColonField::AddLips(const Vector3d & point, double t, ColonDistance & distance) const
+{
+  if (m_Lips && std::abs(t - m_LipsAt) * m_Curve.GetStep() < c_LipsReach)
+  {
+    distance = JoinTissue(distance, m_Lips->Distance(point), c_LipsFillet);
   }
 }
 
@@ -260,6 +254,7 @@ ColonField::Evaluate(const Vector3d & point, Place & place) const
     {
       this->AddFolds(locals[i], distance);
       this->AddPolyps(point, locals[i].t, distance);
+      this->AddLips(point, locals[i].t, distance);
       Normalise(distance);
       for (int k = 0; k < near.count; ++k)
       {
@@ -280,11 +275,15 @@ ColonField::Evaluate(const Vector3d & point, Place & place) const
 Vector3d
 ColonField::WallPoint(double t, double angle, double & radius) const
 {
-  const Vector3d centre = m_Curve.At(t).position;
-  const Vector3d direction = m_Curve.Direction(t, angle);
-  const auto     distanceAt = [&](double r) {
+  return this->WallAlong(m_Curve.At(t).position, m_Curve.Direction(t, angle), radius);
+}
+
+Vector3d
+ColonField::WallAlong(const Vector3d & from, const Vector3d & direction, double & distance) const
+{
+  const auto distanceAt = [&](double r) {
     Place place;
-    return this->Evaluate(centre + r * direction, place) ? place.distance.value : -m_Reach;
+    return this->Evaluate(from + r * direction, place) ? place.distance.value : -m_Reach;
   };
   // Steps shorter than any fold is thick, then bisection.
   double low = 0.0;
@@ -299,8 +298,8 @@ ColonField::WallPoint(double t, double angle, double & radius) const
     const double middle = 0.5 * (low + high);
     (distanceAt(middle) > 0 ? low : high) = middle;
   }
-  radius = 0.5 * (low + high);
-  return centre + radius * direction;
+  distance = 0.5 * (low + high);
+  return from + distance * direction;
 }
 
 PolypBody
@@ -308,8 +307,8 @@ ColonField::MakeValve(const ColonPlan & plan) const
 {
   PolypBody valve;
   double    radius;
-  valve.t = plan.valveMaterial / m_Curve.GetStep();
-  valve.angle = plan.valveAngle;
+  valve.t = plan.valve.material / m_Curve.GetStep();
+  valve.angle = plan.valve.angle;
   valve.base = this->WallPoint(valve.t, valve.angle, radius);
   valve.axis = -m_Curve.Direction(valve.t, valve.angle);
   valve.isPedunculated = false;
@@ -318,6 +317,24 @@ ColonField::MakeValve(const ColonPlan & plan) const
   valve.stalkRadius = 0.0;
   valve.head = valve.base;
   return valve;
+}
+
+// On the wall without its folds, which slide.
+void
+ColonField::PlaceLips(const ColonPlan & plan)
+{
+  m_LipsAt = plan.valve.material / m_Curve.GetStep();
+  const Vector3d outwards = m_Curve.Direction(m_LipsAt, plan.valve.angle);
+  const Vector3d back = -m_Curve.At(m_LipsAt).first.normalized();
+  ValveLips      lips;
+  lips.base = m_Curve.At(m_LipsAt).position + m_Relief.RadiusAt(m_LipsAt, plan.valve.angle).value * outwards;
+  lips.axis = -outwards;
+  lips.across = back;
+  lips.slit = outwards.cross(back);
+  lips.length = plan.valve.length;
+  lips.height = plan.valve.height;
+  lips.thickness = plan.valve.thickness;
+  m_Lips = lips;
 }
 
 void
@@ -351,7 +368,10 @@ ColonField::PlacePolyps(const ColonPlan & plan)
     body.head = body.base + (body.isPedunculated ? polyp.stalk + body.radius : 0.0) * body.axis;
     bodies.push_back(body);
   }
-  bodies.push_back(this->MakeValve(plan));
+  if (!plan.valve.hasLips)
+  {
+    bodies.push_back(this->MakeValve(plan));
+  }
   m_Polyps = bodies;
   for (std::size_t i = 0; i < m_Polyps.size(); ++i)
   {

@@ -2,21 +2,17 @@
 #define shapetonColonField_h
 
 #include "shapetonColonCurve.h"
+#include "shapetonColonDistance.h"
 #include "shapetonColonRelief.h"
+#include "shapetonValveLips.h"
 
 #include <Eigen/Core>
 
+#include <optional>
 #include <vector>
 
 namespace shapeton
 {
-/** A distance and the direction in which it grows. */
-struct ColonDistance
-{
-  double          value; ///< mm, positive in the lumen
-  Eigen::Vector3d gradient;
-};
-
 /** A polyp in a position. */
 struct PolypBody
 {
@@ -56,6 +52,9 @@ public:
   /** The point of the wall where a ray from the centreline first meets it, and how far out that is. */
   Eigen::Vector3d
   WallPoint(double t, double angle, double & radius) const;
+  /** The same for any ray. */
+  Eigen::Vector3d
+  WallAlong(const Eigen::Vector3d & from, const Eigen::Vector3d & direction, double & distance) const;
 
   const ColonCurve &
   GetCurve() const
@@ -67,11 +66,17 @@ public:
   {
     return m_Relief;
   }
-  /** Those of the plan in its order, then the ileocaecal valve. */
+  /** Those of the plan in its order, then the ileocaecal valve where that is a bump. */
   const std::vector<PolypBody> &
   GetPolyps() const
   {
     return m_Polyps;
+  }
+  /** None where the valve is a bump. */
+  const std::optional<ValveLips> &
+  GetLips() const
+  {
+    return m_Lips;
   }
 
 private:
@@ -90,8 +95,12 @@ private:
             const Local &         there,
             const ColonDistance & other,
             ColonDistance &       distance) const;
+  void
+  AddLips(const Eigen::Vector3d & point, double t, ColonDistance & distance) const;
   PolypBody
   MakeValve(const ColonPlan & plan) const;
+  void
+  PlaceLips(const ColonPlan & plan);
   void
   PlacePolyps(const ColonPlan & plan);
   void
@@ -103,6 +112,8 @@ private:
   std::vector<double>           m_Septum; ///< at each step
   std::vector<PolypBody>        m_Polyps;
   std::vector<std::vector<int>> m_PolypsNear;
+  std::optional<ValveLips>      m_Lips;
+  double                        m_LipsAt{ 0.0 }; ///< place on the curve
 };
 } // namespace shapeton
 

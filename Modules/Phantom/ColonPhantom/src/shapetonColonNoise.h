@@ -22,7 +22,10 @@ enum class ColonStream : std::uint32_t
   FoldSlide,
   FoldFlattening,
   Collapse,
-  Septa
+  Septa,
+  Valve,
+  Ileum,
+  Drawn
 };
 
 /** Uniform and normal numbers from Philox, keyed by seed, purpose and, where it matters, the position (from 1). */

@@ -12,6 +12,8 @@ using Eigen::Vector3d;
 
 namespace
 {
+constexpr double c_RoomAroundIleum = 8.0; // mm
+
 // Places that a colon passes, after drawings and CT of the abdomen; each segment begins where the one before ends.
 struct TemplateSegment
 {
@@ -133,12 +135,13 @@ SpineAxisAt(double z)
 }
 
 ColonPath
-RestPath(unsigned seed)
+RestPath(const ColonPhantomParameters & parameters)
 {
-  ColonPath   path;
-  ColonRandom random(seed, ColonStream::SegmentLengths);
-  double      material = 0.0;
-  double      place = 0.0;
+  const unsigned seed = parameters.seed;
+  ColonPath      path;
+  ColonRandom    random(seed, ColonStream::SegmentLengths);
+  double         material = 0.0;
+  double         place = 0.0;
   for (std::size_t k = 0; k < Template().size(); ++k)
   {
     const TemplateSegment & segment = Template()[k];
@@ -156,7 +159,7 @@ RestPath(unsigned seed)
     material += length;
     place += knots;
   }
-  const std::vector<double> radius = RestRadius(path, seed, static_cast<int>(path.nodes.size()));
+  const std::vector<double> radius = RestRadius(path, parameters, static_cast<int>(path.nodes.size()));
   ColonRelaxation           relaxation(path, radius);
   relaxation.SetMobility(Mobilities(path));
   relaxation.Run(700);
@@ -170,12 +173,12 @@ RestPath(unsigned seed)
 }
 
 std::vector<double>
-RestRadius(const ColonPath & path, unsigned seed, int count)
+RestRadius(const ColonPath & path, const ColonPhantomParameters & parameters, int count)
 {
   // Radii at the beginning, the middle and the end of each segment.
   static const double table[6][3] = { { 22, 24, 15 }, { 14, 12, 14 },   { 15, 17, 19 },
                                       { 20, 21, 22 }, { 22, 23.5, 25 }, { 25, 27, 27 } };
-  ColonRandom         random(seed, ColonStream::Radius);
+  ColonRandom         random(parameters.seed, ColonStream::Radius);
   const SmoothNoise   slow(random, path.Length(), 70.0);
   const SmoothNoise   narrow(random, path.Length(), 30.0);
   std::vector<double> begin(7, 0.0);
@@ -184,6 +187,7 @@ RestRadius(const ColonPath & path, unsigned seed, int count)
     const auto next = std::upper_bound(path.segment.begin(), path.segment.end(), segment) - path.segment.begin();
     begin[segment] = next < static_cast<long>(path.material.size()) ? path.material[next] : path.Length();
   }
+  const double        canal = 0.5 * parameters.catheterBore + parameters.catheterWall;
   std::vector<double> radius(count);
   for (int i = 0; i < count; ++i)
   {
@@ -199,8 +203,8 @@ RestRadius(const ColonPath & path, unsigned seed, int count)
     value *= 1.0 + 0.11 * slow(m);
     // The sigmoid has contracted stretches.
     value *= 1.0 - (segment == 2 ? 0.42 : 0.0) * SmoothStep(0.35, 0.9, narrow(m));
-    // The anal canal opens into the ampulla.
-    radius[i] = 4.0 + (std::min(value, 28.0) - 4.0) * SmoothStep(22.0, 55.0, m);
+    // The anal canal, as wide as the catheter, opens into the ampulla.
+    radius[i] = canal + (std::min(value, 28.0) - canal) * SmoothStep(22.0, 55.0, m);
   }
   return radius;
 }
@@ -224,6 +228,11 @@ PositionedPath(const ColonPath & rest, const std::vector<double> & radius, const
   ColonRelaxation     relaxation(path, radius);
   std::vector<double> held(path.nodes.size(), 0.0);
   relaxation.SetMobility(held);
+  if (parameters.valve == "lips")
+  {
+    const auto caecum = std::lower_bound(path.segment.begin(), path.segment.end(), 6) - path.segment.begin();
+    relaxation.LeaveRoomAt(static_cast<int>(caecum), parameters.ileumBore + c_RoomAroundIleum);
+  }
   relaxation.Run(250);
   const bool  isHard = parameters.preset == "hard";
   ColonRandom septa(parameters.seed, ColonStream::Septa, position);

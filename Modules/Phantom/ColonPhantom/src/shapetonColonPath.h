@@ -32,14 +32,13 @@ struct ColonPath
   }
 };
 
-/** The chain of a patient at rest, through a template of the anatomy, drawn out to the patient's lengths. `radius` is
- * filled with that of the wall at each node. */
+/** The chain of a patient at rest, through a template of the anatomy, drawn out to the patient's lengths. */
 ColonPath
-RestPath(unsigned seed);
+RestPath(const ColonPhantomParameters & parameters);
 
 /** Radius in mm of the patient's distended colon at each of `count` equal steps of the material length. */
 std::vector<double>
-RestRadius(const ColonPath & path, unsigned seed, int count);
+RestRadius(const ColonPath & path, const ColonPhantomParameters & parameters, int count);
 
 /** The chain in a position: the mobile stretches are displaced, and stretches of these radii (one for each node) stay
  * apart but where they are drawn together. */

@@ -72,9 +72,11 @@ ColonPhantomImageSource::ColonPhantomImageSource()
   spacing.Fill(1.4);
   this->SetSpacing(spacing);
   this->CenterOutput();
-  this->SetNumberOfRequiredOutputs(3);
-  this->SetNthOutput(1, this->MakeOutput(1));
-  this->SetNthOutput(2, this->MakeOutput(2));
+  this->SetNumberOfRequiredOutputs(4);
+  for (unsigned int n = 1; n < 4; ++n)
+  {
+    this->SetNthOutput(n, this->MakeOutput(n));
+  }
 }
 
 itk::ProcessObject::DataObjectPointer
@@ -99,11 +101,18 @@ ColonPhantomImageSource::GetSegmentOutput()
   return static_cast<LabelImageType *>(this->ProcessObject::GetOutput(2));
 }
 
+ColonPhantomImageSource::LabelImageType *
+ColonPhantomImageSource::GetStructureOutput()
+{
+  return static_cast<LabelImageType *>(this->ProcessObject::GetOutput(3));
+}
+
 void
 ColonPhantomImageSource::SetParameters(const ColonPhantomParameters & parameters)
 {
   RequireValid(parameters);
   m_Parameters = parameters;
+  m_Structures.reset();
   m_Fluid.reset();
   m_Anatomy.reset();
   this->Modified();
@@ -129,6 +138,16 @@ ColonPhantomImageSource::GetFluid()
   return *m_Fluid;
 }
 
+const ColonStructures &
+ColonPhantomImageSource::GetStructures()
+{
+  if (!m_Structures)
+  {
+    m_Structures = std::make_unique<const ColonStructures>(this->GetAnatomy(), this->GetFluid());
+  }
+  return *m_Structures;
+}
+
 void
 ColonPhantomImageSource::CenterOutput()
 {
@@ -143,7 +162,7 @@ ColonPhantomImageSource::CenterOutput()
 void
 ColonPhantomImageSource::GenerateOutputInformation()
 {
-  for (unsigned int n = 0; n < 3; ++n)
+  for (unsigned int n = 0; n < 4; ++n)
   {
     auto * const output = static_cast<itk::ImageBase<3> *>(this->ProcessObject::GetOutput(n));
     if (this->GetUseReferenceImage() && this->GetReferenceImage())
@@ -169,16 +188,24 @@ ColonPhantomImageSource::GenerateData()
 {
   LabelImageType * const lumen = this->GetLumenOutput();
   LabelImageType * const segments = this->GetSegmentOutput();
-  for (LabelImageType * const output : { lumen, segments })
+  LabelImageType * const structures = this->GetStructureOutput();
+  for (LabelImageType * const output : { lumen, segments, structures })
   {
     output->SetBufferedRegion(output->GetRequestedRegion());
     output->Allocate();
   }
   const LumenLabels             labels(this->GetAnatomy(), this->GetFluid(), lumen, segments);
+  const ColonStructures &       known = this->GetStructures();
   const std::vector<RegionType> tiles = TilesOf(lumen->GetLargestPossibleRegion());
   this->GetMultiThreader()->SetNumberOfWorkUnits(this->GetNumberOfWorkUnits());
   this->GetMultiThreader()->ParallelizeArray(
-    0, tiles.size(), [&](itk::SizeValueType i) { labels.Fill(tiles[i]); }, m_TruthOnly ? this : nullptr);
+    0,
+    tiles.size(),
+    [&](itk::SizeValueType i) {
+      labels.Fill(tiles[i]);
+      known.Fill(structures, tiles[i]);
+    },
+    m_TruthOnly ? this : nullptr);
   if (!m_TruthOnly)
   {
     this->PaintImage(tiles);
@@ -191,7 +218,8 @@ ColonPhantomImageSource::PaintImage(const std::vector<OutputImageRegionType> & t
   ImageType * const image = this->GetOutput();
   image->SetBufferedRegion(image->GetRequestedRegion());
   image->Allocate();
-  const BodySampler     sampler(MakeColonAbdomen(this->GetAnatomy(), this->GetFluid()), image, m_Blur, airIntensity);
+  const BodySampler sampler(
+    MakeColonAbdomen(this->GetAnatomy(), this->GetFluid(), this->GetStructures()), image, m_Blur, airIntensity);
   const CorrelatedNoise noise(
     NoiseSeed(m_Parameters), image->GetLargestPossibleRegion(), m_Parameters.noise, noiseCorrelation);
   this->GetMultiThreader()->ParallelizeArray(

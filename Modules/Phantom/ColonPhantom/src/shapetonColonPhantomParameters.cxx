@@ -1,8 +1,13 @@
 #include "shapetonColonPhantomParameters.h"
 
+#include "shapetonColonNoise.h"
+#include "shapetonColonPath.h"
 #include "shapetonExceptions.h"
 
+#include <algorithm>
+#include <cstdint>
 #include <sstream>
+#include <vector>
 
 namespace shapeton
 {
@@ -18,7 +23,150 @@ RequireRange(const char * name, double value, double low, double high)
     throw ParameterError(message.str());
   }
 }
+
+void
+RequireRangeOrDrawn(const char * name, double value, double low, double high)
+{
+  if (value != drawnBySeed)
+  {
+    RequireRange(name, value, low, high);
+  }
+}
+
+void
+RequireOneOf(const char * name, const std::string & value, const std::vector<std::string> & words)
+{
+  if (std::find(words.begin(), words.end(), value) != words.end())
+  {
+    return;
+  }
+  std::string list;
+  for (std::size_t i = 0; i < words.size(); ++i)
+  {
+    list += (i == 0 ? "" : (i + 1 == words.size() ? " or " : ", ")) + words[i];
+  }
+  throw ParameterError("the parameter \"" + std::string(name) + "\" is '" + value + "'; give " + list);
+}
+
+void
+RequireValidValve(const ColonPhantomParameters & p)
+{
+  RequireOneOf("valve", p.valve, { "bump", "lips" });
+  RequireRangeOrDrawn("valveLength", p.valveLength, 12, 40);
+  RequireRangeOrDrawn("valveHeight", p.valveHeight, 5, 18);
+  RequireRangeOrDrawn("valveFat", p.valveFat, 0, 1);
+  RequireRangeOrDrawn("ileumBore", p.ileumBore, 5, 16);
+  RequireRangeOrDrawn("ileumLength", p.ileumLength, 40, 150);
+  RequireOneOf("ileumContent", p.ileumContent, { "collapsed", "gas", "fluid", "drawn" });
+  const ColonPhantomParameters none;
+  const bool                   isPlain = p.valveLength == none.valveLength && p.valveHeight == none.valveHeight &&
+                       p.valveFat == none.valveFat && p.ileumBore == none.ileumBore &&
+                       p.ileumLength == none.ileumLength && p.ileumContent == none.ileumContent;
+  RequireParameter(p.valve == "lips" || isPlain,
+                   "the parameters \"valveLength\", \"valveHeight\", \"valveFat\", \"ileumBore\", \"ileumLength\" and "
+                   "\"ileumContent\" are for a valve with lips; set the parameter \"valve\" to lips");
+}
+
+void
+RequireValidCatheter(const ColonPhantomParameters & p)
+{
+  RequireOneOf("catheter", p.catheter, { "none", "central", "rigid", "soft", "drawn" });
+  RequireRangeOrDrawn("catheterBore", p.catheterBore, 2, 8);
+  RequireRangeOrDrawn("catheterWall", p.catheterWall, 0.8, 3);
+  RequireRangeOrDrawn("catheterIntensity", p.catheterIntensity, 50, 1000);
+  RequireRangeOrDrawn("catheterDepth", p.catheterDepth, 45, 150);
+  RequireRangeOrDrawn("catheterHoles", p.catheterHoles, 0, 4);
+  RequireOneOf("balloon", p.balloon, { "none", "gas", "fluid", "deflated", "drawn" });
+  RequireRangeOrDrawn("balloonDiameter", p.balloonDiameter, 12, 45);
+}
+
+/** What is drawn by itself, so that more of one thing moves nothing else. */
+enum class Group
+{
+  Valve = 1,
+  Content,
+  Catheter,
+  Balloon
+};
+
+/** Draws in a fixed order, so that what is given moves nothing that is drawn. */
+class Draw
+{
+public:
+  Draw(const ColonPhantomParameters & p, Group group, bool byPosition = false)
+    : m_Random(p.seed, ColonStream::Drawn, byPosition ? PositionNumber(p.position) : 0)
+  {
+    m_Random.Seek(static_cast<std::uint32_t>(group));
+  }
+
+  void
+  operator()(double & value, double low, double high)
+  {
+    const double drawn = m_Random.Uniform(low, high);
+    value = value == drawnBySeed ? drawn : value;
+  }
+
+  void
+  operator()(std::string & value, const std::string & drawn)
+  {
+    value = value == "drawn" ? drawn : value;
+  }
+
+  double
+  Chance()
+  {
+    return m_Random.Uniform();
+  }
+
+private:
+  ColonRandom m_Random;
+};
+
+void
+DrawValve(ColonPhantomParameters & p)
+{
+  Draw draw(p, Group::Valve);
+  draw(p.valveLength, 15, 30);
+  draw(p.valveHeight, 8, 15);
+  const bool isFatty = draw.Chance() < 0.7;
+  draw(p.valveFat, isFatty ? 0.7 : 0.0, isFatty ? 0.95 : 0.2);
+  draw(p.ileumBore, 8, 12);
+  draw(p.ileumLength, 60, 120);
+  const double content = Draw(p, Group::Content, true).Chance();
+  draw(p.ileumContent, content < 0.4 ? "collapsed" : (content < 0.65 ? "gas" : "fluid"));
+}
+
+void
+DrawCatheter(ColonPhantomParameters & p)
+{
+  Draw         draw(p, Group::Catheter);
+  const double kind = draw.Chance();
+  draw(p.catheter, kind < 0.4 ? "none" : (kind < 0.7 ? "rigid" : "soft"));
+  draw(p.catheterBore, 4, 6);
+  draw(p.catheterWall, 2, 2.6);
+  draw(p.catheterIntensity, 120, 280);
+  const bool isSoft = p.catheter == "soft";
+  draw(p.catheterDepth, isSoft ? 75 : 55, isSoft ? 125 : 80);
+  const double holes = draw.Chance();
+  const int    drawn = holes < 0.4 ? 0 : 2 + static_cast<int>((holes - 0.4) / 0.2);
+  p.catheterHoles = p.catheterHoles == drawnBySeed ? drawn : p.catheterHoles;
+  const double balloon = Draw(p, Group::Balloon).Chance();
+  draw(p.balloon, balloon < 0.35 ? "none" : (balloon < 0.65 ? "gas" : (balloon < 0.8 ? "fluid" : "deflated")));
+  draw(p.balloonDiameter, 22, 38);
+}
 } // namespace
+
+ColonPhantomParameters
+Drawn(const ColonPhantomParameters & parameters)
+{
+  ColonPhantomParameters drawn = parameters;
+  DrawCatheter(drawn);
+  if (drawn.valve == "lips")
+  {
+    DrawValve(drawn);
+  }
+  return drawn;
+}
 
 ColonPhantomParameters
 ColonPhantomPreset(const std::string & name)
@@ -28,8 +176,27 @@ ColonPhantomPreset(const std::string & name)
   {
     return parameters;
   }
-  RequireParameter(name == "hard", "the parameter \"preset\" is '" + name + "'; give standard or hard");
+  RequireOneOf("preset", name, { "standard", "hard", "realistic" });
   parameters.preset = name;
+  if (name == "realistic")
+  {
+    parameters.polyps = 10;
+    parameters.fluid = 0.25;
+    parameters.roughness = 0.3;
+    parameters.flattenedFolds = 0.2;
+    parameters.foldSlide = 4.0;
+    parameters.torsion = 25.0;
+    parameters.noise = 30.0;
+    parameters.valve = "lips";
+    parameters.catheter = "drawn";
+    parameters.catheterBore = drawnBySeed;
+    parameters.catheterWall = drawnBySeed;
+    parameters.catheterIntensity = drawnBySeed;
+    parameters.catheterDepth = drawnBySeed;
+    parameters.catheterHoles = static_cast<int>(drawnBySeed);
+    parameters.balloon = "drawn";
+    return parameters;
+  }
   parameters.polyps = 12;
   parameters.fluid = 0.4;
   parameters.collapsed = 1;
@@ -46,11 +213,8 @@ ColonPhantomPreset(const std::string & name)
 void
 RequireValid(const ColonPhantomParameters & p)
 {
-  RequireParameter(
-    p.position == "supine" || p.position == "prone" || p.position == "leftDecubitus" || p.position == "rightDecubitus",
-    "the parameter \"position\" is '" + p.position + "'; give supine, prone, leftDecubitus or rightDecubitus");
-  RequireParameter(p.preset == "standard" || p.preset == "hard",
-                   "the parameter \"preset\" is '" + p.preset + "'; give standard or hard");
+  RequireOneOf("position", p.position, { "supine", "prone", "leftDecubitus", "rightDecubitus" });
+  RequireOneOf("preset", p.preset, { "standard", "hard", "realistic" });
   RequireRange("polyps", p.polyps, 0, 50);
   RequireRange("fluid", p.fluid, 0, 1);
   RequireRange("collapsed", p.collapsed, 0, 5);
@@ -61,5 +225,7 @@ RequireValid(const ColonPhantomParameters & p)
   RequireRange("distension", p.distension, 0.6, 1.3);
   RequireRange("torsion", p.torsion, 0, 90);
   RequireRange("noise", p.noise, 0, 300);
+  RequireValidCatheter(p);
+  RequireValidValve(p);
 }
 } // namespace shapeton

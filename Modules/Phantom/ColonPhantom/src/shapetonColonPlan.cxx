@@ -27,7 +27,7 @@ WrapAngle(double angle)
   return angle - 2 * M_PI * std::ceil((angle - M_PI) / (2 * M_PI));
 }
 
-ColonPlan::ColonPlan(const ColonPath & rest, unsigned seed, int polyps) : m_Length(rest.Length())
+ColonPlan::ColonPlan(const ColonPath & rest, const ColonPhantomParameters & parameters) : m_Length(rest.Length())
 {
   for (int segment = 1; segment <= 6; ++segment)
   {
@@ -36,26 +36,51 @@ ColonPlan::ColonPlan(const ColonPath & rest, unsigned seed, int polyps) : m_Leng
   }
   m_SegmentBegin.push_back(m_Length);
   const int count = static_cast<int>(m_Length / c_TableStep) + 2;
-  m_Radius = RestRadius(rest, seed, count);
-  this->PlanTaeniae(seed);
-  this->PlanFolds(seed);
-  this->PlanPolyps(seed, polyps);
-  this->PlanValve(rest);
+  m_Radius = RestRadius(rest, parameters, count);
+  this->PlanTaeniae(parameters.seed);
+  this->PlanFolds(parameters.seed);
+  this->PlanValve(rest, parameters);
+  this->PlanPolyps(parameters.seed, parameters.polyps);
 }
 
-// The ileum comes from the middle of the body.
+// The ileum comes from the middle of the body, to lips from before or behind, too.
 void
-ColonPlan::PlanValve(const ColonPath & rest)
+ColonPlan::PlanValve(const ColonPath & rest, const ColonPhantomParameters & parameters)
 {
   const ColonCurve curve(rest, std::vector<double>(ColonCurve::NumberOfSteps(m_Length) + 1, 0.0));
-  valveMaterial = m_SegmentBegin[5] + 4.0;
-  double most = -2.0;
+  ColonRandom      random(parameters.seed, ColonStream::Valve);
+  valve.hasLips = parameters.valve == "lips";
+  valve.material = m_SegmentBegin[5] + (valve.hasLips ? 0.0 : 4.0);
+  const double          behind = valve.hasLips ? random.Uniform(-0.7, 1.0) : 0.0;
+  const Eigen::Vector3d towards(std::cos(behind), std::sin(behind), 0.0);
+  double                most = -2.0;
   for (double angle = -3.1; angle < M_PI; angle += 0.1)
   {
-    const double medial = curve.Direction(valveMaterial / curve.GetStep(), angle).x();
-    valveAngle = medial > most ? angle : valveAngle;
+    const double medial = curve.Direction(valve.material / curve.GetStep(), angle).dot(towards);
+    valve.angle = medial > most ? angle : valve.angle;
     most = std::max(most, medial);
   }
+  if (!valve.hasLips)
+  {
+    return;
+  }
+  valve.length = parameters.valveLength;
+  valve.height = parameters.valveHeight;
+  valve.thickness = random.Uniform(10.0, 15.0);
+  folds.erase(std::remove_if(folds.begin(),
+                             folds.end(),
+                             [this](const FoldPlan & fold) {
+                               return this->IsNearValve(fold.material, fold.angle, fold.halfAngle, 8.0);
+                             }),
+              folds.end());
+}
+
+bool
+ColonPlan::IsNearValve(double material, double angle, double halfAngle, double margin) const
+{
+  const double beside = (std::abs(WrapAngle(angle - valve.angle)) - halfAngle) * this->RadiusAt(valve.material);
+  return valve.hasLips && std::abs(material - valve.material) < valve.thickness + margin &&
+         beside < 0.5 * valve.length + margin;
 }
 
 int
@@ -220,6 +245,10 @@ ColonPlan::PlacePolyp(ColonRandom & random, PolypPlan & polyp) const
     polyp.angle = random.Uniform(-M_PI, M_PI);
   }
   if ((!onFold || polyp.kind == "pedunculated") && !this->IsClearOfFolds(polyp))
+  {
+    return false;
+  }
+  if (this->IsNearValve(polyp.material, polyp.angle, 0.0, 0.5 * polyp.diameter + 6.0))
   {
     return false;
   }

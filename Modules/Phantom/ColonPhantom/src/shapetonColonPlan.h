@@ -40,13 +40,24 @@ struct PolypPlan
   int         fold; ///< -1: on the wall
 };
 
+/** The ileocaecal valve at rest. */
+struct ValvePlan
+{
+  double material; ///< mm
+  double angle;
+  bool   hasLips;   ///< else a bump
+  double length;    ///< of the lips around the colon, mm
+  double height;    ///< mm
+  double thickness; ///< of each lip, mm
+};
+
 /** \class ColonPlan
  * \brief What belongs to the patient in material coordinates: place along the colon at rest (mm) and angle.
  */
 class ColonPlan
 {
 public:
-  ColonPlan(const ColonPath & rest, unsigned seed, int polyps);
+  ColonPlan(const ColonPath & rest, const ColonPhantomParameters & parameters);
 
   /** Angle of taenia 0, 1 or 2. */
   double
@@ -68,9 +79,7 @@ public:
 
   std::vector<FoldPlan>  folds;
   std::vector<PolypPlan> polyps;
-  /** Where the ileocaecal valve stands out of the wall. */
-  double valveMaterial{ 0.0 };
-  double valveAngle{ 0.0 };
+  ValvePlan              valve{};
 
 private:
   void
@@ -86,7 +95,9 @@ private:
   void
   PlanPolyps(unsigned seed, int count);
   void
-  PlanValve(const ColonPath & rest);
+  PlanValve(const ColonPath & rest, const ColonPhantomParameters & parameters);
+  bool
+  IsNearValve(double material, double angle, double halfAngle, double margin) const;
   bool
   PlacePolyp(class ColonRandom & random, PolypPlan & polyp) const;
   bool

@@ -12,6 +12,8 @@ namespace
 // Haustra bulge, and walls are some millimetres thick.
 constexpr double c_Bulge = 1.06;
 constexpr double c_Septum = 6.0;
+// No two stretches need more between their centrelines.
+constexpr double c_FarApart = 120.0;
 // The canal and the first of the ampulla do not move.
 constexpr int c_Held = 5;
 } // namespace
@@ -113,7 +115,7 @@ ColonRelaxation::PushApart()
     {
       const Vector3d between = m_Nodes[j] - m_Nodes[i];
       const double   distance = between.norm();
-      if (distance > 80.0 || distance < 1e-6)
+      if (distance > c_FarApart || distance < 1e-6)
       {
         continue;
       }
@@ -193,6 +195,23 @@ ColonRelaxation::KeepLengths()
   }
 }
 
+void
+ColonRelaxation::LeaveRoomAt(int node, double room)
+{
+  const int count = static_cast<int>(m_Nodes.size());
+  for (int i = std::max(0, node - 2); i <= std::min(count - 1, node + 2); ++i)
+  {
+    for (int j = 0; j < count; ++j)
+    {
+      // Neighbours along the colon have the room that bends need.
+      if (std::abs(j - node) > 12)
+      {
+        m_Slack(i, j) = m_Slack(j, i) = -room;
+      }
+    }
+  }
+}
+
 std::vector<ColonPath::Contact>
 ColonRelaxation::FindContacts(int number) const
 {
@@ -208,7 +227,10 @@ ColonRelaxation::FindContacts(int number) const
   {
     for (int j = i + 15; j < count - 6; ++j)
     {
-      candidates.push_back({ (m_Nodes[j] - m_Nodes[i]).norm() - this->LeastDistance(i, j), i, j });
+      if (m_Slack(i, j) >= 0.0)
+      {
+        candidates.push_back({ (m_Nodes[j] - m_Nodes[i]).norm() - this->LeastDistance(i, j), i, j });
+      }
     }
   }
   std::sort(candidates.begin(), candidates.end(), [](const Candidate & a, const Candidate & b) {

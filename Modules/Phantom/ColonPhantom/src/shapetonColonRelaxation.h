@@ -32,6 +32,11 @@ public:
   void
   Run(int rounds);
 
+  /** Keeps the other stretches `room` mm farther from the nodes within two of this one, for what leaves the colon
+   * there. Call it before contacts are looked for: these nodes then have none. */
+  void
+  LeaveRoomAt(int node, double room);
+
   /** Up to `number` pairs of stretches that come closest to each other, well apart from another. */
   std::vector<ColonPath::Contact>
   FindContacts(int number) const;

@@ -12,6 +12,7 @@ namespace
 {
 constexpr int    c_RowsPerStep = 2;
 constexpr double c_CollapseEnd = 15.0;     // mm
+constexpr double c_ClosedCanal = 20.0;     // mm of the anal canal without a catheter
 constexpr double c_HighestFold = 0.6;      // of the radius, so that no fold blocks the lumen
 constexpr double c_FoldNeighbourhood = 16; // mm along the colon
 
@@ -114,6 +115,13 @@ void
 ColonRelief::FillCollapse(const ColonPlan & plan, const ColonPhantomParameters & parameters)
 {
   m_Collapse.assign(m_Steps + 1, 0.0);
+  if (parameters.catheter == "none")
+  {
+    for (int k = 0; k <= m_Steps; ++k)
+    {
+      m_Collapse[k] = SmoothStep(-c_ClosedCanal - c_CollapseEnd, -c_ClosedCanal, -k * m_Step);
+    }
+  }
   ColonRandom random(parameters.seed, ColonStream::Collapse, PositionNumber(parameters.position));
   struct Stretch
   {

@@ -1,5 +1,7 @@
 #include "shapetonColonTruth.h"
 
+#include <Eigen/Geometry>
+
 #include "itkMultiThreaderBase.h"
 
 #include <algorithm>
@@ -277,6 +279,64 @@ ColonPolypTruth(const ColonPlan & plan, const ColonField & field)
     polyps.push_back(polyp);
   }
   return polyps;
+}
+
+ColonValve
+ColonValveTruth(const ColonPlan & plan, const ColonField & field)
+{
+  const ColonCurve & curve = field.GetCurve();
+  ColonValve         valve;
+  valve.arcLength = curve.ArcLengthAt(plan.valve.material / curve.GetStep());
+  if (const auto & lips = field.GetLips())
+  {
+    valve.kind = "lips";
+    valve.base = lips->base;
+    valve.direction = lips->axis;
+    valve.slit = lips->slit;
+    valve.upperLip = lips->Crest(1);
+    valve.lowerLip = lips->Crest(-1);
+    valve.length = lips->length;
+    valve.height = lips->height;
+    valve.thickness = lips->thickness;
+    valve.mouth = lips->base + lips->MouthHeight() * lips->axis;
+  }
+  else
+  {
+    const PolypBody & bump = field.GetPolyps().back();
+    valve.kind = "bump";
+    valve.base = bump.base;
+    valve.direction = bump.axis;
+    valve.slit = curve.At(bump.t).first.normalized().cross(bump.axis);
+    valve.length = valve.thickness = 2.0 * bump.radius;
+    valve.height = bump.height;
+    valve.mouth = valve.upperLip = valve.lowerLip = bump.base + bump.height * bump.axis;
+  }
+  valve.position = valve.base + 0.5 * valve.height * valve.direction;
+  return valve;
+}
+
+// Both ends are half spheres: rays from the last point of the centreline meet every point of the last one.
+Vector3d
+CaecalPoleTruth(const ColonPlan & plan, const ColonField & field)
+{
+  const ColonCurve & curve = field.GetCurve();
+  const double       end = curve.GetNumberOfSteps();
+  const Vector3d     mouth = curve.At(plan.valve.material / curve.GetStep()).position;
+  const Vector3d     middle = curve.At(end).position;
+  const Vector3d     ahead = curve.At(end).first.normalized();
+  Vector3d           pole = middle;
+  for (int ring = 0; ring <= 16; ++ring)
+  {
+    const double tilt = 0.5 * M_PI * ring / 16;
+    for (int k = 0; k < 32; ++k)
+    {
+      const Vector3d side = curve.Direction(end, WrapAngle(2 * M_PI * k / 32));
+      double         distance;
+      const Vector3d point = field.WallAlong(middle, std::cos(tilt) * ahead + std::sin(tilt) * side, distance);
+      pole = (point - mouth).squaredNorm() > (pole - mouth).squaredNorm() ? point : pole;
+    }
+  }
+  return pole;
 }
 
 CurveSet

@@ -17,6 +17,10 @@ CurveSet
 ColonFoldTruth(const ColonPlan & plan, const ColonField & field);
 std::vector<ColonPolyp>
 ColonPolypTruth(const ColonPlan & plan, const ColonField & field);
+ColonValve
+ColonValveTruth(const ColonPlan & plan, const ColonField & field);
+Eigen::Vector3d
+CaecalPoleTruth(const ColonPlan & plan, const ColonField & field);
 CurveSet
 ColonCorrespondenceTruth(const ColonPlan & plan, const ColonField & field);
 } // namespace shapeton

@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <map>
 #include <stdexcept>
 #include <vector>
 
@@ -169,39 +170,6 @@ TEST(ColonPhantomImageSource, FluidHasTheShareAskedFor)
   }
 }
 
-TEST(ColonPhantomImageSource, SkippingBlocksChangesNothing)
-{
-  const shapeton::ColonAnatomy anatomy(Standard("supine", 0.25));
-  const shapeton::ColonFluid   fluid(anatomy);
-  const auto                   bodies = shapeton::MakeColonAbdomen(anatomy, fluid);
-  shapeton::PhantomBodies      all;
-  for (const auto & body : bodies)
-  {
-    all.push_back(std::make_shared<NeverSkipped>(body));
-  }
-  const auto source = MakeSource(Standard("supine", 0.25), 256);
-  source->UpdateOutputInformation();
-  const shapeton::BodySampler fast(bodies, source->GetOutput(), 0.75, shapeton::airIntensity);
-  const shapeton::BodySampler slow(all, source->GetOutput(), 0.75, shapeton::airIntensity);
-  itk::ImageRegion<3>         tile;
-  tile.SetSize({ { 12, 12, 12 } });
-  for (const auto & index : { itk::Index<3>{ { 40, 130, 90 } },
-                              itk::Index<3>{ { 190, 150, 130 } },
-                              itk::Index<3>{ { 120, 80, 100 } },
-                              itk::Index<3>{ { 60, 90, 215 } } })
-  {
-    tile.SetIndex(index);
-    const auto quick = fast.Sample(tile);
-    const auto exact = slow.Sample(tile);
-    double     largest = 0.0;
-    for (std::size_t i = 0; i < quick.size(); ++i)
-    {
-      largest = std::max(largest, std::abs(static_cast<double>(quick[i]) - exact[i]));
-    }
-    EXPECT_LT(largest, 0.5) << index;
-  }
-}
-
 class EachPosition : public testing::TestWithParam<const char *>
 {};
 
@@ -293,6 +261,76 @@ CenterOver(Source * source, const Eigen::Vector3d & place)
     origin[i] += place[i];
   }
   source->SetOrigin(origin);
+}
+
+itk::Index<3>
+IndexAt(const itk::ImageBase<3> * image, const Eigen::Vector3d & point)
+{
+  const double values[3] = { point[0], point[1], point[2] };
+  return image->TransformPhysicalPointToIndex(itk::Point<double, 3>(values));
+}
+
+TEST(ColonPhantomImageSource, SkippingBlocksChangesNothing)
+{
+  auto realistic = shapeton::ColonPhantomPreset("realistic");
+  realistic.catheter = "rigid";
+  realistic.balloon = "gas";
+  realistic.ileumContent = "fluid";
+  for (const auto & parameters : { Standard("supine", 0.25), realistic })
+  {
+    const auto source = MakeSource(parameters, 256);
+    source->UpdateOutputInformation();
+    const auto &            structures = source->GetStructures();
+    const auto              bodies = shapeton::MakeColonAbdomen(source->GetAnatomy(), source->GetFluid(), structures);
+    shapeton::PhantomBodies all;
+    for (const auto & body : bodies)
+    {
+      all.push_back(std::make_shared<NeverSkipped>(body));
+    }
+    const shapeton::BodySampler fast(bodies, source->GetOutput(), 0.75, shapeton::airIntensity);
+    const shapeton::BodySampler slow(all, source->GetOutput(), 0.75, shapeton::airIntensity);
+    itk::ImageRegion<3>         tile;
+    tile.SetSize({ { 12, 12, 12 } });
+    for (const auto & index : { itk::Index<3>{ { 40, 130, 90 } },
+                                itk::Index<3>{ { 190, 150, 130 } },
+                                itk::Index<3>{ { 120, 80, 100 } },
+                                itk::Index<3>{ { 60, 90, 215 } },
+                                IndexAt(source->GetOutput(), source->GetAnatomy().Valve().base),
+                                IndexAt(source->GetOutput(), structures.GetCatheter()->tip) })
+    {
+      tile.SetIndex(index);
+      const auto quick = fast.Sample(tile);
+      const auto exact = slow.Sample(tile);
+      double     largest = 0.0;
+      for (std::size_t i = 0; i < quick.size(); ++i)
+      {
+        largest = std::max(largest, std::abs(static_cast<double>(quick[i]) - exact[i]));
+      }
+      EXPECT_LT(largest, 0.5) << parameters.preset << ' ' << index;
+    }
+  }
+}
+
+// By the centre of each voxel, whatever blocks were left out.
+TEST(ColonPhantomImageSource, StructuresAreThoseAtTheVoxels)
+{
+  auto parameters = shapeton::ColonPhantomPreset("realistic");
+  parameters.seed = 2;
+  const auto source = MakeSource(parameters, 48, 96.0);
+  CenterOver(source, source->GetAnatomy().Valve().base);
+  source->TruthOnlyOn();
+  source->Update();
+  const auto                                         labels = source->GetStructureOutput();
+  std::map<int, int>                                 counts;
+  itk::ImageRegionConstIteratorWithIndex<LabelImage> it(labels, labels->GetLargestPossibleRegion());
+  for (; !it.IsAtEnd(); ++it)
+  {
+    const auto structure = source->GetStructures().At(PointOf(labels, it.GetIndex()));
+    ASSERT_EQ(it.Get(), static_cast<int>(structure)) << it.GetIndex();
+    ++counts[it.Get()];
+  }
+  EXPECT_GT(counts[1], 100);
+  EXPECT_GT(counts[2] + counts[3], 100);
 }
 
 TEST(ColonPhantomImageSource, GasAndFluidHaveTheirIntensities)

@@ -13,8 +13,9 @@ class ColonPhantomImageSource;
 class CommandLine;
 
 /** Writes the truth of an updated source as outputs of a tool to a folder, which is made where it does not exist:
- * lumen.nrrd (1 gas, 2 fluid) and segments.nrrd (1 to 6) on the grid of the image, wall.vtp, centreline.vtp, folds.vtp,
- * taeniae.vtp, correspondence.vtp and polyps.csv. All in LPS, mm.
+ * lumen.nrrd (1 gas, 2 fluid), segments.nrrd (1 to 6) and structures.nrrd (ColonStructure) on the grid of the image,
+ * wall.vtp, centreline.vtp, folds.vtp, taeniae.vtp, correspondence.vtp, polyps.csv, and structures.json and
+ * structures.vtp: valve, caecal pole, terminal ileum. All in LPS, mm.
  * \param other correspondence.vtp of another position of this patient; then points.csv, too: pairs of points, first
  * that of the other position (TableOfPointPairs()). May be null.
  *

@@ -4,6 +4,7 @@
 #include "shapetonColonPointPairs.h"
 #include "shapetonCommandLine.h"
 #include "shapetonCsvTable.h"
+#include "shapetonJson.h"
 #include "shapetonSurfaceWriter.h"
 #include "shapetonVolumeWriter.h"
 
@@ -60,6 +61,81 @@ PolypTable(const ColonFluid & fluid, const ColonAnatomy & anatomy)
   }
   return table;
 }
+
+Json
+ToJson(const Eigen::Vector3d & v)
+{
+  return { RoundedJson(v[0]), RoundedJson(v[1]), RoundedJson(v[2]) };
+}
+
+Json
+ValveToJson(const ColonAnatomy & anatomy)
+{
+  const ColonValve valve = anatomy.Valve();
+  Json             json;
+  json["kind"] = valve.kind;
+  json["position"] = ToJson(valve.position);
+  json["base"] = ToJson(valve.base);
+  json["mouth"] = ToJson(valve.mouth);
+  json["direction"] = ToJson(valve.direction);
+  json["slit"] = ToJson(valve.slit);
+  json["length"] = RoundedJson(valve.length);
+  json["height"] = RoundedJson(valve.height);
+  json["lipThickness"] = RoundedJson(valve.thickness);
+  json["arcLength"] = RoundedJson(valve.arcLength);
+  if (valve.kind == "lips")
+  {
+    json["upperLip"] = ToJson(valve.upperLip);
+    json["lowerLip"] = ToJson(valve.lowerLip);
+    json["fat"] = RoundedJson(anatomy.GetParameters().valveFat);
+  }
+  return json;
+}
+
+Json
+IleumToJson(const ColonIleum & ileum)
+{
+  Json json;
+  json["content"] = ileum.content;
+  json["open"] = ileum.isOpen;
+  json["slitWidth"] = RoundedJson(ileum.slitWidth);
+  json["bore"] = RoundedJson(ileum.bore);
+  json["length"] = RoundedJson(ileum.length);
+  json["intensity"] = RoundedJson(ileum.intensity);
+  return json;
+}
+
+Json
+CatheterToJson(const ColonCatheter & catheter)
+{
+  Json json;
+  json["kind"] = catheter.kind;
+  json["bore"] = RoundedJson(catheter.bore);
+  json["wall"] = RoundedJson(catheter.wall);
+  json["intensity"] = RoundedJson(catheter.intensity);
+  json["sideHoles"] = catheter.sideHoles;
+  json["tip"] = ToJson(catheter.tip);
+  json["balloon"] = catheter.balloon;
+  if (catheter.balloon != "none")
+  {
+    json["balloonCenter"] = ToJson(catheter.balloonCenter);
+    json["balloonDiameter"] = RoundedJson(catheter.balloonDiameter);
+  }
+  return json;
+}
+
+Json
+StructuresToJson(const Provenance & provenance, const ColonAnatomy & anatomy, const ColonStructures & structures)
+{
+  Json json;
+  json["provenance"] = ProvenanceToJson(provenance);
+  json["labels"] = { { "valve", 1 }, { "ileum", 2 }, { "ileumWall", 3 }, { "catheter", 4 }, { "balloon", 5 } };
+  json["valve"] = ValveToJson(anatomy);
+  json["caecum"] = { { "pole", ToJson(anatomy.CaecalPole()) } };
+  json["ileum"] = structures.GetIleum() ? IleumToJson(*structures.GetIleum()) : Json();
+  json["catheter"] = structures.GetCatheter() ? CatheterToJson(*structures.GetCatheter()) : Json();
+  return json;
+}
 } // namespace
 
 void
@@ -73,6 +149,7 @@ WriteColonTruth(CommandLine &             commandLine,
   const auto facts = ProvenanceMetadata(commandLine.GetProvenance());
   WriteVolume(source.GetLumenOutput(), file("lumen.nrrd"), facts);
   WriteVolume(source.GetSegmentOutput(), file("segments.nrrd"), facts);
+  WriteVolume(source.GetStructureOutput(), file("structures.nrrd"), facts);
 
   const ColonAnatomy & anatomy = source.GetAnatomy();
   const auto           write = [&](CurveSet curves, const char * name) {
@@ -91,6 +168,8 @@ WriteColonTruth(CommandLine &             commandLine,
   SurfaceMesh wall = anatomy.Wall(WallEdge(anatomy.GetParameters()));
   wall.facts.insert(wall.facts.end(), facts.begin(), facts.end());
   WriteSurface(wall, file("wall.vtp"));
+  write(source.GetStructures().Axes(), "structures.vtp");
+  WriteJson(StructuresToJson(commandLine.GetProvenance(), anatomy, source.GetStructures()), file("structures.json"));
   PolypTable(source.GetFluid(), anatomy).Write(file("polyps.csv"));
 }
 } // namespace shapeton

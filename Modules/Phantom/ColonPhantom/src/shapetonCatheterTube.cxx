@@ -1,0 +1,260 @@
+#include "shapetonCatheterTube.h"
+
+#include "shapetonColonBody.h"
+#include "shapetonColonNoise.h"
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <cmath>
+
+namespace shapeton
+{
+namespace
+{
+using Eigen::Vector3d;
+
+constexpr double outside = 40.0;     // mm below the anal verge
+constexpr double canal = 32.0;       // mm, along which the tube follows the centreline
+constexpr double pointApart = 6.0;   // mm
+constexpr double rubber = 100.0;     // HU, of a balloon
+constexpr double balloonWall = 1.0;  // mm
+constexpr double water = 8.0;        // HU
+constexpr double sleeve = 1.2;       // mm by which a balloon without content thickens the tube
+constexpr double leastBalloon = 3.0; // mm of gas or fluid around the tube
+constexpr double clearance = 0.5;    // mm between tube and wall of the rectum
+
+std::vector<itk::Point<double, 3>>
+ToPoints(const std::vector<Vector3d> & axis)
+{
+  std::vector<itk::Point<double, 3>> points;
+  for (const Vector3d & p : axis)
+  {
+    points.push_back(MakePoint(p[0], p[1], p[2]));
+  }
+  return points;
+}
+
+/** Lays the axis of a tube through the rectum. */
+class TubeCourse
+{
+public:
+  TubeCourse(const ColonAnatomy & anatomy, const Vector3d & down, double radius)
+    : m_Anatomy(anatomy), m_Down(down), m_Radius(radius), m_Line(anatomy.Centreline())
+  {
+    m_ArcLength = PointValues(m_Line, "arcLength", "the centreline of the phantom");
+  }
+
+  /** On the centreline. */
+  std::vector<Vector3d>
+  Middle(double depth) const
+  {
+    std::vector<Vector3d> axis{ this->Outside() };
+    double                next = 0.0;
+    for (const int vertex : m_Line.curves[0])
+    {
+      if (m_ArcLength[vertex] >= next && m_ArcLength[vertex] <= depth)
+      {
+        axis.push_back(m_Line.V.row(vertex));
+        next = m_ArcLength[vertex] + pointApart;
+      }
+    }
+    return axis;
+  }
+
+  /** Straight beyond the canal, up to the wall. */
+  std::vector<Vector3d>
+  Straight(double depth) const
+  {
+    std::vector<Vector3d> axis = this->Middle(canal);
+    const Vector3d        heading = (axis.back() - axis[axis.size() - 3]).normalized();
+    for (double s = canal; s < depth; s += pointApart)
+    {
+      const Vector3d next = axis.back() + std::min(pointApart, depth - s) * heading;
+      if (m_Anatomy.Evaluate(next).distance < m_Radius + clearance)
+      {
+        break;
+      }
+      axis.push_back(next);
+    }
+    return axis;
+  }
+
+  /** Sinks onto the wall beyond `free` mm. */
+  std::vector<Vector3d>
+  Sinking(double depth, double free) const
+  {
+    std::vector<Vector3d> axis = this->Middle(depth);
+    double                before = 0.0;
+    for (std::size_t i = 1; i + 1 < axis.size(); ++i)
+    {
+      if (pointApart * static_cast<double>(i) < free)
+      {
+        continue;
+      }
+      const Vector3d along = (axis[i + 1] - axis[i]).normalized();
+      const Vector3d side = m_Down - m_Down.dot(along) * along;
+      const double   most = std::min(before + 0.35 * pointApart, this->RoomAlong(axis[i], side.normalized()));
+      before = side.norm() > 0.3 ? std::max(0.0, most) : 0.7 * before;
+      axis[i] += before * side.normalized();
+    }
+    axis.pop_back();
+    return axis;
+  }
+
+private:
+  Vector3d
+  Outside() const
+  {
+    Vector3d verge;
+    Vector3d inwards;
+    m_Anatomy.AnalVerge(verge, inwards);
+    return verge - outside * inwards;
+  }
+
+  double
+  RoomAlong(const Vector3d & from, const Vector3d & direction) const
+  {
+    double room = 0.0;
+    while (room < 40.0 && m_Anatomy.Evaluate(from + room * direction).distance > m_Radius + clearance)
+    {
+      room += 0.5;
+    }
+    return room;
+  }
+
+  const ColonAnatomy & m_Anatomy;
+  Vector3d             m_Down;
+  double               m_Radius;
+  CurveSet             m_Line;
+  Eigen::VectorXd      m_ArcLength;
+};
+
+PhantomSolid
+BallSolid(const Vector3d & center, double radius)
+{
+  return EllipsoidSolid(MakePoint(center[0], center[1], center[2]), MakeVector(radius, radius, radius));
+}
+
+/** Adds the parts of a catheter in the order of painting. */
+class CatheterBuilder
+{
+public:
+  CatheterBuilder(const ColonAnatomy & anatomy, const ColonFluid & fluid, CatheterTube & catheter)
+    : m_Anatomy(anatomy), m_Fluid(fluid), m_Catheter(catheter)
+  {}
+
+  // Just inside the canal, as wide as wanted or as the rectum is; where that is too narrow it stays without content.
+  void
+  AddBalloon(double wanted)
+  {
+    ColonCatheter & truth = m_Catheter.truth;
+    double          best = 0.0;
+    for (std::size_t i = 6; i + 3 < m_Catheter.axis.size(); ++i)
+    {
+      const double radius = std::min(0.5 * wanted, m_Anatomy.Evaluate(m_Catheter.axis[i]).distance - clearance);
+      if (radius > best)
+      {
+        best = radius;
+        truth.balloonCenter = m_Catheter.axis[i];
+      }
+    }
+    if (truth.balloon == "deflated" || best < 0.5 * truth.bore + truth.wall + leastBalloon)
+    {
+      this->AddSleeve();
+      return;
+    }
+    truth.balloonDiameter = 2.0 * best;
+    this->Add(ColonStructure::Balloon, BallSolid(truth.balloonCenter, best), rubber);
+    this->Add(ColonStructure::Balloon,
+              BallSolid(truth.balloonCenter, best - balloonWall),
+              truth.balloon == "gas" ? gasIntensity : water);
+  }
+
+  void
+  AddTube()
+  {
+    const ColonCatheter & truth = m_Catheter.truth;
+    const double          outer = 0.5 * truth.bore + truth.wall;
+    this->Add(ColonStructure::Catheter, TubeSolid(ToPoints(m_Catheter.axis), outer), truth.intensity);
+    std::vector<Vector3d> bore = m_Catheter.axis;
+    if (truth.kind != "central" && truth.sideHoles == 0)
+    {
+      bore.push_back(bore.back() + (outer + 1.0) * (bore.back() - bore[bore.size() - 2]).normalized());
+    }
+    this->Add(ColonStructure::None, TubeSolid(ToPoints(bore), 0.5 * truth.bore), gasIntensity);
+    for (int hole = 0; hole < truth.sideHoles; ++hole)
+    {
+      this->AddHole(hole, outer);
+    }
+  }
+
+private:
+  void
+  AddSleeve()
+  {
+    ColonCatheter & truth = m_Catheter.truth;
+    const double    radius = 0.5 * truth.bore + truth.wall + sleeve;
+    const auto      first = m_Catheter.axis.begin() + std::min<std::ptrdiff_t>(7, m_Catheter.axis.size() - 4);
+    const std::vector<Vector3d> part(first, first + 4);
+    truth.balloon = "deflated";
+    truth.balloonCenter = 0.5 * (part.front() + part.back());
+    truth.balloonDiameter = 2.0 * radius;
+    this->Add(ColonStructure::Balloon, TubeSolid(ToPoints(part), radius), rubber);
+  }
+
+  void
+  Add(ColonStructure label, const PhantomSolid & solid, double intensity)
+  {
+    m_Catheter.parts.push_back({ label, solid, MakeSolidBody(solid, intensity), false });
+  }
+
+  // They alternate between four sides, every 6 mm from the tip; each holds what lies outside of it.
+  void
+  AddHole(int hole, double outer)
+  {
+    const auto &   axis = m_Catheter.axis;
+    const Vector3d at = axis[axis.size() - 2 - hole];
+    const Vector3d along = (axis[axis.size() - 1 - hole] - at).normalized();
+    const Vector3d side = Eigen::AngleAxisd(0.5 * M_PI * hole, along) * along.unitOrthogonal();
+    const Vector3d end = at + (outer + 0.5) * side;
+    const auto     sample = m_Anatomy.Evaluate(end);
+    const bool     isWet = m_Fluid.DepthBelowLevel(end, sample.arcLength) > 0.0;
+    this->Add(ColonStructure::None,
+              CapsuleSolid(MakePoint(at[0], at[1], at[2]), MakePoint(end[0], end[1], end[2]), 1.6),
+              isWet ? m_Fluid.Intensity(end, sample.arcLength) : gasIntensity);
+  }
+
+  const ColonAnatomy & m_Anatomy;
+  const ColonFluid &   m_Fluid;
+  CatheterTube &       m_Catheter;
+};
+} // namespace
+
+CatheterTube
+MakeCatheterTube(const ColonAnatomy & anatomy, const ColonFluid & fluid)
+{
+  const ColonPhantomParameters & p = anatomy.GetParameters();
+  CatheterTube                   catheter;
+  ColonCatheter &                truth = catheter.truth;
+  truth.kind = p.catheter;
+  truth.bore = p.catheterBore;
+  truth.wall = p.catheterWall;
+  truth.intensity = p.catheterIntensity;
+  truth.sideHoles = p.catheterHoles;
+  truth.balloon = p.balloon;
+  const TubeCourse course(anatomy, fluid.Down(), 0.5 * truth.bore + truth.wall);
+  const double     held = truth.balloon == "none" ? canal : canal + 40.0;
+  catheter.axis = truth.kind == "rigid"  ? course.Straight(p.catheterDepth)
+                  : truth.kind == "soft" ? course.Sinking(p.catheterDepth, held)
+                                         : course.Middle(p.catheterDepth);
+  truth.tip = catheter.axis.back();
+  CatheterBuilder builder(anatomy, fluid, catheter);
+  if (truth.balloon != "none")
+  {
+    builder.AddBalloon(p.balloonDiameter);
+  }
+  builder.AddTube();
+  return catheter;
+}
+} // namespace shapeton

@@ -1,0 +1,23 @@
+#ifndef shapetonCatheterTube_h
+#define shapetonCatheterTube_h
+
+#include "shapetonColonStructurePart.h"
+
+#include <vector>
+
+namespace shapeton
+{
+/** The tube through the anal canal into the rectum: its truth, and its parts in the order of painting. */
+struct CatheterTube
+{
+  ColonCatheter                      truth;
+  std::vector<Eigen::Vector3d>       axis; ///< from outside the body to the tip
+  std::vector<ColonStructures::Part> parts;
+};
+
+/** Of an anatomy with a catheter. Anatomy and fluid have to outlive the parts. */
+CatheterTube
+MakeCatheterTube(const ColonAnatomy & anatomy, const ColonFluid & fluid);
+} // namespace shapeton
+
+#endif

@@ -1,0 +1,228 @@
+#include "shapetonColonStructures.h"
+
+#include "shapetonColonBody.h"
+#include "shapetonColonStructurePart.h"
+#include "shapetonCatheterTube.h"
+#include "shapetonTerminalIleum.h"
+#include "shapetonValveLips.h"
+
+#include <Eigen/Geometry>
+
+#include "itkImageRegionIterator.h"
+#include "itkImageRegionIteratorWithIndex.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace shapeton
+{
+namespace
+{
+using Eigen::Vector3d;
+using PointType = PhantomBody::PointType;
+
+constexpr double fatIntensity = -110.0;
+constexpr double behindBase = 3.0; // mm; so far the lips reach behind the wall
+constexpr double lipsSlope = 4.0;  // the distance to half ellipsoids may be too large by this factor
+
+Vector3d
+ToEigen(const PointType & p)
+{
+  return { p[0], p[1], p[2] };
+}
+
+// The lips, and what of them lies in the wall.
+PhantomSolid
+LipsSolid(const ColonValve & valve)
+{
+  const Vector3d  across = valve.direction.cross(valve.slit);
+  const ValveLips lips{ valve.base, valve.direction, valve.slit, across, valve.length, valve.height, valve.thickness };
+  const auto      distance = [lips](const PointType & p) { return lips.Distance(ToEigen(p)).value; };
+  const Vector3d  back = -valve.direction;
+  const auto      above = HalfSpaceSolid(MakeVector(back[0], back[1], back[2]), back.dot(valve.base) + behindBase);
+  return Both({ distance, lipsSlope }, above);
+}
+
+CurveSet
+CurvesOf(const std::vector<std::vector<Vector3d>> & lines, const std::vector<ColonStructure> & structures)
+{
+  CurveSet     curves;
+  Eigen::Index count = 0;
+  for (const auto & line : lines)
+  {
+    count += static_cast<Eigen::Index>(line.size());
+  }
+  curves.V.resize(count, 3);
+  const auto   lineCount = static_cast<Eigen::Index>(lines.size());
+  SurfaceArray structure{ "structure", SurfaceArray::ValueMatrix(lineCount, 1), true };
+  int          next = 0;
+  for (std::size_t i = 0; i < lines.size(); ++i)
+  {
+    structure.values(static_cast<Eigen::Index>(i), 0) = static_cast<double>(structures[i]);
+    curves.curves.emplace_back();
+    for (const Vector3d & point : lines[i])
+    {
+      curves.V.row(next) = point;
+      curves.curves.back().push_back(next++);
+    }
+  }
+  curves.cellArrays.push_back(structure);
+  return curves;
+}
+} // namespace
+
+ColonStructures::ColonStructures(const ColonAnatomy & anatomy, const ColonFluid & fluid)
+{
+  if (anatomy.GetParameters().valve == "lips")
+  {
+    this->AddValve(anatomy);
+    this->AddIleum(anatomy, fluid);
+  }
+  if (anatomy.GetParameters().catheter != "none")
+  {
+    this->AddCatheter(anatomy, fluid);
+  }
+}
+
+ColonStructures::~ColonStructures() = default;
+
+// What fat there is lies under the mucosa, which the colon's wall of 2 mm is.
+void
+ColonStructures::AddValve(const ColonAnatomy & anatomy)
+{
+  const PhantomSolid lips = LipsSolid(anatomy.Valve());
+  const double       fat = anatomy.GetParameters().valveFat;
+  const double       core = softTissueIntensity + fat * (fatIntensity - softTissueIntensity);
+  m_Parts.push_back({ ColonStructure::Valve, AwayFromColon(lips, anatomy, 0.0), MakeSolidBody(lips, core), true });
+}
+
+void
+ColonStructures::AddIleum(const ColonAnatomy & anatomy, const ColonFluid & fluid)
+{
+  const TerminalIleum ileum = MakeTerminalIleum(anatomy, fluid);
+  m_Parts.push_back({ ColonStructure::IleumWall, ileum.wall, MakeSolidBody(ileum.wall, softTissueIntensity), false });
+  if (ileum.content != "collapsed")
+  {
+    m_Parts.push_back({ ColonStructure::Ileum,
+                        AwayFromColon(ileum.lumen, anatomy, 0.0),
+                        MakeSolidBody(ileum.lumen, ileum.intensity),
+                        false });
+  }
+  m_Ileum = std::make_unique<ColonIleum>(
+    ColonIleum{ ileum.content, ileum.isOpen, ileum.slitWidth, ileum.bore, ileum.length, ileum.intensity });
+  m_Axes.push_back(ileum.axis);
+  m_AxisOf.push_back(ColonStructure::Ileum);
+}
+
+void
+ColonStructures::AddCatheter(const ColonAnatomy & anatomy, const ColonFluid & fluid)
+{
+  const CatheterTube catheter = MakeCatheterTube(anatomy, fluid);
+  m_Parts.insert(m_Parts.end(), catheter.parts.begin(), catheter.parts.end());
+  m_Catheter = std::make_unique<ColonCatheter>(catheter.truth);
+  m_Axes.push_back(catheter.axis);
+  m_AxisOf.push_back(ColonStructure::Catheter);
+}
+
+const ColonCatheter *
+ColonStructures::GetCatheter() const
+{
+  return m_Catheter.get();
+}
+
+const ColonIleum *
+ColonStructures::GetIleum() const
+{
+  return m_Ileum.get();
+}
+
+const std::vector<ColonStructures::Part> &
+ColonStructures::GetParts() const
+{
+  return m_Parts;
+}
+
+CurveSet
+ColonStructures::Axes() const
+{
+  return CurvesOf(m_Axes, m_AxisOf);
+}
+
+ColonStructure
+ColonStructures::At(const Vector3d & point) const
+{
+  const auto p = MakePoint(point[0], point[1], point[2]);
+  const auto part = std::find_if(m_Parts.rbegin(), m_Parts.rend(), [&](const Part & one) {
+    return one.label != ColonStructure::None && one.solid.distance(p) < 0.0;
+  });
+  return part == m_Parts.rend() ? ColonStructure::None : part->label;
+}
+
+void
+ColonStructures::Fill(LabelImageType * image, const itk::ImageRegion<3> & region) const
+{
+  std::vector<const Part *> all;
+  for (const Part & part : m_Parts)
+  {
+    if (part.label != ColonStructure::None)
+    {
+      all.push_back(&part);
+    }
+  }
+  for (itk::ImageRegionIterator<LabelImageType> it(image, region); !it.IsAtEnd(); ++it)
+  {
+    it.Set(0);
+  }
+  this->FillBlock(image, region, all);
+}
+
+// Halves the block until nothing is near it or it is small.
+void
+ColonStructures::FillBlock(LabelImageType *                  image,
+                           const itk::ImageRegion<3> &       block,
+                           const std::vector<const Part *> & above) const
+{
+  itk::ContinuousIndex<double, 3> middle;
+  double                          squared = 0.0;
+  for (unsigned int i = 0; i < 3; ++i)
+  {
+    const double half = 0.5 * (static_cast<double>(block.GetSize(i)) - 1.0);
+    middle[i] = static_cast<double>(block.GetIndex(i)) + half;
+    squared += half * half * image->GetSpacing()[i] * image->GetSpacing()[i];
+  }
+  PointType center;
+  image->TransformContinuousIndexToPhysicalPoint(middle, center);
+  std::vector<const Part *> near;
+  std::copy_if(above.begin(), above.end(), std::back_inserter(near), [&](const Part * part) {
+    return part->solid.distance(center) <= 1.001 * part->solid.slope * std::sqrt(squared);
+  });
+  if (near.empty())
+  {
+    return;
+  }
+  const auto size = block.GetSize();
+  const auto axis = static_cast<unsigned int>(std::max_element(size.begin(), size.end()) - size.begin());
+  if (size[axis] > 4)
+  {
+    itk::ImageRegion<3> half = block;
+    half.SetSize(axis, size[axis] / 2);
+    this->FillBlock(image, half, near);
+    half.SetSize(axis, size[axis] - size[axis] / 2);
+    half.SetIndex(axis, block.GetIndex(axis) + static_cast<itk::IndexValueType>(size[axis] / 2));
+    this->FillBlock(image, half, near);
+    return;
+  }
+  for (itk::ImageRegionIteratorWithIndex<LabelImageType> it(image, block); !it.IsAtEnd(); ++it)
+  {
+    PointType point;
+    image->TransformIndexToPhysicalPoint(it.GetIndex(), point);
+    for (const Part * part : near)
+    {
+      if (part->solid.distance(point) < 0.0)
+      {
+        it.Set(static_cast<unsigned char>(part->label));
+      }
+    }
+  }
+}
+} // namespace shapeton

@@ -1,0 +1,238 @@
+#include "shapetonTerminalIleum.h"
+
+#include "shapetonAbdomenParts.h"
+#include "shapetonColonBody.h"
+#include "shapetonColonNoise.h"
+#include "shapetonColonPath.h"
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <cmath>
+
+namespace shapeton
+{
+namespace
+{
+using Eigen::Vector3d;
+
+constexpr double stepLength = 2.0;
+constexpr double intoColon = 1.5;     // mm of the tube above the mouth, so that an open one joins the colon's lumen
+constexpr double thinWall = 1.5;      // mm
+constexpr double behindWall = 3.0;    // mm, where the slit begins to widen
+constexpr double widening = 10.0;     // mm, along which it does
+constexpr double tightestBend = 11.0; // mm, radius
+constexpr double closed = -0.3;       // mm, half width of a slit without a lumen
+constexpr int    attempts = 60;
+
+// A tube whose section is a slot: all points within `radius` of a straight piece of 2 `half` mm along `wide`.
+struct SlotSection
+{
+  Vector3d middle;
+  Vector3d wide; ///< unit vector perpendicular to the axis
+  double   half;
+  double   radius; ///< nothing is inside where negative
+};
+
+double
+DistanceToSlot(const SlotSection & a, const SlotSection & b, const Vector3d & p)
+{
+  const Vector3d along = b.middle - a.middle;
+  const double   t = std::clamp((p - a.middle).dot(along) / along.squaredNorm(), 0.0, 1.0);
+  const Vector3d off = p - (a.middle + t * along);
+  const Vector3d wide = (1.0 - t) * a.wide + t * b.wide;
+  const double   half = (1.0 - t) * a.half + t * b.half;
+  const double   beside = off.dot(wide);
+  return (off - std::clamp(beside, -half, half) * wide).norm() - ((1.0 - t) * a.radius + t * b.radius);
+}
+
+PhantomSolid
+SlotTubeSolid(const std::vector<SlotSection> & sections)
+{
+  Vector3d low = sections[0].middle;
+  Vector3d high = low;
+  double   widest = 0.0;
+  for (const SlotSection & section : sections)
+  {
+    low = low.cwiseMin(section.middle);
+    high = high.cwiseMax(section.middle);
+    widest = std::max(widest, section.half + section.radius);
+  }
+  const Vector3d center = 0.5 * (low + high);
+  const double   reach = 0.5 * (high - low).norm() + widest;
+  // Where the slit widens to the tube, both its radius and its half width change with up to 0.8 of the way.
+  constexpr double slope = 2.0;
+  return { [=](const PhantomBody::PointType & point) {
+            const Vector3d p(point[0], point[1], point[2]);
+            const double   outside = (p - center).norm() - reach;
+            if (outside > ColonAnatomy::Reach)
+            {
+              return outside;
+            }
+            double least = 1e9;
+            for (std::size_t i = 1; i < sections.size(); ++i)
+            {
+              least = std::min(least, DistanceToSlot(sections[i - 1], sections[i], p));
+            }
+            return least;
+          },
+           slope };
+}
+
+// Grows the axis step by step towards a place in the middle of the abdomen, clear of colon, spine and body wall.
+class IleumPath
+{
+public:
+  IleumPath(const ColonAnatomy & anatomy, const ColonValve & valve, double length, double radius)
+    : m_Anatomy(anatomy), m_Cavity(AbdominalCavity()), m_Valve(valve), m_Length(length), m_Radius(radius)
+  {
+    m_Straight = valve.direction.dot(valve.mouth - valve.base) + behindWall + 2.0;
+  }
+
+  std::vector<Vector3d>
+  Grow(const Vector3d & towards) const
+  {
+    Vector3d              at = m_Valve.mouth + intoColon * m_Valve.direction;
+    Vector3d              heading = -m_Valve.direction;
+    std::vector<Vector3d> axis{ at };
+    while (!this->IsLongEnough(axis))
+    {
+      const double from = stepLength * static_cast<double>(axis.size()) - intoColon;
+      if (from > m_Straight)
+      {
+        heading = this->Turn(at, heading, towards);
+      }
+      at += stepLength * heading;
+      if (from > m_Straight + widening && !this->IsFree(at))
+      {
+        break;
+      }
+      axis.push_back(at);
+    }
+    return axis;
+  }
+
+  bool
+  IsLongEnough(const std::vector<Vector3d> & axis) const
+  {
+    return stepLength * static_cast<double>(axis.size() - 1) >= m_Length + intoColon;
+  }
+
+private:
+  Vector3d
+  Turn(const Vector3d & at, const Vector3d & heading, const Vector3d & towards) const
+  {
+    const double distance = m_Anatomy.Evaluate(at).distance;
+    const double near = std::clamp((distance + m_Radius + 5.0) / 5.0, 0.0, 1.0);
+    Vector3d     away = Vector3d::Zero();
+    for (int axis = 0; near > 0.0 && axis < 3; ++axis)
+    {
+      const Vector3d step = 0.5 * Vector3d::Unit(axis);
+      away[axis] = m_Anatomy.Evaluate(at - step).distance - m_Anatomy.Evaluate(at + step).distance;
+    }
+    const Vector3d wish = (towards + 1.5 * near * away).normalized();
+    const double   angle = std::acos(std::clamp(wish.dot(heading), -1.0, 1.0));
+    const Vector3d turn = heading.cross(wish);
+    if (turn.norm() < 1e-6)
+    {
+      return heading;
+    }
+    return Eigen::AngleAxisd(std::min(0.3 * angle, stepLength / tightestBend), turn.normalized()) * heading;
+  }
+
+  bool
+  IsFree(const Vector3d & at) const
+  {
+    const double margin = m_Radius + thinWall;
+    return m_Anatomy.Evaluate(at).distance < -(m_Radius + 1.0) &&
+           m_Cavity.distance(MakePoint(at[0], at[1], at[2])) < -margin &&
+           (at - ColonAnatomy::SpineAxis(at[2])).norm() > 30.0 + margin && std::abs(at[2]) < 150.0;
+  }
+
+  const ColonAnatomy & m_Anatomy;
+  PhantomSolid         m_Cavity;
+  ColonValve           m_Valve;
+  double               m_Length;
+  double               m_Radius;
+  double               m_Straight;
+};
+
+// The longest of several, or the first that is as long as asked for.
+std::vector<Vector3d>
+MakeAxis(const ColonAnatomy & anatomy, const ColonValve & valve, ColonRandom & random)
+{
+  const auto &          parameters = anatomy.GetParameters();
+  const IleumPath       path(anatomy, valve, parameters.ileumLength, 0.5 * parameters.ileumBore);
+  std::vector<Vector3d> best;
+  for (int i = 0; i < attempts; ++i)
+  {
+    // Towards the middle, and where that is blocked anywhere.
+    const double   wide = static_cast<double>(i) / attempts;
+    const Vector3d medial(1.0, random.Uniform(-0.9, 0.3), random.Uniform(-1.1, 0.3));
+    const Vector3d any(random.Uniform(-1.0, 1.0), random.Uniform(-1.0, 1.0), random.Uniform(-1.0, 1.0));
+    const auto     axis = path.Grow(((1.0 - wide) * medial + 2.0 * wide * any).normalized());
+    if (axis.size() > best.size())
+    {
+      best = axis;
+    }
+    if (path.IsLongEnough(best))
+    {
+      break;
+    }
+  }
+  return best;
+}
+
+// From the slit between the lips to the round tube, or to the flat one that is collapsed.
+std::vector<SlotSection>
+MakeSections(const TerminalIleum & ileum, const ColonValve & valve, const SmoothNoise & noise, bool outer)
+{
+  const double             slit = 0.3 * valve.length;
+  const double             through = valve.direction.dot(valve.mouth - valve.base) + behindWall;
+  const bool               isCollapsed = ileum.content == "collapsed";
+  const double             mucosa = outer ? thinWall : 0.0;
+  std::vector<SlotSection> sections;
+  Vector3d                 wide = valve.slit;
+  for (std::size_t i = 0; i < ileum.axis.size(); ++i)
+  {
+    const std::size_t last = std::min(i + 1, ileum.axis.size() - 1);
+    const Vector3d    along = (ileum.axis[last] - ileum.axis[last - 1]).normalized();
+    wide = (wide - wide.dot(along) * along).normalized();
+    const double s = stepLength * static_cast<double>(i) - intoColon;
+    const double share = SmoothStep(through, through + widening, s);
+    const double bore = 0.5 * ileum.bore * (1.0 + 0.12 * noise(s + intoColon));
+    const double half = slit + share * ((isCollapsed ? 0.5 * bore : 0.0) - slit);
+    const double narrow = ileum.isOpen ? 0.5 * ileum.slitWidth : closed;
+    const double radius = isCollapsed ? (outer ? mucosa + share : closed) : narrow + share * (bore - narrow) + mucosa;
+    sections.push_back({ ileum.axis[i], wide, half, radius });
+  }
+  return sections;
+}
+} // namespace
+
+TerminalIleum
+MakeTerminalIleum(const ColonAnatomy & anatomy, const ColonFluid & fluid)
+{
+  const auto &      parameters = anatomy.GetParameters();
+  const ColonValve  valve = anatomy.Valve();
+  ColonRandom       patient(parameters.seed, ColonStream::Ileum);
+  ColonRandom       random(parameters.seed, ColonStream::Ileum, PositionNumber(parameters.position));
+  const SmoothNoise noise(patient, 160.0, 18.0);
+  TerminalIleum     ileum;
+  ileum.content = parameters.ileumContent;
+  ileum.bore = parameters.ileumBore;
+  ileum.intensity = ileum.content == "gas" ? gasIntensity : patient.Uniform(250.0, 750.0);
+  // What differs on both sides of the mouth would not stay so: then it is closed.
+  const bool   isWet = fluid.DepthBelowLevel(valve.mouth, valve.arcLength) > 0.0;
+  const bool   isSame = ileum.content == (isWet ? "fluid" : "gas");
+  const double width = random.Uniform(1.0, 3.0);
+  ileum.isOpen = random.Uniform() < 0.6 && isSame;
+  ileum.slitWidth = ileum.isOpen ? width : 0.0;
+  ileum.axis = MakeAxis(anatomy, valve, random);
+  ileum.length = stepLength * static_cast<double>(ileum.axis.size() - 1) - intoColon;
+  ileum.lumen = SlotTubeSolid(MakeSections(ileum, valve, noise, false));
+  const PhantomSolid outer = SlotTubeSolid(MakeSections(ileum, valve, noise, true));
+  ileum.wall = AwayFromColon(outer, anatomy, 0.0);
+  return ileum;
+}
+} // namespace shapeton

@@ -1,0 +1,40 @@
+#ifndef shapetonValveLips_h
+#define shapetonValveLips_h
+
+#include "shapetonColonDistance.h"
+
+#include <Eigen/Core>
+
+namespace shapeton
+{
+/** The two lips of the ileocaecal valve in a position: half ellipsoids side by side on the wall, which meet in a cleft
+ * and leave a mouth at its bottom. */
+struct ValveLips
+{
+  Eigen::Vector3d base;      ///< on the wall, under the mouth
+  Eigen::Vector3d axis;      ///< unit vector into the lumen
+  Eigen::Vector3d slit;      ///< unit vector around the colon, along the mouth
+  Eigen::Vector3d across;    ///< unit vector along the colon, from the caecum to the ascending colon
+  double          length;    ///< of both lips along the slit, mm
+  double          height;    ///< above the wall, mm
+  double          thickness; ///< of each lip, mm
+
+  /** Distance to the lips, positive outside of them, with a round bottom of the cleft. */
+  ColonDistance
+  Distance(const Eigen::Vector3d & point) const;
+
+  /** The middle of the crest of the lip towards the ascending colon (1) or the caecum (-1). */
+  Eigen::Vector3d
+  Crest(int side) const;
+
+  /** Height of the bottom of the cleft above the base, mm. */
+  double
+  MouthHeight() const;
+
+private:
+  Eigen::Vector3d
+  Middle(int side) const;
+};
+} // namespace shapeton
+
+#endif

@@ -1,0 +1,318 @@
+#include "shapetonColonPhantomImageSource.h"
+#include "shapetonExceptions.h"
+
+#include <Eigen/Geometry>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <vector>
+
+using Eigen::Vector3d;
+using shapeton::ColonStructure;
+
+namespace
+{
+shapeton::ColonPhantomParameters
+Realistic(unsigned seed, const std::string & position = "supine")
+{
+  auto parameters = shapeton::ColonPhantomPreset("realistic");
+  parameters.seed = seed;
+  parameters.position = position;
+  return parameters;
+}
+
+/** An examination with all of its truth. */
+struct Exam
+{
+  explicit Exam(const shapeton::ColonPhantomParameters & parameters)
+    : anatomy(parameters), fluid(anatomy), structures(anatomy, fluid)
+  {}
+  shapeton::ColonAnatomy    anatomy;
+  shapeton::ColonFluid      fluid;
+  shapeton::ColonStructures structures;
+};
+
+std::vector<Vector3d>
+AxisOf(const shapeton::ColonStructures & structures, ColonStructure structure)
+{
+  const shapeton::CurveSet     curves = structures.Axes();
+  const shapeton::SurfaceArray label = *shapeton::FindSurfaceArray(curves.cellArrays, "structure");
+  std::vector<Vector3d>        axis;
+  for (std::size_t i = 0; i < curves.curves.size(); ++i)
+  {
+    for (std::size_t k = 0; label.values(i, 0) == static_cast<int>(structure) && k < curves.curves[i].size(); ++k)
+    {
+      axis.push_back(curves.V.row(curves.curves[i][k]));
+    }
+  }
+  return axis;
+}
+
+// HU at points, without blur and noise.
+std::vector<double>
+IntensitiesAt(const shapeton::ColonPhantomParameters & parameters, const std::vector<Vector3d> & points)
+{
+  std::vector<double> values;
+  const auto          source = shapeton::ColonPhantomImageSource::New();
+  auto                noiseless = parameters;
+  noiseless.noise = 0.0;
+  source->SetParameters(noiseless);
+  source->SetBlur(0.0);
+  source->SetSize({ { 2, 2, 2 } });
+  const double spacing[3] = { 0.1, 0.1, 0.1 };
+  source->SetSpacing(spacing);
+  for (const Vector3d & p : points)
+  {
+    const double origin[3] = { p[0] - 0.05, p[1] - 0.05, p[2] - 0.05 };
+    source->SetOrigin(origin);
+    source->UpdateLargestPossibleRegion();
+    values.push_back(source->GetOutput()->GetBufferPointer()[0]);
+  }
+  return values;
+}
+} // namespace
+
+TEST(ColonValve, LipsStandAroundAMouth)
+{
+  for (unsigned seed = 1; seed <= 2; ++seed)
+  {
+    const shapeton::ColonAnatomy anatomy(Realistic(seed));
+    const shapeton::ColonValve   valve = anatomy.Valve();
+    const auto                   distanceAt = [&](const Vector3d & p) { return anatomy.Evaluate(p).distance; };
+    EXPECT_EQ(valve.kind, "lips");
+    EXPECT_NEAR(valve.direction.dot(valve.slit), 0.0, 1e-9);
+    for (const Vector3d & crest : { valve.upperLip, valve.lowerLip })
+    {
+      EXPECT_LT(std::abs(distanceAt(crest)), 0.2) << seed;
+      EXPECT_LT(distanceAt(crest - valve.direction), -0.5) << seed;
+      EXPECT_NEAR((crest - valve.base).dot(valve.direction), valve.height, 1e-9);
+      // A finger's breadth above the mouth is below the crests.
+      EXPECT_GT((crest - valve.mouth).dot(valve.direction), 0.08 * valve.height);
+    }
+    EXPECT_LT(std::abs(distanceAt(valve.mouth)), 0.2) << seed;
+    EXPECT_GT(distanceAt(valve.mouth + valve.direction), 0.2) << seed;
+    // The upper lip is nearer to the ascending colon.
+    EXPECT_LT(anatomy.Evaluate(valve.upperLip + valve.direction).arcLength,
+              anatomy.Evaluate(valve.lowerLip + valve.direction).arcLength);
+    EXPECT_EQ(anatomy.SegmentAt(valve.arcLength - 1.0), 5);
+    EXPECT_EQ(anatomy.SegmentAt(valve.arcLength + 1.0), 6);
+    for (const shapeton::ColonPolyp & polyp : anatomy.Polyps())
+    {
+      EXPECT_GT((polyp.base - valve.base).norm(), 0.5 * polyp.diameter + 3.0) << seed;
+    }
+  }
+}
+
+TEST(ColonValve, IsThePatients)
+{
+  const shapeton::ColonValve supine = shapeton::ColonAnatomy(Realistic(2)).Valve();
+  const shapeton::ColonValve prone = shapeton::ColonAnatomy(Realistic(2, "prone")).Valve();
+  EXPECT_EQ(supine.length, prone.length);
+  EXPECT_EQ(supine.height, prone.height);
+  EXPECT_EQ(supine.thickness, prone.thickness);
+  EXPECT_NEAR(supine.arcLength / prone.arcLength, 1.0, 0.08);
+}
+
+TEST(ColonValve, PoleIsTheFarthestOfTheCaecum)
+{
+  for (const char * preset : { "standard", "realistic" })
+  {
+    auto parameters = Realistic(3);
+    parameters = std::string(preset) == "standard" ? shapeton::ColonPhantomPreset("standard") : parameters;
+    const shapeton::ColonAnatomy anatomy(parameters);
+    const Vector3d               pole = anatomy.CaecalPole();
+    EXPECT_LT(std::abs(anatomy.Evaluate(pole).distance), 0.2) << preset;
+    const shapeton::CurveSet line = anatomy.Centreline();
+    const Eigen::VectorXd    arcLength = shapeton::PointValues(line, "arcLength", "centreline");
+    const double             valve = anatomy.Valve().arcLength;
+    Eigen::Index             at = 0;
+    (arcLength.array() - valve).abs().minCoeff(&at);
+    const Vector3d           mouth = line.V.row(at);
+    const shapeton::CurveSet wall = anatomy.Correspondence();
+    const Eigen::VectorXd    segment = shapeton::PointValues(wall, "segment", "wall");
+    for (Eigen::Index i = 0; i < wall.V.rows(); ++i)
+    {
+      const double distance = (wall.V.row(i).transpose() - mouth).norm();
+      EXPECT_TRUE(segment[i] != 6 || distance < (pole - mouth).norm() + 3.0) << preset;
+    }
+  }
+}
+
+TEST(ColonStructures, IleumLeavesTheMouthAndTheColon)
+{
+  int open = 0;
+  for (unsigned seed = 1; seed <= 4; ++seed)
+  {
+    auto parameters = Realistic(seed);
+    parameters.ileumContent = "gas";
+    parameters.fluid = 0.05;
+    const Exam exam(parameters);
+    const auto valve = exam.anatomy.Valve();
+    const auto axis = AxisOf(exam.structures, ColonStructure::Ileum);
+    ASSERT_NE(exam.structures.GetIleum(), nullptr);
+    EXPECT_GT(exam.structures.GetIleum()->length, 35.0) << seed;
+    EXPECT_LT((axis[0] - valve.mouth).norm(), 2.0);
+    EXPECT_GT((axis.back() - valve.mouth).norm(), 25.0) << seed;
+    for (std::size_t i = 15; i + 2 < axis.size(); ++i)
+    {
+      EXPECT_EQ(exam.structures.At(axis[i]), ColonStructure::Ileum) << seed << ' ' << i;
+      EXPECT_LT(exam.anatomy.Evaluate(axis[i]).distance, 0.0) << seed << ' ' << i;
+    }
+    const bool isOpen = exam.structures.GetIleum()->isOpen;
+    open += isOpen ? 1 : 0;
+    const auto below = exam.structures.At(valve.mouth - 0.5 * valve.direction);
+    EXPECT_EQ(below, isOpen ? ColonStructure::Ileum : ColonStructure::IleumWall) << seed;
+  }
+  EXPECT_GT(open, 0);
+}
+
+TEST(ColonStructures, WhatTheScannerSees)
+{
+  auto parameters = Realistic(4);
+  parameters.valveFat = 0.8125;
+  parameters.valveHeight = 14.0;
+  parameters.ileumContent = "fluid";
+  const Exam            exam(parameters);
+  const auto            valve = exam.anatomy.Valve();
+  const auto            axis = AxisOf(exam.structures, ColonStructure::Ileum);
+  const Vector3d        inLip = valve.upperLip - 6.0 * valve.direction;
+  std::vector<Vector3d> points{ inLip, valve.upperLip - 1.0 * valve.direction, axis[axis.size() - 4] };
+  ASSERT_EQ(exam.structures.At(inLip), ColonStructure::Valve);
+  const auto values = IntensitiesAt(parameters, points);
+  EXPECT_NEAR(values[0], -80.0, 2.0);
+  EXPECT_NEAR(values[1], 50.0, 2.0);
+  EXPECT_NEAR(values[2], exam.structures.GetIleum()->intensity, 2.0);
+}
+
+TEST(ColonStructures, CatheterIsARingOfItsSize)
+{
+  for (const char * kind : { "central", "rigid", "soft" })
+  {
+    auto parameters = Realistic(5);
+    parameters.catheter = kind;
+    parameters.balloon = "none";
+    parameters.catheterHoles = 1;
+    const Exam exam(parameters);
+    const auto catheter = *exam.structures.GetCatheter();
+    const auto axis = AxisOf(exam.structures, ColonStructure::Catheter);
+    EXPECT_EQ(catheter.tip, axis.back());
+    const double          outer = 0.5 * catheter.bore + catheter.wall;
+    std::vector<Vector3d> bore, wall;
+    ASSERT_GE(axis.size(), 8U) << kind;
+    for (std::size_t i = 7; i + 3 < axis.size(); ++i)
+    {
+      const Vector3d along = (axis[i + 1] - axis[i - 1]).normalized();
+      const Vector3d side = Eigen::AngleAxisd(0.8 * i, along) * along.unitOrthogonal();
+      EXPECT_EQ(exam.structures.At(axis[i] + (outer - 0.1) * side), ColonStructure::Catheter) << kind;
+      EXPECT_NE(exam.structures.At(axis[i] + (outer + 0.1) * side), ColonStructure::Catheter) << kind;
+      EXPECT_GT(exam.anatomy.Evaluate(axis[i]).distance, outer - 0.1) << kind;
+      if (i % 4 == 0)
+      {
+        bore.push_back(axis[i]);
+        wall.push_back(axis[i] + (outer - 0.5 * catheter.wall) * side);
+      }
+    }
+    for (const double value : IntensitiesAt(parameters, bore))
+    {
+      EXPECT_NEAR(value, -994.0, 2.0) << kind;
+    }
+    for (const double value : IntensitiesAt(parameters, wall))
+    {
+      EXPECT_NEAR(value, catheter.intensity, 2.0) << kind;
+    }
+  }
+}
+
+TEST(ColonStructures, BalloonFillsWhatTheRectumLeaves)
+{
+  auto parameters = Realistic(6);
+  parameters.catheter = "soft";
+  parameters.balloonDiameter = 30.0;
+  for (const char * content : { "gas", "fluid" })
+  {
+    parameters.balloon = content;
+    const Exam exam(parameters);
+    const auto catheter = *exam.structures.GetCatheter();
+    ASSERT_EQ(catheter.balloon, content);
+    EXPECT_GT(catheter.balloonDiameter, 15.0);
+    EXPECT_LE(catheter.balloonDiameter, 30.0);
+    const double   radius = 0.5 * catheter.balloonDiameter;
+    const Vector3d side = Vector3d::UnitX();
+    EXPECT_EQ(exam.structures.At(catheter.balloonCenter + (radius - 0.5) * side), ColonStructure::Balloon);
+    EXPECT_EQ(exam.structures.At(catheter.balloonCenter + (radius + 0.5) * side), ColonStructure::None);
+    const auto values = IntensitiesAt(
+      parameters, { catheter.balloonCenter + (radius - 2.0) * side, catheter.balloonCenter + (radius - 0.5) * side });
+    EXPECT_NEAR(values[0], std::string(content) == "gas" ? -994.0 : 8.0, 2.0);
+    EXPECT_NEAR(values[1], 100.0, 2.0);
+  }
+}
+
+TEST(ColonStructures, WithoutACatheterTheAnalCanalIsClosed)
+{
+  auto parameters = Realistic(7);
+  parameters.catheter = "none";
+  const Exam exam(parameters);
+  EXPECT_EQ(exam.structures.GetCatheter(), nullptr);
+  const auto line = exam.anatomy.Centreline();
+  const auto arcLength = shapeton::PointValues(line, "arcLength", "centreline");
+  for (Eigen::Index i = 0; i < line.V.rows() && arcLength[i] < 60.0; ++i)
+  {
+    const double distance = exam.anatomy.Evaluate(line.V.row(i)).distance;
+    EXPECT_TRUE(arcLength[i] > 20.0 || distance < 0.0) << arcLength[i];
+    EXPECT_TRUE(arcLength[i] < 45.0 || distance > 0.0) << arcLength[i];
+  }
+}
+
+TEST(ColonPhantomParameters, SharesOfPatientsAreAsDocumented)
+{
+  std::map<std::string, int> catheters, contents;
+  int                        fatty = 0;
+  constexpr int              patients = 2000;
+  for (unsigned seed = 0; seed < patients; ++seed)
+  {
+    const auto drawn = shapeton::Drawn(Realistic(seed));
+    EXPECT_NO_THROW(shapeton::RequireValid(drawn));
+    EXPECT_EQ(drawn.catheter, shapeton::Drawn(Realistic(seed, "prone")).catheter);
+    ++catheters[drawn.catheter];
+    ++contents[drawn.ileumContent];
+    fatty += drawn.valveFat > 0.5 ? 1 : 0;
+  }
+  EXPECT_NEAR(catheters["none"], 0.4 * patients, 80);
+  EXPECT_NEAR(catheters["rigid"], 0.3 * patients, 80);
+  EXPECT_NEAR(contents["collapsed"], 0.4 * patients, 80);
+  EXPECT_NEAR(fatty, 0.7 * patients, 80);
+}
+
+TEST(ColonPhantomParameters, WhatIsGivenMovesNothingThatIsDrawn)
+{
+  auto given = Realistic(8);
+  given.catheterBore = 4.5;
+  given.valveHeight = 9.0;
+  const auto free = shapeton::Drawn(Realistic(8));
+  const auto drawn = shapeton::Drawn(given);
+  EXPECT_EQ(drawn.catheterBore, 4.5);
+  EXPECT_EQ(drawn.valveHeight, 9.0);
+  EXPECT_EQ(drawn.catheterWall, free.catheterWall);
+  EXPECT_EQ(drawn.balloonDiameter, free.balloonDiameter);
+  EXPECT_EQ(drawn.valveFat, free.valveFat);
+  EXPECT_EQ(drawn.ileumContent, free.ileumContent);
+}
+
+TEST(ColonPhantomParameters, RefusesPartsThatDoNotFit)
+{
+  auto parameters = shapeton::ColonPhantomPreset("standard");
+  parameters.valveLength = 20.0;
+  EXPECT_THROW(shapeton::RequireValid(parameters), shapeton::ParameterError);
+  parameters.valve = "lips";
+  EXPECT_NO_THROW(shapeton::RequireValid(parameters));
+  parameters.ileumContent = "soup";
+  EXPECT_THROW(shapeton::RequireValid(parameters), shapeton::ParameterError);
+  parameters = Realistic(1);
+  parameters.catheterBore = 20.0;
+  EXPECT_THROW(shapeton::RequireValid(parameters), shapeton::ParameterError);
+  parameters = Realistic(1);
+  parameters.balloon = "open";
+  EXPECT_THROW(shapeton::RequireValid(parameters), shapeton::ParameterError);
+}

@@ -1,0 +1,83 @@
+#include "shapetonColonPhantomOptions.h"
+
+#include "shapetonColonPhantomParameters.h"
+#include "shapetonCommandLine.h"
+
+namespace shapeton
+{
+namespace
+{
+// A value that is that of the description's default counts as not given.
+template <typename TNumber>
+void
+Override(const CommandLine & commandLine, const char * name, TNumber & value)
+{
+  if (commandLine.IsGiven(name))
+  {
+    value = static_cast<TNumber>(commandLine.GetDouble(name));
+  }
+}
+
+void
+Override(const CommandLine & commandLine, const char * name, std::string & value)
+{
+  if (commandLine.IsGiven(name))
+  {
+    value = commandLine.GetString(name);
+  }
+}
+
+// Of a part that `standard` and `hard` do not have.
+template <typename TValue>
+void
+OverridePart(CommandLine & commandLine, const char * name, TValue & value)
+{
+  Override(commandLine, name, value);
+  if (!commandLine.IsGiven(name))
+  {
+    commandLine.LeaveOutOfProvenance(name);
+  }
+}
+
+void
+ReadParts(CommandLine & commandLine, ColonPhantomParameters & parameters)
+{
+  OverridePart(commandLine, "catheter", parameters.catheter);
+  OverridePart(commandLine, "catheterBore", parameters.catheterBore);
+  OverridePart(commandLine, "catheterWall", parameters.catheterWall);
+  OverridePart(commandLine, "catheterIntensity", parameters.catheterIntensity);
+  OverridePart(commandLine, "catheterDepth", parameters.catheterDepth);
+  OverridePart(commandLine, "catheterHoles", parameters.catheterHoles);
+  OverridePart(commandLine, "balloon", parameters.balloon);
+  OverridePart(commandLine, "balloonDiameter", parameters.balloonDiameter);
+  OverridePart(commandLine, "valve", parameters.valve);
+  OverridePart(commandLine, "valveLength", parameters.valveLength);
+  OverridePart(commandLine, "valveHeight", parameters.valveHeight);
+  OverridePart(commandLine, "valveFat", parameters.valveFat);
+  OverridePart(commandLine, "ileumBore", parameters.ileumBore);
+  OverridePart(commandLine, "ileumLength", parameters.ileumLength);
+  OverridePart(commandLine, "ileumContent", parameters.ileumContent);
+}
+} // namespace
+
+ColonPhantomParameters
+ReadColonPhantomParameters(CommandLine & commandLine)
+{
+  auto parameters = ColonPhantomPreset(commandLine.GetString("preset"));
+  parameters.position = commandLine.GetString("position");
+  parameters.seed = static_cast<unsigned>(commandLine.GetInteger("seed"));
+  Override(commandLine, "polyps", parameters.polyps);
+  Override(commandLine, "collapsed", parameters.collapsed);
+  Override(commandLine, "fakeHandles", parameters.fakeHandles);
+  Override(commandLine, "fluid", parameters.fluid);
+  Override(commandLine, "roughness", parameters.roughness);
+  Override(commandLine, "flattenedFolds", parameters.flattenedFolds);
+  Override(commandLine, "foldSlide", parameters.foldSlide);
+  Override(commandLine, "distension", parameters.distension);
+  Override(commandLine, "torsion", parameters.torsion);
+  Override(commandLine, "noise", parameters.noise);
+  ReadParts(commandLine, parameters);
+  RequireValid(parameters);
+  return parameters;
+}
+} // namespace shapeton
