@@ -3,12 +3,16 @@
 
 #include "ColonPhantomExport.h"
 
+#include <array>
 #include <string>
 
 namespace shapeton
 {
 /** Of a parameter: its value is drawn from the seed. \ingroup ColonPhantom */
 constexpr double drawnBySeed = -1.0;
+
+/** A value for each segment of the colon, rectum to caecum. \ingroup ColonPhantom */
+using SegmentValues = std::array<double, 6>;
 
 /** \class ColonPhantomParameters
  * \brief What a synthetic patient for CT colonography is like, and how the patient lies.
@@ -46,6 +50,16 @@ struct ColonPhantomParameters
   double torsion{ 15.0 };
   /** Standard deviation of the scanner's noise in HU, 0 to 300. */
   double noise{ 25.0 };
+  /** Lengths of the segments along the colon in mm, rectum first, that of the caecum from the valve to the pole: 0 (of
+   * the template) or 40 to 1200; rectum 150 to 180, sigmoid 350 to 1200, descending 220 to 330, transverse 550 to 1150,
+   * ascending 180 to 330, caecum 60 to 95. What has no room becomes shorter. */
+  SegmentValues lengths{};
+  /** Mean diameters of the segments in mm: 0 (of the template) or 15 to 90; rectum 36 to 54, sigmoid 24 to 36,
+   * descending 26 to 44, transverse 32 to 54, ascending 42 to 68, caecum 50 to 78. */
+  SegmentValues calibre{};
+  /** The farthest that the caecum moves from its place at rest in a position in mm, 0 to 100; 0 to 10, in three of ten
+   * patients 30 to 80. */
+  double caecumMobility{ 0.0 };
   /** The rectal catheter: none, central (in the middle of the lumen, with a closed end), rigid (straight beyond the
    * anal canal), soft (sinks onto the wall) or drawn: rigid or soft, none in four of ten patients. Without a catheter
    * the anal canal is closed. The parameters that follow are those of the catheter where there is one. */

@@ -80,25 +80,30 @@ public:
     return axis;
   }
 
-  /** Sinks onto the wall beyond `free` mm. */
+  /** Sinks onto the wall beyond `free` mm, nowhere steeper than it can bend. */
   std::vector<Vector3d>
   Sinking(double depth, double free) const
   {
+    constexpr double      steepest = 0.35 * pointApart;
     std::vector<Vector3d> axis = this->Middle(depth);
-    double                before = 0.0;
+    std::vector<Vector3d> sides(axis.size(), Vector3d::Zero());
+    std::vector<double>   offsets(axis.size(), 0.0);
     for (std::size_t i = 1; i + 1 < axis.size(); ++i)
     {
-      if (pointApart * static_cast<double>(i) < free)
-      {
-        continue;
-      }
       const Vector3d along = (axis[i + 1] - axis[i]).normalized();
-      const Vector3d side = m_Down - m_Down.dot(along) * along;
-      const double   most = std::min(before + 0.35 * pointApart, this->RoomAlong(axis[i], side.normalized()));
-      before = side.norm() > 0.3 ? std::max(0.0, most) : 0.7 * before;
-      axis[i] += before * side.normalized();
+      sides[i] = (m_Down - m_Down.dot(along) * along).normalized();
+      const bool isFree = pointApart * static_cast<double>(i) > free;
+      offsets[i] = isFree ? std::min(offsets[i - 1] + steepest, this->RoomAlong(axis[i], sides[i])) : 0.0;
     }
     axis.pop_back();
+    for (std::size_t i = axis.size() - 1; i-- > 1;)
+    {
+      offsets[i] = std::min(offsets[i], offsets[i + 1] + steepest);
+    }
+    for (std::size_t i = 0; i < axis.size(); ++i)
+    {
+      axis[i] += offsets[i] * sides[i];
+    }
     return axis;
   }
 

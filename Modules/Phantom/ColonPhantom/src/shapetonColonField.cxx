@@ -1,5 +1,7 @@
 #include "shapetonColonField.h"
 
+#include "shapetonColonNoise.h"
+
 #include <Eigen/Geometry>
 
 #include <algorithm>
@@ -56,6 +58,26 @@ EllipsoidDistance(const Vector3d & point, const PolypBody & polyp)
   const double   length = std::max(slope.norm(), 1e-9);
   return { (k - 1.0) / length, slope / length };
 }
+
+// The ileum holds the valve: where a position would turn it away by more than half a radian, the right colon turns
+// back.
+std::vector<double>
+HeldTwist(const ColonPath & path, const ColonPlan & plan, std::vector<double> twist)
+{
+  constexpr double free = 0.5;
+  if (!plan.valve.hasLips)
+  {
+    return twist;
+  }
+  const ColonCurve curve(path, twist);
+  const double     off = WrapAngle(AngleOfIleum(curve, plan.valve) - plan.valve.angle);
+  const double     back = off - std::clamp(off, -free, free);
+  for (std::size_t k = 0; k < twist.size(); ++k)
+  {
+    twist[k] += back * SmoothStep(plan.valve.material - 250.0, plan.valve.material, k * curve.GetStep());
+  }
+  return twist;
+}
 } // namespace
 
 struct ColonField::Local
@@ -73,7 +95,9 @@ ColonField::ColonField(const ColonPath &              path,
                        const ColonPlan &              plan,
                        const ColonPhantomParameters & parameters,
                        double                         reach)
-  : m_Curve(path, ColonTwist(plan, parameters)), m_Relief(plan, parameters, &m_Curve), m_Reach(reach)
+  : m_Curve(path, HeldTwist(path, plan, ColonTwist(plan, parameters)))
+  , m_Relief(plan, parameters, &m_Curve)
+  , m_Reach(reach)
 {
   std::vector<double> reaches;
   for (int k = 0; k <= m_Curve.GetNumberOfSteps(); ++k)

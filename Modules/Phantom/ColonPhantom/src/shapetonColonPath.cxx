@@ -4,6 +4,7 @@
 #include "shapetonColonRelaxation.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace shapeton
@@ -88,6 +89,63 @@ PatientOffset(unsigned seed, double place, int segment)
   return amplitude * Vector3d(x(place), y(place), z(place));
 }
 
+// Of a segment; that of the caecum goes on beyond the end of the curve by the radius there.
+double
+CurveLength(const ColonPhantomParameters & parameters, std::size_t segment, double ofTemplate)
+{
+  const double length = parameters.lengths[segment];
+  if (length == 0.0)
+  {
+    return ofTemplate;
+  }
+  const double cap = segment == 5 ? 0.5 * parameters.calibre[segment] : 0.0;
+  return std::max(length - cap, 15.0);
+}
+
+// Radii at the beginning, the middle and the end of each segment.
+using RadiusTable = std::array<std::array<double, 3>, 6>;
+
+RadiusTable
+RadiiOf(const SegmentValues & calibre)
+{
+  RadiusTable table{
+    { { 22, 24, 15 }, { 14, 12, 14 }, { 15, 17, 19 }, { 20, 21, 22 }, { 22, 23.5, 25 }, { 25, 27, 27 } }
+  };
+  for (std::size_t k = 0; k < table.size(); ++k)
+  {
+    if (calibre[k] != 0.0)
+    {
+      table[k].fill(0.5 * calibre[k]);
+    }
+  }
+  // What is given changes gradually.
+  for (std::size_t k = 1; k < table.size(); ++k)
+  {
+    if (calibre[k] != 0.0 || calibre[k - 1] != 0.0)
+    {
+      table[k - 1][2] = table[k][0] = 0.5 * (table[k - 1][1] + table[k][1]);
+    }
+  }
+  return table;
+}
+
+Vector3d
+GravityOf(const std::string & position)
+{
+  static const Vector3d directions[] = { { 0, 1, 0 }, { 0, -1, 0 }, { 1, 0, 0 }, { -1, 0, 0 } };
+  return directions[PositionNumber(position) - 1];
+}
+
+// How far the caecum is moved in a position: to the middle, up or down, and with gravity.
+Vector3d
+CaecumMove(const ColonPhantomParameters & parameters)
+{
+  ColonRandom    random(parameters.seed, ColonStream::CaecumMove, PositionNumber(parameters.position));
+  const double   share = random.Uniform();
+  const Vector3d aside(random.Uniform(0.2, 1.0), 0.0, random.Uniform(-0.4, 1.0));
+  return parameters.caecumMobility * share * (aside + 0.4 * GravityOf(parameters.position)).normalized();
+}
+
 double
 Mobility(int segment, double share)
 {
@@ -112,12 +170,6 @@ Mobilities(const ColonPath & path)
   return result;
 }
 
-Vector3d
-GravityOf(const std::string & position)
-{
-  static const Vector3d directions[] = { { 0, 1, 0 }, { 0, -1, 0 }, { 1, 0, 0 }, { -1, 0, 0 } };
-  return directions[PositionNumber(position) - 1];
-}
 } // namespace
 
 unsigned
@@ -145,7 +197,8 @@ RestPath(const ColonPhantomParameters & parameters)
   for (std::size_t k = 0; k < Template().size(); ++k)
   {
     const TemplateSegment & segment = Template()[k];
-    const double            length = random.Uniform(segment.shortest, segment.longest);
+    const double            own = random.Uniform(segment.shortest, segment.longest);
+    const double            length = CurveLength(parameters, k, own);
     const int               edges = static_cast<int>(std::lround(length / 10.0));
     const bool              isLast = k + 1 == Template().size();
     const double            knots = static_cast<double>(segment.points.size() - 1);
@@ -175,9 +228,8 @@ RestPath(const ColonPhantomParameters & parameters)
 std::vector<double>
 RestRadius(const ColonPath & path, const ColonPhantomParameters & parameters, int count)
 {
-  // Radii at the beginning, the middle and the end of each segment.
-  static const double table[6][3] = { { 22, 24, 15 }, { 14, 12, 14 },   { 15, 17, 19 },
-                                      { 20, 21, 22 }, { 22, 23.5, 25 }, { 25, 27, 27 } };
+  const auto &        calibre = parameters.calibre;
+  const RadiusTable   table = RadiiOf(calibre);
   ColonRandom         random(parameters.seed, ColonStream::Radius);
   const SmoothNoise   slow(random, path.Length(), 70.0);
   const SmoothNoise   narrow(random, path.Length(), 30.0);
@@ -187,6 +239,7 @@ RestRadius(const ColonPath & path, const ColonPhantomParameters & parameters, in
     const auto next = std::upper_bound(path.segment.begin(), path.segment.end(), segment) - path.segment.begin();
     begin[segment] = next < static_cast<long>(path.material.size()) ? path.material[next] : path.Length();
   }
+  const double        widest = std::max(28.0, 0.55 * *std::max_element(calibre.begin(), calibre.end()));
   const double        canal = 0.5 * parameters.catheterBore + parameters.catheterWall;
   std::vector<double> radius(count);
   for (int i = 0; i < count; ++i)
@@ -197,14 +250,14 @@ RestRadius(const ColonPath & path, const ColonPhantomParameters & parameters, in
     {
       ++segment;
     }
-    const double * r = table[segment - 1];
-    const double   x = 2.0 * (m - begin[segment - 1]) / (begin[segment] - begin[segment - 1]);
-    double         value = x < 1 ? r[0] + x * (r[1] - r[0]) : r[1] + (x - 1) * (r[2] - r[1]);
+    const auto & r = table[segment - 1];
+    const double x = 2.0 * (m - begin[segment - 1]) / (begin[segment] - begin[segment - 1]);
+    double       value = x < 1 ? r[0] + x * (r[1] - r[0]) : r[1] + (x - 1) * (r[2] - r[1]);
     value *= 1.0 + 0.11 * slow(m);
     // The sigmoid has contracted stretches.
     value *= 1.0 - (segment == 2 ? 0.42 : 0.0) * SmoothStep(0.35, 0.9, narrow(m));
     // The anal canal, as wide as the catheter, opens into the ampulla.
-    radius[i] = canal + (std::min(value, 28.0) - canal) * SmoothStep(22.0, 55.0, m);
+    radius[i] = canal + (std::min(value, widest) - canal) * SmoothStep(22.0, 55.0, m);
   }
   return radius;
 }
@@ -218,12 +271,15 @@ PositionedPath(const ColonPath & rest, const std::vector<double> & radius, const
   const SmoothNoise x(random, rest.Length(), 130.0), y(random, rest.Length(), 130.0), z(random, rest.Length(), 130.0);
   const auto        mobility = Mobilities(rest);
   const Vector3d    gravity = GravityOf(parameters.position);
+  const Vector3d    move = CaecumMove(parameters);
+  const auto        right = std::lower_bound(path.segment.begin(), path.segment.end(), 5) - path.segment.begin();
   for (std::size_t i = 0; i < path.nodes.size(); ++i)
   {
     const double   m = rest.material[i];
     const Vector3d random3(x(m), y(m), z(m));
     const double   free = SmoothStep(60.0, 140.0, m);
     path.nodes[i] += mobility[i] * (20.0 * gravity + 13.0 * random3) + 3.0 * free * random3;
+    path.nodes[i] += SmoothStep(rest.material[right], rest.Length(), m) * move;
   }
   ColonRelaxation     relaxation(path, radius);
   std::vector<double> held(path.nodes.size(), 0.0);

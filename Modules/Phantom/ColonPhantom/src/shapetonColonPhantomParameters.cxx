@@ -67,6 +67,19 @@ RequireValidValve(const ColonPhantomParameters & p)
                    "\"ileumContent\" are for a valve with lips; set the parameter \"valve\" to lips");
 }
 
+// 0: that of the template.
+void
+RequireSegmentValues(const char * name, const SegmentValues & values, double low, double high)
+{
+  for (const double value : values)
+  {
+    if (value != 0.0)
+    {
+      RequireRangeOrDrawn(name, value, low, high);
+    }
+  }
+}
+
 void
 RequireValidCatheter(const ColonPhantomParameters & p)
 {
@@ -86,7 +99,10 @@ enum class Group
   Valve = 1,
   Content,
   Catheter,
-  Balloon
+  Balloon,
+  Lengths,
+  Calibre,
+  Caecum
 };
 
 /** Draws in a fixed order, so that what is given moves nothing that is drawn. */
@@ -133,7 +149,29 @@ DrawValve(ColonPhantomParameters & p)
   draw(p.ileumBore, 8, 12);
   draw(p.ileumLength, 60, 120);
   const double content = Draw(p, Group::Content, true).Chance();
-  draw(p.ileumContent, content < 0.4 ? "collapsed" : (content < 0.65 ? "gas" : "fluid"));
+  draw(p.ileumContent, content < 0.3 ? "collapsed" : (content < 0.65 ? "gas" : "fluid"));
+}
+
+void
+DrawShape(ColonPhantomParameters & p)
+{
+  static constexpr double shortest[] = { 150, 350, 220, 550, 180, 60 };
+  static constexpr double longest[] = { 180, 1200, 330, 1150, 330, 95 };
+  static constexpr double narrowest[] = { 36, 24, 26, 32, 42, 50 };
+  static constexpr double widest[] = { 54, 36, 44, 54, 68, 78 };
+  Draw                    length(p, Group::Lengths);
+  Draw                    calibre(p, Group::Calibre);
+  // Half of what is between narrow and wide belongs to the patient, half to the segment.
+  const double build = calibre.Chance();
+  for (std::size_t i = 0; i < p.lengths.size(); ++i)
+  {
+    length(p.lengths[i], shortest[i], longest[i]);
+    const double middle = narrowest[i] + 0.5 * build * (widest[i] - narrowest[i]);
+    calibre(p.calibre[i], middle, middle + 0.5 * (widest[i] - narrowest[i]));
+  }
+  Draw       caecum(p, Group::Caecum);
+  const bool isMobile = caecum.Chance() < 0.3;
+  caecum(p.caecumMobility, isMobile ? 30 : 0, isMobile ? 80 : 10);
 }
 
 void
@@ -160,6 +198,7 @@ ColonPhantomParameters
 Drawn(const ColonPhantomParameters & parameters)
 {
   ColonPhantomParameters drawn = parameters;
+  DrawShape(drawn);
   DrawCatheter(drawn);
   if (drawn.valve == "lips")
   {
@@ -188,6 +227,9 @@ ColonPhantomPreset(const std::string & name)
     parameters.torsion = 25.0;
     parameters.noise = 30.0;
     parameters.valve = "lips";
+    parameters.lengths.fill(drawnBySeed);
+    parameters.calibre.fill(drawnBySeed);
+    parameters.caecumMobility = drawnBySeed;
     parameters.catheter = "drawn";
     parameters.catheterBore = drawnBySeed;
     parameters.catheterWall = drawnBySeed;
@@ -225,6 +267,9 @@ RequireValid(const ColonPhantomParameters & p)
   RequireRange("distension", p.distension, 0.6, 1.3);
   RequireRange("torsion", p.torsion, 0, 90);
   RequireRange("noise", p.noise, 0, 300);
+  RequireSegmentValues("lengths", p.lengths, 40, 1200);
+  RequireSegmentValues("calibre", p.calibre, 15, 90);
+  RequireRangeOrDrawn("caecumMobility", p.caecumMobility, 0, 100);
   RequireValidCatheter(p);
   RequireValidValve(p);
 }

@@ -3,6 +3,8 @@
 #include "shapetonColonCurve.h"
 #include "shapetonColonNoise.h"
 
+#include <Eigen/Geometry>
+
 #include <algorithm>
 #include <cmath>
 
@@ -27,6 +29,29 @@ WrapAngle(double angle)
   return angle - 2 * M_PI * std::ceil((angle - M_PI) / (2 * M_PI));
 }
 
+double
+AngleTowards(const ColonCurve & curve, double t, const Eigen::Vector3d & direction)
+{
+  double best = 0.0;
+  double most = -1e9;
+  for (double angle = -3.1; angle < M_PI; angle += 0.1)
+  {
+    const double share = curve.Direction(t, angle).dot(direction);
+    best = share > most ? angle : best;
+    most = std::max(most, share);
+  }
+  return best;
+}
+
+double
+AngleOfIleum(const ColonCurve & curve, const ValvePlan & valve)
+{
+  const Eigen::Vector3d middle(20.0, 0.0, 0.0);
+  const double          t = valve.material / curve.GetStep();
+  return AngleTowards(
+    curve, t, Eigen::AngleAxisd(valve.behind, Eigen::Vector3d::UnitZ()) * (middle - curve.At(t).position));
+}
+
 ColonPlan::ColonPlan(const ColonPath & rest, const ColonPhantomParameters & parameters) : m_Length(rest.Length())
 {
   for (int segment = 1; segment <= 6; ++segment)
@@ -43,7 +68,7 @@ ColonPlan::ColonPlan(const ColonPath & rest, const ColonPhantomParameters & para
   this->PlanPolyps(parameters.seed, parameters.polyps);
 }
 
-// The ileum comes from the middle of the body, to lips from before or behind, too.
+// The ileum comes from the middle of the body.
 void
 ColonPlan::PlanValve(const ColonPath & rest, const ColonPhantomParameters & parameters)
 {
@@ -51,19 +76,13 @@ ColonPlan::PlanValve(const ColonPath & rest, const ColonPhantomParameters & para
   ColonRandom      random(parameters.seed, ColonStream::Valve);
   valve.hasLips = parameters.valve == "lips";
   valve.material = m_SegmentBegin[5] + (valve.hasLips ? 0.0 : 4.0);
-  const double          behind = valve.hasLips ? random.Uniform(-0.7, 1.0) : 0.0;
-  const Eigen::Vector3d towards(std::cos(behind), std::sin(behind), 0.0);
-  double                most = -2.0;
-  for (double angle = -3.1; angle < M_PI; angle += 0.1)
-  {
-    const double medial = curve.Direction(valve.material / curve.GetStep(), angle).dot(towards);
-    valve.angle = medial > most ? angle : valve.angle;
-    most = std::max(most, medial);
-  }
   if (!valve.hasLips)
   {
+    valve.angle = AngleTowards(curve, valve.material / curve.GetStep(), Eigen::Vector3d::UnitX());
     return;
   }
+  valve.behind = random.Uniform(-0.4, 0.9);
+  valve.angle = AngleOfIleum(curve, valve);
   valve.length = parameters.valveLength;
   valve.height = parameters.valveHeight;
   valve.thickness = random.Uniform(10.0, 15.0);

@@ -1,6 +1,7 @@
 #ifndef shapetonColonPlan_h
 #define shapetonColonPlan_h
 
+#include "shapetonColonCurve.h"
 #include "shapetonColonPath.h"
 
 #include <array>
@@ -49,7 +50,16 @@ struct ValvePlan
   double length;    ///< of the lips around the colon, mm
   double height;    ///< mm
   double thickness; ///< of each lip, mm
+  double behind;    ///< by how many radians the ileum comes more from behind than from the middle of the abdomen
 };
+
+/** The angle at which the wall faces a direction most, to 0.1. */
+double
+AngleTowards(const ColonCurve & curve, double t, const Eigen::Vector3d & direction);
+
+/** The angle at which the wall faces the ileum in a position. */
+double
+AngleOfIleum(const ColonCurve & curve, const ValvePlan & valve);
 
 /** \class ColonPlan
  * \brief What belongs to the patient in material coordinates: place along the colon at rest (mm) and angle.

@@ -103,7 +103,7 @@ public:
         heading = this->Turn(at, heading, towards);
       }
       at += stepLength * heading;
-      if (from > m_Straight + widening && !this->IsFree(at))
+      if (from > m_Straight + widening && this->Lacking(at) > 0.0)
       {
         break;
       }
@@ -119,16 +119,26 @@ public:
   }
 
 private:
+  // mm that are lacking between the tube and colon, body wall and spine; negative where there is room.
+  double
+  Lacking(const Vector3d & at) const
+  {
+    const double margin = m_Radius + thinWall;
+    return std::max({ m_Anatomy.Evaluate(at).distance + m_Radius + 1.0,
+                      m_Cavity.distance(MakePoint(at[0], at[1], at[2])) + margin,
+                      30.0 + margin - (at - ColonAnatomy::SpineAxis(at[2])).norm(),
+                      std::abs(at[2]) - 150.0 });
+  }
+
   Vector3d
   Turn(const Vector3d & at, const Vector3d & heading, const Vector3d & towards) const
   {
-    const double distance = m_Anatomy.Evaluate(at).distance;
-    const double near = std::clamp((distance + m_Radius + 5.0) / 5.0, 0.0, 1.0);
+    const double near = std::clamp((this->Lacking(at) + 5.0) / 5.0, 0.0, 1.0);
     Vector3d     away = Vector3d::Zero();
     for (int axis = 0; near > 0.0 && axis < 3; ++axis)
     {
       const Vector3d step = 0.5 * Vector3d::Unit(axis);
-      away[axis] = m_Anatomy.Evaluate(at - step).distance - m_Anatomy.Evaluate(at + step).distance;
+      away[axis] = this->Lacking(at - step) - this->Lacking(at + step);
     }
     const Vector3d wish = (towards + 1.5 * near * away).normalized();
     const double   angle = std::acos(std::clamp(wish.dot(heading), -1.0, 1.0));
@@ -138,15 +148,6 @@ private:
       return heading;
     }
     return Eigen::AngleAxisd(std::min(0.3 * angle, stepLength / tightestBend), turn.normalized()) * heading;
-  }
-
-  bool
-  IsFree(const Vector3d & at) const
-  {
-    const double margin = m_Radius + thinWall;
-    return m_Anatomy.Evaluate(at).distance < -(m_Radius + 1.0) &&
-           m_Cavity.distance(MakePoint(at[0], at[1], at[2])) < -margin &&
-           (at - ColonAnatomy::SpineAxis(at[2])).norm() > 30.0 + margin && std::abs(at[2]) < 150.0;
   }
 
   const ColonAnatomy & m_Anatomy;
@@ -226,7 +227,7 @@ MakeTerminalIleum(const ColonAnatomy & anatomy, const ColonFluid & fluid)
   const bool   isWet = fluid.DepthBelowLevel(valve.mouth, valve.arcLength) > 0.0;
   const bool   isSame = ileum.content == (isWet ? "fluid" : "gas");
   const double width = random.Uniform(1.0, 3.0);
-  ileum.isOpen = random.Uniform() < 0.6 && isSame;
+  ileum.isOpen = random.Uniform() < 0.8 && isSame;
   ileum.slitWidth = ileum.isOpen ? width : 0.0;
   ileum.axis = MakeAxis(anatomy, valve, random);
   ileum.length = stepLength * static_cast<double>(ileum.axis.size() - 1) - intoColon;

@@ -235,9 +235,16 @@ TEST(ColonAnatomy, DistanceGrowsByOneNearTheWall)
   EXPECT_GT(good, 0.85 * all);
 }
 
-TEST(ColonAnatomy, StretchesStayApart)
+class EachPreset : public testing::TestWithParam<const char *>
+{};
+
+INSTANTIATE_TEST_SUITE_P(ColonAnatomy, EachPreset, testing::Values("standard", "realistic"));
+
+TEST_P(EachPreset, StretchesStayApart)
 {
-  const shapeton::ColonAnatomy anatomy(Patient(1));
+  auto parameters = shapeton::ColonPhantomPreset(GetParam());
+  parameters.seed = 1;
+  const shapeton::ColonAnatomy anatomy(parameters);
   const shapeton::CurveSet     line = anatomy.Centreline();
   const auto                   radius = Column(line.pointArrays, "radius");
   const auto                   arcLength = Column(line.pointArrays, "arcLength");
@@ -397,6 +404,65 @@ TEST(ColonAnatomy, CollapseClosesTheLumen)
   EXPECT_LT(length, 140.0);
 }
 
+// Mean radius of the wall where a segment is neither beginning nor ending.
+double
+RadiusWithin(const shapeton::ColonAnatomy & anatomy, int segment)
+{
+  const shapeton::CurveSet line = anatomy.Centreline();
+  const auto               radius = Column(line.pointArrays, "radius");
+  const auto               segments = Column(line.pointArrays, "segment");
+  double                   sum = 0.0, count = 0.0;
+  for (std::size_t i = 20; i + 20 < radius.size(); ++i)
+  {
+    const bool isWithin = segments[i - 20] == segment && segments[i + 20] == segment;
+    sum += isWithin ? radius[i] : 0.0;
+    count += isWithin ? 1.0 : 0.0;
+  }
+  return sum / count;
+}
+
+double
+LengthOf(const shapeton::ColonAnatomy & anatomy, int segment)
+{
+  double length = 0.0;
+  for (double s = 0.0; s < anatomy.Length(); s += 1.0)
+  {
+    length += anatomy.SegmentAt(s) == segment ? 1.0 : 0.0;
+  }
+  return length;
+}
+
+TEST(ColonAnatomy, SegmentsHaveTheShapeAskedFor)
+{
+  shapeton::ColonPhantomParameters plain = Patient(3), shaped = Patient(3);
+  shaped.lengths[1] = 1000.0;
+  shaped.lengths[3] = 550.0;
+  shaped.calibre[2] = 44.0;
+  const shapeton::ColonAnatomy before(plain), after(shaped);
+  // There is not always room for all of it.
+  EXPECT_GT(LengthOf(after, 2), 700.0);
+  EXPECT_LT(LengthOf(before, 2), 600.0);
+  EXPECT_NEAR(LengthOf(after, 4), 500.0, 80.0);
+  EXPECT_GT(LengthOf(before, 4), 600.0);
+  // The noise of place and position is 11 and 15 %.
+  EXPECT_LT(RadiusWithin(before, 3), 19.5);
+  EXPECT_NEAR(RadiusWithin(after, 3), 22.0, 3.5);
+}
+
+TEST(ColonAnatomy, AMobileCaecumMoves)
+{
+  shapeton::ColonPhantomParameters still = Patient(4), mobile = Patient(4);
+  still.caecumMobility = 0.0;
+  mobile.caecumMobility = 100.0;
+  const auto moveOf = [](shapeton::ColonPhantomParameters parameters) {
+    const Vector3d supine = shapeton::ColonAnatomy(parameters).CaecalPole();
+    parameters.position = "prone";
+    return (shapeton::ColonAnatomy(parameters).CaecalPole() - supine).norm();
+  };
+  EXPECT_LT(moveOf(still), 25.0);
+  EXPECT_GT(moveOf(mobile), moveOf(still) + 10.0);
+}
+
 TEST(ColonPhantomParameters, RefusesWhatIsOutOfRange)
 {
   shapeton::ColonPhantomParameters parameters = Patient(1);
@@ -405,4 +471,7 @@ TEST(ColonPhantomParameters, RefusesWhatIsOutOfRange)
   parameters = Patient(1, "standing");
   EXPECT_THROW(shapeton::ColonAnatomy{ parameters }, shapeton::ParameterError);
   EXPECT_THROW(shapeton::ColonPhantomPreset("easy"), shapeton::ParameterError);
+  parameters = Patient(1);
+  parameters.lengths[1] = 5000.0;
+  EXPECT_THROW(shapeton::ColonAnatomy{ parameters }, shapeton::ParameterError);
 }

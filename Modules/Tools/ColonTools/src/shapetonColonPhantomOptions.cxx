@@ -2,6 +2,11 @@
 
 #include "shapetonColonPhantomParameters.h"
 #include "shapetonCommandLine.h"
+#include "shapetonExceptions.h"
+
+#include <algorithm>
+#include <string>
+#include <vector>
 
 namespace shapeton
 {
@@ -27,6 +32,19 @@ Override(const CommandLine & commandLine, const char * name, std::string & value
   }
 }
 
+void
+Override(const CommandLine & commandLine, const char * name, SegmentValues & values)
+{
+  if (!commandLine.IsGiven(name))
+  {
+    return;
+  }
+  const std::vector<double> numbers = commandLine.GetDoubles(name);
+  RequireParameter(numbers.size() == values.size(),
+                   "the parameter \"" + std::string(name) + "\" needs six numbers, one for each segment");
+  std::copy(numbers.begin(), numbers.end(), values.begin());
+}
+
 // Of a part that `standard` and `hard` do not have.
 template <typename TValue>
 void
@@ -42,6 +60,9 @@ OverridePart(CommandLine & commandLine, const char * name, TValue & value)
 void
 ReadParts(CommandLine & commandLine, ColonPhantomParameters & parameters)
 {
+  OverridePart(commandLine, "lengths", parameters.lengths);
+  OverridePart(commandLine, "calibre", parameters.calibre);
+  OverridePart(commandLine, "caecumMobility", parameters.caecumMobility);
   OverridePart(commandLine, "catheter", parameters.catheter);
   OverridePart(commandLine, "catheterBore", parameters.catheterBore);
   OverridePart(commandLine, "catheterWall", parameters.catheterWall);
