@@ -46,6 +46,16 @@ struct ColonValve
   double          arcLength;
 };
 
+/** A place of the wall. LPS, mm. \ingroup ColonPhantom */
+struct ColonPlace
+{
+  Eigen::Vector3d point;   ///< where a ray from the centreline first meets tissue
+  Eigen::Vector3d inwards; ///< unit vector to the centreline
+  double          radius;  ///< from the centreline
+  double          angle;   ///< material, about the centreline
+  double          arcLength;
+};
+
 /** \class ColonAnatomy
  * \brief The colon of a synthetic patient in one position, known exactly.
  *
@@ -116,6 +126,12 @@ public:
    * collapsed and onFold. The same materialId is the same piece of wall in all positions of one seed. */
   CurveSet
   Correspondence() const;
+
+  /** The wall at a share of the colon's length at rest and an angle: the same piece of wall in all positions of one
+   * seed.
+   */
+  ColonPlace
+  PlaceAt(double share, double angle) const;
 
   /** The surface of the lumen, closed at both ends, normals out of the lumen, sampled with `edgeLength` mm. Edges
    * above 0.7 of the thinnest septum join stretches that touch. */

@@ -63,6 +63,7 @@ public:
   }
 
   /** Standard deviation of the profile of a plane face, mm, in [0, 3]; default 0.75. A voxel's own width is part of it.
+   * A soft kernel has 1.2 times as much, a sharp one 0.75 times; along the third axis the slice thickness adds to it.
    */
   itkSetClampMacro(Blur, double, 0.0, 3.0);
   itkGetConstMacro(Blur, double);

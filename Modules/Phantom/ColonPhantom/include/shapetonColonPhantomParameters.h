@@ -48,8 +48,13 @@ struct ColonPhantomParameters
   double distension{ 1.0 };
   /** The farthest that the tube turns about its centreline in a position in degrees, 0 to 90. */
   double torsion{ 15.0 };
-  /** Standard deviation of the scanner's noise in HU, 0 to 300. */
+  /** Standard deviation of the scanner's noise in HU, 0 to 300; 15 to 60. */
   double noise{ 25.0 };
+  /** Of the reconstruction: standard, soft, sharp or drawn (each a third). It sets blur and correlation of the noise.
+   */
+  std::string kernel{ "standard" };
+  /** Thickness of the slices in mm, whatever their distance, 0 (as the blur in the slices) to 5; 0.6 to 2.5. */
+  double sliceThickness{ 0.0 };
   /** Lengths of the segments along the colon in mm, rectum first, that of the caecum from the valve to the pole: 0 (of
    * the template) or 40 to 1200; rectum 150 to 180, sigmoid 350 to 1200, descending 220 to 330, transverse 550 to 1150,
    * ascending 180 to 330, caecum 60 to 95. What has no room becomes shorter. */
@@ -60,6 +65,15 @@ struct ColonPhantomParameters
   /** The farthest that the caecum moves from its place at rest in a position in mm, 0 to 100; 0 to 10, in three of ten
    * patients 30 to 80. */
   double caecumMobility{ 0.0 };
+  /** Pieces of stool of 4 to 20 mm beyond the rectum, 0 to 60; 0 to 14. Three of ten stick to the wall, the others lie
+   * lowest in each position; large ones may have gas in them. */
+  int stool{ 0 };
+  /** Share of the stool that is tagged (200 to 650 HU, else 20 to 70), 0 to 1; .3 to .9. */
+  double stoolTagged{ drawnBySeed };
+  /** Bubbles of 2 to 7 mm caught at the wall under levels, 0 to 100; 0 to 20. */
+  int bubbles{ 0 };
+  /** Patches of foam upon levels, 0 to 20; in three of ten patients 1 to 4. */
+  int foam{ 0 };
   /** The rectal catheter: none, central (in the middle of the lumen, with a closed end), rigid (straight beyond the
    * anal canal), soft (sinks onto the wall) or drawn: rigid or soft, none in four of ten patients. Without a catheter
    * the anal canal is closed. The parameters that follow are those of the catheter where there is one. */

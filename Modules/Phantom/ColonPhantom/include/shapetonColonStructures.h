@@ -21,7 +21,20 @@ enum class ColonStructure : unsigned char
   Ileum,     ///< the lumen of the terminal ileum, up to the mouth of the valve
   IleumWall, ///< and all of an ileum that is collapsed
   Catheter,  ///< its wall and its bore
-  Balloon    ///< its wall and what it holds
+  Balloon,   ///< its wall and what it holds
+  Stool,     ///< with the gas in it
+  Bubble,    ///< of gas, in fluid
+  Foam       ///< bubbles and the films between them
+};
+
+/** Stool, a bubble or a patch of foam in the lumen. LPS, mm. \ingroup ColonPhantom */
+struct ColonResidue
+{
+  ColonStructure  structure;
+  Eigen::Vector3d position;  ///< its middle
+  double          diameter;  ///< nominal
+  double          intensity; ///< HU; of foam that of the films
+  std::string     kind;      ///< plain or mottled (with gas in it) stool, bubble, foam
 };
 
 /** The terminal ileum of a valve with lips. LPS, mm. \ingroup ColonPhantom */
@@ -50,7 +63,8 @@ struct ColonCatheter
 };
 
 /** \class ColonStructures
- * \brief What else belongs to the examination of a colon, with its truth: valve, terminal ileum and rectal catheter.
+ * \brief What else belongs to the examination of a colon, with its truth: valve, terminal ileum, residue in the
+ * lumen, rectal catheter.
  *
  * A voxel's label depends on its position alone.
  *
@@ -75,6 +89,9 @@ public:
   /** Null where there is none. */
   const ColonCatheter *
   GetCatheter() const;
+
+  const std::vector<ColonResidue> &
+  GetResidue() const;
 
   /** The axis of each long structure, that of the ileum from the colon on, that of the catheter to its tip, with the
    * cell array structure (a ColonStructure). */
@@ -107,6 +124,7 @@ private:
   std::vector<Part>                         m_Parts;
   std::unique_ptr<ColonIleum>               m_Ileum;
   std::unique_ptr<ColonCatheter>            m_Catheter;
+  std::vector<ColonResidue>                 m_Residue;
   std::vector<std::vector<Eigen::Vector3d>> m_Axes;
   std::vector<ColonStructure>               m_AxisOf;
 };

@@ -219,13 +219,16 @@ private:
   std::vector<const PhantomBody *> m_Stack; // the bodies in question at each depth of the recursion
 };
 
-BodySampler::BodySampler(PhantomBodies bodies, const itk::ImageBase<3> * grid, double blur, double background)
+BodySampler::BodySampler(PhantomBodies                 bodies,
+                         const itk::ImageBase<3> *     grid,
+                         const std::array<double, 3> & blur,
+                         double                        background)
   : m_Bodies(std::move(bodies)), m_Background(background)
 {
   itk::ContinuousIndex<double, 3> first;
   for (unsigned int i = 0; i < 3; ++i)
   {
-    m_Axes[i] = MakeAxis(grid->GetSpacing()[i], blur);
+    m_Axes[i] = MakeAxis(grid->GetSpacing()[i], blur[i]);
     first[i] = 0.5 / m_Axes[i].cells - 0.5;
     for (unsigned int j = 0; j < 3; ++j)
     {

@@ -27,8 +27,11 @@ public:
   using RegionType = itk::ImageRegion<3>;
   using PointType = PhantomBody::PointType;
 
-  /** `blur` in mm, `background` in HU. The geometry of the grid is copied. */
-  BodySampler(PhantomBodies bodies, const itk::ImageBase<3> * grid, double blur, double background);
+  /** `blur` in mm along each axis of the grid, `background` in HU. The geometry of the grid is copied. */
+  BodySampler(PhantomBodies                 bodies,
+              const itk::ImageBase<3> *     grid,
+              const std::array<double, 3> & blur,
+              double                        background);
 
   /** The values of a region, the first index running fastest. */
   std::vector<float>

@@ -119,6 +119,19 @@ ColonAnatomy::Correspondence() const
   return ColonCorrespondenceTruth(m_Data->plan, m_Data->field);
 }
 
+ColonPlace
+ColonAnatomy::PlaceAt(double share, double angle) const
+{
+  const ColonCurve & curve = m_Data->field.GetCurve();
+  const double       t = share * curve.GetNumberOfSteps();
+  ColonPlace         place;
+  place.angle = WrapAngle(angle);
+  place.arcLength = curve.ArcLengthAt(t);
+  place.inwards = -curve.Direction(t, place.angle);
+  place.point = m_Data->field.WallPoint(t, place.angle, place.radius);
+  return place;
+}
+
 SurfaceMesh
 ColonAnatomy::Wall(double edgeLength) const
 {

@@ -107,6 +107,18 @@ NatalCleft(const ColonAnatomy & anatomy)
 }
 
 PhantomSolid
+WithinColon(const PhantomSolid & solid, const ColonAnatomy & anatomy, double beyond)
+{
+  const auto                 distance = solid.distance;
+  const ColonAnatomy * const colon = &anatomy;
+  return { [distance, colon, beyond](const PhantomBody::PointType & p) {
+            const double own = distance(p);
+            return own > ColonAnatomy::Reach ? own : std::max(own, -colon->Evaluate(ToEigen(p)).distance - beyond);
+          },
+           std::max(solid.slope, colonSlope) };
+}
+
+PhantomSolid
 AwayFromColon(const PhantomSolid & solid, const ColonAnatomy & anatomy, double gap)
 {
   const auto                 distance = solid.distance;

@@ -22,6 +22,10 @@ constexpr double softTissueIntensity = 50.0;
 PhantomSolid
 NatalCleft(const ColonAnatomy & anatomy);
 
+/** The part of a solid in the lumen of the colon, or up to `beyond` mm (at most 9) behind its surface. */
+PhantomSolid
+WithinColon(const PhantomSolid & solid, const ColonAnatomy & anatomy, double beyond);
+
 /** The part of a solid that is more than `gap` mm (at most 9) from the lumen of the colon. */
 PhantomSolid
 AwayFromColon(const PhantomSolid & solid, const ColonAnatomy & anatomy, double gap);

@@ -26,6 +26,9 @@ enum class ColonStream : std::uint32_t
   Valve,
   Ileum,
   CaecumMove,
+  Stool,
+  Bubbles,
+  Foam,
   Drawn
 };
 

@@ -21,8 +21,23 @@ using ImageType = ColonPhantomImageSource::ImageType;
 
 constexpr itk::SizeValueType tileSide = 32;
 
-// Measured on CT colonographies, along x, y and z.
-constexpr std::array<double, 3> noiseCorrelation{ { 0.63, 0.14, 0.42 } };
+/** What a kernel of the reconstruction does. */
+struct Kernel
+{
+  double                blur;             ///< factor
+  std::array<double, 3> noiseCorrelation; ///< along x, y and z
+};
+
+// Measured on CT colonographies: that of the standard kernel and that of the sharp one; the soft one is extrapolated.
+Kernel
+KernelOf(const std::string & name)
+{
+  if (name == "sharp")
+  {
+    return { 0.75, { { 0.39, 0.32, 0.33 } } };
+  }
+  return name == "soft" ? Kernel{ 1.2, { { 0.66, 0.5, 0.5 } } } : Kernel{ 1.0, { { 0.63, 0.14, 0.42 } } };
+}
 
 // Tiles do not depend on the number of threads.
 std::vector<RegionType>
@@ -218,10 +233,16 @@ ColonPhantomImageSource::PaintImage(const std::vector<OutputImageRegionType> & t
   ImageType * const image = this->GetOutput();
   image->SetBufferedRegion(image->GetRequestedRegion());
   image->Allocate();
-  const BodySampler sampler(
-    MakeColonAbdomen(this->GetAnatomy(), this->GetFluid(), this->GetStructures()), image, m_Blur, airIntensity);
+  const ColonPhantomParameters & parameters = this->GetAnatomy().GetParameters(); // as they are drawn
+  const Kernel                   kernel = KernelOf(parameters.kernel);
+  const double                   blur = kernel.blur * m_Blur;
+  const double          along = std::sqrt(blur * blur + parameters.sliceThickness * parameters.sliceThickness / 12.0);
+  const BodySampler     sampler(MakeColonAbdomen(this->GetAnatomy(), this->GetFluid(), this->GetStructures()),
+                            image,
+                            { { blur, blur, parameters.sliceThickness > 0.0 ? along : blur } },
+                            airIntensity);
   const CorrelatedNoise noise(
-    NoiseSeed(m_Parameters), image->GetLargestPossibleRegion(), m_Parameters.noise, noiseCorrelation);
+    NoiseSeed(m_Parameters), image->GetLargestPossibleRegion(), parameters.noise, kernel.noiseCorrelation);
   this->GetMultiThreader()->ParallelizeArray(
     0,
     tiles.size(),

@@ -102,7 +102,9 @@ enum class Group
   Balloon,
   Lengths,
   Calibre,
-  Caecum
+  Caecum,
+  Residue,
+  Scanner
 };
 
 /** Draws in a fixed order, so that what is given moves nothing that is drawn. */
@@ -119,6 +121,13 @@ public:
   operator()(double & value, double low, double high)
   {
     const double drawn = m_Random.Uniform(low, high);
+    value = value == drawnBySeed ? drawn : value;
+  }
+
+  void
+  operator()(int & value, int low, int high)
+  {
+    const int drawn = low + static_cast<int>(m_Random.Uniform() * (high - low + 1));
     value = value == drawnBySeed ? drawn : value;
   }
 
@@ -175,6 +184,17 @@ DrawShape(ColonPhantomParameters & p)
 }
 
 void
+DrawResidue(ColonPhantomParameters & p)
+{
+  Draw draw(p, Group::Residue);
+  draw(p.stool, 0, 14);
+  draw(p.stoolTagged, 0.3, 0.9);
+  draw(p.bubbles, 0, 20);
+  const bool hasFoam = draw.Chance() < 0.3;
+  draw(p.foam, hasFoam ? 1 : 0, hasFoam ? 4 : 0);
+}
+
+void
 DrawCatheter(ColonPhantomParameters & p)
 {
   Draw         draw(p, Group::Catheter);
@@ -185,12 +205,21 @@ DrawCatheter(ColonPhantomParameters & p)
   draw(p.catheterIntensity, 120, 280);
   const bool isSoft = p.catheter == "soft";
   draw(p.catheterDepth, isSoft ? 75 : 55, isSoft ? 125 : 80);
-  const double holes = draw.Chance();
-  const int    drawn = holes < 0.4 ? 0 : 2 + static_cast<int>((holes - 0.4) / 0.2);
-  p.catheterHoles = p.catheterHoles == drawnBySeed ? drawn : p.catheterHoles;
+  const bool isOpenAtItsEnd = draw.Chance() < 0.4;
+  draw(p.catheterHoles, isOpenAtItsEnd ? 0 : 2, isOpenAtItsEnd ? 0 : 4);
   const double balloon = Draw(p, Group::Balloon).Chance();
   draw(p.balloon, balloon < 0.35 ? "none" : (balloon < 0.65 ? "gas" : (balloon < 0.8 ? "fluid" : "deflated")));
   draw(p.balloonDiameter, 22, 38);
+}
+
+void
+DrawScanner(ColonPhantomParameters & p)
+{
+  Draw         draw(p, Group::Scanner);
+  const double kernel = draw.Chance();
+  draw(p.kernel, kernel < 1.0 / 3.0 ? "standard" : (kernel < 2.0 / 3.0 ? "soft" : "sharp"));
+  draw(p.noise, 15, 60);
+  draw(p.sliceThickness, 0.6, 2.5);
 }
 } // namespace
 
@@ -199,6 +228,8 @@ Drawn(const ColonPhantomParameters & parameters)
 {
   ColonPhantomParameters drawn = parameters;
   DrawShape(drawn);
+  DrawResidue(drawn);
+  DrawScanner(drawn);
   DrawCatheter(drawn);
   if (drawn.valve == "lips")
   {
@@ -225,11 +256,14 @@ ColonPhantomPreset(const std::string & name)
     parameters.flattenedFolds = 0.2;
     parameters.foldSlide = 4.0;
     parameters.torsion = 25.0;
-    parameters.noise = 30.0;
+    parameters.noise = drawnBySeed;
+    parameters.kernel = "drawn";
+    parameters.sliceThickness = drawnBySeed;
     parameters.valve = "lips";
     parameters.lengths.fill(drawnBySeed);
     parameters.calibre.fill(drawnBySeed);
     parameters.caecumMobility = drawnBySeed;
+    parameters.stool = parameters.bubbles = parameters.foam = static_cast<int>(drawnBySeed);
     parameters.catheter = "drawn";
     parameters.catheterBore = drawnBySeed;
     parameters.catheterWall = drawnBySeed;
@@ -266,10 +300,16 @@ RequireValid(const ColonPhantomParameters & p)
   RequireRange("foldSlide", p.foldSlide, 0, 10);
   RequireRange("distension", p.distension, 0.6, 1.3);
   RequireRange("torsion", p.torsion, 0, 90);
-  RequireRange("noise", p.noise, 0, 300);
+  RequireRangeOrDrawn("noise", p.noise, 0, 300);
+  RequireOneOf("kernel", p.kernel, { "standard", "soft", "sharp", "drawn" });
+  RequireRangeOrDrawn("sliceThickness", p.sliceThickness, 0, 5);
   RequireSegmentValues("lengths", p.lengths, 40, 1200);
   RequireSegmentValues("calibre", p.calibre, 15, 90);
   RequireRangeOrDrawn("caecumMobility", p.caecumMobility, 0, 100);
+  RequireRangeOrDrawn("stool", p.stool, 0, 60);
+  RequireRangeOrDrawn("stoolTagged", p.stoolTagged, 0, 1);
+  RequireRangeOrDrawn("bubbles", p.bubbles, 0, 100);
+  RequireRangeOrDrawn("foam", p.foam, 0, 20);
   RequireValidCatheter(p);
   RequireValidValve(p);
 }

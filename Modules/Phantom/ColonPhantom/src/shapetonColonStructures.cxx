@@ -3,6 +3,7 @@
 #include "shapetonColonBody.h"
 #include "shapetonColonStructurePart.h"
 #include "shapetonCatheterTube.h"
+#include "shapetonLumenResidue.h"
 #include "shapetonTerminalIleum.h"
 #include "shapetonValveLips.h"
 
@@ -78,6 +79,9 @@ ColonStructures::ColonStructures(const ColonAnatomy & anatomy, const ColonFluid 
     this->AddValve(anatomy);
     this->AddIleum(anatomy, fluid);
   }
+  const LumenResidue residue = MakeLumenResidue(anatomy, fluid);
+  m_Parts.insert(m_Parts.end(), residue.parts.begin(), residue.parts.end());
+  m_Residue = residue.truth;
   if (anatomy.GetParameters().catheter != "none")
   {
     this->AddCatheter(anatomy, fluid);
@@ -128,6 +132,12 @@ const ColonCatheter *
 ColonStructures::GetCatheter() const
 {
   return m_Catheter.get();
+}
+
+const std::vector<ColonResidue> &
+ColonStructures::GetResidue() const
+{
+  return m_Residue;
 }
 
 const ColonIleum *

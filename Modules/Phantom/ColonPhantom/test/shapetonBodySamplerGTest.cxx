@@ -71,13 +71,19 @@ NormalDistribution(double x)
 
 // Largest deviation from the profile of a slab, in units of the step, over all voxels of the grid.
 double
-LargestDeviation(const ImageType * grid, const itk::Vector<double, 3> & normal, double from, double to, double sigma)
+LargestDeviation(const ImageType *              grid,
+                 const itk::Vector<double, 3> & normal,
+                 double                         from,
+                 double                         to,
+                 double                         sigma,
+                 double                         blurAlongZ = 0.75)
 {
-  const shapeton::BodySampler sampler({ std::make_shared<Slab>(normal, from, to, 1000.0) }, grid, 0.75, 0.0);
-  const auto                  values = sampler.Sample(grid->GetLargestPossibleRegion());
-  double                      largest = 0.0;
-  std::size_t                 i = 0;
-  itk::ImageRegion<3>         region = grid->GetLargestPossibleRegion();
+  const shapeton::BodySampler sampler(
+    { std::make_shared<Slab>(normal, from, to, 1000.0) }, grid, { { 0.75, 0.75, blurAlongZ } }, 0.0);
+  const auto          values = sampler.Sample(grid->GetLargestPossibleRegion());
+  double              largest = 0.0;
+  std::size_t         i = 0;
+  itk::ImageRegion<3> region = grid->GetLargestPossibleRegion();
   for (int z = 0; z < static_cast<int>(region.GetSize(2)); ++z)
   {
     for (int y = 0; y < static_cast<int>(region.GetSize(1)); ++y)
@@ -116,6 +122,15 @@ TEST(BodySampler, ProfileOfAPlaneFaceIsTheNormalDistribution)
   }
 }
 
+TEST(BodySampler, EachAxisHasItsBlur)
+{
+  const auto grid = Grid(16, 0.7, 0.7, 0.7);
+  EXPECT_LT(LargestDeviation(grid, Direction(0, 0, 1), 0.123, 1e3, 1.1, 1.1), 0.008);
+  EXPECT_LT(LargestDeviation(grid, Direction(0, 1, 0), 0.123, 1e3, 0.75, 1.1), 0.008);
+  EXPECT_LT(LargestDeviation(grid, Direction(0, 1, 1), 0.123, 1e3, std::sqrt(0.5 * (0.75 * 0.75 + 1.1 * 1.1)), 1.1),
+            0.02);
+}
+
 TEST(BodySampler, AnisotropicGridsGetTheSameProfile)
 {
   const auto grid = Grid(16, 0.7, 0.7, 1.25);
@@ -140,7 +155,7 @@ TEST(BodySampler, LaterBodiesArePaintedOverEarlierOnes)
   const shapeton::PhantomBodies bodies{ std::make_shared<Slab>(up, -1e3, 1e3, 100.0),
                                         std::make_shared<Slab>(up, -1e3, 1e3, -994.0),
                                         std::make_shared<Slab>(up, 1e3, 2e3, 500.0) };
-  const shapeton::BodySampler   sampler(bodies, grid, 0.75, 7.0);
+  const shapeton::BodySampler   sampler(bodies, grid, { { 0.75, 0.75, 0.75 } }, 7.0);
   for (const float value : sampler.Sample(grid->GetLargestPossibleRegion()))
   {
     EXPECT_NEAR(value, -994.0F, 1e-3F);
@@ -151,7 +166,7 @@ TEST(BodySampler, PiecesOfARegionHaveTheValuesOfTheWhole)
 {
   const auto                  grid = Grid(12, 0.9, 1.1, 1.3);
   const shapeton::BodySampler sampler(
-    { std::make_shared<Slab>(Direction(1, 2, 3), -2.0, 1.5, 900.0) }, grid, 0.75, -1000.0);
+    { std::make_shared<Slab>(Direction(1, 2, 3), -2.0, 1.5, 900.0) }, grid, { { 0.75, 0.75, 0.75 } }, -1000.0);
   const auto          whole = sampler.Sample(grid->GetLargestPossibleRegion());
   itk::ImageRegion<3> piece;
   piece.SetIndex({ { 3, 1, 4 } });

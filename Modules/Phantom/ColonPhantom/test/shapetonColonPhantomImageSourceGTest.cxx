@@ -287,8 +287,8 @@ TEST(ColonPhantomImageSource, SkippingBlocksChangesNothing)
     {
       all.push_back(std::make_shared<NeverSkipped>(body));
     }
-    const shapeton::BodySampler fast(bodies, source->GetOutput(), 0.75, shapeton::airIntensity);
-    const shapeton::BodySampler slow(all, source->GetOutput(), 0.75, shapeton::airIntensity);
+    const shapeton::BodySampler fast(bodies, source->GetOutput(), { { 0.75, 0.75, 0.75 } }, shapeton::airIntensity);
+    const shapeton::BodySampler slow(all, source->GetOutput(), { { 0.75, 0.75, 0.75 } }, shapeton::airIntensity);
     itk::ImageRegion<3>         tile;
     tile.SetSize({ { 12, 12, 12 } });
     for (const auto & index : { itk::Index<3>{ { 40, 130, 90 } },

@@ -249,6 +249,42 @@ TEST(ColonStructures, BalloonFillsWhatTheRectumLeaves)
   }
 }
 
+TEST(ColonStructures, ResidueLiesInTheLumenWhereItsKindDoes)
+{
+  auto parameters = Realistic(2);
+  parameters.stool = 12;
+  parameters.bubbles = 10;
+  parameters.foam = 3;
+  const Exam                    exam(parameters);
+  std::map<ColonStructure, int> counts;
+  for (const shapeton::ColonResidue & one : exam.structures.GetResidue())
+  {
+    ++counts[one.structure];
+    const auto   sample = exam.anatomy.Evaluate(one.position);
+    const double depth = exam.fluid.DepthBelowLevel(one.position, sample.arcLength);
+    EXPECT_GT(sample.distance, 0.0) << one.kind;
+    EXPECT_TRUE(one.structure != ColonStructure::Bubble || depth > 0.5 * one.diameter) << depth;
+    EXPECT_TRUE(one.structure != ColonStructure::Foam || (depth < 0.0 && depth > -3.0)) << depth;
+    if (one.structure == ColonStructure::Bubble)
+    {
+      EXPECT_EQ(exam.structures.At(one.position), ColonStructure::Bubble);
+    }
+    // No residue outside of the lumen.
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      for (const double side : { -0.3, 0.3 })
+      {
+        const Vector3d       beside = one.position + side * one.diameter * Vector3d::Unit(axis);
+        const ColonStructure structure = exam.structures.At(beside);
+        EXPECT_TRUE(structure != one.structure || exam.anatomy.Evaluate(beside).distance > 0.0) << one.kind;
+      }
+    }
+  }
+  EXPECT_GE(counts[ColonStructure::Stool], 10);
+  EXPECT_GE(counts[ColonStructure::Bubble], 7);
+  EXPECT_GE(counts[ColonStructure::Foam], 1);
+}
+
 TEST(ColonStructures, WithoutACatheterTheAnalCanalIsClosed)
 {
   auto parameters = Realistic(7);
@@ -267,7 +303,7 @@ TEST(ColonStructures, WithoutACatheterTheAnalCanalIsClosed)
 
 TEST(ColonPhantomParameters, SharesOfPatientsAreAsDocumented)
 {
-  std::map<std::string, int> catheters, contents;
+  std::map<std::string, int> catheters, contents, kernels;
   int                        fatty = 0;
   constexpr int              patients = 2000;
   for (unsigned seed = 0; seed < patients; ++seed)
@@ -278,10 +314,13 @@ TEST(ColonPhantomParameters, SharesOfPatientsAreAsDocumented)
     ++catheters[drawn.catheter];
     ++contents[drawn.ileumContent];
     fatty += drawn.valveFat > 0.5 ? 1 : 0;
+    ++kernels[drawn.kernel];
+    EXPECT_TRUE(drawn.noise >= 15.0 && drawn.noise <= 60.0);
   }
   EXPECT_NEAR(catheters["none"], 0.4 * patients, 80);
   EXPECT_NEAR(catheters["rigid"], 0.3 * patients, 80);
   EXPECT_NEAR(contents["collapsed"], 0.3 * patients, 80);
+  EXPECT_NEAR(kernels["sharp"], patients / 3, 80);
   EXPECT_NEAR(fatty, 0.7 * patients, 80);
 }
 

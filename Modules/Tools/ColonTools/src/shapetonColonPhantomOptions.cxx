@@ -63,6 +63,12 @@ ReadParts(CommandLine & commandLine, ColonPhantomParameters & parameters)
   OverridePart(commandLine, "lengths", parameters.lengths);
   OverridePart(commandLine, "calibre", parameters.calibre);
   OverridePart(commandLine, "caecumMobility", parameters.caecumMobility);
+  OverridePart(commandLine, "stool", parameters.stool);
+  OverridePart(commandLine, "stoolTagged", parameters.stoolTagged);
+  OverridePart(commandLine, "bubbles", parameters.bubbles);
+  OverridePart(commandLine, "foam", parameters.foam);
+  OverridePart(commandLine, "kernel", parameters.kernel);
+  OverridePart(commandLine, "sliceThickness", parameters.sliceThickness);
   OverridePart(commandLine, "catheter", parameters.catheter);
   OverridePart(commandLine, "catheterBore", parameters.catheterBore);
   OverridePart(commandLine, "catheterWall", parameters.catheterWall);

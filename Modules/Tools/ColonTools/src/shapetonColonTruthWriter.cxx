@@ -8,6 +8,8 @@
 #include "shapetonSurfaceWriter.h"
 #include "shapetonVolumeWriter.h"
 
+#include <vector>
+
 namespace shapeton
 {
 namespace
@@ -125,15 +127,33 @@ CatheterToJson(const ColonCatheter & catheter)
 }
 
 Json
+ResidueToJson(const std::vector<ColonResidue> & residue)
+{
+  Json list = Json::array();
+  for (const ColonResidue & one : residue)
+  {
+    Json json;
+    json["kind"] = one.structure == ColonStructure::Stool ? one.kind + " stool" : one.kind;
+    json["position"] = ToJson(one.position);
+    json["diameter"] = RoundedJson(one.diameter);
+    json["intensity"] = RoundedJson(one.intensity);
+    list.push_back(json);
+  }
+  return list;
+}
+
+Json
 StructuresToJson(const Provenance & provenance, const ColonAnatomy & anatomy, const ColonStructures & structures)
 {
   Json json;
   json["provenance"] = ProvenanceToJson(provenance);
-  json["labels"] = { { "valve", 1 }, { "ileum", 2 }, { "ileumWall", 3 }, { "catheter", 4 }, { "balloon", 5 } };
+  json["labels"] = { { "valve", 1 },   { "ileum", 2 }, { "ileumWall", 3 }, { "catheter", 4 },
+                     { "balloon", 5 }, { "stool", 6 }, { "bubble", 7 },    { "foam", 8 } };
   json["valve"] = ValveToJson(anatomy);
   json["caecum"] = { { "pole", ToJson(anatomy.CaecalPole()) } };
   json["ileum"] = structures.GetIleum() ? IleumToJson(*structures.GetIleum()) : Json();
   json["catheter"] = structures.GetCatheter() ? CatheterToJson(*structures.GetCatheter()) : Json();
+  json["residue"] = ResidueToJson(structures.GetResidue());
   return json;
 }
 } // namespace
