@@ -5,6 +5,7 @@ itk_module(ColonCentreline
   ENABLE_SHARED
   DEPENDS
     Base
+    Report
     SurfaceMesh
     ColonLumen
     ITKCommon
