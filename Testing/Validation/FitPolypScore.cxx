@@ -119,9 +119,10 @@ AddExam(const LandmarkExam & exam, Samples & samples)
 {
   constexpr double             leastPolyp = 5.5, leastValve = 14.0, valveShape = 0.82;
   const SurfaceConnectivity    connectivity(exam.wall);
-  const SurfaceShape           shape = MeasureSurfaceShape(exam.wall.V, connectivity, exam.wall.F, 1.0);
+  const double                 time = MatchedSmoothingTime(exam.wall, PolypCandidateOptions().smoothingTime);
+  const SurfaceShape           shape = MeasureSurfaceShape(exam.wall.V, connectivity, exam.wall.F, time);
   const std::vector<WallBulge> bulges =
-    FindWallBulges(exam.wall.V, connectivity, shape, NoWall(exam.wall, connectivity), 0.01);
+    FindWallBulges(exam.wall, connectivity, shape, NoWall(exam.wall, connectivity), 0.01);
   const std::vector<ColonPolyp>  polyps = exam.anatomy->Polyps();
   std::vector<const WallBulge *> best(polyps.size(), nullptr);
   for (const WallBulge & bulge : bulges)

@@ -10,6 +10,7 @@ itk_module(PolypCandidates
     FlatColon
     ITKCommon
   PRIVATE_DEPENDS
+    ColonCentreline
     HeatDiffusionMetric
     VolumeFiles
     ShapeDiffusion

@@ -99,7 +99,7 @@ struct PolypCandidate
   /** Vertices of the wall that the head is made of. */
   std::vector<int> vertices;
   /** The largest and the smallest width of the head across its axis, mm. A head that is lower than about half of its
-   * width goes over into the wall before its widest place is reached: up to 1.6 mm are added for the rim. */
+   * width goes over into the wall before its widest place is reached: up to 0.9 mm are added for the rim. */
   double diameter{ 0.0 };
   double leastDiameter{ 0.0 };
   /** How far it stands above a ring 1 to 2 mm around it, mm; of a head on a stalk, the head alone. On a hollow wall the
@@ -127,13 +127,20 @@ struct PolypCandidateOptions
 {
   /** 0 to 1: candidates with a score of the shape of at least 1 - sensitivity. */
   double sensitivity{ defaultPolypSensitivity };
-  /** Of the diffusion of normals, mm^2. */
+  /** Of the diffusion of normals on a wall from voxels of 0.8 mm, mm^2. Other walls get the time that makes the blur of
+   * voxels and diffusion together the same, see MatchedSmoothingTime(). */
   double smoothingTime{ 1.0 };
   /** What the lesser principal curvature of a head is at least, everywhere, 1/mm. */
   double leastCurvature{ 0.01 };
   /** Of a candidate, mm, from 0. Smaller heads cannot be told from crumbs that the segmentation of a CT leaves. */
   double leastDiameter{ 3.5 };
 };
+
+/** A time of diffusion in mm^2 that suits a wall: `time` where it stems from voxels of 0.8 mm, less by half a mm^2 for
+ * each mm^2 that the faces of its voxels are larger, at least 0.3 mm^2. Voxels are told from the mean area of the faces
+ * of the wall, a third of that of a voxel in marching cubes. \ingroup PolypCandidates */
+PolypCandidates_EXPORT double
+MatchedSmoothingTime(const SurfaceMesh & wall, double time);
 
 /** Candidates on a wall, by falling score.
  *
@@ -161,8 +168,10 @@ PolypCandidates_EXPORT void
 NoteRectalCatheter(std::vector<PolypCandidate> & candidates);
 
 /** Puts candidates that are what is left of a rectal catheter behind all others, with a score of 0 and the remark "the
- * rectal catheter": those with their middle within 3 mm of its surface, or inside. \param catheter its axis, a point
- * each mm, with the point array radius in mm. Throws InputError where that is missing. \ingroup PolypCandidates */
+ * rectal catheter" or "the balloon of the rectal catheter": those with their middle within 3 mm of its surface, or
+ * inside. \param catheter its axis, a point each mm, with the point array radius in mm and, where there may be a
+ * balloon, balloonRadius, 0 where none is around the axis. Throws InputError where radius is missing. \ingroup
+ * PolypCandidates */
 PolypCandidates_EXPORT void
 RankCatheterLast(const CurveSet & catheter, std::vector<PolypCandidate> & candidates);
 } // namespace shapeton

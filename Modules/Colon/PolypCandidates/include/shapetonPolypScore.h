@@ -13,7 +13,8 @@ struct WallBulge;
 /** What tells a polyp from the rest of the wall. \ingroup PolypCandidates */
 struct PolypFeatures
 {
-  /** Mean shape index of the head: 1 a cap, 0.5 a ridge (Koenderink and van Doorn 1992; Yoshida and Nappi 2001). */
+  /** Mean shape index of the head, weighted by the lesser curvature: 1 a cap, 0.5 a ridge (Koenderink and van Doorn
+   * 1992; Yoshida and Nappi 2001). */
   double shapeIndex{ 0.0 };
   /** Least over greatest width across the axis. */
   double roundness{ 0.0 };

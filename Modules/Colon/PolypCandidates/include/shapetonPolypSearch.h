@@ -21,7 +21,7 @@ struct PolypColon
   SurfaceMesh wall;
   /** One curve with the point array arcLength (mm); empty where there is none. */
   CurveSet centreline;
-  /** The axis of a rectal catheter with the point array radius (mm); empty where there is none. */
+  /** The axis of a rectal catheter as RankCatheterLast() takes it; empty where there is none. */
   CurveSet                 catheter;
   PolypLumenImage::Pointer lumen;
   /** HU, cleansed; null of a mask. */

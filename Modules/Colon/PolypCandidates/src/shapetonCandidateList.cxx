@@ -16,7 +16,7 @@ constexpr double rimWidth = 3.0; // mm
 double
 HiddenRim(double prominence)
 {
-  constexpr double rim = 1.6, low = 0.45, high = 0.52;
+  constexpr double rim = 0.9, low = 0.45, high = 0.65;
   return rim * std::clamp((high - prominence) / (high - low), 0.0, 1.0);
 }
 
@@ -106,6 +106,12 @@ CandidateOf(WallBulge bulge, const PolypFeatures & features, double score, const
   candidate.arcLength = ArcLengthOf(bulge.vertices, wall);
   candidate.vertices = std::move(bulge.vertices);
   return candidate;
+}
+
+void
+AddRemark(const std::string & remark, PolypCandidate & candidate)
+{
+  candidate.remark += (candidate.remark.empty() || remark.empty() ? "" : "; ") + remark;
 }
 
 void

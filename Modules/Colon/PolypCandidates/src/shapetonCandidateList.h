@@ -12,6 +12,10 @@ FindNoWall(const SurfaceMesh & wall, const SurfaceConnectivity & connectivity);
 PolypCandidate
 CandidateOf(WallBulge bulge, const PolypFeatures & features, double score, const SurfaceMesh & wall);
 
+/** After what was noted before; nothing for "". */
+void
+AddRemark(const std::string & remark, PolypCandidate & candidate);
+
 /** By falling score, numbered from 1. */
 void
 Rank(std::vector<PolypCandidate> & candidates);

@@ -2,21 +2,13 @@
 
 #include "shapetonCandidateList.h"
 #include "shapetonExceptions.h"
+#include "shapetonSurfaceQuality.h"
 
 #include <algorithm>
 #include <cmath>
 
 namespace shapeton
 {
-namespace
-{
-void
-AddRemark(const std::string & remark, PolypCandidate & candidate)
-{
-  candidate.remark += (candidate.remark.empty() ? "" : "; ") + remark;
-}
-} // namespace
-
 std::string
 NameOf(PolypPreset preset)
 {
@@ -77,6 +69,15 @@ NameOf(PolypTissue tissue)
   }
 }
 
+double
+MatchedSmoothingTime(const SurfaceMesh & wall, double time)
+{
+  constexpr double usualVoxel = 0.8 * 0.8, facesOfVoxel = 3.0; // mm^2
+  constexpr double timeForArea = 0.5, least = 0.3;
+  const double     voxel = facesOfVoxel * SurfaceArea(wall.V, wall.F) / std::max(1, wall.NumberOfFaces());
+  return std::max(std::min(time, least), time - timeForArea * (voxel - usualVoxel));
+}
+
 std::vector<PolypCandidate>
 FindPolypCandidates(const SurfaceMesh & wall, const PolypCandidateOptions & options)
 {
@@ -86,8 +87,9 @@ FindPolypCandidates(const SurfaceMesh & wall, const PolypCandidateOptions & opti
   const double              leastScore = 1.0 - options.sensitivity;
 
   std::vector<PolypCandidate> candidates;
-  const SurfaceShape          shape = MeasureSurfaceShape(wall.V, connectivity, wall.F, options.smoothingTime);
-  for (WallBulge & bulge : FindWallBulges(wall.V, connectivity, shape, isLeftOut, options.leastCurvature))
+  const double                time = MatchedSmoothingTime(wall, options.smoothingTime);
+  const SurfaceShape          shape = MeasureSurfaceShape(wall.V, connectivity, wall.F, time);
+  for (WallBulge & bulge : FindWallBulges(wall, connectivity, shape, isLeftOut, options.leastCurvature))
   {
     const PolypFeatures features = FeaturesOf(bulge);
     const double        score = PolypScore(features);
@@ -143,17 +145,20 @@ void
 RankCatheterLast(const CurveSet & catheter, std::vector<PolypCandidate> & candidates)
 {
   constexpr double      reach = 3.0; // mm
-  const Eigen::VectorXd radius = PointValues(catheter, "radius", "the rectal catheter");
-  const auto            isCatheter = [&](const PolypCandidate & candidate) {
-    const Eigen::VectorXd toAxis = (catheter.V.rowwise() - candidate.position.transpose()).rowwise().norm();
-    return (toAxis - radius).minCoeff() <= reach;
-  };
+  const char * const    what = "the rectal catheter";
+  const Eigen::VectorXd tube = PointValues(catheter, "radius", what);
+  const Eigen::VectorXd balloon = FindSurfaceArray(catheter.pointArrays, "balloonRadius") != nullptr
+                                    ? PointValues(catheter, "balloonRadius", what)
+                                    : Eigen::VectorXd::Zero(tube.size());
   for (PolypCandidate & candidate : candidates)
   {
-    if (isCatheter(candidate))
+    const Eigen::VectorXd toAxis = (catheter.V.rowwise() - candidate.position.transpose()).rowwise().norm();
+    const bool            isOnTube = (toAxis - tube).minCoeff() <= reach;
+    const bool            isOnBalloon = (balloon.array() > 0.0 && (toAxis - balloon).array() <= reach).any();
+    if (isOnTube || isOnBalloon)
     {
       candidate.score = 0.0;
-      candidate.remark = "the rectal catheter";
+      candidate.remark = isOnTube ? what : std::string("the balloon of ") + what;
     }
   }
   Rank(candidates);

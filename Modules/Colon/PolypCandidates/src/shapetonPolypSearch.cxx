@@ -1,5 +1,7 @@
 #include "shapetonPolypSearch.h"
 
+#include "shapetonCandidateList.h"
+#include "shapetonColonAssessability.h"
 #include "shapetonColonSegments.h"
 #include "shapetonFlatColonLocator.h"
 #include "shapetonPolypContent.h"
@@ -97,6 +99,18 @@ NameSegments(const SurfaceMesh & segments, std::vector<PolypCandidate> & candida
   }
 }
 
+/** Tells of candidates where the wall is not seen as it should be. */
+void
+NoteHindrances(const CurveSet & centreline, std::vector<PolypCandidate> & candidates)
+{
+  const std::vector<HinderedStretch> stretches = FindHinderedStretches(centreline);
+  for (PolypCandidate & candidate : candidates)
+  {
+    const ColonHindrance hindrance = HindranceAt(stretches, candidate.arcLength);
+    AddRemark(hindrance == ColonHindrance::None ? "" : "not assessable: " + InWords(hindrance), candidate);
+  }
+}
+
 std::vector<PolypCandidate>
 Find(const PolypColon & colon, const PolypSearchOptions & options)
 {
@@ -164,6 +178,10 @@ SearchPolyps(const PolypColon & colon, const PolypSearchOptions & options)
   }
   NoteIleocaecalValve(LengthOf(colon.centreline), candidates);
   NoteRectalCatheter(candidates);
+  if (TellsHindrances(colon.centreline))
+  {
+    NoteHindrances(colon.centreline, candidates);
+  }
   if (!colon.catheter.curves.empty())
   {
     RankCatheterLast(colon.catheter, candidates);

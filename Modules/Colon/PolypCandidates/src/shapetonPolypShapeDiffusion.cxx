@@ -143,22 +143,23 @@ FindPublishedPolypCandidates(const SurfaceMesh &           wall,
   const Eigen::VectorXd ranks = RanksByArea(
     DensityOnWall(wall, connectivity, shape, box, VisitsIn(box, settings, depth, options.steps)), shape.areas);
   const std::vector<char> isLeftOut = FindNoWall(wall, connectivity);
-  std::vector<char>       isMember(wall.V.rows());
+  Eigen::VectorXd         level = ranks.array() - least;
   for (Eigen::Index i = 0; i < wall.V.rows(); ++i)
   {
-    isMember[i] = !isLeftOut[i] && ranks[i] > least;
+    level[i] = isLeftOut[i] ? -1.0 : level[i];
   }
   std::vector<PolypCandidate> candidates;
   const WallPartLimits        limits{ -std::numeric_limits<double>::infinity(), narrowest };
-  for (WallBulge & part : MeasureWallParts(wall.V, connectivity, shape, isMember, limits))
+  for (WallBulge & part : MeasureWallParts(wall, connectivity, shape, level, limits))
   {
     const PolypFeatures features = FeaturesOf(part);
-    double              rank = 0.0;
+    double              rank = 0.0, area = 0.0;
     for (const int vertex : part.vertices)
     {
-      rank += shape.areas[vertex] * ranks[vertex] / part.area;
+      rank += shape.areas[vertex] * ranks[vertex];
+      area += shape.areas[vertex];
     }
-    const double score = (rank - least) / (1.0 - least) * features.roundness;
+    const double score = (rank / area - least) / (1.0 - least) * features.roundness;
     if (part.greatestWidth <= widest && score >= 1.0 - options.sensitivity)
     {
       candidates.push_back(CandidateOf(std::move(part), features, score, wall));

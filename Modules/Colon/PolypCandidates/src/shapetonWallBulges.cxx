@@ -1,6 +1,8 @@
 #include "shapetonWallBulges.h"
 
-#include <Eigen/Geometry>
+#include "shapetonWallPolygon.h"
+
+#include <Eigen/Eigenvalues>
 
 #include <algorithm>
 #include <cmath>
@@ -12,19 +14,24 @@ namespace
 {
 using Eigen::Vector3d;
 
-/** The ring around the bulge that tells of its foot, mm along edges: all of it for the curvature, the outer part,
+/** The ring around the bulge that tells of its foot, mm from its rim: all of it for the curvature, the outer part,
  * beyond the fillet, for the height. */
 constexpr double ringBegin = 1.0;
 constexpr double ringEnd = 2.0;
 
+/** Measures parts of a wall where a level that is linear within faces is positive. Their rims cross faces, and all
+ * measures are integrals or extents within these rims: where vertices happen to lie matters little. */
 class BulgeFinder
 {
 public:
-  BulgeFinder(const VertexMatrix & V, const SurfaceConnectivity & connectivity, const SurfaceShape & shape)
-    : m_V(V), m_Connectivity(connectivity), m_Shape(shape)
+  BulgeFinder(const SurfaceMesh &         wall,
+              const SurfaceConnectivity & connectivity,
+              const SurfaceShape &        shape,
+              const Eigen::VectorXd &     level)
+    : m_Wall(wall), m_Connectivity(connectivity), m_Shape(shape), m_Level(level)
   {}
 
-  /** The connected vertices around one; takes them out of `isFree`. */
+  /** The connected vertices around one where the level is positive; takes them out of `isFree`. */
   std::vector<int>
   Grow(int seed, std::vector<char> & isFree) const
   {
@@ -45,21 +52,29 @@ public:
     return found;
   }
 
-  WallBulge
+  /** A bulge, and where its rim crosses edges. */
+  struct Rimmed
+  {
+    WallBulge             bulge;
+    std::vector<Vector3d> rim;
+  };
+
+  Rimmed
   Measure(std::vector<int> vertices) const
   {
-    WallBulge bulge;
-    bulge.vertices = std::move(vertices);
-    this->SumUp(bulge);
-    this->MeasureWidths(bulge);
-    return bulge;
+    Rimmed part;
+    part.bulge.vertices = std::move(vertices);
+    this->SumUp(part);
+    this->MeasureWidths(part);
+    return part;
   }
 
   void
-  MeasureFoot(WallBulge & bulge) const
+  MeasureFoot(Rimmed & part) const
   {
-    const Foot foot = this->FindFoot(bulge.vertices);
-    double     most = -std::numeric_limits<double>::infinity();
+    WallBulge & bulge = part.bulge;
+    const Foot  foot = this->FindFoot(part);
+    double      most = -std::numeric_limits<double>::infinity();
     for (const int vertex : bulge.vertices)
     {
       const double above = (this->PointOf(vertex) - foot.middle).dot(bulge.axis);
@@ -77,45 +92,103 @@ private:
   Vector3d
   PointOf(int vertex) const
   {
-    return m_V.row(vertex).transpose();
+    return m_Wall.V.row(vertex).transpose();
+  }
+
+  WallPolygon
+  PolygonOf(int face) const
+  {
+    WallPolygon polygon;
+    for (int k = 0; k < 3; ++k)
+    {
+      const int vertex = m_Wall.F(face, k);
+      polygon.push_back({ this->PointOf(vertex),
+                          m_Shape.inwardNormals.row(vertex).transpose(),
+                          m_Shape.greater[vertex],
+                          m_Shape.lesser[vertex] });
+    }
+    return polygon;
+  }
+
+  /** Of the level at the corners of a face, times `sign`. */
+  std::vector<double>
+  LevelsOf(int face, double sign) const
+  {
+    return { sign * m_Level[m_Wall.F(face, 0)], sign * m_Level[m_Wall.F(face, 1)], sign * m_Level[m_Wall.F(face, 2)] };
+  }
+
+  /** Ascending. */
+  std::vector<int>
+  FacesAt(const std::vector<int> & vertices) const
+  {
+    std::vector<int> faces;
+    for (const int vertex : vertices)
+    {
+      const IndexRange some = m_Connectivity.FacesOfVertex(vertex);
+      faces.insert(faces.end(), some.begin(), some.end());
+    }
+    std::sort(faces.begin(), faces.end());
+    faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
+    return faces;
   }
 
   void
-  SumUp(WallBulge & bulge) const
+  SumUp(Rimmed & part) const
   {
-    Vector3d normal = Vector3d::Zero();
-    for (const int vertex : bulge.vertices)
+    WallBulge & bulge = part.bulge;
+    Vector3d    normal = Vector3d::Zero();
+    double      weight = 0.0;
+    for (const int face : this->FacesAt(bulge.vertices))
     {
-      const double area = m_Shape.areas[vertex];
-      const double greater = m_Shape.greater[vertex], lesser = m_Shape.lesser[vertex];
-      bulge.area += area;
-      bulge.centre += area * this->PointOf(vertex);
-      bulge.solidAngle += area * greater * lesser;
-      bulge.shapeIndex += area * ShapeIndex(greater, lesser);
-      bulge.curvedness += area * Curvedness(greater, lesser);
-      normal += area * m_Shape.inwardNormals.row(vertex).transpose();
+      ForEachShare(WherePositive(this->PolygonOf(face), this->LevelsOf(face, 1.0), &part.rim),
+                   [&](const WallPlace & place, double area) {
+                     const double bulging = area * std::max(place.lesser, 0.0);
+                     bulge.area += area;
+                     bulge.centre += area * place.point;
+                     bulge.solidAngle += area * place.greater * place.lesser;
+                     bulge.shapeIndex += bulging * ShapeIndex(place.greater, place.lesser);
+                     bulge.curvedness += area * Curvedness(place.greater, place.lesser);
+                     normal += area * place.inwardNormal;
+                     weight += bulging;
+                   });
     }
     bulge.centre /= bulge.area;
-    bulge.shapeIndex /= bulge.area;
+    bulge.shapeIndex /= std::max(weight, 1e-12);
     bulge.curvedness /= bulge.area;
     bulge.axis = normal.normalized();
   }
 
-  void
-  MeasureWidths(WallBulge & bulge) const
+  /** Within the rim and on it. */
+  std::vector<Vector3d>
+  PointsOf(const Rimmed & part) const
   {
-    constexpr int  directions = 36;
-    const Vector3d right = bulge.axis.unitOrthogonal();
-    const Vector3d up = bulge.axis.cross(right);
+    std::vector<Vector3d> points = part.rim;
+    for (const int vertex : part.bulge.vertices)
+    {
+      points.push_back(this->PointOf(vertex));
+    }
+    return points;
+  }
+
+  /** Directions across the axis are counted from the one in which the points spread most: that turns and mirrors with
+   * the wall. */
+  void
+  MeasureWidths(Rimmed & part) const
+  {
+    constexpr int               directions = 36;
+    WallBulge &                 bulge = part.bulge;
+    const std::vector<Vector3d> points = this->PointsOf(part);
+    const Vector3d              right = WidestDirection(points, bulge.axis);
+    const Vector3d              up = bulge.axis.cross(right);
     bulge.leastWidth = std::numeric_limits<double>::infinity();
     for (int i = 0; i < directions; ++i)
     {
       const double   angle = M_PI * i / directions;
       const Vector3d direction = std::cos(angle) * right + std::sin(angle) * up;
       double         low = std::numeric_limits<double>::infinity(), high = -low;
-      for (const int vertex : bulge.vertices)
+      for (const Vector3d & point : points)
       {
-        const double place = m_V.row(vertex).dot(direction);
+        const double place = point.dot(direction);
         low = std::min(low, place);
         high = std::max(high, place);
       }
@@ -124,45 +197,85 @@ private:
     }
   }
 
-  /** Vertices around the bulge within `reach` mm along edges, and all its neighbours where edges are longer; with the
-   * way to each. */
-  std::vector<std::pair<int, double>>
-  Around(const std::vector<int> & vertices, double reach) const
+  static Vector3d
+  WidestDirection(const std::vector<Vector3d> & points, const Vector3d & axis)
   {
-    std::vector<std::pair<int, double>> reached;
-    std::vector<int>                    known(vertices);
-    for (const int vertex : vertices)
+    Vector3d mean = Vector3d::Zero();
+    for (const Vector3d & point : points)
     {
-      reached.emplace_back(vertex, 0.0);
+      mean += point / static_cast<double>(points.size());
     }
+    const Vector3d  right = axis.unitOrthogonal();
+    const Vector3d  up = axis.cross(right);
+    Eigen::Matrix2d second = Eigen::Matrix2d::Zero();
+    for (const Vector3d & point : points)
+    {
+      const Eigen::Vector2d place((point - mean).dot(right), (point - mean).dot(up));
+      second += place * place.transpose();
+    }
+    const Eigen::Vector2d widest = Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d>(second).eigenvectors().col(1);
+    return widest[0] * right + widest[1] * up;
+  }
+
+  static double
+  DistanceTo(const std::vector<Vector3d> & rim, const Vector3d & point)
+  {
+    double least = std::numeric_limits<double>::infinity();
+    for (const Vector3d & other : rim)
+    {
+      least = std::min(least, (other - point).squaredNorm());
+    }
+    return std::sqrt(least);
+  }
+
+  /** The faces within `reach` mm of the rim, straight, that are connected to it: those at its vertices at least. */
+  std::vector<int>
+  FacesAround(const Rimmed & part, double reach) const
+  {
+    std::vector<int> reached = part.bulge.vertices;
+    std::vector<int> known = reached;
     for (std::size_t next = 0; next < reached.size(); ++next)
     {
-      const auto [vertex, way] = reached[next];
-      for (const int neighbour : m_Connectivity.NeighboursOfVertex(vertex))
-      {
-        const double whole = way + (this->PointOf(neighbour) - this->PointOf(vertex)).norm();
-        const auto   place = std::lower_bound(known.begin(), known.end(), neighbour);
-        if (whole <= reach && (place == known.end() || *place != neighbour))
-        {
-          known.insert(place, neighbour);
-          reached.emplace_back(neighbour, whole);
-        }
-      }
-    }
-    reached.erase(reached.begin(), reached.begin() + static_cast<std::ptrdiff_t>(vertices.size()));
-    for (const int vertex : vertices)
-    {
-      for (const int neighbour : m_Connectivity.NeighboursOfVertex(vertex))
+      for (const int neighbour : m_Connectivity.NeighboursOfVertex(reached[next]))
       {
         const auto place = std::lower_bound(known.begin(), known.end(), neighbour);
         if (place == known.end() || *place != neighbour)
         {
           known.insert(place, neighbour);
-          reached.emplace_back(neighbour, (this->PointOf(neighbour) - this->PointOf(vertex)).norm());
+          if (DistanceTo(part.rim, this->PointOf(neighbour)) <= reach)
+          {
+            reached.push_back(neighbour);
+          }
         }
       }
     }
-    return reached;
+    return this->FacesAt(reached);
+  }
+
+  /** What of a face lies outside of the rim. */
+  WallPolygon
+  OutsideOf(const Rimmed & part, int face) const
+  {
+    const auto isMember = [&](int vertex) {
+      return std::binary_search(part.bulge.vertices.begin(), part.bulge.vertices.end(), vertex);
+    };
+    const auto corners = m_Wall.F.row(face);
+    // Positive levels of a face that has no vertex of this bulge are those of another one.
+    return isMember(corners[0]) || isMember(corners[1]) || isMember(corners[2])
+             ? WherePositive(this->PolygonOf(face), this->LevelsOf(face, -1.0))
+             : this->PolygonOf(face);
+  }
+
+  /** The part of a polygon that is nearer to the rim than a distance in mm. */
+  static WallPolygon
+  NearRim(const WallPolygon & polygon, const std::vector<Vector3d> & rim, double distance, double sign)
+  {
+    std::vector<double> values;
+    for (const WallPlace & corner : polygon)
+    {
+      values.push_back(sign * (distance - DistanceTo(rim, corner.point)));
+    }
+    return WherePositive(polygon, values);
   }
 
   /** Of the ring around a bulge. */
@@ -173,73 +286,82 @@ private:
   };
 
   Foot
-  FindFoot(const std::vector<int> & vertices) const
+  FindFoot(const Rimmed & part) const
   {
-    Foot       foot;
-    Vector3d   sum = Vector3d::Zero(), rim = Vector3d::Zero();
-    double     ringArea = 0.0, area = 0.0;
-    const auto around = this->Around(vertices, ringEnd);
-    for (const auto & [vertex, way] : around)
+    Foot     foot;
+    Vector3d all = Vector3d::Zero(), outer = Vector3d::Zero();
+    double   area = 0.0, outerArea = 0.0;
+    for (const int face : this->FacesAround(part, ringEnd))
     {
-      const double part = m_Shape.areas[vertex];
-      area += part;
-      foot.curvature += part * m_Shape.lesser[vertex];
-      rim += this->PointOf(vertex) / static_cast<double>(around.size());
-      if (way >= ringBegin && way <= ringEnd)
-      {
-        sum += part * this->PointOf(vertex);
-        ringArea += part;
-      }
+      const WallPolygon ring = NearRim(this->OutsideOf(part, face), part.rim, ringEnd, 1.0);
+      ForEachShare(ring, [&](const WallPlace & place, double share) {
+        area += share;
+        all += share * place.point;
+        foot.curvature += share * place.lesser;
+      });
+      ForEachShare(NearRim(ring, part.rim, ringBegin, -1.0), [&](const WallPlace & place, double share) {
+        outerArea += share;
+        outer += share * place.point;
+      });
     }
     foot.curvature /= std::max(area, 1e-12);
-    foot.middle = ringArea > 0.0 ? Vector3d(sum / ringArea) : !around.empty() ? rim : this->PointOf(vertices.front());
+    foot.middle = outerArea > 0.0 ? Vector3d(outer / outerArea)
+                  : area > 0.0    ? Vector3d(all / area)
+                                  : this->PointOf(part.bulge.vertices.front());
     return foot;
   }
 
-  const VertexMatrix &        m_V;
+  const SurfaceMesh &         m_Wall;
   const SurfaceConnectivity & m_Connectivity;
   const SurfaceShape &        m_Shape;
+  const Eigen::VectorXd &     m_Level;
 };
 } // namespace
 
 std::vector<WallBulge>
-MeasureWallParts(const VertexMatrix &        V,
+MeasureWallParts(const SurfaceMesh &         wall,
                  const SurfaceConnectivity & connectivity,
                  const SurfaceShape &        shape,
-                 const std::vector<char> &   isMember,
+                 const Eigen::VectorXd &     level,
                  const WallPartLimits &      limits)
 {
-  const BulgeFinder      finder(V, connectivity, shape);
-  std::vector<char>      isFree = isMember;
+  const BulgeFinder finder(wall, connectivity, shape, level);
+  std::vector<char> isFree(level.size());
+  for (Eigen::Index i = 0; i < level.size(); ++i)
+  {
+    isFree[i] = level[i] > 0.0;
+  }
   std::vector<WallBulge> parts;
-  for (int seed = 0; seed < V.rows(); ++seed)
+  for (int seed = 0; seed < level.size(); ++seed)
   {
     if (!isFree[seed])
     {
       continue;
     }
-    WallBulge part = finder.Measure(finder.Grow(seed, isFree));
-    if (part.area > 0.0 && part.solidAngle >= limits.leastSolidAngle && part.leastWidth >= limits.leastWidth)
+    BulgeFinder::Rimmed part = finder.Measure(finder.Grow(seed, isFree));
+    const WallBulge &   bulge = part.bulge;
+    if (bulge.area > 0.0 && bulge.solidAngle >= limits.leastSolidAngle && bulge.leastWidth >= limits.leastWidth)
     {
       finder.MeasureFoot(part);
-      parts.push_back(std::move(part));
+      parts.push_back(std::move(part.bulge));
     }
   }
   return parts;
 }
 
 std::vector<WallBulge>
-FindWallBulges(const VertexMatrix &        V,
+FindWallBulges(const SurfaceMesh &         wall,
                const SurfaceConnectivity & connectivity,
                const SurfaceShape &        shape,
                const std::vector<char> &   isLeftOut,
                double                      leastCurvature)
 {
-  std::vector<char> isMember(V.rows());
-  for (Eigen::Index i = 0; i < V.rows(); ++i)
+  constexpr double outside = -1.0; // 1/mm: bulges end beside what is left out
+  Eigen::VectorXd  level = shape.lesser.array() - leastCurvature;
+  for (Eigen::Index i = 0; i < level.size(); ++i)
   {
-    isMember[i] = !isLeftOut[i] && shape.lesser[i] > leastCurvature;
+    level[i] = isLeftOut[i] ? outside : level[i];
   }
-  return MeasureWallParts(V, connectivity, shape, isMember);
+  return MeasureWallParts(wall, connectivity, shape, level);
 }
 } // namespace shapeton

@@ -162,6 +162,63 @@ TEST(PolypCandidates, RigidMotionMovesThemAlong)
   }
 }
 
+namespace
+{
+/** The same wall in a mirror, its vertices and faces in another order. */
+shapeton::SurfaceMesh
+MirroredAndRenumbered(const shapeton::SurfaceMesh & wall)
+{
+  const int             vertices = wall.NumberOfVertices();
+  shapeton::SurfaceMesh other;
+  other.V = wall.V.colwise().reverse();
+  other.V.col(0) *= -1.0;
+  other.F = (vertices - 1 - wall.F.array()).matrix().colwise().reverse();
+  other.F.col(1).swap(other.F.col(2)); // the mirror has turned them over
+  return other;
+}
+} // namespace
+
+TEST(PolypCandidates, AMirroredWallHasTheMirroredList)
+{
+  const shapeton::SurfaceMesh wall =
+    MakeWall({ polyp, Ellipsoid(Base(14.0), 3.0, 2.0), Ball(Base(-14.0), 3.0), Plate(-14.0, 5.0) });
+  const auto list = Find(wall, 1.0);
+  const auto mirrored = Find(MirroredAndRenumbered(wall), 1.0);
+  ASSERT_GE(list.size(), 4u);
+  ASSERT_EQ(list.size(), mirrored.size());
+  for (std::size_t i = 0; i < list.size(); ++i)
+  {
+    const Vector3d inMirror = list[i].position.cwiseProduct(Vector3d(-1.0, 1.0, 1.0));
+    EXPECT_LT((inMirror - mirrored[i].position).norm(), 1e-6) << i;
+    EXPECT_NEAR(list[i].score, mirrored[i].score, 1e-6) << i;
+    EXPECT_NEAR(list[i].diameter, mirrored[i].diameter, 1e-6) << i;
+    EXPECT_NEAR(list[i].leastDiameter, mirrored[i].leastDiameter, 1e-6) << i;
+    EXPECT_NEAR(list[i].height, mirrored[i].height, 1e-6) << i;
+  }
+}
+
+// A head so small that its widths are a few voxels: where the voxels lie must not decide. It is moved around the tube,
+// which turns it against the grid, and by parts of a voxel along it.
+TEST(PolypCandidates, ASmallHeadIsOneWhateverTheVoxelsAre)
+{
+  for (const double spacing : { 0.7, 0.85, 1.0, 1.2 })
+  {
+    for (int place = 0; place < 5; ++place)
+    {
+      const double   angle = 0.17 * place;
+      const Vector3d inwards(0.0, std::sin(angle), std::cos(angle));
+      const auto     candidates =
+        Find(MakeWall({ Ball(Vector3d(0.23 * place, 0.0, 0.0) - (radius - 0.6) * inwards, 2.35) }, spacing));
+      ASSERT_EQ(candidates.size(), 1u) << spacing << ' ' << place;
+      const PolypCandidate & one = candidates.front();
+      EXPECT_NEAR(one.diameter, 4.7, 0.7) << spacing << ' ' << place;
+      EXPECT_GT(one.features.roundness, 0.85) << spacing << ' ' << place;
+      EXPECT_NEAR(one.features.shapeIndex, 0.89, 0.03) << spacing << ' ' << place;
+      EXPECT_NEAR(std::log(one.features.hollowness), std::log(1.0), 0.3) << spacing << ' ' << place;
+    }
+  }
+}
+
 TEST(PolypCandidates, MoreSensitivityFindsAtLeastAsMany)
 {
   const shapeton::SurfaceMesh wall = MakeWall({ polyp, Ellipsoid(Base(15.0), 5.0, 1.5), Plate(-14.0, 6.0) });
@@ -412,6 +469,7 @@ TEST(PolypCandidates, WhatIsLeftOfACatheterRanksLast)
   catheter.V << 0.0, 0.0, 0.0, 0.0, 0.0, 1.0;
   catheter.curves = { { 0, 1 } };
   catheter.pointArrays.push_back({ "radius", Eigen::Vector2d(5.0, 5.0) });
+  catheter.pointArrays.push_back({ "balloonRadius", Eigen::Vector2d(0.0, 0.0) });
   PolypCandidate onTube, beside;
   onTube.number = 1;
   onTube.score = 0.9;
@@ -420,6 +478,7 @@ TEST(PolypCandidates, WhatIsLeftOfACatheterRanksLast)
   beside.score = 0.5;
   beside.position = { 8.1, 0.0, 1.0 };
   std::vector<PolypCandidate> candidates{ onTube, beside };
+  std::vector<PolypCandidate> withBalloon = candidates;
   shapeton::RankCatheterLast(catheter, candidates);
   ASSERT_EQ(candidates.size(), 2U);
   EXPECT_EQ(candidates[0].position, beside.position);
@@ -429,6 +488,12 @@ TEST(PolypCandidates, WhatIsLeftOfACatheterRanksLast)
   EXPECT_EQ(candidates[1].number, 2);
   EXPECT_EQ(candidates[1].score, 0.0);
   EXPECT_EQ(candidates[1].remark, "the rectal catheter");
+
+  catheter.pointArrays[1].values << 6.0, 0.0;
+  shapeton::RankCatheterLast(catheter, withBalloon);
+  EXPECT_EQ(withBalloon[0].remark, "the rectal catheter");
+  EXPECT_EQ(withBalloon[1].remark, "the balloon of the rectal catheter");
+  EXPECT_EQ(withBalloon[1].score, 0.0);
 }
 
 TEST(PolypCandidates, CatheterIsNotedByItsPlace)

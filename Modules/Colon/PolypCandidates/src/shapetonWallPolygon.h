@@ -1,0 +1,56 @@
+#ifndef shapetonWallPolygon_h
+#define shapetonWallPolygon_h
+
+#include "shapetonSurfaceShape.h"
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <vector>
+
+namespace shapeton
+{
+/** A point of a wall with what is known there, linear between the corners of a face. */
+struct WallPlace
+{
+  Eigen::Vector3d point;
+  Eigen::Vector3d inwardNormal;
+  /** Principal curvatures, 1/mm. */
+  double greater;
+  double lesser;
+};
+
+/** A part of a face: corners in order around it, in a plane. */
+using WallPolygon = std::vector<WallPlace>;
+
+WallPlace
+Between(const WallPlace & a, const WallPlace & b, double share);
+
+/** The part where a function that is linear between the corners, with these values there, is positive. The corners that
+ * are new, where it is 0, are appended to `rim` where that is given. */
+WallPolygon
+WherePositive(const WallPolygon &            polygon,
+              const std::vector<double> &    values,
+              std::vector<Eigen::Vector3d> * rim = nullptr);
+
+/** Calls body(place, area) for the middles of the edges of triangles that make up the polygon, with shares of its area:
+ * sums over them are integrals, exact for quadratic functions. */
+template <typename TBody>
+void
+ForEachShare(const WallPolygon & polygon, const TBody & body)
+{
+  for (std::size_t i = 2; i < polygon.size(); ++i)
+  {
+    const WallPlace *     corners[] = { &polygon[0], &polygon[i - 1], &polygon[i] };
+    const Eigen::Vector3d first = corners[1]->point - corners[0]->point;
+    const Eigen::Vector3d second = corners[2]->point - corners[0]->point;
+    const double          share = first.cross(second).norm() / 6.0;
+    for (int k = 0; k < 3; ++k)
+    {
+      body(Between(*corners[k], *corners[(k + 1) % 3], 0.5), share);
+    }
+  }
+}
+} // namespace shapeton
+
+#endif
