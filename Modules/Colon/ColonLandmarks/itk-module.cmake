@@ -7,6 +7,7 @@ itk_module(ColonLandmarks
     Base
     Report
     SurfaceMesh
+    ColonCentreline
     FlatColon
     HaustralFolds
   PRIVATE_DEPENDS

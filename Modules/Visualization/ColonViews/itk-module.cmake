@@ -5,6 +5,7 @@ itk_module(ColonViews
   ENABLE_SHARED
   DEPENDS
     SurfaceMesh
+    ColonCentreline
     FlatColon
     HaustralFolds
     ColonLandmarks

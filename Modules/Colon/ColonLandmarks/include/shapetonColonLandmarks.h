@@ -3,6 +3,7 @@
 
 #include "shapetonRemarks.h"
 #include "shapetonProgress.h"
+#include "shapetonColonAssessability.h"
 #include "shapetonColonSegments.h"
 #include "shapetonColonTaeniae.h"
 #include "shapetonSurfaceFolds.h"
@@ -10,6 +11,7 @@
 #include "shapetonJsonForward.h"
 
 #include <memory>
+#include <optional>
 
 namespace shapeton
 {
@@ -33,7 +35,11 @@ struct ColonLandmarks
   ColonSegments                        segments;
   SurfaceFolds                         folds;
   ColonTaeniae                         taeniae;
-  Remarks                              warnings;
+  /** Where the wall is not seen; nothing where the centreline does not tell. */
+  std::optional<std::vector<HinderedStretch>> hindered;
+  /** mm: the end of the centreline. */
+  double  lengthOfCentreline{ 0.0 };
+  Remarks warnings;
 };
 
 /** Flexures, segments, folds on the surface and taeniae of a flat colon, as FlattenTube() gives it, with its
@@ -41,6 +47,11 @@ struct ColonLandmarks
  * no flat tube, or the centreline does not belong to it. \ingroup ColonLandmarks */
 ColonLandmarks_EXPORT ColonLandmarks
 FindColonLandmarks(const FlatColon & flat, const CurveSet & centreline, const ColonLandmarkOptions & options = {});
+
+/** How much of a segment, 1 to 6, can be assessed; nothing where a border or the hindrances are not known.
+ * \ingroup ColonLandmarks */
+ColonLandmarks_EXPORT std::optional<ColonAssessability>
+                      AssessabilityOfSegment(const ColonLandmarks & landmarks, int segment);
 
 /** \name What the files of landmarks hold */
 ///@{
@@ -55,8 +66,10 @@ SegmentSurface(const SurfaceMesh & flat, const ColonLandmarks & landmarks);
 ColonLandmarks_EXPORT SurfaceMesh
 FoldSurface(const SurfaceMesh & flat, const ColonLandmarks & landmarks);
 /** Keys, whose names stay: flexureRule, flexures (a list of number, name, found, reason, position, arcLength, uv,
- * confidence), caecum (the same), segments (a list of number, name, begin, end, length, area), surfaceFolds (number,
- * leastCurvature in 1/mm, area), taeniae. \ingroup ColonLandmarks */
+ * confidence, and notAssessable where the wall is not seen there: HindranceToJson()), caecum (the same), segments (a
+ * list of number, name, begin, end, area, and where the centreline tells those of AssessabilityToJson()),
+ * segmentsNotFound (names), notAssessable (StretchesToJson()), surfaceFolds (number, leastCurvature in 1/mm, area),
+ * taeniae. \ingroup ColonLandmarks */
 ColonLandmarks_EXPORT Json
 ColonLandmarksToJson(const ColonLandmarks & landmarks);
 ///@}

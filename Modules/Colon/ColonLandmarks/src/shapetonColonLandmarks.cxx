@@ -1,11 +1,15 @@
 #include "shapetonColonLandmarks.h"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 
 namespace shapeton
 {
 namespace
 {
+constexpr int numberOfSegments = 6;
+
 SurfaceArray
 IntegerArray(const std::string & name, const std::vector<int> & values)
 {
@@ -24,6 +28,41 @@ SetArray(std::vector<SurfaceArray> & arrays, const SurfaceArray & array)
     std::remove_if(arrays.begin(), arrays.end(), [&](const SurfaceArray & a) { return a.name == array.name; }),
     arrays.end());
   arrays.push_back(array);
+}
+/** A remark on each segment that cannot be assessed as a whole. */
+void
+WarnOfHindrances(ColonLandmarks & landmarks)
+{
+  for (int segment = 1; segment <= numberOfSegments; ++segment)
+  {
+    const std::optional<ColonAssessability> assessability = AssessabilityOfSegment(landmarks, segment);
+    if (!assessability || assessability->Verdict() == "assessable")
+    {
+      continue;
+    }
+    std::string why;
+    for (const ColonHindrance hindrance : assessability->Hindrances())
+    {
+      why += (why.empty() ? "" : "; ") + InWords(hindrance) + " (" +
+             std::to_string(std::lround(assessability->lengths[static_cast<int>(hindrance)])) + " mm)";
+    }
+    landmarks.warnings.push_back(
+      "the " + NameOfSegment(segment) + " is " +
+      (assessability->Verdict() == "partly" ? "assessable in part only, " : "not assessable: assessable along ") +
+      std::to_string(std::lround(100.0 * assessability->share)) + " % of its length; " + why);
+  }
+}
+
+void
+AddHindrances(const CurveSet & centreline, ColonLandmarks & landmarks)
+{
+  if (!TellsHindrances(centreline))
+  {
+    return;
+  }
+  landmarks.hindered = FindHinderedStretches(centreline);
+  landmarks.lengthOfCentreline = PointValues(centreline, "arcLength", "the centreline").maxCoeff();
+  WarnOfHindrances(landmarks);
 }
 } // namespace
 
@@ -51,8 +90,27 @@ FindColonLandmarks(const FlatColon & flat, const CurveSet & centreline, const Co
   taeniaOptions.markers = options.markers;
   result.taeniae = FindColonTaeniae(flat, *tube, taeniaOptions);
   AppendRemarks(result.warnings, result.taeniae.warnings);
+  AddHindrances(centreline, result);
   options.progress("Finding taeniae", 1.0);
   return result;
+}
+
+std::optional<ColonAssessability>
+AssessabilityOfSegment(const ColonLandmarks & landmarks, int segment)
+{
+  const auto arcLengthOf = [&](int number) {
+    double arcLength = std::numeric_limits<double>::quiet_NaN();
+    for (const SegmentBorder & border : landmarks.segments.borders)
+    {
+      arcLength = border.number == number ? border.arcLength : arcLength;
+    }
+    return arcLength;
+  };
+  const double begin = segment == 1 ? 0.0 : arcLengthOf(segment - 1);
+  const double end = segment == numberOfSegments ? landmarks.lengthOfCentreline : arcLengthOf(segment);
+  return landmarks.hindered && std::isfinite(begin) && std::isfinite(end)
+           ? std::optional(Assess(*landmarks.hindered, begin, end))
+           : std::nullopt;
 }
 
 CurveSet

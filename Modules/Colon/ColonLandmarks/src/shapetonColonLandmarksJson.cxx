@@ -4,12 +4,15 @@
 
 #include <Eigen/Geometry>
 
+#include <algorithm>
 #include <cmath>
 
 namespace shapeton
 {
 namespace
 {
+constexpr int numberOfSegments = 6;
+
 template <typename TVector>
 Json
 Numbers(const TVector & values)
@@ -55,6 +58,12 @@ AddPlace(const ColonLandmarks & landmarks, const SegmentBorder & border, Json & 
   json["uv"] = UvOfLoop(landmarks, border);
   json["loopLength"] = RoundedJson(border.loop.length);
   json["confidence"] = RoundedJson(border.confidence);
+  const ColonHindrance hindrance =
+    landmarks.hindered ? HindranceAt(*landmarks.hindered, border.arcLength) : ColonHindrance::None;
+  if (hindrance != ColonHindrance::None)
+  {
+    json["notAssessable"] = HindranceToJson(hindrance);
+  }
 }
 
 Json
@@ -106,6 +115,22 @@ AreaOfFace(const ColonWallTube & tube, int face)
   return 0.5 * (b - a).cross(c - a).norm();
 }
 
+/** Names of those that no border tells from their neighbours. */
+Json
+SegmentsNotFound(const ColonLandmarks & landmarks)
+{
+  const std::vector<int> & found = landmarks.segments.segmentOfFace;
+  Json                     list = Json::array();
+  for (int segment = 1; segment <= numberOfSegments; ++segment)
+  {
+    if (std::find(found.begin(), found.end(), segment) == found.end())
+    {
+      list.push_back(NameOfSegment(segment));
+    }
+  }
+  return list;
+}
+
 Json
 SegmentsToJson(const ColonLandmarks & landmarks)
 {
@@ -115,7 +140,7 @@ SegmentsToJson(const ColonLandmarks & landmarks)
     area[landmarks.segments.segmentOfFace[face]] += AreaOfFace(*landmarks.tube, static_cast<int>(face));
   }
   Json list = Json::array();
-  for (int segment = 0; segment <= 6; ++segment)
+  for (int segment = 0; segment <= numberOfSegments; ++segment)
   {
     if (area[segment] == 0.0)
     {
@@ -129,6 +154,10 @@ SegmentsToJson(const ColonLandmarks & landmarks)
     json["begin"] = begin != nullptr ? RoundedJson(begin->arcLength) : Json(nullptr);
     json["end"] = end != nullptr ? RoundedJson(end->arcLength) : Json(nullptr);
     json["area"] = RoundedJson(area[segment]);
+    if (const auto assessability = AssessabilityOfSegment(landmarks, segment))
+    {
+      json.update(AssessabilityToJson(*assessability));
+    }
     list.push_back(json);
   }
   return list;
@@ -185,6 +214,11 @@ ColonLandmarksToJson(const ColonLandmarks & landmarks)
   json["flexures"] = FlexuresToJson(landmarks);
   json["caecum"] = CaecumToJson(landmarks);
   json["segments"] = SegmentsToJson(landmarks);
+  json["segmentsNotFound"] = SegmentsNotFound(landmarks);
+  if (landmarks.hindered)
+  {
+    json["notAssessable"] = StretchesToJson(*landmarks.hindered);
+  }
   json["surfaceFolds"] = { { "number", landmarks.folds.number },
                            { "leastCurvature", RoundedJson(landmarks.folds.leastCurvature) },
                            { "area", RoundedJson(landmarks.folds.area) } };

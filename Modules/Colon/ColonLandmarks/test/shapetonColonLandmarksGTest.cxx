@@ -125,3 +125,31 @@ TEST(ColonLandmarks, AreFoundTogetherAndToldInJson)
   EXPECT_EQ(shapeton::FindSurfaceArray(SegmentSurface(flat, landmarks).cellArrays, "segment")->values.rows(),
             flat.NumberOfFaces());
 }
+
+TEST(ColonLandmarks, SegmentsAndBordersTellWhereTheWallIsNotSeen)
+{
+  flattubes::TubeForm form;
+  form.length = length;
+  ColonLandmarks landmarks = LandmarksOfCylinder(flattubes::MakeCylinder(form));
+  EXPECT_FALSE(shapeton::AssessabilityOfSegment(landmarks, 2));
+  landmarks.hindered = { { 10.0, 14.0, shapeton::ColonHindrance::Narrow },
+                         { 70.0, 105.0, shapeton::ColonHindrance::UntaggedFluid } };
+  landmarks.lengthOfCentreline = length;
+  landmarks.taeniae = {}; // these have no confidence
+  EXPECT_NEAR(shapeton::AssessabilityOfSegment(landmarks, 1)->share, 0.9, 1e-12);
+  EXPECT_EQ(shapeton::AssessabilityOfSegment(landmarks, 2)->Verdict(), "partly");
+  EXPECT_FALSE(shapeton::AssessabilityOfSegment(landmarks, 3)); // its end is not known
+  const shapeton::Json json = shapeton::ColonLandmarksToJson(landmarks);
+  EXPECT_EQ(json["notAssessable"].size(), 2u);
+  EXPECT_EQ(json["segmentsNotFound"], shapeton::Json({ "descending", "transverse", "ascending", "caecum" }));
+  for (const shapeton::Json & segment : json["segments"])
+  {
+    EXPECT_EQ(segment.contains("verdict"), segment["number"] != 0);
+    if (segment["number"] == 2)
+    {
+      EXPECT_EQ(segment["assessableShare"], 0.5);
+      EXPECT_EQ(segment["reasons"][0]["reason"], "untaggedFluid");
+      EXPECT_EQ(segment["reasons"][0]["length"], 30.0);
+    }
+  }
+}

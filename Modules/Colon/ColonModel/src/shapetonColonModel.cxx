@@ -1,5 +1,6 @@
 #include "shapetonColonModel.h"
 
+#include "shapetonColonAssessability.h"
 #include "shapetonElectronicCleansing.h"
 #include "shapetonMaskedColonLumen.h"
 #include "shapetonExceptions.h"
@@ -33,6 +34,7 @@ TraceLine(ColonModel & model, const ColonModelOptions & options)
   line.progress = options.progress.Part("Tracing the centreline", CleansingEnd, CentrelineEnd);
   model.centreline = TraceColonCentreline(model.lumen.labels, line);
   AppendRemarks(model.warnings, model.centreline.warnings);
+  MarkHindrances(model.lumen, model.centreline.curve);
   model.distension = MeasureDistension(model.centreline.curve);
   model.wholeDistension = MeasureDistension(model.centreline.curve, { { "colon", model.centreline.length } }).front();
 }

@@ -1,5 +1,6 @@
 #include "shapetonColonQuality.h"
 
+#include "shapetonColonAssessability.h"
 #include "shapetonColonGravity.h"
 #include "shapetonJson.h"
 #include "shapetonSurfaceQuality.h"
@@ -195,6 +196,19 @@ DistensionToJson(const ColonModel & model)
 }
 
 Json
+AssessabilityToJson(const ColonModel & model)
+{
+  const std::vector<HinderedStretch> stretches = FindHinderedStretches(model.centreline.curve);
+  Json                               json;
+  json["note"] = "where the wall is seen: a lumen of gas or tagged fluid with a calibre of at least 10 mm, no untagged "
+                 "fluid, within the scan";
+  json["tagging"] = !model.hasIntensities ? "not known: a mask" : model.lumen.isTagged ? "tagged" : "no tagged fluid";
+  json["whole"] = AssessabilityToJson(Assess(stretches, 0.0, model.centreline.length));
+  json["stretches"] = StretchesToJson(stretches);
+  return json;
+}
+
+Json
 SurfacesToJson(const ColonWall & wall)
 {
   const ColonWallReport & report = wall.report;
@@ -235,6 +249,7 @@ ColonQualityToJson(const ColonModel & model)
   {
     json["centreline"] = CentrelineToJson(model.centreline);
     json["distension"] = DistensionToJson(model);
+    json["assessability"] = AssessabilityToJson(model);
   }
   if (model.wall.raw.NumberOfFaces() > 0)
   {

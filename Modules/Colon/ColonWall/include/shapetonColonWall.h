@@ -137,7 +137,8 @@ struct ColonWallReport
 
 /** The wall in three forms, each with two boundary loops (the raw one may stay closed, with a warning), point array
  * `arcLength` (of the closest point of the centreline within the lumen, mm), cell array `bridged` (1 on the tubes) and
- * field arrays `rectumLoop`, `caecumLoop`. \ingroup ColonWall
+ * field arrays `rectumLoop`, `caecumLoop`; where the centreline has the array `notAssessable`, a cell array of it, too.
+ * \ingroup ColonWall
  */
 struct ColonWall
 {

@@ -12,6 +12,7 @@
 #include "shapetonSurfaceSimplification.h"
 #include "shapetonExceptions.h"
 
+#include <algorithm>
 #include <cmath>
 #include <sstream>
 
@@ -226,7 +227,7 @@ private:
     return m_Centreline.V.row(isRectum ? curve.front() : curve.back());
   }
 
-  /** `arcLength` and `bridged`. */
+  /** `arcLength`, `bridged`, and `notAssessable` where the centreline has it. */
   void
   AddArrays(SurfaceMesh & mesh, const ArcLengthField & field) const
   {
@@ -237,6 +238,29 @@ private:
     });
     mesh.pointArrays.push_back(std::move(array));
     mesh.cellArrays.push_back(BridgedFaces(mesh, m_Bridges, m_Occupancy));
+    if (FindSurfaceArray(m_Centreline.pointArrays, "notAssessable") != nullptr)
+    {
+      mesh.cellArrays.push_back(this->HindrancesOfFaces(mesh));
+    }
+  }
+
+  /** Of the points of the centreline whose arcLength is nearest to that of the faces. */
+  SurfaceArray
+  HindrancesOfFaces(const SurfaceMesh & mesh) const
+  {
+    const Eigen::VectorXd hindrance = PointValues(m_Centreline, "notAssessable", "the centreline");
+    const Eigen::VectorXd line = PointValues(m_Centreline, "arcLength", "the centreline");
+    const auto &          arcLength = mesh.pointArrays.back().values;
+    SurfaceArray          array{ "notAssessable", SurfaceArray::ValueMatrix(mesh.NumberOfFaces(), 1), true };
+    for (Eigen::Index face = 0; face < mesh.F.rows(); ++face)
+    {
+      const double at =
+        (arcLength(mesh.F(face, 0), 0) + arcLength(mesh.F(face, 1), 0) + arcLength(mesh.F(face, 2), 0)) / 3.0;
+      Eigen::Index point = std::lower_bound(line.begin(), line.end() - 1, at) - line.begin();
+      point -= point > 0 && at - line[point - 1] < line[point] - at ? 1 : 0;
+      array.values(face, 0) = hindrance[point];
+    }
+    return array;
   }
 
   void

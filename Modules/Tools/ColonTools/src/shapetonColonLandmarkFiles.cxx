@@ -140,7 +140,11 @@ ColonLandmarkFiles::WritePieces(const ColonPieces * pieces) const
 void
 ColonLandmarkFiles::Write(const SurfaceMesh & flat, const ColonLandmarks & landmarks, const ColonPieces * pieces) const
 {
-  const CurveSet taeniae = TaeniaCurves(landmarks.taeniae);
+  CurveSet taeniae = TaeniaCurves(landmarks.taeniae);
+  if (landmarks.hindered)
+  {
+    MarkHindrances(*landmarks.hindered, taeniae);
+  }
   const CurveSet loops = FlexureCurves(landmarks);
   this->WriteOrRemove("taeniae.vtp", taeniae);
   this->WriteOrRemove("flexures.vtp", loops);

@@ -15,6 +15,13 @@ Whole(double value)
   return CsvTable::Rounded(std::round(value), 6);
 }
 
+std::string
+RemarkOn(const SegmentBorder & border, const ColonLandmarks & landmarks)
+{
+  const std::string hindrance = landmarks.hindered ? InWords(HindranceAt(*landmarks.hindered, border.arcLength)) : "";
+  return !hindrance.empty() ? "not assessable: " + hindrance : border.confidence < 0.5 ? "uncertain: look at it" : "";
+}
+
 CsvTable
 FlexureTable(const ColonLandmarks & landmarks)
 {
@@ -36,7 +43,7 @@ FlexureTable(const ColonLandmarks & landmarks)
                    Whole(border->arcLength),
                    Whole(p.x()) + ", " + Whole(p.y()) + ", " + Whole(p.z()),
                    Whole(100.0 * border->confidence) + " %",
-                   border->confidence < 0.5 ? "uncertain: look at it" : "" });
+                   RemarkOn(*border, landmarks) });
   }
   return table;
 }
@@ -124,7 +131,9 @@ ColonLandmarkReport::Write(const FlatColon & flat, const ColonLandmarks & landma
   addPicture(DrawColonLandmarks(parts, PatientSide::Posterior), "landmarks-posterior.png", "From the back");
   report.AddTable(FlexureTable(landmarks), "Flexures");
   report.AddHeading("Flat colon");
-  addPicture(DrawFlatLandmarks(parts), "landmarks-flat.png", "Taeniae and flexures on the flat colon");
+  addPicture(DrawFlatLandmarks(parts),
+             "landmarks-flat.png",
+             "Taeniae and flexures on the flat colon; what is hatched is not assessable");
   report.AddParagraph(HowTaeniaeWereFound(landmarks.taeniae));
   report.AddTable(TaeniaTable(landmarks.taeniae), "Taeniae");
   report.AddHeading("Folds on the surface");

@@ -55,6 +55,10 @@ AddModelFacts(const Json & quality, ColonoscopyFacts & facts)
     facts.emplace_back("Distended (calibre of at least 10 mm)",
                        Percent(NumberAt(quality, "/distension/whole/share")) + " of it");
     facts.emplace_back("Gaps that are bridged", std::to_string(quality["centreline"]["gaps"].size()));
+    if (const double share = NumberAt(quality, "/assessability/whole/assessableShare"); std::isfinite(share))
+    {
+      facts.emplace_back("Assessable (the wall is seen)", Percent(share) + " of it");
+    }
   }
 }
 
@@ -134,6 +138,28 @@ TaeniaeInWords(const ColonoscopyResults & results)
   return text;
 }
 
+/** "yes", or how much and why not. */
+std::string
+AssessableInWords(const Json & landmarks, int number)
+{
+  for (const Json & segment : landmarks.at("segments"))
+  {
+    if (segment.at("number").get<int>() != number || !segment.contains("verdict"))
+    {
+      continue;
+    }
+    const std::string verdict = segment["verdict"].get<std::string>();
+    std::string       text = verdict == "assessable" ? "yes" : verdict == "partly" ? "in part" : "not assessable";
+    text += ", " + Percent(NumberAt(segment, "/assessableShare"));
+    for (const Json & reason : segment.at("reasons"))
+    {
+      text += "; " + Centimetres(NumberAt(reason, "/length")) + " " + reason.at("words").get<std::string>();
+    }
+    return text;
+  }
+  return "";
+}
+
 long
 NumberOfFlexures(const Json & landmarks)
 {
@@ -176,7 +202,7 @@ SummaryOf(const ColonoscopyReportContent & content)
 CsvTable
 SegmentTable(const ColonoscopyResults & results)
 {
-  CsvTable                        table({ "segment", "from", "to", "length", "wall, cm^2", "distended", "folds" });
+  CsvTable table({ "segment", "from", "to", "length", "wall, cm^2", "distended", "folds", "assessable" });
   const std::vector<ColonSegment> shares = ChartSegmentsOf(results);
   for (std::size_t i = 0; i < results.segments.size(); ++i)
   {
@@ -189,7 +215,8 @@ SegmentTable(const ColonoscopyResults & results)
                    Percent(shares[i].distendedShare),
                    results.IsDone(colonoscopystage::folds)
                      ? std::to_string(FoldsBetween(results, segment.begin, segment.end))
-                     : "" });
+                     : "",
+                   AssessableInWords(results.landmarks, segment.label) });
   }
   return table;
 }
@@ -197,13 +224,13 @@ SegmentTable(const ColonoscopyResults & results)
 CsvTable
 FlexureTable(const ColonoscopyResults & results)
 {
-  CsvTable table({ "flexure", "distance from the anal verge", "place, LPS mm", "confidence" });
+  CsvTable table({ "flexure", "distance from the anal verge", "place, LPS mm", "confidence", "remark" });
   for (const Json & flexure : results.landmarks.at("flexures"))
   {
     const std::string name = flexure.at("name").get<std::string>();
     if (!flexure.at("found").get<bool>())
     {
-      table.AddRow({ name, "not found: " + flexure.at("reason").get<std::string>(), "", "" });
+      table.AddRow({ name, "not found: " + flexure.at("reason").get<std::string>(), "", "", "" });
       continue;
     }
     const Json & p = flexure.at("position");
@@ -211,7 +238,9 @@ FlexureTable(const ColonoscopyResults & results)
       { name,
         Centimetres(NumberAt(flexure, "/arcLength")),
         Rounded(p[0].get<double>()) + ", " + Rounded(p[1].get<double>()) + ", " + Rounded(p[2].get<double>()),
-        NumberOrNothing(NumberAt(flexure, "/confidence"), 2) });
+        NumberOrNothing(NumberAt(flexure, "/confidence"), 2),
+        flexure.contains("notAssessable") ? "not assessable: " + flexure["notAssessable"].at("words").get<std::string>()
+                                          : "" });
   }
   return table;
 }

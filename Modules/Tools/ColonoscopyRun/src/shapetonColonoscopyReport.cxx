@@ -79,7 +79,7 @@ AddFlat(HtmlReport & html, PagePictures & pictures, const ColonoscopyResults & r
     "The wall from the rectum to the caecum, cut open along the colon and unrolled, in rows, as seen from "
     "the lumen. Rulers count the distance along the centreline. Shapes are kept, sizes are not: the bar "
     "above each row holds for its middle value. Grey hatched stretches are synthetic wall over a "
-    "collapsed place.");
+    "collapsed place; what is hatched the other way, over the picture, is not assessable.");
   std::string marks;
   marks += results.taeniae.curves.empty() ? "" : " Taeniae: 1 yellow, 2 blue, 3 pink.";
   marks += results.foldLabels ? " Green outlines: haustral folds." : "";

@@ -3,6 +3,7 @@
 
 #include "ColonViewsExport.h"
 
+#include "shapetonColonAssessability.h"
 #include "shapetonFlatColonGrid.h"
 #include "shapetonPicture.h"
 
@@ -58,6 +59,14 @@ DrawFlatLine(Picture * strip, const FlatColonGrid & grid, const FlatLine & line)
 /** With a dark rim. */
 ColonViews_EXPORT void
 DrawFlatDot(Picture * strip, const FlatColonGrid & grid, const FlatDot & dot);
+
+/** Slanted lines over the columns whose distances along the centreline (mm, one for each column) lie in stretches that
+ * cannot be assessed. Without distances nothing is drawn. */
+ColonViews_EXPORT void
+DrawFlatHatching(Picture *                            strip,
+                 const FlatColonGrid &                grid,
+                 const std::vector<double> &          distanceOfColumns,
+                 const std::vector<HinderedStretch> & stretches);
 
 /** The places on the map of a curve in space, by the nearest points of the surface, at most `step` mm apart; not finite
  * where the surface is more than `farthest` mm away. */

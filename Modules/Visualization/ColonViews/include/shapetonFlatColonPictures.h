@@ -25,7 +25,8 @@ ColonViews_EXPORT std::string
 struct FlatColonParts
 {
   const FlatColon * flat{ nullptr };
-  /** One curve with the point array arcLength; tells the distances of the ruler where the surface has no arcLength. */
+  /** One curve with the point array arcLength; tells the distances of the ruler where the surface has no arcLength, and
+   * what is hatched as not assessable where it tells that. */
   const CurveSet * centreline{ nullptr };
   /** Hounsfield units. */
   const itk::Image<float, 3> * ct{ nullptr };

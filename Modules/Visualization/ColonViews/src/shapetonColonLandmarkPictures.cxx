@@ -237,12 +237,16 @@ DrawFlatLandmarks(const ColonLandmarkParts & parts, int greatestColumns)
   gridOptions.pixelSize = 0.7;
   const FlatColonGrid &  grid = parts.flat->Grid(gridOptions);
   const Picture::Pointer strip = PaintFlatRelief(grid, parts.flat->Axis(gridOptions));
-  DrawOnStrip(*parts.landmarks, grid, strip);
-  std::vector<double> distances;
+  std::vector<double>    distances;
   for (int column = 0; column < grid.Columns(); ++column)
   {
     distances.push_back(parts.landmarks->tube->ArcLengthOfU(grid.UvOfPixel(column, 0).x()));
   }
+  if (parts.landmarks->hindered)
+  {
+    DrawFlatHatching(strip, grid, distances, *parts.landmarks->hindered);
+  }
+  DrawOnStrip(*parts.landmarks, grid, strip);
   FlatColonPageOptions options;
   options.title = "Taeniae and flexures on the flat colon";
   options.note = "Yellow, blue, pink: taeniae 1 to 3; black: borders of segments; white: markers that were set. Seen "

@@ -99,6 +99,30 @@ DrawFlatDot(Picture * strip, const FlatColonGrid & grid, const FlatDot & dot)
   }
 }
 
+void
+DrawFlatHatching(Picture *                            strip,
+                 const FlatColonGrid &                grid,
+                 const std::vector<double> &          distanceOfColumns,
+                 const std::vector<HinderedStretch> & stretches)
+{
+  constexpr int  period = 8;
+  const RGBColor hatch = MakeColor(90, 94, 106);
+  RequireSize(strip, grid);
+  for (std::size_t column = 0; column < distanceOfColumns.size(); ++column)
+  {
+    if (HindranceAt(stretches, distanceOfColumns[column]) == ColonHindrance::None)
+    {
+      continue;
+    }
+    const auto x = static_cast<int>(column);
+    for (int row = (x + period - 1) % period; row < grid.Rows(); row += period)
+    {
+      strip->SetPixel({ { x, row } }, hatch);
+      strip->SetPixel({ { x, (row + 1) % grid.Rows() } }, hatch);
+    }
+  }
+}
+
 std::vector<Eigen::Vector2d>
 PlacesOfCurve(const FlatColonGrid & grid, const std::vector<Eigen::Vector3d> & points, double step, double farthest)
 {

@@ -81,6 +81,10 @@ FlatColonPictures::Draw(FlatColoring coloring, const std::string & title, int gr
   {
     strip = ReduceStrip(strip, samples, m_Grid->Columns(), m_Grid->Rows());
   }
+  if (m_Parts.centreline && TellsHindrances(*m_Parts.centreline))
+  {
+    DrawFlatHatching(strip, *m_Grid, m_Distances, FindHinderedStretches(*m_Parts.centreline));
+  }
   for (const FlatOutlines & outlines : m_Parts.outlines)
   {
     DrawFlatOutlines(strip, *m_Grid, outlines);
