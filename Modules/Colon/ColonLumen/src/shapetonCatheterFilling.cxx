@@ -271,6 +271,7 @@ FillIn(const CatheterTube & tube, CatheterRegion & region, RectalCatheter & cath
   if (balloon)
   {
     catheter.balloonDiameter = 2.0 * balloon->radius;
+    catheter.balloonCentre = itk::Point<double, 3>(balloon->centre.data());
     filling.FillHanging(balloon->centre, balloon->radius + ThickestMembrane + 1.0, MembraneClosing);
   }
   ExtendToTip(region.grid, filling.FillHanging(tube.sections.back().centre, TipReach, TipClosing), catheter);

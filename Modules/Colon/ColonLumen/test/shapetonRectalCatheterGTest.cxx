@@ -159,6 +159,7 @@ TEST(RectalCatheter, ABalloonIsFilledIn)
   const auto lumen = Segment(scene);
   ExpectTube(lumen, 24.0);
   EXPECT_NEAR(lumen.catheter->balloonDiameter, 2.0 * radius, 2.0);
+  EXPECT_NEAR(lumen.catheter->balloonCentre[2], 6.0, 3.0);
 }
 
 /** Mirrored left to right and at another spacing it is the same one. */

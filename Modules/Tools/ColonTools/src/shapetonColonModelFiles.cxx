@@ -36,12 +36,20 @@ WithProvenance(TGeometry geometry, const CommandLine & commandLine)
   geometry.facts = ProvenanceMetadata(commandLine.GetProvenance());
   return geometry;
 }
-/** The axis of a catheter with its outer radius, which is another one in the tip. */
+/** Of the section of a ball through a point, mm; 0 outside of it. */
+double
+RadiusOfSection(const itk::Point<double, 3> & centre, double diameter, const itk::Point<double, 3> & point)
+{
+  return std::sqrt(std::max(0.0, 0.25 * diameter * diameter - centre.SquaredEuclideanDistanceTo(point)));
+}
+
+/** The axis of a catheter with its outer radius, which is another one in the tip, and that of a balloon around it. */
 CurveSet
 CurveOf(const RectalCatheter & catheter)
 {
   const auto      number = static_cast<int>(catheter.axis.size());
   Eigen::VectorXd radius = Eigen::VectorXd::Constant(number, 0.5 * catheter.outerDiameter);
+  Eigen::VectorXd balloon(number);
   CurveSet        curve;
   curve.V.resize(number, 3);
   curve.curves.emplace_back();
@@ -49,12 +57,13 @@ CurveOf(const RectalCatheter & catheter)
   {
     curve.V.row(n) << catheter.axis[n][0], catheter.axis[n][1], catheter.axis[n][2];
     curve.curves.back().push_back(n);
+    balloon[n] = RadiusOfSection(catheter.balloonCentre, catheter.balloonDiameter, catheter.axis[n]);
     if (n >= catheter.evidence.length)
     {
       radius[n] = std::max(radius[n], catheter.tipRadius);
     }
   }
-  curve.pointArrays.push_back({ "radius", radius });
+  curve.pointArrays = { { "radius", radius }, { "balloonRadius", balloon } };
   return curve;
 }
 } // namespace
