@@ -65,6 +65,10 @@ struct ColonPhantomParameters
   /** The farthest that the caecum moves from its place at rest in a position in mm, 0 to 100; 0 to 10, in three of ten
    * patients 30 to 80. */
   double caecumMobility{ 0.0 };
+  /** Share of the small bowel that holds contrast medium, 0 to 1; .5 to 1. */
+  double smallBowelTagged{ 0.8 };
+  /** HU of the fluid in the stomach, 0 to 900; 100 to 650. */
+  double stomachIntensity{ 150.0 };
   /** Pieces of stool of 4 to 20 mm beyond the rectum, 0 to 60; 0 to 14. Three of ten stick to the wall, the others lie
    * lowest in each position; large ones may have gas in them. */
   int stool{ 0 };

@@ -17,14 +17,16 @@ namespace shapeton
 enum class ColonStructure : unsigned char
 {
   None,
-  Valve,     ///< the tissue of its lips, or the bump
-  Ileum,     ///< the lumen of the terminal ileum, up to the mouth of the valve
-  IleumWall, ///< and all of an ileum that is collapsed
-  Catheter,  ///< its wall and its bore
-  Balloon,   ///< its wall and what it holds
-  Stool,     ///< with the gas in it
-  Bubble,    ///< of gas, in fluid
-  Foam       ///< bubbles and the films between them
+  Valve,      ///< the tissue of its lips, or the bump
+  Ileum,      ///< the lumen of the terminal ileum, up to the mouth of the valve
+  IleumWall,  ///< and all of an ileum that is collapsed
+  Catheter,   ///< its wall and its bore
+  Balloon,    ///< its wall and what it holds
+  Stool,      ///< with the gas in it
+  Bubble,     ///< of gas, in fluid
+  Foam,       ///< bubbles and the films between them
+  SmallBowel, ///< the lumen of its other loops
+  Stomach     ///< its lumen
 };
 
 /** Stool, a bubble or a patch of foam in the lumen. LPS, mm. \ingroup ColonPhantom */
@@ -63,8 +65,8 @@ struct ColonCatheter
 };
 
 /** \class ColonStructures
- * \brief What else belongs to the examination of a colon, with its truth: valve, terminal ileum, residue in the
- * lumen, rectal catheter.
+ * \brief What else belongs to the examination of a colon, with its truth: small bowel, stomach, valve, terminal ileum,
+ * residue in the lumen, rectal catheter.
  *
  * A voxel's label depends on its position alone.
  *
@@ -112,6 +114,8 @@ public:
   GetParts() const;
 
 private:
+  void
+  AddBowel(const ColonAnatomy & anatomy, const ColonFluid & fluid);
   void
   AddValve(const ColonAnatomy & anatomy);
   void

@@ -97,26 +97,39 @@ AddChest(PhantomBodies & bodies, const ColonAnatomy & anatomy)
 
 namespace
 {
+constexpr double stomachWall = 4.0;
+const PointType  stomachCenter = MakePoint(58, -38, 100);
+const auto       stomachRadii = MakeVector(46, 32, 40);
+
+PhantomSolid
+Stomach(const ColonAnatomy & anatomy)
+{
+  const auto stomach = Both(EllipsoidSolid(stomachCenter, stomachRadii), Grown(AbdominalCavity(), -2.0));
+  return AwayFromColon(stomach, anatomy, 4.0);
+}
+
 // Gas reaches down to 14 mm below the highest point of the stomach.
 void
 AddStomach(PhantomBodies & bodies, const ColonAnatomy & anatomy, const itk::Vector<double, 3> & down)
 {
-  const auto center = MakePoint(58, -38, 100);
-  const auto radii = MakeVector(46, 32, 40);
-  const auto stomach = Both(EllipsoidSolid(center, radii), Grown(AbdominalCavity(), -2.0));
-  const auto outside = AwayFromColon(stomach, anatomy, 4.0);
-  const auto lumen = Grown(outside, -4.0);
+  const auto lumen = StomachLumen(anatomy);
   double     reach = 0.0;
   for (unsigned int i = 0; i < 3; ++i)
   {
-    reach += (radii[i] - 4.0) * (radii[i] - 4.0) * down[i] * down[i];
+    reach += (stomachRadii[i] - stomachWall) * (stomachRadii[i] - stomachWall) * down[i] * down[i];
   }
-  const double level = down * center.GetVectorFromOrigin() - std::sqrt(reach) + 14.0;
-  Add(bodies, outside, 60.0);
-  Add(bodies, lumen, 150.0);
+  const double level = down * stomachCenter.GetVectorFromOrigin() - std::sqrt(reach) + 14.0;
+  Add(bodies, Stomach(anatomy), 60.0);
+  Add(bodies, lumen, anatomy.GetParameters().stomachIntensity);
   Add(bodies, Both(lumen, HalfSpaceSolid(down, level)), gasIntensity);
 }
 } // namespace
+
+PhantomSolid
+StomachLumen(const ColonAnatomy & anatomy)
+{
+  return Grown(Stomach(anatomy), -stomachWall);
+}
 
 void
 AddOrgans(PhantomBodies & bodies, const ColonAnatomy & anatomy, const itk::Vector<double, 3> & down)

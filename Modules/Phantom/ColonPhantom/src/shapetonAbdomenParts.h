@@ -24,6 +24,10 @@ AddBones(PhantomBodies & bodies);
 void
 AddOrgans(PhantomBodies & bodies, const ColonAnatomy & anatomy, const itk::Vector<double, 3> & down);
 
+/** The lumen of the stomach: gas and fluid. */
+PhantomSolid
+StomachLumen(const ColonAnatomy & anatomy);
+
 /** Vessels in the fat between the loops of bowel. */
 void
 AddMesentery(PhantomBodies & bodies, unsigned seed);

@@ -18,7 +18,7 @@ MakeColonAbdomen(const ColonAnatomy & anatomy, const ColonFluid & fluid, const C
   AddChest(bodies, anatomy);
   AddOrgans(bodies, anatomy, down);
   AddMesentery(bodies, parameters.seed);
-  bodies.push_back(MakeSmallBowel(parameters.seed, down));
+  bodies.push_back(MakeSmallBowel(parameters.seed, down, parameters.smallBowelTagged).body);
   AddBones(bodies);
   bodies.push_back(MakeSolidBody(Both(NatalCleft(anatomy), BodyOutline()), airIntensity));
   const auto add = [&](bool behindColon) {

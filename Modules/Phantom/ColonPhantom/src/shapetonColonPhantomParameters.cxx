@@ -104,7 +104,8 @@ enum class Group
   Calibre,
   Caecum,
   Residue,
-  Scanner
+  Scanner,
+  Bowel
 };
 
 /** Draws in a fixed order, so that what is given moves nothing that is drawn. */
@@ -184,6 +185,14 @@ DrawShape(ColonPhantomParameters & p)
 }
 
 void
+DrawBowel(ColonPhantomParameters & p)
+{
+  Draw draw(p, Group::Bowel);
+  draw(p.smallBowelTagged, 0.5, 1.0);
+  draw(p.stomachIntensity, 100, 650);
+}
+
+void
 DrawResidue(ColonPhantomParameters & p)
 {
   Draw draw(p, Group::Residue);
@@ -228,6 +237,7 @@ Drawn(const ColonPhantomParameters & parameters)
 {
   ColonPhantomParameters drawn = parameters;
   DrawShape(drawn);
+  DrawBowel(drawn);
   DrawResidue(drawn);
   DrawScanner(drawn);
   DrawCatheter(drawn);
@@ -263,6 +273,8 @@ ColonPhantomPreset(const std::string & name)
     parameters.lengths.fill(drawnBySeed);
     parameters.calibre.fill(drawnBySeed);
     parameters.caecumMobility = drawnBySeed;
+    parameters.smallBowelTagged = drawnBySeed;
+    parameters.stomachIntensity = drawnBySeed;
     parameters.stool = parameters.bubbles = parameters.foam = static_cast<int>(drawnBySeed);
     parameters.catheter = "drawn";
     parameters.catheterBore = drawnBySeed;
@@ -306,6 +318,8 @@ RequireValid(const ColonPhantomParameters & p)
   RequireSegmentValues("lengths", p.lengths, 40, 1200);
   RequireSegmentValues("calibre", p.calibre, 15, 90);
   RequireRangeOrDrawn("caecumMobility", p.caecumMobility, 0, 100);
+  RequireRangeOrDrawn("smallBowelTagged", p.smallBowelTagged, 0, 1);
+  RequireRangeOrDrawn("stomachIntensity", p.stomachIntensity, 0, 900);
   RequireRangeOrDrawn("stool", p.stool, 0, 60);
   RequireRangeOrDrawn("stoolTagged", p.stoolTagged, 0, 1);
   RequireRangeOrDrawn("bubbles", p.bubbles, 0, 100);

@@ -1,9 +1,11 @@
 #include "shapetonColonStructures.h"
 
+#include "shapetonAbdomenParts.h"
 #include "shapetonColonBody.h"
 #include "shapetonColonStructurePart.h"
 #include "shapetonCatheterTube.h"
 #include "shapetonLumenResidue.h"
+#include "shapetonSmallBowel.h"
 #include "shapetonTerminalIleum.h"
 #include "shapetonValveLips.h"
 
@@ -74,6 +76,7 @@ CurvesOf(const std::vector<std::vector<Vector3d>> & lines, const std::vector<Col
 
 ColonStructures::ColonStructures(const ColonAnatomy & anatomy, const ColonFluid & fluid)
 {
+  this->AddBowel(anatomy, fluid);
   if (anatomy.GetParameters().valve == "lips")
   {
     this->AddValve(anatomy);
@@ -89,6 +92,17 @@ ColonStructures::ColonStructures(const ColonAnatomy & anatomy, const ColonFluid 
 }
 
 ColonStructures::~ColonStructures() = default;
+
+// They are painted with the abdomen.
+void
+ColonStructures::AddBowel(const ColonAnatomy & anatomy, const ColonFluid & fluid)
+{
+  const auto & p = anatomy.GetParameters();
+  const auto   down = MakeVector(fluid.Down()[0], fluid.Down()[1], fluid.Down()[2]);
+  const auto   loops = MakeSmallBowel(p.seed, down, p.smallBowelTagged);
+  m_Parts.push_back({ ColonStructure::Stomach, StomachLumen(anatomy), nullptr, false });
+  m_Parts.push_back({ ColonStructure::SmallBowel, AwayFromColon(loops.lumen, anatomy, bowelWall), nullptr, false });
+}
 
 // What fat there is lies under the mucosa, which the colon's wall of 2 mm is.
 void

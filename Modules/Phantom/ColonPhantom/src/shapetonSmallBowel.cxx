@@ -81,23 +81,24 @@ RandomAxis(PhantomRandom & random)
 }
 
 double
-RandomIntensity(PhantomRandom & random)
+RandomIntensity(PhantomRandom & random, double tagged)
 {
-  const double kind = random.Uniform(0.0, 1.0);
-  if (kind < 0.55)
+  constexpr double thinShare = 0.6875; // of the tagged ones
+  const double     kind = random.Uniform(0.0, 1.0);
+  if (kind < thinShare * tagged)
   {
     return random.Uniform(260.0, 460.0);
   }
-  return kind < 0.8 ? random.Uniform(560.0, 800.0) : random.Uniform(20.0, 60.0);
+  return kind < tagged ? random.Uniform(560.0, 800.0) : random.Uniform(20.0, 60.0);
 }
 
 Loop
-RandomLoop(PhantomRandom & random, const VectorType & down)
+RandomLoop(PhantomRandom & random, const VectorType & down, double tagged)
 {
   Loop loop;
   loop.axis = RandomAxis(random);
   loop.radius = random.Uniform(10.0, 14.0);
-  loop.intensity = RandomIntensity(random);
+  loop.intensity = RandomIntensity(random, tagged);
   double highest = -1e9;
   for (const auto & p : loop.axis)
   {
@@ -112,14 +113,21 @@ RandomLoop(PhantomRandom & random, const VectorType & down)
 class SmallBowel : public PhantomBody
 {
 public:
-  SmallBowel(unsigned seed, const VectorType & down) : m_Down(down)
+  SmallBowel(unsigned seed, const VectorType & down, double tagged) : m_Down(down)
   {
     PhantomRandom random(seed, 0x5b0);
     for (int i = 0; i < numberOfLoops; ++i)
     {
-      m_Loops.push_back(RandomLoop(random, down));
+      m_Loops.push_back(RandomLoop(random, down, tagged));
     }
     this->FillCells();
+  }
+
+  double
+  LumenDistance(const PointType & point) const
+  {
+    const Nearest near = this->FindNearest(point);
+    return near.loop == nullptr ? reach : near.lumen;
   }
 
   BodyProbe
@@ -278,9 +286,10 @@ private:
 };
 } // namespace
 
-std::shared_ptr<const PhantomBody>
-MakeSmallBowel(unsigned seed, const itk::Vector<double, 3> & down)
+SmallBowelLoops
+MakeSmallBowel(unsigned seed, const itk::Vector<double, 3> & down, double tagged)
 {
-  return std::make_shared<SmallBowel>(seed, down);
+  const auto bowel = std::make_shared<const SmallBowel>(seed, down, tagged);
+  return { bowel, { [bowel](const PointType & p) { return bowel->LumenDistance(p); } } };
 }
 } // namespace shapeton

@@ -6,10 +6,16 @@
 namespace shapeton
 {
 /** Loops of small bowel in the central abdomen: tubes with a radius of 10 to 14 mm, pressed against each other with
- * walls between them. Most hold contrast medium, some of them as bright as tagged fluid, some gas over a level.
- * `down` is the direction of gravity. */
-std::shared_ptr<const PhantomBody>
-MakeSmallBowel(unsigned seed, const itk::Vector<double, 3> & down);
+ * walls between them. `tagged` is the share that holds contrast medium, some of them as
+ * bright as tagged fluid; some hold gas over a level. `down` is the direction of gravity. */
+struct SmallBowelLoops
+{
+  std::shared_ptr<const PhantomBody> body;
+  PhantomSolid                       lumen; ///< gas and fluid; distances are cut to 6 mm
+};
+
+SmallBowelLoops
+MakeSmallBowel(unsigned seed, const itk::Vector<double, 3> & down, double tagged);
 } // namespace shapeton
 
 #endif

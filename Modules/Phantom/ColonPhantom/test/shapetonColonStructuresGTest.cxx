@@ -285,6 +285,45 @@ TEST(ColonStructures, ResidueLiesInTheLumenWhereItsKindDoes)
   EXPECT_GE(counts[ColonStructure::Foam], 1);
 }
 
+TEST(ColonStructures, SmallBowelHoldsWhatItIsGiven)
+{
+  for (const double tagged : { 0.0, 1.0 })
+  {
+    auto parameters = Realistic(3);
+    parameters.smallBowelTagged = tagged;
+    parameters.stomachIntensity = 321.0;
+    const Exam            exam(parameters);
+    std::vector<Vector3d> bowel, stomach;
+    for (int i = 0; i < 30 * 30 * 40; ++i)
+    {
+      const Vector3d point(-90.0 + 6.1 * (i % 30), -85.0 + 3.7 * (i / 30 % 30), -110.0 + 6.3 * (i / 900));
+      const auto     structure = exam.structures.At(point);
+      EXPECT_TRUE(structure != ColonStructure::SmallBowel || exam.anatomy.Evaluate(point).distance < 0.0);
+      (structure == ColonStructure::SmallBowel ? bowel : stomach).push_back(point);
+      if (structure != ColonStructure::SmallBowel && structure != ColonStructure::Stomach)
+      {
+        stomach.pop_back();
+      }
+    }
+    ASSERT_GT(bowel.size(), 100U);
+    ASSERT_GT(stomach.size(), 20U);
+    std::vector<Vector3d> points{ stomach[stomach.size() / 2] };
+    for (std::size_t i = 0; i < bowel.size(); i += bowel.size() / 12)
+    {
+      points.push_back(bowel[i]);
+    }
+    const auto values = IntensitiesAt(parameters, points);
+    EXPECT_TRUE(std::abs(values[0] - 321.0) < 2.0 || values[0] < -900.0) << values[0];
+    int fluid = 0;
+    for (std::size_t i = 1; i < values.size(); ++i)
+    {
+      fluid += values[i] > -500.0 ? 1 : 0;
+      EXPECT_TRUE(values[i] < -500.0 || (tagged > 0.5 ? values[i] > 150.0 : values[i] < 100.0)) << values[i];
+    }
+    EXPECT_GT(fluid, 5);
+  }
+}
+
 TEST(ColonStructures, WithoutACatheterTheAnalCanalIsClosed)
 {
   auto parameters = Realistic(7);

@@ -63,6 +63,8 @@ ReadParts(CommandLine & commandLine, ColonPhantomParameters & parameters)
   OverridePart(commandLine, "lengths", parameters.lengths);
   OverridePart(commandLine, "calibre", parameters.calibre);
   OverridePart(commandLine, "caecumMobility", parameters.caecumMobility);
+  OverridePart(commandLine, "smallBowelTagged", parameters.smallBowelTagged);
+  OverridePart(commandLine, "stomachIntensity", parameters.stomachIntensity);
   OverridePart(commandLine, "stool", parameters.stool);
   OverridePart(commandLine, "stoolTagged", parameters.stoolTagged);
   OverridePart(commandLine, "bubbles", parameters.bubbles);

@@ -147,8 +147,8 @@ StructuresToJson(const Provenance & provenance, const ColonAnatomy & anatomy, co
 {
   Json json;
   json["provenance"] = ProvenanceToJson(provenance);
-  json["labels"] = { { "valve", 1 },   { "ileum", 2 }, { "ileumWall", 3 }, { "catheter", 4 },
-                     { "balloon", 5 }, { "stool", 6 }, { "bubble", 7 },    { "foam", 8 } };
+  json["labels"] = { { "valve", 1 }, { "ileum", 2 },  { "ileumWall", 3 }, { "catheter", 4 },   { "balloon", 5 },
+                     { "stool", 6 }, { "bubble", 7 }, { "foam", 8 },      { "smallBowel", 9 }, { "stomach", 10 } };
   json["valve"] = ValveToJson(anatomy);
   json["caecum"] = { { "pole", ToJson(anatomy.CaecalPole()) } };
   json["ileum"] = structures.GetIleum() ? IleumToJson(*structures.GetIleum()) : Json();
