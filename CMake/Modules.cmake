@@ -24,6 +24,7 @@ set(Shapeton_MODULES
   Colon/ColonLumen
   Colon/ColonCentreline
   Colon/ColonWall
+  Colon/IleocaecalValve
   Colon/ColonModel
   Colon/FlatColon
   Colon/HaustralFolds

@@ -10,6 +10,7 @@ itk_module(ColonLandmarks
     ColonCentreline
     FlatColon
     HaustralFolds
+    IleocaecalValve
   PRIVATE_DEPENDS
     ConformalFlattening
   TEST_DEPENDS

@@ -9,6 +9,7 @@ itk_module(ColonModel
     ColonLumen
     ColonCentreline
     ColonWall
+    IleocaecalValve
   PRIVATE_DEPENDS
     SurfaceMesh
     ITKCommon

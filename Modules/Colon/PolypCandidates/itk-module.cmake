@@ -8,6 +8,7 @@ itk_module(PolypCandidates
     SurfaceMesh
     SlicerMarkups
     FlatColon
+    IleocaecalValve
     ITKCommon
   PRIVATE_DEPENDS
     ColonCentreline

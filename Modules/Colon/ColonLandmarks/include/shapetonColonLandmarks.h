@@ -6,6 +6,7 @@
 #include "shapetonColonAssessability.h"
 #include "shapetonColonSegments.h"
 #include "shapetonColonTaeniae.h"
+#include "shapetonIleocaecalValve.h"
 #include "shapetonSurfaceFolds.h"
 
 #include "shapetonJsonForward.h"
@@ -33,8 +34,12 @@ struct ColonLandmarks
   std::shared_ptr<const ColonWallTube> tube;
   ColonFlexures                        flexures;
   ColonSegments                        segments;
-  SurfaceFolds                         folds;
-  ColonTaeniae                         taeniae;
+  /** As the centreline tells it. */
+  std::optional<IleocaecalValve> valve;
+  /** Its place on the map, mm. */
+  Eigen::Vector2d valveUv{ Eigen::Vector2d::Zero() };
+  SurfaceFolds    folds;
+  ColonTaeniae    taeniae;
   /** Where the wall is not seen; nothing where the centreline does not tell. */
   std::optional<std::vector<HinderedStretch>> hindered;
   /** mm: the end of the centreline. */
@@ -66,8 +71,9 @@ SegmentSurface(const SurfaceMesh & flat, const ColonLandmarks & landmarks);
 ColonLandmarks_EXPORT SurfaceMesh
 FoldSurface(const SurfaceMesh & flat, const ColonLandmarks & landmarks);
 /** Keys, whose names stay: flexureRule, flexures (a list of number, name, found, reason, position, arcLength, uv,
- * confidence, and notAssessable where the wall is not seen there: HindranceToJson()), caecum (the same), segments (a
- * list of number, name, begin, end, area, and where the centreline tells those of AssessabilityToJson()),
+ * confidence, and notAssessable where the wall is not seen there: HindranceToJson()), caecum (the same, with source:
+ * ileocaecalValve or estimated), ileocaecalValve (found, position, arcLength, uv, length, width, confidence), segments
+ * (a list of number, name, begin, end, length, area, and where the centreline tells those of AssessabilityToJson()),
  * segmentsNotFound (names), notAssessable (StretchesToJson()), surfaceFolds (number, leastCurvature in 1/mm, area),
  * taeniae. \ingroup ColonLandmarks */
 ColonLandmarks_EXPORT Json

@@ -29,7 +29,9 @@ struct ColonSegments
   /** For each face: 1 rectum (with the anal canal), 2 sigmoid, 3 descending, 4 transverse, 5 ascending, 6 caecum; 0
    * where a border is missing, so that it cannot be said. */
   std::vector<int> segmentOfFace;
-  Remarks          warnings;
+  /** Whether the caecum ends at the ileocaecal valve, not after its average length. */
+  bool    isCaecumAtValve{ false };
+  Remarks warnings;
 };
 
 /** "rectum", "sigmoid", ... as radiologists name them; "unknown" for 0, empty for other numbers.
@@ -44,9 +46,9 @@ ColonLandmarks_EXPORT std::string
 ColonLandmarks_EXPORT SurfaceWalk
 FindLoop(const ColonWallTube & tube, const Eigen::Vector3d & point, const Eigen::Vector3d & normal, double arcLength);
 
-/** The six segments between loops at the flexures that were found. The caecum has no flexure: it begins where the
- * centreline is 6 cm from its end, straight, its length in anatomy (Gray's Anatomy, 41st ed.; the ileocaecal valve
- * itself is not looked for). \ingroup ColonLandmarks */
+/** The six segments between loops at the flexures that were found. The caecum has no flexure: it begins at the
+ * ileocaecal valve, where the centreline knows of one (see IleocaecalValveOf()), else where the centreline is 6 cm from
+ * its end, straight, its length in anatomy (Gray's Anatomy, 41st ed.). \ingroup ColonLandmarks */
 ColonLandmarks_EXPORT ColonSegments
 FindColonSegments(const ColonWallTube & tube, const CurveSet & centreline, const ColonFlexures & flexures);
 } // namespace shapeton

@@ -3,6 +3,9 @@
 
 #include "shapetonCurveSet.h"
 
+#include <algorithm>
+#include <cmath>
+
 namespace shapeton
 {
 /** A centreline in equal steps, with what its bends are measured by. */
@@ -29,6 +32,12 @@ public:
   ArcLengthAt(int i) const
   {
     return m_Begin + i * Step;
+  }
+  /** The nearest point. */
+  int
+  IndexAt(double arcLength) const
+  {
+    return std::clamp(static_cast<int>(std::lround((arcLength - m_Begin) / Step)), 0, this->Size() - 1);
   }
   const VertexMatrix &
   Points() const

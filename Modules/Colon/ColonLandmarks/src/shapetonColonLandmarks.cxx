@@ -80,6 +80,13 @@ FindColonLandmarks(const FlatColon & flat, const CurveSet & centreline, const Co
   AppendRemarks(result.warnings, result.flexures.warnings);
   result.segments = FindColonSegments(*tube, centreline, result.flexures);
   AppendRemarks(result.warnings, result.segments.warnings);
+  result.valve = IleocaecalValveOf(centreline);
+  if (result.valve)
+  {
+    Eigen::Index nearest = 0;
+    (tube->Points().rowwise() - result.valve->position.transpose()).rowwise().squaredNorm().minCoeff(&nearest);
+    result.valveUv = tube->Uv(static_cast<int>(nearest));
+  }
 
   options.progress("Finding folds", 0.2);
   result.folds = FindSurfaceFolds(flat);

@@ -100,9 +100,33 @@ CaecumToJson(const ColonLandmarks & landmarks)
   {
     AddPlace(landmarks, *border, json);
   }
-  json["reason"] = border != nullptr ? "6 cm from the end of the centreline, the length of a caecum; the valve was not "
-                                       "looked for"
-                                     : "it is placed where the hepatic flexure is known and leaves room";
+  const bool atValve = landmarks.segments.isCaecumAtValve;
+  json["source"] = atValve ? "ileocaecalValve" : "estimated";
+  json["reason"] = border == nullptr ? "it is placed where the hepatic flexure is known and leaves room"
+                   : atValve         ? "at the ileocaecal valve"
+                                     : "6 cm from the end of the centreline, the length of a caecum; no valve is known";
+  return json;
+}
+
+Json
+ValveToJson(const ColonLandmarks & landmarks)
+{
+  Json json;
+  json["found"] = landmarks.valve.has_value();
+  if (landmarks.valve)
+  {
+    const IleocaecalValve & valve = *landmarks.valve;
+    json["position"] = Numbers(valve.position);
+    json["arcLength"] = RoundedJson(valve.arcLength);
+    json["uv"] = Numbers(landmarks.valveUv);
+    json["length"] = RoundedJson(valve.length);
+    json["width"] = RoundedJson(valve.width);
+    json["confidence"] = RoundedJson(valve.confidence);
+  }
+  else
+  {
+    json["reason"] = "the segmentation found none; its quality.json says why";
+  }
   return json;
 }
 
@@ -213,6 +237,7 @@ ColonLandmarksToJson(const ColonLandmarks & landmarks)
   json["flexureRule"] = NameOf(landmarks.flexures.rule);
   json["flexures"] = FlexuresToJson(landmarks);
   json["caecum"] = CaecumToJson(landmarks);
+  json["ileocaecalValve"] = ValveToJson(landmarks);
   json["segments"] = SegmentsToJson(landmarks);
   json["segmentsNotFound"] = SegmentsNotFound(landmarks);
   if (landmarks.hindered)

@@ -1,6 +1,7 @@
 #include "shapetonColonSegments.h"
 
 #include "shapetonCentrelineShape.h"
+#include "shapetonIleocaecalValve.h"
 
 #include <algorithm>
 #include <cmath>
@@ -110,17 +111,28 @@ SegmentsOfFaces(const ColonWallTube & tube, const std::vector<SegmentBorder> & b
   return segments;
 }
 
-void
-AddCaecum(const CurveSet & centreline, const ColonFlexures & flexures, std::vector<SegmentBorder> & borders)
+/** The point of the line, by its number, where the caecum begins by the average of anatomy. */
+int
+EstimatedBeginOfCaecum(const CentrelineShape & shape)
 {
-  const CentrelineShape shape(centreline);
-  const int             end = shape.Size() - 1;
-  int                   i = end;
+  const int end = shape.Size() - 1;
+  int       i = end;
   while (i > 0 && (shape.Points().row(i) - shape.Points().row(end)).norm() < caecumLength)
   {
     --i;
   }
-  const ColonFlexure & hepatic = flexures.flexures[3];
+  return i;
+}
+
+void
+AddCaecum(const CurveSet &                       centreline,
+          const std::optional<IleocaecalValve> & valve,
+          const ColonFlexures &                  flexures,
+          std::vector<SegmentBorder> &           borders)
+{
+  const CentrelineShape shape(centreline);
+  const int             i = valve ? shape.IndexAt(valve->arcLength) : EstimatedBeginOfCaecum(shape);
+  const ColonFlexure &  hepatic = flexures.flexures[3];
   if (!hepatic.isFound || hepatic.arcLength + 0.5 * caecumLength > shape.ArcLengthAt(i))
   {
     return;
@@ -128,7 +140,7 @@ AddCaecum(const CurveSet & centreline, const ColonFlexures & flexures, std::vect
   SegmentBorder border;
   border.number = borderOfCaecum;
   border.arcLength = shape.ArcLengthAt(i);
-  border.confidence = confidenceOfCaecum;
+  border.confidence = valve ? valve->confidence : confidenceOfCaecum;
   border.point = shape.Points().row(i).transpose();
   borders.push_back(border);
 }
@@ -153,13 +165,15 @@ FindColonSegments(const ColonWallTube & tube, const CurveSet & centreline, const
       candidates.push_back({ flexure.number, flexure.point, flexure.arcLength, flexure.confidence, {} });
     }
   }
-  AddCaecum(centreline, flexures, candidates);
+  const std::optional<IleocaecalValve> valve = IleocaecalValveOf(centreline);
+  AddCaecum(centreline, valve, flexures, candidates);
   const CentrelineShape shape(centreline);
   const VertexMatrix    tangents = shape.Tangents(10.0);
   ColonSegments         result;
+  result.isCaecumAtValve = valve.has_value();
   for (SegmentBorder & border : candidates)
   {
-    const int i = static_cast<int>(std::lround((border.arcLength - shape.ArcLengthAt(0)) / CentrelineShape::Step));
+    const int i = shape.IndexAt(border.arcLength);
     border.loop = FindLoop(tube, border.point, tangents.row(i).transpose(), border.arcLength);
     if (border.loop.vertices.empty())
     {

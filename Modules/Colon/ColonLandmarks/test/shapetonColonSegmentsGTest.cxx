@@ -1,5 +1,6 @@
 #include "shapetonColonSegments.h"
 
+#include "shapetonIleocaecalValve.h"
 #include "shapetonLandmarkTubes.h"
 
 #include <gtest/gtest.h>
@@ -105,6 +106,20 @@ TEST(ColonSegments, PlaceTheCaecumSixCentimetresFromTheEnd)
   EXPECT_EQ(caecum.number, 5);
   const Eigen::Vector3d end = c.colon.centreline.V.bottomRows(1).transpose();
   EXPECT_NEAR((caecum.point - end).norm(), 60.0, 4.5); // the line is sampled every 2 mm
+}
+
+TEST(ColonSegments, EndTheCaecumAtAKnownValve)
+{
+  LabelledColon             c;
+  shapeton::IleocaecalValve valve;
+  valve.arcLength = shapeton::PointValues(c.colon.centreline, "arcLength", "the line").maxCoeff() - 80.0;
+  valve.confidence = 0.8;
+  shapeton::SetIleocaecalValve(valve, c.colon.centreline);
+  const ColonSegments segments = FindColonSegments(c.tube, c.colon.centreline, c.flexures);
+  EXPECT_TRUE(segments.isCaecumAtValve);
+  EXPECT_EQ(segments.borders.back().number, 5);
+  EXPECT_NEAR(segments.borders.back().arcLength, valve.arcLength, 1.0);
+  EXPECT_EQ(segments.borders.back().confidence, 0.8);
 }
 
 TEST(ColonSegments, HaveNames)

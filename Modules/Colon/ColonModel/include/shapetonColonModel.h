@@ -8,6 +8,7 @@
 #include "shapetonColonDistension.h"
 #include "shapetonColonLumenSegmentation.h"
 #include "shapetonColonWall.h"
+#include "shapetonTerminalIleum.h"
 
 #include <string>
 #include <vector>
@@ -42,7 +43,11 @@ struct ColonModel
   bool hasIntensities{ true };
   /** HU; null where there are no intensities. */
   itk::Image<float, 3>::Pointer cleansed;
-  ColonCentreline               centreline;
+  /** With the valve, see SetIleocaecalValve(). */
+  ColonCentreline centreline;
+  ValveSearch     valve;
+  /** What was lumen and is not colon: labels, line and wall do not hold it. */
+  std::optional<TerminalIleum> terminalIleum;
   /** Of the segments, and of the whole line. */
   std::vector<SegmentDistension> distension;
   SegmentDistension              wholeDistension;

@@ -33,10 +33,35 @@ TraceLine(ColonModel & model, const ColonModelOptions & options)
   line.seedPoints = options.seedPoints;
   line.progress = options.progress.Part("Tracing the centreline", CleansingEnd, CentrelineEnd);
   model.centreline = TraceColonCentreline(model.lumen.labels, line);
-  AppendRemarks(model.warnings, model.centreline.warnings);
   MarkHindrances(model.lumen, model.centreline.curve);
   model.distension = MeasureDistension(model.centreline.curve);
   model.wholeDistension = MeasureDistension(model.centreline.curve, { { "colon", model.centreline.length } }).front();
+}
+
+void
+FindValve(ColonModel & model)
+{
+  model.valve = FindIleocaecalValve(model.lumen.labels, model.cleansed, model.centreline.curve);
+  SetIleocaecalValve(model.valve.valve, model.centreline.curve);
+}
+
+/** The line and the valve on it; where ileum hangs on the valve, it is cut off, and both are sought again. */
+void
+TraceLineAndValve(ColonModel & model, const ColonModelOptions & options)
+{
+  TraceLine(model, options);
+  FindValve(model);
+  if (model.valve.valve)
+  {
+    model.terminalIleum = FindTerminalIleum(model.lumen.labels, model.centreline.curve, *model.valve.valve);
+  }
+  if (model.terminalIleum)
+  {
+    TakeOut(*model.terminalIleum, model.lumen.labels.GetPointer());
+    TraceLine(model, options);
+    FindValve(model);
+  }
+  AppendRemarks(model.warnings, model.centreline.warnings);
 }
 
 ColonWallOptions
@@ -63,7 +88,11 @@ Complete(ColonModel & model, const itk::Image<float, 3> * ct, const ColonModelOp
   options.progress("Cleansing", SegmentationEnd);
   CleansedColon cleansed = CleanseColon(ct, model.lumen);
   model.cleansed = cleansed.ct;
-  TraceLine(model, options);
+  TraceLineAndValve(model, options);
+  if (model.terminalIleum)
+  {
+    TakeOut(*model.terminalIleum, cleansed.occupancy.GetPointer());
+  }
   TakeWall(model, BuildColonWall(cleansed.occupancy, model.centreline.curve, WallOptionsOf(options)));
 }
 
@@ -123,8 +152,8 @@ BuildColonModelOfLumen(const LumenMask * lumen, const ColonModelOptions & option
   ColonModel model;
   model.hasIntensities = false;
   model.lumen = ColonLumenOfMask(lumen);
-  TraceLine(model, options);
-  TakeWall(model, BuildColonWallFromMask(Cropped(lumen), model.centreline.curve, WallOptionsOf(options)));
+  TraceLineAndValve(model, options);
+  TakeWall(model, BuildColonWallFromMask(Cropped(model.lumen.labels), model.centreline.curve, WallOptionsOf(options)));
   return model;
 }
 } // namespace shapeton

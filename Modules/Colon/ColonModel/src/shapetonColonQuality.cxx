@@ -6,6 +6,7 @@
 #include "shapetonSurfaceQuality.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace shapeton
 {
@@ -118,6 +119,37 @@ LumenToJson(const ColonModel & model)
   json["fluidVolume"] = fluid;
   json["pieces"] = pieces;
   return json;
+}
+
+Json
+ValveToJson(const ValveSearch & search)
+{
+  if (!search.valve)
+  {
+    return { { "found", false }, { "reason", search.reason } };
+  }
+  const IleocaecalValve & valve = *search.valve;
+  Json                    json = { { "found", true },
+                                   { "position", { valve.position[0], valve.position[1], valve.position[2] } },
+                                   { "arcLength", valve.arcLength },
+                                   { "length", valve.length },
+                                   { "width", valve.width },
+                                   { "confidence", valve.confidence } };
+  json["attenuation"] = std::isfinite(valve.attenuation) ? Json(valve.attenuation) : Json(nullptr);
+  return json;
+}
+
+Json
+IleumToJson(const std::optional<TerminalIleum> & ileum)
+{
+  if (!ileum)
+  {
+    return { { "found", false }, { "reason", "no part of the lumen leaves the colon at a valve that was found" } };
+  }
+  return { { "found", true },
+           { "mouth", { ileum->mouth[0], ileum->mouth[1], ileum->mouth[2] } },
+           { "length", ileum->length },
+           { "volume", ileum->volume } };
 }
 
 Json
@@ -250,6 +282,8 @@ ColonQualityToJson(const ColonModel & model)
     json["centreline"] = CentrelineToJson(model.centreline);
     json["distension"] = DistensionToJson(model);
     json["assessability"] = AssessabilityToJson(model);
+    json["ileocaecalValve"] = ValveToJson(model.valve);
+    json["terminalIleum"] = IleumToJson(model.terminalIleum);
   }
   if (model.wall.raw.NumberOfFaces() > 0)
   {

@@ -2,6 +2,7 @@
 #define shapetonPolypCandidates_h
 
 #include "shapetonCurveSet.h"
+#include "shapetonIleocaecalValve.h"
 #include "shapetonPolypScore.h"
 #include "shapetonWallBulges.h"
 
@@ -157,10 +158,16 @@ MatchedSmoothingTime(const SurfaceMesh & wall, double time);
 PolypCandidates_EXPORT std::vector<PolypCandidate>
                        FindPolypCandidates(const SurfaceMesh & wall, const PolypCandidateOptions & options = {});
 
-/** Notes the candidate that may be the ileocaecal valve: the largest of at least 15 mm that lies 30 to 100 mm before
- * the end of the centreline. \ingroup PolypCandidates */
+/** Where no valve is known: notes the candidate that may be the ileocaecal valve: the largest of at least 15 mm that
+ * lies 30 to 100 mm before the end of the centreline. \ingroup PolypCandidates */
 PolypCandidates_EXPORT void
 NoteIleocaecalValve(double lengthOfCentreline, std::vector<PolypCandidate> & candidates);
+
+/** Gives candidates at the valve the remark "the ileocaecal valve", multiplies their scores by the probability that it
+ * is not the valve, and ranks them behind all others of soft tissue or fat. At the valve: within half of its length and
+ * 3 mm of its middle, 12 mm at least. \ingroup PolypCandidates */
+PolypCandidates_EXPORT void
+RankValveLast(const IleocaecalValve & valve, std::vector<PolypCandidate> & candidates);
 
 /** Notes candidates within 60 mm of the anal verge, along the centreline: the tip of a rectal catheter, its balloon and
  * haemorrhoids lie there, and have the shape of polyps. \ingroup PolypCandidates */

@@ -129,6 +129,33 @@ NoteIleocaecalValve(double lengthOfCentreline, std::vector<PolypCandidate> & can
 }
 
 void
+RankValveLast(const IleocaecalValve & valve, std::vector<PolypCandidate> & candidates)
+{
+  const double reach = std::max(12.0, 0.5 * valve.length + 3.0); // mm
+  const auto   isValve = [&](const PolypCandidate & one) { return (one.position - valve.position).norm() <= reach; };
+  double       leastOfOthers = 1.0;
+  for (const PolypCandidate & one : candidates)
+  {
+    if (!isValve(one) && one.tissue != PolypTissue::Gas && one.tissue != PolypTissue::Tagged)
+    {
+      leastOfOthers = std::min(leastOfOthers, one.score);
+    }
+  }
+  for (PolypCandidate & one : candidates)
+  {
+    if (isValve(one))
+    {
+      one.score = std::min((1.0 - valve.confidence) * one.score, leastOfOthers);
+      AddRemark("the ileocaecal valve", one);
+    }
+  }
+  // Behind those of equal score: Rank() keeps the order of these.
+  std::stable_partition(
+    candidates.begin(), candidates.end(), [&](const PolypCandidate & one) { return !isValve(one); });
+  Rank(candidates);
+}
+
+void
 NoteRectalCatheter(std::vector<PolypCandidate> & candidates)
 {
   constexpr double reach = 60.0; // mm

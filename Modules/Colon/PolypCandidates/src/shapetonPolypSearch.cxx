@@ -176,7 +176,14 @@ SearchPolyps(const PolypColon & colon, const PolypSearchOptions & options)
   {
     NameSegments(colon.segments, candidates);
   }
-  NoteIleocaecalValve(LengthOf(colon.centreline), candidates);
+  if (const auto valve = IleocaecalValveOf(colon.centreline))
+  {
+    RankValveLast(*valve, candidates);
+  }
+  else
+  {
+    NoteIleocaecalValve(LengthOf(colon.centreline), candidates);
+  }
   NoteRectalCatheter(candidates);
   if (TellsHindrances(colon.centreline))
   {

@@ -462,6 +462,29 @@ TEST(PolypCandidates, ValveIsNotedByItsPlace)
   EXPECT_EQ(candidates[2].remark, "may be the ileocaecal valve");
 }
 
+TEST(PolypCandidates, KnownValveIsNamedAndRanksBehindSoftTissue)
+{
+  shapeton::IleocaecalValve valve;
+  valve.length = 26.0;
+  valve.confidence = 0.6;
+  PolypCandidate lip, beside, bubble;
+  lip.score = 0.9;
+  lip.position = { 15.9, 0.0, 0.0 }; // half of the length and 3 mm
+  beside.score = 0.3;
+  beside.position = { 16.1, 0.0, 0.0 };
+  bubble.score = 0.01;
+  bubble.tissue = shapeton::PolypTissue::Gas;
+  bubble.position = { 100.0, 0.0, 0.0 };
+  std::vector<PolypCandidate> candidates{ lip, beside, bubble };
+  shapeton::RankValveLast(valve, candidates);
+  EXPECT_EQ(candidates[0].position, beside.position);
+  EXPECT_EQ(candidates[0].remark, "");
+  EXPECT_EQ(candidates[1].remark, "the ileocaecal valve");
+  EXPECT_EQ(candidates[1].number, 2);
+  EXPECT_LE(candidates[1].score, (1.0 - valve.confidence) * lip.score);
+  EXPECT_EQ(candidates[2].tissue, shapeton::PolypTissue::Gas);
+}
+
 TEST(PolypCandidates, WhatIsLeftOfACatheterRanksLast)
 {
   shapeton::CurveSet catheter;

@@ -11,9 +11,9 @@ class CommandLine;
 /** \class ColonLandmarkFiles
  * \brief The files of landmarks in a folder, as the tools write them.
  *
- * taeniae.vtp, flexures.vtp, segments.vtp, folds-surface.vtp, landmarks.json, taeniae.mrk.json, flexures.mrk.json;
- * segment-NAME.vtp of pieces. What was not found has no file: one that an earlier run left is removed. All state their
- * provenance.
+ * taeniae.vtp, flexures.vtp, segments.vtp, folds-surface.vtp, landmarks.json, taeniae.mrk.json, flexures.mrk.json,
+ * ileocaecal-valve.mrk.json; segment-NAME.vtp of pieces. What was not found has no file: one that an earlier run left
+ * is removed. All state their provenance.
  *
  * \ingroup ColonTools */
 class ColonTools_EXPORT ColonLandmarkFiles
@@ -33,6 +33,8 @@ private:
   WriteTaeniaMarkups(const CurveSet & taeniae) const;
   void
   WriteFlexureMarkups(const ColonLandmarks & landmarks, const CurveSet & loops) const;
+  void
+  WriteValveMarkup(const std::optional<IleocaecalValve> & valve) const;
   void
   WriteDocument(const ColonLandmarks & landmarks, const ColonPieces * pieces) const;
   void

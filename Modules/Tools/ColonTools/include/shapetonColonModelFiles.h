@@ -11,8 +11,8 @@ class CommandLine;
 /** \class ColonModelFiles
  * \brief The files of a colon in a folder, as the tools write and read them.
  *
- * lumen.nrrd (1 gas, 2 fluid), cleansed.nrrd (HU; not of a mask alone), centreline.vtp, catheter.vtp (where one is
- * found), wall.vtp, wall-repaired.vtp, wall-simplified.vtp, quality.json. All state their provenance.
+ * lumen.nrrd (1 gas, 2 fluid, 3 terminalIleum), cleansed.nrrd (HU; not of a mask alone), centreline.vtp, catheter.vtp
+ * (where one is found), wall.vtp, wall-repaired.vtp, wall-simplified.vtp, quality.json. All state their provenance.
  *
  * \ingroup ColonTools
  */

@@ -102,6 +102,24 @@ ColonLandmarkFiles::WriteFlexureMarkups(const ColonLandmarks & landmarks, const 
 }
 
 void
+ColonLandmarkFiles::WriteValveMarkup(const std::optional<IleocaecalValve> & valve) const
+{
+  const std::string path = this->PathOf("ileocaecal-valve.mrk.json");
+  if (!valve)
+  {
+    RemoveOld(path);
+    return;
+  }
+  Markup markup;
+  markup.name = "ileocaecal-valve";
+  markup.color = { 0.25, 0.8, 0.35 };
+  markup.points = { valve->position };
+  markup.labels = { "ileocaecal valve" };
+  markup.descriptions = { "confidence " + std::to_string(static_cast<int>(100.0 * valve->confidence)) + " %" };
+  WriteMarkups({ markup }, m_CommandLine.Output(path));
+}
+
+void
 ColonLandmarkFiles::WriteDocument(const ColonLandmarks & landmarks, const ColonPieces * pieces) const
 {
   Json document;
@@ -155,6 +173,7 @@ ColonLandmarkFiles::Write(const SurfaceMesh & flat, const ColonLandmarks & landm
                m_CommandLine.Output(this->PathOf("folds-surface.vtp")));
   this->WriteTaeniaMarkups(taeniae);
   this->WriteFlexureMarkups(landmarks, loops);
+  this->WriteValveMarkup(landmarks.valve);
   this->WritePieces(pieces);
   this->WriteDocument(landmarks, pieces);
 }

@@ -2,6 +2,7 @@
 
 #include "shapetonCommandLine.h"
 #include "shapetonHtmlReport.h"
+#include "shapetonPlaceInWords.h"
 
 #include <cmath>
 
@@ -46,6 +47,20 @@ FlexureTable(const ColonLandmarks & landmarks)
                    RemarkOn(*border, landmarks) });
   }
   return table;
+}
+
+std::string
+ValveInWords(const ColonLandmarks & landmarks)
+{
+  const std::string caecum = landmarks.segments.isCaecumAtValve
+                               ? "The caecum ends there."
+                               : "The end of the caecum is estimated: 6 cm before the end of the centreline.";
+  if (!landmarks.valve)
+  {
+    return "Ileocaecal valve: not found. " + caecum;
+  }
+  return "Ileocaecal valve: at " + PlaceInWords(landmarks.valve->position) + ", " + Whole(landmarks.valve->arcLength) +
+         " mm from the anal verge, confidence " + Whole(100.0 * landmarks.valve->confidence) + " %. " + caecum;
 }
 
 CsvTable
@@ -130,6 +145,7 @@ ColonLandmarkReport::Write(const FlatColon & flat, const ColonLandmarks & landma
   addPicture(DrawColonLandmarks(parts, PatientSide::Anterior), "landmarks-anterior.png", "From the front");
   addPicture(DrawColonLandmarks(parts, PatientSide::Posterior), "landmarks-posterior.png", "From the back");
   report.AddTable(FlexureTable(landmarks), "Flexures");
+  report.AddParagraph(ValveInWords(landmarks));
   report.AddHeading("Flat colon");
   addPicture(DrawFlatLandmarks(parts),
              "landmarks-flat.png",

@@ -36,6 +36,30 @@ WithProvenance(TGeometry geometry, const CommandLine & commandLine)
   geometry.facts = ProvenanceMetadata(commandLine.GetProvenance());
   return geometry;
 }
+/** The labels of the lumen, and 3 for the terminal ileum. */
+itk::Image<unsigned char, 3>::Pointer
+LabelsOf(const ColonModel & model)
+{
+  using LabelImage = itk::Image<unsigned char, 3>;
+  if (!model.terminalIleum)
+  {
+    return model.lumen.labels;
+  }
+  constexpr unsigned char ileumLabel = 3;
+  const auto              labels = LabelImage::New();
+  labels->CopyInformation(model.lumen.labels);
+  labels->SetRegions(model.lumen.labels->GetLargestPossibleRegion());
+  labels->Allocate();
+  const unsigned char * const colon = model.lumen.labels->GetBufferPointer();
+  const std::size_t           voxels = labels->GetLargestPossibleRegion().GetNumberOfPixels();
+  std::transform(colon,
+                 colon + voxels,
+                 model.terminalIleum->mask->GetBufferPointer(),
+                 labels->GetBufferPointer(),
+                 [](unsigned char label, unsigned char ileum) { return ileum != 0 ? ileumLabel : label; });
+  return labels;
+}
+
 /** Of the section of a ball through a point, mm; 0 outside of it. */
 double
 RadiusOfSection(const itk::Point<double, 3> & centre, double diameter, const itk::Point<double, 3> & point)
@@ -92,9 +116,8 @@ void
 ColonModelFiles::Write(const ColonModel & model, bool atOnce) const
 {
   const auto metadata = ProvenanceMetadata(m_CommandLine.GetProvenance());
-  this->WriteFile("lumen.nrrd", atOnce, [&](const std::string & path) {
-    WriteVolume(model.lumen.labels.GetPointer(), path, metadata);
-  });
+  this->WriteFile(
+    "lumen.nrrd", atOnce, [&](const std::string & path) { WriteVolume(LabelsOf(model).GetPointer(), path, metadata); });
   if (model.cleansed)
   {
     this->WriteFile("cleansed.nrrd", atOnce, [&](const std::string & path) {

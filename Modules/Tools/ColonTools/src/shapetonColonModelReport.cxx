@@ -102,6 +102,24 @@ CatheterInWords(const RectalCatheter & catheter)
          PlaceInWords(catheter.axis.back());
 }
 
+void
+AddValveFacts(const ColonModel & model, Facts & facts)
+{
+  if (model.centreline.curve.curves.empty())
+  {
+    return;
+  }
+  const std::optional<IleocaecalValve> & valve = model.valve.valve;
+  facts.emplace_back("Ileocaecal valve",
+                     valve ? "at " + PlaceInWords(valve->position) + ", " + Millimetres(valve->arcLength) +
+                               " from the anal verge, confidence " + CsvTable::Rounded(valve->confidence, 2)
+                           : "not found: " + model.valve.reason);
+  if (model.terminalIleum)
+  {
+    facts.emplace_back("Terminal ileum, cut off", Millilitres(model.terminalIleum->volume));
+  }
+}
+
 Facts
 SummaryFacts(const ColonModel & model)
 {
@@ -128,6 +146,7 @@ SummaryFacts(const ColonModel & model)
     facts.emplace_back("Rectal catheter", CatheterInWords(*model.lumen.catheter));
   }
   AddLineFacts(model, facts);
+  AddValveFacts(model, facts);
   AddWallFacts(model.wall, facts);
   return facts;
 }

@@ -39,6 +39,16 @@ NumberAt(const Json & document, const char * pointer)
                                                                  : std::numeric_limits<double>::quiet_NaN();
 }
 
+/** "at 228 cm, confidence .97", or why not. */
+std::string
+ValveInWords(const Json & valve)
+{
+  return valve.at("found").get<bool>()
+           ? "at " + Centimetres(NumberAt(valve, "/arcLength")) + " from the anal verge, confidence " +
+               Rounded(NumberAt(valve, "/confidence"), 2)
+           : "not found: " + valve.at("reason").get<std::string>();
+}
+
 void
 AddModelFacts(const Json & quality, ColonoscopyFacts & facts)
 {
@@ -59,6 +69,10 @@ AddModelFacts(const Json & quality, ColonoscopyFacts & facts)
     {
       facts.emplace_back("Assessable (the wall is seen)", Percent(share) + " of it");
     }
+  }
+  if (quality.contains("ileocaecalValve"))
+  {
+    facts.emplace_back("Ileocaecal valve", ValveInWords(quality["ileocaecalValve"]));
   }
 }
 

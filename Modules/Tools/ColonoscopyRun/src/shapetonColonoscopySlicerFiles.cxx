@@ -49,7 +49,10 @@ WriteColonoscopySlicerFiles(const ColonoscopyResults & results,
   };
   if (results.Find(colonoscopystage::segmentation) && results.Find(colonoscopystage::segmentation)->Has("lumen.nrrd"))
   {
-    WriteColorTable({ { 1, "gas", { 0.35, 0.6, 0.9 } }, { 2, "fluid", { 0.95, 0.85, 0.3 } } }, pathOf("lumen.ctbl"));
+    WriteColorTable({ { 1, "gas", { 0.35, 0.6, 0.9 } },
+                      { 2, "fluid", { 0.95, 0.85, 0.3 } },
+                      { 3, "terminalIleum", { 0.4, 0.8, 0.4 } } },
+                    pathOf("lumen.ctbl"));
   }
   if (!results.centreline.curves.empty())
   {

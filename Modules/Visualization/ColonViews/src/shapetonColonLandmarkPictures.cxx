@@ -14,6 +14,7 @@ namespace shapeton
 namespace
 {
 const RGBColor colorOfLoops = MakeColor(20, 20, 20);
+const RGBColor colorOfValve = MakeColor(60, 200, 90);
 const RGBColor colorOfMarkers = MakeColor(255, 255, 255);
 
 SurfaceRenderingOptions
@@ -108,6 +109,10 @@ DrawOnStrip(const ColonLandmarks & landmarks, const FlatColonGrid & grid, Pictur
   for (const SegmentBorder & border : landmarks.segments.borders)
   {
     DrawFlatLine(strip, grid, LineOfLoop(*landmarks.tube, border.loop));
+  }
+  if (landmarks.valve)
+  {
+    DrawFlatDot(strip, grid, { landmarks.valveUv, colorOfValve, 6.0 });
   }
   for (const UsedMarker & marker : landmarks.taeniae.markers)
   {
@@ -207,6 +212,10 @@ DrawColonLandmarks(const ColonLandmarkParts & parts, PatientSide side)
         { FrontOfLoop(landmarks, border, view), 4.0, colorOfLoops, NameOfFlexure(border.number) });
     }
   }
+  if (landmarks.valve)
+  {
+    scene.markers.push_back({ landmarks.valve->position, 5.0, colorOfValve, "ileocaecal valve" });
+  }
   for (const UsedMarker & marker : landmarks.taeniae.markers)
   {
     scene.markers.push_back({ marker.point, 4.0, colorOfMarkers, "marker" });
@@ -249,8 +258,9 @@ DrawFlatLandmarks(const ColonLandmarkParts & parts, int greatestColumns)
   DrawOnStrip(*parts.landmarks, grid, strip);
   FlatColonPageOptions options;
   options.title = "Taeniae and flexures on the flat colon";
-  options.note = "Yellow, blue, pink: taeniae 1 to 3; black: borders of segments; white: markers that were set. Seen "
-                 "from the lumen, rectum at the left. For research use; not a diagnosis.";
+  options.note =
+    "Yellow, blue, pink: taeniae 1 to 3; black: borders of segments; green: ileocaecal valve; white: markers "
+    "that were set. Seen from the lumen, rectum at the left. For research use; not a diagnosis.";
   options.greatestColumns = greatestColumns;
   return DrawFlatColonPage(strip, grid, distances, SegmentNames(parts.landmarks->segments), options);
 }

@@ -1,0 +1,111 @@
+#include "shapetonIleocaecalValve.h"
+
+#include "shapetonCaecalRegion.h"
+#include "shapetonExceptions.h"
+#include "shapetonPlaceInWords.h"
+#include "shapetonValveLogOdds.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace shapeton
+{
+namespace
+{
+constexpr const char * arrayName = "ileocaecalValve";
+constexpr int          valuesInArray = 7;
+constexpr double       leastConfidence = 0.5;
+
+/** Rounded down, so that what is not enough does not look so. */
+std::string
+PerCent(double share)
+{
+  return std::to_string(static_cast<int>(std::floor(100.0 * share))) + " %";
+}
+
+/** One of the places is the valve, or none: the probability that it is this one or one next to it, which belongs to the
+ * same fold. */
+double
+ProbabilityNear(const ValveEvidence & best, const std::vector<ValveEvidence> & places, const std::vector<double> & odds)
+{
+  constexpr double next = 25.0; // mm
+  double           all = 1.0;
+  double           near = 0.0;
+  for (std::size_t i = 0; i < places.size(); ++i)
+  {
+    all += odds[i];
+    near += (places[i].valve.position - best.valve.position).norm() <= next ? odds[i] : 0.0;
+  }
+  return near / all;
+}
+} // namespace
+
+ValveSearch
+FindIleocaecalValve(const LumenMask * labels, const itk::Image<float, 3> * ct, const CurveSet & centreline)
+{
+  const CaecalRegion               region(labels, ct, centreline);
+  const std::vector<ValveEvidence> places = JoinLips(FindValveBulges(region));
+  ValveSearch                      search;
+  if (places.empty())
+  {
+    search.reason = "no part of the wall bulges near the end of the centreline";
+    return search;
+  }
+  std::vector<double> odds;
+  for (const ValveEvidence & place : places)
+  {
+    odds.push_back(std::exp(ValveLogOdds(place)));
+  }
+  const auto            most = std::max_element(odds.begin(), odds.end()) - odds.begin();
+  const ValveEvidence & best = places[most];
+  IleocaecalValve       valve = best.valve;
+  valve.arcLength = PointValues(centreline, "arcLength", "the centreline").maxCoeff() - best.beforeEnd;
+  valve.confidence = ProbabilityNear(best, places, odds);
+  if (valve.confidence < leastConfidence)
+  {
+    search.reason = "no place is likely enough: the likeliest, at " + PlaceInWords(valve.position) + ", has " +
+                    PerCent(valve.confidence);
+    return search;
+  }
+  search.valve = valve;
+  return search;
+}
+
+void
+SetIleocaecalValve(const std::optional<IleocaecalValve> & valve, CurveSet & centreline)
+{
+  std::vector<SurfaceArray> & arrays = centreline.fieldArrays;
+  arrays.erase(
+    std::remove_if(arrays.begin(), arrays.end(), [](const SurfaceArray & array) { return array.name == arrayName; }),
+    arrays.end());
+  if (valve)
+  {
+    SurfaceArray array{ arrayName, SurfaceArray::ValueMatrix(1, valuesInArray), false };
+    array.values << valve->position.transpose(), valve->arcLength, valve->length, valve->width, valve->confidence;
+    arrays.push_back(array);
+  }
+}
+
+std::optional<IleocaecalValve>
+IleocaecalValveOf(const CurveSet & centreline)
+{
+  const SurfaceArray * const array = FindSurfaceArray(centreline.fieldArrays, arrayName);
+  if (array == nullptr)
+  {
+    return std::nullopt;
+  }
+  if (array->values.rows() != 1 || array->values.cols() != valuesInArray)
+  {
+    throw InputError("the field array ileocaecalValve of the centreline does not hold 1 x 7 numbers; run "
+                     "ColonSegmentation again");
+  }
+  const auto      values = array->values.row(0);
+  IleocaecalValve valve;
+  valve.position = values.head<3>().transpose();
+  valve.arcLength = values[3];
+  valve.length = values[4];
+  valve.width = values[5];
+  valve.confidence = values[6];
+  return valve;
+}
+} // namespace shapeton

@@ -1,0 +1,218 @@
+#include "shapetonTerminalIleum.h"
+
+#include "shapetonCaecalRegion.h"
+#include "shapetonParallelFor.h"
+#include "shapetonSquaredDistances.h"
+
+#include "itkImageRegionIteratorWithIndex.h"
+
+#include <cmath>
+
+namespace shapeton
+{
+namespace
+{
+/** mm: of the greatest ball in an ileum. Haustra, but for their corners, hold wider ones. */
+constexpr double ilealRadius = 8.5;
+/** mm: crevices beside lips are shallower; so much of the ileum stays with the colon. */
+constexpr double stub = 4.0;
+/** mm from the line within which ileum is followed. */
+constexpr double margin = 110.0;
+/** mm: how far from the valve the ileum may leave the colon. */
+constexpr double fromValve = 25.0;
+/** mm: corners of haustra are shallower. */
+constexpr double leastLength = 30.0;
+
+/** The lumen beyond the reach of balls of the ileal radius: 1 there, 0 elsewhere. */
+std::vector<unsigned char>
+NarrowLumen(const CaecalRegion & region)
+{
+  const std::array<double, 3> spacing{ { CaecalRegion::Step, CaecalRegion::Step, CaecalRegion::Step } };
+  const auto                  toWall = SquaredDistances(region.Grid(), spacing, region.Lumen());
+  std::vector<unsigned char>  noMiddle(toWall.size());
+  for (std::size_t voxel = 0; voxel < noMiddle.size(); ++voxel)
+  {
+    noMiddle[voxel] = toWall[voxel] < ilealRadius * ilealRadius ? 1 : 0;
+  }
+  const auto                 toMiddle = SquaredDistances(region.Grid(), spacing, noMiddle);
+  constexpr double           reach = ilealRadius + stub;
+  std::vector<unsigned char> narrow(toWall.size());
+  for (std::size_t voxel = 0; voxel < narrow.size(); ++voxel)
+  {
+    narrow[voxel] = region.IsLumen(voxel) && toMiddle[voxel] > reach * reach ? 1 : 0;
+  }
+  return narrow;
+}
+
+/** A part of the narrow lumen, from where it leaves the wide one on. */
+struct Branch
+{
+  std::vector<std::size_t> mouth;
+  std::vector<std::size_t> voxels;
+};
+
+bool
+TouchesWideLumen(const CaecalRegion & region, const std::vector<unsigned char> & narrow, std::size_t voxel)
+{
+  bool touches = false;
+  ForEachNeighbour(region.Grid(), voxel, [&](std::size_t neighbour) {
+    touches = touches || (region.IsLumen(neighbour) && narrow[neighbour] == 0);
+  });
+  return touches;
+}
+
+/** Takes the connected part around a voxel out of `free`. */
+Branch
+GrowBranch(const CaecalRegion &               region,
+           const std::vector<unsigned char> & narrow,
+           std::size_t                        seed,
+           std::vector<unsigned char> &       free)
+{
+  Branch branch;
+  branch.voxels.push_back(seed);
+  free[seed] = 0;
+  for (std::size_t next = 0; next < branch.voxels.size(); ++next)
+  {
+    const std::size_t voxel = branch.voxels[next];
+    if (TouchesWideLumen(region, narrow, voxel))
+    {
+      branch.mouth.push_back(voxel);
+    }
+    ForEachNeighbour(region.Grid(), voxel, [&](std::size_t neighbour) {
+      if (free[neighbour] != 0)
+      {
+        free[neighbour] = 0;
+        branch.voxels.push_back(neighbour);
+      }
+    });
+  }
+  return branch;
+}
+
+/** mm from the mouth to the farthest voxel, straight. */
+double
+LengthOf(const CaecalRegion & region, const Branch & branch, const Eigen::Vector3d & mouth)
+{
+  double farthest = 0.0;
+  for (const std::size_t voxel : branch.voxels)
+  {
+    farthest = std::max(farthest, (region.PointOf(voxel) - mouth).norm());
+  }
+  return farthest;
+}
+
+bool
+HoldsLine(const CaecalRegion & region, const Branch & branch, const CurveSet & centreline)
+{
+  std::vector<unsigned char> isBranch(region.Grid().NumberOfVoxels(), 0);
+  for (const std::size_t voxel : branch.voxels)
+  {
+    isBranch[voxel] = 1;
+  }
+  for (Eigen::Index i = 0; i < centreline.V.rows(); ++i)
+  {
+    const std::ptrdiff_t voxel = region.VoxelAt(centreline.V.row(i).transpose());
+    if (voxel >= 0 && isBranch[voxel] != 0)
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+LumenMask::Pointer
+MaskOf(const CaecalRegion & region, const Branch & branch, const LumenMask * labels)
+{
+  std::vector<unsigned char> isBranch(region.Grid().NumberOfVoxels(), 0);
+  for (const std::size_t voxel : branch.voxels)
+  {
+    isBranch[voxel] = 1;
+  }
+  const auto mask = LumenMask::New();
+  mask->CopyInformation(labels);
+  mask->SetRegions(labels->GetLargestPossibleRegion());
+  mask->Allocate(true);
+  for (itk::ImageRegionIteratorWithIndex<LumenMask> one(mask, mask->GetBufferedRegion()); !one.IsAtEnd(); ++one)
+  {
+    if (labels->GetPixel(one.GetIndex()) != 0)
+    {
+      const auto           point = labels->TransformIndexToPhysicalPoint<double>(one.GetIndex());
+      const std::ptrdiff_t voxel = region.VoxelAt(Eigen::Vector3d(point.GetDataPointer()));
+      one.Set(voxel >= 0 ? isBranch[voxel] : 0);
+    }
+  }
+  return mask;
+}
+
+/** Whether it leaves the wide lumen at the valve alone; tells the middle of that place. */
+bool
+LeavesAtValve(const CaecalRegion &    region,
+              const Branch &          branch,
+              const IleocaecalValve & valve,
+              Eigen::Vector3d &       middle)
+{
+  middle.setZero();
+  for (const std::size_t voxel : branch.mouth)
+  {
+    if ((region.PointOf(voxel) - valve.position).norm() > fromValve)
+    {
+      return false;
+    }
+    middle += region.PointOf(voxel) / static_cast<double>(branch.mouth.size());
+  }
+  return !branch.mouth.empty();
+}
+} // namespace
+
+std::optional<TerminalIleum>
+FindTerminalIleum(const LumenMask * labels, const CurveSet & centreline, const IleocaecalValve & valve)
+{
+  const CaecalRegion               region(labels, nullptr, centreline, margin);
+  const std::vector<unsigned char> narrow = NarrowLumen(region);
+  std::vector<unsigned char>       free = narrow;
+  std::optional<TerminalIleum>     longest;
+  for (std::size_t seed = 0; seed < free.size(); ++seed)
+  {
+    if (free[seed] == 0)
+    {
+      continue;
+    }
+    const Branch    branch = GrowBranch(region, narrow, seed, free);
+    Eigen::Vector3d mouth;
+    if (!LeavesAtValve(region, branch, valve, mouth) || HoldsLine(region, branch, centreline))
+    {
+      continue;
+    }
+    const double length = LengthOf(region, branch, mouth);
+    if (length >= leastLength && (!longest || length > longest->length))
+    {
+      const double cube = CaecalRegion::Step * CaecalRegion::Step * CaecalRegion::Step;
+      longest = TerminalIleum{
+        MaskOf(region, branch, labels), mouth, length, 1e-3 * cube * static_cast<double>(branch.voxels.size())
+      };
+    }
+  }
+  return longest;
+}
+
+template <typename TImage>
+void
+TakeOut(const TerminalIleum & ileum, TImage * image)
+{
+  using Iterator = itk::ImageRegionIteratorWithIndex<TImage>;
+  for (Iterator one(image, image->GetBufferedRegion()); !one.IsAtEnd(); ++one)
+  {
+    LumenMask::IndexType index;
+    const auto           point = image->template TransformIndexToPhysicalPoint<double>(one.GetIndex());
+    if (one.Get() != 0 && ileum.mask->TransformPhysicalPointToIndex(point, index) && ileum.mask->GetPixel(index) != 0)
+    {
+      one.Set(0);
+    }
+  }
+}
+
+template void
+TakeOut(const TerminalIleum &, LumenMask *);
+template void
+TakeOut(const TerminalIleum &, itk::Image<float, 3> *);
+} // namespace shapeton
