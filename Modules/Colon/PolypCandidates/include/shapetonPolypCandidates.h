@@ -177,8 +177,8 @@ NoteRectalCatheter(std::vector<PolypCandidate> & candidates);
 /** Puts candidates that are what is left of a rectal catheter behind all others, with a score of 0 and the remark "the
  * rectal catheter" or "the balloon of the rectal catheter": those with their middle within 3 mm of its surface, or
  * inside. \param catheter its axis, a point each mm, with the point array radius in mm and, where there may be a
- * balloon, balloonRadius, 0 where none is around the axis. Throws InputError where radius is missing. \ingroup
- * PolypCandidates */
+ * balloon, balloonRadius, 0 where none is around the axis. Throws InputError where radius is missing.
+ * \ingroup PolypCandidates */
 PolypCandidates_EXPORT void
 RankCatheterLast(const CurveSet & catheter, std::vector<PolypCandidate> & candidates);
 } // namespace shapeton

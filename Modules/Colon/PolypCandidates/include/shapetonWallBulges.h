@@ -50,8 +50,8 @@ struct WallPartLimits
 };
 
 /** The connected parts of a wall where `level`, given at its vertices and linear within faces, is positive, measured,
- * in the order of their first vertices. Rims cross faces; areas, means and widths are those within the rims. \ingroup
- * PolypCandidates */
+ * in the order of their first vertices. Rims cross faces; areas, means and widths are those within the rims.
+ * \ingroup PolypCandidates */
 PolypCandidates_EXPORT std::vector<WallBulge>
                        MeasureWallParts(const SurfaceMesh &         wall,
                                         const SurfaceConnectivity & connectivity,

@@ -6,7 +6,7 @@
 #include "shapetonCatheterTube.h"
 #include "shapetonLumenResidue.h"
 #include "shapetonSmallBowel.h"
-#include "shapetonTerminalIleum.h"
+#include "shapetonPhantomIleum.h"
 #include "shapetonValveLips.h"
 
 #include <Eigen/Geometry>
@@ -117,7 +117,7 @@ ColonStructures::AddValve(const ColonAnatomy & anatomy)
 void
 ColonStructures::AddIleum(const ColonAnatomy & anatomy, const ColonFluid & fluid)
 {
-  const TerminalIleum ileum = MakeTerminalIleum(anatomy, fluid);
+  const PhantomIleum ileum = MakePhantomIleum(anatomy, fluid);
   m_Parts.push_back({ ColonStructure::IleumWall, ileum.wall, MakeSolidBody(ileum.wall, softTissueIntensity), false });
   if (ileum.content != "collapsed")
   {

@@ -309,6 +309,7 @@ StageOfPolyps(const CommandLine & commandLine, ColonoscopySeries series)
                                "segmentation/lumen.nrrd",
                                "segmentation/centreline.vtp",
                                "segmentation/cleansed.nrrd",
+                               "segmentation/catheter.vtp",
                                "flattening/flat.vtp",
                                "landmarks/segments.vtp" }))
       .Output("", "candidates.csv")

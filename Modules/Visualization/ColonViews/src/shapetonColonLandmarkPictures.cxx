@@ -258,9 +258,10 @@ DrawFlatLandmarks(const ColonLandmarkParts & parts, int greatestColumns)
   DrawOnStrip(*parts.landmarks, grid, strip);
   FlatColonPageOptions options;
   options.title = "Taeniae and flexures on the flat colon";
-  options.note =
-    "Yellow, blue, pink: taeniae 1 to 3; black: borders of segments; green: ileocaecal valve; white: markers "
-    "that were set. Seen from the lumen, rectum at the left. For research use; not a diagnosis.";
+  options.note = std::string("Yellow, blue, pink: taeniae 1 to 3; black: borders of segments; ") +
+                 (parts.landmarks->valve ? "green: ileocaecal valve; " : "") +
+                 "white: markers that were set. Seen from the lumen, rectum at the left. For research use; not a "
+                 "diagnosis.";
   options.greatestColumns = greatestColumns;
   return DrawFlatColonPage(strip, grid, distances, SegmentNames(parts.landmarks->segments), options);
 }

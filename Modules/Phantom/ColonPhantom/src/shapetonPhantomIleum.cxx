@@ -1,4 +1,4 @@
-#include "shapetonTerminalIleum.h"
+#include "shapetonPhantomIleum.h"
 
 #include "shapetonAbdomenParts.h"
 #include "shapetonColonBody.h"
@@ -186,7 +186,7 @@ MakeAxis(const ColonAnatomy & anatomy, const ColonValve & valve, ColonRandom & r
 
 // From the slit between the lips to the round tube, or to the flat one that is collapsed.
 std::vector<SlotSection>
-MakeSections(const TerminalIleum & ileum, const ColonValve & valve, const SmoothNoise & noise, bool outer)
+MakeSections(const PhantomIleum & ileum, const ColonValve & valve, const SmoothNoise & noise, bool outer)
 {
   const double             slit = 0.3 * valve.length;
   const double             through = valve.direction.dot(valve.mouth - valve.base) + behindWall;
@@ -211,15 +211,15 @@ MakeSections(const TerminalIleum & ileum, const ColonValve & valve, const Smooth
 }
 } // namespace
 
-TerminalIleum
-MakeTerminalIleum(const ColonAnatomy & anatomy, const ColonFluid & fluid)
+PhantomIleum
+MakePhantomIleum(const ColonAnatomy & anatomy, const ColonFluid & fluid)
 {
   const auto &      parameters = anatomy.GetParameters();
   const ColonValve  valve = anatomy.Valve();
   ColonRandom       patient(parameters.seed, ColonStream::Ileum);
   ColonRandom       random(parameters.seed, ColonStream::Ileum, PositionNumber(parameters.position));
   const SmoothNoise noise(patient, 160.0, 18.0);
-  TerminalIleum     ileum;
+  PhantomIleum      ileum;
   ileum.content = parameters.ileumContent;
   ileum.bore = parameters.ileumBore;
   ileum.intensity = ileum.content == "gas" ? gasIntensity : patient.Uniform(250.0, 750.0);

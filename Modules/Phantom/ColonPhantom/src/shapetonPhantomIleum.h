@@ -1,5 +1,5 @@
-#ifndef shapetonTerminalIleum_h
-#define shapetonTerminalIleum_h
+#ifndef shapetonPhantomIleum_h
+#define shapetonPhantomIleum_h
 
 #include "shapetonColonAnatomy.h"
 #include "shapetonColonFluid.h"
@@ -10,7 +10,7 @@
 namespace shapeton
 {
 /** The last of the small bowel, from the mouth between the lips of the valve away into the abdomen. */
-struct TerminalIleum
+struct PhantomIleum
 {
   std::string                  content;   ///< collapsed, gas or fluid
   bool                         isOpen;    ///< its lumen and that of the colon are one
@@ -24,8 +24,8 @@ struct TerminalIleum
 };
 
 /** Of a colon whose valve has lips. Anatomy has to outlive the solids. */
-TerminalIleum
-MakeTerminalIleum(const ColonAnatomy & anatomy, const ColonFluid & fluid);
+PhantomIleum
+MakePhantomIleum(const ColonAnatomy & anatomy, const ColonFluid & fluid);
 } // namespace shapeton
 
 #endif
