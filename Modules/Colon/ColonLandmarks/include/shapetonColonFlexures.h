@@ -46,7 +46,9 @@ struct ColonFlexures
 {
   FlexureRule                 rule{ FlexureRule::Ordered };
   std::array<ColonFlexure, 4> flexures;
-  Remarks                     warnings;
+  /** The descending colon lies on the right: situs inversus, or an image with exchanged sides. Ordered alone looks. */
+  bool    isMirrored{ false };
+  Remarks warnings;
 
   /** How many were found. */
   ColonLandmarks_EXPORT int
@@ -71,7 +73,8 @@ ColonLandmarks_EXPORT std::string
  * straight up along the left and posterior wall, than anywhere. The best four places in their order are found exactly
  * by dynamic programming, then the splenic and hepatic ones move to the place within 16 mm that is highest, depth
  * towards the back counting half as much (they are fixed to the posterior wall), the rectosigmoid one to the sharpest
- * within 16 mm. The descending-sigmoid one stays: it is where the straight run begins.
+ * within 16 mm. The descending-sigmoid one stays: it is where the straight run begins. The same is done for the mirror
+ * image of the line; it counts where its likelihood, summed over all places, times .001 is the greater one.
  *
  * The prior states anatomy, no sample of centrelines and no phantom:
  * - lengths from the anal verge, cm: anal canal 4, rectum 12, sigmoid 40, descending 25, transverse 50, ascending 15,

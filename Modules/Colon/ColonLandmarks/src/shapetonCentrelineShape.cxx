@@ -58,6 +58,14 @@ CentrelineShape::CentrelineShape(const CurveSet & centreline)
   }
 }
 
+CentrelineShape
+CentrelineShape::Mirrored() const
+{
+  CentrelineShape mirrored(*this);
+  mirrored.m_Points.col(0) *= -1.0;
+  return mirrored;
+}
+
 VertexMatrix
 CentrelineShape::Smoothed(double deviation) const
 {

@@ -33,6 +33,9 @@ public:
   {
     return m_Begin + i * Step;
   }
+  /** Of a patient whose left is right. */
+  CentrelineShape
+  Mirrored() const;
   /** The nearest point. */
   int
   IndexAt(double arcLength) const

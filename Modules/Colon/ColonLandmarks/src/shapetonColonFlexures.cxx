@@ -54,7 +54,8 @@ PlaceFlexure(const CentrelineShape & shape, const VertexMatrix & tangents, int i
 void
 FindOrdered(const CentrelineShape & shape, ColonFlexures & result)
 {
-  const FlexurePlaces   places = FindFlexurePlaces(shape);
+  const FlexurePlaces places = FindFlexurePlaces(shape);
+  result.isMirrored = places.isMirrored;
   const Eigen::VectorXd turning = 0.5 * (shape.Turning(35.0, 8.0) + shape.Turning(70.0, 8.0));
   const VertexMatrix    tangents = shape.Tangents(10.0);
   for (int k = 0; k < 4; ++k)
@@ -104,6 +105,11 @@ FindPublished(const CentrelineShape & shape, ColonFlexures & result)
 void
 WarnOfFlexures(ColonFlexures & result)
 {
+  if (result.isMirrored)
+  {
+    result.warnings.push_back("the descending colon lies on the right side: situs inversus, or the image has left and "
+                              "right exchanged; check its orientation");
+  }
   const std::string & reason = result.flexures[0].reason;
   const bool          isOneReason = std::all_of(
     result.flexures.begin(), result.flexures.end(), [&](const ColonFlexure & f) { return f.reason == reason; });

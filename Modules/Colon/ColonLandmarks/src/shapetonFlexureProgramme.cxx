@@ -22,6 +22,8 @@ constexpr double tempering = 0.5;
 constexpr double sectionCorrelation = 40.0;
 constexpr double tolerance = 30.0; // mm
 constexpr double impossible = -1e30;
+/** Of situs inversus (about 1 in 10,000) and, more often, of images whose sides were exchanged on their way. */
+constexpr double probabilityOfMirrored = 1e-3;
 
 using Scores = std::vector<double>;
 
@@ -87,6 +89,13 @@ public:
       result.meanDeviation[k] = SquaredDeviation(TheFlexurePriors[k], m_Features[places[k]]) / NumberOfFlexureFeatures;
     }
     return result;
+  }
+
+  /** The log-likelihood of the line, whatever the places: tempered, up to a constant. */
+  double
+  Evidence() const
+  {
+    return LogSum(this->SumsThrough()[0]);
   }
 
 private:
@@ -227,9 +236,25 @@ private:
     return sums;
   }
 
-  /** The probability of each flexure to lie within the tolerance of its place (forward and backward sums). */
+  /** The probability of each flexure to lie within the tolerance of its place. */
   std::array<double, 4>
   Confidences(const std::array<int, 4> & at) const
+  {
+    const std::array<Scores, 4> sums = this->SumsThrough();
+    std::array<double, 4>       result{};
+    const int                   reach = static_cast<int>(tolerance / (CentrelineShape::Step * stride));
+    for (int k = 0; k < 4; ++k)
+    {
+      const Scores close(sums[k].begin() + std::max(at[k] - reach, 0),
+                         sums[k].begin() + std::min(at[k] + reach + 1, this->Size()));
+      result[k] = std::exp(std::min(LogSum(close) - LogSum(sums[k]), 0.0));
+    }
+    return result;
+  }
+
+  /** For each flexure and place the log sum over all courses with the flexure there (forward and backward sums). */
+  std::array<Scores, 4>
+  SumsThrough() const
   {
     std::array<Scores, 4> scores = m_Scores;
     for (Scores & s : scores)
@@ -245,16 +270,11 @@ private:
       before[k] = this->SumOver(Sum(before[k - 1], scores[k - 1]), k, true);
       behind[3 - k] = this->SumOver(Sum(behind[4 - k], scores[4 - k]), 4 - k, false);
     }
-    std::array<double, 4> result{};
-    const int             reach = static_cast<int>(tolerance / (CentrelineShape::Step * stride));
     for (int k = 0; k < 4; ++k)
     {
-      const Scores all = Sum(Sum(before[k], behind[k]), scores[k]);
-      const Scores close(all.begin() + std::max(at[k] - reach, 0),
-                         all.begin() + std::min(at[k] + reach + 1, this->Size()));
-      result[k] = std::exp(std::min(LogSum(close) - LogSum(all), 0.0));
+      scores[k] = Sum(Sum(before[k], behind[k]), scores[k]);
     }
-    return result;
+    return scores;
   }
 
   int                          m_Last;
@@ -268,6 +288,16 @@ private:
 FlexurePlaces
 FindFlexurePlaces(const CentrelineShape & shape)
 {
-  return FlexureProgramme(shape).Run();
+  const FlexureProgramme usual(shape);
+  const FlexureProgramme mirrored(shape.Mirrored());
+  const double           logOdds =
+    mirrored.Evidence() - usual.Evidence() + std::log(probabilityOfMirrored / (1.0 - probabilityOfMirrored));
+  FlexurePlaces places = logOdds > 0.0 ? mirrored.Run() : usual.Run();
+  places.isMirrored = logOdds > 0.0;
+  for (double & confidence : places.confidence)
+  {
+    confidence /= 1.0 + std::exp(-std::abs(logOdds)); // it takes the sense for granted
+  }
+  return places;
 }
 } // namespace shapeton

@@ -16,10 +16,12 @@ struct FlexurePlaces
   std::array<double, 4> confidence{};
   /** Mean squared deviation of the flexure's features from the prior. */
   std::array<double, 4> meanDeviation{};
+  /** The descending colon lies on the right. */
+  bool isMirrored{ false };
 };
 
 /** Likelihoods of flexures, of the sections between them and of their lengths, as shapetonColonFlexures.h describes;
- * the best places in their order, found exactly. */
+ * the best places in their order, found exactly. Of the line as it is and its mirror image the likelier one counts. */
 FlexurePlaces
 FindFlexurePlaces(const CentrelineShape & shape);
 } // namespace shapeton

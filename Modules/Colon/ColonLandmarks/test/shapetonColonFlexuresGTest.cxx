@@ -49,6 +49,24 @@ TEST(ColonFlexures, DoNotDependOnWhereThePatientLies)
   }
 }
 
+TEST(ColonFlexures, OfAMirroredPatientAreTheSameAndItIsTold)
+{
+  SchematicColon      colon = MakeSchematicColon();
+  const ColonFlexures before = FindColonFlexures(colon.centreline);
+  colon.centreline.V.col(0) *= -1.0;
+  const ColonFlexures after = FindColonFlexures(colon.centreline);
+  EXPECT_FALSE(before.isMirrored);
+  EXPECT_TRUE(after.isMirrored);
+  ASSERT_EQ(after.NumberFound(), 4);
+  for (int k = 0; k < 4; ++k)
+  {
+    EXPECT_DOUBLE_EQ(before.flexures[k].arcLength, after.flexures[k].arcLength);
+    EXPECT_NEAR(before.flexures[k].confidence, after.flexures[k].confidence, 0.05);
+  }
+  ASSERT_EQ(after.warnings.size(), 1u);
+  EXPECT_NE(after.warnings[0].find("right side"), std::string::npos);
+}
+
 TEST(ColonFlexures, OfThePublishedRuleIncludeTheTwoHighestBends)
 {
   const SchematicColon colon = MakeSchematicColon();
