@@ -75,6 +75,7 @@ public:
     this->FindFeatures(shape);
     this->ScoreDescendingColon(shape);
     this->ScorePlaces();
+    m_Sums = this->SumsThrough();
   }
 
   FlexurePlaces
@@ -95,7 +96,7 @@ public:
   double
   Evidence() const
   {
-    return LogSum(this->SumsThrough()[0]);
+    return LogSum(m_Sums[0]);
   }
 
 private:
@@ -240,14 +241,13 @@ private:
   std::array<double, 4>
   Confidences(const std::array<int, 4> & at) const
   {
-    const std::array<Scores, 4> sums = this->SumsThrough();
-    std::array<double, 4>       result{};
-    const int                   reach = static_cast<int>(tolerance / (CentrelineShape::Step * stride));
+    std::array<double, 4> result{};
+    const int             reach = static_cast<int>(tolerance / (CentrelineShape::Step * stride));
     for (int k = 0; k < 4; ++k)
     {
-      const Scores close(sums[k].begin() + std::max(at[k] - reach, 0),
-                         sums[k].begin() + std::min(at[k] + reach + 1, this->Size()));
-      result[k] = std::exp(std::min(LogSum(close) - LogSum(sums[k]), 0.0));
+      const Scores close(m_Sums[k].begin() + std::max(at[k] - reach, 0),
+                         m_Sums[k].begin() + std::min(at[k] + reach + 1, this->Size()));
+      result[k] = std::exp(std::min(LogSum(close) - LogSum(m_Sums[k]), 0.0));
     }
     return result;
   }
@@ -282,6 +282,7 @@ private:
   Scores                       m_Descending;
   /** The log-likelihood of each place for each flexure, with the ends of the colon. */
   std::array<Scores, 4> m_Scores;
+  std::array<Scores, 4> m_Sums; ///< SumsThrough()
 };
 } // namespace
 

@@ -1,7 +1,6 @@
 #include "shapetonTerminalIleum.h"
 
 #include "shapetonCaecalRegion.h"
-#include "shapetonParallelFor.h"
 #include "shapetonSquaredDistances.h"
 
 #include "itkImageRegionIteratorWithIndex.h"
@@ -15,7 +14,7 @@ namespace
 /** mm: of the greatest ball in an ileum. Haustra, but for their corners, hold wider ones. */
 constexpr double ilealRadius = 8.5;
 /** mm: crevices beside lips are shallower; so much of the ileum stays with the colon. */
-constexpr double stub = 4.0;
+constexpr double leftWithColon = 4.0;
 /** mm from the line within which ileum is followed. */
 constexpr double margin = 110.0;
 /** mm: how far from the valve the ileum may leave the colon. */
@@ -35,7 +34,7 @@ NarrowLumen(const CaecalRegion & region)
     noMiddle[voxel] = toWall[voxel] < ilealRadius * ilealRadius ? 1 : 0;
   }
   const auto                 toMiddle = SquaredDistances(region.Grid(), spacing, noMiddle);
-  constexpr double           reach = ilealRadius + stub;
+  constexpr double           reach = ilealRadius + leftWithColon;
   std::vector<unsigned char> narrow(toWall.size());
   for (std::size_t voxel = 0; voxel < narrow.size(); ++voxel)
   {
@@ -101,14 +100,22 @@ LengthOf(const CaecalRegion & region, const Branch & branch, const Eigen::Vector
   return farthest;
 }
 
-bool
-HoldsLine(const CaecalRegion & region, const Branch & branch, const CurveSet & centreline)
+/** 1 where the branch is, for each voxel of the region. */
+std::vector<unsigned char>
+VoxelsOf(const CaecalRegion & region, const Branch & branch)
 {
   std::vector<unsigned char> isBranch(region.Grid().NumberOfVoxels(), 0);
   for (const std::size_t voxel : branch.voxels)
   {
     isBranch[voxel] = 1;
   }
+  return isBranch;
+}
+
+bool
+HoldsLine(const CaecalRegion & region, const Branch & branch, const CurveSet & centreline)
+{
+  const std::vector<unsigned char> isBranch = VoxelsOf(region, branch);
   for (Eigen::Index i = 0; i < centreline.V.rows(); ++i)
   {
     const std::ptrdiff_t voxel = region.VoxelAt(centreline.V.row(i).transpose());
@@ -123,12 +130,8 @@ HoldsLine(const CaecalRegion & region, const Branch & branch, const CurveSet & c
 LumenMask::Pointer
 MaskOf(const CaecalRegion & region, const Branch & branch, const LumenMask * labels)
 {
-  std::vector<unsigned char> isBranch(region.Grid().NumberOfVoxels(), 0);
-  for (const std::size_t voxel : branch.voxels)
-  {
-    isBranch[voxel] = 1;
-  }
-  const auto mask = LumenMask::New();
+  const std::vector<unsigned char> isBranch = VoxelsOf(region, branch);
+  const auto                       mask = LumenMask::New();
   mask->CopyInformation(labels);
   mask->SetRegions(labels->GetLargestPossibleRegion());
   mask->Allocate(true);
