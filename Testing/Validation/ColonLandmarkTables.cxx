@@ -1,7 +1,9 @@
 #include "FoldErrors.h"
 #include "LandmarkScores.h"
+#include "StructureScores.h"
 
 #include <algorithm>
+#include <optional>
 
 using namespace shapeton;
 
@@ -26,6 +28,8 @@ struct Column
   bool           hasBounds{ true };
   FoldBounds     folds{ 0.95, 0.95, 2.5 };
   LandmarkBounds landmarks{ 3.5, 0.95, 1.0, 0.8, 0.95 };
+  /** Asked of the preset realistic alone. */
+  std::optional<StructureBounds> structures;
 };
 
 /** Errors of all exams of a column, and of each. */
@@ -60,7 +64,7 @@ MakeColumn(const std::string & preset, bool isFromCt, double spacing, const std:
   Column column;
   column.title = TitleOfColumn(preset, isFromCt, spacing);
   column.hasBounds = spacing <= 0.8;
-  if (preset == "hard")
+  if (preset != "standard")
   {
     column.folds = { 0.92, 0.92, 4.0 };
     column.landmarks = { 5.0, 0.90, 1.0, 0.7, 0.90 };
@@ -68,6 +72,12 @@ MakeColumn(const std::string & preset, bool isFromCt, double spacing, const std:
   if (isFromCt)
   {
     Ease(column);
+  }
+  if (preset == "realistic") // asked of both
+  {
+    column.landmarks.flexures = 0.8;
+    column.landmarks.calibration = 0.1;
+    column.structures = StructureBounds();
   }
   for (const unsigned int seed : seeds)
   {
@@ -151,12 +161,14 @@ TryColumn(const Column & column, ValidationReport & report)
   FoldScores               ours;
   FoldScores               published;
   LandmarkScores           landmarks;
+  StructureScores          structures;
   std::vector<std::string> faults;
   CsvTable                 exams({ "exam", "folds found", "labels right", "ends, mm", "published: found", "right" });
   for (const LandmarkCase & one : column.cases)
   {
     ValidationReport::Progress(column.title + ": " + NameOfCase(one));
-    const LandmarkExam exam = MakeLandmarkExam(one);
+    const LandmarkExam             exam = MakeLandmarkExam(one);
+    const std::vector<std::string> missed = structures.Add(exam);
     if (!exam.failure.empty())
     {
       exams.AddRow({ NameOfCase(one), "FAILED: " + exam.failure + ' ' + report.Check(false), "", "", "", "" });
@@ -173,7 +185,7 @@ TryColumn(const Column & column, ValidationReport & report)
                    Rounded(MeanOf(mine.ends)),
                    RatioOf(theirs.found, theirs.present),
                    RatioOf(theirs.right, theirs.labels) });
-    for (const auto & some : { landmarks.Add(exam), mine.faults })
+    for (const auto & some : { missed, landmarks.Add(exam), mine.faults })
     {
       for (const std::string & fault : some)
       {
@@ -184,9 +196,12 @@ TryColumn(const Column & column, ValidationReport & report)
   BoundTable table(report, column.hasBounds);
   AddBounded(column.folds, ours, table);
   landmarks.AddBounded(column.landmarks, table);
+  structures.AddTo(table, column.structures);
   AddReported(ours, published, table);
   landmarks.AddReported(table);
   table.Write();
+  landmarks.WriteReliability(report);
+  structures.WriteReliability(report);
   report.AddText("Each exam:");
   report.AddTable(exams);
   report.AddText("What was not found, or is none:");
@@ -198,7 +213,7 @@ Explain(const ValidationSettings & settings, ValidationReport & report)
 {
   report.AddText(
     "Synthetic patients (" + settings.SeedsInWords() +
-    "), supine and prone, both presets. The colon is modelled from the true lumen or from the CT, flattened, and "
+    "), supine and prone. The colon is modelled from the true lumen or from the CT, flattened, and "
     "searched with default options. CT columns are allowed 0.03 less of shares and 1.3 times the distances; voxels "
     "of 1.4 mm are reported only, for the first four patients.");
   report.AddText(
@@ -213,14 +228,17 @@ Explain(const ValidationSettings & settings, ValidationReport & report)
     "Taeniae: distances from the points of the true ones to those found, collapsed stretches left out; found taeniae "
     "are assigned to true ones anew in each open stretch. Three markers: a point of the middle of each true taenia "
     "is given. Flexures: along the centreline from where one true segment ends and the next begins. Segments: share "
-    "of the area. Exams in which nothing is found count as all wrong.");
+    "of the area. Caecal pole: distance of the end of the centreline from the point of the caecal wall that is "
+    "farthest "
+    "from the mouth of the caecum. Ileocaecal valve: distance from the middle of the true one; a valve that is not "
+    "found counts as missed. Exams in which nothing is found count as all wrong.");
 }
 
 /** The bounds are those of finer voxels and many patients, so only that it works is checked. */
 void
 TryCoarsePatient(const ValidationSettings & settings, ValidationReport & report)
 {
-  const LandmarkExam exam = MakeLandmarkExam(MakeColumn("standard", false, 2.0, { settings.firstSeed }).cases[0]);
+  const LandmarkExam exam = MakeLandmarkExam(MakeColumn("standard", false, 2.0, settings.Seeds(1)).cases[0]);
   report.AddText("One coarse patient is flattened: " + report.Check(exam.failure.empty()));
   if (exam.failure.empty())
   {
@@ -244,7 +262,7 @@ ValidateColonLandmarks(const ValidationSettings & settings, ValidationReport & r
   }
   for (const std::string & preset : settings.presets)
   {
-    TryColumn(MakeColumn(preset, false, 0.8, settings.Seeds(patientsAsked)), report);
+    TryColumn(MakeColumn(preset, false, 0.8, settings.Seeds(patientsAsked, preset)), report);
   }
 }
 
@@ -252,12 +270,12 @@ void
 ValidateColonLandmarksFromCt(const ValidationSettings & settings, ValidationReport & report)
 {
   Explain(settings, report);
-  const std::vector<unsigned int> all = settings.Seeds(patientsAsked);
-  const std::vector<unsigned int> first(all.begin(), all.begin() + std::min<std::ptrdiff_t>(all.size(), 4));
-  for (const auto & [spacing, seeds] : { std::make_pair(0.8, all), std::make_pair(1.4, first) })
+  for (const double spacing : { 0.8, 1.4 })
   {
     for (const std::string & preset : settings.presets)
     {
+      std::vector<unsigned int> seeds = settings.Seeds(patientsAsked, preset);
+      seeds.resize(spacing > 0.8 ? std::min<std::size_t>(seeds.size(), 4) : seeds.size());
       TryColumn(MakeColumn(preset, true, spacing, seeds), report);
     }
   }

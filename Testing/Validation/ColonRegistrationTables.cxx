@@ -49,8 +49,8 @@ MakeColumn(const std::string & preset, bool isFromCt, const std::vector<unsigned
 {
   Column column;
   column.preset = preset;
-  column.bounds = preset == "hard" ? RegistrationBounds{ 0.85, 0.80, 7.5, 0.85, 15.0, 0.30, 0.055, 1.7 }
-                                   : RegistrationBounds{ 0.90, 0.88, 5.0, 0.92, 8.0, 0.20, 0.040, 2.0 };
+  column.bounds = preset == "standard" ? RegistrationBounds{ 0.90, 0.88, 5.0, 0.92, 8.0, 0.20, 0.040, 2.0 }
+                                       : RegistrationBounds{ 0.85, 0.80, 7.5, 0.85, 15.0, 0.30, 0.055, 1.7 };
   column.seeds = seeds;
   column.isFromCt = isFromCt;
   if (isFromCt)
@@ -383,10 +383,10 @@ Explain(const ValidationSettings & settings, ValidationReport & report)
 void
 TryCoarsePair(const ValidationSettings & settings, ValidationReport & report)
 {
-  Column column = MakeColumn("standard", false, { settings.firstSeed });
+  Column column = MakeColumn("standard", false, settings.Seeds(1));
   column.spacing = 2.0;
-  const LandmarkExam      supine = MakeExam(column, settings.firstSeed, "supine");
-  const LandmarkExam      prone = MakeExam(column, settings.firstSeed, "prone");
+  const LandmarkExam      supine = MakeExam(column, column.seeds.front(), "supine");
+  const LandmarkExam      prone = MakeExam(column, column.seeds.front(), "prone");
   const RegistrationScore score = TryRegistration(supine, prone, true, true);
   report.AddText("One coarse pair is registered: " + report.Check(score.failure.empty()) + ' ' + score.failure);
   if (score.failure.empty())
@@ -398,11 +398,11 @@ TryCoarsePair(const ValidationSettings & settings, ValidationReport & report)
 }
 
 void
-TryBothPresets(const ValidationSettings & settings, bool isFromCt, ValidationReport & report)
+TryPresets(const ValidationSettings & settings, bool isFromCt, ValidationReport & report)
 {
   for (const std::string & preset : settings.presets)
   {
-    TryColumn(MakeColumn(preset, isFromCt, settings.Seeds(20)), report);
+    TryColumn(MakeColumn(preset, isFromCt, settings.Seeds(20, preset)), report);
   }
 }
 } // namespace
@@ -416,12 +416,12 @@ ValidateColonRegistration(const ValidationSettings & settings, ValidationReport 
     TryCoarsePair(settings, report);
     return;
   }
-  TryBothPresets(settings, false, report);
+  TryPresets(settings, false, report);
 }
 
 void
 ValidateColonRegistrationFromCt(const ValidationSettings & settings, ValidationReport & report)
 {
   Explain(settings, report);
-  TryBothPresets(settings, true, report);
+  TryPresets(settings, true, report);
 }

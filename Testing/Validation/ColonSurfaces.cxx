@@ -261,7 +261,7 @@ ValidateColonSurfaces(const ValidationSettings & settings, ValidationReport & re
     return;
   }
   // Coarse: the bounds are those of finer voxels, so only that it works is checked.
-  const ColonCase   one = MakeCase(settings.firstSeed, "supine", 0.2, 2.8);
+  const ColonCase   one = MakeCase(settings.Seeds(1).front(), "supine", 0.2, 2.8);
   const ColonErrors errors = TryColon(one, 20000);
   CsvTable          table = EmptyCaseTable();
   AddCase(one, errors, table);

@@ -25,15 +25,16 @@ ArcLengthNear(const shapeton::CurveSet & line, const Eigen::VectorXd & arcLength
   return arcLength[nearest];
 }
 
-std::array<double, 4>
-ErrorsOfFlexures(const shapeton::ColonLandmarks & landmarks,
-                 const shapeton::CurveSet &       centreline,
-                 const shapeton::ColonAnatomy &   anatomy)
+void
+MeasureFlexures(const shapeton::ColonLandmarks & landmarks,
+                const shapeton::CurveSet &       centreline,
+                const shapeton::ColonAnatomy &   anatomy,
+                LandmarkErrors &                 errors)
 {
   const shapeton::CurveSet truth = anatomy.Centreline();
   const Eigen::VectorXd    segment = PointValues(truth, "segment", "the truth");
   const Eigen::VectorXd    arcLength = PointValues(centreline, "arcLength", "the centreline");
-  std::array<double, 4>    errors{ infinite, infinite, infinite, infinite };
+  errors.flexures.fill(infinite);
   for (Eigen::Index i = 1; i < segment.size(); ++i)
   {
     const int flexure = static_cast<int>(segment[i]) - 1;
@@ -46,11 +47,13 @@ ErrorsOfFlexures(const shapeton::ColonLandmarks & landmarks,
     {
       if (found.number == flexure)
       {
-        errors[flexure - 1] = std::abs(found.arcLength - ArcLengthNear(centreline, arcLength, border));
+        errors.flexures[flexure - 1] = std::abs(found.arcLength - ArcLengthNear(centreline, arcLength, border));
+        errors.flexureConfidence[flexure - 1] = found.confidence;
       }
     }
   }
-  return errors;
+  errors.areFlexuresWithin30 =
+    std::all_of(errors.flexures.begin(), errors.flexures.end(), [](double error) { return error <= 30.0; });
 }
 
 double
@@ -255,9 +258,7 @@ MeasureLandmarks(const shapeton::ColonLandmarks & landmarks,
                  const shapeton::ColonAnatomy &   anatomy)
 {
   LandmarkErrors errors;
-  errors.flexures = ErrorsOfFlexures(landmarks, centreline, anatomy);
-  errors.areFlexuresWithin30 =
-    std::all_of(errors.flexures.begin(), errors.flexures.end(), [](double error) { return error <= 30.0; });
+  MeasureFlexures(landmarks, centreline, anatomy, errors);
   errors.labelledShare = ShareWithTrueSegment(landmarks, anatomy);
   MeasureTaeniae(landmarks, anatomy, errors);
   return errors;

@@ -13,6 +13,8 @@ struct LandmarkErrors
   /** Along the centreline, mm, from where one true segment ends and the next begins: the rectosigmoid,
    * descending-sigmoid, splenic and hepatic flexure. Infinite where it was not found. */
   std::array<double, 4> flexures{};
+  /** What was stated of each: the probability that it lies within 30 mm; 0 where it was not found. */
+  std::array<double, 4> flexureConfidence{};
   bool                  areFlexuresWithin30{ false };
   /** Share of the surface, by area, that has its true segment; collapsed stretches count. */
   double labelledShare{ 0.0 };

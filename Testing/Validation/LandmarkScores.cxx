@@ -79,6 +79,16 @@ LandmarkScores::Add(const LandmarkExam & exam)
   ColonLandmarkOptions options;
   const LandmarkErrors ours = TryLandmarks(exam, options, failure);
   m_Ours.Add(ours);
+  for (std::size_t k = 0; k < ours.flexures.size(); ++k)
+  {
+    const bool isClose = ours.flexures[k] <= 30.0;
+    ++m_Flexures;
+    m_FlexuresClose += isClose;
+    if (std::isfinite(ours.flexures[k]))
+    {
+      m_FlexureReliability.Add(ours.flexureConfidence[k], isClose);
+    }
+  }
   options.markers = MarkersOfTruth(*exam.anatomy, exam.flat);
   m_Marked.Add(TryLandmarks(exam, options, failure));
   options.markers.clear();
@@ -125,6 +135,15 @@ LandmarkScores::AddBounded(const LandmarkBounds & bounds, BoundTable & table) co
                    RatioOf(m_Ours.flexuresRight, m_Ours.exams),
                    {},
                    hasExams && ShareOf(m_Ours.flexuresRight, m_Ours.exams) >= bounds.flexures);
+  if (bounds.calibration)
+  {
+    const double error = m_FlexureReliability.CalibrationError();
+    table.AddBounded("confidence of flexures, expected calibration error",
+                     "<= " + Rounded(*bounds.calibration),
+                     Rounded(error),
+                     {},
+                     hasExams && error <= *bounds.calibration);
+  }
   table.AddBounded("surface with its true segment",
                    atLeast(bounds.labelled),
                    Rounded(labelled),
@@ -137,6 +156,7 @@ LandmarkScores::AddReported(BoundTable & table) const
 {
   table.AddFact("exams with 95 % of the taeniae within 10 mm",
                 RatioOf(ExamsWithin(m_Ours.taeniaWithin10, 0.95), m_Ours.exams));
+  table.AddFact("flexures within 30 mm", RatioOf(m_FlexuresClose, m_Flexures));
   table.AddFact("taeniae, share within 10 mm, one assignment for the whole colon",
                 Rounded(MeanOf(m_Ours.taeniaIdentified10)),
                 m_Ours.taeniaIdentified10);
@@ -148,4 +168,11 @@ LandmarkScores::AddReported(BoundTable & table) const
                 RatioOf(m_Published.flexuresRight, m_Published.exams));
   table.AddFact(
     "published rule: surface with its true segment", Rounded(MeanOf(m_Published.labelled)), m_Published.labelled);
+}
+
+void
+LandmarkScores::WriteReliability(ValidationReport & report) const
+{
+  report.AddText("Confidence of flexures that are found: the probability that one lies within 30 mm:");
+  m_FlexureReliability.Write("flexures", report);
 }

@@ -4,6 +4,9 @@
 #include "BoundTable.h"
 #include "LandmarkErrors.h"
 #include "LandmarkTrial.h"
+#include "Reliability.h"
+
+#include <optional>
 
 /** What taeniae, flexures and segments must reach. Shares of 0 to 1. */
 struct LandmarkBounds
@@ -13,6 +16,8 @@ struct LandmarkBounds
   double markedWithin10; ///< with three markers
   double flexures;       ///< exams with all four within 30 mm
   double labelled;
+  /** Expected calibration error of the confidence of flexures. */
+  std::optional<double> calibration{};
 };
 
 /** Errors of landmarks over the exams of a column, by our rules, by the published ones, and with a marker on each
@@ -29,6 +34,10 @@ public:
   AddBounded(const LandmarkBounds & bounds, BoundTable & table) const;
   void
   AddReported(BoundTable & table) const;
+
+  /** Of the confidence of flexures. */
+  void
+  WriteReliability(ValidationReport & report) const;
 
 private:
   struct Rule
@@ -47,6 +56,10 @@ private:
   Rule m_Ours;
   Rule m_Published;
   Rule m_Marked;
+  /** Of each flexure that was found. */
+  Reliability m_FlexureReliability;
+  int         m_FlexuresClose{ 0 };
+  int         m_Flexures{ 0 };
 };
 
 #endif

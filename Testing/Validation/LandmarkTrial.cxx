@@ -12,6 +12,7 @@
 #include "itkCastImageFilter.h"
 #include "itkImageFileReader.h"
 #include "itkNrrdImageIO.h"
+#include "itkRegionOfInterestImageFilter.h"
 
 #include <cmath>
 #include <cstdlib>
@@ -73,23 +74,81 @@ CachedName(const LandmarkCase & one)
          std::to_string(std::lround(1000.0 * one.spacing));
 }
 
+/** As far as 15 mm around the lumen. */
+template <typename TImage>
+typename TImage::Pointer
+AroundLumen(const TImage * image, const LumenMask * lumen)
+{
+  const auto margin = static_cast<unsigned int>(std::lround(15.0 / lumen->GetSpacing()[0]));
+  const auto filter = itk::RegionOfInterestImageFilter<TImage, TImage>::New();
+  filter->SetInput(image);
+  filter->SetRegionOfInterest(LumenRegion(lumen, margin));
+  filter->Update();
+  return filter->GetOutput();
+}
+
 void
-MakeFlat(const LandmarkCase & one, LandmarkExam & exam)
+MakeFlat(const LandmarkCase & one, ColonExam & exam)
 {
   ColonModel model = MakeModel(one);
   exam.failure = model.failure;
   if (exam.failure.empty())
   {
-    if (const std::string cached = CachedName(one); !cached.empty())
-    {
-      WriteVolume<unsigned char>(model.lumen.labels, cached + ".lumen.nrrd");
-    }
     exam.centreline = model.centreline.curve;
+    exam.lumen = AroundLumen(model.lumen.labels.GetPointer(), model.lumen.labels);
+    exam.ct = model.cleansed ? AroundLumen(model.cleansed.GetPointer(), model.lumen.labels) : nullptr;
+    exam.catheter =
+      model.lumen.catheter && model.lumen.catheter->isSure ? CurveOfCatheter(*model.lumen.catheter) : CurveSet();
     ColonFlatteningOptions options;
     options.centreline = exam.centreline;
     exam.wall = std::move(model.wall.repaired);
     exam.flat = FlattenColon(std::move(model.wall.simplified), NameOfCase(one), options).map.flat;
   }
+}
+
+bool
+IsThere(const std::string & path)
+{
+  return std::filesystem::exists(path);
+}
+
+void
+Keep(const ColonExam & exam, const std::string & cached)
+{
+  WriteVolume<unsigned char>(exam.lumen, cached + ".lumen.nrrd");
+  if (exam.ct)
+  {
+    const auto cast = itk::CastImageFilter<itk::Image<float, 3>, itk::Image<short, 3>>::New();
+    cast->SetInput(exam.ct);
+    cast->Update();
+    WriteVolume<short>(cast->GetOutput(), cached + ".ct.nrrd");
+  }
+  if (!exam.catheter.curves.empty())
+  {
+    WriteCurves(exam.catheter, cached + ".catheter.vtp");
+  }
+  WriteSurface(exam.flat, cached + ".vtp");
+  WriteSurface(exam.wall, cached + ".wall.vtp");
+  WriteCurves(exam.centreline, cached + ".line.vtp"); // last: it tells that all is there
+}
+
+void
+TakeSurfaces(const std::string & cached, LandmarkExam & exam)
+{
+  exam.flat = ReadSurface(cached + ".vtp").mesh;
+  exam.wall = ReadSurface(cached + ".wall.vtp").mesh;
+  exam.centreline = ReadCurves(cached + ".line.vtp");
+}
+
+template <typename TImage>
+typename TImage::Pointer
+ReadCached(const std::string & path)
+{
+  const auto reader = itk::ImageFileReader<TImage>::New();
+  reader->SetImageIO(itk::NrrdImageIO::New());
+  reader->SetFileName(path);
+  reader->Update();
+  return reader->GetOutput();
 }
 } // namespace
 
@@ -112,14 +171,29 @@ ValidationCase(const std::string & preset,
 LandmarkExam
 MakeLandmarkExam(const LandmarkCase & one)
 {
+  const std::string cached = CachedName(one);
+  if (cached.empty() || !IsThere(cached + ".line.vtp"))
+  {
+    return MakeColonExam(one);
+  }
   LandmarkExam exam;
   exam.anatomy = std::make_shared<ColonAnatomy>(one.parameters);
+  TakeSurfaces(cached, exam);
+  return exam;
+}
+
+ColonExam
+MakeColonExam(const LandmarkCase & one)
+{
+  ColonExam exam;
+  exam.anatomy = std::make_shared<ColonAnatomy>(one.parameters);
   const std::string cached = CachedName(one);
-  if (!cached.empty() && std::filesystem::exists(cached + ".line.vtp"))
+  if (!cached.empty() && IsThere(cached + ".line.vtp"))
   {
-    exam.flat = ReadSurface(cached + ".vtp").mesh;
-    exam.wall = ReadSurface(cached + ".wall.vtp").mesh;
-    exam.centreline = ReadCurves(cached + ".line.vtp");
+    TakeSurfaces(cached, exam);
+    exam.lumen = ReadCached<LumenMask>(cached + ".lumen.nrrd");
+    exam.ct = one.isFromCt ? ReadCached<itk::Image<float, 3>>(cached + ".ct.nrrd") : nullptr;
+    exam.catheter = IsThere(cached + ".catheter.vtp") ? ReadCurves(cached + ".catheter.vtp") : CurveSet();
     return exam;
   }
   try
@@ -132,44 +206,9 @@ MakeLandmarkExam(const LandmarkCase & one)
   }
   if (!cached.empty() && exam.failure.empty())
   {
-    WriteSurface(exam.flat, cached + ".vtp");
-    WriteSurface(exam.wall, cached + ".wall.vtp");
-    WriteCurves(exam.centreline, cached + ".line.vtp");
+    Keep(exam, cached);
   }
   return exam;
-}
-
-itk::Image<unsigned char, 3>::Pointer
-LumenOfCase(const LandmarkCase & one)
-{
-  const std::string cached = CachedName(one);
-  if (!cached.empty() && std::filesystem::exists(cached + ".lumen.nrrd"))
-  {
-    const auto reader = itk::ImageFileReader<itk::Image<unsigned char, 3>>::New();
-    reader->SetImageIO(itk::NrrdImageIO::New());
-    reader->SetFileName(cached + ".lumen.nrrd");
-    reader->Update();
-    return reader->GetOutput();
-  }
-  itk::Image<unsigned char, 3>::Pointer lumen;
-  if (one.isFromCt)
-  {
-    const ColonModel model = MakeModel(one);
-    if (!model.failure.empty())
-    {
-      throw InputError(NameOfCase(one) + ": " + model.failure);
-    }
-    lumen = model.lumen.labels;
-  }
-  else
-  {
-    lumen = MakePhantom(one)->GetLumenOutput();
-  }
-  if (!cached.empty())
-  {
-    WriteVolume<unsigned char>(lumen, cached + ".lumen.nrrd");
-  }
-  return lumen;
 }
 
 std::string

@@ -31,6 +31,17 @@ struct LandmarkExam
   std::string failure;
 };
 
+/** With what else candidates are judged by. */
+struct ColonExam : LandmarkExam
+{
+  /** 1 gas, 2 fluid. */
+  itk::Image<unsigned char, 3>::Pointer lumen;
+  /** HU, cleansed; null where the model is not made from a CT. */
+  itk::Image<float, 3>::Pointer ct;
+  /** The axis of a rectal catheter that was found, see CurveOfCatheter(). */
+  shapeton::CurveSet catheter;
+};
+
 /** A patient of the validation, see ValidationSettings::Seeds(). */
 LandmarkCase
 ValidationCase(const std::string & preset,
@@ -39,15 +50,14 @@ ValidationCase(const std::string & preset,
                double              spacing,
                bool                isFromCt);
 
-/** Phantom, model, flat map. Where SHAPETON_LANDMARK_CACHE names a folder, surfaces and centrelines are kept there
- * and taken from there: for development alone, as nothing tells whether the programs have changed since. */
+/** Phantom, model, flat map. Where SHAPETON_LANDMARK_CACHE names a folder, exams are kept there and taken from
+ * there: for development alone, as nothing tells whether the programs have changed since. */
 LandmarkExam
 MakeLandmarkExam(const LandmarkCase & one);
 
-/** The labels of the lumen that the model is made from (1 gas, 2 fluid): true ones, or those found in the CT. Made anew
- * unless they are kept in the cache, where they then stay. Throws InputError where there is no model. */
-itk::Image<unsigned char, 3>::Pointer
-LumenOfCase(const LandmarkCase & one);
+/** The same with images, as far as 15 mm around the lumen. */
+ColonExam
+MakeColonExam(const LandmarkCase & one);
 
 /** Bounds of shares lose this, and errors may grow by this factor, where the colon is found in the CT. */
 inline constexpr double lossFromCt = 0.03;

@@ -18,21 +18,6 @@ IsCollapsedAt(const CurveSet & centreline, double arcLength)
   (distances.array() - arcLength).abs().minCoeff(&nearest);
   return collapsed[nearest] != 0.0;
 }
-
-/** The phantom does not tell where its valve is: a candidate of 14 mm and more within 25 mm, along the colon, of the
- * border of the caecum. */
-bool
-IsValve(const ColonAnatomy & anatomy, const PolypCandidate & candidate)
-{
-  constexpr double leastDiameter = 10.0, reach = 25.0;
-  double           border = anatomy.Length();
-  while (border > 0.0 && anatomy.SegmentAt(border - 1.0) == 6)
-  {
-    border -= 1.0;
-  }
-  return candidate.diameter >= leastDiameter &&
-         std::abs(anatomy.Evaluate(candidate.position + 4.0 * candidate.axis).arcLength - border) < reach;
-}
 } // namespace
 
 bool
@@ -41,6 +26,13 @@ IsAt(const PolypCandidate & candidate, const ColonPolyp & polyp)
   const double distance =
     std::min((candidate.position - polyp.position).norm(), (candidate.position - polyp.base).norm());
   return distance <= 0.5 * polyp.diameter + polypReach;
+}
+
+bool
+IsAtValve(const ColonAnatomy & anatomy, const PolypCandidate & candidate)
+{
+  const ColonValve valve = anatomy.Valve();
+  return (candidate.position - valve.position).norm() <= 0.5 * valve.length + polypReach;
 }
 
 std::vector<ColonPolyp>
@@ -82,7 +74,7 @@ ComparePolyps(const LandmarkCase & one, const ColonAnatomy & anatomy, const std:
     if (std::none_of(polyps.begin(), polyps.end(), [&](const ColonPolyp & polyp) { return IsAt(candidate, polyp); }))
     {
       exam.falseScores.push_back(candidate.score);
-      if (IsValve(anatomy, candidate))
+      if (IsAtValve(anatomy, candidate))
       {
         exam.valveScores.push_back(candidate.score);
       }

@@ -35,8 +35,11 @@ constexpr double polypReach = 3.0;
 bool
 IsAt(const shapeton::PolypCandidate & candidate, const shapeton::ColonPolyp & polyp);
 
-/** Compares candidates, in any order, with the truth. The valve is the true one: the bump at the middle of the body
- * where ascending colon and caecum meet. */
+/** Whether a candidate is at the true ileocaecal valve. */
+bool
+IsAtValve(const shapeton::ColonAnatomy & anatomy, const shapeton::PolypCandidate & candidate);
+
+/** Compares candidates, in any order, with the truth. The valve is the true one. */
 PolypExam
 ComparePolyps(const LandmarkCase &                          one,
               const shapeton::ColonAnatomy &                anatomy,

@@ -1,6 +1,7 @@
 // Confidence of pairs of positions, of one patient and of two, against what is true of them.
 #include "BoundTable.h"
 #include "RegistrationTrial.h"
+#include "Reliability.h"
 
 #include "shapetonExceptions.h"
 
@@ -111,39 +112,43 @@ JudgeAll(const Patients & patients)
   return pairs;
 }
 
-/** Expected calibration error: the mean over all pairs of how far the mean confidence of a class lies from the share
- * that is right. */
-double
-WriteReliability(const std::vector<JudgedPair> & pairs, ValidationReport & report)
+/** Shares of pairs that are flagged, or refused: of one patient, wrongly, and of two. */
+void
+WriteFlagged(const std::string & preset, const std::vector<JudgedPair> & pairs, ValidationReport & report)
 {
-  const std::vector<double> borders{ 0.0, 0.1, 0.3, 0.5, 0.7, 0.9, 0.95, 1.0 };
-  CsvTable                  table({ "confidence", "pairs", "of one patient", "mean confidence", "right" });
-  double                    away = 0.0;
-  for (std::size_t k = 0; k + 1 < borders.size(); ++k)
+  constexpr double mostWrongly = 0.10, leastOfTwo = 0.95;
+  int              ofOne = 0, ofOneFlagged = 0, ofTwo = 0, ofTwoFlagged = 0;
+  for (const JudgedPair & pair : pairs)
   {
-    std::vector<double> confidences;
-    int                 ofOne = 0;
-    int                 right = 0;
-    for (const JudgedPair & pair : pairs)
-    {
-      const double confidence = pair.Confidence();
-      if (confidence >= borders[k] && (confidence < borders[k + 1] || k + 2 == borders.size()))
-      {
-        confidences.push_back(confidence);
-        ofOne += pair.isOnePatient;
-        right += pair.IsRight();
-      }
-    }
-    const auto number = static_cast<int>(confidences.size());
-    table.AddRow({ Rounded(borders[k]) + " to " + Rounded(borders[k + 1]),
-                   std::to_string(number),
-                   std::to_string(ofOne),
-                   number > 0 ? Rounded(MeanOf(confidences)) : "",
-                   number > 0 ? RatioOf(right, number) : "" });
-    away += number > 0 ? std::abs(MeanOf(confidences) * number - right) : 0.0;
+    const bool isFlagged = pair.isRefused || pair.confidence.isFlagged;
+    ofOne += pair.isOnePatient;
+    ofTwo += !pair.isOnePatient;
+    ofOneFlagged += pair.isOnePatient && isFlagged;
+    ofTwoFlagged += !pair.isOnePatient && isFlagged;
   }
-  report.AddTable(table);
-  return pairs.empty() ? 0.0 : away / static_cast<double>(pairs.size());
+  BoundTable table(report, preset == "realistic");
+  table.AddBounded("pairs of one patient that are flagged",
+                   "<= " + Rounded(mostWrongly),
+                   RatioOf(ofOneFlagged, ofOne),
+                   {},
+                   ofOne > 0 && ShareOf(ofOneFlagged, ofOne) <= mostWrongly);
+  table.AddBounded("pairs of two patients that are flagged or refused",
+                   ">= " + Rounded(leastOfTwo),
+                   RatioOf(ofTwoFlagged, ofTwo),
+                   {},
+                   ofTwo > 0 && ShareOf(ofTwoFlagged, ofTwo) >= leastOfTwo);
+  table.Write();
+}
+
+Reliability
+ReliabilityOf(const std::vector<JudgedPair> & pairs)
+{
+  Reliability reliability({ 0.0, 0.1, 0.3, 0.5, 0.7, 0.9, 0.95, 1.0 });
+  for (const JudgedPair & pair : pairs)
+  {
+    reliability.Add(pair.Confidence(), pair.IsRight());
+  }
+  return reliability;
 }
 
 void
@@ -189,13 +194,14 @@ ValidateReliabilityOfPairs(const ValidationSettings & settings, ValidationReport
     "A pair is right that is of one patient with a mean error of at most 10 mm; a refused one has the "
     "confidence 0. The expected calibration error is the mean distance of confidence and share of right pairs "
     "within the classes.");
-  std::vector<JudgedPair> pairs;
   for (const std::string & preset : settings.presets)
   {
-    const std::vector<JudgedPair> more = JudgeAll(MakePatients(preset, settings.Seeds(20)));
-    pairs.insert(pairs.end(), more.begin(), more.end());
+    report.AddText("## Preset " + preset);
+    const std::vector<JudgedPair> pairs = JudgeAll(MakePatients(preset, settings.Seeds(20, preset)));
+    WriteFlagged(preset, pairs, report);
+    const Reliability reliability = ReliabilityOf(pairs);
+    report.AddText("Expected calibration error: " + Rounded(reliability.CalibrationError()));
+    reliability.Write("pairs", report);
+    WritePairs(pairs, report);
   }
-  const double error = WriteReliability(pairs, report);
-  report.AddText("Expected calibration error: " + Rounded(error));
-  WritePairs(pairs, report);
 }

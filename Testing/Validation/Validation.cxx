@@ -38,6 +38,7 @@ const std::vector<Part> parts = {
   { "colon-surfaces", "Surface and centreline of synthetic colons", ValidateColonSurfaces, false },
   { "colon-noise", "Synthetic colons in strong noise", ValidateColonNoise, false, false },
   { "colon-surfaces-fine", "Synthetic colons in fine voxels", ValidateColonSurfacesFine, false, false },
+  { "colon-catheters", "Rectal catheters of synthetic patients", ValidateColonCatheters, false, false },
   { "colon-landmarks", "Folds, taeniae and flexures of synthetic colons", ValidateColonLandmarks, false },
   { "colon-landmarks-ct", "Folds, taeniae and flexures from CT", ValidateColonLandmarksFromCt, false, false },
   { "colon-registration", "Supine and prone: one map between two positions", ValidateColonRegistration, false },

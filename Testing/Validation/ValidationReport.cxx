@@ -90,17 +90,21 @@ MeanWithInterval(const std::vector<double> & values)
 }
 
 std::vector<unsigned int>
-ValidationSettings::Seeds(int asked) const
+ValidationSettings::Seeds(int asked, const std::string & preset) const
 {
-  std::vector<unsigned int> seeds(patients > 0 ? patients : asked);
-  std::iota(seeds.begin(), seeds.end(), firstSeed);
+  const bool                isRealistic = preset == "realistic";
+  std::vector<unsigned int> seeds(patients > 0 ? patients : isRealistic ? 20 : asked);
+  std::iota(seeds.begin(), seeds.end(), firstSeed > 0 ? firstSeed : isRealistic ? 140 : 100);
   return seeds;
 }
 
 std::string
 ValidationSettings::SeedsInWords() const
 {
-  return "`ColonPhantom`, seeds " + std::to_string(firstSeed) +
-         " and above; parameters were fitted on seeds 1 to 40, and a few rules chosen with some of seeds 100 to 119 in "
-         "view, which the READMEs of the modules name";
+  return "`ColonPhantom`, seeds " +
+         (firstSeed > 0 ? std::to_string(firstSeed) + " and above"
+                        : std::string("100 and above, of the preset realistic 140 and above")) +
+         "; parameters were fitted on seeds 1 to 99 (most on 1 to 40), and a few rules chosen with some of seeds 100 "
+         "to "
+         "119 in view, which the READMEs of the modules name";
 }

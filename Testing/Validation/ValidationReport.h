@@ -55,19 +55,20 @@ MeanWithInterval(const std::vector<double> & values);
 /** What a part may use. */
 struct ValidationSettings
 {
-  /** Of the synthetic patients of a preset: `asked` of them, or as many as are set. */
+  /** Of the synthetic patients of a preset: `asked` of them (20 of realistic), or as many as are set, from the first
+   * seed on: 100, of realistic 140, or the one that is set. */
   std::vector<unsigned int>
-  Seeds(int asked) const;
+  Seeds(int asked, const std::string & preset = "standard") const;
 
   /** The same in words, and what these patients were used for. */
   std::string
   SeedsInWords() const;
 
   bool         quick{ false };
-  int          patients{ 0 }; ///< synthetic ones of each preset; 0 for what is asked
-  unsigned int firstSeed{ 100 };
+  int          patients{ 0 };  ///< synthetic ones of each preset; 0 for what is asked
+  unsigned int firstSeed{ 0 }; ///< 0 for those of the published tables
   /** Of the synthetic patients. */
-  std::vector<std::string> presets{ "standard", "hard" };
+  std::vector<std::string> presets{ "standard", "hard", "realistic" };
   std::string              dataFolder;          ///< empty where there is no real data
   std::string              outputFolder{ "." }; ///< for pictures beside the page
   std::string              pictureFolder;       ///< for those of Documentation/pictures
@@ -110,6 +111,8 @@ void
 ValidateColonRegistration(const ValidationSettings & settings, ValidationReport & report);
 void
 ValidateColonRegistrationFromCt(const ValidationSettings & settings, ValidationReport & report);
+void
+ValidateColonCatheters(const ValidationSettings & settings, ValidationReport & report);
 void
 ValidateReliabilityOfPairs(const ValidationSettings & settings, ValidationReport & report);
 void

@@ -9,6 +9,7 @@ itk_module(HaustralFolds
     VolumeFiles
     SlicerMarkups
     FlatColon
+    ColonCentreline
     ITKCommon
   PRIVATE_DEPENDS
     ITKIOImageBase

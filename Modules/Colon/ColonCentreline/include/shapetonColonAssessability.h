@@ -19,14 +19,12 @@ namespace shapeton
  * category C0 for this: preparation that hides lesions of 10 mm, or segments that are collapsed. The rules, point by
  * point of the centreline, the first that holds:
  *
- * | hindrance | rule |
- * |---|---|
- * | no lumen | the line is bridged: there is neither gas nor tagged fluid |
- * | cut by the scan | the lumen goes on beyond the border of the image |
- * | untagged fluid | straight below the line the lumen ends at a level of 150 mm^2 and more that is not tagged: what
- * lies under it is not seen. Flat walls passed for levels of up to 80 mm^2 in the examinations that were looked at | |
- * narrow | the calibre is below 10 mm along 5 mm and more, as distension is counted; the lip of a single fold is
- * thinner |
+ * - no lumen: the line is bridged: there is neither gas nor tagged fluid
+ * - cut by the scan: the lumen goes on beyond the border of the image
+ * - untagged fluid: straight below the line the lumen ends at a level of 150 mm^2 and more that is not tagged: what
+ * lies under it is not seen. Flat walls passed for levels of up to 80 mm^2 in the examinations that were looked at
+ * - narrow: the calibre is below 10 mm along 5 mm and more, as distension is counted; the lip of a single fold is
+ *   thinner. Up to 40 mm at the beginning, the anal canal, are narrow by nature
  *
  * The border of 10 mm is that of MeasureDistension(); 150 mm^2, 5 mm and the shares of the verdicts are ours. Of a mask
  * without a CT fluid is not known, and that rule does not apply.
@@ -47,6 +45,12 @@ constexpr int numberOfColonHindrances = 5;
 /** "none", "noLumen", "cutByScan", "untaggedFluid", "narrow". */
 ColonCentreline_EXPORT std::string
                        NameOf(ColonHindrance hindrance);
+/** The hindrance of such a name; None for an empty one. Throws InputError for another. */
+ColonCentreline_EXPORT ColonHindrance
+HindranceOfName(const std::string & name);
+/** The hindrance of a value of the array notAssessable; of one out of range the nearest. */
+ColonCentreline_EXPORT ColonHindrance
+HindranceOfValue(double value);
 /** For example "calibre below 10 mm"; empty for None. */
 ColonCentreline_EXPORT std::string
                        InWords(ColonHindrance hindrance);

@@ -110,7 +110,7 @@ MakeSections(const LumenNetwork &             network,
     section.points = ShapeLine(network, field, section.nodes, options);
     if (isLast)
     {
-      LeadToPole(network, field, options.step, section.points);
+      LeadToPole(network, field, options, section.points);
     }
     TrimEnds(field, options.step, section.points);
     section.radii = RadiiAlong(network, field, section.points, options.step);

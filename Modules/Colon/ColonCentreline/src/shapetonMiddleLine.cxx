@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace shapeton
 {
@@ -19,6 +20,8 @@ constexpr double leastClearance = 2.5;
 constexpr double safelyInside = 0.7;
 /** The line ends so far from the pole of the caecum, mm. */
 constexpr double beforePole = 3.0;
+/** The caecum and what lies beside it is not farther from the line than this, mm. */
+constexpr double farthestOfPouch = 150.0;
 
 CurvePoints
 PositionsOf(const LumenGrid & grid, const std::vector<int> & nodes)
@@ -31,16 +34,19 @@ PositionsOf(const LumenGrid & grid, const std::vector<int> & nodes)
   return points;
 }
 
-/** Of each node the nearest point of a curve within the lumen. */
+constexpr double infinite = std::numeric_limits<double>::infinity();
+
+/** Of each node the nearest point of a curve within the lumen; -1 beyond `reach` mm. Points before the first one do not
+ * count. */
 std::vector<int>
-NearestPoints(const LumenNetwork & network, const CurvePoints & points)
+NearestPoints(const LumenNetwork & network, const CurvePoints & points, int first = 0, double reach = infinite)
 {
-  std::vector<int> path;
-  for (const Eigen::Vector3d & point : points)
+  std::vector<int> path(points.size(), -1);
+  for (std::size_t i = first; i < points.size(); ++i)
   {
-    path.push_back(network.grid.NodeOf(point));
+    path[i] = network.grid.NodeOf(points[i]);
   }
-  return NearestOnPath(network.grid, network.cells, network.tree, path).indices;
+  return NearestOnPath(network.grid, network.cells, network.tree, path, reach).indices;
 }
 
 /** The lumen across each point of a curve. */
@@ -198,29 +204,99 @@ IsVisible(const DistanceField & field, const Eigen::Vector3d & from, const Eigen
   return true;
 }
 
-/** The place before the wall that lies farthest along a direction and near the axis. */
-Eigen::Vector3d
-FindPole(const LumenNetwork &    network,
-         const DistanceField &   field,
-         const Eigen::Vector3d & base,
-         const Eigen::Vector3d & along,
-         double                  reach)
+/** Nodes of the pouch that a curve leads into beyond one of its points: as wide as a colon, or next to what is, so that
+ * neither ileum nor appendix belongs to it. */
+std::vector<char>
+PouchBeyond(const LumenNetwork & network, const CurvePoints & points, int mouth, double step)
 {
-  Eigen::Vector3d pole = base;
-  double          most = 0.0;
-  for (int node = 0; node < network.grid.NumberOfNodes(); ++node)
+  const LumenGrid &      grid = network.grid;
+  const int              first = std::max(0, mouth - static_cast<int>(farthestOfPouch / step));
+  const std::vector<int> nearest = NearestPoints(network, points, first, farthestOfPouch);
+  const double           besideWide = 1.5 * network.coreRadius;
+  std::vector<int>       wide;
+  for (int node = 0; node < grid.NumberOfNodes(); ++node)
   {
-    const Eigen::Vector3d way = network.grid.Position(node) - base;
-    const double          forward = way.dot(along);
-    const double          score = forward - 0.5 * (way - forward * along).norm();
-    if (score > most && way.norm() <= reach && network.grid.Distance(node) >= beforePole &&
-        IsVisible(field, base, base + way))
+    if (nearest[node] >= mouth && grid.Distance(node) >= network.coreRadius)
     {
-      most = score;
-      pole = base + way;
+      wide.push_back(node);
+    }
+  }
+  const auto        fromWide = NearestOnPath(grid, network.cells, network.tree, wide, besideWide);
+  std::vector<char> isPouch(grid.NumberOfNodes(), 0);
+  for (int node = 0; node < grid.NumberOfNodes(); ++node)
+  {
+    isPouch[node] = nearest[node] >= mouth && fromWide.indices[node] >= 0 && grid.Distance(node) >= beforePole;
+  }
+  return isPouch;
+}
+
+/** The node of the pouch beyond a point of a curve that is farthest from it within the lumen; -1 where there is none.
+ */
+int
+FindPole(const LumenNetwork & network, const DistanceField & field, const CurvePoints & points, int mouth, double step)
+{
+  // Ways over 26 neighbours are longer than straight ones by 13 % at most, by 7 % on average.
+  constexpr double        longestWay = 1.13, usualWay = 1.07;
+  const LumenGrid &       grid = network.grid;
+  const std::vector<char> isPouch = PouchBeyond(network, points, mouth, step);
+  const NearestPlaces     ways =
+    NearestOnPath(grid, network.cells, network.tree, { grid.NodeOf(points[mouth]) }, 2.0 * farthestOfPouch);
+  const auto isReached = [&](int node) { return isPouch[node] != 0 && ways.indices[node] >= 0; };
+  float      longest = 0.0F;
+  for (int node = 0; node < grid.NumberOfNodes(); ++node)
+  {
+    longest = isReached(node) ? std::max(longest, ways.distances[node]) : longest;
+  }
+  int    pole = -1;
+  double farthest = 0.0;
+  for (int node = 0; node < grid.NumberOfNodes(); ++node)
+  {
+    if (isReached(node) && longestWay * ways.distances[node] >= longest)
+    {
+      const Eigen::Vector3d place = grid.Position(node);
+      const double          way =
+        IsVisible(field, points[mouth], place) ? (place - points[mouth]).norm() : ways.distances[node] / usualWay;
+      pole = way > farthest ? node : pole;
+      farthest = std::max(farthest, way);
     }
   }
   return pole;
+}
+
+/** How far from `from` on a curve comes nearer to a place by at least 0.7 mm for each mm. */
+int
+LastTowards(const CurvePoints & points, int from, double step, const Eigen::Vector3d & place)
+{
+  const int apart = std::max(1, static_cast<int>(5.0 / step));
+  int       last = from;
+  while (last + apart < static_cast<int>(points.size()) &&
+         (points[last] - place).norm() - (points[last + apart] - place).norm() >= 0.7 * apart * step)
+  {
+    ++last;
+  }
+  return last;
+}
+
+/** A curve to a place within the lumen: straight on where it is in sight, else along a path. */
+CurvePoints
+WayTo(const LumenNetwork &           network,
+      const DistanceField &          field,
+      const Eigen::Vector3d &        from,
+      const Eigen::Vector3d &        along,
+      int                            pole,
+      const ColonCentrelineOptions & options)
+{
+  const Eigen::Vector3d place = network.grid.Position(pole);
+  if (IsVisible(field, from, place))
+  {
+    return BridgeGap(from, along, place, (place - from).normalized(), options.step);
+  }
+  const int      start = network.grid.NearestNode(from); // the line may be a little outside
+  const PathTree paths = GrowPathTree(network.grid, network.cells, network.tree, start, options.exponent);
+  return SmoothCurve(ResampleCurve(PositionsOf(network.grid, paths.PathTo(pole)), options.step),
+                     options.step,
+                     options.smoothing,
+                     &field);
 }
 } // namespace
 
@@ -240,29 +316,36 @@ ShapeLine(const LumenNetwork &           network,
   return ResampleCurve(points, options.step);
 }
 
+// The first end may lie on the side of the caecum, which is as wide as it is long, or back towards its mouth: the pole
+// is first sought from so far away that this does not matter, then from about the mouth.
 void
-LeadToPole(const LumenNetwork & network, const DistanceField & field, double step, CurvePoints & points)
+LeadToPole(const LumenNetwork &           network,
+           const DistanceField &          field,
+           const ColonCentrelineOptions & options,
+           CurvePoints &                  points)
 {
-  const auto   count = static_cast<int>(points.size());
-  const double radius = field.At(points[std::max(0, count - 1 - static_cast<int>(25.0 / step))]);
-  const int    base = count - 1 - static_cast<int>(radius / step);
-  const int    before = base - static_cast<int>(20.0 / step);
-  if (before < 0 || base == count - 1)
+  const double step = options.step;
+  for (const double beforeEnd : { 120.0, 80.0 }) // mm
   {
-    return;
+    const auto last = static_cast<int>(points.size()) - 1;
+    const int  mouth = last - std::min(static_cast<int>(beforeEnd / step), last / 2);
+    const int  before = mouth - static_cast<int>(20.0 / step);
+    const int  pole =
+      before < 0 || network.grid.NodeOf(points[mouth]) < 0 ? -1 : FindPole(network, field, points, mouth, step);
+    if (pole < 0)
+    {
+      return;
+    }
+    const Eigen::Vector3d place = network.grid.Position(pole);
+    const int             turn = LastTowards(points, mouth, step, place);
+    const int             behind = std::max(0, turn - static_cast<int>(10.0 / step));
+    const Eigen::Vector3d along = (points[turn] - points[behind]).normalized();
+    const CurvePoints     way = WayTo(network, field, points[turn], along, pole, options);
+    points.resize(turn + 1);
+    points.insert(points.end(), way.begin(), way.end());
+    points.push_back(place);
+    points = ResampleCurve(points, step);
   }
-  const Eigen::Vector3d along = (points[base] - points[before]).normalized();
-  const double          reach = 2.5 * std::max(radius, field.At(points[base]));
-  const Eigen::Vector3d pole = FindPole(network, field, points[base], along, reach);
-  const double          rest = (pole - points[base]).norm();
-  if (rest < step)
-  {
-    return;
-  }
-  points.resize(base + 1);
-  const CurvePoints last = BridgeGap(points[base], along, pole, (pole - points[base]) / rest, step);
-  points.insert(points.end(), last.begin(), last.end());
-  points.push_back(pole);
 }
 
 void

@@ -17,7 +17,10 @@ ShapeLine(const LumenNetwork &           network,
 /** Leads the end of a curve on to the pole of a wide end: the last node of its path lies on the side of the pole as
  * well as at it. */
 void
-LeadToPole(const LumenNetwork & network, const DistanceField & field, double step, CurvePoints & points);
+LeadToPole(const LumenNetwork &           network,
+           const DistanceField &          field,
+           const ColonCentrelineOptions & options,
+           CurvePoints &                  points);
 
 /** Ends a curve where all of it is safely inside over 10 mm: a path goes on into what is only half a voxel wide. */
 void

@@ -91,7 +91,11 @@ GrowPathTree(const LumenGrid & grid, const LumenCells & cells, const CellTree & 
 }
 
 NearestPlaces
-NearestOnPath(const LumenGrid & grid, const LumenCells & cells, const CellTree & tree, const std::vector<int> & path)
+NearestOnPath(const LumenGrid &        grid,
+              const LumenCells &       cells,
+              const CellTree &         tree,
+              const std::vector<int> & path,
+              double                   reach)
 {
   std::vector<int>    nearest(grid.NumberOfNodes(), -1);
   std::vector<double> reached(grid.NumberOfNodes(), std::numeric_limits<double>::infinity());
@@ -116,7 +120,7 @@ NearestOnPath(const LumenGrid & grid, const LumenCells & cells, const CellTree &
     {
       const int    next = grid.Neighbour(node, step.offset);
       const double through = length + step.length;
-      if (next >= 0 && through < reached[next] &&
+      if (next >= 0 && through <= reach && through < reached[next] &&
           (cells.cellOf[node] == cells.cellOf[next] || tree.IsOpen(cells.cellOf[node], cells.cellOf[next])))
       {
         reached[next] = through;

@@ -3,6 +3,8 @@
 
 #include "shapetonCellTree.h"
 
+#include <limits>
+
 namespace shapeton
 {
 /** Minimal paths from one node to all that can be reached. */
@@ -33,9 +35,13 @@ struct NearestPlaces
   std::vector<float> distances;
 };
 
-/** Nodes of the path that are -1 are passed over. */
+/** Nodes of the path that are -1 are passed over. Nothing leads farther than `reach` mm. */
 NearestPlaces
-NearestOnPath(const LumenGrid & grid, const LumenCells & cells, const CellTree & tree, const std::vector<int> & path);
+NearestOnPath(const LumenGrid &        grid,
+              const LumenCells &       cells,
+              const CellTree &         tree,
+              const std::vector<int> & path,
+              double                   reach = std::numeric_limits<double>::infinity());
 } // namespace shapeton
 
 #endif

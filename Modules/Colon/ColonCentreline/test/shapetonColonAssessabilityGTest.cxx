@@ -99,6 +99,29 @@ TEST(ColonAssessability, AWideTubeIsAssessableAllAlong)
   EXPECT_TRUE(all.Hindrances().empty());
 }
 
+TEST(ColonAssessability, TheAnalCanalIsNarrowByNature)
+{
+  shapeton::CurveSet line = Tube().Line();
+  line.pointArrays[1].values.block(0, 0, 35, 1).setConstant(4.0);
+  EXPECT_TRUE(Tube().Stretches(line).empty());
+  line.pointArrays[1].values.block(0, 0, 60, 1).setConstant(4.0); // and the rectum
+  const auto stretches = Tube().Stretches(line);
+  ASSERT_EQ(stretches.size(), 1u);
+  EXPECT_EQ(stretches[0].begin, 40.5);
+  EXPECT_EQ(stretches[0].end, 59.5);
+}
+
+TEST(ColonAssessability, NamesReadBack)
+{
+  for (int i = 0; i < shapeton::numberOfColonHindrances; ++i)
+  {
+    const auto hindrance = static_cast<ColonHindrance>(i);
+    EXPECT_EQ(shapeton::HindranceOfName(shapeton::NameOf(hindrance)), hindrance);
+  }
+  EXPECT_EQ(shapeton::HindranceOfName(""), ColonHindrance::None);
+  EXPECT_THROW(shapeton::HindranceOfName("Narrow"), shapeton::InputError);
+}
+
 TEST(ColonAssessability, NarrowStretchesCountAndSingleFoldsDoNot)
 {
   shapeton::CurveSet line = Tube().Line();

@@ -73,7 +73,8 @@ ColonLandmarks_EXPORT std::string
  * straight up along the left and posterior wall, than anywhere. The best four places in their order are found exactly
  * by dynamic programming, then the splenic and hepatic ones move to the place within 16 mm that is highest, depth
  * towards the back counting half as much (they are fixed to the posterior wall), the rectosigmoid one to the sharpest
- * within 16 mm. The descending-sigmoid one stays: it is where the straight run begins. The same is done for the mirror
+ * within 14 mm, the descending-sigmoid one, where the straight run begins, to the mean of its places within 60 mm by
+ * their probability. The same is done for the mirror
  * image of the line; it counts where its likelihood, summed over all places, times .001 is the greater one.
  *
  * The prior states anatomy, no sample of centrelines and no phantom:

@@ -18,7 +18,7 @@ constexpr double greatestMeanDeviation = 4.0;
 /** How far the apex may lie from the best place, mm. The descending colon ends where it has run straight, not at a
  * bend.
  */
-constexpr std::array<double, 4> apexReach{ 16.0, 0.0, 16.0, 16.0 };
+constexpr std::array<double, 4> apexReach{ 14.0, 0.0, 16.0, 16.0 };
 constexpr double                impossible = -1e30;
 
 /** Near by, of the upper flexures the topmost place, of several as high the one farther back: the flexures are fixed to

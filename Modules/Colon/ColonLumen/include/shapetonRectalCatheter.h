@@ -14,7 +14,9 @@ struct CatheterEvidence
   double enclosedLength{ 0.0 }; ///< mm of it where 80 % of the rays across it cross a wall and enter the lumen
   double enclosedShare{ 0.0 };  ///< of the rays that do, 0..1: at least, in the best 15 mm
   double boreSpread{ 0.0 };     ///< mm, of the bore's radius along these: between its 20th and 80th percentile
-  double ovality{ 0.0 }; ///< of the bore: standard deviation of its radius over the rays by their mean; the median
+  /** Of the bore: how far its radius is from even around the axis, by its mean (second and third harmonic, root mean
+   * square); the median. */
+  double ovality{ 0.0 };
   /** 0..1: how far lengths, share, spread, ovality and the radius of the bore lie within their limits, .5 at the limit;
    * the least of them. A catheter from .5 on. */
   double confidence{ 0.0 };

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <complex>
 
 namespace shapeton
 {
@@ -224,15 +225,24 @@ TubeSection::BoreRadius() const
 double
 TubeSection::Ovality() const
 {
-  double sum = 0.0, squares = 0.0, number = 0.0;
+  const double median = this->BoreRadius();
+  double       mean = 0.0;
+  double       squares = 0.0;
   for (const auto & ray : rays)
   {
-    sum += ray.inner;
-    squares += ray.inner * ray.inner;
-    number += ray.inner > 0.0;
+    mean += (ray.inner > 0.0 ? ray.inner : median) / NumberOfRays;
   }
-  const double mean = number > 0.0 ? sum / number : 0.0;
-  return mean > 0.0 ? std::sqrt(std::max(0.0, squares / number - mean * mean)) / mean : 0.0;
+  for (const int harmonic : { 2, 3 })
+  {
+    std::complex<double> sum;
+    for (int n = 0; n < NumberOfRays; ++n)
+    {
+      const double radius = rays[n].inner > 0.0 ? rays[n].inner : median;
+      sum += std::polar(radius, TwoPi * harmonic * n / NumberOfRays);
+    }
+    squares += 2.0 * std::norm(sum / static_cast<double>(NumberOfRays));
+  }
+  return mean > 0.0 ? std::sqrt(squares) / mean : 0.0;
 }
 
 std::vector<TubeSection>

@@ -77,7 +77,8 @@ struct TubeSection
   /** The median of the rays that leave the bore; 0 where none does. */
   double
   BoreRadius() const;
-  /** Standard deviation of the bore's radius by its mean. */
+  /** How far the bore is from round: the root mean square, by its mean radius, of the second and third harmonics of the
+   * radius over the angle. The first one is that of an axis off the middle, higher ones are those of voxels. */
   double
   Ovality() const;
 };

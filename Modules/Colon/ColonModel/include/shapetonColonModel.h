@@ -72,6 +72,11 @@ BuildColonModel(const itk::Image<float, 3> * ct, const LumenMask * lumen, const 
  * stairs and handles; the repaired one that of the mask smoothed. \ingroup ColonModel */
 ColonModel_EXPORT ColonModel
 BuildColonModelOfLumen(const LumenMask * lumen, const ColonModelOptions & options);
+
+/** The axis of a catheter with the point arrays radius (outer; of the tip another one) and balloonRadius (0 where no
+ * balloon is around it), mm, as RankCatheterLast() takes it. \ingroup ColonModel */
+ColonModel_EXPORT CurveSet
+CurveOfCatheter(const RectalCatheter & catheter);
 } // namespace shapeton
 
 #endif

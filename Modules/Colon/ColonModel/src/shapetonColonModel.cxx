@@ -7,6 +7,9 @@
 
 #include "itkRegionOfInterestImageFilter.h"
 
+#include <algorithm>
+#include <cmath>
+
 namespace shapeton
 {
 namespace
@@ -132,6 +135,12 @@ Cropped(const LumenMask * lumen)
   filter->Update();
   return filter->GetOutput();
 }
+/** Of the section of a ball through a point, mm; 0 outside of it. */
+double
+RadiusOfSection(const itk::Point<double, 3> & centre, double diameter, const itk::Point<double, 3> & point)
+{
+  return std::sqrt(std::max(0.0, 0.25 * diameter * diameter - centre.SquaredEuclideanDistanceTo(point)));
+}
 } // namespace
 
 ColonModel
@@ -155,5 +164,28 @@ BuildColonModelOfLumen(const LumenMask * lumen, const ColonModelOptions & option
   TraceLineAndValve(model, options);
   TakeWall(model, BuildColonWallFromMask(Cropped(model.lumen.labels), model.centreline.curve, WallOptionsOf(options)));
   return model;
+}
+
+CurveSet
+CurveOfCatheter(const RectalCatheter & catheter)
+{
+  const auto      number = static_cast<int>(catheter.axis.size());
+  Eigen::VectorXd radius = Eigen::VectorXd::Constant(number, 0.5 * catheter.outerDiameter);
+  Eigen::VectorXd balloon(number);
+  CurveSet        curve;
+  curve.V.resize(number, 3);
+  curve.curves.emplace_back();
+  for (int n = 0; n < number; ++n)
+  {
+    curve.V.row(n) << catheter.axis[n][0], catheter.axis[n][1], catheter.axis[n][2];
+    curve.curves.back().push_back(n);
+    balloon[n] = RadiusOfSection(catheter.balloonCentre, catheter.balloonDiameter, catheter.axis[n]);
+    if (n >= catheter.evidence.length)
+    {
+      radius[n] = std::max(radius[n], catheter.tipRadius);
+    }
+  }
+  curve.pointArrays = { { "radius", radius }, { "balloonRadius", balloon } };
+  return curve;
 }
 } // namespace shapeton

@@ -26,7 +26,7 @@ WriteFoldFeatures(const HaustralFolds &                                    folds
                   const std::string &                                      path);
 
 /** A row for each fold, of the numbers of HaustralFold, in the shortest text that reads back to the same number; empty
- * cells for what is not known. */
+ * cells for what is not known, and in the column notAssessable the name of the hindrance, or nothing. */
 HaustralFolds_EXPORT CsvTable
 TableOfFolds(const HaustralFolds & folds);
 

@@ -4,6 +4,7 @@
 #include "HaustralFoldsExport.h"
 
 #include "shapetonRemarks.h"
+#include "shapetonColonAssessability.h"
 #include "shapetonCurveSet.h"
 #include "shapetonFlatColon.h"
 
@@ -92,6 +93,9 @@ struct HaustralFold
   double arcLength{ 0.0 };
   /** Lies on both sides of the cut. */
   bool crossesCut{ false };
+  /** Why the wall is not seen well there; None as well where the surface, by its cell array notAssessable, does not
+   * tell. */
+  ColonHindrance hindrance{ ColonHindrance::None };
 };
 
 /** The haustral folds on a flat map: a label image and a list. See FindHaustralFolds(). \ingroup HaustralFolds */

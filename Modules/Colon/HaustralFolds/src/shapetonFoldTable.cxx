@@ -1,6 +1,7 @@
 #include "shapetonHaustralFoldFiles.h"
 
 #include "shapetonCsvFile.h"
+#include "shapetonExceptions.h"
 
 #include <cmath>
 
@@ -49,6 +50,7 @@ ColumnsOfFolds()
                                                  "meanCurvature",
                                                  "reliability",
                                                  "crossesCut",
+                                                 "notAssessable",
                                                  "end1U",
                                                  "end1V",
                                                  "end1X",
@@ -89,6 +91,19 @@ FoldOfRow(const CsvFile & file, std::size_t row)
   }
   return fold;
 }
+
+ColonHindrance
+HindranceOfRow(const CsvFile & file, std::size_t row, const std::string & path)
+{
+  try
+  {
+    return HindranceOfName(file.Text(row, "notAssessable"));
+  }
+  catch (const InputError & error)
+  {
+    throw InputError('"' + path + "\", line " + std::to_string(file.LineOf(row)) + ": " + error.GetDescription());
+  }
+}
 } // namespace
 
 CsvTable
@@ -107,6 +122,7 @@ TableOfFolds(const HaustralFolds & folds)
       cells.push_back(Cell(value));
     }
     cells.push_back(fold.crossesCut ? "1" : "0");
+    cells.push_back(fold.hindrance == ColonHindrance::None ? "" : NameOf(fold.hindrance));
     for (int end = 0; end < 2; ++end)
     {
       cells.push_back(Cell(fold.endUv[end].x()));
@@ -127,6 +143,7 @@ ReadFoldTable(const std::string & path)
   for (std::size_t row = 0; row < file.Rows(); ++row)
   {
     folds.push_back(FoldOfRow(file, row));
+    folds.back().hindrance = HindranceOfRow(file, row, path);
   }
   return folds;
 }

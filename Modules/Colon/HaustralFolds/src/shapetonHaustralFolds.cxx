@@ -179,12 +179,30 @@ private:
   CurvatureMixture            m_Mixture{};
   std::vector<MeasuredFold>   m_Found;
 };
+
+/** Why the wall at the folds is not seen well, where the surface tells. */
+void
+NoteHindrances(const FlatColon & flat, std::vector<HaustralFold> & folds)
+{
+  const SurfaceArray * const hindrances = FindSurfaceArray(flat.Surface().cellArrays, "notAssessable");
+  for (HaustralFold & fold : folds)
+  {
+    const FlatPixel pixel = flat.Grid().PixelOfUv(fold.centreUv);
+    const int       face = flat.Grid().FaceOfPixel(pixel.column, pixel.row);
+    if (hindrances != nullptr && face >= 0)
+    {
+      fold.hindrance = HindranceOfValue(hindrances->values(face, 0));
+    }
+  }
+}
 } // namespace
 
 HaustralFolds
 FindHaustralFolds(const FlatColon & flat, const HaustralFoldOptions & options)
 {
   RequireValid(options);
-  return FoldFinder(flat, options).Find();
+  HaustralFolds folds = FoldFinder(flat, options).Find();
+  NoteHindrances(flat, folds.folds);
+  return folds;
 }
 } // namespace shapeton

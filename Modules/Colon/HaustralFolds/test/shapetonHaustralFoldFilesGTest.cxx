@@ -82,12 +82,57 @@ TEST(HaustralFoldFiles, TheTableHasARowForEachFold)
   EXPECT_EQ(table.GetRows()[1][column("height")], ""); // not known
 }
 
+TEST(HaustralFoldFiles, FoldsWhereTheWallIsNotSeenTellWhy)
+{
+  shapeton::SurfaceMesh  surface = Flat().Surface();
+  shapeton::SurfaceArray hindrance{ "notAssessable",
+                                    shapeton::SurfaceArray::ValueMatrix::Zero(surface.NumberOfFaces(), 1),
+                                    true };
+  const auto             plain = shapeton::FindHaustralFolds(Flat()).folds;
+  const double           between = 0.5 * (plain[0].centre.x() + plain[1].centre.x());
+  for (int face = 0; face < surface.NumberOfFaces(); ++face)
+  {
+    hindrance.values(face, 0) = surface.V(surface.F(face, 0), 0) < between ? 4.0 : 0.0;
+  }
+  surface.cellArrays.push_back(hindrance);
+  const auto folds = shapeton::FindHaustralFolds(shapeton::FlatColon(surface)).folds;
+  ASSERT_EQ(folds.size(), 2u);
+  for (const shapeton::HaustralFold & fold : folds)
+  {
+    EXPECT_EQ(fold.hindrance,
+              fold.centre.x() < between ? shapeton::ColonHindrance::Narrow : shapeton::ColonHindrance::None);
+  }
+}
+
+TEST(HaustralFoldFiles, ATableWithAnUnknownReasonIsRefusedByLine)
+{
+  const std::string  path = Temporary("unknown.csv");
+  shapeton::CsvTable table = shapeton::TableOfFolds(shapeton::FindHaustralFolds(Flat()));
+  const auto &       columns = table.GetColumns();
+  const auto         column = std::find(columns.begin(), columns.end(), "notAssessable") - columns.begin();
+  shapeton::CsvTable wrong(columns);
+  auto               row = table.GetRows()[0];
+  row[column] = "loud";
+  wrong.AddRow(row);
+  wrong.Write(path);
+  try
+  {
+    shapeton::ReadFoldTable(path);
+    FAIL() << "not refused";
+  }
+  catch (const shapeton::InputError & error)
+  {
+    EXPECT_NE(std::string(error.what()).find("unknown.csv\", line 2: \"loud\""), std::string::npos) << error.what();
+  }
+}
+
 TEST(HaustralFoldFiles, TheTableReadsBackExactly)
 {
   shapeton::HaustralFolds folds = shapeton::FindHaustralFolds(Flat());
   folds.folds[0].arcLength = 0.1 + 0.2; // 17 digits
   folds.folds[1].height = std::numeric_limits<double>::quiet_NaN();
   folds.folds[1].crossesCut = true;
+  folds.folds[1].hindrance = shapeton::ColonHindrance::UntaggedFluid;
   folds.folds[1].ends[1] = { -1.0 / 3.0, std::nextafter(1000.0, 2000.0), 1e-300 };
   const std::string path = Temporary("folds.csv");
   shapeton::TableOfFolds(folds).Write(path);
@@ -99,6 +144,7 @@ TEST(HaustralFoldFiles, TheTableReadsBackExactly)
     const shapeton::HaustralFold & b = folds.folds[i];
     EXPECT_EQ(a.label, b.label);
     EXPECT_EQ(a.crossesCut, b.crossesCut);
+    EXPECT_EQ(a.hindrance, b.hindrance);
     EXPECT_EQ(a.centreUv, b.centreUv);
     EXPECT_EQ(a.centre, b.centre);
     EXPECT_EQ(a.endUv, b.endUv);

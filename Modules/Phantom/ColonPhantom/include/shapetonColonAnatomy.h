@@ -29,6 +29,23 @@ struct ColonPolyp
   int             materialId; ///< the nearest wall point of Correspondence()
 };
 
+/** A diverticulum of the phantom: a sac outside of the wall, which a neck joins to the lumen. LPS, mm.
+ * \ingroup ColonPhantom */
+struct ColonDiverticulum
+{
+  int             id;         ///< from 1; the same in all positions of one seed
+  Eigen::Vector3d mouth;      ///< where the neck leaves the wall
+  Eigen::Vector3d position;   ///< the middle of the sac, a ball
+  double          neck;       ///< inner diameter
+  double          diameter;   ///< of the sac, less than in other positions where it has little room
+  double          arcLength;  ///< of the mouth
+  int             segment;    ///< of the mouth
+  int             materialId; ///< of the mouth, the nearest wall point of Correspondence()
+  /** stool, or of ColonAnatomy lumen: what the lumen holds there; of ColonStructures gas or fluid, by the middle. */
+  std::string content;
+  double      intensity; ///< of stool, HU; else 0
+};
+
 /** The ileocaecal valve of the phantom. LPS, mm. \ingroup ColonPhantom */
 struct ColonValve
 {
@@ -115,6 +132,10 @@ public:
   std::vector<ColonPolyp>
   Polyps() const;
 
+  /** Those that are open in this position, in the order of their numbers. */
+  std::vector<ColonDiverticulum>
+  Diverticula() const;
+
   ColonValve
   Valve() const;
 
@@ -134,7 +155,8 @@ public:
   PlaceAt(double share, double angle) const;
 
   /** The surface of the lumen, closed at both ends, normals out of the lumen, sampled with `edgeLength` mm. Edges
-   * above 0.7 of the thinnest septum join stretches that touch. */
+   * above 0.7 of the thinnest septum join stretches that touch, those above 0.5 of the narrowest neck may cut a
+   * diverticulum off. */
   SurfaceMesh
   Wall(double edgeLength) const;
 

@@ -78,6 +78,9 @@ struct ColonPhantomParameters
   int bubbles{ 0 };
   /** Patches of foam upon levels, 0 to 20; in three of ten patients 1 to 4. */
   int foam{ 0 };
+  /** Diverticula, 0 to 60, most of them in sigmoid and descending colon: none in six of ten patients, else 3 to 25.
+   * Their places are the patient's; those that find no room in a position are closed in it. */
+  int diverticula{ 0 };
   /** The rectal catheter: none, central (in the middle of the lumen, with a closed end), rigid (straight beyond the
    * anal canal), soft (sinks onto the wall) or drawn: rigid or soft, none in four of ten patients. Without a catheter
    * the anal canal is closed. The parameters that follow are those of the catheter where there is one. */

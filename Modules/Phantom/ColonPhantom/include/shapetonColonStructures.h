@@ -17,16 +17,17 @@ namespace shapeton
 enum class ColonStructure : unsigned char
 {
   None,
-  Valve,      ///< the tissue of its lips, or the bump
-  Ileum,      ///< the lumen of the terminal ileum, up to the mouth of the valve
-  IleumWall,  ///< and all of an ileum that is collapsed
-  Catheter,   ///< its wall and its bore
-  Balloon,    ///< its wall and what it holds
-  Stool,      ///< with the gas in it
-  Bubble,     ///< of gas, in fluid
-  Foam,       ///< bubbles and the films between them
-  SmallBowel, ///< the lumen of its other loops
-  Stomach     ///< its lumen
+  Valve,       ///< the tissue of its lips, or the bump
+  Ileum,       ///< the lumen of the terminal ileum, up to the mouth of the valve
+  IleumWall,   ///< and all of an ileum that is collapsed
+  Catheter,    ///< its wall and its bore
+  Balloon,     ///< its wall and what it holds
+  Stool,       ///< with the gas in it
+  Bubble,      ///< of gas, in fluid
+  Foam,        ///< bubbles and the films between them
+  SmallBowel,  ///< the lumen of its other loops
+  Stomach,     ///< its lumen
+  Diverticulum ///< its neck and sac, with what they hold
 };
 
 /** Stool, a bubble or a patch of foam in the lumen. LPS, mm. \ingroup ColonPhantom */
@@ -95,6 +96,10 @@ public:
   const std::vector<ColonResidue> &
   GetResidue() const;
 
+  /** Those of the anatomy, with what they hold. */
+  const std::vector<ColonDiverticulum> &
+  GetDiverticula() const;
+
   /** The axis of each long structure, that of the ileum from the colon on, that of the catheter to its tip, with the
    * cell array structure (a ColonStructure). */
   CurveSet
@@ -121,6 +126,8 @@ private:
   void
   AddIleum(const ColonAnatomy & anatomy, const ColonFluid & fluid);
   void
+  AddDiverticula(const ColonAnatomy & anatomy, const ColonFluid & fluid);
+  void
   AddCatheter(const ColonAnatomy & anatomy, const ColonFluid & fluid);
   void
   FillBlock(LabelImageType * image, const itk::ImageRegion<3> & block, const std::vector<const Part *> & above) const;
@@ -129,6 +136,7 @@ private:
   std::unique_ptr<ColonIleum>               m_Ileum;
   std::unique_ptr<ColonCatheter>            m_Catheter;
   std::vector<ColonResidue>                 m_Residue;
+  std::vector<ColonDiverticulum>            m_Diverticula;
   std::vector<std::vector<Eigen::Vector3d>> m_Axes;
   std::vector<ColonStructure>               m_AxisOf;
 };

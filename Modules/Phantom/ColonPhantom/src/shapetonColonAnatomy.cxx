@@ -101,6 +101,12 @@ ColonAnatomy::Polyps() const
   return ColonPolypTruth(m_Data->plan, m_Data->field);
 }
 
+std::vector<ColonDiverticulum>
+ColonAnatomy::Diverticula() const
+{
+  return ColonDiverticulumTruth(m_Data->plan, m_Data->field);
+}
+
 ColonValve
 ColonAnatomy::Valve() const
 {
@@ -172,6 +178,12 @@ ColonAnatomy::BoundingBox(double margin, Vector3d & low, Vector3d & high) const
     const Vector3d spread = Vector3d::Constant(field.GetRelief().LargestRadiusNear(k) + margin);
     low = low.cwiseMin(field.GetCurve().At(k).position - spread);
     high = high.cwiseMax(field.GetCurve().At(k).position + spread);
+  }
+  for (const DiverticulumBody & body : field.GetDiverticula())
+  {
+    const Vector3d spread = Vector3d::Constant(body.radius + margin);
+    low = low.cwiseMin(body.sac - spread);
+    high = high.cwiseMax(body.sac + spread);
   }
 }
 

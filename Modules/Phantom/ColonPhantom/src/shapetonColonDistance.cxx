@@ -1,9 +1,26 @@
 #include "shapetonColonDistance.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace shapeton
 {
+ColonDistance
+SphereDistance(const Eigen::Vector3d & point, const Eigen::Vector3d & centre, double radius)
+{
+  const Eigen::Vector3d off = point - centre;
+  const double          length = std::max(off.norm(), 1e-9);
+  return { length - radius, off / length };
+}
+
+ColonDistance
+CapsuleDistance(const Eigen::Vector3d & point, const Eigen::Vector3d & from, const Eigen::Vector3d & to, double radius)
+{
+  const Eigen::Vector3d along = to - from;
+  const double          t = std::clamp((point - from).dot(along) / along.squaredNorm(), 0.0, 1.0);
+  return SphereDistance(point, from + t * along, radius);
+}
+
 ColonDistance
 JoinTissue(const ColonDistance & a, const ColonDistance & b, double fillet)
 {

@@ -1,6 +1,7 @@
 #include "shapetonColonField.h"
 
 #include "shapetonColonNoise.h"
+#include "shapetonDiverticulaPlacement.h"
 
 #include <Eigen/Geometry>
 
@@ -13,10 +14,12 @@ using Eigen::Vector3d;
 
 namespace
 {
-constexpr double c_FoldFillet = 1.2;  // mm
-constexpr double c_PolypFillet = 0.8; // mm
-constexpr double c_LipsFillet = 1.5;  // mm
-constexpr double c_LipsReach = 60.0;  // mm along the colon within which the lips are looked at
+constexpr double c_FoldFillet = 1.2;   // mm
+constexpr double c_BetweenFolds = 3.0; // mm
+constexpr double c_PolypFillet = 0.8;  // mm
+constexpr double c_LipsFillet = 1.5;   // mm
+constexpr double c_MouthFillet = 0.6;  // mm
+constexpr double c_LipsReach = 60.0;   // mm along the colon within which the lips are looked at
 
 void
 Normalise(ColonDistance & distance)
@@ -27,22 +30,6 @@ Normalise(ColonDistance & distance)
     distance.value /= length;
     distance.gradient /= length;
   }
-}
-
-ColonDistance
-SphereDistance(const Vector3d & point, const Vector3d & centre, double radius)
-{
-  const Vector3d off = point - centre;
-  const double   length = std::max(off.norm(), 1e-9);
-  return { length - radius, off / length };
-}
-
-ColonDistance
-CapsuleDistance(const Vector3d & point, const Vector3d & from, const Vector3d & to, double radius)
-{
-  const Vector3d along = to - from;
-  const double   t = std::clamp((point - from).dot(along) / along.squaredNorm(), 0.0, 1.0);
-  return SphereDistance(point, from + t * along, radius);
 }
 
 // An ellipsoid of revolution, of first order near its surface.
@@ -98,6 +85,8 @@ ColonField::ColonField(const ColonPath &              path,
   : m_Curve(path, HeldTwist(path, plan, ColonTwist(plan, parameters)))
   , m_Relief(plan, parameters, &m_Curve)
   , m_Reach(reach)
+  // The bytes of the older presets stay.
+  , m_BetweenFolds(parameters.preset == "realistic" ? c_BetweenFolds : 0.0)
 {
   std::vector<double> reaches;
   for (int k = 0; k <= m_Curve.GetNumberOfSteps(); ++k)
@@ -113,6 +102,7 @@ ColonField::ColonField(const ColonPath &              path,
   {
     this->PlaceLips(plan);
   }
+  m_Diverticula = PlaceDiverticula(*this, plan.diverticula);
 }
 
 void
@@ -167,6 +157,8 @@ ColonField::WallDistance(const Local & local) const
 void
 ColonField::AddFolds(const Local & local, ColonDistance & distance) const
 {
+  // Folds that nearly touch grow together, so that no slit is left between them.
+  ColonDistance folds{ 1e9, local.outwards };
   for (int i : m_Relief.FoldsNear(local.t))
   {
     const FoldCourse & fold = m_Relief.GetFolds()[i];
@@ -199,8 +191,16 @@ ColonField::AddFolds(const Local & local, ColonDistance & distance) const
       body.value = std::abs(across) - fold.halfThickness;
       body.gradient = across < 0 ? Vector3d(-acrossGradient) : acrossGradient;
     }
-    distance = JoinTissue(distance, body, c_FoldFillet);
+    if (m_BetweenFolds > 0.0)
+    {
+      folds = JoinTissue(folds, body, m_BetweenFolds);
+    }
+    else
+    {
+      distance = JoinTissue(distance, body, c_FoldFillet);
+    }
   }
+  distance = JoinTissue(distance, folds, c_FoldFillet);
 }
 
 void
@@ -256,6 +256,44 @@ ColonField::AddSeptum(const Local &         here,
 
 bool
 ColonField::Evaluate(const Vector3d & point, Place & place) const
+{
+  const bool isNearTube = this->EvaluateTube(point, place);
+  return m_Diverticula.empty() ? isNearTube : this->AddDiverticula(point, isNearTube, place);
+}
+
+// The lumina of tube and flask are joined with a round edge of the mouth.
+bool
+ColonField::AddDiverticula(const Vector3d & point, bool isNearTube, Place & place) const
+{
+  bool isNear = isNearTube;
+  for (const DiverticulumBody & body : m_Diverticula)
+  {
+    const double tube = isNear ? -place.distance.value : 1e9;
+    const double most = body.Extent() + std::max(tube, c_MouthFillet);
+    if ((point - body.sac).squaredNorm() > most * most)
+    {
+      continue;
+    }
+    const ColonDistance flask = body.Distance(point);
+    ColonDistance       joined = flask;
+    if (isNear)
+    {
+      joined = JoinTissue({ tube, -place.distance.gradient }, flask, c_MouthFillet);
+      Normalise(joined);
+    }
+    place.distance = { -joined.value, -joined.gradient };
+    if (flask.value < tube)
+    {
+      place.t = body.t;
+      place.angle = body.angle;
+    }
+    isNear = true;
+  }
+  return isNear;
+}
+
+bool
+ColonField::EvaluateTube(const Vector3d & point, Place & place) const
 {
   ColonCurve::Near near;
   m_Curve.FindNear(point, near);

@@ -4,6 +4,7 @@
 #include "shapetonColonCurve.h"
 #include "shapetonColonDistance.h"
 #include "shapetonColonRelief.h"
+#include "shapetonDiverticulumBody.h"
 #include "shapetonValveLips.h"
 
 #include <Eigen/Core>
@@ -72,6 +73,12 @@ public:
   {
     return m_Polyps;
   }
+  /** Those of the plan that have room in this position. */
+  const std::vector<DiverticulumBody> &
+  GetDiverticula() const
+  {
+    return m_Diverticula;
+  }
   /** None where the valve is a bump. */
   const std::optional<ValveLips> &
   GetLips() const
@@ -95,6 +102,10 @@ private:
             const Local &         there,
             const ColonDistance & other,
             ColonDistance &       distance) const;
+  bool
+  EvaluateTube(const Eigen::Vector3d & point, Place & place) const;
+  bool
+  AddDiverticula(const Eigen::Vector3d & point, bool isNearTube, Place & place) const;
   void
   AddLips(const Eigen::Vector3d & point, double t, ColonDistance & distance) const;
   PolypBody
@@ -109,9 +120,11 @@ private:
   ColonCurve                    m_Curve;
   ColonRelief                   m_Relief;
   double                        m_Reach;
-  std::vector<double>           m_Septum; ///< at each step
+  double                        m_BetweenFolds; ///< mm, the fillet there; 0: folds are joined with the wall one by one
+  std::vector<double>           m_Septum;       ///< at each step
   std::vector<PolypBody>        m_Polyps;
   std::vector<std::vector<int>> m_PolypsNear;
+  std::vector<DiverticulumBody> m_Diverticula;
   std::optional<ValveLips>      m_Lips;
   double                        m_LipsAt{ 0.0 }; ///< place on the curve
 };

@@ -29,7 +29,8 @@ enum class ColonStream : std::uint32_t
   Stool,
   Bubbles,
   Foam,
-  Drawn
+  Drawn,
+  Diverticula
 };
 
 /** Uniform and normal numbers from Philox, keyed by seed, purpose and, where it matters, the position (from 1). */

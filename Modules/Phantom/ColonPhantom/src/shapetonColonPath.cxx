@@ -170,6 +170,23 @@ Mobilities(const ColonPath & path)
   return result;
 }
 
+// The hepatic flexure is the highest place of its bend. Where a patient's lengths draw the template out, relaxation
+// moves that along the colon: the border of the segments climbs after it.
+void
+MoveHepaticFlexureToHighest(ColonPath & path)
+{
+  constexpr long reach = 6; // nodes
+  const auto     first = path.segment.begin();
+  const long     border = std::lower_bound(first, path.segment.end(), 5) - first;
+  const auto     heightAt = [&](long node) { return path.nodes[node].z(); };
+  const long     step = heightAt(border + 1) > heightAt(border - 1) ? 1 : -1;
+  long           highest = border;
+  while (std::abs(highest - border) < reach && heightAt(highest + step) > heightAt(highest))
+  {
+    highest += step;
+  }
+  std::fill(first + std::min(border, highest), first + std::max(border, highest), step > 0 ? 4 : 5);
+}
 } // namespace
 
 unsigned
@@ -217,6 +234,10 @@ RestPath(const ColonPhantomParameters & parameters)
   relaxation.SetMobility(Mobilities(path));
   relaxation.Run(700);
   path.nodes = relaxation.GetNodes();
+  if (parameters.lengths != SegmentValues())
+  {
+    MoveHepaticFlexureToHighest(path);
+  }
   // What smoothness and room have left of the lengths is the patient's.
   for (std::size_t i = 1; i < path.nodes.size(); ++i)
   {

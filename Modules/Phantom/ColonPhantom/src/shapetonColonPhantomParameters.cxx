@@ -105,7 +105,8 @@ enum class Group
   Caecum,
   Residue,
   Scanner,
-  Bowel
+  Bowel,
+  Diverticula
 };
 
 /** Draws in a fixed order, so that what is given moves nothing that is drawn. */
@@ -204,6 +205,14 @@ DrawResidue(ColonPhantomParameters & p)
 }
 
 void
+DrawDiverticula(ColonPhantomParameters & p)
+{
+  Draw       draw(p, Group::Diverticula);
+  const bool hasDiverticula = draw.Chance() < 0.4;
+  draw(p.diverticula, hasDiverticula ? 3 : 0, hasDiverticula ? 25 : 0);
+}
+
+void
 DrawCatheter(ColonPhantomParameters & p)
 {
   Draw         draw(p, Group::Catheter);
@@ -239,6 +248,7 @@ Drawn(const ColonPhantomParameters & parameters)
   DrawShape(drawn);
   DrawBowel(drawn);
   DrawResidue(drawn);
+  DrawDiverticula(drawn);
   DrawScanner(drawn);
   DrawCatheter(drawn);
   if (drawn.valve == "lips")
@@ -276,6 +286,7 @@ ColonPhantomPreset(const std::string & name)
     parameters.smallBowelTagged = drawnBySeed;
     parameters.stomachIntensity = drawnBySeed;
     parameters.stool = parameters.bubbles = parameters.foam = static_cast<int>(drawnBySeed);
+    parameters.diverticula = static_cast<int>(drawnBySeed);
     parameters.catheter = "drawn";
     parameters.catheterBore = drawnBySeed;
     parameters.catheterWall = drawnBySeed;
@@ -324,6 +335,7 @@ RequireValid(const ColonPhantomParameters & p)
   RequireRangeOrDrawn("stoolTagged", p.stoolTagged, 0, 1);
   RequireRangeOrDrawn("bubbles", p.bubbles, 0, 100);
   RequireRangeOrDrawn("foam", p.foam, 0, 20);
+  RequireRangeOrDrawn("diverticula", p.diverticula, 0, 60);
   RequireValidCatheter(p);
   RequireValidValve(p);
 }

@@ -2,6 +2,7 @@
 
 #include "shapetonColonCurve.h"
 #include "shapetonColonNoise.h"
+#include "shapetonDiverticulaPlan.h"
 
 #include <Eigen/Geometry>
 
@@ -66,6 +67,7 @@ ColonPlan::ColonPlan(const ColonPath & rest, const ColonPhantomParameters & para
   this->PlanFolds(parameters.seed);
   this->PlanValve(rest, parameters);
   this->PlanPolyps(parameters.seed, parameters.polyps);
+  diverticula = PlanDiverticula(*this, parameters.seed, parameters.diverticula);
 }
 
 // The ileum comes from the middle of the body.

@@ -41,6 +41,17 @@ struct PolypPlan
   int         fold; ///< -1: on the wall
 };
 
+/** A diverticulum at rest: a sac with a neck through the wall. mm. */
+struct DiverticulumPlan
+{
+  double material;
+  double angle;
+  double neck;       ///< inner diameter
+  double neckLength; ///< from the wall's surface to the sac
+  double diameter;   ///< of the sac
+  double stool;      ///< HU of what fills it; 0: it holds what the lumen does
+};
+
 /** The ileocaecal valve at rest. */
 struct ValvePlan
 {
@@ -87,9 +98,10 @@ public:
     return m_Length;
   }
 
-  std::vector<FoldPlan>  folds;
-  std::vector<PolypPlan> polyps;
-  ValvePlan              valve{};
+  std::vector<FoldPlan>         folds;
+  std::vector<PolypPlan>        polyps;
+  std::vector<DiverticulumPlan> diverticula;
+  ValvePlan                     valve{};
 
 private:
   void

@@ -15,6 +15,8 @@ constexpr double c_CollapseEnd = 15.0;     // mm
 constexpr double c_ClosedCanal = 20.0;     // mm of the anal canal without a catheter
 constexpr double c_HighestFold = 0.6;      // of the radius, so that no fold blocks the lumen
 constexpr double c_FoldNeighbourhood = 16; // mm along the colon
+constexpr double c_LongestChord = 44.0;    // mm along the colon; farther stretches have a septum
+constexpr double c_ChordStep = 4.0;        // mm
 
 // Unevenness that belongs to the wall: knots 4 mm apart, so waves of 8 mm and more.
 class Roughness
@@ -53,6 +55,42 @@ private:
   static constexpr int    c_Columns = 32;
   int                     m_Rows;
   std::vector<float>      m_Values;
+};
+
+/** How near to a place of the curve its neighbours come on one side. */
+class Chords
+{
+public:
+  Chords(const ColonCurve & curve, double t, double longest)
+  {
+    const Eigen::Vector3d at = curve.At(t).position;
+    for (double off = c_ChordStep; off <= longest; off += c_ChordStep)
+    {
+      for (const double other : { t - off / curve.GetStep(), t + off / curve.GetStep() })
+      {
+        if (other >= 0.0 && other <= curve.GetNumberOfSteps())
+        {
+          const Eigen::Vector3d chord = curve.At(other).position - at;
+          m_Chords.push_back(2.0 / chord.squaredNorm() * chord);
+        }
+      }
+    }
+  }
+
+  // 1 / mm: what is farther away in this direction is nearer to a neighbour. For short chords it is the curvature.
+  double
+  BendTowards(const Eigen::Vector3d & direction) const
+  {
+    double bend = 0.0;
+    for (const Eigen::Vector3d & chord : m_Chords)
+    {
+      bend = std::max(bend, chord.dot(direction));
+    }
+    return bend;
+  }
+
+private:
+  std::vector<Eigen::Vector3d> m_Chords;
 };
 } // namespace
 
@@ -105,7 +143,8 @@ ColonRelief::ColonRelief(const ColonPlan & plan, const ColonPhantomParameters & 
   this->FillTable(plan, places, parameters);
   if (curve)
   {
-    this->RelieveBends(*curve);
+    // The bytes of the older presets stay.
+    this->RelieveBends(*curve, parameters.preset == "realistic" ? c_LongestChord : 0.0);
   }
   this->SumUpRows();
   this->LayFolds(plan, places, parameters);
@@ -252,9 +291,10 @@ ColonRelief::FillTable(const ColonPlan &              plan,
   }
 }
 
-// The wall on the inside of a bend stays nearer than the centre of curvature, where it would cross itself.
+// The wall on the inside of a bend stays nearer than the centre of curvature, where it would cross itself, and within
+// `longestChord` nearer than where the tube comes back to itself: else a bridge of tissue is left in between.
 void
-ColonRelief::RelieveBends(const ColonCurve & curve)
+ColonRelief::RelieveBends(const ColonCurve & curve, double longestChord)
 {
   constexpr double straight = 0.6;
   constexpr double most = 0.9;
@@ -262,11 +302,13 @@ ColonRelief::RelieveBends(const ColonCurve & curve)
   {
     const double            t = row / double(c_RowsPerStep);
     const ColonCurve::Frame frame = curve.At(t);
+    const Chords            chords(curve, t, longestChord);
     for (int k = 0; k < Angles; ++k)
     {
-      float &      radius = m_Table[std::size_t(row + 1) * Angles + k];
-      const double bend =
-        curve.Direction(t, WrapAngle(2 * M_PI * k / Angles)).dot(frame.second) / frame.first.squaredNorm();
+      float &               radius = m_Table[std::size_t(row + 1) * Angles + k];
+      const Eigen::Vector3d direction = curve.Direction(t, WrapAngle(2 * M_PI * k / Angles));
+      const double          bend =
+        std::max(direction.dot(frame.second) / frame.first.squaredNorm(), chords.BendTowards(direction));
       const double share = radius * bend;
       if (share > straight)
       {

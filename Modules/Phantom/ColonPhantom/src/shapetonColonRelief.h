@@ -85,7 +85,7 @@ private:
   void
   FillTable(const ColonPlan & plan, const std::vector<double> & places, const ColonPhantomParameters & parameters);
   void
-  RelieveBends(const ColonCurve & curve);
+  RelieveBends(const ColonCurve & curve, double longestChord);
   double
   Waist(const ColonPlan & plan, const std::vector<double> & places, double material, double angle) const;
   void

@@ -3,6 +3,7 @@
 #include "shapetonAbdomenParts.h"
 #include "shapetonColonBody.h"
 #include "shapetonColonStructurePart.h"
+#include "shapetonDiverticulumBody.h"
 #include "shapetonCatheterTube.h"
 #include "shapetonLumenResidue.h"
 #include "shapetonSmallBowel.h"
@@ -26,6 +27,8 @@ using PointType = PhantomBody::PointType;
 
 constexpr double fatIntensity = -110.0;
 constexpr double behindBase = 3.0; // mm; so far the lips reach behind the wall
+constexpr double flaskSlope = 1.5; // where neck and sac join
+constexpr double intoWall = 0.35;  // mm; half a cell, so that no gas is seen between stool and wall
 constexpr double lipsSlope = 4.0;  // the distance to half ellipsoids may be too large by this factor
 
 Vector3d
@@ -44,6 +47,17 @@ LipsSolid(const ColonValve & valve)
   const Vector3d  back = -valve.direction;
   const auto      above = HalfSpaceSolid(MakeVector(back[0], back[1], back[2]), back.dot(valve.base) + behindBase);
   return Both({ distance, lipsSlope }, above);
+}
+
+// A diverticulum beyond its mouth.
+PhantomSolid
+FlaskSolid(const ColonDiverticulum & diverticulum, double margin)
+{
+  const DiverticulumBody body = BodyOf(diverticulum);
+  const auto             distance = [body](const PointType & p) { return body.Distance(ToEigen(p)).value; };
+  const Vector3d         back = (diverticulum.mouth - diverticulum.position).normalized();
+  const auto             above = HalfSpaceSolid(MakeVector(back[0], back[1], back[2]), back.dot(diverticulum.mouth));
+  return Both(Grown({ distance, flaskSlope }, margin), above);
 }
 
 CurveSet
@@ -82,6 +96,7 @@ ColonStructures::ColonStructures(const ColonAnatomy & anatomy, const ColonFluid 
     this->AddValve(anatomy);
     this->AddIleum(anatomy, fluid);
   }
+  this->AddDiverticula(anatomy, fluid);
   const LumenResidue residue = MakeLumenResidue(anatomy, fluid);
   m_Parts.insert(m_Parts.end(), residue.parts.begin(), residue.parts.end());
   m_Residue = residue.truth;
@@ -132,6 +147,24 @@ ColonStructures::AddIleum(const ColonAnatomy & anatomy, const ColonFluid & fluid
   m_AxisOf.push_back(ColonStructure::Ileum);
 }
 
+// Their walls, gas and fluid are painted with the colon.
+void
+ColonStructures::AddDiverticula(const ColonAnatomy & anatomy, const ColonFluid & fluid)
+{
+  m_Diverticula = anatomy.Diverticula();
+  for (ColonDiverticulum & one : m_Diverticula)
+  {
+    const bool holdsStool = one.content == "stool";
+    const bool isWet = fluid.DepthBelowLevel(one.position, one.arcLength) > 0.0;
+    one.content = holdsStool ? "stool" : (isWet ? "fluid" : "gas");
+    const auto stool = WithinColon(FlaskSolid(one, intoWall), anatomy, intoWall);
+    m_Parts.push_back({ ColonStructure::Diverticulum,
+                        WithinColon(FlaskSolid(one, 0.0), anatomy, 0.0),
+                        holdsStool ? MakeSolidBody(stool, one.intensity) : nullptr,
+                        false });
+  }
+}
+
 void
 ColonStructures::AddCatheter(const ColonAnatomy & anatomy, const ColonFluid & fluid)
 {
@@ -152,6 +185,12 @@ const std::vector<ColonResidue> &
 ColonStructures::GetResidue() const
 {
   return m_Residue;
+}
+
+const std::vector<ColonDiverticulum> &
+ColonStructures::GetDiverticula() const
+{
+  return m_Diverticula;
 }
 
 const ColonIleum *

@@ -281,6 +281,31 @@ ColonPolypTruth(const ColonPlan & plan, const ColonField & field)
   return polyps;
 }
 
+std::vector<ColonDiverticulum>
+ColonDiverticulumTruth(const ColonPlan & plan, const ColonField & field)
+{
+  const ColonCurve &             curve = field.GetCurve();
+  const MaterialGrid             grid(plan);
+  std::vector<ColonDiverticulum> diverticula;
+  for (const DiverticulumBody & body : field.GetDiverticula())
+  {
+    const DiverticulumPlan & from = plan.diverticula[body.plan];
+    ColonDiverticulum        diverticulum;
+    diverticulum.id = body.plan + 1;
+    diverticulum.mouth = body.mouth;
+    diverticulum.position = body.sac;
+    diverticulum.neck = 2.0 * body.neckRadius;
+    diverticulum.diameter = 2.0 * body.radius;
+    diverticulum.arcLength = curve.ArcLengthAt(body.t);
+    diverticulum.segment = plan.SegmentAt(from.material);
+    diverticulum.materialId = grid.Nearest(from.material, from.angle);
+    diverticulum.content = from.stool > 0.0 ? "stool" : "lumen";
+    diverticulum.intensity = from.stool;
+    diverticula.push_back(diverticulum);
+  }
+  return diverticula;
+}
+
 ColonValve
 ColonValveTruth(const ColonPlan & plan, const ColonField & field)
 {

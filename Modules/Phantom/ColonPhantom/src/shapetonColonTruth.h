@@ -17,6 +17,8 @@ CurveSet
 ColonFoldTruth(const ColonPlan & plan, const ColonField & field);
 std::vector<ColonPolyp>
 ColonPolypTruth(const ColonPlan & plan, const ColonField & field);
+std::vector<ColonDiverticulum>
+ColonDiverticulumTruth(const ColonPlan & plan, const ColonField & field);
 ColonValve
 ColonValveTruth(const ColonPlan & plan, const ColonField & field);
 Eigen::Vector3d

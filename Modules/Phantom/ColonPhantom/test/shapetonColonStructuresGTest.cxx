@@ -285,6 +285,44 @@ TEST(ColonStructures, ResidueLiesInTheLumenWhereItsKindDoes)
   EXPECT_GE(counts[ColonStructure::Foam], 1);
 }
 
+TEST(ColonStructures, DiverticulaHoldWhatTheTruthSays)
+{
+  auto parameters = Realistic(3);
+  parameters.diverticula = 40;
+  parameters.stool = parameters.bubbles = parameters.foam = 0;
+  parameters.fluid = 0.4;
+  const Exam                 exam(parameters);
+  std::vector<Vector3d>      points;
+  std::map<std::string, int> contents;
+  for (const shapeton::ColonDiverticulum & one : exam.structures.GetDiverticula())
+  {
+    ++contents[one.content];
+    // 1 mm inside of the bottom.
+    const Vector3d axis = (one.position - one.mouth).normalized();
+    points.push_back(one.position + (0.5 * one.diameter - 1.0) * axis);
+    EXPECT_EQ(exam.structures.At(one.position), ColonStructure::Diverticulum) << one.id;
+    EXPECT_EQ(exam.structures.At(points.back()), ColonStructure::Diverticulum) << one.id;
+    EXPECT_NE(exam.structures.At(one.mouth - 2.0 * axis), ColonStructure::Diverticulum) << one.id;
+    const double depth = exam.fluid.DepthBelowLevel(one.position, one.arcLength);
+    EXPECT_TRUE(one.content == "stool" || one.content == (depth > 0.0 ? "fluid" : "gas")) << one.id;
+    EXPECT_EQ(one.content == "stool", one.intensity > 0.0) << one.id;
+  }
+  EXPECT_GT(contents["stool"], 1);
+  EXPECT_GT(contents["gas"], 1);
+  EXPECT_GT(contents["fluid"], 1);
+  const auto values = IntensitiesAt(parameters, points);
+  for (std::size_t i = 0; i < points.size(); ++i)
+  {
+    const auto & one = exam.structures.GetDiverticula()[i];
+    const double depth = exam.fluid.DepthBelowLevel(points[i], one.arcLength);
+    const double fluid = depth > 0.0 ? exam.fluid.Intensity(points[i], one.arcLength) : -994.0;
+    if (one.content == "stool" || std::abs(depth) > 0.2)
+    {
+      EXPECT_NEAR(values[i], one.content == "stool" ? one.intensity : fluid, 3.0) << one.id;
+    }
+  }
+}
+
 TEST(ColonStructures, SmallBowelHoldsWhatItIsGiven)
 {
   for (const double tagged : { 0.0, 1.0 })

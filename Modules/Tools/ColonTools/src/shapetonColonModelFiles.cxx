@@ -59,37 +59,6 @@ LabelsOf(const ColonModel & model)
                  [](unsigned char label, unsigned char ileum) { return ileum != 0 ? ileumLabel : label; });
   return labels;
 }
-
-/** Of the section of a ball through a point, mm; 0 outside of it. */
-double
-RadiusOfSection(const itk::Point<double, 3> & centre, double diameter, const itk::Point<double, 3> & point)
-{
-  return std::sqrt(std::max(0.0, 0.25 * diameter * diameter - centre.SquaredEuclideanDistanceTo(point)));
-}
-
-/** The axis of a catheter with its outer radius, which is another one in the tip, and that of a balloon around it. */
-CurveSet
-CurveOf(const RectalCatheter & catheter)
-{
-  const auto      number = static_cast<int>(catheter.axis.size());
-  Eigen::VectorXd radius = Eigen::VectorXd::Constant(number, 0.5 * catheter.outerDiameter);
-  Eigen::VectorXd balloon(number);
-  CurveSet        curve;
-  curve.V.resize(number, 3);
-  curve.curves.emplace_back();
-  for (int n = 0; n < number; ++n)
-  {
-    curve.V.row(n) << catheter.axis[n][0], catheter.axis[n][1], catheter.axis[n][2];
-    curve.curves.back().push_back(n);
-    balloon[n] = RadiusOfSection(catheter.balloonCentre, catheter.balloonDiameter, catheter.axis[n]);
-    if (n >= catheter.evidence.length)
-    {
-      radius[n] = std::max(radius[n], catheter.tipRadius);
-    }
-  }
-  curve.pointArrays = { { "radius", radius }, { "balloonRadius", balloon } };
-  return curve;
-}
 } // namespace
 
 ColonModelFiles::ColonModelFiles(CommandLine & commandLine, const std::string & folder)
@@ -133,7 +102,7 @@ ColonModelFiles::Write(const ColonModel & model, bool atOnce) const
   if (model.lumen.catheter && model.lumen.catheter->isSure)
   {
     this->WriteFile("catheter.vtp", atOnce, [&](const std::string & path) {
-      WriteCurves(WithProvenance(CurveOf(*model.lumen.catheter), m_CommandLine), path);
+      WriteCurves(WithProvenance(CurveOfCatheter(*model.lumen.catheter), m_CommandLine), path);
     });
   }
   const std::pair<const char *, const SurfaceMesh *> surfaces[] = { { "wall.vtp", &model.wall.raw },

@@ -69,6 +69,7 @@ ReadParts(CommandLine & commandLine, ColonPhantomParameters & parameters)
   OverridePart(commandLine, "stoolTagged", parameters.stoolTagged);
   OverridePart(commandLine, "bubbles", parameters.bubbles);
   OverridePart(commandLine, "foam", parameters.foam);
+  OverridePart(commandLine, "diverticula", parameters.diverticula);
   OverridePart(commandLine, "kernel", parameters.kernel);
   OverridePart(commandLine, "sliceThickness", parameters.sliceThickness);
   OverridePart(commandLine, "catheter", parameters.catheter);

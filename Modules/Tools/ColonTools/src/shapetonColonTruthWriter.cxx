@@ -143,12 +143,40 @@ ResidueToJson(const std::vector<ColonResidue> & residue)
 }
 
 Json
+DiverticulaToJson(const std::vector<ColonDiverticulum> & diverticula)
+{
+  Json list = Json::array();
+  for (const ColonDiverticulum & one : diverticula)
+  {
+    Json json;
+    json["id"] = one.id;
+    json["mouth"] = ToJson(one.mouth);
+    json["position"] = ToJson(one.position);
+    json["neck"] = RoundedJson(one.neck);
+    json["diameter"] = RoundedJson(one.diameter);
+    json["arcLength"] = RoundedJson(one.arcLength);
+    json["segment"] = one.segment;
+    json["materialId"] = one.materialId;
+    json["content"] = one.content;
+    json["intensity"] = RoundedJson(one.intensity);
+    list.push_back(json);
+  }
+  return list;
+}
+
+Json
 StructuresToJson(const Provenance & provenance, const ColonAnatomy & anatomy, const ColonStructures & structures)
 {
   Json json;
   json["provenance"] = ProvenanceToJson(provenance);
   json["labels"] = { { "valve", 1 }, { "ileum", 2 },  { "ileumWall", 3 }, { "catheter", 4 },   { "balloon", 5 },
                      { "stool", 6 }, { "bubble", 7 }, { "foam", 8 },      { "smallBowel", 9 }, { "stomach", 10 } };
+  // The files of patients without them stay as they were.
+  if (anatomy.GetParameters().diverticula > 0)
+  {
+    json["labels"]["diverticulum"] = static_cast<int>(ColonStructure::Diverticulum);
+    json["diverticula"] = DiverticulaToJson(structures.GetDiverticula());
+  }
   json["valve"] = ValveToJson(anatomy);
   json["caecum"] = { { "pole", ToJson(anatomy.CaecalPole()) } };
   json["ileum"] = structures.GetIleum() ? IleumToJson(*structures.GetIleum()) : Json();

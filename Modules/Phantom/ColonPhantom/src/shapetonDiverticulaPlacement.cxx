@@ -1,0 +1,205 @@
+#include "shapetonDiverticulaPlacement.h"
+
+#include "shapetonAbdomenParts.h"
+#include "shapetonColonField.h"
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <cmath>
+
+namespace shapeton
+{
+namespace
+{
+using Eigen::Vector3d;
+
+constexpr double c_OwnSeptum = 1.6;   // mm of tissue between a sac and the stretch that it belongs to
+constexpr double c_OtherSeptum = 3.0; // mm between a sac and anything else
+constexpr double c_Stretch = 40.0;    // mm along the colon, half of what counts as the stretch
+constexpr double c_SmallestSac = 3.0; // mm
+constexpr double c_Plain = 0.7;       // mm between the wall and its relief, above which something lies on it
+constexpr int    c_Around = 8;
+
+// Evenly spread over the sphere.
+std::vector<Vector3d>
+SphereDirections()
+{
+  constexpr int         count = 96;
+  std::vector<Vector3d> directions;
+  for (int i = 0; i < count; ++i)
+  {
+    const double z = 1.0 - (2.0 * i + 1.0) / count;
+    const double angle = i * M_PI * (3.0 - std::sqrt(5.0));
+    directions.emplace_back(std::sqrt(1.0 - z * z) * std::cos(angle), std::sqrt(1.0 - z * z) * std::sin(angle), z);
+  }
+  return directions;
+}
+
+class DiverticulaPlacement
+{
+public:
+  explicit DiverticulaPlacement(const ColonField & field)
+    : m_Field(field), m_Directions(SphereDirections()), m_Cavity(AbdominalCavity())
+  {}
+
+  std::vector<DiverticulumBody>
+  Place(const std::vector<DiverticulumPlan> & plans)
+  {
+    for (std::size_t i = 0; i < plans.size(); ++i)
+    {
+      DiverticulumBody body;
+      Vector3d         outwards;
+      body.plan = static_cast<int>(i);
+      if (this->FindMouth(plans[i], body, outwards) && this->FindRoom(plans[i], outwards, body))
+      {
+        m_Bodies.push_back(body);
+      }
+    }
+    return m_Bodies;
+  }
+
+private:
+  // mm to the wall, positive in the lumen; far below zero where there is none.
+  double
+  DistanceAt(const Vector3d & point) const
+  {
+    ColonField::Place place;
+    return m_Field.Evaluate(point, place) ? place.distance.value : -1e3;
+  }
+
+  // False where a fold or another stretch lies on the wall, or the lumen is closed.
+  bool
+  FindMouth(const DiverticulumPlan & plan, DiverticulumBody & body, Vector3d & outwards) const
+  {
+    const ColonCurve &  curve = m_Field.GetCurve();
+    const ColonRelief & relief = m_Field.GetRelief();
+    body.t = plan.material / curve.GetStep();
+    body.angle = plan.angle;
+    body.neckRadius = 0.5 * plan.neck;
+    double radius;
+    body.mouth = m_Field.WallPoint(body.t, body.angle, radius);
+    ColonField::Place place;
+    if (relief.CollapseAt(body.t) > 0.0 || std::abs(radius - relief.RadiusAt(body.t, body.angle).value) > c_Plain ||
+        !m_Field.Evaluate(body.mouth, place))
+    {
+      return false;
+    }
+    outwards = -place.distance.gradient.normalized();
+    return outwards.dot(curve.Direction(body.t, body.angle)) > 0.7 && this->IsOpenBefore(body, outwards);
+  }
+
+  bool
+  IsOpenBefore(const DiverticulumBody & body, const Vector3d & outwards) const
+  {
+    const Vector3d side = outwards.unitOrthogonal();
+    for (int i = 0; i < c_Around; ++i)
+    {
+      const Vector3d off = Eigen::AngleAxisd(2.0 * M_PI * i / c_Around, outwards) * side;
+      if (this->DistanceAt(body.mouth + (body.neckRadius + 1.0) * off - 1.5 * outwards) < 0.5 ||
+          this->DistanceAt(body.mouth - 3.0 * outwards + off) < 1.0)
+      {
+        return false;
+      }
+    }
+    return true;
+  }
+
+  // Upright as long as there is room, else leaning over, else smaller.
+  bool
+  FindRoom(const DiverticulumPlan & plan, const Vector3d & outwards, DiverticulumBody & body) const
+  {
+    for (const double share : { 1.0, 0.8, 0.6 })
+    {
+      body.radius = 0.5 * std::max(share * plan.diameter, c_SmallestSac);
+      for (const double tilt : { 0.0, 0.35, 0.6 })
+      {
+        // The gap between sac and wall stays.
+        const double length = (plan.neckLength + body.radius) / std::cos(tilt);
+        for (int i = 0; i < (tilt > 0.0 ? c_Around : 1); ++i)
+        {
+          const Vector3d side = Eigen::AngleAxisd(2.0 * M_PI * i / c_Around, outwards) * outwards.unitOrthogonal();
+          body.sac = body.mouth + length * (std::cos(tilt) * outwards + std::sin(tilt) * side);
+          if (this->HasRoom(body))
+          {
+            return true;
+          }
+        }
+      }
+    }
+    return false;
+  }
+
+  bool
+  HasRoom(const DiverticulumBody & body) const
+  {
+    return this->IsWithinAbdomen(body) && this->IsClearOfSacs(body) && this->IsClearOfColon(body) &&
+           this->LeavesOnce(body);
+  }
+
+  bool
+  IsWithinAbdomen(const DiverticulumBody & body) const
+  {
+    const Vector3d & at = body.sac;
+    const double     spine = at.z() > -50.0 ? 30.0 : 17.0;
+    return (at - SpineAxisAt(at.z())).norm() > spine + body.radius + c_OtherSeptum &&
+           m_Cavity.distance(MakePoint(at[0], at[1], at[2])) < -(body.radius + c_OtherSeptum) &&
+           std::abs(at.z()) < 150.0;
+  }
+
+  bool
+  IsClearOfSacs(const DiverticulumBody & body) const
+  {
+    return std::all_of(m_Bodies.begin(), m_Bodies.end(), [&body](const DiverticulumBody & other) {
+      return other.Distance(body.sac).value > body.radius + c_OtherSeptum &&
+             body.Distance(other.sac).value > other.radius + c_OtherSeptum;
+    });
+  }
+
+  bool
+  IsClearOfColon(const DiverticulumBody & body) const
+  {
+    return std::all_of(m_Directions.begin(), m_Directions.end(), [&](const Vector3d & direction) {
+      ColonField::Place place;
+      if (!m_Field.Evaluate(body.sac + body.radius * direction, place))
+      {
+        return true;
+      }
+      const bool isOwn = std::abs(place.t - body.t) * m_Field.GetCurve().GetStep() < c_Stretch;
+      return place.distance.value < -(isOwn ? c_OwnSeptum : c_OtherSeptum);
+    });
+  }
+
+  // The upper half of the neck is in tissue.
+  bool
+  LeavesOnce(const DiverticulumBody & body) const
+  {
+    const Vector3d axis = (body.sac - body.mouth).normalized();
+    const double   length = (body.sac - body.mouth).norm() - body.radius;
+    for (const double share : { 0.5, 0.75, 1.0 })
+    {
+      for (int i = 0; i < c_Around; ++i)
+      {
+        const Vector3d side = Eigen::AngleAxisd(2.0 * M_PI * i / c_Around, axis) * axis.unitOrthogonal();
+        if (this->DistanceAt(body.mouth + share * length * axis + (body.neckRadius + 0.3) * side) > -0.2)
+        {
+          return false;
+        }
+      }
+    }
+    return true;
+  }
+
+  const ColonField &            m_Field;
+  std::vector<Vector3d>         m_Directions;
+  PhantomSolid                  m_Cavity;
+  std::vector<DiverticulumBody> m_Bodies;
+};
+} // namespace
+
+std::vector<DiverticulumBody>
+PlaceDiverticula(const ColonField & field, const std::vector<DiverticulumPlan> & plans)
+{
+  return DiverticulaPlacement(field).Place(plans);
+}
+} // namespace shapeton

@@ -1,0 +1,236 @@
+// The rectal catheter: whether it is found where there is one, and nowhere else.
+#include "BoundTable.h"
+
+#include "itkCastImageFilter.h"
+#include "shapetonColonLumenSegmentation.h"
+#include "shapetonColonPhantomImageSource.h"
+
+#include <Eigen/Core>
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <numeric>
+
+using namespace shapeton;
+
+namespace
+{
+using Source = ColonPhantomImageSource;
+
+constexpr int    patientsWith = 20;
+constexpr int    patientsWithout = 50;
+constexpr double spacing = 0.8; // mm
+constexpr double leastFound = 0.95;
+
+/** The rectum alone: 200 mm across, from 15 mm below the anal verge to 185 mm above it. */
+Source::Pointer
+MakeRectum(const ColonPhantomParameters & parameters)
+{
+  constexpr double extent = 200.0, below = 15.0; // mm
+  const auto       source = Source::New();
+  source->SetParameters(parameters);
+  Eigen::Vector3d verge, inwards;
+  source->GetAnatomy().AnalVerge(verge, inwards);
+  Source::SizeType size;
+  size.Fill(static_cast<itk::SizeValueType>(std::lround(extent / spacing)));
+  source->SetSize(size);
+  source->SetSpacing(Source::SpacingType(spacing));
+  const double origin[3] = { verge.x() - 0.5 * extent, verge.y() - 0.5 * extent, verge.z() - below };
+  source->SetOrigin(origin);
+  source->Update();
+  return source;
+}
+
+/** An exam of a rectum. */
+struct CatheterTrial
+{
+  std::string name;
+  bool        isThere{ false };
+  std::string kind; ///< with its balloon
+  bool        isFound{ false };
+  double      confidence{ 0.0 };
+  double      distance{ 0.0 };     ///< mm from the axis found to the true one, mean
+  double      boreError{ 0.0 };    ///< mm
+  double      outerError{ 0.0 };   ///< mm
+  bool        hasBalloon{ false }; ///< that gas or fluid fills
+  bool        seesBalloon{ false };
+};
+
+double
+MeanDistance(const RectalCatheter & catheter, const ColonStructures & structures)
+{
+  const CurveSet       axes = structures.Axes();
+  const SurfaceArray * of = FindSurfaceArray(axes.cellArrays, "structure");
+  double               sum = 0.0;
+  for (const auto & point : catheter.axis)
+  {
+    double nearest = 1e6;
+    for (std::size_t c = 0; c < axes.curves.size(); ++c)
+    {
+      const bool isCatheter =
+        static_cast<int>(of->values(static_cast<Eigen::Index>(c), 0)) == static_cast<int>(ColonStructure::Catheter);
+      for (std::size_t k = 0; isCatheter && k < axes.curves[c].size(); ++k)
+      {
+        nearest = std::min(
+          nearest, (axes.V.row(axes.curves[c][k]).transpose() - Eigen::Vector3d(point.GetDataPointer())).norm());
+      }
+    }
+    sum += nearest;
+  }
+  return sum / static_cast<double>(catheter.axis.size());
+}
+
+CatheterTrial
+TryExam(const ColonPhantomParameters & parameters)
+{
+  const auto source = MakeRectum(parameters);
+  const auto cast = itk::CastImageFilter<Source::ImageType, itk::Image<float, 3>>::New();
+  cast->SetInput(source->GetOutput());
+  cast->Update();
+  ColonLumenOptions options;
+  options.patientPosition = parameters.position;
+  const ColonLumen lumen = SegmentColonLumen(cast->GetOutput(), options);
+
+  CatheterTrial               trial;
+  const ColonCatheter * const truth = source->GetStructures().GetCatheter();
+  trial.name = "seed " + std::to_string(parameters.seed) + ", " + parameters.position;
+  ValidationReport::Progress("colon-catheters: " + trial.name + (truth ? " with" : " without"));
+  trial.isThere = truth != nullptr;
+  trial.isFound = lumen.catheter && lumen.catheter->isSure;
+  trial.confidence = lumen.catheter ? lumen.catheter->evidence.confidence : 0.0;
+  if (truth)
+  {
+    trial.kind = truth->kind + ", balloon " + truth->balloon;
+    trial.hasBalloon = truth->balloon == "gas" || truth->balloon == "fluid";
+  }
+  if (truth && trial.isFound)
+  {
+    trial.distance = MeanDistance(*lumen.catheter, source->GetStructures());
+    trial.boreError = lumen.catheter->boreDiameter - truth->bore;
+    trial.outerError = lumen.catheter->outerDiameter - truth->bore - 2.0 * truth->wall;
+    trial.seesBalloon = lumen.catheter->balloonDiameter > 0.0;
+  }
+  return trial;
+}
+
+/** Both positions of some patients. */
+std::vector<CatheterTrial>
+TryPatients(const std::vector<unsigned int> & seeds, bool hasCatheter)
+{
+  std::vector<CatheterTrial> trials;
+  for (const unsigned int seed : seeds)
+  {
+    for (const char * const position : { "supine", "prone" })
+    {
+      ColonPhantomParameters parameters = ColonPhantomPreset("realistic");
+      parameters.seed = seed;
+      parameters.position = position;
+      parameters.catheter = !hasCatheter ? "none" : seed % 2 == 0 ? "rigid" : "soft";
+      trials.push_back(TryExam(parameters));
+    }
+  }
+  return trials;
+}
+
+int
+NumberFound(const std::vector<CatheterTrial> & trials)
+{
+  return static_cast<int>(
+    std::count_if(trials.begin(), trials.end(), [](const CatheterTrial & trial) { return trial.isFound; }));
+}
+
+template <typename TMeasure>
+std::vector<double>
+OfFound(const std::vector<CatheterTrial> & trials, TMeasure measure)
+{
+  std::vector<double> values;
+  for (const CatheterTrial & trial : trials)
+  {
+    if (trial.isFound)
+    {
+      values.push_back(measure(trial));
+    }
+  }
+  return values;
+}
+
+void
+WriteSummary(const std::vector<CatheterTrial> & with,
+             const std::vector<CatheterTrial> & without,
+             ValidationReport &                 report)
+{
+  BoundTable table(report, true);
+  const int  found = NumberFound(with);
+  const auto all = static_cast<int>(with.size());
+  table.AddBounded("catheters that are found",
+                   ">= " + Rounded(leastFound),
+                   RatioOf(found, all),
+                   {},
+                   all > 0 && ShareOf(found, all) >= leastFound);
+  table.AddBounded("exams without a catheter in which one is found",
+                   "0",
+                   RatioOf(NumberFound(without), static_cast<int>(without.size())),
+                   {},
+                   !without.empty() && NumberFound(without) == 0);
+  const auto add = [&](const std::string & what, const auto & measure) {
+    const std::vector<double> values = OfFound(with, measure);
+    table.AddFact(what, Rounded(MeanOf(values)), values);
+  };
+  add("axis found to true axis, mm, mean", [](const CatheterTrial & t) { return t.distance; });
+  add("bore less true bore, mm, mean", [](const CatheterTrial & t) { return t.boreError; });
+  add("outer diameter less true one, mm, mean", [](const CatheterTrial & t) { return t.outerError; });
+  int balloons = 0, seen = 0, imagined = 0;
+  for (const CatheterTrial & trial : with)
+  {
+    balloons += trial.hasBalloon;
+    seen += trial.hasBalloon && trial.seesBalloon;
+    imagined += !trial.hasBalloon && trial.seesBalloon;
+  }
+  table.AddFact("filled balloons that are found", RatioOf(seen, balloons));
+  table.AddFact("balloons found where none is filled", std::to_string(imagined));
+  table.Write();
+}
+
+void
+WriteExams(const std::vector<CatheterTrial> & trials, ValidationReport & report)
+{
+  CsvTable table({ "exam", "catheter", "found", "confidence", "axis, mm", "bore, mm", "outer, mm", "balloon found" });
+  for (const CatheterTrial & t : trials)
+  {
+    const bool isRight = t.isThere && t.isFound;
+    table.AddRow({ t.name,
+                   t.isThere ? t.kind : "none",
+                   t.isFound ? "yes" : "",
+                   Rounded(t.confidence),
+                   isRight ? Rounded(t.distance) : "",
+                   isRight ? Rounded(t.boreError) : "",
+                   isRight ? Rounded(t.outerError) : "",
+                   t.seesBalloon ? "yes" : "" });
+  }
+  report.AddTable(table);
+}
+} // namespace
+
+void
+ValidateColonCatheters(const ValidationSettings & settings, ValidationReport & report)
+{
+  report.AddText(
+    "Synthetic patients of the preset realistic (" + settings.SeedsInWords() +
+    "), supine and prone, by CT of the rectum in voxels of 0.8 mm: with a catheter (rigid for even seeds, soft "
+    "for odd ones), and without.");
+  std::vector<unsigned int> seedsWithout = settings.Seeds(patientsWith, "realistic");
+  seedsWithout.resize(settings.patients > 0 ? settings.patients : patientsWithout);
+  std::iota(seedsWithout.begin(), seedsWithout.end(), seedsWithout.front());
+  const std::vector<CatheterTrial> with = TryPatients(settings.Seeds(patientsWith, "realistic"), true);
+  const std::vector<CatheterTrial> without = TryPatients(seedsWithout, false);
+  WriteSummary(with, without, report);
+  report.AddText("With a catheter:");
+  WriteExams(with, report);
+  std::vector<CatheterTrial> doubtful;
+  std::copy_if(without.begin(), without.end(), std::back_inserter(doubtful), [](const CatheterTrial & trial) {
+    return trial.confidence > 0.0;
+  });
+  report.AddText("Without one, those in which something is doubtful:");
+  WriteExams(doubtful, report);
+}

@@ -1,0 +1,46 @@
+#include "Reliability.h"
+
+#include "BoundTable.h"
+
+#include <algorithm>
+#include <cmath>
+
+Reliability::Reliability(std::vector<double> borders) : m_Borders(std::move(borders)), m_Classes(m_Borders.size() - 1)
+{}
+
+void
+Reliability::Add(double confidence, bool isRight)
+{
+  const auto upper = std::upper_bound(m_Borders.begin() + 1, m_Borders.end() - 1, confidence);
+  Class &    own = m_Classes[upper - m_Borders.begin() - 1];
+  own.confidences.push_back(confidence);
+  own.right += isRight;
+}
+
+double
+Reliability::CalibrationError() const
+{
+  double away = 0.0;
+  int    all = 0;
+  for (const Class & one : m_Classes)
+  {
+    away += std::abs(MeanOf(one.confidences) * one.Number() - one.right);
+    all += one.Number();
+  }
+  return all > 0 ? away / all : 0.0;
+}
+
+void
+Reliability::Write(const std::string & what, ValidationReport & report) const
+{
+  shapeton::CsvTable table({ "confidence", what, "mean confidence", "right" });
+  for (std::size_t k = 0; k < m_Classes.size(); ++k)
+  {
+    const Class & one = m_Classes[k];
+    table.AddRow({ Rounded(m_Borders[k]) + " to " + Rounded(m_Borders[k + 1]),
+                   std::to_string(one.Number()),
+                   one.Number() > 0 ? Rounded(MeanOf(one.confidences)) : "",
+                   one.Number() > 0 ? RatioOf(one.right, one.Number()) : "" });
+  }
+  report.AddTable(table);
+}

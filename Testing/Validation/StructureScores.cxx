@@ -1,0 +1,100 @@
+#include "StructureScores.h"
+
+#include "shapetonIleocaecalValve.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+using namespace shapeton;
+
+namespace
+{
+constexpr double infinite = std::numeric_limits<double>::infinity();
+constexpr double close = 15.0; // mm
+
+int
+NumberClose(const std::vector<double> & errors)
+{
+  return static_cast<int>(std::count_if(errors.begin(), errors.end(), [](double error) { return error <= close; }));
+}
+
+/** Of those that are finite. */
+std::vector<double>
+Finite(std::vector<double> errors)
+{
+  errors.erase(std::remove_if(errors.begin(), errors.end(), [](double error) { return !std::isfinite(error); }),
+               errors.end());
+  return errors;
+}
+
+void
+AddShare(const std::string &           what,
+         const std::optional<double> & bound,
+         const std::vector<double> &   errors,
+         BoundTable &                  table)
+{
+  const int  right = NumberClose(errors);
+  const auto all = static_cast<int>(errors.size());
+  if (bound)
+  {
+    table.AddBounded(what + " within 15 mm",
+                     ">= " + Rounded(*bound),
+                     RatioOf(right, all),
+                     {},
+                     all > 0 && ShareOf(right, all) >= *bound);
+  }
+  else
+  {
+    table.AddFact(what + " within 15 mm", RatioOf(right, all));
+  }
+  const std::vector<double> found = Finite(errors);
+  table.AddFact(what + ": error of those found, mm, mean", Rounded(MeanOf(found)), found);
+}
+} // namespace
+
+std::vector<std::string>
+StructureScores::Add(const LandmarkExam & exam)
+{
+  if (!exam.failure.empty())
+  {
+    m_Pole.push_back(infinite);
+    m_Valve.push_back(infinite);
+    return {};
+  }
+  std::vector<std::string> faults;
+  const Eigen::Vector3d    end = exam.centreline.V.row(exam.centreline.V.rows() - 1);
+  m_Pole.push_back((end - exam.anatomy->CaecalPole()).norm());
+  if (m_Pole.back() > close)
+  {
+    faults.push_back("the line ends " + Rounded(m_Pole.back()) + " mm from the caecal pole");
+  }
+  const auto valve = IleocaecalValveOf(exam.centreline);
+  m_Valve.push_back(valve ? (valve->position - exam.anatomy->Valve().position).norm() : infinite);
+  if (valve)
+  {
+    m_ValveReliability.Add(valve->confidence, m_Valve.back() <= close);
+  }
+  if (m_Valve.back() > close)
+  {
+    faults.push_back(
+      std::string("ileocaecal valve ") +
+      (valve ? Rounded(m_Valve.back()) + " mm off, confidence " + Rounded(valve->confidence) : "not found"));
+  }
+  return faults;
+}
+
+void
+StructureScores::AddTo(BoundTable & table, const std::optional<StructureBounds> & bounds) const
+{
+  AddShare("caecal pole", bounds ? std::make_optional(bounds->pole) : std::nullopt, m_Pole, table);
+  AddShare("ileocaecal valve", bounds ? std::make_optional(bounds->valve) : std::nullopt, m_Valve, table);
+}
+
+void
+StructureScores::WriteReliability(ValidationReport & report) const
+{
+  report.AddText("Confidence of valves that are found; expected calibration error " +
+                 Rounded(m_ValveReliability.CalibrationError()) + ":");
+  m_ValveReliability.Write("valves", report);
+}
