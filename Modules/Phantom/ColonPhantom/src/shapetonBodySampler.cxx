@@ -9,7 +9,7 @@ namespace
 {
 using CellIndex = std::array<int, 3>;
 
-constexpr double widestCell = 0.72;
+constexpr double widestCell = 0.82; // mm
 
 std::size_t
 NumberOf(const CellIndex & size)

@@ -12,7 +12,7 @@ namespace shapeton
 /** \class BodySampler
  * \brief The intensities that a scanner would give to the voxels of a grid.
  *
- * Each voxel is split into up to three cells along each axis, none wider than about 0.7 mm where that suffices. A cell
+ * Each voxel is split into up to three cells along each axis, none wider than about 0.8 mm where that suffices. A cell
  * takes the mean intensity of the bodies in it, faces being plane over its width; cells far from all faces are filled
  * in blocks. Then the cells are blurred by a Gaussian and averaged over the voxel. The profile of a plane face has the
  * standard deviation `blur`, or that of the voxel's own width (spacing / sqrt(12)) where this is larger.

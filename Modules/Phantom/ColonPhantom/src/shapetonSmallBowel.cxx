@@ -16,7 +16,7 @@ using VectorType = itk::Vector<double, 3>;
 
 constexpr int    numberOfLoops = 90;
 constexpr double stepLength = 11.0; // mm
-constexpr double cellSide = 12.0;   // mm
+constexpr double cellSide = 4.0;    // mm
 constexpr double reach = 6.0;       // mm around the loops within which distances are known
 
 struct Loop
@@ -177,6 +177,7 @@ private:
     int loop;
     int end; // its second point on the axis
   };
+  using Segments = std::vector<Segment>;
 
   struct Nearest
   {
@@ -191,44 +192,104 @@ private:
     return -(m_Down * point.GetVectorFromOrigin()) - loop.gasHeight;
   }
 
+  // Candidates of a coarse cell first, then of its cells.
   void
   FillCells()
   {
+    constexpr int coarse = 4; // cells along a side
     for (unsigned int i = 0; i < 3; ++i)
     {
       m_Corner[i] = regionCenter[i] - regionRadii[i] - 26.0;
-      m_Size[i] = static_cast<int>(std::ceil(2.0 * (regionRadii[i] + 26.0) / cellSide));
+      m_Size[i] = coarse * static_cast<int>(std::ceil(2.0 * (regionRadii[i] + 26.0) / (coarse * cellSide)));
     }
     m_Cells.resize(static_cast<std::size_t>(m_Size[0]) * m_Size[1] * m_Size[2]);
-    const double farthest = 0.87 * cellSide + reach;
-    for (std::size_t cell = 0; cell < m_Cells.size(); ++cell)
+    const Segments all = this->AllSegments();
+    for (int z = 0; z < m_Size[2]; z += coarse)
     {
-      const PointType center = this->CenterOf(cell);
-      for (int i = 0; i < numberOfLoops; ++i)
+      for (int y = 0; y < m_Size[1]; y += coarse)
       {
-        const auto & axis = m_Loops[i].axis;
-        for (std::size_t k = 0; k + 1 < std::max<std::size_t>(axis.size(), 2); ++k)
+        for (int x = 0; x < m_Size[0]; x += coarse)
         {
-          const auto end = std::min(k + 1, axis.size() - 1);
-          if (DistanceToSegment(center, axis[k], axis[end]) - m_Loops[i].radius < farthest)
+          const Segments near = this->SegmentsNear(this->PointOf(x, y, z, coarse), coarse * cellSide, all);
+          for (int k = 0; k < coarse * coarse * coarse; ++k)
           {
-            m_Cells[cell].push_back({ i, static_cast<int>(end) });
+            const int u = x + k % coarse;
+            const int v = y + k / coarse % coarse;
+            const int w = z + k / (coarse * coarse);
+            m_Cells[(static_cast<std::size_t>(w) * m_Size[1] + v) * m_Size[0] + u] =
+              this->SegmentsNear(this->PointOf(u, v, w, 1), cellSide, near);
           }
         }
       }
     }
   }
 
-  PointType
-  CenterOf(std::size_t cell) const
+  Segments
+  AllSegments() const
   {
-    const auto x = static_cast<int>(cell % m_Size[0]);
-    const auto y = static_cast<int>(cell / m_Size[0] % m_Size[1]);
-    const auto z = static_cast<int>(cell / m_Size[0] / m_Size[1]);
-    return m_Corner + MakeVector(x + 0.5, y + 0.5, z + 0.5) * cellSide;
+    Segments all;
+    for (int i = 0; i < numberOfLoops; ++i)
+    {
+      const auto & axis = m_Loops[i].axis;
+      for (std::size_t k = 0; k + 1 < std::max<std::size_t>(axis.size(), 2); ++k)
+      {
+        all.push_back({ i, static_cast<int>(std::min(k + 1, axis.size() - 1)) });
+      }
+    }
+    return all;
   }
 
-  const std::vector<Segment> *
+  double
+  DistanceTo(const Segment & segment, const PointType & point) const
+  {
+    const Loop & loop = m_Loops[segment.loop];
+    const int    start = std::max(segment.end - 1, 0);
+    return DistanceToSegment(point, loop.axis[start], loop.axis[segment.end]) - loop.radius;
+  }
+
+  // Those that may belong to one of the two loops nearest to a point of a cube.
+  Segments
+  SegmentsNear(const PointType & center, double side, const Segments & among) const
+  {
+    const double        radius = 0.87 * side;
+    std::vector<double> distances;
+    double              nearest = reach;
+    double              second = reach;
+    int                 nearestLoop = -1;
+    for (const Segment & segment : among)
+    {
+      const double distance = this->DistanceTo(segment, center);
+      distances.push_back(distance);
+      if (segment.loop != nearestLoop && distance < nearest)
+      {
+        second = nearest;
+        nearestLoop = segment.loop;
+      }
+      else if (segment.loop != nearestLoop)
+      {
+        second = std::min(second, distance);
+      }
+      nearest = std::min(nearest, distance);
+    }
+    Segments near;
+    for (std::size_t i = 0; i < among.size(); ++i)
+    {
+      if (distances[i] < second + 2.0 * radius)
+      {
+        near.push_back(among[i]);
+      }
+    }
+    return near;
+  }
+
+  // The middle of a cube of `side` cells.
+  PointType
+  PointOf(int x, int y, int z, int side) const
+  {
+    return m_Corner + MakeVector(x + 0.5 * side, y + 0.5 * side, z + 0.5 * side) * cellSide;
+  }
+
+  const Segments *
   CellAt(const PointType & point) const
   {
     std::size_t cell = 0;
@@ -258,8 +319,7 @@ private:
     for (const auto & segment : *cell)
     {
       const Loop & loop = m_Loops[segment.loop];
-      const int    start = std::max(segment.end - 1, 0);
-      const double distance = DistanceToSegment(point, loop.axis[start], loop.axis[segment.end]) - loop.radius;
+      const double distance = this->DistanceTo(segment, point);
       if (&loop == nearest.loop)
       {
         nearest.outer = std::min(nearest.outer, distance);
@@ -282,7 +342,7 @@ private:
   std::vector<Loop>                 m_Loops;
   PointType                         m_Corner;
   std::array<int, 3>                m_Size;
-  std::vector<std::vector<Segment>> m_Cells;
+  std::vector<Segments>             m_Cells;
 };
 } // namespace
 
