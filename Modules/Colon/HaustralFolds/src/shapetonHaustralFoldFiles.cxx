@@ -1,6 +1,5 @@
 #include "shapetonHaustralFoldFiles.h"
 
-#include "shapetonFileBytes.h"
 #include "shapetonExceptions.h"
 
 #include "itkImageFileReader.h"
@@ -18,12 +17,6 @@ namespace
 using LabelImage = itk::Image<unsigned short, 2>;
 
 constexpr int pointsOfFold = 3;
-
-/** WriteCurves() refuses curves without points. */
-constexpr const char * emptyFile =
-  "<?xml version=\"1.0\"?>\n<VTKFile type=\"PolyData\" version=\"1.0\" byte_order=\"LittleEndian\">\n<PolyData>"
-  "<Piece NumberOfPoints=\"0\" NumberOfVerts=\"0\" NumberOfLines=\"0\" NumberOfStrips=\"0\" NumberOfPolys=\"0\"/>"
-  "</PolyData>\n</VTKFile>\n";
 
 /** Of a feature: 0 the centre, 1 and 2 the ends. */
 struct Feature
@@ -98,11 +91,6 @@ WriteFoldFeatures(const HaustralFolds &                                    folds
                   const std::vector<std::pair<std::string, std::string>> & facts,
                   const std::string &                                      path)
 {
-  if (folds.folds.empty())
-  {
-    WriteFileBytes(path, emptyFile);
-    return;
-  }
   CurveSet features = FeaturesOfFolds(folds);
   features.facts = facts;
   WriteCurves(features, path);

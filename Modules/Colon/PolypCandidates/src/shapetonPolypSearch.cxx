@@ -138,6 +138,7 @@ ReadPolypColon(const std::string & folder)
   if (IsThere(segmentation + "centreline.vtp"))
   {
     colon.centreline = ReadCurves(segmentation + "centreline.vtp");
+    RequireSound(colon.centreline, '"' + segmentation + "centreline.vtp\"");
   }
   if (IsThere(segmentation + "catheter.vtp"))
   {

@@ -98,7 +98,7 @@ ReadLandmarks(Examination & examination, ColonPositionFiles & files)
   {
     files.warnings.push_back(files.position.name +
                              ": no taeniae were found there, so that any rotation is tried; mark some points of them "
-                             "(VirtualColonoscopy the parameter \"markers\") for a surer result");
+                             "(parameter \"markers\" of VirtualColonoscopy) for a surer result");
   }
 }
 } // namespace
@@ -111,6 +111,7 @@ ReadColonPosition(const std::string & folder, const std::string & name)
   ColonPosition &    position = files.position;
   position.name = name;
   position.centreline = ReadCurves(examination.Take("segmentation", "centreline.vtp", "ColonSegmentation"));
+  RequireSound(position.centreline, name + ": the centreline");
   const std::string flatPath = examination.Take("flattening", "flat.vtp", "ColonFlattening");
   position.flat = std::make_shared<FlatColon>(ReadSurface(flatPath).mesh, FlatColonGridOptions{}, '"' + flatPath + '"');
   position.flat->Grid(); // refuses a surface that is not flat before the rest is read

@@ -1,6 +1,5 @@
 #include "shapetonColonFlattening.h"
 
-#include "shapetonFileBytes.h"
 #include "shapetonExceptions.h"
 #include "shapetonJson.h"
 
@@ -97,12 +96,6 @@ HandlesAsPoints(const std::vector<SurfaceHandle> & handles)
   points.pointArrays = { genus, uv, radius };
   return points;
 }
-
-/** WriteCurves() refuses curves without points. */
-constexpr const char * emptyFile =
-  "<?xml version=\"1.0\"?>\n<VTKFile type=\"PolyData\" version=\"1.0\" byte_order=\"LittleEndian\">\n<PolyData>"
-  "<Piece NumberOfPoints=\"0\" NumberOfVerts=\"0\" NumberOfLines=\"0\" NumberOfStrips=\"0\" NumberOfPolys=\"0\"/>"
-  "</PolyData>\n</VTKFile>\n";
 } // namespace
 
 Json
@@ -151,11 +144,6 @@ WriteHandles(const std::vector<SurfaceHandle> &                       handles,
              const std::vector<std::pair<std::string, std::string>> & facts,
              const std::string &                                      path)
 {
-  if (handles.empty())
-  {
-    WriteFileBytes(path, emptyFile);
-    return;
-  }
   CurveSet points = HandlesAsPoints(handles);
   points.facts = facts;
   WriteCurves(points, path);

@@ -38,7 +38,7 @@ SurfaceMesh_EXPORT Eigen::VectorXd
 /** Writes curves as VTP (.vtp) with LPS stated, points as VTK's verts, which come before the lines; reading them back
  * gives the curves in that order. Equal curves give equal bytes.
  * Throws OutputError when the file cannot be written, ParameterError for another extension, InputError as
- * RequireSound(). \ingroup SurfaceMesh */
+ * RequireSound(), but a set of no curves is written. \ingroup SurfaceMesh */
 SurfaceMesh_EXPORT void
 WriteCurves(CurveSet curves, const std::string & path);
 
@@ -48,7 +48,8 @@ WriteCurves(CurveSet curves, const std::string & path);
 SurfaceMesh_EXPORT void
 WriteCurvesOnSurface(CurveSet curves, const FaceMatrix & faces, const std::string & path);
 
-/** Reads the lines and verts of a VTP file; faces are left out. Throws InputError that names the file and the fault.
+/** Reads the lines and verts of a VTP file, which may have none; faces are left out. Throws InputError that names the
+ * file and the fault.
  * \ingroup SurfaceMesh */
 SurfaceMesh_EXPORT CurveSet
 ReadCurves(const std::string & path);

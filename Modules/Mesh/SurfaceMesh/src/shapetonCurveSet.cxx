@@ -55,14 +55,10 @@ RequireVtp(const std::string & path)
   RequireParameter(SurfaceExtension(path) == "vtp", "\"" + path + "\" names no format of curves; use .vtp");
 }
 
-/** With rows of cell arrays for so many faces beside the curves. */
+/** With rows of cell arrays for so many faces beside the curves; curves of no points are consistent. */
 void
-RequireSound(const CurveSet & curves, Eigen::Index faces, const std::string & what)
+RequireConsistent(const CurveSet & curves, Eigen::Index faces, const std::string & what)
 {
-  if (curves.V.rows() == 0)
-  {
-    throw InputError(what + ": there are no points; give a file with lines or points");
-  }
   RequireFinite(curves.V, what);
   RequireVertices(curves, what);
   RequireRows(curves.pointArrays, curves.V.rows(), what);
@@ -73,7 +69,11 @@ RequireSound(const CurveSet & curves, Eigen::Index faces, const std::string & wh
 void
 RequireSound(const CurveSet & curves, const std::string & what)
 {
-  RequireSound(curves, 0, what);
+  if (curves.V.rows() == 0)
+  {
+    throw InputError(what + ": there are no points; give a file with lines or points");
+  }
+  RequireConsistent(curves, 0, what);
 }
 
 Eigen::VectorXd
@@ -92,7 +92,7 @@ void
 WriteCurves(CurveSet curves, const std::string & path)
 {
   RequireVtp(path);
-  RequireSound(curves, "the curves");
+  RequireConsistent(curves, 0, "the curves");
   WriteVtp(PointsFirst(std::move(curves), 0), {}, path);
 }
 
@@ -100,7 +100,7 @@ void
 WriteCurvesOnSurface(CurveSet curves, const FaceMatrix & faces, const std::string & path)
 {
   RequireVtp(path);
-  RequireSound(curves, faces.rows(), "the curves");
+  RequireConsistent(curves, faces.rows(), "the curves");
   const SurfaceMesh surface{ curves.V, faces, {}, {}, {}, {} };
   RequireSound(surface, "the surface of the curves");
   WriteVtp(PointsFirst(std::move(curves), static_cast<int>(faces.rows())), faces, path);
@@ -126,7 +126,7 @@ ReadCurves(const std::string & path)
   curves.cellArrays = std::move(read.cellArrays);
   curves.fieldArrays = std::move(read.fieldArrays);
   curves.facts = std::move(read.facts);
-  RequireSound(curves, "\"" + path + "\"");
+  RequireConsistent(curves, 0, "\"" + path + "\"");
   if (read.isRas)
   {
     curves.V.leftCols<2>() *= -1.0;

@@ -101,6 +101,18 @@ TEST(CurveSet, CurvesAndTheirSurfaceAreReadApart)
   EXPECT_THROW(shapeton::WriteCurvesOnSurface(curves, face, folder / "x.stl"), shapeton::ParameterError);
 }
 
+TEST(CurveSet, NoCurvesAreWrittenAndRead)
+{
+  const Folder       folder;
+  shapeton::CurveSet curves;
+  curves.cellArrays = { { "id", shapeton::SurfaceArray::ValueMatrix(0, 2), true } };
+  shapeton::WriteCurves(curves, folder / "none.vtp");
+  const shapeton::CurveSet read = shapeton::ReadCurves(folder / "none.vtp");
+  EXPECT_EQ(read.V.rows(), 0);
+  EXPECT_TRUE(read.curves.empty());
+  EXPECT_EQ(shapeton::FindSurfaceArray(read.cellArrays, "id")->values.cols(), 2);
+}
+
 TEST(CurveSet, FaultsAreNamed)
 {
   EXPECT_EQ(FaultOfCurves(MakeCurves()), "");

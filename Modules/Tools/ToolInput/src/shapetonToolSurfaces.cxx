@@ -65,6 +65,7 @@ CurveSet
 ReadCurves(CommandLine & commandLine, const std::string & parameter)
 {
   CurveSet curves = ReadCurves(commandLine.GetString(parameter));
+  RequireSound(curves, '"' + commandLine.GetString(parameter) + '"');
   AddFile(commandLine, parameter);
   return curves;
 }
