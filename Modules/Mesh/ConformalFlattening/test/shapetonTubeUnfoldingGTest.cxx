@@ -2,6 +2,7 @@
 
 #include "shapetonColonFlattening.h"
 #include "shapetonColonTube.h"
+#include "shapetonHeatDiffusionMetric.h"
 #include "shapetonRoughTube.h"
 #include "shapetonSurfaceQuality.h"
 #include "shapetonSurfaceReader.h"
@@ -234,6 +235,27 @@ TEST(TubeUnfolding, BlindPouchesAreCutOffAndListed)
     EXPECT_LT(cap.neck, 25.0);
     EXPECT_NEAR(30.0, cap.place.head<2>().norm(), 15.0);
   }
+}
+
+/** Along a deep pouch distances of diffusion fall below the error of the default number of poles. */
+TEST(TubeUnfolding, DeepPouchesAreMeasuredByMorePoles)
+{
+  RoughTubeOptions rough;
+  rough.around = 48;
+  rough.along = 80;
+  rough.noise = 0.2;
+  rough.pouches = 5;
+  rough.pouchRings = 30;
+  const shapeton::SurfaceMesh               mesh = MakeRoughTube(rough);
+  const shapeton::SurfaceConnectivity       connectivity(mesh);
+  const double                              h = shapeton::EdgeLengths(connectivity, mesh.V).mean();
+  const double                              t = 30.0 * h * h;
+  const shapeton::HeatDiffusionMetricSolver solver(shapeton::MakeSurfaceLaplacian(connectivity, mesh.V));
+  EXPECT_FALSE(shapeton::AreTriangles(connectivity, solver.Compute(t).edgeLengths));
+  shapeton::ColonFlatteningOptions options;
+  options.metric = shapeton::FlatMetric::HeatDiffusion;
+  options.time = t;
+  ExpectNoFolds(rough, options);
 }
 
 TEST(TubeUnfolding, EarsAreTrimmed)

@@ -27,7 +27,7 @@ DefaultDiffusionTime(double meanEdge, double narrowestRadius);
 HeatDiffusionMetric_EXPORT bool
 IsTooCoarseForDiffusion(double meanEdge, double narrowestRadius);
 
-/** So many faces that h = min(2.1 mm, r): area / (0.42 h^2), from 55,000, the number of the dissertation, to 500,000.
+/** So many faces that h = min(2 mm, r): area / (0.42 h^2), from 55,000, the number of the dissertation, to 500,000.
  * \param area mm^2. */
 HeatDiffusionMetric_EXPORT int
 FacesForDiffusion(double area, double narrowestRadius);

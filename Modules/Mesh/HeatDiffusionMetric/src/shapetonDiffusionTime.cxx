@@ -48,7 +48,7 @@ FacesForDiffusion(double area, double narrowestRadius)
 {
   constexpr double areaOfFace = 0.42; // of the square of the mean edge: most faces are nearly equilateral
   RequireRadius(narrowestRadius);
-  constexpr double mappedWell = 2.1; // mm: at 2.5 mm the dilatation of 1 % of the faces of a patient's wall exceeds 1.9
+  constexpr double mappedWell = 2.0; // mm: at 2.5 mm the dilatation of 1 % of the faces of a patient's wall exceeds 1.9
   const double     edge = std::min(mappedWell, narrowestRadius);
   return static_cast<int>(std::clamp(area / (areaOfFace * edge * edge), 55000.0, 500000.0));
 }

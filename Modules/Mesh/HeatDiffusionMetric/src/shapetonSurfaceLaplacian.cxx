@@ -38,18 +38,24 @@ FaceName(int face)
   return "face " + std::to_string(face);
 }
 
+/** Whether the longest side, the last, exceeds the others together by rounding at most. */
+bool
+IsTriangle(const std::array<double, 3> & sorted)
+{
+  return sorted[2] - (sorted[1] + sorted[0]) <= inequalitySlack * sorted[2];
+}
+
 Triangle
 SolveTriangle(int face, std::array<double, 3> sides, double leastHeight)
 {
   std::array<double, 3> sorted = sides;
   std::sort(sorted.begin(), sorted.end());
-  const double shortage = sorted[2] - (sorted[1] + sorted[0]);
-  if (shortage > inequalitySlack * sorted[2])
+  if (!IsTriangle(sorted))
   {
     throw InputError(FaceName(face) + ": its edges of length " + std::to_string(sorted[0]) + ", " +
                      std::to_string(sorted[1]) + " and " + std::to_string(sorted[2]) + " form no triangle");
   }
-  if (shortage > 0.0)
+  if (sorted[2] > sorted[1] + sorted[0])
   {
     sorted[2] = sorted[1] + sorted[0];
     *std::max_element(sides.begin(), sides.end()) = sorted[2];
@@ -162,6 +168,22 @@ EdgeLengths(const SurfaceConnectivity & connectivity, const VertexMatrix & V)
     lengths[edge] = (V.row(ends[0]) - V.row(ends[1])).norm();
   }
   return lengths;
+}
+
+bool
+AreTriangles(const SurfaceConnectivity & connectivity, const Eigen::VectorXd & edgeLengths)
+{
+  CheckLengths(connectivity, edgeLengths);
+  for (int face = 0; face < connectivity.NumberOfFaces(); ++face)
+  {
+    std::array<double, 3> sides = SidesOfFace(connectivity, edgeLengths, face);
+    std::sort(sides.begin(), sides.end());
+    if (!IsTriangle(sides))
+    {
+      return false;
+    }
+  }
+  return true;
 }
 
 /** \equation{5.2} on triangles, by cotangents (Definition 5.2.2). */

@@ -252,9 +252,9 @@ TEST(HeatDiffusionMetric, DefaultTimeIsThatOfTheMeshAndTheLumen)
 
 TEST(HeatDiffusionMetric, FacesFollowAreaAndRadius)
 {
-  EXPECT_EQ(55000, FacesForDiffusion(100000.0, 8.0));
-  EXPECT_EQ(215959, FacesForDiffusion(400000.0, 8.0));
-  EXPECT_EQ(238095, FacesForDiffusion(400000.0, 2.0));
+  EXPECT_EQ(55000, FacesForDiffusion(90000.0, 8.0));
+  EXPECT_EQ(238095, FacesForDiffusion(400000.0, 8.0));
+  EXPECT_EQ(423280, FacesForDiffusion(400000.0, 1.5));
   EXPECT_EQ(500000, FacesForDiffusion(400000.0, 0.5));
 }
 
