@@ -117,6 +117,14 @@ struct ColonPhantomParameters
   std::string ileumContent{ "drawn" };
 };
 
+/** The presets standard and hard keep the voxels that older tables were made of: what was improved since is in the preset
+ * realistic alone. \ingroup ColonPhantom */
+inline bool
+KeepsPublishedVoxels(const ColonPhantomParameters & parameters)
+{
+  return parameters.preset != "realistic";
+}
+
 /** The parameters of the preset standard, hard or realistic. Throws ParameterError for another name.
  * \ingroup ColonPhantom */
 ColonPhantom_EXPORT ColonPhantomParameters

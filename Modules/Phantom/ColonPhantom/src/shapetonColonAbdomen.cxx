@@ -31,6 +31,13 @@ MakeColonAbdomen(const ColonAnatomy & anatomy, const ColonFluid & fluid, const C
     }
   };
   add(true);
+  if (!KeepsPublishedVoxels(parameters))
+  {
+    for (const ColonPolyp & polyp : anatomy.Polyps())
+    {
+      bodies.push_back(MakeSolidBody(PolypSolid(polyp), softTissueIntensity));
+    }
+  }
   bodies.push_back(MakeColonBody(anatomy, fluid));
   add(false);
   return bodies;

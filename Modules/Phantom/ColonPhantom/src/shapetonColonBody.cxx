@@ -87,6 +87,25 @@ MakeColonBody(const ColonAnatomy & anatomy, const ColonFluid & fluid)
 }
 
 PhantomSolid
+PolypSolid(const ColonPolyp & polyp)
+{
+  const Eigen::Vector3d axis = (polyp.position - polyp.base).normalized();
+  const bool            isOnStalk = polyp.kind == "pedunculated";
+  const Eigen::Vector3d center = isOnStalk ? polyp.position : polyp.base;
+  const double          radius = 0.5 * polyp.diameter;
+  const double          height = isOnStalk ? radius : polyp.height;
+  // No more than the distance. Its surface lies in the wall, where nobody sees it.
+  const auto            head = [=](const PhantomBody::PointType & p) {
+    const Eigen::Vector3d off = ToEigen(p) - center;
+    const double          along = off.dot(axis);
+    const double          across = (off - along * axis).norm();
+    return (std::hypot(across / radius, along / height) - 1.0) * std::min(radius, height);
+  };
+  const auto inwards = MakeVector(-axis[0], -axis[1], -axis[2]);
+  return Both({ head }, HalfSpaceSolid(inwards, bowelWall - axis.dot(polyp.base)));
+}
+
+PhantomSolid
 NatalCleft(const ColonAnatomy & anatomy)
 {
   constexpr double halfWidth = 3.0; // mm at the anal verge

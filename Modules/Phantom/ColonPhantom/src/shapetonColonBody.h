@@ -18,6 +18,11 @@ constexpr double bowelWall = 2.0;
 constexpr double gasIntensity = -994.0;
 constexpr double softTissueIntensity = 50.0;
 
+/** What a polyp is made of, as deep as the wall behind it: more than the wall of MakeColonBody(), which is as thick on
+ * polyps as elsewhere. */
+PhantomSolid
+PolypSolid(const ColonPolyp & polyp);
+
 /** The air between the buttocks, below the anal verge and behind the perineum. */
 PhantomSolid
 NatalCleft(const ColonAnatomy & anatomy);

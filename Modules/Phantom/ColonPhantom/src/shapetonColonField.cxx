@@ -85,8 +85,7 @@ ColonField::ColonField(const ColonPath &              path,
   : m_Curve(path, HeldTwist(path, plan, ColonTwist(plan, parameters)))
   , m_Relief(plan, parameters, &m_Curve)
   , m_Reach(reach)
-  // The bytes of the older presets stay.
-  , m_BetweenFolds(parameters.preset == "realistic" ? c_BetweenFolds : 0.0)
+  , m_BetweenFolds(KeepsPublishedVoxels(parameters) ? 0.0 : c_BetweenFolds)
 {
   std::vector<double> reaches;
   for (int k = 0; k <= m_Curve.GetNumberOfSteps(); ++k)

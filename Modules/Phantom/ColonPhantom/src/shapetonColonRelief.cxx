@@ -143,8 +143,7 @@ ColonRelief::ColonRelief(const ColonPlan & plan, const ColonPhantomParameters & 
   this->FillTable(plan, places, parameters);
   if (curve)
   {
-    // The bytes of the older presets stay.
-    this->RelieveBends(*curve, parameters.preset == "realistic" ? c_LongestChord : 0.0);
+    this->RelieveBends(*curve, KeepsPublishedVoxels(parameters) ? 0.0 : c_LongestChord);
   }
   this->SumUpRows();
   this->LayFolds(plan, places, parameters);

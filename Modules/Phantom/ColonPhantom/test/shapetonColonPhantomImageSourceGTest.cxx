@@ -311,6 +311,28 @@ TEST(ColonPhantomImageSource, SkippingBlocksChangesNothing)
   }
 }
 
+TEST(ColonPhantomImageSource, PolypsOfRealisticPatientsAreSoftTissueThroughout)
+{
+  auto parameters = shapeton::ColonPhantomPreset("realistic");
+  parameters.noise = 0.0;
+  parameters.stool = 0;
+  parameters.polyps = 4;
+  const auto source = MakeSource(parameters, 9, 6.3);
+  int        large = 0;
+  for (const shapeton::ColonPolyp & polyp : source->GetAnatomy().Polyps())
+  {
+    if (polyp.kind == "sessile" && polyp.height > 5.0)
+    {
+      const Eigen::Vector3d axis = (polyp.position - polyp.base).normalized();
+      CenterOver(source, polyp.base + 1.5 * axis);
+      source->UpdateLargestPossibleRegion();
+      EXPECT_NEAR(source->GetOutput()->GetPixel({ { 4, 4, 4 } }), 50, 15) << polyp.id;
+      ++large;
+    }
+  }
+  EXPECT_GT(large, 0);
+}
+
 // By the centre of each voxel, whatever blocks were left out.
 TEST(ColonPhantomImageSource, StructuresAreThoseAtTheVoxels)
 {
