@@ -10,9 +10,11 @@ namespace shapeton
  * near 1 from -200 to 150 HU, below 0.05 for gas (-400 HU and less), 0.25 for what is tagged as stool (300 HU and
  * more), since polyps are coated, too; 1 where it is not known. Logistic steps at -300 HU (width 35 HU) and 225 HU (25
  * HU). The middle of a ball of 3.5 mm in gas, blurred by a Gaussian of 1 mm, keeps six tenths of its contrast: -320 HU,
- * and a half is left of its score; on a wall it keeps more. \ingroup PolypCandidates */
+ * and a half is left of its score; on a wall it keeps more. Blur does not darken what lies under fluid: there the first
+ * step is at -130 HU (20 HU), below fat, and bubbles of 3 mm are dark enough; of a head that fluid covers in part, in
+ * between. \param submergedShare 0 to 1, or not a number where it is not known. \ingroup PolypCandidates */
 PolypCandidates_EXPORT double
-TissueLikelihood(double hounsfield);
+TissueLikelihood(double hounsfield, double submergedShare = 0.0);
 
 /** Sets attenuation, tissue and submergedShare of the candidates, and the remark where they are gas or tagged or lie
  * in fluid; multiplies their scores by TissueLikelihood() and sorts and numbers them again.

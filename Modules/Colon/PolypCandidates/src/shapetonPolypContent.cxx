@@ -165,12 +165,17 @@ RemarkOn(const PolypCandidate & candidate)
 } // namespace
 
 double
-TissueLikelihood(double hounsfield)
+TissueLikelihood(double hounsfield, double submergedShare)
 {
+  constexpr double besideGas = -300.0, underFluid = -130.0; // HU
   constexpr double ofTagged = 0.25;
-  return std::isfinite(hounsfield)
-           ? Step(hounsfield, -300.0, 35.0) * (1.0 - (1.0 - ofTagged) * Step(hounsfield, 225.0, 25.0))
-           : 1.0;
+  if (!std::isfinite(hounsfield))
+  {
+    return 1.0;
+  }
+  const double wet = std::isfinite(submergedShare) ? submergedShare : 0.0;
+  return Step(hounsfield, besideGas + wet * (underFluid - besideGas), 35.0 - 15.0 * wet) *
+         (1.0 - (1.0 - ofTagged) * Step(hounsfield, 225.0, 25.0));
 }
 
 void
@@ -188,7 +193,7 @@ MeasureContent(const SurfaceMesh &           wall,
     candidate.tissue = TissueOf(candidate.attenuation);
     candidate.submergedShare = SubmergedShare(wall, candidate, lumenAt);
     candidate.remark = RemarkOn(candidate);
-    candidate.score = candidate.shapeScore * TissueLikelihood(candidate.attenuation);
+    candidate.score = candidate.shapeScore * TissueLikelihood(candidate.attenuation, candidate.submergedShare);
   }
   Rank(candidates);
 }

@@ -377,6 +377,12 @@ TEST(PolypCandidates, TissueLikelihoodKeepsTissueAndDropsGas)
   EXPECT_LT(shapeton::TissueLikelihood(-420.0), 0.05);
   EXPECT_NEAR(shapeton::TissueLikelihood(500.0), 0.25, 1e-3);
   EXPECT_EQ(shapeton::TissueLikelihood(std::nan("")), 1.0);
+  EXPECT_EQ(shapeton::TissueLikelihood(40.0, std::nan("")), shapeton::TissueLikelihood(40.0, 0.0));
+  // Under fluid no gas darkens a head: what is darker than fat is a bubble, of 3 mm on CT at -150 to -270 HU.
+  EXPECT_GT(shapeton::TissueLikelihood(40.0, 1.0), 0.99);
+  EXPECT_GT(shapeton::TissueLikelihood(-90.0, 1.0), 0.85);
+  EXPECT_LT(shapeton::TissueLikelihood(-160.0, 1.0), 0.25);
+  EXPECT_LT(shapeton::TissueLikelihood(-160.0, 1.0), shapeton::TissueLikelihood(-160.0, 0.5));
 }
 
 TEST(PolypCandidates, OtherPositionIsFoundThroughTheMap)
