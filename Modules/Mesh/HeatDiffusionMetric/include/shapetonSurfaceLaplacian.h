@@ -74,8 +74,8 @@ MakeSurfaceLaplacian(const SurfaceConnectivity &     connectivity,
                      const VertexMatrix &            V,
                      const SurfaceLaplacianOptions & options = {});
 
-/** Whether the lengths of each face are those of a triangle, as far as MakeSurfaceLaplacian() asks. Other errors are left
- * to it. \ingroup HeatDiffusionMetric */
+/** Whether the lengths of each face are those of a triangle, as far as MakeSurfaceLaplacian() asks. Other errors are
+ * left to it. \ingroup HeatDiffusionMetric */
 HeatDiffusionMetric_EXPORT bool
 AreTriangles(const SurfaceConnectivity & connectivity, const Eigen::VectorXd & edgeLengths);
 

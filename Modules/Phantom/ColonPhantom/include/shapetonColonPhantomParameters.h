@@ -117,8 +117,8 @@ struct ColonPhantomParameters
   std::string ileumContent{ "drawn" };
 };
 
-/** The presets standard and hard keep the voxels that older tables were made of: what was improved since is in the preset
- * realistic alone. \ingroup ColonPhantom */
+/** The presets standard and hard keep the voxels that older tables were made of: what was improved since is in the
+ * preset realistic alone. \ingroup ColonPhantom */
 inline bool
 KeepsPublishedVoxels(const ColonPhantomParameters & parameters)
 {

@@ -95,7 +95,7 @@ PolypSolid(const ColonPolyp & polyp)
   const double          radius = 0.5 * polyp.diameter;
   const double          height = isOnStalk ? radius : polyp.height;
   // No more than the distance. Its surface lies in the wall, where nobody sees it.
-  const auto            head = [=](const PhantomBody::PointType & p) {
+  const auto head = [=](const PhantomBody::PointType & p) {
     const Eigen::Vector3d off = ToEigen(p) - center;
     const double          along = off.dot(axis);
     const double          across = (off - along * axis).norm();

@@ -338,11 +338,11 @@ private:
     return nearest;
   }
 
-  VectorType                        m_Down;
-  std::vector<Loop>                 m_Loops;
-  PointType                         m_Corner;
-  std::array<int, 3>                m_Size;
-  std::vector<Segments>             m_Cells;
+  VectorType            m_Down;
+  std::vector<Loop>     m_Loops;
+  PointType             m_Corner;
+  std::array<int, 3>    m_Size;
+  std::vector<Segments> m_Cells;
 };
 } // namespace
 
