@@ -135,6 +135,7 @@ Cropped(const LumenMask * lumen)
   filter->Update();
   return filter->GetOutput();
 }
+
 /** Of the section of a ball through a point, mm; 0 outside of it. */
 double
 RadiusOfSection(const itk::Point<double, 3> & centre, double diameter, const itk::Point<double, 3> & point)

@@ -162,17 +162,6 @@ private:
       std::to_string(m_Result.narrowestRadius) + " mm: the metric is euclidean; take a finer surface");
   }
 
-  /** In pouches much narrower than the diffusion reaches, distances may be as small as the error of few poles. */
-  Eigen::VectorXd
-  DiffusionLengths(const SurfaceLaplacian & laplacian, const SurfaceConnectivity & connectivity) const
-  {
-    const HeatDiffusionMetricSolver solver(laplacian);
-    const Eigen::VectorXd           lengths = solver.Compute(m_Result.time).edgeLengths;
-    return AreTriangles(connectivity, lengths)
-             ? lengths
-             : solver.Compute(m_Result.time, HeatDiffusionMetricSolver::mostPoles).edgeLengths;
-  }
-
   /** The lengths of the edges of a surface in the metric of the map. */
   Eigen::VectorXd
   MetricLengths(const SurfaceMesh & surface, const SurfaceConnectivity & connectivity)
@@ -185,7 +174,7 @@ private:
     const SurfaceLaplacian laplacian = MakeSurfaceLaplacian(connectivity, lengths);
     if (m_Result.metric == FlatMetric::HeatDiffusion)
     {
-      return this->DiffusionLengths(laplacian, connectivity);
+      return ComputeHeatDiffusionMetric(connectivity, laplacian, m_Result.time).edgeLengths;
     }
     m_Result.eigenpairs = m_Options.eigenpairs;
     const SurfaceSpectrum spectrum = ComputeSurfaceSpectrum(laplacian, m_Options.eigenpairs);

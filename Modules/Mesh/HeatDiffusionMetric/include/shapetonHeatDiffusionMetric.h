@@ -73,6 +73,12 @@ private:
 HeatDiffusionMetric_EXPORT HeatDiffusionMetric
 ComputeHeatDiffusionMetric(const SurfaceMesh & mesh, double t);
 
+/** The metric of a surface with this Laplacian, in which all faces are triangles: deep within pouches distances may be
+ * as small as the error of the default number of poles, which then breaks the triangle inequality, and mostPoles are
+ * taken. \ingroup HeatDiffusionMetric */
+HeatDiffusionMetric_EXPORT HeatDiffusionMetric
+ComputeHeatDiffusionMetric(const SurfaceConnectivity & connectivity, const SurfaceLaplacian & laplacian, double t);
+
 /** The metric as published: from the first `pairs` eigenpairs of the spectrum alone (the dissertation takes 50). Too
  * short where exp(-2 lambda t) of the last pair is not small. Throws InputError where t is not positive, or the
  * spectrum has not so many pairs. \ingroup HeatDiffusionMetric */

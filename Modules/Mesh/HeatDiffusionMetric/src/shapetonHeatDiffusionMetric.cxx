@@ -81,7 +81,16 @@ ComputeHeatDiffusionMetric(const SurfaceMesh & mesh, double t)
   RequireSound(mesh, "the surface");
   const SurfaceConnectivity connectivity(mesh);
   RequireOneManifold(connectivity, "the surface");
-  return HeatDiffusionMetricSolver(MakeSurfaceLaplacian(connectivity, mesh.V)).Compute(t);
+  return ComputeHeatDiffusionMetric(connectivity, MakeSurfaceLaplacian(connectivity, mesh.V), t);
+}
+
+HeatDiffusionMetric
+ComputeHeatDiffusionMetric(const SurfaceConnectivity & connectivity, const SurfaceLaplacian & laplacian, double t)
+{
+  const HeatDiffusionMetricSolver solver(laplacian);
+  HeatDiffusionMetric             metric = solver.Compute(t);
+  return AreTriangles(connectivity, metric.edgeLengths) ? metric
+                                                        : solver.Compute(t, HeatDiffusionMetricSolver::mostPoles);
 }
 
 HeatDiffusionMetric

@@ -17,6 +17,7 @@ using VectorType = itk::Vector<double, 3>;
 constexpr int    numberOfLoops = 90;
 constexpr double stepLength = 11.0; // mm
 constexpr double cellSide = 4.0;    // mm
+constexpr int    blockSide = 4;     // cells
 constexpr double reach = 6.0;       // mm around the loops within which distances are known
 
 struct Loop
@@ -192,35 +193,39 @@ private:
     return -(m_Down * point.GetVectorFromOrigin()) - loop.gasHeight;
   }
 
-  // Candidates of a coarse cell first, then of its cells.
+  // Candidates of a block first, then of its cells.
   void
   FillCells()
   {
-    constexpr int coarse = 4; // cells along a side
     for (unsigned int i = 0; i < 3; ++i)
     {
       m_Corner[i] = regionCenter[i] - regionRadii[i] - 26.0;
-      m_Size[i] = coarse * static_cast<int>(std::ceil(2.0 * (regionRadii[i] + 26.0) / (coarse * cellSide)));
+      m_Size[i] = blockSide * static_cast<int>(std::ceil(2.0 * (regionRadii[i] + 26.0) / (blockSide * cellSide)));
     }
     m_Cells.resize(static_cast<std::size_t>(m_Size[0]) * m_Size[1] * m_Size[2]);
     const Segments all = this->AllSegments();
-    for (int z = 0; z < m_Size[2]; z += coarse)
+    for (int z = 0; z < m_Size[2]; z += blockSide)
     {
-      for (int y = 0; y < m_Size[1]; y += coarse)
+      for (int y = 0; y < m_Size[1]; y += blockSide)
       {
-        for (int x = 0; x < m_Size[0]; x += coarse)
+        for (int x = 0; x < m_Size[0]; x += blockSide)
         {
-          const Segments near = this->SegmentsNear(this->PointOf(x, y, z, coarse), coarse * cellSide, all);
-          for (int k = 0; k < coarse * coarse * coarse; ++k)
-          {
-            const int u = x + k % coarse;
-            const int v = y + k / coarse % coarse;
-            const int w = z + k / (coarse * coarse);
-            m_Cells[(static_cast<std::size_t>(w) * m_Size[1] + v) * m_Size[0] + u] =
-              this->SegmentsNear(this->PointOf(u, v, w, 1), cellSide, near);
-          }
+          this->FillBlock(x, y, z, this->SegmentsNear(this->PointOf(x, y, z, blockSide), blockSide * cellSide, all));
         }
       }
+    }
+  }
+
+  void
+  FillBlock(int x, int y, int z, const Segments & near)
+  {
+    for (int k = 0; k < blockSide * blockSide * blockSide; ++k)
+    {
+      const int u = x + k % blockSide;
+      const int v = y + k / blockSide % blockSide;
+      const int w = z + k / (blockSide * blockSide);
+      m_Cells[(static_cast<std::size_t>(w) * m_Size[1] + v) * m_Size[0] + u] =
+        this->SegmentsNear(this->PointOf(u, v, w, 1), cellSide, near);
     }
   }
 
