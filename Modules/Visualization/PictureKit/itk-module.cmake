@@ -8,6 +8,7 @@ itk_module(PictureKit
   PRIVATE_DEPENDS
     Base
     Report
+    VTKData
   TEST_DEPENDS
     ITKGoogleTest
     ITKIOImageBase

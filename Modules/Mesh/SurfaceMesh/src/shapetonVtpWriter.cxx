@@ -1,5 +1,5 @@
-#include "shapetonCurveSet.h"
 #include "shapetonFileBytes.h"
+#include "shapetonPolyDataContent.h"
 #include "shapetonSurfaceFormats.h"
 
 #include <vtkCellArray.h>
@@ -52,8 +52,8 @@ AddFact(const std::string & name, const std::string & value, vtkFieldData & data
 
 /** Points, arrays and facts of a surface or of curves; no cells. */
 template <typename TGeometry>
-vtkSmartPointer<vtkPolyData>
-PolyDataWithoutCells(const TGeometry & geometry)
+void
+FillWithoutCells(const TGeometry & geometry, vtkPolyData & data)
 {
   vtkNew<vtkPoints> points;
   points->SetDataTypeToDouble();
@@ -62,17 +62,16 @@ PolyDataWithoutCells(const TGeometry & geometry)
   {
     points->SetPoint(v, geometry.V(v, 0), geometry.V(v, 1), geometry.V(v, 2));
   }
-  auto data = vtkSmartPointer<vtkPolyData>::New();
-  data->SetPoints(points);
-  AddArrays(geometry.pointArrays, *data->GetPointData());
-  AddArrays(geometry.cellArrays, *data->GetCellData());
-  AddArrays(geometry.fieldArrays, *data->GetFieldData());
-  AddFact(VtpSpaceName, "LPS", *data->GetFieldData());
+  data.Initialize();
+  data.SetPoints(points);
+  AddArrays(geometry.pointArrays, *data.GetPointData());
+  AddArrays(geometry.cellArrays, *data.GetCellData());
+  AddArrays(geometry.fieldArrays, *data.GetFieldData());
+  AddFact(VtpSpaceName, "LPS", *data.GetFieldData());
   for (const auto & [name, value] : geometry.facts)
   {
-    AddFact(name, value, *data->GetFieldData());
+    AddFact(name, value, *data.GetFieldData());
   }
-  return data;
 }
 
 vtkSmartPointer<vtkCellArray>
@@ -85,32 +84,6 @@ PolysOf(const FaceMatrix & F)
     polys->InsertNextCell(3, corners);
   }
   return polys;
-}
-
-vtkSmartPointer<vtkPolyData>
-PolyDataOf(const SurfaceMesh & mesh)
-{
-  auto data = PolyDataWithoutCells(mesh);
-  data->SetPolys(PolysOf(mesh.F));
-  return data;
-}
-
-/** \pre Curves of one vertex stand first, as VTK numbers its cells. */
-vtkSmartPointer<vtkPolyData>
-PolyDataOf(const CurveSet & curves)
-{
-  const auto             data = PolyDataWithoutCells(curves);
-  vtkNew<vtkCellArray>   verts;
-  vtkNew<vtkCellArray>   lines;
-  std::vector<vtkIdType> ids;
-  for (const std::vector<int> & curve : curves.curves)
-  {
-    ids.assign(curve.begin(), curve.end());
-    (ids.size() == 1 ? verts : lines)->InsertNextCell(static_cast<vtkIdType>(ids.size()), ids.data());
-  }
-  data->SetVerts(verts);
-  data->SetLines(lines);
-  return data;
 }
 
 void
@@ -126,19 +99,45 @@ Write(vtkPolyData * data, const std::string & path)
 } // namespace
 
 void
+FillPolyData(const SurfaceMesh & mesh, vtkPolyData & data)
+{
+  FillWithoutCells(mesh, data);
+  data.SetPolys(PolysOf(mesh.F));
+}
+
+void
+FillPolyData(const CurveSet & curves, const FaceMatrix & faces, vtkPolyData & data)
+{
+  FillWithoutCells(curves, data);
+  vtkNew<vtkCellArray>   verts;
+  vtkNew<vtkCellArray>   lines;
+  std::vector<vtkIdType> ids;
+  for (const std::vector<int> & curve : curves.curves)
+  {
+    ids.assign(curve.begin(), curve.end());
+    (ids.size() == 1 ? verts : lines)->InsertNextCell(static_cast<vtkIdType>(ids.size()), ids.data());
+  }
+  data.SetVerts(verts);
+  data.SetLines(lines);
+  if (faces.rows() > 0)
+  {
+    data.SetPolys(PolysOf(faces));
+  }
+}
+
+void
 WriteVtp(const SurfaceMesh & mesh, const std::string & path)
 {
-  Write(PolyDataOf(mesh), path);
+  vtkNew<vtkPolyData> data;
+  FillPolyData(mesh, *data);
+  Write(data, path);
 }
 
 void
 WriteVtp(const CurveSet & curves, const FaceMatrix & faces, const std::string & path)
 {
-  const auto data = PolyDataOf(curves);
-  if (faces.rows() > 0)
-  {
-    data->SetPolys(PolysOf(faces));
-  }
+  vtkNew<vtkPolyData> data;
+  FillPolyData(curves, faces, *data);
   Write(data, path);
 }
 } // namespace shapeton

@@ -1,10 +1,12 @@
 #include "shapetonPicture.h"
 
 #include "shapetonFileBytes.h"
+#include "shapetonImageDataAdapter.h"
 #include "shapetonExceptions.h"
 
 #include <vtkFreeTypeTools.h>
 #include <vtkImageData.h>
+#include <vtkImageFlip.h>
 #include <vtkNew.h>
 #include <vtkPNGWriter.h>
 #include <vtkStdString.h>
@@ -55,20 +57,12 @@ IsInside(const Picture * picture, int x, int y)
 std::string
 EncodePng(const Picture * picture)
 {
-  const auto           size = picture->GetBufferedRegion().GetSize();
-  const auto           width = static_cast<int>(size[0]);
-  const auto           height = static_cast<int>(size[1]);
-  vtkNew<vtkImageData> image;
-  image->SetDimensions(width, height, 1);
-  image->AllocateScalars(VTK_UNSIGNED_CHAR, 3);
-  for (int y = 0; y < height; ++y) // rows of VTK run upwards
-  {
-    const RGBColor * const row = picture->GetBufferPointer() + static_cast<std::size_t>(y) * size[0];
-    std::memcpy(image->GetScalarPointer(0, height - 1 - y, 0), row, 3 * size[0]);
-  }
+  vtkNew<vtkImageFlip> upwards; // rows of VTK run upwards
+  upwards->SetInputData(ImageDataOf(picture));
+  upwards->SetFilteredAxis(1);
   vtkNew<vtkPNGWriter> writer;
   writer->WriteToMemoryOn();
-  writer->SetInputData(image);
+  writer->SetInputConnection(upwards->GetOutputPort());
   writer->Write();
   vtkUnsignedCharArray * const bytes = writer->GetResult();
   return std::string(reinterpret_cast<const char *>(bytes->GetPointer(0)), bytes->GetNumberOfValues());

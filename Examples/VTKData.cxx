@@ -1,0 +1,26 @@
+// Reads a surface, measures it by a filter of VTK, and turns it to RAS and back.
+// Usage: ExampleVTKData SURFACE
+#include "shapetonPolyDataAdapter.h"
+#include "shapetonSurfaceReader.h"
+
+#include <vtkMassProperties.h>
+#include <vtkNew.h>
+
+#include <iostream>
+
+int
+main(int argc, char * argv[])
+{
+  if (argc != 2)
+  {
+    std::cerr << "Usage: " << argv[0] << " SURFACE\n";
+    return 2;
+  }
+  const shapeton::SurfaceMesh mesh = shapeton::ReadSurface(argv[1]).mesh;
+  vtkNew<vtkMassProperties>   measure;
+  measure->SetInputData(shapeton::PolyDataOf(mesh));
+  const auto                  turned = shapeton::PolyDataOf(mesh, shapeton::PatientSpace::RAS);
+  const shapeton::SurfaceMesh back = shapeton::SurfaceOf(*turned); // its field data say RAS
+  std::cout << "a surface of " << measure->GetSurfaceArea() << " mm^2; from RAS it comes back "
+            << (back.V == mesh.V ? "the same" : "changed") << '\n';
+}

@@ -1,0 +1,231 @@
+#ifndef shapetonMeshAdapter_h
+#define shapetonMeshAdapter_h
+
+#include "shapetonMeshArrays.h"
+
+#include "itkMesh.h"
+#include "itkTriangleCell.h"
+
+#include <map>
+#include <type_traits>
+
+namespace shapeton
+{
+/** A mesh that keeps all of a surface, arrays and the last digit of positions, which are floats in ITK's default
+ * meshes: what goes from filter to filter. \ingroup ITKMeshes */
+using PipelineMesh = itk::Mesh<itk::VariableLengthVector<double>,
+                               3,
+                               itk::DefaultStaticMeshTraits<itk::VariableLengthVector<double>,
+                                                            3,
+                                                            3,
+                                                            double,
+                                                            double,
+                                                            itk::VariableLengthVector<double>>>;
+
+/** \name Surfaces as itk::Mesh and itk::QuadEdgeMesh
+ * TMesh has three dimensions and coordinates of any precision; positions are LPS, mm. Pixels that are
+ * itk::VariableLengthVector hold all arrays, the components of one after those of another; other pixels hold one
+ * array. Names, field arrays and facts are kept in the MetaDataDictionary. */
+///@{
+namespace meshadapter
+{
+constexpr const char * PointArrays = "shapeton.pointArrays";
+constexpr const char * CellArrays = "shapeton.cellArrays";
+constexpr const char * FieldArrays = "shapeton.fieldArrays";
+constexpr const char * Facts = "shapeton.facts";
+using FactList = std::vector<std::pair<std::string, std::string>>;
+
+template <typename TMesh, typename = void>
+struct IsQuadEdgeMesh : std::false_type
+{};
+template <typename TMesh>
+struct IsQuadEdgeMesh<TMesh, std::void_t<typename TMesh::QEPrimal>> : std::true_type
+{};
+
+/** Adds a triangle and gives the identifier of its cell. */
+template <typename TMesh>
+typename TMesh::CellIdentifier
+AddTriangle(const FaceMatrix & F, Eigen::Index face, TMesh & mesh)
+{
+  using Identifier = typename TMesh::PointIdentifier;
+  if constexpr (IsQuadEdgeMesh<TMesh>::value)
+  {
+    const auto * const edge = mesh.AddFaceTriangle(
+      static_cast<Identifier>(F(face, 0)), static_cast<Identifier>(F(face, 1)), static_cast<Identifier>(F(face, 2)));
+    if (!edge)
+    {
+      throw InputError("the face " + std::to_string(face) +
+                       " shares an edge with two others, or runs against a neighbour: a QuadEdgeMesh holds oriented "
+                       "manifolds alone; repair the surface first");
+    }
+    return edge->GetLeft();
+  }
+  else
+  {
+    typename TMesh::CellType::CellAutoPointer cell;
+    cell.TakeOwnership(new itk::TriangleCell<typename TMesh::CellType>);
+    for (int corner = 0; corner < 3; ++corner)
+    {
+      cell->SetPointId(corner, static_cast<Identifier>(F(face, corner)));
+    }
+    mesh.SetCell(static_cast<typename TMesh::CellIdentifier>(face), cell);
+    return static_cast<typename TMesh::CellIdentifier>(face);
+  }
+}
+
+template <typename TValue>
+TValue
+ValueOf(const itk::MetaDataDictionary & dictionary, const char * key)
+{
+  TValue value{};
+  itk::ExposeMetaData(dictionary, key, value);
+  return value;
+}
+} // namespace meshadapter
+
+/** Fills an empty mesh.
+ * \param pointArray, cellArray the arrays that pixels of a fixed number of components hold; empty for none.
+ * Throws ParameterError where there is no such array; InputError as RequireSound(), and for a QuadEdgeMesh where the
+ * surface is no oriented manifold. \ingroup ITKMeshes */
+template <typename TMesh>
+void
+FillMesh(const SurfaceMesh & surface,
+         TMesh &             mesh,
+         const std::string & pointArray = "",
+         const std::string & cellArray = "")
+{
+  static_assert(TMesh::PointDimension == 3, "surfaces lie in space");
+  RequireSound(surface, "the surface");
+  using PointPixel = typename TMesh::PixelType;
+  using CellPixel = typename TMesh::CellPixelType;
+  const auto pointArrays = mesharrays::ArraysForPixels<PointPixel>(surface.pointArrays, pointArray);
+  const auto cellArrays = mesharrays::ArraysForPixels<CellPixel>(surface.cellArrays, cellArray);
+  for (Eigen::Index v = 0; v < surface.V.rows(); ++v)
+  {
+    const auto                point = static_cast<typename TMesh::PointIdentifier>(v);
+    typename TMesh::PointType place;
+    for (unsigned int axis = 0; axis < 3; ++axis)
+    {
+      place[axis] = static_cast<typename TMesh::CoordRepType>(surface.V(v, axis));
+    }
+    mesh.SetPoint(point, place);
+    if (!pointArrays.empty())
+    {
+      mesh.SetPointData(point, mesharrays::PixelOf<PointPixel>(pointArrays, v));
+    }
+  }
+  for (Eigen::Index f = 0; f < surface.F.rows(); ++f)
+  {
+    const auto cell = meshadapter::AddTriangle(surface.F, f, mesh);
+    if (!cellArrays.empty())
+    {
+      mesh.SetCellData(cell, mesharrays::PixelOf<CellPixel>(cellArrays, f));
+    }
+  }
+  auto & dictionary = mesh.GetMetaDataDictionary();
+  itk::EncapsulateMetaData(dictionary, meshadapter::PointArrays, mesharrays::LayoutOf(pointArrays));
+  itk::EncapsulateMetaData(dictionary, meshadapter::CellArrays, mesharrays::LayoutOf(cellArrays));
+  itk::EncapsulateMetaData(dictionary, meshadapter::FieldArrays, surface.fieldArrays);
+  itk::EncapsulateMetaData(dictionary, meshadapter::Facts, surface.facts);
+}
+
+namespace meshadapter
+{
+/** Places, values and the row of each point identifier, which may have gaps. */
+template <typename TMesh>
+std::map<typename TMesh::PointIdentifier, int>
+TakePoints(const TMesh & mesh, SurfaceMesh & surface)
+{
+  std::map<typename TMesh::PointIdentifier, int> rows;
+  surface.V.resize(static_cast<Eigen::Index>(mesh.GetNumberOfPoints()), 3);
+  mesharrays::ArrayReader<typename TMesh::PixelType> arrays(
+    ValueOf<std::string>(mesh.GetMetaDataDictionary(), PointArrays), "pointData", surface.V.rows());
+  for (auto point = mesh.GetPoints()->Begin(); point != mesh.GetPoints()->End(); ++point)
+  {
+    const auto row = static_cast<int>(rows.size());
+    rows.emplace_hint(rows.end(), point.Index(), row);
+    for (unsigned int axis = 0; axis < 3; ++axis)
+    {
+      surface.V(row, axis) = point.Value()[axis];
+    }
+    if (mesh.GetPointData() && mesh.GetPointData()->IndexExists(point.Index()))
+    {
+      arrays.Take(row, mesh.GetPointData()->ElementAt(point.Index()));
+    }
+  }
+  surface.pointArrays = arrays.Arrays();
+  return rows;
+}
+
+/** The identifiers of the triangles. */
+template <typename TMesh>
+std::vector<typename TMesh::CellIdentifier>
+TrianglesOf(const TMesh & mesh)
+{
+  std::vector<typename TMesh::CellIdentifier> triangles;
+  for (auto cell = mesh.GetCells()->Begin(); cell != mesh.GetCells()->End(); ++cell)
+  {
+    const auto corners = cell.Value()->GetNumberOfPoints();
+    if (corners > 3)
+    {
+      throw InputError("the cell " + std::to_string(cell.Index()) + " of the mesh has " + std::to_string(corners) +
+                       " points; cut it into triangles");
+    }
+    if (corners == 3)
+    {
+      triangles.push_back(cell.Index());
+    }
+  }
+  return triangles;
+}
+
+template <typename TMesh>
+void
+TakeTriangles(const TMesh & mesh, const std::map<typename TMesh::PointIdentifier, int> & rows, SurfaceMesh & surface)
+{
+  const auto triangles = TrianglesOf(mesh);
+  surface.F.resize(static_cast<Eigen::Index>(triangles.size()), 3);
+  mesharrays::ArrayReader<typename TMesh::CellPixelType> arrays(
+    ValueOf<std::string>(mesh.GetMetaDataDictionary(), CellArrays), "cellData", surface.F.rows());
+  for (Eigen::Index face = 0; face < surface.F.rows(); ++face)
+  {
+    const auto identifier = triangles[static_cast<std::size_t>(face)];
+    const auto cell = mesh.GetCells()->ElementAt(identifier);
+    int        corner = 0;
+    for (auto point = cell->PointIdsBegin(); point != cell->PointIdsEnd(); ++point)
+    {
+      surface.F(face, corner++) = rows.at(*point);
+    }
+    if (mesh.GetCellData() && mesh.GetCellData()->IndexExists(identifier))
+    {
+      arrays.Take(face, mesh.GetCellData()->ElementAt(identifier));
+    }
+  }
+  surface.cellArrays = arrays.Arrays();
+}
+} // namespace meshadapter
+
+/** The triangles of a mesh as a surface: points by ascending identifier, cells, too. Cells of one or two points are
+ * left out. Values whose names are not known, or that a filter has replaced, make one array pointData or cellData.
+ * Throws InputError for a cell of more than three points, and as RequireSound(). \ingroup ITKMeshes */
+template <typename TMesh, typename = typename TMesh::MeshTraits>
+SurfaceMesh
+SurfaceOf(const TMesh & mesh)
+{
+  static_assert(TMesh::PointDimension == 3, "surfaces lie in space");
+  if (!mesh.GetPoints() || !mesh.GetCells())
+  {
+    throw InputError("the mesh is empty");
+  }
+  SurfaceMesh surface;
+  meshadapter::TakeTriangles(mesh, meshadapter::TakePoints(mesh, surface), surface);
+  const auto & dictionary = mesh.GetMetaDataDictionary();
+  surface.fieldArrays = meshadapter::ValueOf<std::vector<SurfaceArray>>(dictionary, meshadapter::FieldArrays);
+  surface.facts = meshadapter::ValueOf<meshadapter::FactList>(dictionary, meshadapter::Facts);
+  RequireSound(surface, "the mesh");
+  return surface;
+}
+///@}
+} // namespace shapeton
+
+#endif

@@ -1,0 +1,46 @@
+#include "shapetonPatientSpace.h"
+
+#include "shapetonExceptions.h"
+
+#include <vtkFieldData.h>
+#include <vtkNew.h>
+#include <vtkStringArray.h>
+
+namespace shapeton
+{
+namespace
+{
+constexpr const char * SpaceName = "SPACE";
+}
+
+std::string
+NameOf(PatientSpace space)
+{
+  return space == PatientSpace::LPS ? "LPS" : "RAS";
+}
+
+void
+SetSpace(PatientSpace space, vtkFieldData & data)
+{
+  vtkNew<vtkStringArray> text;
+  text->SetName(SpaceName);
+  text->InsertNextValue(NameOf(space));
+  data.AddArray(text); // in place of one of this name
+}
+
+PatientSpace
+SpaceOf(vtkFieldData & data, PatientSpace otherwise)
+{
+  const auto * const text = vtkStringArray::SafeDownCast(data.GetAbstractArray(SpaceName));
+  if (!text || text->GetNumberOfValues() == 0)
+  {
+    return otherwise;
+  }
+  const std::string name = const_cast<vtkStringArray *>(text)->GetValue(0);
+  if (name != "LPS" && name != "RAS")
+  {
+    throw InputError("the field data state SPACE=" + name + "; LPS and RAS are known");
+  }
+  return name == "RAS" ? PatientSpace::RAS : PatientSpace::LPS;
+}
+} // namespace shapeton

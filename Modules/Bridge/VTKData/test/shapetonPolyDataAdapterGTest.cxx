@@ -1,0 +1,156 @@
+#include "shapetonPolyDataAdapter.h"
+#include "shapetonExceptions.h"
+
+#include <vtkCellArray.h>
+#include <vtkCellData.h>
+#include <vtkFieldData.h>
+#include <vtkIntArray.h>
+#include <vtkNew.h>
+#include <vtkPointData.h>
+#include <vtkStringArray.h>
+
+#include <gtest/gtest.h>
+
+#include <Eigen/LU>
+
+using namespace shapeton;
+
+namespace
+{
+/** A tetrahedron with an array of each kind. */
+SurfaceMesh
+Tetrahedron()
+{
+  SurfaceMesh mesh;
+  mesh.V.resize(4, 3);
+  mesh.V << 0.1, 0, 0, 1, 0, 0, 0, 1.7, 0, 0, 0, 1;
+  mesh.F.resize(4, 3);
+  mesh.F << 0, 2, 1, 0, 1, 3, 1, 2, 3, 0, 3, 2;
+  mesh.pointArrays = { { "uv", Eigen::MatrixXd::Random(4, 2) }, { "source", Eigen::Vector4d(3, 2, 1, 0), true } };
+  mesh.cellArrays = { { "segment", Eigen::Vector4d(6, 5, 4, 1), true } };
+  mesh.fieldArrays = { { "rectumLoop", Eigen::Vector3d(2, 0, 1), true } };
+  mesh.facts = { { "tool", "ColonSegmentation" } };
+  return mesh;
+}
+
+void
+ExpectEqual(const std::vector<SurfaceArray> & a, const std::vector<SurfaceArray> & b)
+{
+  ASSERT_EQ(a.size(), b.size());
+  for (std::size_t i = 0; i < a.size(); ++i)
+  {
+    EXPECT_EQ(a[i].name, b[i].name);
+    EXPECT_EQ(a[i].areIntegers, b[i].areIntegers);
+    EXPECT_EQ(a[i].values, b[i].values);
+  }
+}
+} // namespace
+
+TEST(PolyDataAdapter, ASurfaceComesBackWithAllThatIsOnIt)
+{
+  const SurfaceMesh mesh = Tetrahedron();
+  for (const PatientSpace space : { PatientSpace::LPS, PatientSpace::RAS })
+  {
+    const SurfaceMesh back = SurfaceOf(*PolyDataOf(mesh, space));
+    EXPECT_EQ(back.V, mesh.V);
+    EXPECT_EQ(back.F, mesh.F);
+    ExpectEqual(back.pointArrays, mesh.pointArrays);
+    ExpectEqual(back.cellArrays, mesh.cellArrays);
+    ExpectEqual(back.fieldArrays, mesh.fieldArrays);
+    EXPECT_EQ(back.facts, mesh.facts);
+  }
+}
+
+TEST(PolyDataAdapter, RasTurnsPlacesAndKeepsTheOutside)
+{
+  const SurfaceMesh mesh = Tetrahedron();
+  const auto        data = PolyDataOf(mesh, PatientSpace::RAS);
+  double            place[3];
+  data->GetPoint(2, place);
+  EXPECT_EQ(place[0], 0.0);
+  EXPECT_EQ(place[1], -1.7);
+  EXPECT_EQ(place[2], 0.0);
+  EXPECT_EQ(SpaceOf(*data->GetFieldData(), PatientSpace::LPS), PatientSpace::RAS);
+  // The volume that the faces enclose keeps its sign: a half turn is no reflection.
+  double volume = 0.0;
+  for (int f = 0; f < 4; ++f)
+  {
+    Eigen::Matrix3d corners;
+    for (int k = 0; k < 3; ++k)
+    {
+      data->GetPoint(mesh.F(f, k), corners.col(k).data());
+    }
+    volume += corners.determinant() / 6.0;
+  }
+  EXPECT_NEAR(volume, 0.9 * 1.7 / 6.0, 1e-12);
+}
+
+TEST(PolyDataAdapter, PolygonsAreCutAndKeepTheirValues)
+{
+  vtkNew<vtkPoints> points;
+  for (const auto & p : { Eigen::Vector3d(0, 0, 0),
+                          Eigen::Vector3d(2, 0, 0),
+                          Eigen::Vector3d(2, 2, 0),
+                          Eigen::Vector3d(0, 2, 0),
+                          Eigen::Vector3d(4, 1, 0) })
+  {
+    points->InsertNextPoint(p.data());
+  }
+  vtkNew<vtkCellArray> lines;
+  vtkNew<vtkCellArray> polys;
+  lines->InsertNextCell({ 0, 4 });
+  polys->InsertNextCell({ 0, 1, 2, 3 });
+  polys->InsertNextCell({ 1, 4, 2 });
+  vtkNew<vtkIntArray> labels;
+  labels->SetName("label");
+  for (const int label : { 9, 5, 6 }) // the line's comes first
+  {
+    labels->InsertNextValue(label);
+  }
+  vtkNew<vtkPolyData> data;
+  data->SetPoints(points);
+  data->SetLines(lines);
+  data->SetPolys(polys);
+  data->GetCellData()->AddArray(labels);
+
+  const SurfaceMesh mesh = SurfaceOf(*data);
+  ASSERT_EQ(mesh.NumberOfFaces(), 3);
+  ASSERT_EQ(mesh.cellArrays.size(), 1U);
+  EXPECT_EQ(mesh.cellArrays[0].values, Eigen::Vector3d(5, 5, 6));
+  EXPECT_TRUE(mesh.cellArrays[0].areIntegers);
+  const CurveSet curves = CurvesOf(*data);
+  ASSERT_EQ(curves.curves.size(), 1U);
+  EXPECT_EQ(curves.curves[0], (std::vector<int>{ 0, 4 }));
+  EXPECT_EQ(curves.cellArrays[0].values(0, 0), 9.0);
+}
+
+TEST(PolyDataAdapter, CurvesComeBack)
+{
+  CurveSet curves;
+  curves.V.resize(4, 3);
+  curves.V << 0, 0, 0, 1, 2, 3, 4, 5, 6, 7, 8, 10;
+  curves.curves = { { 3 }, { 0, 1, 2 } };
+  curves.pointArrays = { { "arcLength", Eigen::Vector4d(0, 1, 2, 5) } };
+  curves.cellArrays = { { "taenia", Eigen::Vector2d(1, 2), true } };
+  for (const PatientSpace space : { PatientSpace::LPS, PatientSpace::RAS })
+  {
+    const CurveSet back = CurvesOf(*PolyDataOf(curves, space));
+    EXPECT_EQ(back.V, curves.V);
+    EXPECT_EQ(back.curves, curves.curves);
+    ExpectEqual(back.pointArrays, curves.pointArrays);
+    ExpectEqual(back.cellArrays, curves.cellArrays);
+  }
+}
+
+TEST(PolyDataAdapter, WhatHoldsNoSurfaceIsRefused)
+{
+  vtkNew<vtkPolyData> empty;
+  EXPECT_THROW(SurfaceOf(*empty), InputError);
+  EXPECT_THROW(CurvesOf(*empty), InputError);
+  const auto             data = PolyDataOf(Tetrahedron());
+  vtkNew<vtkStringArray> space;
+  space->SetName("SPACE");
+  space->InsertNextValue("LAS");
+  data->GetFieldData()->AddArray(space);
+  EXPECT_THROW(SurfaceOf(*data), InputError);
+}
