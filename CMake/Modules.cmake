@@ -31,6 +31,9 @@ set(Shapeton_MODULES
   Colon/ColonLandmarks
   Colon/PolypCandidates
   Colon/SupineProne
+  Bridge/ITKMeshes
+  Bridge/VTKData
+  Bridge/ColonFilters
   Visualization/PictureKit
   Visualization/HeatViews
   Visualization/SurfaceViews

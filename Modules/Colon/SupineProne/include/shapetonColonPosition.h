@@ -3,6 +3,7 @@
 
 #include "SupineProneExport.h"
 
+#include "shapetonColonLandmarks.h"
 #include "shapetonCurveSet.h"
 #include "shapetonFlatColon.h"
 #include "shapetonHaustralFolds.h"
@@ -46,6 +47,15 @@ struct ColonPosition
  * stretches. \ingroup SupineProne */
 SupineProne_EXPORT std::vector<char>
                    FindExcludedColumns(const FlatColon & flat, const CurveSet & centreline, double leastRadius = 9.0);
+
+/** The colon in one position from what was found of it; `flat` is what landmarks and folds were found on.
+ * \param name for messages. \ingroup SupineProne */
+SupineProne_EXPORT ColonPosition
+MakeColonPosition(const std::string &               name,
+                  std::shared_ptr<const FlatColon>  flat,
+                  const CurveSet &                  centreline,
+                  const ColonLandmarks &            landmarks,
+                  const std::vector<HaustralFold> & folds);
 } // namespace shapeton
 
 #endif

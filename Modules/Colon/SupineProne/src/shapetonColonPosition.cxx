@@ -54,4 +54,34 @@ FindExcludedColumns(const FlatColon & flat, const CurveSet & centreline, double 
   ExcludeGaps(cylinder, centreline, isExcluded);
   return isExcluded;
 }
+
+ColonPosition
+MakeColonPosition(const std::string &               name,
+                  std::shared_ptr<const FlatColon>  flat,
+                  const CurveSet &                  centreline,
+                  const ColonLandmarks &            landmarks,
+                  const std::vector<HaustralFold> & folds)
+{
+  ColonPosition position;
+  position.name = name;
+  position.flat = std::move(flat);
+  position.centreline = centreline;
+  for (std::size_t i = 0; i < position.flexures.size(); ++i)
+  {
+    const ColonFlexure & flexure = landmarks.flexures.flexures[i];
+    if (flexure.isFound)
+    {
+      position.flexures[i] = flexure.arcLength;
+      position.flexureConfidence[i] = flexure.confidence;
+    }
+  }
+  if (!landmarks.taeniae.taeniae.empty())
+  {
+    position.taeniae = TaeniaCurves(landmarks.taeniae);
+  }
+  position.curvature = landmarks.folds.curvature;
+  position.folds = folds;
+  position.isExcluded = FindExcludedColumns(*position.flat, centreline);
+  return position;
+}
 } // namespace shapeton

@@ -1,0 +1,74 @@
+#ifndef shapetonColonCentrelineFilter_h
+#define shapetonColonCentrelineFilter_h
+
+#include "ColonFiltersExport.h"
+
+#include "shapetonColonCentreline.h"
+#include "shapetonStageFilter.h"
+
+namespace shapeton
+{
+/** \class ColonCentrelineFilter
+ * \brief The centreline of a colon from the labels of its lumen: TraceColonCentreline() in the pipeline.
+ *
+ * \par Inputs and Outputs
+ * Input: labels or a mask; what is not 0 is lumen. Output 0: the curve, CurveSet. Output 1: ColonCentreline with gaps,
+ * pieces and the rest.
+ *
+ * \ingroup ColonFilters */
+class ColonFilters_EXPORT ColonCentrelineFilter : public StageFilter<itk::ProcessObject>
+{
+public:
+  ITK_DISALLOW_COPY_AND_MOVE(ColonCentrelineFilter);
+
+  using Self = ColonCentrelineFilter;
+  using Superclass = StageFilter<itk::ProcessObject>;
+  using Pointer = itk::SmartPointer<Self>;
+  using ConstPointer = itk::SmartPointer<const Self>;
+  using OptionsType = ColonCentrelineOptions;
+
+  itkNewMacro(Self);
+  itkTypeMacro(ColonCentrelineFilter, StageFilter);
+
+  using Superclass::SetInput;
+  void
+  SetInput(const LumenMask * labels);
+  const LumenMask *
+  GetInput() const;
+
+  /** \name See ColonCentrelineOptions for units, ranges and defaults */
+  ///@{
+  shapetonOptionMacro(Exponent, exponent);
+  shapetonOptionMacro(Start, start);
+  shapetonOptionMacro(SeedPoints, seedPoints);
+  shapetonOptionMacro(MinimumVolume, minimumVolume);
+  shapetonOptionMacro(MinimumExtent, minimumExtent);
+  shapetonOptionMacro(Step, step);
+  shapetonOptionMacro(Smoothing, smoothing);
+  shapetonOptionMacro(GapRadius, gapRadius);
+  ///@}
+
+  ResultObject<CurveSet> *
+  GetOutput();
+  ResultObject<ColonCentreline> *
+  GetCentrelineOutput();
+
+  using Superclass::MakeOutput;
+  itk::DataObject::Pointer
+  MakeOutput(DataObjectPointerArraySizeType index) override;
+
+protected:
+  ColonCentrelineFilter();
+  ~ColonCentrelineFilter() override = default;
+
+  void
+  Compute() override;
+  void
+  PrintSelf(std::ostream & os, itk::Indent indent) const override;
+
+private:
+  OptionsType m_Options;
+};
+} // namespace shapeton
+
+#endif

@@ -1,0 +1,68 @@
+#ifndef shapetonColonLandmarksFilter_h
+#define shapetonColonLandmarksFilter_h
+
+#include "ColonFiltersExport.h"
+
+#include "shapetonColonLandmarks.h"
+#include "shapetonStageFilter.h"
+
+namespace shapeton
+{
+/** \class ColonLandmarksFilter
+ * \brief Flexures, segments and taeniae of a flat colon: FindColonLandmarks() in the pipeline.
+ *
+ * \par Inputs and Outputs
+ * Inputs FlatColon and Centreline. Output 0: ColonLandmarks. Output 1: the taeniae as curves, CurveSet, with none where
+ * they were not found.
+ *
+ * \ingroup ColonFilters */
+class ColonFilters_EXPORT ColonLandmarksFilter : public StageFilter<itk::ProcessObject>
+{
+public:
+  ITK_DISALLOW_COPY_AND_MOVE(ColonLandmarksFilter);
+
+  using Self = ColonLandmarksFilter;
+  using Superclass = StageFilter<itk::ProcessObject>;
+  using Pointer = itk::SmartPointer<Self>;
+  using ConstPointer = itk::SmartPointer<const Self>;
+  using OptionsType = ColonLandmarkOptions;
+
+  itkNewMacro(Self);
+  itkTypeMacro(ColonLandmarksFilter, StageFilter);
+
+  itkSetInputMacro(FlatColon, ResultObject<FlatColon>);
+  itkGetInputMacro(FlatColon, ResultObject<FlatColon>);
+  itkSetInputMacro(Centreline, ResultObject<CurveSet>);
+  itkGetInputMacro(Centreline, ResultObject<CurveSet>);
+
+  /** \name See ColonLandmarkOptions */
+  ///@{
+  shapetonOptionMacro(FlexureRule, flexureRule);
+  shapetonOptionMacro(TaeniaRule, taeniaRule);
+  shapetonOptionMacro(Markers, markers);
+  ///@}
+
+  ResultObject<ColonLandmarks> *
+  GetOutput();
+  ResultObject<CurveSet> *
+  GetTaeniaeOutput();
+
+  using Superclass::MakeOutput;
+  itk::DataObject::Pointer
+  MakeOutput(DataObjectPointerArraySizeType index) override;
+
+protected:
+  ColonLandmarksFilter();
+  ~ColonLandmarksFilter() override = default;
+
+  void
+  Compute() override;
+  void
+  PrintSelf(std::ostream & os, itk::Indent indent) const override;
+
+private:
+  OptionsType m_Options;
+};
+} // namespace shapeton
+
+#endif

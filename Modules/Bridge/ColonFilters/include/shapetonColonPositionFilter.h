@@ -1,0 +1,66 @@
+#ifndef shapetonColonPositionFilter_h
+#define shapetonColonPositionFilter_h
+
+#include "ColonFiltersExport.h"
+
+#include "shapetonColonLandmarks.h"
+#include "shapetonColonPosition.h"
+#include "shapetonStageFilter.h"
+
+namespace shapeton
+{
+/** \class ColonPositionFilter
+ * \brief The colon in one position as its registration needs it: MakeColonPosition() in the pipeline.
+ *
+ * \par Inputs and Outputs
+ * Inputs FlatColon, Centreline, Landmarks, Folds. Output: ColonPosition, which SupineProneRegistrationFilter takes.
+ *
+ * \ingroup ColonFilters */
+class ColonFilters_EXPORT ColonPositionFilter : public StageFilter<itk::ProcessObject>
+{
+public:
+  ITK_DISALLOW_COPY_AND_MOVE(ColonPositionFilter);
+
+  using Self = ColonPositionFilter;
+  using Superclass = StageFilter<itk::ProcessObject>;
+  using Pointer = itk::SmartPointer<Self>;
+  using ConstPointer = itk::SmartPointer<const Self>;
+
+  itkNewMacro(Self);
+  itkTypeMacro(ColonPositionFilter, StageFilter);
+
+  itkSetInputMacro(FlatColon, ResultObject<FlatColon>);
+  itkGetInputMacro(FlatColon, ResultObject<FlatColon>);
+  itkSetInputMacro(Centreline, ResultObject<CurveSet>);
+  itkGetInputMacro(Centreline, ResultObject<CurveSet>);
+  itkSetInputMacro(Landmarks, ResultObject<ColonLandmarks>);
+  itkGetInputMacro(Landmarks, ResultObject<ColonLandmarks>);
+  itkSetInputMacro(Folds, ResultObject<HaustralFolds>);
+  itkGetInputMacro(Folds, ResultObject<HaustralFolds>);
+
+  /** For messages. Default "the colon". */
+  itkSetStringMacro(PositionName);
+  itkGetStringMacro(PositionName);
+
+  ResultObject<ColonPosition> *
+  GetOutput();
+
+  using Superclass::MakeOutput;
+  itk::DataObject::Pointer
+  MakeOutput(DataObjectPointerArraySizeType index) override;
+
+protected:
+  ColonPositionFilter();
+  ~ColonPositionFilter() override = default;
+
+  void
+  Compute() override;
+  void
+  PrintSelf(std::ostream & os, itk::Indent indent) const override;
+
+private:
+  std::string m_PositionName{ "the colon" };
+};
+} // namespace shapeton
+
+#endif

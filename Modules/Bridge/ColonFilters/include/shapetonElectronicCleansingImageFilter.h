@@ -1,0 +1,69 @@
+#ifndef shapetonElectronicCleansingImageFilter_h
+#define shapetonElectronicCleansingImageFilter_h
+
+#include "shapetonElectronicCleansing.h"
+#include "shapetonStageFilter.h"
+
+#include "itkImageToImageFilter.h"
+
+namespace shapeton
+{
+/** \class ElectronicCleansingImageFilter
+ * \brief A CT without tagged fluid: CleanseColon() in the pipeline.
+ *
+ * \par Inputs and Outputs
+ * Input: a CT in HU. Input Lumen: the output 1 of the ColonLumenImageFilter of the same CT. Output 0: the CT with gas
+ * in place of fluid, float. Output 1: CleansedColon with the occupancy, which ColonWallFilter takes; it begins at index
+ * 0.
+ *
+ * \ingroup ColonFilters */
+template <typename TInputImage>
+class ElectronicCleansingImageFilter : public StageFilter<itk::ImageToImageFilter<TInputImage, itk::Image<float, 3>>>
+{
+public:
+  ITK_DISALLOW_COPY_AND_MOVE(ElectronicCleansingImageFilter);
+
+  using Self = ElectronicCleansingImageFilter;
+  using Superclass = StageFilter<itk::ImageToImageFilter<TInputImage, itk::Image<float, 3>>>;
+  using Pointer = itk::SmartPointer<Self>;
+  using ConstPointer = itk::SmartPointer<const Self>;
+
+  itkNewMacro(Self);
+  itkTypeMacro(ElectronicCleansingImageFilter, StageFilter);
+
+  itkSetInputMacro(Lumen, ResultObject<ColonLumen>);
+  itkGetInputMacro(Lumen, ResultObject<ColonLumen>);
+
+  ResultObject<CleansedColon> *
+  GetCleansedOutput()
+  {
+    return static_cast<ResultObject<CleansedColon> *>(this->itk::ProcessObject::GetOutput(1));
+  }
+
+  using Superclass::MakeOutput;
+  itk::DataObject::Pointer
+  MakeOutput(itk::ProcessObject::DataObjectPointerArraySizeType index) override
+  {
+    return index == 1 ? itk::DataObject::Pointer(ResultObject<CleansedColon>::New()) : Superclass::MakeOutput(index);
+  }
+
+protected:
+  ElectronicCleansingImageFilter()
+  {
+    this->AddRequiredInputName("Lumen");
+    this->SetNumberOfRequiredOutputs(2);
+    this->SetNthOutput(1, this->MakeOutput(1));
+  }
+  ~ElectronicCleansingImageFilter() override = default;
+
+  void
+  Compute() override
+  {
+    CleansedColon cleansed = CleanseColon(FloatsFromIndexZero(this->GetInput()), this->GetLumen()->Get());
+    HandOver(cleansed.ct.GetPointer(), this->GetOutput());
+    this->SetResult(1, std::move(cleansed));
+  }
+};
+} // namespace shapeton
+
+#endif

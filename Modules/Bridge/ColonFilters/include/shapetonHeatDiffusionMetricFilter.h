@@ -1,0 +1,83 @@
+#ifndef shapetonHeatDiffusionMetricFilter_h
+#define shapetonHeatDiffusionMetricFilter_h
+
+#include "shapetonHeatDiffusionMetric.h"
+#include "shapetonMeshAdapter.h"
+#include "shapetonStageFilter.h"
+
+namespace shapeton
+{
+/** \class HeatDiffusionMetricFilter
+ * \brief The heat diffusion distances of the edges of a mesh: ComputeHeatDiffusionMetric() in the pipeline.
+ *
+ * \par Inputs and Outputs
+ * Input: a mesh of triangles, one manifold. Output: HeatDiffusionMetric, whose edges are those of SurfaceConnectivity
+ * of the mesh (SurfaceOf()).
+ *
+ * \ingroup ColonFilters */
+template <typename TInputMesh = PipelineMesh>
+class HeatDiffusionMetricFilter : public StageFilter<itk::ProcessObject>
+{
+public:
+  ITK_DISALLOW_COPY_AND_MOVE(HeatDiffusionMetricFilter);
+
+  using Self = HeatDiffusionMetricFilter;
+  using Superclass = StageFilter<itk::ProcessObject>;
+  using Pointer = itk::SmartPointer<Self>;
+  using ConstPointer = itk::SmartPointer<const Self>;
+
+  itkNewMacro(Self);
+  itkTypeMacro(HeatDiffusionMetricFilter, StageFilter);
+
+  using Superclass::SetInput;
+  void
+  SetInput(const TInputMesh * mesh)
+  {
+    this->SetNthInput(0, const_cast<TInputMesh *>(mesh));
+  }
+
+  /** Of diffusion, mm^2, greater than 0; DefaultDiffusionTime() suits tubes. Default 1. */
+  itkSetMacro(Time, double);
+  itkGetConstMacro(Time, double);
+
+  ResultObject<HeatDiffusionMetric> *
+  GetOutput()
+  {
+    return static_cast<ResultObject<HeatDiffusionMetric> *>(this->itk::ProcessObject::GetOutput(0));
+  }
+
+  using Superclass::MakeOutput;
+  itk::DataObject::Pointer
+  MakeOutput(DataObjectPointerArraySizeType) override
+  {
+    return ResultObject<HeatDiffusionMetric>::New().GetPointer();
+  }
+
+protected:
+  HeatDiffusionMetricFilter()
+  {
+    this->SetNumberOfRequiredInputs(1);
+    this->SetNthOutput(0, this->MakeOutput(0));
+  }
+  ~HeatDiffusionMetricFilter() override = default;
+
+  void
+  Compute() override
+  {
+    const auto * const mesh = static_cast<const TInputMesh *>(this->itk::ProcessObject::GetInput(0));
+    this->SetResult(0, ComputeHeatDiffusionMetric(SurfaceOf(*mesh), m_Time));
+  }
+
+  void
+  PrintSelf(std::ostream & os, itk::Indent indent) const override
+  {
+    Superclass::PrintSelf(os, indent);
+    os << indent << "Time: " << m_Time << std::endl;
+  }
+
+private:
+  double m_Time{ 1.0 };
+};
+} // namespace shapeton
+
+#endif

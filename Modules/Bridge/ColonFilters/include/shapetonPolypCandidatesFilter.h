@@ -1,0 +1,136 @@
+#ifndef shapetonPolypCandidatesFilter_h
+#define shapetonPolypCandidatesFilter_h
+
+#include "shapetonColonLandmarks.h"
+#include "shapetonColonModel.h"
+#include "shapetonMeshAdapter.h"
+#include "shapetonPolypSearch.h"
+#include "shapetonStageFilter.h"
+
+namespace shapeton
+{
+/** \class PolypCandidatesFilter
+ * \brief Places of the wall that look like polyps: SearchPolyps() in the pipeline. For research use; a candidate is no
+ * finding.
+ *
+ * \par Inputs and Outputs
+ * Input: the repaired wall, such as the output 1 of ColonModelFilter. Input Model: its ColonModel, which tells lumen,
+ * cleansed CT, centreline and catheter. Optional inputs FlatColon, for places on the map, and, beside it, Landmarks,
+ * for segments. Output: the candidates by falling score.
+ *
+ * The tool ColonPolyps reads a CT of whole HU; heads here have the attenuation of the CT before it was rounded.
+ *
+ * \ingroup ColonFilters */
+template <typename TInputMesh = PipelineMesh>
+class PolypCandidatesFilter : public StageFilter<itk::ProcessObject>
+{
+public:
+  ITK_DISALLOW_COPY_AND_MOVE(PolypCandidatesFilter);
+
+  using Self = PolypCandidatesFilter;
+  using Superclass = StageFilter<itk::ProcessObject>;
+  using Pointer = itk::SmartPointer<Self>;
+  using ConstPointer = itk::SmartPointer<const Self>;
+  using OptionsType = PolypSearchOptions;
+  using CandidatesType = std::vector<PolypCandidate>;
+
+  itkNewMacro(Self);
+  itkTypeMacro(PolypCandidatesFilter, StageFilter);
+
+  using Superclass::SetInput;
+  void
+  SetInput(const TInputMesh * wall)
+  {
+    this->SetNthInput(0, const_cast<TInputMesh *>(wall));
+  }
+  itkSetInputMacro(Model, ResultObject<ColonModel>);
+  itkGetInputMacro(Model, ResultObject<ColonModel>);
+  itkSetInputMacro(FlatColon, ResultObject<FlatColon>);
+  itkGetInputMacro(FlatColon, ResultObject<FlatColon>);
+  itkSetInputMacro(Landmarks, ResultObject<ColonLandmarks>);
+  itkGetInputMacro(Landmarks, ResultObject<ColonLandmarks>);
+
+  /** \name See PolypSearchOptions for ranges and defaults */
+  ///@{
+  shapetonOptionMacro(Preset, preset);
+  shapetonOptionMacro(Sensitivity, sensitivity);
+  ///@}
+
+  ResultObject<CandidatesType> *
+  GetOutput()
+  {
+    return static_cast<ResultObject<CandidatesType> *>(this->itk::ProcessObject::GetOutput(0));
+  }
+
+  using Superclass::MakeOutput;
+  itk::DataObject::Pointer
+  MakeOutput(DataObjectPointerArraySizeType) override
+  {
+    return ResultObject<CandidatesType>::New().GetPointer();
+  }
+
+protected:
+  PolypCandidatesFilter()
+  {
+    this->SetNumberOfRequiredInputs(1);
+    this->AddRequiredInputName("Model");
+    this->SetNthOutput(0, this->MakeOutput(0));
+  }
+  ~PolypCandidatesFilter() override = default;
+
+  void
+  VerifyPreconditions() ITKv5_CONST override
+  {
+    Superclass::VerifyPreconditions();
+    if (this->GetLandmarks() && !this->GetFlatColon())
+    {
+      itkExceptionMacro("the input Landmarks needs the input FlatColon, to which its segments belong");
+    }
+  }
+
+  void
+  Compute() override
+  {
+    PolypSearchOptions options = m_Options;
+    options.progress = this->Reporter();
+    this->SetResult(0, SearchPolyps(this->Colon(), options));
+  }
+
+  void
+  PrintSelf(std::ostream & os, itk::Indent indent) const override
+  {
+    Superclass::PrintSelf(os, indent);
+    os << indent << "Preset: " << NameOf(m_Options.preset) << std::endl;
+    os << indent << "Sensitivity: " << m_Options.sensitivity << std::endl;
+  }
+
+private:
+  PolypColon
+  Colon() const
+  {
+    const ColonModel & model = this->GetModel()->Get();
+    PolypColon         colon;
+    colon.wall = SurfaceOf(*static_cast<const TInputMesh *>(this->itk::ProcessObject::GetInput(0)));
+    colon.centreline = model.centreline.curve;
+    if (model.lumen.catheter && model.lumen.catheter->isSure)
+    {
+      colon.catheter = CurveOfCatheter(*model.lumen.catheter);
+    }
+    colon.lumen = model.lumen.labels;
+    colon.ct = model.cleansed;
+    if (this->GetFlatColon())
+    {
+      colon.flat = this->GetFlatColon()->Share();
+    }
+    if (this->GetLandmarks())
+    {
+      colon.segments = SegmentSurface(colon.flat->Surface(), this->GetLandmarks()->Get());
+    }
+    return colon;
+  }
+
+  OptionsType m_Options;
+};
+} // namespace shapeton
+
+#endif

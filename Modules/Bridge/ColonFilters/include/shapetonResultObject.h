@@ -1,0 +1,98 @@
+#ifndef shapetonResultObject_h
+#define shapetonResultObject_h
+
+#include "itkDataObject.h"
+#include "itkObjectFactory.h"
+
+#include <memory>
+
+namespace shapeton
+{
+/** \class ResultObject
+ * \brief A result that is no image and no mesh, such as a centreline, as data of ITK's pipeline.
+ *
+ * As itk::SimpleDataObjectDecorator, but for types that can be neither compared nor copied. The value is shared: who
+ * takes it keeps it, whatever the pipeline does later.
+ *
+ * \ingroup ColonFilters */
+template <typename TResult>
+class ResultObject : public itk::DataObject
+{
+public:
+  ITK_DISALLOW_COPY_AND_MOVE(ResultObject);
+
+  using Self = ResultObject;
+  using Superclass = itk::DataObject;
+  using Pointer = itk::SmartPointer<Self>;
+  using ConstPointer = itk::SmartPointer<const Self>;
+  using ResultType = TResult;
+  using ResultPointer = std::shared_ptr<const TResult>;
+
+  itkNewMacro(Self);
+  itkTypeMacro(ResultObject, itk::DataObject);
+
+  void
+  Set(ResultPointer result)
+  {
+    m_Result = std::move(result);
+    this->Modified();
+  }
+  void
+  Set(TResult result)
+  {
+    this->Set(std::make_shared<const TResult>(std::move(result)));
+  }
+
+  bool
+  HasResult() const
+  {
+    return m_Result != nullptr;
+  }
+  /** \exception itk::ExceptionObject where there is none: the filter that makes it has not been updated. */
+  const TResult &
+  Get() const
+  {
+    return *this->Share();
+  }
+  ResultPointer
+  Share() const
+  {
+    if (!m_Result)
+    {
+      itkExceptionMacro("there is no result yet; call Update() of its filter first");
+    }
+    return m_Result;
+  }
+
+  void
+  Initialize() override
+  {
+    Superclass::Initialize();
+    m_Result.reset();
+  }
+  void
+  Graft(const itk::DataObject * data) override
+  {
+    if (const auto * const other = dynamic_cast<const Self *>(data))
+    {
+      m_Result = other->m_Result;
+    }
+  }
+
+protected:
+  ResultObject() = default;
+  ~ResultObject() override = default;
+
+  void
+  PrintSelf(std::ostream & os, itk::Indent indent) const override
+  {
+    Superclass::PrintSelf(os, indent);
+    os << indent << "HasResult: " << this->HasResult() << std::endl;
+  }
+
+private:
+  ResultPointer m_Result;
+};
+} // namespace shapeton
+
+#endif

@@ -1,0 +1,182 @@
+#ifndef shapetonStageFilter_h
+#define shapetonStageFilter_h
+
+#include "shapetonMeshAdapter.h"
+#include "shapetonProgress.h"
+#include "shapetonResultObject.h"
+
+#include "itkCastImageFilter.h"
+#include "itkImage.h"
+#include "itkProcessObject.h"
+
+#include <stdexcept>
+#include <type_traits>
+
+/** Set and Get of a parameter that is a member of m_Options, of the type OptionsType. */
+#define shapetonOptionMacro(name, member)                                                                              \
+  virtual void Set##name(const decltype(OptionsType::member) & value)                                                  \
+  {                                                                                                                    \
+    if (m_Options.member != value)                                                                                     \
+    {                                                                                                                  \
+      m_Options.member = value;                                                                                        \
+      this->Modified();                                                                                                \
+    }                                                                                                                  \
+  }                                                                                                                    \
+  virtual const decltype(OptionsType::member) & Get##name() const { return m_Options.member; }                         \
+  ITK_MACROEND_NOOP_STATEMENT
+
+namespace shapeton
+{
+/** \class StageFilter
+ * \brief What the stages of virtual colonoscopy share as process objects: they work on whole inputs, report progress,
+ * can be aborted, and throw ITK's exceptions.
+ *
+ * \tparam TSuperclass itk::ProcessObject or a class derived from it.
+ * \ingroup ColonFilters */
+template <typename TSuperclass>
+class StageFilter : public TSuperclass
+{
+public:
+  ITK_DISALLOW_COPY_AND_MOVE(StageFilter);
+
+  using Self = StageFilter;
+  using Superclass = TSuperclass;
+
+  itkTypeMacro(StageFilter, TSuperclass);
+
+  /** What is being done, in words, while progress is reported; empty before and after. */
+  itkGetConstReferenceMacro(Stage, std::string);
+
+protected:
+  StageFilter() = default;
+  ~StageFilter() override = default;
+
+  /** Hands progress on to ITK's observers, with the stage, and aborts where that was asked for. */
+  shapeton::Progress
+  Reporter()
+  {
+    return shapeton::Progress([this](const std::string & stage, double share) {
+      m_Stage = stage;
+      this->UpdateProgress(static_cast<float>(share));
+      if (this->GetAbortGenerateData())
+      {
+        throw itk::ProcessAborted(__FILE__, __LINE__);
+      }
+    });
+  }
+
+  virtual void
+  Compute() = 0;
+
+  void
+  GenerateData() override
+  {
+    try
+    {
+      this->Compute();
+      m_Stage.clear();
+    }
+    catch (const std::logic_error & error) // mistakes of the calling code
+    {
+      itkExceptionMacro(<< error.what());
+    }
+  }
+
+  void
+  GenerateInputRequestedRegion() override
+  {
+    Superclass::GenerateInputRequestedRegion();
+    for (const auto & name : this->GetInputNames())
+    {
+      if (auto * const input = this->ProcessObject::GetInput(name))
+      {
+        input->SetRequestedRegionToLargestPossibleRegion();
+      }
+    }
+  }
+
+  void
+  EnlargeOutputRequestedRegion(itk::DataObject * output) override
+  {
+    Superclass::EnlargeOutputRequestedRegion(output);
+    output->SetRequestedRegionToLargestPossibleRegion();
+  }
+
+  void
+  PrintSelf(std::ostream & os, itk::Indent indent) const override
+  {
+    Superclass::PrintSelf(os, indent);
+    os << indent << "Stage: " << m_Stage << std::endl;
+  }
+
+  template <typename TResult>
+  void
+  SetResult(unsigned int output, TResult && result)
+  {
+    using Object = ResultObject<std::decay_t<TResult>>;
+    static_cast<Object *>(this->ProcessObject::GetOutput(output))->Set(std::forward<TResult>(result));
+  }
+
+private:
+  std::string m_Stage;
+};
+
+/** \name Images for functions that take whole volumes
+ * The buffered region of an image with its first voxel at index 0 and at the same place. */
+///@{
+/** The voxels are shared, not copied. \ingroup ColonFilters */
+template <typename TImage>
+typename TImage::ConstPointer
+FromIndexZero(const TImage * image)
+{
+  auto       view = TImage::New();
+  const auto region = image->GetBufferedRegion();
+  view->SetRegions(region.GetSize());
+  view->SetSpacing(image->GetSpacing());
+  view->SetDirection(image->GetDirection());
+  view->SetOrigin(image->template TransformIndexToPhysicalPoint<double>(region.GetIndex()));
+  view->SetPixelContainer(const_cast<typename TImage::PixelContainer *>(image->GetPixelContainer()));
+  return view.GetPointer();
+}
+
+/** Voxels that are no floats are converted. \ingroup ColonFilters */
+template <typename TImage>
+itk::Image<float, 3>::ConstPointer
+FloatsFromIndexZero(const TImage * image)
+{
+  const auto view = FromIndexZero(image);
+  if constexpr (std::is_same_v<TImage, itk::Image<float, 3>>)
+  {
+    return view;
+  }
+  else
+  {
+    const auto cast = itk::CastImageFilter<TImage, itk::Image<float, 3>>::New();
+    cast->SetInput(view);
+    cast->Update();
+    return cast->GetOutput();
+  }
+}
+
+/** Hands the voxels of an image that begins at index 0 to the output of a filter, whose regions are set.
+ * \pre Both have the same size. \ingroup ColonFilters */
+template <typename TImage>
+void
+HandOver(TImage * voxels, TImage * output)
+{
+  output->SetBufferedRegion(output->GetLargestPossibleRegion());
+  output->SetPixelContainer(voxels->GetPixelContainer());
+}
+///@}
+
+/** Fills the mesh that a filter puts out. \ingroup ColonFilters */
+template <typename TMesh, typename = typename TMesh::MeshTraits>
+void
+HandOver(const SurfaceMesh & surface, TMesh * output)
+{
+  FillMesh(surface, *output);
+  output->SetBufferedRegion(output->GetRequestedRegion()); // else the pipeline takes it for unfinished
+}
+} // namespace shapeton
+
+#endif

@@ -1,0 +1,27 @@
+set(DOCUMENTATION "The stages of virtual colonoscopy as ITK process objects: lumen, cleansing, centreline, wall, flattening, metric, folds, landmarks,
+registration and candidates.")
+
+itk_module(ColonFilters
+  ENABLE_SHARED
+  DEPENDS
+    Base
+    HeatDiffusionMetric
+    ConformalFlattening
+    ColonLumen
+    ColonCentreline
+    ColonWall
+    ColonModel
+    FlatColon
+    HaustralFolds
+    ColonLandmarks
+    PolypCandidates
+    SupineProne
+    ITKMeshes
+    ITKCommon
+    ITKImageFilterBase
+    ITKMesh
+  TEST_DEPENDS
+    ColonPhantom
+    ITKGoogleTest
+  DESCRIPTION "${DOCUMENTATION}"
+)

@@ -1,0 +1,365 @@
+#include "shapetonColonCentrelineFilter.h"
+#include "shapetonColonFlatteningFilter.h"
+#include "shapetonColonLandmarksFilter.h"
+#include "shapetonColonLumenImageFilter.h"
+#include "shapetonColonModelFilter.h"
+#include "shapetonColonPhantomImageSource.h"
+#include "shapetonColonPositionFilter.h"
+#include "shapetonColonWallFilter.h"
+#include "shapetonElectronicCleansingImageFilter.h"
+#include "shapetonHaustralFoldsFilter.h"
+#include "shapetonHeatDiffusionMetricFilter.h"
+#include "shapetonPolypCandidatesFilter.h"
+#include "shapetonSupineProneRegistrationFilter.h"
+
+#include "itkChangeInformationImageFilter.h"
+#include "itkCommand.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <sstream>
+
+using namespace shapeton;
+
+namespace
+{
+using Source = ColonPhantomImageSource;
+using CtImage = Source::ImageType;
+
+/** A coarse patient of 3.2 mm, turned about the axis of the body. */
+CtImage::Pointer
+ObliqueCt()
+{
+  const auto             source = Source::New();
+  ColonPhantomParameters parameters;
+  parameters.seed = 1;
+  source->SetParameters(parameters);
+  source->SetSize({ { 112, 112, 106 } });
+  source->SetSpacing(Source::SpacingType(3.2));
+  Source::DirectionType direction;
+  direction.SetIdentity();
+  direction(0, 0) = direction(1, 1) = std::cos(0.2);
+  direction(1, 0) = std::sin(0.2);
+  direction(0, 1) = -direction(1, 0);
+  source->SetDirection(direction);
+  source->CenterOutput();
+  source->Update();
+  return source->GetOutput();
+}
+
+/** Of all tests. */
+const CtImage *
+Ct()
+{
+  static const CtImage::Pointer ct = ObliqueCt();
+  return ct;
+}
+
+template <typename TImage>
+bool
+HaveEqualVoxels(const TImage * a, const TImage * b)
+{
+  const auto number = a->GetBufferedRegion().GetNumberOfPixels();
+  return a->GetBufferedRegion().GetSize() == b->GetBufferedRegion().GetSize() &&
+         std::equal(a->GetBufferPointer(), a->GetBufferPointer() + number, b->GetBufferPointer());
+}
+
+void
+ExpectEqual(const SurfaceMesh & a, const SurfaceMesh & b)
+{
+  EXPECT_TRUE(a.V == b.V);
+  EXPECT_TRUE(a.F == b.F);
+  ASSERT_EQ(a.pointArrays.size(), b.pointArrays.size());
+  for (std::size_t i = 0; i < a.pointArrays.size(); ++i)
+  {
+    EXPECT_EQ(a.pointArrays[i].name, b.pointArrays[i].name);
+    EXPECT_TRUE(a.pointArrays[i].values == b.pointArrays[i].values);
+  }
+  EXPECT_EQ(a.cellArrays.size(), b.cellArrays.size());
+  EXPECT_EQ(a.fieldArrays.size(), b.fieldArrays.size());
+}
+
+using ModelFilter = ColonModelFilter<CtImage>;
+
+ModelFilter::Pointer
+NewModelFilter()
+{
+  auto filter = ModelFilter::New();
+  filter->SetInput(Ct());
+  filter->SetPatientPosition("HFS");
+  filter->SetNumberOfFaces(8000);
+  return filter;
+}
+
+/** The whole chain to candidates, connected and not yet run. */
+struct Pipeline
+{
+  ModelFilter::Pointer             model = NewModelFilter();
+  ColonFlatteningFilter<>::Pointer flattening = ColonFlatteningFilter<>::New();
+  ColonLandmarksFilter::Pointer    landmarks = ColonLandmarksFilter::New();
+  HaustralFoldsFilter::Pointer     folds = HaustralFoldsFilter::New();
+  ColonPositionFilter::Pointer     position = ColonPositionFilter::New();
+  PolypCandidatesFilter<>::Pointer candidates = PolypCandidatesFilter<>::New();
+
+  Pipeline()
+  {
+    flattening->SetInput(model->GetOutput());
+    flattening->SetCentreline(model->GetCentrelineOutput());
+    landmarks->SetFlatColon(flattening->GetFlatColonOutput());
+    landmarks->SetCentreline(model->GetCentrelineOutput());
+    folds->SetFlatColon(flattening->GetFlatColonOutput());
+    folds->SetTaeniae(landmarks->GetTaeniaeOutput());
+    position->SetFlatColon(flattening->GetFlatColonOutput());
+    position->SetCentreline(model->GetCentrelineOutput());
+    position->SetLandmarks(landmarks->GetOutput());
+    position->SetFolds(folds->GetFoldsOutput());
+    candidates->SetInput(model->GetOutput(1));
+    candidates->SetModel(model->GetModelOutput());
+    candidates->SetFlatColon(flattening->GetFlatColonOutput());
+    candidates->SetLandmarks(landmarks->GetOutput());
+  }
+};
+
+/** Run once for all tests. */
+Pipeline &
+FinishedPipeline()
+{
+  static Pipeline pipeline;
+  pipeline.candidates->Update();
+  pipeline.position->Update();
+  return pipeline;
+}
+
+/** Counts the executions of a process object, keeps its progress, and may abort it. */
+class Observer : public itk::Command
+{
+public:
+  using Pointer = itk::SmartPointer<Observer>;
+  itkNewMacro(Observer);
+
+  int    starts{ 0 };
+  double share{ 0.0 };
+  bool   ascends{ true };
+  double abortAt{ 2.0 };
+  int    aborts{ 0 };
+
+  static Pointer
+  Of(itk::ProcessObject * process)
+  {
+    const auto observer = New();
+    process->AddObserver(itk::AnyEvent(), observer);
+    return observer;
+  }
+
+  void
+  Execute(itk::Object * caller, const itk::EventObject & event) override
+  {
+    auto * const process = static_cast<itk::ProcessObject *>(caller);
+    starts += itk::StartEvent().CheckEvent(&event);
+    aborts += itk::AbortEvent().CheckEvent(&event);
+    if (itk::ProgressEvent().CheckEvent(&event))
+    {
+      ascends = ascends && process->GetProgress() >= share;
+      share = process->GetProgress();
+      process->SetAbortGenerateData(share >= abortAt);
+    }
+  }
+  void
+  Execute(const itk::Object *, const itk::EventObject &) override
+  {}
+};
+} // namespace
+
+TEST(ColonFilters, SingleStagesDoWhatTheFunctionsDo)
+{
+  const auto floats = FloatsFromIndexZero(Ct());
+  const auto lumen = ColonLumenImageFilter<CtImage>::New();
+  lumen->SetInput(Ct());
+  lumen->SetPatientPosition("HFS");
+  const auto cleansing = ElectronicCleansingImageFilter<CtImage>::New();
+  cleansing->SetInput(Ct());
+  cleansing->SetLumen(lumen->GetLumenOutput());
+  const auto centreline = ColonCentrelineFilter::New();
+  centreline->SetInput(lumen->GetOutput());
+  const auto wall = ColonWallFilter<>::New();
+  wall->SetCleansed(cleansing->GetCleansedOutput());
+  wall->SetCentreline(centreline->GetOutput());
+  wall->SetNumberOfFaces(8000);
+  wall->Update();
+
+  ColonLumenOptions options;
+  options.patientPosition = "HFS";
+  const ColonLumen expectedLumen = SegmentColonLumen(floats, options);
+  EXPECT_TRUE(HaveEqualVoxels(lumen->GetOutput(), expectedLumen.labels.GetPointer()));
+  EXPECT_EQ(lumen->GetLumenOutput()->Get().levels.size(), expectedLumen.levels.size());
+  const CleansedColon expectedCleansed = CleanseColon(floats, expectedLumen);
+  EXPECT_TRUE(HaveEqualVoxels(cleansing->GetOutput(), expectedCleansed.ct.GetPointer()));
+  const ColonCentreline expectedLine = TraceColonCentreline(expectedLumen.labels);
+  EXPECT_EQ(centreline->GetOutput()->Get().V, expectedLine.curve.V);
+  EXPECT_EQ(centreline->GetCentrelineOutput()->Get().coverage, expectedLine.coverage);
+  ColonWallOptions wallOptions;
+  wallOptions.faces = 8000;
+  const ColonWall expectedWall = BuildColonWall(expectedCleansed.occupancy, expectedLine.curve, wallOptions);
+  ExpectEqual(SurfaceOf(*wall->GetOutput(0)), expectedWall.simplified);
+  ExpectEqual(SurfaceOf(*wall->GetOutput(1)), expectedWall.repaired);
+  ExpectEqual(SurfaceOf(*wall->GetOutput(2)), expectedWall.raw);
+
+  const auto metric = HeatDiffusionMetricFilter<>::New();
+  metric->SetInput(wall->GetOutput());
+  metric->SetTime(40.0);
+  metric->Update();
+  EXPECT_EQ(metric->GetOutput()->Get().edgeLengths,
+            ComputeHeatDiffusionMetric(expectedWall.simplified, 40.0).edgeLengths);
+}
+
+TEST(ColonFilters, TheChainDoesWhatTheFunctionsDo)
+{
+  Pipeline &        pipeline = FinishedPipeline();
+  ColonModelOptions options;
+  options.patientPosition = "HFS";
+  options.faces = 8000;
+  const ColonModel model = BuildColonModel(FloatsFromIndexZero(Ct()), options);
+  ExpectEqual(SurfaceOf(*pipeline.model->GetOutput()), model.wall.simplified);
+  ColonFlatteningOptions flatteningOptions;
+  flatteningOptions.centreline = model.centreline.curve;
+  const ColonFlattening flattening = FlattenColon(model.wall.simplified, "the wall", flatteningOptions);
+  ExpectEqual(SurfaceOf(*pipeline.flattening->GetOutput()), flattening.map.flat);
+
+  const FlatColon      flat(flattening.map.flat);
+  const ColonLandmarks landmarks = FindColonLandmarks(flat, model.centreline.curve);
+  const CurveSet       taeniae = TaeniaCurves(landmarks.taeniae);
+  EXPECT_EQ(pipeline.landmarks->GetTaeniaeOutput()->Get().V, taeniae.V);
+  HaustralFoldOptions foldOptions;
+  foldOptions.taeniae = &taeniae;
+  const HaustralFolds folds = FindHaustralFolds(flat, foldOptions);
+  EXPECT_TRUE(HaveEqualVoxels(pipeline.folds->GetOutput(), folds.labels.GetPointer()));
+  EXPECT_EQ(pipeline.folds->GetOutput()->GetSpacing(), folds.labels->GetSpacing());
+
+  const ColonPosition & position = pipeline.position->GetOutput()->Get();
+  EXPECT_EQ(position.folds.size(), folds.folds.size());
+  EXPECT_EQ(position.flexures[3], landmarks.flexures.flexures[3].arcLength);
+  const auto & candidates = pipeline.candidates->GetOutput()->Get();
+  ASSERT_FALSE(candidates.empty());
+  EXPECT_GT(candidates.front().segment, 0); // told by the landmarks
+  EXPECT_TRUE(std::isfinite(candidates.front().uv[0]));
+  EXPECT_TRUE(std::isfinite(candidates.front().attenuation));
+}
+
+TEST(ColonFilters, APositionIsRegisteredWithItself)
+{
+  const auto registration = SupineProneRegistrationFilter::New();
+  registration->SetSource(FinishedPipeline().position->GetOutput());
+  registration->SetTarget(FinishedPipeline().position->GetOutput());
+  registration->Update();
+  const SupineProneRegistration & result = registration->GetOutput()->Get();
+  EXPECT_FALSE(result.confidence.isFlagged);
+  EXPECT_EQ(result.figures.flips, 0);
+  const Eigen::Vector2d place(400.0, 40.0);
+  EXPECT_LT((MapUv(result, place) - place).norm(), 2.0);
+}
+
+TEST(ColonFilters, NothingIsComputedTwiceAndChangesAreFollowed)
+{
+  Pipeline & pipeline = FinishedPipeline();
+  const auto model = Observer::Of(pipeline.model);
+  const auto folds = Observer::Of(pipeline.folds);
+  pipeline.candidates->Update();
+  pipeline.folds->Update();
+  EXPECT_EQ(model->starts, 0);
+  EXPECT_EQ(folds->starts, 0);
+  const auto number = pipeline.folds->GetFoldsOutput()->Get().folds.size();
+  pipeline.folds->SetMinimumLength(7.0); // as it is
+  pipeline.folds->Update();
+  EXPECT_EQ(folds->starts, 0);
+  pipeline.folds->SetMinimumLength(30.0);
+  pipeline.folds->Update();
+  EXPECT_EQ(folds->starts, 1);
+  EXPECT_EQ(model->starts, 0);
+  EXPECT_LT(pipeline.folds->GetFoldsOutput()->Get().folds.size(), number);
+  pipeline.folds->SetMinimumLength(7.0);
+  pipeline.folds->Update();
+  EXPECT_EQ(pipeline.folds->GetFoldsOutput()->Get().folds.size(), number);
+  pipeline.model->RemoveAllObservers();
+  pipeline.folds->RemoveAllObservers();
+}
+
+TEST(ColonFilters, ProgressIsReportedAndARunCanBeAborted)
+{
+  const auto filter = NewModelFilter();
+  const auto observer = Observer::Of(filter);
+  observer->abortAt = 0.4;
+  EXPECT_THROW(filter->Update(), itk::ProcessAborted);
+  EXPECT_TRUE(observer->ascends);
+  EXPECT_GE(observer->share, 0.4);
+  EXPECT_EQ(observer->aborts, 1);
+  EXPECT_FALSE(filter->GetModelOutput()->HasResult());
+  observer->abortAt = 2.0;
+  observer->share = 0.0;
+  filter->SetAbortGenerateData(false);
+  EXPECT_NO_THROW(filter->Update());
+  EXPECT_TRUE(observer->ascends);
+  EXPECT_EQ(observer->share, 1.0);
+}
+
+TEST(ColonFilters, AnImageMayBeginAtAnyIndex)
+{
+  using Shift = itk::ChangeInformationImageFilter<CtImage>;
+  const auto shift = Shift::New();
+  shift->SetInput(Ct());
+  itk::Offset<3> offset{ { 7, -3, 12 } };
+  shift->ChangeRegionOn();
+  shift->SetOutputOffset(offset);
+  auto origin = Ct()->GetOrigin(); // the voxels stay where they are
+  for (unsigned int axis = 0; axis < 3; ++axis)
+  {
+    origin -= itk::Vector<double, 3>(Ct()->GetDirection().GetVnlMatrix().get_column(axis).data_block()) *
+              (Ct()->GetSpacing()[axis] * static_cast<double>(offset[axis]));
+  }
+  shift->SetOutputOrigin(origin);
+  shift->ChangeOriginOn();
+  const auto lumen = ColonLumenImageFilter<CtImage>::New();
+  lumen->SetInput(shift->GetOutput());
+  lumen->SetPatientPosition("HFS");
+  lumen->Update();
+  const auto reference = ColonLumenImageFilter<CtImage>::New();
+  reference->SetInput(Ct());
+  reference->SetPatientPosition("HFS");
+  reference->Update();
+  EXPECT_TRUE(HaveEqualVoxels(lumen->GetOutput(), reference->GetOutput()));
+  EXPECT_EQ(lumen->GetOutput()->GetLargestPossibleRegion().GetIndex(), (itk::Index<3>{ { 7, -3, 12 } }));
+  EXPECT_LT(lumen->GetOutput()->GetOrigin().EuclideanDistanceTo(origin), 1e-9);
+}
+
+TEST(ColonFilters, ErrorsAreExceptionsOfItk)
+{
+  const auto unconnected = ColonLandmarksFilter::New();
+  EXPECT_THROW(unconnected->Update(), itk::ExceptionObject);
+  const auto lumen = ColonLumenImageFilter<CtImage>::New();
+  lumen->SetInput(Ct());
+  lumen->SetPatientPosition("sitting");
+  EXPECT_THROW(lumen->Update(), ParameterError);
+  const auto wall = ColonWallFilter<>::New();
+  wall->SetCentreline(FinishedPipeline().model->GetCentrelineOutput());
+  EXPECT_THROW(wall->Update(), itk::ExceptionObject); // neither Cleansed nor Mask
+  EXPECT_THROW(ResultObject<CurveSet>::New()->Get(), itk::ExceptionObject);
+
+  const auto soft = CtImage::New(); // a body without gas
+  soft->SetRegions(CtImage::SizeType{ { 32, 32, 32 } });
+  soft->Allocate();
+  soft->FillBuffer(40);
+  const auto model = ModelFilter::New();
+  model->SetInput(soft);
+  EXPECT_THROW(model->Update(), InputError);
+}
+
+TEST(ColonFilters, ParametersArePrinted)
+{
+  const auto filter = NewModelFilter();
+  filter->KeepPiecesOn();
+  std::ostringstream text;
+  filter->Print(text);
+  EXPECT_NE(text.str().find("PatientPosition: HFS"), std::string::npos);
+  EXPECT_NE(text.str().find("NumberOfFaces: 8000"), std::string::npos);
+  EXPECT_NE(text.str().find("KeepPieces: 1"), std::string::npos);
+}
