@@ -1,6 +1,8 @@
+# All that CMake must know about versions of ITK, 5.2 to 6.0; for the sources it is shapetonITKCompatibility.h. Installed with
+# Shapeton, because a consumer's ITK needs the same.
+
 # ITK::<Module>Module: one INTERFACE target for each ITK module, so that the DEPENDS of an itk-module.cmake can be
 # linked by name and stay transitive. The ITK 5 packages carry no include directories on their targets; ITK 6 does.
-# Installed with Shapeton, because a consumer's ITK needs the same targets.
 function(shapeton_itk_targets)
   foreach(module IN LISTS ARGN)
     if(TARGET ITK::${module}Module)
@@ -14,4 +16,28 @@ function(shapeton_itk_targets)
     target_include_directories(ITK::${module}Module SYSTEM INTERFACE ${_shapeton_itk_INCLUDE_DIRS})
     target_link_libraries(ITK::${module}Module INTERFACE ${_shapeton_itk_LIBRARIES})
   endforeach()
+endfunction()
+
+# Finds Eigen3::Eigen. Headers of ITK 6 include the Eigen 5 that it brings, so that all else must take that one, too.
+macro(shapeton_find_eigen)
+  if(TARGET eigen_external) # inside ITK's source tree
+    if(NOT TARGET Eigen3::Eigen)
+      add_library(Eigen3::Eigen ALIAS eigen_external)
+    endif()
+  else()
+    if(ITK_VERSION_MAJOR GREATER_EQUAL 6 AND ITKInternalEigen3_DIR)
+      set(Eigen3_DIR ${ITKInternalEigen3_DIR})
+    endif()
+    find_package(Eigen3 REQUIRED NO_MODULE)
+  endif()
+endmacro()
+
+# shapeton_link_eigen(<target> <scope>): with Eigen. ITK 5 brings an Eigen of its own, too, which clashes with the system's in
+# one source file; its headers take the system's where ITK_USE_SYSTEM_EIGEN is defined.
+function(shapeton_link_eigen target scope)
+  shapeton_find_eigen()
+  target_link_libraries(${target} ${scope} Eigen3::Eigen)
+  if(ITK_VERSION_MAJOR LESS 6)
+    target_compile_definitions(${target} ${scope} ITK_USE_SYSTEM_EIGEN)
+  endif()
 endfunction()

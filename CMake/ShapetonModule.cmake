@@ -3,6 +3,7 @@
 
 include(GenerateExportHeader)
 include(ShapetonITKTargets)
+include(ShapetonTests)
 
 # itk_module(<name> [ENABLE_SHARED] DEPENDS ... PRIVATE_DEPENDS ... COMPILE_DEPENDS ... TEST_DEPENDS ... DESCRIPTION "...")
 # Called by itk-module.cmake; records the declaration.
@@ -90,41 +91,15 @@ endfunction()
 
 # ---- tests ----
 
-# itk_module_test(): called first in test/CMakeLists.txt.
+# itk_module_test(): called first in test/CMakeLists.txt. ITKGoogleTest is for ITK's own build; GoogleTest is found beside ITK.
 macro(itk_module_test)
   set(${itk-module}-Test_LIBRARIES Shapeton::${itk-module})
   foreach(_dependency IN LISTS itk-module_TEST_DEPENDS)
     if(TARGET Shapeton::${_dependency})
       list(APPEND ${itk-module}-Test_LIBRARIES Shapeton::${_dependency})
-    else()
+    elseif(NOT _dependency STREQUAL "ITKGoogleTest")
       shapeton_itk_targets(${_dependency})
       list(APPEND ${itk-module}-Test_LIBRARIES ITK::${_dependency}Module)
     endif()
   endforeach()
 endmacro()
-
-# creategoogletestdriver(<kit> "<libraries>" "<sources>" [LONG <Suite.Test>...]): one executable <kit>GTestDriver; each
-# TEST is a ctest. Those after LONG have the label Long: Utilities/run-tests runs them with --long.
-function(creategoogletestdriver kit libraries sources)
-  cmake_parse_arguments(PARSE_ARGV 3 driver "" "" "LONG")
-  add_executable(${kit}GTestDriver ${sources})
-  target_link_libraries(${kit}GTestDriver PRIVATE ${libraries} GTest::gtest_main)
-  # What is tested is in the libraries; of the time of a test most is its compilation, and -O3 makes it a fifth longer.
-  target_compile_options(${kit}GTestDriver PRIVATE $<$<CONFIG:Release>:-O1>)
-  target_compile_definitions(${kit}GTestDriver PRIVATE
-    SHAPETON_BASELINE_DIR="${Shapeton_SOURCE_DIR}/Testing/Baseline"
-    SHAPETON_TEST_TEMPORARY_DIR="${Shapeton_BINARY_DIR}/Testing/Temporary")
-  list(JOIN driver_LONG ":" long)
-  shapeton_discover_tests(${kit} "-${long}" ${itk-module})
-  if(long)
-    shapeton_discover_tests(${kit} "${long}" Long)
-  endif()
-endfunction()
-
-# The tests of a driver that a filter of GoogleTest lets through.
-function(shapeton_discover_tests kit filter label)
-  string(MD5 list "${filter}")
-  gtest_discover_tests(${kit}GTestDriver DISCOVERY_TIMEOUT 120 TEST_FILTER "${filter}" TEST_LIST ${kit}${list}
-    PROPERTIES LABELS ${label} SKIP_REGULAR_EXPRESSION "\\[  SKIPPED \\]"
-      ENVIRONMENT "SHAPETON_TEST_DATA_DIR=${SHAPETON_TEST_DATA_DIR}")
-endfunction()

@@ -57,18 +57,3 @@ function(shapeton_tool_test)
   endif()
   set_tests_properties(${test_NAME} PROPERTIES LABELS "${labels}" SKIP_REGULAR_EXPRESSION "SHAPETON_TEST_DATA_DIR is not set")
 endfunction()
-
-# shapeton_compare_test(NAME <name> DEPENDS <test that writes it> OUTPUT <file> BASELINE <file> [TOLERANCE <t>] [PIXELS <n>])
-# Compares an image with its baseline by itkTestDriver: at most PIXELS pixels (default 0) may differ by more than TOLERANCE.
-function(shapeton_compare_test)
-  cmake_parse_arguments(PARSE_ARGV 0 test "" "NAME;OUTPUT;BASELINE;TOLERANCE;PIXELS;DEPENDS" "")
-  if(NOT test_TOLERANCE)
-    set(test_TOLERANCE 1e-5)
-  endif()
-  if(NOT test_PIXELS)
-    set(test_PIXELS 0)
-  endif()
-  add_test(NAME ${test_NAME} COMMAND itkTestDriver --compare ${test_OUTPUT} ${test_BASELINE}
-    --compareIntensityTolerance ${test_TOLERANCE} --compareNumberOfPixelsTolerance ${test_PIXELS} --no-process)
-  set_tests_properties(${test_NAME} PROPERTIES LABELS Applications DEPENDS "${test_DEPENDS}")
-endfunction()

@@ -55,3 +55,17 @@ build() {
   cmake --build "$buildRoot/$tree" --parallel "$(build_jobs)" ${1:+--target "$@"} ||
     fail "the build of $buildRoot/$tree failed; see above"
 }
+
+# run_ctest FOLDER [CTEST ARGUMENTS...]: runs tests of a build and prints how many passed, were skipped and failed; the status
+# is that of ctest.
+run_ctest() {
+  local folder=$1 results=$1/Testing/results.xml status=0
+  shift
+  rm -f "$results"
+  (cd "$folder" && ctest --output-on-failure --no-tests=error --parallel "$(cores)" --output-junit "$results" "$@") || status=$?
+  if [ -s "$results" ]; then
+    step "Summary"
+    awk -f "$repository/Utilities/test-summary.awk" "$results"
+  fi
+  return "$status"
+}

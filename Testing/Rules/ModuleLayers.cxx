@@ -68,6 +68,7 @@ const Names Groups{
 const std::map<std::string, std::string> HeadersOfItk{ { "ITKConnectedComponents", "itkConnectedComponent\\w+\\.h" },
                                                        { "ITKDistanceMap", "itk\\w+DistanceMap\\w+\\.h" },
                                                        { "ITKExpat", "(itk_)?expat\\.h" },
+                                                       { "ITKGDCM", "gdcm\\w+\\.h" },
                                                        { "ITKGoogleTest", ".*" },
                                                        { "ITKIOGDCM", "itkGDCM\\w+\\.h" },
                                                        { "ITKIOImageBase",
@@ -78,6 +79,7 @@ const std::map<std::string, std::string> HeadersOfItk{ { "ITKConnectedComponents
                                                        { "ITKIOPNG", "itkPNGImageIO\\.h" },
                                                        { "ITKImageFunction", "itk\\w+ImageFunction\\.h" },
                                                        { "ITKImageGrid", "itkRegionOfInterestImageFilter\\.h" },
+                                                       { "ITKImageSources", "itkGenerateImageSource\\.h" },
                                                        { "ITKSmoothing", "itk\\w+GaussianImageFilter\\.h" },
                                                        { "ITKZLIB", "(itk_)?zlib\\.h" } };
 

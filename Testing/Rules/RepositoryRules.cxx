@@ -121,7 +121,7 @@ IsMarkdown(const fs::path & path)
   return path.extension() == ".md";
 }
 
-/** The folders of modules and tools. */
+/** The folders of modules and tools; the repository itself has an itk-module.cmake, too. */
 std::vector<fs::path>
 DocumentedFolders(const fs::path & root)
 {
@@ -130,7 +130,7 @@ DocumentedFolders(const fs::path & root)
   {
     const fs::path folder = file.parent_path();
     const bool     isTool = folder.parent_path() == root / "Applications" && file.filename() == "CMakeLists.txt";
-    if (file.filename() == "itk-module.cmake" || isTool)
+    if ((file.filename() == "itk-module.cmake" && folder != root) || isTool)
     {
       folders.push_back(folder);
     }

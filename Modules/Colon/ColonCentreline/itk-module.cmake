@@ -3,6 +3,7 @@ loops touch, gaps, calibre.")
 
 itk_module(ColonCentreline
   ENABLE_SHARED
+  EXCLUDE_FROM_DEFAULT
   DEPENDS
     Base
     Report

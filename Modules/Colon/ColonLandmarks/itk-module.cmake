@@ -1,8 +1,9 @@
 set(DOCUMENTATION "Landmarks of a colon: flexures of its centreline, the loops on the wall there, six segments, folds on the surface and the three
-taeniae; splitting along them.")
+taeniae, splitting along them.")
 
 itk_module(ColonLandmarks
   ENABLE_SHARED
+  EXCLUDE_FROM_DEFAULT
   DEPENDS
     Base
     Report

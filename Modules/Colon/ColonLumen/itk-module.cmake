@@ -3,6 +3,7 @@ electronic cleansing.")
 
 itk_module(ColonLumen
   ENABLE_SHARED
+  EXCLUDE_FROM_DEFAULT
   DEPENDS
     Base
     ITKCommon

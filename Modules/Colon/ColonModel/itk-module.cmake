@@ -3,6 +3,7 @@ and wall, with what was measured and the files that hold it.")
 
 itk_module(ColonModel
   ENABLE_SHARED
+  EXCLUDE_FROM_DEFAULT
   DEPENDS
     Base
     Report

@@ -2,6 +2,7 @@ set(DOCUMENTATION "The wall of the colon lumen as a surface: topology-preserving
 
 itk_module(ColonWall
   ENABLE_SHARED
+  EXCLUDE_FROM_DEFAULT
   DEPENDS
     Base
     SurfaceMesh

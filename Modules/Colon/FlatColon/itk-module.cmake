@@ -2,6 +2,7 @@ set(DOCUMENTATION "The flat wall of a colon: grids of pixels, axis, curvature, d
 
 itk_module(FlatColon
   ENABLE_SHARED
+  EXCLUDE_FROM_DEFAULT
   DEPENDS
     SurfaceMesh
     VolumeFiles

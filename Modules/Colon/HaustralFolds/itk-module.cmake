@@ -2,6 +2,7 @@ set(DOCUMENTATION "Haustral folds on the flat map of a colon by a least cut of c
 
 itk_module(HaustralFolds
   ENABLE_SHARED
+  EXCLUDE_FROM_DEFAULT
   DEPENDS
     Base
     Report

@@ -2,6 +2,7 @@ set(DOCUMENTATION "Finds the ileocaecal valve of a colon in CT colonography, and
 
 itk_module(IleocaecalValve
   ENABLE_SHARED
+  EXCLUDE_FROM_DEFAULT
   DEPENDS
     SurfaceMesh
     ColonLumen

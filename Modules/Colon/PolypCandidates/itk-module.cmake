@@ -2,6 +2,7 @@ set(DOCUMENTATION "Candidates for polyps on the wall of a colon, by its curvatur
 
 itk_module(PolypCandidates
   ENABLE_SHARED
+  EXCLUDE_FROM_DEFAULT
   DEPENDS
     Base
     Report

@@ -3,6 +3,7 @@ cylindrical dynamic time warping, matching of haustral folds, robust smooth corr
 
 itk_module(SupineProne
   ENABLE_SHARED
+  EXCLUDE_FROM_DEFAULT
   DEPENDS
     Base
     Report

@@ -2,6 +2,7 @@ set(DOCUMENTATION "Writers and readers of HTML reports, CSV tables and JSON docu
 
 itk_module(Report
   ENABLE_SHARED
+  EXCLUDE_FROM_DEFAULT
   DEPENDS
     Base
   TEST_DEPENDS

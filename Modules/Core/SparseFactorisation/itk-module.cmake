@@ -3,6 +3,7 @@ complex ones.")
 
 itk_module(SparseFactorisation
   ENABLE_SHARED
+  EXCLUDE_FROM_DEFAULT
   PRIVATE_DEPENDS
     Base
   TEST_DEPENDS

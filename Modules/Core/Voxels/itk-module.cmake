@@ -2,6 +2,7 @@ set(DOCUMENTATION "Sets of voxels: index arithmetic, runs and their connected co
 
 itk_module(Voxels
   ENABLE_SHARED
+  EXCLUDE_FROM_DEFAULT
   DEPENDS
     Base
   TEST_DEPENDS

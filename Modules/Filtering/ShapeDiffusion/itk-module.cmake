@@ -3,6 +3,7 @@ diffusion, heat histogram and classification.")
 
 itk_module(ShapeDiffusion
   ENABLE_SHARED
+  EXCLUDE_FROM_DEFAULT
   DEPENDS
     Base
     ITKCommon

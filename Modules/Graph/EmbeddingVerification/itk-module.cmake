@@ -3,6 +3,7 @@ solver.")
 
 itk_module(EmbeddingVerification
   ENABLE_SHARED
+  EXCLUDE_FROM_DEFAULT
   DEPENDS
     EmbeddingCertificate
   TEST_DEPENDS

@@ -3,6 +3,7 @@ step of a dynamic graph to the next, layouts on the sphere turned to each other.
 
 itk_module(GraphComparison
   ENABLE_SHARED
+  EXCLUDE_FROM_DEFAULT
   DEPENDS
     Report
     GraphModel

@@ -3,6 +3,7 @@ re-insertion of edges, a genetic algorithm, lower bounds.")
 
 itk_module(GraphGenus
   ENABLE_SHARED
+  EXCLUDE_FROM_DEFAULT
   DEPENDS
     GraphModel
   PRIVATE_DEPENDS

@@ -2,6 +2,7 @@ set(DOCUMENTATION "Graphs, rotation systems (combinatorial maps), families of gr
 
 itk_module(GraphModel
   ENABLE_SHARED
+  EXCLUDE_FROM_DEFAULT
   DEPENDS
     Base
   PRIVATE_DEPENDS

@@ -3,6 +3,7 @@ Ricci flow by Newton's method, layouts, deck transformations and fundamental pol
 
 itk_module(RicciFlowEmbedding
   ENABLE_SHARED
+  EXCLUDE_FROM_DEFAULT
   DEPENDS
     GraphModel
     EmbeddingCertificate

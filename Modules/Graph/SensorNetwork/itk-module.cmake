@@ -2,6 +2,7 @@ set(DOCUMENTATION "A simulated network of moving wireless devices with variable 
 
 itk_module(SensorNetwork
   ENABLE_SHARED
+  EXCLUDE_FROM_DEFAULT
   DEPENDS
     GraphModel
   PRIVATE_DEPENDS

@@ -3,14 +3,17 @@ series of 16-bit integers written.")
 
 itk_module(DicomSeries
   ENABLE_SHARED
+  EXCLUDE_FROM_DEFAULT
   DEPENDS
     VolumeFiles
     ITKCommon
   PRIVATE_DEPENDS
     Base
     Report
+    ITKGDCM
   TEST_DEPENDS
     Report
+    ITKGDCM
     ITKGoogleTest
     ITKIOGDCM
     ITKIOImageBase

@@ -2,6 +2,7 @@ set(DOCUMENTATION "Points and curves as markups of 3D Slicer (.mrk.json), read a
 
 itk_module(SlicerMarkups
   ENABLE_SHARED
+  EXCLUDE_FROM_DEFAULT
   DEPENDS
     SurfaceMesh
   PRIVATE_DEPENDS

@@ -2,6 +2,7 @@ set(DOCUMENTATION "Volumes with their geometry, read from and written to NRRD, N
 
 itk_module(VolumeFiles
   ENABLE_SHARED
+  EXCLUDE_FROM_DEFAULT
   DEPENDS
     Base
     ITKCommon

@@ -2,6 +2,7 @@ set(DOCUMENTATION "Conformal maps of triangle surfaces to the plane by harmonic 
 
 itk_module(ConformalFlattening
   ENABLE_SHARED
+  EXCLUDE_FROM_DEFAULT
   DEPENDS
     Base
     Report

@@ -2,6 +2,7 @@ set(DOCUMENTATION "Cotangent Laplacian, spectrum, heat kernel and heat diffusion
 
 itk_module(HeatDiffusionMetric
   ENABLE_SHARED
+  EXCLUDE_FROM_DEFAULT
   DEPENDS
     SparseFactorisation
     SurfaceMesh

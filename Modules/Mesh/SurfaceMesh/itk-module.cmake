@@ -2,6 +2,7 @@ set(DOCUMENTATION "Triangle surfaces: files, connectivity, defects and quality, 
 
 itk_module(SurfaceMesh
   ENABLE_SHARED
+  EXCLUDE_FROM_DEFAULT
   DEPENDS
     Base
     Report

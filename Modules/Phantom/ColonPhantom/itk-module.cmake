@@ -2,12 +2,14 @@ set(DOCUMENTATION "A synthetic patient for CT colonography with known truth: the
 
 itk_module(ColonPhantom
   ENABLE_SHARED
+  EXCLUDE_FROM_DEFAULT
   DEPENDS
+    Base
     Report
     SurfaceMesh
     ITKCommon
+    ITKImageSources
   PRIVATE_DEPENDS
-    Base
     ShapePhantom
   TEST_DEPENDS
     VolumeFiles

@@ -3,10 +3,12 @@ functions in physical millimetres, rasterised as an image in Hounsfield units an
 
 itk_module(ShapePhantom
   ENABLE_SHARED
+  EXCLUDE_FROM_DEFAULT
   DEPENDS
-    ITKCommon
-  PRIVATE_DEPENDS
     Base
+    ITKCommon
+    ITKImageSources
+  PRIVATE_DEPENDS
     Report
   TEST_DEPENDS
     Base

@@ -2,6 +2,7 @@ set(DOCUMENTATION "What tools of the colon share: their result files and reports
 
 itk_module(ColonTools
   ENABLE_SHARED
+  EXCLUDE_FROM_DEFAULT
   DEPENDS
     Base
     Report

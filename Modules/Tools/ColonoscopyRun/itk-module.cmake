@@ -3,6 +3,7 @@ Slicer.")
 
 itk_module(ColonoscopyRun
   ENABLE_SHARED
+  EXCLUDE_FROM_DEFAULT
   PRIVATE_DEPENDS
     Base
     Report

@@ -3,6 +3,7 @@ outputs that appear whole or not at all, and the provenance of a result.")
 
 itk_module(CommandLine
   ENABLE_SHARED
+  EXCLUDE_FROM_DEFAULT
   DEPENDS
     Base
     ITKCommon

@@ -2,6 +2,7 @@ set(DOCUMENTATION "What tools of graphs share: graphs by the parameters of a com
 
 itk_module(GraphTools
   ENABLE_SHARED
+  EXCLUDE_FROM_DEFAULT
   DEPENDS
     Report
     GraphModel

@@ -2,6 +2,7 @@ set(DOCUMENTATION "What tools of heat and shapeton diffusion share: their result
 
 itk_module(HeatTools
   ENABLE_SHARED
+  EXCLUDE_FROM_DEFAULT
   DEPENDS
     Base
     Report

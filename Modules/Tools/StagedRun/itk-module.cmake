@@ -3,6 +3,7 @@ told with what was kept.")
 
 itk_module(StagedRun
   ENABLE_SHARED
+  EXCLUDE_FROM_DEFAULT
   DEPENDS
     Base
   PRIVATE_DEPENDS

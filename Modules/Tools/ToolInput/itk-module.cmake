@@ -2,6 +2,7 @@ set(DOCUMENTATION "What tools read, by the parameters of their command line: vol
 
 itk_module(ToolInput
   ENABLE_SHARED
+  EXCLUDE_FROM_DEFAULT
   DEPENDS
     SurfaceMesh
     DicomSeries

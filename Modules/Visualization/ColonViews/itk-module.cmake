@@ -3,6 +3,7 @@ polyp candidates seen close by.")
 
 itk_module(ColonViews
   ENABLE_SHARED
+  EXCLUDE_FROM_DEFAULT
   DEPENDS
     SurfaceMesh
     ColonCentreline

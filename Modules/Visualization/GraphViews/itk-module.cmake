@@ -2,6 +2,7 @@ set(DOCUMENTATION "Embedded graphs made visible: pictures (SVG), surfaces in spa
 
 itk_module(GraphViews
   ENABLE_SHARED
+  EXCLUDE_FROM_DEFAULT
   DEPENDS
     EmbeddingCertificate
   PRIVATE_DEPENDS

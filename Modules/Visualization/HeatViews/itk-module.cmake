@@ -2,6 +2,7 @@ set(DOCUMENTATION "Heat and visits made visible: histogram pictures, slices, vol
 
 itk_module(HeatViews
   ENABLE_SHARED
+  EXCLUDE_FROM_DEFAULT
   DEPENDS
     ShapeDiffusion
     PictureKit

@@ -2,6 +2,7 @@ set(DOCUMENTATION "Pictures without a display: axes and text, slices, surfaces a
 
 itk_module(PictureKit
   ENABLE_SHARED
+  EXCLUDE_FROM_DEFAULT
   DEPENDS
     SurfaceMesh
     ITKCommon

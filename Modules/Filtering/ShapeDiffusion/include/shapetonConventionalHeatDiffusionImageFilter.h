@@ -1,6 +1,7 @@
 #ifndef shapetonConventionalHeatDiffusionImageFilter_h
 #define shapetonConventionalHeatDiffusionImageFilter_h
 
+#include "shapetonITKCompatibility.h"
 #include "shapetonProgress.h"
 #include "shapetonVolumeDiffusionImageFilter.h"
 
@@ -47,7 +48,7 @@ public:
   using ConstPointer = itk::SmartPointer<const Self>;
 
   itkNewMacro(Self);
-  itkTypeMacro(ConventionalHeatDiffusionImageFilter, VolumeDiffusionImageFilter);
+  itkOverrideGetNameOfClassMacro(ConventionalHeatDiffusionImageFilter);
 
   /** Length dt of a time step in (0, 1/12]. Default 1/12. */
   itkSetMacro(TimeStepLength, double);

@@ -3,6 +3,7 @@
 
 #include "shapetonAutomaticParameters.h"
 #include "shapetonCumulativeHeatDiffusion.h"
+#include "shapetonITKCompatibility.h"
 #include "shapetonVolumeDiffusionImageFilter.h"
 
 #include "itkImage.h"
@@ -48,7 +49,7 @@ public:
   using StepsType = std::vector<std::uint64_t>;
 
   itkNewMacro(Self);
-  itkTypeMacro(CumulativeHeatDiffusionImageFilter, VolumeDiffusionImageFilter);
+  itkOverrideGetNameOfClassMacro(CumulativeHeatDiffusionImageFilter);
 
   /** Let ChooseP() find p from noise and edges; P is then not used. GetResult() tells the choice and why. Default off.
    */

@@ -2,6 +2,7 @@
 #define shapetonHeatHistogramFilter_h
 
 #include "shapetonHeatHistogram.h"
+#include "shapetonITKCompatibility.h"
 
 #include "itkImage.h"
 #include "itkProcessObject.h"
@@ -36,7 +37,7 @@ public:
   using OutputType = itk::SimpleDataObjectDecorator<HeatHistogram>;
 
   itkNewMacro(Self);
-  itkTypeMacro(HeatHistogramFilter, itk::ProcessObject);
+  itkOverrideGetNameOfClassMacro(HeatHistogramFilter);
 
   /** Adds the heat after `timeStep`, which must not be less than the one before it. */
   void

@@ -2,6 +2,7 @@
 #define shapetonShapetonDiffusionImageFilter_h
 
 #include "shapetonHeatHistogram.h"
+#include "shapetonITKCompatibility.h"
 #include "shapetonShapetonDiffusion.h"
 #include "shapetonShapetonParameters.h"
 #include "shapetonVolumeDiffusionImageFilter.h"
@@ -20,7 +21,7 @@ class ShapetonInputError : public itk::ExceptionObject
 {
 public:
   using itk::ExceptionObject::ExceptionObject;
-  itkTypeMacro(ShapetonInputError, itk::ExceptionObject);
+  itkOverrideGetNameOfClassMacro(ShapetonInputError);
 };
 
 /** \class ShapetonDiffusionImageFilter
@@ -73,7 +74,7 @@ public:
   using StepsType = std::vector<std::uint64_t>;
 
   itkNewMacro(Self);
-  itkTypeMacro(ShapetonDiffusionImageFilter, VolumeDiffusionImageFilter);
+  itkOverrideGetNameOfClassMacro(ShapetonDiffusionImageFilter);
 
   /** Where shapetons start: voxels that are not 0. The grid must be that of the input. */
   void
@@ -185,7 +186,7 @@ protected:
   void
   PrintSelf(std::ostream & os, itk::Indent indent) const override;
   void
-  VerifyPreconditions() ITKv5_CONST override;
+  VerifyPreconditions() const override;
   void
   GenerateData() override;
 

@@ -41,7 +41,7 @@ ShapetonDiffusionImageFilter<TInputImage>::GetState() const
 
 template <typename TInputImage>
 void
-ShapetonDiffusionImageFilter<TInputImage>::VerifyPreconditions() ITKv5_CONST
+ShapetonDiffusionImageFilter<TInputImage>::VerifyPreconditions() const
 {
   Superclass::VerifyPreconditions();
   if (!(m_Epsilon >= 0.0))

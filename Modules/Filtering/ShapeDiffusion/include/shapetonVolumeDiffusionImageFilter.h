@@ -1,6 +1,7 @@
 #ifndef shapetonVolumeDiffusionImageFilter_h
 #define shapetonVolumeDiffusionImageFilter_h
 
+#include "shapetonITKCompatibility.h"
 #include "shapetonVolumeGradientOperator.h"
 
 #include "itkImage.h"
@@ -32,7 +33,7 @@ public:
 
   static_assert(TInputImage::ImageDimension == 3, "the volume gradient operator is defined on volumes");
 
-  itkTypeMacro(VolumeDiffusionImageFilter, itk::ImageToImageFilter);
+  itkOverrideGetNameOfClassMacro(VolumeDiffusionImageFilter);
 
   /** Steepness p of (2.5): an edge insulates where the half gradient reaches 1 / p. Not negative. Default 7. */
   itkSetMacro(P, double);
@@ -56,7 +57,7 @@ protected:
   void
   PrintSelf(std::ostream & os, itk::Indent indent) const override;
   void
-  VerifyPreconditions() ITKv5_CONST override;
+  VerifyPreconditions() const override;
   void
   GenerateInputRequestedRegion() override;
   void

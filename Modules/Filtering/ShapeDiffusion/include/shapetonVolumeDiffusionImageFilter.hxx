@@ -20,7 +20,7 @@ VolumeDiffusionImageFilter<TInputImage, TOutputImage>::SetIntensityWindow(double
 
 template <typename TInputImage, typename TOutputImage>
 void
-VolumeDiffusionImageFilter<TInputImage, TOutputImage>::VerifyPreconditions() ITKv5_CONST
+VolumeDiffusionImageFilter<TInputImage, TOutputImage>::VerifyPreconditions() const
 {
   Superclass::VerifyPreconditions();
   if (!(m_P >= 0.0))

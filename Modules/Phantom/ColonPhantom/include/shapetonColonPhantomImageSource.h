@@ -5,6 +5,7 @@
 #include "shapetonColonAnatomy.h"
 #include "shapetonColonFluid.h"
 #include "shapetonColonStructures.h"
+#include "shapetonITKCompatibility.h"
 
 #include "itkGenerateImageSource.h"
 #include "itkImage.h"
@@ -50,7 +51,7 @@ public:
   using LabelImageType = itk::Image<unsigned char, 3>;
 
   itkNewMacro(Self);
-  itkTypeMacro(ColonPhantomImageSource, itk::GenerateImageSource);
+  itkOverrideGetNameOfClassMacro(ColonPhantomImageSource);
 
   /** The patient and the position; default: the preset standard. Throws ParameterError when a parameter is out of
    * range. */

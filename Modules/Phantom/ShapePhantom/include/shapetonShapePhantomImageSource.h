@@ -2,6 +2,7 @@
 #define shapetonShapePhantomImageSource_h
 
 #include "ShapePhantomExport.h"
+#include "shapetonITKCompatibility.h"
 #include "shapetonShapeScene.h"
 
 #include "itkGenerateImageSource.h"
@@ -52,7 +53,7 @@ public:
   using LabelImageType = itk::Image<unsigned char, 3>;
 
   itkNewMacro(Self);
-  itkTypeMacro(ShapePhantomImageSource, itk::GenerateImageSource);
+  itkOverrideGetNameOfClassMacro(ShapePhantomImageSource);
 
   /** What to sample. A relative scene is scaled to the shortest extent (size * spacing) of the output. */
   void

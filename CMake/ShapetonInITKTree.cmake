@@ -1,0 +1,9 @@
+# What CMake files of the modules call beyond ITK's own functions, when ITK's build reads them. Shapeton_SOURCE_DIR and
+# Shapeton_BINARY_DIR are those of the module Shapeton, the repository.
+include(GoogleTest)
+include(${Shapeton_SOURCE_DIR}/CMake/ShapetonITKTargets.cmake)
+include(${Shapeton_SOURCE_DIR}/CMake/ShapetonKernels.cmake)
+include(${Shapeton_SOURCE_DIR}/CMake/ShapetonTests.cmake)
+set(SHAPETON_TEST_DATA_DIR "$ENV{SHAPETON_TEST_DATA_DIR}" CACHE PATH
+  "Folder of real data; tests that need it are skipped when this is empty")
+file(MAKE_DIRECTORY ${Shapeton_BINARY_DIR}/Testing/Temporary)

@@ -1,0 +1,42 @@
+# What test/CMakeLists.txt of a module calls, in our build and inside an ITK source tree.
+
+# creategoogletestdriver(<kit> "<libraries>" "<sources>" [LONG <Suite.Test>...]): one executable <kit>GTestDriver; each
+# TEST is a ctest. Those after LONG have the label Long: Utilities/run-tests runs them with --long.
+function(creategoogletestdriver kit libraries sources)
+  cmake_parse_arguments(PARSE_ARGV 3 driver "" "" "LONG")
+  add_executable(${kit}GTestDriver ${sources})
+  target_link_libraries(${kit}GTestDriver PRIVATE ${libraries} GTest::gtest_main)
+  # What is tested is in the libraries; of the time of a test most is its compilation, and -O3 makes it a fifth longer.
+  target_compile_options(${kit}GTestDriver PRIVATE $<$<CONFIG:Release>:-O1>)
+  target_compile_definitions(${kit}GTestDriver PRIVATE
+    SHAPETON_BASELINE_DIR="${Shapeton_SOURCE_DIR}/Testing/Baseline"
+    SHAPETON_TEST_TEMPORARY_DIR="${Shapeton_BINARY_DIR}/Testing/Temporary")
+  list(JOIN driver_LONG ":" long)
+  shapeton_discover_tests(${kit} "-${long}" ${itk-module})
+  if(long)
+    shapeton_discover_tests(${kit} "${long}" Long)
+  endif()
+endfunction()
+
+# The tests of a driver that a filter of GoogleTest lets through.
+function(shapeton_discover_tests kit filter label)
+  string(MD5 list "${filter}")
+  gtest_discover_tests(${kit}GTestDriver DISCOVERY_TIMEOUT 120 TEST_FILTER "${filter}" TEST_LIST ${kit}${list}
+    PROPERTIES LABELS ${label} SKIP_REGULAR_EXPRESSION "\\[  SKIPPED \\]"
+      ENVIRONMENT "SHAPETON_TEST_DATA_DIR=${SHAPETON_TEST_DATA_DIR}")
+endfunction()
+
+# shapeton_compare_test(NAME <name> DEPENDS <test that writes it> OUTPUT <file> BASELINE <file> [TOLERANCE <t>] [PIXELS <n>])
+# Compares an image with its baseline by itkTestDriver: at most PIXELS pixels (default 0) may differ by more than TOLERANCE.
+function(shapeton_compare_test)
+  cmake_parse_arguments(PARSE_ARGV 0 test "" "NAME;OUTPUT;BASELINE;TOLERANCE;PIXELS;DEPENDS" "")
+  if(NOT test_TOLERANCE)
+    set(test_TOLERANCE 1e-5)
+  endif()
+  if(NOT test_PIXELS)
+    set(test_PIXELS 0)
+  endif()
+  add_test(NAME ${test_NAME} COMMAND itkTestDriver --compare ${test_OUTPUT} ${test_BASELINE}
+    --compareIntensityTolerance ${test_TOLERANCE} --compareNumberOfPixelsTolerance ${test_PIXELS} --no-process)
+  set_tests_properties(${test_NAME} PROPERTIES LABELS Applications DEPENDS "${test_DEPENDS}")
+endfunction()

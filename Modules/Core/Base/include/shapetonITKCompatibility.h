@@ -1,0 +1,15 @@
+#ifndef shapetonITKCompatibility_h
+#define shapetonITKCompatibility_h
+
+#include "itkMacro.h"
+
+// All that the sources must know about versions of ITK, 5.2 to 6.0; for CMake it is CMake/ShapetonITKTargets.cmake.
+
+// From 5.4 on in place of itkTypeMacro, which 6.0 drops.
+#ifndef itkOverrideGetNameOfClassMacro
+#  define itkOverrideGetNameOfClassMacro(thisClass)                                                                    \
+    const char * GetNameOfClass() const override { return #thisClass; }                                                \
+    ITK_MACROEND_NOOP_STATEMENT
+#endif
+
+#endif
