@@ -24,8 +24,7 @@ struct NearComponent
 NearComponent
 FindNear(const LumenLabelImage * labels, const itk::Point<double, 3> & point)
 {
-  itk::ContinuousIndex<double, 3> at;
-  labels->TransformPhysicalPointToContinuousIndex(point, at);
+  const auto          at = labels->TransformPhysicalPointToContinuousIndex<double>(point);
   itk::ImageRegion<3> around = labels->GetBufferedRegion();
   for (unsigned int a = 0; a < 3; ++a)
   {

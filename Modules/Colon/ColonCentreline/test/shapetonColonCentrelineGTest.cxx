@@ -78,8 +78,7 @@ IsInside(const ColonCentreline & line, const shapeton::LumenMask * mask)
   for (int i = 0; i < gap.size(); ++i)
   {
     const Eigen::Vector3d at = line.curve.V.row(i).transpose();
-    itk::Index<3>         index;
-    mask->TransformPhysicalPointToIndex(itk::Point<double, 3>(at.data()), index);
+    const auto            index = mask->TransformPhysicalPointToIndex(itk::Point<double, 3>(at.data()));
     if (gap[i] == 0.0 && mask->GetPixel(index) == 0)
     {
       return false;
@@ -92,9 +91,8 @@ IsInside(const ColonCentreline & line, const shapeton::LumenMask * mask)
 double
 Occupancy(const shapeton::LumenMask * mask, const Eigen::Vector3d & at)
 {
-  itk::ContinuousIndex<double, 3> place;
-  mask->TransformPhysicalPointToContinuousIndex(itk::Point<double, 3>(at.data()), place);
-  double sum = 0.0;
+  const auto place = mask->TransformPhysicalPointToContinuousIndex<double>(itk::Point<double, 3>(at.data()));
+  double     sum = 0.0;
   for (int corner = 0; corner < 8; ++corner)
   {
     itk::Index<3> index;

@@ -37,9 +37,8 @@ Contains(const shapeton::LumenMaskImage * mask, const Points & points)
 {
   for (const auto & point : points)
   {
-    shapeton::LumenMaskImage::IndexType index;
-    mask->TransformPhysicalPointToIndex(shapeton::LumenMaskImage::PointType(point.data()), index);
-    if (mask->GetPixel(index) == 0)
+    const itk::Point<double, 3> place(point.data());
+    if (mask->GetPixel(mask->TransformPhysicalPointToIndex(place)) == 0)
     {
       return false;
     }

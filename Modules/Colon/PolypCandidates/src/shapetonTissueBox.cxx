@@ -17,8 +17,7 @@ TissueBox::TissueBox(const PolypLumenImage * lumen, const std::vector<Eigen::Vec
   itk::IndexValueType high[3] = { region.GetIndex(0), region.GetIndex(1), region.GetIndex(2) };
   for (const Eigen::Vector3d & point : points)
   {
-    itk::ContinuousIndex<double, 3> index;
-    lumen->TransformPhysicalPointToContinuousIndex(itk::Point<double, 3>(point.data()), index);
+    const auto index = lumen->TransformPhysicalPointToContinuousIndex<double>(itk::Point<double, 3>(point.data()));
     for (int axis = 0; axis < 3; ++axis)
     {
       const double reach = margin / lumen->GetSpacing()[axis];
@@ -115,8 +114,7 @@ TissueBox::TissueNearLumen(double depth) const
 std::ptrdiff_t
 TissueBox::VoxelAt(const Eigen::Vector3d & point) const
 {
-  PolypLumenImage::IndexType index;
-  m_Lumen->TransformPhysicalPointToIndex(itk::Point<double, 3>(point.data()), index);
+  const auto     index = m_Lumen->TransformPhysicalPointToIndex(itk::Point<double, 3>(point.data()));
   std::ptrdiff_t voxel = 0;
   for (int axis = 2; axis >= 0; --axis)
   {

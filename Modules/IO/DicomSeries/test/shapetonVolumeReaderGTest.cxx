@@ -102,9 +102,20 @@ TEST(VolumeReader, TheOrderOfFilesAndInstanceNumbersDoesNotMatter)
   EXPECT_LT(LargestDeviation(ReadSaved(files), DicomFixture::Ramp), Quantisation);
 }
 
+/** GDCM 3.2, which ITK 6 brings, refuses RLE where a segment begins after as many bytes as the picture has: of small
+ * noisy ones. */
+DicomFixture
+FixtureForRle()
+{
+  DicomFixture fixture;
+  fixture.columns = 14;
+  fixture.rows = 18;
+  return fixture;
+}
+
 TEST(VolumeReader, EncodingsAgreeBitForBit)
 {
-  const DicomFixture fixture;
+  const DicomFixture fixture = FixtureForRle();
   const std::string  folder = TestFolder();
   std::vector<float> expected;
   const auto         check = [&](const std::string & name) {
@@ -505,7 +516,7 @@ TEST(VolumeReader, EnhancedFramesAreSortedByPositionAndRescaledOneByOne)
 
 TEST(VolumeReader, EnhancedFramesInAllEncodings)
 {
-  const DicomFixture fixture;
+  const DicomFixture fixture = FixtureForRle();
   const std::string  folder = TestFolder();
   for (const auto syntax :
        { EXS_LittleEndianImplicit, EXS_BigEndianExplicit, EXS_DeflatedLittleEndianExplicit, EXS_RLELossless })

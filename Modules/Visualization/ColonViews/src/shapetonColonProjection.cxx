@@ -100,9 +100,8 @@ private:
 itk::Point<double, 2>
 PixelOf(const SliceView & view, const Eigen::Vector3d & point)
 {
-  itk::ContinuousIndex<double, 3> index;
-  view.GetVolume()->TransformPhysicalPointToContinuousIndex(itk::ImageBase<3>::PointType(point.data()), index);
-  return view.PixelOf(index);
+  const itk::Point<double, 3> place(point.data());
+  return view.PixelOf(view.GetVolume()->TransformPhysicalPointToContinuousIndex<double>(place));
 }
 
 /** With a dark rim, so that it stands out from bright lumen. */

@@ -334,8 +334,8 @@ DrawSurfaceCut(Picture *           picture,
   std::vector<itk::ContinuousIndex<double, 3>> places(surface.V.rows());
   for (Eigen::Index i = 0; i < surface.V.rows(); ++i)
   {
-    view.GetVolume()->TransformPhysicalPointToContinuousIndex(itk::ImageBase<3>::PointType(surface.V.row(i).data()),
-                                                              places[i]);
+    const itk::Point<double, 3> point(surface.V.row(i).data());
+    places[i] = view.GetVolume()->TransformPhysicalPointToContinuousIndex<double>(point);
   }
   const unsigned int through = view.GetAxes().through;
   const auto         plane = static_cast<double>(view.GetSlice());

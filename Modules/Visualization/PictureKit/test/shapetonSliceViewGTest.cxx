@@ -56,10 +56,8 @@ struct Ball
 void
 ExpectRing(const shapeton::Picture * picture, const Ball & ball, const shapeton::SliceView & view, double tolerance)
 {
-  std::set<int>                   directions; // of 72
-  itk::ContinuousIndex<double, 3> index;
-  ball.mask->TransformPhysicalPointToContinuousIndex(ball.centre, index);
-  const auto middle = view.PixelOf(index);
+  std::set<int> directions; // of 72
+  const auto    middle = view.PixelOf(ball.mask->TransformPhysicalPointToContinuousIndex<double>(ball.centre));
   for (int y = 0; y < static_cast<int>(view.GetHeight()); ++y)
   {
     for (int x = 0; x < static_cast<int>(view.GetWidth()); ++x)
