@@ -282,7 +282,9 @@ private:
     {
       return;
     }
-    const Names arguments = ArgumentsOf(WithoutComments(ReadText(file)), "itk_module(");
+    const std::string text = WithoutComments(ReadText(file));
+    this->CheckDeclaration(file, text);
+    const Names arguments = ArgumentsOf(text, "itk_module(");
     if (arguments.empty() || arguments[0] != module.name)
     {
       this->Add(file, 0, "must declare itk_module(" + module.name + ")");
@@ -303,6 +305,20 @@ private:
       }
     }
     this->ReadHeaders(module);
+  }
+
+  /** What ITK's build asks of a module that is not its own. */
+  void
+  CheckDeclaration(const fs::path & file, const std::string & text)
+  {
+    if (text.find("EXCLUDE_FROM_DEFAULT") == std::string::npos)
+    {
+      this->Add(file, 0, "must say EXCLUDE_FROM_DEFAULT, or ITK's source tree builds the module unasked");
+    }
+    if (text.find(';') != std::string::npos)
+    {
+      this->Add(file, 0, "holds a semicolon, at which ITK ends an argument");
+    }
   }
 
   void

@@ -33,7 +33,7 @@ protected:
   Declare(const std::string & folder, const std::string & arguments) const
   {
     this->Write("Modules/" + folder + "/itk-module.cmake",
-                "set(DOCUMENTATION \"Shapes (of things).\")\nitk_module(" + arguments + ")\n");
+                "set(DOCUMENTATION \"Shapes (of things).\")\nitk_module(" + arguments + "\n  EXCLUDE_FROM_DEFAULT)\n");
   }
 
   void
@@ -95,6 +95,14 @@ TEST_F(ModuleLayers, RefuseAnotherName)
 {
   this->Declare("Core/Low", "Lo DEPENDS ITKCommon");
   this->ExpectFault("must declare itk_module(Low)");
+}
+
+TEST_F(ModuleLayers, RefuseWhatItkTakesForSomethingElse)
+{
+  this->Write("Modules/Core/Low/itk-module.cmake", "itk_module(Low DEPENDS ITKCommon)\n");
+  this->ExpectFault("Modules/Core/Low/itk-module.cmake: must say EXCLUDE_FROM_DEFAULT");
+  this->Declare("Core/Low", "Low DEPENDS ITKCommon DESCRIPTION \"Boxes; spheres\"");
+  this->ExpectFault("Modules/Core/Low/itk-module.cmake: holds a semicolon");
 }
 
 TEST_F(ModuleLayers, RefuseAModuleThatTheListLacks)
