@@ -23,7 +23,6 @@ function(shapeton_link_modules target scope)
       target_link_libraries(${target} ${scope} Shapeton::${module})
     else()
       shapeton_itk_targets(${module})
-      set_property(GLOBAL APPEND PROPERTY SHAPETON_ITK_MODULES ${module})
       target_link_libraries(${target} ${scope} ITK::${module}Module)
     endif()
   endforeach()
@@ -36,13 +35,14 @@ function(itk_module_add_library name)
     EXPORT_MACRO_NAME ${name}_EXPORT NO_EXPORT_MACRO_NAME ${name}_HIDDEN STATIC_DEFINE ITK_STATIC)
   set_target_properties(${name} PROPERTIES
     CXX_VISIBILITY_PRESET hidden VISIBILITY_INLINES_HIDDEN ON
-    OUTPUT_NAME Shapeton${name} VERSION ${Shapeton_VERSION} SOVERSION ${Shapeton_VERSION_MAJOR}
+    OUTPUT_NAME Shapeton${name}-${Shapeton_SERIES} VERSION ${Shapeton_VERSION} SOVERSION ${Shapeton_VERSION_MAJOR}
     INSTALL_RPATH "$ORIGIN") # modules find each other where they are installed
   target_include_directories(${name} PUBLIC
     $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/include> $<BUILD_INTERFACE:${PROJECT_BINARY_DIR}/include>)
   shapeton_link_modules(${name} PUBLIC ${itk-module_DEPENDS} ${itk-module_COMPILE_DEPENDS})
   shapeton_link_modules(${name} PRIVATE ${itk-module_PRIVATE_DEPENDS})
-  install(FILES ${PROJECT_BINARY_DIR}/include/${name}Export.h DESTINATION ${Shapeton_INSTALL_INCLUDE_DIR})
+  install(FILES ${PROJECT_BINARY_DIR}/include/${name}Export.h DESTINATION ${Shapeton_INSTALL_INCLUDE_DIR}
+    COMPONENT Development)
 endfunction()
 
 # itk_module_impl(): called by the module's CMakeLists.txt after project() and find_package().
@@ -59,8 +59,11 @@ macro(itk_module_impl)
   add_library(Shapeton::${itk-module} ALIAS ${itk-module})
   target_compile_features(${itk-module} ${_scope} cxx_std_17)
   target_include_directories(${itk-module} ${_scope} $<INSTALL_INTERFACE:${Shapeton_INSTALL_INCLUDE_DIR}>)
-  install(TARGETS ${itk-module} EXPORT ShapetonTargets DESTINATION ${CMAKE_INSTALL_LIBDIR})
-  install(DIRECTORY include/ DESTINATION ${Shapeton_INSTALL_INCLUDE_DIR} FILES_MATCHING PATTERN "*.h" PATTERN "*.hxx")
+  install(TARGETS ${itk-module} EXPORT ShapetonTargets
+    LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT Runtime NAMELINK_COMPONENT Development
+    ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT Development)
+  install(DIRECTORY include/ DESTINATION ${Shapeton_INSTALL_INCLUDE_DIR} COMPONENT Development
+    FILES_MATCHING PATTERN "*.h" PATTERN "*.hxx")
   if(BUILD_TESTING)
     shapeton_header_self_compile_test(${itk-module})
     if(EXISTS ${PROJECT_SOURCE_DIR}/test/CMakeLists.txt)

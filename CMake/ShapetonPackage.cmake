@@ -1,10 +1,40 @@
-# The installed package: find_package(Shapeton).
+# The installed package: find_package(Shapeton), and the packages that cpack makes.
 include(CMakePackageConfigHelpers)
-get_property(Shapeton_ITK_MODULES GLOBAL PROPERTY SHAPETON_ITK_MODULES)
-list(REMOVE_DUPLICATES Shapeton_ITK_MODULES)
+include(ShapetonNeeds)
 configure_package_config_file(CMake/ShapetonConfig.cmake.in ${PROJECT_BINARY_DIR}/ShapetonConfig.cmake
   INSTALL_DESTINATION ${Shapeton_INSTALL_CMAKE_DIR})
 write_basic_package_version_file(${PROJECT_BINARY_DIR}/ShapetonConfigVersion.cmake COMPATIBILITY SameMinorVersion)
+shapeton_write_needs(${PROJECT_BINARY_DIR}/ShapetonNeeds.cmake)
 install(FILES ${PROJECT_BINARY_DIR}/ShapetonConfig.cmake ${PROJECT_BINARY_DIR}/ShapetonConfigVersion.cmake
-  CMake/ShapetonITKTargets.cmake DESTINATION ${Shapeton_INSTALL_CMAKE_DIR})
-install(EXPORT ShapetonTargets NAMESPACE Shapeton:: DESTINATION ${Shapeton_INSTALL_CMAKE_DIR})
+  ${PROJECT_BINARY_DIR}/ShapetonNeeds.cmake CMake/ShapetonITKTargets.cmake
+  DESTINATION ${Shapeton_INSTALL_CMAKE_DIR} COMPONENT Development)
+install(EXPORT ShapetonTargets NAMESPACE Shapeton:: DESTINATION ${Shapeton_INSTALL_CMAKE_DIR} COMPONENT Development)
+install(FILES LICENSE NOTICE DESTINATION ${CMAKE_INSTALL_DATAROOTDIR}/doc/Shapeton-${Shapeton_SERIES} COMPONENT Runtime)
+
+# ---- Debian packages: cpack -G DEB ----
+set(CPACK_PACKAGE_NAME shapeton)
+set(CPACK_PACKAGE_VENDOR "The authors of Shapeton")
+set(CPACK_PACKAGE_CONTACT "The authors of Shapeton <shapeton@localhost>")
+set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "${PROJECT_DESCRIPTION}")
+set(CPACK_RESOURCE_FILE_LICENSE ${PROJECT_SOURCE_DIR}/LICENSE)
+set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
+set(CPACK_STRIP_FILES ON)
+set(CPACK_COMPONENTS_ALL Runtime Tools Development)
+set(CPACK_COMPONENTS_GROUPING ONE_PER_GROUP)
+set(CPACK_COMPONENT_TOOLS_DEPENDS Runtime)
+set(CPACK_COMPONENT_DEVELOPMENT_DEPENDS Runtime)
+set(CPACK_COMPONENT_RUNTIME_DESCRIPTION "The libraries of Shapeton.")
+set(CPACK_COMPONENT_TOOLS_DESCRIPTION "The command-line tools of Shapeton, which are also modules of 3D Slicer.")
+set(CPACK_COMPONENT_DEVELOPMENT_DESCRIPTION "The headers of Shapeton and its CMake package.")
+set(CPACK_DEB_COMPONENT_INSTALL ON)
+set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
+set(CPACK_DEBIAN_PACKAGE_SECTION science)
+set(CPACK_DEBIAN_RUNTIME_PACKAGE_NAME libshapeton${Shapeton_SERIES})
+set(CPACK_DEBIAN_TOOLS_PACKAGE_NAME shapeton)
+set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_NAME libshapeton${Shapeton_SERIES}-dev)
+set(CPACK_DEBIAN_ENABLE_COMPONENT_DEPENDS ON) # of the same version
+set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
+set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS_PRIVATE_DIRS ${CMAKE_LIBRARY_OUTPUT_DIRECTORY}) # ours need no package of others
+set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SHLIBDEPS OFF)
+set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS "libinsighttoolkit5-dev, libvtk9-dev, libeigen3-dev, nlohmann-json3-dev")
+include(CPack)

@@ -14,9 +14,11 @@ function(shapeton_add_tool name)
   target_include_directories(${target} PRIVATE ${CMAKE_CURRENT_BINARY_DIR})
   shapeton_link_modules(${target} PRIVATE CommandLine ${tool_MODULES})
   target_link_libraries(${target} PRIVATE ${tool_LIBRARIES})
-  set_target_properties(${target} PROPERTIES OUTPUT_NAME ${name} INSTALL_RPATH "$ORIGIN/../..")
-  install(TARGETS ${target} RUNTIME DESTINATION ${Shapeton_INSTALL_TOOLS_DIR})
-  install(FILES ${xml} DESTINATION ${Shapeton_INSTALL_TOOLS_DIR})
+  # The libraries are two folders above the tools; one above in an extension of 3D Slicer.
+  set_target_properties(${target} PROPERTIES OUTPUT_NAME ${name} INSTALL_RPATH "$ORIGIN/../..;$ORIGIN/..")
+  install(TARGETS ${target} RUNTIME DESTINATION ${Shapeton_INSTALL_TOOLS_DIR} COMPONENT Tools)
+  install(FILES ${xml} DESTINATION ${Shapeton_INSTALL_TOOLS_DIR} COMPONENT Tools)
+  shapeton_install_command(${name})
   if(BUILD_TESTING)
     add_test(NAME ${name}XML COMMAND ${CMAKE_COMMAND} -DTOOL=$<TARGET_FILE:${target}> -DXML=${xml}
       -P ${Shapeton_SOURCE_DIR}/CMake/CheckToolXML.cmake)
@@ -26,6 +28,14 @@ function(shapeton_add_tool name)
       add_subdirectory(Testing)
     endif()
   endif()
+endfunction()
+
+# A link to the tool in the folder of commands; one to where nothing is yet, so that it is relative wherever it is installed.
+function(shapeton_install_command name)
+  file(RELATIVE_PATH tool /${CMAKE_INSTALL_BINDIR} /${Shapeton_INSTALL_TOOLS_DIR}/${name})
+  file(MAKE_DIRECTORY ${CMAKE_BINARY_DIR}/commands)
+  file(CREATE_LINK ${tool} ${CMAKE_BINARY_DIR}/commands/${name} SYMBOLIC)
+  install(PROGRAMS ${CMAKE_BINARY_DIR}/commands/${name} DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT Tools)
 endfunction()
 
 # The name of a tool's target.

@@ -1,0 +1,37 @@
+# shapeton_write_needs(<file>): for each module the targets of other packages that its users link, so that
+# find_package(Shapeton COMPONENTS ...) looks for nothing else.
+function(shapeton_write_needs file)
+  set(text "# What the users of each module link of other packages.\n")
+  foreach(path IN LISTS Shapeton_MODULES)
+    get_filename_component(module ${path} NAME)
+    shapeton_needs_of(needs ${module})
+    set(needs_${module} ${needs})
+    string(APPEND text "set(Shapeton_${module}_NEEDS ${needs})\n")
+    list(APPEND modules ${module})
+  endforeach()
+  file(WRITE ${file} "${text}set(Shapeton_MODULES ${modules})\n")
+endfunction()
+
+# Reads needs_<module> of the modules before this one.
+function(shapeton_needs_of variable module)
+  get_target_property(public ${module} INTERFACE_LINK_LIBRARIES)
+  get_target_property(type ${module} TYPE)
+  set(private "")
+  if(NOT type STREQUAL "INTERFACE_LIBRARY")
+    get_target_property(private ${module} LINK_LIBRARIES)
+    list(FILTER private INCLUDE REGEX "^Shapeton::") # CMake follows what a shared library of ours links, too
+  endif()
+  set(needs "")
+  foreach(library IN LISTS public private)
+    string(REGEX REPLACE "^\\$<LINK_ONLY:(.*)>$" "\\1" library "${library}") # private, of a static library
+    if(library MATCHES "^Shapeton::(.*)$")
+      list(APPEND needs ${needs_${CMAKE_MATCH_1}})
+    elseif(library MATCHES "^gdcm")
+      list(APPEND needs GDCM::${library}) # GDCM's targets have no namespace
+    elseif(library MATCHES "^[A-Za-z0-9_]+::")
+      list(APPEND needs ${library})
+    endif()
+  endforeach()
+  list(REMOVE_DUPLICATES needs)
+  set(${variable} ${needs} PARENT_SCOPE)
+endfunction()

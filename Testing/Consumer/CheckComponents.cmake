@@ -1,0 +1,33 @@
+# Components look for what they need and for nothing else; a name that is none is an error that says so.
+include(${CMAKE_CURRENT_LIST_DIR}/Consumers.cmake)
+set(source ${SOURCE_DIR}/Testing/Consumer/Component)
+
+# find(<folder> <modules> <arguments...>): `status` and `errors` of a configuration.
+function(find folder modules)
+  file(REMOVE_RECURSE "${WORK_DIR}/${folder}")
+  execute_process(COMMAND ${CMAKE_COMMAND} -S ${source} -B "${WORK_DIR}/${folder}" -G Ninja -DCMAKE_CXX_COMPILER=${COMPILER}
+    "-DCMAKE_PREFIX_PATH=${PREFIX}" -DVERSION=${VERSION} -DMODULES=${modules}
+    -DSOURCE=${SOURCE_DIR}/Examples/ShapeDiffusion.cxx ${ARGN}
+    OUTPUT_QUIET ERROR_VARIABLE errors RESULT_VARIABLE status)
+  set(status ${status} PARENT_SCOPE)
+  set(errors "${errors}" PARENT_SCOPE)
+endfunction()
+
+set(absent -DCMAKE_DISABLE_FIND_PACKAGE_VTK=ON -DCMAKE_DISABLE_FIND_PACKAGE_Eigen3=ON
+  -DCMAKE_DISABLE_FIND_PACKAGE_nlohmann_json=ON -DCMAKE_DISABLE_FIND_PACKAGE_OpenSSL=ON)
+find(needed ShapeDiffusion ${absent})
+if(NOT status EQUAL 0)
+  message(FATAL_ERROR "ShapeDiffusion needs none of ${absent}:\n${errors}")
+endif()
+find(missing ShapeDiffusion,SurfaceMesh ${absent})
+if(status EQUAL 0 OR NOT errors MATCHES "nlohmann_json")
+  message(FATAL_ERROR "SurfaceMesh needs nlohmann_json, which is missing:\n${errors}")
+endif()
+find(unknown ShapeDiffusion,Diffusion)
+if(status EQUAL 0 OR NOT errors MATCHES "Shapeton has no component.*\"Diffusion\"; *its components are.*Base, Voxels,")
+  message(FATAL_ERROR "Diffusion is no component:\n${errors}")
+endif()
+find(version Base -DVERSION=0.1)
+if(status EQUAL 0)
+  message(FATAL_ERROR "version ${VERSION} was taken for 0.1")
+endif()
