@@ -1,6 +1,7 @@
 #include "shapetonColonoscopyRun.h"
 
 #include "shapetonColonoscopyPresentation.h"
+#include "shapetonColonoscopySceneFiles.h"
 #include "shapetonColonoscopyStages.h"
 #include "shapetonCommandLine.h"
 #include "shapetonExceptions.h"
@@ -224,7 +225,8 @@ RunColonoscopy(CommandLine & commandLine, const std::string & toolFolder)
   {
     RequireApart(commandLine.GetString("second"), folder);
   }
-  SeriesRun first(commandLine, toolFolder, ColonoscopySeries::First);
+  const ColonoscopySceneFiles sceneFiles(commandLine);
+  SeriesRun                   first(commandLine, toolFolder, ColonoscopySeries::First);
   commandLine.RecordRun(folder + "/run.json");
   commandLine.Progress("reading", 0.0);
   first.AddInputs();
@@ -236,10 +238,13 @@ RunColonoscopy(CommandLine & commandLine, const std::string & toolFolder)
       commandLine.LeaveOutOfProvenance(option);
     }
     RunOne(commandLine, first);
-    return;
   }
-  SeriesRun second(commandLine, toolFolder, ColonoscopySeries::Second);
-  second.AddInputs();
-  RunTwo(commandLine, first, second);
+  else
+  {
+    SeriesRun second(commandLine, toolFolder, ColonoscopySeries::Second);
+    second.AddInputs();
+    RunTwo(commandLine, first, second);
+  }
+  sceneFiles.Copy(folder);
 }
 } // namespace shapeton
