@@ -1,0 +1,76 @@
+"""Shape-based analysis of medical volumes.
+
+Images are `Image` (an array ``[z, y, x]`` with its place in the patient), surfaces `Mesh`, lines `Curves`; all places
+are LPS in mm. This module holds volumes, heat and shapetons; the others are
+
+- `shapeton.surfaces`: files of surfaces, repair, simplification, spectrum, heat diffusion metric
+- `shapeton.flattening`: conformal maps of surfaces
+- `shapeton.colon`: from CT colonography to lumen, wall, folds, landmarks, candidates and registration
+- `shapeton.graphs`: graphs, their embeddings and certificates
+
+Long functions take ``progress``, a function of the share that is done (0 to 1) and the stage in words. It is called
+ten times a second at most; when it returns False, `Aborted` is raised. Ctrl-C works as it does in Python. Other threads
+of Python run meanwhile. Errors are `ParameterError` and `InputError`, which are ValueErrors, and `OutputError`, an
+OSError; the message says what to do.
+"""
+
+from ._shapeton import (
+    Aborted,
+    DicomDefect,
+    DicomSeries,
+    Error,
+    HeatClass,
+    HeatHistogram,
+    HeatResult,
+    InputError,
+    OutputError,
+    ParameterError,
+    ShapeComponent,
+    ShapetonResult,
+    classify_heat,
+    classify_visits,
+    diffuse_heat,
+    diffuse_shapetons,
+    heat_histogram,
+    list_series,
+    read_volume,
+    recorded_steps,
+    set_threads,
+    threads,
+    visit_density,
+    write_volume,
+)
+from .image import Image
+from .mesh import Curves, Mesh
+
+__version__ = "0.2.0"
+
+__all__ = [
+    "Aborted",
+    "Curves",
+    "DicomDefect",
+    "DicomSeries",
+    "Error",
+    "HeatClass",
+    "HeatHistogram",
+    "HeatResult",
+    "Image",
+    "InputError",
+    "Mesh",
+    "OutputError",
+    "ParameterError",
+    "ShapeComponent",
+    "ShapetonResult",
+    "classify_heat",
+    "classify_visits",
+    "diffuse_heat",
+    "diffuse_shapetons",
+    "heat_histogram",
+    "list_series",
+    "read_volume",
+    "recorded_steps",
+    "set_threads",
+    "threads",
+    "visit_density",
+    "write_volume",
+]

@@ -1,0 +1,221 @@
+"""A volume: voxels with their place in the patient."""
+
+from __future__ import annotations
+
+from typing import Any, Mapping, Optional, Sequence, Union
+
+import numpy as np
+
+from ._shapeton import InputError, ParameterError
+
+#: From LPS to RAS and back: x to the right instead of to the left, y to the front instead of to the back.
+_RAS = np.diag([-1.0, -1.0, 1.0, 1.0])
+
+_PERPENDICULAR = 1e-4
+
+
+class Image:
+    """Voxels of a volume and where they lie in the patient.
+
+    array
+        Voxels, indexed ``[z, y, x]``; real numbers. It is kept as it is: nothing is copied. The functions of this
+        package read it without a copy where it is C-contiguous and of the type that they work in (float32 for
+        intensities, uint8 for masks), and convert it otherwise.
+    spacing
+        Distances of neighbouring voxels along x, y, z; mm.
+    origin
+        Centre of voxel ``[0, 0, 0]``; LPS (x to the left, y to the back, z to the head), mm.
+    direction
+        3 x 3; the columns are the unit vectors of the axes x, y, z of the array in LPS. They are perpendicular.
+    facts
+        What is known besides: ``modality``, ``patient_position``, ``series_uid``, ``identity``, ``repairs``, ``notes``
+        of an image that `read_volume` has read.
+    """
+
+    __slots__ = ("_array", "_spacing", "_origin", "_direction", "facts")
+
+    def __init__(
+        self,
+        array: Any,
+        spacing: Sequence[float] = (1.0, 1.0, 1.0),
+        origin: Sequence[float] = (0.0, 0.0, 0.0),
+        direction: Any = None,
+        facts: Optional[Mapping[str, Any]] = None,
+    ) -> None:
+        self._array = _volume(array)
+        self._spacing = _triple("spacing", spacing)
+        self._origin = _triple("origin", origin)
+        self._direction = _axes(np.eye(3) if direction is None else direction)
+        self.facts = dict(facts or {})
+        if not all(s > 0.0 for s in self._spacing):
+            raise ParameterError(f"the parameter \"spacing\" = {self._spacing}: distances of voxels are positive")
+
+    @property
+    def array(self) -> np.ndarray:
+        """Voxels, indexed ``[z, y, x]``."""
+        return self._array
+
+    @property
+    def spacing(self) -> tuple[float, float, float]:
+        """Distances of neighbouring voxels along x, y, z; mm."""
+        return self._spacing
+
+    @property
+    def origin(self) -> tuple[float, float, float]:
+        """Centre of voxel ``[0, 0, 0]``; LPS, mm."""
+        return self._origin
+
+    @property
+    def direction(self) -> np.ndarray:
+        """3 x 3; the columns are the axes x, y, z of the array in LPS."""
+        return self._direction
+
+    @property
+    def affine(self) -> np.ndarray:
+        """4 x 4: takes the index (x, y, z, 1) of a voxel to its place in LPS, mm."""
+        matrix = np.eye(4)
+        matrix[:3, :3] = self._direction * np.asarray(self._spacing)
+        matrix[:3, 3] = self._origin
+        return matrix
+
+    def like(self, array: Any) -> Image:
+        """Other voxels at the same places."""
+        return Image(array, self._spacing, self._origin, self._direction)
+
+    def point(self, index: Any) -> np.ndarray:
+        """The place of the voxel ``[z, y, x]``, or of each row of such indices; LPS, mm."""
+        xyz = np.asarray(index, dtype=np.float64)[..., ::-1]
+        return xyz @ self.affine[:3, :3].T + self.affine[:3, 3]
+
+    def index(self, point: Any) -> np.ndarray:
+        """The index ``[z, y, x]``, not rounded, of a place in LPS, mm, or of each row of such places."""
+        xyz = (np.asarray(point, dtype=np.float64) - self.affine[:3, 3]) @ np.linalg.inv(self.affine[:3, :3]).T
+        return xyz[..., ::-1]
+
+    def __repr__(self) -> str:
+        shape = " x ".join(str(n) for n in self._array.shape)
+        spacing = " x ".join(f"{s:g}" for s in reversed(self._spacing))
+        return f"<shapeton.Image {shape} voxels (z, y, x) of {spacing} mm, {self._array.dtype}>"
+
+    # ---- other packages; each is imported when it is asked for ----
+
+    @classmethod
+    def from_affine(cls, array: Any, affine: Any, facts: Optional[Mapping[str, Any]] = None) -> Image:
+        """Voxels ``[z, y, x]`` and a 4 x 4 matrix that takes the index (x, y, z, 1) to LPS, mm."""
+        matrix = np.asarray(affine, dtype=np.float64)
+        if matrix.shape != (4, 4):
+            raise ParameterError(f"the parameter \"affine\" is a 4 x 4 matrix, not one of the shape {matrix.shape}")
+        spacing = np.linalg.norm(matrix[:3, :3], axis=0)
+        if not np.all(spacing > 0.0):
+            raise ParameterError("the parameter \"affine\" has a column without length: an axis has no direction")
+        return cls(array, spacing, matrix[:3, 3], matrix[:3, :3] / spacing, facts)
+
+    @classmethod
+    def from_nibabel(cls, image: Any) -> Image:
+        """Of a nibabel image: voxels [x, y, z] are transposed (a view), RAS becomes LPS."""
+        voxels = np.asanyarray(image.dataobj)
+        if voxels.ndim == 4 and voxels.shape[3] == 1:
+            voxels = voxels[..., 0]
+        return cls.from_affine(voxels.T, _RAS @ image.affine)
+
+    def to_nibabel(self) -> Any:
+        """A nibabel.Nifti1Image; its voxels are a view."""
+        import nibabel
+
+        voxels = self._array.astype(np.uint8) if self._array.dtype == bool else self._array
+        return nibabel.Nifti1Image(voxels.T, _RAS @ self.affine)
+
+    @classmethod
+    def from_sitk(cls, image: Any) -> Image:
+        """Of a SimpleITK image with three dimensions; its voxels are a view where SimpleITK gives one."""
+        import SimpleITK
+
+        return cls(
+            SimpleITK.GetArrayViewFromImage(image),
+            image.GetSpacing(),
+            image.GetOrigin(),
+            np.reshape(image.GetDirection(), (3, 3)),
+        )
+
+    def to_sitk(self) -> Any:
+        """A SimpleITK image; the voxels are copied."""
+        import SimpleITK
+
+        image = SimpleITK.GetImageFromArray(self._array)
+        image.SetSpacing(self._spacing)
+        image.SetOrigin(self._origin)
+        image.SetDirection(self._direction.ravel().tolist())
+        return image
+
+    @classmethod
+    def from_itk(cls, image: Any) -> Image:
+        """Of an image of the package itk; its voxels are a view."""
+        import itk
+
+        direction = itk.array_from_matrix(image.GetDirection())
+        return cls(itk.array_view_from_image(image), tuple(image.GetSpacing()), tuple(image.GetOrigin()), direction)
+
+    def to_itk(self) -> Any:
+        """An image of the package itk; its voxels are a view where they are C-contiguous."""
+        import itk
+
+        image = itk.image_view_from_array(np.ascontiguousarray(self._array))
+        image.SetSpacing(self._spacing)
+        image.SetOrigin(self._origin)
+        image.SetDirection(itk.matrix_from_array(self._direction))
+        return image
+
+    @classmethod
+    def from_vtk(cls, image: Any) -> Image:
+        """Of a vtkImageData in LPS with one scalar for each point; its voxels are a view."""
+        from vtkmodules.util.numpy_support import vtk_to_numpy
+
+        x, y, z = image.GetDimensions()
+        scalars = image.GetPointData().GetScalars()
+        if scalars is None or scalars.GetNumberOfComponents() != 1:
+            raise InputError("the vtkImageData needs point scalars with one component")
+        matrix = np.array([[image.GetDirectionMatrix().GetElement(i, j) for j in range(3)] for i in range(3)])
+        extent = np.array(image.GetExtent()[::2], dtype=np.float64)
+        spacing = np.array(image.GetSpacing())
+        origin = np.array(image.GetOrigin()) + matrix @ (extent * spacing)
+        return cls(vtk_to_numpy(scalars).reshape(z, y, x), spacing, origin, matrix)
+
+    def to_vtk(self) -> Any:
+        """A vtkImageData in LPS; its scalars are a view where the voxels are C-contiguous."""
+        from vtkmodules.util.numpy_support import numpy_to_vtk
+        from vtkmodules.vtkCommonDataModel import vtkImageData
+
+        voxels = self._array.astype(np.uint8) if self._array.dtype == bool else self._array
+        image = vtkImageData()
+        image.SetDimensions(*reversed(self._array.shape))
+        image.SetSpacing(self._spacing)
+        image.SetOrigin(self._origin)
+        image.SetDirectionMatrix(self._direction.ravel().tolist())
+        image.GetPointData().SetScalars(numpy_to_vtk(np.ascontiguousarray(voxels).ravel()))
+        return image
+
+
+def _volume(array: Any) -> np.ndarray:
+    voxels = np.asanyarray(array)
+    if voxels.dtype.kind not in "buif":
+        raise ParameterError(f"the parameter \"array\" holds {voxels.dtype}; an image has real numbers")
+    if voxels.ndim != 3 or voxels.size == 0:
+        raise ParameterError(
+            f"the parameter \"array\" has the shape {voxels.shape}; an image has three axes z, y, x, none of them empty"
+        )
+    return voxels
+
+
+def _triple(name: str, values: Union[Sequence[float], np.ndarray]) -> tuple[float, float, float]:
+    triple = tuple(float(v) for v in values)
+    if len(triple) != 3 or not np.all(np.isfinite(triple)):
+        raise ParameterError(f"the parameter \"{name}\" = {triple}: three finite numbers for x, y, z are needed")
+    return triple
+
+
+def _axes(direction: Any) -> np.ndarray:
+    matrix = np.array(direction, dtype=np.float64)
+    if matrix.shape != (3, 3) or not np.allclose(matrix.T @ matrix, np.eye(3), rtol=0.0, atol=_PERPENDICULAR):
+        raise ParameterError("the parameter \"direction\" needs three perpendicular unit vectors in its columns")
+    matrix.flags.writeable = False
+    return matrix

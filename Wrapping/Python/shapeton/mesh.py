@@ -1,0 +1,205 @@
+"""Triangle surfaces and curves as arrays."""
+
+from __future__ import annotations
+
+from typing import Any, Iterable, Mapping, Optional, Sequence
+
+import numpy as np
+
+from ._shapeton import InputError, ParameterError
+
+Arrays = Mapping[str, Any]
+
+
+class _Geometry:
+    """What surfaces and curves share: places, arrays on them, facts."""
+
+    __slots__ = ("_vertices", "point_arrays", "cell_arrays", "field_arrays", "facts", "notes")
+
+    def __init__(
+        self,
+        vertices: Any,
+        point_arrays: Optional[Arrays],
+        cell_arrays: Optional[Arrays],
+        field_arrays: Optional[Arrays],
+        facts: Iterable[tuple[str, str]],
+        notes: Iterable[str],
+    ) -> None:
+        self._vertices = _rows_of_three("vertices", vertices, np.float64)
+        self.point_arrays: dict[str, np.ndarray] = {n: np.asarray(a) for n, a in (point_arrays or {}).items()}
+        self.cell_arrays: dict[str, np.ndarray] = {n: np.asarray(a) for n, a in (cell_arrays or {}).items()}
+        self.field_arrays: dict[str, np.ndarray] = {n: np.asarray(a) for n, a in (field_arrays or {}).items()}
+        self.facts: list[tuple[str, str]] = [(str(n), str(v)) for n, v in facts]
+        self.notes: list[str] = list(notes)
+
+    @property
+    def vertices(self) -> np.ndarray:
+        """n x 3, float64; LPS, mm."""
+        return self._vertices
+
+
+class Mesh(_Geometry):
+    """A triangle surface.
+
+    vertices
+        n x 3, float64; LPS, mm.
+    faces
+        m x 3, int32: indices of vertices, counterclockwise where seen from outside.
+    point_arrays, cell_arrays, field_arrays
+        By name: a row for each vertex, a row for each face, anything about the surface as a whole. Whole numbers stay
+        whole numbers (int32); everything else is float64.
+    facts
+        Pairs of texts, for example provenance; files in the format VTP keep them.
+    notes
+        What `read_surface` found worth telling.
+    """
+
+    __slots__ = ("_faces",)
+
+    def __init__(
+        self,
+        vertices: Any,
+        faces: Any,
+        point_arrays: Optional[Arrays] = None,
+        cell_arrays: Optional[Arrays] = None,
+        field_arrays: Optional[Arrays] = None,
+        facts: Iterable[tuple[str, str]] = (),
+        notes: Iterable[str] = (),
+    ) -> None:
+        super().__init__(vertices, point_arrays, cell_arrays, field_arrays, facts, notes)
+        self._faces = _rows_of_three("faces", faces, np.int32)
+
+    @property
+    def faces(self) -> np.ndarray:
+        """m x 3, int32."""
+        return self._faces
+
+    def __repr__(self) -> str:
+        return f"<shapeton.Mesh {len(self.vertices)} vertices, {len(self.faces)} faces>"
+
+    @classmethod
+    def from_vtk(cls, poly_data: Any) -> Mesh:
+        """Of a vtkPolyData of triangles in LPS, mm, with its point, cell and numeric field data."""
+        from vtkmodules.util.numpy_support import vtk_to_numpy
+
+        polys = poly_data.GetPolys()
+        corners = vtk_to_numpy(polys.GetConnectivityArray())
+        if len(corners) != 3 * polys.GetNumberOfCells() or poly_data.GetNumberOfCells() != polys.GetNumberOfCells():
+            raise InputError("the vtkPolyData holds cells that are no triangles; apply vtkTriangleFilter, PassLinesOff")
+        if poly_data.GetPoints() is None:
+            raise InputError("the vtkPolyData holds no points")
+        return cls(
+            vtk_to_numpy(poly_data.GetPoints().GetData()),
+            corners.reshape(-1, 3),
+            _arrays_of(poly_data.GetPointData()),
+            _arrays_of(poly_data.GetCellData()),
+            _arrays_of(poly_data.GetFieldData()),
+        )
+
+    def to_vtk(self) -> Any:
+        """A vtkPolyData in LPS, mm, with all arrays; points and float arrays are views."""
+        from vtkmodules.util.numpy_support import numpy_to_vtk, numpy_to_vtkIdTypeArray
+        from vtkmodules.vtkCommonCore import vtkPoints
+        from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
+
+        points = vtkPoints()
+        points.SetData(numpy_to_vtk(self.vertices))
+        corners = self.faces.astype(np.int64).ravel()
+        cells = vtkCellArray()
+        cells.SetData(3, numpy_to_vtkIdTypeArray(corners, deep=True))
+        poly_data = vtkPolyData()
+        poly_data.SetPoints(points)
+        poly_data.SetPolys(cells)
+        _add_arrays(self.point_arrays, poly_data.GetPointData())
+        _add_arrays(self.cell_arrays, poly_data.GetCellData())
+        _add_arrays(self.field_arrays, poly_data.GetFieldData())
+        return poly_data
+
+    @classmethod
+    def from_pyvista(cls, surface: Any) -> Mesh:
+        """Of a pyvista.PolyData of triangles, which is a vtkPolyData."""
+        return cls.from_vtk(surface)
+
+    def to_pyvista(self) -> Any:
+        """A pyvista.PolyData."""
+        import pyvista
+
+        return pyvista.wrap(self.to_vtk())
+
+
+class Curves(_Geometry):
+    """Polylines in space, such as a centreline, and single points.
+
+    vertices
+        n x 3, float64; LPS, mm.
+    curves
+        For each curve the indices of its vertices in order, int32; a curve of one vertex is a point. One curve through
+        all vertices where none are given.
+    point_arrays, cell_arrays, field_arrays
+        By name: a row for each vertex, a row for each curve, anything about the curves as a whole.
+    """
+
+    __slots__ = ("_curves",)
+
+    def __init__(
+        self,
+        vertices: Any,
+        curves: Optional[Sequence[Any]] = None,
+        point_arrays: Optional[Arrays] = None,
+        cell_arrays: Optional[Arrays] = None,
+        field_arrays: Optional[Arrays] = None,
+        facts: Iterable[tuple[str, str]] = (),
+        notes: Iterable[str] = (),
+    ) -> None:
+        super().__init__(vertices, point_arrays, cell_arrays, field_arrays, facts, notes)
+        lists = [np.arange(len(self.vertices))] if curves is None else curves
+        self._curves = [_whole_numbers("curves", curve) for curve in lists]
+
+    @property
+    def curves(self) -> list[np.ndarray]:
+        """For each curve the indices of its vertices in order."""
+        return self._curves
+
+    def points(self, curve: int = 0) -> np.ndarray:
+        """The places of a curve in order, k x 3; LPS, mm."""
+        return self.vertices[self._curves[curve]]
+
+    def __repr__(self) -> str:
+        return f"<shapeton.Curves {len(self._curves)} curves, {len(self.vertices)} vertices>"
+
+
+def _whole_numbers(name: str, values: Any) -> np.ndarray:
+    array = np.asarray(values)
+    if array.dtype.kind not in "iu" and array.size > 0:
+        raise ParameterError(f"the parameter \"{name}\" holds {array.dtype}; indices are whole numbers")
+    if array.size > 0 and (array.min() < 0 or array.max() > np.iinfo(np.int32).max):
+        raise ParameterError(f"the parameter \"{name}\" holds an index below 0 or beyond 2^31 - 1")
+    return np.ascontiguousarray(array, dtype=np.int32)
+
+
+def _rows_of_three(name: str, values: Any, dtype: Any) -> np.ndarray:
+    array = np.asarray(values)
+    if array.ndim != 2 or array.shape[1] != 3:
+        raise ParameterError(f"the parameter \"{name}\" has the shape {array.shape}; rows of three numbers are needed")
+    if dtype == np.int32:
+        return _whole_numbers(name, array)
+    if array.dtype.kind not in "iuf":
+        raise ParameterError(f"the parameter \"{name}\" holds {array.dtype}; places are real numbers")
+    return np.ascontiguousarray(array, dtype=dtype)
+
+
+def _arrays_of(data: Any) -> dict[str, np.ndarray]:
+    from vtkmodules.util.numpy_support import vtk_to_numpy
+    from vtkmodules.vtkCommonCore import vtkDataArray
+
+    arrays = [data.GetAbstractArray(i) for i in range(data.GetNumberOfArrays())]
+    return {a.GetName() or "": vtk_to_numpy(a) for a in arrays if isinstance(a, vtkDataArray)}
+
+
+def _add_arrays(arrays: Mapping[str, np.ndarray], data: Any) -> None:
+    from vtkmodules.util.numpy_support import numpy_to_vtk
+
+    for name, values in arrays.items():
+        array = numpy_to_vtk(np.ascontiguousarray(values))
+        array.SetName(name)
+        data.AddArray(array)

@@ -1,0 +1,327 @@
+#include "Conversions.h"
+
+#include <chrono>
+#include <cmath>
+#include <limits>
+
+namespace shapeton::python
+{
+namespace
+{
+/** Reads an attribute of a Python object as a value of C++. */
+template <typename TValue>
+TValue
+Get(const py::handle & object, const char * attribute)
+{
+  return object.attr(attribute).cast<TValue>();
+}
+
+/** The buffer of a numpy array as the pixels of an image; the array lives as long as the pixels do. */
+template <typename TPixel>
+class ArrayContainer : public itk::ImportImageContainer<itk::SizeValueType, TPixel>
+{
+public:
+  ITK_DISALLOW_COPY_AND_MOVE(ArrayContainer);
+  using Self = ArrayContainer;
+  using Pointer = itk::SmartPointer<Self>;
+  itkFactorylessNewMacro(Self);
+
+  void
+  SetArray(py::array array)
+  {
+    m_Array = std::move(array);
+    // The image is read alone, so an array that must not be written is taken, too.
+    this->SetImportPointer(static_cast<TPixel *>(const_cast<void *>(m_Array.data())), m_Array.size(), false);
+  }
+
+protected:
+  ArrayContainer() = default;
+  ~ArrayContainer() override
+  {
+    const py::gil_scoped_acquire acquire; // the library may let go of it while Python does something else
+    m_Array.release().dec_ref();
+  }
+
+private:
+  py::array m_Array;
+};
+
+/** The array itself where type and layout agree, else a copy. */
+template <typename TPixel>
+py::array
+PixelsOf(const py::array & array)
+{
+  constexpr int flags = py::array::c_style | py::array::forcecast | py::detail::npy_api::NPY_ARRAY_ALIGNED_;
+  const auto    pixels = py::array_t<TPixel, flags>::ensure(array);
+  if (!pixels)
+  {
+    throw py::error_already_set();
+  }
+  return pixels;
+}
+
+template <typename TPixel>
+void
+RequireFinite(const TPixel * pixels, const std::array<std::size_t, 3> & shape)
+{
+  const std::size_t number = shape[0] * shape[1] * shape[2];
+  for (std::size_t i = 0; i < number; ++i)
+  {
+    if (!std::isfinite(pixels[i]))
+    {
+      const std::size_t row = i / shape[2];
+      throw InputError("the image holds values that are not finite (NaN or infinity), the first at [z, y, x] = [" +
+                       std::to_string(row / shape[1]) + ", " + std::to_string(row % shape[1]) + ", " +
+                       std::to_string(i % shape[2]) + "]; replace them");
+    }
+  }
+}
+
+py::array
+ArrayOfValues(const SurfaceArray & array, const py::handle & owner)
+{
+  const auto               rows = static_cast<py::ssize_t>(array.values.rows());
+  const auto               columns = static_cast<py::ssize_t>(array.values.cols());
+  std::vector<py::ssize_t> shape{ rows };
+  if (columns != 1)
+  {
+    shape.push_back(columns);
+  }
+  const py::array values = py::array_t<double>(shape, array.values.data(), owner);
+  return array.areIntegers ? py::array(values.attr("astype")("int32")) : values;
+}
+
+py::dict
+DictOf(const std::vector<SurfaceArray> & arrays, const py::handle & owner)
+{
+  py::dict dictionary;
+  for (const SurfaceArray & array : arrays)
+  {
+    dictionary[py::str(array.name)] = ArrayOfValues(array, owner);
+  }
+  return dictionary;
+}
+
+std::vector<SurfaceArray>
+ArraysOf(const py::handle & dictionary)
+{
+  std::vector<SurfaceArray> arrays;
+  for (const auto & [name, object] : py::reinterpret_borrow<py::dict>(dictionary))
+  {
+    SurfaceArray    array;
+    const auto      values = py::array::ensure(object);
+    const char      kind = values ? values.dtype().kind() : 'O';
+    array.name = name.cast<std::string>();
+    array.areIntegers = kind == 'i' || kind == 'u' || kind == 'b';
+    RequireParameter((array.areIntegers || kind == 'f') && (values.ndim() == 1 || values.ndim() == 2),
+                     "the array \"" + array.name + "\" needs a row of real numbers for each element");
+    array.values = values.cast<SurfaceArray::ValueMatrix>();
+    arrays.push_back(std::move(array));
+  }
+  return arrays;
+}
+
+/** A view of a matrix with three columns. */
+template <typename TMatrix>
+py::array
+RowsOfMatrix(const TMatrix & matrix, const py::handle & owner)
+{
+  return py::array_t<typename TMatrix::Scalar>({ static_cast<py::ssize_t>(matrix.rows()), py::ssize_t{ 3 } },
+                                               matrix.data(), owner);
+}
+
+template <typename TGeometry>
+void
+ReadShared(const py::handle & object, TGeometry & geometry)
+{
+  geometry.V = Get<VertexMatrix>(object, "vertices");
+  geometry.pointArrays = ArraysOf(object.attr("point_arrays"));
+  geometry.cellArrays = ArraysOf(object.attr("cell_arrays"));
+  geometry.fieldArrays = ArraysOf(object.attr("field_arrays"));
+  geometry.facts = Get<std::vector<std::pair<std::string, std::string>>>(object, "facts");
+}
+
+template <typename TGeometry>
+py::object
+Construct(const char * name, const TGeometry & geometry, const py::object & elements, const py::handle & owner)
+{
+  return ClassOf("shapeton.mesh", name)(RowsOfMatrix(geometry.V, owner),
+                                        elements,
+                                        DictOf(geometry.pointArrays, owner),
+                                        DictOf(geometry.cellArrays, owner),
+                                        DictOf(geometry.fieldArrays, owner),
+                                        geometry.facts);
+}
+
+/** What Progress calls: looks at signals and the user's function ten times a second. */
+class Watch
+{
+public:
+  explicit Watch(py::object function) : m_Function(std::move(function)) {}
+
+  void
+  operator()(const std::string & stage, double share)
+  {
+    const auto now = std::chrono::steady_clock::now();
+    if (now < m_Next)
+    {
+      return;
+    }
+    m_Next = now + std::chrono::milliseconds(100);
+    const py::gil_scoped_acquire acquire;
+    if (PyErr_CheckSignals() != 0)
+    {
+      throw py::error_already_set();
+    }
+    if (!m_Function.is_none() && m_Function(share, stage).is(py::bool_(false)))
+    {
+      PyErr_SetString(ClassOf("shapeton._shapeton", "Aborted").ptr(), "the progress function has returned False");
+      throw py::error_already_set();
+    }
+  }
+
+private:
+  py::object                            m_Function;
+  std::chrono::steady_clock::time_point m_Next{};
+};
+} // namespace
+
+py::object
+ClassOf(const char * module, const char * name)
+{
+  return py::module_::import(module).attr(name);
+}
+
+template <typename TPixel>
+typename itk::Image<TPixel, 3>::Pointer
+ImageOf(const py::handle & image)
+{
+  using ImageType = itk::Image<TPixel, 3>;
+  const py::array                  pixels = PixelsOf<TPixel>(Get<py::array>(image, "array"));
+  const std::array<std::size_t, 3> shape{ static_cast<std::size_t>(pixels.shape(0)),
+                                          static_cast<std::size_t>(pixels.shape(1)),
+                                          static_cast<std::size_t>(pixels.shape(2)) };
+  if constexpr (std::is_floating_point_v<TPixel>)
+  {
+    RequireFinite(static_cast<const TPixel *>(pixels.data()), shape);
+  }
+  const auto result = ImageType::New();
+  result->SetRegions(typename ImageType::SizeType{ { shape[2], shape[1], shape[0] } });
+  result->SetSpacing(Get<std::array<double, 3>>(image, "spacing").data());
+  result->SetOrigin(Get<std::array<double, 3>>(image, "origin").data());
+  const auto                        direction = Get<Eigen::Matrix3d>(image, "direction");
+  typename ImageType::DirectionType matrix;
+  for (unsigned int i = 0; i < 9; ++i)
+  {
+    matrix(i / 3, i % 3) = direction(i / 3, i % 3);
+  }
+  result->SetDirection(matrix);
+  const auto container = ArrayContainer<TPixel>::New();
+  container->SetArray(pixels);
+  result->SetPixelContainer(container);
+  return result;
+}
+
+template <typename TPixel>
+py::object
+ToPython(const itk::Image<TPixel, 3> * image)
+{
+  if (!image)
+  {
+    return py::none();
+  }
+  const auto              size = image->GetBufferedRegion().GetSize();
+  const auto &            axes = image->GetDirection();
+  py::array_t<double>     direction({ 3, 3 });
+  for (int i = 0; i < 9; ++i)
+  {
+    direction.mutable_at(i / 3, i % 3) = axes(i / 3, i % 3);
+  }
+  const py::array_t<TPixel> array({ size[2], size[1], size[0] }, image->GetBufferPointer(),
+                                  OwnerOf(itk::SmartPointer<const itk::Image<TPixel, 3>>(image)));
+  const auto &              spacing = image->GetSpacing();
+  const auto &              origin = image->GetOrigin();
+  return ClassOf("shapeton.image", "Image")(array,
+                                            py::make_tuple(spacing[0], spacing[1], spacing[2]),
+                                            py::make_tuple(origin[0], origin[1], origin[2]),
+                                            direction);
+}
+
+#define INSTANTIATE(type)                                                                                              \
+  template itk::Image<type, 3>::Pointer ImageOf<type>(const py::handle &);                                             \
+  template py::object                   ToPython<type>(const itk::Image<type, 3> *)
+INSTANTIATE(float);
+INSTANTIATE(short);
+INSTANTIATE(unsigned char);
+INSTANTIATE(unsigned short);
+INSTANTIATE(unsigned int);
+#undef INSTANTIATE
+
+SurfaceMesh
+MeshOf(const py::handle & mesh)
+{
+  SurfaceMesh result;
+  ReadShared(mesh, result);
+  result.F = Get<FaceMatrix>(mesh, "faces");
+  RequireSound(result, "the mesh");
+  return result;
+}
+
+py::object
+ToPython(const SurfaceMesh & mesh, const py::handle & owner)
+{
+  return Construct("Mesh", mesh, RowsOfMatrix(mesh.F, owner), owner);
+}
+
+CurveSet
+CurvesOf(const py::handle & curves)
+{
+  if (py::isinstance<py::array>(curves))
+  {
+    return CurvesOf(ClassOf("shapeton.mesh", "Curves")(curves));
+  }
+  CurveSet result;
+  ReadShared(curves, result);
+  result.curves = Get<std::vector<std::vector<int>>>(curves, "curves");
+  RequireSound(result, "the curves");
+  return result;
+}
+
+py::object
+ToPython(const CurveSet & curves, const py::handle & owner)
+{
+  py::list lists;
+  for (const std::vector<int> & curve : curves.curves)
+  {
+    lists.append(py::array_t<int>(static_cast<py::ssize_t>(curve.size()), curve.data(), owner));
+  }
+  return Construct("Curves", curves, lists, owner);
+}
+
+Progress
+ProgressTo(const py::object & function)
+{
+  const std::shared_ptr<Watch> watch(new Watch(function), [](Watch * finished) {
+    const py::gil_scoped_acquire acquire;
+    delete finished;
+  });
+  return Progress([watch](const std::string & stage, double share) { (*watch)(stage, share); });
+}
+
+py::array_t<double>
+RowsOf(const std::vector<Eigen::Vector3d> & places)
+{
+  py::array_t<double> rows({ static_cast<py::ssize_t>(places.size()), py::ssize_t{ 3 } });
+  for (std::size_t i = 0; i < places.size(); ++i)
+  {
+    std::copy_n(places[i].data(), 3, rows.mutable_data(static_cast<py::ssize_t>(i), 0));
+  }
+  return rows;
+}
+
+py::object
+FromJson(const Json & document)
+{
+  return ClassOf("json", "loads")(document.dump(-1, ' ', false, Json::error_handler_t::replace));
+}
+} // namespace shapeton::python

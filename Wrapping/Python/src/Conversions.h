@@ -1,0 +1,267 @@
+#ifndef Conversions_h
+#define Conversions_h
+
+#include "shapetonCurveSet.h"
+#include "shapetonExceptions.h"
+#include "shapetonJson.h"
+#include "shapetonProgress.h"
+#include "shapetonSurfaceMesh.h"
+
+#include "itkImage.h"
+
+#include <pybind11/eigen.h>
+#include <pybind11/numpy.h>
+#include <pybind11/pybind11.h>
+#include <pybind11/stl.h>
+
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+/** What goes over the border between Python and C++: images, surfaces, curves, progress. Images go both ways without a
+ * copy where type and layout agree; surfaces and curves are copied on the way in and are views on the way out. */
+namespace shapeton::python
+{
+namespace py = pybind11;
+using namespace pybind11::literals;
+
+/** Lets other threads of Python run while a function of the library does. */
+using ReleaseGil = py::call_guard<py::gil_scoped_release>;
+
+/** Of a parameter with a list of words: what the word stands for. Throws ParameterError with all of them. */
+template <typename TValue>
+TValue
+Choice(const std::string &                                    name,
+       const std::string &                                    word,
+       const std::vector<std::pair<const char *, TValue>> & choices);
+
+/** A class of the package, such as "Image" of the module "shapeton.image". Its module is imported once. */
+py::object
+ClassOf(const char * module, const char * name);
+
+/** The voxels of a shapeton.Image as an ITK image: a view where they are C-contiguous numbers of this type, which keeps
+ * the array alive, else a copy. Throws InputError where a voxel is not finite. */
+template <typename TPixel>
+typename itk::Image<TPixel, 3>::Pointer
+ImageOf(const py::handle & image);
+
+/** An ITK image as a shapeton.Image that keeps it alive; nothing is copied. None for a null pointer. */
+template <typename TPixel>
+py::object
+ToPython(const itk::Image<TPixel, 3> * image);
+
+/** A copy of a shapeton.Mesh, sound: what RequireSound() asks for. */
+SurfaceMesh
+MeshOf(const py::handle & mesh);
+/** A shapeton.Mesh whose arrays are views of what `owner` keeps alive. */
+py::object
+ToPython(const SurfaceMesh & mesh, const py::handle & owner);
+
+/** A copy of a shapeton.Curves, or, of an n x 3 array, one curve through its rows. */
+CurveSet
+CurvesOf(const py::handle & curves);
+/** A shapeton.Curves whose arrays are views of what `owner` keeps alive. */
+py::object
+ToPython(const CurveSet & curves, const py::handle & owner);
+
+/** Calls a function of Python, or None, ten times a second with the share and the stage. Aborts when the function
+ * returns False (shapeton.Aborted) or throws, and when a signal such as Ctrl-C has come. To be made with the GIL held,
+ * called from the thread that made it without. */
+Progress
+ProgressTo(const py::object & function);
+
+/** An owner for ToPython(): lives as long as the Python object that it is made of. */
+template <typename TValue>
+py::capsule
+OwnerOf(TValue && value)
+{
+  using Value = std::decay_t<TValue>;
+  return py::capsule(new Value(std::forward<TValue>(value)), [](void * owned) { delete static_cast<Value *>(owned); });
+}
+
+/** n x 3 numbers of a list of places. */
+py::array_t<double>
+RowsOf(const std::vector<Eigen::Vector3d> & places);
+
+/** A document as Python's dictionaries, lists and numbers. */
+py::object
+FromJson(const Json & document);
+
+template <typename TValue>
+TValue
+Choice(const std::string & name, const std::string & word, const std::vector<std::pair<const char *, TValue>> & choices)
+{
+  std::string words;
+  for (const auto & [choice, value] : choices)
+  {
+    if (word == choice)
+    {
+      return value;
+    }
+    words += (words.empty() ? "" : ", ") + std::string(choice);
+  }
+  throw ParameterError("the parameter \"" + name + "\" = \"" + word + "\" is none of: " + words);
+}
+} // namespace shapeton::python
+
+namespace pybind11::detail
+{
+template <typename TPixel>
+struct type_caster<itk::SmartPointer<itk::Image<TPixel, 3>>>
+{
+  using Pointer = itk::SmartPointer<itk::Image<TPixel, 3>>;
+  PYBIND11_TYPE_CASTER(Pointer, const_name("shapeton.Image"));
+
+  bool
+  load(handle source, bool)
+  {
+    if (!isinstance(source, shapeton::python::ClassOf("shapeton.image", "Image")))
+    {
+      return false;
+    }
+    value = shapeton::python::ImageOf<TPixel>(source);
+    return true;
+  }
+  static handle
+  cast(const Pointer & image, return_value_policy, handle)
+  {
+    return shapeton::python::ToPython<TPixel>(image.GetPointer()).release();
+  }
+};
+
+/** Of surfaces and curves: a member is a view that keeps its object alive, a result keeps itself. */
+template <typename TGeometry>
+struct geometry_caster
+{
+  static handle
+  cast(TGeometry && geometry, return_value_policy, handle)
+  {
+    auto * const  moved = new TGeometry(std::move(geometry));
+    const capsule owner(moved, [](void * owned) { delete static_cast<TGeometry *>(owned); });
+    return shapeton::python::ToPython(*moved, owner).release();
+  }
+  static handle
+  cast(const TGeometry & geometry, return_value_policy policy, handle parent)
+  {
+    if (policy == return_value_policy::reference_internal)
+    {
+      return shapeton::python::ToPython(geometry, parent).release();
+    }
+    return cast(TGeometry(geometry), policy, parent);
+  }
+  static handle
+  cast(const TGeometry * geometry, return_value_policy policy, handle parent)
+  {
+    return cast(*geometry, policy, parent);
+  }
+};
+
+template <>
+struct type_caster<shapeton::SurfaceMesh> : geometry_caster<shapeton::SurfaceMesh>
+{
+  static constexpr auto name = const_name("shapeton.Mesh");
+  template <typename T>
+  using cast_op_type = movable_cast_op_type<T>;
+  operator shapeton::SurfaceMesh *() { return &value; }
+  operator shapeton::SurfaceMesh &() { return value; }
+  operator shapeton::SurfaceMesh &&() && { return std::move(value); }
+
+  bool
+  load(handle source, bool)
+  {
+    if (!isinstance(source, shapeton::python::ClassOf("shapeton.mesh", "Mesh")))
+    {
+      return false;
+    }
+    value = shapeton::python::MeshOf(source);
+    return true;
+  }
+  using geometry_caster<shapeton::SurfaceMesh>::cast;
+
+private:
+  shapeton::SurfaceMesh value;
+};
+
+template <>
+struct type_caster<shapeton::CurveSet> : geometry_caster<shapeton::CurveSet>
+{
+  static constexpr auto name = const_name("shapeton.Curves");
+  template <typename T>
+  using cast_op_type = movable_cast_op_type<T>;
+  operator shapeton::CurveSet *() { return &value; }
+  operator shapeton::CurveSet &() { return value; }
+  operator shapeton::CurveSet &&() && { return std::move(value); }
+
+  bool
+  load(handle source, bool)
+  {
+    if (!isinstance(source, shapeton::python::ClassOf("shapeton.mesh", "Curves")) && !isinstance<array>(source))
+    {
+      return false;
+    }
+    value = shapeton::python::CurvesOf(source);
+    return true;
+  }
+  using geometry_caster<shapeton::CurveSet>::cast;
+
+private:
+  shapeton::CurveSet value;
+};
+
+template <>
+struct type_caster<shapeton::Progress>
+{
+  PYBIND11_TYPE_CASTER(shapeton::Progress, const_name("Optional[Callable[[float, str], object]]"));
+
+  bool
+  load(handle source, bool)
+  {
+    if (!source.is_none() && PyCallable_Check(source.ptr()) == 0)
+    {
+      return false;
+    }
+    value = shapeton::python::ProgressTo(reinterpret_borrow<object>(source));
+    return true;
+  }
+  static handle
+  cast(const shapeton::Progress &, return_value_policy, handle)
+  {
+    return none().release(); // the default of a parameter
+  }
+};
+
+/** Places and vectors of ITK: arrays of three numbers. */
+template <typename TTriple>
+struct triple_caster
+{
+  PYBIND11_TYPE_CASTER(TTriple, const_name("numpy.ndarray"));
+
+  bool
+  load(handle source, bool convert)
+  {
+    make_caster<Eigen::Vector3d> triple;
+    if (!triple.load(source, convert))
+    {
+      return false;
+    }
+    const auto & numbers = cast_op<const Eigen::Vector3d &>(triple);
+    std::copy(numbers.data(), numbers.data() + 3, value.Begin());
+    return true;
+  }
+  static handle
+  cast(const TTriple & triple, return_value_policy, handle)
+  {
+    return array_t<double>(3, triple.Begin()).release();
+  }
+};
+
+template <>
+struct type_caster<itk::Point<double, 3>> : triple_caster<itk::Point<double, 3>>
+{};
+template <>
+struct type_caster<itk::Vector<double, 3>> : triple_caster<itk::Vector<double, 3>>
+{};
+} // namespace pybind11::detail
+
+#endif

@@ -1,0 +1,227 @@
+#include "Bindings.h"
+#include "Conversions.h"
+#include "Landmarks.h"
+
+#include "shapetonFlatColonLocator.h"
+#include "shapetonHaustralFolds.h"
+#include "shapetonParallelFor.h"
+
+namespace shapeton::python
+{
+namespace
+{
+using FlatPointer = std::shared_ptr<FlatColon>;
+
+/** A picture of the grid: `values` numbers for each pixel, which `paint` writes. */
+template <typename TValue, typename TPaint>
+py::array_t<TValue>
+PictureOf(const FlatColonGrid & grid, py::ssize_t values, const TPaint & paint)
+{
+  const auto               rows = static_cast<py::ssize_t>(grid.Rows());
+  const auto               columns = static_cast<py::ssize_t>(grid.Columns());
+  std::vector<py::ssize_t> shape{ rows, columns };
+  if (values > 1)
+  {
+    shape.push_back(values);
+  }
+  py::array_t<TValue> picture(shape);
+  TValue * const      pixels = picture.mutable_data();
+  {
+    const py::gil_scoped_release release;
+    ParallelFor(grid.Rows(), [&](std::size_t row) {
+      for (py::ssize_t column = 0; column < columns; ++column)
+      {
+        paint(static_cast<int>(column), static_cast<int>(row), pixels + (row * columns + column) * values);
+      }
+    });
+  }
+  return picture;
+}
+
+py::array
+Coordinates(const FlatColon & flat)
+{
+  const FlatColonGrid & grid = flat.Grid();
+  return PictureOf<float>(grid, 3, [&](int column, int row, float * pixel) {
+    const Eigen::Vector3f point = grid.PointOfPixel(column, row).cast<float>();
+    std::copy_n(point.data(), 3, pixel);
+  });
+}
+
+py::array
+FacesOfPixels(const FlatColon & flat)
+{
+  const FlatColonGrid & grid = flat.Grid();
+  return PictureOf<int>(grid, 1, [&](int column, int row, int * pixel) { *pixel = grid.FaceOfPixel(column, row); });
+}
+
+py::array
+Curvatures(const FlatColon & flat)
+{
+  const FlatColonGrid & grid = flat.Grid();
+  return PictureOf<double>(grid, 1, [&](int column, int row, double * pixel) {
+    const FlatSample sample = grid.SampleOfPixel(column, row);
+    *pixel = sample.face < 0 ? std::nan("") : sample.curvature;
+  });
+}
+
+/** (uv, distance) of places in space. */
+py::tuple
+Find(const FlatColon & flat, const VertexMatrix & points)
+{
+  py::array_t<double> uv({ static_cast<py::ssize_t>(points.rows()), py::ssize_t{ 2 } });
+  py::array_t<double> distance(static_cast<py::ssize_t>(points.rows()));
+  double * const      uvs = uv.mutable_data();
+  double * const      distances = distance.mutable_data();
+  {
+    const py::gil_scoped_release release;
+    const FlatColonLocator       locator(flat.Grid());
+    ParallelFor(static_cast<std::size_t>(points.rows()), [&](std::size_t i) {
+      const FlatPlace place = locator.Find(points.row(static_cast<Eigen::Index>(i)).transpose());
+      std::copy_n(place.uv.data(), 2, uvs + 2 * i);
+      distances[i] = place.distance;
+    });
+  }
+  return py::make_tuple(uv, distance);
+}
+
+void
+AddFlat(py::module_ & module)
+{
+  py::class_<FlatColon, FlatPointer>(module, "FlatColon", R"(The flat wall of a colon with a grid of square pixels.
+
+surface: as `flatten_tube` gives it. pixel_size: mm of the map, in which folds and landmarks work.)")
+    .def(py::init([](SurfaceMesh surface, double pixelSize) {
+           FlatColonGridOptions options;
+           options.pixelSize = pixelSize;
+           auto flat = std::make_shared<FlatColon>(std::move(surface), options);
+           flat->Grid(); // refuses a surface that is not flat
+           return flat;
+         }),
+         "surface"_a,
+         "pixel_size"_a = 1.0,
+         ReleaseGil())
+    .def_property_readonly(
+      "surface",
+      [](const FlatColon & flat) -> const SurfaceMesh & { return flat.Surface(); },
+      py::return_value_policy::reference_internal,
+      "The flat surface.")
+    .def_property_readonly(
+      "shape",
+      [](const FlatColon & flat) { return py::make_tuple(flat.Grid().Rows(), flat.Grid().Columns()); },
+      "Rows (around the tube) and columns (along it) of the grid.")
+    .def_property_readonly(
+      "pixel_size", [](const FlatColon & flat) { return flat.Grid().PixelSize(); }, "mm of the map.")
+    .def_property_readonly(
+      "circumference", [](const FlatColon & flat) { return flat.Grid().Circumference(); }, "Mean, mm.")
+    .def_property_readonly(
+      "length", [](const FlatColon & flat) { return flat.Grid().Length(); }, "Of the map, mm.")
+    .def("coordinates", &Coordinates, "Rows x columns x 3, float32: the place of each pixel, LPS mm; NaN in holes.")
+    .def("faces", &FacesOfPixels, "Rows x columns, int32: the face at each pixel; -1 in holes.")
+    .def("curvature",
+         &Curvatures,
+         "Rows x columns, float64: mean curvature, 1/mm; positive where the wall bulges into the lumen, NaN in holes.")
+    .def("find",
+         &Find,
+         "points"_a,
+         "Of places in space, k x 3 (LPS, mm): their uv on the map, k x 2, and distances from the wall, k; mm.");
+}
+
+FoundFolds
+FindFolds(const FlatPointer &             flat,
+          const std::string &             scheme,
+          double                          minimumLength,
+          double                          minimumArea,
+          double                          minimumElongation,
+          double                          minimumAngle,
+          double                          smoothingTime,
+          double                          smoothness,
+          const std::optional<CurveSet> & taeniae)
+{
+  HaustralFoldOptions options;
+  options.scheme = Choice<HaustralFoldScheme>(
+    "scheme",
+    scheme,
+    { { "graphCut", HaustralFoldScheme::GraphCut }, { "published", HaustralFoldScheme::Published } });
+  options.minimumLength = minimumLength;
+  options.minimumArea = minimumArea;
+  options.minimumElongation = minimumElongation;
+  options.minimumAngle = minimumAngle;
+  options.smoothingTime = smoothingTime;
+  options.smoothness = smoothness;
+  options.taeniae = taeniae ? &*taeniae : nullptr;
+  return { FindHaustralFolds(*flat, options) };
+}
+
+py::array
+LabelsOf(const FoundFolds & found)
+{
+  const auto & labels = found.folds.labels;
+  const auto   size = labels->GetBufferedRegion().GetSize();
+  return py::array_t<unsigned short>({ size[1], size[0] }, labels->GetBufferPointer(), OwnerOf(labels));
+}
+
+void
+AddFolds(py::module_ & module)
+{
+  using Ends = std::array<Eigen::Vector3d, 2>;
+  py::class_<HaustralFold>(module, "HaustralFold", "A haustral fold.")
+    .def_readonly("label", &HaustralFold::label, "Its value in the labels, from 1.")
+    .def_readonly("centre", &HaustralFold::centre, "LPS, mm.")
+    .def_property_readonly(
+      "ends",
+      [](const HaustralFold & fold) {
+        const Ends & ends = fold.ends;
+        return RowsOf({ ends[0], ends[1] });
+      },
+      "2 x 3; LPS, mm.")
+    .def_readonly("centre_uv", &HaustralFold::centreUv, "On the map, mm.")
+    .def_readonly("length", &HaustralFold::length, "Along the crest, mm.")
+    .def_readonly("area", &HaustralFold::area, "mm^2.")
+    .def_readonly("height", &HaustralFold::height, "Of the crest above the wall, mm; NaN where it cannot be seen.")
+    .def_readonly("angle", &HaustralFold::angle, "Of the long axis against the tube, degrees; 90 runs around it.")
+    .def_readonly("elongation", &HaustralFold::elongation, "Long over short axis.")
+    .def_readonly("mean_curvature", &HaustralFold::meanCurvature, "1/mm.")
+    .def_readonly("reliability", &HaustralFold::reliability, "0 to 1.")
+    .def_readonly("arc_length", &HaustralFold::arcLength, "mm along the centreline; NaN where not known.")
+    .def_readonly("crosses_cut", &HaustralFold::crossesCut, "Lies on both sides of the cut.");
+
+  py::class_<FoundFolds>(module, "HaustralFolds", "What `find_folds` gives.")
+    .def_property_readonly("labels", &LabelsOf, "Rows x columns, uint16: 0 wall, else the label of a fold.")
+    .def_property_readonly(
+      "folds", [](const FoundFolds & found) { return found.folds.folds; }, "HaustralFold, in the order of the labels.")
+    .def_property_readonly(
+      "warnings", [](const FoundFolds & found) { return found.folds.warnings; }, "A line for each.");
+
+  const HaustralFoldOptions defaults;
+  module.def("find_folds",
+             &FindFolds,
+             "flat"_a,
+             py::kw_only(),
+             "scheme"_a = "graphCut",
+             "minimum_length"_a = defaults.minimumLength,
+             "minimum_area"_a = defaults.minimumArea,
+             "minimum_elongation"_a = defaults.minimumElongation,
+             "minimum_angle"_a = defaults.minimumAngle,
+             "smoothing_time"_a = defaults.smoothingTime,
+             "smoothness"_a = defaults.smoothness,
+             "taeniae"_a = py::none(),
+             ReleaseGil(),
+             R"(Haustral folds on the flat wall of a colon.
+
+scheme: "graphCut" or "published". minimum_length: mm; minimum_area: mm^2; minimum_elongation: long over short axis;
+minimum_angle: against the tube, degrees. smoothing_time: of the curvature, mm^2. smoothness: cost of outline.
+taeniae: Curves on the wall along which folds that have grown together are split.
+
+It takes no progress.)");
+}
+} // namespace
+
+void
+AddFlatColon(py::module_ & module)
+{
+  AddFlat(module);
+  AddFolds(module);
+  AddLandmarks(module);
+}
+} // namespace shapeton::python

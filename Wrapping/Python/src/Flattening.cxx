@@ -1,0 +1,164 @@
+#include "Bindings.h"
+#include "Conversions.h"
+
+#include "shapetonColonFlattening.h"
+#include "shapetonConformalMap.h"
+#include "shapetonJson.h"
+
+namespace shapeton::python
+{
+namespace
+{
+ConformalMap
+MapOf(const SurfaceMesh &                    mesh,
+      const std::string &                    domain,
+      int                                    outerBoundary,
+      int                                    innerBoundary,
+      const std::vector<int> &               corners,
+      const std::optional<Eigen::VectorXd> & edgeLengths)
+{
+  ConformalMapOptions options;
+  options.domain = Choice<ConformalDomain>("domain",
+                                           domain,
+                                           { { "rectangle", ConformalDomain::Rectangle },
+                                             { "annulus", ConformalDomain::Annulus },
+                                             { "slit", ConformalDomain::Slit } });
+  options.outerBoundary = outerBoundary;
+  options.innerBoundary = innerBoundary;
+  options.corners = corners;
+  options.edgeLengths = edgeLengths.value_or(Eigen::VectorXd());
+  return MapConformally(mesh, options, "the mesh");
+}
+
+ColonFlattening
+Flatten(SurfaceMesh                     mesh,
+        const std::optional<CurveSet> & centreline,
+        const std::string &             metric,
+        double                          time,
+        int                             eigenpairs,
+        bool                            removeHandles,
+        const std::string &             method,
+        const std::optional<CurveSet> & cut,
+        const Progress &                progress)
+{
+  ColonFlatteningOptions options;
+  options.metric = Choice<FlatMetric>("metric",
+                                      metric,
+                                      { { "heatDiffusion", FlatMetric::HeatDiffusion },
+                                        { "euclidean", FlatMetric::Euclidean },
+                                        { "truncatedHeatDiffusion", FlatMetric::TruncatedHeatDiffusion } });
+  options.time = time;
+  options.eigenpairs = eigenpairs;
+  options.removeHandles = removeHandles;
+  options.tube.conjugate = Choice<TubeConjugate>(
+    "method", method, { { "conjugate", TubeConjugate::Laplacian }, { "published", TubeConjugate::Published } });
+  if (cut)
+  {
+    options.tube.cutCurve = OnlyCurve(*cut, "the cut");
+  }
+  options.centreline = centreline.value_or(CurveSet());
+  options.progress = progress;
+  return FlattenColon(std::move(mesh), "the mesh", options);
+}
+
+/** The JSON of a result as a dictionary. */
+template <typename TResult>
+auto
+Statistics(Json (*toJson)(const TResult &))
+{
+  return [toJson](const TResult & result) { return FromJson(toJson(result)); };
+}
+
+void
+AddConformalMap(py::module_ & module)
+{
+  py::class_<ConformalMap>(module, "ConformalMap", "A surface on the plane, and how well.")
+    .def_readonly("flat", &ConformalMap::flat, "The cut surface in space with the point array uv (mm of the plane).")
+    .def_readonly("modulus_u", &ConformalMap::modulusU, "Height over width of the rectangle, or 2 pi / ln(R / r).")
+    .def_readonly("modulus_v", &ConformalMap::modulusV, "The same from the conjugate; the gap is the error bar.")
+    .def_readonly("genus", &ConformalMap::genus, "0 unless there are handles.")
+    .def_readonly("flips", &ConformalMap::flips, "Faces that the map turns over.")
+    .def_readonly("corners", &ConformalMap::corners, "Four vertices, of a rectangle of one boundary.")
+    .def_readonly("warnings", &ConformalMap::warnings, "What is doubtful, a line for each.")
+    .def_property_readonly(
+      "dilatation",
+      [](const ConformalMap & map) { return map.distortion.dilatation; },
+      "Of each face, from 1 (conformal) on.")
+    .def_property_readonly(
+      "statistics", Statistics<ConformalMap>(&ConformalMapToJson), "A dictionary with the keys that ConformalMap writes.");
+
+  module.def("conformal_map",
+             &MapOf,
+             "mesh"_a,
+             py::kw_only(),
+             "domain"_a = "slit",
+             "outer_boundary"_a = 0,
+             "inner_boundary"_a = 0,
+             "corners"_a = std::vector<int>(),
+             "edge_lengths"_a = py::none(),
+             ReleaseGil(),
+             R"(Maps an open surface conformally to the plane.
+
+mesh: one manifold, oriented component with a boundary. domain: "rectangle", "annulus" or "slit".
+outer_boundary, inner_boundary: numbers from 1 by length; 0: the longest, and the longest one left.
+corners: four vertices of the only boundary of a rectangle. edge_lengths: another metric, by `surface_edges`.
+
+It takes no progress and cannot be interrupted.)");
+}
+} // namespace
+
+void
+AddFlattening(py::module_ & module)
+{
+  AddConformalMap(module);
+  py::class_<SurfaceHandle>(module, "SurfaceHandle", "A place where a flattened surface has a handle.")
+    .def_readonly("genus", &SurfaceHandle::genus, "How many handles: more than 1 where they cannot be told apart.")
+    .def_readonly("place", &SurfaceHandle::place, "LPS, mm.")
+    .def_readonly("flat_place", &SurfaceHandle::flatPlace, "On the map, mm.")
+    .def_readonly("radius", &SurfaceHandle::radius, "mm.")
+    .def_readonly("vertices", &SurfaceHandle::vertices, "Of the surface that was flattened, ascending.");
+
+  py::class_<ColonFlattening>(module, "ColonFlattening", "A flattened tube with what was measured.")
+    .def_readonly("surface", &ColonFlattening::surface, "The tube that was flattened.")
+    .def_property_readonly(
+      "flat",
+      [](const ColonFlattening & flattening) -> const SurfaceMesh & { return flattening.map.flat; },
+      py::return_value_policy::reference_internal,
+      "The tube cut open: places in space, the point arrays uv (mm: along, around) and sourcePointId, the field arrays "
+      "circumference and length (mm).")
+    .def_property_readonly(
+      "circumference", [](const ColonFlattening & f) { return f.map.circumference; }, "Mean, mm.")
+    .def_property_readonly(
+      "length", [](const ColonFlattening & f) { return f.map.length; }, "Of the map, mm.")
+    .def_property_readonly(
+      "handles", [](const ColonFlattening & f) { return f.handles.handles; }, "Those found; none on most walls.")
+    .def_readonly("genus_before", &ColonFlattening::genusBefore, "Handles of the surface that was given.")
+    .def_readonly("genus_after", &ColonFlattening::genusAfter, "Handles of the surface that was flattened.")
+    .def_readonly("warnings", &ColonFlattening::warnings, "What is doubtful, a line for each.")
+    .def_property_readonly("statistics",
+                           Statistics<ColonFlattening>(&ColonFlatteningToJson),
+                           "A dictionary with the keys that ColonFlattening writes: flips, dilatation, moduli, ...");
+
+  module.def("flatten_tube",
+             &Flatten,
+             "mesh"_a,
+             "centreline"_a = py::none(),
+             py::kw_only(),
+             "metric"_a = "heatDiffusion",
+             "time"_a = 0.0,
+             "eigenpairs"_a = 50,
+             "remove_handles"_a = false,
+             "method"_a = "conjugate",
+             "cut"_a = py::none(),
+             "progress"_a = Progress(),
+             ReleaseGil(),
+             R"(Maps a tube, such as the wall of a colon, conformally to a rectangle.
+
+mesh: one manifold, oriented component with two boundary loops. centreline: from the rectum to the caecum; tells the
+rectum where the surface does not name it.
+metric: "heatDiffusion", "euclidean" or "truncatedHeatDiffusion". time: of diffusion, mm^2; 0: one that suits the mesh.
+eigenpairs: of truncatedHeatDiffusion. remove_handles: finds handles and cuts them out.
+method: "conjugate" or "published". cut: a curve near which the tube is cut, Curves or k x 3; None: a path is found.
+progress: called with (share, stage); it hears of the stages alone, so an abort waits for the end of one.)");
+}
+} // namespace shapeton::python

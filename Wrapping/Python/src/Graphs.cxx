@@ -1,0 +1,257 @@
+#include "Bindings.h"
+#include "Conversions.h"
+
+#include "shapetonEmbeddingVerification.h"
+#include "shapetonExceptions.h"
+#include "shapetonGraphComparison.h"
+#include "shapetonGraphEmbedding.h"
+#include "shapetonGraphFamilies.h"
+#include "shapetonGraphGenus.h"
+#include "shapetonGraphReader.h"
+
+namespace shapeton::python
+{
+namespace
+{
+using Edges = Eigen::Matrix<int, Eigen::Dynamic, 2, Eigen::RowMajor>;
+using Certificate = EmbeddingCertificate;
+
+Graph
+MakeGraph(int nodes, const Edges & edges, const std::vector<std::string> & names)
+{
+  Graph graph{ nodes, {}, names };
+  for (Eigen::Index e = 0; e < edges.rows(); ++e)
+  {
+    graph.edges.push_back({ edges(e, 0), edges(e, 1) });
+  }
+  RequireSound(graph, "the graph");
+  return graph;
+}
+
+py::array
+EdgesOf(const Graph & graph, const py::handle & owner)
+{
+  const int * const first = graph.edges.empty() ? nullptr : graph.edges.front().data();
+  return py::array_t<int>({ static_cast<py::ssize_t>(graph.edges.size()), py::ssize_t{ 2 } }, first, owner);
+}
+
+Certificate
+Embed(const Graph &                                   graph,
+      std::optional<int>                              genus,
+      const std::optional<std::vector<std::vector<int>>> & rotation,
+      std::uint64_t                                   seed,
+      const std::string &                             augmentation,
+      const std::string &                             infinity)
+{
+  RequireParameter(!rotation || !genus, "the parameter \"rotation\" fixes the genus; leave \"genus\" out");
+  RequireParameter(!genus || *genus >= 0, "the parameter \"genus\" = " + std::to_string(genus.value_or(0)) +
+                                            ": a genus is not negative");
+  GraphEmbeddingOptions options;
+  options.augmentation = Choice<Augmentation>(
+    "augmentation", augmentation, { { "ring", Augmentation::Ring }, { "none", Augmentation::None } });
+  options.infinity = Choice<PointAtInfinity>(
+    "infinity", infinity, { { "circle", PointAtInfinity::Circle }, { "edgeNode", PointAtInfinity::EdgeNode } });
+  options.isRotationFree = !rotation;
+  if (rotation)
+  {
+    return EmbedGraph(graph, CombinatorialMap(graph, *rotation), options);
+  }
+  GenusOptions search;
+  search.genus = genus.value_or(-1);
+  search.seed = seed;
+  const SurfaceEmbedding surface = FindEmbedding(graph, search);
+  Certificate            certificate = EmbedGraph(graph, surface.map, options);
+  certificate.statistics.emplace_back("genusLowerBound", surface.lowerBound);
+  return certificate;
+}
+
+/** Numbers of a certificate as rows, one for each circle. */
+py::array
+Rows(const std::vector<double> & numbers, const Certificate & certificate, const py::handle & owner)
+{
+  const auto columns = static_cast<py::ssize_t>(CoordinatesOf(certificate.geometry));
+  return py::array_t<double>(
+    { static_cast<py::ssize_t>(numbers.size()) / columns, columns }, numbers.data(), owner);
+}
+
+py::array
+Row(const std::vector<double> & numbers, const py::handle & owner)
+{
+  return py::array_t<double>(static_cast<py::ssize_t>(numbers.size()), numbers.data(), owner);
+}
+
+py::dict
+DictOf(const std::vector<std::pair<std::string, double>> & numbers)
+{
+  py::dict dictionary;
+  for (const auto & [name, value] : numbers)
+  {
+    dictionary[py::str(name)] = value;
+  }
+  return dictionary;
+}
+
+/** A property that is a view of the certificate's numbers. */
+template <typename TView>
+auto
+View(const TView & view)
+{
+  return [view](const py::object & self) { return view(self.cast<const Certificate &>(), self); };
+}
+
+void
+AddGraph(py::module_ & module)
+{
+  py::class_<Graph>(module, "Graph", R"(An undirected graph; loops and multiple edges are allowed.
+
+nodes: how many. edges: m x 2, indices of nodes. names: none, or one for each node.)")
+    .def(py::init(&MakeGraph), "nodes"_a, "edges"_a, "names"_a = std::vector<std::string>())
+    .def_readonly("nodes", &Graph::nodes, "How many.")
+    .def_property_readonly(
+      "edges",
+      [](const py::object & self) { return EdgesOf(self.cast<const Graph &>(), self); },
+      "m x 2, int32: the ends of each edge; a view.")
+    .def_readonly("names", &Graph::names, "None, or one for each node.")
+    .def("__repr__", [](const Graph & graph) {
+      return "<shapeton.Graph " + std::to_string(graph.nodes) + " nodes, " + std::to_string(graph.edges.size()) +
+             " edges>";
+    });
+
+  module.def("read_graph",
+             [](const std::string & path) { return ReadGraph(path).graph; },
+             "path"_a,
+             ReleaseGil(),
+             "Reads GraphML, GML, DOT, edge lists, METIS, MATPOWER, PACE, graph6 or sparse6.");
+  module.def("write_graph", &WriteGraphML, "graph"_a, "path"_a, ReleaseGil(), "Writes GraphML.");
+  module.def("complete_graph", &CompleteGraph, "nodes"_a, "Each node joined with each other one.");
+  module.def("complete_bipartite_graph", &CompleteBipartiteGraph, "left"_a, "right"_a, "Each left node with each right one.");
+  module.def("grid_graph", &GridGraph, "columns"_a, "rows"_a, "Node (c, r) is r * columns + c.");
+  module.def("hypercube_graph", &HypercubeGraph, "dimension"_a, "2^dimension nodes; those that differ in one bit are joined.");
+  module.def(
+    "torus_grid",
+    [](int columns, int rows, bool diagonals) {
+      const CombinatorialMap map = TorusGridMap(columns, rows, diagonals);
+      return std::make_pair(map.ToGraph(), map.GetRotation());
+    },
+    "columns"_a,
+    "rows"_a,
+    "diagonals"_a = false,
+    "The grid that closes in both directions, drawn on the torus: (Graph, rotation), see `embed_graph`.");
+}
+
+void
+AddCertificate(py::module_ & module)
+{
+  py::class_<Certificate>(module, "EmbeddingCertificate", R"(A graph on a surface and the circles that carry it.
+
+Places are unit vectors on the sphere (radius: the angle of a cap), else (x, y) in the plane or in the Poincare disk
+(radius: a length, of hyperbolic geometry in the disk). Half-edge 2e leaves the first end of edge e, 2e + 1 the second.)")
+    .def_readonly("graph", &Certificate::graph, "Graph.")
+    .def_readonly("genus", &Certificate::genus, "Of the surface.")
+    .def_property_readonly(
+      "geometry",
+      [](const Certificate & c) { return NameOf(c.geometry); },
+      "\"spherical\" (genus 0), \"euclidean\" (1) or \"hyperbolic\".")
+    .def_readonly("rotation", &Certificate::rotation, "Half-edges that leave each node, counterclockwise, in one list.")
+    .def_readonly("packed", &Certificate::packed, "The graph with dummies that make it 3-connected.")
+    .def_readonly("subdivided", &Certificate::subdivided, "Edges that are paths of the packed graph, as half-edges.")
+    .def_property_readonly(
+      "node_positions",
+      View([](const Certificate & c, const py::handle & owner) { return Rows(c.nodePositions, c, owner); }),
+      "A row for each packed node, first those of the graph; a view.")
+    .def_property_readonly(
+      "node_radii",
+      View([](const Certificate & c, const py::handle & owner) { return Row(c.nodeRadii, owner); }),
+      "Of the circles of the packed nodes; a view.")
+    .def_property_readonly(
+      "face_positions",
+      View([](const Certificate & c, const py::handle & owner) { return Rows(c.facePositions, c, owner); }),
+      "A row for each face of the packed graph; a view.")
+    .def_property_readonly(
+      "face_radii",
+      View([](const Certificate & c, const py::handle & owner) { return Row(c.faceRadii, owner); }),
+      "Of the circles of the faces; a view.")
+    .def_property_readonly(
+      "periods",
+      View([](const Certificate & c, const py::handle & owner) { return Row(c.periods, owner); }),
+      "Of the torus: x1, y1, x2, y2; empty on other surfaces.")
+    .def_property_readonly(
+      "statistics", [](const Certificate & c) { return DictOf(c.statistics); }, "What was measured, by name.")
+    .def_readonly("warnings", &Certificate::warnings, "What is doubtful, a line for each.")
+    .def("__repr__", [](const Certificate & c) {
+      return "<shapeton.EmbeddingCertificate of " + std::to_string(c.graph.nodes) + " nodes, genus " +
+             std::to_string(c.genus) + ", " + NameOf(c.geometry) + ">";
+    });
+
+  module.def("read_certificate", &ReadEmbeddingCertificate, "path"_a, ReleaseGil(), "Reads a certificate (JSON).");
+  module.def("write_certificate",
+             &WriteEmbeddingCertificate,
+             "certificate"_a,
+             "path"_a,
+             ReleaseGil(),
+             "Writes a certificate as JSON; numbers read back as they were.");
+}
+} // namespace
+
+void
+AddGraphs(py::module_ & module)
+{
+  AddGraph(module);
+  AddCertificate(module);
+  py::class_<EmbeddingVerdict>(module, "EmbeddingVerdict", "What `verify_embedding` finds.")
+    .def_property_readonly(
+      "is_valid", [](const EmbeddingVerdict & v) { return v.refusal.empty(); }, "No two edges cross: that is proved.")
+    .def_readonly("refusal", &EmbeddingVerdict::refusal, "The first thing that is wrong; else empty.")
+    .def_property_readonly(
+      "measures", [](const EmbeddingVerdict & v) { return DictOf(v.measures); }, "What was measured, by name.");
+  py::class_<GraphComparison>(module, "GraphComparison", "Two graphs side by side.")
+    .def_readonly("isomorphic", &GraphComparison::isomorphic, "Whether they are one graph but for names.")
+    .def_readonly("a", &GraphComparison::a, "Certificate of the first graph in canonical order.")
+    .def_readonly("b", &GraphComparison::b, "Certificate of the second graph in canonical order.")
+    .def_readonly("differences", &GraphComparison::differences, "In sentences; none for isomorphic graphs.")
+    .def_property_readonly(
+      "correspondence",
+      [](const GraphComparison & c) { return c.correspondence.image; },
+      "For each node of `a.graph` that of `b.graph`, or -1.")
+    .def_property_readonly(
+      "correspondence_by",
+      [](const GraphComparison & c) { return c.correspondence.by; },
+      "\"isomorphism\", \"names\", \"neighbourhoods\" or \"none\".");
+
+  module.def("embed_graph",
+             &Embed,
+             "graph"_a,
+             py::kw_only(),
+             "genus"_a = py::none(),
+             "rotation"_a = py::none(),
+             "seed"_a = 1,
+             "augmentation"_a = "ring",
+             "infinity"_a = "circle",
+             ReleaseGil(),
+             R"(Embeds a graph without crossings by a circle packing, found by discrete Ricci flow.
+
+genus: of the surface: 0 sphere, 1 flat torus, from 2 hyperbolic; None: the smallest that is found.
+rotation: for each node the half-edges that leave it, counterclockwise, in place of a search.
+seed: of the search. augmentation: "ring" adds dummies where no packing exists, "none" does not.
+infinity: "circle" or "edgeNode", of the sphere.
+
+It takes no progress and cannot be interrupted: Ctrl-C waits until the embedding is there.)");
+  module.def("verify_embedding",
+             &VerifyEmbedding,
+             "certificate"_a,
+             ReleaseGil(),
+             "Proves from its numbers alone that no two edges of an embedding cross, or tells what fails.");
+  module.def(
+    "compare_graphs",
+    [](const Graph & a, const Graph & b, std::uint64_t seed) {
+      GenusOptions genus;
+      genus.seed = seed;
+      return CompareGraphs(a, b, genus);
+    },
+    "a"_a,
+    "b"_a,
+    "seed"_a = 1,
+    ReleaseGil(),
+    "Decides whether two graphs are isomorphic, embeds both and tells what differs.");
+}
+} // namespace shapeton::python

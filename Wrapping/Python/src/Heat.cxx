@@ -1,0 +1,281 @@
+#include "Bindings.h"
+#include "Conversions.h"
+#include "Diffusion.h"
+
+#include "shapetonCumulativeHeatDiffusionImageFilter.h"
+#include "shapetonExceptions.h"
+#include "shapetonHeatClassification.h"
+
+namespace shapeton::python
+{
+namespace
+{
+using ImageType = itk::Image<float, 3>;
+using FilterType = CumulativeHeatDiffusionImageFilter<ImageType>;
+
+/** What diffuse_heat() gives. */
+struct Heat
+{
+  ImageType::Pointer            heat;
+  ImageType::Pointer            initialHeat; // null where it was not asked for
+  CumulativeHeatDiffusionResult result;
+};
+
+/** Hands heat to a function of Python while the filter runs. */
+FilterType::SnapshotConsumer
+ConsumerOf(const py::object & function)
+{
+  if (function.is_none())
+  {
+    return {};
+  }
+  return [&function](std::uint64_t step, const ImageType * heat) {
+    const py::gil_scoped_acquire acquire;
+    const auto                   image = ToPython<float>(heat);
+    function(step, image.attr("like")(image.attr("array").attr("copy")())); // the filter goes on with its own
+  };
+}
+
+Heat
+Diffuse(const ImageType::Pointer &                   image,
+        std::optional<double>                        p,
+        const Window &                               window,
+        std::uint64_t                                timeSteps,
+        double                                       timeStepLength,
+        double                                       tolerance,
+        const std::string &                          method,
+        const std::string &                          conductance,
+        bool                                         ignoreSpacing,
+        bool                                         untilSteady,
+        const std::vector<std::uint64_t> &           histogramSteps,
+        const std::vector<std::uint64_t> &           snapshotSteps,
+        const py::object &                           snapshot,
+        bool                                         components,
+        bool                                         initialHeat,
+        const Progress &                             progress)
+{
+  const auto filter = FilterType::New();
+  filter->SetInput(image);
+  filter->SetAutomaticP(!p);
+  filter->SetP(p.value_or(filter->GetP()));
+  SetWindow(window, filter.GetPointer());
+  filter->SetTimeSteps(timeSteps);
+  filter->SetTimeStepLength(timeStepLength);
+  filter->SetTolerance(tolerance);
+  filter->SetMethod(Choice<FilterType::Method>(
+    "method", method, { { "chebyshev", FilterType::Method::Chebyshev }, { "explicit", FilterType::Method::Explicit } }));
+  filter->SetConductance(Choice<FilterType::Conductance>("conductance",
+                                                         conductance,
+                                                         { { "physical", FilterType::Conductance::Physical },
+                                                           { "published", FilterType::Conductance::Published } }));
+  filter->SetIgnoreSpacing(ignoreSpacing);
+  filter->SetUntilSteady(untilSteady);
+  filter->SetHistogramSteps(histogramSteps);
+  filter->SetSnapshotSteps(snapshotSteps, ConsumerOf(snapshot));
+  filter->SetWantComponents(components);
+  filter->SetWantInitialHeat(initialHeat);
+  UpdateWithProgress(filter.GetPointer(), progress);
+  return { filter->GetOutput(), initialHeat ? filter->GetInitialHeatOutput() : nullptr, filter->GetResult() };
+}
+
+py::array
+CountsOf(const HeatHistogram & histogram, const py::handle & owner)
+{
+  const std::uint32_t * const first = histogram.GetNumberOfRows() > 0 ? histogram.GetRow(0) : nullptr;
+  return py::array_t<std::uint32_t>({ static_cast<py::ssize_t>(histogram.GetNumberOfRows()),
+                                      static_cast<py::ssize_t>(HeatHistogram::NumberOfBins) },
+                                    first,
+                                    owner);
+}
+
+py::array_t<double>
+LowerEdges()
+{
+  py::array_t<double> edges(HeatHistogram::NumberOfBins + 1);
+  for (unsigned int bin = 0; bin <= HeatHistogram::NumberOfBins; ++bin)
+  {
+    edges.mutable_at(bin) = HeatHistogram::LowerEdge(bin);
+  }
+  return edges;
+}
+
+HeatHistogram
+HistogramOf(const std::vector<ImageType::Pointer> & heats, const std::vector<std::uint64_t> & timeSteps)
+{
+  RequireParameter(heats.size() == timeSteps.size(), "the parameter \"time_steps\" needs one step for each heat");
+  HeatHistogram histogram(timeSteps);
+  for (std::size_t row = 0; row < heats.size(); ++row)
+  {
+    histogram.AddToRow(row, heats[row]->GetBufferPointer(), heats[row]->GetBufferedRegion().GetNumberOfPixels());
+  }
+  return histogram;
+}
+
+void
+AddHistogram(py::module_ & module)
+{
+  py::class_<HeatHistogram>(module, "HeatHistogram", "Counts of voxels by heat, a row for each recorded time step.")
+    .def_property_readonly("time_steps", &HeatHistogram::GetTimeSteps, "Of the rows, ascending.")
+    .def_property_readonly(
+      "counts",
+      [](const py::object & self) { return CountsOf(self.cast<const HeatHistogram &>(), self); },
+      "Rows x 4097, uint32: voxels in each bin; a view.")
+    .def_property_readonly_static(
+      "edges",
+      [](const py::object &) { return LowerEdges(); },
+      "4098 heats: bin b holds edges[b] <= heat < edges[b + 1]. Bin 0 is the background, the others 256 for each factor "
+      "of two.")
+    .def("equalization",
+         &HeatHistogram::GetEqualization,
+         "4098 numbers from 0 to 1, ascending: the share of the counts without bin 0 below the lower edge of each bin, "
+         "mean over the rows.")
+    .def("__repr__", [](const HeatHistogram & histogram) {
+      return "<shapeton.HeatHistogram of " + std::to_string(histogram.GetNumberOfRows()) + " time steps>";
+    });
+
+  module.def("heat_histogram",
+             &HistogramOf,
+             "heats"_a,
+             "time_steps"_a,
+             ReleaseGil(),
+             "The histogram of heats that exist already, one row for each; time_steps ascend.");
+
+  module.def(
+    "recorded_steps",
+    [](std::uint64_t last, std::size_t number, const std::string & spacing) {
+      return MakeSnapshotSteps(last,
+                               number,
+                               Choice<SnapshotSpacing>("spacing",
+                                                       spacing,
+                                                       { { "logarithmic", SnapshotSpacing::Logarithmic },
+                                                         { "linear", SnapshotSpacing::Linear } }));
+    },
+    "last"_a,
+    "number"_a,
+    "spacing"_a = "logarithmic",
+    "At most `number` distinct time steps from 0 to `last`, for histogram_steps; spacing: \"logarithmic\" or \"linear\".");
+}
+
+void
+AddClasses(py::module_ & module)
+{
+  py::class_<HeatClass>(module, "HeatClass", "A class of voxels with similar heat: a line of the heat histogram.")
+    .def_readonly("label", &HeatClass::label, "0 background; 1 the class of least heat.")
+    .def_readonly("lower_heat", &HeatClass::lowerHeat, "The class holds lower_heat <= heat < upper_heat.")
+    .def_readonly("upper_heat", &HeatClass::upperHeat, "See lower_heat.")
+    .def_readonly("mean_heat", &HeatClass::meanHeat, "In [0, 1].")
+    .def_readonly("voxels", &HeatClass::voxels, "How many.")
+    .def_readonly("volume", &HeatClass::volume, "mm^3.")
+    .def_readonly("border_share", &HeatClass::borderShare, "Share of the voxels at the border of the volume, 0 to 1.")
+    .def_readonly("components", &HeatClass::components, "Converged closed components in the class.")
+    .def_readonly("normalized_heat", &HeatClass::normalizedHeat, "Free of scale, of these components; 0 for none.");
+
+  py::class_<ShapeComponent>(module, "ShapeComponent", "Voxels that are joined by edges of positive weight.")
+    .def_property_readonly(
+      "index",
+      [](const ShapeComponent & c) { return py::make_tuple(c.index[2], c.index[1], c.index[0]); },
+      "Its first voxel, [z, y, x].")
+    .def_readonly("voxels", &ShapeComponent::voxels, "How many.")
+    .def_readonly("volume", &ShapeComponent::volume, "mm^3.")
+    .def_readonly("closed", &ShapeComponent::closed, "False where it reaches the border of the volume.")
+    .def_readonly("converged_heat", &ShapeComponent::convergedHeat, "The heat that each voxel has in the end.")
+    .def_readonly("surface_area", &ShapeComponent::surfaceArea, "mm^2; 0 of an open one.")
+    .def_readonly("normalized_heat", &ShapeComponent::normalizedHeat, "Area / (6 volume^(2/3)): 1 for a cube.");
+
+  module.def(
+    "classify_heat",
+    [](const ImageType::Pointer & heat, const std::vector<ShapeComponent> & components, unsigned int maximum,
+       double backgroundHeat, double minimumShare, double minimumPeakToValley) {
+      const auto found =
+        ClassifyHeat(heat, components, { maximum, backgroundHeat, minimumShare, minimumPeakToValley });
+      return std::make_pair(found.labels, found.classes);
+    },
+    "heat"_a,
+    "components"_a = std::vector<ShapeComponent>(),
+    py::kw_only(),
+    "maximum_classes"_a = HeatClassificationRule().maximumNumberOfClasses,
+    "background_heat"_a = HeatClassificationRule().backgroundHeat,
+    "minimum_share"_a = HeatClassificationRule().minimumShare,
+    "minimum_peak_to_valley"_a = HeatClassificationRule().minimumPeakToValley,
+    ReleaseGil(),
+    R"(The classes of a heat image: the lines of its histogram, cut at the valleys between them.
+
+heat: in [0, 1]. components: those of `HeatResult`, to count them by class. maximum_classes: besides the background.
+background_heat: lines whose peak lies below belong to the background. minimum_share: least share of the voxels above
+the background that makes a class. minimum_peak_to_valley: least ratio of the lower peak and the valley of neighbours.
+
+Returns (labels, classes): an image of uint8 and a list of HeatClass.)");
+}
+} // namespace
+
+void
+AddHeat(py::module_ & module)
+{
+  AddHistogram(module);
+  AddClasses(module);
+  py::class_<Heat>(module, "HeatResult", "What `diffuse_heat` gives.")
+    .def_readonly("heat", &Heat::heat, "After the last step, in [0, 1]; float32, on the grid of the input.")
+    .def_readonly("initial_heat", &Heat::initialHeat, "The heat at step 0; None unless it was asked for.")
+    .def_property_readonly("p", [](const Heat & heat) { return heat.result.p.p; }, "The p that was used.")
+    .def_property_readonly(
+      "reason_of_p", [](const Heat & heat) { return heat.result.p.reason; }, "Why, where p was chosen; else empty.")
+    .def_property_readonly(
+      "window",
+      [](const Heat & heat) { return py::make_tuple(heat.result.windowLower, heat.result.windowUpper); },
+      "The intensities that count as 0 and 1.")
+    .def_property_readonly(
+      "time_step", [](const Heat & heat) { return heat.result.timeStep; }, "The last step that was taken.")
+    .def_property_readonly(
+      "time_step_length", [](const Heat & heat) { return heat.result.timeStepLength; }, "dt, at most 1/12.")
+    .def_property_readonly("steady", [](const Heat & heat) { return heat.result.steady; }, "Whether it has become steady.")
+    .def_property_readonly(
+      "cold", [](const Heat & heat) { return heat.result.cold; }, "No edge in the volume: the heat is 0 everywhere.")
+    .def_property_readonly(
+      "histogram",
+      [](const Heat & heat) -> const HeatHistogram & { return heat.result.histogram; },
+      py::return_value_policy::reference_internal,
+      "A row for each of histogram_steps that was reached.")
+    .def_property_readonly(
+      "components",
+      [](const Heat & heat) { return heat.result.components; },
+      "Largest first; empty unless they were asked for.");
+
+  module.def("diffuse_heat",
+             &Diffuse,
+             "image"_a,
+             py::kw_only(),
+             "p"_a = 7.0,
+             "window"_a = py::none(),
+             "time_steps"_a = 100000,
+             "time_step_length"_a = HeatDiffusionSolver::MaximumTimeStepLength,
+             "tolerance"_a = 1e-5,
+             "method"_a = "chebyshev",
+             "conductance"_a = "physical",
+             "ignore_spacing"_a = false,
+             "until_steady"_a = false,
+             "histogram_steps"_a = std::vector<std::uint64_t>(),
+             "snapshot_steps"_a = std::vector<std::uint64_t>(),
+             "snapshot"_a = py::none(),
+             "components"_a = false,
+             "initial_heat"_a = false,
+             "progress"_a = Progress(),
+             ReleaseGil(),
+             R"(Cumulative heat diffusion: describes each voxel by the heat it holds after diffusion from all voxels at once.
+
+image: intensities; float32 and C-contiguous ones are read in place. Any spacing.
+p: steepness, from 0; an edge insulates where the half gradient reaches 1 / p. None: chosen from noise and edges.
+window: (lower, upper) intensities that count as 0 and 1; None: the least and the greatest.
+time_steps: at least 1. Few show local shape, many whole objects.
+time_step_length: in (0, 1/12].
+tolerance: bound of the error of the heat, 1e-6 to 1.
+method: "chebyshev" or "explicit". conductance: "physical" or "published".
+ignore_spacing: treats voxels as cubes.
+until_steady: stops when the heat is steady.
+histogram_steps: ascending steps that become rows of the histogram, see `recorded_steps`.
+snapshot_steps, snapshot: snapshot(step, image) is called with the heat after each of these ascending steps.
+components: finds components and their converged heat. initial_heat: gives the heat at step 0, too.
+progress: called with (share, stage) ten times a second; False, or an exception such as that of Ctrl-C, aborts.
+
+The heat is the same bytes for any number of threads. Memory: about 8 float32 fields, 13 with a histogram.)");
+}
+} // namespace shapeton::python

@@ -1,0 +1,131 @@
+#include "Landmarks.h"
+
+#include "Conversions.h"
+
+#include "shapetonColonSplitting.h"
+
+namespace shapeton::python
+{
+namespace
+{
+FoundLandmarks
+Find(const std::shared_ptr<FlatColon> &   flat,
+     const CurveSet &                     centreline,
+     const std::string &                  flexureRule,
+     const std::string &                  taeniaRule,
+     const std::vector<Eigen::Vector3d> & markers,
+     const Progress &                     progress)
+{
+  ColonLandmarkOptions options;
+  options.flexureRule = Choice<FlexureRule>(
+    "flexure_rule", flexureRule, { { "ordered", FlexureRule::Ordered }, { "published", FlexureRule::Published } });
+  options.taeniaRule = Choice<TaeniaRule>(
+    "taenia_rule", taeniaRule, { { "joint", TaeniaRule::Joint }, { "published", TaeniaRule::Published } });
+  options.markers = markers;
+  options.progress = progress;
+  return { flat, FindColonLandmarks(*flat, centreline, options) };
+}
+
+/** As taeniae.vtp holds them. */
+CurveSet
+TaeniaeOf(const FoundLandmarks & found)
+{
+  CurveSet taeniae = TaeniaCurves(found.landmarks.taeniae);
+  if (found.landmarks.hindered)
+  {
+    MarkHindrances(*found.landmarks.hindered, taeniae);
+  }
+  return taeniae;
+}
+
+void
+AddFlexure(py::module_ & module)
+{
+  py::class_<ColonFlexure>(module, "ColonFlexure", "A major bend of the colon, or a place where one was looked for.")
+    .def_readonly("number", &ColonFlexure::number, "1 rectosigmoid, 2 descending-sigmoid, 3 splenic, 4 hepatic.")
+    .def_property_readonly(
+      "name", [](const ColonFlexure & flexure) { return NameOfFlexure(flexure.number); }, "For example \"splenic\".")
+    .def_readonly("is_found", &ColonFlexure::isFound, "Whether it was found.")
+    .def_readonly("reason", &ColonFlexure::reason, "Why not; else empty.")
+    .def_readonly("point", &ColonFlexure::point, "On the centreline; LPS, mm.")
+    .def_readonly("arc_length", &ColonFlexure::arcLength, "mm along the centreline.")
+    .def_readonly("confidence", &ColonFlexure::confidence, "0 to 1: that it lies within 30 mm.");
+}
+
+void
+AddPieces(py::module_ & module)
+{
+  py::class_<ColonPiece>(module, "ColonPiece", "A segment of the colon, cut open along a taenia and flattened.")
+    .def_readonly("segment", &ColonPiece::segment, "1 rectum to 6 caecum.")
+    .def_readonly("name", &ColonPiece::name, "Of the segment.")
+    .def_readonly("flat", &ColonPiece::flat, "In space, with the point array uv (mm of the rectangle).")
+    .def_readonly("modulus_u", &ColonPiece::modulusU, "Height over width of the rectangle: not less than the true one.")
+    .def_readonly("modulus_v", &ColonPiece::modulusV, "The same: not greater.")
+    .def_readonly("area", &ColonPiece::area, "mm^2.");
+
+  module.def(
+    "split_colon",
+    [](const FoundLandmarks & found) {
+      ColonPieces pieces = SplitColon(found.flat->Surface(), found.landmarks);
+      return std::make_pair(std::move(pieces.pieces), std::move(pieces.warnings));
+    },
+    "landmarks"_a,
+    ReleaseGil(),
+    "Cuts the wall into its segments and maps each to a rectangle: (list of ColonPiece, warnings).");
+}
+} // namespace
+
+void
+AddLandmarks(py::module_ & module)
+{
+  AddFlexure(module);
+  py::class_<FoundLandmarks>(module, "ColonLandmarks", "What `find_landmarks` gives.")
+    .def_property_readonly(
+      "flexures", [](const FoundLandmarks & f) { return f.landmarks.flexures.flexures; }, "Four, from the rectum on.")
+    .def_property_readonly(
+      "flexure_loops",
+      [](const FoundLandmarks & f) { return FlexureCurves(f.landmarks); },
+      "A closed loop on the wall for each flexure that was found; cell arrays flexure, arcLength, confidence.")
+    .def_property_readonly(
+      "taeniae",
+      &TaeniaeOf,
+      "Three curves on the wall, or none; point arrays arcLength (mm), uv (mm), confidence, cell array taenia.")
+    .def_property_readonly(
+      "segments",
+      [](const FoundLandmarks & f) { return SegmentSurface(f.flat->Surface(), f.landmarks); },
+      "The flat wall with the cell array segment: 1 rectum to 6 caecum, 0 where it cannot be said.")
+    .def_property_readonly(
+      "fold_surface",
+      [](const FoundLandmarks & f) { return FoldSurface(f.flat->Surface(), f.landmarks); },
+      "The flat wall with the cell array fold and the point array meanCurvature (1/mm).")
+    .def_property_readonly(
+      "valve", [](const FoundLandmarks & f) { return f.landmarks.valve; }, "As the centreline tells it, or None.")
+    .def_property_readonly(
+      "is_mirrored", [](const FoundLandmarks & f) { return f.landmarks.flexures.isMirrored; }, "Situs inversus.")
+    .def_property_readonly(
+      "warnings", [](const FoundLandmarks & f) { return f.landmarks.warnings; }, "What is missing, a line for each.")
+    .def_property_readonly(
+      "statistics",
+      [](const FoundLandmarks & f) { return FromJson(ColonLandmarksToJson(f.landmarks)); },
+      "A dictionary with the keys of landmarks.json that ColonLandmarks writes.");
+
+  module.def("find_landmarks",
+             &Find,
+             "flat"_a,
+             "centreline"_a,
+             py::kw_only(),
+             "flexure_rule"_a = "ordered",
+             "taenia_rule"_a = "joint",
+             "markers"_a = std::vector<Eigen::Vector3d>(),
+             "progress"_a = Progress(),
+             ReleaseGil(),
+             R"(Flexures, segments, folds on the surface and taeniae of a flat colon.
+
+flat: FlatColon. centreline: as `trace_centreline` gives it. flexure_rule: "ordered" or "published". taenia_rule: "joint"
+or "published". markers: k x 3, LPS mm: points on taeniae that a person has marked.
+progress: called with (share, stage); it hears of the stages alone, so an abort waits for the end of one.
+
+A landmark that is not found is no exception: it is absent and `warnings` say why.)");
+  AddPieces(module);
+}
+} // namespace shapeton::python

@@ -1,0 +1,164 @@
+#include "Bindings.h"
+#include "Conversions.h"
+
+#include "shapetonDiffusionTime.h"
+#include "shapetonExceptions.h"
+#include "shapetonHeatDiffusionMetric.h"
+#include "shapetonHeatKernel.h"
+#include "shapetonSurfaceDiffusion.h"
+
+namespace shapeton::python
+{
+namespace
+{
+using Edges = Eigen::Matrix<int, Eigen::Dynamic, 2, Eigen::RowMajor>;
+
+/** A surface that diffusion is defined on. */
+struct Manifold
+{
+  explicit Manifold(const SurfaceMesh & mesh) : connectivity(mesh)
+  {
+    RequireOneManifold(connectivity, "the mesh");
+    laplacian = MakeSurfaceLaplacian(connectivity, mesh.V);
+  }
+
+  SurfaceConnectivity connectivity;
+  SurfaceLaplacian    laplacian;
+};
+
+Edges
+EdgesOf(const SurfaceMesh & mesh)
+{
+  const SurfaceConnectivity connectivity(mesh);
+  Edges                     edges(connectivity.NumberOfEdges(), 2);
+  for (int edge = 0; edge < connectivity.NumberOfEdges(); ++edge)
+  {
+    edges(edge, 0) = connectivity.VerticesOfEdge(edge)[0];
+    edges(edge, 1) = connectivity.VerticesOfEdge(edge)[1];
+  }
+  return edges;
+}
+
+double
+DefaultTime(const Manifold & surface, const SurfaceMesh & mesh)
+{
+  const double edge = MeanEdgeAt55000Faces(surface.connectivity, EdgeLengths(surface.connectivity, mesh.V));
+  return 8.0 * edge * edge; // as ConformalMap chooses it
+}
+
+HeatDiffusionMetric
+Metric(const SurfaceMesh & mesh, std::optional<double> time, std::optional<int> pairs)
+{
+  const Manifold surface(mesh);
+  const double   t = time ? *time : DefaultTime(surface, mesh);
+  if (!pairs)
+  {
+    return ComputeHeatDiffusionMetric(surface.connectivity, surface.laplacian, t);
+  }
+  return TruncatedHeatDiffusionMetric(
+    surface.laplacian, ComputeSurfaceSpectrum(surface.laplacian, *pairs), t, *pairs);
+}
+
+Eigen::MatrixXd
+DiffuseOver(const SurfaceMesh & mesh, Eigen::MatrixXd values, double time)
+{
+  DiffuseOverSurface(Manifold(mesh).laplacian, time, values);
+  return values;
+}
+
+void
+AddSpectrum(py::module_ & module)
+{
+  py::class_<SurfaceSpectrum>(module, "SurfaceSpectrum", "The smoothest eigenfunctions of a surface of n vertices.")
+    .def_readonly("eigenvalues", &SurfaceSpectrum::eigenvalues, "k, ascending from 0; 1/mm^2.")
+    .def_readonly("eigenfunctions", &SurfaceSpectrum::eigenfunctions, "n x k, in columns; 1/mm. A view.")
+    .def_readonly("residuals", &SurfaceSpectrum::residuals, "k, relative to the largest eigenvalue.")
+    .def("heat_kernel",
+         &HeatKernel,
+         "p"_a,
+         "q"_a,
+         "time"_a,
+         "Heat at vertex q after `time` (mm^2) of a unit source at vertex p; 1/mm^2.")
+    .def("signature",
+         &HeatKernelSignature,
+         "time"_a,
+         ReleaseGil(),
+         "The heat kernel signature, n values: the heat that each vertex keeps of a unit source at it; 1/mm^2.")
+    .def("signature_times",
+         &HeatKernelSignatureTimes,
+         "number"_a = 4,
+         "Times (mm^2) at which the signature is worth to be looked at, even in the logarithm.")
+    .def("diffusion_distance",
+         &DiffusionDistance,
+         "p"_a,
+         "q"_a,
+         "time"_a,
+         "The L2 distance of the heats that two vertices have sent out by `time` (mm^2); 1/mm.")
+    .def("diffusion_distances",
+         &DiffusionDistances,
+         "p"_a,
+         "time"_a,
+         ReleaseGil(),
+         "The distances from vertex p to all vertices, n values; 1/mm.")
+    .def("share_of_last_pair",
+         &ShareOfLastPair,
+         "time"_a,
+         "What the last pair has still at `time` (mm^2): the order of what is missing.")
+    .def("__repr__", [](const SurfaceSpectrum & spectrum) {
+      return "<shapeton.SurfaceSpectrum of " + std::to_string(spectrum.NumberOfPairs()) + " eigenpairs>";
+    });
+
+  module.def(
+    "spectrum",
+    [](const SurfaceMesh & mesh, int pairs) { return ComputeSurfaceSpectrum(Manifold(mesh).laplacian, pairs); },
+    "mesh"_a,
+    "pairs"_a = 50,
+    ReleaseGil(),
+    R"(The `pairs` smallest eigenpairs of the Laplacian of a surface that is one manifold component.
+
+It takes no progress and cannot be interrupted: Ctrl-C waits until the eigenpairs are there.)");
+}
+} // namespace
+
+void
+AddMetric(py::module_ & module)
+{
+  AddSpectrum(module);
+  py::class_<HeatDiffusionMetric>(module, "HeatDiffusionMetric", "Heat diffusion distances of the ends of all edges.")
+    .def_readonly("edge_lengths", &HeatDiffusionMetric::edgeLengths, "In the order of `surface_edges`; 1/mm.")
+    .def_readonly("time", &HeatDiffusionMetric::time, "mm^2.")
+    .def_readonly("eigenpairs", &HeatDiffusionMetric::eigenpairs, "How many; 0 for all of them.");
+
+  module.def("surface_edges",
+             &EdgesOf,
+             "mesh"_a,
+             ReleaseGil(),
+             "The edges of a surface, e x 2, int32: the lesser vertex first, in their order.");
+  module.def(
+    "edge_lengths",
+    [](const SurfaceMesh & mesh) { return EdgeLengths(SurfaceConnectivity(mesh), mesh.V); },
+    "mesh"_a,
+    ReleaseGil(),
+    "The straight lengths of the edges in the order of `surface_edges`, e values; mm.");
+  module.def("heat_diffusion_metric",
+             &Metric,
+             "mesh"_a,
+             "time"_a = py::none(),
+             py::kw_only(),
+             "pairs"_a = py::none(),
+             ReleaseGil(),
+             R"(The heat diffusion distances of the ends of all edges, as new lengths of edges.
+
+mesh: one manifold component. time: of diffusion, mm^2; None: 8 times the square of the mean edge at 55,000 faces.
+pairs: takes so many eigenpairs alone, as published; None: all of them, without computing any.
+
+It takes no progress and cannot be interrupted: Ctrl-C waits until the metric is there.)");
+  module.def("diffuse_over_surface",
+             &DiffuseOver,
+             "mesh"_a,
+             "values"_a,
+             "time"_a,
+             ReleaseGil(),
+             "Lets columns of values, n x k, flow over a surface for `time` mm^2, from 0; a new array, n x k.");
+}
+} // namespace shapeton::python

@@ -1,0 +1,74 @@
+#include "Bindings.h"
+#include "Conversions.h"
+#include "Diffusion.h"
+
+#include "shapetonColonPhantomImageSource.h"
+
+namespace shapeton::python
+{
+namespace
+{
+using Source = ColonPhantomImageSource;
+
+/** A synthetic patient with the truth. */
+struct ColonPhantom
+{
+  Source::ImageType::Pointer      ct; // null where the truth alone was asked for
+  Source::LabelImageType::Pointer lumen;
+  Source::LabelImageType::Pointer segments;
+  CurveSet                        centreline;
+};
+
+ColonPhantom
+MakePhantom(unsigned                            seed,
+            const std::string &                 position,
+            const std::string &                 preset,
+            const std::array<unsigned int, 3> & size,
+            const std::array<double, 3> &       spacing,
+            bool                                truthOnly,
+            const Progress &                    progress)
+{
+  ColonPhantomParameters parameters = ColonPhantomPreset(preset);
+  parameters.seed = seed;
+  parameters.position = position;
+  const auto source = Source::New();
+  source->SetParameters(parameters);
+  source->SetSize({ { size[0], size[1], size[2] } });
+  source->SetSpacing(Source::SpacingType(spacing.data()));
+  source->CenterOutput();
+  source->SetTruthOnly(truthOnly);
+  UpdateWithProgress(source.GetPointer(), progress);
+  return { truthOnly ? nullptr : source->GetOutput(),
+           source->GetLumenOutput(),
+           source->GetSegmentOutput(),
+           source->GetAnatomy().Centreline() };
+}
+} // namespace
+
+void
+AddPhantoms(py::module_ & module)
+{
+  py::class_<ColonPhantom>(module, "ColonPhantom", "A synthetic patient for CT colonography, and the truth.")
+    .def_readonly("ct", &ColonPhantom::ct, "int16, HU; None of the truth alone.")
+    .def_readonly("lumen", &ColonPhantom::lumen, "uint8: 1 gas, 2 fluid.")
+    .def_readonly("segments", &ColonPhantom::segments, "uint8: 1 rectum to 6 caecum.")
+    .def_readonly("centreline", &ColonPhantom::centreline, "The true one, from the anal verge to the caecum.");
+
+  module.def("colon_phantom",
+             &MakePhantom,
+             py::kw_only(),
+             "seed"_a = 1,
+             "position"_a = "supine",
+             "preset"_a = "standard",
+             "size"_a = std::array<unsigned int, 3>{ { 256, 256, 240 } },
+             "spacing"_a = std::array<double, 3>{ { 1.4, 1.4, 1.4 } },
+             "truth_only"_a = false,
+             "progress"_a = Progress(),
+             ReleaseGil(),
+             R"(A synthetic patient for CT colonography.
+
+seed: fixes the patient. position: "supine", "prone", "leftDecubitus" or "rightDecubitus". preset: "standard", "hard" or
+"realistic". size: voxels along x, y, z. spacing: along x, y, z, mm; the patient needs about 358 x 358 x 336 mm.
+truth_only: leaves the CT out, which takes most of the time.)");
+}
+} // namespace shapeton::python

@@ -1,0 +1,191 @@
+#include "Bindings.h"
+#include "Conversions.h"
+#include "Landmarks.h"
+
+#include "shapetonColonPointMapper.h"
+#include "shapetonRegistrationErrors.h"
+#include "shapetonRegistrationResults.h"
+
+namespace shapeton::python
+{
+namespace
+{
+using Position = ColonPositionFiles;
+
+/** Two positions and the map between them. */
+struct Registered
+{
+  std::shared_ptr<const Position> supine;
+  std::shared_ptr<const Position> prone;
+  SupineProneRegistration         registration;
+  RegistrationResults             results;
+};
+
+/** What files of the landmarks would tell. */
+std::shared_ptr<Position>
+PositionOf(const std::string & name, const FoundLandmarks & found, const CurveSet & centreline, const FoundFolds & folds)
+{
+  const auto      files = std::make_shared<Position>();
+  const Json      document = ColonLandmarksToJson(found.landmarks);
+  ColonPosition & position = files->position;
+  position.name = name;
+  position.flat = found.flat;
+  position.centreline = centreline;
+  const auto flexures = FlexuresOf(document);
+  for (std::size_t i = 0; i < flexures.size(); ++i)
+  {
+    position.flexures[i] = flexures[i].arcLength;
+    position.flexureConfidence[i] = flexures[i].confidence;
+  }
+  position.taeniae = TaeniaCurves(found.landmarks.taeniae);
+  position.folds = folds.folds.folds;
+  position.curvature = found.landmarks.folds.curvature;
+  position.isExcluded = FindExcludedColumns(*position.flat, position.centreline);
+  files->segments = SegmentsOf(document, PointValues(centreline, "arcLength", name).maxCoeff());
+  return files;
+}
+
+std::shared_ptr<Registered>
+Register(const std::shared_ptr<Position> & supine,
+         const std::shared_ptr<Position> & prone,
+         const std::string &               map,
+         const std::string &               matching,
+         bool                              refine,
+         bool                              segmentWise)
+{
+  SupineProneOptions options;
+  options.map = Choice<SupineProneMap>(
+    "map", map, { { "default", SupineProneMap::Default }, { "published", SupineProneMap::Published } });
+  options.matching = Choice<FoldMatchingMethod>("matching",
+                                                matching,
+                                                { { "hungarian", FoldMatchingMethod::Hungarian },
+                                                  { "dualDecomposition", FoldMatchingMethod::DualDecomposition } });
+  options.refines = refine;
+  options.isSegmentWise = segmentWise;
+  const auto result = std::make_shared<Registered>();
+  result->supine = supine;
+  result->prone = prone;
+  result->registration = RegisterColonPositions(supine->position, prone->position, options);
+  result->results = MakeRegistrationResults(*supine, *prone, result->registration);
+  return result;
+}
+
+/** (points, confidence, excluded) */
+py::tuple
+MapPoints(const Registered & registered, const VertexMatrix & points, bool inverse)
+{
+  const auto          number = static_cast<py::ssize_t>(points.rows());
+  py::array_t<double> mapped({ number, py::ssize_t{ 3 } });
+  py::array_t<double> confidence(number);
+  py::array_t<bool>   excluded(number);
+  double * const      places = mapped.mutable_data();
+  double * const      confidences = confidence.mutable_data();
+  bool * const        exclusions = excluded.mutable_data();
+  {
+    const py::gil_scoped_release release;
+    const ColonPointMapper       mapper(registered.registration);
+    for (py::ssize_t i = 0; i < number; ++i)
+    {
+      const Eigen::Vector3d point = points.row(i).transpose();
+      const MappedPoint     place = inverse ? mapper.Inverse(point) : mapper.Forward(point);
+      std::copy_n(place.point.data(), 3, places + 3 * i);
+      confidences[i] = place.confidence;
+      exclusions[i] = place.isExcluded;
+    }
+  }
+  return py::make_tuple(mapped, confidence, excluded);
+}
+
+void
+AddMatches(py::module_ & module)
+{
+  py::class_<MatchedFolds>(module, "MatchedFolds", "Two folds that are taken for one.")
+    .def_readonly("supine_fold", &MatchedFolds::supineFold, "Its label.")
+    .def_readonly("prone_fold", &MatchedFolds::proneFold, "Its label.")
+    .def_readonly("supine_point", &MatchedFolds::supinePoint, "Its middle; LPS, mm.")
+    .def_readonly("prone_point", &MatchedFolds::pronePoint, "Its middle; LPS, mm.")
+    .def_readonly("segment", &MatchedFolds::segment, "Of the supine position; \"\" where not known.")
+    .def_readonly("residual", &MatchedFolds::residual, "From where the map takes one to the other, mm.")
+    .def_readonly("weight", &MatchedFolds::weight, "0 to 1: how much the map follows it; below 0.5 not.");
+}
+
+void
+AddPosition(py::module_ & module)
+{
+  py::class_<Position, std::shared_ptr<Position>>(module, "ColonPosition", R"(The colon in one position, to be registered.
+
+name: "supine" or "prone", for messages. landmarks: as `find_landmarks` gives them. centreline: Curves.
+folds: as `find_folds` gives them.)")
+    .def(py::init(&PositionOf), "name"_a, "landmarks"_a, "centreline"_a, "folds"_a, ReleaseGil())
+    .def_property_readonly("name", [](const Position & p) { return p.position.name; }, "For messages.")
+    .def_readonly("warnings", &Position::warnings, "What is missing that registration can do without.");
+
+  module.def(
+    "read_position",
+    [](const std::string & folder, const std::string & name) {
+      return std::make_shared<Position>(ReadColonPosition(folder, name));
+    },
+    "folder"_a,
+    "name"_a,
+    ReleaseGil(),
+    "Reads a ColonPosition from a folder that VirtualColonoscopy has written.");
+}
+} // namespace
+
+void
+AddRegistration(py::module_ & module)
+{
+  AddMatches(module);
+  AddPosition(module);
+  py::class_<Registered, std::shared_ptr<Registered>>(module, "Registration", "A map between the walls of two positions.")
+    .def_property_readonly(
+      "supine_to_prone",
+      [](const Registered & r) -> const SurfaceMesh & { return r.results.supineToProne; },
+      py::return_value_policy::reference_internal,
+      "The flat supine wall with point arrays mapped (LPS, mm, on the prone wall), mappedUv, displacement (mm), "
+      "confidence (0 to 1), excluded.")
+    .def_property_readonly(
+      "prone_to_supine",
+      [](const Registered & r) -> const SurfaceMesh & { return r.results.proneToSupine; },
+      py::return_value_policy::reference_internal,
+      "The other way.")
+    .def_property_readonly(
+      "matches", [](const Registered & r) { return r.results.matches; }, "MatchedFolds, in the order of supine folds.")
+    .def_property_readonly(
+      "confidence", [](const Registered & r) { return r.registration.confidence.whole; }, "0 to 1; below 0.5 flagged.")
+    .def_property_readonly(
+      "doubts", [](const Registered & r) { return r.registration.confidence.reasons; }, "Why it is flagged; else none.")
+    .def_property_readonly(
+      "flips", [](const Registered & r) { return r.registration.figures.flips; }, "Triangles that are turned over.")
+    .def_property_readonly(
+      "warnings", [](const Registered & r) { return r.registration.warnings; }, "A line for each.")
+    .def_property_readonly(
+      "statistics",
+      [](const Registered & r) { return FromJson(r.results.document); },
+      "A dictionary with the keys of registration.json that ColonRegistration writes.")
+    .def("map_points",
+         &MapPoints,
+         "points"_a,
+         "inverse"_a = false,
+         R"(Takes places on the supine wall, k x 3 (LPS, mm), to the prone one, or back with `inverse`.
+
+Returns (places, k x 3, LPS mm; confidence, k, 0 to 1; excluded, k: nothing is to be seen in one of the positions).)");
+
+  module.def("register_positions",
+             &Register,
+             "supine"_a,
+             "prone"_a,
+             py::kw_only(),
+             "map"_a = "default",
+             "matching"_a = "hungarian",
+             "refine"_a = false,
+             "segment_wise"_a = false,
+             ReleaseGil(),
+             R"(A one-to-one map between the walls of a colon in two positions.
+
+map: "default" or "published". matching: of folds, "hungarian" or "dualDecomposition". refine: by the curvature of the
+wall itself. segment_wise: folds keep to their segment.
+
+It takes no progress and cannot be interrupted: Ctrl-C waits until the map is there.)");
+}
+} // namespace shapeton::python

@@ -1,0 +1,183 @@
+#include "Bindings.h"
+#include "Conversions.h"
+#include "Diffusion.h"
+
+#include "shapetonExceptions.h"
+#include "shapetonShapetonDiffusionImageFilter.h"
+#include "shapetonVisitDensity.h"
+
+namespace shapeton::python
+{
+namespace
+{
+using ImageType = itk::Image<float, 3>;
+using FilterType = ShapetonDiffusionImageFilter<ImageType>;
+using Visits = FilterType::VisitsImageType;
+
+/** What diffuse_shapetons() gives. */
+struct Shapetons
+{
+  Visits::Pointer  visits;
+  ShapetonMeasures measures;
+  HeatHistogram    histogram;
+  double           distance;
+  std::uint32_t    shapetons;
+  std::string      reason;
+};
+
+void
+SetChoices(FilterType *        filter,
+           const std::string & directionSampling,
+           const std::string & pathRule,
+           const std::string & placement)
+{
+  filter->SetDirectionSampling(Choice<DirectionSampling>("direction_sampling",
+                                                         directionSampling,
+                                                         { { "solidAngle", DirectionSampling::SolidAngle },
+                                                           { "sectorArea", DirectionSampling::SectorArea },
+                                                           { "uniform", DirectionSampling::Uniform } }));
+  filter->SetPathRule(Choice<PathRule>(
+    "path_rule", pathRule, { { "endpoint", PathRule::Endpoint }, { "traversal", PathRule::Traversal } }));
+  filter->SetPlacement(Choice<ShapetonPlacement>(
+    "placement",
+    placement,
+    { { "uniform", ShapetonPlacement::Uniform }, { "initialHeat", ShapetonPlacement::InitialHeat } }));
+}
+
+void
+SetSteps(FilterType *                         filter,
+         std::optional<std::uint32_t>         shapetons,
+         double                               distance,
+         std::optional<double>                featureSize,
+         std::uint64_t                        timeSteps,
+         const std::vector<std::uint64_t> &   histogramSteps)
+{
+  filter->SetNumberOfShapetons(shapetons.value_or(filter->GetNumberOfShapetons()));
+  filter->SetDistance(distance);
+  filter->SetFeatureSize(featureSize.value_or(0.0));
+  filter->SetAutomaticDistance(featureSize.has_value());
+  filter->SetAutomaticNumberOfShapetons(featureSize.has_value() && !shapetons);
+  filter->SetTimeSteps(timeSteps);
+  filter->SetHistogramSteps(histogramSteps);
+}
+
+Shapetons
+Diffuse(const ImageType::Pointer &                             image,
+        const std::optional<FilterType::MaskImageType::Pointer> & mask,
+        double                                                 p,
+        const Window &                                         window,
+        std::optional<std::uint32_t>                           shapetons,
+        double                                                 distance,
+        std::optional<double>                                  featureSize,
+        std::uint64_t                                          timeSteps,
+        const std::string &                                    directionSampling,
+        const std::string &                                    pathRule,
+        const std::string &                                    placement,
+        std::uint64_t                                          seed,
+        bool                                                   untilSteady,
+        std::optional<double>                                  epsilon,
+        const std::vector<std::uint64_t> &                     histogramSteps,
+        const Progress &                                       progress)
+{
+  const auto filter = FilterType::New();
+  filter->SetInput(image);
+  if (mask)
+  {
+    filter->SetMaskImage(*mask);
+  }
+  filter->SetP(p);
+  SetWindow(window, filter.GetPointer());
+  SetSteps(filter, shapetons, distance, featureSize, timeSteps, histogramSteps);
+  SetChoices(filter, directionSampling, pathRule, placement);
+  filter->SetSeed(seed);
+  filter->SetUntilSteady(untilSteady);
+  filter->SetAutomaticEpsilon(!epsilon);
+  filter->SetEpsilon(epsilon.value_or(filter->GetEpsilon()));
+  UpdateWithProgress(filter.GetPointer(), progress);
+  return { filter->GetOutput(),    filter->GetMeasures(),
+           filter->GetHistogram(), filter->GetDistance(),
+           filter->GetNumberOfShapetons(), filter->GetAutomaticShapetons().distanceReason };
+}
+
+template <typename TMember>
+auto
+Measure(TMember ShapetonMeasures::*member)
+{
+  return [member](const Shapetons & shapetons) { return shapetons.measures.*member; };
+}
+
+void
+AddResult(py::module_ & module)
+{
+  py::class_<Shapetons>(module, "ShapetonResult", "What `diffuse_shapetons` gives.")
+    .def_readonly("visits", &Shapetons::visits, "Of each voxel; uint32. They sum to shapetons x steps.")
+    .def_property_readonly("density", [](const Shapetons & s) { return NormalizeVisits(s.visits); },
+                           "Visits over the greatest number of visits, in [0, 1]; float32, made when it is asked for.")
+    .def_property_readonly("time_step", Measure(&ShapetonMeasures::step), "The last step that was taken.")
+    .def_property_readonly("steady", Measure(&ShapetonMeasures::steady), "Whether the density has become steady.")
+    .def_property_readonly("change", Measure(&ShapetonMeasures::change), "Of the density in the last step (3.10).")
+    .def_property_readonly("coverage", [](const Shapetons & s) { return s.measures.GetCoverage(); },
+                           "Share of the object voxels that were reached, 0 to 1.")
+    .def_property_readonly("trapped", Measure(&ShapetonMeasures::trappedShapetons),
+                           "Shapetons in voxels that are cut off from all neighbours.")
+    .def_readonly("shapetons", &Shapetons::shapetons, "How many there were.")
+    .def_readonly("distance", &Shapetons::distance, "Length of a step, in units of the longest side.")
+    .def_readonly("reason_of_distance", &Shapetons::reason, "Why, where feature_size chose it; else empty.")
+    .def_property_readonly("histogram", [](const Shapetons & s) -> const HeatHistogram & { return s.histogram; },
+                           py::return_value_policy::reference_internal, "A row for each of histogram_steps.");
+}
+} // namespace
+
+void
+AddShapetons(py::module_ & module)
+{
+  AddResult(module);
+  module.def("diffuse_shapetons",
+             &Diffuse,
+             "image"_a,
+             py::kw_only(),
+             "mask"_a = py::none(),
+             "p"_a = 7.0,
+             "window"_a = py::none(),
+             "shapetons"_a = py::none(),
+             "distance"_a = 0.01,
+             "feature_size"_a = py::none(),
+             "time_steps"_a = 2500,
+             "direction_sampling"_a = "solidAngle",
+             "path_rule"_a = "endpoint",
+             "placement"_a = "uniform",
+             "seed"_a = 1,
+             "until_steady"_a = false,
+             "epsilon"_a = 0.05,
+             "histogram_steps"_a = std::vector<std::uint64_t>(),
+             "progress"_a = Progress(),
+             ReleaseGil(),
+             R"(Shapeton diffusion: counts the visits of particles that move at random through a volume.
+
+image: intensities; float32 and C-contiguous ones are read in place. mask: shapetons start where it is not 0.
+p: steepness, from 0. window: (lower, upper) intensities that count as 0 and 1; None: the least and the greatest.
+shapetons: how many; None: 65000, or as many as feature_size asks for.
+distance: length of a step in (0, 1], in units of the longest side of the volume.
+feature_size: mm; chooses distance, and shapetons where they are None.
+time_steps: at least 1.
+direction_sampling: "solidAngle", "sectorArea" or "uniform". path_rule: "endpoint" or "traversal".
+placement: "uniform" or "initialHeat". seed: the same gives the same visits.
+until_steady: stops when the density changes by less than epsilon (3.10); None: chosen from the run.
+histogram_steps: ascending steps, from 1, that become rows of the histogram.
+progress: called with (share, stage) ten times a second; False, or an exception such as that of Ctrl-C, aborts.
+
+The visits are the same bytes for any number of threads.)");
+
+  module.def("visit_density", [](const Visits::Pointer & visits) { return NormalizeVisits(visits); }, "visits"_a,
+             ReleaseGil(), "Visits over the greatest number of visits: float32 in [0, 1].");
+  module.def(
+    "classify_visits",
+    [](const Visits::Pointer & visits) {
+      const auto found = ClassifyVisits(visits, NormalizeVisits(visits));
+      return std::make_pair(found.labels, found.classes);
+    },
+    "visits"_a,
+    ReleaseGil(),
+    "The classes of a uint32 image of visits, as `classify_heat` finds those of heat: (labels, classes).");
+}
+} // namespace shapeton::python

@@ -1,0 +1,156 @@
+#include "Bindings.h"
+#include "Conversions.h"
+
+#include "shapetonJson.h"
+#include "shapetonSurfaceQuality.h"
+#include "shapetonSurfaceReader.h"
+#include "shapetonSurfaceRemeshing.h"
+#include "shapetonSurfaceRepair.h"
+#include "shapetonSurfaceSimplification.h"
+#include "shapetonSurfaceWriter.h"
+
+namespace shapeton::python
+{
+namespace
+{
+py::object
+Read(const std::string & path,
+     const std::string & part,
+     int                 component,
+     const std::string & unit,
+     bool                anyExtent,
+     bool                repair)
+{
+  Surface surface;
+  {
+    const py::gil_scoped_release release;
+    const SurfaceReadOptions     options{ part, component, unit, anyExtent };
+    surface = repair ? ReadRepairedSurface(path, options) : ReadSurface(path, options);
+  }
+  py::object mesh = py::cast(std::move(surface.mesh));
+  AppendRemarks(surface.notes, surface.repairs);
+  mesh.attr("notes") = surface.notes;
+  return mesh;
+}
+
+py::object
+Inspect(const SurfaceMesh & mesh)
+{
+  Json document;
+  {
+    const py::gil_scoped_release release;
+    document = SurfaceQualityToJson(InspectSurface(mesh));
+  }
+  return FromJson(document);
+}
+
+std::pair<SurfaceMesh, std::vector<std::string>>
+Repair(const SurfaceMesh & mesh, double mergeDistance, bool mergeVertices, bool orient, bool split)
+{
+  SurfaceRepairReport report;
+  SurfaceMesh         repaired = RepairSurface(mesh, { mergeVertices, mergeDistance, orient, split }, &report);
+  return { std::move(repaired), report.Words() };
+}
+
+SurfaceMesh
+Simplify(const SurfaceMesh & mesh, int faces, double smallestAngle, double boundaryWeight, const Progress & progress)
+{
+  return SimplifySurface(mesh, { faces, smallestAngle, boundaryWeight, progress });
+}
+
+SurfaceMesh
+Remesh(const SurfaceMesh & mesh, double edgeLength, int iterations, const Progress & progress)
+{
+  return RemeshSurface(mesh, { edgeLength, iterations, progress });
+}
+
+void
+AddFiles(py::module_ & module)
+{
+  module.def("read_surface",
+             &Read,
+             "path"_a,
+             py::kw_only(),
+             "part"_a = "",
+             "component"_a = 0,
+             "unit"_a = "",
+             "any_extent"_a = false,
+             "repair"_a = false,
+             R"(Reads VTP, STL, OBJ, PLY, OFF, glTF or GLB; LPS, mm.
+
+part: the name of a part of the file; "" for all. component: from 1, by number of faces; 0: there must be one; -1: all.
+unit: "m", "mm" or "um" in place of that of the format; then any extent is taken. any_extent: takes a surface that is not
+between 5 mm and 5 m wide, with a note. repair: mends what `repair_surface` mends.
+
+What was changed or doubtful is in the `notes` of the mesh.)");
+  module.def("write_surface",
+             py::overload_cast<const SurfaceMesh &, const std::string &>(&WriteSurface),
+             "mesh"_a,
+             "path"_a,
+             ReleaseGil(),
+             "Writes VTP (all arrays and facts), STL, PLY or OBJ by the extension; equal surfaces give equal bytes.");
+  module.def(
+    "read_curves", &ReadCurves, "path"_a, ReleaseGil(), "Reads the lines and points of a VTP file, such as a centreline.");
+  module.def("write_curves",
+             &WriteCurves,
+             "curves"_a,
+             "path"_a,
+             ReleaseGil(),
+             "Writes curves as VTP with their arrays and facts; equal curves give equal bytes.");
+}
+} // namespace
+
+void
+AddSurfaces(py::module_ & module)
+{
+  AddFiles(module);
+  module.def("inspect_surface",
+             &Inspect,
+             "mesh"_a,
+             R"(Topology, measures and defects of a surface, as a dictionary with the keys that SurfaceInspector writes.
+
+vertices, edges, faces, eulerCharacteristic, genus (None: not defined), manifold, closed, oriented, area (mm^2), volume
+(mm^3; None of an open one), extent, components, boundaryLoops, edgeLength, smallestAngle (degrees), defects, ...)");
+  module.def("repair_surface",
+             &Repair,
+             "mesh"_a,
+             py::kw_only(),
+             "merge_distance"_a = 0.0,
+             "merge_vertices"_a = true,
+             "orient"_a = true,
+             "split"_a = true,
+             ReleaseGil(),
+             R"(A manifold, consistently oriented surface of the same faces: (mesh, what was done in words).
+
+merge_vertices: merges vertices nearer than merge_distance (mm; 0: at one position). orient: turns faces so that
+neighbours agree. split: cuts where the surface is not manifold.)");
+  module.def("simplify_surface",
+             &Simplify,
+             "mesh"_a,
+             "faces"_a,
+             py::kw_only(),
+             "smallest_angle"_a = SurfaceSimplificationOptions().smallestAngle,
+             "boundary_weight"_a = SurfaceSimplificationOptions().boundaryWeight,
+             "progress"_a = Progress(),
+             ReleaseGil(),
+             R"(A surface of at most so many faces with the same topology, by edge collapses. Its arrays are left out.
+
+smallest_angle: degrees, 0 to 30; no collapse makes a smaller one. boundary_weight: of boundary edges against faces.)");
+  module.def("remesh_surface",
+             &Remesh,
+             "mesh"_a,
+             "edge_length"_a,
+             py::kw_only(),
+             "iterations"_a = SurfaceRemeshingOptions().iterations,
+             "progress"_a = Progress(),
+             ReleaseGil(),
+             "A surface of nearly equilateral triangles with edges of this length (mm). Its arrays are left out.");
+  module.def(
+    "surface_area", [](const SurfaceMesh & mesh) { return SurfaceArea(mesh.V, mesh.F); }, "mesh"_a, "mm^2.");
+  module.def(
+    "enclosed_volume",
+    [](const SurfaceMesh & mesh) { return EnclosedVolume(mesh.V, mesh.F); },
+    "mesh"_a,
+    "mm^3, of a closed oriented surface; negative where its faces look inwards.");
+}
+} // namespace shapeton::python

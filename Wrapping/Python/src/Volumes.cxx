@@ -1,0 +1,160 @@
+#include "Bindings.h"
+#include "Conversions.h"
+
+#include "shapetonDicomSeriesScan.h"
+#include "shapetonExceptions.h"
+#include "shapetonVolumeReader.h"
+#include "shapetonVolumeWriter.h"
+
+namespace shapeton::python
+{
+namespace
+{
+py::object
+ImageWithFacts(const Volume & volume)
+{
+  py::object image = ToPython<float>(volume.image.GetPointer());
+  image.attr("facts") = py::dict("modality"_a = volume.modality,
+                                 "patient_position"_a = volume.patientPosition,
+                                 "series_uid"_a = volume.seriesUID,
+                                 "identity"_a = volume.identity,
+                                 "repairs"_a = volume.repairs,
+                                 "notes"_a = volume.notes);
+  return image;
+}
+
+py::object
+Read(const std::string & path,
+     const std::string & seriesUID,
+     bool                resampleGaps,
+     bool                deshear,
+     bool                dropDuplicates,
+     bool                allowSingleSlice)
+{
+  Volume volume;
+  {
+    const py::gil_scoped_release release;
+    volume = ReadVolume(path, { seriesUID, resampleGaps, deshear, dropDuplicates, allowSingleSlice });
+  }
+  return ImageWithFacts(volume);
+}
+
+template <typename TPixel>
+void
+WriteAs(const py::object & image, const std::string & path, const VolumeMetadata & metadata)
+{
+  const auto                   pixels = ImageOf<TPixel>(image);
+  const py::gil_scoped_release release;
+  WriteVolume(pixels.GetPointer(), path, metadata);
+}
+
+void
+Write(const py::object & image, const std::string & path, const VolumeMetadata & metadata)
+{
+  RequireVolumeName(path);
+  const auto        type = image.attr("array").cast<py::array>().dtype();
+  const std::string name = py::str(type.attr("name"));
+  if (name == "float32" || name == "float64")
+  {
+    WriteAs<float>(image, path, metadata);
+  }
+  else if (name == "int16")
+  {
+    WriteAs<short>(image, path, metadata);
+  }
+  else if (name == "uint8" || name == "bool")
+  {
+    WriteAs<unsigned char>(image, path, metadata);
+  }
+  else if (name == "uint16")
+  {
+    WriteAs<unsigned short>(image, path, metadata);
+  }
+  else if (name == "uint32")
+  {
+    WriteAs<unsigned int>(image, path, metadata);
+  }
+  else
+  {
+    throw ParameterError("the parameter \"image\" holds " + name +
+                         ", which is not written; convert it to float32, int16, uint8, uint16 or uint32");
+  }
+}
+} // namespace
+
+void
+AddVolumes(py::module_ & module)
+{
+  py::class_<DicomDefect>(module, "DicomDefect", "What is wrong with a DICOM series, or unusual about it.")
+    .def_property_readonly(
+      "name", [](const DicomDefect & defect) { return GetDicomDefectName(defect.kind); }, "For example \"gap\".")
+    .def_property_readonly(
+      "advice", [](const DicomDefect & defect) { return GetDicomDefectAdvice(defect.kind); }, "What can be done.")
+    .def_readonly("message", &DicomDefect::message, "The defect in a sentence.")
+    .def_readonly("files", &DicomDefect::files, "The files concerned.")
+    .def_readonly("slices", &DicomDefect::slices, "The slices concerned, from 1 along the normal.");
+
+  py::class_<DicomSeries>(module, "DicomSeries", "A DICOM series of a folder, as `list_series` finds it.")
+    .def_property_readonly(
+      "selector", &DicomSeries::GetSelector, "What `read_volume` takes as series_uid: the UID, with \"#part\" if need be.")
+    .def_readonly("uid", &DicomSeries::uid, "Series Instance UID.")
+    .def_readonly("number", &DicomSeries::number, "Series Number.")
+    .def_readonly("description", &DicomSeries::description, "Series Description.")
+    .def_readonly("modality", &DicomSeries::modality, "For example \"CT\".")
+    .def_readonly("patient_position", &DicomSeries::patientPosition, "For example \"HFS\".")
+    .def_property_readonly(
+      "size",
+      [](const DicomSeries & s) { return py::make_tuple(s.size[0], s.size[1], s.size[2]); },
+      "Columns, rows, slices: the extents along x, y, z.")
+    .def_property_readonly(
+      "spacing",
+      [](const DicomSeries & s) { return py::make_tuple(s.spacing[0], s.spacing[1], s.spacing[2]); },
+      "Of columns, rows, slices; mm, 0 where it is not known.")
+    .def_property_readonly("is_usable", &DicomSeries::IsUsable, "Whether a volume can be read without a repair.")
+    .def_readonly("refusal", &DicomSeries::refusal, "Why this is no volume where no defect says it; else empty.")
+    .def_readonly("defects", &DicomSeries::defects, "What keeps the series from being read as it is.")
+    .def_readonly("remarks", &DicomSeries::remarks, "What is unusual and keeps nobody from reading it.")
+    .def("__repr__", [](const DicomSeries & s) {
+      return "<shapeton.DicomSeries " + s.modality + " \"" + s.description + "\", " + s.GetSelector() + ">";
+    });
+
+  module.def(
+    "list_series",
+    [](const std::string & path) { return ScanDicom(path).series; },
+    "path"_a,
+    ReleaseGil(),
+    "The DICOM series in a folder, searched recursively, or in a file. Reads headers; takes no progress.");
+
+  module.def("read_volume",
+             &Read,
+             "path"_a,
+             py::kw_only(),
+             "series_uid"_a = "",
+             "resample_gaps"_a = false,
+             "deshear"_a = false,
+             "drop_duplicates"_a = false,
+             "allow_single_slice"_a = false,
+             R"(Reads a folder of DICOM slices, a DICOM file, or a NRRD, NIfTI or MetaImage file.
+
+An irregular series is refused with InputError that names the defect, unless its repair is allowed:
+
+series_uid: which series to take where the folder holds several (`DicomSeries.selector`).
+resample_gaps: fills gaps and uneven spacing by interpolation between slices.
+deshear: resamples a tilted volume onto perpendicular axes.
+drop_duplicates: keeps the first of several slices at one position.
+allow_single_slice: takes one slice as a volume.
+
+The image holds float32, rescaled: Hounsfield units for CT. Its `facts` tell modality, patient_position, series_uid,
+identity, repairs, notes. There is no progress, and Ctrl-C waits until the files are read.)");
+
+  module.def("write_volume",
+             &Write,
+             "image"_a,
+             "path"_a,
+             "metadata"_a = VolumeMetadata(),
+             R"(Writes NRRD (.nrrd), NIfTI (.nii, .nii.gz) or MetaImage (.mha), as the tools do.
+
+float32, int16, uint8, uint16 and uint32 are written as they are, float64 as float32, bool as uint8; ParameterError for
+other types. metadata: pairs of texts for the header of NRRD and MetaImage.)");
+}
+} // namespace shapeton::python
