@@ -2,6 +2,7 @@
 #define shapetonVolumeGradientOperator_h
 
 #include "shapetonPaddedGrid.h"
+#include "shapetonProgress.h"
 
 #include <array>
 #include <cmath>
@@ -50,10 +51,12 @@ public:
   };
 
   /** `intensities`: size[0] * size[1] * size[2] values, x fastest. Throws std::invalid_argument for parameters out of
-   * range and for intensities that are not finite. When lower == upper the volume counts as constant. */
+   * range and for intensities that are not finite. When lower == upper the volume counts as constant. `progress` may
+   * throw to abort. */
   VolumeGradientOperator(const float *                      intensities,
                          const std::array<std::size_t, 3> & size,
-                         const Parameters &                 parameters);
+                         const Parameters &                 parameters,
+                         const Progress &                   progress = {});
 
   /** For intensities in [0, 1]; `resolution` is res_k >= 1.
    *
@@ -113,7 +116,7 @@ public:
 
 private:
   void
-  ComputeConductances(const float * intensities);
+  ComputeConductances(const float * intensities, const Progress & progress);
 
   PaddedGrid                 m_Grid;
   Parameters                 m_Parameters;

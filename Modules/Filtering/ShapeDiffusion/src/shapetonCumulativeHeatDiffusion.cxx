@@ -217,7 +217,9 @@ DiffuseCumulativeHeat(const float *                           intensities,
     result.p = ChooseP(intensities, size, parameters.spacing, parameters.lower, parameters.upper);
     parameters.p = result.p.p;
   }
-  const VolumeGradientOperator volumeGradient(intensities, size, parameters);
+  // Preparation is a small part of the work; it counts as none, but may be aborted.
+  const Progress               preparation = progress.Part("", 0.0, 0.0);
+  const VolumeGradientOperator volumeGradient(intensities, size, parameters, preparation);
   HeatDiffusionSolver          solver(volumeGradient, settings.method, settings.timeStepLength, settings.tolerance);
   if (settings.untilSteady)
   {
@@ -226,6 +228,7 @@ DiffuseCumulativeHeat(const float *                           intensities,
   PaddedField field(volumeGradient.GetGrid());
   volumeGradient.ComputeInitialHeat(field);
   result.cold = IsZero(volumeGradient.GetGrid(), field);
+  preparation(0.0);
 
   if (settings.wantComponents)
   {

@@ -338,6 +338,7 @@ HeatDiffusionSolver::Expand(const PaddedField &                start,
   PaddedField &      difference = workspace.Get(2);
   CopyField(grid, start, even);
   std::memset(difference.GetData(), 0, grid.GetLength() * sizeof(float));
+  this->ReportProgress(0.0); // the first fields of a large volume take a while
   ForAllRows(grid, [&](std::size_t, std::size_t row, unsigned int) {
     for (std::size_t g = 0; g < results.size(); ++g)
     {

@@ -84,7 +84,8 @@ private:
 
 VolumeGradientOperator::VolumeGradientOperator(const float *                      intensities,
                                                const std::array<std::size_t, 3> & size,
-                                               const Parameters &                 parameters)
+                                               const Parameters &                 parameters,
+                                               const Progress &                   progress)
   : m_Grid(size), m_Parameters(parameters)
 {
   CheckParameters(parameters);
@@ -95,20 +96,21 @@ VolumeGradientOperator::VolumeGradientOperator(const float *                    
     m_Factors[axis] =
       parameters.conductance == Conductance::Physical ? 1.0 / (m_Resolution[axis] * m_Resolution[axis]) : 1.0;
     m_Conductances[axis] = PaddedField(m_Grid);
+    progress(0.0); // a large field takes a while
   }
-  this->ComputeConductances(intensities);
+  this->ComputeConductances(intensities, progress);
 }
 
 /** The part of the grid, a factor for each axis, times that of the intensities. \equation{2.4} as a product; the source
  * writes a sum. */
 void
-VolumeGradientOperator::ComputeConductances(const float * intensities)
+VolumeGradientOperator::ComputeConductances(const float * intensities, const Progress & progress)
 {
-  const auto &      size = m_Grid.GetSize();
-  std::atomic<bool> finite{ true };
+  constexpr std::size_t slicesAtOnce = 32; // then the caller may abort
+  const auto &          size = m_Grid.GetSize();
+  std::atomic<bool>     finite{ true };
   // Slices -1 .. nz - 1: the edges of the layer before the first slice belong to it.
-  ParallelFor(size[2] + 1, [&](std::size_t index) {
-    const auto  z = static_cast<std::ptrdiff_t>(index) - 1;
+  const auto computeSlice = [&](std::ptrdiff_t z) {
     ScaledSlice slice(m_Grid, m_Parameters);
     ScaledSlice above(m_Grid, m_Parameters);
     if (!slice.Load(intensities, z) || !above.Load(intensities, z + 1))
@@ -129,7 +131,14 @@ VolumeGradientOperator::ComputeConductances(const float * intensities)
         }
       }
     }
-  });
+  };
+  const std::size_t slices = size[2] + 1;
+  for (std::size_t first = 0; first < slices; first += slicesAtOnce)
+  {
+    ParallelFor(std::min(slicesAtOnce, slices - first),
+                [&](std::size_t i) { computeSlice(static_cast<std::ptrdiff_t>(first + i) - 1); });
+    progress(static_cast<double>(first) / static_cast<double>(slices));
+  }
   if (!finite)
   {
     throw std::invalid_argument("the volume holds values that are not finite (NaN or infinity); replace them");
