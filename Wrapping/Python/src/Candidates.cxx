@@ -10,16 +10,16 @@ namespace
 using Candidates = std::vector<PolypCandidate>;
 
 Candidates
-Search(const SurfaceMesh &                                    wall,
-       const PolypLumenImage::Pointer &                       lumen,
-       const std::optional<CurveSet> &                        centreline,
-       const std::optional<itk::Image<float, 3>::Pointer> &   ct,
-       const std::shared_ptr<FlatColon> &                     flat,
-       const std::optional<SurfaceMesh> &                     segments,
-       const std::optional<CurveSet> &                        catheter,
-       const std::string &                                    preset,
-       double                                                 sensitivity,
-       const Progress &                                       progress)
+Search(const SurfaceMesh &                                  wall,
+       const PolypLumenImage::Pointer &                     lumen,
+       const std::optional<CurveSet> &                      centreline,
+       const std::optional<itk::Image<float, 3>::Pointer> & ct,
+       const std::shared_ptr<FlatColon> &                   flat,
+       const std::optional<SurfaceMesh> &                   segments,
+       const std::optional<CurveSet> &                      catheter,
+       const std::string &                                  preset,
+       double                                               sensitivity,
+       const Progress &                                     progress)
 {
   PolypColon colon;
   colon.wall = wall;

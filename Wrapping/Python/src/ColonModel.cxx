@@ -20,14 +20,14 @@ Segment(const CtPointer & ct, const std::string & position, const Points & seedP
 }
 
 ColonCentreline
-Trace(const MaskPointer &                                  lumen,
-      const std::optional<itk::Point<double, 3>> &         start,
-      const Points &                                       seedPoints,
-      int                                                  exponent,
-      double                                               minimumVolume,
-      double                                               step,
-      double                                               smoothing,
-      const Progress &                                     progress)
+Trace(const MaskPointer &                          lumen,
+      const std::optional<itk::Point<double, 3>> & start,
+      const Points &                               seedPoints,
+      int                                          exponent,
+      double                                       minimumVolume,
+      double                                       step,
+      double                                       smoothing,
+      const Progress &                             progress)
 {
   ColonCentrelineOptions options;
   options.exponent = exponent;
@@ -145,12 +145,13 @@ AddLumen(py::module_ & module)
 ct: Hounsfield units; any axes, spacing about 0.5 to 3 mm. patient_position: "HFS", "HFP", ..., "supine", "prone",
 "leftDecubitus", "rightDecubitus"; "": gravity is inferred from fluid levels.
 seed_points: k x 3, LPS mm; the pieces of gas or fluid that hold them are colon.)");
-  module.def("cleanse",
-             [](const CtPointer & ct, const ColonLumen & lumen) { return CleanseColon(ct, lumen); },
-             "ct"_a,
-             "lumen"_a,
-             ReleaseGil(),
-             "Removes the tagged fluid of a colon from the CT that `lumen` was found in. It takes no progress.");
+  module.def(
+    "cleanse",
+    [](const CtPointer & ct, const ColonLumen & lumen) { return CleanseColon(ct, lumen); },
+    "ct"_a,
+    "lumen"_a,
+    ReleaseGil(),
+    "Removes the tagged fluid of a colon from the CT that `lumen` was found in. It takes no progress.");
 }
 
 void
@@ -171,9 +172,8 @@ AddCentreline(py::module_ & module)
     .def_readonly("collapsed_length", &SegmentDistension::collapsedLength, "Without lumen, mm.");
 
   py::class_<ColonCentreline>(module, "ColonCentreline", "The middle line of a colon from the rectum to the caecum.")
-    .def_readonly("curve",
-                  &ColonCentreline::curve,
-                  "One curve; point arrays arcLength (mm), radius (mm), gap (1 on a bridge).")
+    .def_readonly(
+      "curve", &ColonCentreline::curve, "One curve; point arrays arcLength (mm), radius (mm), gap (1 on a bridge).")
     .def_readonly("length", &ColonCentreline::length, "mm.")
     .def_readonly("gaps", &ColonCentreline::gaps, "Stretches that it bridges.")
     .def_readonly("coverage", &ColonCentreline::coverage, "Share of the lumen beside the line, 0 to 1.")
@@ -278,7 +278,9 @@ AddModel(py::module_ & module)
     .def_readonly("cleansed", &ColonModel::cleansed, "float32, HU; None of a mask.")
     .def_readonly("centreline", &ColonModel::centreline, "ColonCentreline; its curve knows the valve.")
     .def_property_readonly(
-      "valve", [](const ColonModel & model) { return model.valve.valve; }, "IleocaecalValve; None where it was not found.")
+      "valve",
+      [](const ColonModel & model) { return model.valve.valve; },
+      "IleocaecalValve; None where it was not found.")
     .def_readonly("distension", &ColonModel::distension, "Of the segments.")
     .def_readonly("wall", &ColonModel::wall, "ColonWall.")
     .def_readonly("warnings", &ColonModel::warnings, "Of all stages, a line for each.")

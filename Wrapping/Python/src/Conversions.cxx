@@ -57,6 +57,12 @@ PixelsOf(const py::array & array)
   {
     throw py::error_already_set();
   }
+  if (std::is_integral_v<TPixel> && !array.dtype().is(pixels.dtype()) &&
+      !ClassOf("numpy", "array_equal")(pixels, array).template cast<bool>())
+  {
+    throw InputError("the image of " + std::string(py::str(array.dtype())) + " holds values that " +
+                     std::string(py::str(pixels.dtype())) + " does not; convert it, a mask for example by array != 0");
+  }
   return pixels;
 }
 
@@ -108,9 +114,9 @@ ArraysOf(const py::handle & dictionary)
   std::vector<SurfaceArray> arrays;
   for (const auto & [name, object] : py::reinterpret_borrow<py::dict>(dictionary))
   {
-    SurfaceArray    array;
-    const auto      values = py::array::ensure(object);
-    const char      kind = values ? values.dtype().kind() : 'O';
+    SurfaceArray array;
+    const auto   values = py::array::ensure(object);
+    const char   kind = values ? values.dtype().kind() : 'O';
     array.name = name.cast<std::string>();
     array.areIntegers = kind == 'i' || kind == 'u' || kind == 'b';
     RequireParameter((array.areIntegers || kind == 'f') && (values.ndim() == 1 || values.ndim() == 2),
@@ -126,8 +132,8 @@ template <typename TMatrix>
 py::array
 RowsOfMatrix(const TMatrix & matrix, const py::handle & owner)
 {
-  return py::array_t<typename TMatrix::Scalar>({ static_cast<py::ssize_t>(matrix.rows()), py::ssize_t{ 3 } },
-                                               matrix.data(), owner);
+  return py::array_t<typename TMatrix::Scalar>(
+    { static_cast<py::ssize_t>(matrix.rows()), py::ssize_t{ 3 } }, matrix.data(), owner);
 }
 
 template <typename TGeometry>
@@ -230,14 +236,15 @@ ToPython(const itk::Image<TPixel, 3> * image)
   {
     return py::none();
   }
-  const auto              size = image->GetBufferedRegion().GetSize();
-  const auto &            axes = image->GetDirection();
-  py::array_t<double>     direction({ 3, 3 });
+  const auto          size = image->GetBufferedRegion().GetSize();
+  const auto &        axes = image->GetDirection();
+  py::array_t<double> direction({ 3, 3 });
   for (int i = 0; i < 9; ++i)
   {
     direction.mutable_at(i / 3, i % 3) = axes(i / 3, i % 3);
   }
-  const py::array_t<TPixel> array({ size[2], size[1], size[0] }, image->GetBufferPointer(),
+  const py::array_t<TPixel> array({ size[2], size[1], size[0] },
+                                  image->GetBufferPointer(),
                                   OwnerOf(itk::SmartPointer<const itk::Image<TPixel, 3>>(image)));
   const auto &              spacing = image->GetSpacing();
   const auto &              origin = image->GetOrigin();
@@ -319,7 +326,7 @@ RowsOf(const std::vector<Eigen::Vector3d> & places)
   return rows;
 }
 
-py::object
+py::dict
 FromJson(const Json & document)
 {
   return ClassOf("json", "loads")(document.dump(-1, ' ', false, Json::error_handler_t::replace));

@@ -32,8 +32,8 @@ using ReleaseGil = py::call_guard<py::gil_scoped_release>;
 /** Of a parameter with a list of words: what the word stands for. Throws ParameterError with all of them. */
 template <typename TValue>
 TValue
-Choice(const std::string &                                    name,
-       const std::string &                                    word,
+Choice(const std::string &                                  name,
+       const std::string &                                  word,
        const std::vector<std::pair<const char *, TValue>> & choices);
 
 /** A class of the package, such as "Image" of the module "shapeton.image". Its module is imported once. */
@@ -41,7 +41,8 @@ py::object
 ClassOf(const char * module, const char * name);
 
 /** The voxels of a shapeton.Image as an ITK image: a view where they are C-contiguous numbers of this type, which keeps
- * the array alive, else a copy. Throws InputError where a voxel is not finite. */
+ * the array alive, else a copy. Throws InputError where a voxel is not finite, or is none of the whole numbers that
+ * TPixel holds. */
 template <typename TPixel>
 typename itk::Image<TPixel, 3>::Pointer
 ImageOf(const py::handle & image);
@@ -84,8 +85,8 @@ OwnerOf(TValue && value)
 py::array_t<double>
 RowsOf(const std::vector<Eigen::Vector3d> & places);
 
-/** A document as Python's dictionaries, lists and numbers. */
-py::object
+/** A document, which is an object, as a dictionary. */
+py::dict
 FromJson(const Json & document);
 
 template <typename TValue>

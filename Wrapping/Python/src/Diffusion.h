@@ -25,12 +25,12 @@ SetWindow(const Window & window, TFilter * filter)
   }
 }
 
-/** Update() that reports the filter's progress. */
+/** Update() that reports the filter's progress as that of a stage. */
 template <typename TFilter>
 void
-UpdateWithProgress(TFilter * filter, const Progress & progress)
+UpdateWithProgress(TFilter * filter, const char * stage, const Progress & progress)
 {
-  filter->AddObserver(itk::ProgressEvent(), [&](const itk::EventObject &) { progress(filter->GetProgress()); });
+  filter->AddObserver(itk::ProgressEvent(), [&](const itk::EventObject &) { progress(stage, filter->GetProgress()); });
   Update(filter);
 }
 } // namespace shapeton::python

@@ -85,6 +85,20 @@ Find(const FlatColon & flat, const VertexMatrix & points)
   return py::make_tuple(uv, distance);
 }
 
+/** (row, column) of places on the map. */
+py::array
+PixelsOf(const FlatColon & flat, const Eigen::MatrixX2d & uv)
+{
+  py::array_t<int> pixels({ static_cast<py::ssize_t>(uv.rows()), py::ssize_t{ 2 } });
+  for (py::ssize_t i = 0; i < static_cast<py::ssize_t>(uv.rows()); ++i)
+  {
+    const FlatPixel pixel = flat.Grid().PixelOfUv(uv.row(i).transpose());
+    pixels.mutable_at(i, 0) = pixel.row;
+    pixels.mutable_at(i, 1) = pixel.column;
+  }
+  return pixels;
+}
+
 void
 AddFlat(py::module_ & module)
 {
@@ -121,6 +135,10 @@ surface: as `flatten_tube` gives it. pixel_size: mm of the map, in which folds a
     .def("curvature",
          &Curvatures,
          "Rows x columns, float64: mean curvature, 1/mm; positive where the wall bulges into the lumen, NaN in holes.")
+    .def("pixels",
+         &PixelsOf,
+         "uv"_a,
+         "Of places on the map, k x 2 (mm): their pixels [row, column], k x 2, int32. Rows may run against v.")
     .def("find",
          &Find,
          "points"_a,
@@ -140,9 +158,7 @@ FindFolds(const FlatPointer &             flat,
 {
   HaustralFoldOptions options;
   options.scheme = Choice<HaustralFoldScheme>(
-    "scheme",
-    scheme,
-    { { "graphCut", HaustralFoldScheme::GraphCut }, { "published", HaustralFoldScheme::Published } });
+    "scheme", scheme, { { "graphCut", HaustralFoldScheme::GraphCut }, { "published", HaustralFoldScheme::Published } });
   options.minimumLength = minimumLength;
   options.minimumArea = minimumArea;
   options.minimumElongation = minimumElongation;

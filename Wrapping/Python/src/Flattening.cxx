@@ -84,8 +84,9 @@ AddConformalMap(py::module_ & module)
       "dilatation",
       [](const ConformalMap & map) { return map.distortion.dilatation; },
       "Of each face, from 1 (conformal) on.")
-    .def_property_readonly(
-      "statistics", Statistics<ConformalMap>(&ConformalMapToJson), "A dictionary with the keys that ConformalMap writes.");
+    .def_property_readonly("statistics",
+                           Statistics<ConformalMap>(&ConformalMapToJson),
+                           "A dictionary with the keys that ConformalMap writes.");
 
   module.def("conformal_map",
              &MapOf,

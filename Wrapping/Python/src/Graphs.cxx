@@ -36,16 +36,16 @@ EdgesOf(const Graph & graph, const py::handle & owner)
 }
 
 Certificate
-Embed(const Graph &                                   graph,
-      std::optional<int>                              genus,
+Embed(const Graph &                                        graph,
+      std::optional<int>                                   genus,
       const std::optional<std::vector<std::vector<int>>> & rotation,
-      std::uint64_t                                   seed,
-      const std::string &                             augmentation,
-      const std::string &                             infinity)
+      std::uint64_t                                        seed,
+      const std::string &                                  augmentation,
+      const std::string &                                  infinity)
 {
   RequireParameter(!rotation || !genus, "the parameter \"rotation\" fixes the genus; leave \"genus\" out");
-  RequireParameter(!genus || *genus >= 0, "the parameter \"genus\" = " + std::to_string(genus.value_or(0)) +
-                                            ": a genus is not negative");
+  RequireParameter(!genus || *genus >= 0,
+                   "the parameter \"genus\" = " + std::to_string(genus.value_or(0)) + ": a genus is not negative");
   GraphEmbeddingOptions options;
   options.augmentation = Choice<Augmentation>(
     "augmentation", augmentation, { { "ring", Augmentation::Ring }, { "none", Augmentation::None } });
@@ -70,8 +70,7 @@ py::array
 Rows(const std::vector<double> & numbers, const Certificate & certificate, const py::handle & owner)
 {
   const auto columns = static_cast<py::ssize_t>(CoordinatesOf(certificate.geometry));
-  return py::array_t<double>(
-    { static_cast<py::ssize_t>(numbers.size()) / columns, columns }, numbers.data(), owner);
+  return py::array_t<double>({ static_cast<py::ssize_t>(numbers.size()) / columns, columns }, numbers.data(), owner);
 }
 
 py::array
@@ -117,16 +116,19 @@ nodes: how many. edges: m x 2, indices of nodes. names: none, or one for each no
              " edges>";
     });
 
-  module.def("read_graph",
-             [](const std::string & path) { return ReadGraph(path).graph; },
-             "path"_a,
-             ReleaseGil(),
-             "Reads GraphML, GML, DOT, edge lists, METIS, MATPOWER, PACE, graph6 or sparse6.");
+  module.def(
+    "read_graph",
+    [](const std::string & path) { return ReadGraph(path).graph; },
+    "path"_a,
+    ReleaseGil(),
+    "Reads GraphML, GML, DOT, edge lists, METIS, MATPOWER, PACE, graph6 or sparse6.");
   module.def("write_graph", &WriteGraphML, "graph"_a, "path"_a, ReleaseGil(), "Writes GraphML.");
   module.def("complete_graph", &CompleteGraph, "nodes"_a, "Each node joined with each other one.");
-  module.def("complete_bipartite_graph", &CompleteBipartiteGraph, "left"_a, "right"_a, "Each left node with each right one.");
+  module.def(
+    "complete_bipartite_graph", &CompleteBipartiteGraph, "left"_a, "right"_a, "Each left node with each right one.");
   module.def("grid_graph", &GridGraph, "columns"_a, "rows"_a, "Node (c, r) is r * columns + c.");
-  module.def("hypercube_graph", &HypercubeGraph, "dimension"_a, "2^dimension nodes; those that differ in one bit are joined.");
+  module.def(
+    "hypercube_graph", &HypercubeGraph, "dimension"_a, "2^dimension nodes; those that differ in one bit are joined.");
   module.def(
     "torus_grid",
     [](int columns, int rows, bool diagonals) {
@@ -171,10 +173,9 @@ Places are unit vectors on the sphere (radius: the angle of a cap), else (x, y) 
       "face_radii",
       View([](const Certificate & c, const py::handle & owner) { return Row(c.faceRadii, owner); }),
       "Of the circles of the faces; a view.")
-    .def_property_readonly(
-      "periods",
-      View([](const Certificate & c, const py::handle & owner) { return Row(c.periods, owner); }),
-      "Of the torus: x1, y1, x2, y2; empty on other surfaces.")
+    .def_property_readonly("periods",
+                           View([](const Certificate & c, const py::handle & owner) { return Row(c.periods, owner); }),
+                           "Of the torus: x1, y1, x2, y2; empty on other surfaces.")
     .def_property_readonly(
       "statistics", [](const Certificate & c) { return DictOf(c.statistics); }, "What was measured, by name.")
     .def_readonly("warnings", &Certificate::warnings, "What is doubtful, a line for each.")

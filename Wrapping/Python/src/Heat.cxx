@@ -37,22 +37,22 @@ ConsumerOf(const py::object & function)
 }
 
 Heat
-Diffuse(const ImageType::Pointer &                   image,
-        std::optional<double>                        p,
-        const Window &                               window,
-        std::uint64_t                                timeSteps,
-        double                                       timeStepLength,
-        double                                       tolerance,
-        const std::string &                          method,
-        const std::string &                          conductance,
-        bool                                         ignoreSpacing,
-        bool                                         untilSteady,
-        const std::vector<std::uint64_t> &           histogramSteps,
-        const std::vector<std::uint64_t> &           snapshotSteps,
-        const py::object &                           snapshot,
-        bool                                         components,
-        bool                                         initialHeat,
-        const Progress &                             progress)
+Diffuse(const ImageType::Pointer &         image,
+        std::optional<double>              p,
+        const Window &                     window,
+        std::uint64_t                      timeSteps,
+        double                             timeStepLength,
+        double                             tolerance,
+        const std::string &                method,
+        const std::string &                conductance,
+        bool                               ignoreSpacing,
+        bool                               untilSteady,
+        const std::vector<std::uint64_t> & histogramSteps,
+        const std::vector<std::uint64_t> & snapshotSteps,
+        const py::object &                 snapshot,
+        bool                               components,
+        bool                               initialHeat,
+        const Progress &                   progress)
 {
   const auto filter = FilterType::New();
   filter->SetInput(image);
@@ -63,18 +63,20 @@ Diffuse(const ImageType::Pointer &                   image,
   filter->SetTimeStepLength(timeStepLength);
   filter->SetTolerance(tolerance);
   filter->SetMethod(Choice<FilterType::Method>(
-    "method", method, { { "chebyshev", FilterType::Method::Chebyshev }, { "explicit", FilterType::Method::Explicit } }));
-  filter->SetConductance(Choice<FilterType::Conductance>("conductance",
-                                                         conductance,
-                                                         { { "physical", FilterType::Conductance::Physical },
-                                                           { "published", FilterType::Conductance::Published } }));
+    "method",
+    method,
+    { { "chebyshev", FilterType::Method::Chebyshev }, { "explicit", FilterType::Method::Explicit } }));
+  filter->SetConductance(Choice<FilterType::Conductance>(
+    "conductance",
+    conductance,
+    { { "physical", FilterType::Conductance::Physical }, { "published", FilterType::Conductance::Published } }));
   filter->SetIgnoreSpacing(ignoreSpacing);
   filter->SetUntilSteady(untilSteady);
   filter->SetHistogramSteps(histogramSteps);
   filter->SetSnapshotSteps(snapshotSteps, ConsumerOf(snapshot));
   filter->SetWantComponents(components);
   filter->SetWantInitialHeat(initialHeat);
-  UpdateWithProgress(filter.GetPointer(), progress);
+  UpdateWithProgress(filter.GetPointer(), "Diffusing heat", progress);
   return { filter->GetOutput(), initialHeat ? filter->GetInitialHeatOutput() : nullptr, filter->GetResult() };
 }
 
@@ -82,10 +84,10 @@ py::array
 CountsOf(const HeatHistogram & histogram, const py::handle & owner)
 {
   const std::uint32_t * const first = histogram.GetNumberOfRows() > 0 ? histogram.GetRow(0) : nullptr;
-  return py::array_t<std::uint32_t>({ static_cast<py::ssize_t>(histogram.GetNumberOfRows()),
-                                      static_cast<py::ssize_t>(HeatHistogram::NumberOfBins) },
-                                    first,
-                                    owner);
+  return py::array_t<std::uint32_t>(
+    { static_cast<py::ssize_t>(histogram.GetNumberOfRows()), static_cast<py::ssize_t>(HeatHistogram::NumberOfBins) },
+    first,
+    owner);
 }
 
 py::array_t<double>
@@ -120,10 +122,11 @@ AddHistogram(py::module_ & module)
       "counts",
       [](const py::object & self) { return CountsOf(self.cast<const HeatHistogram &>(), self); },
       "Rows x 4097, uint32: voxels in each bin; a view.")
-    .def_property_readonly_static(
+    .def_property_readonly(
       "edges",
-      [](const py::object &) { return LowerEdges(); },
-      "4098 heats: bin b holds edges[b] <= heat < edges[b + 1]. Bin 0 is the background, the others 256 for each factor "
+      [](const HeatHistogram &) { return LowerEdges(); },
+      "4098 heats: bin b holds edges[b] <= heat < edges[b + 1]. Bin 0 is the background, the others 256 for each "
+      "factor "
       "of two.")
     .def("equalization",
          &HeatHistogram::GetEqualization,
@@ -153,7 +156,8 @@ AddHistogram(py::module_ & module)
     "last"_a,
     "number"_a,
     "spacing"_a = "logarithmic",
-    "At most `number` distinct time steps from 0 to `last`, for histogram_steps; spacing: \"logarithmic\" or \"linear\".");
+    "At most `number` distinct time steps from 0 to `last`, for histogram_steps; spacing: \"logarithmic\" or "
+    "\"linear\".");
 }
 
 void
@@ -184,10 +188,13 @@ AddClasses(py::module_ & module)
 
   module.def(
     "classify_heat",
-    [](const ImageType::Pointer & heat, const std::vector<ShapeComponent> & components, unsigned int maximum,
-       double backgroundHeat, double minimumShare, double minimumPeakToValley) {
-      const auto found =
-        ClassifyHeat(heat, components, { maximum, backgroundHeat, minimumShare, minimumPeakToValley });
+    [](const ImageType::Pointer &          heat,
+       const std::vector<ShapeComponent> & components,
+       unsigned int                        maximum,
+       double                              backgroundHeat,
+       double                              minimumShare,
+       double                              minimumPeakToValley) {
+      const auto found = ClassifyHeat(heat, components, { maximum, backgroundHeat, minimumShare, minimumPeakToValley });
       return std::make_pair(found.labels, found.classes);
     },
     "heat"_a,
@@ -216,7 +223,8 @@ AddHeat(py::module_ & module)
   py::class_<Heat>(module, "HeatResult", "What `diffuse_heat` gives.")
     .def_readonly("heat", &Heat::heat, "After the last step, in [0, 1]; float32, on the grid of the input.")
     .def_readonly("initial_heat", &Heat::initialHeat, "The heat at step 0; None unless it was asked for.")
-    .def_property_readonly("p", [](const Heat & heat) { return heat.result.p.p; }, "The p that was used.")
+    .def_property_readonly(
+      "p", [](const Heat & heat) { return heat.result.p.p; }, "The p that was used.")
     .def_property_readonly(
       "reason_of_p", [](const Heat & heat) { return heat.result.p.reason; }, "Why, where p was chosen; else empty.")
     .def_property_readonly(
@@ -227,7 +235,8 @@ AddHeat(py::module_ & module)
       "time_step", [](const Heat & heat) { return heat.result.timeStep; }, "The last step that was taken.")
     .def_property_readonly(
       "time_step_length", [](const Heat & heat) { return heat.result.timeStepLength; }, "dt, at most 1/12.")
-    .def_property_readonly("steady", [](const Heat & heat) { return heat.result.steady; }, "Whether it has become steady.")
+    .def_property_readonly(
+      "steady", [](const Heat & heat) { return heat.result.steady; }, "Whether it has become steady.")
     .def_property_readonly(
       "cold", [](const Heat & heat) { return heat.result.cold; }, "No edge in the volume: the heat is 0 everywhere.")
     .def_property_readonly(
@@ -240,27 +249,28 @@ AddHeat(py::module_ & module)
       [](const Heat & heat) { return heat.result.components; },
       "Largest first; empty unless they were asked for.");
 
-  module.def("diffuse_heat",
-             &Diffuse,
-             "image"_a,
-             py::kw_only(),
-             "p"_a = 7.0,
-             "window"_a = py::none(),
-             "time_steps"_a = 100000,
-             "time_step_length"_a = HeatDiffusionSolver::MaximumTimeStepLength,
-             "tolerance"_a = 1e-5,
-             "method"_a = "chebyshev",
-             "conductance"_a = "physical",
-             "ignore_spacing"_a = false,
-             "until_steady"_a = false,
-             "histogram_steps"_a = std::vector<std::uint64_t>(),
-             "snapshot_steps"_a = std::vector<std::uint64_t>(),
-             "snapshot"_a = py::none(),
-             "components"_a = false,
-             "initial_heat"_a = false,
-             "progress"_a = Progress(),
-             ReleaseGil(),
-             R"(Cumulative heat diffusion: describes each voxel by the heat it holds after diffusion from all voxels at once.
+  module.def(
+    "diffuse_heat",
+    &Diffuse,
+    "image"_a,
+    py::kw_only(),
+    "p"_a = 7.0,
+    "window"_a = py::none(),
+    "time_steps"_a = 100000,
+    "time_step_length"_a = HeatDiffusionSolver::MaximumTimeStepLength,
+    "tolerance"_a = 1e-5,
+    "method"_a = "chebyshev",
+    "conductance"_a = "physical",
+    "ignore_spacing"_a = false,
+    "until_steady"_a = false,
+    "histogram_steps"_a = std::vector<std::uint64_t>(),
+    "snapshot_steps"_a = std::vector<std::uint64_t>(),
+    "snapshot"_a = py::none(),
+    "components"_a = false,
+    "initial_heat"_a = false,
+    "progress"_a = Progress(),
+    ReleaseGil(),
+    R"(Cumulative heat diffusion: describes each voxel by the heat it holds after diffusion from all voxels at once.
 
 image: intensities; float32 and C-contiguous ones are read in place. Any spacing.
 p: steepness, from 0; an edge insulates where the half gradient reaches 1 / p. None: chosen from noise and edges.

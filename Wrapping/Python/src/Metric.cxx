@@ -55,8 +55,7 @@ Metric(const SurfaceMesh & mesh, std::optional<double> time, std::optional<int> 
   {
     return ComputeHeatDiffusionMetric(surface.connectivity, surface.laplacian, t);
   }
-  return TruncatedHeatDiffusionMetric(
-    surface.laplacian, ComputeSurfaceSpectrum(surface.laplacian, *pairs), t, *pairs);
+  return TruncatedHeatDiffusionMetric(surface.laplacian, ComputeSurfaceSpectrum(surface.laplacian, *pairs), t, *pairs);
 }
 
 Eigen::MatrixXd

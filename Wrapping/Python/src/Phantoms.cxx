@@ -37,7 +37,7 @@ MakePhantom(unsigned                            seed,
   source->SetSpacing(Source::SpacingType(spacing.data()));
   source->CenterOutput();
   source->SetTruthOnly(truthOnly);
-  UpdateWithProgress(source.GetPointer(), progress);
+  UpdateWithProgress(source.GetPointer(), "Scanning the phantom", progress);
   return { truthOnly ? nullptr : source->GetOutput(),
            source->GetLumenOutput(),
            source->GetSegmentOutput(),

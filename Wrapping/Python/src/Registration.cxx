@@ -23,7 +23,10 @@ struct Registered
 
 /** What files of the landmarks would tell. */
 std::shared_ptr<Position>
-PositionOf(const std::string & name, const FoundLandmarks & found, const CurveSet & centreline, const FoundFolds & folds)
+PositionOf(const std::string &    name,
+           const FoundLandmarks & found,
+           const CurveSet &       centreline,
+           const FoundFolds &     folds)
 {
   const auto      files = std::make_shared<Position>();
   const Json      document = ColonLandmarksToJson(found.landmarks);
@@ -56,10 +59,10 @@ Register(const std::shared_ptr<Position> & supine,
   SupineProneOptions options;
   options.map = Choice<SupineProneMap>(
     "map", map, { { "default", SupineProneMap::Default }, { "published", SupineProneMap::Published } });
-  options.matching = Choice<FoldMatchingMethod>("matching",
-                                                matching,
-                                                { { "hungarian", FoldMatchingMethod::Hungarian },
-                                                  { "dualDecomposition", FoldMatchingMethod::DualDecomposition } });
+  options.matching = Choice<FoldMatchingMethod>(
+    "matching",
+    matching,
+    { { "hungarian", FoldMatchingMethod::Hungarian }, { "dualDecomposition", FoldMatchingMethod::DualDecomposition } });
   options.refines = refine;
   options.isSegmentWise = segmentWise;
   const auto result = std::make_shared<Registered>();
@@ -112,12 +115,14 @@ AddMatches(py::module_ & module)
 void
 AddPosition(py::module_ & module)
 {
-  py::class_<Position, std::shared_ptr<Position>>(module, "ColonPosition", R"(The colon in one position, to be registered.
+  py::class_<Position, std::shared_ptr<Position>>(
+    module, "ColonPosition", R"(The colon in one position, to be registered.
 
 name: "supine" or "prone", for messages. landmarks: as `find_landmarks` gives them. centreline: Curves.
 folds: as `find_folds` gives them.)")
     .def(py::init(&PositionOf), "name"_a, "landmarks"_a, "centreline"_a, "folds"_a, ReleaseGil())
-    .def_property_readonly("name", [](const Position & p) { return p.position.name; }, "For messages.")
+    .def_property_readonly(
+      "name", [](const Position & p) { return p.position.name; }, "For messages.")
     .def_readonly("warnings", &Position::warnings, "What is missing that registration can do without.");
 
   module.def(
@@ -137,7 +142,8 @@ AddRegistration(py::module_ & module)
 {
   AddMatches(module);
   AddPosition(module);
-  py::class_<Registered, std::shared_ptr<Registered>>(module, "Registration", "A map between the walls of two positions.")
+  py::class_<Registered, std::shared_ptr<Registered>>(
+    module, "Registration", "A map between the walls of two positions.")
     .def_property_readonly(
       "supine_to_prone",
       [](const Registered & r) -> const SurfaceMesh & { return r.results.supineToProne; },

@@ -45,12 +45,12 @@ SetChoices(FilterType *        filter,
 }
 
 void
-SetSteps(FilterType *                         filter,
-         std::optional<std::uint32_t>         shapetons,
-         double                               distance,
-         std::optional<double>                featureSize,
-         std::uint64_t                        timeSteps,
-         const std::vector<std::uint64_t> &   histogramSteps)
+SetSteps(FilterType *                       filter,
+         std::optional<std::uint32_t>       shapetons,
+         double                             distance,
+         std::optional<double>              featureSize,
+         std::uint64_t                      timeSteps,
+         const std::vector<std::uint64_t> & histogramSteps)
 {
   filter->SetNumberOfShapetons(shapetons.value_or(filter->GetNumberOfShapetons()));
   filter->SetDistance(distance);
@@ -62,22 +62,22 @@ SetSteps(FilterType *                         filter,
 }
 
 Shapetons
-Diffuse(const ImageType::Pointer &                             image,
+Diffuse(const ImageType::Pointer &                                image,
         const std::optional<FilterType::MaskImageType::Pointer> & mask,
-        double                                                 p,
-        const Window &                                         window,
-        std::optional<std::uint32_t>                           shapetons,
-        double                                                 distance,
-        std::optional<double>                                  featureSize,
-        std::uint64_t                                          timeSteps,
-        const std::string &                                    directionSampling,
-        const std::string &                                    pathRule,
-        const std::string &                                    placement,
-        std::uint64_t                                          seed,
-        bool                                                   untilSteady,
-        std::optional<double>                                  epsilon,
-        const std::vector<std::uint64_t> &                     histogramSteps,
-        const Progress &                                       progress)
+        double                                                    p,
+        const Window &                                            window,
+        std::optional<std::uint32_t>                              shapetons,
+        double                                                    distance,
+        std::optional<double>                                     featureSize,
+        std::uint64_t                                             timeSteps,
+        const std::string &                                       directionSampling,
+        const std::string &                                       pathRule,
+        const std::string &                                       placement,
+        std::uint64_t                                             seed,
+        bool                                                      untilSteady,
+        std::optional<double>                                     epsilon,
+        const std::vector<std::uint64_t> &                        histogramSteps,
+        const Progress &                                          progress)
 {
   const auto filter = FilterType::New();
   filter->SetInput(image);
@@ -93,10 +93,9 @@ Diffuse(const ImageType::Pointer &                             image,
   filter->SetUntilSteady(untilSteady);
   filter->SetAutomaticEpsilon(!epsilon);
   filter->SetEpsilon(epsilon.value_or(filter->GetEpsilon()));
-  UpdateWithProgress(filter.GetPointer(), progress);
-  return { filter->GetOutput(),    filter->GetMeasures(),
-           filter->GetHistogram(), filter->GetDistance(),
-           filter->GetNumberOfShapetons(), filter->GetAutomaticShapetons().distanceReason };
+  UpdateWithProgress(filter.GetPointer(), "Diffusing shapetons", progress);
+  return { filter->GetOutput(),   filter->GetMeasures(),          filter->GetHistogram(),
+           filter->GetDistance(), filter->GetNumberOfShapetons(), filter->GetAutomaticShapetons().distanceReason };
 }
 
 template <typename TMember>
@@ -111,20 +110,28 @@ AddResult(py::module_ & module)
 {
   py::class_<Shapetons>(module, "ShapetonResult", "What `diffuse_shapetons` gives.")
     .def_readonly("visits", &Shapetons::visits, "Of each voxel; uint32. They sum to shapetons x steps.")
-    .def_property_readonly("density", [](const Shapetons & s) { return NormalizeVisits(s.visits); },
-                           "Visits over the greatest number of visits, in [0, 1]; float32, made when it is asked for.")
+    .def_property_readonly(
+      "density",
+      [](const Shapetons & s) { return NormalizeVisits(s.visits); },
+      "Visits over the greatest number of visits, in [0, 1]; float32, made when it is asked for.")
     .def_property_readonly("time_step", Measure(&ShapetonMeasures::step), "The last step that was taken.")
     .def_property_readonly("steady", Measure(&ShapetonMeasures::steady), "Whether the density has become steady.")
     .def_property_readonly("change", Measure(&ShapetonMeasures::change), "Of the density in the last step (3.10).")
-    .def_property_readonly("coverage", [](const Shapetons & s) { return s.measures.GetCoverage(); },
-                           "Share of the object voxels that were reached, 0 to 1.")
-    .def_property_readonly("trapped", Measure(&ShapetonMeasures::trappedShapetons),
+    .def_property_readonly(
+      "coverage",
+      [](const Shapetons & s) { return s.measures.GetCoverage(); },
+      "Share of the object voxels that were reached, 0 to 1.")
+    .def_property_readonly("trapped",
+                           Measure(&ShapetonMeasures::trappedShapetons),
                            "Shapetons in voxels that are cut off from all neighbours.")
     .def_readonly("shapetons", &Shapetons::shapetons, "How many there were.")
     .def_readonly("distance", &Shapetons::distance, "Length of a step, in units of the longest side.")
     .def_readonly("reason_of_distance", &Shapetons::reason, "Why, where feature_size chose it; else empty.")
-    .def_property_readonly("histogram", [](const Shapetons & s) -> const HeatHistogram & { return s.histogram; },
-                           py::return_value_policy::reference_internal, "A row for each of histogram_steps.");
+    .def_property_readonly(
+      "histogram",
+      [](const Shapetons & s) -> const HeatHistogram & { return s.histogram; },
+      py::return_value_policy::reference_internal,
+      "A row for each of histogram_steps.");
 }
 } // namespace
 
@@ -168,8 +175,12 @@ progress: called with (share, stage) ten times a second; False, or an exception 
 
 The visits are the same bytes for any number of threads.)");
 
-  module.def("visit_density", [](const Visits::Pointer & visits) { return NormalizeVisits(visits); }, "visits"_a,
-             ReleaseGil(), "Visits over the greatest number of visits: float32 in [0, 1].");
+  module.def(
+    "visit_density",
+    [](const Visits::Pointer & visits) { return NormalizeVisits(visits); },
+    "visits"_a,
+    ReleaseGil(),
+    "Visits over the greatest number of visits: float32 in [0, 1].");
   module.def(
     "classify_visits",
     [](const Visits::Pointer & visits) {

@@ -33,7 +33,7 @@ Read(const std::string & path,
   return mesh;
 }
 
-py::object
+py::dict
 Inspect(const SurfaceMesh & mesh)
 {
   Json document;
@@ -89,8 +89,11 @@ What was changed or doubtful is in the `notes` of the mesh.)");
              "path"_a,
              ReleaseGil(),
              "Writes VTP (all arrays and facts), STL, PLY or OBJ by the extension; equal surfaces give equal bytes.");
-  module.def(
-    "read_curves", &ReadCurves, "path"_a, ReleaseGil(), "Reads the lines and points of a VTP file, such as a centreline.");
+  module.def("read_curves",
+             &ReadCurves,
+             "path"_a,
+             ReleaseGil(),
+             "Reads the lines and points of a VTP file, such as a centreline.");
   module.def("write_curves",
              &WriteCurves,
              "curves"_a,

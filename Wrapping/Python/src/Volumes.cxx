@@ -95,8 +95,9 @@ AddVolumes(py::module_ & module)
     .def_readonly("slices", &DicomDefect::slices, "The slices concerned, from 1 along the normal.");
 
   py::class_<DicomSeries>(module, "DicomSeries", "A DICOM series of a folder, as `list_series` finds it.")
-    .def_property_readonly(
-      "selector", &DicomSeries::GetSelector, "What `read_volume` takes as series_uid: the UID, with \"#part\" if need be.")
+    .def_property_readonly("selector",
+                           &DicomSeries::GetSelector,
+                           "What `read_volume` takes as series_uid: the UID, with \"#part\" if need be.")
     .def_readonly("uid", &DicomSeries::uid, "Series Instance UID.")
     .def_readonly("number", &DicomSeries::number, "Series Number.")
     .def_readonly("description", &DicomSeries::description, "Series Description.")

@@ -1,0 +1,77 @@
+"""What the tests share: volumes, tools of the build, skipping."""
+
+import os
+import subprocess
+import sys
+import tempfile
+import unittest
+from pathlib import Path
+
+import numpy as np
+
+import shapeton
+
+DATA = Path(os.environ.get("SHAPETON_DATA", "."))
+TOOLS = os.environ.get("SHAPETON_TOOLS", "")
+
+needs_tools = unittest.skipUnless(TOOLS, "SHAPETON_TOOLS, the folder of the tools, is not set")
+
+
+def run_tool(name, *arguments):
+    """Runs a tool of the build; fails with its message."""
+    command = [os.path.join(TOOLS, name), *map(str, arguments)]
+    done = subprocess.run(command, capture_output=True, text=True, check=False)
+    if done.returncode != 0:
+        raise AssertionError(done.stderr)
+
+
+def error_of_tool(name, *arguments):
+    """The message of a tool that must fail."""
+    command = [os.path.join(TOOLS, name), *map(str, arguments)]
+    done = subprocess.run(command, capture_output=True, text=True, check=False)
+    if done.returncode == 0:
+        raise AssertionError(f"{name} has not failed")
+    return done.stderr.strip()
+
+
+def run_python(code, **variables):
+    """Runs a program in another Python; returns what it prints."""
+    environment = {**os.environ, **variables}
+    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=False, env=environment)
+    if done.returncode != 0:
+        raise AssertionError(done.stderr)
+    return done.stdout.strip()
+
+
+def oblique():
+    """Three unit vectors in columns: 20 degrees about z, then 30 about x."""
+    a, b = np.radians([20.0, 30.0])
+    about_z = np.array([[np.cos(a), -np.sin(a), 0.0], [np.sin(a), np.cos(a), 0.0], [0.0, 0.0, 1.0]])
+    about_x = np.array([[1.0, 0.0, 0.0], [0.0, np.cos(b), -np.sin(b)], [0.0, np.sin(b), np.cos(b)]])
+    return about_x @ about_z
+
+
+def balls(shape=(40, 36, 32), seed=1, noise=20.0):
+    """A volume of bright balls in noise on an oblique grid with three spacings; float32."""
+    random = np.random.default_rng(seed)
+    z, y, x = np.ogrid[tuple(slice(n) for n in shape)]
+    voxels = random.normal(0.0, noise, shape)
+    for _ in range(5):
+        centre, radius = random.uniform(0.25, 0.75, 3) * shape, random.uniform(0.1, 0.25) * min(shape)
+        inside = (z - centre[0]) ** 2 + (y - centre[1]) ** 2 + (x - centre[2]) ** 2 < radius**2
+        voxels[inside] += 500.0
+    return shapeton.Image(voxels.astype(np.float32), (0.8, 0.9, 1.5), (-10.0, 20.0, 5.0), oblique())
+
+
+class TestCase(unittest.TestCase):
+    """A test with a folder of its own."""
+
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = Path(folder.name)
+
+    def assertSame(self, one, other):
+        """The same shape, type and bytes."""
+        self.assertEqual((one.shape, one.dtype), (other.shape, other.dtype))
+        self.assertEqual(one.tobytes(), other.tobytes())

@@ -1,0 +1,175 @@
+"""Images and surfaces of other packages. nibabel and VTK are Debian's; of SimpleITK, itk and pyvista, which Debian lacks,
+small stand-ins with the calls that are used show that the converters call them rightly, and no more than that."""
+
+import gc
+import sys
+import types
+import unittest
+from unittest import mock
+
+import numpy as np
+
+import shapeton
+from shapeton import Image, Mesh, surfaces
+
+from support import DATA, TestCase, balls
+
+TORUS = DATA / "Torus.off"
+
+
+class NibabelTest(TestCase):
+    def test_a_file_is_read_as_the_library_reads_it(self):
+        import nibabel
+
+        path = str(self.folder / "volume.nii.gz")
+        image = balls()
+        shapeton.write_volume(image, path)
+        expected = shapeton.read_volume(path)
+        converted = Image.from_nibabel(nibabel.load(path))
+        np.testing.assert_array_equal(converted.array, expected.array)
+        np.testing.assert_allclose(converted.affine, expected.affine, atol=1e-5)
+
+    def test_ras_becomes_lps(self):
+        import nibabel
+
+        voxels = np.zeros((3, 4, 5), np.float32)
+        voxels[2, 1, 3] = 1.0
+        affine = np.array([[-2.0, 0, 0, 30], [0, 1.5, 0, -20], [0, 0, 3, 5], [0, 0, 0, 1]])
+        image = Image.from_nibabel(nibabel.Nifti1Image(voxels, affine))
+        ras = affine @ [2, 1, 3, 1]
+        np.testing.assert_allclose(image.point(np.argwhere(image.array)[0]), [-ras[0], -ras[1], ras[2]])
+        self.assertTrue(np.shares_memory(image.array, voxels))
+
+    def test_there_and_back(self):
+        image = balls()
+        back = Image.from_nibabel(image.to_nibabel())
+        self.assertSame(back.array, image.array)
+        self.assertTrue(np.shares_memory(back.array, image.array))
+        np.testing.assert_allclose(back.affine, image.affine, atol=1e-12)
+
+
+class VtkTest(TestCase):
+    def test_an_image_there_and_back(self):
+        image = balls()
+        back = Image.from_vtk(image.to_vtk())
+        self.assertSame(back.array, image.array)
+        np.testing.assert_allclose(back.affine, image.affine, atol=1e-12)
+
+    def test_vtk_places_voxels_where_we_do(self):
+        image = balls()
+        place = [0.0, 0.0, 0.0]
+        image.to_vtk().TransformIndexToPhysicalPoint(3, 2, 1, place)
+        np.testing.assert_allclose(place, image.point([1, 2, 3]))
+
+    def test_an_extent_that_does_not_begin_at_0(self):
+        data = balls().to_vtk()
+        data.SetExtent(2, 33, 1, 36, 5, 44)
+        place = [0.0, 0.0, 0.0]
+        data.TransformIndexToPhysicalPoint(2, 1, 5, place)
+        np.testing.assert_allclose(Image.from_vtk(data).point([0, 0, 0]), place)
+
+    def test_views_outlive_their_owners(self):
+        image = balls((12, 14, 16))
+        expected = image.array.sum(dtype=float)
+        data = image.to_vtk()
+        del image
+        gc.collect()
+        self.assertAlmostEqual(Image.from_vtk(data).array.sum(dtype=float), expected)
+        mesh = surfaces.read_surface(str(TORUS))
+        area, poly_data = surfaces.surface_area(mesh), mesh.to_vtk()
+        del mesh
+        gc.collect()
+        self.assertEqual(surfaces.surface_area(Mesh.from_vtk(poly_data)), area)
+
+    def test_a_surface_there_and_back(self):
+        mesh = surfaces.read_surface(str(TORUS))
+        mesh.point_arrays["number"] = np.arange(len(mesh.vertices), dtype=np.int32)
+        mesh.point_arrays["uv"] = mesh.vertices[:, :2] * 0.5
+        mesh.cell_arrays["part"] = np.ones(len(mesh.faces))
+        mesh.field_arrays["list"] = np.array([3, 1, 4], np.int32)
+        back = Mesh.from_vtk(mesh.to_vtk())
+        self.assertSame(back.vertices, mesh.vertices)
+        self.assertSame(back.faces, mesh.faces)
+        for kind in ("point_arrays", "cell_arrays", "field_arrays"):
+            for name, values in getattr(mesh, kind).items():
+                np.testing.assert_array_equal(getattr(back, kind)[name], values)
+
+    def test_a_surface_of_a_filter(self):
+        from vtkmodules.vtkFiltersCore import vtkCleanPolyData
+        from vtkmodules.vtkFiltersSources import vtkSphereSource
+
+        source, clean = vtkSphereSource(), vtkCleanPolyData()
+        source.SetRadius(20.0)
+        source.SetThetaResolution(40)
+        source.SetPhiResolution(40)
+        clean.SetInputConnection(source.GetOutputPort())
+        clean.Update()
+        facts = surfaces.inspect_surface(Mesh.from_vtk(clean.GetOutput()))
+        self.assertEqual((facts["genus"], facts["closed"]), (0, True))
+
+    def test_other_cells_are_refused(self):
+        from vtkmodules.vtkFiltersSources import vtkCubeSource
+
+        cube = vtkCubeSource()
+        cube.Update()
+        with self.assertRaisesRegex(shapeton.InputError, "no triangles"):
+            Mesh.from_vtk(cube.GetOutput())
+
+
+class FakeImage:
+    """What SimpleITK and itk have in common."""
+
+    def __init__(self, array):
+        self.array, self.spacing, self.origin, self.direction = array, (1.0,) * 3, (0.0,) * 3, tuple(np.eye(3).ravel())
+
+    def SetSpacing(self, spacing):
+        self.spacing = tuple(float(s) for s in spacing)
+
+    def SetOrigin(self, origin):
+        self.origin = tuple(float(o) for o in origin)
+
+    def SetDirection(self, direction):
+        self.direction = direction
+
+    def GetSpacing(self):
+        return self.spacing
+
+    def GetOrigin(self):
+        return self.origin
+
+    def GetDirection(self):
+        return self.direction
+
+
+class StandInTest(TestCase):
+    def assertThereAndBack(self, image, back):
+        self.assertSame(back.array, image.array)
+        np.testing.assert_allclose(back.affine, image.affine)
+
+    def test_simple_itk(self):
+        fake = types.SimpleNamespace(GetImageFromArray=FakeImage, GetArrayViewFromImage=lambda image: image.array)
+        with mock.patch.dict(sys.modules, SimpleITK=fake):
+            image = balls()
+            other = image.to_sitk()
+            self.assertEqual(len(other.direction), 9)
+            self.assertThereAndBack(image, Image.from_sitk(other))
+
+    def test_itk(self):
+        fake = types.SimpleNamespace(
+            image_view_from_array=FakeImage,
+            array_view_from_image=lambda image: image.array,
+            matrix_from_array=np.array,
+            array_from_matrix=np.array,
+        )
+        with mock.patch.dict(sys.modules, itk=fake):
+            image = balls()
+            self.assertThereAndBack(image, Image.from_itk(image.to_itk()))
+
+    def test_pyvista(self):
+        with mock.patch.dict(sys.modules, pyvista=types.SimpleNamespace(wrap=lambda data: data)):
+            mesh = surfaces.read_surface(str(TORUS))
+            self.assertSame(Mesh.from_pyvista(mesh.to_pyvista()).vertices, mesh.vertices)
+
+
+if __name__ == "__main__":
+    unittest.main()

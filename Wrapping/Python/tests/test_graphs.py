@@ -1,0 +1,73 @@
+import unittest
+
+import numpy as np
+
+import shapeton
+from shapeton import graphs
+
+from support import TestCase, needs_tools, run_tool
+
+
+class GraphTest(TestCase):
+    def test_k7_lies_on_the_torus(self):
+        certificate = graphs.embed_graph(graphs.complete_graph(7))
+        self.assertEqual((certificate.genus, certificate.geometry), (1, "euclidean"))
+        self.assertEqual(certificate.node_positions.shape, (7, 2))
+        np.testing.assert_allclose(certificate.node_radii, certificate.node_radii[0], rtol=1e-9)
+        verdict = graphs.verify_embedding(certificate)
+        self.assertTrue(verdict.is_valid, verdict.refusal)
+        self.assertEqual(verdict.measures["faces"], 14)
+
+    def test_the_geometry_follows_the_genus(self):
+        cube = graphs.embed_graph(graphs.hypercube_graph(3))
+        self.assertEqual((cube.genus, cube.geometry), (0, "spherical"))
+        np.testing.assert_allclose(np.linalg.norm(cube.node_positions, axis=1), 1.0)
+        k8 = graphs.embed_graph(graphs.complete_graph(8))
+        self.assertEqual((k8.genus, k8.geometry), (2, "hyperbolic"))
+        self.assertEqual(graphs.embed_graph(graphs.hypercube_graph(3), genus=1).genus, 1)
+
+    def test_a_rotation_in_place_of_a_search(self):
+        graph, rotation = graphs.torus_grid(5, 4)
+        certificate = graphs.embed_graph(graph, rotation=rotation)
+        self.assertEqual(certificate.genus, 1)
+        self.assertEqual(certificate.rotation, [h for around in rotation for h in around])
+        with self.assertRaisesRegex(shapeton.ParameterError, "rotation"):
+            graphs.embed_graph(graph, rotation=rotation, genus=1)
+
+    def test_a_graph_keeps_its_edges_and_names(self):
+        graph = graphs.Graph(3, [[0, 1], [1, 2]], ["a", "b", "c"])
+        np.testing.assert_array_equal(graph.edges, [[0, 1], [1, 2]])
+        path = str(self.folder / "graph.graphml")
+        graphs.write_graph(graph, path)
+        read = graphs.read_graph(path)
+        np.testing.assert_array_equal(read.edges, graph.edges)
+        self.assertEqual(read.names, graph.names)
+        with self.assertRaisesRegex(shapeton.InputError, "node 5"):
+            graphs.Graph(2, [[0, 5]])
+
+    def test_isomorphic_graphs_are_found_and_others_told_apart(self):
+        k33 = graphs.complete_bipartite_graph(3, 3)
+        order = np.array([3, 0, 4, 1, 5, 2])
+        same = graphs.compare_graphs(k33, graphs.Graph(6, order[k33.edges]))
+        self.assertTrue(same.isomorphic)
+        self.assertEqual((same.differences, sorted(same.correspondence)), ([], list(range(6))))
+        other = graphs.compare_graphs(k33, graphs.grid_graph(3, 2))
+        self.assertFalse(other.isomorphic)
+        self.assertTrue(other.differences)
+
+    @needs_tools
+    def test_a_certificate_is_that_of_the_tool(self):
+        graph = graphs.complete_graph(8)
+        path, written = str(self.folder / "graph.graphml"), str(self.folder / "certificate.json")
+        graphs.write_graph(graph, path)
+        run_tool("GraphEmbedding", path, written)
+        again = str(self.folder / "again.json")
+        graphs.write_certificate(graphs.embed_graph(graph), again)
+        certificate, expected = graphs.read_certificate(again), graphs.read_certificate(written)
+        for name in ("node_positions", "node_radii", "face_positions", "face_radii"):
+            self.assertSame(getattr(certificate, name), getattr(expected, name))
+        self.assertEqual(certificate.statistics, expected.statistics)
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,283 @@
+import _thread
+import os
+import signal
+import threading
+import time
+import unittest
+from concurrent.futures import ThreadPoolExecutor
+
+import numpy as np
+
+import shapeton
+
+from support import TestCase, balls, needs_tools, run_python, run_tool
+
+
+class HeatTest(TestCase):
+    def test_a_cube_converges_to_its_cut_faces(self):
+        # 2.3.4: the heat of a closed binary object is (cut faces) / (6 voxels): 1 / side of a cube.
+        for side in (4, 6):
+            voxels = np.zeros((24, 24, 24), np.float32)
+            voxels[8 : 8 + side, 8 : 8 + side, 8 : 8 + side] = 1.0
+            result = shapeton.diffuse_heat(shapeton.Image(voxels), time_steps=20000, components=True)
+            self.assertAlmostEqual(float(result.heat.array[9, 9, 9]), 1.0 / side, delta=1e-5)
+            (cube,) = [c for c in result.components if c.closed]
+            self.assertEqual((cube.voxels, cube.index), (side**3, (8, 8, 8)))
+            self.assertAlmostEqual(cube.converged_heat, 1.0 / side, delta=1e-6)
+
+    def test_the_histogram_counts_each_voxel_once_in_each_row(self):
+        steps = shapeton.recorded_steps(500, 12)
+        result = shapeton.diffuse_heat(balls(), time_steps=500, histogram_steps=steps)
+        self.assertEqual(result.histogram.time_steps, steps)
+        np.testing.assert_array_equal(result.histogram.counts.sum(axis=1), result.heat.array.size)
+        last, _ = np.histogram(result.heat.array, np.append(result.histogram.edges[:-1], 2.0))
+        np.testing.assert_array_equal(result.histogram.counts[-1], last)
+        self.assertSame(shapeton.heat_histogram([result.heat], [500]).counts[0], result.histogram.counts[-1])
+
+    def test_classes_divide_the_heat_at_their_bounds(self):
+        heat = shapeton.diffuse_heat(balls(), time_steps=2000).heat
+        labels, classes = shapeton.classify_heat(heat)
+        self.assertEqual([c.label for c in classes], list(range(len(classes))))
+        for c in classes:
+            inside = (heat.array >= c.lower_heat) & (heat.array < c.upper_heat)
+            self.assertEqual(np.count_nonzero(labels.array == c.label), c.voxels)
+            self.assertGreater(np.count_nonzero(inside & (labels.array == c.label)), 0.999 * c.voxels)
+            self.assertAlmostEqual(c.volume, c.voxels * np.prod(heat.spacing), delta=1e-6 * c.volume + 1e-9)
+
+    def test_snapshots_are_the_heat_of_shorter_runs(self):
+        image, seen = balls((12, 14, 16)), {}
+        shapeton.diffuse_heat(
+            image, time_steps=80, method="explicit", snapshot_steps=[0, 40], snapshot=lambda n, h: seen.update({n: h})
+        )
+        self.assertEqual(sorted(seen), [0, 40])
+        self.assertSame(seen[40].array, shapeton.diffuse_heat(image, time_steps=40, method="explicit").heat.array)
+        initial = shapeton.diffuse_heat(image, time_steps=1, initial_heat=True).initial_heat
+        self.assertSame(seen[0].array, initial.array)
+
+    def test_wrong_parameters_are_value_errors_that_name_them(self):
+        image = balls((8, 8, 8))
+        for words, wrong in (
+            ("P must not be negative", {"p": -1.0}),
+            ("TimeSteps must be at least 1", {"time_steps": 0}),
+            (r"window \[3, 1\] is empty or reversed", {"window": (3.0, 1.0)}),
+            ("tolerance must lie between", {"tolerance": 2.0}),
+            ("time step must be positive and at most 1/12", {"time_step_length": 0.2}),
+            ("steps to record must ascend", {"histogram_steps": [5, 3]}),
+            ('"method" = "fast" is none of: chebyshev, explicit', {"method": "fast"}),
+            ('"conductance" = "" is none of: physical, published', {"conductance": ""}),
+        ):
+            with self.assertRaisesRegex(ValueError, words) as caught:
+                shapeton.diffuse_heat(image, **wrong)
+            self.assertIsInstance(caught.exception, shapeton.ParameterError)
+            self.assertNotIn("\n", str(caught.exception))
+
+
+class ShapetonsTest(TestCase):
+    def test_each_step_of_each_shapeton_is_a_visit(self):
+        result = shapeton.diffuse_shapetons(balls(), shapetons=3000, time_steps=50)
+        self.assertEqual(int(result.visits.array.sum(dtype=np.int64)), 150000)
+        self.assertEqual((result.time_step, result.shapetons), (50, 3000))
+        density = result.density.array
+        np.testing.assert_allclose(density, result.visits.array / result.visits.array.max(), rtol=1e-6)
+        self.assertSame(density, shapeton.visit_density(result.visits).array)
+        labels, classes = shapeton.classify_visits(result.visits)
+        self.assertEqual(sum(c.voxels for c in classes), labels.array.size)
+
+    def test_shapetons_start_in_the_mask_and_cannot_leave_a_box(self):
+        voxels = np.zeros((20, 20, 20), np.float32)
+        voxels[5:15, 5:15, 5:15] = 1.0
+        image = shapeton.Image(voxels)
+        result = shapeton.diffuse_shapetons(
+            image, mask=image.like(voxels > 0), shapetons=2000, time_steps=60, distance=0.05, path_rule="traversal"
+        )
+        self.assertEqual(result.visits.array[voxels == 0].sum(), 0)
+        with self.assertRaisesRegex(shapeton.InputError, "mask"):
+            shapeton.diffuse_shapetons(image, mask=image.like(np.zeros((20, 20, 20), bool)))
+
+
+class ThreadsTest(TestCase):
+    def setUp(self):
+        super().setUp()
+        self.addCleanup(shapeton.set_threads, shapeton.threads())
+
+    def test_any_number_of_threads_gives_the_same_bytes(self):
+        image, heats, visits = balls(), [], []
+        for number in (1, 2, 5):
+            shapeton.set_threads(number)
+            self.assertEqual(shapeton.threads(), number)
+            heats.append(shapeton.diffuse_heat(image, time_steps=300).heat.array)
+            visits.append(shapeton.diffuse_shapetons(image, shapetons=2000, time_steps=30).visits.array)
+        for other in (1, 2):
+            self.assertSame(heats[other], heats[0])
+            self.assertSame(visits[other], visits[0])
+
+    def test_calls_from_several_threads_of_python_give_the_same_bytes(self):
+        image = balls()
+        expected = shapeton.diffuse_heat(image, time_steps=300).heat.array
+        with ThreadPoolExecutor(4) as pool:
+            for result in pool.map(lambda _: shapeton.diffuse_heat(image, time_steps=300), range(8)):
+                self.assertSame(result.heat.array, expected)
+
+    def test_other_threads_of_python_run_meanwhile(self):
+        ticks, done = [], threading.Event()
+
+        def tick():
+            while not done.wait(0.001):
+                ticks.append(None)
+
+        thread = threading.Thread(target=tick)
+        thread.start()
+        before = []
+        shapeton.diffuse_heat(balls((64, 64, 64)), time_steps=3000, progress=lambda *_: before.append(len(ticks)))
+        done.set()
+        thread.join()
+        self.assertGreater(len(ticks), before[0] + 5)
+
+
+class AbortTest(TestCase):
+    """A run that would take hours ends; what is used afterwards is as before."""
+
+    def setUp(self):
+        super().setUp()
+        self.image = balls((48, 48, 48))
+
+    def run_for_hours(self, progress=None):
+        shapeton.diffuse_heat(self.image, time_steps=10**9, method="explicit", progress=progress)
+
+    def tearDown(self):
+        result = shapeton.diffuse_heat(self.image, time_steps=10)
+        self.assertEqual(result.time_step, 10)
+
+    def test_progress_ascends_and_names_the_stage(self):
+        calls = []
+        shapeton.diffuse_heat(self.image, time_steps=3000, progress=lambda share, stage: calls.append((share, stage)))
+        shares = [share for share, _ in calls]
+        self.assertEqual(shares, sorted(shares))
+        self.assertTrue(0.0 <= shares[0] and shares[-1] <= 1.0)
+        self.assertEqual({stage for _, stage in calls}, {"Diffusing heat"})
+
+    def test_false_aborts_at_once(self):
+        calls = []
+
+        def progress(share, stage):
+            calls.append(share)
+            return len(calls) < 3
+
+        with self.assertRaisesRegex(RuntimeError, "progress function has returned False") as caught:
+            self.run_for_hours(progress)
+        self.assertIsInstance(caught.exception, shapeton.Aborted)
+        self.assertEqual(len(calls), 3)
+
+    def test_none_and_zero_do_not_abort(self):
+        for answer in (None, 0, "", []):
+            shapeton.diffuse_heat(self.image, time_steps=100, progress=lambda *_, answer=answer: answer)
+
+    def test_an_exception_of_progress_comes_out_as_it_is(self):
+        def progress(share, stage):
+            raise KeyError("mine")
+
+        with self.assertRaisesRegex(KeyError, "mine"):
+            self.run_for_hours(progress)
+
+    def test_a_signal_stops_a_run(self):
+        signal.signal(signal.SIGINT, signal.default_int_handler)
+        threading.Timer(0.5, lambda: os.kill(os.getpid(), signal.SIGINT)).start()
+        with self.assertRaises(KeyboardInterrupt):
+            self.run_for_hours()
+
+    def test_a_signal_stops_shapetons(self):
+        signal.signal(signal.SIGINT, signal.default_int_handler)
+        threading.Timer(0.5, lambda: os.kill(os.getpid(), signal.SIGINT)).start()
+        with self.assertRaises(KeyboardInterrupt):
+            shapeton.diffuse_shapetons(self.image, time_steps=10**9)
+
+    def test_interrupt_main_of_another_thread_stops_a_run(self):
+        signal.signal(signal.SIGINT, signal.default_int_handler)
+        threading.Timer(0.5, _thread.interrupt_main).start()
+        with self.assertRaises(KeyboardInterrupt):
+            self.run_for_hours()
+
+    def test_a_run_in_another_thread_is_aborted_by_its_progress(self):
+        stop, caught = threading.Event(), []
+
+        def work():
+            try:
+                self.run_for_hours(lambda *_: not stop.is_set())
+            except shapeton.Aborted as error:
+                caught.append(error)
+
+        thread = threading.Thread(target=work)
+        thread.start()
+        time.sleep(0.3)
+        stop.set()
+        thread.join(60.0)
+        self.assertEqual(len(caught), 1)
+
+
+LEAKS = """
+import numpy as np, shapeton
+def resident():
+    with open("/proc/self/statm") as file:
+        return int(file.read().split()[1]) * 4096
+image = shapeton.Image(np.random.default_rng(1).normal(size=(24, 24, 24)))
+mesh = shapeton.Mesh([[0, 0, 0], [9, 0, 0], [0, 9, 0], [0, 0, 9]], [[0, 2, 1], [0, 1, 3], [1, 2, 3], [0, 3, 2]], {"a": [1, 2, 3, 4]})
+from shapeton import surfaces, graphs
+def everything():
+    result = shapeton.diffuse_heat(image, time_steps=3, histogram_steps=[0, 3], components=True, progress=lambda *_: None)
+    shapeton.classify_heat(result.heat, result.components)
+    result.histogram.counts
+    surfaces.repair_surface(mesh)[0].point_arrays
+    surfaces.inspect_surface(mesh)
+    graphs.embed_graph(graphs.complete_graph(4)).node_positions
+    for wrong in (lambda: shapeton.diffuse_heat(image, p=-1), lambda: shapeton.read_volume("there is none"),
+                  lambda: shapeton.diffuse_heat(image, time_steps=3, progress=lambda *_: False)):
+        try:
+            wrong()
+        except (ValueError, RuntimeError):
+            pass
+for _ in range(200):
+    everything()
+before = resident()
+for _ in range(1000):
+    everything()
+print(resident() - before)
+"""
+
+
+class LeakTest(TestCase):
+    def test_a_thousand_calls_leave_nothing_behind(self):
+        # A heat alone has 55 kB; a leak of one a call would be 55 MB.
+        self.assertLess(int(run_python(LEAKS)), 4_000_000)
+
+
+@needs_tools
+class SameAsToolsTest(TestCase):
+    def setUp(self):
+        super().setUp()
+        self.image = balls()
+        self.volume = self.folder / "volume.nrrd"
+        shapeton.write_volume(self.image, str(self.volume))
+
+    def read(self, name):
+        return shapeton.read_volume(str(self.folder / name)).array
+
+    def test_heat_and_labels(self):
+        heat, labels = self.folder / "heat.nrrd", self.folder / "labels.nrrd"
+        run_tool("CumulativeHeatDiffusion", self.volume, heat, "--timeSteps", 700, "--p", 5, "--intensityWindow=-50,600",
+                 "--timeStepLength", 0.08, "--labels", labels)
+        result = shapeton.diffuse_heat(
+            self.image, time_steps=700, p=5.0, window=(-50.0, 600.0), time_step_length=0.08, components=True
+        )
+        self.assertSame(result.heat.array, self.read("heat.nrrd"))
+        found, _ = shapeton.classify_heat(result.heat, result.components)
+        self.assertSame(found.array.astype(np.float32), self.read("labels.nrrd"))
+
+    def test_shapetons(self):
+        run_tool("ShapetonDiffusion", self.volume, self.folder / "visits.nrrd", "--timeSteps", 60, "--shapetons", 4000,
+                 "--seed", 7, "--pathRule", "traversal")
+        result = shapeton.diffuse_shapetons(self.image, time_steps=60, shapetons=4000, seed=7, path_rule="traversal")
+        self.assertSame(result.visits.array.astype(np.float32), self.read("visits.nrrd"))
+
+
+if __name__ == "__main__":
+    unittest.main()

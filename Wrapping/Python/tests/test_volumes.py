@@ -1,0 +1,96 @@
+import unittest
+
+import numpy as np
+
+import shapeton
+
+from support import DATA, TestCase, balls, error_of_tool, needs_tools
+
+SERIES = DATA / "PhantomSeries"
+
+
+class FilesTest(TestCase):
+    def test_what_is_written_reads_back(self):
+        image = balls()
+        for dtype in (np.float32, np.int16, np.uint8, np.uint16, np.uint32):
+            for extension in (".nrrd", ".nii", ".nii.gz", ".mha"):
+                written = image.like(np.clip(image.array, 0, 200).astype(dtype))
+                path = str(self.folder / ("volume" + extension))
+                shapeton.write_volume(written, path)
+                read = shapeton.read_volume(path)
+                np.testing.assert_array_equal(read.array, written.array)
+                np.testing.assert_allclose(read.affine, written.affine, atol=1e-4)
+
+    def test_equal_images_give_equal_files(self):
+        paths = [self.folder / name for name in ("a.nrrd", "b.nrrd")]
+        for path in paths:
+            shapeton.write_volume(balls(), str(path), [("maker", "a test")])
+        self.assertEqual(paths[0].read_bytes(), paths[1].read_bytes())
+        self.assertIn(b"maker:=a test", paths[0].read_bytes())
+
+    def test_what_cannot_be_written_is_an_error(self):
+        image = balls((8, 8, 8))
+        with self.assertRaisesRegex(OSError, "cannot be written") as caught:
+            shapeton.write_volume(image, str(self.folder / "missing" / "volume.nrrd"))
+        self.assertIsInstance(caught.exception, shapeton.OutputError)
+        with self.assertRaisesRegex(shapeton.ParameterError, "extension"):
+            shapeton.write_volume(image, str(self.folder / "volume.xyz"))
+        with self.assertRaisesRegex(shapeton.ParameterError, "int64"):
+            shapeton.write_volume(image.like(np.zeros((8, 8, 8), np.int64)), str(self.folder / "volume.nrrd"))
+
+
+class DicomTest(TestCase):
+    def test_a_series_is_what_pydicom_reads(self):
+        import pydicom
+
+        slices = sorted(
+            (pydicom.dcmread(path) for path in SERIES.glob("*.dcm")), key=lambda s: float(s.ImagePositionPatient[2])
+        )
+        stored = np.stack([s.pixel_array for s in slices]).astype(np.float32)
+        expected = stored * float(slices[0].RescaleSlope) + float(slices[0].RescaleIntercept)
+        image = shapeton.read_volume(str(SERIES))
+        np.testing.assert_array_equal(image.array, expected)
+        rows, columns = slices[0].PixelSpacing
+        between = float(slices[1].ImagePositionPatient[2]) - float(slices[0].ImagePositionPatient[2])
+        np.testing.assert_allclose(image.spacing, (float(columns), float(rows), between))
+        np.testing.assert_allclose(image.origin, [float(v) for v in slices[0].ImagePositionPatient])
+        self.assertEqual(image.facts["modality"], slices[0].Modality)
+        self.assertEqual(image.facts["series_uid"], slices[0].SeriesInstanceUID)
+
+    def test_series_are_listed(self):
+        (series,) = shapeton.list_series(str(SERIES))
+        image = shapeton.read_volume(str(SERIES), series_uid=series.selector)
+        self.assertTrue(series.is_usable)
+        self.assertEqual(series.size, tuple(reversed(image.array.shape)))
+        np.testing.assert_allclose(series.spacing, image.spacing)
+        self.assertEqual((series.modality, series.defects, series.refusal), ("CT", [], ""))
+
+    def series_with_a_gap(self):
+        folder = self.folder / "gap"
+        folder.mkdir()
+        for path in SERIES.glob("*.dcm"):
+            if path.name != "IM0010.dcm":
+                (folder / path.name).write_bytes(path.read_bytes())
+        return str(folder)
+
+    def test_a_gap_is_refused_and_repaired_on_request(self):
+        folder = self.series_with_a_gap()
+        (defect,) = shapeton.list_series(folder)[0].defects
+        self.assertEqual(defect.name, "gap")
+        with self.assertRaisesRegex(ValueError, "gap") as caught:
+            shapeton.read_volume(folder)
+        self.assertIsInstance(caught.exception, shapeton.InputError)
+        image = shapeton.read_volume(folder, resample_gaps=True)
+        self.assertEqual(image.array.shape, shapeton.read_volume(str(SERIES)).array.shape)
+        self.assertEqual(len(image.facts["repairs"]), 1)
+
+    @needs_tools
+    def test_errors_have_the_words_of_the_tools(self):
+        missing = str(self.folder / "missing")
+        with self.assertRaises(shapeton.InputError) as caught:
+            shapeton.read_volume(missing)
+        self.assertIn(str(caught.exception), error_of_tool("DicomSeriesToImage", missing, self.folder / "volume.nrrd"))
+
+
+if __name__ == "__main__":
+    unittest.main()
