@@ -65,23 +65,26 @@ const Names Groups{
 };
 
 /** What a file includes of an ITK module that the modules declare; ITKCommon is everywhere. */
-const std::map<std::string, std::string> HeadersOfItk{ { "ITKConnectedComponents", "itkConnectedComponent\\w+\\.h" },
-                                                       { "ITKDistanceMap", "itk\\w+DistanceMap\\w+\\.h" },
-                                                       { "ITKExpat", "(itk_)?expat\\.h" },
-                                                       { "ITKGDCM", "gdcm\\w+\\.h" },
-                                                       { "ITKGoogleTest", ".*" },
-                                                       { "ITKIOGDCM", "itkGDCM\\w+\\.h" },
-                                                       { "ITKIOImageBase",
-                                                         "itkImage(IOBase|FileReader|FileWriter|SeriesReader)\\.h" },
-                                                       { "ITKIOMeta", "itkMetaImageIO\\.h" },
-                                                       { "ITKIONIFTI", "itkNiftiImageIO\\.h" },
-                                                       { "ITKIONRRD", "itkNrrdImageIO\\.h" },
-                                                       { "ITKIOPNG", "itkPNGImageIO\\.h" },
-                                                       { "ITKImageFunction", "itk\\w+ImageFunction\\.h" },
-                                                       { "ITKImageGrid", "itkRegionOfInterestImageFilter\\.h" },
-                                                       { "ITKImageSources", "itkGenerateImageSource\\.h" },
-                                                       { "ITKSmoothing", "itk\\w+GaussianImageFilter\\.h" },
-                                                       { "ITKZLIB", "(itk_)?zlib\\.h" } };
+const std::map<std::string, std::string> HeadersOfItk{
+  { "ITKConnectedComponents", "itkConnectedComponent\\w+\\.h" },
+  { "ITKDistanceMap", "itk\\w+DistanceMap\\w+\\.h" },
+  { "ITKExpat", "(itk_)?expat\\.h" },
+  { "ITKGDCM", "gdcm\\w+\\.h" },
+  { "ITKGoogleTest", ".*" },
+  { "ITKIOGDCM", "itkGDCM\\w+\\.h" },
+  { "ITKIOImageBase", "itkImage(IOBase|FileReader|FileWriter|SeriesReader)\\.h" },
+  { "ITKIOMeta", "itkMetaImageIO\\.h" },
+  { "ITKIONIFTI", "itkNiftiImageIO\\.h" },
+  { "ITKIONRRD", "itkNrrdImageIO\\.h" },
+  { "ITKIOPNG", "itkPNGImageIO\\.h" },
+  { "ITKImageFunction", "itk\\w+ImageFunction\\.h" },
+  { "ITKImageGrid", "itk(ChangeInformation|RegionOfInterest)ImageFilter\\.h" },
+  { "ITKImageSources", "itkGenerateImageSource\\.h" },
+  { "ITKMesh", "itk(Mesh|MeshSource|\\w+MeshFilter)\\.h" },
+  { "ITKQuadEdgeMesh", "itkQuadEdge\\w+\\.h" },
+  { "ITKSmoothing", "itk\\w+GaussianImageFilter\\.h" },
+  { "ITKZLIB", "(itk_)?zlib\\.h" }
+};
 
 const std::map<std::string, Names> &
 KindsVisibleIn()

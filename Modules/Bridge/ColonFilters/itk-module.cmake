@@ -3,6 +3,7 @@ registration and candidates.")
 
 itk_module(ColonFilters
   ENABLE_SHARED
+  EXCLUDE_FROM_DEFAULT
   DEPENDS
     Base
     HeatDiffusionMetric
@@ -23,5 +24,6 @@ itk_module(ColonFilters
   TEST_DEPENDS
     ColonPhantom
     ITKGoogleTest
+    ITKImageGrid
   DESCRIPTION "${DOCUMENTATION}"
 )

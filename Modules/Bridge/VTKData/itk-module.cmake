@@ -2,6 +2,7 @@ set(DOCUMENTATION "Surfaces, curves and images as data of VTK, and back, with ar
 
 itk_module(VTKData
   ENABLE_SHARED
+  EXCLUDE_FROM_DEFAULT
   DEPENDS
     SurfaceMesh
     ITKCommon

@@ -28,7 +28,7 @@ public:
   using OptionsType = ColonCentrelineOptions;
 
   itkNewMacro(Self);
-  itkTypeMacro(ColonCentrelineFilter, StageFilter);
+  itkOverrideGetNameOfClassMacro(ColonCentrelineFilter);
 
   using Superclass::SetInput;
   void

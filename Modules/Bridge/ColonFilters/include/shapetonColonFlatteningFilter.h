@@ -32,7 +32,7 @@ public:
   using OptionsType = ColonFlatteningOptions;
 
   itkNewMacro(Self);
-  itkTypeMacro(ColonFlatteningFilter, StageFilter);
+  itkOverrideGetNameOfClassMacro(ColonFlatteningFilter);
 
   itkSetInputMacro(Centreline, ResultObject<CurveSet>);
   itkGetInputMacro(Centreline, ResultObject<CurveSet>);
@@ -128,7 +128,7 @@ public:
   using OptionsType = FlatColonGridOptions;
 
   itkNewMacro(Self);
-  itkTypeMacro(FlatColonFilter, StageFilter);
+  itkOverrideGetNameOfClassMacro(FlatColonFilter);
 
   using Superclass::SetInput;
   void

@@ -28,7 +28,7 @@ public:
   using OptionsType = ColonLandmarkOptions;
 
   itkNewMacro(Self);
-  itkTypeMacro(ColonLandmarksFilter, StageFilter);
+  itkOverrideGetNameOfClassMacro(ColonLandmarksFilter);
 
   itkSetInputMacro(FlatColon, ResultObject<FlatColon>);
   itkGetInputMacro(FlatColon, ResultObject<FlatColon>);

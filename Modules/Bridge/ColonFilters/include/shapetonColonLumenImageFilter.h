@@ -33,7 +33,7 @@ public:
   using OptionsType = ColonLumenOptions;
 
   itkNewMacro(Self);
-  itkTypeMacro(ColonLumenImageFilter, StageFilter);
+  itkOverrideGetNameOfClassMacro(ColonLumenImageFilter);
 
   /** \name See ColonLumenOptions */
   ///@{

@@ -38,7 +38,7 @@ public:
   using OptionsType = ColonModelOptions;
 
   itkNewMacro(Self);
-  itkTypeMacro(ColonModelFilter, StageFilter);
+  itkOverrideGetNameOfClassMacro(ColonModelFilter);
 
   itkSetInputMacro(LumenMask, LumenMaskImage);
   itkGetInputMacro(LumenMask, LumenMaskImage);

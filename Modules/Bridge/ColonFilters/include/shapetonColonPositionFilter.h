@@ -27,7 +27,7 @@ public:
   using ConstPointer = itk::SmartPointer<const Self>;
 
   itkNewMacro(Self);
-  itkTypeMacro(ColonPositionFilter, StageFilter);
+  itkOverrideGetNameOfClassMacro(ColonPositionFilter);
 
   itkSetInputMacro(FlatColon, ResultObject<FlatColon>);
   itkGetInputMacro(FlatColon, ResultObject<FlatColon>);

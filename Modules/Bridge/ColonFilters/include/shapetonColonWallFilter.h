@@ -32,7 +32,7 @@ public:
   using OptionsType = ColonWallOptions;
 
   itkNewMacro(Self);
-  itkTypeMacro(ColonWallFilter, StageFilter);
+  itkOverrideGetNameOfClassMacro(ColonWallFilter);
 
   itkSetInputMacro(Cleansed, ResultObject<CleansedColon>);
   itkGetInputMacro(Cleansed, ResultObject<CleansedColon>);
@@ -79,7 +79,7 @@ protected:
   ~ColonWallFilter() override = default;
 
   void
-  VerifyPreconditions() ITKv5_CONST override
+  VerifyPreconditions() const override
   {
     Superclass::VerifyPreconditions();
     if ((this->GetCleansed() == nullptr) == (this->GetMask() == nullptr))

@@ -29,7 +29,7 @@ public:
   using ConstPointer = itk::SmartPointer<const Self>;
 
   itkNewMacro(Self);
-  itkTypeMacro(ElectronicCleansingImageFilter, StageFilter);
+  itkOverrideGetNameOfClassMacro(ElectronicCleansingImageFilter);
 
   itkSetInputMacro(Lumen, ResultObject<ColonLumen>);
   itkGetInputMacro(Lumen, ResultObject<ColonLumen>);

@@ -31,7 +31,7 @@ public:
   using OptionsType = HaustralFoldOptions;
 
   itkNewMacro(Self);
-  itkTypeMacro(HaustralFoldsFilter, StageFilter);
+  itkOverrideGetNameOfClassMacro(HaustralFoldsFilter);
 
   itkSetInputMacro(FlatColon, ResultObject<FlatColon>);
   itkGetInputMacro(FlatColon, ResultObject<FlatColon>);

@@ -27,7 +27,7 @@ public:
   using ConstPointer = itk::SmartPointer<const Self>;
 
   itkNewMacro(Self);
-  itkTypeMacro(HeatDiffusionMetricFilter, StageFilter);
+  itkOverrideGetNameOfClassMacro(HeatDiffusionMetricFilter);
 
   using Superclass::SetInput;
   void

@@ -35,7 +35,7 @@ public:
   using CandidatesType = std::vector<PolypCandidate>;
 
   itkNewMacro(Self);
-  itkTypeMacro(PolypCandidatesFilter, StageFilter);
+  itkOverrideGetNameOfClassMacro(PolypCandidatesFilter);
 
   using Superclass::SetInput;
   void
@@ -79,7 +79,7 @@ protected:
   ~PolypCandidatesFilter() override = default;
 
   void
-  VerifyPreconditions() ITKv5_CONST override
+  VerifyPreconditions() const override
   {
     Superclass::VerifyPreconditions();
     if (this->GetLandmarks() && !this->GetFlatColon())

@@ -1,6 +1,8 @@
 #ifndef shapetonResultObject_h
 #define shapetonResultObject_h
 
+#include "shapetonITKCompatibility.h"
+
 #include "itkDataObject.h"
 #include "itkObjectFactory.h"
 
@@ -29,7 +31,7 @@ public:
   using ResultPointer = std::shared_ptr<const TResult>;
 
   itkNewMacro(Self);
-  itkTypeMacro(ResultObject, itk::DataObject);
+  itkOverrideGetNameOfClassMacro(ResultObject);
 
   void
   Set(ResultPointer result)

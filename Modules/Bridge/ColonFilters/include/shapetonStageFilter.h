@@ -42,7 +42,7 @@ public:
   using Self = StageFilter;
   using Superclass = TSuperclass;
 
-  itkTypeMacro(StageFilter, TSuperclass);
+  itkOverrideGetNameOfClassMacro(StageFilter);
 
   /** What is being done, in words, while progress is reported; empty before and after. */
   itkGetConstReferenceMacro(Stage, std::string);

@@ -27,7 +27,7 @@ public:
   using OptionsType = SupineProneOptions;
 
   itkNewMacro(Self);
-  itkTypeMacro(SupineProneRegistrationFilter, StageFilter);
+  itkOverrideGetNameOfClassMacro(SupineProneRegistrationFilter);
 
   itkSetInputMacro(Source, ResultObject<ColonPosition>);
   itkGetInputMacro(Source, ResultObject<ColonPosition>);
