@@ -1,0 +1,86 @@
+"""Virtual colonoscopy of a volume of the scene."""
+
+import os
+
+import slicer
+import vtk
+
+from ShapetonLib.flatmap import FlatMap
+from ShapetonLib.toolrun import ToolRun, exportVolume
+
+positions = ("auto", "supine", "prone", "leftDecubitus", "rightDecubitus")
+
+
+class ColonoscopyResults:
+    """What a run has put into the scene; `flatMap` is no node."""
+
+    def __init__(self):
+        self.volume = self.lumen = self.wall = self.centreline = self.candidates = self.candidateTable = None
+        self.landmarks = []
+        self.flatMap = None
+
+
+class ColonoscopyLogic:
+    # A line of sight of the colon: places farther from the wall than this are outside of it.
+    reach = 30.0  # mm
+
+    def start(self, volumeNode, folder, position="auto", onProgress=lambda share, stage: None):
+        """Runs VirtualColonoscopy; what an earlier run in the folder has done of the same volume is not computed again."""
+        os.makedirs(folder, exist_ok=True)
+        volume = os.path.join(folder, "input.nrrd")
+        exportVolume(volumeNode, volume)
+        arguments = [volume, os.path.join(folder, "colon"), "--position", position]
+        return ToolRun("VirtualColonoscopy", arguments, onProgress)
+
+    def load(self, folder):
+        """The results of a run in that folder, as nodes."""
+        colon = os.path.join(folder, "colon")
+
+        def path(name):
+            return os.path.join(colon, name)
+
+        results = ColonoscopyResults()
+        results.volume = slicer.util.loadVolume(path("segmentation/cleansed.nrrd"), {"name": "Cleansed CT"})
+        colors = slicer.util.loadColorTable(path("slicer/lumen.ctbl"))
+        results.lumen = slicer.util.loadLabelVolume(
+            path("segmentation/lumen.nrrd"), {"name": "Lumen", "colorNodeID": colors.GetID()}
+        )
+        results.wall = self._loadWall(path("landmarks/segments.vtp"), path("slicer/segments.ctbl"))
+        results.centreline = slicer.util.loadMarkups(path("slicer/centreline.mrk.json"))
+        for name in ("landmarks/flexures.mrk.json", "landmarks/taeniae.mrk.json"):
+            results.landmarks += slicer.util.loadNodesFromFile(path(name), "MarkupsFile", {})
+        results.candidates = slicer.util.loadMarkups(path("polyps/candidates.mrk.json"))
+        results.candidateTable = slicer.util.loadTable(path("polyps/candidates.csv"))
+        results.flatMap = FlatMap(path("flattening/coordinates.nrrd"))
+        return results
+
+    def jumpTo(self, flatMap, column, row):
+        """A place on the map in the slices. False beside the wall."""
+        place = flatMap.placeOf(column, row)
+        if place is None:
+            return False
+        slicer.modules.markups.logic().JumpSlicesToLocation(*place, True)
+        crosshair = slicer.mrmlScene.GetFirstNodeByClass("vtkMRMLCrosshairNode")
+        crosshair.SetCrosshairRAS(*place)
+        return True
+
+    def pixelOfCursor(self, flatMap):
+        """Where the cursor of the slices is on the map; None where it is not near the wall."""
+        crosshair = slicer.mrmlScene.GetFirstNodeByClass("vtkMRMLCrosshairNode")
+        place = [0.0, 0.0, 0.0]
+        if not crosshair.GetCursorPositionRAS(place):
+            return None
+        return flatMap.pixelOf(place, self.reach)
+
+    def _loadWall(self, path, colorPath):
+        wall = slicer.util.loadModel(path)
+        wall.SetName("Colon wall")
+        display = wall.GetDisplayNode()
+        display.SetOpacity(0.5)
+        if os.path.isfile(colorPath):  # no segments were found otherwise
+            colors = slicer.util.loadColorTable(colorPath)
+            display.SetActiveScalar("segment", vtk.vtkAssignAttribute.CELL_DATA)
+            display.SetAndObserveColorNodeID(colors.GetID())
+            display.SetScalarRangeFlag(slicer.vtkMRMLDisplayNode.UseColorNodeScalarRange)
+            display.SetScalarVisibility(True)
+        return wall

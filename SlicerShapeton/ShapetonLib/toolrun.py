@@ -1,0 +1,104 @@
+"""A tool of Shapeton as a process: progress, warnings, the one line of its failure, cancel."""
+
+import os
+import re
+import subprocess
+from xml.sax.saxutils import unescape
+
+import slicer
+
+toolsFolderKey = "Shapeton/ToolsFolder"
+
+
+def toolPath(name):
+    """The program: in the folder of the settings, otherwise the command-line module of this extension."""
+    folder = slicer.util.settingsValue(toolsFolderKey, "")
+    if folder:
+        path = os.path.join(folder, name)
+    else:
+        module = getattr(slicer.modules, name.lower(), None)
+        path = module.path if module else name
+    if not os.path.isfile(path):
+        raise RuntimeError(f"The tool {name} is not there ({path}); give the folder of Shapeton's tools")
+    return path
+
+
+def toolEnvironment():
+    """Tools of another folder are not linked with the libraries of Slicer, so they do not see Slicer's search paths."""
+    return slicer.util.startupEnvironment() if slicer.util.settingsValue(toolsFolderKey, "") else None
+
+
+class ToolRun:
+    """Call poll() now and then, from a timer: Slicer's event loop lets no thread of Python run beside it."""
+
+    def __init__(self, name, arguments, onProgress=lambda share, stage: None):
+        self.name = name
+        self.share = 0.0
+        self.stage = ""
+        self.messages = []
+        self.cancelled = False
+        self._onProgress = onProgress
+        self._text = {}
+        command = [toolPath(name)] + [str(argument) for argument in arguments]
+        self._process = subprocess.Popen(
+            command, env=toolEnvironment(), stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.PIPE
+        )
+        for stream in (self._process.stdout, self._process.stderr):
+            os.set_blocking(stream.fileno(), False)
+            self._text[stream] = b""
+
+    def poll(self):
+        """Takes up what the tool has told. True when it has come to its end."""
+        isOver = self._process.poll() is not None  # asked before reading, so that nothing is lost
+        self._readLines(self._process.stdout, self._takeLine)
+        self._readLines(self._process.stderr, lambda line: None, keep=True)
+        if isOver:
+            self._process.stdout.close()
+            self._process.stderr.close()
+        return isOver
+
+    def cancel(self):
+        """The tool removes its temporary files and ends the tools that it runs; poll() tells when it is over."""
+        self.cancelled = True
+        self._process.terminate()
+
+    def requireSuccess(self):
+        """After the end: raises RuntimeError with the line that the tool has told."""
+        if self._process.returncode != 0:
+            error = self._text[self._process.stderr].decode(errors="replace").strip()
+            raise RuntimeError(error or f"{self.name} ended with status {self._process.returncode}")
+
+    def _readLines(self, stream, take, keep=False):
+        if stream.closed:
+            return
+        while True:
+            try:
+                piece = os.read(stream.fileno(), 1 << 16)
+            except BlockingIOError:
+                break
+            if not piece:
+                break
+            self._text[stream] += piece
+        if not keep:
+            *lines, self._text[stream] = self._text[stream].split(b"\n")
+            for line in lines:
+                take(line.decode(errors="replace"))
+
+    def _takeLine(self, line):
+        element = re.fullmatch(r"<(filter-[a-z-]+)>(.*)</\1>", line)
+        if not element:
+            if line and not line.startswith("<"):
+                self.messages.append(unescape(line))
+        elif element[1] == "filter-progress":
+            self.share = float(element[2])
+            self._onProgress(self.share, self.stage)
+        elif element[1] == "filter-comment":
+            self.stage = unescape(element[2])
+
+
+def exportVolume(node, path):
+    """The voxels of a volume node as a file; the node keeps the file that it came from."""
+    if node.GetParentTransformNode():
+        raise RuntimeError(f"{node.GetName()} is under a transform; harden the transform first")
+    if not slicer.util.exportNode(node, path, {}):  # {}: the function keeps what it finds in its own default
+        raise RuntimeError(f"{node.GetName()} cannot be written to {path}")

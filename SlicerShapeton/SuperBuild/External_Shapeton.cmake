@@ -1,0 +1,37 @@
+# Libraries and tools, laid out as Slicer does: tools in cli-modules, libraries one folder above.
+set(proj Shapeton)
+set(${proj}_DEPENDS Boost Eigen3 METIS OpenCV Spectra nauty nlohmann_json)
+ExternalProject_Include_Dependencies(${proj} PROJECT_VAR proj)
+set(inner ${CMAKE_BINARY_DIR}/${EXTENSION_BUILD_SUBDIRECTORY})
+set(opencv_lib ${inner}/${Slicer_THIRDPARTY_LIB_DIR})
+ExternalProject_Add(${proj}
+  ${${proj}_EP_ARGS}
+  DOWNLOAD_COMMAND ""
+  INSTALL_COMMAND ""
+  SOURCE_DIR ${CMAKE_CURRENT_SOURCE_DIR}/..
+  BINARY_DIR ${CMAKE_BINARY_DIR}/${proj}-build
+  CMAKE_CACHE_ARGS ${ep_compiler}
+    -DBUILD_TESTING:BOOL=OFF
+    -DCMAKE_RUNTIME_OUTPUT_DIRECTORY:PATH=${inner}/${Slicer_CLIMODULES_BIN_DIR}
+    -DCMAKE_LIBRARY_OUTPUT_DIRECTORY:PATH=${inner}/${Slicer_THIRDPARTY_LIB_DIR}
+    -DCMAKE_INSTALL_BINDIR:STRING=${Slicer_INSTALL_THIRDPARTY_BIN_DIR}
+    -DCMAKE_INSTALL_LIBDIR:STRING=${Slicer_INSTALL_THIRDPARTY_LIB_DIR}
+    -DShapeton_INSTALL_TOOLS_DIR:STRING=${Slicer_INSTALL_CLIMODULES_BIN_DIR}
+    -DITK_DIR:PATH=${ITK_DIR}
+    -DVTK_DIR:PATH=${VTK_DIR}
+    -DDCMTK_DIR:PATH=${DCMTK_DIR}
+    -DOPENSSL_USE_STATIC_LIBS:BOOL=ON # the system's: Slicer gives its own to no extension
+    -DBoost_INCLUDE_DIR:PATH=${CMAKE_BINARY_DIR}/Boost
+    -DEigen3_DIR:PATH=${Eigen3_DIR}
+    -Dnlohmann_json_DIR:PATH=${nlohmann_json_DIR}
+    -DSpectra_INCLUDE_DIR:PATH=${ep_prefix}/include
+    -DMETIS_INCLUDE_DIR:PATH=${ep_prefix}/include
+    -DMETIS_LIBRARY:FILEPATH=${ep_prefix}/lib/libmetis.a
+    -DNAUTY_INCLUDE_DIR:PATH=${ep_prefix}/include
+    -DNAUTY_LIBRARY:FILEPATH=${ep_prefix}/lib/libnauty.a
+    -DOpenCV_INCLUDE_DIR:PATH=${ep_prefix}/include/opencv4
+    -DOpenCV_CORE_LIBRARY:FILEPATH=${opencv_lib}/libopencv_core.so
+    -DOpenCV_IMGPROC_LIBRARY:FILEPATH=${opencv_lib}/libopencv_imgproc.so
+  DEPENDS ${${proj}_DEPENDS})
+set(Shapeton_DIR ${CMAKE_BINARY_DIR}/${proj}-build)
+mark_as_superbuild(Shapeton_DIR:PATH)

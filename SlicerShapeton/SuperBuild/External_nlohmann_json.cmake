@@ -1,0 +1,5 @@
+set(proj nlohmann_json)
+set(${proj}_DEPENDS "")
+ExternalProject_Include_Dependencies(${proj} PROJECT_VAR proj)
+simple_project(${proj} VERSION v3.11.3 GIT https://github.com/nlohmann/json.git CACHE -DJSON_BuildTests:BOOL=OFF)
+set(nlohmann_json_DIR ${ep_prefix}/share/cmake/nlohmann_json)

@@ -1,0 +1,45 @@
+"""What the tests share: the stand-in of Slicer, the tools that are tested (SHAPETON_TOOLS), a folder for each test."""
+
+import os
+import shutil
+import subprocess
+import sys
+import tempfile
+import time
+import unittest
+
+here = os.path.dirname(os.path.abspath(__file__))
+sys.path[:0] = [os.path.join(here, "standin"), os.path.dirname(here)]
+
+try:
+    import numpy  # noqa: F401
+    import vtk  # noqa: F401
+except ImportError as error:
+    print(f"skipped: {error}; install python3-vtk9 and python3-numpy")
+    sys.exit()
+
+import slicer  # noqa: E402  the stand-in
+
+tools = os.environ["SHAPETON_TOOLS"]
+
+
+def tool(name, *arguments):
+    subprocess.run([os.path.join(tools, name), *map(str, arguments), "--quiet"], check=True)
+
+
+def finish(run):
+    while not run.poll():
+        time.sleep(0.02)
+
+
+class Case(unittest.TestCase):
+    def setUp(self):
+        self.folder = tempfile.mkdtemp()
+        self.addCleanup(shutil.rmtree, self.folder)
+        slicer.util._settings["Shapeton/ToolsFolder"] = tools
+
+    def phantom(self):
+        """A cube and two spheres."""
+        path = os.path.join(self.folder, "phantom.nrrd")
+        tool("ShapePhantom", path, "--shape", "figure2.7a", "--size", "48,48,48")
+        return path

@@ -1,0 +1,1 @@
+# Slicer writes the CMake package of the extension here.

@@ -1,0 +1,22 @@
+set(EXTENSION_NAME ${PROJECT_NAME})
+list(APPEND CMAKE_MODULE_PATH ${Slicer_SOURCE_TREE}/CMake)
+include(ExternalProject)
+include(ExternalProjectDependency)
+
+macro(ctkMacroCompilePythonScript)
+  cmake_parse_arguments(script "NO_INSTALL_SUBDIR" "TARGET_NAME;DESTINATION_DIR;INSTALL_DIR" "SCRIPTS;RESOURCES" ${ARGN})
+  foreach(name IN LISTS script_SCRIPTS)
+    string(REGEX REPLACE "\\.py$" "" name ${name})
+    install(FILES ${name}.py DESTINATION ${script_INSTALL_DIR})
+  endforeach()
+  foreach(name IN LISTS script_RESOURCES)
+    get_filename_component(folder ${name} DIRECTORY)
+    install(FILES ${name} DESTINATION ${script_INSTALL_DIR}/${folder})
+  endforeach()
+endmacro()
+
+macro(slicerMacroBuildScriptedModule)
+  cmake_parse_arguments(module "" "NAME" "SCRIPTS;RESOURCES" ${ARGN})
+  ctkMacroCompilePythonScript(TARGET_NAME ${module_NAME} SCRIPTS ${module_SCRIPTS} RESOURCES ${module_RESOURCES}
+    INSTALL_DIR ${Slicer_INSTALL_QTSCRIPTEDMODULES_LIB_DIR})
+endmacro()

@@ -1,0 +1,8 @@
+from qt import Widget
+
+
+class ctkPathLineEdit(Widget):
+    Dirs = 1
+
+
+ctkCollapsibleButton = Widget

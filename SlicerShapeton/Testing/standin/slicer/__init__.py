@@ -1,0 +1,156 @@
+"""A stand-in for the part of 3D Slicer that ShapetonLib calls, for tests without Slicer.
+
+It holds files and records what is asked of nodes. Anything that is not listed in `api` is an AttributeError here, and the
+test StandInNamesWhatSlicerHas looks each name up in Slicer's sources."""
+
+import os
+
+# Where Slicer declares what the stand-in has.
+api = {
+    "Base/Python/slicer/util.py": [
+        "exportNode", "loadVolume", "loadLabelVolume", "loadColorTable", "loadModel", "loadMarkups", "loadNodesFromFile",
+        "loadTable", "settingsValue", "startupEnvironment", "tryWithErrorDisplay", "tempDirectory", "setSliceViewerLayers",
+        "VTKObservationMixin", "addObserver", "removeObservers",
+    ],
+    "Base/Python/slicer/ScriptedLoadableModule.py": [
+        "ScriptedLoadableModule", "ScriptedLoadableModuleWidget", "setup", "cleanup",
+    ],
+    "Libs/MRML/Core/vtkMRMLNode.h": ["GetID", "SetName", "GetName"],
+    "Libs/MRML/Core/vtkMRMLTransformableNode.h": ["GetParentTransformNode"],
+    "Libs/MRML/Core/vtkMRMLDisplayableNode.h": ["GetDisplayNode"],
+    "Libs/MRML/Core/vtkMRMLDisplayNode.h": [
+        "SetOpacity", "SetActiveScalar", "SetAndObserveColorNodeID", "SetScalarRangeFlag", "SetScalarVisibility",
+        "SetVisibility", "UseColorNodeScalarRange",
+    ],
+    "Libs/MRML/Core/vtkMRMLScene.h": ["GetFirstNodeByClass"],
+    "Libs/MRML/Core/vtkMRMLCrosshairNode.h": ["SetCrosshairRAS", "GetCursorPositionRAS", "CursorPositionModifiedEvent"],
+    "Modules/Loadable/Markups/Logic/vtkSlicerMarkupsLogic.h": ["JumpSlicesToLocation"],
+    "Modules/Loadable/VolumeRendering/Logic/vtkSlicerVolumeRenderingLogic.h": [
+        "GetFirstVolumeRenderingDisplayNode", "CreateDefaultVolumeRenderingNodes", "AddVolumePropertyFromFile",
+    ],
+    "Modules/Loadable/VolumeRendering/MRML/vtkMRMLVolumeRenderingDisplayNode.h": ["SetAndObserveVolumePropertyNodeID"],
+    "Base/QTCore/qSlicerAbstractCoreModule.h": ["path", "logic"],
+    "Base/QTCore/qSlicerCoreApplication.h": ["temporaryPath"],
+}
+
+
+class vtkMRMLDisplayNode:
+    UseColorNodeScalarRange = 2
+
+    def __init__(self):
+        self._asked = {}
+
+    def _setter(name):
+        def set(self, *values):
+            self._asked[name] = values
+
+        return set
+
+    for _name in ("SetOpacity", "SetActiveScalar", "SetAndObserveColorNodeID", "SetScalarRangeFlag", "SetScalarVisibility",
+                  "SetVisibility", "SetAndObserveVolumePropertyNodeID"):
+        locals()[_name] = _setter(_name)
+    del _name, _setter
+
+
+class Node:
+    _count = 0
+
+    def __init__(self, kind, file="", properties=None):
+        Node._count += 1
+        self._id = f"{kind}{Node._count}"
+        self._kind, self._file, self._properties = kind, file, dict(properties or {})
+        self._name = self._properties.get("name", os.path.basename(file))
+        self._display = vtkMRMLDisplayNode()
+
+    def GetID(self):
+        return self._id
+
+    def GetName(self):
+        return self._name
+
+    def SetName(self, name):
+        self._name = name
+
+    def GetDisplayNode(self):
+        return self._display
+
+    def GetParentTransformNode(self):
+        return None
+
+
+class vtkMRMLCrosshairNode(Node):
+    CursorPositionModifiedEvent = 22000
+
+    def __init__(self):
+        Node.__init__(self, "vtkMRMLCrosshairNode")
+        self._crosshair = self._cursor = None
+
+    def SetCrosshairRAS(self, x, y, z):
+        self._crosshair = (x, y, z)
+
+    def GetCursorPositionRAS(self, place):
+        if self._cursor is None:
+            return False
+        place[:] = self._cursor
+        return True
+
+
+class _Scene:
+    def __init__(self):
+        self._crosshair = vtkMRMLCrosshairNode()
+
+    def GetFirstNodeByClass(self, kind):
+        return {"vtkMRMLCrosshairNode": self._crosshair}[kind]
+
+
+class _MarkupsLogic:
+    def JumpSlicesToLocation(self, x, y, z, centered):
+        self._place = (x, y, z)
+
+
+class _VolumeRenderingLogic:
+    def __init__(self):
+        self._displays = {}
+
+    def GetFirstVolumeRenderingDisplayNode(self, node):
+        return self._displays.get(node)
+
+    def CreateDefaultVolumeRenderingNodes(self, node):
+        return self._displays.setdefault(node, vtkMRMLDisplayNode())
+
+    def AddVolumePropertyFromFile(self, file):
+        return Node("vtkMRMLVolumePropertyNode", file) if os.path.isfile(file) else None
+
+
+class _Module:
+    def __init__(self, logic):
+        self._logic = logic
+
+    def logic(self):
+        return self._logic
+
+
+class modules:
+    markups = _Module(_MarkupsLogic())
+    volumerendering = _Module(_VolumeRenderingLogic())
+
+
+class app:
+    temporaryPath = "/tmp"
+
+
+mrmlScene = _Scene()
+
+
+class qMRMLNodeComboBox:
+    def __init__(self):
+        self._node = None
+
+    def setMRMLScene(self, scene):
+        pass
+
+    def currentNode(self):
+        return self._node
+
+
+from slicer import util  # noqa: E402, F401

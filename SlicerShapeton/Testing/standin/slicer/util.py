@@ -1,0 +1,68 @@
+"""Functions of slicer.util: files become nodes that hold their name."""
+
+import contextlib
+import json
+import os
+import shutil
+import tempfile
+
+import slicer
+
+_settings = {}
+
+
+def settingsValue(key, default):
+    return _settings.get(key, default)
+
+
+def startupEnvironment():
+    return dict(os.environ)
+
+
+def tempDirectory():
+    return tempfile.mkdtemp()
+
+
+@contextlib.contextmanager
+def tryWithErrorDisplay(message, waitCursor=False):
+    yield  # Slicer shows the exception; a test wants it
+
+
+def setSliceViewerLayers(background, label, labelOpacity):
+    pass
+
+
+def exportNode(node, path, properties):
+    shutil.copyfile(node._file, path)
+    return True
+
+
+def _loader(kind, suffix):
+    def load(path, properties=None):
+        if not os.path.isfile(path) or not path.endswith(suffix):
+            raise RuntimeError(f"Failed to load node from file: {path}")
+        return slicer.Node(kind, path, properties)
+
+    return load
+
+
+loadVolume = _loader("vtkMRMLScalarVolumeNode", ".nrrd")
+loadLabelVolume = _loader("vtkMRMLLabelMapVolumeNode", ".nrrd")
+loadColorTable = _loader("vtkMRMLColorTableNode", ".ctbl")
+loadModel = _loader("vtkMRMLModelNode", ".vtp")
+loadMarkups = _loader("vtkMRMLMarkupsNode", ".mrk.json")
+loadTable = _loader("vtkMRMLTableNode", ".csv")
+
+
+def loadNodesFromFile(path, filetype, properties):
+    assert filetype == "MarkupsFile"
+    with open(path) as file:
+        return iter([slicer.Node("vtkMRMLMarkups" + markup["type"] + "Node", path) for markup in json.load(file)["markups"]])
+
+
+class VTKObservationMixin:
+    def addObserver(self, node, event, method):
+        node._observers = getattr(node, "_observers", []) + [method]
+
+    def removeObservers(self):
+        pass

@@ -1,0 +1,74 @@
+"""The code of the widgets runs, on widgets that do nothing."""
+
+import os
+import sys
+import time
+import unittest
+
+from case import Case, here, slicer
+
+for module in ("ShapetonHeat", "ShapetonColonoscopy"):
+    sys.path.append(os.path.join(os.path.dirname(here), module))
+
+import qt  # noqa: E402  the stand-in
+from ShapetonColonoscopy import ShapetonColonoscopy, ShapetonColonoscopyWidget  # noqa: E402
+from ShapetonHeat import ShapetonHeat, ShapetonHeatWidget  # noqa: E402
+
+
+class ModulesTest(Case):
+    def testTheModulesSayWhatTheyAreNot(self):
+        for module in (ShapetonHeat, ShapetonColonoscopy):
+            parent = type("Parent", (), {})()
+            module(parent)
+            self.assertIn("not a diagnosis", parent.helpText)
+
+    def testHeatFromTheVolumeToTheRendering(self):
+        widget = ShapetonHeatWidget()
+        widget.setup()
+        widget.volume._node = slicer.Node("vtkMRMLScalarVolumeNode", self.phantom())
+        widget.panel.outputFolder.currentPath = self.folder
+        widget.intensityWindow.text = " 0, 1000 "
+        widget.timeSteps.value = 2000
+        widget.onApply()
+        self.finish(widget.panel)
+        self.assertEqual(widget.heat.GetName(), "Heat")
+        widget.lines._table.item(0, 0).setCheckState(qt.Qt.Checked)
+        self.assertEqual(len(widget.lines.picked()), 1)
+        widget.onRender()
+        self.finish(widget.panel)
+        display = slicer.modules.volumerendering.logic().GetFirstVolumeRenderingDisplayNode(widget.heat)
+        self.assertIn("SetAndObserveVolumePropertyNodeID", display._asked)
+        widget.cleanup()
+
+    def testColonoscopyTellsWhatIsWrongAndCanBeCancelled(self):
+        widget = ShapetonColonoscopyWidget()
+        widget.setup()
+        widget.onApply()  # no volume is chosen: nothing happens
+        self.assertFalse(widget.panel.isBusy)
+        widget.volume._node = slicer.Node("vtkMRMLScalarVolumeNode", self.phantom())
+        widget.panel.outputFolder.currentPath = self.folder
+        widget.position.currentText = "supine"
+        widget.onApply()
+        with self.assertRaisesRegex(RuntimeError, "the stage segmentation"):  # cube and spheres are no colon
+            self.finish(widget.panel)
+        widget.onMapClick(1, 1)
+        widget.onCursor(None, None)
+        widget.onApply()
+        widget.panel.cancel()
+        self.finish(widget.panel)
+        self.assertEqual(widget.panel.stage.text, "Cancelled")
+
+    def testTheFolderOfToolsIsRemembered(self):
+        widget = ShapetonHeatWidget()
+        widget.setup()
+        widget.panel.toolsFolder._connected["currentPathChanged(QString)"]("/somewhere")
+        self.assertEqual(slicer.util.settingsValue("Shapeton/ToolsFolder", ""), "/somewhere")
+
+    def finish(self, panel):
+        while panel.isBusy:
+            panel._poll()
+            time.sleep(0.02)
+
+
+if __name__ == "__main__":
+    unittest.main()

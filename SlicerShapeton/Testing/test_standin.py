@@ -1,0 +1,32 @@
+"""The stand-in has no name that Slicer lacks: each is looked up where a source tree of Slicer (Slicer_SOURCE_DIR) declares it."""
+
+import inspect
+import os
+import re
+import unittest
+
+from case import slicer
+
+
+class StandInTest(unittest.TestCase):
+    def testStandInNamesWhatSlicerHas(self):
+        names = [name for file in slicer.api for name in slicer.api[file]]
+        classes = [kind for kind in vars(slicer).values() if inspect.isclass(kind) and kind is not slicer.qMRMLNodeComboBox]
+        for kind in classes:
+            methods = [name for name in vars(kind) if not name.startswith("_") and not inspect.isclass(vars(kind)[name])]
+            self.assertEqual([name for name in methods if name not in names and kind is not slicer.modules], [])
+
+        source = os.environ.get("Slicer_SOURCE_DIR")
+        if not source:
+            print("skipped: Slicer_SOURCE_DIR is not set")
+            return
+        for file, wanted in slicer.api.items():
+            with open(os.path.join(source, file)) as text:
+                declared = set(re.findall(r"\w+", text.read()))
+            for name in wanted:
+                setter = name[3:] if name.startswith(("Set", "Get")) else name  # vtkSetMacro(Opacity, double)
+                self.assertTrue({name, setter} & declared, f"{file} has no {name}")
+
+
+if __name__ == "__main__":
+    unittest.main()
