@@ -63,7 +63,7 @@ print(f"{len(folds.folds)} folds, {len(landmarks.taeniae.curves)} taeniae, {len(
 # %% A picture: the flat wall in four rows, folds bright; taeniae as dots, candidates as rings
 rows = 4
 curvature = np.clip(flat.curvature(), -0.15, 0.15)
-figure, axes = plt.subplots(rows, 1, figsize=(14, 8))
+figure, axes = plt.subplots(rows, 1, figsize=(14, 13))
 taeniae = flat.pixels(landmarks.taeniae.point_arrays.get("uv", np.empty((0, 2))))
 places = flat.pixels(np.array([candidate.uv for candidate in candidates]).reshape(-1, 2))
 for row, axis in enumerate(axes):

@@ -2,8 +2,7 @@
 
 from typing import Any, Callable, Dict, List, Optional, Sequence, Tuple, Union
 
-import numpy
-import numpy.typing
+from numpy.typing import ArrayLike, NDArray
 
 from .image import Image
 from .mesh import Curves, Mesh
@@ -163,7 +162,7 @@ class ColonFlexure:
         ...
 
     @property
-    def point(self) -> numpy.ndarray:
+    def point(self) -> NDArray[Any]:
         """On the centreline; LPS, mm."""
         ...
 
@@ -181,7 +180,7 @@ class ColonLandmarks:
         ...
 
     @property
-    def flexures(self) -> List[ColonFlexure[4]]:
+    def flexures(self) -> List[ColonFlexure]:
         """Four, from the rectum on."""
         ...
 
@@ -234,7 +233,7 @@ class ColonLumen:
         ...
 
     @property
-    def gravity(self) -> numpy.ndarray:
+    def gravity(self) -> NDArray[Any]:
         """Unit vector, LPS."""
         ...
 
@@ -374,7 +373,7 @@ class ColonPosition:
     name: "supine" or "prone", for messages. landmarks: as `find_landmarks` gives them. centreline: Curves.
     folds: as `find_folds` gives them.
     """
-    def __init__(self, name: str, landmarks: ColonLandmarks, centreline: Union[Curves, numpy.ndarray], folds: HaustralFolds) -> None: ...
+    def __init__(self, name: str, landmarks: ColonLandmarks, centreline: Union[Curves, NDArray[Any]], folds: HaustralFolds) -> None: ...
 
     @property
     def name(self) -> str:
@@ -456,7 +455,7 @@ class ConformalMap:
         ...
 
     @property
-    def dilatation(self) -> numpy.ndarray:
+    def dilatation(self) -> NDArray[Any]:
         """Of each face, from 1 (conformal) on."""
         ...
 
@@ -594,12 +593,12 @@ class EmbeddingCertificate:
     (radius: a length, of hyperbolic geometry in the disk). Half-edge 2e leaves the first end of edge e, 2e + 1 the second.
     """
     @property
-    def face_positions(self) -> numpy.ndarray:
+    def face_positions(self) -> NDArray[Any]:
         """A row for each face of the packed graph; a view."""
         ...
 
     @property
-    def face_radii(self) -> numpy.ndarray:
+    def face_radii(self) -> NDArray[Any]:
         """Of the circles of the faces; a view."""
         ...
 
@@ -619,12 +618,12 @@ class EmbeddingCertificate:
         ...
 
     @property
-    def node_positions(self) -> numpy.ndarray:
+    def node_positions(self) -> NDArray[Any]:
         """A row for each packed node, first those of the graph; a view."""
         ...
 
     @property
-    def node_radii(self) -> numpy.ndarray:
+    def node_radii(self) -> NDArray[Any]:
         """Of the circles of the packed nodes; a view."""
         ...
 
@@ -634,7 +633,7 @@ class EmbeddingCertificate:
         ...
 
     @property
-    def periods(self) -> numpy.ndarray:
+    def periods(self) -> NDArray[Any]:
         """Of the torus: x1, y1, x2, y2; empty on other surfaces."""
         ...
 
@@ -689,19 +688,19 @@ class FlatColon:
         """Mean, mm."""
         ...
 
-    def coordinates(self) -> numpy.ndarray:
+    def coordinates(self) -> NDArray[Any]:
         """Rows x columns x 3, float32: the place of each pixel, LPS mm; NaN in holes."""
         ...
 
-    def curvature(self) -> numpy.ndarray:
+    def curvature(self) -> NDArray[Any]:
         """Rows x columns, float64: mean curvature, 1/mm; positive where the wall bulges into the lumen, NaN in holes."""
         ...
 
-    def faces(self) -> numpy.ndarray:
+    def faces(self) -> NDArray[Any]:
         """Rows x columns, int32: the face at each pixel; -1 in holes."""
         ...
 
-    def find(self, points: numpy.typing.ArrayLike) -> Tuple[numpy.ndarray, numpy.ndarray]:
+    def find(self, points: ArrayLike) -> Tuple[NDArray[Any], NDArray[Any]]:
         """Of places in space, k x 3 (LPS, mm): their uv on the map, k x 2, and distances from the wall, k; mm."""
         ...
 
@@ -715,7 +714,7 @@ class FlatColon:
         """mm of the map."""
         ...
 
-    def pixels(self, uv: numpy.typing.ArrayLike) -> numpy.ndarray:
+    def pixels(self, uv: ArrayLike) -> NDArray[Any]:
         """Of places on the map, k x 2 (mm): their pixels [row, column], k x 2, int32. Rows may run against v."""
         ...
 
@@ -735,10 +734,10 @@ class Graph:
 
     nodes: how many. edges: m x 2, indices of nodes. names: none, or one for each node.
     """
-    def __init__(self, nodes: int, edges: numpy.typing.ArrayLike, names: Sequence[str]=...) -> None: ...
+    def __init__(self, nodes: int, edges: ArrayLike, names: Sequence[str]=...) -> None: ...
 
     @property
-    def edges(self) -> numpy.ndarray:
+    def edges(self) -> NDArray[Any]:
         """m x 2, int32: the ends of each edge; a view."""
         ...
 
@@ -804,12 +803,12 @@ class HaustralFold:
         ...
 
     @property
-    def centre(self) -> numpy.ndarray:
+    def centre(self) -> NDArray[Any]:
         """LPS, mm."""
         ...
 
     @property
-    def centre_uv(self) -> numpy.ndarray:
+    def centre_uv(self) -> NDArray[Any]:
         """On the map, mm."""
         ...
 
@@ -824,7 +823,7 @@ class HaustralFold:
         ...
 
     @property
-    def ends(self) -> numpy.ndarray:
+    def ends(self) -> NDArray[Any]:
         """2 x 3; LPS, mm."""
         ...
 
@@ -862,7 +861,7 @@ class HaustralFolds:
         ...
 
     @property
-    def labels(self) -> numpy.ndarray:
+    def labels(self) -> NDArray[Any]:
         """Rows x columns, uint16: 0 wall, else the label of a fold."""
         ...
 
@@ -923,7 +922,7 @@ class HeatClass:
 class HeatDiffusionMetric:
     """Heat diffusion distances of the ends of all edges."""
     @property
-    def edge_lengths(self) -> numpy.ndarray:
+    def edge_lengths(self) -> NDArray[Any]:
         """In the order of `surface_edges`; 1/mm."""
         ...
 
@@ -941,12 +940,12 @@ class HeatDiffusionMetric:
 class HeatHistogram:
     """Counts of voxels by heat, a row for each recorded time step."""
     @property
-    def counts(self) -> numpy.ndarray:
+    def counts(self) -> NDArray[Any]:
         """Rows x 4097, uint32: voxels in each bin; a view."""
         ...
 
     @property
-    def edges(self) -> numpy.ndarray:
+    def edges(self) -> NDArray[Any]:
         """4098 heats: bin b holds edges[b] <= heat < edges[b + 1]. Bin 0 is the background, the others 256 for each factor of two."""
         ...
 
@@ -1041,7 +1040,7 @@ class IleocaecalValve:
         ...
 
     @property
-    def position(self) -> numpy.ndarray:
+    def position(self) -> NDArray[Any]:
         """LPS, mm."""
         ...
 
@@ -1059,7 +1058,7 @@ class MatchedFolds:
         ...
 
     @property
-    def prone_point(self) -> numpy.ndarray:
+    def prone_point(self) -> NDArray[Any]:
         """Its middle; LPS, mm."""
         ...
 
@@ -1079,7 +1078,7 @@ class MatchedFolds:
         ...
 
     @property
-    def supine_point(self) -> numpy.ndarray:
+    def supine_point(self) -> NDArray[Any]:
         """Its middle; LPS, mm."""
         ...
 
@@ -1092,7 +1091,7 @@ class MatchedFolds:
 class PolypCandidate:
     """A place of the wall that looks like a polyp; no finding."""
     @property
-    def apex(self) -> numpy.ndarray:
+    def apex(self) -> NDArray[Any]:
         """Where it stands out farthest; LPS, mm."""
         ...
 
@@ -1107,7 +1106,7 @@ class PolypCandidate:
         ...
 
     @property
-    def axis(self) -> numpy.ndarray:
+    def axis(self) -> NDArray[Any]:
         """Unit vector from the wall into the lumen."""
         ...
 
@@ -1137,7 +1136,7 @@ class PolypCandidate:
         ...
 
     @property
-    def position(self) -> numpy.ndarray:
+    def position(self) -> NDArray[Any]:
         """The middle of the head; LPS, mm."""
         ...
 
@@ -1177,7 +1176,7 @@ class PolypCandidate:
         ...
 
     @property
-    def uv(self) -> numpy.ndarray:
+    def uv(self) -> NDArray[Any]:
         """On the flat map, mm; NaN where there is none."""
         ...
 
@@ -1215,7 +1214,7 @@ class PolypInOtherPosition:
         ...
 
     @property
-    def point(self) -> numpy.ndarray:
+    def point(self) -> NDArray[Any]:
         """On the other wall; LPS, mm."""
         ...
 
@@ -1237,7 +1236,7 @@ class Registration:
         """Triangles that are turned over."""
         ...
 
-    def map_points(self, points: numpy.typing.ArrayLike, inverse: bool=...) -> Tuple[numpy.ndarray, numpy.ndarray, numpy.ndarray]:
+    def map_points(self, points: ArrayLike, inverse: bool=...) -> Tuple[NDArray[Any], NDArray[Any], NDArray[Any]]:
         """Takes places on the supine wall, k x 3 (LPS, mm), to the prone one, or back with `inverse`.
 
         Returns (places, k x 3, LPS mm; confidence, k, 0 to 1; excluded, k: nothing is to be seen in one of the positions).
@@ -1402,7 +1401,7 @@ class ShapetonResult:
 class SurfaceHandle:
     """A place where a flattened surface has a handle."""
     @property
-    def flat_place(self) -> numpy.ndarray:
+    def flat_place(self) -> NDArray[Any]:
         """On the map, mm."""
         ...
 
@@ -1412,7 +1411,7 @@ class SurfaceHandle:
         ...
 
     @property
-    def place(self) -> numpy.ndarray:
+    def place(self) -> NDArray[Any]:
         """LPS, mm."""
         ...
 
@@ -1433,17 +1432,17 @@ class SurfaceSpectrum:
         """The L2 distance of the heats that two vertices have sent out by `time` (mm^2); 1/mm."""
         ...
 
-    def diffusion_distances(self, p: int, time: float) -> numpy.ndarray:
+    def diffusion_distances(self, p: int, time: float) -> NDArray[Any]:
         """The distances from vertex p to all vertices, n values; 1/mm."""
         ...
 
     @property
-    def eigenfunctions(self) -> numpy.ndarray:
+    def eigenfunctions(self) -> NDArray[Any]:
         """n x k, in columns; 1/mm. A view."""
         ...
 
     @property
-    def eigenvalues(self) -> numpy.ndarray:
+    def eigenvalues(self) -> NDArray[Any]:
         """k, ascending from 0; 1/mm^2."""
         ...
 
@@ -1452,7 +1451,7 @@ class SurfaceSpectrum:
         ...
 
     @property
-    def residuals(self) -> numpy.ndarray:
+    def residuals(self) -> NDArray[Any]:
         """k, relative to the largest eigenvalue."""
         ...
 
@@ -1460,7 +1459,7 @@ class SurfaceSpectrum:
         """What the last pair has still at `time` (mm^2): the order of what is missing."""
         ...
 
-    def signature(self, time: float) -> numpy.ndarray:
+    def signature(self, time: float) -> NDArray[Any]:
         """The heat kernel signature, n values: the heat that each vertex keeps of a unit source at it; 1/mm^2."""
         ...
 
@@ -1469,7 +1468,7 @@ class SurfaceSpectrum:
         ...
 
 
-def build_colon(ct: Image, *, lumen: Optional[Image]=..., patient_position: str=..., seed_points: Sequence[numpy.typing.ArrayLike]=..., faces: int=..., keep_pieces: bool=..., keep_partial: bool=..., progress: Optional[Callable[[float, str], object]]=...) -> ColonModel:
+def build_colon(ct: Image, *, lumen: Optional[Image]=..., patient_position: str=..., seed_points: Sequence[ArrayLike]=..., faces: int=..., keep_pieces: bool=..., keep_partial: bool=..., progress: Optional[Callable[[float, str], object]]=...) -> ColonModel:
     """From a CT colonography in HU to lumen, cleansed CT, centreline, valve, distension and wall.
 
     lumen: a mask (uint8, not 0) on the grid of the CT in place of the automatic one. patient_position, seed_points: see
@@ -1480,11 +1479,11 @@ def build_colon(ct: Image, *, lumen: Optional[Image]=..., patient_position: str=
     """
     ...
 
-def build_colon_of_lumen(lumen: Image, *, seed_points: Sequence[numpy.typing.ArrayLike]=..., faces: int=..., keep_pieces: bool=..., keep_partial: bool=..., progress: Optional[Callable[[float, str], object]]=...) -> ColonModel:
+def build_colon_of_lumen(lumen: Image, *, seed_points: Sequence[ArrayLike]=..., faces: int=..., keep_pieces: bool=..., keep_partial: bool=..., progress: Optional[Callable[[float, str], object]]=...) -> ColonModel:
     """From a mask of the lumen alone (uint8, not 0); parameters as those of `build_colon`."""
     ...
 
-def build_wall(occupancy: Image, centreline: Union[Curves, numpy.ndarray], *, faces: int=..., bridge_radius: float=..., keep_pieces: bool=..., progress: Optional[Callable[[float, str], object]]=...) -> ColonWall:
+def build_wall(occupancy: Image, centreline: Union[Curves, NDArray[Any]], *, faces: int=..., bridge_radius: float=..., keep_pieces: bool=..., progress: Optional[Callable[[float, str], object]]=...) -> ColonWall:
     """The wall as surfaces, from the occupancy that `cleanse` gives.
 
     centreline: as `trace_centreline` gives it. faces: of the simplified wall; 0: a number that suits it.
@@ -1492,7 +1491,7 @@ def build_wall(occupancy: Image, centreline: Union[Curves, numpy.ndarray], *, fa
     """
     ...
 
-def build_wall_of_mask(mask: Image, centreline: Union[Curves, numpy.ndarray], *, faces: int=..., bridge_radius: float=..., keep_pieces: bool=..., progress: Optional[Callable[[float, str], object]]=...) -> ColonWall:
+def build_wall_of_mask(mask: Image, centreline: Union[Curves, NDArray[Any]], *, faces: int=..., bridge_radius: float=..., keep_pieces: bool=..., progress: Optional[Callable[[float, str], object]]=...) -> ColonWall:
     """The wall from a mask of the lumen (uint8, not 0); parameters as those of `build_wall`."""
     ...
 
@@ -1515,7 +1514,7 @@ def cleanse(ct: Image, lumen: ColonLumen) -> CleansedColon:
     """Removes the tagged fluid of a colon from the CT that `lumen` was found in. It takes no progress."""
     ...
 
-def colon_phantom(*, seed: int=..., position: str=..., preset: str=..., size: Sequence[int[3]]=..., spacing: Sequence[float[3]]=..., truth_only: bool=..., progress: Optional[Callable[[float, str], object]]=...) -> ColonPhantom:
+def colon_phantom(*, seed: int=..., position: str=..., preset: str=..., size: Sequence[int]=..., spacing: Sequence[float]=..., truth_only: bool=..., progress: Optional[Callable[[float, str], object]]=...) -> ColonPhantom:
     """A synthetic patient for CT colonography.
 
     seed: fixes the patient. position: "supine", "prone", "leftDecubitus" or "rightDecubitus". preset: "standard", "hard" or
@@ -1536,7 +1535,7 @@ def complete_graph(nodes: int) -> Graph:
     """Each node joined with each other one."""
     ...
 
-def conformal_map(mesh: Mesh, *, domain: str=..., outer_boundary: int=..., inner_boundary: int=..., corners: Sequence[int]=..., edge_lengths: Optional[numpy.typing.ArrayLike]=...) -> ConformalMap:
+def conformal_map(mesh: Mesh, *, domain: str=..., outer_boundary: int=..., inner_boundary: int=..., corners: Sequence[int]=..., edge_lengths: Optional[ArrayLike]=...) -> ConformalMap:
     """Maps an open surface conformally to the plane.
 
     mesh: one manifold, oriented component with a boundary. domain: "rectangle", "annulus" or "slit".
@@ -1568,7 +1567,7 @@ def diffuse_heat(image: Image, *, p: Optional[float]=..., window: Optional[Tuple
     """
     ...
 
-def diffuse_over_surface(mesh: Mesh, values: numpy.typing.ArrayLike, time: float) -> numpy.ndarray:
+def diffuse_over_surface(mesh: Mesh, values: ArrayLike, time: float) -> NDArray[Any]:
     """Lets columns of values, n x k, flow over a surface for `time` mm^2, from 0; a new array, n x k."""
     ...
 
@@ -1591,7 +1590,7 @@ def diffuse_shapetons(image: Image, *, mask: Optional[Image]=..., p: float=..., 
     """
     ...
 
-def edge_lengths(mesh: Mesh) -> numpy.ndarray:
+def edge_lengths(mesh: Mesh) -> NDArray[Any]:
     """The straight lengths of the edges in the order of `surface_edges`, e values; mm."""
     ...
 
@@ -1611,7 +1610,7 @@ def enclosed_volume(mesh: Mesh) -> float:
     """mm^3, of a closed oriented surface; negative where its faces look inwards."""
     ...
 
-def find_candidates(wall: Mesh, lumen: Image, *, centreline: Optional[Union[Curves, numpy.ndarray]]=..., ct: Optional[Image]=..., flat: FlatColon=..., segments: Optional[Mesh]=..., catheter: Optional[Union[Curves, numpy.ndarray]]=..., preset: str=..., sensitivity: float=..., progress: Optional[Callable[[float, str], object]]=...) -> List[PolypCandidate]:
+def find_candidates(wall: Mesh, lumen: Image, *, centreline: Optional[Union[Curves, NDArray[Any]]]=..., ct: Optional[Image]=..., flat: FlatColon=..., segments: Optional[Mesh]=..., catheter: Optional[Union[Curves, NDArray[Any]]]=..., preset: str=..., sensitivity: float=..., progress: Optional[Callable[[float, str], object]]=...) -> List[PolypCandidate]:
     """Polyp candidates on the wall of a colon, by falling score. For research use; a candidate is no finding.
 
     wall: of full resolution, without handles (`ColonWall.repaired`). lumen: uint8, not 0, on the grid of the CT.
@@ -1622,7 +1621,7 @@ def find_candidates(wall: Mesh, lumen: Image, *, centreline: Optional[Union[Curv
     """
     ...
 
-def find_folds(flat: FlatColon, *, scheme: str=..., minimum_length: float=..., minimum_area: float=..., minimum_elongation: float=..., minimum_angle: float=..., smoothing_time: float=..., smoothness: float=..., taeniae: Optional[Union[Curves, numpy.ndarray]]=...) -> HaustralFolds:
+def find_folds(flat: FlatColon, *, scheme: str=..., minimum_length: float=..., minimum_area: float=..., minimum_elongation: float=..., minimum_angle: float=..., smoothing_time: float=..., smoothness: float=..., taeniae: Optional[Union[Curves, NDArray[Any]]]=...) -> HaustralFolds:
     """Haustral folds on the flat wall of a colon.
 
     scheme: "graphCut" or "published". minimum_length: mm; minimum_area: mm^2; minimum_elongation: long over short axis;
@@ -1633,7 +1632,7 @@ def find_folds(flat: FlatColon, *, scheme: str=..., minimum_length: float=..., m
     """
     ...
 
-def find_in_other_position(map: Mesh, candidates: Sequence[PolypCandidate], others: Sequence[numpy.typing.ArrayLike]) -> List[PolypCandidate]:
+def find_in_other_position(map: Mesh, candidates: Sequence[PolypCandidate], others: Sequence[ArrayLike]) -> List[PolypCandidate]:
     """The candidates with `other` set, by a map of `Registration`.
 
     map: `Registration.supine_to_prone`, where the candidates are supine. others: k x 3, LPS mm: the middles of the other
@@ -1641,7 +1640,7 @@ def find_in_other_position(map: Mesh, candidates: Sequence[PolypCandidate], othe
     """
     ...
 
-def find_landmarks(flat: FlatColon, centreline: Union[Curves, numpy.ndarray], *, flexure_rule: str=..., taenia_rule: str=..., markers: Sequence[numpy.typing.ArrayLike]=..., progress: Optional[Callable[[float, str], object]]=...) -> ColonLandmarks:
+def find_landmarks(flat: FlatColon, centreline: Union[Curves, NDArray[Any]], *, flexure_rule: str=..., taenia_rule: str=..., markers: Sequence[ArrayLike]=..., progress: Optional[Callable[[float, str], object]]=...) -> ColonLandmarks:
     """Flexures, segments, folds on the surface and taeniae of a flat colon.
 
     flat: FlatColon. centreline: as `trace_centreline` gives it. flexure_rule: "ordered" or "published". taenia_rule: "joint"
@@ -1652,14 +1651,14 @@ def find_landmarks(flat: FlatColon, centreline: Union[Curves, numpy.ndarray], *,
     """
     ...
 
-def find_valve(labels: Image, centreline: Union[Curves, numpy.ndarray], ct: Optional[Image]=...) -> Tuple[Optional[IleocaecalValve], str]:
+def find_valve(labels: Image, centreline: Union[Curves, NDArray[Any]], ct: Optional[Image]=...) -> Tuple[Optional[IleocaecalValve], str]:
     """The ileocaecal valve: (IleocaecalValve or None, why it was not found).
 
     labels: the lumen, not 0. centreline: as `trace_centreline` gives it. ct: HU on the same grid; None: by shape alone.
     """
     ...
 
-def flatten_tube(mesh: Mesh, centreline: Optional[Union[Curves, numpy.ndarray]]=..., *, metric: str=..., time: float=..., eigenpairs: int=..., remove_handles: bool=..., method: str=..., cut: Optional[Union[Curves, numpy.ndarray]]=..., progress: Optional[Callable[[float, str], object]]=...) -> ColonFlattening:
+def flatten_tube(mesh: Mesh, centreline: Optional[Union[Curves, NDArray[Any]]]=..., *, metric: str=..., time: float=..., eigenpairs: int=..., remove_handles: bool=..., method: str=..., cut: Optional[Union[Curves, NDArray[Any]]]=..., progress: Optional[Callable[[float, str], object]]=...) -> ColonFlattening:
     """Maps a tube, such as the wall of a colon, conformally to a rectangle.
 
     mesh: one manifold, oriented component with two boundary loops. centreline: from the rectum to the caecum; tells the
@@ -1709,7 +1708,7 @@ def list_series(path: str) -> List[DicomSeries]:
     """The DICOM series in a folder, searched recursively, or in a file. Reads headers; takes no progress."""
     ...
 
-def measure_distension(centreline: Union[Curves, numpy.ndarray]) -> List[SegmentDistension]:
+def measure_distension(centreline: Union[Curves, NDArray[Any]]) -> List[SegmentDistension]:
     """How far each segment is distended, by customary shares of the length."""
     ...
 
@@ -1782,7 +1781,7 @@ def repair_surface(mesh: Mesh, *, merge_distance: float=..., merge_vertices: boo
     """
     ...
 
-def segment_lumen(ct: Image, *, patient_position: str=..., seed_points: Sequence[numpy.typing.ArrayLike]=..., progress: Optional[Callable[[float, str], object]]=...) -> ColonLumen:
+def segment_lumen(ct: Image, *, patient_position: str=..., seed_points: Sequence[ArrayLike]=..., progress: Optional[Callable[[float, str], object]]=...) -> ColonLumen:
     """Finds gas and tagged fluid of the colon in a CT colonography, without seeds.
 
     ct: Hounsfield units; any axes, spacing about 0.5 to 3 mm. patient_position: "HFS", "HFP", ..., "supine", "prone",
@@ -1817,7 +1816,7 @@ def surface_area(mesh: Mesh) -> float:
     """mm^2."""
     ...
 
-def surface_edges(mesh: Mesh) -> numpy.ndarray:
+def surface_edges(mesh: Mesh) -> NDArray[Any]:
     """The edges of a surface, e x 2, int32: the lesser vertex first, in their order."""
     ...
 
@@ -1829,7 +1828,7 @@ def torus_grid(columns: int, rows: int, diagonals: bool=...) -> Tuple[Graph, Lis
     """The grid that closes in both directions, drawn on the torus: (Graph, rotation), see `embed_graph`."""
     ...
 
-def trace_centreline(lumen: Image, *, start: Optional[numpy.typing.ArrayLike]=..., seed_points: Sequence[numpy.typing.ArrayLike]=..., exponent: int=..., minimum_volume: float=..., step: float=..., smoothing: float=..., progress: Optional[Callable[[float, str], object]]=...) -> ColonCentreline:
+def trace_centreline(lumen: Image, *, start: Optional[ArrayLike]=..., seed_points: Sequence[ArrayLike]=..., exponent: int=..., minimum_volume: float=..., step: float=..., smoothing: float=..., progress: Optional[Callable[[float, str], object]]=...) -> ColonCentreline:
     """The centreline of the colon from a mask of its lumen (uint8, not 0).
 
     start: where it begins in the rectum, LPS mm; None: found. seed_points: k x 3, LPS mm; pieces next to them are used.
@@ -1850,7 +1849,7 @@ def write_certificate(certificate: EmbeddingCertificate, path: str) -> None:
     """Writes a certificate as JSON; numbers read back as they were."""
     ...
 
-def write_curves(curves: Union[Curves, numpy.ndarray], path: str) -> None:
+def write_curves(curves: Union[Curves, NDArray[Any]], path: str) -> None:
     """Writes curves as VTP with their arrays and facts; equal curves give equal bytes."""
     ...
 

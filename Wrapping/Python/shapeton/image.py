@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import Any, Mapping, Optional, Sequence, Union
 
 import numpy as np
+from numpy.typing import NDArray
 
 from ._shapeton import InputError, ParameterError
 
@@ -12,6 +13,8 @@ from ._shapeton import InputError, ParameterError
 _RAS = np.diag([-1.0, -1.0, 1.0, 1.0])
 
 _PERPENDICULAR = 1e-4
+
+Triple = Union[Sequence[float], NDArray[Any]]
 
 
 class Image:
@@ -37,8 +40,8 @@ class Image:
     def __init__(
         self,
         array: Any,
-        spacing: Sequence[float] = (1.0, 1.0, 1.0),
-        origin: Sequence[float] = (0.0, 0.0, 0.0),
+        spacing: Triple = (1.0, 1.0, 1.0),
+        origin: Triple = (0.0, 0.0, 0.0),
         direction: Any = None,
         facts: Optional[Mapping[str, Any]] = None,
     ) -> None:
@@ -51,7 +54,7 @@ class Image:
             raise ParameterError(f"the parameter \"spacing\" = {self._spacing}: distances of voxels are positive")
 
     @property
-    def array(self) -> np.ndarray:
+    def array(self) -> NDArray[Any]:
         """Voxels, indexed ``[z, y, x]``."""
         return self._array
 
@@ -66,12 +69,12 @@ class Image:
         return self._origin
 
     @property
-    def direction(self) -> np.ndarray:
+    def direction(self) -> NDArray[Any]:
         """3 x 3; the columns are the axes x, y, z of the array in LPS."""
         return self._direction
 
     @property
-    def affine(self) -> np.ndarray:
+    def affine(self) -> NDArray[Any]:
         """4 x 4: takes the index (x, y, z, 1) of a voxel to its place in LPS, mm."""
         matrix = np.eye(4)
         matrix[:3, :3] = self._direction * np.asarray(self._spacing)
@@ -82,15 +85,15 @@ class Image:
         """Other voxels at the same places."""
         return Image(array, self._spacing, self._origin, self._direction)
 
-    def point(self, index: Any) -> np.ndarray:
+    def point(self, index: Any) -> NDArray[Any]:
         """The place of the voxel ``[z, y, x]``, or of each row of such indices; LPS, mm."""
         xyz = np.asarray(index, dtype=np.float64)[..., ::-1]
-        return xyz @ self.affine[:3, :3].T + self.affine[:3, 3]
+        return np.asarray(xyz @ self.affine[:3, :3].T + self.affine[:3, 3])
 
-    def index(self, point: Any) -> np.ndarray:
+    def index(self, point: Any) -> NDArray[Any]:
         """The index ``[z, y, x]``, not rounded, of a place in LPS, mm, or of each row of such places."""
         xyz = (np.asarray(point, dtype=np.float64) - self.affine[:3, 3]) @ np.linalg.inv(self.affine[:3, :3]).T
-        return xyz[..., ::-1]
+        return np.asarray(xyz[..., ::-1])
 
     def __repr__(self) -> str:
         shape = " x ".join(str(n) for n in self._array.shape)
@@ -195,8 +198,8 @@ class Image:
         return image
 
 
-def _volume(array: Any) -> np.ndarray:
-    voxels = np.asanyarray(array)
+def _volume(array: Any) -> NDArray[Any]:
+    voxels: NDArray[Any] = np.asanyarray(array)
     if voxels.dtype.kind not in "buif":
         raise ParameterError(f"the parameter \"array\" holds {voxels.dtype}; an image has real numbers")
     if voxels.ndim != 3 or voxels.size == 0:
@@ -206,14 +209,14 @@ def _volume(array: Any) -> np.ndarray:
     return voxels
 
 
-def _triple(name: str, values: Union[Sequence[float], np.ndarray]) -> tuple[float, float, float]:
-    triple = tuple(float(v) for v in values)
-    if len(triple) != 3 or not np.all(np.isfinite(triple)):
-        raise ParameterError(f"the parameter \"{name}\" = {triple}: three finite numbers for x, y, z are needed")
-    return triple
+def _triple(name: str, values: Triple) -> tuple[float, float, float]:
+    numbers = [float(v) for v in values]
+    if len(numbers) != 3 or not np.all(np.isfinite(numbers)):
+        raise ParameterError(f"the parameter \"{name}\" = {numbers}: three finite numbers for x, y, z are needed")
+    return numbers[0], numbers[1], numbers[2]
 
 
-def _axes(direction: Any) -> np.ndarray:
+def _axes(direction: Any) -> NDArray[Any]:
     matrix = np.array(direction, dtype=np.float64)
     if matrix.shape != (3, 3) or not np.allclose(matrix.T @ matrix, np.eye(3), rtol=0.0, atol=_PERPENDICULAR):
         raise ParameterError("the parameter \"direction\" needs three perpendicular unit vectors in its columns")

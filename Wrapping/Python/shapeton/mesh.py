@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import Any, Iterable, Mapping, Optional, Sequence
 
 import numpy as np
+from numpy.typing import NDArray
 
 from ._shapeton import InputError, ParameterError
 
@@ -26,14 +27,14 @@ class _Geometry:
         notes: Iterable[str],
     ) -> None:
         self._vertices = _rows_of_three("vertices", vertices, np.float64)
-        self.point_arrays: dict[str, np.ndarray] = {n: np.asarray(a) for n, a in (point_arrays or {}).items()}
-        self.cell_arrays: dict[str, np.ndarray] = {n: np.asarray(a) for n, a in (cell_arrays or {}).items()}
-        self.field_arrays: dict[str, np.ndarray] = {n: np.asarray(a) for n, a in (field_arrays or {}).items()}
+        self.point_arrays: dict[str, NDArray[Any]] = {n: np.asarray(a) for n, a in (point_arrays or {}).items()}
+        self.cell_arrays: dict[str, NDArray[Any]] = {n: np.asarray(a) for n, a in (cell_arrays or {}).items()}
+        self.field_arrays: dict[str, NDArray[Any]] = {n: np.asarray(a) for n, a in (field_arrays or {}).items()}
         self.facts: list[tuple[str, str]] = [(str(n), str(v)) for n, v in facts]
         self.notes: list[str] = list(notes)
 
     @property
-    def vertices(self) -> np.ndarray:
+    def vertices(self) -> NDArray[Any]:
         """n x 3, float64; LPS, mm."""
         return self._vertices
 
@@ -70,7 +71,7 @@ class Mesh(_Geometry):
         self._faces = _rows_of_three("faces", faces, np.int32)
 
     @property
-    def faces(self) -> np.ndarray:
+    def faces(self) -> NDArray[Any]:
         """m x 3, int32."""
         return self._faces
 
@@ -156,19 +157,19 @@ class Curves(_Geometry):
         self._curves = [_whole_numbers("curves", curve) for curve in lists]
 
     @property
-    def curves(self) -> list[np.ndarray]:
+    def curves(self) -> list[NDArray[Any]]:
         """For each curve the indices of its vertices in order."""
         return self._curves
 
-    def points(self, curve: int = 0) -> np.ndarray:
+    def points(self, curve: int = 0) -> NDArray[Any]:
         """The places of a curve in order, k x 3; LPS, mm."""
-        return self.vertices[self._curves[curve]]
+        return np.asarray(self.vertices[self._curves[curve]])
 
     def __repr__(self) -> str:
         return f"<shapeton.Curves {len(self._curves)} curves, {len(self.vertices)} vertices>"
 
 
-def _whole_numbers(name: str, values: Any) -> np.ndarray:
+def _whole_numbers(name: str, values: Any) -> NDArray[Any]:
     array = np.asarray(values)
     if array.dtype.kind not in "iu" and array.size > 0:
         raise ParameterError(f"the parameter \"{name}\" holds {array.dtype}; indices are whole numbers")
@@ -177,7 +178,7 @@ def _whole_numbers(name: str, values: Any) -> np.ndarray:
     return np.ascontiguousarray(array, dtype=np.int32)
 
 
-def _rows_of_three(name: str, values: Any, dtype: Any) -> np.ndarray:
+def _rows_of_three(name: str, values: Any, dtype: Any) -> NDArray[Any]:
     array = np.asarray(values)
     if array.ndim != 2 or array.shape[1] != 3:
         raise ParameterError(f"the parameter \"{name}\" has the shape {array.shape}; rows of three numbers are needed")
@@ -188,7 +189,7 @@ def _rows_of_three(name: str, values: Any, dtype: Any) -> np.ndarray:
     return np.ascontiguousarray(array, dtype=dtype)
 
 
-def _arrays_of(data: Any) -> dict[str, np.ndarray]:
+def _arrays_of(data: Any) -> dict[str, NDArray[Any]]:
     from vtkmodules.util.numpy_support import vtk_to_numpy
     from vtkmodules.vtkCommonCore import vtkDataArray
 
@@ -196,7 +197,7 @@ def _arrays_of(data: Any) -> dict[str, np.ndarray]:
     return {a.GetName() or "": vtk_to_numpy(a) for a in arrays if isinstance(a, vtkDataArray)}
 
 
-def _add_arrays(arrays: Mapping[str, np.ndarray], data: Any) -> None:
+def _add_arrays(arrays: Mapping[str, NDArray[Any]], data: Any) -> None:
     from vtkmodules.util.numpy_support import numpy_to_vtk
 
     for name, values in arrays.items():

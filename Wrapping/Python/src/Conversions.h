@@ -66,7 +66,7 @@ CurvesOf(const py::handle & curves);
 py::object
 ToPython(const CurveSet & curves, const py::handle & owner);
 
-/** Calls a function of Python, or None, ten times a second with the share and the stage. Aborts when the function
+/** Calls a function of Python, or None, at most ten times a second with the share and the stage. Aborts when it
  * returns False (shapeton.Aborted) or throws, and when a signal such as Ctrl-C has come. To be made with the GIL held,
  * called from the thread that made it without. */
 Progress

@@ -16,16 +16,15 @@ HEAD = '''"""Written by make_stub.py from the docstrings of the module; do not e
 
 from typing import Any, Callable, Dict, List, Optional, Sequence, Tuple, Union
 
-import numpy
-import numpy.typing
+from numpy.typing import ArrayLike, NDArray
 
 from .image import Image
 from .mesh import Curves, Mesh
 '''
 
 #: What the names of C++ types become; of a parameter and of a result.
-PARAMETERS = {"List": "Sequence", "ndarray": "numpy.typing.ArrayLike", "Curves": "Union[Curves, numpy.ndarray]"}
-RESULTS = {"ndarray": "numpy.ndarray", "dict": "Dict[str, Any]", "tuple": "Tuple[Any, ...]"}
+PARAMETERS = {"List": "Sequence", "ndarray": "ArrayLike", "Curves": "Union[Curves, NDArray[Any]]"}
+RESULTS = {"ndarray": "NDArray[Any]", "dict": "Dict[str, Any]", "tuple": "Tuple[Any, ...]"}
 
 #: What a docstring does not tell: (function, parameter or "return").
 UNTOLD = {
@@ -33,8 +32,8 @@ UNTOLD = {
     ("read_surface", "return"): "Mesh",
     ("read_volume", "return"): "Image",
     ("write_volume", "image"): "Image",
-    ("find", "return"): "Tuple[numpy.ndarray, numpy.ndarray]",
-    ("map_points", "return"): "Tuple[numpy.ndarray, numpy.ndarray, numpy.ndarray]",
+    ("find", "return"): "Tuple[NDArray[Any], NDArray[Any]]",
+    ("map_points", "return"): "Tuple[NDArray[Any], NDArray[Any], NDArray[Any]]",
 }
 
 
@@ -56,6 +55,8 @@ class Types(ast.NodeTransformer):
     def visit_Subscript(self, node):
         if isinstance(node.value, ast.Attribute) and node.value.attr == "ndarray":
             return self.named("ndarray")  # its element type and shape are told in words
+        if isinstance(node.slice, ast.Constant):
+            return self.visit(node.value)  # float[3] of List[float[3]]
         return self.generic_visit(node)
 
 

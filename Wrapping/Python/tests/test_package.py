@@ -1,0 +1,70 @@
+import inspect
+import pkgutil
+import subprocess
+import sys
+import unittest
+from pathlib import Path
+
+import shapeton
+from shapeton import _shapeton, colon, flattening, graphs, surfaces
+
+from support import TestCase, run_python
+
+PUBLIC = (shapeton, colon, flattening, graphs, surfaces)
+
+
+class PackageTest(TestCase):
+    def test_each_name_of_the_compiled_module_is_in_one_module_of_the_package(self):
+        compiled = {name for name in vars(_shapeton) if not name.startswith("_")}
+        offered = [name for module in PUBLIC for name in module.__all__ if hasattr(_shapeton, name)]
+        self.assertEqual(sorted(offered), sorted(compiled))
+        for module in PUBLIC:
+            self.assertEqual(module.__all__, sorted(module.__all__))
+            for name in module.__all__:
+                self.assertTrue(hasattr(module, name), name)
+
+    def test_everything_has_a_docstring(self):
+        for module in PUBLIC:
+            self.assertTrue(module.__doc__)
+            for name in module.__all__:
+                thing = getattr(module, name)
+                self.assertTrue(thing.__doc__, name)
+                if inspect.isclass(thing):
+                    for member, value in vars(thing).items():
+                        if isinstance(value, property) and not member.startswith("_"):
+                            self.assertTrue(value.__doc__, f"{name}.{member}")
+
+    def test_the_stub_is_up_to_date(self):
+        root = Path(__file__).parent.parent
+        command = [sys.executable, root / "utilities/make_stub.py", "--check", root / "shapeton/_shapeton.pyi"]
+        done = subprocess.run(command, capture_output=True, text=True, check=False)
+        self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
+
+    def test_the_version_is_that_of_the_project(self):
+        project = (Path(__file__).parent.parent / "pyproject.toml").read_text()
+        self.assertIn(f'version = "{shapeton.__version__}"', project)
+
+    def test_nothing_but_numpy_is_imported(self):
+        code = "import sys, shapeton; print(*{name.partition('.')[0] for name in sys.modules})"
+        imported = set(run_python(code).split())
+        standard = set(sys.stdlib_module_names) | {"__main__", "numpy", "shapeton", "sitecustomize"}
+        self.assertLessEqual({name for name in imported - standard if pkgutil.find_loader(name)}, {"apport_python_hook"})
+
+    def test_it_works_beside_vtk_nibabel_and_pydicom_in_any_order(self):
+        use = "import numpy; shapeton.diffuse_heat(shapeton.Image(numpy.eye(9).reshape(9, 3, 3)), time_steps=3)"
+        for order in ("vtk, nibabel, pydicom, shapeton", "shapeton, pydicom, nibabel, vtk"):
+            self.assertEqual(run_python(f"import {order}; {use}; print('done')"), "done")
+
+    def test_errors_belong_to_the_classes_of_python(self):
+        for error, kinds in (
+            (shapeton.ParameterError, (shapeton.Error, ValueError)),
+            (shapeton.InputError, (shapeton.Error, ValueError)),
+            (shapeton.OutputError, (shapeton.Error, OSError)),
+            (shapeton.Aborted, (shapeton.Error, RuntimeError)),
+        ):
+            for kind in kinds:
+                self.assertTrue(issubclass(error, kind))
+
+
+if __name__ == "__main__":
+    unittest.main()
