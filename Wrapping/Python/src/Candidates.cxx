@@ -38,9 +38,9 @@ Search(const SurfaceMesh &                                  wall,
 }
 
 Candidates
-InOtherPosition(const SurfaceMesh & map, Candidates candidates, const std::vector<Eigen::Vector3d> & others)
+InOtherPosition(const SurfaceMesh & map, Candidates candidates, const Places & others)
 {
-  FindInOtherPosition(map, "the map", others, candidates);
+  FindInOtherPosition(map, "the map", others.points, candidates);
   return candidates;
 }
 

@@ -11,18 +11,28 @@ namespace
 {
 using CtPointer = itk::Image<float, 3>::Pointer;
 using MaskPointer = LumenMask::Pointer;
-using Points = std::vector<itk::Point<double, 3>>;
+
+std::vector<itk::Point<double, 3>>
+PointsOf(const Places & places)
+{
+  std::vector<itk::Point<double, 3>> points;
+  for (const Eigen::Vector3d & place : places.points)
+  {
+    points.emplace_back(place.data());
+  }
+  return points;
+}
 
 ColonLumen
-Segment(const CtPointer & ct, const std::string & position, const Points & seedPoints, const Progress & progress)
+Segment(const CtPointer & ct, const std::string & position, const Places & seedPoints, const Progress & progress)
 {
-  return SegmentColonLumen(ct, { position, seedPoints, progress });
+  return SegmentColonLumen(ct, { position, PointsOf(seedPoints), progress });
 }
 
 ColonCentreline
 Trace(const MaskPointer &                          lumen,
       const std::optional<itk::Point<double, 3>> & start,
-      const Points &                               seedPoints,
+      const Places &                               seedPoints,
       int                                          exponent,
       double                                       minimumVolume,
       double                                       step,
@@ -32,7 +42,7 @@ Trace(const MaskPointer &                          lumen,
   ColonCentrelineOptions options;
   options.exponent = exponent;
   options.start = start;
-  options.seedPoints = seedPoints;
+  options.seedPoints = PointsOf(seedPoints);
   options.minimumVolume = minimumVolume;
   options.step = step;
   options.smoothing = smoothing;
@@ -77,25 +87,25 @@ ColonModel
 Model(const CtPointer &                  ct,
       const std::optional<MaskPointer> & lumen,
       const std::string &                position,
-      const Points &                     seedPoints,
+      const Places &                     seedPoints,
       int                                faces,
       bool                               keepPieces,
       bool                               keepPartial,
       const Progress &                   progress)
 {
-  const ColonModelOptions options{ position, seedPoints, faces, keepPieces, keepPartial, progress };
+  const ColonModelOptions options{ position, PointsOf(seedPoints), faces, keepPieces, keepPartial, progress };
   return lumen ? BuildColonModel(ct, lumen->GetPointer(), options) : BuildColonModel(ct, options);
 }
 
 ColonModel
 ModelOfLumen(const MaskPointer & lumen,
-             const Points &      seedPoints,
+             const Places &      seedPoints,
              int                 faces,
              bool                keepPieces,
              bool                keepPartial,
              const Progress &    progress)
 {
-  return BuildColonModelOfLumen(lumen, { "", seedPoints, faces, keepPieces, keepPartial, progress });
+  return BuildColonModelOfLumen(lumen, { "", PointsOf(seedPoints), faces, keepPieces, keepPartial, progress });
 }
 
 /** As catheter.vtp holds it; none where no catheter is sure. */
@@ -137,7 +147,7 @@ AddLumen(py::module_ & module)
              "ct"_a,
              py::kw_only(),
              "patient_position"_a = "",
-             "seed_points"_a = Points(),
+             "seed_points"_a = Places(),
              "progress"_a = Progress(),
              ReleaseGil(),
              R"(Finds gas and tagged fluid of the colon in a CT colonography, without seeds.
@@ -184,7 +194,7 @@ AddCentreline(py::module_ & module)
              "lumen"_a,
              py::kw_only(),
              "start"_a = py::none(),
-             "seed_points"_a = Points(),
+             "seed_points"_a = Places(),
              "exponent"_a = ColonCentrelineOptions().exponent,
              "minimum_volume"_a = ColonCentrelineOptions().minimumVolume,
              "step"_a = ColonCentrelineOptions().step,
@@ -296,7 +306,7 @@ AddModel(py::module_ & module)
              py::kw_only(),
              "lumen"_a = py::none(),
              "patient_position"_a = "",
-             "seed_points"_a = Points(),
+             "seed_points"_a = Places(),
              "faces"_a = 0,
              "keep_pieces"_a = false,
              "keep_partial"_a = false,
@@ -313,7 +323,7 @@ A colon that cannot be used is no exception: `failure` tells why.)");
              &ModelOfLumen,
              "lumen"_a,
              py::kw_only(),
-             "seed_points"_a = Points(),
+             "seed_points"_a = Places(),
              "faces"_a = 0,
              "keep_pieces"_a = false,
              "keep_partial"_a = false,

@@ -72,6 +72,12 @@ ToPython(const CurveSet & curves, const py::handle & owner);
 Progress
 ProgressTo(const py::object & function);
 
+/** Places in space as a parameter. */
+struct Places
+{
+  std::vector<Eigen::Vector3d> points;
+};
+
 /** An owner for ToPython(): lives as long as the Python object that it is made of. */
 template <typename TValue>
 py::capsule
@@ -239,15 +245,15 @@ struct triple_caster
   PYBIND11_TYPE_CASTER(TTriple, const_name("numpy.ndarray"));
 
   bool
-  load(handle source, bool convert)
+  load(handle source, bool)
   {
-    make_caster<Eigen::Vector3d> triple;
-    if (!triple.load(source, convert))
+    const auto numbers = array_t<double, array::c_style | array::forcecast>::ensure(source);
+    if (!numbers || numbers.ndim() != 1 || numbers.size() != 3)
     {
+      PyErr_Clear();
       return false;
     }
-    const auto & numbers = cast_op<const Eigen::Vector3d &>(triple);
-    std::copy(numbers.data(), numbers.data() + 3, value.Begin());
+    std::copy_n(numbers.data(), 3, value.Begin());
     return true;
   }
   static handle
@@ -263,6 +269,33 @@ struct type_caster<itk::Point<double, 3>> : triple_caster<itk::Point<double, 3>>
 template <>
 struct type_caster<itk::Vector<double, 3>> : triple_caster<itk::Vector<double, 3>>
 {};
+/** k x 3 numbers, or an empty list. */
+template <>
+struct type_caster<shapeton::python::Places>
+{
+  PYBIND11_TYPE_CASTER(shapeton::python::Places, const_name("numpy.ndarray"));
+
+  bool
+  load(handle source, bool)
+  {
+    const auto rows = array_t<double, array::c_style | array::forcecast>::ensure(source);
+    if (!rows || (rows.size() > 0 && (rows.ndim() != 2 || rows.shape(1) != 3)))
+    {
+      PyErr_Clear();
+      return false;
+    }
+    for (ssize_t i = 0; i < rows.size(); i += 3)
+    {
+      value.points.emplace_back(rows.data()[i], rows.data()[i + 1], rows.data()[i + 2]);
+    }
+    return true;
+  }
+  static handle
+  cast(const shapeton::python::Places & places, return_value_policy, handle)
+  {
+    return shapeton::python::RowsOf(places.points).release();
+  }
+};
 } // namespace pybind11::detail
 
 #endif

@@ -9,19 +9,19 @@ namespace shapeton::python
 namespace
 {
 FoundLandmarks
-Find(const std::shared_ptr<FlatColon> &   flat,
-     const CurveSet &                     centreline,
-     const std::string &                  flexureRule,
-     const std::string &                  taeniaRule,
-     const std::vector<Eigen::Vector3d> & markers,
-     const Progress &                     progress)
+Find(const std::shared_ptr<FlatColon> & flat,
+     const CurveSet &                   centreline,
+     const std::string &                flexureRule,
+     const std::string &                taeniaRule,
+     const Places &                     markers,
+     const Progress &                   progress)
 {
   ColonLandmarkOptions options;
   options.flexureRule = Choice<FlexureRule>(
     "flexure_rule", flexureRule, { { "ordered", FlexureRule::Ordered }, { "published", FlexureRule::Published } });
   options.taeniaRule = Choice<TaeniaRule>(
     "taenia_rule", taeniaRule, { { "joint", TaeniaRule::Joint }, { "published", TaeniaRule::Published } });
-  options.markers = markers;
+  options.markers = markers.points;
   options.progress = progress;
   return { flat, FindColonLandmarks(*flat, centreline, options) };
 }
@@ -116,7 +116,7 @@ AddLandmarks(py::module_ & module)
              py::kw_only(),
              "flexure_rule"_a = "ordered",
              "taenia_rule"_a = "joint",
-             "markers"_a = std::vector<Eigen::Vector3d>(),
+             "markers"_a = Places(),
              "progress"_a = Progress(),
              ReleaseGil(),
              R"(Flexures, segments, folds on the surface and taeniae of a flat colon.

@@ -37,7 +37,8 @@ def error_of_tool(name, *arguments):
 def run_python(code, **variables):
     """Runs a program in another Python; returns what it prints."""
     environment = {**os.environ, **variables}
-    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=False, env=environment)
+    command = [sys.executable, "-c", code]  # which seeks modules in the working folder first
+    done = subprocess.run(command, capture_output=True, text=True, check=False, env=environment, cwd=os.sep)
     if done.returncode != 0:
         raise AssertionError(done.stderr)
     return done.stdout.strip()
