@@ -1,10 +1,10 @@
 #!@Python_EXECUTABLE@
-"""The package for Python beside the tool: time and memory of heat, time of import, time from Ctrl-C to the end of a call.
+"""The package for Python beside the tool: time and memory of heat, import, and from Ctrl-C to the end of a call.
 
 usage: PythonBenchmark [--size VOXELS] [--steps STEPS] [--repeats NUMBER]
 
-The tool and the package take turns on the same volume in processes of their own: both read it, diffuse heat and write the
-heat, which must be the same.
+The tool and the package take turns on the same volume in processes of their own: both read it, diffuse heat and write
+the heat, which must be the same.
 """
 
 import argparse
@@ -74,7 +74,8 @@ def volume_of(size, folder):
 
 
 def compare_heat(volume, folder, steps, repeats):
-    tool = [os.path.join(TOOLS, "CumulativeHeatDiffusion"), volume, str(folder / "tool.nrrd"), "--timeSteps", str(steps)]
+    program = os.path.join(TOOLS, "CumulativeHeatDiffusion")
+    tool = [program, volume, str(folder / "tool.nrrd"), "--timeSteps", str(steps)]
     package = [sys.executable, "-c", HEAT, volume, str(folder / "package.nrrd"), str(steps)]
     runs = [(run(tool), run(package)) for _ in range(repeats)]
     for index, name, unit in ((0, "time", "s"), (1, "computing time", "s"), (2, "memory", "MB")):

@@ -1,5 +1,8 @@
-"""Images and surfaces of other packages. nibabel and VTK are Debian's; of SimpleITK, itk and pyvista, which Debian lacks,
-small stand-ins with the calls that are used show that the converters call them rightly, and no more than that."""
+"""Images and surfaces of other packages.
+
+nibabel and VTK are Debian's. Of SimpleITK, itk and pyvista, which Debian lacks, small stand-ins with the calls that are used
+show that the converters make these calls, and no more than that.
+"""
 
 import gc
 import sys

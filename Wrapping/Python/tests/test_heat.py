@@ -220,10 +220,12 @@ def resident():
     with open("/proc/self/statm") as file:
         return int(file.read().split()[1]) * 4096
 image = shapeton.Image(np.random.default_rng(1).normal(size=(24, 24, 24)))
-mesh = shapeton.Mesh([[0, 0, 0], [9, 0, 0], [0, 9, 0], [0, 0, 9]], [[0, 2, 1], [0, 1, 3], [1, 2, 3], [0, 3, 2]], {"a": [1, 2, 3, 4]})
+corners = [[0, 0, 0], [9, 0, 0], [0, 9, 0], [0, 0, 9]]
+mesh = shapeton.Mesh(corners, [[0, 2, 1], [0, 1, 3], [1, 2, 3], [0, 3, 2]], {"a": [1, 2, 3, 4]})
 from shapeton import surfaces, graphs
 def everything():
-    result = shapeton.diffuse_heat(image, time_steps=3, histogram_steps=[0, 3], components=True, progress=lambda *_: None)
+    progress = lambda *_: None
+    result = shapeton.diffuse_heat(image, time_steps=3, histogram_steps=[0, 3], components=True, progress=progress)
     shapeton.classify_heat(result.heat, result.components)
     result.histogram.counts
     surfaces.repair_surface(mesh)[0].point_arrays
@@ -263,8 +265,8 @@ class SameAsToolsTest(TestCase):
 
     def test_heat_and_labels(self):
         heat, labels = self.folder / "heat.nrrd", self.folder / "labels.nrrd"
-        run_tool("CumulativeHeatDiffusion", self.volume, heat, "--timeSteps", 700, "--p", 5, "--intensityWindow=-50,600",
-                 "--timeStepLength", 0.08, "--labels", labels)
+        options = ["--timeSteps", 700, "--p", 5, "--intensityWindow=-50,600", "--timeStepLength", 0.08]
+        run_tool("CumulativeHeatDiffusion", self.volume, heat, *options, "--labels", labels)
         result = shapeton.diffuse_heat(
             self.image, time_steps=700, p=5.0, window=(-50.0, 600.0), time_step_length=0.08, components=True
         )
@@ -273,8 +275,8 @@ class SameAsToolsTest(TestCase):
         self.assertSame(found.array.astype(np.float32), self.read("labels.nrrd"))
 
     def test_shapetons(self):
-        run_tool("ShapetonDiffusion", self.volume, self.folder / "visits.nrrd", "--timeSteps", 60, "--shapetons", 4000,
-                 "--seed", 7, "--pathRule", "traversal")
+        options = ["--timeSteps", 60, "--shapetons", 4000, "--seed", 7, "--pathRule", "traversal"]
+        run_tool("ShapetonDiffusion", self.volume, self.folder / "visits.nrrd", *options)
         result = shapeton.diffuse_shapetons(self.image, time_steps=60, shapetons=4000, seed=7, path_rule="traversal")
         self.assertSame(result.visits.array.astype(np.float32), self.read("visits.nrrd"))
 

@@ -204,8 +204,8 @@ class FlatteningTest(TestCase):
 class SameAsToolsTest(TestCase):
     def test_spectrum_and_signature(self):
         signature = self.folder / "signature.vtp"
-        run_tool("SurfaceSpectrum", TORUS, self.folder / "eigenvalues.csv", "--eigenpairs", 20,
-                 "--heatKernelSignature", signature)
+        options = ["--eigenpairs", 20, "--heatKernelSignature", signature]
+        run_tool("SurfaceSpectrum", TORUS, self.folder / "eigenvalues.csv", *options)
         spectrum = surfaces.spectrum(surfaces.read_surface(str(TORUS)), 20)
         written = surfaces.read_surface(str(signature))
         self.assertSame(written.field_arrays["eigenvalues"], spectrum.eigenvalues)
