@@ -202,11 +202,12 @@ HeatDiffusionSolver::InterpolationWeights(const Interval & interval, std::uint64
   return weights;
 }
 
-/** The fields of a run, allocated when they are first needed. */
+/** The fields of a run, allocated when they are first needed. Those of a large volume take a while: each is told. */
 class HeatDiffusionSolver::Workspace
 {
 public:
-  explicit Workspace(const PaddedGrid & grid) : m_Grid(grid) {}
+  Workspace(const PaddedGrid & grid, std::function<void()> allocated) : m_Grid(grid), m_Allocated(std::move(allocated))
+  {}
 
   PaddedField &
   Get(std::size_t number)
@@ -214,12 +215,14 @@ public:
     while (m_Fields.size() <= number)
     {
       m_Fields.emplace_back(m_Grid);
+      m_Allocated();
     }
     return m_Fields[number];
   }
 
 private:
   const PaddedGrid &      m_Grid;
+  std::function<void()>   m_Allocated;
   std::deque<PaddedField> m_Fields; // growing leaves references valid
 };
 
@@ -338,7 +341,7 @@ HeatDiffusionSolver::Expand(const PaddedField &                start,
   PaddedField &      difference = workspace.Get(2);
   CopyField(grid, start, even);
   std::memset(difference.GetData(), 0, grid.GetLength() * sizeof(float));
-  this->ReportProgress(0.0); // the first fields of a large volume take a while
+  this->ReportProgress(0.0);
   ForAllRows(grid, [&](std::size_t, std::size_t row, unsigned int) {
     for (std::size_t g = 0; g < results.size(); ++g)
     {
@@ -468,7 +471,7 @@ HeatDiffusionSolver::Run(PaddedField &                      heat,
   }
   m_Steady = false;
   m_Applications = 0;
-  Workspace workspace(m_VolumeGradient.GetGrid());
+  Workspace workspace(m_VolumeGradient.GetGrid(), [this] { this->ReportProgress(0.0); });
   Recorder  recorder(m_VolumeGradient.GetGrid(), steps, visitor);
   recorder.Show(heat, 0);
   return m_Method == Method::Explicit ? this->RunExplicitly(heat, lastStep, recorder, workspace)
