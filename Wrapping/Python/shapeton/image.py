@@ -12,7 +12,7 @@ from ._shapeton import InputError, ParameterError
 #: From LPS to RAS and back: x to the right instead of to the left, y to the front instead of to the back.
 _RAS = np.diag([-1.0, -1.0, 1.0, 1.0])
 
-_PERPENDICULAR = 1e-4
+_PERPENDICULAR = 1e-3  # headers round
 
 Triple = Union[Sequence[float], NDArray[Any]]
 

@@ -122,6 +122,9 @@ ArraysOf(const py::handle & dictionary)
     RequireParameter((array.areIntegers || kind == 'f') && (values.ndim() == 1 || values.ndim() == 2),
                      "the array \"" + array.name + "\" needs a row of real numbers for each element");
     array.values = values.cast<SurfaceArray::ValueMatrix>();
+    RequireParameter(!array.areIntegers || array.values.size() == 0 ||
+                       array.values.cwiseAbs().maxCoeff() <= std::numeric_limits<std::int32_t>::max(),
+                     "the array \"" + array.name + "\" holds a whole number beyond 2^31 - 1; make it float64");
     arrays.push_back(std::move(array));
   }
   return arrays;

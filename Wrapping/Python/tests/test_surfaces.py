@@ -52,6 +52,9 @@ class MeshTest(TestCase):
         ):
             with self.assertRaises(shapeton.ParameterError):
                 wrong()
+        for values in ([1, 2, 2**31], ["a", "b", "c"], [1j, 2j, 3j], np.zeros((3, 2, 2))):
+            with self.assertRaisesRegex(shapeton.ParameterError, '"a"'):
+                surfaces.inspect_surface(Mesh(vertices, faces, {"a": values}))
 
     def test_what_the_library_cannot_use_is_refused(self):
         for words, mesh in (
