@@ -17,6 +17,8 @@ CheckUsage(const CommandLine & commandLine)
                              "--lumen belongs to a CT; with --inputIsLumen the input itself is the lumen");
   shapeton::RequireParameter(!commandLine.GetFlag("inputIsLumen") || !commandLine.IsGiven("position"),
                              "--position says where fluid pools; a lumen (--inputIsLumen) needs none");
+  shapeton::RequireParameter(!commandLine.GetFlag("inputIsLumen") || !commandLine.IsGiven("cleansedVolume"),
+                             "--cleansedVolume needs a CT; with --inputIsLumen nothing is cleansed");
   const int faces = commandLine.GetInteger("faces");
   shapeton::RequireParameter(faces == 0 || faces >= 1000, "--faces takes 0 or at least 1000");
 }

@@ -12,5 +12,5 @@ ExternalProject_Add(${proj}
   BUILD_IN_SOURCE ON
   CONFIGURE_COMMAND ./configure --enable-tls --enable-generic "CC=${CMAKE_C_COMPILER}" "CFLAGS=${flags}"
   BUILD_COMMAND make nauty.a
-  INSTALL_COMMAND sh -c "mkdir -p ${ep_prefix}/include/nauty ${ep_prefix}/lib && cp *.h ${ep_prefix}/include/nauty && cp nauty.a ${ep_prefix}/lib/libnauty.a"
+  INSTALL_COMMAND sh -c "mkdir -p $1/include/nauty $1/lib && cp *.h $1/include/nauty && cp nauty.a $1/lib/libnauty.a" sh ${ep_prefix}
   DEPENDS ${${proj}_DEPENDS})

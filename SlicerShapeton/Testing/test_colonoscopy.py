@@ -144,7 +144,8 @@ class ColonoscopyTest(Case):
 
     def testTheSceneOutputsOfTheToolAreDeclaredAsNodes(self):
         tree = xml.etree.ElementTree.parse(os.path.join(tools, "VirtualColonoscopy.xml"))
-        kinds = {parameter.findtext("name"): parameter.tag for parameter in tree.iter() if parameter.findtext("channel") == "output"}
+        outputs = [element for element in tree.iter() if element.findtext("channel") == "output"]
+        kinds = {element.findtext("name"): element.tag for element in outputs}
         self.assertEqual(kinds["wallModel"], "geometry")
         self.assertEqual(kinds["candidateTable"], "table")
         self.assertEqual(kinds["centrelineCurve"], "pointfile")

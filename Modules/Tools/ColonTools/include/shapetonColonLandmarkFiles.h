@@ -3,6 +3,7 @@
 
 #include "ColonToolsExport.h"
 #include "shapetonColonSplitting.h"
+#include "shapetonSceneFiles.h"
 
 namespace shapeton
 {
@@ -44,6 +45,7 @@ private:
 
   CommandLine & m_CommandLine;
   std::string   m_Folder;
+  SceneFiles    m_Scene;
 };
 
 /** Markers for taeniae that a tool was given: points and vertices of a VTP file, or of markups of 3D Slicer; LPS, mm.

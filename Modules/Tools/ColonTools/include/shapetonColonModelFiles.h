@@ -3,6 +3,7 @@
 
 #include "ColonToolsExport.h"
 #include "shapetonColonModel.h"
+#include "shapetonSceneFiles.h"
 
 namespace shapeton
 {
@@ -32,6 +33,7 @@ private:
 
   CommandLine & m_CommandLine;
   std::string   m_Folder;
+  SceneFiles    m_Scene;
 };
 } // namespace shapeton
 

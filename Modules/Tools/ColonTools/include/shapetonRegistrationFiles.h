@@ -4,6 +4,7 @@
 #include "ColonToolsExport.h"
 #include "shapetonCsvTable.h"
 #include "shapetonRegistrationResults.h"
+#include "shapetonSceneFiles.h"
 
 namespace shapeton
 {
@@ -33,10 +34,13 @@ private:
   std::string
   PathOf(const std::string & name) const;
   void
+  WriteFile(const std::string & name, const std::function<void(const std::string & path)> & write) const;
+  void
   WriteErrors(const RegistrationResults & results) const;
 
   CommandLine & m_CommandLine;
   std::string   m_Folder;
+  SceneFiles    m_Scene;
 };
 
 /** \defgroup RegistrationTables Tables of a registration

@@ -29,7 +29,7 @@ RemoveOld(const std::string & path)
 } // namespace
 
 ColonLandmarkFiles::ColonLandmarkFiles(CommandLine & commandLine, const std::string & folder)
-  : m_CommandLine(commandLine), m_Folder(folder)
+  : m_CommandLine(commandLine), m_Folder(folder), m_Scene(commandLine, { { "wallModel", "segments.vtp" } })
 {
   commandLine.MakeFolder(folder);
   commandLine.RecordRun(this->PathOf("run.json"));
@@ -166,8 +166,9 @@ ColonLandmarkFiles::Write(const SurfaceMesh & flat, const ColonLandmarks & landm
   const CurveSet loops = FlexureCurves(landmarks);
   this->WriteOrRemove("taeniae.vtp", taeniae);
   this->WriteOrRemove("flexures.vtp", loops);
-  WriteSurface(
-    SegmentSurface(flat, landmarks), m_CommandLine.GetProvenance(), m_CommandLine.Output(this->PathOf("segments.vtp")));
+  const std::string segments = m_CommandLine.Output(this->PathOf("segments.vtp"));
+  WriteSurface(SegmentSurface(flat, landmarks), m_CommandLine.GetProvenance(), segments);
+  m_Scene.Copy("segments.vtp", segments);
   WriteSurface(FoldSurface(flat, landmarks),
                m_CommandLine.GetProvenance(),
                m_CommandLine.Output(this->PathOf("folds-surface.vtp")));

@@ -62,7 +62,13 @@ LabelsOf(const ColonModel & model)
 } // namespace
 
 ColonModelFiles::ColonModelFiles(CommandLine & commandLine, const std::string & folder)
-  : m_CommandLine(commandLine), m_Folder(folder)
+  : m_CommandLine(commandLine)
+  , m_Folder(folder)
+  , m_Scene(commandLine,
+            { { "cleansedVolume", "cleansed.nrrd" },
+              { "lumenLabels", "lumen.nrrd" },
+              { "wallModel", "wall-simplified.vtp" },
+              { "centrelineModel", "centreline.vtp" } })
 {
   commandLine.MakeFolder(folder);
   commandLine.RecordRun(folder + "/run.json");
@@ -74,7 +80,9 @@ ColonModelFiles::WriteFile(const std::string &                                  
                            const std::function<void(const std::string & path)> & write) const
 {
   const std::string path = m_Folder + '/' + name;
-  write(m_CommandLine.Output(path));
+  const std::string output = m_CommandLine.Output(path);
+  write(output);
+  m_Scene.Copy(name, output);
   if (atOnce)
   {
     m_CommandLine.Publish(path);

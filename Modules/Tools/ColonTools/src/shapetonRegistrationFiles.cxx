@@ -179,7 +179,10 @@ SegmentsOfDocument(const Json & document, const std::string & path)
 RegistrationFiles::RegistrationFiles(CommandLine &                    commandLine,
                                      const std::string &              folder,
                                      const std::vector<std::string> & examinations)
-  : m_CommandLine(commandLine), m_Folder(folder)
+  : m_CommandLine(commandLine)
+  , m_Folder(folder)
+  , m_Scene(commandLine,
+            { { "supineModel", forwardName }, { "proneModel", inverseName }, { "matchTable", matchesName } })
 {
   for (const std::string & examination : examinations)
   {
@@ -196,11 +199,24 @@ RegistrationFiles::PathOf(const std::string & name) const
 }
 
 void
+RegistrationFiles::WriteFile(const std::string &                                   name,
+                             const std::function<void(const std::string & path)> & write) const
+{
+  const std::string path = m_CommandLine.Output(this->PathOf(name));
+  write(path);
+  m_Scene.Copy(name, path);
+}
+
+void
 RegistrationFiles::Write(const RegistrationResults & results) const
 {
-  WriteSurface(results.supineToProne, m_CommandLine.GetProvenance(), m_CommandLine.Output(this->PathOf(forwardName)));
-  WriteSurface(results.proneToSupine, m_CommandLine.GetProvenance(), m_CommandLine.Output(this->PathOf(inverseName)));
-  TableOfMatches(results).Write(m_CommandLine.Output(this->PathOf(matchesName)));
+  this->WriteFile(forwardName, [&](const std::string & path) {
+    WriteSurface(results.supineToProne, m_CommandLine.GetProvenance(), path);
+  });
+  this->WriteFile(inverseName, [&](const std::string & path) {
+    WriteSurface(results.proneToSupine, m_CommandLine.GetProvenance(), path);
+  });
+  this->WriteFile(matchesName, [&](const std::string & path) { TableOfMatches(results).Write(path); });
   this->WriteErrors(results);
   Json document;
   document["provenance"] = ProvenanceToJson(m_CommandLine.GetProvenance());

@@ -1,10 +1,10 @@
 #include "shapetonColonoscopyRun.h"
 
 #include "shapetonColonoscopyPresentation.h"
-#include "shapetonColonoscopySceneFiles.h"
 #include "shapetonColonoscopyStages.h"
 #include "shapetonCommandLine.h"
 #include "shapetonExceptions.h"
+#include "shapetonSceneFiles.h"
 
 #include <algorithm>
 #include <filesystem>
@@ -158,6 +158,23 @@ LeaveOut(const std::vector<std::string> & options, Provenance & provenance)
   provenance.erase(std::remove_if(provenance.begin(), provenance.end(), isOne), provenance.end());
 }
 
+/** What 3D Slicer loads as nodes. */
+SceneFiles
+SceneFilesOf(CommandLine & commandLine)
+{
+  RequireParameter(!commandLine.GetFlag("inputIsLumen") ||
+                     !(commandLine.IsGiven("cleansedVolume") || commandLine.IsGiven("lumenLabels")),
+                   "the input is a lumen: the parameters \"cleansedVolume\" and \"lumenLabels\" need a CT");
+  return { commandLine,
+           { { "cleansedVolume", "segmentation/cleansed.nrrd" },
+             { "lumenLabels", "segmentation/lumen.nrrd" },
+             { "wallModel", "landmarks/segments.vtp" },
+             { "centrelineCurve", "slicer/centreline.mrk.json" },
+             { "candidatePoints", "polyps/candidates.mrk.json" },
+             { "candidateTable", "polyps/candidates.csv" },
+             { "flatPicture", "flattening/flat.png" } } };
+}
+
 /** The run fails as its stage did. */
 [[noreturn]] void
 ThrowFailure(int status, const std::string & failure)
@@ -225,8 +242,8 @@ RunColonoscopy(CommandLine & commandLine, const std::string & toolFolder)
   {
     RequireApart(commandLine.GetString("second"), folder);
   }
-  const ColonoscopySceneFiles sceneFiles(commandLine);
-  SeriesRun                   first(commandLine, toolFolder, ColonoscopySeries::First);
+  const SceneFiles sceneFiles = SceneFilesOf(commandLine);
+  SeriesRun        first(commandLine, toolFolder, ColonoscopySeries::First);
   commandLine.RecordRun(folder + "/run.json");
   commandLine.Progress("reading", 0.0);
   first.AddInputs();
@@ -245,6 +262,6 @@ RunColonoscopy(CommandLine & commandLine, const std::string & toolFolder)
     second.AddInputs();
     RunTwo(commandLine, first, second);
   }
-  sceneFiles.Copy(folder);
+  sceneFiles.CopyFrom(folder);
 }
 } // namespace shapeton
