@@ -1,5 +1,5 @@
 # Installs the package by pip without an index, into a folder with a blank in its name, and imports it from there.
-# Shapeton is the one that INSTALLED was found in, or else the build BUILD_DIR, which is installed here.
+# Shapeton is the one that INSTALLED was found in, or the build BUILD_DIR, which is installed here, or built with the package.
 function(run)
   execute_process(COMMAND ${ARGN} RESULT_VARIABLE status OUTPUT_VARIABLE output ERROR_VARIABLE output)
   if(NOT status EQUAL 0)
@@ -13,13 +13,19 @@ if(NOT status EQUAL 0)
   return()
 endif()
 file(REMOVE_RECURSE ${WORK_DIR})
-file(COPY ${SOURCE}/ DESTINATION ${WORK_DIR}/source) # pip writes into the folder that it builds
-set(prefix ${INSTALLED}) # CMake finds a package from the folder of its configuration upwards
+get_filename_component(repository ${CMAKE_CURRENT_LIST_DIR}/../../.. ABSOLUTE)
+foreach(part IN ITEMS setup.py pyproject.toml CMakeLists.txt CMake LICENSE NOTICE Modules Wrapping) # pip writes beside them
+  file(COPY ${repository}/${part} DESTINATION ${WORK_DIR}/source)
+endforeach()
+set(environment --unset=Shapeton_ROOT)
 if(BUILD_DIR)
-  set(prefix ${WORK_DIR}/prefix)
-  run(${CMAKE_COMMAND} --install ${BUILD_DIR} --prefix ${prefix})
+  run(${CMAKE_COMMAND} --install ${BUILD_DIR} --prefix ${WORK_DIR}/prefix)
+  set(environment Shapeton_ROOT=${WORK_DIR}/prefix)
+elseif(INSTALLED) # CMake finds a package from the folder of its configuration upwards
+  set(environment Shapeton_ROOT=${INSTALLED})
 endif()
-run(${CMAKE_COMMAND} -E env "CMAKE_PREFIX_PATH=${prefix}" ${PYTHON} -m pip install --no-index --no-build-isolation
+run(${CMAKE_COMMAND} -E env ${environment} ${PYTHON} -m pip install --no-index --no-build-isolation
   --target "${WORK_DIR}/a target" ${WORK_DIR}/source)
+file(REMOVE_RECURSE ${WORK_DIR}/source)
 run(${CMAKE_COMMAND} -E env "PYTHONPATH=${WORK_DIR}/a target" ${PYTHON} -c
   "import shapeton; assert 'a target' in shapeton.__file__; assert shapeton.recorded_steps(8, 3, 'linear') == [0, 4, 8]")
