@@ -15,7 +15,7 @@ namespace shapeton
  * PatientSpace::RAS positions are turned; arrays stay as they are, so that vectors in them are those of LPS. All values
  * are copied. */
 ///@{
-/** \ingroup VTKData */
+/** Triangles are VTK's polys. \ingroup VTKData */
 VTKData_EXPORT vtkSmartPointer<vtkPolyData>
                PolyDataOf(const SurfaceMesh & mesh, PatientSpace space = PatientSpace::LPS);
 /** \pre Curves of one vertex stand first, as VTK numbers its cells. \ingroup VTKData */
