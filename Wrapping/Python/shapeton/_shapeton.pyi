@@ -1468,7 +1468,7 @@ class SurfaceSpectrum:
         ...
 
 
-def build_colon(ct: Image, *, lumen: Optional[Image]=..., patient_position: str=..., seed_points: Sequence[ArrayLike]=..., faces: int=..., keep_pieces: bool=..., keep_partial: bool=..., progress: Optional[Callable[[float, str], object]]=...) -> ColonModel:
+def build_colon(ct: Image, *, lumen: Optional[Image]=..., patient_position: str=..., seed_points: ArrayLike=..., faces: int=..., keep_pieces: bool=..., keep_partial: bool=..., progress: Optional[Callable[[float, str], object]]=...) -> ColonModel:
     """From a CT colonography in HU to lumen, cleansed CT, centreline, valve, distension and wall.
 
     lumen: a mask (uint8, not 0) on the grid of the CT in place of the automatic one. patient_position, seed_points: see
@@ -1479,7 +1479,7 @@ def build_colon(ct: Image, *, lumen: Optional[Image]=..., patient_position: str=
     """
     ...
 
-def build_colon_of_lumen(lumen: Image, *, seed_points: Sequence[ArrayLike]=..., faces: int=..., keep_pieces: bool=..., keep_partial: bool=..., progress: Optional[Callable[[float, str], object]]=...) -> ColonModel:
+def build_colon_of_lumen(lumen: Image, *, seed_points: ArrayLike=..., faces: int=..., keep_pieces: bool=..., keep_partial: bool=..., progress: Optional[Callable[[float, str], object]]=...) -> ColonModel:
     """From a mask of the lumen alone (uint8, not 0); parameters as those of `build_colon`."""
     ...
 
@@ -1632,7 +1632,7 @@ def find_folds(flat: FlatColon, *, scheme: str=..., minimum_length: float=..., m
     """
     ...
 
-def find_in_other_position(map: Mesh, candidates: Sequence[PolypCandidate], others: Sequence[ArrayLike]) -> List[PolypCandidate]:
+def find_in_other_position(map: Mesh, candidates: Sequence[PolypCandidate], others: ArrayLike) -> List[PolypCandidate]:
     """The candidates with `other` set, by a map of `Registration`.
 
     map: `Registration.supine_to_prone`, where the candidates are supine. others: k x 3, LPS mm: the middles of the other
@@ -1640,7 +1640,7 @@ def find_in_other_position(map: Mesh, candidates: Sequence[PolypCandidate], othe
     """
     ...
 
-def find_landmarks(flat: FlatColon, centreline: Union[Curves, NDArray[Any]], *, flexure_rule: str=..., taenia_rule: str=..., markers: Sequence[ArrayLike]=..., progress: Optional[Callable[[float, str], object]]=...) -> ColonLandmarks:
+def find_landmarks(flat: FlatColon, centreline: Union[Curves, NDArray[Any]], *, flexure_rule: str=..., taenia_rule: str=..., markers: ArrayLike=..., progress: Optional[Callable[[float, str], object]]=...) -> ColonLandmarks:
     """Flexures, segments, folds on the surface and taeniae of a flat colon.
 
     flat: FlatColon. centreline: as `trace_centreline` gives it. flexure_rule: "ordered" or "published". taenia_rule: "joint"
@@ -1781,7 +1781,7 @@ def repair_surface(mesh: Mesh, *, merge_distance: float=..., merge_vertices: boo
     """
     ...
 
-def segment_lumen(ct: Image, *, patient_position: str=..., seed_points: Sequence[ArrayLike]=..., progress: Optional[Callable[[float, str], object]]=...) -> ColonLumen:
+def segment_lumen(ct: Image, *, patient_position: str=..., seed_points: ArrayLike=..., progress: Optional[Callable[[float, str], object]]=...) -> ColonLumen:
     """Finds gas and tagged fluid of the colon in a CT colonography, without seeds.
 
     ct: Hounsfield units; any axes, spacing about 0.5 to 3 mm. patient_position: "HFS", "HFP", ..., "supine", "prone",
@@ -1828,7 +1828,7 @@ def torus_grid(columns: int, rows: int, diagonals: bool=...) -> Tuple[Graph, Lis
     """The grid that closes in both directions, drawn on the torus: (Graph, rotation), see `embed_graph`."""
     ...
 
-def trace_centreline(lumen: Image, *, start: Optional[ArrayLike]=..., seed_points: Sequence[ArrayLike]=..., exponent: int=..., minimum_volume: float=..., step: float=..., smoothing: float=..., progress: Optional[Callable[[float, str], object]]=...) -> ColonCentreline:
+def trace_centreline(lumen: Image, *, start: Optional[ArrayLike]=..., seed_points: ArrayLike=..., exponent: int=..., minimum_volume: float=..., step: float=..., smoothing: float=..., progress: Optional[Callable[[float, str], object]]=...) -> ColonCentreline:
     """The centreline of the colon from a mask of its lumen (uint8, not 0).
 
     start: where it begins in the rectum, LPS mm; None: found. seed_points: k x 3, LPS mm; pieces next to them are used.
