@@ -1,4 +1,5 @@
-# Components look for what they need and for nothing else; a name that is none is an error that says so.
+# Components look for what they need and for nothing else; a name that is none is an error that says so, here and in the
+# modules that a build selects.
 include(${CMAKE_CURRENT_LIST_DIR}/Consumers.cmake)
 set(source ${SOURCE_DIR}/Testing/Consumer/Component)
 
@@ -30,4 +31,10 @@ endif()
 find(version Base -DVERSION=0.1)
 if(status EQUAL 0)
   message(FATAL_ERROR "version ${VERSION} was taken for 0.1")
+endif()
+
+execute_process(COMMAND ${CMAKE_COMMAND} -S ${SOURCE_DIR} -B "${WORK_DIR}/selection" -G Ninja -DCMAKE_CXX_COMPILER=${COMPILER}
+  -DSHAPETON_MODULES=Diffusion -DBUILD_TESTING=OFF OUTPUT_QUIET ERROR_VARIABLE errors RESULT_VARIABLE status)
+if(status EQUAL 0 OR NOT errors MATCHES "SHAPETON_MODULES names \"Diffusion\", which is no *module")
+  message(FATAL_ERROR "Diffusion is no module:\n${errors}")
 endif()
