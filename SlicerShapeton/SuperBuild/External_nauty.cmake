@@ -12,5 +12,6 @@ ExternalProject_Add(${proj}
   BUILD_IN_SOURCE ON
   CONFIGURE_COMMAND ./configure --enable-tls --enable-generic "CC=${CMAKE_C_COMPILER}" "CFLAGS=${flags}"
   BUILD_COMMAND make nauty.a
-  INSTALL_COMMAND sh -c "mkdir -p $1/include/nauty $1/lib && cp *.h $1/include/nauty && cp nauty.a $1/lib/libnauty.a" sh ${ep_prefix}
+  INSTALL_COMMAND sh -c "mkdir -p $1/include/nauty $1/lib && cp *.h $1/include/nauty && cp nauty.a $1/lib/libnauty.a"
+    sh ${ep_prefix}
   DEPENDS ${${proj}_DEPENDS})

@@ -9,7 +9,9 @@ import time
 import unittest
 
 here = os.path.dirname(os.path.abspath(__file__))
-sys.path[:0] = [os.path.join(here, "standin"), os.path.dirname(here)]
+extension = os.path.dirname(here)
+sys.path[:0] = [os.path.join(here, "standin"), extension]
+sys.path += [os.path.join(extension, module) for module in ("ShapetonColonoscopy", "ShapetonHeat")]
 
 try:
     import numpy  # noqa: F401

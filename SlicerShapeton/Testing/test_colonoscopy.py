@@ -10,6 +10,7 @@ import xml.etree.ElementTree
 import numpy
 import vtk
 from case import Case, finish, slicer, tool, tools
+from ShapetonColonoscopy import ShapetonColonoscopyWidget
 from vtk.util import numpy_support
 
 from ShapetonLib.colonoscopy import ColonoscopyLogic
@@ -141,6 +142,17 @@ class ColonoscopyTest(Case):
         self.assertEqual(reader.GetOutput().GetDimensions()[:2], self.results.flatMap.size)
         shades = numpy_support.vtk_to_numpy(reader.GetOutput().GetPointData().GetScalars())
         self.assertGreater(shades.std(), 20.0)  # folds are seen
+
+    def testTheWidgetShowsTheMapAndFollows(self):
+        """The code runs, on widgets that do nothing."""
+        widget = ShapetonColonoscopyWidget()
+        widget.setup()
+        widget.onFinished(self.examination)
+        columns, rows = widget.results.flatMap.size
+        widget.mapView._clicks._clicked(columns // 2 * widget.mapView.scale, rows // 2 * widget.mapView.scale)
+        there = slicer.modules.markups.logic()._place
+        self.assertEqual(there, widget.results.flatMap.placeOf(columns // 2, rows // 2))
+        slicer.mrmlScene.GetFirstNodeByClass("vtkMRMLCrosshairNode")._observers[-1](None, None)
 
     def testTheSceneOutputsOfTheToolAreDeclaredAsNodes(self):
         tree = xml.etree.ElementTree.parse(os.path.join(tools, "VirtualColonoscopy.xml"))

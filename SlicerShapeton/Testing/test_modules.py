@@ -1,18 +1,13 @@
 """The code of the widgets runs, on widgets that do nothing."""
 
-import os
-import sys
 import time
 import unittest
 
-from case import Case, here, slicer
+from case import Case, slicer
 
-for module in ("ShapetonHeat", "ShapetonColonoscopy"):
-    sys.path.append(os.path.join(os.path.dirname(here), module))
-
-import qt  # noqa: E402  the stand-in
-from ShapetonColonoscopy import ShapetonColonoscopy, ShapetonColonoscopyWidget  # noqa: E402
-from ShapetonHeat import ShapetonHeat, ShapetonHeatWidget  # noqa: E402
+import qt  # the stand-in
+from ShapetonColonoscopy import ShapetonColonoscopy, ShapetonColonoscopyWidget
+from ShapetonHeat import ShapetonHeat, ShapetonHeatWidget
 
 
 class ModulesTest(Case):

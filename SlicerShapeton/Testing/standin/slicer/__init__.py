@@ -4,6 +4,7 @@ It holds files and records what is asked of nodes. Anything that is not listed i
 test StandInNamesWhatSlicerHas looks each name up in Slicer's sources."""
 
 import os
+import tempfile
 
 # Where Slicer declares what the stand-in has.
 api = {
@@ -136,7 +137,7 @@ class modules:
 
 
 class app:
-    temporaryPath = "/tmp"
+    temporaryPath = tempfile.gettempdir()
 
 
 mrmlScene = _Scene()
