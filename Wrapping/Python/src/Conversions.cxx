@@ -233,11 +233,11 @@ ImageOf(const py::handle & image)
   result->SetRegions(typename ImageType::SizeType{ { shape[2], shape[1], shape[0] } });
   result->SetSpacing(Get<std::array<double, 3>>(image, "spacing").data());
   result->SetOrigin(Get<std::array<double, 3>>(image, "origin").data());
-  const auto                        direction = Get<Eigen::Matrix3d>(image, "direction");
+  const auto                        direction = Get<std::array<std::array<double, 3>, 3>>(image, "direction");
   typename ImageType::DirectionType matrix;
   for (unsigned int i = 0; i < 9; ++i)
   {
-    matrix(i / 3, i % 3) = direction(i / 3, i % 3);
+    matrix(i / 3, i % 3) = direction[i / 3][i % 3];
   }
   result->SetDirection(matrix);
   const auto container = ArrayContainer<TPixel>::New();
