@@ -7,7 +7,7 @@ function(run)
   endif()
 endfunction()
 
-execute_process(COMMAND ${PYTHON} -c "import pip, setuptools, wheel" RESULT_VARIABLE status ERROR_QUIET)
+execute_process(COMMAND ${PYTHON} -c "import setuptools, pip, wheel" RESULT_VARIABLE status ERROR_QUIET)
 if(NOT status EQUAL 0)
   message(STATUS "pip is not installed")
   return()
