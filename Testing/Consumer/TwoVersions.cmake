@@ -7,7 +7,7 @@ set(later ${CMAKE_MATCH_1}.${minor})
 
 file(REMOVE_RECURSE "${WORK_DIR}/later")
 file(MAKE_DIRECTORY "${WORK_DIR}/later")
-foreach(entry CMake Modules LICENSE NOTICE)
+foreach(entry CMake Modules Wrapping LICENSE NOTICE)
   file(CREATE_LINK ${SOURCE_DIR}/${entry} "${WORK_DIR}/later/${entry}" SYMBOLIC)
 endforeach()
 file(READ ${SOURCE_DIR}/CMakeLists.txt text)
