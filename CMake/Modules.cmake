@@ -39,6 +39,7 @@ set(Shapeton_MODULES
   Visualization/SurfaceViews
   Visualization/ColonViews
   Visualization/GraphViews
+  Visualization/ColonViewer
   Tools/CommandLine
   Tools/StagedRun
   Tools/ToolInput

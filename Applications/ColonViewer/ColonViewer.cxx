@@ -1,0 +1,44 @@
+#include "ColonViewerXML.h"
+
+#include "shapetonColonViewer.h"
+#include "shapetonCommandLine.h"
+
+namespace
+{
+using shapeton::CommandLine;
+
+shapeton::ColonViewerOptions
+OptionsOf(const CommandLine & commandLine)
+{
+  shapeton::ColonViewerOptions options;
+  options.isSingle = commandLine.GetFlag("single");
+  options.bits = std::stoi(commandLine.GetString("bits"));
+  options.near = commandLine.GetDouble("near");
+  options.isAnonymous = commandLine.GetFlag("anonymous");
+  options.verdicts = commandLine.GetString("verdicts");
+  return options;
+}
+
+void
+MakeViewer(CommandLine & commandLine)
+{
+  const std::string                  folder = commandLine.GetString("outputFolder");
+  const shapeton::ColonViewerOptions options = OptionsOf(commandLine);
+  commandLine.MakeFolder(folder);
+  if (!options.isSingle)
+  {
+    commandLine.MakeFolder(folder + "/data");
+  }
+  commandLine.Progress("Packing", 0.1);
+  shapeton::WriteColonViewer(commandLine.GetString("exam"), folder, options, [&](const std::string & path) {
+    return commandLine.Output(path);
+  });
+  commandLine.Warn("the page holds patient data: keep it where the examination is kept");
+}
+} // namespace
+
+int
+main(int argc, char * argv[])
+{
+  return CommandLine::Run(ToolXML, argc, argv, MakeViewer);
+}

@@ -1,0 +1,216 @@
+import { readBlock } from './bytes.mjs';
+import { clamp, cross, distance, dot, norm, sub, third, unit } from './math.mjs';
+import { normalOf, Tree } from './tree.mjs';
+
+export const segmentNames = ['', 'rectum', 'sigmoid', 'descending', 'transverse', 'ascending', 'caecum'];
+export const hindranceNames = ['', 'no lumen', 'cut by the scan', 'untagged fluid', 'calibre below 10 mm'];
+const BRIDGED = 64, CAP = 128;
+
+// The rest of v on a circle of length c, in [0, c).
+const turn = (v, c) => v - c * Math.floor(v / c);
+
+// One position of a patient: the wall with its flat map, the centreline, the volume, and the ways between them.
+export class Exam {
+  async load(folder, prefix, info, painter) {
+    const names = ['points', 'uv', 'arc', 'source', 'faces', 'kinds', 'folds', 'relief', 'centreline'];
+    const blocks = await Promise.all(names.map((name) => readBlock(folder, prefix + name)));
+    names.forEach((name, i) => { this[name] = blocks[i]; });
+    Object.assign(this, { info, painter, circumference: info.circumference, volume: null });
+    this.centre = [];
+    for (let i = 0; i < this.centreline.length; i += 6) {
+      const [x, y, z, arc, radius, hindrance] = this.centreline.subarray(i, i + 6);
+      this.centre.push({ xyz: [x, y, z], arc, radius, hindrance: Math.round(hindrance) });
+    }
+    this.orient();
+    this.wall = new Tree(this.points, this.faces);
+    this.makeMap();
+    this.makeNormals();
+    for (const c of info.candidates) this.placeCandidate(c);
+    this.colours = new Uint8Array((4 * this.points.length) / 3);
+    if (painter.gl) this.mesh = painter.mesh(this.points, this.normals, this.colours, this.faces);
+    return this;
+  }
+
+  // x, y, z of a candidate lie in the middle of its head, behind the wall: what is shown is its place on the wall.
+  placeCandidate(c) {
+    c.xyz = [c.x, c.y, c.z];
+    c.place = this.fromUv(c.u, c.v) || this.fromXyz(c.xyz, false);
+    c.uv = c.place.uv;
+  }
+
+  async loadVolume(folder, prefix) {
+    const coarse = await readBlock(folder, prefix + 'volumeCoarse');
+    const data = await readBlock(folder, prefix + 'volume');
+    this.volume = { data, coarse, ...data.header };
+    this.volume.blocks = this.volume.size.map((n) => Math.ceil(n / this.volume.side));
+  }
+
+  makeMap() {
+    const n = this.uv.length / 2, flat = new Float32Array(3 * n);
+    let lo = Infinity, hi = -Infinity;
+    for (let i = 0; i < n; i++) {
+      const u = this.uv[2 * i];
+      flat[3 * i] = u;
+      flat[3 * i + 1] = this.uv[2 * i + 1];
+      if (u < lo) lo = u;
+      if (u > hi) hi = u;
+    }
+    this.range = [lo, hi];
+    this.map = new Tree(flat, this.faces);
+    this.faceOfPixel = this.rasterise();
+  }
+
+  // The face under each pixel of the relief, or -1.
+  rasterise() {
+    const { uv, faces: F, info: { relief: r } } = this, out = new Int32Array(r.columns * r.rows).fill(-1);
+    const x = [0, 0, 0], y = [0, 0, 0];
+    for (let f = 0; f < F.length / 3; f++) {
+      for (let k = 0; k < 3; k++) {
+        x[k] = (uv[2 * F[3 * f + k]] - r.u) / r.step;
+        y[k] = ((uv[2 * F[3 * f + k] + 1] - r.v) * r.vSign) / r.step;
+      }
+      const area = (x[1] - x[0]) * (y[2] - y[0]) - (x[2] - x[0]) * (y[1] - y[0]);
+      const left = Math.max(0, Math.ceil(Math.min(...x))), right = Math.min(r.columns - 1, Math.floor(Math.max(...x)));
+      for (let j = Math.ceil(Math.min(...y)); j <= Math.max(...y); j++) {
+        for (let i = left; i <= right; i++) {
+          const a = ((x[1] - i) * (y[2] - j) - (x[2] - i) * (y[1] - j)) / area;
+          const b = ((x[2] - i) * (y[0] - j) - (x[0] - i) * (y[2] - j)) / area;
+          if (a >= 0 && b >= 0 && a + b <= 1) out[turn(j, r.rows) * r.columns + i] = f;
+        }
+      }
+    }
+    return out;
+  }
+
+  // Normals by area; vertices on both sides of the cut share theirs.
+  makeNormals() {
+    const { points: P, faces: F, source } = this, n = P.length / 3, sum = new Float32Array(P.length);
+    for (let f = 0; f < F.length; f += 3) {
+      const a = third(P, F[f]), c = cross(sub(third(P, F[f + 1]), a), sub(third(P, F[f + 2]), a));
+      for (let j = 0; j < 3; j++) for (let k = 0; k < 3; k++) sum[3 * source[F[f + j]] + k] += c[k];
+    }
+    this.normals = new Int8Array(4 * n);
+    for (let i = 0; i < n; i++) {
+      const u = unit(third(sum, source[i]));
+      for (let k = 0; k < 3; k++) this.normals[4 * i + k] = Math.round(127 * u[k]);
+    }
+  }
+
+  // A direction and an upright at each point of the centreline; the upright is carried along so that the view does not spin.
+  orient() {
+    const c = this.centre, reach = 4;
+    let up = [0, 0, 1];
+    c.forEach((p, i) => {
+      p.ahead = unit(sub(c[Math.min(c.length - 1, i + reach)].xyz, c[Math.max(0, i - reach)].xyz));
+      up = sub(up, p.ahead.map((x) => x * dot(up, p.ahead)));
+      up = norm(up) < 1e-3 ? unit(cross(p.ahead, [1, 0, 0])) : unit(up);
+      p.up = up;
+    });
+  }
+
+  // Index of the point of the centreline at a distance along it.
+  centreAt(arc) {
+    const c = this.centre;
+    let lo = 0, hi = c.length - 1;
+    while (hi - lo > 1) {
+      const middle = (lo + hi) >> 1;
+      if (c[middle].arc < arc) lo = middle; else hi = middle;
+    }
+    return arc - c[lo].arc < c[hi].arc - arc ? lo : hi;
+  }
+
+  // Faces lie in the order of their distance along the colon: how many lie before one.
+  facesBefore(arc) {
+    let lo = 0, hi = this.faces.length / 3;
+    while (lo < hi) {
+      const middle = (lo + hi) >> 1;
+      if (this.arc[this.faces[3 * middle]] < arc) lo = middle + 1; else hi = middle;
+    }
+    return lo;
+  }
+
+  mix(array, n, face, w) {
+    const F = this.faces, out = [];
+    for (let k = 0; k < n; k++) {
+      out.push(w[0] * array[n * F[3 * face] + k] + w[1] * array[n * F[3 * face + 1] + k] + w[2] * array[n * F[3 * face + 2] + k]);
+    }
+    return out;
+  }
+
+  segmentOf(face) { return this.kinds[face] & 7; }
+  hindranceOf(face) { return (this.kinds[face] >> 3) & 7; }
+  isSynthetic(face) { return this.kinds[face] >= BRIDGED; } // bridged, or the cap of a pouch
+
+  // Everything about a point of the wall; xyz if the place is beside the wall.
+  place(face, weights, xyz = null) {
+    const wall = this.mix(this.points, 3, face, weights);
+    const [u, v] = this.mix(this.uv, 2, face, weights), [arc] = this.mix(this.arc, 1, face, weights);
+    return { xyz: xyz || wall, wall, uv: [u, v], arc, face, weights, off: xyz ? distance(xyz, wall) : 0 };
+  }
+
+  fromXyz(p, keep = true) {
+    const { face, weights } = this.wall.nearest(p);
+    return this.place(face, weights, keep ? p : null);
+  }
+
+  fromUv(u, v) {
+    const c = this.circumference;
+    for (const k of [0, -1, 1]) { // the cut deviates from v = 0 by less than a turn
+      const hit = this.map.ray([u, turn(v, c) + k * c, -1], [0, 0, 1]);
+      if (hit) return this.place(hit.face, hit.weights);
+    }
+    return null;
+  }
+
+  fromRay(eye, d) {
+    const hit = this.wall.ray(eye, d);
+    return hit && this.place(hit.face, hit.weights);
+  }
+
+  // Whether the wall lies between an eye and a place on it.
+  hidden(eye, p) {
+    const d = sub(p, eye);
+    return this.wall.ray(eye, unit(d), norm(d) - 1.5, true) !== null;
+  }
+
+  // From where on the centreline a point of the wall is seen best: free sight, about 25 mm away, looked at squarely.
+  viewpoint(place) {
+    const mid = this.centreAt(place.arc), n = normalOf(this.points, this.faces, place.face), reach = 45;
+    let best = { score: -Infinity, index: mid };
+    for (let i = Math.max(0, mid - reach); i <= Math.min(this.centre.length - 1, mid + reach); i += 3) {
+      const c = this.centre[i], d = sub(place.xyz, c.xyz), l = norm(d);
+      const score = Math.abs(dot(d, n)) / (l || 1) - Math.abs(l - 25) / 25 - (this.hidden(c.xyz, place.wall) ? 4 : 0);
+      if (score > best.score) best = { score, index: i };
+    }
+    return best.index;
+  }
+
+  // Millimetres along the axes of the image, from the middle of its first voxel; and back.
+  toImage(p) { const d = sub(p, this.volume.origin); return this.volume.axes.map((a) => dot(d, a)); }
+  fromImage(q) { return this.volume.origin.map((o, k) => o + this.volume.axes.reduce((s, a, j) => s + q[j] * a[k], 0)); }
+
+  // {hu, isMean} of the voxel that a point lies in, or null outside.
+  voxelAt(p) {
+    const v = this.volume;
+    if (!v) return null;
+    const [i, j, k] = this.toImage(p).map((x, axis) => Math.round(x / v.spacing[axis])), [nx, ny, nz] = v.size;
+    if (i < 0 || j < 0 || k < 0 || i >= nx || j >= ny || k >= nz) return null;
+    const block = [i, j, k].map((x) => Math.floor(x / v.side));
+    const isMean = v.coarse[block[0] + v.blocks[0] * (block[1] + v.blocks[1] * block[2])] === 1;
+    return { hu: v.hu[0] + v.hu[1] * v.data[i + nx * (j + ny * k)], isMean };
+  }
+
+  // What is told about a place in words.
+  describe(place) {
+    const voxel = this.voxelAt(place.xyz), fold = this.folds[place.face], out = [];
+    if (voxel && this.volume.isCt) out.push(`${Math.round(voxel.hu)} HU${voxel.isMean ? ' (mean of 4×4×4)' : ''}`);
+    out.push(`${place.xyz.map((x) => x.toFixed(1)).join(', ')} mm (LPS)`, `${(place.arc / 10).toFixed(1)} cm from the anal verge`);
+    out.push(segmentNames[this.segmentOf(place.face)] || 'segment unknown');
+    if (fold) out.push(`fold ${fold}`);
+    if (place.off > 5) out.push(`${place.off.toFixed(0)} mm off the wall`);
+    const hindrance = hindranceNames[clamp(this.hindranceOf(place.face), 0, 4)];
+    if (hindrance) out.push(`not assessable: ${hindrance}`);
+    if (this.isSynthetic(place.face)) out.push('wall made up over a gap');
+    return out.join(' · ');
+  }
+}

@@ -1,0 +1,222 @@
+import { clamp } from './math.mjs';
+import { paintFlat, segmentColours, taeniaColours } from './layers.mjs';
+import { View } from './view.mjs';
+
+const OVERVIEW = 34; // pixels of the strip above that shows all of the colon
+
+function canvasOf(columns, rows) {
+  return Object.assign(document.createElement('canvas'), { width: columns, height: rows });
+}
+
+// The flat wall as an eye inside sees it: u to the right from the rectum on, v around, without an end.
+export class FlatView extends View {
+  constructor(root, panel) {
+    super(root, 'flat', 'flat wall');
+    Object.assign(this, { panel, relief: panel.exam.info.relief, scale: null, u: null, v: null });
+    const { columns, rows } = this.relief;
+    this.picture = canvasOf(columns, rows);
+    this.layer = canvasOf(columns, rows);
+    this.paintRelief();
+    this.ruler = this.ticks();
+  }
+
+  paintRelief() {
+    const { relief, faceOfPixel } = this.panel.exam, { columns, rows } = this.relief, image = new ImageData(columns, rows);
+    for (let i = 0; i < faceOfPixel.length; i++) {
+      for (let k = 0; k < 3; k++) image.data[4 * i + k] = relief[3 * i + k];
+      image.data[4 * i + 3] = 255;
+    }
+    this.picture.getContext('2d').putImageData(image, 0, 0);
+  }
+
+  // Every 5 cm of the centreline.
+  ticks() {
+    const { exam } = this.panel, marks = [];
+    for (const c of exam.centre) marks[Math.floor(c.arc / 50)] ??= c;
+    return marks.filter(Boolean).map((c) => ({ cm: Math.round(c.arc / 10), u: exam.fromXyz(c.xyz).uv[0] }));
+  }
+
+  // The layers lie in an image of their own, made anew when they have changed.
+  repaintLayers() {
+    const { columns, rows } = this.relief, image = new ImageData(columns, rows);
+    paintFlat(this.panel.exam, this.panel.layers, image);
+    this.layer.getContext('2d').putImageData(image, 0, 0);
+    this.changed();
+  }
+
+  get middle() { return (this.h + OVERVIEW) / 2; }
+
+  frame() {
+    const { exam } = this.panel, [lo, hi] = exam.range, c = exam.circumference, fit = this.w / (hi - lo);
+    const s = Math.max(this.scale ?? (this.h - OVERVIEW) / (1.15 * c), fit), half = this.w / 2 / s;
+    this.u ??= (lo + hi) / 2;
+    this.v ??= c / 2;
+    this.u = clamp(this.u, lo + half, Math.max(lo + half, hi - half));
+    const sy = s * this.relief.vSign;
+    return {
+      s,
+      sy,
+      x: (u) => this.w / 2 + (u - this.u) * s,
+      y: (v) => this.middle + (v - this.v) * sy,
+      back: (x, y) => [this.u + (x - this.w / 2) / s, this.v + (y - this.middle) / sy],
+    };
+  }
+
+  // The same height once more for each turn around the tube that is in sight.
+  turns(y, s) {
+    const period = this.panel.exam.circumference * s, out = [];
+    for (let q = y - Math.ceil(y / period) * period; q < this.h + period; q += period) out.push(q);
+    return out;
+  }
+
+  draw(g, w, h) {
+    const { exam, place, layers } = this.panel, f = this.frame();
+    g.fillStyle = '#111';
+    g.fillRect(0, 0, w, h);
+    this.drawPicture(g, f);
+    if (layers.taeniae) exam.info.taeniae.forEach((t, i) => this.curve(g, f, t.uv, taeniaColours[i % 3], 2));
+    if (layers.flexures) for (const x of exam.info.flexures) this.curve(g, f, this.uvOf(x), [20, 20, 60], 2);
+    if (layers.segments) this.drawBands(g, f, h);
+    this.drawRuler(g, f, h);
+    if (layers.candidates) this.drawMarks(g, f);
+    this.panel.drawMeasure(this, g, (p) => { const [u, v] = exam.fromXyz(p, false).uv; return [f.x(u), this.nearestTurn(f, v)]; });
+    this.cross(g, f.x(place.uv[0]), this.nearestTurn(f, place.uv[1]), place.off > 5);
+    this.overview(g, w, f);
+  }
+
+  // The one of the places around the tube that is nearest to the middle of the view.
+  nearestTurn(f, v) {
+    return this.turns(f.y(v), f.s).reduce((best, y) => (Math.abs(y - this.middle) < Math.abs(best - this.middle) ? y : best));
+  }
+
+  drawPicture(g, f) {
+    const { u, v, vSign, step, rows, columns } = this.relief, x = f.x(u - step / 2), height = rows * step * f.s;
+    g.imageSmoothingEnabled = true;
+    for (const y of this.turns(f.y(v - (vSign * step) / 2), f.s)) {
+      g.drawImage(this.picture, x, y, columns * step * f.s, height + 0.7);
+      g.drawImage(this.layer, x, y, columns * step * f.s, height);
+    }
+  }
+
+  uvOf(curve) { return (curve.uv ??= [...curve.xyz, curve.xyz[0]].map((p) => this.panel.exam.fromXyz(p).uv)); }
+
+  curve(g, f, uv, colour, width) {
+    const c = this.panel.exam.circumference;
+    for (const turn of this.turns(f.y(0), f.s)) {
+      let last = null;
+      const points = uv.flatMap(([u, v]) => {
+        const isJump = last !== null && Math.abs(v - last) > c / 2;
+        last = v;
+        return [...(isJump ? [null] : []), [f.x(u), turn + v * f.sy]];
+      });
+      this.line(g, points, `rgb(${colour})`, width);
+    }
+  }
+
+  // Stretches of u by segment.
+  bands() {
+    if (this.memory) return this.memory;
+    const { exam } = this.panel, out = [];
+    for (let u = exam.range[0]; u < exam.range[1]; u += 4) {
+      const place = exam.fromUv(u, exam.circumference / 2), segment = place ? exam.segmentOf(place.face) : 0, last = out.at(-1);
+      if (last?.segment === segment) last.to = u + 4; else out.push({ segment, from: u, to: u + 4 });
+    }
+    return (this.memory = out);
+  }
+
+  drawBands(g, f, h) {
+    for (const { segment, from, to } of this.bands()) {
+      g.fillStyle = `rgb(${segmentColours[segment]})`;
+      g.fillRect(f.x(from), h - 6, (to - from) * f.s, 6);
+    }
+  }
+
+  drawRuler(g, f, h) {
+    g.font = '12px sans-serif';
+    let free = -Infinity;
+    for (const { cm, u } of this.ruler) {
+      const x = f.x(u);
+      g.fillStyle = '#000';
+      g.fillRect(x - 1, h - 14, 3, 8);
+      g.fillStyle = '#fff';
+      g.fillRect(x, h - 14, 1, 8);
+      if (x <= free) continue;
+      g.strokeStyle = '#000b';
+      g.lineWidth = 3;
+      g.strokeText(`${cm} cm`, x + 3, h - 7);
+      g.fillText(`${cm} cm`, x + 3, h - 7);
+      free = x + 56;
+    }
+  }
+
+  drawMarks(g, f) {
+    for (const mark of this.panel.marks()) {
+      for (const y of this.turns(f.y(mark.uv[1]), f.s)) this.ring(g, f.x(mark.uv[0]), y, mark.text, mark.chosen);
+    }
+  }
+
+  overview(g, w, f) {
+    const { exam, place, layers } = this.panel, [lo, hi] = exam.range, x = (u) => ((u - lo) / (hi - lo)) * w, height = OVERVIEW - 4;
+    g.drawImage(this.picture, 0, 0, w, height);
+    g.drawImage(this.layer, 0, 0, w, height);
+    g.fillStyle = '#1b1c1f';
+    g.fillRect(0, height, w, 4);
+    g.fillStyle = '#0009';
+    const [from, to] = [f.back(0, 0)[0], f.back(w, 0)[0]].map(x);
+    g.fillRect(0, 0, from, height);
+    g.fillRect(to, 0, w, height);
+    if (layers.candidates) {
+      for (const mark of this.panel.marks()) {
+        g.fillStyle = mark.chosen ? '#ff9d4d' : '#56b4e9';
+        g.fillRect(x(mark.uv[0]) - 1.5, 0, 3, height);
+      }
+    }
+    g.fillStyle = '#ffd400';
+    g.fillRect(x(place.uv[0]) - 1, 0, 2, height);
+  }
+
+  // Keeps the crosshair in sight.
+  reveal(place) {
+    if (!this.w) return;
+    const f = this.frame(), x = f.x(place.uv[0]), c = this.panel.exam.circumference;
+    if (x < 40 || x > this.w - 40) this.u = place.uv[0];
+    const dv = place.uv[1] - this.v, around = dv - c * Math.round(dv / c);
+    if (Math.abs(around * f.s) > (this.h - OVERVIEW) / 2 - 15) this.v += around;
+  }
+
+  pick(x, y) {
+    const { exam } = this.panel, [lo, hi] = exam.range, inOverview = y < OVERVIEW, { vSign, v } = this.relief;
+    const uv = inOverview
+      ? [lo + (x / this.w) * (hi - lo), v + (vSign * exam.circumference * y) / (OVERVIEW - 4)]
+      : this.frame().back(x, y);
+    const place = exam.fromUv(...uv);
+    if (!place) return;
+    if (inOverview) this.u = place.uv[0];
+    this.panel.set(place, this);
+  }
+
+  drag(dx, dy) {
+    const { s, sy } = this.frame();
+    this.u -= dx / s;
+    this.v -= dy / sy;
+    this.changed();
+  }
+
+  wheel(d, e) { this.scaleAt(1.25 ** -d, e.offsetX, e.offsetY); }
+  scaleBy(by) { this.scaleAt(by, this.w / 2, this.middle); }
+
+  // What lies at (x, y) stays there.
+  scaleAt(by, x, y) {
+    const f = this.frame(), [u, v] = f.back(x, y), s = clamp(f.s * by, 0.05, 16);
+    this.scale = s;
+    this.u = u - (x - this.w / 2) / s;
+    this.v = v - (y - this.middle) / (s * this.relief.vSign);
+    this.changed();
+  }
+
+  // Moves the crosshair on the map by millimetres to the right and down.
+  move(right, down) {
+    const [u, v] = this.panel.place.uv, place = this.panel.exam.fromUv(u + right, v + down * this.relief.vSign);
+    if (place) this.panel.set(place, null);
+  }
+}

@@ -1,0 +1,60 @@
+import { axesOf, cross, distance, dot, norm, sub, third, unit } from './math.mjs';
+
+const REACH = 200;    // mm; wall that is farther is not seen well
+const STRETCH = 250;  // mm along the colon, before and behind the eye
+const TOLERANCE = 0.2; // mm, so that a face does not hide itself
+
+// Which faces were in sight while flying: the middle of a face lies in the picture and nothing between it and the eye. Wall that was
+// made up does not count. The eye goes on at once; the faces are looked at when there is time.
+export class Seen {
+  constructor(exam) {
+    const { points: P, faces: F } = exam, n = F.length / 3;
+    Object.assign(this, { exam, marks: new Uint8Array(n), area: new Float32Array(n), middles: new Float32Array(3 * n), queue: [] });
+    this.total = this.sum = 0;
+    for (let f = 0; f < n; f++) {
+      const [a, b, c] = [0, 1, 2].map((k) => third(P, F[3 * f + k]));
+      for (let k = 0; k < 3; k++) this.middles[3 * f + k] = (a[k] + b[k] + c[k]) / 3;
+      this.area[f] = exam.isSynthetic(f) ? 0 : norm(cross(sub(b, a), sub(c, a))) / 2;
+      this.total += this.area[f];
+    }
+  }
+
+  get share() { return this.sum / this.total; }
+
+  // aspect: width over height of the picture.
+  look(camera, aspect) {
+    const { exam } = this, arc = exam.arc[exam.faces[3 * exam.wall.nearest(camera.eye).face]];
+    this.queue.push({ camera, aspect, at: exam.facesBefore(arc - STRETCH), to: exam.facesBefore(arc + STRETCH) });
+  }
+
+  // Works for so many milliseconds; true while there is more to do.
+  work(milliseconds) {
+    const end = performance.now() + milliseconds;
+    while (this.queue.length && performance.now() < end) {
+      const pose = this.queue[0];
+      pose.inPicture ??= pictureOf(pose);
+      for (let i = 0; i < 200 && pose.at < pose.to; i++, pose.at++) if (!this.marks[pose.at] && this.sees(pose, pose.at)) this.mark(pose.at);
+      if (pose.at >= pose.to) this.queue.shift();
+    }
+    return this.queue.length > 0;
+  }
+
+  mark(face) {
+    this.marks[face] = 1;
+    this.sum += this.area[face];
+  }
+
+  sees({ camera: { eye }, inPicture }, face) {
+    const middle = third(this.middles, face), l = distance(middle, eye);
+    return l < REACH && inPicture(middle) && !this.exam.wall.ray(eye, unit(sub(middle, eye)), l - TOLERANCE, true);
+  }
+}
+
+// Whether a point lies in the picture of a camera.
+function pictureOf({ camera, aspect }) {
+  const { right, up, back } = axesOf(camera), high = Math.tan(camera.fov / 2), wide = high * aspect;
+  return (p) => {
+    const q = sub(p, camera.eye), z = -dot(q, back);
+    return z > 0 && Math.abs(dot(q, up)) < high * z && Math.abs(dot(q, right)) < wide * z;
+  };
+}

@@ -1,0 +1,89 @@
+// The keys of the page: what is listed under `?` is what works. act: name of a method of the viewer, with what it is called with.
+export const keyList = [
+  ['Flight', [
+    ['ArrowUp', '↑', 'fly ahead 2 mm', 'fly', 2],
+    ['ArrowDown', '↓', 'fly back 2 mm', 'fly', -2],
+    ['PageUp', 'Page ↑', 'fly ahead 20 mm', 'fly', 20],
+    ['PageDown', 'Page ↓', 'fly back 20 mm', 'fly', -20],
+    ['ArrowLeft', '←', 'turn left', 'turn', [-0.15, 0]],
+    ['ArrowRight', '→', 'turn right', 'turn', [0.15, 0]],
+    ['i', 'I', 'look up', 'turn', [0, 0.15]],
+    ['k', 'K', 'look down', 'turn', [0, -0.15]],
+    ['r', 'R', 'fly the other way', 'reverse'],
+    [' ', 'Space', 'fly on by itself, stop', 'toggleFlight'],
+    ['Home', 'Home', 'to the anal verge', 'goTo', 0],
+    ['End', 'End', 'to the caecum', 'goTo', Infinity],
+  ]],
+  ['Crosshair', [
+    ['Shift+ArrowRight', 'Shift →', 'right on the flat wall by 2 mm', 'moveFlat', [2, 0]],
+    ['Shift+ArrowLeft', 'Shift ←', 'left on the flat wall by 2 mm', 'moveFlat', [-2, 0]],
+    ['Shift+ArrowUp', 'Shift ↑', 'up on the flat wall by 2 mm', 'moveFlat', [0, -2]],
+    ['Shift+ArrowDown', 'Shift ↓', 'down on the flat wall by 2 mm', 'moveFlat', [0, 2]],
+    ['a', 'A', 'next axial slice; Shift: the one before', 'stepSlice', [0, 1]],
+    ['c', 'C', 'next coronal slice', 'stepSlice', [1, 1]],
+    ['s', 'S', 'next sagittal slice', 'stepSlice', [2, 1]],
+    ['Shift+a', '', '', 'stepSlice', [0, -1]],
+    ['Shift+c', '', '', 'stepSlice', [1, -1]],
+    ['Shift+s', '', '', 'stepSlice', [2, -1]],
+  ]],
+  ['Views', [
+    ['1', '1', 'window for the colon: 1500, level -200', 'setWindow', [1500, -200]],
+    ['2', '2', 'window for soft tissue: 400, level 40', 'setWindow', [400, 40]],
+    ['3', '3', 'window for tagged residue: 2000, level 300', 'setWindow', [2000, 300]],
+    ['4', '4', 'wide window: 1536, level -256', 'setWindow', [1536, -256]],
+    ['v', 'V', 'the next view gets the keys + and -', 'nextView'],
+    ['+', '+', 'enlarge that view', 'zoom', 1.25],
+    ['-', '-', 'make it smaller', 'zoom', 0.8],
+    ['o', 'O', 'turn the wall in space', 'turnOutside', 0.3],
+    ['x', 'X', 'the other position gets the keys', 'nextPanel'],
+  ]],
+  ['Reading', [
+    ['n', 'N', 'next candidate or finding', 'stepEntry', 1],
+    ['p', 'P', 'the one before', 'stepEntry', -1],
+    ['e', 'E', 'next verdict on it', 'nextVerdict'],
+    ['t', 'T', 'write a note on it', 'writeNote'],
+    ['f', 'F', 'add a finding at the crosshair', 'addFinding'],
+    ['m', 'M', 'measure between two clicks, or end it', 'toggleMeasure'],
+    ['Enter', 'Enter', 'measure from or to the crosshair', 'measureHere'],
+    ['Ctrl+s', 'Ctrl S', 'save verdicts.json', 'save'],
+    ['Ctrl+o', 'Ctrl O', 'open verdicts.json', 'openFile'],
+    ['?', '?', 'this help', 'toggleHelp'],
+    ['Escape', 'Esc', 'leave help, note or measurement', 'leave'],
+  ]],
+];
+
+const actions = new Map(keyList.flatMap(([, keys]) => keys.map(([key, , , act, value]) => [key, { act, value }])));
+
+// The action of a key event, or undefined.
+export function actionOf(e) {
+  const isLetter = /^[a-z]$/i.test(e.key), key = isLetter ? e.key.toLowerCase() : e.key;
+  const shift = e.shiftKey && (isLetter || key.startsWith('Arrow')) ? 'Shift+' : '';
+  return e.altKey ? undefined : actions.get(`${e.ctrlKey || e.metaKey ? 'Ctrl+' : ''}${shift}${key}`);
+}
+
+const MOUSE = [
+  ['click', 'sets the crosshair in all views'],
+  ['Shift and move', 'takes the crosshair along'],
+  ['drag', 'shifts the flat wall, turns the wall in space and the eye, changes the window of slices'],
+  ['drag with the right button', 'shifts the wall in space'],
+  ['wheel', 'enlarges the flat wall and the wall in space, goes through slices, flies'],
+  ['Ctrl and wheel', 'enlarges a slice'],
+];
+
+export function fillHelp(dialog) {
+  const table = (title, rows) => {
+    const t = document.createElement('table'), caption = t.createCaption();
+    caption.textContent = title;
+    for (const [key, text] of rows) {
+      const row = t.insertRow();
+      row.insertCell().textContent = key;
+      row.insertCell().textContent = text;
+    }
+    return t;
+  };
+  const close = document.createElement('button');
+  close.textContent = 'close';
+  close.onclick = () => dialog.close();
+  dialog.append(close, ...keyList.map(([title, keys]) => table(title, keys.filter(([, name]) => name).map(([, name, text]) => [name, text]))));
+  dialog.append(table('Mouse', MOUSE));
+}

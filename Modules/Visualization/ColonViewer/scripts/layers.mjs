@@ -1,0 +1,64 @@
+// What can be shown or hidden. Colours are those of Okabe and Ito, which the colour-blind can tell apart.
+export const layerList = [
+  ['candidates', 'candidates', true],
+  ['folds', 'folds', false],
+  ['taeniae', 'taeniae', true],
+  ['flexures', 'flexures', true],
+  ['segments', 'segments', false],
+  ['centreline', 'centreline', true],
+  ['hindered', 'not assessable', true],
+  ['trust', 'confidence of the map', false],
+  ['unseen', 'areas not seen', false],
+  ['wall', 'wall on slices', true],
+  ['through', 'transparent wall', false],
+];
+
+export const taeniaColours = [[230, 159, 0], [86, 180, 233], [204, 121, 167]];
+export const segmentColours = [[170, 170, 170], [204, 121, 167], [213, 94, 0], [240, 228, 66], [0, 158, 115], [86, 180, 233], [0, 114, 178]];
+export const flexureColour = [20, 20, 60];
+export const centrelineColour = [213, 94, 0];
+const FOLD = [0, 158, 115], HINDERED = [130, 130, 140], MADE_UP = [190, 190, 190], UNSEEN = [90, 60, 170], DOUBT = [40, 40, 110];
+
+// The colour and opacity that the layers give a face, or null; the later ones lie above.
+export function faceColour(exam, layers, face) {
+  const { trust, seen } = exam;
+  if (exam.isSynthetic(face)) return [MADE_UP, 0.9];
+  if (layers.unseen && seen && !seen.marks[face]) return [UNSEEN, 0.75];
+  if (layers.hindered && exam.hindranceOf(face)) return [HINDERED, 0.75];
+  if (layers.trust && trust) {
+    const t = trust[exam.faces[3 * face]];
+    return t > 200 ? [HINDERED, 0.85] : [DOUBT, 0.8 * (1 - t / 200)];
+  }
+  if (layers.folds && exam.folds[face]) return [FOLD, 0.6];
+  if (layers.segments) return [segmentColours[exam.segmentOf(face)], 0.55];
+  return null;
+}
+
+const WALL = [226, 160, 142];
+
+// Colours of the vertices for the views in space.
+export function paintWall(exam, layers) {
+  const { faces: F, kinds, colours: C } = exam;
+  for (let i = 0; i < C.length; i += 4) { C[i] = WALL[0]; C[i + 1] = WALL[1]; C[i + 2] = WALL[2]; C[i + 3] = 255; }
+  for (let f = 0; f < kinds.length; f++) {
+    const layer = faceColour(exam, layers, f);
+    if (!layer) continue;
+    const [colour, opacity] = layer;
+    for (let j = 0; j < 3; j++) for (let k = 0; k < 3; k++) C[4 * F[3 * f + j] + k] = WALL[k] + opacity * (colour[k] - WALL[k]);
+  }
+  if (exam.mesh) exam.painter.recolour(exam.mesh, C);
+}
+
+// The layers as an image over the flat wall.
+export function paintFlat(exam, layers, image) {
+  const { faceOfPixel, folds, info: { relief: { columns } } } = exam, words = new Uint32Array(image.data.buffer);
+  const foldAt = (i) => (faceOfPixel[i] < 0 ? 0 : folds[faceOfPixel[i]]);
+  const areas = { ...layers, folds: false }; // folds are outlined here
+  for (let i = 0; i < faceOfPixel.length; i++) {
+    const face = faceOfPixel[i], layer = face < 0 ? null : faceColour(exam, areas, face);
+    words[i] = layer ? packed(...layer) : 0;
+    if (layers.folds && foldAt(i) && (foldAt(i - 1) !== foldAt(i) || foldAt(i - columns) !== foldAt(i))) words[i] = packed(FOLD, 1);
+  }
+}
+
+const packed = ([r, g, b], opacity) => ((Math.round(255 * opacity) << 24) | (b << 16) | (g << 8) | r) >>> 0;

@@ -1,0 +1,135 @@
+import { cross, dot, matricesOf, norm, sub, unit } from './math.mjs';
+
+const VERTEX = `
+in vec3 position; in vec4 normal, colour;
+uniform mat4 view, projection;
+out vec3 N, E; out vec4 C;
+void main() {
+  vec4 e = view * vec4(position, 1);
+  E = e.xyz;
+  N = mat3(view) * normal.xyz;
+  C = colour;
+  gl_Position = projection * e;
+}`;
+
+// Lit from the eye. reach: mm of the light inside the colon, 0 outside; clear: opacity of the rim where the wall is transparent.
+const FRAGMENT = `
+in vec3 N, E; in vec4 C;
+uniform float reach, clear;
+out vec4 o;
+void main() {
+  float d = abs(dot(normalize(N), normalize(E)));
+  float fade = reach > 0. ? exp(-length(E) / reach) : 1.;
+  o = vec4(C.rgb * (.18 + .82 * d) * fade, clear > 0. ? clear * pow(1. - d, 2.) + .04 : 1.);
+}`;
+
+// One WebGL2 context for all views in space: a view draws, then copies the picture into its own canvas, where crosshairs and
+// labels are added. A browser allows few contexts, and buffers are shared. Without WebGL2 `gl` is null.
+export class Painter {
+  constructor() {
+    this.canvas = document.createElement('canvas');
+    this.gl = this.canvas.getContext('webgl2', { antialias: false, alpha: false, powerPreference: 'high-performance' });
+    if (this.gl) this.compile();
+  }
+
+  compile() {
+    const { gl } = this, program = (this.program = gl.createProgram());
+    for (const [type, text] of [[gl.VERTEX_SHADER, VERTEX], [gl.FRAGMENT_SHADER, FRAGMENT]]) {
+      const shader = gl.createShader(type);
+      gl.shaderSource(shader, `#version 300 es\nprecision highp float;\n${text}`);
+      gl.compileShader(shader);
+      if (!gl.getShaderParameter(shader, gl.COMPILE_STATUS)) throw new Error(gl.getShaderInfoLog(shader));
+      gl.attachShader(program, shader);
+    }
+    gl.linkProgram(program);
+    if (!gl.getProgramParameter(program, gl.LINK_STATUS)) throw new Error(gl.getProgramInfoLog(program));
+    const names = ['view', 'projection', 'reach', 'clear'];
+    this.uniforms = Object.fromEntries(names.map((name) => [name, gl.getUniformLocation(program, name)]));
+  }
+
+  // points Float32Array, normals Int8Array of 4, colours Uint8Array of 4, faces Uint32Array.
+  mesh(points, normals, colours, faces) {
+    const { gl } = this, mesh = { array: gl.createVertexArray(), count: faces.length };
+    gl.bindVertexArray(mesh.array);
+    const attribute = (name, data, size, type, isNormalised) => {
+      const buffer = gl.createBuffer(), place = gl.getAttribLocation(this.program, name);
+      gl.bindBuffer(gl.ARRAY_BUFFER, buffer);
+      gl.bufferData(gl.ARRAY_BUFFER, data, gl.STATIC_DRAW);
+      gl.enableVertexAttribArray(place);
+      gl.vertexAttribPointer(place, size, type, isNormalised, 0, 0);
+      return buffer;
+    };
+    attribute('position', points, 3, gl.FLOAT, false);
+    attribute('normal', normals, 4, gl.BYTE, true);
+    mesh.colours = attribute('colour', colours, 4, gl.UNSIGNED_BYTE, true);
+    gl.bindBuffer(gl.ELEMENT_ARRAY_BUFFER, gl.createBuffer());
+    gl.bufferData(gl.ELEMENT_ARRAY_BUFFER, faces, gl.STATIC_DRAW);
+    gl.bindVertexArray(null);
+    return mesh;
+  }
+
+  recolour(mesh, colours) {
+    this.gl.bindBuffer(this.gl.ARRAY_BUFFER, mesh.colours);
+    this.gl.bufferSubData(this.gl.ARRAY_BUFFER, 0, colours);
+  }
+
+  begin(w, h) {
+    const { gl, canvas } = this;
+    if (canvas.width < w || canvas.height < h) { // grows only
+      canvas.width = Math.max(w, canvas.width);
+      canvas.height = Math.max(h, canvas.height);
+    }
+    gl.viewport(0, canvas.height - h, w, h);
+    gl.enable(gl.SCISSOR_TEST);
+    gl.scissor(0, canvas.height - h, w, h);
+    gl.clearColor(0.07, 0.07, 0.08, 1);
+    gl.depthMask(true);
+    gl.clear(gl.COLOR_BUFFER_BIT | gl.DEPTH_BUFFER_BIT);
+    gl.enable(gl.DEPTH_TEST);
+  }
+
+  // items: [{mesh, reach, clear, from, to: faces}], opaque ones first. The picture is in the upper left corner of the canvas.
+  draw(w, h, camera, items) {
+    const { gl, uniforms } = this, { view, projection } = matricesOf(camera, w / h);
+    this.begin(w, h);
+    gl.useProgram(this.program);
+    gl.uniformMatrix4fv(uniforms.view, false, view);
+    gl.uniformMatrix4fv(uniforms.projection, false, projection);
+    gl.blendFunc(gl.SRC_ALPHA, gl.ONE_MINUS_SRC_ALPHA);
+    for (const { mesh, reach = 0, clear = 0, from = 0, to = mesh.count / 3 } of items) {
+      gl.uniform1f(uniforms.reach, reach);
+      gl.uniform1f(uniforms.clear, clear);
+      gl.depthMask(!clear);
+      if (clear) gl.enable(gl.BLEND); else gl.disable(gl.BLEND);
+      gl.bindVertexArray(mesh.array);
+      gl.drawElements(gl.TRIANGLES, 3 * (to - from), gl.UNSIGNED_INT, 12 * from);
+    }
+    gl.disable(gl.BLEND);
+    gl.depthMask(true);
+    return this.canvas;
+  }
+}
+
+const SIDES = 4;
+
+// A tube around a polyline, to draw a line that has a width.
+export function tube(painter, line, radius, colour) {
+  const points = [], normals = [], faces = [];
+  let side = [0, 0, 1];
+  line.forEach((p, i) => {
+    const d = unit(sub(line[Math.min(line.length - 1, i + 1)], line[Math.max(0, i - 1)]));
+    side = sub(side, d.map((x) => x * dot(side, d)));
+    side = norm(side) < 1e-3 ? unit(cross(d, [1, 0.3, 0])) : unit(side);
+    const other = cross(d, side), at = points.length / 3;
+    for (let k = 0; k < SIDES; k++) {
+      const a = (2 * Math.PI * k) / SIDES, n = side.map((x, j) => Math.cos(a) * x + Math.sin(a) * other[j]);
+      points.push(...p.map((x, j) => x + radius * n[j]));
+      normals.push(...n.map((x) => Math.round(127 * x)), 0);
+      const next = at + ((k + 1) % SIDES);
+      if (i) faces.push(at + k - SIDES, at + k, next - SIDES, next - SIDES, at + k, next);
+    }
+  });
+  const colours = new Uint8Array((4 * points.length) / 3);
+  for (let i = 0; i < colours.length; i += 4) colours.set([...colour, 255], i);
+  return painter.mesh(new Float32Array(points), new Int8Array(normals), colours, new Uint32Array(faces));
+}

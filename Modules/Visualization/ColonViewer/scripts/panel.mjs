@@ -1,0 +1,130 @@
+import { distance, sub } from './math.mjs';
+import { centrelineColour, flexureColour, paintWall, taeniaColours } from './layers.mjs';
+import { EndoView, OutsideView } from './space.mjs';
+import { FlatView } from './flat.mjs';
+import { SliceView } from './slice.mjs';
+import { tube } from './painter.mjs';
+
+const EYE_REACH = 120; // mm; farther wall is no place to look at
+
+// All views of one position, around one crosshair.
+export class Panel {
+  // told: called with this panel when its crosshair has moved; marksOf: candidates and findings to show.
+  constructor(root, exam, layers, told, marksOf) {
+    Object.assign(this, { root, exam, layers, told, marksOf, window: [1500, -200], paintings: 0, measure: null });
+    this.volumeText = 'Loading the volume …';
+    this.place = exam.fromXyz(exam.centre[Math.min(60, exam.centre.length - 1)].xyz, false);
+    this.makeLines();
+    this.flat = new FlatView(root, this);
+    const row = document.createElement('div');
+    row.className = 'row';
+    root.append(row);
+    this.outside = new OutsideView(row, this);
+    this.inside = new EndoView(row, this);
+    this.slices = [2, 1, 0].map((plane) => new SliceView(row, this, plane));
+    this.views = [this.flat, this.outside, this.inside, ...this.slices];
+    this.active = this.flat;
+    for (const view of this.views) view.canvas.addEventListener('pointerdown', () => { this.active = view; });
+    this.inside.index = exam.viewpoint(this.place);
+    this.inside.look = this.place.xyz;
+  }
+
+  makeLines() {
+    const { painter, info, centre } = this.exam, lines = (all, radius, colour) =>
+      (painter.gl ? all.map((line, i) => tube(painter, line, radius, colour(i))) : []);
+    this.taeniae = lines(info.taeniae.map((t) => t.xyz), 1, (i) => taeniaColours[i % 3]);
+    this.flexures = lines(info.flexures.map((f) => [...f.xyz, f.xyz[0]]), 1.2, () => flexureColour);
+    this.centreline = lines([centre.map((c) => c.xyz)], 0.7, () => centrelineColour);
+  }
+
+  marks() { return this.marksOf(this); }
+
+  // Paints the layers anew.
+  repaint() {
+    this.paintings++;
+    paintWall(this.exam, this.layers);
+    this.flat.repaintLayers();
+    this.changed();
+  }
+
+  changed() { this.views.forEach((v) => v.changed()); }
+
+  setWindow(window) {
+    this.window = window;
+    this.slices.forEach((v) => v.changed());
+  }
+
+  // A new crosshair. from: the view where it was set, which keeps its direction.
+  set(place, from = null) {
+    if (this.measure) this.measurePlace(place);
+    this.follow(place, from);
+    this.told(this);
+  }
+
+  // The same without telling, for the crosshair of the other position.
+  follow(place, from = null) {
+    this.place = place;
+    if (from !== this.flat) this.flat.reveal(place);
+    if (from !== this.inside) Object.assign(this.inside, { index: this.exam.viewpoint(place), look: place.xyz, yaw: 0, pitch: 0 });
+    this.changed();
+  }
+
+  // Along the line by so many millimetres, in the direction of the flight.
+  fly(mm) {
+    const { centre } = this.exam, i = this.inside;
+    i.go(this.exam.centreAt(centre[i.index].arc + mm * i.way));
+  }
+
+  get isAtEnd() {
+    const { index, way } = this.inside;
+    return way > 0 ? index === this.exam.centre.length - 1 : index === 0;
+  }
+
+  // The eye has moved: the crosshair goes to the wall ahead of it.
+  flown() {
+    const camera = this.inside.camera(), place = this.exam.fromRay(camera.eye, sub(camera.at, camera.eye));
+    const isNear = place && distance(place.xyz, camera.eye) < EYE_REACH;
+    this.place = isNear ? place : this.exam.fromXyz(camera.eye, false);
+    this.flat.reveal(this.place);
+    if (this.exam.seen) this.exam.seen.look(camera, this.inside.w / (this.inside.h || 1));
+    this.changed();
+    this.told(this);
+  }
+
+  // Two places and the paths between them; a third begins anew.
+  startMeasure(done = null) { this.measure = { places: [], done }; this.changed(); }
+  endMeasure() { this.measure = null; this.changed(); }
+
+  measurePlace(place) {
+    const m = this.measure;
+    if (m.places.length === 2) Object.assign(m, { places: [], path: null, text: '' });
+    m.places.push(place);
+    if (m.places.length < 2) return;
+    const [a, b] = m.places, straight = distance(a.xyz, b.xyz);
+    m.path = this.exam.paths().between(a, b);
+    m.lengths = { straight, wall: m.path ? m.path.length : null, line: Math.abs(a.arc - b.arc) };
+    const wall = m.path ? `${m.path.length.toFixed(1)} mm` : 'more than 1 m';
+    m.text = `straight ${straight.toFixed(1)} mm · along the wall ${wall} · along the centreline ${m.lengths.line.toFixed(1)} mm`;
+    if (m.done) m.done(straight);
+  }
+
+  // at: pixel of a point in space, or null.
+  drawMeasure(view, g, at) {
+    if (!this.measure) return;
+    const { places, path } = this.measure, ends = places.map((p) => at(p.xyz));
+    if (path && view !== this.flat) view.line(g, path.line.map(at), '#ffffff', 1.5);
+    view.line(g, ends, '#7cfc00', 2);
+    g.fillStyle = '#7cfc00';
+    for (const p of ends) if (p) g.fillRect(p[0] - 3, p[1] - 3, 6, 6);
+    if (ends.length === 2 && ends[0] && ends[1]) {
+      g.font = '13px sans-serif';
+      const text = `${this.measure.lengths.straight.toFixed(1)} mm`;
+      g.fillText(text, (ends[0][0] + ends[1][0]) / 2 + 6, (ends[0][1] + ends[1][1]) / 2 - 6);
+    }
+  }
+
+  describe() {
+    const text = this.exam.describe(this.place);
+    return this.measure ? `${this.measure.text || 'click two places to measure'} · ${text}` : text;
+  }
+}

@@ -1,0 +1,185 @@
+import { clamp, dot } from './math.mjs';
+import { View } from './view.mjs';
+
+const PLANES = ['sagittal', 'coronal', 'axial'];
+const LETTERS = [['R', 'L'], ['A', 'P'], ['I', 'S']]; // of the ends of the patient's axes, LPS
+
+// For each axis of the patient the axis of the image that is nearest to it.
+export function nearestAxes(axes) {
+  const orders = [[0, 1, 2], [0, 2, 1], [1, 0, 2], [1, 2, 0], [2, 0, 1], [2, 1, 0]];
+  const agreement = (order) => order.reduce((sum, image, patient) => sum + Math.abs(axes[image][patient]), 0);
+  return orders.reduce((best, order) => (agreement(order) > agreement(best) + 1e-9 ? order : best));
+}
+
+// A slice of the volume as it was scanned, oblique directions kept: its rows and columns are those of the image.
+export class SliceView extends View {
+  constructor(root, panel, plane) {
+    super(root, PLANES[plane], PLANES[plane]);
+    Object.assign(this, { panel, plane, zoom: 1, middle: null, image: document.createElement('canvas'), key: '' });
+  }
+
+  // Which axes of the image run to the right and down, and whether they run against the screen.
+  layout() {
+    const { axes } = this.panel.exam.volume, order = nearestAxes(axes), plane = this.plane;
+    const [right, down] = [[1, 2], [0, 2], [0, 1]][plane];
+    const across = order[right], below = order[down];
+    const isUp = plane !== 2; // coronal and sagittal slices have the head above
+    this.axis = order[plane];
+    this.across = across;
+    this.down = below;
+    this.flipX = axes[across][right] < 0;
+    this.flipY = axes[below][down] < 0 !== isUp;
+    const name = (flip, patient) => LETTERS[patient][flip ? 0 : 1];
+    this.letters = { right: name(false, right), left: name(true, right), bottom: name(isUp, down), top: name(!isUp, down) };
+    const tilt = (Math.acos(clamp(Math.abs(axes[this.axis][plane]), 0, 1)) * 180) / Math.PI;
+    this.label.textContent = tilt > 0.5 ? `${PLANES[plane]}, oblique by ${tilt.toFixed(0)}°` : PLANES[plane];
+  }
+
+  frame() {
+    const { exam, place } = this.panel, v = exam.volume, p = exam.toImage(place.xyz), pair = [this.across, this.down];
+    const extent = (k) => v.size[k] * v.spacing[k];
+    const s = this.zoom * Math.min(this.w / extent(this.across), this.h / extent(this.down));
+    if (this.zoom === 1 || !this.middle) this.middle = pair.map((k) => extent(k) / 2 - v.spacing[k] / 2);
+    // Only where the crosshair would leave the view: two clicks measure a distance.
+    const leaves = pair.some((k, i) => Math.abs(p[k] - this.middle[i]) * s > 0.46 * [this.w, this.h][i]);
+    if (this.zoom > 1 && leaves) this.middle = pair.map((k) => p[k]);
+    const [mx, my] = this.middle, sx = this.flipX ? -s : s, sy = this.flipY ? -s : s;
+    return {
+      s,
+      at: (q) => [this.w / 2 + (q[this.across] - mx) * sx, this.h / 2 + (q[this.down] - my) * sy],
+      back: (x, y) => {
+        const q = [...p];
+        q[this.across] = mx + (x - this.w / 2) / sx;
+        q[this.down] = my + (y - this.h / 2) / sy;
+        return q;
+      },
+    };
+  }
+
+  draw(g, w, h) {
+    const { exam, place, layers } = this.panel, v = exam.volume;
+    this.shown = null;
+    if (!v) { this.say(g, this.panel.volumeText); return; }
+    if (!this.letters) this.layout();
+    const q = exam.toImage(place.xyz), index = clamp(Math.round(q[this.axis] / v.spacing[this.axis]), 0, v.size[this.axis] - 1);
+    const f = this.frame(), at = (p) => f.at(exam.toImage(p));
+    g.fillStyle = '#000';
+    g.fillRect(0, 0, w, h);
+    this.drawImage(g, f, index);
+    if (layers.wall) this.drawContour(g, f, index);
+    if (layers.candidates) this.drawMarks(g, at, index);
+    this.panel.drawMeasure(this, g, at);
+    this.drawLetters(g, w, h);
+    this.cross(g, ...f.at(q));
+  }
+
+  drawImage(g, f, index) {
+    const v = this.panel.exam.volume, nx = v.size[this.across], ny = v.size[this.down];
+    this.fill(index);
+    const corner = [0, 0, 0], [dx, dy] = [v.spacing[this.across], v.spacing[this.down]];
+    corner[this.across] = this.flipX ? (nx - 1) * dx : 0;
+    corner[this.down] = this.flipY ? (ny - 1) * dy : 0;
+    const [x, y] = f.at(corner);
+    g.imageSmoothingEnabled = true;
+    g.drawImage(this.image, x - (f.s * dx) / 2, y - (f.s * dy) / 2, nx * dx * f.s, ny * dy * f.s);
+  }
+
+  // Grey values of a slice through the window. Means of 4^3 voxels are bluish, so that nobody takes them for the scan.
+  fill(index) {
+    const { exam: { volume: v }, window: [width, level] } = this.panel, key = [index, width, level].join();
+    if (key === this.key) return;
+    this.key = key;
+    const nx = v.size[this.across], ny = v.size[this.down], { side, blocks, coarse, data } = v;
+    if (!this.pixels) { Object.assign(this.image, { width: nx, height: ny }); this.pixels = new ImageData(nx, ny); }
+    const words = new Uint32Array(this.pixels.data.buffer), strides = [1, v.size[0], v.size[0] * v.size[1]];
+    const blockStrides = [1, blocks[0], blocks[0] * blocks[1]], block = (k, i) => blockStrides[k] * ((i / side) | 0);
+    const scale = (255 * v.hu[1]) / width, shift = (255 * (v.hu[0] - level + width / 2)) / width;
+    for (let j = 0, o = 0; j < ny; j++) {
+      const row = this.flipY ? ny - 1 - j : j;
+      const start = index * strides[this.axis] + row * strides[this.down], startBlock = block(this.axis, index) + block(this.down, row);
+      for (let i = 0; i < nx; i++, o++) {
+        const column = this.flipX ? nx - 1 - i : i, value = shift + scale * data[start + column * strides[this.across]];
+        const b = value < 0 ? 0 : value > 255 ? 255 : value | 0;
+        const isMean = coarse[startBlock + block(this.across, column)];
+        words[o] = isMean ? 0xff000000 | (b << 16) | (((b * 0.9) | 0) << 8) | ((b * 0.82) | 0) : 0xff000000 | (b * 0x10101);
+      }
+    }
+    this.image.getContext('2d').putImageData(this.pixels, 0, 0);
+  }
+
+  drawContour(g, f, index) {
+    const { exam } = this.panel;
+    if (this.contourIndex !== index) {
+      this.contourIndex = index;
+      this.contour = contour(exam, this.axis, index * exam.volume.spacing[this.axis]);
+    }
+    g.strokeStyle = '#00d8a0';
+    g.lineWidth = 1;
+    g.beginPath();
+    for (const [a, b] of this.contour) {
+      g.moveTo(...f.at(a));
+      g.lineTo(...f.at(b));
+    }
+    g.stroke();
+  }
+
+  drawMarks(g, at, index) {
+    const { exam } = this.panel, step = exam.volume.spacing[this.axis];
+    for (const mark of this.panel.marks()) {
+      const away = Math.abs(exam.toImage(mark.xyz)[this.axis] - index * step);
+      if (away < Math.max(3, mark.diameter / 2)) this.ring(g, ...at(mark.xyz), mark.text, mark.chosen);
+    }
+  }
+
+  drawLetters(g, w, h) {
+    g.fillStyle = '#ffd';
+    g.font = '12px sans-serif';
+    const { left, right, top, bottom } = this.letters;
+    g.fillText(left, 4, h / 2);
+    g.fillText(right, w - 13, h / 2);
+    g.fillText(top, w / 2 - 4, 14);
+    g.fillText(bottom, w / 2 - 4, h - 5);
+  }
+
+  pick(x, y) {
+    const { panel } = this, { exam } = panel;
+    if (exam.volume) panel.set(exam.fromXyz(exam.fromImage(this.frame().back(x, y))), this);
+  }
+
+  wheel(d, e) { if (e.ctrlKey) this.scale(1.25 ** -d); else this.step(d); }
+  scale(by) { this.zoom = clamp(this.zoom * by, 1, 12); this.changed(); }
+
+  // Moves the crosshair by so many slices.
+  step(n) {
+    const { panel } = this, { exam } = panel;
+    if (!exam.volume) return;
+    const q = exam.toImage(panel.place.xyz);
+    q[this.axis] += n * exam.volume.spacing[this.axis];
+    panel.set(exam.fromXyz(exam.fromImage(q)), this);
+  }
+
+  drag(dx, dy) {
+    const [width, level] = this.panel.window;
+    this.panel.setWindow([Math.max(20, width + 4 * dx), level + 4 * dy]);
+  }
+}
+
+// Where the wall crosses a plane across an axis of the image: pairs of points in millimetres of the image.
+function contour(exam, axis, value) {
+  const { points: P, faces: F, volume: { origin, axes } } = exam, n = axes[axis], shift = dot(n, origin) + value;
+  const height = new Float32Array(P.length / 3), out = [];
+  for (let i = 0, o = 0; i < height.length; i++, o += 3) height[i] = n[0] * P[o] + n[1] * P[o + 1] + n[2] * P[o + 2] - shift;
+  for (let f = 0; f < F.length; f += 3) {
+    const above = height[F[f]] > 0;
+    if (above === height[F[f + 1]] > 0 && above === height[F[f + 2]] > 0) continue;
+    const ends = [];
+    for (let j = 0; j < 3; j++) {
+      const a = F[f + j], b = F[f + ((j + 1) % 3)];
+      if (height[a] > 0 === height[b] > 0) continue;
+      const t = height[a] / (height[a] - height[b]);
+      ends.push(exam.toImage([0, 1, 2].map((k) => P[3 * a + k] + t * (P[3 * b + k] - P[3 * a + k]))));
+    }
+    out.push(ends);
+  }
+  return out;
+}

@@ -1,0 +1,162 @@
+import { add, axesOf, clamp, cross, distance, dot, norm, project, rayThrough, scaled, sub, unit } from './math.mjs';
+import { View } from './view.mjs';
+
+// What the two views in space share: picking, candidates, crosshair.
+class SpaceView extends View {
+  constructor(root, name, title, panel) {
+    super(root, name, title);
+    this.panel = panel;
+    this.kept = document.createElement('canvas');
+  }
+
+  draw(g, w, h, ratio) {
+    const { exam, place, layers } = this.panel, camera = this.camera();
+    this.shown = null;
+    if (!exam.painter.gl) { this.say(g, 'This view needs WebGL 2, which this browser lacks or has switched off.'); return; }
+    this.render(camera, Math.round(w * ratio), Math.round(h * ratio));
+    g.drawImage(this.kept, 0, 0, w, h);
+    if (layers.candidates) this.drawMarks(g, camera, w, h);
+    this.panel.drawMeasure(this, g, (p) => project(camera, w, h, p));
+    const q = project(camera, w, h, place.xyz);
+    if (q) this.cross(g, ...q, exam.hidden(camera.eye, place.xyz));
+  }
+
+  // A crosshair that moves alone needs no new picture.
+  render(camera, width, height) {
+    const { exam, paintings, layers } = this.panel, key = JSON.stringify([camera, width, height, layers, paintings]);
+    if (key === this.key) return;
+    this.key = key;
+    const picture = exam.painter.draw(width, height, camera, this.items());
+    Object.assign(this.kept, { width, height });
+    this.kept.getContext('2d').drawImage(picture, 0, 0, width, height, 0, 0, width, height);
+  }
+
+  drawMarks(g, camera, w, h) {
+    const { exam, layers } = this.panel;
+    for (const mark of this.panel.marks()) {
+      const q = this.isNear(mark.wall) && project(camera, w, h, mark.wall);
+      if (q && (layers.through || !exam.hidden(camera.eye, mark.wall))) this.ring(g, ...q, mark.text, mark.chosen);
+    }
+  }
+
+  isNear() { return true; }
+
+  lines(reach = 0) {
+    const { layers, taeniae, flexures, centreline } = this.panel;
+    const meshes = [...(layers.taeniae ? taeniae : []), ...(layers.flexures ? flexures : []), ...(layers.centreline ? centreline : [])];
+    return meshes.map((mesh) => ({ mesh, reach }));
+  }
+
+  pick(x, y) {
+    const camera = this.camera(), place = this.panel.exam.fromRay(camera.eye, rayThrough(camera, this.w, this.h, x, y));
+    if (place) this.panel.set(place, this);
+  }
+}
+
+export class OutsideView extends SpaceView {
+  constructor(root, panel) {
+    super(root, 'outside', 'wall in space', panel);
+    const { points: P } = panel.exam, lo = [Infinity, Infinity, Infinity], hi = lo.map((x) => -x);
+    for (let i = 0; i < P.length; i++) {
+      const k = i % 3;
+      lo[k] = Math.min(lo[k], P[i]);
+      hi[k] = Math.max(hi[k], P[i]);
+    }
+    Object.assign(this, { centre: scaled(add(lo, hi), 0.5), radius: distance(lo, hi) / 2, yaw: 0, pitch: 0, zoom: 1 });
+  }
+
+  // From the front at first: the patient's anterior is -y.
+  camera() {
+    const fov = 0.75, d = (this.radius * 2.6) / this.zoom, c = Math.cos(this.pitch);
+    const back = [Math.sin(this.yaw) * c, -Math.cos(this.yaw) * c, Math.sin(this.pitch)];
+    const near = Math.max(1, d - 2 * this.radius);
+    return { eye: add(this.centre, scaled(back, d)), at: this.centre, up: [0, 0, 1], fov, near, far: d + 2 * this.radius };
+  }
+
+  items() {
+    const { layers, exam: { mesh } } = this.panel;
+    return layers.through ? [...this.lines(), { mesh, clear: 0.75 }] : [{ mesh }, ...this.lines()];
+  }
+
+  drag(dx, dy, button) {
+    if (button === 0) this.turn(dx / 120, dy / 120); else this.shift(dx, dy);
+  }
+
+  turn(yaw, pitch) {
+    this.yaw -= yaw;
+    this.pitch = clamp(this.pitch + pitch, -1.5, 1.5);
+    this.changed();
+  }
+
+  shift(dx, dy) {
+    const c = this.camera(), { right, up } = axesOf(c), s = (2 * distance(c.eye, c.at) * Math.tan(c.fov / 2)) / this.h;
+    this.centre = add(this.centre, add(scaled(right, -dx * s), scaled(up, dy * s)));
+    this.changed();
+  }
+
+  wheel(d) { this.scale(1.15 ** -d); }
+  scale(by) { this.zoom = clamp(this.zoom * by, 0.4, 20); this.changed(); }
+}
+
+const REACH = 90;    // mm that the light inside the colon goes
+const STRETCH = 250; // mm along the colon, before and behind the eye, that can be in sight
+
+// An eye on the centreline. way: 1 to the caecum, -1 to the rectum; look: a place that it looks at, else yaw and pitch count.
+export class EndoView extends SpaceView {
+  constructor(root, panel) {
+    super(root, 'inside', 'from the centreline', panel);
+    Object.assign(this, { index: 0, yaw: 0, pitch: 0, way: 1, look: null, fov: 1.6 });
+  }
+
+  get point() { return this.panel.exam.centre[this.index]; }
+
+  camera() {
+    const c = this.point, right = cross(scaled(c.ahead, this.way), c.up), { cos, sin } = Math;
+    const level = add(scaled(c.ahead, this.way * cos(this.yaw)), scaled(right, sin(this.yaw)));
+    let ahead = unit(add(scaled(level, cos(this.pitch)), scaled(c.up, sin(this.pitch)))), { up } = c;
+    if (this.look) ahead = unit(sub(this.look, c.xyz));
+    if (norm(cross(ahead, up)) < 0.2) up = unit(cross(ahead, right)); // looks along the upright
+    return { eye: c.xyz, at: add(c.xyz, ahead), up, fov: this.fov, near: 0.3, far: 600 };
+  }
+
+  isNear(p) { return distance(p, this.point.xyz) < REACH; }
+
+  items() {
+    const { exam } = this.panel, { arc } = this.point;
+    const wall = { mesh: exam.mesh, reach: REACH, from: exam.facesBefore(arc - STRETCH), to: exam.facesBefore(arc + STRETCH) };
+    return [wall, ...this.lines(REACH)];
+  }
+
+  // Flies to a point of the centreline.
+  go(index) {
+    this.index = clamp(index, 0, this.panel.exam.centre.length - 1);
+    this.look = null;
+    this.panel.flown();
+  }
+
+  reverse() {
+    Object.assign(this, { way: -this.way, yaw: 0, pitch: 0 });
+    this.go(this.index);
+  }
+
+  // Turns from where the eye looks now.
+  turn(yaw, pitch) {
+    if (this.look) this.straighten();
+    this.yaw += yaw;
+    this.pitch = clamp(this.pitch + pitch, -1.4, 1.4);
+    this.panel.flown();
+  }
+
+  // Yaw and pitch of the direction to the place that is looked at.
+  straighten() {
+    const c = this.point, d = unit(sub(this.look, c.xyz)), ahead = scaled(c.ahead, this.way), right = cross(ahead, c.up);
+    const part = (a) => dot(d, a);
+    this.yaw = Math.atan2(part(right), part(ahead));
+    this.pitch = clamp(Math.asin(clamp(part(c.up), -1, 1)), -1.4, 1.4);
+    this.look = null;
+  }
+
+  drag(dx, dy) { this.turn(-dx / 200, dy / 200); }
+  wheel(d) { this.panel.fly(-2 * d); }
+  scale(by) { this.fov = clamp(this.fov / by, 0.5, 2.2); this.changed(); }
+}

@@ -1,0 +1,126 @@
+// A canvas that follows the size of its box, paints when it has to, and tells of gestures.
+export class View {
+  constructor(root, name, title) {
+    this.box = document.createElement('div');
+    this.box.className = `view ${name}`;
+    this.box.dataset.view = name;
+    this.canvas = document.createElement('canvas');
+    this.canvas.setAttribute('role', 'img');
+    this.canvas.setAttribute('aria-label', title);
+    this.label = document.createElement('span');
+    this.label.textContent = title;
+    this.box.append(this.canvas, this.label);
+    root.append(this.box);
+    this.context = this.canvas.getContext('2d');
+    this.shown = null; // [x, y, hidden] of the crosshair in the last picture
+    new ResizeObserver(() => this.changed()).observe(this.box);
+    this.listen();
+  }
+
+  listen() {
+    const c = this.canvas;
+    let down = null;
+    c.addEventListener('pointerdown', (e) => {
+      c.setPointerCapture(e.pointerId);
+      down = { x: e.offsetX, y: e.offsetY, button: e.button, moved: false };
+    });
+    c.addEventListener('pointermove', (e) => {
+      if (!down) {
+        if (e.shiftKey) this.pick(e.offsetX, e.offsetY); // as in 3D Slicer
+        return;
+      }
+      const dx = e.offsetX - down.x, dy = e.offsetY - down.y;
+      if (!down.moved && Math.hypot(dx, dy) < 4) return;
+      Object.assign(down, { moved: true, x: e.offsetX, y: e.offsetY });
+      this.drag(dx, dy, down.button);
+    });
+    c.addEventListener('pointerup', (e) => {
+      if (down && !down.moved && down.button === 0) this.pick(e.offsetX, e.offsetY);
+      down = null;
+    });
+    c.addEventListener('pointercancel', () => { down = null; });
+    c.addEventListener('wheel', (e) => { e.preventDefault(); this.wheel(Math.sign(e.deltaY), e); }, { passive: false });
+    c.addEventListener('contextmenu', (e) => e.preventDefault());
+  }
+
+  get w() { return this.box.clientWidth; }
+  get h() { return this.box.clientHeight; }
+  drag() {}
+  wheel() {}
+
+  // Paints once before the next frame.
+  changed() {
+    if (this.waiting) return;
+    this.waiting = true;
+    View.pending++;
+    requestAnimationFrame(() => {
+      this.waiting = false;
+      View.pending--;
+      this.paint();
+    });
+  }
+
+  paint() {
+    const ratio = Math.min(2, globalThis.devicePixelRatio || 1), { w, h, canvas, context } = this;
+    if (!w || !h) return;
+    const started = performance.now(), width = Math.round(w * ratio), height = Math.round(h * ratio);
+    if (canvas.width !== width || canvas.height !== height) Object.assign(canvas, { width, height });
+    context.setTransform(ratio, 0, 0, ratio, 0, 0);
+    this.draw(context, w, h, ratio);
+    this.milliseconds = performance.now() - started;
+  }
+
+  say(g, text) {
+    g.fillStyle = '#000';
+    g.fillRect(0, 0, this.w, this.h);
+    g.fillStyle = '#ddd';
+    g.font = '13px sans-serif';
+    g.fillText(text, 10, this.h / 2, this.w - 20);
+  }
+
+  // The crosshair, open in the middle; broken where the place is hidden.
+  cross(g, x, y, hidden = false) {
+    this.shown = [x, y, hidden];
+    for (const [colour, width] of [['#000a', 3.5], ['#ffd400', 1.6]]) {
+      g.strokeStyle = colour;
+      g.lineWidth = width;
+      g.setLineDash(hidden ? [3, 3] : []);
+      g.beginPath();
+      for (const [a, b] of [[1, 0], [-1, 0], [0, 1], [0, -1]]) {
+        g.moveTo(x + 4 * a, y + 4 * b);
+        g.lineTo(x + 14 * a, y + 14 * b);
+      }
+      g.stroke();
+    }
+    g.setLineDash([]);
+  }
+
+  // A numbered ring around a candidate or finding; the chosen one is thicker, not only of another colour.
+  ring(g, x, y, text, chosen) {
+    g.strokeStyle = chosen ? '#ff9d4d' : '#56b4e9';
+    g.lineWidth = chosen ? 3 : 1.6;
+    g.beginPath();
+    g.arc(x, y, chosen ? 11 : 9, 0, 7);
+    g.stroke();
+    g.font = '12px sans-serif';
+    g.lineWidth = 3;
+    g.strokeStyle = '#000b';
+    g.strokeText(text, x + 12, y - 6);
+    g.fillStyle = '#fff';
+    g.fillText(text, x + 12, y - 6);
+  }
+
+  line(g, points, colour, width) {
+    g.strokeStyle = colour;
+    g.lineWidth = width;
+    g.beginPath();
+    let pen = false;
+    for (const p of points) {
+      if (!p) { pen = false; continue; }
+      if (pen) g.lineTo(p[0], p[1]); else g.moveTo(p[0], p[1]);
+      pen = true;
+    }
+    g.stroke();
+  }
+}
+View.pending = 0; // how many views wait for their picture

@@ -1,0 +1,307 @@
+import { readBlock } from './bytes.mjs';
+import { Exam } from './exam.mjs';
+import { Seen } from './flight.mjs';
+import { SurfacePaths } from './geodesic.mjs';
+import { actionOf, fillHelp } from './help.mjs';
+import { layerList } from './layers.mjs';
+import { Painter } from './painter.mjs';
+import { Panel } from './panel.mjs';
+import { Verdicts } from './verdicts.mjs';
+import { View } from './view.mjs';
+
+const DOUBTFUL = 0.3; // below this confidence of the map the other position is dimmed
+const UNSEEN = 255;   // in `trust`: not seen in one of the positions
+
+const PAGE = `
+<header>
+  <b id="title"></b><span id="layers"></span>
+  <select id="window" aria-label="window of the slices">
+    <option value="1500,-200">colon</option><option value="400,40">soft tissue</option>
+    <option value="2000,300">tagged residue</option><option value="1536,-256">wide</option><option value="">by hand</option>
+  </select>
+  <button id="fly">Fly</button><button id="way">→ caecum</button><button id="measure">Measure</button>
+  <button id="finding">Add finding</button><label id="linkBox"><input type="checkbox" id="link" checked> link</label>
+  <button id="help">Help ?</button>
+</header>
+<main id="panels"></main>
+<aside>
+  <div id="notices" role="alert"></div>
+  <p><button id="save">Save verdicts</button> <button id="open">Open</button><input type="file" id="file" accept=".json" hidden>
+  <span id="unsaved"></span></p>
+  <ol id="entries"></ol>
+</aside>
+<footer>
+  <span id="status" role="status"></span><span id="trust"></span><span id="share"></span>
+  <b>For research use; not a diagnosis. This page holds patient data.</b>
+</footer>
+<dialog id="keys"></dialog>`;
+
+const $ = (id) => document.getElementById(id);
+
+// A sentence for the reader that stays.
+function notice(text) {
+  const p = document.createElement('p');
+  p.textContent = text;
+  $('notices').append(p);
+}
+
+// Panels of one or two positions, linked by the registration, and what acts on them.
+class Viewer {
+  constructor(info, exams, maps, painter) {
+    Object.assign(this, { info, exams, maps, painter, current: 0, isFlying: false, times: {} });
+    this.layers = Object.fromEntries(layerList.map(([name, , isOn]) => [name, isOn]));
+    this.panels = exams.map((exam, k) => this.makePanel(exam, k));
+    this.verdicts = new Verdicts($('entries'), info, exams, {
+      jump: (entry) => this.jump(entry),
+      resize: (finding) => this.resize(finding),
+      changed: () => this.told(),
+    });
+    this.makeLayers();
+    this.listen();
+  }
+
+  makePanel(exam, k) {
+    const root = document.createElement('section');
+    root.dataset.position = k;
+    $('panels').append(root);
+    exam.seen = new Seen(exam);
+    let paths = null;
+    exam.paths = () => (paths ??= new SurfacePaths(exam)); // made for the first distance
+    return new Panel(root, exam, this.layers, (panel) => this.moved(panel), (panel) => this.verdicts.marks(this.panels.indexOf(panel)));
+  }
+
+  get panel() { return this.panels[this.current]; }
+
+  makeLayers() {
+    for (const [name, text] of layerList) {
+      if (name === 'trust' && !this.maps) continue;
+      const label = document.createElement('label'), box = document.createElement('input');
+      Object.assign(box, { type: 'checkbox', name, checked: this.layers[name] });
+      box.onchange = () => { this.layers[name] = box.checked; this.repaint(); };
+      label.append(box, ` ${text}`);
+      $('layers').append(label);
+    }
+  }
+
+  listen() {
+    const on = (id, act) => { $(id).onclick = () => { act(); $(id).blur(); }; };
+    on('fly', () => this.toggleFlight());
+    on('way', () => this.reverse());
+    on('measure', () => this.toggleMeasure());
+    on('finding', () => this.addFinding());
+    on('save', () => this.save());
+    on('open', () => this.openFile());
+    on('help', () => this.toggleHelp());
+    $('window').onchange = () => { if ($('window').value) this.setWindow($('window').value.split(',').map(Number)); $('window').blur(); };
+    $('file').onchange = () => this.read($('file').files[0]);
+    addEventListener('keydown', (e) => this.key(e));
+    addEventListener('beforeunload', (e) => { if (!this.verdicts.isSaved) e.preventDefault(); });
+    this.panels.forEach((panel, k) => panel.root.addEventListener('pointerdown', () => { this.current = k; }, true));
+    fillHelp($('keys'));
+  }
+
+  key(e) {
+    const action = actionOf(e), isText = /^(INPUT|SELECT|TEXTAREA)$/.test(e.target.tagName) && e.target.type !== 'checkbox';
+    const isButton = e.target.tagName === 'BUTTON' || e.target.type === 'checkbox';
+    if (!action || (isText && !e.ctrlKey && e.key !== 'Escape') || (isButton && (e.key === ' ' || e.key === 'Enter'))) return;
+    e.preventDefault();
+    this[action.act](action.value);
+  }
+
+  // ---- what keys and buttons do ----
+  fly(mm) { this.panel.fly(mm); }
+  turn([yaw, pitch]) { this.panel.inside.turn(yaw, pitch); }
+  reverse() { this.panel.inside.reverse(); this.told(); }
+  goTo(arc) { const { centre } = this.panel.exam; this.panel.inside.go(arc ? centre.length - 1 : 0); }
+  moveFlat([right, down]) { this.panel.flat.move(right, down); }
+  stepSlice([k, n]) { this.panel.slices[k].step(n); }
+  nextPanel() { this.current = (this.current + 1) % this.panels.length; this.told(); }
+  turnOutside(yaw) { this.panel.outside.turn(yaw, 0); }
+  stepEntry(by) { this.verdicts.step(by); }
+  nextVerdict() { this.verdicts.nextVerdict(); }
+  writeNote() { this.verdicts.writeNote(); }
+  addFinding() { this.verdicts.addFinding(this.current, this.panel.place); }
+  save() { this.verdicts.save(); }
+  openFile() { $('file').click(); }
+  toggleHelp() { if ($('keys').open) $('keys').close(); else $('keys').showModal(); }
+  setWindow(window) { this.panels.forEach((p) => p.setWindow(window)); }
+  measureHere() { if (!this.panel.measure) this.toggleMeasure(); this.panel.measurePlace(this.panel.place); this.panel.changed(); this.told(); }
+
+  nextView() {
+    const { panel } = this, { views } = panel;
+    panel.active = views[(views.indexOf(panel.active) + 1) % views.length];
+    this.told();
+  }
+
+  zoom(by) {
+    const { active } = this.panel;
+    if (active === this.panel.flat) active.scaleBy(by); else active.scale(by);
+  }
+
+  leave() {
+    if ($('keys').open) $('keys').close();
+    document.activeElement?.blur();
+    this.panels.forEach((p) => p.endMeasure());
+    this.told();
+  }
+
+  toggleMeasure() {
+    const isOn = Boolean(this.panel.measure);
+    this.panels.forEach((p) => (isOn ? p.endMeasure() : p.startMeasure()));
+    this.told();
+  }
+
+  // The size of a finding by two clicks.
+  resize(finding) {
+    this.panels[finding.position].startMeasure((mm) => {
+      this.verdicts.setDiameter(finding, mm);
+      this.panels[finding.position].endMeasure();
+    });
+    this.told();
+  }
+
+  toggleFlight() {
+    this.isFlying = !this.isFlying;
+    const { panel } = this, step = () => {
+      if (!this.isFlying || panel.isAtEnd) { this.isFlying = false; this.told(); return; }
+      panel.fly(2);
+      requestAnimationFrame(step);
+    };
+    if (this.isFlying) step();
+    this.told();
+  }
+
+  jump({ candidate, position, lps }) {
+    const panel = this.panels[position];
+    this.current = position;
+    panel.set(candidate ? candidate.place : panel.exam.fromXyz(lps));
+    panel.slices.forEach((s) => { s.zoom = Math.max(s.zoom, 3); });
+    panel.flat.scale = Math.max(panel.flat.frame().s, 1.5);
+    panel.flat.u = panel.place.uv[0];
+    panel.flat.reveal(panel.place);
+    this.panels.forEach((p) => p.changed());
+  }
+
+  async read(file) {
+    try {
+      this.verdicts.open(await file.text());
+    } catch (error) {
+      notice(error.message);
+    }
+    $('file').value = '';
+  }
+
+  // ---- what follows a moved crosshair ----
+  moved(panel) {
+    this.current = this.panels.indexOf(panel);
+    if (this.maps && $('link').checked) this.linkFrom(this.current);
+    if (panel.exam.seen.queue.length) this.lookAround(panel.exam.seen);
+    this.told();
+  }
+
+  // The other position goes to the mapped place, dimmed where the map is not to be trusted there.
+  linkFrom(k) {
+    const { face, weights } = this.panels[k].place, exam = this.exams[k], other = this.panels[1 - k];
+    const t = this.maps[k].trust[exam.faces[3 * face]];
+    this.trust = t === UNSEEN ? null : t / 200;
+    other.follow(other.exam.fromXyz(exam.mix(this.maps[k].mapped, 3, face, weights), false));
+    this.panels[k].root.classList.remove('dim');
+    other.root.classList.toggle('dim', this.trust === null || this.trust < DOUBTFUL);
+  }
+
+  // Works on what the eye has seen, a little after each picture.
+  lookAround(seen) {
+    if (seen.isBusy) return;
+    seen.isBusy = true;
+    const work = () => {
+      const isMore = seen.work(12);
+      this.told();
+      if (isMore) { setTimeout(work); return; }
+      seen.isBusy = false;
+      if (this.layers.unseen) this.repaint();
+    };
+    setTimeout(work);
+  }
+
+  repaint() { this.panels.forEach((p) => p.repaint()); }
+
+  told() {
+    const { panel, verdicts } = this, { seen } = panel.exam;
+    $('status').textContent = panel.describe();
+    $('share').textContent = seen.sum ? `wall seen in flight: ${(100 * seen.share).toFixed(1)} %` : '';
+    $('trust').textContent = !this.maps ? '' : this.trust === null ? 'not seen in one position: the other place is not to be trusted'
+      : this.trust === undefined ? '' : `confidence of the map ${this.trust.toFixed(2)}`;
+    $('unsaved').textContent = verdicts?.isSaved === false ? 'not saved yet' : '';
+    $('way').textContent = panel.inside.way > 0 ? '→ caecum' : '← anal verge';
+    $('fly').textContent = this.isFlying ? 'Stop' : 'Fly';
+    $('measure').classList.toggle('on', Boolean(panel.measure));
+    $('window').value = [...$('window').options].some((o) => o.value === String(panel.window)) ? String(panel.window) : '';
+    this.panels.forEach((p) => p.views.forEach((v) => v.box.classList.toggle('active', p === panel && v === p.active)));
+  }
+
+  async loadVolumes(folder) {
+    for (const [k, exam] of this.exams.entries()) {
+      const started = performance.now();
+      try {
+        await exam.loadVolume(folder, `${k}/`);
+      } catch (error) {
+        this.panels[k].volumeText = 'The volume cannot be shown.';
+        notice(`${error.message} Flat wall and wall in space go on without slices.`);
+      }
+      this.times[`volume${k}`] = performance.now() - started;
+      this.panels[k].changed();
+    }
+    this.told();
+  }
+
+  // For tests: all that was asked for has been painted.
+  async idle() {
+    do await new Promise((done) => { requestAnimationFrame(() => setTimeout(done)); });
+    while (View.pending || this.exams.some((e) => e.seen.isBusy));
+  }
+}
+
+// What the reader should know before looking.
+function tellMissing(info, painter) {
+  if (!painter.gl) notice('This browser has no WebGL 2: flat wall, slices and verdicts work, the two views in space do not.');
+  for (const position of info.positions) {
+    const { missing, name } = position, what = missing.filter((m) => m !== 'CT');
+    if (missing.includes('CT')) notice('This run was made from a mask of the lumen: slices show the mask, not a CT.');
+    if (what.length) notice(`The run left no ${what.join(', ')}${name ? ` (${name})` : ''}.`);
+  }
+  if (info.positions.length > 1 && !info.hasMap) notice('The run left no registration: the positions are not linked.');
+}
+
+async function open(folder) {
+  const started = performance.now(), info = await readBlock(folder, 'info'), painter = new Painter();
+  $('title').textContent = document.title = `${info.title} – Shapeton viewer`;
+  const exams = [];
+  for (const [k, position] of info.positions.entries()) exams.push(await new Exam().load(folder, `${k}/`, position, painter));
+  const mapOf = async (k) => ({ mapped: await readBlock(folder, `${k}/mapped`), trust: await readBlock(folder, `${k}/trust`) });
+  const maps = info.hasMap ? [await mapOf(0), await mapOf(1)] : null;
+  maps?.forEach((map, k) => { exams[k].trust = map.trust; });
+  document.body.classList.toggle('pair', exams.length > 1);
+  $('linkBox').hidden = !maps;
+  tellMissing(info, painter);
+  const viewer = new Viewer(info, exams, maps, painter);
+  viewer.times.surface = performance.now() - started;
+  viewer.repaint();
+  await viewer.loadVolumes(folder);
+  viewer.times.all = performance.now() - started;
+  globalThis.viewer = viewer; // for tests, and for those who like the console
+}
+
+// folder: where the scripts of data lie beside the page; null: they are in the page.
+export async function startColonViewer(folder) {
+  document.body.innerHTML = PAGE;
+  if (typeof DecompressionStream === 'undefined') {
+    notice('This browser cannot unpack the data (it lacks DecompressionStream): take Firefox 113, Chrome 80, Safari 16.4 or newer.');
+    return;
+  }
+  try {
+    await open(folder);
+  } catch (error) {
+    notice(error.message);
+    throw error;
+  }
+}

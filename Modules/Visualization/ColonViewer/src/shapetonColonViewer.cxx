@@ -1,0 +1,133 @@
+#include "shapetonColonViewer.h"
+
+#include "shapetonExceptions.h"
+#include "shapetonFileBytes.h"
+#include "shapetonPageBlocks.h"
+#include "shapetonSha256.h"
+#include "shapetonViewerPosition.h"
+#include "shapetonViewerScript.h"
+#include "shapetonViewerVerdicts.h"
+
+#include <filesystem>
+
+namespace shapeton
+{
+namespace
+{
+bool
+Exists(const std::string & path)
+{
+  return std::filesystem::exists(path);
+}
+
+std::vector<std::string>
+PositionsOf(const std::string & exam)
+{
+  std::vector<std::string> folders{ exam };
+  if (Exists(exam + "/second/flattening/flat.vtp"))
+  {
+    folders.push_back(exam + "/second");
+  }
+  return folders;
+}
+
+/** What verdicts refer to: the flat wall, which depends on all that was computed before, and the list of candidates. */
+std::string
+Fingerprint(const std::vector<std::string> & folders)
+{
+  std::string digests;
+  for (const auto & folder : folders)
+  {
+    for (const char * name : { "/flattening/flat.vtp", "/polyps/candidates.csv" })
+    {
+      digests += Exists(folder + name) ? Sha256OfFile(folder + name) : "missing";
+    }
+  }
+  return Sha256OfBytes(digests);
+}
+
+/** Empty for what was read from another file than DICOM. */
+std::string
+SeriesUIDOf(const std::string & identity)
+{
+  static const std::string prefix = "seriesInstanceUID:";
+  return identity.rfind(prefix, 0) == 0 ? identity.substr(prefix.size()) : "";
+}
+
+std::string
+NameOfFolder(const std::string & path)
+{
+  return std::filesystem::weakly_canonical(path).filename().string();
+}
+
+Json
+Identity(Json & positions, const std::vector<std::string> & folders, bool isAnonymous)
+{
+  Json series = Json::array();
+  for (auto & position : positions)
+  {
+    const std::string uid = SeriesUIDOf(position["seriesUID"]);
+    position.erase("seriesUID");
+    if (!uid.empty() && !isAnonymous)
+    {
+      series.push_back(uid);
+    }
+  }
+  return { { "seriesUIDs", series }, { "sha256", Fingerprint(folders) } };
+}
+
+bool
+PutMaps(PageBlocks & blocks, const std::string & exam)
+{
+  const std::string registration = exam + "/registration/map-";
+  if (!Exists(registration + "supine-to-prone.vtp"))
+  {
+    return false;
+  }
+  PutViewerMap(blocks, "0/", registration + "supine-to-prone.vtp");
+  PutViewerMap(blocks, "1/", registration + "prone-to-supine.vtp");
+  return true;
+}
+
+std::string
+Page(const PageBlocks & blocks, const std::string & title, bool isSingle)
+{
+  std::string page = "<!doctype html>\n<html lang=\"en\">\n<meta charset=\"utf-8\">\n";
+  // Even a mistake in a script could not send anything.
+  page += "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; script-src 'unsafe-inline' 'self' "
+          "file:; style-src 'unsafe-inline'; img-src data: blob:\">\n";
+  page += "<title>" + title + "</title>\n<style>\n" + ViewerText(ViewerStyle) + "</style>\n<body>\n<script>\n";
+  page += ViewerText(ViewerScript) + "</script>\n" + blocks.Inline();
+  return page + "<script>startColonViewer(" + (isSingle ? "null" : "'data'") + ");</script>\n</body>\n</html>\n";
+}
+} // namespace
+
+void
+WriteColonViewer(const std::string &        exam,
+                 const std::string &        folder,
+                 const ColonViewerOptions & options,
+                 const OutputPath &         outputPath)
+{
+  RequireParameter(options.bits == 8 || options.bits == 16, "the parameter \"bits\" must be 8 or 16");
+  RequireParameter(options.near >= 0.0 && options.near <= 100.0, "the parameter \"near\" must be from 0 to 100 mm");
+  const std::vector<std::string> folders = PositionsOf(exam);
+  PageBlocks                     blocks(folder + "/data", options.isSingle, outputPath);
+  Json                           positions = Json::array();
+  for (std::size_t k = 0; k < folders.size(); ++k)
+  {
+    positions.push_back(PutViewerPosition(blocks, std::to_string(k) + "/", folders[k], options));
+  }
+  Json info;
+  info["title"] = options.isAnonymous ? "Examination" : NameOfFolder(exam);
+  info["exam"] = Identity(positions, folders, options.isAnonymous);
+  info["hasMap"] = folders.size() > 1 && PutMaps(blocks, exam);
+  if (!options.verdicts.empty())
+  {
+    info["verdicts"] = ReadVerdicts(options.verdicts, info["exam"]);
+    WriteMarkups({ MarkupOfVerdicts(info["verdicts"], positions) }, outputPath(folder + "/verdicts.mrk.json"));
+  }
+  info["positions"] = std::move(positions);
+  blocks.PutJson("info", info);
+  WriteFileBytes(outputPath(folder + "/viewer.html"), Page(blocks, "Colon viewer", options.isSingle));
+}
+} // namespace shapeton

@@ -1,0 +1,409 @@
+#include "shapetonViewerPosition.h"
+
+#include "shapetonCsvFile.h"
+#include "shapetonCurveSet.h"
+#include "shapetonExceptions.h"
+#include "shapetonFlatColon.h"
+#include "shapetonFlatColonStrip.h"
+#include "shapetonImageFile.h"
+#include "shapetonSurfaceReader.h"
+#include "shapetonViewerVolume.h"
+
+#include "itkImageFileReader.h"
+#include "itkNrrdImageIO.h"
+
+#include <cmath>
+#include <filesystem>
+#include <numeric>
+
+namespace shapeton
+{
+namespace
+{
+using LabelImage = itk::Image<unsigned short, 2>;
+
+Eigen::MatrixXd
+ValuesOf(const std::vector<SurfaceArray> & arrays, const std::string & name, const std::string & path)
+{
+  const SurfaceArray * array = FindSurfaceArray(arrays, name);
+  if (array == nullptr)
+  {
+    throw InputError("the file \"" + path + "\" lacks the array " + name + "; run VirtualColonoscopy again");
+  }
+  return array->values;
+}
+
+/** Files of one position. What a stage that failed did not leave is noted as missing. */
+class PositionFolder
+{
+public:
+  explicit PositionFolder(std::string folder)
+    : m_Folder(std::move(folder))
+  {}
+
+  std::string
+  Required(const std::string & name) const
+  {
+    const std::string path = m_Folder + "/" + name;
+    if (!std::filesystem::exists(path))
+    {
+      throw InputError("the examination lacks \"" + path + "\"; let VirtualColonoscopy finish it");
+    }
+    return path;
+  }
+  bool
+  Has(const std::string & name, const std::string & what)
+  {
+    const bool isThere = std::filesystem::exists(m_Folder + "/" + name);
+    if (!isThere)
+    {
+      m_Missing.push_back(what);
+    }
+    return isThere;
+  }
+  const Json &
+  Missing() const
+  {
+    return m_Missing;
+  }
+
+private:
+  std::string m_Folder;
+  Json        m_Missing = Json::array();
+};
+
+Json
+PlaceOf(const VertexMatrix & points, int vertex)
+{
+  return { Hundredths(points(vertex, 0)), Hundredths(points(vertex, 1)), Hundredths(points(vertex, 2)) };
+}
+
+Json
+PlacesOf(const CurveSet & curves, std::size_t curve)
+{
+  Json places = Json::array();
+  for (const int vertex : curves.curves[curve])
+  {
+    places.push_back(PlaceOf(curves.V, vertex));
+  }
+  return places;
+}
+
+Json
+Taeniae(const std::string & path)
+{
+  const CurveSet        curves = ReadCurves(path);
+  const Eigen::MatrixXd uv = ValuesOf(curves.pointArrays, "uv", path);
+  Json                  taeniae = Json::array();
+  for (std::size_t curve = 0; curve < curves.curves.size(); ++curve)
+  {
+    Json places = Json::array();
+    for (const int vertex : curves.curves[curve])
+    {
+      places.push_back({ Hundredths(uv(vertex, 0)), Hundredths(uv(vertex, 1)) });
+    }
+    taeniae.push_back({ { "xyz", PlacesOf(curves, curve) }, { "uv", places } });
+  }
+  return taeniae;
+}
+
+Json
+Flexures(const std::string & path)
+{
+  static const char * const names[] = { "", "rectosigmoid", "descending-sigmoid", "splenic", "hepatic" };
+  const CurveSet            curves = ReadCurves(path);
+  const Eigen::MatrixXd     numbers = ValuesOf(curves.cellArrays, "flexure", path);
+  const Eigen::MatrixXd     confidence = ValuesOf(curves.cellArrays, "confidence", path);
+  Json                      flexures = Json::array();
+  for (std::size_t curve = 0; curve < curves.curves.size(); ++curve)
+  {
+    const int number = std::clamp(static_cast<int>(numbers(curve, 0)), 0, 4);
+    flexures.push_back({ { "name", names[number] },
+                         { "confidence", Hundredths(confidence(curve, 0)) },
+                         { "xyz", PlacesOf(curves, curve) } });
+  }
+  return flexures;
+}
+
+Json
+Candidates(const std::string & path)
+{
+  const std::vector<std::string> numbers{ "score", "x", "y", "z", "arcLength", "diameter", "height", "u", "v" };
+  const std::vector<std::string> texts{ "candidate", "segment", "size", "tissue", "remark", "otherCandidate" };
+  std::vector<std::string>       columns = numbers;
+  columns.insert(columns.end(), texts.begin(), texts.end());
+  const CsvFile file(path, columns);
+  Json          candidates = Json::array();
+  for (std::size_t row = 0; row < file.Rows(); ++row)
+  {
+    Json candidate;
+    for (const auto & text : texts)
+    {
+      candidate[text] = file.Text(row, text);
+    }
+    for (const auto & number : numbers)
+    {
+      candidate[number] = Hundredths(file.NumberOrNothing(row, number));
+    }
+    candidates.push_back(std::move(candidate));
+  }
+  return candidates;
+}
+
+void
+PutCentreline(PageBlocks & blocks, const std::string & prefix, const std::string & path)
+{
+  const CurveSet            line = ReadCurves(path);
+  SurfaceArray::ValueMatrix rows(line.V.rows(), 6);
+  rows.leftCols(3) = line.V;
+  rows.col(3) = PointValues(line, "arcLength", path);
+  rows.col(4) = PointValues(line, "radius", path);
+  rows.col(5) = PointValues(line, "notAssessable", path);
+  blocks.PutReals(prefix + "centreline", rows);
+}
+
+/** The relief as rows of red, green and blue; what the page draws as the flat wall. */
+Json
+PutRelief(PageBlocks & blocks, const std::string & prefix, const FlatColon & flat)
+{
+  const FlatColonGrid &     grid = flat.Grid();
+  const Picture::Pointer    picture = PaintFlatRelief(grid, flat.Axis());
+  const RGBColor *          pixels = picture->GetBufferPointer();
+  std::vector<std::uint8_t> bytes;
+  for (int i = 0; i < grid.Columns() * grid.Rows(); ++i)
+  {
+    bytes.insert(bytes.end(), pixels[i].Begin(), pixels[i].End());
+  }
+  blocks.Put(prefix + "relief", bytes, 3);
+  const Eigen::Vector2d first = grid.UvOfPixel(0, 0);
+  return { { "columns", grid.Columns() },
+           { "rows", grid.Rows() },
+           { "step", grid.PixelSize() },
+           { "u", first.x() },
+           { "v", first.y() },
+           { "vSign", grid.IsMirrored() ? -1 : 1 } };
+}
+
+LabelImage::Pointer
+ReadFoldLabels(const std::string & path)
+{
+  auto reader = itk::ImageFileReader<LabelImage>::New();
+  reader->SetImageIO(itk::NrrdImageIO::New());
+  reader->SetFileName(path);
+  try
+  {
+    reader->Update();
+  }
+  catch (const itk::ExceptionObject &)
+  {
+    throw InputError("the labels of folds \"" + path + "\" cannot be read; run VirtualColonoscopy again");
+  }
+  return reader->GetOutput();
+}
+
+/** The fold at a place of the map; v is taken modulo the circumference. */
+unsigned short
+LabelAt(const LabelImage & labels, const Eigen::Vector2d & uv)
+{
+  const auto size = labels.GetLargestPossibleRegion().GetSize();
+  const auto place = labels.TransformPhysicalPointToContinuousIndex<double>(itk::Point<double, 2>(uv.data()));
+  const auto rows = static_cast<long>(size[1]);
+  const long column = std::clamp(std::lround(place[0]), 0L, static_cast<long>(size[0]) - 1);
+  const long row = std::lround(place[1]) % rows;
+  return labels.GetPixel({ { column, row < 0 ? row + rows : row } });
+}
+
+/** What of the faces goes into blocks, in the order along the colon. */
+class FlatFaces
+{
+public:
+  FlatFaces(const SurfaceMesh & mesh, const std::string & path)
+    : m_Mesh(mesh)
+    , m_Path(path)
+    , m_Order(mesh.NumberOfFaces())
+  {
+    const Eigen::MatrixXd arc = ValuesOf(mesh.pointArrays, "arcLength", path);
+    const auto & F = mesh.F;
+    Eigen::VectorXd       place(F.rows());
+    for (Eigen::Index face = 0; face < F.rows(); ++face)
+    {
+      place[face] = arc(F(face, 0), 0) + arc(F(face, 1), 0) + arc(F(face, 2), 0);
+    }
+    std::iota(m_Order.begin(), m_Order.end(), 0);
+    std::stable_sort(m_Order.begin(), m_Order.end(), [&](int a, int b) { return place[a] < place[b]; });
+  }
+
+  void
+  PutCorners(PageBlocks & blocks, const std::string & name) const
+  {
+    std::vector<std::uint32_t> corners;
+    for (const int face : m_Order)
+    {
+      for (int k = 0; k < 3; ++k)
+      {
+        corners.push_back(m_Mesh.F(face, k));
+      }
+    }
+    blocks.Put(name, corners, 3);
+  }
+
+  /** Bits 0 to 2: segment; 3 to 5: hindrance (why the wall is not seen); 6: made up over a gap; 7: cap of a pouch. */
+  void
+  PutKinds(PageBlocks & blocks, const std::string & name, const Eigen::MatrixXd & segments) const
+  {
+    const Eigen::MatrixXd     hindrance = ValuesOf(m_Mesh.cellArrays, "notAssessable", m_Path);
+    const Eigen::MatrixXd     bridged = ValuesOf(m_Mesh.cellArrays, "bridged", m_Path);
+    const Eigen::MatrixXd     cap = ValuesOf(m_Mesh.cellArrays, "cap", m_Path);
+    std::vector<std::uint8_t> kinds;
+    for (const int face : m_Order)
+    {
+      const int segment = segments.size() > 0 ? static_cast<int>(segments(face, 0)) & 7 : 0;
+      kinds.push_back(static_cast<std::uint8_t>(segment | (static_cast<int>(hindrance(face, 0)) & 7) << 3 |
+                                                (bridged(face, 0) != 0 ? 64 : 0) | (cap(face, 0) != 0 ? 128 : 0)));
+    }
+    blocks.Put(name, kinds);
+  }
+
+  void
+  PutFolds(PageBlocks & blocks, const std::string & name, const LabelImage * labels) const
+  {
+    const Eigen::MatrixXd      uv = ValuesOf(m_Mesh.pointArrays, "uv", m_Path);
+    std::vector<std::uint16_t> folds(m_Order.size(), 0);
+    for (std::size_t i = 0; i < m_Order.size() && labels != nullptr; ++i)
+    {
+      const auto            corners = m_Mesh.F.row(m_Order[i]);
+      const Eigen::Vector2d middle = (uv.row(corners[0]) + uv.row(corners[1]) + uv.row(corners[2])).transpose() / 3.0;
+      folds[i] = LabelAt(*labels, middle);
+    }
+    blocks.Put(name, folds, 1);
+  }
+
+private:
+  const SurfaceMesh & m_Mesh;
+  std::string         m_Path;
+  std::vector<int>    m_Order;
+};
+
+Eigen::MatrixXd
+SegmentsOf(const std::string & path, const SurfaceMesh & flat)
+{
+  const SurfaceFile     file = ReadSurfaceFile(path);
+  const Eigen::MatrixXd segments = ValuesOf(file.mesh.cellArrays, "segment", path);
+  if (file.mesh.F.rows() != flat.F.rows() || file.mesh.F != flat.F)
+  {
+    throw InputError("the file \"" + path + "\" is of another surface than flattening/flat.vtp; run again");
+  }
+  return segments;
+}
+
+void
+PutPoints(PageBlocks & blocks, const std::string & prefix, const SurfaceMesh & mesh, const std::string & path)
+{
+  blocks.PutReals(prefix + "points", mesh.V);
+  blocks.PutReals(prefix + "uv", ValuesOf(mesh.pointArrays, "uv", path));
+  blocks.PutReals(prefix + "arc", ValuesOf(mesh.pointArrays, "arcLength", path));
+  // Equal on both sides of the cut. Numbered anew, because a page keeps an array of them.
+  const Eigen::MatrixXd      sources = ValuesOf(mesh.pointArrays, "sourcePointId", path);
+  std::vector<std::uint32_t> first(static_cast<std::size_t>(sources.maxCoeff()) + 1, mesh.NumberOfVertices());
+  std::vector<std::uint32_t> source(mesh.NumberOfVertices());
+  for (int vertex = 0; vertex < mesh.NumberOfVertices(); ++vertex)
+  {
+    auto & of = first[static_cast<std::size_t>(sources(vertex, 0))];
+    of = std::min<std::uint32_t>(of, vertex);
+    source[vertex] = of;
+  }
+  blocks.Put(prefix + "source", source, 1);
+}
+
+/** Returns the points of the wall. */
+VertexMatrix
+PutWall(PageBlocks & blocks, const std::string & prefix, const std::string & folder, PositionFolder & files, Json & info)
+{
+  const std::string path = files.Required("flattening/flat.vtp");
+  const FlatColon   flat(ReadSurfaceFile(path).mesh, {}, '"' + path + '"');
+  const auto &      mesh = flat.Surface();
+  info["circumference"] = flat.Grid().Circumference();
+  info["faces"] = mesh.NumberOfFaces();
+  info["relief"] = PutRelief(blocks, prefix, flat);
+  PutPoints(blocks, prefix, mesh, path);
+  const FlatFaces faces(mesh, path);
+  faces.PutCorners(blocks, prefix + "faces");
+  const bool            hasSegments = files.Has("landmarks/segments.vtp", "segments");
+  const Eigen::MatrixXd segments =
+    hasSegments ? SegmentsOf(folder + "/landmarks/segments.vtp", mesh) : Eigen::MatrixXd();
+  faces.PutKinds(blocks, prefix + "kinds", segments);
+  const bool hasFolds = files.Has("folds/labels.nrrd", "folds");
+  faces.PutFolds(
+    blocks, prefix + "folds", hasFolds ? ReadFoldLabels(folder + "/folds/labels.nrrd").GetPointer() : nullptr);
+  return mesh.V;
+}
+
+/** The CT without its tagged fluid; of a run on a lumen mask the mask itself. */
+void
+PutVolume(PageBlocks &               blocks,
+          const std::string &        prefix,
+          const std::string &        folder,
+          PositionFolder &           files,
+          const VertexMatrix &       wall,
+          const ColonViewerOptions & options)
+{
+  const std::string  lumenPath = files.Required("segmentation/lumen.nrrd");
+  const bool         hasCt = files.Has("segmentation/cleansed.nrrd", "CT");
+  const Volume       lumen = ReadImageFile(lumenPath);
+  const Volume       volume = hasCt ? ReadImageFile(folder + "/segmentation/cleansed.nrrd") : lumen;
+  PutViewerVolume(blocks,
+                  prefix + "volume",
+                  *volume.image,
+                  *MaskForImage(lumen, lumenPath, volume.image),
+                  wall,
+                  hasCt,
+                  options);
+}
+} // namespace
+
+Json
+Hundredths(double value)
+{
+  return std::isfinite(value) ? Json(std::round(100.0 * value) / 100.0) : Json(nullptr);
+}
+
+Json
+PutViewerPosition(PageBlocks &               blocks,
+                  const std::string &        prefix,
+                  const std::string &        exam,
+                  const ColonViewerOptions & options)
+{
+  PositionFolder files(exam);
+  Json           info;
+  const Json     quality = ReadJson(files.Required("segmentation/quality.json"));
+  info["name"] = quality.value("/lumen/position"_json_pointer, std::string());
+  info["seriesUID"] = quality.value("/provenance/input.inputVolume"_json_pointer, std::string());
+  PutCentreline(blocks, prefix, files.Required("segmentation/centreline.vtp"));
+  const VertexMatrix wall = PutWall(blocks, prefix, exam, files, info);
+  PutVolume(blocks, prefix, exam, files, wall, options);
+  info["taeniae"] =
+    files.Has("landmarks/taeniae.vtp", "taeniae") ? Taeniae(exam + "/landmarks/taeniae.vtp") : Json::array();
+  info["flexures"] =
+    files.Has("landmarks/flexures.vtp", "flexures") ? Flexures(exam + "/landmarks/flexures.vtp") : Json::array();
+  info["candidates"] =
+    files.Has("polyps/candidates.csv", "candidates") ? Candidates(exam + "/polyps/candidates.csv") : Json::array();
+  info["missing"] = files.Missing();
+  return info;
+}
+
+void
+PutViewerMap(PageBlocks & blocks, const std::string & prefix, const std::string & path)
+{
+  const SurfaceMesh         mesh = ReadSurfaceFile(path).mesh;
+  const Eigen::MatrixXd     confidence = ValuesOf(mesh.pointArrays, "confidence", path);
+  const Eigen::MatrixXd     excluded = ValuesOf(mesh.pointArrays, "excluded", path);
+  std::vector<std::uint8_t> trust;
+  for (int vertex = 0; vertex < mesh.NumberOfVertices(); ++vertex)
+  {
+    const double share = std::isfinite(confidence(vertex, 0)) ? std::clamp(confidence(vertex, 0), 0.0, 1.0) : 0.0;
+    trust.push_back(static_cast<std::uint8_t>(excluded(vertex, 0) != 0 ? 255 : std::lround(200.0 * share)));
+  }
+  blocks.PutReals(prefix + "mapped", ValuesOf(mesh.pointArrays, "mapped", path));
+  blocks.Put(prefix + "trust", trust);
+}
+} // namespace shapeton

@@ -1,0 +1,142 @@
+// Drives Debian's Chromium without any package: the DevTools protocol over a pipe (file descriptors 3 and 4, messages end with 0).
+import { spawn } from 'node:child_process';
+import { mkdtempSync, rmSync, writeFileSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { join, resolve } from 'node:path';
+
+const FLAGS = [
+  '--headless=new', '--no-sandbox', '--remote-debugging-pipe', '--no-first-run', '--disable-extensions', '--disable-component-update',
+  '--disable-background-networking', '--disable-gpu-compositing', // as a browser without a graphics card does
+];
+const SOFTWARE_GL = ['--use-gl=angle', '--use-angle=swiftshader', '--enable-unsafe-swiftshader'];
+const NO_GL = ['--disable-gpu', '--disable-3d-apis'];
+
+// Requests and answers over the pipe; events go to the listeners.
+class Pipe {
+  constructor(child) {
+    const [, , , to, from] = child.stdio;
+    Object.assign(this, { to, waiting: new Map(), listeners: [], next: 1, rest: '' });
+    from.setEncoding('utf8');
+    from.on('data', (text) => this.receive(text));
+    child.on('exit', () => this.waiting.forEach(({ fail }) => fail(new Error('Chromium has ended'))));
+  }
+
+  receive(text) {
+    const parts = (this.rest + text).split('\0');
+    this.rest = parts.pop();
+    for (const message of parts.map((part) => JSON.parse(part))) {
+      const asked = this.waiting.get(message.id);
+      this.waiting.delete(message.id);
+      if (!asked) this.listeners.forEach((listen) => listen(message));
+      else if (message.error) asked.fail(new Error(JSON.stringify(message.error)));
+      else asked.done(message.result);
+    }
+  }
+
+  send(method, params = {}, sessionId = undefined) {
+    return new Promise((done, fail) => {
+      this.waiting.set(this.next, { done, fail });
+      this.to.write(`${JSON.stringify({ id: this.next++, method, params, sessionId })}\0`);
+    });
+  }
+}
+
+// A page, with what a person does to it. errors: what it threw or logged as an error; requests: the addresses it asked for.
+class Page {
+  constructor(child, pipe, session, profile) {
+    Object.assign(this, { child, pipe, session, profile, errors: [], requests: [], dialogs: [] });
+    pipe.listeners.push((m) => this.note(m));
+  }
+
+  note({ method, params }) {
+    if (method === 'Runtime.exceptionThrown') this.errors.push(params.exceptionDetails.exception?.description || params.exceptionDetails.text);
+    if (method === 'Runtime.consoleAPICalled' && params.type === 'error') this.errors.push(params.args.map((a) => a.value ?? a.description).join(' '));
+    if (method === 'Network.requestWillBeSent') this.requests.push(params.request.url.slice(0, 200));
+    if (method === 'Page.javascriptDialogOpening') {
+      this.dialogs.push(params.type);
+      this.send('Page.handleJavaScriptDialog', { accept: true });
+    }
+  }
+
+  send(method, params) { return this.pipe.send(method, params, this.session); }
+
+  async open(file) {
+    const loaded = new Promise((done) => { this.pipe.listeners.push((m) => { if (m.method === 'Page.loadEventFired') done(); }); });
+    await this.send('Page.navigate', { url: `file://${resolve(file)}` });
+    await loaded;
+  }
+
+  // Runs a function in the page.
+  async evaluate(f, ...args) {
+    const expression = `(${f})(...${JSON.stringify(args)})`;
+    const { result, exceptionDetails } = await this.send('Runtime.evaluate', { expression, awaitPromise: true, returnByValue: true });
+    if (exceptionDetails) throw new Error(exceptionDetails.exception?.description || exceptionDetails.text);
+    return result.value;
+  }
+
+  async until(f, limit = 60000, ...args) {
+    for (const end = Date.now() + limit; ;) {
+      const value = await this.evaluate(f, ...args);
+      if (value) return value;
+      if (Date.now() > end) throw new Error(`gave up waiting for ${f}`);
+      await new Promise((done) => { setTimeout(done, 50); });
+    }
+  }
+
+  mouse(type, x, y, extra = {}) {
+    const isMove = type === 'mouseMoved';
+    return this.send('Input.dispatchMouseEvent', { type, x, y, button: isMove ? 'none' : 'left', clickCount: isMove ? 0 : 1, ...extra });
+  }
+
+  async click(x, y) {
+    await this.mouse('mouseMoved', x, y);
+    await this.mouse('mousePressed', x, y);
+    await this.mouse('mouseReleased', x, y);
+  }
+
+  wheel(x, y, deltaY, extra = {}) { return this.mouse('mouseWheel', x, y, { button: 'none', deltaX: 0, deltaY, ...extra }); }
+
+  // modifiers: 2 Ctrl, 8 Shift.
+  async key(key, modifiers = 0) {
+    const text = key.length === 1 && modifiers !== 2 ? key : undefined;
+    await this.send('Input.dispatchKeyEvent', { type: 'keyDown', key, text, modifiers });
+    await this.send('Input.dispatchKeyEvent', { type: 'keyUp', key, modifiers });
+  }
+
+  async chooseFile(selector, file) {
+    const { root } = await this.send('DOM.getDocument', {});
+    const { nodeId } = await this.send('DOM.querySelector', { nodeId: root.nodeId, selector });
+    await this.send('DOM.setFileInputFiles', { files: [resolve(file)], nodeId });
+  }
+
+  async screenshot(file) {
+    const { data } = await this.send('Page.captureScreenshot', { format: 'png' });
+    writeFileSync(file, Buffer.from(data, 'base64'));
+  }
+
+  async size(width, height, deviceScaleFactor = 1) {
+    await this.send('Emulation.setDeviceMetricsOverride', { width, height, deviceScaleFactor, mobile: false });
+  }
+
+  async close() {
+    const gone = new Promise((done) => { this.child.on('exit', done); });
+    this.pipe.send('Browser.close').catch(() => this.child.kill());
+    await gone;
+    rmSync(this.profile, { recursive: true, force: true, maxRetries: 5 });
+  }
+}
+
+// hasGl: with WebGL in software, or none at all; downloads: the folder that saved files go to.
+export async function launch({ width = 1600, height = 1000, downloads = null, hasGl = true } = {}) {
+  const profile = mkdtempSync(join(tmpdir(), 'shapeton-browser-'));
+  const flags = [...FLAGS, ...(hasGl ? SOFTWARE_GL : NO_GL), `--user-data-dir=${profile}`, `--window-size=${width},${height}`];
+  const child = spawn(process.env.CHROMIUM || 'chromium', [...flags, 'about:blank'], { stdio: ['ignore', 'ignore', 'ignore', 'pipe', 'pipe'] });
+  const pipe = new Pipe(child);
+  const { targetId } = await pipe.send('Target.createTarget', { url: 'about:blank' });
+  const { sessionId } = await pipe.send('Target.attachToTarget', { targetId, flatten: true });
+  const page = new Page(child, pipe, sessionId, profile);
+  for (const domain of ['Page', 'Runtime', 'Network', 'DOM']) await page.send(`${domain}.enable`);
+  await page.size(width, height);
+  if (downloads) await pipe.send('Browser.setDownloadBehavior', { behavior: 'allow', downloadPath: resolve(downloads) });
+  return page;
+}
