@@ -251,9 +251,9 @@ public:
   void
   PutKinds(PageBlocks & blocks, const std::string & name, const Eigen::MatrixXd & segments) const
   {
-    const Eigen::MatrixXd     hindrance = ValuesOf(m_Mesh.cellArrays, "notAssessable", m_Path);
-    const Eigen::MatrixXd     bridged = ValuesOf(m_Mesh.cellArrays, "bridged", m_Path);
-    const Eigen::MatrixXd     cap = ValuesOf(m_Mesh.cellArrays, "cap", m_Path);
+    const Eigen::MatrixXd     hindrance = this->MarksOf("notAssessable");
+    const Eigen::MatrixXd     bridged = this->MarksOf("bridged");
+    const Eigen::MatrixXd     cap = this->MarksOf("cap");
     std::vector<std::uint8_t> kinds;
     for (const int face : m_Order)
     {
@@ -279,6 +279,14 @@ public:
   }
 
 private:
+  /** Arrays that are written only where there is something to mark. */
+  Eigen::MatrixXd
+  MarksOf(const std::string & name) const
+  {
+    const SurfaceArray * array = FindSurfaceArray(m_Mesh.cellArrays, name);
+    return array != nullptr ? Eigen::MatrixXd(array->values) : Eigen::MatrixXd::Zero(m_Mesh.F.rows(), 1);
+  }
+
   const SurfaceMesh & m_Mesh;
   std::string         m_Path;
   std::vector<int>    m_Order;

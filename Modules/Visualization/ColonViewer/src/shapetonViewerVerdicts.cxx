@@ -19,6 +19,12 @@ IdOf(std::size_t position, const Json & candidate)
   return (position == 0 ? "" : "second/") + candidate.at("candidate").get<std::string>();
 }
 
+Eigen::Vector3d
+PlaceOf(const Json & lps)
+{
+  return { lps.at(0).get<double>(), lps.at(1).get<double>(), lps.at(2).get<double>() };
+}
+
 void
 Add(Markup & markup, const Eigen::Vector3d & place, const std::string & label, const Json & entry)
 {
@@ -37,8 +43,7 @@ AddCandidate(Markup & markup, const Json & verdict, const Json & positions)
     {
       if (IdOf(position, candidate) == id)
       {
-        const Eigen::Vector3d place(candidate.at("x"), candidate.at("y"), candidate.at("z"));
-        Add(markup, place, "candidate " + id + ": " + verdict.at("verdict").get<std::string>(), verdict);
+        Add(markup, PlaceOf({ candidate.at("x"), candidate.at("y"), candidate.at("z") }), "candidate " + id + ": " + verdict.at("verdict").get<std::string>(), verdict);
       }
     }
   }
@@ -79,8 +84,7 @@ MarkupOfVerdicts(const Json & verdicts, const Json & positions)
   }
   for (const auto & finding : verdicts.at("findings"))
   {
-    const auto & lps = finding.at("lps");
-    Add(markup, { lps.at(0), lps.at(1), lps.at(2) }, "finding " + finding.at("id").get<std::string>(), finding);
+    Add(markup, PlaceOf(finding.at("lps")), "finding " + finding.at("id").get<std::string>(), finding);
   }
   return markup;
 }

@@ -1,0 +1,379 @@
+// Reads an examination as a person would, in a headless Chromium with software WebGL, from file://.
+// usage: VIEWER=folder of viewer.html [SHOTS=folder for pictures] [TIMINGS=1] node --test viewer.test.mjs
+import assert from 'node:assert/strict';
+import { existsSync, mkdtempSync, readdirSync, readFileSync, rmSync, statSync, writeFileSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
+import { after, before, test } from 'node:test';
+import { launch } from '../../../Testing/Browser/browser.mjs';
+
+const folder = process.env.VIEWER, shots = process.env.SHOTS, downloads = mkdtempSync(join(tmpdir(), 'verdicts-'));
+const isTimed = Boolean(process.env.TIMINGS); // limits hold where nothing else runs
+const SHIFT = 8, CTRL = 2, VIEWS = ['flat', 'outside', 'inside', 'axial', 'coronal', 'sagittal'];
+const figures = {};
+let page;
+
+before(async () => {
+  page = await launch({ downloads });
+  const started = Date.now();
+  await page.open(`${folder}/viewer.html`);
+  await page.until(() => Boolean(window.viewer), 180000);
+  await idle();
+  figures.load = Date.now() - started;
+});
+after(async () => {
+  await page.close();
+  rmSync(downloads, { recursive: true });
+  console.log(JSON.stringify(figures));
+});
+
+const idle = () => page.evaluate(() => viewer.idle());
+const far = (a, b) => Math.hypot(...a.map((x, k) => x - b[k]));
+const median = (a) => a.sort((x, y) => x - y)[a.length >> 1];
+const shot = async (name) => { if (shots) await page.screenshot(`${shots}/${name}.png`); };
+const box = (name, position = 0) => page.evaluate((n, p) => {
+  const r = document.querySelectorAll('section')[p].querySelector(`[data-view=${n}]`).getBoundingClientRect();
+  return [r.x, r.y, r.width, r.height];
+}, name, position);
+const state = (position = 0) => page.evaluate((p) => {
+  const { place, inside, views } = viewer.panels[p], { xyz, uv, arc } = place;
+  return { xyz, uv, arc, index: inside.index, shown: Object.fromEntries(views.map((v) => [v.box.dataset.view, v.shown])) };
+}, position);
+const press = async (key, modifiers = 0) => { await page.key(key, modifiers); await idle(); };
+const clickOn = async (selector) => {
+  const [x, y] = await page.evaluate((s) => {
+    const e = document.querySelector(s);
+    e.scrollIntoView({ block: 'nearest' });
+    const r = e.getBoundingClientRect();
+    return [r.x + r.width / 2, r.y + r.height / 2];
+  }, selector);
+  await page.click(x, y);
+  await idle();
+};
+
+// The middle of the yellow pixels around the place where the crosshair should be: what a person sees.
+const crossSeen = (name, position = 0) => page.evaluate((n, p) => {
+  const v = viewer.panels[p].views.find((x) => x.box.dataset.view === n), [x, y] = v.shown, r = v.canvas.width / v.w, reach = 17;
+  const left = Math.round((x - reach) * r), top = Math.round((y - reach) * r), side = Math.round(2 * reach * r);
+  const { data } = v.context.getImageData(left, top, side, side);
+  let count = 0, sx = 0, sy = 0;
+  for (let i = 0; i < side * side; i++) {
+    if (data[4 * i] > 215 && data[4 * i + 1] > 175 && data[4 * i + 2] < 70) { count++; sx += i % side; sy += Math.floor(i / side); }
+  }
+  return { count, off: count ? Math.hypot((left + sx / count + 0.5) / r - x, (top + sy / count + 0.5) / r - y) : Infinity };
+}, name, position);
+
+test('opens without errors and without a network', async () => {
+  await shot('1-open');
+  assert.deepEqual(page.errors, []);
+  assert.deepEqual(page.requests.filter((r) => !/^(file|blob|data):/.test(r)), []);
+  const text = await page.evaluate(() => document.querySelector('footer').innerText);
+  assert.match(text, /For research use; not a diagnosis\. This page holds patient data\./);
+  const bytes = statSync(`${folder}/viewer.html`).size;
+  if (existsSync(`${folder}/data`)) assert.ok(bytes < 150e3, `${bytes} bytes of scripts`);
+});
+
+test('a click on the flat wall moves the crosshair everywhere', async () => {
+  const [x, y, w, h] = await box('flat'), times = [];
+  for (let i = 0; i < 6; i++) {
+    const at = [x + w * (0.15 + 0.11 * i), y + h * (0.4 + 0.08 * i)], started = Date.now();
+    await page.click(...at);
+    await idle();
+    times.push(Date.now() - started);
+    const s = await state();
+    assert.ok(far([s.shown.flat[0] + x, s.shown.flat[1] + y], at) < 1.5, 'the crosshair is where the click was');
+    for (const view of VIEWS) {
+      assert.ok(s.shown[view], `no crosshair in ${view}`);
+      const [, , width, height] = await box(view), [a, b] = s.shown[view], seen = await crossSeen(view);
+      const isInside = a > 20 && b > 20 && a < width - 20 && b < height - 20;
+      if (isInside && (view !== 'flat' || b > 55)) assert.ok(seen.count > 20 && seen.off < 1.5, `${view}: ${JSON.stringify(seen)}`);
+    }
+  }
+  figures.flatClick = median(times);
+  if (isTimed) assert.ok(figures.flatClick < 500);
+  await shot('2-flat-click');
+});
+
+test('places of the map, in space and back are the same', async () => {
+  const errors = await page.evaluate(() => viewer.exams.flatMap((exam) => {
+    const out = [];
+    for (let i = 0; i < 400; i++) {
+      const face = Math.floor((i * exam.faces.length) / 3 / 400), place = exam.place(face, [0.2, 0.3, 0.5]);
+      const back = exam.fromUv(...exam.fromXyz(place.xyz, false).uv);
+      out.push(Math.hypot(...back.xyz.map((x, k) => x - place.xyz[k])));
+    }
+    return out;
+  }));
+  errors.sort((a, b) => a - b);
+  figures.thereAndBack = errors[Math.floor(0.99 * errors.length)];
+  assert.ok(figures.thereAndBack <= 0.1);
+});
+
+test('a click on the wall in space shows this place', async () => {
+  const [x, y, w, h] = await box('outside');
+  let hits = 0;
+  for (const [a, b] of [[0.3, 0.4], [0.25, 0.5], [0.7, 0.35], [0.7, 0.5], [0.5, 0.6], [0.3, 0.65], [0.4, 0.3], [0.6, 0.45]]) {
+    const old = await state();
+    await page.click(x + a * w, y + b * h);
+    await idle();
+    const s = await state();
+    if (far(s.xyz, old.xyz) < 1e-9) continue; // beside the colon
+    hits++;
+    assert.ok(far(s.shown.outside.slice(0, 2), [a * w, b * h]) < 1.5);
+    assert.equal(s.shown.outside[2], false, 'what was clicked is seen');
+  }
+  assert.ok(hits >= 2);
+  await shot('3-wall-click');
+});
+
+test('a click on a slice goes to that voxel, the wheel and keys to the next slice', async () => {
+  for (const [view, k] of [['axial', 0], ['coronal', 1], ['sagittal', 2]]) {
+    const [x, y, w, h] = await box(view), slice = () => page.evaluate((n) => {
+      const { panels: [p] } = viewer, { axis } = p.slices[n];
+      return p.exam.toImage(p.place.xyz)[axis] / p.exam.volume.spacing[axis];
+    }, k);
+    const old = await slice();
+    await page.click(x + w * 0.45, y + h * 0.45);
+    await idle();
+    assert.ok(Math.abs(await slice() - old) < 1e-6);
+    assert.ok(far((await state()).shown[view].slice(0, 2), [w * 0.45, h * 0.45]) < 1);
+    await page.wheel(x + w / 2, y + h / 2, 100);
+    await idle();
+    assert.ok(Math.abs(await slice() - old - 1) < 1e-6);
+    await press('acs'[k], 0);
+    await press('acs'[k], SHIFT);
+    assert.ok(Math.abs(await slice() - old - 1) < 1e-6);
+  }
+});
+
+test('slices are drawn as the scanner saw them: what is left of the patient is at the right', async () => {
+  const directions = await page.evaluate(() => {
+    const { panels: [panel] } = viewer;
+    return panel.slices.map((s) => {
+      const f = s.frame(), [a, b, c] = [[100, 100], [101, 100], [100, 101]].map((p) => panel.exam.fromImage(f.back(...p)));
+      return [b.map((x, k) => x - a[k]), c.map((x, k) => x - a[k])];
+    });
+  });
+  const [axial, coronal, sagittal] = directions;
+  assert.ok(axial[0][0] > 0 && axial[1][1] > 0 && coronal[0][0] > 0 && coronal[1][2] < 0 && sagittal[0][1] > 0 && sagittal[1][2] < 0);
+});
+
+test('the HU of a voxel are those under the crosshair', async () => {
+  const [hu, text] = await page.evaluate(() => {
+    const { panels: [panel] } = viewer, c = panel.exam.centre[Math.floor(panel.exam.centre.length / 2)].xyz;
+    panel.set(panel.exam.fromXyz(c));
+    return [panel.exam.voxelAt(c).hu, document.getElementById('status').textContent];
+  });
+  assert.ok(text.startsWith(`${Math.round(hu)} HU`));
+  assert.ok(hu < -600, 'gas');
+});
+
+test('Shift and moving the mouse takes the crosshair along', async () => {
+  const [x, y, w, h] = await box('flat'), old = await state();
+  await page.mouse('mouseMoved', x + w * 0.31, y + h * 0.6, { modifiers: SHIFT });
+  await idle();
+  assert.ok(far((await state()).xyz, old.xyz) > 1);
+});
+
+test('each layer changes a view, and changes it back', async () => {
+  const print = () => page.evaluate(() => viewer.panels[0].views.map((v) => v.canvas.toDataURL()).join());
+  const names = await page.evaluate(() => [...document.querySelectorAll('#layers input')].map((e) => e.name));
+  await press('n');
+  for (const name of names) {
+    const old = await print();
+    await clickOn(`#layers input[name=${name}]`);
+    const changed = await print();
+    await clickOn(`#layers input[name=${name}]`);
+    assert.equal(await print(), old, name);
+    const isPlain = (name === 'hindered' || name === 'trust') && changed === old; // nothing of the kind in a good examination
+    assert.ok(changed !== old || isPlain, `${name} changes nothing`);
+  }
+});
+
+test('a jump to a candidate puts the eye where it sees it', async () => {
+  const entries = await page.evaluate(() => viewer.verdicts.entries.map((e) => e.position));
+  let seen = 0;
+  await page.evaluate(() => viewer.verdicts.choose(null));
+  for (const [i, position] of entries.entries()) {
+    await press('n');
+    const { shown } = await state(position);
+    if (shown.inside && !shown.inside[2]) seen++;
+    if (i === 0) await shot('4-candidate');
+  }
+  figures.candidates = `${seen} of ${entries.length}`;
+  assert.ok(entries.length > 0 && seen >= 0.85 * entries.length, figures.candidates);
+});
+
+test('keys fly along the centreline, both ways', async () => {
+  const arc = () => page.evaluate(() => viewer.panels[0].exam.centre[viewer.panels[0].inside.index].arc);
+  await page.evaluate(() => { const [p] = viewer.panels; viewer.current = 0; p.inside.go(p.exam.centreAt(300)); });
+  const a = await arc(), started = Date.now(), steps = 20;
+  for (let i = 0; i < steps; i++) await press('ArrowUp');
+  figures.framesPerSecond = (1000 * steps) / (Date.now() - started);
+  if (isTimed) assert.ok(figures.framesPerSecond > 3);
+  const b = await arc();
+  assert.ok(Math.abs(b - a - 2 * steps) < 8, `${b - a} mm in ${steps} steps of 2 mm`);
+  await press('r');
+  await press('PageUp');
+  assert.ok(Math.abs(await arc() - b + 20) < 3);
+  await press('r');
+  const before = await page.evaluate(() => viewer.panel.inside.camera().at);
+  await press('ArrowLeft');
+  assert.ok(far(await page.evaluate(() => viewer.panel.inside.camera().at), before) > 0.1);
+  await shot('5-flight');
+});
+
+test('Space flies on to the end, and the areas not seen are counted', async () => {
+  await page.evaluate(() => { const [p] = viewer.panels; p.inside.go(p.exam.centre.length - 8); });
+  await press(' ');
+  await page.until(() => !viewer.isFlying);
+  assert.ok(await page.evaluate(() => viewer.panel.isAtEnd));
+  assert.match(await page.evaluate(() => document.getElementById('share').textContent), /wall seen in flight: [\d.]+ %/);
+});
+
+test('distances: straight, along the wall, along the centreline', async () => {
+  const [x, y, w, h] = await box('axial');
+  await page.evaluate(() => { const [p] = viewer.panels; p.slices[0].zoom = 1; p.changed(); });
+  await idle();
+  await press('m');
+  await page.click(x + w * 0.3, y + h * 0.5);
+  await page.click(x + w * 0.6, y + h * 0.5);
+  await idle();
+  const { lengths, scale, arcs } = await page.evaluate(() => {
+    const { measure, slices } = viewer.panels[0];
+    return { lengths: measure.lengths, scale: slices[0].frame().s, arcs: measure.places.map((p) => p.arc) };
+  });
+  assert.ok(Math.abs(lengths.straight - (w * 0.3) / scale) < 0.5);
+  assert.ok(Math.abs(lengths.line - Math.abs(arcs[0] - arcs[1])) < 0.5);
+  await press('Escape');
+  await press('Enter');
+  for (let i = 0; i < 4; i++) await press('ArrowRight', SHIFT);
+  await press('Enter');
+  const near = await page.evaluate(() => viewer.panels[viewer.current].measure.lengths);
+  assert.ok(near.wall >= near.straight - 1e-3 && near.wall < 60, JSON.stringify(near));
+  assert.match(await page.evaluate(() => document.getElementById('status').textContent), /straight [\d.]+ mm · along the wall [\d.]+ mm/);
+  await shot('6-measure');
+  await press('Escape');
+});
+
+const saved = async () => {
+  for (let i = 0; i < 100; i++) {
+    const name = readdirSync(downloads).find((n) => n.endsWith('.json'));
+    if (name) {
+      const text = readFileSync(join(downloads, name), 'utf8');
+      rmSync(join(downloads, name));
+      return text;
+    }
+    await new Promise((done) => { setTimeout(done, 50); });
+  }
+  throw new Error('nothing was saved');
+};
+const openVerdicts = async (text) => {
+  const file = join(downloads, 'open.txt');
+  writeFileSync(file, text);
+  await page.chooseFile('#file', file);
+  await idle();
+  rmSync(file);
+};
+
+test('verdicts, notes and findings are saved, opened again, and refused for another examination', async () => {
+  await page.evaluate(() => viewer.verdicts.choose(null));
+  await press('n');
+  await press('e');
+  await press('t');
+  for (const c of 'on a <fold>') await page.key(c);
+  await press('Escape');
+  await press('f');
+  await clickOn('#entries li.chosen button:not(.head)');
+  const [x, y, w, h] = await box('axial');
+  await page.click(x + w * 0.4, y + h * 0.5);
+  await page.click(x + w * 0.5, y + h * 0.5);
+  await idle();
+  assert.equal(await page.evaluate(() => document.getElementById('unsaved').textContent), 'not saved yet');
+  await press('s', CTRL);
+  const text = await saved(), verdicts = JSON.parse(text);
+  assert.equal(verdicts.version, 1);
+  assert.match(verdicts.exam.sha256, /^[0-9a-f]{64}$/);
+  assert.deepEqual(verdicts.candidates[0], { id: '1', verdict: 'polyp', note: 'on a <fold>' });
+  const [finding] = verdicts.findings;
+  assert.ok(finding.diameter > 0 && finding.lps.length === 3 && finding.uv.length === 2);
+  await page.evaluate(() => { viewer.verdicts.entries[0].verdict = 'unsure'; viewer.verdicts.removeFinding(viewer.verdicts.findings[0]); });
+  await openVerdicts(text.replace(verdicts.exam.sha256, '0'.repeat(64)));
+  assert.match(await page.evaluate(() => document.getElementById('notices').textContent), /of another examination; nothing was changed/);
+  assert.equal(await page.evaluate(() => viewer.verdicts.entries[0].verdict), 'unsure');
+  await openVerdicts('{"version": 1');
+  assert.match(await page.evaluate(() => document.getElementById('notices').textContent), /no JSON/);
+  await openVerdicts(text);
+  await press('s', CTRL);
+  assert.equal(await saved(), text);
+  await shot('7-verdicts');
+});
+
+test('the other position follows the map, and back', async (t) => {
+  if (await page.evaluate(() => !viewer.maps)) { t.skip('one position'); return; }
+  const [x, y, w, h] = await box('flat'), times = [];
+  for (let i = 0; i < 5; i++) {
+    const old = [await state(0), await state(1)], started = Date.now();
+    await page.click(x + w * (0.25 + 0.1 * i), y + h * 0.6);
+    await idle();
+    times.push(Date.now() - started);
+    for (const k of [0, 1]) assert.ok(far((await state(k)).xyz, old[k].xyz) > 1, `crosshair ${k} stayed at click ${i}`);
+  }
+  figures.linkedClick = median(times);
+  if (isTimed) assert.ok(figures.linkedClick < 500);
+  const errors = await page.evaluate(() => {
+    const [a] = viewer.exams, out = [];
+    for (let i = 0; i < 200; i++) {
+      const face = Math.floor((i * a.faces.length) / 600), trust = viewer.maps[0].trust[a.faces[3 * face]];
+      if (trust < 60 || trust > 200) continue;
+      const place = a.place(face, [0.3, 0.3, 0.4]);
+      viewer.panels[0].set(place);
+      viewer.panels[1].set(viewer.panels[1].place);
+      out.push(Math.hypot(...viewer.panels[0].place.xyz.map((v, k) => v - place.xyz[k])));
+    }
+    return out;
+  });
+  figures.linkedBack = [0.5, 0.9, 1].map((q) => errors.sort((a, b) => a - b)[Math.min(errors.length - 1, Math.floor(q * errors.length))]);
+  assert.ok(errors.length > 20 && figures.linkedBack[1] <= 5, JSON.stringify(figures.linkedBack));
+  await idle();
+  await shot('8-linked');
+});
+
+test('the other position is dimmed where the map is not to be trusted', async (t) => {
+  if (await page.evaluate(() => !viewer.maps)) { t.skip('one position'); return; }
+  const dims = await page.evaluate(() => [255, 20, 190].map((trust) => {
+    const [panel] = viewer.panels, corners = panel.exam.faces.subarray(3 * panel.place.face, 3 * panel.place.face + 3);
+    const kept = viewer.maps[0].trust[corners[0]];
+    viewer.maps[0].trust[corners[0]] = trust;
+    panel.set(panel.place);
+    viewer.maps[0].trust[corners[0]] = kept;
+    return [viewer.panels[1].root.classList.contains('dim'), document.getElementById('trust').textContent];
+  }));
+  assert.deepEqual(dims.map(([isDim]) => isDim), [true, true, false]);
+  assert.match(dims[0][1], /not to be trusted/);
+  assert.match(dims[2][1], /0\.95/);
+});
+
+test('help lists the keys; all fits a small screen and a large one', async () => {
+  await press('?');
+  assert.ok(await page.evaluate(() => document.getElementById('keys').open && document.getElementById('keys').textContent.includes('reverse') === false));
+  await shot('9-help');
+  await press('Escape');
+  for (const [width, height] of [[1280, 720], [3840, 2160]]) {
+    await page.size(width, height);
+    await idle();
+    await shot(`10-${width}`);
+    const spilt = await page.evaluate(() => document.documentElement.scrollHeight > innerHeight || [...document.querySelectorAll('.view')].some((v) => v.clientHeight < 60));
+    assert.equal(spilt, false, `${width} x ${height}`);
+  }
+  await page.size(1600, 1000);
+});
+
+test('unsaved work warns before the page closes', async () => {
+  await press('f');
+  const [x, y] = await box('flat');
+  await page.click(x + 100, y + 100); // a browser asks only a page that was used
+  await page.open(`${folder}/viewer.html`);
+  assert.deepEqual(page.dialogs, ['beforeunload']);
+  assert.deepEqual(page.errors, []);
+});
