@@ -4,7 +4,7 @@ import { normalOf, Tree } from './tree.mjs';
 
 export const segmentNames = ['', 'rectum', 'sigmoid', 'descending', 'transverse', 'ascending', 'caecum'];
 export const hindranceNames = ['', 'no lumen', 'cut by the scan', 'untagged fluid', 'calibre below 10 mm'];
-const BRIDGED = 64, CAP = 128;
+const BRIDGED = 64; // and 128 for the cap of a pouch
 
 // The rest of v on a circle of length c, in [0, c).
 const turn = (v, c) => v - c * Math.floor(v / c);

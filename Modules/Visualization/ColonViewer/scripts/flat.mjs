@@ -49,8 +49,8 @@ export class FlatView extends View {
   frame() {
     const { exam } = this.panel, [lo, hi] = exam.range, c = exam.circumference, fit = this.w / (hi - lo);
     const s = Math.max(this.scale ?? (this.h - OVERVIEW) / (1.15 * c), fit), half = this.w / 2 / s;
-    this.u ??= (lo + hi) / 2;
-    this.v ??= c / 2;
+    this.u ??= this.panel.place.uv[0];
+    this.v ??= this.panel.place.uv[1];
     this.u = clamp(this.u, lo + half, Math.max(lo + half, hi - half));
     const sy = s * this.relief.vSign;
     return {

@@ -1,7 +1,7 @@
 import { axesOf, cross, distance, dot, norm, sub, third, unit } from './math.mjs';
 
-const REACH = 200;    // mm; wall that is farther is not seen well
-const STRETCH = 250;  // mm along the colon, before and behind the eye
+const SIGHT = 200;    // mm; wall that is farther is not seen well
+const AROUND = 250;  // mm along the colon, before and behind the eye
 const TOLERANCE = 0.2; // mm, so that a face does not hide itself
 
 // Which faces were in sight while flying: the middle of a face lies in the picture and nothing between it and the eye. Wall that was
@@ -24,7 +24,7 @@ export class Seen {
   // aspect: width over height of the picture.
   look(camera, aspect) {
     const { exam } = this, arc = exam.arc[exam.faces[3 * exam.wall.nearest(camera.eye).face]];
-    this.queue.push({ camera, aspect, at: exam.facesBefore(arc - STRETCH), to: exam.facesBefore(arc + STRETCH) });
+    this.queue.push({ camera, aspect, at: exam.facesBefore(arc - AROUND), to: exam.facesBefore(arc + AROUND) });
   }
 
   // Works for so many milliseconds; true while there is more to do.
@@ -46,7 +46,7 @@ export class Seen {
 
   sees({ camera: { eye }, inPicture }, face) {
     const middle = third(this.middles, face), l = distance(middle, eye);
-    return l < REACH && inPicture(middle) && !this.exam.wall.ray(eye, unit(sub(middle, eye)), l - TOLERANCE, true);
+    return l < SIGHT && inPicture(middle) && !this.exam.wall.ray(eye, unit(sub(middle, eye)), l - TOLERANCE, true);
   }
 }
 

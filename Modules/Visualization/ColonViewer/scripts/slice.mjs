@@ -101,7 +101,7 @@ export class SliceView extends View {
         const column = this.flipX ? nx - 1 - i : i, value = shift + scale * data[start + column * strides[this.across]];
         const b = value < 0 ? 0 : value > 255 ? 255 : value | 0;
         const isMean = coarse[startBlock + block(this.across, column)];
-        words[o] = isMean ? 0xff000000 | (b << 16) | (((b * 0.9) | 0) << 8) | ((b * 0.82) | 0) : 0xff000000 | (b * 0x10101);
+        words[o] = isMean ? 0xff000000 | (b << 16) | (((b * 0.94) | 0) << 8) | ((b * 0.88) | 0) : 0xff000000 | (b * 0x10101);
       }
     }
     this.image.getContext('2d').putImageData(this.pixels, 0, 0);
@@ -137,7 +137,7 @@ export class SliceView extends View {
     const { left, right, top, bottom } = this.letters;
     g.fillText(left, 4, h / 2);
     g.fillText(right, w - 13, h / 2);
-    g.fillText(top, w / 2 - 4, 14);
+    g.fillText(top, w / 2 - 4, 30);
     g.fillText(bottom, w / 2 - 4, h - 5);
   }
 

@@ -42,9 +42,8 @@ class SpaceView extends View {
   isNear() { return true; }
 
   lines(reach = 0) {
-    const { layers, taeniae, flexures, centreline } = this.panel;
-    const meshes = [...(layers.taeniae ? taeniae : []), ...(layers.flexures ? flexures : []), ...(layers.centreline ? centreline : [])];
-    return meshes.map((mesh) => ({ mesh, reach }));
+    const { layers, taeniae, flexures } = this.panel;
+    return [...(layers.taeniae ? taeniae : []), ...(layers.flexures ? flexures : [])].map((mesh) => ({ mesh, reach }));
   }
 
   pick(x, y) {
@@ -74,8 +73,9 @@ export class OutsideView extends SpaceView {
   }
 
   items() {
-    const { layers, exam: { mesh } } = this.panel;
-    return layers.through ? [...this.lines(), { mesh, clear: 0.75 }] : [{ mesh }, ...this.lines()];
+    const { layers, centreline, exam: { mesh } } = this.panel; // the eye inside lies on the centreline and does not show it
+    const lines = [...this.lines(), ...(layers.centreline ? centreline.map((line) => ({ mesh: line })) : [])];
+    return layers.through ? [...lines, { mesh, clear: 0.75 }] : [{ mesh }, ...lines];
   }
 
   drag(dx, dy, button) {

@@ -10,7 +10,7 @@ import { Verdicts } from './verdicts.mjs';
 import { View } from './view.mjs';
 
 const DOUBTFUL = 0.3; // below this confidence of the map the other position is dimmed
-const UNSEEN = 255;   // in `trust`: not seen in one of the positions
+const EXCLUDED = 255;   // in `trust`: not seen in one of the positions
 
 const PAGE = `
 <header>
@@ -35,6 +35,9 @@ const PAGE = `
   <b>For research use; not a diagnosis. This page holds patient data.</b>
 </footer>
 <dialog id="keys"></dialog>`;
+
+// After a click with the mouse keys go to the views again; who came by keyboard stays.
+const letGo = (e) => { if (e.detail) e.target.blur(); };
 
 const $ = (id) => document.getElementById(id);
 
@@ -78,13 +81,14 @@ class Viewer {
       const label = document.createElement('label'), box = document.createElement('input');
       Object.assign(box, { type: 'checkbox', name, checked: this.layers[name] });
       box.onchange = () => { this.layers[name] = box.checked; this.repaint(); };
+      box.onclick = letGo;
       label.append(box, ` ${text}`);
       $('layers').append(label);
     }
   }
 
   listen() {
-    const on = (id, act) => { $(id).onclick = () => { act(); $(id).blur(); }; };
+    const on = (id, act) => { $(id).onclick = (e) => { act(); letGo(e); }; };
     on('fly', () => this.toggleFlight());
     on('way', () => this.reverse());
     on('measure', () => this.toggleMeasure());
@@ -203,7 +207,7 @@ class Viewer {
   linkFrom(k) {
     const { face, weights } = this.panels[k].place, exam = this.exams[k], other = this.panels[1 - k];
     const t = this.maps[k].trust[exam.faces[3 * face]];
-    this.trust = t === UNSEEN ? null : t / 200;
+    this.trust = t === EXCLUDED ? null : t / 200;
     other.follow(other.exam.fromXyz(exam.mix(this.maps[k].mapped, 3, face, weights), false));
     this.panels[k].root.classList.remove('dim');
     other.root.classList.toggle('dim', this.trust === null || this.trust < DOUBTFUL);

@@ -18,9 +18,9 @@ std::string
 Gzip(const std::string & bytes)
 {
   constexpr int gzipWindow = 15 + 16;
-  // Level 4: a volume takes a quarter of the time of level 6 and 2 % more space.
+  // Differences of voxels are small numbers at random, for which Z_FILTERED is made; level 6 takes three times as long for 1 %.
   z_stream stream{};
-  if (deflateInit2(&stream, 4, Z_DEFLATED, gzipWindow, 9, Z_DEFAULT_STRATEGY) != Z_OK)
+  if (deflateInit2(&stream, 4, Z_DEFLATED, gzipWindow, 9, Z_FILTERED) != Z_OK)
   {
     throw std::runtime_error("zlib cannot start");
   }
