@@ -51,16 +51,20 @@ const clickOn = async (selector) => {
   await idle();
 };
 
-// The middle of the yellow pixels around the place where the crosshair should be: what a person sees.
+// Where the arms of the yellow crosshair meet, near the place where it should be: what a person sees.
 const crossSeen = (name, position = 0) => page.evaluate((n, p) => {
   const v = viewer.panels[p].views.find((x) => x.box.dataset.view === n), [x, y] = v.shown, r = v.canvas.width / v.w, reach = 17;
   const left = Math.round((x - reach) * r), top = Math.round((y - reach) * r), side = Math.round(2 * reach * r);
   const { data } = v.context.getImageData(left, top, side, side);
-  let count = 0, sx = 0, sy = 0;
+  const mean = (a) => a.reduce((sum, b) => sum + b, 0) / a.length, xs = [], ys = [];
   for (let i = 0; i < side * side; i++) {
-    if (data[4 * i] > 215 && data[4 * i + 1] > 175 && data[4 * i + 2] < 70) { count++; sx += i % side; sy += Math.floor(i / side); }
+    const [red, green, blue] = data.subarray(4 * i, 4 * i + 3); // neither grey nor wall nor the orange of a chosen ring
+    if (red < 120 || green < 0.74 * red || blue > 0.5 * red || red < green) continue;
+    const dx = (left + (i % side) + 0.5) / r - x, dy = (top + Math.floor(i / side) + 0.5) / r - y;
+    if (Math.abs(dx) < 4 && Math.abs(dy) > 5) xs.push(dx);
+    if (Math.abs(dy) < 4 && Math.abs(dx) > 5) ys.push(dy);
   }
-  return { count, off: count ? Math.hypot((left + sx / count + 0.5) / r - x, (top + sy / count + 0.5) / r - y) : Infinity };
+  return { count: Math.min(xs.length, ys.length), off: Math.hypot(mean(xs), mean(ys)) };
 }, name, position);
 
 test('opens without errors and without a network', async () => {
@@ -86,7 +90,7 @@ test('a click on the flat wall moves the crosshair everywhere', async () => {
       assert.ok(s.shown[view], `no crosshair in ${view}`);
       const [, , width, height] = await box(view), [a, b] = s.shown[view], seen = await crossSeen(view);
       const isInside = a > 20 && b > 20 && a < width - 20 && b < height - 20;
-      if (isInside && (view !== 'flat' || b > 55)) assert.ok(seen.count >= 12 && seen.off < 1.5, `${view}: ${JSON.stringify(seen)}`);
+      if (isInside && (view !== 'flat' || b > 55)) assert.ok(seen.count >= 6 && seen.off < 1.5, `${view}: ${JSON.stringify(seen)}`);
     }
   }
   figures.flatClick = median(times);
@@ -158,7 +162,8 @@ test('slices are drawn as the scanner saw them: what is left of the patient is a
   assert.ok(axial[0][0] > 0 && axial[1][1] > 0 && coronal[0][0] > 0 && coronal[1][2] < 0 && sagittal[0][1] > 0 && sagittal[1][2] < 0);
 });
 
-test('the HU of a voxel are those under the crosshair', async () => {
+test('the HU of a voxel are those under the crosshair', async (t) => {
+  if (await page.evaluate(() => !viewer.exams[0].volume.isCt)) { t.skip('a mask'); return; }
   const [hu, text] = await page.evaluate(() => {
     const { panels: [panel] } = viewer, c = panel.exam.centre[Math.floor(panel.exam.centre.length / 2)].xyz;
     panel.set(panel.exam.fromXyz(c));
@@ -207,10 +212,8 @@ test('a jump to a candidate puts the eye where it sees it', async () => {
 test('keys fly along the centreline, both ways', async () => {
   const arc = () => page.evaluate(() => viewer.panels[0].exam.centre[viewer.panels[0].inside.index].arc);
   await page.evaluate(() => { const [p] = viewer.panels; viewer.current = 0; p.inside.go(p.exam.centreAt(300)); });
-  const a = await arc(), started = Date.now(), steps = 20;
+  const a = await arc(), steps = 10;
   for (let i = 0; i < steps; i++) await press('ArrowUp');
-  figures.framesPerSecond = (1000 * steps) / (Date.now() - started);
-  if (isTimed) assert.ok(figures.framesPerSecond > 3);
   const b = await arc();
   assert.ok(Math.abs(b - a - 2 * steps) < 8, `${b - a} mm in ${steps} steps of 2 mm`);
   await press('r');
@@ -224,6 +227,14 @@ test('keys fly along the centreline, both ways', async () => {
 });
 
 test('Space flies on to the end, and the areas not seen are counted', async () => {
+  figures.framesPerSecond = await page.evaluate(async () => {
+    const [p] = viewer.panels, arc = () => p.exam.centre[p.inside.index].arc, from = arc(), started = performance.now();
+    viewer.toggleFlight();
+    await new Promise((done) => { setTimeout(done, 2000); });
+    viewer.toggleFlight();
+    return (1000 * (arc() - from)) / 2 / (performance.now() - started);
+  });
+  if (isTimed) assert.ok(figures.framesPerSecond > 3);
   await page.evaluate(() => { const [p] = viewer.panels; p.inside.go(p.exam.centre.length - 8); });
   await press(' ');
   await page.until(() => !viewer.isFlying);
@@ -246,11 +257,12 @@ test('distances: straight, along the wall, along the centreline', async () => {
   assert.ok(Math.abs(lengths.straight - (w * 0.3) / scale) < 0.5);
   assert.ok(Math.abs(lengths.line - Math.abs(arcs[0] - arcs[1])) < 0.5);
   await press('Escape');
+  await press('ArrowRight', SHIFT); // onto the wall
   await press('Enter');
   for (let i = 0; i < 4; i++) await press('ArrowRight', SHIFT);
   await press('Enter');
   const near = await page.evaluate(() => viewer.panels[viewer.current].measure.lengths);
-  assert.ok(near.wall >= near.straight - 1e-3 && near.wall < 60, JSON.stringify(near));
+  assert.ok(near.straight > 1 && near.wall >= near.straight - 1e-3 && near.wall < 60, JSON.stringify(near));
   assert.match(await page.evaluate(() => document.getElementById('status').textContent), /straight [\d.]+ mm · along the wall [\d.]+ mm/);
   await shot('6-measure');
   await press('Escape');

@@ -190,9 +190,10 @@ export class FlatView extends View {
       ? [lo + (x / this.w) * (hi - lo), v + (vSign * exam.circumference * y) / (OVERVIEW - 4)]
       : this.frame().back(x, y);
     const place = exam.fromUv(...uv);
-    if (!place) return;
+    if (!place) return false;
     if (inOverview) this.u = place.uv[0];
     this.panel.set(place, this);
+    return true;
   }
 
   drag(dx, dy) {
@@ -202,7 +203,7 @@ export class FlatView extends View {
     this.changed();
   }
 
-  wheel(d, e) { this.scaleAt(1.25 ** -d, e.offsetX, e.offsetY); }
+  wheel(d, at) { this.scaleAt(1.25 ** -d, at.x, at.y); }
   scaleBy(by) { this.scaleAt(by, this.w / 2, this.middle); }
 
   // What lies at (x, y) stays there.

@@ -5,6 +5,7 @@ import { FlatView } from './flat.mjs';
 import { SliceView } from './slice.mjs';
 import { tube } from './painter.mjs';
 
+const ON_WALL = 2;     // mm; a place that is farther from the wall has no distance along it
 const EYE_REACH = 120; // mm; farther wall is no place to look at
 
 // All views of one position, around one crosshair.
@@ -32,7 +33,7 @@ export class Panel {
   makeLines() {
     const { painter, info, centre } = this.exam, lines = (all, radius, colour) =>
       (painter.gl ? all.map((line, i) => tube(painter, line, radius, colour(i))) : []);
-    this.taeniae = lines(info.taeniae.map((t) => t.xyz), 1, (i) => taeniaColours[i % 3]);
+    this.taeniae = lines(info.taeniae.map((t) => t.xyz), 0.7, (i) => taeniaColours[i % 3]);
     this.flexures = lines(info.flexures.map((f) => [...f.xyz, f.xyz[0]]), 1.2, () => flexureColour);
     this.centreline = lines([centre.map((c) => c.xyz)], 0.7, () => centrelineColour);
   }
@@ -56,8 +57,15 @@ export class Panel {
 
   // A new crosshair. from: the view where it was set, which keeps its direction.
   set(place, from = null) {
-    if (this.measure) this.measurePlace(place);
     this.follow(place, from);
+    this.told(this);
+  }
+
+  // The crosshair stands where a person wants to measure from or to.
+  clicked() {
+    if (!this.measure) return;
+    this.measurePlace(this.place);
+    this.changed();
     this.told(this);
   }
 
@@ -100,10 +108,10 @@ export class Panel {
     if (m.places.length === 2) Object.assign(m, { places: [], path: null, text: '' });
     m.places.push(place);
     if (m.places.length < 2) return;
-    const [a, b] = m.places, straight = distance(a.xyz, b.xyz);
-    m.path = this.exam.paths().between(a, b);
+    const [a, b] = m.places, straight = distance(a.xyz, b.xyz), isOnWall = Math.max(a.off, b.off) < ON_WALL;
+    m.path = isOnWall ? this.exam.paths().between(a, b) : null;
     m.lengths = { straight, wall: m.path ? m.path.length : null, line: Math.abs(a.arc - b.arc) };
-    const wall = m.path ? `${m.path.length.toFixed(1)} mm` : 'more than 1 m';
+    const wall = m.path ? `${m.path.length.toFixed(1)} mm` : isOnWall ? 'more than 1 m' : 'unknown (a place is off the wall)';
     m.text = `straight ${straight.toFixed(1)} mm · along the wall ${wall} · along the centreline ${m.lengths.line.toFixed(1)} mm`;
     if (m.done) m.done(straight);
   }

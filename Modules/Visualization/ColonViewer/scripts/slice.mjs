@@ -144,9 +144,10 @@ export class SliceView extends View {
   pick(x, y) {
     const { panel } = this, { exam } = panel;
     if (exam.volume) panel.set(exam.fromXyz(exam.fromImage(this.frame().back(x, y))), this);
+    return Boolean(exam.volume);
   }
 
-  wheel(d, e) { if (e.ctrlKey) this.scale(1.25 ** -d); else this.step(d); }
+  wheel(d, at, isScaling) { if (isScaling) this.scale(1.25 ** -d); else this.step(d); }
   scale(by) { this.zoom = clamp(this.zoom * by, 1, 12); this.changed(); }
 
   // Moves the crosshair by so many slices.

@@ -49,6 +49,7 @@ class SpaceView extends View {
   pick(x, y) {
     const camera = this.camera(), place = this.panel.exam.fromRay(camera.eye, rayThrough(camera, this.w, this.h, x, y));
     if (place) this.panel.set(place, this);
+    return Boolean(place);
   }
 }
 

@@ -19,34 +19,38 @@ export class View {
 
   listen() {
     const c = this.canvas;
+    const at = (e) => ({ x: e.offsetX / View.scale, y: e.offsetY / View.scale });
     let down = null;
     c.addEventListener('pointerdown', (e) => {
       c.setPointerCapture(e.pointerId);
-      down = { x: e.offsetX, y: e.offsetY, button: e.button, moved: false };
+      down = { ...at(e), button: e.button, moved: false };
     });
     c.addEventListener('pointermove', (e) => {
+      const { x, y } = at(e);
       if (!down) {
-        if (e.shiftKey) this.pick(e.offsetX, e.offsetY); // as in 3D Slicer
+        if (e.shiftKey) this.pick(x, y); // as in 3D Slicer
         return;
       }
-      const dx = e.offsetX - down.x, dy = e.offsetY - down.y;
+      const dx = x - down.x, dy = y - down.y;
       if (!down.moved && Math.hypot(dx, dy) < 4) return;
-      Object.assign(down, { moved: true, x: e.offsetX, y: e.offsetY });
+      Object.assign(down, { moved: true, x, y });
       this.drag(dx, dy, down.button);
     });
     c.addEventListener('pointerup', (e) => {
-      if (down && !down.moved && down.button === 0) this.pick(e.offsetX, e.offsetY);
+      const { x, y } = at(e);
+      if (down && !down.moved && down.button === 0 && this.pick(x, y)) this.panel.clicked();
       down = null;
     });
     c.addEventListener('pointercancel', () => { down = null; });
-    c.addEventListener('wheel', (e) => { e.preventDefault(); this.wheel(Math.sign(e.deltaY), e); }, { passive: false });
+    c.addEventListener('wheel', (e) => { e.preventDefault(); this.wheel(Math.sign(e.deltaY), at(e), e.ctrlKey); }, { passive: false });
     c.addEventListener('contextmenu', (e) => e.preventDefault());
   }
 
-  get w() { return this.box.clientWidth; }
-  get h() { return this.box.clientHeight; }
+  get w() { return this.box.clientWidth / View.scale; }
+  get h() { return this.box.clientHeight / View.scale; }
   drag() {}
   wheel() {}
+  pick() { return false; } // moves the crosshair to a pixel; false where nothing is
 
   // Paints once before the next frame.
   changed() {
@@ -61,7 +65,7 @@ export class View {
   }
 
   paint() {
-    const ratio = Math.min(2, globalThis.devicePixelRatio || 1), { w, h, canvas, context } = this;
+    const ratio = View.scale * Math.min(2, globalThis.devicePixelRatio || 1), { w, h, canvas, context } = this;
     if (!w || !h) return;
     const started = performance.now(), width = Math.round(w * ratio), height = Math.round(h * ratio);
     if (canvas.width !== width || canvas.height !== height) Object.assign(canvas, { width, height });
@@ -124,3 +128,6 @@ export class View {
   }
 }
 View.pending = 0; // how many views wait for their picture
+View.scale = 1;   // pixels of the page for one of a view: on a large screen all that is drawn grows with the text
+
+export function scaleViews() { View.scale = parseFloat(getComputedStyle(document.body).fontSize) / 13; }

@@ -7,7 +7,7 @@ import { layerList } from './layers.mjs';
 import { Painter } from './painter.mjs';
 import { Panel } from './panel.mjs';
 import { Verdicts } from './verdicts.mjs';
-import { View } from './view.mjs';
+import { scaleViews, View } from './view.mjs';
 
 const DOUBTFUL = 0.3; // below this confidence of the map the other position is dimmed
 const EXCLUDED = 255;   // in `trust`: not seen in one of the positions
@@ -99,6 +99,8 @@ class Viewer {
     $('window').onchange = () => { if ($('window').value) this.setWindow($('window').value.split(',').map(Number)); $('window').blur(); };
     $('file').onchange = () => this.read($('file').files[0]);
     addEventListener('keydown', (e) => this.key(e));
+    addEventListener('resize', scaleViews);
+    scaleViews();
     addEventListener('beforeunload', (e) => { if (!this.verdicts.isSaved) e.preventDefault(); });
     this.panels.forEach((panel, k) => panel.root.addEventListener('pointerdown', () => { this.current = k; }, true));
     fillHelp($('keys'));
@@ -129,7 +131,7 @@ class Viewer {
   openFile() { $('file').click(); }
   toggleHelp() { if ($('keys').open) $('keys').close(); else $('keys').showModal(); }
   setWindow(window) { this.panels.forEach((p) => p.setWindow(window)); }
-  measureHere() { if (!this.panel.measure) this.toggleMeasure(); this.panel.measurePlace(this.panel.place); this.panel.changed(); this.told(); }
+  measureHere() { if (!this.panel.measure) this.toggleMeasure(); this.panel.clicked(); }
 
   nextView() {
     const { panel } = this, { views } = panel;

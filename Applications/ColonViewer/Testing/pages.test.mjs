@@ -1,0 +1,126 @@
+// Pages that the tool makes, and what they say where something is wrong.
+// usage: TOOL=ColonViewer EXAM=folder of a finished run with candidates WORK=folder to write to, node --test pages.test.mjs
+import assert from 'node:assert/strict';
+import { spawnSync } from 'node:child_process';
+import { cpSync, existsSync, mkdirSync, readdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
+import { after, before, test } from 'node:test';
+import { launch } from '../../../Testing/Browser/browser.mjs';
+
+const { TOOL: tool, EXAM: exam, WORK: work } = process.env;
+const NOTE = 'on a fold</script><b>é';
+let page;
+
+const make = (folder, ...options) => {
+  const { status, stderr } = spawnSync(tool, [exam, `${work}/${folder}`, '--quiet', ...options], { encoding: 'utf8' });
+  return { status, stderr };
+};
+const made = (folder, ...options) => {
+  const { status, stderr } = make(folder, ...options);
+  assert.equal(status, 0, stderr);
+  return `${work}/${folder}`;
+};
+const infoOf = (folder) => JSON.parse(readFileSync(`${folder}/data/info.js`, 'utf8').replace(/^block\("info",null,/, '').replace(/\);\n$/, ''));
+const verdictsOf = (sha256) => JSON.stringify({
+  version: 1, exam: { seriesUIDs: [], sha256 }, candidates: [{ id: '1', verdict: 'polyp', note: NOTE }],
+  findings: [{ id: 'F1', position: 0, lps: [1, 2, 3], uv: [20, 10], diameter: 6.5, note: 'flat' }],
+});
+const open = async (folder) => {
+  page.errors.length = 0;
+  await page.open(`${folder}/viewer.html`);
+  await page.until(() => Boolean(window.viewer) || document.querySelector('#notices p'));
+};
+const notices = () => page.evaluate(() => document.getElementById('notices').textContent);
+const broken = (name, file) => {
+  const folder = `${work}/${name}`;
+  cpSync(`${work}/first`, folder, { recursive: true });
+  const text = readFileSync(`${folder}/data/${file}`, 'utf8');
+  writeFileSync(`${folder}/data/${file}`, text.slice(0, text.length / 2));
+  return folder;
+};
+
+before(async () => {
+  rmSync(work, { recursive: true, force: true });
+  mkdirSync(work, { recursive: true });
+  made('first');
+  page = await launch({ width: 1280, height: 720 });
+});
+after(() => page.close());
+
+test('equal runs give equal bytes', () => {
+  const again = made('again'), files = readdirSync(`${work}/first/data`);
+  assert.ok(files.length > 10);
+  for (const name of ['viewer.html', ...files.map((f) => `data/${f}`)]) {
+    assert.ok(readFileSync(`${work}/first/${name}`).equals(readFileSync(`${again}/${name}`)), name);
+  }
+});
+
+test('a single page holds all, with the verdicts that were given', async () => {
+  writeFileSync(`${work}/verdicts.json`, verdictsOf(infoOf(`${work}/first`).exam.sha256));
+  const folder = made('single', '--single', '--bits', '16', '--verdicts', `${work}/verdicts.json`);
+  assert.deepEqual(readdirSync(folder).sort(), ['verdicts.mrk.json', 'viewer.html']);
+  await open(folder);
+  await page.until(() => Boolean(window.viewer));
+  assert.deepEqual(page.errors, []);
+  assert.equal(await page.evaluate(() => document.querySelector('#entries .note').value), NOTE);
+  assert.equal(await page.evaluate(() => viewer.verdicts.findings[0].diameter), 6.5);
+  const [list] = JSON.parse(readFileSync(`${folder}/verdicts.mrk.json`, 'utf8')).markups;
+  assert.deepEqual(list.controlPoints.map((p) => p.label), ['candidate 1: polyp', 'finding F1']);
+  assert.deepEqual(list.controlPoints[1].position, [1, 2, 3]);
+});
+
+test('verdicts of another examination are refused, and the old page stays', () => {
+  const old = readFileSync(`${work}/single/viewer.html`);
+  writeFileSync(`${work}/other.json`, verdictsOf('0'.repeat(64)));
+  const { status, stderr } = make('single', '--single', '--verdicts', `${work}/other.json`);
+  assert.equal(status, 3);
+  assert.match(stderr, /of another examination/);
+  writeFileSync(`${work}/other.json`, '{"version": 1, "exam": 3}');
+  assert.equal(make('single', '--single', '--verdicts', `${work}/other.json`).status, 3);
+  assert.ok(readFileSync(`${work}/single/viewer.html`).equals(old));
+});
+
+test('an anonymous page names neither series nor folder', () => {
+  const info = infoOf(made('anonymous', '--anonymous'));
+  assert.deepEqual(info.exam.seriesUIDs, []);
+  assert.equal(info.title, 'Examination');
+  assert.equal(infoOf(`${work}/first`).exam.seriesUIDs.length, info.positions.length);
+  assert.equal(info.exam.sha256, infoOf(`${work}/first`).exam.sha256);
+});
+
+test('a truncated volume is told, and all else goes on', async () => {
+  const folder = broken('noVolume', '0-volume.js');
+  await open(folder);
+  await page.until(() => Boolean(window.viewer));
+  assert.match(await notices(), /The data "0\/volume" in data\/0-volume\.js is damaged.*go on without slices/);
+  await page.evaluate(async () => { viewer.stepEntry(1); viewer.nextVerdict(); await viewer.idle(); });
+  assert.ok(await page.evaluate(() => viewer.panels[0].flat.shown && viewer.verdicts.document().candidates[0].verdict === 'polyp'));
+});
+
+test('a truncated surface and a missing file are told', async () => {
+  await open(broken('noPoints', '0-points.js'));
+  assert.match(await notices(), /The data "0\/points" in data\/0-points\.js is damaged/);
+  const folder = broken('noFaces', '0-faces.js');
+  rmSync(`${folder}/data/0-faces.js`);
+  await open(folder);
+  assert.match(await notices(), /data\/0-faces\.js is missing beside this page/);
+});
+
+test('a browser without DecompressionStream is told which ones have it', async () => {
+  const { identifier } = await page.send('Page.addScriptToEvaluateOnNewDocument', { source: 'delete globalThis.DecompressionStream' });
+  await open(`${work}/first`);
+  assert.match(await notices(), /lacks DecompressionStream.*Firefox 113/);
+  await page.send('Page.removeScriptToEvaluateOnNewDocument', { identifier });
+});
+
+test('without WebGL 2 the views in the plane go on', async () => {
+  await page.close();
+  page = await launch({ width: 1280, height: 720, hasGl: false });
+  await open(`${work}/first`);
+  await page.until(() => Boolean(window.viewer));
+  assert.match(await notices(), /no WebGL 2/);
+  await page.evaluate(async () => { viewer.stepEntry(1); await viewer.idle(); });
+  const shown = await page.evaluate(() => viewer.panels[0].views.map((v) => Boolean(v.shown)));
+  assert.deepEqual(shown, [true, false, false, true, true, true]);
+  assert.deepEqual(page.errors, []);
+  assert.ok(!existsSync(`${work}/first/verdicts.mrk.json`));
+});

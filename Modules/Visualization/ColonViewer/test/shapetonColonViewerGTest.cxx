@@ -1,0 +1,56 @@
+#include "shapetonColonViewer.h"
+
+#include "shapetonExceptions.h"
+
+#include <gtest/gtest.h>
+
+namespace
+{
+using shapeton::ColonViewerOptions;
+using shapeton::WriteColonViewer;
+
+std::string
+AsItIs(const std::string & path)
+{
+  return path;
+}
+
+void
+Write(const ColonViewerOptions & options)
+{
+  WriteColonViewer(testing::TempDir() + "/no-examination", testing::TempDir(), options, AsItIs);
+}
+
+std::string
+FaultOf(const ColonViewerOptions & options)
+{
+  try
+  {
+    Write(options);
+  }
+  catch (const shapeton::InputError & error)
+  {
+    return error.what();
+  }
+  return "";
+}
+} // namespace
+
+TEST(ColonViewer, RefusesAnExaminationThatIsNotFinished)
+{
+  const std::string fault = FaultOf({});
+  EXPECT_NE(fault.find("no-examination"), std::string::npos) << fault;
+  EXPECT_NE(fault.find("let VirtualColonoscopy finish it"), std::string::npos) << fault;
+}
+
+TEST(ColonViewer, RefusesOptionsOutOfRange)
+{
+  ColonViewerOptions bits;
+  bits.bits = 12;
+  EXPECT_THROW(Write(bits), shapeton::ParameterError);
+  ColonViewerOptions near;
+  near.near = -1.0;
+  EXPECT_THROW(Write(near), shapeton::ParameterError);
+  near.near = 101.0;
+  EXPECT_THROW(Write(near), shapeton::ParameterError);
+}
