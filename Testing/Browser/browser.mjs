@@ -49,8 +49,10 @@ class Page {
   }
 
   note({ method, params }) {
-    if (method === 'Runtime.exceptionThrown') this.errors.push(params.exceptionDetails.exception?.description || params.exceptionDetails.text);
-    if (method === 'Runtime.consoleAPICalled' && params.type === 'error') this.errors.push(params.args.map((a) => a.value ?? a.description).join(' '));
+    const { exceptionDetails: thrown, args } = params;
+    if (method === 'Runtime.exceptionThrown') this.errors.push(thrown.exception?.description || thrown.text);
+    const isError = method === 'Runtime.consoleAPICalled' && params.type === 'error';
+    if (isError) this.errors.push(args.map((a) => a.value ?? a.description).join(' '));
     if (method === 'Network.requestWillBeSent') this.requests.push(params.request.url.slice(0, 200));
     if (method === 'Page.javascriptDialogOpening') {
       this.dialogs.push(params.type);
@@ -130,7 +132,8 @@ class Page {
 export async function launch({ width = 1600, height = 1000, downloads = null, hasGl = true } = {}) {
   const profile = mkdtempSync(join(tmpdir(), 'shapeton-browser-'));
   const flags = [...FLAGS, ...(hasGl ? SOFTWARE_GL : NO_GL), `--user-data-dir=${profile}`, `--window-size=${width},${height}`];
-  const child = spawn(process.env.CHROMIUM || 'chromium', [...flags, 'about:blank'], { stdio: ['ignore', 'ignore', 'ignore', 'pipe', 'pipe'] });
+  const stdio = ['ignore', 'ignore', 'ignore', 'pipe', 'pipe'];
+  const child = spawn(process.env.CHROMIUM || 'chromium', [...flags, 'about:blank'], { stdio });
   const pipe = new Pipe(child);
   const { targetId } = await pipe.send('Target.createTarget', { url: 'about:blank' });
   const { sessionId } = await pipe.send('Target.attachToTarget', { targetId, flatten: true });

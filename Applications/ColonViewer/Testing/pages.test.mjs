@@ -19,7 +19,10 @@ const made = (folder, ...options) => {
   assert.equal(status, 0, stderr);
   return `${work}/${folder}`;
 };
-const infoOf = (folder) => JSON.parse(readFileSync(`${folder}/data/info.js`, 'utf8').replace(/^block\("info",null,/, '').replace(/\);\n$/, ''));
+const infoOf = (folder) => {
+  const text = readFileSync(`${folder}/data/info.js`, 'utf8');
+  return JSON.parse(text.replace(/^block\("info",null,/, '').replace(/\);\n$/, ''));
+};
 const verdictsOf = (sha256) => JSON.stringify({
   version: 1, exam: { seriesUIDs: [], sha256 }, candidates: [{ id: '1', verdict: 'polyp', note: NOTE }],
   findings: [{ id: 'F1', position: 0, lps: [1, 2, 3], uv: [20, 10], diameter: 6.5, note: 'flat' }],

@@ -2,8 +2,8 @@ import { readBlock } from './bytes.mjs';
 import { clamp, cross, distance, dot, norm, sub, third, unit } from './math.mjs';
 import { normalOf, Tree } from './tree.mjs';
 
-export const segmentNames = ['', 'rectum', 'sigmoid', 'descending', 'transverse', 'ascending', 'caecum'];
-export const hindranceNames = ['', 'no lumen', 'cut by the scan', 'untagged fluid', 'calibre below 10 mm'];
+const segmentNames = ['', 'rectum', 'sigmoid', 'descending', 'transverse', 'ascending', 'caecum'];
+const hindranceNames = ['', 'no lumen', 'cut by the scan', 'untagged fluid', 'calibre below 10 mm'];
 const BRIDGED = 64; // and 128 for the cap of a pouch
 
 // The rest of v on a circle of length c, in [0, c).

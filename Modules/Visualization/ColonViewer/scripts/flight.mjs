@@ -33,7 +33,9 @@ export class Seen {
     while (this.queue.length && performance.now() < end) {
       const pose = this.queue[0];
       pose.inPicture ??= pictureOf(pose);
-      for (let i = 0; i < 200 && pose.at < pose.to; i++, pose.at++) if (!this.marks[pose.at] && this.sees(pose, pose.at)) this.mark(pose.at);
+      for (let i = 0; i < 200 && pose.at < pose.to; i++, pose.at++) {
+        if (!this.marks[pose.at] && this.sees(pose, pose.at)) this.mark(pose.at);
+      }
       if (pose.at >= pose.to) this.queue.shift();
     }
     return this.queue.length > 0;

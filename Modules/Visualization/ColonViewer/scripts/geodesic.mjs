@@ -51,7 +51,11 @@ export class SurfacePaths {
       if (face === to.face) offer(END, g + distance(place, to.wall), to.wall, previous);
       for (let k = 0; k < 3; k++) {
         const edge = this.edgeOf[3 * face + k];
-        if (edge !== own) PLACES.forEach((t, i) => { const p = this.at(edge, t); offer(3 * edge + i, g + distance(place, p), p, previous); });
+        if (edge === own) continue;
+        PLACES.forEach((t, i) => {
+          const p = this.at(edge, t);
+          offer(3 * edge + i, g + distance(place, p), p, previous);
+        });
       }
     };
     reach(from.face, from.wall, 0, null, -1);
@@ -69,7 +73,9 @@ export class SurfacePaths {
 
   trace(before, end) {
     const crossings = [];
-    for (let node = before.get(end); node !== null; node = before.get(node)) crossings.push({ edge: Math.floor(node / 3), t: PLACES[node % 3] });
+    for (let node = before.get(end); node !== null; node = before.get(node)) {
+      crossings.push({ edge: Math.floor(node / 3), t: PLACES[node % 3] });
+    }
     return crossings.reverse();
   }
 

@@ -1,5 +1,5 @@
 // The keys of the page: what is listed under `?` is what works. act: name of a method of the viewer, with what it is called with.
-export const keyList = [
+const keyList = [
   ['Flight', [
     ['ArrowUp', '↑', 'fly ahead 2 mm', 'fly', 2],
     ['ArrowDown', '↓', 'fly back 2 mm', 'fly', -2],
@@ -84,6 +84,7 @@ export function fillHelp(dialog) {
   const close = document.createElement('button');
   close.textContent = 'close';
   close.onclick = () => dialog.close();
-  dialog.append(close, ...keyList.map(([title, keys]) => table(title, keys.filter(([, name]) => name).map(([, name, text]) => [name, text]))));
+  dialog.append(close);
+  for (const [title, keys] of keyList) dialog.append(table(title, keys.map(([, name, text]) => [name, text]).filter(([name]) => name)));
   dialog.append(table('Mouse', MOUSE));
 }

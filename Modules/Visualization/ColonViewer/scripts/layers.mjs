@@ -14,13 +14,15 @@ export const layerList = [
 ];
 
 export const taeniaColours = [[230, 159, 0], [86, 180, 233], [204, 121, 167]];
-export const segmentColours = [[170, 170, 170], [204, 121, 167], [213, 94, 0], [240, 228, 66], [0, 158, 115], [86, 180, 233], [0, 114, 178]];
+export const segmentColours = [ // unknown, rectum, sigmoid, ...
+  [170, 170, 170], [204, 121, 167], [213, 94, 0], [240, 228, 66], [0, 158, 115], [86, 180, 233], [0, 114, 178],
+];
 export const flexureColour = [20, 20, 60];
 export const centrelineColour = [213, 94, 0];
 const FOLD = [0, 158, 115], HINDERED = [130, 130, 140], MADE_UP = [190, 190, 190], UNSEEN = [90, 60, 170], DOUBT = [40, 40, 110];
 
 // The colour and opacity that the layers give a face, or null; the later ones lie above.
-export function faceColour(exam, layers, face) {
+function faceColour(exam, layers, face) {
   const { trust, seen } = exam;
   if (exam.isSynthetic(face)) return [MADE_UP, 0.9];
   if (layers.unseen && seen && !seen.marks[face]) return [UNSEEN, 0.75];

@@ -28,8 +28,8 @@ export class Verdicts {
 
   // What the views show of an entry.
   markOf(entry) {
-    const chosen = entry === this.chosen, { candidate } = entry;
-    if (candidate) return { text: candidate.candidate, xyz: candidate.xyz, wall: candidate.place.xyz, uv: candidate.uv, diameter: candidate.diameter || 0, chosen };
+    const chosen = entry === this.chosen, { candidate: c } = entry;
+    if (c) return { text: c.candidate, xyz: c.xyz, wall: c.place.xyz, uv: c.uv, diameter: c.diameter || 0, chosen };
     return { text: entry.id, xyz: entry.lps, wall: entry.lps, uv: entry.uv, diameter: entry.diameter || 0, chosen };
   }
 
