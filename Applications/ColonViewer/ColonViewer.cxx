@@ -30,9 +30,8 @@ MakeViewer(CommandLine & commandLine)
     commandLine.MakeFolder(folder + "/data");
   }
   commandLine.Progress("Packing", 0.1);
-  shapeton::WriteColonViewer(commandLine.GetString("exam"), folder, options, [&](const std::string & path) {
-    return commandLine.Output(path);
-  });
+  shapeton::WriteColonViewer(
+    commandLine.GetString("exam"), folder, options, [&](const std::string & path) { return commandLine.Output(path); });
   commandLine.Warn("the page holds patient data: keep it where the examination is kept");
 }
 } // namespace

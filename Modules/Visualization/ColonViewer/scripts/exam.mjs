@@ -173,16 +173,37 @@ export class Exam {
     return this.wall.ray(eye, unit(d), norm(d) - 1.5, true) !== null;
   }
 
-  // From where on the centreline a point of the wall is seen best: free sight, about 25 mm away, looked at squarely.
+  // From where a point of the wall is seen best: {index of the centreline, eye}. On the centreline, where eye is null: free sight,
+  // about 25 mm away, looked at squarely. Where no point of it sees the place, such as behind a fold: before the wall there.
   viewpoint(place) {
-    const mid = this.centreAt(place.arc), n = normalOf(this.points, this.faces, place.face), reach = 45;
+    const mid = this.centreAt(place.arc), n = this.inward(place.face), reach = 60;
     let best = { score: -Infinity, index: mid };
     for (let i = Math.max(0, mid - reach); i <= Math.min(this.centre.length - 1, mid + reach); i += 3) {
       const c = this.centre[i], d = sub(place.xyz, c.xyz), l = norm(d);
-      const score = Math.abs(dot(d, n)) / (l || 1) - Math.abs(l - 25) / 25 - (this.hidden(c.xyz, place.wall) ? 4 : 0);
-      if (score > best.score) best = { score, index: i };
+      const score = Math.abs(dot(d, n)) / (l || 1) - Math.abs(l - 25) / 25;
+      if (score > best.score && !this.hidden(c.xyz, place.wall)) best = { score, index: i };
     }
-    return best.index;
+    return { index: best.index, eye: best.score > -Infinity ? null : this.before(place, n) };
+  }
+
+  // Half-way from a place to the wall on the other side, at most 15 mm.
+  before(place, n) {
+    const hit = this.wall.ray(place.wall.map((x, k) => x + 0.01 * n[k]), n, 30);
+    return place.wall.map((x, k) => x + (hit ? hit.t / 2 : 15) * n[k]);
+  }
+
+  // The normal of a face, into the lumen: all faces are turned alike, so that the centreline lies before most of them.
+  inward(face) {
+    if (!this.side) {
+      const { points: P, faces: F, centre } = this;
+      let sum = 0;
+      for (let f = 0; f < F.length / 3; f += 50) {
+        const p = third(P, F[3 * f]), c = centre[this.centreAt(this.arc[F[3 * f]])].xyz;
+        sum += Math.sign(dot(normalOf(P, F, f), sub(c, p)));
+      }
+      this.side = Math.sign(sum) || 1;
+    }
+    return normalOf(this.points, this.faces, face).map((x) => this.side * x);
   }
 
   // Millimetres along the axes of the image, from the middle of its first voxel; and back.

@@ -26,8 +26,7 @@ export class Panel {
     this.views = [this.flat, this.outside, this.inside, ...this.slices];
     this.active = this.flat;
     for (const view of this.views) view.canvas.addEventListener('pointerdown', () => { this.active = view; });
-    this.inside.index = exam.viewpoint(this.place);
-    this.inside.look = this.place.xyz;
+    this.inside.lookAt(this.place);
   }
 
   makeLines() {
@@ -73,7 +72,7 @@ export class Panel {
   follow(place, from = null) {
     this.place = place;
     if (from !== this.flat) this.flat.reveal(place);
-    if (from !== this.inside) Object.assign(this.inside, { index: this.exam.viewpoint(place), look: place.xyz, yaw: 0, pitch: 0 });
+    if (from !== this.inside) this.inside.lookAt(place);
     this.changed();
   }
 

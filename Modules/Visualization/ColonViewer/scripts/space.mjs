@@ -107,18 +107,24 @@ const STRETCH = 250; // mm along the colon, before and behind the eye, that can 
 export class EndoView extends SpaceView {
   constructor(root, panel) {
     super(root, 'inside', 'from the centreline', panel);
-    Object.assign(this, { index: 0, yaw: 0, pitch: 0, way: 1, look: null, fov: 2 });
+    Object.assign(this, { index: 0, eye: null, yaw: 0, pitch: 0, way: 1, look: null, fov: 2 });
   }
 
   get point() { return this.panel.exam.centre[this.index]; }
 
+  // Goes to where a place of the wall is seen best.
+  lookAt(place) {
+    Object.assign(this, this.panel.exam.viewpoint(place), { look: place.xyz, yaw: 0, pitch: 0 });
+    this.label.textContent = this.eye ? 'from beside the centreline' : 'from the centreline';
+  }
+
   camera() {
-    const c = this.point, right = cross(scaled(c.ahead, this.way), c.up), { cos, sin } = Math;
+    const c = this.point, eye = this.eye || c.xyz, right = cross(scaled(c.ahead, this.way), c.up), { cos, sin } = Math;
     const level = add(scaled(c.ahead, this.way * cos(this.yaw)), scaled(right, sin(this.yaw)));
     let ahead = unit(add(scaled(level, cos(this.pitch)), scaled(c.up, sin(this.pitch)))), { up } = c;
-    if (this.look) ahead = unit(sub(this.look, c.xyz));
+    if (this.look) ahead = unit(sub(this.look, eye));
     if (norm(cross(ahead, up)) < 0.2) up = unit(cross(ahead, right)); // looks along the upright
-    return { eye: c.xyz, at: add(c.xyz, ahead), up, fov: this.fov, near: 0.3, far: 600 };
+    return { eye, at: add(eye, ahead), up, fov: this.fov, near: 0.3, far: 600 };
   }
 
   isNear(p) { return distance(p, this.point.xyz) < REACH; }
@@ -132,7 +138,8 @@ export class EndoView extends SpaceView {
   // Flies to a point of the centreline.
   go(index) {
     this.index = clamp(index, 0, this.panel.exam.centre.length - 1);
-    this.look = null;
+    Object.assign(this, { look: null, eye: null });
+    this.label.textContent = 'from the centreline';
     this.panel.flown();
   }
 
@@ -151,7 +158,7 @@ export class EndoView extends SpaceView {
 
   // Yaw and pitch of the direction to the place that is looked at.
   straighten() {
-    const c = this.point, d = unit(sub(this.look, c.xyz)), ahead = scaled(c.ahead, this.way), right = cross(ahead, c.up);
+    const c = this.point, d = unit(sub(this.look, this.eye || c.xyz)), ahead = scaled(c.ahead, this.way), right = cross(ahead, c.up);
     const part = (a) => dot(d, a);
     this.yaw = Math.atan2(part(right), part(ahead));
     this.pitch = clamp(Math.asin(clamp(part(c.up), -1, 1)), -1.4, 1.4);

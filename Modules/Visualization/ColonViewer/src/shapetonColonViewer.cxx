@@ -94,8 +94,9 @@ Page(const PageBlocks & blocks, const std::string & title, bool isSingle)
 {
   std::string page = "<!doctype html>\n<html lang=\"en\">\n<meta charset=\"utf-8\">\n";
   // Even a mistake in a script could not send anything.
-  page += "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; script-src 'unsafe-inline' 'self' "
-          "file:; style-src 'unsafe-inline'; img-src data: blob:\">\n";
+  page +=
+    "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; script-src 'unsafe-inline' 'self' "
+    "file:; style-src 'unsafe-inline'; img-src data: blob:\">\n";
   page += "<title>" + title + "</title>\n<style>\n" + ViewerText(ViewerStyle) + "</style>\n<body>\n<script>\n";
   page += ViewerText(ViewerScript) + "</script>\n" + blocks.Inline();
   return page + "<script>startColonViewer(" + (isSingle ? "null" : "'data'") + ");</script>\n</body>\n</html>\n";

@@ -18,7 +18,8 @@ std::string
 Gzip(const std::string & bytes)
 {
   constexpr int gzipWindow = 15 + 16;
-  // Differences of voxels are small numbers at random, for which Z_FILTERED is made; level 6 takes three times as long for 1 %.
+  // Differences of voxels are small numbers at random, for which Z_FILTERED is made; level 6 takes three times as long
+  // for 1 %.
   z_stream stream{};
   if (deflateInit2(&stream, 4, Z_DEFLATED, gzipWindow, 9, Z_FILTERED) != Z_OK)
   {
@@ -78,9 +79,7 @@ ScriptText(const Json & value)
 }
 
 PageBlocks::PageBlocks(std::string folder, bool isSingle, OutputPath outputPath)
-  : m_Folder(std::move(folder))
-  , m_IsSingle(isSingle)
-  , m_OutputPath(std::move(outputPath))
+  : m_Folder(std::move(folder)), m_IsSingle(isSingle), m_OutputPath(std::move(outputPath))
 {}
 
 template <typename TValue>
@@ -133,7 +132,8 @@ PageBlocks::PutJson(const std::string & name, const Json & value)
 void
 PageBlocks::PutBytes(const std::string & name, const Json & header, const std::string & bytes)
 {
-  this->PutScript(name, "block(" + ScriptText(name) + "," + ScriptText(header) + ",\"" + Base64(Gzip(bytes)) + "\");\n");
+  this->PutScript(name,
+                  "block(" + ScriptText(name) + "," + ScriptText(header) + ",\"" + Base64(Gzip(bytes)) + "\");\n");
 }
 
 void

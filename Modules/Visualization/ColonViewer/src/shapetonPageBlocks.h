@@ -27,7 +27,10 @@ public:
 
   template <typename TValue>
   void
-  Put(const std::string & name, const std::vector<TValue> & values, std::size_t delta = 0, Json header = Json::object());
+  Put(const std::string &         name,
+      const std::vector<TValue> & values,
+      std::size_t                 delta = 0,
+      Json                        header = Json::object());
   /** Rows of reals as 16-bit whole numbers between the least and the greatest of their column; values that are not
    * finite become the least. */
   void

@@ -37,9 +37,7 @@ ValuesOf(const std::vector<SurfaceArray> & arrays, const std::string & name, con
 class PositionFolder
 {
 public:
-  explicit PositionFolder(std::string folder)
-    : m_Folder(std::move(folder))
-  {}
+  explicit PositionFolder(std::string folder) : m_Folder(std::move(folder)) {}
 
   std::string
   Required(const std::string & name) const
@@ -218,12 +216,10 @@ class FlatFaces
 {
 public:
   FlatFaces(const SurfaceMesh & mesh, const std::string & path)
-    : m_Mesh(mesh)
-    , m_Path(path)
-    , m_Order(mesh.NumberOfFaces())
+    : m_Mesh(mesh), m_Path(path), m_Order(mesh.NumberOfFaces())
   {
     const Eigen::MatrixXd arc = ValuesOf(mesh.pointArrays, "arcLength", path);
-    const auto & F = mesh.F;
+    const auto &          F = mesh.F;
     Eigen::VectorXd       place(F.rows());
     for (Eigen::Index face = 0; face < F.rows(); ++face)
     {
@@ -325,7 +321,11 @@ PutPoints(PageBlocks & blocks, const std::string & prefix, const SurfaceMesh & m
 
 /** Returns the points of the wall. */
 VertexMatrix
-PutWall(PageBlocks & blocks, const std::string & prefix, const std::string & folder, PositionFolder & files, Json & info)
+PutWall(PageBlocks &        blocks,
+        const std::string & prefix,
+        const std::string & folder,
+        PositionFolder &    files,
+        Json &              info)
 {
   const std::string path = files.Required("flattening/flat.vtp");
   const FlatColon   flat(ReadSurfaceFile(path).mesh, {}, '"' + path + '"');
@@ -355,17 +355,12 @@ PutVolume(PageBlocks &               blocks,
           const VertexMatrix &       wall,
           const ColonViewerOptions & options)
 {
-  const std::string  lumenPath = files.Required("segmentation/lumen.nrrd");
-  const bool         hasCt = files.Has("segmentation/cleansed.nrrd", "CT");
-  const Volume       lumen = ReadImageFile(lumenPath);
-  const Volume       volume = hasCt ? ReadImageFile(folder + "/segmentation/cleansed.nrrd") : lumen;
-  PutViewerVolume(blocks,
-                  prefix + "volume",
-                  *volume.image,
-                  *MaskForImage(lumen, lumenPath, volume.image),
-                  wall,
-                  hasCt,
-                  options);
+  const std::string lumenPath = files.Required("segmentation/lumen.nrrd");
+  const bool        hasCt = files.Has("segmentation/cleansed.nrrd", "CT");
+  const Volume      lumen = ReadImageFile(lumenPath);
+  const Volume      volume = hasCt ? ReadImageFile(folder + "/segmentation/cleansed.nrrd") : lumen;
+  PutViewerVolume(
+    blocks, prefix + "volume", *volume.image, *MaskForImage(lumen, lumenPath, volume.image), wall, hasCt, options);
 }
 } // namespace
 

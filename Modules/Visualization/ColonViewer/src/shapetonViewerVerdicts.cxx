@@ -43,7 +43,10 @@ AddCandidate(Markup & markup, const Json & verdict, const Json & positions)
     {
       if (IdOf(position, candidate) == id)
       {
-        Add(markup, PlaceOf({ candidate.at("x"), candidate.at("y"), candidate.at("z") }), "candidate " + id + ": " + verdict.at("verdict").get<std::string>(), verdict);
+        Add(markup,
+            PlaceOf({ candidate.at("x"), candidate.at("y"), candidate.at("z") }),
+            "candidate " + id + ": " + verdict.at("verdict").get<std::string>(),
+            verdict);
       }
     }
   }

@@ -43,7 +43,7 @@ QuantisationOf(bool isCt, int bits)
 VolumeType::RegionType
 BoxOf(const VolumeType & volume, const VertexMatrix & points)
 {
-  const auto whole = volume.GetLargestPossibleRegion();
+  const auto            whole = volume.GetLargestPossibleRegion();
   std::array<double, 3> least{ INFINITY, INFINITY, INFINITY };
   std::array<double, 3> most{ -INFINITY, -INFINITY, -INFINITY };
   for (Eigen::Index i = 0; i < points.rows(); ++i)
@@ -73,8 +73,7 @@ BoxOf(const VolumeType & volume, const VertexMatrix & points)
 class BlockGrid
 {
 public:
-  explicit BlockGrid(const VolumeType::SizeType & size)
-    : m_Size(size)
+  explicit BlockGrid(const VolumeType::SizeType & size) : m_Size(size)
   {
     for (int k = 0; k < 3; ++k)
     {

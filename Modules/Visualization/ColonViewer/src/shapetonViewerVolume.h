@@ -13,13 +13,13 @@ namespace shapeton
  * whose voxels are means; block `name`Coarse holds a byte for each of these: 1 where they are means, which are those
  * farther than `options.near` from the lumen. Without a CT the volume is a mask. */
 void
-PutViewerVolume(PageBlocks &                           blocks,
-                const std::string &                    name,
-                const itk::Image<float, 3> &           volume,
-                const itk::Image<unsigned char, 3> &   lumen,
-                const VertexMatrix &                   points,
-                bool                                   isCt,
-                const ColonViewerOptions &             options);
+PutViewerVolume(PageBlocks &                         blocks,
+                const std::string &                  name,
+                const itk::Image<float, 3> &         volume,
+                const itk::Image<unsigned char, 3> & lumen,
+                const VertexMatrix &                 points,
+                bool                                 isCt,
+                const ColonViewerOptions &           options);
 } // namespace shapeton
 
 #endif
