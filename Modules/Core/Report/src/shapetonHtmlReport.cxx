@@ -1,4 +1,5 @@
 #include "shapetonHtmlReport.h"
+#include "shapetonBase64Text.h"
 #include "shapetonFileBytes.h"
 #include "shapetonExceptions.h"
 #include "shapetonReadableText.h"
