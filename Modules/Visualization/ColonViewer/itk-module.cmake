@@ -12,7 +12,6 @@ itk_module(ColonViewer
     VolumeFiles
     SlicerMarkups
     FlatColon
-    PictureKit
     ColonViews
     ITKCommon
     ITKIOImageBase
