@@ -32,7 +32,6 @@ MakeViewer(CommandLine & commandLine)
   commandLine.Progress("Packing", 0.1);
   shapeton::WriteColonViewer(
     commandLine.GetString("exam"), folder, options, [&](const std::string & path) { return commandLine.Output(path); });
-  commandLine.Warn("the page holds patient data: keep it where the examination is kept");
 }
 } // namespace
 

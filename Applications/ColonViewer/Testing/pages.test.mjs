@@ -30,7 +30,7 @@ const verdictsOf = (sha256) => JSON.stringify({
 const open = async (folder) => {
   page.errors.length = 0;
   await page.open(`${folder}/viewer.html`);
-  await page.until(() => Boolean(window.viewer) || document.querySelector('#notices p'));
+  await page.until(() => Boolean(window.viewer) || document.body.classList.contains('failed'));
 };
 const notices = () => page.evaluate(() => document.getElementById('notices').textContent);
 const broken = (name, file) => {

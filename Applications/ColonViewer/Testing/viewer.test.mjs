@@ -17,7 +17,7 @@ before(async () => {
   page = await launch({ downloads });
   const started = Date.now();
   await page.open(`${folder}/viewer.html`);
-  await page.until(() => Boolean(window.viewer) || document.querySelector('#notices p'), 120000);
+  await page.until(() => Boolean(window.viewer) || document.body.classList.contains('failed'), 120000);
   await idle();
   figures.load = Date.now() - started;
 });

@@ -7,22 +7,24 @@ const SWEEPS = 300;
 // edge (Lanthier et al. 2001), then the crossings slide along their edges until each triangle pair is passed straight.
 export class SurfacePaths {
   constructor({ points, faces, source }) {
-    Object.assign(this, { points, faces });
-    this.edgeOf = new Int32Array(faces.length); // of the corner and the next one
-    this.ends = [];                             // two points for each edge
-    this.facesOf = [];                          // one or two for each edge
-    const known = new Map(), n = points.length / 3;
-    for (let i = 0; i < faces.length; i++) {
-      const a = faces[i], b = faces[i % 3 === 2 ? i - 2 : i + 1], p = source[a], q = source[b];
-      const key = Math.min(p, q) * n + Math.max(p, q);
-      let edge = known.get(key);
-      if (edge === undefined) {
-        known.set(key, (edge = this.facesOf.length));
-        this.ends.push(p < q ? a : b, p < q ? b : a);
-        this.facesOf.push([]);
+    const n = faces.length;
+    Object.assign(this, { points, faces, edgeOf: new Int32Array(n) }); // of the corner and the next one
+    this.ends = new Uint32Array(2 * n);             // two points for each edge
+    this.sides = new Int32Array(2 * n).fill(-1);    // one or two faces for each edge
+    const head = new Int32Array(points.length / 3).fill(-1), next = new Int32Array(n); // chains of the edges of a point
+    let count = 0;
+    for (let i = 0; i < n; i++) {
+      const a = faces[i], b = faces[i % 3 === 2 ? i - 2 : i + 1], isUp = source[a] < source[b], [lo, hi] = isUp ? [a, b] : [b, a];
+      let edge = head[source[lo]];
+      while (edge >= 0 && source[this.ends[2 * edge + 1]] !== source[hi]) edge = next[edge];
+      if (edge < 0) {
+        edge = count++;
+        next[edge] = head[source[lo]];
+        head[source[lo]] = edge;
+        this.ends.set([lo, hi], 2 * edge);
       }
       this.edgeOf[i] = edge;
-      this.facesOf[edge].push((i / 3) | 0);
+      this.sides[2 * edge + (this.sides[2 * edge] < 0 ? 0 : 1)] = (i / 3) | 0;
     }
   }
 
@@ -66,7 +68,8 @@ export class SurfacePaths {
       if (node === END) return this.trace(before, END);
       const g = best.get(node), edge = Math.floor(node / 3);
       if (g > limit) return null;
-      for (const face of this.facesOf[edge]) reach(face, this.at(edge, PLACES[node % 3]), g, node, edge);
+      const place = this.at(edge, PLACES[node % 3]);
+      for (const face of this.sides.subarray(2 * edge, 2 * edge + 2)) if (face >= 0) reach(face, place, g, node, edge);
     }
     return null;
   }

@@ -48,6 +48,12 @@ function notice(text) {
   $('notices').append(p);
 }
 
+// Why nothing can be shown at all.
+function refuse(text) {
+  document.body.classList.add('failed');
+  notice(text);
+}
+
 // Panels of one or two positions, linked by the registration, and what acts on them.
 class Viewer {
   constructor(info, exams, maps, painter) {
@@ -215,14 +221,14 @@ class Viewer {
     other.root.classList.toggle('dim', this.trust === null || this.trust < DOUBTFUL);
   }
 
-  // Works on what the eye has seen, a little after each picture.
+  // Works on what the eye has seen: a little at a time, less while flying, so that pictures come first.
   lookAround(seen) {
     if (seen.isBusy) return;
     seen.isBusy = true;
     const work = () => {
       const isMore = seen.work(12);
+      if (isMore) { setTimeout(work, this.isFlying ? 60 : 0); return; }
       this.told();
-      if (isMore) { setTimeout(work); return; }
       seen.isBusy = false;
       if (this.layers.unseen) this.repaint();
     };
@@ -250,6 +256,7 @@ class Viewer {
       const started = performance.now();
       try {
         await exam.loadVolume(folder, `${k}/`);
+        if (!exam.volume.isCt) this.panels[k].setWindow([1, 0.5]);
       } catch (error) {
         this.panels[k].volumeText = 'The volume cannot be shown.';
         notice(`${error.message} Flat wall and wall in space go on without slices.`);
@@ -301,13 +308,13 @@ async function open(folder) {
 export async function startColonViewer(folder) {
   document.body.innerHTML = PAGE;
   if (typeof DecompressionStream === 'undefined') {
-    notice('This browser cannot unpack the data (it lacks DecompressionStream): take Firefox 113, Chrome 80, Safari 16.4 or newer.');
+    refuse('This browser cannot unpack the data (it lacks DecompressionStream): take Firefox 113, Chrome 80, Safari 16.4 or newer.');
     return;
   }
   try {
     await open(folder);
   } catch (error) {
-    notice(error.message);
+    refuse(error.message);
     throw error;
   }
 }
