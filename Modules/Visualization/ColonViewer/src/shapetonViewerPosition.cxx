@@ -6,6 +6,7 @@
 #include "shapetonFlatColon.h"
 #include "shapetonFlatColonStrip.h"
 #include "shapetonImageFile.h"
+#include "shapetonPicture.h"
 #include "shapetonSurfaceReader.h"
 #include "shapetonViewerVolume.h"
 
