@@ -5,6 +5,7 @@ itk_module(ColonoscopyRun
   ENABLE_SHARED
   EXCLUDE_FROM_DEFAULT
   PRIVATE_DEPENDS
+    HaustralFolds
     Base
     Report
     SurfaceMesh
@@ -20,8 +21,6 @@ itk_module(ColonoscopyRun
     StagedRun
     ColonTools
     ITKCommon
-    ITKIOImageBase
-    ITKIONRRD
   TEST_DEPENDS
     Base
     Report

@@ -12,10 +12,10 @@ itk_module(ColonViewer
     VolumeFiles
     SlicerMarkups
     FlatColon
+    HaustralFolds
+    ColonLandmarks
     ColonViews
     ITKCommon
-    ITKIOImageBase
-    ITKIONRRD
     ITKZLIB
   TEST_DEPENDS
     ITKGoogleTest

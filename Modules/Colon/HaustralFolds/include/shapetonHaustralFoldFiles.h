@@ -54,6 +54,11 @@ WriteFoldLabels(const HaustralFolds &  folds,
                 const FlatColonGrid &  grid,
                 const std::string &    path,
                 const VolumeMetadata & metadata = {});
+
+/** Reads what WriteFoldLabels() has written. Throws InputError that names the file and the fault.
+ * \ingroup HaustralFolds */
+HaustralFolds_EXPORT itk::Image<unsigned short, 2>::Pointer
+                     ReadFoldLabels(const std::string & path);
 ///@}
 } // namespace shapeton
 

@@ -176,4 +176,22 @@ WriteFoldLabels(const HaustralFolds &  folds,
     throw OutputError(path + ": cannot be written: " + failure.GetDescription());
   }
 }
+
+itk::Image<unsigned short, 2>::Pointer
+ReadFoldLabels(const std::string & path)
+{
+  const auto reader = itk::ImageFileReader<LabelImage>::New();
+  reader->SetImageIO(itk::NrrdImageIO::New());
+  reader->SetFileName(path);
+  try
+  {
+    reader->Update();
+  }
+  catch (const itk::ExceptionObject & error)
+  {
+    throw InputError("\"" + path + "\" cannot be read (" + error.GetDescription() +
+                     "); remove it and run VirtualColonoscopy again");
+  }
+  return reader->GetOutput();
+}
 } // namespace shapeton

@@ -1,13 +1,12 @@
 #include "shapetonColonoscopyResults.h"
 
+#include "shapetonHaustralFoldFiles.h"
 #include "shapetonRegistrationFiles.h"
 #include "shapetonPolypSearch.h"
 #include "shapetonSurfaceReader.h"
 #include "shapetonExceptions.h"
 #include "shapetonImageFile.h"
 
-#include "itkImageFileReader.h"
-#include "itkNrrdImageIO.h"
 #include "shapetonJson.h"
 
 #include <algorithm>
@@ -41,23 +40,6 @@ private:
   std::string                m_Folder;
   const ColonoscopyResults & m_Results;
 };
-
-itk::Image<unsigned short, 2>::Pointer
-ReadLabels(const std::string & path)
-{
-  auto reader = itk::ImageFileReader<itk::Image<unsigned short, 2>>::New();
-  reader->SetImageIO(itk::NrrdImageIO::New());
-  reader->SetFileName(path);
-  try
-  {
-    reader->Update();
-  }
-  catch (const itk::ExceptionObject & error)
-  {
-    throw InputError("\"" + path + "\" cannot be read (" + error.GetDescription() + "); remove it and run again");
-  }
-  return reader->GetOutput();
-}
 
 /** The centres (kind 0) among the feature points. */
 std::vector<ColonoscopyFold>
@@ -144,7 +126,7 @@ ReadColonoscopyResults(const std::string & folder, const std::vector<StageResult
   files.Read(names::landmarks, "taeniae.vtp", curves(results.taeniae));
   files.Read(names::landmarks, "flexures.vtp", curves(results.flexures));
   files.Read(names::landmarks, "segments.vtp", surface(results.labelled));
-  files.Read(names::folds, "labels.nrrd", [&](const std::string & path) { results.foldLabels = ReadLabels(path); });
+  files.Read(names::folds, "labels.nrrd", [&](const std::string & path) { results.foldLabels = ReadFoldLabels(path); });
   files.Read(names::folds, "features.vtp", curves(results.features));
   if (!results.landmarks.is_null())
   {

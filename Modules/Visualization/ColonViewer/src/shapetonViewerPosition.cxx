@@ -1,17 +1,16 @@
 #include "shapetonViewerPosition.h"
 
+#include "shapetonColonFlexures.h"
 #include "shapetonCsvFile.h"
 #include "shapetonCurveSet.h"
 #include "shapetonExceptions.h"
 #include "shapetonFlatColon.h"
 #include "shapetonFlatColonStrip.h"
+#include "shapetonHaustralFoldFiles.h"
 #include "shapetonImageFile.h"
 #include "shapetonPicture.h"
 #include "shapetonSurfaceReader.h"
 #include "shapetonViewerVolume.h"
-
-#include "itkImageFileReader.h"
-#include "itkNrrdImageIO.h"
 
 #include <cmath>
 #include <filesystem>
@@ -109,15 +108,13 @@ Taeniae(const std::string & path)
 Json
 Flexures(const std::string & path)
 {
-  static const char * const names[] = { "", "rectosigmoid", "descending-sigmoid", "splenic", "hepatic" };
-  const CurveSet            curves = ReadCurves(path);
-  const Eigen::MatrixXd     numbers = ValuesOf(curves.cellArrays, "flexure", path);
-  const Eigen::MatrixXd     confidence = ValuesOf(curves.cellArrays, "confidence", path);
-  Json                      flexures = Json::array();
+  const CurveSet        curves = ReadCurves(path);
+  const Eigen::MatrixXd numbers = ValuesOf(curves.cellArrays, "flexure", path);
+  const Eigen::MatrixXd confidence = ValuesOf(curves.cellArrays, "confidence", path);
+  Json                  flexures = Json::array();
   for (std::size_t curve = 0; curve < curves.curves.size(); ++curve)
   {
-    const int number = std::clamp(static_cast<int>(numbers(curve, 0)), 0, 4);
-    flexures.push_back({ { "name", names[number] },
+    flexures.push_back({ { "name", NameOfFlexure(static_cast<int>(numbers(curve, 0))) },
                          { "confidence", Hundredths(confidence(curve, 0)) },
                          { "xyz", PlacesOf(curves, curve) } });
   }
@@ -181,23 +178,6 @@ PutRelief(PageBlocks & blocks, const std::string & prefix, const FlatColon & fla
            { "u", first.x() },
            { "v", first.y() },
            { "vSign", grid.IsMirrored() ? -1 : 1 } };
-}
-
-LabelImage::Pointer
-ReadFoldLabels(const std::string & path)
-{
-  auto reader = itk::ImageFileReader<LabelImage>::New();
-  reader->SetImageIO(itk::NrrdImageIO::New());
-  reader->SetFileName(path);
-  try
-  {
-    reader->Update();
-  }
-  catch (const itk::ExceptionObject &)
-  {
-    throw InputError("the labels of folds \"" + path + "\" cannot be read; run VirtualColonoscopy again");
-  }
-  return reader->GetOutput();
 }
 
 /** The fold at a place of the map; v is taken modulo the circumference. */
