@@ -35,6 +35,7 @@ set(Shapeton_MODULES
   Bridge/VTKData
   Bridge/ColonFilters
   Visualization/PictureKit
+  Visualization/PageKit
   Visualization/HeatViews
   Visualization/SurfaceViews
   Visualization/ColonViews

@@ -1,5 +1,6 @@
 // Lint of the scripts of pages and their tests: lint-page-scripts.mjs FOLDER... Prints each fault with file and line; status 1 where
-// there is one. The modules of a folder `scripts` are joined to one script, so names at their top level have to differ.
+// there is one. The modules of a folder `scripts` are joined to one script with those that they import, so names at
+// their top level have to differ.
 import { spawnSync } from 'node:child_process';
 import { readdirSync, readFileSync } from 'node:fs';
 import { basename, dirname, join } from 'node:path';
@@ -71,6 +72,16 @@ function checkJoined(modules, all) {
   }
 }
 
+// The modules of a folder and all that they import.
+function joinedWith(folder) {
+  const files = new Set(modules.map(({ file }) => file).filter((file) => dirname(file) === folder));
+  for (const file of files) { // grows while it is walked
+    const { text } = modules.find((m) => m.file === file);
+    for (const [, from] of text.matchAll(/^import [^;]* from '(\.[^']*)'/gm)) files.add(join(dirname(file), from));
+  }
+  return modules.filter(({ file }) => files.has(file));
+}
+
 const modules = process.argv.slice(2).flatMap(scriptsIn).map((file) => ({ file, text: readFileSync(file, 'utf8') }));
 for (const { file, text } of modules) {
   const lines = text.split('\n'), { status, stderr } = spawnSync(process.execPath, ['--check', file], { encoding: 'utf8' });
@@ -80,7 +91,7 @@ for (const { file, text } of modules) {
   checkImports(file, text);
 }
 for (const folder of new Set(modules.map(({ file }) => dirname(file)))) {
-  if (basename(folder) === 'scripts') checkJoined(modules.filter(({ file }) => dirname(file) === folder), modules);
+  if (basename(folder) === 'scripts') checkJoined(joinedWith(folder), modules);
 }
 console.log(faults.length ? faults.join('\n') : `${modules.length} scripts are clean`);
 process.exitCode = faults.length || modules.length === 0 ? 1 : 0;

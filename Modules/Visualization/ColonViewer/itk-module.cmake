@@ -15,8 +15,8 @@ itk_module(ColonViewer
     HaustralFolds
     ColonLandmarks
     ColonViews
+    PageKit
     ITKCommon
-    ITKZLIB
   TEST_DEPENDS
     ITKGoogleTest
   DESCRIPTION "${DOCUMENTATION}"

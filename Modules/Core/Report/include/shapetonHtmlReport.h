@@ -15,6 +15,16 @@ namespace shapeton
  * \ingroup Report */
 using OutputPath = std::function<std::string(const std::string &)>;
 
+/** The text that shapeton_join_scripts() of CMake makes from the scripts or styles of a page: literals, ended by
+ * nullptr. \ingroup Report */
+Report_EXPORT std::string
+              PageText(const char * const pieces[]);
+
+/** The style sheet that all pages share; one with the class `dark` at its root is dark.
+ * \ingroup Report */
+Report_EXPORT std::string
+              PageStyle();
+
 /** \class HtmlReport
  * \brief One HTML file that opens without a network or other files: styles and pictures are inside it.
  *

@@ -1,5 +1,5 @@
-import { readBlock } from './bytes.mjs';
-import { clamp, cross, distance, dot, norm, sub, third, unit } from './math.mjs';
+import { readBlock } from '../../PageKit/scripts/bytes.mjs';
+import { clamp, cross, distance, dot, norm, sub, third, unit } from '../../PageKit/scripts/math.mjs';
 import { normalOf, Tree } from './tree.mjs';
 
 const segmentNames = ['', 'rectum', 'sigmoid', 'descending', 'transverse', 'ascending', 'caecum'];

@@ -1,6 +1,6 @@
-import { clamp } from './math.mjs';
+import { clamp } from '../../PageKit/scripts/math.mjs';
 import { paintFlat, segmentColours, taeniaColours } from './layers.mjs';
-import { View } from './view.mjs';
+import { View } from '../../PageKit/scripts/view.mjs';
 
 const OVERVIEW = 34; // pixels of the strip above that shows all of the colon
 

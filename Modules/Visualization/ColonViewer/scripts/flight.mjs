@@ -1,4 +1,4 @@
-import { axesOf, cross, distance, dot, norm, sub, third, unit } from './math.mjs';
+import { axesOf, cross, distance, dot, norm, sub, third, unit } from '../../PageKit/scripts/math.mjs';
 
 const SIGHT = 200;    // mm; wall that is farther is not seen well
 const AROUND = 250;  // mm along the colon, before and behind the eye

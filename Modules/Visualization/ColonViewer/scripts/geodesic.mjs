@@ -1,4 +1,4 @@
-import { distance, dot, sub, third } from './math.mjs';
+import { distance, dot, sub, third } from '../../PageKit/scripts/math.mjs';
 
 const PLACES = [1 / 6, 1 / 2, 5 / 6]; // on each edge, through which a first path may go
 const SWEEPS = 300;

@@ -1,4 +1,4 @@
-import { cross, dot, matricesOf, norm, sub, unit } from './math.mjs';
+import { cross, dot, matricesOf, norm, sub, unit } from '../../PageKit/scripts/math.mjs';
 
 const VERTEX = `
 in vec3 position; in vec4 normal, colour;

@@ -1,4 +1,4 @@
-import { distance, sub } from './math.mjs';
+import { distance, sub } from '../../PageKit/scripts/math.mjs';
 import { centrelineColour, flexureColour, paintWall, taeniaColours } from './layers.mjs';
 import { EndoView, OutsideView } from './space.mjs';
 import { FlatView } from './flat.mjs';
@@ -25,7 +25,10 @@ export class Panel {
     this.slices = [2, 1, 0].map((plane) => new SliceView(row, this, plane));
     this.views = [this.flat, this.outside, this.inside, ...this.slices];
     this.active = this.flat;
-    for (const view of this.views) view.canvas.addEventListener('pointerdown', () => { this.active = view; });
+    for (const view of this.views) {
+      view.clicked = () => this.clicked();
+      view.canvas.addEventListener('pointerdown', () => { this.active = view; });
+    }
     this.inside.lookAt(this.place);
   }
 

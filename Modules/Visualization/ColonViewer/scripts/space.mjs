@@ -1,5 +1,5 @@
-import { add, axesOf, clamp, cross, distance, dot, norm, project, rayThrough, scaled, sub, unit } from './math.mjs';
-import { View } from './view.mjs';
+import { add, axesOf, clamp, cross, distance, dot, norm, project, rayThrough, scaled, sub, unit } from '../../PageKit/scripts/math.mjs';
+import { View } from '../../PageKit/scripts/view.mjs';
 
 // What the two views in space share: picking, candidates, crosshair.
 class SpaceView extends View {

@@ -1,4 +1,4 @@
-import { readBlock } from './bytes.mjs';
+import { readBlock } from '../../PageKit/scripts/bytes.mjs';
 import { Exam } from './exam.mjs';
 import { Seen } from './flight.mjs';
 import { SurfacePaths } from './geodesic.mjs';
@@ -7,7 +7,7 @@ import { layerList } from './layers.mjs';
 import { Painter } from './painter.mjs';
 import { Panel } from './panel.mjs';
 import { Verdicts } from './verdicts.mjs';
-import { scaleViews, View } from './view.mjs';
+import { scaleViews, View } from '../../PageKit/scripts/view.mjs';
 
 const DOUBTFUL = 0.3; // below this confidence of the map the other position is dimmed
 const EXCLUDED = 255;   // in `trust`: not seen in one of the positions

@@ -2,16 +2,19 @@
 
 #include "shapetonExceptions.h"
 #include "shapetonFileBytes.h"
-#include "shapetonPageBlocks.h"
+#include "shapetonHtmlReport.h"
+#include "shapetonScriptPage.h"
 #include "shapetonSha256.h"
 #include "shapetonViewerPosition.h"
-#include "shapetonViewerScript.h"
 #include "shapetonViewerVerdicts.h"
 
 #include <filesystem>
 
 namespace shapeton
 {
+extern const char * const ViewerScript[];
+extern const char * const ViewerStyle[];
+
 namespace
 {
 bool
@@ -88,19 +91,6 @@ PutMaps(PageBlocks & blocks, const std::string & exam)
   PutViewerMap(blocks, "1/", registration + "prone-to-supine.vtp");
   return true;
 }
-
-std::string
-Page(const PageBlocks & blocks, const std::string & title, bool isSingle)
-{
-  std::string page = "<!doctype html>\n<html lang=\"en\">\n<meta charset=\"utf-8\">\n";
-  // Even a mistake in a script could not send anything.
-  page +=
-    "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; script-src 'unsafe-inline' 'self' "
-    "file:; style-src 'unsafe-inline'; img-src data: blob:\">\n";
-  page += "<title>" + title + "</title>\n<style>\n" + ViewerText(ViewerStyle) + "</style>\n<body>\n<script>\n";
-  page += ViewerText(ViewerScript) + "</script>\n" + blocks.Inline();
-  return page + "<script>startColonViewer(" + (isSingle ? "null" : "'data'") + ");</script>\n</body>\n</html>\n";
-}
 } // namespace
 
 void
@@ -129,6 +119,10 @@ WriteColonViewer(const std::string &        exam,
   }
   info["positions"] = std::move(positions);
   blocks.PutJson("info", info);
-  WriteFileBytes(outputPath(folder + "/viewer.html"), Page(blocks, "Colon viewer", options.isSingle));
+  const ScriptPage page{ "Colon viewer",
+                         PageText(ViewerStyle),
+                         PageText(ViewerScript),
+                         std::string("startColonViewer(") + (options.isSingle ? "null" : "'data'") + ");" };
+  WriteFileBytes(outputPath(folder + "/viewer.html"), TextOf(page, blocks));
 }
 } // namespace shapeton

@@ -3,7 +3,7 @@ import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { Seen } from '../scripts/flight.mjs';
 import { SurfacePaths } from '../scripts/geodesic.mjs';
-import { project, rayThrough } from '../scripts/math.mjs';
+import { project, rayThrough } from '../../PageKit/scripts/math.mjs';
 import { nearestAxes } from '../scripts/slice.mjs';
 import { Tree } from '../scripts/tree.mjs';
 

@@ -62,7 +62,7 @@ export async function readBlock(folder, name) {
   if (!blocks.has(name) && folder !== null) await loadScript(file);
   const found = blocks.get(name);
   blocks.delete(name);
-  const damaged = (why) => new Error(`The data "${name}" in ${file} is damaged (${why}): make the page again with ColonViewer.`);
+  const damaged = (why) => new Error(`The data "${name}" in ${file} is damaged (${why}): make the page again.`);
   if (!found) throw damaged('truncated');
   if (!found.header) return found.body;
   try {

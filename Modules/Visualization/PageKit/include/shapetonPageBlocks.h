@@ -1,6 +1,7 @@
 #ifndef shapetonPageBlocks_h
 #define shapetonPageBlocks_h
 
+#include "PageKitExport.h"
 #include "shapetonHtmlReport.h"
 #include "shapetonJson.h"
 #include "shapetonSurfaceMesh.h"
@@ -11,16 +12,19 @@
 
 namespace shapeton
 {
-/** JSON that may stand within a script element: no "<". */
-std::string
-ScriptText(const Json & value);
+/** JSON that may stand within a script element: no "<".
+ * \ingroup PageKit */
+PageKit_EXPORT std::string
+               ScriptText(const Json & value);
 
 /** \class PageBlocks
  * \brief Arrays as scripts that a page from file:// can load: block(name, {header}, "base64 of gzip").
  *
  * A page from file:// may load scripts beside it, but may not fetch files. Values are stored as differences to the
- * value `delta` places before, modulo 2^n, which compresses better. In a single page the scripts are part of it. */
-class PageBlocks
+ * value `delta` places before, modulo 2^n, which compresses better. In a single page the scripts are part of it.
+ *
+ * \ingroup PageKit */
+class PageKit_EXPORT PageBlocks
 {
 public:
   PageBlocks(std::string folder, bool isSingle, OutputPath outputPath);

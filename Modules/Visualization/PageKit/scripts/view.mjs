@@ -38,7 +38,7 @@ export class View {
     });
     c.addEventListener('pointerup', (e) => {
       const { x, y } = at(e);
-      if (down && !down.moved && down.button === 0 && this.pick(x, y)) this.panel.clicked();
+      if (down && !down.moved && down.button === 0 && this.pick(x, y)) this.clicked();
       down = null;
     });
     c.addEventListener('pointercancel', () => { down = null; });
@@ -51,6 +51,7 @@ export class View {
   drag() {}
   wheel() {}
   pick() { return false; } // moves the crosshair to a pixel; false where nothing is
+  clicked() {}             // after a click that has moved the crosshair
 
   // Paints once before the next frame.
   changed() {

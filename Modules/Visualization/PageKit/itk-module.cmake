@@ -1,0 +1,15 @@
+set(DOCUMENTATION "Pages with scripts that open from a file: data blocks, the page around them, and scripts that pages share.")
+
+itk_module(PageKit
+  ENABLE_SHARED
+  EXCLUDE_FROM_DEFAULT
+  DEPENDS
+    Report
+    SurfaceMesh
+  PRIVATE_DEPENDS
+    Base
+    ITKZLIB
+  TEST_DEPENDS
+    ITKGoogleTest
+  DESCRIPTION "${DOCUMENTATION}"
+)
