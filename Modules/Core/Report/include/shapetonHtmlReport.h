@@ -53,6 +53,9 @@ public:
   AddHeading(const std::string & text);
   void
   AddParagraph(const std::string & text);
+  /** A paragraph that leads to another page, named relative to this one. */
+  void
+  AddLink(const std::string & path, const std::string & text);
   /** A box for what a reader must not miss, for example a warning. */
   void
   AddNote(const std::string & text);

@@ -191,6 +191,12 @@ HtmlReport::AddParagraph(const std::string & text)
 }
 
 void
+HtmlReport::AddLink(const std::string & path, const std::string & text)
+{
+  m_Body += "<nav><a href=\"" + Escaped(path) + "\">" + Escaped(text) + "</a></nav>\n";
+}
+
+void
 HtmlReport::AddNote(const std::string & text)
 {
   m_Body += "<p class=\"note\">" + Escaped(ReadableText(text)) + "</p>\n";

@@ -176,12 +176,13 @@ TEST(HtmlReport, TextIsNeverMarkup)
   shapeton::HtmlReport report(text);
   report.AddHeading(text);
   report.AddParagraph(text);
+  report.AddLink(text, text);
   report.AddNote(text);
   report.AddPicture(folder / "p.png", text);
   report.AddTable(table, text);
   report.AddFacts({ { text, text } });
   const Page page = Written(report);
-  for (const std::string tag : { "title", "h1", "h2", "p", "figcaption", "caption", "th", "td" })
+  for (const std::string tag : { "title", "h1", "h2", "a", "p", "figcaption", "caption", "th", "td" })
   {
     const auto texts = page.TextsOf(tag);
     EXPECT_FALSE(texts.empty());

@@ -147,6 +147,11 @@ WriteColonoscopyReport(const ColonoscopyReportContent & content,
   HtmlReport                 html("Virtual colonoscopy");
   PagePictures               pictures(html, scratchFolder);
   html.AddHead(SummaryOf(content), content.warnings);
+  if (results.IsDone(colonoscopystage::viewer))
+  {
+    html.AddLink("viewer/viewer.html",
+                 "Read this examination: flat wall, wall in space, view from inside and slices with one crosshair");
+  }
   if (!results.centreline.curves.empty())
   {
     AddDistension(html, pictures, results);

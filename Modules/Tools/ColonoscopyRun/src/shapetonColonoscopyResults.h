@@ -31,6 +31,7 @@ constexpr const char * landmarks = "landmarks";
 constexpr const char * folds = "folds";
 constexpr const char * registration = "registration";
 constexpr const char * polyps = "polyps";
+constexpr const char * viewer = "viewer";
 } // namespace colonoscopystage
 
 /** A fold by its centre. \ingroup ColonoscopyRun */

@@ -42,6 +42,18 @@ RequireApart(const std::string & input, const std::string & output)
 /** Options of the registration, which change nothing that is told of one series alone. */
 const std::vector<std::string> optionsOfPair{ "matching", "refine", "segmentWise", "evaluate" };
 
+/** What comes last where it is asked for. */
+std::vector<ColonoscopyStage>
+LastStages(const CommandLine & commandLine)
+{
+  std::vector<ColonoscopyStage> stages;
+  if (commandLine.GetFlag("viewer"))
+  {
+    stages.push_back(StageOfViewer(commandLine));
+  }
+  return stages;
+}
+
 /** The stages of one series in its folder. */
 class SeriesRun
 {
@@ -193,9 +205,10 @@ ThrowFailure(int status, const std::string & failure)
 void
 RunOne(CommandLine & commandLine, SeriesRun & only)
 {
-  if (only.Run(StagesOfSeries(commandLine, ColonoscopySeries::First), 0.0, 0.9))
+  if (only.Run(StagesOfSeries(commandLine, ColonoscopySeries::First), 0.0, 0.9) &&
+      only.Run({ StageOfPolyps(commandLine, ColonoscopySeries::First) }, 0.86, 0.07))
   {
-    only.Run({ StageOfPolyps(commandLine, ColonoscopySeries::First) }, 0.86, 0.07);
+    only.Run(LastStages(commandLine), 0.93, 0.02);
   }
   Present(commandLine, only.Presentation());
   if (only.Status() != 0)
@@ -212,14 +225,16 @@ RunTwo(CommandLine & commandLine, SeriesRun & first, SeriesRun & second)
   const bool       hasFirst = first.Run(StagesOfSeries(commandLine, ColonoscopySeries::First), 0.0, share);
   if (hasFirst && second.Run(StagesOfSeries(commandLine, ColonoscopySeries::Second), share, share) &&
       first.Run({ StageOfRegistration(commandLine) }, 2.0 * share, 0.06) &&
-      second.Run({ StageOfPolyps(commandLine, ColonoscopySeries::Second) }, 0.86, 0.03))
+      second.Run({ StageOfPolyps(commandLine, ColonoscopySeries::Second) }, 0.86, 0.03) &&
+      first.Run({ StageOfPolyps(commandLine, ColonoscopySeries::First) }, 0.89, 0.03))
   {
-    first.Run({ StageOfPolyps(commandLine, ColonoscopySeries::First) }, 0.89, 0.03);
+    first.Run(LastStages(commandLine), 0.92, 0.03);
   }
   if (hasFirst)
   {
     ColonoscopyPresentation presentation = second.Presentation();
     LeaveOut(optionsOfPair, presentation.provenance);
+    LeaveOut({ "viewer" }, presentation.provenance);
     Present(commandLine, presentation);
   }
   ColonoscopyPresentation presentation = first.Presentation();

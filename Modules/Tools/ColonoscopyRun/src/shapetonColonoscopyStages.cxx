@@ -330,4 +330,35 @@ StageOfPolyps(const CommandLine & commandLine, ColonoscopySeries series)
   };
   return { names::polyps, 1.0, make };
 }
+
+ColonoscopyStage
+StageOfViewer(const CommandLine & commandLine)
+{
+  const OptionPasser passer(commandLine, ColonoscopySeries::First);
+  const std::string  folder = commandLine.GetString("outputFolder");
+  const auto         make = [=](const StagedRun &) {
+    std::vector<std::string> read{ "registration/map-supine-to-prone.vtp", "registration/map-prone-to-supine.vtp" };
+    for (const std::string position : { "", "second/" })
+    {
+      for (const char * const file : { "segmentation/quality.json",
+                                       "segmentation/lumen.nrrd",
+                                       "segmentation/cleansed.nrrd",
+                                       "segmentation/centreline.vtp",
+                                       "flattening/flat.vtp",
+                                       "landmarks/segments.vtp",
+                                       "landmarks/taeniae.vtp",
+                                       "landmarks/flexures.vtp",
+                                       "folds/labels.nrrd",
+                                       "polyps/candidates.csv" })
+      {
+        read.push_back(position + file);
+      }
+    }
+    Stage stage(names::viewer, "ColonViewer");
+    stage.Input("", folder, IdentityOfFiles(read)).Output("", "").Expect({ "viewer.html" });
+    passer.PassThreads(stage);
+    return stage;
+  };
+  return { names::viewer, 1.0, make };
+}
 } // namespace shapeton

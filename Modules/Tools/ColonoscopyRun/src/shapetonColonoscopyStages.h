@@ -48,6 +48,10 @@ StageOfRegistration(const CommandLine & commandLine);
  * are two. */
 ColonoscopyStage
 StageOfPolyps(const CommandLine & commandLine, ColonoscopySeries series);
+
+/** The page on which a person reads the run, with both positions where there are two. */
+ColonoscopyStage
+StageOfViewer(const CommandLine & commandLine);
 } // namespace shapeton
 
 #endif
