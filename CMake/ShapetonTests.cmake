@@ -1,9 +1,10 @@
 # What test/CMakeLists.txt of a module calls, in our build and inside an ITK source tree.
 
-# creategoogletestdriver(<kit> "<libraries>" "<sources>" [LONG <Suite.Test>...]): one executable <kit>GTestDriver; each
-# TEST is a ctest. Those after LONG have the label Long: Utilities/run-tests runs them with --long.
+# creategoogletestdriver(<kit> "<libraries>" "<sources>" [TOGETHER] [LONG <Suite.Test>...]): one executable <kit>GTestDriver;
+# each TEST is a ctest. Those after LONG have the label Long: Utilities/run-tests runs them with --long. TOGETHER: all are one
+# ctest, because they share what takes long to make, which a process can make once.
 function(creategoogletestdriver kit libraries sources)
-  cmake_parse_arguments(PARSE_ARGV 3 driver "" "" "LONG")
+  cmake_parse_arguments(PARSE_ARGV 3 driver "TOGETHER" "" "LONG")
   add_executable(${kit}GTestDriver ${sources})
   target_link_libraries(${kit}GTestDriver PRIVATE ${libraries} GTest::gtest_main)
   # What is tested is in the libraries; of the time of a test most is its compilation, and -O3 makes it a fifth longer.
@@ -11,6 +12,11 @@ function(creategoogletestdriver kit libraries sources)
   target_compile_definitions(${kit}GTestDriver PRIVATE
     SHAPETON_BASELINE_DIR="${Shapeton_SOURCE_DIR}/Testing/Baseline"
     SHAPETON_TEST_TEMPORARY_DIR="${Shapeton_BINARY_DIR}/Testing/Temporary")
+  if(driver_TOGETHER)
+    add_test(NAME ${kit} COMMAND ${kit}GTestDriver)
+    set_tests_properties(${kit} PROPERTIES LABELS ${itk-module})
+    return()
+  endif()
   list(JOIN driver_LONG ":" long)
   shapeton_discover_tests(${kit} "-${long}" ${itk-module})
   if(long)
