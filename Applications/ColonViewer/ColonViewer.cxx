@@ -16,6 +16,8 @@ OptionsOf(const CommandLine & commandLine)
   options.near = commandLine.GetDouble("near");
   options.isAnonymous = commandLine.GetFlag("anonymous");
   options.verdicts = commandLine.GetString("verdicts");
+  options.second = commandLine.GetString("second");
+  options.registration = commandLine.GetString("registration");
   return options;
 }
 

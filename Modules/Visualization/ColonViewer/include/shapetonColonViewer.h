@@ -21,6 +21,10 @@ struct ColonViewerOptions
   bool isAnonymous{ false };
   /** A verdicts.json that the page saved; empty for none. */
   std::string verdicts;
+  /** The run of the other position of the patient, where it is not part of the run; empty for that of the run. */
+  std::string second;
+  /** The folder that ColonRegistration wrote of run and `second`; without it these positions are not linked. */
+  std::string registration;
 };
 
 /** Writes `folder`/viewer.html, a page on which a person reads a finished run of VirtualColonoscopy: the flat wall, the
@@ -32,7 +36,7 @@ struct ColonViewerOptions
  * within it unless the page is single, are there already.
  *
  * Throws InputError for a run that is not finished, a file that is not what the run writes, and verdicts of another
- * examination; ParameterError for an option out of range; OutputError.
+ * examination or a map of other positions; ParameterError for an option out of range; OutputError.
  * \ingroup ColonViewer */
 ColonViewer_EXPORT void
 WriteColonViewer(const std::string &        exam,

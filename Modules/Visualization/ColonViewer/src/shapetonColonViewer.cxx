@@ -24,14 +24,26 @@ Exists(const std::string & path)
 }
 
 std::vector<std::string>
-PositionsOf(const std::string & exam)
+PositionsOf(const std::string & exam, const ColonViewerOptions & options)
 {
   std::vector<std::string> folders{ exam };
-  if (Exists(exam + "/second/flattening/flat.vtp"))
+  if (!options.second.empty())
+  {
+    folders.push_back(options.second);
+  }
+  else if (Exists(exam + "/second/flattening/flat.vtp"))
   {
     folders.push_back(exam + "/second");
   }
   return folders;
+}
+
+/** Empty where the positions are not registered. */
+std::string
+RegistrationOf(const std::string & exam, const ColonViewerOptions & options)
+{
+  const std::string ofRun = exam + "/registration";
+  return options.second.empty() && Exists(ofRun + "/map-supine-to-prone.vtp") ? ofRun : options.registration;
 }
 
 /** What verdicts refer to: the flat wall, which depends on all that was computed before, and the list of candidates. */
@@ -63,6 +75,16 @@ NameOfFolder(const std::string & path)
   return std::filesystem::weakly_canonical(path).filename().string();
 }
 
+std::string
+TitleOf(const std::string & exam, const ColonViewerOptions & options)
+{
+  if (options.isAnonymous)
+  {
+    return "Examination";
+  }
+  return NameOfFolder(exam) + (options.second.empty() ? "" : " and " + NameOfFolder(options.second));
+}
+
 Json
 Identity(Json & positions, const std::vector<std::string> & folders, bool isAnonymous)
 {
@@ -79,16 +101,16 @@ Identity(Json & positions, const std::vector<std::string> & folders, bool isAnon
   return { { "seriesUIDs", series }, { "sha256", Fingerprint(folders) } };
 }
 
+/** Both maps; false where there are none. */
 bool
-PutMaps(PageBlocks & blocks, const std::string & exam)
+PutMaps(PageBlocks & blocks, const std::vector<std::string> & folders, const std::string & registration)
 {
-  const std::string registration = exam + "/registration/map-";
-  if (!Exists(registration + "supine-to-prone.vtp"))
+  if (folders.size() < 2 || registration.empty())
   {
     return false;
   }
-  PutViewerMap(blocks, "0/", registration + "supine-to-prone.vtp");
-  PutViewerMap(blocks, "1/", registration + "prone-to-supine.vtp");
+  PutViewerMap(blocks, "0/", folders[0], registration + "/map-supine-to-prone.vtp");
+  PutViewerMap(blocks, "1/", folders[1], registration + "/map-prone-to-supine.vtp");
   return true;
 }
 } // namespace
@@ -101,7 +123,9 @@ WriteColonViewer(const std::string &        exam,
 {
   RequireParameter(options.bits == 8 || options.bits == 16, "the parameter \"bits\" must be 8 or 16");
   RequireParameter(options.near >= 0.0 && options.near <= 100.0, "the parameter \"near\" must be from 0 to 100 mm");
-  const std::vector<std::string> folders = PositionsOf(exam);
+  RequireParameter(options.registration.empty() || !options.second.empty(),
+                   "the parameter \"registration\" needs \"second\", the run that it links with the first");
+  const std::vector<std::string> folders = PositionsOf(exam, options);
   PageBlocks                     blocks(folder + "/data", options.isSingle, outputPath);
   Json                           positions = Json::array();
   for (std::size_t k = 0; k < folders.size(); ++k)
@@ -109,9 +133,9 @@ WriteColonViewer(const std::string &        exam,
     positions.push_back(PutViewerPosition(blocks, std::to_string(k) + "/", folders[k], options));
   }
   Json info;
-  info["title"] = options.isAnonymous ? "Examination" : NameOfFolder(exam);
+  info["title"] = TitleOf(exam, options);
   info["exam"] = Identity(positions, folders, options.isAnonymous);
-  info["hasMap"] = folders.size() > 1 && PutMaps(blocks, exam);
+  info["hasMap"] = PutMaps(blocks, folders, RegistrationOf(exam, options));
   if (!options.verdicts.empty())
   {
     info["verdicts"] = ReadVerdicts(options.verdicts, info["exam"]);

@@ -269,16 +269,22 @@ private:
   std::vector<int>    m_Order;
 };
 
+void
+RequireSameFaces(const SurfaceMesh & mesh, const SurfaceMesh & flat, const std::string & path)
+{
+  if (mesh.F.rows() != flat.F.rows() || mesh.F != flat.F)
+  {
+    throw InputError("the file \"" + path +
+                     "\" is of another surface than flattening/flat.vtp of its position; run again");
+  }
+}
+
 Eigen::MatrixXd
 SegmentsOf(const std::string & path, const SurfaceMesh & flat)
 {
-  const SurfaceFile     file = ReadSurfaceFile(path);
-  const Eigen::MatrixXd segments = ValuesOf(file.mesh.cellArrays, "segment", path);
-  if (file.mesh.F.rows() != flat.F.rows() || file.mesh.F != flat.F)
-  {
-    throw InputError("the file \"" + path + "\" is of another surface than flattening/flat.vtp; run again");
-  }
-  return segments;
+  const SurfaceFile file = ReadSurfaceFile(path);
+  RequireSameFaces(file.mesh, flat, path);
+  return ValuesOf(file.mesh.cellArrays, "segment", path);
 }
 
 void
@@ -376,9 +382,10 @@ PutViewerPosition(PageBlocks &               blocks,
 }
 
 void
-PutViewerMap(PageBlocks & blocks, const std::string & prefix, const std::string & path)
+PutViewerMap(PageBlocks & blocks, const std::string & prefix, const std::string & exam, const std::string & path)
 {
-  const SurfaceMesh         mesh = ReadSurfaceFile(path).mesh;
+  const SurfaceMesh mesh = ReadSurfaceFile(path).mesh;
+  RequireSameFaces(mesh, ReadSurfaceFile(exam + "/flattening/flat.vtp").mesh, path);
   const Eigen::MatrixXd     confidence = ValuesOf(mesh.pointArrays, "confidence", path);
   const Eigen::MatrixXd     excluded = ValuesOf(mesh.pointArrays, "excluded", path);
   std::vector<std::uint8_t> trust;

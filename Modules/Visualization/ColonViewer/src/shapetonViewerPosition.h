@@ -19,10 +19,11 @@ PutViewerPosition(PageBlocks &               blocks,
                   const std::string &        exam,
                   const ColonViewerOptions & options);
 
-/** Puts the map from a position to the other one: `prefix`mapped, the place (LPS, mm) of each point, and
- * `prefix`trust, its confidence times 200, 255 where the wall is not seen in a position. */
+/** Puts the map from the position in the folder `exam` to the other one: `prefix`mapped, the place (LPS, mm) of each
+ * point, and `prefix`trust, its confidence times 200, 255 where the wall is not seen in a position. Throws InputError
+ * for a map of another wall. */
 void
-PutViewerMap(PageBlocks & blocks, const std::string & prefix, const std::string & path);
+PutViewerMap(PageBlocks & blocks, const std::string & prefix, const std::string & exam, const std::string & path);
 } // namespace shapeton
 
 #endif
