@@ -102,12 +102,12 @@ export class OutsideView extends SpaceView {
 const REACH = 90;    // mm that the light inside the colon goes
 const STRETCH = 250; // mm along the colon, before and behind the eye, that can be in sight
 
-// An eye on the centreline. It sees 115 degrees from top to bottom: with 92 a flight both ways misses a tenth of what it could see.
+// An eye on the centreline. It sees 120 degrees from top to bottom: with 92 a flight both ways misses a tenth of what it could see.
 // way: 1 to the caecum, -1 to the rectum; look: a place that it looks at, else yaw and pitch count.
 export class EndoView extends SpaceView {
   constructor(root, panel) {
     super(root, 'inside', 'from the centreline', panel);
-    Object.assign(this, { index: 0, eye: null, yaw: 0, pitch: 0, way: 1, look: null, fov: 2 });
+    Object.assign(this, { index: 0, eye: null, yaw: 0, pitch: 0, way: 1, look: null, fov: (2 * Math.PI) / 3 });
   }
 
   get point() { return this.panel.exam.centre[this.index]; }
