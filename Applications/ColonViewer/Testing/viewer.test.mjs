@@ -264,7 +264,8 @@ const bruteForceOf = (number, poses) => page.evaluate((n, all) => {
     const z = dot(d, ahead), high = Math.tan(fov / 2) * z;
     return l < 200 && z > 0 && Math.abs(dot(d, above)) < high && Math.abs(dot(d, right)) < high * aspect && !isHit(eye, unit(d), l - 0.2);
   });
-  const step = Math.ceil(marks.length / n), faces = [...marks.keys()].filter((f) => f % step === 0 && area[f]), sum = (list) => list.reduce((s, f) => s + area[f], 0);
+  const step = Math.ceil(marks.length / n), faces = [...marks.keys()].filter((f) => f % step === 0 && area[f]);
+  const sum = (list) => list.reduce((s, f) => s + area[f], 0);
   const shareOf = (isTrue) => sum(faces.filter(isTrue)) / sum(faces);
   return { page: shareOf((f) => marks[f]), brute: shareOf((f) => isSeen([...middles.slice(3 * f, 3 * f + 3)])) };
 }, number, poses);
