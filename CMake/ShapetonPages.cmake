@@ -12,5 +12,33 @@ function(shapeton_join_scripts name)
 endfunction()
 
 # Scripts that pages share, before their own.
-set(SHAPETON_PAGE_KIT_SCRIPTS math bytes view)
+set(SHAPETON_PAGE_KIT_SCRIPTS math bytes view keys)
 list(TRANSFORM SHAPETON_PAGE_KIT_SCRIPTS REPLACE "(.+)" "${Shapeton_SOURCE_DIR}/Modules/Visualization/PageKit/scripts/\\1.mjs")
+
+find_program(NODE_EXECUTABLE node)
+find_program(CHROMIUM_EXECUTABLE chromium)
+
+# shapeton_script_test(NAME name SCRIPT file LABELS label...): a test of scripts that need no page; skipped without node.
+function(shapeton_script_test)
+  cmake_parse_arguments(PARSE_ARGV 0 test "" "NAME;SCRIPT" "LABELS")
+  set(command ${CMAKE_COMMAND} -E echo "node is not installed")
+  if(NODE_EXECUTABLE)
+    set(command ${NODE_EXECUTABLE} --test ${CMAKE_CURRENT_SOURCE_DIR}/${test_SCRIPT})
+  endif()
+  add_test(NAME ${test_NAME} COMMAND ${command})
+  set_tests_properties(${test_NAME} PROPERTIES LABELS "${test_LABELS}" SKIP_REGULAR_EXPRESSION "node is not installed")
+endfunction()
+
+# shapeton_browser_test(NAME name SCRIPT file [ENVIRONMENT NAME=value...] [FIXTURES fixture...] [LABELS label...]): a script of node
+# that reads pages in a browser as a person would (Testing/Browser/browser.mjs); skipped without node and chromium.
+function(shapeton_browser_test)
+  cmake_parse_arguments(PARSE_ARGV 0 test "" "NAME;SCRIPT" "ENVIRONMENT;FIXTURES;LABELS")
+  set(command ${CMAKE_COMMAND} -E echo "node and chromium are not installed")
+  if(NODE_EXECUTABLE AND CHROMIUM_EXECUTABLE)
+    set(command ${NODE_EXECUTABLE} --test ${CMAKE_CURRENT_SOURCE_DIR}/${test_SCRIPT})
+  endif()
+  add_test(NAME ${test_NAME} COMMAND ${command})
+  set_tests_properties(${test_NAME} PROPERTIES LABELS "Applications;${test_LABELS}" TIMEOUT 600 RUN_SERIAL ON
+    FIXTURES_REQUIRED "${test_FIXTURES}" ENVIRONMENT "CHROMIUM=${CHROMIUM_EXECUTABLE};${test_ENVIRONMENT}"
+    SKIP_REGULAR_EXPRESSION "node and chromium are not installed")
+endfunction()

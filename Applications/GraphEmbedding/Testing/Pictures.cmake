@@ -37,13 +37,6 @@ refuses(PictureInMissingFolder 1 "nowhere" ${here}/K4.gr ${out}/x.json --svg /no
 refuses(WrongCurves 2 "vtp" ${here}/K4.gr ${out}/x.json --vtp ${out}/x.obj)
 refuses(ReportIsAFile 1 "K4.gr" ${here}/K4.gr ${out}/x.json --report ${here}/K4.gr)
 
-# The view of the report, where a JavaScript engine is at hand.
-find_program(NODE_PROGRAM node)
-if(NODE_PROGRAM)
-  shapeton_tool_test(NAME GraphEmbeddingCubeReport COMMAND GraphEmbedding ${here}/Cube.gr ${out}/CubeReport.json --report ${out}/CubeReport)
-  set_tests_properties(GraphEmbeddingCubeReport PROPERTIES FIXTURES_SETUP GraphEmbeddingCubeReportFixture)
-  add_test(NAME GraphEmbeddingViewMoves COMMAND ${NODE_PROGRAM}
-    ${Shapeton_SOURCE_DIR}/Modules/Tools/GraphTools/test/RunViewer.js ${out}/CubeReport/index.html)
-  set_tests_properties(GraphEmbeddingViewMoves PROPERTIES LABELS Applications FIXTURES_REQUIRED GraphEmbeddingCubeReportFixture
-    PASS_REGULAR_EXPRESSION "the view moves as it should")
-endif()
+# The page of a sphere, for tests in a browser: Testing/Browser.
+shapeton_tool_test(NAME GraphEmbeddingCubeReport COMMAND GraphEmbedding ${here}/Cube.gr ${out}/CubeReport.json --report ${out}/CubeReport)
+set_tests_properties(GraphEmbeddingCubeReport PROPERTIES FIXTURES_SETUP GraphEmbeddingCubeReportFixture)

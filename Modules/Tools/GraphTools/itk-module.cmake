@@ -11,6 +11,7 @@ itk_module(GraphTools
     GraphViews
   PRIVATE_DEPENDS
     Base
+    PageKit
     CommandLine
   TEST_DEPENDS
     EmbeddingVerification

@@ -74,6 +74,9 @@ public:
    */
   void
   AddMarkup(const std::string & markup);
+  /** Rules of a style sheet after those that all pages share; without "<" and "&". */
+  void
+  AddStyle(const std::string & rules);
 
   /** Throws OutputError. */
   void
@@ -81,6 +84,7 @@ public:
 
 private:
   std::string m_Title;
+  std::string m_Style;
   std::string m_Body;
 };
 } // namespace shapeton

@@ -255,11 +255,17 @@ HtmlReport::AddMarkup(const std::string & markup)
 }
 
 void
+HtmlReport::AddStyle(const std::string & rules)
+{
+  m_Style += rules;
+}
+
+void
 HtmlReport::Write(const std::string & path) const
 {
   WriteFileBytes(path,
                  "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\"/>\n" +
-                   Element("title", m_Title) + "<style>\n" + PageStyle() + "</style>\n</head>\n<body>\n" +
+                   Element("title", m_Title) + "<style>\n" + PageStyle() + m_Style + "</style>\n</head>\n<body>\n" +
                    Element("h1", m_Title) + m_Body + "</body>\n</html>\n");
 }
 } // namespace shapeton

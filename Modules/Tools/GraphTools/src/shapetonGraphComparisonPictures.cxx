@@ -1,6 +1,9 @@
 #include "shapetonGraphComparisonPictures.h"
 #include "shapetonGraphReport.h"
 
+#include <array>
+#include <numeric>
+
 namespace shapeton
 {
 namespace
@@ -18,14 +21,34 @@ SentenceOf(const GraphComparison & comparison)
          std::to_string(partners) + " nodes have a partner, found by " + by +
          "; its circle has the same colour. Circles without a partner are grey.";
 }
+
+/** Numbers that partners share. */
+std::array<std::vector<int>, 2>
+KeysOfNodes(const GraphComparison & comparison)
+{
+  const int                       nodes = comparison.a.graph.nodes;
+  std::array<std::vector<int>, 2> keys{ std::vector<int>(nodes), std::vector<int>(comparison.b.graph.nodes) };
+  std::iota(keys[0].begin(), keys[0].end(), 0);
+  std::iota(keys[1].begin(), keys[1].end(), nodes);
+  for (int node = 0; node < nodes; ++node)
+  {
+    const int image = comparison.correspondence.image[node];
+    if (image >= 0)
+    {
+      keys[1][image] = node;
+    }
+  }
+  return keys;
+}
 } // namespace
 
 void
 WriteComparisonPictures(const GraphComparison & comparison, const GraphSideBySide & sheet, const OutputPath & output)
 {
   const auto                   colors = ColoursOfNodes(comparison);
-  const std::vector<GraphView> views{ { "first graph", &comparison.a, colors[0], sheet.hasLabels },
-                                      { "second graph", &comparison.b, colors[1], sheet.hasLabels } };
+  const auto                   keys = KeysOfNodes(comparison);
+  const std::vector<GraphView> views{ { "first graph", &comparison.a, colors[0], sheet.hasLabels, keys[0] },
+                                      { "second graph", &comparison.b, colors[1], sheet.hasLabels, keys[1] } };
   WriteGraphSheetSvg(views, {}, output(sheet.folder + "/comparison.svg"));
   GraphReport report{
     "Two graphs side by side", views, { SentenceOf(comparison) }, sheet.warnings, sheet.provenance, {}

@@ -1,215 +1,18 @@
 #include "shapetonGraphReport.h"
-#include "shapetonGraphTiles.h"
-#include "shapetonGraphViewerScript.h"
+#include "shapetonGraphPageData.h"
 #include "shapetonHtmlReport.h"
+#include "shapetonPageBlocks.h"
 #include "shapetonSvgPanel.h"
 
 #include <algorithm>
-#include <charconv>
-#include <cmath>
 
 namespace shapeton
 {
+extern const char * const GraphScript[];
+extern const char * const GraphStyle[];
+
 namespace
 {
-/** Lists of numbers and texts as JSON that may stand in a page: no character of it is markup. */
-class JsonText
-{
-public:
-  void
-  Key(const char * key)
-  {
-    m_Text += m_Text.empty() ? "{\"" : ",\"";
-    m_Text += key;
-    m_Text += "\":";
-  }
-
-  void
-  Numbers(const char * key, const std::vector<double> & values)
-  {
-    this->Key(key);
-    m_Text += '[';
-    for (std::size_t i = 0; i < values.size(); ++i)
-    {
-      m_Text += i > 0 ? "," : "";
-      this->Append(values[i]);
-    }
-    m_Text += ']';
-  }
-
-  void
-  Number(const char * key, double value)
-  {
-    this->Key(key);
-    this->Append(value);
-  }
-
-  void
-  Texts(const char * key, const std::vector<std::string> & values)
-  {
-    this->Key(key);
-    m_Text += '[';
-    for (std::size_t i = 0; i < values.size(); ++i)
-    {
-      m_Text += i > 0 ? "," : "";
-      this->Append(values[i]);
-    }
-    m_Text += ']';
-  }
-
-  void
-  Text(const char * key, const std::string & value)
-  {
-    this->Key(key);
-    this->Append(value);
-  }
-
-  std::string
-  Take()
-  {
-    return m_Text + '}';
-  }
-
-private:
-  void
-  Append(double value)
-  {
-    constexpr int digits = 9; // more than a screen shows
-    char          text[40];
-    const auto    end = std::to_chars(text, text + sizeof(text), value, std::chars_format::general, digits).ptr;
-    m_Text.append(text, end);
-  }
-
-  void
-  Append(const std::string & value)
-  {
-    m_Text += '"';
-    for (const char c : value)
-    {
-      const auto byte = static_cast<unsigned char>(c);
-      if (byte < 0x20 || c == '"' || c == '\\' || c == '<' || c == '>' || c == '&')
-      {
-        static const char digits[] = "0123456789abcdef";
-        m_Text += std::string("\\u00") + digits[byte / 16] + digits[byte % 16];
-      }
-      else
-      {
-        m_Text += c;
-      }
-    }
-    m_Text += '"';
-  }
-
-  std::string m_Text;
-};
-
-class ViewData
-{
-public:
-  explicit ViewData(const GraphView & view) : m_View(view), m_Graph(*view.certificate) {}
-
-  std::string
-  Text() const
-  {
-    const EmbeddingCertificate & certificate = *m_View.certificate;
-    JsonText                     json;
-    json.Text("geometry", NameOf(certificate.geometry));
-    json.Text("title", m_View.title);
-    std::vector<std::string> names;
-    std::vector<double>      nodes;
-    for (int node = 0; node < certificate.graph.nodes; ++node)
-    {
-      names.push_back(NameOfNode(certificate.graph, node));
-      this->Append(nodes, m_Graph.nodes[node]);
-      nodes.push_back(certificate.nodeRadii[node]);
-    }
-    json.Texts("names", names);
-    json.Numbers("nodes", nodes);
-    if (!m_View.nodeColors.empty())
-    {
-      json.Texts("colors", m_View.nodeColors);
-    }
-    std::vector<double> faces;
-    for (std::size_t face = 0; face < m_Graph.faces.size(); ++face)
-    {
-      if (m_Graph.isVisibleFace[face] != 0)
-      {
-        this->Append(faces, m_Graph.faces[face]);
-        faces.push_back(certificate.faceRadii[face]);
-      }
-    }
-    json.Numbers("faces", faces);
-    json.Numbers("edges", this->Segments(m_Graph.halfEdges));
-    json.Numbers("dual", this->Segments(m_Graph.dual));
-    this->AddCover(json);
-    return json.Take();
-  }
-
-private:
-  void
-  Append(std::vector<double> & numbers, const Place & place) const
-  {
-    numbers.insert(numbers.end(), { place.x, place.y });
-    if (m_Graph.space.Geometry() == EmbeddingGeometry::Spherical)
-    {
-      numbers.push_back(place.z);
-    }
-  }
-
-  std::vector<double>
-  Segments(const std::vector<EmbeddedGraph::Segment> & segments) const
-  {
-    std::vector<double> numbers;
-    for (const auto & segment : segments)
-    {
-      this->Append(numbers, segment[0]);
-      this->Append(numbers, segment[1]);
-    }
-    return numbers;
-  }
-
-  /** Tiles, the boundary of the domain, and where a picture of the plane has its middle. */
-  void
-  AddCover(JsonText & json) const
-  {
-    constexpr double    mostSegments = 60000.0; // that a canvas paints while the mouse is dragged
-    const double        segments = static_cast<double>(m_Graph.halfEdges.size() + 1);
-    const double        least = 4.0 * m_View.certificate->genus + 1.0;
-    const int           count = static_cast<int>(std::clamp(mostSegments / segments, least, std::max(least, 120.0)));
-    std::vector<double> tiles;
-    for (const Motion & tile : TilesAround(m_Graph, count))
-    {
-      tiles.insert(tiles.end(), { tile.a.real(), tile.a.imag(), tile.b.real(), tile.b.imag() });
-    }
-    json.Numbers("tiles", tiles);
-    const std::vector<Place> boundary = DomainBoundary(m_Graph);
-    std::vector<double>      domain;
-    double                   extent = 1.0;
-    Place                    middle;
-    for (const Place & place : boundary)
-    {
-      this->Append(domain, place);
-      middle = { middle.x + place.x / static_cast<double>(boundary.size()),
-                 middle.y + place.y / static_cast<double>(boundary.size()),
-                 0.0 };
-    }
-    if (m_Graph.space.Geometry() == EmbeddingGeometry::Euclidean)
-    {
-      extent = 0.0;
-      for (const Place & place : boundary)
-      {
-        extent = std::max(extent, 1.2 * std::hypot(place.x - middle.x, place.y - middle.y));
-      }
-    }
-    json.Numbers("domain", domain);
-    json.Number("extent", extent);
-    json.Numbers("middle", { middle.x, middle.y });
-  }
-
-  const GraphView & m_View;
-  EmbeddedGraph     m_Graph;
-};
-
 std::string
 Switch(const char * name, const char * label, bool isOn)
 {
@@ -254,8 +57,7 @@ HelpOf(EmbeddingGeometry geometry)
   {
     case EmbeddingGeometry::Spherical:
       return "Drag to turn the sphere, shift and drag to move by a Moebius transformation, wheel to zoom about the "
-             "pointer by "
-             "one: circles stay circles, and no edges cross.";
+             "pointer by one: circles stay circles, and no edges cross.";
     case EmbeddingGeometry::Euclidean:
       return "Drag to move, shift and drag to turn, wheel to zoom. The domains are copies of one torus.";
     default:
@@ -272,9 +74,9 @@ AddGroup(const ViewGroup & views, DiskModel disk, int & number, HtmlReport & pag
   for (const GraphView * view : views)
   {
     const std::string id = "graph" + std::to_string(number++);
-    page.AddMarkup("<figure><canvas data-graph=\"" + id + "\"></canvas><figcaption>" + SvgText(view->title) +
-                   "</figcaption>\n<script type=\"application/json\" id=\"" + id + "\">" + ViewData(*view).Text() +
-                   "</script></figure>\n");
+    page.AddMarkup("<figure data-graph=\"" + id + "\"><div class=\"stack\"></div><figcaption>" + SvgText(view->title) +
+                   "</figcaption>\n<script type=\"application/json\" id=\"" + id + "\">" +
+                   ScriptText(PageDataOf(*view)) + "</script></figure>\n");
   }
   page.AddMarkup("</div>\n</div>\n");
   page.AddParagraph(HelpOf(views.front()->certificate->geometry));
@@ -283,8 +85,9 @@ AddGroup(const ViewGroup & views, DiskModel disk, int & number, HtmlReport & pag
 void
 AddViews(const GraphReport & report, HtmlReport & page)
 {
-  page.AddMarkup(std::string("<style>") + GraphViewerStyle() +
-                 "</style>\n<noscript><p>The view needs JavaScript, which this page brings along.</p></noscript>\n");
+  page.AddStyle(PageText(GraphStyle));
+  page.AddMarkup("<noscript><p>The view needs JavaScript, which this page brings along.</p></noscript>\n"
+                 "<div id=\"tools\"></div>\n");
   constexpr std::size_t mostEdges = 200000; // a page of 100 MB
   int                   number = 0;
   for (const auto geometry :
@@ -338,7 +141,7 @@ WriteGraphReport(const GraphReport & report, const std::string & path)
   }
   if (!report.views.empty())
   {
-    page.AddMarkup(std::string("<script>//<![CDATA[") + GraphViewerScript() + "//]]></script>\n");
+    page.AddMarkup("<script>//<![CDATA[\n" + PageText(GraphScript) + "//]]></script>\n");
   }
   page.Write(path);
 }

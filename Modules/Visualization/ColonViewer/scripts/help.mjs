@@ -1,4 +1,6 @@
-// The keys of the page: what is listed under `?` is what works. act: name of a method of the viewer, with what it is called with.
+import { KeyTable } from '../../PageKit/scripts/keys.mjs';
+
+// act: name of a method of the viewer, with what it is called with.
 const keyList = [
   ['Flight', [
     ['ArrowUp', '↑', 'fly ahead 2 mm', 'fly', 2],
@@ -52,15 +54,6 @@ const keyList = [
   ]],
 ];
 
-const actions = new Map(keyList.flatMap(([, keys]) => keys.map(([key, , , act, value]) => [key, { act, value }])));
-
-// The action of a key event, or undefined.
-export function actionOf(e) {
-  const isLetter = /^[a-z]$/i.test(e.key), key = isLetter ? e.key.toLowerCase() : e.key;
-  const shift = e.shiftKey && (isLetter || key.startsWith('Arrow')) ? 'Shift+' : '';
-  return e.altKey ? undefined : actions.get(`${e.ctrlKey || e.metaKey ? 'Ctrl+' : ''}${shift}${key}`);
-}
-
 const MOUSE = [
   ['click', 'sets the crosshair in all views'],
   ['Shift and move', 'takes the crosshair along'],
@@ -70,21 +63,4 @@ const MOUSE = [
   ['Ctrl and wheel', 'enlarges a slice'],
 ];
 
-export function fillHelp(dialog) {
-  const table = (title, rows) => {
-    const t = document.createElement('table'), caption = t.createCaption();
-    caption.textContent = title;
-    for (const [key, text] of rows) {
-      const row = t.insertRow();
-      row.insertCell().textContent = key;
-      row.insertCell().textContent = text;
-    }
-    return t;
-  };
-  const close = document.createElement('button');
-  close.textContent = 'close';
-  close.onclick = () => dialog.close();
-  dialog.append(close);
-  for (const [title, keys] of keyList) dialog.append(table(title, keys.map(([, name, text]) => [name, text]).filter(([name]) => name)));
-  dialog.append(table('Mouse', MOUSE));
-}
+export const viewerKeys = new KeyTable(keyList, MOUSE);

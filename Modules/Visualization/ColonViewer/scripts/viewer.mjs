@@ -2,11 +2,12 @@ import { readBlock } from '../../PageKit/scripts/bytes.mjs';
 import { Exam } from './exam.mjs';
 import { Seen } from './flight.mjs';
 import { SurfacePaths } from './geodesic.mjs';
-import { actionOf, fillHelp } from './help.mjs';
+import { viewerKeys } from './help.mjs';
 import { layerList } from './layers.mjs';
 import { Painter } from './painter.mjs';
 import { Panel } from './panel.mjs';
 import { Verdicts } from './verdicts.mjs';
+import { toggle } from '../../PageKit/scripts/keys.mjs';
 import { scaleViews, View } from '../../PageKit/scripts/view.mjs';
 
 const DOUBTFUL = 0.3; // below this confidence of the map the other position is dimmed
@@ -104,20 +105,12 @@ class Viewer {
     on('help', () => this.toggleHelp());
     $('window').onchange = () => { if ($('window').value) this.setWindow($('window').value.split(',').map(Number)); $('window').blur(); };
     $('file').onchange = () => this.read($('file').files[0]);
-    addEventListener('keydown', (e) => this.key(e));
+    viewerKeys.listen(this);
     addEventListener('resize', scaleViews);
     scaleViews();
     addEventListener('beforeunload', (e) => { if (!this.verdicts.isSaved) e.preventDefault(); });
     this.panels.forEach((panel, k) => panel.root.addEventListener('pointerdown', () => { this.current = k; }, true));
-    fillHelp($('keys'));
-  }
-
-  key(e) {
-    const action = actionOf(e), isText = /^(INPUT|SELECT|TEXTAREA)$/.test(e.target.tagName) && e.target.type !== 'checkbox';
-    const isButton = e.target.tagName === 'BUTTON' || e.target.type === 'checkbox';
-    if (!action || (isText && !e.ctrlKey && e.key !== 'Escape') || (isButton && (e.key === ' ' || e.key === 'Enter'))) return;
-    e.preventDefault();
-    this[action.act](action.value);
+    viewerKeys.fillHelp($('keys'));
   }
 
   // ---- what keys and buttons do ----
@@ -135,7 +128,7 @@ class Viewer {
   addFinding() { this.verdicts.addFinding(this.current, this.panel.place); }
   save() { this.verdicts.save(); }
   openFile() { $('file').click(); }
-  toggleHelp() { if ($('keys').open) $('keys').close(); else $('keys').showModal(); }
+  toggleHelp() { toggle($('keys')); }
   setWindow(window) { this.panels.forEach((p) => p.setWindow(window)); }
   measureHere() { if (!this.panel.measure) this.toggleMeasure(); this.panel.clicked(); }
 

@@ -36,6 +36,8 @@ struct GraphViews_EXPORT EmbeddedGraph
   std::vector<char> isVisibleFace;
   /** On the sphere: the centre of the largest circle within the face of the graph that covers most of it. */
   Place pole;
+  /** On the sphere: from where most of the graph is seen, as a unit vector. */
+  Place front;
 
 private:
   void
@@ -48,6 +50,8 @@ private:
   DrawDual(const std::vector<int> & parent);
   void
   FindPole(const std::vector<int> & owner);
+  void
+  FindFront();
   void
   AddDualCrossing(int halfEdge);
 };

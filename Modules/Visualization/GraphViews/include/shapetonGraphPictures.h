@@ -28,6 +28,9 @@ struct GraphView
   std::vector<std::string> nodeColors{};
   /** Names of nodes beside them. */
   bool hasLabels{ false };
+  /** For pages: a number of each node that it shares with those of other graphs that correspond to it; empty where names
+   * say so. */
+  std::vector<int> nodeKeys{};
 };
 
 /** Model of the hyperbolic plane, size and arrangement of the panels for WriteGraphSvg(). \ingroup GraphViews */

@@ -131,15 +131,15 @@ std::vector<PanelPlan>
 PlansOfSphere(const EmbeddedGraph & graph, const Place & outer)
 {
   const auto             flat = Stereographic(FrameOf({ -outer.x, -outer.y, -outer.z }));
-  const Place            side{ 0.48, -0.6, 0.64 };
+  const Place &          front = graph.front;
   const PictureWindow    ball{ { 0.0, 0.0 }, 1.06 };
   const PictureWindow    window = WindowOfSphere(graph, flat);
   std::vector<PanelPlan> plans(4);
   plans[0] = { "Overlap graph: graph and dual (stereographic)", flat, window };
   plans[1] = { "Circles of nodes and faces (stereographic)", flat, window };
   plans[1].hasCircles = true;
-  plans[2] = { "Sphere, front", Orthographic(FrameOf(side)), ball };
-  plans[3] = { "Sphere, back", Orthographic(FrameOf({ -side.x, -side.y, -side.z })), ball };
+  plans[2] = { "Sphere, front", Orthographic(FrameOf(front)), ball };
+  plans[3] = { "Sphere, back", Orthographic(FrameOf({ -front.x, -front.y, -front.z })), ball };
   for (const int i : { 2, 3 })
   {
     plans[i].hasCircles = plans[i].hasRim = true;

@@ -12,7 +12,7 @@
 
 namespace shapeton
 {
-/** JSON that may stand within a script element: no "<".
+/** JSON that may stand within a script element: no character of markup.
  * \ingroup PageKit */
 PageKit_EXPORT std::string
                ScriptText(const Json & value);

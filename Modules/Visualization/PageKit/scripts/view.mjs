@@ -28,13 +28,13 @@ export class View {
     c.addEventListener('pointermove', (e) => {
       const { x, y } = at(e);
       if (!down) {
-        if (e.shiftKey) this.pick(x, y); // as in 3D Slicer
+        this.hover(x, y, e.shiftKey);
         return;
       }
       const dx = x - down.x, dy = y - down.y;
       if (!down.moved && Math.hypot(dx, dy) < 4) return;
       Object.assign(down, { moved: true, x, y });
-      this.drag(dx, dy, down.button);
+      this.drag(dx, dy, down.button, { x, y, isShift: e.shiftKey });
     });
     c.addEventListener('pointerup', (e) => {
       const { x, y } = at(e);
@@ -42,14 +42,18 @@ export class View {
       down = null;
     });
     c.addEventListener('pointercancel', () => { down = null; });
-    c.addEventListener('wheel', (e) => { e.preventDefault(); this.wheel(Math.sign(e.deltaY), at(e), e.ctrlKey); }, { passive: false });
+    c.addEventListener('wheel', (e) => {
+      e.preventDefault();
+      this.wheel(Math.sign(e.deltaY), at(e), e.ctrlKey, e.deltaY);
+    }, { passive: false });
     c.addEventListener('contextmenu', (e) => e.preventDefault());
   }
 
   get w() { return this.box.clientWidth / View.scale; }
   get h() { return this.box.clientHeight / View.scale; }
-  drag() {}
-  wheel() {}
+  hover(x, y, isShift) { if (isShift) this.pick(x, y); } // as in 3D Slicer
+  drag() {}  // by dx, dy with a button, to {x, y, isShift}
+  wheel() {} // a step towards or away, where, whether with Ctrl, and how far
   pick() { return false; } // moves the crosshair to a pixel; false where nothing is
   clicked() {}             // after a click that has moved the crosshair
 

@@ -73,7 +73,7 @@ ScriptText(const Json & value)
   std::string text;
   for (const char c : value.dump(-1, ' ', false, Json::error_handler_t::replace))
   {
-    text += c == '<' ? "\\u003c" : std::string(1, c);
+    text += c == '<' ? "\\u003c" : c == '>' ? "\\u003e" : c == '&' ? "\\u0026" : std::string(1, c);
   }
   return text;
 }

@@ -1,0 +1,49 @@
+import { KeyTable } from '../../../Visualization/PageKit/scripts/keys.mjs';
+
+const STEP = 0.12; // of the radius of a view
+const keys = [
+  ['Select', [
+    ['/', '/', 'search by name', 'search'],
+    ['n', 'N', 'next node, of those found if a name was searched', 'stepNode', 1],
+    ['p', 'P', 'the node before', 'stepNode', -1],
+    ['e', 'E', 'next edge of the node; Shift: the one before', 'stepEdge', 1],
+    ['Shift+e', '', '', 'stepEdge', -1],
+    ['Enter', 'Enter', 'along the selected edge to its other end', 'follow'],
+    ['m', 'M', 'what is selected to the middle', 'bring'],
+    ['Escape', 'Esc', 'select nothing, leave search or help', 'leave'],
+  ]],
+  ['Move', [
+    ['ArrowLeft', '← → ↑ ↓', 'turn the sphere, move plane and disk', 'move', [-STEP, 0]],
+    ['ArrowRight', '', '', 'move', [STEP, 0]],
+    ['ArrowUp', '', '', 'move', [0, STEP]],
+    ['ArrowDown', '', '', 'move', [0, -STEP]],
+    ['Shift+ArrowLeft', 'Shift ← → ↑ ↓', 'as Shift and drag', 'move', [-STEP, 0, true]],
+    ['Shift+ArrowRight', '', '', 'move', [STEP, 0, true]],
+    ['Shift+ArrowUp', '', '', 'move', [0, STEP, true]],
+    ['Shift+ArrowDown', '', '', 'move', [0, -STEP, true]],
+    ['+', '+', 'zoom in', 'zoom', 0.2],
+    ['-', '-', 'zoom out', 'zoom', -0.2],
+    ['r', 'R', 'as it was at first', 'reset'],
+    ['v', 'V', 'the next view gets the keys', 'nextView'],
+  ]],
+  ['Show', [
+    ['g', 'G', 'graph', 'flip', 'graph'],
+    ['d', 'D', 'dual', 'flip', 'dual'],
+    ['o', 'O', 'nodes', 'flip', 'nodes'],
+    ['c', 'C', 'circles of nodes', 'flip', 'nodeCircles'],
+    ['f', 'F', 'circles of faces', 'flip', 'faceCircles'],
+    ['l', 'L', 'labels', 'flip', 'labels'],
+    ['t', 'T', 'domains', 'flip', 'tiles'],
+    ['k', 'K', 'the other projection', 'project'],
+    ['?', '?', 'this help', 'help'],
+  ]],
+];
+
+const MOUSE = [
+  ['click', 'selects a node, an edge, or the node of a circle; beside them nothing'],
+  ['drag', 'turns the sphere, moves plane and disk'],
+  ['Shift and drag', 'moves the sphere by a Moebius transformation, turns plane and disk'],
+  ['wheel', 'zooms at the pointer'],
+];
+
+export const graphKeys = new KeyTable(keys, MOUSE);

@@ -1,0 +1,122 @@
+const NODE = '#c62828', DUAL = '#2e7d32', EDGE = '#212121', CIRCLE = '#f3b3ac';
+const PASTEL = ['#fff3c4', '#cfe8ff', '#ffd9d4', '#d6f5d6', '#eadcff', '#ffe3c2', '#d2f4f0', '#ffd6ec', '#e8f0c8', '#dfe3ee'];
+// Of what is selected: hues that the colour-blind tell apart (Okabe and Ito), and of another width each.
+const CHOSEN = '#0072b2', NEAR = '#d55e00';
+const MOST_LINES = 500; // of one path: browsers take longer for each line of a long one
+const FULL = 2 * Math.PI;
+
+const colourOf = (data, node) => (data.colors ? data.colors[node] : CIRCLE);
+
+function addLine(g, line) { line?.forEach(([x, y], k) => (k ? g.lineTo(x, y) : g.moveTo(x, y))); }
+
+function strokeLines(g, count, lineOf) {
+  for (let i = 0; i < count;) {
+    g.beginPath();
+    for (const end = Math.min(count, i + MOST_LINES); i < end; i++) addLine(g, lineOf(i));
+    g.stroke();
+  }
+}
+
+// Thinner lines and smaller dots for more edges.
+export function widthsOf(data) {
+  const root = Math.sqrt(2 * data.touches.length + 1), clamped = (lo, hi, x) => Math.max(lo, Math.min(hi, x));
+  return { line: clamped(0.3, 1.3, 60 / root), dot: clamped(1, 4, 90 / root) };
+}
+
+function paintNodeCircles(g, tile) {
+  const { data } = tile;
+  g.strokeStyle = NODE;
+  for (let i = 0; i < data.names.length; i++) {
+    const size = tile.nodeCircle(g, i);
+    if (size > 0) { g.fillStyle = colourOf(data, i); g.fill(); }
+    if (size) g.stroke();
+  }
+}
+
+function paintDot(g, tile, i, size, colour) {
+  const s = size * tile.model.sizeOfDot(tile.node(i));
+  if (s <= 0.4) return;
+  g.fillStyle = colour;
+  g.beginPath();
+  g.arc(...tile.pixelOf(i), s, 0, FULL);
+  g.fill();
+}
+
+function label(g, tile, i) {
+  const [x, y] = tile.pixelOf(i);
+  g.font = '12px sans-serif';
+  g.fillStyle = '#000';
+  g.fillText(tile.data.names[i], x + 5, y - 5);
+}
+
+export function paintTile(g, tile, show, isFirst) {
+  const { data } = tile, { line, dot: size } = widthsOf(data);
+  g.lineWidth = line;
+  if (show.nodeCircles) paintNodeCircles(g, tile);
+  g.strokeStyle = DUAL;
+  for (let i = 0; show.faceCircles && i < data.faceRadii.length; i++) if (tile.faceCircle(g, i)) g.stroke();
+  g.strokeStyle = EDGE;
+  if (show.graph) strokeLines(g, data.starts.length, (h) => tile.half(h));
+  g.strokeStyle = DUAL;
+  if (show.dual) strokeLines(g, data.dual.length / 2 / tile.model.step, (i) => tile.dual(i));
+  for (let i = 0; (show.nodes || show.labels) && i < data.names.length; i++) {
+    if (!tile.isSeen(i)) continue;
+    if (show.nodes) paintDot(g, tile, i, size, NODE);
+    if (show.labels && isFirst) label(g, tile, i);
+  }
+}
+
+export function paintDomain(g, tile, index) {
+  const { model, frame, data: { domain } } = tile;
+  g.beginPath();
+  for (let i = 0; i < domain.length; i += 2) {
+    const [x, y] = model.pixel(frame, tile.move(domain, i));
+    if (i) g.lineTo(x, y); else g.moveTo(x, y);
+  }
+  g.closePath();
+  g.fillStyle = PASTEL[index % PASTEL.length];
+  g.strokeStyle = index ? '#b0a890' : '#8d6e00';
+  g.fill();
+  g.stroke();
+}
+
+// Text that is read on circles and lines.
+function name(g, tile, i, isChosen) {
+  const [x, y] = tile.pixelOf(i), text = tile.data.names[i];
+  g.font = isChosen ? 'bold 14px sans-serif' : '12px sans-serif';
+  g.lineWidth = 4;
+  g.strokeStyle = '#fffc';
+  g.strokeText(text, x + 8, y - 7);
+  g.fillStyle = '#000';
+  g.fillText(text, x + 8, y - 7);
+}
+
+function ring(g, tile, i, colour, width) {
+  g.strokeStyle = colour;
+  g.lineWidth = width;
+  g.beginPath();
+  g.arc(...tile.pixelOf(i), 3 + 2 * width, 0, FULL);
+  g.stroke();
+}
+
+// What is selected and its neighbours, above all else.
+export function paintMarks(g, tile, show, graph, { node, edge, near, edges }, hasNames) {
+  const nodes = node >= 0 ? [...near, node] : near, seen = nodes.filter((i) => tile.isSeen(i));
+  for (const i of show.nodeCircles ? nodes : []) {
+    const size = tile.nodeCircle(g, i);
+    g.fillStyle = colourOf(tile.data, i);
+    if (size > 0) g.fill();
+    Object.assign(g, i === node ? { strokeStyle: CHOSEN, lineWidth: 3 } : { strokeStyle: NODE, lineWidth: 1 });
+    if (size) g.stroke();
+  }
+  const halves = edges.flatMap((e) => [...graph.halvesOf(e)]);
+  for (const [colour, width] of [['#fff', 5], [edge >= 0 ? CHOSEN : NEAR, edge >= 0 ? 3.5 : 2]]) {
+    Object.assign(g, { strokeStyle: colour, lineWidth: width });
+    strokeLines(g, halves.length, (k) => tile.half(halves[k]));
+  }
+  for (const i of seen) {
+    ring(g, tile, i, i === node ? CHOSEN : NEAR, i === node ? 3 : 1.5);
+    paintDot(g, tile, i, 3, i === node ? CHOSEN : NODE);
+  }
+  if (hasNames) for (const i of seen) name(g, tile, i, i === node);
+}

@@ -1,0 +1,90 @@
+// The node or edge that is selected, by its key, in all graphs of a page.
+export class Selection {
+  constructor(graphs) {
+    this.graphs = graphs;
+    this.clear();
+  }
+
+  clear() { Object.assign(this, { graph: null, node: -1, edge: -1, key: null, hub: -1 }); }
+  get isEmpty() { return this.graph === null; }
+  chooseNode(graph, node) { Object.assign(this, { graph, node, edge: -1, key: graph.keys[node] }); }
+
+  // hub: the end around which the next edge is sought.
+  chooseEdge(graph, edge, hub = graph.ends(edge)[0]) { Object.assign(this, { graph, node: -1, edge, key: graph.keyOfEdge(edge), hub }); }
+
+  // What is marked in a graph: {node, edge, near: nodes, edges}, -1 where it is the other kind; null where the graph lacks it.
+  marksIn(graph) {
+    if (this.isEmpty) return null;
+    if (this.edge >= 0) {
+      const edge = graph === this.graph ? this.edge : graph.edgeOf(this.key);
+      return edge < 0 ? null : { node: -1, edge, near: graph.ends(edge), edges: [edge] };
+    }
+    const node = graph === this.graph ? this.node : graph.nodeOf(this.key);
+    if (node < 0) return null;
+    return { node, edge: -1, near: graph.neighbours(node).filter((n) => n !== node), edges: [...new Set(graph.edgesAt(node))] };
+  }
+
+  // To the next edge around a node, or the one before.
+  stepAround(by) {
+    const { graph, node, edge } = this;
+    if (this.isEmpty) return;
+    const hub = edge >= 0 ? this.hub : node, list = graph.edgesAt(hub), n = list.length;
+    const at = edge >= 0 ? list.indexOf(edge) + by : Math.min(0, by);
+    if (n) this.chooseEdge(graph, list[(at + n) % n], hub);
+  }
+
+  // Along a selected edge to its far end.
+  follow() { if (this.edge >= 0) this.chooseNode(this.graph, this.graph.otherEnd(this.edge, this.hub)); }
+
+  describe() {
+    if (this.isEmpty) return '';
+    const { graph, node, edge } = this;
+    return [...(edge >= 0 ? wordsOfEdge(graph, edge) : wordsOfNode(graph, node)), ...this.mates()].join(' · ');
+  }
+
+  // Where else it is, and under which name; where it is not.
+  mates() {
+    const others = this.graphs.filter((g) => g !== this.graph), own = this.nameIn(this.graph), absent = [], words = [];
+    for (const graph of others) {
+      const name = this.nameIn(graph);
+      if (name === null) absent.push(graph.data.title);
+      else if (name !== own) words.push(`in ${graph.data.title}: ${name}`);
+    }
+    if (absent.length) words.push(`not in ${absent.join(', ')}`);
+    else if (others.length && !words.length) words.push(others.length > 1 ? 'in all graphs' : 'in both graphs');
+    return words;
+  }
+
+  nameIn(graph) {
+    const marks = this.marksIn(graph);
+    if (!marks) return null;
+    return marks.edge >= 0 ? graph.nameOfEdge(marks.edge) : graph.name(marks.node);
+  }
+}
+
+const MOST_NAMES = 12;
+const UNITS = { spherical: ' rad', euclidean: '', hyperbolic: '' };
+
+function wordsOfNode(graph, node) {
+  const near = graph.neighbours(node).map((n) => graph.name(n)), { radii, geometry, title } = graph.data;
+  const more = near.length > MOST_NAMES ? ` and ${near.length - MOST_NAMES} more` : '';
+  const radius = `radius ${Number(radii[node].toPrecision(3))}${UNITS[geometry]}`;
+  return [`node ${graph.name(node)} of ${title}`, `degree ${graph.degree(node)}`, radius,
+    near.length ? `neighbours ${near.slice(0, MOST_NAMES).join(', ')}${more}` : 'no neighbours'];
+}
+
+function wordsOfEdge(graph, edge) {
+  const degrees = graph.ends(edge).map((node) => graph.degree(node));
+  return [`edge ${graph.nameOfEdge(edge)} of ${graph.data.title}`, `degrees of its ends ${degrees.join(' and ')}`];
+}
+
+// The nodes whose name is a text, or begins with it, or holds it, the best first; letters large or small.
+export function nodesNamed(graph, text) {
+  const wanted = text.trim().toLowerCase(), ranks = [[], [], []];
+  if (!wanted) return [];
+  graph.data.names.forEach((name, node) => {
+    const at = name.toLowerCase().indexOf(wanted);
+    if (at >= 0) ranks[at > 0 ? 2 : name.length === wanted.length ? 0 : 1].push(node);
+  });
+  return ranks.flat();
+}
