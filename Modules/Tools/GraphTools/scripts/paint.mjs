@@ -91,11 +91,13 @@ function name(g, tile, i, isChosen) {
   g.fillText(text, x + 8, y - 7);
 }
 
+// Smaller in small copies, but seen there, too.
 function ring(g, tile, i, colour, width) {
+  const size = Math.max(0.3, Math.min(1, tile.model.sizeOfDot(tile.node(i))));
   g.strokeStyle = colour;
-  g.lineWidth = width;
+  g.lineWidth = Math.max(1.5, size * width);
   g.beginPath();
-  g.arc(...tile.pixelOf(i), 3 + 2 * width, 0, FULL);
+  g.arc(...tile.pixelOf(i), size * (3 + 2 * width), 0, FULL);
   g.stroke();
 }
 

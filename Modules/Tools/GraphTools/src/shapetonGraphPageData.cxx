@@ -183,7 +183,8 @@ private:
     return tiles;
   }
 
-  /** Tiles, the boundary of the domain, and what a picture has in its middle: of the plane the domain, of the sphere its front. */
+  /** Tiles, the boundary of the domain, and what a picture has in its middle: of the plane the domain, of the sphere
+   * its front. */
   void
   AddCover()
   {

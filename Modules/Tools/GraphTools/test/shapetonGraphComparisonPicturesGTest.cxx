@@ -75,6 +75,6 @@ TEST(GraphComparisonPictures, ChangedNodesAreHighlighted)
   EXPECT_EQ(3, Count(steps, "#1e88e5"));     // the tracked node in each step
   EXPECT_EQ(2 * 2, Count(steps, "#43a047")); // two ends in each of two steps
   EXPECT_EQ(3, Count(shapeton::ReadFileBytes(folder / "compare.svg"), "#43a047"));
-  EXPECT_EQ(3, Count(shapeton::ReadFileBytes(folder / "index.html"), "<canvas"));
+  EXPECT_EQ(3, Count(shapeton::ReadFileBytes(folder / "index.html"), "<figure data-graph"));
   EXPECT_EQ(4, Count(shapeton::ReadFileBytes(folder / "correspondence.svg"), "<svg"));
 }

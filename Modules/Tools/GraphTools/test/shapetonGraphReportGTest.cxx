@@ -29,7 +29,7 @@ TEST(GraphReport, IsWholeAndWellFormed)
   report.facts = shapeton::FactsOf(cube);
   const XmlPage page = PageOf(report);
   ASSERT_TRUE(page.isWellFormed) << page.text.substr(0, 300);
-  EXPECT_EQ(1u, page.elements.at("canvas").size());
+  EXPECT_EQ(1u, page.elements.at("figure").size());
   EXPECT_EQ(2u, page.elements.at("script").size());
   EXPECT_NE(std::string::npos, page.text.find("a warning"));
   EXPECT_NE(std::string::npos, page.text.find("residual"));
@@ -53,7 +53,7 @@ TEST(GraphReport, GroupsOfGeometries)
   const EmbeddingCertificate octagon = Octagon();
   const XmlPage page = PageOf({ "title", { { "1", &cube }, { "2", &torus }, { "3", &cube }, { "4", &octagon } } });
   ASSERT_TRUE(page.isWellFormed);
-  EXPECT_EQ(4u, page.elements.at("canvas").size());
+  EXPECT_EQ(4u, page.elements.at("figure").size());
   EXPECT_EQ(3u, page.Count("div", "class", "graph-group"));
   EXPECT_EQ(2u, page.elements.at("select").size()); // the torus has one view only
 }

@@ -28,8 +28,8 @@ struct GraphView
   std::vector<std::string> nodeColors{};
   /** Names of nodes beside them. */
   bool hasLabels{ false };
-  /** For pages: a number of each node that it shares with those of other graphs that correspond to it; empty where names
-   * say so. */
+  /** For pages: a number of each node that it shares with those of other graphs that correspond to it; empty where
+   * names say so. */
   std::vector<int> nodeKeys{};
 };
 

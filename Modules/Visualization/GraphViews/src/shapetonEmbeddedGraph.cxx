@@ -189,8 +189,8 @@ EmbeddedGraph::FindPole(const std::vector<int> & owner)
   }
 }
 
-/** The middle of the nodes, which count as their radii: small ones are many, large ones are what one sees. Where the graph
- * surrounds the sphere evenly, a side from which polyhedra look solid. */
+/** The middle of the nodes, which count as their radii: small ones are many, large ones are what one sees. Where the
+ * graph surrounds the sphere evenly, a side from which polyhedra look solid. */
 void
 EmbeddedGraph::FindFront()
 {
@@ -204,8 +204,7 @@ EmbeddedGraph::FindFront()
     sum = { sum.x + radius * nodes[node].x, sum.y + radius * nodes[node].y, sum.z + radius * nodes[node].z };
   }
   const double length = std::sqrt(sum.x * sum.x + sum.y * sum.y + sum.z * sum.z);
-  front =
-    length > uneven * total ? Place{ sum.x / length, sum.y / length, sum.z / length } : Place{ 0.48, -0.6, 0.64 };
+  front = length > uneven * total ? Place{ sum.x / length, sum.y / length, sum.z / length } : Place{ 0.48, -0.6, 0.64 };
 }
 
 /** Each edge is crossed once, where it touches in the middle of its path; from there the dual follows the parents. */
