@@ -46,7 +46,7 @@ export class Exam {
   }
 
   makeMap() {
-    const n = this.uv.length / 2, flat = new Float32Array(3 * n);
+    const n = this.uv.length / 2, flat = new Float64Array(3 * n);
     let lo = Infinity, hi = -Infinity;
     for (let i = 0; i < n; i++) {
       const u = this.uv[2 * i];
@@ -160,6 +160,25 @@ export class Exam {
       if (hit) return this.place(hit.face, hit.weights);
     }
     return null;
+  }
+
+  // The place that the other position has at a face; uv: of its vertices, on this map. Between them the map is followed, not a
+  // straight line in space, which would leave the wall where the map stretches it.
+  fromMapped(uv, corners, weights) {
+    const c = this.circumference, first = uv[2 * corners[0] + 1];
+    let u = 0, v = 0;
+    corners.forEach((i, j) => {
+      u += weights[j] * uv[2 * i];
+      v += weights[j] * (uv[2 * i + 1] - c * Math.round((uv[2 * i + 1] - first) / c));
+    });
+    return this.fromUv(u, v) || this.nearestUv(u, v);
+  }
+
+  // Beyond the ends of the map.
+  nearestUv(u, v) {
+    const c = this.circumference, found = [0, -1, 1].map((k) => this.map.nearest([u, turn(v, c) + k * c, 0]));
+    const { face, weights } = found.reduce((a, b) => (b.squared < a.squared ? b : a));
+    return this.place(face, weights);
   }
 
   fromRay(eye, d) {

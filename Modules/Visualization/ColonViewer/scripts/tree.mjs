@@ -11,7 +11,7 @@ export class Tree {
     this.order = Uint32Array.from({ length: n }, (_, i) => i);
     this.middles = this.middlesOf(n);
     const most = Math.max(1, 2 * n);
-    this.box = new Float32Array(6 * most); // least, greatest corner
+    this.box = new points.constructor(6 * most); // least, greatest corner; as exact as the points
     this.first = new Int32Array(most);     // leaf: first of its triangles; else ~(left child), the right one follows it
     this.count = new Int32Array(most);     // 0: no leaf
     this.build(n);

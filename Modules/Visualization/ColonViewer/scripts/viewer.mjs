@@ -206,10 +206,10 @@ class Viewer {
 
   // The other position goes to the mapped place, dimmed where the map is not to be trusted there.
   linkFrom(k) {
-    const { face, weights } = this.panels[k].place, exam = this.exams[k], other = this.panels[1 - k];
-    const t = this.maps[k].trust[exam.faces[3 * face]];
+    const { face, weights } = this.panels[k].place, other = this.panels[1 - k], { mapped, trust } = this.maps[k];
+    const corners = this.exams[k].faces.subarray(3 * face, 3 * face + 3), t = trust[corners[0]];
     this.trust = t === EXCLUDED ? null : t / 200;
-    other.follow(other.exam.fromXyz(exam.mix(this.maps[k].mapped, 3, face, weights), false));
+    other.follow(other.exam.fromMapped(mapped, corners, weights));
     this.panels[k].root.classList.remove('dim');
     other.root.classList.toggle('dim', this.trust === null || this.trust < DOUBTFUL);
   }

@@ -291,7 +291,8 @@ void
 PutPoints(PageBlocks & blocks, const std::string & prefix, const SurfaceMesh & mesh, const std::string & path)
 {
   blocks.PutReals(prefix + "points", mesh.V);
-  blocks.PutReals(prefix + "uv", ValuesOf(mesh.pointArrays, "uv", path));
+  // Faces of folds are thousandths of a millimetre on the map.
+  blocks.PutReals<std::uint32_t>(prefix + "uv", ValuesOf(mesh.pointArrays, "uv", path));
   blocks.PutReals(prefix + "arc", ValuesOf(mesh.pointArrays, "arcLength", path));
   // Equal on both sides of the cut. Numbered anew, because a page keeps an array of them.
   const Eigen::MatrixXd      sources = ValuesOf(mesh.pointArrays, "sourcePointId", path);
@@ -394,7 +395,7 @@ PutViewerMap(PageBlocks & blocks, const std::string & prefix, const std::string 
     const double share = std::isfinite(confidence(vertex, 0)) ? std::clamp(confidence(vertex, 0), 0.0, 1.0) : 0.0;
     trust.push_back(static_cast<std::uint8_t>(excluded(vertex, 0) != 0 ? 255 : std::lround(200.0 * share)));
   }
-  blocks.PutReals(prefix + "mapped", ValuesOf(mesh.pointArrays, "mapped", path));
+  blocks.PutReals<std::uint32_t>(prefix + "mapped", ValuesOf(mesh.pointArrays, "mappedUv", path));
   blocks.Put(prefix + "trust", trust);
 }
 } // namespace shapeton

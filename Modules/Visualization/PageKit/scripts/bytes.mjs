@@ -40,7 +40,7 @@ const TYPES = { u8: Uint8Array, u16: Uint16Array, u32: Uint32Array };
 
 // Reals were stored as whole numbers between the least and the greatest of their column.
 function realsOf(values, { offset, step }) {
-  const out = new Float32Array(values.length);
+  const out = values.BYTES_PER_ELEMENT > 2 ? new Float64Array(values.length) : new Float32Array(values.length);
   for (let i = 0, k = 0; i < out.length; i++) {
     out[i] = offset[k] + step[k] * values[i];
     if (++k === step.length) k = 0;

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <stdexcept>
 
 namespace shapeton
@@ -99,12 +100,13 @@ PageBlocks::Put(const std::string &, const std::vector<std::uint16_t> &, std::si
 template void
 PageBlocks::Put(const std::string &, const std::vector<std::uint32_t> &, std::size_t, Json);
 
+template <typename TValue>
 void
 PageBlocks::PutReals(const std::string & name, const SurfaceArray::ValueMatrix & rows)
 {
-  constexpr double           greatest = 65535.0;
-  std::vector<std::uint16_t> values(rows.size());
-  Json                       header{ { "offset", Json::array() }, { "step", Json::array() } };
+  constexpr double    greatest = std::numeric_limits<TValue>::max();
+  std::vector<TValue> values(rows.size());
+  Json                header{ { "offset", Json::array() }, { "step", Json::array() } };
   for (Eigen::Index column = 0; column < rows.cols(); ++column)
   {
     const auto   value = rows.col(column).array();
@@ -117,11 +119,16 @@ PageBlocks::PutReals(const std::string & name, const SurfaceArray::ValueMatrix &
     {
       const double v = rows(row, column);
       values[row * rows.cols() + column] =
-        std::isfinite(v) ? static_cast<std::uint16_t>(std::lround((v - least) / step)) : 0;
+        std::isfinite(v) ? static_cast<TValue>(std::min(std::round((v - least) / step), greatest)) : 0;
     }
   }
   this->Put(name, values, rows.cols(), std::move(header));
 }
+
+template void
+PageBlocks::PutReals<std::uint16_t>(const std::string &, const SurfaceArray::ValueMatrix &);
+template void
+PageBlocks::PutReals<std::uint32_t>(const std::string &, const SurfaceArray::ValueMatrix &);
 
 void
 PageBlocks::PutJson(const std::string & name, const Json & value)

@@ -33,6 +33,8 @@ TEST(PageBlocks, HeadersTellTheRangeOfColumns)
   rows << 1.0, NAN, 3.0, 5.0;
   blocks.PutReals("r", rows);
   EXPECT_NE(blocks.Inline().find(R"({"offset":[1.0,5.0],"step":[)"), std::string::npos) << blocks.Inline();
+  blocks.PutReals<std::uint32_t>("fine", rows);
+  EXPECT_NE(blocks.Inline().find(R"("type":"u32")"), std::string::npos) << blocks.Inline();
 }
 
 TEST(PageBlocks, EqualInputGivesEqualBytesInThePageAndBesideIt)
