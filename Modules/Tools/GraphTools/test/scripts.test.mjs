@@ -105,8 +105,8 @@ function randomGraph(seed, nodes, edges, names) {
   const ends = Array.from({ length: 2 * edges }, () => Math.floor(nodes * random()));
   const halves = ends.map((node, h) => unit(at[node].map((x, k) => x + at[ends[h ^ 1]][k] + 1e-3)));
   return new PageGraph({
-    title: `graph ${seed}`, geometry: 'spherical', names: names || at.map((_, i) => `n${i}`), radii: at.map(() => 0.1), places: at.flat(), ends,
-    starts: ends, touches: halves.flat(), edgeOf: ends.map((_, h) => h >> 1),
+    title: `graph ${seed}`, geometry: 'spherical', names: names || at.map((_, i) => `n${i}`), radii: at.map(() => 0.1),
+    places: at.flat(), ends, starts: ends, touches: halves.flat(), edgeOf: ends.map((_, h) => h >> 1),
   });
 }
 
@@ -170,9 +170,10 @@ test('what is under a pixel is what is painted there', () => {
   graph.data.edgeOf.forEach((edge, h) => {
     const line = tiles[0].half(h);
     if (!line) return;
-    const found = edgeUnder(tiles, graph, line[line.length >> 1], 5), lines = [...graph.halvesOf(found)].map((k) => tiles[0].half(k)).filter(Boolean);
+    const at = line[line.length >> 1], found = edgeUnder(tiles, graph, at, 5);
+    const lines = [...graph.halvesOf(found)].map((k) => tiles[0].half(k)).filter(Boolean);
     edges++;
-    assert.ok(found === edge || lines.some((l) => l.some((p) => far(p, line[line.length >> 1]) < 30)), `${found} in place of ${edge}`);
+    assert.ok(found === edge || lines.some((l) => l.some((p) => far(p, at) < 30)), `${found} in place of ${edge}`);
     assert.equal(edgeUnder(tiles, graph, [-50, -50], 5), -1);
   });
   assert.ok(edges > 20);

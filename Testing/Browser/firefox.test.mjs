@@ -1,0 +1,54 @@
+// What needs no WebGL works in Firefox, too. usage: VIEWER=folder of viewer.html SPHERE=folder of index.html [SHOTS=folder]
+// node --test firefox.test.mjs
+import assert from 'node:assert/strict';
+import { after, before, test } from 'node:test';
+import { launchFirefox } from './firefox.mjs';
+
+const { VIEWER, SPHERE, SHOTS } = process.env, FLAT_VIEWS = ['flat', 'axial', 'coronal', 'sagittal'];
+let page;
+
+before(async () => { page = await launchFirefox(); });
+after(() => page.close());
+const shot = async (name) => { if (SHOTS) await page.screenshot(`${SHOTS}/${name}.png`); };
+
+test('without WebGL 2 the viewer of a colon says so, and its views in the plane go on', async () => {
+  await page.open(`${VIEWER}/viewer.html`);
+  await page.until(() => Boolean(window.viewer));
+  assert.match(await page.evaluate(() => document.getElementById('notices').textContent), /no WebGL 2/);
+  const idle = () => page.evaluate(() => viewer.idle());
+  for (const name of FLAT_VIEWS) {
+    const [x, y, w, h] = await page.evaluate((n) => {
+      const r = document.querySelector(`[data-view=${n}]`).getBoundingClientRect();
+      return [r.x, r.y, r.width, r.height];
+    }, name);
+    const at = [Math.round(x + 0.4 * w), Math.round(y + 0.6 * h)];
+    await page.click(...at);
+    await idle();
+    const shown = await page.evaluate(() => Object.fromEntries(viewer.panels[0].views.map((v) => [v.box.dataset.view, v.shown])));
+    for (const view of FLAT_VIEWS) assert.ok(shown[view], `${view} after a click on ${name}`);
+    assert.ok(Math.hypot(shown[name][0] + x - at[0], shown[name][1] + y - at[1]) < 1.5, `${name}: the crosshair is where the click was`);
+    const colours = await page.evaluate((n) => {
+      const { canvas, context } = viewer.panels[0].views.find((v) => v.box.dataset.view === n);
+      return new Set(new Uint32Array(context.getImageData(0, 0, canvas.width, canvas.height).data.buffer)).size;
+    }, name);
+    assert.ok(colours > 50, `${name} shows a picture`);
+  }
+  await page.key('n');
+  await idle();
+  assert.match(await page.evaluate(() => document.getElementById('status').textContent), /mm \(LPS\)/);
+  await shot('firefox-viewer');
+});
+
+test('a click on a node of a page of graphs selects it', async () => {
+  await page.open(`${SPHERE}/index.html`);
+  await page.evaluate(() => graphPage.idle());
+  const at = await page.evaluate(() => {
+    const { box, picture: { tiles: [tile] } } = graphPage.views[0], { x, y } = box.getBoundingClientRect();
+    const [a, b] = tile.pixelOf([0, 1, 2, 3, 4, 5, 6, 7].find((i) => tile.isSeen(i)));
+    return [x + a, y + b];
+  });
+  await page.click(...at);
+  await page.evaluate(() => graphPage.idle());
+  assert.match(await page.evaluate(() => document.getElementById('told').textContent), /^node \d+ of .* degree 3/);
+  await shot('firefox-graph');
+});
