@@ -55,7 +55,8 @@ export class GraphPicture extends View {
 export class GraphMarks extends View {
   constructor(root, picture, page) {
     super(root, 'marks', `${picture.graph.data.title}: what is selected`);
-    Object.assign(this, { picture, page, graph: picture.graph, group: picture.group, isFocused: false });
+    Object.assign(this, { picture, page, graph: picture.graph, group: picture.group });
+    this.caption = root.parentElement.querySelector('figcaption');
     picture.marks = this;
     this.label.remove();
     this.canvas.addEventListener('pointerdown', (e) => { this.last = this.unitsOf({ x: e.offsetX, y: e.offsetY }); page.focusOn(this); });
@@ -93,10 +94,9 @@ export class GraphMarks extends View {
 
   hover(x, y) {
     const node = this.nodeAt(x, y);
-    this.tell(node < 0 ? '' : `: node ${this.graph.name(node)}`);
+    this.caption.textContent = this.graph.data.title + (node < 0 ? '' : `: node ${this.graph.name(node)}`);
   }
 
-  tell(text) { this.box.parentElement.parentElement.querySelector('figcaption').textContent = this.graph.data.title + text; }
   nodeAt(x, y) { return nodeUnder(this.picture.tiles, this.graph, [x, y], 0.03 * this.picture.frame.R); }
 
   // The node of the circle that a pixel lies in, where circles are shown.

@@ -62,8 +62,7 @@ HelpOf(EmbeddingGeometry geometry)
       return "Drag to move, shift and drag to turn, wheel to zoom. The domains are copies of one torus.";
     default:
       return "Drag to move by an isometry of the hyperbolic plane (a Moebius transformation of the disk), shift and "
-             "drag to turn, wheel to "
-             "enlarge. The domains are copies of one surface.";
+             "drag to turn, wheel to enlarge. The domains are copies of one surface.";
   }
 }
 
@@ -82,38 +81,48 @@ AddGroup(const ViewGroup & views, DiskModel disk, int & number, HtmlReport & pag
   page.AddParagraph(HelpOf(views.front()->certificate->geometry));
 }
 
+/** Views by geometry; a note on the page in place of those that are too large. */
+std::vector<ViewGroup>
+GroupsOf(const std::vector<GraphView> & views, HtmlReport & page)
+{
+  constexpr std::size_t  mostEdges = 200000; // a page of 60 MB
+  std::vector<ViewGroup> groups(3);
+  for (const GraphView & view : views)
+  {
+    const std::size_t edges = view.certificate->packed.edges.size();
+    if (edges > mostEdges)
+    {
+      page.AddNote(view.title + ": the map has " + std::to_string(edges) + " edges, too many for the view of a page.");
+      continue;
+    }
+    const EmbeddingGeometry geometry = view.certificate->geometry;
+    groups[geometry == EmbeddingGeometry::Spherical   ? 0
+           : geometry == EmbeddingGeometry::Euclidean ? 1
+                                                      : 2]
+      .push_back(&view);
+  }
+  groups.erase(std::remove_if(groups.begin(), groups.end(), [](const ViewGroup & group) { return group.empty(); }),
+               groups.end());
+  return groups;
+}
+
 void
 AddViews(const GraphReport & report, HtmlReport & page)
 {
+  const std::vector<ViewGroup> groups = GroupsOf(report.views, page);
+  if (groups.empty())
+  {
+    return;
+  }
   page.AddStyle(PageText(GraphStyle));
   page.AddMarkup("<noscript><p>The view needs JavaScript, which this page brings along.</p></noscript>\n"
                  "<div id=\"tools\"></div>\n");
-  constexpr std::size_t mostEdges = 200000; // a page of 100 MB
-  int                   number = 0;
-  for (const auto geometry :
-       { EmbeddingGeometry::Spherical, EmbeddingGeometry::Euclidean, EmbeddingGeometry::Hyperbolic })
+  int number = 0;
+  for (const ViewGroup & group : groups)
   {
-    ViewGroup group;
-    for (const GraphView & view : report.views)
-    {
-      const std::size_t edges = view.certificate->packed.edges.size();
-      if (view.certificate->geometry != geometry)
-      {
-        continue;
-      }
-      if (edges > mostEdges)
-      {
-        page.AddNote(view.title + ": the map has " + std::to_string(edges) +
-                     " edges, too many for the view of a page.");
-        continue;
-      }
-      group.push_back(&view);
-    }
-    if (!group.empty())
-    {
-      AddGroup(group, report.disk, number, page);
-    }
+    AddGroup(group, report.disk, number, page);
   }
+  page.AddMarkup("<script>//<![CDATA[\n" + PageText(GraphScript) + "//]]></script>\n");
 }
 } // namespace
 
@@ -121,10 +130,7 @@ void
 WriteGraphReport(const GraphReport & report, const std::string & path)
 {
   HtmlReport page(report.title);
-  if (!report.views.empty())
-  {
-    AddViews(report, page);
-  }
+  AddViews(report, page);
   page.AddWarnings(report.warnings);
   for (const std::string & paragraph : report.paragraphs)
   {
@@ -138,10 +144,6 @@ WriteGraphReport(const GraphReport & report, const std::string & path)
   {
     page.AddHeading("Facts");
     page.AddFacts(report.facts);
-  }
-  if (!report.views.empty())
-  {
-    page.AddMarkup("<script>//<![CDATA[\n" + PageText(GraphScript) + "//]]></script>\n");
   }
   page.Write(path);
 }

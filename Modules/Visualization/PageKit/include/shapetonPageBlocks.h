@@ -35,8 +35,8 @@ public:
       const std::vector<TValue> & values,
       std::size_t                 delta = 0,
       Json                        header = Json::object());
-  /** Rows of reals as whole numbers of 16 or 32 bits between the least and the greatest of their column; values that are
-   * not finite become the least. */
+  /** Rows of reals as whole numbers of 16 or 32 bits between the least and the greatest of their column; values that
+   * are not finite become the least. */
   template <typename TValue = std::uint16_t>
   void
   PutReals(const std::string & name, const SurfaceArray::ValueMatrix & rows);
