@@ -11,6 +11,7 @@ set(Shapeton_MODULES
   IO/VolumeFiles
   IO/DicomSeries
   IO/SlicerMarkups
+  IO/DicomResults
   Filtering/ShapeDiffusion
   Phantom/ShapePhantom
   Phantom/ColonPhantom

@@ -87,7 +87,12 @@ struct DicomSlice
   std::string file;
   /** Frame of the file, from 0. */
   unsigned int frame{ 0 };
-  int          instanceNumber{ 0 };
+  /** The file has frames, be it one: who refers to the slice names its frame. */
+  bool isMultiFrame{ false };
+  /** By which other objects refer to the file. */
+  std::string sopClassUID;
+  std::string sopInstanceUID;
+  int         instanceNumber{ 0 };
   /** Image Position (Patient) of the first pixel, LPS mm. */
   itk::Point<double, 3> imagePosition{};
   /** Distance from the first slice along the normal, mm. */
@@ -104,6 +109,9 @@ struct DicomSlice
 struct DicomSeries
 {
   std::string uid;
+  std::string studyUID;
+  /** Of the first slice. */
+  std::string frameOfReferenceUID;
   /** 1 of 1, unless the series is mixed: then its parts are numbered and chosen as "UID#1", "UID#2". */
   unsigned int part{ 1 };
   unsigned int parts{ 1 };

@@ -3,6 +3,7 @@
 
 #include "DicomSeriesExport.h"
 
+#include "shapetonDicomSeriesScan.h"
 #include "shapetonVolume.h"
 
 #include <string>
@@ -28,6 +29,11 @@ struct VolumeReadOptions
    */
   bool allowSingleSlice{ false };
 };
+
+/** The series of a folder that ReadVolume() would read with these options. Throws InputError as it does.
+ * \ingroup DicomSeries */
+DicomSeries_EXPORT const DicomSeries &
+SelectDicomSeries(const DicomScan & scan, const VolumeReadOptions & options = {});
 
 /** Reads a folder (searched recursively), one DICOM file, or one NRRD, NIfTI or MetaImage file.
  *

@@ -494,6 +494,8 @@ void
 ReadIdentity(DcmFileFormat & format, DcmDataset & dataset, DicomFile & file)
 {
   file.studyUID = GetText(dataset, DCM_StudyInstanceUID);
+  file.sopClassUID = GetText(dataset, DCM_SOPClassUID);
+  file.sopInstanceUID = GetText(dataset, DCM_SOPInstanceUID);
   file.seriesUID = GetText(dataset, DCM_SeriesInstanceUID);
   file.frameOfReferenceUID = GetText(dataset, DCM_FrameOfReferenceUID);
   file.description = GetText(dataset, DCM_SeriesDescription);
@@ -515,6 +517,7 @@ void
 ReadImage(DcmDataset & dataset, DicomFile & file, bool isIncomplete)
 {
   file.kind = DicomFile::Kind::image;
+  file.isMultiFrame = IsEnhanced(dataset);
   file.rows = GetWord(dataset, DCM_Rows, 0);
   file.columns = GetWord(dataset, DCM_Columns, 0);
   file.refusal = GetRefusal(dataset, file.isOtherObject);

@@ -47,6 +47,8 @@ struct DicomFile
   std::string what;
 
   std::string studyUID;
+  std::string sopClassUID;
+  std::string sopInstanceUID;
   std::string seriesUID;
   std::string frameOfReferenceUID;
   std::string description;
@@ -60,6 +62,8 @@ struct DicomFile
   std::uint16_t columns{ 0 };
   bool          isLossy{ false };
   bool          isInverted{ false };
+  /** The image has functional groups: its frames are slices. */
+  bool isMultiFrame{ false };
   /** The encoding of the pixels cannot be read. */
   bool isUnsupportedTransferSyntax{ false };
   /** What is missing; empty for a whole file. */
@@ -81,10 +85,10 @@ template <typename TStream, typename TFile>
 void
 Transmit(TStream & stream, TFile & file)
 {
-  stream & file.kind & file.what & file.studyUID & file.seriesUID & file.frameOfReferenceUID & file.description & file
-    .modality & file.patientPosition & file.transferSyntax & file.seriesNumber & file.instanceNumber & file.rows & file
-    .columns & file.isLossy & file.isInverted & file.isUnsupportedTransferSyntax & file.truncation & file.refusal & file
-    .isOtherObject;
+  stream & file.kind & file.what & file.studyUID & file.sopClassUID & file.sopInstanceUID & file.seriesUID & file
+    .frameOfReferenceUID & file.description & file.modality & file.patientPosition & file.transferSyntax & file
+    .seriesNumber & file.instanceNumber & file.rows & file.columns & file.isLossy & file.isInverted & file
+    .isMultiFrame & file.isUnsupportedTransferSyntax & file.truncation & file.refusal & file.isOtherObject;
   auto     count = static_cast<std::uint64_t>(file.frames.size());
   stream & count;
   if constexpr (!std::is_const<TFile>::value)

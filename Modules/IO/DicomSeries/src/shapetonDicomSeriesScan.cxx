@@ -430,6 +430,9 @@ MakeSlice(const Item & item)
   DicomSlice slice;
   slice.file = item.file->path;
   slice.frame = item.number;
+  slice.isMultiFrame = item.file->isMultiFrame;
+  slice.sopClassUID = item.file->sopClassUID;
+  slice.sopInstanceUID = item.file->sopInstanceUID;
   slice.instanceNumber = item.file->instanceNumber;
   if (item.frame)
   {
@@ -445,6 +448,8 @@ DescribeSeries(DicomSeries & series, const Items & items)
 {
   const DicomFile & file = *items.front().file;
   series.uid = file.seriesUID;
+  series.studyUID = file.studyUID;
+  series.frameOfReferenceUID = file.frameOfReferenceUID;
   series.number = file.seriesNumber;
   series.description = file.description;
   series.modality = file.modality;

@@ -1,5 +1,6 @@
 #include "shapetonDicomSeriesWriter.h"
 #include "shapetonDicomSeriesFolder.h"
+#include "shapetonDicomText.h"
 
 #include "shapetonSha256.h"
 #include "shapetonExceptions.h"
@@ -11,7 +12,6 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <cstdint>
 #include <limits>
@@ -135,74 +135,6 @@ CheckImage(const ImageType * image)
   CheckValues(image);
 }
 
-// A Decimal String: at most 16 characters, as many digits as fit.
-std::string
-DecimalString(double value)
-{
-  value = value == 0.0 ? 0.0 : value; // no "-0"
-  for (int digits = 16; digits > 0; --digits)
-  {
-    std::array<char, 40> text{};
-    const auto           end =
-      std::to_chars(text.data(), text.data() + text.size(), value, std::chars_format::general, digits).ptr;
-    if (end - text.data() <= 16)
-    {
-      return std::string(text.data(), end);
-    }
-  }
-  throw InputError("a number of the image geometry cannot be written as a DICOM Decimal String");
-}
-
-std::string
-Join(const std::vector<std::string> & values)
-{
-  std::string joined;
-  for (const auto & value : values)
-  {
-    joined += (joined.empty() ? "" : "\\") + value;
-  }
-  return joined;
-}
-
-// 2.25.<decimal of a UUID> (DICOM PS3.5 B.2); the UUID is a custom one (RFC 9562, version 8) made from a SHA-256.
-std::string
-MakeUID(const std::string & text)
-{
-  const std::string           digits = Sha256OfBytes(text);
-  std::array<unsigned int, 4> words{}; // most significant first
-  for (std::size_t i = 0; i < words.size(); ++i)
-  {
-    words[i] = static_cast<unsigned int>(std::stoul(digits.substr(8 * i, 8), nullptr, 16));
-  }
-  words[1] = (words[1] & 0xFFFF0FFFU) | 0x00008000U; // version 8
-  words[2] = (words[2] & 0x3FFFFFFFU) | 0x80000000U; // variant of RFC 9562
-  std::string decimal;
-  while (std::any_of(words.begin(), words.end(), [](unsigned int word) { return word != 0; }))
-  {
-    std::uint64_t remainder = 0;
-    for (auto & word : words)
-    {
-      const std::uint64_t dividend = (remainder << 32) | word;
-      word = static_cast<unsigned int>(dividend / 10);
-      remainder = dividend % 10;
-    }
-    decimal.insert(decimal.begin(), static_cast<char>('0' + remainder));
-  }
-  return "2.25." + decimal;
-}
-
-// Length-prefixed, so that no two lists of texts give the same result.
-std::string
-Concatenate(const std::vector<std::string> & texts)
-{
-  std::string all;
-  for (const auto & text : texts)
-  {
-    all += std::to_string(text.size()) + ':' + text;
-  }
-  return all;
-}
-
 // The texts and numbers that are equal in all slices.
 struct SeriesHeader
 {
@@ -228,11 +160,11 @@ IdentityOfImage(const ImageType * image)
   for (unsigned int i = 0; i < 3; ++i)
   {
     parts.push_back(std::to_string(size[i]));
-    parts.push_back(DecimalString(image->GetSpacing()[i]));
-    parts.push_back(DecimalString(origin[i]));
+    parts.push_back(DicomDecimal(image->GetSpacing()[i]));
+    parts.push_back(DicomDecimal(origin[i]));
     for (unsigned int j = 0; j < 3; ++j)
     {
-      parts.push_back(DecimalString(image->GetDirection()(i, j)));
+      parts.push_back(DicomDecimal(image->GetDirection()(i, j)));
     }
   }
   for (std::size_t slice = 0; slice < size[2]; ++slice)
@@ -240,42 +172,42 @@ IdentityOfImage(const ImageType * image)
     const auto * const pixels = reinterpret_cast<const char *>(image->GetBufferPointer() + slice * slicePixels);
     parts.push_back(Sha256OfBytes(std::string(pixels, slicePixels * sizeof(short))));
   }
-  return Concatenate(parts);
+  return ConcatenateTexts(parts);
 }
 
 SeriesHeader
 MakeSeriesHeader(const ImageType * image, const DicomSeriesDescription & description)
 {
   const std::string study =
-    Concatenate({ description.patientID, description.studyDescription, std::to_string(description.seed) });
-  const std::string series = Concatenate({ study,
-                                           description.patientName,
-                                           description.seriesDescription,
-                                           description.comments,
-                                           description.patientPosition,
-                                           std::to_string(description.seriesNumber),
-                                           IdentityOfImage(image) });
+    ConcatenateTexts({ description.patientID, description.studyDescription, std::to_string(description.seed) });
+  const std::string series = ConcatenateTexts({ study,
+                                                description.patientName,
+                                                description.seriesDescription,
+                                                description.comments,
+                                                description.patientPosition,
+                                                std::to_string(description.seriesNumber),
+                                                IdentityOfImage(image) });
   SeriesHeader      header;
-  header.studyUID = MakeUID("study " + study);
-  header.frameOfReferenceUID = MakeUID("frame of reference " + study);
-  header.seriesUID = MakeUID("series " + series);
+  header.studyUID = MakeDicomUID("study " + study);
+  header.frameOfReferenceUID = MakeDicomUID("frame of reference " + study);
+  header.seriesUID = MakeDicomUID("series " + series);
 
   const auto & direction = image->GetDirection();
-  header.orientation = Join({ DecimalString(direction(0, 0)),
-                              DecimalString(direction(1, 0)),
-                              DecimalString(direction(2, 0)),
-                              DecimalString(direction(0, 1)),
-                              DecimalString(direction(1, 1)),
-                              DecimalString(direction(2, 1)) });
+  header.orientation = JoinDicomValues({ DicomDecimal(direction(0, 0)),
+                                         DicomDecimal(direction(1, 0)),
+                                         DicomDecimal(direction(2, 0)),
+                                         DicomDecimal(direction(0, 1)),
+                                         DicomDecimal(direction(1, 1)),
+                                         DicomDecimal(direction(2, 1)) });
   const auto & spacing = image->GetSpacing();
-  header.pixelSpacing = Join({ DecimalString(spacing[1]), DecimalString(spacing[0]) }); // rows first
-  header.sliceThickness = DecimalString(spacing[2]);
+  header.pixelSpacing = JoinDicomValues({ DicomDecimal(spacing[1]), DicomDecimal(spacing[0]) }); // rows first
+  header.sliceThickness = DicomDecimal(spacing[2]);
 
   const short * const first = image->GetBufferPointer();
   const auto          range = std::minmax_element(first, first + image->GetLargestPossibleRegion().GetNumberOfPixels());
   const int           lowest = *range.first;
   const int           highest = *range.second;
-  header.windowCenter = DecimalString(0.5 * (lowest + highest + 1));
+  header.windowCenter = DicomDecimal(0.5 * (lowest + highest + 1));
   header.windowWidth = std::to_string(highest - lowest + 1);
   header.bitsStored = highest - rescaleIntercept < 4096 ? 12 : 16;
   return header;
@@ -363,7 +295,7 @@ PutImage(DatasetWriter &                writer,
 
   const std::string number = std::to_string(slice + 1);
   writer.Text(DCM_SOPClassUID, UID_CTImageStorage);
-  writer.Text(DCM_SOPInstanceUID, MakeUID("image " + header.seriesUID + ' ' + number));
+  writer.Text(DCM_SOPInstanceUID, MakeDicomUID("image " + header.seriesUID + ' ' + number));
   writer.Text(DCM_ImageType, "ORIGINAL\\PRIMARY\\AXIAL");
   writer.Text(DCM_InstanceNumber, number);
   writer.Text(DCM_AcquisitionNumber, "1");
@@ -377,7 +309,7 @@ PutImage(DatasetWriter &                writer,
     writer.Text(DCM_ImageComments, description.comments);
   }
   writer.Text(DCM_ImagePositionPatient,
-              Join({ DecimalString(position[0]), DecimalString(position[1]), DecimalString(position[2]) }));
+              JoinDicomValues({ DicomDecimal(position[0]), DicomDecimal(position[1]), DicomDecimal(position[2]) }));
   writer.Text(DCM_ImageOrientationPatient, header.orientation);
   writer.Text(DCM_PixelSpacing, header.pixelSpacing);
   writer.Text(DCM_SliceThickness, header.sliceThickness);

@@ -269,12 +269,8 @@ NoteOthers(const DicomScan & scan, const DicomSeries & taken, Volume & volume)
 Volume
 ReadDicom(const std::string & path, const VolumeReadOptions & options)
 {
-  const DicomScan scan = ScanDicom(path);
-  if (scan.series.empty())
-  {
-    RefuseFolderWithoutImage(scan);
-  }
-  const DicomSeries & series = options.seriesUID.empty() ? SelectOnlyOne(scan, options) : SelectByUID(scan, options);
+  const DicomScan     scan = ScanDicom(path);
+  const DicomSeries & series = SelectDicomSeries(scan, options);
   Volume              volume;
   try
   {
@@ -302,6 +298,16 @@ CheckExtent(const std::string & path, const Volume & volume, const VolumeReadOpt
   }
 }
 } // namespace
+
+const DicomSeries &
+SelectDicomSeries(const DicomScan & scan, const VolumeReadOptions & options)
+{
+  if (scan.series.empty())
+  {
+    RefuseFolderWithoutImage(scan);
+  }
+  return options.seriesUID.empty() ? SelectOnlyOne(scan, options) : SelectByUID(scan, options);
+}
 
 Volume
 ReadVolume(const std::string & path, const VolumeReadOptions & options)

@@ -1,0 +1,59 @@
+#ifndef shapetonDicomSegmentationReader_h
+#define shapetonDicomSegmentationReader_h
+
+#include "shapetonDicomSegmentation.h"
+
+namespace shapeton
+{
+/** A segment of a file. \ingroup DicomResults */
+struct DicomSegmentInFile
+{
+  int         number{ 0 };
+  std::string name;
+  DicomCode   category;
+  DicomCode   type;
+  std::string trackingUID;
+};
+
+/** A frame of a file: one segment in one plane. \ingroup DicomResults */
+struct DicomSegmentFrame
+{
+  int                   segment{ 0 };
+  itk::Point<double, 3> position{};
+};
+
+/** What the header of a DICOM Segmentation says. \ingroup DicomResults */
+struct DicomSegmentationFile
+{
+  std::string path;
+  std::string frameOfReferenceUID;
+  /** Of the series that it refers to; empty where it names none. */
+  std::string  seriesUID;
+  unsigned int columns{ 0 };
+  unsigned int rows{ 0 };
+  /** Distance of columns, of rows, mm. */
+  double spacing[2]{ 0.0, 0.0 };
+  /** Along a row, then along a column. */
+  double orientation[6]{};
+  /** Of a fractional one, the value of a voxel that is wholly inside; 0 of a binary one. */
+  unsigned int                    wholeValue{ 0 };
+  std::vector<DicomSegmentInFile> segments;
+  std::vector<DicomSegmentFrame>  frames;
+};
+
+/** Reads the header of a DICOM Segmentation of any maker: binary or fractional, not compressed or deflated; all frames
+ * in parallel planes. Throws InputError that names the file and the fault. \ingroup DicomResults */
+DicomResults_EXPORT DicomSegmentationFile
+ReadDicomSegmentation(const std::string & path);
+
+/** The voxels of segments on a grid, as a rule that of the source series: each has the number of its segment, of
+ * several the one that comes last in `numbers`; 0 is none. A voxel of a fractional segment belongs to it from a half
+ * on.
+ *
+ * Throws InputError where a frame does not lie in a slice of the grid with the same pixels, and for a file that is not
+ * whole; ParameterError for a number that is not there. \ingroup DicomResults */
+DicomResults_EXPORT DicomLabelImage::Pointer
+ReadDicomSegments(const DicomSegmentationFile & file, const std::vector<int> & numbers, const itk::ImageBase<3> * grid);
+} // namespace shapeton
+
+#endif

@@ -1,0 +1,19 @@
+set(DOCUMENTATION "Results as DICOM objects beside the series that they were made from: segmentations, measurement reports, parametric maps,
+pictures and surfaces; segmentations and the points of reports read back.")
+
+itk_module(DicomResults
+  ENABLE_SHARED
+  EXCLUDE_FROM_DEFAULT
+  DEPENDS
+    SurfaceMesh
+    DicomSeries
+    ITKCommon
+  PRIVATE_DEPENDS
+    Base
+    VolumeFiles
+  TEST_DEPENDS
+    Report
+    ITKGDCM
+    ITKGoogleTest
+  DESCRIPTION "${DOCUMENTATION}"
+)

@@ -1,0 +1,214 @@
+#include "shapetonDicomResultObject.h"
+
+#include "shapetonDicomText.h"
+#include "shapetonExceptions.h"
+#include "shapetonSha256.h"
+
+#include "dcmtk/dcmdata/dcistrmb.h"
+
+namespace shapeton
+{
+namespace
+{
+/** Attributes that must be there, be it without a value. */
+const DcmTagKey expected[] = {
+  DCM_PatientName, DCM_PatientID, DCM_PatientBirthDate,       DCM_PatientSex, DCM_StudyInstanceUID,
+  DCM_StudyDate,   DCM_StudyTime, DCM_ReferringPhysicianName, DCM_StudyID,    DCM_AccessionNumber
+};
+
+/** The dates of a source, the best first. */
+const std::pair<DcmTagKey, DcmTagKey> dates[] = { { DCM_AcquisitionDate, DCM_AcquisitionTime },
+                                                  { DCM_ContentDate, DCM_ContentTime },
+                                                  { DCM_SeriesDate, DCM_SeriesTime },
+                                                  { DCM_StudyDate, DCM_StudyTime } };
+
+std::string
+TextOf(DcmItem & item, const DcmTagKey & tag)
+{
+  OFString text;
+  item.findAndGetOFStringArray(tag, text);
+  return text.c_str();
+}
+
+void
+SaveFile(DcmFileFormat & file, const std::string & path, E_TransferSyntax syntax)
+{
+  const OFCondition condition = file.saveFile(path.c_str(), syntax);
+  if (condition.bad())
+  {
+    throw OutputError("\"" + path + "\" cannot be written: " + condition.text() +
+                      "; free some space or choose another folder");
+  }
+}
+} // namespace
+
+DicomResultObject::DicomResultObject(const DicomSource &       source,
+                                     const char *              sopClassUID,
+                                     const std::string &       modality,
+                                     const DicomResultHeader & header)
+  : m_Source(source), m_SopClassUID(sopClassUID)
+{
+  this->PutSourceHeader();
+  this->PutDates();
+  m_LossyRatio = this->Take(DCM_LossyImageCompressionRatio);
+  m_LossyMethod = this->Take(DCM_LossyImageCompressionMethod);
+  this->Root()
+    .Text(DCM_SOPClassUID, m_SopClassUID)
+    .Text(DCM_Modality, modality)
+    .Text(DCM_SeriesNumber, std::to_string(header.seriesNumber))
+    .Text(DCM_SeriesDescription, header.seriesDescription)
+    .Text(DCM_InstanceNumber, "1")
+    .Text(DCM_Manufacturer, "Shapeton")
+    .Text(DCM_ManufacturerModelName, header.tool)
+    .Text(DCM_DeviceSerialNumber, "0")
+    .Text(DCM_SoftwareVersions, header.version);
+}
+
+void
+DicomResultObject::PutSourceHeader()
+{
+  DcmDataset & dataset = *m_File.getDataset();
+  std::string  bytes = m_Source.header;
+
+  DcmInputBufferStream stream;
+  stream.setBuffer(&bytes[0], static_cast<offile_off_t>(bytes.size()));
+  stream.setEos();
+  dataset.transferInit();
+  const OFCondition condition = dataset.read(stream, EXS_LittleEndianExplicit);
+  dataset.transferEnd();
+  if (condition.bad())
+  {
+    throw InputError("the header of the source series cannot be read: " + std::string(condition.text()) +
+                     "; look at it with DicomSeriesInspector");
+  }
+  for (const DcmTagKey & tag : expected)
+  {
+    if (!dataset.tagExists(tag))
+    {
+      this->Root().Text(tag, "");
+    }
+  }
+}
+
+/** Those of the source, never those of now: equal runs, equal bytes. Content Date and Time must have a value, so that a
+ * source without any date gets the first one that some readers take. */
+void
+DicomResultObject::PutDates()
+{
+  DcmDataset & dataset = *m_File.getDataset();
+  std::string  date = "19000101";
+  std::string  time = "000000";
+  for (const auto & [dateTag, timeTag] : dates)
+  {
+    if (const std::string found = TextOf(dataset, dateTag); !found.empty())
+    {
+      date = found;
+      time = TextOf(dataset, timeTag).empty() ? time : TextOf(dataset, timeTag);
+      break;
+    }
+  }
+  this->Take(DCM_AcquisitionDate);
+  this->Take(DCM_AcquisitionTime);
+  for (const DcmTagKey & tag : { DCM_SeriesDate, DCM_ContentDate, DCM_InstanceCreationDate })
+  {
+    this->Root().Text(tag, date);
+  }
+  for (const DcmTagKey & tag : { DCM_SeriesTime, DCM_ContentTime, DCM_InstanceCreationTime })
+  {
+    this->Root().Text(tag, time);
+  }
+}
+
+/** The value of an attribute of the source that is not one of every result. */
+std::string
+DicomResultObject::Take(const DcmTagKey & tag)
+{
+  const std::string value = TextOf(*m_File.getDataset(), tag);
+  m_File.getDataset()->findAndDeleteElement(tag);
+  return value;
+}
+
+void
+DicomResultObject::PutLossiness()
+{
+  this->Root().Text(DCM_LossyImageCompression, m_Source.series.isLossy ? "01" : "00");
+  if (m_Source.series.isLossy && !m_LossyRatio.empty())
+  {
+    this->Root()
+      .Text(DCM_LossyImageCompressionRatio, m_LossyRatio)
+      .Text(DCM_LossyImageCompressionMethod, m_LossyMethod);
+  }
+}
+
+void
+DicomResultObject::PutFrameOfReference()
+{
+  this->Root()
+    .Text(DCM_FrameOfReferenceUID, m_Source.series.frameOfReferenceUID)
+    .Text(DCM_PositionReferenceIndicator, "");
+}
+
+void
+DicomResultObject::PutContentQualification()
+{
+  this->Root().Text(DCM_ContentQualification, "RESEARCH");
+}
+
+void
+DicomResultObject::PutReferencedSeries()
+{
+  DicomItem   series = this->Root().Add(DCM_ReferencedSeriesSequence).Text(DCM_SeriesInstanceUID, m_Source.series.uid);
+  std::string last;
+  for (const DicomSlice & slice : m_Source.series.slices)
+  {
+    if (slice.sopInstanceUID != last) // the frames of one instance follow each other
+    {
+      last = slice.sopInstanceUID;
+      series.Add(DCM_ReferencedInstanceSequence)
+        .Text(DCM_ReferencedSOPClassUID, slice.sopClassUID)
+        .Text(DCM_ReferencedSOPInstanceUID, slice.sopInstanceUID);
+    }
+  }
+}
+
+void
+DicomResultObject::PutSharedPlane()
+{
+  const itk::ImageBase<3> & grid = *m_Source.grid;
+  const auto &              axes = grid.GetDirection();
+  const auto &              spacing = grid.GetSpacing();
+  DicomItem                 shared = this->Root().Add(DCM_SharedFunctionalGroupsSequence);
+  shared.Add(DCM_PlaneOrientationSequence)
+    .Decimals(DCM_ImageOrientationPatient, { axes(0, 0), axes(1, 0), axes(2, 0), axes(0, 1), axes(1, 1), axes(2, 1) });
+  const double thickness = m_Source.series.slices.front().thickness;
+  shared.Add(DCM_PixelMeasuresSequence)
+    .Decimals(DCM_PixelSpacing, { spacing[1], spacing[0] }) // of rows first
+    .Decimals(DCM_SpacingBetweenSlices, { spacing[2] })
+    .Decimals(DCM_SliceThickness, { thickness > 0.0 ? thickness : spacing[2] });
+}
+
+DicomInstance
+DicomResultObject::Save(const std::string & path, bool isDeflated)
+{
+  // UIDs from the bytes without them.
+  const std::string none = "2.25.0";
+  this->Root().Text(DCM_SeriesInstanceUID, none).Text(DCM_SOPInstanceUID, none);
+  SaveFile(m_File, path, EXS_LittleEndianExplicit);
+  const std::string digest = Sha256OfFile(path);
+  const std::string series = MakeDicomUID("series " + digest);
+  const std::string instance = MakeDicomUID("instance " + digest);
+  this->Root().Text(DCM_SeriesInstanceUID, series).Text(DCM_SOPInstanceUID, instance);
+  SaveFile(m_File, path, isDeflated ? EXS_DeflatedLittleEndianExplicit : EXS_LittleEndianExplicit);
+  return { m_SopClassUID, instance, series };
+}
+
+void
+PutReferenceToSlice(DicomItem item, const DicomSlice & slice)
+{
+  item.Text(DCM_ReferencedSOPClassUID, slice.sopClassUID).Text(DCM_ReferencedSOPInstanceUID, slice.sopInstanceUID);
+  if (slice.isMultiFrame)
+  {
+    item.Text(DCM_ReferencedFrameNumber, std::to_string(slice.frame + 1));
+  }
+}
+} // namespace shapeton

@@ -1,0 +1,64 @@
+#ifndef shapetonDicomResultsTesting_h
+#define shapetonDicomResultsTesting_h
+
+#include "shapetonDicomSource.h"
+#include "shapetonVolumeTesting.h"
+
+namespace shapeton
+{
+/** The series of a fixture with a patient, saved and read as a source. */
+inline DicomSource
+SourceOf(const DicomFixture & fixture, const std::string & folder)
+{
+  auto files = fixture.MakeSeries();
+  for (const auto & file : files)
+  {
+    SetText(*file, DCM_PatientName, "Doe^Jane");
+    SetText(*file, DCM_PatientID, "P1");
+    SetText(*file, DCM_PatientAge, "064Y");
+    SetText(*file, DCM_StudyInstanceUID, "1.2.3");
+    SetText(*file, DCM_FrameOfReferenceUID, "1.2.4");
+    SetText(*file, DCM_StudyDate, "20010203");
+    SetText(*file, DCM_AcquisitionDate, "20010204");
+    SetText(*file, DCM_AcquisitionTime, "101112");
+    SetText(*file, DCM_InstitutionName, "not to be taken over");
+  }
+  SaveDicom(files, folder);
+  return ReadDicomSource(folder);
+}
+
+/** Axes, spacings and sizes that are all different. */
+inline DicomFixture
+ObliqueFixture()
+{
+  DicomFixture fixture;
+  fixture.direction = DicomFixture::ObliqueDirection();
+  return fixture;
+}
+
+inline DicomResultHeader
+HeaderOfTest()
+{
+  return { "Test", "1.0", 300, "Research: test" };
+}
+
+inline DcmFileFormat
+Loaded(const std::string & path)
+{
+  DcmFileFormat file;
+  EXPECT_TRUE(file.loadFile(path.c_str()).good()) << path;
+  file.loadAllDataIntoMemory();
+  return file;
+}
+
+/** The value of an attribute, nested ones too: the first one found. */
+inline std::string
+ValueOf(DcmFileFormat & file, const DcmTagKey & tag)
+{
+  OFString value;
+  file.getDataset()->findAndGetOFStringArray(tag, value, OFTrue);
+  return value.c_str();
+}
+} // namespace shapeton
+
+#endif

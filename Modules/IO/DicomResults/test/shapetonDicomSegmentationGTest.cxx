@@ -1,0 +1,218 @@
+#include "shapetonDicomResultsTesting.h"
+#include "shapetonDicomSegmentationReader.h"
+#include "shapetonFileBytes.h"
+
+#include <filesystem>
+#include <random>
+
+namespace
+{
+using namespace shapeton;
+
+DicomLabelImage::Pointer
+Labels(const DicomSource & source)
+{
+  const auto labels = DicomLabelImage::New();
+  labels->CopyInformation(source.grid);
+  labels->SetRegions(source.grid->GetLargestPossibleRegion().GetSize());
+  labels->Allocate(true);
+  return labels;
+}
+
+/** 0 to 2 at random, slice 2 empty; 3 does not occur. */
+DicomLabelImage::Pointer
+RandomLabels(const DicomSource & source, unsigned int seed)
+{
+  const auto        labels = Labels(source);
+  std::mt19937      random(seed);
+  const std::size_t pixels = source.series.size[0] * source.series.size[1];
+  for (std::size_t i = 0; i < pixels * source.series.size[2]; ++i)
+  {
+    labels->GetBufferPointer()[i] = i / pixels == 2 ? 0 : static_cast<unsigned short>(random() % 3);
+  }
+  return labels;
+}
+
+DicomSegment
+Segment(const std::string & name, const DicomLabelImage * labels, unsigned short label)
+{
+  DicomSegment segment;
+  segment.name = name;
+  segment.category = { "123037004", "SCT", "Anatomical Structure" };
+  segment.type = { "71854001", "SCT", "Colon" };
+  segment.trackingID = name;
+  segment.trackingUID = "2.25.1";
+  segment.labels = labels;
+  segment.label = label;
+  return segment;
+}
+
+std::vector<unsigned short>
+ValuesOf(const DicomLabelImage * image)
+{
+  return { image->GetBufferPointer(),
+           image->GetBufferPointer() + image->GetLargestPossibleRegion().GetNumberOfPixels() };
+}
+
+/** A file of two segments, and another one over them, as source, labels and path. */
+struct Written
+{
+  explicit Written(const DicomFixture & fixture, bool isDeflated = false)
+    : folder(TestFolder())
+    , source(SourceOf(fixture, folder))
+    , labels(RandomLabels(source, 1))
+    , others(RandomLabels(source, 2))
+    , path(folder + "/seg.dcm")
+  {
+    segmentation = WriteDicomSegmentation(source, this->Segments(), HeaderOfTest(), path, isDeflated);
+  }
+
+  std::vector<DicomSegment>
+  Segments() const
+  {
+    return {
+      Segment("one", labels, 1), Segment("none", labels, 3), Segment("two", labels, 2), Segment("other", others, 2)
+    };
+  }
+
+  std::string              folder;
+  DicomSource              source;
+  DicomLabelImage::Pointer labels;
+  DicomLabelImage::Pointer others;
+  std::string              path;
+  DicomSegmentation        segmentation;
+};
+
+/** Labels 1 and 2 come back as they were; 7 x 9 pixels are no whole number of bytes. */
+void
+ExpectRoundTrip(const Written & written)
+{
+  EXPECT_EQ(written.segmentation.numbers, (std::vector<int>{ 1, 0, 2, 3 }));
+  const DicomSegmentationFile file = ReadDicomSegmentation(written.path);
+  EXPECT_EQ(file.frameOfReferenceUID, "1.2.4");
+  EXPECT_EQ(file.seriesUID, written.source.series.uid);
+  ASSERT_EQ(file.segments.size(), 3u);
+  EXPECT_EQ(file.segments[1].name, "two");
+  EXPECT_EQ(file.segments[1].type.value, "71854001");
+  const auto back = ReadDicomSegments(file, { 1, 2 }, written.source.grid);
+  EXPECT_EQ(ValuesOf(back), ValuesOf(written.labels));
+  EXPECT_TRUE(HaveSameGrid(back, written.source.grid));
+  std::vector<unsigned short> third = ValuesOf(written.others);
+  std::transform(third.begin(), third.end(), third.begin(), [](unsigned short value) { return value == 2 ? 3 : 0; });
+  EXPECT_EQ(ValuesOf(ReadDicomSegments(file, { 3 }, written.source.grid)), third);
+}
+} // namespace
+
+TEST(DicomSegmentation, ComesBackFromAnObliqueSeries) { ExpectRoundTrip(Written(ObliqueFixture())); }
+
+TEST(DicomSegmentation, ComesBackDeflated)
+{
+  const Written written(ObliqueFixture(), true);
+  EXPECT_EQ(DcmXfer(Loaded(written.path).getDataset()->getOriginalXfer()).getXfer(), EXS_DeflatedLittleEndianExplicit);
+  ExpectRoundTrip(written);
+}
+
+TEST(DicomSegmentation, ComesBackFromFramesOfOneFile)
+{
+  const std::string  folder = TestFolder();
+  const DicomFixture fixture = ObliqueFixture();
+  const auto         enhanced = fixture.MakeEnhanced({ 6, 0, 4, 2 });
+  SetText(*enhanced, DCM_StudyInstanceUID, "1.2.3");
+  SetText(*enhanced, DCM_FrameOfReferenceUID, "1.2.4");
+  SaveDicom(*enhanced, folder + "/enhanced.dcm");
+  const DicomSource source = ReadDicomSource(folder);
+  const auto        labels = RandomLabels(source, 3);
+  WriteDicomSegmentation(source, { Segment("one", labels, 1) }, HeaderOfTest(), folder + "/seg.dcm");
+  std::vector<unsigned short> expected = ValuesOf(labels);
+  std::transform(expected.begin(), expected.end(), expected.begin(), [](unsigned short v) { return v == 1 ? 1 : 0; });
+  const auto back = ReadDicomSegments(ReadDicomSegmentation(folder + "/seg.dcm"), { 1 }, source.grid);
+  EXPECT_EQ(ValuesOf(back), expected);
+  DcmFileFormat file = Loaded(folder + "/seg.dcm");
+  EXPECT_EQ(ValueOf(file, DCM_ReferencedFrameNumber), "2"); // the first slice along the normal
+}
+
+TEST(DicomSegmentation, BelongsToItsSource)
+{
+  const Written written(ObliqueFixture());
+  DcmFileFormat file = Loaded(written.path);
+  EXPECT_EQ(ValueOf(file, DCM_PatientName), "Doe^Jane");
+  EXPECT_EQ(ValueOf(file, DCM_PatientID), "P1");
+  EXPECT_EQ(ValueOf(file, DCM_PatientAge), "064Y");
+  EXPECT_EQ(ValueOf(file, DCM_StudyInstanceUID), "1.2.3");
+  EXPECT_EQ(ValueOf(file, DCM_StudyDate), "20010203");
+  EXPECT_EQ(ValueOf(file, DCM_ContentDate), "20010204");
+  EXPECT_EQ(ValueOf(file, DCM_ContentTime), "101112");
+  EXPECT_EQ(ValueOf(file, DCM_FrameOfReferenceUID), "1.2.4");
+  EXPECT_EQ(ValueOf(file, DCM_ContentQualification), "RESEARCH");
+  EXPECT_EQ(ValueOf(file, DCM_SegmentsOverlap), "YES");
+  EXPECT_EQ(ValueOf(file, DCM_InstitutionName), "");
+  EXPECT_EQ(ValueOf(file, DCM_NumberOfFrames), "15"); // of 18, as slice 2 is empty
+  EXPECT_EQ(ValueOf(file, DCM_SOPInstanceUID), written.segmentation.instance.sopInstanceUID);
+  DcmItem * reference = nullptr;
+  DcmItem * series = nullptr;
+  ASSERT_TRUE(file.getDataset()->findAndGetSequenceItem(DCM_ReferencedSeriesSequence, series).good());
+  for (unsigned int i = 0; i < 6; ++i)
+  {
+    ASSERT_TRUE(series->findAndGetSequenceItem(DCM_ReferencedInstanceSequence, reference, i).good());
+    OFString uid;
+    reference->findAndGetOFString(DCM_ReferencedSOPInstanceUID, uid);
+    EXPECT_EQ(std::string(uid.c_str()), written.source.series.slices[i].sopInstanceUID);
+  }
+}
+
+TEST(DicomSegmentation, HasEqualBytesOnRepeatAndOtherUIDsOtherwise)
+{
+  const Written     written(ObliqueFixture());
+  const std::string again = written.folder + "/again.dcm";
+  WriteDicomSegmentation(written.source, written.Segments(), HeaderOfTest(), again);
+  EXPECT_EQ(ReadFileBytes(written.path), ReadFileBytes(again));
+  written.labels->GetBufferPointer()[0] = 3 - written.labels->GetBufferPointer()[0];
+  const auto other = WriteDicomSegmentation(written.source, written.Segments(), HeaderOfTest(), again);
+  EXPECT_NE(other.instance.sopInstanceUID, written.segmentation.instance.sopInstanceUID);
+  EXPECT_NE(other.instance.seriesUID, written.segmentation.instance.seriesUID);
+}
+
+TEST(DicomSegmentation, RefusesAnotherGrid)
+{
+  const Written written(ObliqueFixture());
+  DicomFixture  moved = ObliqueFixture();
+  moved.origin[0] += 0.4;
+  const DicomSource other = SourceOf(moved, MakeFolder(written.folder + "/moved"));
+  EXPECT_TRUE(
+    Contains(InputErrorOf([&] { WriteDicomSegmentation(other, written.Segments(), HeaderOfTest(), written.path); }),
+             "does not lie on the voxels of the series"));
+  EXPECT_TRUE(Contains(InputErrorOf([&] { ReadDicomSegments(ReadDicomSegmentation(written.path), { 1 }, other.grid); }),
+                       "no slices of the given series"));
+}
+
+TEST(DicomSegmentation, RefusesWhatIsNoSegmentation)
+{
+  const Written written(ObliqueFixture());
+  EXPECT_TRUE(Contains(InputErrorOf([&] { ReadDicomSegmentation(written.folder + "/im0001.dcm"); }),
+                       "is of the kind CTImageStorage"));
+  Truncate(written.path, std::filesystem::file_size(written.path) - 20);
+  EXPECT_TRUE(Contains(InputErrorOf([&] { ReadDicomSegmentation(written.path); }), "seg.dcm\" "));
+  EXPECT_THROW(
+    WriteDicomSegmentation(written.source, { Segment("none", written.labels, 9) }, HeaderOfTest(), written.path),
+    InputError);
+}
+
+TEST(DicomSegmentation, ReadsFractionalOnesFromHalfOn)
+{
+  const Written      written(DicomFixture{});
+  DcmFileFormat      file = Loaded(written.path);
+  DcmDataset &       dataset = *file.getDataset();
+  const std::size_t  pixels = 63;
+  std::vector<Uint8> values(pixels * 15 + 1, 0);
+  values[3] = 127; // below a half of 255
+  values[4] = 128;
+  dataset.putAndInsertString(DCM_SegmentationType, "FRACTIONAL");
+  dataset.putAndInsertUint16(DCM_BitsAllocated, 8);
+  dataset.putAndInsertUint16(DCM_MaximumFractionalValue, 255);
+  dataset.putAndInsertUint8Array(DCM_PixelData, values.data(), values.size());
+  SaveDicom(file, written.path);
+  const auto labels = ReadDicomSegments(ReadDicomSegmentation(written.path), { 1 }, written.source.grid);
+  std::vector<unsigned short> expected(pixels * 6, 0);
+  expected[4] = 1;
+  EXPECT_EQ(ValuesOf(labels), expected);
+}
