@@ -2,10 +2,12 @@
 
 #include "shapetonCommandLine.h"
 #include "shapetonPolypCandidateReport.h"
+#include "shapetonPolypContent.h"
 #include "shapetonSha256.h"
 #include "shapetonSlicerMarkups.h"
 #include "shapetonSurfaceReader.h"
 #include "shapetonExceptions.h"
+#include "shapetonVolumeWriter.h"
 
 #include <limits>
 
@@ -66,6 +68,8 @@ SearchForPolyps(CommandLine & commandLine)
   CheckUsage(commandLine);
   const std::string table = commandLine.OutputOf("outputTable");
   const std::string markups = commandLine.OutputOf("markups");
+  const std::string heads = commandLine.OutputOf("heads");
+  shapeton::RequireVolumeName(heads);
   const std::string report = commandLine.GetString("report");
   if (!report.empty())
   {
@@ -95,6 +99,12 @@ SearchForPolyps(CommandLine & commandLine)
   if (!markups.empty())
   {
     shapeton::WriteMarkups(shapeton::MarkupsOfPolypCandidates(candidates), markups);
+  }
+  if (!heads.empty())
+  {
+    shapeton::WriteVolume(shapeton::LabelPolypHeads(colon.wall, colon.lumen, candidates).GetPointer(),
+                          heads,
+                          shapeton::ProvenanceMetadata(commandLine.GetProvenance()));
   }
   shapeton::WritePolypCandidateReport(commandLine, colon, candidates, report);
 }

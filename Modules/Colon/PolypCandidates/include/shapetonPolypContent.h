@@ -32,6 +32,14 @@ MeasureContent(const SurfaceMesh &           wall,
                const itk::Image<float, 3> *  ct,
                const PolypLumenImage *       lumen,
                std::vector<PolypCandidate> & candidates);
+
+/** The heads of candidates as voxels: the number of its candidate where the tissue of a head is, 0 elsewhere; of heads
+ * that share a voxel, the first one has it. A head is what lies on the ways from its surface to its middle, the places
+ * where MeasureContent() measures, without the voxels of the lumen. \ingroup PolypCandidates */
+PolypCandidates_EXPORT itk::Image<unsigned short, 3>::Pointer
+                       LabelPolypHeads(const SurfaceMesh &                 wall,
+                                       const PolypLumenImage *             lumen,
+                                       const std::vector<PolypCandidate> & candidates);
 } // namespace shapeton
 
 #endif

@@ -197,4 +197,37 @@ MeasureContent(const SurfaceMesh &           wall,
   }
   Rank(candidates);
 }
+
+itk::Image<unsigned short, 3>::Pointer
+LabelPolypHeads(const SurfaceMesh & wall, const PolypLumenImage * lumen, const std::vector<PolypCandidate> & candidates)
+{
+  const auto labels = itk::Image<unsigned short, 3>::New();
+  labels->CopyInformation(lumen);
+  labels->SetRegions(lumen->GetLargestPossibleRegion());
+  labels->Allocate(true);
+  const auto &                        spacing = lumen->GetSpacing();
+  const double                        step = 0.25 * std::min({ spacing[0], spacing[1], spacing[2] });
+  const itk::ImageBase<3>::RegionType region = lumen->GetLargestPossibleRegion();
+  const auto                          paint = [&](const Eigen::Vector3d & point, int number) {
+    const auto index = lumen->TransformPhysicalPointToIndex(itk::Point<double, 3>(point.data()));
+    if (region.IsInside(index) && lumen->GetPixel(index) == 0 && labels->GetPixel(index) == 0)
+    {
+      labels->SetPixel(index, static_cast<unsigned short>(number));
+    }
+  };
+  for (const PolypCandidate & candidate : candidates)
+  {
+    const Eigen::Vector3d middle = MiddleOf(wall, candidate);
+    for (const int vertex : candidate.vertices)
+    {
+      const Eigen::Vector3d way = middle - wall.V.row(vertex).transpose();
+      const int             steps = static_cast<int>(std::ceil(way.norm() / step));
+      for (int i = 0; i <= steps; ++i)
+      {
+        paint(middle - way * (static_cast<double>(i) / std::max(steps, 1)), candidate.number);
+      }
+    }
+  }
+  return labels;
+}
 } // namespace shapeton

@@ -6,6 +6,8 @@
 
 #include "itkMultiThreaderBase.h"
 
+#include "itkImageRegionConstIteratorWithIndex.h"
+
 #include <gtest/gtest.h>
 
 namespace
@@ -366,6 +368,37 @@ TEST(PolypCandidates, ContentIsMeasuredInsideAndRanks)
   }
   EXPECT_EQ(shapeton::TissueOf(-600.0), shapeton::PolypTissue::Gas);
   EXPECT_EQ(shapeton::TissueOf(std::nan("")), shapeton::PolypTissue::Unknown);
+}
+
+TEST(PolypCandidates, HeadsAreVoxelsOfTheirTissue)
+{
+  const Vector3d          middle = Base(0.0) + 4.0 * Vector3d::UnitZ();
+  const std::vector<Body> bodies{ Ball(middle, 5.0) };
+  const auto              wall = MakeWall(bodies);
+  const auto              lumen = MakeImage<shapeton::PolypLumenImage>(
+    0.8, [](double d) { return static_cast<unsigned char>(d > 0.0); }, bodies);
+  auto candidates = Find(wall);
+  ASSERT_EQ(candidates.size(), 1u);
+  candidates.front().number = 7;
+  const auto heads = shapeton::LabelPolypHeads(wall, lumen, candidates);
+  double     volume = 0.0;
+  for (itk::ImageRegionConstIteratorWithIndex<itk::Image<unsigned short, 3>> it(heads, heads->GetBufferedRegion());
+       !it.IsAtEnd();
+       ++it)
+  {
+    if (it.Get() != 0)
+    {
+      itk::Point<double, 3> point;
+      heads->TransformIndexToPhysicalPoint(it.GetIndex(), point);
+      EXPECT_EQ(it.Get(), 7);
+      EXPECT_EQ(lumen->GetPixel(it.GetIndex()), 0);
+      EXPECT_LT((Vector3d(point.GetDataPointer()) - middle).norm(), 5.0 + 0.8 * std::sqrt(3.0));
+      volume += 0.8 * 0.8 * 0.8;
+    }
+  }
+  const double ball = 4.0 / 3.0 * 3.14159265358979 * 125.0;
+  EXPECT_GT(volume, 0.5 * ball); // a part lies below the wall around it
+  EXPECT_LT(volume, 1.1 * ball);
 }
 
 TEST(PolypCandidates, TissueLikelihoodKeepsTissueAndDropsGas)

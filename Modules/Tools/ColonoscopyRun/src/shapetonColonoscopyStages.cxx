@@ -314,6 +314,7 @@ StageOfPolyps(const CommandLine & commandLine, ColonoscopySeries series)
                                "landmarks/segments.vtp" }))
       .Output("", "candidates.csv")
       .Output("markups", "candidates.mrk.json")
+      .Output("heads", "heads.nrrd")
       .Output("report", "report");
     if (hasOther)
     {
