@@ -48,5 +48,6 @@ set(Shapeton_MODULES
   Tools/GraphTools
   Tools/HeatTools
   Tools/ColonTools
+  Tools/ColonResults
   Tools/ColonoscopyRun
 )

@@ -1,4 +1,5 @@
 #include "shapetonColonWall.h"
+#include "shapetonLumenAlong.h"
 #include "shapetonLumenShapes.h"
 #include "itkMultiThreaderBase.h"
 #include "shapetonSurfaceConnectivity.h"
@@ -391,6 +392,44 @@ TEST(ColonWall, ArcLengthIsThatOfTheOwnLoop)
       EXPECT_NEAR(p[0] < 14.5 ? p[2] : 119.0 - p[2], arcLength(v, 0), 0.5) << p.transpose();
     }
   }
+}
+
+TEST(ColonWall, VoxelsAreLabelledByTheirOwnLoop)
+{
+  Points axis = Line({ 0, 0, 0 }, { 0, 0, 50 });
+  for (const Points & part : { Line({ 1, 0, 50 }, { 19, 0, 50 }), Line({ 19, 0, 49 }, { 19, 0, 0 }) })
+  {
+    axis.insert(axis.end(), part.begin(), part.end());
+  }
+  const Depth lumen = Union(Tube({ { 0, 0, 0 }, { 0, 0, 50 } }, 14), Tube(axis, 4));
+  const auto  occupancy = Occupancy(lumen, BoxOf(axis, 14), ObliqueGrid(true), 2.0);
+  const auto  mask = shapeton::LumenMaskImage::New();
+  mask->CopyInformation(occupancy);
+  mask->SetRegions(occupancy->GetBufferedRegion());
+  mask->Allocate(true);
+  const std::size_t voxels = occupancy->GetBufferedRegion().GetNumberOfPixels();
+  for (std::size_t i = 0; i < voxels; ++i)
+  {
+    mask->GetBufferPointer()[i] = occupancy->GetBufferPointer()[i] >= 0.5F ? 1 : 0;
+  }
+  const auto labels = shapeton::LabelLumenAlong(
+    mask, Centreline(axis), [](double arcLength) { return static_cast<unsigned short>(arcLength < 59.5 ? 1 : 2); });
+  std::size_t counted = 0;
+  for (std::size_t i = 0; i < voxels; ++i)
+  {
+    itk::Point<double, 3> p;
+    labels->TransformIndexToPhysicalPoint(labels->ComputeIndex(static_cast<itk::OffsetValueType>(i)), p);
+    if (mask->GetBufferPointer()[i] == 0)
+    {
+      EXPECT_EQ(labels->GetBufferPointer()[i], 0);
+    }
+    else if (p[2] > 0.0 && p[2] < 30.0 && std::abs(p[0] - 14.5) > 1.0)
+    {
+      EXPECT_EQ(labels->GetBufferPointer()[i], p[0] < 14.5 ? 1 : 2) << p;
+      ++counted;
+    }
+  }
+  EXPECT_GT(counted, 500u);
 }
 
 TEST(ColonWall, TheChainOnAMask)

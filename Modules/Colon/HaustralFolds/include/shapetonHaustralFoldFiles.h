@@ -59,6 +59,11 @@ WriteFoldLabels(const HaustralFolds &  folds,
  * \ingroup HaustralFolds */
 HaustralFolds_EXPORT itk::Image<unsigned short, 2>::Pointer
                      ReadFoldLabels(const std::string & path);
+
+/** The fold of each face of a flat surface, by such labels at its middle; 0 for none. Throws InputError where the
+ * surface has no point array uv. */
+HaustralFolds_EXPORT std::vector<unsigned short>
+                     FoldsOfFaces(const SurfaceMesh & flat, const itk::Image<unsigned short, 2> & labels);
 ///@}
 } // namespace shapeton
 

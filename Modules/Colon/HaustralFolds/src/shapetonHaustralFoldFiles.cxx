@@ -48,6 +48,18 @@ AreArcLengthsKnown(const HaustralFolds & folds)
   return std::all_of(
     folds.folds.begin(), folds.folds.end(), [](const HaustralFold & fold) { return std::isfinite(fold.arcLength); });
 }
+
+/** The fold at a place of the map; v is taken modulo the circumference. */
+unsigned short
+LabelAt(const LabelImage & labels, const Eigen::Vector2d & uv)
+{
+  const auto size = labels.GetLargestPossibleRegion().GetSize();
+  const auto place = labels.TransformPhysicalPointToContinuousIndex<double>(itk::Point<double, 2>(uv.data()));
+  const auto rows = static_cast<long>(size[1]);
+  const long column = std::clamp(std::lround(place[0]), 0L, static_cast<long>(size[0]) - 1);
+  const long row = std::lround(place[1]) % rows;
+  return labels.GetPixel({ { column, row < 0 ? row + rows : row } });
+}
 } // namespace
 
 CurveSet
@@ -193,5 +205,24 @@ ReadFoldLabels(const std::string & path)
                      "); remove it and run VirtualColonoscopy again");
   }
   return reader->GetOutput();
+}
+
+std::vector<unsigned short>
+FoldsOfFaces(const SurfaceMesh & flat, const LabelImage & labels)
+{
+  const SurfaceArray * const uv = FindSurfaceArray(flat.pointArrays, "uv");
+  if (uv == nullptr)
+  {
+    throw InputError("the flat surface lacks the array uv; run ColonFlattening again");
+  }
+  std::vector<unsigned short> folds;
+  for (Eigen::Index face = 0; face < flat.F.rows(); ++face)
+  {
+    const auto            corners = flat.F.row(face);
+    const Eigen::Vector2d middle =
+      (uv->values.row(corners[0]) + uv->values.row(corners[1]) + uv->values.row(corners[2])).transpose() / 3.0;
+    folds.push_back(LabelAt(labels, middle));
+  }
+  return folds;
 }
 } // namespace shapeton

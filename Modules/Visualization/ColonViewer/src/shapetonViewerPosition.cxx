@@ -12,6 +12,7 @@
 #include "shapetonSurfaceReader.h"
 #include "shapetonViewerVolume.h"
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <numeric>
@@ -180,24 +181,11 @@ PutRelief(PageBlocks & blocks, const std::string & prefix, const FlatColon & fla
            { "vSign", grid.IsMirrored() ? -1 : 1 } };
 }
 
-/** The fold at a place of the map; v is taken modulo the circumference. */
-unsigned short
-LabelAt(const LabelImage & labels, const Eigen::Vector2d & uv)
-{
-  const auto size = labels.GetLargestPossibleRegion().GetSize();
-  const auto place = labels.TransformPhysicalPointToContinuousIndex<double>(itk::Point<double, 2>(uv.data()));
-  const auto rows = static_cast<long>(size[1]);
-  const long column = std::clamp(std::lround(place[0]), 0L, static_cast<long>(size[0]) - 1);
-  const long row = std::lround(place[1]) % rows;
-  return labels.GetPixel({ { column, row < 0 ? row + rows : row } });
-}
-
 /** What of the faces goes into blocks, in the order along the colon. */
 class FlatFaces
 {
 public:
-  FlatFaces(const SurfaceMesh & mesh, const std::string & path)
-    : m_Mesh(mesh), m_Path(path), m_Order(mesh.NumberOfFaces())
+  FlatFaces(const SurfaceMesh & mesh, const std::string & path) : m_Mesh(mesh), m_Order(mesh.NumberOfFaces())
   {
     const Eigen::MatrixXd arc = ValuesOf(mesh.pointArrays, "arcLength", path);
     const auto &          F = mesh.F;
@@ -244,13 +232,11 @@ public:
   void
   PutFolds(PageBlocks & blocks, const std::string & name, const LabelImage * labels) const
   {
-    const Eigen::MatrixXd      uv = ValuesOf(m_Mesh.pointArrays, "uv", m_Path);
     std::vector<std::uint16_t> folds(m_Order.size(), 0);
-    for (std::size_t i = 0; i < m_Order.size() && labels != nullptr; ++i)
+    if (labels != nullptr)
     {
-      const auto            corners = m_Mesh.F.row(m_Order[i]);
-      const Eigen::Vector2d middle = (uv.row(corners[0]) + uv.row(corners[1]) + uv.row(corners[2])).transpose() / 3.0;
-      folds[i] = LabelAt(*labels, middle);
+      const std::vector<unsigned short> ofFaces = FoldsOfFaces(m_Mesh, *labels);
+      std::transform(m_Order.begin(), m_Order.end(), folds.begin(), [&](int face) { return ofFaces[face]; });
     }
     blocks.Put(name, folds, 1);
   }
@@ -265,7 +251,6 @@ private:
   }
 
   const SurfaceMesh & m_Mesh;
-  std::string         m_Path;
   std::vector<int>    m_Order;
 };
 

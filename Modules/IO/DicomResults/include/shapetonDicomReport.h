@@ -1,0 +1,104 @@
+#ifndef shapetonDicomReport_h
+#define shapetonDicomReport_h
+
+#include "shapetonDicomCode.h"
+#include "shapetonDicomSource.h"
+
+#include <array>
+#include <string>
+#include <vector>
+
+namespace shapeton
+{
+/** \class DicomContent
+ * \brief A node of the content tree of a DICOM Structured Report: how it relates to its parent, what it is about, its
+ * value, and the nodes below it. Made by the functions below.
+ * \ingroup DicomResults */
+struct DicomContent
+{
+  enum class Kind
+  {
+    Container,
+    Text,
+    Code,
+    Number,
+    UID,
+    /** A reference to an instance, with a frame or segment where it has them. */
+    Image,
+    /** A point in pixels of the image that is its child. */
+    PixelPoint,
+    /** A point of the frame of reference, LPS, mm. */
+    SpacePoint
+  };
+  Kind        kind{ Kind::Container };
+  std::string relationship;
+  DicomCode   name;
+  /** Of Text and UID; of Number its digits; of Container the template, as "1500", where it begins one. */
+  std::string text;
+  /** Of Code its value, of Number its unit. */
+  DicomCode code;
+  /** Of Image. */
+  DicomInstance instance;
+  int           segment{ 0 };
+  int           frame{ 0 };
+  /** Of points. */
+  std::array<double, 3>     point{ { 0.0, 0.0, 0.0 } };
+  std::vector<DicomContent> children;
+};
+
+/** \defgroup DicomContents Nodes of a content tree
+ * `relationship` is that of DICOM, such as "CONTAINS".
+ * \ingroup DicomResults */
+///@{
+DicomResults_EXPORT DicomContent
+ContainerContent(const std::string &       relationship,
+                 const DicomCode &         name,
+                 std::vector<DicomContent> children,
+                 const std::string &       templateID = {});
+DicomResults_EXPORT DicomContent
+TextContent(const std::string & relationship, const DicomCode & name, const std::string & text);
+DicomResults_EXPORT DicomContent
+CodeContent(const std::string & relationship, const DicomCode & name, const DicomCode & value);
+/** `digits` is a decimal number of at most 16 characters. */
+DicomResults_EXPORT DicomContent
+NumberContent(const std::string & relationship,
+              const DicomCode &   name,
+              const std::string & digits,
+              const DicomCode &   unit);
+DicomResults_EXPORT DicomContent
+UIDContent(const std::string & relationship, const DicomCode & name, const std::string & uid);
+DicomResults_EXPORT DicomContent
+SegmentContent(const std::string & relationship, const DicomCode & name, const DicomInstance & instance, int segment);
+/** A slice of a source. */
+DicomResults_EXPORT DicomContent
+SliceContent(const std::string & relationship, const DicomSlice & slice);
+/** LPS, mm. */
+DicomResults_EXPORT DicomContent
+SpacePointContent(const std::string & relationship, const DicomCode & name, const std::array<double, 3> & point);
+/** A place on the slice of the source that is nearest to a point (LPS, mm). */
+DicomResults_EXPORT DicomContent
+PixelPointContent(const std::string &           relationship,
+                  const DicomCode &             name,
+                  const std::array<double, 3> & point,
+                  const DicomSource &           source);
+///@}
+
+/** The kinds of reports. \ingroup DicomResults */
+enum class DicomReportKind
+{
+  Comprehensive3D,
+  ColonCAD
+};
+
+/** Writes a Structured Report: partial, unverified, preliminary. All slices of the source and `others` are its
+ * evidence. Equal input gives equal bytes. Throws OutputError. \ingroup DicomResults */
+DicomResults_EXPORT DicomInstance
+WriteDicomReport(const DicomSource &                source,
+                 DicomReportKind                    kind,
+                 const DicomContent &               root,
+                 const std::vector<DicomInstance> & others,
+                 const DicomResultHeader &          header,
+                 const std::string &                path);
+} // namespace shapeton
+
+#endif

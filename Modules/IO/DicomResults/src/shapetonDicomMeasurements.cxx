@@ -1,0 +1,131 @@
+#include "shapetonDicomMeasurements.h"
+
+#include "shapetonDicomText.h"
+
+namespace shapeton
+{
+namespace
+{
+const DicomCode comment{ "121106", "DCM", "Comment" };
+
+DicomContent
+ContentOf(const DicomMeasurement & measurement, const DicomResultHeader & header)
+{
+  DicomContent number = NumberContent("CONTAINS", measurement.name, measurement.digits, measurement.unit);
+  if (measurement.derivation)
+  {
+    number.children.push_back(
+      CodeContent("HAS CONCEPT MOD", { "121401", "DCM", "Derivation" }, *measurement.derivation));
+  }
+  number.children.push_back(
+    TextContent("HAS CONCEPT MOD", { "111001", "DCM", "Algorithm Name" }, "Shapeton " + header.tool));
+  number.children.push_back(TextContent("HAS CONCEPT MOD", { "111003", "DCM", "Algorithm Version" }, header.version));
+  return number;
+}
+
+/** TID 1411; without a segment TID 1501. */
+DicomContent
+ContentOf(const DicomMeasurementGroup &  group,
+          const DicomMeasurementReport & report,
+          const DicomSource &            source,
+          const DicomResultHeader &      header)
+{
+  std::vector<DicomContent> contents;
+  const auto                add = [&](DicomContent content) { contents.push_back(std::move(content)); };
+  add(TextContent("HAS OBS CONTEXT", { "112039", "DCM", "Tracking Identifier" }, group.trackingID));
+  add(UIDContent("HAS OBS CONTEXT", { "112040", "DCM", "Tracking Unique Identifier" }, group.trackingUID));
+  add(CodeContent("CONTAINS", { "121071", "DCM", "Finding" }, group.finding));
+  if (group.segment > 0)
+  {
+    add(SegmentContent("CONTAINS", { "121191", "DCM", "Referenced Segment" }, report.segmentation, group.segment));
+    add(UIDContent("CONTAINS", { "121232", "DCM", "Source series for segmentation" }, source.series.uid));
+  }
+  if (group.site)
+  {
+    add(CodeContent("HAS CONCEPT MOD", { "363698007", "SCT", "Finding Site" }, *group.site));
+  }
+  if (group.center)
+  {
+    add(SpacePointContent("CONTAINS", { "111010", "DCM", "Center" }, *group.center));
+  }
+  for (const DicomMeasurement & measurement : group.measurements)
+  {
+    add(ContentOf(measurement, header));
+  }
+  for (const std::string & text : group.comments)
+  {
+    add(TextContent("CONTAINS", comment, text));
+  }
+  return ContainerContent(
+    "CONTAINS", { "125007", "DCM", "Measurement Group" }, std::move(contents), group.segment > 0 ? "1411" : "1501");
+}
+
+/** TID 1600. */
+DicomContent
+ImageLibrary(const DicomSource & source, const DicomMeasurementReport & report)
+{
+  std::vector<DicomContent> contents{
+    CodeContent("HAS ACQ CONTEXT",
+                { "121139", "DCM", "Modality" },
+                { source.series.modality, "DCM", source.series.modality == "CT" ? "Computed Tomography" : "Images" }),
+    CodeContent("HAS ACQ CONTEXT", { "123014", "DCM", "Target Region" }, report.region),
+    UIDContent("HAS ACQ CONTEXT", { "112227", "DCM", "Frame of Reference UID" }, source.series.frameOfReferenceUID)
+  };
+  for (const DicomSlice & slice : source.series.slices)
+  {
+    contents.push_back(SliceContent("CONTAINS", slice));
+  }
+  return ContainerContent(
+    "CONTAINS",
+    { "111028", "DCM", "Image Library" },
+    { ContainerContent("CONTAINS", { "126200", "DCM", "Image Library Group" }, std::move(contents)) },
+    "1600");
+}
+
+DicomContent
+Comments(const std::vector<std::string> & comments)
+{
+  std::vector<DicomContent> contents;
+  for (const std::string & text : comments)
+  {
+    contents.push_back(TextContent("CONTAINS", comment, text));
+  }
+  return ContainerContent("CONTAINS", { "C0034375", "UMLS", "Qualitative Evaluations" }, std::move(contents));
+}
+} // namespace
+
+std::vector<DicomContent>
+ContextOfReport(const DicomResultHeader & header)
+{
+  const std::string observer = "Shapeton " + header.tool + ' ' + header.version;
+  return { CodeContent("HAS CONCEPT MOD",
+                       { "121049", "DCM", "Language of Content Item and Descendants" },
+                       { "en", "RFC5646", "English" }),
+           CodeContent("HAS OBS CONTEXT", { "121005", "DCM", "Observer Type" }, { "121007", "DCM", "Device" }),
+           UIDContent("HAS OBS CONTEXT", { "121012", "DCM", "Device Observer UID" }, MakeDicomUID(observer)),
+           TextContent("HAS OBS CONTEXT", { "121013", "DCM", "Device Observer Name" }, header.tool),
+           TextContent("HAS OBS CONTEXT", { "121014", "DCM", "Device Observer Manufacturer" }, "Shapeton"),
+           TextContent("HAS OBS CONTEXT", { "121015", "DCM", "Device Observer Model Name" }, observer) };
+}
+
+DicomInstance
+WriteDicomMeasurements(const DicomSource &            source,
+                       const DicomMeasurementReport & report,
+                       const DicomResultHeader &      header,
+                       const std::string &            path)
+{
+  std::vector<DicomContent> groups;
+  for (const DicomMeasurementGroup & group : report.groups)
+  {
+    groups.push_back(ContentOf(group, report, source, header));
+  }
+  std::vector<DicomContent> contents = ContextOfReport(header);
+  contents.push_back(CodeContent("HAS CONCEPT MOD", { "121058", "DCM", "Procedure reported" }, report.procedure));
+  contents.push_back(ImageLibrary(source, report));
+  contents.push_back(ContainerContent("CONTAINS", { "126010", "DCM", "Imaging Measurements" }, std::move(groups)));
+  contents.push_back(Comments(report.comments));
+  const DicomContent root =
+    ContainerContent({}, { "126000", "DCM", "Imaging Measurement Report" }, std::move(contents), "1500");
+  return WriteDicomReport(source, DicomReportKind::Comprehensive3D, root, { report.segmentation }, header, path);
+}
+} // namespace shapeton

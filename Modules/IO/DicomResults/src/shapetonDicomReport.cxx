@@ -1,0 +1,278 @@
+#include "shapetonDicomReport.h"
+
+#include "shapetonDicomResultObject.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+namespace shapeton
+{
+namespace
+{
+const char *
+ValueTypeOf(DicomContent::Kind kind)
+{
+  switch (kind)
+  {
+    case DicomContent::Kind::Container:
+      return "CONTAINER";
+    case DicomContent::Kind::Text:
+      return "TEXT";
+    case DicomContent::Kind::Code:
+      return "CODE";
+    case DicomContent::Kind::Number:
+      return "NUM";
+    case DicomContent::Kind::UID:
+      return "UIDREF";
+    case DicomContent::Kind::Image:
+      return "IMAGE";
+    case DicomContent::Kind::PixelPoint:
+      return "SCOORD";
+    default:
+      return "SCOORD3D";
+  }
+}
+
+void
+PutImage(DicomItem item, const DicomContent & content)
+{
+  DicomItem reference = item.Add(DCM_ReferencedSOPSequence)
+                          .Text(DCM_ReferencedSOPClassUID, content.instance.sopClassUID)
+                          .Text(DCM_ReferencedSOPInstanceUID, content.instance.sopInstanceUID);
+  if (content.segment > 0)
+  {
+    reference.Integers(DCM_ReferencedSegmentNumber, { static_cast<Uint32>(content.segment) });
+  }
+  if (content.frame > 0)
+  {
+    reference.Text(DCM_ReferencedFrameNumber, std::to_string(content.frame));
+  }
+}
+
+void
+PutContainer(DicomItem item, const DicomContent & content)
+{
+  item.Text(DCM_ContinuityOfContent, "SEPARATE");
+  if (!content.text.empty())
+  {
+    item.Add(DCM_ContentTemplateSequence).Text(DCM_MappingResource, "DCMR").Text(DCM_TemplateIdentifier, content.text);
+  }
+}
+
+void
+PutPoint(DicomItem item, const DicomContent & content, const std::string & frameOfReferenceUID)
+{
+  std::vector<float> values(content.point.begin(), content.point.end());
+  if (content.kind == DicomContent::Kind::PixelPoint)
+  {
+    values.pop_back();
+  }
+  else
+  {
+    item.Text(DCM_ReferencedFrameOfReferenceUID, frameOfReferenceUID);
+  }
+  item.Text(DCM_GraphicType, "POINT").Floats(DCM_GraphicData, values);
+}
+
+void
+PutValue(DicomItem item, const DicomContent & content, const std::string & frameOfReferenceUID)
+{
+  switch (content.kind)
+  {
+    case DicomContent::Kind::Container:
+      return PutContainer(item, content);
+    case DicomContent::Kind::Text:
+      item.Text(DCM_TextValue, content.text);
+      return;
+    case DicomContent::Kind::Code:
+      item.Code(DCM_ConceptCodeSequence, content.code);
+      return;
+    case DicomContent::Kind::Number:
+      item.Add(DCM_MeasuredValueSequence)
+        .Text(DCM_NumericValue, content.text)
+        .Code(DCM_MeasurementUnitsCodeSequence, content.code);
+      return;
+    case DicomContent::Kind::UID:
+      item.Text(DCM_UID, content.text);
+      return;
+    case DicomContent::Kind::Image:
+      return PutImage(item, content);
+    default:
+      return PutPoint(item, content, frameOfReferenceUID);
+  }
+}
+
+void
+PutContent(DicomItem item, const DicomContent & content, const std::string & frameOfReferenceUID)
+{
+  if (!content.relationship.empty())
+  {
+    item.Text(DCM_RelationshipType, content.relationship);
+  }
+  item.Text(DCM_ValueType, ValueTypeOf(content.kind));
+  if (!content.name.value.empty())
+  {
+    item.Code(DCM_ConceptNameCodeSequence, content.name);
+  }
+  PutValue(item, content, frameOfReferenceUID);
+  for (const DicomContent & child : content.children)
+  {
+    PutContent(item.Add(DCM_ContentSequence), child, frameOfReferenceUID);
+  }
+}
+
+void
+PutInstance(DicomItem series, const std::string & sopClassUID, const std::string & sopInstanceUID)
+{
+  series.Add(DCM_ReferencedSOPSequence)
+    .Text(DCM_ReferencedSOPClassUID, sopClassUID)
+    .Text(DCM_ReferencedSOPInstanceUID, sopInstanceUID);
+}
+
+void
+PutEvidence(DicomItem root, const DicomSource & source, const std::vector<DicomInstance> & others)
+{
+  DicomItem study =
+    root.Add(DCM_CurrentRequestedProcedureEvidenceSequence).Text(DCM_StudyInstanceUID, source.series.studyUID);
+  DicomItem   slices = study.Add(DCM_ReferencedSeriesSequence).Text(DCM_SeriesInstanceUID, source.series.uid);
+  std::string last;
+  for (const DicomSlice & slice : source.series.slices)
+  {
+    if (slice.sopInstanceUID != last) // the frames of one instance follow each other
+    {
+      last = slice.sopInstanceUID;
+      PutInstance(slices, slice.sopClassUID, slice.sopInstanceUID);
+    }
+  }
+  for (const DicomInstance & other : others)
+  {
+    PutInstance(study.Add(DCM_ReferencedSeriesSequence).Text(DCM_SeriesInstanceUID, other.seriesUID),
+                other.sopClassUID,
+                other.sopInstanceUID);
+  }
+}
+
+DicomContent
+Made(DicomContent::Kind kind, const std::string & relationship, const DicomCode & name)
+{
+  DicomContent content;
+  content.kind = kind;
+  content.relationship = relationship;
+  content.name = name;
+  return content;
+}
+} // namespace
+
+DicomContent
+ContainerContent(const std::string &       relationship,
+                 const DicomCode &         name,
+                 std::vector<DicomContent> children,
+                 const std::string &       templateID)
+{
+  DicomContent content = Made(DicomContent::Kind::Container, relationship, name);
+  content.children = std::move(children);
+  content.text = templateID;
+  return content;
+}
+
+DicomContent
+TextContent(const std::string & relationship, const DicomCode & name, const std::string & text)
+{
+  DicomContent content = Made(DicomContent::Kind::Text, relationship, name);
+  content.text = text;
+  return content;
+}
+
+DicomContent
+CodeContent(const std::string & relationship, const DicomCode & name, const DicomCode & value)
+{
+  DicomContent content = Made(DicomContent::Kind::Code, relationship, name);
+  content.code = value;
+  return content;
+}
+
+DicomContent
+NumberContent(const std::string & relationship,
+              const DicomCode &   name,
+              const std::string & digits,
+              const DicomCode &   unit)
+{
+  DicomContent content = Made(DicomContent::Kind::Number, relationship, name);
+  content.text = digits;
+  content.code = unit;
+  return content;
+}
+
+DicomContent
+UIDContent(const std::string & relationship, const DicomCode & name, const std::string & uid)
+{
+  DicomContent content = Made(DicomContent::Kind::UID, relationship, name);
+  content.text = uid;
+  return content;
+}
+
+DicomContent
+SegmentContent(const std::string & relationship, const DicomCode & name, const DicomInstance & instance, int segment)
+{
+  DicomContent content = Made(DicomContent::Kind::Image, relationship, name);
+  content.instance = instance;
+  content.segment = segment;
+  return content;
+}
+
+DicomContent
+SliceContent(const std::string & relationship, const DicomSlice & slice)
+{
+  DicomContent content = Made(DicomContent::Kind::Image, relationship, {});
+  content.instance.sopClassUID = slice.sopClassUID;
+  content.instance.sopInstanceUID = slice.sopInstanceUID;
+  content.frame = slice.isMultiFrame ? static_cast<int>(slice.frame) + 1 : 0;
+  return content;
+}
+
+DicomContent
+SpacePointContent(const std::string & relationship, const DicomCode & name, const std::array<double, 3> & point)
+{
+  DicomContent content = Made(DicomContent::Kind::SpacePoint, relationship, name);
+  content.point = point;
+  return content;
+}
+
+DicomContent
+PixelPointContent(const std::string &           relationship,
+                  const DicomCode &             name,
+                  const std::array<double, 3> & point,
+                  const DicomSource &           source)
+{
+  const auto index = source.grid->TransformPhysicalPointToContinuousIndex<double>(itk::Point<double, 3>(point.data()));
+  const auto last = static_cast<double>(source.series.slices.size() - 1);
+  const auto slice = static_cast<std::size_t>(std::clamp(std::round(index[2]), 0.0, last));
+  DicomContent content = Made(DicomContent::Kind::PixelPoint, relationship, name);
+  content.point = { index[0] + 0.5, index[1] + 0.5, 0.0 }; // 0 is the outer corner of the first pixel
+  content.children.push_back(SliceContent("SELECTED FROM", source.series.slices[slice]));
+  return content;
+}
+
+DicomInstance
+WriteDicomReport(const DicomSource &                source,
+                 DicomReportKind                    kind,
+                 const DicomContent &               root,
+                 const std::vector<DicomInstance> & others,
+                 const DicomResultHeader &          header,
+                 const std::string &                path)
+{
+  const char * const sopClass =
+    kind == DicomReportKind::ColonCAD ? UID_ColonCADSRStorage : UID_Comprehensive3DSRStorage;
+  DicomResultObject object(source, sopClass, "SR", header);
+  object.Root()
+    .NoItems(DCM_ReferencedPerformedProcedureStepSequence)
+    .NoItems(DCM_PerformedProcedureCodeSequence)
+    .Text(DCM_CompletionFlag, "PARTIAL")
+    .Text(DCM_VerificationFlag, "UNVERIFIED")
+    .Text(DCM_PreliminaryFlag, "PRELIMINARY");
+  PutEvidence(object.Root(), source, others);
+  PutContent(object.Root(), root, source.series.frameOfReferenceUID);
+  return object.Save(path);
+}
+} // namespace shapeton

@@ -1,0 +1,67 @@
+#include "shapetonColonDicomResults.h"
+
+#include "shapetonColonReportsAsDicom.h"
+#include "shapetonContentIdentity.h"
+#include "shapetonExceptions.h"
+#include "shapetonVolume.h"
+
+namespace shapeton
+{
+namespace
+{
+DicomSource
+ReadSourceOf(const ColonExamination & exam, const std::string & path)
+{
+  const DicomSource source = ReadDicomSource(path, exam.seriesUID);
+  if (IdentityOf(path) != exam.digest)
+  {
+    throw InputError("\"" + path + "\" is not what the examination \"" + exam.folder +
+                     "\" was made from, although it holds its series: files differ; give that folder, or run "
+                     "VirtualColonoscopy on this one");
+  }
+  if (!HaveSameGrid(exam.lumen, source.grid))
+  {
+    throw InputError("the examination \"" + exam.folder +
+                     "\" was made from a repaired series, so that its voxels have no slices to belong to");
+  }
+  return source;
+}
+
+/** Numbers of series of one examination follow each other. */
+DicomResultHeader
+HeaderOf(const ColonDicomOptions & options, int number, const std::string & what)
+{
+  return { options.tool, options.version, 9000 + number, "Research: " + what };
+}
+} // namespace
+
+Remarks
+WriteColonDicomResults(const std::string &       exam,
+                       const std::string &       source,
+                       const std::string &       folder,
+                       const ColonDicomOptions & options,
+                       const OutputPath &        outputPath)
+{
+  options.progress("Reading", 0.0);
+  const ColonExamination examination = ReadColonExamination(exam);
+  const DicomSource      series = ReadSourceOf(examination, source);
+  options.progress("Segments", 0.4);
+  ColonSegmentsAsDicom segments(examination);
+  options.progress("Writing", 0.7);
+  segments.Write(
+    series, HeaderOf(options, 0, "colon segmentation"), outputPath(folder + "/seg.dcm"), options.isDeflated);
+  WriteDicomMeasurements(series,
+                         MeasurementsOfColon(examination, segments),
+                         HeaderOf(options, 1, "colon measurements"),
+                         outputPath(folder + "/sr.dcm"));
+  const DicomResultHeader cad = HeaderOf(options, 2, "colon CAD");
+  WriteDicomReport(series,
+                   DicomReportKind::ColonCAD,
+                   CadReportOfColon(examination, segments, series, cad),
+                   {},
+                   cad,
+                   outputPath(folder + "/cad.dcm"));
+  options.progress("Writing", 1.0);
+  return examination.missing;
+}
+} // namespace shapeton

@@ -1,0 +1,119 @@
+#include "shapetonColonExamination.h"
+
+#include "shapetonExceptions.h"
+#include "shapetonHaustralFoldFiles.h"
+#include "shapetonImageFile.h"
+#include "shapetonPolypSearch.h"
+#include "shapetonSurfaceReader.h"
+
+#include <algorithm>
+#include <filesystem>
+
+namespace shapeton
+{
+namespace
+{
+std::string
+Required(const ColonExamination & exam, const std::string & name)
+{
+  if (!std::filesystem::exists(exam.PathOf(name)))
+  {
+    throw InputError("the examination lacks \"" + exam.PathOf(name) + "\"; let VirtualColonoscopy finish it");
+  }
+  return exam.PathOf(name);
+}
+
+bool
+Has(ColonExamination & exam, const std::string & name, const std::string & what)
+{
+  const bool isThere = std::filesystem::exists(exam.PathOf(name));
+  if (!isThere)
+  {
+    exam.missing.push_back("the examination lacks " + name + ": " + what);
+  }
+  return isThere;
+}
+
+DicomLabelImage::Pointer
+ReadLabels(const std::string & path)
+{
+  const Volume volume = ReadImageFile(path);
+  const auto   labels = DicomLabelImage::New();
+  labels->CopyInformation(volume.image);
+  labels->SetRegions(volume.image->GetBufferedRegion());
+  labels->Allocate();
+  const float * const first = volume.image->GetBufferPointer();
+  std::transform(first,
+                 first + volume.image->GetBufferedRegion().GetNumberOfPixels(),
+                 labels->GetBufferPointer(),
+                 [](float value) { return static_cast<unsigned short>(value); });
+  return labels;
+}
+
+/** By what the run knows its series: the UID that it read, and the digest of its files. */
+void
+TakeSource(ColonExamination & exam)
+{
+  const std::string prefix = "seriesInstanceUID:";
+  const std::string identity = exam.quality.value("/provenance/input.inputVolume"_json_pointer, std::string());
+  const Json        record = ReadJson(Required(exam, "stages/segmentation.json"));
+  exam.digest = record.value("/signature/arguments/0/1"_json_pointer, std::string());
+  if (identity.rfind(prefix, 0) != 0 || exam.digest.empty())
+  {
+    throw InputError("the examination \"" + exam.folder +
+                     "\" was not made from a DICOM series, so that its results have none to belong to; run "
+                     "VirtualColonoscopy on the series");
+  }
+  exam.seriesUID = identity.substr(prefix.size());
+}
+
+double
+LengthOf(const CurveSet & centreline, const std::string & path)
+{
+  return PointValues(centreline, "arcLength", path).maxCoeff();
+}
+
+void
+TakeFolds(ColonExamination & exam)
+{
+  if (Has(exam, "folds/labels.nrrd", "no folds") && Has(exam, "flattening/flat.vtp", "no folds"))
+  {
+    exam.flat = ReadSurfaceFile(exam.PathOf("flattening/flat.vtp")).mesh;
+    exam.folds = FoldsOfFaces(exam.flat, *ReadFoldLabels(exam.PathOf("folds/labels.nrrd")));
+  }
+}
+
+void
+TakeCandidates(ColonExamination & exam)
+{
+  if (Has(exam, "polyps/candidates.csv", "no candidates"))
+  {
+    exam.candidates = ReadPolypCandidates(exam.PathOf("polyps/candidates.csv"));
+    if (Has(exam, "polyps/heads.nrrd", "candidates have no segment; run VirtualColonoscopy again"))
+    {
+      exam.heads = ReadLabels(exam.PathOf("polyps/heads.nrrd"));
+    }
+  }
+}
+} // namespace
+
+ColonExamination
+ReadColonExamination(const std::string & folder)
+{
+  ColonExamination exam;
+  exam.folder = folder;
+  exam.quality = ReadJson(Required(exam, "segmentation/quality.json"));
+  TakeSource(exam);
+  exam.lumen = ReadLabels(Required(exam, "segmentation/lumen.nrrd"));
+  const std::string centreline = Required(exam, "segmentation/centreline.vtp");
+  exam.centreline = ReadCurves(centreline);
+  if (Has(exam, "landmarks/landmarks.json", "no segments of the colon"))
+  {
+    exam.segments =
+      SegmentsOf(ReadJson(exam.PathOf("landmarks/landmarks.json")), LengthOf(exam.centreline, centreline));
+  }
+  TakeFolds(exam);
+  TakeCandidates(exam);
+  return exam;
+}
+} // namespace shapeton

@@ -1,0 +1,129 @@
+#include "shapetonColonReportsAsDicom.h"
+
+#include "shapetonColonTerms.h"
+#include "shapetonNumberText.h"
+
+#include <cmath>
+
+namespace shapeton
+{
+namespace
+{
+using namespace colonterms;
+
+/** What is not known is left out. */
+void
+Add(DicomMeasurementGroup &  group,
+    const DicomCode &        name,
+    double                   value,
+    const DicomCode &        unit,
+    std::optional<DicomCode> derivation = {})
+{
+  if (std::isfinite(value))
+  {
+    group.measurements.push_back({ name, NumberText(value, 4), unit, std::move(derivation) });
+  }
+}
+
+DicomMeasurementGroup
+GroupOf(const DicomSegment & segment, const ColonSegmentsAsDicom & segments)
+{
+  DicomMeasurementGroup group;
+  group.trackingID = segment.trackingID;
+  group.trackingUID = segment.trackingUID;
+  group.finding = segment.type;
+  group.site = segment.region;
+  group.segment = segments.NumberOf(segment.trackingUID);
+  return group;
+}
+
+DicomMeasurementGroup
+GroupOf(const PolypCandidate & candidate, const ColonSegmentsAsDicom & segments)
+{
+  DicomMeasurementGroup group;
+  group.trackingID = "candidate " + std::to_string(candidate.number);
+  group.trackingUID = segments.TrackingUIDOfCandidate(candidate);
+  group.finding = lesion;
+  group.site = CodeOfSegment(candidate.segment);
+  group.segment = segments.NumberOf(group.trackingUID);
+  group.center = { candidate.position[0], candidate.position[1], candidate.position[2] };
+  Add(group, diameter, candidate.diameter, mm, maximum);
+  Add(group, height, candidate.height, mm);
+  Add(group, distanceFromAnus, candidate.arcLength, mm);
+  Add(group, attenuation, candidate.attenuation, hounsfield, median);
+  Add(group, certainty, 100.0 * candidate.score, percent);
+  if (group.segment > 0)
+  {
+    Add(group, volume, 1000.0 * segments.VolumeOf(group.trackingUID), mm3);
+  }
+  group.comments.push_back("a candidate of a computer program, no finding of a reader");
+  if (!candidate.remark.empty())
+  {
+    group.comments.push_back(candidate.remark);
+  }
+  return group;
+}
+
+/** Of the centreline's points in the segment; not a number where there is none. */
+double
+MeanDiameter(const CurveSet & centreline, const ColonSegmentExtent & segment)
+{
+  const Eigen::VectorXd arcLength = PointValues(centreline, "arcLength", "the centreline");
+  const Eigen::VectorXd radius = PointValues(centreline, "radius", "the centreline");
+  double                sum = 0.0;
+  int                   number = 0;
+  for (const int vertex : centreline.curves.front())
+  {
+    if (arcLength[vertex] >= segment.begin && arcLength[vertex] <= segment.end && std::isfinite(radius[vertex]))
+    {
+      sum += 2.0 * radius[vertex];
+      ++number;
+    }
+  }
+  return sum / number;
+}
+
+void
+AddExtent(const ColonExamination & exam, DicomMeasurementGroup & group)
+{
+  for (const ColonSegmentExtent & segment : exam.segments)
+  {
+    if (segment.name == group.trackingID)
+    {
+      Add(group, pathLength, segment.end - segment.begin, mm);
+      Add(group, diameter, MeanDiameter(exam.centreline, segment), mm, mean);
+    }
+  }
+}
+} // namespace
+
+DicomMeasurementReport
+MeasurementsOfColon(const ColonExamination & exam, const ColonSegmentsAsDicom & segments)
+{
+  DicomMeasurementReport report;
+  report.procedure = ct;
+  report.region = colon;
+  report.segmentation = segments.Instance();
+  report.comments.emplace_back(DicomResearchNote);
+  for (const PolypCandidate & candidate : exam.candidates)
+  {
+    report.groups.push_back(GroupOf(candidate, segments));
+  }
+  for (const DicomSegment & segment : segments.Segments())
+  {
+    const DicomMeasurementGroup whole = GroupOf(segment, segments);
+    if (whole.segment > 0 && !(segment.type == lesion))
+    {
+      report.groups.push_back(whole);
+      Add(report.groups.back(), volume, segments.VolumeOf(segment.trackingUID), ml);
+      AddExtent(exam, report.groups.back());
+    }
+  }
+  for (const auto & warning : exam.quality.value("warnings", Json::array()))
+  {
+    report.comments.push_back(warning.get<std::string>());
+  }
+  report.comments.insert(report.comments.end(), exam.missing.begin(), exam.missing.end());
+  return report;
+}
+} // namespace shapeton

@@ -1,0 +1,21 @@
+#ifndef shapetonColonReportsAsDicom_h
+#define shapetonColonReportsAsDicom_h
+
+#include "shapetonColonSegmentsAsDicom.h"
+#include "shapetonDicomMeasurements.h"
+
+namespace shapeton
+{
+/** What was measured of lumen, candidates and segments of the colon, as groups of TID 1500. */
+DicomMeasurementReport
+MeasurementsOfColon(const ColonExamination & exam, const ColonSegmentsAsDicom & segments);
+
+/** The candidates as findings of TID 4120. */
+DicomContent
+CadReportOfColon(const ColonExamination &     exam,
+                 const ColonSegmentsAsDicom & segments,
+                 const DicomSource &          source,
+                 const DicomResultHeader &    header);
+} // namespace shapeton
+
+#endif

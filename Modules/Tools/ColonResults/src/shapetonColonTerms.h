@@ -1,0 +1,50 @@
+#ifndef shapetonColonTerms_h
+#define shapetonColonTerms_h
+
+#include "shapetonDicomCode.h"
+
+#include <string>
+
+namespace shapeton
+{
+/** \brief The terms of the colon: SNOMED CT, DICOM, UCUM and LOINC; a private one where none of these has it. */
+namespace colonterms
+{
+inline const DicomCode anatomy{ "123037004", "SCT", "Anatomical Structure" };
+inline const DicomCode substance{ "91720002", "SCT", "Body Substance" };
+inline const DicomCode abnormal{ "49755003", "SCT", "Morphologically Abnormal Structure" };
+
+inline const DicomCode colon{ "71854001", "SCT", "Colon" };
+inline const DicomCode ileum{ "34516001", "SCT", "Ileum" };
+inline const DicomCode gas{ "74947009", "SCT", "Gas" };
+inline const DicomCode fluid{ "442170005", "SCT", "Intraluminal fluid" };
+inline const DicomCode lesion{ "52988006", "SCT", "Lesion" };
+inline const DicomCode polyp{ "68496003", "SCT", "Polyp of colon" };
+inline const DicomCode fold{ "FOLD", "99SHAPETON", "Haustral fold" };
+
+inline const DicomCode ct{ "25045-6", "LN", "CT unspecified body region" };
+inline const DicomCode findingSite{ "363698007", "SCT", "Finding Site" };
+inline const DicomCode diameter{ "81827009", "SCT", "Diameter" };
+inline const DicomCode height{ "121207", "DCM", "Height" };
+inline const DicomCode volume{ "118565006", "SCT", "Volume" };
+inline const DicomCode pathLength{ "121211", "DCM", "Path length" };
+inline const DicomCode distanceFromAnus{ "112233", "DCM", "Distance from anus" };
+inline const DicomCode attenuation{ "112031", "DCM", "Attenuation Coefficient" };
+inline const DicomCode certainty{ "111012", "DCM", "Certainty of Finding" };
+inline const DicomCode mean{ "373098007", "SCT", "Mean" };
+inline const DicomCode median{ "373099004", "SCT", "Median" };
+inline const DicomCode maximum{ "56851009", "SCT", "Maximum" };
+
+inline const DicomCode mm{ "mm", "UCUM", "mm" };
+inline const DicomCode mm3{ "mm3", "UCUM", "mm3" };
+inline const DicomCode ml{ "ml", "UCUM", "ml" };
+inline const DicomCode hounsfield{ "[hnsf'U]", "UCUM", "Hounsfield unit" };
+inline const DicomCode percent{ "%", "UCUM", "Percent" };
+
+/** 1 rectum to 6 caecum; the colon for other numbers. */
+const DicomCode &
+CodeOfSegment(int segment);
+} // namespace colonterms
+} // namespace shapeton
+
+#endif
