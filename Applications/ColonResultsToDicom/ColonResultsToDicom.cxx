@@ -8,28 +8,21 @@ namespace
 {
 using shapeton::CommandLine;
 
-shapeton::ColonDicomOptions
-OptionsOf(CommandLine & commandLine, double begin, double end)
+/** The results of one series, in the part [begin, end] of the run. */
+void
+Write(CommandLine &       commandLine,
+      const std::string & exam,
+      const std::string & source,
+      const std::string & folder,
+      double              begin,
+      double              end)
 {
   shapeton::ColonDicomOptions options;
-  for (const auto & [name, value] : commandLine.GetProvenance())
-  {
-    options.tool = name == "tool" ? value : options.tool;
-    options.version = name == "version" ? value : options.version;
-  }
   options.isDeflated = commandLine.GetFlag("deflate");
   options.progress = commandLine.PartOfProgress(begin, end);
-  return options;
-}
-
-void
-Write(CommandLine & commandLine, const std::string & exam, const std::string & source, const std::string & folder)
-{
   commandLine.MakeFolder(folder);
   commandLine.Warn(shapeton::WriteColonDicomResults(
-    exam, source, folder, OptionsOf(commandLine, 0.0, 1.0), [&](const std::string & path) {
-      return commandLine.Output(path);
-    }));
+    exam, source, folder, options, [&](const std::string & path) { return commandLine.Output(path); }));
 }
 
 void
@@ -39,10 +32,11 @@ WriteResults(CommandLine & commandLine)
                              "the parameter \"source\" is missing: results belong to the series that they come from");
   const std::string exam = commandLine.GetString("exam");
   const std::string folder = commandLine.GetString("outputFolder");
-  Write(commandLine, exam, commandLine.GetString("source"), folder);
-  if (commandLine.IsGiven("secondSource"))
+  const bool        hasSecond = commandLine.IsGiven("secondSource");
+  Write(commandLine, exam, commandLine.GetString("source"), folder, 0.0, hasSecond ? 0.5 : 1.0);
+  if (hasSecond)
   {
-    Write(commandLine, exam + "/second", commandLine.GetString("secondSource"), folder + "/second");
+    Write(commandLine, exam + "/second", commandLine.GetString("secondSource"), folder + "/second", 0.5, 1.0);
   }
 }
 } // namespace

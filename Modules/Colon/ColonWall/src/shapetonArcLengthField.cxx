@@ -176,4 +176,11 @@ ArcLengthField::ArcLengthAt(const Eigen::Vector3d & point) const
   }
   return arcLength;
 }
+
+double
+ArcLengthField::ArcLengthOfVoxel(std::int64_t voxel) const
+{
+  const std::int32_t site = m_Sites[voxel];
+  return m_ArcLengths[site == Nowhere ? this->ClosestSite(this->PointOfVoxel(voxel)) : site];
+}
 } // namespace shapeton

@@ -19,6 +19,10 @@ public:
   double
   ArcLengthAt(const Eigen::Vector3d & point) const;
 
+  /** That of the closest point of the curve, for the middle of a voxel of the lumen, by its number in the buffer. */
+  double
+  ArcLengthOfVoxel(std::int64_t voxel) const;
+
 private:
   static constexpr std::int32_t Nowhere = -1;
 

@@ -16,17 +16,13 @@ LabelLumenAlong(const LumenMaskImage *                        lumen,
   labels->CopyInformation(lumen);
   labels->SetRegions(region);
   labels->Allocate(true);
-  const GridGeometry grid(lumen);
-  const auto         columns = region.GetSize(0);
-  const auto         pixels = columns * region.GetSize(1);
+  const std::size_t pixels = region.GetSize(0) * region.GetSize(1);
   ParallelFor(region.GetSize(2), [&](std::size_t slice) {
-    for (std::size_t i = 0; i < pixels; ++i)
+    for (std::size_t voxel = slice * pixels; voxel < (slice + 1) * pixels; ++voxel)
     {
-      const std::size_t voxel = slice * pixels + i;
       if (lumen->GetBufferPointer()[voxel] != 0)
       {
-        const Eigen::Vector3d index(i % columns, i / columns, slice);
-        labels->GetBufferPointer()[voxel] = labelOf(field.ArcLengthAt(grid.PointOf(index)));
+        labels->GetBufferPointer()[voxel] = labelOf(field.ArcLengthOfVoxel(static_cast<std::int64_t>(voxel)));
       }
     }
   });

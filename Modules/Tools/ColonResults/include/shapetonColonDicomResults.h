@@ -13,9 +13,6 @@ namespace shapeton
 /** How the results of an examination are written. \ingroup ColonResults */
 struct ColonDicomOptions
 {
-  /** The program and its version, as the objects name them. */
-  std::string tool;
-  std::string version;
   /** The segmentation is written in Deflated Explicit VR Little Endian. */
   bool     isDeflated{ false };
   Progress progress;

@@ -27,11 +27,12 @@ ReadSourceOf(const ColonExamination & exam, const std::string & path)
   return source;
 }
 
-/** Numbers of series of one examination follow each other. */
+/** The objects name the run, not the program that wrote them. Numbers of series follow each other. */
 DicomResultHeader
-HeaderOf(const ColonDicomOptions & options, int number, const std::string & what)
+HeaderOf(const ColonExamination & exam, int number, const std::string & what)
 {
-  return { options.tool, options.version, 9000 + number, "Research: " + what };
+  const std::string version = exam.quality.value("/provenance/version"_json_pointer, std::string("unknown"));
+  return { "VirtualColonoscopy", version, 9000 + number, "Research: " + what };
 }
 } // namespace
 
@@ -49,12 +50,12 @@ WriteColonDicomResults(const std::string &       exam,
   ColonSegmentsAsDicom segments(examination);
   options.progress("Writing", 0.7);
   segments.Write(
-    series, HeaderOf(options, 0, "colon segmentation"), outputPath(folder + "/seg.dcm"), options.isDeflated);
+    series, HeaderOf(examination, 0, "colon segmentation"), outputPath(folder + "/seg.dcm"), options.isDeflated);
   WriteDicomMeasurements(series,
                          MeasurementsOfColon(examination, segments),
-                         HeaderOf(options, 1, "colon measurements"),
+                         HeaderOf(examination, 1, "colon measurements"),
                          outputPath(folder + "/sr.dcm"));
-  const DicomResultHeader cad = HeaderOf(options, 2, "colon CAD");
+  const DicomResultHeader cad = HeaderOf(examination, 2, "colon CAD");
   WriteDicomReport(series,
                    DicomReportKind::ColonCAD,
                    CadReportOfColon(examination, segments, series, cad),
