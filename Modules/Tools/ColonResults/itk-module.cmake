@@ -6,6 +6,7 @@ itk_module(ColonResults
   DEPENDS
     Base
     Report
+    SlicerMarkups
     DicomResults
   PRIVATE_DEPENDS
     SurfaceMesh
@@ -14,6 +15,7 @@ itk_module(ColonResults
     HaustralFolds
     ColonLandmarks
     PolypCandidates
+    PictureKit
     ColonViews
     StagedRun
     ITKCommon

@@ -46,13 +46,21 @@ struct DicomSegmentationFile
 DicomResults_EXPORT DicomSegmentationFile
 ReadDicomSegmentation(const std::string & path);
 
-/** The voxels of segments on a grid, as a rule that of the source series: each has the number of its segment, of
- * several the one that comes last in `numbers`; 0 is none. A voxel of a fractional segment belongs to it from a half
- * on.
+/** Segments as they were read. \ingroup DicomResults */
+struct DicomSegmentVoxels
+{
+  /** The number of the segment of each voxel, 0 for none; of several the one that was asked for last. */
+  DicomLabelImage::Pointer labels;
+  /** Voxels of each segment that was asked for, whatever others lie over it. */
+  std::vector<std::size_t> voxels;
+};
+
+/** The voxels of segments on a grid, as a rule that of the source series. A voxel of a fractional segment belongs to it
+ * from a half on.
  *
  * Throws InputError where a frame does not lie in a slice of the grid with the same pixels, and for a file that is not
  * whole; ParameterError for a number that is not there. \ingroup DicomResults */
-DicomResults_EXPORT DicomLabelImage::Pointer
+DicomResults_EXPORT DicomSegmentVoxels
 ReadDicomSegments(const DicomSegmentationFile & file, const std::vector<int> & numbers, const itk::ImageBase<3> * grid);
 } // namespace shapeton
 

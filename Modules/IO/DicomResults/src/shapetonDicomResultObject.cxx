@@ -171,7 +171,7 @@ DicomResultObject::PutReferencedSeries()
   }
 }
 
-void
+DicomItem
 DicomResultObject::PutSharedPlane()
 {
   const itk::ImageBase<3> & grid = *m_Source.grid;
@@ -185,6 +185,7 @@ DicomResultObject::PutSharedPlane()
     .Decimals(DCM_PixelSpacing, { spacing[1], spacing[0] }) // of rows first
     .Decimals(DCM_SpacingBetweenSlices, { spacing[2] })
     .Decimals(DCM_SliceThickness, { thickness > 0.0 ? thickness : spacing[2] });
+  return shared;
 }
 
 DicomInstance
@@ -210,5 +211,16 @@ PutReferenceToSlice(DicomItem item, const DicomSlice & slice)
   {
     item.Text(DCM_ReferencedFrameNumber, std::to_string(slice.frame + 1));
   }
+}
+
+void
+PutDerivation(DicomItem frame, const DicomSlice & slice, const DicomCode & processing)
+{
+  DicomItem derivation = frame.Add(DCM_DerivationImageSequence);
+  derivation.Code(DCM_DerivationCodeSequence, processing);
+  DicomItem image = derivation.Add(DCM_SourceImageSequence);
+  PutReferenceToSlice(image, slice);
+  image.Text(DCM_SpatialLocationsPreserved, "YES")
+    .Code(DCM_PurposeOfReferenceCodeSequence, { "121322", "DCM", "Source image for image processing operation" });
 }
 } // namespace shapeton

@@ -37,8 +37,8 @@ public:
   /** Which series and slices the result was made from. */
   void
   PutReferencedSeries();
-  /** A plane of the source's grid that all frames share: orientation, pixel spacing, distance of slices. */
-  void
+  /** What all frames share: orientation, pixel spacing, distance of slices. Returns the shared functional groups. */
+  DicomItem
   PutSharedPlane();
 
   /** Throws OutputError. */
@@ -64,6 +64,10 @@ private:
  * instance has frames. */
 void
 PutReferenceToSlice(DicomItem item, const DicomSlice & slice);
+
+/** That a frame was made from a slice, by this kind of processing (CID 7203). */
+void
+PutDerivation(DicomItem frame, const DicomSlice & slice, const DicomCode & processing);
 
 } // namespace shapeton
 

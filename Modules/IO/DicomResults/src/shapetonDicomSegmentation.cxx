@@ -173,12 +173,7 @@ PutFrame(DicomItem frame, const DicomSlice & slice, std::size_t place, int numbe
 {
   PutFramePlace(frame, slice, place, { static_cast<Uint32>(number) });
   frame.Add(DCM_SegmentIdentificationSequence).Integers(DCM_ReferencedSegmentNumber, { static_cast<Uint32>(number) });
-  DicomItem derivation = frame.Add(DCM_DerivationImageSequence);
-  derivation.Code(DCM_DerivationCodeSequence, { "113076", "DCM", "Segmentation" });
-  DicomItem image = derivation.Add(DCM_SourceImageSequence);
-  PutReferenceToSlice(image, slice);
-  image.Text(DCM_SpatialLocationsPreserved, "YES")
-    .Code(DCM_PurposeOfReferenceCodeSequence, { "121322", "DCM", "Source image for image processing operation" });
+  PutDerivation(frame, slice, { "113076", "DCM", "Segmentation" });
 }
 
 /** Whether a voxel has two segments. */

@@ -271,12 +271,14 @@ EmptyLabels(const itk::ImageBase<3> * grid)
   return labels;
 }
 
-void
+/** Returns how many voxels it has painted. */
+std::size_t
 PaintFrame(const DicomSegmentationFile & file, std::size_t frame, const char * data, int number, unsigned short * slice)
 {
   const auto * const bytes = reinterpret_cast<const unsigned char *>(data);
   const std::size_t  pixels = std::size_t(file.columns) * file.rows;
   const std::size_t  first = frame * pixels;
+  std::size_t        painted = 0;
   for (std::size_t i = 0; i < pixels; ++i)
   {
     const std::size_t at = first + i;
@@ -284,8 +286,10 @@ PaintFrame(const DicomSegmentationFile & file, std::size_t frame, const char * d
     if (isIn)
     {
       slice[i] = static_cast<unsigned short>(number);
+      ++painted;
     }
   }
+  return painted;
 }
 
 void
@@ -317,22 +321,23 @@ ReadDicomSegmentation(const std::string & path)
   return file;
 }
 
-DicomLabelImage::Pointer
+DicomSegmentVoxels
 ReadDicomSegments(const DicomSegmentationFile & file, const std::vector<int> & numbers, const itk::ImageBase<3> * grid)
 {
   RequireSegments(file, numbers);
-  const GridPlanes  planes(file, grid);
-  const auto        labels = EmptyLabels(grid);
-  const std::size_t pixels = std::size_t(file.columns) * file.rows;
-  const std::size_t bytes = BytesOfPixels(file);
-  const auto        paint = [&](const std::string &, const char * data) {
-    for (const int number : numbers)
+  const GridPlanes   planes(file, grid);
+  DicomSegmentVoxels read{ EmptyLabels(grid), std::vector<std::size_t>(numbers.size(), 0) };
+  const std::size_t  pixels = std::size_t(file.columns) * file.rows;
+  const std::size_t  bytes = BytesOfPixels(file);
+  const auto         paint = [&](const std::string &, const char * data) {
+    for (std::size_t k = 0; k < numbers.size(); ++k)
     {
       for (std::size_t i = 0; i < file.frames.size(); ++i)
       {
-        if (file.frames[i].segment == number)
+        if (file.frames[i].segment == numbers[k])
         {
-          PaintFrame(file, i, data, number, labels->GetBufferPointer() + planes.SliceOf(file.frames[i]) * pixels);
+          auto * const slice = read.labels->GetBufferPointer() + planes.SliceOf(file.frames[i]) * pixels;
+          read.voxels[k] += PaintFrame(file, i, data, numbers[k], slice);
         }
       }
     }
@@ -343,6 +348,6 @@ ReadDicomSegments(const DicomSegmentationFile & file, const std::vector<int> & n
     bytes,
     [bytes](const std::string & request, char * shared) { return CopyPixels(request, bytes, shared); },
     paint);
-  return labels;
+  return read;
 }
 } // namespace shapeton

@@ -94,12 +94,15 @@ ExpectRoundTrip(const Written & written)
   ASSERT_EQ(file.segments.size(), 3u);
   EXPECT_EQ(file.segments[1].name, "two");
   EXPECT_EQ(file.segments[1].type.value, "71854001");
-  const auto back = ReadDicomSegments(file, { 1, 2 }, written.source.grid);
+  const auto back = ReadDicomSegments(file, { 1, 2 }, written.source.grid).labels;
   EXPECT_EQ(ValuesOf(back), ValuesOf(written.labels));
   EXPECT_TRUE(HaveSameGrid(back, written.source.grid));
+  const auto covered = ReadDicomSegments(file, { 1, 2, 3 }, written.source.grid); // 3 lies over the others
+  EXPECT_EQ(covered.voxels[0], written.segmentation.voxels[0]);
+  EXPECT_EQ(covered.voxels[2], written.segmentation.voxels[3]);
   std::vector<unsigned short> third = ValuesOf(written.others);
   std::transform(third.begin(), third.end(), third.begin(), [](unsigned short value) { return value == 2 ? 3 : 0; });
-  EXPECT_EQ(ValuesOf(ReadDicomSegments(file, { 3 }, written.source.grid)), third);
+  EXPECT_EQ(ValuesOf(ReadDicomSegments(file, { 3 }, written.source.grid).labels), third);
 }
 } // namespace
 
@@ -125,7 +128,7 @@ TEST(DicomSegmentation, ComesBackFromFramesOfOneFile)
   WriteDicomSegmentation(source, { Segment("one", labels, 1) }, HeaderOfTest(), folder + "/seg.dcm");
   std::vector<unsigned short> expected = ValuesOf(labels);
   std::transform(expected.begin(), expected.end(), expected.begin(), [](unsigned short v) { return v == 1 ? 1 : 0; });
-  const auto back = ReadDicomSegments(ReadDicomSegmentation(folder + "/seg.dcm"), { 1 }, source.grid);
+  const auto back = ReadDicomSegments(ReadDicomSegmentation(folder + "/seg.dcm"), { 1 }, source.grid).labels;
   EXPECT_EQ(ValuesOf(back), expected);
   DcmFileFormat file = Loaded(folder + "/seg.dcm");
   EXPECT_EQ(ValueOf(file, DCM_ReferencedFrameNumber), "2"); // the first slice along the normal
@@ -211,7 +214,7 @@ TEST(DicomSegmentation, ReadsFractionalOnesFromHalfOn)
   dataset.putAndInsertUint16(DCM_MaximumFractionalValue, 255);
   dataset.putAndInsertUint8Array(DCM_PixelData, values.data(), values.size());
   SaveDicom(file, written.path);
-  const auto labels = ReadDicomSegments(ReadDicomSegmentation(written.path), { 1 }, written.source.grid);
+  const auto labels = ReadDicomSegments(ReadDicomSegmentation(written.path), { 1 }, written.source.grid).labels;
   std::vector<unsigned short> expected(pixels * 6, 0);
   expected[4] = 1;
   EXPECT_EQ(ValuesOf(labels), expected);

@@ -2,8 +2,14 @@
 
 #include "shapetonColonReportsAsDicom.h"
 #include "shapetonContentIdentity.h"
+#include "shapetonDicomPictures.h"
 #include "shapetonExceptions.h"
+#include "shapetonPicture.h"
+#include "shapetonSurfaceReader.h"
 #include "shapetonVolume.h"
+
+#include "itkImageFileReader.h"
+#include "itkPNGImageIO.h"
 
 namespace shapeton
 {
@@ -34,6 +40,48 @@ HeaderOf(const ColonExamination & exam, int number, const std::string & what)
   const std::string version = exam.quality.value("/provenance/version"_json_pointer, std::string("unknown"));
   return { "VirtualColonoscopy", version, 9000 + number, "Research: " + what };
 }
+
+Picture::Pointer
+ReadPicture(const std::string & path)
+{
+  const auto reader = itk::ImageFileReader<Picture>::New();
+  reader->SetImageIO(itk::PNGImageIO::New());
+  reader->SetFileName(path);
+  try
+  {
+    reader->Update();
+  }
+  catch (const itk::ExceptionObject & error)
+  {
+    throw InputError("\"" + path + "\" cannot be read (" + error.GetDescription() + "); run VirtualColonoscopy again");
+  }
+  return reader->GetOutput();
+}
+
+/** The flat colon, where there is one, and the wall. */
+void
+WritePictures(ColonExamination &  exam,
+              const DicomSource & series,
+              const std::string & folder,
+              const OutputPath &  outputPath)
+{
+  if (exam.Has("flattening/flat.png", "no picture of the flat colon"))
+  {
+    WriteDicomPicture(series,
+                      ReadPicture(exam.PathOf("flattening/flat.png")),
+                      HeaderOf(exam, 3, "flat colon"),
+                      outputPath(folder + "/sc.dcm"));
+  }
+  if (exam.Has("segmentation/wall-simplified.vtp", "no surface of the wall"))
+  {
+    const DicomCode wall{ "WALL", "99SHAPETON", "Wall of the colon" };
+    WriteDicomSurface(series,
+                      ReadSurface(exam.PathOf("segmentation/wall-simplified.vtp")).mesh,
+                      wall,
+                      HeaderOf(exam, 4, "wall of the colon"),
+                      outputPath(folder + "/stl.dcm"));
+  }
+}
 } // namespace
 
 Remarks
@@ -44,8 +92,8 @@ WriteColonDicomResults(const std::string &       exam,
                        const OutputPath &        outputPath)
 {
   options.progress("Reading", 0.0);
-  const ColonExamination examination = ReadColonExamination(exam);
-  const DicomSource      series = ReadSourceOf(examination, source);
+  ColonExamination  examination = ReadColonExamination(exam);
+  const DicomSource series = ReadSourceOf(examination, source);
   options.progress("Segments", 0.4);
   ColonSegmentsAsDicom segments(examination);
   options.progress("Writing", 0.7);
@@ -62,6 +110,7 @@ WriteColonDicomResults(const std::string &       exam,
                    {},
                    cad,
                    outputPath(folder + "/cad.dcm"));
+  WritePictures(examination, series, folder, outputPath);
   options.progress("Writing", 1.0);
   return examination.missing;
 }

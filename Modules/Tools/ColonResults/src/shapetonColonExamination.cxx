@@ -23,17 +23,6 @@ Required(const ColonExamination & exam, const std::string & name)
   return exam.PathOf(name);
 }
 
-bool
-Has(ColonExamination & exam, const std::string & name, const std::string & what)
-{
-  const bool isThere = std::filesystem::exists(exam.PathOf(name));
-  if (!isThere)
-  {
-    exam.missing.push_back("the examination lacks " + name + ": " + what);
-  }
-  return isThere;
-}
-
 DicomLabelImage::Pointer
 ReadLabels(const std::string & path)
 {
@@ -76,7 +65,7 @@ LengthOf(const CurveSet & centreline, const std::string & path)
 void
 TakeFolds(ColonExamination & exam)
 {
-  if (Has(exam, "folds/labels.nrrd", "no folds") && Has(exam, "flattening/flat.vtp", "no folds"))
+  if (exam.Has("folds/labels.nrrd", "no folds") && exam.Has("flattening/flat.vtp", "no folds"))
   {
     exam.flat = ReadSurfaceFile(exam.PathOf("flattening/flat.vtp")).mesh;
     exam.folds = FoldsOfFaces(exam.flat, *ReadFoldLabels(exam.PathOf("folds/labels.nrrd")));
@@ -86,16 +75,27 @@ TakeFolds(ColonExamination & exam)
 void
 TakeCandidates(ColonExamination & exam)
 {
-  if (Has(exam, "polyps/candidates.csv", "no candidates"))
+  if (exam.Has("polyps/candidates.csv", "no candidates"))
   {
     exam.candidates = ReadPolypCandidates(exam.PathOf("polyps/candidates.csv"));
-    if (Has(exam, "polyps/heads.nrrd", "candidates have no segment; run VirtualColonoscopy again"))
+    if (exam.Has("polyps/heads.nrrd", "candidates have no segment; run VirtualColonoscopy again"))
     {
       exam.heads = ReadLabels(exam.PathOf("polyps/heads.nrrd"));
     }
   }
 }
 } // namespace
+
+bool
+ColonExamination::Has(const std::string & name, const std::string & what)
+{
+  const bool isThere = std::filesystem::exists(this->PathOf(name));
+  if (!isThere)
+  {
+    missing.push_back("the examination lacks " + name + ": " + what);
+  }
+  return isThere;
+}
 
 ColonExamination
 ReadColonExamination(const std::string & folder)
@@ -107,7 +107,7 @@ ReadColonExamination(const std::string & folder)
   exam.lumen = ReadLabels(Required(exam, "segmentation/lumen.nrrd"));
   const std::string centreline = Required(exam, "segmentation/centreline.vtp");
   exam.centreline = ReadCurves(centreline);
-  if (Has(exam, "landmarks/landmarks.json", "no segments of the colon"))
+  if (exam.Has("landmarks/landmarks.json", "no segments of the colon"))
   {
     exam.segments =
       SegmentsOf(ReadJson(exam.PathOf("landmarks/landmarks.json")), LengthOf(exam.centreline, centreline));

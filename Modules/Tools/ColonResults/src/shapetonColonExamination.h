@@ -35,6 +35,9 @@ struct ColonExamination
   /** What is missing. */
   Remarks missing;
 
+  /** Whether a file is there; if not, `what` goes to the missing. */
+  bool
+  Has(const std::string & name, const std::string & what);
   std::string
   PathOf(const std::string & name) const
   {

@@ -1,0 +1,96 @@
+#include "DicomResultsToColonXML.h"
+
+#include "shapetonCommandLine.h"
+#include "shapetonDicomToColon.h"
+#include "shapetonExceptions.h"
+#include "shapetonSha256.h"
+#include "shapetonVolumeWriter.h"
+
+#include <algorithm>
+
+namespace
+{
+using shapeton::CommandLine;
+
+void
+CheckUsage(const CommandLine & commandLine)
+{
+  const bool ofSegments = commandLine.IsGiven("mask") || commandLine.IsGiven("labels") || commandLine.IsGiven("table");
+  shapeton::RequireParameter(ofSegments || commandLine.IsGiven("markers"),
+                             "nothing is asked for: give --mask, --labels or --table for a segmentation, --markers for "
+                             "a report");
+  shapeton::RequireParameter(!ofSegments || !commandLine.IsGiven("markers"),
+                             "--markers belongs to a report; --mask, --labels and --table to a segmentation");
+  shapeton::RequireVolumeName(commandLine.GetString("mask"));
+  shapeton::RequireVolumeName(commandLine.GetString("labels"));
+}
+
+/** 1 in all segments. */
+itk::Image<unsigned char, 3>::Pointer
+MaskOf(const shapeton::DicomLabelImage * labels)
+{
+  const auto mask = itk::Image<unsigned char, 3>::New();
+  mask->CopyInformation(labels);
+  mask->SetRegions(labels->GetBufferedRegion());
+  mask->Allocate();
+  std::transform(labels->GetBufferPointer(),
+                 labels->GetBufferPointer() + labels->GetBufferedRegion().GetNumberOfPixels(),
+                 mask->GetBufferPointer(),
+                 [](unsigned short label) { return label != 0; });
+  return mask;
+}
+
+void
+WriteSegments(CommandLine & commandLine, const shapeton::DicomSource & source)
+{
+  const std::string mask = commandLine.OutputOf("mask");
+  const std::string labels = commandLine.OutputOf("labels");
+  const std::string table = commandLine.OutputOf("table");
+  const auto        file = shapeton::ReadDicomSegmentation(commandLine.GetString("input"));
+  const auto        chosen = commandLine.GetIntegers("segments");
+  const auto        metadata = shapeton::ProvenanceMetadata(commandLine.GetProvenance());
+  if (!mask.empty())
+  {
+    const auto lumen = chosen.empty() ? shapeton::LumenSegmentsOf(file) : chosen;
+    shapeton::WriteVolume(
+      MaskOf(shapeton::ReadDicomSegments(file, lumen, source.grid).labels).GetPointer(), mask, metadata);
+  }
+  if (!labels.empty() || !table.empty())
+  {
+    const auto numbers = chosen.empty() ? shapeton::AllSegmentsOf(file) : chosen;
+    const auto voxels = shapeton::ReadDicomSegments(file, numbers, source.grid);
+    if (!labels.empty())
+    {
+      shapeton::WriteVolume(voxels.labels.GetPointer(), labels, metadata);
+    }
+    if (!table.empty())
+    {
+      shapeton::TableOfSegments(file, numbers, voxels).Write(table);
+    }
+  }
+}
+
+void
+Convert(CommandLine & commandLine)
+{
+  CheckUsage(commandLine);
+  const std::string input = commandLine.GetString("input");
+  commandLine.Progress("Reading", 0.0);
+  const auto source = shapeton::ReadDicomSource(commandLine.GetString("source"), commandLine.GetString("seriesUID"));
+  commandLine.AddInput("input", "sha256:" + shapeton::Sha256OfFile(input));
+  commandLine.AddInput("source", "seriesInstanceUID:" + source.series.GetSelector());
+  if (!commandLine.IsGiven("markers"))
+  {
+    WriteSegments(commandLine, source);
+    return;
+  }
+  const std::string markers = commandLine.OutputOf("markers");
+  shapeton::WriteMarkups(shapeton::MarkupsOfReport(shapeton::ReadDicomReportPoints(input, source)), markers);
+}
+} // namespace
+
+int
+main(int argc, char * argv[])
+{
+  return CommandLine::Run(ToolXML, argc, argv, Convert);
+}

@@ -1,0 +1,91 @@
+#include "shapetonDicomPictures.h"
+
+#include "shapetonDicomResultObject.h"
+#include "shapetonExceptions.h"
+#include "shapetonFileBytes.h"
+#include "shapetonSurfaceWriter.h"
+
+#include <filesystem>
+
+namespace shapeton
+{
+namespace
+{
+/** The bytes of a surface as an STL file, which is made beside the object and removed. */
+std::string
+StlOf(const SurfaceMesh & mesh, const std::string & path)
+{
+  const std::string stl = path + ".stl";
+  WriteSurface(mesh, stl);
+  std::string bytes = ReadFileBytes(stl);
+  std::filesystem::remove(stl);
+  return bytes;
+}
+} // namespace
+
+DicomInstance
+WriteDicomPicture(const DicomSource &                                 source,
+                  const itk::Image<itk::RGBPixel<unsigned char>, 2> * picture,
+                  const DicomResultHeader &                           header,
+                  const std::string &                                 path)
+{
+  const auto size = picture->GetBufferedRegion().GetSize();
+  if (size[0] > 65535 || size[1] > 65535)
+  {
+    throw InputError("the picture for \"" + path +
+                     "\" has more than 65535 rows or columns, the most that DICOM allows");
+  }
+  const auto * const first = reinterpret_cast<const Uint8 *>(picture->GetBufferPointer());
+  DicomResultObject  object(source, UID_SecondaryCaptureImageStorage, "OT", header);
+  object.PutContentQualification();
+  object.PutLossiness();
+  object.Root()
+    .Text(DCM_ConversionType, "WSD")
+    .Text(DCM_ImageType, "DERIVED\\SECONDARY")
+    .Text(DCM_PatientOrientation, "")
+    .Text(DCM_ImageLaterality, "U") // not one of a pair
+    .Text(DCM_BurnedInAnnotation, "NO")
+    .Text(DCM_ImageComments, DicomResearchNote)
+    .Integers(DCM_SamplesPerPixel, { 3 })
+    .Text(DCM_PhotometricInterpretation, "RGB")
+    .Integers(DCM_PlanarConfiguration, { 0 })
+    .Integers(DCM_Rows, { static_cast<Uint32>(size[1]) })
+    .Integers(DCM_Columns, { static_cast<Uint32>(size[0]) })
+    .Integers(DCM_BitsAllocated, { 8 })
+    .Integers(DCM_BitsStored, { 8 })
+    .Integers(DCM_HighBit, { 7 })
+    .Integers(DCM_PixelRepresentation, { 0 })
+    .Bytes(DCM_PixelData, { first, first + 3 * size[0] * size[1] });
+  return object.Save(path);
+}
+
+DicomInstance
+WriteDicomSurface(const DicomSource &       source,
+                  const SurfaceMesh &       mesh,
+                  const DicomCode &         what,
+                  const DicomResultHeader & header,
+                  const std::string &       path)
+{
+  const std::string stl = StlOf(mesh, path);
+  DicomResultObject object(source, UID_EncapsulatedSTLStorage, "M3D", header);
+  object.PutFrameOfReference();
+  object.PutReferencedSeries();
+  object.Root()
+    .Text(DCM_AcquisitionDateTime, "")
+    .Text(DCM_BurnedInAnnotation, "NO")
+    .Text(DCM_DocumentTitle, what.meaning)
+    .Code(DCM_ConceptNameCodeSequence, what)
+    .Code(DCM_MeasurementUnitsCodeSequence, { "mm", "UCUM", "mm" })
+    .Text(DCM_ModelModification, "NO")
+    .Text(DCM_ModelMirroring, "NO")
+    .Text(DCM_ContentDescription, DicomResearchNote)
+    .Text(DCM_MIMETypeOfEncapsulatedDocument, "model/stl")
+    .Integers(DCM_EncapsulatedDocumentLength, { static_cast<Uint32>(stl.size()) })
+    .Bytes(DCM_EncapsulatedDocument, { stl.begin(), stl.end() });
+  for (const DicomSlice & slice : source.series.slices)
+  {
+    PutReferenceToSlice(object.Root().Add(DCM_SourceInstanceSequence), slice);
+  }
+  return object.Save(path);
+}
+} // namespace shapeton

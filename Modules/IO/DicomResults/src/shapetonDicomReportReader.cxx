@@ -1,0 +1,293 @@
+#include "shapetonDicomReportReader.h"
+
+#include "shapetonByteStream.h"
+#include "shapetonDicomReading.h"
+#include "shapetonExceptions.h"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+namespace shapeton
+{
+namespace
+{
+constexpr int DeepestTree = 64;
+
+/** A content item with coordinates, as the file has it. */
+struct Graphic
+{
+  std::string name;
+  std::string type;
+  /** Of points in space. */
+  std::string frameOfReferenceUID;
+  /** Of points in pixels. */
+  std::string        sopInstanceUID;
+  std::uint32_t      frame{ 1 };
+  std::vector<float> values;
+};
+
+template <typename TStream, typename TGraphic>
+void
+Transmit(TStream & stream, TGraphic & graphic)
+{
+  auto     count = static_cast<std::uint64_t>(graphic.values.size());
+  stream & graphic.name & graphic.type & graphic.frameOfReferenceUID & graphic.sopInstanceUID & graphic.frame & count;
+  if constexpr (!std::is_const<TGraphic>::value)
+  {
+    if (count > stream.GetLeft())
+    {
+      throw std::runtime_error("cannot be read: incomplete message");
+    }
+    graphic.values.resize(count);
+  }
+  for (auto & value : graphic.values)
+  {
+    stream & value;
+  }
+}
+
+// ---- in the contained process ----
+
+/** Walks over the tree of a report and keeps what has coordinates. */
+class GraphicFinder
+{
+public:
+  explicit GraphicFinder(DcmItem & root) : m_Root(root) { this->Visit(root, {}, 0); }
+
+  const std::vector<Graphic> &
+  Found() const
+  {
+    return m_Found;
+  }
+
+private:
+  void
+  Visit(DcmItem & item, std::string name, int depth)
+  {
+    if (depth > DeepestTree)
+    {
+      throw std::runtime_error("has a tree of content that is too deep");
+    }
+    const auto children = ItemsOf(item, DCM_ContentSequence);
+    for (DcmItem * const child : children)
+    {
+      if (CodeOf(*child, DCM_ConceptNameCodeSequence) == DicomCode{ "112039", "DCM", {} })
+      {
+        name = TextOf(*child, DCM_TextValue);
+      }
+    }
+    const std::string type = TextOf(item, DCM_ValueType);
+    if (type == "SCOORD" || type == "SCOORD3D")
+    {
+      this->Take(item, type == "SCOORD", name);
+    }
+    for (DcmItem * const child : children)
+    {
+      this->Visit(*child, name, depth + 1);
+    }
+  }
+
+  void
+  Take(DcmItem & item, bool isInPixels, const std::string & name)
+  {
+    Graphic graphic;
+    graphic.name = name.empty() ? CodeOf(item, DCM_ConceptNameCodeSequence).meaning : name;
+    graphic.type = TextOf(item, DCM_GraphicType);
+    const Float32 * values = nullptr;
+    unsigned long   count = 0;
+    item.findAndGetFloat32Array(DCM_GraphicData, values, &count);
+    graphic.values.assign(values, values + (values ? count : 0));
+    if (isInPixels)
+    {
+      this->TakeImage(item, graphic);
+    }
+    else
+    {
+      graphic.frameOfReferenceUID = TextOf(item, DCM_ReferencedFrameOfReferenceUID);
+    }
+    m_Found.push_back(graphic);
+  }
+
+  /** The image is a child, or a child names its place in the tree. */
+  void
+  TakeImage(DcmItem & item, Graphic & graphic) const
+  {
+    for (DcmItem * child : ItemsOf(item, DCM_ContentSequence))
+    {
+      child = this->Resolve(child);
+      DcmItem * const reference = child ? ItemOf(*child, DCM_ReferencedSOPSequence) : nullptr;
+      if (reference)
+      {
+        Sint32 frame = 1;
+        reference->findAndGetSint32(DCM_ReferencedFrameNumber, frame);
+        graphic.sopInstanceUID = TextOf(*reference, DCM_ReferencedSOPInstanceUID);
+        graphic.frame = static_cast<std::uint32_t>(std::max<Sint32>(frame, 1));
+      }
+    }
+  }
+
+  DcmItem *
+  Resolve(DcmItem * item) const
+  {
+    const Uint32 * path = nullptr;
+    unsigned long  length = 0;
+    if (item->findAndGetUint32Array(DCM_ReferencedContentItemIdentifier, path, &length).bad() || !path)
+    {
+      return item;
+    }
+    DcmItem * place = &m_Root; // the first number, 1, is the root
+    for (unsigned long i = 1; i < length && place; ++i)
+    {
+      place = path[i] > 0 ? ItemOf(*place, DCM_ContentSequence, static_cast<signed long>(path[i]) - 1) : nullptr;
+    }
+    return place;
+  }
+
+  DcmItem &            m_Root;
+  std::vector<Graphic> m_Found;
+};
+
+std::string
+ParseReport(const std::string & path)
+{
+  DcmFileFormat format;
+  LoadDicomObject(format,
+                  path,
+                  { UID_Comprehensive3DSRStorage,
+                    UID_ComprehensiveSRStorage,
+                    UID_EnhancedSRStorage,
+                    UID_ExtensibleSRStorage,
+                    UID_ColonCADSRStorage });
+  const GraphicFinder finder(*format.getDataset());
+  ByteWriter          writer;
+  writer & static_cast<std::uint64_t>(finder.Found().size());
+  for (const Graphic & graphic : finder.Found())
+  {
+    Transmit(writer, graphic);
+  }
+  return writer.GetBytes();
+}
+
+// ---- in this process ----
+
+std::vector<Graphic>
+ReadGraphics(const std::string & path)
+{
+  std::vector<Graphic> graphics;
+  ReadContained(
+    path,
+    path,
+    0,
+    [](const std::string & request, char *) { return ParseReport(request); },
+    [&](const std::string & response, const char *) {
+      ByteReader    reader(response);
+      std::uint64_t count = 0;
+      reader &      count;
+      for (std::uint64_t i = 0; i < count; ++i)
+      {
+        graphics.emplace_back();
+        Transmit(reader, graphics.back());
+      }
+    });
+  return graphics;
+}
+
+/** The coordinates of a report in the space of a source. */
+class PlaceFinder
+{
+public:
+  PlaceFinder(const std::string & path, const DicomSource & source) : m_Path(path), m_Source(source) {}
+
+  DicomReportPoints
+  PlacesOf(const Graphic & graphic) const
+  {
+    const bool        isInSpace = !graphic.frameOfReferenceUID.empty();
+    const std::size_t dimension = isInSpace ? 3 : 2;
+    const bool        isFinite =
+      std::all_of(graphic.values.begin(), graphic.values.end(), [](float value) { return std::isfinite(value); });
+    if (graphic.values.empty() || graphic.values.size() % dimension != 0 || !isFinite)
+    {
+      throw InputError('"' + m_Path + "\" has coordinates that are none, of " + graphic.name + "; write it again");
+    }
+    DicomReportPoints points;
+    points.name = graphic.name;
+    for (std::size_t i = 0; i < graphic.values.size(); i += dimension)
+    {
+      points.places.push_back(isInSpace ? this->InSpace(graphic, &graphic.values[i])
+                                        : this->InPixels(graphic, &graphic.values[i]));
+    }
+    KeepMiddle(graphic.type, points.places);
+    return points;
+  }
+
+private:
+  using Place = itk::Point<double, 3>;
+
+  Place
+  InSpace(const Graphic & graphic, const float * values) const
+  {
+    if (graphic.frameOfReferenceUID != m_Source.series.frameOfReferenceUID)
+    {
+      throw InputError('"' + m_Path + "\" has points in another frame of reference than the series " +
+                       m_Source.series.uid + "; give the series that it was made on");
+    }
+    Place place;
+    std::copy(values, values + 3, place.Begin());
+    return place;
+  }
+
+  Place
+  InPixels(const Graphic & graphic, const float * values) const
+  {
+    const auto & slices = m_Source.series.slices;
+    const auto   slice = std::find_if(slices.begin(), slices.end(), [&](const DicomSlice & one) {
+      return one.sopInstanceUID == graphic.sopInstanceUID && (!one.isMultiFrame || one.frame + 1 == graphic.frame);
+    });
+    if (slice == slices.end())
+    {
+      throw InputError('"' + m_Path + "\" has points in an image that is no slice of the series " +
+                       m_Source.series.uid + "; give the series that it was made on");
+    }
+    itk::ContinuousIndex<double, 3> index;
+    index[0] = values[0] - 0.5; // 0 is the outer corner of the first pixel
+    index[1] = values[1] - 0.5;
+    index[2] = static_cast<double>(slice - slices.begin());
+    return m_Source.grid->TransformContinuousIndexToPhysicalPoint<double>(index);
+  }
+
+  /** A circle is given by its middle and a point of it, an ellipse by the ends of its axes. */
+  static void
+  KeepMiddle(const std::string & type, std::vector<Place> & places)
+  {
+    if (type == "CIRCLE")
+    {
+      places.resize(1);
+    }
+    else if ((type == "ELLIPSE" || type == "ELLIPSOID") && places.size() > 1)
+    {
+      places = { Place(0.5 * (places[0].GetVectorFromOrigin() + places[1].GetVectorFromOrigin())) };
+    }
+  }
+
+  std::string         m_Path;
+  const DicomSource & m_Source;
+};
+} // namespace
+
+std::vector<DicomReportPoints>
+ReadDicomReportPoints(const std::string & path, const DicomSource & source)
+{
+  const PlaceFinder              finder(path, source);
+  std::vector<DicomReportPoints> points;
+  for (const Graphic & graphic : ReadGraphics(path))
+  {
+    points.push_back(finder.PlacesOf(graphic));
+  }
+  if (points.empty())
+  {
+    throw InputError('"' + path + "\" names no point; give a report with points or regions");
+  }
+  return points;
+}
+} // namespace shapeton

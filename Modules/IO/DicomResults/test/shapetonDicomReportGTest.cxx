@@ -1,0 +1,121 @@
+#include "shapetonDicomMeasurements.h"
+#include "shapetonDicomReportReader.h"
+#include "shapetonDicomResultsTesting.h"
+#include "shapetonFileBytes.h"
+
+namespace
+{
+using namespace shapeton;
+
+const DicomCode center{ "111010", "DCM", "Center" };
+
+DicomMeasurementReport
+ReportWithTwoGroups()
+{
+  DicomMeasurementReport report;
+  report.procedure = { "25045-6", "LN", "CT unspecified body region" };
+  report.region = { "71854001", "SCT", "Colon" };
+  report.segmentation = { UID_SegmentationStorage, "2.25.7", "2.25.8" };
+  report.comments = { "a remark" };
+  DicomMeasurementGroup group;
+  group.trackingID = "candidate 1";
+  group.trackingUID = "2.25.9";
+  group.finding = { "52988006", "SCT", "Lesion" };
+  group.segment = 3;
+  group.center = { 1.5, -2.25, 3.0 };
+  group.measurements = { { { "81827009", "SCT", "Diameter" }, "7.5", { "mm", "UCUM", "mm" }, {} } };
+  report.groups.push_back(group);
+  group.trackingID = "no segment";
+  group.segment = 0;
+  group.center.reset();
+  report.groups.push_back(group);
+  return report;
+}
+
+DicomContent
+RootWith(std::vector<DicomContent> contents)
+{
+  return ContainerContent({}, { "126000", "DCM", "Imaging Measurement Report" }, std::move(contents), "1500");
+}
+} // namespace
+
+TEST(DicomReport, PointsComeBack)
+{
+  const std::string folder = TestFolder();
+  const DicomSource source = SourceOf(ObliqueFixture(), folder);
+  WriteDicomMeasurements(source, ReportWithTwoGroups(), HeaderOfTest(), folder + "/sr.dcm");
+  const auto points = ReadDicomReportPoints(folder + "/sr.dcm", source);
+  ASSERT_EQ(points.size(), 1u);
+  EXPECT_EQ(points[0].name, "candidate 1");
+  ASSERT_EQ(points[0].places.size(), 1u);
+  EXPECT_EQ(points[0].places[0][0], 1.5);
+  EXPECT_EQ(points[0].places[0][1], -2.25);
+  EXPECT_EQ(points[0].places[0][2], 3.0);
+}
+
+TEST(DicomReport, PlacesInPixelsComeBackWithinTheirSlice)
+{
+  const std::string folder = TestFolder();
+  const DicomSource source = SourceOf(ObliqueFixture(), folder);
+  // In the plane of slice 3, at column 2.25 and row 4.5.
+  itk::ContinuousIndex<double, 3> index;
+  index[0] = 2.25;
+  index[1] = 4.5;
+  index[2] = 3.0;
+  const auto                  place = source.grid->TransformContinuousIndexToPhysicalPoint<double>(index);
+  const std::array<double, 3> point{ place[0], place[1], place[2] };
+  WriteDicomReport(source,
+                   DicomReportKind::ColonCAD,
+                   RootWith({ PixelPointContent("CONTAINS", center, point, source) }),
+                   {},
+                   HeaderOfTest(),
+                   folder + "/cad.dcm");
+  DcmFileFormat file = Loaded(folder + "/cad.dcm");
+  EXPECT_EQ(ValueOf(file, DCM_GraphicData), "2.75\\5");
+  const auto points = ReadDicomReportPoints(folder + "/cad.dcm", source);
+  ASSERT_EQ(points.size(), 1u);
+  EXPECT_EQ(points[0].name, "Center");
+  EXPECT_LT(points[0].places[0].EuclideanDistanceTo(place), 1e-5);
+}
+
+TEST(DicomReport, IsPartialUnverifiedAndForResearch)
+{
+  const std::string folder = TestFolder();
+  const DicomSource source = SourceOf(ObliqueFixture(), folder);
+  WriteDicomMeasurements(source, ReportWithTwoGroups(), HeaderOfTest(), folder + "/sr.dcm");
+  DcmFileFormat file = Loaded(folder + "/sr.dcm");
+  EXPECT_EQ(ValueOf(file, DCM_CompletionFlag), "PARTIAL");
+  EXPECT_EQ(ValueOf(file, DCM_VerificationFlag), "UNVERIFIED");
+  EXPECT_EQ(ValueOf(file, DCM_PreliminaryFlag), "PRELIMINARY");
+  EXPECT_EQ(ValueOf(file, DCM_PatientID), "P1");
+  EXPECT_EQ(ValueOf(file, DCM_ContentDate), "20010204");
+  EXPECT_EQ(ValueOf(file, DCM_NumericValue), "7.5");
+  WriteDicomMeasurements(source, ReportWithTwoGroups(), HeaderOfTest(), folder + "/again.dcm");
+  EXPECT_EQ(ReadFileBytes(folder + "/sr.dcm"), ReadFileBytes(folder + "/again.dcm"));
+}
+
+TEST(DicomReport, RefusesPointsOfAnotherPlace)
+{
+  const std::string folder = TestFolder();
+  const DicomSource source = SourceOf(ObliqueFixture(), folder);
+  WriteDicomMeasurements(source, ReportWithTwoGroups(), HeaderOfTest(), folder + "/sr.dcm");
+  DicomSource other = source;
+  other.series.frameOfReferenceUID = "1.9";
+  EXPECT_TRUE(
+    Contains(InputErrorOf([&] { ReadDicomReportPoints(folder + "/sr.dcm", other); }), "another frame of reference"));
+  WriteDicomReport(source,
+                   DicomReportKind::ColonCAD,
+                   RootWith({ PixelPointContent("CONTAINS", center, { 0.0, 0.0, 0.0 }, source) }),
+                   {},
+                   HeaderOfTest(),
+                   folder + "/cad.dcm");
+  for (auto & slice : other.series.slices)
+  {
+    slice.sopInstanceUID += ".1";
+  }
+  EXPECT_TRUE(
+    Contains(InputErrorOf([&] { ReadDicomReportPoints(folder + "/cad.dcm", other); }), "no slice of the series"));
+  EXPECT_TRUE(Contains(InputErrorOf([&] { ReadDicomReportPoints(folder + "/im0001.dcm", source); }), "is of the kind"));
+  WriteDicomReport(source, DicomReportKind::ColonCAD, RootWith({}), {}, HeaderOfTest(), folder + "/empty.dcm");
+  EXPECT_TRUE(Contains(InputErrorOf([&] { ReadDicomReportPoints(folder + "/empty.dcm", source); }), "names no point"));
+}

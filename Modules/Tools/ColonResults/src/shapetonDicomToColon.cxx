@@ -1,0 +1,91 @@
+#include "shapetonDicomToColon.h"
+
+#include "shapetonColonTerms.h"
+#include "shapetonExceptions.h"
+
+#include <algorithm>
+
+namespace shapeton
+{
+namespace
+{
+std::string
+ListOf(const DicomSegmentationFile & file)
+{
+  std::string text;
+  for (const DicomSegmentInFile & segment : file.segments)
+  {
+    text += (text.empty() ? "" : ", ") + std::to_string(segment.number) + " (" + segment.name + ')';
+  }
+  return text;
+}
+} // namespace
+
+std::vector<int>
+AllSegmentsOf(const DicomSegmentationFile & file)
+{
+  std::vector<int> numbers;
+  for (const DicomSegmentInFile & segment : file.segments)
+  {
+    numbers.push_back(segment.number);
+  }
+  return numbers;
+}
+
+std::vector<int>
+LumenSegmentsOf(const DicomSegmentationFile & file)
+{
+  std::vector<int> numbers;
+  for (const DicomSegmentInFile & segment : file.segments)
+  {
+    if (segment.type == colonterms::gas || segment.type == colonterms::fluid)
+    {
+      numbers.push_back(segment.number);
+    }
+  }
+  if (numbers.empty() && file.segments.size() != 1)
+  {
+    throw InputError('"' + file.path + "\" has no segments of gas or fluid; choose by the parameter \"segments\" of " +
+                     ListOf(file));
+  }
+  return numbers.empty() ? AllSegmentsOf(file) : numbers;
+}
+
+CsvTable
+TableOfSegments(const DicomSegmentationFile & file, const std::vector<int> & numbers, const DicomSegmentVoxels & voxels)
+{
+  const auto & spacing = voxels.labels->GetSpacing();
+  const double voxel = spacing[0] * spacing[1] * spacing[2] / 1000.0;
+  CsvTable     table({ "segment", "name", "code", "scheme", "meaning", "voxels", "volume" });
+  for (std::size_t k = 0; k < numbers.size(); ++k)
+  {
+    const auto segment = std::find_if(file.segments.begin(), file.segments.end(), [&](const DicomSegmentInFile & one) {
+      return one.number == numbers[k];
+    });
+    table.AddRow({ std::to_string(segment->number),
+                   segment->name,
+                   segment->type.value,
+                   segment->type.scheme,
+                   segment->type.meaning,
+                   std::to_string(voxels.voxels[k]),
+                   CsvTable::Rounded(voxel * static_cast<double>(voxels.voxels[k]), 6) });
+  }
+  return table;
+}
+
+std::vector<Markup>
+MarkupsOfReport(const std::vector<DicomReportPoints> & points)
+{
+  Markup markup;
+  markup.name = "Points of the report";
+  for (const DicomReportPoints & one : points)
+  {
+    for (const auto & place : one.places)
+    {
+      markup.points.emplace_back(place[0], place[1], place[2]);
+      markup.labels.push_back(one.name);
+    }
+  }
+  return { markup };
+}
+} // namespace shapeton
