@@ -1,0 +1,22 @@
+# dciodvfy finds no error in the objects of FOLDER, and no warning but that a scheme of codes is ours. It does not know the
+# Colon CAD SR, which dsrdump has to read without a word on its tree.
+if(NOT DCIODVFY OR NOT DSRDUMP)
+  message("dciodvfy or dsrdump is not installed")
+  return()
+endif()
+foreach(object seg sr sc stl)
+  execute_process(COMMAND ${DCIODVFY} -new ${FOLDER}/${object}.dcm ERROR_VARIABLE said OUTPUT_VARIABLE said
+    RESULT_VARIABLE status)
+  string(REGEX MATCHALL "[^\n]*(Error|Warning)[^\n]*" faults "${said}")
+  list(FILTER faults EXCLUDE REGEX "Unrecognized defined term = <99SHAPETON>")
+  if(faults OR NOT said MATCHES "Segmentation|Comprehensive3DSR|SCImage|EncapsulatedSTL")
+    message(FATAL_ERROR "${object}.dcm: ${said}")
+  endif()
+endforeach()
+foreach(object sr cad)
+  execute_process(COMMAND ${DSRDUMP} ${FOLDER}/${object}.dcm ERROR_VARIABLE faults OUTPUT_VARIABLE tree RESULT_VARIABLE status)
+  string(REGEX REPLACE "W: The VR checker does not support this Specific Character Set: [^\n]*\n" "" faults "${faults}")
+  if(faults OR NOT status EQUAL 0 OR NOT tree MATCHES "Completion Flag     : PARTIAL")
+    message(FATAL_ERROR "${object}.dcm: ${faults}")
+  endif()
+endforeach()
