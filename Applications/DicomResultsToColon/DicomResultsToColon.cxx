@@ -76,7 +76,7 @@ Convert(CommandLine & commandLine)
   CheckUsage(commandLine);
   const std::string input = commandLine.GetString("input");
   commandLine.Progress("Reading", 0.0);
-  const auto source = shapeton::ReadDicomSource(commandLine.GetString("source"), commandLine.GetString("seriesUID"));
+  const auto source = shapeton::ReadDicomSource(commandLine.GetString("source"), commandLine.GetString("series"));
   commandLine.AddInput("input", "sha256:" + shapeton::Sha256OfFile(input));
   commandLine.AddInput("source", "seriesInstanceUID:" + source.series.GetSelector());
   if (!commandLine.IsGiven("markers"))

@@ -32,6 +32,7 @@ constexpr const char * folds = "folds";
 constexpr const char * registration = "registration";
 constexpr const char * polyps = "polyps";
 constexpr const char * viewer = "viewer";
+constexpr const char * dicom = "dicom";
 } // namespace colonoscopystage
 
 /** A fold by its centre. \ingroup ColonoscopyRun */

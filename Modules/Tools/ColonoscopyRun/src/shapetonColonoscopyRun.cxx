@@ -44,10 +44,14 @@ const std::vector<std::string> optionsOfPair{ "matching", "refine", "segmentWise
 
 /** What comes last where it is asked for. */
 std::vector<ColonoscopyStage>
-LastStages(const CommandLine & commandLine)
+LastStages(const CommandLine & commandLine, ColonoscopySeries series)
 {
   std::vector<ColonoscopyStage> stages;
-  if (commandLine.GetFlag("viewer"))
+  if (commandLine.GetFlag("dicomResults"))
+  {
+    stages.push_back(StageOfDicomResults(commandLine, series));
+  }
+  if (commandLine.GetFlag("viewer") && series == ColonoscopySeries::First) // shows both
   {
     stages.push_back(StageOfViewer(commandLine));
   }
@@ -208,7 +212,7 @@ RunOne(CommandLine & commandLine, SeriesRun & only)
   if (only.Run(StagesOfSeries(commandLine, ColonoscopySeries::First), 0.0, 0.9) &&
       only.Run({ StageOfPolyps(commandLine, ColonoscopySeries::First) }, 0.86, 0.07))
   {
-    only.Run(LastStages(commandLine), 0.93, 0.02);
+    only.Run(LastStages(commandLine, ColonoscopySeries::First), 0.93, 0.01);
   }
   Present(commandLine, only.Presentation());
   if (only.Status() != 0)
@@ -226,9 +230,10 @@ RunTwo(CommandLine & commandLine, SeriesRun & first, SeriesRun & second)
   if (hasFirst && second.Run(StagesOfSeries(commandLine, ColonoscopySeries::Second), share, share) &&
       first.Run({ StageOfRegistration(commandLine) }, 2.0 * share, 0.06) &&
       second.Run({ StageOfPolyps(commandLine, ColonoscopySeries::Second) }, 0.86, 0.03) &&
-      first.Run({ StageOfPolyps(commandLine, ColonoscopySeries::First) }, 0.89, 0.03))
+      first.Run({ StageOfPolyps(commandLine, ColonoscopySeries::First) }, 0.89, 0.02) &&
+      second.Run(LastStages(commandLine, ColonoscopySeries::Second), 0.91, 0.01))
   {
-    first.Run(LastStages(commandLine), 0.92, 0.03);
+    first.Run(LastStages(commandLine, ColonoscopySeries::First), 0.92, 0.01);
   }
   if (hasFirst)
   {
@@ -257,6 +262,7 @@ RunColonoscopy(CommandLine & commandLine, const std::string & toolFolder)
   {
     RequireApart(commandLine.GetString("second"), folder);
   }
+  CheckDicomResults(commandLine); // before any work
   const SceneFiles sceneFiles = SceneFilesOf(commandLine);
   SeriesRun        first(commandLine, toolFolder, ColonoscopySeries::First);
   commandLine.RecordRun(folder + "/run.json");

@@ -4,6 +4,7 @@
 #include "shapetonCommandLine.h"
 #include "shapetonContentIdentity.h"
 #include "shapetonCsvTable.h"
+#include "shapetonExceptions.h"
 #include "shapetonSha256.h"
 
 #include <algorithm>
@@ -361,5 +362,46 @@ StageOfViewer(const CommandLine & commandLine)
     return stage;
   };
   return { names::viewer, 1.0, make };
+}
+
+void
+CheckDicomResults(const CommandLine & commandLine)
+{
+  for (const char * const input : { "inputVolume", "second" })
+  {
+    RequireParameter(!commandLine.GetFlag("dicomResults") || !commandLine.IsGiven(input) ||
+                       IsDicom(commandLine.GetString(input)),
+                     std::string("the parameter \"dicomResults\" needs DICOM series, to which the results belong: \"") +
+                       commandLine.GetString(input) + "\" is none");
+  }
+}
+
+ColonoscopyStage
+StageOfDicomResults(const CommandLine & commandLine, ColonoscopySeries series)
+{
+  const OptionPasser passer(commandLine, series);
+  const std::string  folder = FolderOfSeries(commandLine.GetString("outputFolder"), series);
+  const auto         make = [=](const StagedRun &) {
+    Stage stage(names::dicom, "ColonResultsToDicom");
+    stage
+      .Input("",
+             folder,
+             IdentityOfFiles({ "segmentation/quality.json",
+                               "segmentation/lumen.nrrd",
+                               "segmentation/centreline.vtp",
+                               "segmentation/wall-simplified.vtp",
+                               "flattening/flat.vtp",
+                               "flattening/flat.png",
+                               "landmarks/landmarks.json",
+                               "folds/labels.nrrd",
+                               "polyps/candidates.csv",
+                               "polyps/heads.nrrd" }))
+      .Output("", "")
+      .Input("source", passer.Volume())
+      .Expect({ "seg.dcm", "sr.dcm", "cad.dcm", "sc.dcm", "stl.dcm" });
+    passer.PassThreads(stage);
+    return stage;
+  };
+  return { names::dicom, 1.0, make };
 }
 } // namespace shapeton

@@ -52,6 +52,14 @@ StageOfPolyps(const CommandLine & commandLine, ColonoscopySeries series);
 /** The page on which a person reads the run, with both positions where there are two. */
 ColonoscopyStage
 StageOfViewer(const CommandLine & commandLine);
+
+/** Throws ParameterError where results in DICOM are asked for and a series is no DICOM that they could belong to. */
+void
+CheckDicomResults(const CommandLine & commandLine);
+
+/** The results of a series as DICOM objects beside it, when all else has come to its end. */
+ColonoscopyStage
+StageOfDicomResults(const CommandLine & commandLine, ColonoscopySeries series);
 } // namespace shapeton
 
 #endif

@@ -1,0 +1,17 @@
+# A finished run goes on with --dicomResults: nothing before is computed again, and the objects are those of the tool.
+file(REMOVE_RECURSE ${OUT} ${OUT}-single)
+file(COPY ${FINISHED}/ DESTINATION ${OUT})
+file(READ ${OUT}/stages/polyps.json before)
+execute_process(COMMAND ${TOOL} ${INPUT} ${OUT} --faces 20000 --dicomResults RESULT_VARIABLE status ERROR_VARIABLE error OUTPUT_QUIET)
+file(READ ${OUT}/stages/polyps.json after)
+if(NOT status EQUAL 0 OR NOT before STREQUAL after)
+  message(FATAL_ERROR "status ${status}: ${error}")
+endif()
+execute_process(COMMAND ${SINGLE} ${OUT} ${OUT}-single --source ${INPUT} RESULT_VARIABLE status ERROR_VARIABLE error OUTPUT_QUIET)
+foreach(object seg sr cad sc stl)
+  execute_process(COMMAND ${CMAKE_COMMAND} -E compare_files ${OUT}/dicom/${object}.dcm ${OUT}-single/${object}.dcm
+    RESULT_VARIABLE differs)
+  if(NOT status EQUAL 0 OR differs)
+    message(FATAL_ERROR "${object}.dcm of the stage is not that of the tool: ${error}")
+  endif()
+endforeach()
