@@ -1,0 +1,1 @@
+"""What the workflow of cohorts is made of; standard library only. See ../README.md."""

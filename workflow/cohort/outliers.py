@@ -1,0 +1,28 @@
+"""Which values of a measure are far from those of the other examinations."""
+
+import statistics
+
+LIMIT = 3.5  # of the modified z-score, as Iglewicz and Hoaglin (1993) advise
+FEWEST = 8  # fewer values say nothing about what is usual
+
+
+def scores(values):
+    """The modified z-score of each value: its distance from the median, in median absolute deviations that are scaled to the
+    standard deviation. None where there is no value; all 0 where there are too few, or more than half of them are equal."""
+    known = [value for value in values if value is not None]
+    middle = statistics.median(known) if known else 0.0
+    deviation = statistics.median(abs(value - middle) for value in known) if known else 0.0
+    if len(known) < FEWEST or deviation == 0.0:
+        return [None if value is None else 0.0 for value in values]
+    return [None if value is None else 0.6745 * (value - middle) / deviation for value in values]
+
+
+def find_outliers(examinations):
+    """For each examination {measure: score} of its outliers."""
+    measures = [examination.measures() for examination in examinations]
+    found = [{} for _ in examinations]
+    for name in sorted({name for one in measures for name in one} - {"flagged"}):
+        for index, score in enumerate(scores([one.get(name) for one in measures])):
+            if score is not None and abs(score) > LIMIT:
+                found[index][name] = score
+    return found

@@ -1,0 +1,188 @@
+"""report.py OUTPUT: report.html, cohort.tsv and runs.tsv of a cohort, from what its runs have left. Status 1 when one failed.
+
+cohort.tsv holds results alone, so it is the same bytes wherever the cohort ran; times and memory are in runs.tsv."""
+
+import os
+import sys
+
+from cohort.drawings import curve, strips
+from cohort.files import read_json, write_whole
+from cohort.outliers import FEWEST, LIMIT, find_outliers
+from cohort.page import Page, text_of
+from cohort.results import PAIR_MEASURES, RUN_MEASURES, SERIES_MEASURES, read_examination
+from cohort.table import read_table
+from cohort.truth import froc, read_series, registration_error
+
+OUTCOMES = ("failed", "not run", "unsuitable", "done")  # as they come on the page
+RUN_COLUMNS = ("attempt", "seconds", "processorSeconds", "memoryMB", "askedMB", "begin", "host", "job")
+
+
+def main():
+    output = sys.argv[1]
+    settings = read_json(f"{output}/cohort.json")
+    subjects = read_table(settings["table"])
+    examinations = [read_examination(output, subject, rows) for subject, rows in subjects.items()]
+    write_whole(f"{output}/cohort.tsv", results_table(examinations))
+    write_whole(f"{output}/runs.tsv", runs_table(examinations))
+    write_whole(f"{output}/report.html", page_of(examinations, read_truth(output, subjects), settings))
+    print(f"{counts(examinations)}: {os.path.abspath(output)}/report.html")
+    for examination in examinations:
+        if examination.outcome != "done":
+            print(f"  {examination.subject}: {examination.outcome}: {examination.message}")
+    sys.exit(any(examination.outcome in ("failed", "not run") for examination in examinations))
+
+
+def counts(examinations):
+    outcomes = [examination.outcome for examination in examinations]
+    return ", ".join(f"{outcomes.count(name)} {name}" for name in reversed(OUTCOMES) if name in outcomes)
+
+
+def columns_of_results():
+    return [f"{name}{number}" for number in (1, 2) for name in SERIES_MEASURES] + [*PAIR_MEASURES, "flagged"]
+
+
+def results_table(examinations):
+    columns = columns_of_results()
+    rows = [
+        [one.subject, one.outcome, one.message, *(one.measures().get(name) for name in columns), "; ".join(one.doubts)]
+        for one in examinations
+    ]
+    return _tabs([["subject", "outcome", "message", *columns, "doubts"], *rows])
+
+
+def runs_table(examinations):
+    return _tabs([["subject", *RUN_COLUMNS], *([one.subject, *(one.run.get(name) for name in RUN_COLUMNS)] for one in examinations)])
+
+
+def _tabs(rows):
+    return "".join("\t".join(text_of(cell).replace("\t", " ") for cell in row) + "\n" for row in rows)
+
+
+def read_truth(output, subjects):
+    """Series with truth, and the registration errors of their pairs."""
+    series, errors = [], []
+    for subject, rows in subjects.items():
+        exam = f"{output}/{subject}/exam"
+        for row, place in zip(rows, (exam, f"{exam}/second")):
+            one = read_series(place, row.truth) if row.truth else None
+            series += [one] if one else []
+        error = registration_error(exam) if len(rows) == 2 and rows[1].truth else None
+        errors += [] if error is None else [error]
+    return series, errors
+
+
+def page_of(examinations, truth, settings):
+    outliers = find_outliers(examinations)
+    order = sorted(range(len(examinations)), key=lambda index: _urgency(examinations[index], outliers[index]))
+    examinations, outliers = [examinations[index] for index in order], [outliers[index] for index in order]
+    page = Page(f"Cohort of {len(examinations)} examinations")
+    page.paragraph("For research use. This is not a diagnosis and not a medical device.")
+    page.heading("Summary")
+    page.facts(_summary(examinations, outliers))
+    page.heading("What is missing or doubtful")
+    _add_missing(page, examinations)
+    page.heading("Examinations")
+    _add_examinations(page, examinations, outliers)
+    page.heading("How the measures are spread")
+    _add_strips(page, examinations, outliers)
+    _add_truth(page, *truth)
+    page.heading("Time and memory")
+    _add_runs(page, examinations)
+    page.heading("How it was made")
+    page.facts([("Table", os.path.basename(settings["table"])), ("Options", " ".join(settings["options"]) or "none")])
+    return page.text()
+
+
+def _urgency(examination, outliers):
+    """What is missing first, then the farthest outliers, then what is doubtful; the order of the table among equals."""
+    return OUTCOMES.index(examination.outcome), -max(map(abs, outliers.values()), default=0.0), not examination.doubts
+
+
+def _summary(examinations, outliers):
+    done = [one for one in examinations if one.outcome == "done"]
+    pairs = [one for one in done if one.pair]
+    return [
+        ("Examinations", counts(examinations)),
+        ("Pairs registered", len(pairs)),
+        ("Pairs flagged", sum(one.pair["flagged"] or 0 for one in pairs)),
+        ("Examinations with an outlier", sum(map(bool, outliers))),
+        ("Examinations with a doubt", sum(bool(one.doubts) for one in done)),
+        ("Polyp candidates", sum(series["candidates"] or 0 for one in done for series in one.series)),
+        ("Time of all runs", f"{sum(one.run.get('seconds', 0) for one in examinations) / 3600:.2f} h"),
+    ]
+
+
+def _add_missing(page, examinations):
+    missing = [one for one in examinations if one.outcome != "done"]
+    if not missing:
+        page.paragraph("Every examination is done. Look at the outliers all the same.")
+        return
+    links = {index: one.report for index, one in enumerate(missing)}
+    page.table(["Subject", "Outcome", "Why"], [[one.subject, one.outcome, one.message] for one in missing],
+               "Unsuitable: the input is refused, and is not tried again. Failed: tried twice, and again in the next run.", links)
+
+
+def _add_examinations(page, examinations, outliers):
+    done = [(one, far) for one, far in zip(examinations, outliers) if one.outcome == "done"]
+    columns = [name for name in columns_of_results() if any(one.measures().get(name) is not None for one, _ in done)]
+    rows = [[one.subject, *(one.measures().get(name) for name in columns), "; ".join(one.doubts)] for one, _ in done]
+    places = {(row, column) for row, (_, far) in enumerate(done) for column, name in enumerate(columns, 1) if name in far}
+    page.table(["Subject", *map(_readable, columns), "Doubts"], rows,
+               f"Outliers first. 1 and 2 are the series in the order of the table. An outlier is {LIMIT} scaled median absolute "
+               f"deviations away from the median; at least {FEWEST} values are needed.",
+               {row: one.report for row, (one, _) in enumerate(done)}, places)
+
+
+def _readable(column):
+    """The heading of a column of the tables: "flexureConfidence1" is "flexure confidence 1, mm"."""
+    base = column.rstrip("12")
+    unit = {**SERIES_MEASURES, **PAIR_MEASURES, **RUN_MEASURES}.get(base, ("",))[0]
+    words = "".join(f" {letter.lower()}" if letter.isupper() else letter for letter in base.removesuffix("MB"))
+    return " ".join(filter(None, [words, column[len(base):]])) + (f", {unit}" if unit else "")
+
+
+def _add_strips(page, examinations, outliers):
+    strips_of = []
+    for measures, numbers in ((SERIES_MEASURES, ("1", "2")), (PAIR_MEASURES, ("",)), (RUN_MEASURES, ("",))):
+        for name, (unit, heading) in measures.items():
+            found = [
+                (one.measures()[name + number], name + number in far)
+                for one, far in zip(examinations, outliers)
+                for number in numbers
+                if one.outcome == "done" and one.measures().get(name + number) is not None
+            ]
+            label = heading.split(":")[0] + (f", {unit}" if unit else "")
+            strips_of.append((label, [value for value, _ in found], [is_far for _, is_far in found]))
+    page.figure(strips(strips_of), "A tick for each series or examination that is done, outliers in orange, the median in black.")
+
+
+def _add_truth(page, series, errors):
+    if not series and not errors:
+        return
+    page.heading("Against the truth")
+    rows = froc(series)
+    if rows:
+        page.figure(curve([(false, share) for _, share, false in rows], "false candidates in a series", "polyps found"),
+                    f"FROC of {len(series)} series with {sum(len(one.polyps) for one in series)} polyps.")
+        page.table(["score of at least", "polyps found", "false candidates in a series"],
+                   [[threshold, round(share, 3), round(false, 2)] for threshold, share, false in rows],
+                   "A candidate is right within 3 mm of a polyp. Polyps in collapsed stretches count as missed.")
+    diameters = [abs(error) for one in series for error in one.diameter_errors]
+    page.facts([
+        ("Median error of diameters, of polyps found", _median(diameters)),
+        ("Median error of the registration, median of pairs", _median(errors)),
+    ])
+
+
+def _median(values):
+    return f"{sorted(values)[len(values) // 2]:.1f} mm" if values else "not known"
+
+
+def _add_runs(page, examinations):
+    columns = [name for name in RUN_COLUMNS if any(one.run.get(name) for one in examinations)]
+    page.table(["Subject", *map(_readable, columns)], [[one.subject, *(one.run.get(name) for name in columns)] for one in examinations],
+               "Of the last attempt; memory is that of the largest process.")
+
+
+if __name__ == "__main__":
+    main()
