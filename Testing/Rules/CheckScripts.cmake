@@ -2,6 +2,8 @@
 cmake_minimum_required(VERSION 3.22)
 
 file(GLOB files ${SHAPETON_SOURCE_DIR}/Utilities/* ${SHAPETON_SOURCE_DIR}/.ci/*)
+file(GLOB_RECURSE ofWorkflow ${SHAPETON_SOURCE_DIR}/workflow/*)
+list(APPEND files ${ofWorkflow})
 set(scripts "")
 foreach(file IN LISTS files)
   file(STRINGS ${file} first LIMIT_COUNT 1)

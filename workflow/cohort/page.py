@@ -25,6 +25,7 @@ summary { cursor: pointer; }
 """
 CELLS = """
 td.far { background: #fff6df; font-weight: 600; }
+td:first-child { white-space: nowrap; }
 """
 
 
@@ -56,19 +57,16 @@ class Page:
     def figure(self, drawing, caption):
         self._body.append(f"<figure>{drawing}<figcaption>{escape(caption)}</figcaption></figure>")
 
-    def table(self, heads, rows, caption, links=None, far=frozenset()):
-        """Links: {row: address} of its first cell. Far: places (row, column) that stand out."""
+    def table(self, heads, rows, caption, links=(), far=frozenset()):
+        """Links: addresses for the first cells of the rows. Far: places (row, column) that stand out."""
         numbers = [all(isinstance(row[column], (int, float, type(None))) for row in rows) for column in range(len(heads))]
-        head = "".join(f'<th{_class(is_number, False)}>{escape(name)}</th>' for name, is_number in zip(heads, numbers))
-        lines = [
-            "<tr>" + "".join(
-                f"<td{_class(numbers[column], (index, column) in far)}>{_cell(value, links.get(index) if links and not column else None)}</td>"
-                for column, value in enumerate(row)
-            ) + "</tr>"
-            for index, row in enumerate(rows)
-        ]
-        body = "\n".join(lines)
-        self._body.append(f'<div class="table"><table><caption>{escape(caption)}</caption><tr>{head}</tr>\n{body}\n</table></div>')
+        lines = ["".join(f"<th{_class(is_number, False)}>{escape(name)}</th>" for name, is_number in zip(heads, numbers))]
+        for index, row in enumerate(rows):
+            cells = [_cell(value, links[index] if links and column == 0 else "") for column, value in enumerate(row)]
+            classes = [_class(numbers[column], (index, column) in far) for column in range(len(row))]
+            lines.append("".join(f"<td{name}>{cell}</td>" for name, cell in zip(classes, cells)))
+        body = "\n".join(f"<tr>{line}</tr>" for line in lines)
+        self._body.append(f'<div class="table"><table><caption>{escape(caption)}</caption>\n{body}\n</table></div>')
 
     def text(self):
         title, body = escape(self._title), "\n".join(self._body)

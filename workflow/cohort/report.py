@@ -11,7 +11,7 @@ from cohort.outliers import FEWEST, LIMIT, find_outliers
 from cohort.page import Page, text_of
 from cohort.results import PAIR_MEASURES, RUN_MEASURES, SERIES_MEASURES, read_examination
 from cohort.table import read_table
-from cohort.truth import froc, read_series, registration_error
+from cohort.truth import REACH, froc, read_series, registration_error
 
 OUTCOMES = ("failed", "not run", "unsuitable", "done")  # as they come on the page
 RUN_COLUMNS = ("attempt", "seconds", "processorSeconds", "memoryMB", "askedMB", "begin", "host", "job")
@@ -117,28 +117,60 @@ def _add_missing(page, examinations):
     if not missing:
         page.paragraph("Every examination is done. Look at the outliers all the same.")
         return
-    links = {index: one.report for index, one in enumerate(missing)}
-    page.table(["Subject", "Outcome", "Why"], [[one.subject, one.outcome, one.message] for one in missing],
-               "Unsuitable: the input is refused, and is not tried again. Failed: tried twice, and again in the next run.", links)
+    page.table(
+        ["Subject", "Outcome", "Why"],
+        [[one.subject, one.outcome, one.message] for one in missing],
+        "Unsuitable: the input is refused, and is not tried again. Failed: tried twice, and again in the next run.",
+        [one.report for one in missing],
+    )
 
 
 def _add_examinations(page, examinations, outliers):
+    page.paragraph(
+        f"Outliers come first. A value is one, and stands on yellow, when it is {LIMIT} scaled median absolute deviations away from "
+        f"the median of its column in cohort.tsv; at least {FEWEST} values are needed."
+    )
     done = [(one, far) for one, far in zip(examinations, outliers) if one.outcome == "done"]
-    columns = [name for name in columns_of_results() if any(one.measures().get(name) is not None for one, _ in done)]
-    rows = [[one.subject, *(one.measures().get(name) for name in columns), "; ".join(one.doubts)] for one, _ in done]
-    places = {(row, column) for row, (_, far) in enumerate(done) for column, name in enumerate(columns, 1) if name in far}
-    page.table(["Subject", *map(_readable, columns), "Doubts"], rows,
-               f"Outliers first. 1 and 2 are the series in the order of the table. An outlier is {LIMIT} scaled median absolute "
-               f"deviations away from the median; at least {FEWEST} values are needed.",
-               {row: one.report for row, (one, _) in enumerate(done)}, places)
+    series = [(one, str(number + 1), values, far) for one, far in done for number, values in enumerate(one.series)]
+    page.table(
+        ["Subject", "Series", *map(_readable, SERIES_MEASURES), "Doubts"],
+        [[one.subject, int(number), *values.values(), _doubts(one, number, far)] for one, number, values, far in series],
+        "Series, in the order of the table.",
+        [one.report for one, *_ in series],
+        _far_cells([far for *_, far in series], [number for _, number, *_ in series], SERIES_MEASURES, 2),
+    )
+    pairs = [(one, far) for one, far in done if one.pair]
+    if pairs:
+        page.table(
+            ["Subject", *map(_readable, PAIR_MEASURES), "Flagged"],
+            [[one.subject, *(one.pair[name] for name in PAIR_MEASURES), "yes" if one.pair["flagged"] else ""] for one, _ in pairs],
+            "Pairs that are registered.",
+            [f"{os.path.dirname(one.report)}/registration/report/index.html" for one, _ in pairs],
+            _far_cells([far for _, far in pairs], [""] * len(pairs), PAIR_MEASURES, 1),
+        )
 
 
-def _readable(column):
-    """The heading of a column of the tables: "flexureConfidence1" is "flexure confidence 1, mm"."""
-    base = column.rstrip("12")
-    unit = {**SERIES_MEASURES, **PAIR_MEASURES, **RUN_MEASURES}.get(base, ("",))[0]
-    words = "".join(f" {letter.lower()}" if letter.isupper() else letter for letter in base.removesuffix("MB"))
-    return " ".join(filter(None, [words, column[len(base):]])) + (f", {unit}" if unit else "")
+def _doubts(examination, number, far):
+    """In the row of the first series: also what stands out and is in another table."""
+    elsewhere = [f"{heading} stands out" for name, (_, heading) in RUN_MEASURES.items() if name in far]
+    return "" if number == "2" else "; ".join(examination.doubts + elsewhere)
+
+
+def _far_cells(outliers, numbers, measures, first):
+    """Places (row, column) of outliers; the measures begin with the column "first"."""
+    return {
+        (row, column)
+        for row, (far, number) in enumerate(zip(outliers, numbers))
+        for column, name in enumerate(measures, first)
+        if name + number in far
+    }
+
+
+def _readable(measure):
+    """The heading of a column: "flexureConfidence" is "flexure confidence"."""
+    unit = {**SERIES_MEASURES, **PAIR_MEASURES, **RUN_MEASURES}.get(measure, ("",))[0]
+    words = "".join(f" {letter.lower()}" if letter.isupper() else letter for letter in measure.removesuffix("MB"))
+    return words + (f", {unit}" if unit else "")
 
 
 def _add_strips(page, examinations, outliers):
@@ -162,11 +194,15 @@ def _add_truth(page, series, errors):
     page.heading("Against the truth")
     rows = froc(series)
     if rows:
-        page.figure(curve([(false, share) for _, share, false in rows], "false candidates in a series", "polyps found"),
-                    f"FROC of {len(series)} series with {sum(len(one.polyps) for one in series)} polyps.")
-        page.table(["score of at least", "polyps found", "false candidates in a series"],
-                   [[threshold, round(share, 3), round(false, 2)] for threshold, share, false in rows],
-                   "A candidate is right within 3 mm of a polyp. Polyps in collapsed stretches count as missed.")
+        page.figure(
+            curve([(false, share) for _, share, false in rows], "false candidates in a series", "share of polyps found"),
+            f"FROC of {len(series)} series with {sum(len(one.polyps) for one in series)} polyps.",
+        )
+        page.table(
+            ["Score of at least", "Share of polyps found", "False candidates in a series"],
+            [[threshold, round(share, 3), round(false, 2)] for threshold, share, false in rows],
+            f"A candidate is right within {REACH:g} mm of a polyp. Polyps in collapsed stretches count as missed.",
+        )
     diameters = [abs(error) for one in series for error in one.diameter_errors]
     page.facts([
         ("Median error of diameters, of polyps found", _median(diameters)),
@@ -180,8 +216,11 @@ def _median(values):
 
 def _add_runs(page, examinations):
     columns = [name for name in RUN_COLUMNS if any(one.run.get(name) for one in examinations)]
-    page.table(["Subject", *map(_readable, columns)], [[one.subject, *(one.run.get(name) for name in columns)] for one in examinations],
-               "Of the last attempt; memory is that of the largest process.")
+    page.table(
+        ["Subject", *map(_readable, columns)],
+        [[one.subject, *(one.run.get(name) for name in columns)] for one in examinations],
+        "Of the last attempt; memory is that of the largest process.",
+    )
 
 
 if __name__ == "__main__":

@@ -1,0 +1,28 @@
+# Functions of the checks in this folder; sourced, never run.
+# shellcheck shell=bash
+
+set -euo pipefail
+
+testing=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
+workflow=$(dirname "$testing")
+repository=$(dirname "$workflow")
+export testing workflow repository
+
+# need_commands COMMAND...: ends the check as skipped where one is missing; ctest looks for "skipped: ".
+need_commands() {
+  for command in "$@"; do
+    command -v "$command" >/dev/null || {
+      echo "skipped: $command is not installed; see Utilities/install-dependencies --list, workflow and workflow-tests"
+      exit 0
+    }
+  done
+}
+
+need_root() {
+  [ "$(id -u)" -eq 0 ] || { echo "skipped: $1 starts as root only"; exit 0; }
+}
+
+# expect WHAT ACTUAL WANTED
+expect() {
+  [ "$2" = "$3" ] || { printf '%s: is\n%s\nand should be\n%s\n' "$1" "$2" "$3" >&2; exit 1; }
+}
