@@ -1,0 +1,138 @@
+# Functions of the recipes in this folder; sourced, never run.
+# shellcheck shell=bash
+
+# shellcheck source-path=SCRIPTDIR
+source "$(dirname "${BASH_SOURCE[0]}")/../../Utilities/common.sh"
+
+here=$repository/workflow/pacs
+declare -A pacs=([calling]=SHAPETON [timeout]=60)
+temporary=$(mktemp -d)
+tunnel=
+trap 'if [ -n "$tunnel" ]; then kill "$tunnel"; fi; rm -rf "$temporary"' EXIT
+
+# read_pacs FILE: the description of a PACS, lines of a name and a value; see README.md. Files are relative to it.
+read_pacs() {
+  local name value required folder
+  folder=$(dirname "$1")
+  [ -r "$1" ] || fail "cannot read $1; describe the PACS there, see workflow/pacs/README.md" 3
+  pacs[name]=$1
+  while read -r name value; do
+    case $name in
+      '' | '#'*) ;;
+      protocol | host | port | called | calling | url | timeout) pacs[$name]=$value ;;
+      certificate | key | authority) pacs[$name]=$(cd "$folder" && realpath "$value") ;;
+      *) fail "$1: unknown setting \"$name\"; see workflow/pacs/README.md" 2 ;;
+    esac
+  done <"$1"
+  case ${pacs[protocol]-} in
+    dicom) required="host port called" ;;
+    dicom-tls) required="host port called certificate key authority" ;;
+    dicomweb) required="url" ;;
+    *) fail "$1: the protocol \"${pacs[protocol]-}\" is none of dicom, dicom-tls, dicomweb" 2 ;;
+  esac
+  for name in $required; do
+    [ -n "${pacs[$name]-}" ] || fail "$1: the setting \"$name\" is missing; ${pacs[protocol]} needs it" 2
+  done
+  [ "${pacs[protocol]}" != dicom-tls ] || open_tunnel
+}
+
+# open_tunnel: DCMTK's getscu, movescu and dcmsend of 3.6.7 know no TLS; they talk through stunnel, which checks the certificate.
+open_tunnel() {
+  local port
+  port=$((20000 + RANDOM % 40000))
+  cat >"$temporary/stunnel.conf" <<END
+foreground = yes
+pid =
+[pacs]
+client = yes
+accept = 127.0.0.1:$port
+connect = ${pacs[host]}:${pacs[port]}
+cert = ${pacs[certificate]}
+key = ${pacs[key]}
+CAfile = ${pacs[authority]}
+verifyChain = yes
+checkHost = ${pacs[host]}
+END
+  : >"$temporary/stunnel.txt"
+  stunnel "$temporary/stunnel.conf" 2>>"$temporary/stunnel.txt" &
+  tunnel=$!
+  until grep -q "Configuration successful" "$temporary/stunnel.txt"; do
+    kill -0 "$tunnel" 2>/dev/null || { tunnel=; fail "stunnel: $(reason "$temporary/stunnel.txt"); check ${pacs[name]}"; }
+    sleep 0.05
+  done
+  pacs[host]=127.0.0.1
+  pacs[port]=$port
+}
+
+# reason LOG: the first line in which a tool says what was wrong; TLS speaks first.
+reason() {
+  { grep -hE 'LOG3|certificate verify failed|VERIFY ERROR' "$temporary/stunnel.txt" 2>/dev/null || true
+    grep -hE '^(F|E|W):|^curl: |rejected|Reason' "$1" || tail -1 "$1"; } |
+    sed -E 's/^[FEW]: //; s/^.*LOG[0-9][^:]*: //' | head -3 | paste -sd ' ' | cut -c1-300
+}
+
+# dicom TOOL ARGUMENTS...: a tool of DCMTK on the PACS; its log is $temporary/TOOL.txt.
+dicom() {
+  local tool=$1
+  shift
+  "$tool" -v -aet "${pacs[calling]}" -aec "${pacs[called]}" -to "${pacs[timeout]}" -ta "${pacs[timeout]}" -td "${pacs[timeout]}" \
+    "$@" >"$temporary/$tool.txt" 2>&1
+}
+
+# web PATH CURL-ARGUMENTS...: DICOMweb; the answer goes to stdout, the log to $temporary/curl.txt.
+web() {
+  local path=$1
+  shift
+  curl --silent --show-error --fail --max-time "$((pacs[timeout] * 20))" --speed-limit 1 --speed-time "${pacs[timeout]}" \
+    ${pacs[certificate]:+--cert "${pacs[certificate]}" --key "${pacs[key]}"} ${pacs[authority]:+--cacert "${pacs[authority]}"} \
+    "${pacs[url]}/$path" "$@" 2>"$temporary/curl.txt" ||
+    fail "${pacs[url]}: $(reason "$temporary/curl.txt"); check ${pacs[name]}"
+}
+
+# find_values LEVEL KEYWORD [KEY=VALUE...]: the values of a keyword in what the PACS knows, one a line. findscu ends with 0 whatever
+# the PACS said: only its last answer tells.
+find_values() {
+  local level=$1 keyword=$2 keys=()
+  shift 2
+  for key in "$@"; do keys+=(-k "$key"); done
+  [[ $* == *$keyword=* ]] || keys+=(-k "$keyword")
+  if [ "${pacs[protocol]}" = dicomweb ]; then
+    find_by_web "$level" "$keyword" "$@"
+    return
+  fi
+  if ! dicom findscu -S -k "QueryRetrieveLevel=$level" "${keys[@]}" "${pacs[host]}" "${pacs[port]}" ||
+    ! grep -q "Received Final Find Response (Success)" "$temporary/findscu.txt"; then
+    fail "${pacs[called]}: no answer to a query: $(reason "$temporary/findscu.txt"); check ${pacs[name]}"
+  fi
+  tr -d '\0' <"$temporary/findscu.txt" | sed -n "/Find Response: /,\$s/^.*\[\([^]]*\)\] .* $keyword\$/\1/p" | sed 's/ *$//' | sort -u # \0 pads a UID
+}
+
+# find_by_web: the same by QIDO-RS; studies and series that are given go into the path.
+find_by_web() {
+  local level=$1 keyword=$2 path=studies query="includefield=$2&limit=100000"
+  shift 2
+  for key in "$@"; do
+    case $level:$key in
+      SERIES:StudyInstanceUID=* | IMAGE:StudyInstanceUID=*) path+=/${key#*=}/series ;;
+      IMAGE:SeriesInstanceUID=*) path+=/${key#*=}/instances ;;
+      *) query+="&$key" ;;
+    esac
+  done
+  web "$path?$query" -H "Accept: application/dicom+json" >"$temporary/found.json"
+  "$here/multipart.py" values "$keyword" "$temporary/found.json"
+}
+
+# instances_of STUDY SERIES: the SOP Instance UIDs that the PACS has, sorted.
+instances_of() { find_values IMAGE SOPInstanceUID "StudyInstanceUID=$1" "SeriesInstanceUID=$2"; }
+
+# lines_of UIDS LIST: the lines of the list of uids.py whose instance is in the file UIDS.
+lines_of() { awk 'NR == FNR { wanted[$1]; next } $1 in wanted' "$1" "$2"; }
+
+# missing_from WANTED THERE: lines of the first file that the second one lacks; both are sorted.
+missing_from() { comm -23 "$1" "$2"; }
+
+# fail_for MESSAGE NAMES: every name in the file NAMES on a line, then the message with the first of them.
+fail_for() {
+  cat "$2" >&2
+  fail "$1: $(head -3 "$2" | paste -sd ' ')$([ "$(wc -l <"$2")" -le 3 ] || echo " and others, listed above")"
+}
