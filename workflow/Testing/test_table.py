@@ -77,6 +77,10 @@ class Table(Case):
                      "--secondPosition prone", "--split"):
             self.assertIn(part, arguments)
 
+    def test_arguments_of_fetched_series(self):
+        rows = self.read(HEADS + "a\tsupine\tpacs:PatientID=7\t1.2.3\n")["a"]
+        self.assertNotIn("--seriesUID", arguments_of("a", rows, ["a/source/1"], []))
+
 
 if __name__ == "__main__":
     unittest.main()
