@@ -21,6 +21,8 @@ def main():
         sys.exit("\n".join(f"{table}, {line}" for line in absent))
     if not pacs and any(row.query for series in subjects.values() for row in series):
         sys.exit(f"{table}: there are queries to a PACS; describe it with --pacs FILE")
+    if send and "--dicomResults" not in sys.argv[8:]:
+        sys.exit("--send sends the DICOM results of a run, and there are none; add: -- --dicomResults")
     for subject in subjects:
         os.makedirs(f"{output}/{subject}", exist_ok=True)  # Slurm starts no job whose log has no folder
     settings = {

@@ -26,10 +26,15 @@ def main():
     write_whole(f"{output}/runs.tsv", runs_table(examinations))
     write_whole(f"{output}/report.html", page_of(examinations, read_truth(output, subjects), settings))
     print(f"{counts(examinations)}: {os.path.abspath(output)}/report.html")
-    for examination in examinations:
-        if examination.outcome != "done":
-            print(f"  {examination.subject}: {examination.outcome}: {examination.message}")
+    for _, *words in faults_of(examinations):
+        print("  " + ": ".join(words))
     sys.exit(any(examination.outcome in ("failed", "not run") for examination in examinations))
+
+
+def faults_of(examinations):
+    """(examination, subject, what happened, why) of all that is not as it should be."""
+    faults = [(one, one.subject, one.outcome, one.message) for one in examinations if one.outcome != "done"]
+    return faults + [(one, one.subject, "results not sent", one.unsent) for one in examinations if one.unsent]
 
 
 def counts(examinations):
@@ -113,15 +118,15 @@ def _summary(examinations, outliers):
 
 
 def _add_missing(page, examinations):
-    missing = [one for one in examinations if one.outcome != "done"]
-    if not missing:
+    faults = faults_of(examinations)
+    if not faults:
         page.paragraph("Every examination is done. Look at the outliers all the same.")
         return
     page.table(
         ["Subject", "Outcome", "Why"],
-        [[one.subject, one.outcome, one.message] for one in missing],
+        [words for _, *words in faults],
         "Unsuitable: the input is refused, and is not tried again. Failed: tried twice, and again in the next run.",
-        [one.report for one in missing],
+        [one.report for one, *_ in faults],
     )
 
 

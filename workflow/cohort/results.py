@@ -33,6 +33,7 @@ class Examination:
     pair: dict
     run: dict
     report: str  # path of its page below the folder of the cohort, or nothing
+    unsent: str = ""  # why its results did not reach the PACS
     doubts: list = dataclasses.field(default_factory=list)
 
     def measures(self):
@@ -53,6 +54,7 @@ def read_examination(output, subject, rows):
         pair=_pair(exam) if len(rows) == 2 else {},
         run=read_json(f"{folder}/attempt.json"),
         report=f"{subject}/exam/report.html" if os.path.exists(f"{exam}/report.html") else "",
+        unsent=_send_fault(folder),
     )
     examination.doubts = _doubts(examination, rows)
     return examination
@@ -64,21 +66,28 @@ def _end_of(folder):
     if status:
         return status["outcome"], status["message"]
     if not attempt:
-        return "not run", _last_line(folder) or "it was not started; see the log of Snakemake"
+        return "not run", _fetch_fault(folder) or "it was not started; see the log of Snakemake"
     message = attempt.get("message") or f"its job was killed, with {attempt['askedMB']} MB asked for"
     return "failed", f"{message} (attempt {attempt['attempt']})"
 
 
-def _last_line(folder):
+def _fetch_fault(folder):
     """Why a series did not arrive."""
     for number in (1, 2):
-        path = f"{folder}/fetch-{number}.txt"
-        if os.path.exists(path):
-            with open(path, encoding="utf-8", errors="replace") as file:
-                lines = [line.strip() for line in file if line.strip()]
-            if lines and not os.path.isdir(f"{folder}/source/{number}"):
-                return lines[-1]
+        if not os.path.isdir(f"{folder}/source/{number}") and os.path.exists(f"{folder}/fetch-{number}.txt"):
+            return _last_line(f"{folder}/fetch-{number}.txt")
     return ""
+
+
+def _send_fault(folder):
+    """Why the results did not reach the PACS."""
+    is_unsent = os.path.exists(f"{folder}/send.txt") and not os.path.exists(f"{folder}/sent.json")
+    return _last_line(f"{folder}/send.txt") if is_unsent else ""
+
+
+def _last_line(path):
+    with open(path, encoding="utf-8", errors="replace") as file:
+        return ([line.strip() for line in file if line.strip()] or [""])[-1]
 
 
 def _series(place):
