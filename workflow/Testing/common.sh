@@ -26,3 +26,14 @@ need_root() {
 expect() {
   [ "$2" = "$3" ] || { printf '%s: is\n%s\nand should be\n%s\n' "$1" "$2" "$3" >&2; exit 1; }
 }
+
+# end_processes PID-FILE...: ends what a check has started, and waits until it is gone.
+end_processes() {
+  local file pid
+  for file in "$@"; do
+    [ -s "$file" ] || continue
+    pid=$(cat "$file")
+    kill "$pid" 2>/dev/null || continue
+    while kill -0 "$pid" 2>/dev/null; do sleep 0.1; done
+  done
+}
