@@ -8,14 +8,17 @@ workflow=$(dirname "$testing")
 repository=$(dirname "$workflow")
 export testing workflow repository
 
-# need_commands COMMAND...: ends the check as skipped where one is missing; ctest looks for "skipped: ".
-need_commands() {
-  for command in "$@"; do
-    command -v "$command" >/dev/null || {
-      echo "skipped: $command is not installed; see Utilities/install-dependencies --list, workflow and workflow-tests"
+# need_packages LEVEL...: ends the check as skipped where a package of Utilities/install-dependencies is missing; ctest looks for
+# "skipped: ".
+need_packages() {
+  local level package
+  while read -r level package _; do
+    [[ " $* " == *" $level "* ]] || continue
+    dpkg-query -W -f='${db:Status-Status}\n' "$package" 2>/dev/null | grep -qx installed || {
+      echo "skipped: $package is not installed; see Utilities/install-dependencies $level"
       exit 0
     }
-  done
+  done < <("$repository/Utilities/install-dependencies" --list)
 }
 
 need_root() {

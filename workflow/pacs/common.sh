@@ -8,7 +8,8 @@ here=$repository/workflow/pacs
 declare -A pacs=([calling]=SHAPETON [timeout]=60)
 temporary=$(mktemp -d)
 tunnel=
-trap 'if [ -n "$tunnel" ]; then kill "$tunnel"; fi; rm -rf "$temporary"' EXIT
+part= # a folder that is not whole yet
+trap 'if [ -n "$tunnel" ]; then kill "$tunnel"; fi; rm -rf "$temporary" ${part:+"$part"}' EXIT
 
 # read_pacs FILE: the description of a PACS, lines of a name and a value; see README.md. Files are relative to it.
 read_pacs() {
