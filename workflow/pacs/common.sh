@@ -9,7 +9,7 @@ declare -A pacs=([calling]=SHAPETON [timeout]=60)
 temporary=$(mktemp -d)
 tunnel=
 part= # a folder that is not whole yet
-trap 'if [ -n "$tunnel" ]; then kill "$tunnel"; fi; rm -rf "$temporary" ${part:+"$part"}' EXIT
+trap '[ -z "$tunnel" ] || kill "$tunnel" 2>/dev/null; rm -rf "$temporary" ${part:+"$part"}' EXIT
 
 # read_pacs FILE: the description of a PACS, lines of a name and a value; see README.md. Files are relative to it.
 read_pacs() {
@@ -37,16 +37,32 @@ read_pacs() {
   [ "${pacs[protocol]}" != dicom-tls ] || open_tunnel
 }
 
-# open_tunnel: DCMTK's getscu, movescu and dcmsend of 3.6.7 know no TLS; they talk through stunnel, which checks the certificate.
+# open_tunnel: DCMTK's getscu and dcmsend of 3.6.7 know no TLS; they talk through stunnel, which checks the certificate.
 open_tunnel() {
   local port
-  port=$((20000 + RANDOM % 40000))
+  for _ in 1 2 3 4 5; do
+    port=$((10000 + RANDOM % 22000)) # below the ports that systems give away
+    start_tunnel "$port"
+    until grep -q " bound to " "$temporary/stunnel.txt"; do
+      kill -0 "$tunnel" 2>/dev/null || break
+      sleep 0.05
+    done
+    grep -q "Address already in use" "$temporary/stunnel.txt" || break
+  done
+  kill -0 "$tunnel" 2>/dev/null || fail "stunnel: $(reason "$temporary/stunnel.txt"); check ${pacs[name]}"
+  pacs[host]=127.0.0.1
+  pacs[port]=$port
+}
+
+# start_tunnel PORT: it ends with this script, even when that is killed.
+start_tunnel() {
   cat >"$temporary/stunnel.conf" <<END
 foreground = yes
+debug = info
 pid =
 [pacs]
 client = yes
-accept = 127.0.0.1:$port
+accept = 127.0.0.1:$1
 connect = ${pacs[host]}:${pacs[port]}
 cert = ${pacs[certificate]}
 key = ${pacs[key]}
@@ -55,14 +71,8 @@ verifyChain = yes
 checkHost = ${pacs[host]}
 END
   : >"$temporary/stunnel.txt"
-  stunnel "$temporary/stunnel.conf" 2>>"$temporary/stunnel.txt" &
+  setpriv --pdeathsig TERM stunnel "$temporary/stunnel.conf" 2>>"$temporary/stunnel.txt" &
   tunnel=$!
-  until grep -q "Configuration successful" "$temporary/stunnel.txt"; do
-    kill -0 "$tunnel" 2>/dev/null || { tunnel=; fail "stunnel: $(reason "$temporary/stunnel.txt"); check ${pacs[name]}"; }
-    sleep 0.05
-  done
-  pacs[host]=127.0.0.1
-  pacs[port]=$port
 }
 
 # reason LOG: the first line in which a tool says what was wrong; TLS speaks first.
