@@ -2,7 +2,6 @@
 
 import json
 import os
-import re
 import unittest
 
 from case import Case, WORKFLOW
@@ -99,12 +98,6 @@ class ReportPage(unittest.TestCase):
         lines = results_table([examination("a", 1), examination("b\tc", None)]).splitlines()
         self.assertEqual([line.split("\t")[0] for line in lines], ["subject", "a", "b c"])
         self.assertEqual(len({line.count("\t") for line in lines}), 1)
-
-    def test_the_look_is_that_of_the_reports(self):
-        source = os.path.join(WORKFLOW, "..", "Modules", "Core", "Report", "src", "shapetonHtmlReport.cxx")
-        with open(source, encoding="utf-8") as file:
-            style = re.search(r'styles = R"\((.*?)\)"', file.read(), re.DOTALL)[1]
-        self.assertEqual(page.STYLE, style)
 
 
 if __name__ == "__main__":

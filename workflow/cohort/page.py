@@ -1,28 +1,9 @@
-"""A page in the look of Shapeton's reports (Modules/Core/Report), which a test compares with its own."""
+"""A page in the look of Shapeton's reports, whose style sheet it takes."""
 
 from html import escape
+from pathlib import Path
 
-STYLE = """
-:root { color-scheme: light; }
-body { font: 16px/1.5 system-ui, sans-serif; color: #1a1a1a; background: #fff; max-width: 72rem; margin: 2rem auto; padding: 0 1rem; }
-h1 { font-size: 1.7rem; margin-bottom: .3rem; }
-h2 { font-size: 1.25rem; margin-top: 2.2rem; border-bottom: 1px solid #ddd; padding-bottom: .2rem; }
-figure { margin: 1rem 0; }
-img { max-width: 100%; height: auto; border: 1px solid #ddd; }
-figcaption { color: #555; font-size: .92rem; }
-.table { overflow-x: auto; margin: .5rem 0 1.2rem; }
-table { border-collapse: collapse; font-size: .92rem; }
-caption { text-align: left; color: #555; padding-bottom: .3rem; }
-th, td { text-align: left; padding: .25rem 1rem .25rem 0; border-bottom: 1px solid #eee; vertical-align: top; }
-th { font-weight: 600; vertical-align: bottom; }
-.facts th { vertical-align: top; }
-.number { text-align: right; }
-td.number { white-space: nowrap; font-variant-numeric: tabular-nums; }
-.swatch { display: inline-block; width: 2em; height: 1em; border: 1px solid #999; vertical-align: -.1em; }
-@media print { .table { overflow: visible; } }
-.note { background: #fff6df; border-left: 4px solid #e0a100; padding: .5rem .8rem; margin: .6rem 0; }
-summary { cursor: pointer; }
-"""
+STYLE = (Path(__file__).parents[2] / "Modules/Core/Report/styles/page.css").read_text(encoding="utf-8")
 CELLS = """
 td.far { background: #fff6df; font-weight: 600; }
 td:first-child { white-space: nowrap; }
