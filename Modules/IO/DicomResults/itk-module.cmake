@@ -1,5 +1,5 @@
 set(DOCUMENTATION "Results as DICOM objects beside the series that they were made from: segmentations, measurement reports, parametric maps,
-pictures and surfaces; segmentations and the points of reports read back.")
+pictures and surfaces, and segmentations and the points of reports read back.")
 
 itk_module(DicomResults
   ENABLE_SHARED
@@ -12,8 +12,6 @@ itk_module(DicomResults
     Base
     VolumeFiles
   TEST_DEPENDS
-    Report
-    ITKGDCM
     ITKGoogleTest
   DESCRIPTION "${DOCUMENTATION}"
 )

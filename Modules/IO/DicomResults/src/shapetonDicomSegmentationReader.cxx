@@ -106,7 +106,7 @@ RequirePixels(DcmDataset & dataset, const DicomSegmentationFile & file)
   if (syntax.isEncapsulated())
   {
     throw std::runtime_error(std::string("is compressed as ") + syntax.getXferName() +
-                             ", which is not read; decompress it (dcmdrle, gdcmconv --raw)");
+                             ", which is not read; decompress it");
   }
   DcmElement * pixels = nullptr;
   dataset.findAndGetElement(DCM_PixelData, pixels);

@@ -1,0 +1,78 @@
+#include "shapetonDicomToColon.h"
+#include "shapetonExceptions.h"
+
+#include <gtest/gtest.h>
+
+namespace
+{
+using namespace shapeton;
+
+DicomSegmentInFile
+Segment(int number, const std::string & name, const std::string & code)
+{
+  DicomSegmentInFile segment;
+  segment.number = number;
+  segment.name = name;
+  segment.type = { code, "SCT", name };
+  return segment;
+}
+
+DicomSegmentationFile
+FileOf(std::vector<DicomSegmentInFile> segments)
+{
+  DicomSegmentationFile file;
+  file.path = "seg.dcm";
+  file.segments = std::move(segments);
+  return file;
+}
+} // namespace
+
+TEST(DicomToColon, LumenIsGasAndFluidByTheirCodes)
+{
+  const auto file =
+    FileOf({ Segment(1, "polyp", "52988006"), Segment(2, "air", "74947009"), Segment(5, "tagged", "442170005") });
+  EXPECT_EQ(LumenSegmentsOf(file), (std::vector<int>{ 2, 5 }));
+  EXPECT_EQ(AllSegmentsOf(file), (std::vector<int>{ 1, 2, 5 }));
+}
+
+TEST(DicomToColon, TheOnlySegmentIsTheLumenWhateverItIsCalled)
+{
+  EXPECT_EQ(LumenSegmentsOf(FileOf({ Segment(3, "Segment_1", "85756007") })), (std::vector<int>{ 3 }));
+}
+
+TEST(DicomToColon, WhatMayBeTheLumenIsAsked)
+{
+  try
+  {
+    LumenSegmentsOf(FileOf({ Segment(1, "a", "1"), Segment(2, "b", "2") }));
+    FAIL() << "no InputError";
+  }
+  catch (const InputError & error)
+  {
+    EXPECT_EQ(std::string(error.what()),
+              "\"seg.dcm\" has no segments of gas or fluid; choose by the parameter \"segments\" of 1 (a), 2 (b)");
+  }
+}
+
+TEST(DicomToColon, TableCountsMillilitres)
+{
+  DicomSegmentVoxels voxels;
+  voxels.labels = DicomLabelImage::New();
+  const double spacing[3] = { 0.5, 1.0, 4.0 };
+  voxels.labels->SetSpacing(spacing);
+  voxels.voxels = { 500, 7 };
+  const auto table = TableOfSegments(FileOf({ Segment(1, "air", "74947009"), Segment(2, "b", "2") }), { 1, 2 }, voxels);
+  EXPECT_EQ(table.GetRows()[0], (std::vector<std::string>{ "1", "air", "74947009", "SCT", "air", "500", "1" }));
+}
+
+TEST(DicomToColon, PointsAreNamedByTheirMeasurements)
+{
+  DicomReportPoints points;
+  points.name = "lesion 4";
+  points.places.resize(2);
+  points.places[1][2] = 7.5;
+  const auto markups = MarkupsOfReport({ points });
+  ASSERT_EQ(markups.size(), 1u);
+  EXPECT_EQ(markups[0].labels, (std::vector<std::string>{ "lesion 4", "lesion 4" }));
+  EXPECT_EQ(markups[0].points[1], Eigen::Vector3d(0.0, 0.0, 7.5));
+}
