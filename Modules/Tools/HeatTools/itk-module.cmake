@@ -12,6 +12,7 @@ itk_module(HeatTools
     ITKCommon
   PRIVATE_DEPENDS
     VolumeFiles
+    DicomResults
     CommandLine
   TEST_DEPENDS
     ITKGoogleTest

@@ -56,7 +56,7 @@ GroupOf(const PolypCandidate & candidate, const ColonSegmentsAsDicom & segments)
   {
     Add(group, volume, 1000.0 * segments.VolumeOf(group.trackingUID), mm3);
   }
-  group.comments.push_back("a candidate of a computer program, no finding of a reader");
+  group.comments.emplace_back(CandidateNote);
   if (!candidate.remark.empty())
   {
     group.comments.push_back(candidate.remark);

@@ -7,11 +7,13 @@
 #include "itkImage.h"
 
 #include <cstdint>
+#include <memory>
 #include <string>
 
 namespace shapeton
 {
 class CommandLine;
+class DicomMapOutput;
 
 /** \class HeatResultFiles
  * \brief The files that a tool of heat diffusion writes, by the parameters of its XML.
@@ -61,14 +63,15 @@ private:
   void
   WriteHeat(const itk::Image<float, 3> * heat, std::uint64_t timeStep, const std::string & path) const;
 
-  CommandLine & m_CommandLine;
-  std::string   m_Heat;
-  std::string   m_InitialHeat;
-  std::string   m_Labels;
-  std::string   m_ClassTable;
-  std::string   m_Histogram;
-  std::string   m_HistogramTable;
-  std::string   m_Report;
+  CommandLine &                         m_CommandLine;
+  std::string                           m_Heat;
+  std::string                           m_InitialHeat;
+  std::string                           m_Labels;
+  std::string                           m_ClassTable;
+  std::string                           m_Histogram;
+  std::string                           m_HistogramTable;
+  std::string                           m_Report;
+  std::shared_ptr<const DicomMapOutput> m_DicomMap;
 };
 } // namespace shapeton
 

@@ -5,12 +5,14 @@
 #include "shapetonHeatReport.h"
 #include "shapetonShapetonDiffusionImageFilter.h"
 
+#include <memory>
 #include <string>
 #include <vector>
 
 namespace shapeton
 {
 class CommandLine;
+class DicomMapOutput;
 struct Volume;
 
 /** What the user of a run of shapeton diffusion should know: trapped shapetons, a density that is not steady although
@@ -52,11 +54,12 @@ public:
   Write(const FilterType * filter, const Volume & volume) const;
 
 private:
-  CommandLine & m_CommandLine;
-  std::string   m_Density;
-  std::string   m_Labels;
-  std::string   m_ClassTable;
-  std::string   m_Report;
+  CommandLine &                         m_CommandLine;
+  std::string                           m_Density;
+  std::string                           m_Labels;
+  std::string                           m_ClassTable;
+  std::string                           m_Report;
+  std::shared_ptr<const DicomMapOutput> m_DicomMap;
 };
 } // namespace shapeton
 

@@ -1,6 +1,7 @@
 #include "shapetonHeatResultFiles.h"
 
 #include "shapetonCommandLine.h"
+#include "shapetonDicomMapOutput.h"
 #include "shapetonHeatSnapshot.h"
 #include "shapetonVolumeOutput.h"
 
@@ -15,6 +16,7 @@ HeatResultFiles::HeatResultFiles(CommandLine & commandLine)
   , m_Histogram(commandLine.OutputOf("histogram"))
   , m_HistogramTable(commandLine.OutputOf("histogramTable"))
   , m_Report(commandLine.GetString("report"))
+  , m_DicomMap(std::make_shared<DicomMapOutput>(commandLine))
 {
   commandLine.RecordRun(commandLine.GetString("outputHeat") + ".run.json");
   if (!m_Report.empty())
@@ -27,6 +29,7 @@ void
 HeatResultFiles::Write(const HeatReportContent & content, const itk::Image<unsigned char, 3> * labels) const
 {
   this->WriteHeat(content.heat, content.timeStep.value_or(0), m_Heat);
+  m_DicomMap->Write(content.heat, "HEAT", "Cumulative heat");
   if (!m_Labels.empty())
   {
     WriteVolume(labels, m_Labels, ProvenanceMetadata(m_CommandLine.GetProvenance()));

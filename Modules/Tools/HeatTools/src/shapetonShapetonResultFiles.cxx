@@ -2,6 +2,7 @@
 
 #include "shapetonAxisTicks.h"
 #include "shapetonCommandLine.h"
+#include "shapetonDicomMapOutput.h"
 #include "shapetonShapeAnalysis.h"
 #include "shapetonVolumeOutput.h"
 #include "shapetonVolume.h"
@@ -121,6 +122,7 @@ ShapetonResultFiles::ShapetonResultFiles(CommandLine & commandLine)
   , m_Labels(VolumeOutput(commandLine, "labels"))
   , m_ClassTable(commandLine.OutputOf("classTable"))
   , m_Report(commandLine.GetString("report"))
+  , m_DicomMap(std::make_shared<DicomMapOutput>(commandLine))
 {
   commandLine.RecordRun(commandLine.GetString("outputDensity") + ".run.json");
   if (!m_Report.empty())
@@ -135,6 +137,7 @@ ShapetonResultFiles::Write(const FilterType * filter, const Volume & volume) con
   auto metadata = ProvenanceMetadata(m_CommandLine.GetProvenance());
   metadata.emplace_back("timeStep", std::to_string(filter->GetMeasures().step));
   WriteVolume(filter->GetOutput(), m_Density, metadata);
+  m_DicomMap->Write(filter->GetOutput(), "VISITS", "Visits of shapetons");
   if (m_Labels.empty() && m_ClassTable.empty() && m_Report.empty())
   {
     return;

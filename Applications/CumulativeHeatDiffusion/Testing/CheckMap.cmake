@@ -1,0 +1,11 @@
+# dciodvfy finds no error in the Parametric Map FILE, and no warning but that a scheme of codes is ours.
+if(NOT DCIODVFY)
+  message("dciodvfy is not installed")
+  return()
+endif()
+execute_process(COMMAND ${DCIODVFY} -new ${FILE} ERROR_VARIABLE said OUTPUT_VARIABLE said)
+string(REGEX MATCHALL "[^\n]*(Error|Warning)[^\n]*" faults "${said}")
+list(FILTER faults EXCLUDE REGEX "Unrecognized defined term = <99SHAPETON>|needed to build DICOMDIR")
+if(faults OR NOT said MATCHES "ParametricMap")
+  message(FATAL_ERROR "${said}")
+endif()
