@@ -1,11 +1,9 @@
-"""The group report: outliers and FROC against values worked out by hand, order of the page, its look."""
+"""The group report: outliers and FROC against values worked out by hand, order of the page."""
 
 import json
-import os
 import unittest
 
-from case import Case, WORKFLOW
-from cohort import page
+from case import Case
 from cohort.outliers import find_outliers, scores
 from cohort.report import page_of, results_table
 from cohort.results import SERIES_MEASURES, Examination, read_examination
