@@ -24,8 +24,8 @@ DicomSeries_EXPORT std::string
 DicomSeries_EXPORT std::string
                    ConcatenateTexts(const std::vector<std::string> & texts);
 
-/** 2.25.<decimal of a UUID> (DICOM PS3.5 B.2), the UUID a custom one (RFC 9562, version 8) from the SHA-256 of the
- * text: equal texts, equal UIDs. */
+/** "2.25." and a UUID in decimal digits (DICOM PS3.5 B.2), the UUID a custom one (RFC 9562, version 8) from the SHA-256
+ * of the text: equal texts, equal UIDs. */
 DicomSeries_EXPORT std::string
                    MakeDicomUID(const std::string & text);
 ///@}
