@@ -1,6 +1,6 @@
 import { readBlock } from '../../PageKit/scripts/bytes.mjs';
 import { clamp, cross, distance, dot, norm, sub, third, unit } from '../../PageKit/scripts/math.mjs';
-import { normalOf, Tree } from './tree.mjs';
+import { hitOf, normalOf, Tree } from './tree.mjs';
 
 const segmentNames = ['', 'rectum', 'sigmoid', 'descending', 'transverse', 'ascending', 'caecum'];
 const hindranceNames = ['', 'no lumen', 'cut by the scan', 'untagged fluid', 'calibre below 10 mm'];
@@ -154,24 +154,8 @@ export class Exam {
   }
 
   fromUv(u, v) {
-    const c = this.circumference;
-    for (const k of [0, -1, 1]) { // the cut deviates from v = 0 by less than a turn
-      const hit = this.map.ray([u, turn(v, c) + k * c, -1], [0, 0, 1]);
-      if (hit) return this.place(hit.face, hit.weights);
-    }
-    return null;
-  }
-
-  // The place that the other position has at a face; uv: of its vertices, on this map. Between them the map is followed, not a
-  // straight line in space, which would leave the wall where the map stretches it.
-  fromMapped(uv, corners, weights) {
-    const c = this.circumference, first = uv[2 * corners[0] + 1];
-    let u = 0, v = 0;
-    corners.forEach((i, j) => {
-      u += weights[j] * uv[2 * i];
-      v += weights[j] * (uv[2 * i + 1] - c * Math.round((uv[2 * i + 1] - first) / c));
-    });
-    return this.fromUv(u, v) || this.nearestUv(u, v);
+    const hit = hitOf(this.map, this.circumference, [u, v]);
+    return hit && this.place(hit.face, hit.weights);
   }
 
   // Beyond the ends of the map.

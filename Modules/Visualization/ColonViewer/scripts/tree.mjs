@@ -191,3 +191,13 @@ export function normalOf(points, faces, face) {
   const length = Math.hypot(...n) || 1;
   return n.map((x) => x / length);
 }
+
+// The face of a map of circumference c that holds (u, v), or null.
+export function hitOf(tree, c, [u, v]) {
+  const rest = v - c * Math.floor(v / c);
+  for (const k of [0, -1, 1]) { // the cut deviates from v = 0 by less than a turn
+    const hit = tree.ray([u, rest + k * c, -1], [0, 0, 1]);
+    if (hit) return hit;
+  }
+  return null;
+}

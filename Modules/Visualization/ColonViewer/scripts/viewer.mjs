@@ -4,6 +4,7 @@ import { Seen } from './flight.mjs';
 import { SurfacePaths } from './geodesic.mjs';
 import { viewerKeys } from './help.mjs';
 import { layerList } from './layers.mjs';
+import { Link } from './link.mjs';
 import { Painter } from './painter.mjs';
 import { Panel } from './panel.mjs';
 import { Verdicts } from './verdicts.mjs';
@@ -59,6 +60,7 @@ function refuse(text) {
 class Viewer {
   constructor(info, exams, maps, painter) {
     Object.assign(this, { info, exams, maps, painter, current: 0, isFlying: false, times: {} });
+    this.link = maps && new Link(exams, maps.map(({ mapped }) => mapped));
     this.layers = Object.fromEntries(layerList.map(([name, , isOn]) => [name, isOn]));
     this.panels = exams.map((exam, k) => this.makePanel(exam, k));
     this.verdicts = new Verdicts($('entries'), info, exams, {
@@ -206,10 +208,9 @@ class Viewer {
 
   // The other position goes to the mapped place, dimmed where the map is not to be trusted there.
   linkFrom(k) {
-    const { face, weights } = this.panels[k].place, other = this.panels[1 - k], { mapped, trust } = this.maps[k];
-    const corners = this.exams[k].faces.subarray(3 * face, 3 * face + 3), t = trust[corners[0]];
+    const { place } = this.panels[k], other = this.panels[1 - k], t = this.maps[k].trust[this.exams[k].faces[3 * place.face]];
     this.trust = t === EXCLUDED ? null : t / 200;
-    other.follow(other.exam.fromMapped(mapped, corners, weights));
+    other.follow(this.link.from(k, place));
     this.panels[k].root.classList.remove('dim');
     other.root.classList.toggle('dim', this.trust === null || this.trust < DOUBTFUL);
   }

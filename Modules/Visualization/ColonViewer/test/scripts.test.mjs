@@ -2,7 +2,9 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { Seen } from '../scripts/flight.mjs';
+import { Exam } from '../scripts/exam.mjs';
 import { SurfacePaths } from '../scripts/geodesic.mjs';
+import { Link } from '../scripts/link.mjs';
 import { project, rayThrough } from '../../PageKit/scripts/math.mjs';
 import { nearestAxes } from '../scripts/slice.mjs';
 import { Tree } from '../scripts/tree.mjs';
@@ -95,4 +97,43 @@ test('what is seen from inside a tube is what a search through all triangles fin
     assert.equal(seen.marks[f] === 1, inside && hits.length === 0, `face ${f}`);
   }
   assert.ok(seen.share > 0.2 && seen.share < 0.5);
+});
+
+// A position whose wall is a flat strip of faces of about 4 mm, cut at v = 0; its points are its map.
+function stripOf(seed, length, circumference) {
+  const random = randoms(seed), columns = length / 4, rows = circumference / 4, uv = [], faces = [], wobble = () => 1.5 * (random() - 0.5);
+  for (let i = 0; i <= columns; i++) {
+    for (let j = 0; j <= rows; j++) {
+      const isRim = i === 0 || i === columns || j === 0 || j === rows;
+      uv.push(4 * i + (isRim ? 0 : wobble()), 4 * j + (isRim ? 0 : wobble()));
+      if (i && j) {
+        const d = i * (rows + 1) + j, b = d - rows - 1;
+        faces.push(b - 1, b, d, b - 1, d, d - 1);
+      }
+    }
+  }
+  const exam = Object.assign(new Exam(), { uv, faces: new Uint32Array(faces), circumference, arc: uv.filter((_, i) => i % 2 === 0) });
+  exam.points = Float64Array.from({ length: uv.length * 1.5 }, (_, i) => (i % 3 === 2 ? 0 : uv[2 * Math.floor(i / 3) + (i % 3)]));
+  exam.map = new Tree(exam.points, exam.faces);
+  return exam;
+}
+
+test('places of the other position are those of the map, and back, where it stretches the wall sevenfold, too', () => {
+  const length = 400, c = 80, random = randoms(13);
+  // Around, the other position is turned by 20 mm.
+  const there = (u) => u + 60 * (1 + Math.tanh((u - 200) / 10)), whole = there(length);
+  const back = (w) => {
+    let lo = -50, hi = length + 50;
+    for (let i = 0; i < 60; i++) { const middle = (lo + hi) / 2; if (there(middle) < w) lo = middle; else hi = middle; }
+    return lo;
+  };
+  const a = stripOf(1, length, c), b = stripOf(2, Math.ceil(whole / 4) * 4, c);
+  const mapped = [[a, there, 20], [b, back, -20]].map(([exam, f, turned]) => exam.uv.map((x, i) => (i % 2 ? (x + turned + c) % c : f(x))));
+  const link = new Link([a, b], mapped);
+  for (let i = 0; i < 500; i++) {
+    const place = a.fromUv(10 + 380 * random(), c * random()), other = link.from(0, place), again = link.from(1, other);
+    const gap = Math.abs(((other.uv[1] - place.uv[1] - 20) % c + 1.5 * c) % c - 0.5 * c);
+    assert.ok(Math.abs(other.uv[0] - there(place.uv[0])) < 1 && gap < 0.1, `${place.uv} to ${other.uv}`);
+    assert.ok(far(again.xyz, place.xyz) < 0.5, `${place.uv} and back to ${again.uv}`);
+  }
 });
