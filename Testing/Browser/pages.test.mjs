@@ -1,5 +1,5 @@
 // Every page that the tools write opens from file:// without errors and without a network, in the style that all share.
-// usage: FOLDERS=folder;folder... node --test pages.test.mjs
+// usage: FOLDERS=folder|folder... node --test pages.test.mjs
 import assert from 'node:assert/strict';
 import { readdirSync } from 'node:fs';
 import { join } from 'node:path';
@@ -15,7 +15,7 @@ const pagesIn = (folder) => readdirSync(folder, { withFileTypes: true }).flatMap
   return entry.isDirectory() ? pagesIn(path) : entry.name.endsWith('.html') ? [path] : [];
 });
 
-for (const folder of process.env.FOLDERS.split(';')) {
+for (const folder of process.env.FOLDERS.split('|')) {
   test(`pages in ${folder}`, async () => {
     const files = pagesIn(folder);
     assert.ok(files.length > 0, 'there are none');
