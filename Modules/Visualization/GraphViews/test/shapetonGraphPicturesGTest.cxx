@@ -1,4 +1,5 @@
 #include "shapetonGraphPictures.h"
+#include "shapetonEmbeddedGraph.h"
 #include "shapetonCertificateFixtures.h"
 #include "shapetonCurveSet.h"
 #include "shapetonGraphInSpace.h"
@@ -9,6 +10,7 @@
 
 #include "gtest/gtest.h"
 
+#include <cmath>
 #include <set>
 
 using namespace certificatetest;
@@ -49,6 +51,22 @@ TEST(GraphPictures, Baselines)
   ExpectBaseline(Cube(), "Cube.svg");
   ExpectBaseline(PathInTetrahedron(), "PathInTetrahedron.svg");
   ExpectBaseline(TorusGrid(3, 2), "TorusGrid.svg");
+}
+
+/** Small graphs on one side of the sphere are seen from there, those that surround it from a fixed side. */
+TEST(GraphPictures, TheFrontShowsTheGraph)
+{
+  const EmbeddingCertificate    path = PathInTetrahedron();
+  const shapeton::EmbeddedGraph graph(path);
+  for (int node = 0; node < path.graph.nodes; ++node)
+  {
+    const shapeton::Place & place = graph.nodes[node];
+    EXPECT_GT(place.x * graph.front.x + place.y * graph.front.y + place.z * graph.front.z, 0.0) << node;
+  }
+  const EmbeddingCertificate cube = Cube();
+  const shapeton::Place      front = shapeton::EmbeddedGraph(cube).front;
+  EXPECT_NEAR(1.0, std::hypot(front.x, front.y, front.z), 1e-12);
+  EXPECT_DOUBLE_EQ(0.48, front.x);
 }
 
 /** The stereographic picture of a cube shows all of it: 8 nodes and 6 circles of faces, one of them around the rest. */
