@@ -56,6 +56,18 @@ build() {
     fail "the build of $buildRoot/$tree failed; see above"
 }
 
+# build_tools TOOLS...: installs what is missing and builds the tools into the folder "tools".
+build_tools() {
+  local testing=() # a tree that run-tests has made keeps its tests
+  "$repository/Utilities/install-dependencies" demo
+  step "Building (the first time takes minutes)"
+  [ -e "$buildRoot/release/CMakeCache.txt" ] || testing=(-DBUILD_TESTING=OFF)
+  configure release "${testing[@]}"
+  build release "${@/#/bin/}"
+  tools=$buildRoot/release/bin
+  export tools
+}
+
 # run_ctest FOLDER [CTEST ARGUMENTS...]: runs tests of a build and prints how many passed, were skipped and failed; the status
 # is that of ctest.
 run_ctest() {

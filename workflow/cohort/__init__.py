@@ -1,1 +1,1 @@
-"""What the workflow of cohorts is made of; standard library only. See ../README.md."""
+"""What the workflow of cohorts is made of, by the standard library alone. See ../README.md."""

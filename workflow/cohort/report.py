@@ -92,7 +92,7 @@ def page_of(examinations, truth, settings):
     _add_strips(page, examinations, outliers)
     _add_truth(page, *truth)
     page.heading("Time and memory")
-    _add_runs(page, examinations)
+    _add_runs(page, examinations, outliers)
     page.heading("How it was made")
     page.facts([("Table", os.path.basename(settings["table"])), ("Options", " ".join(settings["options"]) or "none")])
     return page.text()
@@ -100,7 +100,13 @@ def page_of(examinations, truth, settings):
 
 def _urgency(examination, outliers):
     """What is missing first, then the farthest outliers, then what is doubtful; the order of the table among equals."""
-    return OUTCOMES.index(examination.outcome), -max(map(abs, outliers.values()), default=0.0), not examination.doubts
+    farthest = max(map(abs, _of_results(outliers).values()), default=0.0)
+    return OUTCOMES.index(examination.outcome), -farthest, not examination.doubts
+
+
+def _of_results(outliers):
+    """Time and memory stand out in their own table."""
+    return {name: score for name, score in outliers.items() if name not in RUN_MEASURES}
 
 
 def _summary(examinations, outliers):
@@ -110,7 +116,7 @@ def _summary(examinations, outliers):
         ("Examinations", counts(examinations)),
         ("Pairs registered", len(pairs)),
         ("Pairs flagged", sum(one.pair["flagged"] or 0 for one in pairs)),
-        ("Examinations with an outlier", sum(map(bool, outliers))),
+        ("Examinations with an outlier", sum(bool(_of_results(far)) for far in outliers)),
         ("Examinations with a doubt", sum(bool(one.doubts) for one in done)),
         ("Polyp candidates", sum(series["candidates"] or 0 for one in done for series in one.series)),
         ("Time of all runs", f"{sum(one.run.get('seconds', 0) for one in examinations) / 3600:.2f} h"),
@@ -139,7 +145,7 @@ def _add_examinations(page, examinations, outliers):
     series = [(one, str(number + 1), values, far) for one, far in done for number, values in enumerate(one.series)]
     page.table(
         ["Subject", "Series", *map(_readable, SERIES_MEASURES), "Doubts"],
-        [[one.subject, int(number), *values.values(), _doubts(one, number, far)] for one, number, values, far in series],
+        [[one.subject, int(number), *values.values(), "" if number == "2" else "; ".join(one.doubts)] for one, number, values, _ in series],
         "Series, in the order of the table.",
         [one.report for one, *_ in series],
         _far_cells([far for *_, far in series], [number for _, number, *_ in series], SERIES_MEASURES, 2),
@@ -153,12 +159,6 @@ def _add_examinations(page, examinations, outliers):
             [f"{os.path.dirname(one.report)}/registration/report/index.html" for one, _ in pairs],
             _far_cells([far for _, far in pairs], [""] * len(pairs), PAIR_MEASURES, 1),
         )
-
-
-def _doubts(examination, number, far):
-    """In the row of the first series: also what stands out and is in another table."""
-    elsewhere = [f"{heading} stands out" for name, (_, heading) in RUN_MEASURES.items() if name in far]
-    return "" if number == "2" else "; ".join(examination.doubts + elsewhere)
 
 
 def _far_cells(outliers, numbers, measures, first):
@@ -219,12 +219,13 @@ def _median(values):
     return f"{sorted(values)[len(values) // 2]:.1f} mm" if values else "not known"
 
 
-def _add_runs(page, examinations):
+def _add_runs(page, examinations, outliers):
     columns = [name for name in RUN_COLUMNS if any(one.run.get(name) for one in examinations)]
     page.table(
         ["Subject", *map(_readable, columns)],
         [[one.subject, *(one.run.get(name) for name in columns)] for one in examinations],
         "Of the last attempt; memory is that of the largest process.",
+        far={(row, columns.index(name) + 1) for row, far in enumerate(outliers) for name in RUN_MEASURES if name in far},
     )
 
 
