@@ -173,7 +173,7 @@ def _far_cells(outliers, numbers, measures, first):
 
 def _readable(measure):
     """The heading of a column: "flexureConfidence" is "flexure confidence"."""
-    unit = {**SERIES_MEASURES, **PAIR_MEASURES, **RUN_MEASURES}.get(measure, ("",))[0]
+    unit = {**SERIES_MEASURES, **PAIR_MEASURES, **RUN_MEASURES, "askedMB": ("MB",)}.get(measure, ("",))[0]
     words = "".join(f" {letter.lower()}" if letter.isupper() else letter for letter in measure.removesuffix("MB"))
     return words + (f", {unit}" if unit else "")
 
