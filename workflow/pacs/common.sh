@@ -79,7 +79,7 @@ END
 reason() {
   { grep -hE 'LOG3|certificate verify failed|VERIFY ERROR' "$temporary/stunnel.txt" 2>/dev/null || true
     grep -hE '^(F|E|W):|^curl: |rejected|Reason' "$1" || tail -1 "$1"; } |
-    sed -E 's/^[FEW]: //; s/^.*LOG[0-9][^:]*: //' | head -3 | paste -sd ' ' | cut -c1-300
+    sed -E 's/^[FEWI]: +(\* )?//; s/^.*LOG[0-9][^:]*: //' | head -3 | paste -sd ' ' | cut -c1-300
 }
 
 # dicom TOOL ARGUMENTS...: a tool of DCMTK on the PACS; its log is $temporary/TOOL.txt.
