@@ -1,9 +1,9 @@
-// FuzzInputs --files N --seed S [--kind all|volumes|graphs] [--folder DIR]
+// FuzzInputs --files N --seed S [--kind all|volumes|graphs|results] [--folder DIR]
 //
 // Spoils DICOM files, NRRD, NIfTI and MetaImage files, surfaces, graphs and certificates of embeddings, and gives them
 // to the readers (and what could be read of certificates to the verifier). --kind graphs: graphs and certificates
 // alone;
-// --kind volumes: volumes and surfaces alone. A reader may read
+// --kind volumes: volumes and surfaces alone; --kind results: DICOM segmentations and reports alone. A reader may read
 // such a file or refuse it by an InputError; it may not crash, hang, take memory without bound, or draw a report from a
 // sanitizer. A file that made it do so is kept and named, and the exit status is 1. The files are made in a new folder
 // inside DIR (default: the folder for temporary files), which goes when there was no fault. --self-test: checks that
@@ -11,6 +11,7 @@
 
 #include "FuzzGraphSeeds.h"
 #include "FuzzMutation.h"
+#include "FuzzResultSeeds.h"
 #include "FuzzSeeds.h"
 #include "FuzzTrial.h"
 
@@ -84,8 +85,7 @@ Parse(int argc, char * argv[], Options & options)
     {
       options.seed = number;
     }
-    else if (name == "--kind" &&
-             (value == std::string("all") || value == std::string("volumes") || value == std::string("graphs")))
+    else if (name == "--kind" && std::set<std::string>{ "all", "volumes", "graphs", "results" }.count(value) > 0)
     {
       options.kind = value;
     }
@@ -195,8 +195,12 @@ ReadAllOfGraph(const std::string & path)
 }
 
 bool
-ReadAll(const std::string & path, const std::string & soundFolder)
+ReadAll(const std::string & path, const std::string & soundFolder, const shapeton::DicomSource & source)
 {
+  if (path.find(ResultExtension) != std::string::npos)
+  {
+    return ReadAllOfResult(path, source);
+  }
   if (IsGraph(path) || fs::path(path).extension() == ".json")
   {
     return ReadAllOfGraph(path);
@@ -293,18 +297,19 @@ private:
 };
 
 std::vector<FuzzSeed>
-SeedsOf(const Options & options)
+SeedsOf(const Options & options, const shapeton::DicomSource & source)
 {
   std::vector<FuzzSeed> seeds;
-  if (options.kind != "graphs")
-  {
-    seeds = MakeFuzzSeeds(options.folder);
-  }
-  if (options.kind != "volumes")
-  {
-    const std::vector<FuzzSeed> graphs = MakeGraphSeeds();
-    seeds.insert(seeds.end(), graphs.begin(), graphs.end());
-  }
+  const auto            add = [&](const char * kind, const auto & make) {
+    if (options.kind == "all" || options.kind == kind)
+    {
+      const std::vector<FuzzSeed> more = make();
+      seeds.insert(seeds.end(), more.begin(), more.end());
+    }
+  };
+  add("volumes", [&] { return MakeFuzzSeeds(options.folder); });
+  add("graphs", [] { return MakeGraphSeeds(); });
+  add("results", [&] { return MakeResultSeeds(options.folder, source); });
   return seeds;
 }
 
@@ -316,8 +321,9 @@ Fuzz(const Options & options)
   auto                         slices = fixture.MakeSeries();
   slices.erase(slices.begin() + 2); // the place of the mutants
   shapeton::SaveDicom(slices, sound);
-  const auto seeds = SeedsOf(options);
-  Campaign   campaign(std::chrono::seconds(120)); // the readers give up earlier
+  const shapeton::DicomSource source = MakeResultSource(shapeton::MakeFolder(options.folder + "/source"));
+  const auto                  seeds = SeedsOf(options, source);
+  Campaign                    campaign(std::chrono::seconds(120)); // the readers give up earlier
   for (std::size_t i = 0; i < options.files; ++i)
   {
     FuzzRandom        random(options.seed, i);
@@ -327,7 +333,7 @@ Fuzz(const Options & options)
     const std::string path =
       options.folder + "/mutant-" + std::to_string(options.seed) + "-" + std::to_string(i) + seed.extension;
     shapeton::WriteText(path, seed.isGzipped ? Gzip(bytes) : bytes);
-    campaign.Start(path, [&sound](const std::string & file) { return ReadAll(file, sound); });
+    campaign.Start(path, [&](const std::string & file) { return ReadAll(file, sound, source); });
   }
   campaign.Finish();
   return campaign.Report(options);
@@ -413,7 +419,7 @@ main(int argc, char * argv[])
   Options options;
   if (!Parse(argc, argv, options))
   {
-    std::cerr << "usage: FuzzInputs --files N --seed S [--kind all|volumes|graphs] [--folder DIR]\n";
+    std::cerr << "usage: FuzzInputs --files N --seed S [--kind all|volumes|graphs|results] [--folder DIR]\n";
     return 2;
   }
   try

@@ -1,0 +1,128 @@
+#include "FuzzResultSeeds.h"
+
+#include "shapetonDicomFixture.h"
+#include "shapetonDicomMeasurements.h"
+#include "shapetonDicomReportReader.h"
+#include "shapetonDicomSegmentationReader.h"
+#include "shapetonExceptions.h"
+#include "shapetonFileBytes.h"
+
+namespace
+{
+using namespace shapeton;
+
+constexpr const char * frameOfReference = "1.2.4";
+
+DicomLabelImage::Pointer
+MakeLabels(const DicomSource & source)
+{
+  const auto labels = DicomLabelImage::New();
+  labels->CopyInformation(source.grid);
+  labels->SetRegions(source.grid->GetLargestPossibleRegion().GetSize());
+  labels->Allocate();
+  for (unsigned short i = 0; i < 7 * 9 * 6; ++i)
+  {
+    labels->GetBufferPointer()[i] = i % 3;
+  }
+  return labels;
+}
+
+std::string
+MakeSegmentation(const std::string & path, const DicomSource & source, bool isDeflated)
+{
+  const auto                labels = MakeLabels(source);
+  std::vector<DicomSegment> segments(2);
+  for (unsigned short i = 0; i < 2; ++i)
+  {
+    segments[i].name = "segment " + std::to_string(i);
+    segments[i].category = { "123037004", "SCT", "Anatomical Structure" };
+    segments[i].type = { "71854001", "SCT", "Colon" };
+    segments[i].trackingID = segments[i].name;
+    segments[i].trackingUID = "2.25.1";
+    segments[i].labels = labels;
+    segments[i].label = static_cast<unsigned short>(i + 1);
+  }
+  WriteDicomSegmentation(source, segments, { "Fuzz", "1", 1, "Fuzz" }, path, isDeflated);
+  return ReadFileBytes(path);
+}
+
+std::string
+MakeFractional(const std::string & path, const DicomSource & source)
+{
+  MakeSegmentation(path, source, false);
+  DcmFileFormat file;
+  file.loadFile(path.c_str());
+  std::vector<Uint8> values(7 * 9 * 12, 200);
+  file.getDataset()->putAndInsertString(DCM_SegmentationType, "FRACTIONAL");
+  file.getDataset()->putAndInsertUint16(DCM_BitsAllocated, 8);
+  file.getDataset()->putAndInsertUint16(DCM_MaximumFractionalValue, 255);
+  file.getDataset()->putAndInsertUint8Array(DCM_PixelData, values.data(), values.size());
+  SaveDicom(file, path);
+  return ReadFileBytes(path);
+}
+
+std::string
+MakeReport(const std::string & path, const DicomSource & source, DicomReportKind kind)
+{
+  const DicomCode    center{ "111010", "DCM", "Center" };
+  const DicomContent group = ContainerContent(
+    "CONTAINS",
+    { "125007", "DCM", "Measurement Group" },
+    { TextContent("HAS OBS CONTEXT", { "112039", "DCM", "Tracking Identifier" }, "candidate"),
+      kind == DicomReportKind::ColonCAD ? PixelPointContent("CONTAINS", center, { 0.0, 14.0, -16.0 }, source)
+                                        : SpacePointContent("CONTAINS", center, { 1.0, 2.0, 3.0 }) });
+  const DicomContent root = ContainerContent({}, { "126000", "DCM", "Imaging Measurement Report" }, { group }, "1500");
+  WriteDicomReport(source, kind, root, {}, { "Fuzz", "1", 2, "Fuzz" }, path);
+  return ReadFileBytes(path);
+}
+} // namespace
+
+DicomSource
+MakeResultSource(const std::string & folder)
+{
+  const auto files = DicomFixture().MakeSeries();
+  for (const auto & file : files)
+  {
+    SetText(*file, DCM_StudyInstanceUID, "1.2.3");
+    SetText(*file, DCM_FrameOfReferenceUID, frameOfReference);
+  }
+  SaveDicom(files, folder);
+  return ReadDicomSource(folder);
+}
+
+std::vector<FuzzSeed>
+MakeResultSeeds(const std::string & folder, const DicomSource & source)
+{
+  const std::string path = folder + "/seed.dcm";
+  return { { ResultExtension, MakeSegmentation(path, source, false) },
+           { ResultExtension, MakeSegmentation(path, source, true) },
+           { ResultExtension, MakeFractional(path, source) },
+           { ResultExtension, MakeReport(path, source, DicomReportKind::Comprehensive3D) },
+           { ResultExtension, MakeReport(path, source, DicomReportKind::ColonCAD) } };
+}
+
+bool
+ReadAllOfResult(const std::string & path, const DicomSource & source)
+{
+  bool       isRead = false;
+  const auto attempt = [&](const auto & read) {
+    try
+    {
+      read();
+      isRead = true;
+    }
+    catch (const InputError &)
+    {}
+  };
+  attempt([&] {
+    const DicomSegmentationFile file = ReadDicomSegmentation(path);
+    std::vector<int>            numbers;
+    for (const DicomSegmentInFile & segment : file.segments)
+    {
+      numbers.push_back(segment.number);
+    }
+    ReadDicomSegments(file, numbers, source.grid);
+  });
+  attempt([&] { ReadDicomReportPoints(path, source); });
+  return isRead;
+}
