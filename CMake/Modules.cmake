@@ -38,6 +38,7 @@ set(Shapeton_MODULES
   Visualization/PictureKit
   Visualization/PageKit
   Visualization/HeatViews
+  Visualization/HeatExplorer
   Visualization/SurfaceViews
   Visualization/ColonViews
   Visualization/GraphViews

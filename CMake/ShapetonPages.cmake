@@ -12,8 +12,9 @@ function(shapeton_join_scripts name)
 endfunction()
 
 # Scripts that pages share, before their own.
-set(SHAPETON_PAGE_KIT_SCRIPTS math bytes view keys)
+set(SHAPETON_PAGE_KIT_SCRIPTS math bytes view page keys gl)
 list(TRANSFORM SHAPETON_PAGE_KIT_SCRIPTS REPLACE "(.+)" "${Shapeton_SOURCE_DIR}/Modules/Visualization/PageKit/scripts/\\1.mjs")
+set(SHAPETON_PAGE_KIT_STYLE "${Shapeton_SOURCE_DIR}/Modules/Visualization/PageKit/scripts/page.css")
 
 find_program(NODE_EXECUTABLE node)
 find_program(CHROMIUM_EXECUTABLE chromium)

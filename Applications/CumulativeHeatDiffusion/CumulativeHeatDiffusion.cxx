@@ -24,8 +24,11 @@ CheckUsage(const CommandLine & commandLine)
                              "--intensityWindow needs two numbers, the lower one first, for example -160,240");
   shapeton::RequireParameter(!commandLine.GetFlag("autoParameters") || !commandLine.IsGiven("p"),
                              "--autoParameters chooses p; give either it or --p");
-  shapeton::RequireParameter(commandLine.IsGiven("snapshotSteps") == commandLine.IsGiven("snapshotFolder"),
-                             "--snapshotSteps and --snapshotFolder go together; give both");
+  shapeton::RequireParameter(commandLine.IsGiven("snapshotSteps") || !commandLine.IsGiven("snapshotFolder"),
+                             "--snapshotFolder needs --snapshotSteps, the steps to write");
+  shapeton::RequireParameter(!commandLine.IsGiven("snapshotSteps") || commandLine.IsGiven("snapshotFolder") ||
+                               commandLine.IsGiven("report"),
+                             "--snapshotSteps needs --snapshotFolder or --report, where the heat is kept");
   for (const int step : commandLine.GetIntegers("snapshotSteps"))
   {
     shapeton::RequireParameter(step >= 0 && step <= commandLine.GetInteger("timeSteps"),
@@ -67,7 +70,7 @@ RequestHistogram(const CommandLine & commandLine, FilterType * filter)
     shapeton::MakeSnapshotSteps(filter->GetTimeSteps(), commandLine.GetInteger("snapshots"), spacing));
 }
 
-/** Has the heat after --snapshotSteps written while the filter runs; returns the steps. */
+/** Has the heat after --snapshotSteps written, or kept for the report, while the filter runs; returns the steps. */
 std::vector<std::uint64_t>
 RequestSnapshots(CommandLine & commandLine, const shapeton::HeatResultFiles & files, FilterType * filter)
 {
@@ -77,7 +80,10 @@ RequestSnapshots(CommandLine & commandLine, const shapeton::HeatResultFiles & fi
   if (!steps.empty())
   {
     const std::string folder = commandLine.GetString("snapshotFolder");
-    commandLine.MakeFolder(folder);
+    if (!folder.empty())
+    {
+      commandLine.MakeFolder(folder);
+    }
     filter->SetSnapshotSteps(
       steps, [&files, folder](std::uint64_t step, const ImageType * heat) { files.WriteSnapshot(heat, step, folder); });
   }

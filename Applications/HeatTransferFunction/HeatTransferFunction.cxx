@@ -5,6 +5,7 @@
 #include "shapetonHeatSnapshot.h"
 #include "shapetonShapeAnalysis.h"
 #include "shapetonExceptions.h"
+#include "shapetonTransferFunctionChoice.h"
 #include "shapetonTransferFunctionPicture.h"
 #include "shapetonToolVolumes.h"
 
@@ -23,12 +24,10 @@ struct Volumes
 };
 
 Volumes
-ReadVolumes(shapeton::CommandLine & commandLine)
+ReadVolumes(shapeton::CommandLine & commandLine, const shapeton::TransferFunctionChoice & choice)
 {
-  const int  timeStep = commandLine.GetInteger("timeStep");
-  const auto snapshot = shapeton::FindHeatSnapshot(
-    commandLine.GetString("heatVolume"), timeStep < 0 ? std::nullopt : std::optional<std::uint64_t>(timeStep));
-  Volumes volumes;
+  const auto snapshot = shapeton::FindHeatSnapshot(commandLine.GetString("heatVolume"), choice.timeStep);
+  Volumes    volumes;
   volumes.timeStep = snapshot.timeStep;
   if (!snapshot.timeStep)
   {
@@ -52,15 +51,8 @@ ReadVolumes(shapeton::CommandLine & commandLine)
   commandLine.Progress("Classifying", 0.5);
   const std::uint64_t step = volumes.timeStep.value_or(0);
   volumes.shape = visits ? shapeton::AnalyzeVisits(visits, step) : shapeton::AnalyzeHeat(heat.image, step);
+  shapeton::RequireQuantity(choice, volumes.shape.quantity, snapshot.path);
   return volumes;
-}
-
-/** The lines that the user gave, if any. */
-std::optional<shapeton::ShapeTransferFunction>
-ParseLines(const shapeton::CommandLine & commandLine)
-{
-  const std::string lines = commandLine.GetString("lines");
-  return lines.empty() ? std::nullopt : std::make_optional(shapeton::ShapeTransferFunction::Parse(lines));
 }
 
 shapeton::ShapeTransferFunction
@@ -116,13 +108,13 @@ MakeTransferFunction(shapeton::CommandLine & commandLine)
     throw shapeton::ParameterError("the output " + output +
                                    " needs the extension .vp, by which 3D Slicer knows a volume property");
   }
-  const auto        lines = ParseLines(commandLine);
+  const auto        choice = shapeton::ReadTransferFunctionChoice(commandLine);
   const std::string propertyFile = commandLine.Output(output);
   const std::string pictureFile = commandLine.OutputOf("picture");
 
-  const Volumes volumes = ReadVolumes(commandLine);
+  const Volumes volumes = ReadVolumes(commandLine, choice);
   const auto &  shape = volumes.shape;
-  const auto    transferFunction = lines ? *lines : LinesOfClasses(commandLine, shape);
+  const auto    transferFunction = choice.lines ? *choice.lines : LinesOfClasses(commandLine, shape);
   transferFunction.WriteVolumeProperty(propertyFile, std::max(1U, shape.quantity.greatestVisits));
   commandLine.Progress("Drawing", 0.6);
   if (!pictureFile.empty())

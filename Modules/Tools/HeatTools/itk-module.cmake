@@ -9,6 +9,7 @@ itk_module(HeatTools
     ShapeDiffusion
     PictureKit
     HeatViews
+    HeatExplorer
     ITKCommon
   PRIVATE_DEPENDS
     VolumeFiles

@@ -8,6 +8,7 @@
 #include "shapetonCumulativeHeatDiffusion.h"
 #include "shapetonHeatAxis.h"
 #include "shapetonHeatClasses.h"
+#include "shapetonHeatExplorer.h"
 #include "shapetonHeatHistogram.h"
 #include "shapetonHtmlReport.h"
 #include "itkImage.h"
@@ -58,6 +59,8 @@ struct HeatReportContent
   std::vector<HeatClass> classes;
   /** What the rendering shows; by default ShapeTransferFunction::FromClasses. */
   std::optional<ShapeTransferFunction> transferFunction;
+  /** The page that WriteExplorer() writes stands beside the report, which links to it. */
+  bool hasExplorer{ false };
 };
 
 /** Writes a report into an existing folder: index.html (self-contained), histogram.png, slices-heat.png
@@ -66,6 +69,11 @@ struct HeatReportContent
  * and std::invalid_argument for incomplete content. \ingroup HeatTools */
 HeatTools_EXPORT void
 WriteHeatReport(const HeatReportContent & content, const std::string & folder, const OutputPath & outputPath);
+
+/** Writes the page explorer.html of what the report shows; the time step of the report is added as the last one where
+ * it is not there. Throws OutputError. \ingroup HeatTools */
+HeatTools_EXPORT void
+WriteExplorer(const HeatReportContent & content, HeatExplorer & explorer);
 
 /** The classes as a table: label, lowerHeat, upperHeat, meanHeat, voxels, volume (mm^3), borderShare, components,
  * normalizedHeat, and the colour in pictures ("#rrggbb"; empty for the background). For visits, Density in place of

@@ -19,8 +19,8 @@ class DicomMapOutput;
  * \brief The files that a tool of heat diffusion writes, by the parameters of its XML.
  *
  * outputHeat, initialHeatOutput and labels are volumes, classTable and histogramTable CSV, histogram a PNG, report a
- * folder. Those that were not given are not written. A record of the run (`<outputHeat>.run.json`) is. Volumes carry
- * the provenance of the run, heat also its time step (key `timeStep`).
+ * folder, which gets a HeatExplorer, too. Those that were not given are not written. A record of the run
+ * (`<outputHeat>.run.json`) is. Volumes carry the provenance of the run, heat also its time step (key `timeStep`).
  *
  * \ingroup HeatTools
  */
@@ -30,6 +30,7 @@ public:
   /** Registers the outputs. Throws ParameterError for a volume whose extension cannot be written, and OutputError where
    * nothing can be written. */
   explicit HeatResultFiles(CommandLine & commandLine);
+  ~HeatResultFiles();
 
   bool
   WantInitialHeat() const
@@ -55,7 +56,8 @@ public:
   void
   WriteInitialHeat(const itk::Image<float, 3> * heat) const;
 
-  /** Writes the heat after a time step into a folder of snapshots; see HeatSnapshotName(). */
+  /** Writes the heat after a time step into a folder of snapshots, see HeatSnapshotName(), unless its name is empty,
+   * and adds it to the explorer of the report. */
   void
   WriteSnapshot(const itk::Image<float, 3> * heat, std::uint64_t timeStep, const std::string & folder) const;
 
@@ -72,6 +74,8 @@ private:
   std::string                           m_HistogramTable;
   std::string                           m_Report;
   std::shared_ptr<const DicomMapOutput> m_DicomMap;
+
+  std::unique_ptr<HeatExplorer> m_Explorer; // null without a report
 };
 } // namespace shapeton
 

@@ -41,8 +41,9 @@ HeatTools_EXPORT void
 ResumeFromCheckpoint(CommandLine & commandLine, ShapetonDiffusionImageFilter<itk::Image<float, 3>> * filter);
 
 /** \class ShapetonMonitor
- * \brief What a tool shows and saves while shapetons diffuse, by the parameters of its XML: `preview`, a PNG that is
- * replaced every `previewEvery` seconds, and `checkpoint`, a saved state that is replaced about every minute.
+ * \brief What a tool shows and saves while shapetons diffuse, by the parameters of its XML: `preview`, a PNG or the
+ * page of LiveExplorer (.html) that is replaced every `previewEvery` seconds, and `checkpoint`, a saved state that is
+ * replaced about every minute.
  *
  * Both are replaced once more by Finish(). The picture states a rate and is, unlike results, not the same in two runs.
  *

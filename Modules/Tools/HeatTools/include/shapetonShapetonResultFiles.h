@@ -28,9 +28,9 @@ HeatTools_EXPORT HeatReportContent::Facts
 /** \class ShapetonResultFiles
  * \brief The files that the tool of shapeton diffusion writes, by the parameters of its XML.
  *
- * outputDensity and labels are volumes, classTable a CSV, report a folder. Those that were not given are not written. A
- * record of the run (`<outputDensity>.run.json`) is. The density holds visits and states its time step (key `timeStep`)
- * and provenance.
+ * outputDensity and labels are volumes, classTable a CSV, report a folder, which gets a HeatExplorer, too. Those that
+ * were not given are not written. A record of the run (`<outputDensity>.run.json`) is. The density holds visits and
+ * states its time step (key `timeStep`) and provenance.
  *
  * \ingroup HeatTools
  */
@@ -42,6 +42,7 @@ public:
   /** Registers the outputs. Throws ParameterError for a volume whose extension cannot be written, and OutputError where
    * nothing can be written. */
   explicit ShapetonResultFiles(CommandLine & commandLine);
+  ~ShapetonResultFiles();
 
   /** Whether the histogram is needed. */
   bool
@@ -60,6 +61,8 @@ private:
   std::string                           m_ClassTable;
   std::string                           m_Report;
   std::shared_ptr<const DicomMapOutput> m_DicomMap;
+
+  std::unique_ptr<HeatExplorer> m_Explorer; // null without a report
 };
 } // namespace shapeton
 

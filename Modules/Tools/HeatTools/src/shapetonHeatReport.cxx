@@ -178,6 +178,13 @@ AxisOf(const HeatReportContent & content)
   return HeatAxis(content.axisHistogram ? *content.axisHistogram : *content.histogram, content.scale);
 }
 
+ShapeTransferFunction
+ShownLines(const HeatReportContent & content)
+{
+  return content.transferFunction ? *content.transferFunction
+                                  : ShapeTransferFunction::FromClasses(content.classes, AxisOf(content));
+}
+
 std::string
 TitleOfHistogram(const ShapeQuantity & quantity)
 {
@@ -381,6 +388,22 @@ RunRemarks(const CumulativeHeatDiffusionResult & result, bool untilSteady, std::
 }
 
 void
+WriteExplorer(const HeatReportContent & content, HeatExplorer & explorer)
+{
+  explorer.AddStep(content.heat, content.timeStep.value_or(0));
+  HeatExplorerContent page;
+  page.title = content.title;
+  page.quantity = content.quantity;
+  page.histogram = content.histogram;
+  page.axisHistogram = content.axisHistogram;
+  page.scale = content.scale;
+  page.grey = content.grey;
+  page.window = content.window;
+  page.lines = ShownLines(content);
+  explorer.Write(page);
+}
+
+void
 WriteHeatReport(const HeatReportContent & content, const std::string & folder, const OutputPath & outputPath)
 {
   if (!content.histogram || !content.grey || !content.heat)
@@ -388,9 +411,8 @@ WriteHeatReport(const HeatReportContent & content, const std::string & folder, c
     throw std::invalid_argument("a heat report needs a histogram, an image and a heat volume");
   }
   const HeatAxis              axis = AxisOf(content);
-  const ShapeTransferFunction transferFunction =
-    content.transferFunction ? *content.transferFunction : ShapeTransferFunction::FromClasses(content.classes, axis);
-  const std::string time =
+  const ShapeTransferFunction transferFunction = ShownLines(content);
+  const std::string           time =
     content.timeStep ? " after " + GroupedDigits(*content.timeStep) + " time steps" : std::string();
 
   HtmlReport html(content.title);
@@ -406,6 +428,11 @@ WriteHeatReport(const HeatReportContent & content, const std::string & folder, c
              DrawHistogram(content),
              "Numbers of voxels by " + quantity.name +
                " and time step; the bars below are the classes in their colours.");
+  if (content.hasExplorer)
+  {
+    html.AddMarkup("<p><a href=\"explorer.html\">Heat explorer</a>: pick lines of this histogram by hand; slices and "
+                   "rendering follow.</p>");
+  }
   html.AddHeading("Classes");
   html.AddTable(ReadableClassTable(content.classes, axis, quantity), "Classes" + time + ", by " + quantity.name);
   addPicture("slices-classes.png",

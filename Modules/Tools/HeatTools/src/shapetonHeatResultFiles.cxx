@@ -3,6 +3,7 @@
 #include "shapetonCommandLine.h"
 #include "shapetonDicomMapOutput.h"
 #include "shapetonHeatSnapshot.h"
+#include "shapetonReportFolder.h"
 #include "shapetonVolumeOutput.h"
 
 namespace shapeton
@@ -21,9 +22,11 @@ HeatResultFiles::HeatResultFiles(CommandLine & commandLine)
   commandLine.RecordRun(commandLine.GetString("outputHeat") + ".run.json");
   if (!m_Report.empty())
   {
-    commandLine.MakeFolder(m_Report);
+    m_Explorer = MakeExplorer(commandLine, m_Report);
   }
 }
+
+HeatResultFiles::~HeatResultFiles() = default;
 
 void
 HeatResultFiles::Write(const HeatReportContent & content, const itk::Image<unsigned char, 3> * labels) const
@@ -48,7 +51,10 @@ HeatResultFiles::Write(const HeatReportContent & content, const itk::Image<unsig
   }
   if (!m_Report.empty())
   {
-    WriteHeatReport(content, m_Report, [this](const std::string & path) { return m_CommandLine.Output(path); });
+    HeatReportContent report(content);
+    report.hasExplorer = true;
+    WriteExplorer(report, *m_Explorer);
+    WriteHeatReport(report, m_Report, [this](const std::string & path) { return m_CommandLine.Output(path); });
   }
 }
 
@@ -63,7 +69,14 @@ HeatResultFiles::WriteSnapshot(const itk::Image<float, 3> * heat,
                                std::uint64_t                timeStep,
                                const std::string &          folder) const
 {
-  this->WriteHeat(heat, timeStep, m_CommandLine.Output(folder + '/' + HeatSnapshotName(timeStep)));
+  if (!folder.empty())
+  {
+    this->WriteHeat(heat, timeStep, m_CommandLine.Output(folder + '/' + HeatSnapshotName(timeStep)));
+  }
+  if (m_Explorer)
+  {
+    m_Explorer->AddStep(heat, timeStep);
+  }
 }
 
 void

@@ -4,6 +4,7 @@
 #include "shapetonCommandLine.h"
 #include "shapetonCsvTable.h"
 #include "shapetonHeatColoring.h"
+#include "shapetonLiveExplorer.h"
 #include "shapetonShapeAnalysis.h"
 #include "shapetonSliceMontage.h"
 #include "shapetonExceptions.h"
@@ -13,6 +14,7 @@
 
 #include <chrono>
 #include <cmath>
+#include <filesystem>
 #include <fstream>
 
 namespace shapeton
@@ -119,8 +121,27 @@ struct ShapetonMonitor::Impl
   {
     commandLine.LeaveOutOfProvenance("previewEvery");
     // Refused now if they cannot be written.
-    Register(preview);
     Register(checkpoint);
+    if (std::filesystem::path(preview).extension() == ".html")
+    {
+      RegisterPage();
+    }
+    else
+    {
+      Register(preview);
+    }
+  }
+
+  void
+  RegisterPage()
+  {
+    page.emplace(preview, [this](const std::string & path) { return temporary.at(path); });
+    commandLine.MakeFolder(page->DataFolder());
+    for (const std::string & path : page->PageFiles())
+    {
+      Register(path);
+    }
+    Register(page->StateFile());
   }
 
   void
@@ -150,18 +171,55 @@ struct ShapetonMonitor::Impl
   }
 
   void
-  WritePreview(double stepsPerSecond)
+  WritePreview(double stepsPerSecond, bool isFinished)
   {
+    const ShapetonMeasures & measures = filter->GetMeasures();
+    const double             epsilon = filter->GetAutomaticEpsilon() ? measures.automaticEpsilon : filter->GetEpsilon();
+    const ShapetonProgress   progress{ measures, filter->GetTimeSteps(), stepsPerSecond, epsilon };
+    if (page)
+    {
+      WritePage();
+      page->WriteState(AnalyzeVisits(filter->GetOutput(), measures.step),
+                       { measures.step, DescribeProgress(progress), isFinished });
+      return;
+    }
     if (!cut)
     {
       cut = MiddleOfObjects(filter->GetInput(), filter->GetWindowLower());
     }
-    const ShapetonMeasures & measures = filter->GetMeasures();
-    const double             epsilon = filter->GetAutomaticEpsilon() ? measures.automaticEpsilon : filter->GetEpsilon();
-    WritePng(
-      DrawShapetonPreview(
-        filter->GetInput(), filter->GetOutput(), *cut, { measures, filter->GetTimeSteps(), stepsPerSecond, epsilon }),
-      temporary[preview]);
+    WritePng(DrawShapetonPreview(filter->GetInput(), filter->GetOutput(), *cut, progress), temporary[preview]);
+  }
+
+  /** All that does not change, the first time. */
+  void
+  WritePage()
+  {
+    if (!isPageWritten)
+    {
+      HeatExplorerContent content;
+      content.title = "Shapeton diffusion";
+      content.grey = filter->GetInput();
+      page->WritePage(content, previewEvery);
+      isPageWritten = true;
+    }
+  }
+
+  void
+  PublishPreview()
+  {
+    if (!page)
+    {
+      Publish(preview);
+      return;
+    }
+    for (const std::string & path : page->PageFiles())
+    {
+      if (temporary.erase(path) > 0)
+      {
+        commandLine.Publish(path);
+      }
+    }
+    Publish(page->StateFile());
   }
 
   void
@@ -179,10 +237,12 @@ struct ShapetonMonitor::Impl
   void
   Look()
   {
-    if (!preview.empty() && SecondsSince(previewTime) >= previewEvery)
+    if (!preview.empty() && SecondsSince(previewTime) >= std::max(previewEvery, 5.0 * secondsOfPreview))
     {
-      WritePreview(RateSinceLastPreview());
-      Publish(preview);
+      const double rate = RateSinceLastPreview();
+      WritePreview(rate, false);
+      PublishPreview();
+      secondsOfPreview = SecondsSince(previewTime);
     }
     if (!checkpoint.empty() && SecondsSince(checkpointTime) >= secondsBetweenCheckpoints)
     {
@@ -199,6 +259,9 @@ struct ShapetonMonitor::Impl
   const double                       previewEvery;
   std::map<std::string, std::string> temporary;
   std::optional<itk::Index<3>>       cut;
+  std::optional<LiveExplorer>        page; // where the preview is one
+  bool                               isPageWritten{ false };
+  double                             secondsOfPreview{ 0.0 }; // the last one took
   unsigned long                      observer{ 0 };
   const Clock::time_point            start{ Clock::now() };
   Clock::time_point                  previewTime{ start };
@@ -222,8 +285,8 @@ ShapetonMonitor::Finish()
 {
   if (!m_Impl->preview.empty())
   {
-    m_Impl->WritePreview(static_cast<double>(m_Impl->filter->GetMeasures().step) /
-                         std::max(1e-9, SecondsSince(m_Impl->start)));
+    m_Impl->WritePreview(
+      static_cast<double>(m_Impl->filter->GetMeasures().step) / std::max(1e-9, SecondsSince(m_Impl->start)), true);
   }
   if (!m_Impl->checkpoint.empty())
   {

@@ -3,6 +3,7 @@
 #include "shapetonAxisTicks.h"
 #include "shapetonCommandLine.h"
 #include "shapetonDicomMapOutput.h"
+#include "shapetonReportFolder.h"
 #include "shapetonShapeAnalysis.h"
 #include "shapetonVolumeOutput.h"
 #include "shapetonVolume.h"
@@ -127,9 +128,11 @@ ShapetonResultFiles::ShapetonResultFiles(CommandLine & commandLine)
   commandLine.RecordRun(commandLine.GetString("outputDensity") + ".run.json");
   if (!m_Report.empty())
   {
-    commandLine.MakeFolder(m_Report);
+    m_Explorer = MakeExplorer(commandLine, m_Report);
   }
 }
+
+ShapetonResultFiles::~ShapetonResultFiles() = default;
 
 void
 ShapetonResultFiles::Write(const FilterType * filter, const Volume & volume) const
@@ -172,6 +175,8 @@ ShapetonResultFiles::Write(const FilterType * filter, const Volume & volume) con
   }
   if (!m_Report.empty())
   {
+    content.hasExplorer = true;
+    WriteExplorer(content, *m_Explorer);
     WriteHeatReport(content, m_Report, [this](const std::string & path) { return m_CommandLine.Output(path); });
   }
 }

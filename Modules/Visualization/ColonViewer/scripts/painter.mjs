@@ -1,3 +1,4 @@
+import { glProgram } from '../../PageKit/scripts/gl.mjs';
 import { cross, dot, matricesOf, norm, sub, unit } from '../../PageKit/scripts/math.mjs';
 
 const VERTEX = `
@@ -29,22 +30,7 @@ export class Painter {
   constructor() {
     this.canvas = document.createElement('canvas');
     this.gl = this.canvas.getContext('webgl2', { antialias: false, alpha: false, powerPreference: 'high-performance' });
-    if (this.gl) this.compile();
-  }
-
-  compile() {
-    const { gl } = this, program = (this.program = gl.createProgram());
-    for (const [type, text] of [[gl.VERTEX_SHADER, VERTEX], [gl.FRAGMENT_SHADER, FRAGMENT]]) {
-      const shader = gl.createShader(type);
-      gl.shaderSource(shader, `#version 300 es\nprecision highp float;\n${text}`);
-      gl.compileShader(shader);
-      if (!gl.getShaderParameter(shader, gl.COMPILE_STATUS)) throw new Error(gl.getShaderInfoLog(shader));
-      gl.attachShader(program, shader);
-    }
-    gl.linkProgram(program);
-    if (!gl.getProgramParameter(program, gl.LINK_STATUS)) throw new Error(gl.getProgramInfoLog(program));
-    const names = ['view', 'projection', 'reach', 'clear'];
-    this.uniforms = Object.fromEntries(names.map((name) => [name, gl.getUniformLocation(program, name)]));
+    if (this.gl) Object.assign(this, glProgram(this.gl, VERTEX, FRAGMENT));
   }
 
   // points Float32Array, normals Int8Array of 4, colours Uint8Array of 4, faces Uint32Array.

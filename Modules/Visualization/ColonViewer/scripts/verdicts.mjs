@@ -1,10 +1,6 @@
-const VERDICTS = ['unread', 'polyp', 'not a polyp', 'unsure'];
+import { element, saveFile } from '../../PageKit/scripts/page.mjs';
 
-function element(tag, properties = {}, children = []) {
-  const e = Object.assign(document.createElement(tag), properties);
-  e.append(...children);
-  return e;
-}
+const VERDICTS = ['unread', 'polyp', 'not a polyp', 'unsure'];
 
 // What a person thinks of the candidates, and findings of their own; the list beside the views. Saved as verdicts.json.
 export class Verdicts {
@@ -130,9 +126,7 @@ export class Verdicts {
   }
 
   save() {
-    const text = `${JSON.stringify(this.document(), null, 2)}\n`, url = URL.createObjectURL(new Blob([text], { type: 'application/json' }));
-    element('a', { href: url, download: 'verdicts.json' }).click();
-    setTimeout(() => URL.revokeObjectURL(url), 10000);
+    saveFile('verdicts.json', `${JSON.stringify(this.document(), null, 2)}\n`, 'application/json');
     this.isSaved = true;
     this.actions.changed();
   }

@@ -9,6 +9,7 @@ import { Painter } from './painter.mjs';
 import { Panel } from './panel.mjs';
 import { Verdicts } from './verdicts.mjs';
 import { toggle } from '../../PageKit/scripts/keys.mjs';
+import { byId, letGo, notice, openPage } from '../../PageKit/scripts/page.mjs';
 import { scaleViews, View } from '../../PageKit/scripts/view.mjs';
 
 const DOUBTFUL = 0.3; // below this confidence of the map the other position is dimmed
@@ -38,23 +39,7 @@ const PAGE = `
 </footer>
 <dialog id="keys"></dialog>`;
 
-// After a click with the mouse keys go to the views again; who came by keyboard stays.
-const letGo = (e) => { if (e.detail) e.target.blur(); };
-
-const $ = (id) => document.getElementById(id);
-
-// A sentence for the reader that stays.
-function notice(text) {
-  const p = document.createElement('p');
-  p.textContent = text;
-  $('notices').append(p);
-}
-
-// Why nothing can be shown at all.
-function refuse(text) {
-  document.body.classList.add('failed');
-  notice(text);
-}
+const $ = byId;
 
 // Panels of one or two positions, linked by the registration, and what acts on them.
 class Viewer {
@@ -301,14 +286,5 @@ async function open(folder) {
 // folder: where the scripts of data lie beside the page; null: they are in the page.
 export async function startColonViewer(folder) {
   document.body.innerHTML = PAGE;
-  if (typeof DecompressionStream === 'undefined') {
-    refuse('This browser cannot unpack the data (it lacks DecompressionStream): take Firefox 113, Chrome 80, Safari 16.4 or newer.');
-    return;
-  }
-  try {
-    await open(folder);
-  } catch (error) {
-    refuse(error.message);
-    throw error;
-  }
+  await openPage(() => open(folder));
 }

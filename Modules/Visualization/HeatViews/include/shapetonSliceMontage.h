@@ -31,6 +31,11 @@ struct SliceMontageOptions
   unsigned int width{ 1200 };
 };
 
+/** The window itself, or where it is the default, the quantiles of the image that it stands for.
+ * \ingroup HeatViews */
+HeatViews_EXPORT IntensityWindow
+WindowOf(const itk::Image<float, 3> * grey, const IntensityWindow & window);
+
 /** Three orthogonal slices, axial, coronal and sagittal, of the grey image with the colours of the heat over it.
  *
  * The slices follow the volume's own axes; each is shown the radiological way, as near as these axes allow (axial: the

@@ -86,31 +86,6 @@ MostColorfulCut(const ImageType * heat, const HeatColoring & coloring)
   return cut;
 }
 
-IntensityWindow
-WindowOf(const ImageType * grey, const IntensityWindow & window)
-{
-  if (window.lower < window.upper)
-  {
-    return window;
-  }
-  constexpr std::size_t greatestSample = 1000000;
-  const std::size_t     number = grey->GetBufferedRegion().GetNumberOfPixels();
-  const std::size_t     stride = number / greatestSample + 1;
-  std::vector<float>    sample;
-  for (std::size_t i = 0; i < number; i += stride)
-  {
-    sample.push_back(grey->GetBufferPointer()[i]);
-  }
-  const auto quantile = [&](double share) {
-    const auto place = sample.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(sample.size() - 1));
-    std::nth_element(sample.begin(), place, sample.end());
-    return static_cast<double>(*place);
-  };
-  const double lower = quantile(0.005);
-  const double upper = quantile(0.995);
-  return upper > lower ? IntensityWindow{ lower, upper } : IntensityWindow{ lower, lower + 1.0 };
-}
-
 /** The extent, in mm, of the volume along an axis. */
 double
 LengthOf(const itk::ImageBase<3> * image, unsigned int axis)
@@ -167,6 +142,31 @@ Check(const ImageType * grey, const ImageType * heat, const SliceMontageOptions 
   }
 }
 } // namespace
+
+IntensityWindow
+WindowOf(const ImageType * grey, const IntensityWindow & window)
+{
+  if (window.lower < window.upper)
+  {
+    return window;
+  }
+  constexpr std::size_t greatestSample = 1000000;
+  const std::size_t     number = grey->GetBufferedRegion().GetNumberOfPixels();
+  const std::size_t     stride = number / greatestSample + 1;
+  std::vector<float>    sample;
+  for (std::size_t i = 0; i < number; i += stride)
+  {
+    sample.push_back(grey->GetBufferPointer()[i]);
+  }
+  const auto quantile = [&](double share) {
+    const auto place = sample.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(sample.size() - 1));
+    std::nth_element(sample.begin(), place, sample.end());
+    return static_cast<double>(*place);
+  };
+  const double lower = quantile(0.005);
+  const double upper = quantile(0.995);
+  return upper > lower ? IntensityWindow{ lower, upper } : IntensityWindow{ lower, lower + 1.0 };
+}
 
 Picture::Pointer
 DrawSliceMontage(const itk::Image<float, 3> * grey,

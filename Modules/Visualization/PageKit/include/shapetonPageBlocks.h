@@ -44,11 +44,11 @@ public:
   PutJson(const std::string & name, const Json & value);
 
   /** The script elements of a single page; empty otherwise. */
-  const std::string &
-  Inline() const
-  {
-    return m_Inline;
-  }
+  std::string
+  Inline() const;
+  /** The blocks of a single page as one script, for a file that is replaced while the page shows it. */
+  std::string
+  Script() const;
 
 private:
   void
@@ -59,7 +59,8 @@ private:
   std::string m_Folder;
   bool        m_IsSingle;
   OutputPath  m_OutputPath;
-  std::string m_Inline;
+
+  std::vector<std::string> m_Scripts; // of a single page
 };
 } // namespace shapeton
 

@@ -56,10 +56,11 @@ async function decode({ header, body }) {
   return Object.assign(header.step ? realsOf(values, header) : values, { header });
 }
 
-// The array of a block, with its header, or the value of a JSON block. folder: null where all blocks are in the page.
-export async function readBlock(folder, name) {
+// The array of a block, with its header, or the value of a JSON block. folder: null where all blocks are in the page. version: what
+// tells a file that was replaced from the one before.
+export async function readBlock(folder, name, version = '') {
   const file = folder === null ? 'this page' : `${folder}/${name.replaceAll('/', '-')}.js`;
-  if (!blocks.has(name) && folder !== null) await loadScript(file);
+  if (!blocks.has(name) && folder !== null) await loadScript(file + version);
   const found = blocks.get(name);
   blocks.delete(name);
   const damaged = (why) => new Error(`The data "${name}" in ${file} is damaged (${why}): make the page again.`);

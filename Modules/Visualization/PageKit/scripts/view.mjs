@@ -24,6 +24,7 @@ export class View {
     c.addEventListener('pointerdown', (e) => {
       c.setPointerCapture(e.pointerId);
       down = { ...at(e), button: e.button, moved: false };
+      this.grab(down, e.shiftKey);
     });
     c.addEventListener('pointermove', (e) => {
       const { x, y } = at(e);
@@ -38,7 +39,8 @@ export class View {
     });
     c.addEventListener('pointerup', (e) => {
       const { x, y } = at(e);
-      if (down && !down.moved && down.button === 0 && this.pick(x, y)) this.clicked();
+      if (down?.moved) this.drop({ x, y }, down.button);
+      else if (down?.button === 0 && this.pick(x, y)) this.clicked();
       down = null;
     });
     c.addEventListener('pointercancel', () => { down = null; });
@@ -52,7 +54,9 @@ export class View {
   get w() { return this.box.clientWidth / View.scale; }
   get h() { return this.box.clientHeight / View.scale; }
   hover(x, y, isShift) { if (isShift) this.pick(x, y); } // as in 3D Slicer
+  grab() {}  // where a button went down, and whether with Shift
   drag() {}  // by dx, dy with a button, to {x, y, isShift}
+  drop() {}  // after a drag
   wheel() {} // a step towards or away, where, whether with Ctrl, and how far
   pick() { return false; } // moves the crosshair to a pixel; false where nothing is
   clicked() {}             // after a click that has moved the crosshair

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <stdexcept>
 
 namespace shapeton
@@ -136,6 +137,23 @@ PageBlocks::PutJson(const std::string & name, const Json & value)
   this->PutScript(name, "block(" + ScriptText(name) + ",null," + ScriptText(value) + ");\n");
 }
 
+std::string
+PageBlocks::Inline() const
+{
+  std::string elements;
+  for (const std::string & script : m_Scripts)
+  {
+    elements += "<script>" + script + "</script>\n";
+  }
+  return elements;
+}
+
+std::string
+PageBlocks::Script() const
+{
+  return std::accumulate(m_Scripts.begin(), m_Scripts.end(), std::string());
+}
+
 void
 PageBlocks::PutBytes(const std::string & name, const Json & header, const std::string & bytes)
 {
@@ -148,7 +166,7 @@ PageBlocks::PutScript(const std::string & name, const std::string & script)
 {
   if (m_IsSingle)
   {
-    m_Inline += "<script>" + script + "</script>\n";
+    m_Scripts.push_back(script);
   }
   else
   {

@@ -1,0 +1,424 @@
+import { readBlock } from '../../PageKit/scripts/bytes.mjs';
+import { clamp } from '../../PageKit/scripts/math.mjs';
+import { toggle } from '../../PageKit/scripts/keys.mjs';
+import { byId, letGo, notice, openPage, saveFile } from '../../PageKit/scripts/page.mjs';
+import { scaleViews, View } from '../../PageKit/scripts/view.mjs';
+import { equalization, HeatAxis, rangeOfCounts } from './axis.mjs';
+import { History } from './history.mjs';
+import { HistogramView } from './histogram.mjs';
+import { explorerKeys } from './keys.mjs';
+import { fillLineList, shortNumber } from './line-list.mjs';
+import { lineAround, lineNear } from './line-search.mjs';
+import {
+  binOf, linesFromText, linesOfBins, lowerEdge, MOST_LINES, NUMBER_OF_BINS, premultiplied, savedText, volumeProperty, withLine,
+} from './lines.mjs';
+import { RenderingView } from './rendering.mjs';
+import { HeatSliceView, paintsOf } from './slices.mjs';
+
+const CURSOR_STEP = 4; // pixels
+const KEPT_STEPS = 2;  // volumes of time steps that are kept in memory
+
+const PAGE = `
+<header>
+  <b id="title"></b><label>time step <select id="steps"></select></label><span id="ranges"></span>
+  <button id="undo">Undo</button><button id="redo">Redo</button>
+  <button id="vp">Save .vp for 3D Slicer</button><button id="json">Save JSON</button>
+  <button id="open">Open JSON</button><input type="file" id="file" accept=".json" hidden>
+  <button id="help">Help ?</button><span id="unsaved"></span><span id="progress"></span>
+</header>
+<main id="views"></main>
+<aside><div id="notices" role="alert"></div><ol id="lines"></ol></aside>
+<footer><span id="status" role="status"></span><b>For research use; not a diagnosis. This page holds the volume.</b></footer>
+<dialog id="keys"></dialog>`;
+
+// The lines picked on the histogram of a volume, and all views of them. What can be undone is in `history`: time step, lines, opened
+// ranges; crosshair, chosen line and camera are not.
+class HeatExplorer {
+  constructor(folder, info, grey, histogram, axisCounts) {
+    const { volume } = info, state = { step: info.stored.at(-1), lines: shownLines(info.lines), ranges: [] };
+    Object.assign(this, { folder, info, volume, grey, isEqualized: info.isEqualized, live: null });
+    Object.assign(this, { times: {}, steps: new Map(), chosen: -1, busy: 0, isSaved: true, history: new History(state) });
+    this.place = volume.size.map((n) => n >> 1);
+    this.setHistogram(histogram, axisCounts);
+  }
+
+  setHistogram(histogram, axisCounts) {
+    Object.assign(this, { histogram, shares: equalization(axisCounts), whole: rangeOfCounts(axisCounts), axisKey: null });
+    this.setAxis();
+  }
+
+  get state() { return this.history.state; }
+  get lines() { return this.state.lines; }
+  get step() { return this.live ? this.info.stored[0] : this.state.step; }
+
+  makeViews() {
+    const root = byId('views');
+    this.histogramView = new HistogramView(root, this);
+    this.rendering = new RenderingView(root, this);
+    this.slices = this.info.planes.map((plane) => new HeatSliceView(root, this, plane));
+    if (!this.rendering.isPossible) notice('This browser has no WebGL 2: histogram, slices and files work, the volume in space does not.');
+    if (this.volume.stride > 1) notice(`The volume is large: of each axis every ${this.volume.stride}. voxel is shown.`);
+    this.listen();
+  }
+
+  listen() {
+    const on = (id, act) => { byId(id).onclick = (e) => { act(); letGo(e); }; };
+    on('undo', () => this.undo());
+    on('redo', () => this.redo());
+    on('vp', () => this.saveVp());
+    on('json', () => this.saveJson());
+    on('open', () => this.openFile());
+    on('help', () => this.toggleHelp());
+    byId('file').onchange = () => this.read(byId('file').files[0]);
+    byId('steps').onchange = () => { this.showStep(Number(byId('steps').value)); byId('steps').blur(); };
+    explorerKeys.listen(this);
+    addEventListener('resize', scaleViews);
+    addEventListener('beforeunload', (e) => { if (!this.isSaved) e.preventDefault(); });
+    scaleViews();
+    explorerKeys.fillHelp(byId('keys'));
+  }
+
+  // ---- states ----
+  change(part, kind = null) {
+    this.history.change({ ...this.state, ...part }, kind);
+    this.isSaved = false;
+    return this.follow(kind);
+  }
+
+  undo() { this.history.undo(); return this.follow(); }
+  redo() { this.history.redo(); return this.follow(); }
+
+  // Shows the state of the history. kind: of a slider, which stays while it is moved.
+  async follow(kind = null) {
+    const { step } = this;
+    this.busy++;
+    try {
+      const shown = await this.load(step);
+      if (step !== this.step) return; // another change came meanwhile
+      Object.assign(this, shown);
+      this.chosen = Math.min(this.chosen, this.lines.length - 1);
+      this.setAxis();
+      this.recolour();
+      if (kind === null) fillLineList(byId('lines'), this);
+      this.tell();
+    } catch (error) { // of data that cannot be read
+      notice(error.message);
+      this.history.drop();
+      this.tell();
+    } finally {
+      this.busy--;
+    }
+  }
+
+  // A newer state of a run that goes on.
+  take({ state, histogram, axisCounts, live }) {
+    Object.assign(this.info, state);
+    this.live = live;
+    this.setHistogram(histogram, axisCounts);
+    if (!this.history.before.length) this.history = new History({ ...this.state, lines: shownLines(state.lines) });
+    return this.follow();
+  }
+
+  // The bins of a time step and how many voxels each holds.
+  async load(step) {
+    const { steps } = this;
+    if (this.live) return this.live;
+    if (!steps.has(step)) {
+      const started = performance.now();
+      steps.set(step, counted(await readBlock(this.folder, `bins-${step}`)));
+      if (steps.size > KEPT_STEPS) steps.delete(steps.keys().next().value);
+      this.times.step = performance.now() - started;
+    }
+    return steps.get(step);
+  }
+
+  // Tables of bins give each voxel the number of its line, and colour times opacity.
+  recolour() {
+    const started = performance.now(), { bins, lines } = this, seen = [0, ...lines.map(premultiplied)];
+    this.numbers = linesOfBins(lines);
+    this.colours = Uint32Array.from(this.numbers, (n) => seen[n]);
+    this.paints = paintsOf(lines);
+    this.rendering.load(bins, this.numbers, this.colours);
+    this.repaint();
+    this.times.recolour = performance.now() - started;
+  }
+
+  setAxis() {
+    const key = JSON.stringify([this.state.ranges, this.isEqualized]);
+    if (key === this.axisKey) return;
+    this.axisKey = key;
+    const full = this.isEqualized ? this.whole : [0, this.whole[1]];
+    this.axis = new HeatAxis(this.shares, this.isEqualized, this.state.ranges.at(-1) ?? full);
+  }
+
+  repaint() { [this.histogramView, ...this.slices].forEach((view) => view.changed()); }
+
+  // ---- picking ----
+  pickAt(position, reach) {
+    const heat = this.axis.heatAt(position), { lower, upper } = this.axis;
+    const here = this.lines.findIndex((l) => l.lower <= heat && heat < l.upper && (l.lower > lower || l.upper < upper));
+    if (here >= 0) { this.choose(here); return; }
+    const found = lineNear(this.counts, this.axis, position, reach);
+    if (found) this.pick(...found); else this.tell(`no voxel has ${this.info.quantity.name} ${shortNumber(heat)} in this time step`);
+  }
+
+  // From place to place on the axis: whole bins.
+  rangeOf(a, b) { return [lowerEdge(binOf(this.axis.heatAt(a))), lowerEdge(binOf(this.axis.heatAt(b)) + 1)]; }
+  pickPlaces(a, b) { this.pick(...this.rangeOf(a, b)); }
+  openPlaces(a, b) { this.openRange(...this.rangeOf(a, b)); }
+
+  pick(lower, upper) {
+    const { lineColours } = this.info, colour = lineColours.find((c) => this.lines.every((l) => l.colour !== c)) ?? lineColours[0];
+    this.setLines(withLine(this.lines, { lower, upper, colour, opacity: 0.6, isOn: true }), lower);
+  }
+
+  setLines(lines, lower, kind = null) {
+    if (lines.length > MOST_LINES) { this.tell(`there is no room for more than ${MOST_LINES} lines: remove one first`); return; }
+    this.chosen = lines.findIndex((l) => l.lower === lower);
+    this.change({ lines }, kind);
+  }
+
+  pickHere() {
+    const bin = this.bins[this.voxel];
+    if (bin) this.pick(...lineAround(this.counts, bin)); else this.tell('the voxel under the crosshair is background');
+  }
+
+  openAt(position) {
+    const heat = this.axis.heatAt(position), line = this.lines.find((l) => l.lower <= heat && heat < l.upper);
+    if (line) this.openRange(line.lower, line.upper);
+  }
+
+  openRange(lower, upper) {
+    const { ranges } = this.state, [from, to] = [Math.max(lower, this.axis.lower), Math.min(upper, this.axis.upper)];
+    if (from >= to || (from === this.axis.lower && to === this.axis.upper)) return;
+    this.change({ ranges: [...ranges, [from, to]] });
+  }
+
+  closeRange() { if (this.state.ranges.length) this.change({ ranges: this.state.ranges.slice(0, -1) }); }
+  openChosen() { const line = this.lines[this.chosen]; if (line) this.openRange(line.lower, line.upper); }
+  toggleScale() { this.isEqualized = !this.isEqualized; this.setAxis(); this.repaint(); this.tell(); }
+  showStep(step) { if (step !== this.step) this.change({ step }); }
+
+  nextStep(by) {
+    const { stored } = this.info;
+    this.showStep(stored[clamp(stored.indexOf(this.step) + by, 0, stored.length - 1)]);
+  }
+
+  // ---- the cursor of the keyboard ----
+  moveCursor(by) {
+    const { histogramView: view } = this, width = CURSOR_STEP / view.plot.width;
+    view.cursor = clamp(view.cursor + by * width, 0, 1);
+    this.isKeyboard = true;
+    if (this.mark !== undefined) view.selection = [this.mark, view.cursor];
+    view.changed();
+    this.tell(`cursor at ${shortNumber(this.axis.heatAt(view.cursor))}`);
+  }
+
+  toggleMark() {
+    const { histogramView: view } = this;
+    this.mark = this.mark === undefined ? view.cursor : undefined;
+    view.selection = this.mark === undefined ? null : [this.mark, this.mark];
+    view.changed();
+  }
+
+  pickAtCursor() {
+    const { histogramView: view, mark } = this;
+    if (mark === undefined) { this.pickAt(view.cursor, 2 * CURSOR_STEP / view.plot.width); return; }
+    this.toggleMark();
+    this.pickPlaces(...[mark, view.cursor].sort((a, b) => a - b));
+  }
+
+  // ---- lines ----
+  choose(i) { this.chosen = i; fillLineList(byId('lines'), this); this.histogramView.changed(); this.tell(); }
+  stepLine(by) { const n = this.lines.length; if (n) this.choose((Math.max(this.chosen, by < 0 ? 0 : -1) + by + n) % n); }
+  removeLine(i) { this.change({ lines: this.lines.filter((_, k) => k !== i) }); }
+  removeChosen() { if (this.lines[this.chosen]) this.removeLine(this.chosen); }
+
+  alterLine(i, part, kind = null) {
+    this.chosen = i;
+    this.change({ lines: this.lines.map((line, k) => (k === i ? { ...line, ...part } : line)) }, kind && `${kind} ${i}`);
+  }
+
+  alterChosen(change) { const line = this.lines[this.chosen]; if (line) this.alterLine(this.chosen, change(line)); }
+  addOpacity(by) { this.alterChosen((line) => ({ opacity: Math.round(100 * clamp(line.opacity + by, 0, 1)) / 100 })); }
+  toggleLine() { this.alterChosen((line) => ({ isOn: !line.isOn })); }
+
+  nextColour() {
+    const { lineColours } = this.info;
+    this.alterChosen((line) => ({ colour: lineColours[(lineColours.indexOf(line.colour) + 1) % lineColours.length] }));
+  }
+
+  // Moves an end by bins, as far as the line keeps one; what it takes from its neighbours is theirs no more.
+  moveEnd([end, by]) {
+    const line = this.lines[this.chosen];
+    if (!line) return;
+    const bin = line[end] === 1 ? NUMBER_OF_BINS : binOf(line[end]); // as the end of a line, 1 is the end of the last bin
+    const moved = { ...line, [end]: lowerEdge(clamp(bin + by, 1, NUMBER_OF_BINS)) };
+    if (moved.lower >= moved.upper) return;
+    this.setLines(withLine(this.lines.filter((l) => l !== line), moved), moved.lower);
+  }
+
+  sizeOf(line) {
+    let voxels = 0;
+    for (let bin = binOf(line.lower); bin < NUMBER_OF_BINS && lowerEdge(bin) < line.upper; bin++) voxels += this.counts[bin];
+    const { spacing } = this.volume, ml = (voxels * spacing[0] * spacing[1] * spacing[2]) / 1000;
+    return `${voxels.toLocaleString('en')} voxels, ${shortNumber(ml)} ml`;
+  }
+
+  // ---- crosshair ----
+  get voxel() { const [x, y, z] = this.place, [nx, ny] = this.volume.size; return (z * ny + y) * nx + x; }
+  heatHere() { return this.bins ? lowerEdge(this.bins[this.voxel]) : -1; }
+
+  moveTo(index) {
+    this.place = index.map((i, k) => clamp(i, 0, this.volume.size[k] - 1));
+    this.repaint();
+    this.rendering.changed();
+    this.tell();
+  }
+
+  stepSlice([plane, by]) {
+    const place = [...this.place];
+    place[this.info.planes[plane].through] += by;
+    this.moveTo(place);
+  }
+
+  turn(by) { this.rendering.turn(by); }
+
+  enlarge(by) {
+    this.slices.forEach((slice) => slice.scaleBy(by));
+    this.rendering.enlarge(by);
+  }
+
+  // ---- files ----
+  linesToSave() {
+    const lines = this.lines.filter((line) => line.isOn);
+    if (!lines.length) this.tell('there is no line to save: pick one first');
+    return lines;
+  }
+
+  save(name, text, type) {
+    saveFile(name, text, type);
+    this.isSaved = true;
+    this.tell();
+  }
+
+  saveVp() {
+    const lines = this.linesToSave(), unit = Math.max(1, this.info.quantity.greatestVisits);
+    if (lines.length) this.save('transfer-function.vp', volumeProperty(lines, unit), 'text/plain');
+  }
+
+  saveJson() {
+    const lines = this.linesToSave();
+    if (lines.length) this.save('transfer-function.json', savedText(lines, this.info.quantity.name, this.step), 'application/json');
+  }
+
+  openFile() { byId('file').click(); }
+
+  async read(file) {
+    try {
+      this.change({ lines: linesFromText(await file.text(), this.info.quantity.name) });
+    } catch (error) {
+      notice(error.message);
+    }
+    byId('file').value = '';
+  }
+
+  // ---- the page ----
+  toggleHelp() { toggle(byId('keys')); }
+  toggleFull() { document.body.classList.toggle('full'); }
+
+  leave() {
+    if (byId('keys').open) byId('keys').close();
+    document.activeElement?.blur();
+    document.body.classList.remove('full');
+    if (this.mark !== undefined) this.toggleMark();
+  }
+
+  // What is under the crosshair.
+  describe() {
+    const { info: { quantity, window: [low, high] }, grey, voxel, place, bins, numbers } = this, line = numbers[bins[voxel]];
+    const value = low + (grey[voxel] / 255) * (high - low), mm = this.rendering.toSpace(place).map((x) => x.toFixed(1)).join(', ');
+    const edges = [bins[voxel], bins[voxel] + 1].map((bin) => shortNumber(lowerEdge(bin))).join(' to ');
+    return `${mm} mm (LPS), intensity about ${shortNumber(value)}, ${quantity.name} ${edges}${line ? `, line ${line}` : ''}`;
+  }
+
+  // text: what has just happened, where there is something to say of it.
+  tell(text = null) {
+    const ranges = this.state.ranges.map((r) => r.map(shortNumber).join('–'));
+    byId('status').textContent = text ?? this.describe();
+    byId('unsaved').textContent = this.isSaved ? '' : 'not saved yet';
+    byId('steps').replaceChildren(...this.info.stored.map((step) => new Option(step, step, false, step === this.step)));
+    byId('undo').disabled = !this.history.before.length;
+    byId('redo').disabled = !this.history.after.length;
+    byId('ranges').textContent = `axis: ${['all', ...ranges].join(' › ')}${this.isEqualized ? '' : ' (not equalised)'}`;
+  }
+
+  // For tests: all that was asked for has been painted; in full, unless a coarse picture will do.
+  async idle(isCoarseEnough = false) {
+    do await new Promise((done) => { requestAnimationFrame(() => setTimeout(done)); });
+    while (View.pending || this.busy || (this.rendering.isCoarse && !isCoarseEnough));
+  }
+}
+
+const shownLines = (lines) => lines.map((line) => ({ ...line, isOn: true }));
+
+// Bins of a volume with how many voxels each holds.
+function counted(bins) {
+  const counts = new Uint32Array(NUMBER_OF_BINS);
+  for (let i = 0; i < bins.length; i++) counts[bins[i]]++;
+  return { bins, counts };
+}
+
+// A state of a run that goes on: one file, replaced again and again. Null for the one that is known.
+async function readState(folder, version = '', known = {}) {
+  const state = await readBlock(folder, 'live', version);
+  if (state.stored[0] === known.stored?.[0] && state.isFinished === known.isFinished) return null;
+  const histogram = await readBlock(folder, 'histogram'), axisCounts = await readBlock(folder, 'axis');
+  return { state, histogram, axisCounts, live: counted(await readBlock(folder, 'bins-live')) };
+}
+
+// Follows a run until it is finished. What the reader has picked stays; lines that were found are found again.
+function followRun(explorer) {
+  const { info, folder } = explorer, wait = 1000 * Math.max(0.2, info.secondsBetweenStates);
+  let news = performance.now(), number = 0;
+  const tell = () => {
+    const silence = (performance.now() - news) / 1000;
+    const isStopped = !info.isFinished && silence > 30 + 10 * info.secondsBetweenStates;
+    byId('progress').textContent = info.progress + (info.isFinished ? ', finished' : isStopped ? ', no news: stopped?' : '');
+  };
+  const look = async () => {
+    try {
+      const found = await readState(folder, `?${++number}`, info);
+      if (found) news = performance.now();
+      if (found) await explorer.take(found);
+    } catch (error) {
+      notice(error.message);
+      return;
+    }
+    tell();
+    if (!info.isFinished) setTimeout(look, wait);
+  };
+  tell();
+  if (!info.isFinished) setTimeout(look, wait);
+}
+
+async function openExplorer(folder) {
+  const started = performance.now(), info = await readBlock(folder, 'info'), grey = await readBlock(folder, 'grey');
+  byId('title').textContent = document.title = `${info.title} – heat explorer`;
+  const first = info.secondsBetweenStates ? await readState(folder) : { histogram: await readBlock(folder, 'histogram') };
+  first.axisCounts ??= info.hasAxis ? await readBlock(folder, 'axis') : first.histogram;
+  const explorer = new HeatExplorer(folder, Object.assign(info, first.state), grey, first.histogram, first.axisCounts);
+  explorer.live = first.live ?? null;
+  Object.assign(explorer, await explorer.load(explorer.step)); // a first step that cannot be read is told instead of the page
+  explorer.makeViews();
+  await explorer.follow();
+  explorer.times.open = performance.now() - started;
+  if (explorer.live) followRun(explorer);
+  globalThis.explorer = explorer; // for tests, and for those who like the console
+}
+
+// folder: where the scripts of data lie beside the page.
+export async function startHeatExplorer(folder) {
+  document.body.innerHTML = PAGE;
+  await openPage(() => openExplorer(folder));
+}

@@ -1,0 +1,120 @@
+// Lines of a heat histogram as a transfer function: {lower, upper, colour '#rrggbb', opacity, isOn}. A line holds the voxels with
+// lower <= heat < upper. The bins are those of HeatHistogram.
+const BINS_PER_OCTAVE = 256, OCTAVES = 16;
+export const NUMBER_OF_BINS = BINS_PER_OCTAVE * OCTAVES + 1;
+export const MOST_LINES = 12; // 3D Slicer reads no more
+
+// The least heat of a bin; exact, as whole parts of powers of two are.
+export function lowerEdge(bin) {
+  if (bin === 0) return 0;
+  return (1 + ((bin - 1) % BINS_PER_OCTAVE) / BINS_PER_OCTAVE) * 2 ** (Math.floor((bin - 1) / BINS_PER_OCTAVE) - OCTAVES);
+}
+
+export function binOf(heat) {
+  if (!(heat >= 2 ** -OCTAVES)) return 0;
+  let octave = Math.floor(Math.log2(heat));
+  if (2 ** octave > heat) octave--; // log2 rounds
+  const within = Math.floor((heat / 2 ** octave - 1) * BINS_PER_OCTAVE);
+  return Math.min(NUMBER_OF_BINS - 1, 1 + (octave + OCTAVES) * BINS_PER_OCTAVE + within);
+}
+
+export const channelsOf = (colour) => [1, 3, 5].map((k) => parseInt(colour.slice(k, k + 2), 16));
+
+// Colour times opacity, and opacity, as bytes of a word.
+export function premultiplied({ colour, opacity }) {
+  const [r, g, b, a] = [...channelsOf(colour).map((c) => Math.round(c * opacity)), Math.round(255 * opacity)];
+  return ((a << 24) | (b << 16) | (g << 8) | r) >>> 0;
+}
+
+// For each bin the number of its line, counted from 1; 0 where there is none.
+export function linesOfBins(lines) {
+  const out = new Uint8Array(NUMBER_OF_BINS);
+  lines.forEach((line, i) => {
+    if (!line.isOn) return;
+    for (let bin = binOf(line.lower); bin < NUMBER_OF_BINS && lowerEdge(bin) < line.upper; bin++) {
+      if (lowerEdge(bin) >= line.lower) out[bin] = i + 1;
+    }
+  });
+  return out;
+}
+
+// The lines with one more, which takes its heats from those that it overlaps.
+export function withLine(lines, line) {
+  const rest = lines.flatMap((l) => {
+    const pieces = [{ ...l, upper: Math.min(l.upper, line.lower) }, { ...l, lower: Math.max(l.lower, line.upper) }];
+    return pieces.filter((piece) => piece.lower < piece.upper);
+  });
+  return [...rest, line].sort((a, b) => a.lower - b.lower);
+}
+
+// A number as C prints it with %g and so many digits: ties go to the even digit, which toExponential() does not.
+export function rounded(x, digits) {
+  if (x === 0) return '0';
+  const exact = x.toExponential(60), [mantissa] = exact.split('e'), kept = mantissa.slice(0, digits + 1).replace(/\.$/, '');
+  const isTie = /^50*$/.test(mantissa.slice(digits + 1)) && '02468'.includes(kept.slice(-1));
+  const [m, e] = (isTie ? `${kept}e${exact.split('e')[1]}` : x.toExponential(digits - 1)).split('e');
+  const exponent = Number(e), short = (text) => (text.includes('.') ? text.replace(/0*$/, '').replace(/\.$/, '') : text);
+  if (exponent < -4 || exponent >= digits) return `${short(m)}e${exponent < 0 ? '-' : '+'}${String(Math.abs(exponent)).padStart(2, '0')}`;
+  const figures = m.replace('.', '');
+  if (exponent < 0) return short(`0.${'0'.repeat(-exponent - 1)}${figures}`);
+  return short(`${figures.slice(0, exponent + 1)}.${figures.slice(exponent + 1)}`);
+}
+
+// The width of the ramp that stands for a step, as in ShapeTransferFunction.
+const rampOf = (line) => Math.min(1e-6, 0.125 * (line.upper - line.lower));
+
+function opacityPoints(lines) {
+  const points = [];
+  let end = 0;
+  if (!lines.length || lines[0].lower > 0) points.push([0, 0]);
+  lines.forEach((line, i) => {
+    const gap = line.lower - end;
+    if (gap > 0) points.push([line.lower - Math.min(rampOf(line), 0.5 * gap), 0]);
+    points.push([line.lower, line.opacity], [line.upper - rampOf(line), line.opacity]);
+    if (!(i + 1 < lines.length && lines[i + 1].lower <= line.upper)) points.push([line.upper, 0]);
+    end = line.upper;
+  });
+  return points;
+}
+
+function colourPoints(lines) {
+  return lines.flatMap((line) => {
+    const colour = channelsOf(line.colour).map((c) => c / 255);
+    return [[line.lower, ...colour], [line.upper - rampOf(line), ...colour]];
+  });
+}
+
+function pointsText(points, unit) {
+  const values = points.flatMap(([heat, ...rest]) => [rounded(heat * unit, 9), ...rest.map((x) => rounded(x, 4))]);
+  return [values.length, ...values].join(' ');
+}
+
+// The lines as a volume property of 3D Slicer: the bytes that HeatTransferFunction writes. unit: what a heat of 1 is in the volume.
+export function volumeProperty(lines, unit) {
+  const points = [opacityPoints(lines), [[0, 1], [1, 1]], colourPoints(lines)];
+  return `${['0', '1', '0.6', '0.3', '0.2', '10', ...points.map((p) => pointsText(p, unit))].join('\n')}\n`;
+}
+
+// What HeatTransferFunction --from reads.
+export function savedText(lines, quantity, timeStep) {
+  const saved = lines.map(({ lower, upper, colour, opacity }) => ({ lower, upper, colour, opacity }));
+  return `${JSON.stringify({ shapeton: 'transfer function', version: 1, quantity, timeStep, lines: saved }, null, 2)}\n`;
+}
+
+// The lines of such a text. Throws a sentence for what is none; the tool that reads it checks more.
+export function linesFromText(text, quantity) {
+  let saved = null;
+  try {
+    saved = JSON.parse(text);
+  } catch {
+    throw new Error('This file is no transfer function: it is no JSON.');
+  }
+  const isRange = (a, b) => a >= 0 && a < b && b <= 1, isShare = (x) => x >= 0 && x <= 1;
+  const isLine = (l) => isRange(l.lower, l.upper) && isShare(l.opacity) && /^#[0-9a-f]{6}$/.test(l.colour);
+  const isKnown = saved?.shapeton === 'transfer function' && saved.version === 1 && Array.isArray(saved.lines);
+  if (!isKnown || saved.lines.length > MOST_LINES || !saved.lines.every(isLine)) {
+    throw new Error('This file is no transfer function that this page saved.');
+  }
+  if (saved.quantity !== quantity) throw new Error(`This transfer function is for ${saved.quantity}, not for ${quantity}.`);
+  return saved.lines.reduce((lines, line) => withLine(lines, { ...line, isOn: true }), []);
+}

@@ -1,0 +1,92 @@
+import { clamp } from '../../PageKit/scripts/math.mjs';
+import { View } from '../../PageKit/scripts/view.mjs';
+import { channelsOf } from './lines.mjs';
+
+const OPACITY = 0.6; // of the colours of lines over the grey values, as in pictures of reports
+
+// A slice along the image's own axes, with its voxels in the colours of their lines. plane: as HeatExplorer writes it.
+export class HeatSliceView extends View {
+  constructor(root, page, plane) {
+    super(root, plane.name, plane.name);
+    Object.assign(this, { page, plane, zoom: 1, image: document.createElement('canvas') });
+    const { volume } = page, { across, down } = plane;
+    this.size = [volume.size[across], volume.size[down]];
+    this.steps = [volume.spacing[across], volume.spacing[down]];
+    this.pixels = new ImageData(...this.size);
+    Object.assign(this.image, { width: this.size[0], height: this.size[1] });
+  }
+
+  // From an index of the image to the screen and back.
+  frame() {
+    const { plane, page: { place } } = this, [nx, ny] = this.size, [dx, dy] = this.steps;
+    const s = this.zoom * Math.min(this.w / (nx * dx), this.h / (ny * dy));
+    const own = (i, n, isFlipped) => (isFlipped ? n - 1 - i : i) + 0.5;
+    // Enlarged, the slice follows the crosshair, but stays within the view where it can.
+    const start = (room, n, step, i) => {
+      const length = n * step * s;
+      return length <= room ? (room - length) / 2 : clamp(room / 2 - i * step * s, room - length, 0);
+    };
+    const x0 = start(this.w, nx, dx, own(place[plane.across], nx, plane.flipAcross));
+    const y0 = start(this.h, ny, dy, own(place[plane.down], ny, plane.flipDown));
+    return {
+      s, x0, y0,
+      at: (p) => [x0 + own(p[plane.across], nx, plane.flipAcross) * dx * s, y0 + own(p[plane.down], ny, plane.flipDown) * dy * s],
+      back: (x, y) => {
+        const p = [...place], of = (a, n) => clamp(Math.floor(a), 0, n - 1);
+        const i = of((x - x0) / (dx * s), nx), j = of((y - y0) / (dy * s), ny);
+        p[plane.across] = plane.flipAcross ? nx - 1 - i : i;
+        p[plane.down] = plane.flipDown ? ny - 1 - j : j;
+        return p;
+      },
+    };
+  }
+
+  draw(g, w, h) {
+    const { plane, page } = this, f = this.frame(), [nx, ny] = this.size, [dx, dy] = this.steps;
+    g.fillStyle = '#000';
+    g.fillRect(0, 0, w, h);
+    this.fill();
+    g.imageSmoothingEnabled = true;
+    g.drawImage(this.image, f.x0, f.y0, nx * dx * f.s, ny * dy * f.s);
+    g.fillStyle = '#ffd';
+    g.font = '12px sans-serif';
+    g.fillText(plane.left, 4, h / 2);
+    g.fillText(plane.right, w - 16, h / 2);
+    g.fillText(plane.top, w / 2 - 4, 14);
+    g.fillText(plane.bottom, w / 2 - 4, h - 5);
+    this.cross(g, ...f.at(page.place));
+  }
+
+  // Classes are those of the voxels themselves: colours are mixed between voxels, heats are not.
+  fill() {
+    const { plane, page: { volume, grey, bins, numbers, place, paints } } = this, [nx, ny] = this.size;
+    const strides = [1, volume.size[0], volume.size[0] * volume.size[1]], out = new Uint32Array(this.pixels.data.buffer);
+    const across = strides[plane.across] * (plane.flipAcross ? -1 : 1), down = strides[plane.down] * (plane.flipDown ? -1 : 1);
+    let row = place[plane.through] * strides[plane.through] - Math.min(0, across) * (nx - 1) - Math.min(0, down) * (ny - 1);
+    for (let j = 0, o = 0; j < ny; j++, row += down) {
+      for (let i = 0, v = row; i < nx; i++, v += across, o++) out[o] = paints[(numbers[bins[v]] << 8) | grey[v]];
+    }
+    this.image.getContext('2d').putImageData(this.pixels, 0, 0);
+  }
+
+  pick(x, y) { this.page.moveTo(this.frame().back(x, y)); return true; }
+  wheel(d, at, isScaling) {
+    if (isScaling) this.scaleBy(1.25 ** -d); else this.page.stepSlice([this.page.info.planes.indexOf(this.plane), d]);
+  }
+
+  scaleBy(by) { this.zoom = clamp(this.zoom * by, 1, 12); this.changed(); }
+}
+
+// For each line, and none, the colour of each grey value.
+export function paintsOf(lines) {
+  const paints = new Uint32Array((lines.length + 1) * 256);
+  for (let g = 0; g < 256; g++) paints[g] = 0xff000000 | (g * 0x10101);
+  lines.forEach((line, i) => {
+    const rgb = channelsOf(line.colour);
+    for (let g = 0; g < 256; g++) {
+      const [r, green, b] = rgb.map((c) => Math.round(g + OPACITY * (c - g)));
+      paints[(i + 1) * 256 + g] = 0xff000000 | (b << 16) | (green << 8) | r;
+    }
+  });
+  return paints;
+}

@@ -1,0 +1,201 @@
+#include "shapetonExplorerData.h"
+
+#include "shapetonColorMap.h"
+#include "shapetonFileBytes.h"
+#include "shapetonPatientOrientation.h"
+#include "shapetonScriptPage.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace shapeton
+{
+extern const char * const ExplorerScript[];
+extern const char * const ExplorerStyle[];
+
+namespace
+{
+using ImageType = itk::Image<float, 3>;
+
+/** Every n-th voxel of each axis, so that the page opens within seconds. */
+class VoxelGrid
+{
+public:
+  explicit VoxelGrid(const ImageType * image) : m_Image(image)
+  {
+    constexpr std::size_t greatestNumber = std::size_t{ 1 } << 25;
+    do
+    {
+      ++m_Stride;
+      for (unsigned int axis = 0; axis < 3; ++axis)
+      {
+        m_Size[axis] = (image->GetBufferedRegion().GetSize(axis) + m_Stride - 1) / m_Stride;
+      }
+    } while (m_Size[0] * m_Size[1] * m_Size[2] > greatestNumber);
+  }
+
+  std::size_t
+  VoxelsOfSlice() const
+  {
+    return m_Size[0] * m_Size[1];
+  }
+
+  template <typename TValue, typename TFunction>
+  std::vector<TValue>
+  Values(const TFunction & valueOf) const
+  {
+    const auto          size = m_Image->GetBufferedRegion().GetSize();
+    const float * const voxels = m_Image->GetBufferPointer();
+    std::vector<TValue> values;
+    values.reserve(this->VoxelsOfSlice() * m_Size[2]);
+    for (std::size_t z = 0; z < size[2]; z += m_Stride)
+    {
+      for (std::size_t y = 0; y < size[1]; y += m_Stride)
+      {
+        for (std::size_t x = 0; x < size[0]; x += m_Stride)
+        {
+          values.push_back(valueOf(voxels[(z * size[1] + y) * size[0] + x]));
+        }
+      }
+    }
+    return values;
+  }
+
+  /** Size, spacing, origin and axes of what is kept. */
+  Json
+  Geometry() const
+  {
+    ImageType::PointType origin;
+    m_Image->TransformIndexToPhysicalPoint(m_Image->GetBufferedRegion().GetIndex(), origin);
+    Json geometry{ { "stride", m_Stride }, { "size", m_Size } };
+    for (unsigned int axis = 0; axis < 3; ++axis)
+    {
+      const auto & direction = m_Image->GetDirection();
+      geometry["origin"].push_back(origin[axis]);
+      geometry["spacing"].push_back(m_Image->GetSpacing()[axis] * static_cast<double>(m_Stride));
+      geometry["axes"].push_back({ direction[0][axis], direction[1][axis], direction[2][axis] });
+    }
+    return geometry;
+  }
+
+private:
+  const ImageType *          m_Image;
+  std::size_t                m_Stride{ 0 };
+  std::array<std::size_t, 3> m_Size{};
+};
+
+/** How the slices of a plane lie on the screen: axes of the image, whether they run against the screen, letters. */
+Json
+PlaneOf(const ImageType * image, SlicePlane plane)
+{
+  const SliceAxes axes = AxesOf(image, plane);
+  const auto      letters = [image](unsigned int axis, bool isReversed) {
+    itk::Vector<double, 3> direction;
+    for (unsigned int k = 0; k < 3; ++k)
+    {
+      direction[k] = image->GetDirection()[k][axis] * (isReversed ? -1.0 : 1.0);
+    }
+    return OrientationLetters(direction);
+  };
+  return { { "name", NameOf(plane) },
+           { "across", axes.across },
+           { "down", axes.down },
+           { "through", axes.through },
+           { "flipAcross", axes.isAcrossReversed },
+           { "flipDown", axes.isDownReversed },
+           { "right", letters(axes.across, axes.isAcrossReversed) },
+           { "left", letters(axes.across, !axes.isAcrossReversed) },
+           { "bottom", letters(axes.down, axes.isDownReversed) },
+           { "top", letters(axes.down, !axes.isDownReversed) } };
+}
+
+template <typename TFunction>
+Json
+Colours(int number, const TFunction & colorOf)
+{
+  Json colours = Json::array();
+  for (int i = 0; i < number; ++i)
+  {
+    colours.push_back(HexOf(colorOf(i)));
+  }
+  return colours;
+}
+} // namespace
+
+void
+PutBins(PageBlocks & blocks, const std::string & name, const ImageType * values)
+{
+  const VoxelGrid grid(values);
+  const auto      bins =
+    grid.Values<std::uint16_t>([](float value) { return static_cast<std::uint16_t>(HeatHistogram::BinOf(value)); });
+  blocks.Put(name, bins, grid.VoxelsOfSlice());
+}
+
+void
+PutGrey(PageBlocks & blocks, const ImageType * grey, const IntensityWindow & window)
+{
+  const VoxelGrid grid(grey);
+  const auto      greyOf = [&window](float intensity) {
+    const double share = (intensity - window.lower) / (window.upper - window.lower);
+    return static_cast<std::uint8_t>(std::lround(255.0 * std::clamp(share, 0.0, 1.0)));
+  };
+  blocks.Put("grey", grid.Values<std::uint8_t>(greyOf), grid.VoxelsOfSlice());
+}
+
+void
+PutCounts(PageBlocks & blocks, const std::string & name, const HeatHistogram & histogram)
+{
+  const std::uint32_t * const      counts = histogram.GetRow(0);
+  const std::vector<std::uint32_t> all(counts, counts + histogram.GetNumberOfRows() * HeatHistogram::NumberOfBins);
+  blocks.Put(name, all);
+}
+
+Json
+JsonOf(const ShapeQuantity & quantity)
+{
+  return { { "name", quantity.name }, { "greatestVisits", quantity.greatestVisits } };
+}
+
+Json
+JsonOf(const ShapeTransferFunction & transferFunction)
+{
+  Json lines = Json::array();
+  for (const TransferFunctionLine & line : transferFunction.GetLines())
+  {
+    lines.push_back({ { "lower", line.lowerHeat },
+                      { "upper", line.upperHeat },
+                      { "colour", HexOf(line.color) },
+                      { "opacity", line.opacity } });
+  }
+  return lines;
+}
+
+Json
+InfoOf(const HeatExplorerContent & content)
+{
+  const IntensityWindow window = WindowOf(content.grey, content.window);
+  Json                  planes = Json::array();
+  for (const SlicePlane plane : { SlicePlane::Axial, SlicePlane::Coronal, SlicePlane::Sagittal })
+  {
+    planes.push_back(PlaneOf(content.grey, plane));
+  }
+  return { { "title", content.title },
+           { "isEqualized", content.scale == HeatScale::Equalized },
+           { "heatColours", Colours(33, [](int i) { return HeatColor(i / 32.0); }) },
+           { "lineColours", Colours(12, [](int i) { return ClassColor(i + 1); }) },
+           { "volume", VoxelGrid(content.grey).Geometry() },
+           { "window", { window.lower, window.upper } },
+           { "planes", planes } };
+}
+
+void
+WriteExplorerPage(const std::string & path, const std::string & dataFolder)
+{
+  const ScriptPage page{ "Heat explorer",
+                         PageText(ExplorerStyle),
+                         PageText(ExplorerScript),
+                         "startHeatExplorer(" + ScriptText(dataFolder) + ");" };
+  WriteFileBytes(path, TextOf(page, PageBlocks("", true, nullptr)));
+}
+} // namespace shapeton

@@ -1,0 +1,37 @@
+#ifndef shapetonExplorerData_h
+#define shapetonExplorerData_h
+
+#include "shapetonHeatExplorer.h"
+#include "shapetonPageBlocks.h"
+
+#include <string>
+
+namespace shapeton
+{
+/** The bins of the voxels of a volume with values in [0, 1]. */
+void
+PutBins(PageBlocks & blocks, const std::string & name, const itk::Image<float, 3> * values);
+
+/** The grey values of the slices. */
+void
+PutGrey(PageBlocks & blocks, const itk::Image<float, 3> * grey, const IntensityWindow & window);
+
+void
+PutCounts(PageBlocks & blocks, const std::string & name, const HeatHistogram & histogram);
+
+/** What the page knows of volume and views before any heat. */
+Json
+InfoOf(const HeatExplorerContent & content);
+
+Json
+JsonOf(const ShapeQuantity & quantity);
+
+Json
+JsonOf(const ShapeTransferFunction & transferFunction);
+
+/** The page that reads its data in a folder beside it. */
+void
+WriteExplorerPage(const std::string & path, const std::string & dataFolder);
+} // namespace shapeton
+
+#endif

@@ -1,0 +1,47 @@
+#include "shapetonHeatExplorer.h"
+
+#include "shapetonExplorerData.h"
+
+#include <stdexcept>
+
+namespace shapeton
+{
+const char * const HeatExplorer::DataFolder = "explorer";
+
+HeatExplorer::HeatExplorer(const std::string & folder, const OutputPath & outputPath)
+  : m_Folder(folder), m_OutputPath(outputPath), m_Blocks(folder + "/" + DataFolder, false, outputPath)
+{}
+
+void
+HeatExplorer::AddStep(const itk::Image<float, 3> * values, std::uint64_t timeStep)
+{
+  if (m_TimeSteps.empty() || m_TimeSteps.back() != timeStep)
+  {
+    m_TimeSteps.push_back(timeStep);
+    PutBins(m_Blocks, "bins-" + std::to_string(timeStep), values);
+  }
+}
+
+void
+HeatExplorer::Write(const HeatExplorerContent & content)
+{
+  if (m_TimeSteps.empty())
+  {
+    throw std::logic_error("a heat explorer needs the heat of a time step");
+  }
+  PutGrey(m_Blocks, content.grey, WindowOf(content.grey, content.window));
+  PutCounts(m_Blocks, "histogram", *content.histogram);
+  if (content.axisHistogram)
+  {
+    PutCounts(m_Blocks, "axis", *content.axisHistogram);
+  }
+  Json info = InfoOf(content);
+  info["quantity"] = JsonOf(content.quantity);
+  info["timeSteps"] = content.histogram->GetTimeSteps();
+  info["stored"] = m_TimeSteps;
+  info["hasAxis"] = content.axisHistogram != nullptr;
+  info["lines"] = JsonOf(content.lines);
+  m_Blocks.PutJson("info", info);
+  WriteExplorerPage(m_OutputPath(m_Folder + "/explorer.html"), DataFolder);
+}
+} // namespace shapeton

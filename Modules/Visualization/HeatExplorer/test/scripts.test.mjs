@@ -1,0 +1,143 @@
+// The scripts of the page that need no page. usage: node --test scripts.test.mjs
+import assert from 'node:assert/strict';
+import { test } from 'node:test';
+import { equalization, HeatAxis, rangeOfCounts } from '../scripts/axis.mjs';
+import { History } from '../scripts/history.mjs';
+import { lineAround, lineNear } from '../scripts/line-search.mjs';
+import {
+  binOf, linesFromText, linesOfBins, lowerEdge, NUMBER_OF_BINS, rounded, savedText, volumeProperty, withLine,
+} from '../scripts/lines.mjs';
+import { contentsOf } from '../scripts/rendering.mjs';
+
+// Random numbers that are the same in each run.
+function randoms(seed) {
+  let state = seed;
+  return () => { state = (1664525 * state + 1013904223) >>> 0; return state / 2 ** 32; };
+}
+
+const line = (lower, upper, colour = '#ff0000', opacity = 0.5) => ({ lower, upper, colour, opacity, isOn: true });
+
+test('bins tile the heats from 0 to 1', () => {
+  assert.equal(lowerEdge(1), 2 ** -16);
+  assert.equal(lowerEdge(NUMBER_OF_BINS), 1);
+  for (let bin = 1; bin < NUMBER_OF_BINS; bin++) {
+    assert.equal(binOf(lowerEdge(bin)), bin);
+    assert.equal(binOf((lowerEdge(bin) + lowerEdge(bin + 1)) / 2), bin);
+  }
+  assert.deepEqual([0, 1e-6, 1, 2].map(binOf), [0, 0, NUMBER_OF_BINS - 1, NUMBER_OF_BINS - 1]);
+});
+
+test('numbers are those of C with %g', () => { // printf("%.9g"), ties to the even digit among them
+  const pairs = [
+    [0.1005859375, '0.100585938'], [0.2001953125, '0.200195312'], [1e-5, '1e-05'], [0.00012345678912, '0.000123456789'],
+    [123456789, '123456789'],
+    [1234567890, '1.23456789e+09'], [0.5, '0.5'], [100, '100'], [0.1, '0.1'], [999999999.6, '1e+09'], [0, '0'], [2.5e-300, '2.5e-300'],
+  ];
+  for (const [x, text] of pairs) assert.equal(rounded(x, 9), text);
+  assert.deepEqual([0.12345, 2 / 3, 1, 0.00005].map((x) => rounded(x, 4)), ['0.1235', '0.6667', '1', '5e-05']);
+  assert.equal(rounded(0.125, 2), '0.12');
+  assert.equal(rounded(0.375, 2), '0.38');
+});
+
+test('a volume property has ramps at the ends of lines and none between lines that touch', () => {
+  const rows = volumeProperty([line(0.25, 0.5), line(0.5, 0.75, '#00ff00', 1)], 1).split('\n');
+  assert.deepEqual(rows.slice(0, 6), ['0', '1', '0.6', '0.3', '0.2', '10']);
+  assert.equal(rows[6], '14 0 0 0.249999 0 0.25 0.5 0.499999 0.5 0.5 1 0.749999 1 0.75 0');
+  assert.equal(rows[7], '4 0 1 1 1');
+  assert.equal(rows[8], '16 0.25 1 0 0 0.499999 1 0 0 0.5 0 1 0 0.749999 0 1 0');
+  assert.equal(volumeProperty([line(0.25, 0.5)], 400).split('\n')[7], '4 0 1 400 1');
+});
+
+test('a new line takes its heats from those that it overlaps', () => {
+  const ranges = (lines) => lines.map((l) => [l.lower, l.upper]);
+  assert.deepEqual(ranges(withLine([line(0.2, 0.6)], line(0.3, 0.4))), [[0.2, 0.3], [0.3, 0.4], [0.4, 0.6]]);
+  assert.deepEqual(ranges(withLine([line(0.2, 0.3), line(0.3, 0.5)], line(0.1, 0.4))), [[0.1, 0.4], [0.4, 0.5]]);
+  const numbers = linesOfBins([line(lowerEdge(100), lowerEdge(103)), { ...line(lowerEdge(103), lowerEdge(105)), isOn: false }]);
+  assert.deepEqual([...numbers.subarray(98, 106)], [0, 0, 1, 1, 1, 0, 0, 0]);
+});
+
+test('saved lines are read again, and others refused', () => {
+  const lines = [line(lowerEdge(3001), lowerEdge(3100)), line(0.5, 1, '#05bffa', 0.05)];
+  const text = savedText(lines, 'heat', 100);
+  assert.deepEqual(linesFromText(text, 'heat'), lines);
+  const other = [['0.5,', '2.5,'], ['#05bffa', 'blue'], ['"version": 1', '"version": 9']].map((pair) => text.replace(...pair));
+  for (const wrong of ['', '{}', ...other]) {
+    assert.throws(() => linesFromText(wrong, 'heat'), /This file is no transfer function/);
+  }
+  assert.throws(() => linesFromText(text, 'density'), /for heat, not for density/);
+});
+
+test('the axis is equalised in all and in each opened range, and goes back from place to heat', () => {
+  const random = randoms(5), rows = 3, counts = new Uint32Array(rows * NUMBER_OF_BINS);
+  for (let i = 0; i < counts.length; i++) counts[i] = 1000 * random() ** 8;
+  const shares = equalization(counts), whole = rangeOfCounts(counts);
+  assert.ok(Math.abs(shares[NUMBER_OF_BINS] - 1) < 1e-12);
+  for (const isEqualized of [true, false]) {
+    for (const range of [whole, [lowerEdge(2000), lowerEdge(2300)], [lowerEdge(2100), lowerEdge(2103)]]) {
+      const axis = new HeatAxis(shares, isEqualized, range);
+      assert.deepEqual([axis.positionOf(range[0]), axis.positionOf(range[1])], [0, 1]);
+      for (let i = 1; i < 50; i++) assert.ok(Math.abs(axis.positionOf(axis.heatAt(i / 50)) - i / 50) < 1e-9);
+    }
+  }
+  // Equalised: each tenth of the axis has a tenth of the counts of the range, the rows weighing the same.
+  const [a, b] = [2000, 2300], axis = new HeatAxis(shares, true, [lowerEdge(a), lowerEdge(b)]), middle = binOf(axis.heatAt(0.5));
+  const sum = (from, to) => shares[to] - shares[from];
+  assert.ok(Math.abs(sum(a, middle) / sum(a, b) - 0.5) < 0.02);
+  const empty = new HeatAxis(equalization(new Uint32Array(NUMBER_OF_BINS)), true, [0.25, 0.5]);
+  assert.ok(empty.positionOf(0.4) > empty.positionOf(0.3));
+});
+
+test('a line is found with its slopes, in noise, and apart from its neighbour', () => {
+  const random = randoms(9), counts = new Uint32Array(NUMBER_OF_BINS);
+  const peak = (middle, width, height) => { for (let i = -60; i <= 60; i++) counts[middle + i] += height * Math.exp(-((i / width) ** 2)); };
+  peak(3000, 8, 5000);
+  peak(3045, 6, 3000);
+  for (let i = 2900; i < 3100; i++) counts[i] += 40 * random();
+  const [lower, upper] = lineAround(counts, 3001).map(binOf);
+  assert.ok(lower > 2975 && lower < 2992 && upper > 3008 && upper < 3027, `${lower} to ${upper}`);
+  const axis = new HeatAxis(equalization(counts), true, rangeOfCounts(counts)), at = axis.positionOf(lowerEdge(3045));
+  const [from, to] = lineNear(counts, axis, at, 0.002).map(binOf);
+  assert.ok(from > 3020 && from < 3044 && to > 3047 && to < 3070, `${from} to ${to}`);
+  const single = new Uint32Array(NUMBER_OF_BINS);
+  single[500] = 70000;
+  assert.deepEqual(lineAround(single, 500).map(binOf), [500, 501]);
+  assert.equal(lineNear(single, new HeatAxis(equalization(single), false, [0, 1]), 0.9, 0.01), null);
+});
+
+test('undo and redo go through states; a slider is one change', () => {
+  const history = new History('a');
+  history.change('b');
+  history.change('c', 'slider');
+  history.change('d', 'slider');
+  history.undo();
+  assert.equal(history.state, 'b');
+  history.undo();
+  history.undo();
+  assert.equal(history.state, 'a');
+  history.redo();
+  history.redo();
+  assert.equal(history.state, 'd');
+  history.change('e');
+  history.redo();
+  assert.equal(history.state, 'e');
+});
+
+test('rays skip no block from which a visible voxel can be interpolated', () => {
+  const size = [21, 17, 18], random = randoms(3), bins = new Uint16Array(size[0] * size[1] * size[2]);
+  const numbers = Uint8Array.from([0, 1, 2, 2]), colours = Uint32Array.from([0, 200 * 2 ** 24, 0, 0]); // the second line cannot be seen
+  for (let i = 0; i < bins.length; i++) bins[i] = random() < 0.001 ? 1 : 2 + Math.round(random());
+  const blocks = size.map((n) => Math.ceil(n / 8)), contents = contentsOf(bins, numbers, colours, size);
+  const at = (x, y, z) => bins[(z * size[1] + y) * size[0] + x] === 1;
+  for (let b = 0; b < contents.length; b++) {
+    const low = [b % blocks[0], Math.floor(b / blocks[0]) % blocks[1], Math.floor(b / (blocks[0] * blocks[1]))].map((i) => 8 * i);
+    let isSeen = false; // a search through all voxels
+    for (let z = low[2]; z <= Math.min(low[2] + 8, size[2] - 1); z++) {
+      for (let y = low[1]; y <= Math.min(low[1] + 8, size[1] - 1); y++) {
+        for (let x = low[0]; x <= Math.min(low[0] + 8, size[0] - 1); x++) isSeen ||= at(x, y, z);
+      }
+    }
+    assert.equal(contents[b] > 0, isSeen, `block ${b}`);
+  }
+  colours.fill(99 * 2 ** 24);
+  assert.ok(contentsOf(bins.map((bin) => Math.max(2, bin)), numbers, colours, size).every((content) => content === 2));
+});

@@ -1,0 +1,87 @@
+#include "shapetonSavedTransferFunction.h"
+
+#include "shapetonExceptions.h"
+#include "shapetonFileBytes.h"
+
+#include <gtest/gtest.h>
+
+namespace
+{
+using shapeton::InputError;
+using shapeton::ReadTransferFunction;
+
+const std::string line = R"({"lower": 0.18359375, "upper": 0.25, "colour": "#05bffa", "opacity": 0.6})";
+
+std::string
+Document(
+  const std::string & lines,
+  const std::string & head = R"("shapeton": "transfer function", "version": 1, "quantity": "heat", "timeStep": 7)")
+{
+  return "{" + head + R"(, "lines": [)" + lines + "]}";
+}
+
+std::string
+FileWith(const std::string & text)
+{
+  const std::string path = testing::TempDir() + "/transfer-function.json";
+  shapeton::WriteFileBytes(path, text);
+  return path;
+}
+
+std::string
+FaultOf(const std::string & text)
+{
+  try
+  {
+    ReadTransferFunction(FileWith(text));
+  }
+  catch (const InputError & error)
+  {
+    return error.what();
+  }
+  return "";
+}
+} // namespace
+
+TEST(SavedTransferFunction, IsReadWithoutLoss)
+{
+  const auto saved = ReadTransferFunction(FileWith(Document(line)));
+  EXPECT_EQ(saved.quantity, "heat");
+  EXPECT_EQ(saved.timeStep, 7U);
+  EXPECT_EQ(saved.lines.ToText(), "0.18359375-0.25:#05bffa:0.6");
+}
+
+TEST(SavedTransferFunction, RefusesWhatThePageDoesNotSave)
+{
+  const std::pair<std::string, std::string> faults[] = {
+    { "no text", "line 1" },
+    { "[]", "it is no object" },
+    { Document(line, R"("version": 1)"), "lacks \"quantity\"" },
+    { Document(line, R"("shapeton": "verdicts", "version": 1, "quantity": "heat", "timeStep": 7)"), "kind or version" },
+    { Document(line, R"("shapeton": "transfer function", "version": 2, "quantity": "heat", "timeStep": 7)"),
+      "kind or version" },
+    { Document(line, R"("shapeton": "transfer function", "version": 1, "quantity": "cold", "timeStep": 7)"),
+      "neither heat nor density" },
+    { Document(line, R"("shapeton": "transfer function", "version": 1, "quantity": "heat", "timeStep": -7)"),
+      "no time step" },
+    { Document(""), "no list with a line" },
+    { Document("3"), "a line is no object" },
+    { Document(R"({"lower": 0.1, "upper": 0.2, "colour": "#05bffa"})"), "a line lacks \"opacity\"" },
+    { Document(R"({"lower": "0.1", "upper": 0.2, "colour": "#05bffa", "opacity": 1})"), "\"lower\" is no number" },
+    { Document(R"({"lower": 0.1, "upper": 0.2, "colour": "rouge", "opacity": 1})"), "no colour" },
+    { Document(R"({"lower": 0.1, "upper": 0.2, "colour": "red", "opacity": 1, "shade": 1})"), "unknown key \"shade\"" },
+    { Document(line + "," + line), "overlap" },
+    { Document(R"({"lower": 0.3, "upper": 0.2, "colour": "red", "opacity": 1})"), "0 <= a < b <= 1" },
+  };
+  for (const auto & [text, fault] : faults)
+  {
+    const std::string message = FaultOf(text);
+    EXPECT_NE(message.find("transfer-function.json"), std::string::npos) << text;
+    EXPECT_NE(message.find(fault), std::string::npos) << text << " gives " << message;
+  }
+}
+
+TEST(SavedTransferFunction, RefusesAMissingFile)
+{
+  EXPECT_THROW(ReadTransferFunction(testing::TempDir() + "/nowhere.json"), InputError);
+}
