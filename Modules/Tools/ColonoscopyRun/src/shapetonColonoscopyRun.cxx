@@ -257,12 +257,12 @@ RunColonoscopy(CommandLine & commandLine, const std::string & toolFolder)
 {
   const std::string folder = commandLine.GetString("outputFolder");
   const bool        hasSecond = commandLine.IsGiven("second");
+  CheckDicomResults(commandLine); // before any work
   RequireApart(commandLine.GetString("inputVolume"), folder);
   if (hasSecond)
   {
     RequireApart(commandLine.GetString("second"), folder);
   }
-  CheckDicomResults(commandLine); // before any work
   const SceneFiles sceneFiles = SceneFilesOf(commandLine);
   SeriesRun        first(commandLine, toolFolder, ColonoscopySeries::First);
   commandLine.RecordRun(folder + "/run.json");
