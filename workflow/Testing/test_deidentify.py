@@ -17,9 +17,11 @@ from pydicom.sequence import Sequence
 from pydicom.uid import CTImageStorage, ExplicitVRLittleEndian
 
 PACS = os.path.join(WORKFLOW, "pacs")
-VALUES = {"DA": "20191231", "DT": "20191231120000", "TM": "115959", "AS": "077Y", "IS": "77123", "DS": "77.123", "UI": "1.2.77.123", "US": 7123,
-          "UL": 7123, "SS": 7123, "SL": 7123, "FD": 77.123, "FL": 77.5, "OB": b"secret!!", "OW": b"secret!!", "UN": b"secret!!", "CS": "SECRET"}
-LONGITUDINAL = ("StudyDate", "SeriesDate", "AcquisitionDate", "ContentDate")
+VALUES = {
+    "DA": "20191231", "DT": "20191231120000", "TM": "115959", "AS": "077Y", "IS": "77123", "DS": "77.123", "UI": "1.2.77.123",
+    "US": 7123, "UL": 7123, "SS": 7123, "SL": 7123, "FD": 77.123, "FL": 77.5, "CS": "SECRET",
+    "OB": b"secret!!", "OW": b"secret!!", "UN": b"secret!!",
+}
 
 
 def profile_tags():

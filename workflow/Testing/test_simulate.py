@@ -26,7 +26,8 @@ class Simulation(unittest.TestCase):
         self.assertAlmostEqual(simulate.simulate(jobs, 2, 4, 64000), 2 * JOB, delta=8 * SUBMISSION)
 
     def test_a_killed_job_runs_again(self):
-        self.assertAlmostEqual(simulate.simulate([[(TIME / 2, 1000), (TIME, 2000)]], 1, 1, 64000), JOB + TIME / 2 + simulate.OVERHEAD, delta=1)
+        end = simulate.simulate([[(TIME / 2, 1000), (TIME, 2000)]], 1, 1, 64000)
+        self.assertAlmostEqual(end, JOB + TIME / 2 + simulate.OVERHEAD, delta=1)
 
     def test_submission_limits_short_jobs(self):
         jobs = [[(1.0, 10)]] * 1000

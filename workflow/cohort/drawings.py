@@ -25,7 +25,8 @@ def curve(points, x_name, y_name):
     frame = f'<path d="M50 20V{height - 50}H{width - 20}" fill="none" stroke="#999"/>'
     labels = (
         _text(46, 24, "1", "end") + _text(46, height - 46, "0", "end") + _text(50, 12, y_name)
-        + _text(width - 20, height - 34, text_of(round(right, 1)), "end") + _text(50, height - 34, "0") + _text(width / 2, height - 16, x_name, "middle")
+        + _text(width - 20, height - 34, text_of(round(right, 1)), "end") + _text(50, height - 34, "0")
+        + _text(width / 2, height - 16, x_name, "middle")
     )
     return _svg(width, height, f'{frame}<polyline points="{path}" fill="none" stroke="{INK}" stroke-width="1.5"/>{dots}{labels}')
 
@@ -43,8 +44,8 @@ def _strip(name, values, far):
     middle = statistics.median(values)
     return (
         f'<path d="M{MARGIN + 10} 24h{WIDTH - 20}" stroke="{PALE}"/>{ticks}<path d="M{place(middle):.1f} 4v24" stroke="#1a1a1a"/>'
-        + _text(MARGIN - 6, 21, name, "end") + _text(MARGIN + 10, 40, text_of(low)) + _text(MARGIN + WIDTH - 10, 40, text_of(high), "end")
-        + _text(MARGIN + WIDTH / 2, 40, f"median {text_of(middle)}", "middle")
+        + _text(MARGIN - 6, 21, name, "end") + _text(MARGIN + 10, 40, text_of(low))
+        + _text(MARGIN + WIDTH - 10, 40, text_of(high), "end") + _text(MARGIN + WIDTH / 2, 40, f"median {text_of(middle)}", "middle")
     )
 
 
@@ -53,5 +54,5 @@ def _text(x, y, text, anchor="start"):
 
 
 def _svg(width, height, content):
-    style = 'font-family="system-ui, sans-serif" font-size="12" fill="#1a1a1a"'
-    return f'<svg xmlns="http://www.w3.org/2000/svg" width="{width}" height="{height}" viewBox="0 0 {width} {height}" {style}>{content}</svg>'
+    place = f'xmlns="http://www.w3.org/2000/svg" width="{width}" height="{height}" viewBox="0 0 {width} {height}"'
+    return f'<svg {place} font-family="system-ui, sans-serif" font-size="12" fill="#1a1a1a">{content}</svg>'

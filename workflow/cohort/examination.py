@@ -57,11 +57,11 @@ def main():
     record["seconds"] = round((datetime.datetime.now(datetime.timezone.utc) - begin).total_seconds(), 1)
     record["processorSeconds"] = round(usage.ru_utime + usage.ru_stime, 1)
     record["memoryMB"] = usage.ru_maxrss // 1024  # of the largest process; the stages run one after another
-    write_whole(f"{subject}/attempt.json", json.dumps(dict(record, exitStatus=status, message=message_of(status, last_line)), indent=1))
+    end = {"exitStatus": status, "message": message_of(status, last_line)}
+    write_whole(f"{subject}/attempt.json", json.dumps({**record, **end}, indent=1))
     if status not in OUTCOMES:
-        sys.exit(f"{subject}: attempt {attempt}: {message_of(status, last_line)}")
-    end = {"outcome": OUTCOMES[status], "exitStatus": status, "message": message_of(status, last_line)}
-    write_whole(f"{subject}/status.json", json.dumps(end, indent=1))
+        sys.exit(f"{subject}: attempt {attempt}: {end['message']}")
+    write_whole(f"{subject}/status.json", json.dumps({"outcome": OUTCOMES[status], **end}, indent=1))
 
 
 if __name__ == "__main__":

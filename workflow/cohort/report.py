@@ -56,7 +56,8 @@ def results_table(examinations):
 
 
 def runs_table(examinations):
-    return _tabs([["subject", *RUN_COLUMNS], *([one.subject, *(one.run.get(name) for name in RUN_COLUMNS)] for one in examinations)])
+    rows = [[one.subject, *(one.run.get(name) for name in RUN_COLUMNS)] for one in examinations]
+    return _tabs([["subject", *RUN_COLUMNS], *rows])
 
 
 def _tabs(rows):
@@ -145,7 +146,10 @@ def _add_examinations(page, examinations, outliers):
     series = [(one, str(number + 1), values, far) for one, far in done for number, values in enumerate(one.series)]
     page.table(
         ["Subject", "Series", *map(_readable, SERIES_MEASURES), "Doubts"],
-        [[one.subject, int(number), *values.values(), "" if number == "2" else "; ".join(one.doubts)] for one, number, values, _ in series],
+        [
+            [one.subject, int(number), *values.values(), "; ".join(one.doubts) if number == "1" else ""]
+            for one, number, values, _ in series
+        ],
         "Series, in the order of the table.",
         [one.report for one, *_ in series],
         _far_cells([far for *_, far in series], [number for _, number, *_ in series], SERIES_MEASURES, 2),

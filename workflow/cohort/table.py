@@ -80,9 +80,8 @@ def _rows(path, faults):
     if faults:
         return []
     base = os.path.dirname(os.path.abspath(path))
-    return [
-        row for number, cells in enumerate(lines[1:], 2) if any(cells) for row in [_row(heads, number, cells, base, faults)] if row
-    ]
+    rows = [_row(heads, number, cells, base, faults) for number, cells in enumerate(lines[1:], 2) if any(cells)]
+    return [row for row in rows if row]
 
 
 def _row(heads, line, cells, base, faults):
