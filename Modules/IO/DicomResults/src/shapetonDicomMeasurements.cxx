@@ -60,6 +60,12 @@ ContentOf(const DicomMeasurementGroup &  group,
     "CONTAINS", { "125007", "DCM", "Measurement Group" }, std::move(contents), group.segment > 0 ? "1411" : "1501");
 }
 
+std::string
+MeaningOfModality(const std::string & modality)
+{
+  return modality == "CT" ? "Computed Tomography" : modality == "MR" ? "Magnetic Resonance" : modality;
+}
+
 /** TID 1600. */
 DicomContent
 ImageLibrary(const DicomSource & source, const DicomMeasurementReport & report)
@@ -67,7 +73,7 @@ ImageLibrary(const DicomSource & source, const DicomMeasurementReport & report)
   std::vector<DicomContent> contents{
     CodeContent("HAS ACQ CONTEXT",
                 { "121139", "DCM", "Modality" },
-                { source.series.modality, "DCM", source.series.modality == "CT" ? "Computed Tomography" : "Images" }),
+                { source.series.modality, "DCM", MeaningOfModality(source.series.modality) }),
     CodeContent("HAS ACQ CONTEXT", { "123014", "DCM", "Target Region" }, report.region),
     UIDContent("HAS ACQ CONTEXT", { "112227", "DCM", "Frame of Reference UID" }, source.series.frameOfReferenceUID)
   };

@@ -176,7 +176,30 @@ PutFrame(DicomItem frame, const DicomSlice & slice, std::size_t place, int numbe
   PutDerivation(frame, slice, { "113076", "DCM", "Segmentation" });
 }
 
-/** Whether a voxel has two segments. */
+/** Returns how many. */
+int
+WriteFrames(DicomItem            root,
+            const DicomSource &  source,
+            const DicomSegment & segment,
+            int                  number,
+            const LabelCount &   count,
+            BitWriter &          bits)
+{
+  const std::size_t pixels = std::size_t(source.series.size[0]) * source.series.size[1];
+  int               frames = 0;
+  for (std::size_t slice = 0; slice < source.series.slices.size(); ++slice)
+  {
+    if (count.InSlice(slice, segment.label) > 0)
+    {
+      PutFrame(root.Add(DCM_PerFrameFunctionalGroupsSequence), source.series.slices[slice], slice, number);
+      bits.Write(segment.labels->GetBufferPointer() + slice * pixels, pixels, segment.label);
+      ++frames;
+    }
+  }
+  return frames;
+}
+
+/** Whether voxels may have two segments: those of one image of labels never do. */
 bool
 DoOverlap(const std::vector<DicomSegment> & segments)
 {
@@ -200,7 +223,6 @@ WriteDicomSegmentation(const DicomSource &               source,
                 source.series,
                 FrameDimension{ DCM_ReferencedSegmentNumber, DCM_SegmentIdentificationSequence, "Segment" });
   std::map<const DicomLabelImage *, LabelCount> counts;
-  const std::size_t                             pixels = std::size_t(source.series.size[0]) * source.series.size[1];
   DicomSegmentation                             written;
   BitWriter                                     bits;
   int                                           number = 0;
@@ -215,15 +237,7 @@ WriteDicomSegmentation(const DicomSource &               source,
       continue;
     }
     PutSegment(object.Root().Add(DCM_SegmentSequence), segment, number, header);
-    for (std::size_t slice = 0; slice < source.series.slices.size(); ++slice)
-    {
-      if (count.InSlice(slice, segment.label) > 0)
-      {
-        PutFrame(object.Root().Add(DCM_PerFrameFunctionalGroupsSequence), source.series.slices[slice], slice, number);
-        bits.Write(segment.labels->GetBufferPointer() + slice * pixels, pixels, segment.label);
-        ++frames;
-      }
-    }
+    frames += WriteFrames(object.Root(), source, segment, number, count, bits);
   }
   if (frames == 0)
   {
