@@ -15,7 +15,7 @@ let page;
 before(async () => {
   rmSync(WORK, { recursive: true, force: true });
   mkdirSync(`${WORK}/downloads`, { recursive: true });
-  page = await launch({ downloads: `${WORK}/downloads` });
+  page = await launch({ width: 1280, height: 720, downloads: `${WORK}/downloads` });
   const started = Date.now();
   await open(HEAT);
   figures.open = Date.now() - started;

@@ -2,6 +2,7 @@
 #include "shapetonPictureTestUtilities.h"
 
 #include "shapetonColorMap.h"
+#include "shapetonFileBytes.h"
 #include "shapetonJson.h"
 #include "shapetonExceptions.h"
 
@@ -71,6 +72,23 @@ const shapeton::OutputPath inPlace = [](const std::string & path) { return path;
 const char * const files[] = { "index.html",    "histogram.png", "slices-heat.png", "slices-classes.png",
                                "rendering.png", "classes.csv",   "report.json" };
 } // namespace
+
+TEST_F(HeatReport, LinksToTheExplorerThatStandsBesideIt)
+{
+  const std::string folder = shapeton::TemporaryFolder("explored");
+  std::filesystem::create_directory(folder + "/" + shapeton::HeatExplorer::DataFolder);
+  const auto hasLink = [&] {
+    shapeton::WriteHeatReport(m_Content, folder, inPlace);
+    return shapeton::ReadFileBytes(folder + "/index.html").find("href=\"explorer.html\"") != std::string::npos;
+  };
+  EXPECT_FALSE(hasLink());
+  shapeton::HeatExplorer explorer(folder, inPlace);
+  shapeton::WriteExplorer(m_Content, explorer);
+  EXPECT_TRUE(std::filesystem::exists(folder + "/explorer.html"));
+  EXPECT_TRUE(std::filesystem::exists(folder + "/explorer/bins-100.js"));
+  m_Content.hasExplorer = true;
+  EXPECT_TRUE(hasLink());
+}
 
 TEST_F(HeatReport, WritesAllFilesByTheGivenNames)
 {

@@ -261,8 +261,8 @@ class HeatExplorer {
   sizeOf(line) {
     let voxels = 0;
     for (let bin = binOf(line.lower); bin < NUMBER_OF_BINS && lowerEdge(bin) < line.upper; bin++) voxels += this.counts[bin];
-    const { spacing } = this.volume, ml = (voxels * spacing[0] * spacing[1] * spacing[2]) / 1000;
-    return `${voxels.toLocaleString('en')} voxels, ${shortNumber(ml)} ml`;
+    const { spacing, stride } = this.volume, ml = (voxels * spacing[0] * spacing[1] * spacing[2]) / 1000;
+    return `${stride > 1 ? 'about ' : ''}${(voxels * stride ** 3).toLocaleString('en')} voxels, ${shortNumber(ml)} ml`;
   }
 
   // ---- crosshair ----

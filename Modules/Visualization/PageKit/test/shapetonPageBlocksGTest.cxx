@@ -45,6 +45,7 @@ TEST(PageBlocks, EqualInputGivesEqualBytesInThePageAndBesideIt)
   inside.Put("a/b", values, 1);
   beside.Put("a/b", values, 1);
   EXPECT_EQ("<script>" + shapeton::ReadFileBytes(testing::TempDir() + "/a-b.js") + "</script>\n", inside.Inline());
+  EXPECT_EQ(shapeton::ReadFileBytes(testing::TempDir() + "/a-b.js"), inside.Script());
   EXPECT_TRUE(beside.Inline().empty());
 }
 
