@@ -42,9 +42,9 @@ TEST(LiveExplorer, AStateIsOneFileWithTheLastStepAndAtMost64Rows)
 {
   const std::string      path = testing::TempDir() + "/live.js";
   shapeton::LiveExplorer explorer("now.html", [&path](const std::string &) { return path; });
-  for (std::uint64_t step = 1; step <= 200; ++step)
+  for (std::uint64_t step = 1; step <= 100; ++step)
   {
-    explorer.WriteState(VisitsAfter(step), { step, "step " + std::to_string(step), step == 200 });
+    explorer.WriteState(VisitsAfter(step), { step, "step " + std::to_string(step), step == 100 });
   }
   const std::string    script = shapeton::ReadFileBytes(path);
   const shapeton::Json state = StateIn(script);
@@ -52,13 +52,13 @@ TEST(LiveExplorer, AStateIsOneFileWithTheLastStepAndAtMost64Rows)
   {
     EXPECT_NE(script.find("block(\"" + std::string(name) + "\","), std::string::npos) << name;
   }
-  EXPECT_EQ(state["stored"], shapeton::Json({ 200 }));
-  EXPECT_EQ(state["progress"], "step 200");
+  EXPECT_EQ(state["stored"], shapeton::Json({ 100 }));
+  EXPECT_EQ(state["progress"], "step 100");
   EXPECT_EQ(state["isFinished"], true);
-  EXPECT_EQ(state["quantity"]["greatestVisits"], 200);
+  EXPECT_EQ(state["quantity"]["greatestVisits"], 100);
   const auto steps = state["timeSteps"].get<std::vector<std::uint64_t>>();
   EXPECT_GE(steps.size(), 32U);
   EXPECT_LE(steps.size(), 64U);
   EXPECT_EQ(steps.front(), 1U);
-  EXPECT_EQ(steps.back(), 200U);
+  EXPECT_EQ(steps.back(), 100U);
 }
