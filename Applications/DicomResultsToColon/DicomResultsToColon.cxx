@@ -78,7 +78,7 @@ Convert(CommandLine & commandLine)
   commandLine.Progress("Reading", 0.0);
   const auto source = shapeton::ReadDicomSource(commandLine.GetString("source"), commandLine.GetString("series"));
   commandLine.AddInput("input", "sha256:" + shapeton::Sha256OfFile(input));
-  commandLine.AddInput("source", "seriesInstanceUID:" + source.series.GetSelector());
+  commandLine.AddInput("source", shapeton::IdentityOfSeries(source.series.GetSelector()));
   if (!commandLine.IsGiven("markers"))
   {
     WriteSegments(commandLine, source);

@@ -322,7 +322,7 @@ IdentityOf(const DicomSeries & series)
 {
   if (!series.uid.empty())
   {
-    return "seriesInstanceUID:" + series.GetSelector();
+    return IdentityOfSeries(series.GetSelector());
   }
   std::string digests;
   for (const DicomSlice & slice : series.slices)

@@ -31,6 +31,15 @@ struct Volume
   Remarks notes;
 };
 
+/** Volume::identity of a DICOM series. `selector` is that of DicomSeries: the UID, with #part for a part of a mixed
+ * series. \ingroup VolumeFiles */
+VolumeFiles_EXPORT std::string
+                   IdentityOfSeries(const std::string & selector);
+
+/** The selector in such an identity; empty for the identity of anything else. \ingroup VolumeFiles */
+VolumeFiles_EXPORT std::string
+                   SeriesOfIdentity(const std::string & identity);
+
 /** Whether two volumes have the same size and all their voxels lie at the same places, to a hundredth of the smallest
  * spacing. \ingroup VolumeFiles */
 VolumeFiles_EXPORT bool

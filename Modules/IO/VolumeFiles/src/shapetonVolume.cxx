@@ -6,6 +6,23 @@
 
 namespace shapeton
 {
+namespace
+{
+const std::string prefixOfSeries = "seriesInstanceUID:";
+}
+
+std::string
+IdentityOfSeries(const std::string & selector)
+{
+  return prefixOfSeries + selector;
+}
+
+std::string
+SeriesOfIdentity(const std::string & identity)
+{
+  return identity.rfind(prefixOfSeries, 0) == 0 ? identity.substr(prefixOfSeries.size()) : "";
+}
+
 bool
 HaveSameGrid(const itk::ImageBase<3> * a, const itk::ImageBase<3> * b)
 {

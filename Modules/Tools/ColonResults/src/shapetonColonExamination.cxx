@@ -5,6 +5,7 @@
 #include "shapetonImageFile.h"
 #include "shapetonPolypSearch.h"
 #include "shapetonSurfaceReader.h"
+#include "shapetonVolume.h"
 
 #include <algorithm>
 #include <filesystem>
@@ -43,17 +44,16 @@ ReadLabels(const std::string & path)
 void
 TakeSource(ColonExamination & exam)
 {
-  const std::string prefix = "seriesInstanceUID:";
   const std::string identity = exam.quality.value("/provenance/input.inputVolume"_json_pointer, std::string());
   const Json        record = ReadJson(Required(exam, "stages/segmentation.json"));
   exam.digest = record.value("/signature/arguments/0/1"_json_pointer, std::string());
-  if (identity.rfind(prefix, 0) != 0 || exam.digest.empty())
+  exam.seriesUID = SeriesOfIdentity(identity);
+  if (exam.seriesUID.empty() || exam.digest.empty())
   {
     throw InputError("the examination \"" + exam.folder +
                      "\" was not made from a DICOM series, so that its results have none to belong to; run "
                      "VirtualColonoscopy on the series");
   }
-  exam.seriesUID = identity.substr(prefix.size());
 }
 
 double

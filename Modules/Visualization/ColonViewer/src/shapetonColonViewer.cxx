@@ -7,6 +7,7 @@
 #include "shapetonSha256.h"
 #include "shapetonViewerPosition.h"
 #include "shapetonViewerVerdicts.h"
+#include "shapetonVolume.h"
 
 #include <filesystem>
 
@@ -61,14 +62,6 @@ Fingerprint(const std::vector<std::string> & folders)
   return Sha256OfBytes(digests);
 }
 
-/** Empty for what was read from another file than DICOM. */
-std::string
-SeriesUIDOf(const std::string & identity)
-{
-  static const std::string prefix = "seriesInstanceUID:";
-  return identity.rfind(prefix, 0) == 0 ? identity.substr(prefix.size()) : "";
-}
-
 std::string
 NameOfFolder(const std::string & path)
 {
@@ -91,7 +84,7 @@ Identity(Json & positions, const std::vector<std::string> & folders, bool isAnon
   Json series = Json::array();
   for (auto & position : positions)
   {
-    const std::string uid = SeriesUIDOf(position["seriesUID"]);
+    const std::string uid = SeriesOfIdentity(position["seriesUID"]);
     position.erase("seriesUID");
     if (!uid.empty() && !isAnonymous)
     {
