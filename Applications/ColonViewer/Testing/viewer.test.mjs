@@ -343,6 +343,7 @@ const openVerdicts = async (text) => {
   const file = join(downloads, 'open.txt');
   writeFileSync(file, text);
   await page.chooseFile('#file', file);
+  await page.until(() => !document.getElementById('file').value); // read
   await idle();
   rmSync(file);
 };
