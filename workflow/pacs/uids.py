@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""uids.py FOLDER: a line "SOP instance, series, study, file" for each DICOM file below a folder, sorted. Top-level attributes alone:
+"""uids.py FOLDER...: a line "SOP instance, series, study, file" for each DICOM file below the folders, sorted. Top-level attributes alone:
 dcmdump +P also finds those of sequences. Status 1 when a file is none, or is cut off."""
 
 import os
@@ -17,5 +17,5 @@ def line_of(path):
 
 
 if __name__ == "__main__":
-    paths = (os.path.join(place, name) for place, _, names in os.walk(sys.argv[1]) for name in names)
+    paths = (os.path.join(place, name) for top in sys.argv[1:] for place, _, names in os.walk(top) for name in names)
     print("".join(f"{line}\n" for line in sorted(map(line_of, paths))), end="")
