@@ -31,7 +31,7 @@ struct Volume
   Remarks notes;
 };
 
-/** Volume::identity of a DICOM series. `selector` is that of DicomSeries: the UID, with #part for a part of a mixed
+/** Volume::identity of a DICOM series. `selector` is that of DicomSeries: the UID, with "#part" for a part of a mixed
  * series. \ingroup VolumeFiles */
 VolumeFiles_EXPORT std::string
                    IdentityOfSeries(const std::string & selector);
