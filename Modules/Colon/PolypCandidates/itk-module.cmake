@@ -17,7 +17,6 @@ itk_module(PolypCandidates
     VolumeFiles
     ShapeDiffusion
     ColonLandmarks
-    ITKIOImageBase
     ITKIONRRD
     ITKImageFunction
   TEST_DEPENDS

@@ -6,8 +6,8 @@ itk_module(VolumeFiles
   DEPENDS
     Base
     ITKCommon
-  PRIVATE_DEPENDS
     ITKIOImageBase
+  PRIVATE_DEPENDS
     ITKIOMeta
     ITKIONIFTI
     ITKIONRRD

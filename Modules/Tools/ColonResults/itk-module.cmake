@@ -19,7 +19,7 @@ itk_module(ColonResults
     ColonViews
     StagedRun
     ITKCommon
-    ITKIOImageBase
+    ITKIONRRD
     ITKIOPNG
   TEST_DEPENDS
     ITKGoogleTest

@@ -34,6 +34,11 @@ struct ColonSegmentExtent
 ColonLandmarks_EXPORT std::vector<ColonSegmentExtent>
                       SegmentsOf(const Json & landmarks, double lengthOfCentreline);
 
+/** The segment in which a place on the centreline lies, mm from the anal verge; the last one holds its end. Null
+ * outside of all. */
+ColonLandmarks_EXPORT const ColonSegmentExtent *
+FindSegment(const std::vector<ColonSegmentExtent> & segments, double arcLength);
+
 /** A flexure as the document has it. */
 struct ColonFlexurePlace
 {

@@ -69,4 +69,18 @@ FlexuresOf(const Json & landmarks)
   }
   return flexures;
 }
+
+const ColonSegmentExtent *
+FindSegment(const std::vector<ColonSegmentExtent> & segments, double arcLength)
+{
+  for (const ColonSegmentExtent & segment : segments)
+  {
+    const bool isBeforeEnd = arcLength < segment.end || (arcLength == segment.end && &segment == &segments.back());
+    if (arcLength >= segment.begin && isBeforeEnd)
+    {
+      return &segment;
+    }
+  }
+  return nullptr;
+}
 } // namespace shapeton

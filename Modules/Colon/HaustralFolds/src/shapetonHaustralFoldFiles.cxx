@@ -1,6 +1,7 @@
 #include "shapetonHaustralFoldFiles.h"
 
 #include "shapetonExceptions.h"
+#include "shapetonReadImage.h"
 
 #include "itkImageFileReader.h"
 #include "itkImageFileWriter.h"
@@ -192,19 +193,7 @@ WriteFoldLabels(const HaustralFolds &  folds,
 itk::Image<unsigned short, 2>::Pointer
 ReadFoldLabels(const std::string & path)
 {
-  const auto reader = itk::ImageFileReader<LabelImage>::New();
-  reader->SetImageIO(itk::NrrdImageIO::New());
-  reader->SetFileName(path);
-  try
-  {
-    reader->Update();
-  }
-  catch (const itk::ExceptionObject & error)
-  {
-    throw InputError("\"" + path + "\" cannot be read (" + error.GetDescription() +
-                     "); remove it and run VirtualColonoscopy again");
-  }
-  return reader->GetOutput();
+  return ReadImage<LabelImage>(path, itk::NrrdImageIO::New(), "remove it and run VirtualColonoscopy again");
 }
 
 std::vector<unsigned short>

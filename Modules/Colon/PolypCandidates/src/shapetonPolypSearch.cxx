@@ -5,11 +5,11 @@
 #include "shapetonColonSegments.h"
 #include "shapetonFlatColonLocator.h"
 #include "shapetonPolypContent.h"
+#include "shapetonReadImage.h"
 #include "shapetonSurfaceReader.h"
 #include "shapetonExceptions.h"
 #include "shapetonImageFile.h"
 
-#include "itkImageFileReader.h"
 #include "itkNrrdImageIO.h"
 
 #include <cmath>
@@ -32,23 +32,6 @@ RequireThere(const std::string & path)
   {
     throw InputError("\"" + path + "\" is not there; give a folder that VirtualColonoscopy has written");
   }
-}
-
-PolypLumenImage::Pointer
-ReadLumen(const std::string & path)
-{
-  auto reader = itk::ImageFileReader<PolypLumenImage>::New();
-  reader->SetImageIO(itk::NrrdImageIO::New());
-  reader->SetFileName(path);
-  try
-  {
-    reader->Update();
-  }
-  catch (const itk::ExceptionObject & error)
-  {
-    throw InputError("\"" + path + "\" cannot be read (" + error.GetDescription() + "); run VirtualColonoscopy again");
-  }
-  return reader->GetOutput();
 }
 
 SurfaceMesh
@@ -134,7 +117,8 @@ ReadPolypColon(const std::string & folder)
   RequireThere(segmentation + "wall-repaired.vtp");
   RequireThere(segmentation + "lumen.nrrd");
   colon.wall = ReadPart(segmentation + "wall-repaired.vtp", "wall", "", colon);
-  colon.lumen = ReadLumen(segmentation + "lumen.nrrd");
+  colon.lumen =
+    ReadImage<PolypLumenImage>(segmentation + "lumen.nrrd", itk::NrrdImageIO::New(), "run VirtualColonoscopy again");
   if (IsThere(segmentation + "centreline.vtp"))
   {
     colon.centreline = ReadCurves(segmentation + "centreline.vtp");

@@ -46,18 +46,12 @@ MappedSurface(const SurfaceMesh & flat, const TMap & map)
   return surface;
 }
 
-/** Labels of segments on the way along a colon. */
+/** Its name; "" outside of all. */
 std::string
 SegmentAt(const std::vector<ColonSegmentExtent> & segments, double arcLength)
 {
-  for (const ColonSegmentExtent & segment : segments)
-  {
-    if (arcLength >= segment.begin && arcLength < segment.end)
-    {
-      return segment.name;
-    }
-  }
-  return "";
+  const ColonSegmentExtent * const segment = FindSegment(segments, arcLength);
+  return segment != nullptr ? segment->name : "";
 }
 
 /** Of the columns of the flat map. */

@@ -5,10 +5,10 @@
 #include "shapetonDicomPictures.h"
 #include "shapetonExceptions.h"
 #include "shapetonPicture.h"
+#include "shapetonReadImage.h"
 #include "shapetonSurfaceReader.h"
 #include "shapetonVolume.h"
 
-#include "itkImageFileReader.h"
 #include "itkPNGImageIO.h"
 
 namespace shapeton
@@ -41,23 +41,6 @@ HeaderOf(const ColonExamination & exam, int number, const std::string & what)
   return { "VirtualColonoscopy", version, 9000 + number, "Research: " + what };
 }
 
-Picture::Pointer
-ReadPicture(const std::string & path)
-{
-  const auto reader = itk::ImageFileReader<Picture>::New();
-  reader->SetImageIO(itk::PNGImageIO::New());
-  reader->SetFileName(path);
-  try
-  {
-    reader->Update();
-  }
-  catch (const itk::ExceptionObject & error)
-  {
-    throw InputError("\"" + path + "\" cannot be read (" + error.GetDescription() + "); run VirtualColonoscopy again");
-  }
-  return reader->GetOutput();
-}
-
 /** The flat colon, where there is one, and the wall. */
 void
 WritePictures(ColonExamination &  exam,
@@ -67,10 +50,11 @@ WritePictures(ColonExamination &  exam,
 {
   if (exam.Has("flattening/flat.png", "no picture of the flat colon"))
   {
-    WriteDicomPicture(series,
-                      ReadPicture(exam.PathOf("flattening/flat.png")),
-                      HeaderOf(exam, 3, "flat colon"),
-                      outputPath(folder + "/sc.dcm"));
+    WriteDicomPicture(
+      series,
+      ReadImage<Picture>(exam.PathOf("flattening/flat.png"), itk::PNGImageIO::New(), "run VirtualColonoscopy again"),
+      HeaderOf(exam, 3, "flat colon"),
+      outputPath(folder + "/sc.dcm"));
   }
   if (exam.Has("segmentation/wall-simplified.vtp", "no surface of the wall"))
   {

@@ -2,12 +2,13 @@
 
 #include "shapetonExceptions.h"
 #include "shapetonHaustralFoldFiles.h"
-#include "shapetonImageFile.h"
 #include "shapetonPolypSearch.h"
+#include "shapetonReadImage.h"
 #include "shapetonSurfaceReader.h"
 #include "shapetonVolume.h"
 
-#include <algorithm>
+#include "itkNrrdImageIO.h"
+
 #include <filesystem>
 
 namespace shapeton
@@ -27,17 +28,7 @@ Required(const ColonExamination & exam, const std::string & name)
 DicomLabelImage::Pointer
 ReadLabels(const std::string & path)
 {
-  const Volume volume = ReadImageFile(path);
-  const auto   labels = DicomLabelImage::New();
-  labels->CopyInformation(volume.image);
-  labels->SetRegions(volume.image->GetBufferedRegion());
-  labels->Allocate();
-  const float * const first = volume.image->GetBufferPointer();
-  std::transform(first,
-                 first + volume.image->GetBufferedRegion().GetNumberOfPixels(),
-                 labels->GetBufferPointer(),
-                 [](float value) { return static_cast<unsigned short>(value); });
-  return labels;
+  return ReadImage<DicomLabelImage>(path, itk::NrrdImageIO::New(), "run VirtualColonoscopy again");
 }
 
 /** By what the run knows its series: the UID that it read, and the digest of its files. */

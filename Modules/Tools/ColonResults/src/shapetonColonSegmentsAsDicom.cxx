@@ -82,14 +82,6 @@ ColonMask(const DicomLabelImage * lumen)
   return mask;
 }
 
-unsigned short
-SegmentAt(const std::vector<ColonSegmentExtent> & segments, double arcLength)
-{
-  const auto found = std::find_if(segments.begin(), segments.end(), [&](const ColonSegmentExtent & segment) {
-    return arcLength >= segment.begin && arcLength <= segment.end;
-  });
-  return found == segments.end() ? 0 : static_cast<unsigned short>(found->label);
-}
 } // namespace
 
 ColonSegmentsAsDicom::ColonSegmentsAsDicom(const ColonExamination & exam) : m_Exam(exam), m_Parts(exam.lumen)
@@ -174,7 +166,8 @@ ColonSegmentsAsDicom::AddColonSegments()
     return;
   }
   m_ColonSegments = LabelLumenAlong(ColonMask(m_Exam.lumen), m_Exam.centreline, [&](double arcLength) {
-    return SegmentAt(m_Exam.segments, arcLength);
+    const ColonSegmentExtent * const segment = FindSegment(m_Exam.segments, arcLength);
+    return segment != nullptr ? static_cast<unsigned short>(segment->label) : 0;
   });
   for (const ColonSegmentExtent & segment : m_Exam.segments)
   {

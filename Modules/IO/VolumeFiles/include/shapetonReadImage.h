@@ -1,0 +1,33 @@
+#ifndef shapetonReadImage_h
+#define shapetonReadImage_h
+
+#include "shapetonExceptions.h"
+
+#include "itkImageFileReader.h"
+
+#include <string>
+
+namespace shapeton
+{
+/** An image in the type of its own that a run of the tools has written, by the reader of its format. Throws InputError
+ * that names the file and ends with `advice`, what to do. \ingroup VolumeFiles */
+template <typename TImage>
+typename TImage::Pointer
+ReadImage(const std::string & path, itk::ImageIOBase * format, const std::string & advice)
+{
+  const auto reader = itk::ImageFileReader<TImage>::New();
+  reader->SetImageIO(format);
+  reader->SetFileName(path);
+  try
+  {
+    reader->Update();
+  }
+  catch (const itk::ExceptionObject & error)
+  {
+    throw InputError("\"" + path + "\" cannot be read (" + error.GetDescription() + "); " + advice);
+  }
+  return reader->GetOutput();
+}
+} // namespace shapeton
+
+#endif
