@@ -1,10 +1,10 @@
-// What needs no WebGL works in Firefox, too. usage: VIEWER=folder of viewer.html SPHERE=folder of index.html [SHOTS=folder]
-// node --test firefox.test.mjs
+// What needs no WebGL works in Firefox, too. usage: VIEWER=folder of viewer.html SPHERE=folder of index.html
+// HEAT=folder of explorer.html [SHOTS=folder] node --test firefox.test.mjs
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 import { launchFirefox } from './firefox.mjs';
 
-const { VIEWER, SPHERE, SHOTS } = process.env, FLAT_VIEWS = ['flat', 'axial', 'coronal', 'sagittal'];
+const { VIEWER, SPHERE, HEAT, SHOTS } = process.env, FLAT_VIEWS = ['flat', 'axial', 'coronal', 'sagittal'];
 let page;
 
 before(async () => { page = await launchFirefox(); });
@@ -51,4 +51,22 @@ test('a click on a node of a page of graphs selects it', async () => {
   await page.evaluate(() => graphPage.idle());
   assert.match(await page.evaluate(() => document.getElementById('told').textContent), /^node \d+ of .* degree 3/);
   await shot('firefox-graph');
+});
+
+test('without WebGL 2 the explorer of heat says so, and a pick on the histogram colours the slices', async () => {
+  await page.open(`${HEAT}/explorer.html`);
+  await page.until(() => Boolean(window.explorer));
+  assert.match(await page.evaluate(() => document.getElementById('notices').textContent), /no WebGL 2/);
+  const pictures = () => page.evaluate(() => explorer.idle().then(() => explorer.slices.map((slice) => slice.canvas.toDataURL())));
+  const at = await page.evaluate(() => { // of a line that the report has found
+    const { axis, lines: [{ lower, upper }], histogramView: { canvas, plot } } = explorer, { x, y } = canvas.getBoundingClientRect();
+    return [x + plot.left + axis.positionOf((lower + upper) / 2) * (plot.width - 1), y + plot.top + 0.6 * plot.height];
+  });
+  await page.evaluate(() => explorer.change({ lines: [] }));
+  const empty = await pictures();
+  await page.click(...at);
+  const picked = await pictures();
+  assert.equal(await page.evaluate(() => explorer.lines.length), 1);
+  assert.notDeepEqual(picked, empty);
+  await shot('firefox-explorer');
 });

@@ -3,7 +3,7 @@ import { add, clamp, cross, dot, scaled, sub, unit } from '../../PageKit/scripts
 import { View } from '../../PageKit/scripts/view.mjs';
 
 const BLOCK = 8, FILLED = 0.88; // voxels of a block's side; the share of the picture that the volume takes
-const BUDGET = [200, 1500], FIRST_COST = 0.01; // ms for a coarse and for a fine picture; for a pixel, until one has been drawn
+const BUDGET = [200, 1500], LEAST_PART = 0.1; // ms for a coarse and for a fine picture; of the pixels of the screen, along a side
 const MIXED = 1, UNIFORM = 2; // what a block holds; 0: nothing that is seen
 
 // One triangle covers the picture.
@@ -171,7 +171,7 @@ export class RenderingView extends View {
   constructor(root, page) {
     super(root, 'rendering', 'rendering');
     Object.assign(this, { page, azimuth: 0, elevation: 0, enlarged: 1, isCoarse: false, caster: new RayCaster(page.volume.size) });
-    Object.assign(this, { picture: document.createElement('canvas'), cost: FIRST_COST, budget: BUDGET });
+    Object.assign(this, { picture: document.createElement('canvas'), budget: BUDGET });
     const { spacing, axes } = page.volume, [x, y, z] = axes, volume = dot(x, cross(y, z));
     this.rows = [cross(y, z), cross(z, x), cross(x, y)].map((row, k) => scaled(row, 1 / (volume * spacing[k]))); // from mm to voxels
   }
@@ -187,6 +187,7 @@ export class RenderingView extends View {
   load(bins, numbers, colours) {
     if (!this.isPossible) return;
     this.caster.load(bins, numbers, colours);
+    this.cost = null; // rays that end at an opaque voxel say nothing of those through a clear one
     this.quickly();
   }
 
@@ -223,8 +224,17 @@ export class RenderingView extends View {
 
   // A picture as sharp as the time for it allows, by how long the last one took; sharper again where most of the time was left.
   cast(w, h, ratio) {
-    const started = performance.now(), budget = this.budget[this.isCoarse ? 0 : 1];
-    const part = clamp(Math.sqrt(budget / (this.cost * w * h)), 0.1, ratio);
+    const budget = this.budget[this.isCoarse ? 0 : 1];
+    if (this.cost === null) this.render(w, h, LEAST_PART); // tells the cost
+    const part = clamp(Math.sqrt(budget / (this.cost * w * h)), LEAST_PART, ratio), time = this.render(w, h, part);
+    this.page.times[this.isCoarse ? 'coarse' : 'fine'] = time;
+    this.isStale = !this.isCoarse && part < ratio && time < budget / 2;
+    if (this.isStale) this.changed();
+  }
+
+  // Draws a picture with so many pixels for each of the screen, along a side, and measures what one costs. Returns the time, ms.
+  render(w, h, part) {
+    const started = performance.now();
     const [W, H] = [w, h].map((n) => Math.max(1, Math.round(n * part))), { right, up, forward, mm, middle } = this.projection(W, H);
     const { origin, spacing } = this.page.volume;
     const corner = add(sub(middle, scaled(right, (mm * (W - 1)) / 2)), scaled(up, (mm * (H - 1)) / 2));
@@ -237,10 +247,8 @@ export class RenderingView extends View {
     Object.assign(this.picture, { width: W, height: H });
     this.picture.getContext('2d', { willReadFrequently: true }).drawImage(drawn, 0, 0); // waits for it
     const time = performance.now() - started;
-    this.page.times[this.isCoarse ? 'coarse' : 'fine'] = time;
     this.cost = time / (W * H);
-    this.isStale = !this.isCoarse && part < ratio && time < budget / 2;
-    if (this.isStale) this.changed();
+    return time;
   }
 
   pixelOf(index) {
