@@ -16,11 +16,23 @@ constexpr double greatestOdds = 6.0;
 /** Mean curvature of folds, 1/mm: the rim of a fold 10 mm thick has 0.1, of which smoothing leaves about half. */
 constexpr double leastFold = 0.05;
 
+/** A pixel counts for as many median ones at most: where a pouch is gathered in a few pixels, one of them may have
+ * thousands of square millimetres, and curvature that says nothing of them. */
+constexpr double greatestArea = 20.0;
+
 struct Samples
 {
   std::vector<double> values;
   std::vector<double> areas;
 };
+
+double
+Percentile(std::vector<double> values, double share)
+{
+  const auto place = values.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
+  std::nth_element(values.begin(), place, values.end());
+  return *place;
+}
 
 Samples
 TakeSamples(const FoldPicture & picture)
@@ -35,15 +47,12 @@ TakeSamples(const FoldPicture & picture)
       samples.areas.push_back(picture.AreaOf(pixel));
     }
   }
+  const double most = samples.areas.empty() ? 0.0 : greatestArea * Percentile(samples.areas, 0.5);
+  for (double & area : samples.areas)
+  {
+    area = std::min(area, most);
+  }
   return samples;
-}
-
-double
-Percentile(std::vector<double> values, double share)
-{
-  const auto place = values.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
-  std::nth_element(values.begin(), place, values.end());
-  return *place;
 }
 
 double

@@ -8,6 +8,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 namespace
 {
 using foldtubes::Fold;
@@ -229,6 +231,37 @@ TEST(HaustralFolds, NeedlesDoNoHarm)
   const auto         corner = [&](int k) { return mesh.V.row(mesh.F(face, k)); };
   corner(0) = 0.5 * (corner(1) + corner(2)).eval();
   EXPECT_EQ(FindHaustralFolds(FlatColon(mesh)).folds.size(), 4u);
+}
+
+// A knob that the map gathers in a pixel has the area of all folds there, and one curvature.
+TEST(HaustralFolds, AreaInOnePixelDoesNotOutweighFolds)
+{
+  constexpr double      reach = 8.0; // mm
+  const Eigen::Vector2d middle(70.5, 40.5);
+  shapeton::SurfaceMesh tube = MakeTube(FourFolds());
+  const HaustralFolds   plain = FindHaustralFolds(FlatColon(tube));
+  for (shapeton::SurfaceArray & array : tube.pointArrays)
+  {
+    for (Eigen::Index i = 0; array.name == "uv" && i < tube.V.rows(); ++i)
+    {
+      const Eigen::Vector2d away = array.values.row(i).transpose() - middle;
+      if (away.norm() < reach)
+      {
+        tube.V.row(i).head<2>() *= 1.0 - 1.5 * std::exp(-0.08 * away.squaredNorm());
+        array.values.row(i) = (middle + 0.06 * away).transpose();
+      }
+    }
+  }
+  const FlatColon     flat(tube);
+  const HaustralFolds found = FindHaustralFolds(flat);
+  for (const HaustralFold & fold : plain.folds)
+  {
+    const auto same = std::find_if(found.folds.begin(), found.folds.end(), [&](const HaustralFold & other) {
+      return DistanceOnMap(flat.Grid(), other.centreUv, fold.centreUv) < 2.0;
+    });
+    ASSERT_NE(same, found.folds.end());
+    EXPECT_NEAR(same->area, fold.area, 0.1 * fold.area);
+  }
 }
 
 TEST(HaustralFolds, ThreadsDoNotMatter)
