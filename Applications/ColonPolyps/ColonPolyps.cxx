@@ -3,6 +3,7 @@
 #include "shapetonCommandLine.h"
 #include "shapetonPolypCandidateReport.h"
 #include "shapetonPolypContent.h"
+#include "shapetonRegistrationFiles.h"
 #include "shapetonSha256.h"
 #include "shapetonSlicerMarkups.h"
 #include "shapetonSurfaceReader.h"
@@ -23,18 +24,7 @@ CheckUsage(const CommandLine & commandLine)
                              "--other needs --registration, which tells where candidates lie in the other position");
 }
 
-std::vector<Eigen::Vector3d>
-ReadOthers(CommandLine & commandLine)
-{
-  if (!commandLine.IsGiven("other"))
-  {
-    return {};
-  }
-  const std::string path = commandLine.GetString("other");
-  commandLine.AddInput("other", "sha256:" + shapeton::Sha256OfFile(path));
-  return shapeton::ReadPolypCandidatePlaces(path);
-}
-
+/** Of the two maps of a registration the one from the wall that the candidates are on. */
 void
 MapToOther(CommandLine & commandLine, Candidates & candidates)
 {
@@ -42,11 +32,17 @@ MapToOther(CommandLine & commandLine, Candidates & candidates)
   {
     return;
   }
-  const std::vector<Eigen::Vector3d> others = ReadOthers(commandLine);
-  const std::string                  folder = commandLine.GetString("registration");
-  std::string                        nearest;
-  shapeton::SurfaceMesh              map;
-  double                             least = std::numeric_limits<double>::infinity();
+  std::vector<shapeton::OtherPolypCandidate> others;
+  if (commandLine.IsGiven("other"))
+  {
+    const std::string path = commandLine.GetString("other");
+    commandLine.AddInput("other", "sha256:" + shapeton::Sha256OfFile(path));
+    others = shapeton::ReadOtherPolypCandidates(path);
+  }
+  const std::string     folder = commandLine.GetString("registration");
+  std::string           nearest;
+  shapeton::SurfaceMesh map;
+  double                least = std::numeric_limits<double>::infinity();
   for (const char * const name : { "/map-supine-to-prone.vtp", "/map-prone-to-supine.vtp" })
   {
     const shapeton::Surface surface = shapeton::ReadSurface(folder + name);
@@ -60,6 +56,10 @@ MapToOther(CommandLine & commandLine, Candidates & candidates)
     }
   }
   shapeton::FindInOtherPosition(map, '"' + nearest + '"', others, candidates);
+  if (commandLine.IsGiven("other"))
+  {
+    shapeton::WeighByOtherPosition(shapeton::ConfidenceOfRegistration(folder), candidates);
+  }
 }
 
 void

@@ -1,7 +1,7 @@
 #include "BoundTable.h"
+#include "PolypPair.h"
 #include "PolypTrial.h"
 
-#include "shapetonPolypContent.h"
 #include "shapetonPolypShapeDiffusion.h"
 
 #include <algorithm>
@@ -222,7 +222,7 @@ AddCurve(const std::vector<PolypExam> & exams, ValidationReport & report)
     cells.push_back(MeanWithInterval(FalsePerPatient(exams, score)));
     table.AddRow(std::move(cells));
   }
-  report.AddText("Free-response ROC: recall and false candidates as the sensitivity grows.");
+  report.AddText("Free-response ROC by each position alone: recall and false candidates as the sensitivity grows.");
   report.AddTable(table);
 }
 
@@ -265,28 +265,6 @@ TryPublished(const std::vector<PolypExam> & exams, BoundTable & table)
   table.AddFact("published preset: false candidates per exam" + some, Rounded(falses));
 }
 
-/** As SearchPolyps() judges them, without the shape diffusion, which counts for nothing. */
-PolypExam
-TryExam(const LandmarkCase & one, const ColonExam & exam)
-{
-  PolypCandidateOptions options;
-  options.sensitivity = 0.999;
-  std::vector<PolypCandidate> candidates = FindPolypCandidates(exam.wall, options);
-  if (exam.ct)
-  {
-    MeasureContent(exam.wall, exam.ct, exam.lumen, candidates);
-  }
-  if (const auto valve = IleocaecalValveOf(exam.centreline))
-  {
-    RankValveLast(*valve, candidates);
-  }
-  if (!exam.catheter.curves.empty())
-  {
-    RankCatheterLast(exam.catheter, candidates);
-  }
-  return ComparePolyps(one, *exam.anatomy, candidates);
-}
-
 PolypExam
 TryPublishedExam(const LandmarkCase & one, const ColonExam & exam)
 {
@@ -295,37 +273,78 @@ TryPublishedExam(const LandmarkCase & one, const ColonExam & exam)
   return ComparePolyps(one, *exam.anatomy, FindPublishedPolypCandidates(exam.wall, exam.lumen, nullptr, options));
 }
 
+/** What was found in the exams of a column. */
+struct Results
+{
+  /** As a run of both positions delivers it, with default options. */
+  std::vector<PolypExam> delivered;
+  /** By each position alone, at any sensitivity. */
+  std::vector<PolypExam> alone;
+  std::vector<PolypExam> published;
+  int                    pairs{ 0 };
+};
+
+/** Both positions of a patient. */
+void
+TryPatient(const LandmarkCase * cases, const std::string & title, ValidationReport & report, Results & results)
+{
+  ColonExam                   exams[2];
+  std::vector<PolypCandidate> candidates[2];
+  for (int i = 0; i < 2; ++i)
+  {
+    ValidationReport::Progress(title + ": " + NameOfCase(cases[i]));
+    exams[i] = MakeColonExam(cases[i]);
+    if (!exams[i].failure.empty())
+    {
+      report.AddText(NameOfCase(cases[i]) + " FAILED: " + exams[i].failure + ' ' + report.Check(false));
+      results.alone.push_back(ComparePolyps(cases[i], *exams[i].anatomy, {})); // all are missed
+      continue;
+    }
+    candidates[i] = FindJudgedCandidates(exams[i], defaultPolypSensitivity);
+    results.alone.push_back(ComparePolyps(cases[i], *exams[i].anatomy, FindJudgedCandidates(exams[i], 0.999)));
+    if (results.published.size() < publishedExams)
+    {
+      results.published.push_back(TryPublishedExam(cases[i], exams[i]));
+    }
+  }
+  const bool areThere = exams[0].failure.empty() && exams[1].failure.empty();
+  results.pairs += areThere && WeighPair(exams[0], exams[1], candidates[0], candidates[1]);
+  for (int i = 0; i < 2; ++i)
+  {
+    results.delivered.push_back(ComparePolyps(cases[i], *exams[i].anatomy, candidates[i]));
+  }
+}
+
 /** Returns the sessile and pedunculated polyps of 10 mm and more. */
 Count
 TryColumn(const Column & column, ValidationReport & report)
 {
   report.AddText("## " + column.title);
-  std::vector<PolypExam> exams, published;
-  for (const LandmarkCase & one : column.cases)
+  Results results;
+  for (std::size_t i = 0; i + 1 < column.cases.size(); i += 2)
   {
-    ValidationReport::Progress(column.title + ": " + NameOfCase(one));
-    const ColonExam exam = MakeColonExam(one);
-    if (!exam.failure.empty())
-    {
-      report.AddText(NameOfCase(one) + " FAILED: " + exam.failure + ' ' + report.Check(false));
-      exams.push_back(ComparePolyps(one, *exam.anatomy, {})); // all are missed
-      continue;
-    }
-    exams.push_back(TryExam(one, exam));
-    if (published.size() < publishedExams)
-    {
-      published.push_back(TryPublishedExam(one, exam));
-    }
+    TryPatient(&column.cases[i], column.title, report, results);
   }
   BoundTable table(report, true);
-  AddBounded(column.bounds, exams, table);
-  AddReported(exams, table);
-  TryPublished(published, table);
+  AddBounded(column.bounds, results.delivered, table);
+  AddReported(results.delivered, table);
+  const std::vector<double> alone = FalsePerPatient(results.alone, defaultScore);
+  table.AddFact("patients whose positions weigh each other's candidates",
+                RatioOf(results.pairs, static_cast<int>(alone.size())));
+  table.AddFact("by each position alone: false candidates per patient", Rounded(MeanOf(alone)), alone);
+  for (const auto & [name, group] : { std::pair<const char *, Group>{ "polyps >= 10 mm", large },
+                                      { "polyps of 6 to 9 mm", medium },
+                                      { "flat polyps >= 10 mm", flatLarge } })
+  {
+    table.AddFact(std::string("by each position alone: ") + name,
+                  ShareWithBound(CountFound(results.alone, group, defaultScore)));
+  }
+  TryPublished(results.published, table);
   table.Write();
-  AddCurve(exams, report);
+  AddCurve(results.alone, report);
   report.AddText("Polyps of 6 mm and more that are no candidates:");
-  report.AddText(ListOfMissed(exams));
-  return CountFound(exams, large, defaultScore);
+  report.AddText(ListOfMissed(results.delivered));
+  return CountFound(results.delivered, large, defaultScore);
 }
 
 void
@@ -354,8 +373,8 @@ Explain(const ValidationSettings & settings, ValidationReport & report)
     "its middle lies within the radius of the polyp and 3 mm of the middle of its head or of its base. Other "
     "candidates are false, unless they are at another polyp; the false ones of a patient are those of both positions "
     "together, which is stricter than for each exam. Scores are those that are delivered: of content, of a valve and "
-    "of a "
-    "catheter that were found, too. A candidate at the ileocaecal valve counts as false. Bounds of shares are Wilson's "
+    "of a catheter that were found, and weighed by what the other position shows, where both can be registered. A "
+    "candidate at the ileocaecal valve counts as false. Bounds of shares are Wilson's "
     "95 % intervals, two-sided, with polyps "
     "taken as independent; intervals of means are over patients or polyps.");
 }
@@ -369,7 +388,8 @@ TryCoarsePatient(const ValidationSettings & settings, ValidationReport & report)
   report.AddText("One coarse patient is modelled: " + report.Check(exam.failure.empty()));
   if (exam.failure.empty())
   {
-    const std::vector<PolypExam> exams{ TryExam(column.cases[0], exam) };
+    const std::vector<PolypExam> exams{ ComparePolyps(
+      column.cases[0], *exam.anatomy, FindJudgedCandidates(exam, defaultPolypSensitivity)) };
     const Count                  big = CountFound(exams, large, defaultScore);
     const int                    falses = CountFrom(exams[0].falseScores, defaultScore);
     report.AddText("Polyps >= 10 mm found " + RatioOf(big.found, big.present) + ", false candidates " +

@@ -38,9 +38,21 @@ Search(const SurfaceMesh &                                  wall,
 }
 
 Candidates
-InOtherPosition(const SurfaceMesh & map, Candidates candidates, const Places & others)
+InOtherPosition(const SurfaceMesh &           map,
+                Candidates                    candidates,
+                const Candidates &            others,
+                const std::optional<double> & confidence)
 {
-  FindInOtherPosition(map, "the map", others.points, candidates);
+  std::vector<OtherPolypCandidate> sought;
+  for (const PolypCandidate & other : others)
+  {
+    sought.push_back(AsOther(other));
+  }
+  FindInOtherPosition(map, "the map", sought, candidates);
+  if (confidence)
+  {
+    WeighByOtherPosition(*confidence, candidates);
+  }
   return candidates;
 }
 
@@ -49,9 +61,11 @@ AddCandidate(py::module_ & module)
 {
   py::class_<PolypInOtherPosition>(module, "PolypInOtherPosition", "Where a candidate lies in the other position.")
     .def_readonly("point", &PolypInOtherPosition::point, "On the other wall; LPS, mm.")
-    .def_readonly("distance", &PolypInOtherPosition::distance, "To the nearest candidate there, mm.")
+    .def_readonly("distance", &PolypInOtherPosition::distance, "To the candidate there that is most alike, mm.")
     .def_readonly("candidate", &PolypInOtherPosition::candidate, "Its number; 0 for none.")
-    .def_readonly("is_seen", &PolypInOtherPosition::isSeen, "A candidate lies within reach.")
+    .def_readonly("likeness", &PolypInOtherPosition::likeness, "0 to 1: of place, width and score.")
+    .def_readonly("own_score", &PolypInOtherPosition::ownScore, "The score before it was weighed; else NaN.")
+    .def_readonly("is_seen", &PolypInOtherPosition::isSeen, "A candidate there is alike.")
     .def_readonly("is_excluded", &PolypInOtherPosition::isExcluded, "Nothing can be said there.")
     .def_readonly("confidence", &PolypInOtherPosition::confidence, "Of the registration, 0 to 1.");
 
@@ -110,11 +124,14 @@ progress: called with (share, stage); it hears of the stages alone, so an abort 
              "map"_a,
              "candidates"_a,
              "others"_a,
+             py::kw_only(),
+             "confidence"_a = py::none(),
              ReleaseGil(),
              R"(The candidates with `other` set, by a map of `Registration`.
 
-map: `Registration.supine_to_prone`, where the candidates are supine. others: k x 3, LPS mm: the middles of the other
-position's candidates.)");
+map: `Registration.supine_to_prone`, where the candidates are supine. others: the candidates of the other position.
+confidence: that of the registration, 0 to 1; where given, scores are weighed by what is seen there: a polyp stays where
+it is, most stool moves.)");
   module.def("implied_category",
              &CategoryImplied,
              "candidates"_a,

@@ -69,25 +69,44 @@ struct PolypInOtherPosition
 {
   /** The place on the other wall that the registration takes the candidate to, LPS, mm. */
   Eigen::Vector3d point{ Eigen::Vector3d::Zero() };
-  /** mm from there to the nearest candidate of the other position; infinite where there is none. */
+  /** mm from there to the candidate of the other position that is most alike, or to the nearest where none is; infinite
+   * without candidates. */
   double distance{ std::numeric_limits<double>::infinity() };
   /** The number of that candidate; 0 for none. */
   int candidate{ 0 };
-  /** A candidate lies within the reach of the registration. */
+  /** A candidate there is alike: likeness of at least 0.1. */
   bool isSeen{ false };
   /** The place is collapsed, bridged or not imaged in one of the positions: nothing can be said. */
   bool isExcluded{ false };
   /** Of the registration there, 0 to 1. */
   double confidence{ 0.0 };
+  /** How much what is seen at that place is the candidate, 0 to 1: the greatest score of a candidate there, less the
+   * farther off it lies (standard deviation 8 mm) and the more its width differs (a factor of e^0.5). */
+  double likeness{ 0.0 };
+  /** PolypCandidate::score before WeighByOtherPosition(); not a number where that was not done. */
+  double ownScore{ std::numeric_limits<double>::quiet_NaN() };
+};
+
+/** A candidate of the other position, see FindInOtherPosition(). \ingroup PolypCandidates */
+struct OtherPolypCandidate
+{
+  int number{ 0 };
+  /** LPS, mm. */
+  Eigen::Vector3d position{ Eigen::Vector3d::Zero() };
+  /** mm; not a number where it is not known. */
+  double diameter{ std::numeric_limits<double>::quiet_NaN() };
+  /** By its own position alone, 0 to 1. */
+  double score{ 1.0 };
 };
 
 /** A place of the wall that looks like a polyp. For research use; a candidate is no finding. \ingroup PolypCandidates
  */
 struct PolypCandidate
 {
-  /** From 1, by falling score. */
+  /** From 1, by falling score of its position alone. */
   int number{ 0 };
-  /** 0 to 1: that of the shape, times the TissueLikelihood() of what the head is made of, where that is known. */
+  /** 0 to 1: that of the shape, times the TissueLikelihood() of what the head is made of, where that is known; see
+   * WeighByOtherPosition(). */
   double score{ 0.0 };
   /** Of the shape alone, 0 to 1. */
   double shapeScore{ 0.0 };

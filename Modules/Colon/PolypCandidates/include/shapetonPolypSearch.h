@@ -62,16 +62,27 @@ PolypCandidates_EXPORT std::vector<PolypCandidate>
 PolypCandidates_EXPORT double
 MeanDistanceToWall(const SurfaceMesh & wall, const std::vector<PolypCandidate> & candidates);
 
+/** A candidate as the other position sees it: by its own score. \ingroup PolypCandidates */
+PolypCandidates_EXPORT OtherPolypCandidate
+AsOther(const PolypCandidate & candidate);
+
 /** Takes candidates to the other position by a map of ColonRegistration: a flat surface with the point arrays mapped
- * (LPS, mm), excluded and confidence. A candidate is seen there when one of `others` (their middles, LPS, mm) lies
- * within `reach` mm. Throws InputError, with `what` in front, where an array is missing or candidates lie more than 10
- * mm from the surface on average. \ingroup PolypCandidates */
+ * (LPS, mm), excluded and confidence. Throws InputError, with `what` in front, where an array is missing or candidates
+ * lie more than 10 mm from the surface on average. \ingroup PolypCandidates */
 PolypCandidates_EXPORT void
-FindInOtherPosition(const SurfaceMesh &                  map,
-                    const std::string &                  what,
-                    const std::vector<Eigen::Vector3d> & others,
-                    std::vector<PolypCandidate> &        candidates,
-                    double                               reach = 30.0);
+FindInOtherPosition(const SurfaceMesh &                      map,
+                    const std::string &                      what,
+                    const std::vector<OtherPolypCandidate> & others,
+                    std::vector<PolypCandidate> &            candidates);
+
+/** What the other position says of candidates that FindInOtherPosition() has taken there: a polyp stays where it is,
+ * and most stool moves. The score of the shape becomes the probability that a candidate is a polyp, given this score
+ * and the likeness of what is seen at its place (logistic regression on phantoms, see the notes), with the share of its
+ * tissue kept; it stays as it is as far as the registration may be wrong, and where the place cannot be seen.
+ * Candidates are sorted by their new scores, keep their numbers, and get a remark where nothing like them is seen.
+ * \param confidence of the registration, 0 to 1. \ingroup PolypCandidates */
+PolypCandidates_EXPORT void
+WeighByOtherPosition(double confidence, std::vector<PolypCandidate> & candidates);
 
 /** "C0" to "C4"-like categories are a reader's to give; this is what the sizes of the candidates alone would imply by
  * C-RADS (Zalis et al., Radiology 2005): C1 no candidate of 6 mm, C2 fewer than three of 6 to 9 mm, C3 one of 10 mm or
@@ -88,10 +99,11 @@ TableOfPolypCandidates(const std::vector<PolypCandidate> & candidates);
 PolypCandidates_EXPORT std::vector<PolypCandidate>
                        ReadPolypCandidates(const std::string & path);
 
-/** Where the candidates of a table are, LPS, mm, in its order: any table with the columns x, y, z. Throws InputError
- * for what is none. \ingroup PolypCandidates */
-PolypCandidates_EXPORT std::vector<Eigen::Vector3d>
-                       ReadPolypCandidatePlaces(const std::string & path);
+/** The candidates of a table for FindInOtherPosition(), with their scores by their own position alone: any table with
+ * the columns x, y, z (LPS, mm), numbered by its rows where there is no column `candidate`. Throws InputError for what
+ * is none. \ingroup PolypCandidates */
+PolypCandidates_EXPORT std::vector<OtherPolypCandidate>
+                       ReadOtherPolypCandidates(const std::string & path);
 
 /** Points of 3D Slicer, labelled by number and diameter; none without candidates. \ingroup PolypCandidates */
 PolypCandidates_EXPORT std::vector<Markup>

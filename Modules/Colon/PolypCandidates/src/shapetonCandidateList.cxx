@@ -115,11 +115,17 @@ AddRemark(const std::string & remark, PolypCandidate & candidate)
 }
 
 void
-Rank(std::vector<PolypCandidate> & candidates)
+SortByScore(std::vector<PolypCandidate> & candidates)
 {
   std::stable_sort(candidates.begin(), candidates.end(), [](const PolypCandidate & a, const PolypCandidate & b) {
     return a.score > b.score;
   });
+}
+
+void
+Rank(std::vector<PolypCandidate> & candidates)
+{
+  SortByScore(candidates);
   for (std::size_t i = 0; i < candidates.size(); ++i)
   {
     candidates[i].number = static_cast<int>(i) + 1;

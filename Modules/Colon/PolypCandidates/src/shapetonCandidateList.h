@@ -16,7 +16,11 @@ CandidateOf(WallBulge bulge, const PolypFeatures & features, double score, const
 void
 AddRemark(const std::string & remark, PolypCandidate & candidate);
 
-/** By falling score, numbered from 1. */
+/** By falling score; those of equal score keep their order. */
+void
+SortByScore(std::vector<PolypCandidate> & candidates);
+
+/** SortByScore(), numbered from 1. */
 void
 Rank(std::vector<PolypCandidate> & candidates);
 

@@ -28,7 +28,7 @@ AddOther(const std::optional<PolypInOtherPosition> & other, std::vector<std::str
 {
   if (!other)
   {
-    cells.insert(cells.end(), 7, "");
+    cells.insert(cells.end(), 9, "");
     return;
   }
   cells.push_back(other->isExcluded ? "excluded" : other->isSeen ? "1" : "0");
@@ -36,6 +36,8 @@ AddOther(const std::optional<PolypInOtherPosition> & other, std::vector<std::str
   cells.push_back(Cell(other->distance));
   AddPoint(other->point, cells);
   cells.push_back(Cell(other->confidence, 3));
+  cells.push_back(Cell(other->likeness, 3));
+  cells.push_back(Cell(other->ownScore, 4));
 }
 
 int
@@ -64,6 +66,8 @@ ReadOther(const CsvFile & table, std::size_t row)
                   table.NumberOrNothing(row, "otherY"),
                   table.NumberOrNothing(row, "otherZ") };
   other.confidence = table.NumberOrNothing(row, "otherConfidence");
+  other.likeness = table.NumberOrNothing(row, "otherLikeness");
+  other.ownScore = table.NumberOrNothing(row, "ownScore");
   if (!table.Text(row, "otherCandidate").empty())
   {
     other.candidate = static_cast<int>(table.Number(row, "otherCandidate"));
@@ -108,6 +112,8 @@ TableOfPolypCandidates(const std::vector<PolypCandidate> & candidates)
                    "otherY",
                    "otherZ",
                    "otherConfidence",
+                   "otherLikeness",
+                   "ownScore",
                    "remark" });
   for (const PolypCandidate & one : candidates)
   {
@@ -170,16 +176,23 @@ ReadPolypCandidates(const std::string & path)
   return candidates;
 }
 
-std::vector<Eigen::Vector3d>
-ReadPolypCandidatePlaces(const std::string & path)
+std::vector<OtherPolypCandidate>
+ReadOtherPolypCandidates(const std::string & path)
 {
-  const CsvFile                table(path, { "x", "y", "z" });
-  std::vector<Eigen::Vector3d> places;
+  const CsvFile                    table(path, { "x", "y", "z" });
+  const auto                       has = [&](const char * column) { return table.HasColumn(column); };
+  std::vector<OtherPolypCandidate> others;
   for (std::size_t row = 0; row < table.Rows(); ++row)
   {
-    places.emplace_back(table.Number(row, "x"), table.Number(row, "y"), table.Number(row, "z"));
+    OtherPolypCandidate other;
+    other.number = has("candidate") ? static_cast<int>(table.Number(row, "candidate")) : static_cast<int>(row) + 1;
+    other.position = { table.Number(row, "x"), table.Number(row, "y"), table.Number(row, "z") };
+    other.diameter = has("diameter") ? table.NumberOrNothing(row, "diameter") : other.diameter;
+    const bool isWeighed = has("ownScore") && std::isfinite(table.NumberOrNothing(row, "ownScore"));
+    other.score = isWeighed ? table.Number(row, "ownScore") : has("score") ? table.Number(row, "score") : other.score;
+    others.push_back(other);
   }
-  return places;
+  return others;
 }
 
 std::vector<Markup>

@@ -1,8 +1,12 @@
 #include "shapetonPolypSearch.h"
 
+#include "shapetonCandidateList.h"
+#include "shapetonExceptions.h"
 #include "shapetonFacePlace.h"
 #include "shapetonSurfaceLocator.h"
-#include "shapetonExceptions.h"
+
+#include <algorithm>
+#include <cmath>
 
 namespace shapeton
 {
@@ -21,19 +25,52 @@ ArrayOf(const SurfaceMesh & map, const char * name, int components, const std::s
   return *array;
 }
 
-void
-FindNearest(const std::vector<Eigen::Vector3d> & others, double reach, PolypInOtherPosition & place)
+/** See PolypInOtherPosition::likeness. */
+double
+Likeness(const PolypCandidate & candidate, const OtherPolypCandidate & other, double distance)
 {
-  for (std::size_t i = 0; i < others.size(); ++i)
+  constexpr double deviation = 8.0, deviationOfLogWidth = 0.5; // mm
+  const double     away = distance / deviation;
+  const double     wider =
+    std::isfinite(other.diameter) ? std::log(other.diameter / candidate.diameter) / deviationOfLogWidth : 0.0;
+  return other.score * std::exp(-0.5 * (away * away + wider * wider));
+}
+
+void
+FindMostAlike(const PolypCandidate &                   candidate,
+              const std::vector<OtherPolypCandidate> & others,
+              PolypInOtherPosition &                   place)
+{
+  constexpr double            alike = 0.1;
+  const OtherPolypCandidate * best = nullptr;
+  const OtherPolypCandidate * nearest = nullptr;
+  const auto away = [&](const OtherPolypCandidate & other) { return (other.position - place.point).norm(); };
+  for (const OtherPolypCandidate & other : others)
   {
-    const double distance = (others[i] - place.point).norm();
-    if (distance < place.distance)
+    const double likeness = Likeness(candidate, other, away(other));
+    if (best == nullptr || likeness > place.likeness)
     {
-      place.distance = distance;
-      place.candidate = static_cast<int>(i) + 1;
+      best = &other;
+      place.likeness = likeness;
     }
+    nearest = nearest == nullptr || away(other) < away(*nearest) ? &other : nearest;
   }
-  place.isSeen = !place.isExcluded && place.distance <= reach;
+  place.isSeen = !place.isExcluded && place.likeness >= alike;
+  if (const OtherPolypCandidate * const shown = place.likeness >= alike ? best : nearest)
+  {
+    place.candidate = shown->number;
+    place.distance = away(*shown);
+  }
+}
+
+/** Of a polyp of this score of the shape, whose place shows something this alike in the other position. */
+double
+ProbabilityInPair(double shapeScore, double likeness)
+{
+  constexpr double ofScore = 0.17, ofLikeness = 5.0, constant = -2.07; // fitted, see the notes
+  constexpr double least = 1e-3;
+  const double     score = std::clamp(shapeScore, least, 1.0 - least);
+  return 1.0 / (1.0 + std::exp(-(ofScore * std::log(score / (1.0 - score)) + ofLikeness * likeness + constant)));
 }
 } // namespace
 
@@ -53,12 +90,20 @@ MeanDistanceToWall(const SurfaceMesh & wall, const std::vector<PolypCandidate> &
   return sum / static_cast<double>(candidates.size());
 }
 
+OtherPolypCandidate
+AsOther(const PolypCandidate & candidate)
+{
+  const bool isWeighed = candidate.other && std::isfinite(candidate.other->ownScore);
+  return {
+    candidate.number, candidate.position, candidate.diameter, isWeighed ? candidate.other->ownScore : candidate.score
+  };
+}
+
 void
-FindInOtherPosition(const SurfaceMesh &                  map,
-                    const std::string &                  what,
-                    const std::vector<Eigen::Vector3d> & others,
-                    std::vector<PolypCandidate> &        candidates,
-                    double                               reach)
+FindInOtherPosition(const SurfaceMesh &                      map,
+                    const std::string &                      what,
+                    const std::vector<OtherPolypCandidate> & others,
+                    std::vector<PolypCandidate> &            candidates)
 {
   const SurfaceArray & mapped = ArrayOf(map, "mapped", 3, what);
   const SurfaceArray & confidence = ArrayOf(map, "confidence", 1, what);
@@ -81,8 +126,28 @@ FindInOtherPosition(const SurfaceMesh &                  map,
       place.confidence += weights[k] * confidence.values(vertex, 0);
       place.isExcluded = place.isExcluded || excluded.values(vertex, 0) != 0.0;
     }
-    FindNearest(others, reach, place);
+    FindMostAlike(candidate, others, place);
     candidate.other = place;
   }
+}
+
+void
+WeighByOtherPosition(double confidence, std::vector<PolypCandidate> & candidates)
+{
+  RequireParameter(confidence >= 0.0 && confidence <= 1.0, "the confidence of a registration must be from 0 to 1");
+  for (PolypCandidate & candidate : candidates)
+  {
+    if (!candidate.other || candidate.other->isExcluded || candidate.shapeScore <= 0.0)
+    {
+      continue;
+    }
+    PolypInOtherPosition & other = *candidate.other;
+    other.ownScore = candidate.score;
+    const double ofTissue = candidate.score / candidate.shapeScore;
+    const double weighed = ofTissue * ProbabilityInPair(candidate.shapeScore, other.likeness);
+    candidate.score = confidence * weighed + (1.0 - confidence) * candidate.score;
+    AddRemark(other.isSeen ? "" : "nothing alike is seen in the other position: most stool moves", candidate);
+  }
+  SortByScore(candidates);
 }
 } // namespace shapeton

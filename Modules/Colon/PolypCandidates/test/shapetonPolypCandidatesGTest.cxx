@@ -10,6 +10,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <fstream>
+
 namespace
 {
 using namespace polyptubes;
@@ -280,15 +283,32 @@ TEST(PolypCandidates, PlacesAreReadFromTheTable)
 {
   const std::string path = SHAPETON_TEST_TEMPORARY_DIR "/PolypCandidatePlaces.csv";
   shapeton::TableOfPolypCandidates({}).Write(path);
-  EXPECT_TRUE(shapeton::ReadPolypCandidatePlaces(path).empty());
+  EXPECT_TRUE(shapeton::ReadOtherPolypCandidates(path).empty());
   std::vector<shapeton::PolypCandidate> candidates(2);
+  candidates[0].number = 4;
   candidates[0].position = { 1.5, -2.25, 3.0 };
+  candidates[0].diameter = 7.5;
+  candidates[0].score = 0.5;
   candidates[1].position = { -40.0, 50.5, 60.0 };
+  candidates[1].score = 0.25;
+  candidates[1].other = shapeton::PolypInOtherPosition();
+  candidates[1].other->ownScore = 0.75; // .25 is what it was weighed to
   shapeton::TableOfPolypCandidates(candidates).Write(path);
-  const auto places = shapeton::ReadPolypCandidatePlaces(path);
-  ASSERT_EQ(places.size(), 2u);
-  EXPECT_LT((places[0] - candidates[0].position).norm(), 1e-6);
-  EXPECT_LT((places[1] - candidates[1].position).norm(), 1e-6);
+  const auto others = shapeton::ReadOtherPolypCandidates(path);
+  ASSERT_EQ(others.size(), 2u);
+  EXPECT_LT((others[0].position - candidates[0].position).norm(), 1e-6);
+  EXPECT_LT((others[1].position - candidates[1].position).norm(), 1e-6);
+  EXPECT_EQ(others[0].number, 4);
+  EXPECT_EQ(others[0].diameter, 7.5);
+  EXPECT_EQ(others[0].score, 0.5);
+  EXPECT_EQ(others[1].score, 0.75);
+  EXPECT_EQ(shapeton::AsOther(candidates[1]).score, 0.75);
+  std::ofstream(path) << "x,y,z\n1,2,3\n"; // marks of a reader
+  const auto marks = shapeton::ReadOtherPolypCandidates(path);
+  ASSERT_EQ(marks.size(), 1u);
+  EXPECT_EQ(marks[0].number, 1);
+  EXPECT_EQ(marks[0].score, 1.0);
+  EXPECT_TRUE(std::isnan(marks[0].diameter));
 }
 
 TEST(PolypCandidates, ATableTellsWhatWasWritten)
@@ -308,7 +328,7 @@ TEST(PolypCandidates, ATableTellsWhatWasWritten)
   full.attenuation = 37.5;
   full.tissue = shapeton::PolypTissue::Soft;
   full.uv = { 900.5, 12.25 };
-  full.other = shapeton::PolypInOtherPosition{ { 4.0, 5.0, -6.5 }, 7.25, 3, true, false, 0.75 };
+  full.other = shapeton::PolypInOtherPosition{ { 4.0, 5.0, -6.5 }, 7.25, 3, true, false, 0.75, 0.5, 0.625 };
   full.remark = "seen, and \"noted\"";
   const shapeton::CsvTable table = shapeton::TableOfPolypCandidates({ full, bare });
   table.Write(path);
@@ -431,18 +451,26 @@ TEST(PolypCandidates, OtherPositionIsFoundThroughTheMap)
   map.pointArrays.push_back({ "confidence", Eigen::MatrixXd::Constant(wall.V.rows(), 1, 0.75), false });
   map.pointArrays.push_back({ "excluded", Eigen::MatrixXd::Zero(wall.V.rows(), 1), false });
   const Vector3d there = candidates.front().position + Vector3d(100.0, 0.0, 0.0);
-  shapeton::FindInOtherPosition(
-    map, "map", { there + Vector3d(0.0, 80.0, 0.0), there + Vector3d(12.0, 0.0, 0.0) }, candidates);
+  const double   diameter = candidates.front().diameter;
+  shapeton::FindInOtherPosition(map,
+                                "map",
+                                { { 1, there + Vector3d(0.0, 80.0, 0.0), diameter, 1.0 },
+                                  { 2, there + Vector3d(8.0, 0.0, 0.0), diameter, 0.9 },
+                                  { 3, there, 4.0 * diameter, 1.0 } }, // nearer, but far too wide
+                                candidates);
   ASSERT_TRUE(candidates.front().other.has_value());
   const shapeton::PolypInOtherPosition & other = *candidates.front().other;
   EXPECT_LT((other.point - there).norm(), 3.0); // the nearest point of the wall is taken
   EXPECT_EQ(other.candidate, 2);
   EXPECT_TRUE(other.isSeen);
   EXPECT_NEAR(other.confidence, 0.75, 1e-9);
-  shapeton::FindInOtherPosition(map, "map", { there + Vector3d(0.0, 80.0, 0.0) }, candidates);
+  const double away = (there + Vector3d(8.0, 0.0, 0.0) - other.point).norm() / 8.0;
+  EXPECT_NEAR(other.likeness, 0.9 * std::exp(-0.5 * away * away), 1e-9);
+  shapeton::FindInOtherPosition(map, "map", { { 7, there + Vector3d(0.0, 80.0, 0.0), diameter, 1.0 } }, candidates);
   EXPECT_FALSE(candidates.front().other->isSeen);
+  EXPECT_EQ(candidates.front().other->candidate, 7); // the nearest, where none is alike
   map.pointArrays[2].values.setOnes();
-  shapeton::FindInOtherPosition(map, "map", { there }, candidates);
+  shapeton::FindInOtherPosition(map, "map", { { 1, there, diameter, 1.0 } }, candidates);
   EXPECT_TRUE(candidates.front().other->isExcluded);
   EXPECT_FALSE(candidates.front().other->isSeen);
   map.V.rowwise() += Eigen::RowVector3d(0.0, 0.0, 500.0); // of another colon
@@ -568,4 +596,59 @@ TEST(PolypCandidates, CatheterIsNotedByItsPlace)
   EXPECT_NE(candidates[0].remark.find("catheter"), std::string::npos);
   EXPECT_EQ(candidates[1].remark, "");
   EXPECT_EQ(candidates[2].remark, "");
+}
+
+TEST(PolypCandidates, TheOtherPositionWeighsWhatItShows)
+{
+  const auto weighed = [](double confidence, double score, double likeness, bool isExcluded = false) {
+    std::vector<shapeton::PolypCandidate> one(1);
+    one[0].number = 1;
+    one[0].shapeScore = 0.9;
+    one[0].score = score;
+    one[0].other = shapeton::PolypInOtherPosition();
+    one[0].other->isExcluded = isExcluded;
+    one[0].other->isSeen = likeness >= 0.1;
+    one[0].other->likeness = likeness;
+    shapeton::WeighByOtherPosition(confidence, one);
+    return one[0];
+  };
+  EXPECT_EQ(weighed(0.0, 0.9, 0.0).score, 0.9);       // a registration that tells nothing
+  EXPECT_EQ(weighed(1.0, 0.9, 0.0, true).score, 0.9); // a place that is not seen
+  EXPECT_TRUE(std::isnan(weighed(1.0, 0.9, 0.0, true).other->ownScore));
+  EXPECT_LT(weighed(1.0, 0.9, 0.0).score, 0.25);
+  EXPECT_GT(weighed(1.0, 0.9, 0.9).score, 0.9);
+  EXPECT_NE(weighed(1.0, 0.9, 0.0).remark, "");
+  EXPECT_EQ(weighed(1.0, 0.9, 0.9).remark, "");
+  EXPECT_EQ(weighed(1.0, 0.9, 0.3).other->ownScore, 0.9);
+  // Probabilities of a map that is right and of one that is not.
+  EXPECT_NEAR(weighed(0.75, 0.9, 0.0).score, 0.75 * weighed(1.0, 0.9, 0.0).score + 0.25 * 0.9, 1e-12);
+  // The share of tissue stays: half of the score of the shape before and after; a catheter remains one.
+  EXPECT_NEAR(weighed(1.0, 0.45, 0.5).score, 0.5 * weighed(1.0, 0.9, 0.5).score, 1e-12);
+  EXPECT_EQ(weighed(1.0, 0.0, 1.0).score, 0.0);
+  double last = 0.0;
+  for (double likeness = 0.0; likeness <= 1.0; likeness += 0.125)
+  {
+    const double score = weighed(1.0, 0.9, likeness).score;
+    EXPECT_GT(score, last);
+    EXPECT_LT(score, 1.0);
+    last = score;
+  }
+  std::vector<shapeton::PolypCandidate> none(1);
+  EXPECT_THROW(shapeton::WeighByOtherPosition(1.5, none), shapeton::ParameterError);
+}
+
+TEST(PolypCandidates, WeighedCandidatesKeepTheirNumbers)
+{
+  std::vector<shapeton::PolypCandidate> candidates(2);
+  for (int i = 0; i < 2; ++i)
+  {
+    candidates[i].number = i + 1;
+    candidates[i].score = candidates[i].shapeScore = i == 0 ? 0.95 : 0.6;
+    candidates[i].other = shapeton::PolypInOtherPosition();
+    candidates[i].other->likeness = i;
+  }
+  shapeton::WeighByOtherPosition(0.9, candidates);
+  EXPECT_EQ(candidates[0].number, 2); // seen in both positions
+  EXPECT_EQ(candidates[1].number, 1);
+  EXPECT_GT(candidates[0].score, candidates[1].score);
 }

@@ -25,7 +25,13 @@ public:
   {
     return m_Rows.size();
   }
-  /** One of the columns asked for. Rows count from 0. */
+  /** Whether there is a column that was not asked for. */
+  bool
+  HasColumn(const std::string & column) const
+  {
+    return this->ColumnOf(column) < m_Columns.size();
+  }
+  /** One of the columns asked for, or one that is there. Rows count from 0. */
   const std::string &
   Text(std::size_t row, const std::string & column) const;
   /** Throws InputError for what is no finite number with a full stop. */

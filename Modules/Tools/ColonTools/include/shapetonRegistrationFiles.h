@@ -63,6 +63,11 @@ ColonTools_EXPORT std::vector<PointPair>
  * missing or not what RegistrationFiles writes. */
 ColonTools_EXPORT RegistrationResults
 ReadRegistrationResults(const std::string & folder);
+
+/** How far a registration in a folder can be trusted, 0 to 1; 0 where it is flagged. Throws InputError for a document
+ * that does not tell. */
+ColonTools_EXPORT double
+ConfidenceOfRegistration(const std::string & folder);
 ///@}
 } // namespace shapeton
 

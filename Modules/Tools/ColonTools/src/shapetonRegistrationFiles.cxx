@@ -7,6 +7,7 @@
 #include "shapetonSurfaceWriter.h"
 #include "shapetonExceptions.h"
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <limits>
@@ -311,5 +312,18 @@ ReadRegistrationResults(const std::string & folder)
     ReadErrors(pathOf(errorsName), results);
   }
   return results;
+}
+
+double
+ConfidenceOfRegistration(const std::string & folder)
+{
+  const std::string path = folder + '/' + documentName;
+  const Json        document = ReadJson(path);
+  const Json        confidence = document.value("confidence", Json::object());
+  if (!confidence.contains("whole") || !confidence["whole"].is_number() || !confidence.contains("flagged"))
+  {
+    throw InputError('"' + path + "\" tells no confidence; it must be one that ColonRegistration writes");
+  }
+  return confidence["flagged"] == true ? 0.0 : std::clamp(confidence["whole"].get<double>(), 0.0, 1.0);
 }
 } // namespace shapeton

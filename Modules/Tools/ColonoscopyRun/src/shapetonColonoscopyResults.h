@@ -30,6 +30,7 @@ constexpr const char * flattening = "flattening";
 constexpr const char * landmarks = "landmarks";
 constexpr const char * folds = "folds";
 constexpr const char * registration = "registration";
+constexpr const char * search = "search";
 constexpr const char * polyps = "polyps";
 constexpr const char * viewer = "viewer";
 constexpr const char * dicom = "dicom";

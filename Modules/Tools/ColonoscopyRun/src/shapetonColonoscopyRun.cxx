@@ -229,7 +229,8 @@ RunTwo(CommandLine & commandLine, SeriesRun & first, SeriesRun & second)
   const bool       hasFirst = first.Run(StagesOfSeries(commandLine, ColonoscopySeries::First), 0.0, share);
   if (hasFirst && second.Run(StagesOfSeries(commandLine, ColonoscopySeries::Second), share, share) &&
       first.Run({ StageOfRegistration(commandLine) }, 2.0 * share, 0.06) &&
-      second.Run({ StageOfPolyps(commandLine, ColonoscopySeries::Second) }, 0.86, 0.03) &&
+      first.Run({ StageOfSearch(commandLine) }, 0.86, 0.01) &&
+      second.Run({ StageOfPolyps(commandLine, ColonoscopySeries::Second) }, 0.87, 0.02) &&
       first.Run({ StageOfPolyps(commandLine, ColonoscopySeries::First) }, 0.89, 0.02) &&
       second.Run(LastStages(commandLine, ColonoscopySeries::Second), 0.91, 0.01))
   {

@@ -229,6 +229,27 @@ IdentityOfFiles(const std::vector<std::string> & names)
     return "sha256:" + Sha256OfBytes(lines);
   };
 }
+
+/** A search for candidates on the wall in a folder, and their table. */
+Stage
+SearchForCandidates(const char * name, const OptionPasser & passer, const std::string & folder)
+{
+  Stage stage(name, "ColonPolyps");
+  stage
+    .Input("",
+           folder,
+           IdentityOfFiles({ "segmentation/wall-repaired.vtp",
+                             "segmentation/lumen.nrrd",
+                             "segmentation/centreline.vtp",
+                             "segmentation/cleansed.nrrd",
+                             "segmentation/catheter.vtp",
+                             "flattening/flat.vtp",
+                             "landmarks/segments.vtp" }))
+    .Output("", "candidates.csv");
+  passer.Pass(stage, { "sensitivity" });
+  passer.PassThreads(stage);
+  return stage;
+}
 } // namespace
 
 std::string
@@ -296,38 +317,33 @@ StageOfRegistration(const CommandLine & commandLine)
 }
 
 ColonoscopyStage
+StageOfSearch(const CommandLine & commandLine)
+{
+  const OptionPasser passer(commandLine, ColonoscopySeries::First);
+  const std::string  folder = commandLine.GetString("outputFolder");
+  return { names::search, 1.0, [=](const StagedRun &) { return SearchForCandidates(names::search, passer, folder); } };
+}
+
+ColonoscopyStage
 StageOfPolyps(const CommandLine & commandLine, ColonoscopySeries series)
 {
   const OptionPasser passer(commandLine, series);
   const std::string  folder = commandLine.GetString("outputFolder");
-  const bool         hasOther = series == ColonoscopySeries::First && commandLine.IsGiven("second");
-  const auto         make = [=](const StagedRun & run) {
-    Stage stage(names::polyps, "ColonPolyps");
-    stage
-      .Input("",
-             FolderOfSeries(folder, series),
-             IdentityOfFiles({ "segmentation/wall-repaired.vtp",
-                               "segmentation/lumen.nrrd",
-                               "segmentation/centreline.vtp",
-                               "segmentation/cleansed.nrrd",
-                               "segmentation/catheter.vtp",
-                               "flattening/flat.vtp",
-                               "landmarks/segments.vtp" }))
-      .Output("", "candidates.csv")
-      .Output("markups", "candidates.mrk.json")
-      .Output("heads", "heads.nrrd")
-      .Output("report", "report");
+  const bool         hasOther = commandLine.IsGiven("second");
+  const auto         make = [=](const StagedRun &) {
+    Stage stage = SearchForCandidates(names::polyps, passer, FolderOfSeries(folder, series));
+    stage.Output("markups", "candidates.mrk.json").Output("heads", "heads.nrrd").Output("report", "report");
     if (hasOther)
     {
-      const std::string second = FolderOfSeries(folder, ColonoscopySeries::Second);
+      const std::string other = series == ColonoscopySeries::First
+                                          ? FolderOfSeries(folder, ColonoscopySeries::Second) + '/' + names::polyps
+                                          : folder + '/' + names::search;
       stage
         .Input("registration",
-               run.PathOf(names::registration, ""),
-               IdentityOfFiles({ "map-supine-to-prone.vtp", "map-prone-to-supine.vtp" }))
-        .Input("other", second + '/' + names::polyps + "/candidates.csv");
+               folder + '/' + names::registration,
+               IdentityOfFiles({ "map-supine-to-prone.vtp", "map-prone-to-supine.vtp", "registration.json" }))
+        .Input("other", other + "/candidates.csv");
     }
-    passer.Pass(stage, { "sensitivity" });
-    passer.PassThreads(stage);
     return stage;
   };
   return { names::polyps, 1.0, make };

@@ -44,8 +44,12 @@ StagesOfSeries(const CommandLine & commandLine, ColonoscopySeries series);
 ColonoscopyStage
 StageOfRegistration(const CommandLine & commandLine);
 
-/** The search for polyps in a series; that of the first one looks at the second and at the registration, where there
- * are two. */
+/** The candidates of the first series alone, which those of the second are compared with. */
+ColonoscopyStage
+StageOfSearch(const CommandLine & commandLine);
+
+/** The search for polyps in a series. Where there are two, candidates are weighed by what the other one shows at their
+ * place; that of the second takes the results of StageOfSearch(), that of the first those of the second. */
 ColonoscopyStage
 StageOfPolyps(const CommandLine & commandLine, ColonoscopySeries series);
 
