@@ -30,7 +30,7 @@ def main():
         "tools": os.path.abspath(tools),
         "memoryMB": int(memory) if memory else None,
         "pacs": os.path.abspath(pacs) if pacs else None,
-        "send": bool(send),
+        "send": os.path.abspath(send) if send else None,
         "keys": os.path.abspath(keys) if keys else None,
         "options": sys.argv[8:],
     }

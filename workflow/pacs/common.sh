@@ -34,6 +34,11 @@ read_pacs() {
   for name in $required; do
     [ -n "${pacs[$name]-}" ] || fail "$1: the setting \"$name\" is missing; ${pacs[protocol]} needs it" 2
   done
+}
+
+# open_pacs FILE: reads the description; what talks to the PACS can do so from then on.
+open_pacs() {
+  read_pacs "$1"
   [ "${pacs[protocol]}" != dicom-tls ] || open_tunnel
 }
 
