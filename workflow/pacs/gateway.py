@@ -49,7 +49,7 @@ class Orthanc:
         while True:
             try:
                 return self.call("GET", "/system")
-            except urllib.error.URLError:
+            except (urllib.error.URLError, Refused):  # refused by another one that has the port; ours will say so and end
                 time.sleep(0.1)
 
 
@@ -59,7 +59,10 @@ def words_of(answer):
         error = json.loads(answer)
     except ValueError:
         return answer.decode(errors="replace").strip()
-    return " ".join(f"{error.get('Message', '')}: {error.get('Details', '')}".split()).strip(": ")
+    words = " ".join(f"{error.get('Message', '')}: {error.get('Details', '')}".split()).strip(": ")
+    if words.endswith("to one of [ ]"):  # no transfer syntax was accepted
+        return "the PACS takes no objects of this class: the presentation context was refused"
+    return words + (": it is out of resources, perhaps its disk is full" if "DIMSE status 0xA7" in words else "")
 
 
 class Queue:
@@ -74,6 +77,7 @@ class Queue:
         self.unasked = set()
         self.reports = {}  # storage commitment transaction: (instances, time)
         self.kept = []  # (time, instance) of those that are committed, the oldest first
+        self.taken = 0  # how often the PACS took an instance or committed to one
         self.told = None
 
     def take_new(self):
@@ -124,6 +128,7 @@ class Queue:
         self.orthanc.call("PUT", f"/instances/{instance}/metadata/{COMMITTED}", str(now))
         self.kept.append((now, instance))
         del self.waiting[instance], self.uids[instance]
+        self.taken += 1
 
     def send(self, lacking):
         """Each by itself, so that one that is refused keeps no other back and has a reason of its own."""
@@ -132,6 +137,7 @@ class Queue:
             try:
                 self.orthanc.call("POST", "/modalities/pacs/store", {"Resources": [instance]})
                 self.waiting[instance] = "sent, not committed yet"
+                self.taken += 1
             except Refused as error:
                 self.waiting[instance] = str(error)
                 self.orthanc.call("POST", "/modalities/pacs/echo", {})  # there is no use in sending more where it fails
@@ -153,7 +159,7 @@ class Queue:
 
     def step(self):
         """Whether the PACS took something."""
-        before = len(self.waiting)
+        before = self.taken
         try:
             self.send(self.collect())
             self.ask()
@@ -161,7 +167,7 @@ class Queue:
         except Refused as error:
             self.waiting.update(dict.fromkeys(self.unasked, str(error)))
         self.tell()
-        return len(self.waiting) < before
+        return self.taken > before
 
 
 def main():

@@ -14,7 +14,8 @@ namespace shapeton
 struct ColonDicomOptions
 {
   /** The segmentation is written in Deflated Explicit VR Little Endian. */
-  bool     isDeflated{ false };
+  bool isDeflated{ false };
+  /** Its stages are "Reading" and the names of the files. */
   Progress progress;
 };
 

@@ -78,15 +78,16 @@ WriteColonDicomResults(const std::string &       exam,
   options.progress("Reading", 0.0);
   ColonExamination  examination = ReadColonExamination(exam);
   const DicomSource series = ReadSourceOf(examination, source);
-  options.progress("Segments", 0.4);
+  options.progress("seg.dcm", 0.4);
   ColonSegmentsAsDicom segments(examination);
-  options.progress("Writing", 0.7);
   segments.Write(
     series, HeaderOf(examination, 0, "colon segmentation"), outputPath(folder + "/seg.dcm"), options.isDeflated);
+  options.progress("sr.dcm", 0.9);
   WriteDicomMeasurements(series,
                          MeasurementsOfColon(examination, segments),
                          HeaderOf(examination, 1, "colon measurements"),
                          outputPath(folder + "/sr.dcm"));
+  options.progress("cad.dcm", 0.92);
   const DicomResultHeader cad = HeaderOf(examination, 2, "colon CAD");
   WriteDicomReport(series,
                    DicomReportKind::ColonCAD,
@@ -94,8 +95,9 @@ WriteColonDicomResults(const std::string &       exam,
                    {},
                    cad,
                    outputPath(folder + "/cad.dcm"));
+  options.progress("sc.dcm, stl.dcm", 0.94);
   WritePictures(examination, series, folder, outputPath);
-  options.progress("Writing", 1.0);
+  options.progress("Done", 1.0);
   return examination.missing;
 }
 } // namespace shapeton

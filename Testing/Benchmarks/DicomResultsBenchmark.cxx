@@ -1,0 +1,123 @@
+// What each DICOM object of an examination takes by itself, beside the whole.
+// usage: DicomResultsBenchmark [EXAM SOURCE]; without arguments a phantom of 512 x 512 x 400 voxels is made and
+// analysed first, by the tools beside this program, which takes many minutes. Seconds are those of the processor, of
+// one thread.
+#include "shapetonTestFolder.h"
+
+#include "shapetonColonDicomResults.h"
+
+#include <cstdio>
+#include <cstdlib>
+#include <ctime>
+#include <exception>
+#include <filesystem>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace
+{
+namespace fs = std::filesystem;
+
+double
+ProcessorSeconds()
+{
+  return static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
+}
+
+double
+Megabytes(const std::string & path)
+{
+  return static_cast<double>(fs::file_size(path)) / 1e6;
+}
+
+void
+PrintBound(const std::string & text, double value, double asked)
+{
+  std::printf("%-66s %10.2f   asked <= %g   %s\n", text.c_str(), value, asked, value <= asked ? "met" : "NOT MET");
+}
+
+struct Stage
+{
+  std::string name;
+  double      begin;
+};
+
+/** The stages of writing all objects into `folder`; the last one is the end. */
+std::vector<Stage>
+WriteAll(const std::string & exam, const std::string & source, const std::string & folder, bool isDeflated)
+{
+  fs::create_directories(folder);
+  std::vector<Stage>          stages;
+  shapeton::ColonDicomOptions options;
+  options.isDeflated = isDeflated;
+  options.progress = [&](const std::string & name, double) { stages.push_back({ name, ProcessorSeconds() }); };
+  shapeton::WriteColonDicomResults(exam, source, folder, options, [](const std::string & path) { return path; });
+  return stages;
+}
+
+void
+Measure(const std::string & exam, const std::string & source, const std::string & folder, bool isDeflated)
+{
+  const std::vector<Stage> stages = WriteAll(exam, source, folder, isDeflated);
+  const double             whole = stages.back().begin - stages.front().begin;
+  std::printf("all objects%s: %.2f s\n", isDeflated ? ", seg.dcm deflated" : "", whole);
+  for (std::size_t i = 0; i + 1 < stages.size(); ++i)
+  {
+    const double seconds = stages[i + 1].begin - stages[i].begin;
+    std::printf("  %-20s %6.2f s, %4.1f %% of the whole\n", stages[i].name.c_str(), seconds, 100.0 * seconds / whole);
+    if (stages[i].name == "seg.dcm")
+    {
+      PrintBound("seg.dcm by itself: its segments found, packed and written, s", seconds, 5.0);
+      PrintBound("seg.dcm, MB", Megabytes(folder + "/seg.dcm"), isDeflated ? 8.0 : 80.0);
+    }
+  }
+}
+
+void
+Run(const std::string & command)
+{
+  if (std::system((command + " --quiet").c_str()) != 0)
+  {
+    throw std::runtime_error("it failed: " + command);
+  }
+}
+
+/** A run and its series. */
+std::pair<std::string, std::string>
+MakePhantomRun(const std::string & tools, const basetest::Folder & folder)
+{
+  std::printf("making and analysing a phantom of 512 x 512 x 400 voxels\n");
+  std::fflush(stdout);
+  const std::string source = folder / "series";
+  const std::string exam = folder / "exam";
+  Run(tools + "/ColonPhantom " + source + " --size 512,512,400 --seed 1");
+  Run(tools + "/VirtualColonoscopy " + source + ' ' + exam);
+  return { exam, source };
+}
+} // namespace
+
+int
+main(int argc, char * argv[])
+{
+  if (argc != 1 && argc != 3)
+  {
+    std::fprintf(stderr, "usage: %s [EXAM SOURCE]\n", argv[0]);
+    return 2;
+  }
+  try
+  {
+    const basetest::Folder folder;
+    const auto             run = argc == 3 ? std::make_pair(std::string(argv[1]), std::string(argv[2]))
+                                           : MakePhantomRun(fs::canonical("/proc/self/exe").parent_path(), folder);
+    Measure(run.first, run.second, folder / "plain", false);
+    Measure(run.first, run.second, folder / "deflated", true);
+  }
+  catch (const std::exception & error)
+  {
+    std::fprintf(stderr, "%s: %s\n", argv[0], error.what());
+    return 1;
+  }
+  return 0;
+}
