@@ -114,25 +114,26 @@ class Queue:
                 self.waiting.update(dict.fromkeys(asked, "the PACS has not reported yet; does it know title and port of the gateway?"))
                 if time.time() - begin < LONGEST_SILENCE:
                     continue
-                self.unasked.update(asked)
-            else:
-                committed = {entry["SOPInstanceUID"] for entry in report["Success"]}
-                lacking += [instance for instance in asked if self.uids[instance] not in committed]
-                for instance in set(asked).difference(lacking):
-                    self.mark(instance)
             del self.reports[transaction]
+            committed = {entry["SOPInstanceUID"] for entry in report["Success"]}
+            there = [instance for instance in asked if instance in self.waiting]
+            self.unasked.update(there)
+            for instance in there:
+                if self.uids[instance] in committed:
+                    self.mark(instance)
+                elif report["Status"] != "Pending":
+                    lacking.append(instance)
         return lacking
 
     def mark(self, instance):
         now = time.time()
         self.orthanc.call("PUT", f"/instances/{instance}/metadata/{COMMITTED}", str(now))
         self.kept.append((now, instance))
-        del self.waiting[instance], self.uids[instance]
+        self.forget([instance])
         self.taken += 1
 
     def send(self, lacking):
         """Each by itself, so that one that is refused keeps no other back and has a reason of its own."""
-        self.unasked.update(lacking)
         for instance in lacking:
             try:
                 self.orthanc.call("POST", "/modalities/pacs/store", {"Resources": [instance]})
@@ -141,6 +142,15 @@ class Queue:
             except Refused as error:
                 self.waiting[instance] = str(error)
                 self.orthanc.call("POST", "/modalities/pacs/echo", {})  # there is no use in sending more where it fails
+
+    def forget(self, instances):
+        for instance in instances:
+            del self.waiting[instance], self.uids[instance]
+        self.unasked.difference_update(instances)
+
+    def forget_removed(self):
+        """Somebody may give an instance up, and delete it in Orthanc."""
+        self.forget(set(self.waiting).difference(self.orthanc.call("GET", "/instances")))
 
     def forget_old(self):
         while self.kept and self.kept[0][0] < time.time() - KEPT:
@@ -165,6 +175,7 @@ class Queue:
             self.ask()
             self.forget_old()
         except Refused as error:
+            self.forget_removed()
             self.waiting.update(dict.fromkeys(self.unasked, str(error)))
         self.tell()
         return self.taken > before
