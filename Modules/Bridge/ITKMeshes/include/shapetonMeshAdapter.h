@@ -106,7 +106,7 @@ FillMesh(const SurfaceMesh & surface,
     typename TMesh::PointType place;
     for (unsigned int axis = 0; axis < 3; ++axis)
     {
-      place[axis] = static_cast<typename TMesh::CoordRepType>(surface.V(v, axis));
+      place[axis] = static_cast<typename TMesh::PointType::ValueType>(surface.V(v, axis));
     }
     mesh.SetPoint(point, place);
     if (!pointArrays.empty())

@@ -12,6 +12,15 @@
 
 namespace shapeton
 {
+/** ITK asks this, from 5.4 on, of all that a MetaDataDictionary holds. \ingroup ITKMeshes */
+inline bool
+operator==(const SurfaceArray & left, const SurfaceArray & right)
+{
+  return left.name == right.name && left.areIntegers == right.areIntegers &&
+         left.values.rows() == right.values.rows() && left.values.cols() == right.values.cols() &&
+         left.values == right.values;
+}
+
 /** What the pixels of a mesh hold: the components of one or several arrays, one after another. It is kept in the mesh's
  * MetaDataDictionary as text, so that the names come back. \ingroup ITKMeshes */
 namespace mesharrays

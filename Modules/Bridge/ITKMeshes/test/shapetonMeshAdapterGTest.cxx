@@ -76,6 +76,16 @@ TYPED_TEST(MeshAdapter, ASurfaceComesBackWithAllThatIsOnIt)
   }
 }
 
+TEST(MeshAdapterOfScalars, ArraysAreEqualWhereNameKindAndValuesAre)
+{
+  const SurfaceArray array{ "rectumLoop", Eigen::Vector3d(2, 0, 1), true };
+  EXPECT_TRUE(array == array);
+  EXPECT_FALSE(array == (SurfaceArray{ "loop", array.values, true }));
+  EXPECT_FALSE(array == (SurfaceArray{ array.name, array.values, false }));
+  EXPECT_FALSE(array == (SurfaceArray{ array.name, array.values.transpose(), true }));
+  EXPECT_FALSE(array == (SurfaceArray{ array.name, Eigen::Vector3d(2, 1, 0), true }));
+}
+
 TEST(MeshAdapterOfScalars, HoldsTheArrayThatIsNamed)
 {
   using ScalarMesh = itk::Mesh<float, 3>;
