@@ -12,4 +12,12 @@
     ITK_MACROEND_NOOP_STATEMENT
 #endif
 
+// ITK's macros of inputs call this by its bare name, which 6.0 has in the namespace itk.
+#if ITK_VERSION_MAJOR >= 6
+namespace shapeton
+{
+using itk::itkDynamicCastInDebugMode;
+}
+#endif
+
 #endif
