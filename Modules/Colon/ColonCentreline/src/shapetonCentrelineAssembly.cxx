@@ -1,6 +1,7 @@
 #include "shapetonCentrelineAssembly.h"
 
 #include "shapetonMiddleLine.h"
+#include "shapetonParallelFor.h"
 #include "shapetonPlaceInWords.h"
 
 #include <algorithm>
@@ -296,25 +297,47 @@ WarnOfUnlikelyRectum(ColonCentreline & result)
   }
 }
 
-/** Lengths for the exponents 2, 3, 4: the line itself, changed by how much the other paths differ from its core. */
-void
-AddLengths(const LumenNetwork &             network,
+/** What takes long, each for itself. */
+struct ShapedLines
+{
+  std::vector<Section> sections;
+  /** Of each piece the lengths of the lines along its paths for the exponents 2, of the options, and 4, mm. */
+  std::vector<std::array<double, 3>> lengths;
+};
+
+ShapedLines
+ShapeLines(const LumenNetwork &             network,
            const DistanceField &            field,
            const std::vector<PieceLine> &   lines,
            const std::vector<PlacedPiece> & order,
-           const ColonCentrelineOptions &   options,
-           ColonCentreline &                result)
+           const ColonCentrelineOptions &   options)
 {
-  const auto lengthOf = [&](const std::vector<int> & nodes) {
-    return CurveLength(ShapeLine(network, field, nodes, options));
-  };
+  ShapedLines shaped;
+  shaped.lengths.resize(order.size());
+  ParallelFor(1 + 3 * order.size(), [&](std::size_t task) {
+    if (task == 0)
+    {
+      shaped.sections = MakeSections(network, field, lines, order, options);
+      return;
+    }
+    const std::size_t      i = (task - 1) / 3;
+    const int              exponent = 2 + static_cast<int>((task - 1) % 3);
+    const PieceLine &      line = lines[order[i].piece];
+    const std::vector<int> path = exponent == 3 ? line.core : OtherPath(network, line, exponent);
+    shaped.lengths[i][exponent - 2] = CurveLength(ShapeLine(network, field, path, options));
+  });
+  return shaped;
+}
+
+/** Lengths for the exponents 2, 3, 4: the line itself, changed by how much the other paths differ from its core. */
+void
+AddLengths(const std::vector<std::array<double, 3>> & ofPieces, ColonCentreline & result)
+{
   result.lengths.fill(result.length);
-  for (const PlacedPiece & placed : order)
+  for (const auto & lengths : ofPieces)
   {
-    const PieceLine & line = lines[placed.piece];
-    const double      core = lengthOf(line.core);
-    result.lengths[0] += lengthOf(OtherPath(network, line, 2)) - core;
-    result.lengths[2] += lengthOf(OtherPath(network, line, 4)) - core;
+    result.lengths[0] += lengths[0] - lengths[1];
+    result.lengths[2] += lengths[2] - lengths[1];
   }
   const auto [least, most] = std::minmax_element(result.lengths.begin(), result.lengths.end());
   if (*most - *least > 0.03 * result.length)
@@ -404,13 +427,14 @@ AssembleCentreline(const LumenNetwork &             network,
                    const std::vector<PlacedPiece> & order,
                    const ColonCentrelineOptions &   options)
 {
-  ColonCentreline            result;
-  const std::vector<Section> sections = MakeSections(network, field, lines, order, options);
-  std::vector<double>        begins;
+  ColonCentreline              result;
+  const ShapedLines            shaped = ShapeLines(network, field, lines, order, options);
+  const std::vector<Section> & sections = shaped.sections;
+  std::vector<double>          begins;
   FillCurve(network.grid, sections, begins, result);
   AddPieces(network.grid, lines, order, sections, begins, result);
   AddGaps(network.grid, sections, begins, result);
-  AddLengths(network, field, lines, order, options, result);
+  AddLengths(shaped.lengths, result);
   AddCover(network, sections, result);
   WarnOfNarrowPlaces(network.grid, sections, result);
   if (!options.start)

@@ -1,5 +1,7 @@
 #include "shapetonLumenGrid.h"
 
+#include "shapetonParallelFor.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -79,7 +81,7 @@ LumenGrid::LumenGrid(const LumenDistanceImage * distance,
   const auto origin = distance->TransformIndexToPhysicalPoint<itk::SpacePrecisionType>(region.GetIndex());
   m_Origin = Eigen::Vector3d(origin[0], origin[1], origin[2]);
   this->MakeNodes(distance, labels, isUsed);
-  this->MakeSteps();
+  this->FindNeighbours();
 }
 
 void
@@ -112,22 +114,28 @@ LumenGrid::MakeNodes(const LumenDistanceImage * distance,
 }
 
 void
-LumenGrid::MakeSteps()
+LumenGrid::FindNeighbours()
 {
-  for (int z = -1; z <= 1; ++z)
+  std::array<std::ptrdiff_t, 27> offsets;
+  for (int step = 0; step < 27; ++step)
   {
-    for (int y = -1; y <= 1; ++y)
+    const std::array<int, 3> way = { step % 3 - 1, step / 3 % 3 - 1, step / 9 - 1 };
+    offsets[step] = m_Grid.Offset(way[0], way[1], way[2]);
+    m_StepLengths[step] = Eigen::Vector3d(way[0] * m_Spacing[0], way[1] * m_Spacing[1], way[2] * m_Spacing[2]).norm();
+  }
+  m_Neighbours.resize(m_Voxels.size());
+  ParallelForBlocks(m_Voxels.size(), [&](std::size_t node) {
+    Neighbours & around = m_Neighbours[node];
+    for (int step = 26; step >= 0; --step)
     {
-      for (int x = -1; x <= 1; ++x)
+      const int neighbour = m_NodeAt[m_Voxels[node] + offsets[step]];
+      if (neighbour >= 0)
       {
-        if (x != 0 || y != 0 || z != 0)
-        {
-          const double length = Eigen::Vector3d(x * m_Spacing[0], y * m_Spacing[1], z * m_Spacing[2]).norm();
-          m_Steps.push_back({ static_cast<int>(m_Grid.Offset(x, y, z)), length, { x, y, z } });
-        }
+        around.present |= 1U << step;
+        around.firstOfRow[step / 3] = neighbour;
       }
     }
-  }
+  });
 }
 
 int

@@ -7,6 +7,7 @@
 #include <Eigen/Core>
 
 #include <array>
+#include <cstdint>
 #include <vector>
 
 namespace shapeton
@@ -49,7 +50,7 @@ public:
   {
     return m_Components[node];
   }
-  /** -1 where there is none. `offset` is one of Steps() or Strides(). */
+  /** -1 where there is none. `offset` is one of Strides(), or its negative. */
   int
   Neighbour(int node, int offset) const
   {
@@ -89,18 +90,29 @@ public:
     return m_Spacing;
   }
 
-  struct Step
+  /** Calls `body(neighbour, length)` for the nodes among the 26 neighbours, in their order; length of the step in mm.
+   */
+  template <typename TBody>
+  void
+  ForEachNeighbour(int node, const TBody & body) const
   {
-    int    offset;
-    double length;
-    /** The steps along each axis, -1, 0 or 1. */
-    std::array<int, 3> axes;
-  };
-  /** To the 26 neighbours. */
-  const std::vector<Step> &
-  Steps() const
-  {
-    return m_Steps;
+    const Neighbours & around = m_Neighbours[node];
+    for (unsigned int row = 0; row < 9; ++row)
+    {
+      int          next = around.firstOfRow[row];
+      unsigned int present = around.present >> (3 * row) & 7U;
+      for (unsigned int step = 3 * row; present != 0; ++step, present >>= 1)
+      {
+        if (present & 1U)
+        {
+          if (next != node)
+          {
+            body(next, m_StepLengths[step]);
+          }
+          ++next;
+        }
+      }
+    }
   }
   /** To the next voxel along x, y, z. */
   std::array<int, 3>
@@ -130,20 +142,29 @@ private:
   void
   MakeNodes(const LumenDistanceImage * distance, const LumenLabelImage * labels, const std::vector<char> & isUsed);
   void
-  MakeSteps();
+  FindNeighbours();
+
+  /** A node and its neighbours, together in memory, as paths come to nodes in no order that a cache could follow. Those
+   * of a row have consecutive numbers, so one is stored for each of the nine rows. */
+  struct Neighbours
+  {
+    std::uint32_t      present{ 0 }; ///< bit x + 3 y + 9 z for the voxel x - 1, y - 1, z - 1 steps away
+    std::array<int, 9> firstOfRow;
+  };
 
   std::array<int, 3> m_Block;
   VoxelGrid          m_Grid;
   Eigen::Vector3d    m_Spacing;
   /** The position of the voxel 0. */
-  Eigen::Vector3d    m_First;
-  Eigen::Vector3d    m_Origin;
-  Eigen::Matrix3d    m_Direction;
-  std::vector<int>   m_NodeAt;
-  std::vector<int>   m_Voxels;
-  std::vector<float> m_Distances;
-  std::vector<int>   m_Components;
-  std::vector<Step>  m_Steps;
+  Eigen::Vector3d         m_First;
+  Eigen::Vector3d         m_Origin;
+  Eigen::Matrix3d         m_Direction;
+  std::vector<int>        m_NodeAt;
+  std::vector<int>        m_Voxels;
+  std::vector<float>      m_Distances;
+  std::vector<int>        m_Components;
+  std::array<double, 27>  m_StepLengths; ///< mm
+  std::vector<Neighbours> m_Neighbours;
 };
 } // namespace shapeton
 

@@ -292,7 +292,7 @@ WayTo(const LumenNetwork &           network,
     return BridgeGap(from, along, place, (place - from).normalized(), options.step);
   }
   const int      start = network.grid.NearestNode(from); // the line may be a little outside
-  const PathTree paths = GrowPathTree(network.grid, network.cells, network.tree, start, options.exponent);
+  const PathTree paths = GrowPathTree(network.grid, network.cells, network.tree, start, options.exponent, pole);
   return SmoothCurve(ResampleCurve(PositionsOf(network.grid, paths.PathTo(pole)), options.step),
                      options.step,
                      options.smoothing,

@@ -50,7 +50,7 @@ PathTree::PathTo(int node) const
 }
 
 PathTree
-GrowPathTree(const LumenGrid & grid, const LumenCells & cells, const CellTree & tree, int start, int exponent)
+GrowPathTree(const LumenGrid & grid, const LumenCells & cells, const CellTree & tree, int start, int exponent, int last)
 {
   std::vector<Record> records = MakeRecords(grid, cells, exponent);
   PathTree            paths;
@@ -69,23 +69,21 @@ GrowPathTree(const LumenGrid & grid, const LumenCells & cells, const CellTree & 
       continue;
     }
     paths.order.push_back(node);
-    for (const auto & step : grid.Steps())
+    if (node == last)
     {
-      const int next = grid.Neighbour(node, step.offset);
-      if (next < 0)
-      {
-        continue;
-      }
+      break;
+    }
+    grid.ForEachNeighbour(node, [&, cost = cost, node = node](int next, double length) {
       Record &     there = records[next];
-      const double through = cost + step.length * (static_cast<double>(here.cost) + there.cost);
+      const double through = cost + length * (static_cast<double>(here.cost) + there.cost);
       if (through < there.reached && (here.cell == there.cell || tree.IsOpen(here.cell, there.cell)))
       {
         there.reached = through;
         paths.parents[next] = node;
-        paths.lengths[next] = paths.lengths[node] + static_cast<float>(step.length);
+        paths.lengths[next] = paths.lengths[node] + static_cast<float>(length);
         queue.Push(through, next);
       }
-    }
+    });
   }
   return paths;
 }
@@ -97,38 +95,53 @@ NearestOnPath(const LumenGrid &        grid,
               const std::vector<int> & path,
               double                   reach)
 {
-  std::vector<int>    nearest(grid.NumberOfNodes(), -1);
-  std::vector<double> reached(grid.NumberOfNodes(), std::numeric_limits<double>::infinity());
-  RadixQueue          queue;
+  struct Place
+  {
+    double reached;
+    int    nearest;
+    int    cell;
+  };
+  std::vector<Place> places(grid.NumberOfNodes());
+  for (int node = 0; node < grid.NumberOfNodes(); ++node)
+  {
+    places[node] = { std::numeric_limits<double>::infinity(), -1, cells.cellOf[node] };
+  }
+  RadixQueue queue;
   for (int i = 0; i < static_cast<int>(path.size()); ++i)
   {
-    if (path[i] >= 0 && nearest[path[i]] < 0)
+    if (path[i] >= 0 && places[path[i]].nearest < 0)
     {
-      nearest[path[i]] = i;
-      reached[path[i]] = 0.0;
+      places[path[i]].nearest = i;
+      places[path[i]].reached = 0.0;
       queue.Push(0.0, path[i]);
     }
   }
   while (!queue.IsEmpty())
   {
-    const auto [length, node] = queue.Pop();
-    if (length > reached[node])
+    const auto [way, node] = queue.Pop();
+    const Place here = places[node];
+    if (way > here.reached)
     {
       continue;
     }
-    for (const auto & step : grid.Steps())
-    {
-      const int    next = grid.Neighbour(node, step.offset);
-      const double through = length + step.length;
-      if (next >= 0 && through <= reach && through < reached[next] &&
-          (cells.cellOf[node] == cells.cellOf[next] || tree.IsOpen(cells.cellOf[node], cells.cellOf[next])))
+    grid.ForEachNeighbour(node, [&, way = way](int next, double length) {
+      Place &      there = places[next];
+      const double through = way + length;
+      if (through <= reach && through < there.reached &&
+          (here.cell == there.cell || tree.IsOpen(here.cell, there.cell)))
       {
-        reached[next] = through;
-        nearest[next] = nearest[node];
+        there.reached = through;
+        there.nearest = here.nearest;
         queue.Push(through, next);
       }
-    }
+    });
   }
-  return { std::move(nearest), { reached.begin(), reached.end() } };
+  NearestPlaces result;
+  for (const Place & place : places)
+  {
+    result.indices.push_back(place.nearest);
+    result.distances.push_back(static_cast<float>(place.reached));
+  }
+  return result;
 }
 } // namespace shapeton

@@ -23,9 +23,15 @@ struct PathTree
 };
 
 /** Dijkstra's algorithm on 26 neighbours; one mm costs 1 / (d + 0.1 mm)^exponent, d the distance to the wall. Paths go
- * from cell to cell only where the tree allows it. Equal costs are told apart by the order of the nodes. */
+ * from cell to cell only where the tree allows it. Equal costs are told apart by the order of the nodes. With `last`
+ * the tree ends when it has come to that node. */
 PathTree
-GrowPathTree(const LumenGrid & grid, const LumenCells & cells, const CellTree & tree, int start, int exponent);
+GrowPathTree(const LumenGrid &  grid,
+             const LumenCells & cells,
+             const CellTree &   tree,
+             int                start,
+             int                exponent,
+             int                last = -1);
 
 /** Of each node the index of the path's node that is nearest within the lumen, -1 where nothing leads, and how far away
  * that is, mm. */

@@ -255,7 +255,8 @@ BeginAtAnus(const LumenNetwork & network, const PieceLine & line, int exponent)
 std::vector<int>
 OtherPath(const LumenNetwork & network, const PieceLine & line, int exponent)
 {
-  return Grow(network, line.core.front(), exponent).PathTo(line.core.back());
+  const int last = line.core.back();
+  return GrowPathTree(network.grid, network.cells, network.tree, line.core.front(), exponent, last).PathTo(last);
 }
 
 PieceLine
