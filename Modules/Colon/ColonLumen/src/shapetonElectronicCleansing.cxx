@@ -47,23 +47,50 @@ public:
     , m_Blur(std::sqrt(0.64 + lumen.smoothing * lumen.smoothing + std::pow(grid.spacing.maxCoeff(), 2) / 12.0))
   {}
 
-  void
-  Run(CleansedColon & result)
+  /** Each volume is given back as soon as it has served: they are most of what the whole run needs. */
+  CleansedColon
+  Run()
   {
-    m_ToGas = this->DistanceTo(1);
-    m_ToFluid = this->DistanceTo(2);
-    m_ToWall = this->DistanceTo(0);
-    m_Shares.resize(m_Grid.NumberOfVoxels());
-    this->ForAll([this](std::size_t p) { m_Shares[p] = this->DirectShare(p); });
-    std::vector<float> occupancy(m_Shares.size());
-    this->ForAll([&](std::size_t p) { occupancy[p] = this->Bounded(p, this->Continued(p)); });
-    std::vector<float> sharp(m_Shares.size());
-    this->ForAll([&](std::size_t p) { sharp[p] = this->Sharpened(occupancy, p); });
-    this->WriteOccupancy(occupancy, result);
-    this->WriteCleansed(occupancy, sharp, result);
+    this->FindShares();
+    this->FindOccupancy();
+    CleansedColon result;
+    result.ct = this->MakeCleansed();
+    Release(m_Shares);
+    result.occupancy = this->MakeOccupancy();
+    return result;
   }
 
 private:
+  template <typename TValue>
+  static void
+  Release(std::vector<TValue> & values)
+  {
+    std::vector<TValue>().swap(values);
+  }
+
+  void
+  FindShares()
+  {
+    m_ToGas = this->DistanceTo(1);
+    m_ToFluid = this->DistanceTo(2);
+    m_Shares.resize(m_Grid.NumberOfVoxels());
+    this->ForAll([this](std::size_t p) { m_Shares[p] = this->DirectShare(p); });
+    Release(m_Hu);
+  }
+
+  void
+  FindOccupancy()
+  {
+    this->ForAll([this](std::size_t p) { m_ToGas[p] = std::min(m_ToGas[p], m_ToFluid[p]); });
+    Release(m_ToFluid);
+    const std::vector<float> toLumen = std::move(m_ToGas);
+    const std::vector<float> toWall = this->DistanceTo(0);
+    m_Occupancy.resize(m_Shares.size());
+    this->ForAll([&](std::size_t p) {
+      m_Occupancy[p] = this->Bounded(this->Continued(p), m_Labels[p] != 0, toWall[p], toLumen[p]);
+    });
+  }
+
   template <typename TBody>
   void
   ForAll(const TBody & body) const
@@ -213,20 +240,19 @@ private:
 
   /** A blurred edge cannot be seen further than the blur reaches: bounds by the distance from the labels' border. */
   float
-  Bounded(std::size_t p, double share) const
+  Bounded(double share, bool isLumen, double toWall, double toLumen) const
   {
     const double half = 0.5 * m_Grid.spacing.maxCoeff();
-    if (m_Labels[p] != 0)
+    if (isLumen)
     {
-      const double least = NormalDistribution((m_ToWall[p] - half) / m_Blur - 1.0);
+      const double least = NormalDistribution((toWall - half) / m_Blur - 1.0);
       return static_cast<float>(std::clamp(share, least, 1.0));
     }
-    const double d = std::min(m_ToGas[p], m_ToFluid[p]);
-    if (d > Shell)
+    if (toLumen > Shell)
     {
       return 0.0F;
     }
-    const double most = NormalDistribution(1.0 - (d - half) / m_Blur);
+    const double most = NormalDistribution(1.0 - (toLumen - half) / m_Blur);
     const double seen = std::clamp(share, 0.0, most);
     return seen < 0.01 ? 0.0F : static_cast<float>(seen);
   }
@@ -234,34 +260,34 @@ private:
   /** What the blur took from curved walls in fluid: crests of folds and heads of polyps lie inside their half-height.
    * One step of diffusion back in time, as far as the voxels carry it. */
   float
-  Sharpened(const std::vector<float> & occupancy, std::size_t p) const
+  Sharpened(std::size_t p) const
   {
     const auto   v = m_Grid.Voxel(p);
-    const double own = occupancy[p];
+    const double own = m_Occupancy[p];
     double       change = 0.0;
     for (int a = 0; a < 3; ++a)
     {
       if (m_Shares[p].fluid < 0.99F || v[a] == 0 || v[a] + 1 == m_Grid.size[a])
       {
-        return occupancy[p];
+        return m_Occupancy[p];
       }
       const auto q = p - m_Grid.stride[a];
       const auto r = p + m_Grid.stride[a];
       const bool isFluid =
-        (m_Shares[q].fluid > 0.99F || occupancy[q] < 0.01F) && (m_Shares[r].fluid > 0.99F || occupancy[r] < 0.01F);
+        (m_Shares[q].fluid > 0.99F || m_Occupancy[q] < 0.01F) && (m_Shares[r].fluid > 0.99F || m_Occupancy[r] < 0.01F);
       if (!isFluid)
       {
-        return occupancy[p];
+        return m_Occupancy[p];
       }
       const double rate =
         std::min(0.5 * ScannerBlur * ScannerBlur / (m_Grid.spacing[a] * m_Grid.spacing[a]), GreatestRate);
-      change += rate * (occupancy[q] + occupancy[r] - 2.0 * own);
+      change += rate * (m_Occupancy[q] + m_Occupancy[r] - 2.0 * own);
     }
     return static_cast<float>(std::clamp(own - change, 0.0, 1.0));
   }
 
-  void
-  WriteOccupancy(const std::vector<float> & occupancy, CleansedColon & result) const
+  ColonImage::Pointer
+  MakeOccupancy() const
   {
     auto                   image = ColonImage::New();
     ColonImage::IndexType  first = m_Image->GetBufferedRegion().GetIndex();
@@ -280,28 +306,33 @@ private:
     image->SetRegions(region);
     image->Allocate();
     float * out = image->GetBufferPointer();
-    ForEachVoxel(image, grid, [&](std::size_t to, std::size_t from) { out[to] = occupancy[from]; });
-    result.occupancy = image;
+    ForEachVoxel(image, grid, [&](std::size_t to, std::size_t from) { out[to] = m_Occupancy[from]; });
+    return image;
   }
 
-  /** Takes the fluid's part out of each voxel and puts gas in its place; what is all lumen becomes gas. */
-  void
-  WriteCleansed(const std::vector<float> & occupancy, const std::vector<float> & sharp, CleansedColon & result) const
+  /** The CT. Takes the fluid's part out of each voxel and puts gas in its place; what is all lumen becomes gas. */
+  ColonImage::Pointer
+  MakeCleansed() const
   {
     const auto & t = m_Lumen.thresholds;
-    float *      out = result.ct->GetBufferPointer();
+    const auto   image = ColonImage::New();
+    image->CopyInformation(m_Image);
+    image->SetRegions(m_Image->GetBufferedRegion());
+    image->Allocate();
+    float * out = image->GetBufferPointer();
+    std::copy_n(m_Image->GetBufferPointer(), m_Image->GetBufferedRegion().GetNumberOfPixels(), out);
     ForEachVoxel(m_Image, m_Grid, [&](std::size_t to, std::size_t p) {
-      const double fluid = m_Shares[p].fluid * occupancy[p];
+      const double fluid = m_Shares[p].fluid * m_Occupancy[p];
       if (fluid <= 0.001)
       {
         return;
       }
-      const double value =
-        out[to] - fluid * (this->FluidAt(p) - t.gas) - (sharp[p] - occupancy[p]) * (t.tissue - t.gas);
-      const double most =
-        t.gas + (1.0 - sharp[p]) * (std::max<double>(out[to], t.tissue) - t.gas) + 2.0 * m_Lumen.noise;
+      const float  sharp = this->Sharpened(p);
+      const double value = out[to] - fluid * (this->FluidAt(p) - t.gas) - (sharp - m_Occupancy[p]) * (t.tissue - t.gas);
+      const double most = t.gas + (1.0 - sharp) * (std::max<double>(out[to], t.tissue) - t.gas) + 2.0 * m_Lumen.noise;
       out[to] = static_cast<float>(std::max(t.gas, std::min(value, most)));
     });
+    return image;
   }
 
   const ColonImage *         m_Image;
@@ -315,8 +346,8 @@ private:
   double                     m_Blur;
   std::vector<float>         m_ToGas;
   std::vector<float>         m_ToFluid;
-  std::vector<float>         m_ToWall;
   std::vector<Share>         m_Shares;
+  std::vector<float>         m_Occupancy;
 };
 
 VoxelBox
@@ -358,19 +389,12 @@ CleanseColon(const itk::Image<float, 3> * ct, const ColonLumen & lumen)
   {
     throw std::invalid_argument("CleanseColon: the labels are not on the grid of the image");
   }
-  CleansedColon result;
-  result.ct = ColonImage::New();
-  result.ct->CopyInformation(ct);
-  result.ct->SetRegions(ct->GetBufferedRegion());
-  result.ct->Allocate();
-  std::copy_n(ct->GetBufferPointer(), ct->GetBufferedRegion().GetNumberOfPixels(), result.ct->GetBufferPointer());
   const ColonGrid whole = GridOfImage(ct);
   VoxelBox        box = BoxOfLabels(lumen, whole);
   if (box.IsEmpty())
   {
     box.high = { { 1, 1, 1 } };
   }
-  Cleansing(ct, lumen, whole.Part(whole.Widened(box, Margin))).Run(result);
-  return result;
+  return Cleansing(ct, lumen, whole.Part(whole.Widened(box, Margin))).Run();
 }
 } // namespace shapeton

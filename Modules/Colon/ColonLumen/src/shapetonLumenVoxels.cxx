@@ -230,24 +230,55 @@ private:
   LateralCells                     m_Cells;
 };
 
-/** Gas above and fluid below, nothing else in between, all within some steps. */
-bool
-IsBetween(const LumenField & field, const ClassVolume & classes, std::size_t p, int steps)
+/** Looks up and down from a voxel. A table of the steps, as most voxels are asked for all of them. */
+class Column
 {
-  const auto v = field.grid.Voxel(p);
-  int        up = 1;
-  while (up <= steps && field.Below(v, -up) >= 0 && classes[field.Below(v, -up)] == Nothing)
+public:
+  Column(const LumenField & field, const ClassVolume & classes, int steps)
+    : m_Grid(field.grid), m_Classes(classes), m_Steps(steps)
   {
-    ++up;
+    for (int t = -steps; t <= steps; ++t)
+    {
+      m_Offsets.push_back(field.fall.Offset(t));
+    }
   }
-  int down = 1;
-  while (down <= steps && field.Below(v, down) >= 0 && classes[field.Below(v, down)] == Nothing)
+
+  /** Whether gas is above the voxel and fluid below, nothing else in between, all within the steps. */
+  bool
+  IsBetweenGasAndFluid(std::size_t p) const
   {
-    ++down;
+    const auto v = m_Grid.Voxel(p);
+    const int  up = this->StepsTo(ColonGas, v, -1, m_Steps);
+    return up > 0 && this->StepsTo(ColonFluid, v, 1, m_Steps + 1 - up) > 0;
   }
-  return up + down <= steps + 1 && field.Below(v, -up) >= 0 && field.Below(v, down) >= 0 &&
-         classes[field.Below(v, -up)] == ColonGas && classes[field.Below(v, down)] == ColonFluid;
-}
+
+private:
+  /** Steps to the first voxel that is something, where that is of this class; else 0. */
+  int
+  StepsTo(unsigned char wanted, const std::array<int, 3> & v, int direction, int most) const
+  {
+    for (int step = 1; step <= most; ++step)
+    {
+      const auto & o = m_Offsets[m_Steps + direction * step];
+      if (!m_Grid.Holds(v[0] + o[0], v[1] + o[1], v[2] + o[2]))
+      {
+        return 0;
+      }
+      const unsigned char found = m_Classes[m_Grid.Index(v[0] + o[0], v[1] + o[1], v[2] + o[2])];
+      if (found != Nothing)
+      {
+        return found == wanted ? step : 0;
+      }
+    }
+    return 0;
+  }
+
+  const ColonGrid &               m_Grid;
+  const ClassVolume &             m_Classes;
+  int                             m_Steps;
+  std::vector<std::array<int, 3>> m_Offsets;
+};
+
 /** Fills the layer in which values pass from gas to fluid, near levels only: elsewhere a wall may lie between. */
 void
 FillLevelLayers(LumenField & field)
@@ -257,10 +288,11 @@ FillLevelLayers(LumenField & field)
   const int         steps = static_cast<int>(std::ceil(thickness / field.fall.step)) + 1;
   const double      half = 0.5 * (field.evidence.thresholds.gas + field.evidence.thresholds.fluid);
   const ClassVolume before = field.classes;
+  const Column      column(field, before, steps);
   ParallelFor(field.grid.size[2], [&](std::size_t k) {
     for (std::size_t p = k * field.grid.stride[2]; p < (k + 1) * field.grid.stride[2]; ++p)
     {
-      if (before[p] == Nothing && IsBetween(field, before, p, steps) && levels.Hold(p))
+      if (before[p] == Nothing && column.IsBetweenGasAndFluid(p) && levels.Hold(p))
       {
         field.classes[p] = field.hu[p] < half ? ColonGas : ColonFluid;
       }
