@@ -10,8 +10,8 @@ namespace shapeton
 /** An occupancy whose pieces are joined by tubes. \ingroup ColonWall */
 struct BridgedOccupancy
 {
-  /** The given field, on a larger grid where a tube needs it. */
-  OccupancyImage::Pointer occupancy;
+  /** The given field itself where there is no tube; else a copy, on a larger grid where a tube needs it. */
+  OccupancyImage::ConstPointer occupancy;
   /** Axes of the tubes: pairs of points in LPS mm. */
   std::vector<std::pair<Eigen::Vector3d, Eigen::Vector3d>> axes;
   double                                                   radius{ 2.0 };

@@ -158,9 +158,13 @@ AddBridges(const OccupancyImage * occupancy, const CurveSet & centreline, double
   return result;
 }
 
-OccupancyImage::Pointer
+OccupancyImage::ConstPointer
 DrawBridges(const OccupancyImage * occupancy, const BridgedOccupancy & bridges)
 {
+  if (bridges.axes.empty())
+  {
+    return occupancy;
+  }
   const double       width = GridGeometry(occupancy).spacing.maxCoeff();
   const auto         image = EnlargedCopy(occupancy, bridges.axes, bridges.radius + width);
   const GridGeometry grid(image);
@@ -168,7 +172,7 @@ DrawBridges(const OccupancyImage * occupancy, const BridgedOccupancy & bridges)
   {
     DrawTube(image, grid, axis, bridges.radius);
   }
-  return image;
+  return image.GetPointer();
 }
 
 SurfaceArray

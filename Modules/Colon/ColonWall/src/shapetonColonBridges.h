@@ -6,7 +6,7 @@
 namespace shapeton
 {
 /** The same bridges in another field on the grid of the one that they were found for. */
-OccupancyImage::Pointer
+OccupancyImage::ConstPointer
 DrawBridges(const OccupancyImage * occupancy, const BridgedOccupancy & bridges);
 
 /** For each face 1 where the tubes and not the given lumen make the wall. `lumen` is the field before the tubes came.

@@ -5,7 +5,7 @@
 #include "shapetonConformalTube.h"
 #include "shapetonCutDisc.h"
 #include "shapetonDiffusionTime.h"
-#include "shapetonParallelFor.h"
+#include "shapetonParallelInvoke.h"
 #include "shapetonRemoveBridges.h"
 #include "shapetonSurfaceConnectivity.h"
 #include "shapetonSurfaceQuality.h"
@@ -14,6 +14,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <sstream>
 
 namespace shapeton
@@ -58,13 +59,19 @@ public:
   Build()
   {
     this->Repair();
-    this->Extract();
-    this->Open();
-    this->Simplify();
-    const ArcLengthField arcLengths(m_Mask, m_Centreline);
+    std::optional<ArcLengthField> arcLengths;
+    Remarks                       remarksOnRaw;
+    // The repaired surface takes longest; the raw one and the field of arc lengths need nothing of it.
+    ParallelInvoke([this] { this->MakeRepaired(); },
+                   [&, this] {
+                     remarksOnRaw = this->MakeRaw();
+                     arcLengths.emplace(m_Mask, m_Centreline);
+                   });
+    AppendRemarks(m_Wall.report.warnings, remarksOnRaw);
+    AppendRemarks(m_Wall.report.warnings, m_RemarksOnRepaired);
     for (SurfaceMesh * mesh : { &m_Wall.raw, &m_Wall.repaired, &m_Wall.simplified })
     {
-      this->AddArrays(*mesh, arcLengths);
+      this->AddArrays(*mesh, *arcLengths);
     }
     this->Report();
     for (SurfaceMesh * mesh : { &m_Wall.raw, &m_Wall.repaired, &m_Wall.simplified })
@@ -107,24 +114,29 @@ private:
     this->Advance(Step::Repaired);
   }
 
-  void
-  Extract()
+  WallSmoothingOptions
+  Smoothing(double normalLimit) const
   {
     const auto           spacing = m_Occupancy->GetSpacing();
     const double         finest = std::min({ spacing[0], spacing[1], spacing[2] });
     WallSmoothingOptions smoothing;
     smoothing.tangentialLimit = m_Options.tangentialLimit * finest;
-    smoothing.normalLimit = 0.0;
-    m_Wall.raw = SmoothWall(ExtractWall(m_Bridges.occupancy), smoothing);
-    smoothing.normalLimit = m_Options.normalLimit * finest;
-    m_Wall.repaired = SmoothWall(ExtractWall(m_RepairedField, m_Mask), smoothing);
-    this->Advance(Step::Extracted);
+    smoothing.normalLimit = normalLimit * finest;
+    return smoothing;
+  }
+
+  Remarks
+  MakeRaw()
+  {
+    m_Wall.raw = SmoothWall(ExtractWall(m_Bridges.occupancy), this->Smoothing(0.0));
+    return this->OpenRaw();
   }
 
   void
-  Open()
+  MakeRepaired()
   {
-    this->OpenRaw();
+    m_Wall.repaired = SmoothWall(ExtractWall(m_RepairedField, m_Mask), this->Smoothing(m_Options.normalLimit));
+    this->Advance(Step::Extracted);
     OpenWall opened = OpenColonEnds(m_Wall.repaired, m_Centreline, m_Options.ends);
     m_Wall.repaired = std::move(opened.mesh);
     ColonWallReport & report = m_Wall.report;
@@ -134,12 +146,14 @@ private:
     this->WarnOfSmallEnd("rectum", opened.rectumRadius);
     this->WarnOfSmallEnd("caecum", opened.caecumRadius);
     this->Advance(Step::Opened);
+    this->Simplify();
   }
 
   /** Handles next to an end may leave no disc to cut out; then the raw surface stays closed. */
-  void
+  Remarks
   OpenRaw()
   {
+    Remarks         remarks;
     OpenEndsOptions ends = m_Options.ends;
     ends.smoothRims = false;
     try
@@ -151,8 +165,9 @@ private:
     catch (const InputError & error)
     {
       m_Wall.report.rawGenus = SurfaceConnectivity(m_Wall.raw).Components().front().genus.value_or(-1);
-      m_Wall.report.warnings.push_back(std::string("the raw surface stays closed: ") + error.what());
+      remarks.push_back(std::string("the raw surface stays closed: ") + error.what());
     }
+    return remarks;
   }
 
   void
@@ -163,7 +178,7 @@ private:
       std::ostringstream text;
       text << "the opening at the " << end << " has a radius of " << radius << " mm instead of "
            << m_Options.ends.radius << " mm: a larger disc is none";
-      m_Wall.report.warnings.push_back(text.str());
+      m_RemarksOnRepaired.push_back(text.str());
     }
   }
 
@@ -184,8 +199,8 @@ private:
     }
     if (!m_Simplification.reachedTarget)
     {
-      m_Wall.report.warnings.push_back("the simplified wall has " + std::to_string(m_Simplification.faces) +
-                                       " faces instead of " + std::to_string(faces) + ": " + m_Simplification.reason);
+      m_RemarksOnRepaired.push_back("the simplified wall has " + std::to_string(m_Simplification.faces) +
+                                    " faces instead of " + std::to_string(faces) + ": " + m_Simplification.reason);
     }
     const SurfaceConnectivity connectivity(m_Wall.simplified);
     const int                 genus =
@@ -273,15 +288,16 @@ private:
     report.bridgedFaces = static_cast<int>(FindSurfaceArray(m_Wall.repaired.cellArrays, "bridged")->values.sum());
   }
 
-  const OccupancyImage *      m_Occupancy;
-  const OccupancyImage *      m_RepairedOccupancy;
-  const CurveSet &            m_Centreline;
-  const ColonWallOptions &    m_Options;
-  BridgedOccupancy            m_Bridges;
-  OccupancyImage::Pointer     m_RepairedField;
-  LumenMaskImage::Pointer     m_Mask;
-  SurfaceSimplificationReport m_Simplification; ///< of the last one
-  ColonWall                   m_Wall;
+  const OccupancyImage *       m_Occupancy;
+  const OccupancyImage *       m_RepairedOccupancy;
+  const CurveSet &             m_Centreline;
+  const ColonWallOptions &     m_Options;
+  BridgedOccupancy             m_Bridges;
+  OccupancyImage::ConstPointer m_RepairedField;
+  LumenMaskImage::Pointer      m_Mask;
+  SurfaceSimplificationReport  m_Simplification; ///< of the last one
+  ColonWall                    m_Wall;
+  Remarks                      m_RemarksOnRepaired;
 };
 } // namespace
 

@@ -16,6 +16,7 @@
 #include <Eigen/LU>
 
 #include <cmath>
+#include <mutex>
 #include <stdexcept>
 
 namespace shapeton
@@ -59,10 +60,15 @@ CopyField(const OccupancyImage * occupancy, const LumenMaskImage * mask, vtkImag
   }
 }
 
-/** The contour in LPS mm. */
+/** The contour in LPS mm. One at a time: VTK's choice of threads is that of the whole process. */
 SurfaceMesh
-ContourOf(vtkImageData * field, const GridGeometry & grid)
+ContourOf(const OccupancyImage * occupancy, const LumenMaskImage * mask)
 {
+  static std::mutex                 mutex;
+  const std::lock_guard<std::mutex> lock(mutex);
+  vtkNew<vtkImageData>              field;
+  CopyField(occupancy, mask, field);
+  const GridGeometry       grid(occupancy);
   vtkNew<vtkFlyingEdges3D> contour;
   contour->SetInputData(field);
   contour->SetValue(0, WallLevel);
@@ -150,9 +156,7 @@ ExtractWall(const OccupancyImage * occupancy, const LumenMaskImage * mask)
   {
     throw std::invalid_argument("The occupancy and the mask have different sizes");
   }
-  vtkNew<vtkImageData> field;
-  CopyField(occupancy, mask, field);
-  const SurfaceMesh mesh = ContourOf(field, GridGeometry(occupancy));
+  const SurfaceMesh mesh = ContourOf(occupancy, mask);
   if (mesh.NumberOfFaces() == 0)
   {
     throw InputError("the lumen has no wall: no voxel has an occupancy of at least 0.5");

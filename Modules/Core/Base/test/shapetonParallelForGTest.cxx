@@ -1,8 +1,9 @@
-#include "shapetonParallelFor.h"
+#include "shapetonParallelInvoke.h"
 
 #include "gtest/gtest.h"
 
 #include <stdexcept>
+#include <thread>
 #include <vector>
 
 namespace
@@ -53,6 +54,31 @@ TEST_P(WithThreads, AnExceptionComesBack)
     });
   };
   EXPECT_THROW(loop(), std::runtime_error);
+}
+
+TEST_P(WithThreads, InvokesTheFirstHereAndLoopsInBoth)
+{
+  std::thread::id  first;
+  std::vector<int> counts(2000, 0);
+  const auto       loop = [&counts](std::size_t begin) {
+    shapeton::ParallelFor(1000, [&](std::size_t i) { ++counts[begin + i]; });
+  };
+  shapeton::ParallelInvoke(
+    [&] {
+      first = std::this_thread::get_id();
+      loop(0);
+    },
+    [&] { loop(1000); });
+  EXPECT_EQ(first, std::this_thread::get_id());
+  EXPECT_EQ(counts, std::vector<int>(2000, 1));
+}
+
+TEST_P(WithThreads, OfTwoExceptionsTheFirstComesBack)
+{
+  const auto fail = [] { throw std::runtime_error("the first"); };
+  const auto failToo = [] { throw std::logic_error("the second"); };
+  EXPECT_THROW(shapeton::ParallelInvoke(fail, failToo), std::runtime_error);
+  EXPECT_THROW(shapeton::ParallelInvoke([] {}, failToo), std::logic_error);
 }
 
 INSTANTIATE_TEST_SUITE_P(Threads, WithThreads, testing::Values(1U, 2U, 3U));
