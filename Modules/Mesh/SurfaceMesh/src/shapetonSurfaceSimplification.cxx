@@ -1,5 +1,6 @@
 #include "shapetonSurfaceSimplification.h"
 #include "shapetonCornerTable.h"
+#include "shapetonParallelFor.h"
 #include "shapetonQuadric.h"
 #include "shapetonSurfaceRepair.h"
 #include "shapetonExceptions.h"
@@ -33,6 +34,50 @@ struct Candidate
     }
     return u != other.u ? u > other.u : v > other.v;
   }
+};
+
+/** The cheapest candidate first. Those of all edges are sorted once and then taken in a row, so that the heap, whose
+ * steps go through memory at random, holds only those that have changed since. */
+class CandidateQueue
+{
+public:
+  void
+  Fill(std::vector<Candidate> && candidates)
+  {
+    m_Sorted = std::move(candidates);
+    std::sort(m_Sorted.begin(), m_Sorted.end()); // the cheapest is the last
+    m_Changed = {};
+  }
+  void
+  Push(const Candidate & candidate)
+  {
+    m_Changed.push(candidate);
+  }
+  bool
+  IsEmpty() const
+  {
+    return m_Sorted.empty() && m_Changed.empty();
+  }
+  Candidate
+  Pop()
+  {
+    Candidate candidate;
+    if (m_Changed.empty() || (!m_Sorted.empty() && m_Changed.top() < m_Sorted.back()))
+    {
+      candidate = m_Sorted.back();
+      m_Sorted.pop_back();
+    }
+    else
+    {
+      candidate = m_Changed.top();
+      m_Changed.pop();
+    }
+    return candidate;
+  }
+
+private:
+  std::vector<Candidate>         m_Sorted;
+  std::priority_queue<Candidate> m_Changed;
 };
 
 class Simplifier
@@ -69,14 +114,14 @@ private:
   void
   TellProgress(const SurfaceSimplificationReport & report) const;
 
-  SurfaceSimplificationOptions   m_Options;
-  CornerTable                    m_Table;
-  Eigen::Vector3d                m_Origin;
-  std::vector<Eigen::Vector3d>   m_Positions;
-  std::vector<Quadric>           m_Quadrics;
-  std::vector<unsigned>          m_Version;
-  std::priority_queue<Candidate> m_Queue;
-  double                         m_CosineLimit{ 1.0 };
+  SurfaceSimplificationOptions m_Options;
+  CornerTable                  m_Table;
+  Eigen::Vector3d              m_Origin;
+  std::vector<Eigen::Vector3d> m_Positions;
+  std::vector<Quadric>         m_Quadrics;
+  std::vector<unsigned>        m_Version;
+  CandidateQueue               m_Queue;
+  double                       m_CosineLimit{ 1.0 };
 };
 
 Simplifier::Simplifier(const SurfaceMesh & mesh, const SurfaceSimplificationOptions & options)
@@ -207,25 +252,28 @@ Simplifier::CandidateOf(int a, int b) const
 void
 Simplifier::FillQueue()
 {
-  std::vector<Candidate> candidates;
-  candidates.reserve(m_Table.NumberOfLiveFaces() * 3 / 2 + 1);
+  std::vector<int> edges;
+  edges.reserve(m_Table.NumberOfLiveFaces() * 3 / 2 + 1);
   for (int h = 0; h < m_Table.NumberOfHalfEdges(); ++h)
   {
     if (m_Table.StandsForEdge(h))
     {
-      candidates.push_back(this->CandidateOf(m_Table.From(h), m_Table.To(h)));
+      edges.push_back(h);
     }
   }
-  m_Queue = std::priority_queue<Candidate>(std::less<Candidate>(), std::move(candidates));
+  std::vector<Candidate> candidates(edges.size());
+  ParallelForBlocks(edges.size(), [&](std::size_t i) {
+    candidates[i] = this->CandidateOf(m_Table.From(edges[i]), m_Table.To(edges[i]));
+  });
+  m_Queue.Fill(std::move(candidates));
 }
 
 void
 Simplifier::CollapseQueue(SurfaceSimplificationReport & report)
 {
-  while (!m_Queue.empty() && m_Table.NumberOfLiveFaces() > m_Options.targetFaces)
+  while (!m_Queue.IsEmpty() && m_Table.NumberOfLiveFaces() > m_Options.targetFaces)
   {
-    const Candidate candidate = m_Queue.top();
-    m_Queue.pop();
+    const Candidate candidate = m_Queue.Pop();
     if (!m_Table.IsLiveVertex(candidate.u) || !m_Table.IsLiveVertex(candidate.v) ||
         m_Version[candidate.u] != candidate.versionU || m_Version[candidate.v] != candidate.versionV)
     {
@@ -254,7 +302,7 @@ Simplifier::TryCollapse(int u, int v)
   m_Positions[kept] = place;
   m_Table.Collapse(h);
   ++m_Version[kept];
-  m_Table.ForEachNeighbour(kept, [&](int w) { m_Queue.push(this->CandidateOf(kept, w)); });
+  m_Table.ForEachNeighbour(kept, [&](int w) { m_Queue.Push(this->CandidateOf(kept, w)); });
   return true;
 }
 
