@@ -1,5 +1,6 @@
 #include "shapetonTubeBores.h"
 
+#include "shapetonParallelFor.h"
 #include "shapetonVoxelRuns.h"
 
 #include <algorithm>
@@ -205,17 +206,21 @@ TubeBores::TubeBores(const ColonGrid & grid, std::vector<unsigned char> && gas)
 std::vector<BoreAxis>
 TubeBores::Find(double reach, double leastLength) const
 {
-  constexpr double      thinnest = 2.0; // mm^2, mean section of what is worth the search
-  std::vector<BoreAxis> bores;
-  for (const auto & piece : PiecesOf(m_Grid, WithoutBalls(m_Grid, m_Gas, m_SquaredDepth, reach)))
-  {
-    if (piece.size() * m_Grid.VoxelVolume() >= thinnest * leastLength)
+  constexpr double            thinnest = 2.0; // mm^2, mean section of what is worth the search
+  const std::vector<VoxelSet> pieces = PiecesOf(m_Grid, WithoutBalls(m_Grid, m_Gas, m_SquaredDepth, reach));
+  std::vector<BoreAxis>       axes(pieces.size());
+  ParallelFor(pieces.size(), [&](std::size_t i) {
+    if (pieces[i].size() * m_Grid.VoxelVolume() >= thinnest * leastLength)
     {
-      auto axis = AxisOf(m_Grid, piece, leastLength);
-      if (!axis.empty())
-      {
-        bores.push_back(std::move(axis));
-      }
+      axes[i] = AxisOf(m_Grid, pieces[i], leastLength);
+    }
+  });
+  std::vector<BoreAxis> bores;
+  for (BoreAxis & axis : axes)
+  {
+    if (!axis.empty())
+    {
+      bores.push_back(std::move(axis));
     }
   }
   return bores;
