@@ -3,9 +3,11 @@
 #include "shapetonColonAssessability.h"
 #include "shapetonColonGravity.h"
 #include "shapetonJson.h"
+#include "shapetonParallelFor.h"
 #include "shapetonSurfaceQuality.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace shapeton
@@ -257,9 +259,12 @@ SurfacesToJson(const ColonWall & wall)
   const std::pair<const char *, const SurfaceMesh *> surfaces[] = { { "wall", &wall.raw },
                                                                     { "wall-repaired", &wall.repaired },
                                                                     { "wall-simplified", &wall.simplified } };
-  for (const auto & [name, surface] : surfaces)
+  std::array<Json, 3>                                qualities;
+  ParallelFor(qualities.size(),
+              [&](std::size_t i) { qualities[i] = SurfaceQualityToJson(InspectSurface(*surfaces[i].second)); });
+  for (std::size_t i = 0; i < qualities.size(); ++i)
   {
-    json[name] = SurfaceQualityToJson(InspectSurface(*surface));
+    json[surfaces[i].first] = std::move(qualities[i]);
   }
   return json;
 }

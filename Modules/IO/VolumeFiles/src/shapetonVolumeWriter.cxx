@@ -17,6 +17,7 @@
 #include <cstring>
 #include <fcntl.h>
 #include <iostream>
+#include <mutex>
 #include <sys/stat.h>
 #include <type_traits>
 #include <unistd.h>
@@ -120,23 +121,29 @@ Flush(const std::string & path)
 class QuietStandardError
 {
 public:
-  QuietStandardError() : m_Saved(dup(STDERR_FILENO))
+  QuietStandardError()
   {
-    const int nowhere = open("/dev/null", O_WRONLY | O_CLOEXEC);
-    if (m_Saved >= 0 && nowhere >= 0)
+    const std::lock_guard<std::mutex> lock(s_Mutex);
+    if (s_Users++ == 0)
     {
-      dup2(nowhere, STDERR_FILENO);
+      s_Saved = dup(STDERR_FILENO);
+      const int nowhere = open("/dev/null", O_WRONLY | O_CLOEXEC);
+      if (s_Saved >= 0 && nowhere >= 0)
+      {
+        dup2(nowhere, STDERR_FILENO);
+      }
+      close(nowhere);
     }
-    close(nowhere);
   }
   ~QuietStandardError()
   {
+    const std::lock_guard<std::mutex> lock(s_Mutex);
     std::cerr.flush();
     std::fflush(stderr);
-    if (m_Saved >= 0)
+    if (--s_Users == 0 && s_Saved >= 0)
     {
-      dup2(m_Saved, STDERR_FILENO);
-      close(m_Saved);
+      dup2(s_Saved, STDERR_FILENO);
+      close(s_Saved);
     }
   }
   QuietStandardError(const QuietStandardError &) = delete;
@@ -144,7 +151,10 @@ public:
   operator=(const QuietStandardError &) = delete;
 
 private:
-  int m_Saved;
+  // Volumes may be written on several threads; the first one redirects, the last one restores.
+  static inline std::mutex s_Mutex;
+  static inline int        s_Users{ 0 };
+  static inline int        s_Saved{ -1 };
 };
 
 template <typename TVector>

@@ -5,6 +5,10 @@
 #include "shapetonColonModel.h"
 #include "shapetonSceneFiles.h"
 
+#include <functional>
+#include <string>
+#include <vector>
+
 namespace shapeton
 {
 class CommandLine;
@@ -28,8 +32,14 @@ public:
   Write(const ColonModel & model, bool atOnce = false) const;
 
 private:
-  void
-  WriteFile(const std::string & name, bool atOnce, const std::function<void(const std::string & path)> & write) const;
+  struct File
+  {
+    std::string                                   name;
+    std::function<void(const std::string & path)> write;
+  };
+  /** Those that take long come first, as several are written at a time. */
+  std::vector<File>
+  FilesOf(const ColonModel & model) const;
 
   CommandLine & m_CommandLine;
   std::string   m_Folder;

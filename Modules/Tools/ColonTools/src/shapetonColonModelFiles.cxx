@@ -3,6 +3,7 @@
 #include "shapetonColonQuality.h"
 #include "shapetonCommandLine.h"
 #include "shapetonJson.h"
+#include "shapetonParallelFor.h"
 #include "shapetonSurfaceWriter.h"
 #include "shapetonVolumeWriter.h"
 
@@ -74,44 +75,16 @@ ColonModelFiles::ColonModelFiles(CommandLine & commandLine, const std::string & 
   commandLine.RecordRun(folder + "/run.json");
 }
 
-void
-ColonModelFiles::WriteFile(const std::string &                                   name,
-                           bool                                                  atOnce,
-                           const std::function<void(const std::string & path)> & write) const
+std::vector<ColonModelFiles::File>
+ColonModelFiles::FilesOf(const ColonModel & model) const
 {
-  const std::string path = m_Folder + '/' + name;
-  const std::string output = m_CommandLine.Output(path);
-  write(output);
-  m_Scene.Copy(name, output);
-  if (atOnce)
-  {
-    m_CommandLine.Publish(path);
-  }
-}
-
-void
-ColonModelFiles::Write(const ColonModel & model, bool atOnce) const
-{
-  const auto metadata = ProvenanceMetadata(m_CommandLine.GetProvenance());
-  this->WriteFile(
-    "lumen.nrrd", atOnce, [&](const std::string & path) { WriteVolume(LabelsOf(model).GetPointer(), path, metadata); });
+  const auto        metadata = ProvenanceMetadata(m_CommandLine.GetProvenance());
+  std::vector<File> files;
   if (model.cleansed)
   {
-    this->WriteFile("cleansed.nrrd", atOnce, [&](const std::string & path) {
-      WriteVolume(RoundedToHU(model.cleansed).GetPointer(), path, metadata);
-    });
-  }
-  if (!model.centreline.curve.curves.empty())
-  {
-    this->WriteFile("centreline.vtp", atOnce, [&](const std::string & path) {
-      WriteCurves(WithProvenance(model.centreline.curve, m_CommandLine), path);
-    });
-  }
-  if (model.lumen.catheter && model.lumen.catheter->isSure)
-  {
-    this->WriteFile("catheter.vtp", atOnce, [&](const std::string & path) {
-      WriteCurves(WithProvenance(CurveOfCatheter(*model.lumen.catheter), m_CommandLine), path);
-    });
+    files.push_back({ "cleansed.nrrd", [&model, metadata](const std::string & path) {
+                       WriteVolume(RoundedToHU(model.cleansed).GetPointer(), path, metadata);
+                     } });
   }
   const std::pair<const char *, const SurfaceMesh *> surfaces[] = { { "wall.vtp", &model.wall.raw },
                                                                     { "wall-repaired.vtp", &model.wall.repaired },
@@ -120,16 +93,49 @@ ColonModelFiles::Write(const ColonModel & model, bool atOnce) const
   {
     if (surface->NumberOfFaces() > 0)
     {
-      this->WriteFile(name, atOnce, [&, mesh = surface](const std::string & path) {
-        WriteSurface(WithProvenance(*mesh, m_CommandLine), path);
-      });
+      files.push_back({ name, [this, mesh = surface](const std::string & path) {
+                         WriteSurface(WithProvenance(*mesh, m_CommandLine), path);
+                       } });
     }
   }
-  this->WriteFile("quality.json", atOnce, [&](const std::string & path) {
-    Json document;
-    document["provenance"] = ProvenanceToJson(m_CommandLine.GetProvenance());
-    document.update(ColonQualityToJson(model));
-    WriteJson(document, path);
+  files.push_back({ "lumen.nrrd", [&model, metadata](const std::string & path) {
+                     WriteVolume(LabelsOf(model).GetPointer(), path, metadata);
+                   } });
+  if (!model.centreline.curve.curves.empty())
+  {
+    files.push_back({ "centreline.vtp", [this, &model](const std::string & path) {
+                       WriteCurves(WithProvenance(model.centreline.curve, m_CommandLine), path);
+                     } });
+  }
+  if (model.lumen.catheter && model.lumen.catheter->isSure)
+  {
+    files.push_back({ "catheter.vtp", [this, &model](const std::string & path) {
+                       WriteCurves(WithProvenance(CurveOfCatheter(*model.lumen.catheter), m_CommandLine), path);
+                     } });
+  }
+  Json document;
+  document["provenance"] = ProvenanceToJson(m_CommandLine.GetProvenance());
+  document.update(ColonQualityToJson(model));
+  files.push_back({ "quality.json", [document](const std::string & path) { WriteJson(document, path); } });
+  return files;
+}
+
+void
+ColonModelFiles::Write(const ColonModel & model, bool atOnce) const
+{
+  const std::vector<File>  files = this->FilesOf(model);
+  std::vector<std::string> outputs;
+  for (const File & file : files)
+  {
+    outputs.push_back(m_CommandLine.Output(m_Folder + '/' + file.name));
+  }
+  ParallelFor(files.size(), [&](std::size_t i) {
+    files[i].write(outputs[i]);
+    m_Scene.Copy(files[i].name, outputs[i]);
   });
+  for (std::size_t i = 0; atOnce && i < files.size(); ++i)
+  {
+    m_CommandLine.Publish(m_Folder + '/' + files[i].name);
+  }
 }
 } // namespace shapeton
