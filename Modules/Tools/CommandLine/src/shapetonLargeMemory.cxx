@@ -1,0 +1,29 @@
+#include <cstdlib>
+#include <new>
+
+#ifdef __linux__
+#  include <sys/mman.h>
+#endif
+
+// The address sanitizer keeps its own books of new and delete.
+#if defined(__linux__) && !defined(__SANITIZE_ADDRESS__)
+/** Large memory of a tool comes on huge pages, where the system has them: volumes and graphs are walked through in all
+ * directions, and most of the time would go into the translation of addresses. Takes the place of the operator of the
+ * standard library in every program that is linked with this library; memory is freed as ever. */
+__attribute__((visibility("default"))) void *
+operator new(std::size_t size)
+{
+  constexpr std::size_t page = std::size_t{ 1 } << 21;
+  const bool            isLarge = size >= 4 * page;
+  void * const          memory = isLarge ? std::aligned_alloc(page, size) : std::malloc(size + !size);
+  if (!memory)
+  {
+    throw std::bad_alloc();
+  }
+  if (isLarge)
+  {
+    madvise(memory, size, MADV_HUGEPAGE);
+  }
+  return memory;
+}
+#endif
