@@ -2,6 +2,7 @@
 # ModuleLayeringTest checks that no include points to a later one.
 set(Shapeton_MODULES
   Core/Base
+  Core/Devices
   Core/Voxels
   Core/Report
   Core/SparseFactorisation

@@ -1,6 +1,8 @@
 #ifndef shapetonPhilox_h
 #define shapetonPhilox_h
 
+#include "shapetonHostDevice.h"
+
 #include <cstdint>
 
 namespace shapeton
@@ -20,7 +22,7 @@ struct PhiloxWords
  * \ingroup Base */
 struct PhiloxMultiply
 {
-  void
+  SHAPETON_HOST_DEVICE void
   operator()(std::uint32_t x, std::uint32_t factor, std::uint32_t & high, std::uint32_t & low) const
   {
     const std::uint64_t product = std::uint64_t{ x } * factor;
@@ -35,7 +37,7 @@ struct PhiloxMultiply
  * `TWord` is an unsigned 32-bit integer, or a vector of them that works element by element; `TMultiply` multiplies one
  * by a number. \ingroup Base */
 template <typename TWord, typename TMultiply = PhiloxMultiply>
-inline PhiloxWords<TWord>
+SHAPETON_HOST_DEVICE PhiloxWords<TWord>
 Philox4x32(std::uint64_t key, PhiloxWords<TWord> x, const TMultiply & multiply = TMultiply())
 {
   auto key0 = static_cast<std::uint32_t>(key);
@@ -52,7 +54,7 @@ Philox4x32(std::uint64_t key, PhiloxWords<TWord> x, const TMultiply & multiply =
   return x;
 }
 
-inline PhiloxWords<std::uint32_t>
+SHAPETON_HOST_DEVICE PhiloxWords<std::uint32_t>
 Philox4x32(std::uint64_t key, const PhiloxWords<std::uint32_t> & counter)
 {
   return Philox4x32<std::uint32_t>(key, counter, PhiloxMultiply());
@@ -60,7 +62,7 @@ Philox4x32(std::uint64_t key, const PhiloxWords<std::uint32_t> & counter)
 
 /** The 24 high bits of a word as a number in [0, 1).
  * \ingroup Base */
-inline float
+SHAPETON_HOST_DEVICE float
 UnitFloat(std::uint32_t word)
 {
   return static_cast<float>(word >> 8) * (1.0F / 16777216.0F);

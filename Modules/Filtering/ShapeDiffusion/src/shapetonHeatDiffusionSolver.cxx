@@ -24,7 +24,7 @@ struct HeatDiffusionSolver::Interval
 
 namespace
 {
-using DiffusionKernels::NumberOfNodes;
+using DiffusionArithmetic::NumberOfNodes;
 
 // Measured on 256^3: the tile's rows of all fields stay in the cache while it moves.
 constexpr TimeTileShape explicitTile{ 32, 32, 16 };
@@ -62,7 +62,7 @@ ForAllRows(const PaddedGrid & grid, const TBody & body)
 {
   const std::size_t ny = grid.GetSize()[1];
   ParallelForWorkers(grid.GetSize()[2], [&](std::size_t z, unsigned int worker) {
-    const DiffusionKernels::FlushToZero flushToZero;
+    const FlushToZero flushToZero;
     for (std::size_t y = 0; y < ny; ++y)
     {
       body(y + ny * z, grid.GetRow(y, z), worker);

@@ -1,7 +1,7 @@
 #ifndef shapetonTimeTiles_h
 #define shapetonTimeTiles_h
 
-#include "shapetonDiffusionKernels.h"
+#include "shapetonFlushToZero.h"
 #include "shapetonPaddedGrid.h"
 #include "shapetonParallelFor.h"
 
@@ -78,7 +78,7 @@ RunTimeTiles(const PaddedGrid & grid, unsigned int steps, const TimeTileShape & 
   // few of the workers the threader really starts.
   const auto workers = std::min<std::size_t>(NumberOfThreads(), std::min(tilesY, tilesZ));
   ParallelWorkers(static_cast<unsigned int>(workers), [&](unsigned int) {
-    const DiffusionKernels::FlushToZero flushToZero;
+    const FlushToZero flushToZero;
     for (std::size_t i = next++; i < order.size(); i = next++)
     {
       const Tile & tile = order[i];

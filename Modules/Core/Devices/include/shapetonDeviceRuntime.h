@@ -1,0 +1,407 @@
+#ifndef shapetonDeviceRuntime_h
+#define shapetonDeviceRuntime_h
+
+#include "shapetonDevice.h"
+#include "shapetonFlushToZero.h"
+#include "shapetonHostDevice.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <cstdlib>
+#include <cstring>
+#include <type_traits>
+#include <vector>
+
+/** In front of a function of the plug-in that FindDeviceFunction() finds. */
+#define SHAPETON_DEVICE_FUNCTION extern "C" __attribute__((visibility("default")))
+
+namespace shapeton
+{
+/** What the kernels in .cu files are written with: memory of the device, and launches of a body for each element. The
+ * bodies are SHAPETON_HOST_DEVICE functions that the CPU runs, too.
+ *
+ * nvcc compiles such a file for the GPU. Any C++ compiler compiles it as well: a launch is then a loop, and the memory of
+ * the device is that of the host. This stand-in is slow; tests compare its results with those of the CPU, byte for byte,
+ * and so prove all but the hardware.
+ *
+ * Launches come back before their work is done; each sees the results of those before it, and copies wait for them.
+ *
+ * \ingroup Devices */
+namespace DeviceRuntime
+{
+/** Voxels along x, y, z. */
+struct Extent
+{
+  std::size_t x;
+  std::size_t y;
+  std::size_t z;
+};
+
+#if defined(__CUDACC__)
+inline void
+Check(cudaError_t status, const char * action)
+{
+  if (status != cudaSuccess)
+  {
+    throw DeviceError(std::string("the GPU failed to ") + action + ": " + cudaGetErrorString(status));
+  }
+}
+
+inline void *
+Allocate(std::size_t bytes)
+{
+  void * memory = nullptr;
+  Check(cudaMalloc(&memory, bytes), "allocate memory");
+  return memory;
+}
+
+inline void
+Free(void * memory)
+{
+  cudaFree(memory);
+}
+
+/** Between host and device or on the device, in whatever direction. */
+inline void
+CopyBytes(void * to, const void * from, std::size_t bytes)
+{
+  Check(cudaMemcpy(to, from, bytes, cudaMemcpyDefault), "copy memory");
+}
+
+inline void
+ClearBytes(void * memory, std::size_t bytes)
+{
+  Check(cudaMemset(memory, 0, bytes), "clear memory");
+}
+
+/** Waits until all launches are done. */
+inline void
+Synchronize()
+{
+  Check(cudaDeviceSynchronize(), "finish its work");
+}
+#else
+inline void *
+Allocate(std::size_t bytes)
+{
+  void * const memory = std::malloc(bytes);
+  if (!memory)
+  {
+    throw DeviceError("the GPU failed to allocate memory");
+  }
+  std::memset(memory, 0x7f, bytes); // what nothing has written shows
+  return memory;
+}
+
+inline void
+Free(void * memory)
+{
+  std::free(memory);
+}
+
+inline void
+CopyBytes(void * to, const void * from, std::size_t bytes)
+{
+  std::memcpy(to, from, bytes);
+}
+
+inline void
+ClearBytes(void * memory, std::size_t bytes)
+{
+  std::memset(memory, 0, bytes);
+}
+
+inline void
+Synchronize()
+{}
+#endif
+
+/** Memory of the device for a number of elements, with any content at first. */
+template <typename T>
+class Memory
+{
+public:
+  static_assert(std::is_trivially_copyable_v<T>, "the device copies bytes");
+
+  Memory() = default;
+  explicit Memory(std::size_t number)
+    : m_Number(number), m_Data(static_cast<T *>(Allocate(number * sizeof(T))))
+  {}
+  Memory(Memory && other) noexcept { this->Swap(other); }
+  Memory &
+  operator=(Memory && other) noexcept
+  {
+    this->Swap(other);
+    return *this;
+  }
+  ~Memory() { Free(m_Data); }
+
+  /** Null where there is none. */
+  T *
+  Get() const
+  {
+    return m_Data;
+  }
+  std::size_t
+  GetNumber() const
+  {
+    return m_Number;
+  }
+  void
+  Upload(const T * values)
+  {
+    CopyBytes(m_Data, values, m_Number * sizeof(T));
+  }
+  void
+  Download(T * values) const
+  {
+    CopyBytes(values, m_Data, m_Number * sizeof(T));
+  }
+  void
+  Clear()
+  {
+    ClearBytes(m_Data, m_Number * sizeof(T));
+  }
+  void
+  Swap(Memory & other) noexcept
+  {
+    std::swap(m_Number, other.m_Number);
+    std::swap(m_Data, other.m_Data);
+  }
+
+private:
+  std::size_t m_Number{ 0 };
+  T *         m_Data{ nullptr };
+};
+
+#if defined(__CUDACC__)
+constexpr unsigned int ThreadsInBlock = 256;
+constexpr unsigned int BlocksOfReduction = 2048; ///< more than any GPU runs at once
+
+template <typename TBody>
+__global__ void
+ForEachKernel(std::size_t number, TBody body)
+{
+  const std::size_t i = static_cast<std::size_t>(blockIdx.x) * ThreadsInBlock + threadIdx.x;
+  if (i < number)
+  {
+    body(i);
+  }
+}
+
+/** A block of threads is a tile of 32 x 8 voxels: neighbours along y meet in its cache. */
+template <typename TBody>
+__global__ void
+ForVoxelsKernel(Extent extent, TBody body)
+{
+  const std::size_t x = static_cast<std::size_t>(blockIdx.x) * 32 + threadIdx.x;
+  const std::size_t y = static_cast<std::size_t>(blockIdx.y) * 8 + threadIdx.y;
+  if (x < extent.x && y < extent.y)
+  {
+    body(x, y, static_cast<std::size_t>(blockIdx.z));
+  }
+}
+
+template <typename TSum, typename TBody>
+__global__ void
+ReduceKernel(std::size_t number, TBody body, TSum * partial)
+{
+  __shared__ TSum sums[ThreadsInBlock];
+  TSum            sum = TSum::Zero();
+  for (std::size_t i = static_cast<std::size_t>(blockIdx.x) * ThreadsInBlock + threadIdx.x; i < number;
+       i += static_cast<std::size_t>(gridDim.x) * ThreadsInBlock)
+  {
+    body(i, sum);
+  }
+  sums[threadIdx.x] = sum;
+  for (unsigned int half = ThreadsInBlock / 2; half > 0; half /= 2)
+  {
+    __syncthreads();
+    if (threadIdx.x < half)
+    {
+      sums[threadIdx.x].Add(sums[threadIdx.x + half]);
+    }
+  }
+  if (threadIdx.x == 0)
+  {
+    partial[blockIdx.x] = sums[0];
+  }
+}
+
+/** Each block counts for itself, in its shared memory. */
+template <unsigned int VBins, unsigned int VRows, typename TBody>
+__global__ void
+CountKernel(std::size_t number, TBody body, std::uint32_t * counts)
+{
+  __shared__ std::uint32_t own[VBins * VRows];
+  for (unsigned int bin = threadIdx.x; bin < VBins * VRows; bin += ThreadsInBlock)
+  {
+    own[bin] = 0;
+  }
+  __syncthreads();
+  for (std::size_t i = static_cast<std::size_t>(blockIdx.x) * ThreadsInBlock + threadIdx.x; i < number;
+       i += static_cast<std::size_t>(gridDim.x) * ThreadsInBlock)
+  {
+    for (unsigned int row = 0; row < VRows; ++row)
+    {
+      atomicAdd(own + row * VBins + body(i, row), 1U);
+    }
+  }
+  __syncthreads();
+  for (unsigned int bin = threadIdx.x; bin < VBins * VRows; bin += ThreadsInBlock)
+  {
+    if (own[bin] != 0)
+    {
+      atomicAdd(counts + bin, own[bin]);
+    }
+  }
+}
+
+inline unsigned int
+BlocksFor(std::size_t number, std::size_t inBlock)
+{
+  return static_cast<unsigned int>((number + inBlock - 1) / inBlock);
+}
+
+inline unsigned int
+BlocksOfLoop(std::size_t number)
+{
+  const unsigned int blocks = BlocksFor(number, ThreadsInBlock);
+  return blocks < BlocksOfReduction ? blocks : BlocksOfReduction;
+}
+
+/** body(i) for i < number. */
+template <typename TBody>
+void
+ForEach(std::size_t number, const TBody & body)
+{
+  if (number > 0)
+  {
+    ForEachKernel<<<BlocksFor(number, ThreadsInBlock), ThreadsInBlock>>>(number, body);
+    Check(cudaGetLastError(), "start a kernel");
+  }
+}
+
+/** body(x, y, z) for all voxels. */
+template <typename TBody>
+void
+ForVoxels(const Extent & extent, const TBody & body)
+{
+  const dim3 blocks(BlocksFor(extent.x, 32), BlocksFor(extent.y, 8), static_cast<unsigned int>(extent.z));
+  ForVoxelsKernel<<<blocks, dim3(32, 8)>>>(extent, body);
+  Check(cudaGetLastError(), "start a kernel");
+}
+
+/** The sum of what body(i, sum) adds for i < number, in any order: TSum is of whole numbers or extrema, with Zero() and
+ * Add(). */
+template <typename TSum, typename TBody>
+TSum
+Reduce(std::size_t number, const TBody & body)
+{
+  TSum whole = TSum::Zero();
+  if (number == 0)
+  {
+    return whole;
+  }
+  const unsigned int blocks = BlocksOfLoop(number);
+  Memory<TSum>       partial(blocks);
+  ReduceKernel<<<blocks, ThreadsInBlock>>>(number, body, partial.Get());
+  Check(cudaGetLastError(), "start a kernel");
+  std::vector<TSum> sums(blocks);
+  partial.Download(sums.data());
+  for (const TSum & sum : sums)
+  {
+    whole.Add(sum);
+  }
+  return whole;
+}
+
+/** Adds 1 to counts[row * VBins + body(i, row)] for i < number and row < VRows. */
+template <unsigned int VBins, unsigned int VRows, typename TBody>
+void
+Count(std::size_t number, const TBody & body, std::uint32_t * counts)
+{
+  CountKernel<VBins, VRows><<<BlocksOfLoop(number), ThreadsInBlock>>>(number, body, counts);
+  Check(cudaGetLastError(), "start a kernel");
+}
+#else
+/** Around the loops: kernels that flush to zero on the GPU do so here. */
+#  if defined(SHAPETON_FLUSH_TO_ZERO)
+using LoopMode = FlushToZero;
+#  else
+struct LoopMode
+{
+  LoopMode() {}
+};
+#  endif
+
+template <typename TBody>
+void
+ForEach(std::size_t number, const TBody & body)
+{
+  const LoopMode mode;
+  for (std::size_t i = 0; i < number; ++i)
+  {
+    body(i);
+  }
+}
+
+template <typename TBody>
+void
+ForVoxels(const Extent & extent, const TBody & body)
+{
+  const LoopMode mode;
+  for (std::size_t z = 0; z < extent.z; ++z)
+  {
+    for (std::size_t y = 0; y < extent.y; ++y)
+    {
+      for (std::size_t x = 0; x < extent.x; ++x)
+      {
+        body(x, y, z);
+      }
+    }
+  }
+}
+
+template <typename TSum, typename TBody>
+TSum
+Reduce(std::size_t number, const TBody & body)
+{
+  const LoopMode mode;
+  TSum           sum = TSum::Zero();
+  for (std::size_t i = 0; i < number; ++i)
+  {
+    body(i, sum);
+  }
+  return sum;
+}
+
+template <unsigned int VBins, unsigned int VRows, typename TBody>
+void
+Count(std::size_t number, const TBody & body, std::uint32_t * counts)
+{
+  const LoopMode mode;
+  for (std::size_t i = 0; i < number; ++i)
+  {
+    for (unsigned int row = 0; row < VRows; ++row)
+    {
+      ++counts[row * VBins + body(i, row)];
+    }
+  }
+}
+#endif
+
+/** Adds 1 to a count that several threads share; returns what it was. */
+SHAPETON_HOST_DEVICE std::uint32_t
+CountOne(std::uint32_t * count)
+{
+#if defined(__CUDA_ARCH__)
+  return atomicAdd(count, 1U);
+#else
+  return (*count)++;
+#endif
+}
+} // namespace DeviceRuntime
+} // namespace shapeton
+
+#endif

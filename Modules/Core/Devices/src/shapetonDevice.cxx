@@ -1,0 +1,132 @@
+#include "shapetonDevice.h"
+
+#include <cstdlib>
+#include <dlfcn.h>
+#include <filesystem>
+
+namespace shapeton
+{
+namespace
+{
+/** The library of kernels, which stays open once it is found, or why there is none. */
+struct Plugin
+{
+  void *      handle{ nullptr };
+  std::string missing;
+};
+
+/** The folder of this code: that of the library, or of the program that it is linked into. */
+std::filesystem::path
+FolderOfThisLibrary()
+{
+  Dl_info    info{};
+  const bool found = dladdr(reinterpret_cast<const void *>(&FolderOfThisLibrary), &info) != 0;
+  return found ? std::filesystem::absolute(info.dli_fname).parent_path() : std::filesystem::path();
+}
+
+std::string
+PathOfPlugin()
+{
+  const char * const given = std::getenv("SHAPETON_DEVICE_PLUGIN");
+  return given ? given : (FolderOfThisLibrary() / SHAPETON_DEVICE_PLUGIN).string();
+}
+
+Plugin
+OpenPlugin()
+{
+  const std::string path = PathOfPlugin();
+  if (!std::filesystem::exists(path))
+  {
+    return { nullptr, "the plug-in " + path + " is not there; build Shapeton with SHAPETON_USE_CUDA=ON" };
+  }
+  void * const handle = dlopen(path.c_str(), RTLD_NOW | RTLD_LOCAL);
+  if (!handle)
+  {
+    return { nullptr, std::string("the plug-in cannot be loaded: ") + dlerror() };
+  }
+  const auto version = reinterpret_cast<PluginVersionFunction *>(dlsym(handle, "ShapetonPluginVersion"));
+  if (!version || version() != std::string(SHAPETON_DEVICE_VERSION))
+  {
+    return { nullptr, "the plug-in " + path + " does not belong to Shapeton " + SHAPETON_DEVICE_VERSION };
+  }
+  return { handle, {} };
+}
+
+const Plugin &
+ThePlugin()
+{
+  static const Plugin plugin = OpenPlugin();
+  return plugin;
+}
+
+std::string
+Megabytes(std::size_t bytes)
+{
+  return std::to_string((bytes + 999999) / 1000000) + " MB";
+}
+
+/** Fills in the GPU's name and memory; returns what is missing, or nothing. */
+std::string
+FindGpu(DeviceUse & use)
+{
+  if (!ThePlugin().handle)
+  {
+    return ThePlugin().missing;
+  }
+  const auto  describe = reinterpret_cast<DescribeDeviceFunction *>(FindDeviceFunction("ShapetonDescribeDevice"));
+  std::string text;
+  if (!describe(text, use.memory))
+  {
+    return text;
+  }
+  use.device = text;
+  return {};
+}
+} // namespace
+
+const char *
+NameOf(Device device)
+{
+  return device == Device::Automatic ? "auto" : device == Device::Cpu ? "cpu" : "cuda";
+}
+
+DeviceUse
+ChooseDevice(Device wanted, std::size_t bytes, std::size_t leastBytes)
+{
+  if (wanted == Device::Cpu)
+  {
+    return {};
+  }
+  DeviceUse         use;
+  const std::size_t needed = wanted == Device::Cuda ? leastBytes : bytes;
+  std::string       missing = FindGpu(use);
+  if (missing.empty() && needed > use.memory)
+  {
+    missing = "this volume needs " + Megabytes(needed) + " of its memory, " + Megabytes(use.memory) + " are free on " +
+              use.device;
+  }
+  if (missing.empty())
+  {
+    use.gpu = true;
+    return use;
+  }
+  if (wanted == Device::Cuda)
+  {
+    throw DeviceError("the GPU cannot be used: " + missing);
+  }
+  DeviceUse cpu;
+  cpu.reason = "no GPU: " + missing;
+  return cpu;
+}
+
+void *
+FindDeviceFunction(const char * name)
+{
+  void * const function = dlsym(ThePlugin().handle, name);
+  if (!function)
+  {
+    throw DeviceError(std::string("the plug-in for the GPU lacks the function ") + name);
+  }
+  return function;
+}
+} // namespace shapeton

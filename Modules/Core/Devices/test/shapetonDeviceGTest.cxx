@@ -1,0 +1,47 @@
+#include "shapetonDevice.h"
+
+#include <gtest/gtest.h>
+
+namespace
+{
+using shapeton::ChooseDevice;
+using shapeton::Device;
+
+TEST(Device, CpuNeedsNothing)
+{
+  const auto use = ChooseDevice(Device::Cpu, std::size_t{ 1 } << 62);
+  EXPECT_FALSE(use.gpu);
+  EXPECT_EQ(use.Describe(), "cpu");
+}
+
+// On a machine with a GPU no volume of four exabytes fits; on one without it, nothing does.
+TEST(Device, AutomaticFallsBackToTheCpuAndSaysWhy)
+{
+  const auto use = ChooseDevice(Device::Automatic, std::size_t{ 1 } << 62);
+  EXPECT_FALSE(use.gpu);
+  EXPECT_EQ(use.device, "cpu");
+  EXPECT_EQ(use.Describe().rfind("cpu (no GPU: ", 0), 0U) << use.Describe();
+}
+
+TEST(Device, AskedForAndMissingIsAnErrorOfOneLine)
+{
+  try
+  {
+    ChooseDevice(Device::Cuda, std::size_t{ 1 } << 62);
+    FAIL();
+  }
+  catch (const shapeton::DeviceError & error)
+  {
+    const std::string text = error.what();
+    EXPECT_EQ(text.rfind("the GPU cannot be used: ", 0), 0U) << text;
+    EXPECT_EQ(text.find('\n'), std::string::npos);
+  }
+}
+
+TEST(Device, NamesAreThoseOfTheOption)
+{
+  EXPECT_STREQ(NameOf(Device::Automatic), "auto");
+  EXPECT_STREQ(NameOf(Device::Cpu), "cpu");
+  EXPECT_STREQ(NameOf(Device::Cuda), "cuda");
+}
+} // namespace

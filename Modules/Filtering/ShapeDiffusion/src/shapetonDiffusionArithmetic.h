@@ -1,0 +1,121 @@
+#ifndef shapetonDiffusionArithmetic_h
+#define shapetonDiffusionArithmetic_h
+
+#include "shapetonHeatHistogram.h"
+#include "shapetonHostDevice.h"
+
+#include <cstddef>
+
+namespace shapeton
+{
+/** Where the edges and neighbours of a row lie. */
+struct DiffusionEdges
+{
+  const float *  x;
+  const float *  y;
+  const float *  z;
+  std::ptrdiff_t strideY;
+  std::ptrdiff_t strideZ;
+};
+
+/** What the diffusion computes of one voxel, `i`: the one source of this arithmetic for all instruction sets and for the
+ * kernels of a GPU. */
+namespace DiffusionArithmetic
+{
+/** Values of a row that an interpolation in time combines. */
+constexpr std::size_t NumberOfNodes = 7;
+
+/** What flows into a voxel from its six neighbours: sum_j c_ij (f_j - f_i). \equation{2.2} */
+SHAPETON_HOST_DEVICE float
+Flow(const DiffusionEdges & e, const float * f, std::size_t i)
+{
+  const float heat = f[i];
+  const float alongX = e.x[i] * (f[i + 1] - heat) + (e.x - 1)[i] * ((f - 1)[i] - heat);
+  const float alongY = e.y[i] * ((f + e.strideY)[i] - heat) + (e.y - e.strideY)[i] * ((f - e.strideY)[i] - heat);
+  const float alongZ = e.z[i] * ((f + e.strideZ)[i] - heat) + (e.z - e.strideZ)[i] * ((f - e.strideZ)[i] - heat);
+  return (alongX + alongY) + alongZ;
+}
+
+/** out = f + dt * sum_j c_ij (f_j - f_i): one explicit step. */
+SHAPETON_HOST_DEVICE void
+ExplicitStep(const DiffusionEdges & edges, const float * f, float * out, std::size_t i, float dt)
+{
+  out[i] = f[i] + dt * Flow(edges, f, i);
+}
+
+/** The same with the rounding error of `f` carried along in `rest` (Kahan), for many steps. */
+SHAPETON_HOST_DEVICE void
+CompensatedStep(const DiffusionEdges & edges, const float * f, float * out, float * rest, std::size_t i, float dt)
+{
+  const float step = dt * Flow(edges, f, i) + rest[i];
+  const float sum = f[i] + step;
+  rest[i] = step - (sum - f[i]);
+  out[i] = sum;
+}
+
+/** The Chebyshev recurrence in difference form: difference += scale * sum_j c_ij (f_j - f_i); out = f + difference. */
+SHAPETON_HOST_DEVICE void
+ChebyshevStep(const DiffusionEdges & edges,
+              const float *          f,
+              float *                out,
+              float *                difference,
+              std::size_t            i,
+              float                  scale)
+{
+  const float next = difference[i] + scale * Flow(edges, f, i);
+  difference[i] = next;
+  out[i] = f[i] + next;
+}
+
+/** sum += a * f + b * g. */
+SHAPETON_HOST_DEVICE void
+AddPair(float * sum, const float * f, const float * g, std::size_t i, float a, float b)
+{
+  sum[i] += a * f[i] + b * g[i];
+}
+
+/** f = max(f, 0): an expansion of a field that is nowhere negative may fall below 0 by its error. */
+SHAPETON_HOST_DEVICE float
+ClampedToZero(float heat)
+{
+  return heat > 0.0F ? heat : 0.0F;
+}
+
+/** max(0, sum_k weights[k] * nodes[k]), k < NumberOfNodes. */
+SHAPETON_HOST_DEVICE float
+Combined(const float * const * nodes, std::size_t i, const float * weights)
+{
+  static_assert(NumberOfNodes == 7, "the sum below is written out");
+  return ClampedToZero(((weights[0] * nodes[0][i] + weights[1] * nodes[1][i]) +
+                        (weights[2] * nodes[2][i] + weights[3] * nodes[3][i])) +
+                       ((weights[4] * nodes[4][i] + weights[5] * nodes[5][i]) + weights[6] * nodes[6][i]));
+}
+
+/** Bits of a float in [2^-octaves, 1] as a bin number from 1 on, 0 below; see HeatHistogram. */
+SHAPETON_HOST_DEVICE unsigned short
+BinOf(const float * heats, std::size_t i)
+{
+  // The bits of a positive float grow with its value, and evenly within each octave.
+  constexpr std::int32_t one = 0x3f800000;
+  constexpr std::int32_t perOctave = 1 << 23;
+  constexpr std::int32_t least = one - static_cast<std::int32_t>(HeatHistogram::Octaves) * perOctave;
+  constexpr std::int32_t width = perOctave / static_cast<std::int32_t>(HeatHistogram::BinsPerOctave);
+  constexpr std::int32_t last = static_cast<std::int32_t>(HeatHistogram::NumberOfBins) - 1;
+  std::int32_t           bits;
+  __builtin_memcpy(&bits, heats + i, sizeof(bits));
+  const std::int32_t bin = (bits - least + width) / width;
+  return static_cast<unsigned short>(bits < least ? 0 : bin < last ? bin : last);
+}
+
+/** Whether a voxel has moved by more than `change` times its heat, or times `least` where it is colder. */
+SHAPETON_HOST_DEVICE bool
+HasMoved(const float * before, const float * after, std::size_t i, float change, float least)
+{
+  const float heat = after[i];
+  const float difference = heat - before[i];
+  return (difference < 0.0F ? -difference : difference) > change * (heat < least ? least : heat);
+}
+} // namespace DiffusionArithmetic
+} // namespace shapeton
+
+#endif
