@@ -24,6 +24,24 @@ function(creategoogletestdriver kit libraries sources)
   endif()
 endfunction()
 
+# shapeton_device_tests(<kit> "<libraries>" "<sources>"): a driver whose tests compare a GPU with the CPU. They run with the
+# stand-in, as StandIn.<Suite.Test>, and with the plug-in, as Gpu.<Suite.Test>, which is skipped where there is no GPU.
+function(shapeton_device_tests kit libraries sources)
+  add_executable(${kit}GTestDriver ${sources})
+  target_link_libraries(${kit}GTestDriver PRIVATE ${libraries} Shapeton::Devices GTest::gtest_main)
+  target_include_directories(${kit}GTestDriver PRIVATE ${Shapeton_SOURCE_DIR}/Modules/Core/Devices/test)
+  target_compile_options(${kit}GTestDriver PRIVATE $<$<CONFIG:Release>:-O1>)
+  foreach(device StandIn Gpu)
+    set(environment "")
+    if(device STREQUAL "StandIn")
+      set(environment ENVIRONMENT "SHAPETON_DEVICE_PLUGIN=$<TARGET_FILE:DeviceStandIn>")
+    endif()
+    gtest_discover_tests(${kit}GTestDriver DISCOVERY_TIMEOUT 120 TEST_PREFIX ${device}. TEST_LIST ${kit}${device}
+      PROPERTIES LABELS ${itk-module} SKIP_REGULAR_EXPRESSION "\\[  SKIPPED \\]" ${environment})
+  endforeach()
+  add_dependencies(${kit}GTestDriver DeviceStandIn)
+endfunction()
+
 # The tests of a driver that a filter of GoogleTest lets through.
 function(shapeton_discover_tests kit filter label)
   string(MD5 list "${filter}")

@@ -6,6 +6,7 @@ itk_module(ShapeDiffusion
   EXCLUDE_FROM_DEFAULT
   DEPENDS
     Base
+    Devices
     ITKCommon
   TEST_DEPENDS
     ITKGoogleTest

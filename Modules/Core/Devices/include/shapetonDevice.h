@@ -51,7 +51,8 @@ struct DeviceUse
 
 /** Decides where to run what needs `bytes` of memory on a GPU, or can do with `leastBytes` where the GPU is asked for.
  * Throws DeviceError where the GPU is asked for and cannot be used. The plug-in is looked for when it is first needed:
- * beside this library, or where the environment variable SHAPETON_DEVICE_PLUGIN says.
+ * beside this library, or where the environment variable SHAPETON_DEVICE_PLUGIN says. SHAPETON_DEVICE_MEMORY may say how
+ * many bytes of the GPU's memory to use at most.
  * \ingroup Devices */
 Devices_EXPORT DeviceUse
                ChooseDevice(Device wanted, std::size_t bytes, std::size_t leastBytes);

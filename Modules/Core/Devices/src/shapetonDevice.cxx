@@ -1,5 +1,6 @@
 #include "shapetonDevice.h"
 
+#include <algorithm>
 #include <cstdlib>
 #include <dlfcn.h>
 #include <filesystem>
@@ -65,6 +66,15 @@ Megabytes(std::size_t bytes)
   return std::to_string((bytes + 999999) / 1000000) + " MB";
 }
 
+/** The memory of the GPU that may be used: what is free, or less where others share it and the environment variable
+ * SHAPETON_DEVICE_MEMORY says so. */
+std::size_t
+AllowedMemory(std::size_t bytesFree)
+{
+  const char * const given = std::getenv("SHAPETON_DEVICE_MEMORY");
+  return given ? std::min<std::size_t>(bytesFree, std::strtoull(given, nullptr, 10)) : bytesFree;
+}
+
 /** Fills in the GPU's name and memory; returns what is missing, or nothing. */
 std::string
 FindGpu(DeviceUse & use)
@@ -80,6 +90,7 @@ FindGpu(DeviceUse & use)
     return text;
   }
   use.device = text;
+  use.memory = AllowedMemory(use.memory);
   return {};
 }
 } // namespace

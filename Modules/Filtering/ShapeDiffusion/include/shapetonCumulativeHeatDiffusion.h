@@ -8,6 +8,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <string>
 #include <vector>
 
 namespace shapeton
@@ -32,6 +33,8 @@ struct CumulativeHeatDiffusionSettings
   /** Spacing in mm for the components, also where the diffusion ignores it. */
   std::array<double, 3> spacing{ { 1.0, 1.0, 1.0 } };
   std::uint64_t         minimumComponentVoxels{ 27 };
+  /** Where the heat is computed; the results are the same bytes. */
+  Device device{ Device::Automatic };
 };
 
 /** What a run found besides the heat, and the parameters that it used.
@@ -46,6 +49,7 @@ struct CumulativeHeatDiffusionResult
   bool                        steady{ false };
   bool                        cold{ false }; ///< no edge in the volume: the heat is 0 everywhere
   std::uint64_t               operatorApplications{ 0 };
+  std::string                 device; ///< where it was computed; see DeviceUse::Describe()
   HeatHistogram               histogram;
   std::vector<ShapeComponent> components;
 };

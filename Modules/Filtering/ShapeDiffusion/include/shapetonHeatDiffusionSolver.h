@@ -1,6 +1,8 @@
 #ifndef shapetonHeatDiffusionSolver_h
 #define shapetonHeatDiffusionSolver_h
 
+#include "shapetonDevice.h"
+#include "shapetonHeatSnapshots.h"
 #include "shapetonProgress.h"
 #include "shapetonVolumeGradientOperator.h"
 
@@ -10,6 +12,8 @@
 
 namespace shapeton
 {
+class HeatEngine;
+
 /** \class HeatDiffusionSolver
  * \brief Carries heat through time steps f_i += dt * sum_j c_ij (f_j - f_i) of a VolumeGradientOperator.
  *
@@ -23,7 +27,7 @@ namespace shapeton
  * with an end / start ratio of at most 2.5, one Chebyshev pass gives the fields at seven Lobatto nodes in log(t), and
  * any field in between is their barycentric combination (error below 1.3e-6 for every decay rate).
  *
- * Results are the same bytes for any number of threads and on every x86-64 CPU.
+ * Results are the same bytes for any number of threads, on every x86-64 CPU and on a GPU.
  *
  * \equation{2.1} with the sign of the forward heat equation.
  *
@@ -60,6 +64,20 @@ public:
     m_Progress = std::move(progress);
   }
 
+  /** Where the heat is computed; by default on the CPU. A volume that does not fit into the memory of a GPU that is asked
+   * for goes through it in slabs. */
+  void
+  SetDevice(Device device)
+  {
+    m_Device = device;
+  }
+  /** Where the last Run was. */
+  const DeviceUse &
+  GetDeviceUse() const
+  {
+    return m_DeviceUse;
+  }
+
   /** Stop as soon as the heat is steady: over a time interval of ratio 2.5 at most the share `voxels` of all voxels
    * changes by more than `change` times its own heat, or times `leastHeat` where it is colder. Off by default. */
   struct SteadyRule
@@ -77,12 +95,14 @@ public:
 
   /** Carries `heat` from step 0 to `lastStep` (or the step where it is steady) and shows the visitor the heat after
    * each of `steps` (ascending, none beyond `lastStep`; those beyond the step that was reached are left out). Returns
-   * the step that was reached. */
+   * the step that was reached. Throws DeviceError where the device cannot be used. */
   std::uint64_t
   Run(PaddedField &                      heat,
       std::uint64_t                      lastStep,
       const std::vector<std::uint64_t> & steps = {},
       const Visitor &                    visitor = {});
+  std::uint64_t
+  Run(PaddedField & heat, std::uint64_t lastStep, const std::vector<std::uint64_t> & steps, HeatSnapshots & snapshots);
 
   /** True when the last Run ended because the heat was steady. */
   bool
@@ -104,7 +124,6 @@ public:
   ChebyshevCoefficients(std::uint64_t steps, double beta, double tolerance);
 
 private:
-  class Workspace;
   class Recorder;
   struct Interval;
   using Expansions = std::vector<std::vector<double>>; // coefficients of each node of an interval
@@ -118,13 +137,15 @@ private:
   PlanExpansions(std::uint64_t explicitSteps, const std::vector<Interval> & plan);
 
   std::uint64_t
-  RunExplicitly(PaddedField & heat, std::uint64_t lastStep, Recorder & recorder, Workspace & workspace);
+  RunExplicitly(HeatEngine & engine, std::uint64_t lastStep, Recorder & recorder);
   std::uint64_t
-  RunByExpansion(PaddedField &                      heat,
+  RunByExpansion(HeatEngine &                       engine,
                  std::uint64_t                      lastStep,
                  const std::vector<std::uint64_t> & steps,
-                 Recorder &                         recorder,
-                 Workspace &                        workspace);
+                 Recorder &                         recorder);
+  /** Shows the requested steps of an interval whose nodes are computed. */
+  void
+  ShowNodes(HeatEngine & engine, const Interval & interval, Recorder & recorder);
 
   /** Whether the rounding errors of explicit steps are carried along; a few steps do without. */
   enum class Sums
@@ -132,15 +153,12 @@ private:
     Plain,
     Compensated
   };
-  /** `heat` carried on by explicit steps. */
+  /** The heat carried on by explicit steps. */
   void
-  Advance(PaddedField & heat, std::uint64_t steps, Sums sums, Workspace & workspace);
-  /** results[g] = sum_k coefficients[g][k] T_k(X) start, X the operator mapped to [-1, 1]. */
+  Advance(HeatEngine & engine, std::uint64_t steps, Sums sums);
+  /** Node g = sum_k coefficients[g][k] T_k(X) heat, X the operator mapped to [-1, 1]. */
   void
-  Expand(const PaddedField &                start,
-         const Expansions &                 coefficients,
-         const std::vector<PaddedField *> & results,
-         Workspace &                        workspace);
+  Expand(HeatEngine & engine, const Expansions & coefficients);
   void
   ReportProgress(double applications);
 
@@ -149,6 +167,8 @@ private:
   double                         m_TimeStepLength;
   double                         m_Tolerance;
   Progress                       m_Progress;
+  Device                         m_Device{ Device::Cpu };
+  DeviceUse                      m_DeviceUse;
   bool                           m_StopWhenSteady{ false };
   SteadyRule                     m_SteadyRule;
   bool                           m_Steady{ false };

@@ -65,7 +65,7 @@ IsZero(const PaddedGrid & grid, const PaddedField & field)
 }
 
 /** Sorts what the solver shows into histogram rows and whole volumes. */
-class SnapshotSorter
+class SnapshotSorter : public HeatSnapshots
 {
 public:
   SnapshotSorter(const PaddedGrid &                      grid,
@@ -103,24 +103,40 @@ public:
     return m_Steps;
   }
 
-  /** Called from several threads. */
-  void
-  Visit(std::size_t snapshot, std::size_t row, const float * heat, unsigned int worker)
+  bool
+  IsCounted(std::size_t snapshot) const override
   {
-    if (m_HistogramRow[snapshot] >= 0)
-    {
-      CountTable &                      table = m_Counts[worker % m_Counts.size()];
-      const std::lock_guard<std::mutex> lock(table.mutex);
-      HeatHistogram::CountHeats(
-        heat, m_RowLength, table.counts.data() + m_HistogramRow[snapshot] * HeatHistogram::NumberOfBins);
-    }
-    if (const auto found = m_Volumes.find(snapshot); found != m_Volumes.end())
-    {
-      Volume & volume = *found->second;
-      std::call_once(volume.allocated, [&] { volume.heat.resize(m_RowLength * m_RowsPerVolume); });
-      std::copy(heat, heat + m_RowLength, volume.heat.data() + row * m_RowLength);
-      ++volume.rows;
-    }
+    return m_HistogramRow[snapshot] >= 0;
+  }
+
+  void
+  CountRow(std::size_t snapshot, const float * heat, unsigned int worker) override
+  {
+    CountTable &                      table = m_Counts[worker % m_Counts.size()];
+    const std::lock_guard<std::mutex> lock(table.mutex);
+    HeatHistogram::CountHeats(heat, m_RowLength, CountsOf(table, snapshot));
+  }
+
+  void
+  AddCounts(std::size_t snapshot, const std::uint32_t * counts) override
+  {
+    std::uint32_t * const own = CountsOf(m_Counts.front(), snapshot);
+    std::transform(counts, counts + HeatHistogram::NumberOfBins, own, own, std::plus<>());
+  }
+
+  bool
+  IsShown(std::size_t snapshot) const override
+  {
+    return m_Volumes.count(snapshot) != 0;
+  }
+
+  void
+  ShowRow(std::size_t snapshot, std::size_t row, const float * heat, unsigned int) override
+  {
+    Volume & volume = *m_Volumes.at(snapshot);
+    std::call_once(volume.allocated, [&] { volume.heat.resize(m_RowLength * m_RowsPerVolume); });
+    std::copy(heat, heat + m_RowLength, volume.heat.data() + row * m_RowLength);
+    ++volume.rows;
   }
 
   /** Hands out the volumes that are complete; called from one thread while no row is visited. */
@@ -170,6 +186,12 @@ private:
     std::mutex                 mutex;
     std::vector<std::uint32_t> counts;
   };
+
+  std::uint32_t *
+  CountsOf(CountTable & table, std::size_t snapshot) const
+  {
+    return table.counts.data() + m_HistogramRow[snapshot] * HeatHistogram::NumberOfBins;
+  }
 
   /** One for each thread, but no more than 256 MB of them. */
   static std::size_t
@@ -243,13 +265,9 @@ DiffuseCumulativeHeat(const float *                           intensities,
     sorter.Deliver();
     progress(share);
   });
-  result.timeStep =
-    solver.Run(field,
-               settings.timeSteps,
-               sorter.GetSteps(),
-               [&sorter](std::size_t snapshot, std::size_t row, const float * values, unsigned int worker) {
-                 sorter.Visit(snapshot, row, values, worker);
-               });
+  solver.SetDevice(settings.device);
+  result.timeStep = solver.Run(field, settings.timeSteps, sorter.GetSteps(), sorter);
+  result.device = solver.GetDeviceUse().Describe();
   sorter.Deliver();
   Unpad(volumeGradient.GetGrid(), field, heat);
   result.steady = solver.IsSteady();

@@ -93,7 +93,7 @@ Combined(const float * const * nodes, std::size_t i, const float * weights)
 
 /** Bits of a float in [2^-octaves, 1] as a bin number from 1 on, 0 below; see HeatHistogram. */
 SHAPETON_HOST_DEVICE unsigned short
-BinOf(const float * heats, std::size_t i)
+BinOf(float heat)
 {
   // The bits of a positive float grow with its value, and evenly within each octave.
   constexpr std::int32_t one = 0x3f800000;
@@ -102,7 +102,7 @@ BinOf(const float * heats, std::size_t i)
   constexpr std::int32_t width = perOctave / static_cast<std::int32_t>(HeatHistogram::BinsPerOctave);
   constexpr std::int32_t last = static_cast<std::int32_t>(HeatHistogram::NumberOfBins) - 1;
   std::int32_t           bits;
-  __builtin_memcpy(&bits, heats + i, sizeof(bits));
+  __builtin_memcpy(&bits, &heat, sizeof(bits));
   const std::int32_t bin = (bits - least + width) / width;
   return static_cast<unsigned short>(bits < least ? 0 : bin < last ? bin : last);
 }

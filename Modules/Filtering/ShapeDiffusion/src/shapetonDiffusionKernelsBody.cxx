@@ -95,7 +95,7 @@ BinHeats(const float * heats, unsigned short * bins, std::size_t n)
   SHAPETON_INDEPENDENT
   for (std::size_t i = 0; i < n; ++i)
   {
-    bins[i] = DiffusionArithmetic::BinOf(heats, i);
+    bins[i] = DiffusionArithmetic::BinOf(heats[i]);
   }
 }
 

@@ -1,13 +1,12 @@
 #include "shapetonHeatDiffusionSolver.h"
-#include "shapetonDiffusionKernels.h"
-#include "shapetonKernelSets.h"
-#include "shapetonTimeTiles.h"
+#include "shapetonHeatEngineOnCpu.h"
+#include "shapetonHeatEngineOnGpu.h"
+#include "shapetonParallelFor.h"
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
-#include <deque>
 #include <functional>
+#include <memory>
 #include <stdexcept>
 
 namespace shapeton
@@ -24,11 +23,7 @@ struct HeatDiffusionSolver::Interval
 
 namespace
 {
-using DiffusionArithmetic::NumberOfNodes;
-
-// Measured on 256^3: the tile's rows of all fields stay in the cache while it moves.
-constexpr TimeTileShape explicitTile{ 32, 32, 16 };
-constexpr TimeTileShape chebyshevTile{ 16, 16, 8 };
+constexpr std::size_t NumberOfNodes = HeatEngine::MostNodes;
 
 // Time intervals with this end / start ratio and seven nodes give 1.3e-6; see the class documentation.
 constexpr double        intervalRatio = 2.5;
@@ -38,43 +33,6 @@ constexpr std::uint64_t explicitStart = 16;
 // an expansion and with the fine detail of its start, which the stretch before has smoothed away.
 constexpr std::uint64_t longestRatio = 32;
 constexpr std::uint64_t shortestStretch = 1000;
-
-const DiffusionKernels::Set &
-Kernels()
-{
-  return BestKernels<DiffusionKernels::Set>();
-}
-
-DiffusionKernels::Edges
-EdgesOfRow(const VolumeGradientOperator & op, std::size_t row)
-{
-  return { op.GetConductances(0) + row,
-           op.GetConductances(1) + row,
-           op.GetConductances(2) + row,
-           static_cast<std::ptrdiff_t>(op.GetGrid().GetStride(1)),
-           static_cast<std::ptrdiff_t>(op.GetGrid().GetStride(2)) };
-}
-
-/** Calls body(row number, place in memory, worker) for all rows, in parallel over slices. */
-template <typename TBody>
-void
-ForAllRows(const PaddedGrid & grid, const TBody & body)
-{
-  const std::size_t ny = grid.GetSize()[1];
-  ParallelForWorkers(grid.GetSize()[2], [&](std::size_t z, unsigned int worker) {
-    const FlushToZero flushToZero;
-    for (std::size_t y = 0; y < ny; ++y)
-    {
-      body(y + ny * z, grid.GetRow(y, z), worker);
-    }
-  });
-}
-
-void
-CopyField(const PaddedGrid & grid, const PaddedField & from, PaddedField & to)
-{
-  std::memcpy(to.GetData(), from.GetData(), grid.GetLength() * sizeof(float));
-}
 
 /** Seven Lobatto nodes in log(step), rounded to whole steps; the start is not returned. */
 std::vector<std::uint64_t>
@@ -95,30 +53,33 @@ LobattoNodes(std::uint64_t start, std::uint64_t end)
 }
 
 bool
-IsSteadyBetween(const PaddedGrid &                      grid,
-                const PaddedField &                     before,
-                const PaddedField &                     after,
+IsSteadyBetween(HeatEngine &                            engine,
+                const PaddedGrid &                      grid,
+                HeatEngine::Field                       before,
+                HeatEngine::Field                       after,
                 const HeatDiffusionSolver::SteadyRule & rule)
 {
-  const std::size_t          nx = grid.GetSize()[0];
-  const std::size_t          ny = grid.GetSize()[1];
-  const auto                 change = static_cast<float>(rule.change);
-  const auto                 least = static_cast<float>(rule.leastHeat);
-  std::vector<std::uint64_t> moved(grid.GetSize()[2], 0);
-  ForAllRows(grid, [&](std::size_t row, std::size_t place, unsigned int) {
-    for (std::size_t i = place; i < place + nx; ++i)
-    {
-      const float heat = after.GetData()[i];
-      moved[row / ny] += std::abs(heat - before.GetData()[i]) > change * std::max(heat, least) ? 1 : 0;
-    }
-  });
-  std::uint64_t total = 0;
-  for (const std::uint64_t number : moved)
-  {
-    total += number;
-  }
-  return static_cast<double>(total) <= rule.voxels * static_cast<double>(grid.GetNumberOfVoxels());
+  const std::uint64_t moved =
+    engine.CountMoved(before, after, static_cast<float>(rule.change), static_cast<float>(rule.leastHeat));
+  return static_cast<double>(moved) <= rule.voxels * static_cast<double>(grid.GetNumberOfVoxels());
 }
+
+/** Shows everything to a visitor. */
+class VisitedSnapshots : public HeatSnapshots
+{
+public:
+  explicit VisitedSnapshots(const HeatDiffusionSolver::Visitor & visitor)
+    : m_Visitor(visitor)
+  {}
+  void
+  ShowRow(std::size_t snapshot, std::size_t row, const float * heat, unsigned int worker) override
+  {
+    m_Visitor(snapshot, row, heat, worker);
+  }
+
+private:
+  const HeatDiffusionSolver::Visitor & m_Visitor;
+};
 } // namespace
 
 std::vector<HeatDiffusionSolver::Interval>
@@ -202,30 +163,6 @@ HeatDiffusionSolver::InterpolationWeights(const Interval & interval, std::uint64
   return weights;
 }
 
-/** The fields of a run, allocated when they are first needed. Those of a large volume take a while: each is told. */
-class HeatDiffusionSolver::Workspace
-{
-public:
-  Workspace(const PaddedGrid & grid, std::function<void()> allocated) : m_Grid(grid), m_Allocated(std::move(allocated))
-  {}
-
-  PaddedField &
-  Get(std::size_t number)
-  {
-    while (m_Fields.size() <= number)
-    {
-      m_Fields.emplace_back(m_Grid);
-      m_Allocated();
-    }
-    return m_Fields[number];
-  }
-
-private:
-  const PaddedGrid &      m_Grid;
-  std::function<void()>   m_Allocated;
-  std::deque<PaddedField> m_Fields; // growing leaves references valid
-};
-
 HeatDiffusionSolver::HeatDiffusionSolver(const VolumeGradientOperator & volumeGradient,
                                          Method                         method,
                                          double                         timeStepLength,
@@ -295,97 +232,50 @@ HeatDiffusionSolver::ReportProgress(double applications)
 }
 
 void
-HeatDiffusionSolver::Advance(PaddedField & heat, std::uint64_t steps, Sums sums, Workspace & workspace)
+HeatDiffusionSolver::Advance(HeatEngine & engine, std::uint64_t steps, Sums sums)
 {
-  const PaddedGrid & grid = m_VolumeGradient.GetGrid();
-  const std::size_t  nx = grid.GetSize()[0];
-  const auto         dt = static_cast<float>(m_TimeStepLength);
-  PaddedField &      other = workspace.Get(0);
-  PaddedField &      rest = workspace.Get(1);
-  std::memset(rest.GetData(), 0, grid.GetLength() * sizeof(float));
+  const auto dt = static_cast<float>(m_TimeStepLength);
+  engine.Clear(HeatEngine::Odd);
   while (steps > 0)
   {
-    const auto count = static_cast<unsigned int>(std::min<std::uint64_t>(steps, explicitTile.steps));
-    float *    buffers[2] = { heat.GetData(), other.GetData() };
-    RunTimeTiles(grid, count, explicitTile, [&](unsigned int step, std::size_t row) {
-      const auto    edges = EdgesOfRow(m_VolumeGradient, row);
-      const float * current = buffers[(step + 1) % 2] + row;
-      float *       next = buffers[step % 2] + row;
-      if (sums == Sums::Plain)
-      {
-        Kernels().ExplicitStep(edges, current, next, nx, dt);
-        return;
-      }
-      Kernels().CompensatedStep(edges, current, next, rest.GetData() + row, nx, dt);
-    });
-    if (count % 2 == 1)
-    {
-      std::swap(heat, other);
-    }
+    const auto count = static_cast<unsigned int>(std::min<std::uint64_t>(steps, engine.GetLongestStretch(false)));
+    engine.StepExplicitly(count, dt, sums == Sums::Compensated);
     steps -= count;
     this->ReportProgress(count);
   }
 }
 
 void
-HeatDiffusionSolver::Expand(const PaddedField &                start,
-                            const Expansions &                 coefficients,
-                            const std::vector<PaddedField *> & results,
-                            Workspace &                        workspace)
+HeatDiffusionSolver::Expand(HeatEngine & engine, const Expansions & coefficients)
 {
-  const PaddedGrid & grid = m_VolumeGradient.GetGrid();
-  const std::size_t  nx = grid.GetSize()[0];
-  const auto         step = static_cast<float>(2.0 / m_VolumeGradient.GetEigenvalueBound());
-  PaddedField &      even = workspace.Get(0); // T_k of even and odd k
-  PaddedField &      odd = workspace.Get(1);
-  PaddedField &      difference = workspace.Get(2);
-  CopyField(grid, start, even);
-  std::memset(difference.GetData(), 0, grid.GetLength() * sizeof(float));
+  const auto step = static_cast<float>(2.0 / m_VolumeGradient.GetEigenvalueBound());
+  engine.Copy(HeatEngine::Heat, HeatEngine::Even);
+  engine.Clear(HeatEngine::Difference);
   this->ReportProgress(0.0);
-  ForAllRows(grid, [&](std::size_t, std::size_t row, unsigned int) {
-    for (std::size_t g = 0; g < results.size(); ++g)
-    {
-      Kernels().Scale(results[g]->GetData() + row, start.GetData() + row, nx, static_cast<float>(coefficients[g][0]));
-    }
-  });
   std::size_t degree = 0;
-  for (const auto & c : coefficients)
+  for (std::size_t g = 0; g < coefficients.size(); ++g)
   {
-    degree = std::max(degree, c.size() - 1);
+    const auto node = HeatEngine::FirstNode + static_cast<HeatEngine::Field>(g);
+    engine.Scale(HeatEngine::Heat, node, static_cast<float>(coefficients[g][0]));
+    degree = std::max(degree, coefficients[g].size() - 1);
   }
-  const auto coefficient = [&](std::size_t g, std::size_t k) {
-    return k < coefficients[g].size() ? static_cast<float>(coefficients[g][k]) : 0.0F;
-  };
-  for (std::size_t done = 0; done < degree; done += chebyshevTile.steps)
+  const std::size_t longest = engine.GetLongestStretch(true);
+  for (std::size_t done = 0; done < degree; done += longest)
   {
     // An even number of terms, so that they can be added in pairs.
-    const auto count =
-      static_cast<unsigned int>(std::min<std::size_t>(chebyshevTile.steps, (degree - done + 1) / 2 * 2));
-    float * buffers[2] = { even.GetData(), odd.GetData() };
-    RunTimeTiles(grid, count, chebyshevTile, [&](unsigned int s, std::size_t row) {
-      const std::size_t   k = done + s;
-      const float * const current = buffers[(k + 1) % 2] + row;
-      float * const       next = buffers[k % 2] + row;
-      Kernels().ChebyshevStep(
-        EdgesOfRow(m_VolumeGradient, row), current, next, difference.GetData() + row, nx, k == 1 ? step : 2.0F * step);
-      for (std::size_t g = 0; k % 2 == 0 && g < results.size(); ++g)
-      {
-        if (k - 1 < coefficients[g].size())
-        {
-          Kernels().AddPair(results[g]->GetData() + row, next, current, nx, coefficient(g, k), coefficient(g, k - 1));
-        }
-      }
-    });
+    const auto count = static_cast<unsigned int>(std::min(longest, (degree - done + 1) / 2 * 2));
+    engine.StepChebyshev(done, count, 2.0F * step, coefficients);
     this->ReportProgress(count);
   }
 }
 
-/** Shows the visitor the heat after each requested step. */
+/** Shows the snapshots the heat after each requested step. */
 class HeatDiffusionSolver::Recorder
 {
 public:
-  Recorder(const PaddedGrid & grid, const std::vector<std::uint64_t> & steps, const Visitor & visitor)
-    : m_Grid(grid), m_Steps(steps), m_Visitor(visitor)
+  Recorder(HeatEngine & engine, const std::vector<std::uint64_t> & steps)
+    : m_Engine(engine)
+    , m_Steps(steps)
   {}
 
   /** The next requested step, or `otherwise` when there is none before it. */
@@ -395,66 +285,45 @@ public:
     return m_Next < m_Steps.size() ? std::min(m_Steps[m_Next], otherwise) : otherwise;
   }
 
-  /** `heat` is the field after `step`. */
+  /** `field` is the heat after `step`. */
   void
-  Show(const PaddedField & heat, std::uint64_t step)
+  Show(HeatEngine::Field field, std::uint64_t step)
   {
     for (; m_Next < m_Steps.size() && m_Steps[m_Next] == step; ++m_Next)
     {
-      ForAllRows(m_Grid, [&](std::size_t row, std::size_t place, unsigned int worker) {
-        m_Visitor(m_Next, row, heat.GetData() + place, worker);
-      });
+      m_Engine.Show(m_Next, field);
     }
   }
 
-  /** Interpolates all requested steps of the interval between the fields at its nodes. */
+  /** Interpolates all requested steps of the interval between the heat and the fields at its nodes. */
   void
-  ShowInterpolated(const Interval &                   interval,
-                   const PaddedField &                start,
-                   const std::vector<PaddedField *> & nodes,
-                   const std::function<void()> &      afterGroup)
+  ShowInterpolated(const Interval & interval, const std::function<void()> & afterGroup)
   {
+    std::array<HeatEngine::Field, NumberOfNodes> nodes{ HeatEngine::Heat };
+    for (std::size_t k = 1; k < NumberOfNodes; ++k)
+    {
+      nodes[k] = HeatEngine::FirstNode + static_cast<HeatEngine::Field>(k - 1);
+    }
     while (m_Next < interval.endSnapshot)
     {
-      const std::size_t end = std::min(m_Next + snapshotsAtOnce, interval.endSnapshot);
-      this->ShowGroup(interval, start, nodes, end);
+      const std::size_t                end = std::min(m_Next + snapshotsAtOnce, interval.endSnapshot);
+      std::vector<HeatEngine::Weights> weights;
+      for (std::size_t snapshot = m_Next; snapshot < end; ++snapshot)
+      {
+        weights.push_back(InterpolationWeights(interval, m_Steps[snapshot]));
+      }
+      m_Engine.ShowCombined(m_Next, nodes, weights);
       m_Next = end;
       afterGroup();
     }
   }
 
 private:
-  // Whole volumes that a visitor collects are complete after each group: few of them are open at once.
+  // Whole volumes that are collected are complete after each group: few of them are open at once.
   static constexpr std::size_t snapshotsAtOnce = 4;
 
-  void
-  ShowGroup(const Interval &                   interval,
-            const PaddedField &                start,
-            const std::vector<PaddedField *> & nodes,
-            std::size_t                        end) const
-  {
-    std::vector<std::array<float, NumberOfNodes>> weights;
-    for (std::size_t snapshot = m_Next; snapshot < end; ++snapshot)
-    {
-      weights.push_back(InterpolationWeights(interval, m_Steps[snapshot]));
-    }
-    const std::size_t               nx = m_Grid.GetSize()[0];
-    std::vector<std::vector<float>> buffers(NumberOfThreads(), std::vector<float>(nx));
-    ForAllRows(m_Grid, [&](std::size_t row, std::size_t place, unsigned int worker) {
-      std::array<const float *, NumberOfNodes> rows{ start.GetData() + place };
-      std::transform(
-        nodes.begin(), nodes.end(), rows.begin() + 1, [place](PaddedField * node) { return node->GetData() + place; });
-      for (std::size_t i = 0; i < weights.size(); ++i)
-      {
-        Kernels().Combine(buffers[worker].data(), rows.data(), nx, weights[i].data());
-        m_Visitor(m_Next + i, row, buffers[worker].data(), worker);
-      }
-    });
-  }
-
-  const PaddedGrid &                 m_Grid;
+  HeatEngine &                       m_Engine;
   const std::vector<std::uint64_t> & m_Steps;
-  const Visitor &                    m_Visitor;
   std::size_t                        m_Next{ 0 };
 };
 
@@ -464,6 +333,16 @@ HeatDiffusionSolver::Run(PaddedField &                      heat,
                          const std::vector<std::uint64_t> & steps,
                          const Visitor &                    visitor)
 {
+  VisitedSnapshots snapshots(visitor);
+  return this->Run(heat, lastStep, steps, snapshots);
+}
+
+std::uint64_t
+HeatDiffusionSolver::Run(PaddedField &                      heat,
+                         std::uint64_t                      lastStep,
+                         const std::vector<std::uint64_t> & steps,
+                         HeatSnapshots &                    snapshots)
+{
   const bool ascend = std::adjacent_find(steps.begin(), steps.end(), std::greater_equal<>()) == steps.end();
   if (!ascend || (!steps.empty() && steps.back() > lastStep))
   {
@@ -471,20 +350,23 @@ HeatDiffusionSolver::Run(PaddedField &                      heat,
   }
   m_Steady = false;
   m_Applications = 0;
-  Workspace workspace(m_VolumeGradient.GetGrid(), [this] { this->ReportProgress(0.0); });
-  Recorder  recorder(m_VolumeGradient.GetGrid(), steps, visitor);
-  recorder.Show(heat, 0);
-  return m_Method == Method::Explicit ? this->RunExplicitly(heat, lastStep, recorder, workspace)
-                                      : this->RunByExpansion(heat, lastStep, steps, recorder, workspace);
+  const auto told = [this] { this->ReportProgress(0.0); };
+  m_DeviceUse = ChooseDeviceForHeat(m_Device, m_VolumeGradient.GetGrid());
+  const std::unique_ptr<HeatEngine> engine =
+    m_DeviceUse.gpu ? MakeHeatEngineOnGpu(m_DeviceUse, m_VolumeGradient, heat, snapshots, told)
+                    : std::unique_ptr<HeatEngine>(std::make_unique<HeatEngineOnCpu>(m_VolumeGradient, heat, snapshots, told));
+  Recorder recorder(*engine, steps);
+  recorder.Show(HeatEngine::Heat, 0);
+  const std::uint64_t reached = m_Method == Method::Explicit ? this->RunExplicitly(*engine, lastStep, recorder)
+                                                             : this->RunByExpansion(*engine, lastStep, steps, recorder);
+  engine->Finish();
+  return reached;
 }
 
 std::uint64_t
-HeatDiffusionSolver::RunExplicitly(PaddedField & heat,
-                                   std::uint64_t lastStep,
-                                   Recorder &    recorder,
-                                   Workspace &   workspace)
+HeatDiffusionSolver::RunExplicitly(HeatEngine & engine, std::uint64_t lastStep, Recorder & recorder)
 {
-  const PaddedGrid & grid = m_VolumeGradient.GetGrid();
+  constexpr HeatEngine::Field before = HeatEngine::Difference; // which explicit steps do not need
   m_PlannedApplications = static_cast<double>(lastStep);
   std::uint64_t step = 0;
   while (step < lastStep && !m_Steady)
@@ -498,74 +380,71 @@ HeatDiffusionSolver::RunExplicitly(PaddedField & heat,
     const bool          check = m_StopWhenSteady && start > 0;
     if (check)
     {
-      CopyField(grid, heat, workspace.Get(2));
+      engine.Copy(HeatEngine::Heat, before);
     }
     while (step < end)
     {
       const std::uint64_t next = recorder.Next(end);
-      this->Advance(heat, next - step, Sums::Compensated, workspace);
+      this->Advance(engine, next - step, Sums::Compensated);
       step = next;
-      recorder.Show(heat, step);
+      recorder.Show(HeatEngine::Heat, step);
     }
-    m_Steady = check && end >= intervalRatio * start && IsSteadyBetween(grid, workspace.Get(2), heat, m_SteadyRule);
+    m_Steady = check && end >= intervalRatio * start &&
+               IsSteadyBetween(engine, m_VolumeGradient.GetGrid(), before, HeatEngine::Heat, m_SteadyRule);
   }
   return step;
 }
 
 std::uint64_t
-HeatDiffusionSolver::RunByExpansion(PaddedField &                      heat,
+HeatDiffusionSolver::RunByExpansion(HeatEngine &                       engine,
                                     std::uint64_t                      lastStep,
                                     const std::vector<std::uint64_t> & steps,
-                                    Recorder &                         recorder,
-                                    Workspace &                        workspace)
+                                    Recorder &                         recorder)
 {
-  const PaddedGrid & grid = m_VolumeGradient.GetGrid();
-  const bool         dense = m_StopWhenSteady || steps.size() >= NumberOfNodes;
-  std::uint64_t      step = 0;
-  const auto         start = dense ? std::min(explicitStart, lastStep) : 0;
-  const auto         plan = PlanIntervals(start, lastStep, steps, m_StopWhenSteady);
-  const auto         expansions = this->PlanExpansions(start, plan);
+  const bool    dense = m_StopWhenSteady || steps.size() >= NumberOfNodes;
+  std::uint64_t step = 0;
+  const auto    start = dense ? std::min(explicitStart, lastStep) : 0;
+  const auto    plan = PlanIntervals(start, lastStep, steps, m_StopWhenSteady);
+  const auto    expansions = this->PlanExpansions(start, plan);
 
   while (step < start)
   {
     const std::uint64_t next = recorder.Next(start);
-    this->Advance(heat, next - step, Sums::Plain, workspace);
+    this->Advance(engine, next - step, Sums::Plain);
     step = next;
-    recorder.Show(heat, step);
+    recorder.Show(HeatEngine::Heat, step);
   }
   for (std::size_t i = 0; i < plan.size() && !m_Steady; ++i)
   {
-    std::vector<PaddedField *> nodes;
-    for (std::size_t k = 0; k < plan[i].nodes.size(); ++k)
-    {
-      nodes.push_back(&workspace.Get(3 + k));
-    }
-    this->Expand(heat, expansions[i], nodes, workspace);
-    for (PaddedField * const node : nodes)
-    {
-      ForAllRows(grid, [&](std::size_t, std::size_t place, unsigned int) {
-        Kernels().ClampToZero(node->GetData() + place, grid.GetSize()[0]);
-      });
-    }
-    if (plan[i].interpolate)
-    {
-      recorder.ShowInterpolated(plan[i], heat, nodes, [this] { this->ReportProgress(0.0); });
-    }
-    else
-    {
-      for (std::size_t k = 0; k < nodes.size(); ++k)
-      {
-        recorder.Show(*nodes[k], plan[i].nodes[k]);
-        this->ReportProgress(0.0); // lets the visitor hand out what is complete
-      }
-    }
+    this->Expand(engine, expansions[i]);
+    this->ShowNodes(engine, plan[i], recorder);
+    const auto last = HeatEngine::FirstNode + static_cast<HeatEngine::Field>(plan[i].nodes.size()) - 1;
     // A last interval that was cut short is too short to tell.
     m_Steady = m_StopWhenSteady && plan[i].end >= intervalRatio * plan[i].start &&
-               IsSteadyBetween(grid, heat, *nodes.back(), m_SteadyRule);
-    std::swap(heat, *nodes.back());
+               IsSteadyBetween(engine, m_VolumeGradient.GetGrid(), HeatEngine::Heat, last, m_SteadyRule);
+    engine.Exchange(HeatEngine::Heat, last);
     step = plan[i].end;
   }
   return step;
+}
+
+void
+HeatDiffusionSolver::ShowNodes(HeatEngine & engine, const Interval & interval, Recorder & recorder)
+{
+  for (std::size_t k = 0; k < interval.nodes.size(); ++k)
+  {
+    engine.ClampToZero(HeatEngine::FirstNode + static_cast<HeatEngine::Field>(k));
+  }
+  if (interval.interpolate)
+  {
+    recorder.ShowInterpolated(interval, [this] { this->ReportProgress(0.0); });
+    return;
+  }
+  for (std::size_t k = 0; k < interval.nodes.size(); ++k)
+  {
+    recorder.Show(HeatEngine::FirstNode + static_cast<HeatEngine::Field>(k), interval.nodes[k]);
+    this->ReportProgress(0.0); // lets the snapshots hand out what is complete
+  }
 }
 
 std::vector<HeatDiffusionSolver::Expansions>

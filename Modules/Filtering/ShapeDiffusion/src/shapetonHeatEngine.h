@@ -1,0 +1,100 @@
+#ifndef shapetonHeatEngine_h
+#define shapetonHeatEngine_h
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace shapeton
+{
+/** \class HeatEngine
+ * \brief The fields of a run of HeatDiffusionSolver and what is computed with them: on the CPU or on a GPU, with the
+ * same bytes.
+ *
+ * Fields have numbers; one that was never written holds anything. The plug-in for GPUs has its own engine and is given
+ * nothing but numbers: this header includes no code of the library.
+ */
+class HeatEngine
+{
+public:
+  using Field = unsigned int;
+  static constexpr Field Heat = 0;
+  static constexpr Field Even = 1; ///< T_k of even k; the next step of explicit steps
+  static constexpr Field Odd = 2;  ///< T_k of odd k; the rest of compensated sums
+  static constexpr Field Difference = 3;
+  static constexpr Field FirstNode = 4;
+  /** Those that the solver requests at most: as many as an interpolation has nodes. */
+  static constexpr std::size_t MostNodes = 7;
+  static constexpr std::size_t MostFields = FirstNode + MostNodes;
+
+  using Expansions = std::vector<std::vector<double>>; ///< coefficients of each node of an interval
+
+  HeatEngine() = default;
+  HeatEngine(const HeatEngine &) = delete;
+  HeatEngine &
+  operator=(const HeatEngine &) = delete;
+  virtual ~HeatEngine() = default;
+
+  /** How many steps one call takes at most; even. */
+  virtual unsigned int
+  GetLongestStretch(bool chebyshev) const = 0;
+
+  virtual void
+  Copy(Field from, Field to) = 0;
+  virtual void
+  Exchange(Field a, Field b) = 0;
+  virtual void
+  Clear(Field field) = 0;
+  /** to = factor * from. */
+  virtual void
+  Scale(Field from, Field to, float factor) = 0;
+  virtual void
+  ClampToZero(Field field) = 0;
+
+  /** Explicit steps of the heat; changes Even. `compensated` carries the rounding errors along in Odd. */
+  virtual void
+  StepExplicitly(unsigned int steps, float dt, bool compensated) = 0;
+
+  /** Steps done + 1 .. done + steps, both even, of the recurrence from T_done in Even and its difference: T_k in Even and
+   * Odd in turn, and sum_k coefficients[g][k] T_k added to the nodes, by pairs of terms. The first step of all is half as
+   * long as `scale`. */
+  virtual void
+  StepChebyshev(std::size_t done, unsigned int steps, float scale, const Expansions & coefficients) = 0;
+
+  /** How many voxels have moved by more than `change` times their heat, or times `least` where it is colder. */
+  virtual std::uint64_t
+  CountMoved(Field before, Field after, float change, float least) = 0;
+
+  /** Shows the field as the heat of a snapshot. */
+  virtual void
+  Show(std::size_t snapshot, Field field) = 0;
+
+  using Weights = std::array<float, MostNodes>;
+  /** Shows sum_k weights[i][k] * nodes[k], and 0 where that is negative, as the heat of snapshot first + i. */
+  virtual void
+  ShowCombined(std::size_t first, const std::array<Field, MostNodes> & nodes, const std::vector<Weights> & weights) = 0;
+
+  /** The heat is where the engine was given it. */
+  virtual void
+  Finish() = 0;
+};
+
+/** The part of a recurrence's coefficients that a step adds: those of the terms k and k - 1, k even. */
+struct ChebyshevPair
+{
+  float even;
+  float odd;
+};
+
+/** False where the expansion has ended before. */
+inline bool
+FindPair(const std::vector<double> & coefficients, std::size_t k, ChebyshevPair & pair)
+{
+  pair.even = k < coefficients.size() ? static_cast<float>(coefficients[k]) : 0.0F;
+  pair.odd = k - 1 < coefficients.size() ? static_cast<float>(coefficients[k - 1]) : 0.0F;
+  return k - 1 < coefficients.size();
+}
+} // namespace shapeton
+
+#endif

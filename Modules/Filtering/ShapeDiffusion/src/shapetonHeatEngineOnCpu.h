@@ -1,0 +1,70 @@
+#ifndef shapetonHeatEngineOnCpu_h
+#define shapetonHeatEngineOnCpu_h
+
+#include "shapetonHeatDiffusionSolver.h"
+#include "shapetonHeatEngine.h"
+
+#include <deque>
+#include <functional>
+
+namespace shapeton
+{
+/** \class HeatEngineOnCpu
+ * \brief Time tiles of rows, vectors along x. */
+class HeatEngineOnCpu : public HeatEngine
+{
+public:
+  /** Works in `heat` and gives it back by Finish(). Fields are allocated when they are first needed; those of a large
+   * volume take a while: each is told to `allocated`. */
+  HeatEngineOnCpu(const VolumeGradientOperator & volumeGradient,
+                  PaddedField &                  heat,
+                  HeatSnapshots &                snapshots,
+                  std::function<void()>          allocated);
+
+  unsigned int
+  GetLongestStretch(bool chebyshev) const override;
+  void
+  Copy(Field from, Field to) override;
+  void
+  Exchange(Field a, Field b) override;
+  void
+  Clear(Field field) override;
+  void
+  Scale(Field from, Field to, float factor) override;
+  void
+  ClampToZero(Field field) override;
+  void
+  StepExplicitly(unsigned int steps, float dt, bool compensated) override;
+  void
+  StepChebyshev(std::size_t done, unsigned int steps, float scale, const Expansions & coefficients) override;
+  std::uint64_t
+  CountMoved(Field before, Field after, float change, float least) override;
+  void
+  Show(std::size_t snapshot, Field field) override;
+  void
+  ShowCombined(std::size_t                           first,
+               const std::array<Field, MostNodes> &  nodes,
+               const std::vector<Weights> &          weights) override;
+  void
+  Finish() override;
+
+protected:
+  /** A field, allocated when it is first asked for. */
+  float *
+  Get(Field field);
+
+  const VolumeGradientOperator & m_VolumeGradient;
+  const PaddedGrid &             m_Grid;
+
+private:
+  void
+  ShowRow(std::size_t snapshot, std::size_t row, const float * heat, unsigned int worker);
+
+  PaddedField &           m_Heat;
+  HeatSnapshots &         m_Snapshots;
+  std::function<void()>   m_Allocated;
+  std::deque<PaddedField> m_Fields;
+};
+} // namespace shapeton
+
+#endif
