@@ -96,7 +96,7 @@ function(shapeton_add_device_stand_in)
 endfunction()
 
 set(SHAPETON_CUDA OFF)
-if(NOT SHAPETON_SANITIZE AND NOT SHAPETON_PYTHON_ONLY)
+if(NOT SHAPETON_SANITIZE AND NOT SHAPETON_PYTHON_ONLY AND NOT SHAPETON_MODULES) # a selection of modules is for static libraries
   shapeton_find_cuda(SHAPETON_CUDA)
 endif()
 if(SHAPETON_CUDA)

@@ -206,8 +206,9 @@ template <typename TSum, typename TBody>
 __global__ void
 ReduceKernel(std::size_t number, TBody body, TSum * partial)
 {
-  __shared__ TSum sums[ThreadsInBlock];
-  TSum            sum = TSum::Zero();
+  __shared__ alignas(TSum) unsigned char memory[ThreadsInBlock * sizeof(TSum)]; // sums are made without a constructor
+  TSum * const    sums = reinterpret_cast<TSum *>(memory);
+  TSum            sum;
   for (std::size_t i = static_cast<std::size_t>(blockIdx.x) * ThreadsInBlock + threadIdx.x; i < number;
        i += static_cast<std::size_t>(gridDim.x) * ThreadsInBlock)
   {
@@ -292,13 +293,13 @@ ForVoxels(const Extent & extent, const TBody & body)
   Check(cudaGetLastError(), "start a kernel");
 }
 
-/** The sum of what body(i, sum) adds for i < number, in any order: TSum is of whole numbers or extrema, with Zero() and
+/** The sum of what body(i, sum) adds for i < number, in any order: TSum is of whole numbers or extrema, 0 at first, with
  * Add(). */
 template <typename TSum, typename TBody>
 TSum
 Reduce(std::size_t number, const TBody & body)
 {
-  TSum whole = TSum::Zero();
+  TSum whole;
   if (number == 0)
   {
     return whole;
@@ -368,7 +369,7 @@ TSum
 Reduce(std::size_t number, const TBody & body)
 {
   const LoopMode mode;
-  TSum           sum = TSum::Zero();
+  TSum           sum;
   for (std::size_t i = 0; i < number; ++i)
   {
     body(i, sum);

@@ -1,6 +1,7 @@
 #ifndef shapetonShapetonDiffusion_h
 #define shapetonShapetonDiffusion_h
 
+#include "shapetonDevice.h"
 #include "shapetonShapetonDirection.h"
 #include "shapetonShapetonState.h"
 #include "shapetonVolumeGradientOperator.h"
@@ -59,6 +60,8 @@ struct ShapetonDiffusionSettings
   PathRule                           pathRule{ PathRule::Endpoint };
   ShapetonPlacement                  placement{ ShapetonPlacement::Uniform };
   std::uint64_t                      seed{ 1 };
+  /** Where the shapetons move; the results are the same bytes. */
+  Device device{ Device::Automatic };
 };
 
 /** When shapeton diffusion counts as steady: (3.10) holds in at least 90 % of the last 50 steps.
@@ -120,15 +123,15 @@ class ShapeDiffusion_EXPORT ShapetonDiffusion
 {
 public:
   /** Called on the calling thread at the end of a step, every few hundredths of a second unless a step takes longer;
-   * may throw to abort. */
+   * may throw to abort. `visits` and GetPlaces() are those of that step. */
   using Observer = std::function<void(const ShapetonMeasures &)>;
 
   /** Places the shapetons. `intensities` and `mask` (may be null: no mask; else 0 is outside) hold size[0] * size[1] *
    * size[2] values, x fastest, and are not needed afterwards. `visits` holds as many and must outlive the object; it is
    * set to 0. `poll` is called now and then, by Run() in the middle of long steps, and may throw to abort: the object
    * is of no use then. Throws std::invalid_argument for settings out of range, std::domain_error where no shapeton can
-   * be placed (an empty mask; no initial heat), std::length_error for 2^31 voxels or more, or 2^24
-   * along an axis. */
+   * be placed (an empty mask; no initial heat), std::length_error for 2^31 voxels or more, or 2^24 along an axis,
+   * DeviceError where the device cannot be used. */
   ShapetonDiffusion(const float *                      intensities,
                     const std::array<std::size_t, 3> & size,
                     const ShapetonDiffusionSettings &  settings,
@@ -148,6 +151,10 @@ public:
 
   const ShapetonMeasures &
   GetMeasures() const;
+
+  /** Where the shapetons move. */
+  const DeviceUse &
+  GetDeviceUse() const;
 
   /** Places in voxels along an axis: the voxel of index i holds the places from i to i + 1. */
   const float *

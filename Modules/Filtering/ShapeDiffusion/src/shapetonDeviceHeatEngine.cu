@@ -124,13 +124,8 @@ struct Numbered
 
 struct Sum
 {
-  std::uint64_t number;
+  std::uint64_t number{ 0 };
 
-  SHAPETON_HOST_DEVICE static Sum
-  Zero()
-  {
-    return { 0 };
-  }
   SHAPETON_HOST_DEVICE void
   Add(const Sum & other)
   {

@@ -1,7 +1,8 @@
 #ifndef shapetonPlaceInVoxel_h
 #define shapetonPlaceInVoxel_h
 
-#include <algorithm>
+#include "shapetonHostDevice.h"
+
 #include <cmath>
 #include <cstdint>
 
@@ -9,11 +10,13 @@ namespace shapeton
 {
 /** The place along an axis `within`, in [0, 1], of the voxel with this index. Never the begin of the next voxel: not
  * for a place on the upper face, and not where the sum is rounded up. */
-inline float
+SHAPETON_HOST_DEVICE float
 PlaceInVoxel(std::uint32_t index, float within)
 {
   const float begin = static_cast<float>(index);
-  return std::min(begin + within, std::nextafter(begin + 1.0F, begin));
+  const float place = begin + within;
+  const float last = nextafterf(begin + 1.0F, begin);
+  return last < place ? last : place;
 }
 } // namespace shapeton
 

@@ -17,6 +17,8 @@ using namespace ShapetonKernels;
 /** Shapeton steps between two calls of the observer: some hundredths of a second. */
 constexpr std::uint64_t EndpointBlock = std::uint64_t{ 1 } << 20;
 constexpr std::uint64_t TraversalBlock = std::uint64_t{ 1 } << 16;
+/** So many times as many on a GPU, from which the visits have to be fetched for the observer. */
+constexpr std::uint64_t BlocksOnDevice = 128;
 /** The steady rule looks at so many steps and allows so many of them to fail. */
 constexpr std::uint64_t HistoryLength = 50;
 constexpr int           AllowedFailures = 5;
@@ -101,7 +103,7 @@ struct ShapetonDiffusion::Impl : ShapetonWalk
   void
   CountTrapped()
   {
-    measures.trappedShapetons = SumOverShapetons().second;
+    measures.trappedShapetons = SumOverShapetons().trapped;
   }
 
   void
@@ -132,7 +134,7 @@ struct ShapetonDiffusion::Impl : ShapetonWalk
     const double        squaresBefore = sumOfSquares;
     const std::uint32_t maximumBefore = measures.maximumVisits;
     ShapetonTally       tally;
-    const std::uint64_t longest = BlockLength() / 4; // a multiple of the group size
+    const std::uint64_t longest = deviceUse.gpu ? number : BlockLength() / 4; // a multiple of the group size
     for (std::uint64_t first = 0; first < number; first += longest)
     {
       const std::uint64_t part = std::min(longest, number - first);
@@ -144,9 +146,9 @@ struct ShapetonDiffusion::Impl : ShapetonWalk
     }
     Note(tally, number);
     measures.step = end;
-    const auto [sum, trapped] = SumOverShapetons();
-    measures.trappedShapetons = trapped;
-    Measure(tally, sum, squaresBefore, maximumBefore);
+    const ShapetonSum sum = SumOverShapetons();
+    measures.trappedShapetons = sum.trapped;
+    Measure(tally, sum.visits, squaresBefore, maximumBefore);
   }
 
   /** The change in the step whose tally this is. With S the counts before, c those of the step, and n shapetons:
@@ -271,12 +273,14 @@ ShapetonDiffusion::Run(std::uint64_t lastStep, const std::optional<SteadyRule> &
       impl.Test(*rule);
     }
     unreported += (impl.measures.step - before) * impl.settings.shapetons;
-    if (observer && unreported >= impl.BlockLength() / 2)
+    if (observer && unreported >= impl.BlockLength() / 2 * (impl.deviceUse.gpu ? BlocksOnDevice : 1))
     {
+      impl.FetchFromDevice();
       observer(impl.measures);
       unreported = 0;
     }
   }
+  impl.FetchFromDevice();
   if (observer)
   {
     observer(impl.measures);
@@ -287,6 +291,12 @@ const ShapetonMeasures &
 ShapetonDiffusion::GetMeasures() const
 {
   return m_Impl->measures;
+}
+
+const DeviceUse &
+ShapetonDiffusion::GetDeviceUse() const
+{
+  return m_Impl->deviceUse;
 }
 
 const float *
@@ -351,6 +361,7 @@ ShapetonDiffusion::SetState(const ShapetonState & state)
   impl.measures.change = state.change;
   impl.history = state.steadyHistory;
   impl.tested = state.testedSteps;
+  impl.SendToDevice();
   impl.MeasureAgain();
   impl.CountTrapped();
 }

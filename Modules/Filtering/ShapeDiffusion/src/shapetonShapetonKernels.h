@@ -68,6 +68,14 @@ struct Random
   std::uint64_t step;
 };
 
+/** What directions are drawn by: see DirectionSampling. */
+enum class Sampling
+{
+  SolidAngle,
+  SectorArea,
+  Uniform
+};
+
 /** Draws directions from the weights of the shapetons' voxels; the zero vector where all weights are 0. */
 using Draw = void (*)(const Surroundings &, const Shapetons &, const Random &, const ThetaTable &, const Directions &);
 

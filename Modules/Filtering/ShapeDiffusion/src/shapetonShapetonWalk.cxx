@@ -63,6 +63,7 @@ ShapetonWalk::ShapetonWalk(const float *                      intensities,
   ParallelFor(size[2], [this](std::size_t z) { std::fill_n(visits + z * size[0] * size[1], size[0] * size[1], 0U); });
   poll();
   Place(mask);
+  ChooseDevice();
 }
 
 void
@@ -141,7 +142,7 @@ ShapetonWalk::Count(const Shapetons & group) const
     }
     tally.sumOfOld += old;
     tally.maximum = std::max(tally.maximum, old + 1);
-    if (old == 0)
+    if (old == 0) // seldom: only then is the record read
     {
       ++tally.reached;
       tally.objectsReached += records.GetRecord(voxel)[MarksOfRecord] & ObjectMark;
@@ -169,6 +170,10 @@ ShapetonWalk::ForGroups(std::size_t first, std::size_t number, std::uint64_t sha
 ShapetonTally
 ShapetonWalk::TakeSteps(std::size_t first, std::size_t number, std::uint64_t begin, std::uint64_t end)
 {
+  if (m_Device)
+  {
+    return m_Device->TakeSteps(first, number, begin, end);
+  }
   ShapetonTally whole;
   std::mutex    mutex;
   ForGroups(first, number, number * (end - begin), [&](const Shapetons & group, bool shared) {
@@ -184,24 +189,66 @@ ShapetonWalk::TakeSteps(std::size_t first, std::size_t number, std::uint64_t beg
   return whole;
 }
 
-std::pair<std::uint64_t, std::uint32_t>
+ShapetonSum
 ShapetonWalk::SumOverShapetons()
 {
-  std::uint64_t sum = 0;
-  std::uint32_t trapped = 0;
-  std::mutex    mutex;
+  if (m_Device)
+  {
+    return m_Device->SumOverShapetons();
+  }
+  ShapetonSum whole;
+  std::mutex  mutex;
   ForGroups(0, settings.shapetons, settings.shapetons, [&](const Shapetons & group, bool) {
-    std::uint64_t groupSum = 0;
-    std::uint32_t groupTrapped = 0;
+    ShapetonSum sum;
     for (std::size_t i = 0; i < group.number; ++i)
     {
-      groupSum += visits[group.voxel[i]];
-      groupTrapped += (records.GetRecord(group.voxel[i])[MarksOfRecord] & TrapMark) != 0;
+      sum.visits += visits[group.voxel[i]];
+      sum.trapped += (records.GetRecord(group.voxel[i])[MarksOfRecord] & TrapMark) != 0;
     }
     const std::lock_guard<std::mutex> lock(mutex);
-    sum += groupSum;
-    trapped += groupTrapped;
+    whole.Add(sum);
   });
-  return { sum, trapped };
+  return whole;
+}
+
+void
+ShapetonWalk::ChooseDevice()
+{
+  const std::size_t bytes = NumberOfVoxels() * (RecordLength * sizeof(std::uint16_t) + sizeof(std::uint32_t)) +
+                            std::size_t{ settings.shapetons } * 4 * sizeof(float) + (std::size_t{ 1 } << 20);
+  deviceUse = shapeton::ChooseDevice(settings.device, bytes);
+  if (!deviceUse.gpu)
+  {
+    return;
+  }
+  const Sampling sampling = settings.directionSampling == DirectionSampling::SolidAngle   ? Sampling::SolidAngle
+                            : settings.directionSampling == DirectionSampling::SectorArea ? Sampling::SectorArea
+                                                                                          : Sampling::Uniform;
+  const auto     make = reinterpret_cast<MakeDeviceShapetonWalkFunction *>(FindDeviceFunction("ShapetonMakeWalk"));
+  m_Device.reset(make({ surroundings,
+                        &table,
+                        sampling,
+                        settings.pathRule == PathRule::Traversal,
+                        settings.shapetons,
+                        settings.seed }));
+  SendToDevice();
+}
+
+void
+ShapetonWalk::SendToDevice()
+{
+  if (m_Device)
+  {
+    m_Device->Upload({ { places[0].data(), places[1].data(), places[2].data() }, voxels.data(), visits });
+  }
+}
+
+void
+ShapetonWalk::FetchFromDevice()
+{
+  if (m_Device)
+  {
+    m_Device->Download({ { places[0].data(), places[1].data(), places[2].data() }, voxels.data(), visits });
+  }
 }
 } // namespace shapeton

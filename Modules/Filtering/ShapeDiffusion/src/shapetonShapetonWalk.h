@@ -1,6 +1,7 @@
 #ifndef shapetonShapetonWalk_h
 #define shapetonShapetonWalk_h
 
+#include "shapetonDeviceShapetonWalk.h"
 #include "shapetonShapetonDiffusion.h"
 #include "shapetonShapetonKernels.h"
 #include "shapetonShapetonRecords.h"
@@ -8,30 +9,11 @@
 #include <array>
 #include <cstdint>
 #include <functional>
-#include <utility>
+#include <memory>
 #include <vector>
 
 namespace shapeton
 {
-/** What counting visits one by one finds out. `old` is the count before a visit; the order of visits is arbitrary, but
- * these sums do not depend on it. */
-struct ShapetonTally
-{
-  std::uint64_t sumOfOld{ 0 };
-  std::uint32_t maximum{ 0 };
-  std::uint64_t reached{ 0 };
-  std::uint64_t objectsReached{ 0 };
-
-  void
-  Add(const ShapetonTally & other)
-  {
-    sumOfOld += other.sumOfOld;
-    maximum = std::max(maximum, other.maximum);
-    reached += other.reached;
-    objectsReached += other.objectsReached;
-  }
-};
-
 /** The shapetons of a run in their volume: where they are, how they move, and how their visits are counted. */
 struct ShapetonWalk
 {
@@ -53,9 +35,14 @@ struct ShapetonWalk
   ShapetonTally
   TakeSteps(std::size_t first, std::size_t number, std::uint64_t begin, std::uint64_t end);
 
-  /** The visits of the shapetons' voxels, summed over the shapetons, and how many are trapped. */
-  std::pair<std::uint64_t, std::uint32_t>
+  ShapetonSum
   SumOverShapetons();
+
+  /** Where a GPU moves the shapetons: places, voxels and visits come from there, or go there. */
+  void
+  FetchFromDevice();
+  void
+  SendToDevice();
 
   const ShapetonDiffusionSettings     settings;
   const std::array<std::size_t, 3>    size;
@@ -66,8 +53,11 @@ struct ShapetonWalk
   ShapetonKernels::Surroundings       surroundings{};
   std::array<std::vector<float>, 3>   places; ///< in voxels, as long as the kernels want them
   std::vector<std::uint32_t>          voxels;
+  DeviceUse                           deviceUse;
 
 private:
+  void
+  ChooseDevice();
   void
   DescribeSurroundings();
   void
@@ -83,6 +73,8 @@ private:
   template <typename TBody>
   void
   ForGroups(std::size_t first, std::size_t number, std::uint64_t shapetonSteps, const TBody & body);
+
+  std::unique_ptr<DeviceShapetonWalk> m_Device;
 };
 } // namespace shapeton
 

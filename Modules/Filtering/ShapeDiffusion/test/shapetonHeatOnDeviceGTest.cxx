@@ -60,7 +60,6 @@ ExpectTheSame(const Volume & volume, const Settings & settings)
   {
     EXPECT_TRUE(SameBytes(gpu.snapshots.at(step), heat)) << step;
   }
-  EXPECT_GT(*std::max_element(cpu.heat.begin(), cpu.heat.end()), 0.0F); // the comparison says something
 }
 
 Settings
@@ -84,8 +83,11 @@ Large()
 TEST(HeatOnDevice, ExpansionAndHistogramAreTheSameBytes)
 {
   SHAPETON_REQUIRE_DEVICE();
-  const Volume volume = MakeScene(Large(), 0.05);
-  ExpectTheSame(volume, MakeSettings(volume, 20000));
+  const Volume   volume = MakeScene(Large(), 0.05);
+  const Settings settings = MakeSettings(volume, 20000);
+  ExpectTheSame(volume, settings);
+  const auto heat = Diffuse(volume, settings, Device::Cuda).heat;
+  EXPECT_GT(*std::max_element(heat.begin(), heat.end()), 0.1F); // the comparison says something
 }
 
 TEST(HeatOnDevice, OddSizesAndAnisotropicVoxelsAreTheSameBytes)
