@@ -6,6 +6,7 @@
 #include "shapetonHeatClassification.h"
 #include "shapetonHeatResultFiles.h"
 #include "shapetonExceptions.h"
+#include "shapetonToolDevice.h"
 #include "shapetonToolVolumes.h"
 
 #include <set>
@@ -53,6 +54,7 @@ Configure(CommandLine & commandLine, FilterType * filter)
     filter->UntilSteadyOn();
     commandLine.AddProvenance("option.p", "automatic");
   }
+  filter->SetDevice(shapeton::ReadDevice(commandLine));
   filter->SetTimeSteps(commandLine.GetInteger("timeSteps"));
   filter->SetTimeStepLength(commandLine.GetDouble("timeStepLength"));
   filter->SetTolerance(commandLine.GetDouble("tolerance"));
@@ -109,6 +111,7 @@ Diffuse(CommandLine & commandLine)
   commandLine.Watch(filter, "Diffusing heat", 0.0, 0.95);
   filter->Update();
   const auto & result = filter->GetResult();
+  commandLine.AddRunFact("device", result.device);
   const auto   lastSnapshot = snapshotSteps.empty() ? 0 : snapshotSteps.back();
   for (const auto & remark : shapeton::RunRemarks(result, filter->GetUntilSteady(), lastSnapshot))
   {

@@ -6,6 +6,7 @@
 #include "shapetonShapetonMonitor.h"
 #include "shapetonShapetonResultFiles.h"
 #include "shapetonExceptions.h"
+#include "shapetonToolDevice.h"
 #include "shapetonToolVolumes.h"
 
 #include <charconv>
@@ -56,6 +57,7 @@ Configure(const CommandLine & commandLine, FilterType * filter)
     filter->SetIntensityWindow(window[0], window[1]);
   }
   const std::string sampling = commandLine.GetString("directionSampling");
+  filter->SetDevice(shapeton::ReadDevice(commandLine));
   filter->SetP(commandLine.GetDouble("p"));
   filter->SetNumberOfShapetons(static_cast<std::uint32_t>(commandLine.GetInteger("shapetons")));
   filter->SetDistance(commandLine.GetDouble("distance"));
@@ -125,6 +127,7 @@ Diffuse(CommandLine & commandLine)
   shapeton::ShapetonMonitor monitor(commandLine, filter);
   commandLine.Watch(filter, "Diffusing shapetons", 0.0, 0.95);
   Update(commandLine, filter);
+  commandLine.AddRunFact("device", filter->GetDeviceUse().Describe());
   if (filter->GetAutomaticDistance())
   {
     commandLine.AddProvenance("chosen.distance", shapeton::CsvTable::Number(filter->GetDistance()));

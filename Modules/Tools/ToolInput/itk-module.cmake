@@ -4,6 +4,7 @@ itk_module(ToolInput
   ENABLE_SHARED
   EXCLUDE_FROM_DEFAULT
   DEPENDS
+    Devices
     SurfaceMesh
     DicomSeries
     SlicerMarkups

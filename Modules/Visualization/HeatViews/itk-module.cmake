@@ -4,6 +4,7 @@ itk_module(HeatViews
   ENABLE_SHARED
   EXCLUDE_FROM_DEFAULT
   DEPENDS
+    Devices
     ShapeDiffusion
     PictureKit
     ITKCommon

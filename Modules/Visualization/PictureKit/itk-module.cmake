@@ -4,10 +4,10 @@ itk_module(PictureKit
   ENABLE_SHARED
   EXCLUDE_FROM_DEFAULT
   DEPENDS
+    Base
     SurfaceMesh
     ITKCommon
   PRIVATE_DEPENDS
-    Base
     Report
     VTKData
   TEST_DEPENDS

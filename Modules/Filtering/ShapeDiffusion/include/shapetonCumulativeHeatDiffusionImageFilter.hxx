@@ -54,6 +54,7 @@ CumulativeHeatDiffusionImageFilter<TInputImage>::MakeSettings(const float * inte
   settings.histogramSteps = m_HistogramSteps;
   settings.snapshotSteps = m_SnapshotSteps;
   settings.wantComponents = m_WantComponents;
+  settings.device = this->GetDevice();
   return settings;
 }
 

@@ -132,6 +132,13 @@ public:
   itkSetMacro(Seed, std::uint64_t);
   itkGetConstMacro(Seed, std::uint64_t);
 
+  /** Where the last Update() was computed. */
+  const DeviceUse &
+  GetDeviceUse() const
+  {
+    return m_DeviceUse;
+  }
+
   /** Stop when the density is steady by (3.10) with Epsilon, or with the epsilon that the run itself suggests
    * (AutomaticEpsilon). Default off, 0.05, off. */
   itkSetMacro(UntilSteady, bool);
@@ -210,6 +217,7 @@ private:
   PathRule                       m_PathRule{ PathRule::Endpoint };
   ShapetonPlacement              m_Placement{ ShapetonPlacement::Uniform };
   std::uint64_t                  m_Seed{ 1 };
+  DeviceUse                      m_DeviceUse;
   bool                           m_UntilSteady{ false };
   double                         m_Epsilon{ 0.05 };
   bool                           m_AutomaticEpsilon{ false };

@@ -102,6 +102,7 @@ ShapetonDiffusionImageFilter<TInputImage>::MakeSettings(const float * intensitie
   settings.pathRule = m_PathRule;
   settings.placement = m_Placement;
   settings.seed = m_Seed;
+  settings.device = this->GetDevice();
   return settings;
 }
 
@@ -123,6 +124,7 @@ ShapetonDiffusionImageFilter<TInputImage>::PlaceShapetons()
                                                     mask ? mask->GetBufferPointer() : nullptr,
                                                     this->GetOutput()->GetBufferPointer(),
                                                     [this] { this->ReportProgress(this->GetProgress()); });
+  m_DeviceUse = m_Diffusion->GetDeviceUse();
   if (m_InitialState)
   {
     try

@@ -1,6 +1,7 @@
 #ifndef shapetonVolumeDiffusionImageFilter_h
 #define shapetonVolumeDiffusionImageFilter_h
 
+#include "shapetonDevice.h"
 #include "shapetonITKCompatibility.h"
 #include "shapetonVolumeGradientOperator.h"
 
@@ -50,6 +51,23 @@ public:
   itkSetMacro(TimeSteps, std::uint64_t);
   itkGetConstMacro(TimeSteps, std::uint64_t);
 
+  /** Where the diffusion is computed: by default on the GPU where one is there and has the memory, else on the CPU; the
+   * output is the same bytes. Update() throws DeviceError where Device::Cuda is asked for and cannot be used. */
+  void
+  SetDevice(Device device)
+  {
+    if (m_Device != device)
+    {
+      m_Device = device;
+      this->Modified();
+    }
+  }
+  Device
+  GetDevice() const
+  {
+    return m_Device;
+  }
+
 protected:
   explicit VolumeDiffusionImageFilter(std::uint64_t timeSteps) : m_TimeSteps(timeSteps) {}
   ~VolumeDiffusionImageFilter() override = default;
@@ -85,6 +103,7 @@ private:
   double        m_WindowLower{ 0.0 };
   double        m_WindowUpper{ 0.0 };
   std::uint64_t m_TimeSteps;
+  Device        m_Device{ Device::Automatic };
 };
 } // namespace shapeton
 

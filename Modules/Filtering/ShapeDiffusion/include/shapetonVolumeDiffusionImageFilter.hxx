@@ -124,6 +124,7 @@ VolumeDiffusionImageFilter<TInputImage, TOutputImage>::PrintSelf(std::ostream & 
   os << indent << "WindowLower: " << m_WindowLower << std::endl;
   os << indent << "WindowUpper: " << m_WindowUpper << std::endl;
   os << indent << "TimeSteps: " << m_TimeSteps << std::endl;
+  os << indent << "Device: " << NameOf(m_Device) << std::endl;
 }
 } // namespace shapeton
 

@@ -166,7 +166,7 @@ public:
 
   /** What a result says of its making: tool, version, inputs, repairs, the options that change it.
    * Options stand there with their defaults and in one spelling (`1e3` and `1000` are the same), booleans only when
-   * true. Never threads, paths, dates, host or durations, so that equal runs give equal bytes. */
+   * true. Never threads, device, paths, dates, host or durations, so that equal runs give equal bytes. */
   Provenance
   GetProvenance() const;
 
@@ -178,9 +178,13 @@ public:
   void
   LeaveOutOfProvenance(const std::string & name);
 
+  /** Adds a key to the files of RecordRun(), for what need not be the same in equal runs, such as the device. */
+  void
+  AddRunFact(const std::string & key, const std::string & value);
+
   /** Asks for a JSON file at `path` that says how the run went: all that equal runs need not share. Its keys are tool,
-   * version, arguments, host, threads, start (UTC), seconds, stages (seconds of each stage of the progress) and
-   * warnings. By custom `<output>.run.json`. */
+   * version, arguments, host, threads, start (UTC), seconds, stages (seconds of each stage of the progress),
+   * warnings and what AddRunFact() adds. By custom `<output>.run.json`. */
   void
   RecordRun(const std::string & path);
 

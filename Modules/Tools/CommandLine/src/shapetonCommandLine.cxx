@@ -159,10 +159,11 @@ struct CommandLine::State
   std::map<std::string, std::string>          returned;
   std::vector<std::string>                    warnings;
   Provenance                                  facts;
+  Provenance                                  runFacts;
   std::vector<std::string>                    runRecords; // temporary names
   OutputFiles                                 outputs;
   std::set<std::string>                       replaceable;       // inputs that an output may replace
-  std::set<std::string>                       idle{ "threads" }; // options that change no result
+  std::set<std::string>                       idle{ "threads", "device" }; // options that change no result
   ProgressDisplay                             display;
   const std::chrono::system_clock::time_point start{ std::chrono::system_clock::now() };
   const std::chrono::steady_clock::time_point steadyStart{ std::chrono::steady_clock::now() };
@@ -241,7 +242,7 @@ CommandLine::State::FindGiven(const std::string & name) const
   return values == parsed.given.end() ? nullptr : &values->second;
 }
 
-// Inputs stand there by their identity; where outputs go and how many threads compute them changes no result.
+// Inputs stand there by their identity; where outputs go and what computes them changes no result.
 bool
 CommandLine::State::IsInProvenance(const Parameter & parameter) const
 {
@@ -338,6 +339,10 @@ CommandLine::State::RunRecordText() const
     record["stages"][stage] = seconds;
   }
   record["warnings"] = warnings;
+  for (const auto & [key, value] : runFacts)
+  {
+    record[key] = value;
+  }
   return record.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + '\n';
 }
 
@@ -608,6 +613,12 @@ CommandLine::GetProvenance() const
     }
   }
   return provenance;
+}
+
+void
+CommandLine::AddRunFact(const std::string & key, const std::string & value)
+{
+  m_State->runFacts.emplace_back(key, value);
 }
 
 void

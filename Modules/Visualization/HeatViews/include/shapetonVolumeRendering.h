@@ -4,10 +4,12 @@
 #include "HeatViewsExport.h"
 
 #include "itkImage.h"
+#include "shapetonDevice.h"
 #include "shapetonPatientView.h"
 #include "shapetonPicture.h"
 #include "shapetonShapeTransferFunction.h"
 
+#include <memory>
 #include <optional>
 
 namespace shapeton
@@ -26,16 +28,44 @@ struct VolumeRenderingOptions : PatientViewOptions
 HeatViews_EXPORT PatientView
 ViewOfVolume(const itk::ImageBase<3> * volume, const VolumeRenderingOptions & options);
 
-/** A picture of a heat volume with a shape-based transfer function (dissertation 2.5, Figures 2.6, 2.9 to 2.11).
+/** \class VolumeRenderer
+ * \brief Pictures of a heat volume with a shape-based transfer function (dissertation 2.5, Figures 2.6, 2.9 to 2.11).
  *
- * Direct volume rendering by ray casting on the CPU; needs neither a display nor a graphics driver. Each voxel is
- * classified by its own heat and colour and opacity are interpolated: heat is not, because between an object and the
- * background it would pass through the heats of all other objects and paint their colours around this one. Opacity is
- * for a path of one smallest spacing; of what is transparent little more than the surface is drawn, so that objects
- * inside others can be seen. Light comes from over the viewer's left shoulder. Origin, spacing and direction cosines
- * are respected. Equal input gives equal bytes for any number of threads; ITK's global default number is used.
+ * Direct volume rendering by ray casting, on the CPU or on a GPU with the same bytes; needs neither a display nor a
+ * graphics driver. Each voxel is classified by its own heat, once, and colour and opacity are interpolated: heat is not,
+ * because between an object and the background it would pass through the heats of all other objects and paint their
+ * colours around this one. Opacity is for a path of one smallest spacing; of what is transparent little more than the
+ * surface is drawn, so that objects inside others can be seen. Light comes from over the viewer's left shoulder. Origin,
+ * spacing and direction cosines are respected. Equal input gives equal bytes for any number of threads; ITK's global
+ * default number is used.
  *
- * Throws std::invalid_argument for an empty volume and for wrong options (see PatientView).
+ * \ingroup HeatViews */
+class HeatViews_EXPORT VolumeRenderer
+{
+public:
+  /** Throws std::invalid_argument for an empty volume, DeviceError where the device cannot be used. */
+  VolumeRenderer(const itk::Image<float, 3> *  heat,
+                 const ShapeTransferFunction & transferFunction,
+                 Device                        device = Device::Automatic);
+  ~VolumeRenderer();
+  VolumeRenderer(const VolumeRenderer &) = delete;
+  VolumeRenderer &
+  operator=(const VolumeRenderer &) = delete;
+
+  /** Throws std::invalid_argument for wrong options (see PatientView). */
+  Picture::Pointer
+  Render(const VolumeRenderingOptions & options = {}) const;
+
+  /** Where the pictures are computed. */
+  const DeviceUse &
+  GetDeviceUse() const;
+
+private:
+  struct Impl;
+  std::unique_ptr<Impl> m_Impl;
+};
+
+/** One picture by a VolumeRenderer on the CPU.
  * \ingroup HeatViews */
 HeatViews_EXPORT Picture::Pointer
                  RenderVolume(const itk::Image<float, 3> *   heat,

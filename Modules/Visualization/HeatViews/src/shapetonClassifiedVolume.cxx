@@ -10,8 +10,6 @@ namespace shapeton
 {
 namespace
 {
-constexpr float fullOpacity = 65535.0F;
-
 void
 ForEach(int number, const std::function<void(int)> & work)
 {
@@ -32,22 +30,6 @@ SmoothLine(std::uint16_t * line, int length, std::size_t stride)
     previous = value;
   }
 }
-
-/** The two voxels around a coordinate, at the border one and the same, and the share of the second one. */
-struct Neighbours
-{
-  int   first;
-  int   second;
-  float share;
-};
-
-Neighbours
-NeighboursOf(double coordinate, int size)
-{
-  const double within = std::min(std::max(coordinate, 0.0), size - 1.0);
-  const int    first = static_cast<int>(within);
-  return { first, std::min(first + 1, size - 1), static_cast<float>(within - first) };
-}
 } // namespace
 
 ClassifiedVolume::ClassifiedVolume(const itk::Image<float, 3> * heat, const ShapeTransferFunction & transferFunction)
@@ -66,14 +48,14 @@ ClassifiedVolume::ClassifiedVolume(const itk::Image<float, 3> * heat, const Shap
 void
 ClassifiedVolume::Classify(const itk::Image<float, 3> * heat, const ShapeTransferFunction & transferFunction)
 {
-  m_Samples.push_back(Sample{});
+  m_Samples.push_back(RaySample{});
   for (const TransferFunctionLine & line : transferFunction.GetLines())
   {
     const auto opacity = static_cast<float>(line.opacity);
-    m_Samples.push_back({ opacity * static_cast<float>(line.color[0]) / 255.0F,
+    m_Samples.push_back({ { opacity * static_cast<float>(line.color[0]) / 255.0F,
                           opacity * static_cast<float>(line.color[1]) / 255.0F,
                           opacity * static_cast<float>(line.color[2]) / 255.0F,
-                          opacity });
+                          opacity } });
   }
   const std::size_t   slice = static_cast<std::size_t>(m_Size[0]) * m_Size[1];
   const float * const heats = heat->GetBufferPointer();
@@ -83,7 +65,7 @@ ClassifiedVolume::Classify(const itk::Image<float, 3> * heat, const ShapeTransfe
     for (std::size_t i = z * slice; i < (z + 1) * slice; ++i)
     {
       m_Lines[i] = static_cast<std::uint8_t>(transferFunction.LineOf(heats[i]) + 1);
-      m_SmoothOpacity[i] = static_cast<std::uint16_t>(m_Samples[m_Lines[i]][3] * fullOpacity + 0.5F);
+      m_SmoothOpacity[i] = static_cast<std::uint16_t>(m_Samples[m_Lines[i]].channel[3] * FullOpacity + 0.5F);
     }
   });
 }
@@ -109,7 +91,7 @@ ClassifiedVolume::MarkOccupiedBlocks()
         for (int x = 0; x < m_Size[0]; ++x)
         {
           const std::uint8_t line = m_Lines[(static_cast<std::size_t>(z) * m_Size[1] + y) * m_Size[0] + x];
-          if (m_Samples[line][3] == 0.0F)
+          if (m_Samples[line].channel[3] == 0.0F)
           {
             continue;
           }
@@ -205,102 +187,14 @@ ClassifiedVolume::SmoothOpacity()
   }
 }
 
-ClassifiedVolume::Content
-ClassifiedVolume::ContentAt(const double position[3]) const
+RayVolume
+ClassifiedVolume::GetRayVolume() const
 {
-  int block[3];
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    const double within = std::min(std::max(position[axis], 0.0), m_Size[axis] - 1.0);
-    block[axis] = static_cast<int>(within) / BlockSize;
-  }
-  return m_Content[this->BlockIndex(block[0], block[1], block[2])];
-}
-
-ClassifiedVolume::Sample
-ClassifiedVolume::UniformSampleAt(const double position[3]) const
-{
-  int index[3];
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    index[axis] = static_cast<int>(std::min(std::max(position[axis], 0.0), m_Size[axis] - 1.0));
-  }
-  return m_Samples[m_Lines[(static_cast<std::size_t>(index[2]) * m_Size[1] + index[1]) * m_Size[0] + index[0]]];
-}
-
-ClassifiedVolume::Sample
-ClassifiedVolume::SampleAt(const double position[3]) const
-{
-  const Neighbours x = NeighboursOf(position[0], m_Size[0]);
-  const Neighbours y = NeighboursOf(position[1], m_Size[1]);
-  const Neighbours z = NeighboursOf(position[2], m_Size[2]);
-  Sample           sum{};
-  float            covered = 0.0F;
-  const auto       add = [&](int i, int j, int k, float weight) {
-    const std::uint8_t line = m_Lines[(static_cast<std::size_t>(k) * m_Size[1] + j) * m_Size[0] + i];
-    if (m_Samples[line][3] > 0.0F)
-    {
-      covered += weight;
-      for (std::size_t channel = 0; channel < sum.size(); ++channel)
-      {
-        sum[channel] += weight * m_Samples[line][channel];
-      }
-    }
-  };
-  const auto addRow = [&](int j, int k, float weight) {
-    add(x.first, j, k, weight * (1.0F - x.share));
-    add(x.second, j, k, weight * x.share);
-  };
-  addRow(y.first, z.first, (1.0F - y.share) * (1.0F - z.share));
-  addRow(y.second, z.first, y.share * (1.0F - z.share));
-  addRow(y.first, z.second, (1.0F - y.share) * z.share);
-  addRow(y.second, z.second, y.share * z.share);
-  const float factor = covered > 0.0F ? std::min(std::max(2.0F * covered - 0.5F, 0.0F), 1.0F) / covered : 0.0F;
-  for (float & channel : sum)
-  {
-    channel *= factor;
-  }
-  return sum;
-}
-
-float
-ClassifiedVolume::SmoothOpacityAt(int x, int y, int z) const
-{
-  return m_SmoothOpacity[(static_cast<std::size_t>(z) * m_Size[1] + y) * m_Size[0] + x] / fullOpacity;
-}
-
-std::array<float, 3>
-ClassifiedVolume::GradientAt(const double position[3]) const
-{
-  const std::array<Neighbours, 3> near{
-    { NeighboursOf(position[0], m_Size[0]), NeighboursOf(position[1], m_Size[1]), NeighboursOf(position[2], m_Size[2]) }
-  };
-  std::array<float, 3> gradient{};
-  for (unsigned int corner = 0; corner < 8; ++corner)
-  {
-    int   index[3];
-    float weight = 1.0F;
-    for (unsigned int axis = 0; axis < 3; ++axis)
-    {
-      const bool isSecond = (corner >> axis) & 1U;
-      index[axis] = isSecond ? near[axis].second : near[axis].first;
-      weight *= isSecond ? near[axis].share : 1.0F - near[axis].share;
-    }
-    if (weight == 0.0F)
-    {
-      continue;
-    }
-    for (unsigned int axis = 0; axis < 3; ++axis)
-    {
-      int before[3] = { index[0], index[1], index[2] };
-      int after[3] = { index[0], index[1], index[2] };
-      before[axis] = std::max(index[axis] - 1, 0);
-      after[axis] = std::min(index[axis] + 1, m_Size[axis] - 1);
-      const float rise =
-        this->SmoothOpacityAt(after[0], after[1], after[2]) - this->SmoothOpacityAt(before[0], before[1], before[2]);
-      gradient[axis] += 0.5F * weight * rise;
-    }
-  }
-  return gradient;
+  return { { m_Size[0], m_Size[1], m_Size[2] },
+           { m_Blocks[0], m_Blocks[1], m_Blocks[2] },
+           m_Samples.data(),
+           m_Lines.data(),
+           m_SmoothOpacity.data(),
+           m_Content.data() };
 }
 } // namespace shapeton

@@ -1,7 +1,7 @@
 #ifndef shapetonLighting_h
 #define shapetonLighting_h
 
-#include "itkVector.h"
+#include "shapetonHostDevice.h"
 
 namespace shapeton
 {
@@ -13,7 +13,7 @@ struct Lighting
   float highlight;  ///< white, added
 
   /** The cosines of a normal to the light and to the direction halfway to the viewer; both at least 0. */
-  static Lighting
+  SHAPETON_HOST_DEVICE static Lighting
   Of(float towardsLight, float halfway)
   {
     constexpr float ambient = 0.3F;
@@ -23,18 +23,18 @@ struct Lighting
     const float     power8 = power2 * power2 * power2 * power2;
     return { ambient + diffuse * towardsLight, specular * power8 * power2 };
   }
-  static Lighting
+  SHAPETON_HOST_DEVICE static Lighting
   Even()
   {
     return { 0.9F, 0.0F };
   }
 
-  static itk::Vector<double, 3>
-  DirectionToLight(const itk::Vector<double, 3> & right,
-                   const itk::Vector<double, 3> & up,
-                   const itk::Vector<double, 3> & forward)
+  /** `TVector`: itk::Vector<double, 3>. */
+  template <typename TVector>
+  static TVector
+  DirectionToLight(const TVector & right, const TVector & up, const TVector & forward)
   {
-    itk::Vector<double, 3> toLight = up * 0.5 - right * 0.4 - forward;
+    TVector toLight = up * 0.5 - right * 0.4 - forward;
     toLight.Normalize();
     return toLight;
   }

@@ -93,6 +93,22 @@ public:
   {
     return m_MillimetresPerPixel;
   }
+  /** The middle of the picture, in pixels, and what is seen there. */
+  double
+  GetMiddleX() const
+  {
+    return m_MiddleX;
+  }
+  double
+  GetMiddleY() const
+  {
+    return m_MiddleY;
+  }
+  const PointType &
+  GetCenter() const
+  {
+    return m_Center;
+  }
 
 private:
   void

@@ -1,0 +1,371 @@
+#ifndef shapetonRayArithmetic_h
+#define shapetonRayArithmetic_h
+
+#include "shapetonHostDevice.h"
+#include "shapetonLighting.h"
+
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+
+namespace shapeton
+{
+/** Colour multiplied by opacity, and opacity, all in [0, 1]. */
+struct RaySample
+{
+  float channel[4];
+};
+
+/** What the neighbourhood of a position holds, without looking at its voxels. */
+enum class RayContent : std::uint8_t
+{
+  Transparent,
+  Mixed,
+  /** One line, so far around that there is no gradient. */
+  Uniform
+};
+
+/** Edge of a block of voxels with one RayContent. */
+constexpr int RayBlockSize = 8;
+/** Opacity is kept smooth in units of one by this. */
+constexpr float FullOpacity = 65535.0F;
+
+/** A ClassifiedVolume as a ray caster reads it. */
+struct RayVolume
+{
+  int                   size[3];
+  int                   blocks[3];
+  const RaySample *     samples;       ///< of "no line" and of each line
+  const std::uint8_t *  lines;         ///< of each voxel, 0: none, else the line's index + 1
+  const std::uint16_t * smoothOpacity; ///< of each voxel
+  const RayContent *    content;       ///< of each block
+};
+
+/** Where a picture's rays run in a volume: lengths in mm, in patient space, and in voxels, in index space. */
+struct RayView
+{
+  // The picture plane.
+  double center[3];
+  double right[3];
+  double up[3];
+  double millimetresPerPixel;
+  double middleX;
+  double middleY;
+  // The volume.
+  double inverse[3][3]; ///< of the direction cosines
+  double spacing[3];
+  double first[3]; ///< the first voxel
+  // The light and the way of a ray.
+  double        step[3]; ///< between two samples, in voxels
+  double        toLight[3];
+  double        halfway[3];
+  unsigned char background[3];
+};
+
+/** The colour of a pixel: the one source of the ray caster's arithmetic for the CPU and for the kernels of a GPU.
+ * Positions are continuous indices relative to the first voxel. */
+namespace RayArithmetic
+{
+template <typename T>
+SHAPETON_HOST_DEVICE T
+Smaller(T a, T b)
+{
+  return b < a ? b : a;
+}
+
+template <typename T>
+SHAPETON_HOST_DEVICE T
+Larger(T a, T b)
+{
+  return a < b ? b : a;
+}
+
+/** The coordinate within the voxels' centres. */
+SHAPETON_HOST_DEVICE double
+Within(double coordinate, int size)
+{
+  return Smaller(Larger(coordinate, 0.0), size - 1.0);
+}
+
+SHAPETON_HOST_DEVICE std::size_t
+VoxelIndex(const RayVolume & volume, int x, int y, int z)
+{
+  return (static_cast<std::size_t>(z) * volume.size[1] + y) * volume.size[0] + x;
+}
+
+SHAPETON_HOST_DEVICE RayContent
+ContentAt(const RayVolume & volume, const double position[3])
+{
+  int block[3];
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    block[axis] = static_cast<int>(Within(position[axis], volume.size[axis])) / RayBlockSize;
+  }
+  return volume.content[(static_cast<std::size_t>(block[2]) * volume.blocks[1] + block[1]) * volume.blocks[0] +
+                        block[0]];
+}
+
+/** The two voxels around a coordinate, at the border one and the same, and the share of the second one. */
+struct Neighbours
+{
+  int   first;
+  int   second;
+  float share;
+};
+
+SHAPETON_HOST_DEVICE Neighbours
+NeighboursOf(double coordinate, int size)
+{
+  const double within = Within(coordinate, size);
+  const int    first = static_cast<int>(within);
+  return { first, Smaller(first + 1, size - 1), static_cast<float>(within - first) };
+}
+
+/** Colour and opacity where the content is uniform. */
+SHAPETON_HOST_DEVICE RaySample
+UniformSampleAt(const RayVolume & volume, const double position[3])
+{
+  int index[3];
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    index[axis] = static_cast<int>(Within(position[axis], volume.size[axis]));
+  }
+  return volume.samples[volume.lines[VoxelIndex(volume, index[0], index[1], index[2])]];
+}
+
+/** Colour and opacity between voxels. The border of an object, where half of it is interpolated, is made twice as steep,
+ * so that the object keeps its size. */
+SHAPETON_HOST_DEVICE RaySample
+SampleAt(const RayVolume & volume, const double position[3])
+{
+  const Neighbours x = NeighboursOf(position[0], volume.size[0]);
+  const Neighbours y = NeighboursOf(position[1], volume.size[1]);
+  const Neighbours z = NeighboursOf(position[2], volume.size[2]);
+  RaySample        sum{};
+  float            covered = 0.0F;
+  for (int corner = 0; corner < 8; ++corner)
+  {
+    const bool        isSecond[3] = { (corner & 1) != 0, (corner & 2) != 0, (corner & 4) != 0 };
+    const float       ofRow = (isSecond[1] ? y.share : 1.0F - y.share) * (isSecond[2] ? z.share : 1.0F - z.share);
+    const float       weight = ofRow * (isSecond[0] ? x.share : 1.0F - x.share);
+    const std::size_t voxel = VoxelIndex(volume,
+                                         isSecond[0] ? x.second : x.first,
+                                         isSecond[1] ? y.second : y.first,
+                                         isSecond[2] ? z.second : z.first);
+    const RaySample & sample = volume.samples[volume.lines[voxel]];
+    if (sample.channel[3] > 0.0F)
+    {
+      covered += weight;
+      for (int channel = 0; channel < 4; ++channel)
+      {
+        sum.channel[channel] += weight * sample.channel[channel];
+      }
+    }
+  }
+  const float factor = covered > 0.0F ? Smaller(Larger(2.0F * covered - 0.5F, 0.0F), 1.0F) / covered : 0.0F;
+  for (float & channel : sum.channel)
+  {
+    channel *= factor;
+  }
+  return sum;
+}
+
+SHAPETON_HOST_DEVICE float
+SmoothOpacityAt(const RayVolume & volume, const int index[3])
+{
+  return volume.smoothOpacity[VoxelIndex(volume, index[0], index[1], index[2])] / FullOpacity;
+}
+
+struct Gradient
+{
+  float along[3];
+};
+
+/** The gradient, for each voxel along its axis, of the smoothed opacity. */
+SHAPETON_HOST_DEVICE Gradient
+GradientAt(const RayVolume & volume, const double position[3])
+{
+  const Neighbours near[3] = { NeighboursOf(position[0], volume.size[0]),
+                               NeighboursOf(position[1], volume.size[1]),
+                               NeighboursOf(position[2], volume.size[2]) };
+  Gradient         gradient{};
+  for (unsigned int corner = 0; corner < 8; ++corner)
+  {
+    int   index[3];
+    float weight = 1.0F;
+    for (unsigned int axis = 0; axis < 3; ++axis)
+    {
+      const bool isSecond = (corner >> axis) & 1U;
+      index[axis] = isSecond ? near[axis].second : near[axis].first;
+      weight *= isSecond ? near[axis].share : 1.0F - near[axis].share;
+    }
+    if (weight == 0.0F)
+    {
+      continue;
+    }
+    for (unsigned int axis = 0; axis < 3; ++axis)
+    {
+      int before[3] = { index[0], index[1], index[2] };
+      int after[3] = { index[0], index[1], index[2] };
+      before[axis] = Larger(index[axis] - 1, 0);
+      after[axis] = Smaller(index[axis] + 1, volume.size[axis] - 1);
+      const float rise = SmoothOpacityAt(volume, after) - SmoothOpacityAt(volume, before);
+      gradient.along[axis] += 0.5F * weight * rise;
+    }
+  }
+  return gradient;
+}
+
+SHAPETON_HOST_DEVICE double
+Product(const double a[3], const double b[3])
+{
+  double sum = 0.0;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    sum += a[axis] * b[axis];
+  }
+  return sum;
+}
+
+/** A physical vector as the volume's indices see it. */
+SHAPETON_HOST_DEVICE void
+ToIndexVector(const RayView & view, const double physical[3], double index[3])
+{
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    index[axis] = Product(view.inverse[axis], physical) / view.spacing[axis];
+  }
+}
+
+/** Where the ray of a pixel meets the picture plane, as a continuous index. */
+SHAPETON_HOST_DEVICE void
+StartOfRay(const RayView & view, double x, double y, double start[3])
+{
+  const double toRight = (x - view.middleX) * view.millimetresPerPixel;
+  const double upwards = (view.middleY - y) * view.millimetresPerPixel;
+  double       fromFirst[3];
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    fromFirst[axis] = ((view.center[axis] + view.right[axis] * toRight) + view.up[axis] * upwards) - view.first[axis];
+  }
+  ToIndexVector(view, fromFirst, start);
+}
+
+/** The samples between which the ray is inside the volume, whose voxels reach half a voxel beyond their centres. */
+SHAPETON_HOST_DEVICE bool
+Clip(const RayVolume & volume, const RayView & view, const double start[3], double & first, double & last)
+{
+  constexpr double greatest = 1.7976931348623157e308;
+  first = -greatest;
+  last = greatest;
+  for (unsigned int axis = 0; axis < 3; ++axis)
+  {
+    const double lower = -0.5 - start[axis];
+    const double upper = volume.size[axis] - 0.5 - start[axis];
+    if (view.step[axis] == 0.0)
+    {
+      if (lower > 0.0 || upper < 0.0)
+      {
+        return false;
+      }
+      continue;
+    }
+    const double a = lower / view.step[axis];
+    const double b = upper / view.step[axis];
+    first = Larger(first, Smaller(a, b));
+    last = Smaller(last, Larger(a, b));
+  }
+  return first <= last;
+}
+
+SHAPETON_HOST_DEVICE Lighting
+LightAt(const RayView & view, const Gradient & perVoxel)
+{
+  double perMillimetre[3];
+  for (unsigned int axis = 0; axis < 3; ++axis)
+  {
+    perMillimetre[axis] = perVoxel.along[axis] / view.spacing[axis];
+  }
+  // The inverse's transpose: direction cosines need not be exactly orthogonal.
+  double gradient[3];
+  for (unsigned int axis = 0; axis < 3; ++axis)
+  {
+    gradient[axis] = view.inverse[0][axis] * perMillimetre[0] + view.inverse[1][axis] * perMillimetre[1] +
+                     view.inverse[2][axis] * perMillimetre[2];
+  }
+  const double length = sqrt(Product(gradient, gradient));
+  if (length < 1e-4)
+  {
+    return Lighting::Even();
+  }
+  // A surface is lit from both sides.
+  return Lighting::Of(static_cast<float>(fabs(Product(gradient, view.toLight)) / length),
+                      static_cast<float>(fabs(Product(gradient, view.halfway)) / length));
+}
+
+/** Adds a sample behind those that the ray has passed; `visible` is what they let through. \equation{1.3} */
+SHAPETON_HOST_DEVICE void
+Accumulate(const RayVolume & volume,
+           const RayView &   view,
+           const double      position[3],
+           bool              isUniform,
+           float             color[3],
+           float &           visible)
+{
+  const RaySample whole = isUniform ? UniformSampleAt(volume, position) : SampleAt(volume, position);
+  const float *   sample = whole.channel;
+  if (sample[3] <= 0.0F)
+  {
+    return;
+  }
+  const Gradient perVoxel = isUniform ? Gradient{} : GradientAt(volume, position);
+  const float *  g = perVoxel.along;
+  const float    steepness = Smaller(4.0F * sqrtf(g[0] * g[0] + g[1] * g[1] + g[2] * g[2]), 1.0F);
+  // What is opaque is so all through; of what is transparent little more than the surface is drawn.
+  const float    power2 = sample[3] * sample[3];
+  const float    inside = power2 * power2;
+  const float    opacity = sample[3] * (inside + (1.0F - inside) * Smaller(steepness / sample[3], 1.0F));
+  const float    ofSample = visible * (1.0F - sqrtf(1.0F - Smaller(opacity, 1.0F)));
+  const Lighting light = LightAt(view, perVoxel);
+  for (unsigned int channel = 0; channel < 3; ++channel)
+  {
+    color[channel] += ofSample * Smaller(light.brightness * sample[channel] / sample[3] + light.highlight, 1.0F);
+  }
+  visible -= ofSample;
+}
+
+/** The colour that is seen through a pixel. */
+SHAPETON_HOST_DEVICE void
+ColorOfPixel(const RayVolume & volume, const RayView & view, double x, double y, unsigned char seen[3])
+{
+  double start[3];
+  double first = 0.0;
+  double last = 0.0;
+  StartOfRay(view, x, y, start);
+  float color[3] = { 0.0F, 0.0F, 0.0F };
+  float visible = 1.0F;
+  if (Clip(volume, view, start, first, last))
+  {
+    // Whole sample numbers, counted from the picture plane: neighbouring rays sample the same planes.
+    for (double t = ceil(first); t <= last && visible > 0.004F; t += 1.0)
+    {
+      const double position[3] = { start[0] + t * view.step[0],
+                                   start[1] + t * view.step[1],
+                                   start[2] + t * view.step[2] };
+      const auto   content = ContentAt(volume, position);
+      if (content != RayContent::Transparent)
+      {
+        Accumulate(volume, view, position, content == RayContent::Uniform, color, visible);
+      }
+    }
+  }
+  for (unsigned int channel = 0; channel < 3; ++channel)
+  {
+    const float value = 255.0F * color[channel] + visible * view.background[channel];
+    seen[channel] = static_cast<unsigned char>(Smaller(value + 0.5F, 255.0F));
+  }
+}
+} // namespace RayArithmetic
+} // namespace shapeton
+
+#endif
