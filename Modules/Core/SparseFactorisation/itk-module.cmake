@@ -4,10 +4,9 @@ complex ones.")
 itk_module(SparseFactorisation
   ENABLE_SHARED
   EXCLUDE_FROM_DEFAULT
-  PRIVATE_DEPENDS
+  DEPENDS
     Base
   TEST_DEPENDS
-    Base
     ITKCommon
     ITKGoogleTest
   DESCRIPTION "${DOCUMENTATION}"

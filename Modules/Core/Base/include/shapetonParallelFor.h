@@ -1,12 +1,15 @@
 #ifndef shapetonParallelFor_h
 #define shapetonParallelFor_h
 
+#include "shapetonProgress.h"
+
 #include "itkMultiThreaderBase.h"
 
 #include <algorithm>
 #include <atomic>
 #include <exception>
 #include <mutex>
+#include <thread>
 
 namespace shapeton
 {
@@ -54,43 +57,90 @@ ParallelWorkers(unsigned int workers, const TBody & body)
   }
 }
 
-/** Calls `body(i, worker)` for 0 <= i < number, each i once, in no certain order. \ingroup Base */
+/** \class ProgressOfWorkers
+ * \brief Lets one thread alone report progress, that which has made this object: the caller of workers is one of them.
+ *
+ * \ingroup Base */
+class ProgressOfWorkers
+{
+public:
+  explicit ProgressOfWorkers(const Progress & progress) : m_Progress(progress) {}
+
+  /** Whether this thread may report. */
+  bool
+  IsReporter() const
+  {
+    return std::this_thread::get_id() == m_Reporter;
+  }
+
+  /** Reports if this thread may. */
+  void
+  operator()(double share) const
+  {
+    if (this->IsReporter())
+    {
+      m_Progress(share);
+    }
+  }
+
+private:
+  const Progress &      m_Progress;
+  const std::thread::id m_Reporter{ std::this_thread::get_id() };
+};
+
+/** Calls `body(i, worker)` for 0 <= i < number, each i once, in no certain order. Progress is reported after each i
+ * that the calling thread has taken. After an exception, of a body or of progress, no other i is begun.
+ *
+ * \ingroup Base */
 template <typename TBody>
 void
-ParallelForWorkers(std::size_t number, const TBody & body)
+ParallelForWorkers(std::size_t number, const TBody & body, const Progress & progress = {})
 {
   std::atomic<std::size_t> next{ 0 };
+  const ProgressOfWorkers  report(progress);
   ParallelWorkers(static_cast<unsigned int>(std::min<std::size_t>(NumberOfThreads(), number)),
                   [&](unsigned int worker) {
-                    for (std::size_t i = next++; i < number; i = next++)
+                    try
                     {
-                      body(i, worker);
+                      for (std::size_t i = next++; i < number; i = next++)
+                      {
+                        body(i, worker);
+                        report(static_cast<double>(i + 1) / static_cast<double>(number));
+                      }
+                    }
+                    catch (...)
+                    {
+                      next = number;
+                      throw;
                     }
                   });
 }
 
 /** Calls `body(i)` for 0 <= i < number, each i once, in no certain order; for bodies that take a microsecond or more.
- * \ingroup Base */
+ * Progress as of ParallelForWorkers(). \ingroup Base */
 template <typename TBody>
 void
-ParallelFor(std::size_t number, const TBody & body)
+ParallelFor(std::size_t number, const TBody & body, const Progress & progress = {})
 {
-  ParallelForWorkers(number, [&body](std::size_t i, unsigned int) { body(i); });
+  ParallelForWorkers(
+    number, [&body](std::size_t i, unsigned int) { body(i); }, progress);
 }
 
 /** ParallelFor() in blocks, for bodies that take less. \ingroup Base */
 template <typename TBody>
 void
-ParallelForBlocks(std::size_t number, const TBody & body)
+ParallelForBlocks(std::size_t number, const TBody & body, const Progress & progress = {})
 {
   constexpr std::size_t blockSize = 4096;
-  ParallelFor((number + blockSize - 1) / blockSize, [&](std::size_t block) {
-    const std::size_t end = std::min(number, (block + 1) * blockSize);
-    for (std::size_t i = block * blockSize; i < end; ++i)
-    {
-      body(i);
-    }
-  });
+  ParallelFor((number + blockSize - 1) / blockSize,
+              [&](std::size_t block) {
+                const std::size_t end = std::min(number, (block + 1) * blockSize);
+                for (std::size_t i = block * blockSize; i < end; ++i)
+                {
+                  body(i);
+                }
+              },
+              progress);
 }
 } // namespace shapeton
 

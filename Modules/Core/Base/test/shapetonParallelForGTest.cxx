@@ -2,6 +2,9 @@
 
 #include "gtest/gtest.h"
 
+#include <algorithm>
+#include <atomic>
+#include <chrono>
 #include <stdexcept>
 #include <thread>
 #include <vector>
@@ -79,6 +82,45 @@ TEST_P(WithThreads, OfTwoExceptionsTheFirstComesBack)
   const auto failToo = [] { throw std::logic_error("the second"); };
   EXPECT_THROW(shapeton::ParallelInvoke(fail, failToo), std::runtime_error);
   EXPECT_THROW(shapeton::ParallelInvoke([] {}, failToo), std::logic_error);
+}
+
+TEST_P(WithThreads, ProgressComesFromTheCallerAndAscends)
+{
+  const auto          caller = std::this_thread::get_id();
+  std::vector<double> shares;
+  shapeton::ParallelFor(
+    1000,
+    [](std::size_t) { std::this_thread::yield(); },
+    [&](double share) {
+      EXPECT_EQ(std::this_thread::get_id(), caller);
+      shares.push_back(share);
+    });
+  EXPECT_TRUE(std::is_sorted(shares.begin(), shares.end()));
+  ASSERT_FALSE(shares.empty());
+  EXPECT_GT(shares.front(), 0.0);
+  EXPECT_LE(shares.back(), 1.0);
+}
+
+TEST_P(WithThreads, NothingIsBegunAfterAnAbort)
+{
+  constexpr std::size_t    number = 100000;
+  std::atomic<std::size_t> begun{ 0 };
+  const auto               loop = [&] {
+    shapeton::ParallelFor(
+      number,
+      [&](std::size_t) {
+        ++begun;
+        std::this_thread::sleep_for(std::chrono::microseconds(10));
+      },
+      [](double share) {
+        if (share > 0.001)
+        {
+          throw std::runtime_error("stop");
+        }
+      });
+  };
+  EXPECT_THROW(loop(), std::runtime_error);
+  EXPECT_LT(begun, number / 2);
 }
 
 INSTANTIATE_TEST_SUITE_P(Threads, WithThreads, testing::Values(1U, 2U, 3U));

@@ -1,3 +1,4 @@
+#include "shapetonOpenEndedProgress.h"
 #include "shapetonProgress.h"
 #include "shapetonProvenance.h"
 
@@ -36,6 +37,29 @@ TEST(Progress, OfTheShareAlone)
   const shapeton::Progress progress = [&last](double share) { last = share; };
   progress("any stage", 0.75);
   EXPECT_EQ(last, 0.75);
+}
+
+TEST(Progress, OfStepsWithoutAnEndStaysBelowOne)
+{
+  double                      last = 0.0;
+  shapeton::OpenEndedProgress steps([&last](double share) { last = share; }, 10.0);
+  for (int i = 0; i < 10; ++i)
+  {
+    const double before = last;
+    steps.Step();
+    EXPECT_GT(last, before);
+  }
+  EXPECT_EQ(last, 0.5);
+  const shapeton::Progress step = steps.NextStep();
+  step(0.0);
+  EXPECT_EQ(last, 0.5);
+  step(1.0);
+  EXPECT_EQ(last, 11.0 / 21.0);
+  for (int i = 0; i < 100000; ++i)
+  {
+    steps.Step();
+  }
+  EXPECT_LT(last, 1.0);
 }
 
 TEST(Progress, AbortsByAnException)

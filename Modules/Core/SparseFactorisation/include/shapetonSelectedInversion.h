@@ -1,6 +1,7 @@
 #ifndef shapetonSelectedInversion_h
 #define shapetonSelectedInversion_h
 
+#include "shapetonProgress.h"
 #include "shapetonSymbolicFactorisation.h"
 
 #include <functional>
@@ -55,7 +56,8 @@ public:
   InvertAll(int                                                         number,
             const std::function<SymmetricElements(int)> &               matrixOf,
             const std::function<void(int, const SymmetricElements &)> & take,
-            int                                                         atOnce = 2) const;
+            int                                                         atOnce = 2,
+            const Progress &                                            progress = {}) const;
 
   const SymbolicFactorisation &
   Symbolic() const

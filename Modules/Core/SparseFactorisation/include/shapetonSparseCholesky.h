@@ -1,6 +1,7 @@
 #ifndef shapetonSparseCholesky_h
 #define shapetonSparseCholesky_h
 
+#include "shapetonProgress.h"
 #include "shapetonSymbolicFactorisation.h"
 
 namespace shapeton
@@ -25,13 +26,15 @@ public:
 
   /** Factorises the matrix with this diagonal and these elements at the edges, without pivoting. True where it is
    * positive definite to working accuracy. An indefinite one has a factor, too, unless a pivot is 0 or not finite: see
-   * HasFactor(). */
+   * HasFactor(). There is none after progress has thrown. */
   bool
-  Factorise(const Eigen::Ref<const Eigen::VectorXd> & diagonal, const Eigen::Ref<const Eigen::VectorXd> & offDiagonal);
+  Factorise(const Eigen::Ref<const Eigen::VectorXd> & diagonal,
+            const Eigen::Ref<const Eigen::VectorXd> & offDiagonal,
+            const Progress &                          progress = {});
 
   /** The same for a matrix of the pattern that the analysis was made of, of which the lower triangle is read. */
   bool
-  Factorise(const Eigen::SparseMatrix<double> & matrix);
+  Factorise(const Eigen::SparseMatrix<double> & matrix, const Progress & progress = {});
 
   bool
   HasFactor() const;
@@ -43,7 +46,7 @@ public:
   /** Replaces each column b by x; exact to rounding for a positive definite matrix, while elements of the factor of an
    * indefinite one can grow. \pre HasFactor(). */
   void
-  SolveInPlace(Eigen::Ref<Eigen::MatrixXd> b) const;
+  SolveInPlace(Eigen::Ref<Eigen::MatrixXd> b, const Progress & progress = {}) const;
 
 private:
   class Implementation;
@@ -53,7 +56,9 @@ private:
 /** Replaces each column b by the solution of A x = b; false where A, of which the lower triangle is read, is not
  * positive definite, and b is as it was. \ingroup SparseFactorisation */
 SparseFactorisation_EXPORT bool
-SolvePositiveDefinite(const Eigen::SparseMatrix<double> & A, Eigen::Ref<Eigen::MatrixXd> b);
+SolvePositiveDefinite(const Eigen::SparseMatrix<double> & A,
+                      Eigen::Ref<Eigen::MatrixXd>         b,
+                      const Progress &                    progress = {});
 } // namespace shapeton
 
 #endif

@@ -1,6 +1,7 @@
 #include "shapetonInversionSchedule.h"
 
 #include <algorithm>
+#include <chrono>
 
 namespace shapeton
 {
@@ -10,8 +11,15 @@ InversionSchedule::InversionSchedule(const Supernodes &   supernodes,
                                      int                  number,
                                      int                  atOnce,
                                      const MatrixOf &     matrixOf,
-                                     const Take &         take)
-  : m_Supernodes(supernodes), m_Layout(layout), m_Tasks(tasks), m_MatrixOf(matrixOf), m_Take(take), m_Number(number)
+                                     const Take &         take,
+                                     const Progress &     progress)
+  : m_Supernodes(supernodes)
+  , m_Layout(layout)
+  , m_Tasks(tasks)
+  , m_MatrixOf(matrixOf)
+  , m_Take(take)
+  , m_Number(number)
+  , m_Progress(progress)
 {
   for (int i = 0; i < std::min(atOnce, number); ++i)
   {
@@ -61,16 +69,27 @@ InversionSchedule::FindWork()
 }
 
 void
+InversionSchedule::Report()
+{
+  const std::size_t ofOne = this->PiecesOf(Stage::Begin) + this->PiecesOf(Stage::Factor) +
+                            this->PiecesOf(Stage::Trunk) + this->PiecesOf(Stage::Invert);
+  m_Progress(static_cast<double>(m_Done) / static_cast<double>(ofOne * m_Number));
+}
+
+/** The longest piece, so others may stop it, and it reports on its way. */
+void
 InversionSchedule::RunTrunk(FrontalInverse & inverse, FrontWorkspace & workspace)
 {
-  for (const int s : m_Tasks.trunk)
+  for (auto s = m_Tasks.trunk.begin(); s != m_Tasks.trunk.end() && !m_Stops; ++s)
   {
-    inverse.Factor(s, workspace);
+    inverse.Factor(*s, workspace);
+    this->Report();
   }
-  for (auto s = m_Tasks.trunk.rbegin(); s != m_Tasks.trunk.rend(); ++s)
+  for (auto s = m_Tasks.trunk.rbegin(); s != m_Tasks.trunk.rend() && !m_Stops; ++s)
   {
     inverse.Invert(*s, workspace);
     inverse.GatherChildren(*s, workspace); // frees the front, and subtrees can be worked on alone
+    this->Report();
   }
 }
 
@@ -128,38 +147,55 @@ InversionSchedule::Advance(Flight & flight)
   m_Changed.notify_all();
 }
 
+/** Does one piece, or waits a moment for one. Called under the lock. */
+void
+InversionSchedule::Step(std::unique_lock<std::mutex> & lock, FrontWorkspace & workspace)
+{
+  Flight * const flight = this->FindWork();
+  if (!flight)
+  {
+    // Some other worker is at a piece, and will say so when it is done.
+    m_Changed.wait_for(lock, std::chrono::milliseconds(20));
+    lock.unlock();
+    this->Report();
+    lock.lock();
+    return;
+  }
+  const Stage       stage = flight->stage;
+  const std::size_t piece = flight->next++;
+  ++flight->running;
+  lock.unlock();
+  this->RunPiece(*flight, stage, piece, workspace);
+  ++m_Done;
+  this->Report();
+  lock.lock();
+  if (!m_Stops)
+  {
+    this->Advance(*flight);
+  }
+}
+
 void
 InversionSchedule::Work()
 {
   FrontWorkspace               workspace(m_Layout);
   std::unique_lock<std::mutex> lock(m_Mutex);
-  while (!m_Failure && !m_Flights.empty())
+  try
   {
-    Flight * const flight = this->FindWork();
-    if (!flight)
+    while (!m_Stops && !m_Flights.empty())
     {
-      m_Changed.wait(lock); // some other worker is at a piece, and will say so when it is done
-      continue;
+      this->Step(lock, workspace);
     }
-    const Stage       stage = flight->stage;
-    const std::size_t piece = flight->next++;
-    ++flight->running;
-    lock.unlock();
-    try
+  }
+  catch (...)
+  {
+    if (!lock.owns_lock())
     {
-      this->RunPiece(*flight, stage, piece, workspace);
       lock.lock();
-      this->Advance(*flight);
     }
-    catch (...)
-    {
-      if (!lock.owns_lock())
-      {
-        lock.lock();
-      }
-      m_Failure = m_Failure ? m_Failure : std::current_exception();
-      m_Changed.notify_all();
-    }
+    m_Failure = m_Failure ? m_Failure : std::current_exception();
+    m_Stops = true;
+    m_Changed.notify_all();
   }
   if (m_Failure)
   {

@@ -2,8 +2,10 @@
 #define shapetonInversionSchedule_h
 
 #include "shapetonFrontalInverse.h"
+#include "shapetonParallelFor.h"
 #include "shapetonSubtreeTasks.h"
 
+#include <atomic>
 #include <condition_variable>
 #include <deque>
 #include <exception>
@@ -15,7 +17,8 @@ namespace shapeton
 {
 /** Inverts several matrices of one pattern with several threads: subtrees of all matrices in flight are work to be
  * taken, the trunk of each is one piece. What is computed does not depend on who computes it, so the results are the
- * same for any number of threads. Work() is called by each of them and returns when there is nothing left to do. */
+ * same for any number of threads. Work() is called by each of them and returns when there is nothing left to do.
+ * Progress is reported by the thread that has made this, which is to be one of them. */
 class InversionSchedule
 {
 public:
@@ -28,7 +31,8 @@ public:
                     int                  number,
                     int                  atOnce,
                     const MatrixOf &     matrixOf,
-                    const Take &         take);
+                    const Take &         take,
+                    const Progress &     progress);
   void
   Work();
 
@@ -52,6 +56,8 @@ private:
     std::unique_ptr<FrontalInverse> inverse;
   };
 
+  void
+  Step(std::unique_lock<std::mutex> & lock, FrontWorkspace & workspace);
   Flight *
   FindWork();
   std::size_t
@@ -61,17 +67,22 @@ private:
   void
   RunTrunk(FrontalInverse & inverse, FrontWorkspace & workspace);
   void
+  Report();
+  void
   Advance(Flight & flight);
   void
   Start();
 
-  const Supernodes &   m_Supernodes;
-  const FactorLayout & m_Layout;
-  const SubtreeTasks & m_Tasks;
-  const MatrixOf &     m_MatrixOf;
-  const Take &         m_Take;
-  const int            m_Number;
-  int                  m_Started{ 0 };
+  const Supernodes &       m_Supernodes;
+  const FactorLayout &     m_Layout;
+  const SubtreeTasks &     m_Tasks;
+  const MatrixOf &         m_MatrixOf;
+  const Take &             m_Take;
+  const int                m_Number;
+  const ProgressOfWorkers  m_Progress;
+  int                      m_Started{ 0 };
+  std::atomic<std::size_t> m_Done{ 0 };      ///< pieces of all matrices
+  std::atomic<bool>        m_Stops{ false }; ///< somebody has failed
 
   std::mutex              m_Mutex;
   std::condition_variable m_Changed;

@@ -57,7 +57,8 @@ void
 SelectedInversion::InvertAll(int                                                         number,
                              const std::function<SymmetricElements(int)> &               matrixOf,
                              const std::function<void(int, const SymmetricElements &)> & take,
-                             int                                                         atOnce) const
+                             int                                                         atOnce,
+                             const Progress &                                            progress) const
 {
   const InversionSchedule::MatrixOf checkedMatrixOf = [&](int matrix) {
     SymmetricElements elements = matrixOf(matrix);
@@ -70,9 +71,10 @@ SelectedInversion::InvertAll(int                                                
   };
   const auto &      parts = m_Symbolic.GetParts();
   InversionSchedule schedule(
-    parts.supernodes, *m_Layout, parts.tasks, number, std::max(1, atOnce), checkedMatrixOf, checkedTake);
+    parts.supernodes, *m_Layout, parts.tasks, number, std::max(1, atOnce), checkedMatrixOf, checkedTake, progress);
   const std::size_t pieces = (parts.tasks.roots.size() + 1) * std::max(1, atOnce);
   ParallelWorkers(static_cast<unsigned int>(std::min<std::size_t>(pieces, NumberOfThreads())),
                   [&](unsigned int) { schedule.Work(); });
+  progress(1.0);
 }
 } // namespace shapeton

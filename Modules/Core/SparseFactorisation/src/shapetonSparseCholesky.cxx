@@ -34,7 +34,9 @@ public:
   explicit Implementation(SymbolicFactorisation symbolic);
 
   bool
-  Factorise(const Eigen::Ref<const Eigen::VectorXd> & diagonal, const Eigen::Ref<const Eigen::VectorXd> & offDiagonal);
+  Factorise(const Eigen::Ref<const Eigen::VectorXd> & diagonal,
+            const Eigen::Ref<const Eigen::VectorXd> & offDiagonal,
+            const Progress &                          progress);
   void
   SolveInPlace(Eigen::Ref<Eigen::VectorXd> b) const;
   bool
@@ -59,6 +61,10 @@ private:
   {
     return m_Supernodes.Width(s) + m_Supernodes.NumberOfRows(s);
   }
+  bool
+  EliminateSubtrees(const Progress & progress);
+  bool
+  EliminateTrunk(const Progress & progress);
   bool
   Eliminate(int s, bool shared, AlignedBuffer & workspace);
   void
@@ -206,9 +212,54 @@ SparseCholesky::Implementation::Eliminate(int s, bool shared, AlignedBuffer & wo
   return true;
 }
 
+/** Each subtree by one thread. */
+bool
+SparseCholesky::Implementation::EliminateSubtrees(const Progress & progress)
+{
+  const SubtreeTasks &       tasks = m_Symbolic.GetParts().tasks;
+  std::atomic<bool>          isRegular{ true };
+  std::vector<AlignedBuffer> workspaces(NumberOfThreads());
+  ParallelForWorkers(
+    tasks.roots.size(),
+    [&](std::size_t task, unsigned int worker) {
+      if (!workspaces[worker])
+      {
+        workspaces[worker] = AlignedBuffer(m_LargestPanel);
+      }
+      const int root = tasks.roots[task];
+      for (int s = m_Supernodes.firstDescendant[root]; s <= root && isRegular; ++s)
+      {
+        if (!this->Eliminate(s, false, workspaces[worker]))
+        {
+          isRegular = false;
+        }
+      }
+    },
+    progress);
+  return isRegular;
+}
+
+/** Front by front, each by all threads. */
+bool
+SparseCholesky::Implementation::EliminateTrunk(const Progress & progress)
+{
+  const std::vector<int> & trunk = m_Symbolic.GetParts().tasks.trunk;
+  AlignedBuffer            workspace(m_LargestPanel);
+  for (std::size_t i = 0; i < trunk.size(); ++i)
+  {
+    if (!this->Eliminate(trunk[i], true, workspace))
+    {
+      return false;
+    }
+    progress((i + 1.0) / static_cast<double>(trunk.size()));
+  }
+  return true;
+}
+
 bool
 SparseCholesky::Implementation::Factorise(const Eigen::Ref<const Eigen::VectorXd> & diagonal,
-                                          const Eigen::Ref<const Eigen::VectorXd> & offDiagonal)
+                                          const Eigen::Ref<const Eigen::VectorXd> & offDiagonal,
+                                          const Progress &                          progress)
 {
   if (diagonal.size() != m_Symbolic.NumberOfVertices() || offDiagonal.size() != m_Symbolic.NumberOfEdges())
   {
@@ -219,29 +270,9 @@ SparseCholesky::Implementation::Factorise(const Eigen::Ref<const Eigen::VectorXd
   }
   m_Diagonal = diagonal.data();
   m_OffDiagonal = offDiagonal.data();
-  const SubtreeTasks &       tasks = m_Symbolic.GetParts().tasks;
-  std::atomic<bool>          isRegular{ true };
-  std::vector<AlignedBuffer> workspaces(NumberOfThreads());
-  ParallelForWorkers(tasks.roots.size(), [&](std::size_t task, unsigned int worker) {
-    if (!workspaces[worker])
-    {
-      workspaces[worker] = AlignedBuffer(m_LargestPanel);
-    }
-    const int root = tasks.roots[task];
-    for (int s = m_Supernodes.firstDescendant[root]; s <= root && isRegular; ++s)
-    {
-      if (!this->Eliminate(s, false, workspaces[worker]))
-      {
-        isRegular = false;
-      }
-    }
-  });
-  AlignedBuffer workspace(m_LargestPanel);
-  for (std::size_t i = 0; i < tasks.trunk.size() && isRegular; ++i)
-  {
-    isRegular = this->Eliminate(tasks.trunk[i], true, workspace);
-  }
-  m_HasFactor = isRegular;
+  m_HasFactor = false;
+  m_HasFactor =
+    this->EliminateSubtrees(progress.Part("", 0.0, 0.5)) && this->EliminateTrunk(progress.Part("", 0.5, 1.0));
   if (!m_HasFactor)
   {
     m_Updates = std::vector<AlignedBuffer>(m_Supernodes.Number());
@@ -328,13 +359,14 @@ SparseCholesky::operator=(SparseCholesky &&) noexcept = default;
 
 bool
 SparseCholesky::Factorise(const Eigen::Ref<const Eigen::VectorXd> & diagonal,
-                          const Eigen::Ref<const Eigen::VectorXd> & offDiagonal)
+                          const Eigen::Ref<const Eigen::VectorXd> & offDiagonal,
+                          const Progress &                          progress)
 {
-  return m_Implementation->Factorise(diagonal, offDiagonal);
+  return m_Implementation->Factorise(diagonal, offDiagonal, progress);
 }
 
 bool
-SparseCholesky::Factorise(const Eigen::SparseMatrix<double> & matrix)
+SparseCholesky::Factorise(const Eigen::SparseMatrix<double> & matrix, const Progress & progress)
 {
   std::vector<double> offDiagonal;
   offDiagonal.reserve(m_Implementation->Symbolic().NumberOfEdges());
@@ -350,7 +382,8 @@ SparseCholesky::Factorise(const Eigen::SparseMatrix<double> & matrix)
   }
   return this->Factorise(
     matrix.diagonal(),
-    Eigen::Map<const Eigen::VectorXd>(offDiagonal.data(), static_cast<Eigen::Index>(offDiagonal.size())));
+    Eigen::Map<const Eigen::VectorXd>(offDiagonal.data(), static_cast<Eigen::Index>(offDiagonal.size())),
+    progress);
 }
 
 bool
@@ -366,20 +399,23 @@ SparseCholesky::NegativeEigenvalues() const
 }
 
 void
-SparseCholesky::SolveInPlace(Eigen::Ref<Eigen::MatrixXd> b) const
+SparseCholesky::SolveInPlace(Eigen::Ref<Eigen::MatrixXd> b, const Progress & progress) const
 {
-  ParallelFor(static_cast<std::size_t>(b.cols()),
-              [&](std::size_t column) { m_Implementation->SolveInPlace(b.col(static_cast<Eigen::Index>(column))); });
+  ParallelFor(
+    static_cast<std::size_t>(b.cols()),
+    [&](std::size_t column) { m_Implementation->SolveInPlace(b.col(static_cast<Eigen::Index>(column))); },
+    progress);
 }
 
 bool
-SolvePositiveDefinite(const Eigen::SparseMatrix<double> & A, Eigen::Ref<Eigen::MatrixXd> b)
+SolvePositiveDefinite(const Eigen::SparseMatrix<double> & A, Eigen::Ref<Eigen::MatrixXd> b, const Progress & progress)
 {
   SparseCholesky solver(SymbolicFactorisation(A, EliminationOrder::MinimumDegree));
-  const bool     isPositive = solver.Factorise(A);
+  progress(0.5);
+  const bool isPositive = solver.Factorise(A, progress.Part("", 0.5, 0.9));
   if (isPositive)
   {
-    solver.SolveInPlace(b);
+    solver.SolveInPlace(b, progress.Part("", 0.9, 1.0));
   }
   return isPositive;
 }

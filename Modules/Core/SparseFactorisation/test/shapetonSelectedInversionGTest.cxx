@@ -1,6 +1,7 @@
 #include "shapetonSelectedInversion.h"
 
 #include "shapetonExceptions.h"
+#include "shapetonProgressTests.h"
 #include "shapetonTestRandom.h"
 
 #include "itkMultiThreaderBase.h"
@@ -212,5 +213,31 @@ TEST(SelectedInversion, RefusesSingularAndNotFiniteMatricesWithAnyNumberOfThread
   EXPECT_THROW(inversion.Invert(matrix), InputError);
   matrix.offDiagonal.resize(1);
   EXPECT_THROW(inversion.Invert(matrix), InputError);
+}
+TEST(SelectedInversion, IsAbortedByProgressAndWorksAfterwards)
+{
+  const int               n = 3000;
+  const Edges             edges = RandomEdges(n, 3 * n, 60, 4);
+  const SymmetricElements matrix = RandomMatrix(n, edges, 4);
+  const SelectedInversion inversion = InversionOf(n, edges);
+  const SymmetricElements expected = inversion.Invert(matrix);
+  for (const unsigned int threads : { 1U, 2U, 5U })
+  {
+    itk::MultiThreaderBase::SetGlobalDefaultNumberOfThreads(threads);
+    int taken = 0;
+    test::ExpectProgress(
+      [&](const Progress & progress) {
+        inversion.InvertAll(
+          4,
+          [&](int) { return matrix; },
+          [&](int, const SymmetricElements & inverse) {
+            taken += inverse.diagonal == expected.diagonal && inverse.offDiagonal == expected.offDiagonal;
+          },
+          2,
+          progress);
+      },
+      threads == 1 ? 20 : 1); // other threads do not report
+    EXPECT_GE(taken, 4);      // those of the run that was not aborted, and of none that is wrong
+  }
 }
 } // namespace

@@ -1,4 +1,5 @@
 #include "shapetonSparseCholesky.h"
+#include "shapetonProgressTests.h"
 
 #include "shapetonExceptions.h"
 
@@ -219,4 +220,18 @@ TEST(SymbolicFactorisation, MatricesOfAnotherSizeAreRefused)
   SparseCholesky solver = System(5).Solver();
   EXPECT_THROW(solver.Factorise(Eigen::VectorXd::Ones(24), Eigen::VectorXd::Zero(40)), InputError);
   EXPECT_THROW(solver.Factorise(Eigen::VectorXd::Ones(25), Eigen::VectorXd::Zero(39)), InputError);
+}
+
+TEST(SparseCholesky, IsAbortedByProgressAndWorksAfterwards)
+{
+  const System   system(120);
+  SparseCholesky solver = system.Solver(EliminationOrder::NestedDissection);
+  test::ExpectProgress(
+    [&](const Progress & progress) { solver.Factorise(system.diagonal, system.offDiagonal, progress); }, 20);
+  EXPECT_FALSE(solver.HasFactor()); // the last one was aborted
+  ASSERT_TRUE(solver.Factorise(system.diagonal, system.offDiagonal));
+  const Eigen::MatrixXd expected = Waves(14400, 2);
+  Eigen::MatrixXd       x = system.Matrix() * expected;
+  solver.SolveInPlace(x);
+  EXPECT_LT((x - expected).cwiseAbs().maxCoeff(), 1e-9);
 }

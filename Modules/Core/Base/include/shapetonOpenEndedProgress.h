@@ -1,0 +1,49 @@
+#ifndef shapetonOpenEndedProgress_h
+#define shapetonOpenEndedProgress_h
+
+#include "shapetonProgress.h"
+
+namespace shapeton
+{
+/** \class OpenEndedProgress
+ * \brief Reports on steps of which nobody knows how many there will be, such as those of an iteration.
+ *
+ * The share grows with each step and never reaches 1; it is half after as many steps as are usual.
+ *
+ * \ingroup Base */
+class OpenEndedProgress
+{
+public:
+  OpenEndedProgress(Progress progress, double usualSteps) : m_Progress(std::move(progress)), m_Usual(usualSteps) {}
+
+  /** Reports that one more step is done. */
+  void
+  Step()
+  {
+    m_Steps += 1.0;
+    m_Progress(this->Share());
+  }
+
+  /** The receiver for one more step, which is known to the whole as `stage`. */
+  Progress
+  NextStep(const std::string & stage = {})
+  {
+    const double begin = this->Share();
+    m_Steps += 1.0;
+    return m_Progress.Part(stage, begin, this->Share());
+  }
+
+private:
+  double
+  Share() const
+  {
+    return m_Steps / (m_Steps + m_Usual);
+  }
+
+  Progress m_Progress;
+  double   m_Usual;
+  double   m_Steps{ 0.0 };
+};
+} // namespace shapeton
+
+#endif
