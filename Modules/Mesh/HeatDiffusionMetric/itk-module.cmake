@@ -4,10 +4,9 @@ itk_module(HeatDiffusionMetric
   ENABLE_SHARED
   EXCLUDE_FROM_DEFAULT
   DEPENDS
+    Base
     SparseFactorisation
     SurfaceMesh
-  PRIVATE_DEPENDS
-    Base
   TEST_DEPENDS
     ITKGoogleTest
   DESCRIPTION "${DOCUMENTATION}"

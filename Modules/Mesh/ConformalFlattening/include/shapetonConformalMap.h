@@ -4,6 +4,7 @@
 #include "shapetonRemarks.h"
 #include "shapetonFlatDistortion.h"
 #include "shapetonJsonForward.h"
+#include "shapetonProgress.h"
 #include "shapetonQuadrilateralMap.h"
 #include "shapetonSlitMap.h"
 
@@ -34,6 +35,8 @@ struct ConformalMapOptions
   std::vector<int> corners;
   /** Lengths of the edges in another metric; empty for the straight ones. */
   Eigen::VectorXd edgeLengths;
+  /** It may throw in order to abort. */
+  Progress progress;
 };
 
 /** A surface on the plane, and how well. \ingroup ConformalFlattening */

@@ -2,6 +2,7 @@
 #define shapetonConformalTube_h
 
 #include "shapetonFlatSurface.h"
+#include "shapetonProgress.h"
 #include "shapetonSurfaceLaplacian.h"
 #include "shapetonTubeEnds.h"
 
@@ -26,6 +27,8 @@ struct TubeOptions
   /** Edges within so many rings of a saddle of u cost saddleCost times their length: that is where handles are. */
   int    saddleRings{ 3 };
   double saddleCost{ 1000.0 };
+  /** It may throw in order to abort. */
+  Progress progress;
 };
 
 /** A tube as a rectangle. \ingroup ConformalFlattening */
@@ -80,7 +83,7 @@ FlattenTube(const SurfaceMesh &         mesh,
 
 /** The harmonic function with 0 on the first loop and 1 on the second. \ingroup ConformalFlattening */
 ConformalFlattening_EXPORT Eigen::VectorXd
-                           HarmonicAlongTube(const SurfaceLaplacian & laplacian, const TubeEnds & ends);
+HarmonicAlongTube(const SurfaceLaplacian & laplacian, const TubeEnds & ends, const Progress & progress = {});
 
 /** The mean length of the level sets of u, 0 <= u <= 1, on the surface in space: the integral of |grad u|; mm.
  * \ingroup ConformalFlattening */

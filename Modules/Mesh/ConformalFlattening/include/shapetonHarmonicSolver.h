@@ -3,6 +3,7 @@
 
 #include "ConformalFlatteningExport.h"
 
+#include "shapetonProgress.h"
 #include "shapetonSurfaceLaplacian.h"
 #include "shapetonSymbolicFactorisation.h"
 
@@ -24,12 +25,13 @@ class ConformalFlattening_EXPORT HarmonicSolver
 public:
   /** Throws InputError where a fixed vertex does not exist or is named twice, a component of the surface has no fixed
    * vertex (the solution would not be unique), or the factorisation breaks down. */
-  HarmonicSolver(const SurfaceLaplacian & laplacian, std::vector<int> fixedVertices);
+  HarmonicSolver(const SurfaceLaplacian & laplacian, std::vector<int> fixedVertices, const Progress & progress = {});
   /** \param symbolic Analyse() of the surface: finding it is two thirds of the work, and it serves any fixed vertices
    * and any metric. */
   HarmonicSolver(const SurfaceLaplacian &      laplacian,
                  std::vector<int>              fixedVertices,
-                 const SymbolicFactorisation & symbolic);
+                 const SymbolicFactorisation & symbolic,
+                 const Progress &              progress = {});
   ~HarmonicSolver();
   HarmonicSolver(HarmonicSolver &&) noexcept;
   HarmonicSolver &

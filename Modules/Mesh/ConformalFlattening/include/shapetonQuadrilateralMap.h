@@ -2,6 +2,7 @@
 #define shapetonQuadrilateralMap_h
 
 #include "shapetonBoundaryLoops.h"
+#include "shapetonProgress.h"
 #include "shapetonSurfaceLaplacian.h"
 
 namespace shapeton
@@ -41,7 +42,8 @@ MapQuadrilateral(const SurfaceConnectivity & connectivity,
                  const Eigen::VectorXd &     edgeLengths,
                  const BoundaryLoop &        boundary,
                  const std::array<int, 4> &  corners,
-                 const std::vector<int> &    weightLevels = {});
+                 const std::vector<int> &    weightLevels = {},
+                 const Progress &            progress = {});
 
 /** Four vertices well spread on a boundary: the corners of a quadrilateral of large area that is inscribed in it. From
  * the quarters of its length that span most area each corner moves to where the area is largest until none can. A

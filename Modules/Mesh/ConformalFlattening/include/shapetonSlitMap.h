@@ -65,12 +65,13 @@ public:
                 const Eigen::VectorXd &     edgeLengths,
                 std::vector<BoundaryLoop>   loops,
                 int                         outer = 0,
-                const std::vector<int> &    weightLevels = {});
+                const std::vector<int> &    weightLevels = {},
+                const Progress &            progress = {});
   ~SlitMapSolver();
 
   /** Throws InputError where there is no such loop or it is the outer one. */
   SlitMap
-  Map(int inner) const;
+  Map(int inner, const Progress & progress = {}) const;
 
   /** f_j in columns, in the order of InnerLoops(). */
   const Eigen::MatrixXd &

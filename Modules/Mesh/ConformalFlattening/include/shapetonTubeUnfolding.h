@@ -35,8 +35,10 @@ struct UnfoldedTube
   int solves{ 0 };
 };
 
-/** The lengths of the edges of a surface in the metric of a map, in their order. \ingroup ConformalFlattening */
-using TubeMetric = std::function<Eigen::VectorXd(const SurfaceMesh &, const SurfaceConnectivity &)>;
+/** The lengths of the edges of a surface in the metric of a map, in their order, with progress from 0 to 1. \ingroup
+ * ConformalFlattening */
+using TubeMetric =
+  std::function<Eigen::VectorXd(const SurfaceMesh &, const SurfaceConnectivity &, const Progress & progress)>;
 
 /** FlattenTube(), and again until no face of the flat surface is flipped (FlippedFaces(), which does not round). A map
  * without folds is that of FlattenTube(), byte by byte. Else

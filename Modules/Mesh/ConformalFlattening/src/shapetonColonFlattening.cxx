@@ -49,6 +49,7 @@ public:
     }
     this->CompareGenus();
     this->Measure(left.handles);
+    m_Options.progress("Distortion", 1.0);
     return std::move(m_Result);
   }
 
@@ -58,10 +59,12 @@ private:
   {
     m_Options.progress("Preparing", 0.0);
     PreparedTube tube = PrepareTube(std::move(mesh), m_What);
+    m_Options.progress("Preparing", 0.02);
     m_Result.surface = std::move(tube.mesh);
     m_Result.warnings = std::move(tube.warnings);
     m_Result.metric = m_Options.metric;
     this->Connect();
+    m_Options.progress("Preparing", 0.04);
     this->Trim();
     m_Result.genusBefore = m_Result.genusAfter = m_Connectivity->Components().front().genus.value_or(0);
     if (!m_Laplacian.clampedFaces.empty())
@@ -135,7 +138,9 @@ private:
     m_Result.time = m_Options.time;
     if (!(m_Result.time > 0.0))
     {
-      m_Result.narrowestRadius = NarrowestLevelRadius(m_Result.surface, HarmonicAlongTube(m_Laplacian, m_Ends));
+      const Eigen::VectorXd along =
+        HarmonicAlongTube(m_Laplacian, m_Ends, m_Options.progress.Part("Time of diffusion", 0.15, 0.2));
+      m_Result.narrowestRadius = NarrowestLevelRadius(m_Result.surface, along);
       if (IsTooCoarseForDiffusion(edge, m_Result.narrowestRadius))
       {
         this->TakeEuclideanMetric(edge);
@@ -164,7 +169,7 @@ private:
 
   /** The lengths of the edges of a surface in the metric of the map. */
   Eigen::VectorXd
-  MetricLengths(const SurfaceMesh & surface, const SurfaceConnectivity & connectivity)
+  MetricLengths(const SurfaceMesh & surface, const SurfaceConnectivity & connectivity, const Progress & progress)
   {
     const Eigen::VectorXd lengths = EdgeLengths(connectivity, surface.V);
     if (m_Result.metric == FlatMetric::Euclidean)
@@ -174,27 +179,32 @@ private:
     const SurfaceLaplacian laplacian = MakeSurfaceLaplacian(connectivity, lengths);
     if (m_Result.metric == FlatMetric::HeatDiffusion)
     {
-      return ComputeHeatDiffusionMetric(connectivity, laplacian, m_Result.time).edgeLengths;
+      return ComputeHeatDiffusionMetric(connectivity, laplacian, m_Result.time, progress).edgeLengths;
     }
     m_Result.eigenpairs = m_Options.eigenpairs;
-    const SurfaceSpectrum spectrum = ComputeSurfaceSpectrum(laplacian, m_Options.eigenpairs);
+    SurfaceSpectrumOptions options;
+    options.progress = progress;
+    const SurfaceSpectrum spectrum = ComputeSurfaceSpectrum(laplacian, m_Options.eigenpairs, options);
     return TruncatedHeatDiffusionMetric(laplacian, spectrum, m_Result.time, m_Options.eigenpairs).edgeLengths;
   }
 
   void
   Flatten()
   {
-    m_Options.progress("Metric", 0.2);
+    m_Options.progress("Time of diffusion", 0.15);
     if (m_Options.metric != FlatMetric::Euclidean)
     {
       this->ChooseTime();
     }
-    const TubeMetric metric = [this](const SurfaceMesh & surface, const SurfaceConnectivity & connectivity) {
-      Eigen::VectorXd lengths = this->MetricLengths(surface, connectivity);
-      m_Options.progress("Flattening", 0.7);
-      return lengths;
+    const TubeMetric metric =
+      [this](const SurfaceMesh & surface, const SurfaceConnectivity & connectivity, const Progress & progress) {
+        return this->MetricLengths(surface, connectivity, progress);
+      };
+    TubeOptions options = m_Options.tube;
+    options.progress = [this](const std::string & stage, double share) {
+      m_Options.progress(stage, 0.2 + 0.7 * share);
     };
-    UnfoldedTube tube = FlattenWithoutFolds(std::move(m_Result.surface), m_Ends, metric, m_Options.tube);
+    UnfoldedTube tube = FlattenWithoutFolds(std::move(m_Result.surface), m_Ends, metric, options);
     m_Result.surface = std::move(tube.surface);
     m_Result.map = std::move(tube.map);
     m_Result.solves = tube.solves;
@@ -228,7 +238,10 @@ private:
   {
     for (int round = 0; round < mostRounds && m_Result.genusAfter > 0; ++round)
     {
-      const TubeMap         map = FlattenTube(m_Result.surface, *m_Connectivity, m_Lengths, m_Ends);
+      TubeOptions options;
+      options.progress =
+        m_Options.progress.Part("Handles", 0.05 + 0.1 * round / mostRounds, 0.05 + 0.1 * (round + 1) / mostRounds);
+      const TubeMap         map = FlattenTube(m_Result.surface, *m_Connectivity, m_Lengths, m_Ends, options);
       const HandleDetection found = DetectHandles(*m_Connectivity, map.flat);
       if (found.handles.empty())
       {

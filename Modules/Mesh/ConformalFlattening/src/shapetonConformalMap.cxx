@@ -5,6 +5,7 @@
 #include "shapetonCsvTable.h"
 #include "shapetonSurfaceQuality.h"
 #include "shapetonExceptions.h"
+#include "shapetonOpenEndedProgress.h"
 
 #include <algorithm>
 #include <cmath>
@@ -101,10 +102,12 @@ MapToRectangle(const SurfaceMesh &         mesh,
                const Eigen::VectorXd &     lengths,
                const ConformalMapOptions & options,
                const std::vector<int> &    weightLevels,
+               const Progress &            progress,
                ConformalMap &              map)
 {
   const auto             corners = CornersOf(options, map.loops[0], mesh.V);
-  const QuadrilateralMap quadrilateral = MapQuadrilateral(connectivity, lengths, map.loops[0], corners, weightLevels);
+  const QuadrilateralMap quadrilateral =
+    MapQuadrilateral(connectivity, lengths, map.loops[0], corners, weightLevels, progress);
   map.corners.assign(quadrilateral.corners.begin(), quadrilateral.corners.end());
   map.modulusU = quadrilateral.modulusU;
   map.modulusV = quadrilateral.modulusV;
@@ -118,10 +121,17 @@ MapToAnnulus(const SurfaceMesh &         mesh,
              const Eigen::VectorXd &     lengths,
              const ConformalMapOptions & options,
              const std::vector<int> &    weightLevels,
+             const Progress &            progress,
              ConformalMap &              map)
 {
-  const SlitMapSolver solver(mesh, connectivity, lengths, map.loops, map.outer, weightLevels);
-  const SlitMap       chosen = solver.Map(map.inner);
+  const SlitMapSolver solver(
+    mesh, connectivity, lengths, map.loops, map.outer, weightLevels, progress.Part("", 0.0, 0.4));
+  const std::vector<int> & inners = solver.InnerLoops();
+  const auto               partOf = [&](std::size_t i) { // the chosen one is made first
+    const double number = options.domain == ConformalDomain::Slit ? static_cast<double>(inners.size()) : 1.0;
+    return progress.Part("", 0.4 + 0.6 * i / number, 0.4 + 0.6 * (i + 1) / number);
+  };
+  const SlitMap chosen = solver.Map(map.inner, partOf(0));
   map.modulusU = chosen.modulusU;
   map.modulusV = chosen.modulusV;
   map.ears = EarsOfLoops(mesh.F, LoopOfVertices(map.loops, mesh.NumberOfVertices()));
@@ -131,9 +141,10 @@ MapToAnnulus(const SurfaceMesh &         mesh,
   }
   else
   {
-    for (const int inner : solver.InnerLoops())
+    std::size_t made = 1;
+    for (const int inner : inners)
     {
-      map.slitMaps.push_back(inner == map.inner ? chosen : solver.Map(inner));
+      map.slitMaps.push_back(inner == map.inner ? chosen : solver.Map(inner, partOf(made++)));
     }
   }
   map.flat = options.domain == ConformalDomain::Rectangle ? LayOutStrip(mesh, connectivity, chosen)
@@ -235,15 +246,16 @@ MapOnce(const SurfaceMesh &         mesh,
         const Eigen::VectorXd &     lengths,
         const ConformalMapOptions & options,
         const std::vector<int> &    weightLevels,
+        const Progress &            progress,
         ConformalMap                map)
 {
   if (map.loops.size() == 1)
   {
-    MapToRectangle(mesh, connectivity, lengths, options, weightLevels, map);
+    MapToRectangle(mesh, connectivity, lengths, options, weightLevels, progress, map);
   }
   else
   {
-    MapToAnnulus(mesh, connectivity, lengths, options, weightLevels, map);
+    MapToAnnulus(mesh, connectivity, lengths, options, weightLevels, progress, map);
   }
   map.distortion =
     MeasureFlatDistortion(map.flat.F, FlatCoordinates(map.flat, "the map"), SidesOfFaces(connectivity, lengths));
@@ -258,7 +270,8 @@ MapSoundSurface(const SurfaceMesh & mesh, const SurfaceConnectivity & connectivi
   const Eigen::VectorXd lengths =
     options.edgeLengths.size() == 0 ? EdgeLengths(connectivity, mesh.V) : options.edgeLengths;
   const ConformalMap chosen = ChosenDomain(mesh, connectivity, options);
-  ConformalMap       map = MapOnce(mesh, connectivity, lengths, options, {}, chosen);
+  OpenEndedProgress  maps(options.progress, 0.25);
+  ConformalMap       map = MapOnce(mesh, connectivity, lengths, options, {}, maps.NextStep(), chosen);
   std::vector<char>  isFlipped = CountFlips(mesh.F, connectivity, map);
   std::vector<int>   levels(mesh.NumberOfVertices(), 0);
   for (int solve = 1; solve < mostSolves && std::count(isFlipped.begin(), isFlipped.end(), 1) > 0; ++solve)
@@ -266,11 +279,12 @@ MapSoundSurface(const SurfaceMesh & mesh, const SurfaceConnectivity & connectivi
     RaiseWeightLevels(mesh.F, EdgeGraph(connectivity), isFlipped, RingsOfSolve(solve), levels);
     const int least = solve + 1 == mostSolves ? 1 : 0;
     std::transform(levels.begin(), levels.end(), levels.begin(), [&](int level) { return std::max(level, least); });
-    map = MapOnce(mesh, connectivity, lengths, options, levels, chosen);
+    map = MapOnce(mesh, connectivity, lengths, options, levels, maps.NextStep(), chosen);
     map.solves = solve + 1;
     isFlipped = CountFlips(mesh.F, connectivity, map);
   }
   Warn(map);
+  options.progress(1.0);
   return map;
 }
 } // namespace

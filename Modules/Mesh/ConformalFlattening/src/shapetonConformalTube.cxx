@@ -51,24 +51,29 @@ public:
   }
 
   TubeMap
-  Run()
+  Run(const Progress & progress)
   {
     m_Map = {};
     m_IsSaddle.clear();
-    this->Factorise();
+    progress(0.0);
+    this->Factorise(progress.Part("", 0.0, 0.5));
     m_Map.u = m_Along->Solve(EndValues(m_Ends)).col(0);
     m_Map.modulusU = GradientEnergy(m_Laplacian, m_Map.u);
     m_Along.reset();
+    progress(0.55);
     m_Map.cutPath = this->FirstPath();
+    progress(0.6);
     if (m_Options.conjugate == TubeConjugate::Published)
     {
       this->SumAlongTree();
     }
     else
     {
-      this->SolveConjugate();
+      this->SolveConjugate(progress.Part("", 0.6, 0.9));
     }
+    progress(0.9);
     this->MakeFlat();
+    progress(1.0);
     return std::move(m_Map);
   }
 
@@ -100,12 +105,13 @@ private:
   }
 
   void
-  Factorise()
+  Factorise(const Progress & progress)
   {
-    m_Along = std::make_unique<HarmonicSolver>(m_Solved, m_Ends.Vertices(), *m_Symbolic);
+    m_Along = std::make_unique<HarmonicSolver>(m_Solved, m_Ends.Vertices(), *m_Symbolic, progress.Part("", 0.0, 0.5));
     if (m_Options.conjugate == TubeConjugate::Laplacian)
     {
-      m_Around = std::make_unique<HarmonicSolver>(m_Solved, std::vector<int>{ m_Ends.first[0] }, *m_Symbolic);
+      m_Around = std::make_unique<HarmonicSolver>(
+        m_Solved, std::vector<int>{ m_Ends.first[0] }, *m_Symbolic, progress.Part("", 0.5, 1.0));
     }
   }
 
@@ -171,15 +177,17 @@ private:
   }
 
   void
-  SolveConjugate()
+  SolveConjugate(const Progress & progress)
   {
     const std::vector<int> left = LeftCorners(m_Mesh.F, m_Connectivity, m_Map.cutPath);
     Eigen::VectorXd        v = SolveWithUnitJump(m_Solved, *m_Around, m_Mesh.F, m_Connectivity, left);
     m_Around.reset();
+    progress(0.4);
     v.array() -= this->MeanOnPath(v);
     const CornerValues lifted = LiftedValues(m_Mesh.F, v, left);
     m_Map.modulusV = 1.0 / EnergyOfCorners(m_Laplacian, m_Connectivity, m_Mesh.F, lifted);
-    if (m_Options.cutCurve.empty() && this->CutAlongLine(v, lifted))
+    progress(0.5);
+    if (m_Options.cutCurve.empty() && this->CutAlongLine(v, lifted, progress.Part("", 0.5, 1.0)))
     {
       return;
     }
@@ -202,11 +210,13 @@ private:
   /** Cuts along v = 0 in place of the first path. It is not done, and the answer is false, where the two cuts do not
    * bound together: they pass a handle on different sides of its hole, and v would be of several values. */
   bool
-  CutAlongLine(const Eigen::VectorXd & v, const CornerValues & lifted)
+  CutAlongLine(const Eigen::VectorXd & v, const CornerValues & lifted, const Progress & progress)
   {
     const std::vector<int> path = this->PathAlongLine(v, lifted);
-    CutSurface             cut = CutAlongPaths(m_Mesh, m_Connectivity, { path });
-    std::vector<int>       turns;
+    progress(0.3);
+    CutSurface cut = CutAlongPaths(m_Mesh, m_Connectivity, { path });
+    progress(0.6);
+    std::vector<int> turns;
     if (!TurnsOfFaces(m_Mesh.F, m_Connectivity, cut, lifted, turns))
     {
       return false;
@@ -354,9 +364,9 @@ TubeSolver::TubeSolver(const SurfaceMesh &         mesh,
 TubeSolver::~TubeSolver() = default;
 
 TubeMap
-TubeSolver::Solve()
+TubeSolver::Solve(const Progress & progress)
 {
-  return m_Flattening->Run();
+  return m_Flattening->Run(progress);
 }
 
 void
@@ -372,12 +382,12 @@ FlattenTube(const SurfaceMesh &         mesh,
             const TubeEnds &            ends,
             const TubeOptions &         options)
 {
-  return TubeSolver(mesh, connectivity, edgeLengths, ends, options).Solve();
+  return TubeSolver(mesh, connectivity, edgeLengths, ends, options).Solve(options.progress);
 }
 
 Eigen::VectorXd
-HarmonicAlongTube(const SurfaceLaplacian & laplacian, const TubeEnds & ends)
+HarmonicAlongTube(const SurfaceLaplacian & laplacian, const TubeEnds & ends, const Progress & progress)
 {
-  return HarmonicSolver(laplacian, ends.Vertices()).Solve(EndValues(ends)).col(0);
+  return HarmonicSolver(laplacian, ends.Vertices(), progress).Solve(EndValues(ends)).col(0);
 }
 } // namespace shapeton

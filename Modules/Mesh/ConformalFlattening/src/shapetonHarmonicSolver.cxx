@@ -65,7 +65,10 @@ RequireFixedComponents(const SurfaceLaplacian & laplacian, const std::vector<int
 
 struct HarmonicSolver::Factor
 {
-  Factor(const SurfaceLaplacian & laplacian, const std::vector<int> & fixed, const SymbolicFactorisation & symbolic);
+  Factor(const SurfaceLaplacian &      laplacian,
+         const std::vector<int> &      fixed,
+         const SymbolicFactorisation & symbolic,
+         const Progress &              progress);
 
   std::vector<int>                                   rows; ///< -1 - the row among the fixed vertices, 0 of free ones
   std::vector<std::pair<std::array<int, 2>, double>> weightsToFixed; ///< of edges from a free to a fixed vertex
@@ -75,7 +78,8 @@ struct HarmonicSolver::Factor
 /** The rows of fixed vertices become those of the identity, so that all choices of them have one pattern. */
 HarmonicSolver::Factor::Factor(const SurfaceLaplacian &      laplacian,
                                const std::vector<int> &      fixed,
-                               const SymbolicFactorisation & symbolic)
+                               const SymbolicFactorisation & symbolic,
+                               const Progress &              progress)
   : rows(RowsOfVertices(laplacian.NumberOfVertices(), fixed)), cholesky(symbolic)
 {
   RequireFixedComponents(laplacian, fixed);
@@ -99,21 +103,27 @@ HarmonicSolver::Factor::Factor(const SurfaceLaplacian &      laplacian,
   {
     diagonal[vertex] = 1.0;
   }
-  cholesky.Factorise(diagonal, offDiagonal);
+  cholesky.Factorise(diagonal, offDiagonal, progress);
   if (!cholesky.HasFactor()) // bounded weights can make it indefinite
   {
     throw InputError("the stiffness matrix of the surface cannot be factorised; repair or remesh the surface");
   }
 }
 
-HarmonicSolver::HarmonicSolver(const SurfaceLaplacian & laplacian, std::vector<int> fixedVertices)
-  : HarmonicSolver(laplacian, std::move(fixedVertices), SymbolicOf(laplacian.NumberOfVertices(), laplacian.edges))
+HarmonicSolver::HarmonicSolver(const SurfaceLaplacian & laplacian,
+                               std::vector<int>         fixedVertices,
+                               const Progress &         progress)
+  : HarmonicSolver(laplacian,
+                   std::move(fixedVertices),
+                   SymbolicOf(laplacian.NumberOfVertices(), laplacian.edges),
+                   progress)
 {}
 
 HarmonicSolver::HarmonicSolver(const SurfaceLaplacian &      laplacian,
                                std::vector<int>              fixedVertices,
-                               const SymbolicFactorisation & symbolic)
-  : m_Fixed(std::move(fixedVertices)), m_Factor(std::make_unique<const Factor>(laplacian, m_Fixed, symbolic))
+                               const SymbolicFactorisation & symbolic,
+                               const Progress &              progress)
+  : m_Fixed(std::move(fixedVertices)), m_Factor(std::make_unique<const Factor>(laplacian, m_Fixed, symbolic, progress))
 {}
 
 SymbolicFactorisation

@@ -61,12 +61,13 @@ Eigen::VectorXd
 Between(const SurfaceLaplacian &      laplacian,
         const SymbolicFactorisation & symbolic,
         std::vector<int>              zero,
-        const std::vector<int> &      one)
+        const std::vector<int> &      one,
+        const Progress &              progress)
 {
   Eigen::VectorXd values = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(zero.size() + one.size()));
   values.tail(static_cast<Eigen::Index>(one.size())).setOnes();
   zero.insert(zero.end(), one.begin(), one.end());
-  return HarmonicSolver(laplacian, std::move(zero), symbolic).Solve(values);
+  return HarmonicSolver(laplacian, std::move(zero), symbolic, progress).Solve(values);
 }
 } // namespace
 
@@ -75,20 +76,22 @@ MapQuadrilateral(const SurfaceConnectivity & connectivity,
                  const Eigen::VectorXd &     edgeLengths,
                  const BoundaryLoop &        boundary,
                  const std::array<int, 4> &  corners,
-                 const std::vector<int> &    weightLevels)
+                 const std::vector<int> &    weightLevels,
+                 const Progress &            progress)
 {
   const std::array<int, 4>    places = PlacesOfCorners(boundary.vertices, corners);
   const SurfaceLaplacian      laplacian = MakeSurfaceLaplacian(connectivity, edgeLengths);
   const SurfaceLaplacian      bounded = WithBoundedWeights(laplacian, weightLevels);
   const SymbolicFactorisation symbolic = HarmonicSolver::Analyse(connectivity);
-  const auto       side = [&](int i) { return SideOfBoundary(boundary.vertices, places[i], places[(i + 1) % 4]); };
+  const auto side = [&](int i) { return SideOfBoundary(boundary.vertices, places[i], places[(i + 1) % 4]); };
+  progress(0.4);
   QuadrilateralMap map;
   for (int i = 0; i < 4; ++i)
   {
     map.corners[i] = boundary.vertices[places[i]];
   }
-  map.u = Between(bounded, symbolic, side(3), side(1));
-  map.v = Between(bounded, symbolic, side(0), side(2));
+  map.u = Between(bounded, symbolic, side(3), side(1), progress.Part("", 0.4, 0.7));
+  map.v = Between(bounded, symbolic, side(0), side(2), progress.Part("", 0.7, 1.0));
   map.modulusU = GradientEnergy(laplacian, map.u);
   map.modulusV = 1.0 / GradientEnergy(laplacian, map.v);
   return map;

@@ -102,7 +102,8 @@ struct SlitMapSolver::State
         const Eigen::VectorXd &     edgeLengths,
         std::vector<BoundaryLoop>   itsLoops,
         int                         outerLoop,
-        const std::vector<int> &    weightLevels)
+        const std::vector<int> &    weightLevels,
+        const Progress &            progress)
     : F(surface.F)
     , connectivity(itsConnectivity)
     , spaceLengths(EdgeLengths(itsConnectivity, surface.V))
@@ -114,8 +115,12 @@ struct SlitMapSolver::State
     , graph(itsConnectivity)
   {
     const SymbolicFactorisation symbolic = HarmonicSolver::Analyse(itsConnectivity);
-    functions = HarmonicSolver(laplacian, VerticesOfLoops(loops), symbolic).Solve(ValuesOfLoops(loops, innerLoops));
-    angleSolver = std::make_unique<HarmonicSolver>(laplacian, std::vector<int>{ loops[outer].vertices[0] }, symbolic);
+    progress(0.4);
+    const HarmonicSolver solver(laplacian, VerticesOfLoops(loops), symbolic, progress.Part("", 0.4, 0.6));
+    functions = solver.Solve(ValuesOfLoops(loops, innerLoops));
+    progress(0.8);
+    angleSolver = std::make_unique<HarmonicSolver>(
+      laplacian, std::vector<int>{ loops[outer].vertices[0] }, symbolic, progress.Part("", 0.8, 1.0));
     const Eigen::MatrixXd fluxes = functions.transpose() * (stiffness * functions);
     P = 0.5 * (fluxes + fluxes.transpose());
   }
@@ -188,15 +193,17 @@ SlitMapSolver::SlitMapSolver(const SurfaceMesh &         mesh,
                              const Eigen::VectorXd &     edgeLengths,
                              std::vector<BoundaryLoop>   loops,
                              int                         outer,
-                             const std::vector<int> &    weightLevels)
-  : m_State(std::make_unique<const State>(mesh, connectivity, edgeLengths, std::move(loops), outer, weightLevels))
+                             const std::vector<int> &    weightLevels,
+                             const Progress &            progress)
+  : m_State(
+      std::make_unique<const State>(mesh, connectivity, edgeLengths, std::move(loops), outer, weightLevels, progress))
 {}
 
 SlitMapSolver::~SlitMapSolver() = default;
 
 /** \equation{5.16} as a system for `lambda`. */
 SlitMap
-SlitMapSolver::Map(int inner) const
+SlitMapSolver::Map(int inner, const Progress & progress) const
 {
   const State & s = *m_State;
   const auto    place = std::find(s.innerLoops.begin(), s.innerLoops.end(), inner);
@@ -217,11 +224,14 @@ SlitMapSolver::Map(int inner) const
   }
   map.turnsOfLoops = SumsOfLoops(s.loops, s.stiffness * map.logRadius) / twoPi;
   const std::vector<char> isAvoided = s.PlacesToAvoid(map);
+  progress(0.3);
   s.ComputeAngle(s.spaceLengths, isAvoided, map);
+  progress(0.6);
   const double radius = s.loops[s.outer].length / twoPi;
   const double energy = s.ComputeAngle(s.spaceLengths + sideways * radius * s.AngleSteps(map), isAvoided, map);
   map.modulusU = twoPi / lambda[k];
   map.modulusV = twoPi * twoPi / energy;
+  progress(1.0);
   return map;
 }
 

@@ -22,8 +22,9 @@ public:
              const TubeOptions &         options);
   ~TubeSolver();
 
+  /** Progress is told of this map alone. */
   TubeMap
-  Solve();
+  Solve(const Progress & progress);
 
   /** From now on the weights are BoundedWeights() of these levels of the vertices. */
   void

@@ -1,6 +1,7 @@
 #include "shapetonTubeUnfolding.h"
 
 #include "shapetonBoundedWeights.h"
+#include "shapetonOpenEndedProgress.h"
 #include "shapetonPouches.h"
 #include "shapetonSurfaceHandles.h"
 #include "shapetonTubeSolver.h"
@@ -51,7 +52,10 @@ class TubeUnfolding
 {
 public:
   TubeUnfolding(SurfaceMesh mesh, const TubeEnds & ends, const TubeMetric & metric, const TubeOptions & options)
-    : m_Metric(metric), m_Options(options), m_MostSolves(options.conjugate == TubeConjugate::Published ? 1 : mostSolves)
+    : m_Metric(metric)
+    , m_Options(options)
+    , m_Steps(options.progress, 0.5)
+    , m_MostSolves(options.conjugate == TubeConjugate::Published ? 1 : mostSolves)
   {
     m_Tube.surface = std::move(mesh);
     m_Tube.ends = ends;
@@ -88,7 +92,7 @@ private:
   Connect()
   {
     m_Connectivity = std::make_unique<SurfaceConnectivity>(m_Tube.surface);
-    m_Tube.edgeLengths = m_Metric(m_Tube.surface, *m_Connectivity);
+    m_Tube.edgeLengths = m_Metric(m_Tube.surface, *m_Connectivity, m_Steps.NextStep("Metric"));
     m_IsTube = m_Connectivity->Components().front().genus == 0;
   }
 
@@ -127,7 +131,7 @@ private:
   void
   Map(TubeSolver & solver)
   {
-    m_Tube.map = solver.Solve();
+    m_Tube.map = solver.Solve(m_Steps.NextStep("Flattening"));
     ++m_Tube.solves;
     const SurfaceMesh & flat = m_Tube.map.flat;
     m_IsFlipped = FlippedFaces(flat.F, FlatCoordinates(flat, "the map"));
@@ -201,6 +205,7 @@ private:
 
   const TubeMetric &                   m_Metric;
   const TubeOptions &                  m_Options;
+  OpenEndedProgress                    m_Steps;      ///< a metric or a map each
   const int                            m_MostSolves; ///< of a round
   UnfoldedTube                         m_Tube;
   std::unique_ptr<SurfaceConnectivity> m_Connectivity;

@@ -3,6 +3,7 @@
 #include "shapetonColonTube.h"
 #include "shapetonHeatDiffusionMetric.h"
 #include "shapetonJson.h"
+#include "shapetonProgressTests.h"
 #include "shapetonTestSurfaces.h"
 #include "shapetonExceptions.h"
 
@@ -148,4 +149,22 @@ TEST(ColonFlattening, OnlyCurveRefusesOthers)
   EXPECT_THROW(shapeton::OnlyCurve(line, "it"), shapeton::InputError);
   line.curves = { { 1 } };
   EXPECT_THROW(shapeton::OnlyCurve(line, "it"), shapeton::InputError);
+}
+
+TEST(ColonFlattening, IsAbortedByProgressWhateverTheMetric)
+{
+  const shapeton::SurfaceMesh tube = Tube(2);
+  for (const auto metric : { shapeton::FlatMetric::HeatDiffusion,
+                             shapeton::FlatMetric::TruncatedHeatDiffusion,
+                             shapeton::FlatMetric::Euclidean })
+  {
+    const auto work = [&](const shapeton::Progress & progress) {
+      shapeton::ColonFlatteningOptions options;
+      options.metric = metric;
+      options.removeHandles = true;
+      options.progress = progress;
+      FlattenColon(tube, "it", options);
+    };
+    shapeton::test::ExpectProgress(work, 20);
+  }
 }

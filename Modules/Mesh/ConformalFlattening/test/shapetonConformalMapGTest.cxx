@@ -1,4 +1,5 @@
 #include "shapetonConformalMap.h"
+#include "shapetonProgressTests.h"
 
 #include "shapetonJson.h"
 #include "shapetonPlanarDomains.h"
@@ -241,4 +242,19 @@ TEST(ConformalMap, NoiseDoesNotFoldMaps)
     folded += map.solves > 1;
   }
   EXPECT_GE(folded, 6);
+}
+
+TEST(ConformalMap, IsAbortedByProgress)
+{
+  const SurfaceMesh mesh = Cylinder(48, 30, 10.0, 25.0);
+  for (const ConformalDomain domain : { ConformalDomain::Slit, ConformalDomain::Rectangle })
+  {
+    const auto work = [&](const shapeton::Progress & progress) {
+      shapeton::ConformalMapOptions options;
+      options.domain = domain;
+      options.progress = progress;
+      MapConformally(mesh, options, "it");
+    };
+    shapeton::test::ExpectProgress(work, 8);
+  }
 }

@@ -19,7 +19,9 @@ namespace
 using namespace testsurfaces;
 
 Eigen::VectorXd
-StraightLengths(const shapeton::SurfaceMesh & mesh, const shapeton::SurfaceConnectivity & connectivity)
+StraightLengths(const shapeton::SurfaceMesh &         mesh,
+                const shapeton::SurfaceConnectivity & connectivity,
+                const shapeton::Progress &)
 {
   return shapeton::EdgeLengths(connectivity, mesh.V);
 }
@@ -196,16 +198,16 @@ TEST(TubeUnfolding, NoiseIsUnfoldedWithoutCaps)
 TEST(TubeUnfolding, MetricThatFoldsEverywhereIsUnfolded)
 {
   // Lengths of 1 and nearly 2 by chance: half of the triangles are needles, whose weights are large and negative.
-  const shapeton::TubeMetric metric = [](const shapeton::SurfaceMesh &,
-                                         const shapeton::SurfaceConnectivity & connectivity) {
-    Eigen::VectorXd lengths(connectivity.NumberOfEdges());
-    for (Eigen::Index edge = 0; edge < lengths.size(); ++edge)
-    {
-      const auto random = shapeton::Philox4x32(3, { static_cast<std::uint32_t>(edge), 0, 0, 0 });
-      lengths[edge] = shapeton::UnitFloat(random.a) < 0.5 ? 1.0 : 1.999;
-    }
-    return lengths;
-  };
+  const shapeton::TubeMetric metric =
+    [](const shapeton::SurfaceMesh &, const shapeton::SurfaceConnectivity & connectivity, const shapeton::Progress &) {
+      Eigen::VectorXd lengths(connectivity.NumberOfEdges());
+      for (Eigen::Index edge = 0; edge < lengths.size(); ++edge)
+      {
+        const auto random = shapeton::Philox4x32(3, { static_cast<std::uint32_t>(edge), 0, 0, 0 });
+        lengths[edge] = shapeton::UnitFloat(random.a) < 0.5 ? 1.0 : 1.999;
+      }
+      return lengths;
+    };
   const shapeton::SurfaceMesh         mesh = MakeRoughTube({});
   const shapeton::SurfaceConnectivity connectivity(mesh);
   const shapeton::TubeEnds            ends = shapeton::FindTubeEnds(mesh, connectivity, "the tube");

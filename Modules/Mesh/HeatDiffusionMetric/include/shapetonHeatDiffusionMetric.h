@@ -2,6 +2,7 @@
 #define shapetonHeatDiffusionMetric_h
 
 #include "shapetonDiffusionTime.h"
+#include "shapetonProgress.h"
 #include "shapetonSelectedInversion.h"
 #include "shapetonSurfaceSpectrum.h"
 
@@ -49,7 +50,7 @@ public:
    * \param atOnce factorisations in memory at the same time.
    * Throws InputError where t is not positive, or so large that the distances drown in rounding. */
   HeatDiffusionMetric
-  Compute(double t, int poles = defaultPoles, int atOnce = 2) const;
+  Compute(double t, int poles = defaultPoles, int atOnce = 2, const Progress & progress = {}) const;
 
   const SurfaceLaplacian &
   Laplacian() const
@@ -71,13 +72,16 @@ private:
 /** The metric of one surface with its straight edges. \pre RequireOneManifold(); else InputError.
  * \ingroup HeatDiffusionMetric */
 HeatDiffusionMetric_EXPORT HeatDiffusionMetric
-ComputeHeatDiffusionMetric(const SurfaceMesh & mesh, double t);
+ComputeHeatDiffusionMetric(const SurfaceMesh & mesh, double t, const Progress & progress = {});
 
 /** The metric of a surface with this Laplacian, in which all faces are triangles: deep within pouches distances may be
  * as small as the error of the default number of poles, which then breaks the triangle inequality, and mostPoles are
  * taken. \ingroup HeatDiffusionMetric */
 HeatDiffusionMetric_EXPORT HeatDiffusionMetric
-ComputeHeatDiffusionMetric(const SurfaceConnectivity & connectivity, const SurfaceLaplacian & laplacian, double t);
+ComputeHeatDiffusionMetric(const SurfaceConnectivity & connectivity,
+                           const SurfaceLaplacian &    laplacian,
+                           double                      t,
+                           const Progress &            progress = {});
 
 /** The metric as published: from the first `pairs` eigenpairs of the spectrum alone (the dissertation takes 50). Too
  * short where exp(-2 lambda t) of the last pair is not small. Throws InputError where t is not positive, or the

@@ -1,6 +1,7 @@
 #ifndef shapetonSurfaceDiffusion_h
 #define shapetonSurfaceDiffusion_h
 
+#include "shapetonProgress.h"
 #include "shapetonSurfaceLaplacian.h"
 
 namespace shapeton
@@ -11,7 +12,10 @@ namespace shapeton
  * a negative time.
  * \ingroup HeatDiffusionMetric */
 HeatDiffusionMetric_EXPORT void
-DiffuseOverSurface(const SurfaceLaplacian & laplacian, double time, Eigen::MatrixXd & values);
+DiffuseOverSurface(const SurfaceLaplacian & laplacian,
+                   double                   time,
+                   Eigen::MatrixXd &        values,
+                   const Progress &         progress = {});
 } // namespace shapeton
 
 #endif

@@ -1,6 +1,7 @@
 #ifndef shapetonSurfaceSpectrum_h
 #define shapetonSurfaceSpectrum_h
 
+#include "shapetonProgress.h"
 #include "shapetonSurfaceLaplacian.h"
 
 namespace shapeton
@@ -28,6 +29,8 @@ struct SurfaceSpectrumOptions
 {
   double tolerance{ 1e-10 };
   int    restarts{ 300 };
+  /** After each step of the iteration. It may throw in order to abort. */
+  Progress progress;
 };
 
 /** The `pairs` smallest eigenpairs by shift and invert: implicitly restarted Lanczos (Spectra) on a sparse Cholesky

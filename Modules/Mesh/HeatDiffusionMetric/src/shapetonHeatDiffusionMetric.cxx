@@ -48,7 +48,7 @@ HeatDiffusionMetricSolver::HeatDiffusionMetricSolver(SurfaceLaplacian laplacian)
 {}
 
 HeatDiffusionMetric
-HeatDiffusionMetricSolver::Compute(double t, int poles, int atOnce) const
+HeatDiffusionMetricSolver::Compute(double t, int poles, int atOnce, const Progress & progress) const
 {
   RequireDiffusionTime(t);
   if (poles < leastPoles || poles > mostPoles)
@@ -70,27 +70,41 @@ HeatDiffusionMetricSolver::Compute(double t, int poles, int atOnce) const
       diagonal += (rational.terms[i].residue * inverse.diagonal).real();
       offDiagonal += (rational.terms[i].residue * inverse.offDiagonal).real();
     },
-    atOnce);
+    atOnce,
+    progress);
   return { DistancesOf(m_Laplacian, diagonal, offDiagonal), t, 0, rational.error };
 }
 
 HeatDiffusionMetric
-ComputeHeatDiffusionMetric(const SurfaceMesh & mesh, double t)
+ComputeHeatDiffusionMetric(const SurfaceMesh & mesh, double t, const Progress & progress)
 {
   RequireDiffusionTime(t);
   RequireSound(mesh, "the surface");
+  progress(0.0);
   const SurfaceConnectivity connectivity(mesh);
   RequireOneManifold(connectivity, "the surface");
-  return ComputeHeatDiffusionMetric(connectivity, MakeSurfaceLaplacian(connectivity, mesh.V), t);
+  progress(0.05);
+  const SurfaceLaplacian laplacian = MakeSurfaceLaplacian(connectivity, mesh.V);
+  return ComputeHeatDiffusionMetric(connectivity, laplacian, t, progress.Part("", 0.1, 1.0));
 }
 
 HeatDiffusionMetric
-ComputeHeatDiffusionMetric(const SurfaceConnectivity & connectivity, const SurfaceLaplacian & laplacian, double t)
+ComputeHeatDiffusionMetric(const SurfaceConnectivity & connectivity,
+                           const SurfaceLaplacian &    laplacian,
+                           double                      t,
+                           const Progress &            progress)
 {
-  const HeatDiffusionMetricSolver solver(laplacian);
-  HeatDiffusionMetric             metric = solver.Compute(t);
-  return AreTriangles(connectivity, metric.edgeLengths) ? metric
-                                                        : solver.Compute(t, HeatDiffusionMetricSolver::mostPoles);
+  using Solver = HeatDiffusionMetricSolver;
+  constexpr int atOnce = 2;
+  progress(0.0);
+  const Solver        solver(laplacian);
+  HeatDiffusionMetric metric = solver.Compute(t, Solver::defaultPoles, atOnce, progress.Part("", 0.3, 0.9));
+  if (!AreTriangles(connectivity, metric.edgeLengths))
+  {
+    metric = solver.Compute(t, Solver::mostPoles, atOnce, progress.Part("", 0.9, 1.0));
+  }
+  progress(1.0);
+  return metric;
 }
 
 HeatDiffusionMetric

@@ -1,6 +1,7 @@
 #include "shapetonSurfaceSpectrum.h"
 
 #include "shapetonExceptions.h"
+#include "shapetonOpenEndedProgress.h"
 #include "shapetonSparseCholesky.h"
 
 #include <Eigen/Dense>
@@ -47,10 +48,15 @@ class ShiftedInverse
 public:
   using Scalar = double;
 
-  ShiftedInverse(const SurfaceLaplacian & laplacian, const SymbolicFactorisation & symbolic, double shift)
-    : m_RootMass(laplacian.mass.cwiseSqrt()), m_Shift(shift), m_Factor(symbolic)
+  /** \param steps hears of each vector that the inverse is applied to. */
+  ShiftedInverse(const SurfaceLaplacian &      laplacian,
+                 const SymbolicFactorisation & symbolic,
+                 double                        shift,
+                 OpenEndedProgress &           steps)
+    : m_RootMass(laplacian.mass.cwiseSqrt()), m_Shift(shift), m_Factor(symbolic), m_Steps(steps)
   {
-    if (!m_Factor.Factorise(StiffnessDiagonal(laplacian) + shift * laplacian.mass, -laplacian.weights))
+    if (!m_Factor.Factorise(
+          StiffnessDiagonal(laplacian) + shift * laplacian.mass, -laplacian.weights, steps.NextStep()))
     {
       throw InputError("the stiffness matrix of the surface cannot be factorised; repair or remesh the surface");
     }
@@ -87,12 +93,14 @@ public:
     {
       y -= m_Known->vectors[i].dot(x) / (m_Known->values[i] + m_Shift) * m_Known->vectors[i];
     }
+    m_Steps.Step();
   }
 
 private:
   Eigen::VectorXd        m_RootMass;
   double                 m_Shift;
   SparseCholesky         m_Factor;
+  OpenEndedProgress &    m_Steps;
   const SymmetricPairs * m_Known{ nullptr };
 };
 
@@ -155,14 +163,16 @@ LanczosPairs(const SurfaceLaplacian & laplacian, int pairs, const SurfaceSpectru
   constexpr int               spare = 6;
   constexpr int               attempts = 8;
   const double                shift = 0.5 * EigenvalueStep(laplacian);
+  OpenEndedProgress           steps(options.progress, 4.0 * pairs);
   const SymbolicFactorisation symbolic(laplacian.NumberOfVertices(), laplacian.edges, EliminationOrder::MinimumDegree);
   const Eigen::VectorXd       diagonal = StiffnessDiagonal(laplacian);
+  steps.Step();
   // L - number M has as many negative eigenvalues as there are eigenvalues below the number.
   auto countBelow = [&, counter = SparseCholesky(symbolic)](double number) mutable {
-    counter.Factorise(diagonal - number * laplacian.mass, -laplacian.weights);
+    counter.Factorise(diagonal - number * laplacian.mass, -laplacian.weights, steps.NextStep());
     return counter.NegativeEigenvalues();
   };
-  ShiftedInverse inverse(laplacian, symbolic, shift);
+  ShiftedInverse inverse(laplacian, symbolic, shift, steps);
   SymmetricPairs found;
   AddPairs(inverse, shift, pairs + spare, options, found);
   for (int attempt = 0; attempt < attempts; ++attempt)
@@ -222,6 +232,7 @@ ComputeSurfaceSpectrum(const SurfaceLaplacian & laplacian, int pairs, const Surf
     const Eigen::VectorXd rest = stiffness * function - spectrum.eigenvalues[i] * laplacian.mass.cwiseProduct(function);
     spectrum.residuals[i] = rest.cwiseQuotient(rootMass).norm();
   }
+  options.progress(1.0);
   spectrum.residuals /= std::max(spectrum.eigenvalues[pairs - 1], EigenvalueStep(laplacian));
   return spectrum;
 }

@@ -3,6 +3,7 @@
 
 #include "shapetonColonTube.h"
 #include "shapetonIntrinsicSurfaces.h"
+#include "shapetonProgressTests.h"
 #include "shapetonSurfaceSimplification.h"
 #include "shapetonExceptions.h"
 
@@ -299,5 +300,10 @@ TEST(HeatDiffusionMetric, RefusesBadInput)
   const SurfaceSpectrum spectrum = ComputeSurfaceSpectrum(solver.Laplacian(), 20);
   EXPECT_THROW(TruncatedHeatDiffusionMetric(solver.Laplacian(), spectrum, 1.0, 21), InputError);
   EXPECT_THROW(TruncatedHeatDiffusionMetric(solver.Laplacian(), spectrum, -1.0, 10), InputError);
+}
+TEST(HeatDiffusionMetric, IsAbortedByProgress)
+{
+  const SurfaceMesh mesh = Roughened(Torus(96, 48, 10.0, 4.0), 0.2, 2);
+  test::ExpectProgress([&](const Progress & progress) { ComputeHeatDiffusionMetric(mesh, 0.5, progress); }, 10);
 }
 } // namespace

@@ -1,6 +1,7 @@
 #include "shapetonSurfaceSpectrum.h"
 
 #include "shapetonIntrinsicSurfaces.h"
+#include "shapetonProgressTests.h"
 #include "shapetonExceptions.h"
 
 #include <gtest/gtest.h>
@@ -142,5 +143,15 @@ TEST(SurfaceSpectrum, RefusesTooManyPairsAndSaysWhenItDoesNotConverge)
   options.restarts = 1;
   options.tolerance = 1e-15;
   EXPECT_THROW(ComputeSurfaceSpectrum(laplacian, 60, options), InputError);
+}
+TEST(SurfaceSpectrum, IsAbortedByProgressOfEachStep)
+{
+  const auto laplacian = LaplacianOf(Roughened(Square(40, 10.0), 0.1, 2));
+  const auto work = [&](const Progress & progress) {
+    SurfaceSpectrumOptions options;
+    options.progress = progress;
+    ComputeSurfaceSpectrum(laplacian, 30, options);
+  };
+  test::ExpectProgress(work, 70); // Lanczos keeps 72 vectors
 }
 } // namespace
