@@ -4,6 +4,7 @@
 #include "shapetonRemarks.h"
 #include "shapetonColonFlexures.h"
 #include "shapetonColonWallTube.h"
+#include "shapetonProgress.h"
 
 namespace shapeton
 {
@@ -44,13 +45,20 @@ ColonLandmarks_EXPORT std::string
  * distance from the plane; walks stay within 70 mm along the centreline of `arcLength`, or 140 mm where there is none.
  * Empty where there is none there either. \ingroup ColonLandmarks */
 ColonLandmarks_EXPORT SurfaceWalk
-FindLoop(const ColonWallTube & tube, const Eigen::Vector3d & point, const Eigen::Vector3d & normal, double arcLength);
+FindLoop(const ColonWallTube &   tube,
+         const Eigen::Vector3d & point,
+         const Eigen::Vector3d & normal,
+         double                  arcLength,
+         const Progress &        progress = {});
 
 /** The six segments between loops at the flexures that were found. The caecum has no flexure: it begins at the
  * ileocaecal valve, where the centreline knows of one (see IleocaecalValveOf()), else where the centreline is 6 cm from
  * its end, straight, its length in anatomy (Gray's Anatomy, 41st ed.). \ingroup ColonLandmarks */
 ColonLandmarks_EXPORT ColonSegments
-FindColonSegments(const ColonWallTube & tube, const CurveSet & centreline, const ColonFlexures & flexures);
+FindColonSegments(const ColonWallTube & tube,
+                  const CurveSet &      centreline,
+                  const ColonFlexures & flexures,
+                  const Progress &      progress = {});
 } // namespace shapeton
 
 #endif

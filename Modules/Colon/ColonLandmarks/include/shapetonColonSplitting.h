@@ -39,7 +39,7 @@ struct ColonPieces
  * with MapConformally(). A segment that is not known, or is no tube between its borders, is left out with a warning, as
  * all are where there is no taenia. \ingroup ColonLandmarks */
 ColonLandmarks_EXPORT ColonPieces
-SplitColon(const SurfaceMesh & flat, const ColonLandmarks & landmarks);
+SplitColon(const SurfaceMesh & flat, const ColonLandmarks & landmarks, const Progress & progress = {});
 
 /** A list of segment, name, modulus (the geometric mean), modulusU, modulusV, width, height, area, faces, flips.
  * \ingroup ColonLandmarks */

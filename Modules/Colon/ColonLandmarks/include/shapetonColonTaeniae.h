@@ -3,6 +3,7 @@
 
 #include "shapetonRemarks.h"
 #include "shapetonColonWallTube.h"
+#include "shapetonProgress.h"
 
 #include <array>
 
@@ -48,6 +49,8 @@ struct ColonTaeniaOptions
   TaeniaRule rule{ TaeniaRule::Joint };
   /** Points on taeniae, LPS, mm; the taeniae pass through them. */
   std::vector<Eigen::Vector3d> markers;
+  /** It may throw in order to abort. */
+  Progress progress;
 };
 
 /** The three taeniae of a colon on its wall, and how well they are supported. See FindColonTaeniae().

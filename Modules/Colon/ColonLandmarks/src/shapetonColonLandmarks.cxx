@@ -78,7 +78,8 @@ FindColonLandmarks(const FlatColon & flat, const CurveSet & centreline, const Co
   options.progress("Finding flexures", 0.1);
   result.flexures = FindColonFlexures(centreline, options.flexureRule);
   AppendRemarks(result.warnings, result.flexures.warnings);
-  result.segments = FindColonSegments(*tube, centreline, result.flexures);
+  result.segments =
+    FindColonSegments(*tube, centreline, result.flexures, options.progress.Part("Finding segments", 0.1, 0.2));
   AppendRemarks(result.warnings, result.segments.warnings);
   result.valve = IleocaecalValveOf(centreline);
   if (result.valve)
@@ -89,12 +90,13 @@ FindColonLandmarks(const FlatColon & flat, const CurveSet & centreline, const Co
   }
 
   options.progress("Finding folds", 0.2);
-  result.folds = FindSurfaceFolds(flat);
+  result.folds = FindSurfaceFolds(flat, {}, options.progress.Part("Finding folds", 0.2, 0.4));
 
   options.progress("Finding taeniae", 0.4);
   ColonTaeniaOptions taeniaOptions;
   taeniaOptions.rule = options.taeniaRule;
   taeniaOptions.markers = options.markers;
+  taeniaOptions.progress = options.progress.Part("Finding taeniae", 0.4, 1.0);
   result.taeniae = FindColonTaeniae(flat, *tube, taeniaOptions);
   AppendRemarks(result.warnings, result.taeniae.warnings);
   AddHindrances(centreline, result);

@@ -155,7 +155,10 @@ NameOfSegment(int segment)
 }
 
 ColonSegments
-FindColonSegments(const ColonWallTube & tube, const CurveSet & centreline, const ColonFlexures & flexures)
+FindColonSegments(const ColonWallTube & tube,
+                  const CurveSet &      centreline,
+                  const ColonFlexures & flexures,
+                  const Progress &      progress)
 {
   std::vector<SegmentBorder> candidates;
   for (const ColonFlexure & flexure : flexures.flexures)
@@ -171,10 +174,13 @@ FindColonSegments(const ColonWallTube & tube, const CurveSet & centreline, const
   const VertexMatrix    tangents = shape.Tangents(10.0);
   ColonSegments         result;
   result.isCaecumAtValve = valve.has_value();
-  for (SegmentBorder & border : candidates)
+  for (std::size_t done = 0; done < candidates.size(); ++done)
   {
-    const int i = shape.IndexAt(border.arcLength);
-    border.loop = FindLoop(tube, border.point, tangents.row(i).transpose(), border.arcLength);
+    SegmentBorder & border = candidates[done];
+    const auto      number = static_cast<double>(candidates.size());
+    const Progress  part = progress.Part("", done / number, (done + 1) / number);
+    const int       i = shape.IndexAt(border.arcLength);
+    border.loop = FindLoop(tube, border.point, tangents.row(i).transpose(), border.arcLength, part);
     if (border.loop.vertices.empty())
     {
       result.warnings.push_back("no loop around the wall was found at the end of the " + NameOfSegment(border.number));

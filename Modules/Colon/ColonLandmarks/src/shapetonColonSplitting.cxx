@@ -158,7 +158,7 @@ RectalLoop(const SurfaceMesh & tube, const std::vector<BoundaryLoop> & loops)
 }
 
 ColonPiece
-MakePiece(const SurfaceMesh & tube, const ColonTaenia & taenia, int segment)
+MakePiece(const SurfaceMesh & tube, const ColonTaenia & taenia, int segment, const Progress & progress)
 {
   const std::string               name = "the " + NameOfSegment(segment);
   const SurfaceConnectivity       connectivity(tube);
@@ -175,6 +175,7 @@ MakePiece(const SurfaceMesh & tube, const ColonTaenia & taenia, int segment)
   const CutSurface    cut = CutAlongPaths(tube, connectivity, { path });
   ConformalMapOptions options;
   options.domain = ConformalDomain::Rectangle;
+  options.progress = progress;
   options.corners = CornersOf(cut, path);
   if (options.corners.empty())
   {
@@ -196,7 +197,7 @@ MakePiece(const SurfaceMesh & tube, const ColonTaenia & taenia, int segment)
 } // namespace
 
 ColonPieces
-SplitColon(const SurfaceMesh & flat, const ColonLandmarks & landmarks)
+SplitColon(const SurfaceMesh & flat, const ColonLandmarks & landmarks, const Progress & progress)
 {
   ColonPieces result;
   if (landmarks.taeniae.taeniae.empty())
@@ -207,6 +208,9 @@ SplitColon(const SurfaceMesh & flat, const ColonLandmarks & landmarks)
   const SurfaceMesh welded = WeldedSurface(flat, *landmarks.tube);
   for (int segment = 1; segment <= numberOfSegments; ++segment)
   {
+    const Progress part = progress.Part(
+      NameOfSegment(segment), (segment - 1.0) / numberOfSegments, static_cast<double>(segment) / numberOfSegments);
+    part(0.0);
     std::vector<int> faces;
     for (std::size_t face = 0; face < landmarks.segments.segmentOfFace.size(); ++face)
     {
@@ -221,7 +225,8 @@ SplitColon(const SurfaceMesh & flat, const ColonLandmarks & landmarks)
       {
         throw InputError("the borders of the " + NameOfSegment(segment) + " are not known");
       }
-      result.pieces.push_back(MakePiece(FacesOfSurface(welded, faces), landmarks.taeniae.taeniae.front(), segment));
+      const SurfaceMesh tube = FacesOfSurface(welded, faces);
+      result.pieces.push_back(MakePiece(tube, landmarks.taeniae.taeniae.front(), segment, part));
     }
     catch (const InputError & error)
     {

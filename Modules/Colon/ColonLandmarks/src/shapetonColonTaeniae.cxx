@@ -72,10 +72,13 @@ DistancesOf(const TaeniaEvidence & evidence, const TaeniaTracks & a, const Taeni
 
 /** Both methods; the tracks that are kept, and how far the methods agree. */
 TaeniaTracks
-ChooseTracks(const TaeniaEvidence & evidence, ColonTaeniae & result, std::vector<double> & distances)
+ChooseTracks(const TaeniaEvidence & evidence,
+             const Progress &       progress,
+             ColonTaeniae &         result,
+             std::vector<double> &  distances)
 {
   const bool         isPublished = result.rule == TaeniaRule::Published;
-  const TaeniaTracks joint = SmoothedTracks(JointTaeniae(evidence), smoothing);
+  const TaeniaTracks joint = SmoothedTracks(JointTaeniae(evidence, progress), smoothing);
   TaeniaTracks       fuzzy = FuzzyTaeniae(evidence, isPublished);
   result.jointEnergy = EnergyOfTaeniae(evidence, joint);
   if (fuzzy.empty())
@@ -213,9 +216,12 @@ NameOf(TaeniaRule rule)
 ColonTaeniae
 FindColonTaeniae(const FlatColon & flat, const ColonWallTube & tube, const ColonTaeniaOptions & options)
 {
-  const FlatColonGrid &  grid = flat.Grid();
-  const HaustralFolds    folds = FindHaustralFolds(flat);
-  TaeniaEvidence         evidence = MakeTaeniaEvidence(flat, tube, folds);
+  const FlatColonGrid & grid = flat.Grid();
+  HaustralFoldOptions   foldOptions;
+  foldOptions.progress = options.progress.Part("", 0.0, 0.3);
+  const HaustralFolds folds = FindHaustralFolds(flat, foldOptions);
+  TaeniaEvidence      evidence = MakeTaeniaEvidence(flat, tube, folds);
+  options.progress(0.4);
   const FlatColonLocator locator(grid);
   ColonTaeniae           result;
   result.rule = options.rule;
@@ -228,13 +234,14 @@ FindColonTaeniae(const FlatColon & flat, const ColonWallTube & tube, const Colon
     return result;
   }
   std::vector<double> distances;
-  TaeniaTracks        tracks = ChooseTracks(evidence, result, distances);
+  TaeniaTracks        tracks = ChooseTracks(evidence, options.progress.Part("", 0.4, 0.9), result, distances);
   if (tracks.empty())
   {
     result.reason = "fuzzy C-means, which the published rule stands on, found too few fold ends";
     result.warnings.push_back("no taenia was found: " + result.reason);
     return result;
   }
+  options.progress(0.9);
   ReportDisagreement(distances, result);
   PassThroughMarkers(evidence, passes, tracks);
   tracks = BestFirst(evidence, tracks, passes);

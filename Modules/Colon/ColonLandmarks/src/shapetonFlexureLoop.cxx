@@ -39,13 +39,14 @@ public:
 
   /** Each walk around the tube meets the cut in a vertex. */
   SurfaceWalk
-  Best() const
+  Best(const Progress & progress) const
   {
     SurfaceWalk best;
     double      least = std::numeric_limits<double>::max();
-    for (const int start : m_Starts)
+    for (std::size_t i = 0; i < m_Starts.size(); ++i)
     {
-      this->ImproveFrom(start, least, best);
+      this->ImproveFrom(m_Starts[i], least, best);
+      progress((i + 1.0) / static_cast<double>(m_Starts.size()));
     }
     for (std::size_t i = 0; i < best.vertices.size(); ++i)
     {
@@ -131,9 +132,14 @@ private:
 } // namespace
 
 SurfaceWalk
-FindLoop(const ColonWallTube & tube, const Eigen::Vector3d & point, const Eigen::Vector3d & normal, double arcLength)
+FindLoop(const ColonWallTube &   tube,
+         const Eigen::Vector3d & point,
+         const Eigen::Vector3d & normal,
+         double                  arcLength,
+         const Progress &        progress)
 {
-  SurfaceWalk loop = LoopSearch(tube, point, normal, arcLength, 70.0).Best();
-  return loop.vertices.empty() ? LoopSearch(tube, point, normal, arcLength, 140.0).Best() : loop;
+  SurfaceWalk loop = LoopSearch(tube, point, normal, arcLength, 70.0).Best(progress.Part("", 0.0, 0.5));
+  return loop.vertices.empty() ? LoopSearch(tube, point, normal, arcLength, 140.0).Best(progress.Part("", 0.5, 1.0))
+                               : loop;
 }
 } // namespace shapeton

@@ -58,7 +58,7 @@ public:
   }
 
   TaeniaTracks
-  Run()
+  Run(const Progress & progress)
   {
     for (int row = 0; row < m_Evidence.rows; ++row)
     {
@@ -72,6 +72,7 @@ public:
       }
       ParallelFor(angles, [&](std::size_t a) { this->Advance(row, static_cast<int>(a), marks); });
       m_Best.swap(m_Next);
+      progress((row + 1.0) / m_Evidence.rows);
     }
     return this->Trace();
   }
@@ -176,9 +177,9 @@ AngleAndGaps(const TaeniaAngles & tracks)
 } // namespace
 
 TaeniaTracks
-JointTaeniae(const TaeniaEvidence & evidence)
+JointTaeniae(const TaeniaEvidence & evidence, const Progress & progress)
 {
-  return JointProgramme(evidence).Run();
+  return JointProgramme(evidence).Run(progress);
 }
 
 double

@@ -4,6 +4,7 @@
 #include "shapetonColonWallTube.h"
 #include "shapetonFlatColonGrid.h"
 #include "shapetonHaustralFolds.h"
+#include "shapetonProgress.h"
 
 #include <array>
 #include <vector>
@@ -59,7 +60,7 @@ MakeTaeniaEvidence(const FlatColon & flat, const ColonWallTube & tube, const Hau
 
 /** The best three tracks by dynamic programming. */
 TaeniaTracks
-JointTaeniae(const TaeniaEvidence & evidence);
+JointTaeniae(const TaeniaEvidence & evidence, const Progress & progress);
 
 /** Mean energy of a row. */
 double

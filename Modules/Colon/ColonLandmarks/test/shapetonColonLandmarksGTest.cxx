@@ -1,4 +1,5 @@
 #include "shapetonColonSplitting.h"
+#include "shapetonProgressTests.h"
 
 #include "shapetonJson.h"
 #include "shapetonLandmarkTubes.h"
@@ -152,4 +153,16 @@ TEST(ColonLandmarks, SegmentsAndBordersTellWhereTheWallIsNotSeen)
       EXPECT_EQ(segment["reasons"][0]["length"], 30.0);
     }
   }
+}
+
+TEST(ColonLandmarks, AreNotFoundAfterAnAbort)
+{
+  const SchematicColon      colon = MakeSchematicColon();
+  const shapeton::FlatColon flat(landmarktubes::TubeAlong(colon.centreline, 12.0));
+  const auto                work = [&](const shapeton::Progress & progress) {
+    shapeton::ColonLandmarkOptions options;
+    options.progress = progress;
+    FindColonLandmarks(flat, colon.centreline, options);
+  };
+  shapeton::test::ExpectProgress(work, 100); // one for each place that a loop may start from, too
 }

@@ -7,6 +7,7 @@
 #include "shapetonColonAssessability.h"
 #include "shapetonCurveSet.h"
 #include "shapetonFlatColon.h"
+#include "shapetonProgress.h"
 
 #include "itkImage.h"
 
@@ -58,6 +59,8 @@ struct HaustralFoldOptions
   ///@}
   /** Curves on the wall, along which folds that have grown together are split; may be null. */
   const CurveSet * taeniae{ nullptr };
+  /** It may throw in order to abort. */
+  Progress progress;
 };
 
 /** A haustral fold. \ingroup HaustralFolds */

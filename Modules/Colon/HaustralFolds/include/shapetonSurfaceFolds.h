@@ -4,6 +4,7 @@
 #include "HaustralFoldsExport.h"
 
 #include "shapetonFlatColon.h"
+#include "shapetonProgress.h"
 
 #include <vector>
 
@@ -42,7 +43,7 @@ struct SurfaceFolds
  * together by edges, also across the cut, is a fold where it is large enough. Bridged faces hold no folds. Throws
  * InputError where a face has no area. \ingroup HaustralFolds */
 HaustralFolds_EXPORT SurfaceFolds
-FindSurfaceFolds(const FlatColon & flat, const SurfaceFoldOptions & options = {});
+FindSurfaceFolds(const FlatColon & flat, const SurfaceFoldOptions & options = {}, const Progress & progress = {});
 } // namespace shapeton
 
 #endif

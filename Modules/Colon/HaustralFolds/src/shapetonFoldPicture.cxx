@@ -8,10 +8,12 @@ FoldPicture
 MakeFoldPicture(const FlatColon & flat, const HaustralFoldOptions & options)
 {
   const FlatColonGrid & grid = flat.Grid();
-  const CurvatureUnit   unit =
+  options.progress(0.1);
+  const CurvatureUnit unit =
     options.scheme == HaustralFoldScheme::Published ? CurvatureUnit::Published : CurvatureUnit::PerArea;
   const Eigen::VectorXd & curvature = flat.Curvature(options.smoothingTime, unit);
-  FoldPicture             picture;
+  options.progress(0.3);
+  FoldPicture picture;
   picture.sign = unit == CurvatureUnit::Published ? -1.0 : 1.0;
   picture.columns = grid.Columns();
   picture.rows = grid.Rows();
@@ -20,7 +22,7 @@ MakeFoldPicture(const FlatColon & flat, const HaustralFoldOptions & options)
   picture.scale.assign(picture.Size(), 1.0F);
   picture.isWall.assign(picture.Size(), 0);
   picture.part.assign(picture.Size(), 0);
-  ParallelFor(picture.rows, [&](std::size_t row) {
+  const auto fillRow = [&](std::size_t row) {
     for (int column = 0; column < picture.columns; ++column)
     {
       const FlatSample sample = grid.SampleOfPixel(column, static_cast<int>(row));
@@ -38,7 +40,8 @@ MakeFoldPicture(const FlatColon & flat, const HaustralFoldOptions & options)
       picture.scale[pixel] = static_cast<float>(sample.scale);
       picture.isWall[pixel] = !sample.isBridged && sample.scale > 0.0;
     }
-  });
+  };
+  ParallelFor(picture.rows, fillRow, options.progress.Part("", 0.3, 0.5));
   return picture;
 }
 } // namespace shapeton

@@ -56,9 +56,11 @@ public:
   HaustralFolds
   Find()
   {
-    for (FoldPixels & part : this->Parts())
+    std::vector<FoldPixels> parts = this->Parts();
+    for (std::size_t i = 0; i < parts.size(); ++i)
     {
-      MeasuredFold measured = MeasureFold(m_Grid, m_Picture, std::move(part), m_Options.scheme);
+      m_Options.progress(0.7 + 0.3 * static_cast<double>(i) / static_cast<double>(parts.size()));
+      MeasuredFold measured = MeasureFold(m_Grid, m_Picture, std::move(parts[i]), m_Options.scheme);
       if (IsFold(measured.fold, m_Options))
       {
         RateFold(m_Picture, m_Mixture, m_Options, measured);
@@ -87,6 +89,7 @@ private:
       return ThresholdFolds(m_Picture, m_Options);
     }
     m_Mixture = FitCurvatureMixture(m_Picture);
+    m_Options.progress(0.6);
     return m_Mixture.hasFolds ? CutFolds(m_Picture, m_Mixture, m_Options) : std::vector<char>(m_Picture.Size(), 0);
   }
 
@@ -98,6 +101,7 @@ private:
     std::vector<FoldPixels> parts;
     for (FoldPixels & whole : ConnectedFolds(m_Picture, this->Mask()))
     {
+      m_Options.progress(0.7);
       std::vector<FoldPixels> some =
         this->IsPublished() ? std::vector<FoldPixels>{ std::move(whole) } : SplitFold(m_Picture, whole, m_Rule);
       std::move(some.begin(), some.end(), std::back_inserter(parts));
@@ -201,8 +205,10 @@ HaustralFolds
 FindHaustralFolds(const FlatColon & flat, const HaustralFoldOptions & options)
 {
   RequireValid(options);
+  options.progress(0.0);
   HaustralFolds folds = FoldFinder(flat, options).Find();
   NoteHindrances(flat, folds.folds);
+  options.progress(1.0);
   return folds;
 }
 } // namespace shapeton

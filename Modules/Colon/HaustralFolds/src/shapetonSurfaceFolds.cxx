@@ -155,12 +155,13 @@ ExtentOfFaces(const SurfaceMesh & surface, const std::vector<int> & faces)
 } // namespace
 
 SurfaceFolds
-FindSurfaceFolds(const FlatColon & flat, const SurfaceFoldOptions & options)
+FindSurfaceFolds(const FlatColon & flat, const SurfaceFoldOptions & options, const Progress & progress)
 {
   const SurfaceMesh &     surface = flat.Surface();
   const std::vector<char> isBridged = BridgedFaces(surface);
   SurfaceFolds            result;
   result.curvature = CurvatureOfPoints(flat, options.smoothingTime);
+  progress(0.6);
   const std::vector<double> curvature = CurvatureOfFaces(surface, result.curvature);
   result.leastCurvature =
     options.leastCurvature > 0.0 ? options.leastCurvature : ThresholdBetween(surface, curvature, isBridged);
@@ -171,6 +172,7 @@ FindSurfaceFolds(const FlatColon & flat, const SurfaceFoldOptions & options)
     isCandidate[face] = curvature[face] >= result.leastCurvature && isBridged[face] == 0;
   }
   const SurfaceConnectivity tube = ConnectivityOfTube(flat.Grid());
+  progress(0.9);
   result.foldOfFace.assign(numberOfFaces, 0);
   for (int seed = 0; seed < numberOfFaces; ++seed)
   {

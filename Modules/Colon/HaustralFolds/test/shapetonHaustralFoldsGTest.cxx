@@ -2,6 +2,7 @@
 
 #include "shapetonFlatCoordinateMap.h"
 #include "shapetonFoldTubes.h"
+#include "shapetonProgressTests.h"
 #include "shapetonExceptions.h"
 
 #include "itkMultiThreaderBase.h"
@@ -310,4 +311,15 @@ TEST(HaustralFolds, RefusesTaeniaeOfAnotherSurface)
   HaustralFoldOptions options;
   options.taeniae = &taenia;
   EXPECT_THROW(FindHaustralFolds(FlatColon(MakeTube(FourFolds())), options), shapeton::InputError);
+}
+
+TEST(HaustralFolds, AreNotFoundAfterAnAbort)
+{
+  const FlatColon flat(MakeTube(FourFolds()));
+  const auto      work = [&](const shapeton::Progress & progress) {
+    HaustralFoldOptions options;
+    options.progress = progress;
+    FindHaustralFolds(flat, options);
+  };
+  shapeton::test::ExpectProgress(work, 12); // one for each fold, too
 }

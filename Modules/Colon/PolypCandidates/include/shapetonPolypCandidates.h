@@ -4,6 +4,7 @@
 #include "shapetonCurveSet.h"
 #include "shapetonIleocaecalValve.h"
 #include "shapetonPolypScore.h"
+#include "shapetonProgress.h"
 #include "shapetonWallBulges.h"
 
 #include <limits>
@@ -154,6 +155,8 @@ struct PolypCandidateOptions
   double leastCurvature{ 0.01 };
   /** Of a candidate, mm, from 0. Smaller heads cannot be told from crumbs that the segmentation of a CT leaves. */
   double leastDiameter{ 3.5 };
+  /** It may throw in order to abort. */
+  Progress progress;
 };
 
 /** A time of diffusion in mm^2 that suits a wall: `time` where it stems from voxels of 0.8 mm, less by half a mm^2 for

@@ -19,7 +19,8 @@ using PolypLumenImage = itk::Image<unsigned char, 3>;
 PolypCandidates_EXPORT void
 MeasureShapeDiffusion(const SurfaceMesh &           wall,
                       const PolypLumenImage *       lumen,
-                      std::vector<PolypCandidate> & candidates);
+                      std::vector<PolypCandidate> & candidates,
+                      const Progress &              progress = {});
 
 /** The setting of dissertation 3.5.2. \ingroup PolypCandidates */
 struct PublishedPolypOptions
@@ -30,6 +31,8 @@ struct PublishedPolypOptions
   std::uint64_t steps{ 4000 };
   /** 0 to 1: candidates with a score of the shape of at least 1 - sensitivity. */
   double sensitivity{ defaultPolypSensitivity };
+  /** It may throw in order to abort. */
+  Progress progress;
 };
 
 /** Candidates by shapeton diffusion (dissertation 3.5.2). Shapetons start in the tissue within 8 mm of the lumen and

@@ -3,6 +3,7 @@
 
 #include "PolypCandidatesExport.h"
 
+#include "shapetonProgress.h"
 #include "shapetonSurfaceConnectivity.h"
 
 namespace shapeton
@@ -35,7 +36,8 @@ PolypCandidates_EXPORT SurfaceShape
 MeasureSurfaceShape(const VertexMatrix &        V,
                     const SurfaceConnectivity & connectivity,
                     const FaceMatrix &          F,
-                    double                      time);
+                    double                      time,
+                    const Progress &            progress = {});
 
 /** (2/pi) atan((k1 + k2) / (k1 - k2)) in [-1, 1]: 1 a cap in the lumen, 0.5 a ridge, 0 a saddle, -1 a pit (Koenderink
  * and van Doorn, Surface shape and curvature scales, 1992, with this sign; Yoshida and Nappi, IEEE TMI 20, 2001, map

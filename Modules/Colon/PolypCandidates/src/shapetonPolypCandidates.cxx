@@ -83,14 +83,18 @@ FindPolypCandidates(const SurfaceMesh & wall, const PolypCandidateOptions & opti
 {
   RequireParameter(options.sensitivity >= 0.0 && options.sensitivity <= 1.0, "the sensitivity must be from 0 to 1");
   const SurfaceConnectivity connectivity(wall);
-  const std::vector<char>   isLeftOut = FindNoWall(wall, connectivity);
-  const double              leastScore = 1.0 - options.sensitivity;
+  options.progress(0.2);
+  const std::vector<char> isLeftOut = FindNoWall(wall, connectivity);
+  options.progress(0.3);
+  const double leastScore = 1.0 - options.sensitivity;
 
   std::vector<PolypCandidate> candidates;
   const double                time = MatchedSmoothingTime(wall, options.smoothingTime);
-  const SurfaceShape          shape = MeasureSurfaceShape(wall.V, connectivity, wall.F, time);
+  const SurfaceShape          shape =
+    MeasureSurfaceShape(wall.V, connectivity, wall.F, time, options.progress.Part("", 0.3, 0.8));
   for (WallBulge & bulge : FindWallBulges(wall, connectivity, shape, isLeftOut, options.leastCurvature))
   {
+    options.progress(0.9);
     const PolypFeatures features = FeaturesOf(bulge);
     const double        score = PolypScore(features);
     if (score < leastScore)

@@ -101,10 +101,12 @@ Find(const PolypColon & colon, const PolypSearchOptions & options)
   {
     PublishedPolypOptions published;
     published.sensitivity = options.sensitivity;
+    published.progress = options.progress.Part("Candidates", 0.0, 0.7);
     return FindPublishedPolypCandidates(colon.wall, colon.lumen, colon.ct, published);
   }
   PolypCandidateOptions ours;
   ours.sensitivity = options.sensitivity;
+  ours.progress = options.progress.Part("Candidates", 0.0, 0.7);
   return FindPolypCandidates(colon.wall, ours);
 }
 } // namespace
@@ -147,8 +149,8 @@ SearchPolyps(const PolypColon & colon, const PolypSearchOptions & options)
 {
   options.progress("Candidates", 0.0);
   std::vector<PolypCandidate> candidates = Find(colon, options);
-  options.progress("Shape diffusion", 0.7);
-  MeasureShapeDiffusion(colon.wall, colon.lumen, candidates);
+  MeasureShapeDiffusion(colon.wall, colon.lumen, candidates, options.progress.Part("Shape diffusion", 0.7, 0.9));
+  options.progress("Shape diffusion", 0.9);
   if (colon.ct)
   {
     MeasureContent(colon.wall, colon.ct, colon.lumen, candidates);

@@ -4,6 +4,7 @@
 #include "shapetonTissueBox.h"
 
 #include "shapetonCumulativeHeatDiffusion.h"
+#include "shapetonOpenEndedProgress.h"
 #include "shapetonShapetonDiffusion.h"
 #include "shapetonSurfaceDiffusion.h"
 #include "shapetonExceptions.h"
@@ -35,12 +36,18 @@ HeatIn(const TissueBox & box)
 }
 
 std::vector<float>
-VisitsIn(const TissueBox & box, const ShapetonDiffusionSettings & settings, double depth, std::uint64_t steps)
+VisitsIn(const TissueBox &                 box,
+         const ShapetonDiffusionSettings & settings,
+         double                            depth,
+         std::uint64_t                     steps,
+         const Progress &                  progress)
 {
   const std::vector<unsigned char> mask = box.TissueNearLumen(depth);
   std::vector<std::uint32_t>       visits(box.NumberOfVoxels());
-  ShapetonDiffusion diffusion(box.Intensities().data(), box.Size(), settings, mask.data(), visits.data());
-  diffusion.Run(steps);
+  OpenEndedProgress                polls(progress, 100.0);
+  ShapetonDiffusion                diffusion(
+    box.Intensities().data(), box.Size(), settings, mask.data(), visits.data(), [&polls] { polls.Step(); });
+  diffusion.Run(steps, {}, [&polls](const ShapetonMeasures &) { polls.Step(); });
   return std::vector<float>(visits.begin(), visits.end());
 }
 
@@ -96,13 +103,17 @@ DensityOnWall(const SurfaceMesh &         wall,
 } // namespace
 
 void
-MeasureShapeDiffusion(const SurfaceMesh & wall, const PolypLumenImage * lumen, std::vector<PolypCandidate> & candidates)
+MeasureShapeDiffusion(const SurfaceMesh &           wall,
+                      const PolypLumenImage *       lumen,
+                      std::vector<PolypCandidate> & candidates,
+                      const Progress &              progress)
 {
   constexpr double        margin = 12.0; // mm
   constexpr double        step = 1.8;    // mm
   constexpr std::uint64_t steps = 200;
   for (PolypCandidate & candidate : candidates)
   {
+    progress((&candidate - candidates.data()) / static_cast<double>(candidates.size()));
     const std::vector<Eigen::Vector3d> points = PointsBelowSurface(wall, candidate);
     const TissueBox                    box(lumen, points, margin);
     candidate.features.heat = box.MeanAt(HeatIn(box), points);
@@ -111,7 +122,7 @@ MeasureShapeDiffusion(const SurfaceMesh & wall, const PolypLumenImage * lumen, s
     settings.volumeGradient.spacing = box.Spacing();
     settings.shapetons = 4000;
     settings.distance = std::min(1.0, step / box.LongestSide());
-    const std::vector<float> visits = VisitsIn(box, settings, margin, steps);
+    const std::vector<float> visits = VisitsIn(box, settings, margin, steps, {});
     candidate.features.shapetonDensity = box.MeanAt(visits, points) / std::max(1e-12, MeanOfTissue(box, visits));
   }
 }
@@ -126,8 +137,9 @@ FindPublishedPolypCandidates(const SurfaceMesh &           wall,
   constexpr double least = 0.96; // rank
   constexpr double narrowest = 3.0, widest = 40.0;
   RequireParameter(options.sensitivity >= 0.0 && options.sensitivity <= 1.0, "the sensitivity must be from 0 to 1");
-  const SurfaceConnectivity    connectivity(wall);
-  const SurfaceShape           shape = MeasureSurfaceShape(wall.V, connectivity, wall.F, 1.0);
+  const SurfaceConnectivity connectivity(wall);
+  const SurfaceShape        shape =
+    MeasureSurfaceShape(wall.V, connectivity, wall.F, 1.0, options.progress.Part("", 0.0, 0.3));
   std::vector<Eigen::Vector3d> corners = { wall.V.colwise().minCoeff().transpose(),
                                            wall.V.colwise().maxCoeff().transpose() };
   TissueBox                    box(lumen, corners, depth);
@@ -140,8 +152,13 @@ FindPublishedPolypCandidates(const SurfaceMesh &           wall,
   settings.volumeGradient.spacing = box.Spacing();
   settings.shapetons = options.shapetons;
   settings.distance = options.distance;
-  const Eigen::VectorXd ranks = RanksByArea(
-    DensityOnWall(wall, connectivity, shape, box, VisitsIn(box, settings, depth, options.steps)), shape.areas);
+  const Eigen::VectorXd ranks =
+    RanksByArea(DensityOnWall(wall,
+                              connectivity,
+                              shape,
+                              box,
+                              VisitsIn(box, settings, depth, options.steps, options.progress.Part("", 0.3, 0.9))),
+                shape.areas);
   const std::vector<char> isLeftOut = FindNoWall(wall, connectivity);
   Eigen::VectorXd         level = ranks.array() - least;
   for (Eigen::Index i = 0; i < wall.V.rows(); ++i)

@@ -92,24 +92,30 @@ PrincipalCurvatures(const Matrix3d & shape, const Vector3d & normal)
 } // namespace
 
 SurfaceShape
-MeasureSurfaceShape(const VertexMatrix & V, const SurfaceConnectivity & connectivity, const FaceMatrix & F, double time)
+MeasureSurfaceShape(const VertexMatrix &        V,
+                    const SurfaceConnectivity & connectivity,
+                    const FaceMatrix &          F,
+                    double                      time,
+                    const Progress &            progress)
 {
   const SurfaceLaplacian laplacian = MakeSurfaceLaplacian(connectivity, EdgeLengths(connectivity, V));
   SurfaceShape           shape;
   shape.areas = laplacian.mass;
   Eigen::MatrixXd normals = InwardNormals(V, F);
-  DiffuseOverSurface(laplacian, time, normals);
+  progress(0.1);
+  DiffuseOverSurface(laplacian, time, normals, progress.Part("", 0.1, 0.7));
   normals.rowwise().normalize();
   shape.inwardNormals = normals;
 
   std::vector<Matrix3d> operators(F.rows());
-  ParallelForBlocks(operators.size(), [&](std::size_t face) {
+  const auto            findOperator = [&](std::size_t face) {
     operators[face] = AreaVector(V, F, static_cast<int>(face)).norm() *
                       ShapeOperator(V, F, shape.inwardNormals, static_cast<int>(face));
-  });
+  };
+  ParallelForBlocks(operators.size(), findOperator, progress.Part("", 0.7, 0.85));
   shape.greater.resize(V.rows());
   shape.lesser.resize(V.rows());
-  ParallelForBlocks(static_cast<std::size_t>(V.rows()), [&](std::size_t i) {
+  const auto findCurvatures = [&](std::size_t i) {
     const auto vertex = static_cast<int>(i);
     Matrix3d   sum = Matrix3d::Zero();
     for (const int face : connectivity.FacesOfVertex(vertex))
@@ -120,7 +126,8 @@ MeasureSurfaceShape(const VertexMatrix & V, const SurfaceConnectivity & connecti
     const Eigen::Vector2d curvatures = PrincipalCurvatures(sum / area, shape.inwardNormals.row(vertex).transpose());
     shape.greater[vertex] = curvatures[0];
     shape.lesser[vertex] = curvatures[1];
-  });
+  };
+  ParallelForBlocks(static_cast<std::size_t>(V.rows()), findCurvatures, progress.Part("", 0.85, 1.0));
   return shape;
 }
 

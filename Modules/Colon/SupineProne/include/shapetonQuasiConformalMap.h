@@ -2,6 +2,7 @@
 #define shapetonQuasiConformalMap_h
 
 #include "shapetonBeltramiEquations.h"
+#include "shapetonProgress.h"
 
 #include <functional>
 
@@ -44,6 +45,8 @@ struct QuasiConformalOptions
   int iterations{ 30 };
   /** The rounds end when no coefficient changes by more. */
   double tolerance{ 0.01 };
+  /** After each map that is solved for. */
+  Progress progress;
 };
 
 /** See FindQuasiConformalMap(). \ingroup SupineProne */

@@ -103,7 +103,8 @@ SupineProne_EXPORT RegistrationResults
 MakeRegistrationResults(const ColonPositionFiles &      supine,
                         const ColonPositionFiles &      prone,
                         const SupineProneRegistration & registration,
-                        const std::vector<PointPair> &  truth = {});
+                        const std::vector<PointPair> &  truth = {},
+                        const Progress &                progress = {});
 ///@}
 } // namespace shapeton
 

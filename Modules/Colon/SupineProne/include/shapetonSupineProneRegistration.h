@@ -6,6 +6,7 @@
 #include "shapetonCylinderMap.h"
 #include "shapetonFoldMatching.h"
 #include "shapetonJsonForward.h"
+#include "shapetonProgress.h"
 
 namespace shapeton
 {
@@ -34,6 +35,8 @@ struct SupineProneOptions
   bool refines{ false };
   /** Greatest absolute Beltrami coefficient of the map. */
   double greatestDilatation{ 0.8 };
+  /** It may throw in order to abort. */
+  Progress progress;
 };
 
 /** Two folds that are taken for one. \ingroup SupineProne */

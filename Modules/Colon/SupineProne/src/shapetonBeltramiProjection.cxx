@@ -149,6 +149,7 @@ ProjectToBijection(const CylinderNodes &             nodes,
   while (projection.iterations < options.iterations && Bound(equations, bound, mu))
   {
     Solve(equations, mu, values);
+    options.progress((projection.iterations + 1.0) / options.iterations);
     mu = equations.CoefficientsOf(values, projection.flips);
     ++projection.iterations;
     bound *= projection.flips > 0 ? 0.9 : 1.0;

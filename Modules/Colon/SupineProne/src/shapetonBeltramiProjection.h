@@ -2,6 +2,7 @@
 #define shapetonBeltramiProjection_h
 
 #include "shapetonCylinderMap.h"
+#include "shapetonProgress.h"
 
 namespace shapeton
 {
@@ -10,6 +11,8 @@ struct BeltramiProjectionOptions
   /** Greatest absolute value of the Beltrami coefficient, below 1. */
   double greatest{ 0.8 };
   int    iterations{ 12 };
+  /** After each map that is solved for. */
+  Progress progress;
 };
 
 struct BeltramiProjection

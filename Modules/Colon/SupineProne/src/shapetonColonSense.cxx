@@ -50,7 +50,7 @@ constexpr std::array<const char *, 4> textOfWay{ { "",
 } // namespace
 
 double
-RequireSameSense(const ColonWithFolds & source, const ColonWithFolds & target)
+RequireSameSense(const ColonWithFolds & source, const ColonWithFolds & target, const Progress & progress)
 {
   const int rows = std::max(2, static_cast<int>((source.cylinder.End() - source.cylinder.Begin()) / rowStep));
   const CylinderPicture     fixed = PictureOf(source, rowStep, rows);
@@ -62,6 +62,7 @@ RequireSameSense(const ColonWithFolds & source, const ColonWithFolds & target)
   std::array<double, 4> energies;
   for (int way = 0; way < 4; ++way)
   {
+    options.progress = progress.Part("", 0.25 * way, 0.25 * (way + 1));
     energies[way] = WarpCylinder(fixed, Turned(moving, way), frame, {}, options).energy;
   }
   const auto       best = std::min_element(energies.begin() + 1, energies.end());

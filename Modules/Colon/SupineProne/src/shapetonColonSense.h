@@ -3,6 +3,7 @@
 
 #include "shapetonColonCylinder.h"
 #include "shapetonColonPosition.h"
+#include "shapetonProgress.h"
 
 #include <vector>
 
@@ -20,7 +21,7 @@ struct ColonWithFolds
  * Nothing but the ends and the folds is used. Returns by how much the energy of the best turned warp exceeds that of
  * the straight one; two patients have about 0. */
 double
-RequireSameSense(const ColonWithFolds & source, const ColonWithFolds & target);
+RequireSameSense(const ColonWithFolds & source, const ColonWithFolds & target, const Progress & progress);
 } // namespace shapeton
 
 #endif

@@ -45,13 +45,17 @@ ConstraintsOfTaeniae(const ColonPair & pair, const RowMap & map, double deviatio
 
 /** Each round about the map of the one before. */
 void
-MatchAndFit(const ColonPair & pair, FoldMatchingMethod method, int rounds, CorrectedWarp & corrected)
+MatchAndFit(const ColonPair &  pair,
+            FoldMatchingMethod method,
+            int                rounds,
+            CorrectedWarp &    corrected,
+            const Progress &   progress)
 {
   for (int round = 0; round < rounds; ++round)
   {
     const RowMap map = corrected.Map(pair);
     corrected.matching = MatchFoldsAbout(pair, map, method);
-    FitCorrection(pair, map, {}, corrected);
+    FitCorrection(pair, map, {}, corrected, progress.Part("", double(round) / rounds, (round + 1.0) / rounds));
   }
 }
 } // namespace
@@ -98,7 +102,8 @@ void
 FitCorrection(const ColonPair &                pair,
               const RowMap &                   map,
               std::vector<DirectionConstraint> more,
-              CorrectedWarp &                  corrected)
+              CorrectedWarp &                  corrected,
+              const Progress &                 progress)
 {
   std::vector<DirectionConstraint> directions = ConstraintsOfTaeniae(pair, map, corrected.taeniaDeviation);
   directions.insert(directions.end(), more.begin(), more.end());
@@ -107,7 +112,7 @@ FitCorrection(const ColonPair &                pair,
   const auto correction = std::make_shared<SmoothCorrection>(
     pair.sourceCylinder->Begin(), pair.sourceCylinder->End(), pair.Around(), options);
   const std::vector<double> weights =
-    correction->Fit(ConstraintsOfFolds(pair, corrected.Warp(pair), corrected.matching), directions);
+    correction->Fit(ConstraintsOfFolds(pair, corrected.Warp(pair), corrected.matching), directions, progress);
   corrected.correction = correction;
   corrected.pairWeights.clear();
   for (std::size_t i = 0; i < corrected.matching.pairs.size(); ++i)
@@ -117,22 +122,25 @@ FitCorrection(const ColonPair &                pair,
 }
 
 CorrectedWarp
-CorrectWarp(const ColonPair & pair, const CylindricalWarp & warp, FoldMatchingMethod method)
+CorrectWarp(const ColonPair & pair, const CylindricalWarp & warp, FoldMatchingMethod method, const Progress & progress)
 {
   CorrectedWarp corrected;
   corrected.warp = warp;
-  MatchAndFit(pair, method, 2, corrected);
+  MatchAndFit(pair, method, 2, corrected, progress);
   return corrected;
 }
 
 CorrectedWarp
-CorrectChosenWarp(const ColonPair & pair, const CylindricalWarp & warp, FoldMatchingMethod method)
+CorrectChosenWarp(const ColonPair &       pair,
+                  const CylindricalWarp & warp,
+                  FoldMatchingMethod      method,
+                  const Progress &        progress)
 {
   CorrectedWarp corrected;
   corrected.warp = warp;
   corrected.taeniaDeviation = 6.0;
   corrected.stiffness = 1.0;
-  MatchAndFit(pair, method, 3, corrected);
+  MatchAndFit(pair, method, 3, corrected, progress);
   return corrected;
 }
 } // namespace shapeton

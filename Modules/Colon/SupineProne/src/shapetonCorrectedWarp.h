@@ -47,23 +47,27 @@ struct CorrectedWarp
  * and ends of matched folds and along the taeniae. To judge a warp: taeniae count as much as folds, and the stiff
  * correction cannot follow wrong pairs. */
 CorrectedWarp
-CorrectWarp(const ColonPair & pair, const CylindricalWarp & warp, FoldMatchingMethod method);
+CorrectWarp(const ColonPair & pair, const CylindricalWarp & warp, FoldMatchingMethod method, const Progress & progress);
 
 /** The same once more and softer, for the warp that was chosen. Taeniae are found less exactly than folds, and
  * neighbouring points of one err together, so that each counts for a quarter of a fold. */
 CorrectedWarp
-CorrectChosenWarp(const ColonPair & pair, const CylindricalWarp & warp, FoldMatchingMethod method);
+CorrectChosenWarp(const ColonPair &       pair,
+                  const CylindricalWarp & warp,
+                  FoldMatchingMethod      method,
+                  const Progress &        progress);
 
 /** Corrects it further by the pictures of folds themselves (Gauss-Newton). */
 void
-RefineByPictures(const ColonPair & pair, CorrectedWarp & corrected);
+RefineByPictures(const ColonPair & pair, CorrectedWarp & corrected, const Progress & progress);
 
 /** Fits the correction anew through the matched folds, the taeniae as the map takes them, and what else is known. */
 void
 FitCorrection(const ColonPair &                pair,
               const RowMap &                   map,
               std::vector<DirectionConstraint> more,
-              CorrectedWarp &                  corrected);
+              CorrectedWarp &                  corrected,
+              const Progress &                 progress);
 } // namespace shapeton
 
 #endif

@@ -55,6 +55,7 @@ public:
     {
       const std::vector<float> cost = m_Costs.OfRow(row, m_Centre[row] - m_Width, m_Rotations);
       before = row == 0 ? cost : this->Advance(row, before, cost);
+      m_Options.progress((row + 1.0) / rows);
     }
     return this->Trace(frame, before);
   }

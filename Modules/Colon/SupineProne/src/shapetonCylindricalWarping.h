@@ -2,6 +2,7 @@
 #define shapetonCylindricalWarping_h
 
 #include "shapetonCylinderPicture.h"
+#include "shapetonProgress.h"
 #include "shapetonStartFrame.h"
 
 namespace shapeton
@@ -35,7 +36,8 @@ struct CylindricalWarpingOptions
    * the target. */
   std::vector<double> breaks;
   /** Standard deviation of the smoothing of the path, rows. */
-  double smoothing{ 3.0 };
+  double   smoothing{ 3.0 };
+  Progress progress;
 };
 
 /** For each row of the source picture its place in the target and the rotation. */

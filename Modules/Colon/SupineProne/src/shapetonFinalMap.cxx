@@ -100,10 +100,12 @@ void
 ProjectMap(const ColonPair &         pair,
            const CorrectedWarp &     corrected,
            double                    greatestDilatation,
-           SupineProneRegistration & registration)
+           SupineProneRegistration & registration,
+           const Progress &          progress)
 {
   BeltramiProjectionOptions options;
   options.greatest = greatestDilatation;
+  options.progress = progress;
   const BeltramiProjection projection =
     ProjectToBijection(NodesOf(pair, corrected.Map(pair)), pair.sourceCylinder->Around(), pair.Around(), options);
   registration.matching = corrected.matching;
@@ -116,9 +118,10 @@ void
 MapAsPublished(const ColonPair &         pair,
                FoldMatchingMethod        method,
                double                    greatestDilatation,
-               SupineProneRegistration & registration)
+               SupineProneRegistration & registration,
+               const Progress &          progress)
 {
-  const PublishedMap published = FindPublishedMap(pair, registration.frame, method, greatestDilatation);
+  const PublishedMap published = FindPublishedMap(pair, registration.frame, method, greatestDilatation, progress);
   registration.matching = published.matching;
   registration.figures.greatestDilatation = published.greatestDilatation;
   registration.figures.solves = published.solves;

@@ -15,14 +15,16 @@ void
 ProjectMap(const ColonPair &         pair,
            const CorrectedWarp &     corrected,
            double                    greatestDilatation,
-           SupineProneRegistration & registration);
+           SupineProneRegistration & registration,
+           const Progress &          progress);
 
 /** The same by FindPublishedMap() about the frame of the registration; warns of triangles that are turned over. */
 void
 MapAsPublished(const ColonPair &         pair,
                FoldMatchingMethod        method,
                double                    greatestDilatation,
-               SupineProneRegistration & registration);
+               SupineProneRegistration & registration,
+               const Progress &          progress);
 } // namespace shapeton
 
 #endif

@@ -58,14 +58,18 @@ ConstraintsOfPictures(const ColonPair &       pair,
 } // namespace
 
 void
-RefineByPictures(const ColonPair & pair, CorrectedWarp & corrected)
+RefineByPictures(const ColonPair & pair, CorrectedWarp & corrected, const Progress & progress)
 {
+  double share = 0.0;
   for (const double blur : { 2.5, 1.5, 1.0 })
   {
+    const double begin = share;
+    share += 1.0 / 3.0;
     const CylinderPicture source = PlainPicture(pair.source, *pair.sourceCylinder, pair.sourceFolds, blur);
     const CylinderPicture target = PlainPicture(pair.target, *pair.targetCylinder, pair.targetFolds, blur);
     const RowMap          map = corrected.Map(pair);
-    FitCorrection(pair, map, ConstraintsOfPictures(pair, source, target, map), corrected);
+    FitCorrection(
+      pair, map, ConstraintsOfPictures(pair, source, target, map), corrected, progress.Part("", begin, share));
   }
 }
 } // namespace shapeton

@@ -152,8 +152,9 @@ public:
 
   /** Beginning with the last map that was found. */
   QuasiConformalMap
-  Find(std::vector<Landmark> landmarks)
+  Find(std::vector<Landmark> landmarks, const Progress & progress)
   {
+    m_Options.progress = progress;
     m_Conditions.landmarks = std::move(landmarks);
     QuasiConformalMap map = FindQuasiConformalMap(m_Flat.Equations(), m_Values, std::cref(m_Conditions), m_Options);
     m_Values = map.values;
@@ -177,15 +178,16 @@ PublishedMap
 FindPublishedMap(const ColonPair &   wholePair,
                  const CylinderMap & frame,
                  FoldMatchingMethod  method,
-                 double              greatestDilatation)
+                 double              greatestDilatation,
+                 const Progress &    progress)
 {
   const ColonPair   pair = SegmentWise(wholePair);
   LandmarkMapper    mapper(pair, frame, greatestDilatation);
-  const CylinderMap start(mapper.Flat().NodesOf(mapper.Find({}).values));
+  const CylinderMap start(mapper.Flat().NodesOf(mapper.Find({}, progress.Part("", 0.0, 0.5)).values));
   PublishedMap      published;
   published.matching = MatchFoldsAbout(
     pair, [&](const CylinderPlace & place) { return start.Forward(place); }, method);
-  const QuasiConformalMap map = mapper.Find(LandmarksOf(pair, start, published.matching));
+  const QuasiConformalMap map = mapper.Find(LandmarksOf(pair, start, published.matching), progress.Part("", 0.5, 1.0));
   published.map = CylinderMap(mapper.Flat().NodesOf(map.values));
   published.pairWeights = PairWeights(pair, published.map, published.matching);
   published.greatestDilatation = map.greatest;
@@ -204,6 +206,6 @@ QuasiConformalMapThrough(const ColonPair &    wholePair,
   pair.frame = EndFrame(pair.frame);
   pair.sourceTaeniae.isKnown = false;
   LandmarkMapper mapper(pair, start, greatestDilatation);
-  return CylinderMap(mapper.Flat().NodesOf(mapper.Find(LandmarksOf(pair, start, matching)).values));
+  return CylinderMap(mapper.Flat().NodesOf(mapper.Find(LandmarksOf(pair, start, matching), {}).values));
 }
 } // namespace shapeton

@@ -4,6 +4,7 @@
 #include "shapetonColonPair.h"
 #include "shapetonCylinderMap.h"
 #include "shapetonFoldMatching.h"
+#include "shapetonProgress.h"
 
 namespace shapeton
 {
@@ -33,7 +34,8 @@ PublishedMap
 FindPublishedMap(const ColonPair &   pair,
                  const CylinderMap & frame,
                  FoldMatchingMethod  method,
-                 double              greatestDilatation);
+                 double              greatestDilatation,
+                 const Progress &    progress = {});
 
 /** The same map through the ends of folds that are matched already, and the ends of the colon, but nothing else. */
 CylinderMap

@@ -211,7 +211,8 @@ void
 SettleConditions(ConditionedSolver &                                              solver,
                  const Coefficients &                                             mu,
                  const std::function<MapConditions(const CylinderValues & map)> & conditionsOf,
-                 QuasiConformalMap &                                              map)
+                 QuasiConformalMap &                                              map,
+                 const Progress &                                                 progress)
 {
   constexpr int    rounds = 8;
   constexpr double exact = 1e-6; // mm
@@ -220,6 +221,7 @@ SettleConditions(ConditionedSolver &                                            
   {
     map.values = solver.Solve(mu, conditions);
     ++map.solves;
+    progress((round + 1.0) / rounds);
     conditions = conditionsOf(map.values);
     map.greatestMiss =
       std::max(GreatestMiss(conditions.along, map.values.along), GreatestMiss(conditions.around, map.values.around));
@@ -252,6 +254,7 @@ FindQuasiConformalMap(const BeltramiEquations &                                 
   {
     map.values = solver.Solve(mu, conditionsOf(map.values));
     ++map.solves;
+    options.progress(0.8 * (round + 1.0) / options.iterations);
     const Coefficients next = smooth(Cut(equations.CoefficientsOf(map.values, map.flips), options.greatest));
     const double       change = GreatestDifference(next, mu);
     if (change <= options.tolerance)
@@ -260,7 +263,7 @@ FindQuasiConformalMap(const BeltramiEquations &                                 
     }
     mu = next;
   }
-  SettleConditions(solver, mu, conditionsOf, map);
+  SettleConditions(solver, mu, conditionsOf, map, options.progress.Part("", 0.8, 1.0));
   map.greatest = GreatestOf(equations.CoefficientsOf(map.values, map.flips));
   return map;
 }

@@ -23,7 +23,7 @@ AddArray(SurfaceMesh & surface, const std::string & name, int columns, bool areI
 /** `flat` with what lies in the other position at each vertex. */
 template <typename TMap>
 SurfaceMesh
-MappedSurface(const SurfaceMesh & flat, const TMap & map)
+MappedSurface(const SurfaceMesh & flat, const TMap & map, const Progress & progress)
 {
   SurfaceMesh surface = flat;
   surface.facts.clear();
@@ -34,7 +34,7 @@ MappedSurface(const SurfaceMesh & flat, const TMap & map)
   SurfaceArray & displacement = AddArray(surface, "displacement", 3);
   SurfaceArray & confidence = AddArray(surface, "confidence", 1);
   SurfaceArray & excluded = AddArray(surface, "excluded", 1, true);
-  ParallelFor(static_cast<std::size_t>(flat.V.rows()), [&](std::size_t i) {
+  const auto     mapVertex = [&](std::size_t i) {
     const auto        row = static_cast<Eigen::Index>(i);
     const MappedPoint to = map(uv.row(row).transpose());
     mapped.values.row(row) = to.point;
@@ -42,7 +42,8 @@ MappedSurface(const SurfaceMesh & flat, const TMap & map)
     displacement.values.row(row) = to.point.transpose() - flat.V.row(row);
     confidence.values(row, 0) = to.confidence;
     excluded.values(row, 0) = to.isExcluded;
-  });
+  };
+  ParallelFor(static_cast<std::size_t>(flat.V.rows()), mapVertex, progress);
   return surface;
 }
 
@@ -78,13 +79,18 @@ public:
   }
 
   RegistrationResults
-  Run()
+  Run(const Progress & progress)
   {
     const ColonPointMapper mapper(m_Registration);
-    m_Results.supineToProne = MappedSurface(m_Supine.position.flat->Surface(),
-                                            [&](const Eigen::Vector2d & uv) { return mapper.ForwardUv(uv); });
-    m_Results.proneToSupine =
-      MappedSurface(m_Prone.position.flat->Surface(), [&](const Eigen::Vector2d & uv) { return mapper.InverseUv(uv); });
+    progress(0.1);
+    m_Results.supineToProne = MappedSurface(
+      m_Supine.position.flat->Surface(),
+      [&](const Eigen::Vector2d & uv) { return mapper.ForwardUv(uv); },
+      progress.Part("", 0.1, 0.5));
+    m_Results.proneToSupine = MappedSurface(
+      m_Prone.position.flat->Surface(),
+      [&](const Eigen::Vector2d & uv) { return mapper.InverseUv(uv); },
+      progress.Part("", 0.5, 1.0));
     this->TellMatches();
     this->CountSegments();
     RegistrationErrors frame;
@@ -246,8 +252,9 @@ RegistrationResults
 MakeRegistrationResults(const ColonPositionFiles &      supine,
                         const ColonPositionFiles &      prone,
                         const SupineProneRegistration & registration,
-                        const std::vector<PointPair> &  truth)
+                        const std::vector<PointPair> &  truth,
+                        const Progress &                progress)
 {
-  return Telling(supine, prone, registration, truth).Run();
+  return Telling(supine, prone, registration, truth).Run(progress);
 }
 } // namespace shapeton

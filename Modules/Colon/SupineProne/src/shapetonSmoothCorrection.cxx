@@ -80,7 +80,8 @@ void
 SmoothCorrection::Solve(const std::vector<DisplacementConstraint> & constraints,
                         const std::vector<double> &                 weights,
                         const std::vector<DirectionConstraint> &    directions,
-                        const std::vector<double> &                 directionWeights)
+                        const std::vector<double> &                 directionWeights,
+                        const Progress &                            progress)
 {
   const int          nodes = m_Rows * m_Options.angles;
   const double       angleStep = m_Around / m_Options.angles;
@@ -131,7 +132,7 @@ SmoothCorrection::Solve(const std::vector<DisplacementConstraint> & constraints,
   }
   SparseMatrix system(2 * nodes, 2 * nodes);
   system.setFromTriplets(entries.begin(), entries.end());
-  if (!SolvePositiveDefinite(system, right))
+  if (!SolvePositiveDefinite(system, right, progress))
   {
     throw std::runtime_error("the equations of the smooth correction cannot be solved");
   }
@@ -140,7 +141,8 @@ SmoothCorrection::Solve(const std::vector<DisplacementConstraint> & constraints,
 
 std::vector<double>
 SmoothCorrection::Fit(const std::vector<DisplacementConstraint> & constraints,
-                      const std::vector<DirectionConstraint> &    directions)
+                      const std::vector<DirectionConstraint> &    directions,
+                      const Progress &                            progress)
 {
   std::vector<double> weights;
   std::vector<double> directionWeights;
@@ -155,7 +157,10 @@ SmoothCorrection::Fit(const std::vector<DisplacementConstraint> & constraints,
   const auto cauchy = [this](double error) { return 1.0 / (1.0 + std::pow(error / m_Options.robust, 2)); };
   for (int iteration = 0; iteration < m_Options.iterations; ++iteration)
   {
-    this->Solve(constraints, weights, directions, directionWeights);
+    const double begin = static_cast<double>(iteration) / m_Options.iterations;
+    const double end = (iteration + 1.0) / m_Options.iterations;
+    progress(begin);
+    this->Solve(constraints, weights, directions, directionWeights, progress.Part("", begin, end));
     for (std::size_t i = 0; i < constraints.size(); ++i)
     {
       weights[i] =

@@ -2,6 +2,7 @@
 #define shapetonSmoothCorrection_h
 
 #include "shapetonColonCylinder.h"
+#include "shapetonProgress.h"
 
 namespace shapeton
 {
@@ -52,7 +53,8 @@ public:
   /** Returns the weight that each constraint has in the end, in (0, 1], times its own. */
   std::vector<double>
   Fit(const std::vector<DisplacementConstraint> & constraints,
-      const std::vector<DirectionConstraint> &    directions = {});
+      const std::vector<DirectionConstraint> &    directions,
+      const Progress &                            progress);
 
   /** mm along and around. */
   Eigen::Vector2d
@@ -70,7 +72,8 @@ private:
   Solve(const std::vector<DisplacementConstraint> & constraints,
         const std::vector<double> &                 weights,
         const std::vector<DirectionConstraint> &    directions,
-        const std::vector<double> &                 directionWeights);
+        const std::vector<double> &                 directionWeights,
+        const Progress &                            progress);
 
   SmoothCorrectionOptions m_Options;
   double                  m_Begin;

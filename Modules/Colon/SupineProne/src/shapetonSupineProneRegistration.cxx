@@ -61,6 +61,7 @@ RegisterColonPositions(const ColonPosition & source, const ColonPosition & targe
     !isPublished || !(options.refines || options.isSegmentWise),
     "the published map takes neither the parameter \"refine\" nor the parameter \"segmentWise\": it is always "
     "made by segments, and never refined");
+  options.progress("Describing folds", 0.0);
   ColonPair               pair(source, target);
   SupineProneRegistration result;
   result.sourceFlat = source.flat;
@@ -68,30 +69,34 @@ RegisterColonPositions(const ColonPosition & source, const ColonPosition & targe
   result.source = pair.sourceCylinder;
   result.target = pair.targetCylinder;
   result.confidence.senseMargin = RequireSameSense({ source, *pair.sourceCylinder, pair.sourceFolds },
-                                                   { target, *pair.targetCylinder, pair.targetFolds });
+                                                   { target, *pair.targetCylinder, pair.targetFolds },
+                                                   options.progress.Part("Comparing the sense", 0.02, 0.15));
   FindFrame(pair, options.isSegmentWise, result.warnings);
   for (std::size_t i = 1; i + 1 < pair.frame.from.size(); ++i)
   {
     result.flexures.emplace_back(pair.frame.from[i], pair.frame.to[i]);
   }
-  WarpingChoice choice = WarpByTrials(pair, options.matching);
+  WarpingChoice choice = WarpByTrials(pair, options.matching, options.progress.Part("Warping", 0.15, 0.7));
   JudgeThirds(choice, result.confidence);
   if (options.refines)
   {
-    RefineByPictures(pair, choice.best);
+    RefineByPictures(pair, choice.best, options.progress.Part("Refining", 0.7, 0.8));
   }
   result.frame =
     CylinderMap(NodesOf(pair, { pair.frame, { choice.best.warp.s, choice.frameRotation }, nullptr, pair.Around() }));
   result.warp = CylinderMap(NodesOf(pair, choice.best.Warp(pair)));
+  const Progress progress = options.progress.Part("Mapping", 0.8, 1.0);
+  progress(0.0);
   if (isPublished)
   {
-    MapAsPublished(pair, options.matching, options.greatestDilatation, result);
+    MapAsPublished(pair, options.matching, options.greatestDilatation, result, progress);
   }
   else
   {
-    ProjectMap(pair, choice.best, options.greatestDilatation, result);
+    ProjectMap(pair, choice.best, options.greatestDilatation, result, progress);
   }
   JudgeRegistration(source, target, result);
+  progress(1.0);
   return result;
 }
 

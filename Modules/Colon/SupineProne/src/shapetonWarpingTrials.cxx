@@ -99,7 +99,7 @@ PictureOf(const ColonPair & pair, const PiecewiseLine * frame)
 }
 
 CylindricalWarp
-WarpAbout(const ColonPair & pair, const Trial & trial, const CylinderPicture & source)
+WarpAbout(const ColonPair & pair, const Trial & trial, const CylinderPicture & source, const Progress & progress)
 {
   CylindricalWarpingOptions options;
   options.breaks = pair.breaks;
@@ -108,6 +108,7 @@ WarpAbout(const ColonPair & pair, const Trial & trial, const CylinderPicture & s
   options.slopeWeight = trial.slope;
   options.rotationWeight = trial.rotation;
   options.taeniaWeight = trial.taeniae;
+  options.progress = progress;
   return WarpCylinder(source, PictureOf(pair, &trial.frame), trial.frame, {}, options);
 }
 
@@ -126,7 +127,10 @@ FrameOf(const CylindricalWarp & warp)
 
 /** Least energies near the warp, and near it turned by one and two thirds. */
 std::vector<double>
-EnergiesOfThirds(const ColonPair & pair, const CylindricalWarp & warp, const CylinderPicture & source)
+EnergiesOfThirds(const ColonPair &       pair,
+                 const CylindricalWarp & warp,
+                 const CylinderPicture & source,
+                 const Progress &        progress)
 {
   const PiecewiseLine       frame = FrameOf(warp);
   const CylinderPicture     target = PictureOf(pair, &frame);
@@ -140,6 +144,7 @@ EnergiesOfThirds(const ColonPair & pair, const CylindricalWarp & warp, const Cyl
   {
     std::vector<double> rotation = warp.rotation;
     std::transform(rotation.begin(), rotation.end(), rotation.begin(), [third](double t) { return t + third / 3.0; });
+    options.progress = progress.Part("", third / 3.0, (third + 1) / 3.0);
     energies.push_back(WarpCylinder(source, target, frame, rotation, options).energy);
   }
   return energies;
@@ -172,20 +177,25 @@ RotationOfFrame(const ColonPair & pair, const CylindricalWarp & warp)
 } // namespace
 
 WarpingChoice
-WarpByTrials(const ColonPair & pair, FoldMatchingMethod method)
+WarpByTrials(const ColonPair & pair, FoldMatchingMethod method, const Progress & progress)
 {
-  const CylinderPicture source = PictureOf(pair, nullptr);
-  WarpingChoice         choice;
-  for (const Trial & trial : Trials(pair))
+  const CylinderPicture    source = PictureOf(pair, nullptr);
+  const std::vector<Trial> trials = Trials(pair);
+  const double             shareOfTrial = 0.8 / static_cast<double>(trials.size());
+  WarpingChoice            choice;
+  for (std::size_t i = 0; i < trials.size(); ++i)
   {
-    CorrectedWarp corrected = CorrectWarp(pair, WarpAbout(pair, trial, source), method);
+    const double          begin = shareOfTrial * static_cast<double>(i);
+    const double          middle = begin + 0.7 * shareOfTrial;
+    const CylindricalWarp warp = WarpAbout(pair, trials[i], source, progress.Part("", begin, middle));
+    CorrectedWarp         corrected = CorrectWarp(pair, warp, method, progress.Part("", middle, begin + shareOfTrial));
     if (choice.best.warp.s.empty() || corrected.Support() > choice.best.Support())
     {
       choice.best = std::move(corrected);
     }
   }
-  choice.best = CorrectChosenWarp(pair, choice.best.warp, method);
-  choice.energies = EnergiesOfThirds(pair, choice.best.warp, source);
+  choice.best = CorrectChosenWarp(pair, choice.best.warp, method, progress.Part("", 0.8, 0.9));
+  choice.energies = EnergiesOfThirds(pair, choice.best.warp, source, progress.Part("", 0.9, 1.0));
   choice.frameRotation = pair.AreTaeniaeKnown() ? RotationOfFrame(pair, choice.best.warp) : choice.best.warp.rotation;
   return choice;
 }

@@ -19,7 +19,7 @@ struct WarpingChoice
  * that is one fold too far from the right one; how many pairs of folds a smooth map can follow does, so that decides
  * between the trials. */
 WarpingChoice
-WarpByTrials(const ColonPair & pair, FoldMatchingMethod method);
+WarpByTrials(const ColonPair & pair, FoldMatchingMethod method, const Progress & progress);
 } // namespace shapeton
 
 #endif

@@ -1,5 +1,6 @@
 #include "shapetonRegistrationErrors.h"
 #include "shapetonRegistrationSchemes.h"
+#include "shapetonProgressTests.h"
 #include "shapetonTestColons.h"
 #include "shapetonExceptions.h"
 
@@ -252,4 +253,21 @@ TEST(SupineProneRegistration, SimplerSchemesFindWhatTheyCanExpress)
   EXPECT_LT(errorOf(Scheme::Warping, both), 5.0);
   EXPECT_LT(errorOf(Scheme::Published, both), 4.0);
   EXPECT_LT(errorOf(Scheme::QuasiConformal, both), 4.0);
+}
+
+TEST(SupineProneRegistration, IsAbortedByProgressWhateverTheMap)
+{
+  const shapeton::ColonPosition supine = MakePosition("supine", 1, {});
+  const shapeton::ColonPosition prone = MakePosition("prone", 1, SomeMovement());
+  for (const bool isPublished : { false, true })
+  {
+    const auto work = [&](const shapeton::Progress & progress) {
+      shapeton::SupineProneOptions options;
+      options.map = isPublished ? shapeton::SupineProneMap::Published : shapeton::SupineProneMap::Default;
+      options.refines = !isPublished;
+      options.progress = progress;
+      RegisterColonPositions(supine, prone, options);
+    };
+    shapeton::test::ExpectProgress(work, 500); // one for each row of each warp, too
+  }
 }
