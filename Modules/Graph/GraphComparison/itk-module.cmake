@@ -5,13 +5,12 @@ itk_module(GraphComparison
   ENABLE_SHARED
   EXCLUDE_FROM_DEFAULT
   DEPENDS
+    Base
     Report
     GraphModel
     GraphGenus
     EmbeddingCertificate
     RicciFlowEmbedding
-  PRIVATE_DEPENDS
-    Base
   TEST_DEPENDS
     EmbeddingVerification
     ITKGoogleTest

@@ -5,9 +5,8 @@ itk_module(GraphGenus
   ENABLE_SHARED
   EXCLUDE_FROM_DEFAULT
   DEPENDS
-    GraphModel
-  PRIVATE_DEPENDS
     Base
+    GraphModel
   TEST_DEPENDS
     ITKGoogleTest
   DESCRIPTION "${DOCUMENTATION}"

@@ -5,10 +5,10 @@ itk_module(RicciFlowEmbedding
   ENABLE_SHARED
   EXCLUDE_FROM_DEFAULT
   DEPENDS
+    Base
     GraphModel
     EmbeddingCertificate
   PRIVATE_DEPENDS
-    Base
     SparseFactorisation
   TEST_DEPENDS
     ITKGoogleTest

@@ -64,13 +64,14 @@ struct GraphComparison
 
 /** Labels both graphs canonically and embeds them. An embedding of a graph that is not isomorphic to the first one
  * takes over its rotation system where nodes correspond by names, and its sphere is moved to the first one by a
- * Moebius transformation.
+ * Moebius transformation. Progress is that of the whole; that of the options is not told.
  * \ingroup GraphComparison */
 GraphComparison_EXPORT GraphComparison
 CompareGraphs(const Graph &                 a,
               const Graph &                 b,
               const GenusOptions &          genus = {},
-              const GraphEmbeddingOptions & embedding = {});
+              const GraphEmbeddingOptions & embedding = {},
+              const Progress &              progress = {});
 
 /** "#rrggbb" for each node of both graphs: corresponding nodes have one colour, neighbours in canonical order far ones;
  * nodes without a partner are grey. \ingroup GraphComparison */

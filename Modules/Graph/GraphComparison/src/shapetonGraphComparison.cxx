@@ -217,19 +217,34 @@ CorrespondingNodes(const CanonicalForm & a, const CanonicalForm & b)
 }
 
 GraphComparison
-CompareGraphs(const Graph & a, const Graph & b, const GenusOptions & genus, const GraphEmbeddingOptions & embedding)
+CompareGraphs(const Graph &                 a,
+              const Graph &                 b,
+              const GenusOptions &          genus,
+              const GraphEmbeddingOptions & embedding,
+              const Progress &              progress)
 {
+  const auto genusPart = [&](double begin, double end) {
+    GenusOptions part = genus;
+    part.progress = progress.Part("Finding the genus", begin, end);
+    return part;
+  };
+  const auto embeddingPart = [&](double begin, double end) {
+    GraphEmbeddingOptions part = embedding;
+    part.progress = progress.Part("Packing circles", begin, end);
+    return part;
+  };
+  progress("Labelling", 0.0);
   const CanonicalForm formA(a);
   const CanonicalForm formB(b);
   GraphComparison     result;
   result.correspondence = CorrespondingNodes(formA, formB);
   result.isomorphic = result.correspondence.by == "isomorphism";
-  const CombinatorialMap mapA = FindEmbedding(formA.graph, genus).map;
-  result.a = EmbedGraph(formA.graph, mapA, embedding);
+  const CombinatorialMap mapA = FindEmbedding(formA.graph, genusPart(0.1, 0.3)).map;
+  result.a = EmbedGraph(formA.graph, mapA, embeddingPart(0.3, 0.5));
   const bool             carries = result.correspondence.by == "names";
-  const CombinatorialMap mapB =
-    carries ? CarryRotation(formA.graph, mapA, formB.graph, genus).map : FindEmbedding(formB.graph, genus).map;
-  result.b = EmbedGraph(formB.graph, mapB, embedding);
+  const CombinatorialMap mapB = carries ? CarryRotation(formA.graph, mapA, formB.graph, genusPart(0.5, 0.7)).map
+                                        : FindEmbedding(formB.graph, genusPart(0.5, 0.7)).map;
+  result.b = EmbedGraph(formB.graph, mapB, embeddingPart(0.7, 0.9));
   if (!result.isomorphic)
   {
     result.differences = DifferencesBetween(FiguresOf(a), FiguresOf(b));
@@ -243,6 +258,7 @@ CompareGraphs(const Graph & a, const Graph & b, const GenusOptions & genus, cons
     }
   }
   result.changes = ChangesBetween(result.a, result.b, result.correspondence.image);
+  progress("Comparing", 1.0);
   return result;
 }
 

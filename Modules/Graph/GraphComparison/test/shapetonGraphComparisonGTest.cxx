@@ -4,6 +4,7 @@
 #include "shapetonEmbeddingVerification.h"
 #include "shapetonGraphFamilies.h"
 #include "shapetonJson.h"
+#include "shapetonProgressTests.h"
 #include "shapetonSphereAlignment.h"
 
 #include <gtest/gtest.h>
@@ -185,4 +186,12 @@ TEST(SphereAlignment, FindsAMoebiusTransformation)
     EXPECT_LT(shapeton::AngleBetween(shapeton::PlaceOnSphere(still, v), shapeton::PlaceOnSphere(moved, v)), 1e-9);
     EXPECT_NEAR(moved.nodeRadii[v], still.nodeRadii[v], 1e-9);
   }
+}
+
+TEST(GraphComparison, IsAbortedByProgress)
+{
+  const shapeton::Graph one = WithNames(shapeton::GridGraph(8, 8));
+  const shapeton::Graph other = WithNames(shapeton::GridGraph(16, 4));
+  const auto work = [&](const shapeton::Progress & progress) { CompareGraphs(one, other, {}, {}, progress); };
+  shapeton::test::ExpectProgress(work, 20);
 }

@@ -4,6 +4,7 @@
 #include "GraphGenusExport.h"
 
 #include "shapetonCombinatorialMap.h"
+#include "shapetonProgress.h"
 
 #include <cstdint>
 #include <string>
@@ -33,6 +34,8 @@ struct GenusOptions
   int restarts{ 12 };
   /** Multiplies the number of steps of a search; > 0. There is no limit in time: equal options give equal results. */
   double effort{ 1.0 };
+  /** It may throw in order to abort. */
+  Progress progress;
 };
 
 /** A rotation system of small genus and a lower bound of the genus. See FindEmbedding(). \ingroup GraphGenus */

@@ -194,10 +194,13 @@ private:
 } // namespace
 
 std::vector<int>
-SearchGenetically(const Graph & graph, PhiloxStream random, std::int64_t children)
+SearchGenetically(const Graph &                 graph,
+                  PhiloxStream                  random,
+                  std::int64_t                  children,
+                  const std::function<bool()> & isInVain)
 {
   GeneticSearch search(graph, random);
-  for (std::int64_t i = 0; i < children; ++i)
+  for (std::int64_t i = 0; i < children && !isInVain(); ++i)
   {
     search.Breed();
   }

@@ -4,6 +4,7 @@
 #include "shapetonGraph.h"
 #include "shapetonPhiloxStream.h"
 
+#include <functional>
 #include <vector>
 
 namespace shapeton
@@ -13,7 +14,10 @@ namespace shapeton
  * that lie several times in a face are changed; it replaces the worst one when it has no fewer faces. Returns the
  * half-edge after each one of the best after so many children. \ingroup GraphGenus */
 std::vector<int>
-SearchGenetically(const Graph & graph, PhiloxStream random, std::int64_t children);
+SearchGenetically(const Graph &                 graph,
+                  PhiloxStream                  random,
+                  std::int64_t                  children,
+                  const std::function<bool()> & isInVain);
 } // namespace shapeton
 
 #endif

@@ -39,10 +39,11 @@ struct SearchPart
 };
 
 /** Runs all searches of all parts on all threads. Of a part the best search counts, of equal ones the first, so a
- * search may be left out when an earlier one has reached the lower bound, and the result depends on no thread. */
+ * search may be left out when an earlier one has reached the lower bound, and the result depends on no thread. A search
+ * asks often whether it is in vain: then progress is reported, and after an abort all are. */
 template <typename TSearch>
 void
-SearchAll(std::vector<SearchPart> & parts, int restarts, const TSearch & search)
+SearchAll(std::vector<SearchPart> & parts, int restarts, const TSearch & search, const Progress & progress)
 {
   struct Outcome
   {
@@ -55,15 +56,33 @@ SearchAll(std::vector<SearchPart> & parts, int restarts, const TSearch & search)
   {
     first = restarts;
   }
+  std::atomic<std::size_t> begun{ 0 };
+  std::atomic<bool>        isAborted{ false };
+  const ProgressOfWorkers  reporter(progress);
+  const auto               report = [&] {
+    try
+    {
+      reporter(static_cast<double>(begun) / static_cast<double>(outcomes.size() + 1));
+    }
+    catch (...)
+    {
+      isAborted = true;
+      throw;
+    }
+  };
   const auto run = [&](std::size_t part, int restart) {
+    ++begun;
     const std::size_t task = part * restarts + restart;
     if (restart > firstAtBound[part])
     {
       return;
     }
-    Outcome & outcome = outcomes[task];
-    outcome.nextAround =
-      search(parts[part], restart, static_cast<std::uint32_t>(task), [&] { return restart > firstAtBound[part]; });
+    Outcome &  outcome = outcomes[task];
+    const auto isInVain = [&] {
+      report();
+      return isAborted || restart > firstAtBound[part];
+    };
+    outcome.nextAround = search(parts[part], restart, static_cast<std::uint32_t>(task), isInVain);
     outcome.genus = CombinatorialMap(parts[part].graph->nodes, parts[part].graph->edges, outcome.nextAround).Genus();
     int first = firstAtBound[part];
     while (outcome.genus <= parts[part].lowerBound && restart < first &&
@@ -188,22 +207,23 @@ private:
       parts.push_back({ &kernel, std::max(1, GenusLowerBound(kernel)), {} });
       m_LowerBound += parts.back().lowerBound;
     }
-    SearchAll(parts,
-              m_Options.restarts,
-              [this](const SearchPart & part, int restart, std::uint32_t stream, const auto & isInVain) {
-                const double   cornersOfAMove = CornersOfAMove(*part.graph);
-                GenusAnnealing annealing(*part.graph,
-                                         PhiloxStream(m_Options.seed, stream, annealingPurpose),
-                                         restart % 3 == 0 && cornersOfAMove < mostCornersOfBreadth
-                                           ? GenusAnnealing::Growth::Breadth
-                                           : GenusAnnealing::Growth::Tree);
-                const double   moves =
-                  std::min({ movesOfAnEdge * part.graph->edges.size(), mostMoves, mostCorners / cornersOfAMove }) *
-                  m_Options.effort;
-                annealing.Anneal(
-                  static_cast<std::int64_t>(moves), lastExponents[restart % 4], part.lowerBound, isInVain);
-                return annealing.BestNextAround();
-              });
+    SearchAll(
+      parts,
+      m_Options.restarts,
+      [this](const SearchPart & part, int restart, std::uint32_t stream, const auto & isInVain) {
+        const double   cornersOfAMove = CornersOfAMove(*part.graph);
+        GenusAnnealing annealing(*part.graph,
+                                 PhiloxStream(m_Options.seed, stream, annealingPurpose),
+                                 restart % 3 == 0 && cornersOfAMove < mostCornersOfBreadth
+                                   ? GenusAnnealing::Growth::Breadth
+                                   : GenusAnnealing::Growth::Tree);
+        const double   moves =
+          std::min({ movesOfAnEdge * part.graph->edges.size(), mostMoves, mostCorners / cornersOfAMove }) *
+          m_Options.effort;
+        annealing.Anneal(static_cast<std::int64_t>(moves), lastExponents[restart % 4], part.lowerBound, isInVain);
+        return annealing.BestNextAround();
+      },
+      m_Options.progress);
     for (std::size_t i = 0; i < parts.size(); ++i)
     {
       AddOrders(m_Graph, m_Blocks[i].part.edges, m_Blocks[i].kernel.Expand(parts[i].nextAround), m_Next, m_Any);
@@ -254,11 +274,13 @@ FindGenetically(const Graph & graph, const GenusOptions & options)
   {
     parts.push_back({ &component.graph, 0, {} });
   }
-  SearchAll(parts, options.restarts, [&options](const SearchPart & part, int, std::uint32_t stream, const auto &) {
+  const auto search = [&options](const SearchPart & part, int, std::uint32_t stream, const auto & isInVain) {
     return SearchGenetically(*part.graph,
                              PhiloxStream(options.seed, stream, geneticPurpose),
-                             static_cast<std::int64_t>(childrenOfASearch * options.effort));
-  });
+                             static_cast<std::int64_t>(childrenOfASearch * options.effort),
+                             isInVain);
+  };
+  SearchAll(parts, options.restarts, search, options.progress);
   std::vector<int> next(2 * graph.edges.size(), -1);
   std::vector<int> any(graph.nodes, -1);
   for (std::size_t i = 0; i < parts.size(); ++i)
@@ -346,6 +368,7 @@ FindEmbedding(const Graph & graph, const GenusOptions & options)
   RequireParameter(options.restarts >= 1, "there are no restarts; give 1 or more");
   RequireParameter(options.effort > 0.0, "the effort is not positive; give a number above 0");
   RequireSound(graph, "embedding");
+  options.progress(0.0);
   SurfaceEmbedding result =
     options.method == GenusMethod::Genetic ? FindGenetically(graph, options) : FindAnnealed(graph, options);
   if (options.genus >= 0)
@@ -355,6 +378,7 @@ FindEmbedding(const Graph & graph, const GenusOptions & options)
     result.map = raised;
   }
   result.minimal = result.map.Genus() == result.lowerBound;
+  options.progress(1.0);
   return result;
 }
 } // namespace shapeton

@@ -1,5 +1,6 @@
 #include "shapetonGraphFamilies.h"
 #include "shapetonGraphGenus.h"
+#include "shapetonProgressTests.h"
 #include "itkMultiThreaderBase.h"
 #include "shapetonExceptions.h"
 
@@ -219,4 +220,24 @@ TEST(GraphGenus, LargeTiledSurfacesAreFound)
   };
   EXPECT_EQ(GenusOf(shuffled(shapeton::TorusGridMap(100, 100).ToGraph())), 1);
   EXPECT_EQ(GenusOf(shuffled(shapeton::TorusGridMap(70, 50, true).ToGraph())), 1);
+}
+
+TEST(GraphGenus, SearchesAreAbortedByProgress)
+{
+  for (const unsigned int threads : { 1U, 3U })
+  {
+    itk::MultiThreaderBase::SetGlobalDefaultNumberOfThreads(threads);
+    for (const auto method : { shapeton::GenusMethod::Annealing, shapeton::GenusMethod::Genetic })
+    {
+      const auto work = [method](const shapeton::Progress & progress) {
+        shapeton::GenusOptions options;
+        options.method = method;
+        options.restarts = 3;
+        options.effort = 0.2;
+        options.progress = progress;
+        shapeton::FindEmbedding(shapeton::CompleteGraph(9), options);
+      };
+      shapeton::test::ExpectProgress(work, threads == 1 ? 20 : 2); // other threads do not report
+    }
+  }
 }

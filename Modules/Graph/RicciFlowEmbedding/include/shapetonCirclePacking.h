@@ -3,6 +3,7 @@
 
 #include "RicciFlowEmbeddingExport.h"
 #include "shapetonCombinatorialMap.h"
+#include "shapetonProgress.h"
 
 #include <cmath>
 #include <vector>
@@ -71,7 +72,8 @@ RicciFlowEmbedding_EXPORT CirclePacking
 PackCircles(const CombinatorialMap &  map,
             FlowGeometry              geometry,
             const CirclesAtInfinity & infinite = {},
-            PackingPrecision          precision = PackingPrecision::Double);
+            PackingPrecision          precision = PackingPrecision::Double,
+            const Progress &          progress = {});
 
 /** Half the angle of the kite of two circles at the first, finite one. Of infinite radius the other one is a straight
  * line, or with `isHorocycle` a horocycle. \ingroup RicciFlowEmbedding */

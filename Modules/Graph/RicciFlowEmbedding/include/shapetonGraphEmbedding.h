@@ -3,6 +3,7 @@
 
 #include "shapetonEmbeddingCertificate.h"
 #include "shapetonPackedMap.h"
+#include "shapetonProgress.h"
 #include "shapetonSphericalPacking.h"
 
 namespace shapeton
@@ -19,6 +20,8 @@ struct GraphEmbeddingOptions
   bool isSideFree{ true };
   /** See AugmentationOptions. */
   int longestFace{ AugmentationOptions().longestFace };
+  /** It may throw in order to abort. */
+  Progress progress;
 };
 
 /** Below this radius, of a cap in radians or of a circle in the hyperbolic plane or as part of the lattice's shorter

@@ -3,6 +3,7 @@
 
 #include "RicciFlowEmbeddingExport.h"
 #include "shapetonCombinatorialMap.h"
+#include "shapetonProgress.h"
 
 #include <array>
 #include <vector>
@@ -62,7 +63,8 @@ RicciFlowEmbedding_EXPORT SphericalPacking
 PackOnSphere(const CombinatorialMap &  map,
              PointAtInfinity           infinity,
              std::vector<int>          edges = {},
-             const std::vector<char> & isVisible = {});
+             const std::vector<char> & isVisible = {},
+             const Progress &          progress = {});
 
 /** Turns the sphere so that two sums of the centres of the nodes, with weights by `rank`, point to the north pole and
  * to the meridian of the x axis. Nodes without a rank, beyond the end of the list, have no weight.

@@ -4,6 +4,7 @@
 #include "shapetonRicciEnergy.h"
 #include "shapetonSparseCholesky.h"
 #include "shapetonExceptions.h"
+#include "shapetonOpenEndedProgress.h"
 
 #include <algorithm>
 #include <cmath>
@@ -26,6 +27,7 @@ constexpr double restOfPi = 1.2246467991473532e-16; // see RicciEnergy
 constexpr double wantedResidual = 1e-12;
 constexpr double worstResidual = 1e-10;
 constexpr int    mostSteps = 200;
+constexpr double usualSteps = 10.0;
 /** Steps without a better residual, far from the solution and at the limit of rounding. */
 constexpr int mostStepsInVain = 60;
 constexpr int mostStepsAtTheLimit = 2;
@@ -64,8 +66,9 @@ ShortNumber(double value)
 class NewtonFlow
 {
 public:
-  explicit NewtonFlow(const RicciUnknowns & unknowns)
+  NewtonFlow(const RicciUnknowns & unknowns, const Progress & progress)
     : m_Unknowns(unknowns)
+    , m_Steps(progress, usualSteps)
     , m_Energy(unknowns)
     , m_IsHyperbolic(unknowns.geometry == FlowGeometry::Hyperbolic)
     , m_Solver(SymbolicFactorisation(unknowns.number, m_Energy.TakePattern(), EliminationOrder::NestedDissection))
@@ -94,6 +97,7 @@ private:
   MoveTo(const std::vector<double> & from, double length);
 
   const RicciUnknowns & m_Unknowns;
+  OpenEndedProgress     m_Steps;
   RicciEnergy           m_Energy;
   bool                  m_IsHyperbolic;
   SparseCholesky        m_Solver;
@@ -109,7 +113,7 @@ void
 NewtonFlow::FindDirection()
 {
   m_Energy.Hessian(m_Diagonal, m_OffDiagonal);
-  if (!m_Solver.Factorise(AsVector(m_Diagonal), AsVector(m_OffDiagonal)))
+  if (!m_Solver.Factorise(AsVector(m_Diagonal), AsVector(m_OffDiagonal), m_Steps.NextStep()))
   {
     throw InputError("the Hessian of the Ricci energy is not positive to working accuracy, with a curvature of " +
                      ShortNumber(m_Energy.Residual()) +
@@ -155,6 +159,7 @@ NewtonFlow::MoveTo(const std::vector<double> & from, double length)
     m_Point[i] = from[i] + length * m_Direction[i];
   }
   m_Energy.Evaluate(m_Point);
+  m_Steps.Step();
 }
 
 void
@@ -222,6 +227,7 @@ NewtonFlow::Refined()
       point[i] += m_Direction[i];
     }
     state.Evaluate(point);
+    m_Steps.Step();
   }
   return state.Packing();
 }
@@ -274,10 +280,11 @@ CirclePacking
 PackInGivenOrder(const CombinatorialMap &  map,
                  FlowGeometry              geometry,
                  const CirclesAtInfinity & infinite,
-                 PackingPrecision          precision)
+                 PackingPrecision          precision,
+                 const Progress &          progress)
 {
   const RicciUnknowns unknowns(map, geometry, infinite);
-  CirclePacking       packing = NewtonFlow(unknowns).Run(precision);
+  CirclePacking       packing = NewtonFlow(unknowns, progress).Run(precision);
   for (const double curvature : CurvaturesOf(map, packing))
   {
     packing.residual = std::abs(curvature) <= packing.residual ? packing.residual : std::abs(curvature);
@@ -295,13 +302,14 @@ CirclePacking
 PackInNearbyOrder(const CombinatorialMap &  map,
                   FlowGeometry              geometry,
                   const CirclesAtInfinity & infinite,
-                  PackingPrecision          precision)
+                  PackingPrecision          precision,
+                  const Progress &          progress)
 {
   const NearbyOrder       order(map);
   const CirclesAtInfinity there{ order.NodesThere(infinite.lineNodes),
                                  order.FacesThere(infinite.lineFaces),
                                  order.FacesThere(infinite.horocycleFaces) };
-  CirclePacking           packing = PackInGivenOrder(order.Map(), geometry, there, precision);
+  CirclePacking           packing = PackInGivenOrder(order.Map(), geometry, there, precision, progress);
   packing.nodeRadii = order.NodesBack(packing.nodeRadii);
   packing.faceRadii = order.FacesBack(packing.faceRadii);
   packing.horocycleFaces = order.FacesBack(packing.horocycleFaces);
@@ -318,9 +326,10 @@ CirclePacking
 PackCircles(const CombinatorialMap &  map,
             FlowGeometry              geometry,
             const CirclesAtInfinity & infinite,
-            PackingPrecision          precision)
+            PackingPrecision          precision,
+            const Progress &          progress)
 {
-  return NearbyOrder::Pays(map) ? PackInNearbyOrder(map, geometry, infinite, precision)
-                                : PackInGivenOrder(map, geometry, infinite, precision);
+  return NearbyOrder::Pays(map) ? PackInNearbyOrder(map, geometry, infinite, precision, progress)
+                                : PackInGivenOrder(map, geometry, infinite, precision, progress);
 }
 } // namespace shapeton

@@ -5,6 +5,7 @@
 #include "shapetonPackedEmbedding.h"
 #include "shapetonSplitArrangement.h"
 #include "shapetonExceptions.h"
+#include "shapetonOpenEndedProgress.h"
 
 #include <algorithm>
 #include <exception>
@@ -24,7 +25,8 @@ EmbeddingCertificate
 EmbedMap(const Graph &                 graph,
          const CombinatorialMap &      map,
          const AugmentationOptions &   augmentation,
-         const GraphEmbeddingOptions & options)
+         const GraphEmbeddingOptions & options,
+         const Progress &              progress)
 {
   PackedMap            packed = MakePackedMap(map, augmentation);
   EmbeddingCertificate certificate;
@@ -41,7 +43,7 @@ EmbedMap(const Graph &                 graph,
     }
     rank = std::move(order.rank);
   }
-  AddPacking(graph, packed, options.infinity, rank, certificate);
+  AddPacking(graph, packed, options.infinity, rank, progress, certificate);
   if (certificate.rotation.empty())
   {
     certificate.rotation = FlatRotation(map);
@@ -92,7 +94,9 @@ CandidatesOf(const std::vector<const CombinatorialMap *> & maps, const GraphEmbe
 class BestEmbedding
 {
 public:
-  BestEmbedding(const Graph & graph, const GraphEmbeddingOptions & options) : m_Graph(graph), m_Options(options) {}
+  BestEmbedding(const Graph & graph, const GraphEmbeddingOptions & options)
+    : m_Graph(graph), m_Options(options), m_Candidates(options.progress, 1.0)
+  {}
 
   void
   Try(const std::vector<Candidate> & candidates)
@@ -105,8 +109,9 @@ public:
       augmentation.longestFace = m_Options.longestFace;
       try
       {
-        EmbeddingCertificate certificate = EmbedMap(m_Graph, *candidate.map, augmentation, m_Options);
-        const double         smallest = SmallestCircle(certificate);
+        EmbeddingCertificate certificate =
+          EmbedMap(m_Graph, *candidate.map, augmentation, m_Options, m_Candidates.NextStep());
+        const double smallest = SmallestCircle(certificate);
         if (smallest > m_Smallest)
         {
           m_Smallest = smallest;
@@ -134,12 +139,14 @@ public:
       std::rethrow_exception(m_Failure);
     }
     AddSmallestCircle(m_Best);
+    m_Options.progress(1.0);
     return std::move(m_Best);
   }
 
 private:
   const Graph &                 m_Graph;
   const GraphEmbeddingOptions & m_Options;
+  OpenEndedProgress             m_Candidates;
   EmbeddingCertificate          m_Best;
   std::exception_ptr            m_Failure;
   double                        m_Smallest{ 0.0 };
@@ -180,6 +187,7 @@ EmbedPackedGraph(const Graph & graph, const CombinatorialMap & map, const Packed
              packed,
              infinity,
              certificate.genus == 0 ? CanonicalMapOrder(packed.map, false).rank : std::vector<int>(),
+             {},
              certificate);
   certificate.rotation = FlatRotation(map);
   AddSmallestCircle(certificate);

@@ -42,11 +42,15 @@ AddMaps(const Graph & graph, const PackedMap & packed, EmbeddingCertificate & ce
 }
 
 void
-AddSphere(const PackedMap & packed, PointAtInfinity infinity, std::vector<int> rank, EmbeddingCertificate & certificate)
+AddSphere(const PackedMap &      packed,
+          PointAtInfinity        infinity,
+          std::vector<int>       rank,
+          const Progress &       progress,
+          EmbeddingCertificate & certificate)
 {
   std::vector<char> isVisible(packed.map.Nodes(), 0);
   std::fill_n(isVisible.begin(), packed.graphNodes, 1);
-  SphericalPacking sphere = PackOnSphere(packed.map, infinity, EdgesOfGraph(packed), isVisible);
+  SphericalPacking sphere = PackOnSphere(packed.map, infinity, EdgesOfGraph(packed), isVisible, progress);
   rank.resize(packed.graphNodes); // dummies may be numbered differently on the other side
   TurnToCanonicalPosition(sphere, rank);
   certificate.geometry = EmbeddingGeometry::Spherical;
@@ -113,9 +117,9 @@ AddGenerators(const SurfaceLayout &            layout,
 }
 
 void
-AddTorus(const CombinatorialMap & map, EmbeddingCertificate & certificate)
+AddTorus(const CombinatorialMap & map, const Progress & progress, EmbeddingCertificate & certificate)
 {
-  const CirclePacking      packing = PackCircles(map, FlowGeometry::Euclidean);
+  const CirclePacking      packing = PackCircles(map, FlowGeometry::Euclidean, {}, PackingPrecision::Double, progress);
   const SurfaceLayout      layout(map, packing);
   std::vector<PlaneMotion> generators = GeneratorsOf(layout);
   for (PlaneMotion & generator : generators)
@@ -162,9 +166,9 @@ AddResidual(const std::string & name, double residual, EmbeddingCertificate & ce
 }
 
 void
-AddHyperbolicSurface(const CombinatorialMap & map, EmbeddingCertificate & certificate)
+AddHyperbolicSurface(const CombinatorialMap & map, const Progress & progress, EmbeddingCertificate & certificate)
 {
-  const CirclePacking packing = PackCircles(map, FlowGeometry::Hyperbolic);
+  const CirclePacking packing = PackCircles(map, FlowGeometry::Hyperbolic, {}, PackingPrecision::Double, progress);
   const SurfaceLayout layout(map, packing);
   certificate.geometry = EmbeddingGeometry::Hyperbolic;
   certificate.nodeRadii = packing.nodeRadii;
@@ -204,15 +208,17 @@ AddPacking(const Graph &            graph,
            const PackedMap &        packed,
            PointAtInfinity          infinity,
            const std::vector<int> & rank,
+           const Progress &         progress,
            EmbeddingCertificate &   certificate)
 {
   if (certificate.genus == 0)
   {
-    AddSphere(packed, infinity, rank, certificate);
+    AddSphere(packed, infinity, rank, progress, certificate);
   }
   else
   {
-    certificate.genus == 1 ? AddTorus(packed.map, certificate) : AddHyperbolicSurface(packed.map, certificate);
+    certificate.genus == 1 ? AddTorus(packed.map, progress, certificate)
+                           : AddHyperbolicSurface(packed.map, progress, certificate);
   }
   AddMaps(graph, packed, certificate);
   certificate.statistics.emplace_back("rings", packed.rings);

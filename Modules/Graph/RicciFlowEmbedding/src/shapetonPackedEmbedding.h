@@ -12,6 +12,7 @@ AddPacking(const Graph &            graph,
            const PackedMap &        packed,
            PointAtInfinity          infinity,
            const std::vector<int> & rank,
+           const Progress &         progress,
            EmbeddingCertificate &   certificate);
 
 /** Adds the smallest circle of a node of the graph, and a warning where there are circles too small to be seen. */

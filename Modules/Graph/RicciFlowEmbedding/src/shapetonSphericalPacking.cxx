@@ -6,6 +6,7 @@
 #include "shapetonNearbyOrder.h"
 #include "shapetonPlaneToSphere.h"
 #include "shapetonExceptions.h"
+#include "shapetonOpenEndedProgress.h"
 
 #include <algorithm>
 #include <cmath>
@@ -139,8 +140,9 @@ namespace
 class FlatPacking
 {
 public:
-  FlatPacking(const CombinatorialMap & map, PointAtInfinity infinity)
+  FlatPacking(const CombinatorialMap & map, PointAtInfinity infinity, OpenEndedProgress & steps)
     : m_Map(map)
+    , m_Steps(steps)
     , m_Boundary(infinity == PointAtInfinity::Circle ? LongestFace(map) : -1)
     , m_Circles(this->Packed())
     , m_Root(LargestFiniteNode(m_Circles))
@@ -158,6 +160,7 @@ public:
   SphericalPacking
   LaidOut() const
   {
+    m_Steps.Step();
     SphericalPacking sphere = m_Boundary < 0 ? PlaneToSphere(m_Map, m_Circles, m_Root)
                                              : DiskToSphere(m_Map, m_Circles, m_Root, m_Boundary, m_Precision);
     SeeFromOutside(sphere);
@@ -185,11 +188,17 @@ private:
   Packed() const
   {
     return m_Boundary < 0
-             ? PackCircles(m_Map, FlowGeometry::Euclidean, CirclesThrough(m_Map, EdgeForInfinity(m_Map)), m_Precision)
-             : PackCircles(m_Map, FlowGeometry::Hyperbolic, CirclesAround(m_Map, m_Boundary), m_Precision);
+             ? PackCircles(m_Map,
+                           FlowGeometry::Euclidean,
+                           CirclesThrough(m_Map, EdgeForInfinity(m_Map)),
+                           m_Precision,
+                           m_Steps.NextStep())
+             : PackCircles(
+                 m_Map, FlowGeometry::Hyperbolic, CirclesAround(m_Map, m_Boundary), m_Precision, m_Steps.NextStep());
   }
 
   const CombinatorialMap & m_Map;
+  OpenEndedProgress &      m_Steps;
   int                      m_Boundary; ///< face; -1 for an edge node at infinity
   PackingPrecision         m_Precision{ PackingPrecision::Double };
   CirclePacking            m_Circles;
@@ -286,15 +295,17 @@ SphericalPacking
 PackInGivenOrder(const CombinatorialMap &  map,
                  PointAtInfinity           infinity,
                  std::vector<int>          edges,
-                 const std::vector<char> & isVisible)
+                 const std::vector<char> & isVisible,
+                 const Progress &          progress)
 {
   if (edges.size() < 3)
   {
     edges.resize(map.Edges());
     std::iota(edges.begin(), edges.end(), 0);
   }
-  FlatPacking      flat(map, infinity);
-  SphericalPacking sphere = Positioned(flat, edges, isVisible);
+  OpenEndedProgress steps(progress, 1.0);
+  FlatPacking       flat(map, infinity, steps);
+  SphericalPacking  sphere = Positioned(flat, edges, isVisible);
   if (!(WorstTangency(map, sphere) <= goodTangency))
   {
     flat.Refine();
@@ -322,7 +333,8 @@ SphericalPacking
 PackInNearbyOrder(const CombinatorialMap &  map,
                   PointAtInfinity           infinity,
                   std::vector<int>          edges,
-                  const std::vector<char> & isVisible)
+                  const std::vector<char> & isVisible,
+                  const Progress &          progress)
 {
   const NearbyOrder order(map);
   for (int & edge : edges)
@@ -331,7 +343,7 @@ PackInNearbyOrder(const CombinatorialMap &  map,
   }
   std::sort(edges.begin(), edges.end());
   SphericalPacking sphere = PackInGivenOrder(
-    order.Map(), infinity, std::move(edges), isVisible.empty() ? isVisible : order.NodesThere(isVisible));
+    order.Map(), infinity, std::move(edges), isVisible.empty() ? isVisible : order.NodesThere(isVisible), progress);
   sphere.nodes = order.NodesBack(sphere.nodes);
   sphere.faces = order.FacesBack(sphere.faces);
   sphere.touchPoints = order.EdgesBack(sphere.touchPoints);
@@ -343,9 +355,10 @@ SphericalPacking
 PackOnSphere(const CombinatorialMap &  map,
              PointAtInfinity           infinity,
              std::vector<int>          edges,
-             const std::vector<char> & isVisible)
+             const std::vector<char> & isVisible,
+             const Progress &          progress)
 {
-  return NearbyOrder::Pays(map) ? PackInNearbyOrder(map, infinity, std::move(edges), isVisible)
-                                : PackInGivenOrder(map, infinity, std::move(edges), isVisible);
+  return NearbyOrder::Pays(map) ? PackInNearbyOrder(map, infinity, std::move(edges), isVisible, progress)
+                                : PackInGivenOrder(map, infinity, std::move(edges), isVisible, progress);
 }
 } // namespace shapeton

@@ -3,6 +3,7 @@
 #include "shapetonBlockArrangement.h"
 #include "shapetonCanonicalMapOrder.h"
 #include "shapetonGraphFamilies.h"
+#include "shapetonProgressTests.h"
 #include "itkMultiThreaderBase.h"
 #include "shapetonSplitArrangement.h"
 #include "shapetonExceptions.h"
@@ -393,5 +394,20 @@ TEST(GraphEmbedding, TheCanonicalOrderIsThatOfTheMapAlone)
   for (int node = 0; node < map.Nodes(); ++node)
   {
     EXPECT_EQ(one.rank[node], two.rank[image[node]]);
+  }
+}
+
+TEST(GraphEmbedding, IsAbortedByProgressOnEachSurface)
+{
+  const shapeton::CombinatorialMap sphere = StackedTriangles(400);
+  const shapeton::CombinatorialMap torus = shapeton::TorusGridMap(20, 20, true);
+  for (const shapeton::CombinatorialMap & map : { sphere, torus })
+  {
+    const auto work = [&](const shapeton::Progress & progress) {
+      shapeton::GraphEmbeddingOptions options;
+      options.progress = progress;
+      EmbedGraph(map.ToGraph(), map, options);
+    };
+    shapeton::test::ExpectProgress(work, 10); // each step of Newton's method, and more
   }
 }
