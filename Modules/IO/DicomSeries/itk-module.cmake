@@ -5,10 +5,10 @@ itk_module(DicomSeries
   ENABLE_SHARED
   EXCLUDE_FROM_DEFAULT
   DEPENDS
+    Base
     VolumeFiles
     ITKCommon
   PRIVATE_DEPENDS
-    Base
     Report
     ITKGDCM
   TEST_DEPENDS

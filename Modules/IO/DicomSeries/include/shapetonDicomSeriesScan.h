@@ -3,6 +3,8 @@
 
 #include "DicomSeriesExport.h"
 
+#include "shapetonProgress.h"
+
 #include "itkMatrix.h"
 #include "itkPoint.h"
 
@@ -185,7 +187,7 @@ struct DicomScan
  * Throws InputError when the path does not exist, cannot be read, or is an empty folder.
  * \ingroup DicomSeries */
 DicomSeries_EXPORT DicomScan
-ScanDicom(const std::string & path);
+ScanDicom(const std::string & path, const Progress & progress = {});
 } // namespace shapeton
 
 #endif

@@ -28,6 +28,8 @@ struct VolumeReadOptions
   /** Take one DICOM slice as a volume of one slice; its thickness is its Slice Thickness, 1 mm where that is missing.
    */
   bool allowSingleSlice{ false };
+  /** Told of each file and of each slice of a DICOM series. It may throw in order to abort. */
+  Progress progress;
 };
 
 /** The series of a folder that ReadVolume() would read with these options. Throws InputError as it does.

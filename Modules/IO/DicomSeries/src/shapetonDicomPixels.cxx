@@ -4,6 +4,7 @@
 #include "shapetonContainedProcess.h"
 #include "shapetonDicomTransferSyntax.h"
 #include "shapetonExceptions.h"
+#include "shapetonParallelFor.h"
 
 #include "dcmtk/config/osconfig.h"
 #include "dcmtk/dcmdata/dctk.h"
@@ -398,7 +399,8 @@ void
 ReadDicomSlices(const std::vector<const DicomSlice *> & slices,
                 unsigned int                            columns,
                 unsigned int                            rows,
-                float *                                 intensities)
+                float *                                 intensities,
+                const Progress &                        progress)
 {
   if (slices.empty())
   {
@@ -426,12 +428,14 @@ ReadDicomSlices(const std::vector<const DicomSlice *> & slices,
   }
   std::atomic<std::size_t> next{ 0 };
   FirstFailure             failure;
+  const ProgressOfWorkers  report(progress);
   const auto               work = [&](ContainedProcess & process) {
     for (std::size_t i = next++; i < slices.size() && !failure.IsSet(); i = next++)
     {
       try
       {
         ReadSlice(process, *slices[i], pixels, intensities + i * pixels);
+        report(static_cast<double>(i + 1) / static_cast<double>(slices.size()));
       }
       catch (...)
       {

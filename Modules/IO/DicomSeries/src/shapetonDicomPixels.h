@@ -17,12 +17,14 @@ ConvertDicomPixels(const char * stored, const DicomPixelFormat & format, std::si
  *
  * Native encodings (implicit and explicit, little and big endian, deflated) are read by DCMTK, which has parsed the
  * header anyway and reads one frame from the middle of a large file; compressed frames are decoded by GDCM, which has
- * all codecs. Both work in contained processes, several at once. Throws InputError that names the file. */
+ * all codecs. Both work in contained processes, several at once. Progress is told of each slice that the calling thread
+ * has taken. Throws InputError that names the file. */
 void
 ReadDicomSlices(const std::vector<const DicomSlice *> & slices,
                 unsigned int                            columns,
                 unsigned int                            rows,
-                float *                                 intensities);
+                float *                                 intensities,
+                const Progress &                        progress = {});
 } // namespace shapeton
 
 #endif

@@ -65,7 +65,7 @@ ParseContained(ContainedProcess & process, const std::string & path)
 }
 
 std::vector<DicomFile>
-ParseFiles(const std::vector<std::string> & paths)
+ParseFiles(const std::vector<std::string> & paths, const Progress & progress)
 {
   if (!dcmDataDict.isDictionaryLoaded()) // here, so that each child inherits it
   {
@@ -78,6 +78,7 @@ ParseFiles(const std::vector<std::string> & paths)
   for (const std::string & path : paths)
   {
     files.push_back(ParseContained(process, path));
+    progress(static_cast<double>(files.size()) / static_cast<double>(paths.size()));
   }
   return files;
 }
@@ -650,7 +651,7 @@ DicomSeries::Has(DicomDefectKind kind) const
 }
 
 DicomScan
-ScanDicom(const std::string & path)
+ScanDicom(const std::string & path, const Progress & progress)
 {
   DicomScan scan;
   scan.path = path;
@@ -660,7 +661,7 @@ ScanDicom(const std::string & path)
     throw InputError(path + ": the folder is empty; name the folder that holds the DICOM files");
   }
   scan.files = static_cast<unsigned int>(paths.size());
-  const std::vector<DicomFile> files = ParseFiles(paths);
+  const std::vector<DicomFile> files = ParseFiles(paths, progress);
   CollectSeries(files, scan);
   return scan;
 }

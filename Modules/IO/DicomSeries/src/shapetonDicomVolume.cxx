@@ -106,7 +106,7 @@ UniformSpacing(const Slices & slices)
 
 /** The slices as they are, one behind the other. */
 ImageType::Pointer
-ReadStack(const DicomSeries & series, const Slices & slices)
+ReadStack(const DicomSeries & series, const Slices & slices, const Progress & progress)
 {
   const double                    start[3] = { 0, 0, slices.front().position };
   const ImageType::SizeType       size{ { series.size[0], series.size[1], slices.size() } };
@@ -116,7 +116,7 @@ ReadStack(const DicomSeries & series, const Slices & slices)
   {
     pointers.push_back(&slice);
   }
-  ReadDicomSlices(pointers, series.size[0], series.size[1], image->GetBufferPointer());
+  ReadDicomSlices(pointers, series.size[0], series.size[1], image->GetBufferPointer(), progress);
   return image;
 }
 
@@ -209,7 +209,11 @@ private:
 
 /** The grid that covers all slices, and the slices moved onto it. */
 ImageType::Pointer
-Deshear(const DicomSeries & series, const Slices & slices, const ImageType * stack, Volume & volume)
+Deshear(const DicomSeries & series,
+        const Slices &      slices,
+        const ImageType *   stack,
+        const Progress &    progress,
+        Volume &            volume)
 {
   double                    lowest[3] = { 0, 0, slices.front().position };
   ImageType::SizeType       size = stack->GetLargestPossibleRegion().GetSize();
@@ -247,6 +251,7 @@ Deshear(const DicomSeries & series, const Slices & slices, const ImageType * sta
       }
     }
     pixels += oldSize[0] * oldSize[1];
+    progress((&slice - slices.data() + 1.0) / static_cast<double>(slices.size()));
   }
   volume.repairs.push_back("deshear: " + Count(slices.size(), "slice") +
                            " moved within their planes by linear interpolation, uncovered voxels set to " +
@@ -277,7 +282,11 @@ FindSlice(const Slices & slices, double position, double tolerance, double & fra
 }
 
 ImageType::Pointer
-ResampleGaps(const DicomSeries & series, const Slices & slices, const ImageType * stack, Volume & volume)
+ResampleGaps(const DicomSeries & series,
+             const Slices &      slices,
+             const ImageType *   stack,
+             const Progress &    progress,
+             Volume &            volume)
 {
   const double length = slices.back().position - slices.front().position;
   const double steps = std::max(1.0, std::round(length / series.spacing[2]));
@@ -309,6 +318,7 @@ ResampleGaps(const DicomSeries & series, const Slices & slices, const ImageType 
       voxels[i] = static_cast<float>(a[i] + fraction * (double(b[i]) - a[i]));
     }
     interpolated += fraction > 0 ? 1 : 0;
+    progress((k + 1.0) / static_cast<double>(size[2]));
   }
   volume.repairs.push_back("resampleGaps: " + Count(slices.size(), "slice") + " resampled to " +
                            std::to_string(size[2]) + " at " + NumberText(spacing) + " mm, " +
@@ -362,17 +372,18 @@ ReadDicomVolume(const DicomSeries & series, const VolumeReadOptions & options)
   volume.seriesUID = series.uid;
   volume.identity = IdentityOf(series);
   const Slices slices = options.dropDuplicates ? DropDuplicates(series, volume) : series.slices;
-  volume.image = ReadStack(series, slices);
+  volume.image = ReadStack(series, slices, options.progress.Part("Reading slices", 0.3, 0.8));
   FillPadding(series, volume.image, volume);
   if (options.deshear && series.Has(DicomDefectKind::shear))
   {
-    volume.image = Deshear(series, slices, volume.image, volume);
+    volume.image = Deshear(series, slices, volume.image, options.progress.Part("Moving slices", 0.8, 0.9), volume);
   }
   if (options.resampleGaps && (series.Has(DicomDefectKind::gap) || series.Has(DicomDefectKind::variableSpacing)))
   {
-    volume.image = ResampleGaps(series, slices, volume.image, volume);
+    volume.image = ResampleGaps(series, slices, volume.image, options.progress.Part("Resampling", 0.9, 1.0), volume);
   }
   AddNotes(series, volume);
+  options.progress("Reading slices", 1.0);
   return volume;
 }
 } // namespace shapeton

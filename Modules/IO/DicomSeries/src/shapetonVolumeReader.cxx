@@ -269,7 +269,7 @@ NoteOthers(const DicomScan & scan, const DicomSeries & taken, Volume & volume)
 Volume
 ReadDicom(const std::string & path, const VolumeReadOptions & options)
 {
-  const DicomScan     scan = ScanDicom(path);
+  const DicomScan     scan = ScanDicom(path, options.progress.Part("Reading headers", 0.0, 0.3));
   const DicomSeries & series = SelectDicomSeries(scan, options);
   Volume              volume;
   try

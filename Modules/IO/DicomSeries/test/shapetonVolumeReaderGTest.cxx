@@ -1,6 +1,7 @@
 #include "shapetonVolumeTesting.h"
 
 #include "shapetonDicomSeriesScan.h"
+#include "shapetonProgressTests.h"
 
 #include <filesystem>
 #include <sys/stat.h>
@@ -716,4 +717,17 @@ TEST(VolumeReader, RepairsLeaveASoundSeriesAsItIs)
   const Volume volume = ReadSaved(DicomFixture().MakeSeries(), options);
   EXPECT_TRUE(volume.repairs.empty());
   EXPECT_LT(LargestDeviation(volume, DicomFixture::Ramp), Quantisation);
+}
+
+TEST(VolumeReader, IsAbortedByProgressOfEachFileAndSlice)
+{
+  const std::string folder = TestFolder();
+  const auto        files = DicomFixture().MakeSeries();
+  SaveDicom(files, folder);
+  const auto work = [&](const shapeton::Progress & progress) {
+    VolumeReadOptions options;
+    options.progress = progress;
+    ReadVolume(folder, options);
+  };
+  shapeton::test::ExpectProgress(work, files.size() + 2); // other threads do not report their slices
 }
