@@ -118,7 +118,7 @@ wall: of full resolution, without handles (`ColonWall.repaired`). lumen: uint8, 
 What else is known tells more about a candidate: centreline (with the valve), ct (HU, cleansed), flat (FlatColon),
 segments (`ColonLandmarks.segments`), catheter (`ColonLumen.catheter`).
 preset: "default" or "published". sensitivity: 0 to 1.
-progress: called with (share, stage); it hears of the stages alone, so an abort waits for the end of one.)");
+progress: called with (share, stage), share from 0 to 1; False, or an exception such as that of Ctrl-C, aborts.)");
   module.def("find_in_other_position",
              &InOtherPosition,
              "map"_a,

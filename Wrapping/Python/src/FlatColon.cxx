@@ -154,7 +154,8 @@ FindFolds(const FlatPointer &             flat,
           double                          minimumAngle,
           double                          smoothingTime,
           double                          smoothness,
-          const std::optional<CurveSet> & taeniae)
+          const std::optional<CurveSet> & taeniae,
+          const Progress &                progress)
 {
   HaustralFoldOptions options;
   options.scheme = Choice<HaustralFoldScheme>(
@@ -166,6 +167,7 @@ FindFolds(const FlatPointer &             flat,
   options.smoothingTime = smoothingTime;
   options.smoothness = smoothness;
   options.taeniae = taeniae ? &*taeniae : nullptr;
+  options.progress = progress.Part("Finding folds", 0.0, 1.0);
   return { FindHaustralFolds(*flat, options) };
 }
 
@@ -222,14 +224,14 @@ AddFolds(py::module_ & module)
              "smoothing_time"_a = defaults.smoothingTime,
              "smoothness"_a = defaults.smoothness,
              "taeniae"_a = py::none(),
+             "progress"_a = Progress(),
              ReleaseGil(),
              R"(Haustral folds on the flat wall of a colon.
 
 scheme: "graphCut" or "published". minimum_length: mm; minimum_area: mm^2; minimum_elongation: long over short axis;
 minimum_angle: against the tube, degrees. smoothing_time: of the curvature, mm^2. smoothness: cost of outline.
 taeniae: Curves on the wall along which folds that have grown together are split.
-
-It takes no progress.)");
+progress: called with (share, stage), share from 0 to 1; False, or an exception such as that of Ctrl-C, aborts.)");
 }
 } // namespace
 

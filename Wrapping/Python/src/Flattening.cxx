@@ -15,7 +15,8 @@ MapOf(const SurfaceMesh &                    mesh,
       int                                    outerBoundary,
       int                                    innerBoundary,
       const std::vector<int> &               corners,
-      const std::optional<Eigen::VectorXd> & edgeLengths)
+      const std::optional<Eigen::VectorXd> & edgeLengths,
+      const Progress &                       progress)
 {
   ConformalMapOptions options;
   options.domain = Choice<ConformalDomain>("domain",
@@ -27,6 +28,7 @@ MapOf(const SurfaceMesh &                    mesh,
   options.innerBoundary = innerBoundary;
   options.corners = corners;
   options.edgeLengths = edgeLengths.value_or(Eigen::VectorXd());
+  options.progress = progress.Part("Mapping", 0.0, 1.0);
   return MapConformally(mesh, options, "the mesh");
 }
 
@@ -97,14 +99,14 @@ AddConformalMap(py::module_ & module)
              "inner_boundary"_a = 0,
              "corners"_a = std::vector<int>(),
              "edge_lengths"_a = py::none(),
+             "progress"_a = Progress(),
              ReleaseGil(),
              R"(Maps an open surface conformally to the plane.
 
 mesh: one manifold, oriented component with a boundary. domain: "rectangle", "annulus" or "slit".
 outer_boundary, inner_boundary: numbers from 1 by length; 0: the longest, and the longest one left.
 corners: four vertices of the only boundary of a rectangle. edge_lengths: another metric, by `surface_edges`.
-
-It takes no progress and cannot be interrupted.)");
+progress: called with (share, stage), share from 0 to 1; False, or an exception such as that of Ctrl-C, aborts.)");
 }
 } // namespace
 
@@ -160,6 +162,6 @@ rectum where the surface does not name it.
 metric: "heatDiffusion", "euclidean" or "truncatedHeatDiffusion". time: of diffusion, mm^2; 0: one that suits the mesh.
 eigenpairs: of truncatedHeatDiffusion. remove_handles: finds handles and cuts them out.
 method: "conjugate" or "published". cut: a curve near which the tube is cut, Curves or k x 3; None: a path is found.
-progress: called with (share, stage); it hears of the stages alone, so an abort waits for the end of one.)");
+progress: called with (share, stage), share from 0 to 1; False, or an exception such as that of Ctrl-C, aborts.)");
 }
 } // namespace shapeton::python

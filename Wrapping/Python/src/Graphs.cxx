@@ -41,7 +41,8 @@ Embed(const Graph &                                        graph,
       const std::optional<std::vector<std::vector<int>>> & rotation,
       std::uint64_t                                        seed,
       const std::string &                                  augmentation,
-      const std::string &                                  infinity)
+      const std::string &                                  infinity,
+      const Progress &                                     progress)
 {
   RequireParameter(!rotation || !genus, "the parameter \"rotation\" fixes the genus; leave \"genus\" out");
   RequireParameter(!genus || *genus >= 0,
@@ -54,11 +55,14 @@ Embed(const Graph &                                        graph,
   options.isRotationFree = !rotation;
   if (rotation)
   {
+    options.progress = progress.Part("Packing circles", 0.0, 1.0);
     return EmbedGraph(graph, CombinatorialMap(graph, *rotation), options);
   }
   GenusOptions search;
   search.genus = genus.value_or(-1);
   search.seed = seed;
+  search.progress = progress.Part("Finding the genus", 0.0, 0.5);
+  options.progress = progress.Part("Packing circles", 0.5, 1.0);
   const SurfaceEmbedding surface = FindEmbedding(graph, search);
   Certificate            certificate = EmbedGraph(graph, surface.map, options);
   certificate.statistics.emplace_back("genusLowerBound", surface.lowerBound);
@@ -228,6 +232,7 @@ AddGraphs(py::module_ & module)
              "seed"_a = 1,
              "augmentation"_a = "ring",
              "infinity"_a = "circle",
+             "progress"_a = Progress(),
              ReleaseGil(),
              R"(Embeds a graph without crossings by a circle packing, found by discrete Ricci flow.
 
@@ -235,8 +240,7 @@ genus: of the surface: 0 sphere, 1 flat torus, from 2 hyperbolic; None: the smal
 rotation: for each node the half-edges that leave it, counterclockwise, in place of a search.
 seed: of the search. augmentation: "ring" adds dummies where no packing exists, "none" does not.
 infinity: "circle" or "edgeNode", of the sphere.
-
-It takes no progress and cannot be interrupted: Ctrl-C waits until the embedding is there.)");
+progress: called with (share, stage), share from 0 to 1; False, or an exception such as that of Ctrl-C, aborts.)");
   module.def("verify_embedding",
              &VerifyEmbedding,
              "certificate"_a,
@@ -244,15 +248,19 @@ It takes no progress and cannot be interrupted: Ctrl-C waits until the embedding
              "Proves from its numbers alone that no two edges of an embedding cross, or tells what fails.");
   module.def(
     "compare_graphs",
-    [](const Graph & a, const Graph & b, std::uint64_t seed) {
+    [](const Graph & a, const Graph & b, std::uint64_t seed, const Progress & progress) {
       GenusOptions genus;
       genus.seed = seed;
-      return CompareGraphs(a, b, genus);
+      return CompareGraphs(a, b, genus, {}, progress);
     },
     "a"_a,
     "b"_a,
     "seed"_a = 1,
+    py::kw_only(),
+    "progress"_a = Progress(),
     ReleaseGil(),
-    "Decides whether two graphs are isomorphic, embeds both and tells what differs.");
+    R"(Decides whether two graphs are isomorphic, embeds both and tells what differs.
+
+progress: called with (share, stage), share from 0 to 1; False, or an exception such as that of Ctrl-C, aborts.)");
 }
 } // namespace shapeton::python

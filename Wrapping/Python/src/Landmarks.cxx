@@ -65,13 +65,17 @@ AddPieces(py::module_ & module)
 
   module.def(
     "split_colon",
-    [](const FoundLandmarks & found) {
-      ColonPieces pieces = SplitColon(found.flat->Surface(), found.landmarks);
+    [](const FoundLandmarks & found, const Progress & progress) {
+      ColonPieces pieces = SplitColon(found.flat->Surface(), found.landmarks, progress);
       return std::make_pair(std::move(pieces.pieces), std::move(pieces.warnings));
     },
     "landmarks"_a,
+    py::kw_only(),
+    "progress"_a = Progress(),
     ReleaseGil(),
-    "Cuts the wall into its segments and maps each to a rectangle: (list of ColonPiece, warnings).");
+    R"(Cuts the wall into its segments and maps each to a rectangle: (list of ColonPiece, warnings).
+
+progress: called with (share, stage), share from 0 to 1; False, or an exception such as that of Ctrl-C, aborts.)");
 }
 } // namespace
 
@@ -123,7 +127,7 @@ AddLandmarks(py::module_ & module)
 
 flat: FlatColon. centreline: as `trace_centreline` gives it. flexure_rule: "ordered" or "published". taenia_rule: "joint"
 or "published". markers: k x 3, LPS mm: points on taeniae that a person has marked.
-progress: called with (share, stage); it hears of the stages alone, so an abort waits for the end of one.
+progress: called with (share, stage), share from 0 to 1; False, or an exception such as that of Ctrl-C, aborts.
 
 A landmark that is not found is no exception: it is absent and `warnings` say why.)");
   AddPieces(module);

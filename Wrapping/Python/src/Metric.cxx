@@ -46,22 +46,34 @@ DefaultTime(const Manifold & surface, const SurfaceMesh & mesh)
   return 8.0 * edge * edge; // as ConformalMap chooses it
 }
 
-HeatDiffusionMetric
-Metric(const SurfaceMesh & mesh, std::optional<double> time, std::optional<int> pairs)
+SurfaceSpectrum
+Spectrum(const Manifold & surface, int pairs, const Progress & progress)
 {
+  SurfaceSpectrumOptions options;
+  options.progress = progress.Part("Finding eigenpairs", 0.1, 1.0);
+  return ComputeSurfaceSpectrum(surface.laplacian, pairs, options);
+}
+
+HeatDiffusionMetric
+Metric(const SurfaceMesh & mesh, std::optional<double> time, std::optional<int> pairs, const Progress & progress)
+{
+  progress("Preparing", 0.0);
   const Manifold surface(mesh);
   const double   t = time ? *time : DefaultTime(surface, mesh);
   if (!pairs)
   {
-    return ComputeHeatDiffusionMetric(surface.connectivity, surface.laplacian, t);
+    return ComputeHeatDiffusionMetric(
+      surface.connectivity, surface.laplacian, t, progress.Part("Computing the metric", 0.1, 1.0));
   }
-  return TruncatedHeatDiffusionMetric(surface.laplacian, ComputeSurfaceSpectrum(surface.laplacian, *pairs), t, *pairs);
+  const SurfaceSpectrum spectrum = Spectrum(surface, *pairs, progress);
+  return TruncatedHeatDiffusionMetric(surface.laplacian, spectrum, t, *pairs);
 }
 
 Eigen::MatrixXd
-DiffuseOver(const SurfaceMesh & mesh, Eigen::MatrixXd values, double time)
+DiffuseOver(const SurfaceMesh & mesh, Eigen::MatrixXd values, double time, const Progress & progress)
 {
-  DiffuseOverSurface(Manifold(mesh).laplacian, time, values);
+  progress("Preparing", 0.0);
+  DiffuseOverSurface(Manifold(mesh).laplacian, time, values, progress.Part("Diffusing", 0.3, 1.0));
   return values;
 }
 
@@ -109,13 +121,18 @@ AddSpectrum(py::module_ & module)
 
   module.def(
     "spectrum",
-    [](const SurfaceMesh & mesh, int pairs) { return ComputeSurfaceSpectrum(Manifold(mesh).laplacian, pairs); },
+    [](const SurfaceMesh & mesh, int pairs, const Progress & progress) {
+      progress("Preparing", 0.0);
+      return Spectrum(Manifold(mesh), pairs, progress);
+    },
     "mesh"_a,
     "pairs"_a = 50,
+    py::kw_only(),
+    "progress"_a = Progress(),
     ReleaseGil(),
     R"(The `pairs` smallest eigenpairs of the Laplacian of a surface that is one manifold component.
 
-It takes no progress and cannot be interrupted: Ctrl-C waits until the eigenpairs are there.)");
+progress: called with (share, stage), share from 0 to 1; False, or an exception such as that of Ctrl-C, aborts.)");
 }
 } // namespace
 
@@ -145,19 +162,23 @@ AddMetric(py::module_ & module)
              "time"_a = py::none(),
              py::kw_only(),
              "pairs"_a = py::none(),
+             "progress"_a = Progress(),
              ReleaseGil(),
              R"(The heat diffusion distances of the ends of all edges, as new lengths of edges.
 
 mesh: one manifold component. time: of diffusion, mm^2; None: 8 times the square of the mean edge at 55,000 faces.
 pairs: takes so many eigenpairs alone, as published; None: all of them, without computing any.
-
-It takes no progress and cannot be interrupted: Ctrl-C waits until the metric is there.)");
+progress: called with (share, stage), share from 0 to 1; False, or an exception such as that of Ctrl-C, aborts.)");
   module.def("diffuse_over_surface",
              &DiffuseOver,
              "mesh"_a,
              "values"_a,
              "time"_a,
+             py::kw_only(),
+             "progress"_a = Progress(),
              ReleaseGil(),
-             "Lets columns of values, n x k, flow over a surface for `time` mm^2, from 0; a new array, n x k.");
+             R"(Lets columns of values, n x k, flow over a surface for `time` mm^2, from 0; a new array, n x k.
+
+progress: called with (share, stage), share from 0 to 1; False, or an exception such as that of Ctrl-C, aborts.)");
 }
 } // namespace shapeton::python

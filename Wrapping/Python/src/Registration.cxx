@@ -54,7 +54,8 @@ Register(const std::shared_ptr<Position> & supine,
          const std::string &               map,
          const std::string &               matching,
          bool                              refine,
-         bool                              segmentWise)
+         bool                              segmentWise,
+         const Progress &                  progress)
 {
   SupineProneOptions options;
   options.map = Choice<SupineProneMap>(
@@ -65,11 +66,13 @@ Register(const std::shared_ptr<Position> & supine,
     { { "hungarian", FoldMatchingMethod::Hungarian }, { "dualDecomposition", FoldMatchingMethod::DualDecomposition } });
   options.refines = refine;
   options.isSegmentWise = segmentWise;
+  options.progress = [&progress](const std::string & stage, double share) { progress(stage, 0.9 * share); };
   const auto result = std::make_shared<Registered>();
   result->supine = supine;
   result->prone = prone;
   result->registration = RegisterColonPositions(supine->position, prone->position, options);
-  result->results = MakeRegistrationResults(*supine, *prone, result->registration);
+  result->results =
+    MakeRegistrationResults(*supine, *prone, result->registration, {}, progress.Part("Mapping the walls", 0.9, 1.0));
   return result;
 }
 
@@ -186,12 +189,12 @@ Returns (places, k x 3, LPS mm; confidence, k, 0 to 1; excluded, k: nothing is t
              "matching"_a = "hungarian",
              "refine"_a = false,
              "segment_wise"_a = false,
+             "progress"_a = Progress(),
              ReleaseGil(),
              R"(A one-to-one map between the walls of a colon in two positions.
 
 map: "default" or "published". matching: of folds, "hungarian" or "dualDecomposition". refine: by the curvature of the
 wall itself. segment_wise: folds keep to their segment.
-
-It takes no progress and cannot be interrupted: Ctrl-C waits until the map is there.)");
+progress: called with (share, stage), share from 0 to 1; False, or an exception such as that of Ctrl-C, aborts.)");
 }
 } // namespace shapeton::python

@@ -29,12 +29,13 @@ Read(const std::string & path,
      bool                resampleGaps,
      bool                deshear,
      bool                dropDuplicates,
-     bool                allowSingleSlice)
+     bool                allowSingleSlice,
+     const Progress &    progress)
 {
   Volume volume;
   {
     const py::gil_scoped_release release;
-    volume = ReadVolume(path, { seriesUID, resampleGaps, deshear, dropDuplicates, allowSingleSlice });
+    volume = ReadVolume(path, { seriesUID, resampleGaps, deshear, dropDuplicates, allowSingleSlice, progress });
   }
   return ImageWithFacts(volume);
 }
@@ -121,10 +122,16 @@ AddVolumes(py::module_ & module)
 
   module.def(
     "list_series",
-    [](const std::string & path) { return ScanDicom(path).series; },
+    [](const std::string & path, const Progress & progress) {
+      return ScanDicom(path, progress.Part("Reading headers", 0.0, 1.0)).series;
+    },
     "path"_a,
+    py::kw_only(),
+    "progress"_a = Progress(),
     ReleaseGil(),
-    "The DICOM series in a folder, searched recursively, or in a file. Reads headers; takes no progress.");
+    R"(The DICOM series in a folder, searched recursively, or in a file. Reads headers.
+
+progress: called with (share, stage), share from 0 to 1; False, or an exception such as that of Ctrl-C, aborts.)");
 
   module.def("read_volume",
              &Read,
@@ -135,6 +142,7 @@ AddVolumes(py::module_ & module)
              "deshear"_a = false,
              "drop_duplicates"_a = false,
              "allow_single_slice"_a = false,
+             "progress"_a = Progress(),
              R"(Reads a folder of DICOM slices, a DICOM file, or a NRRD, NIfTI or MetaImage file.
 
 An irregular series is refused with InputError that names the defect, unless its repair is allowed:
@@ -144,9 +152,10 @@ resample_gaps: fills gaps and uneven spacing by interpolation between slices.
 deshear: resamples a tilted volume onto perpendicular axes.
 drop_duplicates: keeps the first of several slices at one position.
 allow_single_slice: takes one slice as a volume.
+progress: of DICOM slices, called with (share, stage); False, or an exception such as that of Ctrl-C, aborts.
 
 The image holds float32, rescaled: Hounsfield units for CT. Its `facts` tell modality, patient_position, series_uid,
-identity, repairs, notes. There is no progress, and Ctrl-C waits until the files are read.)");
+identity, repairs, notes. A file of another format is read in one piece, which Ctrl-C waits for.)");
 
   module.def("write_volume",
              &Write,

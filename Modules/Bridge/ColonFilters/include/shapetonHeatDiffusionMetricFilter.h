@@ -65,7 +65,8 @@ protected:
   Compute() override
   {
     const auto * const mesh = static_cast<const TInputMesh *>(this->itk::ProcessObject::GetInput(0));
-    this->SetResult(0, ComputeHeatDiffusionMetric(SurfaceOf(*mesh), m_Time));
+    const Progress     progress = this->Reporter().Part("Metric", 0.0, 1.0);
+    this->SetResult(0, ComputeHeatDiffusionMetric(SurfaceOf(*mesh), m_Time, progress));
   }
 
   void

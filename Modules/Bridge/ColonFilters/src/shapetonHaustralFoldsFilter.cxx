@@ -34,8 +34,8 @@ HaustralFoldsFilter::GenerateOutputInformation()
 void
 HaustralFoldsFilter::Compute()
 {
-  this->Reporter()("Folds", 0.0);
   HaustralFoldOptions options = m_Options;
+  options.progress = this->Reporter().Part("Folds", 0.0, 1.0);
   options.taeniae = this->GetTaeniae() ? &this->GetTaeniae()->Get() : nullptr;
   HaustralFolds folds = FindHaustralFolds(this->GetFlatColon()->Get(), options);
   HandOver(folds.labels.GetPointer(), this->GetOutput());

@@ -25,8 +25,9 @@ SupineProneRegistrationFilter::GetOutput()
 void
 SupineProneRegistrationFilter::Compute()
 {
-  this->Reporter()("Registering", 0.0);
-  this->SetResult(0, RegisterColonPositions(this->GetSource()->Get(), this->GetTarget()->Get(), m_Options));
+  SupineProneOptions options = m_Options;
+  options.progress = this->Reporter();
+  this->SetResult(0, RegisterColonPositions(this->GetSource()->Get(), this->GetTarget()->Get(), options));
 }
 
 void

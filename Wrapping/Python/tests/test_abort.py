@@ -1,0 +1,130 @@
+"""Each stage ends soon after a signal, told by the CPU time of the process, which other work on the machine hardly changes."""
+
+import signal
+import time
+import unittest
+
+import numpy as np
+
+import shapeton
+from shapeton import colon, flattening, graphs, surfaces
+
+from support import TestCase, needs_tools, run_tool
+
+
+def interrupt(*_):
+    raise KeyboardInterrupt
+
+
+class Position:
+    """The wall of one position of a small synthetic patient and what is derived from it."""
+
+    def __init__(self, name):
+        truth = colon.colon_phantom(position=name, size=(120, 120, 112), spacing=(3.0, 3.0, 3.0), truth_only=True)
+        self.lumen = truth.lumen
+        self.model = colon.build_colon_of_lumen(self.lumen, faces=40000)
+        self.wall, self.centreline = self.model.wall.simplified, self.model.centreline.curve
+        self.flat_mesh = flattening.flatten_tube(self.wall, self.centreline, metric="euclidean").flat
+        self.flat = self.new_flat()
+        self.folds = colon.find_folds(self.flat)
+        self.landmarks = colon.find_landmarks(self.flat, self.centreline)
+        self.position = colon.ColonPosition(name, self.landmarks, self.centreline, self.folds)
+
+    def new_flat(self):
+        """Without the grids that a FlatColon keeps."""
+        return colon.FlatColon(self.flat_mesh)
+
+
+class AbortTest(TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.supine, cls.prone = Position("supine"), Position("prone")
+        cls.addClassCleanup(signal.signal, signal.SIGPROF, signal.signal(signal.SIGPROF, interrupt))
+
+    def seconds(self, work):
+        """CPU time of the process, of the second run."""
+        work()
+        begin = time.process_time()
+        work()
+        return time.process_time() - begin
+
+    def check(self, work):
+        """`work` takes a progress function. A signal after a quarter of it ends it before three quarters of it."""
+        shares = []
+        work(progress=lambda share, stage: shares.append((share, stage)))
+        self.assertEqual(shares, sorted(shares, key=lambda call: call[0]))
+        self.assertTrue(all(0.0 <= share <= 1.0 and stage for share, stage in shares), shares)
+        with self.assertRaises(shapeton.Aborted):
+            work(progress=lambda *_: False)
+        whole = self.seconds(work)
+        begin = time.process_time()
+        with self.assertRaises(KeyboardInterrupt):
+            signal.setitimer(signal.ITIMER_PROF, 0.25 * whole)
+            work()
+        self.assertLess(time.process_time() - begin, 0.75 * whole)
+
+    def test_surfaces(self):
+        wall = self.supine.wall
+        with self.subTest("spectrum"):
+            self.check(lambda **options: surfaces.spectrum(wall, 50, **options))
+        with self.subTest("metric"):
+            self.check(lambda **options: surfaces.heat_diffusion_metric(wall, **options))
+        with self.subTest("truncated metric"):
+            self.check(lambda **options: surfaces.heat_diffusion_metric(wall, pairs=50, **options))
+
+    def test_heat_over_a_surface(self):
+        heat = np.random.default_rng(1).random((len(self.supine.wall.vertices), 40))
+        self.check(lambda **options: surfaces.diffuse_over_surface(self.supine.wall, heat, 10.0, **options))
+
+    def test_conformal_maps(self):
+        wall, line = self.supine.wall, self.supine.centreline
+        with self.subTest("flatten_tube"):
+            self.check(lambda **options: flattening.flatten_tube(wall, line, **options))
+        for domain in ("rectangle", "slit"):
+            with self.subTest(domain):
+                self.check(lambda **options: flattening.conformal_map(wall, domain=domain, **options))
+
+    def test_folds_and_landmarks(self):
+        supine = self.supine
+        with self.subTest("folds"):
+            self.check(lambda **options: colon.find_folds(supine.new_flat(), **options))
+        with self.subTest("landmarks"):
+            self.check(lambda **options: colon.find_landmarks(supine.new_flat(), supine.centreline, **options))
+        with self.subTest("pieces"):
+            self.check(lambda **options: colon.split_colon(supine.landmarks, **options))
+
+    def test_candidates(self):
+        wall = self.supine.model.wall.repaired
+        self.check(lambda **options: colon.find_candidates(wall, self.supine.lumen, **options))
+
+    def test_registration(self):
+        for method in ("default", "published"):
+            with self.subTest(method):
+                self.check(
+                    lambda **options: colon.register_positions(
+                        self.supine.position, self.prone.position, map=method, **options
+                    )
+                )
+
+    def test_graphs(self):
+        torus, rotation = graphs.torus_grid(90, 90, True)
+        grid, other = graphs.grid_graph(60, 60), graphs.grid_graph(90, 40)
+        with self.subTest("torus"):
+            self.check(lambda **options: graphs.embed_graph(torus, rotation=rotation, **options))
+        with self.subTest("search"):
+            self.check(lambda **options: graphs.embed_graph(graphs.complete_graph(14), **options))
+        with self.subTest("comparison"):
+            self.check(lambda **options: graphs.compare_graphs(grid, other, **options))
+
+    @needs_tools
+    def test_reading(self):
+        folder = str(self.folder / "series")
+        run_tool("ColonPhantom", folder, "--size", "256,256,160", "--spacing", "1.4,1.4,2.1")
+        with self.subTest("list"):
+            self.check(lambda **options: shapeton.list_series(folder, **options))
+        with self.subTest("read"):
+            self.check(lambda **options: shapeton.read_volume(folder, **options))
+
+
+if __name__ == "__main__":
+    unittest.main()
