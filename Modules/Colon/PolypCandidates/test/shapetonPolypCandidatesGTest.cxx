@@ -603,6 +603,8 @@ TEST(PolypCandidates, TheOtherPositionWeighsWhatItShows)
   const auto weighed = [](double confidence, double score, double likeness, bool isExcluded = false) {
     std::vector<shapeton::PolypCandidate> one(1);
     one[0].number = 1;
+    one[0].diameter = 8.0;
+    one[0].height = 4.0;
     one[0].shapeScore = 0.9;
     one[0].score = score;
     one[0].other = shapeton::PolypInOtherPosition();
@@ -643,6 +645,8 @@ TEST(PolypCandidates, WeighedCandidatesKeepTheirNumbers)
   for (int i = 0; i < 2; ++i)
   {
     candidates[i].number = i + 1;
+    candidates[i].diameter = 8.0;
+    candidates[i].height = 4.0;
     candidates[i].score = candidates[i].shapeScore = i == 0 ? 0.95 : 0.6;
     candidates[i].other = shapeton::PolypInOtherPosition();
     candidates[i].other->likeness = i;

@@ -46,7 +46,7 @@ FlipsAtFirst(const shapeton::SurfaceMesh & mesh)
 {
   const shapeton::SurfaceConnectivity connectivity(mesh);
   const shapeton::TubeEnds            ends = shapeton::FindTubeEnds(mesh, connectivity, "the tube");
-  return FlipsOf(shapeton::FlattenTube(mesh, connectivity, StraightLengths(mesh, connectivity), ends).flat);
+  return FlipsOf(shapeton::FlattenTube(mesh, connectivity, StraightLengths(mesh, connectivity, {}), ends).flat);
 }
 
 /** Faces of the wall are those of the surface before, and what was cut off is accounted for. */
@@ -163,7 +163,7 @@ TEST(TubeUnfolding, MapWithoutFoldsIsThatOfOneSolve)
   const shapeton::SurfaceMesh         mesh = MakeColonTube(options).mesh;
   const shapeton::SurfaceConnectivity connectivity(mesh);
   const shapeton::TubeEnds            ends = shapeton::FindTubeEnds(mesh, connectivity, "the tube");
-  const auto plain = shapeton::FlattenTube(mesh, connectivity, StraightLengths(mesh, connectivity), ends);
+  const auto plain = shapeton::FlattenTube(mesh, connectivity, StraightLengths(mesh, connectivity, {}), ends);
   const shapeton::UnfoldedTube tube = Unfold(mesh);
   EXPECT_EQ(1, tube.solves);
   EXPECT_TRUE(tube.caps.empty());
@@ -211,7 +211,7 @@ TEST(TubeUnfolding, MetricThatFoldsEverywhereIsUnfolded)
   const shapeton::SurfaceMesh         mesh = MakeRoughTube({});
   const shapeton::SurfaceConnectivity connectivity(mesh);
   const shapeton::TubeEnds            ends = shapeton::FindTubeEnds(mesh, connectivity, "the tube");
-  const auto plain = shapeton::FlattenTube(mesh, connectivity, metric(mesh, connectivity), ends);
+  const auto plain = shapeton::FlattenTube(mesh, connectivity, metric(mesh, connectivity, {}), ends);
   EXPECT_GT(FlipsOf(plain.flat), 50);
   const shapeton::UnfoldedTube tube = shapeton::FlattenWithoutFolds(mesh, ends, metric);
   EXPECT_EQ(0, FlipsOf(tube.map.flat));
