@@ -1,11 +1,14 @@
 """The group report: outliers and FROC against values worked out by hand, order of the page."""
 
+import contextlib
+import io
 import json
 import unittest
+from unittest import mock
 
 from case import Case
 from cohort.outliers import find_outliers, scores
-from cohort.report import page_of, results_table
+from cohort.report import main, page_of, results_table
 from cohort.results import SERIES_MEASURES, Examination, read_examination
 from cohort.table import read_table
 from cohort.truth import froc, read_series
@@ -77,6 +80,21 @@ class Results(Case):
                          [1800, 98.7, 1, 2, 0.56])
         self.assertIsNone(measures["candidates1"])
         self.assertEqual(one.doubts, ["supine: gaps are bridged", "supine: 2 of 4 flexures not found"])
+
+
+class Report(Case):
+    def test_the_truth_is_held_against_runs_that_are_done(self):
+        table = "subject\tposition\tsource\tseries\ttruth\n" + "".join(f"{name}\tsupine\tct\t\ttruth\n" for name in "ab")
+        self.write("cohort.json", json.dumps({"table": self.write("t.tsv", table), "options": []}))
+        self.write("truth/polyps.csv", POLYPS)
+        for name in "ab":
+            self.write(f"{name}/exam/polyps/candidates.csv", CANDIDATES)
+        self.write("a/status.json", json.dumps({"outcome": "done", "message": ""}))
+        self.write("b/attempt.json", json.dumps({"attempt": 2, "askedMB": 900}))  # it was killed after this stage
+        with mock.patch("sys.argv", ["report.py", self.folder]), contextlib.redirect_stdout(io.StringIO()):
+            self.assertRaises(SystemExit, main)
+        with open(f"{self.folder}/report.html", encoding="utf-8") as file:
+            self.assertIn("FROC of 1 series with 2 polyps", file.read())
 
 
 class ReportPage(unittest.TestCase):

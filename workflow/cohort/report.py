@@ -24,7 +24,8 @@ def main():
     examinations = [read_examination(output, subject, rows) for subject, rows in subjects.items()]
     write_whole(f"{output}/cohort.tsv", results_table(examinations))
     write_whole(f"{output}/runs.tsv", runs_table(examinations))
-    write_whole(f"{output}/report.html", page_of(examinations, read_truth(output, subjects), settings))
+    done = {one.subject: subjects[one.subject] for one in examinations if one.outcome == "done"}
+    write_whole(f"{output}/report.html", page_of(examinations, read_truth(output, done), settings))
     print(f"{counts(examinations)}: {os.path.abspath(output)}/report.html")
     for _, *words in faults_of(examinations):
         print("  " + ": ".join(words))
@@ -65,7 +66,7 @@ def _tabs(rows):
 
 
 def read_truth(output, subjects):
-    """Series with truth, and the registration errors of their pairs."""
+    """Series with truth, and the registration errors of their pairs. A run that is not done has not looked everywhere yet."""
     series, errors = [], []
     for subject, rows in subjects.items():
         exam = f"{output}/{subject}/exam"
