@@ -1,4 +1,4 @@
-#include "shapetonSurfaceConnectivity.h"
+#include "shapetonFanWalk.h"
 
 #include <algorithm>
 
@@ -45,6 +45,10 @@ void
 SurfaceConnectivity::TurnFaces()
 {
   m_IsTurned.assign(m_Faces.rows(), false);
+  if (this->IsOriented())
+  {
+    return;
+  }
   std::vector<bool> isReached(m_Faces.rows(), false);
   std::vector<int>  open;
   for (int seed = 0; seed < this->NumberOfFaces(); ++seed)
@@ -91,7 +95,12 @@ SurfaceConnectivity::CountVertices()
   std::vector<int> components;
   for (int v = 0; v < m_NumberOfVertices; ++v)
   {
-    const IndexRange       faces = this->FacesOfVertex(v);
+    const IndexRange faces = this->FacesOfVertex(v);
+    if (IsOneFan(*this, m_Faces, v))
+    {
+      ++m_Components[m_ComponentOfFace[faces[0]]].vertices;
+      continue;
+    }
     const std::vector<int> fan = this->FanOfFaces(v);
     components.clear();
     int fans = 0;

@@ -1,4 +1,4 @@
-#include "shapetonSurfaceConnectivity.h"
+#include "shapetonFanWalk.h"
 
 #include <algorithm>
 #include <stdexcept>
@@ -236,6 +236,10 @@ SurfaceConnectivity::FanOfFaces(int vertex, bool throughManifoldEdges) const
 int
 SurfaceConnectivity::FansOfVertex(int vertex) const
 {
+  if (IsOneFan(*this, m_Faces, vertex))
+  {
+    return 1;
+  }
   const std::vector<int> fan = this->FanOfFaces(vertex);
   return fan.empty() ? 0 : *std::max_element(fan.begin(), fan.end()) + 1;
 }
