@@ -6,9 +6,8 @@
 namespace shapeton
 {
 /** Calls `first` on this thread and `second` at the same time on another one, where ITK's settings allow two; else one
- * after the other. Both may use ParallelFor(). Where both throw, the exception of `first` is thrown again. \ingroup
- * Base
- */
+ * after the other. Both may use ParallelFor(). Where both throw, the exception of `first` is thrown again.
+ * \ingroup Base */
 template <typename TFirst, typename TSecond>
 void
 ParallelInvoke(const TFirst & first, const TSecond & second)
