@@ -2,6 +2,7 @@
 #include <new>
 
 #ifdef __linux__
+#  include <malloc.h>
 #  include <sys/mman.h>
 #endif
 
@@ -14,8 +15,11 @@ __attribute__((visibility("default"))) void *
 operator new(std::size_t size)
 {
   constexpr std::size_t page = std::size_t{ 1 } << 21;
-  const bool            isLarge = size >= 4 * page;
-  void * const          memory = isLarge ? std::aligned_alloc(page, size) : std::malloc(size + !size);
+  constexpr std::size_t large = 4 * page;
+  // A fixed threshold: glibc would raise its own to 32 MB, and large memory that is freed would stay with the process.
+  static const bool isKnown = mallopt(M_MMAP_THRESHOLD, large) != 0;
+  const bool        isLarge = isKnown && size >= large;
+  void * const      memory = isLarge ? std::aligned_alloc(page, size) : std::malloc(size + !size);
   if (!memory)
   {
     throw std::bad_alloc();
