@@ -1523,8 +1523,11 @@ def colon_phantom(*, seed: int=..., position: str=..., preset: str=..., size: Se
     """
     ...
 
-def compare_graphs(a: Graph, b: Graph, seed: int=...) -> GraphComparison:
-    """Decides whether two graphs are isomorphic, embeds both and tells what differs."""
+def compare_graphs(a: Graph, b: Graph, seed: int=..., *, progress: Optional[Callable[[float, str], object]]=...) -> GraphComparison:
+    """Decides whether two graphs are isomorphic, embeds both and tells what differs.
+
+    progress: called with (share, stage), share from 0 to 1; False, or an exception such as that of Ctrl-C, aborts.
+    """
     ...
 
 def complete_bipartite_graph(left: int, right: int) -> Graph:
@@ -1535,14 +1538,13 @@ def complete_graph(nodes: int) -> Graph:
     """Each node joined with each other one."""
     ...
 
-def conformal_map(mesh: Mesh, *, domain: str=..., outer_boundary: int=..., inner_boundary: int=..., corners: Sequence[int]=..., edge_lengths: Optional[ArrayLike]=...) -> ConformalMap:
+def conformal_map(mesh: Mesh, *, domain: str=..., outer_boundary: int=..., inner_boundary: int=..., corners: Sequence[int]=..., edge_lengths: Optional[ArrayLike]=..., progress: Optional[Callable[[float, str], object]]=...) -> ConformalMap:
     """Maps an open surface conformally to the plane.
 
     mesh: one manifold, oriented component with a boundary. domain: "rectangle", "annulus" or "slit".
     outer_boundary, inner_boundary: numbers from 1 by length; 0: the longest, and the longest one left.
     corners: four vertices of the only boundary of a rectangle. edge_lengths: another metric, by `surface_edges`.
-
-    It takes no progress and cannot be interrupted.
+    progress: called with (share, stage), share from 0 to 1; False, or an exception such as that of Ctrl-C, aborts.
     """
     ...
 
@@ -1567,8 +1569,11 @@ def diffuse_heat(image: Image, *, p: Optional[float]=..., window: Optional[Tuple
     """
     ...
 
-def diffuse_over_surface(mesh: Mesh, values: ArrayLike, time: float) -> NDArray[Any]:
-    """Lets columns of values, n x k, flow over a surface for `time` mm^2, from 0; a new array, n x k."""
+def diffuse_over_surface(mesh: Mesh, values: ArrayLike, time: float, *, progress: Optional[Callable[[float, str], object]]=...) -> NDArray[Any]:
+    """Lets columns of values, n x k, flow over a surface for `time` mm^2, from 0; a new array, n x k.
+
+    progress: called with (share, stage), share from 0 to 1; False, or an exception such as that of Ctrl-C, aborts.
+    """
     ...
 
 def diffuse_shapetons(image: Image, *, mask: Optional[Image]=..., p: float=..., window: Optional[Tuple[float, float]]=..., shapetons: Optional[int]=..., distance: float=..., feature_size: Optional[float]=..., time_steps: int=..., direction_sampling: str=..., path_rule: str=..., placement: str=..., seed: int=..., until_steady: bool=..., epsilon: Optional[float]=..., histogram_steps: Sequence[int]=..., progress: Optional[Callable[[float, str], object]]=...) -> ShapetonResult:
@@ -1594,15 +1599,14 @@ def edge_lengths(mesh: Mesh) -> NDArray[Any]:
     """The straight lengths of the edges in the order of `surface_edges`, e values; mm."""
     ...
 
-def embed_graph(graph: Graph, *, genus: Optional[int]=..., rotation: Optional[Sequence[Sequence[int]]]=..., seed: int=..., augmentation: str=..., infinity: str=...) -> EmbeddingCertificate:
+def embed_graph(graph: Graph, *, genus: Optional[int]=..., rotation: Optional[Sequence[Sequence[int]]]=..., seed: int=..., augmentation: str=..., infinity: str=..., progress: Optional[Callable[[float, str], object]]=...) -> EmbeddingCertificate:
     """Embeds a graph without crossings by a circle packing, found by discrete Ricci flow.
 
     genus: of the surface: 0 sphere, 1 flat torus, from 2 hyperbolic; None: the smallest that is found.
     rotation: for each node the half-edges that leave it, counterclockwise, in place of a search.
     seed: of the search. augmentation: "ring" adds dummies where no packing exists, "none" does not.
     infinity: "circle" or "edgeNode", of the sphere.
-
-    It takes no progress and cannot be interrupted: Ctrl-C waits until the embedding is there.
+    progress: called with (share, stage), share from 0 to 1; False, or an exception such as that of Ctrl-C, aborts.
     """
     ...
 
@@ -1617,18 +1621,17 @@ def find_candidates(wall: Mesh, lumen: Image, *, centreline: Optional[Union[Curv
     What else is known tells more about a candidate: centreline (with the valve), ct (HU, cleansed), flat (FlatColon),
     segments (`ColonLandmarks.segments`), catheter (`ColonLumen.catheter`).
     preset: "default" or "published". sensitivity: 0 to 1.
-    progress: called with (share, stage); it hears of the stages alone, so an abort waits for the end of one.
+    progress: called with (share, stage), share from 0 to 1; False, or an exception such as that of Ctrl-C, aborts.
     """
     ...
 
-def find_folds(flat: FlatColon, *, scheme: str=..., minimum_length: float=..., minimum_area: float=..., minimum_elongation: float=..., minimum_angle: float=..., smoothing_time: float=..., smoothness: float=..., taeniae: Optional[Union[Curves, NDArray[Any]]]=...) -> HaustralFolds:
+def find_folds(flat: FlatColon, *, scheme: str=..., minimum_length: float=..., minimum_area: float=..., minimum_elongation: float=..., minimum_angle: float=..., smoothing_time: float=..., smoothness: float=..., taeniae: Optional[Union[Curves, NDArray[Any]]]=..., progress: Optional[Callable[[float, str], object]]=...) -> HaustralFolds:
     """Haustral folds on the flat wall of a colon.
 
     scheme: "graphCut" or "published". minimum_length: mm; minimum_area: mm^2; minimum_elongation: long over short axis;
     minimum_angle: against the tube, degrees. smoothing_time: of the curvature, mm^2. smoothness: cost of outline.
     taeniae: Curves on the wall along which folds that have grown together are split.
-
-    It takes no progress.
+    progress: called with (share, stage), share from 0 to 1; False, or an exception such as that of Ctrl-C, aborts.
     """
     ...
 
@@ -1645,7 +1648,7 @@ def find_landmarks(flat: FlatColon, centreline: Union[Curves, NDArray[Any]], *, 
 
     flat: FlatColon. centreline: as `trace_centreline` gives it. flexure_rule: "ordered" or "published". taenia_rule: "joint"
     or "published". markers: k x 3, LPS mm: points on taeniae that a person has marked.
-    progress: called with (share, stage); it hears of the stages alone, so an abort waits for the end of one.
+    progress: called with (share, stage), share from 0 to 1; False, or an exception such as that of Ctrl-C, aborts.
 
     A landmark that is not found is no exception: it is absent and `warnings` say why.
     """
@@ -1666,7 +1669,7 @@ def flatten_tube(mesh: Mesh, centreline: Optional[Union[Curves, NDArray[Any]]]=.
     metric: "heatDiffusion", "euclidean" or "truncatedHeatDiffusion". time: of diffusion, mm^2; 0: one that suits the mesh.
     eigenpairs: of truncatedHeatDiffusion. remove_handles: finds handles and cuts them out.
     method: "conjugate" or "published". cut: a curve near which the tube is cut, Curves or k x 3; None: a path is found.
-    progress: called with (share, stage); it hears of the stages alone, so an abort waits for the end of one.
+    progress: called with (share, stage), share from 0 to 1; False, or an exception such as that of Ctrl-C, aborts.
     """
     ...
 
@@ -1674,13 +1677,12 @@ def grid_graph(columns: int, rows: int) -> Graph:
     """Node (c, r) is r * columns + c."""
     ...
 
-def heat_diffusion_metric(mesh: Mesh, time: Optional[float]=..., *, pairs: Optional[int]=...) -> HeatDiffusionMetric:
+def heat_diffusion_metric(mesh: Mesh, time: Optional[float]=..., *, pairs: Optional[int]=..., progress: Optional[Callable[[float, str], object]]=...) -> HeatDiffusionMetric:
     """The heat diffusion distances of the ends of all edges, as new lengths of edges.
 
     mesh: one manifold component. time: of diffusion, mm^2; None: 8 times the square of the mean edge at 55,000 faces.
     pairs: takes so many eigenpairs alone, as published; None: all of them, without computing any.
-
-    It takes no progress and cannot be interrupted: Ctrl-C waits until the metric is there.
+    progress: called with (share, stage), share from 0 to 1; False, or an exception such as that of Ctrl-C, aborts.
     """
     ...
 
@@ -1704,8 +1706,11 @@ def inspect_surface(mesh: Mesh) -> Dict[str, Any]:
     """
     ...
 
-def list_series(path: str) -> List[DicomSeries]:
-    """The DICOM series in a folder, searched recursively, or in a file. Reads headers; takes no progress."""
+def list_series(path: str, *, progress: Optional[Callable[[float, str], object]]=...) -> List[DicomSeries]:
+    """The DICOM series in a folder, searched recursively, or in a file. Reads headers.
+
+    progress: called with (share, stage), share from 0 to 1; False, or an exception such as that of Ctrl-C, aborts.
+    """
     ...
 
 def measure_distension(centreline: Union[Curves, NDArray[Any]]) -> List[SegmentDistension]:
@@ -1739,7 +1744,7 @@ def read_surface(path: str, *, part: str=..., component: int=..., unit: str=...,
     """
     ...
 
-def read_volume(path: str, *, series_uid: str=..., resample_gaps: bool=..., deshear: bool=..., drop_duplicates: bool=..., allow_single_slice: bool=...) -> Image:
+def read_volume(path: str, *, series_uid: str=..., resample_gaps: bool=..., deshear: bool=..., drop_duplicates: bool=..., allow_single_slice: bool=..., progress: Optional[Callable[[float, str], object]]=...) -> Image:
     """Reads a folder of DICOM slices, a DICOM file, or a NRRD, NIfTI or MetaImage file.
 
     An irregular series is refused with InputError that names the defect, unless its repair is allowed:
@@ -1749,9 +1754,10 @@ def read_volume(path: str, *, series_uid: str=..., resample_gaps: bool=..., desh
     deshear: resamples a tilted volume onto perpendicular axes.
     drop_duplicates: keeps the first of several slices at one position.
     allow_single_slice: takes one slice as a volume.
+    progress: of DICOM slices, called with (share, stage); False, or an exception such as that of Ctrl-C, aborts.
 
     The image holds float32, rescaled: Hounsfield units for CT. Its `facts` tell modality, patient_position, series_uid,
-    identity, repairs, notes. There is no progress, and Ctrl-C waits until the files are read.
+    identity, repairs, notes. A file of another format is read in one piece, which Ctrl-C waits for.
     """
     ...
 
@@ -1759,13 +1765,12 @@ def recorded_steps(last: int, number: int, spacing: str=...) -> List[int]:
     """At most `number` distinct time steps from 0 to `last`, for histogram_steps; spacing: "logarithmic" or "linear"."""
     ...
 
-def register_positions(supine: ColonPosition, prone: ColonPosition, *, map: str=..., matching: str=..., refine: bool=..., segment_wise: bool=...) -> Registration:
+def register_positions(supine: ColonPosition, prone: ColonPosition, *, map: str=..., matching: str=..., refine: bool=..., segment_wise: bool=..., progress: Optional[Callable[[float, str], object]]=...) -> Registration:
     """A one-to-one map between the walls of a colon in two positions.
 
     map: "default" or "published". matching: of folds, "hungarian" or "dualDecomposition". refine: by the curvature of the
     wall itself. segment_wise: folds keep to their segment.
-
-    It takes no progress and cannot be interrupted: Ctrl-C waits until the map is there.
+    progress: called with (share, stage), share from 0 to 1; False, or an exception such as that of Ctrl-C, aborts.
     """
     ...
 
@@ -1801,15 +1806,18 @@ def simplify_surface(mesh: Mesh, faces: int, *, smallest_angle: float=..., bound
     """
     ...
 
-def spectrum(mesh: Mesh, pairs: int=...) -> SurfaceSpectrum:
+def spectrum(mesh: Mesh, pairs: int=..., *, progress: Optional[Callable[[float, str], object]]=...) -> SurfaceSpectrum:
     """The `pairs` smallest eigenpairs of the Laplacian of a surface that is one manifold component.
 
-    It takes no progress and cannot be interrupted: Ctrl-C waits until the eigenpairs are there.
+    progress: called with (share, stage), share from 0 to 1; False, or an exception such as that of Ctrl-C, aborts.
     """
     ...
 
-def split_colon(landmarks: ColonLandmarks) -> Tuple[List[ColonPiece], List[str]]:
-    """Cuts the wall into its segments and maps each to a rectangle: (list of ColonPiece, warnings)."""
+def split_colon(landmarks: ColonLandmarks, *, progress: Optional[Callable[[float, str], object]]=...) -> Tuple[List[ColonPiece], List[str]]:
+    """Cuts the wall into its segments and maps each to a rectangle: (list of ColonPiece, warnings).
+
+    progress: called with (share, stage), share from 0 to 1; False, or an exception such as that of Ctrl-C, aborts.
+    """
     ...
 
 def surface_area(mesh: Mesh) -> float:
