@@ -107,12 +107,14 @@ class AbortTest(TestCase):
                 )
 
     def test_graphs(self):
-        torus, rotation = graphs.torus_grid(90, 90, True)
+        torus, rotation = graphs.torus_grid(160, 160, True)
         grid, other = graphs.grid_graph(60, 60), graphs.grid_graph(90, 40)
         with self.subTest("torus"):
             self.check(lambda **options: graphs.embed_graph(torus, rotation=rotation, **options))
+        with self.subTest("sphere"):
+            self.check(lambda **options: graphs.embed_graph(graphs.grid_graph(120, 120), **options))
         with self.subTest("search"):
-            self.check(lambda **options: graphs.embed_graph(graphs.complete_graph(14), **options))
+            self.check(lambda **options: graphs.embed_graph(graphs.complete_graph(20), **options))
         with self.subTest("comparison"):
             self.check(lambda **options: graphs.compare_graphs(grid, other, **options))
 

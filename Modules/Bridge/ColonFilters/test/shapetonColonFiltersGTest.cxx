@@ -302,6 +302,39 @@ TEST(ColonFilters, ProgressIsReportedAndARunCanBeAborted)
   EXPECT_EQ(observer->share, 1.0);
 }
 
+TEST(ColonFilters, EachStageOnTheWallReportsAndCanBeAborted)
+{
+  Pipeline & finished = FinishedPipeline();
+  Pipeline   stages; // new filters on the results of the others
+  stages.flattening->SetInput(finished.model->GetOutput());
+  stages.flattening->SetCentreline(finished.model->GetCentrelineOutput());
+  stages.landmarks->SetFlatColon(finished.flattening->GetFlatColonOutput());
+  stages.landmarks->SetCentreline(finished.model->GetCentrelineOutput());
+  stages.folds->SetFlatColon(finished.flattening->GetFlatColonOutput());
+  stages.folds->SetTaeniae(finished.landmarks->GetTaeniaeOutput());
+  stages.candidates->SetInput(finished.model->GetOutput(1));
+  stages.candidates->SetModel(finished.model->GetModelOutput());
+  stages.candidates->SetFlatColon(finished.flattening->GetFlatColonOutput());
+  stages.candidates->SetLandmarks(finished.landmarks->GetOutput());
+  const auto metric = HeatDiffusionMetricFilter<>::New();
+  metric->SetInput(finished.model->GetOutput());
+  metric->SetTime(40.0);
+  const auto registration = SupineProneRegistrationFilter::New();
+  registration->SetSource(finished.position->GetOutput());
+  registration->SetTarget(finished.position->GetOutput());
+  for (itk::ProcessObject * stage : std::initializer_list<itk::ProcessObject *>{
+         metric, stages.flattening, stages.landmarks, stages.folds, stages.candidates, registration })
+  {
+    const auto observer = Observer::Of(stage);
+    observer->abortAt = 0.3;
+    EXPECT_THROW(stage->Update(), itk::ProcessAborted) << stage->GetNameOfClass();
+    EXPECT_GE(observer->share, 0.3);
+    EXPECT_LT(observer->share, 0.9) << stage->GetNameOfClass();
+    EXPECT_TRUE(observer->ascends);
+    EXPECT_EQ(observer->aborts, 1);
+  }
+}
+
 TEST(ColonFilters, AnImageMayBeginAtAnyIndex)
 {
   using Shift = itk::ChangeInformationImageFilter<CtImage>;

@@ -235,6 +235,7 @@ NewtonFlow::Refined()
 CirclePacking
 NewtonFlow::Run(PackingPrecision precision)
 {
+  m_Steps.Step(); // the analysis
   m_Energy.Evaluate(m_Point);
   int steps = 0;
   while (steps < mostSteps && !this->IsDone())

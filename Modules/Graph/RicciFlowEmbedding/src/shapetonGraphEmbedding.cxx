@@ -28,7 +28,9 @@ EmbedMap(const Graph &                 graph,
          const GraphEmbeddingOptions & options,
          const Progress &              progress)
 {
-  PackedMap            packed = MakePackedMap(map, augmentation);
+  progress(0.0);
+  PackedMap packed = MakePackedMap(map, augmentation);
+  progress(0.1);
   EmbeddingCertificate certificate;
   certificate.genus = map.Genus();
   std::vector<int> rank;
@@ -43,7 +45,7 @@ EmbedMap(const Graph &                 graph,
     }
     rank = std::move(order.rank);
   }
-  AddPacking(graph, packed, options.infinity, rank, progress, certificate);
+  AddPacking(graph, packed, options.infinity, rank, progress.Part("", 0.2, 1.0), certificate);
   if (certificate.rotation.empty())
   {
     certificate.rotation = FlatRotation(map);

@@ -119,7 +119,9 @@ AddGenerators(const SurfaceLayout &            layout,
 void
 AddTorus(const CombinatorialMap & map, const Progress & progress, EmbeddingCertificate & certificate)
 {
-  const CirclePacking      packing = PackCircles(map, FlowGeometry::Euclidean, {}, PackingPrecision::Double, progress);
+  const CirclePacking packing =
+    PackCircles(map, FlowGeometry::Euclidean, {}, PackingPrecision::Double, progress.Part("", 0.0, 0.7));
+  progress(0.7);
   const SurfaceLayout      layout(map, packing);
   std::vector<PlaneMotion> generators = GeneratorsOf(layout);
   for (PlaneMotion & generator : generators)
@@ -129,7 +131,9 @@ AddTorus(const CombinatorialMap & map, const Progress & progress, EmbeddingCerti
   certificate.geometry = EmbeddingGeometry::Euclidean;
   certificate.nodeRadii = packing.nodeRadii;
   certificate.faceRadii = packing.faceRadii;
+  progress(0.8);
   AddLayout(map, layout, certificate);
+  progress(0.9);
   AddGenerators(layout, generators, certificate);
   const auto lattice = ReducedLattice(generators[0].b, generators[1].b);
   Append(lattice[0], certificate.periods);
@@ -168,12 +172,16 @@ AddResidual(const std::string & name, double residual, EmbeddingCertificate & ce
 void
 AddHyperbolicSurface(const CombinatorialMap & map, const Progress & progress, EmbeddingCertificate & certificate)
 {
-  const CirclePacking packing = PackCircles(map, FlowGeometry::Hyperbolic, {}, PackingPrecision::Double, progress);
+  const CirclePacking packing =
+    PackCircles(map, FlowGeometry::Hyperbolic, {}, PackingPrecision::Double, progress.Part("", 0.0, 0.7));
+  progress(0.7);
   const SurfaceLayout layout(map, packing);
   certificate.geometry = EmbeddingGeometry::Hyperbolic;
   certificate.nodeRadii = packing.nodeRadii;
   certificate.faceRadii = packing.faceRadii;
+  progress(0.8);
   AddLayout(map, layout, certificate);
+  progress(0.9);
   const std::vector<PlaneMotion> generators = GeneratorsOf(layout);
   certificate.word = CentredWord(generators, layout.Word());
   certificate.canonicalWords = CanonicalWords(certificate.word);
