@@ -18,10 +18,10 @@ public:
 
   /** Reports that one more step is done. */
   void
-  Step()
+  Step(const std::string & stage = {})
   {
     m_Steps += 1.0;
-    m_Progress(this->Share());
+    m_Progress(stage, this->Share());
   }
 
   /** The receiver for one more step, which is known to the whole as `stage`. */

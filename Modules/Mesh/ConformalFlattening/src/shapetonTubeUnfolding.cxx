@@ -54,7 +54,7 @@ public:
   TubeUnfolding(SurfaceMesh mesh, const TubeEnds & ends, const TubeMetric & metric, const TubeOptions & options)
     : m_Metric(metric)
     , m_Options(options)
-    , m_Steps(options.progress, 0.5)
+    , m_Steps(options.progress, 1.0)
     , m_MostSolves(options.conjugate == TubeConjugate::Published ? 1 : mostSolves)
   {
     m_Tube.surface = std::move(mesh);
@@ -92,6 +92,7 @@ private:
   Connect()
   {
     m_Connectivity = std::make_unique<SurfaceConnectivity>(m_Tube.surface);
+    m_Steps.Step("Metric");
     m_Tube.edgeLengths = m_Metric(m_Tube.surface, *m_Connectivity, m_Steps.NextStep("Metric"));
     m_IsTube = m_Connectivity->Components().front().genus == 0;
   }
@@ -133,6 +134,7 @@ private:
   {
     m_Tube.map = solver.Solve(m_Steps.NextStep("Flattening"));
     ++m_Tube.solves;
+    m_Steps.Step("Flattening");
     const SurfaceMesh & flat = m_Tube.map.flat;
     m_IsFlipped = FlippedFaces(flat.F, FlatCoordinates(flat, "the map"));
     if (!m_IsTube && NumberOf(m_IsFlipped) > 0)
@@ -172,6 +174,7 @@ private:
   void
   CutOffPouches()
   {
+    m_Steps.Step("Cutting off pouches");
     this->NumberWallPoints();
     CappedSurface capped = shapeton::CutOffPouches(m_Tube.surface, *m_Connectivity, m_IsPouch, m_Tube.caps);
     m_Tube.surface = std::move(capped.mesh);
@@ -205,7 +208,7 @@ private:
 
   const TubeMetric &                   m_Metric;
   const TubeOptions &                  m_Options;
-  OpenEndedProgress                    m_Steps;      ///< a metric or a map each
+  OpenEndedProgress                    m_Steps;      ///< as long as a metric or a map, or less
   const int                            m_MostSolves; ///< of a round
   UnfoldedTube                         m_Tube;
   std::unique_ptr<SurfaceConnectivity> m_Connectivity;
