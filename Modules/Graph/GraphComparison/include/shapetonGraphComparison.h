@@ -4,6 +4,7 @@
 #include "shapetonCanonicalForm.h"
 #include "shapetonDynamicEmbedding.h"
 #include "shapetonJsonForward.h"
+#include "shapetonProgress.h"
 
 #include <string>
 #include <vector>
