@@ -7,6 +7,7 @@
 #include "shapetonExceptions.h"
 #include "shapetonTransferFunctionChoice.h"
 #include "shapetonTransferFunctionPicture.h"
+#include "shapetonToolDevice.h"
 #include "shapetonToolVolumes.h"
 
 #include <filesystem>
@@ -77,7 +78,8 @@ TitleOf(const Volumes & volumes)
 void
 WriteReport(shapeton::CommandLine &                 commandLine,
             const Volumes &                         volumes,
-            const shapeton::ShapeTransferFunction & transferFunction)
+            const shapeton::ShapeTransferFunction & transferFunction,
+            const shapeton::VolumeRenderer &        renderer)
 {
   const std::string folder = commandLine.GetString("report");
   commandLine.MakeFolder(folder);
@@ -96,6 +98,7 @@ WriteReport(shapeton::CommandLine &                 commandLine,
   content.timeStep = volumes.timeStep;
   content.classes = volumes.shape.classes;
   content.transferFunction = transferFunction;
+  content.renderer = &renderer;
   shapeton::WriteHeatReport(content, folder, [&](const std::string & path) { return commandLine.Output(path); });
 }
 
@@ -117,15 +120,19 @@ MakeTransferFunction(shapeton::CommandLine & commandLine)
   const auto    transferFunction = choice.lines ? *choice.lines : LinesOfClasses(commandLine, shape);
   transferFunction.WriteVolumeProperty(propertyFile, std::max(1U, shape.quantity.greatestVisits));
   commandLine.Progress("Drawing", 0.6);
+  const shapeton::VolumeRenderer renderer(shape.values, transferFunction, shapeton::ReadDevice(commandLine));
+  commandLine.AddRunFact("device", renderer.GetDeviceUse().Describe());
   if (!pictureFile.empty())
   {
-    shapeton::WritePng(shapeton::DrawTransferFunction(
-                         volumes.input.image, shape.values, transferFunction, TitleOf(volumes), {}, shape.quantity),
-                       pictureFile);
+    const auto & grey = volumes.input.image;
+    const auto   title = TitleOf(volumes);
+    shapeton::WritePng(
+      shapeton::DrawTransferFunction(grey, shape.values, transferFunction, title, {}, shape.quantity, &renderer),
+      pictureFile);
   }
   if (commandLine.IsGiven("report"))
   {
-    WriteReport(commandLine, volumes, transferFunction);
+    WriteReport(commandLine, volumes, transferFunction, renderer);
   }
   commandLine.RecordRun(output + ".run.json");
 }

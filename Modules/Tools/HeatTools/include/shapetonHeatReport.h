@@ -14,6 +14,7 @@
 #include "itkImage.h"
 #include "shapetonShapeQuantity.h"
 #include "shapetonShapeTransferFunction.h"
+#include "shapetonVolumeRendering.h"
 #include "shapetonSliceMontage.h"
 
 #include <cstdint>
@@ -59,6 +60,8 @@ struct HeatReportContent
   std::vector<HeatClass> classes;
   /** What the rendering shows; by default ShapeTransferFunction::FromClasses. */
   std::optional<ShapeTransferFunction> transferFunction;
+  /** Draws the rendering, where given; it must be of the same heat and transfer function. */
+  const VolumeRenderer * renderer{ nullptr };
   /** The page that WriteExplorer() writes stands beside the report, which links to it. */
   bool hasExplorer{ false };
 };

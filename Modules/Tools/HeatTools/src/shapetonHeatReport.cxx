@@ -443,8 +443,13 @@ WriteHeatReport(const HeatReportContent & content, const std::string & folder, c
              "Slices of the input, coloured by " + quantity.name + ".");
   html.AddHeading("Shape-based transfer function");
   addPicture("rendering.png",
-             DrawTransferFunction(
-               content.grey, content.heat, transferFunction, "Transfer function" + time, content.window, quantity),
+             DrawTransferFunction(content.grey,
+                                  content.heat,
+                                  transferFunction,
+                                  "Transfer function" + time,
+                                  content.window,
+                                  quantity,
+                                  content.renderer),
              "The " + quantity.name + " volume with the lines " + transferFunction.ToText());
   AddReadingGuide(html, quantity);
   html.AddHeading("Provenance");

@@ -7,6 +7,7 @@
 #include "shapetonPicture.h"
 #include "shapetonShapeTransferFunction.h"
 #include "shapetonSliceMontage.h"
+#include "shapetonVolumeRendering.h"
 
 #include <string>
 
@@ -14,7 +15,8 @@ namespace shapeton
 {
 /** What a transfer function shows of a heat volume, on one page: the rendered volume from the front (turned a little,
  * so that depth is seen), its lines with the number of voxels of each, and three slices of the grey image with the
- * lines' colours. 1200 pixels wide. `title` is one line. Throws std::invalid_argument when the images differ in size.
+ * lines' colours. 1200 pixels wide. `title` is one line. `renderer` draws the volume, where given; it must be of the same
+ * heat and transfer function. Throws std::invalid_argument when the images differ in size.
  * \ingroup HeatViews */
 HeatViews_EXPORT Picture::Pointer
                  DrawTransferFunction(const itk::Image<float, 3> *  grey,
@@ -22,7 +24,8 @@ HeatViews_EXPORT Picture::Pointer
                                       const ShapeTransferFunction & transferFunction,
                                       const std::string &           title,
                                       const IntensityWindow &       window = {},
-                                      const ShapeQuantity &         quantity = {});
+                                      const ShapeQuantity &         quantity = {},
+                                      const VolumeRenderer *        renderer = nullptr);
 
 /** The number of voxels in each line.
  * \ingroup HeatViews */

@@ -1,7 +1,6 @@
 #include "shapetonTransferFunctionPicture.h"
 
 #include "shapetonAxisTicks.h"
-#include "shapetonVolumeRendering.h"
 
 #include <algorithm>
 
@@ -51,7 +50,8 @@ DrawTransferFunction(const itk::Image<float, 3> *  grey,
                      const ShapeTransferFunction & transferFunction,
                      const std::string &           title,
                      const IntensityWindow &       window,
-                     const ShapeQuantity &         quantity)
+                     const ShapeQuantity &         quantity,
+                     const VolumeRenderer *        renderer)
 {
   SliceMontageOptions slices;
   slices.width = pageWidth;
@@ -64,7 +64,7 @@ DrawTransferFunction(const itk::Image<float, 3> *  grey,
   view.width = renderingWidth;
   view.height = renderingHeight;
   view.focus = VisibleRegion(heat, transferFunction);
-  const auto rendering = RenderVolume(heat, transferFunction, view);
+  const auto rendering = renderer ? renderer->Render(view) : RenderVolume(heat, transferFunction, view);
 
   const int top = margin + titleHeight;
   const int montageTop = top + renderingHeight + 8;
