@@ -43,7 +43,7 @@ function(shapeton_device_tests kit libraries sources)
 endfunction()
 
 # shapeton_compare_devices(<tool> <outputs> COMMAND <arguments>...): runs the tool on the CPU and on the stand-in of a GPU, with
-# @OUT@ in the arguments for a folder of each; all files but the run records must be the same bytes. Where there is no GPU, --device
+# {OUT} in the arguments for a folder of each; all files but the run records must be the same bytes. Where there is no GPU, --device
 # cuda must fail by one line.
 function(shapeton_compare_devices tool)
   shapeton_tool_target(target ${tool})

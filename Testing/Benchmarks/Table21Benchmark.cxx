@@ -56,7 +56,7 @@ Load(const Row & row, bool & real)
 }
 
 double
-Seconds(const Row & row, std::vector<float> & volume)
+Seconds(const Row & row, const std::vector<float> & volume, shapeton::Device device)
 {
   shapeton::CumulativeHeatDiffusionSettings settings;
   const auto                                ends = std::minmax_element(volume.begin(), volume.end());
@@ -65,7 +65,9 @@ Seconds(const Row & row, std::vector<float> & volume)
   settings.volumeGradient.p = row.p;
   settings.timeSteps = row.steps;
   const auto start = std::chrono::steady_clock::now();
-  shapeton::DiffuseCumulativeHeat(volume.data(), row.size, settings, volume.data());
+  settings.device = device;
+  std::vector<float> heat(volume.size());
+  shapeton::DiffuseCumulativeHeat(volume.data(), row.size, settings, heat.data());
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 } // namespace
@@ -73,18 +75,21 @@ Seconds(const Row & row, std::vector<float> & volume)
 int
 main()
 {
-  std::printf("\nTable 2.1, %u threads; * phantom of that size, the data set is not at hand\n\n",
-              itk::MultiThreaderBase::GetGlobalDefaultNumberOfThreads());
+  const shapeton::DeviceUse gpu = shapeton::ChooseDevice(shapeton::Device::Automatic, 0);
+  std::printf("\nTable 2.1, %u threads, GPU: %s; * phantom of that size, the data set is not at hand\n\n",
+              itk::MultiThreaderBase::GetGlobalDefaultNumberOfThreads(),
+              gpu.Describe().c_str());
   std::printf("| data set | resolution | steps | p | conventional, s per step (published) | cumulative, ms per step "
-              "(published) | ours, ms per step | ours, all steps, s | times faster |\n"
-              "|---|---|---|---|---|---|---|---|---|\n");
+              "(published) | ours, ms per step | ours, all steps, s | times faster | on the GPU, all "
+              "steps, s |\n"
+              "|---|---|---|---|---|---|---|---|---|---|\n");
   for (const Row & row : rows)
   {
     bool         real = false;
-    auto         volume = Load(row, real);
-    const double seconds = Seconds(row, volume);
+    const auto   volume = Load(row, real);
+    const double seconds = Seconds(row, volume, shapeton::Device::Cpu);
     const double milliseconds = 1000.0 * seconds / row.steps;
-    std::printf("| %s%s | %zu x %zu x %zu | %llu | %g | %s | %g | %.3f | %.1f | %.0f |\n",
+    std::printf("| %s%s | %zu x %zu x %zu | %llu | %g | %s | %g | %.3f | %.1f | %.0f | ",
                 row.name,
                 real ? "" : "*",
                 row.size[0],
@@ -97,6 +102,7 @@ main()
                 milliseconds,
                 seconds,
                 row.publishedMilliseconds / milliseconds);
+    gpu.gpu ? std::printf("%.2f |\n", Seconds(row, volume, shapeton::Device::Cuda)) : std::printf("- |\n");
     std::fflush(stdout);
   }
   return 0;

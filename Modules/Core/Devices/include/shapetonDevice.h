@@ -72,6 +72,10 @@ FindDeviceFunction(const char * name);
  * \ingroup Devices */
 using DescribeDeviceFunction = bool(std::string & name, std::size_t & memory);
 
+/** The type of ShapetonRunTriads(): a = b + 0.5 c of so many numbers, so many times; for benchmarks.
+ * \ingroup Devices */
+using RunTriadsFunction = void(std::size_t number, unsigned int triads);
+
 /** The type of ShapetonPluginVersion(): the version of Shapeton that the plug-in was built with.
  * \ingroup Devices */
 using PluginVersionFunction = const char *();

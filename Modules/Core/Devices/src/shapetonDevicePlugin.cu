@@ -8,6 +8,39 @@ ShapetonPluginVersion()
   return SHAPETON_DEVICE_VERSION;
 }
 
+namespace
+{
+struct Triad
+{
+  float *       a;
+  const float * b;
+  const float * c;
+
+  SHAPETON_HOST_DEVICE void
+  operator()(std::size_t i) const
+  {
+    a[i] = b[i] + 0.5F * c[i];
+  }
+};
+} // namespace
+
+// For benchmarks: what the memory gives at best.
+SHAPETON_DEVICE_FUNCTION void
+ShapetonRunTriads(std::size_t number, unsigned int triads)
+{
+  static DeviceRuntime::Memory<float> memory;
+  if (memory.GetNumber() != 3 * number)
+  {
+    memory = DeviceRuntime::Memory<float>(3 * number);
+    memory.Clear();
+  }
+  for (unsigned int k = 0; k < triads; ++k)
+  {
+    DeviceRuntime::ForEach(number, Triad{ memory.Get(), memory.Get() + number, memory.Get() + 2 * number });
+  }
+  DeviceRuntime::Synchronize();
+}
+
 #if defined(__CUDACC__)
 SHAPETON_DEVICE_FUNCTION bool
 ShapetonDescribeDevice(std::string & name, std::size_t & memory)

@@ -1,0 +1,212 @@
+// What a GPU does, against what was asked of it: seconds by the clock, the best of three runs after a first one. Run by
+// Utilities/run-benchmarks --device cuda.
+#include "BenchmarkVolume.h"
+
+#include "shapetonAutomaticParameters.h"
+#include "shapetonDeviceHeatEngine.h"
+#include "shapetonHeatDiffusionSolver.h"
+#include "shapetonHeatHistogram.h"
+#include "shapetonShapetonDiffusion.h"
+#include "shapetonVolumeRendering.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cstdio>
+#include <memory>
+
+namespace
+{
+using namespace shapeton;
+
+double
+SecondsOf(const std::function<void()> & work)
+{
+  double best = HUGE_VAL;
+  work(); // kernels are loaded, memory is touched
+  for (int run = 0; run < 3; ++run)
+  {
+    const auto start = std::chrono::steady_clock::now();
+    work();
+    best = std::min(best, std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
+  }
+  return best;
+}
+
+void
+Print(const char * what, double value, const char * unit, double atMost)
+{
+  std::printf("| %s | %.4g %s | %.4g | %s |\n", what, value, unit, atMost, value <= atMost ? "met" : "NOT MET");
+  std::fflush(stdout);
+}
+
+/** A volume with p = 7. */
+struct Setting
+{
+  explicit Setting(std::size_t edge)
+    : side(edge)
+    , intensities(MakeBenchmarkVolume({ side, side, side }))
+    , volumeGradient(intensities.data(), { side, side, side }, Parameters(intensities))
+    , initial(volumeGradient.GetGrid())
+  {
+    volumeGradient.ComputeInitialHeat(initial);
+  }
+
+  static VolumeGradientOperator::Parameters
+  Parameters(const std::vector<float> & intensities)
+  {
+    VolumeGradientOperator::Parameters parameters;
+    const auto                         ends = std::minmax_element(intensities.begin(), intensities.end());
+    parameters.lower = *ends.first;
+    parameters.upper = *ends.second;
+    return parameters;
+  }
+
+  double
+  Voxels() const
+  {
+    return static_cast<double>(side) * static_cast<double>(side) * static_cast<double>(side);
+  }
+
+  std::size_t                  side;
+  std::vector<float>           intensities;
+  const VolumeGradientOperator volumeGradient;
+  PaddedField                  initial;
+};
+
+/** Counts every row. */
+class Counter : public HeatSnapshots
+{
+public:
+  explicit Counter(std::size_t rows)
+    : m_Counts(rows * HeatHistogram::NumberOfBins)
+  {}
+  bool
+  IsCounted(std::size_t) const override
+  {
+    return true;
+  }
+  void
+  AddCounts(std::size_t snapshot, const std::uint32_t * counts) override
+  {
+    std::copy_n(counts, HeatHistogram::NumberOfBins, m_Counts.data() + snapshot * HeatHistogram::NumberOfBins);
+  }
+  bool
+  IsShown(std::size_t) const override
+  {
+    return false;
+  }
+  void
+  ShowRow(std::size_t, std::size_t, const float *, unsigned int) override
+  {}
+
+private:
+  std::vector<std::uint32_t> m_Counts;
+};
+
+/** Bytes a second. */
+double
+MeasureTriad()
+{
+  constexpr std::size_t  number = std::size_t{ 1 } << 26;
+  constexpr unsigned int triads = 50;
+  const auto             run = reinterpret_cast<RunTriadsFunction *>(FindDeviceFunction("ShapetonRunTriads"));
+  return 12.0 * number * triads / SecondsOf([&] { run(number, triads); });
+}
+
+void
+MeasureSteps(const Setting & s, double bandwidth)
+{
+  const auto make = reinterpret_cast<MakeDeviceHeatEngineFunction *>(FindDeviceFunction("ShapetonMakeHeatEngine"));
+  const auto & op = s.volumeGradient;
+  const DeviceHeatVolume volume{ op.GetGrid(),
+                                 { op.GetConductances(0), op.GetConductances(1), op.GetConductances(2) } };
+  const std::unique_ptr<DeviceHeatEngine> engine(make(volume, nullptr, nullptr));
+  engine->Upload(HeatEngine::Heat, s.initial.GetData());
+  constexpr unsigned int steps = 640;
+  const double seconds = SecondsOf([&] { engine->StepExplicitly(steps, 1.0F / 12.0F, false); });
+  const double asked = std::max(0.004, 1e9 * 20.0 / (0.6 * bandwidth));
+  Print("256^3, an explicit step (0.004, or 60 % of the triad at 20 bytes)", 1e9 * seconds / steps / s.Voxels(), "ns per voxel", asked);
+}
+
+void
+MeasureFinalState(const char * what, const Setting & s, double asked)
+{
+  const double seconds = SecondsOf([&] {
+    PaddedField heat(s.volumeGradient.GetGrid());
+    std::copy_n(s.initial.GetData(), s.volumeGradient.GetGrid().GetLength(), heat.GetData());
+    HeatDiffusionSolver solver(s.volumeGradient, HeatDiffusionSolver::Method::Chebyshev, 1.0 / 12.0, 1e-5);
+    solver.SetDevice(Device::Cuda);
+    solver.Run(heat, 100000);
+  });
+  Print(what, seconds, "s", asked);
+}
+
+void
+MeasureHistogram(const Setting & s)
+{
+  const auto   steps = MakeSnapshotSteps(100000, 512, SnapshotSpacing::Linear);
+  const double seconds = SecondsOf([&] {
+    PaddedField heat(s.volumeGradient.GetGrid());
+    std::copy_n(s.initial.GetData(), s.volumeGradient.GetGrid().GetLength(), heat.GetData());
+    Counter             counter(steps.size());
+    HeatDiffusionSolver solver(s.volumeGradient, HeatDiffusionSolver::Method::Chebyshev, 1.0 / 12.0, 1e-5);
+    solver.SetDevice(Device::Cuda);
+    solver.Run(heat, 100000, steps, counter);
+  });
+  Print("256^3, t = 1e5, 512 rows of the histogram", seconds, "s", 0.8);
+}
+
+/** Seconds of steps after those that a run has taken. */
+double
+SecondsOfShapetons(const Setting & s, std::uint32_t shapetons, std::uint64_t steps)
+{
+  ShapetonDiffusionSettings settings;
+  settings.volumeGradient = Setting::Parameters(s.intensities);
+  settings.shapetons = shapetons;
+  settings.distance = 0.01;
+  settings.device = Device::Cuda;
+  std::vector<std::uint32_t> visits(s.intensities.size());
+  ShapetonDiffusion          diffusion(s.intensities.data(), { s.side, s.side, s.side }, settings, nullptr, visits.data());
+  return SecondsOf([&] { diffusion.Run(diffusion.GetMeasures().step + steps); });
+}
+
+void
+MeasureFrame(Setting & s)
+{
+  const auto heat = itk::Image<float, 3>::New();
+  heat->SetRegions(itk::Image<float, 3>::SizeType::Filled(s.side));
+  for (float & value : s.intensities)
+  {
+    value /= 255.0F;
+  }
+  heat->GetPixelContainer()->SetImportPointer(s.intensities.data(), s.intensities.size(), false);
+  const auto             lines = ShapeTransferFunction::Parse("0.2-0.4:red:0.2,0.45-0.7:ivory:0.5,0.75-1:lime:1");
+  VolumeRenderingOptions options;
+  options.width = options.height = 1000;
+  options.azimuth = 25.0;
+  options.elevation = 15.0;
+  options.annotations = false;
+  std::unique_ptr<VolumeRenderer> renderer;
+  const double classification = SecondsOf([&] { renderer = std::make_unique<VolumeRenderer>(heat, lines, Device::Cuda); });
+  const double frame = SecondsOf([&] { renderer->Render(options); });
+  Print("256^3, a frame of 1000 x 1000 pixels", 1e3 * frame, "ms", 20.0);
+  std::printf("\nClassification of that volume, once, on the CPU, and upload: %.0f ms.\n", 1e3 * classification);
+}
+} // namespace
+
+int
+main()
+{
+  const DeviceUse use = ChooseDevice(Device::Cuda, 0);
+  const double    bandwidth = MeasureTriad();
+  std::printf("\n%s; triad %.0f GB/s\n\n| what | measured | asked, at most | |\n|---|---|---|---|\n", use.device.c_str(), bandwidth / 1e9);
+  Setting s(256);
+  MeasureSteps(s, bandwidth);
+  MeasureFinalState("256^3, t = 1e5, final state", s, 0.3);
+  MeasureHistogram(s);
+  Print("65,536 shapetons, 2,500 steps", SecondsOfShapetons(s, 65536, 2500), "s", 0.2);
+  Print("10^7 shapetons", 1e9 * SecondsOfShapetons(s, 10000000, 20) / 20 / 1e7, "ns per shapeton and step", 0.5);
+  MeasureFinalState("512^3, t = 1e5, final state", Setting(512), 3.0);
+  MeasureFrame(s);
+  return 0;
+}
