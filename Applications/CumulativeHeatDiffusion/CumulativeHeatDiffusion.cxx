@@ -112,7 +112,7 @@ Diffuse(CommandLine & commandLine)
   filter->Update();
   const auto & result = filter->GetResult();
   commandLine.AddRunFact("device", result.device);
-  const auto   lastSnapshot = snapshotSteps.empty() ? 0 : snapshotSteps.back();
+  const auto lastSnapshot = snapshotSteps.empty() ? 0 : snapshotSteps.back();
   for (const auto & remark : shapeton::RunRemarks(result, filter->GetUntilSteady(), lastSnapshot))
   {
     commandLine.Warn(remark);

@@ -77,9 +77,7 @@ struct Setting
 class Counter : public HeatSnapshots
 {
 public:
-  explicit Counter(std::size_t rows)
-    : m_Counts(rows * HeatHistogram::NumberOfBins)
-  {}
+  explicit Counter(std::size_t rows) : m_Counts(rows * HeatHistogram::NumberOfBins) {}
   bool
   IsCounted(std::size_t) const override
   {
@@ -116,16 +114,19 @@ MeasureTriad()
 void
 MeasureSteps(const Setting & s, double bandwidth)
 {
-  const auto make = reinterpret_cast<MakeDeviceHeatEngineFunction *>(FindDeviceFunction("ShapetonMakeHeatEngine"));
+  const auto   make = reinterpret_cast<MakeDeviceHeatEngineFunction *>(FindDeviceFunction("ShapetonMakeHeatEngine"));
   const auto & op = s.volumeGradient;
-  const DeviceHeatVolume volume{ op.GetGrid(),
+  const DeviceHeatVolume                  volume{ op.GetGrid(),
                                  { op.GetConductances(0), op.GetConductances(1), op.GetConductances(2) } };
   const std::unique_ptr<DeviceHeatEngine> engine(make(volume, nullptr, nullptr));
   engine->Upload(HeatEngine::Heat, s.initial.GetData());
   constexpr unsigned int steps = 640;
-  const double seconds = SecondsOf([&] { engine->StepExplicitly(steps, 1.0F / 12.0F, false); });
-  const double asked = std::max(0.004, 1e9 * 20.0 / (0.6 * bandwidth));
-  Print("256^3, an explicit step (0.004, or 60 % of the triad at 20 bytes)", 1e9 * seconds / steps / s.Voxels(), "ns per voxel", asked);
+  const double           seconds = SecondsOf([&] { engine->StepExplicitly(steps, 1.0F / 12.0F, false); });
+  const double           asked = std::max(0.004, 1e9 * 20.0 / (0.6 * bandwidth));
+  Print("256^3, an explicit step (0.004, or 60 % of the triad at 20 bytes)",
+        1e9 * seconds / steps / s.Voxels(),
+        "ns per voxel",
+        asked);
 }
 
 void
@@ -166,7 +167,7 @@ SecondsOfShapetons(const Setting & s, std::uint32_t shapetons, std::uint64_t ste
   settings.distance = 0.01;
   settings.device = Device::Cuda;
   std::vector<std::uint32_t> visits(s.intensities.size());
-  ShapetonDiffusion          diffusion(s.intensities.data(), { s.side, s.side, s.side }, settings, nullptr, visits.data());
+  ShapetonDiffusion diffusion(s.intensities.data(), { s.side, s.side, s.side }, settings, nullptr, visits.data());
   return SecondsOf([&] { diffusion.Run(diffusion.GetMeasures().step + steps); });
 }
 
@@ -187,7 +188,8 @@ MeasureFrame(Setting & s)
   options.elevation = 15.0;
   options.annotations = false;
   std::unique_ptr<VolumeRenderer> renderer;
-  const double classification = SecondsOf([&] { renderer = std::make_unique<VolumeRenderer>(heat, lines, Device::Cuda); });
+  const double                    classification =
+    SecondsOf([&] { renderer = std::make_unique<VolumeRenderer>(heat, lines, Device::Cuda); });
   const double frame = SecondsOf([&] { renderer->Render(options); });
   Print("256^3, a frame of 1000 x 1000 pixels", 1e3 * frame, "ms", 20.0);
   std::printf("\nClassification of that volume, once, on the CPU, and upload: %.0f ms.\n", 1e3 * classification);
@@ -199,7 +201,9 @@ main()
 {
   const DeviceUse use = ChooseDevice(Device::Cuda, 0);
   const double    bandwidth = MeasureTriad();
-  std::printf("\n%s; triad %.0f GB/s\n\n| what | measured | asked, at most | |\n|---|---|---|---|\n", use.device.c_str(), bandwidth / 1e9);
+  std::printf("\n%s; triad %.0f GB/s\n\n| what | measured | asked, at most | |\n|---|---|---|---|\n",
+              use.device.c_str(),
+              bandwidth / 1e9);
   Setting s(256);
   MeasureSteps(s, bandwidth);
   MeasureFinalState("256^3, t = 1e5, final state", s, 0.3);

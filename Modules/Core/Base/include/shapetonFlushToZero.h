@@ -17,8 +17,7 @@ public:
   operator=(const FlushToZero &) = delete;
 
 #if defined(__x86_64__)
-  FlushToZero()
-    : m_Saved(_mm_getcsr())
+  FlushToZero() : m_Saved(_mm_getcsr())
   {
     _mm_setcsr(m_Saved | 0x8040U); // flush to zero, denormals are zero
   }

@@ -1,9 +1,9 @@
 #ifndef shapetonHostDevice_h
 #define shapetonHostDevice_h
 
-/** In front of a function that runs on the CPU and in the kernels of a GPU: one source for both, so that both do the same
- * operations in the same order. Always inlined: kernels are compiled for several instruction sets, and of a function
- * that is not inlined the linker would keep the code for one of them. */
+/** In front of a function that runs on the CPU and in the kernels of a GPU: one source for both, so that both do the
+ * same operations in the same order. Always inlined: kernels are compiled for several instruction sets, and of a
+ * function that is not inlined the linker would keep the code for one of them. */
 #if defined(__CUDACC__)
 #  define SHAPETON_HOST_DEVICE __host__ __device__ __forceinline__
 #else

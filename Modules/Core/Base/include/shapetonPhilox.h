@@ -38,7 +38,7 @@ struct PhiloxMultiply
  * by a number. \ingroup Base */
 template <typename TWord, typename TMultiply = PhiloxMultiply>
 SHAPETON_HOST_DEVICE PhiloxWords<TWord>
-Philox4x32(std::uint64_t key, PhiloxWords<TWord> x, const TMultiply & multiply = TMultiply())
+                     Philox4x32(std::uint64_t key, PhiloxWords<TWord> x, const TMultiply & multiply = TMultiply())
 {
   auto key0 = static_cast<std::uint32_t>(key);
   auto key1 = static_cast<std::uint32_t>(key >> 32);
@@ -55,7 +55,7 @@ Philox4x32(std::uint64_t key, PhiloxWords<TWord> x, const TMultiply & multiply =
 }
 
 SHAPETON_HOST_DEVICE PhiloxWords<std::uint32_t>
-Philox4x32(std::uint64_t key, const PhiloxWords<std::uint32_t> & counter)
+                     Philox4x32(std::uint64_t key, const PhiloxWords<std::uint32_t> & counter)
 {
   return Philox4x32<std::uint32_t>(key, counter, PhiloxMultiply());
 }

@@ -51,11 +51,10 @@ struct DeviceUse
 
 /** Decides where to run what needs `bytes` of memory on a GPU, or can do with `leastBytes` where the GPU is asked for.
  * Throws DeviceError where the GPU is asked for and cannot be used. The plug-in is looked for when it is first needed:
- * beside this library, or where the environment variable SHAPETON_DEVICE_PLUGIN says. SHAPETON_DEVICE_MEMORY may say how
- * many bytes of the GPU's memory to use at most.
- * \ingroup Devices */
+ * beside this library, or where the environment variable SHAPETON_DEVICE_PLUGIN says. SHAPETON_DEVICE_MEMORY may say
+ * how many bytes of the GPU's memory to use at most. \ingroup Devices */
 Devices_EXPORT DeviceUse
-               ChooseDevice(Device wanted, std::size_t bytes, std::size_t leastBytes);
+ChooseDevice(Device wanted, std::size_t bytes, std::size_t leastBytes);
 inline DeviceUse
 ChooseDevice(Device wanted, std::size_t bytes)
 {
@@ -67,9 +66,8 @@ ChooseDevice(Device wanted, std::size_t bytes)
 Devices_EXPORT void *
 FindDeviceFunction(const char * name);
 
-/** The type of the plug-in's function ShapetonDescribeDevice(): true where a GPU can be used, then its name and its free
- * memory in bytes; false and the reason in place of the name otherwise.
- * \ingroup Devices */
+/** The type of the plug-in's function ShapetonDescribeDevice(): true where a GPU can be used, then its name and its
+ * free memory in bytes; false and the reason in place of the name otherwise. \ingroup Devices */
 using DescribeDeviceFunction = bool(std::string & name, std::size_t & memory);
 
 /** The type of ShapetonRunTriads(): a = b + 0.5 c of so many numbers, so many times; for benchmarks.

@@ -20,9 +20,9 @@ namespace shapeton
 /** What the kernels in .cu files are written with: memory of the device, and launches of a body for each element. The
  * bodies are SHAPETON_HOST_DEVICE functions that the CPU runs, too.
  *
- * nvcc compiles such a file for the GPU. Any C++ compiler compiles it as well: a launch is then a loop, and the memory of
- * the device is that of the host. This stand-in is slow; tests compare its results with those of the CPU, byte for byte,
- * and so prove all but the hardware.
+ * nvcc compiles such a file for the GPU. Any C++ compiler compiles it as well: a launch is then a loop, and the memory
+ * of the device is that of the host. This stand-in is slow; tests compare its results with those of the CPU, byte for
+ * byte, and so prove all but the hardware.
  *
  * Launches come back before their work is done; each sees the results of those before it, and copies wait for them.
  *
@@ -124,9 +124,7 @@ public:
   static_assert(std::is_trivially_copyable_v<T>, "the device copies bytes");
 
   Memory() = default;
-  explicit Memory(std::size_t number)
-    : m_Number(number), m_Data(static_cast<T *>(Allocate(number * sizeof(T))))
-  {}
+  explicit Memory(std::size_t number) : m_Number(number), m_Data(static_cast<T *>(Allocate(number * sizeof(T)))) {}
   Memory(Memory && other) noexcept { this->Swap(other); }
   Memory &
   operator=(Memory && other) noexcept
@@ -207,8 +205,8 @@ __global__ void
 ReduceKernel(std::size_t number, TBody body, TSum * partial)
 {
   __shared__ alignas(TSum) unsigned char memory[ThreadsInBlock * sizeof(TSum)]; // sums are made without a constructor
-  TSum * const    sums = reinterpret_cast<TSum *>(memory);
-  TSum            sum;
+  TSum * const                           sums = reinterpret_cast<TSum *>(memory);
+  TSum                                   sum;
   for (std::size_t i = static_cast<std::size_t>(blockIdx.x) * ThreadsInBlock + threadIdx.x; i < number;
        i += static_cast<std::size_t>(gridDim.x) * ThreadsInBlock)
   {
@@ -293,8 +291,8 @@ ForVoxels(const Extent & extent, const TBody & body)
   Check(cudaGetLastError(), "start a kernel");
 }
 
-/** The sum of what body(i, sum) adds for i < number, in any order: TSum is of whole numbers or extrema, 0 at first, with
- * Add(). */
+/** The sum of what body(i, sum) adds for i < number, in any order: TSum is of whole numbers or extrema, 0 at first,
+ * with Add(). */
 template <typename TSum, typename TBody>
 TSum
 Reduce(std::size_t number, const TBody & body)
@@ -394,7 +392,7 @@ Count(std::size_t number, const TBody & body, std::uint32_t * counts)
 
 /** Adds 1 to a count that several threads share; returns what it was. */
 SHAPETON_HOST_DEVICE std::uint32_t
-CountOne(std::uint32_t * count)
+                     CountOne(std::uint32_t * count)
 {
 #if defined(__CUDA_ARCH__)
   return atomicAdd(count, 1U);

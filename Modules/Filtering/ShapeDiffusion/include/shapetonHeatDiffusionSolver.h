@@ -64,8 +64,8 @@ public:
     m_Progress = std::move(progress);
   }
 
-  /** Where the heat is computed; by default on the CPU. A volume that does not fit into the memory of a GPU that is asked
-   * for goes through it in slabs. */
+  /** Where the heat is computed; by default on the CPU. A volume that does not fit into the memory of a GPU that is
+   * asked for goes through it in slabs. */
   void
   SetDevice(Device device)
   {

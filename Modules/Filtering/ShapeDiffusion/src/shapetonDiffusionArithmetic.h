@@ -18,8 +18,8 @@ struct DiffusionEdges
   std::ptrdiff_t strideZ;
 };
 
-/** What the diffusion computes of one voxel, `i`: the one source of this arithmetic for all instruction sets and for the
- * kernels of a GPU. */
+/** What the diffusion computes of one voxel, `i`: the one source of this arithmetic for all instruction sets and for
+ * the kernels of a GPU. */
 namespace DiffusionArithmetic
 {
 /** Values of a row that an interpolation in time combines. */
@@ -86,9 +86,9 @@ SHAPETON_HOST_DEVICE float
 Combined(const float * const * nodes, std::size_t i, const float * weights)
 {
   static_assert(NumberOfNodes == 7, "the sum below is written out");
-  return ClampedToZero(((weights[0] * nodes[0][i] + weights[1] * nodes[1][i]) +
-                        (weights[2] * nodes[2][i] + weights[3] * nodes[3][i])) +
-                       ((weights[4] * nodes[4][i] + weights[5] * nodes[5][i]) + weights[6] * nodes[6][i]));
+  return ClampedToZero(
+    ((weights[0] * nodes[0][i] + weights[1] * nodes[1][i]) + (weights[2] * nodes[2][i] + weights[3] * nodes[3][i])) +
+    ((weights[4] * nodes[4][i] + weights[5] * nodes[5][i]) + weights[6] * nodes[6][i]));
 }
 
 /** Bits of a float in [2^-octaves, 1] as a bin number from 1 on, 0 below; see HeatHistogram. */

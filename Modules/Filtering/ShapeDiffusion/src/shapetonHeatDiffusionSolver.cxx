@@ -68,9 +68,7 @@ IsSteadyBetween(HeatEngine &                            engine,
 class VisitedSnapshots : public HeatSnapshots
 {
 public:
-  explicit VisitedSnapshots(const HeatDiffusionSolver::Visitor & visitor)
-    : m_Visitor(visitor)
-  {}
+  explicit VisitedSnapshots(const HeatDiffusionSolver::Visitor & visitor) : m_Visitor(visitor) {}
   void
   ShowRow(std::size_t snapshot, std::size_t row, const float * heat, unsigned int worker) override
   {
@@ -273,10 +271,7 @@ HeatDiffusionSolver::Expand(HeatEngine & engine, const Expansions & coefficients
 class HeatDiffusionSolver::Recorder
 {
 public:
-  Recorder(HeatEngine & engine, const std::vector<std::uint64_t> & steps)
-    : m_Engine(engine)
-    , m_Steps(steps)
-  {}
+  Recorder(HeatEngine & engine, const std::vector<std::uint64_t> & steps) : m_Engine(engine), m_Steps(steps) {}
 
   /** The next requested step, or `otherwise` when there is none before it. */
   std::uint64_t
@@ -353,8 +348,9 @@ HeatDiffusionSolver::Run(PaddedField &                      heat,
   const auto told = [this] { this->ReportProgress(0.0); };
   m_DeviceUse = ChooseDeviceForHeat(m_Device, m_VolumeGradient.GetGrid());
   const std::unique_ptr<HeatEngine> engine =
-    m_DeviceUse.gpu ? MakeHeatEngineOnGpu(m_DeviceUse, m_VolumeGradient, heat, snapshots, told)
-                    : std::unique_ptr<HeatEngine>(std::make_unique<HeatEngineOnCpu>(m_VolumeGradient, heat, snapshots, told));
+    m_DeviceUse.gpu
+      ? MakeHeatEngineOnGpu(m_DeviceUse, m_VolumeGradient, heat, snapshots, told)
+      : std::unique_ptr<HeatEngine>(std::make_unique<HeatEngineOnCpu>(m_VolumeGradient, heat, snapshots, told));
   Recorder recorder(*engine, steps);
   recorder.Show(HeatEngine::Heat, 0);
   const std::uint64_t reached = m_Method == Method::Explicit ? this->RunExplicitly(*engine, lastStep, recorder)

@@ -56,9 +56,9 @@ public:
   virtual void
   StepExplicitly(unsigned int steps, float dt, bool compensated) = 0;
 
-  /** Steps done + 1 .. done + steps, both even, of the recurrence from T_done in Even and its difference: T_k in Even and
-   * Odd in turn, and sum_k coefficients[g][k] T_k added to the nodes, by pairs of terms. The first step of all is half as
-   * long as `scale`. */
+  /** Steps done + 1 .. done + steps, both even, of the recurrence from T_done in Even and its difference: T_k in Even
+   * and Odd in turn, and sum_k coefficients[g][k] T_k added to the nodes, by pairs of terms. The first step of all is
+   * half as long as `scale`. */
   virtual void
   StepChebyshev(std::size_t done, unsigned int steps, float scale, const Expansions & coefficients) = 0;
 

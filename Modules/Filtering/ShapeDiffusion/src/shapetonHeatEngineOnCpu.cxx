@@ -116,9 +116,8 @@ void
 HeatEngineOnCpu::ClampToZero(Field field)
 {
   float * const f = this->Get(field);
-  ForAllRows(m_Grid, [&](std::size_t, std::size_t row, unsigned int) {
-    Kernels().ClampToZero(f + row, m_Grid.GetSize()[0]);
-  });
+  ForAllRows(m_Grid,
+             [&](std::size_t, std::size_t row, unsigned int) { Kernels().ClampToZero(f + row, m_Grid.GetSize()[0]); });
 }
 
 void

@@ -42,9 +42,9 @@ public:
   void
   Show(std::size_t snapshot, Field field) override;
   void
-  ShowCombined(std::size_t                           first,
-               const std::array<Field, MostNodes> &  nodes,
-               const std::vector<Weights> &          weights) override;
+  ShowCombined(std::size_t                          first,
+               const std::array<Field, MostNodes> & nodes,
+               const std::vector<Weights> &         weights) override;
   void
   Finish() override;
 

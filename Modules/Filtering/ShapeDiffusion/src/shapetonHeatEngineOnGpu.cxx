@@ -10,7 +10,8 @@ namespace
 {
 using Field = HeatEngine::Field;
 
-/** Steps that a slab takes at once; as many slices on either side of it go with it, whose values are lost on the way. */
+/** Steps that a slab takes at once; as many slices on either side of it go with it, whose values are lost on the way.
+ */
 constexpr unsigned int SlabSteps = 32;
 
 /** Bytes of all fields and conductances of so many slices, and some more for sums and counts. */
@@ -47,7 +48,8 @@ MakeDeviceEngine(const DeviceHeatVolume & volume, float * heat, HeatSnapshots * 
   return std::unique_ptr<DeviceHeatEngine>(make(volume, heat, snapshots));
 }
 
-/** Slices of the volume on the GPU: `first` to `end`, of which `ownFirst` to `ownEnd` are right after SlabSteps steps. */
+/** Slices of the volume on the GPU: `first` to `end`, of which `ownFirst` to `ownEnd` are right after SlabSteps steps.
+ */
 struct Slab
 {
   Slab(std::size_t begin, std::size_t number, std::size_t slices)
@@ -66,8 +68,8 @@ struct Slab
 /** \class SlabEngine
  * \brief For volumes larger than the memory of a GPU: the steps run there, slab by slab, and all else on the CPU.
  *
- * What lies beyond a slab does not change on the GPU while its steps run, so that with each step one more slice from its
- * border is wrong: those alone overlap the slabs beside it, and are left there. */
+ * What lies beyond a slab does not change on the GPU while its steps run, so that with each step one more slice from
+ * its border is wrong: those alone overlap the slabs beside it, and are left there. */
 class SlabEngine : public HeatEngineOnCpu
 {
 public:
@@ -163,10 +165,8 @@ private:
   void
   Download(const Slab & slab, DeviceHeatEngine & engine, Field from, Field to)
   {
-    engine.Download(from,
-                    this->Get(to) + slab.first * m_Grid.GetStride(2),
-                    slab.ownFirst - slab.first,
-                    slab.ownEnd - slab.ownFirst);
+    engine.Download(
+      from, this->Get(to) + slab.first * m_Grid.GetStride(2), slab.ownFirst - slab.first, slab.ownEnd - slab.ownFirst);
   }
 
   std::size_t m_OwnSlices;

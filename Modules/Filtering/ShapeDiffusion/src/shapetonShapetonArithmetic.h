@@ -12,8 +12,8 @@ namespace ShapetonKernels
 /** What the shapetons compute in a step: the one source of this arithmetic for all instruction sets and for the kernels
  * of a GPU.
  *
- * `TLanes` says what a number is: a vector, or, as ScalarLanes does, one number of one shapeton. It has the types Floats,
- * Integers (32 bits), Words (the same without sign) and Truth (of a comparison), and the operations below that
+ * `TLanes` says what a number is: a vector, or, as ScalarLanes does, one number of one shapeton. It has the types
+ * Floats, Integers (32 bits), Words (the same without sign) and Truth (of a comparison), and the operations below that
  * operators do not give. */
 template <typename TLanes>
 struct ShapetonArithmetic
@@ -58,7 +58,7 @@ struct ShapetonArithmetic
   CubeRoot(Floats a)
   {
     const Integers third = TLanes::Truncate(TLanes::ToFloats(TLanes::BitsOf(a)) * (1.0F / 3.0F));
-    Floats root = TLanes::FromBits(third + 709921077);
+    Floats         root = TLanes::FromBits(third + 709921077);
     for (int iteration = 0; iteration < 2; ++iteration)
     {
       const Floats cube = root * root * root;
@@ -72,8 +72,9 @@ struct ShapetonArithmetic
   SineOfQuarter(Floats u)
   {
     const Floats t = u * u;
-    return u * (1.5707963F + t * (-0.64596409F +
-                                  t * (0.079692626F + t * (-0.0046817541F + t * (0.00016044118F + t * -3.5988432e-6F)))));
+    return u *
+           (1.5707963F +
+            t * (-0.64596409F + t * (0.079692626F + t * (-0.0046817541F + t * (0.00016044118F + t * -3.5988432e-6F)))));
   }
 
   /** Numbers in (0, 1]. */
@@ -140,7 +141,7 @@ struct ShapetonArithmetic
     Floats       below = volumes[0];
     for (int k = 1; k < 8; ++k)
     {
-      const Truth  beyond = wanted > below;
+      const Truth beyond = wanted > below;
       below += volumes[k];
       drawn.octant = beyond ? Integers{} + k : drawn.octant;
       drawn.w1 = beyond ? w[k & 1] : drawn.w1;
@@ -193,11 +194,11 @@ struct ShapetonArithmetic
   SHAPETON_HOST_DEVICE static Angle
   DrawThetaBySolidAngle(Floats w1, Floats across, Floats random, Floats termRandom, const ThetaTable & table)
   {
-    const Floats term0 = moment0 * w1 * w1 * w1;
-    const Floats term1 = term0 + moment1 * w1 * w1 * across;
-    const Floats term2 = term1 + moment2 * w1 * across * across;
-    const Floats term3 = term2 + moment3 * across * across * across;
-    const Floats wanted = termRandom * term3;
+    const Floats   term0 = moment0 * w1 * w1 * w1;
+    const Floats   term1 = term0 + moment1 * w1 * w1 * across;
+    const Floats   term2 = term1 + moment2 * w1 * across * across;
+    const Floats   term3 = term2 + moment3 * across * across * across;
+    const Floats   wanted = termRandom * term3;
     const Integers term =
       TLanes::Number(wanted > term0) + TLanes::Number(wanted > term1) + TLanes::Number(wanted > term2);
     const Truth    isHigh = random > 0.5F;
@@ -209,9 +210,9 @@ struct ShapetonArithmetic
     const float *  entries = &table.low[0][0];
     const Floats   left = TLanes::Gather(entries, entry);
     const Floats   right = TLanes::Gather(entries + 1, entry);
-    const Floats value = left + within * (right - left);
-    const Floats rest = 1.0F - value;
-    Angle        angle;
+    const Floats   value = left + within * (right - left);
+    const Floats   rest = 1.0F - value;
+    Angle          angle;
     angle.cosine = isHigh ? value : rest;
     angle.sine = SquareRoot(Maximum(Floats{}, isHigh ? rest * (1.0F + value) : value * (1.0F + rest)));
     return angle;
@@ -296,8 +297,7 @@ struct ShapetonArithmetic
     const auto * const size = surroundings.size;
     for (int axis = 0; axis < 3; ++axis)
     {
-      place[axis] =
-        Reflect(place[axis] + surroundings.step[axis] * direction[axis], static_cast<float>(size[axis]));
+      place[axis] = Reflect(place[axis] + surroundings.step[axis] * direction[axis], static_cast<float>(size[axis]));
     }
     const Integers row = TLanes::Truncate(place[2]) * size[1] + TLanes::Truncate(place[1]);
     return row * size[0] + TLanes::Truncate(place[0]);

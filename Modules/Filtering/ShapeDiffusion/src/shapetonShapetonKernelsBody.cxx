@@ -187,12 +187,8 @@ DrawAll(const Surroundings & surroundings,
   for (std::size_t i = 0; i < shapetons.number; i += lanes)
   {
     Floats direction[3];
-    Arithmetic::DrawDirection<VSampling>(surroundings.records,
-                                         shapetons.voxel + i,
-                                         random,
-                                         ids + static_cast<std::uint32_t>(i),
-                                         table,
-                                         direction);
+    Arithmetic::DrawDirection<VSampling>(
+      surroundings.records, shapetons.voxel + i, random, ids + static_cast<std::uint32_t>(i), table, direction);
     Store(directions.x + i, direction[0]);
     Store(directions.y + i, direction[1]);
     Store(directions.z + i, direction[2]);
@@ -207,7 +203,7 @@ MoveAll(const Surroundings & surroundings, const Shapetons & shapetons, const Di
     const Floats direction[3] = { Load<Floats>(directions.x + i),
                                   Load<Floats>(directions.y + i),
                                   Load<Floats>(directions.z + i) };
-    Floats       place[3] = { Load<Floats>(shapetons.x + i), Load<Floats>(shapetons.y + i), Load<Floats>(shapetons.z + i) };
+    Floats place[3] = { Load<Floats>(shapetons.x + i), Load<Floats>(shapetons.y + i), Load<Floats>(shapetons.z + i) };
     Store(shapetons.voxel + i, Arithmetic::MovePlace(surroundings, direction, place));
     Store(shapetons.x + i, place[0]);
     Store(shapetons.y + i, place[1]);

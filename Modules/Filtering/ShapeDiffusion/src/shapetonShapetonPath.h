@@ -73,7 +73,7 @@ NextFace(const Path & path, float & share)
 }
 
 SHAPETON_HOST_DEVICE const std::uint16_t *
-RecordOf(const Surroundings & surroundings, const Path & path)
+                           RecordOf(const Surroundings & surroundings, const Path & path)
 {
   return surroundings.records + static_cast<std::size_t>(path.voxel) * RecordLength;
 }
@@ -123,16 +123,16 @@ Begin(const Surroundings & surroundings,
       const float          direction[3])
 {
   const auto * const size = surroundings.size;
-  Path               path = { Numbers(random, shapeton),
-                              voxel,
-                              1.0F,
-                              { static_cast<std::int32_t>(voxel % size[0]),
-                                static_cast<std::int32_t>(voxel / size[0] % size[1]),
-                                static_cast<std::int32_t>(voxel / size[0] / size[1]) },
-                              {},
-                              { surroundings.step[0] * direction[0],
-                                surroundings.step[1] * direction[1],
-                                surroundings.step[2] * direction[2] } };
+  Path               path = {
+                  Numbers(random, shapeton),
+                  voxel,
+                  1.0F,
+                  { static_cast<std::int32_t>(voxel % size[0]),
+                    static_cast<std::int32_t>(voxel / size[0] % size[1]),
+                    static_cast<std::int32_t>(voxel / size[0] / size[1]) },
+                  {},
+                  { surroundings.step[0] * direction[0], surroundings.step[1] * direction[1], surroundings.step[2] * direction[2] }
+  };
   SHAPETON_PREFETCH(RecordOf(surroundings, path));
   for (float & place : path.place)
   {

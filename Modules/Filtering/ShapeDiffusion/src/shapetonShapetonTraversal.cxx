@@ -24,8 +24,7 @@ End(const Surroundings & surroundings, const Shapetons & shapetons, const PathOf
   float * const places[3] = { shapetons.x, shapetons.y, shapetons.z };
   for (unsigned int axis = 0; axis < 3; ++axis)
   {
-    places[axis][one.shapeton] =
-      PlaceInVoxel(static_cast<std::uint32_t>(one.path.index[axis]), one.path.place[axis]);
+    places[axis][one.shapeton] = PlaceInVoxel(static_cast<std::uint32_t>(one.path.index[axis]), one.path.place[axis]);
   }
   shapetons.voxel[one.shapeton] = one.path.voxel;
   __builtin_prefetch(surroundings.visits + one.path.voxel, 1);
@@ -39,7 +38,7 @@ TraverseVoxels(const Surroundings & surroundings,
                const Directions &   directions)
 {
   // Many shapetons pass one face each in turn: the record that one needs next is fetched while the others move.
-  constexpr std::size_t together = 64;
+  constexpr std::size_t  together = 64;
   std::vector<PathOfOne> paths;
   paths.reserve(together);
   for (std::size_t first = 0; first < shapetons.number; first += together)

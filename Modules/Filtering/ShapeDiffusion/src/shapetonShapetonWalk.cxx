@@ -225,12 +225,8 @@ ShapetonWalk::ChooseDevice()
                             : settings.directionSampling == DirectionSampling::SectorArea ? Sampling::SectorArea
                                                                                           : Sampling::Uniform;
   const auto     make = reinterpret_cast<MakeDeviceShapetonWalkFunction *>(FindDeviceFunction("ShapetonMakeWalk"));
-  m_Device.reset(make({ surroundings,
-                        &table,
-                        sampling,
-                        settings.pathRule == PathRule::Traversal,
-                        settings.shapetons,
-                        settings.seed }));
+  m_Device.reset(make(
+    { surroundings, &table, sampling, settings.pathRule == PathRule::Traversal, settings.shapetons, settings.seed }));
   SendToDevice();
 }
 

@@ -28,12 +28,13 @@ Diffuse(const Volume & volume, Settings settings, Device device)
   Run run;
   settings.device = device;
   run.heat.resize(volume.values.size());
-  run.result = DiffuseCumulativeHeat(volume.values.data(),
-                                     volume.size,
-                                     settings,
-                                     run.heat.data(),
-                                     nullptr,
-                                     [&](std::uint64_t step, const std::vector<float> & heat) { run.snapshots[step] = heat; });
+  run.result =
+    DiffuseCumulativeHeat(volume.values.data(),
+                          volume.size,
+                          settings,
+                          run.heat.data(),
+                          nullptr,
+                          [&](std::uint64_t step, const std::vector<float> & heat) { run.snapshots[step] = heat; });
   return run;
 }
 
@@ -143,7 +144,8 @@ TEST(HeatOnDevice, SlabsOfALargerVolumeAreTheSameBytes)
   {
     Settings settings = MakeSettings(volume, 900);
     settings.method = method;
-    EXPECT_EQ(Diffuse(volume, settings, Device::Automatic).result.device.rfind("cpu (no GPU: this volume needs", 0), 0U);
+    EXPECT_EQ(Diffuse(volume, settings, Device::Automatic).result.device.rfind("cpu (no GPU: this volume needs", 0),
+              0U);
     ExpectTheSame(volume, settings);
   }
   setenv("SHAPETON_DEVICE_MEMORY", "1000000", 1);

@@ -162,7 +162,7 @@ struct CommandLine::State
   Provenance                                  runFacts;
   std::vector<std::string>                    runRecords; // temporary names
   OutputFiles                                 outputs;
-  std::set<std::string>                       replaceable;       // inputs that an output may replace
+  std::set<std::string>                       replaceable;                 // inputs that an output may replace
   std::set<std::string>                       idle{ "threads", "device" }; // options that change no result
   ProgressDisplay                             display;
   const std::chrono::system_clock::time_point start{ std::chrono::system_clock::now() };

@@ -10,7 +10,7 @@ class CommandLine;
 
 /** The value of the parameter "device": auto, cpu or cuda. \ingroup ToolInput */
 ToolInput_EXPORT Device
-                 ReadDevice(const CommandLine & commandLine);
+ReadDevice(const CommandLine & commandLine);
 } // namespace shapeton
 
 #endif

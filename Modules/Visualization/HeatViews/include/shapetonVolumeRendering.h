@@ -32,12 +32,12 @@ ViewOfVolume(const itk::ImageBase<3> * volume, const VolumeRenderingOptions & op
  * \brief Pictures of a heat volume with a shape-based transfer function (dissertation 2.5, Figures 2.6, 2.9 to 2.11).
  *
  * Direct volume rendering by ray casting, on the CPU or on a GPU with the same bytes; needs neither a display nor a
- * graphics driver. Each voxel is classified by its own heat, once, and colour and opacity are interpolated: heat is not,
- * because between an object and the background it would pass through the heats of all other objects and paint their
- * colours around this one. Opacity is for a path of one smallest spacing; of what is transparent little more than the
- * surface is drawn, so that objects inside others can be seen. Light comes from over the viewer's left shoulder. Origin,
- * spacing and direction cosines are respected. Equal input gives equal bytes for any number of threads; ITK's global
- * default number is used.
+ * graphics driver. Each voxel is classified by its own heat, once, and colour and opacity are interpolated: heat is
+ * not, because between an object and the background it would pass through the heats of all other objects and paint
+ * their colours around this one. Opacity is for a path of one smallest spacing; of what is transparent little more than
+ * the surface is drawn, so that objects inside others can be seen. Light comes from over the viewer's left shoulder.
+ * Origin, spacing and direction cosines are respected. Equal input gives equal bytes for any number of threads; ITK's
+ * global default number is used.
  *
  * \ingroup HeatViews */
 class HeatViews_EXPORT VolumeRenderer

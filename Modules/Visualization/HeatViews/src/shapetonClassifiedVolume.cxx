@@ -53,9 +53,9 @@ ClassifiedVolume::Classify(const itk::Image<float, 3> * heat, const ShapeTransfe
   {
     const auto opacity = static_cast<float>(line.opacity);
     m_Samples.push_back({ { opacity * static_cast<float>(line.color[0]) / 255.0F,
-                          opacity * static_cast<float>(line.color[1]) / 255.0F,
-                          opacity * static_cast<float>(line.color[2]) / 255.0F,
-                          opacity } });
+                            opacity * static_cast<float>(line.color[1]) / 255.0F,
+                            opacity * static_cast<float>(line.color[2]) / 255.0F,
+                            opacity } });
   }
   const std::size_t   slice = static_cast<std::size_t>(m_Size[0]) * m_Size[1];
   const float * const heats = heat->GetBufferPointer();

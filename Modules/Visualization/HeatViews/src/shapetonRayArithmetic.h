@@ -88,7 +88,7 @@ Within(double coordinate, int size)
 }
 
 SHAPETON_HOST_DEVICE std::size_t
-VoxelIndex(const RayVolume & volume, int x, int y, int z)
+                     VoxelIndex(const RayVolume & volume, int x, int y, int z)
 {
   return (static_cast<std::size_t>(z) * volume.size[1] + y) * volume.size[0] + x;
 }
@@ -101,8 +101,8 @@ ContentAt(const RayVolume & volume, const double position[3])
   {
     block[axis] = static_cast<int>(Within(position[axis], volume.size[axis])) / RayBlockSize;
   }
-  return volume.content[(static_cast<std::size_t>(block[2]) * volume.blocks[1] + block[1]) * volume.blocks[0] +
-                        block[0]];
+  return volume
+    .content[(static_cast<std::size_t>(block[2]) * volume.blocks[1] + block[1]) * volume.blocks[0] + block[0]];
 }
 
 /** The two voxels around a coordinate, at the border one and the same, and the share of the second one. */
@@ -133,8 +133,8 @@ UniformSampleAt(const RayVolume & volume, const double position[3])
   return volume.samples[volume.lines[VoxelIndex(volume, index[0], index[1], index[2])]];
 }
 
-/** Colour and opacity between voxels. The border of an object, where half of it is interpolated, is made twice as steep,
- * so that the object keeps its size. */
+/** Colour and opacity between voxels. The border of an object, where half of it is interpolated, is made twice as
+ * steep, so that the object keeps its size. */
 SHAPETON_HOST_DEVICE RaySample
 SampleAt(const RayVolume & volume, const double position[3])
 {
@@ -148,10 +148,8 @@ SampleAt(const RayVolume & volume, const double position[3])
     const bool        isSecond[3] = { (corner & 1) != 0, (corner & 2) != 0, (corner & 4) != 0 };
     const float       ofRow = (isSecond[1] ? y.share : 1.0F - y.share) * (isSecond[2] ? z.share : 1.0F - z.share);
     const float       weight = ofRow * (isSecond[0] ? x.share : 1.0F - x.share);
-    const std::size_t voxel = VoxelIndex(volume,
-                                         isSecond[0] ? x.second : x.first,
-                                         isSecond[1] ? y.second : y.first,
-                                         isSecond[2] ? z.second : z.first);
+    const std::size_t voxel = VoxelIndex(
+      volume, isSecond[0] ? x.second : x.first, isSecond[1] ? y.second : y.first, isSecond[2] ? z.second : z.first);
     const RaySample & sample = volume.samples[volume.lines[voxel]];
     if (sample.channel[3] > 0.0F)
     {

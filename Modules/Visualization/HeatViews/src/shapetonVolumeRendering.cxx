@@ -30,10 +30,10 @@ CopyVector(const double * from, double to[3])
 RayView
 MakeRayView(const itk::ImageBase<3> * volume, const PatientView & view)
 {
-  RayView                             rays{};
-  const itk::Matrix<double, 3, 3>     inverse(volume->GetDirection().GetInverse());
+  RayView                              rays{};
+  const itk::Matrix<double, 3, 3>      inverse(volume->GetDirection().GetInverse());
   const itk::ImageBase<3>::SpacingType spacing = volume->GetSpacing();
-  itk::ImageBase<3>::PointType        first;
+  itk::ImageBase<3>::PointType         first;
   volume->TransformIndexToPhysicalPoint(volume->GetLargestPossibleRegion().GetIndex(), first);
   for (unsigned int axis = 0; axis < 3; ++axis)
   {
@@ -110,8 +110,7 @@ VisibleRegion(const itk::Image<float, 3> * heat, const ShapeTransferFunction & t
 struct VolumeRenderer::Impl
 {
   explicit Impl(const itk::Image<float, 3> * image, const ShapeTransferFunction & transferFunction)
-    : heat(image)
-    , volume(image, transferFunction)
+    : heat(image), volume(image, transferFunction)
   {}
 
   void
@@ -150,7 +149,7 @@ VolumeRenderer::VolumeRenderer(const itk::Image<float, 3> *  heat,
   }
   constexpr std::size_t bytesOfVoxel = 4; // lines, opacity and content
   constexpr std::size_t more = std::size_t{ 1 } << 26;
-  const DeviceUse use = ChooseDevice(device, heat->GetBufferedRegion().GetNumberOfPixels() * bytesOfVoxel + more);
+  const DeviceUse       use = ChooseDevice(device, heat->GetBufferedRegion().GetNumberOfPixels() * bytesOfVoxel + more);
   m_Impl = std::make_unique<Impl>(heat, transferFunction);
   m_Impl->use = use;
   if (use.gpu)
