@@ -45,8 +45,8 @@ ShapetonRunTriads(std::size_t number, unsigned int triads)
 SHAPETON_DEVICE_FUNCTION bool
 ShapetonDescribeDevice(std::string & name, std::size_t & memory)
 {
-  int         devices = 0;
-  cudaError_t status = cudaGetDeviceCount(&devices);
+  int            devices = 0;
+  cudaError_t    status = cudaGetDeviceCount(&devices);
   cudaDeviceProp properties{};
   if (status == cudaSuccess)
   {

@@ -17,7 +17,7 @@ struct Places
   std::size_t strideZ;
 
   SHAPETON_HOST_DEVICE std::size_t
-  operator()(std::size_t x, std::size_t y, std::size_t z) const
+                       operator()(std::size_t x, std::size_t y, std::size_t z) const
   {
     return first + z * strideZ + y * strideY + x;
   }
@@ -115,7 +115,7 @@ struct Numbered
   std::size_t ny;
 
   SHAPETON_HOST_DEVICE std::size_t
-  operator()(std::size_t number) const
+                       operator()(std::size_t number) const
   {
     const std::size_t row = number / nx;
     return at(number - row * nx, row % ny, row / ny);
@@ -398,7 +398,8 @@ private:
   {
     for (std::size_t i = 0; i < weights.size();)
     {
-      const bool two = i + 1 < weights.size() && m_Snapshots->IsCounted(first + i) && m_Snapshots->IsCounted(first + i + 1);
+      const bool two =
+        i + 1 < weights.size() && m_Snapshots->IsCounted(first + i) && m_Snapshots->IsCounted(first + i + 1);
       combination.weights[0] = weights[i];
       combination.weights[1] = weights[two ? i + 1 : i];
       if (two)

@@ -53,18 +53,14 @@ struct Walk
 
   /** Returns the new voxel. */
   SHAPETON_HOST_DEVICE std::uint32_t
-  Move(std::uint32_t  shapeton,
-       std::uint32_t  voxel,
-       const Random & random,
-       const float    direction[3],
-       float          place[3]) const
+  Move(std::uint32_t shapeton, std::uint32_t voxel, const Random & random, const float direction[3], float place[3])
+    const
   {
     if constexpr (VTraversal)
     {
       Path path = Begin(surroundings, shapeton, voxel, random, direction);
       while (GoOn(surroundings, path))
-      {
-      }
+      {}
       for (unsigned int axis = 0; axis < 3; ++axis)
       {
         place[axis] = PlaceInVoxel(static_cast<std::uint32_t>(path.index[axis]), path.place[axis]);
