@@ -302,12 +302,12 @@ Reduce(std::size_t number, const TBody & body)
   {
     return whole;
   }
-  const unsigned int blocks = BlocksOfLoop(number);
-  Memory<TSum>       partial(blocks);
+  const unsigned int        blocks = BlocksOfLoop(number);
+  static const Memory<TSum> partial(BlocksOfReduction); // allocation would take longer than many a sum
   ReduceKernel<<<blocks, ThreadsInBlock>>>(number, body, partial.Get());
   Check(cudaGetLastError(), "start a kernel");
   std::vector<TSum> sums(blocks);
-  partial.Download(sums.data());
+  CopyBytes(sums.data(), partial.Get(), blocks * sizeof(TSum));
   for (const TSum & sum : sums)
   {
     whole.Add(sum);

@@ -365,8 +365,6 @@ public:
   }
 
 private:
-  using Counts = std::vector<std::uint32_t>;
-
   float *
   Get(Field field)
   {
@@ -419,11 +417,10 @@ private:
   CountRows(std::size_t snapshot, const TBody & body)
   {
     constexpr unsigned int bins = HeatHistogram::NumberOfBins;
-    Memory<std::uint32_t>  counts(bins * VRows);
-    counts.Clear();
-    DeviceRuntime::Count<bins, VRows>(m_Grid.GetNumberOfVoxels(), body, counts.Get());
-    Counts values(counts.GetNumber());
-    counts.Download(values.data());
+    m_Counts.Clear();
+    DeviceRuntime::Count<bins, VRows>(m_Grid.GetNumberOfVoxels(), body, m_Counts.Get());
+    std::vector<std::uint32_t> values(m_Counts.GetNumber());
+    m_Counts.Download(values.data());
     for (unsigned int row = 0; row < VRows; ++row)
     {
       m_Snapshots->AddCounts(snapshot + row, values.data() + row * bins);
@@ -439,6 +436,7 @@ private:
   std::array<Memory<float>, 3>          m_Conductances;
   DiffusionEdges                        m_Edges{};
   std::array<Memory<float>, MostFields> m_Fields;
+  Memory<std::uint32_t>                 m_Counts{ 2 * HeatHistogram::NumberOfBins }; // of two snapshots
 };
 } // namespace
 
