@@ -3,7 +3,7 @@ unset(ENV{SHAPETON_DEVICE_PLUGIN})
 if(PLUGIN)
   set(ENV{SHAPETON_DEVICE_PLUGIN} ${PLUGIN})
 endif()
-foreach(device cpu cuda)
+foreach(device cuda cpu) # where there is no GPU that is known at once
   set(folder ${OUT}/${device})
   file(REMOVE_RECURSE ${folder})
   file(MAKE_DIRECTORY ${folder})

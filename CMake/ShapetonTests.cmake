@@ -42,17 +42,20 @@ function(shapeton_device_tests kit libraries sources)
   add_dependencies(${kit}GTestDriver DeviceStandIn)
 endfunction()
 
-# shapeton_compare_devices(<tool> <outputs> COMMAND <arguments>...): runs the tool on the CPU and on the stand-in of a GPU, with
-# {OUT} in the arguments for a folder of each; all files but the run records must be the same bytes. Where there is no GPU, --device
-# cuda must fail by one line.
+# shapeton_compare_devices(<tool> <arguments>...): runs the tool on the CPU and on the stand-in, as <tool>Devices, or on a GPU, as
+# <tool>Gpu, with {OUT} in the arguments for a folder of each; all files but the run records must be the same bytes. Where there is
+# no GPU, --device cuda must fail by one line.
 function(shapeton_compare_devices tool)
   shapeton_tool_target(target ${tool})
-  set(common -DTOOL=$<TARGET_FILE:${target}> -DOUT=${CMAKE_CURRENT_BINARY_DIR}/devices "-DARGUMENTS=${ARGN}"
-    -P ${Shapeton_SOURCE_DIR}/CMake/CompareDevices.cmake)
-  add_test(NAME ${tool}Devices COMMAND ${CMAKE_COMMAND} -DPLUGIN=$<TARGET_FILE:DeviceStandIn> ${common})
-  add_test(NAME ${tool}Gpu COMMAND ${CMAKE_COMMAND} ${common})
-  set_tests_properties(${tool}Devices ${tool}Gpu PROPERTIES LABELS Applications SKIP_REGULAR_EXPRESSION "there is no GPU"
-    RESOURCE_LOCK ${tool}Devices)
+  foreach(test Devices Gpu)
+    set(plugin "")
+    if(test STREQUAL "Devices")
+      set(plugin $<TARGET_FILE:DeviceStandIn>)
+    endif()
+    add_test(NAME ${tool}${test} COMMAND ${CMAKE_COMMAND} -DTOOL=$<TARGET_FILE:${target}> -DPLUGIN=${plugin}
+      -DOUT=${CMAKE_CURRENT_BINARY_DIR}/${test} "-DARGUMENTS=${ARGN}" -P ${Shapeton_SOURCE_DIR}/CMake/CompareDevices.cmake)
+  endforeach()
+  set_tests_properties(${tool}Devices ${tool}Gpu PROPERTIES LABELS Applications SKIP_REGULAR_EXPRESSION "there is no GPU")
 endfunction()
 
 # The tests of a driver that a filter of GoogleTest lets through.
