@@ -35,8 +35,9 @@ struct UnfoldedTube
   int solves{ 0 };
 };
 
-/** The lengths of the edges of a surface in the metric of a map, in their order, with progress from 0 to 1. \ingroup
- * ConformalFlattening */
+/** The lengths of the edges of a surface in the metric of a map, in their order; with progress.
+ *
+ * \ingroup ConformalFlattening */
 using TubeMetric =
   std::function<Eigen::VectorXd(const SurfaceMesh &, const SurfaceConnectivity &, const Progress & progress)>;
 
