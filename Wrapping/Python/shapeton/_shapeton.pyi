@@ -1200,7 +1200,7 @@ class PolypInOtherPosition:
 
     @property
     def distance(self) -> float:
-        """To the nearest candidate there, mm."""
+        """To the candidate there that is most alike, mm."""
         ...
 
     @property
@@ -1210,7 +1210,17 @@ class PolypInOtherPosition:
 
     @property
     def is_seen(self) -> bool:
-        """A candidate lies within reach."""
+        """A candidate there is alike."""
+        ...
+
+    @property
+    def likeness(self) -> float:
+        """0 to 1: of place, width and score."""
+        ...
+
+    @property
+    def own_score(self) -> float:
+        """The score before it was weighed; else NaN."""
         ...
 
     @property
@@ -1635,11 +1645,12 @@ def find_folds(flat: FlatColon, *, scheme: str=..., minimum_length: float=..., m
     """
     ...
 
-def find_in_other_position(map: Mesh, candidates: Sequence[PolypCandidate], others: ArrayLike) -> List[PolypCandidate]:
+def find_in_other_position(map: Mesh, candidates: Sequence[PolypCandidate], others: Sequence[PolypCandidate], *, confidence: Optional[float]=...) -> List[PolypCandidate]:
     """The candidates with `other` set, by a map of `Registration`.
 
-    map: `Registration.supine_to_prone`, where the candidates are supine. others: k x 3, LPS mm: the middles of the other
-    position's candidates.
+    map: `Registration.supine_to_prone`, where the candidates are supine. others: the candidates of the other position.
+    confidence: that of the registration, 0 to 1; where given, scores are weighed by what is seen there: a polyp stays where
+    it is, most stool moves.
     """
     ...
 
