@@ -1,5 +1,5 @@
 # Called by ctest: a second series is added to a finished run; the first is not computed again, both are registered, and
-# another way of matching folds redoes the registration alone.
+# another way of matching folds redoes the registration and the candidates alone.
 file(REMOVE_RECURSE ${OUT})
 file(COPY ${FINISHED}/ DESTINATION ${OUT})
 set(watched flattening/flat.vtp second/flattening/flat.vtp second/report.html registration/registration.json report.html)
@@ -42,7 +42,7 @@ expect_text(registration/registration.json "\"flips\": 0")
 run(--matching dualDecomposition)
 hash(decomposed)
 foreach(file before after IN ZIP_LISTS watched hungarian decomposed)
-  if(file MATCHES "^(registration/|report)")
+  if(file MATCHES "^registration/|report.html$") # candidates of both positions are weighed by the map
     if(before STREQUAL after)
       message(FATAL_ERROR "${file} was not made anew")
     endif()
