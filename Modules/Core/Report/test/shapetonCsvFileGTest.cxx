@@ -12,7 +12,8 @@ namespace
 std::string
 FileOf(const std::string & text)
 {
-  const std::string path = ::testing::TempDir() + "CsvFile.csv";
+  const std::string test = ::testing::UnitTest::GetInstance()->current_test_info()->name();
+  const std::string path = ::testing::TempDir() + "CsvFile-" + test + ".csv"; // tests run beside each other
   shapeton::WriteFileBytes(path, text);
   return path;
 }

@@ -23,7 +23,8 @@ Document(
 std::string
 FileWith(const std::string & text)
 {
-  const std::string path = testing::TempDir() + "/transfer-function.json";
+  const std::string test = testing::UnitTest::GetInstance()->current_test_info()->name();
+  const std::string path = testing::TempDir() + "/transfer-function-" + test + ".json"; // tests run beside each other
   shapeton::WriteFileBytes(path, text);
   return path;
 }
@@ -76,7 +77,7 @@ TEST(SavedTransferFunction, RefusesWhatThePageDoesNotSave)
   for (const auto & [text, fault] : faults)
   {
     const std::string message = FaultOf(text);
-    EXPECT_NE(message.find("transfer-function.json"), std::string::npos) << text;
+    EXPECT_NE(message.find("transfer-function-"), std::string::npos) << text;
     EXPECT_NE(message.find(fault), std::string::npos) << text << " gives " << message;
   }
 }
