@@ -1,6 +1,7 @@
 #include "BenchmarkVolume.h"
 #include "shapetonParallelFor.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 
@@ -36,4 +37,14 @@ MakeBenchmarkVolume(const std::array<std::size_t, 3> & size)
     }
   });
   return volume;
+}
+
+shapeton::VolumeGradientOperator::Parameters
+WholeWindow(const std::vector<float> & intensities)
+{
+  shapeton::VolumeGradientOperator::Parameters parameters;
+  const auto                                   ends = std::minmax_element(intensities.begin(), intensities.end());
+  parameters.lower = *ends.first;
+  parameters.upper = *ends.second;
+  return parameters;
 }

@@ -45,20 +45,10 @@ struct Setting
   explicit Setting(std::size_t edge)
     : side(edge)
     , intensities(MakeBenchmarkVolume({ side, side, side }))
-    , volumeGradient(intensities.data(), { side, side, side }, Parameters(intensities))
+    , volumeGradient(intensities.data(), { side, side, side }, WholeWindow(intensities))
     , initial(volumeGradient.GetGrid())
   {
     volumeGradient.ComputeInitialHeat(initial);
-  }
-
-  static VolumeGradientOperator::Parameters
-  Parameters(const std::vector<float> & intensities)
-  {
-    VolumeGradientOperator::Parameters parameters;
-    const auto                         ends = std::minmax_element(intensities.begin(), intensities.end());
-    parameters.lower = *ends.first;
-    parameters.upper = *ends.second;
-    return parameters;
   }
 
   double

@@ -31,7 +31,7 @@ struct Setting
 {
   Setting()
     : intensities(MakeBenchmarkVolume({ side, side, side }))
-    , volumeGradient(intensities.data(), { side, side, side }, Parameters(intensities))
+    , volumeGradient(intensities.data(), { side, side, side }, WholeWindow(intensities))
     , initial(volumeGradient.GetGrid())
     , even(volumeGradient.GetGrid())
     , odd(volumeGradient.GetGrid())
@@ -39,16 +39,6 @@ struct Setting
   {
     volumeGradient.ComputeInitialHeat(initial);
     this->Reset();
-  }
-
-  static VolumeGradientOperator::Parameters
-  Parameters(const std::vector<float> & intensities)
-  {
-    VolumeGradientOperator::Parameters parameters;
-    const auto                         ends = std::minmax_element(intensities.begin(), intensities.end());
-    parameters.lower = *ends.first;
-    parameters.upper = *ends.second;
-    return parameters;
   }
 
   static Setting &

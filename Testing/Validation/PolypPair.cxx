@@ -11,17 +11,6 @@ using namespace shapeton;
 
 namespace
 {
-std::vector<OtherPolypCandidate>
-AsOthers(const std::vector<PolypCandidate> & candidates)
-{
-  std::vector<OtherPolypCandidate> others;
-  for (const PolypCandidate & candidate : candidates)
-  {
-    others.push_back(AsOther(candidate));
-  }
-  return others;
-}
-
 ColonPositionFiles
 PositionOf(const ColonExam & exam, const std::string & name)
 {

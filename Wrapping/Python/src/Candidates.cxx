@@ -43,12 +43,7 @@ InOtherPosition(const SurfaceMesh &           map,
                 const Candidates &            others,
                 const std::optional<double> & confidence)
 {
-  std::vector<OtherPolypCandidate> sought;
-  for (const PolypCandidate & other : others)
-  {
-    sought.push_back(AsOther(other));
-  }
-  FindInOtherPosition(map, "the map", sought, candidates);
+  FindInOtherPosition(map, "the map", AsOthers(others), candidates);
   if (confidence)
   {
     WeighByOtherPosition(*confidence, candidates);

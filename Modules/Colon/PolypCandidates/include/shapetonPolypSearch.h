@@ -62,9 +62,9 @@ PolypCandidates_EXPORT std::vector<PolypCandidate>
 PolypCandidates_EXPORT double
 MeanDistanceToWall(const SurfaceMesh & wall, const std::vector<PolypCandidate> & candidates);
 
-/** A candidate as the other position sees it: by its own score. \ingroup PolypCandidates */
-PolypCandidates_EXPORT OtherPolypCandidate
-AsOther(const PolypCandidate & candidate);
+/** Candidates as the other position sees them: by their own scores. \ingroup PolypCandidates */
+PolypCandidates_EXPORT std::vector<OtherPolypCandidate>
+                       AsOthers(const std::vector<PolypCandidate> & candidates);
 
 /** Takes candidates to the other position by a map of ColonRegistration: a flat surface with the point arrays mapped
  * (LPS, mm), excluded and confidence. Throws InputError, with `what` in front, where an array is missing or candidates

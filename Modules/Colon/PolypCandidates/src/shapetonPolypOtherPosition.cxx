@@ -101,13 +101,17 @@ MeanDistanceToWall(const SurfaceMesh & wall, const std::vector<PolypCandidate> &
   return sum / static_cast<double>(candidates.size());
 }
 
-OtherPolypCandidate
-AsOther(const PolypCandidate & candidate)
+std::vector<OtherPolypCandidate>
+AsOthers(const std::vector<PolypCandidate> & candidates)
 {
-  const bool isWeighed = candidate.other && std::isfinite(candidate.other->ownScore);
-  return {
-    candidate.number, candidate.position, candidate.diameter, isWeighed ? candidate.other->ownScore : candidate.score
-  };
+  std::vector<OtherPolypCandidate> others;
+  for (const PolypCandidate & candidate : candidates)
+  {
+    const bool   isWeighed = candidate.other && std::isfinite(candidate.other->ownScore);
+    const double score = isWeighed ? candidate.other->ownScore : candidate.score;
+    others.push_back({ candidate.number, candidate.position, candidate.diameter, score });
+  }
+  return others;
 }
 
 void

@@ -302,7 +302,7 @@ TEST(PolypCandidates, PlacesAreReadFromTheTable)
   EXPECT_EQ(others[0].diameter, 7.5);
   EXPECT_EQ(others[0].score, 0.5);
   EXPECT_EQ(others[1].score, 0.75);
-  EXPECT_EQ(shapeton::AsOther(candidates[1]).score, 0.75);
+  EXPECT_EQ(shapeton::AsOthers(candidates)[1].score, 0.75);
   std::ofstream(path) << "x,y,z\n1,2,3\n"; // marks of a reader
   const auto marks = shapeton::ReadOtherPolypCandidates(path);
   ASSERT_EQ(marks.size(), 1u);
