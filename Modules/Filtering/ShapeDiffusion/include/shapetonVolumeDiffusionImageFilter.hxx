@@ -3,114 +3,16 @@
 
 #include "shapetonVolumeDiffusionImageFilter.h"
 
-#include <algorithm>
-#include <type_traits>
-
 namespace shapeton
 {
-template <typename TInputImage, typename TOutputImage>
-void
-VolumeDiffusionImageFilter<TInputImage, TOutputImage>::SetIntensityWindow(double lower, double upper)
-{
-  m_HasWindow = true;
-  m_WindowLower = lower;
-  m_WindowUpper = upper;
-  this->Modified();
-}
-
 template <typename TInputImage, typename TOutputImage>
 void
 VolumeDiffusionImageFilter<TInputImage, TOutputImage>::VerifyPreconditions() const
 {
   Superclass::VerifyPreconditions();
-  if (!(m_P >= 0.0))
-  {
-    itkExceptionMacro("P must not be negative, got " << m_P);
-  }
   if (m_TimeSteps < 1)
   {
     itkExceptionMacro("TimeSteps must be at least 1");
-  }
-  if (m_HasWindow && !(m_WindowLower < m_WindowUpper))
-  {
-    itkExceptionMacro("the intensity window [" << m_WindowLower << ", " << m_WindowUpper << "] is empty or reversed");
-  }
-}
-
-template <typename TInputImage, typename TOutputImage>
-void
-VolumeDiffusionImageFilter<TInputImage, TOutputImage>::GenerateInputRequestedRegion()
-{
-  Superclass::GenerateInputRequestedRegion();
-  for (const auto & name : this->GetInputNames())
-  {
-    if (auto * const input = this->ProcessObject::GetInput(name))
-    {
-      input->SetRequestedRegionToLargestPossibleRegion();
-    }
-  }
-}
-
-template <typename TInputImage, typename TOutputImage>
-void
-VolumeDiffusionImageFilter<TInputImage, TOutputImage>::EnlargeOutputRequestedRegion(itk::DataObject * output)
-{
-  Superclass::EnlargeOutputRequestedRegion(output);
-  output->SetRequestedRegionToLargestPossibleRegion();
-}
-
-template <typename TInputImage, typename TOutputImage>
-std::array<std::size_t, 3>
-VolumeDiffusionImageFilter<TInputImage, TOutputImage>::GetVolumeSize() const
-{
-  std::array<std::size_t, 3> size{};
-  std::copy_n(this->GetInput()->GetBufferedRegion().GetSize().begin(), 3, size.begin());
-  return size;
-}
-
-template <typename TInputImage, typename TOutputImage>
-const float *
-VolumeDiffusionImageFilter<TInputImage, TOutputImage>::GetIntensities(std::vector<float> & converted) const
-{
-  const auto * const pixels = this->GetInput()->GetBufferPointer();
-  if constexpr (std::is_same_v<typename TInputImage::PixelType, float>)
-  {
-    return pixels;
-  }
-  else
-  {
-    converted.assign(pixels, pixels + this->GetInput()->GetBufferedRegion().GetNumberOfPixels());
-    return converted.data();
-  }
-}
-
-template <typename TInputImage, typename TOutputImage>
-VolumeGradientOperator::Parameters
-VolumeDiffusionImageFilter<TInputImage, TOutputImage>::MakeOperatorParameters(const float * intensities)
-{
-  const std::size_t number = this->GetInput()->GetBufferedRegion().GetNumberOfPixels();
-  if (!m_HasWindow && number > 0)
-  {
-    const auto ends = std::minmax_element(intensities, intensities + number);
-    m_WindowLower = *ends.first;
-    m_WindowUpper = *ends.second;
-  }
-  VolumeGradientOperator::Parameters parameters;
-  parameters.p = m_P;
-  parameters.lower = m_WindowLower;
-  parameters.upper = m_WindowUpper;
-  std::copy_n(this->GetInput()->GetSpacing().Begin(), 3, parameters.spacing.begin());
-  return parameters;
-}
-
-template <typename TInputImage, typename TOutputImage>
-void
-VolumeDiffusionImageFilter<TInputImage, TOutputImage>::ReportProgress(double share)
-{
-  this->UpdateProgress(static_cast<float>(share));
-  if (this->GetAbortGenerateData())
-  {
-    throw itk::ProcessAborted(__FILE__, __LINE__);
   }
 }
 
@@ -119,10 +21,6 @@ void
 VolumeDiffusionImageFilter<TInputImage, TOutputImage>::PrintSelf(std::ostream & os, itk::Indent indent) const
 {
   Superclass::PrintSelf(os, indent);
-  os << indent << "P: " << m_P << std::endl;
-  os << indent << "HasWindow: " << m_HasWindow << std::endl;
-  os << indent << "WindowLower: " << m_WindowLower << std::endl;
-  os << indent << "WindowUpper: " << m_WindowUpper << std::endl;
   os << indent << "TimeSteps: " << m_TimeSteps << std::endl;
   os << indent << "Device: " << NameOf(m_Device) << std::endl;
 }

@@ -1,0 +1,91 @@
+#ifndef shapetonVolumeGradientImageFilter_h
+#define shapetonVolumeGradientImageFilter_h
+
+#include "shapetonITKCompatibility.h"
+#include "shapetonVolumeGradientOperator.h"
+
+#include "itkImage.h"
+#include "itkImageToImageFilter.h"
+
+#include <array>
+#include <vector>
+
+namespace shapeton
+{
+/** \class VolumeGradientImageFilter
+ * \brief What the filters share that take a volume by its volume gradient operator: p and the intensity window.
+ *
+ * They work on the whole volume at once.
+ *
+ * \ingroup ShapeDiffusion
+ */
+template <typename TInputImage, typename TOutputImage>
+class ITK_TEMPLATE_EXPORT VolumeGradientImageFilter : public itk::ImageToImageFilter<TInputImage, TOutputImage>
+{
+public:
+  ITK_DISALLOW_COPY_AND_MOVE(VolumeGradientImageFilter);
+
+  using Self = VolumeGradientImageFilter;
+  using Superclass = itk::ImageToImageFilter<TInputImage, TOutputImage>;
+  using Pointer = itk::SmartPointer<Self>;
+  using ConstPointer = itk::SmartPointer<const Self>;
+
+  static_assert(TInputImage::ImageDimension == 3, "the volume gradient operator is defined on volumes");
+
+  itkOverrideGetNameOfClassMacro(VolumeGradientImageFilter);
+
+  /** Steepness p of (2.5): an edge insulates where the half gradient reaches 1 / p. Not negative. Default 7, unless the
+   * filter says otherwise. */
+  itkSetMacro(P, double);
+  itkGetConstMacro(P, double);
+
+  /** Intensities that map to 0 and to 1, for CT in Hounsfield units. Default: the least and the greatest intensity,
+   * which WindowLower and WindowUpper hold after Update(). */
+  void
+  SetIntensityWindow(double lower, double upper);
+  itkGetConstMacro(WindowLower, double);
+  itkGetConstMacro(WindowUpper, double);
+
+protected:
+  /** `p`: the default of P. */
+  explicit VolumeGradientImageFilter(double p = 7.0) : m_P(p) {}
+  ~VolumeGradientImageFilter() override = default;
+
+  void
+  PrintSelf(std::ostream & os, itk::Indent indent) const override;
+  void
+  VerifyPreconditions() const override;
+  void
+  GenerateInputRequestedRegion() override;
+  void
+  EnlargeOutputRequestedRegion(itk::DataObject * output) override;
+
+  std::array<std::size_t, 3>
+  GetVolumeSize() const;
+
+  /** The intensities of the input: those of the image itself where its pixels are float, else written to `converted`.
+   */
+  const float *
+  GetIntensities(std::vector<float> & converted) const;
+
+  /** p, window and spacing; finds the window in the intensities where none was set. */
+  VolumeGradientOperator::Parameters
+  MakeOperatorParameters(const float * intensities);
+
+  /** Reports progress; throws ProcessAborted where the run is to be aborted. */
+  void
+  ReportProgress(double share);
+
+private:
+  double m_P;
+  bool   m_HasWindow{ false };
+  double m_WindowLower{ 0.0 };
+  double m_WindowUpper{ 0.0 };
+};
+} // namespace shapeton
+
+#ifndef ITK_MANUAL_INSTANTIATION
+#  include "shapetonVolumeGradientImageFilter.hxx"
+#endif
+
+#endif
