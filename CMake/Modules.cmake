@@ -14,6 +14,7 @@ set(Shapeton_MODULES
   IO/SlicerMarkups
   IO/DicomResults
   Filtering/ShapeDiffusion
+  Filtering/SeededHeat
   Phantom/ShapePhantom
   Phantom/ColonPhantom
   Graph/GraphModel

@@ -1,0 +1,129 @@
+#include "SeededHeatSegmentationXML.h"
+
+#include "shapetonCommandLine.h"
+#include "shapetonCsvTable.h"
+#include "shapetonExceptions.h"
+#include "shapetonHeatSeeds.h"
+#include "shapetonSeededHeatSegmentationImageFilter.h"
+#include "shapetonToolSurfaces.h"
+#include "shapetonToolVolumes.h"
+#include "shapetonVolumeWriter.h"
+
+#include <iomanip>
+#include <sstream>
+
+namespace
+{
+using shapeton::CommandLine;
+using ImageType = itk::Image<float, 3>;
+using FilterType = shapeton::SeededHeatSegmentationImageFilter<ImageType>;
+
+bool
+IsMarkups(const std::string & path)
+{
+  const std::string extension = ".json";
+  return path.size() > extension.size() && path.substr(path.size() - extension.size()) == extension;
+}
+
+void
+CheckUsage(const CommandLine & commandLine)
+{
+  const auto window = commandLine.GetDoubles("intensityWindow");
+  shapeton::RequireParameter(window.empty() || (window.size() == 2 && window[0] < window[1]),
+                             "--intensityWindow needs two numbers, the lower one first, for example -160,240");
+  shapeton::RequireParameter(!commandLine.GetFlag("autoParameters") || !commandLine.IsGiven("p"),
+                             "--autoParameters chooses p; give either it or --p");
+  const std::string automatic = commandLine.GetString("automaticSeeds");
+  shapeton::RequireParameter(automatic != "off" || !commandLine.IsGiven("classes"),
+                             "--classes needs --automaticSeeds lines or components");
+  shapeton::RequireParameter(automatic == "components" || !commandLine.IsGiven("components"),
+                             "--components needs --automaticSeeds components");
+  shapeton::RequireParameter(automatic == "off" || !IsMarkups(commandLine.GetString("seeds")),
+                             "--automaticSeeds needs a map of classes; markups are seeds as they are");
+  shapeton::RequireVolumeName(commandLine.GetString("outputLabels"));
+  shapeton::RequireVolumeName(commandLine.GetString("uncertainty"));
+}
+
+shapeton::SeedImage::Pointer
+ReadSeeds(CommandLine & commandLine, const ImageType * image)
+{
+  const std::string path = commandLine.GetString("seeds");
+  if (IsMarkups(path))
+  {
+    return shapeton::SeedsOfMarkups(shapeton::ReadMarkups(commandLine, "seeds"), image);
+  }
+  const shapeton::Volume volume = shapeton::ReadVolume(path);
+  commandLine.AddInput("seeds", volume.identity);
+  const auto        seeds = shapeton::SeedsOfVolume(volume, path, image);
+  const std::string automatic = commandLine.GetString("automaticSeeds");
+  if (automatic == "off")
+  {
+    return seeds;
+  }
+  shapeton::ClassSeeds choice;
+  choice.classes = commandLine.GetIntegers("classes");
+  choice.components = automatic == "components" ? commandLine.GetInteger("components") : 0;
+  return shapeton::SeedsOfClasses(seeds, choice);
+}
+
+void
+Configure(CommandLine & commandLine, FilterType * filter)
+{
+  if (const auto window = commandLine.GetDoubles("intensityWindow"); !window.empty())
+  {
+    filter->SetIntensityWindow(window[0], window[1]);
+  }
+  filter->SetP(commandLine.GetDouble("p"));
+  filter->SetAutomaticP(commandLine.GetFlag("autoParameters"));
+  filter->SetLeastWeight(commandLine.GetDouble("leastWeight"));
+  filter->SetTolerance(commandLine.GetDouble("tolerance"));
+  filter->SetKeepProbabilities(commandLine.IsGiven("probabilities"));
+}
+
+void
+WriteProbabilities(CommandLine & commandLine, const FilterType * filter, const shapeton::VolumeMetadata & metadata)
+{
+  const std::string folder = commandLine.GetString("probabilities");
+  commandLine.MakeFolder(folder);
+  for (const unsigned short label : filter->GetLabelValues())
+  {
+    std::ostringstream name;
+    name << folder << "/probability-" << std::setw(5) << std::setfill('0') << label << ".nrrd";
+    shapeton::WriteVolume(filter->GetProbabilities(label).GetPointer(), commandLine.Output(name.str()), metadata);
+  }
+}
+
+void
+Segment(CommandLine & commandLine)
+{
+  CheckUsage(commandLine);
+  const shapeton::Volume volume = shapeton::ReadVolume(commandLine, "inputVolume");
+  auto                   filter = FilterType::New();
+  filter->SetInput(volume.image);
+  filter->SetSeeds(ReadSeeds(commandLine, volume.image));
+  Configure(commandLine, filter);
+  commandLine.Watch(filter, "Diffusing heat from the seeds", 0.0, 0.95);
+  filter->Update();
+  if (filter->GetChosenP())
+  {
+    commandLine.AddProvenance("option.p", "automatic");
+    commandLine.AddProvenance("chosen.p", shapeton::CsvTable::Number(filter->GetChosenP()->p));
+  }
+  const auto metadata = shapeton::ProvenanceMetadata(commandLine.GetProvenance());
+  shapeton::WriteVolume(filter->GetOutput(), commandLine.OutputOf("outputLabels"), metadata);
+  if (commandLine.IsGiven("uncertainty"))
+  {
+    shapeton::WriteVolume(filter->GetUncertaintyOutput(), commandLine.OutputOf("uncertainty"), metadata);
+  }
+  if (commandLine.IsGiven("probabilities"))
+  {
+    WriteProbabilities(commandLine, filter, metadata);
+  }
+}
+} // namespace
+
+int
+main(int argc, char * argv[])
+{
+  return CommandLine::Run(ToolXML, argc, argv, Segment);
+}

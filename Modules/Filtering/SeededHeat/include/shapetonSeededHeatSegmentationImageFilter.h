@@ -1,0 +1,135 @@
+#ifndef shapetonSeededHeatSegmentationImageFilter_h
+#define shapetonSeededHeatSegmentationImageFilter_h
+
+#include "shapetonAutomaticParameters.h"
+#include "shapetonExceptions.h"
+#include "shapetonSeededHeatSolver.h"
+#include "shapetonVolumeGradientImageFilter.h"
+
+#include <memory>
+#include <optional>
+
+namespace shapeton
+{
+/** \class SeededHeatSegmentationImageFilter
+ * \brief Labels each voxel by the seeds whose heat reaches it most: SeededHeatSolver as a filter.
+ *
+ * Inputs: a volume, and Seeds, a label map on the same grid (0: no seed). Outputs: labels, and the uncertainty of each
+ * (SeededHeatResult). Where nothing but the seeds has changed since the last Update() and probabilities are kept, the
+ * solution starts from the last one: for interactive use. Update() throws itk::ExceptionObject, of the derived classes
+ * InputError (fewer than two labels have seeds) and ParameterError.
+ *
+ * \ingroup SeededHeat */
+template <typename TInputImage>
+class ITK_TEMPLATE_EXPORT SeededHeatSegmentationImageFilter
+  : public VolumeGradientImageFilter<TInputImage, itk::Image<unsigned short, 3>>
+{
+public:
+  ITK_DISALLOW_COPY_AND_MOVE(SeededHeatSegmentationImageFilter);
+
+  using LabelImageType = itk::Image<unsigned short, 3>;
+  using HeatImageType = itk::Image<float, 3>;
+  using Self = SeededHeatSegmentationImageFilter;
+  using Superclass = VolumeGradientImageFilter<TInputImage, LabelImageType>;
+  using Pointer = itk::SmartPointer<Self>;
+  using ConstPointer = itk::SmartPointer<const Self>;
+
+  itkNewMacro(Self);
+  itkOverrideGetNameOfClassMacro(SeededHeatSegmentationImageFilter);
+
+  /** The label of each voxel with a seed, else 0. */
+  itkSetInputMacro(Seeds, LabelImageType);
+  itkGetInputMacro(Seeds, LabelImageType);
+
+  /** Choose p from noise and edges, as ChooseP() does, in place of P. */
+  itkSetMacro(AutomaticP, bool);
+  itkGetConstMacro(AutomaticP, bool);
+  itkBooleanMacro(AutomaticP);
+
+  /** SeededHeatSettings::tolerance, 1e-5 by default. */
+  itkSetMacro(Tolerance, double);
+  itkGetConstMacro(Tolerance, double);
+
+  /** SeededHeatSettings::leastWeight, 1e-4 by default. */
+  itkSetMacro(LeastWeight, double);
+  itkGetConstMacro(LeastWeight, double);
+
+  /** Whether GetProbabilities() may be called after Update(), and memory is kept for it. On by default. */
+  itkSetMacro(KeepProbabilities, bool);
+  itkGetConstMacro(KeepProbabilities, bool);
+  itkBooleanMacro(KeepProbabilities);
+
+  /** SeededHeatResult::uncertainty. */
+  HeatImageType *
+  GetUncertaintyOutput()
+  {
+    return static_cast<HeatImageType *>(this->ProcessObject::GetOutput(1));
+  }
+
+  /** The labels that have seeds, ascending; after Update(). */
+  const std::vector<unsigned short> &
+  GetLabelValues() const
+  {
+    return m_LabelValues;
+  }
+
+  /** The probability of a label in each voxel, as a new image; after Update(). Throws ParameterError. */
+  typename HeatImageType::Pointer
+  GetProbabilities(unsigned short label) const;
+
+  /** p, noise and edge contrast where AutomaticP is on; after Update(). */
+  const std::optional<AutomaticP> &
+  GetChosenP() const
+  {
+    return m_ChosenP;
+  }
+
+  /** Iterations of the last solution. */
+  itkGetConstMacro(Iterations, unsigned int);
+
+protected:
+  SeededHeatSegmentationImageFilter();
+  ~SeededHeatSegmentationImageFilter() override = default;
+
+  using itk::ProcessObject::MakeOutput;
+  itk::DataObject::Pointer
+  MakeOutput(itk::ProcessObject::DataObjectPointerArraySizeType index) override;
+  void
+  GenerateData() override;
+  void
+  PrintSelf(std::ostream & os, itk::Indent indent) const override;
+
+private:
+  /** What an operator was made for. */
+  struct Origin
+  {
+    const void *                       pixels;
+    itk::ModifiedTimeType              time;
+    VolumeGradientOperator::Parameters parameters;
+    SeededHeatSettings                 settings;
+
+    bool
+    operator==(const Origin & other) const;
+  };
+
+  void
+  PrepareSolver();
+
+  bool                                          m_AutomaticP{ false };
+  double                                        m_Tolerance{ 1e-5 };
+  double                                        m_LeastWeight{ 1e-4 };
+  bool                                          m_KeepProbabilities{ true };
+  unsigned int                                  m_Iterations{ 0 };
+  std::vector<unsigned short>                   m_LabelValues;
+  std::optional<AutomaticP>                     m_ChosenP;
+  std::optional<Origin>                         m_Origin;
+  std::unique_ptr<const VolumeGradientOperator> m_Operator;
+  std::unique_ptr<SeededHeatSolver>             m_Solver;
+};
+} // namespace shapeton
+
+#ifndef ITK_MANUAL_INSTANTIATION
+#  include "shapetonSeededHeatSegmentationImageFilter.hxx"
+#endif
+
+#endif

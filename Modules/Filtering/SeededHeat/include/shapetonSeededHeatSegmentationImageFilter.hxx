@@ -1,0 +1,132 @@
+#ifndef shapetonSeededHeatSegmentationImageFilter_hxx
+#define shapetonSeededHeatSegmentationImageFilter_hxx
+
+#include "shapetonSeededHeatSegmentationImageFilter.h"
+
+#include <algorithm>
+#include <tuple>
+
+namespace shapeton
+{
+template <typename TInputImage>
+SeededHeatSegmentationImageFilter<TInputImage>::SeededHeatSegmentationImageFilter() : Superclass(20.0)
+{
+  this->AddRequiredInputName("Seeds");
+  this->SetNumberOfRequiredOutputs(2);
+  this->SetNthOutput(1, HeatImageType::New());
+}
+
+template <typename TInputImage>
+itk::DataObject::Pointer
+SeededHeatSegmentationImageFilter<TInputImage>::MakeOutput(itk::ProcessObject::DataObjectPointerArraySizeType index)
+{
+  return index == 1 ? itk::DataObject::Pointer(HeatImageType::New()) : Superclass::MakeOutput(index);
+}
+
+template <typename TInputImage>
+bool
+SeededHeatSegmentationImageFilter<TInputImage>::Origin::operator==(const Origin & other) const
+{
+  const auto all = [](const Origin & o) {
+    return std::make_tuple(o.pixels,
+                           o.time,
+                           o.parameters.p,
+                           o.parameters.lower,
+                           o.parameters.upper,
+                           o.parameters.spacing,
+                           o.settings.tolerance,
+                           o.settings.leastWeight,
+                           o.settings.keepProbabilities);
+  };
+  return all(*this) == all(other);
+}
+
+/** Makes operator and solver anew unless they were made for the same. */
+template <typename TInputImage>
+void
+SeededHeatSegmentationImageFilter<TInputImage>::PrepareSolver()
+{
+  const TInputImage * const input = this->GetInput();
+  std::vector<float>        converted;
+  const float * const       intensities = this->GetIntensities(converted);
+  Origin                    origin{ input->GetBufferPointer(), input->GetMTime(), {}, {} };
+  origin.parameters = this->MakeOperatorParameters(intensities);
+  if (m_AutomaticP)
+  {
+    m_ChosenP = ChooseP(
+      intensities, this->GetVolumeSize(), origin.parameters.spacing, origin.parameters.lower, origin.parameters.upper);
+    origin.parameters.p = m_ChosenP->p;
+  }
+  origin.settings.tolerance = m_Tolerance;
+  origin.settings.leastWeight = m_LeastWeight;
+  origin.settings.keepProbabilities = m_KeepProbabilities;
+  if (m_Solver && m_Origin && *m_Origin == origin)
+  {
+    return;
+  }
+  m_Solver.reset();
+  m_Operator = std::make_unique<const VolumeGradientOperator>(
+    intensities, this->GetVolumeSize(), origin.parameters, [this](double) { this->ReportProgress(0.0); });
+  m_Solver = std::make_unique<SeededHeatSolver>(*m_Operator, origin.settings);
+  m_Origin = origin;
+}
+
+template <typename TInputImage>
+void
+SeededHeatSegmentationImageFilter<TInputImage>::GenerateData()
+{
+  this->AllocateOutputs();
+  const LabelImageType * const seeds = this->GetSeeds();
+  if (seeds->GetBufferedRegion() != this->GetInput()->GetBufferedRegion())
+  {
+    throw InputError("the seeds have another size than the volume; give a label map on its grid");
+  }
+  m_ChosenP.reset();
+  try
+  {
+    this->PrepareSolver();
+  }
+  catch (const std::invalid_argument & error)
+  {
+    throw InputError(error.what());
+  }
+  const SeededHeatResult & result =
+    m_Solver->Solve(seeds->GetBufferPointer(), [this](double share) { this->ReportProgress(share); });
+  std::copy(result.labels.begin(), result.labels.end(), this->GetOutput()->GetBufferPointer());
+  std::copy(result.uncertainty.begin(), result.uncertainty.end(), this->GetUncertaintyOutput()->GetBufferPointer());
+  m_LabelValues = result.labelValues;
+  m_Iterations = result.iterations;
+  if (!m_KeepProbabilities)
+  {
+    m_Solver.reset();
+    m_Operator.reset();
+  }
+}
+
+template <typename TInputImage>
+typename SeededHeatSegmentationImageFilter<TInputImage>::HeatImageType::Pointer
+SeededHeatSegmentationImageFilter<TInputImage>::GetProbabilities(unsigned short label) const
+{
+  RequireParameter(m_Solver != nullptr, "there are no probabilities: keep them, and update the filter first");
+  auto image = HeatImageType::New();
+  image->CopyInformation(this->GetOutput());
+  image->SetRegions(this->GetOutput()->GetBufferedRegion());
+  image->Allocate();
+  m_Solver->GetProbabilities(label, image->GetBufferPointer());
+  return image;
+}
+
+template <typename TInputImage>
+void
+SeededHeatSegmentationImageFilter<TInputImage>::PrintSelf(std::ostream & os, itk::Indent indent) const
+{
+  Superclass::PrintSelf(os, indent);
+  os << indent << "AutomaticP: " << m_AutomaticP << std::endl;
+  os << indent << "Tolerance: " << m_Tolerance << std::endl;
+  os << indent << "LeastWeight: " << m_LeastWeight << std::endl;
+  os << indent << "KeepProbabilities: " << m_KeepProbabilities << std::endl;
+  os << indent << "Iterations: " << m_Iterations << std::endl;
+}
+} // namespace shapeton
+
+#endif

@@ -1,0 +1,106 @@
+#include "shapetonConductanceField.h"
+
+#include "shapetonParallelFor.h"
+
+namespace shapeton
+{
+namespace
+{
+/** Cuts the seeds out of the edges of one slice: each edge belongs to the lower one of its voxels. */
+class SeedCutter
+{
+public:
+  SeedCutter(const VolumeGradientOperator & volumeGradient, const unsigned short * seeds, double leastWeight)
+    : m_VolumeGradient(volumeGradient), m_Size(volumeGradient.GetGrid().GetSize()), m_Seeds(seeds)
+  {
+    for (unsigned int axis = 0; axis < 3; ++axis)
+    {
+      m_Least[axis] = static_cast<float>(leastWeight * volumeGradient.GetFactor(axis));
+    }
+  }
+
+  /** The conductance of the edge from a voxel to its successor; 0 at the border. */
+  float
+  GetConductance(const std::array<std::size_t, 3> & voxel, unsigned int axis, std::size_t place) const
+  {
+    return voxel[axis] + 1 < m_Size[axis] ? std::max(m_VolumeGradient.GetConductances(axis)[place], m_Least[axis])
+                                          : 0.0F;
+  }
+
+  unsigned short
+  GetSeed(const std::array<std::size_t, 3> & voxel) const
+  {
+    return m_Seeds[(voxel[2] * m_Size[1] + voxel[1]) * m_Size[0] + voxel[0]];
+  }
+
+private:
+  const VolumeGradientOperator & m_VolumeGradient;
+  std::array<std::size_t, 3>     m_Size;
+  const unsigned short *         m_Seeds;
+  std::array<float, 3>           m_Least{};
+};
+} // namespace
+
+ConductanceField::ConductanceField(const VolumeGradientOperator & volumeGradient,
+                                   const unsigned short *         seeds,
+                                   double                         leastWeight)
+  : grid(volumeGradient.GetGrid()), leak(grid)
+{
+  const auto & given = volumeGradient.GetParameters().spacing;
+  const double smallest = *std::min_element(given.begin(), given.end());
+  for (unsigned int axis = 0; axis < 3; ++axis)
+  {
+    spacing[axis] = given[axis] / smallest;
+    conductances[axis] = PaddedField(grid);
+  }
+  const SeedCutter                   cutter(volumeGradient, seeds, leastWeight);
+  const auto                         size = grid.GetSize();
+  std::vector<std::vector<SeedEdge>> edges(size[2]);
+  std::vector<std::vector<SeedEdge>> upwards(size[2]); // edges of a voxel of the next slice to a seed of this one
+  ParallelFor(size[2], [&](std::size_t z) {
+    for (std::size_t y = 0; y < size[1]; ++y)
+    {
+      const std::size_t row = grid.GetRow(static_cast<std::ptrdiff_t>(y), static_cast<std::ptrdiff_t>(z));
+      for (std::size_t x = 0; x < size[0]; ++x)
+      {
+        const std::array<std::size_t, 3> voxel{ { x, y, z } };
+        const unsigned short             seed = cutter.GetSeed(voxel);
+        for (unsigned int axis = 0; axis < 3; ++axis)
+        {
+          const float conductance = cutter.GetConductance(voxel, axis, row + x);
+          if (!(conductance > 0.0F))
+          {
+            continue;
+          }
+          auto successor = voxel;
+          ++successor[axis];
+          const unsigned short other = cutter.GetSeed(successor);
+          if (seed == 0 && other == 0)
+          {
+            conductances[axis].GetData()[row + x] = conductance;
+          }
+          else if (seed == 0)
+          {
+            edges[z].push_back({ row + x, other, conductance });
+          }
+          else if (other == 0)
+          {
+            (axis == 2 ? upwards : edges)[z].push_back({ row + x + grid.GetStride(axis), seed, conductance });
+          }
+        }
+      }
+    }
+  });
+  for (auto * part : { &edges, &upwards })
+  {
+    for (const auto & slice : *part)
+    {
+      seedEdges.insert(seedEdges.end(), slice.begin(), slice.end());
+    }
+  }
+  for (const SeedEdge & edge : seedEdges)
+  {
+    leak.GetData()[edge.voxel] += edge.conductance;
+  }
+}
+} // namespace shapeton

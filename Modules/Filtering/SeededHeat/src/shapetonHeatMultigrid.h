@@ -1,0 +1,122 @@
+#ifndef shapetonHeatMultigrid_h
+#define shapetonHeatMultigrid_h
+
+#include "shapetonConductanceGraph.h"
+#include "shapetonProgress.h"
+
+#include <memory>
+#include <vector>
+
+namespace shapeton
+{
+/** A conductance field and the coarser levels that belong to it. */
+class ConductanceHierarchy
+{
+public:
+  ConductanceHierarchy(const VolumeGradientOperator & volumeGradient,
+                       const unsigned short *         seeds,
+                       double                         leastWeight,
+                       const Progress &               progress);
+
+  const ConductanceField &
+  GetFinest() const
+  {
+    return m_Finest;
+  }
+  const std::vector<ConductanceGraph> &
+  GetGraphs() const
+  {
+    return m_Graphs;
+  }
+  /** Entry 0: the aggregates of the finest level; entry k + 1: those of graph k. */
+  const std::vector<std::vector<std::uint32_t>> &
+  GetAggregates() const
+  {
+    return m_Aggregates;
+  }
+
+private:
+  ConductanceField                        m_Finest;
+  std::vector<ConductanceGraph>           m_Graphs;
+  std::vector<std::vector<std::uint32_t>> m_Aggregates;
+};
+
+/** Values of several labels at each node, side by side: one pass over memory serves all labels. */
+class LabelField
+{
+public:
+  explicit LabelField(std::size_t length) : m_Values(new float[length]()), m_Length(length) {}
+
+  float *
+  GetData()
+  {
+    return m_Values.get();
+  }
+  const float *
+  GetData() const
+  {
+    return m_Values.get();
+  }
+  std::size_t
+  GetLength() const
+  {
+    return m_Length;
+  }
+  void
+  Clear();
+
+private:
+  std::unique_ptr<float[]> m_Values;
+  std::size_t              m_Length;
+};
+
+/** Conjugate gradients for the potentials of `VLabels` labels at once, preconditioned by a multigrid cycle whose
+ * aggregates follow the conductances (Notay, Electronic Transactions on Numerical Analysis 37, 2010). Gauss-Seidel
+ * sweeps go through slabs of slices, every other one at a time, so that results are the same for any number of threads.
+ * Each label has coefficients of its own. */
+template <int VLabels>
+class HeatMultigrid
+{
+public:
+  explicit HeatMultigrid(const ConductanceHierarchy & hierarchy);
+
+  /** Changes `potentials` until no correction of the preconditioner, which estimates the error, exceeds `tolerance`.
+   * `residuals` are those of the start; they are changed. Returns the number of iterations. */
+  unsigned int
+  Solve(LabelField & potentials, LabelField & residuals, double tolerance, const Progress & progress);
+
+  /** residuals -= A potentials. */
+  void
+  SubtractImage(const LabelField & potentials, LabelField & residuals) const;
+
+private:
+  using Sums = std::array<double, VLabels>;
+
+  void
+  Precondition(const LabelField & residuals, LabelField & corrections);
+  void
+  CycleGraph(std::size_t level);
+  void
+  SweepField(const float * residuals, float * values, bool forward) const;
+  void
+  SweepGraph(std::size_t level, bool forward);
+  void
+  RestrictFromField(const float * residuals, const float * values);
+  void
+  RestrictFromGraph(std::size_t level);
+  void
+  ProlongToField(float * values) const;
+  void
+  ProlongToGraph(std::size_t level);
+
+  const ConductanceHierarchy & m_Hierarchy;
+  std::vector<LabelField>      m_Residuals; ///< of each graph
+  std::vector<LabelField>      m_Values;
+};
+
+extern template class HeatMultigrid<1>;
+extern template class HeatMultigrid<2>;
+extern template class HeatMultigrid<4>;
+} // namespace shapeton
+
+#endif

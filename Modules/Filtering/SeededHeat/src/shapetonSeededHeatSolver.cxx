@@ -1,0 +1,249 @@
+#include "shapetonSeededHeatSolver.h"
+
+#include "shapetonExceptions.h"
+#include "shapetonHeatMultigrid.h"
+#include "shapetonParallelFor.h"
+
+#include <algorithm>
+#include <bitset>
+
+namespace shapeton
+{
+namespace
+{
+// The estimate of the error is the preconditioner's: measured, errors are up to four times as large.
+constexpr double safety = 0.1;
+
+std::vector<unsigned short>
+LabelsOf(const unsigned short * seeds, std::size_t number)
+{
+  std::bitset<65536> isSeed;
+  for (std::size_t i = 0; i < number; ++i)
+  {
+    isSeed.set(seeds[i]);
+  }
+  std::vector<unsigned short> labels;
+  for (unsigned int label = 1; label < 65536; ++label)
+  {
+    if (isSeed[label])
+    {
+      labels.push_back(static_cast<unsigned short>(label));
+    }
+  }
+  return labels;
+}
+} // namespace
+
+/** Labels that are solved for in one pass, and their potentials. */
+struct SeededHeatSolver::Batch
+{
+  std::vector<unsigned short> labels;
+  int                         width; ///< 1, 2 or 4: lanes beyond the labels stay 0
+  LabelField                  potentials;
+};
+
+SeededHeatSolver::SeededHeatSolver(const VolumeGradientOperator & volumeGradient, const SeededHeatSettings & settings)
+  : m_VolumeGradient(volumeGradient), m_Settings(settings)
+{
+  RequireParameter(settings.tolerance >= 1e-6 && settings.tolerance <= 0.1,
+                   "the parameter \"tolerance\" must lie between 1e-6 and 0.1");
+  RequireParameter(settings.leastWeight > 0.0 && settings.leastWeight <= 1.0,
+                   "the parameter \"leastWeight\" must be positive and at most 1");
+}
+
+SeededHeatSolver::~SeededHeatSolver() = default;
+
+/** Puts the heat of seeds where it belongs, in old potentials, too. */
+void
+SeededHeatSolver::SetSeedValues(Batch & batch, const unsigned short * seeds) const
+{
+  const PaddedGrid & grid = m_VolumeGradient.GetGrid();
+  const auto         size = grid.GetSize();
+  ParallelFor(size[1] * size[2], [&](std::size_t row) {
+    const unsigned short * const given = seeds + row * size[0];
+    float * const values = batch.potentials.GetData() + grid.GetRow(static_cast<std::ptrdiff_t>(row % size[1]),
+                                                                    static_cast<std::ptrdiff_t>(row / size[1])) *
+                                                          static_cast<std::size_t>(batch.width);
+    for (std::size_t x = 0; x < size[0]; ++x)
+    {
+      for (std::size_t l = 0; given[x] != 0 && l < batch.labels.size(); ++l)
+      {
+        values[x * static_cast<std::size_t>(batch.width) + l] = given[x] == batch.labels[l] ? 1.0F : 0.0F;
+      }
+    }
+  });
+}
+
+template <int VLabels>
+void
+SeededHeatSolver::SolveBatch(Batch &                      batch,
+                             const unsigned short *       seeds,
+                             const ConductanceHierarchy & hierarchy,
+                             const Progress &             progress)
+{
+  this->SetSeedValues(batch, seeds);
+  LabelField             residuals(batch.potentials.GetLength());
+  HeatMultigrid<VLabels> multigrid(hierarchy);
+  multigrid.SubtractImage(batch.potentials, residuals);
+  for (const SeedEdge & edge : hierarchy.GetFinest().seedEdges)
+  {
+    for (std::size_t l = 0; l < batch.labels.size(); ++l)
+    {
+      residuals.GetData()[edge.voxel * VLabels + l] += edge.label == batch.labels[l] ? edge.conductance : 0.0F;
+    }
+  }
+  const unsigned int iterations = multigrid.Solve(batch.potentials, residuals, safety * m_Settings.tolerance, progress);
+  m_Result.iterations = std::max(m_Result.iterations, iterations);
+}
+
+/** Takes the labels of a batch into the two greatest probabilities of each voxel. */
+void
+SeededHeatSolver::Compare(const Batch & batch)
+{
+  const PaddedGrid & grid = m_VolumeGradient.GetGrid();
+  const auto         size = grid.GetSize();
+  ParallelFor(size[1] * size[2], [&](std::size_t row) {
+    const float * const values = batch.potentials.GetData() + grid.GetRow(static_cast<std::ptrdiff_t>(row % size[1]),
+                                                                          static_cast<std::ptrdiff_t>(row / size[1])) *
+                                                                static_cast<std::size_t>(batch.width);
+    for (std::size_t x = 0; x < size[0]; ++x)
+    {
+      const std::size_t i = row * size[0] + x;
+      for (std::size_t l = 0; l < batch.labels.size(); ++l)
+      {
+        const float value = std::clamp(values[x * static_cast<std::size_t>(batch.width) + l], 0.0F, 1.0F);
+        m_Sum[i] += value;
+        if (value > m_Best[i])
+        {
+          m_Second[i] = m_Best[i];
+          m_Best[i] = value;
+          m_Result.labels[i] = batch.labels[l];
+        }
+        else
+        {
+          m_Second[i] = std::max(m_Second[i], value);
+        }
+      }
+    }
+  });
+}
+
+/** The last label has what the others leave. */
+void
+SeededHeatSolver::Finish()
+{
+  const unsigned short last = m_Result.labelValues.back();
+  ParallelForBlocks(m_Sum.size(), [&](std::size_t i) {
+    const float value = std::max(0.0F, 1.0F - m_Sum[i]);
+    if (value > m_Best[i])
+    {
+      m_Second[i] = m_Best[i];
+      m_Best[i] = value;
+      m_Result.labels[i] = last;
+    }
+    else
+    {
+      m_Second[i] = std::max(m_Second[i], value);
+    }
+    m_Result.uncertainty[i] = 1.0F - (m_Best[i] - m_Second[i]) / std::max(1.0F, m_Sum[i]);
+  });
+}
+
+const SeededHeatResult &
+SeededHeatSolver::Solve(const unsigned short * seeds, const Progress & progress)
+{
+  const PaddedGrid & grid = m_VolumeGradient.GetGrid();
+  const std::size_t  number = grid.GetNumberOfVoxels();
+  const auto         labels = LabelsOf(seeds, number);
+  if (labels.size() < 2)
+  {
+    throw InputError(labels.empty() ? "no voxel has a seed; give seeds of at least two labels"
+                                    : "all seeds have the label " + std::to_string(labels.front()) +
+                                        "; give seeds of at least two labels");
+  }
+  if (grid.GetLength() >= noAggregate / 2)
+  {
+    throw InputError("the volume has more voxels than the solver can number; crop it or take larger voxels");
+  }
+  if (labels != m_Result.labelValues || !m_Settings.keepProbabilities)
+  {
+    m_Batches.clear();
+  }
+  m_Result = {};
+  auto batches = std::move(m_Batches); // after an abort there is nothing to start from
+  m_Batches.clear();
+  const ConductanceHierarchy hierarchy(m_VolumeGradient, seeds, m_Settings.leastWeight, progress.Part("", 0.0, 0.1));
+  m_Result.labels.assign(number, labels.front());
+  m_Result.uncertainty.assign(number, 0.0F);
+  m_Result.labelValues = labels;
+  m_Best.assign(number, 0.0F);
+  m_Second.assign(number, 0.0F);
+  m_Sum.assign(number, 0.0F);
+  const std::size_t solved = labels.size() - 1;
+  for (std::size_t first = 0, index = 0; first < solved; ++index)
+  {
+    const std::size_t width = solved - first >= 3 ? 4 : solved - first;
+    const std::size_t end = std::min(solved, first + width);
+    if (batches.size() <= index)
+    {
+      batches.push_back(
+        { { labels.begin() + static_cast<std::ptrdiff_t>(first), labels.begin() + static_cast<std::ptrdiff_t>(end) },
+          static_cast<int>(width),
+          LabelField(grid.GetLength() * width) });
+    }
+    Batch &        batch = batches[index];
+    const auto     share = [&](std::size_t label) { return 0.1 + 0.9 * static_cast<double>(label) / solved; };
+    const Progress part = progress.Part("", share(first), share(end));
+    width == 4   ? this->SolveBatch<4>(batch, seeds, hierarchy, part)
+    : width == 2 ? this->SolveBatch<2>(batch, seeds, hierarchy, part)
+                 : this->SolveBatch<1>(batch, seeds, hierarchy, part);
+    this->Compare(batch);
+    if (!m_Settings.keepProbabilities)
+    {
+      batch.potentials = LabelField(0);
+    }
+    first = end;
+  }
+  this->Finish();
+  if (m_Settings.keepProbabilities)
+  {
+    m_Batches = std::move(batches);
+  }
+  return m_Result;
+}
+
+void
+SeededHeatSolver::GetProbabilities(unsigned short label, float * probabilities) const
+{
+  RequireParameter(!m_Batches.empty(), "the probabilities of the seeded heat were not kept");
+  const PaddedGrid & grid = m_VolumeGradient.GetGrid();
+  const auto         size = grid.GetSize();
+  if (label == m_Result.labelValues.back())
+  {
+    std::transform(m_Sum.begin(), m_Sum.end(), probabilities, [](float sum) { return std::max(0.0F, 1.0F - sum); });
+    return;
+  }
+  for (const Batch & batch : m_Batches)
+  {
+    const auto found = std::find(batch.labels.begin(), batch.labels.end(), label);
+    if (found == batch.labels.end())
+    {
+      continue;
+    }
+    const auto lane = static_cast<std::size_t>(found - batch.labels.begin());
+    const auto width = static_cast<std::size_t>(batch.width);
+    ParallelFor(size[1] * size[2], [&](std::size_t row) {
+      const std::size_t place =
+        grid.GetRow(static_cast<std::ptrdiff_t>(row % size[1]), static_cast<std::ptrdiff_t>(row / size[1]));
+      for (std::size_t x = 0; x < size[0]; ++x)
+      {
+        const std::size_t i = row * size[0] + x;
+        const float       value = std::clamp(batch.potentials.GetData()[(place + x) * width + lane], 0.0F, 1.0F);
+        probabilities[i] = value / std::max(1.0F, m_Sum[i]);
+      }
+    });
+    return;
+  }
+  throw ParameterError("the label " + std::to_string(label) + " has no seed");
+}
+} // namespace shapeton

@@ -1,0 +1,345 @@
+#include "shapetonSeededHeatSolver.h"
+
+#include "shapetonExceptions.h"
+#include "shapetonPhilox.h"
+
+#include "itkMultiThreaderBase.h"
+
+#include "gtest/gtest.h"
+
+#include <cmath>
+#include <numeric>
+#include <random>
+
+namespace
+{
+using shapeton::SeededHeatSettings;
+using shapeton::SeededHeatSolver;
+using shapeton::VolumeGradientOperator;
+using Size = std::array<std::size_t, 3>;
+using Seeds = std::vector<unsigned short>;
+
+std::size_t
+NumberOf(const Size & size)
+{
+  return size[0] * size[1] * size[2];
+}
+
+/** Two halves of different intensity in noise. */
+std::vector<float>
+MakeNoisyHalves(const Size & size)
+{
+  std::mt19937                          random(7);
+  std::uniform_real_distribution<float> noise(-0.04F, 0.04F);
+  std::vector<float>                    volume(NumberOf(size));
+  for (std::size_t i = 0; i < volume.size(); ++i)
+  {
+    volume[i] = (i % size[0] < size[0] / 2 ? 0.3F : 0.6F) + noise(random);
+  }
+  return volume;
+}
+
+VolumeGradientOperator
+MakeOperator(const std::vector<float> & volume, const Size & size, double p, const std::array<double, 3> & spacing)
+{
+  VolumeGradientOperator::Parameters parameters;
+  parameters.p = p;
+  parameters.spacing = spacing;
+  return VolumeGradientOperator(volume.data(), size, parameters);
+}
+
+Seeds
+ScatterSeeds(const Size & size, unsigned short labels, int each)
+{
+  std::mt19937 random(3);
+  Seeds        seeds(NumberOf(size), 0);
+  for (unsigned short label = 1; label <= labels; ++label)
+  {
+    for (int i = 0; i < each; ++i)
+    {
+      seeds[random() % seeds.size()] = label;
+    }
+  }
+  return seeds;
+}
+
+std::vector<float>
+ProbabilitiesOf(const SeededHeatSolver & solver, unsigned short label)
+{
+  std::vector<float> probabilities(solver.GetResult().labels.size());
+  solver.GetProbabilities(label, probabilities.data());
+  return probabilities;
+}
+
+/** The same equations, solved by relaxation in double precision until nothing moves any more. */
+std::vector<double>
+SolveByRelaxation(const VolumeGradientOperator & op, const Seeds & seeds, unsigned short label, double leastWeight)
+{
+  const auto          size = op.GetGrid().GetSize();
+  const Size          stride{ { 1, size[0], size[0] * size[1] } };
+  std::vector<double> heat(seeds.size(), 0.0);
+  for (std::size_t i = 0; i < seeds.size(); ++i)
+  {
+    heat[i] = seeds[i] == label ? 1.0 : 0.0;
+  }
+  const auto weight = [&](std::size_t x, std::size_t y, std::size_t z, unsigned int axis) {
+    return std::max<double>(op.GetConductances(axis)[op.GetGrid().GetRow(y, z) + x], leastWeight * op.GetFactor(axis));
+  };
+  for (double change = 1.0; change > 1e-11;)
+  {
+    change = 0.0;
+    for (std::size_t i = 0; i < seeds.size(); ++i)
+    {
+      const Size v{ { i % size[0], i / stride[1] % size[1], i / stride[2] } };
+      double     sum = 0.0;
+      double     total = 0.0;
+      for (unsigned int axis = 0; axis < 3 && seeds[i] == 0; ++axis)
+      {
+        Size below = v;
+        if (v[axis] > 0)
+        {
+          --below[axis];
+          const double c = weight(below[0], below[1], below[2], axis);
+          sum += c * heat[i - stride[axis]];
+          total += c;
+        }
+        if (v[axis] + 1 < size[axis])
+        {
+          const double c = weight(v[0], v[1], v[2], axis);
+          sum += c * heat[i + stride[axis]];
+          total += c;
+        }
+      }
+      if (seeds[i] == 0)
+      {
+        // over-relaxed
+        const double next = heat[i] + 1.7 * (sum / total - heat[i]);
+        change = std::max(change, std::abs(next - heat[i]));
+        heat[i] = next;
+      }
+    }
+  }
+  return heat;
+}
+
+double
+GreatestDifference(const std::vector<float> & a, const std::vector<double> & b)
+{
+  double difference = 0.0;
+  for (std::size_t i = 0; i < a.size(); ++i)
+  {
+    difference = std::max(difference, std::abs(a[i] - b[i]));
+  }
+  return difference;
+}
+} // namespace
+
+TEST(SeededHeatSolver, BetweenTwoPlatesHeatFallsInAStraightLine)
+{
+  const Size size{ { 33, 5, 4 } };
+  for (const std::array<double, 3> & spacing : { std::array<double, 3>{ { 1, 1, 1 } }, { { 0.7, 1.1, 2.5 } } })
+  {
+    const std::vector<float> volume(NumberOf(size), 0.5F);
+    const auto               op = MakeOperator(volume, size, 20.0, spacing);
+    Seeds                    seeds(volume.size(), 0);
+    for (std::size_t i = 0; i < seeds.size(); i += size[0])
+    {
+      seeds[i] = 9;
+      seeds[i + size[0] - 1] = 4;
+    }
+    SeededHeatSolver solver(op);
+    const auto &     result = solver.Solve(seeds.data());
+    EXPECT_EQ(result.labelValues, (Seeds{ 4, 9 }));
+    const auto probabilities = ProbabilitiesOf(solver, 9);
+    for (std::size_t i = 0; i < seeds.size(); ++i)
+    {
+      const double x = static_cast<double>(i % size[0]);
+      EXPECT_NEAR(probabilities[i], 1.0 - x / 32.0, 1e-5);
+      EXPECT_NEAR(result.uncertainty[i], 1.0 - std::abs(1.0 - x / 16.0), 2e-5);
+      if (x != 16)
+      {
+        EXPECT_EQ(result.labels[i], x < 16 ? 9 : 4); // the boundary is at one half
+      }
+    }
+  }
+}
+
+TEST(SeededHeatSolver, MatchesRelaxationInDoublePrecision)
+{
+  const Size size{ { 13, 11, 9 } };
+  const auto volume = MakeNoisyHalves(size);
+  for (const std::array<double, 3> & spacing : { std::array<double, 3>{ { 1, 1, 1 } }, { { 0.8, 0.8, 3.0 } } })
+  {
+    for (const double p : { 0.0, 7.0, 20.0 })
+    {
+      for (const unsigned short labels : { 2, 3, 4, 7 })
+      {
+        const auto       op = MakeOperator(volume, size, p, spacing);
+        const auto       seeds = ScatterSeeds(size, labels, 4);
+        SeededHeatSolver solver(op);
+        solver.Solve(seeds.data());
+        for (const unsigned short label : solver.GetResult().labelValues)
+        {
+          EXPECT_LE(GreatestDifference(ProbabilitiesOf(solver, label), SolveByRelaxation(op, seeds, label, 1e-4)), 1e-5)
+            << "p " << p << ", label " << label << " of " << labels;
+        }
+      }
+    }
+  }
+}
+
+TEST(SeededHeatSolver, ProbabilitiesSumToOneAndTheGreatestGivesTheLabel)
+{
+  const Size         size{ { 40, 33, 27 } };
+  const auto         volume = MakeNoisyHalves(size);
+  const auto         op = MakeOperator(volume, size, 12.0, { { 1, 1, 1 } });
+  const auto         seeds = ScatterSeeds(size, 11, 5);
+  SeededHeatSolver   solver(op);
+  const auto &       result = solver.Solve(seeds.data());
+  std::vector<float> sum(seeds.size(), 0.0F);
+  std::vector<float> ofLabel(seeds.size(), 0.0F);
+  std::vector<float> greatest(seeds.size(), 0.0F);
+  for (unsigned short label = 1; label <= 11; ++label)
+  {
+    const auto probabilities = ProbabilitiesOf(solver, label);
+    for (std::size_t i = 0; i < seeds.size(); ++i)
+    {
+      ASSERT_GE(probabilities[i], 0.0F);
+      ASSERT_LE(probabilities[i], 1.0F);
+      sum[i] += probabilities[i];
+      greatest[i] = std::max(greatest[i], probabilities[i]);
+      ofLabel[i] = result.labels[i] == label ? probabilities[i] : ofLabel[i];
+      if (seeds[i] != 0)
+      {
+        ASSERT_EQ(probabilities[i], seeds[i] == label ? 1.0F : 0.0F);
+      }
+    }
+  }
+  for (std::size_t i = 0; i < seeds.size(); ++i)
+  {
+    ASSERT_NEAR(sum[i], 1.0F, 1e-5F);
+    ASSERT_EQ(ofLabel[i], greatest[i]);
+  }
+}
+
+TEST(SeededHeatSolver, LabelsStopAtAnEdgeThatInsulates)
+{
+  const Size size{ { 24, 20, 16 } };
+  const auto volume = MakeNoisyHalves(size);
+  const auto op = MakeOperator(volume, size, 5.0, { { 1, 1, 1 } }); // noise of .08 passes, a step of .3 does not
+  Seeds      seeds(volume.size(), 0);
+  seeds[0] = 1;
+  seeds[size[0] - 1] = 2;
+  SeededHeatSolver solver(op);
+  const auto &     result = solver.Solve(seeds.data());
+  for (std::size_t i = 0; i < seeds.size(); ++i)
+  {
+    ASSERT_EQ(result.labels[i], i % size[0] < 12 ? 1 : 2);
+  }
+}
+
+TEST(SeededHeatSolver, SameBytesForAnyNumberOfThreads)
+{
+  const Size       size{ { 37, 29, 31 } };
+  const auto       volume = MakeNoisyHalves(size);
+  const auto       seeds = ScatterSeeds(size, 6, 3);
+  const auto       threads = itk::MultiThreaderBase::GetGlobalDefaultNumberOfThreads();
+  const auto       op = MakeOperator(volume, size, 20.0, { { 1, 1, 1 } });
+  SeededHeatSolver one(op);
+  itk::MultiThreaderBase::SetGlobalDefaultNumberOfThreads(1);
+  one.Solve(seeds.data());
+  for (const unsigned int number : { 2U, 3U, 8U })
+  {
+    itk::MultiThreaderBase::SetGlobalDefaultNumberOfThreads(number);
+    SeededHeatSolver many(op);
+    many.Solve(seeds.data());
+    EXPECT_EQ(one.GetResult().labels, many.GetResult().labels);
+    EXPECT_EQ(one.GetResult().uncertainty, many.GetResult().uncertainty);
+    EXPECT_EQ(ProbabilitiesOf(one, 3), ProbabilitiesOf(many, 3));
+  }
+  itk::MultiThreaderBase::SetGlobalDefaultNumberOfThreads(threads);
+}
+
+TEST(SeededHeatSolver, AChangedSeedStartsFromTheLastSolution)
+{
+  const Size       size{ { 48, 48, 48 } };
+  const auto       volume = MakeNoisyHalves(size);
+  const auto       op = MakeOperator(volume, size, 15.0, { { 1, 1, 1 } });
+  auto             seeds = ScatterSeeds(size, 4, 40);
+  SeededHeatSolver solver(op);
+  solver.Solve(seeds.data());
+  const unsigned int cold = solver.GetResult().iterations;
+  EXPECT_EQ(solver.Solve(seeds.data()).iterations, 0u); // nothing has changed
+  const auto & uncertainty = solver.GetResult().uncertainty;
+  std::size_t  sure = 0; // a seed that says what the solution knows
+  for (std::size_t i = 0; i < seeds.size(); ++i)
+  {
+    sure = seeds[i] == 0 && (seeds[sure] != 0 || uncertainty[i] < uncertainty[sure]) ? i : sure;
+  }
+  seeds[sure] = solver.GetResult().labels[sure];
+  EXPECT_LT(solver.Solve(seeds.data()).iterations, cold);
+  *std::find(seeds.begin(), seeds.end(), 2) = 0; // a seed is taken away, another one is set
+  seeds[seeds.size() / 2] = 3;
+  EXPECT_LE(solver.Solve(seeds.data()).iterations, cold);
+  SeededHeatSolver anew(op);
+  anew.Solve(seeds.data());
+  for (const unsigned short label : { 1, 2, 3, 4 })
+  {
+    const auto expected = ProbabilitiesOf(anew, label);
+    EXPECT_LE(GreatestDifference(ProbabilitiesOf(solver, label), { expected.begin(), expected.end() }), 2e-5);
+  }
+}
+
+TEST(SeededHeatSolver, WithoutKeptProbabilitiesLabelsAreTheSame)
+{
+  const Size         size{ { 30, 22, 18 } };
+  const auto         volume = MakeNoisyHalves(size);
+  const auto         op = MakeOperator(volume, size, 15.0, { { 1, 1, 1 } });
+  const auto         seeds = ScatterSeeds(size, 9, 4);
+  SeededHeatSettings settings;
+  settings.keepProbabilities = false;
+  SeededHeatSolver keeps(op);
+  SeededHeatSolver forgets(op, settings);
+  EXPECT_EQ(keeps.Solve(seeds.data()).labels, forgets.Solve(seeds.data()).labels);
+  EXPECT_EQ(keeps.GetResult().uncertainty, forgets.GetResult().uncertainty);
+  std::vector<float> probabilities(seeds.size());
+  EXPECT_THROW(forgets.GetProbabilities(1, probabilities.data()), shapeton::ParameterError);
+  EXPECT_THROW(keeps.GetProbabilities(10, probabilities.data()), shapeton::ParameterError);
+}
+
+TEST(SeededHeatSolver, RefusesWhatItCannotSolve)
+{
+  const Size               size{ { 4, 4, 4 } };
+  const std::vector<float> volume(64, 0.5F);
+  const auto               op = MakeOperator(volume, size, 7.0, { { 1, 1, 1 } });
+  Seeds                    seeds(64, 0);
+  SeededHeatSolver         solver(op);
+  EXPECT_THROW(solver.Solve(seeds.data()), shapeton::InputError);
+  seeds[5] = 3;
+  EXPECT_THROW(solver.Solve(seeds.data()), shapeton::InputError);
+  SeededHeatSettings settings;
+  settings.tolerance = 0.5;
+  EXPECT_THROW(SeededHeatSolver(op, settings), shapeton::ParameterError);
+  settings = {};
+  settings.leastWeight = 0.0;
+  EXPECT_THROW(SeededHeatSolver(op, settings), shapeton::ParameterError);
+}
+
+TEST(SeededHeatSolver, AbortsAndStartsAnew)
+{
+  const Size       size{ { 32, 32, 32 } };
+  const auto       volume = MakeNoisyHalves(size);
+  const auto       op = MakeOperator(volume, size, 15.0, { { 1, 1, 1 } });
+  const auto       seeds = ScatterSeeds(size, 3, 4);
+  SeededHeatSolver solver(op);
+  EXPECT_THROW(solver.Solve(seeds.data(),
+                            [](double share) {
+                              if (share > 0.3)
+                              {
+                                throw std::runtime_error("enough");
+                              }
+                            }),
+               std::runtime_error);
+  SeededHeatSolver other(op);
+  EXPECT_EQ(solver.Solve(seeds.data()).labels, other.Solve(seeds.data()).labels);
+}
