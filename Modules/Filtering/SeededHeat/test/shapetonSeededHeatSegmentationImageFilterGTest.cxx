@@ -1,0 +1,232 @@
+#include "shapetonHeatSeeds.h"
+#include "shapetonSeededHeatSegmentationImageFilter.h"
+
+#include "itkImageRegionIteratorWithIndex.h"
+
+#include "gtest/gtest.h"
+
+#include <cmath>
+
+namespace
+{
+using ImageType = itk::Image<short, 3>;
+using FilterType = shapeton::SeededHeatSegmentationImageFilter<ImageType>;
+using shapeton::Markup;
+using shapeton::SeedImage;
+
+/** Three boxes of 0, 300 and 600 along x, on an oblique and anisotropic grid. */
+ImageType::Pointer
+MakeBoxes()
+{
+  auto image = ImageType::New();
+  image->SetRegions(itk::Size<3>{ { 30, 14, 9 } });
+  const double         spacing[3] = { 0.8, 1.1, 2.0 };
+  const double         origin[3] = { -40.0, 25.0, 300.0 };
+  const double         c = std::cos(0.5);
+  const double         s = std::sin(0.5);
+  itk::Matrix<double, 3, 3> direction;
+  direction.SetIdentity();
+  direction[0][0] = direction[2][2] = c;
+  direction[0][2] = -s;
+  direction[2][0] = s;
+  image->SetSpacing(spacing);
+  image->SetOrigin(origin);
+  image->SetDirection(direction);
+  image->Allocate();
+  for (itk::ImageRegionIteratorWithIndex<ImageType> it(image, image->GetLargestPossibleRegion()); !it.IsAtEnd(); ++it)
+  {
+    it.Set(static_cast<short>(300 * (it.GetIndex()[0] / 10)));
+  }
+  return image;
+}
+
+Eigen::Vector3d
+PlaceOf(const itk::ImageBase<3> * image, const itk::Index<3> & index)
+{
+  itk::Point<double, 3> point;
+  image->TransformIndexToPhysicalPoint(index, point);
+  return { point[0], point[1], point[2] };
+}
+
+std::vector<Markup>
+MakeMarkups(const ImageType * image)
+{
+  std::vector<Markup> markups(3);
+  markups[0].name = "dark";
+  markups[0].points = { PlaceOf(image, { { 2, 3, 4 } }) };
+  markups[1].name = "grey";
+  markups[1].points = { PlaceOf(image, { { 12, 2, 2 } }), PlaceOf(image, { { 17, 12, 7 } }) };
+  markups[1].kind = Markup::Kind::Curve;
+  markups[2].name = "bright";
+  markups[2].points = { PlaceOf(image, { { 29, 13, 8 } }), PlaceOf(image, { { 25, 1, 0 } }) };
+  return markups;
+}
+
+std::size_t
+Count(const SeedImage * image, unsigned short label)
+{
+  const auto * const begin = image->GetBufferPointer();
+  return static_cast<std::size_t>(
+    std::count(begin, begin + image->GetLargestPossibleRegion().GetNumberOfPixels(), label));
+}
+
+std::string
+MessageOf(const std::function<void()> & call)
+{
+  try
+  {
+    call();
+  }
+  catch (const itk::ExceptionObject & error)
+  {
+    return error.GetDescription();
+  }
+  return "";
+}
+} // namespace
+
+TEST(SeededHeatSegmentationImageFilter, LabelsBoxesFromMarkupsOnAnObliqueGrid)
+{
+  const auto image = MakeBoxes();
+  const auto seeds = shapeton::SeedsOfMarkups(MakeMarkups(image), image);
+  EXPECT_EQ(Count(seeds, 1), 1u);
+  EXPECT_GE(Count(seeds, 2), 11u); // a stroke over eleven rows
+  EXPECT_EQ(Count(seeds, 3), 2u);
+  auto filter = FilterType::New();
+  EXPECT_EQ(filter->GetP(), 20.0);
+  filter->SetInput(image);
+  filter->SetSeeds(seeds);
+  filter->Update();
+  EXPECT_EQ(filter->GetOutput()->GetOrigin(), image->GetOrigin());
+  EXPECT_EQ(filter->GetOutput()->GetDirection(), image->GetDirection());
+  EXPECT_EQ(filter->GetUncertaintyOutput()->GetSpacing(), image->GetSpacing());
+  const auto probabilities = filter->GetProbabilities(2);
+  for (itk::ImageRegionIteratorWithIndex<SeedImage> it(filter->GetOutput(), image->GetLargestPossibleRegion());
+       !it.IsAtEnd();
+       ++it)
+  {
+    ASSERT_EQ(it.Get(), 1 + it.GetIndex()[0] / 10);
+    ASSERT_EQ(probabilities->GetPixel(it.GetIndex()) > 0.5F, it.Get() == 2);
+    ASSERT_LT(filter->GetUncertaintyOutput()->GetPixel(it.GetIndex()), 0.1F);
+  }
+}
+
+TEST(SeededHeatSegmentationImageFilter, RunsAgainWhatHasChanged)
+{
+  const auto image = MakeBoxes();
+  const auto seeds = shapeton::SeedsOfMarkups(MakeMarkups(image), image);
+  auto       filter = FilterType::New();
+  filter->SetInput(image);
+  filter->SetSeeds(seeds);
+  filter->Update();
+  EXPECT_GT(filter->GetIterations(), 0u);
+  seeds->Modified(); // the same seeds: the last solution is the solution
+  filter->Update();
+  EXPECT_EQ(filter->GetIterations(), 0u);
+  image->SetPixel({ { 5, 5, 5 } }, 600);
+  image->Modified(); // another volume: all anew
+  filter->Update();
+  EXPECT_GT(filter->GetIterations(), 0u);
+  filter->SetLeastWeight(0.01);
+  filter->Update();
+  EXPECT_GT(filter->GetIterations(), 0u);
+  filter->AutomaticPOn();
+  filter->Update();
+  ASSERT_TRUE(filter->GetChosenP());
+  EXPECT_GT(filter->GetChosenP()->p, 1.0);
+  filter->KeepProbabilitiesOff();
+  filter->Update();
+  EXPECT_THROW(filter->GetProbabilities(1), itk::ExceptionObject);
+}
+
+TEST(SeededHeatSegmentationImageFilter, NamesWhatIsWrong)
+{
+  const auto image = MakeBoxes();
+  auto       filter = FilterType::New();
+  filter->SetInput(image);
+  EXPECT_NE(MessageOf([&] { filter->Update(); }).find("Seeds"), std::string::npos); // required
+  auto seeds = SeedImage::New();
+  seeds->CopyInformation(image);
+  seeds->SetRegions(image->GetLargestPossibleRegion());
+  seeds->Allocate(true);
+  filter->SetSeeds(seeds);
+  EXPECT_NE(MessageOf([&] { filter->Update(); }).find("no voxel has a seed"), std::string::npos);
+  seeds->SetPixel({ { 1, 1, 1 } }, 7);
+  seeds->Modified();
+  EXPECT_NE(MessageOf([&] { filter->Update(); }).find("all seeds have the label 7"), std::string::npos);
+  seeds->SetPixel({ { 1, 1, 2 } }, 8);
+  seeds->Modified();
+  filter->SetTolerance(2.0);
+  EXPECT_NE(MessageOf([&] { filter->Update(); }).find("\"tolerance\""), std::string::npos);
+}
+
+TEST(HeatSeeds, MarkupsThatCannotBeSeedsAreRefused)
+{
+  const auto image = MakeBoxes();
+  auto       markups = MakeMarkups(image);
+  markups[2].points.push_back(PlaceOf(image, { { 31, 2, 2 } }));
+  EXPECT_EQ(MessageOf([&] { shapeton::SeedsOfMarkups(markups, image); }),
+            "point 3 of the markup \"bright\" lies outside the volume; place it on the volume that is segmented");
+  markups[2].points.back() = markups[0].points[0];
+  EXPECT_NE(MessageOf([&] { shapeton::SeedsOfMarkups(markups, image); }).find("already a seed of label 1"),
+            std::string::npos);
+  markups[2].points.clear();
+  EXPECT_NE(MessageOf([&] { shapeton::SeedsOfMarkups(markups, image); }).find("\"bright\" has no point"),
+            std::string::npos);
+}
+
+TEST(HeatSeeds, LabelMapsLieOnTheGridAndHoldWholeNumbers)
+{
+  const auto       image = MakeBoxes();
+  shapeton::Volume volume;
+  volume.image = shapeton::Volume::ImageType::New();
+  volume.image->CopyInformation(image);
+  volume.image->SetRegions(image->GetLargestPossibleRegion());
+  volume.image->Allocate(true);
+  volume.image->SetPixel({ { 3, 3, 3 } }, 65535.0F);
+  EXPECT_EQ(Count(shapeton::SeedsOfVolume(volume, "map", image), 65535), 1u);
+  for (const float value : { 0.5F, -1.0F, 65536.0F })
+  {
+    volume.image->SetPixel({ { 3, 3, 3 } }, value);
+    EXPECT_NE(MessageOf([&] { shapeton::SeedsOfVolume(volume, "map", image); }).find("map: labels must be whole"),
+              std::string::npos);
+  }
+  const double moved[3] = { 0.0, 0.0, 0.0 };
+  volume.image->SetOrigin(moved);
+  EXPECT_NE(MessageOf([&] { shapeton::SeedsOfVolume(volume, "map", image); }).find("size or place"), std::string::npos);
+}
+
+TEST(HeatSeeds, ClassesGiveSeedsAwayFromTheirBorders)
+{
+  auto classes = SeedImage::New();
+  classes->SetRegions(itk::Size<3>{ { 20, 10, 10 } });
+  classes->Allocate(true);
+  const auto fill = [&](const itk::Index<3> & low, const itk::Index<3> & high, unsigned short value) {
+    for (itk::ImageRegionIteratorWithIndex<SeedImage> it(classes, classes->GetLargestPossibleRegion()); !it.IsAtEnd();
+         ++it)
+    {
+      const auto i = it.GetIndex();
+      if (i[0] >= low[0] && i[1] >= low[1] && i[2] >= low[2] && i[0] < high[0] && i[1] < high[1] && i[2] < high[2])
+      {
+        it.Set(value);
+      }
+    }
+  };
+  fill({ { 1, 1, 1 } }, { { 4, 4, 4 } }, 5);    // 27 voxels, one inside
+  fill({ { 10, 2, 2 } }, { { 15, 7, 7 } }, 5);  // 125 voxels, 27 inside
+  fill({ { 17, 8, 8 } }, { { 19, 9, 9 } }, 9);  // border all over
+  shapeton::ClassSeeds choice;                  // lines
+  auto                 seeds = shapeton::SeedsOfClasses(classes, choice);
+  EXPECT_EQ(Count(seeds, 1), 28u);
+  EXPECT_EQ(Count(seeds, 2), 2u);
+  EXPECT_EQ(Count(seeds, 0), 2000u - 30u);
+  choice.components = 2;
+  choice.classes = { 5 };
+  seeds = shapeton::SeedsOfClasses(classes, choice);
+  EXPECT_EQ(Count(seeds, 1), 27u); // the largest first
+  EXPECT_EQ(Count(seeds, 2), 1u);
+  EXPECT_EQ(Count(seeds, 3), 0u);
+  choice.classes = { 6 };
+  EXPECT_NE(MessageOf([&] { shapeton::SeedsOfClasses(classes, choice); }).find("no voxel is of class 6"),
+            std::string::npos);
+}
