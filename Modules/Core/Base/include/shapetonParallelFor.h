@@ -1,6 +1,8 @@
 #ifndef shapetonParallelFor_h
 #define shapetonParallelFor_h
 
+#include "BaseExport.h"
+
 #include "shapetonProgress.h"
 
 #include "itkMultiThreaderBase.h"
@@ -20,16 +22,42 @@ NumberOfThreads()
   return std::max<unsigned int>(1, itk::MultiThreaderBase::GetGlobalDefaultNumberOfThreads());
 }
 
+/** How many parallel loops the work of this thread lies in. \ingroup Base */
+Base_EXPORT unsigned int &
+DepthOfLoops();
+
+/** \class LoopDepth
+ * \brief Sets DepthOfLoops() for as long as it lives.
+ * \ingroup Base */
+class LoopDepth
+{
+public:
+  explicit LoopDepth(unsigned int depth) : m_Before(DepthOfLoops()) { DepthOfLoops() = depth; }
+  ~LoopDepth() { DepthOfLoops() = m_Before; }
+  LoopDepth(const LoopDepth &) = delete;
+  LoopDepth &
+  operator=(const LoopDepth &) = delete;
+
+private:
+  unsigned int m_Before;
+};
+
 /** Runs `body(worker)` on `workers` workers of ITK's threader. A worker may start after another one has ended, so none
  * may wait for one that has not begun. The first exception is thrown again when all workers have ended; ITK's threader
- * would lose those of all workers but one. \ingroup Base */
+ * would lose those of all workers but one. A loop within a loop within a loop is done by its caller alone: threads of
+ * ITK's pool that wait for their own loops would leave none to do them. \ingroup Base */
 template <typename TBody>
 void
 ParallelWorkers(unsigned int workers, const TBody & body)
 {
-  if (workers <= 1)
+  constexpr unsigned int deepest = 2;
+  const unsigned int     depth = DepthOfLoops();
+  if (workers <= 1 || depth >= deepest)
   {
-    body(0U);
+    for (unsigned int worker = 0; worker < workers; ++worker)
+    {
+      body(worker);
+    }
     return;
   }
   std::mutex         mutex;
@@ -40,6 +68,7 @@ ParallelWorkers(unsigned int workers, const TBody & body)
     0,
     workers,
     [&](itk::SizeValueType worker) {
+      const LoopDepth inside(depth + 1);
       try
       {
         body(static_cast<unsigned int>(worker));

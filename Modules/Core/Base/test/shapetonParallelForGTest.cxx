@@ -1,4 +1,5 @@
 #include "shapetonParallelInvoke.h"
+#include "shapetonStartBeside.h"
 
 #include "gtest/gtest.h"
 
@@ -82,6 +83,37 @@ TEST_P(WithThreads, OfTwoExceptionsTheFirstComesBack)
   const auto failToo = [] { throw std::logic_error("the second"); };
   EXPECT_THROW(shapeton::ParallelInvoke(fail, failToo), std::runtime_error);
   EXPECT_THROW(shapeton::ParallelInvoke([] {}, failToo), std::logic_error);
+}
+
+TEST_P(WithThreads, LoopsInLoopsInLoopsEnd)
+{
+  constexpr int    number = 12;
+  std::atomic<int> count{ 0 };
+  const auto       loops = [&count] {
+    shapeton::ParallelFor(number, [&](std::size_t) {
+      shapeton::ParallelFor(number, [&](std::size_t) {
+        shapeton::ParallelFor(number, [&](std::size_t) {
+          std::this_thread::yield();
+          ++count;
+        });
+      });
+    });
+  };
+  std::future<void> beside = shapeton::StartBeside(loops);
+  shapeton::ParallelInvoke(loops, loops);
+  beside.get();
+  EXPECT_EQ(count, 3 * number * number * number);
+  EXPECT_EQ(shapeton::DepthOfLoops(), 0U);
+}
+
+TEST_P(WithThreads, WorkBesideIsDoneWhenItIsWaitedFor)
+{
+  int  done = 0;
+  auto work = shapeton::StartBeside([&done] { done = 1; });
+  work.get();
+  EXPECT_EQ(done, 1);
+  auto failing = shapeton::StartBeside([] { throw std::runtime_error("beside"); });
+  EXPECT_THROW(failing.get(), std::runtime_error);
 }
 
 TEST_P(WithThreads, ProgressComesFromTheCallerAndAscends)
