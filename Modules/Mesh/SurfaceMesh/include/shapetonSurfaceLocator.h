@@ -18,8 +18,8 @@ SurfaceMesh_EXPORT Eigen::Vector3d
 /** \class SurfaceLocator
  * \brief Closest points on a surface, exact, by a tree of boxes around its faces.
  *
- * Keeps a copy of the surface. Building takes n log n, a question about log n. A question may be asked from any number
- * of threads at once.
+ * Keeps a copy of the surface. Building takes n log n, on several threads, a question about log n. A question may be
+ * asked from any number of threads at once.
  *
  * \ingroup SurfaceMesh
  */
@@ -49,8 +49,18 @@ private:
     int             right;      ///< the second child; the first one follows the node; 0 for a leaf
   };
 
+  /** Faces that make a subtree, and its first node. */
+  struct Part
+  {
+    int node, begin, end;
+  };
+
+  void
+  BuildTop(const VertexMatrix & centres);
   int
-  Build(int begin, int end, const VertexMatrix & centres);
+  Split(const Part & part, const VertexMatrix & centres);
+  int
+  Build(const Part & part, const VertexMatrix & centres);
   void
   Search(int node, const Eigen::Vector3d & p, Closest & best, double & bestSquare) const;
   double

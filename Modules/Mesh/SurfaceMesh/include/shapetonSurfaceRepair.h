@@ -1,7 +1,7 @@
 #ifndef shapetonSurfaceRepair_h
 #define shapetonSurfaceRepair_h
 
-#include "shapetonSurfaceMesh.h"
+#include "shapetonSurfaceConnectivity.h"
 
 namespace shapeton
 {
@@ -55,9 +55,9 @@ RepairSurface(const SurfaceMesh &          mesh,
               SurfaceRepairReport *        report = nullptr);
 
 /** Whether a surface has what simplification and remeshing need: manifold, consistently oriented, without degenerate
- * faces. Throws InputError that begins with `what`, names the first fault and the repair.
- * \ingroup SurfaceMesh */
-SurfaceMesh_EXPORT void
+ * faces. Returns its connectivity, by which that is told. Throws InputError that begins with `what`, names the first
+ * fault and the repair. \ingroup SurfaceMesh */
+SurfaceMesh_EXPORT SurfaceConnectivity
 RequireManifold(const SurfaceMesh & mesh, const std::string & what);
 } // namespace shapeton
 

@@ -1,6 +1,8 @@
 #ifndef shapetonBase64_h
 #define shapetonBase64_h
 
+#include <algorithm>
+#include <array>
 #include <cstdint>
 #include <limits>
 #include <string>
@@ -14,14 +16,26 @@ DecodeBase64(const std::string & text,
              std::size_t &       place,
              std::size_t         wanted = std::numeric_limits<std::size_t>::max())
 {
-  static const std::string alphabet = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-  std::string              bytes;
-  std::uint32_t            bits = 0;
-  int                      number = 0;
+  static constexpr signed char              none = -1;
+  static const std::array<signed char, 256> values = [] {
+    std::array<signed char, 256> table;
+    table.fill(none);
+    signed char value = 0;
+    for (const char c : "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/")
+    {
+      table[static_cast<unsigned char>(c)] = value++;
+    }
+    table[0] = none; // ends the alphabet
+    return table;
+  }();
+  std::string   bytes;
+  std::uint32_t bits = 0;
+  int           number = 0;
+  bytes.reserve(std::min(wanted, text.size() - std::min(place, text.size())));
   for (; place < text.size() && bytes.size() < wanted; ++place)
   {
-    const std::size_t value = alphabet.find(text[place]);
-    if (value == std::string::npos)
+    const signed char value = values[static_cast<unsigned char>(text[place])];
+    if (value == none)
     {
       break;
     }

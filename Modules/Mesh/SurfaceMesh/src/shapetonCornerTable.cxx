@@ -1,17 +1,15 @@
 #include "shapetonCornerTable.h"
-#include "shapetonSurfaceConnectivity.h"
 
 namespace shapeton
 {
-CornerTable::CornerTable(const FaceMatrix & F, int numberOfVertices)
+CornerTable::CornerTable(const FaceMatrix & F, const SurfaceConnectivity & connectivity)
   : m_Corner(F.data(), F.data() + F.size())
   , m_Twin(F.size(), -1)
-  , m_Outgoing(numberOfVertices, -1)
+  , m_Outgoing(connectivity.NumberOfVertices(), -1)
   , m_LiveFaces(static_cast<int>(F.rows()))
-  , m_Mark(numberOfVertices, 0)
+  , m_Mark(connectivity.NumberOfVertices(), 0)
 {
-  const SurfaceConnectivity connectivity(F, numberOfVertices);
-  std::vector<int>          first(connectivity.NumberOfEdges(), -1);
+  std::vector<int> first(connectivity.NumberOfEdges(), -1);
   for (int h = 0; h < this->NumberOfHalfEdges(); ++h)
   {
     int & other = first[connectivity.EdgeOfFace(h / 3, h % 3)];

@@ -1,7 +1,7 @@
 #ifndef shapetonCornerTable_h
 #define shapetonCornerTable_h
 
-#include "shapetonSurfaceMesh.h"
+#include "shapetonSurfaceConnectivity.h"
 
 namespace shapeton
 {
@@ -17,8 +17,8 @@ namespace shapeton
 class CornerTable
 {
 public:
-  /** \pre RequireManifold() has passed. */
-  CornerTable(const FaceMatrix & F, int numberOfVertices);
+  /** Of the faces that RequireManifold() has given the connectivity of. */
+  CornerTable(const FaceMatrix & F, const SurfaceConnectivity & connectivity);
   ~CornerTable();
 
   static int

@@ -1,42 +1,39 @@
 #include "shapetonFanWalk.h"
+#include "shapetonDisjointSets.h"
+#include "shapetonParallelFor.h"
 
 #include <algorithm>
 
 namespace shapeton
 {
-// Floods the faces over all edges for the components, and over edges of two faces alone for the orientation.
+// Faces that meet at any edge are one component; the least of them stands for it.
 void
 SurfaceConnectivity::BuildComponents()
 {
-  m_ComponentOfFace.assign(m_Faces.rows(), -1);
-  std::vector<int> open;
-  for (int seed = 0; seed < this->NumberOfFaces(); ++seed)
+  DisjointSets<int> sets(m_Faces.rows());
+  for (int e = 0; e < this->NumberOfEdges(); ++e)
   {
-    if (m_ComponentOfFace[seed] >= 0 || m_FaceEdges[3 * seed] < 0)
+    const IndexRange faces = this->FacesOfEdge(e);
+    for (const int face : faces)
+    {
+      sets.Join(faces[0], face);
+    }
+  }
+  m_ComponentOfFace.assign(m_Faces.rows(), -1);
+  for (int f = 0; f < this->NumberOfFaces(); ++f)
+  {
+    if (m_FaceEdges[3 * f] < 0)
     {
       continue;
     }
-    const int component = static_cast<int>(m_Components.size());
-    m_Components.emplace_back();
-    m_Components.back().firstFace = seed;
-    m_ComponentOfFace[seed] = component;
-    open.assign(1, seed);
-    while (!open.empty())
+    const int least = sets.Find(f);
+    if (least == f)
     {
-      const int f = open.back();
-      open.pop_back();
-      for (int k = 0; k < 3; ++k)
-      {
-        for (const int g : this->FacesOfEdge(m_FaceEdges[3 * f + k]))
-        {
-          if (m_ComponentOfFace[g] < 0)
-          {
-            m_ComponentOfFace[g] = component;
-            open.push_back(g);
-          }
-        }
-      }
+      m_ComponentOfFace[f] = static_cast<int>(m_Components.size());
+      m_Components.emplace_back();
+      m_Components.back().firstFace = f;
     }
+    m_ComponentOfFace[f] = m_ComponentOfFace[least];
   }
   this->TurnFaces();
 }
@@ -92,11 +89,14 @@ SurfaceConnectivity::TurnFaces()
 void
 SurfaceConnectivity::CountVertices()
 {
+  std::vector<char> isOneFan(m_NumberOfVertices);
+  ParallelForBlocks(isOneFan.size(),
+                    [&](std::size_t v) { isOneFan[v] = IsOneFan(*this, m_Faces, static_cast<int>(v)) ? 1 : 0; });
   std::vector<int> components;
   for (int v = 0; v < m_NumberOfVertices; ++v)
   {
     const IndexRange faces = this->FacesOfVertex(v);
-    if (IsOneFan(*this, m_Faces, v))
+    if (isOneFan[v] != 0)
     {
       ++m_Components[m_ComponentOfFace[faces[0]]].vertices;
       continue;

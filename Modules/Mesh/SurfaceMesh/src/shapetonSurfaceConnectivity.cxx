@@ -1,6 +1,8 @@
 #include "shapetonFanWalk.h"
+#include "shapetonParallelFor.h"
 
 #include <algorithm>
+#include <atomic>
 #include <stdexcept>
 #include <string>
 
@@ -35,6 +37,49 @@ Accumulate(std::vector<int> & counts)
   {
     counts[i] += counts[i - 1];
   }
+}
+
+constexpr int VerticesOfBlock = 8192;
+
+/** A side of a face, from its lesser vertex to the other one, which begins at its corner k or ends there. */
+struct Side
+{
+  int vertex, other, face, k;
+};
+
+/** By their vertices, those of one edge by their faces. */
+std::vector<Side>
+SidesOfBlock(const SurfaceConnectivity & connectivity, const FaceMatrix & F, int block)
+{
+  const int         last = std::min(connectivity.NumberOfVertices(), (block + 1) * VerticesOfBlock);
+  std::vector<Side> sides;
+  sides.reserve(std::size_t{ 7 } * VerticesOfBlock); // six at most vertices
+  for (int v = block * VerticesOfBlock; v < last; ++v)
+  {
+    const auto first = static_cast<std::ptrdiff_t>(sides.size());
+    for (const int f : connectivity.FacesOfVertex(v))
+    {
+      for (int k = 0; k < 3; ++k)
+      {
+        const int a = F(f, k);
+        const int b = F(f, (k + 1) % 3);
+        if (std::min(a, b) == v)
+        {
+          sides.push_back({ v, std::max(a, b), f, k });
+        }
+      }
+    }
+    std::sort(sides.begin() + first, sides.end(), [](const Side & p, const Side & q) {
+      return p.other != q.other ? p.other < q.other : p.face < q.face;
+    });
+  }
+  return sides;
+}
+
+bool
+BeginsEdge(const std::vector<Side> & sides, std::size_t i)
+{
+  return i == 0 || sides[i].vertex != sides[i - 1].vertex || sides[i].other != sides[i - 1].other;
 }
 } // namespace
 
@@ -78,45 +123,47 @@ SurfaceConnectivity::BuildVertexFaces()
   }
 }
 
+// Blocks of vertices find their edges beside each other; then each knows the number of its first one.
 void
 SurfaceConnectivity::BuildEdges()
 {
-  struct Side
-  {
-    int other, face, k;
-  };
-  std::vector<Side> sides; // those of one vertex, towards greater vertices
+  const int                      blocks = (m_NumberOfVertices + VerticesOfBlock - 1) / VerticesOfBlock;
+  std::vector<std::vector<Side>> sides(blocks);
+  std::vector<int>               firstEdge(blocks + 1, 0);
+  std::vector<int>               firstSide(blocks + 1, 0);
+  ParallelFor(blocks, [&](std::size_t block) {
+    sides[block] = SidesOfBlock(*this, m_Faces, static_cast<int>(block));
+    firstSide[block + 1] = static_cast<int>(sides[block].size());
+    for (std::size_t i = 0; i < sides[block].size(); ++i)
+    {
+      firstEdge[block + 1] += BeginsEdge(sides[block], i) ? 1 : 0;
+    }
+  });
+  Accumulate(firstEdge);
+  Accumulate(firstSide);
   m_FaceEdges.assign(3 * m_Faces.rows(), -1);
   m_FirstEdgeOfVertex.assign(m_NumberOfVertices + 1, 0);
-  m_EdgeBegin.assign(1, 0);
-  for (int v = 0; v < m_NumberOfVertices; ++v)
+  m_EdgeVertices.resize(firstEdge.back());
+  m_EdgeBegin.assign(firstEdge.back() + 1, 0);
+  m_EdgeFaces.resize(firstSide.back());
+  ParallelFor(blocks, [&](std::size_t block) {
+    const std::vector<Side> & ofBlock = sides[block];
+    int                       edge = firstEdge[block] - 1;
+    for (std::size_t i = 0; i < ofBlock.size(); ++i)
+    {
+      const Side & side = ofBlock[i];
+      const int    place = firstSide[block] + static_cast<int>(i);
+      edge += BeginsEdge(ofBlock, i) ? 1 : 0;
+      m_EdgeVertices[edge] = { side.vertex, side.other };
+      m_EdgeBegin[edge + 1] = place + 1;
+      m_EdgeFaces[place] = side.face;
+      m_FaceEdges[3 * side.face + side.k] = edge;
+      m_FirstEdgeOfVertex[side.vertex + 1] = edge + 1;
+    }
+  });
+  for (int v = 0; v < m_NumberOfVertices; ++v) // those that are the lesser vertex of no edge
   {
-    sides.clear();
-    for (const int f : this->FacesOfVertex(v))
-    {
-      for (int k = 0; k < 3; ++k)
-      {
-        const int a = m_Faces(f, k);
-        const int b = m_Faces(f, (k + 1) % 3);
-        if (std::min(a, b) == v)
-        {
-          sides.push_back({ std::max(a, b), f, k });
-        }
-      }
-    }
-    std::stable_sort(sides.begin(), sides.end(), [](const Side & p, const Side & q) { return p.other < q.other; });
-    for (std::size_t i = 0; i < sides.size(); ++i)
-    {
-      if (i == 0 || sides[i].other != sides[i - 1].other)
-      {
-        m_EdgeVertices.push_back({ v, sides[i].other });
-        m_EdgeBegin.push_back(m_EdgeBegin.back());
-      }
-      m_EdgeFaces.push_back(sides[i].face);
-      ++m_EdgeBegin.back();
-      m_FaceEdges[3 * sides[i].face + sides[i].k] = this->NumberOfEdges() - 1;
-    }
-    m_FirstEdgeOfVertex[v + 1] = this->NumberOfEdges();
+    m_FirstEdgeOfVertex[v + 1] = std::max(m_FirstEdgeOfVertex[v + 1], m_FirstEdgeOfVertex[v]);
   }
 }
 
@@ -268,21 +315,20 @@ SurfaceConnectivity::IsNonManifoldVertex(int vertex) const
 bool
 SurfaceConnectivity::IsManifold() const
 {
-  for (int e = 0; e < this->NumberOfEdges(); ++e)
-  {
-    if (this->IsNonManifoldEdge(e))
+  std::atomic<bool> isManifold{ true };
+  ParallelForBlocks(m_EdgeVertices.size(), [&](std::size_t e) {
+    if (this->IsNonManifoldEdge(static_cast<int>(e)))
     {
-      return false;
+      isManifold = false;
     }
-  }
-  for (int v = 0; v < m_NumberOfVertices; ++v)
-  {
-    if (this->FansOfVertex(v) > 1)
+  });
+  ParallelForBlocks(isManifold ? m_NumberOfVertices : 0, [&](std::size_t v) {
+    if (this->FansOfVertex(static_cast<int>(v)) > 1)
     {
-      return false;
+      isManifold = false;
     }
-  }
-  return true;
+  });
+  return isManifold;
 }
 
 bool
@@ -294,13 +340,13 @@ SurfaceConnectivity::IsClosed() const
 bool
 SurfaceConnectivity::IsOriented() const
 {
-  for (int e = 0; e < this->NumberOfEdges(); ++e)
-  {
-    if (this->IsInconsistentEdge(e))
+  std::atomic<bool> isOriented{ true };
+  ParallelForBlocks(m_EdgeVertices.size(), [&](std::size_t e) {
+    if (this->IsInconsistentEdge(static_cast<int>(e)))
     {
-      return false;
+      isOriented = false;
     }
-  }
-  return true;
+  });
+  return isOriented;
 }
 } // namespace shapeton

@@ -1,4 +1,5 @@
 #include "shapetonSurfaceLocator.h"
+#include "shapetonParallelFor.h"
 
 #include <Eigen/Geometry>
 
@@ -12,6 +13,12 @@ namespace shapeton
 namespace
 {
 constexpr int FacesOfLeaf = 4;
+
+int
+NumberOfNodes(int faces)
+{
+  return faces <= FacesOfLeaf ? 1 : 1 + NumberOfNodes(faces / 2) + NumberOfNodes(faces - faces / 2);
+}
 
 Eigen::Vector3d
 ClosestPointOfSegment(const Eigen::Vector3d & p, const Eigen::Vector3d & a, const Eigen::Vector3d & b)
@@ -75,18 +82,47 @@ SurfaceLocator::SurfaceLocator(const VertexMatrix & V, const FaceMatrix & F) : m
   {
     centres.row(f) = (V.row(F(f, 0)) + V.row(F(f, 1)) + V.row(F(f, 2))) / 3.0;
   }
-  this->Build(0, static_cast<int>(F.rows()), centres);
+  m_Nodes.resize(NumberOfNodes(static_cast<int>(F.rows())));
+  this->BuildTop(centres);
 }
 
 SurfaceLocator::~SurfaceLocator() = default;
 
-int
-SurfaceLocator::Build(int begin, int end, const VertexMatrix & centres)
+/** Cuts the tree into parts that are built beside each other. The nodes of each lie where one thread would put them. */
+void
+SurfaceLocator::BuildTop(const VertexMatrix & centres)
 {
-  const int       index = static_cast<int>(m_Nodes.size());
+  constexpr int     levels = 5;
+  std::vector<Part> parts{ { 0, 0, static_cast<int>(m_Order.size()) } };
+  for (int level = 0; level < levels; ++level)
+  {
+    std::vector<Part> halves(2 * parts.size(), Part{ 0, 0, 0 }); // without faces where a part is a leaf
+    ParallelFor(parts.size(), [&](std::size_t i) {
+      const Part & part = parts[i];
+      const int    middle = this->Split(part, centres);
+      if (middle > part.begin)
+      {
+        const int right = part.node + 1 + NumberOfNodes(middle - part.begin);
+        m_Nodes[part.node].right = right;
+        halves[2 * i] = { part.node + 1, part.begin, middle };
+        halves[2 * i + 1] = { right, middle, part.end };
+      }
+    });
+    const auto isEmpty = [](const Part & part) { return part.begin == part.end; };
+    halves.erase(std::remove_if(halves.begin(), halves.end(), isEmpty), halves.end());
+    parts.swap(halves);
+  }
+  ParallelFor(parts.size(), [&](std::size_t i) { this->Build(parts[i], centres); });
+}
+
+/** Sets the first node of a part, and sorts its faces into halves: where the second one begins, or, of a leaf, the part
+ * itself. */
+int
+SurfaceLocator::Split(const Part & part, const VertexMatrix & centres)
+{
   Eigen::Vector3d low = Eigen::Vector3d::Constant(std::numeric_limits<double>::infinity());
   Eigen::Vector3d high = -low;
-  for (int i = begin; i < end; ++i)
+  for (int i = part.begin; i < part.end; ++i)
   {
     for (int k = 0; k < 3; ++k)
     {
@@ -94,21 +130,33 @@ SurfaceLocator::Build(int begin, int end, const VertexMatrix & centres)
       high = high.cwiseMax(m_V.row(m_F(m_Order[i], k)).transpose());
     }
   }
-  m_Nodes.push_back({ low, high, begin, end, 0 });
-  if (end - begin <= FacesOfLeaf)
+  m_Nodes[part.node] = { low, high, part.begin, part.end, 0 };
+  if (part.end - part.begin <= FacesOfLeaf)
   {
-    return index;
+    return part.begin;
   }
   int axis = 0;
   (high - low).maxCoeff(&axis);
-  const int middle = begin + (end - begin) / 2;
-  std::nth_element(m_Order.begin() + begin, m_Order.begin() + middle, m_Order.begin() + end, [&](int a, int b) {
+  const int  middle = part.begin + (part.end - part.begin) / 2;
+  const auto order = m_Order.begin();
+  std::nth_element(order + part.begin, order + middle, order + part.end, [&](int a, int b) {
     return centres(a, axis) != centres(b, axis) ? centres(a, axis) < centres(b, axis) : a < b;
   });
-  this->Build(begin, middle, centres);
-  const int right = this->Build(middle, end, centres);
-  m_Nodes[index].right = right;
-  return index;
+  return middle;
+}
+
+/** The node after the last one of the subtree. */
+int
+SurfaceLocator::Build(const Part & part, const VertexMatrix & centres)
+{
+  const int middle = this->Split(part, centres);
+  if (middle == part.begin)
+  {
+    return part.node + 1;
+  }
+  const int right = this->Build({ part.node + 1, part.begin, middle }, centres);
+  m_Nodes[part.node].right = right;
+  return this->Build({ right, middle, part.end }, centres);
 }
 
 double

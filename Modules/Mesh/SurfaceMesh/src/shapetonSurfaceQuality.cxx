@@ -1,9 +1,10 @@
 #include "shapetonSurfaceQuality.h"
+#include "shapetonParallelFor.h"
 #include "shapetonTriangleShape.h"
 
 #include <algorithm>
 #include <array>
-#include <numeric>
+#include <cmath>
 
 namespace shapeton
 {
@@ -36,23 +37,47 @@ HasNoArea(const Triangle & t)
   return !(DoubleAreaNormal(t.a, t.b, t.c).norm() > LeastHeight * longest);
 }
 
-std::vector<int>
-DuplicateFaces(const FaceMatrix & F)
+std::array<int, 3>
+SortedVertices(const FaceMatrix & F, int f)
 {
-  std::vector<std::array<int, 4>> keys; // sorted vertices and face
+  std::array<int, 3> vertices{ F(f, 0), F(f, 1), F(f, 2) };
+  std::sort(vertices.begin(), vertices.end());
+  return vertices;
+}
+
+/** Whether another face has the same vertices; or one that names a vertex twice, of which that is not known. */
+bool
+MayBeDuplicate(const FaceMatrix & F, const SurfaceConnectivity & connectivity, int f)
+{
+  const int edge = connectivity.EdgeOfFace(f, 0);
+  if (edge < 0)
+  {
+    return true;
+  }
+  const IndexRange others = connectivity.FacesOfEdge(edge);
+  return std::any_of(others.begin(), others.end(), [&](int other) {
+    return other != f && SortedVertices(F, other) == SortedVertices(F, f);
+  });
+}
+
+std::vector<int>
+DuplicateFaces(const FaceMatrix & F, const SurfaceConnectivity & connectivity)
+{
+  std::vector<std::pair<std::array<int, 3>, int>> keys; // sorted vertices and face
   for (int f = 0; f < F.rows(); ++f)
   {
-    std::array<int, 4> key{ F(f, 0), F(f, 1), F(f, 2), f };
-    std::sort(key.begin(), key.begin() + 3);
-    keys.push_back(key);
+    if (MayBeDuplicate(F, connectivity, f))
+    {
+      keys.emplace_back(SortedVertices(F, f), f);
+    }
   }
   std::sort(keys.begin(), keys.end());
   std::vector<int> duplicates;
   for (std::size_t i = 1; i < keys.size(); ++i)
   {
-    if (std::equal(keys[i].begin(), keys[i].begin() + 3, keys[i - 1].begin()))
+    if (keys[i].first == keys[i - 1].first)
     {
-      duplicates.push_back(keys[i][3]);
+      duplicates.push_back(keys[i].second);
     }
   }
   std::sort(duplicates.begin(), duplicates.end());
@@ -62,20 +87,19 @@ DuplicateFaces(const FaceMatrix & F)
 std::vector<int>
 CoincidentVertices(const VertexMatrix & V)
 {
-  std::vector<int> order(V.rows());
-  std::iota(order.begin(), order.end(), 0);
-  const auto position = [&](int v) { return std::array<double, 3>{ V(v, 0), V(v, 1), V(v, 2) }; };
-  std::sort(order.begin(), order.end(), [&](int a, int b) {
-    const auto p = position(a);
-    const auto q = position(b);
-    return p != q ? p < q : a < b;
-  });
-  std::vector<int> coincident;
-  for (std::size_t i = 1; i < order.size(); ++i)
+  std::vector<std::pair<std::array<double, 3>, int>> places;
+  places.reserve(V.rows());
+  for (int v = 0; v < V.rows(); ++v)
   {
-    if (position(order[i]) == position(order[i - 1]))
+    places.emplace_back(std::array<double, 3>{ V(v, 0), V(v, 1), V(v, 2) }, v);
+  }
+  std::sort(places.begin(), places.end());
+  std::vector<int> coincident;
+  for (std::size_t i = 1; i < places.size(); ++i)
+  {
+    if (places[i].first == places[i - 1].first)
     {
-      coincident.push_back(order[i]);
+      coincident.push_back(places[i].second);
     }
   }
   std::sort(coincident.begin(), coincident.end());
@@ -104,20 +128,18 @@ UnreferencedVertices(const SurfaceMesh & mesh)
 void
 MeasureFaces(const SurfaceMesh & mesh, SurfaceQuality & quality)
 {
-  std::vector<double> smallest;
-  std::vector<double> largest;
-  std::vector<double> aspects;
-  for (int f = 0; f < mesh.NumberOfFaces(); ++f)
-  {
-    const Triangle t = TriangleOf(mesh.V, mesh.F, f);
+  constexpr double    none = -1.0;
+  std::vector<double> smallest(mesh.F.rows());
+  std::vector<double> largest(mesh.F.rows());
+  std::vector<double> aspects(mesh.F.rows(), none);
+  ParallelForBlocks(smallest.size(), [&](std::size_t f) {
+    const Triangle t = TriangleOf(mesh.V, mesh.F, static_cast<int>(f));
     const double   angles[] = { AngleAt(t.a, t.b, t.c), AngleAt(t.b, t.c, t.a), AngleAt(t.c, t.a, t.b) };
-    smallest.push_back(DegreesPerRadian * *std::min_element(angles, angles + 3));
-    largest.push_back(DegreesPerRadian * *std::max_element(angles, angles + 3));
-    if (!HasNoArea(t))
-    {
-      aspects.push_back(AspectRatio(t.a, t.b, t.c));
-    }
-  }
+    smallest[f] = DegreesPerRadian * *std::min_element(angles, angles + 3);
+    largest[f] = DegreesPerRadian * *std::max_element(angles, angles + 3);
+    aspects[f] = HasNoArea(t) ? none : AspectRatio(t.a, t.b, t.c);
+  });
+  aspects.erase(std::remove(aspects.begin(), aspects.end(), none), aspects.end());
   quality.smallestAngle = StatisticsOf(std::move(smallest));
   quality.largestAngle = StatisticsOf(std::move(largest));
   quality.aspectRatio = StatisticsOf(std::move(aspects));
@@ -126,12 +148,11 @@ MeasureFaces(const SurfaceMesh & mesh, SurfaceQuality & quality)
 void
 MeasureEdges(const SurfaceMesh & mesh, const SurfaceConnectivity & connectivity, SurfaceQuality & quality)
 {
-  std::vector<double> lengths;
-  for (int e = 0; e < connectivity.NumberOfEdges(); ++e)
-  {
-    const auto & ends = connectivity.VerticesOfEdge(e);
-    lengths.push_back((mesh.V.row(ends[0]) - mesh.V.row(ends[1])).norm());
-  }
+  std::vector<double> lengths(connectivity.NumberOfEdges());
+  ParallelForBlocks(lengths.size(), [&](std::size_t e) {
+    const auto & ends = connectivity.VerticesOfEdge(static_cast<int>(e));
+    lengths[e] = (mesh.V.row(ends[0]) - mesh.V.row(ends[1])).norm();
+  });
   quality.edgeLength = StatisticsOf(std::move(lengths));
   for (const auto & loop : connectivity.BoundaryLoops())
   {
@@ -199,7 +220,7 @@ FindSurfaceDefects(const SurfaceMesh & mesh, const SurfaceConnectivity & connect
       defects.zeroAreaFaces.push_back(f);
     }
   }
-  defects.duplicateFaces = DuplicateFaces(mesh.F);
+  defects.duplicateFaces = DuplicateFaces(mesh.F, connectivity);
   defects.unreferencedVertices = UnreferencedVertices(mesh);
   defects.coincidentVertices = CoincidentVertices(mesh.V);
   for (int e = 0; e < connectivity.NumberOfEdges(); ++e)
@@ -213,7 +234,8 @@ FindSurfaceDefects(const SurfaceMesh & mesh, const SurfaceConnectivity & connect
       defects.inconsistentEdges.push_back(e);
     }
   }
-  for (int v = 0; v < mesh.NumberOfVertices(); ++v)
+  const int vertices = connectivity.IsManifold() ? 0 : mesh.NumberOfVertices(); // to look at
+  for (int v = 0; v < vertices; ++v)
   {
     if (connectivity.IsNonManifoldVertex(v))
     {
@@ -231,18 +253,19 @@ StatisticsOf(std::vector<double> values)
   {
     return statistics;
   }
-  std::sort(values.begin(), values.end());
   const auto at = [&](double fraction) {
-    const double      place = fraction * static_cast<double>(values.size() - 1);
-    const std::size_t below = static_cast<std::size_t>(place);
-    const std::size_t above = std::min(below + 1, values.size() - 1);
-    return values[below] + (place - static_cast<double>(below)) * (values[above] - values[below]);
+    const double place = fraction * static_cast<double>(values.size() - 1);
+    const auto   below = values.begin() + static_cast<std::ptrdiff_t>(place);
+    std::nth_element(values.begin(), below, values.end());
+    const double low = *below;
+    const double high = below + 1 < values.end() ? *std::min_element(below + 1, values.end()) : low;
+    return low + (place - std::floor(place)) * (high - low);
   };
-  statistics.minimum = values.front();
+  statistics.minimum = *std::min_element(values.begin(), values.end());
   statistics.percentile1 = at(0.01);
   statistics.median = at(0.5);
   statistics.percentile99 = at(0.99);
-  statistics.maximum = values.back();
+  statistics.maximum = *std::max_element(values.begin(), values.end());
   return statistics;
 }
 

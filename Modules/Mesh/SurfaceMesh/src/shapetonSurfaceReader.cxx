@@ -139,6 +139,10 @@ ListOfComponents(const SurfaceMesh & mesh, const std::vector<std::vector<int>> &
 void
 TakeComponent(SurfaceFile & file, const SurfaceReadOptions & options, const std::string & path)
 {
+  if (options.component < 0)
+  {
+    return; // all of them
+  }
   const auto components = FacesOfComponents(file.mesh);
   const auto count = static_cast<int>(components.size());
   if (options.component == 0 && count > 1)

@@ -24,8 +24,8 @@ constexpr double MostFaces = 1e8;
 class Remesher
 {
 public:
-  Remesher(const SurfaceMesh & mesh, double target)
-    : m_Table(mesh.F, mesh.NumberOfVertices()), m_Locator(mesh.V, mesh.F), m_Target(target)
+  Remesher(const SurfaceMesh & mesh, const SurfaceConnectivity & connectivity, double target)
+    : m_Table(mesh.F, connectivity), m_Locator(mesh.V, mesh.F), m_Target(target)
   {
     for (int v = 0; v < mesh.NumberOfVertices(); ++v)
     {
@@ -274,13 +274,13 @@ RemeshSurface(const SurfaceMesh & mesh, const SurfaceRemeshingOptions & options)
   RequireParameter(options.targetEdgeLength > 0.0 && std::isfinite(options.targetEdgeLength),
                    "targetEdgeLength must be a finite number of mm greater than 0");
   RequireParameter(options.iterations >= 1 && options.iterations <= 100, "iterations must be from 1 to 100");
-  RequireManifold(mesh, "the surface");
+  const SurfaceConnectivity connectivity = RequireManifold(mesh, "the surface");
   const double faces = SurfaceArea(mesh.V, mesh.F) / (0.433 * options.targetEdgeLength * options.targetEdgeLength);
   if (!(faces <= MostFaces))
   {
     throw InputError("the surface would get more than 100 million faces; ask for longer edges");
   }
-  Remesher remesher(mesh, options.targetEdgeLength);
+  Remesher remesher(mesh, connectivity, options.targetEdgeLength);
   for (int i = 0; i < options.iterations; ++i)
   {
     remesher.Iterate();

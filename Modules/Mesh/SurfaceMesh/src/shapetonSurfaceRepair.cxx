@@ -202,13 +202,19 @@ RepairSurface(const SurfaceMesh & mesh, const SurfaceRepairOptions & options, Su
   return repaired;
 }
 
-void
+SurfaceConnectivity
 RequireManifold(const SurfaceMesh & mesh, const std::string & what)
 {
   RequireSound(mesh, what);
-  const SurfaceConnectivity connectivity(mesh);
-  const SurfaceDefects      defects = FindSurfaceDefects(mesh, connectivity);
-  const auto                refuse = [&](const std::vector<int> & found, const std::string & fault) {
+  SurfaceConnectivity      connectivity(mesh);
+  const std::vector<int> & components = connectivity.ComponentOfFaces();
+  const bool               hasDegenerate = std::count(components.begin(), components.end(), -1) > 0;
+  if (!hasDegenerate && connectivity.IsManifold() && connectivity.IsOriented())
+  {
+    return connectivity;
+  }
+  const SurfaceDefects defects = FindSurfaceDefects(mesh, connectivity); // takes longer
+  const auto           refuse = [&](const std::vector<int> & found, const std::string & fault) {
     if (!found.empty())
     {
       throw InputError(what + ": " + std::to_string(found.size()) + ' ' + fault + ", the first is " +
@@ -219,5 +225,6 @@ RequireManifold(const SurfaceMesh & mesh, const std::string & what)
   refuse(defects.nonManifoldEdges, "edges have more than two faces");
   refuse(defects.nonManifoldVertices, "vertices have several fans of faces");
   refuse(defects.inconsistentEdges, "edges lie between faces of opposite orientation");
+  return connectivity;
 }
 } // namespace shapeton

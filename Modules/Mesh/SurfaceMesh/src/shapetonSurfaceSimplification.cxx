@@ -7,7 +7,8 @@
 #include "shapetonTriangleShape.h"
 
 #include <algorithm>
-#include <queue>
+#include <cstdint>
+#include <cstring>
 
 namespace shapeton
 {
@@ -36,54 +37,81 @@ struct Candidate
   }
 };
 
-/** The cheapest candidate first. Those of all edges are sorted once and then taken in a row, so that the heap, whose
- * steps go through memory at random, holds only those that have changed since. */
+/** The cheapest candidate first. Candidates of about the same cost share a bucket. Only the cheapest bucket is a heap,
+ * which stays in the cache; steps of one heap of all of them would go through memory at random. */
 class CandidateQueue
 {
 public:
   void
-  Fill(std::vector<Candidate> && candidates)
+  Fill(const std::vector<Candidate> & candidates)
   {
-    m_Sorted = std::move(candidates);
-    std::sort(m_Sorted.begin(), m_Sorted.end()); // the cheapest is the last
-    m_Changed = {};
+    m_Buckets.assign(std::size_t{ 1 } << BitsOfBucket, {});
+    m_Cheapest = 0;
+    m_Size = 0;
+    for (const Candidate & candidate : candidates)
+    {
+      this->Push(candidate);
+    }
   }
   void
   Push(const Candidate & candidate)
   {
-    m_Changed.push(candidate);
+    const std::size_t        place = BucketOf(candidate.cost);
+    std::vector<Candidate> & bucket = m_Buckets[place];
+    bucket.push_back(candidate);
+    m_Cheapest = std::min(m_Cheapest, place);
+    ++m_Size;
+    if (place == m_Cheapest)
+    {
+      std::push_heap(bucket.begin(), bucket.end());
+    }
   }
   bool
   IsEmpty() const
   {
-    return m_Sorted.empty() && m_Changed.empty();
+    return m_Size == 0;
   }
   Candidate
   Pop()
   {
-    Candidate candidate;
-    if (m_Changed.empty() || (!m_Sorted.empty() && m_Changed.top() < m_Sorted.back()))
+    while (m_Buckets[m_Cheapest].empty())
     {
-      candidate = m_Sorted.back();
-      m_Sorted.pop_back();
+      std::vector<Candidate>().swap(m_Buckets[m_Cheapest]);
+      ++m_Cheapest;
+      std::make_heap(m_Buckets[m_Cheapest].begin(), m_Buckets[m_Cheapest].end());
     }
-    else
-    {
-      candidate = m_Changed.top();
-      m_Changed.pop();
-    }
+    std::vector<Candidate> & bucket = m_Buckets[m_Cheapest];
+    std::pop_heap(bucket.begin(), bucket.end());
+    const Candidate candidate = bucket.back();
+    bucket.pop_back();
+    --m_Size;
     return candidate;
   }
 
 private:
-  std::vector<Candidate>         m_Sorted;
-  std::priority_queue<Candidate> m_Changed;
+  static constexpr int BitsOfBucket = 18; // sign, exponent and six of the mantissa
+
+  /** Numbers from 0 on are in the order of their bits. */
+  static std::size_t
+  BucketOf(double cost)
+  {
+    const double  positive = cost + 0.0; // of -0, 0
+    std::uint64_t bits = 0;
+    std::memcpy(&bits, &positive, sizeof(bits));
+    return static_cast<std::size_t>(bits >> (64 - BitsOfBucket));
+  }
+
+  std::vector<std::vector<Candidate>> m_Buckets;
+  std::size_t                         m_Cheapest{ 0 }; ///< those before it are empty
+  std::size_t                         m_Size{ 0 };
 };
 
 class Simplifier
 {
 public:
-  Simplifier(const SurfaceMesh & mesh, const SurfaceSimplificationOptions & options);
+  Simplifier(const SurfaceMesh &                  mesh,
+             const SurfaceConnectivity &          connectivity,
+             const SurfaceSimplificationOptions & options);
   SurfaceMesh
   Run(SurfaceSimplificationReport & report);
 
@@ -109,6 +137,9 @@ private:
   CollapseQueue(SurfaceSimplificationReport & report);
   bool
   TryCollapse(int u, int v);
+  template <typename TVisit>
+  void
+  ForEachFaceAt(int u, int v, const TVisit & visit) const;
   bool
   KeepsShape(int u, int v, const Eigen::Vector3d & place) const;
   void
@@ -124,8 +155,10 @@ private:
   double                       m_CosineLimit{ 1.0 };
 };
 
-Simplifier::Simplifier(const SurfaceMesh & mesh, const SurfaceSimplificationOptions & options)
-  : m_Options(options), m_Table(mesh.F, mesh.NumberOfVertices()), m_Version(mesh.V.rows(), 0)
+Simplifier::Simplifier(const SurfaceMesh &                  mesh,
+                       const SurfaceConnectivity &          connectivity,
+                       const SurfaceSimplificationOptions & options)
+  : m_Options(options), m_Table(mesh.F, connectivity), m_Version(mesh.V.rows(), 0)
 {
   m_Origin = 0.5 * (mesh.V.colwise().minCoeff() + mesh.V.colwise().maxCoeff()).transpose();
   m_Positions.resize(mesh.V.rows());
@@ -265,7 +298,7 @@ Simplifier::FillQueue()
   ParallelForBlocks(edges.size(), [&](std::size_t i) {
     candidates[i] = this->CandidateOf(m_Table.From(edges[i]), m_Table.To(edges[i]));
   });
-  m_Queue.Fill(std::move(candidates));
+  m_Queue.Fill(candidates);
 }
 
 void
@@ -306,32 +339,47 @@ Simplifier::TryCollapse(int u, int v)
   return true;
 }
 
+/** Calls visit(h, w) for the half-edges from both ends of an edge. */
+template <typename TVisit>
+void
+Simplifier::ForEachFaceAt(int u, int v, const TVisit & visit) const
+{
+  for (const int w : { u, v })
+  {
+    m_Table.ForEachOutgoing(w, [&](int h) { visit(h, w); });
+  }
+}
+
 /** Whether no face that stays turns over or gets too small an angle. */
 bool
 Simplifier::KeepsShape(int u, int v, const Eigen::Vector3d & place) const
 {
-  double worstBefore = m_CosineLimit;
   double worstAfter = -1.0;
   bool   turnsOver = false;
-  for (const int w : { u, v })
-  {
+  this->ForEachFaceAt(u, v, [&](int h, int w) {
     const int other = w == u ? v : u;
-    m_Table.ForEachOutgoing(w, [&](int h) {
-      const Eigen::Vector3d & a = m_Positions[w];
-      const Eigen::Vector3d & b = m_Positions[m_Table.To(h)];
-      const Eigen::Vector3d & c = m_Positions[m_Table.Apex(h)];
-      worstBefore = std::max(worstBefore, CosineOfSmallestAngle(a, b, c));
-      if (m_Table.To(h) == other || m_Table.Apex(h) == other)
-      {
-        return; // goes with the edge
-      }
-      worstAfter = std::max(worstAfter, CosineOfSmallestAngle(place, b, c));
-      const Eigen::Vector3d before = DoubleAreaNormal(a, b, c);
-      const Eigen::Vector3d after = DoubleAreaNormal(place, b, c);
-      turnsOver = turnsOver || !(before.dot(after) >= LeastNormalProduct * before.norm() * after.norm());
-    });
+    if (turnsOver || m_Table.To(h) == other || m_Table.Apex(h) == other)
+    {
+      return; // goes with the edge
+    }
+    const Eigen::Vector3d & b = m_Positions[m_Table.To(h)];
+    const Eigen::Vector3d & c = m_Positions[m_Table.Apex(h)];
+    const Eigen::Vector3d   before = DoubleAreaNormal(m_Positions[w], b, c);
+    const Eigen::Vector3d   after = DoubleAreaNormal(place, b, c);
+    turnsOver = !(before.dot(after) >= LeastNormalProduct * before.norm() * after.norm());
+    worstAfter = std::max(worstAfter, CosineOfSmallestAngle(place, b, c));
+  });
+  if (turnsOver || worstAfter <= m_CosineLimit)
+  {
+    return !turnsOver;
   }
-  return !turnsOver && worstAfter <= worstBefore;
+  double worstBefore = m_CosineLimit; // an angle that is small already may stay so
+  this->ForEachFaceAt(u, v, [&](int h, int w) {
+    const double before =
+      CosineOfSmallestAngle(m_Positions[w], m_Positions[m_Table.To(h)], m_Positions[m_Table.Apex(h)]);
+    worstBefore = std::max(worstBefore, before);
+  });
+  return worstAfter <= worstBefore;
 }
 
 void
@@ -354,11 +402,11 @@ SimplifySurface(const SurfaceMesh &                  mesh,
   RequireParameter(options.smallestAngle >= 0.0 && options.smallestAngle <= 30.0, "smallestAngle must be from 0 to 30");
   RequireParameter(options.boundaryWeight >= 0.0 && std::isfinite(options.boundaryWeight),
                    "boundaryWeight must be a finite number from 0 on");
-  RequireManifold(mesh, "the surface");
   SurfaceSimplificationReport done;
   SurfaceMesh                 simplified;
   if (mesh.NumberOfFaces() <= options.targetFaces)
   {
+    RequireManifold(mesh, "the surface");
     simplified = mesh;
     done.facesBefore = done.faces = mesh.NumberOfFaces();
     done.smallestAngle = options.smallestAngle;
@@ -366,7 +414,8 @@ SimplifySurface(const SurfaceMesh &                  mesh,
   }
   else
   {
-    simplified = Simplifier(mesh, options).Run(done);
+    Simplifier simplifier(mesh, RequireManifold(mesh, "the surface"), options);
+    simplified = simplifier.Run(done);
     simplified.facts = mesh.facts;
   }
   if (report)
