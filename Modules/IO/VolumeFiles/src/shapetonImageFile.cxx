@@ -481,8 +481,18 @@ ReadImage(const std::string &  path,
   ContainedProcess process(
     [&](const std::string & request, char * shared) {
       return Contained([&] {
-        VerifyVoxels(stored, format, static_cast<std::uint64_t>(bytes));
-        ReadVoxels(request, format, shared);
+        const auto size = static_cast<std::uint64_t>(bytes);
+        if (stored.areAsInMemory)
+        {
+          InflateVoxels(stored, size, [shared](std::uint64_t place, const char * piece, std::size_t length) {
+            std::copy_n(piece, length, shared + place);
+          });
+        }
+        else
+        {
+          VerifyVoxels(stored, format, size);
+          ReadVoxels(request, format, shared);
+        }
         return std::string();
       });
     },

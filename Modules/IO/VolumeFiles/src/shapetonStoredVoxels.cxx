@@ -147,6 +147,11 @@ LocateNrrdVoxels(const std::string & path)
   {
     Refuse(path, "NRRD encoding \"" + encoding + "\" is not supported; use raw or gzip");
   }
+  const std::string endian = LowerCase(header.ValueOf("endian", ':'));
+  const auto        isLeftOut = [&](const char * key) { return header.ValueOf(key, ':').empty(); };
+  voxels.areAsInMemory = voxels.coding == StoredVoxels::Coding::deflated && (endian.empty() || endian == "little") &&
+                         isLeftOut("byte skip") && isLeftOut("byteskip") && isLeftOut("line skip") &&
+                         isLeftOut("lineskip");
   return voxels;
 }
 
@@ -202,6 +207,7 @@ struct Stream
 {
   std::string   head;
   std::uint64_t bytes{ 0 };
+  TakeBytes     take; ///< if any, gets all of them
 };
 
 /** Inflates a zlib or gzip stream, of one member or several, and checks its checksums. */
@@ -269,6 +275,10 @@ private:
     {
       stream.head.append(buffer, std::min(produced, NiftiHeaderBytes - stream.head.size()));
     }
+    if (stream.take)
+    {
+      stream.take(stream.bytes, buffer, produced);
+    }
     stream.bytes += produced;
     m_HasEnded = status == Z_STREAM_END;
   }
@@ -278,12 +288,12 @@ private:
 };
 
 Stream
-ReadDeflated(const StoredVoxels & voxels)
+ReadDeflated(const StoredVoxels & voxels, const TakeBytes & take = {})
 {
   std::ifstream file(voxels.file, std::ios::binary);
   file.seekg(static_cast<std::streamoff>(voxels.offset));
   Inflater          inflater;
-  Stream            stream;
+  Stream            stream{ {}, 0, take };
   std::vector<char> buffer(1u << 18);
   bool              goesOn = true;
   while (goesOn && file)
@@ -418,6 +428,21 @@ VerifyVoxels(const StoredVoxels & voxels, ImageFormat format, std::uint64_t byte
   if (stream.bytes < needed)
   {
     throw std::runtime_error(Missing(stream.bytes, needed));
+  }
+}
+
+void
+InflateVoxels(const StoredVoxels & voxels, std::uint64_t bytes, const TakeBytes & take)
+{
+  const Stream stream = ReadDeflated(voxels, [&](std::uint64_t place, const char * piece, std::size_t size) {
+    if (place < bytes)
+    {
+      take(place, piece, static_cast<std::size_t>(std::min<std::uint64_t>(size, bytes - place)));
+    }
+  });
+  if (stream.bytes < bytes)
+  {
+    throw std::runtime_error(Missing(stream.bytes, bytes));
   }
 }
 } // namespace shapeton

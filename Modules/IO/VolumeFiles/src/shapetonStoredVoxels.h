@@ -2,6 +2,7 @@
 #define shapetonStoredVoxels_h
 
 #include <cstdint>
+#include <functional>
 #include <string>
 
 namespace shapeton
@@ -36,6 +37,8 @@ struct StoredVoxels
   std::string   file;
   std::uint64_t offset{ 0 };
   Coding        coding{ Coding::raw };
+  /** Inflated, they are what lies in memory: neither turned around nor behind other bytes. */
+  bool areAsInMemory{ false };
 };
 
 /** Finds the voxels by the text header of NRRD and MetaImage, or by the name of a NIfTI file. Throws InputError. */
@@ -52,6 +55,14 @@ CanHold(const StoredVoxels & voxels, double bytes, double values);
  * stream. Runs in a contained process; throws std::runtime_error. */
 void
 VerifyVoxels(const StoredVoxels & voxels, ImageFormat format, std::uint64_t bytes);
+
+/** Gets a piece of the stored bytes, and its place among them. */
+using TakeBytes = std::function<void(std::uint64_t place, const char * piece, std::size_t size)>;
+
+/** Hands over the first `bytes` bytes of voxels that are as in memory, in their order, and verifies them: inflated once
+ * they need no other reader. Throws std::runtime_error. */
+void
+InflateVoxels(const StoredVoxels & voxels, std::uint64_t bytes, const TakeBytes & take);
 } // namespace shapeton
 
 #endif

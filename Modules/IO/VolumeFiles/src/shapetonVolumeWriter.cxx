@@ -190,25 +190,42 @@ HasSameGeometry(const TImage * a, const TImage * b)
   return true;
 }
 
+/** Whether a file holds these voxels; its reader is one for the format. */
+template <typename TImage>
+bool
+HoldsVoxels(const TImage * image, const std::string & path, itk::ImageFileReader<TImage> * reader)
+{
+  const ImageFormat  format = ImageFormatOf(path);
+  const StoredVoxels stored = LocateVoxels(path, format);
+  const char * const voxels = reinterpret_cast<const char *>(image->GetBufferPointer());
+  const std::size_t  bytes = image->GetLargestPossibleRegion().GetNumberOfPixels() * sizeof(typename TImage::PixelType);
+  if (stored.areAsInMemory)
+  {
+    bool isEqual = true;
+    InflateVoxels(stored, bytes, [&](std::uint64_t place, const char * piece, std::size_t size) {
+      isEqual = isEqual && std::memcmp(voxels + place, piece, size) == 0;
+    });
+    return isEqual;
+  }
+  // ITK reads the missing end of a compressed file as zeros, which labels may end with.
+  VerifyVoxels(stored, format, bytes);
+  reader->Update();
+  return std::memcmp(voxels, reader->GetOutput()->GetBufferPointer(), bytes) == 0;
+}
+
 template <typename TImage>
 void
 Verify(const TImage * image, const std::string & path)
 {
-  // ITK reads the missing end of a compressed file as zeros, which labels may end with.
-  const ImageFormat format = ImageFormatOf(path);
-  const std::size_t count = image->GetLargestPossibleRegion().GetNumberOfPixels();
-  VerifyVoxels(LocateVoxels(path, format), format, count * sizeof(typename TImage::PixelType));
-
   const auto reader = itk::ImageFileReader<TImage>::New();
   reader->SetFileName(path);
   reader->SetImageIO(MakeImageIO(path));
-  reader->Update();
-  const TImage * const copy = reader->GetOutput();
-  if (!HasSameGeometry(image, copy))
+  reader->UpdateOutputInformation();
+  if (!HasSameGeometry<TImage>(image, reader->GetOutput()))
   {
     throw OutputError(path + ": the geometry cannot be stored in this format; write .nrrd instead");
   }
-  if (std::memcmp(image->GetBufferPointer(), copy->GetBufferPointer(), count * sizeof(typename TImage::PixelType)) != 0)
+  if (!HoldsVoxels<TImage>(image, path, reader))
   {
     throw OutputError(path + ": the file does not hold what was written; is the disk full?");
   }
