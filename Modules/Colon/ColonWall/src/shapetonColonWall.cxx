@@ -58,18 +58,19 @@ public:
   ColonWall
   Build()
   {
-    this->Repair();
-    std::optional<ArcLengthField> arcLengths;
+    this->Bridge();
     Remarks                       remarksOnRaw;
-    // The repaired surface takes longest; the raw one and the field of arc lengths need nothing of it.
+    std::optional<ArcLengthField> arcLengths;
+    // The repaired surface takes longest; the raw one needs nothing of it, nor does the field of arc lengths.
+    ParallelInvoke([this] { this->Repair(); }, [&, this] { remarksOnRaw = this->MakeRaw(); });
     ParallelInvoke([this] { this->MakeRepaired(); },
                    [&, this] {
-                     remarksOnRaw = this->MakeRaw();
                      arcLengths.emplace(m_Mask, m_Centreline);
+                     this->AddArrays(m_Wall.raw, *arcLengths);
                    });
     AppendRemarks(m_Wall.report.warnings, remarksOnRaw);
     AppendRemarks(m_Wall.report.warnings, m_RemarksOnRepaired);
-    for (SurfaceMesh * mesh : { &m_Wall.raw, &m_Wall.repaired, &m_Wall.simplified })
+    for (SurfaceMesh * mesh : { &m_Wall.repaired, &m_Wall.simplified })
     {
       this->AddArrays(*mesh, *arcLengths);
     }
@@ -93,13 +94,18 @@ private:
   }
 
   void
-  Repair()
+  Bridge()
   {
     m_Bridges = AddBridges(m_Occupancy, m_Centreline, m_Options.bridgeRadius);
     m_Wall.report.warnings = m_Bridges.warnings;
     m_RepairedField =
       m_RepairedOccupancy == m_Occupancy ? m_Bridges.occupancy : DrawBridges(m_RepairedOccupancy, m_Bridges);
     this->Advance(Step::Bridged);
+  }
+
+  void
+  Repair()
+  {
     LumenTopology topology = RepairLumenTopology(m_Bridges.occupancy, m_Centreline);
     m_Wall.report.topology = topology.report;
     m_Mask = topology.mask;

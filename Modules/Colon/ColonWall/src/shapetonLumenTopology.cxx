@@ -6,6 +6,7 @@
 #include "shapetonExceptions.h"
 
 #include <cmath>
+#include <numeric>
 
 namespace shapeton
 {
@@ -95,15 +96,16 @@ RanksOfLumen(const LumenMaskImage * lumen, const OccupancyImage * occupancy)
   ranks->CopyInformation(lumen);
   ranks->SetRegions(lumen->GetBufferedRegion());
   ranks->Allocate();
-  const auto   spacing = lumen->GetSpacing();
-  const double finest = std::min({ spacing[0], spacing[1], spacing[2] });
-  for (std::size_t i = 0; i < lumen->GetBufferedRegion().GetNumberOfPixels(); ++i)
-  {
-    const double depth =
-      distances->GetBufferPointer()[i] + finest * (occupancy->GetBufferPointer()[i] - static_cast<double>(WallLevel));
-    ranks->GetBufferPointer()[i] =
+  const auto            spacing = lumen->GetSpacing();
+  const double          finest = std::min({ spacing[0], spacing[1], spacing[2] });
+  const float * const   distanceOf = distances->GetBufferPointer();
+  const float * const   occupancyOf = occupancy->GetBufferPointer();
+  std::uint16_t * const rankOf = ranks->GetBufferPointer();
+  ParallelForBlocks(lumen->GetBufferedRegion().GetNumberOfPixels(), [&](std::size_t i) {
+    const double depth = distanceOf[i] + finest * (occupancyOf[i] - static_cast<double>(WallLevel));
+    rankOf[i] =
       static_cast<std::uint16_t>(std::clamp(RanksPerMillimetre * (depth + finest), 0.0, GreatestDistanceRank));
-  }
+  });
   return ranks;
 }
 
@@ -130,14 +132,17 @@ RaiseCentreline(GrowthRankImage * ranks, const CurveSet & centreline)
 void
 PlantSeed(LumenMaskImage * grown, const LumenMaskImage * limit, const GrowthRankImage * ranks)
 {
-  std::size_t best = 0;
-  int         bestRank = -1;
-  for (std::size_t i = 0; i < limit->GetBufferedRegion().GetNumberOfPixels(); ++i)
+  const unsigned char * const isIn = limit->GetBufferPointer();
+  const std::uint16_t * const rankOf = ranks->GetBufferPointer();
+  const std::size_t           size = limit->GetBufferedRegion().GetNumberOfPixels();
+  std::size_t                 best = 0;
+  int                         bestRank = -1;
+  for (std::size_t i = 0; i < size; ++i)
   {
-    if (limit->GetBufferPointer()[i] != 0 && ranks->GetBufferPointer()[i] > bestRank)
+    if (isIn[i] != 0 && rankOf[i] > bestRank)
     {
       best = i;
-      bestRank = ranks->GetBufferPointer()[i];
+      bestRank = rankOf[i];
     }
   }
   grown->GetBufferPointer()[best] = 1;
@@ -152,21 +157,18 @@ RepairLumenTopology(const OccupancyImage * occupancy, const CurveSet & centrelin
   LumenTopology result;
   const auto    limit = NewMaskLike(occupancy);
   const auto    size = occupancy->GetBufferedRegion().GetNumberOfPixels();
-  for (std::size_t i = 0; i < size; ++i)
-  {
-    limit->GetBufferPointer()[i] = occupancy->GetBufferPointer()[i] >= WallLevel ? 1 : 0;
-  }
+  ParallelForBlocks(size, [isIn = limit->GetBufferPointer(), share = occupancy->GetBufferPointer()](std::size_t i) {
+    isIn[i] = share[i] >= WallLevel ? 1 : 0;
+  });
   KeepSolidPiece(limit, voxelVolume, result.report);
   const auto ranks = RanksOfLumen(limit, occupancy);
   RaiseCentreline(ranks, centreline);
   result.mask = NewMaskLike(occupancy);
   PlantSeed(result.mask, limit, ranks);
   GrowByTopologyPreservingPoints(result.mask, limit, ranks);
-  std::int64_t cut = 0;
-  for (std::size_t i = 0; i < size; ++i)
-  {
-    cut += limit->GetBufferPointer()[i] - result.mask->GetBufferPointer()[i];
-  }
+  const auto cut =
+    std::accumulate(limit->GetBufferPointer(), limit->GetBufferPointer() + size, std::int64_t{ 0 }) -
+    std::accumulate(result.mask->GetBufferPointer(), result.mask->GetBufferPointer() + size, std::int64_t{ 0 });
   result.report.cutVolume = static_cast<double>(cut) * voxelVolume;
   result.report.handlesAfter = TopologyOfMask(result.mask).handles;
   return result;

@@ -1,6 +1,8 @@
 #include "shapetonPaddedVoxels.h"
 
+#include <algorithm>
 #include <array>
+#include <numeric>
 
 namespace shapeton
 {
@@ -43,19 +45,25 @@ EulerNumber(const PaddedVoxels & voxels)
   {
     table[cube] = EightfoldEulerNumber(cube);
   }
-  const auto &      flags = voxels.flags;
-  const std::size_t row = voxels.grid.stride[1];
-  const std::size_t slice = voxels.grid.stride[2];
-  std::int64_t      eightfold = 0;
-  for (std::size_t i = 0; i + slice + row + 1 < flags.size(); ++i)
-  {
+  const auto &              flags = voxels.flags;
+  const std::size_t         row = voxels.grid.stride[1];
+  const std::size_t         slice = voxels.grid.stride[2];
+  std::vector<std::int64_t> ofSlice(voxels.grid.size[2], 0);
+  ParallelFor(ofSlice.size(), [&](std::size_t z) {
     const auto column = [&](std::size_t k) {
       return static_cast<unsigned int>(flags[k] | flags[k + row] << 2 | flags[k + slice] << 4 |
                                        flags[k + slice + row] << 6);
     };
-    eightfold += table[column(i) | column(i + 1) << 1];
-  }
-  return eightfold / 8;
+    const std::size_t end = std::min((z + 1) * slice, flags.size() - std::min(flags.size(), slice + row + 1));
+    unsigned int      left = z * slice < end ? column(z * slice) : 0;
+    for (std::size_t i = z * slice; i < end; ++i)
+    {
+      const unsigned int right = column(i + 1);
+      ofSlice[z] += table[left | right << 1];
+      left = right;
+    }
+  });
+  return std::accumulate(ofSlice.begin(), ofSlice.end(), std::int64_t{ 0 }) / 8;
 }
 } // namespace
 

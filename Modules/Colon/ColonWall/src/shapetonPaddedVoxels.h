@@ -21,23 +21,24 @@ struct PaddedVoxels
     , flags(grid.NumberOfVoxels(), 0)
   {}
 
-  /** Calls `body(padded index, index in the image's buffer)` for each voxel of the image, in order. */
+  /** Calls `body(padded index, index in the image's buffer)` for each voxel of the image; each slice by one thread. */
   template <typename TBody>
   void
   ForEachVoxel(const TBody & body) const
   {
-    std::int64_t inner = 0;
-    for (int z = 1; z + 1 < grid.size[2]; ++z)
-    {
-      for (int y = 1; y + 1 < grid.size[1]; ++y)
+    const std::int64_t columns = grid.size[0] - 2;
+    const std::int64_t rows = grid.size[1] - 2;
+    ParallelFor(grid.size[2] - 2, [&](std::size_t z) {
+      for (std::int64_t y = 0; y < rows; ++y)
       {
-        const auto row = static_cast<std::int64_t>(grid.Index(0, y, z));
-        for (int x = 1; x + 1 < grid.size[0]; ++x)
+        const auto padded = static_cast<std::int64_t>(grid.Index(1, static_cast<int>(y) + 1, static_cast<int>(z) + 1));
+        const auto inner = (static_cast<std::int64_t>(z) * rows + y) * columns;
+        for (std::int64_t x = 0; x < columns; ++x)
         {
-          body(row + x, inner++);
+          body(padded + x, inner + x);
         }
       }
-    }
+    });
   }
 
   void

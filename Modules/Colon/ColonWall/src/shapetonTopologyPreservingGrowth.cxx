@@ -127,12 +127,13 @@ public:
   std::int64_t
   Run()
   {
-    m_Voxels.ForEachVoxel([this](std::int64_t voxel, std::int64_t) {
+    for (std::size_t voxel = 0; voxel < m_Flags.size(); ++voxel) // none in the layer around
+    {
       if ((m_Flags[voxel] & Object) != 0)
       {
-        this->PushNeighbours(voxel);
+        this->PushNeighbours(static_cast<std::int64_t>(voxel));
       }
-    });
+    }
     std::int64_t added = 0;
     for (std::uint32_t voxel = 0; m_Queue.Pop(voxel);)
     {

@@ -2,6 +2,7 @@
 #include "shapetonColonWall.h"
 #include "shapetonDisjointSets.h"
 #include "shapetonExceptions.h"
+#include "shapetonParallelFor.h"
 
 #include <vtkCellArray.h>
 #include <vtkFlyingEdges3D.h>
@@ -43,30 +44,39 @@ CopyField(const OccupancyImage * occupancy, const LumenMaskImage * mask, vtkImag
   field->SetDimensions(static_cast<int>(size[0]) + 2, static_cast<int>(size[1]) + 2, static_cast<int>(size[2]) + 2);
   field->SetOrigin(-1.0, -1.0, -1.0);
   field->AllocateScalars(VTK_FLOAT, 1);
-  auto * values = static_cast<float *>(field->GetScalarPointer());
-  std::fill(values, values + field->GetNumberOfPoints(), 0.0F);
-  std::size_t i = 0;
-  for (std::size_t z = 0; z < size[2]; ++z)
-  {
-    for (std::size_t y = 0; y < size[1]; ++y)
+  auto * const                values = static_cast<float *>(field->GetScalarPointer());
+  const float * const         from = occupancy->GetBufferPointer();
+  const unsigned char * const isIn = mask == nullptr ? nullptr : mask->GetBufferPointer();
+  const std::size_t           slice = (size[0] + 2) * (size[1] + 2);
+  ParallelFor(size[2] + 2, [&](std::size_t z) {
+    std::fill_n(values + z * slice, slice, 0.0F);
+    for (std::size_t y = 0; y < size[1] && z > 0 && z <= size[2]; ++y)
     {
-      float * row = values + ((z + 1) * (size[1] + 2) + y + 1) * (size[0] + 2) + 1;
+      float * const row = values + z * slice + (y + 1) * (size[0] + 2) + 1;
+      std::size_t   i = ((z - 1) * size[1] + y) * size[0];
       for (std::size_t x = 0; x < size[0]; ++x, ++i)
       {
-        const float value = occupancy->GetBufferPointer()[i];
-        row[x] = ClampedValue(value, mask == nullptr ? value >= WallLevel : mask->GetBufferPointer()[i] != 0);
+        row[x] = ClampedValue(from[i], isIn == nullptr ? from[i] >= WallLevel : isIn[i] != 0);
       }
     }
-  }
+  });
 }
 
-/** The contour in LPS mm. One at a time: VTK's choice of threads is that of the whole process. */
-SurfaceMesh
-ContourOf(const OccupancyImage * occupancy, const LumenMaskImage * mask)
+/** One at a time: VTK's choice of threads is that of the whole process. */
+void
+UpdateOnOneThread(vtkFlyingEdges3D * contour)
 {
   static std::mutex                 mutex;
   const std::lock_guard<std::mutex> lock(mutex);
-  vtkNew<vtkImageData>              field;
+  // VTK's other backends have thread counts of their own, and warn on stderr when they change.
+  vtkSMPTools::LocalScope(vtkSMPTools::Config(std::string("Sequential")), [contour] { contour->Update(); });
+}
+
+/** The contour in LPS mm. */
+SurfaceMesh
+ContourOf(const OccupancyImage * occupancy, const LumenMaskImage * mask)
+{
+  vtkNew<vtkImageData> field;
   CopyField(occupancy, mask, field);
   const GridGeometry       grid(occupancy);
   vtkNew<vtkFlyingEdges3D> contour;
@@ -74,8 +84,7 @@ ContourOf(const OccupancyImage * occupancy, const LumenMaskImage * mask)
   contour->SetValue(0, WallLevel);
   contour->ComputeNormalsOff();
   contour->ComputeScalarsOff();
-  // VTK's other backends have thread counts of their own, and warn on stderr when they change.
-  vtkSMPTools::LocalScope(vtkSMPTools::Config(std::string("Sequential")), [&contour] { contour->Update(); });
+  UpdateOnOneThread(contour);
 
   vtkPolyData * surface = contour->GetOutput();
   SurfaceMesh   mesh;
