@@ -60,10 +60,12 @@ void
 Segment(CommandLine & commandLine)
 {
   CheckUsage(commandLine);
-  const shapeton::ColonModelFiles  files(commandLine, commandLine.GetString("outputFolder"));
+  shapeton::ColonModelFiles        files(commandLine, commandLine.GetString("outputFolder"));
   const shapeton::ColonModelReport report(commandLine, commandLine.GetString("report"));
   const shapeton::Volume           volume = shapeton::ReadVolume(commandLine, "inputVolume");
-  shapeton::ColonModel             model = ModelOf(commandLine, volume, OptionsOf(commandLine, volume.patientPosition));
+  shapeton::ColonModelOptions      options = OptionsOf(commandLine, volume.patientPosition);
+  options.besideWall = [&files](const shapeton::ColonModel & model) { files.WriteVolumes(model); };
+  shapeton::ColonModel model = ModelOf(commandLine, volume, options);
   commandLine.Warn(model.warnings);
   const bool isPartial = !model.failure.empty();
   if (!isPartial || commandLine.GetFlag("keepPartial"))

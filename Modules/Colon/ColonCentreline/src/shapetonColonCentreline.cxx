@@ -67,6 +67,19 @@ WidestNodes(const LumenNetwork & network, double minimumVolume)
   return nodes;
 }
 
+/** Paths take memory for each node of the whole lumen: only the largest piece keeps them, which most often holds the
+ * rectum. */
+void
+KeepPathsOfLargest(std::vector<PieceLine> & lines)
+{
+  const auto isSmaller = [](const PieceLine & a, const PieceLine & b) { return a.volume < b.volume; };
+  const auto largest = std::max_element(lines.begin(), lines.end(), isSmaller);
+  for (auto line = lines.begin(); line != lines.end(); ++line)
+  {
+    line->paths = line == largest ? line->paths : nullptr;
+  }
+}
+
 /** The lines of all pieces; the one of the rectum's given start comes first. */
 std::vector<PieceLine>
 TracePieces(const LumenNetwork & network, const ColonCentrelineOptions & options)
@@ -86,6 +99,7 @@ TracePieces(const LumenNetwork & network, const ColonCentrelineOptions & options
     if (groups[network.cells.cellOf[widest[i]]] != begun)
     {
       lines.push_back(TracePiece(network, widest[i], options.exponent));
+      KeepPathsOfLargest(lines);
     }
     options.progress(0.2 + 0.6 * (i + 1) / widest.size());
   }

@@ -133,10 +133,11 @@ TraceBetween(const LumenNetwork & network, int first, bool isFixed, int exponent
   const LumenGrid & grid = network.grid;
   PieceLine         line;
   line.component = grid.Component(first);
-  const PathTree forth = Grow(network, first, exponent);
-  const int      last = FarthestNode(grid, forth, network.coreRadius);
-  const PathTree back = Grow(network, last, exponent);
-  const int      begin = isFixed ? first : FarthestNode(grid, back, network.coreRadius);
+  const PathTree   forth = Grow(network, first, exponent);
+  const int        last = FarthestNode(grid, forth, network.coreRadius);
+  const auto       paths = std::make_shared<const PathTree>(Grow(network, last, exponent));
+  const PathTree & back = *paths;
+  const int        begin = isFixed ? first : FarthestNode(grid, back, network.coreRadius);
   line.core = back.PathTo(begin);
   line.tips[1] = isFixed ? std::vector<PieceEnd>{ { static_cast<int>(line.core.size()) - 1, {}, 0.0 } }
                          : Prolong(grid, back, line.core);
@@ -145,6 +146,7 @@ TraceBetween(const LumenNetwork & network, int first, bool isFixed, int exponent
   line.tips[1] = Prolong(grid, forth, line.core);
   line.ends[1] = line.tips[1].front();
   line.volume = grid.NodeVolume() * static_cast<double>(back.order.size());
+  line.paths = paths;
   return line;
 }
 
@@ -240,13 +242,17 @@ TracePiece(const LumenNetwork & network, int node, int exponent)
 PieceLine
 BeginAtAnus(const LumenNetwork & network, const PieceLine & line, int exponent)
 {
-  const PathTree paths = Grow(network, line.core.back(), exponent);
-  const int      wide = line.core.front();
-  PieceLine      moved = line;
+  const int        end = line.core.back();
+  const bool       isKnown = line.paths && line.paths->order.front() == end;
+  const auto       known = isKnown ? line.paths : std::make_shared<const PathTree>(Grow(network, end, exponent));
+  const PathTree & paths = *known;
+  const int        wide = line.core.front();
+  PieceLine        moved = line;
   moved.core = paths.PathTo(FindTip(network.grid, paths, paths.PathTo(wide)));
   std::reverse(moved.core.begin(), moved.core.end());
   moved.ends[0] = {};
   moved.tips = {};
+  moved.paths = nullptr;
   // The prolongation leaves the core at the same distance from its other end.
   moved.ends[1].branch += static_cast<int>(moved.core.size()) - static_cast<int>(line.core.size());
   return moved;

@@ -3,6 +3,8 @@
 
 #include "shapetonMinimalPath.h"
 
+#include <memory>
+
 namespace shapeton
 {
 /** How the path of a piece goes on from its core into a tapering end. */
@@ -26,6 +28,8 @@ struct PieceLine
   std::array<std::vector<PieceEnd>, 2> tips;
   /** mm^3 of the piece. */
   double volume{ 0.0 };
+  /** The paths from one end of the core, which the line was found by; may be null. */
+  std::shared_ptr<const PathTree> paths;
 
   /** All nodes, from end 0 to end 1, the ends prolonged where asked for. */
   std::vector<int>

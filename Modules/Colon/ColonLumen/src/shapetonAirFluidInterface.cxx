@@ -82,8 +82,8 @@ LocalFluid::Spread()
   {
     for (int pass = 0; pass < 5; ++pass)
     {
-      for (int z = 0; z < m_Size[2]; ++z)
-      {
+      ParallelFor(m_Size[2], [&](std::size_t slice) {
+        const int z = static_cast<int>(slice);
         for (int y = 0; y < m_Size[1]; ++y)
         {
           SmoothCells(&(*values)[this->Cell(0, y, z)], 1, m_Size[0]);
@@ -92,14 +92,13 @@ LocalFluid::Spread()
         {
           SmoothCells(&(*values)[this->Cell(x, 0, z)], m_Size[0], m_Size[1]);
         }
-      }
-      for (int y = 0; y < m_Size[1]; ++y)
-      {
+      });
+      ParallelFor(m_Size[1], [&](std::size_t y) {
         for (int x = 0; x < m_Size[0]; ++x)
         {
-          SmoothCells(&(*values)[this->Cell(x, y, 0)], this->Cell(0, 0, 1), m_Size[2]);
+          SmoothCells(&(*values)[this->Cell(x, static_cast<int>(y), 0)], this->Cell(0, 0, 1), m_Size[2]);
         }
-      }
+      });
     }
   }
 }

@@ -28,8 +28,7 @@ NormalDistribution(double x)
 struct Share
 {
   float lumen{ 0.0F };
-  float fluid{ 0.0F };  ///< of the lumen's part
-  float weight{ 1.0F }; ///< how far the voxel's value tells
+  float fluid{ 0.0F }; ///< of the lumen's part
 };
 
 class Cleansing
@@ -197,12 +196,23 @@ private:
     }
     share.fluid = static_cast<float>(this->FluidShare(p));
     const double contrast = this->Contrast(share.fluid, p);
-    const double full = m_Lumen.thresholds.tissue - m_Lumen.thresholds.gas;
     const double safe = contrast < 0.0 ? std::min(contrast, -1.0) : std::max(contrast, 1.0);
     share.lumen = static_cast<float>(std::clamp((m_Hu[p] - m_Lumen.thresholds.tissue) / safe, -0.2, 1.2));
-    share.weight = static_cast<float>(
-      share.fluid > 0.0F && share.fluid < 1.0F ? std::min(1.0, contrast * contrast / (full * full)) : 1.0);
     return share;
+  }
+
+  /** How far the voxel's value tells. Few voxels hold both gas and fluid, so it is not kept. */
+  float
+  Weight(std::size_t p) const
+  {
+    const Share & share = m_Shares[p];
+    if (!(share.fluid > 0.0F && share.fluid < 1.0F))
+    {
+      return 1.0F;
+    }
+    const double contrast = this->Contrast(share.fluid, p);
+    const double full = m_Lumen.thresholds.tissue - m_Lumen.thresholds.gas;
+    return static_cast<float>(std::min(1.0, contrast * contrast / (full * full)));
   }
 
   /** Where gas and fluid together look like tissue, the line through the shares above and below. */
@@ -210,7 +220,7 @@ private:
   Continued(std::size_t p) const
   {
     const Share & own = m_Shares[p];
-    const double  trust = std::clamp((own.weight - 0.1) / 0.3, 0.0, 1.0);
+    const double  trust = std::clamp((this->Weight(p) - 0.1) / 0.3, 0.0, 1.0);
     if (trust >= 1.0)
     {
       return own.lumen;
@@ -223,9 +233,10 @@ private:
       const auto o = m_Fall.Offset(t);
       if (m_Grid.Holds(v[0] + o[0], v[1] + o[1], v[2] + o[2]))
       {
-        const Share & other = m_Shares[m_Grid.Index(v[0] + o[0], v[1] + o[1], v[2] + o[2])];
+        const auto    q = m_Grid.Index(v[0] + o[0], v[1] + o[1], v[2] + o[2]);
+        const Share & other = m_Shares[q];
         const double  x = t * m_Fall.step;
-        const double  w = other.weight * std::exp(-0.5 * x * x / (ContinuedOver * ContinuedOver));
+        const double  w = this->Weight(q) * std::exp(-0.5 * x * x / (ContinuedOver * ContinuedOver));
         s0 += w;
         s1 += w * x;
         s2 += w * x * x;

@@ -10,11 +10,14 @@
 #include "shapetonColonWall.h"
 #include "shapetonTerminalIleum.h"
 
+#include <functional>
 #include <string>
 #include <vector>
 
 namespace shapeton
 {
+struct ColonModel;
+
 /** What the chain from CT colonography to the wall is to use. See BuildColonModel(). \ingroup ColonModel */
 struct ColonModelOptions
 {
@@ -29,6 +32,9 @@ struct ColonModelOptions
   bool keepPartial{ false };
   /** Told the stage and the share of all that is done, from 0 to 1; from the calling thread. */
   Progress progress;
+  /** Called on another thread while the wall is made, with all of the model but the wall; where there is one thread
+   * alone, after it. For what takes long and needs no wall, such as writing the volumes. */
+  std::function<void(const ColonModel &)> besideWall;
 };
 
 /** \class ColonModel

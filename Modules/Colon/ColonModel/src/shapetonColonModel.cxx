@@ -4,6 +4,8 @@
 #include "shapetonElectronicCleansing.h"
 #include "shapetonMaskedColonLumen.h"
 #include "shapetonExceptions.h"
+#include "shapetonParallelInvoke.h"
+#include "shapetonStartBeside.h"
 
 #include "itkRegionOfInterestImageFilter.h"
 
@@ -16,7 +18,6 @@ namespace
 {
 /** Shares of the time of the stages, about. */
 constexpr double SegmentationEnd = 0.35;
-constexpr double CleansingEnd = 0.5;
 constexpr double CentrelineEnd = 0.65;
 
 ColonLumenOptions
@@ -34,7 +35,7 @@ TraceLine(ColonModel & model, const ColonModelOptions & options)
 {
   ColonCentrelineOptions line;
   line.seedPoints = options.seedPoints;
-  line.progress = options.progress.Part("Tracing the centreline", CleansingEnd, CentrelineEnd);
+  line.progress = options.progress.Part("Tracing the centreline", SegmentationEnd, CentrelineEnd);
   model.centreline = TraceColonCentreline(model.lumen.labels, line);
   MarkHindrances(model.lumen, model.centreline.curve);
   model.distension = MeasureDistension(model.centreline.curve);
@@ -48,11 +49,10 @@ FindValve(ColonModel & model)
   SetIleocaecalValve(model.valve.valve, model.centreline.curve);
 }
 
-/** The line and the valve on it; where ileum hangs on the valve, it is cut off, and both are sought again. */
+/** The valve on the line; where ileum hangs on it, it is cut off, and both are sought again. */
 void
-TraceLineAndValve(ColonModel & model, const ColonModelOptions & options)
+AddValve(ColonModel & model, const ColonModelOptions & options)
 {
-  TraceLine(model, options);
   FindValve(model);
   if (model.valve.valve)
   {
@@ -77,9 +77,20 @@ WallOptionsOf(const ColonModelOptions & options)
   return wall;
 }
 
+template <typename TMake>
 void
-TakeWall(ColonModel & model, ColonWall && wall)
+AddWall(ColonModel & model, const ColonModelOptions & options, const TMake & make)
 {
+  std::future<void> beside;
+  if (options.besideWall)
+  {
+    beside = StartBeside([&] { options.besideWall(model); });
+  }
+  ColonWall wall = make(WallOptionsOf(options));
+  if (beside.valid())
+  {
+    beside.get();
+  }
   model.wall = std::move(wall);
   AppendRemarks(model.warnings, model.wall.report.warnings);
 }
@@ -88,15 +99,20 @@ TakeWall(ColonModel & model, ColonWall && wall)
 void
 Complete(ColonModel & model, const itk::Image<float, 3> * ct, const ColonModelOptions & options)
 {
-  options.progress("Cleansing", SegmentationEnd);
-  CleansedColon cleansed = CleanseColon(ct, model.lumen);
-  model.cleansed = cleansed.ct;
-  TraceLineAndValve(model, options);
+  CleansedColon cleansed;
+  ParallelInvoke([&] { TraceLine(model, options); }, // needs no CT
+                 [&] {
+                   cleansed = CleanseColon(ct, model.lumen);
+                   model.cleansed = cleansed.ct;
+                 });
+  AddValve(model, options);
   if (model.terminalIleum)
   {
     TakeOut(*model.terminalIleum, cleansed.occupancy.GetPointer());
   }
-  TakeWall(model, BuildColonWall(cleansed.occupancy, model.centreline.curve, WallOptionsOf(options)));
+  AddWall(model, options, [&](const ColonWallOptions & wall) {
+    return BuildColonWall(cleansed.occupancy, model.centreline.curve, wall);
+  });
 }
 
 ColonModel
@@ -162,8 +178,11 @@ BuildColonModelOfLumen(const LumenMask * lumen, const ColonModelOptions & option
   ColonModel model;
   model.hasIntensities = false;
   model.lumen = ColonLumenOfMask(lumen);
-  TraceLineAndValve(model, options);
-  TakeWall(model, BuildColonWallFromMask(Cropped(model.lumen.labels), model.centreline.curve, WallOptionsOf(options)));
+  TraceLine(model, options);
+  AddValve(model, options);
+  AddWall(model, options, [&](const ColonWallOptions & wall) {
+    return BuildColonWallFromMask(Cropped(model.lumen.labels), model.centreline.curve, wall);
+  });
   return model;
 }
 

@@ -27,9 +27,15 @@ public:
   /** Makes the folder. Throws OutputError where nothing can be written. */
   ColonModelFiles(CommandLine & commandLine, const std::string & folder);
 
-  /** Writes what the model has. With `atOnce` the files get their names now, even if the run fails later. */
+  /** Writes the volumes, which need nothing of the wall: see ColonModelOptions::besideWall. No other output may be
+   * asked for meanwhile. */
   void
-  Write(const ColonModel & model, bool atOnce = false) const;
+  WriteVolumes(const ColonModel & model);
+
+  /** Writes what the model has, and is not written yet. With `atOnce` the files get their names now, even if the run
+   * fails later. */
+  void
+  Write(const ColonModel & model, bool atOnce = false);
 
 private:
   struct File
@@ -37,13 +43,18 @@ private:
     std::string                                   name;
     std::function<void(const std::string & path)> write;
   };
-  /** Those that take long come first, as several are written at a time. */
+  std::vector<File>
+  VolumesOf(const ColonModel & model) const;
+  /** All but the volumes. Those that take long come first, as several are written at a time. */
   std::vector<File>
   FilesOf(const ColonModel & model) const;
+  void
+  WriteFiles(const std::vector<File> & files);
 
-  CommandLine & m_CommandLine;
-  std::string   m_Folder;
-  SceneFiles    m_Scene;
+  CommandLine &            m_CommandLine;
+  std::string              m_Folder;
+  SceneFiles               m_Scene;
+  std::vector<std::string> m_Written;
 };
 } // namespace shapeton
 

@@ -76,7 +76,7 @@ ColonModelFiles::ColonModelFiles(CommandLine & commandLine, const std::string & 
 }
 
 std::vector<ColonModelFiles::File>
-ColonModelFiles::FilesOf(const ColonModel & model) const
+ColonModelFiles::VolumesOf(const ColonModel & model) const
 {
   const auto        metadata = ProvenanceMetadata(m_CommandLine.GetProvenance());
   std::vector<File> files;
@@ -86,6 +86,22 @@ ColonModelFiles::FilesOf(const ColonModel & model) const
                        WriteVolume(RoundedToHU(model.cleansed).GetPointer(), path, metadata);
                      } });
   }
+  files.push_back({ "lumen.nrrd", [&model, metadata](const std::string & path) {
+                     WriteVolume(LabelsOf(model).GetPointer(), path, metadata);
+                   } });
+  return files;
+}
+
+std::vector<ColonModelFiles::File>
+ColonModelFiles::FilesOf(const ColonModel & model) const
+{
+  std::vector<File> files;
+  files.push_back({ "quality.json", [this, &model](const std::string & path) {
+                     Json document;
+                     document["provenance"] = ProvenanceToJson(m_CommandLine.GetProvenance());
+                     document.update(ColonQualityToJson(model));
+                     WriteJson(document, path);
+                   } });
   const std::pair<const char *, const SurfaceMesh *> surfaces[] = { { "wall.vtp", &model.wall.raw },
                                                                     { "wall-repaired.vtp", &model.wall.repaired },
                                                                     { "wall-simplified.vtp", &model.wall.simplified } };
@@ -98,9 +114,6 @@ ColonModelFiles::FilesOf(const ColonModel & model) const
                        } });
     }
   }
-  files.push_back({ "lumen.nrrd", [&model, metadata](const std::string & path) {
-                     WriteVolume(LabelsOf(model).GetPointer(), path, metadata);
-                   } });
   if (!model.centreline.curve.curves.empty())
   {
     files.push_back({ "centreline.vtp", [this, &model](const std::string & path) {
@@ -113,29 +126,41 @@ ColonModelFiles::FilesOf(const ColonModel & model) const
                        WriteCurves(WithProvenance(CurveOfCatheter(*model.lumen.catheter), m_CommandLine), path);
                      } });
   }
-  Json document;
-  document["provenance"] = ProvenanceToJson(m_CommandLine.GetProvenance());
-  document.update(ColonQualityToJson(model));
-  files.push_back({ "quality.json", [document](const std::string & path) { WriteJson(document, path); } });
   return files;
 }
 
 void
-ColonModelFiles::Write(const ColonModel & model, bool atOnce) const
+ColonModelFiles::WriteFiles(const std::vector<File> & files)
 {
-  const std::vector<File>  files = this->FilesOf(model);
   std::vector<std::string> outputs;
   for (const File & file : files)
   {
     outputs.push_back(m_CommandLine.Output(m_Folder + '/' + file.name));
+    m_Written.push_back(file.name);
   }
   ParallelFor(files.size(), [&](std::size_t i) {
     files[i].write(outputs[i]);
     m_Scene.Copy(files[i].name, outputs[i]);
   });
-  for (std::size_t i = 0; atOnce && i < files.size(); ++i)
+}
+
+void
+ColonModelFiles::WriteVolumes(const ColonModel & model)
+{
+  this->WriteFiles(this->VolumesOf(model));
+}
+
+void
+ColonModelFiles::Write(const ColonModel & model, bool atOnce)
+{
+  if (m_Written.empty())
   {
-    m_CommandLine.Publish(m_Folder + '/' + files[i].name);
+    this->WriteVolumes(model);
+  }
+  this->WriteFiles(this->FilesOf(model));
+  for (std::size_t i = 0; atOnce && i < m_Written.size(); ++i)
+  {
+    m_CommandLine.Publish(m_Folder + '/' + m_Written[i]);
   }
 }
 } // namespace shapeton
