@@ -17,7 +17,8 @@ operator new(std::size_t size)
   constexpr std::size_t page = std::size_t{ 1 } << 21;
   constexpr std::size_t large = 4 * page;
   // A fixed threshold: glibc would raise its own to 32 MB, and large memory that is freed would stay with the process.
-  static const bool isKnown = mallopt(M_MMAP_THRESHOLD, large) != 0;
+  // Small memory may stay: given back at each chance, its pages would be taken and cleared again and again.
+  static const bool isKnown = mallopt(M_MMAP_THRESHOLD, large) != 0 && mallopt(M_TRIM_THRESHOLD, 8 * large) != 0;
   const bool        isLarge = isKnown && size >= large;
   void * const      memory = isLarge ? std::aligned_alloc(page, size) : std::malloc(size + !size);
   if (!memory)
