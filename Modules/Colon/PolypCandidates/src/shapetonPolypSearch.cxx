@@ -9,6 +9,7 @@
 #include "shapetonSurfaceReader.h"
 #include "shapetonExceptions.h"
 #include "shapetonImageFile.h"
+#include "shapetonParallelInvoke.h"
 
 #include "itkNrrdImageIO.h"
 
@@ -47,6 +48,17 @@ ReadPart(const std::string & path, const std::string & name, const std::string &
   Surface surface = ReadSurface(path, any);
   colon.facts.emplace_back(name, surface.identity);
   return std::move(surface.mesh);
+}
+
+void
+ReadVolumes(const std::string & segmentation, PolypColon & colon)
+{
+  colon.lumen =
+    ReadImage<PolypLumenImage>(segmentation + "lumen.nrrd", itk::NrrdImageIO::New(), "run VirtualColonoscopy again");
+  if (IsThere(segmentation + "cleansed.nrrd"))
+  {
+    colon.ct = ReadImageFile(segmentation + "cleansed.nrrd").image;
+  }
 }
 
 double
@@ -118,9 +130,8 @@ ReadPolypColon(const std::string & folder)
   PolypColon        colon;
   RequireThere(segmentation + "wall-repaired.vtp");
   RequireThere(segmentation + "lumen.nrrd");
-  colon.wall = ReadPart(segmentation + "wall-repaired.vtp", "wall", "", colon);
-  colon.lumen =
-    ReadImage<PolypLumenImage>(segmentation + "lumen.nrrd", itk::NrrdImageIO::New(), "run VirtualColonoscopy again");
+  ParallelInvoke([&] { colon.wall = ReadPart(segmentation + "wall-repaired.vtp", "wall", "", colon); },
+                 [&] { ReadVolumes(segmentation, colon); });
   if (IsThere(segmentation + "centreline.vtp"))
   {
     colon.centreline = ReadCurves(segmentation + "centreline.vtp");
@@ -129,10 +140,6 @@ ReadPolypColon(const std::string & folder)
   if (IsThere(segmentation + "catheter.vtp"))
   {
     colon.catheter = ReadCurves(segmentation + "catheter.vtp");
-  }
-  if (IsThere(segmentation + "cleansed.nrrd"))
-  {
-    colon.ct = ReadImageFile(segmentation + "cleansed.nrrd").image;
   }
   SurfaceMesh flat = ReadPart(
     folder + "/flattening/flat.vtp", "flat", "candidates have no place on the flat map, and no picture", colon);

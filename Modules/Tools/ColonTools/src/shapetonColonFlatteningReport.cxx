@@ -95,14 +95,21 @@ AddPictures(HtmlReport &              html,
     "count the distance along the centreline. Shapes are kept, sizes are not: the bar above each row "
     "holds for its middle value. Grey hatched stretches are synthetic wall over a collapsed place; long ones "
     "are cut short at a break.");
-  for (const FlatColoring coloring : { FlatColoring::Volume, FlatColoring::Relief, FlatColoring::Curvature })
+  std::vector<PictureFile>  files;
+  std::vector<FlatColoring> colorings{ FlatColoring::Relief, FlatColoring::Curvature };
+  if (hasCt)
   {
-    if (coloring != FlatColoring::Volume || hasCt)
-    {
-      const std::string path = outputPath(folder + "/flat-" + NameOf(coloring) + ".png");
-      WritePng(pictures.Draw(coloring, "", pixelsOfRow), path);
-      html.AddPicture(path, CaptionOf(coloring));
-    }
+    colorings.insert(colorings.begin(), FlatColoring::Volume);
+  }
+  for (const FlatColoring coloring : colorings)
+  {
+    files.push_back({ outputPath(folder + "/flat-" + NameOf(coloring) + ".png"),
+                      [&pictures, coloring] { return pictures.Draw(coloring, "", pixelsOfRow); } });
+  }
+  WritePngs(files);
+  for (std::size_t i = 0; i < files.size(); ++i)
+  {
+    html.AddPicture(files[i].path, CaptionOf(colorings[i]));
   }
 }
 

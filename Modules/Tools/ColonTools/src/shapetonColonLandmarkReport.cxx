@@ -135,25 +135,26 @@ ColonLandmarkReport::Write(const FlatColon & flat, const ColonLandmarks & landma
   HtmlReport report("Landmarks of a colon");
   report.AddParagraph("For research use; not a diagnosis.");
   report.AddWarnings(m_CommandLine.GetWarnings());
-  const auto addPicture = [&](const Picture * picture, const std::string & name, const std::string & caption) {
-    const std::string path = m_CommandLine.Output(m_Folder + '/' + name);
-    WritePng(picture, path);
-    report.AddPicture(path, caption);
+  const auto                     path = [&](const char * name) { return m_CommandLine.Output(m_Folder + '/' + name); };
+  const ColonLandmarkParts       parts{ &flat, &landmarks };
+  const std::vector<PictureFile> pictures{
+    { path("landmarks-anterior.png"), [&] { return DrawColonLandmarks(parts, PatientSide::Anterior); } },
+    { path("landmarks-posterior.png"), [&] { return DrawColonLandmarks(parts, PatientSide::Posterior); } },
+    { path("landmarks-flat.png"), [&] { return DrawFlatLandmarks(parts); } },
+    { path("folds-surface.png"), [&] { return DrawSurfaceFolds(parts, PatientSide::Anterior); } }
   };
-  const ColonLandmarkParts parts{ &flat, &landmarks };
+  WritePngs(pictures);
   report.AddHeading("Segments, taeniae and flexures");
-  addPicture(DrawColonLandmarks(parts, PatientSide::Anterior), "landmarks-anterior.png", "From the front");
-  addPicture(DrawColonLandmarks(parts, PatientSide::Posterior), "landmarks-posterior.png", "From the back");
+  report.AddPicture(pictures[0].path, "From the front");
+  report.AddPicture(pictures[1].path, "From the back");
   report.AddTable(FlexureTable(landmarks), "Flexures");
   report.AddParagraph(ValveInWords(landmarks));
   report.AddHeading("Flat colon");
-  addPicture(DrawFlatLandmarks(parts),
-             "landmarks-flat.png",
-             "Taeniae and flexures on the flat colon; what is hatched is not assessable");
+  report.AddPicture(pictures[2].path, "Taeniae and flexures on the flat colon; what is hatched is not assessable");
   report.AddParagraph(HowTaeniaeWereFound(landmarks.taeniae));
   report.AddTable(TaeniaTable(landmarks.taeniae), "Taeniae");
   report.AddHeading("Folds on the surface");
-  addPicture(DrawSurfaceFolds(parts, PatientSide::Anterior), "folds-surface.png", "Folds found without the flat map");
+  report.AddPicture(pictures[3].path, "Folds found without the flat map");
   if (pieces != nullptr)
   {
     report.AddHeading("Split colon");

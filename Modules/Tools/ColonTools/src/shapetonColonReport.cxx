@@ -10,7 +10,7 @@ namespace shapeton
 {
 namespace
 {
-/** Writes a picture beside the page and into it. */
+/** Writes pictures beside the page and into it. */
 class PicturePages
 {
 public:
@@ -18,12 +18,26 @@ public:
     : m_Html(html), m_Folder(folder), m_OutputPath(outputPath)
   {}
 
-  void
-  Add(const std::string & name, const Picture * picture, const std::string & caption)
+  struct Drawing
   {
-    const std::string path = m_OutputPath(m_Folder + "/" + name);
-    WritePng(picture, path);
-    m_Html.AddPicture(path, caption);
+    std::string                       name;
+    std::function<Picture::Pointer()> draw;
+    std::string                       caption;
+  };
+
+  void
+  Add(const std::vector<Drawing> & drawings)
+  {
+    std::vector<PictureFile> files;
+    for (const Drawing & drawing : drawings)
+    {
+      files.push_back({ m_OutputPath(m_Folder + "/" + drawing.name), drawing.draw });
+    }
+    WritePngs(files);
+    for (std::size_t i = 0; i < files.size(); ++i)
+    {
+      m_Html.AddPicture(files[i].path, drawings[i].caption);
+    }
   }
 
 private:
@@ -42,9 +56,10 @@ void
 AddDistension(HtmlReport & html, PicturePages & pages, const ColonReportContent & content)
 {
   html.AddHeading("Distension");
-  pages.Add("distension.png",
-            DrawDistensionChart(*content.colon.centreline, content.segments),
-            "Calibre (twice the radius of the largest ball inside) along the centreline. The dashed line marks 10 mm.");
+  pages.Add(
+    { { "distension.png",
+        [&] { return DrawDistensionChart(*content.colon.centreline, content.segments); },
+        "Calibre (twice the radius of the largest ball inside) along the centreline. The dashed line marks 10 mm." } });
   if (content.segments.empty())
   {
     return;
@@ -65,29 +80,36 @@ void
 AddSurface(HtmlReport & html, PicturePages & pages, const ColonParts & colon)
 {
   html.AddHeading("Surface");
+  std::vector<PicturePages::Drawing> drawings;
   if (colon.centreline)
   {
-    pages.Add(
-      "inside-anterior.png",
-      DrawColonWall(colon, PatientSide::Anterior, false),
-      "The wall, see-through, from the front, and the centreline coloured by the distance from the anal verge.");
-    pages.Add(
-      "inside-left.png", DrawColonWall(colon, PatientSide::Left, false), "The same from the patient's left side.");
+    drawings.push_back(
+      { "inside-anterior.png",
+        [&] { return DrawColonWall(colon, PatientSide::Anterior, false); },
+        "The wall, see-through, from the front, and the centreline coloured by the distance from the anal verge." });
+    drawings.push_back({ "inside-left.png",
+                         [&] { return DrawColonWall(colon, PatientSide::Left, false); },
+                         "The same from the patient's left side." });
   }
-  pages.Add("wall-anterior.png", DrawColonWall(colon, PatientSide::Anterior, true), "The wall from the front.");
+  drawings.push_back({ "wall-anterior.png",
+                       [&] { return DrawColonWall(colon, PatientSide::Anterior, true); },
+                       "The wall from the front." });
+  pages.Add(drawings);
 }
 
 void
 AddProjections(HtmlReport & html, PicturePages & pages, const ColonParts & colon)
 {
   html.AddHeading("Projections");
+  std::vector<PicturePages::Drawing> drawings;
   for (const SlicePlane plane : { SlicePlane::Coronal, SlicePlane::Sagittal })
   {
-    pages.Add("projection-" + NameOf(plane) + ".png",
-              DrawColonProjection(colon, plane),
-              "Millimetres of gas and fluid behind each other, " + NameOf(plane) + " view" +
-                (colon.centreline ? ", with the centreline." : "."));
+    drawings.push_back({ "projection-" + NameOf(plane) + ".png",
+                         [&colon, plane] { return DrawColonProjection(colon, plane); },
+                         "Millimetres of gas and fluid behind each other, " + NameOf(plane) + " view" +
+                           (colon.centreline ? ", with the centreline." : ".") });
   }
+  pages.Add(drawings);
 }
 
 void
@@ -98,13 +120,15 @@ AddSlices(HtmlReport & html, PicturePages & pages, const ColonParts & colon)
   {
     html.AddParagraph("The input is a mask of the lumen: there is no CT to show beneath the outlines.");
   }
+  std::vector<PicturePages::Drawing> drawings;
   for (const SlicePlane plane : { SlicePlane::Axial, SlicePlane::Coronal, SlicePlane::Sagittal })
   {
-    pages.Add("slices-" + NameOf(plane) + ".png",
-              DrawColonSlices(colon, plane),
-              "Outlines of gas and fluid in " + NameOf(plane) +
-                " slices; one of them is the slice with the largest area of lumen.");
+    drawings.push_back({ "slices-" + NameOf(plane) + ".png",
+                         [&colon, plane] { return DrawColonSlices(colon, plane); },
+                         "Outlines of gas and fluid in " + NameOf(plane) +
+                           " slices; one of them is the slice with the largest area of lumen." });
   }
+  pages.Add(drawings);
 }
 } // namespace
 

@@ -60,17 +60,6 @@ TableForReaders(const std::vector<PolypCandidate> & candidates)
   return table;
 }
 
-void
-AddPicture(HtmlReport &        report,
-           const Picture *     picture,
-           const std::string & path,
-           const std::string & caption,
-           const OutputPath &  outputPath)
-{
-  const std::string written = outputPath(path);
-  WritePng(picture, written);
-  report.AddPicture(written, caption);
-}
 } // namespace
 
 void
@@ -109,15 +98,18 @@ AddPolypCandidateSection(HtmlReport &                        report,
     return;
   }
   const PolypCandidatePictures pictures(colon, candidates);
-  AddPicture(
-    report, pictures.DrawFlatColon(), folder + "/polyp-candidates-flat.png", CaptionOfPolypPicture(0), outputPath);
+  std::vector<PictureFile>     files{ { outputPath(folder + "/polyp-candidates-flat.png"),
+                                        [&] { return pictures.DrawFlatColon(); } } };
   for (const PolypCandidate & one : candidates)
   {
-    AddPicture(report,
-               pictures.DrawCandidate(one),
-               folder + "/polyp-candidate-" + std::to_string(one.number) + ".png",
-               CaptionOfPolypPicture(one.number),
-               outputPath);
+    files.push_back({ outputPath(folder + "/polyp-candidate-" + std::to_string(one.number) + ".png"),
+                      [&pictures, &one] { return pictures.DrawCandidate(one); } });
+  }
+  WritePngs(files);
+  report.AddPicture(files[0].path, CaptionOfPolypPicture(0));
+  for (std::size_t i = 0; i < candidates.size(); ++i)
+  {
+    report.AddPicture(files[i + 1].path, CaptionOfPolypPicture(candidates[i].number));
   }
 }
 

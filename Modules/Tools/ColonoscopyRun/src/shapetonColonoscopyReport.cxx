@@ -36,6 +36,28 @@ public:
     m_Html.AddPicture(path, caption);
   }
 
+  struct Drawing
+  {
+    std::function<Picture::Pointer()> draw;
+    std::string                       caption;
+  };
+
+  /** Those that are drawn beside each other. */
+  void
+  Add(const std::vector<Drawing> & drawings)
+  {
+    std::vector<PictureFile> files;
+    for (const Drawing & drawing : drawings)
+    {
+      files.push_back({ (m_Folder / (std::to_string(files.size()) + ".png")).string(), drawing.draw });
+    }
+    WritePngs(files);
+    for (std::size_t i = 0; i < files.size(); ++i)
+    {
+      m_Html.AddPicture(files[i].path, drawings[i].caption);
+    }
+  }
+
 private:
   HtmlReport &          m_Html;
   std::filesystem::path m_Folder;
@@ -60,15 +82,18 @@ AddViews(HtmlReport & html, PagePictures & pictures, const ColonoscopyResults & 
   const bool        hasLandmarks = results.labelled.F.rows() > 0;
   const std::string what =
     hasLandmarks ? "The wall coloured by segments; taeniae 1 yellow, 2 blue, 3 pink; flexures dark." : "The wall.";
-  pictures.Add(DrawSegments(results, PatientSide::Anterior), what);
-  pictures.Add(DrawSegments(results, PatientSide::Posterior), "The same from the back.");
+  std::vector<PagePictures::Drawing> drawings{ { [&] { return DrawSegments(results, PatientSide::Anterior); }, what },
+                                               { [&] { return DrawSegments(results, PatientSide::Posterior); },
+                                                 "The same from the back." } };
   if (!results.centreline.curves.empty())
   {
-    pictures.Add(DrawInside(results, PatientSide::Anterior),
-                 "The wall, see-through, with the centreline coloured by the distance from the anal verge" +
-                   std::string(results.flexures.curves.empty() ? "." : ", and the flexures."));
-    pictures.Add(DrawInside(results, PatientSide::Left), "The same from the patient's left side.");
+    drawings.push_back({ [&] { return DrawInside(results, PatientSide::Anterior); },
+                         "The wall, see-through, with the centreline coloured by the distance from the anal verge" +
+                           std::string(results.flexures.curves.empty() ? "." : ", and the flexures.") });
+    drawings.push_back(
+      { [&] { return DrawInside(results, PatientSide::Left); }, "The same from the patient's left side." });
   }
+  pictures.Add(drawings);
 }
 
 void
@@ -83,12 +108,15 @@ AddFlat(HtmlReport & html, PagePictures & pictures, const ColonoscopyResults & r
   std::string marks;
   marks += results.taeniae.curves.empty() ? "" : " Taeniae: 1 yellow, 2 blue, 3 pink.";
   marks += results.foldLabels ? " Green outlines: haustral folds." : "";
+  std::vector<PagePictures::Drawing> drawings;
   if (results.ct)
   {
-    pictures.Add(DrawFlat(results, FlatColoring::Volume), "The CT along the normals of the wall." + marks);
+    drawings.push_back(
+      { [&] { return DrawFlat(results, FlatColoring::Volume); }, "The CT along the normals of the wall." + marks });
   }
-  pictures.Add(DrawFlat(results, FlatColoring::Curvature),
-               "Mean curvature: red bulges into the lumen (folds, polyps), blue outwards." + marks);
+  drawings.push_back({ [&] { return DrawFlat(results, FlatColoring::Curvature); },
+                       "Mean curvature: red bulges into the lumen (folds, polyps), blue outwards." + marks });
+  pictures.Add(drawings);
 }
 
 void

@@ -6,6 +6,7 @@
 #include "shapetonSurfaceReader.h"
 #include "shapetonExceptions.h"
 #include "shapetonImageFile.h"
+#include "shapetonStartBeside.h"
 
 #include "shapetonJson.h"
 
@@ -113,11 +114,13 @@ ReadColonoscopyResults(const std::string & folder, const std::vector<StageResult
   const auto json = [](Json & document) {
     return [&document](const std::string & path) { document = ReadJson(path); };
   };
+  std::future<void> ct = StartBeside([&] { // takes longest
+    files.Read(
+      names::segmentation, "cleansed.nrrd", [&](const std::string & path) { results.ct = ReadImageFile(path).image; });
+  });
   files.Read(names::segmentation, "quality.json", json(results.quality));
   files.Read(names::segmentation, "centreline.vtp", curves(results.centreline));
   files.Read(names::segmentation, "wall-simplified.vtp", surface(results.wall));
-  files.Read(
-    names::segmentation, "cleansed.nrrd", [&](const std::string & path) { results.ct = ReadImageFile(path).image; });
   files.Read(names::flattening, "flat.vtp", [&](const std::string & path) {
     results.flat = std::make_shared<FlatColon>(ReadSurface(path).mesh);
   });
@@ -144,6 +147,7 @@ ReadColonoscopyResults(const std::string & folder, const std::vector<StageResult
                        ReadColonPosition(second, "prone"),
                        ReadRegistrationResults(folder + '/' + names::registration) });
   }
+  ct.get();
   return results;
 }
 } // namespace shapeton

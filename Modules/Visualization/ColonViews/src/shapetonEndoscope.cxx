@@ -1,5 +1,7 @@
 #include "shapetonEndoscope.h"
 
+#include "shapetonParallelFor.h"
+
 #include <Eigen/Geometry>
 
 #include <algorithm>
@@ -105,32 +107,21 @@ InwardNormalsOf(const SurfaceMesh & wall)
 }
 
 SurfaceMesh
-WallAround(const SurfaceMesh & wall, const std::vector<char> & isHead, const Vector3d & point, double reach)
+WallAround(const SurfaceMesh & wall, const Vector3d & point, double reach)
 {
-  SurfaceMesh whole;
-  whole.V = wall.V;
-  whole.F = wall.F;
-  SurfaceArray head;
-  head.name = "head";
-  head.values.resize(wall.V.rows(), 1);
-  for (Eigen::Index i = 0; i < wall.V.rows(); ++i)
-  {
-    head.values(i, 0) = isHead[i];
-  }
-  whole.pointArrays.push_back(std::move(head));
+  std::vector<char> isNear(wall.V.rows());
+  ParallelForBlocks(isNear.size(), [&](std::size_t i) {
+    const auto vertex = static_cast<Eigen::Index>(i);
+    isNear[i] = (wall.V.row(vertex).transpose() - point).squaredNorm() < reach * reach ? 1 : 0;
+  });
   std::vector<int> faces;
   for (int face = 0; face < wall.NumberOfFaces(); ++face)
   {
-    bool isNear = false;
-    for (int k = 0; k < 3; ++k)
-    {
-      isNear = isNear || (wall.V.row(wall.F(face, k)).transpose() - point).squaredNorm() < reach * reach;
-    }
-    if (isNear)
+    if (isNear[wall.F(face, 0)] != 0 || isNear[wall.F(face, 1)] != 0 || isNear[wall.F(face, 2)] != 0)
     {
       faces.push_back(face);
     }
   }
-  return FacesOfSurface(whole, faces);
+  return FacesOfSurface(wall, faces);
 }
 } // namespace shapeton

@@ -15,9 +15,9 @@ ChooseEye(const SurfaceLocator & wall, const CurveSet & centreline, const PolypC
 VertexMatrix
 InwardNormalsOf(const SurfaceMesh & wall);
 
-/** The faces with a corner within `reach` mm of a point, and the point array head. */
+/** The faces with a corner within `reach` mm of a point. */
 SurfaceMesh
-WallAround(const SurfaceMesh & wall, const std::vector<char> & isHead, const Eigen::Vector3d & point, double reach);
+WallAround(const SurfaceMesh & wall, const Eigen::Vector3d & point, double reach);
 } // namespace shapeton
 
 #endif

@@ -113,15 +113,18 @@ struct PolypCandidatePictures::Data
     , axis(colon.flat->Axis({ pixelSize / magnification, 0.0, 0.0 }))
     , wall(colon.wall.V, colon.wall.F)
     , inwardNormals(InwardNormalsOf(colon.wall))
-    , isHead(colon.wall.NumberOfVertices(), 0)
   {
+    SurfaceArray isHead{ "head", SurfaceArray::ValueMatrix::Zero(colon.wall.V.rows(), 1), true };
     for (const PolypCandidate & candidate : candidates)
     {
       for (const int vertex : candidate.vertices)
       {
-        isHead[vertex] = 1;
+        isHead.values(vertex, 0) = 1.0;
       }
     }
+    wallWithHeads.V = colon.wall.V;
+    wallWithHeads.F = colon.wall.F;
+    wallWithHeads.pointArrays.push_back(std::move(isHead));
   }
 
   /** Of the wall that is nearest to a point of the flat surface. */
@@ -136,7 +139,7 @@ struct PolypCandidatePictures::Data
     {
       const int vertex = colon.wall.F(closest.face, k);
       normal += weights[k] * inwardNormals.row(vertex).transpose();
-      share += weights[k] * isHead[vertex];
+      share += weights[k] * wallWithHeads.pointArrays.front().values(vertex, 0);
     }
     return Lit(MixColors(mucosa, head, 0.7 * std::clamp(share, 0.0, 1.0)), frame, normal.normalized());
   }
@@ -148,7 +151,7 @@ struct PolypCandidatePictures::Data
   const FlatColonAxis & axis;
   SurfaceLocator        wall;
   VertexMatrix          inwardNormals;
-  std::vector<char>     isHead;
+  SurfaceMesh           wallWithHeads; ///< its one point array is 1 in the heads, else 0
 };
 
 PolypCandidatePictures::PolypCandidatePictures(const PolypColon & colon, const std::vector<PolypCandidate> & candidates)
@@ -201,12 +204,11 @@ PolypCandidatePictures::DrawFromWithin(const PolypCandidate & candidate) const
   PerspectiveCamera camera = ChooseEye(m_Data->wall, m_Data->colon.centreline, candidate);
   camera.width = viewWidth;
   camera.height = viewHeight;
-  const SurfaceMesh     part = WallAround(m_Data->colon.wall, m_Data->isHead, camera.focus, 80.0);
-  const SurfaceArray *  isHead = FindSurfaceArray(part.pointArrays, "head");
+  const SurfaceMesh     part = WallAround(m_Data->wallWithHeads, camera.focus, 80.0);
   std::vector<RGBColor> colors;
   for (int vertex = 0; vertex < part.NumberOfVertices(); ++vertex)
   {
-    colors.push_back(MixColors(mucosa, head, 0.7 * isHead->values(vertex, 0)));
+    colors.push_back(MixColors(mucosa, head, 0.7 * part.pointArrays.front().values(vertex, 0)));
   }
   return RenderPerspective(part, colors, camera);
 }

@@ -2,7 +2,6 @@
 #define shapetonTrilinearVolume_h
 
 #include "itkImage.h"
-#include "itkLinearInterpolateImageFunction.h"
 
 #include <Eigen/LU>
 
@@ -14,9 +13,8 @@ namespace shapeton
 class TrilinearVolume
 {
 public:
-  explicit TrilinearVolume(const itk::Image<float, 3> * image)
+  explicit TrilinearVolume(const itk::Image<float, 3> * image) : m_Image(image), m_Voxels(image->GetBufferPointer())
   {
-    m_Interpolator->SetInputImage(image);
     const auto &    size = image->GetLargestPossibleRegion().GetSize();
     const auto &    first = image->GetLargestPossibleRegion().GetIndex();
     const auto &    direction = image->GetDirection();
@@ -25,7 +23,7 @@ public:
     for (int k = 0; k < 3; ++k)
     {
       m_Size[k] = static_cast<int>(size[k]);
-      m_First[k] = static_cast<double>(first[k]);
+      m_Stride[k] = k == 0 ? 1 : m_Stride[k - 1] * m_Size[k - 1];
       for (int row = 0; row < 3; ++row)
       {
         axes(row, k) = direction[row][k] * spacing[k];
@@ -80,12 +78,24 @@ public:
   float
   At(const Eigen::Vector3d & index) const
   {
-    itk::ContinuousIndex<double, 3> place;
+    const float *  corner = m_Voxels;
+    double         share[3];
+    std::ptrdiff_t next[3]; // to the voxels on the other side; 0 in the last ones
     for (int k = 0; k < 3; ++k)
     {
-      place[k] = m_First[k] + (IsInside ? index[k] : std::clamp(index[k], 0.0, m_Size[k] - 1.0));
+      const double place = IsInside ? index[k] : std::clamp(index[k], 0.0, m_Size[k] - 1.0);
+      const int    voxel = static_cast<int>(place);
+      share[k] = place - voxel;
+      next[k] = IsInside || voxel + 1 < m_Size[k] ? m_Stride[k] : 0;
+      corner += voxel * m_Stride[k];
     }
-    return static_cast<float>(m_Interpolator->EvaluateAtContinuousIndex(place));
+    const auto alongX = [&](const float * from) { return from[0] + (double{ from[next[0]] } - from[0]) * share[0]; };
+    const auto alongY = [&](const float * from) {
+      const double low = alongX(from);
+      return low + (alongX(from + next[1]) - low) * share[1];
+    };
+    const double low = alongY(corner);
+    return static_cast<float>(low + (alongY(corner + next[2]) - low) * share[2]);
   }
   /** In space, per mm: differences over a smallest spacing to both sides along each axis of the volume. */
   template <bool IsInside>
@@ -102,15 +112,14 @@ public:
   }
 
 private:
-  using Interpolator = itk::LinearInterpolateImageFunction<itk::Image<float, 3>, double>;
-
-  Interpolator::Pointer m_Interpolator{ Interpolator::New() };
-  Eigen::Matrix3d       m_ToIndex;
-  Eigen::Vector3d       m_Origin;
-  Eigen::Vector3d       m_GradientStep; ///< of each index, a smallest spacing long
-  int                   m_Size[3];
-  double                m_First[3]; ///< index of the first voxel
-  double                m_SmallestSpacing;
+  itk::Image<float, 3>::ConstPointer m_Image;
+  const float *                      m_Voxels;
+  Eigen::Matrix3d                    m_ToIndex;
+  Eigen::Vector3d                    m_Origin;
+  Eigen::Vector3d                    m_GradientStep; ///< of each index, a smallest spacing long
+  int                                m_Size[3];
+  std::ptrdiff_t                     m_Stride[3];
+  double                             m_SmallestSpacing;
 };
 } // namespace shapeton
 

@@ -39,6 +39,18 @@ PictureKit_EXPORT Picture::Pointer
 PictureKit_EXPORT void
 WritePng(const Picture * picture, const std::string & path);
 
+/** A picture that is still to be drawn, and the file that it goes to. \ingroup PictureKit */
+struct PictureFile
+{
+  std::string                       path;
+  std::function<Picture::Pointer()> draw;
+};
+
+/** Draws pictures beside each other and writes each as PNG. Throws what drawing and WritePng() throw.
+ * \ingroup PictureKit */
+PictureKit_EXPORT void
+WritePngs(const std::vector<PictureFile> & files);
+
 /** Fills the pixels [left, left + width) x [top, top + height); `opacity` in [0, 1].
  * \ingroup PictureKit */
 PictureKit_EXPORT void

@@ -3,6 +3,7 @@
 #include "shapetonFileBytes.h"
 #include "shapetonImageDataAdapter.h"
 #include "shapetonExceptions.h"
+#include "shapetonParallelFor.h"
 
 #include <vtkFreeTypeTools.h>
 #include <vtkImageData.h>
@@ -16,6 +17,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <mutex>
 #include <stdexcept>
 
 namespace shapeton
@@ -81,6 +83,8 @@ RenderText(const std::string & text, const TextStyle & style, vtkImageData * cov
   property->SetBold(style.bold);
   property->SetColor(1.0, 1.0, 1.0);
   property->SetOrientation(style.upwards ? 90.0 : 0.0);
+  static std::mutex                 mutex; // VTK keeps faces and glyphs for all
+  const std::lock_guard<std::mutex> lock(mutex);
   if (!vtkFreeTypeTools::GetInstance()->RenderString(property, vtkStdString(text), pointsPerInch, coverage, dimensions))
   {
     throw std::runtime_error("cannot set the text \"" + text + "\"");
@@ -135,6 +139,12 @@ void
 WritePng(const Picture * picture, const std::string & path)
 {
   WriteFileBytes(path, EncodePng(picture));
+}
+
+void
+WritePngs(const std::vector<PictureFile> & files)
+{
+  ParallelFor(files.size(), [&](std::size_t i) { WritePng(files[i].draw(), files[i].path); });
 }
 
 void
