@@ -52,9 +52,10 @@ public:
   {
     this->FindShares();
     this->FindOccupancy();
+    Release(m_LumenShares);
     CleansedColon result;
     result.ct = this->MakeCleansed();
-    Release(m_Shares);
+    Release(m_FluidParts);
     result.occupancy = this->MakeOccupancy();
     return result;
   }
@@ -72,9 +73,13 @@ private:
   {
     m_ToGas = this->DistanceTo(1);
     m_ToFluid = this->DistanceTo(2);
-    m_Shares.resize(m_Grid.NumberOfVoxels());
-    this->ForAll([this](std::size_t p) { m_Shares[p] = this->DirectShare(p); });
-    Release(m_Hu);
+    m_FluidParts.resize(m_Grid.NumberOfVoxels());
+    this->ForAll([this](std::size_t p) { // each needs its own value alone, and takes its place
+      const Share share = this->DirectShare(p);
+      m_Hu[p] = share.lumen;
+      m_FluidParts[p] = share.fluid;
+    });
+    m_LumenShares = std::move(m_Hu);
   }
 
   void
@@ -83,10 +88,9 @@ private:
     this->ForAll([this](std::size_t p) { m_ToGas[p] = std::min(m_ToGas[p], m_ToFluid[p]); });
     Release(m_ToFluid);
     const std::vector<float> toLumen = std::move(m_ToGas);
-    const std::vector<float> toWall = this->DistanceTo(0);
-    m_Occupancy.resize(m_Shares.size());
+    m_Occupancy = this->DistanceTo(0); // each distance to the wall gives place to the occupancy
     this->ForAll([&](std::size_t p) {
-      m_Occupancy[p] = this->Bounded(this->Continued(p), m_Labels[p] != 0, toWall[p], toLumen[p]);
+      m_Occupancy[p] = this->Bounded(this->Continued(p), m_Labels[p] != 0, m_Occupancy[p], toLumen[p]);
     });
   }
 
@@ -205,12 +209,12 @@ private:
   float
   Weight(std::size_t p) const
   {
-    const Share & share = m_Shares[p];
-    if (!(share.fluid > 0.0F && share.fluid < 1.0F))
+    const float fluid = m_FluidParts[p];
+    if (!(fluid > 0.0F && fluid < 1.0F))
     {
       return 1.0F;
     }
-    const double contrast = this->Contrast(share.fluid, p);
+    const double contrast = this->Contrast(fluid, p);
     const double full = m_Lumen.thresholds.tissue - m_Lumen.thresholds.gas;
     return static_cast<float>(std::min(1.0, contrast * contrast / (full * full)));
   }
@@ -219,11 +223,11 @@ private:
   double
   Continued(std::size_t p) const
   {
-    const Share & own = m_Shares[p];
-    const double  trust = std::clamp((this->Weight(p) - 0.1) / 0.3, 0.0, 1.0);
+    const float  own = m_LumenShares[p];
+    const double trust = std::clamp((this->Weight(p) - 0.1) / 0.3, 0.0, 1.0);
     if (trust >= 1.0)
     {
-      return own.lumen;
+      return own;
     }
     double     s0 = 0.0, s1 = 0.0, s2 = 0.0, y0 = 0.0, y1 = 0.0;
     const auto v = m_Grid.Voxel(p);
@@ -233,20 +237,20 @@ private:
       const auto o = m_Fall.Offset(t);
       if (m_Grid.Holds(v[0] + o[0], v[1] + o[1], v[2] + o[2]))
       {
-        const auto    q = m_Grid.Index(v[0] + o[0], v[1] + o[1], v[2] + o[2]);
-        const Share & other = m_Shares[q];
-        const double  x = t * m_Fall.step;
-        const double  w = this->Weight(q) * std::exp(-0.5 * x * x / (ContinuedOver * ContinuedOver));
+        const auto   q = m_Grid.Index(v[0] + o[0], v[1] + o[1], v[2] + o[2]);
+        const float  other = m_LumenShares[q];
+        const double x = t * m_Fall.step;
+        const double w = this->Weight(q) * std::exp(-0.5 * x * x / (ContinuedOver * ContinuedOver));
         s0 += w;
         s1 += w * x;
         s2 += w * x * x;
-        y0 += w * other.lumen;
-        y1 += w * x * other.lumen;
+        y0 += w * other;
+        y1 += w * x * other;
       }
     }
     const double determinant = s0 * s2 - s1 * s1;
-    const double line = determinant > 1e-9 ? (s2 * y0 - s1 * y1) / determinant : own.lumen;
-    return trust * own.lumen + (1.0 - trust) * line;
+    const double line = determinant > 1e-9 ? (s2 * y0 - s1 * y1) / determinant : own;
+    return trust * own + (1.0 - trust) * line;
   }
 
   /** A blurred edge cannot be seen further than the blur reaches: bounds by the distance from the labels' border. */
@@ -278,14 +282,14 @@ private:
     double       change = 0.0;
     for (int a = 0; a < 3; ++a)
     {
-      if (m_Shares[p].fluid < 0.99F || v[a] == 0 || v[a] + 1 == m_Grid.size[a])
+      if (m_FluidParts[p] < 0.99F || v[a] == 0 || v[a] + 1 == m_Grid.size[a])
       {
         return m_Occupancy[p];
       }
       const auto q = p - m_Grid.stride[a];
       const auto r = p + m_Grid.stride[a];
       const bool isFluid =
-        (m_Shares[q].fluid > 0.99F || m_Occupancy[q] < 0.01F) && (m_Shares[r].fluid > 0.99F || m_Occupancy[r] < 0.01F);
+        (m_FluidParts[q] > 0.99F || m_Occupancy[q] < 0.01F) && (m_FluidParts[r] > 0.99F || m_Occupancy[r] < 0.01F);
       if (!isFluid)
       {
         return m_Occupancy[p];
@@ -333,7 +337,7 @@ private:
     float * out = image->GetBufferPointer();
     std::copy_n(m_Image->GetBufferPointer(), m_Image->GetBufferedRegion().GetNumberOfPixels(), out);
     ForEachVoxel(m_Image, m_Grid, [&](std::size_t to, std::size_t p) {
-      const double fluid = m_Shares[p].fluid * m_Occupancy[p];
+      const double fluid = m_FluidParts[p] * m_Occupancy[p];
       if (fluid <= 0.001)
       {
         return;
@@ -357,7 +361,8 @@ private:
   double                     m_Blur;
   std::vector<float>         m_ToGas;
   std::vector<float>         m_ToFluid;
-  std::vector<Share>         m_Shares;
+  std::vector<float>         m_LumenShares;
+  std::vector<float>         m_FluidParts; ///< of the lumen's share
   std::vector<float>         m_Occupancy;
 };
 

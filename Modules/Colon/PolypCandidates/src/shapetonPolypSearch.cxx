@@ -9,7 +9,7 @@
 #include "shapetonSurfaceReader.h"
 #include "shapetonExceptions.h"
 #include "shapetonImageFile.h"
-#include "shapetonParallelInvoke.h"
+#include "shapetonStartBeside.h"
 
 #include "itkNrrdImageIO.h"
 
@@ -130,8 +130,10 @@ ReadPolypColon(const std::string & folder)
   PolypColon        colon;
   RequireThere(segmentation + "wall-repaired.vtp");
   RequireThere(segmentation + "lumen.nrrd");
-  ParallelInvoke([&] { colon.wall = ReadPart(segmentation + "wall-repaired.vtp", "wall", "", colon); },
-                 [&] { ReadVolumes(segmentation, colon); });
+  std::future<void> wall =
+    StartBeside([&] { colon.wall = ReadPart(segmentation + "wall-repaired.vtp", "wall", "", colon); });
+  ReadVolumes(segmentation, colon);
+  wall.get();
   if (IsThere(segmentation + "centreline.vtp"))
   {
     colon.centreline = ReadCurves(segmentation + "centreline.vtp");
