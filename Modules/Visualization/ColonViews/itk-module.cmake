@@ -18,7 +18,6 @@ itk_module(ColonViews
     Report
     VolumeFiles
     ITKCommon
-    ITKImageFunction
   TEST_DEPENDS
     ColonWall
     ITKGoogleTest
