@@ -1,5 +1,5 @@
 // Picks lines on the pages of two reports as a person would, in a headless Chromium, and hands what it saves to the tool.
-// usage: HEAT=report DENSITY=report INPUT=volume HEATS=volume SNAPSHOTS=folder VISITS=volume TOOL=HeatTransferFunction
+// usage: HEAT=report RANGE=report with opened ranges DENSITY=report INPUT=volume HEATS=volume SNAPSHOTS=folder VISITS=volume TOOL=HeatTransferFunction
 //        WORK=folder to write to [SHOTS=folder for pictures] node --test explorer.test.mjs
 import assert from 'node:assert/strict';
 import { spawnSync } from 'node:child_process';
@@ -8,7 +8,7 @@ import { after, before, test } from 'node:test';
 import { lowerEdge, volumeProperty } from '../../../Modules/Visualization/HeatExplorer/scripts/lines.mjs';
 import { launch } from '../../../Testing/Browser/browser.mjs';
 
-const { HEAT, DENSITY, INPUT, HEATS, SNAPSHOTS, VISITS, TOOL, WORK, SHOTS } = process.env;
+const { HEAT, RANGE, DENSITY, INPUT, HEATS, SNAPSHOTS, VISITS, TOOL, WORK, SHOTS } = process.env;
 const CTRL = 2, SHIFT = 8, figures = {};
 let page;
 
@@ -223,6 +223,16 @@ test('ranges are opened up, one within another, and lines picked in them', async
   assert.deepEqual(await page.evaluate(() => explorer.state.ranges), [[lower, upper]]);
   await press('z', CTRL);
   assert.equal(await page.evaluate(() => explorer.state.ranges.length), 0);
+});
+
+test('ranges that the tool opened are open when the page begins', async () => {
+  await open(RANGE);
+  assert.deepEqual(await page.evaluate(() => explorer.state.ranges), [[0.14, 0.3], [0.145, 0.17]]);
+  assert.deepEqual(await page.evaluate(() => [explorer.axis.lower, explorer.axis.upper]), [0.145, 0.17]);
+  await press('b');
+  assert.deepEqual(await page.evaluate(() => [explorer.axis.lower, explorer.axis.upper]), [0.14, 0.3]);
+  assert.deepEqual(page.errors, []);
+  await open(HEAT);
 });
 
 test('everything by keys', async () => {

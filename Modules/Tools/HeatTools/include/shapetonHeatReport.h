@@ -6,10 +6,10 @@
 #include "shapetonRemarks.h"
 #include "shapetonCsvTable.h"
 #include "shapetonCumulativeHeatDiffusion.h"
-#include "shapetonHeatAxis.h"
 #include "shapetonHeatClasses.h"
 #include "shapetonHeatExplorer.h"
 #include "shapetonHeatHistogram.h"
+#include "shapetonHeatRanges.h"
 #include "shapetonHtmlReport.h"
 #include "itkImage.h"
 #include "shapetonShapeQuantity.h"
@@ -45,6 +45,9 @@ struct HeatReportContent
   /** Lays out axis and colours in its place, where given. */
   const HeatHistogram * axisHistogram{ nullptr };
   HeatScale             scale{ HeatScale::Equalized };
+  /** Ranges that are opened; by default none. A second histogram shows the last one, a second rendering the lines that
+   * are found in it, and the explorer begins there. */
+  HeatRanges ranges;
   /** Marked in the histogram. */
   std::vector<std::uint64_t> markedTimeSteps;
 
@@ -68,7 +71,8 @@ struct HeatReportContent
 
 /** Writes a report into an existing folder: index.html (self-contained), histogram.png, slices-heat.png
  * (named by the quantity),
- * slices-classes.png, rendering.png, classes.csv and report.json. Equal content gives equal bytes. Throws OutputError,
+ * slices-classes.png, rendering.png, classes.csv and report.json; of opened ranges also histogram-range.png and
+ * rendering-range.png. Equal content gives equal bytes. Throws OutputError,
  * and std::invalid_argument for incomplete content. \ingroup HeatTools */
 HeatTools_EXPORT void
 WriteHeatReport(const HeatReportContent & content, const std::string & folder, const OutputPath & outputPath);
@@ -91,6 +95,16 @@ ClassTable(const HeatReportContent & content);
 /** The histogram of the report, with its marks and classes. \ingroup HeatTools */
 HeatTools_EXPORT Picture::Pointer
                  DrawHistogram(const HeatReportContent & content);
+
+/** The same of content.ranges, with the lines that are found inside the last one in place of the classes.
+ * \ingroup HeatTools */
+HeatTools_EXPORT Picture::Pointer
+                 DrawOpenedHistogram(const HeatReportContent & content);
+
+/** Says that nothing was ever counted in the last of content.ranges; empty where something was, or nothing is opened.
+ * \ingroup HeatTools */
+HeatTools_EXPORT Remarks
+RangeRemarks(const HeatReportContent & content);
 
 /** The counts of a heat histogram that are not 0, in 32 ranges for each factor of two of the heat: timeStep, lowerHeat,
  * upperHeat, voxels. \ingroup HeatTools */

@@ -19,7 +19,8 @@ class DicomMapOutput;
  * \brief The files that a tool of heat diffusion writes, by the parameters of its XML.
  *
  * outputHeat, initialHeatOutput and labels are volumes, classTable and histogramTable CSV, histogram a PNG, report a
- * folder, which gets a HeatExplorer, too. Those that were not given are not written. A record of the run
+ * folder, which gets a HeatExplorer, too. histogramRange opens ranges of histogram and report. Those that were not
+ * given are not written. A record of the run
  * (`<outputHeat>.run.json`) is. Volumes carry the provenance of the run, heat also its time step (key `timeStep`).
  *
  * \ingroup HeatTools
@@ -27,8 +28,8 @@ class DicomMapOutput;
 class HeatTools_EXPORT HeatResultFiles
 {
 public:
-  /** Registers the outputs. Throws ParameterError for a volume whose extension cannot be written, and OutputError where
-   * nothing can be written. */
+  /** Registers the outputs. Throws ParameterError for a volume whose extension cannot be written and for wrong ranges,
+   * and OutputError where nothing can be written. */
   explicit HeatResultFiles(CommandLine & commandLine);
   ~HeatResultFiles();
 
@@ -49,9 +50,9 @@ public:
   }
 
   /** Writes all but the initial heat: content.heat is the heat after content.timeStep; `labels` may be null where no
-   * classes are wanted. */
+   * classes are wanted. The ranges of the content are those of histogramRange. */
   void
-  Write(const HeatReportContent & content, const itk::Image<unsigned char, 3> * labels) const;
+  Write(HeatReportContent content, const itk::Image<unsigned char, 3> * labels) const;
 
   void
   WriteInitialHeat(const itk::Image<float, 3> * heat) const;
@@ -73,6 +74,7 @@ private:
   std::string                           m_Histogram;
   std::string                           m_HistogramTable;
   std::string                           m_Report;
+  HeatRanges                            m_Ranges;
   std::shared_ptr<const DicomMapOutput> m_DicomMap;
 
   std::unique_ptr<HeatExplorer> m_Explorer; // null without a report

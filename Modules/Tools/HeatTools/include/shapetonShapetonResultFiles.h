@@ -28,9 +28,9 @@ HeatTools_EXPORT HeatReportContent::Facts
 /** \class ShapetonResultFiles
  * \brief The files that the tool of shapeton diffusion writes, by the parameters of its XML.
  *
- * outputDensity and labels are volumes, classTable a CSV, report a folder, which gets a HeatExplorer, too. Those that
- * were not given are not written. A record of the run (`<outputDensity>.run.json`) is. The density holds visits and
- * states its time step (key `timeStep`) and provenance.
+ * outputDensity and labels are volumes, classTable a CSV, report a folder, which gets a HeatExplorer, too;
+ * histogramRange opens ranges of its histogram. Those that were not given are not written. A record of the run
+ * (`<outputDensity>.run.json`) is. The density holds visits and states its time step (key `timeStep`) and provenance.
  *
  * \ingroup HeatTools
  */
@@ -39,8 +39,8 @@ class HeatTools_EXPORT ShapetonResultFiles
 public:
   using FilterType = ShapetonDiffusionImageFilter<itk::Image<float, 3>>;
 
-  /** Registers the outputs. Throws ParameterError for a volume whose extension cannot be written, and OutputError where
-   * nothing can be written. */
+  /** Registers the outputs. Throws ParameterError for a volume whose extension cannot be written and for wrong ranges,
+   * and OutputError where nothing can be written. */
   explicit ShapetonResultFiles(CommandLine & commandLine);
   ~ShapetonResultFiles();
 
@@ -60,6 +60,7 @@ private:
   std::string                           m_Labels;
   std::string                           m_ClassTable;
   std::string                           m_Report;
+  HeatRanges                            m_Ranges;
   std::shared_ptr<const DicomMapOutput> m_DicomMap;
 
   std::unique_ptr<HeatExplorer> m_Explorer; // null without a report

@@ -7,6 +7,7 @@
 #include "shapetonJson.h"
 #include "shapetonTransferFunctionPicture.h"
 
+#include <algorithm>
 #include <numeric>
 #include <stdexcept>
 
@@ -141,6 +142,53 @@ JsonOf(const std::vector<HeatClass> & classes, const HeatAxis & axis, const Shap
   return list;
 }
 
+/** The axis of the innermost range, or of all heats. */
+HeatAxis
+AxisOf(const HeatReportContent & content, const HeatRange & range = {})
+{
+  return HeatAxis(content.axisHistogram ? *content.axisHistogram : *content.histogram, content.scale, range);
+}
+
+/** What the innermost of the opened ranges holds at the last time step. */
+struct OpenedRange
+{
+  explicit OpenedRange(const HeatReportContent & content)
+    : range(content.ranges.back())
+    , axis(AxisOf(content, range))
+    , classes(FindClassesInside(*content.histogram, content.histogram->GetNumberOfRows() - 1, range))
+    , lines(ShapeTransferFunction::FromClasses(classes, axis))
+  {}
+
+  HeatRange              range;
+  HeatAxis               axis;
+  std::vector<HeatClass> classes;
+  ShapeTransferFunction  lines;
+};
+
+/** The ranges, and of the innermost one the lines. */
+Json
+JsonOfRanges(const HeatReportContent & content)
+{
+  const OpenedRange opened(content);
+  const std::string title = content.quantity.GetTitle();
+  Json              ranges = Json::array();
+  for (const HeatRange & range : content.ranges)
+  {
+    ranges.push_back({ range.lower, range.upper });
+  }
+  Json lines = Json::array();
+  for (const HeatClass & line : opened.classes)
+  {
+    lines.push_back({ { "label", line.label },
+                      { "lower" + title, line.lowerHeat },
+                      { "upper" + title, line.upperHeat },
+                      { "mean" + title, line.meanHeat },
+                      { "voxels", line.voxels },
+                      { "color", HexOf(opened.axis.ColorOf(line.meanHeat)) } });
+  }
+  return { { "ranges", ranges }, { "lines", lines }, { "transferFunction", opened.lines.ToText() } };
+}
+
 Json
 JsonOf(const HeatReportContent & content, const HeatAxis & axis, const ShapeTransferFunction & transferFunction)
 {
@@ -154,6 +202,10 @@ JsonOf(const HeatReportContent & content, const HeatAxis & axis, const ShapeTran
   }
   document["classes"] = JsonOf(content.classes, axis, content.quantity);
   document["transferFunction"] = transferFunction.ToText();
+  if (!content.ranges.empty())
+  {
+    document["histogramRange"] = JsonOfRanges(content);
+  }
   document["warnings"] = content.warnings;
   document["provenance"] = JsonOf(content.provenance);
   return document;
@@ -172,12 +224,6 @@ Slices(const HeatReportContent &        content,
   return DrawSliceMontage(content.grey, content.heat, coloring, options);
 }
 
-HeatAxis
-AxisOf(const HeatReportContent & content)
-{
-  return HeatAxis(content.axisHistogram ? *content.axisHistogram : *content.histogram, content.scale);
-}
-
 ShapeTransferFunction
 ShownLines(const HeatReportContent & content)
 {
@@ -189,6 +235,32 @@ std::string
 TitleOfHistogram(const ShapeQuantity & quantity)
 {
   return quantity.GetTitle() + " histogram";
+}
+
+HeatHistogramPictureOptions
+HistogramOptions(const HeatReportContent & content)
+{
+  HeatHistogramPictureOptions options;
+  options.title = TitleOfHistogram(content.quantity);
+  options.quantity = content.quantity;
+  options.axisHistogram = content.axisHistogram;
+  options.scale = content.scale;
+  options.markedTimeSteps = content.markedTimeSteps;
+  return options;
+}
+
+std::string
+CaptionOfRange(const HeatReportContent & content)
+{
+  const OpenedRange opened(content);
+  std::uint64_t     voxels = 0;
+  for (const HeatClass & line : opened.classes)
+  {
+    voxels += line.voxels;
+  }
+  return "The same from " + CsvTable::Rounded(opened.range.lower, 4) + " to " +
+         CsvTable::Rounded(opened.range.upper, 4) + " alone, equalized anew: " + GroupedDigits(voxels) +
+         " voxels at the last time step. The bars below are the " + "lines that are found in it.";
 }
 
 void
@@ -291,14 +363,42 @@ ClassTable(const std::vector<HeatClass> & classes, const HeatAxis & axis, const 
 Picture::Pointer
 DrawHistogram(const HeatReportContent & content)
 {
-  HeatHistogramPictureOptions options;
-  options.title = TitleOfHistogram(content.quantity);
-  options.quantity = content.quantity;
-  options.axisHistogram = content.axisHistogram;
-  options.scale = content.scale;
+  HeatHistogramPictureOptions options = HistogramOptions(content);
   options.classes = content.classes;
-  options.markedTimeSteps = content.markedTimeSteps;
   return DrawHeatHistogram(*content.histogram, options);
+}
+
+Picture::Pointer
+DrawOpenedHistogram(const HeatReportContent & content)
+{
+  HeatHistogramPictureOptions options = HistogramOptions(content);
+  options.title += ", opened";
+  options.ranges = content.ranges;
+  options.classes = OpenedRange(content).classes;
+  return DrawHeatHistogram(*content.histogram, options);
+}
+
+Remarks
+RangeRemarks(const HeatReportContent & content)
+{
+  if (content.ranges.empty())
+  {
+    return {};
+  }
+  const HeatHistogram & histogram = *content.histogram;
+  for (std::size_t row = 0; row < histogram.GetNumberOfRows(); ++row)
+  {
+    const HeatHistogram         inside = RowInside(histogram, row, content.ranges.back());
+    const std::uint32_t * const counts = inside.GetRow(0);
+    if (std::any_of(counts + 1, counts + HeatHistogram::NumberOfBins, [](std::uint32_t count) { return count > 0; }))
+    {
+      return {};
+    }
+  }
+  const HeatRange whole = AxisOf(content).GetRange();
+  return { "the opened histogram is empty: no " + content.quantity.name +
+           " lies in its range at any recorded time step, " + "all are between " + CsvTable::Rounded(whole.lower, 4) +
+           " and " + CsvTable::Rounded(whole.upper, 4) };
 }
 
 CsvTable
@@ -400,6 +500,7 @@ WriteExplorer(const HeatReportContent & content, HeatExplorer & explorer)
   page.grey = content.grey;
   page.window = content.window;
   page.lines = ShownLines(content);
+  page.ranges = content.ranges;
   explorer.Write(page);
 }
 
@@ -428,6 +529,10 @@ WriteHeatReport(const HeatReportContent & content, const std::string & folder, c
              DrawHistogram(content),
              "Numbers of voxels by " + quantity.name +
                " and time step; the bars below are the classes in their colours.");
+  if (!content.ranges.empty())
+  {
+    addPicture("histogram-range.png", DrawOpenedHistogram(content), CaptionOfRange(content));
+  }
   if (content.hasExplorer)
   {
     html.AddMarkup("<p><a href=\"explorer.html\">Heat explorer</a>: pick lines of this histogram by hand; slices and "
@@ -451,6 +556,14 @@ WriteHeatReport(const HeatReportContent & content, const std::string & folder, c
                                   quantity,
                                   content.renderer),
              "The " + quantity.name + " volume with the lines " + transferFunction.ToText());
+  if (!content.ranges.empty())
+  {
+    const ShapeTransferFunction inside = OpenedRange(content).lines;
+    addPicture("rendering-range.png",
+               DrawTransferFunction(
+                 content.grey, content.heat, inside, "Inside the opened range" + time, content.window, quantity),
+               "The lines inside the opened range: " + inside.ToText());
+  }
   AddReadingGuide(html, quantity);
   html.AddHeading("Provenance");
   html.AddFacts(content.provenance);

@@ -3,6 +3,7 @@
 #include "shapetonCommandLine.h"
 #include "shapetonDicomMapOutput.h"
 #include "shapetonHeatSnapshot.h"
+#include "shapetonOpenedRanges.h"
 #include "shapetonReportFolder.h"
 #include "shapetonVolumeOutput.h"
 
@@ -17,6 +18,7 @@ HeatResultFiles::HeatResultFiles(CommandLine & commandLine)
   , m_Histogram(commandLine.OutputOf("histogram"))
   , m_HistogramTable(commandLine.OutputOf("histogramTable"))
   , m_Report(commandLine.GetString("report"))
+  , m_Ranges(ReadOpenedRanges(commandLine))
   , m_DicomMap(std::make_shared<DicomMapOutput>(commandLine))
 {
   commandLine.RecordRun(commandLine.GetString("outputHeat") + ".run.json");
@@ -29,8 +31,9 @@ HeatResultFiles::HeatResultFiles(CommandLine & commandLine)
 HeatResultFiles::~HeatResultFiles() = default;
 
 void
-HeatResultFiles::Write(const HeatReportContent & content, const itk::Image<unsigned char, 3> * labels) const
+HeatResultFiles::Write(HeatReportContent content, const itk::Image<unsigned char, 3> * labels) const
 {
+  OpenRanges(m_CommandLine, m_Ranges, content);
   this->WriteHeat(content.heat, content.timeStep.value_or(0), m_Heat);
   m_DicomMap->Write(content.heat, "HEAT", "Cumulative heat");
   if (!m_Labels.empty())
@@ -43,7 +46,7 @@ HeatResultFiles::Write(const HeatReportContent & content, const itk::Image<unsig
   }
   if (!m_Histogram.empty())
   {
-    WritePng(DrawHistogram(content), m_Histogram);
+    WritePng(m_Ranges.empty() ? DrawHistogram(content) : DrawOpenedHistogram(content), m_Histogram);
   }
   if (!m_HistogramTable.empty())
   {
@@ -51,10 +54,9 @@ HeatResultFiles::Write(const HeatReportContent & content, const itk::Image<unsig
   }
   if (!m_Report.empty())
   {
-    HeatReportContent report(content);
-    report.hasExplorer = true;
-    WriteExplorer(report, *m_Explorer);
-    WriteHeatReport(report, m_Report, [this](const std::string & path) { return m_CommandLine.Output(path); });
+    content.hasExplorer = true;
+    WriteExplorer(content, *m_Explorer);
+    WriteHeatReport(content, m_Report, [this](const std::string & path) { return m_CommandLine.Output(path); });
   }
 }
 

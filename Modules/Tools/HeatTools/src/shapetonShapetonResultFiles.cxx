@@ -3,6 +3,7 @@
 #include "shapetonAxisTicks.h"
 #include "shapetonCommandLine.h"
 #include "shapetonDicomMapOutput.h"
+#include "shapetonOpenedRanges.h"
 #include "shapetonReportFolder.h"
 #include "shapetonShapeAnalysis.h"
 #include "shapetonVolumeOutput.h"
@@ -123,6 +124,7 @@ ShapetonResultFiles::ShapetonResultFiles(CommandLine & commandLine)
   , m_Labels(VolumeOutput(commandLine, "labels"))
   , m_ClassTable(commandLine.OutputOf("classTable"))
   , m_Report(commandLine.GetString("report"))
+  , m_Ranges(ReadOpenedRanges(commandLine))
   , m_DicomMap(std::make_shared<DicomMapOutput>(commandLine))
 {
   commandLine.RecordRun(commandLine.GetString("outputDensity") + ".run.json");
@@ -165,6 +167,7 @@ ShapetonResultFiles::Write(const FilterType * filter, const Volume & volume) con
   content.heat = shape.values;
   content.timeStep = filter->GetMeasures().step;
   content.classes = shape.classes;
+  OpenRanges(m_CommandLine, m_Ranges, content);
   if (!m_Labels.empty())
   {
     WriteVolume(shape.labels.GetPointer(), m_Labels, ProvenanceMetadata(m_CommandLine.GetProvenance()));

@@ -154,6 +154,34 @@ TEST_F(HeatReport, TablesAndJsonHoldTheClasses)
   EXPECT_EQ(csv.substr(0, 15), "label,lowerHeat");
 }
 
+TEST_F(HeatReport, OpenedRangesHaveAHistogramARenderingAndTheirLines)
+{
+  m_Content.ranges = shapeton::HeatRangesOf({ 0.1, 0.5, 0.2, 0.3 });
+  const std::string folder = shapeton::TemporaryFolder("report-range");
+  shapeton::WriteHeatReport(m_Content, folder, inPlace);
+  EXPECT_TRUE(std::filesystem::exists(folder + "/histogram-range.png"));
+  EXPECT_TRUE(std::filesystem::exists(folder + "/rendering-range.png"));
+  const shapeton::Json opened = shapeton::ReadJson(folder + "/report.json")["histogramRange"];
+  EXPECT_EQ(opened["ranges"], shapeton::Json({ { 0.1, 0.5 }, { 0.2, 0.3 } }));
+  ASSERT_EQ(opened["lines"].size(), 1U);
+  EXPECT_EQ(opened["lines"][0]["voxels"], 538);
+  EXPECT_EQ(opened["lines"][0]["lowerHeat"], 0.2);
+  EXPECT_NO_THROW(shapeton::ShapeTransferFunction::Parse(opened["transferFunction"].get<std::string>()));
+  EXPECT_TRUE(shapeton::RangeRemarks(m_Content).empty());
+}
+
+TEST_F(HeatReport, AnOpenedRangeWithoutHeatIsReportedAndRemarkedUpon)
+{
+  m_Content.ranges = shapeton::HeatRangesOf({ 0.3, 0.4 });
+  const auto remarks = shapeton::RangeRemarks(m_Content);
+  ASSERT_EQ(remarks.size(), 1U);
+  EXPECT_NE(remarks[0].find("the opened histogram is empty"), std::string::npos);
+  EXPECT_NE(remarks[0].find("0.25"), std::string::npos);
+  const std::string folder = shapeton::TemporaryFolder("report-empty-range");
+  EXPECT_NO_THROW(shapeton::WriteHeatReport(m_Content, folder, inPlace));
+  EXPECT_TRUE(shapeton::ReadJson(folder + "/report.json")["histogramRange"]["lines"].empty());
+}
+
 TEST_F(HeatReport, ClassesOfOneHeatColourHaveTheirOwnColours)
 {
   shapeton::HeatClass other = m_Content.classes[1];

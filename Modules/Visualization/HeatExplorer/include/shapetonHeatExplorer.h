@@ -2,8 +2,8 @@
 #define shapetonHeatExplorer_h
 
 #include "HeatExplorerExport.h"
-#include "shapetonHeatAxis.h"
 #include "shapetonHeatHistogram.h"
+#include "shapetonHeatRanges.h"
 #include "shapetonHtmlReport.h"
 #include "shapetonPageBlocks.h"
 #include "shapetonShapeQuantity.h"
@@ -33,6 +33,8 @@ struct HeatExplorerContent
   IntensityWindow window;
   /** The lines that the page begins with. */
   ShapeTransferFunction lines;
+  /** The ranges that are opened when the page begins; B closes the last one. */
+  HeatRanges ranges;
 };
 
 /** \class HeatExplorer

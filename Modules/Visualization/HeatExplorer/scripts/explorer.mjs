@@ -35,7 +35,7 @@ const PAGE = `
 // ranges; crosshair, chosen line and camera are not.
 class HeatExplorer {
   constructor(folder, info, grey, histogram, axisCounts) {
-    const { volume } = info, state = { step: info.stored.at(-1), lines: shownLines(info.lines), ranges: [] };
+    const { volume } = info, state = { step: info.stored.at(-1), lines: shownLines(info.lines), ranges: info.ranges };
     Object.assign(this, { folder, info, volume, grey, isEqualized: info.isEqualized, live: null });
     Object.assign(this, { times: {}, steps: new Map(), chosen: -1, busy: 0, isSaved: true, history: new History(state) });
     this.place = volume.size.map((n) => n >> 1);

@@ -110,6 +110,17 @@ PlaneOf(const ImageType * image, SlicePlane plane)
            { "top", letters(axes.down, !axes.isDownReversed) } };
 }
 
+Json
+JsonOf(const HeatRanges & ranges)
+{
+  Json list = Json::array();
+  for (const HeatRange & range : ranges)
+  {
+    list.push_back({ range.lower, range.upper });
+  }
+  return list;
+}
+
 template <typename TFunction>
 Json
 Colours(int number, const TFunction & colorOf)
@@ -185,6 +196,7 @@ InfoOf(const HeatExplorerContent & content)
            { "heatColours", Colours(33, [](int i) { return HeatColor(i / 32.0); }) },
            { "lineColours", Colours(12, [](int i) { return ClassColor(i + 1); }) },
            { "volume", VoxelGrid(content.grey).Geometry() },
+           { "ranges", JsonOf(content.ranges) },
            { "window", { window.lower, window.upper } },
            { "planes", planes } };
 }

@@ -1,5 +1,6 @@
 // The scripts of the page that need no page. usage: node --test scripts.test.mjs
 import assert from 'node:assert/strict';
+import { readFileSync } from 'node:fs';
 import { test } from 'node:test';
 import { equalization, HeatAxis, rangeOfCounts } from '../scripts/axis.mjs';
 import { History } from '../scripts/history.mjs';
@@ -85,6 +86,17 @@ test('the axis is equalised in all and in each opened range, and goes back from 
   assert.ok(Math.abs(sum(a, middle) / sum(a, b) - 0.5) < 0.02);
   const empty = new HeatAxis(equalization(new Uint32Array(NUMBER_OF_BINS)), true, [0.25, 0.5]);
   assert.ok(empty.positionOf(0.4) > empty.positionOf(0.3));
+});
+
+test('ranges opened one within another have the axis of the pictures', () => { // HeatRanges.NestedAxesAreThoseOfTheExplorer
+  const example = JSON.parse(readFileSync(new URL('../../HeatViews/test/nested-ranges.json', import.meta.url)));
+  const counts = new Uint32Array(example.rows.length * NUMBER_OF_BINS), within = (c) => c - Math.floor(c);
+  const heatAt = (c) => lowerEdge(Math.floor(c)) + within(c) * (lowerEdge(Math.floor(c) + 1) - lowerEdge(Math.floor(c)));
+  example.rows.forEach((row, i) => row.forEach(([bin, count]) => { counts[i * NUMBER_OF_BINS + bin] = count; }));
+  for (const { bins, places } of example.levels) {
+    const axis = new HeatAxis(equalization(counts), true, bins.map(heatAt));
+    for (const [bin, place] of places) assert.ok(Math.abs(axis.positionOf(heatAt(bin)) - place) < 1e-9, `${bins}: ${bin}`);
+  }
 });
 
 test('a line is found with its slopes, in noise, and apart from its neighbour', () => {

@@ -58,6 +58,7 @@ WritePage(const std::string & name, const ImageType::SizeType & size = { { 9, 8,
   content.histogram = &histogram;
   content.grey = volume;
   content.lines = shapeton::ShapeTransferFunction::Parse("0.18359375-0.25:#05bffa:0.6");
+  content.ranges = shapeton::HeatRangesOf({ 0.125, 0.5, 0.25, 0.375 });
   explorer.Write(content);
   return folder;
 }
@@ -85,6 +86,7 @@ TEST(HeatExplorer, WritesThePageAndItsData)
   EXPECT_EQ(info["volume"]["spacing"], shapeton::Json({ 0.5, 0.75, 2.0 }));
   EXPECT_EQ(info["lines"][0]["lower"], 0.18359375);
   EXPECT_EQ(info["planes"][0]["left"], "R");
+  EXPECT_EQ(info["ranges"], shapeton::Json({ { 0.125, 0.5 }, { 0.25, 0.375 } }));
 }
 
 TEST(HeatExplorer, EqualInputGivesEqualBytes)

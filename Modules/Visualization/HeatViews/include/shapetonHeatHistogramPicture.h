@@ -3,9 +3,9 @@
 
 #include "HeatViewsExport.h"
 
-#include "shapetonHeatAxis.h"
 #include "shapetonHeatClasses.h"
 #include "shapetonHeatHistogram.h"
+#include "shapetonHeatRanges.h"
 #include "shapetonPicture.h"
 #include "shapetonShapeQuantity.h"
 
@@ -24,8 +24,9 @@ struct HeatHistogramPictureOptions
   HeatScale     scale{ HeatScale::Equalized };
   /** The histogram that lays out the axis and its colours; by default the one that is drawn. */
   const HeatHistogram * axisHistogram{ nullptr };
-  /** Only these heats, equalised anew inside them; by default all. */
-  HeatRange range;
+  /** Only the last of these heats, equalised anew inside it, and above the plot how it opens from all heats; by default
+   * all. */
+  HeatRanges ranges;
   /** Time steps marked by pink lines (Figure 2.4); those outside the recorded ones are left out. */
   std::vector<std::uint64_t> markedTimeSteps;
   /** Classes marked below the plot by their ranges, numbers and colours. */
@@ -55,6 +56,9 @@ PlotAreaOf(const HeatHistogramPictureOptions & options);
  * where a row has more than nearby, so that lines stand out; the white line at the left border is the background, bin
  * 0. Rows are drawn one below the other with equal heights, and the time axis is labelled with their time steps,
  * whether they are spaced linearly or not. The heat axis is labelled with heats on both scales.
+ *
+ * A range that was opened fills the plot. Above it is a strip for each level, at most the last six: the axis of that
+ * level, with the colours that its pictures have, and lines from the heats that the next one shows.
  *
  * Drawn on the CPU; equal input gives equal bytes. Throws std::invalid_argument for a histogram without rows and for
  * a picture that is too small.

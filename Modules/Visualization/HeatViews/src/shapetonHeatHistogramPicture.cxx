@@ -16,6 +16,10 @@ constexpr int backgroundLineGap = 3;
 constexpr int colorStripHeight = 8;
 constexpr int classStripHeight = 44;
 constexpr int tickLength = 6;
+constexpr int openingStripHeight = 8;
+constexpr int openingHeight = 30; // a strip and the lines to the next one
+// Of a histogram that was opened more often, the last ones are drawn: any number of ranges fits.
+constexpr std::size_t mostOpenings = 6;
 // A bin is drawn at most this wide: on the equalised axis a converged line owns a large share of the counts and of the
 // axis, but is to look like a line.
 constexpr double greatestLineWidth = 6.0;
@@ -283,14 +287,24 @@ DrawTimeAxis(Picture *                          picture,
 void
 DrawHeatTicks(Picture * picture, const HeatAxis & axis, const PlotArea & area, int top)
 {
-  constexpr int leastDistance = 62;
-  const auto    pixelOf = [&](double heat) { return area.left + axis.PositionOf(heat) * (area.width - 1); };
-  for (const double heat : HeatTicks(axis.GetRange().lower, axis.GetRange().upper, leastDistance, pixelOf))
+  constexpr int       leastDistance = 62;
+  const auto          pixelOf = [&](double heat) { return area.left + axis.PositionOf(heat) * (area.width - 1); };
+  const HeatRange &   range = axis.GetRange();
+  std::vector<double> heats = HeatTicks(range.lower, range.upper, leastDistance, pixelOf);
+  const bool          isNarrow = heats.size() < 2; // no two round numbers lie in it
+  if (isNarrow)
+  {
+    heats = { range.lower, range.upper };
+  }
+  for (const double heat : heats)
   {
     const int x = static_cast<int>(std::lround(pixelOf(heat)));
     FillRectangle(picture, x, top, 1, tickLength, ink);
-    DrawText(
-      picture, HeatLabel(heat), x, top + tickLength + 2, Style(15, HorizontalAnchor::Center, VerticalAnchor::Top));
+    DrawText(picture,
+             HeatLabel(heat, isNarrow ? 5 : 3),
+             x,
+             top + tickLength + 2,
+             Style(15, HorizontalAnchor::Center, VerticalAnchor::Top));
   }
 }
 
@@ -379,6 +393,68 @@ DrawMarkedTimeSteps(Picture * picture, std::vector<std::uint64_t> steps, const T
   }
 }
 
+std::size_t
+NumberOfOpenings(const HeatHistogramPictureOptions & options)
+{
+  return std::min(options.ranges.size(), mostOpenings);
+}
+
+HeatRange
+ShownRange(const HeatHistogramPictureOptions & options)
+{
+  return options.ranges.empty() ? HeatRange() : options.ranges.back();
+}
+
+std::string
+TextOf(const HeatRange & range)
+{
+  return HeatLabel(range.lower, 4) + " to " + HeatLabel(range.upper, 4);
+}
+
+/** The strip of an axis, dim but for the heats that are opened, and lines from their ends to the ends of what lies
+ * below. */
+void
+DrawOpening(Picture *           picture,
+            const HeatAxis &    axis,
+            const std::string & name,
+            const HeatRange &   opened,
+            const PlotArea &    area,
+            int                 top)
+{
+  const int    right = area.left + area.width - 1;
+  const double from = axis.PositionOf(opened.lower) * (area.width - 1);
+  const double to = axis.PositionOf(opened.upper) * (area.width - 1);
+  for (int x = 0; x < area.width; ++x)
+  {
+    const double opacity = x + 0.5 >= from && x - 0.5 <= to ? 1.0 : 0.25;
+    FillRectangle(picture, area.left + x, top, 1, openingStripHeight, HeatColor(x / (area.width - 1.0)), opacity);
+  }
+  const int bottom = top + openingHeight - 1;
+  DrawLine(picture, area.left + from, top + openingStripHeight, area.left, bottom, faintInk);
+  DrawLine(picture, area.left + to, top + openingStripHeight, right, bottom, faintInk);
+  DrawText(picture,
+           name,
+           area.left - 4,
+           top + openingStripHeight / 2,
+           Style(12, HorizontalAnchor::Right, VerticalAnchor::Center, faintInk));
+}
+
+void
+DrawOpenings(Picture *                           picture,
+             const HeatHistogram &               axisHistogram,
+             const HeatHistogramPictureOptions & options,
+             const PlotArea &                    area)
+{
+  const std::size_t first = options.ranges.size() - NumberOfOpenings(options);
+  int               top = area.top - openingHeight * static_cast<int>(NumberOfOpenings(options));
+  for (std::size_t i = first; i < options.ranges.size(); ++i, top += openingHeight)
+  {
+    const HeatRange   shown = i == 0 ? HeatRange() : options.ranges[i - 1];
+    const std::string name = i == 0 ? "all" : TextOf(shown);
+    DrawOpening(picture, HeatAxis(axisHistogram, options.scale, shown), name, options.ranges[i], area, top);
+  }
+}
+
 void
 DrawTitles(Picture * picture, const HeatHistogramPictureOptions & options, const HeatAxis & axis, const PlotArea & area)
 {
@@ -397,9 +473,9 @@ DrawTitles(Picture * picture, const HeatHistogramPictureOptions & options, const
     name += " (1: " + GroupedDigits(options.quantity.greatestVisits) + " visits)";
   }
   name += axis.GetScale() == HeatScale::Equalized ? ", on the equalized scale" : "";
-  if (options.range.upper > 0.0)
+  if (!options.ranges.empty())
   {
-    name += ", only " + HeatLabel(options.range.lower) + " to " + HeatLabel(options.range.upper);
+    name += ", only " + TextOf(options.ranges.back());
   }
   DrawText(picture,
            name,
@@ -416,7 +492,7 @@ PlotAreaOf(const HeatHistogramPictureOptions & options)
   const int bottom = 66 + colorStripHeight + (options.classes.empty() ? 0 : classStripHeight);
   PlotArea  area;
   area.left = 126;
-  area.top = 78;
+  area.top = 78 + openingHeight * static_cast<int>(NumberOfOpenings(options));
   area.width = static_cast<int>(options.width) - area.left - right;
   area.height = static_cast<int>(options.height) - area.top - bottom;
   return area;
@@ -433,10 +509,12 @@ DrawHeatHistogram(const HeatHistogram & histogram, const HeatHistogramPictureOpt
   {
     throw std::invalid_argument("the picture of a heat histogram needs at least 600 x 400 pixels");
   }
-  const HeatAxis axis(options.axisHistogram ? *options.axisHistogram : histogram, options.scale, options.range);
-  const PlotArea area = PlotAreaOf(options);
-  const TimeAxis time(histogram.GetTimeSteps(), area);
-  auto           picture = NewPicture(options.width, options.height, paper);
+  const HeatHistogram & axisHistogram = options.axisHistogram ? *options.axisHistogram : histogram;
+  const HeatAxis        axis(axisHistogram, options.scale, ShownRange(options));
+  const PlotArea        area = PlotAreaOf(options);
+  const TimeAxis        time(histogram.GetTimeSteps(), area);
+  auto                  picture = NewPicture(options.width, options.height, paper);
+  DrawOpenings(picture, axisHistogram, options, area);
   DrawPlotBackground(picture, area);
   DrawBackgroundLine(picture, histogram, time, area);
   DrawCounts(picture, histogram, axis, time, area);

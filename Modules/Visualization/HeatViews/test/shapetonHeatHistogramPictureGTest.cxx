@@ -152,7 +152,7 @@ TEST(HeatHistogramPictures, APartOfTheHeatsFillsThePlot)
 {
   const shapeton::HeatHistogram         histogram = ConvergingLines();
   shapeton::HeatHistogramPictureOptions options;
-  options.range = { 0.15, 0.25 };
+  options.ranges = { { 0.15, 0.25 } };
   const auto               picture = shapeton::DrawHeatHistogram(histogram, options);
   const shapeton::PlotArea area = shapeton::PlotAreaOf(options);
   const int                bottom = area.top + area.height - 3;
@@ -164,8 +164,44 @@ TEST(HeatHistogramPictures, APartOfTheHeatsFillsThePlot)
   }
   EXPECT_GT(lit, 0);
   EXPECT_LE(lit, 9); // the line at 0.2 alone
-  const shapeton::HeatAxis part(histogram, shapeton::HeatScale::Equalized, options.range);
+  const shapeton::HeatAxis part(histogram, shapeton::HeatScale::Equalized, options.ranges.back());
   EXPECT_NE(shapeton::At(picture, ColumnOf(0.2, part, area), bottom), dark);
+}
+
+TEST(HeatHistogramPictures, AStripAboveShowsWhereARangeOpens)
+{
+  const shapeton::HeatHistogram         histogram = ConvergingLines();
+  shapeton::HeatHistogramPictureOptions options;
+  options.ranges = { { 0.15, 0.45 }, { 0.15, 0.25 } };
+  const auto               picture = shapeton::DrawHeatHistogram(histogram, options);
+  const shapeton::PlotArea area = shapeton::PlotAreaOf(options);
+  const int                above = area.top - shapeton::PlotAreaOf({}).top;
+  ASSERT_EQ(area.height, shapeton::PlotAreaOf({}).height - above);
+  for (const std::size_t level : { 0, 1 })
+  {
+    const shapeton::HeatRange shown = level == 0 ? shapeton::HeatRange() : options.ranges[0];
+    const shapeton::HeatAxis  axis(histogram, shapeton::HeatScale::Equalized, shown);
+    const int                 y = area.top - above + static_cast<int>(level) * above / 2 + 3;
+    for (const double heat : { 0.1, 0.2, 0.4 })
+    {
+      const int  x = ColumnOf(heat, axis, area);
+      const bool isOpened = heat >= options.ranges[level].lower && heat <= options.ranges[level].upper;
+      const bool isBright = shapeton::At(picture, x, y) == shapeton::HeatColor((x - area.left) / (area.width - 1.0));
+      EXPECT_EQ(isBright, isOpened || (level == 1 && heat == 0.1 && axis.PositionOf(0.15) == 0.0)) << level << heat;
+    }
+  }
+}
+
+TEST(HeatHistogramPictures, AnyNumberOfRangesFits)
+{
+  shapeton::HeatHistogramPictureOptions options;
+  options.height = 480;
+  for (int i = 0; i < 40; ++i)
+  {
+    options.ranges.push_back({ 0.1 + 0.002 * i, 0.3 - 0.002 * i });
+  }
+  EXPECT_GT(shapeton::PlotAreaOf(options).height, 100);
+  EXPECT_NO_THROW(shapeton::DrawHeatHistogram(ConvergingLines(), options));
 }
 
 TEST(HeatHistogramPictures, EqualInputGivesEqualPictures)

@@ -30,7 +30,7 @@ PictureKit_EXPORT std::vector<double>
 
 /** A heat as a short decimal number. \ingroup PictureKit */
 PictureKit_EXPORT std::string
-                  HeatLabel(double heat);
+                  HeatLabel(double heat, int digits = 3);
 
 /** 100000 as "100 000". \ingroup PictureKit */
 PictureKit_EXPORT std::string

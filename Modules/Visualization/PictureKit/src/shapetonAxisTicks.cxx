@@ -178,9 +178,9 @@ RoundTicks(double lower, double upper, int greatestNumber)
 }
 
 std::string
-HeatLabel(double heat)
+HeatLabel(double heat, int digits)
 {
-  return PlainNumber(CsvTable::Rounded(heat, 3));
+  return PlainNumber(CsvTable::Rounded(heat, digits));
 }
 
 std::string

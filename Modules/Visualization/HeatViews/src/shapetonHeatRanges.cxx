@@ -1,0 +1,86 @@
+#include "shapetonHeatRanges.h"
+
+#include "shapetonCsvTable.h"
+#include "shapetonExceptions.h"
+#include "shapetonHeatClassification.h"
+
+namespace shapeton
+{
+namespace
+{
+std::string
+TextOf(const HeatRange & range)
+{
+  return CsvTable::Number(range.lower) + " to " + CsvTable::Number(range.upper);
+}
+
+/** Whether a bin holds heats of the range. */
+bool
+IsInside(unsigned int bin, const HeatRange & range)
+{
+  return HeatHistogram::LowerEdge(bin + 1) > range.lower && HeatHistogram::LowerEdge(bin) < range.upper;
+}
+
+void
+RequireRange(const HeatRange & range)
+{
+  const std::string parameter = "the parameter \"histogramRange\": " + TextOf(range);
+  RequireParameter(range.lower >= 0.0 && range.lower < range.upper && range.upper <= 1.0,
+                   parameter + " is no range; give two numbers from 0 to 1, the lower one first");
+  const unsigned int bin = HeatHistogram::BinOf(static_cast<float>(range.lower));
+  RequireParameter(IsInside(bin + 1, range) && bin + 1 < HeatHistogram::NumberOfBins,
+                   parameter + " lies in one bin of the histogram, which reaches to " +
+                     CsvTable::Number(HeatHistogram::LowerEdge(bin + 1)) +
+                     ": nothing can be told apart in it; give a wider range");
+}
+} // namespace
+
+HeatRanges
+HeatRangesOf(const std::vector<double> & ends)
+{
+  RequireParameter(
+    ends.size() % 2 == 0,
+    "the parameter \"histogramRange\" takes pairs of numbers: a,b, and c,d after them for a range within "
+    "that one, for example 0.1,0.4,0.2,0.25");
+  HeatRanges ranges;
+  for (std::size_t i = 0; i < ends.size(); i += 2)
+  {
+    const HeatRange range{ ends[i], ends[i + 1] };
+    RequireRange(range);
+    RequireParameter(ranges.empty() || (range.lower >= ranges.back().lower && range.upper <= ranges.back().upper),
+                     "the parameter \"histogramRange\": " + TextOf(range) +
+                       " does not lie within the range before it, " + (ranges.empty() ? "" : TextOf(ranges.back())) +
+                       "; give ranges from the widest to the narrowest");
+    ranges.push_back(range);
+  }
+  return ranges;
+}
+
+HeatHistogram
+RowInside(const HeatHistogram & histogram, std::size_t row, const HeatRange & range)
+{
+  HeatHistogram              inside({ histogram.GetTimeSteps()[row] });
+  std::vector<std::uint32_t> counts(HeatHistogram::NumberOfBins, 0);
+  for (unsigned int bin = 0; bin < HeatHistogram::NumberOfBins; ++bin)
+  {
+    counts[bin] = IsInside(bin, range) ? histogram.GetCount(row, bin) : 0;
+  }
+  inside.AddToRow(0, counts.data());
+  return inside;
+}
+
+std::vector<HeatClass>
+FindClassesInside(const HeatHistogram & histogram, std::size_t row, const HeatRange & range)
+{
+  HeatClassificationRule rule;
+  rule.backgroundHeat = 0.0; // what is low belongs to the range as well
+  std::vector<HeatClass> classes = FindHeatClasses(RowInside(histogram, row, range), 0, rule);
+  classes.erase(classes.begin()); // the background, bin 0
+  if (!classes.empty())
+  {
+    classes.front().lowerHeat = range.lower;
+    classes.back().upperHeat = range.upper;
+  }
+  return classes;
+}
+} // namespace shapeton
