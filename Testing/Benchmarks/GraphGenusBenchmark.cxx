@@ -1,6 +1,5 @@
 // Planarity of random triangulated grids beside Boost's test of Boyer and Myrvold, in one process; then the genus of
-// known graphs by the default search and by the genetic algorithm as published. Arguments: the side of the grid
-// (default 200).
+// known graphs. Arguments: the side of the grid (default 200).
 #include "shapetonGraphFamilies.h"
 #include "shapetonGraphGenus.h"
 #include "shapetonPhiloxStream.h"
@@ -94,21 +93,11 @@ ComparePlanarity(int side)
 }
 
 void
-CompareSearches(const char * name, const shapeton::Graph & graph)
+MeasureSearch(const char * name, const shapeton::Graph & graph)
 {
-  shapeton::GenusOptions     options;
-  shapeton::SurfaceEmbedding annealed;
-  shapeton::SurfaceEmbedding genetic;
-  const double               annealing = SecondsOf([&] { annealed = shapeton::FindEmbedding(graph, options); });
-  options.method = shapeton::GenusMethod::Genetic;
-  const double breeding = SecondsOf([&] { genetic = shapeton::FindEmbedding(graph, options); });
-  std::printf("%-22s genus %3d in %.2f s (lower bound %d); genetic algorithm %3d in %.2f s\n",
-              name,
-              annealed.map.Genus(),
-              annealing,
-              annealed.lowerBound,
-              genetic.map.Genus(),
-              breeding);
+  shapeton::SurfaceEmbedding found;
+  const double               seconds = SecondsOf([&] { found = shapeton::FindEmbedding(graph); });
+  std::printf("%-22s genus %3d in %.2f s (lower bound %d)\n", name, found.map.Genus(), seconds, found.lowerBound);
   std::fflush(stdout);
 }
 } // namespace
@@ -117,12 +106,12 @@ int
 main(int argc, char * argv[])
 {
   ComparePlanarity(argc > 1 ? std::max(2, std::atoi(argv[1])) : 200);
-  CompareSearches("K7", shapeton::CompleteGraph(7));
-  CompareSearches("K12", shapeton::CompleteGraph(12));
-  CompareSearches("K15", shapeton::CompleteGraph(15));
-  CompareSearches("K8,8", shapeton::CompleteBipartiteGraph(8, 8));
-  CompareSearches("Q5", shapeton::HypercubeGraph(5));
-  CompareSearches("Q6", shapeton::HypercubeGraph(6));
-  CompareSearches("torus grid 12 x 12", shapeton::TorusGridMap(12, 12).ToGraph());
+  MeasureSearch("K7", shapeton::CompleteGraph(7));
+  MeasureSearch("K12", shapeton::CompleteGraph(12));
+  MeasureSearch("K15", shapeton::CompleteGraph(15));
+  MeasureSearch("K8,8", shapeton::CompleteBipartiteGraph(8, 8));
+  MeasureSearch("Q5", shapeton::HypercubeGraph(5));
+  MeasureSearch("Q6", shapeton::HypercubeGraph(6));
+  MeasureSearch("torus grid 12 x 12", shapeton::TorusGridMap(12, 12).ToGraph());
   return EXIT_SUCCESS;
 }

@@ -1,5 +1,5 @@
 set(DOCUMENTATION "Embeddings of graphs on surfaces of small genus: planarity by Boyer and Myrvold, reduction to kernels, annealed
-re-insertion of edges, a genetic algorithm, lower bounds.")
+re-insertion of edges, lower bounds.")
 
 itk_module(GraphGenus
   ENABLE_SHARED

@@ -12,21 +12,9 @@
 
 namespace shapeton
 {
-/** How a rotation system of small genus is sought. \ingroup GraphGenus */
-enum class GenusMethod
-{
-  /** Planarity first (left-right test, Brandes 2009); then each block that is not planar, without nodes of degree two
-   * and multiple edges, by annealed re-insertion of its edges. */
-  Annealing,
-  /** The dissertation's (section 6.3.1): random orders, then a genetic algorithm that changes the orders of nodes that
-   * lie several times in a face. It finds larger genera, also for planar graphs. */
-  Genetic
-};
-
-/** Method, effort and target for FindEmbedding(). \ingroup GraphGenus */
+/** Effort and target for FindEmbedding(). \ingroup GraphGenus */
 struct GenusOptions
 {
-  GenusMethod method{ GenusMethod::Annealing };
   /** The genus of the surface, summed over the components; -1 asks for the smallest that is found. */
   int           genus{ -1 };
   std::uint64_t seed{ 1 };
@@ -49,7 +37,9 @@ struct SurfaceEmbedding
   bool minimal{ false };
 };
 
-/** Embeds a graph, whatever it is: disconnected, a tree, one node, with loops and multiple edges. Throws InputError
+/** Embeds a graph, whatever it is: disconnected, a tree, one node, with loops and multiple edges. Planarity is tested
+ * first (left-right test, Brandes 2009); then each block that is not planar is searched, without nodes of degree two
+ * and multiple edges, by annealed re-insertion of its edges. Throws InputError
  * when the graph is unsound, or when no embedding of the genus that was asked for is found, with the smallest and
  * greatest genus that were. ParameterError for a wrong option. Same bytes for any number of threads.
  * \ingroup GraphGenus */

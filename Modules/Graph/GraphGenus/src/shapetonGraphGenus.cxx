@@ -2,7 +2,6 @@
 
 #include "shapetonBlockKernel.h"
 #include "shapetonGenusAnnealing.h"
-#include "shapetonGenusGenetic.h"
 #include "shapetonGraphStructure.h"
 #include "shapetonIncrementalMap.h"
 #include "shapetonParallelFor.h"
@@ -17,7 +16,6 @@ namespace shapeton
 namespace
 {
 constexpr std::uint32_t annealingPurpose = 0x6E05A1;
-constexpr std::uint32_t geneticPurpose = 0x6E05A2;
 // Of the searches in turn. Sparse graphs of large genus like low exponents, complete graphs high ones: K15 finds its
 // genus of 11 with 16 alone. With 0 (any corner is as good as another) a quarter more handles are left.
 constexpr int lastExponents[] = { 8, 16, 12, 6 };
@@ -28,7 +26,6 @@ constexpr double mostMoves = 3.0e6;
 constexpr double mostCorners = 4.0e8;
 // A node with very many neighbours would be looked at once for each of them.
 constexpr double mostCornersOfBreadth = 2000.0;
-constexpr double childrenOfASearch = 5000.0;
 
 /** A part of the graph that is searched on its own. */
 struct SearchPart
@@ -249,50 +246,6 @@ FindAnnealed(const Graph & graph, const GenusOptions & options)
   return AnnealedEmbedding(graph, options).Find();
 }
 
-/** The bound of a graph is that of its blocks' kernels, as annealing has it, without the search. */
-int
-LowerBoundOf(const Graph & graph)
-{
-  int bound = 0;
-  for (const auto & edges : BlocksOf(graph))
-  {
-    const Subgraph part = SubgraphOfEdges(graph, edges);
-    if (PlanarNextAround(part.graph).empty())
-    {
-      bound += std::max(1, GenusLowerBound(BlockKernel(part.graph).GetGraph()));
-    }
-  }
-  return bound;
-}
-
-SurfaceEmbedding
-FindGenetically(const Graph & graph, const GenusOptions & options)
-{
-  const std::vector<Subgraph> components = ConnectedComponents(graph);
-  std::vector<SearchPart>     parts;
-  for (const Subgraph & component : components)
-  {
-    parts.push_back({ &component.graph, 0, {} });
-  }
-  const auto search = [&options](const SearchPart & part, int, std::uint32_t stream, const auto & isInVain) {
-    return SearchGenetically(*part.graph,
-                             PhiloxStream(options.seed, stream, geneticPurpose),
-                             static_cast<std::int64_t>(childrenOfASearch * options.effort),
-                             isInVain);
-  };
-  SearchAll(parts, options.restarts, search, options.progress);
-  std::vector<int> next(2 * graph.edges.size(), -1);
-  std::vector<int> any(graph.nodes, -1);
-  for (std::size_t i = 0; i < parts.size(); ++i)
-  {
-    AddOrders(graph, components[i].edges, parts[i].nextAround, next, any);
-  }
-  SurfaceEmbedding result;
-  result.map = CombinatorialMap(graph.nodes, graph.edges, std::move(next));
-  result.lowerBound = LowerBoundOf(graph);
-  return result;
-}
-
 /** A pair of corners of the edge's nodes in two faces; false when there is none. */
 bool
 FindCornersOfTwoFaces(const IncrementalMap & map, int edge, int & a, int & b)
@@ -369,8 +322,7 @@ FindEmbedding(const Graph & graph, const GenusOptions & options)
   RequireParameter(options.effort > 0.0, "the effort is not positive; give a number above 0");
   RequireSound(graph, "embedding");
   options.progress(0.0);
-  SurfaceEmbedding result =
-    options.method == GenusMethod::Genetic ? FindGenetically(graph, options) : FindAnnealed(graph, options);
+  SurfaceEmbedding result = FindAnnealed(graph, options);
   if (options.genus >= 0)
   {
     const CombinatorialMap raised = RaiseGenus(graph, result.map, options.genus);

@@ -164,16 +164,6 @@ TEST(GraphGenus, WrongOptionsAreRefused)
   EXPECT_THROW(shapeton::FindEmbedding({}, shapeton::GenusOptions()), shapeton::InputError);
 }
 
-TEST(GraphGenus, GeneticAlgorithmGivesAMapOfTheGraph)
-{
-  shapeton::GenusOptions options;
-  options.method = shapeton::GenusMethod::Genetic;
-  EXPECT_LE(GenusOf(shapeton::CompleteGraph(5), options), 2);
-  EXPECT_LE(GenusOf(shapeton::CompleteGraph(7), options), 5);
-  EXPECT_EQ(GenusOf(shapeton::PathGraph(5), options), 0);
-  EXPECT_EQ(GenusOf(shapeton::Graph{ 3, { { 0, 1 } }, {} }, options), 0);
-}
-
 TEST(GraphGenus, ThreadsAndRunsAgreeAndSeedsDiffer)
 {
   const auto nextAround = [](unsigned int threads, std::uint64_t seed) {
@@ -227,17 +217,13 @@ TEST(GraphGenus, SearchesAreAbortedByProgress)
   for (const unsigned int threads : { 1U, 3U })
   {
     itk::MultiThreaderBase::SetGlobalDefaultNumberOfThreads(threads);
-    for (const auto method : { shapeton::GenusMethod::Annealing, shapeton::GenusMethod::Genetic })
-    {
-      const auto work = [method](const shapeton::Progress & progress) {
-        shapeton::GenusOptions options;
-        options.method = method;
-        options.restarts = 3;
-        options.effort = 0.2;
-        options.progress = progress;
-        shapeton::FindEmbedding(shapeton::CompleteGraph(16), options); // far from its bound
-      };
-      shapeton::test::ExpectProgress(work, threads == 1 ? 20 : 2); // other threads do not report
-    }
+    const auto work = [](const shapeton::Progress & progress) {
+      shapeton::GenusOptions options;
+      options.restarts = 3;
+      options.effort = 0.2;
+      options.progress = progress;
+      shapeton::FindEmbedding(shapeton::CompleteGraph(16), options); // far from its bound
+    };
+    shapeton::test::ExpectProgress(work, threads == 1 ? 20 : 2); // other threads do not report
   }
 }
