@@ -29,6 +29,8 @@ CheckUsage(const CommandLine & commandLine)
                              "--corners are those of a rectangle; give --domain rectangle");
   shapeton::RequireParameter(!commandLine.IsGiven("time") || commandLine.GetString("metric") == "heatDiffusion",
                              "--time is that of the heat diffusion metric; give --metric heatDiffusion");
+  shapeton::RequireParameter(!commandLine.IsGiven("forms") || commandLine.GetString("domain") == "slit",
+                             "--forms needs the slit maps of all inner boundaries; give --domain slit");
 }
 
 shapeton::ConformalDomain
@@ -88,6 +90,7 @@ Flatten(CommandLine & commandLine)
   const std::string flat = commandLine.Output(output);
   const std::string statistics = commandLine.OutputOf("statistics");
   const std::string picture = commandLine.OutputOf("picture");
+  const std::string forms = commandLine.OutputOf("forms");
   commandLine.RecordRun(output + ".run.json");
   const shapeton::Surface surface =
     shapeton::ReadRepairedSurface(commandLine, "inputSurface", true); // angles have no unit
@@ -103,6 +106,10 @@ Flatten(CommandLine & commandLine)
   if (!picture.empty())
   {
     shapeton::WritePng(shapeton::DrawConformalMap(map), picture);
+  }
+  if (!forms.empty())
+  {
+    shapeton::WritePng(shapeton::DrawHolomorphicForms(map), forms);
   }
 }
 } // namespace

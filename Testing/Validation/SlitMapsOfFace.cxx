@@ -4,6 +4,7 @@
 
 #include "shapetonConformalMapPicture.h"
 #include "shapetonHeatDiffusionMetric.h"
+#include "shapetonHolomorphicForm.h"
 
 #include <cmath>
 
@@ -11,45 +12,6 @@ using namespace shapeton;
 
 namespace
 {
-constexpr double twoPi = 6.28318530717958647692;
-
-/** The first harmonic function with its conjugate, on the surface cut open where the conjugate jumps. */
-struct HolomorphicForm
-{
-  SurfaceMesh      mesh;
-  Eigen::MatrixX2d values;
-};
-
-/** f_j is the sum of P_kj / 2 pi (-logRadius_k) over the slit maps k, and its conjugate that of their angles. */
-HolomorphicForm
-FirstForm(const SurfaceMesh & mesh, const SlitMapSolver & solver, const std::vector<SlitMap> & maps)
-{
-  const SurfaceConnectivity     connectivity(mesh);
-  std::vector<std::vector<int>> cuts;
-  for (const SlitMap & map : maps)
-  {
-    cuts.push_back(map.cut);
-  }
-  const CutSurface cut = CutAlongPaths(mesh, connectivity, cuts);
-  HolomorphicForm  form{ cut.mesh, Eigen::MatrixX2d::Zero(cut.mesh.NumberOfVertices(), 2) };
-  for (std::size_t k = 0; k < maps.size(); ++k)
-  {
-    const double      flux = solver.Fluxes()(static_cast<Eigen::Index>(k), 0);
-    std::vector<char> isLeft(cut.sourcePointId.size(), 0);
-    for (const int corner : cut.leftCorners[k])
-    {
-      isLeft[cut.mesh.F(corner / 3, corner % 3)] = 1;
-    }
-    for (Eigen::Index i = 0; i < form.values.rows(); ++i)
-    {
-      const int    source = cut.sourcePointId[i];
-      const double angle = maps[k].angle[source] + (isLeft[i] ? twoPi : 0.0);
-      form.values.row(i) -= flux / twoPi * Eigen::RowVector2d(maps[k].logRadius[source], angle);
-    }
-  }
-  return form;
-}
-
 SurfaceRenderingOptions
 View(const PictureSheet::Layout & layout)
 {
@@ -62,14 +24,14 @@ View(const PictureSheet::Layout & layout)
 }
 
 void
-DrawFace(const SurfaceMesh & mesh, const ConformalMap & map, const SlitMapSolver & solver, const std::string & path)
+DrawFace(const SurfaceMesh & mesh, const ConformalMap & map, const std::string & path)
 {
   const PictureSheet::Layout layout{ 3, 3, 360, 360, false };
   PictureSheet               sheet("Figure 5.3: a face with three holes", layout);
   const auto                 options = View(layout);
   const auto                 checks = PolarCheckerboard(36);
   const auto                 uv = FlatCoordinates(map.flat, "the map");
-  const HolomorphicForm      form = FirstForm(mesh, solver, map.slitMaps);
+  const HolomorphicForm      form = HolomorphicFormsOf(map).front();
   const PlanePattern         plain = [](double, double) { return MakeColor(226, 178, 164); };
   const Eigen::MatrixX2d     turned = form.values.rowwise().reverse();
   sheet.Put(0, 0, "outer boundary yellow, three inner ones", DrawPattern(mesh, uv, plain, map.loops, options));
@@ -187,6 +149,5 @@ ValidateSlitMapsOfFace(const ValidationSettings & settings, ValidationReport & r
   }
   report.AddText("Distortion of slit map 2, each in its own metric:");
   report.AddTable(distortion);
-  const SlitMapSolver solver(mesh, connectivity, lengths, euclidean.loops, euclidean.outer);
-  DrawFace(mesh, euclidean, solver, settings.outputFolder + "/figure-5.3.png");
+  DrawFace(mesh, euclidean, settings.outputFolder + "/figure-5.3.png");
 }

@@ -64,6 +64,13 @@ struct ConformalMapPictureOptions
  * equal bytes for any number of threads. \ingroup SurfaceViews */
 SurfaceViews_EXPORT Picture::Pointer
                     DrawConformalMap(const ConformalMap & map, const ConformalMapPictureOptions & options = {});
+
+/** The holomorphic 1-forms of a surface, a row for each inner boundary (dissertation, Figure 5.3 d to f): level sets,
+ * 20 from 0 to 1, of the harmonic function that is 1 on this boundary and 0 on the others, those of its conjugate at
+ * the same distance, and both as a checkerboard. Throws as HolomorphicFormsOf() does. `panel`: side of one view,
+ * pixels. \ingroup SurfaceViews */
+SurfaceViews_EXPORT Picture::Pointer
+                    DrawHolomorphicForms(const ConformalMap & map, unsigned int panel = 480);
 } // namespace shapeton
 
 #endif

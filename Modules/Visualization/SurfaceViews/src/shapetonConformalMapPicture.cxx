@@ -1,5 +1,6 @@
 #include "shapetonConformalMapPicture.h"
 
+#include "shapetonHolomorphicForm.h"
 #include "shapetonRefinedPattern.h"
 
 #include <Eigen/Geometry>
@@ -142,6 +143,41 @@ DrawConformalMap(const ConformalMap & map, const ConformalMapPictureOptions & op
   const auto picture = NewPicture(2 * view.width, view.height, MakeColor(255, 255, 255));
   PastePicture(picture, space, 0, 0);
   PastePicture(picture, plane, static_cast<int>(view.width), 0);
+  return picture;
+}
+
+Picture::Pointer
+DrawHolomorphicForms(const ConformalMap & map, unsigned int panel)
+{
+  constexpr int    captionHeight = 30;
+  constexpr double distance = 0.05; // of level sets
+  const auto       forms = HolomorphicFormsOf(map);
+  const auto       side = static_cast<int>(panel);
+  const auto       picture =
+    NewPicture(3 * panel, static_cast<unsigned int>(forms.size()) * (panel + captionHeight), MakeColor(255, 255, 255));
+  SurfaceRenderingOptions view;
+  view.width = panel;
+  view.height = panel;
+  view.annotations = false;
+  view.depthShading = 0.0;
+  LookAtSurface(map.flat, view);
+  int top = 0;
+  for (const HolomorphicForm & form : forms)
+  {
+    const Eigen::MatrixX2d turned = form.values.rowwise().reverse();
+    const PlanePattern     conjugate = LevelSets(turned.col(0).minCoeff(), turned.col(0).maxCoeff(), distance);
+    const auto             put = [&](int column, const std::string & caption, const Picture * drawn) {
+      DrawText(picture, caption, column * side + 8, top + 6, TextStyle());
+      PastePicture(picture, drawn, column * side, top + captionHeight);
+    };
+    const std::string name = "f" + std::to_string(form.inner + 1);
+    put(0,
+        name + ", 1 on boundary " + std::to_string(form.inner + 1),
+        DrawPattern(form.mesh, form.values, LevelSets(0.0, 1.0, distance), map.loops, view));
+    put(1, "conjugate of " + name, DrawPattern(form.mesh, turned, conjugate, map.loops, view));
+    put(2, "both", DrawPattern(form.mesh, form.values, Checkerboard(distance), map.loops, view));
+    top += side + captionHeight;
+  }
   return picture;
 }
 } // namespace shapeton
