@@ -1,5 +1,5 @@
-set(DOCUMENTATION "Shape analysis of volumes by diffusion: the volume gradient operator, cumulative and conventional heat
-diffusion, heat histogram and classification.")
+set(DOCUMENTATION "Shape analysis of volumes by diffusion: the volume gradient operator, cumulative heat diffusion,
+shapeton diffusion, heat histogram and classification.")
 
 itk_module(ShapeDiffusion
   ENABLE_SHARED

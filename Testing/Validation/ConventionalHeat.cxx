@@ -1,24 +1,20 @@
-#include "shapetonConventionalHeatDiffusionImageFilter.h"
+#include "ConventionalHeat.h"
+
 #include "shapetonHeatDiffusionSolver.h"
 #include "shapetonParallelFor.h"
 
 #include <algorithm>
-#include <stdexcept>
-#include <vector>
 
-namespace shapeton
-{
+using namespace shapeton;
+
 namespace
 {
 /** The heat of one source in the box that it has reached. */
 class SingleSource
 {
 public:
-  SingleSource(const VolumeGradientOperator & volumeGradient, double dt)
-    : m_VolumeGradient(volumeGradient)
-    , m_TimeStepLength(dt)
-    , m_Heat(volumeGradient.GetGrid().GetLength(), 0.0)
-    , m_Next(m_Heat)
+  explicit SingleSource(const VolumeGradientOperator & volumeGradient)
+    : m_VolumeGradient(volumeGradient), m_Heat(volumeGradient.GetGrid().GetLength(), 0.0), m_Next(m_Heat)
   {}
 
   void
@@ -50,7 +46,7 @@ public:
         const float * const c = m_VolumeGradient.GetConductances(axis);
         flow += c[i] * (m_Heat[i + stride] - m_Heat[i]) + c[i - stride] * (m_Heat[i - stride] - m_Heat[i]);
       }
-      m_Next[i] = m_Heat[i] + m_TimeStepLength * flow;
+      m_Next[i] = m_Heat[i] + HeatDiffusionSolver::MaximumTimeStepLength * flow;
     });
     std::swap(m_Heat, m_Next);
   }
@@ -97,7 +93,6 @@ private:
   }
 
   const VolumeGradientOperator & m_VolumeGradient;
-  double                         m_TimeStepLength;
   std::vector<double>            m_Heat;
   std::vector<double>            m_Next;
   std::array<std::ptrdiff_t, 3>  m_First{ { 0, 0, 0 } };
@@ -105,45 +100,25 @@ private:
 };
 } // namespace
 
-void
-DiffuseConventionalHeat(const VolumeGradientOperator & volumeGradient,
-                        double                         timeStepLength,
-                        std::uint64_t                  timeSteps,
-                        double                         sourceHeat,
-                        float *                        heat,
-                        const Progress &               progress)
+std::vector<float>
+ConventionalHeat(const VolumeGradientOperator & volumeGradient, std::uint64_t timeSteps)
 {
-  if (!(timeStepLength > 0.0) || timeStepLength > HeatDiffusionSolver::MaximumTimeStepLength * (1.0 + 1e-6))
-  {
-    throw std::invalid_argument("the length of a time step must be positive and at most 1/12");
-  }
-  if (timeSteps < 1)
-  {
-    throw std::invalid_argument("the number of time steps must be at least 1");
-  }
-  if (!(sourceHeat > 0.0) || sourceHeat > 1.0)
-  {
-    throw std::invalid_argument("the heat of the source must be positive and at most 1");
-  }
   const auto &              size = volumeGradient.GetGrid().GetSize();
-  std::vector<SingleSource> sources(NumberOfThreads(), SingleSource(volumeGradient, timeStepLength));
-  for (std::size_t z = 0; z < size[2]; ++z)
-  {
-    ParallelForWorkers(size[1], [&](std::size_t y, unsigned int worker) {
-      for (std::size_t x = 0; x < size[0]; ++x)
+  std::vector<float>        heat(size[0] * size[1] * size[2]);
+  std::vector<SingleSource> sources(NumberOfThreads(), SingleSource(volumeGradient));
+  ParallelForWorkers(size[1] * size[2], [&](std::size_t row, unsigned int worker) {
+    for (std::size_t x = 0; x < size[0]; ++x)
+    {
+      // P = 1 - dt L is symmetric: e' P^(2k) e = |P^k e|^2, so that half of the steps are enough.
+      SingleSource & source = sources[worker];
+      source.Start({ x, row % size[1], row / size[1] });
+      for (std::uint64_t step = 0; step < (timeSteps + 1) / 2; ++step)
       {
-        // P = 1 - dt L is symmetric: e' P^(2k) e = |P^k e|^2, so that half of the steps are enough.
-        SingleSource & source = sources[worker];
-        source.Start({ x, y, z });
-        for (std::uint64_t step = 0; step < (timeSteps + 1) / 2; ++step)
-        {
-          source.Step();
-        }
-        const double rest = timeSteps % 2 == 0 ? source.SquaredNorm() : source.ProductWithPrevious();
-        heat[(z * size[1] + y) * size[0] + x] = static_cast<float>(sourceHeat * rest);
+        source.Step();
       }
-    });
-    progress((z + 1.0) / size[2]);
-  }
+      const double rest = timeSteps % 2 == 0 ? source.SquaredNorm() : source.ProductWithPrevious();
+      heat[row * size[0] + x] = static_cast<float>(rest);
+    }
+  });
+  return heat;
 }
-} // namespace shapeton
