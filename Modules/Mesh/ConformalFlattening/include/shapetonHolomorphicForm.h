@@ -24,8 +24,8 @@ struct HolomorphicForm
 
 /** The forms of all inner boundaries, in the order of the slit maps. f_j and its conjugate are sums of -logRadius and
  * -angle of the slit maps with the same weights, those with which f_j is 1 and 0 on the boundaries. Throws
- * ParameterError for a map of another domain than ConformalDomain::Slit, which does not hold all slit maps. \ingroup
- * ConformalFlattening */
+ * ParameterError for a map of another domain than ConformalDomain::Slit, which does not hold all slit maps.
+ * \ingroup ConformalFlattening */
 ConformalFlattening_EXPORT std::vector<HolomorphicForm>
                            HolomorphicFormsOf(const ConformalMap & map);
 } // namespace shapeton
