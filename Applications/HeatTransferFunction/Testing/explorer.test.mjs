@@ -1,6 +1,6 @@
 // Picks lines on the pages of two reports as a person would, in a headless Chromium, and hands what it saves to the tool.
-// usage: HEAT=report RANGE=report with opened ranges DENSITY=report INPUT=volume HEATS=volume SNAPSHOTS=folder VISITS=volume TOOL=HeatTransferFunction
-//        WORK=folder to write to [SHOTS=folder for pictures] node --test explorer.test.mjs
+// usage: HEAT=report RANGE=report with opened ranges DENSITY=report INPUT=volume HEATS=volume SNAPSHOTS=folder VISITS=volume
+//        TOOL=HeatTransferFunction WORK=folder to write to [SHOTS=folder for pictures] node --test explorer.test.mjs
 import assert from 'node:assert/strict';
 import { spawnSync } from 'node:child_process';
 import { cpSync, existsSync, mkdirSync, readFileSync, rmSync, statSync, writeFileSync } from 'node:fs';
