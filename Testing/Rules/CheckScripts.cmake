@@ -1,7 +1,8 @@
 # Every shell script passes shellcheck and prints its usage.
 cmake_minimum_required(VERSION 3.22)
 
-file(GLOB files ${SHAPETON_SOURCE_DIR}/Utilities/* ${SHAPETON_SOURCE_DIR}/.ci/*)
+file(GLOB files ${SHAPETON_SOURCE_DIR}/Utilities/* ${SHAPETON_SOURCE_DIR}/.ci/*
+  ${SHAPETON_SOURCE_DIR}/Testing/Figures/*)
 file(GLOB_RECURSE ofWorkflow ${SHAPETON_SOURCE_DIR}/workflow/*)
 list(APPEND files ${ofWorkflow})
 set(scripts "")

@@ -117,8 +117,8 @@ Figure25(const ValidationSettings & settings, ValidationReport & report)
                  "). At steady state they are not 'identical' as 2.3.2 says: cumulative diffusion ends at the mean "
                  "initial heat, 1 / " +
                  std::to_string(cube) + ", conventional diffusion at 1 / (number of voxels) = 1 / " +
-                 std::to_string(cube * cube * cube) + " (in a cube of 4 voxels, 1 / " +
-                 CsvTable::Rounded(1.0 / end, 4) + ": " + report.Check(std::abs(64.0 * end - 1.0) < 1e-4) +
+                 std::to_string(cube * cube * cube) + " (in a cube of side 4, 1 / " + CsvTable::Rounded(1.0 / end, 4) +
+                 ": " + report.Check(std::abs(64.0 * end - 1.0) < 1e-4) +
                  "). Our tools leave conventional diffusion out for this reason and for its cost, which grows with the "
                  "square of the number of voxels.");
 }

@@ -1,0 +1,28 @@
+# Documentation/figures.md is what Testing/Figures/make-figures writes, so that its commands are those that made the pictures; each
+# picture is shown, and is small.
+cmake_minimum_required(VERSION 3.22)
+
+set(folder ${SHAPETON_SOURCE_DIR}/Documentation)
+execute_process(COMMAND ${SHAPETON_SOURCE_DIR}/Testing/Figures/make-figures --page --output ${WORK_DIR} RESULT_VARIABLE status)
+file(READ ${folder}/figures.md page)
+file(READ ${WORK_DIR}/figures.md made)
+if(NOT status EQUAL 0 OR NOT page STREQUAL made)
+  message(FATAL_ERROR "Documentation/figures.md is not what Testing/Figures/make-figures --page writes: run it")
+endif()
+
+set(total 0)
+file(GLOB pictures ${folder}/pictures/figures/*.png)
+foreach(picture IN LISTS pictures)
+  get_filename_component(name ${picture} NAME)
+  if(NOT page MATCHES "\\(pictures/figures/${name}\\)")
+    message(FATAL_ERROR "${name} is not shown on Documentation/figures.md: remove it")
+  endif()
+  file(SIZE ${picture} size)
+  math(EXPR total "${total} + ${size}")
+  if(size GREATER 200000)
+    message(FATAL_ERROR "${name} has ${size} bytes, more than 200,000: make its panels smaller")
+  endif()
+endforeach()
+if(total GREATER 4000000)
+  message(FATAL_ERROR "the figures have ${total} bytes together, more than 4,000,000")
+endif()
