@@ -397,7 +397,7 @@ RangeRemarks(const HeatReportContent & content)
   }
   const HeatRange whole = AxisOf(content).GetRange();
   return { "the opened histogram is empty: no " + content.quantity.name +
-           " lies in its range at any recorded time step, " + "all are between " + CsvTable::Rounded(whole.lower, 4) +
+           " lies in its range at any recorded time step, all are between " + CsvTable::Rounded(whole.lower, 4) +
            " and " + CsvTable::Rounded(whole.upper, 4) };
 }
 
