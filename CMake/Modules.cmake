@@ -15,6 +15,7 @@ set(Shapeton_MODULES
   IO/DicomResults
   Filtering/ShapeDiffusion
   Filtering/SeededHeat
+  Filtering/ShapeSignature
   Phantom/ShapePhantom
   Phantom/ColonPhantom
   Graph/GraphModel

@@ -1,0 +1,157 @@
+#include "shapetonObjectHeat.h"
+
+#include "shapetonExceptions.h"
+#include "shapetonSpectralMeasure.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace shapeton
+{
+namespace
+{
+/** Where the boundary lies. */
+constexpr float BoundaryLevel = 0.5F;
+/** A boundary is never nearer to the middle of a voxel than this, in voxels: its conductance would swamp the others. */
+constexpr double LeastDistance = 0.1;
+/** Less heat than this is what rounding leaves. */
+constexpr double LeastHeat = 1e-9;
+/** Voxels that are filled less hold nothing. */
+constexpr float LeastShare = 1e-3F;
+
+/** The voxels that take part: their places on the grid, and the number of each place, -1 where it takes no part. */
+struct Participants
+{
+  std::vector<std::size_t> places;
+  std::vector<int>         numbers;
+
+  Participants(const ShapeOccupancy & occupancy, float least) : numbers(occupancy.values.size(), -1)
+  {
+    for (std::size_t place = 0; place < occupancy.values.size(); ++place)
+    {
+      if (occupancy.values[place] >= least)
+      {
+        numbers[place] = static_cast<int>(places.size());
+        places.push_back(place);
+      }
+    }
+  }
+  Eigen::Index
+  Size() const
+  {
+    return static_cast<Eigen::Index>(places.size());
+  }
+};
+
+/** Of a voxel inside: how far from its middle towards a neighbour outside the boundary lies, in voxels. */
+double
+DistanceOfBoundary(float inside, float outside)
+{
+  return std::max(LeastDistance, static_cast<double>((inside - BoundaryLevel) / (inside - outside)));
+}
+
+/** -Laplace with heat 0 on the boundary. */
+SymmetricMatrix
+LeavingOperator(const ShapeOccupancy & occupancy, const Participants & inside)
+{
+  SymmetricMatrix matrix;
+  matrix.diagonal = Eigen::VectorXd::Zero(inside.Size());
+  for (Eigen::Index i = 0; i < inside.Size(); ++i)
+  {
+    const std::size_t place = inside.places[i];
+    ForEachNeighbour(occupancy.grid, place, [&](std::size_t neighbour) {
+      const int j = inside.numbers[neighbour];
+      matrix.diagonal[i] +=
+        j >= 0 ? 1.0 : 1.0 / DistanceOfBoundary(occupancy.values[place], occupancy.values[neighbour]);
+      if (j > i)
+      {
+        matrix.entries.push_back({ static_cast<int>(i), j, 1.0 });
+      }
+    });
+  }
+  return matrix;
+}
+
+/** M^-1/2 L M^-1/2 of heat that stays: M the shares, L of the conductances of the faces. */
+SymmetricMatrix
+StayingOperator(const ShapeOccupancy & occupancy, const Participants & filled)
+{
+  SymmetricMatrix matrix;
+  matrix.diagonal = Eigen::VectorXd::Zero(filled.Size());
+  for (Eigen::Index i = 0; i < filled.Size(); ++i)
+  {
+    const std::size_t place = filled.places[i];
+    const double      share = occupancy.values[place];
+    ForEachNeighbour(occupancy.grid, place, [&](std::size_t neighbour) {
+      const int    j = filled.numbers[neighbour];
+      const double other = occupancy.values[neighbour];
+      if (j > i)
+      {
+        const double conductance = std::min({ share, other, 1.0 });
+        matrix.entries.push_back({ static_cast<int>(i), j, conductance / std::sqrt(share * other) });
+        matrix.diagonal[i] += conductance / share;
+        matrix.diagonal[j] += conductance / other;
+      }
+    });
+  }
+  return matrix;
+}
+
+void
+RequireThickness(const ShapeOccupancy & occupancy, const Participants & inside)
+{
+  double filled = 0.0;
+  for (const float share : occupancy.values)
+  {
+    filled += share;
+  }
+  if (inside.Size() < 0.5 * filled)
+  {
+    throw InputError("the shape is too thin for its size: less than half of it is thicker than 1/" +
+                     std::to_string(static_cast<int>(ShapeSignature::RadiusInVoxels)) +
+                     " of the radius of a ball of its volume");
+  }
+}
+} // namespace
+
+ShapeSignature::Curve
+RemainingHeat(const ShapeOccupancy & occupancy, const ShapeSignature::Curve & times)
+{
+  const Participants inside(occupancy, BoundaryLevel);
+  RequireThickness(occupancy, inside);
+  const SpectralMeasure measure(LeavingOperator(occupancy, inside), Eigen::VectorXd::Ones(inside.Size()));
+  ShapeSignature::Curve curve{};
+  for (std::size_t k = 0; k < times.size(); ++k)
+  {
+    const double remaining = measure.Remaining(times[k]) / static_cast<double>(inside.Size());
+    curve[k] = remaining < LeastHeat ? 0.0 : remaining;
+  }
+  return curve;
+}
+
+ShapeSignature::Curve
+MeanSquareDisplacement(const ShapeOccupancy & occupancy, const ShapeSignature::Curve & times)
+{
+  const Participants    filled(occupancy, LeastShare);
+  const SymmetricMatrix matrix = StayingOperator(occupancy, filled);
+  Eigen::VectorXd       share(filled.Size());
+  Eigen::MatrixX3d      position(filled.Size(), 3);
+  for (Eigen::Index i = 0; i < filled.Size(); ++i)
+  {
+    const auto voxel = occupancy.grid.Voxel(filled.places[i]);
+    share[i] = occupancy.values[filled.places[i]];
+    position.row(i) << voxel[0], voxel[1], voxel[2];
+  }
+  ShapeSignature::Curve curve{};
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const double          mean = share.dot(position.col(axis)) / share.sum();
+    const SpectralMeasure measure(matrix, share.cwiseSqrt().cwiseProduct((position.col(axis).array() - mean).matrix()));
+    for (std::size_t k = 0; k < times.size(); ++k)
+    {
+      curve[k] += 2.0 * measure.Gone(times[k]) / share.sum();
+    }
+  }
+  return curve;
+}
+} // namespace shapeton

@@ -1,0 +1,117 @@
+#include "shapetonShapeSearch.h"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+namespace shapeton
+{
+namespace
+{
+/** What FitShapeDistance prints. */
+constexpr SignatureDifference DifferenceOfCopies{ 0.0263, 0.0106, 0.0097, 0.0412, 0.0054, 0.0075 };
+constexpr double              ProbabilityConstant = -1.650;
+constexpr double              ProbabilityOfDistance = -1.354;
+constexpr double              ProbabilityOfMargin = 2.042;
+
+/** Heat that counts as much as none. */
+constexpr double LeastHeat = 0.01;
+constexpr double GreatestMargin = 10.0;
+/** Equal signatures: nearer than any copy. */
+constexpr double LeastDistance = 1e-3;
+
+template <std::size_t Size>
+double
+RootMeanSquare(const std::array<double, Size> & a, const std::array<double, Size> & b, double offset)
+{
+  double sum = 0.0;
+  for (std::size_t i = 0; i < Size; ++i)
+  {
+    const double difference = std::log(a[i] + offset) - std::log(b[i] + offset);
+    sum += difference * difference;
+  }
+  return std::sqrt(sum / static_cast<double>(Size));
+}
+
+double
+LogRatio(double a, double b)
+{
+  return std::abs(std::log(a) - std::log(b));
+}
+
+double
+RelativeSurface(const ShapeSignature & shape)
+{
+  return shape.surface / std::cbrt(shape.volume * shape.volume);
+}
+
+/** The nearest entry of another name than the nearest of all; infinity where there is none. */
+double
+SecondDistance(const std::vector<ShapeNeighbour> & ranking, const std::vector<NamedShape> & entries)
+{
+  const std::string & first = entries[ranking.front().entry].name;
+  const auto          second = std::find_if(ranking.begin(), ranking.end(), [&](const ShapeNeighbour & neighbour) {
+    return entries[neighbour.entry].name != first;
+  });
+  return second == ranking.end() ? ranking.front().distance : second->distance;
+}
+} // namespace
+
+SignatureDifference
+DifferenceOf(const ShapeSignature & a, const ShapeSignature & b)
+{
+  SignatureDifference difference;
+  difference.remainingHeat = RootMeanSquare(a.remainingHeat, b.remainingHeat, LeastHeat);
+  difference.displacement = RootMeanSquare(a.displacement, b.displacement, 0.0);
+  difference.spectrum = RootMeanSquare(a.spectrum, b.spectrum, 0.0);
+  difference.surface = LogRatio(RelativeSurface(a), RelativeSurface(b));
+  difference.elongation = LogRatio(a.elongation, b.elongation);
+  difference.flatness = LogRatio(a.flatness, b.flatness);
+  return difference;
+}
+
+double
+SignatureDistance(const ShapeSignature & a, const ShapeSignature & b)
+{
+  const SignatureDifference   difference = DifferenceOf(a, b);
+  const SignatureDifference & unit = DifferenceOfCopies;
+  const double parts[] = { difference.remainingHeat / unit.remainingHeat, difference.displacement / unit.displacement,
+                           difference.spectrum / unit.spectrum,           difference.surface / unit.surface,
+                           difference.elongation / unit.elongation,       difference.flatness / unit.flatness };
+  double       sum = 0.0;
+  for (const double part : parts)
+  {
+    sum += part * part;
+  }
+  return std::sqrt(sum / std::size(parts));
+}
+
+double
+ProbabilityOfSameShape(double distance, double margin)
+{
+  const double logit = ProbabilityConstant + ProbabilityOfDistance * std::log(std::max(distance, LeastDistance)) +
+                       ProbabilityOfMargin * std::log(std::clamp(margin, 1.0, GreatestMargin));
+  return 1.0 / (1.0 + std::exp(-logit));
+}
+
+ShapeSearchResult
+FindShape(const ShapeSignature & shape, const std::vector<NamedShape> & entries, std::size_t nearest)
+{
+  if (entries.empty())
+  {
+    throw std::invalid_argument("There is no entry to search");
+  }
+  ShapeSearchResult result;
+  for (std::size_t i = 0; i < entries.size(); ++i)
+  {
+    result.neighbours.push_back({ i, SignatureDistance(shape, entries[i].signature) });
+  }
+  std::stable_sort(result.neighbours.begin(), result.neighbours.end(), [](const auto & a, const auto & b) {
+    return a.distance < b.distance;
+  });
+  const double first = std::max(result.neighbours.front().distance, LeastDistance);
+  result.probability = ProbabilityOfSameShape(first, SecondDistance(result.neighbours, entries) / first);
+  result.neighbours.resize(std::min(nearest, result.neighbours.size()));
+  return result;
+}
+} // namespace shapeton
