@@ -33,7 +33,7 @@
 #--   - [X] Code complies on at least 1 platform
 #--
 #-- ### Please document here any justification for the criteria above
-#       Level 2: Linux alone, and VTK, DCMTK, OpenCV, METIS, nauty and Spectra are needed
+#       Level 2: Linux alone, and VTK, DCMTK, OpenCV, METIS, nauty, Spectra and SQLite are needed
 
 # Shapeton has no public address. Where Modules/Remote/Shapeton is there already, a clone or a link to one, it is taken as it is;
 # otherwise Shapeton_GIT_REPOSITORY says what to clone, and Module_Shapeton_GIT_TAG, ITK's own option, which commit of it.

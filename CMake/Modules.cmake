@@ -16,6 +16,7 @@ set(Shapeton_MODULES
   Filtering/ShapeDiffusion
   Filtering/SeededHeat
   Filtering/ShapeSignature
+  Filtering/ShapeDatabase
   Phantom/ShapePhantom
   Phantom/ColonPhantom
   Graph/GraphModel

@@ -1,6 +1,6 @@
 # Libraries and tools, laid out as Slicer does: tools in cli-modules, libraries one folder above.
 set(proj Shapeton)
-set(${proj}_DEPENDS Boost Eigen3 METIS OpenCV Spectra nauty nlohmann_json)
+set(${proj}_DEPENDS Boost Eigen3 METIS OpenCV SQLite3 Spectra nauty nlohmann_json)
 ExternalProject_Include_Dependencies(${proj} PROJECT_VAR proj)
 set(inner ${CMAKE_BINARY_DIR}/${EXTENSION_BUILD_SUBDIRECTORY})
 set(opencv_lib ${inner}/${Slicer_THIRDPARTY_LIB_DIR})
@@ -29,6 +29,8 @@ ExternalProject_Add(${proj}
     -DMETIS_LIBRARY:FILEPATH=${ep_prefix}/lib/libmetis.a
     -DNAUTY_INCLUDE_DIR:PATH=${ep_prefix}/include
     -DNAUTY_LIBRARY:FILEPATH=${ep_prefix}/lib/libnauty.a
+    -DSQLite3_INCLUDE_DIR:PATH=${ep_prefix}/include
+    -DSQLite3_LIBRARY:FILEPATH=${ep_prefix}/lib/libsqlite3.a
     -DOpenCV_INCLUDE_DIR:PATH=${ep_prefix}/include/opencv4
     -DOpenCV_CORE_LIBRARY:FILEPATH=${opencv_lib}/libopencv_core.so
     -DOpenCV_IMGPROC_LIBRARY:FILEPATH=${opencv_lib}/libopencv_imgproc.so

@@ -1,0 +1,104 @@
+#ifndef shapetonSqliteFile_h
+#define shapetonSqliteFile_h
+
+#include <memory>
+#include <string>
+
+struct sqlite3;
+struct sqlite3_stmt;
+
+namespace shapeton
+{
+/** \class SqliteFile
+ * \brief An open SQLite database. All that fails is an exception: InputError for a file that is no sound database,
+ * OutputError for what cannot be written.
+ */
+class SqliteFile
+{
+public:
+  enum class Access
+  {
+    Read,
+    Write, ///< and makes the file where there is none
+    Repair ///< undoes what an interrupted process has begun
+  };
+
+  SqliteFile(const std::string & path, Access access);
+
+  /** Runs a statement without results. */
+  void
+  Execute(const std::string & sql) const;
+
+  /** The number in the first column of the first row. */
+  long long
+  Number(const std::string & sql) const;
+
+  /** The text in the first column of the first row. */
+  std::string
+  Text(const std::string & sql) const;
+
+  /** True when an interrupted process has left work to undo, which a file opened for reading cannot. */
+  bool
+  NeedsRepair() const;
+
+  /** Throws what a result code of SQLite means. */
+  [[noreturn]] void
+  Fail(int code) const;
+
+  sqlite3 *
+  Handle() const
+  {
+    return m_Handle.get();
+  }
+  const std::string &
+  Path() const
+  {
+    return m_Path;
+  }
+
+private:
+  struct Close
+  {
+    void
+    operator()(sqlite3 * handle) const;
+  };
+  std::string                     m_Path;
+  Access                          m_Access;
+  std::unique_ptr<sqlite3, Close> m_Handle;
+};
+
+/** \class SqliteStatement
+ * \brief A prepared statement; values are bound and read in the order of its columns.
+ */
+class SqliteStatement
+{
+public:
+  SqliteStatement(const SqliteFile & file, const std::string & sql);
+
+  SqliteStatement &
+  Bind(const std::string & text);
+  SqliteStatement &
+  Bind(double number);
+
+  /** The next row; false where there is none. */
+  bool
+  Step();
+
+  std::string
+  Text(int column) const;
+  double
+  Number(int column) const;
+
+private:
+  struct Finalize
+  {
+    void
+    operator()(sqlite3_stmt * statement) const;
+  };
+  const SqliteFile &                      m_File;
+  std::unique_ptr<sqlite3_stmt, Finalize> m_Statement;
+  int                                     m_Bound{ 0 };
+};
+} // namespace shapeton
+
+#endif
