@@ -1,0 +1,108 @@
+#include "ShapeSearchXML.h"
+
+#include "shapetonCommandLine.h"
+#include "shapetonCsvTable.h"
+#include "shapetonExceptions.h"
+#include "shapetonSha256.h"
+#include "shapetonShapeDatabase.h"
+
+#include <iostream>
+
+namespace
+{
+using shapeton::CommandLine;
+using shapeton::CsvTable;
+
+struct Answer
+{
+  std::string                 shape;
+  shapeton::ShapeSearchResult result;
+};
+
+void
+Add(CommandLine & commandLine, const shapeton::ShapeTable & table, const std::string & identity)
+{
+  shapeton::RequireParameter(!commandLine.IsGiven("neighbours"),
+                             "--add stores shapes and searches for none; leave out --neighbours");
+  const std::string database = commandLine.GetString("database");
+  const std::size_t shapes = shapeton::AddToShapeDatabase(database, table, identity, commandLine.GetString("add"));
+  std::cout << table.rows.size() << " added, " << shapes << " shapes in " << database << '\n';
+}
+
+std::vector<Answer>
+Search(const shapeton::ShapeTable & table, const std::vector<shapeton::NamedShape> & entries, int nearest)
+{
+  std::vector<Answer> answers;
+  for (const shapeton::ShapeRow & row : table.rows)
+  {
+    answers.push_back({ row.Name(), shapeton::FindShape(row.signature, entries, nearest) });
+  }
+  return answers;
+}
+
+void
+Print(const std::vector<Answer> & answers, const std::vector<shapeton::NamedShape> & entries)
+{
+  for (const auto & [shape, result] : answers)
+  {
+    std::cout << shape << ": " << (result.IsUnknown() ? "unknown" : entries[result.neighbours.front().entry].name)
+              << " (probability that the nearest is the same shape: " << CsvTable::Rounded(result.probability, 2)
+              << ")\n";
+    for (const shapeton::ShapeNeighbour & neighbour : result.neighbours)
+    {
+      std::cout << "    " << CsvTable::Rounded(neighbour.distance, 3) << "  " << entries[neighbour.entry].name << '\n';
+    }
+  }
+}
+
+void
+Write(const std::vector<Answer> & answers, const std::vector<shapeton::NamedShape> & entries, const std::string & path)
+{
+  CsvTable table({ "shape", "rank", "name", "distance", "probability", "answer" });
+  for (const auto & [shape, result] : answers)
+  {
+    for (std::size_t i = 0; i < result.neighbours.size(); ++i)
+    {
+      const bool          isFirst = i == 0; // probability and answer are those of the shape
+      const auto &        neighbour = result.neighbours[i];
+      const std::string & name = entries[neighbour.entry].name;
+      table.AddRow({ shape,
+                     std::to_string(i + 1),
+                     name,
+                     CsvTable::Rounded(neighbour.distance, 6),
+                     isFirst ? CsvTable::Rounded(result.probability, 4) : "",
+                     isFirst ? (result.IsUnknown() ? "unknown" : name) : "" });
+    }
+  }
+  table.Write(path);
+}
+
+void
+AddOrSearch(CommandLine & commandLine)
+{
+  const std::string          path = commandLine.GetString("table");
+  const std::string          identity = "sha256:" + shapeton::Sha256OfFile(path);
+  const shapeton::ShapeTable table = shapeton::ReadShapeTable(path);
+  if (commandLine.IsGiven("add"))
+  {
+    Add(commandLine, table, identity);
+    return;
+  }
+  const std::string output = commandLine.GetString("neighbours");
+  const std::string file = commandLine.OutputOf("neighbours");
+  const auto        entries = shapeton::ReadShapeDatabase(commandLine.GetString("database"));
+  const auto        answers = Search(table, entries, commandLine.GetInteger("nearest"));
+  if (!file.empty())
+  {
+    Write(answers, entries, file);
+    commandLine.RecordRun(output + ".run.json");
+  }
+  Print(answers, entries);
+}
+} // namespace
+
+int
+main(int argc, char * argv[])
+{
+  return CommandLine::Run(ToolXML, argc, argv, AddOrSearch);
+}
