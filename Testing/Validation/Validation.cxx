@@ -26,6 +26,7 @@ const std::vector<Part> parts = {
   { "heat-figures", "Figures 2.4, 2.5 and 2.7 of the dissertation", ValidateFiguresOfChapter2, false },
   { "heat-classes", "Classes of phantoms with noise", ValidateClassesOfPhantoms, false },
   { "heat-organs", "Heat classes and organs of a real abdomen", ValidateOrgansOfAbdomen, true },
+  { "shape-search", "Shapes found again by their signatures", ValidateSearchOfShapes, false },
   { "shapeton-comparison", "CHD or shapetons?", ValidateComparisonOfShapetons, false },
   { "shapeton-walk", "Scale and time of shapetons", ValidateWalkOfShapetons, false },
   { "flattening-metric", "Accuracy of the heat diffusion metric", ValidateAccuracyOfMetric, false },

@@ -88,6 +88,8 @@ ValidateComparisonOfShapetons(const ValidationSettings & settings, ValidationRep
 void
 ValidateWalkOfShapetons(const ValidationSettings & settings, ValidationReport & report);
 void
+ValidateSearchOfShapes(const ValidationSettings & settings, ValidationReport & report);
+void
 ValidateAccuracyOfMetric(const ValidationSettings & settings, ValidationReport & report);
 void
 ValidateAccuracyOfFlattening(const ValidationSettings & settings, ValidationReport & report);
