@@ -20,10 +20,10 @@ MakeBoxes()
 {
   auto image = ImageType::New();
   image->SetRegions(itk::Size<3>{ { 30, 14, 9 } });
-  const double         spacing[3] = { 0.8, 1.1, 2.0 };
-  const double         origin[3] = { -40.0, 25.0, 300.0 };
-  const double         c = std::cos(0.5);
-  const double         s = std::sin(0.5);
+  const double              spacing[3] = { 0.8, 1.1, 2.0 };
+  const double              origin[3] = { -40.0, 25.0, 300.0 };
+  const double              c = std::cos(0.5);
+  const double              s = std::sin(0.5);
   itk::Matrix<double, 3, 3> direction;
   direction.SetIdentity();
   direction[0][0] = direction[2][2] = c;
@@ -212,10 +212,10 @@ TEST(HeatSeeds, ClassesGiveSeedsAwayFromTheirBorders)
       }
     }
   };
-  fill({ { 1, 1, 1 } }, { { 4, 4, 4 } }, 5);    // 27 voxels, one inside
-  fill({ { 10, 2, 2 } }, { { 15, 7, 7 } }, 5);  // 125 voxels, 27 inside
-  fill({ { 17, 8, 8 } }, { { 19, 9, 9 } }, 9);  // border all over
-  shapeton::ClassSeeds choice;                  // lines
+  fill({ { 1, 1, 1 } }, { { 4, 4, 4 } }, 5);   // 27 voxels, one inside
+  fill({ { 10, 2, 2 } }, { { 15, 7, 7 } }, 5); // 125 voxels, 27 inside
+  fill({ { 17, 8, 8 } }, { { 19, 9, 9 } }, 9); // border all over
+  shapeton::ClassSeeds choice;                 // lines
   auto                 seeds = shapeton::SeedsOfClasses(classes, choice);
   EXPECT_EQ(Count(seeds, 1), 28u);
   EXPECT_EQ(Count(seeds, 2), 2u);

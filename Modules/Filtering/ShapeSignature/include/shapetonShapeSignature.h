@@ -69,8 +69,9 @@ struct ShapeSignature_EXPORT ShapeSignature
  *
  * It takes about half a second; more for sets of millions of voxels. Any number of threads gives the same bytes. Throws
  * InputError when the set has fewer than LeastVoxels, is thinner than a voxel of the grid nearly everywhere, or so long
- * that the grid does not fit into memory; std::invalid_argument when its size is not that of the image. \ingroup
- * ShapeSignature */
+ * that the grid does not fit into memory; std::invalid_argument when its size is not that of the image.
+ *
+ * \ingroup ShapeSignature */
 ShapeSignature_EXPORT ShapeSignature
 ComputeShapeSignature(const VoxelRuns & shape, const itk::ImageBase<3> * image);
 } // namespace shapeton
