@@ -28,9 +28,7 @@ IsMarkups(const std::string & path)
 void
 CheckUsage(const CommandLine & commandLine)
 {
-  const auto window = commandLine.GetDoubles("intensityWindow");
-  shapeton::RequireParameter(window.empty() || (window.size() == 2 && window[0] < window[1]),
-                             "--intensityWindow needs two numbers, the lower one first, for example -160,240");
+  shapeton::RequireIntensityWindow(commandLine);
   shapeton::RequireParameter(!commandLine.GetFlag("autoParameters") || !commandLine.IsGiven("p"),
                              "--autoParameters chooses p; give either it or --p");
   const std::string automatic = commandLine.GetString("automaticSeeds");

@@ -20,9 +20,7 @@ using FilterType = shapeton::ShapetonDiffusionImageFilter<ImageType>;
 void
 CheckUsage(const CommandLine & commandLine)
 {
-  const auto window = commandLine.GetDoubles("intensityWindow");
-  shapeton::RequireParameter(window.empty() || (window.size() == 2 && window[0] < window[1]),
-                             "--intensityWindow needs two numbers, the lower one first, for example -160,240");
+  shapeton::RequireIntensityWindow(commandLine);
   shapeton::RequireParameter(!commandLine.IsGiven("featureSize") || !commandLine.IsGiven("distance"),
                              "--featureSize chooses the distance; give either it or --distance");
   shapeton::RequireParameter(!commandLine.IsGiven("previewEvery") || commandLine.IsGiven("preview"),

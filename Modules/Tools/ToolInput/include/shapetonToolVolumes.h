@@ -18,6 +18,11 @@ ReadVolume(CommandLine & commandLine, const std::string & parameter, bool allowS
  * \ingroup ToolInput */
 ToolInput_EXPORT itk::Image<unsigned char, 3>::Pointer
                  ReadMask(CommandLine & commandLine, const std::string & parameter, const itk::ImageBase<3> * image);
+
+/** Throws ParameterError unless the option intensityWindow, if given, holds two ascending numbers. \ingroup ToolInput
+ */
+ToolInput_EXPORT void
+RequireIntensityWindow(const CommandLine & commandLine);
 } // namespace shapeton
 
 #endif

@@ -1,6 +1,7 @@
 #include "shapetonToolVolumes.h"
 
 #include "shapetonCommandLine.h"
+#include "shapetonExceptions.h"
 
 namespace shapeton
 {
@@ -32,5 +33,13 @@ ReadMask(CommandLine & commandLine, const std::string & parameter, const itk::Im
   const Volume volume = ReadVolume(path, options);
   commandLine.AddInput(parameter, volume.identity);
   return MaskForImage(volume, path, image);
+}
+
+void
+RequireIntensityWindow(const CommandLine & commandLine)
+{
+  const auto window = commandLine.GetDoubles("intensityWindow");
+  RequireParameter(window.empty() || (window.size() == 2 && window[0] < window[1]),
+                   "--intensityWindow needs two numbers, the lower one first, for example -160,240");
 }
 } // namespace shapeton
