@@ -8,10 +8,13 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <csignal>
+#include <filesystem>
 #include <fstream>
 #include <sstream>
+#include <thread>
 
 using namespace shapeton;
 
@@ -219,50 +222,76 @@ TEST_F(ShapeDatabase, SeveralProcessesAdd)
   EXPECT_EQ(ReadShapeDatabase(path).size(), 40U);
 }
 
-// A child adds tables of three shapes one after the other, tells of each by a byte in a pipe, and is killed.
-TEST_F(ShapeDatabase, HoldsWholeTablesAfterKill)
+// A child adds tables of three shapes one after the other, tells of each by a byte in a pipe, and is killed after a
+// while. Returns of how many it told.
+std::size_t
+AddUntilKilled(const std::string & path, int round, std::chrono::microseconds span)
 {
-  constexpr int rows = 3;
-  std::size_t   stored = 0;
-  int           interrupted = 0;
-  for (int round = 0; round < 40; ++round)
+  int ends[2];
+  EXPECT_EQ(pipe(ends), 0);
+  const pid_t child = fork();
+  if (child == 0)
   {
-    int ends[2];
-    ASSERT_EQ(pipe(ends), 0);
-    const pid_t child = fork();
-    if (child == 0)
+    for (int i = 0;; ++i)
     {
-      for (int i = 0;; ++i)
+      const std::string identity = std::to_string(round) + '-' + std::to_string(i);
+      const auto        add = [&] { AddToShapeDatabase(path, Table(3), identity, "x"); };
+      if (basetest::MessageOf(add) != "no error" || write(ends[1], "x", 1) != 1)
       {
-        const std::string identity = std::to_string(round) + '-' + std::to_string(i);
-        const auto        add = [&] { AddToShapeDatabase(path, Table(rows), identity, "x"); };
-        if (basetest::MessageOf(add) != "no error" || write(ends[1], "x", 1) != 1)
-        {
-          _exit(1);
-        }
+        _exit(1);
       }
     }
-    close(ends[1]);
-    usleep(2000 + 1700 * (round * 7 % 40)); // other moments of an addition each time
-    kill(child, SIGKILL);
-    waitpid(child, nullptr, 0);
-    std::size_t told = 0;
-    for (char byte; read(ends[0], &byte, 1) == 1;)
-    {
-      ++told;
-    }
-    close(ends[0]);
-    interrupted += std::filesystem::exists(path + "-journal") ? 1 : 0;
-    if (stored + told == 0 && (!std::filesystem::exists(path) || std::filesystem::file_size(path) == 0))
-    {
-      continue; // killed before the first shapes were there
-    }
-    const std::size_t now = ReadShapeDatabase(path).size();
-    EXPECT_EQ(now % rows, 0U);
-    EXPECT_GE(now, stored + told * rows); // what was told is kept
-    EXPECT_LE(now, stored + (told + 1) * rows);
-    stored = now;
   }
-  EXPECT_GT(stored, 0U);
+  close(ends[1]);
+  std::this_thread::sleep_for(span);
+  kill(child, SIGKILL);
+  waitpid(child, nullptr, 0);
+  std::size_t told = 0;
+  for (char byte; read(ends[0], &byte, 1) == 1;)
+  {
+    ++told;
+  }
+  close(ends[0]);
+  return told;
+}
+
+// Moments of a kill that fall before, into and after additions on this disk.
+std::chrono::microseconds
+MomentOfRound(const std::string & path, int round)
+{
+  using Clock = std::chrono::steady_clock;
+  const auto start = Clock::now();
+  AddToShapeDatabase(path, Table(3), "moment " + std::to_string(round), "x");
+  return std::chrono::duration_cast<std::chrono::microseconds>((Clock::now() - start) * (1 + round * 7 % 40) / 8);
+}
+
+TEST_F(ShapeDatabase, HoldsWholeTablesAfterKill)
+{
+  int interrupted = 0;
+  for (int round = 0; round < 40 || (interrupted == 0 && round < 400); ++round)
+  {
+    const auto        moment = MomentOfRound(path, round);
+    const std::size_t stored = ReadShapeDatabase(path).size();
+    const std::size_t told = AddUntilKilled(path, round, moment);
+    interrupted += std::filesystem::exists(path + "-journal") ? 1 : 0;
+    const std::size_t now = ReadShapeDatabase(path).size();
+    EXPECT_EQ(now % 3, 0U);
+    EXPECT_GE(now, stored + told * 3); // what was told is kept
+    EXPECT_LE(now, stored + (told + 1) * 3);
+  }
   EXPECT_GT(interrupted, 0); // or the test has shown nothing
+}
+
+TEST_F(ShapeDatabase, IsMadeAfterAKillInItsFirstAddition)
+{
+  const std::string other = path + ".other";
+  for (int round = 0; round < 20; ++round)
+  {
+    const std::size_t told = AddUntilKilled(path, round, MomentOfRound(other, round) / 4);
+    const std::size_t now = AddToShapeDatabase(path, Table(3), "afterwards", "x");
+    EXPECT_GE(now, (told + 1) * 3);
+    EXPECT_LE(now, (told + 2) * 3);
+    EXPECT_EQ(ReadShapeDatabase(path).size(), now);
+    std::filesystem::remove(path);
+  }
 }
