@@ -200,6 +200,8 @@ const std::vector<std::string> MachineFolders{ Slash + "home/",
 const std::vector<std::string> ForeignLicences{ std::string("General ") + "Public License",
                                                 std::string("All rights ") + "reserved",
                                                 std::string("Copy") + "right (" };
+/** Called within a loop, it may wait for threads that wait for it. */
+const std::vector<std::string> OtherLoops{ std::string("MultiThreaderBase::New()") + "->Parallelize" };
 
 void
 FindWords(const std::string &              text,
@@ -283,6 +285,7 @@ CheckTexts(const fs::path & root)
     if (IsSource(file))
     {
       FindWords(text, ForeignLicences, Shown(file, root), "carries a licence of its own: ", faults);
+      FindWords(text, OtherLoops, Shown(file, root), "has a loop that is none of shapetonParallelFor.h: ", faults);
     }
   }
   return faults;

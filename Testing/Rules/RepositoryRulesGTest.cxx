@@ -99,6 +99,15 @@ TEST_F(RepositoryRules, RefuseForeignLicencesInSources)
             "right (\n");
 }
 
+TEST_F(RepositoryRules, RefuseOtherParallelLoops)
+{
+  const std::string call = "MultiThreaderBase::New()"
+                           "->Parallelize";
+  this->Write("a.cxx", "itk::" + call + "Array(0, n, body, nullptr);\n");
+  EXPECT_EQ(ToText(rules::CheckTexts(m_Root)),
+            "a.cxx:1: has a loop that is none of shapetonParallelFor.h: " + call + "\n");
+}
+
 TEST_F(RepositoryRules, LimitTheLengthOfTools)
 {
   std::string lines;

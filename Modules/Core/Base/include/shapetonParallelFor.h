@@ -10,8 +10,10 @@
 #include <algorithm>
 #include <atomic>
 #include <exception>
+#include <future>
 #include <mutex>
 #include <thread>
+#include <vector>
 
 namespace shapeton
 {
@@ -42,10 +44,25 @@ private:
   unsigned int m_Before;
 };
 
-/** Runs `body(worker)` on `workers` workers of ITK's threader. A worker may start after another one has ended, so none
- * may wait for one that has not begun. The first exception is thrown again when all workers have ended; ITK's threader
- * would lose those of all workers but one. A loop within a loop within a loop is done by its caller alone: threads of
- * ITK's pool that wait for their own loops would leave none to do them. \ingroup Base */
+/** Calls work(worker) once for each of `workers` workers: the calling thread takes the first one, threads of their own
+ * the others. `work` must not throw. \ingroup Base */
+template <typename TWork>
+void
+OnOwnThreads(unsigned int workers, const TWork & work)
+{
+  std::vector<std::future<void>> others; // waited for when they go, whatever is thrown
+  for (unsigned int worker = 1; worker < workers; ++worker)
+  {
+    others.push_back(std::async(std::launch::async, [&work, worker] { work(worker); }));
+  }
+  work(0U);
+}
+
+/** Runs `body(worker)` on `workers` workers: of ITK's threader, or within another loop on threads of their own, as
+ * threads of ITK's pool that wait for loops would leave none to do them. A loop within a loop within a loop is done by
+ * its caller alone. A worker may start after another one has ended, so none may wait for one that has not begun. The
+ * first exception is thrown again when all workers have ended; ITK's threader would lose those of all workers but one.
+ * \ingroup Base */
 template <typename TBody>
 void
 ParallelWorkers(unsigned int workers, const TBody & body)
@@ -62,24 +79,28 @@ ParallelWorkers(unsigned int workers, const TBody & body)
   }
   std::mutex         mutex;
   std::exception_ptr failure;
-  auto               threader = itk::MultiThreaderBase::New();
-  threader->SetNumberOfWorkUnits(workers);
-  threader->ParallelizeArray(
-    0,
-    workers,
-    [&](itk::SizeValueType worker) {
-      const LoopDepth inside(depth + 1);
-      try
-      {
-        body(static_cast<unsigned int>(worker));
-      }
-      catch (...)
-      {
-        const std::lock_guard<std::mutex> lock(mutex);
-        failure = failure ? failure : std::current_exception();
-      }
-    },
-    nullptr);
+  const auto         work = [&](itk::SizeValueType worker) {
+    const LoopDepth inside(depth + 1);
+    try
+    {
+      body(static_cast<unsigned int>(worker));
+    }
+    catch (...)
+    {
+      const std::lock_guard<std::mutex> lock(mutex);
+      failure = failure ? failure : std::current_exception();
+    }
+  };
+  if (depth > 0)
+  {
+    OnOwnThreads(workers, work);
+  }
+  else
+  {
+    const auto threader = itk::MultiThreaderBase::New();
+    threader->SetNumberOfWorkUnits(workers);
+    threader->ParallelizeArray(0, workers, work, nullptr);
+  }
   if (failure)
   {
     std::rethrow_exception(failure);

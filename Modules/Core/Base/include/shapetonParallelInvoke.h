@@ -18,7 +18,7 @@ ParallelInvoke(const TFirst & first, const TSecond & second)
     second();
     return;
   }
-  // So that ITK's pool has a free thread for the loops of `second`, which keeps one.
+  // So that ITK's pool has a free thread for filters of ITK in `second`, which keeps one.
   itk::MultiThreaderBase::New()->SetMaximumNumberOfThreads(2);
   std::exception_ptr failures[2];
   ParallelWorkers(2, [&](unsigned int worker) {

@@ -106,6 +106,24 @@ TEST_P(WithThreads, LoopsInLoopsInLoopsEnd)
   EXPECT_EQ(shapeton::DepthOfLoops(), 0U);
 }
 
+TEST_P(WithThreads, LoopsInLoopsOfSeveralCallersEnd)
+{
+  constexpr int            callers = 6; // more than ITK's pool has threads
+  std::atomic<int>         count{ 0 };
+  std::vector<std::thread> threads;
+  for (int caller = 0; caller < callers; ++caller)
+  {
+    threads.emplace_back([&count] {
+      shapeton::ParallelFor(40, [&](std::size_t) { shapeton::ParallelFor(10, [&](std::size_t) { ++count; }); });
+    });
+  }
+  for (std::thread & thread : threads)
+  {
+    thread.join();
+  }
+  EXPECT_EQ(count, callers * 400);
+}
+
 TEST_P(WithThreads, WorkBesideIsDoneWhenItIsWaitedFor)
 {
   int  done = 0;

@@ -2,7 +2,7 @@
 
 #include <Eigen/Geometry>
 
-#include "itkMultiThreaderBase.h"
+#include "shapetonParallelFor.h"
 
 #include <algorithm>
 #include <cmath>
@@ -371,19 +371,15 @@ ColonCorrespondenceTruth(const ColonPlan & plan, const ColonField & field)
   const MaterialGrid                 grid(plan);
   std::vector<std::vector<Vector3d>> points(grid.Rows());
   std::vector<std::vector<double>>   radii(grid.Rows());
-  itk::MultiThreaderBase::New()->ParallelizeArray(
-    0,
-    grid.Rows(),
-    [&](itk::SizeValueType row) {
-      for (int k = 0; k < grid.Columns(row); ++k)
-      {
-        double radius;
-        points[row].push_back(
-          field.WallPoint(MaterialGrid::MaterialOf(row) / curve.GetStep(), grid.AngleOf(row, k), radius));
-        radii[row].push_back(radius);
-      }
-    },
-    nullptr);
+  ParallelFor(static_cast<std::size_t>(grid.Rows()), [&](std::size_t row) {
+    for (int k = 0; k < grid.Columns(row); ++k)
+    {
+      double radius;
+      points[row].push_back(
+        field.WallPoint(MaterialGrid::MaterialOf(row) / curve.GetStep(), grid.AngleOf(row, k), radius));
+      radii[row].push_back(radius);
+    }
+  });
   CurveWriter writer({ "materialId", "arcLength", "angle", "segment", "collapsed", "onFold" }, {});
   for (int row = 0; row < grid.Rows(); ++row)
   {

@@ -1,6 +1,6 @@
 #include "shapetonColonWallSurface.h"
 
-#include "itkMultiThreaderBase.h"
+#include "shapetonParallelFor.h"
 #include "shapetonSurfaceConnectivity.h"
 
 #include <Eigen/Geometry>
@@ -27,13 +27,6 @@ namespace
 {
 constexpr int c_Block = 8;
 constexpr int c_SlabBlocks = 2;
-
-template <typename TBody>
-void
-ForAll(std::size_t number, const TBody & body)
-{
-  itk::MultiThreaderBase::New()->ParallelizeArray(0, number, body, nullptr);
-}
 
 class WallExtractor
 {
@@ -89,7 +82,7 @@ private:
   {
     const int depth = c_SlabBlocks * c_Block + 1;
     m_Values.resize(std::size_t(m_SizeX) * m_SizeY * depth);
-    ForAll(m_Blocks[1] + 1, [this, slab, depth](itk::SizeValueType rowOfBlocks) {
+    ParallelFor(m_Blocks[1] + 1, [this, slab, depth](itk::SizeValueType rowOfBlocks) {
       const int begin = static_cast<int>(rowOfBlocks) * c_Block;
       const int end = std::min(begin + c_Block, m_SizeY);
       for (int z = 0; z < depth; z += c_Block)
@@ -197,7 +190,7 @@ private:
   {
     SurfaceMesh mesh;
     mesh.V.resize(m_Points.size(), 3);
-    ForAll(m_Points.size() / 1024 + 1, [&](itk::SizeValueType piece) {
+    ParallelFor(m_Points.size() / 1024 + 1, [&](itk::SizeValueType piece) {
       for (std::size_t i = 1024 * piece; i < std::min<std::size_t>(m_Points.size(), 1024 * (piece + 1)); ++i)
       {
         mesh.V.row(i) = this->OntoWall(m_Points[i]);

@@ -1,22 +1,14 @@
 #include "shapetonClassifiedVolume.h"
 
-#include "itkMultiThreaderBase.h"
+#include "shapetonParallelFor.h"
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 
 namespace shapeton
 {
 namespace
 {
-void
-ForEach(int number, const std::function<void(int)> & work)
-{
-  itk::MultiThreaderBase::New()->ParallelizeArray(
-    0, number, [&](itk::SizeValueType i) { work(static_cast<int>(i)); }, nullptr);
-}
-
 /** The binomial kernel 1 2 1 along a line of values, in place; the ends repeat. */
 void
 SmoothLine(std::uint16_t * line, int length, std::size_t stride)
@@ -61,7 +53,7 @@ ClassifiedVolume::Classify(const itk::Image<float, 3> * heat, const ShapeTransfe
   const float * const heats = heat->GetBufferPointer();
   m_Lines.resize(slice * m_Size[2]);
   m_SmoothOpacity.resize(m_Lines.size());
-  ForEach(m_Size[2], [&](int z) {
+  ParallelFor(m_Size[2], [&](int z) {
     for (std::size_t i = z * slice; i < (z + 1) * slice; ++i)
     {
       m_Lines[i] = static_cast<std::uint8_t>(transferFunction.LineOf(heats[i]) + 1);
@@ -81,7 +73,7 @@ ClassifiedVolume::MarkOccupiedBlocks()
 {
   m_Content.assign(this->BlockIndex(0, 0, m_Blocks[2]), Content::Transparent);
   // A block looks one voxel beyond its borders, as far as interpolation does.
-  ForEach(m_Blocks[2], [&](int blockZ) {
+  ParallelFor(m_Blocks[2], [&](int blockZ) {
     const int firstZ = std::max(blockZ * BlockSize - 1, 0);
     const int endZ = std::min((blockZ + 1) * BlockSize + 1, m_Size[2]);
     for (int z = firstZ; z < endZ; ++z)
@@ -115,7 +107,7 @@ ClassifiedVolume::MarkUniformBlocks()
   // gradient.
   constexpr std::uint8_t    several = 255;
   std::vector<std::uint8_t> lineOfBlock(m_Content.size());
-  ForEach(m_Blocks[2], [&](int blockZ) {
+  ParallelFor(m_Blocks[2], [&](int blockZ) {
     for (int z = blockZ * BlockSize; z < std::min((blockZ + 1) * BlockSize, m_Size[2]); ++z)
     {
       for (int y = 0; y < m_Size[1]; ++y)
@@ -147,7 +139,7 @@ ClassifiedVolume::MarkUniformBlocks()
     }
     return line != several;
   };
-  ForEach(m_Blocks[2], [&](int z) {
+  ParallelFor(m_Blocks[2], [&](int z) {
     for (int y = 0; y < m_Blocks[1]; ++y)
     {
       for (int x = 0; x < m_Blocks[0]; ++x)
@@ -168,7 +160,7 @@ ClassifiedVolume::SmoothOpacity()
   const std::size_t slice = static_cast<std::size_t>(m_Size[0]) * m_Size[1];
   for (int pass = 0; pass < 3; ++pass)
   {
-    ForEach(m_Size[2], [&](int z) {
+    ParallelFor(m_Size[2], [&](int z) {
       for (int y = 0; y < m_Size[1]; ++y)
       {
         SmoothLine(&m_SmoothOpacity[z * slice + static_cast<std::size_t>(y) * m_Size[0]], m_Size[0], 1);
@@ -178,7 +170,7 @@ ClassifiedVolume::SmoothOpacity()
         SmoothLine(&m_SmoothOpacity[z * slice + x], m_Size[1], m_Size[0]);
       }
     });
-    ForEach(m_Size[1], [&](int y) {
+    ParallelFor(m_Size[1], [&](int y) {
       for (int x = 0; x < m_Size[0]; ++x)
       {
         SmoothLine(&m_SmoothOpacity[static_cast<std::size_t>(y) * m_Size[0] + x], m_Size[2], slice);

@@ -4,7 +4,7 @@
 #include "shapetonDeviceRays.h"
 #include "shapetonLighting.h"
 #include "itkImageRegionConstIteratorWithIndex.h"
-#include "itkMultiThreaderBase.h"
+#include "shapetonParallelFor.h"
 #include "shapetonPictureAnnotation.h"
 
 #include <algorithm>
@@ -120,17 +120,13 @@ struct VolumeRenderer::Impl
     const auto            height = picture->GetBufferedRegion().GetSize(1);
     const RayVolume       rays = volume.GetRayVolume();
     unsigned char * const pixels = picture->GetBufferPointer()->GetDataPointer();
-    itk::MultiThreaderBase::New()->ParallelizeArray(
-      0,
-      height,
-      [&](itk::SizeValueType y) {
-        for (std::size_t x = 0; x < width; ++x)
-        {
-          RayArithmetic::ColorOfPixel(
-            rays, view, static_cast<double>(x), static_cast<double>(y), pixels + 3 * (y * width + x));
-        }
-      },
-      nullptr);
+    ParallelFor(height, [&](std::size_t y) {
+      for (std::size_t x = 0; x < width; ++x)
+      {
+        RayArithmetic::ColorOfPixel(
+          rays, view, static_cast<double>(x), static_cast<double>(y), pixels + 3 * (y * width + x));
+      }
+    });
   }
 
   itk::Image<float, 3>::ConstPointer heat;

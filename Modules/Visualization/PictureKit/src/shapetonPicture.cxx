@@ -144,8 +144,6 @@ WritePng(const Picture * picture, const std::string & path)
 void
 WritePngs(const std::vector<PictureFile> & files)
 {
-  // Drawings have loops of their own: ITK's pool, which may be of a time with fewer threads, needs a free one for them.
-  itk::MultiThreaderBase::New()->SetMaximumNumberOfThreads(NumberOfThreads());
   ParallelFor(files.size(), [&](std::size_t i) { WritePng(files[i].draw(), files[i].path); });
 }
 

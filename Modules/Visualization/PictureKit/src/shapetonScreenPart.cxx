@@ -1,6 +1,6 @@
 #include "shapetonScreenPart.h"
 
-#include "itkMultiThreaderBase.h"
+#include "shapetonParallelFor.h"
 
 #include <Eigen/Geometry>
 
@@ -62,26 +62,17 @@ ProjectMesh(const SurfaceMesh & mesh, const PatientView & view)
   ScreenPart part;
   part.faces = &mesh.F;
   part.vertices.resize(mesh.V.rows());
-  constexpr itk::SizeValueType block = 4096;
-  const auto                   number = static_cast<itk::SizeValueType>(mesh.V.rows());
-  itk::MultiThreaderBase::New()->ParallelizeArray(
-    0,
-    (number + block - 1) / block,
-    [&](itk::SizeValueType chunk) {
-      for (itk::SizeValueType i = chunk * block; i < std::min(number, (chunk + 1) * block); ++i)
-      {
-        const Row  p = mesh.V.row(i);
-        const Row  n = normals.row(i);
-        const auto place = view.Project(PatientView::PointType{ p.data() });
-        part.vertices[i] = {
-          ScreenPlace(place[0]),
-          ScreenPlace(place[1]),
-          static_cast<float>(p.dot(forward) - originDepth),
-          { static_cast<float>(n.dot(right)), static_cast<float>(n.dot(up)), static_cast<float>(-n.dot(forward)) }
-        };
-      }
-    },
-    nullptr);
+  ParallelForBlocks(part.vertices.size(), [&](std::size_t i) {
+    const Row  p = mesh.V.row(i);
+    const Row  n = normals.row(i);
+    const auto place = view.Project(PatientView::PointType{ p.data() });
+    part.vertices[i] = {
+      ScreenPlace(place[0]),
+      ScreenPlace(place[1]),
+      static_cast<float>(p.dot(forward) - originDepth),
+      { static_cast<float>(n.dot(right)), static_cast<float>(n.dot(up)), static_cast<float>(-n.dot(forward)) }
+    };
+  });
   return part;
 }
 } // namespace shapeton

@@ -1,7 +1,7 @@
 #include "shapetonSurfaceRaster.h"
 
 #include "shapetonLighting.h"
-#include "itkMultiThreaderBase.h"
+#include "shapetonParallelFor.h"
 
 #include <algorithm>
 #include <array>
@@ -410,15 +410,11 @@ RasterizeParts(const std::vector<ScreenPart> & parts, unsigned int width, unsign
     faces.emplace_back(part, columns, bands);
   }
   std::vector<SeenSample> samples(static_cast<std::size_t>(columns) * rows);
-  itk::MultiThreaderBase::New()->ParallelizeArray(
-    0,
-    static_cast<itk::SizeValueType>(bands),
-    [&](itk::SizeValueType band) {
-      const auto firstRow = static_cast<int>(band) * rowsOfBand;
-      BandPainter(parts, faces, columns, static_cast<int>(band))
-        .Paint(std::min(rowsOfBand, rows - firstRow), samples.data() + static_cast<std::size_t>(firstRow) * columns);
-    },
-    nullptr);
+  ParallelFor(static_cast<std::size_t>(bands), [&](std::size_t band) {
+    const auto firstRow = static_cast<int>(band) * rowsOfBand;
+    BandPainter(parts, faces, columns, static_cast<int>(band))
+      .Paint(std::min(rowsOfBand, rows - firstRow), samples.data() + static_cast<std::size_t>(firstRow) * columns);
+  });
   return samples;
 }
 } // namespace shapeton
