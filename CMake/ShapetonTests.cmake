@@ -1,23 +1,31 @@
 # What test/CMakeLists.txt of a module calls, in our build and inside an ITK source tree.
 
-# creategoogletestdriver(<kit> "<libraries>" "<sources>" [TOGETHER] [LONG <Suite.Test>...]): one executable <kit>GTestDriver;
+# creategoogletestdriver(<kit> "<libraries>" "<sources>" [ALONE <source>...] [TOGETHER] [LONG <Suite.Test>...]):
+# one executable <kit>GTestDriver, whose sources are compiled four at a time, but those after ALONE, which have names of others;
 # each TEST is a ctest. Those after LONG have the label Long: Utilities/run-tests runs them with --long. TOGETHER: all are one
-# ctest, because they share what takes long to make, which a process can make once.
+# ctest, and those after LONG another one, because they share what takes long to make, which a process can make once.
 function(creategoogletestdriver kit libraries sources)
-  cmake_parse_arguments(PARSE_ARGV 3 driver "TOGETHER" "" "LONG")
+  cmake_parse_arguments(PARSE_ARGV 3 driver "TOGETHER" "" "ALONE;LONG")
   add_executable(${kit}GTestDriver ${sources})
   target_link_libraries(${kit}GTestDriver PRIVATE ${libraries} GTest::gtest_main)
   # What is tested is in the libraries; of the time of a test most is its compilation, and -O3 makes it a fifth longer.
   target_compile_options(${kit}GTestDriver PRIVATE $<$<CONFIG:Release>:-O1>)
+  # And of the compilation most is headers: together it takes half the time. clang-tidy is to see each source as it is.
+  if(NOT CMAKE_CXX_CLANG_TIDY)
+    set_target_properties(${kit}GTestDriver PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 4)
+  endif()
+  set_source_files_properties(${driver_ALONE} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
   target_compile_definitions(${kit}GTestDriver PRIVATE
     SHAPETON_BASELINE_DIR="${Shapeton_SOURCE_DIR}/Testing/Baseline"
     SHAPETON_TEST_TEMPORARY_DIR="${Shapeton_BINARY_DIR}/Testing/Temporary")
+  list(JOIN driver_LONG ":" long)
   if(driver_TOGETHER)
-    add_test(NAME ${kit} COMMAND ${kit}GTestDriver)
-    set_tests_properties(${kit} PROPERTIES LABELS ${itk-module})
+    shapeton_add_together(${kit} ${kit} "-${long}" ${itk-module})
+    if(long)
+      shapeton_add_together(${kit}Long ${kit} "${long}" Long)
+    endif()
     return()
   endif()
-  list(JOIN driver_LONG ":" long)
   shapeton_discover_tests(${kit} "-${long}" ${itk-module})
   if(long)
     shapeton_discover_tests(${kit} "${long}" Long)
@@ -56,6 +64,12 @@ function(shapeton_compare_devices tool)
       -DOUT=${CMAKE_CURRENT_BINARY_DIR}/${test} "-DARGUMENTS=${ARGN}" -P ${Shapeton_SOURCE_DIR}/CMake/CompareDevices.cmake)
   endforeach()
   set_tests_properties(${tool}Devices ${tool}Gpu PROPERTIES LABELS Applications SKIP_REGULAR_EXPRESSION "there is no GPU")
+endfunction()
+
+# One ctest of the tests of a driver that a filter of GoogleTest lets through.
+function(shapeton_add_together name kit filter label)
+  add_test(NAME ${name} COMMAND ${kit}GTestDriver --gtest_filter=${filter})
+  set_tests_properties(${name} PROPERTIES LABELS ${label})
 endfunction()
 
 # The tests of a driver that a filter of GoogleTest lets through.
