@@ -27,6 +27,8 @@ const std::vector<Part> parts = {
   { "heat-classes", "Classes of phantoms with noise", ValidateClassesOfPhantoms, false },
   { "heat-organs", "Heat classes and organs of a real abdomen", ValidateOrgansOfAbdomen, true },
   { "shape-search", "Shapes found again by their signatures", ValidateSearchOfShapes, false },
+  { "seeded-heat", "Labels from seeds, beside peers", ValidateSegmentationFromSeeds, false },
+  { "seeded-heat-organs", "All organs from seeds, beside peers", ValidateSegmentationOfOrgans, true, false },
   { "shapeton-comparison", "CHD or shapetons?", ValidateComparisonOfShapetons, false },
   { "shapeton-walk", "Scale and time of shapetons", ValidateWalkOfShapetons, false },
   { "flattening-metric", "Accuracy of the heat diffusion metric", ValidateAccuracyOfMetric, false },
@@ -95,6 +97,11 @@ const std::map<std::string, Taker> takers = {
     [](const std::string & value, Request & request) {
       request.settings.firstSeed = static_cast<unsigned int>(std::max(0, std::atoi(value.c_str())));
       return request.settings.firstSeed > 0;
+    } },
+  { "--draws",
+    [](const std::string & value, Request & request) {
+      request.settings.draws = std::atoi(value.c_str());
+      return request.settings.draws > 0;
     } },
   { "--preset",
     [](const std::string & value, Request & request) {
@@ -177,8 +184,8 @@ main(int argc, char * argv[])
   Request request;
   if (!Parse({ argv + 1, argv + argc }, request))
   {
-    return Fail("usage: Validation [--quick] [--patients N] [--firstSeed N] [--preset NAME] [--output FOLDER] [PART], "
-                "PART one of " +
+    return Fail("usage: Validation [--quick] [--patients N] [--firstSeed N] [--preset NAME] [--draws N] [--output FOLDER] "
+                "[PART], PART one of " +
                 PartNames());
   }
   if (const char * const folder = std::getenv("SHAPETON_TEST_DATA_DIR"))

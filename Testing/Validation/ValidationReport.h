@@ -69,6 +69,7 @@ struct ValidationSettings
   unsigned int firstSeed{ 0 }; ///< 0 for those of the published tables
   /** Of the synthetic patients. */
   std::vector<std::string> presets{ "standard", "hard", "realistic" };
+  int                      draws{ 0 };          ///< of seeds, in seeded-heat and seeded-heat-organs; 0 for 3
   std::string              dataFolder;          ///< empty where there is no real data
   std::string              outputFolder{ "." }; ///< for pictures beside the page
   std::string              pictureFolder;       ///< for those of Documentation/pictures
@@ -89,6 +90,10 @@ void
 ValidateWalkOfShapetons(const ValidationSettings & settings, ValidationReport & report);
 void
 ValidateSearchOfShapes(const ValidationSettings & settings, ValidationReport & report);
+void
+ValidateSegmentationFromSeeds(const ValidationSettings & settings, ValidationReport & report);
+void
+ValidateSegmentationOfOrgans(const ValidationSettings & settings, ValidationReport & report);
 void
 ValidateAccuracyOfMetric(const ValidationSettings & settings, ValidationReport & report);
 void

@@ -1,0 +1,466 @@
+#include "BoundTable.h"
+#include "SeedTrial.h"
+#include "ValidationReport.h"
+
+#include "shapetonSeededHeatSolver.h"
+#include "shapetonShapePhantomImageSource.h"
+#include "shapetonVolumeReader.h"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <map>
+#include <set>
+#include <stdexcept>
+
+using namespace shapeton;
+
+namespace
+{
+using ImageType = LabelledVolume::ImageType;
+
+constexpr int judgedNumber = 20; // seeds of each label, at which the bounds are asked
+
+// ---- volumes ----
+
+/** Intensities scaled to [0, 1] by a window: what all methods get. */
+template <typename TImage>
+ImageType::Pointer
+Windowed(const TImage * image, double lower, double upper)
+{
+  const auto windowed = ImageType::New();
+  windowed->CopyInformation(image);
+  windowed->SetRegions(image->GetLargestPossibleRegion());
+  windowed->Allocate();
+  std::transform(image->GetBufferPointer(),
+                 image->GetBufferPointer() + image->GetLargestPossibleRegion().GetNumberOfPixels(),
+                 windowed->GetBufferPointer(),
+                 [=](double value) { return std::clamp((value - lower) / (upper - lower), 0.0, 1.0); });
+  return windowed;
+}
+
+/** Label 1 for the background and what is too small or not wanted (none: all are), then a label for each part. */
+template <typename TImage>
+void
+SetTruth(const TImage * parts, std::size_t leastVoxels, const std::set<int> & wanted, LabelledVolume & volume)
+{
+  const std::size_t          number = parts->GetLargestPossibleRegion().GetNumberOfPixels();
+  std::map<int, std::size_t> voxels;
+  for (std::size_t i = 0; i < number; ++i)
+  {
+    ++voxels[static_cast<int>(parts->GetBufferPointer()[i])];
+  }
+  std::map<int, unsigned short> labels;
+  volume.names = { "background" };
+  for (const auto & [part, count] : voxels)
+  {
+    const bool isTaken = part != 0 && count >= leastVoxels && (wanted.empty() || wanted.count(part) != 0);
+    if (isTaken)
+    {
+      volume.names.push_back(std::to_string(part));
+    }
+    labels[part] = isTaken ? static_cast<unsigned short>(volume.names.size()) : 1;
+  }
+  volume.truth = SeedImage::New();
+  volume.truth->CopyInformation(parts);
+  volume.truth->SetRegions(parts->GetLargestPossibleRegion());
+  volume.truth->Allocate();
+  std::transform(parts->GetBufferPointer(),
+                 parts->GetBufferPointer() + number,
+                 volume.truth->GetBufferPointer(),
+                 [&](auto part) { return labels[static_cast<int>(part)]; });
+}
+
+LabelledVolume
+Phantom(const std::string & preset, unsigned int side)
+{
+  const auto source = ShapePhantomImageSource::New();
+  source->SetScene(ShapeScene::Load(preset));
+  source->SetSize(itk::Size<3>::Filled(side));
+  source->SetNoiseStandardDeviation(20.0);
+  source->SetBlur(0.7);
+  source->CenterOutput();
+  source->Update();
+  LabelledVolume volume;
+  volume.name = "Phantom `" + preset + "`";
+  volume.image = Windowed(source->GetOutput(), 0.0, 1000.0);
+  SetTruth(source->GetLabelOutput(), 1, {}, volume);
+  return volume;
+}
+
+LabelledVolume
+Abdomen(const std::string & dataFolder, const std::string & name, const std::set<int> & organs)
+{
+  constexpr std::size_t leastVoxels = 1000;
+  const std::string     folder = dataFolder + "/ct/totalsegmentator";
+  const Volume          ct = ReadVolume(folder + "/example_ct.nii.gz");
+  const Volume          parts = ReadVolume(folder + "/example_seg_fast_force_split.nii.gz");
+  if (!HaveSameGrid(ct.image, parts.image))
+  {
+    throw std::runtime_error("the organ labels have another grid than the CT");
+  }
+  LabelledVolume volume;
+  volume.name = name;
+  volume.image = Windowed(ct.image.GetPointer(), -160.0, 240.0);
+  SetTruth(parts.image.GetPointer(), leastVoxels, organs, volume);
+  return volume;
+}
+
+// ---- trials ----
+
+/** Dice of each label and cost, of one draw. */
+struct Score
+{
+  std::vector<double> dice;
+  double              cpuSeconds{ 0.0 };
+  bool                hasConverged{ true };
+};
+
+/** The draws of one method with one number of seeds; none where the method is missing. */
+using Scores = std::vector<Score>;
+
+struct MethodScores
+{
+  std::string           name;
+  std::map<int, Scores> ofNumber; ///< of seeds
+};
+
+Score
+ScoreOf(const LabelledVolume & volume, const Segmentation & segmentation)
+{
+  return { DiceOfLabels(volume, segmentation.labels), segmentation.cpuSeconds, segmentation.hasConverged };
+}
+
+std::vector<double>
+MeanDice(const Scores & scores)
+{
+  std::vector<double> means;
+  std::transform(
+    scores.begin(), scores.end(), std::back_inserter(means), [](const Score & s) { return MeanOf(s.dice); });
+  return means;
+}
+
+std::vector<double>
+CpuSeconds(const Scores & scores)
+{
+  std::vector<double> seconds;
+  std::transform(
+    scores.begin(), scores.end(), std::back_inserter(seconds), [](const Score & s) { return s.cpuSeconds; });
+  return seconds;
+}
+
+/** Of all draws the seeds, by their number. */
+std::map<int, std::vector<DrawnSeeds>>
+DrawAll(const LabelledVolume & volume, const std::vector<int> & numbers, int draws)
+{
+  std::map<int, std::vector<DrawnSeeds>> seeds;
+  for (const int number : numbers)
+  {
+    for (int draw = 1; draw <= draws; ++draw)
+    {
+      seeds[number].push_back(DrawSeeds(volume, number, static_cast<unsigned int>(draw)));
+    }
+  }
+  return seeds;
+}
+
+MethodScores
+RunMethod(const std::string &                                                              name,
+          const std::function<Segmentation(const LabelledVolume &, const SeedImage *)> & segment,
+          const LabelledVolume &                                                           volume,
+          const std::map<int, std::vector<DrawnSeeds>> &                                   seeds)
+{
+  MethodScores scores{ name, {} };
+  for (const auto & [number, draws] : seeds)
+  {
+    for (const DrawnSeeds & draw : draws)
+    {
+      ValidationReport::Progress(volume.name + ": " + name + ", " + std::to_string(number) + " seeds");
+      scores.ofNumber[number].push_back(ScoreOf(volume, segment(volume, draw.image)));
+    }
+  }
+  return scores;
+}
+
+MethodScores
+RunRandomWalker(const LabelledVolume & volume, const std::map<int, std::vector<DrawnSeeds>> & seeds)
+{
+  MethodScores                    scores{ "random walker (scikit-image)", {} };
+  std::vector<SeedImage::Pointer> images;
+  for (const auto & [number, draws] : seeds)
+  {
+    scores.ofNumber[number];
+    std::transform(
+      draws.begin(), draws.end(), std::back_inserter(images), [](const DrawnSeeds & draw) { return draw.image; });
+  }
+  ValidationReport::Progress(volume.name + ": " + scores.name);
+  const auto segmentations = SegmentByRandomWalker(volume, images);
+  if (!segmentations)
+  {
+    return scores;
+  }
+  auto next = segmentations->begin();
+  for (const auto & [number, draws] : seeds)
+  {
+    for (std::size_t i = 0; i < draws.size(); ++i)
+    {
+      scores.ofNumber[number].push_back(ScoreOf(volume, *next++));
+    }
+  }
+  return scores;
+}
+
+/** Ours first, then the random walker, then the others. */
+std::vector<MethodScores>
+RunMethods(const LabelledVolume & volume, const std::map<int, std::vector<DrawnSeeds>> & seeds)
+{
+  return { RunMethod("seeded heat", SegmentByHeat, volume, seeds),
+           RunRandomWalker(volume, seeds),
+           RunMethod("watershed (ITK)", SegmentByWatershed, volume, seeds),
+           RunMethod("confidence connected (ITK)", SegmentByConfidence, volume, seeds) };
+}
+
+// ---- tables ----
+
+void
+ReportMeans(const std::vector<MethodScores> & methods, ValidationReport & report)
+{
+  CsvTable table({ "seeds of each label", "method", "mean Dice of the labels", "CPU seconds" });
+  for (const auto & [number, first] : methods.front().ofNumber)
+  {
+    for (const MethodScores & method : methods)
+    {
+      const Scores & scores = method.ofNumber.at(number);
+      const auto     stopped =
+        std::count_if(scores.begin(), scores.end(), [](const Score & score) { return !score.hasConverged; });
+      const std::string remark = stopped == 0 ? "" : "; " + std::to_string(stopped) + " did not converge";
+      table.AddRow({ std::to_string(number),
+                     method.name,
+                     scores.empty() ? "not run: python3-skimage is missing" : MeanWithInterval(MeanDice(scores)),
+                     scores.empty() ? "" : Rounded(MeanOf(CpuSeconds(scores))) + remark });
+    }
+  }
+  report.AddTable(table);
+}
+
+/** Ours less each peer, by draws. */
+void
+ReportDifferences(const std::vector<MethodScores> & methods, ValidationReport & report)
+{
+  const auto ours = MeanDice(methods.front().ofNumber.at(judgedNumber));
+  CsvTable   table({ "seeded heat less", "mean Dice of the labels", "bound", "" });
+  for (std::size_t i = 1; i < methods.size(); ++i)
+  {
+    auto difference = MeanDice(methods[i].ofNumber.at(judgedNumber));
+    if (difference.empty())
+    {
+      continue;
+    }
+    std::transform(ours.begin(), ours.end(), difference.begin(), difference.begin(), std::minus<>());
+    const bool isWalker = i == 1;
+    const bool isReached = isWalker ? MeanOf(difference) >= -0.01 : MeanOf(difference) > 0.0;
+    table.AddRow({ methods[i].name,
+                   MeanWithInterval(difference),
+                   isWalker ? "at least -0.01" : "above 0",
+                   report.Check(isReached) });
+  }
+  report.AddText("With " + std::to_string(judgedNumber) + " seeds of each label, differences of the same draws:");
+  report.AddTable(table);
+}
+
+void
+ReportLabels(const LabelledVolume & volume, const std::vector<MethodScores> & methods, ValidationReport & report)
+{
+  std::vector<std::size_t> voxels(volume.names.size(), 0);
+  const auto * const       truth = volume.truth->GetBufferPointer();
+  for (std::size_t i = 0; i < volume.truth->GetLargestPossibleRegion().GetNumberOfPixels(); ++i)
+  {
+    ++voxels[truth[i] - 1];
+  }
+  std::vector<std::string> columns{ "label", "voxels" };
+  for (const MethodScores & method : methods)
+  {
+    columns.push_back(method.name);
+  }
+  CsvTable table(columns);
+  for (std::size_t label = 0; label < voxels.size(); ++label)
+  {
+    std::vector<std::string> cells{ volume.names[label], std::to_string(voxels[label]) };
+    for (const MethodScores & method : methods)
+    {
+      std::vector<double> dice;
+      for (const Score & score : method.ofNumber.at(judgedNumber))
+      {
+        dice.push_back(score.dice[label]);
+      }
+      cells.push_back(dice.empty() ? "" : Rounded(MeanOf(dice)));
+    }
+    table.AddRow(cells);
+  }
+  report.AddText("Dice of each label with " + std::to_string(judgedNumber) + " seeds, mean over the draws:");
+  report.AddTable(table);
+}
+
+/** Which numbers of seeds had to be taken at the border of thin labels. */
+std::string
+ThinLabels(const std::map<int, std::vector<DrawnSeeds>> & seeds)
+{
+  std::string text;
+  for (const auto & [number, draws] : seeds)
+  {
+    text += (text.empty() ? "" : ", ") + std::to_string(draws.front().thinLabels) + " with " + std::to_string(number);
+  }
+  return text;
+}
+
+void
+ReportVolume(const LabelledVolume & volume, const ValidationSettings & settings, ValidationReport & report)
+{
+  const int  draws = settings.draws > 0 ? settings.draws : settings.quick ? 2 : 3;
+  const auto numbers = settings.quick ? std::vector<int>{ judgedNumber } : std::vector<int>{ 5, judgedNumber, 100 };
+  const auto seeds = DrawAll(volume, numbers, draws);
+  const auto methods = RunMethods(volume, seeds);
+  const auto size = volume.image->GetLargestPossibleRegion().GetSize();
+  report.AddText("## " + volume.name + "\n\n" + std::to_string(size[0]) + " x " + std::to_string(size[1]) + " x " +
+                 std::to_string(size[2]) + " voxels, " + std::to_string(volume.names.size()) + " labels, " +
+                 std::to_string(draws) +
+                 " draws. Labels that are too thin for seeds off their border: " + ThinLabels(seeds) + " seeds.");
+  ReportMeans(methods, report);
+  ReportDifferences(methods, report);
+  ReportLabels(volume, methods, report);
+}
+
+void
+ReportMethod(ValidationReport & report)
+{
+  report.AddText("Seeds are voxels of each label, drawn from the truth eroded by one voxel; a label of which that "
+                 "leaves too few gives any of its voxels. The background is a label, too, with as many seeds. All "
+                 "methods get the same seeds and the same intensities, scaled to [0, 1] by a window, and have their "
+                 "defaults: seeded heat (p = 20), scikit-image's `random_walker` (beta 130, mode `cg_j`, tolerance "
+                 "1e-3; the mode `cg_mg` needs pyamg, which Debian 12 does not have), ITK's "
+                 "`MorphologicalWatershedFromMarkers` on the gradient magnitude, and ITK's `ConfidenceConnected` for "
+                 "each label (what several labels reach has the one of the nearest mean, what none reaches is "
+                 "background). Dice: mean over all labels, with the 95 % confidence interval over the draws, seeds 1, "
+                 "2, and so on. CPU seconds: of all threads, mean over the draws.");
+}
+
+// ---- agreement ----
+
+/** Blocks of 0 and 1, 8 voxels wide, each with other noise: voxels change sides. */
+LabelledVolume
+TwoValues(unsigned int side)
+{
+  LabelledVolume volume = Phantom("figure3.4", side);
+  auto * const   values = volume.image->GetBufferPointer();
+  std::transform(
+    values, values + volume.image->GetLargestPossibleRegion().GetNumberOfPixels(), values, [](float value) {
+      return value > 0.02F ? 1.0F : 0.0F; // noise makes every seventh voxel of the background one of 1
+    });
+  return volume;
+}
+
+double
+StandardDeviation(const ImageType * image)
+{
+  const std::size_t number = image->GetLargestPossibleRegion().GetNumberOfPixels();
+  double            sum = 0.0, squares = 0.0;
+  for (std::size_t i = 0; i < number; ++i)
+  {
+    const double value = image->GetBufferPointer()[i];
+    sum += value;
+    squares += value * value;
+  }
+  const double mean = sum / static_cast<double>(number);
+  return std::sqrt(squares / static_cast<double>(number) - mean * mean);
+}
+
+/** The greatest difference of a probability, over voxels and labels. */
+double
+GreatestDifference(const LabelledVolume &                  volume,
+                   const SeedImage *                       seeds,
+                   double                                  weight,
+                   const std::vector<ImageType::Pointer> & expected)
+{
+  const auto                         size = volume.image->GetLargestPossibleRegion().GetSize();
+  VolumeGradientOperator::Parameters parameters;
+  parameters.p = 1.0 - weight;
+  const VolumeGradientOperator volumeGradient(
+    volume.image->GetBufferPointer(), { { size[0], size[1], size[2] } }, parameters);
+  SeededHeatSolver   solver(volumeGradient);
+  const auto &       result = solver.Solve(seeds->GetBufferPointer());
+  std::vector<float> probabilities(result.labels.size());
+  double             greatest = 0.0;
+  for (const unsigned short label : result.labelValues)
+  {
+    solver.GetProbabilities(label, probabilities.data());
+    for (std::size_t i = 0; i < probabilities.size(); ++i)
+    {
+      const double difference = probabilities[i] - expected[label - 1]->GetBufferPointer()[i];
+      greatest = std::max(greatest, std::abs(difference));
+    }
+  }
+  return greatest;
+}
+
+void
+ReportAgreement(const ValidationSettings & settings, ValidationReport & report)
+{
+  const unsigned int   side = settings.quick ? 24 : 64;
+  const LabelledVolume volume = TwoValues(side);
+  const double         deviation = StandardDeviation(volume.image);
+  const auto           seeds = DrawSeeds(volume, judgedNumber, 1).image;
+  report.AddText(
+    "## Probabilities beside scikit-image's\n\nA volume of " + std::to_string(side) +
+    "^3 voxels of 0 and 1, where both weights can be made equal: ours between 0 and 1 is 1 - p, that of "
+    "`random_walker` exp(-beta / (10 s)) + 1e-10, s the standard deviation of the volume; beta is solved for. Its "
+    "tolerance here: 1e-9. " +
+    std::to_string(volume.names.size()) + " labels, " + std::to_string(judgedNumber) + " seeds each.");
+  CsvTable table({ "weight between 0 and 1", "beta", "greatest difference of a probability", "bound", "" });
+  for (const double weight : { 0.5, 0.1, 0.01 })
+  {
+    const double beta = -10.0 * deviation * std::log(weight);
+    const auto   expected = RandomWalkerProbabilities(volume, seeds, beta, 1e-9);
+    if (!expected)
+    {
+      table.AddRow({ Rounded(weight), Rounded(beta), "not run: python3-skimage is missing", "", "" });
+      continue;
+    }
+    const double difference = GreatestDifference(volume, seeds, weight, *expected);
+    table.AddRow(
+      { Rounded(weight), Rounded(beta), Rounded(difference), "at most 1e-4", report.Check(difference <= 1e-4) });
+  }
+  report.AddTable(table);
+}
+} // namespace
+
+void
+ValidateSegmentationFromSeeds(const ValidationSettings & settings, ValidationReport & report)
+{
+  ReportMethod(report);
+  ReportAgreement(settings, report);
+  const unsigned int side = settings.quick ? 32 : 64;
+  for (const std::string preset : { "figure3.4", "hydrogen" })
+  {
+    ReportVolume(Phantom(preset, side), settings, report);
+  }
+  report.AddText("The phantoms have noise of 20 HU at a contrast of 450 to 1000 HU, and edges of 0.7 voxels.");
+  if (settings.dataFolder.empty())
+  {
+    report.AddText("No abdomen: SHAPETON_TEST_DATA_DIR is not set.");
+  }
+  else if (!settings.quick)
+  {
+    report.AddText("The abdomen is TotalSegmentator's example (CT, 3 mm, window -160 to 240 HU); its labels: 1 spleen, "
+                   "2 and 3 kidneys, 5 liver, 52 aorta. All else is background.");
+    ReportVolume(Abdomen(settings.dataFolder, "Five organs of an abdomen", { 1, 2, 3, 5, 52 }), settings, report);
+  }
+}
+
+void
+ValidateSegmentationOfOrgans(const ValidationSettings & settings, ValidationReport & report)
+{
+  ReportMethod(report);
+  report.AddText("TotalSegmentator's example (CT, 3 mm, window -160 to 240 HU) and all its labels of at least 1000 "
+                 "voxels, by their numbers; smaller ones are background.");
+  ReportVolume(Abdomen(settings.dataFolder, "All organs of an abdomen", {}), settings, report);
+}
