@@ -19,8 +19,7 @@ namespace
 class WorkFolder
 {
 public:
-  WorkFolder()
-    : m_Path(std::filesystem::temp_directory_path() / ("shapeton-random-walker-" + std::to_string(getpid())))
+  WorkFolder() : m_Path(std::filesystem::temp_directory_path() / ("shapeton-random-walker-" + std::to_string(getpid())))
   {
     std::filesystem::create_directories(m_Path);
   }

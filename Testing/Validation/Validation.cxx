@@ -103,6 +103,11 @@ const std::map<std::string, Taker> takers = {
       request.settings.draws = std::atoi(value.c_str());
       return request.settings.draws > 0;
     } },
+  { "--seedsOfLabel",
+    [](const std::string & value, Request & request) {
+      request.settings.seedsOfLabel = std::atoi(value.c_str());
+      return request.settings.seedsOfLabel > 0;
+    } },
   { "--preset",
     [](const std::string & value, Request & request) {
       request.settings.presets.assign(1, value);
@@ -184,7 +189,8 @@ main(int argc, char * argv[])
   Request request;
   if (!Parse({ argv + 1, argv + argc }, request))
   {
-    return Fail("usage: Validation [--quick] [--patients N] [--firstSeed N] [--preset NAME] [--draws N] [--output FOLDER] "
+    return Fail("usage: Validation [--quick] [--patients N] [--firstSeed N] [--preset NAME] [--draws N] "
+                "[--seedsOfLabel N] [--output FOLDER] "
                 "[PART], PART one of " +
                 PartNames());
   }

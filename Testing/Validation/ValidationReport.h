@@ -70,6 +70,7 @@ struct ValidationSettings
   /** Of the synthetic patients. */
   std::vector<std::string> presets{ "standard", "hard", "realistic" };
   int                      draws{ 0 };          ///< of seeds, in seeded-heat and seeded-heat-organs; 0 for 3
+  int                      seedsOfLabel{ 0 };   ///< there; 0 for 5, 20 and 100
   std::string              dataFolder;          ///< empty where there is no real data
   std::string              outputFolder{ "." }; ///< for pictures beside the page
   std::string              pictureFolder;       ///< for those of Documentation/pictures

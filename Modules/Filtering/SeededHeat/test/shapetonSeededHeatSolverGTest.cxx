@@ -7,6 +7,8 @@
 
 #include "gtest/gtest.h"
 
+#include <Eigen/SparseCholesky>
+
 #include <cmath>
 #include <numeric>
 #include <random>
@@ -122,6 +124,58 @@ SolveByRelaxation(const VolumeGradientOperator & op, const Seeds & seeds, unsign
   return heat;
 }
 
+/** Grady's random walker, weights exp(-beta (I_i - I_j)^2), by a sparse factorisation in double precision: what heat
+ * each voxel has of a label. */
+std::vector<double>
+WalkAtRandom(const std::vector<float> & volume,
+             const Size &               size,
+             const Seeds &              seeds,
+             unsigned short             label,
+             double                     beta)
+{
+  const auto                          number = static_cast<Eigen::Index>(volume.size());
+  std::vector<Eigen::Triplet<double>> entries;
+  Eigen::VectorXd                     inflow = Eigen::VectorXd::Zero(number);
+  const auto                          addWeight = [&](std::size_t i, std::size_t j) {
+    if (seeds[i] != 0)
+    {
+      return;
+    }
+    const double weight = std::exp(-beta * std::pow(static_cast<double>(volume[i]) - volume[j], 2));
+    entries.emplace_back(i, i, weight);
+    if (seeds[j] == 0)
+    {
+      entries.emplace_back(i, j, -weight);
+    }
+    inflow[i] += seeds[j] == label ? weight : 0.0;
+  };
+  std::size_t stride = 1;
+  for (const std::size_t length : size)
+  {
+    for (std::size_t i = 0; i < volume.size(); ++i)
+    {
+      if (i / stride % length + 1 < length)
+      {
+        addWeight(i, i + stride);
+        addWeight(i + stride, i);
+      }
+    }
+    stride *= length;
+  }
+  for (std::size_t i = 0; i < volume.size(); ++i)
+  {
+    if (seeds[i] != 0)
+    {
+      entries.emplace_back(i, i, 1.0);
+      inflow[i] = seeds[i] == label ? 1.0 : 0.0;
+    }
+  }
+  Eigen::SparseMatrix<double> laplacian(number, number);
+  laplacian.setFromTriplets(entries.begin(), entries.end());
+  const Eigen::VectorXd heat = Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>>(laplacian).solve(inflow);
+  return { heat.data(), heat.data() + number };
+}
+
 double
 GreatestDifference(const std::vector<float> & a, const std::vector<double> & b)
 {
@@ -184,6 +238,29 @@ TEST(SeededHeatSolver, MatchesRelaxationInDoublePrecision)
             << "p " << p << ", label " << label << " of " << labels;
         }
       }
+    }
+  }
+}
+
+TEST(SeededHeatSolver, IsARandomWalkerWhereItsWeightsAreSetEqual)
+{
+  const Size         size{ { 19, 17, 15 } };
+  std::mt19937       random(11);
+  std::vector<float> volume(NumberOf(size));
+  for (std::size_t i = 0; i < volume.size(); ++i) // a block of ones in zeros; every sixth voxel changes sides
+  {
+    volume[i] = ((i % size[0] < 8) != (random() % 6 == 0)) ? 1.0F : 0.0F;
+  }
+  const auto seeds = ScatterSeeds(size, 3, 5);
+  for (const double weight : { 0.5, 0.1, 0.01, 0.001 }) // between 0 and 1; ours is 1 - p, the walker's exp(-beta)
+  {
+    const auto       op = MakeOperator(volume, size, 1.0 - weight, { { 1, 1, 1 } });
+    SeededHeatSolver solver(op);
+    solver.Solve(seeds.data());
+    for (const unsigned short label : { 1, 2, 3 })
+    {
+      const auto expected = WalkAtRandom(volume, size, seeds, label, -std::log(weight));
+      EXPECT_LE(GreatestDifference(ProbabilitiesOf(solver, label), expected), 1e-5) << weight << ", label " << label;
     }
   }
 }
