@@ -19,6 +19,65 @@ constexpr std::size_t firstTwice = 1;
 constexpr std::size_t endTwice = 4;
 constexpr unsigned    mostIterations = 1000;
 
+/** The values of all labels at a place: arithmetic acts on each of them. The compiler does not find these vectors where
+ * the places come from a list. */
+template <int VLabels>
+struct LaneTypes;
+template <>
+struct LaneTypes<1>
+{
+  using Floats = float;
+  using Doubles = double;
+};
+template <>
+struct LaneTypes<2>
+{
+  using Floats = float __attribute__((vector_size(8)));
+  using Doubles = double __attribute__((vector_size(16)));
+};
+template <>
+struct LaneTypes<4>
+{
+  using Floats = float __attribute__((vector_size(16)));
+  using Doubles = double __attribute__((vector_size(32)));
+};
+template <int VLabels>
+using Lanes = typename LaneTypes<VLabels>::Floats;
+template <int VLabels>
+using DoubleLanes = typename LaneTypes<VLabels>::Doubles;
+
+template <int VLabels>
+Lanes<VLabels>
+Load(const float * values, std::size_t place)
+{
+  Lanes<VLabels> lanes;
+  std::memcpy(&lanes, values + place * VLabels, sizeof(lanes));
+  return lanes;
+}
+
+template <int VLabels>
+void
+Store(float * values, std::size_t place, const Lanes<VLabels> & lanes)
+{
+  std::memcpy(values + place * VLabels, &lanes, sizeof(lanes));
+}
+
+/** sums += a b, in double precision. */
+template <int VLabels>
+void
+AddProducts(DoubleLanes<VLabels> & sums, const Lanes<VLabels> & a, const Lanes<VLabels> & b)
+{
+  if constexpr (VLabels == 1)
+  {
+    sums += double{ a } * double{ b };
+  }
+  else
+  {
+    using Doubles = DoubleLanes<VLabels>;
+    sums += __builtin_convertvector(a, Doubles) * __builtin_convertvector(b, Doubles);
+  }
+}
+
 /** Calls body(first slice, end) for slabs of `thickness` slices, every other one at first, then the rest; the other way
  * round unless `forward`. Slabs of one half do not touch each other. */
 template <typename TBody>
@@ -54,8 +113,8 @@ ForEachRow(const PaddedGrid & grid, const TBody & body)
 /** The six edges of a voxel, and its leak. */
 struct Star
 {
-  float          west, east, south, north, below, above, leak;
-  std::ptrdiff_t strideY, strideZ;
+  float       west, east, south, north, below, above, leak;
+  std::size_t strideY, strideZ;
 
   Star(const ConductanceField & field, std::size_t i)
     : west(field.conductances[0].GetData()[i - 1])
@@ -65,8 +124,8 @@ struct Star
     , below(field.conductances[2].GetData()[i - field.grid.GetStride(2)])
     , above(field.conductances[2].GetData()[i])
     , leak(field.leak.GetData()[i])
-    , strideY(static_cast<std::ptrdiff_t>(field.grid.GetStride(1)))
-    , strideZ(static_cast<std::ptrdiff_t>(field.grid.GetStride(2)))
+    , strideY(field.grid.GetStride(1))
+    , strideZ(field.grid.GetStride(2))
   {}
 
   float
@@ -75,27 +134,38 @@ struct Star
     return ((west + east) + (south + north)) + ((below + above) + leak);
   }
 
-  /** The sum of the neighbours' values of label `l`, times their conductances. */
+  /** The sum of the values of the neighbours of voxel i, times their conductances. */
   template <int VLabels>
-  float
-  Gather(const float * v, int l) const
+  Lanes<VLabels>
+  Gather(const float * v, std::size_t i) const
   {
-    return (west * v[l - VLabels] + east * v[l + VLabels]) +
-           (south * v[l - strideY * VLabels] + north * v[l + strideY * VLabels]) +
-           (below * v[l - strideZ * VLabels] + above * v[l + strideZ * VLabels]);
+    return (west * Load<VLabels>(v, i - 1) + east * Load<VLabels>(v, i + 1)) +
+           (south * Load<VLabels>(v, i - strideY) + north * Load<VLabels>(v, i + strideY)) +
+           (below * Load<VLabels>(v, i - strideZ) + above * Load<VLabels>(v, i + strideZ));
   }
 
-  /** What flows out of the voxel: in differences, which lose no digits where values are alike. */
+  /** What flows out of voxel i: in differences, which lose no digits where values are alike. */
   template <int VLabels>
-  float
-  Outflow(const float * v, int l) const
+  Lanes<VLabels>
+  Outflow(const float * v, std::size_t i) const
   {
-    const float value = v[l];
-    return ((west * (value - v[l - VLabels]) + east * (value - v[l + VLabels])) +
-            (south * (value - v[l - strideY * VLabels]) + north * (value - v[l + strideY * VLabels]))) +
-           ((below * (value - v[l - strideZ * VLabels]) + above * (value - v[l + strideZ * VLabels])) + leak * value);
+    const Lanes<VLabels> value = Load<VLabels>(v, i);
+    return ((west * (value - Load<VLabels>(v, i - 1)) + east * (value - Load<VLabels>(v, i + 1))) +
+            (south * (value - Load<VLabels>(v, i - strideY)) + north * (value - Load<VLabels>(v, i + strideY)))) +
+           ((below * (value - Load<VLabels>(v, i - strideZ)) + above * (value - Load<VLabels>(v, i + strideZ))) +
+            leak * value);
   }
 };
+
+float
+GreatestMagnitude(const float * values, std::size_t number, float greatest)
+{
+  for (std::size_t i = 0; i < number; ++i)
+  {
+    greatest = std::max(greatest, std::abs(values[i]));
+  }
+  return greatest;
+}
 
 template <typename TSums>
 TSums
@@ -177,16 +247,11 @@ HeatMultigrid<VLabels>::SweepField(const float * residuals, float * values, bool
                                                   static_cast<std::ptrdiff_t>(begin + row / size[1]));
       for (std::size_t x = 0; x < size[0]; ++x)
       {
-        const std::size_t          i = first + (forward ? x : size[0] - 1 - x);
-        const Star                 star(field, i);
-        const float                diagonal = star.Diagonal();
-        const float                inverse = diagonal > 0.0F ? 1.0F / diagonal : 0.0F;
-        std::array<float, VLabels> next; // stored together: the compiler cannot know that they are not neighbours
-        for (int l = 0; l < VLabels; ++l)
-        {
-          next[l] = inverse * (residuals[i * VLabels + l] + star.template Gather<VLabels>(values + i * VLabels, l));
-        }
-        std::memcpy(values + i * VLabels, next.data(), sizeof(next));
+        const std::size_t i = first + (forward ? x : size[0] - 1 - x);
+        const Star        star(field, i);
+        const float       diagonal = star.Diagonal();
+        const float       inverse = diagonal > 0.0F ? 1.0F / diagonal : 0.0F;
+        Store<VLabels>(values, i, inverse * (Load<VLabels>(residuals, i) + star.template Gather<VLabels>(values, i)));
       }
     }
   });
@@ -205,19 +270,11 @@ HeatMultigrid<VLabels>::SweepGraph(std::size_t level, bool forward)
     const std::uint64_t last = graph.firstOfSlice[end];
     for (std::uint64_t n = first; n < last; ++n)
     {
-      const std::uint64_t        i = forward ? n : first + last - 1 - n;
-      std::array<float, VLabels> sum;
-      std::memcpy(sum.data(), residuals + i * VLabels, sizeof(sum));
-      graph.ForEachEdge(i, [&](std::size_t neighbour, float conductance) {
-        for (int l = 0; l < VLabels; ++l)
-        {
-          sum[l] += conductance * values[neighbour * VLabels + l];
-        }
-      });
-      for (int l = 0; l < VLabels; ++l)
-      {
-        values[i * VLabels + l] = graph.inverse[i] * sum[l];
-      }
+      const std::uint64_t i = forward ? n : first + last - 1 - n;
+      Lanes<VLabels>      sum = Load<VLabels>(residuals, i);
+      graph.ForEachEdge(
+        i, [&](std::size_t neighbour, float conductance) { sum += conductance * Load<VLabels>(values, neighbour); });
+      Store<VLabels>(values, i, graph.inverse[i] * sum);
     }
   });
 }
@@ -247,12 +304,8 @@ HeatMultigrid<VLabels>::RestrictFromField(const float * residuals, const float *
         {
           continue;
         }
-        const Star    star(field, i);
-        float * const sum = target + std::size_t{ aggregateOf[i] } * VLabels;
-        for (int l = 0; l < VLabels; ++l)
-        {
-          sum[l] += residuals[i * VLabels + l] - star.template Outflow<VLabels>(values + i * VLabels, l);
-        }
+        const Lanes<VLabels> rest = Load<VLabels>(residuals, i) - Star(field, i).template Outflow<VLabels>(values, i);
+        Store<VLabels>(target, aggregateOf[i], Load<VLabels>(target, aggregateOf[i]) + rest);
       }
     }
   });
@@ -275,21 +328,12 @@ HeatMultigrid<VLabels>::RestrictFromGraph(std::size_t level)
     const auto        places = graph.GetPlacesOfSlices(slice * step, std::min(graph.cells[2], (slice + 1) * step));
     for (std::size_t i = places[0]; i < places[1]; ++i)
     {
-      std::array<float, VLabels> rest;
-      for (int l = 0; l < VLabels; ++l)
-      {
-        rest[l] = residuals[i * VLabels + l] - graph.leak[i] * values[i * VLabels + l];
-      }
+      const Lanes<VLabels> value = Load<VLabels>(values, i);
+      Lanes<VLabels>       rest = Load<VLabels>(residuals, i) - graph.leak[i] * value;
       graph.ForEachEdge(i, [&](std::size_t neighbour, float conductance) {
-        for (int l = 0; l < VLabels; ++l)
-        {
-          rest[l] -= conductance * (values[i * VLabels + l] - values[neighbour * VLabels + l]);
-        }
+        rest -= conductance * (value - Load<VLabels>(values, neighbour));
       });
-      for (int l = 0; l < VLabels; ++l)
-      {
-        target[std::size_t{ aggregateOf[i] } * VLabels + l] += rest[l];
-      }
+      Store<VLabels>(target, aggregateOf[i], Load<VLabels>(target, aggregateOf[i]) + rest);
     }
   });
 }
@@ -304,9 +348,9 @@ HeatMultigrid<VLabels>::ProlongToField(float * values) const
   ForEachRow(grid, [&](std::size_t row, std::size_t) {
     for (std::size_t i = row; i < row + grid.GetSize()[0]; ++i)
     {
-      for (int l = 0; l < VLabels && aggregateOf[i] != noAggregate; ++l)
+      if (aggregateOf[i] != noAggregate)
       {
-        values[i * VLabels + l] += source[std::size_t{ aggregateOf[i] } * VLabels + l];
+        Store<VLabels>(values, i, Load<VLabels>(values, i) + Load<VLabels>(source, aggregateOf[i]));
       }
     }
   });
@@ -320,10 +364,7 @@ HeatMultigrid<VLabels>::ProlongToGraph(std::size_t level)
   const float * const source = m_Values[level + 1].GetData();
   float * const       values = m_Values[level].GetData();
   ParallelForBlocks(aggregateOf.size(), [&](std::size_t i) {
-    for (int l = 0; l < VLabels; ++l)
-    {
-      values[i * VLabels + l] += source[std::size_t{ aggregateOf[i] } * VLabels + l];
-    }
+    Store<VLabels>(values, i, Load<VLabels>(values, i) + Load<VLabels>(source, aggregateOf[i]));
   });
 }
 
@@ -373,11 +414,8 @@ HeatMultigrid<VLabels>::SubtractImage(const LabelField & potentials, LabelField 
   ForEachRow(field.grid, [&](std::size_t row, std::size_t) {
     for (std::size_t i = row; i < row + field.grid.GetSize()[0]; ++i)
     {
-      const Star star(field, i);
-      for (int l = 0; l < VLabels; ++l)
-      {
-        residuals.GetData()[i * VLabels + l] -= star.template Outflow<VLabels>(potentials.GetData() + i * VLabels, l);
-      }
+      const Lanes<VLabels> flow = Star(field, i).template Outflow<VLabels>(potentials.GetData(), i);
+      Store<VLabels>(residuals.GetData(), i, Load<VLabels>(residuals.GetData(), i) - flow);
     }
   });
 }
@@ -406,14 +444,14 @@ HeatMultigrid<VLabels>::Solve(LabelField &     potentials,
     std::vector<Sums>  products(slices, Sums{});
     std::vector<float> changes(slices, 0.0F);
     ForEachRow(field.grid, [&](std::size_t row, std::size_t slice) {
-      for (std::size_t i = row * VLabels; i < (row + nx) * VLabels; i += VLabels)
+      DoubleLanes<VLabels> sums;
+      std::memcpy(&sums, products[slice].data(), sizeof(sums));
+      for (std::size_t i = row; i < row + nx; ++i)
       {
-        for (int l = 0; l < VLabels; ++l)
-        {
-          products[slice][l] += double{ z[i + l] } * r[i + l];
-          changes[slice] = std::max(changes[slice], std::abs(z[i + l]));
-        }
+        AddProducts<VLabels>(sums, Load<VLabels>(z, i), Load<VLabels>(r, i));
       }
+      std::memcpy(products[slice].data(), &sums, sizeof(sums));
+      changes[slice] = GreatestMagnitude(z + row * VLabels, nx * VLabels, changes[slice]);
     });
     const double change = *std::max_element(changes.begin(), changes.end());
     firstChange = iteration == 0 ? change : firstChange;
@@ -436,16 +474,15 @@ HeatMultigrid<VLabels>::Solve(LabelField &     potentials,
     });
     std::vector<Sums> energies(slices, Sums{});
     ForEachRow(field.grid, [&](std::size_t row, std::size_t slice) {
+      DoubleLanes<VLabels> sums;
+      std::memcpy(&sums, energies[slice].data(), sizeof(sums));
       for (std::size_t i = row; i < row + nx; ++i)
       {
-        const Star star(field, i);
-        for (int l = 0; l < VLabels; ++l)
-        {
-          const float flow = star.template Outflow<VLabels>(p + i * VLabels, l);
-          z[i * VLabels + l] = flow;
-          energies[slice][l] += double{ flow } * p[i * VLabels + l];
-        }
+        const Lanes<VLabels> flow = Star(field, i).template Outflow<VLabels>(p, i);
+        Store<VLabels>(z, i, flow);
+        AddProducts<VLabels>(sums, flow, Load<VLabels>(p, i));
       }
+      std::memcpy(energies[slice].data(), &sums, sizeof(sums));
     });
     const Sums alpha = Ratio(product, SumOf(energies));
     ForEachRow(field.grid, [&](std::size_t row, std::size_t) {
