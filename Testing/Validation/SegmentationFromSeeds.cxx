@@ -334,9 +334,9 @@ ReportVolume(const LabelledVolume &     volume,
   const auto methods = RunMethods(volume, seeds);
   const auto size = volume.image->GetLargestPossibleRegion().GetSize();
   report.AddText("## " + volume.name + "\n\n" + std::to_string(size[0]) + " x " + std::to_string(size[1]) + " x " +
-                 std::to_string(size[2]) + " voxels, " + std::to_string(volume.names.size()) + " labels, " +
-                 std::to_string(draws) +
-                 " draws. Labels that are too thin for seeds off their border: " + ThinLabels(seeds) + " seeds.");
+                 std::to_string(size[2]) + " voxels, " + std::to_string(volume.names.size()) +
+                 " labels, draws: " + std::to_string(draws) +
+                 ". Labels that are too thin for seeds off their border: " + ThinLabels(seeds) + " seeds.");
   ReportMeans(methods, report);
   if (seeds.count(judgedNumber) == 0)
   {
