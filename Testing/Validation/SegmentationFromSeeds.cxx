@@ -421,6 +421,7 @@ GreatestDifference(const LabelledVolume &                  volume,
   const auto                         size = volume.image->GetLargestPossibleRegion().GetSize();
   VolumeGradientOperator::Parameters parameters;
   parameters.p = 1.0 - weight;
+  parameters.leastWeight = 1e-4;
   const VolumeGradientOperator volumeGradient(
     volume.image->GetBufferPointer(), { { size[0], size[1], size[2] } }, parameters);
   SeededHeatSolver   solver(volumeGradient);

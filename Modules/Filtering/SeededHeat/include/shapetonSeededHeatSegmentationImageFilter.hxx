@@ -34,8 +34,8 @@ SeededHeatSegmentationImageFilter<TInputImage>::Origin::operator==(const Origin 
                            o.parameters.lower,
                            o.parameters.upper,
                            o.parameters.spacing,
+                           o.parameters.leastWeight,
                            o.settings.tolerance,
-                           o.settings.leastWeight,
                            o.settings.keepProbabilities);
   };
   return all(*this) == all(other);
@@ -57,8 +57,8 @@ SeededHeatSegmentationImageFilter<TInputImage>::PrepareSolver()
       intensities, this->GetVolumeSize(), origin.parameters.spacing, origin.parameters.lower, origin.parameters.upper);
     origin.parameters.p = m_ChosenP->p;
   }
+  origin.parameters.leastWeight = m_LeastWeight;
   origin.settings.tolerance = m_Tolerance;
-  origin.settings.leastWeight = m_LeastWeight;
   origin.settings.keepProbabilities = m_KeepProbabilities;
   if (m_Solver && m_Origin && *m_Origin == origin)
   {

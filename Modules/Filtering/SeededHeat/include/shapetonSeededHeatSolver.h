@@ -17,9 +17,6 @@ struct SeededHeatSettings
 {
   /** Greatest error of a probability, as the solver estimates it; in [1e-6, 0.1]. */
   double tolerance{ 1e-5 };
-  /** What an edge of a smaller weight gets, in (0, 1]: an edge that insulates (2.5) still lets some heat through, so
-   * that what no seed lies in takes the label that surrounds it. */
-  double leastWeight{ 1e-4 };
   /** Keep the probabilities of all labels, four bytes for each voxel and label but one: for GetProbabilities(), and for
    * a solution that starts from the last one. */
   bool keepProbabilities{ true };

@@ -10,21 +10,15 @@ namespace
 class SeedCutter
 {
 public:
-  SeedCutter(const VolumeGradientOperator & volumeGradient, const unsigned short * seeds, double leastWeight)
+  SeedCutter(const VolumeGradientOperator & volumeGradient, const unsigned short * seeds)
     : m_VolumeGradient(volumeGradient), m_Size(volumeGradient.GetGrid().GetSize()), m_Seeds(seeds)
-  {
-    for (unsigned int axis = 0; axis < 3; ++axis)
-    {
-      m_Least[axis] = static_cast<float>(leastWeight * volumeGradient.GetFactor(axis));
-    }
-  }
+  {}
 
   /** The conductance of the edge from a voxel to its successor; 0 at the border. */
   float
   GetConductance(const std::array<std::size_t, 3> & voxel, unsigned int axis, std::size_t place) const
   {
-    return voxel[axis] + 1 < m_Size[axis] ? std::max(m_VolumeGradient.GetConductances(axis)[place], m_Least[axis])
-                                          : 0.0F;
+    return voxel[axis] + 1 < m_Size[axis] ? m_VolumeGradient.GetConductances(axis)[place] : 0.0F;
   }
 
   unsigned short
@@ -37,13 +31,10 @@ private:
   const VolumeGradientOperator & m_VolumeGradient;
   std::array<std::size_t, 3>     m_Size;
   const unsigned short *         m_Seeds;
-  std::array<float, 3>           m_Least{};
 };
 } // namespace
 
-ConductanceField::ConductanceField(const VolumeGradientOperator & volumeGradient,
-                                   const unsigned short *         seeds,
-                                   double                         leastWeight)
+ConductanceField::ConductanceField(const VolumeGradientOperator & volumeGradient, const unsigned short * seeds)
   : grid(volumeGradient.GetGrid()), leak(grid)
 {
   const auto & given = volumeGradient.GetParameters().spacing;
@@ -53,7 +44,7 @@ ConductanceField::ConductanceField(const VolumeGradientOperator & volumeGradient
     spacing[axis] = given[axis] / smallest;
     conductances[axis] = PaddedField(grid);
   }
-  const SeedCutter                   cutter(volumeGradient, seeds, leastWeight);
+  const SeedCutter                   cutter(volumeGradient, seeds);
   const auto                         size = grid.GetSize();
   std::vector<std::vector<SeedEdge>> edges(size[2]);
   std::vector<std::vector<SeedEdge>> upwards(size[2]); // edges of a voxel of the next slice to a seed of this one

@@ -29,8 +29,7 @@ struct ConductanceField
   std::array<double, 3>      spacing{}; ///< relative to the smallest one
   std::vector<SeedEdge>      seedEdges;
 
-  /** `leastWeight`: what an edge of a smaller weight gets, so that every voxel is joined to every seed. */
-  ConductanceField(const VolumeGradientOperator & volumeGradient, const unsigned short * seeds, double leastWeight);
+  ConductanceField(const VolumeGradientOperator & volumeGradient, const unsigned short * seeds);
 
   // What a hierarchy of graphs asks of its finest level and of all others.
 

@@ -198,9 +198,8 @@ Ratio(const TSums & numerator, const TSums & denominator)
 
 ConductanceHierarchy::ConductanceHierarchy(const VolumeGradientOperator & volumeGradient,
                                            const unsigned short *         seeds,
-                                           double                         leastWeight,
                                            const Progress &               progress)
-  : m_Finest(volumeGradient, seeds, leastWeight), m_Aggregates(1)
+  : m_Finest(volumeGradient, seeds), m_Aggregates(1)
 {
   progress(0.3);
   m_Graphs.push_back(Coarsen(m_Finest, m_Aggregates[0]));

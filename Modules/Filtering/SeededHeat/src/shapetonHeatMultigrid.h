@@ -15,7 +15,6 @@ class ConductanceHierarchy
 public:
   ConductanceHierarchy(const VolumeGradientOperator & volumeGradient,
                        const unsigned short *         seeds,
-                       double                         leastWeight,
                        const Progress &               progress);
 
   const ConductanceField &

@@ -47,8 +47,9 @@ SeededHeatSolver::SeededHeatSolver(const VolumeGradientOperator & volumeGradient
 {
   RequireParameter(settings.tolerance >= 1e-6 && settings.tolerance <= 0.1,
                    "the parameter \"tolerance\" must lie between 1e-6 and 0.1");
-  RequireParameter(settings.leastWeight > 0.0 && settings.leastWeight <= 1.0,
-                   "the parameter \"leastWeight\" must be positive and at most 1");
+  RequireParameter(volumeGradient.GetParameters().leastWeight > 0.0,
+                   "the parameter \"leastWeight\" of the volume gradient operator must be positive: heat has to reach "
+                   "every voxel");
 }
 
 SeededHeatSolver::~SeededHeatSolver() = default;
@@ -172,7 +173,7 @@ SeededHeatSolver::Solve(const unsigned short * seeds, const Progress & progress)
   m_Result = {};
   auto batches = std::move(m_Batches); // after an abort there is nothing to start from
   m_Batches.clear();
-  const ConductanceHierarchy hierarchy(m_VolumeGradient, seeds, m_Settings.leastWeight, progress.Part("", 0.0, 0.1));
+  const ConductanceHierarchy hierarchy(m_VolumeGradient, seeds, progress.Part("", 0.0, 0.1));
   m_Result.labels.assign(number, labels.front());
   m_Result.uncertainty.assign(number, 0.0F);
   m_Result.labelValues = labels;

@@ -47,6 +47,7 @@ MakeOperator(const std::vector<float> & volume, const Size & size, double p, con
   VolumeGradientOperator::Parameters parameters;
   parameters.p = p;
   parameters.spacing = spacing;
+  parameters.leastWeight = 1e-4;
   return VolumeGradientOperator(volume.data(), size, parameters);
 }
 
@@ -75,7 +76,7 @@ ProbabilitiesOf(const SeededHeatSolver & solver, unsigned short label)
 
 /** The same equations, solved by relaxation in double precision until nothing moves any more. */
 std::vector<double>
-SolveByRelaxation(const VolumeGradientOperator & op, const Seeds & seeds, unsigned short label, double leastWeight)
+SolveByRelaxation(const VolumeGradientOperator & op, const Seeds & seeds, unsigned short label)
 {
   const auto          size = op.GetGrid().GetSize();
   const Size          stride{ { 1, size[0], size[0] * size[1] } };
@@ -85,7 +86,7 @@ SolveByRelaxation(const VolumeGradientOperator & op, const Seeds & seeds, unsign
     heat[i] = seeds[i] == label ? 1.0 : 0.0;
   }
   const auto weight = [&](std::size_t x, std::size_t y, std::size_t z, unsigned int axis) {
-    return std::max<double>(op.GetConductances(axis)[op.GetGrid().GetRow(y, z) + x], leastWeight * op.GetFactor(axis));
+    return double{ op.GetConductances(axis)[op.GetGrid().GetRow(y, z) + x] };
   };
   for (double change = 1.0; change > 1e-11;)
   {
@@ -234,7 +235,7 @@ TEST(SeededHeatSolver, MatchesRelaxationInDoublePrecision)
         solver.Solve(seeds.data());
         for (const unsigned short label : solver.GetResult().labelValues)
         {
-          EXPECT_LE(GreatestDifference(ProbabilitiesOf(solver, label), SolveByRelaxation(op, seeds, label, 1e-4)), 1e-5)
+          EXPECT_LE(GreatestDifference(ProbabilitiesOf(solver, label), SolveByRelaxation(op, seeds, label)), 1e-5)
             << "p " << p << ", label " << label << " of " << labels;
         }
       }
@@ -397,9 +398,8 @@ TEST(SeededHeatSolver, RefusesWhatItCannotSolve)
   SeededHeatSettings settings;
   settings.tolerance = 0.5;
   EXPECT_THROW(SeededHeatSolver(op, settings), shapeton::ParameterError);
-  settings = {};
-  settings.leastWeight = 0.0;
-  EXPECT_THROW(SeededHeatSolver(op, settings), shapeton::ParameterError);
+  const VolumeGradientOperator insulating(volume.data(), size, {});
+  EXPECT_THROW(SeededHeatSolver{ insulating }, shapeton::ParameterError);
 }
 
 TEST(SeededHeatSolver, AbortsAndStartsAnew)

@@ -48,6 +48,9 @@ public:
     /** Voxel spacing in mm along x, y, z; positive. Use {1, 1, 1} to ignore it. */
     std::array<double, 3> spacing{ { 1.0, 1.0, 1.0 } };
     Conductance           conductance{ Conductance::Physical };
+    /** Weight of an edge of half gradient 1 / p, in [0, 1]; beyond, it falls with the square of the gradient. 0, as in
+     * (2.5): such edges insulate. Default 0. */
+    double leastWeight{ 0.0 };
   };
 
   /** `intensities`: size[0] * size[1] * size[2] values, x fastest. Throws std::invalid_argument for parameters out of
@@ -69,16 +72,20 @@ public:
     return std::abs(a - b) / resolution;
   }
 
-  /** In [0, 1]. What rounding leaves of a weight that is 0 would be a leak: it is cut off.
+  /** In [0, 1]. What rounding leaves of a weight that is 0 would be a leak: it is cut off. Not smaller than
+   * leastWeight / max(1, p halfGradient)^2, with which a voxel that no edge joins still tells the more alike of its
+   * neighbours.
    *
    * \equation{2.5}
    *
    * \equation{3.2} */
   static double
-  EdgeWeight(double halfGradient, double p)
+  EdgeWeight(double halfGradient, double p, double leastWeight = 0.0)
   {
-    const double weight = 1.0 - p * halfGradient;
-    return weight > 1e-12 ? weight : 0.0;
+    const double steps = p * halfGradient;
+    const double weight = 1.0 - steps;
+    const double least = leastWeight / (steps > 1.0 ? steps * steps : 1.0);
+    return std::max(weight > 1e-12 ? weight : 0.0, least);
   }
 
   const PaddedGrid &

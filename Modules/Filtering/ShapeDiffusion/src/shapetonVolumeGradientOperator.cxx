@@ -17,6 +17,10 @@ CheckParameters(const VolumeGradientOperator::Parameters & parameters)
   {
     throw std::invalid_argument("p must be a number that is not negative");
   }
+  if (!(parameters.leastWeight >= 0.0 && parameters.leastWeight <= 1.0))
+  {
+    throw std::invalid_argument("leastWeight must lie between 0 and 1");
+  }
   if (!std::isfinite(parameters.lower) || !std::isfinite(parameters.upper))
   {
     throw std::invalid_argument(
@@ -127,7 +131,8 @@ VolumeGradientOperator::ComputeConductances(const float * intensities, const Pro
         for (std::ptrdiff_t x = -1; x < static_cast<std::ptrdiff_t>(size[0]); ++x)
         {
           const double halfGradient = HalfGradient(row[x], successors[axis][x], m_Resolution[axis]);
-          target[x] = static_cast<float>(m_Factors[axis] * EdgeWeight(halfGradient, m_Parameters.p));
+          target[x] =
+            static_cast<float>(m_Factors[axis] * EdgeWeight(halfGradient, m_Parameters.p, m_Parameters.leastWeight));
         }
       }
     }

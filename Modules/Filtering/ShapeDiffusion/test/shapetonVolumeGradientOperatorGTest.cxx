@@ -14,6 +14,9 @@ TEST(VolumeGradientOperator, EdgeWeightFollowsEquation25)
   EXPECT_DOUBLE_EQ(VolumeGradientOperator::EdgeWeight(0.1, 7.0), 1.0 - 0.7);
   EXPECT_DOUBLE_EQ(VolumeGradientOperator::EdgeWeight(0.5, 7.0), 0.0);
   EXPECT_DOUBLE_EQ(VolumeGradientOperator::EdgeWeight(0.5, 0.0), 1.0);
+  EXPECT_DOUBLE_EQ(VolumeGradientOperator::EdgeWeight(0.1, 7.0, 0.01), 1.0 - 0.7);
+  EXPECT_DOUBLE_EQ(VolumeGradientOperator::EdgeWeight(0.1, 10.0, 0.01), 0.01);
+  EXPECT_DOUBLE_EQ(VolumeGradientOperator::EdgeWeight(0.5, 20.0, 0.01), 0.01 / 100.0);
   EXPECT_DOUBLE_EQ(VolumeGradientOperator::HalfGradient(0.2, 0.8, 2.0), 0.3);
   EXPECT_DOUBLE_EQ(VolumeGradientOperator::HalfGradient(0.8, 0.2, 2.0), 0.3);
 }
