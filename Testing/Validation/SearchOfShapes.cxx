@@ -294,17 +294,18 @@ ReportCalibration(const std::vector<std::pair<double, bool>> & probabilities, Va
 }
 
 void
-ReportUnknown(const std::vector<MeasuredShape> & shapes, ValidationReport & report)
+ReportUnknown(const std::vector<MeasuredShape> & shapes, bool quick, ValidationReport & report)
 {
   const Answers answers = AskWithoutAFifth(shapes);
+  const double  unknown = MeanOf(answers.unknownOfLeftOut);
   report.AddText("## Unknown shapes\n\nEach fifth of the shapes is left out of the database, which holds the originals "
                  "of the others; the copies of all shapes are looked up.");
   CsvTable table({ "copies of", "answer", "share", "bound", "" });
   table.AddRow({ "shapes that are left out",
                  "unknown",
                  MeanWithInterval(answers.unknownOfLeftOut),
-                 "at least 0.9",
-                 report.Check(MeanOf(answers.unknownOfLeftOut) >= 0.9) });
+                 quick ? "none for so few shapes" : "at least 0.9",
+                 quick ? "" : report.Check(unknown >= 0.9) });
   table.AddRow({ "shapes that are there", "the right name", MeanWithInterval(answers.rightOfEntries), "", "" });
   report.AddTable(table);
   ReportCalibration(answers.probabilities, report);
@@ -340,5 +341,5 @@ ValidateSearchOfShapes(const ValidationSettings & settings, ValidationReport & r
     "copies among all others.");
   ReportMethods(shapes, report);
   ReportKinds(shapes, report);
-  ReportUnknown(shapes, report);
+  ReportUnknown(shapes, settings.quick, report);
 }
