@@ -190,12 +190,7 @@ private:
   {
     SurfaceMesh mesh;
     mesh.V.resize(m_Points.size(), 3);
-    ParallelFor(m_Points.size() / 1024 + 1, [&](itk::SizeValueType piece) {
-      for (std::size_t i = 1024 * piece; i < std::min<std::size_t>(m_Points.size(), 1024 * (piece + 1)); ++i)
-      {
-        mesh.V.row(i) = this->OntoWall(m_Points[i]);
-      }
-    });
+    ParallelForBlocks(m_Points.size(), [&](std::size_t i) { mesh.V.row(i) = this->OntoWall(m_Points[i]); });
     double volume = 0.0;
     for (const Eigen::Vector3i & face : m_Faces)
     {
