@@ -92,6 +92,7 @@ function(shapeton_add_device_stand_in)
     list(APPEND wrappers ${wrapper})
   endforeach()
   add_library(DeviceStandIn MODULE ${wrappers})
+  set_target_properties(DeviceStandIn PROPERTIES UNITY_BUILD OFF) # each is to compile as nvcc does
   shapeton_device_library(DeviceStandIn)
 endfunction()
 

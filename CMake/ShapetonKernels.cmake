@@ -20,7 +20,7 @@ function(shapeton_add_kernels name source)
     endif()
     add_library(${name}${set} OBJECT ${sources})
     set_target_properties(${name}${set} PROPERTIES
-      POSITION_INDEPENDENT_CODE ON CXX_VISIBILITY_PRESET hidden VISIBILITY_INLINES_HIDDEN ON)
+      UNITY_BUILD OFF POSITION_INDEPENDENT_CODE ON CXX_VISIBILITY_PRESET hidden VISIBILITY_INLINES_HIDDEN ON)
     target_compile_features(${name}${set} PRIVATE cxx_std_17)
     target_compile_definitions(${name}${set} PRIVATE
       SHAPETON_INSTRUCTION_SET=${set} SHAPETON_VECTOR_BYTES=${bytes_${set}})

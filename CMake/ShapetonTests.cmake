@@ -1,7 +1,7 @@
 # What test/CMakeLists.txt of a module calls, in our build and inside an ITK source tree.
 
 # creategoogletestdriver(<kit> "<libraries>" "<sources>" [ALONE <source>...] [TOGETHER] [LONG <Suite.Test>...]):
-# one executable <kit>GTestDriver, whose sources are compiled four at a time, but those after ALONE, which have names of others;
+# one executable <kit>GTestDriver; sources after ALONE, which have names of others, are compiled alone in a unity build;
 # each TEST is a ctest. Those after LONG have the label Long: Utilities/run-tests runs them with --long. TOGETHER: all are one
 # ctest, and those after LONG another one, because they share what takes long to make, which a process can make once.
 function(creategoogletestdriver kit libraries sources)
@@ -10,12 +10,6 @@ function(creategoogletestdriver kit libraries sources)
   target_link_libraries(${kit}GTestDriver PRIVATE ${libraries} GTest::gtest_main)
   # What is tested is in the libraries; of the time of a test most is its compilation, and -O3 makes it a fifth longer.
   target_compile_options(${kit}GTestDriver PRIVATE $<$<CONFIG:Release>:-O1>)
-  # And of the compilation most is headers: together it takes half the time. clang-tidy is to see each source as it is.
-  if(NOT CMAKE_CXX_CLANG_TIDY)
-    set_target_properties(${kit}GTestDriver PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 4)
-    # A test whose base is in an anonymous namespace: gcc takes the source, which is included, for a header.
-    target_compile_options(${kit}GTestDriver PRIVATE $<$<CXX_COMPILER_ID:GNU>:-Wno-subobject-linkage>)
-  endif()
   set_source_files_properties(${driver_ALONE} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
   target_compile_definitions(${kit}GTestDriver PRIVATE
     SHAPETON_BASELINE_DIR="${Shapeton_SOURCE_DIR}/Testing/Baseline"

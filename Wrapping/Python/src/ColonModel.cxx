@@ -93,7 +93,7 @@ Model(const CtPointer &                  ct,
       bool                               keepPartial,
       const Progress &                   progress)
 {
-  const ColonModelOptions options{ position, PointsOf(seedPoints), faces, keepPieces, keepPartial, progress };
+  const ColonModelOptions options{ position, PointsOf(seedPoints), faces, keepPieces, keepPartial, progress, {} };
   return lumen ? BuildColonModel(ct, lumen->GetPointer(), options) : BuildColonModel(ct, options);
 }
 
@@ -105,7 +105,7 @@ ModelOfLumen(const MaskPointer & lumen,
              bool                keepPartial,
              const Progress &    progress)
 {
-  return BuildColonModelOfLumen(lumen, { "", PointsOf(seedPoints), faces, keepPieces, keepPartial, progress });
+  return BuildColonModelOfLumen(lumen, { "", PointsOf(seedPoints), faces, keepPieces, keepPartial, progress, {} });
 }
 
 /** As catheter.vtp holds it; none where no catheter is sure. */

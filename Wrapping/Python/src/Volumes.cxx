@@ -24,13 +24,13 @@ ImageWithFacts(const Volume & volume)
 }
 
 py::object
-Read(const std::string & path,
-     const std::string & seriesUID,
-     bool                resampleGaps,
-     bool                deshear,
-     bool                dropDuplicates,
-     bool                allowSingleSlice,
-     const Progress &    progress)
+ReadWithFacts(const std::string & path,
+              const std::string & seriesUID,
+              bool                resampleGaps,
+              bool                deshear,
+              bool                dropDuplicates,
+              bool                allowSingleSlice,
+              const Progress &    progress)
 {
   Volume volume;
   {
@@ -44,7 +44,7 @@ template <typename TPixel>
 void
 WriteAs(const py::object & image, const std::string & path, const VolumeMetadata & metadata)
 {
-  const auto                   pixels = ImageOf<TPixel>(image);
+  const auto       pixels = ImageOf<TPixel>(image);
   const py::gil_scoped_release release;
   WriteVolume(pixels.GetPointer(), path, metadata);
 }
@@ -134,7 +134,7 @@ AddVolumes(py::module_ & module)
 progress: called with (share, stage), share from 0 to 1; False, or an exception such as that of Ctrl-C, aborts.)");
 
   module.def("read_volume",
-             &Read,
+             &ReadWithFacts,
              "path"_a,
              py::kw_only(),
              "series_uid"_a = "",

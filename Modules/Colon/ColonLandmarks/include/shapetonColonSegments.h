@@ -35,6 +35,9 @@ struct ColonSegments
   Remarks warnings;
 };
 
+/** Rectum to caecum. \ingroup ColonLandmarks */
+constexpr int NumberOfColonSegments = 6;
+
 /** "rectum", "sigmoid", ... as radiologists name them; "unknown" for 0, empty for other numbers.
  * \ingroup ColonLandmarks */
 ColonLandmarks_EXPORT std::string

@@ -8,7 +8,6 @@ namespace shapeton
 {
 namespace
 {
-constexpr int numberOfSegments = 6;
 
 SurfaceArray
 IntegerArray(const std::string & name, const std::vector<int> & values)
@@ -33,7 +32,7 @@ SetArray(std::vector<SurfaceArray> & arrays, const SurfaceArray & array)
 void
 WarnOfHindrances(ColonLandmarks & landmarks)
 {
-  for (int segment = 1; segment <= numberOfSegments; ++segment)
+  for (int segment = 1; segment <= NumberOfColonSegments; ++segment)
   {
     const std::optional<ColonAssessability> assessability = AssessabilityOfSegment(landmarks, segment);
     if (!assessability || assessability->Verdict() == "assessable")
@@ -116,7 +115,7 @@ AssessabilityOfSegment(const ColonLandmarks & landmarks, int segment)
     return arcLength;
   };
   const double begin = segment == 1 ? 0.0 : arcLengthOf(segment - 1);
-  const double end = segment == numberOfSegments ? landmarks.lengthOfCentreline : arcLengthOf(segment);
+  const double end = segment == NumberOfColonSegments ? landmarks.lengthOfCentreline : arcLengthOf(segment);
   return landmarks.hindered && std::isfinite(begin) && std::isfinite(end)
            ? std::optional(Assess(*landmarks.hindered, begin, end))
            : std::nullopt;

@@ -11,7 +11,6 @@ namespace shapeton
 {
 namespace
 {
-constexpr int numberOfSegments = 6;
 
 template <typename TVector>
 Json
@@ -145,7 +144,7 @@ SegmentsNotFound(const ColonLandmarks & landmarks)
 {
   const std::vector<int> & found = landmarks.segments.segmentOfFace;
   Json                     list = Json::array();
-  for (int segment = 1; segment <= numberOfSegments; ++segment)
+  for (int segment = 1; segment <= NumberOfColonSegments; ++segment)
   {
     if (std::find(found.begin(), found.end(), segment) == found.end())
     {
@@ -164,7 +163,7 @@ SegmentsToJson(const ColonLandmarks & landmarks)
     area[landmarks.segments.segmentOfFace[face]] += AreaOfFace(*landmarks.tube, static_cast<int>(face));
   }
   Json list = Json::array();
-  for (int segment = 0; segment <= numberOfSegments; ++segment)
+  for (int segment = 0; segment <= NumberOfColonSegments; ++segment)
   {
     if (area[segment] == 0.0)
     {

@@ -13,7 +13,6 @@ namespace
 /** mm, straight from the end of the centreline, which is not certain in so wide a place. */
 constexpr double caecumLength = 60.0;
 constexpr int    borderOfCaecum = 5;
-constexpr int    numberOfSegments = 6;
 /** The place is that of an average anatomy, not of a structure that was seen. */
 constexpr double confidenceOfCaecum = 0.3;
 
@@ -71,8 +70,8 @@ PartsBetweenLoops(const ColonWallTube & tube, const std::vector<SegmentBorder> &
 int
 SegmentAt(const std::vector<SegmentBorder> & borders, double arcLength)
 {
-  int before = 0;                // number of the last border before
-  int behind = numberOfSegments; // number of the first border behind
+  int before = 0;                     // number of the last border before
+  int behind = NumberOfColonSegments; // number of the first border behind
   for (const SegmentBorder & border : borders)
   {
     if (border.arcLength <= arcLength)
@@ -151,7 +150,7 @@ NameOfSegment(int segment)
 {
   static const char * const names[] = { "unknown",    "rectum",    "sigmoid", "descending",
                                         "transverse", "ascending", "caecum" };
-  return segment >= 0 && segment <= numberOfSegments ? names[segment] : "";
+  return segment >= 0 && segment <= NumberOfColonSegments ? names[segment] : "";
 }
 
 ColonSegments

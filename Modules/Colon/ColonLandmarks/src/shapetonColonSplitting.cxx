@@ -16,7 +16,6 @@ namespace shapeton
 {
 namespace
 {
-constexpr int numberOfSegments = 6;
 
 /** The tube without its cut, with the arrays of the flat surface that hold for it. */
 SurfaceMesh
@@ -206,10 +205,11 @@ SplitColon(const SurfaceMesh & flat, const ColonLandmarks & landmarks, const Pro
     return result;
   }
   const SurfaceMesh welded = WeldedSurface(flat, *landmarks.tube);
-  for (int segment = 1; segment <= numberOfSegments; ++segment)
+  for (int segment = 1; segment <= NumberOfColonSegments; ++segment)
   {
-    const Progress part = progress.Part(
-      NameOfSegment(segment), (segment - 1.0) / numberOfSegments, static_cast<double>(segment) / numberOfSegments);
+    const Progress part = progress.Part(NameOfSegment(segment),
+                                        (segment - 1.0) / NumberOfColonSegments,
+                                        static_cast<double>(segment) / NumberOfColonSegments);
     part(0.0);
     std::vector<int> faces;
     for (std::size_t face = 0; face < landmarks.segments.segmentOfFace.size(); ++face)

@@ -10,7 +10,6 @@ namespace shapeton
 {
 namespace
 {
-constexpr int   angles = TaeniaEvidence::Angles;
 constexpr int   leastGap = 14; // cells: 70 degrees
 constexpr int   gaps = 21;     // up to 170 degrees
 constexpr float turnCost = 0.35F;
@@ -24,8 +23,8 @@ constexpr float impossible = 1e30F;
 float
 UnevenCost(double first, double second)
 {
-  const double even = angles / 3.0;
-  const double third = angles - first - second;
+  const double even = TaeniaEvidence::Angles / 3.0;
+  const double third = TaeniaEvidence::Angles - first - second;
   return static_cast<float>(unevenCost * ((first - even) * (first - even) + (second - even) * (second - even) +
                                           (third - even) * (third - even)));
 }
@@ -33,7 +32,7 @@ UnevenCost(double first, double second)
 double
 CellsBetween(double a, double b)
 {
-  return std::abs(std::remainder(a - b, static_cast<double>(angles)));
+  return std::abs(std::remainder(a - b, static_cast<double>(TaeniaEvidence::Angles)));
 }
 
 /** The joint programme over states (angle of the first track, gap to the second, gap to the third). */
@@ -50,7 +49,7 @@ public:
     {
       for (int h = 0; h < gaps; ++h)
       {
-        const int  third = angles - (g + leastGap) - (h + leastGap);
+        const int  third = TaeniaEvidence::Angles - (g + leastGap) - (h + leastGap);
         const bool isAllowed = third >= leastGap && third < leastGap + gaps;
         m_Uneven[g * gaps + h] = isAllowed ? UnevenCost(g + leastGap, h + leastGap) : impossible;
       }
@@ -67,10 +66,10 @@ public:
       {
         if (mark.row == row)
         {
-          marks.push_back(mark.angle * angles - 0.5);
+          marks.push_back(mark.angle * TaeniaEvidence::Angles - 0.5);
         }
       }
-      ParallelFor(angles, [&](std::size_t a) { this->Advance(row, static_cast<int>(a), marks); });
+      ParallelFor(TaeniaEvidence::Angles, [&](std::size_t a) { this->Advance(row, static_cast<int>(a), marks); });
       m_Best.swap(m_Next);
       progress((row + 1.0) / m_Evidence.rows);
     }
@@ -78,7 +77,7 @@ public:
   }
 
 private:
-  static constexpr std::size_t States = static_cast<std::size_t>(angles) * gaps * gaps;
+  static constexpr std::size_t States = static_cast<std::size_t>(TaeniaEvidence::Angles) * gaps * gaps;
 
   void
   Advance(int row, int a, const std::vector<double> & marks)
@@ -94,8 +93,8 @@ private:
           m_Next[state] = impossible;
           continue;
         }
-        const int second = (a + g + leastGap) % angles;
-        const int third = (second + h + leastGap) % angles;
+        const int second = (a + g + leastGap) % TaeniaEvidence::Angles;
+        const int third = (second + h + leastGap) % TaeniaEvidence::Angles;
         float     cost =
           uneven + m_Evidence.CostAt(row, a) + m_Evidence.CostAt(row, second) + m_Evidence.CostAt(row, third);
         for (const double mark : marks)
@@ -115,7 +114,7 @@ private:
     unsigned char from = 0;
     for (int da = -1; da <= 1; ++da)
     {
-      const std::size_t angle = (a + da + angles) % angles;
+      const std::size_t angle = (a + da + TaeniaEvidence::Angles) % TaeniaEvidence::Angles;
       for (int dg = std::max(-1, -g); dg <= std::min(1, gaps - 1 - g); ++dg)
       {
         for (int dh = std::max(-1, -h); dh <= std::min(1, gaps - 1 - h); ++dh)
@@ -146,10 +145,12 @@ private:
       const int g = static_cast<int>(state / gaps % gaps);
       const int h = static_cast<int>(state % gaps);
       const int second = angle + g + leastGap;
-      tracks[row] = { (angle + 0.5) / angles, (second + 0.5) / angles, (second + h + leastGap + 0.5) / angles };
+      tracks[row] = { (angle + 0.5) / TaeniaEvidence::Angles,
+                      (second + 0.5) / TaeniaEvidence::Angles,
+                      (second + h + leastGap + 0.5) / TaeniaEvidence::Angles };
       const int from = m_From[States * row + state];
       angle += row > 0 ? from / 9 - 1 : 0;
-      const std::size_t wrapped = ((angle % angles) + angles) % angles;
+      const std::size_t wrapped = ((angle % TaeniaEvidence::Angles) + TaeniaEvidence::Angles) % TaeniaEvidence::Angles;
       state = row > 0 ? (wrapped * gaps + g + from / 3 % 3 - 1) * gaps + h + from % 3 - 1 : state;
     }
     return tracks;
@@ -162,17 +163,18 @@ private:
   std::array<float, gaps * gaps> m_Uneven{};
 };
 
-/** The tracks of a row in the order of their angles from the first on, in cells: first angle, two gaps. */
+/** The tracks of a row in the order of their TaeniaEvidence::Angles from the first on, in cells: first angle, two gaps.
+ */
 std::array<double, 3>
 AngleAndGaps(const TaeniaAngles & tracks)
 {
   const auto gapTo = [&](int t) {
     const double turns = tracks[t] - tracks[0];
-    return angles * (turns - std::floor(turns));
+    return TaeniaEvidence::Angles * (turns - std::floor(turns));
   };
   const double near = std::min(gapTo(1), gapTo(2));
   const double far = std::max(gapTo(1), gapTo(2));
-  return { angles * tracks[0], near, far - near };
+  return { TaeniaEvidence::Angles * tracks[0], near, far - near };
 }
 } // namespace
 
@@ -208,7 +210,7 @@ EnergyOfTaeniae(const TaeniaEvidence & evidence, const TaeniaTracks & tracks)
     {
       least = std::min(least, std::abs(TurnsBetween(angle, mark.angle)));
     }
-    sum += markCost * angles * least;
+    sum += markCost * TaeniaEvidence::Angles * least;
   }
   return sum / std::max(evidence.rows, 1);
 }

@@ -10,9 +10,8 @@ namespace shapeton
 {
 namespace
 {
-constexpr int    angles = TaeniaEvidence::Angles;
 constexpr double rowLength = 2.8; // mm of the map
-/** Weights of the three kinds of evidence, and how far each is averaged: rows, angles. */
+/** Weights of the three kinds of evidence, and how far each is averaged: rows, TaeniaEvidence::Angles. */
 constexpr double foldWeight = 12.0;
 constexpr double foldRows = 6.0;
 constexpr double foldAngles = 2.0;
@@ -60,11 +59,13 @@ Smoothed(const Cells & cells, int rows, double alongRows, double aroundAngles)
   Cells                     result(cells.size(), 0.0);
   for (int row = 0; row < rows; ++row)
   {
-    for (int a = 0; a < angles; ++a)
+    for (int a = 0; a < TaeniaEvidence::Angles; ++a)
     {
       for (int k = -reachAround; k <= reachAround; ++k)
       {
-        turned[row * angles + a] += around[k + reachAround] * cells[row * angles + (a + k + 2 * angles) % angles];
+        turned[row * TaeniaEvidence::Angles + a] +=
+          around[k + reachAround] *
+          cells[row * TaeniaEvidence::Angles + (a + k + 2 * TaeniaEvidence::Angles) % TaeniaEvidence::Angles];
       }
     }
   }
@@ -73,9 +74,9 @@ Smoothed(const Cells & cells, int rows, double alongRows, double aroundAngles)
     for (int k = -reachAlong; k <= reachAlong; ++k)
     {
       const int other = std::clamp(row + k, 0, rows - 1);
-      for (int a = 0; a < angles; ++a)
+      for (int a = 0; a < TaeniaEvidence::Angles; ++a)
       {
-        result[row * angles + a] += along[k + reachAlong] * turned[other * angles + a];
+        result[row * TaeniaEvidence::Angles + a] += along[k + reachAlong] * turned[other * TaeniaEvidence::Angles + a];
       }
     }
   }
@@ -86,13 +87,14 @@ Smoothed(const Cells & cells, int rows, double alongRows, double aroundAngles)
 Cells
 FoldDensity(const FlatColonGrid & grid, const HaustralFolds & folds, const TaeniaEvidence & evidence)
 {
-  Cells density(static_cast<std::size_t>(evidence.rows) * angles, 0.0);
+  Cells density(static_cast<std::size_t>(evidence.rows) * TaeniaEvidence::Angles, 0.0);
   Cells count(density.size(), 0.0);
   for (int column = 0; column < evidence.rows * evidence.columnsPerRow; ++column)
   {
     for (int row = 0; row < grid.Rows(); ++row)
     {
-      const int cell = column / evidence.columnsPerRow * angles + TaeniaEvidence::CellOf((row + 0.5) / grid.Rows());
+      const int cell =
+        column / evidence.columnsPerRow * TaeniaEvidence::Angles + TaeniaEvidence::CellOf((row + 0.5) / grid.Rows());
       density[cell] += folds.labels->GetPixel({ { column, row } }) > 0 ? 1.0 : 0.0;
       count[cell] += 1.0;
     }
@@ -157,17 +159,17 @@ MakeTaeniaEvidence(const FlatColon & flat, const ColonWallTube & tube, const Hau
   }
   evidence.ends = EndsOfFolds(grid, folds, evidence);
 
-  Cells ends(static_cast<std::size_t>(evidence.rows) * angles, 0.0);
+  Cells ends(static_cast<std::size_t>(evidence.rows) * TaeniaEvidence::Angles, 0.0);
   for (const FoldEnd & end : evidence.ends)
   {
-    ends[static_cast<int>(end.row) * angles + TaeniaEvidence::CellOf(end.angle)] += 1.0;
+    ends[static_cast<int>(end.row) * TaeniaEvidence::Angles + TaeniaEvidence::CellOf(end.angle)] += 1.0;
   }
   const Cells endDensity = Smoothed(ends, evidence.rows, endRows, endAngles);
   const Cells foldDensity = Smoothed(FoldDensity(grid, folds, evidence), evidence.rows, foldRows, foldAngles);
   const Cells wall = Smoothed(WallBetweenFolds(grid, axis, folds, evidence), evidence.rows, wallRows, wallAngles);
   for (std::size_t i = 0; i < endDensity.size(); ++i)
   {
-    const double s = evidence.arcLength[i / angles];
+    const double s = evidence.arcLength[i / TaeniaEvidence::Angles];
     const double toEnd = std::min(s - evidence.arcLength.front(), evidence.arcLength.back() - s);
     const double share = std::clamp(toEnd / fadingLength, 0.0, 1.0);
     evidence.cost.push_back(

@@ -7,7 +7,6 @@ namespace shapeton
 {
 namespace
 {
-constexpr int angles = TaeniaEvidence::Angles;
 /** Of the distance from the axis over the radius, and of the mean curvature times the radius (-0.5 on a tube). */
 constexpr double reliefWeight = 20.0;
 constexpr double curvatureWeight = 2.0;
@@ -22,21 +21,21 @@ RemoveBends(std::vector<double> & wall, int rows)
 {
   for (int row = 0; row < rows; ++row)
   {
-    double * const cells = wall.data() + static_cast<std::size_t>(row) * angles;
+    double * const cells = wall.data() + static_cast<std::size_t>(row) * TaeniaEvidence::Angles;
     for (int harmonic = 0; harmonic <= bendHarmonics; ++harmonic)
     {
       double cosine = 0.0;
       double sine = 0.0;
-      for (int a = 0; a < angles; ++a)
+      for (int a = 0; a < TaeniaEvidence::Angles; ++a)
       {
-        cosine += cells[a] * std::cos(2.0 * M_PI * harmonic * a / angles);
-        sine += cells[a] * std::sin(2.0 * M_PI * harmonic * a / angles);
+        cosine += cells[a] * std::cos(2.0 * M_PI * harmonic * a / TaeniaEvidence::Angles);
+        sine += cells[a] * std::sin(2.0 * M_PI * harmonic * a / TaeniaEvidence::Angles);
       }
-      const double share = (harmonic == 0 ? 1.0 : 2.0) / angles;
-      for (int a = 0; a < angles; ++a)
+      const double share = (harmonic == 0 ? 1.0 : 2.0) / TaeniaEvidence::Angles;
+      for (int a = 0; a < TaeniaEvidence::Angles; ++a)
       {
-        cells[a] -= share * (cosine * std::cos(2.0 * M_PI * harmonic * a / angles) +
-                             sine * std::sin(2.0 * M_PI * harmonic * a / angles));
+        cells[a] -= share * (cosine * std::cos(2.0 * M_PI * harmonic * a / TaeniaEvidence::Angles) +
+                             sine * std::sin(2.0 * M_PI * harmonic * a / TaeniaEvidence::Angles));
       }
     }
   }
@@ -61,7 +60,7 @@ WallBetweenFolds(const FlatColonGrid &  grid,
                  const HaustralFolds &  folds,
                  const TaeniaEvidence & evidence)
 {
-  std::vector<double> wall(static_cast<std::size_t>(evidence.rows) * angles, 0.0);
+  std::vector<double> wall(static_cast<std::size_t>(evidence.rows) * TaeniaEvidence::Angles, 0.0);
   std::vector<double> count(wall.size(), 0.0);
   for (int column = 0; column < evidence.rows * evidence.columnsPerRow; ++column)
   {
@@ -71,7 +70,8 @@ WallBetweenFolds(const FlatColonGrid &  grid,
       const bool isSeen = !isFold && grid.FaceOfPixel(column, row) >= 0 && !grid.IsBridged(column, row);
       if (isSeen)
       {
-        const int cell = column / evidence.columnsPerRow * angles + TaeniaEvidence::CellOf((row + 0.5) / grid.Rows());
+        const int cell =
+          column / evidence.columnsPerRow * TaeniaEvidence::Angles + TaeniaEvidence::CellOf((row + 0.5) / grid.Rows());
         wall[cell] += InwardForm(grid.SampleOfPixel(column, row), axis, column);
         count[cell] += 1.0;
       }

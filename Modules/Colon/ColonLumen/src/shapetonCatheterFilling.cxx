@@ -14,12 +14,6 @@ constexpr double TipClosing = 2.3;        // mm, half of the thickest wall
 constexpr double MembraneClosing = 1.5;   // mm
 constexpr double LargestPocketMl = 120.0; // a ball of LargestBalloon
 
-bool
-IsLumen(unsigned char c)
-{
-  return c == ColonGas || c == ColonFluid;
-}
-
 VoxelBox
 BoxAround(const ColonGrid & grid, const Eigen::Vector3d & centre, double reach)
 {
@@ -83,12 +77,12 @@ AddedByClosing(const ColonGrid & grid, const ClassVolume & classes, double radiu
 {
   const auto                 square = static_cast<float>(radius * radius);
   std::vector<unsigned char> mask(classes.size());
-  std::transform(classes.begin(), classes.end(), mask.begin(), [](unsigned char c) { return !IsLumen(c); });
+  std::transform(classes.begin(), classes.end(), mask.begin(), [](unsigned char c) { return !IsColonLumen(c); });
   const auto toLumen = SquaredDistanceToBackground(grid, mask);
   std::transform(toLumen.begin(), toLumen.end(), mask.begin(), [=](float d) { return d <= square; });
   const auto toFar = SquaredDistanceToBackground(grid, mask);
   std::transform(classes.begin(), classes.end(), toFar.begin(), mask.begin(), [=](unsigned char c, float d) {
-    return !IsLumen(c) && d > square;
+    return !IsColonLumen(c) && d > square;
   });
   return mask;
 }
@@ -128,7 +122,7 @@ public:
   {
     for (std::size_t p = 0; p < m_Filled.size(); ++p)
     {
-      if (m_Filled[p] && !IsLumen(region.classes[p]))
+      if (m_Filled[p] && !IsColonLumen(region.classes[p]))
       {
         region.classes[p] = m_Filled[p];
       }
@@ -258,7 +252,7 @@ ExtendToTip(const ColonGrid & grid, const VoxelSet & tip, RectalCatheter & cathe
 double
 LumenMl(const CatheterRegion & region)
 {
-  const auto number = std::count_if(region.classes.begin(), region.classes.end(), IsLumen);
+  const auto number = std::count_if(region.classes.begin(), region.classes.end(), IsColonLumen);
   return 1e-3 * static_cast<double>(number) * region.grid.VoxelVolume();
 }
 

@@ -17,12 +17,6 @@ constexpr double CanalReach = 60.0;     // mm below the rectum's gas
 constexpr double RingWidth = 4.0;       // mm around the catheter
 constexpr double LeastBody = 0.75;      // of the ring, tissue or lumen
 
-bool
-IsLumen(unsigned char c)
-{
-  return c == ColonGas || c == ColonFluid;
-}
-
 /** Parts of slices outside the lumen. */
 struct Islands
 {
@@ -36,7 +30,7 @@ Islands
 FindIslands(const ColonGrid & grid, const std::vector<float> & hu, double gasBoundary, const ClassVolume & classes)
 {
   Islands islands;
-  islands.set = CollectRuns(grid, [&](std::size_t p) { return !IsLumen(classes[p]); });
+  islands.set = CollectRuns(grid, [&](std::size_t p) { return !IsColonLumen(classes[p]); });
   islands.labels = LabelRuns(islands.set, VoxelContact::FaceInSlice);
   islands.isSmall.assign(islands.labels.number + 1, 1);
   islands.hasGas.assign(islands.labels.number + 1, 0);
@@ -122,7 +116,7 @@ private:
   bool
   IsOtherGas(std::size_t p) const
   {
-    return m_Hu[p] < m_GasBoundary && !IsLumen(m_Classes[p]);
+    return m_Hu[p] < m_GasBoundary && !IsColonLumen(m_Classes[p]);
   }
 
   /** Voxels of the slice within a distance of those given, with them. */
@@ -208,7 +202,7 @@ private:
   {
     for (const auto p : this->Around(bore, WallThickness + 0.5 * std::min(m_Grid.spacing[0], m_Grid.spacing[1])))
     {
-      m_Classes[p] = IsLumen(m_Classes[p]) ? m_Classes[p] : static_cast<unsigned char>(ColonGas);
+      m_Classes[p] = IsColonLumen(m_Classes[p]) ? m_Classes[p] : static_cast<unsigned char>(ColonGas);
     }
   }
 

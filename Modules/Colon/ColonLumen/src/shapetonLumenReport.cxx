@@ -18,12 +18,6 @@ constexpr double UsableMl = 400.0;        // or UsableShare of the body, where t
 constexpr double UsableShare = 0.02;
 constexpr double UsableRadius = 10.0; // mm
 
-bool
-IsLumen(unsigned char c)
-{
-  return c == ColonGas || c == ColonFluid;
-}
-
 itk::Point<double, 3>
 ToPoint(const Eigen::Vector3d & x)
 {
@@ -73,7 +67,7 @@ WriteLabels(const ColonImage * image, const LumenVoxels & voxels, ColonLumen & l
   unsigned char * out = lumen.labels->GetBufferPointer();
   ForEachVoxel(image, voxels.grid, [&](std::size_t to, std::size_t from) {
     const auto c = voxels.classes[from];
-    out[to] = IsLumen(c) ? c : 0;
+    out[to] = IsColonLumen(c) ? c : 0;
   });
 }
 
@@ -81,10 +75,10 @@ void
 DescribePieces(const LumenVoxels & voxels, ColonLumen & lumen)
 {
   const auto &    grid = voxels.grid;
-  const VoxelRuns set = CollectRuns(grid, [&](std::size_t p) { return IsLumen(voxels.classes[p]); });
+  const VoxelRuns set = CollectRuns(grid, [&](std::size_t p) { return IsColonLumen(voxels.classes[p]); });
   const RunLabels labels = LabelRuns(set);
   ClassVolume     mask(voxels.classes.size());
-  std::transform(voxels.classes.begin(), voxels.classes.end(), mask.begin(), IsLumen);
+  std::transform(voxels.classes.begin(), voxels.classes.end(), mask.begin(), IsColonLumen);
   const auto             d = SquaredDistanceToBackground(grid, mask);
   std::vector<PieceSums> sums(labels.number + 1);
   ForEachRun(set, [&](std::size_t r, int j, int k) {

@@ -20,12 +20,6 @@ IsGrowing(unsigned char c)
   return c >= ColonGas && c <= OtherBright;
 }
 
-bool
-IsColon(unsigned char c)
-{
-  return c == ColonGas || c == ColonFluid;
-}
-
 /** The voxels of growing classes that touch one of another class. */
 std::vector<std::size_t>
 Front(const ColonGrid & grid, const ClassVolume & classes)
@@ -68,7 +62,7 @@ GrowClasses(const ColonGrid &                                               grid
     {
       for (const auto p : front)
       {
-        if (IsColon(classes[p]) != colon)
+        if (IsColonLumen(classes[p]) != colon)
         {
           continue;
         }
@@ -300,9 +294,9 @@ FillLevelLayers(LumenField & field)
   });
 }
 
-constexpr double GrowthReach = 3.0;    // mm
-constexpr double LeastBrightMl = 0.05; // of other bright matter that competes
-constexpr double FaintDepth = 2.0;     // mm below a level, where faintly tagged fluid is looked for
+constexpr double GrowthReach = 3.0;       // mm
+constexpr double LeastCompetingMl = 0.05; // of other bright matter that competes
+constexpr double FaintDepth = 2.0;        // mm below a level, where faintly tagged fluid is looked for
 constexpr double FilledCavityMl = 0.03;
 
 void
@@ -325,7 +319,7 @@ PaintBright(LumenField & field)
   }
   ForEachRun(e.brightSet, [&](std::size_t r, int j, int k) {
     const int  piece = e.brightLabels.ofRun[r];
-    const bool competes = voxels[piece] * field.grid.VoxelVolume() * 1e-3 >= LeastBrightMl;
+    const bool competes = voxels[piece] * field.grid.VoxelVolume() * 1e-3 >= LeastCompetingMl;
     field.Fill(e.brightSet.runs[r], j, k, e.isColonBright[piece] ? Undecided : competes ? OtherBright : Nothing);
   });
 }

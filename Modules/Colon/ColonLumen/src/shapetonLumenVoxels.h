@@ -22,6 +22,13 @@ enum LumenClass : unsigned char
 
 using ClassVolume = std::vector<unsigned char>;
 
+/** Of a LumenClass. */
+inline bool
+IsColonLumen(unsigned char c)
+{
+  return c == ColonGas || c == ColonFluid;
+}
+
 /** Grows the first four classes at the same pace, by faces, `layers` times at most, into voxels where `mayEnter(voxel,
  * class)` holds. Where two arrive at once the colon's are served first. */
 void

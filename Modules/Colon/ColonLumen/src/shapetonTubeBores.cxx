@@ -1,6 +1,7 @@
 #include "shapetonTubeBores.h"
 
 #include "shapetonParallelFor.h"
+#include "shapetonPi.h"
 #include "shapetonVoxelRuns.h"
 
 #include <algorithm>
@@ -14,7 +15,6 @@ namespace
 {
 constexpr double AxisStep = 1.0;   // mm
 constexpr double AxisSmooth = 3.0; // mm, standard deviation
-constexpr double Pi = 3.14159265358979324;
 
 /** The part of a mask that no ball inside of it covers. */
 std::vector<unsigned char>

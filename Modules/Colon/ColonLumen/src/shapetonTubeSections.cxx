@@ -1,5 +1,7 @@
 #include "shapetonTubeSections.h"
 
+#include "shapetonPi.h"
+
 #include <Eigen/Geometry>
 
 #include <algorithm>
@@ -11,7 +13,6 @@ namespace shapeton
 namespace
 {
 constexpr double RayStep = 0.2; // mm
-constexpr double TwoPi = 6.28318530717958648;
 
 /** Where between two samples the value passes the boundary of gas. */
 double

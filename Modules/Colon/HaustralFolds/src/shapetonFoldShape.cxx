@@ -1,6 +1,7 @@
 #include "shapetonFoldShape.h"
 
 #include "shapetonFoldHeight.h"
+#include "shapetonPi.h"
 
 #include <Eigen/Dense>
 
@@ -15,7 +16,7 @@ using Eigen::Vector2d;
 
 /** Curvature that no fold is below, 1/mm. */
 constexpr double floorOfFolds = 0.03;
-constexpr double degrees = 180.0 / 3.14159265358979323846;
+constexpr double degrees = 180.0 / Pi;
 class FoldMeasurer
 {
 public:

@@ -2,6 +2,7 @@
 
 #include "shapetonFlatColonAxis.h"
 #include "shapetonExceptions.h"
+#include "shapetonPi.h"
 
 #include <algorithm>
 #include <cmath>
@@ -10,7 +11,6 @@ namespace shapeton
 {
 namespace
 {
-constexpr double pi = 3.14159265358979323846;
 
 /** Means over neighbours, and a small slope, so that no two columns share a distance: steps of the assignment to the
  * centreline are no property of the wall. */
@@ -55,7 +55,7 @@ ColonCylinder::ColonCylinder(const FlatColon & flat, const CurveSet & centreline
   m_Arc =
     StrictlyAscending(distance, static_cast<int>(std::ceil(smoothing / grid.PixelSize())), 0.01 * grid.PixelSize());
   m_Radii = axis.radii;
-  m_Around = 2.0 * pi * m_Radii.mean();
+  m_Around = 2.0 * Pi * m_Radii.mean();
 }
 
 double

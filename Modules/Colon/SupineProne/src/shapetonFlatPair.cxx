@@ -7,8 +7,8 @@ namespace shapeton
 {
 namespace
 {
-constexpr int    mapAngles = 48;
-constexpr double mapStep = 3.0; // mm
+constexpr int    pairAngles = 48;
+constexpr double pairStep = 3.0; // mm
 
 /** From mm along the centreline to mm along the flat wall. */
 double
@@ -35,7 +35,7 @@ SlopeOf(const ColonCylinder & cylinder, double from, double to)
 int
 RowsOf(const ColonCylinder & source)
 {
-  return std::max(2, static_cast<int>(std::ceil((source.End() - source.Begin()) / mapStep)) + 1);
+  return std::max(2, static_cast<int>(std::ceil((source.End() - source.Begin()) / pairStep)) + 1);
 }
 
 std::vector<double>
@@ -56,7 +56,7 @@ FlatPair::FlatPair(const ColonPair & pair)
   , m_Target(*pair.targetCylinder)
   , m_Step((m_Source.End() - m_Source.Begin()) / (RowsOf(m_Source) - 1))
   , m_Equations(HeightsOf(m_Source, m_Step),
-                mapAngles,
+                pairAngles,
                 m_Source.Grid().Circumference(),
                 m_Target.Grid().Circumference())
 {}
@@ -68,7 +68,7 @@ FlatPair::ValuesOf(const CylinderMap & map) const
   CylinderValues values{ Eigen::VectorXd(nodes), Eigen::VectorXd(nodes) };
   for (int node = 0; node < nodes; ++node)
   {
-    const CylinderPlace place = map.Forward({ this->SOfRow(node / mapAngles), this->TurnOfAngle(node % mapAngles) });
+    const CylinderPlace place = map.Forward({ this->SOfRow(node / pairAngles), this->TurnOfAngle(node % pairAngles) });
     values.along[node] = FlatOfArc(m_Target, place.s);
     values.around[node] = place.turn * m_Equations.TargetAround();
   }
@@ -79,11 +79,11 @@ CylinderNodes
 FlatPair::NodesOf(const CylinderValues & values) const
 {
   const int     rows = m_Equations.Rows();
-  CylinderNodes nodes{ m_Source.Begin(), m_Step, Eigen::MatrixXd(rows, mapAngles), Eigen::MatrixXd(rows, mapAngles) };
+  CylinderNodes nodes{ m_Source.Begin(), m_Step, Eigen::MatrixXd(rows, pairAngles), Eigen::MatrixXd(rows, pairAngles) };
   for (int node = 0; node < m_Equations.Nodes(); ++node)
   {
-    nodes.s(node / mapAngles, node % mapAngles) = ArcOfFlat(m_Target, values.along[node]);
-    nodes.turn(node / mapAngles, node % mapAngles) = values.around[node] / m_Equations.TargetAround();
+    nodes.s(node / pairAngles, node % pairAngles) = ArcOfFlat(m_Target, values.along[node]);
+    nodes.turn(node / pairAngles, node % pairAngles) = values.around[node] / m_Equations.TargetAround();
   }
   return nodes;
 }
@@ -92,7 +92,7 @@ BeltramiEquations::Place
 FlatPair::PlaceOf(const CylinderPlace & place) const
 {
   return m_Equations.PlaceOf(std::clamp((place.s - m_Source.Begin()) / m_Step, 0.0, m_Equations.Rows() - 1.0),
-                             (place.turn - std::floor(place.turn)) * mapAngles);
+                             (place.turn - std::floor(place.turn)) * pairAngles);
 }
 
 CylinderPlace

@@ -1,6 +1,7 @@
 #include "shapetonStartFrame.h"
 
 #include "shapetonFlatColonLocator.h"
+#include "shapetonPi.h"
 
 #include <algorithm>
 #include <cmath>
@@ -9,7 +10,6 @@ namespace shapeton
 {
 namespace
 {
-constexpr double pi = 3.14159265358979323846;
 constexpr double greatestStretch = 3.0;
 
 /** Whether each piece is stretched at most `greatestStretch` times against the whole, either way. */
@@ -56,7 +56,7 @@ DeviationOf(double confidence)
   constexpr double a = 0.147;
   const double     x = std::clamp(confidence, 0.1, 0.98);
   const double     logarithm = std::log(1.0 - x * x);
-  const double     b = 2.0 / (pi * a) + 0.5 * logarithm;
+  const double     b = 2.0 / (Pi * a) + 0.5 * logarithm;
   return within / std::sqrt(2.0 * (std::sqrt(b * b - logarithm / a) - b));
 }
 
@@ -256,7 +256,7 @@ RotationOfTaeniae(const TaeniaAngles &        source,
     for (int taenia = 0; taenia < 3; ++taenia)
     {
       const double turn = target.At((taenia + shift) % 3, frame(s[i])) - source.At(taenia, s[i]);
-      directions.row(i) += Eigen::RowVector2d(std::cos(2.0 * pi * turn), std::sin(2.0 * pi * turn));
+      directions.row(i) += Eigen::RowVector2d(std::cos(2.0 * Pi * turn), std::sin(2.0 * Pi * turn));
     }
   }
   constexpr double    smoothing = 15.0; // mm: a taenia that is found wrongly for a while makes no jump
@@ -272,7 +272,7 @@ RotationOfTaeniae(const TaeniaAngles &        source,
       const double t = k * step / smoothing;
       mean += std::exp(-0.5 * t * t) * directions.row(at);
     }
-    const double turn = std::atan2(mean[1], mean[0]) / (2.0 * pi);
+    const double turn = std::atan2(mean[1], mean[0]) / (2.0 * Pi);
     rotation.push_back(rotation.empty() ? turn : rotation.back() + TurnDifference(turn, rotation.back()));
   }
   return rotation;

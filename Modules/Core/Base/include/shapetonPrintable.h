@@ -17,6 +17,10 @@ Base_EXPORT std::string
 Base_EXPORT std::string
             Quoted(const std::string & text);
 
+/** The text without blanks, tabs, ends of lines and zeros at its begin and end. \ingroup Base */
+Base_EXPORT std::string
+            Trimmed(const std::string & text);
+
 /** A folder's name without slashes at its end, so that names can be made from it. \ingroup Base */
 Base_EXPORT std::string
             WithoutTrailingSlashes(std::string path);

@@ -54,6 +54,12 @@ ThrowCannotRead(const std::string & path, int error)
 }
 
 void
+ThrowUnsuitable(const std::string & path, const std::string & reason)
+{
+  throw InputError(path + ": " + reason);
+}
+
+void
 ThrowCannotWrite(const std::string & path, int error)
 {
   ThrowCannotWrite(path, ReasonOf(error), AdviceForWriting(error));

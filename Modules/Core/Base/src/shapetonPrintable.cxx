@@ -83,6 +83,15 @@ Quoted(const std::string & text)
 }
 
 std::string
+Trimmed(const std::string & text)
+{
+  const std::string blanks(" \0\t\r\n", 5);
+  const auto        first = text.find_first_not_of(blanks);
+  const auto        last = text.find_last_not_of(blanks);
+  return first == std::string::npos ? std::string() : text.substr(first, last - first + 1);
+}
+
+std::string
 WithoutTrailingSlashes(std::string path)
 {
   while (path.size() > 1 && path.back() == '/')

@@ -1,4 +1,5 @@
 #include "shapetonShapetonDirection.h"
+#include "shapetonPi.h"
 #include "shapetonShapetonMoments.h"
 
 #include <algorithm>
@@ -10,7 +11,7 @@ namespace
 {
 using namespace ShapetonMoments;
 
-constexpr double halfPi = 0.5 * pi;
+constexpr double halfPi = 0.5 * Pi;
 
 /** g0 + g1 s + g2 s^2 + g3 s^3: the volume per unit of s (8.5, differentiated), with s = 2 phi / pi. Bernstein form: no
  * coefficient is negative. */

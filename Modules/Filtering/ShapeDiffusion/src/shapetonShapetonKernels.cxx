@@ -1,4 +1,5 @@
 #include "shapetonShapetonKernels.h"
+#include "shapetonPi.h"
 #include "shapetonShapetonMoments.h"
 
 #include <cmath>
@@ -25,7 +26,7 @@ Integral(int j, double from, double to)
   for (int node = 0; node < 8; ++node)
   {
     const double theta = from + half * (1.0 + (node < 4 ? nodes[node] : -nodes[node - 4]));
-    const double u = theta * 2.0 / ShapetonMoments::pi;
+    const double u = theta * 2.0 / Pi;
     double       product = weights[node % 4] * std::sin(theta);
     for (int factor = 0; factor < 3; ++factor)
     {
@@ -40,7 +41,7 @@ Integral(int j, double from, double to)
 double
 AngleOf(int j, double integral, bool above)
 {
-  constexpr double right = 0.5 * ShapetonMoments::pi;
+  constexpr double right = 0.5 * Pi;
   double           low = 0.0;
   double           high = right;
   for (int bisection = 0; bisection < 50; ++bisection)
@@ -57,7 +58,7 @@ ThetaTable::ThetaTable()
 {
   for (int j = 0; j < 4; ++j)
   {
-    const double whole = Integral(j, 0.0, 0.5 * ShapetonMoments::pi);
+    const double whole = Integral(j, 0.0, 0.5 * Pi);
     for (int i = 0; i <= ThetaTableSize; ++i)
     {
       const double place = static_cast<double>(i) / ThetaTableSize;

@@ -6,7 +6,6 @@ namespace shapeton
 /** The integrals over theta in [0, pi/2] that the shape distribution of an octant is made of. */
 namespace ShapetonMoments
 {
-constexpr double pi = 3.14159265358979323846;
 
 /** binomial(3, j) times the integral of (1 - u)^(3-j) u^j sin(theta), u = 2 theta / pi; they sum to 1. In closed form
  * combinations of 2/pi, 8/pi^2 (pi/2 - 1) and 24/pi^3 (pi^2/4 - 2). */

@@ -15,10 +15,10 @@ constexpr double              ProbabilityOfDistance = -1.354;
 constexpr double              ProbabilityOfMargin = 2.042;
 
 /** Heat that counts as much as none. */
-constexpr double LeastHeat = 0.01;
+constexpr double NegligibleHeat = 0.01;
 constexpr double GreatestMargin = 10.0;
 /** Equal signatures: nearer than any copy. */
-constexpr double LeastDistance = 1e-3;
+constexpr double LeastDifference = 1e-3;
 
 template <std::size_t Size>
 double
@@ -61,7 +61,7 @@ SignatureDifference
 DifferenceOf(const ShapeSignature & a, const ShapeSignature & b)
 {
   SignatureDifference difference;
-  difference.remainingHeat = RootMeanSquare(a.remainingHeat, b.remainingHeat, LeastHeat);
+  difference.remainingHeat = RootMeanSquare(a.remainingHeat, b.remainingHeat, NegligibleHeat);
   difference.displacement = RootMeanSquare(a.displacement, b.displacement, 0.0);
   difference.spectrum = RootMeanSquare(a.spectrum, b.spectrum, 0.0);
   difference.surface = LogRatio(RelativeSurface(a), RelativeSurface(b));
@@ -89,7 +89,7 @@ SignatureDistance(const ShapeSignature & a, const ShapeSignature & b)
 double
 ProbabilityOfSameShape(double distance, double margin)
 {
-  const double logit = ProbabilityConstant + ProbabilityOfDistance * std::log(std::max(distance, LeastDistance)) +
+  const double logit = ProbabilityConstant + ProbabilityOfDistance * std::log(std::max(distance, LeastDifference)) +
                        ProbabilityOfMargin * std::log(std::clamp(margin, 1.0, GreatestMargin));
   return 1.0 / (1.0 + std::exp(-logit));
 }
@@ -109,7 +109,7 @@ FindShape(const ShapeSignature & shape, const std::vector<NamedShape> & entries,
   std::stable_sort(result.neighbours.begin(), result.neighbours.end(), [](const auto & a, const auto & b) {
     return a.distance < b.distance;
   });
-  const double first = std::max(result.neighbours.front().distance, LeastDistance);
+  const double first = std::max(result.neighbours.front().distance, LeastDifference);
   result.probability = ProbabilityOfSameShape(first, SecondDistance(result.neighbours, entries) / first);
   result.neighbours.resize(std::min(nearest, result.neighbours.size()));
   return result;

@@ -4,6 +4,7 @@
 #include "shapetonLabelShapes.h"
 #include "shapetonLevelSurface.h"
 #include "shapetonObjectHeat.h"
+#include "shapetonPi.h"
 #include "shapetonSurfaceQuality.h"
 #include "shapetonSurfaceSpectrum.h"
 
@@ -15,7 +16,6 @@ namespace shapeton
 {
 namespace
 {
-constexpr double pi = 3.14159265358979323846;
 
 /** The boundary of an object, in voxels. */
 SurfaceMesh
@@ -86,7 +86,7 @@ ComputeShapeSignature(const VoxelRuns & shape, const itk::ImageBase<3> * image)
   }
   RequireVoxels(shape);
   const ShapeMoments moments = MomentsOf(shape, image);
-  const double       radius = std::cbrt(0.75 * moments.volume / pi);
+  const double       radius = std::cbrt(0.75 * moments.volume / Pi);
   const double       spacing = radius / ShapeSignature::RadiusInVoxels;
   ShapeOccupancy     occupancy = OccupancyOf(shape, image, moments, spacing);
 

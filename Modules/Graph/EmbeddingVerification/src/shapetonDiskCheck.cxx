@@ -1,4 +1,5 @@
 #include "shapetonChecks.h"
+#include "shapetonPi.h"
 
 #include <algorithm>
 #include <cmath>
@@ -12,7 +13,6 @@ namespace
 using Real = long double;
 using Complex = std::complex<Real>;
 
-constexpr double Pi = 3.14159265358979323846;
 constexpr double MostPlaceError = 1e-9; // a hyperbolic length
 /** Of the smallest radius, and of the smallest to the largest one: see the plane. */
 constexpr double LeastRadius = 1e-11;

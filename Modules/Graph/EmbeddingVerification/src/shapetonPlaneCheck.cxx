@@ -1,4 +1,5 @@
 #include "shapetonChecks.h"
+#include "shapetonPi.h"
 
 #include <algorithm>
 #include <cmath>
@@ -10,7 +11,6 @@ namespace
 {
 using Complex = std::complex<double>;
 
-constexpr double Pi = 3.14159265358979323846;
 constexpr double MostPlaceError = 1e-9; // of the lattice's shorter period
 /** Of the smallest to the largest radius: what lies below cannot be told from a solution that degenerates. */
 constexpr double LeastRatio = 1e-11;

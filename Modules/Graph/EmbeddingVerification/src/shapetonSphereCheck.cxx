@@ -1,4 +1,5 @@
 #include "shapetonChecks.h"
+#include "shapetonPi.h"
 
 #include <algorithm>
 #include <array>
@@ -8,7 +9,6 @@ namespace shapeton
 {
 namespace
 {
-constexpr double Pi = 3.14159265358979323846;
 // On the unit sphere, as far as the numbers of a double carry: caps of 1e-12 are 10^4 times their spacing.
 constexpr double LeastRadius = 1e-12;
 constexpr double MostTangencyError = 1e-9;

@@ -11,7 +11,7 @@ namespace
 {
 constexpr int          roundsAtOnce = 4;
 constexpr int          mostRounds = 32;
-constexpr std::int64_t mostSteps = 20000000;
+constexpr std::int64_t mostStepsOfSearch = 20000000;
 
 std::uint64_t
 Mix(std::uint64_t x)
@@ -207,7 +207,7 @@ CanonicalMapOrder::CanonicalMapOrder(const CombinatorialMap & map, bool mayMirro
   std::int64_t     steps = 0;
   for (const Start & candidate : RarestStarts(map, mayMirror))
   {
-    if (steps > mostSteps)
+    if (steps > mostStepsOfSearch)
     {
       break;
     }

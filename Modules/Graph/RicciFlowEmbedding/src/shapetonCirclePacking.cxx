@@ -1,6 +1,7 @@
 #include "shapetonCirclePacking.h"
 
 #include "shapetonNearbyOrder.h"
+#include "shapetonPi.h"
 #include "shapetonRicciEnergy.h"
 #include "shapetonSparseCholesky.h"
 #include "shapetonExceptions.h"
@@ -21,7 +22,6 @@ AsVector(std::vector<double> & values)
   return { values.data(), static_cast<Eigen::Index>(values.size()) };
 }
 
-constexpr double pi = 3.14159265358979323846;
 constexpr double restOfPi = 1.2246467991473532e-16; // see RicciEnergy
 /** The curvature that is asked for, and the largest that rounding may leave. Radians. */
 constexpr double wantedResidual = 1e-12;
@@ -270,7 +270,7 @@ CurvaturesOf(const CombinatorialMap & map, const CirclePacking & packing)
   {
     const double radius =
       i < packing.nodeRadii.size() ? packing.nodeRadii[i] : packing.faceRadii[i - packing.nodeRadii.size()];
-    angles[i] = std::isinf(radius) ? 0.0 : 2.0 * ((pi - angles[i]) + restOfPi);
+    angles[i] = std::isinf(radius) ? 0.0 : 2.0 * ((Pi - angles[i]) + restOfPi);
   }
   return angles;
 }

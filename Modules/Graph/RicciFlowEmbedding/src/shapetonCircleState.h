@@ -2,6 +2,7 @@
 #define shapetonCircleState_h
 
 #include "shapetonParallelFor.h"
+#include "shapetonPi.h"
 #include "shapetonRicciUnknowns.h"
 
 #include <cmath>
@@ -89,7 +90,6 @@ private:
   {
     return m_Unknowns.geometry == FlowGeometry::Euclidean;
   }
-  static constexpr TReal pi = TReal(3.14159265358979323846264338327950288L);
   /** What is missing in pi. The fixed circle has the sum of all curvatures, in which a bias would count. */
   static constexpr TReal restOfPi = std::is_same<TReal, double>::value ? TReal(1.2246467991473532e-16L) : TReal(0);
   /** \equation{6.2} away from the boundary, of which a closed surface has none; by the halves of the angles of kites.
@@ -97,7 +97,7 @@ private:
   static TReal
   CurvatureOf(TReal halfAngles)
   {
-    return 2 * ((pi - halfAngles) + restOfPi);
+    return 2 * ((PiOf<TReal> - halfAngles) + restOfPi);
   }
   TReal
   CurvatureOfNode(int node) const;
@@ -154,7 +154,7 @@ CircleState<TReal>::CurvatureOfNode(int node) const
   {
     const int face = m_Map.Face(h);
     angles += m_Unknowns.faceKind[face] == Kind::Line
-                ? pi / 2
+                ? PiOf<TReal> / 2
                 : std::atan2(m_Face[face].sinh, m_Node[node].sinh * m_Face[face].cosh);
     h = m_Map.NextAround(h);
   } while (h != first);
@@ -172,7 +172,7 @@ CircleState<TReal>::CurvatureOfFace(int face) const
   {
     const int node = m_Map.Node(h);
     angles += m_Unknowns.nodeKind[node] == Kind::Line
-                ? pi / 2
+                ? PiOf<TReal> / 2
                 : std::atan2(m_Node[node].sinh, m_Face[face].sinh * m_Node[node].cosh);
     h = m_Map.FaceNext(h);
   } while (h != first);

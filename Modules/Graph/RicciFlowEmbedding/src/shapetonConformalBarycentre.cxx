@@ -11,7 +11,7 @@ namespace shapeton
 {
 namespace
 {
-constexpr int    mostSteps = 200;
+constexpr int    mostBoosts = 200;
 constexpr double wantedOffset = 1e-14;
 /** The fastest boost of one step, in units of the speed of light. */
 constexpr double fastest = 0.6;
@@ -142,7 +142,7 @@ double
 CentrePacking(SphericalPacking & packing, const std::vector<int> & edges, double mostRapidity)
 {
   double rapidity = 0.0;
-  for (int i = 0; i < mostSteps && rapidity <= mostRapidity; ++i)
+  for (int i = 0; i < mostBoosts && rapidity <= mostRapidity; ++i)
   {
     double                offset = 0.0;
     const Eigen::Vector3d velocity = NewtonStep(packing.touchPoints, edges, offset);
@@ -231,7 +231,7 @@ EnlargeSmallCaps(SphericalPacking & packing, const std::vector<char> & isVisible
     }
   }
   double rapidity = 0.0;
-  for (int i = 0; i < mostSteps && rapidity <= mostRapidity && !caps.empty(); ++i)
+  for (int i = 0; i < mostBoosts && rapidity <= mostRapidity && !caps.empty(); ++i)
   {
     const Eigen::Vector3d velocity = StepToLargerCaps(caps);
     if (velocity.isZero(0.0))

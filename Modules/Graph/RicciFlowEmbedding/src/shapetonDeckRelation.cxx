@@ -13,7 +13,7 @@ namespace
 using Real = boost::multiprecision::number<boost::multiprecision::cpp_bin_float<320>, boost::multiprecision::et_off>;
 /** A relation that holds worse than this is not refined: it says nothing. */
 constexpr double worstRelation = 0.1;
-constexpr int    mostSteps = 12;
+constexpr int    mostNewtonSteps = 12;
 /** Words of so many letters are not multiplied out: the time grows with the third power. */
 constexpr std::size_t longestWord = 160;
 
@@ -326,7 +326,7 @@ RefineDeckRelation(const std::vector<PlaneMotion> &      generators,
   ExactMotions exact = ToExact(generators);
   relation.givenResidual = Deviation(Product(exact, word));
   relation.isRefined = relation.givenResidual < worstRelation;
-  for (int step = 0; relation.isRefined && step < mostSteps && Deviation(Product(exact, word)) > 1e-300; ++step)
+  for (int step = 0; relation.isRefined && step < mostNewtonSteps && Deviation(Product(exact, word)) > 1e-300; ++step)
   {
     Refine(exact, word);
   }

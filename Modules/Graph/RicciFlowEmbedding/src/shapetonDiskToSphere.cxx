@@ -1,4 +1,5 @@
 #include "shapetonLayoutTree.h"
+#include "shapetonPi.h"
 #include "shapetonPlaneMotion.h"
 #include "shapetonPlaneToSphere.h"
 
@@ -8,8 +9,6 @@ namespace shapeton
 {
 namespace
 {
-template <typename TReal>
-constexpr TReal pi = TReal(3.14159265358979323846264338327950288L);
 
 template <typename TReal>
 BasicPlaneMotion<TReal>
@@ -149,7 +148,7 @@ DiskLayout<TReal>::PlaceFrames(const LayoutTree & tree)
       const int   before = m_Map.Node(arrival);
       const TReal length = NodeRadius<TReal>(m_Packing, before) + NodeRadius<TReal>(m_Packing, node);
       m_Frames[node] = (m_Frames[before] * Turn(m_Angles[arrival]) * Advance(length) *
-                        Turn(pi<TReal> - m_Angles[CombinatorialMap::Twin(arrival)]))
+                        Turn(PiOf<TReal> - m_Angles[CombinatorialMap::Twin(arrival)]))
                          .Normalised();
     }
   }

@@ -9,7 +9,7 @@ namespace shapeton
 namespace
 {
 /** So many steps are spent on the search for the shortest curve of one handle. */
-constexpr long mostSteps = 10'000'000;
+constexpr long mostVisits = 10'000'000;
 
 /** The faces of a component by their distance from one of them: breadth first. */
 struct DualTree
@@ -108,7 +108,7 @@ ShortestHandleCurve(const CombinatorialMap & map)
       }
     }
   };
-  const long stride = 1 + static_cast<long>(map.Faces()) * map.HalfEdges() / mostSteps;
+  const long stride = 1 + static_cast<long>(map.Faces()) * map.HalfEdges() / mostVisits;
   for (long face = 0; face < map.Faces(); face += stride)
   {
     tryRoot(static_cast<int>(face));

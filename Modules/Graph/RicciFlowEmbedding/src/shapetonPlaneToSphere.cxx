@@ -1,6 +1,7 @@
 #include "shapetonPlaneToSphere.h"
 
 #include "shapetonLayoutTree.h"
+#include "shapetonPi.h"
 
 #include <cmath>
 #include <complex>
@@ -9,7 +10,6 @@ namespace shapeton
 {
 namespace
 {
-constexpr double pi = 3.14159265358979323846;
 
 using Complex = std::complex<double>;
 
@@ -81,14 +81,14 @@ PlaneLayout::Place(int node, int arrival)
     const int before = m_Map.Node(arrival);
     m_Centres[node] =
       m_Centres[before] + std::polar(m_Packing.nodeRadii[before] + m_Packing.nodeRadii[node], m_Directions[arrival]);
-    turn = m_Directions[arrival] + pi - m_Directions[CombinatorialMap::Twin(arrival)];
+    turn = m_Directions[arrival] + Pi - m_Directions[CombinatorialMap::Twin(arrival)];
   }
   sphere.nodes[node] = FromCircle(m_Centres[node], m_Packing.nodeRadii[node], m_Scale);
   const int first = m_Map.FirstAround(node);
   int       h = first;
   do
   {
-    m_Directions[h] = std::remainder(m_Directions[h] + turn, 2.0 * pi);
+    m_Directions[h] = std::remainder(m_Directions[h] + turn, 2.0 * Pi);
     this->PlaceAlong(node, h);
     if (!m_IsPlaced[m_Map.Face(h)])
     {

@@ -3,16 +3,12 @@
 #include "shapetonDisjointSets.h"
 #include "shapetonLayoutTree.h"
 #include "shapetonParallelFor.h"
+#include "shapetonPi.h"
 
 #include <algorithm>
 
 namespace shapeton
 {
-namespace
-{
-constexpr double pi = 3.14159265358979323846;
-} // namespace
-
 SurfaceLayout::SurfaceLayout(const CombinatorialMap & map, const CirclePacking & packing)
   : m_Map(map), m_Packing(packing), m_Angles(HalfEdgeAngles(map, packing)), m_Frames(map.Nodes())
 {
@@ -41,7 +37,7 @@ SurfaceLayout::FrameAcross(int halfEdge) const
   const int          twin = CombinatorialMap::Twin(halfEdge);
   const double       length = m_Packing.nodeRadii[from] + m_Packing.nodeRadii[m_Map.Node(twin)];
   return (m_Frames[from] * PlaneMotion::Rotation(geometry, m_Angles[halfEdge]) *
-          PlaneMotion::Translation(geometry, length) * PlaneMotion::Rotation(geometry, pi - m_Angles[twin]))
+          PlaneMotion::Translation(geometry, length) * PlaneMotion::Rotation(geometry, Pi - m_Angles[twin]))
     .Normalised();
 }
 

@@ -2,6 +2,7 @@
 
 #include "shapetonPhilox.h"
 #include "shapetonExceptions.h"
+#include "shapetonPi.h"
 
 #include <cmath>
 #include <cstdio>
@@ -12,7 +13,6 @@ namespace
 {
 constexpr std::uint32_t startPurpose = 0x5E4501;
 constexpr std::uint32_t stepPurpose = 0x5E4502;
-constexpr double        fullTurn = 6.283185307179586;
 // Devices turn around here, beyond the area, in parts of its side.
 constexpr double margin = 0.1;
 // A device in the network loses this part of its charge in a step, on the average, and gains so much when charging.
@@ -64,7 +64,7 @@ SensorNetwork::SensorNetwork(const SensorNetworkOptions & options)
     m_Devices[i].x = options.side * Unit(words.a);
     m_Devices[i].y = options.side * Unit(words.b);
     m_Devices[i].power = powerToReturn + (1.0 - powerToReturn) * Unit(words.c);
-    m_Direction.push_back(fullTurn * Unit(words.d));
+    m_Direction.push_back(TwoPi * Unit(words.d));
     m_Drain.push_back(2.0 * meanDrain * Unit(more.a));
   }
 }
@@ -83,7 +83,7 @@ SensorNetwork::Advance()
     device.y += way * std::sin(m_Direction[i]);
     if (Reflect(device.x, m_Options.side))
     {
-      m_Direction[i] = 0.5 * fullTurn - m_Direction[i];
+      m_Direction[i] = Pi - m_Direction[i];
     }
     if (Reflect(device.y, m_Options.side))
     {

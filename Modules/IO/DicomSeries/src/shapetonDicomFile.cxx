@@ -1,6 +1,7 @@
 #include "shapetonDicomFile.h"
 
 #include "shapetonDicomTransferSyntax.h"
+#include "shapetonPrintable.h"
 
 #include "dcmtk/config/osconfig.h"
 #include "dcmtk/dcmdata/dctk.h"
@@ -29,17 +30,9 @@ constexpr std::uint64_t MaximumDeflateRatio = 1032;
 // Cosines are written with six digits or so; more error than this is no rotation.
 constexpr double CosineTolerance = 1e-3;
 
-std::string
-Trimmed(const std::string & text)
-{
-  const auto first = text.find_first_not_of(std::string(" \0\t\r\n", 5));
-  const auto last = text.find_last_not_of(std::string(" \0\t\r\n", 5));
-  return first == std::string::npos ? std::string() : text.substr(first, last - first + 1);
-}
-
 /** Text for tables and messages: no control characters, one line, not endless. */
 std::string
-Printable(std::string text)
+ShortLine(std::string text)
 {
   std::replace_if(
     text.begin(), text.end(), [](char c) { return static_cast<unsigned char>(c) < ' ' || c == 127; }, ' ');
@@ -54,7 +47,7 @@ GetText(DcmItem & item, const DcmTagKey & tag)
   {
     return {};
   }
-  return Printable(Trimmed(std::string(value.c_str(), value.size())));
+  return ShortLine(Trimmed(std::string(value.c_str(), value.size())));
 }
 
 /** The numbers of a value; empty when one of them is not a finite number. */
@@ -574,7 +567,7 @@ ParseDicomFile(const std::string & path)
   else if (status.bad())
   {
     file.kind = DicomFile::Kind::damaged;
-    file.what = "the file ends within its header, or it is malformed (" + Printable(status.text()) + ")";
+    file.what = "the file ends within its header, or it is malformed (" + ShortLine(status.text()) + ")";
   }
   else if (!object.empty() || signature == Signature::file)
   {

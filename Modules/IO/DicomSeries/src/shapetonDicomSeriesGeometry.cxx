@@ -1,5 +1,7 @@
 #include "shapetonDicomSeriesGeometry.h"
 
+#include "shapetonPi.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -158,7 +160,7 @@ FindShear(const std::vector<SlicePlace> & slices, const double (&pixelSpacing)[2
         geometry.isLinearShear && std::abs(offset - slope * (slice.position - first.position)) <= tolerance;
     }
   }
-  geometry.tiltDegrees = std::atan(std::sqrt(squaredSlope)) * 180.0 / 3.14159265358979323846;
+  geometry.tiltDegrees = std::atan(std::sqrt(squaredSlope)) * 180.0 / Pi;
 }
 } // namespace
 

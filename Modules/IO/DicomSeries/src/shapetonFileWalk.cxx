@@ -1,6 +1,7 @@
 #include "shapetonFileWalk.h"
 
 #include "shapetonExceptions.h"
+#include "shapetonFileErrors.h"
 
 #include <algorithm>
 #include <cerrno>
@@ -18,12 +19,6 @@ namespace
 namespace fs = std::filesystem;
 using FileIdentity = std::pair<dev_t, ino_t>;
 
-[[noreturn]] void
-Refuse(const std::string & path, const std::string & reason)
-{
-  throw InputError(path + ": " + reason);
-}
-
 /** The entries of a folder in the order of their names, so that "the first file" is the same everywhere. */
 std::vector<std::string>
 ListFolder(const std::string & folder)
@@ -38,7 +33,7 @@ ListFolder(const std::string & folder)
   }
   if (error)
   {
-    Refuse(folder, "the folder cannot be read: " + error.message());
+    ThrowUnsuitable(folder, "the folder cannot be read: " + error.message());
   }
   std::sort(names.begin(), names.end());
   return names;
@@ -49,7 +44,7 @@ CheckReadable(const std::string & path)
 {
   if (access(path.c_str(), R_OK) != 0)
   {
-    Refuse(path, std::string("cannot be read: ") + std::strerror(errno));
+    ThrowUnsuitable(path, std::string("cannot be read: ") + std::strerror(errno));
   }
 }
 } // namespace
@@ -60,11 +55,11 @@ ListFiles(const std::string & path)
   struct stat status;
   if (stat(path.c_str(), &status) != 0)
   {
-    Refuse(path, errno == ENOENT ? "does not exist" : std::string("cannot be read: ") + std::strerror(errno));
+    ThrowUnsuitable(path, errno == ENOENT ? "does not exist" : std::string("cannot be read: ") + std::strerror(errno));
   }
   if (!S_ISDIR(status.st_mode) && !S_ISREG(status.st_mode))
   {
-    Refuse(path, "neither a file nor a folder");
+    ThrowUnsuitable(path, "neither a file nor a folder");
   }
   std::vector<std::string> files;
   std::vector<std::string> waiting{ path };

@@ -3,6 +3,7 @@
 #include "shapetonDicomSeriesDefects.h"
 #include "shapetonDicomSeriesScan.h"
 #include "shapetonDicomVolume.h"
+#include "shapetonFileErrors.h"
 #include "shapetonImageFile.h"
 #include "shapetonExceptions.h"
 
@@ -19,12 +20,6 @@ using SeriesList = std::vector<const DicomSeries *>;
 
 // A message is one line; a long list is for DicomSeriesInspector.
 constexpr std::size_t LongestList = 6;
-
-[[noreturn]] void
-Refuse(const std::string & path, const std::string & reason)
-{
-  throw InputError(path + ": " + reason);
-}
 
 bool
 IsRepaired(DicomDefectKind kind, const VolumeReadOptions & options, bool isChosenPart)
@@ -121,19 +116,19 @@ RefuseFolderWithoutImage(const DicomScan & scan)
   if (scan.files == 1)
   {
     const DicomDefect & defect = scan.otherFiles.front();
-    Refuse(scan.path,
-           std::string(GetDicomDefectName(defect.kind)) + ": " + defect.message +
-             (defect.kind == DicomDefectKind::truncated
-                ? "; copy the file from its source again"
-                : "; wanted is a folder with a DICOM series, a DICOM image, NRRD, NIfTI or MetaImage"));
+    ThrowUnsuitable(scan.path,
+                    std::string(GetDicomDefectName(defect.kind)) + ": " + defect.message +
+                      (defect.kind == DicomDefectKind::truncated
+                         ? "; copy the file from its source again"
+                         : "; wanted is a folder with a DICOM series, a DICOM image, NRRD, NIfTI or MetaImage"));
   }
   const auto truncated = std::find_if(scan.otherFiles.begin(), scan.otherFiles.end(), [](const DicomDefect & defect) {
     return defect.kind == DicomDefectKind::truncated;
   });
   const std::string first = truncated != scan.otherFiles.end() ? truncated->message : scan.otherFiles.front().message;
-  Refuse(scan.path,
-         "notAnImage: none of its " + std::to_string(scan.files) + " files is a DICOM image (" + first +
-           "); name the folder that holds the series");
+  ThrowUnsuitable(scan.path,
+                  "notAnImage: none of its " + std::to_string(scan.files) + " files is a DICOM image (" + first +
+                    "); name the folder that holds the series");
 }
 
 /** A damaged file whose series is not known may be the first or last slice of any. */
@@ -144,10 +139,11 @@ RefuseUnknownDamage(const DicomScan & scan)
   {
     if (file.kind == DicomDefectKind::truncated)
     {
-      Refuse(file.files.front(),
-             "truncated: " + file.message +
-               "; it may belong to the series: copy it from its source again, remove it, or choose a series by the "
-               "parameter \"seriesUID\"");
+      ThrowUnsuitable(
+        file.files.front(),
+        "truncated: " + file.message +
+          "; it may belong to the series: copy it from its source again, remove it, or choose a series by the "
+          "parameter \"seriesUID\"");
     }
   }
 }
@@ -168,12 +164,12 @@ SelectByUID(const DicomScan & scan, const VolumeReadOptions & options)
   if (list.empty())
   {
     SeriesList all = Select(scan, [](const DicomSeries &) { return true; });
-    Refuse(scan.path, "no series has the UID " + uid + "; there are: " + List(all, Describe));
+    ThrowUnsuitable(scan.path, "no series has the UID " + uid + "; there are: " + List(all, Describe));
   }
   const std::string refusal = RefusalOf(*list.front(), options);
   if (!refusal.empty())
   {
-    Refuse(scan.path, "series " + Describe(*list.front()) + ": " + refusal);
+    ThrowUnsuitable(scan.path, "series " + Describe(*list.front()) + ": " + refusal);
   }
   return *list.front();
 }
@@ -204,9 +200,9 @@ SelectOnlyOne(const DicomScan & scan, const VolumeReadOptions & options)
   const auto usable = Select(scan, [&](const DicomSeries & series) { return RefusalOf(series, options).empty(); });
   if (usable.size() > 1)
   {
-    Refuse(scan.path,
-           std::to_string(usable.size()) +
-             " usable volumes; choose one by the parameter \"seriesUID\": " + List(usable, Describe));
+    ThrowUnsuitable(scan.path,
+                    std::to_string(usable.size()) +
+                      " usable volumes; choose one by the parameter \"seriesUID\": " + List(usable, Describe));
   }
   const auto volumes = Select(scan, IsVolumeLike);
   // A single slice is taken where nothing else is meant, and not in place of a volume that is irregular.
@@ -218,7 +214,7 @@ SelectOnlyOne(const DicomScan & scan, const VolumeReadOptions & options)
   const auto explain = [&](const DicomSeries & series) {
     return Describe(series) + ": " + RefusalOf(series, options) + UnusableSlicesOf(series, scan);
   };
-  Refuse(scan.path, List(volumes.empty() ? all : volumes, explain));
+  ThrowUnsuitable(scan.path, List(volumes.empty() ? all : volumes, explain));
 }
 
 /** What else is in the folder, for the user to know that it was not taken. */
@@ -293,7 +289,7 @@ CheckExtent(const std::string & path, const Volume & volume, const VolumeReadOpt
   {
     if (size[axis] < 2 && !options.allowSingleSlice)
     {
-      Refuse(path, "a single slice; a volume needs two or more along each axis");
+      ThrowUnsuitable(path, "a single slice; a volume needs two or more along each axis");
     }
   }
 }
@@ -315,11 +311,11 @@ ReadVolume(const std::string & path, const VolumeReadOptions & options)
   std::error_code error;
   if (!fs::exists(path, error))
   {
-    Refuse(path, error ? "cannot be read: " + error.message() : "does not exist");
+    ThrowUnsuitable(path, error ? "cannot be read: " + error.message() : "does not exist");
   }
   if (!fs::is_directory(path, error) && !fs::is_regular_file(path, error))
   {
-    Refuse(path, "is neither a file nor a folder; name the volume or its folder");
+    ThrowUnsuitable(path, "is neither a file nor a folder; name the volume or its folder");
   }
   const bool isImageFile = IsImageFile(path) && !fs::is_directory(path, error);
   if (isImageFile && !options.seriesUID.empty())

@@ -1,4 +1,5 @@
 #include "shapetonImageFile.h"
+#include "shapetonFileErrors.h"
 #include "shapetonPhysicalMemory.h"
 
 #include "shapetonByteStream.h"
@@ -6,6 +7,7 @@
 #include "itkMetaImageIO.h"
 #include "itkNiftiImageIO.h"
 #include "itkNrrdImageIO.h"
+#include "shapetonPrintable.h"
 #include "shapetonSha256.h"
 #include "shapetonStoredVoxels.h"
 #include "shapetonExceptions.h"
@@ -28,14 +30,6 @@ using ComponentEnum = itk::ImageIOBase::IOComponentEnum;
 // Directions are stored as float or as short decimals.
 constexpr double OrthonormalTolerance = 1e-3;
 
-std::string
-Trimmed(const std::string & text)
-{
-  const auto first = text.find_first_not_of(" \t\r\n");
-  const auto last = text.find_last_not_of(" \t\r\n");
-  return first == std::string::npos ? std::string() : text.substr(first, last - first + 1);
-}
-
 itk::ImageIOBase::Pointer
 MakeImageIO(ImageFormat format)
 {
@@ -48,12 +42,6 @@ MakeImageIO(ImageFormat format)
     default:
       return itk::MetaImageIO::New().GetPointer();
   }
-}
-
-[[noreturn]] void
-Refuse(const std::string & path, const std::string & reason)
-{
-  throw InputError(path + ": " + reason);
 }
 
 // ---- the header ----
@@ -261,7 +249,7 @@ ReadHeaderContained(const std::string & path, ImageFormat format)
   }
   catch (const ContainedProcess::Failure & failure)
   {
-    Refuse(path, "the " + NameOf(format) + " header cannot be read: " + failure.what());
+    ThrowUnsuitable(path, "the " + NameOf(format) + " header cannot be read: " + failure.what());
   }
   return header;
 }
@@ -279,25 +267,25 @@ CheckKind(const std::string & path, const ImageHeader & header)
 {
   if (!header.isScalar)
   {
-    Refuse(path,
-           "its voxels have " + std::to_string(header.components) +
-             " components (colour, vector or complex); one intensity for each voxel is needed");
+    ThrowUnsuitable(path,
+                    "its voxels have " + std::to_string(header.components) +
+                      " components (colour, vector or complex); one intensity for each voxel is needed");
   }
   if (header.componentBytes == 0)
   {
-    Refuse(path, "its type of voxel is not supported");
+    ThrowUnsuitable(path, "its type of voxel is not supported");
   }
   if (header.size.size() < 3)
   {
-    Refuse(path, "a 2-D image; a volume is needed");
+    ThrowUnsuitable(path, "a 2-D image; a volume is needed");
   }
   for (std::size_t i = 3; i < header.size.size(); ++i)
   {
     if (header.size[i] != 1)
     {
-      Refuse(path,
-             "a series of " + std::to_string(header.size[i]) + " volumes (dimension " + std::to_string(i + 1) +
-               "); extract one of them");
+      ThrowUnsuitable(path,
+                      "a series of " + std::to_string(header.size[i]) + " volumes (dimension " + std::to_string(i + 1) +
+                        "); extract one of them");
     }
   }
 }
@@ -307,13 +295,13 @@ CheckGeometry(const std::string & path, const ImageHeader & header)
 {
   if (!AreFinite(header.spacing) || !AreFinite(header.origin) || !AreFinite(header.direction))
   {
-    Refuse(path, "spacing, origin or direction is not a finite number; repair the header");
+    ThrowUnsuitable(path, "spacing, origin or direction is not a finite number; repair the header");
   }
   for (int i = 0; i < 3; ++i)
   {
     if (header.spacing[i] <= 0)
     {
-      Refuse(path, "the spacing of axis " + std::to_string(i + 1) + " is not positive; repair the header");
+      ThrowUnsuitable(path, "the spacing of axis " + std::to_string(i + 1) + " is not positive; repair the header");
     }
   }
   const std::size_t n = header.size.size();
@@ -332,7 +320,8 @@ CheckGeometry(const std::string & path, const ImageHeader & header)
   }
   if (!isOrthonormal)
   {
-    Refuse(path, "its axes are not perpendicular (sheared direction matrix); resample it onto a perpendicular grid");
+    ThrowUnsuitable(path,
+                    "its axes are not perpendicular (sheared direction matrix); resample it onto a perpendicular grid");
   }
 }
 
@@ -347,7 +336,7 @@ CheckSize(const std::string & path, const ImageHeader & header, const StoredVoxe
   }
   if (voxels < 1)
   {
-    Refuse(path, "it has no voxels");
+    ThrowUnsuitable(path, "it has no voxels");
   }
   const double bytes = voxels * header.componentBytes;
   // Integers that the header rescales are of one byte or more and become doubles in ITK's NIfTI reader.
@@ -357,11 +346,11 @@ CheckSize(const std::string & path, const ImageHeader & header, const StoredVoxe
     std::ostringstream text;
     text << "truncated: the header claims " << header.size[0] << "x" << header.size[1] << "x" << header.size[2]
          << " voxels, more than the file can hold";
-    Refuse(path, text.str());
+    ThrowUnsuitable(path, text.str());
   }
   if (bytes + voxels * sizeof(float) > PhysicalMemory())
   {
-    Refuse(path, "the volume does not fit into the memory of this machine; crop it");
+    ThrowUnsuitable(path, "the volume does not fit into the memory of this machine; crop it");
   }
   return bytes;
 }
@@ -406,7 +395,7 @@ ConvertVoxels(const std::string & path, ComponentEnum type, const char * stored,
     case ComponentEnum::DOUBLE:
       return CopyVoxels<double>(stored, count, voxels);
     default:
-      Refuse(path, "its type of voxel is not supported");
+      ThrowUnsuitable(path, "its type of voxel is not supported");
   }
 }
 
@@ -426,7 +415,7 @@ CheckFinite(const std::string & path, const Volume::ImageType * image)
   std::ostringstream text;
   text << bad << " of " << count << " voxels are not finite numbers, the first at index (" << index[0] << ", "
        << index[1] << ", " << index[2] << "); replace NaN and infinity by numbers";
-  Refuse(path, text.str());
+  ThrowUnsuitable(path, text.str());
 }
 
 /** Whole numbers are exact up to 2^24 in single precision. */
@@ -504,7 +493,7 @@ ReadImage(const std::string &  path,
   }
   catch (const ContainedProcess::Failure & failure)
   {
-    Refuse(path, failure.what());
+    ThrowUnsuitable(path, failure.what());
   }
   process.Stop();
   const auto image = MakeImage(header);

@@ -1,6 +1,8 @@
 #include "shapetonStoredVoxels.h"
 
 #include "shapetonExceptions.h"
+#include "shapetonFileErrors.h"
+#include "shapetonPrintable.h"
 
 #include "itk_zlib.h"
 
@@ -41,20 +43,6 @@ bool
 EndsWith(const std::string & text, const std::string & end)
 {
   return text.size() >= end.size() && text.compare(text.size() - end.size(), end.size(), end) == 0;
-}
-
-std::string
-Trimmed(const std::string & text)
-{
-  const auto first = text.find_first_not_of(" \t\r\n");
-  const auto last = text.find_last_not_of(" \t\r\n");
-  return first == std::string::npos ? std::string() : text.substr(first, last - first + 1);
-}
-
-[[noreturn]] void
-Refuse(const std::string & path, const std::string & reason)
-{
-  throw InputError(path + ": " + reason);
 }
 
 // ---- text headers ----
@@ -108,13 +96,13 @@ DetachedFile(const std::string & path, const std::string & name)
   const bool isList = LowerCase(name).compare(0, 4, "list") == 0;
   if (isList || name.find('%') != std::string::npos || name.find(' ') != std::string::npos)
   {
-    Refuse(path, "its data lie in several files (" + name + "); store the volume in one file");
+    ThrowUnsuitable(path, "its data lie in several files (" + name + "); store the volume in one file");
   }
   const std::string file = (fs::path(path).parent_path() / name).string();
   std::error_code   error;
   if (!fs::is_regular_file(file, error))
   {
-    Refuse(path, "its data file " + file + " is missing");
+    ThrowUnsuitable(path, "its data file " + file + " is missing");
   }
   return file;
 }
@@ -125,7 +113,7 @@ LocateNrrdVoxels(const std::string & path)
   const TextHeader header = ReadTextHeader(path, [](const std::string & line) { return line.empty(); });
   if (header.lines.empty() || header.lines.front().compare(0, 4, "NRRD") != 0)
   {
-    Refuse(path, "this is no NRRD file");
+    ThrowUnsuitable(path, "this is no NRRD file");
   }
   StoredVoxels voxels{ path, header.bytes };
   std::string  detached = header.ValueOf("data file", ':');
@@ -145,7 +133,7 @@ LocateNrrdVoxels(const std::string & path)
   }
   else if (encoding != "raw")
   {
-    Refuse(path, "NRRD encoding \"" + encoding + "\" is not supported; use raw or gzip");
+    ThrowUnsuitable(path, "NRRD encoding \"" + encoding + "\" is not supported; use raw or gzip");
   }
   const std::string endian = LowerCase(header.ValueOf("endian", ':'));
   const auto        isLeftOut = [&](const char * key) { return header.ValueOf(key, ':').empty(); };
@@ -162,12 +150,12 @@ LocateMetaVoxels(const std::string & path)
     ReadTextHeader(path, [](const std::string & line) { return line.compare(0, 15, "ElementDataFile") == 0; });
   if (!header.isComplete)
   {
-    Refuse(path, "this is no MetaImage file: it has no ElementDataFile");
+    ThrowUnsuitable(path, "this is no MetaImage file: it has no ElementDataFile");
   }
   const std::string dimensions = header.ValueOf("ndims", '=');
   if (dimensions.size() != 1 || dimensions < "1" || dimensions > "9") // MetaIO would loop over any number
   {
-    Refuse(path, "this is no MetaImage file: its NDims is no number of dimensions");
+    ThrowUnsuitable(path, "this is no MetaImage file: its NDims is no number of dimensions");
   }
   StoredVoxels      voxels{ path, header.bytes };
   const std::string detached = header.ValueOf("elementdatafile", '=');
@@ -181,7 +169,7 @@ LocateMetaVoxels(const std::string & path)
   }
   else if (LowerCase(header.ValueOf("binarydata", '=')) == "false")
   {
-    Refuse(path, "MetaImage with voxels as text (BinaryData = False) is not supported; store them binary");
+    ThrowUnsuitable(path, "MetaImage with voxels as text (BinaryData = False) is not supported; store them binary");
   }
   return voxels;
 }

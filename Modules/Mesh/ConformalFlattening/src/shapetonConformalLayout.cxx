@@ -1,6 +1,7 @@
 #include "shapetonConformalLayout.h"
 
 #include "shapetonConformalTube.h"
+#include "shapetonPi.h"
 #include "shapetonSurfaceQuality.h"
 
 #include <cmath>
@@ -9,14 +10,13 @@ namespace shapeton
 {
 namespace
 {
-constexpr double pi = 3.14159265358979323846;
 
 /** The points of the annulus, whose area is given, mm. \equation{5.17} by the parts of its logarithm. */
 Eigen::MatrixX2d
 PlacesInAnnulus(const SlitMap & map, double area)
 {
   const double     innermost = std::exp(map.logRadiusOfLoops.minCoeff());
-  const double     radius = std::sqrt(area / (pi * (1.0 - innermost * innermost)));
+  const double     radius = std::sqrt(area / (Pi * (1.0 - innermost * innermost)));
   Eigen::MatrixX2d places(map.angle.size(), 2);
   for (Eigen::Index i = 0; i < map.angle.size(); ++i)
   {
@@ -77,7 +77,7 @@ LayOutStrip(const SurfaceMesh & mesh, const SurfaceConnectivity & connectivity, 
   {
     const int source = cut.sourcePointId[i];
     uv.row(i) << -length / depth * map.logRadius[source],
-      circumference * (1.0 - turns[i] - (map.angle[source] - atCut) / (2.0 * pi));
+      circumference * (1.0 - turns[i] - (map.angle[source] - atCut) / (2.0 * Pi));
   }
   SurfaceMesh flat = MakeFlatSurface(std::move(cut), uv);
   SetFlatExtent(flat, circumference, length);

@@ -2,6 +2,7 @@
 
 #include "shapetonExactOrientation.h"
 #include "shapetonExceptions.h"
+#include "shapetonPi.h"
 
 #include <algorithm>
 #include <cmath>
@@ -11,7 +12,6 @@ namespace shapeton
 {
 namespace
 {
-constexpr double pi = 3.14159265358979323846;
 constexpr double qualityThreshold = 0.6;
 
 /** 16 times the square of the area by Kahan's ordering, which keeps the digits of needles; 0 where the sides form no
@@ -169,7 +169,7 @@ PlacesOfCorners(const FaceMatrix & F, const Eigen::MatrixX2d & uv)
 Eigen::VectorXd
 FlatAngleDefects(const FaceMatrix & F, const SurfaceConnectivity & connectivity, const CornerPlaces & places)
 {
-  Eigen::VectorXd defects = Eigen::VectorXd::Constant(connectivity.NumberOfVertices(), 2.0 * pi);
+  Eigen::VectorXd defects = Eigen::VectorXd::Constant(connectivity.NumberOfVertices(), 2.0 * Pi);
   for (Eigen::Index face = 0; face < F.rows(); ++face)
   {
     for (int k = 0; k < 3; ++k)

@@ -1,6 +1,7 @@
 #include "shapetonHolomorphicForm.h"
 
 #include "shapetonExceptions.h"
+#include "shapetonPi.h"
 #include "shapetonSurfaceCut.h"
 
 #include <Eigen/LU>
@@ -9,7 +10,6 @@ namespace shapeton
 {
 namespace
 {
-constexpr double twoPi = 6.28318530717958647692;
 
 /** Column j: how often each slit map counts in f_j. */
 Eigen::MatrixXd
@@ -40,7 +40,7 @@ ValuesOnCutSurface(const SlitMap & map, const CutSurface & cut, const std::vecto
   for (Eigen::Index i = 0; i < values.rows(); ++i)
   {
     const int source = cut.sourcePointId[i];
-    values.row(i) << -map.logRadius[source], -(map.angle[source] + (isLeft[i] ? twoPi : 0.0));
+    values.row(i) << -map.logRadius[source], -(map.angle[source] + (isLeft[i] ? TwoPi : 0.0));
   }
   return values;
 }

@@ -1,4 +1,5 @@
 #include "shapetonConformalTube.h"
+#include "shapetonPi.h"
 
 #include <Eigen/Geometry>
 
@@ -11,8 +12,7 @@ namespace shapeton
 {
 namespace
 {
-constexpr double pi = 3.14159265358979323846;
-constexpr int    levelsOfTube = 500;
+constexpr int levelsOfTube = 500;
 
 struct ValuedCorner
 {
@@ -92,6 +92,6 @@ NarrowestLevelRadius(const SurfaceMesh & mesh, const Eigen::VectorXd & u)
   {
     least = isBridged[i] ? least : std::min(least, lengths[i]);
   }
-  return (std::isfinite(least) ? least : lengths.minCoeff()) / (2.0 * pi);
+  return (std::isfinite(least) ? least : lengths.minCoeff()) / (2.0 * Pi);
 }
 } // namespace shapeton

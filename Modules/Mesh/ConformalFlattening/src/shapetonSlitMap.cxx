@@ -3,6 +3,7 @@
 #include "shapetonBoundedWeights.h"
 #include "shapetonConjugateFunction.h"
 #include "shapetonExceptions.h"
+#include "shapetonPi.h"
 #include "shapetonTubeCut.h"
 
 #include <Eigen/Cholesky>
@@ -14,7 +15,6 @@ namespace shapeton
 {
 namespace
 {
-constexpr double twoPi = 6.28318530717958647692;
 /** What a way around costs the cut, against its way in. */
 constexpr double sideways = 20.0;
 /** What it costs to touch a place to be avoided. */
@@ -143,8 +143,8 @@ struct SlitMapSolver::State
     }
     map.left = LeftCorners(F, connectivity, map.cut);
     const Eigen::VectorXd turns = SolveWithUnitJump(laplacian, *angleSolver, F, connectivity, map.left);
-    map.angle = twoPi * (turns.array() - turns[loops[outer].vertices.front()]);
-    return twoPi * twoPi * EnergyOfCorners(laplacian, connectivity, F, LiftedValues(F, turns, map.left));
+    map.angle = TwoPi * (turns.array() - turns[loops[outer].vertices.front()]);
+    return TwoPi * TwoPi * EnergyOfCorners(laplacian, connectivity, F, LiftedValues(F, turns, map.left));
   }
   std::vector<char>
   PlacesToAvoid(const SlitMap & map) const
@@ -169,7 +169,7 @@ struct SlitMapSolver::State
     for (int edge = 0; edge < connectivity.NumberOfEdges(); ++edge)
     {
       const auto & [a, b] = connectivity.VerticesOfEdge(edge);
-      steps[edge] = std::abs(std::remainder(map.angle[a] - map.angle[b], twoPi));
+      steps[edge] = std::abs(std::remainder(map.angle[a] - map.angle[b], TwoPi));
     }
     return steps;
   }
@@ -214,7 +214,7 @@ SlitMapSolver::Map(int inner, const Progress & progress) const
   const auto            k = static_cast<Eigen::Index>(place - s.innerLoops.begin());
   const auto            n = static_cast<Eigen::Index>(s.innerLoops.size());
   SlitMap               map;
-  const Eigen::VectorXd lambda = s.P.ldlt().solve(twoPi * Eigen::VectorXd::Unit(n, k));
+  const Eigen::VectorXd lambda = s.P.ldlt().solve(TwoPi * Eigen::VectorXd::Unit(n, k));
   map.inner = inner;
   map.logRadius = -(s.functions * lambda);
   map.logRadiusOfLoops = Eigen::VectorXd::Zero(n + 1);
@@ -222,15 +222,15 @@ SlitMapSolver::Map(int inner, const Progress & progress) const
   {
     map.logRadiusOfLoops[s.innerLoops[j]] = -lambda[j];
   }
-  map.turnsOfLoops = SumsOfLoops(s.loops, s.stiffness * map.logRadius) / twoPi;
+  map.turnsOfLoops = SumsOfLoops(s.loops, s.stiffness * map.logRadius) / TwoPi;
   const std::vector<char> isAvoided = s.PlacesToAvoid(map);
   progress(0.3);
   s.ComputeAngle(s.spaceLengths, isAvoided, map);
   progress(0.6);
-  const double radius = s.loops[s.outer].length / twoPi;
+  const double radius = s.loops[s.outer].length / TwoPi;
   const double energy = s.ComputeAngle(s.spaceLengths + sideways * radius * s.AngleSteps(map), isAvoided, map);
-  map.modulusU = twoPi / lambda[k];
-  map.modulusV = twoPi * twoPi / energy;
+  map.modulusU = TwoPi / lambda[k];
+  map.modulusV = TwoPi * TwoPi / energy;
   progress(1.0);
   return map;
 }

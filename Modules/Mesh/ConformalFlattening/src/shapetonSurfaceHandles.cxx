@@ -1,6 +1,7 @@
 #include "shapetonSurfaceHandles.h"
 
 #include "shapetonExceptions.h"
+#include "shapetonPi.h"
 #include "shapetonTubeCut.h"
 
 #include <algorithm>
@@ -10,7 +11,6 @@ namespace shapeton
 {
 namespace
 {
-constexpr double pi = 3.14159265358979323846;
 constexpr double leastDefect = 1e-6; // radians
 
 /** For each vertex of the source one of its vertices on the flat surface. */
@@ -121,7 +121,7 @@ DetectHandles(const SurfaceConnectivity & connectivity, const SurfaceMesh & flat
       sum += defects[v];
       handle.place += flat.V.row(v).transpose() / static_cast<double>(cluster.size());
     }
-    handle.genus = static_cast<int>(std::lround(-sum / (4.0 * pi)));
+    handle.genus = static_cast<int>(std::lround(-sum / (4.0 * Pi)));
     if (handle.genus <= 0) // negative: next to a boundary, whose defects are not known
     {
       ++detection.falseAlarms;

@@ -2,6 +2,7 @@
 
 #include "shapetonExceptions.h"
 #include "shapetonOpenEndedProgress.h"
+#include "shapetonPi.h"
 #include "shapetonSparseCholesky.h"
 
 #include <Eigen/Dense>
@@ -15,7 +16,6 @@ namespace shapeton
 {
 namespace
 {
-constexpr double pi = 3.14159265358979323846;
 /** A dense decomposition is faster below. */
 constexpr int fewVertices = 300;
 
@@ -123,7 +123,7 @@ DensePairs(const SurfaceLaplacian & laplacian, int pairs)
 double
 EigenvalueStep(const SurfaceLaplacian & laplacian)
 {
-  return 4.0 * pi / laplacian.mass.sum();
+  return 4.0 * Pi / laplacian.mass.sum();
 }
 
 /** Adds the smallest pairs that are not known. */

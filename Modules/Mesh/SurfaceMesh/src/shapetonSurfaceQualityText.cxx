@@ -9,7 +9,7 @@ namespace shapeton
 {
 namespace
 {
-constexpr std::size_t LongestList = 10;
+constexpr std::size_t MostLines = 10;
 
 /** Nine digits: the last ones of a double depend on how a processor's mathematics library rounds. */
 Json
@@ -119,14 +119,14 @@ Text(const SurfaceComponent & component)
 std::string
 More(std::size_t number)
 {
-  return number > LongestList ? Line("", "and " + std::to_string(number - LongestList) + " more") : std::string();
+  return number > MostLines ? Line("", "and " + std::to_string(number - MostLines) + " more") : std::string();
 }
 
 std::string
 ListOfComponents(const SurfaceQuality & quality)
 {
   std::string text = Line("Components", std::to_string(quality.components.size()));
-  for (std::size_t i = 0; i < std::min(quality.components.size(), LongestList); ++i)
+  for (std::size_t i = 0; i < std::min(quality.components.size(), MostLines); ++i)
   {
     text += Line("", std::to_string(i + 1) + ": " + Text(quality.components[i]));
   }
@@ -137,7 +137,7 @@ std::string
 ListOfLoops(const SurfaceQuality & quality)
 {
   std::string text = Line("Boundary loops", std::to_string(quality.boundaryLoopLengths.size()));
-  for (std::size_t i = 0; i < std::min(quality.boundaryLoopLengths.size(), LongestList); ++i)
+  for (std::size_t i = 0; i < std::min(quality.boundaryLoopLengths.size(), MostLines); ++i)
   {
     text += Line("",
                  std::to_string(i + 1) + ": " + std::to_string(quality.boundaryLoopVertices[i]) + " vertices, " +

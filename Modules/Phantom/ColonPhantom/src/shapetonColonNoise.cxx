@@ -2,6 +2,7 @@
 
 #include "shapetonCubicBSpline.h"
 #include "shapetonPhilox.h"
+#include "shapetonPi.h"
 
 #include <algorithm>
 #include <cmath>
@@ -28,9 +29,8 @@ ColonRandom::Uniform(double low, double high)
 double
 ColonRandom::Normal()
 {
-  constexpr double twoPi = 6.283185307179586;
-  const double     radius = std::sqrt(-2.0 * std::log(1.0 - this->Uniform()));
-  return radius * std::cos(twoPi * this->Uniform());
+  const double radius = std::sqrt(-2.0 * std::log(1.0 - this->Uniform()));
+  return radius * std::cos(TwoPi * this->Uniform());
 }
 
 void

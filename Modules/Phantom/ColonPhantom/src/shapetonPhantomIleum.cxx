@@ -16,14 +16,14 @@ namespace
 {
 using Eigen::Vector3d;
 
-constexpr double stepLength = 2.0;
+constexpr double ileumStep = 2.0;
 constexpr double intoColon = 1.5;     // mm of the tube above the mouth, so that an open one joins the colon's lumen
 constexpr double thinWall = 1.5;      // mm
 constexpr double behindWall = 3.0;    // mm, where the slit begins to widen
 constexpr double widening = 10.0;     // mm, along which it does
 constexpr double tightestBend = 11.0; // mm, radius
 constexpr double closed = -0.3;       // mm, half width of a slit without a lumen
-constexpr int    attempts = 60;
+constexpr int    mostWays = 60;
 
 // A tube whose section is a slot: all points within `radius` of a straight piece of 2 `half` mm along `wide`.
 struct SlotSection
@@ -97,12 +97,12 @@ public:
     std::vector<Vector3d> axis{ at };
     while (!this->IsLongEnough(axis))
     {
-      const double from = stepLength * static_cast<double>(axis.size()) - intoColon;
+      const double from = ileumStep * static_cast<double>(axis.size()) - intoColon;
       if (from > m_Straight)
       {
         heading = this->Turn(at, heading, towards);
       }
-      at += stepLength * heading;
+      at += ileumStep * heading;
       if (from > m_Straight + widening && this->Lacking(at) > 0.0)
       {
         break;
@@ -115,7 +115,7 @@ public:
   bool
   IsLongEnough(const std::vector<Vector3d> & axis) const
   {
-    return stepLength * static_cast<double>(axis.size() - 1) >= m_Length + intoColon;
+    return ileumStep * static_cast<double>(axis.size() - 1) >= m_Length + intoColon;
   }
 
 private:
@@ -147,7 +147,7 @@ private:
     {
       return heading;
     }
-    return Eigen::AngleAxisd(std::min(0.3 * angle, stepLength / tightestBend), turn.normalized()) * heading;
+    return Eigen::AngleAxisd(std::min(0.3 * angle, ileumStep / tightestBend), turn.normalized()) * heading;
   }
 
   const ColonAnatomy & m_Anatomy;
@@ -165,10 +165,10 @@ MakeAxis(const ColonAnatomy & anatomy, const ColonValve & valve, ColonRandom & r
   const auto &          parameters = anatomy.GetParameters();
   const IleumPath       path(anatomy, valve, parameters.ileumLength, 0.5 * parameters.ileumBore);
   std::vector<Vector3d> best;
-  for (int i = 0; i < attempts; ++i)
+  for (int i = 0; i < mostWays; ++i)
   {
     // Towards the middle, and where that is blocked anywhere.
-    const double   wide = static_cast<double>(i) / attempts;
+    const double   wide = static_cast<double>(i) / mostWays;
     const Vector3d medial(1.0, random.Uniform(-0.9, 0.3), random.Uniform(-1.1, 0.3));
     const Vector3d any(random.Uniform(-1.0, 1.0), random.Uniform(-1.0, 1.0), random.Uniform(-1.0, 1.0));
     const auto     axis = path.Grow(((1.0 - wide) * medial + 2.0 * wide * any).normalized());
@@ -199,7 +199,7 @@ MakeSections(const PhantomIleum & ileum, const ColonValve & valve, const SmoothN
     const std::size_t last = std::min(i + 1, ileum.axis.size() - 1);
     const Vector3d    along = (ileum.axis[last] - ileum.axis[last - 1]).normalized();
     wide = (wide - wide.dot(along) * along).normalized();
-    const double s = stepLength * static_cast<double>(i) - intoColon;
+    const double s = ileumStep * static_cast<double>(i) - intoColon;
     const double share = SmoothStep(through, through + widening, s);
     const double bore = 0.5 * ileum.bore * (1.0 + 0.12 * noise(s + intoColon));
     const double half = slit + share * ((isCollapsed ? 0.5 * bore : 0.0) - slit);
@@ -230,7 +230,7 @@ MakePhantomIleum(const ColonAnatomy & anatomy, const ColonFluid & fluid)
   ileum.isOpen = random.Uniform() < 0.8 && isSame;
   ileum.slitWidth = ileum.isOpen ? width : 0.0;
   ileum.axis = MakeAxis(anatomy, valve, random);
-  ileum.length = stepLength * static_cast<double>(ileum.axis.size() - 1) - intoColon;
+  ileum.length = ileumStep * static_cast<double>(ileum.axis.size() - 1) - intoColon;
   ileum.lumen = SlotTubeSolid(MakeSections(ileum, valve, noise, false));
   const PhantomSolid outer = SlotTubeSolid(MakeSections(ileum, valve, noise, true));
   ileum.wall = AwayFromColon(outer, anatomy, 0.0);

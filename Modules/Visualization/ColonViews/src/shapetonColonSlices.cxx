@@ -1,6 +1,7 @@
 #include "shapetonColonPictures.h"
 
 #include "shapetonLumenBox.h"
+#include "shapetonPageColors.h"
 #include "shapetonPictureAnnotation.h"
 
 #include <algorithm>
@@ -10,8 +11,6 @@ namespace shapeton
 {
 namespace
 {
-const RGBColor paper = MakeColor(255, 255, 255);
-const RGBColor ink = MakeColor(30, 32, 38);
 const RGBColor gasColor = MakeColor(64, 224, 255);
 const RGBColor fluidColor = MakeColor(255, 150, 40);
 const RGBColor wallColor = MakeColor(255, 70, 160);
@@ -103,7 +102,7 @@ DrawHead(Picture * picture, const ColonParts & colon, const std::string & title)
   TextStyle style;
   style.size = 22;
   style.bold = true;
-  style.color = ink;
+  style.color = InkColor;
   DrawText(picture, title, margin, 12, style);
   std::vector<LegendEntry> legend{ { gasColor, "gas" }, { fluidColor, "fluid" } };
   if (colon.wall)
@@ -142,13 +141,13 @@ DrawColonSlices(const ColonParts & colon, SlicePlane plane, int number, const In
   const int                              bottom = panelTop + static_cast<int>(first.GetHeight());
   const int                              step = static_cast<int>(first.GetWidth()) + gap;
   const int                              used = 2 * margin + static_cast<int>(slices.size()) * step - gap;
-  auto        picture = NewPicture(static_cast<unsigned int>(std::max(used, 640)), bottom + 44, paper);
+  auto        picture = NewPicture(static_cast<unsigned int>(std::max(used, 640)), bottom + 44, PaperColor);
   std::string title = NameOf(plane) + " slices";
   title[0] = static_cast<char>(title[0] - 'a' + 'A');
   DrawHead(picture, colon, title);
   TextStyle style;
   style.size = 15;
-  style.color = ink;
+  style.color = InkColor;
   int left = margin;
   for (const itk::IndexValueType slice : slices)
   {
@@ -160,7 +159,7 @@ DrawColonSlices(const ColonParts & colon, SlicePlane plane, int number, const In
     PastePicture(picture, PaintPanel(colon, view, window), left, panelTop);
     left += step;
   }
-  DrawScaleBar(picture, margin, bottom + 32, 160, scale, ink);
+  DrawScaleBar(picture, margin, bottom + 32, 160, scale, InkColor);
   return picture;
 }
 } // namespace shapeton

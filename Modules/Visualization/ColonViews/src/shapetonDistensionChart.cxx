@@ -2,6 +2,7 @@
 
 #include "shapetonCentrelineStations.h"
 #include "shapetonCsvTable.h"
+#include "shapetonPageColors.h"
 
 #include <algorithm>
 #include <cmath>
@@ -11,9 +12,7 @@ namespace shapeton
 {
 namespace
 {
-const RGBColor paper = MakeColor(255, 255, 255);
-const RGBColor ink = MakeColor(30, 32, 38);
-const RGBColor faintInk = MakeColor(92, 96, 106);
+const RGBColor labelInk = MakeColor(92, 96, 106);
 const RGBColor gapShade = MakeColor(206, 208, 214);
 const RGBColor wide = MakeColor(160, 200, 226);
 const RGBColor narrow = MakeColor(240, 150, 100);
@@ -119,7 +118,7 @@ DrawSegments(Picture * picture, const PlotFrame & frame, const std::vector<Colon
     const int right = static_cast<int>(std::lround(frame.PixelOfX(segment.end)));
     for (const int x : { left, right })
     {
-      FillRectangle(picture, x, frame.top - 8, 1, frame.height + 8, faintInk);
+      FillRectangle(picture, x, frame.top - 8, 1, frame.height + 8, labelInk);
     }
     std::string name = segment.name;
     if (segment.distendedShare >= 0.0)
@@ -128,7 +127,7 @@ DrawSegments(Picture * picture, const PlotFrame & frame, const std::vector<Colon
     }
     TextStyle style;
     style.size = 14;
-    style.color = ink;
+    style.color = InkColor;
     const int textWidth = MeasureText(name, style).width;
     const int start = std::clamp(
       (left + right - textWidth) / 2, frame.left, std::max(frame.left + frame.width + 40 - textWidth, frame.left));
@@ -149,7 +148,7 @@ DrawKey(Picture *                         picture,
   TextStyle style;
   style.size = 22;
   style.bold = true;
-  style.color = ink;
+  style.color = InkColor;
   const TextStyle title = FitText(options.title, style, frame.width / 3);
   DrawText(picture, options.title, frame.left, 12, title);
   std::vector<LegendEntry> legend{ { wide, "at least 10 mm" }, { narrow, "narrower" } };
@@ -166,15 +165,15 @@ DrawKey(Picture *                         picture,
   {
     const std::string note = ", share of each segment that is at least 10 mm wide in %";
     const int         titleEnd = frame.left + MeasureText(options.title, title).width;
-    style.color = faintInk;
+    style.color = labelInk;
     DrawText(picture, note, titleEnd, 18, style);
-    style.color = ink;
+    style.color = InkColor;
   }
   style.size = 15;
   for (auto entry = legend.rbegin(); entry != legend.rend(); ++entry)
   {
     right -= MeasureText(entry->text, style).width + 40;
-    DrawLegend(picture, { *entry }, right, 16, 40, ink);
+    DrawLegend(picture, { *entry }, right, 16, 40, InkColor);
   }
 }
 } // namespace
@@ -213,7 +212,7 @@ DrawDistensionChart(const CurveSet &                  centreline,
   });
   const bool hasGaps =
     std::any_of(stations.begin(), stations.end(), [](const CentrelineStation & s) { return s.isGap; });
-  auto picture = NewPicture(options.width, options.height, paper);
+  auto picture = NewPicture(options.width, options.height, PaperColor);
   DrawPlotFrame(picture, frame);
   DrawAreas(picture, frame, stations);
   DrawLimit(picture, frame);

@@ -2,6 +2,7 @@
 
 #include "shapetonFlatColonLocator.h"
 #include "shapetonFlatPageRow.h"
+#include "shapetonPageColors.h"
 
 #include <algorithm>
 #include <cmath>
@@ -13,9 +14,6 @@ namespace shapeton
 {
 namespace
 {
-const RGBColor paper = MakeColor(255, 255, 255);
-const RGBColor ink = MakeColor(30, 32, 38);
-const RGBColor faintInk = MakeColor(112, 116, 126);
 
 constexpr int leftMargin = 52;
 constexpr int rightMargin = 20;
@@ -130,7 +128,7 @@ DrawHead(Picture * picture, const FlatColonPageOptions & options, int width)
   TextStyle style;
   style.size = 21;
   style.bold = true;
-  style.color = ink;
+  style.color = InkColor;
   int y = 10;
   if (!options.title.empty())
   {
@@ -139,7 +137,7 @@ DrawHead(Picture * picture, const FlatColonPageOptions & options, int width)
   }
   style.size = 14;
   style.bold = false;
-  style.color = faintInk;
+  style.color = FaintInkColor;
   for (const std::string & line : LinesOf(options.note))
   {
     DrawText(picture, line, leftMargin, y, FitText(line, style, width));
@@ -210,7 +208,7 @@ DrawNameOfStrip(Picture * picture, const FlatPageRow & place, const std::string 
 {
   TextStyle style;
   style.size = 16;
-  style.color = ink;
+  style.color = InkColor;
   style.upwards = true;
   style.horizontal = HorizontalAnchor::Right;
   style.vertical = VerticalAnchor::Center;
@@ -269,7 +267,7 @@ DrawPage(const PageParts & parts)
   const int bottom = (parts.pair ? Lower(places.back()) : places.back()).Bottom();
   const int barWidth = parts.options.colorBar ? colorBarWidth : 0;
   const int width = leftMargin + rowWidth + rightMargin + barWidth;
-  auto      picture = NewPicture(width, bottom + gapBetweenRows, paper);
+  auto      picture = NewPicture(width, bottom + gapBetweenRows, PaperColor);
   DrawHead(picture, parts.options, width - leftMargin - rightMargin);
   for (const FlatPageRow & place : places)
   {
@@ -279,7 +277,7 @@ DrawPage(const PageParts & parts)
   if (parts.options.colorBar)
   {
     const int height = std::min(320, bottom - places.front().StripTop() - FlatPageRow::ruler);
-    DrawColorBar(picture, width - barWidth, places.front().StripTop(), height, *parts.options.colorBar, ink);
+    DrawColorBar(picture, width - barWidth, places.front().StripTop(), height, *parts.options.colorBar, InkColor);
   }
   return picture;
 }

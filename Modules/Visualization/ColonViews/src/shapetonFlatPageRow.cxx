@@ -1,6 +1,8 @@
 #include "shapetonFlatPageRow.h"
 
 #include "shapetonCsvTable.h"
+#include "shapetonPageColors.h"
+#include "shapetonPi.h"
 
 #include <algorithm>
 #include <cmath>
@@ -9,9 +11,6 @@ namespace shapeton
 {
 namespace
 {
-const RGBColor paper = MakeColor(255, 255, 255);
-const RGBColor ink = MakeColor(30, 32, 38);
-const RGBColor faintInk = MakeColor(112, 116, 126);
 const RGBColor hatchLight = MakeColor(214, 216, 222);
 const RGBColor hatchDark = MakeColor(130, 134, 146);
 const RGBColor ringColor = MakeColor(255, 222, 40);
@@ -32,14 +31,13 @@ StyleOf(int size, const RGBColor & color, HorizontalAnchor horizontal, VerticalA
 void
 DrawRing(Picture * picture, double x, double y, double radius, const RGBColor & color)
 {
-  constexpr double pi = 3.14159265358979323846;
-  const int        parts = std::max(24, static_cast<int>(radius));
-  for (const auto & [thickness, shade] : { std::pair<double, RGBColor>(4.0, ink), { 2.0, color } })
+  const int parts = std::max(24, static_cast<int>(radius));
+  for (const auto & [thickness, shade] : { std::pair<double, RGBColor>(4.0, InkColor), { 2.0, color } })
   {
     for (int i = 0; i < parts; ++i)
     {
-      const double from = 2.0 * pi * i / parts;
-      const double to = 2.0 * pi * (i + 1) / parts;
+      const double from = 2.0 * Pi * i / parts;
+      const double to = 2.0 * Pi * (i + 1) / parts;
       DrawLine(picture,
                x + radius * std::cos(from),
                y + radius * std::sin(from),
@@ -54,7 +52,7 @@ DrawRing(Picture * picture, double x, double y, double radius, const RGBColor & 
 void
 DrawCross(Picture * picture, double x, double y, double radius, const RGBColor & color)
 {
-  for (const auto & [thickness, shade] : { std::pair<double, RGBColor>(4.0, ink), { 2.0, color } })
+  for (const auto & [thickness, shade] : { std::pair<double, RGBColor>(4.0, InkColor), { 2.0, color } })
   {
     DrawLine(picture, x - radius, y - radius, x + radius, y + radius, shade, thickness);
     DrawLine(picture, x - radius, y + radius, x + radius, y - radius, shade, thickness);
@@ -82,7 +80,7 @@ DrawSpot(Picture * picture, const FlatPageRow & place, const PlacedAnnotation & 
   const bool   hasRoom = x + offset + width < place.left + place.Width();
   style.horizontal = hasRoom ? HorizontalAnchor::Left : HorizontalAnchor::Right;
   const int textX = static_cast<int>(std::lround(hasRoom ? x + offset : x - offset));
-  DrawRimmedText(picture, placed.annotation.text, textX, static_cast<int>(std::lround(y)), style, ink);
+  DrawRimmedText(picture, placed.annotation.text, textX, static_cast<int>(std::lround(y)), style, InkColor);
 }
 
 /** Two slanted lines across the strip: something is left out. */
@@ -96,9 +94,9 @@ DrawBreak(Picture * picture, const FlatPageRow & place, int x)
   for (int y = top; y < bottom; ++y)
   {
     const int middle = x + static_cast<int>(std::lround(slant * (0.5 - static_cast<double>(y - top) / (bottom - top))));
-    FillRectangle(picture, middle - halfWidth, y, 2 * halfWidth + 1, 1, paper);
-    FillRectangle(picture, middle - halfWidth, y, 1, 1, ink);
-    FillRectangle(picture, middle + halfWidth, y, 1, 1, ink);
+    FillRectangle(picture, middle - halfWidth, y, 2 * halfWidth + 1, 1, PaperColor);
+    FillRectangle(picture, middle - halfWidth, y, 1, 1, InkColor);
+    FillRectangle(picture, middle + halfWidth, y, 1, 1, InkColor);
   }
 }
 
@@ -169,7 +167,7 @@ DrawStripOfRow(Picture * picture, const FlatPageRow & place, const Picture * str
       {
         color = (x + y) % hatchPeriod == 0 ? hatchDark : MixColors(color, hatchLight, madeUp);
       }
-      color = isBeyond ? MixColors(color, paper, pale) : color;
+      color = isBeyond ? MixColors(color, PaperColor, pale) : color;
       picture->SetPixel({ { place.left + x, place.StripTop() + y } }, color);
     }
   }
@@ -177,10 +175,11 @@ DrawStripOfRow(Picture * picture, const FlatPageRow & place, const Picture * str
   {
     if (place.overlap > 0)
     {
-      FillRectangle(picture, place.left, place.StripTop() + y, place.Width(), 1, ink, 0.6);
+      FillRectangle(picture, place.left, place.StripTop() + y, place.Width(), 1, InkColor, 0.6);
     }
   }
-  DrawRectangle(picture, place.left - 1, place.StripTop() - 1, place.Width() + 2, place.StripHeight() + 2, faintInk);
+  DrawRectangle(
+    picture, place.left - 1, place.StripTop() - 1, place.Width() + 2, place.StripHeight() + 2, FaintInkColor);
   for (const FlatColonCut & cut : place.row.cuts)
   {
     DrawBreak(picture, place, static_cast<int>(std::lround(place.XOf(cut.firstColumn))));
@@ -198,8 +197,8 @@ DrawRulerOfRow(Picture * picture, const FlatPageRow & place, const std::vector<d
   const double     pixelsPerCm = length > 0.0 ? place.Width() / length * millimetresPerCm : place.Width();
   const double     labelStep = LabelStep(pixelsPerCm, 58.0);
   const double     tickStep = LabelStep(pixelsPerCm, 4.0);
-  FillRectangle(picture, place.left, top, place.Width(), 1, ink);
-  const TextStyle style = StyleOf(14, ink, HorizontalAnchor::Center, VerticalAnchor::Top);
+  FillRectangle(picture, place.left, top, place.Width(), 1, InkColor);
+  const TextStyle style = StyleOf(14, InkColor, HorizontalAnchor::Center, VerticalAnchor::Top);
   int             lastTick = place.left - leastDistance;
   int             labelEnd = place.left - 5; // right of the unit
   for (const FlatColonTick & tick : RulerTicks(distanceOfColumns, millimetresPerCm * tickStep))
@@ -214,7 +213,7 @@ DrawRulerOfRow(Picture * picture, const FlatPageRow & place, const std::vector<d
     const bool   isLabel = std::abs(labels - std::round(labels)) < 1e-6 && x >= labelEnd;
     if (x - lastTick >= leastDistance || isLabel)
     {
-      FillRectangle(picture, x, top, 1, isLabel ? 11 : 6, ink);
+      FillRectangle(picture, x, top, 1, isLabel ? 11 : 6, InkColor);
       lastTick = x;
     }
     const std::string text = CsvTable::Rounded(cm, 6) + " cm";
@@ -225,7 +224,7 @@ DrawRulerOfRow(Picture * picture, const FlatPageRow & place, const std::vector<d
       labelEnd = x + width / 2 + 6;
     }
   }
-  const TextStyle unit = StyleOf(12, faintInk, HorizontalAnchor::Right, VerticalAnchor::Top);
+  const TextStyle unit = StyleOf(12, FaintInkColor, HorizontalAnchor::Right, VerticalAnchor::Top);
   DrawText(picture, isArc ? "from" : "along", place.left - 8, top - 2, unit);
   DrawText(picture, isArc ? "anus" : "map", place.left - 8, top + 12, unit);
 }
@@ -238,7 +237,7 @@ DrawScaleOfRow(Picture * picture, const FlatPageRow & place, double pixelSize)
   const auto         rounded = [](double scale) { return CsvTable::Rounded(scale, 2); };
   const std::string text = "1 mm of the map: " + rounded(row.scale) + " mm of wall (" + rounded(row.lowScale) + " to " +
                            rounded(row.highScale) + ")";
-  const TextStyle style = StyleOf(12, faintInk, HorizontalAnchor::Right, VerticalAnchor::Bottom);
+  const TextStyle style = StyleOf(12, FaintInkColor, HorizontalAnchor::Right, VerticalAnchor::Bottom);
   const int       right = place.left + place.Width();
   const int       bottom = place.StripTop() - 24;
   const int       barLeft = right - MeasureText(text, style).width - 14 - barLength;
@@ -247,13 +246,13 @@ DrawScaleOfRow(Picture * picture, const FlatPageRow & place, double pixelSize)
   {
     DrawText(picture, text, right, bottom + 2, style);
   }
-  DrawScaleBar(picture, hasRoom ? barLeft : place.left, bottom, barLength, row.scale * pixelSize, ink);
+  DrawScaleBar(picture, hasRoom ? barLeft : place.left, bottom, barLength, row.scale * pixelSize, InkColor);
 }
 
 void
 DrawAnnotationsOfRow(Picture * picture, const FlatPageRow & place, const std::vector<PlacedAnnotation> & annotations)
 {
-  const TextStyle          nameStyle = StyleOf(15, ink, HorizontalAnchor::Left, VerticalAnchor::Bottom);
+  const TextStyle          nameStyle = StyleOf(15, InkColor, HorizontalAnchor::Left, VerticalAnchor::Bottom);
   const PlacedAnnotation * goingOn = SegmentGoingOn(place, annotations, nameStyle);
   int                      textEnd = place.left - 1;
   const int                pageEnd = static_cast<int>(picture->GetLargestPossibleRegion().GetSize()[0]) - 3;
@@ -280,7 +279,7 @@ DrawAnnotationsOfRow(Picture * picture, const FlatPageRow & place, const std::ve
     const double x = place.XOf(placed.column);
     if (isSegment)
     {
-      DrawLine(picture, x, place.StripTop() - 20, x, place.StripTop() + place.StripHeight(), ink, 1.5, 0.8);
+      DrawLine(picture, x, place.StripTop() - 20, x, place.StripTop() + place.StripHeight(), InkColor, 1.5, 0.8);
       drawName(placed.annotation.text, static_cast<int>(x) + 6);
       continue;
     }

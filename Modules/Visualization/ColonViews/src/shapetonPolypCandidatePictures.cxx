@@ -31,7 +31,7 @@ constexpr double widestCloseUp = 60.0;
 const RGBColor   mucosa = MakeColor(232, 164, 144);
 const RGBColor   head = MakeColor(92, 138, 236);
 const RGBColor   ground = MakeColor(18, 19, 25);
-const RGBColor   ink = MakeColor(222, 226, 234);
+const RGBColor   lightInk = MakeColor(222, 226, 234);
 
 /** As on the strips of FlatColonView: from the left and a little from above. */
 RGBColor
@@ -221,7 +221,7 @@ PolypCandidatePictures::DrawCandidate(const PolypCandidate & candidate) const
   TextStyle     style;
   style.size = 18;
   style.bold = true;
-  style.color = ink;
+  style.color = lightInk;
   const std::string title = "Candidate " + std::to_string(candidate.number) + ": " +
                             CsvTable::Rounded(candidate.diameter, 3) + " mm, score " +
                             CsvTable::Rounded(candidate.score, 2) + " (research use)";

@@ -1,5 +1,6 @@
 #include "shapetonAlignedColons.h"
 #include "shapetonFlatColonLocator.h"
+#include "shapetonPageColors.h"
 #include "shapetonPlotFrame.h"
 #include "shapetonRegistrationPictures.h"
 
@@ -11,9 +12,6 @@ namespace shapeton
 {
 namespace
 {
-const RGBColor paper = MakeColor(255, 255, 255);
-const RGBColor ink = MakeColor(30, 32, 38);
-const RGBColor faintInk = MakeColor(112, 116, 126);
 const RGBColor shade = MakeColor(206, 208, 214);
 const RGBColor blue = MakeColor(22, 74, 116);
 const RGBColor paleBlue = MakeColor(120, 170, 210);
@@ -26,7 +24,7 @@ constexpr int height = 380;
 struct Chart
 {
   Chart(const RegistrationParts & parts, const std::vector<double> & distances, const PlotAxis & y, double limit)
-    : picture(NewPicture(width, height, paper))
+    : picture(NewPicture(width, height, PaperColor))
   {
     frame.left = 84;
     frame.top = 60;
@@ -50,13 +48,13 @@ struct Chart
   {
     TextStyle style;
     style.size = 14;
-    style.color = ink;
+    style.color = InkColor;
     style.vertical = VerticalAnchor::Bottom;
     int ends[2] = { frame.left - 8, frame.left - 8 };
     for (const ColonSegmentExtent & segment : segments)
     {
       const int x = static_cast<int>(std::lround(frame.PixelOfX(std::max(segment.begin, frame.x.lower))));
-      FillRectangle(picture, x, frame.top - 8, 1, frame.height + 8, faintInk);
+      FillRectangle(picture, x, frame.top - 8, 1, frame.height + 8, FaintInkColor);
       const int textWidth = MeasureText(segment.name, style).width;
       const int start = std::min(x + 4, width - 4 - textWidth);
       const int line = start > ends[0] + 8 ? 0 : 1;

@@ -1,6 +1,7 @@
 #include "shapetonCurveSet.h"
 #include "shapetonEmbeddedGraph.h"
 #include "shapetonGraphPictures.h"
+#include "shapetonPi.h"
 
 #include <algorithm>
 #include <cmath>
@@ -28,8 +29,7 @@ constexpr double mostPieces = 6.0;
 int
 CornersOfCircle(double radius)
 {
-  constexpr double pi = 3.14159265358979323846;
-  return static_cast<int>(std::clamp(std::ceil(pi * std::sqrt(0.5 * radius / flatness)), fewestCorners, mostCorners));
+  return static_cast<int>(std::clamp(std::ceil(Pi * std::sqrt(0.5 * radius / flatness)), fewestCorners, mostCorners));
 }
 
 int

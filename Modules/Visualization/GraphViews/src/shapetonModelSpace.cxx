@@ -1,5 +1,7 @@
 #include "shapetonModelSpace.h"
 
+#include "shapetonPi.h"
+
 #include <cmath>
 
 namespace shapeton
@@ -7,8 +9,6 @@ namespace shapeton
 namespace
 {
 using Complex = std::complex<double>;
-
-constexpr double Pi = 3.14159265358979323846;
 
 Place
 Unit(const Place & p)

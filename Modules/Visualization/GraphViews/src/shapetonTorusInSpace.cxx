@@ -1,12 +1,13 @@
 #include "shapetonTorusInSpace.h"
 
+#include "shapetonPi.h"
+
 #include <cmath>
 
 namespace shapeton
 {
 namespace
 {
-constexpr double pi = 3.14159265358979323846;
 
 using Complex = std::complex<double>;
 
@@ -35,9 +36,9 @@ TorusInSpace::Point
 TorusInSpace::operator()(const Complex & z) const
 {
   const auto [s, t] = Coordinates(z, m_W1, m_W2);
-  const double u = -2.0 * pi * t; // so that counter-clockwise stays so, seen from outside
+  const double u = -2.0 * Pi * t; // so that counter-clockwise stays so, seen from outside
   const double r = m_TubeRadius;
-  const double v = 2.0 * std::atan2(std::sqrt(1.0 + r) * std::sin(pi * s), std::sqrt(1.0 - r) * std::cos(pi * s));
+  const double v = 2.0 * std::atan2(std::sqrt(1.0 + r) * std::sin(Pi * s), std::sqrt(1.0 - r) * std::cos(Pi * s));
   const double distance = 1.0 + r * std::cos(v);
   return { distance * std::cos(u), distance * std::sin(u), r * std::sin(v) };
 }

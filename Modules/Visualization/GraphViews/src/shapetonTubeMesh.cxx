@@ -1,5 +1,7 @@
 #include "shapetonTubeMesh.h"
 
+#include "shapetonPi.h"
+
 #include <algorithm>
 #include <cmath>
 #include <numeric>
@@ -8,9 +10,8 @@ namespace shapeton
 {
 namespace
 {
-constexpr double pi = 3.14159265358979323846;
 /** The widest angle between neighbours of a section. */
-constexpr double widest = pi / 10.0;
+constexpr double widest = Pi / 10.0;
 } // namespace
 
 TubeMesh::TubeMesh(const std::vector<TubeSection> &        sections,
@@ -40,13 +41,13 @@ TubeMesh::RimOf(const TubeSection & section, const std::vector<int> & rim, std::
   const double zero = section.AngleOf(m_Vertices[first]);
   const auto   angleOf = [&](int vertex) {
     const double angle = section.AngleOf(m_Vertices[vertex]);
-    return vertex == first || angle > zero ? angle : angle + 2.0 * pi;
+    return vertex == first || angle > zero ? angle : angle + 2.0 * Pi;
   };
   Ring ring{ rim, {}, {} };
   std::sort(ring.vertices.begin(), ring.vertices.end(), [&](int a, int b) { return angleOf(a) < angleOf(b); });
   std::transform(ring.vertices.begin(), ring.vertices.end(), std::back_inserter(ring.angles), angleOf);
   ring.vertices.push_back(first);
-  ring.angles.push_back(zero + 2.0 * pi);
+  ring.angles.push_back(zero + 2.0 * Pi);
   for (const std::array<int, 2> & end : m_Ends)
   {
     const auto place = std::find(ring.vertices.begin(), ring.vertices.end(), end[side]);
@@ -65,10 +66,10 @@ TubeMesh::Unwind(const Ring & first, Ring & last)
   {
     sum += last.angles[last.curves[i]] - first.angles[first.curves[i]];
   }
-  const double turns = sum / (2.0 * pi * static_cast<double>(m_Ends.size()));
+  const double turns = sum / (2.0 * Pi * static_cast<double>(m_Ends.size()));
   for (double & angle : last.angles)
   {
-    angle -= 2.0 * pi * std::round(turns);
+    angle -= 2.0 * Pi * std::round(turns);
   }
   m_Twist = turns - std::round(turns);
 }
@@ -95,7 +96,7 @@ TubeMesh::RingBetween(const Ring & first, const Ring & last, const TubeSection &
     }
   }
   ring.curves.push_back(ring.vertices.size());
-  ring.angles.push_back(ring.angles.front() + 2.0 * pi);
+  ring.angles.push_back(ring.angles.front() + 2.0 * Pi);
   ring.vertices.push_back(ring.vertices.front());
   return ring;
 }

@@ -2,6 +2,7 @@
 
 #include "shapetonAxisTicks.h"
 #include "shapetonColorMap.h"
+#include "shapetonPageColors.h"
 
 #include <algorithm>
 #include <cmath>
@@ -24,15 +25,13 @@ constexpr std::size_t mostOpenings = 6;
 // axis, but is to look like a line.
 constexpr double greatestLineWidth = 6.0;
 
-const RGBColor ink = MakeColor(30, 32, 38);
 const RGBColor faintInk = MakeColor(96, 100, 110);
-const RGBColor paper = MakeColor(255, 255, 255);
 const RGBColor plotBackground = MakeColor(12, 13, 18);
 const RGBColor pink = MakeColor(255, 105, 180);
 const RGBColor darkPink = MakeColor(200, 30, 120);
 
 TextStyle
-Style(int size, HorizontalAnchor horizontal, VerticalAnchor vertical, const RGBColor & color = ink)
+Style(int size, HorizontalAnchor horizontal, VerticalAnchor vertical, const RGBColor & color = InkColor)
 {
   TextStyle style;
   style.size = size;
@@ -200,7 +199,7 @@ DrawBackgroundLine(Picture * picture, const HeatHistogram & histogram, const Tim
   for (int y = 0; y < area.height; ++y)
   {
     const double brightness = BrightnessOf(histogram.GetCount(time.RowAt(y, area.height), 0), greatest);
-    FillRectangle(picture, left, area.top + y, backgroundLineWidth, 1, paper, brightness);
+    FillRectangle(picture, left, area.top + y, backgroundLineWidth, 1, PaperColor, brightness);
   }
 }
 
@@ -272,7 +271,7 @@ DrawTimeAxis(Picture *                          picture,
   for (const std::uint64_t step : TimeTicks(timeSteps, leastDistance, [&](double t) { return time.PixelOf(t); }))
   {
     const int y = static_cast<int>(time.PixelOf(static_cast<double>(step)));
-    FillRectangle(picture, right - tickLength, y, tickLength, 1, ink);
+    FillRectangle(picture, right - tickLength, y, tickLength, 1, InkColor);
     DrawText(picture,
              GroupedDigits(step),
              right - tickLength - 4,
@@ -299,7 +298,7 @@ DrawHeatTicks(Picture * picture, const HeatAxis & axis, const PlotArea & area, i
   for (const double heat : heats)
   {
     const int x = static_cast<int>(std::lround(pixelOf(heat)));
-    FillRectangle(picture, x, top, 1, tickLength, ink);
+    FillRectangle(picture, x, top, 1, tickLength, InkColor);
     DrawText(picture,
              HeatLabel(heat, isNarrow ? 5 : 3),
              x,
@@ -331,8 +330,8 @@ DrawClasses(Picture *                      picture,
     const int right = area.left + static_cast<int>(axis.PositionOf(heatClass.upperHeat) * (area.width - 1));
     const int width = std::max(right - left, 3);
     FillRectangle(picture, left, top, width, barHeight, ClassColor(heatClass.label));
-    FillRectangle(picture, left, top, 1, barHeight + 3, ink);
-    FillRectangle(picture, left + width - 1, top, 1, barHeight + 3, ink);
+    FillRectangle(picture, left, top, 1, barHeight + 3, InkColor);
+    FillRectangle(picture, left + width - 1, top, 1, barHeight + 3, InkColor);
     const std::string number = std::to_string(heatClass.label);
     const TextStyle   style = Style(14, HorizontalAnchor::Center, VerticalAnchor::Top);
     const int         middle = left + width / 2;
@@ -513,7 +512,7 @@ DrawHeatHistogram(const HeatHistogram & histogram, const HeatHistogramPictureOpt
   const HeatAxis        axis(axisHistogram, options.scale, ShownRange(options));
   const PlotArea        area = PlotAreaOf(options);
   const TimeAxis        time(histogram.GetTimeSteps(), area);
-  auto                  picture = NewPicture(options.width, options.height, paper);
+  auto                  picture = NewPicture(options.width, options.height, PaperColor);
   DrawOpenings(picture, axisHistogram, options, area);
   DrawPlotBackground(picture, area);
   DrawBackgroundLine(picture, histogram, time, area);

@@ -3,6 +3,7 @@
 #include "shapetonAxisTicks.h"
 #include "shapetonColorMap.h"
 #include "shapetonCsvTable.h"
+#include "shapetonPageColors.h"
 
 #include <algorithm>
 #include <array>
@@ -16,9 +17,6 @@ namespace shapeton
 namespace
 {
 using ImageType = itk::Image<float, 3>;
-
-const RGBColor ink = MakeColor(30, 32, 38);
-const RGBColor paper = MakeColor(255, 255, 255);
 
 constexpr SlicePlane planes[] = { SlicePlane::Axial, SlicePlane::Coronal, SlicePlane::Sagittal };
 
@@ -188,11 +186,11 @@ DrawSliceMontage(const itk::Image<float, 3> * grey,
   }
   const int top = options.title.empty() ? margin : margin + titleHeight;
   auto      picture =
-    NewPicture(options.width, static_cast<unsigned int>(top + captionHeight + panelHeight + margin + 24), paper);
+    NewPicture(options.width, static_cast<unsigned int>(top + captionHeight + panelHeight + margin + 24), PaperColor);
   TextStyle style;
   style.size = 22;
   style.bold = true;
-  style.color = ink;
+  style.color = InkColor;
   DrawText(picture,
            options.title,
            margin,
@@ -214,7 +212,7 @@ DrawSliceMontage(const itk::Image<float, 3> * grey,
     left += panelWidth + gap;
   }
   const int bottom = top + captionHeight + panelHeight;
-  DrawScaleBar(picture, margin, bottom + 28, 160, scale, ink);
+  DrawScaleBar(picture, margin, bottom + 28, 160, scale, InkColor);
   DrawLegend(
     picture, options.legend, static_cast<int>(options.width) - margin - legendWidth + gap, top + captionHeight, bottom);
   return picture;

@@ -9,8 +9,8 @@ namespace shapeton
 namespace
 {
 constexpr unsigned int pageWidth = 1200;
-constexpr int          margin = 16;
-constexpr int          titleHeight = 48;
+constexpr int          pageMargin = 16;
+constexpr int          headHeight = 48;
 constexpr int          renderingWidth = 860;
 constexpr int          renderingHeight = 620;
 
@@ -66,17 +66,17 @@ DrawTransferFunction(const itk::Image<float, 3> *  grey,
   view.focus = VisibleRegion(heat, transferFunction);
   const auto rendering = renderer ? renderer->Render(view) : RenderVolume(heat, transferFunction, view);
 
-  const int top = margin + titleHeight;
+  const int top = pageMargin + headHeight;
   const int montageTop = top + renderingHeight + 8;
   auto page = NewPicture(pageWidth, montageTop + montage->GetBufferedRegion().GetSize(1), MakeColor(255, 255, 255));
   TextStyle style;
   style.size = 24;
   style.bold = true;
   style.color = MakeColor(30, 32, 38);
-  DrawText(page, title, margin, margin, style);
-  PastePicture(page, rendering, margin, top);
+  DrawText(page, title, pageMargin, pageMargin, style);
+  PastePicture(page, rendering, pageMargin, top);
   style.size = 17;
-  const int legendLeft = margin + renderingWidth + 16;
+  const int legendLeft = pageMargin + renderingWidth + 16;
   DrawText(page, "Lines: range of " + quantity.plural, legendLeft, top, style);
   DrawLegend(page, LegendWithVoxels(heat, transferFunction), legendLeft, top + 32, top + renderingHeight);
   PastePicture(page, montage, 0, montageTop);

@@ -1,5 +1,7 @@
 #include "shapetonCurveTubes.h"
 
+#include "shapetonPi.h"
+
 #include <Eigen/Geometry>
 
 #include <cmath>
@@ -10,9 +12,8 @@ namespace
 {
 using Vector3 = Eigen::Vector3d;
 
-constexpr int    sides = 12;
-constexpr int    stacks = 10; // of a ball, from pole to pole
-constexpr double pi = 3.14159265358979323846;
+constexpr int sides = 12;
+constexpr int stacks = 10; // of a ball, from pole to pole
 
 /** Vertices and faces, one after the other. */
 class MeshBuilder
@@ -23,7 +24,7 @@ public:
   {
     for (int side = 0; side < sides; ++side)
     {
-      const double angle = 2.0 * pi * side / sides;
+      const double angle = 2.0 * Pi * side / sides;
       m_Points.push_back(centre + std::cos(angle) * u + std::sin(angle) * v);
       m_Colors.push_back(color);
     }
@@ -48,7 +49,7 @@ public:
   {
     for (int stack = 0; stack <= stacks; ++stack)
     {
-      const double angle = pi * stack / stacks;
+      const double angle = Pi * stack / stacks;
       const double across = radius * std::sin(angle);
       this->AddRing(centre - Vector3(0.0, 0.0, radius * std::cos(angle)),
                     Vector3(across, 0.0, 0.0),

@@ -1,4 +1,5 @@
 #include "shapetonConformalMapPicture.h"
+#include "shapetonPi.h"
 
 #include <cmath>
 #include <stdexcept>
@@ -7,7 +8,6 @@ namespace shapeton
 {
 namespace
 {
-constexpr double pi = 3.14159265358979323846;
 
 void
 Require(bool condition, const char * message)
@@ -37,7 +37,7 @@ PlanePattern
 PolarCheckerboard(int around)
 {
   Require(around > 0 && around % 2 == 0, "checks around an annulus come in pairs");
-  const double perRadian = around / (2.0 * pi);
+  const double perRadian = around / (2.0 * Pi);
   return [perRadian](double u, double v) {
     return CheckColor(perRadian * std::log(std::hypot(u, v)), perRadian * std::atan2(v, u));
   };

@@ -1,0 +1,16 @@
+#ifndef shapetonPageColors_h
+#define shapetonPageColors_h
+
+#include "shapetonPicture.h"
+
+namespace shapeton
+{
+/** The ground of pages and charts. \ingroup PictureKit */
+inline const RGBColor PaperColor = MakeColor(255, 255, 255);
+/** Text and axes on PaperColor. \ingroup PictureKit */
+inline const RGBColor InkColor = MakeColor(30, 32, 38);
+/** What is less important there. \ingroup PictureKit */
+inline const RGBColor FaintInkColor = MakeColor(112, 116, 126);
+} // namespace shapeton
+
+#endif
