@@ -162,7 +162,29 @@ Construct(const char * name, const TGeometry & geometry, const py::object & elem
                                         geometry.facts);
 }
 
-/** What Progress calls: looks at signals fifty times a second, and calls the user's function ten times. */
+/** Tells when a period is over, then when the next one is. */
+class Timer
+{
+  using Clock = std::chrono::steady_clock;
+
+public:
+  explicit Timer(Clock::duration period) : m_Period(period) {}
+
+  bool
+  IsOver()
+  {
+    const auto now = Clock::now();
+    const bool isOver = now >= m_Next;
+    m_Next = isOver ? now + m_Period : m_Next;
+    return isOver;
+  }
+
+private:
+  Clock::duration   m_Period;
+  Clock::time_point m_Next{};
+};
+
+/** What Progress calls: the user's function ten times a second. */
 class Watch
 {
 public:
@@ -171,19 +193,11 @@ public:
   void
   operator()(const std::string & stage, double share)
   {
-    if (!IsTime(m_NextSignals, std::chrono::milliseconds(20)))
+    if (!m_Timer.IsOver())
     {
       return;
     }
     const py::gil_scoped_acquire acquire;
-    if (PyErr_CheckSignals() != 0)
-    {
-      throw py::error_already_set();
-    }
-    if (m_Function.is_none() || !IsTime(m_NextCall, std::chrono::milliseconds(100)))
-    {
-      return;
-    }
     if (m_Function(share, stage).is(py::bool_(false)))
     {
       PyErr_SetString(ClassOf("shapeton._shapeton", "Aborted").ptr(), "the progress function has returned False");
@@ -192,23 +206,29 @@ public:
   }
 
 private:
-  using Clock = std::chrono::steady_clock;
-
-  /** Whether `next` is over, which is then moved on by `period`. */
-  static bool
-  IsTime(Clock::time_point & next, Clock::duration period)
-  {
-    const auto now = Clock::now();
-    const bool isTime = now >= next;
-    next = isTime ? now + period : next;
-    return isTime;
-  }
-
-  py::object        m_Function;
-  Clock::time_point m_NextSignals{};
-  Clock::time_point m_NextCall{};
+  py::object m_Function;
+  Timer      m_Timer{ std::chrono::milliseconds(100) };
 };
+
+/** What Interruption calls: looks at signals fifty times a second. */
+std::function<void()>
+SignalCheck()
+{
+  return [timer = Timer(std::chrono::milliseconds(20))]() mutable {
+    if (!timer.IsOver())
+    {
+      return;
+    }
+    const py::gil_scoped_acquire acquire;
+    if (PyErr_CheckSignals() != 0)
+    {
+      throw py::error_already_set();
+    }
+  };
+}
 } // namespace
+
+WithoutGil::WithoutGil() : m_Interruption(SignalCheck()) {}
 
 py::object
 ClassOf(const char * module, const char * name)
@@ -326,6 +346,10 @@ ToPython(const CurveSet & curves, const py::handle & owner)
 Progress
 ProgressTo(const py::object & function)
 {
+  if (function.is_none())
+  {
+    return {};
+  }
   const std::shared_ptr<Watch> watch(new Watch(function), [](Watch * finished) {
     const py::gil_scoped_acquire acquire;
     delete finished;

@@ -3,6 +3,7 @@
 
 #include "shapetonCurveSet.h"
 #include "shapetonExceptions.h"
+#include "shapetonInterruption.h"
 #include "shapetonJson.h"
 #include "shapetonProgress.h"
 #include "shapetonSurfaceMesh.h"
@@ -26,8 +27,18 @@ namespace shapeton::python
 namespace py = pybind11;
 using namespace pybind11::literals;
 
-/** Lets other threads of Python run while a function of the library does. */
-using ReleaseGil = py::call_guard<py::gil_scoped_release>;
+/** \class WithoutGil
+ * \brief Lets other threads of Python run while a function of the library does, and signals stop it. */
+class WithoutGil
+{
+public:
+  WithoutGil();
+
+private:
+  const py::gil_scoped_release m_Release;
+  const Interruption           m_Interruption;
+};
+using ReleaseGil = py::call_guard<WithoutGil>;
 
 /** Of a parameter with a list of words: what the word stands for. Throws ParameterError with all of them. */
 template <typename TValue>

@@ -27,7 +27,7 @@ PictureOf(const FlatColonGrid & grid, py::ssize_t values, const TPaint & paint)
   py::array_t<TValue> picture(shape);
   TValue * const      pixels = picture.mutable_data();
   {
-    const py::gil_scoped_release release;
+    const WithoutGil withoutGil;
     ParallelFor(grid.Rows(), [&](std::size_t row) {
       for (py::ssize_t column = 0; column < columns; ++column)
       {
@@ -74,8 +74,8 @@ Find(const FlatColon & flat, const VertexMatrix & points)
   double * const      uvs = uv.mutable_data();
   double * const      distances = distance.mutable_data();
   {
-    const py::gil_scoped_release release;
-    const FlatColonLocator       locator(flat.Grid());
+    const WithoutGil       withoutGil;
+    const FlatColonLocator locator(flat.Grid());
     ParallelFor(static_cast<std::size_t>(points.rows()), [&](std::size_t i) {
       const FlatPlace place = locator.Find(points.row(static_cast<Eigen::Index>(i)).transpose());
       std::copy_n(place.uv.data(), 2, uvs + 2 * i);

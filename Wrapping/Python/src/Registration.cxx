@@ -88,8 +88,8 @@ MapPoints(const Registered & registered, const VertexMatrix & points, bool inver
   double * const      confidences = confidence.mutable_data();
   bool * const        exclusions = excluded.mutable_data();
   {
-    const py::gil_scoped_release release;
-    const ColonPointMapper       mapper(registered.registration);
+    const WithoutGil       withoutGil;
+    const ColonPointMapper mapper(registered.registration);
     for (py::ssize_t i = 0; i < number; ++i)
     {
       const Eigen::Vector3d point = points.row(i).transpose();

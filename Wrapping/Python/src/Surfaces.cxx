@@ -23,8 +23,8 @@ Read(const std::string & path,
 {
   Surface surface;
   {
-    const py::gil_scoped_release release;
-    const SurfaceReadOptions     options{ part, component, unit, anyExtent };
+    const WithoutGil         withoutGil;
+    const SurfaceReadOptions options{ part, component, unit, anyExtent };
     surface = repair ? ReadRepairedSurface(path, options) : ReadSurface(path, options);
   }
   py::object mesh = py::cast(std::move(surface.mesh));
@@ -38,7 +38,7 @@ Inspect(const SurfaceMesh & mesh)
 {
   Json document;
   {
-    const py::gil_scoped_release release;
+    const WithoutGil withoutGil;
     document = SurfaceQualityToJson(InspectSurface(mesh));
   }
   return FromJson(document);

@@ -34,7 +34,7 @@ ReadWithFacts(const std::string & path,
 {
   Volume volume;
   {
-    const py::gil_scoped_release release;
+    const WithoutGil withoutGil;
     volume = ReadVolume(path, { seriesUID, resampleGaps, deshear, dropDuplicates, allowSingleSlice, progress });
   }
   return ImageWithFacts(volume);
@@ -45,7 +45,7 @@ void
 WriteAs(const py::object & image, const std::string & path, const VolumeMetadata & metadata)
 {
   const auto       pixels = ImageOf<TPixel>(image);
-  const py::gil_scoped_release release;
+  const WithoutGil withoutGil;
   WriteVolume(pixels.GetPointer(), path, metadata);
 }
 

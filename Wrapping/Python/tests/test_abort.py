@@ -118,6 +118,26 @@ class AbortTest(TestCase):
         with self.subTest("comparison"):
             self.check(lambda **options: graphs.compare_graphs(grid, other, **options))
 
+    def test_stages_of_a_ct(self):
+        phantom = colon.colon_phantom(position="supine", size=(256, 256, 240), spacing=(1.4, 1.4, 1.4))
+        lumen = colon.segment_lumen(phantom.ct)
+        occupancy, line = colon.cleanse(phantom.ct, lumen).occupancy, colon.trace_centreline(lumen.labels).curve
+        wall = colon.build_wall(occupancy, line).repaired
+        with self.subTest("phantom"):
+            self.check(lambda **options: colon.colon_phantom(size=(128, 128, 120), spacing=(2.8, 2.8, 2.8), **options))
+        with self.subTest("lumen"):
+            self.check(lambda **options: colon.segment_lumen(phantom.ct, **options))
+        with self.subTest("cleansing"):
+            self.check(lambda **options: colon.cleanse(phantom.ct, lumen, **options))
+        with self.subTest("centreline"):
+            self.check(lambda **options: colon.trace_centreline(lumen.labels, **options))
+        with self.subTest("wall"):
+            self.check(lambda **options: colon.build_wall(occupancy, line, **options))
+        with self.subTest("simplification"):
+            self.check(lambda **options: surfaces.simplify_surface(wall, faces=20000, **options))
+        with self.subTest("remeshing"):
+            self.check(lambda **options: surfaces.remesh_surface(wall, 2.0, **options))
+
     @needs_tools
     def test_reading(self):
         folder = str(self.folder / "series")

@@ -1,6 +1,7 @@
 #ifndef shapetonStageFilter_h
 #define shapetonStageFilter_h
 
+#include "shapetonInterruption.h"
 #include "shapetonMeshAdapter.h"
 #include "shapetonProgress.h"
 #include "shapetonResultObject.h"
@@ -58,11 +59,17 @@ protected:
     return shapeton::Progress([this](const std::string & stage, double share) {
       m_Stage = stage;
       this->UpdateProgress(static_cast<float>(share));
-      if (this->GetAbortGenerateData())
-      {
-        throw itk::ProcessAborted(__FILE__, __LINE__);
-      }
+      this->AbortIfAsked();
     });
+  }
+
+  void
+  AbortIfAsked()
+  {
+    if (this->GetAbortGenerateData())
+    {
+      throw itk::ProcessAborted(__FILE__, __LINE__);
+    }
   }
 
   virtual void
@@ -71,6 +78,7 @@ protected:
   void
   GenerateData() override
   {
+    const Interruption interruption([this] { this->AbortIfAsked(); });
     try
     {
       this->Compute();

@@ -1,6 +1,7 @@
 #include "shapetonCellTree.h"
 
 #include "shapetonDisjointSets.h"
+#include "shapetonInterruption.h"
 
 #include <algorithm>
 
@@ -327,6 +328,7 @@ CellTree::TryExchanges(int in, double & bestGain, std::array<int, 2> & best)
     {
       continue;
     }
+    Interruption::Check();
     this->RemoveLink(out);
     this->AddLink(in);
     const double gain = this->LongestWay(member) - before;

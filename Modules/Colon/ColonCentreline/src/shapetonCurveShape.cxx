@@ -1,5 +1,7 @@
 #include "shapetonCurveShape.h"
 
+#include "shapetonInterruption.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -107,6 +109,7 @@ SmoothCurve(const CurvePoints & points, double step, double sigma, const Distanc
   CurvePoints next = points;
   for (int pass = 0; pass < passes; ++pass)
   {
+    Interruption::Check();
     for (std::size_t i = 1; i + 1 < points.size(); ++i)
     {
       next[i] = 0.25 * result[i - 1] + 0.5 * result[i] + 0.25 * result[i + 1];

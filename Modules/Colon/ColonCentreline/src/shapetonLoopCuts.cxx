@@ -1,5 +1,6 @@
 #include "shapetonLoopCuts.h"
 
+#include "shapetonInterruption.h"
 #include "shapetonPieceOrder.h"
 
 #include <algorithm>
@@ -196,6 +197,7 @@ CutLoops(const LumenGrid & grid, const LumenCells & cells, CellTree & tree)
   CutSearch        search(grid, cells, tree);
   while (static_cast<int>(cuts.size()) < mostCuts)
   {
+    Interruption::Check();
     const auto best = search.Best();
     if (best.passages.empty())
     {

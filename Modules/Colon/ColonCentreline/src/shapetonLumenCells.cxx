@@ -1,5 +1,7 @@
 #include "shapetonLumenCells.h"
 
+#include "shapetonInterruption.h"
+
 #include <algorithm>
 #include <cmath>
 #include <numeric>
@@ -36,6 +38,7 @@ LumenCells::LumenCells(const LumenGrid & grid) : cellOf(grid.NumberOfNodes(), -1
       }
       else
       {
+        Interruption::Check();
         this->Claim(grid, node);
       }
     }

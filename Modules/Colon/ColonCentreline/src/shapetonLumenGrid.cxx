@@ -1,5 +1,6 @@
 #include "shapetonLumenGrid.h"
 
+#include "shapetonInterruption.h"
 #include "shapetonParallelFor.h"
 
 #include <algorithm>
@@ -93,6 +94,7 @@ LumenGrid::MakeNodes(const LumenDistanceImage * distance,
   m_NodeAt.assign(m_Grid.NumberOfVoxels(), -1);
   for (int z = 1; z < m_Grid.size[2] - 1; ++z)
   {
+    Interruption::Check();
     for (int y = 1; y < m_Grid.size[1] - 1; ++y)
     {
       for (int x = 1; x < m_Grid.size[0] - 1; ++x)

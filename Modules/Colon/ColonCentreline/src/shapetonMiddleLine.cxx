@@ -1,5 +1,7 @@
 #include "shapetonMiddleLine.h"
 
+#include "shapetonInterruption.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -247,10 +249,12 @@ FindPole(const LumenNetwork & network, const DistanceField & field, const CurveP
   {
     longest = isReached(node) ? std::max(longest, ways.distances[node]) : longest;
   }
-  int    pole = -1;
-  double farthest = 0.0;
+  int              pole = -1;
+  double           farthest = 0.0;
+  RareInterruption interruption;
   for (int node = 0; node < grid.NumberOfNodes(); ++node)
   {
+    interruption.Check();
     if (isReached(node) && longestWay * ways.distances[node] >= longest)
     {
       const Eigen::Vector3d place = grid.Position(node);

@@ -1,6 +1,8 @@
 #ifndef shapetonRadixQueue_h
 #define shapetonRadixQueue_h
 
+#include "shapetonInterruption.h"
+
 #include <algorithm>
 #include <array>
 #include <cstdint>
@@ -39,6 +41,7 @@ public:
   std::pair<double, int>
   Pop()
   {
+    m_Interruption.Check();
     if (m_Buckets[0].empty())
     {
       this->Refill();
@@ -85,6 +88,7 @@ private:
   std::array<std::vector<Entry>, 65> m_Buckets;
   std::uint64_t                      m_Last{ 0 };
   std::size_t                        m_Size{ 0 };
+  RareInterruption                   m_Interruption;
 };
 } // namespace shapeton
 

@@ -3,6 +3,7 @@
 #include "shapetonAirFluidInterface.h"
 #include "shapetonCatheterFilling.h"
 #include "shapetonHollowIslands.h"
+#include "shapetonInterruption.h"
 #include "shapetonParallelFor.h"
 #include "shapetonTaggedPools.h"
 
@@ -60,6 +61,7 @@ GrowClasses(const ColonGrid &                                               grid
     std::vector<std::size_t> next;
     for (const bool colon : { true, false })
     {
+      Interruption::Check();
       for (const auto p : front)
       {
         if (IsColonLumen(classes[p]) != colon)

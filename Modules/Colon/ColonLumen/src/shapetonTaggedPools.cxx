@@ -3,6 +3,7 @@
 #include "shapetonAirFluidLevels.h"
 #include "shapetonColonPieces.h"
 #include "shapetonColonVolume.h"
+#include "shapetonInterruption.h"
 
 #include <algorithm>
 #include <cmath>
@@ -250,8 +251,10 @@ private:
       m_Reached[p] = this->Mean(p);
       queue.push({ m_Reached[p], p });
     }
+    RareInterruption interruption;
     while (!queue.empty())
     {
+      interruption.Check();
       const Arrival next = queue.top();
       queue.pop();
       ForEachNeighbour(m_Grid, next.voxel, [&](std::size_t q) { visit(q, next.faintest); });

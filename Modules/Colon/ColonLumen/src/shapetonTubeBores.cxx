@@ -1,5 +1,6 @@
 #include "shapetonTubeBores.h"
 
+#include "shapetonInterruption.h"
 #include "shapetonParallelFor.h"
 #include "shapetonPi.h"
 #include "shapetonVoxelRuns.h"
@@ -63,8 +64,10 @@ public:
     std::vector<double>                                                 way(m_Voxels.size(), Far);
     std::priority_queue<Entry, std::vector<Entry>, std::greater<Entry>> queue;
     queue.emplace(way[start] = 0.0, start);
+    RareInterruption interruption;
     while (!queue.empty())
     {
+      interruption.Check();
       const auto [length, n] = queue.top();
       queue.pop();
       if (length > way[n])

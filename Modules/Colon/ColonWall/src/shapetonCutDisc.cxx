@@ -1,5 +1,7 @@
 #include "shapetonCutDisc.h"
 
+#include "shapetonInterruption.h"
+
 #include <algorithm>
 #include <queue>
 #include <unordered_map>
@@ -55,6 +57,7 @@ DiscCutter::FacesWithin(int pole, double radius) const
   queue.emplace(0.0, pole);
   while (!queue.empty())
   {
+    Interruption::Check();
     const auto [distance, vertex] = queue.top();
     queue.pop();
     if (distance > distances[vertex])

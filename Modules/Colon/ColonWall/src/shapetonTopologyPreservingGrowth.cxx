@@ -1,5 +1,6 @@
 #include "shapetonTopologyPreservingGrowth.h"
 
+#include "shapetonInterruption.h"
 #include "shapetonPaddedVoxels.h"
 
 #include <array>
@@ -79,9 +80,12 @@ public:
     m_Top = std::max<int>(m_Top, rank);
   }
 
+  /** False where there is none. */
+
   bool
   Pop(std::uint32_t & voxel)
   {
+    m_Interruption.Check();
     while (m_Top >= 0 && m_Buckets[m_Top].next == m_Buckets[m_Top].voxels.size())
     {
       m_Buckets[m_Top] = Bucket();
@@ -103,6 +107,7 @@ private:
   };
   std::vector<Bucket> m_Buckets = std::vector<Bucket>(65536);
   int                 m_Top{ -1 };
+  RareInterruption    m_Interruption;
 };
 
 class Growth

@@ -1,4 +1,5 @@
 #include "shapetonColonWall.h"
+#include "shapetonInterruption.h"
 #include "shapetonParallelFor.h"
 #include "shapetonExceptions.h"
 #include "shapetonVertexNeighbours.h"
@@ -82,8 +83,10 @@ SmoothWall(const SurfaceMesh & mesh, const WallSmoothingOptions & options)
   RequireParameter(options.iterations >= 0 && options.normalLimit >= 0.0 && options.tangentialLimit >= 0.0,
                    "iterations and limits of smoothing must not be negative");
   RequireSound(mesh, "the wall");
-  const VertexNeighbours  neighbours(mesh);
-  const VertexMatrix      normals = VertexNormals(mesh);
+  const VertexNeighbours neighbours(mesh);
+  Interruption::Check();
+  const VertexMatrix normals = VertexNormals(mesh);
+  Interruption::Check();
   const std::vector<char> isFixed = FixedVertices(mesh);
   SurfaceMesh             result = mesh;
   VertexMatrix            moved = mesh.V;

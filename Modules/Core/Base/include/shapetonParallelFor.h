@@ -3,6 +3,7 @@
 
 #include "BaseExport.h"
 
+#include "shapetonInterruption.h"
 #include "shapetonProgress.h"
 
 #include "itkMultiThreaderBase.h"
@@ -69,6 +70,7 @@ ParallelWorkers(unsigned int workers, const TBody & body)
 {
   constexpr unsigned int deepest = 2;
   const unsigned int     depth = DepthOfLoops();
+  Interruption::Check();
   if (workers <= 1 || depth >= deepest)
   {
     for (unsigned int worker = 0; worker < workers; ++worker)
@@ -77,10 +79,12 @@ ParallelWorkers(unsigned int workers, const TBody & body)
     }
     return;
   }
-  std::mutex         mutex;
-  std::exception_ptr failure;
-  const auto         work = [&](itk::SizeValueType worker) {
-    const LoopDepth inside(depth + 1);
+  std::mutex           mutex;
+  std::exception_ptr   failure;
+  Interruption * const interruption = Interruption::OfThread();
+  const auto           work = [&](itk::SizeValueType worker) {
+    const LoopDepth               inside(depth + 1);
+    const Interruption::Inherited inherited(interruption);
     try
     {
       body(static_cast<unsigned int>(worker));
@@ -123,13 +127,17 @@ public:
     return std::this_thread::get_id() == m_Reporter;
   }
 
-  /** Reports if this thread may. */
+  /** Reports if this thread may; all ask Interruption. */
   void
   operator()(double share) const
   {
     if (this->IsReporter())
     {
       m_Progress(share);
+    }
+    else
+    {
+      Interruption::Check();
     }
   }
 

@@ -1,6 +1,8 @@
 #ifndef shapetonProgress_h
 #define shapetonProgress_h
 
+#include "shapetonInterruption.h"
+
 #include <functional>
 #include <string>
 #include <type_traits>
@@ -12,8 +14,8 @@ namespace shapeton
  * \brief Receives how far a piece of work has come; every long function of Shapeton takes one.
  *
  * A copyable value that holds a function of the stage in words and the share of the whole that is done, from 0 to 1, or
- * a function of the share alone, or nothing: then a report does nothing. It is called from the thread that called the
- * work. The function may throw in order to abort the work; the exception reaches the caller.
+ * a function of the share alone, or nothing. It is called from the thread that called the work. The function may throw
+ * in order to abort the work; the exception reaches the caller. A report asks Interruption first.
  *
  * \code
  * options.progress = [&](const std::string & stage, double share) { std::cout << stage << ' ' << share << '\n'; };
@@ -45,6 +47,7 @@ public:
   void
   operator()(const std::string & stage, double share) const
   {
+    Interruption::Check();
     if (m_Function)
     {
       m_Function(stage, share);

@@ -17,8 +17,9 @@ std::future<void>
 StartBeside(TWork work)
 {
   const auto policy = NumberOfThreads() > 1 ? std::launch::async : std::launch::deferred;
-  return std::async(policy, [work = std::move(work)] {
-    const LoopDepth inside(1); // as one of two workers
+  return std::async(policy, [work = std::move(work), interruption = Interruption::OfThread()] {
+    const LoopDepth               inside(1); // as one of two workers
+    const Interruption::Inherited inherited(interruption);
     work();
   });
 }

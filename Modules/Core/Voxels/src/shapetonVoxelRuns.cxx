@@ -1,6 +1,7 @@
 #include "shapetonVoxelRuns.h"
 
 #include "shapetonDisjointSets.h"
+#include "shapetonInterruption.h"
 
 namespace shapeton
 {
@@ -34,6 +35,7 @@ LabelRuns(const VoxelRuns & set, VoxelContact contact, const std::vector<char> &
   const bool throughEdges = contact == VoxelContact::FaceOrEdge;
   for (int k = 0; k < set.size[2]; ++k)
   {
+    Interruption::Check();
     for (int j = 0; j < set.size[1]; ++j)
     {
       joinRows(j, k, j - 1, k, throughEdges ? 1 : 0);

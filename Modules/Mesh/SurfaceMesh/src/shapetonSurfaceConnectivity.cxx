@@ -1,4 +1,5 @@
 #include "shapetonFanWalk.h"
+#include "shapetonInterruption.h"
 #include "shapetonParallelFor.h"
 
 #include <algorithm>
@@ -112,6 +113,7 @@ SurfaceConnectivity::BuildVertexFaces()
     }
   }
   Accumulate(m_VertexBegin);
+  Interruption::Check();
   m_VertexFaces.resize(m_VertexBegin.back());
   std::vector<int> next(m_VertexBegin.begin(), m_VertexBegin.end() - 1);
   for (int f = 0; f < this->NumberOfFaces(); ++f)

@@ -1,5 +1,6 @@
 #include "shapetonSurfaceRemeshing.h"
 #include "shapetonCornerTable.h"
+#include "shapetonInterruption.h"
 #include "shapetonSurfaceLocator.h"
 #include "shapetonSurfaceQuality.h"
 #include "shapetonSurfaceRepair.h"
@@ -76,6 +77,7 @@ private:
     }
     while (!queue.empty())
     {
+      m_Interruption.Check();
       const int h = m_Table.FindHalfEdge(std::get<1>(queue.top()), std::get<2>(queue.top()));
       queue.pop(); // each edge comes once
       const Eigen::Vector3d middle = 0.5 * (m_Positions[m_Table.From(h)] + m_Positions[m_Table.To(h)]);
@@ -89,6 +91,7 @@ private:
   {
     for (int h = 0; h < m_Table.NumberOfHalfEdges(); ++h)
     {
+      m_Interruption.Check();
       if (m_Table.StandsForEdge(h) && this->LengthOf(h) < ShortestOfTarget * m_Target)
       {
         this->TryCollapse(h);
@@ -182,6 +185,7 @@ private:
   {
     for (int h = 0; h < m_Table.NumberOfHalfEdges(); ++h)
     {
+      m_Interruption.Check();
       if (m_Table.StandsForEdge(h) && m_Table.CanFlip(h) && this->ShouldFlip(h))
       {
         m_Table.Flip(h);
@@ -222,6 +226,7 @@ private:
     std::vector<Eigen::Vector3d> goals = m_Positions; // all from the old positions
     for (int v = 0; v < m_Table.NumberOfVertices(); ++v)
     {
+      m_Interruption.Check();
       if (m_Table.IsLiveVertex(v) && !m_Table.IsBoundary(v))
       {
         goals[v] = this->GoalOf(v);
@@ -262,6 +267,7 @@ private:
   }
 
   CornerTable                  m_Table;
+  RareInterruption             m_Interruption;
   SurfaceLocator               m_Locator;
   double                       m_Target;
   std::vector<Eigen::Vector3d> m_Positions;

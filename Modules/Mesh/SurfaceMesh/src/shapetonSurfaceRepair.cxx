@@ -1,4 +1,5 @@
 #include "shapetonSurfaceRepair.h"
+#include "shapetonInterruption.h"
 #include "shapetonSurfaceConnectivity.h"
 #include "shapetonSurfaceQuality.h"
 #include "shapetonExceptions.h"
@@ -186,6 +187,7 @@ RepairSurface(const SurfaceMesh & mesh, const SurfaceRepairOptions & options, Su
   {
     done.mergedVertices = MergeVertices(repaired, options.mergeDistance);
   }
+  Interruption::Check();
   CleanFaces(repaired, done);
   if (options.split)
   {

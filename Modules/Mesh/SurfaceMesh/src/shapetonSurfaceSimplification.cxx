@@ -1,5 +1,6 @@
 #include "shapetonSurfaceSimplification.h"
 #include "shapetonCornerTable.h"
+#include "shapetonInterruption.h"
 #include "shapetonParallelFor.h"
 #include "shapetonQuadric.h"
 #include "shapetonSurfaceRepair.h"
@@ -298,6 +299,7 @@ Simplifier::FillQueue()
   ParallelForBlocks(edges.size(), [&](std::size_t i) {
     candidates[i] = this->CandidateOf(m_Table.From(edges[i]), m_Table.To(edges[i]));
   });
+  Interruption::Check();
   m_Queue.Fill(candidates);
 }
 
