@@ -11,7 +11,6 @@ itk_module(ColonWall
     ConformalFlattening
     HeatDiffusionMetric
     Voxels
-    ITKDistanceMap
     ITKSmoothing
   TEST_DEPENDS
     DicomSeries

@@ -2,8 +2,8 @@
 
 #include "shapetonCentrelineGeometry.h"
 #include "shapetonPaddedVoxels.h"
-#include "itkSignedMaurerDistanceMapImageFilter.h"
 #include "shapetonExceptions.h"
+#include "shapetonSquaredDistances.h"
 
 #include <cmath>
 #include <numeric>
@@ -78,19 +78,50 @@ KeepSolidPiece(LumenMaskImage * mask, double voxelVolume, LumenTopologyReport & 
   report.lumenVolume = static_cast<double>(pieces.sizes[largest]) * voxelVolume;
 }
 
+/** Keeps what has both neighbours along an axis; what is beyond the grid counts as kept. */
+std::vector<unsigned char>
+Eroded(const VoxelGrid & grid, const std::vector<unsigned char> & mask, int axis)
+{
+  std::vector<unsigned char> eroded(mask.size());
+  const std::size_t          stride = grid.stride[axis];
+  const int                  last = grid.size[axis] - 1;
+  ParallelFor(grid.size[2], [&](std::size_t k) {
+    std::size_t p = k * grid.stride[2];
+    for (std::array<int, 3> v{ { 0, 0, static_cast<int>(k) } }; v[1] < grid.size[1]; ++v[1])
+    {
+      for (v[0] = 0; v[0] < grid.size[0]; ++v[0], ++p)
+      {
+        const int before = v[axis] == 0 ? 1 : mask[p - stride];
+        const int after = v[axis] == last ? 1 : mask[p + stride];
+        eroded[p] = static_cast<unsigned char>(mask[p] & before & after);
+      }
+    }
+  });
+  return eroded;
+}
+
+/** Squares of the distances to the nearest voxel of the lumen that touches the background, by a corner suffices, mm^2.
+ */
+std::vector<float>
+SquaredDistancesToRim(const LumenMaskImage * lumen)
+{
+  const auto                 size = lumen->GetBufferedRegion().GetSize();
+  const auto                 spacing = lumen->GetSpacing();
+  const VoxelGrid            grid(static_cast<int>(size[0]), static_cast<int>(size[1]), static_cast<int>(size[2]));
+  std::vector<unsigned char> inside(lumen->GetBufferPointer(), lumen->GetBufferPointer() + grid.NumberOfVoxels());
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    inside = Eroded(grid, inside, axis);
+  }
+  return SquaredDistances(grid, { spacing[0], spacing[1], spacing[2] }, inside);
+}
+
 /** The distance to the wall, as ranks. Next to the wall voxels have one and the same distance; there the occupancy
  * decides, so that a membrane comes to lie where the septum shows best. */
 GrowthRankImage::Pointer
 RanksOfLumen(const LumenMaskImage * lumen, const OccupancyImage * occupancy)
 {
-  auto distance = itk::SignedMaurerDistanceMapImageFilter<LumenMaskImage, OccupancyImage>::New();
-  distance->SetInput(lumen);
-  distance->SetBackgroundValue(0);
-  distance->SetInsideIsPositive(true);
-  distance->SetSquaredDistance(false);
-  distance->SetUseImageSpacing(true);
-  distance->Update();
-  const OccupancyImage * distances = distance->GetOutput();
+  const std::vector<float> squares = SquaredDistancesToRim(lumen);
 
   auto ranks = GrowthRankImage::New();
   ranks->CopyInformation(lumen);
@@ -98,11 +129,10 @@ RanksOfLumen(const LumenMaskImage * lumen, const OccupancyImage * occupancy)
   ranks->Allocate();
   const auto            spacing = lumen->GetSpacing();
   const double          finest = std::min({ spacing[0], spacing[1], spacing[2] });
-  const float * const   distanceOf = distances->GetBufferPointer();
   const float * const   occupancyOf = occupancy->GetBufferPointer();
   std::uint16_t * const rankOf = ranks->GetBufferPointer();
   ParallelForBlocks(lumen->GetBufferedRegion().GetNumberOfPixels(), [&](std::size_t i) {
-    const double depth = distanceOf[i] + finest * (occupancyOf[i] - static_cast<double>(WallLevel));
+    const double depth = std::sqrt(squares[i]) + finest * (occupancyOf[i] - static_cast<double>(WallLevel));
     rankOf[i] =
       static_cast<std::uint16_t>(std::clamp(RanksPerMillimetre * (depth + finest), 0.0, GreatestDistanceRank));
   });
