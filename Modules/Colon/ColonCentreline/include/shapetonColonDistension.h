@@ -10,6 +10,9 @@
 
 namespace shapeton
 {
+/** Narrower lumen is not distended, mm. \ingroup ColonCentreline */
+constexpr double LeastDistendedCalibre = 10.0;
+
 /** A segment of the colon along its centreline. \ingroup ColonCentreline */
 struct ColonSegmentBorder
 {

@@ -1,5 +1,6 @@
 #include "shapetonColonAssessability.h"
 
+#include "shapetonColonDistension.h"
 #include "shapetonExceptions.h"
 
 #include <algorithm>
@@ -9,8 +10,7 @@ namespace shapeton
 {
 namespace
 {
-constexpr double leastCalibre = 10.0; // mm
-constexpr double thickestFold = 5.0;  // mm along the line
+constexpr double thickestFold = 5.0; // mm along the line
 /** mm (Gray's Anatomy, 41st ed.: 4 cm): narrow by nature. */
 constexpr double analCanal = 40.0;
 constexpr double leastPool = 150.0; // mm^2
@@ -48,7 +48,7 @@ NarrowPoints(const Eigen::VectorXd & arc, const Eigen::VectorXd & radius)
   bool              isAnalCanal = true;
   for (Eigen::Index i = 0; i < radius.size(); ++i)
   {
-    const bool isThin = 2.0 * radius[i] < leastCalibre;
+    const bool isThin = 2.0 * radius[i] < LeastDistendedCalibre;
     isAnalCanal = isAnalCanal && isThin && arc[i] - arc[0] <= analCanal;
     isNarrow.push_back(isThin && !isAnalCanal);
   }
@@ -138,7 +138,7 @@ private:
     const double          depth = way.dot(down);
     const double          aside = (way - depth * down).norm();
     // A pool is at least as wide as a lumen that is distended.
-    return depth >= 0.0 && depth <= deepest && aside <= level.area / leastCalibre &&
+    return depth >= 0.0 && depth <= deepest && aside <= level.area / LeastDistendedCalibre &&
            std::abs(this->DepthOfLumen(point, down) - depth) <= nearLevel;
   }
 

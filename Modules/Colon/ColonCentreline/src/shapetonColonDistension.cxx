@@ -8,8 +8,6 @@ namespace shapeton
 {
 namespace
 {
-constexpr double leastCalibre = 10.0;
-
 void
 RequireBorders(const std::vector<ColonSegmentBorder> & borders)
 {
@@ -31,7 +29,7 @@ AddStep(double from, double to, double calibre, bool isGap, SegmentDistension & 
   {
     return;
   }
-  segment.share += calibre >= leastCalibre ? part : 0.0;
+  segment.share += calibre >= LeastDistendedCalibre ? part : 0.0;
   segment.meanCalibre += part * calibre;
   segment.collapsedLength += isGap ? part : 0.0;
 }

@@ -10,8 +10,8 @@ namespace shapeton
 {
 namespace
 {
-constexpr double windowLength = 150.0; // mm
-constexpr int    leastEnds = 5;        // of a window
+constexpr double windowLength = 150.0;  // mm
+constexpr int    leastEndsOfWindow = 5; // of a window
 constexpr int    iterations = 40;
 
 using Complex = std::complex<double>;
@@ -156,7 +156,7 @@ void
 TrackWindow(std::vector<Window> & windows, std::size_t at, std::size_t from)
 {
   const Clusters & before = windows[from].clusters;
-  windows[at].clusters = static_cast<int>(windows[at].points.size()) < leastEnds
+  windows[at].clusters = static_cast<int>(windows[at].points.size()) < leastEndsOfWindow
                            ? Clusters{ before.angles, before.spread, 0.0 }
                            : ClusterOf(windows[at].points, before.angles);
 }
@@ -170,7 +170,7 @@ TrackWindows(std::vector<Window> & windows)
   {
     start = windows[i].points.size() > windows[start].points.size() ? i : start;
   }
-  if (windows.empty() || static_cast<int>(windows[start].points.size()) < 2 * leastEnds)
+  if (windows.empty() || static_cast<int>(windows[start].points.size()) < 2 * leastEndsOfWindow)
   {
     return false;
   }

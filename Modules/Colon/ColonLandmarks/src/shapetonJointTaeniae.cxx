@@ -10,14 +10,14 @@ namespace shapeton
 {
 namespace
 {
-constexpr int   leastGap = 14; // cells: 70 degrees
-constexpr int   gaps = 21;     // up to 170 degrees
+constexpr int   leastApart = 14; // cells: 70 degrees
+constexpr int   gaps = 21;       // up to 170 degrees
 constexpr float turnCost = 0.35F;
 constexpr float gapCost = 0.25F;
 constexpr float unevenCost = 0.004F;
 /** Of a cell that the nearest track lies off a marker: more than any evidence. */
 constexpr float markCost = 50.0F;
-constexpr float impossible = 1e30F;
+constexpr float forbidden = 1e30F;
 
 /** Three gaps that are uneven. */
 float
@@ -49,9 +49,9 @@ public:
     {
       for (int h = 0; h < gaps; ++h)
       {
-        const int  third = TaeniaEvidence::Angles - (g + leastGap) - (h + leastGap);
-        const bool isAllowed = third >= leastGap && third < leastGap + gaps;
-        m_Uneven[g * gaps + h] = isAllowed ? UnevenCost(g + leastGap, h + leastGap) : impossible;
+        const int  third = TaeniaEvidence::Angles - (g + leastApart) - (h + leastApart);
+        const bool isAllowed = third >= leastApart && third < leastApart + gaps;
+        m_Uneven[g * gaps + h] = isAllowed ? UnevenCost(g + leastApart, h + leastApart) : forbidden;
       }
     }
   }
@@ -88,13 +88,13 @@ private:
       {
         const std::size_t state = (static_cast<std::size_t>(a) * gaps + g) * gaps + h;
         const float       uneven = m_Uneven[g * gaps + h];
-        if (uneven >= impossible)
+        if (uneven >= forbidden)
         {
-          m_Next[state] = impossible;
+          m_Next[state] = forbidden;
           continue;
         }
-        const int second = (a + g + leastGap) % TaeniaEvidence::Angles;
-        const int third = (second + h + leastGap) % TaeniaEvidence::Angles;
+        const int second = (a + g + leastApart) % TaeniaEvidence::Angles;
+        const int third = (second + h + leastApart) % TaeniaEvidence::Angles;
         float     cost =
           uneven + m_Evidence.CostAt(row, a) + m_Evidence.CostAt(row, second) + m_Evidence.CostAt(row, third);
         for (const double mark : marks)
@@ -110,7 +110,7 @@ private:
   float
   BestBefore(int row, int a, int g, int h, std::size_t state)
   {
-    float         best = impossible;
+    float         best = forbidden;
     unsigned char from = 0;
     for (int da = -1; da <= 1; ++da)
     {
@@ -144,10 +144,10 @@ private:
     {
       const int g = static_cast<int>(state / gaps % gaps);
       const int h = static_cast<int>(state % gaps);
-      const int second = angle + g + leastGap;
+      const int second = angle + g + leastApart;
       tracks[row] = { (angle + 0.5) / TaeniaEvidence::Angles,
                       (second + 0.5) / TaeniaEvidence::Angles,
-                      (second + h + leastGap + 0.5) / TaeniaEvidence::Angles };
+                      (second + h + leastApart + 0.5) / TaeniaEvidence::Angles };
       const int from = m_From[States * row + state];
       angle += row > 0 ? from / 9 - 1 : 0;
       const std::size_t wrapped = ((angle % TaeniaEvidence::Angles) + TaeniaEvidence::Angles) % TaeniaEvidence::Angles;

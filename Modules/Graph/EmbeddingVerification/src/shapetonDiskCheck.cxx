@@ -11,7 +11,7 @@ namespace
 {
 // Products of transformations of the disk lose as many digits as their numbers have.
 using Real = long double;
-using Complex = std::complex<Real>;
+using LongComplex = std::complex<Real>;
 
 constexpr double MostPlaceError = 1e-9; // a hyperbolic length
 /** Of the smallest radius, and of the smallest to the largest one: see the plane. */
@@ -20,8 +20,8 @@ constexpr double LeastRadius = 1e-11;
 /** z -> (a z + b) / (conj(b) z + conj(a)). */
 struct Isometry
 {
-  Complex a{ 1.0L };
-  Complex b{ 0.0L };
+  LongComplex a{ 1.0L };
+  LongComplex b{ 0.0L };
 
   Isometry
   operator*(const Isometry & other) const
@@ -39,8 +39,8 @@ struct Isometry
   double
   Deviation() const
   {
-    const Real plus = std::max(std::abs(a - Complex(1.0L)), std::abs(b));
-    const Real minus = std::max(std::abs(a + Complex(1.0L)), std::abs(b));
+    const Real plus = std::max(std::abs(a - LongComplex(1.0L)), std::abs(b));
+    const Real minus = std::max(std::abs(a + LongComplex(1.0L)), std::abs(b));
     return static_cast<double>(std::min(plus, minus));
   }
 };
@@ -88,7 +88,7 @@ private:
 
   void
   CheckPlaces() const;
-  static Complex
+  static LongComplex
   Place(const std::vector<double> & places, int index)
   {
     return { places[2 * static_cast<std::size_t>(index)], places[2 * static_cast<std::size_t>(index) + 1] };
@@ -113,7 +113,7 @@ private:
 
   /** Rounding of a place near the rim is a long way. */
   static double
-  Tolerance(Complex z)
+  Tolerance(LongComplex z)
   {
     return MostPlaceError + static_cast<double>(1e-14L / ((1.0L - std::abs(z)) * (1.0L + std::abs(z))));
   }
@@ -200,9 +200,9 @@ DiskCheck::CheckPlaces() const
 Isometry
 DiskCheck::Frame(int node, double angle) const
 {
-  const Complex z = Place(m_Certificate.nodePositions, node);
-  const Real    scale = 1.0L / std::sqrt((1.0L - std::abs(z)) * (1.0L + std::abs(z)));
-  const Complex turn = std::polar<Real>(1.0L, 0.5L * angle);
+  const LongComplex z = Place(m_Certificate.nodePositions, node);
+  const Real        scale = 1.0L / std::sqrt((1.0L - std::abs(z)) * (1.0L + std::abs(z)));
+  const LongComplex turn = std::polar<Real>(1.0L, 0.5L * angle);
   return { scale * turn, scale * z * std::conj(turn) };
 }
 
@@ -244,7 +244,7 @@ DiskCheck::CheckFaces(Measures & measures) const
     const auto   kite = this->Frame(v, m_Direction[h] + HalfAngle(r, s)) * Walk(length);
     const auto   expected = kite.b / std::conj(kite.a);
     const auto   place = Place(m_Certificate.facePositions, static_cast<int>(f));
-    const Real   gap = std::abs(place - expected) / std::abs(Complex(1.0L) - std::conj(place) * expected);
+    const Real   gap = std::abs(place - expected) / std::abs(LongComplex(1.0L) - std::conj(place) * expected);
     const double error = 2.0 * static_cast<double>(std::atanh(std::min<Real>(gap, 0.999L)));
     if (!(error <= std::max(ToleranceOf(v), Tolerance(place))))
     {

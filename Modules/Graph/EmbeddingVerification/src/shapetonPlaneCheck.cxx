@@ -11,7 +11,7 @@ namespace
 {
 using Complex = std::complex<double>;
 
-constexpr double MostPlaceError = 1e-9; // of the lattice's shorter period
+constexpr double MostErrorOfPeriod = 1e-9; // of the lattice's shorter period
 /** Of the smallest to the largest radius: what lies below cannot be told from a solution that degenerates. */
 constexpr double LeastRatio = 1e-11;
 
@@ -71,7 +71,7 @@ private:
       kites += m_Certificate.nodeRadii[m_Packed.node[h]] * m_Certificate.faceRadii[m_Packed.face[h]];
     }
     const double error = std::abs(kites / m_Area - 1.0);
-    if (!(error <= MostPlaceError))
+    if (!(error <= MostErrorOfPeriod))
     {
       throw Refusal("the kites cover " + Figure(kites / m_Area) + " times the parallelogram of the periods");
     }
@@ -106,7 +106,7 @@ private:
   void
   CheckEdges(Measures & measures) const
   {
-    const double tolerance = MostPlaceError * std::abs(m_First);
+    const double tolerance = MostErrorOfPeriod * std::abs(m_First);
     double       largest = 0.0;
     for (int h = 0; h < m_Packed.HalfEdges(); ++h)
     {
@@ -114,7 +114,7 @@ private:
       const Complex translation = this->Translation(h);
       const bool    isOfTree = m_Certificate.tree[m_Packed.node[h ^ 1]] == h;
       const double  error = isOfTree ? std::abs(translation) : this->LatticeError(translation);
-      if (!(std::abs(turn) <= MostPlaceError))
+      if (!(std::abs(turn) <= MostErrorOfPeriod))
       {
         throw Refusal("the directions at the ends of half-edge " + std::to_string(h) + " differ by " + Figure(turn));
       }
@@ -132,7 +132,7 @@ private:
   void
   CheckFaces(Measures & measures) const
   {
-    const double tolerance = MostPlaceError * std::abs(m_First);
+    const double tolerance = MostErrorOfPeriod * std::abs(m_First);
     double       largest = 0.0;
     for (int h = 0; h < m_Packed.HalfEdges(); ++h)
     {
@@ -155,7 +155,7 @@ private:
   void
   CheckGenerators() const
   {
-    const double tolerance = MostPlaceError * std::abs(m_First);
+    const double tolerance = MostErrorOfPeriod * std::abs(m_First);
     for (const DeckTransformation & generator : m_Certificate.generators)
     {
       const double error = std::abs(generator.b - this->Translation(generator.halfEdge));

@@ -10,7 +10,7 @@ namespace shapeton
 namespace
 {
 // On the unit sphere, as far as the numbers of a double carry: caps of 1e-12 are 10^4 times their spacing.
-constexpr double LeastRadius = 1e-12;
+constexpr double LeastSphereRadius = 1e-12;
 constexpr double MostTangencyError = 1e-9;
 constexpr double MostOrthogonalityError = 1e-10;
 // Of the sine of the right angle of a kite, which rounding bends where caps are tiny.
@@ -75,8 +75,8 @@ public:
   void
   Check(Measures & measures)
   {
-    RequireRadii(m_Certificate.nodeRadii, LeastRadius, Pi, "node");
-    RequireRadii(m_Certificate.faceRadii, LeastRadius, Pi, "face");
+    RequireRadii(m_Certificate.nodeRadii, LeastSphereRadius, Pi, "node");
+    RequireRadii(m_Certificate.faceRadii, LeastSphereRadius, Pi, "face");
     this->RequireUnitVectors(m_Certificate.nodePositions, "node");
     this->RequireUnitVectors(m_Certificate.facePositions, "face");
     this->CheckTangency(measures);

@@ -20,7 +20,7 @@ namespace shapeton
 {
 namespace
 {
-constexpr double CosineTolerance = 1e-4;
+constexpr double EqualCosineTolerance = 1e-4;
 constexpr double PixelSpacingTolerance = 1e-4;
 
 /** One slice on its way into a series; null frame: the image has none that can be described. */
@@ -120,7 +120,7 @@ AreOfOneKind(const Item & a, const Item & b)
   }
   return a.frame->hasGeometry == b.frame->hasGeometry && a.frame->isLocalizer == b.frame->isLocalizer &&
          a.frame->pixels.hasRescale == b.frame->pixels.hasRescale && // else some slices would be in other units
-         AreClose(a.frame->orientation, b.frame->orientation, 6, CosineTolerance) &&
+         AreClose(a.frame->orientation, b.frame->orientation, 6, EqualCosineTolerance) &&
          AreClose(a.frame->spacing, b.frame->spacing, 2, PixelSpacingTolerance * a.frame->spacing[0]);
 }
 

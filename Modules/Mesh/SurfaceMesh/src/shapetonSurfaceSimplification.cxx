@@ -15,8 +15,8 @@ namespace shapeton
 {
 namespace
 {
-constexpr double PointWeight = 1e-3;       // of the distance to the old vertices against that to the planes
-constexpr double LeastNormalProduct = 0.3; // of the normals of a face before and after
+constexpr double PointWeight = 1e-3;          // of the distance to the old vertices against that to the planes
+constexpr double LeastProductOfNormals = 0.3; // of the normals of a face before and after
 constexpr double RadiansPerDegree = 0.017453292519943295769;
 constexpr double StepOfAngles = 5.0; // degrees
 
@@ -368,7 +368,7 @@ Simplifier::KeepsShape(int u, int v, const Eigen::Vector3d & place) const
     const Eigen::Vector3d & c = m_Positions[m_Table.Apex(h)];
     const Eigen::Vector3d   before = DoubleAreaNormal(m_Positions[w], b, c);
     const Eigen::Vector3d   after = DoubleAreaNormal(place, b, c);
-    turnsOver = !(before.dot(after) >= LeastNormalProduct * before.norm() * after.norm());
+    turnsOver = !(before.dot(after) >= LeastProductOfNormals * before.norm() * after.norm());
     worstAfter = std::max(worstAfter, CosineOfSmallestAngle(place, b, c));
   });
   if (turnsOver || worstAfter <= m_CosineLimit)

@@ -21,7 +21,7 @@ const RGBColor flatFluid = MakeColor(206, 208, 212);
 
 constexpr int margin = 16;
 constexpr int gap = 14;
-constexpr int titleHeight = 40;
+constexpr int headingHeight = 40;
 constexpr int captionHeight = 24;
 constexpr int pageWidth = 1400;
 constexpr int greatestPanelHeight = 560;
@@ -137,7 +137,7 @@ DrawColonSlices(const ColonParts & colon, SlicePlane plane, int number, const In
   const std::vector<itk::IndexValueType> slices = SlicesOf(colon.lumen, areas, axes.through, std::max(number, 1));
   const double                           scale = ScaleFor(colon.lumen, focus, axes, slices.size());
   const SliceView                        first(colon.lumen, focus, plane, slices.front(), scale);
-  const int                              panelTop = titleHeight + captionHeight + 6;
+  const int                              panelTop = headingHeight + captionHeight + 6;
   const int                              bottom = panelTop + static_cast<int>(first.GetHeight());
   const int                              step = static_cast<int>(first.GetWidth()) + gap;
   const int                              used = 2 * margin + static_cast<int>(slices.size()) * step - gap;
@@ -155,7 +155,7 @@ DrawColonSlices(const ColonParts & colon, SlicePlane plane, int number, const In
     const auto        region = colon.lumen->GetBufferedRegion();
     const std::string caption = "slice " + std::to_string(slice - region.GetIndex(axes.through) + 1) + " of " +
                                 std::to_string(region.GetSize(axes.through));
-    DrawText(picture, caption, left, titleHeight + 6, style);
+    DrawText(picture, caption, left, headingHeight + 6, style);
     PastePicture(picture, PaintPanel(colon, view, window), left, panelTop);
     left += step;
   }

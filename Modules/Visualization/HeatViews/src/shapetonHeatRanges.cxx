@@ -9,7 +9,7 @@ namespace shapeton
 namespace
 {
 std::string
-TextOf(const HeatRange & range)
+ExactTextOf(const HeatRange & range)
 {
   return CsvTable::Number(range.lower) + " to " + CsvTable::Number(range.upper);
 }
@@ -24,7 +24,7 @@ IsInside(unsigned int bin, const HeatRange & range)
 void
 RequireRange(const HeatRange & range)
 {
-  const std::string parameter = "the parameter \"histogramRange\": " + TextOf(range);
+  const std::string parameter = "the parameter \"histogramRange\": " + ExactTextOf(range);
   RequireParameter(range.lower >= 0.0 && range.lower < range.upper && range.upper <= 1.0,
                    parameter + " is no range; give two numbers from 0 to 1, the lower one first");
   const unsigned int bin = HeatHistogram::BinOf(static_cast<float>(range.lower));
@@ -47,10 +47,10 @@ HeatRangesOf(const std::vector<double> & ends)
   {
     const HeatRange range{ ends[i], ends[i + 1] };
     RequireRange(range);
-    RequireParameter(ranges.empty() || (range.lower >= ranges.back().lower && range.upper <= ranges.back().upper),
-                     "the parameter \"histogramRange\": " + TextOf(range) +
-                       " does not lie within the range before it, " + (ranges.empty() ? "" : TextOf(ranges.back())) +
-                       "; give ranges from the widest to the narrowest");
+    RequireParameter(
+      ranges.empty() || (range.lower >= ranges.back().lower && range.upper <= ranges.back().upper),
+      "the parameter \"histogramRange\": " + ExactTextOf(range) + " does not lie within the range before it, " +
+        (ranges.empty() ? "" : ExactTextOf(ranges.back())) + "; give ranges from the widest to the narrowest");
     ranges.push_back(range);
   }
   return ranges;
