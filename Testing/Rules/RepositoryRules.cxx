@@ -200,8 +200,10 @@ const std::vector<std::string> MachineFolders{ Slash + "home/",
 const std::vector<std::string> ForeignLicences{ std::string("General ") + "Public License",
                                                 std::string("All rights ") + "reserved",
                                                 std::string("Copy") + "right (" };
-/** Called within a loop, it may wait for threads that wait for it. */
-const std::vector<std::string> OtherLoops{ std::string("MultiThreaderBase::New()") + "->Parallelize" };
+/** Called within a loop, they may wait for threads that wait for them; where progress throws, they return while threads
+ * still work. */
+const std::vector<std::string> OtherLoops{ std::string("MultiThreaderBase::New()") + "->Parallelize",
+                                           std::string("GetMultiThreader()") + "->Parallelize" };
 
 void
 FindWords(const std::string &              text,

@@ -6,6 +6,7 @@
 #include "shapetonColonFluid.h"
 #include "shapetonColonStructures.h"
 #include "shapetonITKCompatibility.h"
+#include "shapetonProgress.h"
 
 #include "itkGenerateImageSource.h"
 #include "itkImage.h"
@@ -117,6 +118,8 @@ protected:
   GenerateData() override;
 
 private:
+  Progress
+  Reporter();
   void
   PaintImage(const std::vector<OutputImageRegionType> & tiles);
 

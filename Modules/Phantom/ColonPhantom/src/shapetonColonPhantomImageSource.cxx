@@ -4,6 +4,7 @@
 #include "shapetonColonAbdomen.h"
 #include "shapetonCorrelatedNoise.h"
 #include "shapetonLumenLabels.h"
+#include "shapetonParallelFor.h"
 
 #include "itkImageRegionIterator.h"
 #include "itkImageRegionSplitterMultidimensional.h"
@@ -212,19 +213,29 @@ ColonPhantomImageSource::GenerateData()
   const LumenLabels             labels(this->GetAnatomy(), this->GetFluid(), lumen, segments);
   const ColonStructures &       known = this->GetStructures();
   const std::vector<RegionType> tiles = TilesOf(lumen->GetLargestPossibleRegion());
-  this->GetMultiThreader()->SetNumberOfWorkUnits(this->GetNumberOfWorkUnits());
-  this->GetMultiThreader()->ParallelizeArray(
-    0,
+  ParallelFor(
     tiles.size(),
-    [&](itk::SizeValueType i) {
+    [&](std::size_t i) {
       labels.Fill(tiles[i]);
       known.Fill(structures, tiles[i]);
     },
-    m_TruthOnly ? this : nullptr);
+    m_TruthOnly ? this->Reporter() : Progress());
   if (!m_TruthOnly)
   {
     this->PaintImage(tiles);
   }
+}
+
+Progress
+ColonPhantomImageSource::Reporter()
+{
+  return [this](double share) {
+    this->UpdateProgress(static_cast<float>(share));
+    if (this->GetAbortGenerateData())
+    {
+      throw itk::ProcessAborted(__FILE__, __LINE__);
+    }
+  };
 }
 
 void
@@ -243,10 +254,9 @@ ColonPhantomImageSource::PaintImage(const std::vector<OutputImageRegionType> & t
                             airIntensity);
   const CorrelatedNoise noise(
     NoiseSeed(m_Parameters), image->GetLargestPossibleRegion(), parameters.noise, kernel.noiseCorrelation);
-  this->GetMultiThreader()->ParallelizeArray(
-    0,
+  ParallelFor(
     tiles.size(),
-    [&](itk::SizeValueType i) {
+    [&](std::size_t i) {
       std::vector<float> values = sampler.Sample(tiles[i]);
       noise.AddTo(values, tiles[i]);
       itk::ImageRegionIterator<ImageType> it(image, tiles[i]);
@@ -256,7 +266,7 @@ ColonPhantomImageSource::PaintImage(const std::vector<OutputImageRegionType> & t
         ++it;
       }
     },
-    this);
+    this->Reporter());
 }
 
 void
