@@ -26,7 +26,7 @@ PointsOf(const Places & places)
 ColonLumen
 Segment(const CtPointer & ct, const std::string & position, const Places & seedPoints, const Progress & progress)
 {
-  return SegmentColonLumen(ct, { position, PointsOf(seedPoints), progress });
+  return SegmentColonLumen(ct, { position, PointsOf(seedPoints), progress.Part("Finding the lumen", 0.0, 1.0) });
 }
 
 ColonCentreline
@@ -46,7 +46,7 @@ Trace(const MaskPointer &                          lumen,
   options.minimumVolume = minimumVolume;
   options.step = step;
   options.smoothing = smoothing;
-  options.progress = progress;
+  options.progress = progress.Part("Tracing the centreline", 0.0, 1.0);
   return TraceColonCentreline(lumen, options);
 }
 
@@ -57,7 +57,7 @@ WallOptionsOf(int faces, double bridgeRadius, bool keepPieces, const Progress & 
   options.faces = faces;
   options.bridgeRadius = bridgeRadius;
   options.keepPieces = keepPieces;
-  options.progress = progress;
+  options.progress = progress.Part("Making the wall", 0.0, 1.0);
   return options;
 }
 
