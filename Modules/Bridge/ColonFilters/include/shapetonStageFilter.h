@@ -1,6 +1,7 @@
 #ifndef shapetonStageFilter_h
 #define shapetonStageFilter_h
 
+#include "shapetonFilterProgress.h"
 #include "shapetonInterruption.h"
 #include "shapetonMeshAdapter.h"
 #include "shapetonProgress.h"
@@ -58,18 +59,8 @@ protected:
   {
     return shapeton::Progress([this](const std::string & stage, double share) {
       m_Stage = stage;
-      this->UpdateProgress(static_cast<float>(share));
-      this->AbortIfAsked();
+      ReportProgress(*this, share);
     });
-  }
-
-  void
-  AbortIfAsked()
-  {
-    if (this->GetAbortGenerateData())
-    {
-      throw itk::ProcessAborted(__FILE__, __LINE__);
-    }
   }
 
   virtual void
@@ -78,7 +69,7 @@ protected:
   void
   GenerateData() override
   {
-    const Interruption interruption([this] { this->AbortIfAsked(); });
+    const Interruption interruption([this] { AbortIfAsked(*this); });
     try
     {
       this->Compute();

@@ -10,8 +10,8 @@ namespace shapeton
 {
 namespace
 {
-constexpr double windowLength = 150.0;  // mm
-constexpr int    leastEndsOfWindow = 5; // of a window
+constexpr double windowLength = 150.0; // mm
+constexpr int    leastEndsOfWindow = 5;
 constexpr int    iterations = 40;
 
 using Complex = std::complex<double>;

@@ -23,8 +23,8 @@ constexpr float forbidden = 1e30F;
 float
 UnevenCost(double first, double second)
 {
-  const double even = TaeniaEvidence::Angles / 3.0;
-  const double third = TaeniaEvidence::Angles - first - second;
+  const double even = anglesAround / 3.0;
+  const double third = anglesAround - first - second;
   return static_cast<float>(unevenCost * ((first - even) * (first - even) + (second - even) * (second - even) +
                                           (third - even) * (third - even)));
 }
@@ -32,7 +32,7 @@ UnevenCost(double first, double second)
 double
 CellsBetween(double a, double b)
 {
-  return std::abs(std::remainder(a - b, static_cast<double>(TaeniaEvidence::Angles)));
+  return std::abs(std::remainder(a - b, static_cast<double>(anglesAround)));
 }
 
 /** The joint programme over states (angle of the first track, gap to the second, gap to the third). */
@@ -49,7 +49,7 @@ public:
     {
       for (int h = 0; h < gaps; ++h)
       {
-        const int  third = TaeniaEvidence::Angles - (g + leastApart) - (h + leastApart);
+        const int  third = anglesAround - (g + leastApart) - (h + leastApart);
         const bool isAllowed = third >= leastApart && third < leastApart + gaps;
         m_Uneven[g * gaps + h] = isAllowed ? UnevenCost(g + leastApart, h + leastApart) : forbidden;
       }
@@ -66,10 +66,10 @@ public:
       {
         if (mark.row == row)
         {
-          marks.push_back(mark.angle * TaeniaEvidence::Angles - 0.5);
+          marks.push_back(mark.angle * anglesAround - 0.5);
         }
       }
-      ParallelFor(TaeniaEvidence::Angles, [&](std::size_t a) { this->Advance(row, static_cast<int>(a), marks); });
+      ParallelFor(anglesAround, [&](std::size_t a) { this->Advance(row, static_cast<int>(a), marks); });
       m_Best.swap(m_Next);
       progress((row + 1.0) / m_Evidence.rows);
     }
@@ -77,7 +77,7 @@ public:
   }
 
 private:
-  static constexpr std::size_t States = static_cast<std::size_t>(TaeniaEvidence::Angles) * gaps * gaps;
+  static constexpr std::size_t States = static_cast<std::size_t>(anglesAround) * gaps * gaps;
 
   void
   Advance(int row, int a, const std::vector<double> & marks)
@@ -93,8 +93,8 @@ private:
           m_Next[state] = forbidden;
           continue;
         }
-        const int second = (a + g + leastApart) % TaeniaEvidence::Angles;
-        const int third = (second + h + leastApart) % TaeniaEvidence::Angles;
+        const int second = (a + g + leastApart) % anglesAround;
+        const int third = (second + h + leastApart) % anglesAround;
         float     cost =
           uneven + m_Evidence.CostAt(row, a) + m_Evidence.CostAt(row, second) + m_Evidence.CostAt(row, third);
         for (const double mark : marks)
@@ -114,7 +114,7 @@ private:
     unsigned char from = 0;
     for (int da = -1; da <= 1; ++da)
     {
-      const std::size_t angle = (a + da + TaeniaEvidence::Angles) % TaeniaEvidence::Angles;
+      const std::size_t angle = (a + da + anglesAround) % anglesAround;
       for (int dg = std::max(-1, -g); dg <= std::min(1, gaps - 1 - g); ++dg)
       {
         for (int dh = std::max(-1, -h); dh <= std::min(1, gaps - 1 - h); ++dh)
@@ -145,12 +145,12 @@ private:
       const int g = static_cast<int>(state / gaps % gaps);
       const int h = static_cast<int>(state % gaps);
       const int second = angle + g + leastApart;
-      tracks[row] = { (angle + 0.5) / TaeniaEvidence::Angles,
-                      (second + 0.5) / TaeniaEvidence::Angles,
-                      (second + h + leastApart + 0.5) / TaeniaEvidence::Angles };
+      tracks[row] = { (angle + 0.5) / anglesAround,
+                      (second + 0.5) / anglesAround,
+                      (second + h + leastApart + 0.5) / anglesAround };
       const int from = m_From[States * row + state];
       angle += row > 0 ? from / 9 - 1 : 0;
-      const std::size_t wrapped = ((angle % TaeniaEvidence::Angles) + TaeniaEvidence::Angles) % TaeniaEvidence::Angles;
+      const std::size_t wrapped = ((angle % anglesAround) + anglesAround) % anglesAround;
       state = row > 0 ? (wrapped * gaps + g + from / 3 % 3 - 1) * gaps + h + from % 3 - 1 : state;
     }
     return tracks;
@@ -163,18 +163,17 @@ private:
   std::array<float, gaps * gaps> m_Uneven{};
 };
 
-/** The tracks of a row in the order of their TaeniaEvidence::Angles from the first on, in cells: first angle, two gaps.
- */
+/** The tracks of a row in the order of their angles from the first on, in cells: first angle, two gaps. */
 std::array<double, 3>
 AngleAndGaps(const TaeniaAngles & tracks)
 {
   const auto gapTo = [&](int t) {
     const double turns = tracks[t] - tracks[0];
-    return TaeniaEvidence::Angles * (turns - std::floor(turns));
+    return anglesAround * (turns - std::floor(turns));
   };
   const double near = std::min(gapTo(1), gapTo(2));
   const double far = std::max(gapTo(1), gapTo(2));
-  return { TaeniaEvidence::Angles * tracks[0], near, far - near };
+  return { anglesAround * tracks[0], near, far - near };
 }
 } // namespace
 
@@ -210,7 +209,7 @@ EnergyOfTaeniae(const TaeniaEvidence & evidence, const TaeniaTracks & tracks)
     {
       least = std::min(least, std::abs(TurnsBetween(angle, mark.angle)));
     }
-    sum += markCost * TaeniaEvidence::Angles * least;
+    sum += markCost * anglesAround * least;
   }
   return sum / std::max(evidence.rows, 1);
 }

@@ -11,7 +11,7 @@ namespace shapeton
 namespace
 {
 constexpr double rowLength = 2.8; // mm of the map
-/** Weights of the three kinds of evidence, and how far each is averaged: rows, TaeniaEvidence::Angles. */
+/** Weights of the three kinds of evidence, and how far each is averaged: rows, angles. */
 constexpr double foldWeight = 12.0;
 constexpr double foldRows = 6.0;
 constexpr double foldAngles = 2.0;
@@ -59,13 +59,12 @@ Smoothed(const Cells & cells, int rows, double alongRows, double aroundAngles)
   Cells                     result(cells.size(), 0.0);
   for (int row = 0; row < rows; ++row)
   {
-    for (int a = 0; a < TaeniaEvidence::Angles; ++a)
+    for (int a = 0; a < anglesAround; ++a)
     {
       for (int k = -reachAround; k <= reachAround; ++k)
       {
-        turned[row * TaeniaEvidence::Angles + a] +=
-          around[k + reachAround] *
-          cells[row * TaeniaEvidence::Angles + (a + k + 2 * TaeniaEvidence::Angles) % TaeniaEvidence::Angles];
+        turned[row * anglesAround + a] +=
+          around[k + reachAround] * cells[row * anglesAround + (a + k + 2 * anglesAround) % anglesAround];
       }
     }
   }
@@ -74,9 +73,9 @@ Smoothed(const Cells & cells, int rows, double alongRows, double aroundAngles)
     for (int k = -reachAlong; k <= reachAlong; ++k)
     {
       const int other = std::clamp(row + k, 0, rows - 1);
-      for (int a = 0; a < TaeniaEvidence::Angles; ++a)
+      for (int a = 0; a < anglesAround; ++a)
       {
-        result[row * TaeniaEvidence::Angles + a] += along[k + reachAlong] * turned[other * TaeniaEvidence::Angles + a];
+        result[row * anglesAround + a] += along[k + reachAlong] * turned[other * anglesAround + a];
       }
     }
   }
@@ -87,14 +86,14 @@ Smoothed(const Cells & cells, int rows, double alongRows, double aroundAngles)
 Cells
 FoldDensity(const FlatColonGrid & grid, const HaustralFolds & folds, const TaeniaEvidence & evidence)
 {
-  Cells density(static_cast<std::size_t>(evidence.rows) * TaeniaEvidence::Angles, 0.0);
+  Cells density(static_cast<std::size_t>(evidence.rows) * anglesAround, 0.0);
   Cells count(density.size(), 0.0);
   for (int column = 0; column < evidence.rows * evidence.columnsPerRow; ++column)
   {
     for (int row = 0; row < grid.Rows(); ++row)
     {
       const int cell =
-        column / evidence.columnsPerRow * TaeniaEvidence::Angles + TaeniaEvidence::CellOf((row + 0.5) / grid.Rows());
+        column / evidence.columnsPerRow * anglesAround + TaeniaEvidence::CellOf((row + 0.5) / grid.Rows());
       density[cell] += folds.labels->GetPixel({ { column, row } }) > 0 ? 1.0 : 0.0;
       count[cell] += 1.0;
     }
@@ -133,7 +132,7 @@ EndsOfFolds(const FlatColonGrid & grid, const HaustralFolds & folds, const Taeni
 int
 TaeniaEvidence::CellOf(double turns)
 {
-  return std::min(static_cast<int>((turns - std::floor(turns)) * Angles), Angles - 1);
+  return std::min(static_cast<int>((turns - std::floor(turns)) * anglesAround), anglesAround - 1);
 }
 
 double
@@ -159,17 +158,17 @@ MakeTaeniaEvidence(const FlatColon & flat, const ColonWallTube & tube, const Hau
   }
   evidence.ends = EndsOfFolds(grid, folds, evidence);
 
-  Cells ends(static_cast<std::size_t>(evidence.rows) * TaeniaEvidence::Angles, 0.0);
+  Cells ends(static_cast<std::size_t>(evidence.rows) * anglesAround, 0.0);
   for (const FoldEnd & end : evidence.ends)
   {
-    ends[static_cast<int>(end.row) * TaeniaEvidence::Angles + TaeniaEvidence::CellOf(end.angle)] += 1.0;
+    ends[static_cast<int>(end.row) * anglesAround + TaeniaEvidence::CellOf(end.angle)] += 1.0;
   }
   const Cells endDensity = Smoothed(ends, evidence.rows, endRows, endAngles);
   const Cells foldDensity = Smoothed(FoldDensity(grid, folds, evidence), evidence.rows, foldRows, foldAngles);
   const Cells wall = Smoothed(WallBetweenFolds(grid, axis, folds, evidence), evidence.rows, wallRows, wallAngles);
   for (std::size_t i = 0; i < endDensity.size(); ++i)
   {
-    const double s = evidence.arcLength[i / TaeniaEvidence::Angles];
+    const double s = evidence.arcLength[i / anglesAround];
     const double toEnd = std::min(s - evidence.arcLength.front(), evidence.arcLength.back() - s);
     const double share = std::clamp(toEnd / fadingLength, 0.0, 1.0);
     evidence.cost.push_back(

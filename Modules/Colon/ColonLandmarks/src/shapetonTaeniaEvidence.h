@@ -30,14 +30,16 @@ struct TaeniaMark
   double angle{ 0.0 };
 };
 
+/** Cells around the tube in which evidence is collected. */
+constexpr int anglesAround = 72;
+
 /** What folds tell of taeniae, on rows along the tube and angles around it. */
 struct TaeniaEvidence
 {
-  static constexpr int Angles = 72;
-  int                  rows{ 0 };
+  int rows{ 0 };
   /** Columns of the grid for each row. */
   int columnsPerRow{ 1 };
-  /** rows x Angles: low where a taenia runs. */
+  /** rows x anglesAround: low where a taenia runs. */
   std::vector<float> cost;
   /** Along the centreline, mm, and around the wall, mm. */
   std::vector<double>     arcLength;
@@ -48,7 +50,7 @@ struct TaeniaEvidence
   float
   CostAt(int row, int angle) const
   {
-    return cost[static_cast<std::size_t>(row) * Angles + angle];
+    return cost[static_cast<std::size_t>(row) * anglesAround + angle];
   }
   /** The cell of an angle in turns. */
   static int

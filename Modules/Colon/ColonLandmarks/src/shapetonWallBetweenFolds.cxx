@@ -21,21 +21,21 @@ RemoveBends(std::vector<double> & wall, int rows)
 {
   for (int row = 0; row < rows; ++row)
   {
-    double * const cells = wall.data() + static_cast<std::size_t>(row) * TaeniaEvidence::Angles;
+    double * const cells = wall.data() + static_cast<std::size_t>(row) * anglesAround;
     for (int harmonic = 0; harmonic <= bendHarmonics; ++harmonic)
     {
       double cosine = 0.0;
       double sine = 0.0;
-      for (int a = 0; a < TaeniaEvidence::Angles; ++a)
+      for (int a = 0; a < anglesAround; ++a)
       {
-        cosine += cells[a] * std::cos(2.0 * M_PI * harmonic * a / TaeniaEvidence::Angles);
-        sine += cells[a] * std::sin(2.0 * M_PI * harmonic * a / TaeniaEvidence::Angles);
+        cosine += cells[a] * std::cos(2.0 * M_PI * harmonic * a / anglesAround);
+        sine += cells[a] * std::sin(2.0 * M_PI * harmonic * a / anglesAround);
       }
-      const double share = (harmonic == 0 ? 1.0 : 2.0) / TaeniaEvidence::Angles;
-      for (int a = 0; a < TaeniaEvidence::Angles; ++a)
+      const double share = (harmonic == 0 ? 1.0 : 2.0) / anglesAround;
+      for (int a = 0; a < anglesAround; ++a)
       {
-        cells[a] -= share * (cosine * std::cos(2.0 * M_PI * harmonic * a / TaeniaEvidence::Angles) +
-                             sine * std::sin(2.0 * M_PI * harmonic * a / TaeniaEvidence::Angles));
+        cells[a] -= share * (cosine * std::cos(2.0 * M_PI * harmonic * a / anglesAround) +
+                             sine * std::sin(2.0 * M_PI * harmonic * a / anglesAround));
       }
     }
   }
@@ -60,7 +60,7 @@ WallBetweenFolds(const FlatColonGrid &  grid,
                  const HaustralFolds &  folds,
                  const TaeniaEvidence & evidence)
 {
-  std::vector<double> wall(static_cast<std::size_t>(evidence.rows) * TaeniaEvidence::Angles, 0.0);
+  std::vector<double> wall(static_cast<std::size_t>(evidence.rows) * anglesAround, 0.0);
   std::vector<double> count(wall.size(), 0.0);
   for (int column = 0; column < evidence.rows * evidence.columnsPerRow; ++column)
   {
@@ -71,7 +71,7 @@ WallBetweenFolds(const FlatColonGrid &  grid,
       if (isSeen)
       {
         const int cell =
-          column / evidence.columnsPerRow * TaeniaEvidence::Angles + TaeniaEvidence::CellOf((row + 0.5) / grid.Rows());
+          column / evidence.columnsPerRow * anglesAround + TaeniaEvidence::CellOf((row + 0.5) / grid.Rows());
         wall[cell] += InwardForm(grid.SampleOfPixel(column, row), axis, column);
         count[cell] += 1.0;
       }

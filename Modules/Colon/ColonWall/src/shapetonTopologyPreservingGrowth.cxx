@@ -81,7 +81,6 @@ public:
   }
 
   /** False where there is none. */
-
   bool
   Pop(std::uint32_t & voxel)
   {

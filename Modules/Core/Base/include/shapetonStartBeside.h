@@ -11,7 +11,8 @@ namespace shapeton
 /** Starts a work on a thread of its own, where ITK's settings allow two; else it is done when it is waited for. Wait
  * for it by get(), which throws what the work has thrown; without get(), the destructor waits for one that has begun.
  * Such a thread is none of ITK's pool: loops of the pool never wait for it, and it may start a ContainedProcess, which
- * one of the pool may not. \ingroup Base */
+ * one of the pool may not. It asks the Interruption of the thread that started it, which must outlive the work.
+ * \ingroup Base */
 template <typename TWork>
 std::future<void>
 StartBeside(TWork work)

@@ -2,6 +2,7 @@
 #define shapetonSeededHeatSegmentationImageFilter_hxx
 
 #include "shapetonSeededHeatSegmentationImageFilter.h"
+#include "shapetonFilterProgress.h"
 
 #include <algorithm>
 #include <tuple>
@@ -66,7 +67,7 @@ SeededHeatSegmentationImageFilter<TInputImage>::PrepareSolver()
   }
   m_Solver.reset();
   m_Operator = std::make_unique<const VolumeGradientOperator>(
-    intensities, this->GetVolumeSize(), origin.parameters, [this](double) { this->ReportProgress(0.0); });
+    intensities, this->GetVolumeSize(), origin.parameters, [this](double) { ReportProgress(*this, 0.0); });
   m_Solver = std::make_unique<SeededHeatSolver>(*m_Operator, origin.settings);
   m_Origin = origin;
 }
@@ -91,7 +92,7 @@ SeededHeatSegmentationImageFilter<TInputImage>::GenerateData()
     throw InputError(error.what());
   }
   const SeededHeatResult & result =
-    m_Solver->Solve(seeds->GetBufferPointer(), [this](double share) { this->ReportProgress(share); });
+    m_Solver->Solve(seeds->GetBufferPointer(), [this](double share) { ReportProgress(*this, share); });
   std::copy(result.labels.begin(), result.labels.end(), this->GetOutput()->GetBufferPointer());
   std::copy(result.uncertainty.begin(), result.uncertainty.end(), this->GetUncertaintyOutput()->GetBufferPointer());
   m_LabelValues = result.labelValues;

@@ -2,6 +2,7 @@
 #define shapetonCumulativeHeatDiffusionImageFilter_hxx
 
 #include "shapetonCumulativeHeatDiffusionImageFilter.h"
+#include "shapetonFilterProgress.h"
 
 #include <algorithm>
 #include <type_traits>
@@ -107,7 +108,7 @@ CumulativeHeatDiffusionImageFilter<TInputImage>::GenerateData()
       m_SnapshotConsumer
         ? [this](std::uint64_t step, const std::vector<float> & values) { this->HandOut(step, values); }
         : HeatSnapshotConsumer(),
-      [this](double share) { this->ReportProgress(share); });
+      [this](double share) { ReportProgress(*this, share); });
   }
   catch (const std::logic_error & error)
   {

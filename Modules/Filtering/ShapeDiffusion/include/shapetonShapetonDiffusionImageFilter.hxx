@@ -2,6 +2,7 @@
 #define shapetonShapetonDiffusionImageFilter_hxx
 
 #include "shapetonShapetonDiffusionImageFilter.h"
+#include "shapetonFilterProgress.h"
 #include "shapetonVisitDensity.h"
 
 #include <algorithm>
@@ -123,7 +124,7 @@ ShapetonDiffusionImageFilter<TInputImage>::PlaceShapetons()
                                                     this->MakeSettings(intensities),
                                                     mask ? mask->GetBufferPointer() : nullptr,
                                                     this->GetOutput()->GetBufferPointer(),
-                                                    [this] { this->ReportProgress(this->GetProgress()); });
+                                                    [this] { ReportProgress(*this, this->GetProgress()); });
   m_DeviceUse = m_Diffusion->GetDeviceUse();
   if (m_InitialState)
   {
@@ -147,7 +148,7 @@ ShapetonDiffusionImageFilter<TInputImage>::TakeSteps()
   const auto observer = [this](const ShapetonMeasures & measures) {
     m_Measures = measures;
     this->InvokeEvent(itk::IterationEvent());
-    this->ReportProgress(static_cast<double>(measures.step) / static_cast<double>(this->GetTimeSteps()));
+    ReportProgress(*this, static_cast<double>(measures.step) / static_cast<double>(this->GetTimeSteps()));
   };
   const std::uint64_t first = m_Diffusion->GetMeasures().step;
   StepsType           rows;

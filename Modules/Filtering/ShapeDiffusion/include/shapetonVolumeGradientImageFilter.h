@@ -72,10 +72,6 @@ protected:
   VolumeGradientOperator::Parameters
   MakeOperatorParameters(const float * intensities);
 
-  /** Reports progress; throws ProcessAborted where the run is to be aborted. */
-  void
-  ReportProgress(double share);
-
 private:
   double m_P;
   bool   m_HasWindow{ false };

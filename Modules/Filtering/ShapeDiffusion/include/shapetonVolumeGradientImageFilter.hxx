@@ -101,17 +101,6 @@ VolumeGradientImageFilter<TInputImage, TOutputImage>::MakeOperatorParameters(con
 
 template <typename TInputImage, typename TOutputImage>
 void
-VolumeGradientImageFilter<TInputImage, TOutputImage>::ReportProgress(double share)
-{
-  this->UpdateProgress(static_cast<float>(share));
-  if (this->GetAbortGenerateData())
-  {
-    throw itk::ProcessAborted(__FILE__, __LINE__);
-  }
-}
-
-template <typename TInputImage, typename TOutputImage>
-void
 VolumeGradientImageFilter<TInputImage, TOutputImage>::PrintSelf(std::ostream & os, itk::Indent indent) const
 {
   Superclass::PrintSelf(os, indent);

@@ -1,5 +1,7 @@
 #include "shapetonHeatHistogramFilter.h"
 
+#include "shapetonFilterProgress.h"
+
 #include <algorithm>
 
 namespace shapeton
@@ -44,7 +46,7 @@ HeatHistogramFilter::GenerateData()
   {
     const auto * const heat = static_cast<const HeatImageType *>(this->GetInput(row));
     histogram.AddToRow(row, heat->GetBufferPointer(), heat->GetBufferedRegion().GetNumberOfPixels());
-    this->UpdateProgress((row + 1.0F) / m_TimeSteps.size());
+    ReportProgress(*this, (row + 1.0) / m_TimeSteps.size());
   }
   static_cast<OutputType *>(this->ProcessObject::GetOutput(0))->Set(histogram);
 }

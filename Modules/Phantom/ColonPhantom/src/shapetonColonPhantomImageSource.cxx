@@ -3,6 +3,7 @@
 #include "shapetonBodySampler.h"
 #include "shapetonColonAbdomen.h"
 #include "shapetonCorrelatedNoise.h"
+#include "shapetonFilterProgress.h"
 #include "shapetonLumenLabels.h"
 #include "shapetonParallelFor.h"
 
@@ -229,13 +230,7 @@ ColonPhantomImageSource::GenerateData()
 Progress
 ColonPhantomImageSource::Reporter()
 {
-  return [this](double share) {
-    this->UpdateProgress(static_cast<float>(share));
-    if (this->GetAbortGenerateData())
-    {
-      throw itk::ProcessAborted(__FILE__, __LINE__);
-    }
-  };
+  return [this](double share) { ReportProgress(*this, share); };
 }
 
 void
