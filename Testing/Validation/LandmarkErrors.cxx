@@ -1,5 +1,6 @@
 #include "LandmarkErrors.h"
 
+#include "BoundTable.h"
 #include "shapetonSurfaceLocator.h"
 
 #include <Eigen/Geometry>
@@ -204,13 +205,6 @@ AsOne(const std::array<std::vector<double>, 3> & parts)
     all.insert(all.end(), part.begin(), part.end());
   }
   return all;
-}
-
-double
-MeanOf(const std::vector<double> & values)
-{
-  return std::accumulate(values.begin(), values.end(), 0.0) /
-         static_cast<double>(std::max<std::size_t>(values.size(), 1));
 }
 
 double
