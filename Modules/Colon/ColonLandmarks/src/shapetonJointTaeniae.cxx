@@ -10,11 +10,12 @@ namespace shapeton
 {
 namespace
 {
-constexpr int   leastApart = 14; // cells: 70 degrees
-constexpr int   gaps = 21;       // up to 170 degrees
+/** Cells: 45 degrees; up to 225 degrees. The conformal map widens the side of a flat section that is farther away. */
+constexpr int   leastApart = 9;
+constexpr int   gaps = 37;
 constexpr float turnCost = 0.35F;
 constexpr float gapCost = 0.25F;
-constexpr float unevenCost = 0.004F;
+constexpr float unevenCost = 0.002F;
 /** Of a cell that the nearest track lies off a marker: more than any evidence. */
 constexpr float markCost = 50.0F;
 constexpr float forbidden = 1e30F;
@@ -82,6 +83,9 @@ private:
   void
   Advance(int row, int a, const std::vector<double> & marks)
   {
+    const Arrivals arrivals = this->ArrivalsAt(a);
+    std::copy(
+      arrivals.from.begin(), arrivals.from.end(), &m_From[States * row + static_cast<std::size_t>(a) * gaps * gaps]);
     for (int g = 0; g < gaps; ++g)
     {
       for (int h = 0; h < gaps; ++h)
@@ -102,35 +106,59 @@ private:
           cost += markCost * static_cast<float>(std::min(
                                { CellsBetween(a, mark), CellsBetween(second, mark), CellsBetween(third, mark) }));
         }
-        m_Next[state] = row == 0 ? cost : cost + this->BestBefore(row, a, g, h, state);
+        m_Next[state] = row == 0 ? cost : cost + arrivals.cost[g * gaps + h];
       }
     }
   }
 
-  float
-  BestBefore(int row, int a, int g, int h, std::size_t state)
+  /** The states of one angle: what it costs at least to come to each from the row before, and from where. */
+  struct Arrivals
   {
-    float         best = forbidden;
-    unsigned char from = 0;
-    for (int da = -1; da <= 1; ++da)
+    std::array<float, gaps * gaps>         cost;
+    std::array<unsigned char, gaps * gaps> from; ///< steps of angle, first and second gap, plus one each, in base 3
+  };
+
+  Arrivals
+  ArrivalsAt(int a) const
+  {
+    Arrivals            turned;
+    const float * const same = &m_Best[static_cast<std::size_t>(a) * gaps * gaps];
+    std::copy_n(same, gaps * gaps, turned.cost.begin());
+    turned.from.fill(9);
+    for (const int step : { -1, 1 })
     {
-      const std::size_t angle = (a + da + anglesAround) % anglesAround;
-      for (int dg = std::max(-1, -g); dg <= std::min(1, gaps - 1 - g); ++dg)
+      const std::size_t   angle = (a + step + anglesAround) % anglesAround;
+      const float * const other = &m_Best[angle * gaps * gaps];
+      for (int state = 0; state < gaps * gaps; ++state)
       {
-        for (int dh = std::max(-1, -h); dh <= std::min(1, gaps - 1 - h); ++dh)
+        const bool isLess = other[state] + turnCost < turned.cost[state];
+        turned.cost[state] = isLess ? other[state] + turnCost : turned.cost[state];
+        turned.from[state] = isLess ? 9 * (step + 1) : turned.from[state];
+      }
+    }
+    return GapChanged(GapChanged(turned, gaps, 3), 1, 1);
+  }
+
+  /** Of the gap whose neighbours lie `stride` apart, `place` in the code. */
+  static Arrivals
+  GapChanged(const Arrivals & before, int stride, int place)
+  {
+    Arrivals after = before;
+    for (int state = 0; state < gaps * gaps; ++state)
+    {
+      after.from[state] += place;
+      for (const int step : { -1, 1 })
+      {
+        const int gap = state / stride % gaps + step;
+        const int other = state + step * stride;
+        if (gap >= 0 && gap < gaps && before.cost[other] + gapCost < after.cost[state])
         {
-          const float cost = m_Best[(angle * gaps + g + dg) * gaps + h + dh] + turnCost * std::abs(da) +
-                             gapCost * (std::abs(dg) + std::abs(dh));
-          if (cost < best)
-          {
-            best = cost;
-            from = static_cast<unsigned char>((da + 1) * 9 + (dg + 1) * 3 + dh + 1);
-          }
+          after.cost[state] = before.cost[other] + gapCost;
+          after.from[state] = before.from[other] + place * (step + 1);
         }
       }
     }
-    m_From[States * row + state] = from;
-    return best;
+    return after;
   }
 
   /** Middles of the cells in turns; each track without jumps. */

@@ -22,6 +22,8 @@ constexpr double wallRows = 6.0;
 constexpr double wallAngles = 2.0;
 /** Folds end where the band of a taenia begins, and fade out before: from their ends to its middle, mm. */
 constexpr double halfBand = 6.0;
+/** Folds cross taeniae here and there: evidence against one, beside the median of its row, is never more. */
+constexpr double mostAgainst = 1.0;
 /** At the ends of the tube the wall closes: evidence fades out over so many mm. */
 constexpr double fadingLength = 40.0;
 /** Folds that run along the tube end anywhere: least sine of their angle against it. */
@@ -105,6 +107,21 @@ FoldDensity(const FlatColonGrid & grid, const HaustralFolds & folds, const Taeni
   return density;
 }
 
+void
+BoundWhatSpeaksAgainst(TaeniaEvidence & evidence)
+{
+  for (auto row = evidence.cost.begin(); row != evidence.cost.end(); row += anglesAround)
+  {
+    std::vector<float> sorted(row, row + anglesAround);
+    const auto         median = sorted.begin() + anglesAround / 2;
+    std::nth_element(sorted.begin(), median, sorted.end());
+    std::transform(row, row + anglesAround, row, [median = *median](float cost) {
+      const double beside = cost - median;
+      return static_cast<float>(beside > 0.0 ? mostAgainst * std::tanh(beside / mostAgainst) : beside);
+    });
+  }
+}
+
 std::vector<FoldEnd>
 EndsOfFolds(const FlatColonGrid & grid, const HaustralFolds & folds, const TaeniaEvidence & evidence)
 {
@@ -174,6 +191,7 @@ MakeTaeniaEvidence(const FlatColon & flat, const ColonWallTube & tube, const Hau
     evidence.cost.push_back(
       static_cast<float>(share * (foldWeight * foldDensity[i] - endWeight * endDensity[i] - wall[i])));
   }
+  BoundWhatSpeaksAgainst(evidence);
   return evidence;
 }
 

@@ -70,6 +70,30 @@ TEST(ColonTaeniae, RunWhereFoldsEnd)
   EXPECT_LT(found.disagreeingShare, 0.1);
 }
 
+// 50, 92 and 218 degrees apart in the middle: none goes on as its neighbour there.
+TEST(ColonTaeniae, StayThemselvesWhereTwoComeNear)
+{
+  const double        nearer = 70.0 * landmarktubes::pi / 180.0;
+  const FlatColon     flat(landmarktubes::TubeWithTaeniae(length, 0.0, nearer));
+  const ColonWallTube tube(flat, landmarktubes::StraightLine(length));
+  const ColonTaeniae  found = FindColonTaeniae(flat, tube);
+  ASSERT_EQ(found.taeniae.size(), 3u) << found.reason;
+  const auto farthest = [&](const shapeton::ColonTaenia & taenia, int truth) {
+    double greatest = 0.0;
+    for (const Eigen::Vector3d & point : taenia.points)
+    {
+      const double angle = std::atan2(point.y(), point.x()) + landmarktubes::TaeniaAngle(truth, point.z(), nearer);
+      const double off = foldtubes::radius * std::abs(std::remainder(angle, 2.0 * landmarktubes::pi));
+      greatest = point.z() > 40.0 && point.z() < 440.0 ? std::max(greatest, off) : greatest;
+    }
+    return greatest;
+  };
+  for (const shapeton::ColonTaenia & taenia : found.taeniae)
+  {
+    EXPECT_LT(std::min({ farthest(taenia, 0), farthest(taenia, 1), farthest(taenia, 2) }), 6.0);
+  }
+}
+
 TEST(ColonTaeniae, AreThreeDifferentOnes)
 {
   const Tube         t;

@@ -55,17 +55,21 @@ StraightLine(double length)
   return RoundedCurve({ { 0.0, 0.0, 0.0 }, { 0.0, 0.0, length } });
 }
 
-/** The angle of a taenia of TubeWithTaeniae(), radians. */
+/** The angle of a taenia of TubeWithTaeniae(), radians. In the middle the second one lies `nearer` to the first,
+ * and the third one follows it. */
 inline double
-TaeniaAngle(int taenia, double u)
+TaeniaAngle(int taenia, double u, double nearer = 0.0)
 {
-  return 0.4 + 2.0 * pi * taenia / 3.0 + 0.5 * std::sin(u / 90.0);
+  const double shares[] = { 0.0, 1.0, 1.4 };
+  const double middle = (u - 240.0) / 80.0;
+  return 0.4 + 2.0 * pi * taenia / 3.0 + 0.5 * std::sin(u / 90.0) -
+         nearer * shares[taenia % 3] * std::exp(-0.5 * middle * middle);
 }
 
 /** A straight tube, 480 mm long, with folds between three taeniae that wind. Folds begin before `foldsEnd` mm; the wall
- * bulges outwards by up to `bulge` mm between taeniae, all along. */
+ * bulges outwards by up to `bulge` mm between taeniae, all along. `nearer` as above. */
 inline shapeton::SurfaceMesh
-TubeWithTaeniae(double foldsEnd = 480.0, double bulge = 0.0)
+TubeWithTaeniae(double foldsEnd = 480.0, double bulge = 0.0, double nearer = 0.0)
 {
   std::vector<foldtubes::Fold> folds;
   for (int ring = 0; ring < 28; ++ring)
@@ -75,8 +79,10 @@ TubeWithTaeniae(double foldsEnd = 480.0, double bulge = 0.0)
       const double    u = 20.0 + 16.0 * ring + 5.0 * t;
       foldtubes::Fold fold;
       fold.u = u;
-      fold.angle = TaeniaAngle(t, u) + pi / 3.0;
-      fold.halfLength = 15.0;
+      const double begin = TaeniaAngle(t, u, nearer);
+      const double end = TaeniaAngle(t + 1, u, nearer);
+      fold.angle = 0.5 * (begin + end);
+      fold.halfLength = 15.0 * (end - begin) / (2.0 * pi / 3.0);
       fold.height = 6.0;
       if (u < foldsEnd)
       {
