@@ -1520,8 +1520,8 @@ def classify_visits(visits: Image) -> Tuple[Image, List[HeatClass]]:
     """The classes of a uint32 image of visits, as `classify_heat` finds those of heat: (labels, classes)."""
     ...
 
-def cleanse(ct: Image, lumen: ColonLumen) -> CleansedColon:
-    """Removes the tagged fluid of a colon from the CT that `lumen` was found in. It takes no progress."""
+def cleanse(ct: Image, lumen: ColonLumen, *, progress: Optional[Callable[[float, str], object]]=...) -> CleansedColon:
+    """Removes the tagged fluid of a colon from the CT that `lumen` was found in."""
     ...
 
 def colon_phantom(*, seed: int=..., position: str=..., preset: str=..., size: Sequence[int]=..., spacing: Sequence[float]=..., truth_only: bool=..., progress: Optional[Callable[[float, str], object]]=...) -> ColonPhantom:

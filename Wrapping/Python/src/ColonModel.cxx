@@ -157,11 +157,15 @@ ct: Hounsfield units; any axes, spacing about 0.5 to 3 mm. patient_position: "HF
 seed_points: k x 3, LPS mm; the pieces of gas or fluid that hold them are colon.)");
   module.def(
     "cleanse",
-    [](const CtPointer & ct, const ColonLumen & lumen) { return CleanseColon(ct, lumen); },
+    [](const CtPointer & ct, const ColonLumen & lumen, const Progress & progress) {
+      return CleanseColon(ct, lumen, progress.Part("Cleansing the CT", 0.0, 1.0));
+    },
     "ct"_a,
     "lumen"_a,
+    py::kw_only(),
+    "progress"_a = Progress(),
     ReleaseGil(),
-    "Removes the tagged fluid of a colon from the CT that `lumen` was found in. It takes no progress.");
+    "Removes the tagged fluid of a colon from the CT that `lumen` was found in.");
 }
 
 void

@@ -127,6 +127,8 @@ class AbortTest(TestCase):
             self.check(lambda **options: colon.colon_phantom(size=(128, 128, 120), spacing=(2.8, 2.8, 2.8), **options))
         with self.subTest("lumen"):
             self.check(lambda **options: colon.segment_lumen(phantom.ct, **options))
+        with self.subTest("cleansing"):
+            self.check(lambda **options: colon.cleanse(phantom.ct, lumen, **options))
         with self.subTest("centreline"):
             self.check(lambda **options: colon.trace_centreline(lumen.labels, **options))
         with self.subTest("wall"):

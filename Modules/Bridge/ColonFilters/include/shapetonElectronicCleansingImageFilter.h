@@ -59,7 +59,8 @@ protected:
   void
   Compute() override
   {
-    CleansedColon cleansed = CleanseColon(FloatsFromIndexZero(this->GetInput()), this->GetLumen()->Get());
+    CleansedColon cleansed =
+      CleanseColon(FloatsFromIndexZero(this->GetInput()), this->GetLumen()->Get(), this->Reporter());
     HandOver(cleansed.ct.GetPointer(), this->GetOutput());
     this->SetResult(1, std::move(cleansed));
   }

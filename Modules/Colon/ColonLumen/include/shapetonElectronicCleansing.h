@@ -2,6 +2,7 @@
 #define shapetonElectronicCleansing_h
 
 #include "shapetonColonLumenSegmentation.h"
+#include "shapetonProgress.h"
 
 namespace shapeton
 {
@@ -27,7 +28,7 @@ struct CleansedColon
  * sizes differ.
  * \ingroup ColonLumen */
 ColonLumen_EXPORT CleansedColon
-CleanseColon(const itk::Image<float, 3> * ct, const ColonLumen & lumen);
+CleanseColon(const itk::Image<float, 3> * ct, const ColonLumen & lumen, const Progress & progress = {});
 } // namespace shapeton
 
 #endif

@@ -48,15 +48,19 @@ public:
 
   /** Each volume is given back as soon as it has served: they are most of what the whole run needs. */
   CleansedColon
-  Run()
+  Run(const Progress & progress)
   {
+    progress(0.4);
     this->FindShares();
+    progress(0.6);
     this->FindOccupancy();
     Release(m_LumenShares);
+    progress(0.8);
     CleansedColon result;
     result.ct = this->MakeCleansed();
     Release(m_FluidParts);
     result.occupancy = this->MakeOccupancy();
+    progress(1.0);
     return result;
   }
 
@@ -399,7 +403,7 @@ BoxOfLabels(const ColonLumen & lumen, const ColonGrid & grid)
 } // namespace
 
 CleansedColon
-CleanseColon(const itk::Image<float, 3> * ct, const ColonLumen & lumen)
+CleanseColon(const itk::Image<float, 3> * ct, const ColonLumen & lumen, const Progress & progress)
 {
   if (!lumen.labels || lumen.labels->GetBufferedRegion() != ct->GetBufferedRegion())
   {
@@ -411,6 +415,7 @@ CleanseColon(const itk::Image<float, 3> * ct, const ColonLumen & lumen)
   {
     box.high = { { 1, 1, 1 } };
   }
-  return Cleansing(ct, lumen, whole.Part(whole.Widened(box, Margin))).Run();
+  progress(0.0);
+  return Cleansing(ct, lumen, whole.Part(whole.Widened(box, Margin))).Run(progress);
 }
 } // namespace shapeton

@@ -248,6 +248,23 @@ TEST(ElectronicCleansing, SameBytesForAnyNumberOfThreads)
   }
 }
 
+TEST(ElectronicCleansing, ProgressAscendsToTheEndAndMayAbort)
+{
+  const auto          c = CleanseTube(3.0);
+  std::vector<double> shares;
+  shapeton::CleanseColon(c.ct, c.lumen, [&](double share) { shares.push_back(share); });
+  ASSERT_GE(shares.size(), 3u);
+  EXPECT_TRUE(std::is_sorted(shares.begin(), shares.end()));
+  EXPECT_EQ(shares.back(), 1.0);
+  const auto abort = [](double share) {
+    if (share > 0.5)
+    {
+      throw std::length_error("stop");
+    }
+  };
+  EXPECT_THROW(shapeton::CleanseColon(c.ct, c.lumen, abort), std::length_error);
+}
+
 TEST(ElectronicCleansing, LabelsOfAnotherImageAreRefused)
 {
   const auto c = CleanseTube(3.0);
