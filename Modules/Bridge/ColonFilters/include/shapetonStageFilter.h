@@ -2,6 +2,7 @@
 #define shapetonStageFilter_h
 
 #include "shapetonFilterProgress.h"
+#include "shapetonIndexedOutputs.h"
 #include "shapetonInterruption.h"
 #include "shapetonMeshAdapter.h"
 #include "shapetonProgress.h"
@@ -45,6 +46,9 @@ public:
   using Superclass = TSuperclass;
 
   itkOverrideGetNameOfClassMacro(StageFilter);
+
+  using Superclass::MakeOutput;
+  shapetonIndexedOutputsMacro();
 
   /** What is being done, in words, while progress is reported; empty before and after. */
   itkGetConstReferenceMacro(Stage, std::string);

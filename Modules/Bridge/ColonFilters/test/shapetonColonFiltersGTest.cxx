@@ -335,6 +335,27 @@ TEST(ColonFilters, EachStageOnTheWallReportsAndCanBeAborted)
   }
 }
 
+TEST(ColonFilters, AnOutputThatIsTakenAwayIsReplacedByOneOfItsType)
+{
+  Pipeline   stages;
+  const auto lumen = ColonLumenImageFilter<CtImage>::New();
+  const auto cleansing = ElectronicCleansingImageFilter<CtImage>::New();
+  const auto source = Source::New();
+  for (itk::ProcessObject * stage : std::initializer_list<itk::ProcessObject *>{
+         lumen, cleansing, source, stages.model, stages.flattening, stages.landmarks, stages.folds })
+  {
+    for (const itk::DataObject::Pointer & output : stage->GetIndexedOutputs())
+    {
+      const auto        index = output->GetSourceOutputIndex();
+      const std::string type = typeid(*output).name();
+      output->DisconnectPipeline();
+      const auto & another = *stage->GetIndexedOutputs()[index];
+      EXPECT_NE(&another, output.GetPointer());
+      EXPECT_EQ(typeid(another).name(), type) << stage->GetNameOfClass() << ", output " << index;
+    }
+  }
+}
+
 TEST(ColonFilters, AnImageMayBeginAtAnyIndex)
 {
   using Shift = itk::ChangeInformationImageFilter<CtImage>;

@@ -93,7 +93,7 @@ protected:
   SeededHeatSegmentationImageFilter();
   ~SeededHeatSegmentationImageFilter() override = default;
 
-  using itk::ProcessObject::MakeOutput;
+  using Superclass::MakeOutput;
   itk::DataObject::Pointer
   MakeOutput(itk::ProcessObject::DataObjectPointerArraySizeType index) override;
   void

@@ -139,6 +139,30 @@ TEST(SeededHeatSegmentationImageFilter, RunsAgainWhatHasChanged)
   EXPECT_THROW(filter->GetProbabilities(1), itk::ExceptionObject);
 }
 
+TEST(SeededHeatSegmentationImageFilter, OutputsMayBeTakenAwayBetweenRuns)
+{
+  const auto image = MakeBoxes();
+  const auto seeds = shapeton::SeedsOfMarkups(MakeMarkups(image), image);
+  auto       filter = FilterType::New();
+  filter->SetInput(image);
+  filter->SetSeeds(seeds);
+  filter->Update();
+  const FilterType::LabelImageType::Pointer labels = filter->GetOutput();
+  const FilterType::HeatImageType::Pointer  uncertainty = filter->GetUncertaintyOutput();
+  labels->DisconnectPipeline();
+  uncertainty->DisconnectPipeline();
+  ASSERT_NE(dynamic_cast<FilterType::HeatImageType *>(filter->GetIndexedOutputs()[1].GetPointer()), nullptr);
+  seeds->Modified();
+  filter->Update();
+  EXPECT_NE(filter->GetOutput(), labels);
+  const auto number = labels->GetBufferedRegion().GetNumberOfPixels();
+  EXPECT_TRUE(std::equal(
+    labels->GetBufferPointer(), labels->GetBufferPointer() + number, filter->GetOutput()->GetBufferPointer()));
+  EXPECT_TRUE(std::equal(uncertainty->GetBufferPointer(),
+                         uncertainty->GetBufferPointer() + number,
+                         filter->GetUncertaintyOutput()->GetBufferPointer()));
+}
+
 TEST(SeededHeatSegmentationImageFilter, NamesWhatIsWrong)
 {
   const auto image = MakeBoxes();

@@ -1,6 +1,7 @@
 #ifndef shapetonVolumeGradientImageFilter_h
 #define shapetonVolumeGradientImageFilter_h
 
+#include "shapetonIndexedOutputs.h"
 #include "shapetonITKCompatibility.h"
 #include "shapetonVolumeGradientOperator.h"
 
@@ -33,6 +34,9 @@ public:
   static_assert(TInputImage::ImageDimension == 3, "the volume gradient operator is defined on volumes");
 
   itkOverrideGetNameOfClassMacro(VolumeGradientImageFilter);
+
+  using Superclass::MakeOutput;
+  shapetonIndexedOutputsMacro();
 
   /** Steepness p of (2.5): an edge insulates where the half gradient reaches 1 / p. Not negative. Default 7, unless the
    * filter says otherwise. */

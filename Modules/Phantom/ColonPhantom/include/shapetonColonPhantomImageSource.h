@@ -2,6 +2,7 @@
 #define shapetonColonPhantomImageSource_h
 
 #include "ColonPhantomExport.h"
+#include "shapetonIndexedOutputs.h"
 #include "shapetonColonAnatomy.h"
 #include "shapetonColonFluid.h"
 #include "shapetonColonStructures.h"
@@ -100,7 +101,7 @@ public:
   LabelImageType *
   GetStructureOutput();
 
-  using Superclass::MakeOutput;
+  shapetonIndexedOutputsMacro();
   itk::ProcessObject::DataObjectPointer
   MakeOutput(itk::ProcessObject::DataObjectPointerArraySizeType output) override;
 

@@ -2,6 +2,7 @@
 #define shapetonShapePhantomImageSource_h
 
 #include "ShapePhantomExport.h"
+#include "shapetonIndexedOutputs.h"
 #include "shapetonITKCompatibility.h"
 #include "shapetonShapeScene.h"
 
@@ -90,7 +91,7 @@ public:
   std::vector<std::string>
   FindIncompleteObjects() const;
 
-  using Superclass::MakeOutput;
+  shapetonIndexedOutputsMacro();
   itk::ProcessObject::DataObjectPointer
   MakeOutput(itk::ProcessObject::DataObjectPointerArraySizeType output) override;
 

@@ -551,6 +551,20 @@ TEST(ShapePhantomImageSource, NamesObjectsThatTheVolumeCutsOrMisses)
   EXPECT_EQ(source->FindIncompleteObjects(), (std::vector<std::string>{ "cut", "missed" }));
 }
 
+TEST(ShapePhantomImageSource, LabelsThatAreTakenAwayAreMadeAnew)
+{
+  const auto source = MakeSource(SceneOf(R"({ "name": "ball", "kind": "sphere", "radius": 3 })"), 20);
+  source->Update();
+  const shapeton::ShapePhantomImageSource::LabelImageType::Pointer labels = source->GetLabelOutput();
+  labels->DisconnectPipeline();
+  source->Modified();
+  source->Update();
+  ASSERT_NE(dynamic_cast<decltype(labels.GetPointer())>(source->GetIndexedOutputs()[1].GetPointer()), nullptr);
+  const auto number = labels->GetBufferedRegion().GetNumberOfPixels();
+  EXPECT_TRUE(std::equal(
+    labels->GetBufferPointer(), labels->GetBufferPointer() + number, source->GetLabelOutput()->GetBufferPointer()));
+}
+
 TEST(ShapePhantomImageSource, TakesTheGridOfAReferenceImage)
 {
   const auto direct = MakeObliqueSource(shapeton::ShapeScene::Load("figure2.7b"));
