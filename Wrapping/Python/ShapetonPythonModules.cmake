@@ -7,5 +7,7 @@ set(ShapetonPython_MODULES
   EmbeddingVerification
   GraphComparison
   PolypCandidates
+  SeededHeat
+  ShapeDatabase
   ShapeDiffusion
   SupineProne)

@@ -6,6 +6,7 @@ are LPS in mm. This module holds volumes, heat and shapetons; the others are
 - `shapeton.surfaces`: files of surfaces, repair, simplification, spectrum, heat diffusion metric
 - `shapeton.flattening`: conformal maps of surfaces
 - `shapeton.colon`: from CT colonography to lumen, wall, folds, landmarks, candidates and registration
+- `shapeton.shapes`: labels from seeds, signatures by which shapes are found again
 - `shapeton.graphs`: graphs, their embeddings and certificates
 
 Long functions take ``progress``, a function of the share that is done (0 to 1) and the stage in words. It is called

@@ -1088,6 +1088,21 @@ class MatchedFolds:
         ...
 
 
+class NamedShape:
+    """A signature with a name, which several may share."""
+    def __init__(self, name: str, signature: ShapeSignature) -> None: ...
+
+    @property
+    def name(self) -> str:
+        """Any text."""
+        ...
+
+    @property
+    def signature(self) -> ShapeSignature:
+        """A ShapeSignature."""
+        ...
+
+
 class PolypCandidate:
     """A place of the wall that looks like a polyp; no finding."""
     @property
@@ -1279,6 +1294,52 @@ class Registration:
         ...
 
 
+class SeededHeat:
+    """Labels from a few seeds: the steady state of heat that leaves the seeds of each label.
+
+    image: intensities; float32 and C-contiguous ones are read in place.
+    p: steepness, from 0; an edge insulates where the half gradient reaches 1 / p. None: chosen from noise and edges.
+    window: (lower, upper) intensities that count as 0 and 1; None: the least and the greatest.
+    least_weight: positive; what an edge that insulates still lets through.
+    tolerance: greatest error of a probability, 1e-6 to 0.1.
+
+    It keeps the last solution, from which the next one starts: 4 bytes for each voxel and label.
+    """
+    def __init__(self, image: Image, *, p: Optional[float]=..., window: Optional[Tuple[float, float]]=..., least_weight: float=..., tolerance: float=...) -> None: ...
+
+    def segment(self, seeds: Image, *, probabilities: bool=..., progress: Optional[Callable[[float, str], object]]=...) -> SeededLabels:
+        """The label of each voxel.
+
+        seeds: an image on the same grid, whole numbers from 0 to 65535; 0: no seed; two labels at least.
+        probabilities: gives those of each label, too.
+        progress: called with (share, stage), share from 0 to 1; False, or an exception such as that of Ctrl-C, aborts.
+        """
+        ...
+
+
+class SeededLabels:
+    """What `SeededHeat.segment` gives."""
+    @property
+    def iterations(self) -> int:
+        """Of the solver; few after a small change of the seeds."""
+        ...
+
+    @property
+    def labels(self) -> Image:
+        """uint16: the label of greatest probability."""
+        ...
+
+    @property
+    def probabilities(self) -> Dict[int, Image]:
+        """Label to image, float32 in [0, 1], which sum to 1; empty unless they were asked for."""
+        ...
+
+    @property
+    def uncertainty(self) -> Image:
+        """float32: 1 minus the difference of the two greatest probabilities; 0 where one label is sure."""
+        ...
+
+
 class SegmentDistension:
     """How far a stretch of the colon is filled."""
     @property
@@ -1347,6 +1408,131 @@ class ShapeComponent:
     @property
     def voxels(self) -> int:
         """How many."""
+        ...
+
+
+class ShapeNeighbour:
+    """An entry and its distance."""
+    @property
+    def distance(self) -> float:
+        """From 0; copies of one shape are about 1 apart."""
+        ...
+
+    @property
+    def entry(self) -> int:
+        """Its index."""
+        ...
+
+
+class ShapeRow:
+    """A shape of a label map."""
+    @property
+    def component(self) -> int:
+        """1 for the largest; 0 for the label as a whole."""
+        ...
+
+    @property
+    def intensity_deviation(self) -> float:
+        """Standard deviation."""
+        ...
+
+    @property
+    def label(self) -> int:
+        """From 1."""
+        ...
+
+    @property
+    def mean_intensity(self) -> float:
+        """Not part of the signature."""
+        ...
+
+    @property
+    def name(self) -> str:
+        """"7" or, for a component, "7.1"."""
+        ...
+
+    @property
+    def signature(self) -> ShapeSignature:
+        """A ShapeSignature."""
+        ...
+
+    @property
+    def voxels(self) -> int:
+        """How many."""
+        ...
+
+
+class ShapeSearchResult:
+    """What `find_shape` gives."""
+    @property
+    def neighbours(self) -> List[ShapeNeighbour]:
+        """The nearest first."""
+        ...
+
+    @property
+    def probability(self) -> float:
+        """That the nearest is of the same shape, on generated shapes."""
+        ...
+
+    @property
+    def unknown(self) -> bool:
+        """More likely than not it is none of them."""
+        ...
+
+
+class ShapeSignature:
+    """What a shape is like, in numbers that neither place, rotation nor sampling change much."""
+    @property
+    def displacement(self) -> NDArray[Any]:
+        """25 values, ascending: mean square of the way of heat that cannot leave, over r^2."""
+        ...
+
+    @property
+    def elongation(self) -> float:
+        """Longest over middle standard deviation; from 1."""
+        ...
+
+    @property
+    def flatness(self) -> float:
+        """Middle over shortest standard deviation; from 1."""
+        ...
+
+    @property
+    def remaining_heat(self) -> NDArray[Any]:
+        """25 values from 1 down: the share of heat that has not left the shape."""
+        ...
+
+    @property
+    def spectrum(self) -> NDArray[Any]:
+        """20 eigenvalues of the surface above 0, times its area; 8 pi is the first one of a sphere."""
+        ...
+
+    @property
+    def surface(self) -> float:
+        """mm^2."""
+        ...
+
+    @property
+    def times(self) -> NDArray[Any]:
+        """25 times t / r^2 of both curves; r is the radius of the ball of the same volume."""
+        ...
+
+    @property
+    def volume(self) -> float:
+        """mm^3."""
+        ...
+
+
+class ShapeTable:
+    """What `describe_shapes` gives."""
+    @property
+    def rows(self) -> List[ShapeRow]:
+        """By label, then component."""
+        ...
+
+    @property
+    def warnings(self) -> List[str]:
+        """What was left out, a line for each."""
         ...
 
 
@@ -1558,6 +1744,16 @@ def conformal_map(mesh: Mesh, *, domain: str=..., outer_boundary: int=..., inner
     """
     ...
 
+def describe_shapes(image: Image, labels: Image, *, components: bool=..., progress: Optional[Callable[[float, str], object]]=...) -> ShapeTable:
+    """The signature of each label, or of each connected component of each label.
+
+    image: intensities, for mean_intensity alone. labels: whole numbers from 0 (background) to 65535, on the same grid.
+    progress: called with (share, stage), share from 0 to 1; False, or an exception such as that of Ctrl-C, aborts.
+
+    A shape takes half a second. What has fewer than 64 voxels or is too thin is left out with a warning.
+    """
+    ...
+
 def diffuse_heat(image: Image, *, p: Optional[float]=..., window: Optional[Tuple[float, float]]=..., time_steps: int=..., time_step_length: float=..., tolerance: float=..., method: str=..., conductance: str=..., ignore_spacing: bool=..., until_steady: bool=..., histogram_steps: Sequence[int]=..., snapshot_steps: Sequence[int]=..., snapshot: Optional[Callable[[int, Image], object]]=..., components: bool=..., initial_heat: bool=..., progress: Optional[Callable[[float, str], object]]=...) -> HeatResult:
     """Cumulative heat diffusion: describes each voxel by the heat it holds after diffusion from all voxels at once.
 
@@ -1665,6 +1861,10 @@ def find_landmarks(flat: FlatColon, centreline: Union[Curves, NDArray[Any]], *, 
     """
     ...
 
+def find_shape(signature: ShapeSignature, entries: Sequence[NamedShape], nearest: int=...) -> ShapeSearchResult:
+    """Looks a signature up among entries, a list of NamedShape; `nearest` neighbours at most."""
+    ...
+
 def find_valve(labels: Image, centreline: Union[Curves, NDArray[Any]], ct: Optional[Image]=...) -> Tuple[Optional[IleocaecalValve], str]:
     """The ileocaecal valve: (IleocaecalValve or None, why it was not found).
 
@@ -1744,6 +1944,14 @@ def read_position(folder: str, name: str) -> ColonPosition:
     """Reads a ColonPosition from a folder that VirtualColonoscopy has written."""
     ...
 
+def read_shape_database(path: str) -> List[NamedShape]:
+    """All shapes of an SQLite file of the tool ShapeSearch, in the order in which they were added."""
+    ...
+
+def read_shape_table(path: str) -> ShapeTable:
+    """Reads what `write_shape_table` wrote."""
+    ...
+
 def read_surface(path: str, *, part: str=..., component: int=..., unit: str=..., any_extent: bool=..., repair: bool=...) -> Mesh:
     """Reads VTP, STL, OBJ, PLY, OFF, glTF or GLB; LPS, mm.
 
@@ -1797,6 +2005,14 @@ def repair_surface(mesh: Mesh, *, merge_distance: float=..., merge_vertices: boo
     """
     ...
 
+def seeds_of_classes(classes: Image, *, chosen: Sequence[int]=..., components: int=...) -> Image:
+    """Seeds from classes, such as those of `classify_heat`; one voxel off the borders of each.
+
+    classes: whole numbers. chosen: which ones; none: all but 0. components: 0: one label for each class; else so many of
+    the largest components of each, of a label each. Labels count from 1 in the order of the classes.
+    """
+    ...
+
 def segment_lumen(ct: Image, *, patient_position: str=..., seed_points: ArrayLike=..., progress: Optional[Callable[[float, str], object]]=...) -> ColonLumen:
     """Finds gas and tagged fluid of the colon in a CT colonography, without seeds.
 
@@ -1808,6 +2024,10 @@ def segment_lumen(ct: Image, *, patient_position: str=..., seed_points: ArrayLik
 
 def set_threads(number: int) -> None:
     """Sets how many threads all functions of this process use; results do not depend on it."""
+    ...
+
+def signature_distance(a: ShapeSignature, b: ShapeSignature) -> float:
+    """How much two signatures differ, from 0; copies of one shape are about 1 apart. Volume takes no part."""
     ...
 
 def simplify_surface(mesh: Mesh, faces: int, *, smallest_angle: float=..., boundary_weight: float=..., progress: Optional[Callable[[float, str], object]]=...) -> Mesh:
@@ -1874,6 +2094,10 @@ def write_curves(curves: Union[Curves, NDArray[Any]], path: str) -> None:
 
 def write_graph(graph: Graph, path: str) -> None:
     """Writes GraphML."""
+    ...
+
+def write_shape_table(table: ShapeTable, path: str) -> None:
+    """Writes a CSV file, as the tool ShapeSignature does."""
     ...
 
 def write_surface(mesh: Mesh, path: str) -> None:

@@ -13,6 +13,10 @@ AddHeat(pybind11::module_ & module);
 void
 AddShapetons(pybind11::module_ & module);
 void
+AddSeeds(pybind11::module_ & module);
+void
+AddShapes(pybind11::module_ & module);
+void
 AddSurfaces(pybind11::module_ & module);
 void
 AddMetric(pybind11::module_ & module);

@@ -25,11 +25,12 @@ SetWindow(const Window & window, TFilter * filter)
   }
 }
 
-/** Update() that reports the filter's progress as that of a stage. */
+/** Update() that reports the filter's progress as that of a stage. Observers of the filter are taken off it. */
 template <typename TFilter>
 void
 UpdateWithProgress(TFilter * filter, const char * stage, const Progress & progress)
 {
+  filter->RemoveAllObservers(); // of a call before, which has ended
   filter->AddObserver(itk::ProgressEvent(), [&](const itk::EventObject &) { progress(stage, filter->GetProgress()); });
   Update(filter);
 }

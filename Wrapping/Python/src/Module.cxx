@@ -21,6 +21,8 @@ PYBIND11_MODULE(_shapeton, module)
   shapeton::python::AddVolumes(module);
   shapeton::python::AddHeat(module);
   shapeton::python::AddShapetons(module);
+  shapeton::python::AddSeeds(module);
+  shapeton::python::AddShapes(module);
   shapeton::python::AddSurfaces(module);
   shapeton::python::AddMetric(module);
   shapeton::python::AddFlattening(module);

@@ -5,11 +5,11 @@ import unittest
 from pathlib import Path
 
 import shapeton
-from shapeton import _shapeton, colon, flattening, graphs, surfaces
+from shapeton import _shapeton, colon, flattening, graphs, shapes, surfaces
 
 from support import TestCase, run_python
 
-PUBLIC = (shapeton, colon, flattening, graphs, surfaces)
+PUBLIC = (shapeton, colon, flattening, graphs, shapes, surfaces)
 
 
 class PackageTest(TestCase):

@@ -1,0 +1,37 @@
+"""Labels from seeds, and signatures by which shapes are found again."""
+
+from ._shapeton import (
+    NamedShape,
+    SeededHeat,
+    SeededLabels,
+    ShapeNeighbour,
+    ShapeRow,
+    ShapeSearchResult,
+    ShapeSignature,
+    ShapeTable,
+    describe_shapes,
+    find_shape,
+    read_shape_database,
+    read_shape_table,
+    seeds_of_classes,
+    signature_distance,
+    write_shape_table,
+)
+
+__all__ = [
+    "NamedShape",
+    "SeededHeat",
+    "SeededLabels",
+    "ShapeNeighbour",
+    "ShapeRow",
+    "ShapeSearchResult",
+    "ShapeSignature",
+    "ShapeTable",
+    "describe_shapes",
+    "find_shape",
+    "read_shape_database",
+    "read_shape_table",
+    "seeds_of_classes",
+    "signature_distance",
+    "write_shape_table",
+]

@@ -1,0 +1,137 @@
+#include "Bindings.h"
+#include "Conversions.h"
+#include "Diffusion.h"
+
+#include "shapetonExceptions.h"
+#include "shapetonHeatSeeds.h"
+#include "shapetonSeededHeatSegmentationImageFilter.h"
+
+#include <map>
+#include <mutex>
+
+namespace shapeton::python
+{
+namespace
+{
+using ImageType = itk::Image<float, 3>;
+using SeedFilter = SeededHeatSegmentationImageFilter<ImageType>;
+
+/** What SeededHeat.segment() gives. */
+struct SeededLabels
+{
+  SeedImage::Pointer                           labels;
+  ImageType::Pointer                           uncertainty;
+  std::map<unsigned short, ImageType::Pointer> probabilities; ///< of each label, where they were asked for
+  unsigned int                                 iterations;
+};
+
+/** A volume whose labels are found from seeds, any number of times. */
+class SeededHeat
+{
+public:
+  SeededHeat(const ImageType::Pointer & image,
+             std::optional<double>      p,
+             const Window &             window,
+             double                     leastWeight,
+             double                     tolerance)
+  {
+    m_Filter->SetInput(image);
+    m_Filter->SetAutomaticP(!p);
+    m_Filter->SetP(p.value_or(m_Filter->GetP()));
+    SetWindow(window, m_Filter.GetPointer());
+    m_Filter->SetLeastWeight(leastWeight);
+    m_Filter->SetTolerance(tolerance);
+  }
+
+  SeededLabels
+  Segment(const SeedImage::Pointer & seeds, bool wantsProbabilities, const Progress & progress)
+  {
+    const std::lock_guard<std::mutex> lock(m_Mutex); // threads of Python may share one
+    if (!HaveSameGrid(m_Filter->GetInput(), seeds))
+    {
+      throw InputError("the grids of the seeds and of the image differ in size or place: give a label map on its grid");
+    }
+    m_Filter->SetSeeds(seeds);
+    UpdateWithProgress(m_Filter.GetPointer(), "Diffusing heat from the seeds", progress);
+    SeededLabels result{ m_Filter->GetOutput(), m_Filter->GetUncertaintyOutput(), {}, m_Filter->GetIterations() };
+    if (wantsProbabilities)
+    {
+      for (const unsigned short label : m_Filter->GetLabelValues())
+      {
+        result.probabilities[label] = m_Filter->GetProbabilities(label);
+      }
+    }
+    result.labels->DisconnectPipeline(); // the next call makes its own
+    result.uncertainty->DisconnectPipeline();
+    return result;
+  }
+
+private:
+  const SeedFilter::Pointer m_Filter{ SeedFilter::New() };
+  std::mutex                m_Mutex;
+};
+
+SeedImage::Pointer
+SeedsOf(const SeedImage::Pointer & classes, const std::vector<int> & chosen, int components)
+{
+  return SeedsOfClasses(classes, { chosen, components });
+}
+} // namespace
+
+void
+AddSeeds(py::module_ & module)
+{
+  py::class_<SeededLabels>(module, "SeededLabels", "What `SeededHeat.segment` gives.")
+    .def_readonly("labels", &SeededLabels::labels, "uint16: the label of greatest probability.")
+    .def_readonly("uncertainty",
+                  &SeededLabels::uncertainty,
+                  "float32: 1 minus the difference of the two greatest probabilities; 0 where one label is sure.")
+    .def_readonly("probabilities",
+                  &SeededLabels::probabilities,
+                  "Label to image, float32 in [0, 1], which sum to 1; empty unless they were asked for.")
+    .def_readonly("iterations", &SeededLabels::iterations, "Of the solver; few after a small change of the seeds.");
+
+  py::class_<SeededHeat>(module,
+                         "SeededHeat",
+                         R"(Labels from a few seeds: the steady state of heat that leaves the seeds of each label.
+
+image: intensities; float32 and C-contiguous ones are read in place.
+p: steepness, from 0; an edge insulates where the half gradient reaches 1 / p. None: chosen from noise and edges.
+window: (lower, upper) intensities that count as 0 and 1; None: the least and the greatest.
+least_weight: positive; what an edge that insulates still lets through.
+tolerance: greatest error of a probability, 1e-6 to 0.1.
+
+It keeps the last solution, from which the next one starts: 4 bytes for each voxel and label.)")
+    .def(py::init<const ImageType::Pointer &, std::optional<double>, const Window &, double, double>(),
+         "image"_a,
+         py::kw_only(),
+         "p"_a = 20.0,
+         "window"_a = py::none(),
+         "least_weight"_a = 0.01,
+         "tolerance"_a = 1e-5)
+    .def("segment",
+         &SeededHeat::Segment,
+         "seeds"_a,
+         py::kw_only(),
+         "probabilities"_a = false,
+         "progress"_a = Progress(),
+         ReleaseGil(),
+         R"(The label of each voxel.
+
+seeds: an image on the same grid, whole numbers from 0 to 65535; 0: no seed; two labels at least.
+probabilities: gives those of each label, too.
+progress: called with (share, stage), share from 0 to 1; False, or an exception such as that of Ctrl-C, aborts.)");
+
+  module.def("seeds_of_classes",
+             &SeedsOf,
+             "classes"_a,
+             py::kw_only(),
+             "chosen"_a = std::vector<int>(),
+             "components"_a = 0,
+             ReleaseGil(),
+             R"(Seeds from classes, such as those of `classify_heat`; one voxel off the borders of each.
+
+classes: whole numbers. chosen: which ones; none: all but 0. components: 0: one label for each class; else so many of
+the largest components of each, of a label each. Labels count from 1 in the order of the classes.)");
+}
+} // namespace shapeton::python
