@@ -4,6 +4,8 @@
 #include "shapetonCommandLine.h"
 #include "shapetonExceptions.h"
 
+#include <filesystem>
+
 namespace
 {
 using shapeton::CommandLine;
@@ -17,6 +19,7 @@ Write(CommandLine &       commandLine,
       double              begin,
       double              end)
 {
+  CommandLine::RequireApart(source, folder, "give the folder with the DICOM series that the run has read");
   shapeton::ColonDicomOptions options;
   options.isDeflated = commandLine.GetFlag("deflate");
   options.progress = commandLine.PartOfProgress(begin, end);
@@ -33,6 +36,11 @@ WriteResults(CommandLine & commandLine)
   const std::string exam = commandLine.GetString("exam");
   const std::string folder = commandLine.GetString("outputFolder");
   const bool        hasSecond = commandLine.IsGiven("secondSource");
+  if (!hasSecond && std::filesystem::exists(exam + "/second"))
+  {
+    commandLine.Warn("the results of the second series are left out; name its folder with the parameter "
+                     "\"secondSource\"");
+  }
   Write(commandLine, exam, commandLine.GetString("source"), folder, 0.0, hasSecond ? 0.5 : 1.0);
   if (hasSecond)
   {

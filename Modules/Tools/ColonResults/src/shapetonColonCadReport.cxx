@@ -11,6 +11,8 @@ namespace
 {
 using namespace colonterms;
 
+const DicomCode notAttempted{ "111225", "DCM", "Not Attempted" };
+
 std::vector<DicomContent>
 Algorithm(const DicomResultHeader & header, const std::string & relationship)
 {
@@ -23,7 +25,7 @@ AddNumber(std::vector<DicomContent> & contents, const DicomCode & name, double v
 {
   if (std::isfinite(value))
   {
-    contents.push_back(NumberContent("HAS PROPERTIES", name, NumberText(value, 4), unit));
+    contents.push_back(NumberContent("HAS PROPERTIES", name, NumberText(value, 6), unit));
   }
 }
 
@@ -63,8 +65,12 @@ Finding(const PolypCandidate &       candidate,
 
 /** TID 4015: what was looked for. */
 DicomContent
-Detections(const DicomResultHeader & header)
+Detections(const ColonExamination & exam, const DicomResultHeader & header)
 {
+  if (!exam.isSearched)
+  {
+    return CodeContent("CONTAINS", { "111064", "DCM", "Summary of Detections" }, notAttempted);
+  }
   DicomContent performed = CodeContent("CONTAINS", { "111022", "DCM", "Detection Performed" }, polyp);
   performed.children = Algorithm(header, "HAS PROPERTIES");
   DicomContent summary =
@@ -72,6 +78,17 @@ Detections(const DicomResultHeader & header)
   summary.children.push_back(
     ContainerContent("INFERRED FROM", { "111063", "DCM", "Successful Detections" }, { performed }));
   return summary;
+}
+/** Nothing that was found is told from nothing that was looked for. */
+DicomCode
+StateOf(const ColonExamination & exam)
+{
+  if (!exam.isSearched)
+  {
+    return { "111245", "DCM", "No algorithms succeeded; without findings" };
+  }
+  return exam.candidates.empty() ? DicomCode{ "111241", "DCM", "All algorithms succeeded; without findings" }
+                                 : DicomCode{ "111242", "DCM", "All algorithms succeeded; with findings" };
 }
 } // namespace
 
@@ -87,18 +104,14 @@ CadReportOfColon(const ColonExamination &     exam,
     { "112224", "DCM", "Image Set Properties" },
     { UIDContent("CONTAINS", { "112227", "DCM", "Frame of Reference UID" }, source.series.frameOfReferenceUID) }));
   DicomContent summary =
-    CodeContent("CONTAINS",
-                { "111017", "DCM", "CAD Processing and Findings Summary" },
-                exam.candidates.empty() ? DicomCode{ "111241", "DCM", "All algorithms succeeded; without findings" }
-                                        : DicomCode{ "111242", "DCM", "All algorithms succeeded; with findings" });
+    CodeContent("CONTAINS", { "111017", "DCM", "CAD Processing and Findings Summary" }, StateOf(exam));
   for (const PolypCandidate & candidate : exam.candidates)
   {
     summary.children.push_back(Finding(candidate, segments, source, header));
   }
   contents.push_back(std::move(summary));
-  contents.push_back(Detections(header));
-  contents.push_back(
-    CodeContent("CONTAINS", { "111065", "DCM", "Summary of Analyses" }, { "111225", "DCM", "Not Attempted" }));
+  contents.push_back(Detections(exam, header));
+  contents.push_back(CodeContent("CONTAINS", { "111065", "DCM", "Summary of Analyses" }, notAttempted));
   return ContainerContent({}, { "112220", "DCM", "Colon CAD Report" }, std::move(contents), "4120");
 }
 } // namespace shapeton

@@ -4,6 +4,7 @@
 #include "shapetonHaustralFoldFiles.h"
 #include "shapetonPolypSearch.h"
 #include "shapetonReadImage.h"
+#include "shapetonRunRecords.h"
 #include "shapetonSurfaceReader.h"
 #include "shapetonVolume.h"
 
@@ -15,14 +16,11 @@ namespace shapeton
 {
 namespace
 {
-std::string
-Required(const ColonExamination & exam, const std::string & name)
+void
+RequireCurrent(const ColonExamination & exam, const std::string & name)
 {
-  if (!std::filesystem::exists(exam.PathOf(name)))
-  {
-    throw InputError("the examination lacks \"" + exam.PathOf(name) + "\"; let VirtualColonoscopy finish it");
-  }
-  return exam.PathOf(name);
+  const auto slash = name.find('/');
+  RunRecords(exam.folder).RequireCurrent(name.substr(0, slash), name.substr(slash + 1));
 }
 
 DicomLabelImage::Pointer
@@ -36,7 +34,7 @@ void
 TakeSource(ColonExamination & exam)
 {
   const std::string identity = exam.quality.value("/provenance/input.inputVolume"_json_pointer, std::string());
-  const Json        record = ReadJson(Required(exam, "stages/segmentation.json"));
+  const Json        record = ReadJson(exam.PathOf("stages/segmentation.json"));
   exam.digest = record.value("/signature/arguments/0/1"_json_pointer, std::string());
   exam.seriesUID = SeriesOfIdentity(identity);
   if (exam.seriesUID.empty() || exam.digest.empty())
@@ -64,10 +62,24 @@ TakeFolds(ColonExamination & exam)
 }
 
 void
+TakeWarnings(ColonExamination & exam)
+{
+  const RunRecords records(exam.folder);
+  for (const std::string stage : { "segmentation", "flattening", "landmarks", "folds", "polyps" })
+  {
+    for (const std::string & warning : records.WarningsOf(stage))
+    {
+      exam.warnings.push_back(stage + ": " + warning);
+    }
+  }
+}
+
+void
 TakeCandidates(ColonExamination & exam)
 {
   if (exam.Has("polyps/candidates.csv", "no candidates"))
   {
+    exam.isSearched = true;
     exam.candidates = ReadPolypCandidates(exam.PathOf("polyps/candidates.csv"));
     if (exam.Has("polyps/heads.nrrd", "candidates have no segment; run VirtualColonoscopy again"))
     {
@@ -80,12 +92,24 @@ TakeCandidates(ColonExamination & exam)
 bool
 ColonExamination::Has(const std::string & name, const std::string & what)
 {
-  const bool isThere = std::filesystem::exists(this->PathOf(name));
-  if (!isThere)
+  if (!std::filesystem::exists(this->PathOf(name)))
   {
     missing.push_back("the examination lacks " + name + ": " + what);
+    return false;
   }
-  return isThere;
+  RequireCurrent(*this, name);
+  return true;
+}
+
+std::string
+ColonExamination::Required(const std::string & name) const
+{
+  if (!std::filesystem::exists(this->PathOf(name)))
+  {
+    throw InputError("the examination lacks \"" + this->PathOf(name) + "\"; let VirtualColonoscopy finish it");
+  }
+  RequireCurrent(*this, name);
+  return this->PathOf(name);
 }
 
 ColonExamination
@@ -93,10 +117,10 @@ ReadColonExamination(const std::string & folder)
 {
   ColonExamination exam;
   exam.folder = folder;
-  exam.quality = ReadJson(Required(exam, "segmentation/quality.json"));
+  exam.quality = ReadJson(exam.Required("segmentation/quality.json"));
   TakeSource(exam);
-  exam.lumen = ReadLabels(Required(exam, "segmentation/lumen.nrrd"));
-  const std::string centreline = Required(exam, "segmentation/centreline.vtp");
+  exam.lumen = ReadLabels(exam.Required("segmentation/lumen.nrrd"));
+  const std::string centreline = exam.Required("segmentation/centreline.vtp");
   exam.centreline = ReadCurves(centreline);
   if (exam.Has("landmarks/landmarks.json", "no segments of the colon"))
   {
@@ -105,6 +129,7 @@ ReadColonExamination(const std::string & folder)
   }
   TakeFolds(exam);
   TakeCandidates(exam);
+  TakeWarnings(exam);
   return exam;
 }
 } // namespace shapeton

@@ -22,6 +22,8 @@ struct ColonExamination
   /** Of what the folder of the series held, "sha256:...". */
   std::string digest;
   Json        quality;
+  /** Whether candidates were looked for. */
+  bool isSearched{ false };
   /** 1 gas, 2 fluid, 3 terminal ileum. */
   DicomLabelImage::Pointer        lumen;
   CurveSet                        centreline;
@@ -32,12 +34,18 @@ struct ColonExamination
   /** The flat wall, and the fold of each of its faces; empty where folds were not found. */
   SurfaceMesh                 flat;
   std::vector<unsigned short> folds;
+  /** What the run remarked, each with its stage in front. */
+  Remarks warnings;
   /** What is missing. */
   Remarks missing;
 
-  /** Whether a file is there; if not, `what` goes to the missing. */
+  /** Whether a file of a stage, "STAGE/FILE", is there; if not, `what` goes to the missing. Throws InputError where it
+   * is there and does not belong to the rest. */
   bool
   Has(const std::string & name, const std::string & what);
+  /** Throws InputError unless the file is there and belongs to the rest. */
+  std::string
+  Required(const std::string & name) const;
   std::string
   PathOf(const std::string & name) const
   {

@@ -21,7 +21,7 @@ Add(DicomMeasurementGroup &  group,
 {
   if (std::isfinite(value))
   {
-    group.measurements.push_back({ name, NumberText(value, 4), unit, std::move(derivation) });
+    group.measurements.push_back({ name, NumberText(value, 6), unit, std::move(derivation) });
   }
 }
 
@@ -119,10 +119,7 @@ MeasurementsOfColon(const ColonExamination & exam, const ColonSegmentsAsDicom & 
       AddExtent(exam, report.groups.back());
     }
   }
-  for (const auto & warning : exam.quality.value("warnings", Json::array()))
-  {
-    report.comments.push_back(warning.get<std::string>());
-  }
+  report.comments.insert(report.comments.end(), exam.warnings.begin(), exam.warnings.end());
   report.comments.insert(report.comments.end(), exam.missing.begin(), exam.missing.end());
   return report;
 }

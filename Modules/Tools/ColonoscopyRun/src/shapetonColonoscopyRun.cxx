@@ -26,19 +26,6 @@ Joined(const std::vector<std::string> & words)
   return text;
 }
 
-/** Results inside of the input would change what the input holds. */
-void
-RequireApart(const std::string & input, const std::string & output)
-{
-  if (!fs::exists(input))
-  {
-    throw InputError("\"" + input + "\" does not exist; give a folder with a DICOM series, a DICOM file or a volume");
-  }
-  const fs::path relative = fs::weakly_canonical(output).lexically_relative(fs::weakly_canonical(input));
-  RequireParameter(!fs::is_directory(input) || relative.empty() || *relative.begin() == "..",
-                   "the output folder lies in the input folder; name one beside it");
-}
-
 /** Options of the registration, which change nothing that is told of one series alone. */
 const std::vector<std::string> optionsOfPair{ "matching", "refine", "segmentWise", "evaluate" };
 
@@ -259,10 +246,13 @@ RunColonoscopy(CommandLine & commandLine, const std::string & toolFolder)
   const std::string folder = commandLine.GetString("outputFolder");
   const bool        hasSecond = commandLine.IsGiven("second");
   CheckDicomResults(commandLine); // before any work
-  RequireApart(commandLine.GetString("inputVolume"), folder);
-  if (hasSecond)
+  for (const char * const input : { "inputVolume", "second" })
   {
-    RequireApart(commandLine.GetString("second"), folder);
+    if (commandLine.IsGiven(input))
+    {
+      CommandLine::RequireApart(
+        commandLine.GetString(input), folder, "give a folder with a DICOM series, a DICOM file or a volume");
+    }
   }
   const SceneFiles sceneFiles = SceneFilesOf(commandLine);
   SeriesRun        first(commandLine, toolFolder, ColonoscopySeries::First);

@@ -2,7 +2,6 @@
 
 #include "shapetonColonoscopyResults.h"
 #include "shapetonCommandLine.h"
-#include "shapetonContentIdentity.h"
 #include "shapetonCsvTable.h"
 #include "shapetonExceptions.h"
 #include "shapetonSha256.h"
@@ -215,36 +214,21 @@ Folds(const OptionPasser & passer, const StagedRun & run)
   return stage;
 }
 
-/** What a tool that is given a whole folder reads of it. */
-Stage::Identity
-IdentityOfFiles(const std::vector<std::string> & names)
-{
-  return [names](const std::string & folder) {
-    std::string lines;
-    for (const std::string & name : names)
-    {
-      const std::string path = folder + '/' + name;
-      lines += fs::exists(path) ? IdentityOf(path) + ' ' + name + '\n' : "";
-    }
-    return "sha256:" + Sha256OfBytes(lines);
-  };
-}
-
 /** A search for candidates on the wall in a folder, and their table. */
 Stage
 SearchForCandidates(const char * name, const OptionPasser & passer, const std::string & folder)
 {
   Stage stage(name, "ColonPolyps");
   stage
-    .Input("",
-           folder,
-           IdentityOfFiles({ "segmentation/wall-repaired.vtp",
-                             "segmentation/lumen.nrrd",
-                             "segmentation/centreline.vtp",
-                             "segmentation/cleansed.nrrd",
-                             "segmentation/catheter.vtp",
-                             "flattening/flat.vtp",
-                             "landmarks/segments.vtp" }))
+    .InputFolder("",
+                 folder,
+                 { "segmentation/wall-repaired.vtp",
+                   "segmentation/lumen.nrrd",
+                   "segmentation/centreline.vtp",
+                   "segmentation/cleansed.nrrd",
+                   "segmentation/catheter.vtp",
+                   "flattening/flat.vtp",
+                   "landmarks/segments.vtp" })
     .Output("", "candidates.csv");
   passer.Pass(stage, { "sensitivity" });
   passer.PassThreads(stage);
@@ -298,14 +282,14 @@ StageOfRegistration(const CommandLine & commandLine)
     Stage stage(names::registration, "ColonRegistration");
     for (const ColonoscopySeries series : { ColonoscopySeries::First, ColonoscopySeries::Second })
     {
-      stage.Input("",
-                  FolderOfSeries(folder, series),
-                  IdentityOfFiles({ "flattening/flat.vtp",
-                                    "segmentation/centreline.vtp",
-                                    "landmarks/landmarks.json",
-                                    "landmarks/folds-surface.vtp",
-                                    "landmarks/taeniae.vtp",
-                                    "folds/folds.csv" }));
+      stage.InputFolder("",
+                        FolderOfSeries(folder, series),
+                        { "flattening/flat.vtp",
+                          "segmentation/centreline.vtp",
+                          "landmarks/landmarks.json",
+                          "landmarks/folds-surface.vtp",
+                          "landmarks/taeniae.vtp",
+                          "folds/folds.csv" });
     }
     stage.Output("", "").Output("report", "report").Expect({ "registration.json", "matches.csv" });
     passer.Pass(stage, { "matching", "refine", "segmentWise" });
@@ -339,9 +323,9 @@ StageOfPolyps(const CommandLine & commandLine, ColonoscopySeries series)
                                           ? FolderOfSeries(folder, ColonoscopySeries::Second) + '/' + names::polyps
                                           : folder + '/' + names::search;
       stage
-        .Input("registration",
-               folder + '/' + names::registration,
-               IdentityOfFiles({ "map-supine-to-prone.vtp", "map-prone-to-supine.vtp", "registration.json" }))
+        .InputFolder("registration",
+                     folder + '/' + names::registration,
+                     { "map-supine-to-prone.vtp", "map-prone-to-supine.vtp", "registration.json" })
         .Input("other", other + "/candidates.csv");
     }
     return stage;
@@ -373,7 +357,7 @@ StageOfViewer(const CommandLine & commandLine)
       }
     }
     Stage stage(names::viewer, "ColonViewer");
-    stage.Input("", folder, IdentityOfFiles(read)).Output("", "").Expect({ "viewer.html" });
+    stage.InputFolder("", folder, read).Output("", "").Expect({ "viewer.html" });
     passer.PassThreads(stage);
     return stage;
   };
@@ -400,18 +384,18 @@ StageOfDicomResults(const CommandLine & commandLine, ColonoscopySeries series)
   const auto         make = [=](const StagedRun &) {
     Stage stage(names::dicom, "ColonResultsToDicom");
     stage
-      .Input("",
-             folder,
-             IdentityOfFiles({ "segmentation/quality.json",
-                               "segmentation/lumen.nrrd",
-                               "segmentation/centreline.vtp",
-                               "segmentation/wall-simplified.vtp",
-                               "flattening/flat.vtp",
-                               "flattening/flat.png",
-                               "landmarks/landmarks.json",
-                               "folds/labels.nrrd",
-                               "polyps/candidates.csv",
-                               "polyps/heads.nrrd" }))
+      .InputFolder("",
+                   folder,
+                   { "segmentation/quality.json",
+                     "segmentation/lumen.nrrd",
+                     "segmentation/centreline.vtp",
+                     "segmentation/wall-simplified.vtp",
+                     "flattening/flat.vtp",
+                     "flattening/flat.png",
+                     "landmarks/landmarks.json",
+                     "folds/labels.nrrd",
+                     "polyps/candidates.csv",
+                     "polyps/heads.nrrd" })
       .Output("", "")
       .Input("source", passer.Volume())
       .Expect({ "seg.dcm", "sr.dcm", "cad.dcm", "sc.dcm", "stl.dcm" });

@@ -126,6 +126,11 @@ public:
   void
   MakeFolder(const std::string & path);
 
+  /** Throws ParameterError where a folder for results is the input folder or lies in it: they would change what the
+   * input holds. Throws InputError where the input is not there; `advice` says what to give. */
+  static void
+  RequireApart(const std::string & input, const std::string & outputFolder, const std::string & advice);
+
   /** The text with options in place of parameters: `the parameter "p" = 2` becomes `--p 2`. Every option has the name
    * of its parameter. */
   static std::string

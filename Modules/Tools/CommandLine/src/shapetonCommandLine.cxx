@@ -516,6 +516,19 @@ CommandLine::MakeFolder(const std::string & path)
   m_State->outputs.MakeFolder(path);
 }
 
+void
+CommandLine::RequireApart(const std::string & input, const std::string & outputFolder, const std::string & advice)
+{
+  namespace fs = std::filesystem;
+  if (!fs::exists(input))
+  {
+    throw InputError("\"" + input + "\" does not exist; " + advice);
+  }
+  const fs::path relative = fs::weakly_canonical(outputFolder).lexically_relative(fs::weakly_canonical(input));
+  RequireParameter(!fs::is_directory(input) || relative.empty() || *relative.begin() == "..",
+                   "the output folder lies in the input folder; name one beside it");
+}
+
 std::string
 CommandLine::InOptions(const std::string & message)
 {

@@ -41,6 +41,8 @@ public:
     std::string flag;
     std::string value;
     Identity    identity;
+    /** Of an input that is a folder: what the tool reads of it; empty for all. */
+    std::vector<std::string> files;
   };
 
   /** The stage's folder has its name; the program lies beside the others. */
@@ -56,6 +58,10 @@ public:
   /** Its content changes the result; IdentityOf() tells it unless another function is given. */
   Stage &
   Input(const std::string & flag, const std::string & path, const Identity & identity = {});
+  /** A folder of which the tool reads these files, or those of them that are there; their contents change the result.
+   */
+  Stage &
+  InputFolder(const std::string & flag, const std::string & path, const std::vector<std::string> & files);
   /** A file, or a folder, in the stage's folder; "" is that folder itself. Must be there when the tool is done. */
   Stage &
   Output(const std::string & flag, const std::string & name);

@@ -83,6 +83,8 @@ private:
   SignatureOf(const Stage & stage, const std::string & version);
   std::string
   IdentityOfInput(const Stage::Argument & argument);
+  std::vector<std::pair<std::string, std::string>>
+  ResultsReadBy(const Stage & stage);
   std::string
   VersionOf(const std::string & program);
   bool

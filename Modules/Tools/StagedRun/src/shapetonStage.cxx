@@ -14,28 +14,35 @@ Stage::~Stage() = default;
 Stage &
 Stage::Option(const std::string & flag, const std::string & value)
 {
-  m_Arguments.push_back({ Kind::Option, flag, value, {} });
+  m_Arguments.push_back({ Kind::Option, flag, value, {}, {} });
   return *this;
 }
 
 Stage &
 Stage::Idle(const std::string & flag, const std::string & value)
 {
-  m_Arguments.push_back({ Kind::Idle, flag, value, {} });
+  m_Arguments.push_back({ Kind::Idle, flag, value, {}, {} });
   return *this;
 }
 
 Stage &
 Stage::Input(const std::string & flag, const std::string & path, const Identity & identity)
 {
-  m_Arguments.push_back({ Kind::Input, flag, path, identity });
+  m_Arguments.push_back({ Kind::Input, flag, path, identity, {} });
+  return *this;
+}
+
+Stage &
+Stage::InputFolder(const std::string & flag, const std::string & path, const std::vector<std::string> & files)
+{
+  m_Arguments.push_back({ Kind::Input, flag, path, {}, files });
   return *this;
 }
 
 Stage &
 Stage::Output(const std::string & flag, const std::string & name)
 {
-  m_Arguments.push_back({ Kind::Output, flag, name, {} });
+  m_Arguments.push_back({ Kind::Output, flag, name, {}, {} });
   return name.empty() ? *this : this->Expect({ name });
 }
 

@@ -9,6 +9,28 @@ namespace shapeton
 {
 namespace
 {
+FileHashes
+HashesIn(const Json & json)
+{
+  FileHashes hashes;
+  for (const auto & file : json.items())
+  {
+    hashes.emplace_back(file.key(), file.value().get<std::string>());
+  }
+  return hashes;
+}
+
+Json
+JsonOf(const FileHashes & hashes)
+{
+  Json json = Json::object();
+  for (const auto & [name, hash] : hashes)
+  {
+    json[name] = hash;
+  }
+  return json;
+}
+
 /** Old files are removed by their names: none may lead out of the stage's folder. */
 void
 RequireInside(const std::string & name)
@@ -31,14 +53,22 @@ RecordOf(const Json & json)
   record.result.status = json.at("status").get<int>();
   record.result.message = json.at("message").get<std::string>();
   record.result.warnings = json.at("warnings").get<std::vector<std::string>>();
-  for (const auto & file : json.at("files").items())
+  record.inputs = HashesIn(json.value("inputs", Json::object()));
+  record.result.files = HashesIn(json.at("files"));
+  for (const auto & file : record.result.files)
   {
-    RequireInside(file.key());
-    record.result.files.emplace_back(file.key(), file.value().get<std::string>());
+    RequireInside(file.first);
   }
   return record;
 }
 } // namespace
+
+std::string
+RecordPathOf(const std::string & file)
+{
+  const std::filesystem::path stage = std::filesystem::path(file).parent_path();
+  return (stage.parent_path() / "stages" / (stage.filename().string() + ".json")).lexically_normal().string();
+}
 
 std::optional<StageRecord>
 ReadStageRecord(const std::string & path)
@@ -71,11 +101,8 @@ WriteStageRecord(const StageRecord & record, const std::string & path)
   json["status"] = result.status;
   json["message"] = result.message;
   json["warnings"] = result.warnings;
-  json["files"] = Json::object();
-  for (const auto & [name, hash] : result.files)
-  {
-    json["files"][name] = hash;
-  }
+  json["inputs"] = JsonOf(record.inputs);
+  json["files"] = JsonOf(result.files);
   const std::filesystem::path target = path;
   const std::filesystem::path temporary = target.parent_path() / ('.' + target.filename().string() + ".part");
   std::error_code             error;

@@ -7,6 +7,7 @@
 #include "shapetonStageFolder.h"
 #include "shapetonStageRecord.h"
 #include "shapetonExceptions.h"
+#include "shapetonSha256.h"
 
 #include <algorithm>
 #include <filesystem>
@@ -40,6 +41,31 @@ RequireExpected(const Stage & stage, const std::string & folder, StageResult & r
       result.message = "ended without \"" + name + "\"; report this as a bug";
     }
   }
+}
+
+/** Those that are there. */
+std::vector<std::string>
+FilesReadOf(const Stage::Argument & argument)
+{
+  std::vector<std::string> paths;
+  if (argument.kind == Kind::Input && argument.files.empty())
+  {
+    paths.push_back(argument.value);
+  }
+  for (const std::string & name : argument.files)
+  {
+    paths.push_back(argument.value + '/' + name);
+  }
+  paths.erase(std::remove_if(paths.begin(), paths.end(), [](const std::string & path) { return !fs::exists(path); }),
+              paths.end());
+  return paths;
+}
+
+/** Without what names its kind. */
+std::string
+HashIn(const std::string & identity)
+{
+  return identity.substr(identity.find(':') + 1);
 }
 
 StageResult
@@ -91,7 +117,34 @@ StagedRun::IdentityOfInput(const Stage::Argument & argument)
   {
     return argument.identity(argument.value);
   }
-  return this->Identify(argument.value);
+  if (argument.files.empty())
+  {
+    return this->Identify(argument.value);
+  }
+  std::string lines;
+  for (const std::string & path : FilesReadOf(argument))
+  {
+    lines += this->Identify(path) + ' ' + path.substr(argument.value.size() + 1) + '\n';
+  }
+  return "sha256:" + Sha256OfBytes(lines);
+}
+
+/** Those inputs that are results of stages, of this run or of one beside it. */
+FileHashes
+StagedRun::ResultsReadBy(const Stage & stage)
+{
+  std::map<std::string, std::string> results;
+  for (const Stage::Argument & argument : stage.GetArguments())
+  {
+    for (const std::string & path : FilesReadOf(argument))
+    {
+      if (fs::exists(RecordPathOf(path)))
+      {
+        results[fs::path(path).lexically_relative(m_Folder).string()] = HashIn(this->Identify(path));
+      }
+    }
+  }
+  return { results.begin(), results.end() };
 }
 
 std::string
@@ -161,17 +214,22 @@ StagedRun::Run(const Stage & stage, const Progress & progress)
   const auto        old = ReadStageRecord(recordPath);
   const bool        isDone = old && old->result.name == stage.GetName() && old->result.status == 0 &&
                       old->signature == signature && this->IsUnchanged(old->result);
-  StageResult result = isDone ? old->result : this->Compute(stage, scratch, progress);
+  StageResult      result = isDone ? old->result : this->Compute(stage, scratch, progress);
+  const FileHashes inputs = this->ResultsReadBy(stage);
   result.isResumed = isDone;
   result.version = version;
-  if (!isDone && result.status != 0 && result.files.empty())
+  const bool hasNew = !isDone && (result.status == 0 || !result.files.empty());
+  if (hasNew)
   {
-    RemoveFolder(scratch);
+    ReplaceFiles(scratch, this->PathOf(stage.GetName(), ""), old ? old->result.files : FileHashes());
   }
   else if (!isDone)
   {
-    ReplaceFiles(scratch, this->PathOf(stage.GetName(), ""), old ? old->result.files : FileHashes());
-    WriteStageRecord({ signature, result }, recordPath);
+    RemoveFolder(scratch);
+  }
+  if (hasNew || (isDone && old->inputs != inputs)) // what counts of an input may be the same, though its bytes are not
+  {
+    WriteStageRecord({ signature, inputs, result }, recordPath);
   }
   for (const auto & [name, hash] : result.files)
   {

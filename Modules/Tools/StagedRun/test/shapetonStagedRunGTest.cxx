@@ -1,6 +1,8 @@
 #include "shapetonStagedRun.h"
 
+#include "shapetonExceptions.h"
 #include "shapetonFileBytes.h"
+#include "shapetonRunRecords.h"
 #include "shapetonTestFolder.h"
 #include "shapetonSha256.h"
 
@@ -253,6 +255,80 @@ TEST(StagedRun, ARecordCannotNameFilesElsewhere)
   shapeton::WriteFileBytes(bench / "run/stages/copying.json", record);
   RunOnce(bench, CopyStage(bench, "b"));
   EXPECT_TRUE(fs::exists(bench / "input"));
+}
+
+TEST(StagedRun, AFolderOfWhichFilesAreReadCountsWithThese)
+{
+  const Bench bench;
+  fs::create_directories(bench / "folder");
+  shapeton::WriteFileBytes(bench / "folder/read", "1");
+  shapeton::WriteFileBytes(bench / "folder/other", "1");
+  Stage copying("copying", "Copy");
+  copying.Input("", bench / "input").InputFolder("mood", bench / "folder", { "read", "missing" }).Output("", "");
+  RunOnce(bench, copying);
+  shapeton::WriteFileBytes(bench / "folder/other", "2");
+  EXPECT_TRUE(RunOnce(bench, copying).isResumed);
+  shapeton::WriteFileBytes(bench / "folder/read", "2");
+  EXPECT_FALSE(RunOnce(bench, copying).isResumed);
+  shapeton::WriteFileBytes(bench / "folder/missing", "2");
+  EXPECT_FALSE(RunOnce(bench, copying).isResumed);
+}
+
+/** Three stages, each of which copies what the one before has copied. */
+void
+RunChain(const Bench & bench, const std::string & suffix, int stages)
+{
+  StagedRun   run(bench / "run", bench / "tools");
+  std::string from = bench / "input";
+  for (const std::string name : { "first", "second", "third" })
+  {
+    if (stages-- > 0)
+    {
+      run.Run(Stage(name, "Copy").Input("", from).Output("", "").Option("suffix", name == "first" ? suffix : "z"));
+      from = run.PathOf(name, "copy");
+    }
+  }
+}
+
+TEST(RunRecords, ResultsOfAnInterruptedRunAreToldFromThoseThatBelongTogether)
+{
+  const Bench                bench;
+  const shapeton::RunRecords records(bench / "run");
+  const auto                 faultOf = [&](const std::string & stage) {
+    return MessageOf([&] { records.RequireCurrent(stage, "copy"); });
+  };
+  const std::string none = "no error";
+  EXPECT_NE(faultOf("third").find("has not come to its end"), std::string::npos);
+  RunChain(bench, "a", 3);
+  EXPECT_EQ(faultOf("third"), none);
+  RunChain(bench, "b", 1); // interrupted after the first stage
+  EXPECT_EQ(faultOf("first"), none);
+  for (const std::string stage : { "second", "third" })
+  {
+    EXPECT_NE(faultOf(stage).find("stage second in"), std::string::npos) << faultOf(stage);
+    EXPECT_NE(faultOf(stage).find("another \"first/copy\""), std::string::npos) << faultOf(stage);
+  }
+  RunChain(bench, "b", 3);
+  EXPECT_EQ(faultOf("third"), none);
+  shapeton::WriteFileBytes(bench / "run/third/copy", "by hand");
+  EXPECT_NE(faultOf("third").find("is not what the stage third wrote"), std::string::npos);
+  EXPECT_EQ(faultOf("second"), none);
+}
+
+TEST(RunRecords, AnInputThatDiffersInWhatDoesNotCountIsCurrent)
+{
+  const Bench bench;
+  const auto  run = [&](const std::string & suffix) {
+    StagedRun run(bench / "run", bench / "tools");
+    run.Run(CopyStage(bench, suffix, "first"));
+    const auto firstLetter = [](const std::string & path) { return shapeton::ReadFileBytes(path).substr(0, 1); };
+    return run.Run(Stage("second", "Copy").Input("", run.PathOf("first", "copy"), firstLetter).Output("", ""));
+  };
+  run("a");
+  EXPECT_TRUE(run("b").isResumed);
+  EXPECT_NO_THROW(shapeton::RunRecords(bench / "run").RequireCurrent("second", "copy"));
+  EXPECT_EQ(shapeton::RunRecords(bench / "run").WarningsOf("second"), shapeton::Remarks{ "a <remark> &amp;" });
+  EXPECT_TRUE(shapeton::RunRecords(bench / "run").WarningsOf("none").empty());
 }
 
 TEST(StagedRun, TwoRunsInOneFolderAreRefused)

@@ -1,0 +1,95 @@
+#include "shapetonRunRecords.h"
+
+#include "shapetonExceptions.h"
+#include "shapetonSha256.h"
+#include "shapetonStageRecord.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <set>
+
+namespace fs = std::filesystem;
+
+namespace shapeton
+{
+namespace
+{
+[[noreturn]] void
+Refuse(const std::string & what)
+{
+  throw InputError(what + "; let the run come to its end");
+}
+
+StageRecord
+ReadFinished(const std::string & path)
+{
+  const auto record = ReadStageRecord(path);
+  if (!record || record->result.status != 0)
+  {
+    Refuse("the stage of \"" + path + "\" has not come to its end");
+  }
+  return *record;
+}
+
+/** "" for a file that the stage did not write. */
+std::string
+HashOf(const StageRecord & record, const std::string & file)
+{
+  const auto & files = record.result.files;
+  const auto   found = std::find_if(files.begin(), files.end(), [&](const auto & one) { return one.first == file; });
+  return found == files.end() ? std::string() : found->second;
+}
+
+/** That what a stage read is what the stages before it have written. */
+class ChainOfStages
+{
+public:
+  void
+  Check(const std::string & recordPath, const StageRecord & record)
+  {
+    if (!m_Checked.insert(recordPath).second)
+    {
+      return;
+    }
+    const fs::path run = fs::path(recordPath).parent_path().parent_path();
+    for (const auto & [name, hash] : record.inputs)
+    {
+      const fs::path    input = (run / name).lexically_normal();
+      const std::string path = RecordPathOf(input.string());
+      const StageRecord maker = ReadFinished(path);
+      if (HashOf(maker, input.filename().string()) != hash)
+      {
+        Refuse("the results of the stage " + record.result.name + " in \"" + run.string() +
+               "\" were made from another \"" + name + "\" than the one that is there now");
+      }
+      this->Check(path, maker);
+    }
+  }
+
+private:
+  std::set<std::string> m_Checked;
+};
+} // namespace
+
+RunRecords::RunRecords(const std::string & folder) : m_Folder(folder) {}
+
+void
+RunRecords::RequireCurrent(const std::string & stage, const std::string & file) const
+{
+  const std::string path = m_Folder + '/' + stage + '/' + file;
+  const std::string recordPath = RecordPathOf(path);
+  const StageRecord record = ReadFinished(recordPath);
+  if (!fs::is_regular_file(path) || Sha256OfFile(path) != HashOf(record, file))
+  {
+    Refuse('"' + path + "\" is not what the stage " + stage + " wrote");
+  }
+  ChainOfStages().Check(recordPath, record);
+}
+
+Remarks
+RunRecords::WarningsOf(const std::string & stage) const
+{
+  const auto record = ReadStageRecord(RecordPathOf(m_Folder + '/' + stage + "/any"));
+  return record ? record->result.warnings : Remarks();
+}
+} // namespace shapeton
