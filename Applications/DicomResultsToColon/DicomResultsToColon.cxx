@@ -48,7 +48,11 @@ WriteSegments(CommandLine & commandLine, const shapeton::DicomSource & source)
   const std::string table = commandLine.OutputOf("table");
   const auto        file = shapeton::ReadDicomSegmentation(commandLine.GetString("input"));
   const auto        chosen = commandLine.GetIntegers("segments");
-  const auto        metadata = shapeton::ProvenanceMetadata(commandLine.GetProvenance());
+  if (!commandLine.GetFlag("anySeries"))
+  {
+    shapeton::RequireMadeOn(file, source);
+  }
+  const auto metadata = shapeton::ProvenanceMetadata(commandLine.GetProvenance());
   if (!mask.empty())
   {
     const auto lumen = chosen.empty() ? shapeton::LumenSegmentsOf(file) : chosen;
@@ -76,7 +80,7 @@ Convert(CommandLine & commandLine)
   CheckUsage(commandLine);
   const std::string input = commandLine.GetString("input");
   commandLine.Progress("Reading", 0.0);
-  const auto source = shapeton::ReadDicomSource(commandLine.GetString("source"), commandLine.GetString("series"));
+  const auto source = shapeton::ReadDicomSource(commandLine.GetString("source"), commandLine.GetString("seriesUID"));
   commandLine.AddInput("input", "sha256:" + shapeton::Sha256OfFile(input));
   commandLine.AddInput("source", shapeton::IdentityOfSeries(source.series.GetSelector()));
   if (!commandLine.IsGiven("markers"))

@@ -110,7 +110,8 @@ CheckThreads(const XMLElement & root, const Parameters & parameters, XMLFaults &
   }
 }
 
-/** A tool that has an input of this kind, or one of these options, has all of them. */
+/** A tool that has an input of this kind, or one of these options, has all of them. One that refers to the slices of a
+ * series chooses it by seriesUID, and cannot repair it. */
 void
 CheckInputOptions(const XMLElement &                         root,
                   const Parameters &                         parameters,
@@ -120,7 +121,8 @@ CheckInputOptions(const XMLElement &                         root,
                   XMLFaults &                                faults)
 {
   const auto takesIt = [&](const XMLElement * parameter) {
-    return options.count(parameter->TextOf("name")) ||
+    const std::string name = parameter->TextOf("name");
+    return (options.count(name) && name != "seriesUID") ||
            (parameter->name == element && parameter->TextOf("channel") == "input");
   };
   if (std::none_of(parameters.begin(), parameters.end(), takesIt))

@@ -2,6 +2,7 @@
 #define shapetonDicomSegmentationReader_h
 
 #include "shapetonDicomSegmentation.h"
+#include "shapetonDicomSource.h"
 
 namespace shapeton
 {
@@ -46,6 +47,11 @@ struct DicomSegmentationFile
 DicomResults_EXPORT DicomSegmentationFile
 ReadDicomSegmentation(const std::string & path);
 
+/** Throws InputError unless a segmentation names the series of the source, or at least its frame of reference, as the
+ * one that it was made on, and no other. Grids may be equal by chance. \ingroup DicomResults */
+DicomResults_EXPORT void
+RequireMadeOn(const DicomSegmentationFile & file, const DicomSource & source);
+
 /** Segments as they were read. \ingroup DicomResults */
 struct DicomSegmentVoxels
 {
@@ -58,8 +64,9 @@ struct DicomSegmentVoxels
 /** The voxels of segments on a grid, as a rule that of the source series. A voxel of a fractional segment belongs to it
  * from a half on.
  *
- * Throws InputError where a frame does not lie in a slice of the grid with the same pixels, and for a file that is not
- * whole; ParameterError for a number that is not there. \ingroup DicomResults */
+ * Throws InputError where a frame does not lie in a slice of the grid with the same pixels, two of a segment lie in
+ * one, and for a file that is not whole; ParameterError for a number that is not there, or twice. \ingroup DicomResults
+ */
 DicomResults_EXPORT DicomSegmentVoxels
 ReadDicomSegments(const DicomSegmentationFile & file, const std::vector<int> & numbers, const itk::ImageBase<3> * grid);
 } // namespace shapeton

@@ -107,6 +107,7 @@ LoadDicomObject(DcmFileFormat & file, const std::string & path, const std::vecto
     throw std::runtime_error(std::string("is of the kind ") + dcmFindNameOfUID(uid.c_str(), "unknown") + ", not " +
                              dcmFindNameOfUID(sopClassUIDs.front().c_str(), "the one that is read here"));
   }
+  file.getDataset()->convertToUTF8(); // what cannot be converted is printed as '?'
 }
 
 void

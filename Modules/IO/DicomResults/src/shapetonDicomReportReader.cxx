@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <stdexcept>
 
 namespace shapeton
@@ -21,7 +22,8 @@ struct Graphic
   std::string type;
   /** Of points in space. */
   std::string frameOfReferenceUID;
-  /** Of points in pixels. */
+  bool        isInPixels{ false };
+  /** Of points in pixels; empty where none is named, or more than one. */
   std::string        sopInstanceUID;
   std::uint32_t      frame{ 1 };
   std::vector<float> values;
@@ -32,7 +34,8 @@ void
 Transmit(TStream & stream, TGraphic & graphic)
 {
   auto     count = static_cast<std::uint64_t>(graphic.values.size());
-  stream & graphic.name & graphic.type & graphic.frameOfReferenceUID & graphic.sopInstanceUID & graphic.frame & count;
+  stream & graphic.name & graphic.type & graphic.frameOfReferenceUID & graphic.isInPixels & graphic
+    .sopInstanceUID & graphic.frame & count;
   if constexpr (!std::is_const<TGraphic>::value)
   {
     if (count > stream.GetLeft())
@@ -94,6 +97,7 @@ private:
     Graphic graphic;
     graphic.name = name.empty() ? CodeOf(item, DCM_ConceptNameCodeSequence).meaning : name;
     graphic.type = TextOf(item, DCM_GraphicType);
+    graphic.isInPixels = isInPixels;
     const Float32 * values = nullptr;
     unsigned long   count = 0;
     item.findAndGetFloat32Array(DCM_GraphicData, values, &count);
@@ -113,6 +117,7 @@ private:
   void
   TakeImage(DcmItem & item, Graphic & graphic) const
   {
+    int images = 0;
     for (DcmItem * child : ItemsOf(item, DCM_ContentSequence))
     {
       child = this->Resolve(child);
@@ -123,8 +128,10 @@ private:
         reference->findAndGetSint32(DCM_ReferencedFrameNumber, frame);
         graphic.sopInstanceUID = TextOf(*reference, DCM_ReferencedSOPInstanceUID);
         graphic.frame = static_cast<std::uint32_t>(std::max<Sint32>(frame, 1));
+        ++images;
       }
     }
+    graphic.sopInstanceUID = images == 1 ? graphic.sopInstanceUID : std::string();
   }
 
   DcmItem *
@@ -202,13 +209,15 @@ public:
   DicomReportPoints
   PlacesOf(const Graphic & graphic) const
   {
-    const bool        isInSpace = !graphic.frameOfReferenceUID.empty();
+    const bool        isInSpace = !graphic.isInPixels;
     const std::size_t dimension = isInSpace ? 3 : 2;
     const bool        isFinite =
       std::all_of(graphic.values.begin(), graphic.values.end(), [](float value) { return std::isfinite(value); });
-    if (graphic.values.empty() || graphic.values.size() % dimension != 0 || !isFinite)
+    if (graphic.values.size() % dimension != 0 || !isFinite ||
+        !MayHave(graphic.type, graphic.values.size() / dimension))
     {
-      throw InputError('"' + m_Path + "\" has coordinates that are none, of " + graphic.name + "; write it again");
+      throw InputError('"' + m_Path + "\" has coordinates that make no " +
+                       (graphic.type.empty() ? "graphic" : graphic.type) + ", of " + graphic.name + "; write it again");
     }
     DicomReportPoints points;
     points.name = graphic.name;
@@ -224,13 +233,26 @@ public:
 private:
   using Place = itk::Point<double, 3>;
 
+  /** Whether a graphic of this type has so many points: DICOM PS3.3, C.18.6 and C.18.9. */
+  static bool
+  MayHave(const std::string & type, std::size_t points)
+  {
+    const std::map<std::string, std::size_t> exact{
+      { "POINT", 1 }, { "CIRCLE", 2 }, { "ELLIPSE", 4 }, { "ELLIPSOID", 6 }
+    };
+    const auto found = exact.find(type);
+    return found != exact.end() ? points == found->second
+                                : points > 0 && (type == "MULTIPOINT" || type == "POLYLINE" || type == "POLYGON");
+  }
+
   Place
   InSpace(const Graphic & graphic, const float * values) const
   {
     if (graphic.frameOfReferenceUID != m_Source.series.frameOfReferenceUID)
     {
-      throw InputError('"' + m_Path + "\" has points in another frame of reference than the series " +
-                       m_Source.series.uid + "; give the series that it was made on");
+      throw InputError('"' + m_Path + "\" has points in " + (graphic.frameOfReferenceUID.empty() ? "no" : "another") +
+                       " frame of reference than that of the series " + m_Source.series.uid +
+                       "; give the series that it was made on");
     }
     Place place;
     std::copy(values, values + 3, place.Begin());
@@ -242,12 +264,22 @@ private:
   {
     const auto & slices = m_Source.series.slices;
     const auto   slice = std::find_if(slices.begin(), slices.end(), [&](const DicomSlice & one) {
-      return one.sopInstanceUID == graphic.sopInstanceUID && (!one.isMultiFrame || one.frame + 1 == graphic.frame);
+      return one.sopInstanceUID == graphic.sopInstanceUID && graphic.frame == (one.isMultiFrame ? one.frame + 1 : 1);
     });
+    if (graphic.sopInstanceUID.empty())
+    {
+      throw InputError('"' + m_Path + "\" has points of " + graphic.name +
+                       " that name no image, or more than one; write it again");
+    }
     if (slice == slices.end())
     {
       throw InputError('"' + m_Path + "\" has points in an image that is no slice of the series " +
                        m_Source.series.uid + "; give the series that it was made on");
+    }
+    if (!(values[0] >= 0.0F && values[0] <= static_cast<float>(m_Source.series.size[0]) && values[1] >= 0.0F &&
+          values[1] <= static_cast<float>(m_Source.series.size[1])))
+    {
+      throw InputError('"' + m_Path + "\" has points of " + graphic.name + " outside of their image; write it again");
     }
     itk::ContinuousIndex<double, 3> index;
     index[0] = values[0] - 0.5; // 0 is the outer corner of the first pixel

@@ -7,7 +7,9 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <set>
 #include <stdexcept>
+#include <utility>
 
 namespace shapeton
 {
@@ -31,6 +33,13 @@ GroupOf(DcmItem * frame, DcmItem * shared, const DcmTagKey & group)
   throw std::runtime_error(std::string("lacks the ") + DcmTag(group).getTagName() + " of a frame");
 }
 
+bool
+Declares(const DicomSegmentationFile & file, int number)
+{
+  return std::any_of(
+    file.segments.begin(), file.segments.end(), [&](const DicomSegmentInFile & one) { return one.number == number; });
+}
+
 void
 ReadSegments(DcmItem & dataset, DicomSegmentationFile & file)
 {
@@ -42,7 +51,15 @@ ReadSegments(DcmItem & dataset, DicomSegmentationFile & file)
     segment.category = CodeOf(*item, DCM_SegmentedPropertyCategoryCodeSequence);
     segment.type = CodeOf(*item, DCM_SegmentedPropertyTypeCodeSequence);
     segment.trackingUID = TextOf(*item, DCM_TrackingUID);
+    if (Declares(file, segment.number))
+    {
+      throw std::runtime_error("declares segment " + std::to_string(segment.number) + " twice");
+    }
     file.segments.push_back(segment);
+  }
+  if (file.segments.empty())
+  {
+    throw std::runtime_error("declares no segment");
   }
 }
 
@@ -87,6 +104,11 @@ ReadFrames(DcmItem & dataset, DicomSegmentationFile & file)
     DicomSegmentFrame frame;
     frame.segment = static_cast<int>(NumbersOf(identification, DCM_ReferencedSegmentNumber, 1).front());
     frame.position = itk::Point<double, 3>(position.data());
+    if (!Declares(file, frame.segment))
+    {
+      throw std::runtime_error("has frames of segment " + std::to_string(frame.segment) +
+                               ", which it does not declare");
+    }
     file.frames.push_back(frame);
   }
 }
@@ -297,12 +319,46 @@ RequireSegments(const DicomSegmentationFile & file, const std::vector<int> & num
 {
   for (const int number : numbers)
   {
-    const bool isThere = std::any_of(
-      file.segments.begin(), file.segments.end(), [&](const DicomSegmentInFile & one) { return one.number == number; });
-    RequireParameter(isThere, '"' + file.path + "\" has no segment " + std::to_string(number));
+    RequireParameter(Declares(file, number), '"' + file.path + "\" has no segment " + std::to_string(number));
+    RequireParameter(std::count(numbers.begin(), numbers.end(), number) == 1,
+                     "segment " + std::to_string(number) + " is asked for twice");
   }
 }
+
+/** The slice of each frame. */
+std::vector<std::size_t>
+SlicesOf(const DicomSegmentationFile & file, const itk::ImageBase<3> * grid)
+{
+  const GridPlanes                      planes(file, grid);
+  std::vector<std::size_t>              slices;
+  std::set<std::pair<int, std::size_t>> taken;
+  for (const DicomSegmentFrame & frame : file.frames)
+  {
+    slices.push_back(planes.SliceOf(frame));
+    if (!taken.insert({ frame.segment, slices.back() }).second)
+    {
+      throw InputError('"' + file.path + "\" has two frames of segment " + std::to_string(frame.segment) +
+                       " in one plane; write it again");
+    }
+  }
+  return slices;
+}
 } // namespace
+
+void
+RequireMadeOn(const DicomSegmentationFile & file, const DicomSource & source)
+{
+  const DicomSeries & series = source.series;
+  const bool          isSeries = file.seriesUID.empty() || file.seriesUID == series.uid;
+  const bool isFrame = file.frameOfReferenceUID.empty() || file.frameOfReferenceUID == series.frameOfReferenceUID;
+  const bool tells = !file.seriesUID.empty() || !file.frameOfReferenceUID.empty();
+  if (!tells || !isSeries || !isFrame)
+  {
+    throw InputError('"' + file.path + "\" " +
+                     (tells ? "was made on another series than " : "does not tell whether it was made on the series ") +
+                     series.uid + "; give the series that it was made on");
+  }
+}
 
 DicomSegmentationFile
 ReadDicomSegmentation(const std::string & path)
@@ -325,7 +381,7 @@ DicomSegmentVoxels
 ReadDicomSegments(const DicomSegmentationFile & file, const std::vector<int> & numbers, const itk::ImageBase<3> * grid)
 {
   RequireSegments(file, numbers);
-  const GridPlanes   planes(file, grid);
+  const auto         slices = SlicesOf(file, grid);
   DicomSegmentVoxels read{ EmptyLabels(grid), std::vector<std::size_t>(numbers.size(), 0) };
   const std::size_t  pixels = std::size_t(file.columns) * file.rows;
   const std::size_t  bytes = BytesOfPixels(file);
@@ -336,7 +392,7 @@ ReadDicomSegments(const DicomSegmentationFile & file, const std::vector<int> & n
       {
         if (file.frames[i].segment == numbers[k])
         {
-          auto * const slice = read.labels->GetBufferPointer() + planes.SliceOf(file.frames[i]) * pixels;
+          auto * const slice = read.labels->GetBufferPointer() + slices[i] * pixels;
           read.voxels[k] += PaintFrame(file, i, data, numbers[k], slice);
         }
       }

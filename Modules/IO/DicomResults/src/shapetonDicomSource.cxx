@@ -143,6 +143,7 @@ ReadDicomSource(const std::string & path, const std::string & seriesUID)
 {
   VolumeReadOptions options;
   options.seriesUID = seriesUID;
+  options.adviseRepair = false;
   const DicomScan scan = ScanDicom(path);
   DicomSource     source;
   source.series = SelectDicomSeries(scan, options);

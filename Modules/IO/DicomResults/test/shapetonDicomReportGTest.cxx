@@ -3,6 +3,8 @@
 #include "shapetonDicomResultsTesting.h"
 #include "shapetonFileBytes.h"
 
+#include <functional>
+
 namespace
 {
 using namespace shapeton;
@@ -118,4 +120,57 @@ TEST(DicomReport, RefusesPointsOfAnotherPlace)
   EXPECT_TRUE(Contains(InputErrorOf([&] { ReadDicomReportPoints(folder + "/im0001.dcm", source); }), "is of the kind"));
   WriteDicomReport(source, DicomReportKind::ColonCAD, RootWith({}), {}, HeaderOfTest(), folder + "/empty.dcm");
   EXPECT_TRUE(Contains(InputErrorOf([&] { ReadDicomReportPoints(folder + "/empty.dcm", source); }), "names no point"));
+}
+
+TEST(DicomReport, RefusesGraphicsThatAreNone)
+{
+  const std::string folder = TestFolder();
+  const DicomSource source = SourceOf(ObliqueFixture(), folder);
+  const auto        read = [&](const std::function<void(DcmItem &)> & change) {
+    WriteDicomReport(source,
+                     DicomReportKind::ColonCAD,
+                     RootWith({ PixelPointContent("CONTAINS", center, { 0.0, 0.0, 0.0 }, source) }),
+                     {},
+                     HeaderOfTest(),
+                     folder + "/cad.dcm");
+    DcmFileFormat file = Loaded(folder + "/cad.dcm");
+    DcmItem *     item = nullptr;
+    EXPECT_TRUE(file.getDataset()->findAndGetSequenceItem(DCM_ContentSequence, item, -1).good());
+    change(*item);
+    SaveDicom(file, folder + "/cad.dcm");
+    return ReadDicomReportPoints(folder + "/cad.dcm", source).front().places.size();
+  };
+  const auto faultOf = [&](const std::function<void(DcmItem &)> & change) {
+    return InputErrorOf([&] { read(change); });
+  };
+  const auto graphic = [](const char * type, std::vector<Float32> values) {
+    return [type, values](DcmItem & item) {
+      item.putAndInsertString(DCM_GraphicType, type);
+      item.putAndInsertFloat32Array(DCM_GraphicData, values.data(), static_cast<unsigned long>(values.size()));
+    };
+  };
+  EXPECT_EQ(read(graphic("POINT", { 1, 1 })), 1u);
+  EXPECT_EQ(read(graphic("POLYLINE", { 1, 1, 2, 2, 3, 3 })), 3u);
+  EXPECT_TRUE(Contains(faultOf(graphic("POINT", { 1, 1, 2, 2 })), "make no POINT"));
+  EXPECT_TRUE(Contains(faultOf(graphic("ELLIPSE", { 1, 1, 2, 2 })), "make no ELLIPSE"));
+  EXPECT_TRUE(Contains(faultOf(graphic("FOO", { 1, 1 })), "make no FOO"));
+  EXPECT_TRUE(Contains(faultOf(graphic("POINT", { 5000, 1 })), "outside of their image"));
+  EXPECT_TRUE(Contains(faultOf(graphic("POINT", { 1, -1 })), "outside of their image"));
+  EXPECT_TRUE(
+    Contains(faultOf([](DcmItem & item) { item.findAndDeleteElement(DCM_ContentSequence); }), "name no image"));
+  EXPECT_TRUE(Contains(faultOf([](DcmItem & item) {
+                         DcmItem * image = nullptr;
+                         DcmItem * reference = nullptr;
+                         item.findAndGetSequenceItem(DCM_ContentSequence, image, 0);
+                         image->findAndGetSequenceItem(DCM_ReferencedSOPSequence, reference, 0);
+                         reference->putAndInsertString(DCM_ReferencedFrameNumber, "2");
+                       }),
+                       "no slice of the series"));
+  EXPECT_TRUE(Contains(faultOf([](DcmItem & item) {
+                         DcmItem * image = nullptr;
+                         item.findAndGetSequenceItem(DCM_ContentSequence, image, 0);
+                         auto * const second = new DcmItem(*image);
+                         item.insertSequenceItem(DCM_ContentSequence, second);
+                       }),
+                       "or more than one"));
 }

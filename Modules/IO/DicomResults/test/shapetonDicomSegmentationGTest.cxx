@@ -3,6 +3,7 @@
 #include "shapetonFileBytes.h"
 
 #include <filesystem>
+#include <functional>
 #include <random>
 
 namespace
@@ -218,4 +219,72 @@ TEST(DicomSegmentation, ReadsFractionalOnesFromHalfOn)
   std::vector<unsigned short> expected(pixels * 6, 0);
   expected[4] = 1;
   EXPECT_EQ(ValuesOf(labels), expected);
+}
+
+TEST(DicomSegmentation, BelongsToTheSeriesThatItNames)
+{
+  const Written         written(ObliqueFixture());
+  DicomSegmentationFile file = ReadDicomSegmentation(written.path);
+  EXPECT_NO_THROW(RequireMadeOn(file, written.source));
+  DicomSource other = written.source; // another position with the same grid
+  other.series.uid += ".1";
+  EXPECT_TRUE(Contains(InputErrorOf([&] { RequireMadeOn(file, other); }), "made on another series"));
+  other = written.source;
+  other.series.frameOfReferenceUID += ".1";
+  EXPECT_TRUE(Contains(InputErrorOf([&] { RequireMadeOn(file, other); }), "made on another series"));
+  file.seriesUID.clear();
+  EXPECT_NO_THROW(RequireMadeOn(file, written.source));
+  file.frameOfReferenceUID.clear();
+  EXPECT_TRUE(Contains(InputErrorOf([&] { RequireMadeOn(file, written.source); }), "does not tell"));
+}
+
+TEST(DicomSegmentation, RefusesFramesAndSegmentsThatContradictEachOther)
+{
+  const auto faultOf = [](const std::function<void(DcmDataset &)> & change) {
+    const Written written(ObliqueFixture());
+    DcmFileFormat file = Loaded(written.path);
+    change(*file.getDataset());
+    SaveDicom(file, written.path);
+    return InputErrorOf([&] { ReadDicomSegments(ReadDicomSegmentation(written.path), { 1 }, written.source.grid); });
+  };
+  const auto numberOf = [](DcmDataset & dataset, signed long item, Uint16 number) {
+    DcmItem * segment = nullptr;
+    ASSERT_TRUE(dataset.findAndGetSequenceItem(DCM_SegmentSequence, segment, item).good());
+    segment->putAndInsertUint16(DCM_SegmentNumber, number);
+  };
+  EXPECT_TRUE(Contains(faultOf([&](DcmDataset & dataset) { numberOf(dataset, 1, 1); }), "declares segment 1 twice"));
+  EXPECT_TRUE(Contains(faultOf([&](DcmDataset & dataset) { numberOf(dataset, 0, 99); }), "which it does not declare"));
+  EXPECT_TRUE(
+    Contains(faultOf([](DcmDataset & dataset) { dataset.findAndDeleteElement(DCM_SegmentSequence); }), "no segment"));
+  EXPECT_TRUE(Contains(faultOf([](DcmDataset & dataset) {
+                         DcmItem * frames[2];
+                         for (signed long i = 0; i < 2; ++i)
+                         {
+                           dataset.findAndGetSequenceItem(DCM_PerFrameFunctionalGroupsSequence, frames[i], i);
+                         }
+                         *frames[1] = *frames[0];
+                       }),
+                       "two frames of segment 1 in one plane"));
+}
+
+TEST(DicomSegmentation, ASegmentIsAskedForOnce)
+{
+  const Written written(ObliqueFixture());
+  EXPECT_THROW(ReadDicomSegments(ReadDicomSegmentation(written.path), { 1, 1 }, written.source.grid), ParameterError);
+}
+
+TEST(DicomSegmentation, NamesInOtherCharacterSetsAreUtf8)
+{
+  const Written written(ObliqueFixture());
+  DcmFileFormat file = Loaded(written.path);
+  DcmItem *     segment = nullptr;
+  ASSERT_TRUE(file.getDataset()->findAndGetSequenceItem(DCM_SegmentSequence, segment, 0).good());
+  file.getDataset()->putAndInsertString(DCM_SpecificCharacterSet, "ISO_IR 100");
+  segment->putAndInsertString(DCM_SegmentLabel,
+                              "Gr\xF6\xDF"
+                              "e");
+  SaveDicom(file, written.path);
+  EXPECT_EQ(ReadDicomSegmentation(written.path).segments[0].name,
+            "Gr\xC3\xB6\xC3\x9F"
+            "e");
 }

@@ -28,6 +28,10 @@ struct VolumeReadOptions
   /** Take one DICOM slice as a volume of one slice; its thickness is its Slice Thickness, 1 mm where that is missing.
    */
   bool allowSingleSlice{ false };
+  /** Whether a message advises to repair a series; not where it must be taken as it is, since others refer to its
+   * slices.
+   */
+  bool adviseRepair{ true };
   /** Told of each file and of each slice of a DICOM series. It may throw in order to abort. */
   Progress progress;
 };

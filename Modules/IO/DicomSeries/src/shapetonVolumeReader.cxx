@@ -55,8 +55,12 @@ RefusalOf(const DicomSeries & series, const VolumeReadOptions & options)
   {
     if (!IsRepaired(defect.kind, options, isChosenPart))
     {
+      VolumeReadOptions all;
+      all.dropDuplicates = all.resampleGaps = all.deshear = true;
+      const bool isOption = IsRepaired(defect.kind, all, false);
       return std::string(GetDicomDefectName(defect.kind)) + ": " + defect.message + "; " +
-             GetDicomDefectAdvice(defect.kind);
+             (isOption && !options.adviseRepair ? "a series without this defect is needed"
+                                                : GetDicomDefectAdvice(defect.kind));
     }
   }
   if (series.isSingleSlice && !options.allowSingleSlice)

@@ -15,8 +15,8 @@ namespace shapeton
  * \ingroup ColonResults */
 ///@{
 
-/** The segments that are the lumen of a colon: those of gas and of intraluminal fluid, else the only one. Throws
- * InputError, with a list of all, where that cannot be told. */
+/** The segments that are the lumen of a colon: those of gas and of intraluminal fluid, else the only one; fluid
+ * without gas is none. Throws InputError, with a list of all, where that cannot be told. */
 ColonResults_EXPORT std::vector<int>
                     LumenSegmentsOf(const DicomSegmentationFile & file);
 

@@ -36,19 +36,21 @@ std::vector<int>
 LumenSegmentsOf(const DicomSegmentationFile & file)
 {
   std::vector<int> numbers;
+  bool             hasGas = false; // fluid alone is no lumen
   for (const DicomSegmentInFile & segment : file.segments)
   {
+    hasGas = hasGas || segment.type == colonterms::gas;
     if (segment.type == colonterms::gas || segment.type == colonterms::fluid)
     {
       numbers.push_back(segment.number);
     }
   }
-  if (numbers.empty() && file.segments.size() != 1)
+  if (!hasGas && file.segments.size() != 1)
   {
-    throw InputError('"' + file.path + "\" has no segments of gas or fluid; choose by the parameter \"segments\" of " +
+    throw InputError('"' + file.path + "\" has no segment of gas; choose by the parameter \"segments\" of " +
                      ListOf(file));
   }
-  return numbers.empty() ? AllSegmentsOf(file) : numbers;
+  return hasGas ? numbers : AllSegmentsOf(file);
 }
 
 CsvTable
