@@ -1,5 +1,6 @@
 """Written by make_stub.py from the docstrings of the module; do not edit."""
 
+import os
 from typing import Any, Callable, Dict, List, Optional, Sequence, Tuple, Union
 
 from numpy.typing import ArrayLike, NDArray
@@ -1776,7 +1777,10 @@ def diffuse_heat(image: Image, *, p: Optional[float]=..., window: Optional[Tuple
     ...
 
 def diffuse_over_surface(mesh: Mesh, values: ArrayLike, time: float, *, progress: Optional[Callable[[float, str], object]]=...) -> NDArray[Any]:
-    """Lets columns of values, n x k, flow over a surface for `time` mm^2, from 0; a new array, n x k.
+    """Smooths values over a surface by heat flow of `time` mm^2, from 0; a new array of the shape of `values`.
+
+    values: n, or n x k in columns. Time goes in two implicit steps: what has the eigenvalue x of the surface is multiplied by
+    (1 + x time / 2)^-2, where the heat equation itself has exp(-x time). For that one use `spectrum`.
 
     progress: called with (share, stage), share from 0 to 1; False, or an exception such as that of Ctrl-C, aborts.
     """
@@ -1917,7 +1921,7 @@ def inspect_surface(mesh: Mesh) -> Dict[str, Any]:
     """
     ...
 
-def list_series(path: str, *, progress: Optional[Callable[[float, str], object]]=...) -> List[DicomSeries]:
+def list_series(path: Union[str, os.PathLike[str]], *, progress: Optional[Callable[[float, str], object]]=...) -> List[DicomSeries]:
     """The DICOM series in a folder, searched recursively, or in a file. Reads headers.
 
     progress: called with (share, stage), share from 0 to 1; False, or an exception such as that of Ctrl-C, aborts.
@@ -1932,27 +1936,27 @@ def read_certificate(path: str) -> EmbeddingCertificate:
     """Reads a certificate (JSON)."""
     ...
 
-def read_curves(path: str) -> Curves:
+def read_curves(path: Union[str, os.PathLike[str]]) -> Curves:
     """Reads the lines and points of a VTP file, such as a centreline."""
     ...
 
-def read_graph(path: str) -> Graph:
+def read_graph(path: Union[str, os.PathLike[str]]) -> Graph:
     """Reads GraphML, GML, DOT, edge lists, METIS, MATPOWER, PACE, graph6 or sparse6."""
     ...
 
-def read_position(folder: str, name: str) -> ColonPosition:
+def read_position(folder: Union[str, os.PathLike[str]], name: str) -> ColonPosition:
     """Reads a ColonPosition from a folder that VirtualColonoscopy has written."""
     ...
 
-def read_shape_database(path: str) -> List[NamedShape]:
+def read_shape_database(path: Union[str, os.PathLike[str]]) -> List[NamedShape]:
     """All shapes of an SQLite file of the tool ShapeSearch, in the order in which they were added."""
     ...
 
-def read_shape_table(path: str) -> ShapeTable:
+def read_shape_table(path: Union[str, os.PathLike[str]]) -> ShapeTable:
     """Reads what `write_shape_table` wrote."""
     ...
 
-def read_surface(path: str, *, part: str=..., component: int=..., unit: str=..., any_extent: bool=..., repair: bool=...) -> Mesh:
+def read_surface(path: Union[str, os.PathLike[str]], *, part: str=..., component: int=..., unit: str=..., any_extent: bool=..., repair: bool=...) -> Mesh:
     """Reads VTP, STL, OBJ, PLY, OFF, glTF or GLB; LPS, mm.
 
     part: the name of a part of the file; "" for all. component: from 1, by number of faces; 0: there must be one; -1: all.
@@ -1963,7 +1967,7 @@ def read_surface(path: str, *, part: str=..., component: int=..., unit: str=...,
     """
     ...
 
-def read_volume(path: str, *, series_uid: str=..., resample_gaps: bool=..., deshear: bool=..., drop_duplicates: bool=..., allow_single_slice: bool=..., progress: Optional[Callable[[float, str], object]]=...) -> Image:
+def read_volume(path: Union[str, os.PathLike[str]], *, series_uid: str=..., resample_gaps: bool=..., deshear: bool=..., drop_duplicates: bool=..., allow_single_slice: bool=..., progress: Optional[Callable[[float, str], object]]=...) -> Image:
     """Reads a folder of DICOM slices, a DICOM file, or a NRRD, NIfTI or MetaImage file.
 
     An irregular series is refused with InputError that names the defect, unless its repair is allowed:
@@ -2088,23 +2092,23 @@ def write_certificate(certificate: EmbeddingCertificate, path: str) -> None:
     """Writes a certificate as JSON; numbers read back as they were."""
     ...
 
-def write_curves(curves: Union[Curves, NDArray[Any]], path: str) -> None:
+def write_curves(curves: Union[Curves, NDArray[Any]], path: Union[str, os.PathLike[str]]) -> None:
     """Writes curves as VTP with their arrays and facts; equal curves give equal bytes."""
     ...
 
-def write_graph(graph: Graph, path: str) -> None:
+def write_graph(graph: Graph, path: Union[str, os.PathLike[str]]) -> None:
     """Writes GraphML."""
     ...
 
-def write_shape_table(table: ShapeTable, path: str) -> None:
+def write_shape_table(table: ShapeTable, path: Union[str, os.PathLike[str]]) -> None:
     """Writes a CSV file, as the tool ShapeSignature does."""
     ...
 
-def write_surface(mesh: Mesh, path: str) -> None:
+def write_surface(mesh: Mesh, path: Union[str, os.PathLike[str]]) -> None:
     """Writes VTP (all arrays and facts), STL, PLY or OBJ by the extension; equal surfaces give equal bytes."""
     ...
 
-def write_volume(image: Image, path: str, metadata: Sequence[Tuple[str, str]]=...) -> None:
+def write_volume(image: Image, path: Union[str, os.PathLike[str]], metadata: Sequence[Tuple[str, str]]=...) -> None:
     """Writes NRRD (.nrrd), NIfTI (.nii, .nii.gz) or MetaImage (.mha), as the tools do.
 
     float32, int16, uint8, uint16 and uint32 are written as they are, float64 as float32, bool as uint8; ParameterError for

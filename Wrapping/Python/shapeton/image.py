@@ -14,6 +14,9 @@ _RAS = np.diag([-1.0, -1.0, 1.0, 1.0])
 
 _PERPENDICULAR = 1e-3  # headers round
 
+#: Units of lengths of NIfTI.
+_MILLIMETRES = {"meter": 1000.0, "mm": 1.0, "micron": 0.001}
+
 Triple = Union[Sequence[float], NDArray[Any]]
 
 
@@ -85,6 +88,10 @@ class Image:
         """Other voxels at the same places."""
         return Image(array, self._spacing, self._origin, self._direction)
 
+    def __array__(self, dtype: Any = None) -> NDArray[Any]:
+        """The voxels, for functions of numpy."""
+        return np.asarray(self._array, dtype=dtype)
+
     def point(self, index: Any) -> NDArray[Any]:
         """The place of the voxel ``[z, y, x]``, or of each row of such indices; LPS, mm."""
         xyz = np.asarray(index, dtype=np.float64)[..., ::-1]
@@ -115,11 +122,13 @@ class Image:
 
     @classmethod
     def from_nibabel(cls, image: Any) -> Image:
-        """Of a nibabel image: voxels [x, y, z] are transposed (a view), RAS becomes LPS."""
+        """Of a nibabel image: voxels [x, y, z] are transposed (a view), RAS becomes LPS, other units mm."""
         voxels = np.asanyarray(image.dataobj)
+        units = image.header.get_xyzt_units()[0] if hasattr(image.header, "get_xyzt_units") else "mm"
+        millimetres = np.diag([_MILLIMETRES.get(units, 1.0)] * 3 + [1.0])
         if voxels.ndim == 4 and voxels.shape[3] == 1:
             voxels = voxels[..., 0]
-        return cls.from_affine(voxels.T, _RAS @ image.affine)
+        return cls.from_affine(voxels.T, _RAS @ millimetres @ image.affine)
 
     def to_nibabel(self) -> Any:
         """A nibabel.Nifti1Image; its voxels are a view."""
@@ -188,14 +197,20 @@ class Image:
         from vtkmodules.util.numpy_support import numpy_to_vtk
         from vtkmodules.vtkCommonDataModel import vtkImageData
 
-        voxels = self._array.astype(np.uint8) if self._array.dtype == bool else self._array
+        voxels = for_vtk(self._array)
         image = vtkImageData()
         image.SetDimensions(*reversed(self._array.shape))
         image.SetSpacing(self._spacing)
         image.SetOrigin(self._origin)
         image.SetDirectionMatrix(self._direction.ravel().tolist())
-        image.GetPointData().SetScalars(numpy_to_vtk(np.ascontiguousarray(voxels).ravel()))
+        image.GetPointData().SetScalars(numpy_to_vtk(voxels.ravel()))
         return image
+
+
+def for_vtk(values: NDArray[Any]) -> NDArray[Any]:
+    """C-contiguous and in the machine's order of bytes, bool as uint8; a copy only where it must be."""
+    native = values.astype(np.uint8) if values.dtype == bool else values.astype(values.dtype.newbyteorder("="), copy=False)
+    return np.ascontiguousarray(native)
 
 
 def _volume(array: Any) -> NDArray[Any]:

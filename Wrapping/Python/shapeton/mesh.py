@@ -8,6 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ._shapeton import InputError, ParameterError
+from .image import for_vtk
 
 Arrays = Mapping[str, Any]
 
@@ -85,7 +86,8 @@ class Mesh(_Geometry):
 
         polys = poly_data.GetPolys()
         corners = vtk_to_numpy(polys.GetConnectivityArray())
-        if len(corners) != 3 * polys.GetNumberOfCells() or poly_data.GetNumberOfCells() != polys.GetNumberOfCells():
+        sizes = np.diff(vtk_to_numpy(polys.GetOffsetsArray()))
+        if np.any(sizes != 3) or poly_data.GetNumberOfCells() != polys.GetNumberOfCells():
             raise InputError("the vtkPolyData holds cells that are no triangles; apply vtkTriangleFilter, PassLinesOff")
         if poly_data.GetPoints() is None:
             raise InputError("the vtkPolyData holds no points")
@@ -105,6 +107,8 @@ class Mesh(_Geometry):
 
         points = vtkPoints()
         points.SetData(numpy_to_vtk(self.vertices))
+        if len(self.faces) > 0 and self.faces.max() >= len(self.vertices):
+            raise InputError(f"a face names vertex {self.faces.max()}, but there are {len(self.vertices)}")
         corners = self.faces.astype(np.int64).ravel()
         cells = vtkCellArray()
         cells.SetData(3, numpy_to_vtkIdTypeArray(corners, deep=True))
@@ -201,6 +205,6 @@ def _add_arrays(arrays: Mapping[str, NDArray[Any]], data: Any) -> None:
     from vtkmodules.util.numpy_support import numpy_to_vtk
 
     for name, values in arrays.items():
-        array = numpy_to_vtk(np.ascontiguousarray(values))
+        array = numpy_to_vtk(for_vtk(values))
         array.SetName(name)
         data.AddArray(array)

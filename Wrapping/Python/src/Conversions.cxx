@@ -4,6 +4,9 @@
 #include <cmath>
 #include <limits>
 
+#include <cxxabi.h>
+#include <unistd.h>
+
 namespace shapeton::python
 {
 namespace
@@ -38,7 +41,7 @@ protected:
   ArrayContainer() = default;
   ~ArrayContainer() override
   {
-    const py::gil_scoped_acquire acquire; // the library may let go of it while Python does something else
+    const WithGil gil; // the library may let go of it while Python does something else
     m_Array.release().dec_ref();
   }
 
@@ -197,8 +200,9 @@ public:
     {
       return;
     }
-    const py::gil_scoped_acquire acquire;
-    if (m_Function(share, stage).is(py::bool_(false)))
+    const WithGil gil;
+    py::detail::make_caster<bool> answer; // also of numpy.bool_, but of nothing else
+    if (answer.load(m_Function(share, stage), false) && !static_cast<bool>(answer))
     {
       PyErr_SetString(ClassOf("shapeton._shapeton", "Aborted").ptr(), "the progress function has returned False");
       throw py::error_already_set();
@@ -219,7 +223,7 @@ SignalCheck()
     {
       return;
     }
-    const py::gil_scoped_acquire acquire;
+    const WithGil gil;
     if (PyErr_CheckSignals() != 0)
     {
       throw py::error_already_set();
@@ -227,6 +231,51 @@ SignalCheck()
   };
 }
 } // namespace
+
+namespace
+{
+[[noreturn]] void
+WaitForEver()
+{
+  for (;;)
+  {
+    pause();
+  }
+}
+
+/** Calls a function that takes Python's lock, if that can still be had. */
+template <typename TTake>
+auto
+TakeGil(const TTake & take)
+{
+  if (_Py_IsFinalizing() != 0)
+  {
+    WaitForEver();
+  }
+  try
+  {
+    return take();
+  }
+  catch (abi::__forced_unwind &) // the interpreter has ended meanwhile
+  {
+    WaitForEver();
+  }
+}
+} // namespace
+
+WithGil::WithGil() : m_State(TakeGil([] { return PyGILState_Ensure(); })) {}
+
+WithGil::~WithGil()
+{
+  PyGILState_Release(m_State);
+}
+
+WithoutGil::Released::Released() : m_State(PyEval_SaveThread()) {}
+
+WithoutGil::Released::~Released()
+{
+  TakeGil([this] { PyEval_RestoreThread(m_State); });
+}
 
 WithoutGil::WithoutGil() : m_Interruption(SignalCheck()) {}
 
@@ -351,10 +400,19 @@ ProgressTo(const py::object & function)
     return {};
   }
   const std::shared_ptr<Watch> watch(new Watch(function), [](Watch * finished) {
-    const py::gil_scoped_acquire acquire;
+    const WithGil gil;
     delete finished;
   });
   return Progress([watch](const std::string & stage, double share) { (*watch)(stage, share); });
+}
+
+void
+RequireFinitePlace(const double * place, py::ssize_t row)
+{
+  if (!std::isfinite(place[0]) || !std::isfinite(place[1]) || !std::isfinite(place[2]))
+  {
+    throw InputError("place " + std::to_string(row) + " is not finite (NaN or infinity)");
+  }
 }
 
 py::array_t<double>

@@ -27,6 +27,24 @@ namespace shapeton::python
 namespace py = pybind11;
 using namespace pybind11::literals;
 
+/** \class WithGil
+ * \brief Holds Python's lock in a block.
+ *
+ * A thread that asks for the lock after the interpreter has ended waits for ever, as in Python 3.14. Older versions end
+ * the thread by unwinding it, which libraries in C++ answer by aborting the process. */
+class WithGil
+{
+public:
+  WithGil();
+  ~WithGil();
+  WithGil(const WithGil &) = delete;
+  WithGil &
+  operator=(const WithGil &) = delete;
+
+private:
+  PyGILState_STATE m_State;
+};
+
 /** \class WithoutGil
  * \brief Lets other threads of Python run while a function of the library does, and signals stop it. */
 class WithoutGil
@@ -35,8 +53,21 @@ public:
   WithoutGil();
 
 private:
-  const py::gil_scoped_release m_Release;
-  const Interruption           m_Interruption;
+  class Released
+  {
+  public:
+    Released();
+    ~Released();
+    Released(const Released &) = delete;
+    Released &
+    operator=(const Released &) = delete;
+
+  private:
+    PyThreadState * m_State;
+  };
+
+  const Released     m_Released;
+  const Interruption m_Interruption;
 };
 using ReleaseGil = py::call_guard<WithoutGil>;
 
@@ -83,10 +114,16 @@ ToPython(const CurveSet & curves, const py::handle & owner);
 Progress
 ProgressTo(const py::object & function);
 
-/** Places in space as a parameter. */
+/** Places in space as a parameter: finite numbers. */
 struct Places
 {
   std::vector<Eigen::Vector3d> points;
+};
+
+/** The name of a file or a folder as a parameter: a text or a path object. */
+struct Path
+{
+  std::string text;
 };
 
 /** An owner for ToPython(): lives as long as the Python object that it is made of. */
@@ -97,6 +134,10 @@ OwnerOf(TValue && value)
   using Value = std::decay_t<TValue>;
   return py::capsule(new Value(std::forward<TValue>(value)), [](void * owned) { delete static_cast<Value *>(owned); });
 }
+
+/** Throws InputError unless three numbers are finite; `row` names them. */
+void
+RequireFinitePlace(const double * place, py::ssize_t row);
 
 /** n x 3 numbers of a list of places. */
 py::array_t<double>
@@ -249,6 +290,30 @@ struct type_caster<shapeton::Progress>
   }
 };
 
+template <>
+struct type_caster<shapeton::python::Path>
+{
+  PYBIND11_TYPE_CASTER(shapeton::python::Path, const_name("os.PathLike"));
+
+  bool
+  load(handle source, bool)
+  {
+    const auto path = reinterpret_steal<object>(PyOS_FSPath(source.ptr()));
+    if (!path || !isinstance<str>(path))
+    {
+      PyErr_Clear();
+      return false;
+    }
+    value.text = path.cast<std::string>();
+    return true;
+  }
+  static handle
+  cast(const shapeton::python::Path & path, return_value_policy, handle)
+  {
+    return str(path.text).release();
+  }
+};
+
 /** Places and vectors of ITK: arrays of three numbers. */
 template <typename TTriple>
 struct triple_caster
@@ -265,6 +330,7 @@ struct triple_caster
       return false;
     }
     std::copy_n(numbers.data(), 3, value.Begin());
+    shapeton::python::RequireFinitePlace(numbers.data(), 0);
     return true;
   }
   static handle
@@ -297,6 +363,7 @@ struct type_caster<shapeton::python::Places>
     }
     for (ssize_t i = 0; i < rows.size(); i += 3)
     {
+      shapeton::python::RequireFinitePlace(rows.data() + i, i / 3);
       value.points.emplace_back(rows.data()[i], rows.data()[i + 1], rows.data()[i + 2]);
     }
     return true;

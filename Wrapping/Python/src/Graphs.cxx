@@ -13,16 +13,33 @@ namespace shapeton::python
 {
 namespace
 {
-using Edges = Eigen::Matrix<int, Eigen::Dynamic, 2, Eigen::RowMajor>;
 using Certificate = EmbeddingCertificate;
 
 Graph
-MakeGraph(int nodes, const Edges & edges, const std::vector<std::string> & names)
+MakeGraph(int nodes, const py::object & rows, const std::vector<std::string> & names)
 {
-  Graph graph{ nodes, {}, names };
-  for (Eigen::Index e = 0; e < edges.rows(); ++e)
+  const py::array edges = py::array::ensure(rows);
+  if (!edges)
   {
-    graph.edges.push_back({ edges(e, 0), edges(e, 1) });
+    throw py::error_already_set();
+  }
+  const bool isEmpty = edges.size() == 0;
+  const char kind = edges.dtype().kind();
+  RequireParameter(isEmpty || ((kind == 'i' || kind == 'u') && edges.ndim() == 2 && edges.shape(1) == 2),
+                   "the parameter \"edges\" needs two whole numbers in each row");
+  const auto ends = py::array_t<std::int64_t, py::array::c_style | py::array::forcecast>(edges);
+  Graph      graph{ nodes, {}, names };
+  for (py::ssize_t e = 0; e < (isEmpty ? 0 : ends.shape(0)); ++e)
+  {
+    for (const std::int64_t end : { ends.at(e, 0), ends.at(e, 1) })
+    {
+      if (end < 0 || end >= nodes)
+      {
+        throw InputError("edge " + std::to_string(e) + " names node " + std::to_string(end) + ", but there are " +
+                         std::to_string(nodes));
+      }
+    }
+    graph.edges.push_back({ static_cast<int>(ends.at(e, 0)), static_cast<int>(ends.at(e, 1)) });
   }
   RequireSound(graph, "the graph");
   return graph;
@@ -122,11 +139,17 @@ nodes: how many. edges: m x 2, indices of nodes. names: none, or one for each no
 
   module.def(
     "read_graph",
-    [](const std::string & path) { return ReadGraph(path).graph; },
+    [](const Path & path) { return ReadGraph(path.text).graph; },
     "path"_a,
     ReleaseGil(),
     "Reads GraphML, GML, DOT, edge lists, METIS, MATPOWER, PACE, graph6 or sparse6.");
-  module.def("write_graph", &WriteGraphML, "graph"_a, "path"_a, ReleaseGil(), "Writes GraphML.");
+  module.def(
+    "write_graph",
+    [](const Graph & graph, const Path & path) { WriteGraphML(graph, path.text); },
+    "graph"_a,
+    "path"_a,
+    ReleaseGil(),
+    "Writes GraphML.");
   module.def("complete_graph", &CompleteGraph, "nodes"_a, "Each node joined with each other one.");
   module.def(
     "complete_bipartite_graph", &CompleteBipartiteGraph, "left"_a, "right"_a, "Each left node with each right one.");

@@ -6,6 +6,8 @@
 #include "shapetonExceptions.h"
 #include "shapetonHeatClassification.h"
 
+#include <limits>
+
 namespace shapeton::python
 {
 namespace
@@ -30,8 +32,8 @@ ConsumerOf(const py::object & function)
     return {};
   }
   return [&function](std::uint64_t step, const ImageType * heat) {
-    const py::gil_scoped_acquire acquire;
-    const auto                   image = ToPython<float>(heat);
+    const WithGil gil;
+    const auto    image = ToPython<float>(heat);
     function(step, image.attr("like")(image.attr("array").attr("copy")())); // the filter goes on with its own
   };
 }
@@ -194,6 +196,14 @@ AddClasses(py::module_ & module)
        double                              backgroundHeat,
        double                              minimumShare,
        double                              minimumPeakToValley) {
+      const auto require = [](const char * name, double value, double greatest) {
+        RequireParameter(value >= 0.0 && value <= greatest,
+                         std::string("the parameter \"") + name + "\" is out of range: 0 to " +
+                           (greatest > 1.0 ? "any finite number" : "1"));
+      };
+      require("background_heat", backgroundHeat, 1.0);
+      require("minimum_share", minimumShare, 1.0);
+      require("minimum_peak_to_valley", minimumPeakToValley, std::numeric_limits<double>::max());
       const auto found = ClassifyHeat(heat, components, { maximum, backgroundHeat, minimumShare, minimumPeakToValley });
       return std::make_pair(found.labels, found.classes);
     },

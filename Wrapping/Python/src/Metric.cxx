@@ -69,12 +69,16 @@ Metric(const SurfaceMesh & mesh, std::optional<double> time, std::optional<int> 
   return TruncatedHeatDiffusionMetric(surface.laplacian, spectrum, t, *pairs);
 }
 
-Eigen::MatrixXd
-DiffuseOver(const SurfaceMesh & mesh, Eigen::MatrixXd values, double time, const Progress & progress)
+py::array
+DiffuseOver(const SurfaceMesh & mesh, const py::array_t<double> & values, double time, const Progress & progress)
 {
-  progress("Preparing", 0.0);
-  DiffuseOverSurface(Manifold(mesh).laplacian, time, values, progress.Part("Diffusing", 0.3, 1.0));
-  return values;
+  auto columns = values.cast<Eigen::MatrixXd>(); // one for a plain array
+  {
+    const WithoutGil withoutGil;
+    progress("Preparing", 0.0);
+    DiffuseOverSurface(Manifold(mesh).laplacian, time, columns, progress.Part("Diffusing", 0.3, 1.0));
+  }
+  return values.ndim() == 1 ? py::cast(Eigen::VectorXd(columns.col(0))) : py::cast(columns);
 }
 
 void
@@ -176,8 +180,10 @@ progress: called with (share, stage), share from 0 to 1; False, or an exception 
              "time"_a,
              py::kw_only(),
              "progress"_a = Progress(),
-             ReleaseGil(),
-             R"(Lets columns of values, n x k, flow over a surface for `time` mm^2, from 0; a new array, n x k.
+             R"(Smooths values over a surface by heat flow of `time` mm^2, from 0; a new array of the shape of `values`.
+
+values: n, or n x k in columns. Time goes in two implicit steps: what has the eigenvalue x of the surface is multiplied by
+(1 + x time / 2)^-2, where the heat equation itself has exp(-x time). For that one use `spectrum`.
 
 progress: called with (share, stage), share from 0 to 1; False, or an exception such as that of Ctrl-C, aborts.)");
 }

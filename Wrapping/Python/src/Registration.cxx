@@ -130,8 +130,8 @@ folds: as `find_folds` gives them.)")
 
   module.def(
     "read_position",
-    [](const std::string & folder, const std::string & name) {
-      return std::make_shared<Position>(ReadColonPosition(folder, name));
+    [](const Path & folder, const std::string & name) {
+      return std::make_shared<Position>(ReadColonPosition(folder.text, name));
     },
     "folder"_a,
     "name"_a,

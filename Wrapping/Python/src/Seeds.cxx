@@ -6,8 +6,10 @@
 #include "shapetonHeatSeeds.h"
 #include "shapetonSeededHeatSegmentationImageFilter.h"
 
+#include <atomic>
 #include <map>
 #include <mutex>
+#include <thread>
 
 namespace shapeton::python
 {
@@ -46,7 +48,10 @@ public:
   SeededLabels
   Segment(const SeedImage::Pointer & seeds, bool wantsProbabilities, const Progress & progress)
   {
+    RequireParameter(m_Worker != std::this_thread::get_id(),
+                     "a progress function called `segment` of the object that it reports on; make another SeededHeat");
     const std::lock_guard<std::mutex> lock(m_Mutex); // threads of Python may share one
+    const Working                     working(m_Worker);
     if (!HaveSameGrid(m_Filter->GetInput(), seeds))
     {
       throw InputError("the grids of the seeds and of the image differ in size or place: give a label map on its grid");
@@ -67,8 +72,20 @@ public:
   }
 
 private:
-  const SeedFilter::Pointer m_Filter{ SeedFilter::New() };
-  std::mutex                m_Mutex;
+  /** Names this thread as the one that works. */
+  class Working
+  {
+  public:
+    explicit Working(std::atomic<std::thread::id> & worker) : m_Worker(worker) { m_Worker = std::this_thread::get_id(); }
+    ~Working() { m_Worker = std::thread::id(); }
+
+  private:
+    std::atomic<std::thread::id> & m_Worker;
+  };
+
+  const SeedFilter::Pointer    m_Filter{ SeedFilter::New() };
+  std::mutex                   m_Mutex;
+  std::atomic<std::thread::id> m_Worker{ std::thread::id() };
 };
 
 SeedImage::Pointer

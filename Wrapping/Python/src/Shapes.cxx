@@ -81,13 +81,19 @@ image: intensities, for mean_intensity alone. labels: whole numbers from 0 (back
 progress: called with (share, stage), share from 0 to 1; False, or an exception such as that of Ctrl-C, aborts.
 
 A shape takes half a second. What has fewer than 64 voxels or is too thin is left out with a warning.)");
-  module.def("write_shape_table",
-             &WriteShapeTable,
-             "table"_a,
-             "path"_a,
-             ReleaseGil(),
-             "Writes a CSV file, as the tool ShapeSignature does.");
-  module.def("read_shape_table", &ReadShapeTable, "path"_a, ReleaseGil(), "Reads what `write_shape_table` wrote.");
+  module.def(
+    "write_shape_table",
+    [](const ShapeTable & table, const Path & path) { WriteShapeTable(table, path.text); },
+    "table"_a,
+    "path"_a,
+    ReleaseGil(),
+    "Writes a CSV file, as the tool ShapeSignature does.");
+  module.def(
+    "read_shape_table",
+    [](const Path & path) { return ReadShapeTable(path.text); },
+    "path"_a,
+    ReleaseGil(),
+    "Reads what `write_shape_table` wrote.");
 }
 
 void
@@ -130,11 +136,12 @@ AddSearch(py::module_ & module)
     "nearest"_a = 5,
     ReleaseGil(),
     "Looks a signature up among entries, a list of NamedShape; `nearest` neighbours at most.");
-  module.def("read_shape_database",
-             &ReadShapeDatabase,
-             "path"_a,
-             ReleaseGil(),
-             "All shapes of an SQLite file of the tool ShapeSearch, in the order in which they were added.");
+  module.def(
+    "read_shape_database",
+    [](const Path & path) { return ReadShapeDatabase(path.text); },
+    "path"_a,
+    ReleaseGil(),
+    "All shapes of an SQLite file of the tool ShapeSearch, in the order in which they were added.");
 }
 } // namespace
 

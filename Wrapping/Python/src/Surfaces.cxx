@@ -14,7 +14,7 @@ namespace shapeton::python
 namespace
 {
 py::object
-Read(const std::string & path,
+Read(const Path &        path,
      const std::string & part,
      int                 component,
      const std::string & unit,
@@ -25,7 +25,7 @@ Read(const std::string & path,
   {
     const WithoutGil         withoutGil;
     const SurfaceReadOptions options{ part, component, unit, anyExtent };
-    surface = repair ? ReadRepairedSurface(path, options) : ReadSurface(path, options);
+    surface = repair ? ReadRepairedSurface(path.text, options) : ReadSurface(path.text, options);
   }
   py::object mesh = py::cast(std::move(surface.mesh));
   AppendRemarks(surface.notes, surface.repairs);
@@ -84,23 +84,26 @@ unit: "m", "mm" or "um" in place of that of the format; then any extent is taken
 between 5 mm and 5 m wide, with a note. repair: mends what `repair_surface` mends.
 
 What was changed or doubtful is in the `notes` of the mesh.)");
-  module.def("write_surface",
-             py::overload_cast<const SurfaceMesh &, const std::string &>(&WriteSurface),
-             "mesh"_a,
-             "path"_a,
-             ReleaseGil(),
-             "Writes VTP (all arrays and facts), STL, PLY or OBJ by the extension; equal surfaces give equal bytes.");
-  module.def("read_curves",
-             &ReadCurves,
-             "path"_a,
-             ReleaseGil(),
-             "Reads the lines and points of a VTP file, such as a centreline.");
-  module.def("write_curves",
-             &WriteCurves,
-             "curves"_a,
-             "path"_a,
-             ReleaseGil(),
-             "Writes curves as VTP with their arrays and facts; equal curves give equal bytes.");
+  module.def(
+    "write_surface",
+    [](const SurfaceMesh & mesh, const Path & path) { WriteSurface(mesh, path.text); },
+    "mesh"_a,
+    "path"_a,
+    ReleaseGil(),
+    "Writes VTP (all arrays and facts), STL, PLY or OBJ by the extension; equal surfaces give equal bytes.");
+  module.def(
+    "read_curves",
+    [](const Path & path) { return ReadCurves(path.text); },
+    "path"_a,
+    ReleaseGil(),
+    "Reads the lines and points of a VTP file, such as a centreline.");
+  module.def(
+    "write_curves",
+    [](const CurveSet & curves, const Path & path) { WriteCurves(curves, path.text); },
+    "curves"_a,
+    "path"_a,
+    ReleaseGil(),
+    "Writes curves as VTP with their arrays and facts; equal curves give equal bytes.");
 }
 } // namespace
 

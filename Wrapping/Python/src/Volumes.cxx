@@ -24,7 +24,7 @@ ImageWithFacts(const Volume & volume)
 }
 
 py::object
-ReadWithFacts(const std::string & path,
+ReadWithFacts(const Path &        path,
               const std::string & seriesUID,
               bool                resampleGaps,
               bool                deshear,
@@ -35,7 +35,7 @@ ReadWithFacts(const std::string & path,
   Volume volume;
   {
     const WithoutGil withoutGil;
-    volume = ReadVolume(path, { seriesUID, resampleGaps, deshear, dropDuplicates, allowSingleSlice, progress });
+    volume = ReadVolume(path.text, { seriesUID, resampleGaps, deshear, dropDuplicates, allowSingleSlice, true, progress });
   }
   return ImageWithFacts(volume);
 }
@@ -50,8 +50,9 @@ WriteAs(const py::object & image, const std::string & path, const VolumeMetadata
 }
 
 void
-Write(const py::object & image, const std::string & path, const VolumeMetadata & metadata)
+Write(const py::object & image, const Path & file, const VolumeMetadata & metadata)
 {
+  const std::string & path = file.text;
   RequireVolumeName(path);
   const auto        type = image.attr("array").cast<py::array>().dtype();
   const std::string name = py::str(type.attr("name"));
@@ -122,8 +123,8 @@ AddVolumes(py::module_ & module)
 
   module.def(
     "list_series",
-    [](const std::string & path, const Progress & progress) {
-      return ScanDicom(path, progress.Part("Reading headers", 0.0, 1.0)).series;
+    [](const Path & path, const Progress & progress) {
+      return ScanDicom(path.text, progress.Part("Reading headers", 0.0, 1.0)).series;
     },
     "path"_a,
     py::kw_only(),

@@ -142,6 +142,21 @@ class ColonTest(TestCase):
             colon.find_folds(self.supine.flat, scheme="cut")
         with self.assertRaisesRegex(shapeton.ParameterError, "preset"):
             colon.colon_phantom(preset="no such")
+        for spacing in ((float("nan"), 3.0, 3.0), (-3.0, 3.0, 3.0)):
+            with self.assertRaisesRegex(shapeton.ParameterError, "is not positive"):
+                colon.colon_phantom(size=(40, 40, 40), spacing=spacing, truth_only=True)
+
+    def test_places_are_finite_and_may_be_far(self):
+        flat = self.supine.flat
+        for wrong in (np.nan, np.inf, -np.inf):
+            with self.assertRaisesRegex(ValueError, "place is not finite"):
+                flat.find([[0.0, 0.0, 0.0], [wrong, 0.0, 0.0]])
+            with self.assertRaisesRegex(shapeton.InputError, "place 0 is not finite"):
+                colon.find_landmarks(flat, self.supine.model.centreline.curve, markers=[[wrong, 0.0, 0.0]])
+        for far in (1e6, 1e100, 1e300):
+            self.assertGreater(flat.find([[far, 0.0, 0.0]])[1][0], 0.9e6)
+            with self.assertRaisesRegex(shapeton.InputError, "from the wall"):
+                colon.find_landmarks(flat, self.supine.model.centreline.curve, markers=[[far, 0.0, 0.0]])
 
 
 if __name__ == "__main__":

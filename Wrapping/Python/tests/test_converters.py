@@ -43,6 +43,14 @@ class NibabelTest(TestCase):
         np.testing.assert_allclose(image.point(np.argwhere(image.array)[0]), [-ras[0], -ras[1], ras[2]])
         self.assertTrue(np.shares_memory(image.array, voxels))
 
+    def test_other_units_become_millimetres(self):
+        import nibabel
+
+        for unit, factor in (("meter", 1000.0), ("mm", 1.0), ("micron", 0.001), ("unknown", 1.0)):
+            nifti = nibabel.Nifti1Image(np.zeros((2, 2, 2), np.int16), np.diag([2.0, 3.0, 4.0, 1.0]))
+            nifti.header.set_xyzt_units(unit)
+            np.testing.assert_allclose(Image.from_nibabel(nifti).spacing, np.array([2.0, 3.0, 4.0]) * factor)
+
     def test_there_and_back(self):
         image = balls()
         back = Image.from_nibabel(image.to_nibabel())
@@ -57,6 +65,15 @@ class VtkTest(TestCase):
         back = Image.from_vtk(image.to_vtk())
         self.assertSame(back.array, image.array)
         np.testing.assert_allclose(back.affine, image.affine, atol=1e-12)
+
+    def test_vtk_gets_numbers_in_the_order_of_the_machine(self):
+        for dtype in (">i2", ">f4", ">f8", "<i2"):
+            image = balls().like(np.round(balls().array).astype(dtype))
+            np.testing.assert_array_equal(Image.from_vtk(image.to_vtk()).array, image.array)
+        mesh = Mesh(np.eye(3), [[0, 1, 2]], {"a": np.array([1, 2, 3], ">f4"), "b": np.array([True, False, True])})
+        arrays = Mesh.from_vtk(mesh.to_vtk()).point_arrays
+        np.testing.assert_array_equal(arrays["a"], [1, 2, 3])
+        np.testing.assert_array_equal(arrays["b"], [1, 0, 1])
 
     def test_vtk_places_voxels_where_we_do(self):
         image = balls()
@@ -111,12 +128,22 @@ class VtkTest(TestCase):
         self.assertEqual((facts["genus"], facts["closed"]), (0, True))
 
     def test_other_cells_are_refused(self):
+        from vtkmodules.vtkCommonDataModel import vtkCellArray
         from vtkmodules.vtkFiltersSources import vtkCubeSource
 
         cube = vtkCubeSource()
         cube.Update()
         with self.assertRaisesRegex(shapeton.InputError, "no triangles"):
             Mesh.from_vtk(cube.GetOutput())
+        polys = vtkCellArray()
+        for corners in ((0, 1, 2, 3), (2, 3)):
+            polys.InsertNextCell(len(corners), corners)
+        mixed = Mesh(np.eye(4)[:, :3], [[0, 1, 2]]).to_vtk()
+        mixed.SetPolys(polys)  # as many corners as two triangles
+        with self.assertRaisesRegex(shapeton.InputError, "no triangles"):
+            Mesh.from_vtk(mixed)
+        with self.assertRaisesRegex(shapeton.InputError, "names vertex 9"):
+            Mesh(np.eye(3), [[0, 1, 9]]).to_vtk()
 
 
 class FakeImage:

@@ -44,6 +44,25 @@ class GraphTest(TestCase):
         self.assertEqual(read.names, graph.names)
         with self.assertRaisesRegex(shapeton.InputError, "node 5"):
             graphs.Graph(2, [[0, 5]])
+        with self.assertRaisesRegex(shapeton.InputError, "node 4294967296"):
+            graphs.Graph(3, [[2**32, 1]])
+        for wrong in ([[0.0, 1.5]], [0, 1], [[0, 1, 2]]):
+            with self.assertRaisesRegex(shapeton.ParameterError, "edges"):
+                graphs.Graph(3, wrong)
+        self.assertEqual(graphs.Graph(3, []).edges.shape, (0, 2))
+
+    def test_families_refuse_counts_that_are_none(self):
+        self.assertEqual(graphs.hypercube_graph(4).nodes, 16)
+        for make, wrong in (
+            (graphs.hypercube_graph, (31,)),
+            (graphs.hypercube_graph, (-1,)),
+            (graphs.hypercube_graph, (40,)),
+            (graphs.complete_graph, (-1,)),
+            (graphs.grid_graph, (100000, 100000)),
+            (graphs.complete_bipartite_graph, (2, -1)),
+        ):
+            with self.assertRaisesRegex(ValueError, "count of the graph"):
+                make(*wrong)
 
     def test_isomorphic_graphs_are_found_and_others_told_apart(self):
         k33 = graphs.complete_bipartite_graph(3, 3)

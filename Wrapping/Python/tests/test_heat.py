@@ -44,6 +44,17 @@ class HeatTest(TestCase):
             self.assertGreater(np.count_nonzero(inside & (labels.array == c.label)), 0.999 * c.voxels)
             self.assertAlmostEqual(c.volume, c.voxels * np.prod(heat.spacing), delta=1e-6 * c.volume + 1e-9)
 
+    def test_rules_of_classes_are_checked(self):
+        heat = shapeton.diffuse_heat(balls((8, 8, 8)), time_steps=10).heat
+        for name, wrong in (
+            ("background_heat", -1.0),
+            ("minimum_share", 2.0),
+            ("minimum_share", -1.0),
+            ("minimum_peak_to_valley", float("nan")),
+        ):
+            with self.assertRaisesRegex(shapeton.ParameterError, name):
+                shapeton.classify_heat(heat, **{name: wrong})
+
     def test_snapshots_are_the_heat_of_shorter_runs(self):
         image, seen = balls((12, 14, 16)), {}
         shapeton.diffuse_heat(
@@ -167,6 +178,10 @@ class AbortTest(TestCase):
             self.run_for_hours(progress)
         self.assertIsInstance(caught.exception, shapeton.Aborted)
         self.assertEqual(len(calls), 3)
+
+    def test_false_of_numpy_aborts(self):
+        with self.assertRaises(shapeton.Aborted):
+            self.run_for_hours(lambda *_: np.False_)
 
     def test_none_and_zero_do_not_abort(self):
         for answer in (None, 0, "", []):

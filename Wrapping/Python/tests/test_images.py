@@ -104,6 +104,11 @@ class LayoutTest(TestCase):
 
 
 class ResultTest(TestCase):
+    def test_numpy_reads_it(self):
+        image = balls()
+        self.assertEqual(np.mean(image), image.array.mean())
+        self.assertIs(np.asarray(image), image.array)
+
     def test_a_result_outlives_what_it_came_with(self):
         image = balls((12, 14, 16))
         result = shapeton.diffuse_heat(image, time_steps=10)

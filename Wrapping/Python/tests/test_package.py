@@ -54,6 +54,23 @@ class PackageTest(TestCase):
         for order in ("vtk, nibabel, pydicom, shapeton", "shapeton, pydicom, nibabel, vtk"):
             self.assertEqual(run_python(f"import {order}; {use}; print('done')"), "done")
 
+    def test_the_interpreter_ends_while_a_thread_computes(self):
+        code = '''
+import threading, time, numpy, shapeton
+from shapeton import graphs
+image = shapeton.Image(numpy.random.default_rng(1).random((96, 96, 96)))
+work = {
+    "heat": lambda: shapeton.diffuse_heat(image, time_steps=30000),
+    "progress": lambda: shapeton.diffuse_heat(image, time_steps=30000, progress=lambda *_: None),
+    "graph": lambda: graphs.embed_graph(graphs.complete_graph(40)),
+}["WORK"]
+threading.Thread(target=work, daemon=True).start()
+time.sleep(0.3)
+print("done")
+'''
+        for work in ("heat", "progress", "graph"):
+            self.assertEqual(run_python(code.replace("WORK", work)), "done")
+
     def test_errors_belong_to_the_classes_of_python(self):
         for error, kinds in (
             (shapeton.ParameterError, (shapeton.Error, ValueError)),

@@ -82,6 +82,9 @@ class SeedsTest(TestCase):
             shapes.SeededHeat(image, tolerance=3.0).segment(seeds)
         with self.assertRaises(shapeton.Aborted):
             heat.segment(seeds, progress=lambda share, stage: False)
+        with self.assertRaisesRegex(shapeton.ParameterError, "make another SeededHeat"):
+            heat.segment(seeds, progress=lambda share, stage: heat.segment(seeds))
+        self.assertTrue(heat.segment(seeds).labels.array.any())
 
 
 class SignaturesTest(TestCase):

@@ -85,7 +85,18 @@ class MeshTest(TestCase):
         np.testing.assert_array_equal(read.field_arrays["list"], [3, 1, 4])
         self.assertIn(("maker", "a test"), read.facts)
         with self.assertRaisesRegex(OSError, "cannot write"):
-            surfaces.write_surface(mesh, str(self.folder / "missing" / "mesh.vtp"))
+            surfaces.write_surface(mesh, self.folder / "missing" / "mesh.vtp")
+
+    def test_what_a_file_cannot_hold_is_refused(self):
+        for words, arrays, facts in (
+            ("in its name", {'a"b': [1.0, 2.0, 3.0]}, ()),
+            ("in its name", {"a\0b": [1.0, 2.0, 3.0]}, ()),
+            ("no column", {"a": np.zeros((3, 0))}, ()),
+            ("zero byte", {}, [("fact", "a\0b")]),
+        ):
+            with self.assertRaisesRegex(shapeton.InputError, words):
+                surfaces.write_surface(Mesh(np.eye(3), [[0, 1, 2]], arrays, facts=facts), self.folder / "none.vtp")
+        self.assertFalse((self.folder / "none.vtp").exists())
 
     def test_curves_go_through_a_file(self):
         curves = Curves([[0, 0, 0], [1, 0, 0], [2, 0, 1], [5, 5, 5]], [[3], [0, 1, 2]], {"arcLength": [0, 1, 2.5, 9]})
@@ -160,6 +171,14 @@ class MetricTest(TestCase):
         np.testing.assert_allclose(smooth[:, 1], 3.0)
         self.assertLess(smooth[0, 0], 0.5)
         self.assertEqual(values[0, 0], 1.0)
+        np.testing.assert_array_equal(surfaces.diffuse_over_surface(mesh, values[:, 0], 5.0), smooth[:, 0])
+
+    def test_heat_over_a_surface_goes_in_two_implicit_steps(self):
+        mesh = icosphere(50.0, 4)
+        height = mesh.vertices[:, 2]  # an eigenfunction of the eigenvalue 2 / r^2
+        for time in (500.0, 2500.0):
+            share = surfaces.diffuse_over_surface(mesh, height, time) @ height / (height @ height)
+            self.assertAlmostEqual(share, (1.0 + time / 2500.0) ** -2, places=3)
 
 
 def cylinder(radius, height, around=40, along=30):

@@ -15,7 +15,7 @@ class FilesTest(TestCase):
         for dtype in (np.float32, np.int16, np.uint8, np.uint16, np.uint32):
             for extension in (".nrrd", ".nii", ".nii.gz", ".mha"):
                 written = image.like(np.clip(image.array, 0, 200).astype(dtype))
-                path = str(self.folder / ("volume" + extension))
+                path = self.folder / ("volume" + extension)
                 shapeton.write_volume(written, path)
                 read = shapeton.read_volume(path)
                 np.testing.assert_array_equal(read.array, written.array)

@@ -14,6 +14,7 @@ from shapeton import _shapeton
 
 HEAD = '''"""Written by make_stub.py from the docstrings of the module; do not edit."""
 
+import os
 from typing import Any, Callable, Dict, List, Optional, Sequence, Tuple, Union
 
 from numpy.typing import ArrayLike, NDArray
@@ -23,11 +24,12 @@ from .mesh import Curves, Mesh
 '''
 
 #: What the names of C++ types become; of a parameter and of a result.
-PARAMETERS = {"List": "Sequence", "ndarray": "ArrayLike", "Curves": "Union[Curves, NDArray[Any]]"}
+PARAMETERS = {"List": "Sequence", "ndarray": "ArrayLike", "Curves": "Union[Curves, NDArray[Any]]", "PathLike": "Union[str, os.PathLike[str]]"}
 RESULTS = {"ndarray": "NDArray[Any]", "dict": "Dict[str, Any]", "tuple": "Tuple[Any, ...]"}
 
 #: What a docstring does not tell: (function, parameter or "return").
 UNTOLD = {
+    ("__init__", "edges"): "ArrayLike",
     ("diffuse_heat", "snapshot"): "Optional[Callable[[int, Image], object]]",
     ("read_surface", "return"): "Mesh",
     ("read_volume", "return"): "Image",

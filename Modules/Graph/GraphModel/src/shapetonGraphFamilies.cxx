@@ -1,10 +1,31 @@
 #include "shapetonGraphFamilies.h"
 
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+#include <string>
+
 namespace shapeton
 {
+namespace
+{
+/** `nodes` as a real number, which does not overflow. */
+void
+RequireCounts(std::initializer_list<int> counts, int least, double nodes)
+{
+  if (std::min(counts) < least || nodes > std::numeric_limits<int>::max())
+  {
+    throw std::invalid_argument("a count of the graph is below " + std::to_string(least) +
+                                ", or there are more than 2147483647 nodes");
+  }
+}
+} // namespace
+
 Graph
 CompleteGraph(int nodes)
 {
+  RequireCounts({ nodes }, 0, nodes);
   Graph graph;
   graph.nodes = nodes;
   for (int i = 0; i < nodes; ++i)
@@ -20,6 +41,7 @@ CompleteGraph(int nodes)
 Graph
 CompleteBipartiteGraph(int left, int right)
 {
+  RequireCounts({ left, right }, 0, static_cast<double>(left) + right);
   Graph graph;
   graph.nodes = left + right;
   for (int i = 0; i < left; ++i)
@@ -35,6 +57,7 @@ CompleteBipartiteGraph(int left, int right)
 Graph
 HypercubeGraph(int dimension)
 {
+  RequireCounts({ dimension }, 0, std::ldexp(1.0, dimension));
   Graph graph;
   graph.nodes = 1 << dimension;
   for (int v = 0; v < graph.nodes; ++v)
@@ -53,6 +76,7 @@ HypercubeGraph(int dimension)
 Graph
 PathGraph(int nodes)
 {
+  RequireCounts({ nodes }, 0, nodes);
   Graph graph;
   graph.nodes = nodes;
   for (int i = 0; i + 1 < nodes; ++i)
@@ -65,6 +89,7 @@ PathGraph(int nodes)
 Graph
 CycleGraph(int nodes)
 {
+  RequireCounts({ nodes }, 1, nodes);
   Graph graph = PathGraph(nodes);
   graph.edges.push_back({ nodes - 1, 0 });
   return graph;
@@ -73,6 +98,7 @@ CycleGraph(int nodes)
 Graph
 WheelGraph(int spokes)
 {
+  RequireCounts({ spokes }, 1, spokes + 1.0);
   Graph graph = CycleGraph(spokes);
   graph.nodes = spokes + 1;
   for (int i = 0; i < spokes; ++i)
@@ -85,6 +111,8 @@ WheelGraph(int spokes)
 Graph
 GeneralizedPetersenGraph(int n, int step)
 {
+  RequireCounts({ n }, 1, 2.0 * n);
+  RequireCounts({ step, n - 1 - step }, 0, n);
   Graph graph;
   graph.nodes = 2 * n;
   for (int i = 0; i < n; ++i)
@@ -99,6 +127,7 @@ GeneralizedPetersenGraph(int n, int step)
 Graph
 GridGraph(int columns, int rows)
 {
+  RequireCounts({ columns, rows }, 0, static_cast<double>(columns) * rows);
   Graph graph;
   graph.nodes = columns * rows;
   for (int r = 0; r < rows; ++r)
@@ -122,6 +151,7 @@ GridGraph(int columns, int rows)
 CombinatorialMap
 TorusGridMap(int columns, int rows, bool diagonals)
 {
+  RequireCounts({ columns, rows }, 1, static_cast<double>(columns) * rows);
   const int                       kinds = diagonals ? 3 : 2; // east, north, north-east
   const auto                      nodeOf = [&](int c, int r) { return (r % rows) * columns + c % columns; };
   std::vector<std::array<int, 2>> edges;

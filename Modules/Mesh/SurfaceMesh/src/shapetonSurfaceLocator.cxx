@@ -208,9 +208,14 @@ SurfaceLocator::Search(int node, const Eigen::Vector3d & p, Closest & best, doub
 SurfaceLocator::Closest
 SurfaceLocator::FindClosest(const Eigen::Vector3d & p) const
 {
+  constexpr double farthest = 1e70; // products of four distances stay finite
+  if (!p.allFinite())
+  {
+    throw std::invalid_argument("SurfaceLocator: a place is not finite");
+  }
   Closest best;
   double  bestSquare = std::numeric_limits<double>::infinity();
-  this->Search(0, p, best, bestSquare);
+  this->Search(0, p.cwiseMax(-farthest).cwiseMin(farthest), best, bestSquare);
   best.distance = std::sqrt(bestSquare);
   return best;
 }

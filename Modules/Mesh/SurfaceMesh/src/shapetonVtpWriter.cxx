@@ -1,5 +1,7 @@
+#include "shapetonExceptions.h"
 #include "shapetonFileBytes.h"
 #include "shapetonPolyDataContent.h"
+#include "shapetonPrintable.h"
 #include "shapetonSurfaceFormats.h"
 
 #include <vtkCellArray.h>
@@ -13,10 +15,26 @@
 #include <vtkStringArray.h>
 #include <vtkXMLPolyDataWriter.h>
 
+#include <algorithm>
+
 namespace shapeton
 {
 namespace
 {
+/** VTK writes names as they are, and the file would be none. */
+void
+RequireName(const std::string & name)
+{
+  const bool isFit = std::none_of(name.begin(), name.end(), [](unsigned char c) {
+    return c < 0x20 || c == 0x7F || c == '"' || c == '<' || c == '>' || c == '&';
+  });
+  if (!isFit)
+  {
+    throw InputError("the array " + Quoted(Printable(name)) +
+                     " has a control character or one of \" < > & in its name, which VTP cannot hold; rename it");
+  }
+}
+
 template <typename TArray>
 vtkSmartPointer<vtkDataArray>
 Filled(const SurfaceArray & array)
@@ -37,6 +55,11 @@ AddArrays(const std::vector<SurfaceArray> & arrays, vtkFieldData & data)
 {
   for (const SurfaceArray & array : arrays)
   {
+    RequireName(array.name);
+    if (array.values.cols() == 0)
+    {
+      throw InputError("the array " + Quoted(array.name) + " has no column; leave it out");
+    }
     data.AddArray(array.areIntegers ? Filled<vtkIntArray>(array) : Filled<vtkDoubleArray>(array));
   }
 }
@@ -44,6 +67,11 @@ AddArrays(const std::vector<SurfaceArray> & arrays, vtkFieldData & data)
 void
 AddFact(const std::string & name, const std::string & value, vtkFieldData & data)
 {
+  RequireName(name);
+  if (value.find('\0') != std::string::npos)
+  {
+    throw InputError("the fact " + Quoted(name) + " holds a zero byte, which VTP cannot hold; leave it out");
+  }
   vtkNew<vtkStringArray> fact;
   fact->SetName(name.c_str());
   fact->InsertNextValue(value);

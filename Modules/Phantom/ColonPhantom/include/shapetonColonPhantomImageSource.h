@@ -111,6 +111,9 @@ protected:
   void
   PrintSelf(std::ostream & os, itk::Indent indent) const override;
 
+  /** Distances of voxels are positive. */
+  void
+  VerifyPreconditions() const override;
   void
   GenerateOutputInformation() override;
   void

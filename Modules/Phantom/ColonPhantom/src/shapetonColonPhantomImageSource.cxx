@@ -177,6 +177,17 @@ ColonPhantomImageSource::CenterOutput()
 }
 
 void
+ColonPhantomImageSource::VerifyPreconditions() const
+{
+  Superclass::VerifyPreconditions();
+  const SpacingType spacing = this->GetSpacing();
+  if (!std::all_of(spacing.Begin(), spacing.End(), [](double s) { return s > 0.0 && std::isfinite(s); }))
+  {
+    itkExceptionMacro("the spacing " << spacing << " is not positive");
+  }
+}
+
+void
 ColonPhantomImageSource::GenerateOutputInformation()
 {
   for (unsigned int n = 0; n < 4; ++n)
