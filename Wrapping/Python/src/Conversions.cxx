@@ -200,7 +200,7 @@ public:
     {
       return;
     }
-    const WithGil gil;
+    const WithGil                 gil;
     py::detail::make_caster<bool> answer; // also of numpy.bool_, but of nothing else
     if (answer.load(m_Function(share, stage), false) && !static_cast<bool>(answer))
     {
@@ -265,10 +265,7 @@ TakeGil(const TTake & take)
 
 WithGil::WithGil() : m_State(TakeGil([] { return PyGILState_Ensure(); })) {}
 
-WithGil::~WithGil()
-{
-  PyGILState_Release(m_State);
-}
+WithGil::~WithGil() { PyGILState_Release(m_State); }
 
 WithoutGil::Released::Released() : m_State(PyEval_SaveThread()) {}
 

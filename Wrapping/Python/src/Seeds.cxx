@@ -76,7 +76,10 @@ private:
   class Working
   {
   public:
-    explicit Working(std::atomic<std::thread::id> & worker) : m_Worker(worker) { m_Worker = std::this_thread::get_id(); }
+    explicit Working(std::atomic<std::thread::id> & worker) : m_Worker(worker)
+    {
+      m_Worker = std::this_thread::get_id();
+    }
     ~Working() { m_Worker = std::thread::id(); }
 
   private:

@@ -14,12 +14,7 @@ namespace shapeton::python
 namespace
 {
 py::object
-Read(const Path &        path,
-     const std::string & part,
-     int                 component,
-     const std::string & unit,
-     bool                anyExtent,
-     bool                repair)
+Read(const Path & path, const std::string & part, int component, const std::string & unit, bool anyExtent, bool repair)
 {
   Surface surface;
   {

@@ -35,7 +35,8 @@ ReadWithFacts(const Path &        path,
   Volume volume;
   {
     const WithoutGil withoutGil;
-    volume = ReadVolume(path.text, { seriesUID, resampleGaps, deshear, dropDuplicates, allowSingleSlice, true, progress });
+    volume =
+      ReadVolume(path.text, { seriesUID, resampleGaps, deshear, dropDuplicates, allowSingleSlice, true, progress });
   }
   return ImageWithFacts(volume);
 }

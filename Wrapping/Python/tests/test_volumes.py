@@ -39,6 +39,21 @@ class FilesTest(TestCase):
             shapeton.write_volume(image.like(np.zeros((8, 8, 8), np.int64)), str(self.folder / "volume.nrrd"))
 
 
+    def test_nifti_with_numbers_that_are_not_finite_is_refused(self):
+        import nibabel
+
+        for name in ("volume.nii", "volume.nii.gz"):
+            for dtype in ("<f4", ">f8"):
+                for wrong in (np.nan, np.inf):
+                    voxels = np.zeros((40, 40, 40), dtype)
+                    voxels[[3, 39], [2, 39], [1, 39]] = wrong, -wrong
+                    header = nibabel.Nifti1Header(endianness=dtype[0])
+                    header.set_data_dtype(dtype)
+                    nibabel.save(nibabel.Nifti1Image(voxels, np.eye(4), header), self.folder / name)
+                    with self.assertRaisesRegex(shapeton.InputError, "2 of its voxels are not finite"):
+                        shapeton.read_volume(self.folder / name)
+
+
 class DicomTest(TestCase):
     def test_a_series_is_what_pydicom_reads(self):
         import pydicom

@@ -24,14 +24,15 @@ CycleGraph(int nodes);
 /** A cycle of `spokes` nodes, at least 1, around the last node. */
 GraphModel_EXPORT Graph
 WheelGraph(int spokes);
-/** The generalised Petersen graph, n >= 1, 0 <= step < n: outer cycle 0..n-1, inner i joined with i + step; (5, 2) is Petersen's. */
+/** The generalised Petersen graph, n >= 1, 0 <= step < n: outer cycle 0..n-1, inner i joined with i + step; (5, 2) is
+ * Petersen's. */
 GraphModel_EXPORT Graph
 GeneralizedPetersenGraph(int n, int step);
 /** Columns x rows nodes, node (c, r) is r * columns + c, edges to the right and upwards. */
 GraphModel_EXPORT Graph
 GridGraph(int columns, int rows);
-/** The grid that closes in both directions, columns >= 1, rows >= 1, drawn on the torus with columns * rows quadrilaterals; with `diagonals`,
- * twice as many triangles. */
+/** The grid that closes in both directions, columns >= 1, rows >= 1, drawn on the torus with columns * rows
+ * quadrilaterals; with `diagonals`, twice as many triangles. */
 GraphModel_EXPORT CombinatorialMap
 TorusGridMap(int columns, int rows, bool diagonals = false);
 ///@}

@@ -12,6 +12,7 @@
 #include <filesystem>
 #include <fstream>
 #include <functional>
+#include <limits>
 #include <sstream>
 #include <stdexcept>
 #include <vector>
@@ -297,8 +298,9 @@ ReadDeflated(const StoredVoxels & voxels, const TakeBytes & take = {})
   return stream;
 }
 
+/** To their end only where somebody takes them. */
 Stream
-ReadRaw(const StoredVoxels & voxels)
+ReadRaw(const StoredVoxels & voxels, const TakeBytes & take = {})
 {
   Stream stream;
   stream.bytes = LengthOf(voxels);
@@ -306,6 +308,13 @@ ReadRaw(const StoredVoxels & voxels)
   stream.head.resize(NiftiHeaderBytes);
   file.read(&stream.head[0], NiftiHeaderBytes);
   stream.head.resize(static_cast<std::size_t>(file.gcount()));
+  file.seekg(0);
+  std::vector<char> buffer(1u << 18);
+  for (std::uint64_t place = 0; take && file; place += static_cast<std::uint64_t>(file.gcount()))
+  {
+    file.read(buffer.data(), static_cast<std::streamsize>(buffer.size()));
+    take(place, buffer.data(), static_cast<std::size_t>(file.gcount()));
+  }
   return stream;
 }
 
@@ -325,9 +334,9 @@ NiftiNumber(const std::string & header, std::size_t offset, bool isSwapped)
   return number;
 }
 
-/** The bytes up to the end of the voxels that a NIfTI-1 header announces. */
-std::uint64_t
-NiftiBytes(const std::string & header)
+/** Whether numbers of a NIfTI-1 file have the other byte order. Throws std::runtime_error where it is none. */
+bool
+IsSwapped(const std::string & header)
 {
   if (header.size() < NiftiHeaderBytes)
   {
@@ -338,8 +347,81 @@ NiftiBytes(const std::string & header)
   {
     throw std::runtime_error("this is no NIfTI-1 file");
   }
-  const int dimensions = NiftiNumber<std::int16_t>(header, 40, isSwapped);
-  double    bytes = NiftiNumber<std::int16_t>(header, 72, isSwapped) / 8.0;
+  return isSwapped;
+}
+
+/** Counts what ITK's reader of NIfTI takes for 0: real numbers that are not finite. */
+class NiftiNonFiniteCounter
+{
+public:
+  void
+  operator()(std::uint64_t, const char * piece, std::size_t size)
+  {
+    m_Pending.append(piece, size);
+    if (!m_HasHeader && m_Pending.size() >= NiftiHeaderBytes)
+    {
+      this->TakeHeader();
+    }
+    if (m_HasHeader && m_Skip > 0)
+    {
+      const auto skipped = static_cast<std::size_t>(std::min<std::uint64_t>(m_Skip, m_Pending.size()));
+      m_Pending.erase(0, skipped);
+      m_Skip -= skipped;
+    }
+    if (m_HasHeader && m_Skip == 0)
+    {
+      m_Bytes == sizeof(float) ? this->TakeNumbers<float>() : this->TakeNumbers<double>();
+    }
+  }
+
+  std::uint64_t
+  GetCount() const
+  {
+    return m_Count;
+  }
+
+private:
+  void
+  TakeHeader()
+  {
+    constexpr int float32 = 16;
+    constexpr int float64 = 64;
+    m_IsSwapped = IsSwapped(m_Pending);
+    const int   type = NiftiNumber<std::int16_t>(m_Pending, 70, m_IsSwapped);
+    const float begin = NiftiNumber<float>(m_Pending, 108, m_IsSwapped);
+    const bool  isReal = (type == float32 || type == float64) && begin >= 0.0F && begin < 1e9F;
+    m_Bytes = type == float32 ? sizeof(float) : sizeof(double);
+    m_Skip = isReal ? static_cast<std::uint64_t>(begin) : std::numeric_limits<std::uint64_t>::max();
+    m_HasHeader = true;
+  }
+
+  template <typename TNumber>
+  void
+  TakeNumbers()
+  {
+    const std::size_t whole = m_Pending.size() / sizeof(TNumber) * sizeof(TNumber);
+    for (std::size_t place = 0; place < whole; place += sizeof(TNumber))
+    {
+      m_Count += std::isfinite(NiftiNumber<TNumber>(m_Pending, place, m_IsSwapped)) ? 0 : 1;
+    }
+    m_Pending.erase(0, whole);
+  }
+
+  std::string   m_Pending;
+  bool          m_HasHeader{ false };
+  bool          m_IsSwapped{ false };
+  std::size_t   m_Bytes{ sizeof(float) };
+  std::uint64_t m_Skip{ 0 };
+  std::uint64_t m_Count{ 0 };
+};
+
+/** The bytes up to the end of the voxels that a NIfTI-1 header announces. */
+std::uint64_t
+NiftiBytes(const std::string & header)
+{
+  const bool isSwapped = IsSwapped(header);
+  const int  dimensions = NiftiNumber<std::int16_t>(header, 40, isSwapped);
+  double     bytes = NiftiNumber<std::int16_t>(header, 72, isSwapped) / 8.0;
   for (int i = 1; i <= std::min(dimensions, 7); ++i)
   {
     bytes *= std::max<int>(1, NiftiNumber<std::int16_t>(header, 40 + 2 * static_cast<std::size_t>(i), isSwapped));
@@ -410,12 +492,20 @@ VerifyVoxels(const StoredVoxels & voxels, ImageFormat format, std::uint64_t byte
   {
     return; // NRRD: its reader notices when the numbers end
   }
-  const bool          isDeflated = voxels.coding == StoredVoxels::Coding::deflated;
-  const Stream        stream = isDeflated ? ReadDeflated(voxels) : ReadRaw(voxels);
-  const std::uint64_t needed = format == ImageFormat::nifti ? NiftiBytes(stream.head) : bytes;
+  const bool            isDeflated = voxels.coding == StoredVoxels::Coding::deflated;
+  const bool            isNifti = format == ImageFormat::nifti;
+  NiftiNonFiniteCounter counter;
+  const TakeBytes       take = isNifti ? TakeBytes(std::ref(counter)) : TakeBytes();
+  const Stream          stream = isDeflated ? ReadDeflated(voxels, take) : ReadRaw(voxels, take);
+  const std::uint64_t   needed = isNifti ? NiftiBytes(stream.head) : bytes;
   if (stream.bytes < needed)
   {
     throw std::runtime_error(Missing(stream.bytes, needed));
+  }
+  if (counter.GetCount() > 0)
+  {
+    throw std::runtime_error(std::to_string(counter.GetCount()) +
+                             " of its voxels are not finite numbers; replace NaN and infinity by numbers");
   }
 }
 

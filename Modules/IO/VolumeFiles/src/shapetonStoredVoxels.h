@@ -51,8 +51,9 @@ bool
 CanHold(const StoredVoxels & voxels, double bytes, double values);
 
 /** Reads the stored bytes to their end and compares them with the need and with their checksum: ITK's readers of NIfTI
- * and MetaImage take truncated and damaged files for good ones. `bytes` is not used for NIfTI, whose header is in the
- * stream. Runs in a contained process; throws std::runtime_error. */
+ * and MetaImage take truncated and damaged files for good ones, that of NIfTI numbers that are not finite for 0.
+ * `bytes` is not used for NIfTI, whose header is in the stream. Runs in a contained process; throws std::runtime_error.
+ */
 void
 VerifyVoxels(const StoredVoxels & voxels, ImageFormat format, std::uint64_t bytes);
 

@@ -37,8 +37,8 @@ public:
   SurfaceLocator(const VertexMatrix & V, const FaceMatrix & F);
   ~SurfaceLocator();
 
-  /** Of several equally close faces the one with the least index, up to rounding. Throws std::invalid_argument for a place
-   * that is not finite. */
+  /** Of several equally close faces the one with the least index, up to rounding. Throws std::invalid_argument for a
+   * place that is not finite. */
   Closest
   FindClosest(const Eigen::Vector3d & p) const;
 
