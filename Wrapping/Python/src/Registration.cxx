@@ -176,7 +176,7 @@ AddRegistration(py::module_ & module)
          &MapPoints,
          "points"_a,
          "inverse"_a = false,
-         R"(Takes places on the supine wall, k x 3 (LPS, mm), to the prone one, or back with `inverse`.
+         R"(Takes places, k x 3 (LPS, mm), from the nearest points of the supine wall to the prone one, or back with `inverse`.
 
 Returns (places, k x 3, LPS mm; confidence, k, 0 to 1; excluded, k: nothing is to be seen in one of the positions).)");
 

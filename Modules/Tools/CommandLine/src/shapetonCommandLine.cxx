@@ -83,6 +83,13 @@ struct Failure
   std::string message;
 };
 
+int
+Report(const std::string & program, const Failure & failure)
+{
+  std::fprintf(stderr, "%s: %s\n", Printable(program).c_str(), Printable(failure.message).c_str());
+  return failure.status;
+}
+
 // Call from a catch block.
 Failure
 DescribeException()
@@ -376,16 +383,22 @@ CommandLine::Run(const char * xml, int argc, const char * const argv[], const Bo
       state.Answer(question);
       return 0;
     }
-    state.Prepare(commandLine);
-    body(commandLine);
-    state.Finish();
-    return 0;
+    try
+    {
+      state.Prepare(commandLine);
+      body(commandLine);
+      state.Finish();
+      return 0;
+    }
+    catch (...)
+    {
+      const Failure failure = DescribeException();
+      return Report(program, { failure.status, state.outputs.InFinalNames(failure.message) });
+    }
   }
   catch (...)
   {
-    const Failure failure = DescribeException();
-    std::fprintf(stderr, "%s: %s\n", Printable(program).c_str(), Printable(failure.message).c_str());
-    return failure.status;
+    return Report(program, DescribeException());
   }
 }
 

@@ -193,6 +193,20 @@ OutputFiles::Add(const std::string & path)
   return temporary;
 }
 
+std::string
+OutputFiles::InFinalNames(std::string message) const
+{
+  for (const File & file : m_Files)
+  {
+    for (auto at = message.find(file.temporary); at != std::string::npos;
+         at = message.find(file.temporary, at + file.path.size()))
+    {
+      message.replace(at, file.temporary.size(), file.path);
+    }
+  }
+  return message;
+}
+
 void
 OutputFiles::MakeFolder(const std::string & path)
 {

@@ -26,6 +26,10 @@ public:
   std::string
   Add(const std::string & path);
 
+  /** A message with the paths as the user wrote them in place of temporary names. */
+  std::string
+  InFinalNames(std::string message) const;
+
   /** Makes a folder and its parents. */
   void
   MakeFolder(const std::string & path);

@@ -202,6 +202,17 @@ TEST(CommandLineOutputs, AFailedRunKeepsTheOldResultAndLeavesNothingElse)
   EXPECT_EQ(ReadText("a.nrrd"), oldText);
 }
 
+TEST(CommandLineOutputs, AMessageHasTheNamesThatTheUserGave)
+{
+  const auto outcome = RunWithOptions({}, [](shapeton::CommandLine & commandLine) {
+    const std::string first = commandLine.Output("first.csv");
+    throw shapeton::OutputError("cannot write \"" + first + "\" beside \"" + commandLine.Output("second.csv") +
+                                "\", \"" + first + "\"");
+  });
+  EXPECT_NE(outcome.err.find("cannot write \"first.csv\" beside \"second.csv\", \"first.csv\""), std::string::npos)
+    << outcome.err;
+}
+
 TEST(CommandLineOutputs, WhatTheBodyDidNotWriteIsAFailureOfAll)
 {
   const Scratch scratch;
@@ -590,7 +601,7 @@ TEST(CommandLineOutputs, AFullDisk)
   EXPECT_EQ(outcome.status, 1);
   EXPECT_EQ(outcome.out, "a.nrrd " + oldText);
   EXPECT_TRUE(
-    EndsWith(outcome.err, ".part.nrrd\": No space left on device; free some space or choose another folder\n"))
+    EndsWith(outcome.err, ": cannot write \"a.nrrd\": No space left on device; free some space or choose another folder\n"))
     << outcome.err;
 }
 
@@ -604,7 +615,7 @@ TEST(CommandLineOutputs, AFileSizeLimit)
   });
   EXPECT_EQ(outcome.status, 1) << "and not SIGXFSZ";
   EXPECT_EQ(outcome.out, "a.nrrd " + oldText);
-  EXPECT_TRUE(EndsWith(outcome.err, ".part.nrrd\": File too large; free some space or choose another folder\n"))
+  EXPECT_TRUE(EndsWith(outcome.err, ": cannot write \"a.nrrd\": File too large; free some space or choose another folder\n"))
     << outcome.err;
 }
 
