@@ -3,8 +3,9 @@
 #include "shapetonColonPhantomImageSource.h"
 #include "shapetonElectronicCleansing.h"
 
-#include "itkCastImageFilter.h"
+#include "itkImage.h"
 
+#include <algorithm>
 #include <iostream>
 
 int
@@ -16,14 +17,17 @@ main()
   phantom->SetSize({ { 96, 96, 90 } });
   phantom->SetSpacing(Phantom::SpacingType(spacing));
   phantom->CenterOutput();
-  const auto cast = itk::CastImageFilter<Phantom::ImageType, itk::Image<float, 3>>::New();
-  cast->SetInput(phantom->GetOutput());
-  cast->Update();
+  phantom->Update();
+  const auto ct = itk::Image<float, 3>::New(); // HU, as ReadVolume() gives them
+  ct->CopyInformation(phantom->GetOutput());
+  ct->SetRegions(phantom->GetOutput()->GetBufferedRegion());
+  ct->Allocate();
+  std::copy_n(phantom->GetOutput()->GetBufferPointer(), ct->GetPixelContainer()->Size(), ct->GetBufferPointer());
 
   shapeton::ColonLumenOptions options;
   options.patientPosition = "HFS"; // as in the DICOM header: supine, fluid at the back
-  const shapeton::ColonLumen    lumen = shapeton::SegmentColonLumen(cast->GetOutput(), options);
-  const shapeton::CleansedColon cleansed = shapeton::CleanseColon(cast->GetOutput(), lumen);
+  const shapeton::ColonLumen    lumen = shapeton::SegmentColonLumen(ct, options);
+  const shapeton::CleansedColon cleansed = shapeton::CleanseColon(ct, lumen);
 
   double       both = 0.0, either = 0.0, occupied = 0.0;
   const auto * found = lumen.labels->GetBufferPointer();
