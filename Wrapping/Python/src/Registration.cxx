@@ -172,11 +172,12 @@ AddRegistration(py::module_ & module)
       "statistics",
       [](const Registered & r) { return FromJson(r.results.document); },
       "A dictionary with the keys of registration.json that ColonRegistration writes.")
-    .def("map_points",
-         &MapPoints,
-         "points"_a,
-         "inverse"_a = false,
-         R"(Takes places, k x 3 (LPS, mm), from the nearest points of the supine wall to the prone one, or back with `inverse`.
+    .def(
+      "map_points",
+      &MapPoints,
+      "points"_a,
+      "inverse"_a = false,
+      R"(Takes places, k x 3 (LPS, mm), from the nearest points of the supine wall to the prone one, or back with `inverse`.
 
 Returns (places, k x 3, LPS mm; confidence, k, 0 to 1; excluded, k: nothing is to be seen in one of the positions).)");
 

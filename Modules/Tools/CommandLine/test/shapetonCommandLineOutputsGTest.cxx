@@ -600,8 +600,8 @@ TEST(CommandLineOutputs, AFullDisk)
   }
   EXPECT_EQ(outcome.status, 1);
   EXPECT_EQ(outcome.out, "a.nrrd " + oldText);
-  EXPECT_TRUE(
-    EndsWith(outcome.err, ": cannot write \"a.nrrd\": No space left on device; free some space or choose another folder\n"))
+  EXPECT_TRUE(EndsWith(
+    outcome.err, ": cannot write \"a.nrrd\": No space left on device; free some space or choose another folder\n"))
     << outcome.err;
 }
 
@@ -615,7 +615,8 @@ TEST(CommandLineOutputs, AFileSizeLimit)
   });
   EXPECT_EQ(outcome.status, 1) << "and not SIGXFSZ";
   EXPECT_EQ(outcome.out, "a.nrrd " + oldText);
-  EXPECT_TRUE(EndsWith(outcome.err, ": cannot write \"a.nrrd\": File too large; free some space or choose another folder\n"))
+  EXPECT_TRUE(
+    EndsWith(outcome.err, ": cannot write \"a.nrrd\": File too large; free some space or choose another folder\n"))
     << outcome.err;
 }
 
