@@ -2,6 +2,7 @@
 
 #include "shapetonColonViewer.h"
 #include "shapetonCommandLine.h"
+#include "shapetonRunRecords.h"
 
 namespace
 {
@@ -21,19 +22,31 @@ OptionsOf(const CommandLine & commandLine)
   return options;
 }
 
+/** What an interrupted run leaves shows parts of two examinations as one. */
+void
+RequireCurrent(const std::string & run)
+{
+  for (const char * const stage : { "landmarks", "folds", "polyps" })
+  {
+    shapeton::RunRecords(run).RequireCurrent(stage);
+  }
+}
+
 void
 MakeViewer(CommandLine & commandLine)
 {
   const std::string                  folder = commandLine.GetString("outputFolder");
+  const std::string                  exam = commandLine.GetString("exam");
   const shapeton::ColonViewerOptions options = OptionsOf(commandLine);
+  RequireCurrent(exam);
+  RequireCurrent(options.second.empty() ? exam + "/second" : options.second);
   commandLine.MakeFolder(folder);
   if (!options.isSingle)
   {
     commandLine.MakeFolder(folder + "/data");
   }
   commandLine.Progress("Packing", 0.1);
-  shapeton::WriteColonViewer(
-    commandLine.GetString("exam"), folder, options, [&](const std::string & path) { return commandLine.Output(path); });
+  shapeton::WriteColonViewer(exam, folder, options, [&](const std::string & path) { return commandLine.Output(path); });
 }
 } // namespace
 

@@ -25,11 +25,19 @@ public:
   void
   RequireCurrent(const std::string & stage, const std::string & file) const;
 
+  /** The same of all that a stage wrote, without reading it: throws InputError where the stage has come to its end and
+   * was made from results that are no longer there. */
+  void
+  RequireCurrent(const std::string & stage) const;
+
   /** Remarks of the tool of a stage; none where it has no record. */
   Remarks
   WarningsOf(const std::string & stage) const;
 
 private:
+  std::string
+  PathOf(const std::string & stage) const;
+
   std::string m_Folder;
 };
 } // namespace shapeton

@@ -73,23 +73,38 @@ private:
 
 RunRecords::RunRecords(const std::string & folder) : m_Folder(folder) {}
 
+std::string
+RunRecords::PathOf(const std::string & stage) const
+{
+  return RecordPathOf(m_Folder + '/' + stage + "/any");
+}
+
 void
 RunRecords::RequireCurrent(const std::string & stage, const std::string & file) const
 {
   const std::string path = m_Folder + '/' + stage + '/' + file;
-  const std::string recordPath = RecordPathOf(path);
-  const StageRecord record = ReadFinished(recordPath);
+  const StageRecord record = ReadFinished(this->PathOf(stage));
   if (!fs::is_regular_file(path) || Sha256OfFile(path) != HashOf(record, file))
   {
     Refuse('"' + path + "\" is not what the stage " + stage + " wrote");
   }
-  ChainOfStages().Check(recordPath, record);
+  ChainOfStages().Check(this->PathOf(stage), record);
+}
+
+void
+RunRecords::RequireCurrent(const std::string & stage) const
+{
+  const auto record = ReadStageRecord(this->PathOf(stage));
+  if (record && record->result.status == 0)
+  {
+    ChainOfStages().Check(this->PathOf(stage), *record);
+  }
 }
 
 Remarks
 RunRecords::WarningsOf(const std::string & stage) const
 {
-  const auto record = ReadStageRecord(RecordPathOf(m_Folder + '/' + stage + "/any"));
+  const auto record = ReadStageRecord(this->PathOf(stage));
   return record ? record->result.warnings : Remarks();
 }
 } // namespace shapeton

@@ -307,11 +307,14 @@ TEST(RunRecords, ResultsOfAnInterruptedRunAreToldFromThoseThatBelongTogether)
   {
     EXPECT_NE(faultOf(stage).find("stage second in"), std::string::npos) << faultOf(stage);
     EXPECT_NE(faultOf(stage).find("another \"first/copy\""), std::string::npos) << faultOf(stage);
+    EXPECT_EQ(MessageOf([&] { records.RequireCurrent(stage); }), faultOf(stage));
   }
   RunChain(bench, "b", 3);
   EXPECT_EQ(faultOf("third"), none);
   shapeton::WriteFileBytes(bench / "run/third/copy", "by hand");
   EXPECT_NE(faultOf("third").find("is not what the stage third wrote"), std::string::npos);
+  EXPECT_NO_THROW(records.RequireCurrent("third"));
+  EXPECT_NO_THROW(records.RequireCurrent("none"));
   EXPECT_EQ(faultOf("second"), none);
 }
 

@@ -1,0 +1,13 @@
+# A run whose landmarks were made from another flat wall than the one that is there is refused.
+file(REMOVE_RECURSE ${OUT})
+file(COPY ${EXAM}/ DESTINATION ${OUT}/exam)
+file(READ ${OUT}/exam/stages/landmarks.json record)
+string(REGEX REPLACE "(\"flattening/flat.vtp\": \")[0-9a-f]+" "\\10" older "${record}")
+file(WRITE ${OUT}/exam/stages/landmarks.json "${older}")
+execute_process(COMMAND ${TOOL} ${OUT}/exam ${OUT}/page --quiet RESULT_VARIABLE status ERROR_VARIABLE error)
+if(NOT status STREQUAL 3 OR NOT error MATCHES "stage landmarks in .* were made from another .flattening/flat.vtp.")
+  message(FATAL_ERROR "status ${status}, \"${error}\"")
+endif()
+if(EXISTS ${OUT}/page/viewer.html)
+  message(FATAL_ERROR "a page was made")
+endif()
