@@ -21,6 +21,16 @@ StlOf(const SurfaceMesh & mesh, const std::string & path)
   std::filesystem::remove(stl);
   return bytes;
 }
+
+/** Refers to all slices of the source. */
+void
+PutSlices(DicomResultObject & object, const DcmTagKey & sequence, const DicomSource & source)
+{
+  for (const DicomSlice & slice : source.series.slices)
+  {
+    PutReferenceToSlice(object.Root().Add(sequence), slice);
+  }
+}
 } // namespace
 
 DicomInstance
@@ -37,6 +47,7 @@ WriteDicomPicture(const DicomSource &                                 source,
   }
   const auto * const first = reinterpret_cast<const Uint8 *>(picture->GetBufferPointer());
   DicomResultObject  object(source, UID_SecondaryCaptureImageStorage, "OT", header);
+  object.PutReferencedSeries();
   object.PutContentQualification();
   object.PutLossiness();
   object.Root()
@@ -56,6 +67,7 @@ WriteDicomPicture(const DicomSource &                                 source,
     .Integers(DCM_HighBit, { 7 })
     .Integers(DCM_PixelRepresentation, { 0 })
     .Bytes(DCM_PixelData, { first, first + 3 * size[0] * size[1] });
+  PutSlices(object, DCM_SourceImageSequence, source);
   return object.Save(path);
 }
 
@@ -82,10 +94,7 @@ WriteDicomSurface(const DicomSource &       source,
     .Text(DCM_MIMETypeOfEncapsulatedDocument, "model/stl")
     .Integers(DCM_EncapsulatedDocumentLength, { static_cast<Uint32>(stl.size()) })
     .Bytes(DCM_EncapsulatedDocument, { stl.begin(), stl.end() });
-  for (const DicomSlice & slice : source.series.slices)
-  {
-    PutReferenceToSlice(object.Root().Add(DCM_SourceInstanceSequence), slice);
-  }
+  PutSlices(object, DCM_SourceInstanceSequence, source);
   return object.Save(path);
 }
 } // namespace shapeton
