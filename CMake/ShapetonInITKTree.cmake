@@ -8,6 +8,8 @@ include(${Shapeton_SOURCE_DIR}/CMake/ShapetonTests.cmake)
 set(SHAPETON_TEST_DATA_DIR "$ENV{SHAPETON_TEST_DATA_DIR}" CACHE PATH
   "Folder of real data; tests that need it are skipped when this is empty")
 file(MAKE_DIRECTORY ${Shapeton_BINARY_DIR}/Testing/Temporary)
-# The plug-in for GPUs is part of our own build alone.
+# The plug-in for GPUs, and tests that need it, are part of our own build alone.
 function(shapeton_add_device_sources)
+endfunction()
+function(shapeton_device_tests)
 endfunction()

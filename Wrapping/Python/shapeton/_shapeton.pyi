@@ -1263,7 +1263,7 @@ class Registration:
         ...
 
     def map_points(self, points: ArrayLike, inverse: bool=...) -> Tuple[NDArray[Any], NDArray[Any], NDArray[Any]]:
-        """Takes places on the supine wall, k x 3 (LPS, mm), to the prone one, or back with `inverse`.
+        """Takes places, k x 3 (LPS, mm), from the nearest points of the supine wall to the prone one, or back with `inverse`.
 
         Returns (places, k x 3, LPS mm; confidence, k, 0 to 1; excluded, k: nothing is to be seen in one of the positions).
         """
