@@ -152,7 +152,7 @@ double
 SecondsOfShapetons(const Setting & s, std::uint32_t shapetons, std::uint64_t steps)
 {
   ShapetonDiffusionSettings settings;
-  settings.volumeGradient = Setting::Parameters(s.intensities);
+  settings.volumeGradient = WholeWindow(s.intensities);
   settings.shapetons = shapetons;
   settings.distance = 0.01;
   settings.device = Device::Cuda;
