@@ -48,6 +48,9 @@ endfunction()
 # itk_module_impl(): called by the module's CMakeLists.txt after project() and find_package().
 macro(itk_module_impl)
   if(EXISTS ${PROJECT_SOURCE_DIR}/src/CMakeLists.txt)
+    if(NOT "${${itk-module}_LIBRARIES}" STREQUAL itk-module) # by which ITK's build links the module
+      message(FATAL_ERROR "The module ${itk-module} does not set ${itk-module}_LIBRARIES to ${itk-module}.")
+    endif()
     add_subdirectory(src)
     set(_scope PUBLIC)
   else()
