@@ -137,7 +137,7 @@ ComponentsOf(const TPixel & pixel)
 }
 
 /** \class ArrayReader
- * \brief Takes pixels row by row and gives the arrays that they hold. */
+ * \brief Takes pixels row by row and gives the arrays that they hold. \ingroup ITKMeshes */
 template <typename TPixel>
 class ArrayReader
 {

@@ -40,7 +40,7 @@ public:
   OfThread();
 
   /** \class Inherited
-   * \brief Lets this thread, which works for another one, ask what that one does, for as long as it lives. */
+   * \brief This thread, which works for another one, asks what that one does as long as this lives. \ingroup Base */
   class Base_EXPORT Inherited
   {
   public:
