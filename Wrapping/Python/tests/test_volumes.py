@@ -54,6 +54,14 @@ class FilesTest(TestCase):
                         shapeton.read_volume(self.folder / name)
 
 
+    def test_what_follows_the_voxels_of_nifti_does_not_matter(self):
+        path = self.folder / "volume.nii"
+        image = balls()
+        shapeton.write_volume(image, path)
+        path.write_bytes(path.read_bytes() + np.full(4, np.nan, np.float32).tobytes())
+        np.testing.assert_array_equal(shapeton.read_volume(path).array, image.array)
+
+
 class DicomTest(TestCase):
     def test_a_series_is_what_pydicom_reads(self):
         import pydicom

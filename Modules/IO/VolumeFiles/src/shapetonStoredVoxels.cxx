@@ -12,7 +12,6 @@
 #include <filesystem>
 #include <fstream>
 #include <functional>
-#include <limits>
 #include <sstream>
 #include <stdexcept>
 #include <vector>
@@ -298,9 +297,8 @@ ReadDeflated(const StoredVoxels & voxels, const TakeBytes & take = {})
   return stream;
 }
 
-/** To their end only where somebody takes them. */
 Stream
-ReadRaw(const StoredVoxels & voxels, const TakeBytes & take = {})
+ReadRaw(const StoredVoxels & voxels)
 {
   Stream stream;
   stream.bytes = LengthOf(voxels);
@@ -308,14 +306,19 @@ ReadRaw(const StoredVoxels & voxels, const TakeBytes & take = {})
   stream.head.resize(NiftiHeaderBytes);
   file.read(&stream.head[0], NiftiHeaderBytes);
   stream.head.resize(static_cast<std::size_t>(file.gcount()));
-  file.seekg(0);
+  return stream;
+}
+
+void
+TakeRaw(const StoredVoxels & voxels, const TakeBytes & take)
+{
+  std::ifstream     file(voxels.file, std::ios::binary);
   std::vector<char> buffer(1u << 18);
-  for (std::uint64_t place = 0; take && file; place += static_cast<std::uint64_t>(file.gcount()))
+  for (std::uint64_t place = 0; file; place += static_cast<std::uint64_t>(file.gcount()))
   {
     file.read(buffer.data(), static_cast<std::streamsize>(buffer.size()));
     take(place, buffer.data(), static_cast<std::size_t>(file.gcount()));
   }
-  return stream;
 }
 
 /** A number of the NIfTI-1 header, in the byte order of the file. */
@@ -350,71 +353,6 @@ IsSwapped(const std::string & header)
   return isSwapped;
 }
 
-/** Counts what ITK's reader of NIfTI takes for 0: real numbers that are not finite. */
-class NiftiNonFiniteCounter
-{
-public:
-  void
-  operator()(std::uint64_t, const char * piece, std::size_t size)
-  {
-    m_Pending.append(piece, size);
-    if (!m_HasHeader && m_Pending.size() >= NiftiHeaderBytes)
-    {
-      this->TakeHeader();
-    }
-    if (m_HasHeader && m_Skip > 0)
-    {
-      const auto skipped = static_cast<std::size_t>(std::min<std::uint64_t>(m_Skip, m_Pending.size()));
-      m_Pending.erase(0, skipped);
-      m_Skip -= skipped;
-    }
-    if (m_HasHeader && m_Skip == 0)
-    {
-      m_Bytes == sizeof(float) ? this->TakeNumbers<float>() : this->TakeNumbers<double>();
-    }
-  }
-
-  std::uint64_t
-  GetCount() const
-  {
-    return m_Count;
-  }
-
-private:
-  void
-  TakeHeader()
-  {
-    constexpr int float32 = 16;
-    constexpr int float64 = 64;
-    m_IsSwapped = IsSwapped(m_Pending);
-    const int   type = NiftiNumber<std::int16_t>(m_Pending, 70, m_IsSwapped);
-    const float begin = NiftiNumber<float>(m_Pending, 108, m_IsSwapped);
-    const bool  isReal = (type == float32 || type == float64) && begin >= 0.0F && begin < 1e9F;
-    m_Bytes = type == float32 ? sizeof(float) : sizeof(double);
-    m_Skip = isReal ? static_cast<std::uint64_t>(begin) : std::numeric_limits<std::uint64_t>::max();
-    m_HasHeader = true;
-  }
-
-  template <typename TNumber>
-  void
-  TakeNumbers()
-  {
-    const std::size_t whole = m_Pending.size() / sizeof(TNumber) * sizeof(TNumber);
-    for (std::size_t place = 0; place < whole; place += sizeof(TNumber))
-    {
-      m_Count += std::isfinite(NiftiNumber<TNumber>(m_Pending, place, m_IsSwapped)) ? 0 : 1;
-    }
-    m_Pending.erase(0, whole);
-  }
-
-  std::string   m_Pending;
-  bool          m_HasHeader{ false };
-  bool          m_IsSwapped{ false };
-  std::size_t   m_Bytes{ sizeof(float) };
-  std::uint64_t m_Skip{ 0 };
-  std::uint64_t m_Count{ 0 };
-};
-
 /** The bytes up to the end of the voxels that a NIfTI-1 header announces. */
 std::uint64_t
 NiftiBytes(const std::string & header)
@@ -432,6 +370,87 @@ NiftiBytes(const std::string & header)
     throw std::runtime_error("its header is malformed");
   }
   return static_cast<std::uint64_t>(bytes);
+}
+/** Whether ITK's reader takes some voxels for 0: real numbers that are not finite. */
+class NiftiNonFiniteCounter
+{
+public:
+  /** \param header of the file; where its voxels are integers there is nothing to count. */
+  explicit NiftiNonFiniteCounter(const std::string & header)
+    : m_IsSwapped(IsSwapped(header))
+    , m_Type(NiftiNumber<std::int16_t>(header, 70, m_IsSwapped))
+    , m_Begin(static_cast<std::uint64_t>(std::max(0.0F, NiftiNumber<float>(header, 108, m_IsSwapped))))
+    , m_End(NiftiBytes(header))
+  {}
+
+  bool
+  HasToCount() const
+  {
+    return m_Type == Float32 || m_Type == Float64;
+  }
+
+  /** Bytes of the file, in their order. */
+  void
+  operator()(std::uint64_t place, const char * piece, std::size_t size)
+  {
+    const std::uint64_t begin = std::clamp(m_Begin, place, place + size);
+    const std::uint64_t end = std::clamp(m_End, begin, place + size);
+    m_Pending.append(piece + (begin - place), end - begin);
+    m_Type == Float32 ? this->TakeNumbers<float>() : this->TakeNumbers<double>();
+  }
+
+  std::uint64_t
+  GetCount() const
+  {
+    return m_Count;
+  }
+
+private:
+  static constexpr int Float32 = 16;
+  static constexpr int Float64 = 64;
+
+  template <typename TNumber>
+  void
+  TakeNumbers()
+  {
+    const std::size_t whole = m_Pending.size() / sizeof(TNumber) * sizeof(TNumber);
+    for (std::size_t place = 0; place < whole; place += sizeof(TNumber))
+    {
+      m_Count += std::isfinite(NiftiNumber<TNumber>(m_Pending, place, m_IsSwapped)) ? 0 : 1;
+    }
+    m_Pending.erase(0, whole);
+  }
+
+  bool          m_IsSwapped;
+  int           m_Type;
+  std::uint64_t m_Begin; ///< of the voxels; behind their end there may be anything
+  std::uint64_t m_End;
+  std::string   m_Pending; ///< less than a number
+  std::uint64_t m_Count{ 0 };
+};
+
+/** Reads the file again: only what has real numbers, which few files of patients do. */
+void
+RequireFiniteNifti(const StoredVoxels & voxels, const std::string & header)
+{
+  NiftiNonFiniteCounter counter(header);
+  if (!counter.HasToCount())
+  {
+    return;
+  }
+  if (voxels.coding == StoredVoxels::Coding::deflated)
+  {
+    ReadDeflated(voxels, std::ref(counter));
+  }
+  else
+  {
+    TakeRaw(voxels, std::ref(counter));
+  }
+  if (counter.GetCount() > 0)
+  {
+    throw std::runtime_error(std::to_string(counter.GetCount()) +
+                             " of its voxels are not finite numbers; replace NaN and infinity by numbers");
+  }
 }
 } // namespace
 
@@ -492,20 +511,17 @@ VerifyVoxels(const StoredVoxels & voxels, ImageFormat format, std::uint64_t byte
   {
     return; // NRRD: its reader notices when the numbers end
   }
-  const bool            isDeflated = voxels.coding == StoredVoxels::Coding::deflated;
-  const bool            isNifti = format == ImageFormat::nifti;
-  NiftiNonFiniteCounter counter;
-  const TakeBytes       take = isNifti ? TakeBytes(std::ref(counter)) : TakeBytes();
-  const Stream          stream = isDeflated ? ReadDeflated(voxels, take) : ReadRaw(voxels, take);
-  const std::uint64_t   needed = isNifti ? NiftiBytes(stream.head) : bytes;
+  const bool          isDeflated = voxels.coding == StoredVoxels::Coding::deflated;
+  const bool          isNifti = format == ImageFormat::nifti;
+  const Stream        stream = isDeflated ? ReadDeflated(voxels) : ReadRaw(voxels);
+  const std::uint64_t needed = isNifti ? NiftiBytes(stream.head) : bytes;
   if (stream.bytes < needed)
   {
     throw std::runtime_error(Missing(stream.bytes, needed));
   }
-  if (counter.GetCount() > 0)
+  if (isNifti)
   {
-    throw std::runtime_error(std::to_string(counter.GetCount()) +
-                             " of its voxels are not finite numbers; replace NaN and infinity by numbers");
+    RequireFiniteNifti(voxels, stream.head);
   }
 }
 
