@@ -85,8 +85,9 @@ ColonLandmarks_EXPORT std::string
  * and how little it is hollow (haustra bulge outwards between taeniae; without the first two harmonics, which come from
  * bends).
  * - Fuzzy C-means (c = 3, m = 2; Bezdek 1981) of the angles of fold ends in windows of 150 mm, from window to window.
- * - Three paths at once by dynamic programming: state (angle, two gaps), gaps of 70 to 170 degrees, one angle step per
- *   row; exact.
+ * - Three paths at once by dynamic programming: state (angle, two gaps), gaps of 45 to 225 degrees; in each row all
+ *   turn by a step at most, and each by one more. Each costs the same for all tracks: a mirrored wall has mirrored
+ *   taeniae. Exact.
  * Both are measured by the energy of the programme. Taeniae pass through markers, which pull the paths and then a bump
  * of 60 mm moves the rest.
  *

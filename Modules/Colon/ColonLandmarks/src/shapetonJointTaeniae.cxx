@@ -11,10 +11,11 @@ namespace shapeton
 namespace
 {
 /** Cells: 45 degrees; up to 225 degrees. The conformal map widens the side of a flat section that is farther away. */
-constexpr int   leastApart = 9;
-constexpr int   gaps = 37;
+constexpr int leastApart = 9;
+constexpr int gaps = 37;
+/** Of a step of all three tracks together, and of one track alone: the same for each. */
 constexpr float turnCost = 0.35F;
-constexpr float gapCost = 0.25F;
+constexpr float moveCost = 0.3F;
 constexpr float unevenCost = 0.002F;
 /** Of a cell that the nearest track lies off a marker: more than any evidence. */
 constexpr float markCost = 50.0F;
@@ -44,7 +45,7 @@ public:
     : m_Evidence(evidence)
     , m_Best(States, 0.0F)
     , m_Next(States, 0.0F)
-    , m_From(States * static_cast<std::size_t>(evidence.rows), 0)
+    , m_Steps(States * static_cast<std::size_t>(evidence.rows), 0)
   {
     for (int g = 0; g < gaps; ++g)
     {
@@ -85,7 +86,7 @@ private:
   {
     const Arrivals arrivals = this->ArrivalsAt(a);
     std::copy(
-      arrivals.from.begin(), arrivals.from.end(), &m_From[States * row + static_cast<std::size_t>(a) * gaps * gaps]);
+      arrivals.steps.begin(), arrivals.steps.end(), &m_Steps[States * row + static_cast<std::size_t>(a) * gaps * gaps]);
     for (int g = 0; g < gaps; ++g)
     {
       for (int h = 0; h < gaps; ++h)
@@ -111,54 +112,105 @@ private:
     }
   }
 
-  /** The states of one angle: what it costs at least to come to each from the row before, and from where. */
+  /** The states of one angle: what it costs at least to come to each from the row before, and by which steps: of all
+   * tracks (times 27), of the first, second and third alone (9, 3, 1); 0, 1, or 2 for -1. */
   struct Arrivals
   {
     std::array<float, gaps * gaps>         cost;
-    std::array<unsigned char, gaps * gaps> from; ///< steps of angle, first and second gap, plus one each, in base 3
+    std::array<unsigned char, gaps * gaps> steps;
   };
+
+  static constexpr int allTracks = 27;
+
+  /** A track: its place in the steps of Arrivals, and what its step adds to the two gaps. */
+  struct Track
+  {
+    int place;
+    int gap;
+    int nextGap;
+  };
+
+  static constexpr Track first{ 9, -1, 0 };
+  static constexpr Track second{ 3, 1, -1 };
+  static constexpr Track third{ 1, 0, 1 };
+
+  static int
+  CodeOf(int step, int place)
+  {
+    return place * (step < 0 ? 2 : step);
+  }
+
+  static int
+  StepOf(int steps, int place)
+  {
+    const int code = steps / place % 3;
+    return code == 2 ? -1 : code;
+  }
 
   Arrivals
   ArrivalsAt(int a) const
   {
-    Arrivals            turned;
-    const float * const same = &m_Best[static_cast<std::size_t>(a) * gaps * gaps];
-    std::copy_n(same, gaps * gaps, turned.cost.begin());
-    turned.from.fill(9);
+    Arrivals arrivals = this->Turned(a);
     for (const int step : { -1, 1 })
     {
-      const std::size_t   angle = (a + step + anglesAround) % anglesAround;
-      const float * const other = &m_Best[angle * gaps * gaps];
-      for (int state = 0; state < gaps * gaps; ++state)
-      {
-        const bool isLess = other[state] + turnCost < turned.cost[state];
-        turned.cost[state] = isLess ? other[state] + turnCost : turned.cost[state];
-        turned.from[state] = isLess ? 9 * (step + 1) : turned.from[state];
-      }
+      TakeMoved(this->Turned(a - step), first, step, arrivals);
     }
-    return GapChanged(GapChanged(turned, gaps, 3), 1, 1);
-  }
-
-  /** Of the gap whose neighbours lie `stride` apart, `place` in the code. */
-  static Arrivals
-  GapChanged(const Arrivals & before, int stride, int place)
-  {
-    Arrivals after = before;
-    for (int state = 0; state < gaps * gaps; ++state)
+    for (const Track & track : { second, third })
     {
-      after.from[state] += place;
+      const Arrivals before = arrivals;
       for (const int step : { -1, 1 })
       {
-        const int gap = state / stride % gaps + step;
-        const int other = state + step * stride;
-        if (gap >= 0 && gap < gaps && before.cost[other] + gapCost < after.cost[state])
-        {
-          after.cost[state] = before.cost[other] + gapCost;
-          after.from[state] = before.from[other] + place * (step + 1);
-        }
+        TakeMoved(before, track, step, arrivals);
       }
     }
-    return after;
+    return arrivals;
+  }
+
+  const float *
+  BestAt(int a) const
+  {
+    return &m_Best[static_cast<std::size_t>((a + anglesAround) % anglesAround) * gaps * gaps];
+  }
+
+  /** All tracks turn together, or none. */
+  Arrivals
+  Turned(int a) const
+  {
+    Arrivals turned;
+    std::copy_n(this->BestAt(a), gaps * gaps, turned.cost.begin());
+    turned.steps.fill(0);
+    for (const int step : { -1, 1 })
+    {
+      const float * const before = this->BestAt(a - step);
+      for (int state = 0; state < gaps * gaps; ++state)
+      {
+        const bool isLess = before[state] + turnCost < turned.cost[state];
+        turned.cost[state] = isLess ? before[state] + turnCost : turned.cost[state];
+        turned.steps[state] = isLess ? CodeOf(step, allTracks) : turned.steps[state];
+      }
+    }
+    return turned;
+  }
+
+  /** The track moves alone, where that costs less. */
+  static void
+  TakeMoved(const Arrivals & before, const Track & track, int step, Arrivals & after)
+  {
+    const int  g = -step * track.gap;
+    const int  h = -step * track.nextGap;
+    const auto begin = [](int offset) { return std::max(0, -offset); };
+    const auto end = [](int offset) { return std::min(gaps, gaps - offset); };
+    for (int row = begin(g); row < end(g); ++row)
+    {
+      for (int column = begin(h); column < end(h); ++column)
+      {
+        const int  state = row * gaps + column;
+        const int  other = state + g * gaps + h;
+        const bool isLess = before.cost[other] + moveCost < after.cost[state];
+        after.cost[state] = isLess ? before.cost[other] + moveCost : after.cost[state];
+        after.steps[state] = isLess ? before.steps[other] + CodeOf(step, track.place) : after.steps[state];
+      }
+    }
   }
 
   /** Middles of the cells in turns; each track without jumps. */
@@ -166,20 +218,22 @@ private:
   Trace() const
   {
     TaeniaTracks tracks(m_Evidence.rows);
-    std::size_t  state = std::min_element(m_Best.begin(), m_Best.end()) - m_Best.begin();
-    int          angle = static_cast<int>(state / (gaps * gaps)); // not wrapped
+    const auto   last = static_cast<int>(std::min_element(m_Best.begin(), m_Best.end()) - m_Best.begin());
+    int          angle = last / (gaps * gaps); // not wrapped
+    int          g = last / gaps % gaps;
+    int          h = last % gaps;
     for (int row = m_Evidence.rows - 1; row >= 0; --row)
     {
-      const int g = static_cast<int>(state / gaps % gaps);
-      const int h = static_cast<int>(state % gaps);
-      const int second = angle + g + leastApart;
+      const int two = angle + g + leastApart;
       tracks[row] = { (angle + 0.5) / anglesAround,
-                      (second + 0.5) / anglesAround,
-                      (second + h + leastApart + 0.5) / anglesAround };
-      const int from = m_From[States * row + state];
-      angle += row > 0 ? from / 9 - 1 : 0;
+                      (two + 0.5) / anglesAround,
+                      (two + h + leastApart + 0.5) / anglesAround };
       const std::size_t wrapped = ((angle % anglesAround) + anglesAround) % anglesAround;
-      state = row > 0 ? (wrapped * gaps + g + from / 3 % 3 - 1) * gaps + h + from % 3 - 1 : state;
+      const int         steps = m_Steps[States * row + (wrapped * gaps + g) * gaps + h];
+      const auto        stepOf = [&](const Track & track) { return StepOf(steps, track.place); };
+      angle -= StepOf(steps, allTracks) + stepOf(first);
+      g -= first.gap * stepOf(first) + second.gap * stepOf(second);
+      h -= second.nextGap * stepOf(second) + third.nextGap * stepOf(third);
     }
     return tracks;
   }
@@ -187,13 +241,13 @@ private:
   const TaeniaEvidence &         m_Evidence;
   std::vector<float>             m_Best;
   std::vector<float>             m_Next;
-  std::vector<unsigned char>     m_From;
+  std::vector<unsigned char>     m_Steps;
   std::array<float, gaps * gaps> m_Uneven{};
 };
 
-/** The tracks of a row in the order of their angles from the first on, in cells: first angle, two gaps. */
-std::array<double, 3>
-AngleAndGaps(const TaeniaAngles & tracks)
+/** The gaps behind the first track and behind the next one, in cells. */
+std::array<double, 2>
+GapsOf(const TaeniaAngles & tracks)
 {
   const auto gapTo = [&](int t) {
     const double turns = tracks[t] - tracks[0];
@@ -201,7 +255,29 @@ AngleAndGaps(const TaeniaAngles & tracks)
   };
   const double near = std::min(gapTo(1), gapTo(2));
   const double far = std::max(gapTo(1), gapTo(2));
-  return { anglesAround * tracks[0], near, far - near };
+  return { near, far - near };
+}
+
+/** Turning them together as far as is cheapest: by nothing, or as one of the tracks goes. */
+double
+CostOfSteps(const TaeniaAngles & before, const TaeniaAngles & after)
+{
+  std::array<double, 3> steps;
+  for (int t = 0; t < 3; ++t)
+  {
+    steps[t] = anglesAround * TurnsBetween(after[t], before[t]);
+  }
+  double least = std::numeric_limits<double>::infinity();
+  for (const double turn : { 0.0, steps[0], steps[1], steps[2] })
+  {
+    double cost = turnCost * std::abs(turn);
+    for (const double step : steps)
+    {
+      cost += moveCost * std::abs(step - turn);
+    }
+    least = std::min(least, cost);
+  }
+  return least;
 }
 } // namespace
 
@@ -217,17 +293,11 @@ EnergyOfTaeniae(const TaeniaEvidence & evidence, const TaeniaTracks & tracks)
   double sum = 0.0;
   for (int row = 0; row < evidence.rows; ++row)
   {
-    const std::array<double, 3> state = AngleAndGaps(tracks[row]);
-    sum += UnevenCost(state[1], state[2]);
+    const std::array<double, 2> apart = GapsOf(tracks[row]);
+    sum += UnevenCost(apart[0], apart[1]) + (row > 0 ? CostOfSteps(tracks[row - 1], tracks[row]) : 0.0);
     for (const double angle : tracks[row])
     {
       sum += evidence.CostAt(row, TaeniaEvidence::CellOf(angle));
-    }
-    if (row > 0)
-    {
-      const std::array<double, 3> before = AngleAndGaps(tracks[row - 1]);
-      sum += turnCost * std::abs(state[0] - before[0]) +
-             gapCost * (std::abs(state[1] - before[1]) + std::abs(state[2] - before[2]));
     }
   }
   for (const TaeniaMark & mark : evidence.marks)

@@ -146,18 +146,6 @@ EndsOfFolds(const FlatColonGrid & grid, const HaustralFolds & folds, const Taeni
 }
 } // namespace
 
-int
-TaeniaEvidence::CellOf(double turns)
-{
-  return std::min(static_cast<int>((turns - std::floor(turns)) * anglesAround), anglesAround - 1);
-}
-
-double
-TurnsBetween(double a, double b)
-{
-  return std::remainder(a - b, 1.0);
-}
-
 TaeniaEvidence
 MakeTaeniaEvidence(const FlatColon & flat, const ColonWallTube & tube, const HaustralFolds & folds)
 {

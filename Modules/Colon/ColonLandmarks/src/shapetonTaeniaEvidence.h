@@ -6,7 +6,9 @@
 #include "shapetonHaustralFolds.h"
 #include "shapetonProgress.h"
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <vector>
 
 namespace shapeton
@@ -54,7 +56,10 @@ struct TaeniaEvidence
   }
   /** The cell of an angle in turns. */
   static int
-  CellOf(double turns);
+  CellOf(double turns)
+  {
+    return std::min(static_cast<int>((turns - std::floor(turns)) * anglesAround), anglesAround - 1);
+  }
 };
 
 TaeniaEvidence
@@ -78,8 +83,11 @@ TaeniaTracks
 SmoothedTracks(const TaeniaTracks & tracks, double deviation);
 
 /** a - b in turns, in [-0.5, 0.5]. */
-double
-TurnsBetween(double a, double b);
+inline double
+TurnsBetween(double a, double b)
+{
+  return std::remainder(a - b, 1.0);
+}
 } // namespace shapeton
 
 #endif
