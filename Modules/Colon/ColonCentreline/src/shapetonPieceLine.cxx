@@ -10,6 +10,8 @@ namespace
 {
 /** A lumen of this radius (mm) or less is no end of a piece but a side branch, the terminal ileum, a taper. */
 constexpr double widestCore = 8.0;
+/** But in a piece that is itself no wider, its core has this share of its greatest radius. */
+constexpr double coreShare = 0.75;
 /** Rectum and anal canal, mm. */
 constexpr double rectumLength = 120.0;
 /** Tapers are followed down to this radius, mm. */
@@ -121,6 +123,17 @@ Prolong(const LumenGrid & grid, const PathTree & paths, const std::vector<int> &
   return tips;
 }
 
+double
+CoreRadiusOf(const LumenNetwork & network, const PathTree & piece)
+{
+  double greatest = 0.0;
+  for (const int node : piece.order)
+  {
+    greatest = std::max<double>(greatest, network.grid.Distance(node));
+  }
+  return std::min(network.coreRadius, coreShare * greatest);
+}
+
 PathTree
 Grow(const LumenNetwork & network, int start, int exponent)
 {
@@ -134,10 +147,11 @@ TraceBetween(const LumenNetwork & network, int first, bool isFixed, int exponent
   PieceLine         line;
   line.component = grid.Component(first);
   const PathTree   forth = Grow(network, first, exponent);
-  const int        last = FarthestNode(grid, forth, network.coreRadius);
+  const double     coreRadius = CoreRadiusOf(network, forth);
+  const int        last = FarthestNode(grid, forth, coreRadius);
   const auto       paths = std::make_shared<const PathTree>(Grow(network, last, exponent));
   const PathTree & back = *paths;
-  const int        begin = isFixed ? first : FarthestNode(grid, back, network.coreRadius);
+  const int        begin = isFixed ? first : FarthestNode(grid, back, coreRadius);
   line.core = back.PathTo(begin);
   line.tips[1] = isFixed ? std::vector<PieceEnd>{ { static_cast<int>(line.core.size()) - 1, {}, 0.0 } }
                          : Prolong(grid, back, line.core);

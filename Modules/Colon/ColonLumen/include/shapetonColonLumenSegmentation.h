@@ -79,6 +79,8 @@ struct ColonLeftOut
   double      inscribedRadius{ 0.0 }; ///< mm; 0 where not measured
   double      meanHU{ 0.0 };
   itk::Point<double, 3> centre;
+  /** Of gas too thin for colon: points in it, one for each cell of 5 mm. */
+  std::vector<itk::Point<double, 3>> places;
 };
 
 /** \class ColonLumen

@@ -94,7 +94,6 @@ constexpr double FaintShare = 0.5;     // of the typical fluid's contrast
 constexpr double StomachShare = 0.25;  // of the colon's gas
 constexpr double LongestColumn = 60.0; // mm
 
-const char * const SmallBowel = "small bowel or undistended colon";
 const char * const Stomach = "stomach";
 
 /** Why a piece of gas is no colon; empty for one that may be. */
@@ -112,7 +111,7 @@ KindOfGas(const GasPiece & piece, const ColonThresholds & thresholds)
   const bool isWide = (piece.radius >= CoreRadius && piece.ml >= CoreMl) ||
                       (piece.radius >= WideRadius && piece.ml >= WideMl) ||
                       (piece.isCut && piece.radius >= CutRadius && piece.ml >= CutMl);
-  return isWide ? "" : SmallBowel;
+  return isWide ? "" : SmallBowelKind;
 }
 
 /** Area of a piece's levels: over fluid as bright as the colon's, and over anything fainter. */

@@ -1,9 +1,12 @@
 #include "shapetonLumenReport.h"
 
+#include "shapetonColonPieces.h"
 #include "shapetonColonVolume.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <set>
 #include <sstream>
 
 namespace shapeton
@@ -161,9 +164,35 @@ DescribeOtherBright(const LumenVoxels & voxels, ColonLumen & lumen)
   }
 }
 
+/** Of each piece of gas that may be colon but for its width: a voxel of each cell of 5 mm. */
+std::vector<std::vector<itk::Point<double, 3>>>
+PlacesOfThinGas(const ColonEvidence & evidence)
+{
+  constexpr double                                cell = 5.0; // mm
+  std::vector<std::vector<itk::Point<double, 3>>> places(evidence.gas.pieces.size());
+  std::set<std::array<int, 4>>                    cells;
+  const auto cellOf = [&](int voxel, int axis) { return static_cast<int>(voxel * evidence.grid.spacing[axis] / cell); };
+  ForEachRun(evidence.gas.set, [&](std::size_t r, int j, int k) {
+    const int piece = evidence.gas.labels.ofRun[r];
+    if (evidence.kind[piece] != SmallBowelKind)
+    {
+      return;
+    }
+    for (int i = evidence.gas.set.runs[r].begin; i < evidence.gas.set.runs[r].end; ++i)
+    {
+      if (cells.insert({ piece, cellOf(i, 0), cellOf(j, 1), cellOf(k, 2) }).second)
+      {
+        places[piece].push_back(ToPoint(evidence.grid.Position(Eigen::Vector3d(i, j, k))));
+      }
+    }
+  });
+  return places;
+}
+
 void
 DescribeRest(const ColonEvidence & evidence, ColonLumen & lumen)
 {
+  const auto places = PlacesOfThinGas(evidence);
   lumen.thresholds = evidence.thresholds;
   lumen.noise = evidence.noise;
   lumen.smoothing = evidence.smoothing;
@@ -185,6 +214,7 @@ DescribeRest(const ColonEvidence & evidence, ColonLumen & lumen)
     rest.inscribedRadius = piece.radius;
     rest.meanHU = piece.mean;
     rest.centre = ToPoint(piece.centre);
+    rest.places = places[p];
     lumen.leftOut.push_back(rest);
   }
   std::stable_sort(lumen.leftOut.begin(), lumen.leftOut.end(), [](const ColonLeftOut & p, const ColonLeftOut & q) {

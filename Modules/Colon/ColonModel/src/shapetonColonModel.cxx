@@ -2,6 +2,7 @@
 
 #include "shapetonColonAssessability.h"
 #include "shapetonElectronicCleansing.h"
+#include "shapetonGasInGaps.h"
 #include "shapetonMaskedColonLumen.h"
 #include "shapetonExceptions.h"
 #include "shapetonParallelInvoke.h"
@@ -95,9 +96,8 @@ AddWall(ColonModel & model, const ColonModelOptions & options, const TMake & mak
   AppendRemarks(model.warnings, model.wall.report.warnings);
 }
 
-/** Cleansing, centreline and wall of a lumen that has been found. */
-void
-Complete(ColonModel & model, const itk::Image<float, 3> * ct, const ColonModelOptions & options)
+CleansedColon
+TraceAndCleanse(ColonModel & model, const itk::Image<float, 3> * ct, const ColonModelOptions & options)
 {
   CleansedColon cleansed;
   ParallelInvoke([&] { TraceLine(model, options); }, // needs no CT
@@ -105,6 +105,71 @@ Complete(ColonModel & model, const itk::Image<float, 3> * ct, const ColonModelOp
                    cleansed = CleanseColon(ct, model.lumen);
                    model.cleansed = cleansed.ct;
                  });
+  return cleansed;
+}
+
+std::string
+InWords(const GasInGap & one)
+{
+  const auto rounded = [](double value) { return std::to_string(std::lround(value)); };
+  const auto at = [&](const itk::Point<double, 3> & p) {
+    return '(' + rounded(p[0]) + ", " + rounded(p[1]) + ", " + rounded(p[2]) + ") mm";
+  };
+  return rounded(one.gas.ml) + " ml of gas around " + at(one.gas.centre) +
+         ", as thin as small bowel, join the ends of a gap of " + rounded(one.gap.distance) +
+         " mm in the centreline, from " + at(one.gap.from) + " to " + at(one.gap.to) +
+         ": they are taken for colon; look at them, or give the lumen as a mask";
+}
+
+/** Takes gas that fills gaps of the line as seed points give it, once more from the CT on, where that leaves shorter
+ * gaps: by half of those at least that it is to fill. */
+void
+FillGaps(ColonModel &                 model,
+         CleansedColon &              cleansed,
+         const itk::Image<float, 3> * ct,
+         const ColonModelOptions &    options)
+{
+  const std::vector<GasInGap> found = FindGasInGaps(model.lumen, model.centreline);
+  if (found.empty())
+  {
+    return;
+  }
+  ColonModelOptions with = options;
+  with.progress = options.progress.Part("Filling gaps of the colon", CentrelineEnd, CentrelineEnd);
+  double most = LengthOfGaps(model.centreline);
+  for (const GasInGap & one : found)
+  {
+    with.seedPoints.push_back(one.gas.places[one.gas.places.size() / 2]);
+    most -= 0.5 * one.gap.distance;
+  }
+  ColonModel filled;
+  filled.lumen = SegmentColonLumen(ct, LumenOptionsOf(with));
+  if (!filled.lumen.failure.empty())
+  {
+    return;
+  }
+  CleansedColon again = TraceAndCleanse(filled, ct, with);
+  if (LengthOfGaps(filled.centreline) <= most)
+  {
+    model = std::move(filled);
+    cleansed = std::move(again);
+    model.warnings = model.lumen.warnings;
+    for (const GasInGap & one : found)
+    {
+      model.warnings.push_back(InWords(one));
+    }
+  }
+}
+
+/** Cleansing, centreline and wall of a lumen that has been found. */
+void
+Complete(ColonModel & model, const itk::Image<float, 3> * ct, const ColonModelOptions & options, bool mayFillGaps)
+{
+  CleansedColon cleansed = TraceAndCleanse(model, ct, options);
+  if (mayFillGaps)
+  {
+    FillGaps(model, cleansed, ct, options);
+  }
   AddValve(model, options);
   if (model.terminalIleum)
   {
@@ -116,7 +181,7 @@ Complete(ColonModel & model, const itk::Image<float, 3> * ct, const ColonModelOp
 }
 
 ColonModel
-ModelOf(const itk::Image<float, 3> * ct, ColonLumen && lumen, const ColonModelOptions & options)
+ModelOf(const itk::Image<float, 3> * ct, ColonLumen && lumen, const ColonModelOptions & options, bool mayFillGaps)
 {
   ColonModel model;
   model.lumen = std::move(lumen);
@@ -124,14 +189,14 @@ ModelOf(const itk::Image<float, 3> * ct, ColonLumen && lumen, const ColonModelOp
   model.failure = model.lumen.failure;
   if (model.failure.empty())
   {
-    Complete(model, ct, options);
+    Complete(model, ct, options, mayFillGaps);
     return model;
   }
   if (options.keepPartial && !model.lumen.pieces.empty())
   {
     try
     {
-      Complete(model, ct, options);
+      Complete(model, ct, options, false);
     }
     catch (const InputError & error)
     {
@@ -163,13 +228,13 @@ RadiusOfSection(const itk::Point<double, 3> & centre, double diameter, const itk
 ColonModel
 BuildColonModel(const itk::Image<float, 3> * ct, const ColonModelOptions & options)
 {
-  return ModelOf(ct, SegmentColonLumen(ct, LumenOptionsOf(options)), options);
+  return ModelOf(ct, SegmentColonLumen(ct, LumenOptionsOf(options)), options, true);
 }
 
 ColonModel
 BuildColonModel(const itk::Image<float, 3> * ct, const LumenMask * lumen, const ColonModelOptions & options)
 {
-  return ModelOf(ct, ColonLumenOfMask(ct, lumen, LumenOptionsOf(options)), options);
+  return ModelOf(ct, ColonLumenOfMask(ct, lumen, LumenOptionsOf(options)), options, false);
 }
 
 ColonModel

@@ -6,11 +6,13 @@
 #include "shapetonVolumeWriter.h"
 
 #include "itkCastImageFilter.h"
+#include "itkImageRegionIteratorWithIndex.h"
 #include "itkRegionOfInterestImageFilter.h"
 
 #include "gtest/gtest.h"
 #include "shapetonJson.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace
@@ -276,6 +278,74 @@ TEST(ColonModel, AMaskWithoutGasIsRefused)
     mask->SetPixel({ { 8 + i % 12, 8 + i / 12 % 12, 8 + i / 144 } }, 1);
   }
   EXPECT_THROW(shapeton::BuildColonModel(ct.GetPointer(), mask.GetPointer(), Options()), shapeton::InputError);
+}
+
+/** Around a piece of a line along z. */
+bool
+IsInCapsule(const itk::Point<double, 3> & p, double x, double begin, double end, double radius)
+{
+  return std::hypot(p[0] - x, p[1], p[2] - std::clamp(p[2], begin, end)) < radius;
+}
+
+/** A straight colon of 36 mm in a block of soft tissue, parted by 118 mm; 110 mm of gas as thin as small bowel lie as
+ * far aside from the gap as is said. LPS, mm; voxels of 2 mm. */
+CtImage::Pointer
+ColonInTwoParts(double aside)
+{
+  const auto image = CtImage::New();
+  image->SetRegions(CtImage::SizeType{ { 90, 90, 220 } });
+  image->SetSpacing(CtImage::SpacingType(2.0));
+  const double origin[] = { -89.0, -89.0, 0.0 };
+  image->SetOrigin(origin);
+  image->Allocate();
+  itk::ImageRegionIteratorWithIndex<CtImage> it(image, image->GetLargestPossibleRegion());
+  for (; !it.IsAtEnd(); ++it)
+  {
+    itk::Point<double, 3> p;
+    image->TransformIndexToPhysicalPoint(it.GetIndex(), p);
+    const bool isBody = std::max(std::abs(p[0]), std::abs(p[1])) < 80.0;
+    const bool isColon = IsInCapsule(p, 0.0, 38.0, 132.0, 18.0) || IsInCapsule(p, 0.0, 286.0, 402.0, 18.0);
+    const bool isThin = IsInCapsule(p, aside, 163.0, 255.0, 9.0);
+    it.Set(isBody && !isColon && !isThin ? 40.0F : -1000.0F);
+  }
+  return image;
+}
+
+unsigned char
+LabelAt(const shapeton::ColonModel & model, double x, double z)
+{
+  const double place[] = { x, 0.0, z };
+  return model.lumen.labels->GetPixel(model.lumen.labels->TransformPhysicalPointToIndex(itk::Point<double, 3>(place)));
+}
+
+bool
+TellsOfAFilledGap(const shapeton::ColonModel & model)
+{
+  return std::any_of(model.warnings.begin(), model.warnings.end(), [](const std::string & warning) {
+    return warning.find("join the ends of a gap") != std::string::npos;
+  });
+}
+
+TEST(ColonModel, ThinGasThatFillsAGapIsColon)
+{
+  const shapeton::ColonModel model = shapeton::BuildColonModel(ColonInTwoParts(0.0), Options());
+  EXPECT_EQ(model.failure, "");
+  EXPECT_TRUE(TellsOfAFilledGap(model));
+  EXPECT_EQ(LabelAt(model, 0.0, 209.0), 1);
+  for (const shapeton::CentrelineGap & gap : model.centreline.gaps)
+  {
+    EXPECT_LT(gap.distance, 15.0);
+  }
+}
+
+TEST(ColonModel, ThinGasBesideAGapIsLeftOut)
+{
+  const shapeton::ColonModel model = shapeton::BuildColonModel(ColonInTwoParts(40.0), Options());
+  EXPECT_EQ(model.failure, "");
+  EXPECT_FALSE(TellsOfAFilledGap(model));
+  EXPECT_EQ(LabelAt(model, 40.0, 209.0), 0);
+  ASSERT_EQ(model.centreline.gaps.size(), 1U);
+  EXPECT_NEAR(model.centreline.gaps[0].distance, 118.0, 8.0);
 }
 
 } // namespace

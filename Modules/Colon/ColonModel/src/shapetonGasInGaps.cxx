@@ -1,0 +1,63 @@
+#include "shapetonGasInGaps.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace shapeton
+{
+namespace
+{
+constexpr double leastGap = 30.0;   // mm
+constexpr double leastMl = 10.0;    //
+constexpr double leastRadius = 7.0; // mm
+constexpr double nearShare = 0.25;  // of the gap
+constexpr double nearest = 20.0;    // mm
+
+double
+DistanceOf(const ColonLeftOut & gas, const itk::Point<double, 3> & end)
+{
+  double least = std::numeric_limits<double>::infinity();
+  for (const auto & place : gas.places)
+  {
+    least = std::min(least, place.EuclideanDistanceTo(end));
+  }
+  return least;
+}
+
+bool
+Joins(const ColonLeftOut & gas, const CentrelineGap & gap)
+{
+  const double close = std::min(nearest, nearShare * gap.distance);
+  return gas.ml >= leastMl && gas.inscribedRadius >= leastRadius && DistanceOf(gas, gap.from) <= close &&
+         DistanceOf(gas, gap.to) <= close;
+}
+} // namespace
+
+std::vector<GasInGap>
+FindGasInGaps(const ColonLumen & lumen, const ColonCentreline & line)
+{
+  std::vector<GasInGap> found;
+  for (const CentrelineGap & gap : line.gaps)
+  {
+    const auto gas = std::find_if(lumen.leftOut.begin(), lumen.leftOut.end(), [&gap](const ColonLeftOut & one) {
+      return gap.distance >= leastGap && Joins(one, gap);
+    });
+    if (gas != lumen.leftOut.end())
+    {
+      found.push_back({ gap, *gas });
+    }
+  }
+  return found;
+}
+
+double
+LengthOfGaps(const ColonCentreline & line)
+{
+  double length = 0.0;
+  for (const CentrelineGap & gap : line.gaps)
+  {
+    length += gap.distance;
+  }
+  return length;
+}
+} // namespace shapeton
