@@ -123,6 +123,7 @@ Prolong(const LumenGrid & grid, const PathTree & paths, const std::vector<int> &
   return tips;
 }
 
+/** Of the piece that the paths reach. */
 double
 CoreRadiusOf(const LumenNetwork & network, const PathTree & piece)
 {

@@ -50,7 +50,17 @@ CellsOf(const TaeniaAngles & angles)
   return cells;
 }
 
-/** The least energy of all tracks that stay in cells 5 and 6, 29 and 30, 50 and 51. */
+/** Three tracks may lie in these cells and the next ones. */
+constexpr std::array<int, 3> freeCells{ 5, 29, 50 };
+
+bool
+IsFree(int cell)
+{
+  return std::any_of(
+    freeCells.begin(), freeCells.end(), [cell](int first) { return cell == first || cell == first + 1; });
+}
+
+/** The least energy of all tracks that stay in the free cells. */
 double
 LeastEnergyOfAll(const TaeniaEvidence & evidence)
 {
@@ -61,8 +71,10 @@ LeastEnergyOfAll(const TaeniaEvidence & evidence)
     TaeniaTracks tracks;
     for (int row = 0; row < evidence.rows; ++row)
     {
-      const auto cell = [&](int track, int base) { return (base + (choice >> (3 * row + track) & 1) + 0.5) / 72.0; };
-      tracks.push_back({ cell(0, 5), cell(1, 29), cell(2, 50) });
+      const auto angle = [&](int track) {
+        return (freeCells[track] + (choice >> (3 * row + track) & 1) + 0.5) / anglesAround;
+      };
+      tracks.push_back({ angle(0), angle(1), angle(2) });
     }
     least = std::min(least, EnergyOfTaeniae(evidence, tracks));
   }
@@ -96,8 +108,7 @@ TEST(JointTaeniae, HaveTheLeastEnergy)
     TaeniaEvidence evidence = RandomEvidence(5, seed);
     for (int i = 0; i < evidence.rows * anglesAround; ++i)
     {
-      const int cell = i % anglesAround;
-      evidence.cost[i] += cell / 2 == 25 || cell == 5 || cell == 6 || cell == 29 || cell == 30 ? 0.0F : 100.0F;
+      evidence.cost[i] += IsFree(i % anglesAround) ? 0.0F : 100.0F;
     }
     EXPECT_NEAR(EnergyOfTaeniae(evidence, JointTaeniae(evidence, {})), LeastEnergyOfAll(evidence), 1e-5)
       << "seed " << seed;

@@ -6,6 +6,7 @@
 #include "shapetonMaskedColonLumen.h"
 #include "shapetonExceptions.h"
 #include "shapetonParallelInvoke.h"
+#include "shapetonPlaceInWords.h"
 #include "shapetonStartBeside.h"
 
 #include "itkRegionOfInterestImageFilter.h"
@@ -112,22 +113,17 @@ std::string
 InWords(const GasInGap & one)
 {
   const auto rounded = [](double value) { return std::to_string(std::lround(value)); };
-  const auto at = [&](const itk::Point<double, 3> & p) {
-    return '(' + rounded(p[0]) + ", " + rounded(p[1]) + ", " + rounded(p[2]) + ") mm";
-  };
-  return rounded(one.gas.ml) + " ml of gas around " + at(one.gas.centre) +
+  return rounded(one.gas.ml) + " ml of gas around " + PlaceInWords(one.gas.centre) +
          ", as thin as small bowel, join the ends of a gap of " + rounded(one.gap.distance) +
-         " mm in the centreline, from " + at(one.gap.from) + " to " + at(one.gap.to) +
+         " mm in the centreline, from " + PlaceInWords(one.gap.from) + " to " + PlaceInWords(one.gap.to) +
          ": they are taken for colon; look at them, or give the lumen as a mask";
 }
 
 /** Takes gas that fills gaps of the line as seed points give it, once more from the CT on, where that leaves shorter
- * gaps: by half of those at least that it is to fill. */
+ * gaps: by half of those at least that it is to fill. The seed points are then those of `options`, too: the line may be
+ * traced again. */
 void
-FillGaps(ColonModel &                 model,
-         CleansedColon &              cleansed,
-         const itk::Image<float, 3> * ct,
-         const ColonModelOptions &    options)
+FillGaps(ColonModel & model, CleansedColon & cleansed, const itk::Image<float, 3> * ct, ColonModelOptions & options)
 {
   const std::vector<GasInGap> found = FindGasInGaps(model.lumen, model.centreline);
   if (found.empty())
@@ -153,6 +149,7 @@ FillGaps(ColonModel &                 model,
   {
     model = std::move(filled);
     cleansed = std::move(again);
+    options.seedPoints = with.seedPoints;
     model.warnings = model.lumen.warnings;
     for (const GasInGap & one : found)
     {
@@ -163,7 +160,7 @@ FillGaps(ColonModel &                 model,
 
 /** Cleansing, centreline and wall of a lumen that has been found. */
 void
-Complete(ColonModel & model, const itk::Image<float, 3> * ct, const ColonModelOptions & options, bool mayFillGaps)
+Complete(ColonModel & model, const itk::Image<float, 3> * ct, ColonModelOptions options, bool mayFillGaps)
 {
   CleansedColon cleansed = TraceAndCleanse(model, ct, options);
   if (mayFillGaps)
