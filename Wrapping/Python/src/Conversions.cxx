@@ -1,11 +1,8 @@
 #include "Conversions.h"
+#include "Timer.h"
 
-#include <chrono>
 #include <cmath>
 #include <limits>
-
-#include <cxxabi.h>
-#include <unistd.h>
 
 namespace shapeton::python
 {
@@ -165,28 +162,6 @@ Construct(const char * name, const TGeometry & geometry, const py::object & elem
                                         geometry.facts);
 }
 
-/** Tells when a period is over, then when the next one is. */
-class Timer
-{
-  using Clock = std::chrono::steady_clock;
-
-public:
-  explicit Timer(Clock::duration period) : m_Period(period) {}
-
-  bool
-  IsOver()
-  {
-    const auto now = Clock::now();
-    const bool isOver = now >= m_Next;
-    m_Next = isOver ? now + m_Period : m_Next;
-    return isOver;
-  }
-
-private:
-  Clock::duration   m_Period;
-  Clock::time_point m_Next{};
-};
-
 /** What Progress calls: the user's function ten times a second. */
 class Watch
 {
@@ -214,67 +189,7 @@ private:
   Timer      m_Timer{ std::chrono::milliseconds(100) };
 };
 
-/** What Interruption calls: looks at signals fifty times a second. */
-std::function<void()>
-SignalCheck()
-{
-  return [timer = Timer(std::chrono::milliseconds(20))]() mutable {
-    if (!timer.IsOver())
-    {
-      return;
-    }
-    const WithGil gil;
-    if (PyErr_CheckSignals() != 0)
-    {
-      throw py::error_already_set();
-    }
-  };
-}
 } // namespace
-
-namespace
-{
-[[noreturn]] void
-WaitForEver()
-{
-  for (;;)
-  {
-    pause();
-  }
-}
-
-/** Calls a function that takes Python's lock, if that can still be had. */
-template <typename TTake>
-auto
-TakeGil(const TTake & take)
-{
-  if (_Py_IsFinalizing() != 0)
-  {
-    WaitForEver();
-  }
-  try
-  {
-    return take();
-  }
-  catch (abi::__forced_unwind &) // the interpreter has ended meanwhile
-  {
-    WaitForEver();
-  }
-}
-} // namespace
-
-WithGil::WithGil() : m_State(TakeGil([] { return PyGILState_Ensure(); })) {}
-
-WithGil::~WithGil() { PyGILState_Release(m_State); }
-
-WithoutGil::Released::Released() : m_State(PyEval_SaveThread()) {}
-
-WithoutGil::Released::~Released()
-{
-  TakeGil([this] { PyEval_RestoreThread(m_State); });
-}
-
-WithoutGil::WithoutGil() : m_Interruption(SignalCheck()) {}
 
 py::object
 ClassOf(const char * module, const char * name)

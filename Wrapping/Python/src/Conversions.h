@@ -1,9 +1,10 @@
 #ifndef Conversions_h
 #define Conversions_h
 
+#include "Threads.h"
+
 #include "shapetonCurveSet.h"
 #include "shapetonExceptions.h"
-#include "shapetonInterruption.h"
 #include "shapetonJson.h"
 #include "shapetonProgress.h"
 #include "shapetonSurfaceMesh.h"
@@ -26,50 +27,6 @@ namespace shapeton::python
 {
 namespace py = pybind11;
 using namespace pybind11::literals;
-
-/** \class WithGil
- * \brief Holds Python's lock in a block.
- *
- * A thread that asks for the lock after the interpreter has ended waits for ever, as in Python 3.14. Older versions end
- * the thread by unwinding it, which libraries in C++ answer by aborting the process. */
-class WithGil
-{
-public:
-  WithGil();
-  ~WithGil();
-  WithGil(const WithGil &) = delete;
-  WithGil &
-  operator=(const WithGil &) = delete;
-
-private:
-  PyGILState_STATE m_State;
-};
-
-/** \class WithoutGil
- * \brief Lets other threads of Python run while a function of the library does, and signals stop it. */
-class WithoutGil
-{
-public:
-  WithoutGil();
-
-private:
-  class Released
-  {
-  public:
-    Released();
-    ~Released();
-    Released(const Released &) = delete;
-    Released &
-    operator=(const Released &) = delete;
-
-  private:
-    PyThreadState * m_State;
-  };
-
-  const Released     m_Released;
-  const Interruption m_Interruption;
-};
-using ReleaseGil = py::call_guard<WithoutGil>;
 
 /** Of a parameter with a list of words: what the word stands for. Throws ParameterError with all of them. */
 template <typename TValue>

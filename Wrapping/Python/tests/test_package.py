@@ -71,6 +71,39 @@ print("done")
         for work in ("heat", "progress", "graph"):
             self.assertEqual(run_python(code.replace("WORK", work)), "done")
 
+    def test_a_thread_that_computes_at_the_end_is_stopped_and_the_main_thread_is_not(self):
+        code = """
+import atexit, sys, threading, time, numpy
+
+def at_the_end():  # after the handlers of modules that are imported later
+    thread.join()
+    sys.stdout.write("joined, ")
+    shapeton.diffuse_heat(image, time_steps=3)
+    print("computed")
+
+atexit.register(at_the_end)
+sys.stderr = sys.stdout
+import shapeton
+image = shapeton.Image(numpy.random.default_rng(1).random((96, 96, 96)))
+thread = threading.Thread(target=lambda: shapeton.diffuse_heat(image, time_steps=10**7), daemon=True)
+thread.start()
+time.sleep(0.3)
+"""
+        self.assertEqual(run_python(code), "joined, computed")
+
+    def test_a_process_forked_off_a_computing_one_ends(self):
+        code = """
+import os, sys, threading, time, numpy, shapeton
+image = shapeton.Image(numpy.random.default_rng(1).random((96, 96, 96)))
+threading.Thread(target=lambda: shapeton.diffuse_heat(image, time_steps=30000), daemon=True).start()
+time.sleep(0.3)
+child = os.fork()
+if child == 0:
+    sys.exit(7)
+print(os.waitstatus_to_exitcode(os.waitpid(child, 0)[1]))
+"""
+        self.assertEqual(run_python(code), "7")
+
     def test_errors_belong_to_the_classes_of_python(self):
         for error, kinds in (
             (shapeton.ParameterError, (shapeton.Error, ValueError)),
