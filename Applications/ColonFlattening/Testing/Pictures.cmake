@@ -31,6 +31,10 @@ function(on_model name)
   set_tests_properties(ColonFlattening${name} PROPERTIES FIXTURES_REQUIRED "ColonPatient;ColonModelOfCt")
 endfunction()
 on_model(Cleansed --volume ${model}/ct/cleansed.nrrd --picture ${pictures}/cleansed.png --report ${pictures}/cleansed)
+# The same bytes on a GPU.
+shapeton_compare_devices(ColonFlattening ${model}/ct/wall-simplified.vtp {OUT}/flat.vtp --volume ${model}/ct/cleansed.nrrd
+  --picture {OUT}/flat.png --report {OUT}/report)
+set_tests_properties(ColonFlatteningDevices ColonFlatteningGpu PROPERTIES FIXTURES_REQUIRED "ColonPatient;ColonModelOfCt")
 on_model(Dicom --volume ${model}/patient --picture ${pictures}/dicom.png)
 
 # ---- baselines that a person has looked at ----
@@ -51,6 +55,7 @@ endfunction()
 set(someCt ${Shapeton_SOURCE_DIR}/Data/PhantomSeries)
 refuses_picture(VolumeAlone 2 "serves pictures alone" --volume ${someCt})
 refuses_picture(VolumeColoring 2 "needs --volume" --coloring volume --picture ${pictures}/refused.png)
+refuses_picture(CudaWithoutCt 2 "leave out --device cuda" --device cuda --picture ${pictures}/refused.png)
 refuses_picture(MapName 2 "written as .nrrd" --coordinateMap ${pictures}/refused.nii)
 refuses_picture(PixelSize 2 "pixelSize" --pixelSize 0 --picture ${pictures}/refused.png)
 refuses_picture(OtherCt 3 "does not hold the surface" --volume ${someCt} --picture ${pictures}/refused.png)

@@ -21,6 +21,7 @@ itk_module(ColonTools
     FlatColon
     PictureKit
     CommandLine
+    Devices
     ToolInput
   TEST_DEPENDS
     ITKGoogleTest

@@ -5,6 +5,7 @@ itk_module(ColonoscopyRun
   ENABLE_SHARED
   EXCLUDE_FROM_DEFAULT
   PRIVATE_DEPENDS
+    Devices
     HaustralFolds
     Base
     Report
@@ -18,10 +19,12 @@ itk_module(ColonoscopyRun
     PictureKit
     ColonViews
     CommandLine
+    ToolInput
     StagedRun
     ColonTools
     ITKCommon
   TEST_DEPENDS
+    Devices
     Base
     Report
     SurfaceMesh

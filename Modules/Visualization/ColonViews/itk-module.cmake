@@ -5,6 +5,7 @@ itk_module(ColonViews
   ENABLE_SHARED
   EXCLUDE_FROM_DEFAULT
   DEPENDS
+    Devices
     SurfaceMesh
     ColonCentreline
     FlatColon

@@ -17,4 +17,37 @@
 #  define SHAPETON_PREFETCH(...) __builtin_prefetch(__VA_ARGS__)
 #endif
 
+namespace shapeton
+{
+/** Arithmetic of kernels that the standard library does not promise to a GPU. \ingroup Base */
+namespace HostDevice
+{
+template <typename T>
+SHAPETON_HOST_DEVICE T
+Smaller(T a, T b)
+{
+  return b < a ? b : a;
+}
+
+template <typename T>
+SHAPETON_HOST_DEVICE T
+Larger(T a, T b)
+{
+  return a < b ? b : a;
+}
+
+/** Of two vectors, from the first component on. */
+SHAPETON_HOST_DEVICE double
+Product(const double a[3], const double b[3])
+{
+  double sum = 0.0;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    sum += a[axis] * b[axis];
+  }
+  return sum;
+}
+} // namespace HostDevice
+} // namespace shapeton
+
 #endif

@@ -172,6 +172,16 @@ private:
   T *         m_Data{ nullptr };
 };
 
+/** A copy on the device. */
+template <typename T>
+Memory<T>
+Uploaded(const T * values, std::size_t number)
+{
+  Memory<T> memory(number);
+  memory.Upload(values);
+  return memory;
+}
+
 #if defined(__CUDACC__)
 constexpr unsigned int ThreadsInBlock = 256;
 constexpr unsigned int BlocksOfReduction = 2048; ///< more than any GPU runs at once

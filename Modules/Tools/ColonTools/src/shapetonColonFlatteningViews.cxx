@@ -3,6 +3,7 @@
 #include "shapetonCommandLine.h"
 #include "shapetonFlatCoordinateMap.h"
 #include "shapetonExceptions.h"
+#include "shapetonToolDevice.h"
 
 namespace shapeton
 {
@@ -12,6 +13,7 @@ ColonFlatteningViews::ColonFlatteningViews(CommandLine & commandLine) : m_Comman
   RequireParameter(commandLine.GetDouble("pixelSize") > 0.0, "--pixelSize must be greater than 0");
   RequireParameter(coloring != "volume" || commandLine.IsGiven("volume"), "--coloring volume needs --volume CT");
   RequireCoordinateMapName(commandLine.GetString("coordinateMap"));
+  RequireDeviceForCt(commandLine, commandLine.IsGiven("volume"));
   m_Picture = commandLine.OutputOf("picture");
   m_CoordinateMap = commandLine.OutputOf("coordinateMap");
   m_Report = commandLine.GetString("report");
@@ -53,6 +55,11 @@ ColonFlatteningViews::Write(const ColonFlattening &      flattening,
   parts.flat = &flat;
   parts.centreline = centreline.curves.empty() ? nullptr : &centreline;
   parts.ct = ct;
+  if (ct && (!m_Report.empty() || this->ColoringFor(ct) == FlatColoring::Volume))
+  {
+    parts.device = ChooseFlatVolumeDevice(ct, ReadDevice(m_CommandLine));
+    m_CommandLine.AddRunFact("device", parts.device.Describe());
+  }
   parts.annotations = AnnotationsOfHandles(flattening);
   if (!m_CoordinateMap.empty())
   {

@@ -248,6 +248,7 @@ DrawFlat(const ColonoscopyResults & results, FlatColoring coloring)
   parts.flat = results.flat.get();
   parts.centreline = &results.centreline;
   parts.ct = results.ct;
+  parts.device = results.device;
   parts.annotations = SegmentAnnotations(results.segments);
   if (results.foldLabels)
   {

@@ -5,6 +5,7 @@
 #include "shapetonJson.h"
 #include "shapetonSha256.h"
 #include "shapetonExceptions.h"
+#include "shapetonToolDevice.h"
 
 namespace shapeton
 {
@@ -77,7 +78,11 @@ private:
   Write(const Json & signature)
   {
     m_CommandLine.Progress("report", 0.94);
-    const ColonoscopyResults results = ReadColonoscopyResults(m_Folder, m_Presentation.stages);
+    ColonoscopyResults results = ReadColonoscopyResults(m_Folder, m_Presentation.stages);
+    if (results.ct)
+    {
+      results.device = ChooseFlatVolumeDevice(results.ct, ReadDevice(m_CommandLine));
+    }
     ColonoscopyReportContent content;
     content.results = &results;
     content.failure = m_Presentation.failure;

@@ -6,6 +6,7 @@
 #include "shapetonColonLandmarkDocument.h"
 #include "shapetonColonPositionFiles.h"
 #include "shapetonCurveSet.h"
+#include "shapetonDevice.h"
 #include "shapetonFlatColon.h"
 #include "shapetonJson.h"
 #include "shapetonPolypCandidates.h"
@@ -62,7 +63,8 @@ struct ColonoscopyRun_EXPORT ColonoscopyResults
   Json                          quality; ///< of the segmentation
   CurveSet                      centreline;
   SurfaceMesh                   wall;
-  itk::Image<float, 3>::Pointer ct; ///< cleansed; null of a mask
+  itk::Image<float, 3>::Pointer ct;     ///< cleansed; null of a mask
+  DeviceUse                     device; ///< that renders it
 
   Json flatStatistics;
   /** Null where it was not read. */

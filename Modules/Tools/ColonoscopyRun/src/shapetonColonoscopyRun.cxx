@@ -4,6 +4,7 @@
 #include "shapetonColonoscopyStages.h"
 #include "shapetonCommandLine.h"
 #include "shapetonExceptions.h"
+#include "shapetonToolDevice.h"
 #include "shapetonSceneFiles.h"
 
 #include <algorithm>
@@ -246,6 +247,7 @@ RunColonoscopy(CommandLine & commandLine, const std::string & toolFolder)
   const std::string folder = commandLine.GetString("outputFolder");
   const bool        hasSecond = commandLine.IsGiven("second");
   CheckDicomResults(commandLine); // before any work
+  RequireDeviceForCt(commandLine, !commandLine.GetFlag("inputIsLumen"));
   for (const char * const input : { "inputVolume", "second" })
   {
     if (commandLine.IsGiven(input))

@@ -84,6 +84,12 @@ public:
     stage.Idle("threads", m_CommandLine.GetString("threads"));
   }
 
+  void
+  PassDevice(Stage & stage) const
+  {
+    stage.Idle("device", m_CommandLine.GetString("device"));
+  }
+
 private:
   const CommandLine & m_CommandLine;
   Provenance          m_Provenance;
@@ -142,6 +148,7 @@ Flattening(const OptionPasser & passer, const StagedRun & run)
   if (fs::exists(run.PathOf(names::segmentation, "cleansed.nrrd")))
   {
     stage.Input("volume", run.PathOf(names::segmentation, "cleansed.nrrd"));
+    passer.PassDevice(stage);
   }
   passer.Pass(stage, { "metric", "time", "removeHandles", "pixelSize" });
   passer.PassThreads(stage);

@@ -1,5 +1,6 @@
 #include "shapetonToolDevice.h"
 #include "shapetonCommandLine.h"
+#include "shapetonExceptions.h"
 
 namespace shapeton
 {
@@ -8,5 +9,15 @@ ReadDevice(const CommandLine & commandLine)
 {
   const std::string name = commandLine.GetString("device");
   return name == NameOf(Device::Cpu) ? Device::Cpu : name == NameOf(Device::Cuda) ? Device::Cuda : Device::Automatic;
+}
+
+void
+RequireDeviceForCt(const CommandLine & commandLine, bool hasCt)
+{
+  if (ReadDevice(commandLine) == Device::Cuda)
+  {
+    RequireParameter(hasCt, "the GPU paints pictures of a CT, and none is given: leave out --device cuda");
+    ChooseDevice(Device::Cuda, 0);
+  }
 }
 } // namespace shapeton

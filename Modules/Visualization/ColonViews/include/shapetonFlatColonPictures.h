@@ -36,6 +36,8 @@ struct FlatColonParts
   std::vector<FlatOutlines> outlines;
   std::vector<FlatLine>     lines;
   ///@}
+  /** Where the CT is rendered; see ChooseFlatVolumeDevice(). */
+  DeviceUse device{};
 };
 
 /** \class FlatColonPictures

@@ -3,6 +3,7 @@
 
 #include "ColonViewsExport.h"
 
+#include "shapetonDevice.h"
 #include "shapetonFlatColonAxis.h"
 #include "shapetonPictureAnnotation.h"
 
@@ -64,7 +65,13 @@ ColonViews_EXPORT Picture::Pointer
                   PaintFlatVolume(const FlatColonGrid &        grid,
                                   const FlatColonAxis &        axis,
                                   const itk::Image<float, 3> * ct,
-                                  const FlatVolumeOptions &    options = {});
+                                  const FlatVolumeOptions &    options = {},
+                                  const DeviceUse &            use = {});
+
+/** Where to paint it: `use`, with which the picture is the same bytes. Throws DeviceError where the GPU is asked for
+ * and cannot be used. */
+ColonViews_EXPORT DeviceUse
+ChooseFlatVolumeDevice(const itk::Image<float, 3> * ct, Device wanted);
 
 /** The means of `factor` x `factor` pixels, in linear light: a strip painted on a grid with pixels so much smaller,
  * without jagged edges. */

@@ -64,7 +64,7 @@ FlatColonPictures::Paint(FlatColoring coloring) const
   const FlatColonGrid & grid = m_Fine ? *m_Fine : *m_Grid;
   if (coloring == FlatColoring::Volume)
   {
-    return PaintFlatVolume(grid, *m_Axis, m_Parts.ct);
+    return PaintFlatVolume(grid, *m_Axis, m_Parts.ct, FlatVolumeOptions(), m_Parts.device);
   }
   return coloring == FlatColoring::Relief ? PaintFlatRelief(grid, *m_Axis) : PaintFlatCurvature(grid, *m_Axis);
 }

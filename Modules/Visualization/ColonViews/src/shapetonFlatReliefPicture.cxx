@@ -19,7 +19,7 @@ PaintFlatRelief(const FlatColonGrid & grid, const FlatColonAxis & axis, const Fl
     const double          height = 1.0 - frame.towards.dot(toAxis) / axis.radii[column]; // 1 on the axis, 0 on the tube
     const auto            share = static_cast<float>(std::clamp(2.0 * height, -1.0, 1.0) * options.heightContrast);
     LinearColor     color = share < 0.0F ? LinearColor(wall - share * (pocket - wall)) : wall + share * (crest - wall);
-    const FlatLight light(frame, sample.inwardNormal);
+    const FlatLight light = LightOn(sample, frame);
     return FromLinear((light.brightness * color).array() + light.highlight);
   });
 }

@@ -1,168 +1,198 @@
 #include "shapetonFlatColonStrip.h"
 
 #include "shapetonCsvTable.h"
-#include "shapetonStripPainter.h"
+#include "shapetonDeviceWallRays.h"
 #include "shapetonExceptions.h"
-#include "shapetonTrilinearVolume.h"
+#include "shapetonStripPainter.h"
 
-#include <array>
+#include <Eigen/LU>
+
+#include <memory>
+#include <vector>
 
 namespace shapeton
 {
 namespace
 {
-/** The colour of tissue by its Hounsfield units: fat, soft tissue, contrast medium and bone. */
-class TissueColors
+constexpr std::size_t raysInBatch = std::size_t{ 1 } << 18; ///< of a GPU
+
+/** The colour of tissue by its Hounsfield units: fat, soft tissue, contrast medium and bone. Linear red, green and blue
+ * from `darkest` on. */
+std::vector<float>
+ColorsOfTissue(double darkest, double colorStep)
 {
-public:
-  TissueColors()
+  struct Stop
   {
-    struct Stop
+    double   hu;
+    RGBColor color;
+  };
+  static const Stop  stops[] = { { -700.0, MakeColor(238, 176, 160) }, { -250.0, MakeColor(234, 160, 144) },
+                                 { -100.0, MakeColor(236, 170, 150) }, { 20.0, MakeColor(234, 164, 148) },
+                                 { 120.0, MakeColor(222, 128, 116) },  { 250.0, MakeColor(240, 236, 214) },
+                                 { 600.0, MakeColor(255, 255, 246) } };
+  constexpr int      last = sizeof(stops) / sizeof(stops[0]) - 1;
+  std::vector<float> colors;
+  for (int i = 0; i < WallLook::numberOfColors; ++i)
+  {
+    const double hu = darkest + i * colorStep;
+    int          k = 0;
+    while (k < last - 1 && stops[k + 1].hu < hu)
     {
-      double   hu;
-      RGBColor color;
-    };
-    static const Stop stops[] = { { -700.0, MakeColor(238, 176, 160) }, { -250.0, MakeColor(234, 160, 144) },
-                                  { -100.0, MakeColor(236, 170, 150) }, { 20.0, MakeColor(234, 164, 148) },
-                                  { 120.0, MakeColor(222, 128, 116) },  { 250.0, MakeColor(240, 236, 214) },
-                                  { 600.0, MakeColor(255, 255, 246) } };
-    constexpr int     last = sizeof(stops) / sizeof(stops[0]) - 1;
-    for (int i = 0; i < size; ++i)
+      ++k;
+    }
+    const double      share = std::clamp((hu - stops[k].hu) / (stops[k + 1].hu - stops[k].hu), 0.0, 1.0);
+    const LinearColor color = ToLinear(MixColors(stops[k].color, stops[k + 1].color, share));
+    colors.insert(colors.end(), color.data(), color.data() + 3);
+  }
+  return colors;
+}
+
+/** Of a sample in the middle of a piece of this length, between gas and tissue; the last one twice. */
+std::vector<float>
+OpacitiesOf(double extinction, double length)
+{
+  std::vector<float> opacities;
+  for (int i = 0; i <= WallLook::numberOfOpacities; ++i)
+  {
+    const double share = std::min(1.0, i / (WallLook::numberOfOpacities - 1.0));
+    const double smooth = share * share * (3.0 - 2.0 * share);
+    opacities.push_back(static_cast<float>(1.0 - std::exp(-smooth * extinction * length)));
+  }
+  return opacities;
+}
+
+WallVolume
+VolumeOf(const itk::Image<float, 3> * ct)
+{
+  const auto &    size = ct->GetLargestPossibleRegion().GetSize();
+  const auto &    spacing = ct->GetSpacing();
+  WallVolume      volume{};
+  Eigen::Matrix3d axes; // columns: a step of each index in space
+  volume.voxels = ct->GetBufferPointer();
+  for (int k = 0; k < 3; ++k)
+  {
+    volume.size[k] = static_cast<int>(size[k]);
+    volume.stride[k] = k == 0 ? 1 : volume.stride[k - 1] * volume.size[k - 1];
+    for (int row = 0; row < 3; ++row)
     {
-      const double hu = lowest + i * step;
-      int          k = 0;
-      while (k < last - 1 && stops[k + 1].hu < hu)
-      {
-        ++k;
-      }
-      const double share = std::clamp((hu - stops[k].hu) / (stops[k + 1].hu - stops[k].hu), 0.0, 1.0);
-      m_Colors[i] = ToLinear(MixColors(stops[k].color, stops[k + 1].color, share));
+      axes(row, k) = ct->GetDirection()[row][k] * spacing[k];
     }
   }
-  const LinearColor &
-  Of(float hu) const
+  const Eigen::Matrix3d toIndex = axes.inverse();
+  for (int k = 0; k < 3; ++k)
   {
-    return m_Colors[std::clamp(static_cast<int>((hu - lowest) / step), 0, size - 1)];
+    Eigen::Map<Eigen::RowVector3d>(volume.toIndex[k]) = toIndex.row(k);
+    volume.indexPerMm[k] = toIndex.row(k).norm();
   }
-
-private:
-  static constexpr int          size = 512;
-  static constexpr float        lowest = -900.0F;
-  static constexpr float        step = 4.0F;
-  std::array<LinearColor, size> m_Colors;
-};
+  itk::Point<double, 3> first;
+  ct->TransformIndexToPhysicalPoint(ct->GetLargestPossibleRegion().GetIndex(), first);
+  std::copy(first.Begin(), first.End(), volume.first);
+  volume.smallestSpacing = std::min({ spacing[0], spacing[1], spacing[2] });
+  return volume;
+}
 
 /** Rays through the wall. */
 class WallRays
 {
 public:
-  WallRays(const itk::Image<float, 3> * ct, const FlatVolumeOptions & options)
-    : m_Volume(ct), m_Options(options), m_Step(0.4 * m_Volume.SmallestSpacing()), m_StepsBehind(1.5 / 0.4)
-  {}
-
-  RGBColor
-  Cast(const FlatSample & sample, const FlatColonFrame & frame) const
+  WallRays(const itk::Image<float, 3> * ct, const FlatVolumeOptions & options) : m_Volume(VolumeOf(ct))
   {
-    const Eigen::Vector3d surface = m_Volume.IndexOf(sample.point);
-    const double reach = std::max(m_Options.depthOfLumen, m_Options.depthOfWall) + 3.0 * m_Volume.SmallestSpacing();
-    return m_Volume.HoldsBall(surface, reach) ? this->Cast<true>(surface, sample, frame)
-                                              : this->Cast<false>(surface, sample, frame);
+    constexpr double stepInVoxels = 0.4;
+    // On the boundary the mean of gas and contrast medium would look like tissue: a voxel and a half further out it
+    // does not.
+    constexpr double voxelsBehind = 1.5;
+    m_Look.gas = options.gas;
+    m_Look.tissue = options.tissue;
+    m_Look.step = stepInVoxels * m_Volume.smallestSpacing;
+    m_Look.reach = std::max(options.depthOfLumen, options.depthOfWall) + 3.0 * m_Volume.smallestSpacing;
+    m_Look.inside = static_cast<int>(std::ceil(options.depthOfLumen / m_Look.step));
+    m_Look.outside = static_cast<int>(std::ceil(options.depthOfWall / m_Look.step));
+    m_Look.stepsBehind = voxelsBehind / stepInVoxels;
+    m_Opacities = OpacitiesOf(options.extinction, m_Look.step);
+    m_Look.opacities = m_Opacities.data();
+    m_Look.darkest = -900.0F;
+    m_Look.colorStep = 4.0F;
+    m_Colors = ColorsOfTissue(m_Look.darkest, m_Look.colorStep);
+    m_Look.colors = m_Colors.data();
+    Eigen::Map<LinearColor>(m_Look.nothing) = ToLinear(MakeColor(64, 64, 70));
+  }
+
+  Picture::Pointer
+  Paint(const FlatColonGrid & grid, const FlatColonAxis & axis) const
+  {
+    return PaintStrip(grid, [&](const FlatSample & sample, int column) {
+      LinearColor color;
+      WallRayArithmetic::ColorOfRay(m_Volume, m_Look, RayOf(sample, axis, column), color.data());
+      return FromLinear(color);
+    });
+  }
+
+  /** As many rows at a time as the GPU takes rays. */
+  Picture::Pointer
+  PaintOnGpu(const FlatColonGrid & grid, const FlatColonAxis & axis) const
+  {
+    const auto make = reinterpret_cast<MakeDeviceWallRaysFunction *>(FindDeviceFunction("ShapetonMakeWallRays"));
+    const std::unique_ptr<DeviceWallRays> device(make(m_Volume, m_Look));
+    const auto                            picture = NewStrip(grid);
+    const int                             rowsAtATime = std::max(1, static_cast<int>(raysInBatch / grid.Columns()));
+    for (int first = 0; first < grid.Rows(); first += rowsAtATime)
+    {
+      PaintRows(grid, axis, first, std::min(grid.Rows(), first + rowsAtATime), *device, picture);
+    }
+    return picture;
   }
 
 private:
-  template <bool IsInside>
-  RGBColor
-  Cast(const Eigen::Vector3d & surface, const FlatSample & sample, const FlatColonFrame & frame) const
+  static WallRay
+  RayOf(const FlatSample & sample, const FlatColonAxis & axis, int column)
   {
-    constexpr float       faint = 0.12F; // adds so little that the light of the sample before will do
-    const Eigen::Vector3d outwards = m_Volume.IndexOfVector(-m_Step * sample.inwardNormal);
-    const int             first = this->FirstStep<IsInside>(surface, outwards);
-    const int             last = static_cast<int>(std::ceil(m_Options.depthOfWall / m_Step));
-    FlatLight             light(frame, sample.inwardNormal);
-    LinearColor           color = LinearColor::Zero();
-    float                 transparency = 1.0F;
-    for (int step = first; step <= last && transparency > 0.01F; ++step)
-    {
-      const Eigen::Vector3d place = surface + step * outwards;
-      const float           hu = m_Volume.At<IsInside>(place);
-      const float           weight = transparency * this->Opacity(hu);
-      if (weight > faint)
-      {
-        light = FlatLight(frame, this->Normal<IsInside>(place, sample.inwardNormal));
-      }
-      if (weight > 0.0F)
-      {
-        const bool  isBoundary = hu < m_Options.tissue;
-        const float behind = isBoundary ? m_Volume.At<IsInside>(place + m_StepsBehind * outwards) : hu;
-        color += weight * ((light.brightness * m_Colors.Of(std::max(hu, behind))).array() + light.highlight).matrix();
-        transparency -= weight;
-      }
-    }
-    return FromLinear(color + transparency * m_Nothing);
-  }
-  /** The furthest step into the lumen without tissue between it and the surface. */
-  template <bool IsInside>
-  int
-  FirstStep(const Eigen::Vector3d & surface, const Eigen::Vector3d & outwards) const
-  {
-    const auto boundary = static_cast<float>(0.5 * (m_Options.gas + m_Options.tissue));
-    const int  furthest = static_cast<int>(std::ceil(m_Options.depthOfLumen / m_Step));
-    bool       wasGas = false;
-    int        step = 0;
-    for (; step < furthest; ++step)
-    {
-      const bool isGas = m_Volume.At<IsInside>(surface - (step + 1) * outwards) < boundary;
-      if (wasGas && !isGas)
-      {
-        break; // the other side of a fold or of the lumen
-      }
-      wasGas = isGas;
-    }
-    return -step;
-  }
-  float
-  Opacity(float hu) const
-  {
-    if (hu <= m_Options.gas)
-    {
-      return 0.0F;
-    }
-    const double share = std::clamp((hu - m_Options.gas) / (m_Options.tissue - m_Options.gas), 0.0, 1.0);
-    const double smooth = share * share * (3.0 - 2.0 * share);
-    return static_cast<float>(1.0 - std::exp(-smooth * m_Options.extinction * m_Step));
-  }
-  /** Against the gradient, towards the gas; that of the surface where the CT is even. */
-  template <bool IsInside>
-  Eigen::Vector3d
-  Normal(const Eigen::Vector3d & place, const Eigen::Vector3d & ofSurface) const
-  {
-    constexpr double      weak = 60.0; // HU per mm, above the noise of a smooth region
-    const Eigen::Vector3d gradient = m_Volume.GradientAt<IsInside>(place);
-    const Eigen::Vector3d sum = weak * ofSurface - gradient;
-    return sum.norm() > 0.0 ? Eigen::Vector3d(sum.normalized()) : ofSurface;
+    WallRay ray;
+    Eigen::Map<Eigen::Vector3d>(ray.point) = sample.point;
+    Eigen::Map<Eigen::Vector3d>(ray.normal) = sample.inwardNormal;
+    ray.axes = AxesOf(FrameAt(axis, column, sample.point));
+    ray.isCovered = 1;
+    return ray;
   }
 
-  TrilinearVolume   m_Volume;
-  FlatVolumeOptions m_Options;
-  TissueColors      m_Colors;
-  double            m_Step;
-  /** The colour is that of a voxel and a half further out: on the boundary the mean of gas and contrast medium would
-   * look like tissue. */
-  double m_StepsBehind;
-  /** Seen where a ray meets no wall. */
-  LinearColor m_Nothing = ToLinear(MakeColor(64, 64, 70));
+  static void
+  PaintRows(const FlatColonGrid & grid,
+            const FlatColonAxis & axis,
+            int                   first,
+            int                   last,
+            DeviceWallRays &      device,
+            Picture *             picture)
+  {
+    const auto               columns = static_cast<std::size_t>(grid.Columns());
+    const std::size_t        number = (last - first) * columns;
+    std::vector<WallRay>     rays(number);
+    std::vector<LinearColor> colors(number);
+    ParallelFor(number, [&](std::size_t i) {
+      const int        column = static_cast<int>(i % columns);
+      const FlatSample sample = grid.SampleOfPixel(column, first + static_cast<int>(i / columns));
+      rays[i] = sample.face >= 0 ? RayOf(sample, axis, column) : WallRay{};
+    });
+    device.Cast(rays.data(), number, colors.front().data());
+    RGBColor * const pixels = picture->GetBufferPointer() + first * columns;
+    ParallelFor(number, [&](std::size_t i) { pixels[i] = rays[i].isCovered != 0 ? FromLinear(colors[i]) : pixels[i]; });
+  }
+
+  WallVolume         m_Volume;
+  WallLook           m_Look{};
+  std::vector<float> m_Opacities;
+  std::vector<float> m_Colors;
 };
 
 void
 RequireCover(const FlatColonGrid & grid, const itk::Image<float, 3> * ct)
 {
-  constexpr double      greatestShare = 0.05;
-  const TrilinearVolume volume(ct);
-  const auto &          points = grid.Points();
-  int                   outside = 0;
+  constexpr double greatestShare = 0.05;
+  const WallVolume volume = VolumeOf(ct);
+  const auto &     points = grid.Points();
+  int              outside = 0;
   for (Eigen::Index i = 0; i < points.rows(); ++i)
   {
-    outside += !volume.Holds(volume.IndexOf(points.row(i)));
+    const Eigen::Vector3d point = points.row(i);
+    outside += !WallRayArithmetic::Holds(volume, WallRayArithmetic::IndexOf(volume, point.data()));
   }
   const double share = static_cast<double>(outside) / points.rows();
   if (share > greatestShare)
@@ -173,19 +203,27 @@ RequireCover(const FlatColonGrid & grid, const itk::Image<float, 3> * ct)
 }
 } // namespace
 
+DeviceUse
+ChooseFlatVolumeDevice(const itk::Image<float, 3> * ct, Device wanted)
+{
+  constexpr std::size_t tables = std::size_t{ 1 } << 20;
+  return ChooseDevice(wanted,
+                      ct->GetBufferedRegion().GetNumberOfPixels() * sizeof(float) +
+                        raysInBatch * (sizeof(WallRay) + 3 * sizeof(float)) + tables);
+}
+
 Picture::Pointer
 PaintFlatVolume(const FlatColonGrid &        grid,
                 const FlatColonAxis &        axis,
                 const itk::Image<float, 3> * ct,
-                const FlatVolumeOptions &    options)
+                const FlatVolumeOptions &    options,
+                const DeviceUse &            use)
 {
   RequireParameter(options.gas < options.tissue, "the intensity of gas must be below that of tissue");
   RequireParameter(options.depthOfLumen >= 0.0 && options.depthOfWall > 0.0 && options.extinction > 0.0,
                    "depths and extinction of a volume picture must be positive");
   RequireCover(grid, ct);
   const WallRays rays(ct, options);
-  return PaintStrip(grid, [&](const FlatSample & sample, int column) {
-    return rays.Cast(sample, FrameAt(axis, column, sample.point));
-  });
+  return use.gpu ? rays.PaintOnGpu(grid, axis) : rays.Paint(grid, axis);
 }
 } // namespace shapeton

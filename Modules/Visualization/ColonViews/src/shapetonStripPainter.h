@@ -2,6 +2,7 @@
 #define shapetonStripPainter_h
 
 #include "shapetonFlatColonAxis.h"
+#include "shapetonFlatLight.h"
 #include "shapetonParallelFor.h"
 #include "shapetonPicture.h"
 
@@ -42,38 +43,36 @@ FromLinear(const LinearColor & linear)
   return color;
 }
 
-/** The light on a piece of wall with this normal: how bright its own colour is, and white that is added. */
-struct FlatLight
+inline FlatAxes
+AxesOf(const FlatColonFrame & frame)
 {
-  FlatLight(const FlatColonFrame & frame, const Eigen::Vector3d & inwardNormal)
-  {
-    const Eigen::Vector3d normal(
-      inwardNormal.dot(frame.right), inwardNormal.dot(frame.down), inwardNormal.dot(frame.towards));
-    // To the light: from the left and a little from above; halfway between that and the eye.
-    static const Eigen::Vector3d toLight = Eigen::Vector3d(-0.62, -0.22, 0.75).normalized();
-    static const Eigen::Vector3d halfway = (toLight + Eigen::Vector3d::UnitZ()).normalized();
-    constexpr double             ambient = 0.10;
-    constexpr double             diffuse = 0.80;
-    constexpr double             fromEye = 0.12;
-    constexpr double             wrap = 0.7; // light reaches around the edge, so that sides in shadow keep their shape
-    constexpr float              specular = 0.10F;
-    const double                 towardsLight = std::max(0.0, (normal.dot(toLight) + wrap) / (1.0 + wrap));
-    const auto                   towardsHalfway = static_cast<float>(std::max(0.0, normal.dot(halfway)));
-    brightness = static_cast<float>(ambient + diffuse * towardsLight + fromEye * std::max(0.0, normal.z()));
-    highlight = specular * std::pow(towardsHalfway, 24.0F);
-  }
+  FlatAxes axes;
+  Eigen::Map<Eigen::Vector3d>(axes.right) = frame.right;
+  Eigen::Map<Eigen::Vector3d>(axes.down) = frame.down;
+  Eigen::Map<Eigen::Vector3d>(axes.towards) = frame.towards;
+  return axes;
+}
 
-  float brightness;
-  float highlight;
-};
+inline FlatLight
+LightOn(const FlatSample & sample, const FlatColonFrame & frame)
+{
+  return FlatLight::On(sample.inwardNormal.data(), AxesOf(frame));
+}
+
+/** Grey all over. */
+inline Picture::Pointer
+NewStrip(const FlatColonGrid & grid)
+{
+  return NewPicture(grid.Columns(), grid.Rows(), MakeColor(uncoveredGrey, uncoveredGrey, uncoveredGrey));
+}
 
 /** A strip whose pixels are colorOf(sample, column); grey where no face lies. */
 template <typename TColorOf>
 Picture::Pointer
 PaintStrip(const FlatColonGrid & grid, const TColorOf & colorOf)
 {
-  constexpr int bandColumns = 32;
-  const auto picture = NewPicture(grid.Columns(), grid.Rows(), MakeColor(uncoveredGrey, uncoveredGrey, uncoveredGrey));
+  constexpr int    bandColumns = 32;
+  const auto       picture = NewStrip(grid);
   RGBColor * const pixels = picture->GetBufferPointer();
   ParallelFor((grid.Columns() + bandColumns - 1) / bandColumns, [&](std::size_t band) {
     const int first = static_cast<int>(band) * bandColumns;

@@ -1,82 +1,13 @@
-#include "shapetonFlatColonStrip.h"
+#include "shapetonFlatTestCt.h"
 
 #include "shapetonFlatColonLocator.h"
-#include "shapetonFlatTestColon.h"
 #include "shapetonPictureTestUtilities.h"
 #include "shapetonExceptions.h"
-
-#include <functional>
 
 namespace
 {
 using namespace flatcolon;
 using shapeton::At;
-using shapeton::FlatColonGrid;
-using Ct = itk::Image<float, 3>;
-
-/** What the wall's CT shows: gas inside of this radius, soft tissue outside, a boundary of about 1 mm. */
-float
-HuAt(const Eigen::Vector3d & point, double (*radiusAt)(double, double))
-{
-  const double r = std::hypot(point.x(), point.y());
-  const double angle = std::atan2(point.y(), point.x());
-  const double share = std::clamp((r - radiusAt(point.z(), angle)) / 1.2 + 0.5, 0.0, 1.0);
-  return static_cast<float>(-1000.0 + 1040.0 * share);
-}
-
-/** A CT of the colon with these axes. */
-Ct::Pointer
-MakeCt(const Eigen::Matrix3d &                               axes,
-       const Eigen::Vector3d &                               spacing,
-       const std::function<float(const Eigen::Vector3d &)> & huAt)
-{
-  constexpr double      reach = 28.0;
-  const Eigen::Vector3d centre(0.0, 0.0, 0.5 * length);
-  const Eigen::Vector3d half = axes.transpose().cwiseAbs() * Eigen::Vector3d(reach, reach, 0.5 * length + 8.0);
-  Ct::SizeType          size;
-  Ct::SpacingType       spacings;
-  Ct::DirectionType     direction;
-  for (int k = 0; k < 3; ++k)
-  {
-    size[k] = static_cast<itk::SizeValueType>(2.0 * half[k] / spacing[k]) + 2;
-    spacings[k] = spacing[k];
-    for (int row = 0; row < 3; ++row)
-    {
-      direction[row][k] = axes(row, k);
-    }
-  }
-  const Eigen::Vector3d corner = centre - axes * half;
-  const auto            image = Ct::New();
-  image->SetRegions(size);
-  image->SetSpacing(spacings);
-  image->SetDirection(direction);
-  image->SetOrigin(corner.data());
-  image->Allocate();
-  float * voxel = image->GetBufferPointer();
-  for (std::size_t z = 0; z < size[2]; ++z)
-  {
-    for (std::size_t y = 0; y < size[1]; ++y)
-    {
-      for (std::size_t x = 0; x < size[0]; ++x)
-      {
-        *voxel++ = huAt(corner + axes * Eigen::Vector3d(x * spacing[0], y * spacing[1], z * spacing[2]));
-      }
-    }
-  }
-  return image;
-}
-
-Ct::Pointer
-MakeStraightCt(const std::function<float(const Eigen::Vector3d &)> & huAt)
-{
-  return MakeCt(Eigen::Matrix3d::Identity(), Eigen::Vector3d(0.8, 0.8, 1.0), huAt);
-}
-
-double
-SmoothTube(double, double)
-{
-  return radius;
-}
 
 int
 Brightness(const shapeton::RGBColor & color)
@@ -84,19 +15,6 @@ Brightness(const shapeton::RGBColor & color)
   return color[0] + color[1] + color[2];
 }
 
-struct Colon
-{
-  explicit Colon(double (*radiusAt)(double, double), double pixelSize = 1.0)
-    : grid(Wall(radiusAt), { pixelSize, 0.0, 0.0 }), axis(MakeFlatColonAxis(grid))
-  {}
-  shapeton::Picture::Pointer
-  Paint(const Ct * ct, const shapeton::FlatVolumeOptions & options = {}) const
-  {
-    return PaintFlatVolume(grid, axis, ct, options);
-  }
-  FlatColonGrid           grid;
-  shapeton::FlatColonAxis axis;
-};
 } // namespace
 
 TEST(FlatVolumePicture, ShowsWhatTheCtHoldsAndTheSurfaceDoesNot)

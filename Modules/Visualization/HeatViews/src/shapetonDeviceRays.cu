@@ -7,6 +7,7 @@ namespace shapeton
 namespace
 {
 using DeviceRuntime::Memory;
+using DeviceRuntime::Uploaded;
 
 struct Pixels
 {
@@ -22,15 +23,6 @@ struct Pixels
       volume, view, static_cast<double>(x), static_cast<double>(y), pixels + 3 * (y * width + x));
   }
 };
-
-template <typename T>
-Memory<T>
-Uploaded(const T * values, std::size_t number)
-{
-  Memory<T> memory(number);
-  memory.Upload(values);
-  return memory;
-}
 
 class RaysOnDevice : public DeviceRays
 {

@@ -66,19 +66,9 @@ struct RayView
  * Positions are continuous indices relative to the first voxel. */
 namespace RayArithmetic
 {
-template <typename T>
-SHAPETON_HOST_DEVICE T
-Smaller(T a, T b)
-{
-  return b < a ? b : a;
-}
-
-template <typename T>
-SHAPETON_HOST_DEVICE T
-Larger(T a, T b)
-{
-  return a < b ? b : a;
-}
+using HostDevice::Larger;
+using HostDevice::Product;
+using HostDevice::Smaller;
 
 /** The coordinate within the voxels' centres. */
 SHAPETON_HOST_DEVICE double
@@ -212,17 +202,6 @@ GradientAt(const RayVolume & volume, const double position[3])
     }
   }
   return gradient;
-}
-
-SHAPETON_HOST_DEVICE double
-Product(const double a[3], const double b[3])
-{
-  double sum = 0.0;
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    sum += a[axis] * b[axis];
-  }
-  return sum;
 }
 
 /** A physical vector as the volume's indices see it. */
