@@ -41,10 +41,14 @@ from ._shapeton import (
     visit_density,
     write_volume,
 )
+from . import _shapeton
+from ._repr import describe_results
 from .image import Image
 from .mesh import Curves, Mesh
 
 __version__ = "0.2.0"
+
+describe_results(_shapeton)
 
 __all__ = [
     "Aborted",

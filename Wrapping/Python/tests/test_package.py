@@ -4,6 +4,8 @@ import sys
 import unittest
 from pathlib import Path
 
+import numpy as np
+
 import shapeton
 from shapeton import _shapeton, colon, flattening, graphs, shapes, surfaces
 
@@ -103,6 +105,16 @@ if child == 0:
 print(os.waitstatus_to_exitcode(os.waitpid(child, 0)[1]))
 """
         self.assertEqual(run_python(code), "7")
+
+    def test_results_describe_themselves_by_their_attributes(self):
+        image = shapeton.Image(np.eye(9, dtype=np.float32).reshape(9, 3, 3))
+        result = shapeton.diffuse_heat(image, time_steps=3, components=True)
+        self.assertRegex(repr(result), r"^<shapeton.HeatResult .*heat=<shapeton.Image 9 x 3 x 3 voxels.*histogram=")
+        self.assertRegex(repr(result.components[0]), r"^<shapeton.ShapeComponent index=\(\d, \d, \d\), voxels=\d+, ")
+        self.assertRegex(repr(colon.colon_phantom(size=(24, 24, 24))), r"centreline=<shapeton.Curves 1")
+        described = [name for name, thing in vars(_shapeton).items() if inspect.isclass(thing)]
+        for name in described:
+            self.assertIsNot(getattr(_shapeton, name).__repr__, object.__repr__, name)
 
     def test_errors_belong_to_the_classes_of_python(self):
         for error, kinds in (

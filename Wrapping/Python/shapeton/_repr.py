@@ -1,0 +1,43 @@
+"""What the results of the library look like at the prompt."""
+
+from __future__ import annotations
+
+import inspect
+from types import ModuleType
+from typing import Any
+
+import numpy as np
+
+_MOST = 6  # values of a list or an array that are shown
+
+
+def _short(value: Any) -> str:
+    if isinstance(value, float):
+        return f"{value:g}"
+    if isinstance(value, np.ndarray):
+        if value.size <= _MOST:
+            return _short(value.tolist())
+        return f"<array {' x '.join(str(n) for n in value.shape)}, {value.dtype}>"
+    if isinstance(value, (list, tuple, dict)) and len(value) > _MOST:
+        return f"<{len(value)} values>"
+    if isinstance(value, (list, tuple)):
+        inside = ", ".join(_short(one) for one in value)
+        return f"[{inside}]" if isinstance(value, list) else f"({inside})"
+    if isinstance(value, dict):
+        return "{" + ", ".join(f"{key!r}: {_short(one)}" for key, one in value.items()) + "}"
+    if type(value).__repr__ is _describe:
+        return f"<shapeton.{type(value).__name__}>"
+    return repr(value)
+
+
+def _describe(result: Any) -> str:
+    members = [name for name, member in vars(type(result)).items() if isinstance(member, property)]
+    values = ", ".join(f"{name}={_short(getattr(result, name))}" for name in members)
+    return f"<shapeton.{type(result).__name__} {values}>"
+
+
+def describe_results(compiled: ModuleType) -> None:
+    """Gives the classes of the compiled module that have no description of their own one of their attributes."""
+    for thing in vars(compiled).values():
+        if inspect.isclass(thing) and not issubclass(thing, BaseException) and "__repr__" not in vars(thing):
+            thing.__repr__ = _describe  # type: ignore[method-assign]
