@@ -6,8 +6,6 @@
 #include "shapetonExceptions.h"
 #include "shapetonJson.h"
 
-#include <cmath>
-
 namespace shapeton::python
 {
 namespace
@@ -52,7 +50,6 @@ Flatten(SurfaceMesh                     mesh,
                                       { { "heatDiffusion", FlatMetric::HeatDiffusion },
                                         { "euclidean", FlatMetric::Euclidean },
                                         { "truncatedHeatDiffusion", FlatMetric::TruncatedHeatDiffusion } });
-  RequireParameter(time >= 0.0 && std::isfinite(time), "the parameter \"time\" is out of range: 0, or mm^2");
   options.time = time;
   options.eigenpairs = eigenpairs;
   options.removeHandles = removeHandles;

@@ -340,6 +340,8 @@ private:
 ColonFlattening
 FlattenColon(SurfaceMesh mesh, const std::string & what, const ColonFlatteningOptions & options)
 {
+  RequireParameter(options.time >= 0.0 && std::isfinite(options.time),
+                   "the time of diffusion must be a number of mm^2, or 0 for one that suits the surface");
   return ColonFlattener(what, options).Run(std::move(mesh));
 }
 } // namespace shapeton

@@ -9,6 +9,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <limits>
+
 namespace
 {
 using namespace testsurfaces;
@@ -139,6 +142,16 @@ TEST(ColonFlattening, FacesWithoutAreaAreTakenForThinOnes)
     return warning.find("face 400, were taken for thin ones") != std::string::npos;
   }));
   EXPECT_TRUE(shapeton::FlatCoordinates(result.map.flat, "it").allFinite());
+}
+
+TEST(ColonFlattening, RefusesTimesThatAreNone)
+{
+  shapeton::ColonFlatteningOptions options;
+  for (const double time : { -1.0, std::numeric_limits<double>::infinity(), std::nan("") })
+  {
+    options.time = time;
+    EXPECT_THROW(shapeton::FlattenColon(Tube(), "it", options), shapeton::ParameterError);
+  }
 }
 
 TEST(ColonFlattening, OnlyCurveRefusesOthers)
