@@ -106,6 +106,10 @@ TimePictures(const shapeton::SurfaceMesh & wall, const Ct * ct, double pixelSize
   Time("shaded relief", [&] { PaintFlatRelief(grid, axis); });
   Time("curvature", [&] { PaintFlatCurvature(grid, axis); });
   Time("volume rendering", [&] { PaintFlatVolume(grid, axis, ct); });
+  if (const auto use = ChooseFlatVolumeDevice(ct, shapeton::Device::Automatic); use.gpu)
+  {
+    Time("volume rendering on the GPU", [&] { PaintFlatVolume(grid, axis, ct, {}, use); });
+  }
   Time("page of rows", [&] { DrawFlatColonPage(strip, grid, distances); });
 }
 
