@@ -166,14 +166,15 @@ private:
     const std::size_t        number = (last - first) * columns;
     std::vector<WallRay>     rays(number);
     std::vector<LinearColor> colors(number);
-    ParallelFor(number, [&](std::size_t i) {
+    ParallelForBlocks(number, [&](std::size_t i) {
       const int        column = static_cast<int>(i % columns);
       const FlatSample sample = grid.SampleOfPixel(column, first + static_cast<int>(i / columns));
       rays[i] = sample.face >= 0 ? RayOf(sample, axis, column) : WallRay{};
     });
     device.Cast(rays.data(), number, colors.front().data());
     RGBColor * const pixels = picture->GetBufferPointer() + first * columns;
-    ParallelFor(number, [&](std::size_t i) { pixels[i] = rays[i].isCovered != 0 ? FromLinear(colors[i]) : pixels[i]; });
+    ParallelForBlocks(number,
+                      [&](std::size_t i) { pixels[i] = rays[i].isCovered != 0 ? FromLinear(colors[i]) : pixels[i]; });
   }
 
   WallVolume         m_Volume;

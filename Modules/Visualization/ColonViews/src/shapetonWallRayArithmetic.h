@@ -138,11 +138,15 @@ ValueAt(const WallVolume & volume, const Place & place)
   return static_cast<float>(low + (high - low) * share[2]);
 }
 
-/** Of a sample. */
+/** Of a sample; 0 of what is no number. */
 SHAPETON_HOST_DEVICE float
 OpacityOf(const WallLook & look, float hu)
 {
-  const double share = Smaller(Larger((hu - look.gas) / (look.tissue - look.gas), 0.0), 1.0);
+  if (!(hu > look.gas))
+  {
+    return 0.0F;
+  }
+  const double share = Smaller((hu - look.gas) / (look.tissue - look.gas), 1.0);
   const double place = share * (WallLook::numberOfOpacities - 1);
   const int    before = static_cast<int>(place);
   const float  low = look.opacities[before];
