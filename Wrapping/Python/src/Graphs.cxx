@@ -132,6 +132,11 @@ nodes: how many. edges: m x 2, indices of nodes. names: none, or one for each no
       [](const py::object & self) { return EdgesOf(self.cast<const Graph &>(), self); },
       "m x 2, int32: the ends of each edge; a view.")
     .def_readonly("names", &Graph::names, "None, or one for each node.")
+    .def("__reduce__",
+         [](const py::object & self) {
+           return py::make_tuple(py::type::of(self),
+                                 py::make_tuple(self.attr("nodes"), self.attr("edges"), self.attr("names")));
+         })
     .def("__repr__", [](const Graph & graph) {
       return "<shapeton.Graph " + std::to_string(graph.nodes) + " nodes, " + std::to_string(graph.edges.size()) +
              " edges>";

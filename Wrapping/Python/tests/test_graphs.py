@@ -1,3 +1,4 @@
+import pickle
 import unittest
 
 import numpy as np
@@ -39,9 +40,10 @@ class GraphTest(TestCase):
         np.testing.assert_array_equal(graph.edges, [[0, 1], [1, 2]])
         path = str(self.folder / "graph.graphml")
         graphs.write_graph(graph, path)
-        read = graphs.read_graph(path)
-        np.testing.assert_array_equal(read.edges, graph.edges)
-        self.assertEqual(read.names, graph.names)
+        for copy in (graphs.read_graph(path), pickle.loads(pickle.dumps(graph))):
+            self.assertEqual(copy.nodes, 3)
+            np.testing.assert_array_equal(copy.edges, graph.edges)
+            self.assertEqual(copy.names, graph.names)
         with self.assertRaisesRegex(shapeton.InputError, "node 5"):
             graphs.Graph(2, [[0, 5]])
         with self.assertRaisesRegex(shapeton.InputError, "node 4294967296"):

@@ -1,4 +1,5 @@
 import gc
+import pickle
 import unittest
 
 import numpy as np
@@ -21,6 +22,17 @@ class ImageTest(TestCase):
     def test_voxels_are_kept_as_they_are(self):
         voxels = np.zeros((4, 5, 6), np.float32)
         self.assertIs(Image(voxels).array, voxels)
+
+    def test_pickles_keep_place_facts_and_voxels(self):
+        image = Image(np.arange(24.0).reshape(2, 3, 4), (1.0, 2.0, 3.0), (7.0, 8.0, 9.0), oblique(), {"a": "b"})
+        copy = pickle.loads(pickle.dumps(image))
+        np.testing.assert_array_equal(copy.array, image.array)
+        np.testing.assert_array_equal(copy.affine, image.affine)
+        self.assertEqual(copy.facts, image.facts)
+        mesh = shapeton.Mesh([[0, 0, 0], [1, 0, 0], [0, 1, 0]], [[0, 1, 2]], {"heat": [1.0, 2.0, 3.0]})
+        copy = pickle.loads(pickle.dumps(mesh))
+        np.testing.assert_array_equal(copy.faces, mesh.faces)
+        np.testing.assert_array_equal(copy.point_arrays["heat"], [1.0, 2.0, 3.0])
 
     def test_refuses_what_is_no_image(self):
         volume = np.zeros((2, 2, 2))
