@@ -21,7 +21,6 @@ itk_module(ColonTools
     FlatColon
     PictureKit
     CommandLine
-    Devices
     ToolInput
   TEST_DEPENDS
     ITKGoogleTest

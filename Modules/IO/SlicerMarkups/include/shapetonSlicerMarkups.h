@@ -29,9 +29,9 @@ struct Markup
   /** LPS, mm. */
   std::vector<Eigen::Vector3d> points;
   /** One for each point, or none: then they are NAME-1, NAME-2, ... */
-  std::vector<std::string> labels;
+  std::vector<std::string> labels{};
   /** One for each point, or none. */
-  std::vector<std::string> descriptions;
+  std::vector<std::string> descriptions{};
   /** Red, green and blue in [0, 1]. */
   std::array<double, 3> color{ 1.0, 0.5, 0.5 };
 };

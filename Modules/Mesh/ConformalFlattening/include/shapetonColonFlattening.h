@@ -76,8 +76,8 @@ struct ColonFlattening
 };
 
 /** From a tube to its flat map: preparation, metric, map, handles. Throws InputError that begins with `what` where the
- * surface is no tube, and for a time that suits no metric; ParameterError for a time below 0 or not finite. \ingroup
- * ConformalFlattening */
+ * surface is no tube, and for a time that suits no metric; ParameterError for a time below 0 or not finite.
+ * \ingroup ConformalFlattening */
 ConformalFlattening_EXPORT ColonFlattening
 FlattenColon(SurfaceMesh mesh, const std::string & what, const ColonFlatteningOptions & options = {});
 

@@ -5,6 +5,8 @@
 #include "shapetonExceptions.h"
 #include "shapetonStripPainter.h"
 
+#include "itkImage.h"
+
 #include <Eigen/LU>
 
 #include <memory>
