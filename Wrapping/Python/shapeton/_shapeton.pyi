@@ -923,6 +923,11 @@ class HeatClass:
 class HeatDiffusionMetric:
     """Heat diffusion distances of the ends of all edges."""
     @property
+    def drowned_edges(self) -> int:
+        """Edges too short to be told from rounding, as at the tip of a needle: they have the least such length."""
+        ...
+
+    @property
     def edge_lengths(self) -> NDArray[Any]:
         """In the order of `surface_edges`; 1/mm."""
         ...

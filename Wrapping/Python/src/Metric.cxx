@@ -147,7 +147,11 @@ AddMetric(py::module_ & module)
   py::class_<HeatDiffusionMetric>(module, "HeatDiffusionMetric", "Heat diffusion distances of the ends of all edges.")
     .def_readonly("edge_lengths", &HeatDiffusionMetric::edgeLengths, "In the order of `surface_edges`; 1/mm.")
     .def_readonly("time", &HeatDiffusionMetric::time, "mm^2.")
-    .def_readonly("eigenpairs", &HeatDiffusionMetric::eigenpairs, "How many; 0 for all of them.");
+    .def_readonly("eigenpairs", &HeatDiffusionMetric::eigenpairs, "How many; 0 for all of them.")
+    .def_readonly(
+      "drowned_edges",
+      &HeatDiffusionMetric::drownedEdges,
+      "Edges too short to be told from rounding, as at the tip of a needle: they have the least such length.");
 
   module.def("surface_edges",
              &EdgesOf,

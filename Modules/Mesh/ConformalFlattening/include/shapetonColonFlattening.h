@@ -57,6 +57,8 @@ struct ColonFlattening
   /** mm^2; 0 for the Euclidean metric. */
   double time{ 0.0 };
   int    eigenpairs{ 0 };
+  /** HeatDiffusionMetric::drownedEdges of the map's metric. */
+  int drownedEdges{ 0 };
   /** NarrowestLevelRadius(), mm; 0 where the time was given. */
   double narrowestRadius{ 0.0 };
   /** What told which end is the rectum: "rectumLoop", "centreline" or "firstLoop". */
@@ -82,11 +84,11 @@ ConformalFlattening_EXPORT ColonFlattening
 FlattenColon(SurfaceMesh mesh, const std::string & what, const ColonFlatteningOptions & options = {});
 
 /** The statistics for programs. Keys: faces, genusBefore, genusAfter, metric, time (mm^2), eigenpairs (null: all),
- * modulusU, modulusV, modulusGap (relative), circumference, length (mm), flips, flipsAwayFromHandles, solves, ears
- * (faces), caps (a list of neck in mm, area in mm^2 and place in LPS mm), cutOffAreaFraction, dilatation and
- * dilatationInSpace (median, p95, p99: of faces of the wall, not of caps, that are not flipped, each counting once),
- * triangleQuality and triangleQualityInSpace (mean, shareBelowThreshold, histogram), handles (a list of genus, place,
- * flatPlace, radius), falseAlarms, rectumFrom, narrowestRadius (mm; null: not needed). Numbers are rounded to 9
+ * drownedEdges, modulusU, modulusV, modulusGap (relative), circumference, length (mm), flips, flipsAwayFromHandles,
+ * solves, ears (faces), caps (a list of neck in mm, area in mm^2 and place in LPS mm), cutOffAreaFraction, dilatation
+ * and dilatationInSpace (median, p95, p99: of faces of the wall, not of caps, that are not flipped, each counting
+ * once), triangleQuality and triangleQualityInSpace (mean, shareBelowThreshold, histogram), handles (a list of genus,
+ * place, flatPlace, radius), falseAlarms, rectumFrom, narrowestRadius (mm; null: not needed). Numbers are rounded to 9
  * significant digits. \ingroup ConformalFlattening */
 ConformalFlattening_EXPORT Json
 ColonFlatteningToJson(const ColonFlattening & flattening);

@@ -179,7 +179,9 @@ private:
     const SurfaceLaplacian laplacian = MakeSurfaceLaplacian(connectivity, lengths);
     if (m_Result.metric == FlatMetric::HeatDiffusion)
     {
-      return ComputeHeatDiffusionMetric(connectivity, laplacian, m_Result.time, progress).edgeLengths;
+      HeatDiffusionMetric metric = ComputeHeatDiffusionMetric(connectivity, laplacian, m_Result.time, progress);
+      m_Result.drownedEdges = metric.drownedEdges;
+      return std::move(metric.edgeLengths);
     }
     m_Result.eigenpairs = m_Options.eigenpairs;
     SurfaceSpectrumOptions options;

@@ -108,6 +108,7 @@ ColonFlatteningToJson(const ColonFlattening & flattening)
   json["metric"] = NameOf(flattening.metric);
   json["time"] = Number(flattening.time);
   json["eigenpairs"] = flattening.eigenpairs > 0 ? Json(flattening.eigenpairs) : Json(nullptr);
+  json["drownedEdges"] = flattening.drownedEdges;
   json["modulusU"] = Number(flattening.map.modulusU);
   json["modulusV"] = Number(flattening.map.modulusV);
   json["modulusGap"] = Number(flattening.map.Gap());

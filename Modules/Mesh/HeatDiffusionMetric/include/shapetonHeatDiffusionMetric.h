@@ -19,6 +19,9 @@ struct HeatDiffusionMetric
   int eigenpairs{ 0 };
   /** A bound of |r(x) - exp(-x)| (1 + x)^2, r the rational function used for all x >= 0; 0 where none was used. */
   double rationalError{ 0.0 };
+  /** Edges whose distance is below 1e-6 of the heat at their ends, as at the tip of a needle, so that rounding leaves
+   * none of its digits: they have that length, as the true one is not longer. */
+  int drownedEdges{ 0 };
 };
 
 /** \class HeatDiffusionMetricSolver
@@ -48,7 +51,8 @@ public:
   /** \param t time of diffusion, mm^2.
    * \param poles pairs of conjugate poles, leastPoles to mostPoles; each costs one factorisation.
    * \param atOnce factorisations in memory at the same time.
-   * Throws InputError where t is not positive, or so large that the distances drown in rounding. */
+   * Throws InputError where t is not positive, or so large that more than a thousandth of the distances drown in
+   * rounding. */
   HeatDiffusionMetric
   Compute(double t, int poles = defaultPoles, int atOnce = 2, const Progress & progress = {}) const;
 

@@ -13,6 +13,7 @@
 #include <gtest/gtest.h>
 
 #include <limits>
+#include <map>
 #include <numeric>
 
 namespace
@@ -42,6 +43,55 @@ double
 RelativeRms(const Eigen::VectorXd & a, const Eigen::VectorXd & b)
 {
   return std::sqrt(((a - b).array() / b.array()).square().mean());
+}
+
+/** A prism with closed end, this wide and long, in place of a vertex of a convex surface with these faces around. */
+SurfaceMesh
+WithNeedle(const SurfaceMesh & body, int tip, double radius, double length)
+{
+  const Eigen::RowVector3d     foot = body.V.row(tip);
+  const Eigen::RowVector3d     end = foot + length * foot.normalized();
+  std::vector<Eigen::Vector3i> faces;
+  VertexMatrix                 V = body.V;
+  V.conservativeResize(2 * V.rows(), Eigen::NoChange); // a vertex has its foot and its top at most once
+  std::map<int, int> feet;
+  const auto         footOf = [&](int v) {
+    const auto [place, isNew] = feet.emplace(v, static_cast<int>(body.V.rows() + 2 * feet.size()));
+    if (isNew)
+    {
+      const Eigen::RowVector3d out = radius * (body.V.row(v) - foot).normalized();
+      V.row(place->second) = foot + out;
+      V.row(place->second + 1) = end + out;
+    }
+    return place->second;
+  };
+  for (Eigen::Index f = 0; f < body.F.rows(); ++f)
+  {
+    Eigen::Vector3i face = body.F.row(f).transpose();
+    while (face[0] != tip && (face[1] == tip || face[2] == tip))
+    {
+      face = Eigen::Vector3i(face[1], face[2], face[0]);
+    }
+    if (face[0] != tip)
+    {
+      faces.push_back(face);
+      continue;
+    }
+    const int a = footOf(face[1]);
+    const int b = footOf(face[2]);
+    faces.insert(
+      faces.end(),
+      { { a, face[1], face[2] }, { a, face[2], b }, { a + 1, a, b }, { a + 1, b, b + 1 }, { tip, a + 1, b + 1 } });
+  }
+  V.row(tip) = end;
+  SurfaceMesh mesh;
+  mesh.V = V.topRows(body.V.rows() + 2 * static_cast<Eigen::Index>(feet.size()));
+  mesh.F.resize(static_cast<Eigen::Index>(faces.size()), 3);
+  for (std::size_t f = 0; f < faces.size(); ++f)
+  {
+    mesh.F.row(static_cast<Eigen::Index>(f)) = faces[f].transpose();
+  }
+  return mesh;
 }
 
 /** With all eigenpairs, from a dense decomposition. */
@@ -269,6 +319,31 @@ TEST(HeatDiffusionMetric, MeanEdgeAt55000FacesDoesNotDependOnTheMesh)
     return MeanEdgeAt55000Faces(connectivity, EdgeLengths(connectivity, mesh.V));
   };
   EXPECT_NEAR(meanEdge(32000), meanEdge(8000), 0.1 * meanEdge(8000));
+}
+
+/** Around a needle heat is the same but for what rounding leaves; the rest of the surface does not feel it. */
+TEST(HeatDiffusionMetric, NeedlesHaveTheLeastLengthThatCanBeTold)
+{
+  const SurfaceMesh         sphere = Icosphere(5, 10.0);
+  const SurfaceMesh         needle = WithNeedle(sphere, 0, 0.02, 10.0);
+  const SurfaceConnectivity connectivity(needle);
+  const double              t = 8.0;
+  const HeatDiffusionMetric metric = ComputeHeatDiffusionMetric(needle, t);
+  EXPECT_GE(metric.drownedEdges, 5);
+  EXPECT_LE(metric.drownedEdges, 20); // of the needle
+  EXPECT_TRUE(AreTriangles(connectivity, metric.edgeLengths));
+  const HeatDiffusionMetric whole = ComputeHeatDiffusionMetric(sphere, t);
+  EXPECT_EQ(0, whole.drownedEdges);
+  const SurfaceConnectivity ofSphere(sphere);
+  for (int edge = 0; edge < ofSphere.NumberOfEdges(); ++edge)
+  {
+    const auto [p, q] = ofSphere.VerticesOfEdge(edge);
+    if ((sphere.V.row(p) - sphere.V.row(0)).norm() > 5.0)
+    {
+      const double length = metric.edgeLengths[connectivity.FindEdge(p, q)];
+      EXPECT_NEAR(whole.edgeLengths[edge], length, 0.01 * length);
+    }
+  }
 }
 
 TEST(HeatDiffusionMetric, RefusesBadInput)

@@ -82,6 +82,7 @@ private:
     if (results.ct)
     {
       results.device = ChooseFlatVolumeDevice(results.ct, ReadDevice(m_CommandLine));
+      m_CommandLine.AddRunFact("device", results.device.Describe());
     }
     ColonoscopyReportContent content;
     content.results = &results;
