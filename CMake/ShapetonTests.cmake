@@ -28,12 +28,13 @@ function(creategoogletestdriver kit libraries sources)
   endif()
 endfunction()
 
-# shapeton_device_tests(<kit> "<libraries>" "<sources>"): a driver whose tests compare a GPU with the CPU. They run with the
-# stand-in, as StandIn.<Suite.Test>, and with the plug-in, as Gpu.<Suite.Test>, which is skipped where there is no GPU.
+# shapeton_device_tests(<kit> "<libraries>" "<sources>" [<include folders>...]): a driver whose tests compare a GPU with the CPU.
+# They run with the stand-in, as StandIn.<Suite.Test>, and with the plug-in, as Gpu.<Suite.Test>, which is skipped where there is
+# no GPU.
 function(shapeton_device_tests kit libraries sources)
   add_executable(${kit}GTestDriver ${sources})
   target_link_libraries(${kit}GTestDriver PRIVATE ${libraries} Shapeton::Devices GTest::gtest_main)
-  target_include_directories(${kit}GTestDriver PRIVATE ${Shapeton_SOURCE_DIR}/Modules/Core/Devices/test)
+  target_include_directories(${kit}GTestDriver PRIVATE ${Shapeton_SOURCE_DIR}/Modules/Core/Devices/test ${ARGN})
   target_compile_options(${kit}GTestDriver PRIVATE $<$<CONFIG:Release>:-O1>)
   foreach(device StandIn Gpu)
     set(environment "")
