@@ -183,7 +183,8 @@ TaeniaOnWall(const FlatColonGrid &       grid,
   ColonTaenia taenia;
   for (int row = 0; row < evidence.rows; ++row)
   {
-    const double     angle = tracks[row][track] - std::floor(tracks[row][track]);
+    const double     turns = evidence.turns.ToMap(row, tracks[row][track]);
+    const double     angle = turns - std::floor(turns);
     const int        column = std::min(static_cast<int>((row + 0.5) * evidence.columnsPerRow), grid.Columns() - 1);
     const int        pixelRow = std::min(static_cast<int>(angle * grid.Rows()), grid.Rows() - 1);
     const FlatSample sample = grid.SampleOfPixel(column, pixelRow);
@@ -194,7 +195,7 @@ TaeniaOnWall(const FlatColonGrid &       grid,
       taenia.points.push_back(sample.point);
       taenia.uv.push_back(uv);
       taenia.arcLength.push_back(evidence.arcLength[row]);
-      taenia.confidence.push_back(ConfidenceAt(evidence, row, angle, distances[row]));
+      taenia.confidence.push_back(ConfidenceAt(evidence, row, tracks[row][track], distances[row]));
     }
   }
   return taenia;
@@ -220,7 +221,7 @@ FindColonTaeniae(const FlatColon & flat, const ColonWallTube & tube, const Colon
   HaustralFoldOptions   foldOptions;
   foldOptions.progress = options.progress.Part("", 0.0, 0.3);
   const HaustralFolds folds = FindHaustralFolds(flat, foldOptions);
-  TaeniaEvidence      evidence = MakeTaeniaEvidence(flat, tube, folds);
+  TaeniaEvidence      evidence = MakeTaeniaEvidence(flat, tube, folds, options.rule);
   options.progress(0.4);
   const FlatColonLocator locator(grid);
   ColonTaeniae           result;

@@ -10,25 +10,31 @@ namespace shapeton
 {
 namespace
 {
-/** Cells: 45 degrees; up to 225 degrees. The conformal map widens the side of a flat section that is farther away. */
+/** Cells: 45 degrees; up to 225 degrees. */
 constexpr int leastApart = 9;
 constexpr int gaps = 37;
 /** Of a step of all three tracks together, and of one track alone: the same for each. */
-constexpr float turnCost = 0.35F;
-constexpr float moveCost = 0.3F;
-constexpr float unevenCost = 0.002F;
+constexpr float turnCost = 0.8F;
+constexpr float moveCost = 0.7F;
+constexpr float unevenCost = 0.008F;
+/** Cells: where gaps differ more from a third of the wall, each further cell costs the same. */
+constexpr double usualUnevenness = 2.0;
 /** Of a cell that the nearest track lies off a marker: more than any evidence. */
 constexpr float markCost = 50.0F;
 constexpr float forbidden = 1e30F;
 
-/** Three gaps that are uneven. */
+/** Three gaps that are uneven: the loss of Huber of each. */
 float
 UnevenCost(double first, double second)
 {
   const double even = anglesAround / 3.0;
-  const double third = anglesAround - first - second;
-  return static_cast<float>(unevenCost * ((first - even) * (first - even) + (second - even) * (second - even) +
-                                          (third - even) * (third - even)));
+  double       sum = 0.0;
+  for (const double gap : { first, second, anglesAround - first - second })
+  {
+    const double off = std::abs(gap - even);
+    sum += off < usualUnevenness ? off * off : usualUnevenness * (2.0 * off - usualUnevenness);
+  }
+  return static_cast<float>(unevenCost * sum);
 }
 
 double

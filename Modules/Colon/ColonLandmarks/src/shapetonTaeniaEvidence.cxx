@@ -1,6 +1,7 @@
 #include "shapetonTaeniaEvidence.h"
 
 #include "shapetonFlatColonAxis.h"
+#include "shapetonSmoothedRows.h"
 #include "shapetonWallBetweenFolds.h"
 
 #include <algorithm>
@@ -31,34 +32,13 @@ constexpr double leastSine = 0.35;
 
 using Cells = std::vector<double>;
 
-std::vector<double>
-Kernel(double deviation)
-{
-  const int           reach = static_cast<int>(std::ceil(4.0 * deviation));
-  std::vector<double> kernel;
-  double              sum = 0.0;
-  for (int k = -reach; k <= reach; ++k)
-  {
-    kernel.push_back(std::exp(-0.5 * k * k / (deviation * deviation)));
-    sum += kernel.back();
-  }
-  for (double & weight : kernel)
-  {
-    weight /= sum;
-  }
-  return kernel;
-}
-
 /** Periodic around, constant beyond the ends. */
 Cells
 Smoothed(const Cells & cells, int rows, double alongRows, double aroundAngles)
 {
-  const std::vector<double> along = Kernel(alongRows);
-  const std::vector<double> around = Kernel(aroundAngles);
-  const int                 reachAlong = static_cast<int>(along.size()) / 2;
+  const std::vector<double> around = GaussianWeights(aroundAngles);
   const int                 reachAround = static_cast<int>(around.size()) / 2;
   Cells                     turned(cells.size(), 0.0);
-  Cells                     result(cells.size(), 0.0);
   for (int row = 0; row < rows; ++row)
   {
     for (int a = 0; a < anglesAround; ++a)
@@ -70,18 +50,7 @@ Smoothed(const Cells & cells, int rows, double alongRows, double aroundAngles)
       }
     }
   }
-  for (int row = 0; row < rows; ++row)
-  {
-    for (int k = -reachAlong; k <= reachAlong; ++k)
-    {
-      const int other = std::clamp(row + k, 0, rows - 1);
-      for (int a = 0; a < anglesAround; ++a)
-      {
-        result[row * anglesAround + a] += along[k + reachAlong] * turned[other * anglesAround + a];
-      }
-    }
-  }
-  return result;
+  return SmoothedRows(turned, rows, alongRows);
 }
 
 /** The share of fold in each cell. */
@@ -94,15 +63,16 @@ FoldDensity(const FlatColonGrid & grid, const HaustralFolds & folds, const Taeni
   {
     for (int row = 0; row < grid.Rows(); ++row)
     {
-      const int cell =
-        column / evidence.columnsPerRow * anglesAround + TaeniaEvidence::CellOf((row + 0.5) / grid.Rows());
-      density[cell] += folds.labels->GetPixel({ { column, row } }) > 0 ? 1.0 : 0.0;
-      count[cell] += 1.0;
+      const double isFold = folds.labels->GetPixel({ { column, row } }) > 0 ? 1.0 : 0.0;
+      evidence.ForCellsOfPixel(column, row, [&](std::size_t cell, double share) {
+        density[cell] += share * isFold;
+        count[cell] += share;
+      });
     }
   }
   for (std::size_t i = 0; i < density.size(); ++i)
   {
-    density[i] /= std::max(count[i], 1.0);
+    density[i] /= count[i];
   }
   return density;
 }
@@ -125,7 +95,6 @@ BoundWhatSpeaksAgainst(TaeniaEvidence & evidence)
 std::vector<FoldEnd>
 EndsOfFolds(const FlatColonGrid & grid, const HaustralFolds & folds, const TaeniaEvidence & evidence)
 {
-  const auto turnsOf = [&grid](const Eigen::Vector2d & uv) { return (grid.PixelOfUv(uv).row + 0.5) / grid.Rows(); };
   std::vector<FoldEnd> ends;
   for (const HaustralFold & fold : folds.folds)
   {
@@ -136,6 +105,9 @@ EndsOfFolds(const FlatColonGrid & grid, const HaustralFolds & folds, const Taeni
     for (const Eigen::Vector2d & uv : fold.endUv)
     {
       const double row = std::min((grid.PixelOfUv(uv).column + 0.5) / evidence.columnsPerRow, evidence.rows - 0.5);
+      const auto   turnsOf = [&](const Eigen::Vector2d & place) {
+        return evidence.turns.FromMap(static_cast<int>(row), (grid.PixelOfUv(place).row + 0.5) / grid.Rows());
+      };
       const double outwards = std::copysign(halfBand / evidence.girth[static_cast<int>(row)],
                                             TurnsBetween(turnsOf(uv), turnsOf(fold.centreUv)));
       const double angle = turnsOf(uv) + outwards;
@@ -147,7 +119,7 @@ EndsOfFolds(const FlatColonGrid & grid, const HaustralFolds & folds, const Taeni
 } // namespace
 
 TaeniaEvidence
-MakeTaeniaEvidence(const FlatColon & flat, const ColonWallTube & tube, const HaustralFolds & folds)
+MakeTaeniaEvidence(const FlatColon & flat, const ColonWallTube & tube, const HaustralFolds & folds, TaeniaRule rule)
 {
   const FlatColonGrid & grid = flat.Grid();
   const FlatColonAxis & axis = flat.Axis();
@@ -155,6 +127,8 @@ MakeTaeniaEvidence(const FlatColon & flat, const ColonWallTube & tube, const Hau
   evidence.columnsPerRow = std::max(1, static_cast<int>(std::lround(rowLength / grid.PixelSize())));
   evidence.rows = std::max(1, grid.Columns() / evidence.columnsPerRow);
   evidence.columnsPerRow = std::min(evidence.columnsPerRow, grid.Columns());
+  evidence.turns = rule == TaeniaRule::Published ? WallTurns::OfMap(grid, evidence.rows)
+                                                 : WallTurns(grid, evidence.rows, evidence.columnsPerRow);
   for (int row = 0; row < evidence.rows; ++row)
   {
     const int column = std::min(static_cast<int>((row + 0.5) * evidence.columnsPerRow), grid.Columns() - 1);
@@ -186,7 +160,7 @@ MakeTaeniaEvidence(const FlatColon & flat, const ColonWallTube & tube, const Hau
 TaeniaTracks
 SmoothedTracks(const TaeniaTracks & tracks, double deviation)
 {
-  const std::vector<double> kernel = Kernel(deviation);
+  const std::vector<double> kernel = GaussianWeights(deviation);
   const int                 reach = static_cast<int>(kernel.size()) / 2;
   const int                 last = static_cast<int>(tracks.size()) - 1;
   TaeniaTracks              result(tracks.size(), TaeniaAngles{ 0.0, 0.0, 0.0 });

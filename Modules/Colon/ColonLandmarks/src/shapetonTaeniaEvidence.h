@@ -1,10 +1,11 @@
 #ifndef shapetonTaeniaEvidence_h
 #define shapetonTaeniaEvidence_h
 
-#include "shapetonColonWallTube.h"
+#include "shapetonColonTaeniae.h"
 #include "shapetonFlatColonGrid.h"
 #include "shapetonHaustralFolds.h"
 #include "shapetonProgress.h"
+#include "shapetonWallTurns.h"
 
 #include <algorithm>
 #include <array>
@@ -13,7 +14,8 @@
 
 namespace shapeton
 {
-/** Angles of the three taeniae in a row: turns around the tube in the direction of the grid's rows. */
+/** Angles of the three taeniae in a row: turns around the tube in the direction of the grid's rows, as WallTurns counts
+ * them. */
 using TaeniaAngles = std::array<double, 3>;
 /** For each row along the tube; each track without jumps. */
 using TaeniaTracks = std::vector<TaeniaAngles>;
@@ -48,12 +50,25 @@ struct TaeniaEvidence
   std::vector<double>     girth;
   std::vector<FoldEnd>    ends;
   std::vector<TaeniaMark> marks;
+  /** Of all angles here. */
+  WallTurns turns;
 
   float
   CostAt(int row, int angle) const
   {
     return cost[static_cast<std::size_t>(row) * anglesAround + angle];
   }
+  /** Calls take(cell, share) for the cells of all rows that a pixel of the grid lies in. */
+  template <typename TTake>
+  void
+  ForCellsOfPixel(int column, int pixelRow, const TTake & take) const
+  {
+    const int row = column / columnsPerRow;
+    turns.ForCellsOfPixel(row, pixelRow, anglesAround, [&](int cell, double share) {
+      take(static_cast<std::size_t>(row) * anglesAround + cell, share);
+    });
+  }
+
   /** The cell of an angle in turns. */
   static int
   CellOf(double turns)
@@ -62,8 +77,9 @@ struct TaeniaEvidence
   }
 };
 
+/** Angles are those of the wall; of the map, as published, where the rule is. */
 TaeniaEvidence
-MakeTaeniaEvidence(const FlatColon & flat, const ColonWallTube & tube, const HaustralFolds & folds);
+MakeTaeniaEvidence(const FlatColon & flat, const ColonWallTube & tube, const HaustralFolds & folds, TaeniaRule rule);
 
 /** The best three tracks by dynamic programming. */
 TaeniaTracks

@@ -73,7 +73,7 @@ LocateMarkers(const std::vector<Eigen::Vector3d> & markers,
                        " mm from the wall; markers of taeniae lie on it (LPS, mm). Set it on this surface.");
     }
     pass.mark.row = std::min(pass.place.pixel.column / evidence.columnsPerRow, evidence.rows - 1);
-    pass.mark.angle = (pass.place.pixel.row + 0.5) / grid.Rows();
+    pass.mark.angle = evidence.turns.FromMap(pass.mark.row, (pass.place.pixel.row + 0.5) / grid.Rows());
     evidence.marks.push_back(pass.mark);
     passes.push_back(pass);
     used.push_back({ marker, 0, pass.place.distance, 0.0 });

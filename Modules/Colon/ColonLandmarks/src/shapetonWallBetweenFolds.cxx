@@ -70,16 +70,17 @@ WallBetweenFolds(const FlatColonGrid &  grid,
       const bool isSeen = !isFold && grid.FaceOfPixel(column, row) >= 0 && !grid.IsBridged(column, row);
       if (isSeen)
       {
-        const int cell =
-          column / evidence.columnsPerRow * anglesAround + TaeniaEvidence::CellOf((row + 0.5) / grid.Rows());
-        wall[cell] += InwardForm(grid.SampleOfPixel(column, row), axis, column);
-        count[cell] += 1.0;
+        const double form = InwardForm(grid.SampleOfPixel(column, row), axis, column);
+        evidence.ForCellsOfPixel(column, row, [&](std::size_t cell, double share) {
+          wall[cell] += share * form;
+          count[cell] += share;
+        });
       }
     }
   }
   for (std::size_t i = 0; i < wall.size(); ++i)
   {
-    wall[i] /= std::max(count[i], 1.0);
+    wall[i] = count[i] > 0.0 ? wall[i] / count[i] : 0.0;
   }
   RemoveBends(wall, evidence.rows);
   return wall;

@@ -2,6 +2,7 @@
 
 #include "shapetonColonoscopyReport.h"
 #include "shapetonContentIdentity.h"
+#include "shapetonFlatColonStrip.h"
 #include "shapetonJson.h"
 #include "shapetonSha256.h"
 #include "shapetonExceptions.h"
