@@ -1,6 +1,7 @@
 #include "shapetonTaeniaEvidence.h"
 
 #include "shapetonFlatColonAxis.h"
+#include "shapetonGaussianWeights.h"
 #include "shapetonSmoothedRows.h"
 #include "shapetonWallBetweenFolds.h"
 
@@ -36,7 +37,7 @@ using Cells = std::vector<double>;
 Cells
 Smoothed(const Cells & cells, int rows, double alongRows, double aroundAngles)
 {
-  const std::vector<double> around = GaussianWeights(aroundAngles);
+  const std::vector<double> around = GaussianWeights(aroundAngles, 4.0);
   const int                 reachAround = static_cast<int>(around.size()) / 2;
   Cells                     turned(cells.size(), 0.0);
   for (int row = 0; row < rows; ++row)
@@ -160,7 +161,7 @@ MakeTaeniaEvidence(const FlatColon & flat, const ColonWallTube & tube, const Hau
 TaeniaTracks
 SmoothedTracks(const TaeniaTracks & tracks, double deviation)
 {
-  const std::vector<double> kernel = GaussianWeights(deviation);
+  const std::vector<double> kernel = GaussianWeights(deviation, 4.0);
   const int                 reach = static_cast<int>(kernel.size()) / 2;
   const int                 last = static_cast<int>(tracks.size()) - 1;
   TaeniaTracks              result(tracks.size(), TaeniaAngles{ 0.0, 0.0, 0.0 });

@@ -1,5 +1,7 @@
 #include "shapetonCylinderPicture.h"
 
+#include "shapetonGaussianWeights.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -13,24 +15,6 @@ struct Splat
   Eigen::MatrixXd sum;
   Eigen::MatrixXd weight;
 };
-
-std::vector<double>
-GaussianWeights(double deviation)
-{
-  const int           reach = static_cast<int>(std::ceil(3.0 * deviation));
-  std::vector<double> weights;
-  double              sum = 0.0;
-  for (int i = -reach; i <= reach; ++i)
-  {
-    weights.push_back(deviation > 0.0 ? std::exp(-0.5 * i * i / (deviation * deviation)) : 1.0);
-    sum += weights.back();
-  }
-  for (double & weight : weights)
-  {
-    weight /= sum;
-  }
-  return weights;
-}
 
 void
 AddPixel(Splat & splat, double row, double angle, double value)
@@ -94,8 +78,8 @@ SampleOf(const CylinderPicture & picture, double s, double turn)
 Eigen::MatrixXd
 SmoothedOnCylinder(const Eigen::MatrixXd & values, double rows, double angles)
 {
-  const std::vector<double> overRows = GaussianWeights(rows);
-  const std::vector<double> overAngles = GaussianWeights(angles);
+  const std::vector<double> overRows = GaussianWeights(rows, 3.0);
+  const std::vector<double> overAngles = GaussianWeights(angles, 3.0);
   const int                 rowReach = static_cast<int>(overRows.size()) / 2;
   const int                 angleReach = static_cast<int>(overAngles.size()) / 2;
   const int                 last = static_cast<int>(values.rows()) - 1;
