@@ -19,6 +19,7 @@ namespace shapeton
 class WallTurns
 {
 public:
+  /** Of no row. */
   WallTurns() = default;
 
   /** For rows of so many columns of the grid. */
