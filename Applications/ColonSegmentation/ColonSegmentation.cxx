@@ -64,7 +64,7 @@ Segment(CommandLine & commandLine)
   const shapeton::ColonModelReport report(commandLine, commandLine.GetString("report"));
   const shapeton::Volume           volume = shapeton::ReadVolume(commandLine, "inputVolume");
   shapeton::ColonModelOptions      options = OptionsOf(commandLine, volume.patientPosition);
-  options.besideWall = [&files](const shapeton::ColonModel & model) { files.WriteVolumes(model); };
+  files.WriteBeside(options);
   shapeton::ColonModel model = ModelOf(commandLine, volume, options);
   commandLine.Warn(model.warnings);
   const bool isPartial = !model.failure.empty();

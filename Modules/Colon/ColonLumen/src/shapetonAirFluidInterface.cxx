@@ -25,7 +25,7 @@ SmoothCells(float * line, std::size_t stride, int length)
 } // namespace
 
 LocalFluid::LocalFluid(const ColonGrid &                  grid,
-                       const std::vector<float> &         hu,
+                       const VoxelValues &                hu,
                        const std::vector<unsigned char> & fluid,
                        double                             fallback)
   : m_Fallback(fallback)
@@ -42,7 +42,7 @@ LocalFluid::LocalFluid(const ColonGrid &                  grid,
 }
 
 void
-LocalFluid::Accumulate(const ColonGrid & grid, const std::vector<float> & hu, const std::vector<unsigned char> & fluid)
+LocalFluid::Accumulate(const ColonGrid & grid, const VoxelValues & hu, const std::vector<unsigned char> & fluid)
 {
   std::array<int, 3> deep;
   for (int a = 0; a < 3; ++a)
@@ -148,7 +148,7 @@ NormalDistribution(double x)
 } // namespace
 
 LevelSurface::LevelSurface(const ColonGrid &                  grid,
-                           const std::vector<float> &         hu,
+                           const VoxelValues &                hu,
                            const std::vector<unsigned char> & labels,
                            const GravitySteps &               fall,
                            const LocalFluid &                 fluid,
@@ -163,8 +163,7 @@ LevelSurface::LevelSurface(const ColonGrid &                  grid,
 }
 
 bool
-LevelSurface::Crossing(const std::vector<float> & hu, std::size_t voxel, double half, double & depth, double & rise)
-  const
+LevelSurface::Crossing(const VoxelValues & hu, std::size_t voxel, double half, double & depth, double & rise) const
 {
   const auto v = m_Grid.Voxel(voxel);
   float      above = 0.0F;
@@ -188,7 +187,7 @@ LevelSurface::Crossing(const std::vector<float> & hu, std::size_t voxel, double 
 }
 
 void
-LevelSurface::Collect(const std::vector<float> &         hu,
+LevelSurface::Collect(const VoxelValues &                hu,
                       const std::vector<unsigned char> & labels,
                       const LocalFluid &                 fluid,
                       double                             gas)

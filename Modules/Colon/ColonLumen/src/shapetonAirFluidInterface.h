@@ -15,10 +15,7 @@ class LocalFluid
 public:
   /** `fluid`: voxels with a non-zero value that are at least 2 mm from anything else are averaged. `fallback` holds
    * where there are none near. */
-  LocalFluid(const ColonGrid &                  grid,
-             const std::vector<float> &         hu,
-             const std::vector<unsigned char> & fluid,
-             double                             fallback);
+  LocalFluid(const ColonGrid & grid, const VoxelValues & hu, const std::vector<unsigned char> & fluid, double fallback);
 
   /** Linear between the cells. */
   double
@@ -26,7 +23,7 @@ public:
 
 private:
   void
-  Accumulate(const ColonGrid & grid, const std::vector<float> & hu, const std::vector<unsigned char> & fluid);
+  Accumulate(const ColonGrid & grid, const VoxelValues & hu, const std::vector<unsigned char> & fluid);
   void
   Spread();
   std::size_t
@@ -48,7 +45,7 @@ class LevelSurface
 public:
   /** `labels`: 1 gas, 2 fluid. */
   LevelSurface(const ColonGrid &                  grid,
-               const std::vector<float> &         hu,
+               const VoxelValues &                hu,
                const std::vector<unsigned char> & labels,
                const GravitySteps &               fall,
                const LocalFluid &                 fluid,
@@ -68,12 +65,9 @@ public:
 
 private:
   void
-  Collect(const std::vector<float> &         hu,
-          const std::vector<unsigned char> & labels,
-          const LocalFluid &                 fluid,
-          double                             gas);
+  Collect(const VoxelValues & hu, const std::vector<unsigned char> & labels, const LocalFluid & fluid, double gas);
   bool
-  Crossing(const std::vector<float> & hu, std::size_t voxel, double half, double & depth, double & rise) const;
+  Crossing(const VoxelValues & hu, std::size_t voxel, double half, double & depth, double & rise) const;
   void
   MeasureBlur(std::vector<double> & shares);
 

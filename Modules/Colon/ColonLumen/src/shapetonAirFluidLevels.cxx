@@ -61,12 +61,12 @@ namespace
 {
 /** The half-height below one gas voxel, found within three steps; false where the gas goes on or the grid ends. */
 bool
-FloorBelow(const ColonGrid &          grid,
-           const std::vector<float> & hu,
-           std::size_t                voxel,
-           const GravitySteps &       fall,
-           double                     half,
-           float &                    depth)
+FloorBelow(const ColonGrid &    grid,
+           const VoxelValues &  hu,
+           std::size_t          voxel,
+           const GravitySteps & fall,
+           double               half,
+           float &              depth)
 {
   const auto v = grid.Voxel(voxel);
   float      above = hu[voxel];
@@ -91,13 +91,13 @@ FloorBelow(const ColonGrid &          grid,
 } // namespace
 
 std::vector<Floor>
-FloorsOfGas(const ColonGrid &          grid,
-            const std::vector<float> & hu,
-            const VoxelRuns &          gas,
-            const RunLabels &          pieces,
-            const std::vector<char> &  use,
-            const GravitySteps &       fall,
-            const ColonThresholds &    thresholds)
+FloorsOfGas(const ColonGrid &         grid,
+            const VoxelValues &       hu,
+            const VoxelRuns &         gas,
+            const RunLabels &         pieces,
+            const std::vector<char> & use,
+            const GravitySteps &      fall,
+            const ColonThresholds &   thresholds)
 {
   std::vector<Floor> floors;
   const auto         down = fall.Offset(1);
@@ -144,7 +144,7 @@ class BelowFloors
 {
 public:
   BelowFloors(const ColonGrid &          grid,
-              const std::vector<float> & hu,
+              const VoxelValues &        hu,
               const std::vector<Floor> & floors,
               const GravitySteps &       fall,
               double                     tissue)
@@ -287,7 +287,7 @@ private:
   }
 
   const ColonGrid &          m_Grid;
-  const std::vector<float> & m_Hu;
+  const VoxelValues &        m_Hu;
   const std::vector<Floor> & m_Floors;
   const GravitySteps &       m_Fall;
   double                     m_Tissue;
@@ -484,7 +484,7 @@ private:
 
 std::vector<Level>
 FindLevels(const ColonGrid &          grid,
-           const std::vector<float> & hu,
+           const VoxelValues &        hu,
            const std::vector<Floor> & floors,
            const GravitySteps &       fall,
            double                     tissue)
@@ -534,12 +534,12 @@ ErrorOfLine(double above, double step, double half, double blur)
 }
 } // namespace
 
-LevelColumn::LevelColumn(const ColonGrid &          grid,
-                         const std::vector<float> & hu,
-                         const GravitySteps &       fall,
-                         const ColonThresholds &    thresholds,
-                         double                     noise,
-                         double                     smoothing)
+LevelColumn::LevelColumn(const ColonGrid &       grid,
+                         const VoxelValues &     hu,
+                         const GravitySteps &    fall,
+                         const ColonThresholds & thresholds,
+                         double                  noise,
+                         double                  smoothing)
   : m_Grid(grid)
   , m_Hu(hu)
   , m_Fall(fall)

@@ -90,13 +90,13 @@ struct Floor
 
 /** The floors of all gas for whose piece `use` holds. */
 std::vector<Floor>
-FloorsOfGas(const ColonGrid &          grid,
-            const std::vector<float> & hu,
-            const VoxelRuns &          gas,
-            const RunLabels &          pieces,
-            const std::vector<char> &  use,
-            const GravitySteps &       fall,
-            const ColonThresholds &    thresholds);
+FloorsOfGas(const ColonGrid &         grid,
+            const VoxelValues &       hu,
+            const VoxelRuns &         gas,
+            const RunLabels &         pieces,
+            const std::vector<char> & use,
+            const GravitySteps &      fall,
+            const ColonThresholds &   thresholds);
 
 constexpr double UsualBlur = 0.8;      // mm, standard deviation of the scanner's
 constexpr double LeastTagging = 100.0; // HU above tissue
@@ -134,7 +134,7 @@ struct Level
  * curved: the bottom of a haustrum is flat on a few mm^2 only. */
 std::vector<Level>
 FindLevels(const ColonGrid &          grid,
-           const std::vector<float> & hu,
+           const VoxelValues &        hu,
            const std::vector<Floor> & floors,
            const GravitySteps &       fall,
            double                     tissue);
@@ -161,24 +161,24 @@ public:
   };
 
   /** `noise`: standard deviation in HU; `smoothing`: sigma of the prefilter in mm. */
-  LevelColumn(const ColonGrid &          grid,
-              const std::vector<float> & hu,
-              const GravitySteps &       fall,
-              const ColonThresholds &    thresholds,
-              double                     noise,
-              double                     smoothing);
+  LevelColumn(const ColonGrid &       grid,
+              const VoxelValues &     hu,
+              const GravitySteps &    fall,
+              const ColonThresholds & thresholds,
+              double                  noise,
+              double                  smoothing);
 
   /** Whether no wall shows between the level and the voxel `steps` below one of its floors; both on the grid. */
   bool
   IsOpen(const Level & level, const std::array<int, 3> & floor, int steps) const;
 
 private:
-  const ColonGrid &          m_Grid;
-  const std::vector<float> & m_Hu;
-  const GravitySteps &       m_Fall;
-  const ColonThresholds &    m_Thresholds;
-  double                     m_Noise;
-  double                     m_Blur; ///< mm, voxels included
+  const ColonGrid &       m_Grid;
+  const VoxelValues &     m_Hu;
+  const GravitySteps &    m_Fall;
+  const ColonThresholds & m_Thresholds;
+  double                  m_Noise;
+  double                  m_Blur; ///< mm, voxels included
 };
 } // namespace shapeton
 

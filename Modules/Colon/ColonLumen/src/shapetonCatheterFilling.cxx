@@ -78,9 +78,9 @@ AddedByClosing(const ColonGrid & grid, const ClassVolume & classes, double radiu
   const auto                 square = static_cast<float>(radius * radius);
   std::vector<unsigned char> mask(classes.size());
   std::transform(classes.begin(), classes.end(), mask.begin(), [](unsigned char c) { return !IsColonLumen(c); });
-  const auto toLumen = SquaredDistanceToBackground(grid, mask);
+  const auto toLumen = SquaredDistanceToBackground(grid, mask, radius);
   std::transform(toLumen.begin(), toLumen.end(), mask.begin(), [=](float d) { return d <= square; });
-  const auto toFar = SquaredDistanceToBackground(grid, mask);
+  const auto toFar = SquaredDistanceToBackground(grid, mask, radius);
   std::transform(classes.begin(), classes.end(), toFar.begin(), mask.begin(), [=](unsigned char c, float d) {
     return !IsColonLumen(c) && d > square;
   });

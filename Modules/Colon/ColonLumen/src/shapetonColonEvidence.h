@@ -14,7 +14,7 @@ constexpr double PoolArea = 20.0;    // mm^2
 struct ColonEvidence
 {
   ColonGrid                       grid;
-  std::vector<float>              hu;
+  VoxelValues                     hu;
   ColonThresholds                 thresholds;
   double                          noise{ 0.0 };
   double                          remainingNoise{ 0.0 }; ///< after the prefilter

@@ -76,11 +76,11 @@ GridOfImage(const itk::ImageBase<3> * image)
   return grid;
 }
 
-std::vector<float>
+VoxelValues
 LoadVoxels(const ColonImage * image, const ColonGrid & grid)
 {
-  std::vector<float> voxels(grid.NumberOfVoxels());
-  const float *      values = image->GetBufferPointer();
+  VoxelValues   voxels(grid.NumberOfVoxels());
+  const float * values = image->GetBufferPointer();
   ForEachVoxel(image, grid, [&](std::size_t from, std::size_t to) {
     const float v = values[from];
     voxels[to] = v > -1100.0F ? std::min(v, 32767.0F) : -1100.0F;
@@ -88,11 +88,11 @@ LoadVoxels(const ColonImage * image, const ColonGrid & grid)
   return voxels;
 }
 
-std::vector<float>
-CropVoxels(const std::vector<float> & voxels, const ColonGrid & grid, const VoxelBox & box)
+VoxelValues
+CropVoxels(const VoxelValues & voxels, const ColonGrid & grid, const VoxelBox & box)
 {
-  const ColonGrid    part = grid.Part(box);
-  std::vector<float> crop(part.NumberOfVoxels());
+  const ColonGrid part = grid.Part(box);
+  VoxelValues     crop(part.NumberOfVoxels());
   ParallelFor(part.size[2], [&](std::size_t k) {
     for (int j = 0; j < part.size[1]; ++j)
     {
@@ -103,17 +103,17 @@ CropVoxels(const std::vector<float> & voxels, const ColonGrid & grid, const Voxe
   return crop;
 }
 
-std::vector<float>
-SquaredDistanceToBackground(const ColonGrid & grid, const std::vector<unsigned char> & mask)
+VoxelValues
+SquaredDistanceToBackground(const ColonGrid & grid, const std::vector<unsigned char> & mask, double farthest)
 {
-  return SquaredDistances(grid, { { grid.spacing[0], grid.spacing[1], grid.spacing[2] } }, mask);
+  return SquaredDistances(grid, { { grid.spacing[0], grid.spacing[1], grid.spacing[2] } }, mask, farthest);
 }
 
 namespace
 {
 /** Mean and standard deviation of a block of voxels. */
 std::array<double, 2>
-MomentsOfBlock(const ColonGrid & grid, const std::vector<float> & hu, const VoxelBox & box)
+MomentsOfBlock(const ColonGrid & grid, const VoxelValues & hu, const VoxelBox & box)
 {
   double sum = 0.0;
   double squares = 0.0;
@@ -178,7 +178,7 @@ HalfKernel(double sigmaInVoxels)
 } // namespace
 
 double
-ModeOfTissue(const std::vector<float> & hu)
+ModeOfTissue(const VoxelValues & hu)
 {
   constexpr int       low = -60;
   constexpr int       bins = 220;
@@ -207,7 +207,7 @@ ModeOfTissue(const std::vector<float> & hu)
 }
 
 double
-NoiseInTissue(const ColonGrid & grid, const std::vector<float> & hu, double tissue)
+NoiseInTissue(const ColonGrid & grid, const VoxelValues & hu, double tissue)
 {
   std::array<int, 3> edge;
   for (int a = 0; a < 3; ++a)
@@ -244,7 +244,7 @@ NoiseInTissue(const ColonGrid & grid, const std::vector<float> & hu, double tiss
 }
 
 void
-SmoothVoxels(const ColonGrid & grid, std::vector<float> & hu, double sigma)
+SmoothVoxels(const ColonGrid & grid, VoxelValues & hu, double sigma)
 {
   for (int a = 0; a < 3; ++a)
   {

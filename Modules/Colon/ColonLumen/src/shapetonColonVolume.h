@@ -3,6 +3,7 @@
 
 #include "shapetonParallelFor.h"
 #include "shapetonVoxelGrid.h"
+#include "shapetonVoxelValues.h"
 #include "shapetonVoxelRuns.h"
 #include "itkImage.h"
 
@@ -64,16 +65,18 @@ GridOfImage(const itk::ImageBase<3> * image);
 
 /** The part of an image in a working grid. Values are limited to [-1100, 32767]: padding counts as air; what is not a
  * number counts as padding. */
-std::vector<float>
+VoxelValues
 LoadVoxels(const ColonImage * image, const ColonGrid & grid);
 
 /** The part of a working volume in a box. */
-std::vector<float>
-CropVoxels(const std::vector<float> & voxels, const ColonGrid & grid, const VoxelBox & box);
+VoxelValues
+CropVoxels(const VoxelValues & voxels, const ColonGrid & grid, const VoxelBox & box);
 
 /** SquaredDistances() of a mask on a working grid. */
-std::vector<float>
-SquaredDistanceToBackground(const ColonGrid & grid, const std::vector<unsigned char> & mask);
+VoxelValues
+SquaredDistanceToBackground(const ColonGrid &                  grid,
+                            const std::vector<unsigned char> & mask,
+                            double                             farthest = std::numeric_limits<double>::infinity());
 
 /** Calls `body(indexInImage, indexInGrid)` for all voxels of a part; each slice of the grid by one thread. */
 template <typename TBody>
@@ -103,16 +106,16 @@ ForEachVoxel(const itk::ImageBase<3> * image, const ColonGrid & grid, const TBod
 
 /** The mode of soft tissue, HU; 40 where the volume shows none between -20 and 120. */
 double
-ModeOfTissue(const std::vector<float> & hu);
+ModeOfTissue(const VoxelValues & hu);
 
 /** Standard deviation of noise in soft tissue: the lower quartile of that in blocks of about 5 mm with a mean within 60
  * HU of `tissue`. 0 where fewer than 20 blocks are found. */
 double
-NoiseInTissue(const ColonGrid & grid, const std::vector<float> & hu, double tissue);
+NoiseInTissue(const ColonGrid & grid, const VoxelValues & hu, double tissue);
 
 /** Gaussian smoothing in place, sigma in mm, the border value going on beyond the border. */
 void
-SmoothVoxels(const ColonGrid & grid, std::vector<float> & hu, double sigma);
+SmoothVoxels(const ColonGrid & grid, VoxelValues & hu, double sigma);
 
 /** What the middle of a wall of 2 mm between two bowels still shows of their contrast, 0..1, after a prefilter of sigma
  * `smoothing` in mm. */

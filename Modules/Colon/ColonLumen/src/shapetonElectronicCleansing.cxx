@@ -14,6 +14,7 @@ namespace
 {
 constexpr double Margin = 6.0;        // mm around the lumen
 constexpr double Shell = 4.0;         // mm beyond which nothing of the lumen is seen
+constexpr double FullyInside = 10.0;  // blurs from the wall, where a bound by the error function is 1 to the last digit
 constexpr double ScannerBlur = 0.75;  // mm, standard deviation
 constexpr double GreatestRate = 0.15; // of one step back; beyond it noise grows
 constexpr double ContinuedOver = 1.2; // mm, of the weights along gravity
@@ -65,18 +66,17 @@ public:
   }
 
 private:
-  template <typename TValue>
   static void
-  Release(std::vector<TValue> & values)
+  Release(VoxelValues & values)
   {
-    std::vector<TValue>().swap(values);
+    VoxelValues().swap(values);
   }
 
   void
   FindShares()
   {
-    m_ToGas = this->DistanceTo(1);
-    m_ToFluid = this->DistanceTo(2);
+    m_ToGas = this->DistanceTo(1, Shell);
+    m_ToFluid = this->DistanceTo(2, Shell);
     m_FluidParts.resize(m_Grid.NumberOfVoxels());
     this->ForAll([this](std::size_t p) { // each needs its own value alone, and takes its place
       const Share share = this->DirectShare(p);
@@ -91,8 +91,9 @@ private:
   {
     this->ForAll([this](std::size_t p) { m_ToGas[p] = std::min(m_ToGas[p], m_ToFluid[p]); });
     Release(m_ToFluid);
-    const std::vector<float> toLumen = std::move(m_ToGas);
-    m_Occupancy = this->DistanceTo(0); // each distance to the wall gives place to the occupancy
+    const VoxelValues toLumen = std::move(m_ToGas);
+    const double      allLumen = 0.5 * m_Grid.spacing.maxCoeff() + FullyInside * m_Blur;
+    m_Occupancy = this->DistanceTo(0, allLumen); // each distance to the wall gives place to the occupancy
     this->ForAll([&](std::size_t p) {
       m_Occupancy[p] = this->Bounded(this->Continued(p), m_Labels[p] != 0, m_Occupancy[p], toLumen[p]);
     });
@@ -131,13 +132,13 @@ private:
     return LocalFluid(m_Grid, m_Hu, mask, m_Lumen.thresholds.fluid);
   }
 
-  /** mm to the nearest voxel of a class. */
-  std::vector<float>
-  DistanceTo(unsigned char c) const
+  /** mm to the nearest voxel of a class, where it is within the farthest. */
+  VoxelValues
+  DistanceTo(unsigned char c, double farthest) const
   {
     std::vector<unsigned char> mask(m_Labels.size());
     std::transform(m_Labels.begin(), m_Labels.end(), mask.begin(), [c](unsigned char l) { return l != c; });
-    auto d = SquaredDistanceToBackground(m_Grid, mask);
+    auto d = SquaredDistanceToBackground(m_Grid, mask, farthest);
     this->ForAll([&](std::size_t p) { d[p] = std::sqrt(d[p]); });
     return d;
   }
@@ -358,16 +359,16 @@ private:
   const ColonLumen &         m_Lumen;
   ColonGrid                  m_Grid;
   GravitySteps               m_Fall;
-  std::vector<float>         m_Hu;
+  VoxelValues                m_Hu;
   std::vector<unsigned char> m_Labels;
   LocalFluid                 m_Fluid;
   LevelSurface               m_Levels;
   double                     m_Blur;
-  std::vector<float>         m_ToGas;
-  std::vector<float>         m_ToFluid;
-  std::vector<float>         m_LumenShares;
-  std::vector<float>         m_FluidParts; ///< of the lumen's share
-  std::vector<float>         m_Occupancy;
+  VoxelValues                m_ToGas;
+  VoxelValues                m_ToFluid;
+  VoxelValues                m_LumenShares;
+  VoxelValues                m_FluidParts; ///< of the lumen's share
+  VoxelValues                m_Occupancy;
 };
 
 VoxelBox

@@ -218,7 +218,7 @@ IsCut(const ColonGrid & grid, const VoxelBox & box, bool showsOutside)
 
 /** Volumes, boxes, means, centres. */
 void
-MeasurePieces(const ColonGrid & grid, const std::vector<float> & hu, bool showsOutside, GasOfVolume & gas)
+MeasurePieces(const ColonGrid & grid, const VoxelValues & hu, bool showsOutside, GasOfVolume & gas)
 {
   const auto                   measured = PiecesOfRuns(gas.set, gas.labels);
   std::vector<Eigen::Vector3d> sums(gas.pieces.size(), Eigen::Vector3d::Zero());
@@ -356,10 +356,7 @@ FillGaps(const ColonGrid & grid, std::vector<unsigned char> & mask)
 } // namespace
 
 GasOfVolume
-FindGas(const ColonGrid &                       grid,
-        const std::vector<float> &              hu,
-        double                                  seed,
-        const std::vector<std::array<int, 3>> & kept)
+FindGas(const ColonGrid & grid, const VoxelValues & hu, double seed, const std::vector<std::array<int, 3>> & kept)
 {
   GasOfVolume gas;
   gas.set = CollectRuns(grid, [&](std::size_t p) { return hu[p] < seed; });
@@ -385,7 +382,7 @@ FindGas(const ColonGrid &                       grid,
 }
 
 void
-MeasureDepth(const ColonGrid & grid, const std::vector<float> & hu, GasOfVolume & gas)
+MeasureDepth(const ColonGrid & grid, const VoxelValues & hu, GasOfVolume & gas)
 {
   for (int p = 1; p <= gas.labels.number; ++p)
   {

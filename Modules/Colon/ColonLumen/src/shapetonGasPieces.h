@@ -38,14 +38,11 @@ struct GasOfVolume
  * too. A piece that mostly ends, in front or behind, at a thin shell over such air belongs to it: tables, cushions.
  * The natal cleft is outside, too. Air that holds one of the `kept` voxels is not outside. */
 GasOfVolume
-FindGas(const ColonGrid &                       grid,
-        const std::vector<float> &              hu,
-        double                                  seed,
-        const std::vector<std::array<int, 3>> & kept);
+FindGas(const ColonGrid & grid, const VoxelValues & hu, double seed, const std::vector<std::array<int, 3>> & kept);
 
 /** Fills in `radius` and `inside` of pieces from 0.5 ml on. */
 void
-MeasureDepth(const ColonGrid & grid, const std::vector<float> & hu, GasOfVolume & gas);
+MeasureDepth(const ColonGrid & grid, const VoxelValues & hu, GasOfVolume & gas);
 struct MeasuredPiece
 {
   double ml{ 0.0 };

@@ -27,7 +27,7 @@ struct Islands
 };
 
 Islands
-FindIslands(const ColonGrid & grid, const std::vector<float> & hu, double gasBoundary, const ClassVolume & classes)
+FindIslands(const ColonGrid & grid, const VoxelValues & hu, double gasBoundary, const ClassVolume & classes)
 {
   Islands islands;
   islands.set = CollectRuns(grid, [&](std::size_t p) { return !IsColonLumen(classes[p]); });
@@ -78,7 +78,7 @@ TakeTips(const ColonGrid & grid, const Islands & islands, std::vector<char> & ta
 class CanalWalk
 {
 public:
-  CanalWalk(const ColonGrid & grid, const std::vector<float> & hu, double gasBoundary, ClassVolume & classes)
+  CanalWalk(const ColonGrid & grid, const VoxelValues & hu, double gasBoundary, ClassVolume & classes)
     : m_Grid(grid), m_Hu(hu), m_GasBoundary(gasBoundary), m_Classes(classes), m_State(grid.stride[2], Unseen)
   {}
 
@@ -206,16 +206,16 @@ private:
     }
   }
 
-  const ColonGrid &          m_Grid;
-  const std::vector<float> & m_Hu;
-  double                     m_GasBoundary;
-  ClassVolume &              m_Classes;
-  std::vector<char>          m_State; ///< of the voxels of one slice
+  const ColonGrid &   m_Grid;
+  const VoxelValues & m_Hu;
+  double              m_GasBoundary;
+  ClassVolume &       m_Classes;
+  std::vector<char>   m_State; ///< of the voxels of one slice
 };
 } // namespace
 
 void
-FillHollowIslands(const ColonGrid & grid, const std::vector<float> & hu, double gasBoundary, ClassVolume & classes)
+FillHollowIslands(const ColonGrid & grid, const VoxelValues & hu, double gasBoundary, ClassVolume & classes)
 {
   const Islands     islands = FindIslands(grid, hu, gasBoundary, classes);
   std::vector<char> taken(islands.isSmall.size(), 0);

@@ -11,7 +11,7 @@ namespace shapeton
  * slice, through the anal canal, with a wall of 1 mm, until it is no longer surrounded by tissue, which is the anal
  * verge, or for 60 mm. */
 void
-FillHollowIslands(const ColonGrid & grid, const std::vector<float> & hu, double gasBoundary, ClassVolume & classes);
+FillHollowIslands(const ColonGrid & grid, const VoxelValues & hu, double gasBoundary, ClassVolume & classes);
 } // namespace shapeton
 
 #endif

@@ -89,7 +89,7 @@ LumenField::LumenField(ColonEvidence & colonEvidence)
   , classes(grid.NumberOfVoxels(), Nothing)
   , fall(grid, colonEvidence.gravity)
 {
-  std::vector<float>().swap(colonEvidence.hu);
+  VoxelValues().swap(colonEvidence.hu);
 }
 
 void
@@ -432,7 +432,7 @@ AddUnmixed(const ColonImage * image, LumenField & field)
 {
   const ColonEvidence & e = field.evidence;
   const auto            seeds = FaintSeeds(field);
-  const auto            add = [&](const std::vector<float> & sharp) {
+  const auto            add = [&](const VoxelValues & sharp) {
     AddUnmixedFluid(field.grid, field.hu, sharp, e.thresholds, e.remainingNoise, e.smoothing, seeds, field.classes);
   };
   if (e.smoothing > 0.0)

@@ -75,19 +75,19 @@ struct LumenField
   std::vector<Level>
   ColonLevels() const;
 
-  ColonEvidence &    evidence;
-  VoxelBox           box;
-  ColonGrid          grid;
-  std::vector<float> hu;
-  ClassVolume        classes;
-  GravitySteps       fall;
+  ColonEvidence & evidence;
+  VoxelBox        box;
+  ColonGrid       grid;
+  VoxelValues     hu;
+  ClassVolume     classes;
+  GravitySteps    fall;
 };
 
 /** The voxels of the lumen in the part of the volume around it. */
 struct LumenVoxels
 {
   ColonGrid          grid;
-  std::vector<float> hu;
+  VoxelValues        hu;
   ClassVolume        classes;
   std::vector<Level> levels; ///< of the colon; floors are voxels of `grid`
 

@@ -37,8 +37,8 @@ public:
     const ClassVolume &        classes = field.classes;
     std::vector<unsigned char> mask(classes.size());
     std::transform(classes.begin(), classes.end(), mask.begin(), [](unsigned char c) { return c == Undecided; });
-    const auto   d = SquaredDistanceToBackground(field.grid, mask);
     const double radius = std::max(PassageRadius, PassageInVoxels * field.grid.spacing.maxCoeff());
+    const auto   d = SquaredDistanceToBackground(field.grid, mask, radius);
     m_Runs = CollectRuns(field.grid, [&](std::size_t p) { return d[p] >= radius * radius && classes[p] == Undecided; });
     m_Labels = LabelRuns(m_Runs);
     m_IsColon.assign(m_Labels.number + 1, 0);
@@ -177,13 +177,13 @@ struct Arrival
 class UnmixedFluid
 {
 public:
-  UnmixedFluid(const ColonGrid &          grid,
-               const std::vector<float> & hu,
-               const std::vector<float> & sharp,
-               const ColonThresholds &    thresholds,
-               double                     noise,
-               double                     smoothing,
-               ClassVolume &              classes)
+  UnmixedFluid(const ColonGrid &       grid,
+               const VoxelValues &     hu,
+               const VoxelValues &     sharp,
+               const ColonThresholds & thresholds,
+               double                  noise,
+               double                  smoothing,
+               ClassVolume &           classes)
     : m_Grid(grid)
     , m_Hu(hu)
     , m_Sharp(sharp)
@@ -392,8 +392,8 @@ private:
   }
 
   const ColonGrid &                      m_Grid;
-  const std::vector<float> &             m_Hu;
-  const std::vector<float> &             m_Sharp;
+  const VoxelValues &                    m_Hu;
+  const VoxelValues &                    m_Sharp;
   double                                 m_Least;
   double                                 m_Tissue;
   double                                 m_Tolerance;
@@ -406,8 +406,8 @@ private:
 
 void
 AddUnmixedFluid(const ColonGrid &                grid,
-                const std::vector<float> &       hu,
-                const std::vector<float> &       sharp,
+                const VoxelValues &              hu,
+                const VoxelValues &              sharp,
                 const ColonThresholds &          thresholds,
                 double                           noise,
                 double                           smoothing,

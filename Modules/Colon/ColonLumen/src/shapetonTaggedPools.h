@@ -22,8 +22,8 @@ SplitAtNecks(LumenField & field);
  * cores at once. */
 void
 AddUnmixedFluid(const ColonGrid &                grid,
-                const std::vector<float> &       hu,
-                const std::vector<float> &       sharp,
+                const VoxelValues &              hu,
+                const VoxelValues &              sharp,
                 const ColonThresholds &          thresholds,
                 double                           noise,
                 double                           smoothing,

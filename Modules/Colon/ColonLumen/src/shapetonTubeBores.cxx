@@ -21,13 +21,13 @@ constexpr double AxisSmooth = 3.0; // mm, standard deviation
 std::vector<unsigned char>
 WithoutBalls(const ColonGrid &                  grid,
              const std::vector<unsigned char> & mask,
-             const std::vector<float> &         squaredDepth,
+             const VoxelValues &                squaredDepth,
              double                             radius)
 {
   const auto                 square = static_cast<float>(radius * radius);
   std::vector<unsigned char> rest(mask.size());
   std::transform(squaredDepth.begin(), squaredDepth.end(), rest.begin(), [=](float d) { return d <= square; });
-  const auto toMiddle = SquaredDistanceToBackground(grid, rest);
+  const auto toMiddle = SquaredDistanceToBackground(grid, rest, radius);
   std::transform(mask.begin(), mask.end(), toMiddle.begin(), rest.begin(), [=](unsigned char isIn, float d) {
     return isIn && d > square;
   });

@@ -24,7 +24,7 @@ public:
 private:
   const ColonGrid &          m_Grid;
   std::vector<unsigned char> m_Gas;
-  std::vector<float>         m_SquaredDepth; ///< mm^2, of gas
+  VoxelValues                m_SquaredDepth; ///< mm^2, of gas
 };
 } // namespace shapeton
 

@@ -15,7 +15,7 @@ constexpr unsigned char PocketGas = 6;
 struct CatheterRegion
 {
   ColonGrid               grid;
-  std::vector<float>      hu;
+  VoxelValues             hu;
   ClassVolume             classes;
   const ColonThresholds & thresholds;
 

@@ -75,6 +75,8 @@ WallOptionsOf(const ColonModelOptions & options)
   ColonWallOptions wall;
   wall.faces = options.faces;
   wall.keepPieces = options.keepPieces;
+  wall.facts = options.facts;
+  wall.besideSimplification = options.besideSimplification;
   wall.progress = options.progress.Part("Making the wall", CentrelineEnd, 1.0);
   return wall;
 }
@@ -105,6 +107,10 @@ TraceAndCleanse(ColonModel & model, const itk::Image<float, 3> * ct, const Colon
                  [&] {
                    cleansed = CleanseColon(ct, model.lumen);
                    model.cleansed = cleansed.ct;
+                   if (options.besideCentreline)
+                   {
+                     options.besideCentreline(model.cleansed);
+                   }
                  });
   return cleansed;
 }

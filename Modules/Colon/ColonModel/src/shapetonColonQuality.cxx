@@ -3,11 +3,9 @@
 #include "shapetonColonAssessability.h"
 #include "shapetonColonGravity.h"
 #include "shapetonJson.h"
-#include "shapetonParallelFor.h"
 #include "shapetonSurfaceQuality.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 namespace shapeton
@@ -243,10 +241,9 @@ AssessabilityToJson(const ColonModel & model)
 }
 
 Json
-SurfacesToJson(const ColonWall & wall)
+SurfacesToJson(const ColonWallReport & report)
 {
-  const ColonWallReport & report = wall.report;
-  Json                    json;
+  Json json;
   json["genusRaw"] = report.rawGenus;
   json["genusRepaired"] = report.repairedGenus;
   json["cutVolume"] = report.topology.cutVolume;
@@ -256,16 +253,9 @@ SurfacesToJson(const ColonWall & wall)
   json["droppedVolume"] = report.topology.droppedVolume;
   json["bridgedFaces"] = report.bridgedFaces;
   json["openedRadius"] = { { "rectum", report.rectumRadius }, { "caecum", report.caecumRadius } };
-  const std::pair<const char *, const SurfaceMesh *> surfaces[] = { { "wall", &wall.raw },
-                                                                    { "wall-repaired", &wall.repaired },
-                                                                    { "wall-simplified", &wall.simplified } };
-  std::array<Json, 3>                                qualities;
-  ParallelFor(qualities.size(),
-              [&](std::size_t i) { qualities[i] = SurfaceQualityToJson(InspectSurface(*surfaces[i].second)); });
-  for (std::size_t i = 0; i < qualities.size(); ++i)
-  {
-    json[surfaces[i].first] = std::move(qualities[i]);
-  }
+  json["wall"] = SurfaceQualityToJson(report.rawQuality);
+  json["wall-repaired"] = SurfaceQualityToJson(report.repairedQuality);
+  json["wall-simplified"] = SurfaceQualityToJson(report.simplifiedQuality);
   return json;
 }
 } // namespace
@@ -292,7 +282,7 @@ ColonQualityToJson(const ColonModel & model)
   }
   if (model.wall.raw.NumberOfFaces() > 0)
   {
-    json["surface"] = SurfacesToJson(model.wall);
+    json["surface"] = SurfacesToJson(model.wall.report);
   }
   return json;
 }

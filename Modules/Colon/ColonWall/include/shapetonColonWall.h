@@ -4,6 +4,9 @@
 #include "shapetonRemarks.h"
 #include "shapetonProgress.h"
 #include "shapetonLumenTopology.h"
+#include "shapetonSurfaceQuality.h"
+
+#include <functional>
 
 namespace shapeton
 {
@@ -115,8 +118,13 @@ struct ColonWallOptions
   bool keepPieces{ false };
   /** Standard deviation of the smoothing of a mask, as a share of the mean spacing, from 0. */
   double maskSmoothing{ 0.7 };
+  /** Of all three surfaces, see SurfaceMesh::facts. */
+  std::vector<std::pair<std::string, std::string>> facts;
   /** Told the share that is done, from 0 to 1. */
   Progress progress;
+  /** Called on another thread with the raw and the repaired surface while the simplified one is made; where there is
+   * one thread alone, after it. For what takes long, such as writing them. */
+  std::function<void(const SurfaceMesh & raw, const SurfaceMesh & repaired)> besideSimplification;
 };
 
 /** What BuildColonWall() changed and counted on the way from the occupancy to the walls. \ingroup ColonWall */
@@ -129,10 +137,14 @@ struct ColonWallReport
   int                 repairedFaces{ 0 };
   int                 simplifiedFaces{ 0 };
   /** Of the discs that were cut out, mm. */
-  double  rectumRadius{ 0.0 };
-  double  caecumRadius{ 0.0 };
-  int     bridgedFaces{ 0 };
-  Remarks warnings;
+  double rectumRadius{ 0.0 };
+  double caecumRadius{ 0.0 };
+  int    bridgedFaces{ 0 };
+  /** Of the surfaces as they are given. */
+  SurfaceQuality rawQuality;
+  SurfaceQuality repairedQuality;
+  SurfaceQuality simplifiedQuality;
+  Remarks        warnings;
 };
 
 /** The wall in three forms, each with two boundary loops (the raw one may stay closed, with a warning), point array

@@ -14,6 +14,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <future>
 #include <optional>
 #include <sstream>
 
@@ -61,27 +62,33 @@ public:
     this->Bridge();
     Remarks                       remarksOnRaw;
     std::optional<ArcLengthField> arcLengths;
+    SurfaceMesh                   repaired;
     // The repaired surface takes longest; the raw one needs nothing of it, nor does the field of arc lengths.
     ParallelInvoke([this] { this->Repair(); }, [&, this] { remarksOnRaw = this->MakeRaw(); });
-    ParallelInvoke([this] { this->MakeRepaired(); },
-                   [&, this] {
-                     arcLengths.emplace(m_Mask, m_Centreline);
-                     this->AddArrays(m_Wall.raw, *arcLengths);
-                   });
+    std::packaged_task<void()> make([this] { this->MakeRepaired(); });
+    std::shared_future<void>   isMade = make.get_future().share();
+    ParallelInvoke(
+      [&, this] {
+        make();
+        isMade.get();
+        this->Simplify();
+      },
+      [&, this] {
+        arcLengths.emplace(m_Mask, m_Centreline);
+        this->Finish(m_Wall.raw, *arcLengths, m_Wall.report.rawFaces, m_Wall.report.rawQuality);
+        isMade.get();
+        repaired = m_Wall.repaired; // which the simplification reads
+        m_Wall.report.bridgedFaces =
+          this->Finish(repaired, *arcLengths, m_Wall.report.repairedFaces, m_Wall.report.repairedQuality);
+        if (m_Options.besideSimplification)
+        {
+          m_Options.besideSimplification(m_Wall.raw, repaired);
+        }
+      });
+    m_Wall.repaired = std::move(repaired);
+    this->Finish(m_Wall.simplified, *arcLengths, m_Wall.report.simplifiedFaces, m_Wall.report.simplifiedQuality);
     AppendRemarks(m_Wall.report.warnings, remarksOnRaw);
     AppendRemarks(m_Wall.report.warnings, m_RemarksOnRepaired);
-    for (SurfaceMesh * mesh : { &m_Wall.repaired, &m_Wall.simplified })
-    {
-      this->AddArrays(*mesh, *arcLengths);
-    }
-    this->Report();
-    for (SurfaceMesh * mesh : { &m_Wall.raw, &m_Wall.repaired, &m_Wall.simplified })
-    {
-      if (m_Options.keepPieces)
-      {
-        *mesh = RemoveBridges(*mesh);
-      }
-    }
     this->Advance(Step::Done);
     return std::move(m_Wall);
   }
@@ -152,7 +159,6 @@ private:
     this->WarnOfSmallEnd("rectum", opened.rectumRadius);
     this->WarnOfSmallEnd("caecum", opened.caecumRadius);
     this->Advance(Step::Opened);
-    this->Simplify();
   }
 
   /** Handles next to an end may leave no disc to cut out; then the raw surface stays closed. */
@@ -284,14 +290,21 @@ private:
     return array;
   }
 
-  void
-  Report()
+  /** All that is left to do for a surface; its faces are counted with those of the tubes. Returns the number of these.
+   */
+  int
+  Finish(SurfaceMesh & mesh, const ArcLengthField & field, int & faces, SurfaceQuality & quality) const
   {
-    ColonWallReport & report = m_Wall.report;
-    report.rawFaces = m_Wall.raw.NumberOfFaces();
-    report.repairedFaces = m_Wall.repaired.NumberOfFaces();
-    report.simplifiedFaces = m_Wall.simplified.NumberOfFaces();
-    report.bridgedFaces = static_cast<int>(FindSurfaceArray(m_Wall.repaired.cellArrays, "bridged")->values.sum());
+    this->AddArrays(mesh, field);
+    mesh.facts = m_Options.facts;
+    faces = mesh.NumberOfFaces();
+    const double bridged = FindSurfaceArray(mesh.cellArrays, "bridged")->values.sum();
+    if (m_Options.keepPieces)
+    {
+      mesh = RemoveBridges(mesh);
+    }
+    quality = InspectSurface(mesh);
+    return static_cast<int>(bridged);
   }
 
   const OccupancyImage *       m_Occupancy;

@@ -102,7 +102,7 @@ Eroded(const VoxelGrid & grid, const std::vector<unsigned char> & mask, int axis
 
 /** Squares of the distances to the nearest voxel of the lumen that touches the background, by a corner suffices, mm^2.
  */
-std::vector<float>
+VoxelValues
 SquaredDistancesToRim(const LumenMaskImage * lumen)
 {
   const auto                 size = lumen->GetBufferedRegion().GetSize();
@@ -121,7 +121,7 @@ SquaredDistancesToRim(const LumenMaskImage * lumen)
 GrowthRankImage::Pointer
 RanksOfLumen(const LumenMaskImage * lumen, const OccupancyImage * occupancy)
 {
-  const std::vector<float> squares = SquaredDistancesToRim(lumen);
+  const VoxelValues squares = SquaredDistancesToRim(lumen);
 
   auto ranks = GrowthRankImage::New();
   ranks->CopyInformation(lumen);

@@ -4,6 +4,7 @@
 #include "shapetonCurveSet.h"
 #include "shapetonLumenDistance.h"
 #include "shapetonVoxelGrid.h"
+#include "shapetonVoxelValues.h"
 
 #include <Eigen/Core>
 
@@ -93,7 +94,7 @@ private:
   std::vector<unsigned char> m_IsLumen;
   std::vector<float>         m_Hounsfield;
   std::vector<float>         m_BeforeEnd;
-  std::vector<float>         m_FromLumen;
+  VoxelValues                m_FromLumen;
 };
 } // namespace shapeton
 

@@ -27,14 +27,14 @@ std::vector<unsigned char>
 NarrowLumen(const CaecalRegion & region)
 {
   const std::array<double, 3> spacing{ { CaecalRegion::Step, CaecalRegion::Step, CaecalRegion::Step } };
-  const auto                  toWall = SquaredDistances(region.Grid(), spacing, region.Lumen());
+  const auto                  toWall = SquaredDistances(region.Grid(), spacing, region.Lumen(), ilealRadius);
   std::vector<unsigned char>  noMiddle(toWall.size());
   for (std::size_t voxel = 0; voxel < noMiddle.size(); ++voxel)
   {
     noMiddle[voxel] = toWall[voxel] < ilealRadius * ilealRadius ? 1 : 0;
   }
-  const auto                 toMiddle = SquaredDistances(region.Grid(), spacing, noMiddle);
   constexpr double           reach = ilealRadius + leftWithColon;
+  const auto                 toMiddle = SquaredDistances(region.Grid(), spacing, noMiddle, reach);
   std::vector<unsigned char> narrow(toWall.size());
   for (std::size_t voxel = 0; voxel < narrow.size(); ++voxel)
   {

@@ -2,13 +2,16 @@
 #define shapetonSquaredDistances_h
 
 #include "shapetonVoxelGrid.h"
+#include "shapetonVoxelValues.h"
 #include "VoxelsExport.h"
 
+#include <limits>
 #include <vector>
 
 namespace shapeton
 {
-/** What SquaredDistances() gives where no voxel outside the mask is known, mm^2. \ingroup Voxels */
+/** What SquaredDistances() gives where no voxel outside the mask is known, or none within `farthest`, mm^2.
+ * \ingroup Voxels */
 constexpr float UnknownSquaredDistance = 1e12F;
 
 /** A box of mask voxels in a larger volume; the first axis is contiguous. \ingroup Voxels */
@@ -27,15 +30,21 @@ struct VoxelRows
  * Theory of Computing 8, 2012): linear in voxels; threads do not change the values.
  *
  * \param box the voxels of the box; `squares` holds as many values, in its order.
+ * \param farthest mm; greater distances are not told. A small one takes less time.
  * \ingroup Voxels */
 Voxels_EXPORT void
-SquaredDistances(const VoxelRows & mask, const VoxelGrid & box, const std::array<double, 3> & spacing, float * squares);
+SquaredDistances(const VoxelRows &             mask,
+                 const VoxelGrid &             box,
+                 const std::array<double, 3> & spacing,
+                 float *                       squares,
+                 double                        farthest = std::numeric_limits<double>::infinity());
 
 /** The same of a mask on a grid. \ingroup Voxels */
-Voxels_EXPORT std::vector<float>
-              SquaredDistances(const VoxelGrid &                  grid,
-                               const std::array<double, 3> &      spacing,
-                               const std::vector<unsigned char> & mask);
+Voxels_EXPORT VoxelValues
+SquaredDistances(const VoxelGrid &                  grid,
+                 const std::array<double, 3> &      spacing,
+                 const std::vector<unsigned char> & mask,
+                 double                             farthest = std::numeric_limits<double>::infinity());
 } // namespace shapeton
 
 #endif

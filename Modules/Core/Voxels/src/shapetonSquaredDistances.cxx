@@ -16,8 +16,8 @@ constexpr float unknown = UnknownSquaredDistance;
 class LineEnvelope
 {
 public:
-  LineEnvelope(std::size_t size, double spacing)
-    : m_Squared(spacing * spacing), m_Line(size), m_Vertex(size), m_From(size + 1)
+  LineEnvelope(std::size_t size, double spacing, float greatest)
+    : m_Squared(spacing * spacing), m_Greatest(greatest), m_Line(size), m_Vertex(size), m_From(size + 1)
   {}
 
   std::vector<float> &
@@ -74,7 +74,8 @@ private:
         ++at;
       }
       const double step = static_cast<double>(i) - static_cast<double>(m_Vertex[at]);
-      m_Values[i - first] = static_cast<float>(m_Line[m_Vertex[at]] + m_Squared * step * step);
+      const auto   value = static_cast<float>(m_Line[m_Vertex[at]] + m_Squared * step * step);
+      m_Values[i - first] = value <= m_Greatest ? value : unknown;
     }
     std::copy(m_Values.begin(), m_Values.end(), m_Line.begin() + first);
   }
@@ -101,15 +102,16 @@ private:
   }
 
   double                   m_Squared;
+  float                    m_Greatest;
   std::vector<float>       m_Line;
   std::vector<std::size_t> m_Vertex;
   std::vector<double>      m_From;
   std::vector<float>       m_Values;
 };
 
-/** Squared distances along x of one row. */
+/** Squared distances along x of one row, up to the greatest one. */
 void
-TransformRow(const unsigned char * lumen, float * squared, std::size_t size, double spacing)
+TransformRow(const unsigned char * lumen, float * squared, std::size_t size, double spacing, float greatest)
 {
   float steps = unknown;
   for (std::size_t i = 0; i < size; ++i)
@@ -122,19 +124,21 @@ TransformRow(const unsigned char * lumen, float * squared, std::size_t size, dou
   {
     steps = lumen[i] == 0 ? 0.0F : (steps < unknown ? steps + 1.0F : unknown);
     const double nearest = std::min(squared[i], steps);
-    squared[i] = nearest < unknown ? static_cast<float>(nearest * nearest * spacing * spacing) : unknown;
+    const auto   value = static_cast<float>(nearest * nearest * spacing * spacing);
+    squared[i] = nearest < unknown && value <= greatest ? value : unknown;
   }
 }
 
 /** All lines of one plane that run across the rows; some rows side by side, since memory comes by cache lines. */
 void
-TransformPlane(float * plane, std::size_t width, std::size_t lines, std::size_t stride, double spacing)
+TransformPlane(float * plane, std::size_t width, std::size_t lines, std::size_t stride, double spacing, float greatest)
 {
   constexpr std::size_t     block = 16;
-  std::vector<LineEnvelope> envelopes(std::min(block, width), LineEnvelope(lines, spacing));
+  std::vector<LineEnvelope> envelopes(std::min(block, width), LineEnvelope(lines, spacing, greatest));
   for (std::size_t x = 0; x < width; x += block)
   {
     const std::size_t number = std::min(block, width - x);
+    float             lowest = unknown;
     float             highest = 0.0F;
     for (std::size_t k = 0; k < lines; ++k)
     {
@@ -142,10 +146,11 @@ TransformPlane(float * plane, std::size_t width, std::size_t lines, std::size_t 
       {
         const float value = plane[k * stride + x + b];
         envelopes[b].Line()[k] = value;
+        lowest = std::min(lowest, value);
         highest = std::max(highest, value);
       }
     }
-    if (highest == 0.0F)
+    if (lowest == unknown || highest == 0.0F)
     {
       continue;
     }
@@ -165,27 +170,38 @@ TransformPlane(float * plane, std::size_t width, std::size_t lines, std::size_t 
 } // namespace
 
 void
-SquaredDistances(const VoxelRows & mask, const VoxelGrid & box, const std::array<double, 3> & spacing, float * squares)
+SquaredDistances(const VoxelRows &             mask,
+                 const VoxelGrid &             box,
+                 const std::array<double, 3> & spacing,
+                 float *                       squares,
+                 double                        farthest)
 {
   const std::size_t row = box.stride[1];
   const std::size_t slice = box.stride[2];
+  const auto        greatest = static_cast<float>(std::min<double>(farthest * farthest, unknown));
   ParallelFor(box.size[2], [&](std::size_t z) {
     for (int y = 0; y < box.size[1]; ++y)
     {
-      TransformRow(
-        mask.first + y * mask.rowStride + z * mask.sliceStride, squares + z * slice + y * row, row, spacing[0]);
+      TransformRow(mask.first + y * mask.rowStride + z * mask.sliceStride,
+                   squares + z * slice + y * row,
+                   row,
+                   spacing[0],
+                   greatest);
     }
-    TransformPlane(squares + z * slice, row, box.size[1], row, spacing[1]);
+    TransformPlane(squares + z * slice, row, box.size[1], row, spacing[1], greatest);
   });
   ParallelFor(box.size[1],
-              [&](std::size_t y) { TransformPlane(squares + y * row, row, box.size[2], slice, spacing[2]); });
+              [&](std::size_t y) { TransformPlane(squares + y * row, row, box.size[2], slice, spacing[2], greatest); });
 }
 
-std::vector<float>
-SquaredDistances(const VoxelGrid & grid, const std::array<double, 3> & spacing, const std::vector<unsigned char> & mask)
+VoxelValues
+SquaredDistances(const VoxelGrid &                  grid,
+                 const std::array<double, 3> &      spacing,
+                 const std::vector<unsigned char> & mask,
+                 double                             farthest)
 {
-  std::vector<float> squares(mask.size());
-  SquaredDistances({ mask.data(), grid.stride[1], grid.stride[2] }, grid, spacing, squares.data());
+  VoxelValues squares(mask.size());
+  SquaredDistances({ mask.data(), grid.stride[1], grid.stride[2] }, grid, spacing, squares.data(), farthest);
   return squares;
 }
 } // namespace shapeton

@@ -69,24 +69,45 @@ TEST(SquaredDistances, OfAPartAreThoseOfThePartAlone)
     const auto v = part.Voxel(p);
     copy[p] = mask[whole.Index(v[0] + 2, v[1] + 3, v[2] + 1)];
   }
-  std::vector<float> squares(part.NumberOfVoxels());
+  shapeton::VoxelValues squares(part.NumberOfVoxels());
   shapeton::SquaredDistances(
     { &mask[whole.Index(2, 3, 1)], whole.stride[1], whole.stride[2] }, part, { { 1.0, 1.0, 2.0 } }, squares.data());
   EXPECT_EQ(squares, shapeton::SquaredDistances(part, { { 1.0, 1.0, 2.0 } }, copy));
+}
+
+TEST(SquaredDistances, AreUnknownBeyondTheFarthestThatIsAskedFor)
+{
+  const VoxelGrid             grid(40, 30, 20);
+  const std::array<double, 3> spacing{ { 0.7, 0.9, 1.3 } };
+  const auto                  mask = RandomMask(grid.NumberOfVoxels(), 0.998);
+  const auto                  all = shapeton::SquaredDistances(grid, spacing, mask);
+  for (const double farthest : { 0.0, 0.7, 2.8, 4.0 })
+  {
+    const auto  near = shapeton::SquaredDistances(grid, spacing, mask, farthest);
+    std::size_t told = 0;
+    for (std::size_t p = 0; p < mask.size(); ++p)
+    {
+      const bool isTold = all[p] <= static_cast<float>(farthest * farthest);
+      told += isTold;
+      ASSERT_EQ(near[p], isTold ? all[p] : shapeton::UnknownSquaredDistance);
+    }
+    EXPECT_GT(told, 0U);
+    EXPECT_LT(told, mask.size());
+  }
 }
 
 TEST(SquaredDistances, AreUnknownWithoutBackground)
 {
   const VoxelGrid grid(3, 4, 5);
   const auto      squares = shapeton::SquaredDistances(grid, { { 1.0, 1.0, 1.0 } }, std::vector<unsigned char>(60, 1));
-  EXPECT_EQ(squares, std::vector<float>(60, shapeton::UnknownSquaredDistance));
+  EXPECT_EQ(squares, shapeton::VoxelValues(60, shapeton::UnknownSquaredDistance));
 }
 
 TEST(SquaredDistances, HaveTheSameBytesForAnyNumberOfThreads)
 {
-  const VoxelGrid    grid(40, 30, 20);
-  const auto         mask = RandomMask(grid.NumberOfVoxels(), 0.99);
-  std::vector<float> first;
+  const VoxelGrid       grid(40, 30, 20);
+  const auto            mask = RandomMask(grid.NumberOfVoxels(), 0.99);
+  shapeton::VoxelValues first;
   for (const unsigned int threads : { 1U, 2U, 5U })
   {
     itk::MultiThreaderBase::SetGlobalDefaultNumberOfThreads(threads);

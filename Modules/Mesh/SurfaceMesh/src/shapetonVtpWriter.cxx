@@ -106,6 +106,7 @@ vtkSmartPointer<vtkCellArray>
 PolysOf(const FaceMatrix & F)
 {
   auto polys = vtkSmartPointer<vtkCellArray>::New();
+  polys->AllocateExact(F.rows(), F.size());
   for (Eigen::Index f = 0; f < F.rows(); ++f)
   {
     const vtkIdType corners[] = { F(f, 0), F(f, 1), F(f, 2) };

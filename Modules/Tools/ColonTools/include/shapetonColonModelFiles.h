@@ -6,6 +6,8 @@
 #include "shapetonSceneFiles.h"
 
 #include <functional>
+#include <map>
+#include <mutex>
 #include <string>
 #include <vector>
 
@@ -27,10 +29,10 @@ public:
   /** Makes the folder. Throws OutputError where nothing can be written. */
   ColonModelFiles(CommandLine & commandLine, const std::string & folder);
 
-  /** Writes the volumes, which need nothing of the wall: see ColonModelOptions::besideWall. No other output may be
-   * asked for meanwhile. */
+  /** Has the surfaces state their provenance, and the parts of the model written as soon as they are there, beside what
+   * follows. To be called before the model is made; no other output may be asked for meanwhile. */
   void
-  WriteVolumes(const ColonModel & model);
+  WriteBeside(ColonModelOptions & options);
 
   /** Writes what the model has, and is not written yet. With `atOnce` the files get their names now, even if the run
    * fails later. */
@@ -43,18 +45,26 @@ private:
     std::string                                   name;
     std::function<void(const std::string & path)> write;
   };
-  std::vector<File>
-  VolumesOf(const ColonModel & model) const;
-  /** All but the volumes. Those that take long come first, as several are written at a time. */
+  File
+  CleansedFile(const itk::Image<float, 3> * cleansed) const;
+  File
+  LumenFile(const ColonModel & model) const;
+  static std::vector<File>
+  WallsOf(const SurfaceMesh & raw, const SurfaceMesh & repaired);
+  static File
+  FileOf(const char * name, const SurfaceMesh & surface);
+  /** All. Those that take long come first, as several are written at a time. */
   std::vector<File>
   FilesOf(const ColonModel & model) const;
+  /** Even where they have been written. */
   void
   WriteFiles(const std::vector<File> & files);
 
-  CommandLine &            m_CommandLine;
-  std::string              m_Folder;
-  SceneFiles               m_Scene;
-  std::vector<std::string> m_Written;
+  CommandLine &                      m_CommandLine;
+  std::string                        m_Folder;
+  SceneFiles                         m_Scene;
+  std::mutex                         m_Mutex;   ///< of what follows, and of the outputs of the command line
+  std::map<std::string, std::string> m_Outputs; ///< by their names
 };
 } // namespace shapeton
 

@@ -30,13 +30,13 @@ RoundedToHU(const itk::Image<float, 3> * image)
   return rounded;
 }
 
-template <typename TGeometry>
-TGeometry
-WithProvenance(TGeometry geometry, const CommandLine & commandLine)
+CurveSet
+WithProvenance(CurveSet curves, const CommandLine & commandLine)
 {
-  geometry.facts = ProvenanceMetadata(commandLine.GetProvenance());
-  return geometry;
+  curves.facts = ProvenanceMetadata(commandLine.GetProvenance());
+  return curves;
 }
+
 /** The labels of the lumen, and 3 for the terminal ileum. */
 itk::Image<unsigned char, 3>::Pointer
 LabelsOf(const ColonModel & model)
@@ -75,45 +75,54 @@ ColonModelFiles::ColonModelFiles(CommandLine & commandLine, const std::string & 
   commandLine.RecordRun(folder + "/run.json");
 }
 
-std::vector<ColonModelFiles::File>
-ColonModelFiles::VolumesOf(const ColonModel & model) const
+ColonModelFiles::File
+ColonModelFiles::CleansedFile(const itk::Image<float, 3> * cleansed) const
 {
-  const auto        metadata = ProvenanceMetadata(m_CommandLine.GetProvenance());
-  std::vector<File> files;
-  if (model.cleansed)
-  {
-    files.push_back({ "cleansed.nrrd", [&model, metadata](const std::string & path) {
-                       WriteVolume(RoundedToHU(model.cleansed).GetPointer(), path, metadata);
-                     } });
-  }
-  files.push_back({ "lumen.nrrd", [&model, metadata](const std::string & path) {
-                     WriteVolume(LabelsOf(model).GetPointer(), path, metadata);
-                   } });
-  return files;
+  return { "cleansed.nrrd", [this, cleansed](const std::string & path) {
+            WriteVolume(RoundedToHU(cleansed).GetPointer(), path, ProvenanceMetadata(m_CommandLine.GetProvenance()));
+          } };
+}
+
+ColonModelFiles::File
+ColonModelFiles::LumenFile(const ColonModel & model) const
+{
+  return { "lumen.nrrd", [this, &model](const std::string & path) {
+            WriteVolume(LabelsOf(model).GetPointer(), path, ProvenanceMetadata(m_CommandLine.GetProvenance()));
+          } };
+}
+
+ColonModelFiles::File
+ColonModelFiles::FileOf(const char * name, const SurfaceMesh & surface)
+{
+  return { name, [&surface](const std::string & path) { WriteSurface(surface, path); } };
+}
+
+std::vector<ColonModelFiles::File>
+ColonModelFiles::WallsOf(const SurfaceMesh & raw, const SurfaceMesh & repaired)
+{
+  return { FileOf("wall.vtp", raw), FileOf("wall-repaired.vtp", repaired) };
 }
 
 std::vector<ColonModelFiles::File>
 ColonModelFiles::FilesOf(const ColonModel & model) const
 {
-  std::vector<File> files;
+  std::vector<File> files{ this->LumenFile(model) };
+  if (model.cleansed)
+  {
+    files.push_back(this->CleansedFile(model.cleansed));
+  }
+  if (model.wall.raw.NumberOfFaces() > 0)
+  {
+    const std::vector<File> walls = WallsOf(model.wall.raw, model.wall.repaired);
+    files.insert(files.end(), walls.begin(), walls.end());
+    files.push_back(FileOf("wall-simplified.vtp", model.wall.simplified));
+  }
   files.push_back({ "quality.json", [this, &model](const std::string & path) {
                      Json document;
                      document["provenance"] = ProvenanceToJson(m_CommandLine.GetProvenance());
                      document.update(ColonQualityToJson(model));
                      WriteJson(document, path);
                    } });
-  const std::pair<const char *, const SurfaceMesh *> surfaces[] = { { "wall.vtp", &model.wall.raw },
-                                                                    { "wall-repaired.vtp", &model.wall.repaired },
-                                                                    { "wall-simplified.vtp", &model.wall.simplified } };
-  for (const auto & [name, surface] : surfaces)
-  {
-    if (surface->NumberOfFaces() > 0)
-    {
-      files.push_back({ name, [this, mesh = surface](const std::string & path) {
-                         WriteSurface(WithProvenance(*mesh, m_CommandLine), path);
-                       } });
-    }
-  }
   if (!model.centreline.curve.curves.empty())
   {
     files.push_back({ "centreline.vtp", [this, &model](const std::string & path) {
@@ -133,10 +142,14 @@ void
 ColonModelFiles::WriteFiles(const std::vector<File> & files)
 {
   std::vector<std::string> outputs;
-  for (const File & file : files)
   {
-    outputs.push_back(m_CommandLine.Output(m_Folder + '/' + file.name));
-    m_Written.push_back(file.name);
+    const std::lock_guard lock(m_Mutex);
+    for (const File & file : files)
+    {
+      std::string & output = m_Outputs[file.name];
+      output = output.empty() ? m_CommandLine.Output(m_Folder + '/' + file.name) : output;
+      outputs.push_back(output);
+    }
   }
   ParallelFor(files.size(), [&](std::size_t i) {
     files[i].write(outputs[i]);
@@ -145,22 +158,31 @@ ColonModelFiles::WriteFiles(const std::vector<File> & files)
 }
 
 void
-ColonModelFiles::WriteVolumes(const ColonModel & model)
+ColonModelFiles::WriteBeside(ColonModelOptions & options)
 {
-  this->WriteFiles(this->VolumesOf(model));
+  options.facts = ProvenanceMetadata(m_CommandLine.GetProvenance()); // not added later, which would take a copy
+  options.besideCentreline = [this](const auto * cleansed) { this->WriteFiles({ this->CleansedFile(cleansed) }); };
+  options.besideWall = [this](const ColonModel & model) { this->WriteFiles({ this->LumenFile(model) }); };
+  options.besideSimplification = [this](const SurfaceMesh & raw, const SurfaceMesh & repaired) {
+    for (const File & file : WallsOf(raw, repaired)) // one after the other, which takes half of the memory
+    {
+      this->WriteFiles({ file });
+    }
+  };
 }
 
 void
 ColonModelFiles::Write(const ColonModel & model, bool atOnce)
 {
-  if (m_Written.empty())
+  const std::vector<File> files = this->FilesOf(model);
+  std::vector<File>       rest;
+  std::copy_if(files.begin(), files.end(), std::back_inserter(rest), [this](const File & file) {
+    return m_Outputs.count(file.name) == 0;
+  });
+  this->WriteFiles(rest);
+  for (std::size_t i = 0; atOnce && i < files.size(); ++i)
   {
-    this->WriteVolumes(model);
-  }
-  this->WriteFiles(this->FilesOf(model));
-  for (std::size_t i = 0; atOnce && i < m_Written.size(); ++i)
-  {
-    m_CommandLine.Publish(m_Folder + '/' + m_Written[i]);
+    m_CommandLine.Publish(m_Folder + '/' + files[i].name);
   }
 }
 } // namespace shapeton

@@ -192,24 +192,26 @@ LightAt(const WallVolume & volume, const Place & place, const WallRay & ray)
   return FlatLight::On(normal, ray.axes);
 }
 
-/** The furthest step into the lumen without tissue between it and the surface. */
+/** The furthest step into the lumen at which something is seen, without tissue between it and the surface. */
 template <bool VIsInside>
 SHAPETON_HOST_DEVICE int
 FirstStep(const WallVolume & volume, const WallLook & look, const Place & surface, const Place & outwards)
 {
   const auto boundary = static_cast<float>(0.5 * (look.gas + look.tissue));
   bool       wasGas = false;
-  int        step = 0;
-  for (; step < look.inside; ++step)
+  int        first = 0;
+  for (int step = -1; step >= -look.inside; --step)
   {
-    const bool isGas = ValueAt<VIsInside>(volume, Moved(surface, -(step + 1), outwards)) < boundary;
+    const float hu = ValueAt<VIsInside>(volume, Moved(surface, step, outwards));
+    const bool  isGas = hu < boundary;
     if (wasGas && !isGas)
     {
       break; // the other side of a fold or of the lumen
     }
     wasGas = isGas;
+    first = hu > look.gas ? step : first;
   }
-  return -step;
+  return first;
 }
 
 template <bool VIsInside>
