@@ -328,9 +328,14 @@ TellsOfAFilledGap(const shapeton::ColonModel & model)
 
 TEST(ColonModel, ThinGasThatFillsAGapIsColon)
 {
-  const shapeton::ColonModel model = shapeton::BuildColonModel(ColonInTwoParts(0.0), Options());
+  std::vector<const itk::Image<float, 3> *> cleansed;
+  auto                                      options = Options();
+  options.besideCentreline = [&cleansed](const itk::Image<float, 3> * ct) { cleansed.push_back(ct); };
+  const shapeton::ColonModel model = shapeton::BuildColonModel(ColonInTwoParts(0.0), options);
   EXPECT_EQ(model.failure, "");
   EXPECT_TRUE(TellsOfAFilledGap(model));
+  ASSERT_EQ(cleansed.size(), 2U); // the first without the gas
+  EXPECT_EQ(cleansed.back(), model.cleansed.GetPointer());
   EXPECT_EQ(LabelAt(model, 0.0, 209.0), 1);
   for (const shapeton::CentrelineGap & gap : model.centreline.gaps)
   {

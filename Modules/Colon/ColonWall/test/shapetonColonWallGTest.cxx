@@ -268,11 +268,31 @@ TEST(ColonWall, RefusesToOpenWhatIsNotClosed)
 
 TEST(ColonWall, PiecesCanStayApart)
 {
+  shapeton::SurfaceMesh      raw;
+  shapeton::SurfaceMesh      repaired;
   shapeton::ColonWallOptions options;
   options.faces = 3000;
   options.ends.radius = 8.0;
   options.keepPieces = true;
+  options.facts = { { "patient", "a tube" } };
+  options.besideSimplification = [&](const auto & first, const auto & second) {
+    raw = first;
+    repaired = second;
+  };
   const auto wall = shapeton::BuildColonWall(BrokenTube(), BrokenCentreline(), options);
+  for (const auto & [given, mesh] : { std::pair{ &raw, &wall.raw }, std::pair{ &repaired, &wall.repaired } })
+  {
+    EXPECT_EQ(given->V, mesh->V);
+    EXPECT_EQ(given->F, mesh->F);
+    EXPECT_EQ(given->facts, options.facts);
+    EXPECT_EQ(given->pointArrays.back().values, mesh->pointArrays.back().values);
+    EXPECT_EQ(given->cellArrays.front().name, "bridged");
+  }
+  EXPECT_EQ(wall.report.rawQuality.faces, wall.raw.NumberOfFaces());
+  EXPECT_EQ(wall.report.repairedQuality.genus, shapeton::InspectSurface(wall.repaired).genus);
+  EXPECT_EQ(wall.report.simplifiedQuality.area, shapeton::InspectSurface(wall.simplified).area);
+  EXPECT_GT(wall.report.bridgedFaces, 0);
+  EXPECT_GT(wall.report.repairedFaces, wall.repaired.NumberOfFaces());
   for (const shapeton::SurfaceMesh * mesh : { &wall.raw, &wall.repaired, &wall.simplified })
   {
     const shapeton::SurfaceQuality quality = shapeton::InspectSurface(*mesh);
