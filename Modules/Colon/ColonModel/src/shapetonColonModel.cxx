@@ -137,6 +137,7 @@ FillGaps(ColonModel & model, CleansedColon & cleansed, const itk::Image<float, 3
     return;
   }
   ColonModelOptions with = options;
+  with.besideCentreline = {}; // it may come to nothing
   with.progress = options.progress.Part("Filling gaps of the colon", CentrelineEnd, CentrelineEnd);
   double most = LengthOfGaps(model.centreline);
   for (const GasInGap & one : found)
@@ -155,6 +156,10 @@ FillGaps(ColonModel & model, CleansedColon & cleansed, const itk::Image<float, 3
   {
     model = std::move(filled);
     cleansed = std::move(again);
+    if (options.besideCentreline)
+    {
+      options.besideCentreline(model.cleansed);
+    }
     options.seedPoints = with.seedPoints;
     model.warnings = model.lumen.warnings;
     for (const GasInGap & one : found)

@@ -345,7 +345,12 @@ TEST(ColonModel, ThinGasThatFillsAGapIsColon)
 
 TEST(ColonModel, ThinGasBesideAGapIsLeftOut)
 {
-  const shapeton::ColonModel model = shapeton::BuildColonModel(ColonInTwoParts(40.0), Options());
+  std::vector<const itk::Image<float, 3> *> cleansed;
+  auto                                      options = Options();
+  options.besideCentreline = [&cleansed](const itk::Image<float, 3> * ct) { cleansed.push_back(ct); };
+  const shapeton::ColonModel model = shapeton::BuildColonModel(ColonInTwoParts(40.0), options);
+  ASSERT_EQ(cleansed.size(), 1U);
+  EXPECT_EQ(cleansed.front(), model.cleansed.GetPointer());
   EXPECT_EQ(model.failure, "");
   EXPECT_FALSE(TellsOfAFilledGap(model));
   EXPECT_EQ(LabelAt(model, 40.0, 209.0), 0);

@@ -32,7 +32,7 @@ SceneFiles::Copy(const std::string & name, const std::string & path) const
   for (const Asked & asked : m_Asked)
   {
     std::error_code error;
-    if (asked.name == name && !fs::copy_file(path, asked.copy, error))
+    if (asked.name == name && !fs::copy_file(path, asked.copy, fs::copy_options::overwrite_existing, error))
     {
       throw OutputError("cannot copy " + path + " to " + asked.copy + ": " + error.message());
     }
