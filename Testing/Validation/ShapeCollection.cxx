@@ -436,7 +436,7 @@ BonesOfFeet(const std::string & dataFolder, std::size_t number)
                  ct.image->GetBufferPointer() + bone.size(),
                  bone.begin(),
                  [=](float value) { return value >= dense ? 1 : 0; });
-  const std::vector<float>    squares = SquaredDistances(grid, spacing, bone);
+  const VoxelValues           squares = SquaredDistances(grid, spacing, bone);
   const auto                  deep = CollectRuns(grid, [&](std::size_t i) { return squares[i] > depth * depth; });
   std::vector<CollectedShape> collection;
   for (const VoxelRuns & core : ComponentsOf(deep, leastVoxels))
@@ -447,7 +447,7 @@ BonesOfFeet(const std::string & dataFolder, std::size_t number)
                 outside.begin() + grid.Index(core.runs[run].end, j, k),
                 0);
     });
-    const std::vector<float> toCore = SquaredDistances(grid, spacing, outside);
+    const VoxelValues toCore = SquaredDistances(grid, spacing, outside);
     const auto grown = CollectRuns(grid, [&](std::size_t i) { return bone[i] != 0 && toCore[i] <= depth * depth; });
     if (collection.size() < number)
     {
