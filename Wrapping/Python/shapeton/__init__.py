@@ -15,7 +15,12 @@ of Python run meanwhile. Errors are `ParameterError` and `InputError`, which are
 OSError; the message says what to do.
 """
 
-from ._shapeton import (
+from . import _shapeton
+from ._calls import make_interruptible
+
+make_interruptible(_shapeton)
+
+from ._shapeton import (  # noqa: E402  (as they are now)
     Aborted,
     DicomDefect,
     DicomSeries,
@@ -41,7 +46,6 @@ from ._shapeton import (
     visit_density,
     write_volume,
 )
-from . import _shapeton
 from ._repr import describe_results
 from .image import Image
 from .mesh import Curves, Mesh

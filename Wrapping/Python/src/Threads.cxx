@@ -5,6 +5,7 @@
 
 #include <atomic>
 #include <chrono>
+#include <memory>
 #include <thread>
 
 #include <cxxabi.h>
@@ -20,13 +21,21 @@ namespace
 std::atomic<int>             runningCalls{ 0 };
 std::atomic<std::thread::id> endingThread{ std::thread::id() }; // which ends the interpreter
 
-/** Throws SystemExit in threads other than the one that ends the interpreter, which may still compute. To be called
- * with the GIL held. */
+/** Tells the functions that a thread calls to stop. */
+struct StopFlag
+{
+  std::atomic<bool> isSet{ false };
+};
+thread_local std::shared_ptr<const StopFlag> stopFlag;
+
+/** Throws SystemExit in a thread that is to stop, and at the end in threads other than the one that ends the
+ * interpreter, which may still compute. To be called with the GIL held. */
 void
-StopAtTheEnd()
+StopWhereAsked()
 {
   const std::thread::id ending = endingThread;
-  if (ending != std::thread::id() && ending != std::this_thread::get_id())
+  const bool            isAtTheEnd = ending != std::thread::id() && ending != std::this_thread::get_id();
+  if (isAtTheEnd || (stopFlag != nullptr && stopFlag->isSet))
   {
     PyErr_SetNone(PyExc_SystemExit); // ends a thread of Python without a word
     throw py::error_already_set();
@@ -58,7 +67,7 @@ StopCheck()
       return;
     }
     const WithGil gil;
-    StopAtTheEnd();
+    StopWhereAsked();
     if (PyErr_CheckSignals() != 0)
     {
       throw py::error_already_set();
@@ -101,7 +110,7 @@ WithGil::~WithGil() { PyGILState_Release(m_State); }
 
 WithoutGil::Call::Call()
 {
-  StopAtTheEnd();
+  StopWhereAsked();
   ++runningCalls;
 }
 
@@ -127,6 +136,15 @@ AddThreads(py::module_ & module)
   module.def("threads",
              &itk::MultiThreaderBase::GetGlobalDefaultNumberOfThreads,
              "How many threads the functions of this process use.");
+  py::class_<StopFlag, std::shared_ptr<StopFlag>>(
+    module, "_StopFlag", "Tells the functions that a thread calls to stop.")
+    .def(py::init<>())
+    .def("set", [](StopFlag & flag) { flag.isSet = true; })
+    .def("is_set", [](const StopFlag & flag) { return flag.isSet.load(); })
+    .def(
+      "obey",
+      [](const std::shared_ptr<StopFlag> & flag) { stopFlag = flag; },
+      "Functions that this thread calls from now on end with SystemExit soon after the flag is set.");
   endingThread = std::thread::id(); // an interpreter may begin after another one
   py::module_::import("atexit").attr("register")(py::cpp_function(&StopCalls));
   pthread_atfork(nullptr, nullptr, [] { runningCalls = 0; }); // a child has no other threads

@@ -1,0 +1,99 @@
+"""Ctrl-C during a call is answered at once, even where a step of the library cannot be interrupted.
+
+Python answers signals in its main thread alone. Long functions that are called there therefore run in a thread of their
+own; when the main thread stops waiting, that thread ends by itself, at the latest after the step that it is in.
+"""
+
+from __future__ import annotations
+
+import functools
+import inspect
+import threading
+from queue import Empty, SimpleQueue
+from types import ModuleType
+from typing import Any, Callable, Dict, Tuple
+
+_Function = Callable[..., Any]
+_CALLBACKS = ("progress", "snapshot")
+
+
+class _Call(threading.Thread):
+    """A call in a thread of its own; its callbacks run in the thread that waits for it."""
+
+    def __init__(self, function: _Function, arguments: Tuple[Any, ...], options: Dict[str, Any], stop: Any) -> None:
+        super().__init__(name=function.__name__)
+        options = {
+            name: self._relayed(value) if name in _CALLBACKS and callable(value) else value
+            for name, value in options.items()
+        }
+        self._work = functools.partial(function, *arguments, **options)
+        self._stop_flag = stop
+        self._questions: SimpleQueue[Any] = SimpleQueue()  # callbacks and their arguments; the end is None
+        self._answers: SimpleQueue[Any] = SimpleQueue()
+
+    def _relayed(self, callback: _Function) -> _Function:
+        def ask(*arguments: Any) -> Any:
+            if self._stop_flag.is_set():
+                raise SystemExit
+            self._questions.put((callback, arguments))
+            return self._answers.get()
+
+        return ask
+
+    def run(self) -> None:
+        self._stop_flag.obey()
+        try:
+            self._outcome: Tuple[Any, Any] = (self._work(), None)
+        except BaseException as error:
+            self._outcome = (None, error)
+        finally:
+            del self._work  # refers to this thread
+            self._questions.put(None)
+
+    def _question(self) -> Any:
+        while True:
+            try:
+                return self._questions.get(timeout=0.05)  # _thread.interrupt_main() does not end a wait
+            except Empty:
+                pass
+
+    def outcome(self) -> Tuple[Any, Any]:
+        """The result and the exception, one of which is None."""
+        try:
+            self.start()
+            for callback, arguments in iter(self._question, None):
+                self._answers.put(callback(*arguments))
+        except BaseException:  # of a signal or of a callback
+            self._stop_flag.set()
+            self._answers.put(False)  # to what may just have been asked
+            raise
+        outcome = self._outcome
+        del self._outcome  # an exception refers to this thread
+        return outcome
+
+
+def _interruptible(function: _Function, new_stop_flag: _Function) -> _Function:
+    @functools.wraps(function)
+    def call(*arguments: Any, **options: Any) -> Any:
+        main = threading.main_thread()
+        if threading.current_thread() is not main or not main.is_alive():  # it is not when the interpreter ends
+            return function(*arguments, **options)
+        result, error = _Call(function, arguments, options, new_stop_flag()).outcome()
+        try:
+            if error is not None:
+                raise error
+            return result
+        finally:
+            del error  # refers to this frame
+
+    call.__qualname__ = function.__name__  # that of the compiled function cannot be pickled
+    return call
+
+
+def make_interruptible(compiled: ModuleType) -> None:
+    """Of the functions of the compiled module, those that tell their progress or read files."""
+    for name, function in list(vars(compiled).items()):
+        if inspect.isbuiltin(function):
+            signature = (function.__doc__ or "").partition("\n")[0]
+            if name.startswith("read_") or "progress: " in signature:
+                setattr(compiled, name, _interruptible(function, compiled._StopFlag))
