@@ -105,7 +105,13 @@ ModelOfLumen(const MaskPointer & lumen,
              bool                keepPartial,
              const Progress &    progress)
 {
-  return BuildColonModelOfLumen(lumen, { "", PointsOf(seedPoints), faces, keepPieces, keepPartial, progress, {} });
+  ColonModelOptions options;
+  options.seedPoints = PointsOf(seedPoints);
+  options.faces = faces;
+  options.keepPieces = keepPieces;
+  options.keepPartial = keepPartial;
+  options.progress = progress;
+  return BuildColonModelOfLumen(lumen, options);
 }
 
 /** As catheter.vtp holds it; none where no catheter is sure. */

@@ -10,15 +10,16 @@ namespace shapeton
 /** How far a tube in the rectum is sure to be a catheter. \ingroup ColonLumen */
 struct CatheterEvidence
 {
-  double length{ 0.0 };         ///< mm of bore inside the body
-  double enclosedLength{ 0.0 }; ///< mm of it where 80 % of the rays across it cross a wall and enter the lumen
-  double enclosedShare{ 0.0 };  ///< of the rays that do, 0..1: at least, in the best 15 mm
-  double boreSpread{ 0.0 };     ///< mm, of the bore's radius along these: between its 20th and 80th percentile
-  /** Of the bore: how far its radius is from even around the axis, by its mean (second and third harmonic, root mean
-   * square); the median. */
+  /** mm of bore inside the body that is round (ovality below .1) and even (radii within .5 mm), the longest stretch. */
+  double length{ 0.0 };
+  double enclosedLength{ 0.0 }; ///< mm of the tube where 80 % of the rays across it cross a wall and enter the lumen
+  double enclosedShare{ 0.0 };  ///< of the rays that do, 0..1: at least, in the best 6 mm
+  double boreSpread{ 0.0 };     ///< mm, of the radius along the stretch: between its 20th and 80th percentile
+  /** Of the bore along the stretch: how far its radius is from even around the axis, by its mean (second and third
+   * harmonic, root mean square); the median. */
   double ovality{ 0.0 };
-  /** 0..1: how far lengths, share, spread, ovality and the radius of the bore lie within their limits, .5 at the limit;
-   * the least of them. A catheter from .5 on. */
+  /** 0..1: how far lengths, share and the radius of the bore lie within their limits, .5 at the limit; the least of
+   * them. A catheter from .5 on. */
   double confidence{ 0.0 };
 };
 

@@ -9,9 +9,13 @@ namespace shapeton
 {
 namespace
 {
-constexpr double FarthestFromAnus = 150.0; // mm
-constexpr double MostOutside = 0.25;       // of the rays inside the body
-constexpr double LeastMentioned = 0.25;    // confidence
+constexpr double      FarthestFromAnus = 150.0; // mm
+constexpr double      MostOutside = 0.25;       // of the rays inside the body
+constexpr double      LeastMentioned = 0.25;    // confidence
+constexpr double      LeastClosed = 0.9;        // of the rays across a bore end at its wall
+constexpr double      MostOval = 0.1;           // of a bore's section
+constexpr double      MostUneven = 0.5;         // mm, range of its radius
+constexpr std::size_t LongestHole = 6;          // sections
 
 /** A limit and how far from it a value is no longer doubtful, on either side. */
 struct Margin
@@ -28,12 +32,10 @@ struct Margin
 };
 
 constexpr Margin LengthMargin{ 30.0, 15.0 };   // mm
-constexpr Margin EnclosedMargin{ 15.0, 10.0 }; // mm
-constexpr Margin ShareMargin{ 0.9, 0.1 };      // of the rays, in 15 mm of sections
+constexpr Margin EnclosedMargin{ 6.0, 4.0 };   // mm
+constexpr Margin ShareMargin{ 0.9, 0.1 };      // of the rays, in 6 mm of sections
 constexpr Margin NarrowestMargin{ 1.0, 0.25 }; // mm, radius of the bore
 constexpr Margin WidestMargin{ 4.5, -0.75 };   // mm
-constexpr Margin SpreadMargin{ 0.5, -0.4 };    // mm
-constexpr Margin OvalityMargin{ 0.15, -0.1 };
 
 double
 Percentile(std::vector<double> values, double share)
@@ -65,10 +67,9 @@ EnclosedSections(const std::vector<TubeSection> & sections)
 void
 MeasureWall(const std::vector<const TubeSection *> & enclosed, CatheterTube & tube)
 {
-  std::vector<double> radii, outer, hu;
+  std::vector<double> outer, hu;
   for (const auto * section : enclosed)
   {
-    radii.push_back(section->BoreRadius());
     for (const auto & ray : section->rays)
     {
       if (ray.IsEnclosed())
@@ -78,57 +79,132 @@ MeasureWall(const std::vector<const TubeSection *> & enclosed, CatheterTube & tu
       }
     }
   }
-  tube.boreRadius = MedianOf(radii);
   tube.outerRadius = MedianOf(outer);
   tube.wallHU = MedianOf(hu);
-  tube.evidence.boreSpread = Percentile(radii, 0.8) - Percentile(radii, 0.2);
 }
 
-void
-Judge(CatheterTube & tube)
+/** Sections next to each other, from the first to before the last. */
+struct Stretch
 {
-  CatheterEvidence & e = tube.evidence;
-  e.length = static_cast<double>(tube.sections.size());
+  std::size_t first{ 0 };
+  std::size_t last{ 0 };
+
+  std::size_t
+  Length() const
+  {
+    return last - first;
+  }
+};
+
+/** The longest stretch of round sections, all about as wide. */
+Stretch
+LongestEven(const std::vector<TubeSection> & sections)
+{
+  Stretch longest;
+  for (std::size_t first = 0; first < sections.size(); ++first)
+  {
+    double least = LargestBoreRadius + 1.0;
+    double greatest = 0.0;
+    for (std::size_t n = first;
+         n < sections.size() && sections[n].ClosedShare() >= LeastClosed && sections[n].Ovality() < MostOval;
+         ++n)
+    {
+      least = std::min(least, sections[n].BoreRadius());
+      greatest = std::max(greatest, sections[n].BoreRadius());
+      if (greatest - least > MostUneven)
+      {
+        break;
+      }
+      if (n + 1 - first > longest.Length())
+      {
+        longest = { first, n + 1 };
+      }
+    }
+  }
+  return longest;
+}
+
+/** A stretch with what goes on as wide on both sides, across holes in the wall, and with an end of the bore near by. */
+Stretch
+AcrossHoles(const std::vector<TubeSection> & sections, const Stretch & even, double radius)
+{
+  Stretch    whole = even;
+  const auto isAsWide = [&](std::size_t n) {
+    const bool isEnd = n == 0 || n + 1 == sections.size();
+    return isEnd || std::abs(sections[n].BoreRadius() - radius) <= MostUneven;
+  };
+  for (std::size_t n = even.last; n < sections.size() && n < whole.last + LongestHole; ++n)
+  {
+    whole.last = isAsWide(n) ? n + 1 : whole.last;
+  }
+  for (std::size_t n = even.first; n > 0 && n + LongestHole > whole.first; --n)
+  {
+    whole.first = isAsWide(n - 1) ? n - 1 : whole.first;
+  }
+  return whole;
+}
+
+template <typename TMeasure>
+std::vector<double>
+MeasuredAlong(const std::vector<TubeSection> & sections, const Stretch & stretch, const TMeasure & measure)
+{
+  std::vector<double> values(stretch.Length());
+  std::transform(sections.begin() + stretch.first, sections.begin() + stretch.last, values.begin(), measure);
+  return values;
+}
+
+/** The tube that some sections in the body show best. */
+CatheterTube
+TubeOf(const std::vector<TubeSection> & sections)
+{
+  CatheterTube  tube;
+  const Stretch even = LongestEven(sections);
+  if (even.Length() == 0)
+  {
+    return tube;
+  }
+  const auto radii = MeasuredAlong(sections, even, [](const TubeSection & s) { return s.BoreRadius(); });
+  tube.boreRadius = MedianOf(radii);
+  const Stretch whole = AcrossHoles(sections, even, tube.boreRadius);
+  tube.sections.assign(sections.begin() + whole.first, sections.begin() + whole.last);
   const auto enclosed = EnclosedSections(tube.sections);
   if (enclosed.empty())
   {
-    return;
+    return tube;
   }
   MeasureWall(enclosed, tube);
-  std::vector<double> ovality;
-  for (const auto * section : enclosed)
-  {
-    ovality.push_back(section->Ovality());
-  }
+  CatheterEvidence & e = tube.evidence;
+  e.length = static_cast<double>(even.Length());
+  e.boreSpread = Percentile(radii, 0.8) - Percentile(radii, 0.2);
+  e.ovality = MedianOf(MeasuredAlong(sections, even, [](const TubeSection & s) { return s.Ovality(); }));
   e.enclosedLength = static_cast<double>(enclosed.size());
   e.enclosedShare = enclosed[std::min<std::size_t>(EnclosedMargin.limit, enclosed.size()) - 1]->EnclosedShare();
-  e.ovality = MedianOf(ovality);
   e.confidence = std::min({ LengthMargin.Of(e.length),
                             EnclosedMargin.Of(e.enclosedLength),
                             ShareMargin.Of(e.enclosedShare),
                             NarrowestMargin.Of(tube.boreRadius),
-                            WidestMargin.Of(tube.boreRadius),
-                            SpreadMargin.Of(e.boreSpread),
-                            OvalityMargin.Of(e.ovality) });
+                            WidestMargin.Of(tube.boreRadius) });
+  return tube;
 }
 
-/** The sections from the best enclosed one on to both sides, as long as they lie in the body; the anal side first. */
+/** The longest part of some sections that lies in the body; the anal side first. */
 std::vector<TubeSection>
-InsideBody(std::vector<TubeSection> && sections)
+InsideBody(const std::vector<TubeSection> & sections)
 {
-  const auto isOutside = [](const TubeSection & s) { return s.ShareOf(BehindLayer::Outside) >= MostOutside; };
-  const auto best =
-    std::max_element(sections.begin(), sections.end(), [](const TubeSection & s, const TubeSection & t) {
-      return s.EnclosedShare() < t.EnclosedShare();
-    });
-  const auto               begin = std::find_if(std::make_reverse_iterator(best), sections.rend(), isOutside).base();
-  const auto               end = std::find_if(best, sections.end(), isOutside);
-  std::vector<TubeSection> inside(begin, end);
-  if (!inside.empty() && inside.front().centre[2] > inside.back().centre[2])
+  Stretch longest;
+  Stretch inside;
+  for (std::size_t n = 0; n < sections.size(); ++n)
   {
-    std::reverse(inside.begin(), inside.end());
+    const bool isInside = sections[n].ShareOf(BehindLayer::Outside) < MostOutside;
+    inside = { isInside ? inside.first : n + 1, n + 1 };
+    longest = inside.Length() > longest.Length() ? inside : longest;
   }
-  return inside;
+  std::vector<TubeSection> part(sections.begin() + longest.first, sections.begin() + longest.last);
+  if (!part.empty() && part.front().centre[2] > part.back().centre[2])
+  {
+    std::reverse(part.begin(), part.end());
+  }
+  return part;
 }
 } // namespace
 
@@ -168,13 +244,11 @@ FindCatheterTube(const CatheterRegion & region)
   {
     for (const auto & axis : bores.Find(reach + half, leastLength))
     {
-      CatheterTube tube;
-      tube.sections = InsideBody(MeasureSections(region, axis));
-      Judge(tube);
+      CatheterTube tube = TubeOf(InsideBody(MeasureSections(region, axis)));
       const auto & e = tube.evidence;
       if (e.confidence >= LeastMentioned &&
           (!best || e.confidence > best->evidence.confidence ||
-           (e.confidence == best->evidence.confidence && e.length > best->evidence.length)))
+           (e.confidence == best->evidence.confidence && tube.sections.size() > best->sections.size())))
       {
         best = std::move(tube);
       }

@@ -7,8 +7,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <queue>
+#include <unordered_set>
 
 namespace shapeton
 {
@@ -50,18 +52,31 @@ PiecesOf(const ColonGrid & grid, const std::vector<unsigned char> & mask)
   return pieces;
 }
 
-/** Lengths of ways within a set, mm, over faces, edges and corners of voxels. */
+/** Shortest ways within a set from one voxel to each, by their numbers in it. */
+struct Ways
+{
+  std::vector<double>      length; ///< mm
+  std::vector<std::size_t> before; ///< the voxel before the last of the way
+
+  std::size_t
+  Farthest() const
+  {
+    return std::max_element(length.begin(), length.end()) - length.begin();
+  }
+};
+
+/** Finds ways within a connected set over faces, edges and corners of voxels. */
 class WaysWithin
 {
 public:
   WaysWithin(const ColonGrid & grid, const VoxelSet & voxels) : m_Grid(grid), m_Voxels(voxels) {}
 
-  /** From one voxel of the set, by its number, to each. */
-  std::vector<double>
+  Ways
   From(std::size_t start) const
   {
     using Entry = std::pair<double, std::size_t>;
-    std::vector<double>                                                 way(m_Voxels.size(), Far);
+    Ways ways{ std::vector<double>(m_Voxels.size(), Far), std::vector<std::size_t>(m_Voxels.size(), start) };
+    std::vector<double> &                                               way = ways.length;
     std::priority_queue<Entry, std::vector<Entry>, std::greater<Entry>> queue;
     queue.emplace(way[start] = 0.0, start);
     RareInterruption interruption;
@@ -77,15 +92,13 @@ public:
       this->ForEachNeighbourOf(n, [&](std::size_t m, double step) {
         if (length + step < way[m])
         {
+          ways.before[m] = n;
           queue.emplace(way[m] = length + step, m);
         }
       });
     }
-    return way;
+    return ways;
   }
-
-private:
-  static constexpr double Far = std::numeric_limits<double>::max();
 
   template <typename TBody>
   void
@@ -108,28 +121,52 @@ private:
     }
   }
 
+private:
+  static constexpr double Far = std::numeric_limits<double>::max();
+
   const ColonGrid & m_Grid;
   const VoxelSet &  m_Voxels; ///< ascending
 };
 
-/** The same line by the same steps of its length, but for its end. */
+/** The same line by even steps, at least as many as its length holds. */
 BoreAxis
 Resampled(const BoreAxis & line, double step)
 {
-  BoreAxis axis{ line.front() };
-  double   before = 0.0; // from the last point of the axis to the start of the segment
+  std::vector<double> at{ 0.0 };
   for (std::size_t n = 1; n < line.size(); ++n)
   {
-    const Eigen::Vector3d segment = line[n] - line[n - 1];
-    const double          length = segment.norm();
-    double                next = step - before;
-    for (; next <= length; next += step)
+    at.push_back(at.back() + (line[n] - line[n - 1]).norm());
+  }
+  const auto  steps = static_cast<std::size_t>(std::ceil(at.back() / step));
+  BoreAxis    axis{ line.front() };
+  std::size_t n = 1;
+  for (std::size_t s = 1; s <= steps; ++s)
+  {
+    const double place = at.back() * static_cast<double>(s) / static_cast<double>(steps);
+    while (at[n] < place && n + 1 < line.size())
     {
-      axis.push_back(line[n - 1] + next / length * segment);
+      ++n;
     }
-    before = length - (next - step);
+    axis.push_back(line[n - 1] + (place - at[n - 1]) / (at[n] - at[n - 1]) * (line[n] - line[n - 1]));
   }
   return axis;
+}
+
+/** The same line, longer on both sides. */
+BoreAxis
+Lengthened(const BoreAxis & line, double by)
+{
+  if (line.size() < 2)
+  {
+    return line;
+  }
+  const auto beyond = [by](const Eigen::Vector3d & end, const Eigen::Vector3d & before) -> Eigen::Vector3d {
+    return end + by * (end - before).normalized();
+  };
+  BoreAxis longer{ beyond(line[0], line[1]) };
+  longer.insert(longer.end(), line.begin(), line.end());
+  longer.push_back(beyond(line.back(), line[line.size() - 2]));
+  return longer;
 }
 
 /** Gaussian means along a line of even steps. Beyond its ends the line goes on as its mirror image in the end, so that
@@ -160,45 +197,176 @@ Smoothed(const BoreAxis & line, double step)
   return smooth;
 }
 
-/** Means of the places of voxels whose ways are about the same. */
-BoreAxis
-MeansAlong(const ColonGrid & grid, const VoxelSet & voxels, const std::vector<double> & way, double step)
+/** The longest way through a piece, with what lies across it. */
+class Trunk
 {
-  const auto          bins = static_cast<std::size_t>(*std::max_element(way.begin(), way.end()) / step) + 1;
-  BoreAxis            sums(bins, Eigen::Vector3d::Zero());
-  std::vector<double> counts(bins, 0.0);
-  for (std::size_t n = 0; n < voxels.size(); ++n)
+public:
+  Trunk(const ColonGrid & grid, const VoxelSet & voxels)
+    : m_Grid(grid)
+    , m_Voxels(voxels)
+    , m_Search(grid, voxels)
+    , m_Step(std::max(AxisStep, 1.5 * grid.spacing.maxCoeff()))
+    , m_IsTaken(voxels.size(), 0)
   {
-    const auto bin = static_cast<std::size_t>(way[n] / step);
-    sums[bin] += grid.Position(voxels[n]);
-    counts[bin] += 1.0;
-  }
-  BoreAxis means;
-  for (std::size_t b = 0; b < bins; ++b)
-  {
-    if (counts[b] > 0.0)
+    const Ways        ways = m_Search.From(m_Search.From(0).Farthest());
+    const std::size_t end = ways.Farthest();
+    m_Length = ways.length[end];
+    this->Place(ways, m_Search.From(end));
+    std::size_t n = end;
+    for (std::size_t bin = m_Bins[end] + 1; bin-- > 0;)
     {
-      means.push_back(sums[b] / counts[b]);
+      while (m_Bins[n] > bin)
+      {
+        n = ways.before[n];
+      }
+      if (m_Bins[n] == bin) // a step over a corner may pass one
+      {
+        m_Middle.push_back(this->TakeAcross(n));
+      }
     }
   }
-  return means;
-}
 
-/** The middle of a piece along its longest way; empty where it is shorter or wider than a bore. */
-BoreAxis
-AxisOf(const ColonGrid & grid, const VoxelSet & voxels, double leastLength)
-{
-  const WaysWithin ways(grid, voxels);
-  const auto       fromAny = ways.From(0);
-  const auto       way = ways.From(std::max_element(fromAny.begin(), fromAny.end()) - fromAny.begin());
-  const double     length = *std::max_element(way.begin(), way.end());
-  const double     section = voxels.size() * grid.VoxelVolume() / length;
-  if (length < leastLength || section > Pi * LargestBoreRadius * LargestBoreRadius)
+  double
+  Length() const
   {
-    return {};
+    return m_Length;
   }
-  const double step = std::max(AxisStep, 1.5 * grid.spacing.maxCoeff()); // so that no bin is empty
-  return Resampled(Smoothed(MeansAlong(grid, voxels, way, step), step), AxisStep);
+
+  /** mm^2, the mean of its sections. */
+  double
+  Section() const
+  {
+    const auto taken = std::count(m_IsTaken.begin(), m_IsTaken.end(), 1);
+    return static_cast<double>(taken) * m_Grid.VoxelVolume() / m_Length;
+  }
+
+  BoreAxis
+  Axis() const
+  {
+    // The first and the last mean lie half a step inside.
+    return Resampled(Lengthened(Smoothed(m_Middle, m_Step), 0.5 * m_Step), AxisStep);
+  }
+
+  /** The pieces that it leaves. */
+  std::vector<VoxelSet>
+  Branches() const
+  {
+    std::vector<VoxelSet> branches;
+    std::vector<char>     isSeen = m_IsTaken;
+    for (std::size_t n = 0; n < m_Voxels.size(); ++n)
+    {
+      if (isSeen[n])
+      {
+        continue;
+      }
+      branches.emplace_back();
+      for (const std::size_t m : this->Connected(n, [&](std::size_t k) { return !isSeen[k]; }))
+      {
+        isSeen[m] = 1;
+        branches.back().push_back(m_Voxels[m]);
+      }
+      std::sort(branches.back().begin(), branches.back().end());
+    }
+    return branches;
+  }
+
+private:
+  /** Each voxel by its place on the way, from the end that is farther from it: what is as far from there lies flat
+   * across a bore, what is near to an end lies in shells around a corner of it. */
+  void
+  Place(const Ways & fromStart, const Ways & fromEnd)
+  {
+    m_Bins.resize(m_Voxels.size());
+    for (std::size_t n = 0; n < m_Bins.size(); ++n)
+    {
+      const double before = fromStart.length[n];
+      const double after = fromEnd.length[n];
+      m_Bins[n] = static_cast<std::size_t>(std::max(0.0, before > after ? before : m_Length - after) / m_Step);
+    }
+  }
+
+  /** The voxels that are connected with one within those that `isPart` holds for. */
+  template <typename TIsPart>
+  std::vector<std::size_t>
+  Connected(std::size_t start, const TIsPart & isPart) const
+  {
+    std::vector<std::size_t>        connected{ start };
+    std::unordered_set<std::size_t> seen{ start };
+    for (std::size_t next = 0; next < connected.size(); ++next)
+    {
+      m_Search.ForEachNeighbourOf(connected[next], [&](std::size_t m, double) {
+        if (isPart(m) && seen.insert(m).second)
+        {
+          connected.push_back(m);
+        }
+      });
+    }
+    return connected;
+  }
+
+  /** Takes the voxels beside one on the way, not those of other branches, and gives their mean place. They are
+   * connected by those a step before or after, for at the end of a bore the farthest are a ring. */
+  Eigen::Vector3d
+  TakeAcross(std::size_t onWay)
+  {
+    Eigen::Vector3d   sum = Eigen::Vector3d::Zero();
+    double            count = 0.0;
+    const std::size_t bin = m_Bins[onWay];
+    const auto        isNear = [&](std::size_t k) { return std::max(m_Bins[k], bin) - std::min(m_Bins[k], bin) <= 1; };
+    for (const std::size_t m : this->Connected(onWay, isNear))
+    {
+      if (m_Bins[m] == bin)
+      {
+        m_IsTaken[m] = 1;
+        sum += m_Grid.Position(m_Voxels[m]);
+        count += 1.0;
+      }
+    }
+    return sum / count;
+  }
+
+  const ColonGrid &        m_Grid;
+  const VoxelSet &         m_Voxels;
+  WaysWithin               m_Search;
+  double                   m_Step;   ///< mm; so that no bin is empty
+  double                   m_Length; ///< mm
+  std::vector<std::size_t> m_Bins;   ///< where along the way each voxel is, in steps
+  BoreAxis                 m_Middle; ///< from the end to the start
+  std::vector<char>        m_IsTaken;
+};
+
+/** The middles of a piece and of its branches along their longest ways, but of those that are shorter or wider than a
+ * bore. */
+std::vector<BoreAxis>
+AxesOf(const ColonGrid & grid, VoxelSet && piece, double leastLength)
+{
+  constexpr double      thinnest = 2.0; // mm^2, mean section of what is worth the search
+  const auto            least = static_cast<std::size_t>(thinnest * leastLength / grid.VoxelVolume());
+  std::vector<BoreAxis> axes;
+  std::vector<VoxelSet> pieces{ std::move(piece) };
+  while (!pieces.empty())
+  {
+    const VoxelSet voxels = std::move(pieces.back());
+    pieces.pop_back();
+    if (voxels.size() < least)
+    {
+      continue;
+    }
+    Trunk trunk(grid, voxels);
+    if (trunk.Length() < leastLength)
+    {
+      continue;
+    }
+    if (trunk.Section() <= Pi * LargestBoreRadius * LargestBoreRadius)
+    {
+      axes.push_back(trunk.Axis());
+    }
+    for (VoxelSet & branch : trunk.Branches())
+    {
+      pieces.push_back(std::move(branch));
+    }
+  }
+  return axes;
 }
 } // namespace
 
@@ -209,22 +377,13 @@ TubeBores::TubeBores(const ColonGrid & grid, std::vector<unsigned char> && gas)
 std::vector<BoreAxis>
 TubeBores::Find(double reach, double leastLength) const
 {
-  constexpr double            thinnest = 2.0; // mm^2, mean section of what is worth the search
-  const std::vector<VoxelSet> pieces = PiecesOf(m_Grid, WithoutBalls(m_Grid, m_Gas, m_SquaredDepth, reach));
-  std::vector<BoreAxis>       axes(pieces.size());
-  ParallelFor(pieces.size(), [&](std::size_t i) {
-    if (pieces[i].size() * m_Grid.VoxelVolume() >= thinnest * leastLength)
-    {
-      axes[i] = AxisOf(m_Grid, pieces[i], leastLength);
-    }
-  });
+  std::vector<VoxelSet>              pieces = PiecesOf(m_Grid, WithoutBalls(m_Grid, m_Gas, m_SquaredDepth, reach));
+  std::vector<std::vector<BoreAxis>> axes(pieces.size());
+  ParallelFor(pieces.size(), [&](std::size_t i) { axes[i] = AxesOf(m_Grid, std::move(pieces[i]), leastLength); });
   std::vector<BoreAxis> bores;
-  for (BoreAxis & axis : axes)
+  for (auto & ofPiece : axes)
   {
-    if (!axis.empty())
-    {
-      bores.push_back(std::move(axis));
-    }
+    std::move(ofPiece.begin(), ofPiece.end(), std::back_inserter(bores));
   }
   return bores;
 }

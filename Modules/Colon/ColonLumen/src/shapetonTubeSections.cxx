@@ -195,6 +195,13 @@ TubeSection::RayTo(const Eigen::Vector3d & position, double & distance) const
 }
 
 double
+TubeSection::ClosedShare() const
+{
+  const auto number = std::count_if(rays.begin(), rays.end(), [](const TubeRay & r) { return r.inner > 0.0; });
+  return static_cast<double>(number) / NumberOfRays;
+}
+
+double
 TubeSection::ShareOf(BehindLayer behind) const
 {
   const auto number =

@@ -38,7 +38,7 @@ enum class BehindLayer
 
 constexpr double ThinnestTubeWall = 1.0; // mm, before gas
 /** mm, before fluid: from gas to bright fluid values pass those of a wall over 1.2 mm, wall or none. */
-constexpr double ThinnestWallInFluid = 2.0;
+constexpr double ThinnestWallInFluid = 1.6;
 constexpr double ThickestTubeWall = 4.5; // mm
 
 /** A ray from the middle of a bore and the first layer on its way. Distances from the middle in mm. */
@@ -69,7 +69,9 @@ struct TubeSection
   /** The ray next to a place; `distance`: of the place from the axis. */
   int
   RayTo(const Eigen::Vector3d & position, double & distance) const;
-  /** Of all rays. */
+  /** Of all rays, as those below. */
+  double
+  ClosedShare() const; ///< that leave the bore
   double
   ShareOf(BehindLayer behind) const;
   double

@@ -198,10 +198,31 @@ TEST(RectalCatheter, ABowelWithoutOneHasNone)
   EXPECT_FALSE(Segment(scene).catheter.has_value());
 }
 
-/** Ten millimetres in the rectum are enough to mention it, not to be sure. */
+/** Rays towards the wall that it comes to lie on end in tissue. */
+TEST(RectalCatheter, ATubeThatSinksOntoTheWallIsFoundAndFilledIn)
+{
+  ExpectTube(Segment(RectumScene(24.0, 4.0, 30.0, (Rectum - Outer) / 0.54)), 24.0);
+}
+
+/** Gas beside the tube that a hole in its wall leads to does not draw the axis aside. */
+TEST(RectalCatheter, TheAxisKeepsToTheBoreWhereItBranches)
+{
+  auto       scene = RectumScene(24.0);
+  const auto hole = Tube(At(0, 4.5, -36), 1, 4.5, 1.6);
+  const auto thread = Tube(At(0, 9, -28), 2, 7.0, 1.8);
+  scene.lumens.insert(scene.lumens.begin(), { { hole, 1e9, 0.0 }, { thread, 1e9, 0.0 } });
+  const auto lumen = Segment(scene);
+  ExpectTube(lumen, 24.0);
+  for (const auto & p : lumen.catheter->axis)
+  {
+    EXPECT_LT(std::hypot(p[0], p[1]), 1.0) << p;
+  }
+}
+
+/** A few millimetres in the rectum are enough to mention it, not to be sure. */
 TEST(RectalCatheter, AShortPieceInTheRectumIsDoubtful)
 {
-  const auto lumen = Segment(RectumScene(-4.0));
+  const auto lumen = Segment(RectumScene(-10.0));
   ASSERT_TRUE(lumen.catheter.has_value());
   EXPECT_FALSE(lumen.catheter->isSure);
   EXPECT_EQ(lumen.catheter->filledMl, 0.0);

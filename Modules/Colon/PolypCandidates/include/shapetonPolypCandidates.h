@@ -138,6 +138,8 @@ struct PolypCandidate
   PolypTissue tissue{ PolypTissue::Unknown };
   /** Share of the head before which tagged fluid lies, 0 to 1; not a number without a CT. */
   double submergedShare{ std::numeric_limits<double>::quiet_NaN() };
+  /** See RankValveLast(). */
+  bool isAtValve{ false };
   /** What a reader should think of, for example "may be the ileocaecal valve"; "" for nothing. */
   std::string                         remark;
   std::optional<PolypInOtherPosition> other;
@@ -185,9 +187,11 @@ PolypCandidates_EXPORT std::vector<PolypCandidate>
 PolypCandidates_EXPORT void
 NoteIleocaecalValve(double lengthOfCentreline, std::vector<PolypCandidate> & candidates);
 
-/** Gives candidates at the valve the remark "the ileocaecal valve", multiplies their scores by the probability that it
- * is not the valve, and ranks them behind all others of soft tissue or fat. At the valve: within half of its length and
- * 3 mm of its middle, 12 mm at least. \ingroup PolypCandidates */
+/** Gives candidates at the valve the remark "the ileocaecal valve" and ranks them last of those that are listed at the
+ * default sensitivity: their scores become 1 - defaultPolypSensitivity at most. Domes and caps (shape index above
+ * 13/16) keep that whatever the confidence of the valve, so that a large polyp that is taken for the valve is not lost;
+ * the scores of ridges, which the lips of a valve are, are multiplied by the probability that it is not the valve. At
+ * the valve: within half of its length and 3 mm of its middle, 12 mm at least. \ingroup PolypCandidates */
 PolypCandidates_EXPORT void
 RankValveLast(const IleocaecalValve & valve, std::vector<PolypCandidate> & candidates);
 

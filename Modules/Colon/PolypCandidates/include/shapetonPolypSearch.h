@@ -78,9 +78,9 @@ FindInOtherPosition(const SurfaceMesh &                      map,
 /** What the other position says of candidates that FindInOtherPosition() has taken there: a polyp stays where it is,
  * and most stool moves. The score of the shape becomes the probability that a candidate is a polyp, given this score,
  * how flat it is, and the likeness of what is seen at its place (logistic regression on phantoms, see the notes), with
- * the share of its tissue kept; it stays as it is as far as the registration may be wrong, and where the place cannot
- * be seen. Candidates are sorted by their new scores, keep their numbers, and get a remark where nothing like them is
- * seen. \param confidence of the registration, 0 to 1. \ingroup PolypCandidates */
+ * the share of its tissue kept; it stays as it is as far as the registration may be wrong, where the place cannot be
+ * seen, and at the valve. Candidates are sorted by their new scores, keep their numbers, and get a remark where nothing
+ * like them is seen. \param confidence of the registration, 0 to 1. \ingroup PolypCandidates */
 PolypCandidates_EXPORT void
 WeighByOtherPosition(double confidence, std::vector<PolypCandidate> & candidates);
 

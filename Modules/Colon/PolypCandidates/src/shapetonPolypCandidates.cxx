@@ -135,27 +135,25 @@ NoteIleocaecalValve(double lengthOfCentreline, std::vector<PolypCandidate> & can
 void
 RankValveLast(const IleocaecalValve & valve, std::vector<PolypCandidate> & candidates)
 {
-  const double reach = std::max(12.0, 0.5 * valve.length + 3.0); // mm
-  const auto   isValve = [&](const PolypCandidate & one) { return (one.position - valve.position).norm() <= reach; };
-  double       leastOfOthers = 1.0;
-  for (const PolypCandidate & one : candidates)
-  {
-    if (!isValve(one) && one.tissue != PolypTissue::Gas && one.tissue != PolypTissue::Tagged)
-    {
-      leastOfOthers = std::min(leastOfOthers, one.score);
-    }
-  }
+  // Koenderink's limit between ridge and dome, where a cap is 1.
+  constexpr double leastShapeIndexOfDomes = 13.0 / 16.0;
+  const double     reach = std::max(12.0, 0.5 * valve.length + 3.0); // mm
   for (PolypCandidate & one : candidates)
   {
-    if (isValve(one))
+    one.isAtValve = (one.position - valve.position).norm() <= reach;
+    if (one.isAtValve)
     {
-      one.score = std::min((1.0 - valve.confidence) * one.score, leastOfOthers);
+      one.score = std::min(one.score, 1.0 - defaultPolypSensitivity);
+      if (one.features.shapeIndex <= leastShapeIndexOfDomes)
+      {
+        one.score *= 1.0 - valve.confidence;
+      }
       AddRemark("the ileocaecal valve", one);
     }
   }
   // Behind those of equal score: Rank() keeps the order of these.
   std::stable_partition(
-    candidates.begin(), candidates.end(), [&](const PolypCandidate & one) { return !isValve(one); });
+    candidates.begin(), candidates.end(), [](const PolypCandidate & one) { return !one.isAtValve; });
   Rank(candidates);
 }
 

@@ -152,7 +152,7 @@ WeighByOtherPosition(double confidence, std::vector<PolypCandidate> & candidates
   RequireParameter(confidence >= 0.0 && confidence <= 1.0, "the confidence of a registration must be from 0 to 1");
   for (PolypCandidate & candidate : candidates)
   {
-    if (!candidate.other || candidate.other->isExcluded || candidate.shapeScore <= 0.0)
+    if (!candidate.other || candidate.other->isExcluded || candidate.isAtValve || candidate.shapeScore <= 0.0)
     {
       continue;
     }

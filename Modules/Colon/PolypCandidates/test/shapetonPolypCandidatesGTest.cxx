@@ -656,3 +656,58 @@ TEST(PolypCandidates, WeighedCandidatesKeepTheirNumbers)
   EXPECT_EQ(candidates[1].number, 1);
   EXPECT_GT(candidates[0].score, candidates[1].score);
 }
+
+namespace
+{
+
+/** Ranked by a valve at the origin, confidence .95, and weighed by another position that shows nothing at the origin
+ * and the same 100 mm away. */
+std::vector<PolypCandidate>
+RankedByValve(std::vector<PolypCandidate> candidates)
+{
+  for (PolypCandidate & one : candidates)
+  {
+    one.score = one.shapeScore;
+    one.other = shapeton::PolypInOtherPosition();
+    one.other->likeness = one.position.norm() > 50.0 ? 1.0 : 0.0;
+  }
+  shapeton::IleocaecalValve valve;
+  valve.length = 22.0;
+  valve.confidence = 0.95;
+  shapeton::RankValveLast(valve, candidates);
+  shapeton::WeighByOtherPosition(1.0, candidates);
+  return candidates;
+}
+
+PolypCandidate
+HeadOf(double shapeIndex, double shapeScore, const Eigen::Vector3d & position)
+{
+  PolypCandidate head;
+  head.diameter = 22.0;
+  head.height = 7.0;
+  head.features.shapeIndex = shapeIndex;
+  head.shapeScore = shapeScore;
+  head.position = position;
+  return head;
+}
+
+} // namespace
+
+/** Whatever the confidence of the valve and the other position say: it is listed, last. */
+TEST(PolypCandidates, LargePolypThatIsTakenForTheValveStaysInTheList)
+{
+  const auto candidates =
+    RankedByValve({ HeadOf(0.95, 1.0, { 0.0, 0.0, 0.0 }), HeadOf(0.95, 0.9, { 100.0, 0.0, 0.0 }) });
+  EXPECT_EQ(candidates[1].remark, "the ileocaecal valve");
+  EXPECT_EQ(candidates[1].score, 1.0 - shapeton::defaultPolypSensitivity);
+  EXPECT_GT(candidates[0].score, candidates[1].score);
+}
+
+TEST(PolypCandidates, LipsOfTheValveAreWeighedByItsProbability)
+{
+  const auto candidates =
+    RankedByValve({ HeadOf(0.75, 1.0, { 0.0, 0.0, 0.0 }), HeadOf(0.75, 0.9, { 100.0, 0.0, 0.0 }) });
+  EXPECT_EQ(candidates[1].remark, "the ileocaecal valve");
+  EXPECT_NEAR(candidates[1].score, 0.05 * (1.0 - shapeton::defaultPolypSensitivity), 1e-12);
+  EXPECT_GT(candidates[0].score, 0.5);
+}
