@@ -4,6 +4,7 @@
 
 #include <Eigen/Eigenvalues>
 
+#include <algorithm>
 #include <cmath>
 
 namespace shapeton
@@ -276,7 +277,21 @@ FindPockets(const ColonGrid & grid, GasOfVolume & gas)
   }
 }
 
-/** Whether nothing but a thin shell parts the end of a column of gas from the air outside. */
+/** Whether the first or last row of a slice shows air outside: a quarter of it. Elsewhere it cuts the body. */
+bool
+ShowsAir(const ColonGrid & grid, const GasOfVolume & gas, int j, int k)
+{
+  const auto row = gas.set.Row(j, k);
+  int        outside = 0;
+  for (auto r = gas.set.firstOfRow[row]; r < gas.set.firstOfRow[row + 1]; ++r)
+  {
+    outside += gas.isOutsideRun[r] ? gas.set.runs[r].end - gas.set.runs[r].begin : 0;
+  }
+  return outside >= ShareOfWalls * grid.size[0];
+}
+
+/** Whether nothing but a thin shell parts the end of a column of gas from the air outside, or from the image's border
+ * where that lies in air. */
 bool
 IsThinlyCovered(const ColonGrid & grid, const GasOfVolume & gas, int i, int j, int k, int towards)
 {
@@ -285,7 +300,7 @@ IsThinlyCovered(const ColonGrid & grid, const GasOfVolume & gas, int i, int j, i
     const int row = j + towards * n;
     if (row < 0 || row >= grid.size[1])
     {
-      return true;
+      return ShowsAir(grid, gas, std::clamp(row, 0, grid.size[1] - 1), k);
     }
     const auto run = gas.set.Find(i, row, k);
     if (run >= 0)

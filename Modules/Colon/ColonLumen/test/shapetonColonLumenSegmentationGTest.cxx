@@ -373,6 +373,21 @@ TEST(ColonLumenSegmentation, AirThatOnlyThinShellsCoverIsOutside)
   EXPECT_EQ(Segment(image).pieces.size(), 2U);
 }
 
+/** In a small field of view the border in front cuts the body, while the one behind shows the room. */
+TEST(ColonLumenSegmentation, ABorderThatCutsTheBodyIsNoThinShell)
+{
+  ColonTestScene scene;
+  scene.lumens.push_back({ Tube(At(0, -25, 0), 2, 30, 15), 1e9, 0.0 });
+  const auto image = shapeton::CentredImage({ 46, 60, 50 }, { 2.0, 2.0, 2.0 }, Identity());
+  auto       origin = image->GetOrigin();
+  origin[1] += 15.0; // from 5 mm before the gas to 10 mm behind the body
+  image->SetOrigin(origin);
+  scene.Sample(image);
+  const auto lumen = Segment(image);
+  EXPECT_EQ(lumen.failure, "");
+  EXPECT_EQ(lumen.pieces.size(), 1U);
+}
+
 TEST(ColonLumenSegmentation, UntaggedFluidIsNoLumen)
 {
   ColonTestScene scene;
