@@ -22,7 +22,9 @@ constexpr double balloonWall = 1.0;  // mm
 constexpr double water = 8.0;        // HU
 constexpr double sleeve = 1.2;       // mm by which a balloon without content thickens the tube
 constexpr double leastBalloon = 3.0; // mm of gas or fluid around the tube
-constexpr double clearance = 0.5;    // mm between tube and wall of the rectum
+constexpr double clearance = 0.5;    // mm between tube or balloon and wall of the rectum
+constexpr double pastBalloon = 4.0;  // mm, at least, of the tube beyond it
+constexpr double holeRadius = 1.6;   // mm
 
 std::vector<itk::Point<double, 3>>
 ToPoints(const std::vector<Vector3d> & axis)
@@ -135,6 +137,42 @@ private:
   Eigen::VectorXd      m_ArcLength;
 };
 
+/** Even directions: along a spiral, turned by the golden angle from one to the next. */
+std::vector<Vector3d>
+EvenDirections(int number)
+{
+  std::vector<Vector3d> directions;
+  for (int n = 0; n < number; ++n)
+  {
+    const double z = 1.0 - (2.0 * n + 1.0) / number;
+    const double angle = M_PI * (3.0 - std::sqrt(5.0)) * n;
+    const double across = std::sqrt(1.0 - z * z);
+    directions.emplace_back(across * std::cos(angle), across * std::sin(angle), z);
+  }
+  return directions;
+}
+
+/** The radius of the largest ball around a place that the rectum holds, `largest` at most. */
+double
+RoomAround(const ColonAnatomy & anatomy, const Vector3d & centre, double largest)
+{
+  constexpr double step = 0.5;
+  constexpr double apart = 0.5 * ColonAnatomy::Reach; // of the shell that is looked at from the ball's surface
+  static const std::vector<Vector3d> directions = EvenDirections(400);
+  const double                       distance = anatomy.Evaluate(centre).distance;
+  double                             room = distance - clearance;
+  const auto                         isFree = [&](double radius) {
+    return std::all_of(directions.begin(), directions.end(), [&](const Vector3d & direction) {
+      return anatomy.Evaluate(centre + (radius - apart) * direction).distance >= apart + clearance;
+    });
+  };
+  while (distance == ColonAnatomy::Reach && room < largest && isFree(room + step))
+  {
+    room += step;
+  }
+  return std::min(room, largest);
+}
+
 PhantomSolid
 BallSolid(const Vector3d & center, double radius)
 {
@@ -149,7 +187,8 @@ public:
     : m_Anatomy(anatomy), m_Fluid(fluid), m_Catheter(catheter)
   {}
 
-  // Just inside the canal, as wide as wanted or as the rectum is; where that is too narrow it stays without content.
+  // Just inside the canal, as wide as wanted or as rectum and tip leave room for; where that is too narrow it stays
+  // without content.
   void
   AddBalloon(double wanted)
   {
@@ -157,7 +196,8 @@ public:
     double          best = 0.0;
     for (std::size_t i = 6; i + 3 < m_Catheter.axis.size(); ++i)
     {
-      const double radius = std::min(0.5 * wanted, m_Anatomy.Evaluate(m_Catheter.axis[i]).distance - clearance);
+      const double toTip = (m_Catheter.axis[i] - truth.tip).norm();
+      const double radius = RoomAround(m_Anatomy, m_Catheter.axis[i], std::min(0.5 * wanted, toTip - pastBalloon));
       if (radius > best)
       {
         best = radius;
@@ -170,6 +210,7 @@ public:
       return;
     }
     truth.balloonDiameter = 2.0 * best;
+    m_BalloonReach = best;
     this->Add(ColonStructure::Balloon, BallSolid(truth.balloonCenter, best), rubber);
     this->Add(ColonStructure::Balloon,
               BallSolid(truth.balloonCenter, best - balloonWall),
@@ -179,8 +220,10 @@ public:
   void
   AddTube()
   {
-    const ColonCatheter & truth = m_Catheter.truth;
-    const double          outer = 0.5 * truth.bore + truth.wall;
+    ColonCatheter &                truth = m_Catheter.truth;
+    const double                   outer = 0.5 * truth.bore + truth.wall;
+    const std::vector<std::size_t> holes = this->PlacesOfHoles();
+    truth.sideHoles = static_cast<int>(holes.size());
     this->Add(ColonStructure::Catheter, TubeSolid(ToPoints(m_Catheter.axis), outer), truth.intensity);
     std::vector<Vector3d> bore = m_Catheter.axis;
     if (truth.kind != "central" && truth.sideHoles == 0)
@@ -188,13 +231,31 @@ public:
       bore.push_back(bore.back() + (outer + 1.0) * (bore.back() - bore[bore.size() - 2]).normalized());
     }
     this->Add(ColonStructure::None, TubeSolid(ToPoints(bore), 0.5 * truth.bore), gasIntensity);
-    for (int hole = 0; hole < truth.sideHoles; ++hole)
+    for (const std::size_t place : holes)
     {
-      this->AddHole(hole, outer);
+      this->AddHole(place, outer);
     }
   }
 
 private:
+  // Every 6 mm from the tip, as far as the balloon, which a hole would empty.
+  std::vector<std::size_t>
+  PlacesOfHoles() const
+  {
+    const ColonCatheter &    truth = m_Catheter.truth;
+    const auto &             axis = m_Catheter.axis;
+    std::vector<std::size_t> places;
+    for (int hole = 0; hole < truth.sideHoles; ++hole)
+    {
+      const std::size_t place = axis.size() - 2 - hole;
+      if (truth.balloon == "none" || (axis[place] - truth.balloonCenter).norm() > m_BalloonReach + holeRadius)
+      {
+        places.push_back(place);
+      }
+    }
+    return places;
+  }
+
   void
   AddSleeve()
   {
@@ -205,6 +266,7 @@ private:
     truth.balloon = "deflated";
     truth.balloonCenter = 0.5 * (part.front() + part.back());
     truth.balloonDiameter = 2.0 * radius;
+    m_BalloonReach = 0.5 * (part.back() - part.front()).norm() + radius;
     this->Add(ColonStructure::Balloon, TubeSolid(ToPoints(part), radius), rubber);
   }
 
@@ -214,25 +276,27 @@ private:
     m_Catheter.parts.push_back({ label, solid, MakeSolidBody(solid, intensity), false });
   }
 
-  // They alternate between four sides, every 6 mm from the tip; each holds what lies outside of it.
+  // They alternate between four sides; each holds what lies outside of it.
   void
-  AddHole(int hole, double outer)
+  AddHole(std::size_t place, double outer)
   {
     const auto &   axis = m_Catheter.axis;
-    const Vector3d at = axis[axis.size() - 2 - hole];
-    const Vector3d along = (axis[axis.size() - 1 - hole] - at).normalized();
+    const auto     hole = static_cast<double>(axis.size() - 2 - place);
+    const Vector3d at = axis[place];
+    const Vector3d along = (axis[place + 1] - at).normalized();
     const Vector3d side = Eigen::AngleAxisd(0.5 * M_PI * hole, along) * along.unitOrthogonal();
     const Vector3d end = at + (outer + 0.5) * side;
     const auto     sample = m_Anatomy.Evaluate(end);
     const bool     isWet = m_Fluid.DepthBelowLevel(end, sample.arcLength) > 0.0;
     this->Add(ColonStructure::None,
-              CapsuleSolid(MakePoint(at[0], at[1], at[2]), MakePoint(end[0], end[1], end[2]), 1.6),
+              CapsuleSolid(MakePoint(at[0], at[1], at[2]), MakePoint(end[0], end[1], end[2]), holeRadius),
               isWet ? m_Fluid.Intensity(end, sample.arcLength) : gasIntensity);
   }
 
   const ColonAnatomy & m_Anatomy;
   const ColonFluid &   m_Fluid;
   CatheterTube &       m_Catheter;
+  double               m_BalloonReach{ 0.0 }; ///< mm along the tube from the balloon's middle
 };
 } // namespace
 

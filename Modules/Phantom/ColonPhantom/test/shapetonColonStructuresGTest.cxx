@@ -236,9 +236,16 @@ TEST(ColonStructures, BalloonFillsWhatTheRectumLeaves)
     const Exam exam(parameters);
     const auto catheter = *exam.structures.GetCatheter();
     ASSERT_EQ(catheter.balloon, content);
-    EXPECT_GT(catheter.balloonDiameter, 15.0);
+    EXPECT_GT(catheter.balloonDiameter, 25.0);
     EXPECT_LE(catheter.balloonDiameter, 30.0);
-    const double   radius = 0.5 * catheter.balloonDiameter;
+    const double radius = 0.5 * catheter.balloonDiameter;
+    EXPECT_GT((catheter.tip - catheter.balloonCenter).norm(), radius);
+    for (int n = 0; n < 100; ++n) // along a spiral over the ball
+    {
+      const double   z = (n - 49.5) / 50.0, across = std::sqrt(1.0 - z * z);
+      const Vector3d direction(across * std::cos(2.4 * n), across * std::sin(2.4 * n), z);
+      EXPECT_GT(exam.anatomy.Evaluate(catheter.balloonCenter + radius * direction).distance, -0.5) << n;
+    }
     const Vector3d side = Vector3d::UnitX();
     EXPECT_EQ(exam.structures.At(catheter.balloonCenter + (radius - 0.5) * side), ColonStructure::Balloon);
     EXPECT_EQ(exam.structures.At(catheter.balloonCenter + (radius + 0.5) * side), ColonStructure::None);
