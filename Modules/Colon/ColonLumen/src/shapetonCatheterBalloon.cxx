@@ -1,61 +1,181 @@
 #include "shapetonCatheterBalloon.h"
 
+#include <Eigen/Cholesky>
+
 #include <algorithm>
+#include <cmath>
 
 namespace shapeton
 {
 namespace
 {
-constexpr double LeastBalloon = 10.0;     // mm of sections
-constexpr double MembraneShare = 1.0 / 3; // of the rays
-constexpr double BalloonOvality = 0.25;
-constexpr double SmallestBalloon = 6.0; // mm, radius
-constexpr double LargestBalloon = 30.0;
+constexpr std::size_t LeastSections = 8; // 1 mm each
+constexpr double      ShareOfRays = 1.0 / 3;
+constexpr double      LeastRoom = 2.5;       // mm between tube and ball
+constexpr double      LargestBalloon = 30.0; // mm, radius
+constexpr double      FarFromBall = 1.5;     // mm
+constexpr double      ShareOnBall = 0.75;
+constexpr double      LeastResidual = 0.6; // mm that is always allowed
+constexpr double      ShareOfRadius = 1.0 / 12;
+constexpr double      ShareOffAxis = 1.0 / 3; // of the radius
 
-/** The median distance of a second layer round a section that shows a balloon there, mm; else 0. */
+using Exits = std::vector<BalloonExit>;
+
+/** Where a membrane is seen, HU: blur may leave a quarter of it. */
 double
-BalloonRadius(const TubeSection & section, const CatheterRegion & region)
+MembraneBoundary(const ColonThresholds & thresholds)
 {
-  TubeSection         second = section;
-  std::vector<double> radii;
-  int                 thin = 0;
-  for (int n = 0; n < TubeSection::NumberOfRays; ++n)
+  return thresholds.gas + 0.25 * (thresholds.tissue - thresholds.gas);
+}
+
+/** Where the ray leaves what is around the tube at this place. */
+std::optional<BalloonExit>
+ExitOf(const CatheterTube & tube, const TubeSection & section, int number, const CatheterRegion & region)
+{
+  const TubeRay & wall = section.rays[number];
+  if (wall.inner == 0.0)
   {
-    const TubeRay & wall = section.rays[n];
-    TubeRay &       ray = second.rays[n];
-    ray = wall.IsEnclosed()
-            ? FirstLayer(region, section.centre, section.DirectionOf(n), wall.outer + 1.0, LargestBalloon)
-            : TubeRay{};
-    if (ray.inner > 0.0)
+    return std::nullopt;
+  }
+  OutwardRay ray = section.RayAlong(number, region.thresholds.gasBoundary);
+  TubeRay    layer;
+  bool       isBalloon = false;
+  if (wall.behind == BehindLayer::Gas)
+  {
+    ray.boundary = MembraneBoundary(region.thresholds);
+    layer = FirstLayer(region, ray, wall.outer + 1.0, LargestBalloon);
+    isBalloon = layer.outer - layer.inner <= ThickestMembrane;
+  }
+  else
+  {
+    layer = CrossLayer(region, ray, wall.inner, LargestBalloon);
+    isBalloon = layer.outer >= tube.outerRadius + 0.5 * LeastRoom;
+  }
+  const BalloonExit exit{ section.centre + layer.outer * ray.direction, layer.behind };
+  return isBalloon && layer.IsLeft() ? std::optional(exit) : std::nullopt;
+}
+
+Exits
+ExitsOf(const CatheterTube & tube, const TubeSection & section, const CatheterRegion & region)
+{
+  Exits exits;
+  for (int ray = 0; ray < TubeSection::NumberOfRays; ++ray)
+  {
+    if (const auto exit = ExitOf(tube, section, ray, region))
     {
-      radii.push_back(ray.inner);
-      thin += ray.behind == BehindLayer::Gas && ray.outer - ray.inner <= ThickestMembrane;
+      exits.push_back(*exit);
     }
   }
-  const double radius = MedianOf(radii);
-  const bool   isBalloon =
-    thin >= MembraneShare * TubeSection::NumberOfRays && radius >= SmallestBalloon && second.Ovality() < BalloonOvality;
-  return isBalloon ? radius : 0.0;
+  return exits;
+}
+
+/** The ball of least squares: |x|^2 = 2 c x + r^2 - c^2 is linear in c and r^2 - c^2. */
+CatheterBalloon
+FittedBall(const Exits & exits)
+{
+  Eigen::Vector3d mean = Eigen::Vector3d::Zero();
+  for (const BalloonExit & exit : exits)
+  {
+    mean += exit.position / static_cast<double>(exits.size());
+  }
+  Eigen::Matrix4d squares = Eigen::Matrix4d::Zero();
+  Eigen::Vector4d right = Eigen::Vector4d::Zero();
+  for (const BalloonExit & exit : exits)
+  {
+    const Eigen::Vector3d x = exit.position - mean;
+    const Eigen::Vector4d row(2.0 * x[0], 2.0 * x[1], 2.0 * x[2], 1.0);
+    squares += row * row.transpose();
+    right += x.squaredNorm() * row;
+  }
+  const Eigen::Vector4d solution = squares.ldlt().solve(right);
+  const Eigen::Vector3d centre = solution.head<3>();
+  return { mean + centre, std::sqrt(std::max(0.0, solution[3] + centre.squaredNorm())), exits };
+}
+
+double
+OffBall(const CatheterBalloon & ball, const BalloonExit & exit)
+{
+  return (exit.position - ball.centre).norm() - ball.radius;
+}
+
+double
+RootMeanSquare(const CatheterBalloon & ball)
+{
+  double sum = 0.0;
+  for (const BalloonExit & exit : ball.exits)
+  {
+    sum += OffBall(ball, exit) * OffBall(ball, exit);
+  }
+  return std::sqrt(sum / static_cast<double>(ball.exits.size()));
+}
+
+/** The ball that most of the places lie on: what is far from it is left out, farthest first. */
+CatheterBalloon
+BallThroughMost(Exits exits)
+{
+  constexpr int   turns = 12;
+  CatheterBalloon ball = FittedBall(exits);
+  for (int turn = 0; turn < turns && exits.size() > 8; ++turn)
+  {
+    const double limit = std::max(FarFromBall, 2.0 * RootMeanSquare(ball));
+    const auto   far = std::partition(
+      exits.begin(), exits.end(), [&](const BalloonExit & exit) { return std::abs(OffBall(ball, exit)) <= limit; });
+    if (far == exits.end())
+    {
+      break;
+    }
+    exits.erase(far, exits.end());
+    ball = FittedBall(exits);
+  }
+  return ball;
+}
+
+bool
+IsAroundTube(const CatheterBalloon & ball, const CatheterTube & tube)
+{
+  const auto distance = [&](const TubeSection & section) { return (section.centre - ball.centre).norm(); };
+  double     nearest = ball.radius;
+  for (const TubeSection & section : tube.sections)
+  {
+    nearest = std::min(nearest, distance(section));
+  }
+  return ball.radius >= tube.outerRadius + LeastRoom && ball.radius <= LargestBalloon &&
+         nearest <= ShareOffAxis * ball.radius;
+}
+
+/** What the sections from the first to before the last show, if it is a balloon. */
+std::optional<CatheterBalloon>
+BalloonOf(const CatheterTube & tube, const std::vector<Exits> & ofSection, std::size_t first, std::size_t last)
+{
+  Exits exits;
+  for (std::size_t n = first; n < last; ++n)
+  {
+    exits.insert(exits.end(), ofSection[n].begin(), ofSection[n].end());
+  }
+  const CatheterBalloon ball = BallThroughMost(exits);
+  const double          share = static_cast<double>(ball.exits.size()) / static_cast<double>(exits.size());
+  const bool            isBall =
+    share >= ShareOnBall && RootMeanSquare(ball) <= std::max(LeastResidual, ShareOfRadius * ball.radius);
+  return isBall && IsAroundTube(ball, tube) ? std::optional(ball) : std::nullopt;
 }
 } // namespace
 
 std::optional<CatheterBalloon>
 FindBalloon(const CatheterTube & tube, const CatheterRegion & region)
 {
-  CatheterBalloon balloon;
-  double          sections = 0.0; // 1 mm each
-  balloon.centre.setZero();
-  for (const auto & section : tube.sections)
+  std::vector<Exits> exits(tube.sections.size());
+  ParallelFor(exits.size(), [&](std::size_t n) { exits[n] = ExitsOf(tube, tube.sections[n], region); });
+  std::optional<CatheterBalloon> best;
+  for (std::size_t first = 0, n = 0; n <= exits.size(); ++n)
   {
-    const double radius = BalloonRadius(section, region);
-    if (radius > 0.0)
+    if (n < exits.size() && static_cast<double>(exits[n].size()) >= ShareOfRays * TubeSection::NumberOfRays)
     {
-      balloon.centre += section.centre;
-      balloon.radius = std::max(balloon.radius, radius);
-      sections += 1.0;
+      continue;
     }
+    const auto ball = n - first >= LeastSections ? BalloonOf(tube, exits, first, n) : std::nullopt;
+    best = ball && (!best || ball->exits.size() > best->exits.size()) ? ball : best;
+    first = n + 1;
   }
-  balloon.centre /= std::max(1.0, sections);
-  return sections >= LeastBalloon ? std::optional<CatheterBalloon>(balloon) : std::nullopt;
+  return best;
 }
 } // namespace shapeton

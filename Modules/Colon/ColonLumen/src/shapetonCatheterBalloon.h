@@ -5,19 +5,30 @@
 
 namespace shapeton
 {
-constexpr double ThickestMembrane = 2.5; // mm
+constexpr double ThickestMembrane = 3.0; // mm, blurred
 
-/** A ball around a balloon. */
-struct CatheterBalloon
+/** A place where a ray from the tube leaves the balloon around it. */
+struct BalloonExit
 {
-  Eigen::Vector3d centre;
-  double          radius{ 0.0 }; ///< mm
+  Eigen::Vector3d position;
+  BehindLayer     into; ///< Gas or Fluid
 };
 
-/** The balloon around a tube. It shows in 10 mm of sections at least: there the rays that leave the tube's wall reach a
- * second layer 6 to 30 mm from the axis, at an even distance (ovality below .25), and a third of them find it thin,
- * with gas behind; the others reach the rectum's wall. That wall alone is nowhere thin, and a fold does not go round.
- */
+/** The ball that fits a balloon. */
+struct CatheterBalloon
+{
+  Eigen::Vector3d          centre;
+  double                   radius{ 0.0 }; ///< mm, with its membrane
+  std::vector<BalloonExit> exits;         ///< of the rays that see it
+};
+
+/** The balloon around a tube, filled with gas or with fluid.
+ *
+ * A ray that leaves the tube's wall into gas and then crosses a thin membrane into lumen leaves a balloon with gas
+ * there; one that crosses more than a tube's wall leaves one with fluid. A third of the rays do so in 8 mm of sections
+ * next to each other, and three quarters of these places lie within 1.5 mm of a ball around the tube, 2.5 mm wider than
+ * that at least, with a root mean square of .6 mm (or a twelfth of the radius). The wall of the rectum alone is nowhere
+ * thin, and a fold does not lie on a ball. */
 std::optional<CatheterBalloon>
 FindBalloon(const CatheterTube & tube, const CatheterRegion & region);
 } // namespace shapeton

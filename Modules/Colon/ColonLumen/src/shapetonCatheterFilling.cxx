@@ -12,7 +12,7 @@ namespace
 constexpr double TipReach = 20.0;         // mm around the inner end
 constexpr double TipClosing = 2.3;        // mm, half of the thickest wall
 constexpr double MembraneClosing = 1.5;   // mm
-constexpr double LargestPocketMl = 120.0; // a ball of LargestBalloon
+constexpr double LargestPocketMl = 120.0; // a ball of 30 mm radius
 
 VoxelBox
 BoxAround(const ColonGrid & grid, const Eigen::Vector3d & centre, double reach)
@@ -27,29 +27,37 @@ BoxAround(const ColonGrid & grid, const Eigen::Vector3d & centre, double reach)
   return grid.Widened(box, reach + grid.spacing.maxCoeff());
 }
 
-/** Calls `body(index, ray, distance from the axis)` for the voxels of the slice of a tube that a section stands for. */
+/** Calls `body(index, position)` for the voxels of a box. */
 template <typename TBody>
 void
-ForEachAcross(const ColonGrid & grid, const TubeSection & section, double reach, const TBody & body)
+ForEachVoxelOf(const VoxelBox & box, const ColonGrid & grid, const TBody & body)
 {
-  const VoxelBox box = BoxAround(grid, section.centre, reach);
-  const double   half = std::max(0.75, 0.5 * grid.spacing.maxCoeff()); // mm: sections overlap
   for (int k = box.low[2]; k < box.high[2]; ++k)
   {
     for (int j = box.low[1]; j < box.high[1]; ++j)
     {
       for (int i = box.low[0]; i < box.high[0]; ++i)
       {
-        const Eigen::Vector3d x = grid.Position(Eigen::Vector3d(i, j, k));
-        double                distance = 0.0;
-        const int             ray = section.RayTo(x, distance);
-        if (std::abs((x - section.centre).dot(section.along)) <= half && distance <= reach)
-        {
-          body(grid.Index(i, j, k), section.rays[ray], distance);
-        }
+        body(grid.Index(i, j, k), grid.Position(Eigen::Vector3d(i, j, k)));
       }
     }
   }
+}
+
+/** Calls `body(index, ray, distance from the axis)` for the voxels of the slice of a tube that a section stands for. */
+template <typename TBody>
+void
+ForEachAcross(const ColonGrid & grid, const TubeSection & section, double reach, const TBody & body)
+{
+  const double half = std::max(0.75, 0.5 * grid.spacing.maxCoeff()); // mm: sections overlap
+  ForEachVoxelOf(BoxAround(grid, section.centre, reach), grid, [&](std::size_t p, const Eigen::Vector3d & x) {
+    double    distance = 0.0;
+    const int ray = section.RayTo(x, distance);
+    if (std::abs((x - section.centre).dot(section.along)) <= half && distance <= reach)
+    {
+      body(p, section.rays[ray], distance);
+    }
+  });
 }
 
 /** What fills a tube: bore and wall, as fluid where the wall lies before fluid, else as gas; where the wall's end is
@@ -85,6 +93,18 @@ AddedByClosing(const ColonGrid & grid, const ClassVolume & classes, double radiu
     return !IsColonLumen(c) && d > square;
   });
   return mask;
+}
+
+/** The class of the lumen where the ray through a place leaves a balloon. */
+unsigned char
+ClassBeyond(const CatheterBalloon & balloon, const Eigen::Vector3d & place)
+{
+  const Eigen::Vector3d direction = place - balloon.centre;
+  const auto            nearest =
+    std::max_element(balloon.exits.begin(), balloon.exits.end(), [&](const BalloonExit & s, const BalloonExit & t) {
+      return direction.dot(s.position - balloon.centre) < direction.dot(t.position - balloon.centre);
+    });
+  return nearest->into == BehindLayer::Fluid ? ColonFluid : ColonGas;
 }
 
 /** Gives gas that is not the colon's and does not reach the region's border the class PocketGas. */
@@ -128,6 +148,21 @@ public:
       }
     }
     this->FillPockets();
+  }
+
+  /** What a balloon holds, and its membrane. */
+  void
+  FillBalloon(const CatheterBalloon & balloon)
+  {
+    const ColonGrid & grid = m_Region.grid;
+    ForEachVoxelOf(
+      BoxAround(grid, balloon.centre, balloon.radius), grid, [&](std::size_t p, const Eigen::Vector3d & x) {
+        if ((x - balloon.centre).norm() <= balloon.radius && !IsColonLumen(m_Region.classes[p]))
+        {
+          const bool isGas = m_Region.hu[p] < m_Region.thresholds.gasBoundary;
+          m_Region.classes[p] = m_Filled[p] = isGas ? ColonGas : ClassBeyond(balloon, x);
+        }
+      });
   }
 
   /** What closing the lumen adds within `reach` of a place and hangs on what is filled. Gives its voxels. */
@@ -266,7 +301,8 @@ FillIn(const CatheterTube & tube, CatheterRegion & region, RectalCatheter & cath
   {
     catheter.balloonDiameter = 2.0 * balloon->radius;
     catheter.balloonCentre = itk::Point<double, 3>(balloon->centre.data());
-    filling.FillHanging(balloon->centre, balloon->radius + ThickestMembrane + 1.0, MembraneClosing);
+    filling.FillBalloon(*balloon);
+    filling.FillHanging(balloon->centre, balloon->radius + 1.0, MembraneClosing);
   }
   ExtendToTip(region.grid, filling.FillHanging(tube.sections.back().centre, TipReach, TipClosing), catheter);
   catheter.filledMl = LumenMl(region) - before;

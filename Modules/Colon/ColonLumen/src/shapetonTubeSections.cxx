@@ -1,5 +1,6 @@
 #include "shapetonTubeSections.h"
 
+#include "shapetonGaussianWeights.h"
 #include "shapetonPi.h"
 
 #include <Eigen/Geometry>
@@ -7,12 +8,17 @@
 #include <algorithm>
 #include <cmath>
 #include <complex>
+#include <optional>
 
 namespace shapeton
 {
 namespace
 {
-constexpr double RayStep = 0.2; // mm
+constexpr double RayStep = 0.2;                          // mm
+constexpr int    CentringTurns = 2;                      // the second across the direction that the first one gives
+constexpr double CentringSmooth = 2.0;                   // sections, standard deviation
+constexpr double LeastClosed = 0.9;                      // of the rays, of a section whose middle is known
+constexpr double LargestReach = LargestBoreRadius + 1.0; // mm, of the rays within a bore
 
 /** Where between two samples the value passes the boundary of gas. */
 double
@@ -23,20 +29,15 @@ Passed(double before, double after, double boundary)
 
 /** The end of the gas at `start`; 0 where it does not end within `reach`, or there is none. */
 double
-EndOfGas(const CatheterRegion &  region,
-         const Eigen::Vector3d & from,
-         const Eigen::Vector3d & direction,
-         double                  start,
-         double                  reach)
+EndOfGas(const CatheterRegion & region, const OutwardRay & ray, double start, double reach)
 {
-  const double boundary = region.thresholds.gasBoundary;
-  double       before = region.ValueAt(from + start * direction);
-  for (double r = start + RayStep; before < boundary && r <= reach; r += RayStep)
+  double before = region.ValueAt(ray.from + start * ray.direction);
+  for (double r = start + RayStep; before < ray.boundary && r <= reach; r += RayStep)
   {
-    const double value = region.ValueAt(from + r * direction);
-    if (value >= boundary)
+    const double value = region.ValueAt(ray.from + r * ray.direction);
+    if (value >= ray.boundary)
     {
-      return r - RayStep + RayStep * Passed(before, value, boundary);
+      return r - RayStep + RayStep * Passed(before, value, ray.boundary);
     }
     before = value;
   }
@@ -60,62 +61,101 @@ KindOfGas(const CatheterRegion & region, const Eigen::Vector3d & entry, const Ei
   }
 }
 
-/** Follows a layer from its inner end. */
-void
-CrossLayer(const CatheterRegion &  region,
-           const Eigen::Vector3d & from,
-           const Eigen::Vector3d & direction,
-           TubeRay &               ray)
+/** Those whose rays see nothing yet. */
+std::vector<TubeSection>
+SectionsAcross(const BoreAxis & axis)
 {
-  const double boundary = region.thresholds.gasBoundary;
-  double       before = boundary;
-  ray.wallHU = boundary;
-  for (double r = ray.inner + RayStep; r <= ray.inner + ThickestTubeWall; r += RayStep)
+  std::vector<TubeSection> sections(axis.size());
+  for (std::size_t n = 0; n < axis.size(); ++n)
   {
-    const Eigen::Vector3d place = from + r * direction;
-    const double          value = region.ValueAt(place);
-    const bool            isGas = value < boundary;
-    if (isGas || region.ClassAt(place) == ColonFluid)
-    {
-      ray.behind = isGas ? KindOfGas(region, place, direction) : BehindLayer::Fluid;
-      ray.outer = r - RayStep * (isGas ? 1.0 - Passed(before, value, boundary) : 1.0);
-      return;
-    }
-    ray.wallHU = std::max(ray.wallHU, value);
-    before = value;
+    const auto    before = n > 0 ? n - 1 : 0;
+    const auto    after = std::min(n + 1, axis.size() - 1);
+    TubeSection & section = sections[n];
+    section.centre = axis[n];
+    section.along = (axis[after] - axis[before]).normalized();
+    section.across[0] = section.along.unitOrthogonal();
+    section.across[1] = section.along.cross(section.across[0]);
   }
+  return sections;
 }
 
-TubeSection
-MeasureSection(const CatheterRegion & region, const Eigen::Vector3d & centre, const Eigen::Vector3d & along)
+/** From a place in a bore to its middle: the first harmonic of the radius over the angle, which is just that for a
+ * circle. None where the bore is open. */
+std::optional<Eigen::Vector3d>
+ToMiddle(const CatheterRegion & region, const TubeSection & section)
 {
-  TubeSection section;
-  section.centre = centre;
-  section.along = along;
-  section.across[0] = along.unitOrthogonal();
-  section.across[1] = along.cross(section.across[0]);
+  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+  int             closed = 0;
   for (int n = 0; n < TubeSection::NumberOfRays; ++n)
   {
-    section.rays[n] = FirstLayer(region, centre, section.DirectionOf(n), 0.0, LargestBoreRadius + 1.0);
+    const OutwardRay ray = section.RayAlong(n, region.thresholds.gasBoundary);
+    const double     radius = EndOfGas(region, ray, 0.0, LargestReach);
+    sum += radius * ray.direction;
+    closed += radius > 0.0;
   }
-  return section;
+  if (closed < LeastClosed * TubeSection::NumberOfRays)
+  {
+    return std::nullopt;
+  }
+  return Eigen::Vector3d(2.0 / closed * sum);
+}
+
+/** Moves an axis into the middle of its bore, by the mean of near sections where one is open. */
+void
+MoveToMiddle(const CatheterRegion & region, BoreAxis & axis)
+{
+  const std::vector<TubeSection>              sections = SectionsAcross(axis);
+  std::vector<std::optional<Eigen::Vector3d>> shifts(axis.size());
+  ParallelFor(axis.size(), [&](std::size_t n) { shifts[n] = ToMiddle(region, sections[n]); });
+  const std::vector<double> weights = GaussianWeights(CentringSmooth, 3.0);
+  const auto                reach = static_cast<std::ptrdiff_t>(weights.size() / 2);
+  const auto                number = static_cast<std::ptrdiff_t>(axis.size());
+  for (std::ptrdiff_t n = 0; n < number; ++n)
+  {
+    Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+    double          weight = 0.0;
+    for (std::ptrdiff_t m = std::max<std::ptrdiff_t>(0, n - reach); m < std::min(number, n + reach + 1); ++m)
+    {
+      if (shifts[m])
+      {
+        sum += weights[m - n + reach] * *shifts[m];
+        weight += weights[m - n + reach];
+      }
+    }
+    axis[n] += weight > 0.0 ? Eigen::Vector3d(sum / weight) : Eigen::Vector3d::Zero();
+  }
 }
 } // namespace
 
 TubeRay
-FirstLayer(const CatheterRegion &  region,
-           const Eigen::Vector3d & from,
-           const Eigen::Vector3d & direction,
-           double                  start,
-           double                  reach)
+FirstLayer(const CatheterRegion & region, const OutwardRay & ray, double start, double reach)
 {
-  TubeRay ray;
-  ray.inner = EndOfGas(region, from, direction, start, reach);
-  if (ray.inner > 0.0)
+  const double inner = EndOfGas(region, ray, start, reach);
+  return inner > 0.0 ? CrossLayer(region, ray, inner, inner + ThickestTubeWall) : TubeRay{};
+}
+
+TubeRay
+CrossLayer(const CatheterRegion & region, const OutwardRay & ray, double inner, double reach)
+{
+  double  before = ray.boundary;
+  TubeRay layer;
+  layer.inner = inner;
+  layer.wallHU = ray.boundary;
+  for (double r = inner + RayStep; r <= reach; r += RayStep)
   {
-    CrossLayer(region, from, direction, ray);
+    const Eigen::Vector3d place = ray.from + r * ray.direction;
+    const double          value = region.ValueAt(place);
+    const bool            isGas = value < ray.boundary;
+    if (isGas || region.ClassAt(place) == ColonFluid)
+    {
+      layer.behind = isGas ? KindOfGas(region, place, ray.direction) : BehindLayer::Fluid;
+      layer.outer = r - RayStep * (isGas ? 1.0 - Passed(before, value, ray.boundary) : 0.5);
+      return layer;
+    }
+    layer.wallHU = std::max(layer.wallHU, value);
+    before = value;
   }
-  return ray;
+  return layer;
 }
 
 double
@@ -170,6 +210,12 @@ CatheterRegion::ClassAt(const Eigen::Vector3d & position) const
 }
 
 bool
+TubeRay::IsLeft() const
+{
+  return behind == BehindLayer::Gas || behind == BehindLayer::Fluid;
+}
+
+bool
 TubeRay::IsEnclosed() const
 {
   return (behind == BehindLayer::Gas && outer - inner >= ThinnestTubeWall) ||
@@ -181,6 +227,12 @@ TubeSection::DirectionOf(int ray) const
 {
   const double angle = TwoPi * ray / NumberOfRays;
   return std::cos(angle) * across[0] + std::sin(angle) * across[1];
+}
+
+OutwardRay
+TubeSection::RayAlong(int ray, double boundary) const
+{
+  return { centre, this->DirectionOf(ray), boundary };
 }
 
 int
@@ -254,13 +306,19 @@ TubeSection::Ovality() const
 }
 
 std::vector<TubeSection>
-MeasureSections(const CatheterRegion & region, const BoreAxis & axis)
+MeasureSections(const CatheterRegion & region, BoreAxis axis)
 {
-  std::vector<TubeSection> sections(axis.size());
+  for (int turn = 0; turn < CentringTurns; ++turn)
+  {
+    MoveToMiddle(region, axis);
+  }
+  std::vector<TubeSection> sections = SectionsAcross(axis);
   ParallelFor(axis.size(), [&](std::size_t n) {
-    const auto before = n > 0 ? n - 1 : 0;
-    const auto after = std::min(n + 1, axis.size() - 1);
-    sections[n] = MeasureSection(region, axis[n], (axis[after] - axis[before]).normalized());
+    TubeSection & section = sections[n];
+    for (int ray = 0; ray < TubeSection::NumberOfRays; ++ray)
+    {
+      section.rays[ray] = FirstLayer(region, section.RayAlong(ray, region.thresholds.gasBoundary), 0.0, LargestReach);
+    }
   });
   return sections;
 }

@@ -49,9 +49,20 @@ struct TubeRay
   double      wallHU{ 0.0 }; ///< the greatest in the layer
   BehindLayer behind{ BehindLayer::Tissue };
 
+  /** The layer ends at lumen. */
+  bool
+  IsLeft() const;
   /** Gas, a wall, lumen. */
   bool
   IsEnclosed() const;
+};
+
+/** A way from the middle of a bore outwards. */
+struct OutwardRay
+{
+  Eigen::Vector3d from;
+  Eigen::Vector3d direction; ///< unit vector
+  double          boundary;  ///< HU from which on there is no gas
 };
 
 /** A cut across a bore. */
@@ -66,6 +77,8 @@ struct TubeSection
 
   Eigen::Vector3d
   DirectionOf(int ray) const;
+  OutwardRay
+  RayAlong(int ray, double boundary) const;
   /** The ray next to a place; `distance`: of the place from the axis. */
   int
   RayTo(const Eigen::Vector3d & position, double & distance) const;
@@ -87,15 +100,15 @@ struct TubeSection
 
 /** The first layer behind the gas at `start` on a ray that reaches to `reach`, mm. */
 TubeRay
-FirstLayer(const CatheterRegion &  region,
-           const Eigen::Vector3d & from,
-           const Eigen::Vector3d & direction,
-           double                  start,
-           double                  reach);
+FirstLayer(const CatheterRegion & region, const OutwardRay & ray, double start, double reach);
 
-/** One section for each point of an axis. */
+/** The layer that a ray enters at `inner`, mm; one that goes on beyond `reach` has no end. */
+TubeRay
+CrossLayer(const CatheterRegion & region, const OutwardRay & ray, double inner, double reach);
+
+/** One section for each point of an axis, moved into the middle of the bore. */
 std::vector<TubeSection>
-MeasureSections(const CatheterRegion & region, const BoreAxis & axis);
+MeasureSections(const CatheterRegion & region, BoreAxis axis);
 
 /** The value in the middle, for an odd number of values; 0 for none. */
 double

@@ -149,17 +149,70 @@ TEST(RectalCatheter, ATubeInFluidIsFoundAndFilledIn)
 
 TEST(RectalCatheter, ASoftBentTubeIsFoundAndFilledIn) { ExpectTube(Segment(RectumScene(24.0, 0.0, 30.0, 10.0)), 24.0); }
 
-TEST(RectalCatheter, ABalloonIsFilledIn)
+/** A balloon of 22 mm with a membrane of 1.6 mm. */
+ColonTestScene
+BalloonScene(double content, double membraneHU)
 {
   constexpr double radius = 11.0, membrane = 1.6;
   auto             scene = RectumScene(24.0);
   const auto       ball = [](double r) { return [r](const Vec & x) { return r - (x - At(0, 0, 6)).GetNorm(); }; };
+  const double     level = content < 0.0 ? 1e9 : -1e9;
   scene.lumens.insert(scene.lumens.begin() + 2,
-                      { { ball(radius), 1e9, 0.0 }, { ball(radius + membrane), -1e9, 60.0 } });
+                      { { ball(radius), level, content }, { ball(radius + membrane), -1e9, membraneHU } });
+  return scene;
+}
+
+void
+ExpectBalloon(const ColonTestScene & scene)
+{
   const auto lumen = Segment(scene);
   ExpectTube(lumen, 24.0);
-  EXPECT_NEAR(lumen.catheter->balloonDiameter, 2.0 * radius, 2.0);
-  EXPECT_NEAR(lumen.catheter->balloonCentre[2], 6.0, 3.0);
+  EXPECT_NEAR(lumen.catheter->balloonDiameter, 25.2, 1.0);
+  EXPECT_LT((lumen.catheter->balloonCentre.GetVectorFromOrigin() - At(0, 0, 6)).GetNorm(), 0.5);
+}
+
+TEST(RectalCatheter, ABalloonOfGasIsFilledIn) { ExpectBalloon(BalloonScene(-1000.0, 60.0)); }
+
+TEST(RectalCatheter, ABalloonOfWaterIsFilledIn) { ExpectBalloon(BalloonScene(8.0, 60.0)); }
+
+TEST(RectalCatheter, ABalloonOfGasInFluidIsFilledIn)
+{
+  auto scene = BalloonScene(-1000.0, 60.0);
+  scene.lumens[4].level = 6.0; // the rectum
+  scene.lumens[4].fluid = 700.0;
+  ExpectBalloon(scene);
+}
+
+/** Blur leaves less than half of it, so that the gas on both sides is one. */
+TEST(RectalCatheter, ABalloonWithAThinMembraneIsSeen) { ExpectBalloon(BalloonScene(-1000.0, -550.0)); }
+
+/** A balloon without content lies on the tube as a sleeve, which is no ball. */
+TEST(RectalCatheter, ASleeveIsNoBalloon)
+{
+  auto       scene = RectumScene(24.0);
+  const auto sleeve = Tube(At(0, 0, 6), 2, 3.0, 6.5);
+  scene.lumens.insert(scene.lumens.begin() + 2, { sleeve, -1e9, 60.0 });
+  const auto lumen = Segment(scene);
+  ExpectTube(lumen, 24.0);
+  EXPECT_EQ(lumen.catheter->balloonDiameter, 0.0);
+}
+
+TEST(RectalCatheter, TheAxisRunsInTheMiddleOfTheBore)
+{
+  constexpr double bend = 10.0, y = -6.0;
+  const auto       lumen = Segment(RectumScene(24.0, y, Plastic, bend));
+  ASSERT_TRUE(lumen.catheter.has_value());
+  int number = 0;
+  for (const auto & p : lumen.catheter->axis)
+  {
+    if (p[2] < 14.0) // beyond it closes at the tip
+    {
+      const double share = std::max(0.0, p[2] + 20.0) / 60.0;
+      EXPECT_LT(std::hypot(p[0] - bend * share * share, p[1] - y), 0.25) << p;
+      ++number;
+    }
+  }
+  EXPECT_GT(number, 50);
 }
 
 /** Mirrored left to right and at another spacing it is the same one. */
