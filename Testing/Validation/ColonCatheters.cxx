@@ -55,6 +55,8 @@ struct CatheterTrial
   double      outerError{ 0.0 };   ///< mm
   bool        hasBalloon{ false }; ///< that gas or fluid fills
   bool        seesBalloon{ false };
+  double      balloonError{ 0.0 };    ///< mm, of its diameter
+  double      balloonDistance{ 0.0 }; ///< mm, of its centre
 };
 
 double
@@ -110,6 +112,9 @@ TryExam(const ColonPhantomParameters & parameters)
     trial.boreError = lumen.catheter->boreDiameter - truth->bore;
     trial.outerError = lumen.catheter->outerDiameter - truth->bore - 2.0 * truth->wall;
     trial.seesBalloon = lumen.catheter->balloonDiameter > 0.0;
+    trial.balloonError = lumen.catheter->balloonDiameter - truth->balloonDiameter;
+    trial.balloonDistance =
+      (Eigen::Vector3d(lumen.catheter->balloonCentre.GetDataPointer()) - truth->balloonCenter).norm();
   }
   return trial;
 }
@@ -140,14 +145,20 @@ NumberFound(const std::vector<CatheterTrial> & trials)
     std::count_if(trials.begin(), trials.end(), [](const CatheterTrial & trial) { return trial.isFound; }));
 }
 
-template <typename TMeasure>
+bool
+FindsBalloon(const CatheterTrial & trial)
+{
+  return trial.hasBalloon && trial.seesBalloon;
+}
+
+template <typename TCondition, typename TMeasure>
 std::vector<double>
-OfFound(const std::vector<CatheterTrial> & trials, TMeasure measure)
+ValuesOf(const std::vector<CatheterTrial> & trials, TCondition isMeant, TMeasure measure)
 {
   std::vector<double> values;
   for (const CatheterTrial & trial : trials)
   {
-    if (trial.isFound)
+    if (isMeant(trial))
     {
       values.push_back(measure(trial));
     }
@@ -173,29 +184,36 @@ WriteSummary(const std::vector<CatheterTrial> & with,
                    RatioOf(NumberFound(without), static_cast<int>(without.size())),
                    {},
                    !without.empty() && NumberFound(without) == 0);
-  const auto add = [&](const std::string & what, const auto & measure) {
-    const std::vector<double> values = OfFound(with, measure);
+  const auto add = [&](const std::string & what, const auto & isMeant, const auto & measure) {
+    const std::vector<double> values = ValuesOf(with, isMeant, measure);
     table.AddFact(what, Rounded(MeanOf(values)), values);
   };
-  add("axis found to true axis, mm, mean", [](const CatheterTrial & t) { return t.distance; });
-  add("bore less true bore, mm, mean", [](const CatheterTrial & t) { return t.boreError; });
-  add("outer diameter less true one, mm, mean", [](const CatheterTrial & t) { return t.outerError; });
+  const auto isFound = [](const CatheterTrial & t) { return t.isFound; };
+  add("axis found to true axis, mm, mean", isFound, [](const CatheterTrial & t) { return t.distance; });
+  add("bore less true bore, mm, mean", isFound, [](const CatheterTrial & t) { return t.boreError; });
+  add("outer diameter less true one, mm, mean", isFound, [](const CatheterTrial & t) { return t.outerError; });
   int balloons = 0, seen = 0, imagined = 0;
   for (const CatheterTrial & trial : with)
   {
     balloons += trial.hasBalloon;
-    seen += trial.hasBalloon && trial.seesBalloon;
+    seen += FindsBalloon(trial);
     imagined += !trial.hasBalloon && trial.seesBalloon;
   }
   table.AddFact("filled balloons that are found", RatioOf(seen, balloons));
   table.AddFact("balloons found where none is filled", std::to_string(imagined));
+  add("diameter of those found less the true one, mm, mean", FindsBalloon, [](const CatheterTrial & t) {
+    return t.balloonError;
+  });
+  add(
+    "their centre to the true one, mm, mean", FindsBalloon, [](const CatheterTrial & t) { return t.balloonDistance; });
   table.Write();
 }
 
 void
 WriteExams(const std::vector<CatheterTrial> & trials, ValidationReport & report)
 {
-  CsvTable table({ "exam", "catheter", "found", "confidence", "axis, mm", "bore, mm", "outer, mm", "balloon found" });
+  CsvTable table(
+    { "exam", "catheter", "found", "confidence", "axis, mm", "bore, mm", "outer, mm", "balloon found", "balloon, mm" });
   for (const CatheterTrial & t : trials)
   {
     const bool isRight = t.isThere && t.isFound;
@@ -206,7 +224,8 @@ WriteExams(const std::vector<CatheterTrial> & trials, ValidationReport & report)
                    isRight ? Rounded(t.distance) : "",
                    isRight ? Rounded(t.boreError) : "",
                    isRight ? Rounded(t.outerError) : "",
-                   t.seesBalloon ? "yes" : "" });
+                   t.seesBalloon ? "yes" : "",
+                   FindsBalloon(t) ? Rounded(t.balloonError) : "" });
   }
   report.AddTable(table);
 }

@@ -93,7 +93,13 @@ Model(const CtPointer &                  ct,
       bool                               keepPartial,
       const Progress &                   progress)
 {
-  const ColonModelOptions options{ position, PointsOf(seedPoints), faces, keepPieces, keepPartial, progress, {} };
+  ColonModelOptions options;
+  options.patientPosition = position;
+  options.seedPoints = PointsOf(seedPoints);
+  options.faces = faces;
+  options.keepPieces = keepPieces;
+  options.keepPartial = keepPartial;
+  options.progress = progress;
   return lumen ? BuildColonModel(ct, lumen->GetPointer(), options) : BuildColonModel(ct, options);
 }
 

@@ -37,7 +37,7 @@ struct RectalCatheter
   double                             outerDiameter{ 0.0 };
   double                             tipRadius{ 0.0 };       ///< of the widest place of the tip, from the axis
   double                             wallHU{ 0.0 };          ///< the greatest across the wall, the median
-  double                             balloonDiameter{ 0.0 }; ///< 0 where none is seen
+  double                             balloonDiameter{ 0.0 }; ///< with its membrane; 0 where no filled one is seen
   itk::Point<double, 3>              balloonCentre{};        ///< of a balloon that is seen
   double                             filledMl{ 0.0 };        ///< of tube, tip and balloon that were not lumen before
   CatheterEvidence                   evidence;

@@ -160,7 +160,7 @@ public:
         if ((x - balloon.centre).norm() <= balloon.radius && !IsColonLumen(m_Region.classes[p]))
         {
           const bool isGas = m_Region.hu[p] < m_Region.thresholds.gasBoundary;
-          m_Region.classes[p] = m_Filled[p] = isGas ? ColonGas : ClassBeyond(balloon, x);
+          m_Region.classes[p] = m_Filled[p] = isGas ? static_cast<unsigned char>(ColonGas) : ClassBeyond(balloon, x);
         }
       });
   }

@@ -94,11 +94,12 @@ struct ColonPhantomParameters
   /** From the anal verge to its tip in mm, 45 to 150, less where a rigid one meets the wall; 55 to 80, soft 75 to 125.
    */
   double catheterDepth{ 75.0 };
-  /** Number of holes in its side near the tip, 0 to 4; none, then with an open end, in four of ten. */
+  /** Number of holes in its side near the tip, 0 to 4, without those a balloon would cover; none, then with an open
+   * end, in four of ten. */
   int catheterHoles{ 0 };
   /** Around the catheter inside the anal canal: none, gas, fluid (water), deflated (a sleeve) or drawn. */
   std::string balloon{ "none" };
-  /** Of a balloon with gas or fluid in mm, 12 to 45, less where the rectum is narrower; 22 to 38. */
+  /** Of a balloon with gas or fluid in mm, 12 to 45, less where the rectum is narrower or the tip nearer; 22 to 38. */
   double balloonDiameter{ drawnBySeed };
   /** The ileocaecal valve: bump (a smooth half ellipsoid) or lips (two of them around a slit, with the terminal ileum
    * behind it). The six parameters that follow are for lips. */

@@ -62,7 +62,7 @@ struct ColonCatheter
   Eigen::Vector3d tip;     ///< the last point of the axis
   std::string     balloon; ///< none, gas, fluid or deflated
   Eigen::Vector3d balloonCenter{ 0.0, 0.0, 0.0 };
-  double          balloonDiameter{ 0.0 };
+  double          balloonDiameter{ 0.0 }; ///< with its wall
 };
 
 /** \class ColonStructures
