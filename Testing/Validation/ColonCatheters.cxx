@@ -1,5 +1,6 @@
 // The rectal catheter: whether it is found where there is one, and nowhere else.
 #include "BoundTable.h"
+#include "LandmarkErrors.h"
 
 #include "itkCastImageFilter.h"
 #include "shapetonColonLumenSegmentation.h"
@@ -59,26 +60,33 @@ struct CatheterTrial
   double      balloonDistance{ 0.0 }; ///< mm, of its centre
 };
 
+std::vector<Eigen::Vector3d>
+TrueAxis(const ColonStructures & structures)
+{
+  const CurveSet               axes = structures.Axes();
+  const SurfaceArray *         of = FindSurfaceArray(axes.cellArrays, "structure");
+  std::vector<Eigen::Vector3d> axis;
+  for (std::size_t c = 0; c < axes.curves.size(); ++c)
+  {
+    if (static_cast<int>(of->values(static_cast<Eigen::Index>(c), 0)) == static_cast<int>(ColonStructure::Catheter))
+    {
+      for (const int vertex : axes.curves[c])
+      {
+        axis.emplace_back(axes.V.row(vertex));
+      }
+    }
+  }
+  return axis;
+}
+
 double
 MeanDistance(const RectalCatheter & catheter, const ColonStructures & structures)
 {
-  const CurveSet       axes = structures.Axes();
-  const SurfaceArray * of = FindSurfaceArray(axes.cellArrays, "structure");
-  double               sum = 0.0;
+  const std::vector<Eigen::Vector3d> truth = TrueAxis(structures);
+  double                             sum = 0.0;
   for (const auto & point : catheter.axis)
   {
-    double nearest = 1e6;
-    for (std::size_t c = 0; c < axes.curves.size(); ++c)
-    {
-      const bool isCatheter =
-        static_cast<int>(of->values(static_cast<Eigen::Index>(c), 0)) == static_cast<int>(ColonStructure::Catheter);
-      for (std::size_t k = 0; isCatheter && k < axes.curves[c].size(); ++k)
-      {
-        nearest = std::min(
-          nearest, (axes.V.row(axes.curves[c][k]).transpose() - Eigen::Vector3d(point.GetDataPointer())).norm());
-      }
-    }
-    sum += nearest;
+    sum += DistanceToLine(Eigen::Vector3d(point.GetDataPointer()), truth);
   }
   return sum / static_cast<double>(catheter.axis.size());
 }

@@ -147,20 +147,6 @@ Joined(const std::vector<Stretch> & stretches)
   return all;
 }
 
-double
-DistanceToLine(const Eigen::Vector3d & point, const Points & line)
-{
-  double least = infinite;
-  for (std::size_t i = 0; i + 1 < line.size(); ++i)
-  {
-    const Eigen::Vector3d step = line[i + 1] - line[i];
-    const double          square = step.squaredNorm();
-    const double          t = square > 0.0 ? std::clamp((point - line[i]).dot(step) / square, 0.0, 1.0) : 0.0;
-    least = std::min(least, (point - line[i] - t * step).norm());
-  }
-  return least;
-}
-
 /** Distances of the points of each true taenia, for the assignment of found taeniae to true ones with the least mean.
  */
 std::array<std::vector<double>, 3>
@@ -286,4 +272,18 @@ MarkersOfTruth(const shapeton::ColonAnatomy & anatomy, const shapeton::SurfaceMe
     markers.push_back(taeniae.V.row(place == own.end() ? own.front() : *place).transpose());
   }
   return markers;
+}
+
+double
+DistanceToLine(const Eigen::Vector3d & point, const std::vector<Eigen::Vector3d> & line)
+{
+  double least = infinite;
+  for (std::size_t i = 0; i + 1 < line.size(); ++i)
+  {
+    const Eigen::Vector3d step = line[i + 1] - line[i];
+    const double          square = step.squaredNorm();
+    const double          t = square > 0.0 ? std::clamp((point - line[i]).dot(step) / square, 0.0, 1.0) : 0.0;
+    least = std::min(least, (point - line[i] - t * step).norm());
+  }
+  return least;
 }

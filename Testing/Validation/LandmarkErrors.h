@@ -43,4 +43,8 @@ MeasureLandmarks(const shapeton::ColonLandmarks & landmarks,
 std::vector<Eigen::Vector3d>
 MarkersOfTruth(const shapeton::ColonAnatomy & anatomy, const shapeton::SurfaceMesh & surface);
 
+/** Of a point from a line of straight pieces, mm. Infinite where it has none. */
+double
+DistanceToLine(const Eigen::Vector3d & point, const std::vector<Eigen::Vector3d> & line);
+
 #endif

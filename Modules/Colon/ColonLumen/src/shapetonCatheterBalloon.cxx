@@ -1,6 +1,6 @@
 #include "shapetonCatheterBalloon.h"
 
-#include <Eigen/Cholesky>
+#include <Eigen/QR>
 
 #include <algorithm>
 #include <cmath>
@@ -11,13 +11,16 @@ namespace
 {
 constexpr std::size_t LeastSections = 8; // 1 mm each
 constexpr double      ShareOfRays = 1.0 / 3;
-constexpr double      LeastRoom = 2.5;       // mm between tube and ball
-constexpr double      LargestBalloon = 30.0; // mm, radius
-constexpr double      FarFromBall = 1.5;     // mm
-constexpr double      ShareOnBall = 0.75;
-constexpr double      LeastResidual = 0.6; // mm that is always allowed
-constexpr double      ShareOfRadius = 1.0 / 12;
-constexpr double      ShareOffAxis = 1.0 / 3; // of the radius
+constexpr double      ThickestMembrane = 3.0; // mm, blurred
+constexpr double ThinnestInFluid = 2.0; // mm, blurred: values pass those of a membrane at any level of bright fluid
+constexpr double LeastRoom = 2.5;       // mm between tube and ball
+constexpr double LargestBalloon = 30.0; // mm, radius
+constexpr double FarFromBall = 1.5;     // mm
+constexpr double ShareOnBall = 0.75;
+constexpr double LeastResidual = 0.6; // mm that is always allowed
+constexpr double ShareOfRadius = 1.0 / 12;
+constexpr double ShareOffAxis = 1.0 / 3; // of the radius
+constexpr double ShareOfCylinder = 0.5;  // of the residual of a cylinder
 
 using Exits = std::vector<BalloonExit>;
 
@@ -44,7 +47,8 @@ ExitOf(const CatheterTube & tube, const TubeSection & section, int number, const
   {
     ray.boundary = MembraneBoundary(region.thresholds);
     layer = FirstLayer(region, ray, wall.outer + 1.0, LargestBalloon);
-    isBalloon = layer.outer - layer.inner <= ThickestMembrane;
+    const double thickness = layer.outer - layer.inner;
+    isBalloon = thickness <= ThickestMembrane && (layer.behind != BehindLayer::Fluid || thickness >= ThinnestInFluid);
   }
   else
   {
@@ -69,7 +73,8 @@ ExitsOf(const CatheterTube & tube, const TubeSection & section, const CatheterRe
   return exits;
 }
 
-/** The ball of least squares: |x|^2 = 2 c x + r^2 - c^2 is linear in c and r^2 - c^2. */
+/** The ball of least squares: |x|^2 = 2 c x + r^2 - c^2 is linear in c and r^2 - c^2. Of places in a plane it is that
+ * with its centre in the plane. */
 CatheterBalloon
 FittedBall(const Exits & exits)
 {
@@ -87,7 +92,7 @@ FittedBall(const Exits & exits)
     squares += row * row.transpose();
     right += x.squaredNorm() * row;
   }
-  const Eigen::Vector4d solution = squares.ldlt().solve(right);
+  const Eigen::Vector4d solution = squares.completeOrthogonalDecomposition().solve(right);
   const Eigen::Vector3d centre = solution.head<3>();
   return { mean + centre, std::sqrt(std::max(0.0, solution[3] + centre.squaredNorm())), exits };
 }
@@ -109,7 +114,7 @@ RootMeanSquare(const CatheterBalloon & ball)
   return std::sqrt(sum / static_cast<double>(ball.exits.size()));
 }
 
-/** The ball that most of the places lie on: what is far from it is left out, farthest first. */
+/** The ball that most of the places lie on: what is far from it is left out, turn by turn. */
 CatheterBalloon
 BallThroughMost(Exits exits)
 {
@@ -130,17 +135,29 @@ BallThroughMost(Exits exits)
   return ball;
 }
 
+/** The root mean square of the distances of places from the cylinder of least squares along a direction. */
+double
+CylinderResidual(const Exits & exits, const Eigen::Vector3d & along)
+{
+  Exits across = exits;
+  for (BalloonExit & exit : across)
+  {
+    exit.position -= exit.position.dot(along) * along;
+  }
+  return RootMeanSquare(FittedBall(across));
+}
+
 bool
 IsAroundTube(const CatheterBalloon & ball, const CatheterTube & tube)
 {
   const auto distance = [&](const TubeSection & section) { return (section.centre - ball.centre).norm(); };
-  double     nearest = ball.radius;
-  for (const TubeSection & section : tube.sections)
-  {
-    nearest = std::min(nearest, distance(section));
-  }
+  const auto nearest =
+    std::min_element(tube.sections.begin(), tube.sections.end(), [&](const TubeSection & s, const TubeSection & t) {
+      return distance(s) < distance(t);
+    });
   return ball.radius >= tube.outerRadius + LeastRoom && ball.radius <= LargestBalloon &&
-         nearest <= ShareOffAxis * ball.radius;
+         distance(*nearest) <= ShareOffAxis * ball.radius &&
+         RootMeanSquare(ball) <= ShareOfCylinder * CylinderResidual(ball.exits, nearest->along);
 }
 
 /** What the sections from the first to before the last show, if it is a balloon. */

@@ -5,8 +5,6 @@
 
 namespace shapeton
 {
-constexpr double ThickestMembrane = 3.0; // mm, blurred
-
 /** A place where a ray from the tube leaves the balloon around it. */
 struct BalloonExit
 {
@@ -26,9 +24,10 @@ struct CatheterBalloon
  *
  * A ray that leaves the tube's wall into gas and then crosses a thin membrane into lumen leaves a balloon with gas
  * there; one that crosses more than a tube's wall leaves one with fluid. A third of the rays do so in 8 mm of sections
- * next to each other, and three quarters of these places lie within 1.5 mm of a ball around the tube, 2.5 mm wider than
- * that at least, with a root mean square of .6 mm (or a twelfth of the radius). The wall of the rectum alone is nowhere
- * thin, and a fold does not lie on a ball. */
+ * next to each other. Three quarters of these places lie near a ball around the tube (within 1.5 mm, or twice the root
+ * mean square), 2.5 mm wider than that at least; the root mean square of their distances is .6 mm or a twelfth of the
+ * radius at most, and less than half of that from a cylinder along the tube: a septum beside the rectum or a collar of
+ * tissue is no ball. A round lump of tissue with the tube in its middle cannot be told from a balloon of water. */
 std::optional<CatheterBalloon>
 FindBalloon(const CatheterTube & tube, const CatheterRegion & region);
 } // namespace shapeton

@@ -95,17 +95,32 @@ AddedByClosing(const ColonGrid & grid, const ClassVolume & classes, double radiu
   return mask;
 }
 
-/** The class of the lumen where the ray through a place leaves a balloon. */
-unsigned char
-ClassBeyond(const CatheterBalloon & balloon, const Eigen::Vector3d & place)
+/** What lies around a balloon, by the exit nearest in direction. */
+class AroundBalloon
 {
-  const Eigen::Vector3d direction = place - balloon.centre;
-  const auto            nearest =
-    std::max_element(balloon.exits.begin(), balloon.exits.end(), [&](const BalloonExit & s, const BalloonExit & t) {
-      return direction.dot(s.position - balloon.centre) < direction.dot(t.position - balloon.centre);
+public:
+  explicit AroundBalloon(const CatheterBalloon & balloon) : m_Centre(balloon.centre), m_Exits(balloon.exits)
+  {
+    for (BalloonExit & exit : m_Exits)
+    {
+      exit.position = (exit.position - m_Centre).normalized();
+    }
+  }
+
+  unsigned char
+  ClassAt(const Eigen::Vector3d & place) const
+  {
+    const Eigen::Vector3d direction = place - m_Centre;
+    const auto nearest = std::max_element(m_Exits.begin(), m_Exits.end(), [&](const auto & s, const auto & t) {
+      return direction.dot(s.position) < direction.dot(t.position);
     });
-  return nearest->into == BehindLayer::Fluid ? ColonFluid : ColonGas;
-}
+    return nearest->into == BehindLayer::Fluid ? ColonFluid : ColonGas;
+  }
+
+private:
+  Eigen::Vector3d          m_Centre;
+  std::vector<BalloonExit> m_Exits; ///< with directions in place of positions
+};
 
 /** Gives gas that is not the colon's and does not reach the region's border the class PocketGas. */
 void
@@ -150,24 +165,31 @@ public:
     this->FillPockets();
   }
 
-  /** What a balloon holds, and its membrane. */
+  /** What a balloon holds, and its membrane; gas that is not the colon's stays as it is. */
   void
   FillBalloon(const CatheterBalloon & balloon)
   {
-    const ColonGrid & grid = m_Region.grid;
+    const ColonGrid &   grid = m_Region.grid;
+    const AroundBalloon around(balloon);
     ForEachVoxelOf(
       BoxAround(grid, balloon.centre, balloon.radius), grid, [&](std::size_t p, const Eigen::Vector3d & x) {
-        if ((x - balloon.centre).norm() <= balloon.radius && !IsColonLumen(m_Region.classes[p]))
+        unsigned char & c = m_Region.classes[p];
+        if ((x - balloon.centre).norm() <= balloon.radius && !IsColonLumen(c) && c != OtherGas)
         {
           const bool isGas = m_Region.hu[p] < m_Region.thresholds.gasBoundary;
-          m_Region.classes[p] = m_Filled[p] = isGas ? static_cast<unsigned char>(ColonGas) : ClassBeyond(balloon, x);
+          c = m_Filled[p] = isGas ? static_cast<unsigned char>(ColonGas) : around.ClassAt(x);
         }
       });
+    this->FillHanging(balloon.centre, balloon.radius + 1.0, MembraneClosing, [&](const Eigen::Vector3d & x) {
+      return around.ClassAt(x);
+    });
   }
 
-  /** What closing the lumen adds within `reach` of a place and hangs on what is filled. Gives its voxels. */
+  /** What closing the lumen adds within `reach` of a place and hangs on what is filled, with the class that
+   * `classAt(position)` gives. Gives its voxels. */
+  template <typename TClassAt>
   VoxelSet
-  FillHanging(const Eigen::Vector3d & place, double reach, double closing)
+  FillHanging(const Eigen::Vector3d & place, double reach, double closing, const TClassAt & classAt)
   {
     const VoxelBox  box = BoxAround(m_Region.grid, place, reach + 2.0 * closing);
     const ColonGrid part = m_Region.grid.Part(box);
@@ -195,7 +217,7 @@ public:
         if (added[q] && (part.Position(q) - place).norm() <= reach)
         {
           added[q] = 0;
-          m_Region.classes[whole(q)] = m_Filled[whole(q)] = ColonGas;
+          m_Region.classes[whole(q)] = m_Filled[whole(q)] = classAt(part.Position(q));
           front.push_back(q);
           hanging.push_back(whole(q));
         }
@@ -302,9 +324,10 @@ FillIn(const CatheterTube & tube, CatheterRegion & region, RectalCatheter & cath
     catheter.balloonDiameter = 2.0 * balloon->radius;
     catheter.balloonCentre = itk::Point<double, 3>(balloon->centre.data());
     filling.FillBalloon(*balloon);
-    filling.FillHanging(balloon->centre, balloon->radius + 1.0, MembraneClosing);
   }
-  ExtendToTip(region.grid, filling.FillHanging(tube.sections.back().centre, TipReach, TipClosing), catheter);
+  const auto     gas = [](const Eigen::Vector3d &) -> unsigned char { return ColonGas; };
+  const VoxelSet tip = filling.FillHanging(tube.sections.back().centre, TipReach, TipClosing, gas);
+  ExtendToTip(region.grid, tip, catheter);
   catheter.filledMl = LumenMl(region) - before;
 }
 } // namespace

@@ -17,6 +17,7 @@ constexpr double ShareOfSection = 0.25;
 constexpr double CleftElongation = 2.0;
 constexpr double LeastCleft = 100.0; // mm^2
 constexpr double ThinShell = 8.0;    // mm; the abdominal wall is thicker
+constexpr double NearPlace = 20.0;   // mm along a row
 constexpr double ShareOfShell = 0.3;
 constexpr double MeasuredMl = 0.5;
 
@@ -277,17 +278,22 @@ FindPockets(const ColonGrid & grid, GasOfVolume & gas)
   }
 }
 
-/** Whether the first or last row of a slice shows air outside: a quarter of it. Elsewhere it cuts the body. */
+/** Whether the first or last row of a slice shows air outside near a place: a quarter of it. Elsewhere it cuts the
+ * body. */
 bool
-ShowsAir(const ColonGrid & grid, const GasOfVolume & gas, int j, int k)
+ShowsAir(const ColonGrid & grid, const GasOfVolume & gas, int i, int j, int k)
 {
   const auto row = gas.set.Row(j, k);
+  const auto reach = static_cast<int>(std::lround(NearPlace / grid.spacing[0]));
+  const int  begin = std::max(0, i - reach);
+  const int  end = std::min(grid.size[0], i + reach + 1);
   int        outside = 0;
   for (auto r = gas.set.firstOfRow[row]; r < gas.set.firstOfRow[row + 1]; ++r)
   {
-    outside += gas.isOutsideRun[r] ? gas.set.runs[r].end - gas.set.runs[r].begin : 0;
+    const auto & run = gas.set.runs[r];
+    outside += gas.isOutsideRun[r] ? std::max(0, std::min<int>(end, run.end) - std::max<int>(begin, run.begin)) : 0;
   }
-  return outside >= ShareOfWalls * grid.size[0];
+  return outside >= ShareOfWalls * (end - begin);
 }
 
 /** Whether nothing but a thin shell parts the end of a column of gas from the air outside, or from the image's border
@@ -300,7 +306,7 @@ IsThinlyCovered(const ColonGrid & grid, const GasOfVolume & gas, int i, int j, i
     const int row = j + towards * n;
     if (row < 0 || row >= grid.size[1])
     {
-      return ShowsAir(grid, gas, std::clamp(row, 0, grid.size[1] - 1), k);
+      return ShowsAir(grid, gas, i, std::clamp(row, 0, grid.size[1] - 1), k);
     }
     const auto run = gas.set.Find(i, row, k);
     if (run >= 0)

@@ -85,28 +85,54 @@ std::optional<Eigen::Vector3d>
 ToMiddle(const CatheterRegion & region, const TubeSection & section)
 {
   Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+  Eigen::Vector3d directions = Eigen::Vector3d::Zero(); // of the rays that leave the bore
+  double          radii = 0.0;
   int             closed = 0;
   for (int n = 0; n < TubeSection::NumberOfRays; ++n)
   {
     const OutwardRay ray = section.RayAlong(n, region.thresholds.gasBoundary);
     const double     radius = EndOfGas(region, ray, 0.0, LargestReach);
-    sum += radius * ray.direction;
-    closed += radius > 0.0;
+    if (radius > 0.0)
+    {
+      sum += radius * ray.direction;
+      directions += ray.direction;
+      radii += radius;
+      ++closed;
+    }
   }
   if (closed < LeastClosed * TubeSection::NumberOfRays)
   {
     return std::nullopt;
   }
-  return Eigen::Vector3d(2.0 / closed * sum);
+  // Open rays count with the mean radius; the directions of all rays add up to nothing.
+  return Eigen::Vector3d(2.0 / TubeSection::NumberOfRays * (sum - radii / closed * directions));
 }
 
-/** Moves an axis into the middle of its bore, by the mean of near sections where one is open. */
+/** Gives the sections without one the shift of the nearest section that has one; nothing where none has. */
+void
+CarryOn(std::vector<std::optional<Eigen::Vector3d>> & shifts)
+{
+  const auto known = shifts;
+  const auto number = static_cast<std::ptrdiff_t>(shifts.size());
+  for (std::ptrdiff_t n = 0; n < number; ++n)
+  {
+    for (std::ptrdiff_t apart = 1; !shifts[n] && apart < number; ++apart)
+    {
+      const auto before = n - apart >= 0 ? known[n - apart] : std::nullopt;
+      const auto after = n + apart < number ? known[n + apart] : std::nullopt;
+      shifts[n] = before ? before : after;
+    }
+  }
+}
+
+/** Moves an axis into the middle of its bore, smoothly; where that is open, as far as next to it. */
 void
 MoveToMiddle(const CatheterRegion & region, BoreAxis & axis)
 {
   const std::vector<TubeSection>              sections = SectionsAcross(axis);
   std::vector<std::optional<Eigen::Vector3d>> shifts(axis.size());
   ParallelFor(axis.size(), [&](std::size_t n) { shifts[n] = ToMiddle(region, sections[n]); });
+  CarryOn(shifts);
   const std::vector<double> weights = GaussianWeights(CentringSmooth, 3.0);
   const auto                reach = static_cast<std::ptrdiff_t>(weights.size() / 2);
   const auto                number = static_cast<std::ptrdiff_t>(axis.size());

@@ -30,7 +30,7 @@ struct CatheterRegion
 /** What lies behind a layer that a ray crosses. */
 enum class BehindLayer
 {
-  Tissue, ///< the layer is thicker than ThickestTubeWall
+  Tissue, ///< the layer does not end within reach, or at a speck of gas
   Gas,    ///< of the colon or a pocket
   Fluid,  ///< of the colon
   Outside ///< other gas, as around the body
@@ -45,7 +45,7 @@ constexpr double ThickestTubeWall = 4.5; // mm
 struct TubeRay
 {
   double      inner{ 0.0 };  ///< where the gas ends; 0 where it does not within the ray's reach
-  double      outer{ 0.0 };  ///< where the layer ends; 0 where it is too thick
+  double      outer{ 0.0 };  ///< where the layer ends; 0 where it does not within reach
   double      wallHU{ 0.0 }; ///< the greatest in the layer
   BehindLayer behind{ BehindLayer::Tissue };
 

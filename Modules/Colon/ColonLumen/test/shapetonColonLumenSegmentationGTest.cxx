@@ -378,14 +378,17 @@ TEST(ColonLumenSegmentation, ABorderThatCutsTheBodyIsNoThinShell)
 {
   ColonTestScene scene;
   scene.lumens.push_back({ Tube(At(0, -25, 0), 2, 30, 15), 1e9, 0.0 });
-  const auto image = shapeton::CentredImage({ 46, 60, 50 }, { 2.0, 2.0, 2.0 }, Identity());
-  auto       origin = image->GetOrigin();
-  origin[1] += 15.0; // from 5 mm before the gas to 10 mm behind the body
-  image->SetOrigin(origin);
-  scene.Sample(image);
-  const auto lumen = Segment(image);
-  EXPECT_EQ(lumen.failure, "");
-  EXPECT_EQ(lumen.pieces.size(), 1U);
+  for (const int width : { 46, 70 }) // the wider one shows air on both sides of the body
+  {
+    const auto image = shapeton::CentredImage({ width, 60, 50 }, { 2.0, 2.0, 2.0 }, Identity());
+    auto       origin = image->GetOrigin();
+    origin[1] += 15.0; // from 5 mm before the gas to 10 mm behind the body
+    image->SetOrigin(origin);
+    scene.Sample(image);
+    const auto lumen = Segment(image);
+    EXPECT_EQ(lumen.failure, "") << width;
+    EXPECT_EQ(lumen.pieces.size(), 1U) << width;
+  }
 }
 
 TEST(ColonLumenSegmentation, UntaggedFluidIsNoLumen)

@@ -186,7 +186,18 @@ TEST(RectalCatheter, ABalloonOfGasInFluidIsFilledIn)
 /** Blur leaves less than half of it, so that the gas on both sides is one. */
 TEST(RectalCatheter, ABalloonWithAThinMembraneIsSeen) { ExpectBalloon(BalloonScene(-1000.0, -550.0)); }
 
-/** A balloon without content lies on the tube as a sleeve, which is no ball. */
+/** What lies round the tube and ends straight is no ball. */
+TEST(RectalCatheter, ACollarIsNoBalloon)
+{
+  auto       scene = RectumScene(24.0);
+  const auto collar = [](const Vec & x) { return std::min(10.0 - std::hypot(x[0], x[1]), 7.0 - std::abs(x[2] - 6.0)); };
+  scene.lumens.insert(scene.lumens.begin() + 2, { collar, -1e9, 40.0 });
+  const auto lumen = Segment(scene);
+  ASSERT_TRUE(lumen.catheter && lumen.catheter->isSure);
+  EXPECT_EQ(lumen.catheter->balloonDiameter, 0.0);
+}
+
+/** A balloon without content lies on the tube as a sleeve. */
 TEST(RectalCatheter, ASleeveIsNoBalloon)
 {
   auto       scene = RectumScene(24.0);
