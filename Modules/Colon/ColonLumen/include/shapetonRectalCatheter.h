@@ -15,8 +15,8 @@ struct CatheterEvidence
   double enclosedLength{ 0.0 }; ///< mm of the tube where 80 % of the rays across it cross a wall and enter the lumen
   double enclosedShare{ 0.0 };  ///< of the rays that do, 0..1: at least, in the best 6 mm
   double boreSpread{ 0.0 };     ///< mm, of the radius along the stretch: between its 20th and 80th percentile
-  /** Of the bore along the stretch: how far its radius is from even around the axis, by its mean (second and third
-   * harmonic, root mean square); the median. */
+  /** Deviation of the bore from a circle: root mean square of the second and third harmonics of the radius over the
+   * angle, divided by the mean radius; median along the stretch. */
   double ovality{ 0.0 };
   /** 0..1: how far lengths, share and the radius of the bore lie within their limits, .5 at the limit; the least of
    * them. A catheter from .5 on. */
@@ -28,7 +28,7 @@ struct CatheterEvidence
  * \ingroup ColonLumen */
 struct RectalCatheter
 {
-  /** Whether it is taken for a catheter and filled in. Where not, it can be told neither from one nor from bowel. */
+  /** True if the confidence is at least .5: the tube is added to the lumen. If false, it may be a catheter or bowel. */
   bool isSure{ false };
   /** The middle of the bore, a point each mm, from the anal side (or the image's border) on; straight through the tip
    * to its end, where it is sure. */

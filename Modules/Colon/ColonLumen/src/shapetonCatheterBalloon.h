@@ -23,11 +23,12 @@ struct CatheterBalloon
 /** The balloon around a tube, filled with gas or with fluid.
  *
  * A ray that leaves the tube's wall into gas and then crosses a thin membrane into lumen leaves a balloon with gas
- * there; one that crosses more than a tube's wall leaves one with fluid. A third of the rays do so in 8 mm of sections
- * next to each other. Three quarters of these places lie near a ball around the tube (within 1.5 mm, or twice the root
- * mean square), 2.5 mm wider than that at least; the root mean square of their distances is .6 mm or a twelfth of the
- * radius at most, and less than half of that from a cylinder along the tube: a septum beside the rectum or a collar of
- * tissue is no ball. A round lump of tissue with the tube in its middle cannot be told from a balloon of water. */
+ * there; one that crosses more than a tube's wall leaves one with fluid. At least a third of the rays do so in each of
+ * 8 consecutive sections (1 mm apart). Three quarters of these points lie within 1.5 mm (or twice the RMS residual) of
+ * a fitted sphere whose radius exceeds the tube's by at least 2.5 mm. The RMS residual is at most .6 mm or a twelfth of
+ * the radius, whichever is greater, and at most half of that of a cylinder along the tube, which excludes a septum
+ * beside the rectum or a collar of tissue. A round lump of tissue with the tube in its middle cannot be told from a
+ * balloon of water. */
 std::optional<CatheterBalloon>
 FindBalloon(const CatheterTube & tube, const CatheterRegion & region);
 } // namespace shapeton

@@ -36,8 +36,8 @@ enum class BehindLayer
   Outside ///< other gas, as around the body
 };
 
-constexpr double ThinnestTubeWall = 1.0; // mm, before gas
-/** mm, before fluid: from gas to bright fluid values pass those of a wall over 1.2 mm, wall or none. */
+constexpr double ThinnestTubeWall = 1.0; // mm, if gas lies behind the wall
+/** mm, if fluid lies behind the wall. Partial volume between gas and bright fluid alone looks like a wall of 1.2 mm. */
 constexpr double ThinnestWallInFluid = 1.6;
 constexpr double ThickestTubeWall = 4.5; // mm
 
