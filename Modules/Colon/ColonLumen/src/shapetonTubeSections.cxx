@@ -108,21 +108,22 @@ ToMiddle(const CatheterRegion & region, const TubeSection & section)
   return Eigen::Vector3d(2.0 / TubeSection::NumberOfRays * (sum - radii / closed * directions));
 }
 
-/** Gives the sections without one the shift of the nearest section that has one; nothing where none has. */
-void
-CarryOn(std::vector<std::optional<Eigen::Vector3d>> & shifts)
+/** The shift of the section nearest to the n-th that has one, the one before first; none where none has. */
+Eigen::Vector3d
+NearestShift(const std::vector<std::optional<Eigen::Vector3d>> & shifts, std::ptrdiff_t n)
 {
-  const auto known = shifts;
   const auto number = static_cast<std::ptrdiff_t>(shifts.size());
-  for (std::ptrdiff_t n = 0; n < number; ++n)
+  for (std::ptrdiff_t apart = 0; apart < number; ++apart)
   {
-    for (std::ptrdiff_t apart = 1; !shifts[n] && apart < number; ++apart)
+    for (const std::ptrdiff_t m : { n - apart, n + apart })
     {
-      const auto before = n - apart >= 0 ? known[n - apart] : std::nullopt;
-      const auto after = n + apart < number ? known[n + apart] : std::nullopt;
-      shifts[n] = before ? before : after;
+      if (m >= 0 && m < number && shifts[m])
+      {
+        return *shifts[m];
+      }
     }
   }
+  return Eigen::Vector3d::Zero();
 }
 
 /** Moves an axis into the middle of its bore, smoothly; where that is open, as far as next to it. */
@@ -130,9 +131,10 @@ void
 MoveToMiddle(const CatheterRegion & region, BoreAxis & axis)
 {
   const std::vector<TubeSection>              sections = SectionsAcross(axis);
-  std::vector<std::optional<Eigen::Vector3d>> shifts(axis.size());
-  ParallelFor(axis.size(), [&](std::size_t n) { shifts[n] = ToMiddle(region, sections[n]); });
-  CarryOn(shifts);
+  std::vector<std::optional<Eigen::Vector3d>> known(axis.size());
+  std::vector<Eigen::Vector3d>                shifts(axis.size());
+  ParallelFor(axis.size(), [&](std::size_t n) { known[n] = ToMiddle(region, sections[n]); });
+  ParallelFor(axis.size(), [&](std::size_t n) { shifts[n] = NearestShift(known, static_cast<std::ptrdiff_t>(n)); });
   const std::vector<double> weights = GaussianWeights(CentringSmooth, 3.0);
   const auto                reach = static_cast<std::ptrdiff_t>(weights.size() / 2);
   const auto                number = static_cast<std::ptrdiff_t>(axis.size());
@@ -142,13 +144,10 @@ MoveToMiddle(const CatheterRegion & region, BoreAxis & axis)
     double          weight = 0.0;
     for (std::ptrdiff_t m = std::max<std::ptrdiff_t>(0, n - reach); m < std::min(number, n + reach + 1); ++m)
     {
-      if (shifts[m])
-      {
-        sum += weights[m - n + reach] * *shifts[m];
-        weight += weights[m - n + reach];
-      }
+      sum += weights[m - n + reach] * shifts[m];
+      weight += weights[m - n + reach];
     }
-    axis[n] += weight > 0.0 ? Eigen::Vector3d(sum / weight) : Eigen::Vector3d::Zero();
+    axis[n] += sum / weight;
   }
 }
 } // namespace
