@@ -127,6 +127,7 @@ private:
   std::optional<Origin>                         m_Origin;
   std::unique_ptr<const VolumeGradientOperator> m_Operator;
   std::unique_ptr<SeededHeatSolver>             m_Solver;
+  HeatImageType::Pointer                        m_Grid; ///< of the last solution, without voxels
 };
 } // namespace shapeton
 

@@ -5,6 +5,7 @@
 #include "shapetonFilterProgress.h"
 
 #include <algorithm>
+#include <cmath>
 #include <tuple>
 
 namespace shapeton
@@ -82,6 +83,8 @@ SeededHeatSegmentationImageFilter<TInputImage>::GenerateData()
   {
     throw InputError("the seeds have another size than the volume; give a label map on its grid");
   }
+  RequireParameter(std::isfinite(m_LeastWeight) && m_LeastWeight > 0.0, "LeastWeight must be positive and finite");
+  RequireParameter(std::isfinite(this->GetP()), "P must be finite");
   m_ChosenP.reset();
   try
   {
@@ -95,6 +98,9 @@ SeededHeatSegmentationImageFilter<TInputImage>::GenerateData()
     m_Solver->Solve(seeds->GetBufferPointer(), [this](double share) { ReportProgress(*this, share); });
   std::copy(result.labels.begin(), result.labels.end(), this->GetOutput()->GetBufferPointer());
   std::copy(result.uncertainty.begin(), result.uncertainty.end(), this->GetUncertaintyOutput()->GetBufferPointer());
+  m_Grid = HeatImageType::New();
+  m_Grid->CopyInformation(this->GetOutput());
+  m_Grid->SetRegions(this->GetOutput()->GetBufferedRegion());
   m_LabelValues = result.labelValues;
   m_Iterations = result.iterations;
   if (!m_KeepProbabilities)
@@ -110,8 +116,8 @@ SeededHeatSegmentationImageFilter<TInputImage>::GetProbabilities(unsigned short 
 {
   RequireParameter(m_Solver != nullptr, "there are no probabilities: keep them, and update the filter first");
   auto image = HeatImageType::New();
-  image->CopyInformation(this->GetOutput());
-  image->SetRegions(this->GetOutput()->GetBufferedRegion());
+  image->CopyInformation(m_Grid);
+  image->SetRegions(m_Grid->GetLargestPossibleRegion());
   image->Allocate();
   m_Solver->GetProbabilities(label, image->GetBufferPointer());
   return image;

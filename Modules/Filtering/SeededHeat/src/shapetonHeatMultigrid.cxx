@@ -437,6 +437,7 @@ HeatMultigrid<VLabels>::Solve(LabelField &     potentials,
   float * const            z = corrections.GetData();
   Sums                     before{};
   double                   firstChange = 0.0;
+  double                   share = 0.0; // changes may grow now and then, what is reported does not
   for (unsigned int iteration = 0; iteration < mostIterations; ++iteration)
   {
     this->Precondition(residuals, corrections);
@@ -456,9 +457,11 @@ HeatMultigrid<VLabels>::Solve(LabelField &     potentials,
     firstChange = iteration == 0 ? change : firstChange;
     if (change <= tolerance)
     {
+      progress(1.0);
       return iteration;
     }
-    progress(std::clamp(std::log(firstChange / change) / std::log(firstChange / tolerance), 0.0, 1.0));
+    share = std::clamp(std::log(firstChange / change) / std::log(firstChange / tolerance), share, 1.0);
+    progress(share);
     const Sums product = SumOf(products);
     const Sums beta = Ratio(product, before);
     before = product;

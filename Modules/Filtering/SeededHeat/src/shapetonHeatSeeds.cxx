@@ -7,6 +7,7 @@
 #include <cmath>
 #include <numeric>
 #include <set>
+#include <vector>
 
 namespace shapeton
 {
@@ -43,22 +44,56 @@ public:
     this->Mark(m_Markup.points[number], number);
   }
 
-  /** The straight piece from a point to another one, in steps of a third of the smallest spacing. */
+  /** The voxels of the straight piece from a point to another one: the middle between two crossings of faces lies in
+   * the voxel that they bound. */
   void
   MarkPiece(std::size_t from, std::size_t to)
   {
-    const auto &          spacing = m_Seeds->GetSpacing();
-    const double          step = std::min({ spacing[0], spacing[1], spacing[2] }) / 3.0;
-    const Eigen::Vector3d a = m_Markup.points[from];
-    const Eigen::Vector3d b = m_Markup.points[to];
-    const int             steps = static_cast<int>(std::ceil((b - a).norm() / step)) + 1;
-    for (int i = 0; i <= steps; ++i)
+    this->MarkPoint(from);
+    this->MarkPoint(to);
+    const Eigen::Vector3d     a = m_Markup.points[from];
+    const Eigen::Vector3d     b = m_Markup.points[to];
+    const std::vector<double> crossings = this->CrossingsOf(a, b);
+    for (std::size_t i = 1; i < crossings.size(); ++i)
     {
-      this->Mark(a + (b - a) * (static_cast<double>(i) / steps), to);
+      if (crossings[i] - crossings[i - 1] > 1e-9)
+      {
+        this->Mark(a + 0.5 * (crossings[i - 1] + crossings[i]) * (b - a), to);
+      }
     }
   }
 
 private:
+  Eigen::Vector3d
+  IndexOf(const Eigen::Vector3d & place) const
+  {
+    SeedImage::PointType point;
+    std::copy_n(place.data(), 3, point.begin());
+    itk::ContinuousIndex<double, 3> index;
+    m_Seeds->TransformPhysicalPointToContinuousIndex(point, index);
+    return Eigen::Vector3d(index.GetDataPointer());
+  }
+
+  /** 0, 1, and where between a and b faces of voxels are crossed, which lie halfway between indices; ascending. */
+  std::vector<double>
+  CrossingsOf(const Eigen::Vector3d & a, const Eigen::Vector3d & b) const
+  {
+    const Eigen::Vector3d from = this->IndexOf(a);
+    const Eigen::Vector3d along = this->IndexOf(b) - from;
+    std::vector<double>   crossings{ 0.0, 1.0 };
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      const double low = std::min(from[axis], from[axis] + along[axis]);
+      const double high = std::max(from[axis], from[axis] + along[axis]);
+      for (double face = std::floor(low + 0.5) + 0.5; face < high; face += 1.0)
+      {
+        crossings.push_back((face - from[axis]) / along[axis]);
+      }
+    }
+    std::sort(crossings.begin(), crossings.end());
+    return crossings;
+  }
+
   std::string
   NameOf(std::size_t number) const
   {

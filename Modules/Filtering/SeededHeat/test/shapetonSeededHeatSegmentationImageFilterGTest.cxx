@@ -158,6 +158,12 @@ TEST(SeededHeatSegmentationImageFilter, OutputsMayBeTakenAwayBetweenRuns)
   const auto number = labels->GetBufferedRegion().GetNumberOfPixels();
   EXPECT_TRUE(std::equal(
     labels->GetBufferPointer(), labels->GetBufferPointer() + number, filter->GetOutput()->GetBufferPointer()));
+  const FilterType::LabelImageType::Pointer taken = filter->GetOutput();
+  taken->DisconnectPipeline();
+  const auto probabilities = filter->GetProbabilities(2); // of the last run, wherever its labels are
+  EXPECT_EQ(probabilities->GetBufferedRegion(), image->GetBufferedRegion());
+  EXPECT_EQ(probabilities->GetOrigin(), image->GetOrigin());
+  EXPECT_GT(probabilities->GetPixel({ { 15, 7, 4 } }), 0.5F);
   EXPECT_TRUE(std::equal(uncertainty->GetBufferPointer(),
                          uncertainty->GetBufferPointer() + number,
                          filter->GetUncertaintyOutput()->GetBufferPointer()));
@@ -182,6 +188,55 @@ TEST(SeededHeatSegmentationImageFilter, NamesWhatIsWrong)
   seeds->Modified();
   filter->SetTolerance(2.0);
   EXPECT_NE(MessageOf([&] { filter->Update(); }).find("\"tolerance\""), std::string::npos);
+  filter->SetTolerance(1e-5);
+  for (const double weight : { -1.0, 0.0, std::nan("") })
+  {
+    filter->SetLeastWeight(weight);
+    EXPECT_THROW(filter->Update(), shapeton::ParameterError) << weight;
+  }
+  filter->SetLeastWeight(0.01);
+  EXPECT_NO_THROW(filter->Update());
+}
+
+TEST(SeededHeatSegmentationImageFilter, ProgressAscendsToTheEnd)
+{
+  const auto image = MakeBoxes();
+  auto       filter = FilterType::New();
+  filter->SetInput(image);
+  filter->SetSeeds(shapeton::SeedsOfMarkups(MakeMarkups(image), image));
+  std::vector<double> shares;
+  filter->AddObserver(itk::ProgressEvent(), [&](const itk::EventObject &) { shares.push_back(filter->GetProgress()); });
+  filter->Update();
+  EXPECT_TRUE(std::is_sorted(shares.begin(), shares.end()));
+  EXPECT_NEAR(shares.back(), 1.0, 1e-6);
+}
+
+TEST(HeatSeeds, AStrokeMarksAllVoxelsThatItPasses)
+{
+  const auto image = MakeBoxes();
+  auto       markups = MakeMarkups(image);
+  markups.resize(2); // the second one is a stroke
+  markups[1].points = { PlaceOf(image, { { 1, 1, 1 } }), PlaceOf(image, { { 28, 12, 7 } }) };
+  const auto  seeds = shapeton::SeedsOfMarkups(markups, image);
+  std::size_t passed = 0;
+  for (itk::ImageRegionIteratorWithIndex<SeedImage> it(seeds, image->GetLargestPossibleRegion()); !it.IsAtEnd(); ++it)
+  {
+    double enter = 0.0; // shares of the stroke between the faces of the voxel, axis by axis
+    double leave = 1.0;
+    for (unsigned int axis = 0; axis < 3; ++axis)
+    {
+      const double along[3] = { 27.0, 11.0, 6.0 };
+      const double from = static_cast<double>(it.GetIndex()[axis]) - 1.0;
+      enter = std::max(enter, (from - 0.5) / along[axis]);
+      leave = std::min(leave, (from + 0.5) / along[axis]);
+    }
+    if (std::abs(leave - enter) > 1e-9) // of a corner that is only touched rounding decides
+    {
+      EXPECT_EQ(it.Get() == 2, leave > enter) << it.GetIndex();
+      passed += leave > enter ? 1 : 0;
+    }
+  }
+  EXPECT_GT(passed, 40U); // 27 + 11 + 6 crossings of faces, some at edges
 }
 
 TEST(HeatSeeds, MarkupsThatCannotBeSeedsAreRefused)

@@ -112,7 +112,7 @@ public:
     return dynamic_cast<HeatImageType *>(this->ProcessObject::GetOutput(1));
   }
 
-  /** Compute output 1 too. Default off. */
+  /** Compute output 1 too. Default off: output 1 is empty then, and must not be connected. */
   itkSetMacro(WantInitialHeat, bool);
   itkGetConstMacro(WantInitialHeat, bool);
   itkBooleanMacro(WantInitialHeat);

@@ -84,6 +84,10 @@ CumulativeHeatDiffusionImageFilter<TInputImage>::GenerateData()
     initialHeat->SetBufferedRegion(initialHeat->GetLargestPossibleRegion());
     initialHeat->Allocate();
   }
+  else
+  {
+    initialHeat->Initialize(); // nothing of an earlier run stays
+  }
   // Other pixel types are converted in the output, which the heat replaces at the end.
   const float * intensities = heat->GetBufferPointer();
   if constexpr (std::is_same_v<typename TInputImage::PixelType, float>)

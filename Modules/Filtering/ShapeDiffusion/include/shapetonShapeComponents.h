@@ -12,7 +12,8 @@ namespace shapeton
  * \ingroup ShapeDiffusion */
 struct ShapeComponent
 {
-  /** Index of the component's first voxel. */
+  /** The component's first voxel, counted from that of the volume, also where the index of an image begins elsewhere.
+   */
   std::array<std::size_t, 3> index{};
   std::uint64_t              voxels{ 0 };
   double                     volume{ 0.0 }; ///< mm^3

@@ -112,9 +112,9 @@ void
 ShapetonDiffusionImageFilter<TInputImage>::PlaceShapetons()
 {
   const MaskImageType * const mask = this->GetMaskImage();
-  if (mask && mask->GetBufferedRegion().GetSize() != this->GetInput()->GetBufferedRegion().GetSize())
+  if (mask && mask->GetBufferedRegion() != this->GetInput()->GetBufferedRegion())
   {
-    itkExceptionMacro("the mask differs from the input in size");
+    itkExceptionMacro("the mask differs from the input in size or first index");
   }
   this->ChooseParameters();
   std::vector<float>  converted;
@@ -211,6 +211,10 @@ ShapetonDiffusionImageFilter<TInputImage>::GenerateData()
     throw ShapetonInputError(__FILE__, __LINE__, error.what(), ITK_LOCATION);
   }
   catch (const std::logic_error & error)
+  {
+    itkExceptionMacro(<< error.what());
+  }
+  catch (const std::overflow_error & error) // of a voxel's visits
   {
     itkExceptionMacro(<< error.what());
   }

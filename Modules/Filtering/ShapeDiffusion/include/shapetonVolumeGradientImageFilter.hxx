@@ -12,6 +12,10 @@ template <typename TInputImage, typename TOutputImage>
 void
 VolumeGradientImageFilter<TInputImage, TOutputImage>::SetIntensityWindow(double lower, double upper)
 {
+  if (m_HasWindow && m_WindowLower == lower && m_WindowUpper == upper)
+  {
+    return;
+  }
   m_HasWindow = true;
   m_WindowLower = lower;
   m_WindowUpper = upper;

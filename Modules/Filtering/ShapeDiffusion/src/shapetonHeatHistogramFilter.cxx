@@ -23,6 +23,10 @@ HeatHistogramFilter::MakeOutput(DataObjectPointerArraySizeType)
 void
 HeatHistogramFilter::AddHeat(const HeatImageType * heat, std::uint64_t timeStep)
 {
+  if (!heat)
+  {
+    itkExceptionMacro("there is no heat of time step " << timeStep);
+  }
   if (!m_TimeSteps.empty() && timeStep < m_TimeSteps.back())
   {
     itkExceptionMacro("time step " << timeStep << " comes after " << m_TimeSteps.back()

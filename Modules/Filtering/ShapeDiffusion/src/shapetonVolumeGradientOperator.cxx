@@ -93,6 +93,10 @@ VolumeGradientOperator::VolumeGradientOperator(const float *                    
   : m_Grid(size), m_Parameters(parameters)
 {
   CheckParameters(parameters);
+  if (size[0] == 0 || size[1] == 0 || size[2] == 0)
+  {
+    throw std::invalid_argument("the volume is empty");
+  }
   const double smallest = *std::min_element(parameters.spacing.begin(), parameters.spacing.end());
   for (unsigned int axis = 0; axis < 3; ++axis)
   {

@@ -183,6 +183,31 @@ TEST(CumulativeHeatDiffusionImageFilter, KeepsAnObliqueAnisotropicGeometry)
   }
 }
 
+TEST(CumulativeHeatDiffusionImageFilter, WithoutInitialHeatNothingOfAnEarlierRunStays)
+{
+  const auto filter = MakeFilter(MakeImage<float>(test::MakeScene({ 9, 8, 7 }, 0.1)).GetPointer(), 20);
+  filter->WantInitialHeatOn();
+  filter->Update();
+  EXPECT_EQ(filter->GetInitialHeatOutput()->GetBufferedRegion().GetNumberOfPixels(), 9U * 8U * 7U);
+  filter->WantInitialHeatOff();
+  filter->Update();
+  EXPECT_EQ(filter->GetInitialHeatOutput()->GetBufferedRegion().GetNumberOfPixels(), 0U);
+}
+
+TEST(CumulativeHeatDiffusionImageFilter, TheSameWindowAsksForNoNewRun)
+{
+  const auto filter = MakeFilter(MakeImage<float>(test::MakeScene({ 9, 8, 7 }, 0.1)).GetPointer(), 20);
+  filter->SetIntensityWindow(0.1, 0.9);
+  filter->Update();
+  const auto made = filter->GetOutput()->GetUpdateMTime();
+  filter->SetIntensityWindow(0.1, 0.9);
+  filter->Update();
+  EXPECT_EQ(filter->GetOutput()->GetUpdateMTime(), made);
+  filter->SetIntensityWindow(0.2, 0.9);
+  filter->Update();
+  EXPECT_GT(filter->GetOutput()->GetUpdateMTime(), made);
+}
+
 TEST(CumulativeHeatDiffusionImageFilter, ARegionThatStartsElsewhereAndAPartialRequestGiveTheSameHeat)
 {
   const test::Volume               volume = test::MakeScene({ 11, 12, 13 }, 0.1);

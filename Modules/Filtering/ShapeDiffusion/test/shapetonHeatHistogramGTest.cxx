@@ -75,6 +75,7 @@ TEST(HeatHistogramFilter, RefusesStepsOutOfOrder)
   auto filter = HeatHistogramFilter::New();
   filter->AddHeat(heat, 5);
   EXPECT_THROW(filter->AddHeat(heat, 4), itk::ExceptionObject);
+  EXPECT_THROW(filter->AddHeat(nullptr, 6), itk::ExceptionObject);
 }
 
 namespace

@@ -327,6 +327,10 @@ TEST(ShapetonDiffusionImageFilter, AMaskOfAnotherGridIsRefused)
   EXPECT_NO_THROW(filter->Update());
   mask->SetOrigin(std::array<double, 3>{ { 0.0, 0.5, 0.0 } }.data());
   EXPECT_NE(Refusal(filter.GetPointer()), "");
+  const auto elsewhere = MakeMask(volume); // of other indices
+  elsewhere->SetRegions(itk::ImageRegion<3>({ { 2, 0, 0 } }, { { 9, 8, 7 } }));
+  filter->SetMaskImage(elsewhere);
+  EXPECT_NE(Refusal(filter.GetPointer()).find("mask differs from the input in size or first index"), std::string::npos);
   filter->SetMaskImage(MakeMask(test::Volume({ 9, 8, 6 })));
   EXPECT_NE(Refusal(filter.GetPointer()).find("mask differs from the input in size"), std::string::npos);
 }

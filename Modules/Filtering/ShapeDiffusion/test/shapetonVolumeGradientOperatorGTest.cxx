@@ -109,6 +109,7 @@ TEST(VolumeGradientOperator, RefusesBadParametersAndBadValues)
   parameters = {};
   parameters.spacing[1] = 0.0;
   EXPECT_THROW(make(parameters), std::invalid_argument);
+  EXPECT_THROW(VolumeGradientOperator(nullptr, { 4, 0, 4 }, {}), std::invalid_argument);
   volume.values[17] = std::numeric_limits<float>::quiet_NaN();
   EXPECT_THROW(make({}), std::invalid_argument);
   volume.values[17] = std::numeric_limits<float>::infinity();
