@@ -6,6 +6,7 @@ itk_module(ColonFilters
   EXCLUDE_FROM_DEFAULT
   DEPENDS
     Base
+    VolumeFiles
     HeatDiffusionMetric
     ConformalFlattening
     ColonLumen

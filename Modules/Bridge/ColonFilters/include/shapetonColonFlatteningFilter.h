@@ -84,6 +84,10 @@ protected:
   ~ColonFlatteningFilter() override = default;
 
   void
+  GenerateOutputInformation() override
+  {} // meshes of two types have nothing to take over
+
+  void
   Compute() override
   {
     ColonFlatteningOptions options = m_Options;

@@ -5,6 +5,7 @@
 #include "shapetonExceptions.h"
 #include "shapetonMeshAdapter.h"
 #include "shapetonStageFilter.h"
+#include "shapetonVolume.h"
 
 #include "itkImageToMeshFilter.h"
 
@@ -22,7 +23,7 @@ namespace shapeton
  * of the CT. Outputs: 0 the simplified wall, 1 the repaired one, 2 the raw one; 3 the centreline, CurveSet; 4 the whole
  * ColonModel, whose images begin at index 0.
  *
- * Throws InputError where this is no prepared colon, and as BuildColonModel().
+ * Throws InputError where this is no prepared colon or the mask lies on another grid, and as BuildColonModel().
  *
  * \ingroup ColonFilters */
 template <typename TInputImage, typename TOutputMesh = PipelineMesh>
@@ -89,6 +90,17 @@ protected:
     }
   }
   ~ColonModelFilter() override = default;
+
+  void
+  VerifyInputInformation() const override
+  {
+    Superclass::VerifyInputInformation();
+    const auto * const ct = static_cast<const TInputImage *>(this->itk::ProcessObject::GetInput(0));
+    if (this->GetLumenMask() && !HaveSameGrid(ct, this->GetLumenMask()))
+    {
+      throw InputError("the lumen mask differs in size or place from the CT: give a mask made on that CT");
+    }
+  }
 
   void
   Compute() override

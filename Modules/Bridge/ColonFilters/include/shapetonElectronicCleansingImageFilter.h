@@ -2,7 +2,9 @@
 #define shapetonElectronicCleansingImageFilter_h
 
 #include "shapetonElectronicCleansing.h"
+#include "shapetonExceptions.h"
 #include "shapetonStageFilter.h"
+#include "shapetonVolume.h"
 
 #include "itkImageToImageFilter.h"
 
@@ -14,7 +16,7 @@ namespace shapeton
  * \par Inputs and Outputs
  * Input: a CT in HU. Input Lumen: the output 1 of the ColonLumenImageFilter of the same CT. Output 0: the CT with gas
  * in place of fluid, float. Output 1: CleansedColon with the occupancy, which ColonWallFilter takes; it begins at index
- * 0.
+ * 0. Throws InputError where the lumen is not on the grid of the CT.
  *
  * \ingroup ColonFilters */
 template <typename TInputImage>
@@ -59,8 +61,13 @@ protected:
   void
   Compute() override
   {
-    CleansedColon cleansed =
-      CleanseColon(FloatsFromIndexZero(this->GetInput()), this->GetLumen()->Get(), this->Reporter());
+    const auto         ct = FloatsFromIndexZero(this->GetInput());
+    const ColonLumen & lumen = this->GetLumen()->Get();
+    if (lumen.labels && !HaveSameGrid(ct, lumen.labels))
+    {
+      throw InputError("the lumen differs in size or place from the CT: give a lumen found in that CT");
+    }
+    CleansedColon cleansed = CleanseColon(ct, lumen, this->Reporter());
     HandOver(cleansed.ct.GetPointer(), this->GetOutput());
     this->SetResult(1, std::move(cleansed));
   }

@@ -75,10 +75,12 @@ public:
   void
   Graft(const itk::DataObject * data) override
   {
-    if (const auto * const other = dynamic_cast<const Self *>(data))
+    const auto * const other = dynamic_cast<const Self *>(data);
+    if (data && !other)
     {
-      m_Result = other->m_Result;
+      itkExceptionMacro("cannot graft a " << data->GetNameOfClass() << " of another type");
     }
+    m_Result = other ? other->m_Result : m_Result;
   }
 
 protected:

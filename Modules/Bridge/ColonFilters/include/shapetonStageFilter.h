@@ -12,6 +12,7 @@
 #include "itkImage.h"
 #include "itkProcessObject.h"
 
+#include <algorithm>
 #include <stdexcept>
 #include <type_traits>
 
@@ -74,12 +75,20 @@ protected:
   GenerateData() override
   {
     const Interruption interruption([this] { AbortIfAsked(*this); });
+    const struct Clear // also when the run is aborted
+    {
+      ~Clear() { stage.clear(); }
+      std::string & stage;
+    } clear{ m_Stage };
     try
     {
       this->Compute();
-      m_Stage.clear();
     }
     catch (const std::logic_error & error) // mistakes of the calling code
+    {
+      itkExceptionMacro(<< error.what());
+    }
+    catch (const std::runtime_error & error) // no solution
     {
       itkExceptionMacro(<< error.what());
     }
@@ -161,14 +170,16 @@ FloatsFromIndexZero(const TImage * image)
   }
 }
 
-/** Hands the voxels of an image that begins at index 0 to the output of a filter, whose regions are set.
+/** Copies the voxels of an image that begins at index 0 to the output of a filter, whose regions are set: filters that
+ * work in place on the output change no result beside it.
  * \pre Both have the same size. \ingroup ColonFilters */
 template <typename TImage>
 void
-HandOver(TImage * voxels, TImage * output)
+HandOver(const TImage * voxels, TImage * output)
 {
   output->SetBufferedRegion(output->GetLargestPossibleRegion());
-  output->SetPixelContainer(voxels->GetPixelContainer());
+  output->Allocate();
+  std::copy_n(voxels->GetBufferPointer(), voxels->GetBufferedRegion().GetNumberOfPixels(), output->GetBufferPointer());
 }
 ///@}
 
@@ -177,6 +188,7 @@ template <typename TMesh, typename = typename TMesh::MeshTraits>
 void
 HandOver(const SurfaceMesh & surface, TMesh * output)
 {
+  output->Initialize(); // the pipeline does so only where data may be released
   FillMesh(surface, *output);
   output->SetBufferedRegion(output->GetRequestedRegion()); // else the pipeline takes it for unfinished
 }

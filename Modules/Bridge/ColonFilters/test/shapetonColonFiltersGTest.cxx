@@ -17,8 +17,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <sstream>
+#include <vector>
 
 using namespace shapeton;
 
@@ -383,6 +385,65 @@ TEST(ColonFilters, AnImageMayBeginAtAnyIndex)
   EXPECT_TRUE(HaveEqualVoxels(lumen->GetOutput(), reference->GetOutput()));
   EXPECT_EQ(lumen->GetOutput()->GetLargestPossibleRegion().GetIndex(), (itk::Index<3>{ { 7, -3, 12 } }));
   EXPECT_LT(lumen->GetOutput()->GetOrigin().EuclideanDistanceTo(origin), 1e-9);
+}
+
+TEST(ColonFilters, WhatIsDoneToAnOutputChangesNoResultBesideIt)
+{
+  const auto lumen = ColonLumenImageFilter<CtImage>::New();
+  lumen->SetInput(Ct());
+  lumen->SetPatientPosition("HFS");
+  lumen->Update();
+  const auto         result = lumen->GetLumenOutput()->Share();
+  const auto * const begin = result->labels->GetBufferPointer();
+  const auto         number = result->labels->GetBufferedRegion().GetNumberOfPixels();
+  const std::vector  before(begin, begin + number);
+  lumen->GetOutput()->FillBuffer(0);
+  EXPECT_TRUE(std::equal(before.begin(), before.end(), begin));
+}
+
+TEST(ColonFilters, GridsThatDifferAreRefused)
+{
+  const auto moved = CtImage::New();
+  moved->Graft(Ct());
+  auto origin = Ct()->GetOrigin();
+  origin[0] += 100.0;
+  moved->SetOrigin(origin);
+  const auto lumen = ColonLumenImageFilter<CtImage>::New();
+  lumen->SetInput(Ct());
+  lumen->SetPatientPosition("HFS");
+  const auto cleansing = ElectronicCleansingImageFilter<CtImage>::New();
+  cleansing->SetInput(moved);
+  cleansing->SetLumen(lumen->GetLumenOutput());
+  EXPECT_THROW(cleansing->Update(), InputError);
+  const auto mask = LumenMaskImage::New();
+  mask->CopyInformation(moved);
+  mask->SetRegions(moved->GetLargestPossibleRegion());
+  mask->Allocate(true);
+  const auto model = NewModelFilter();
+  model->SetLumenMask(mask);
+  EXPECT_THROW(model->Update(), InputError);
+}
+
+TEST(ColonFilters, MeshesOfAnyTypeAreFlattenedAndFilledAnew)
+{
+  using Floats = itk::Mesh<float, 3>;
+  const auto  floats = Floats::New();
+  SurfaceMesh wall = SurfaceOf(*FinishedPipeline().model->GetOutput());
+  wall.pointArrays.clear();
+  wall.cellArrays.clear();
+  FillMesh(wall, *floats);
+  const auto flattening = ColonFlatteningFilter<Floats, PipelineMesh>::New();
+  flattening->SetInput(floats);
+  flattening->SetCentreline(FinishedPipeline().model->GetCentrelineOutput());
+  flattening->ReleaseDataBeforeUpdateFlagOff();
+  flattening->Update();
+  const auto faces = [&] {
+    return static_cast<std::size_t>(flattening->GetFlatteningOutput()->Get().map.flat.F.rows());
+  };
+  EXPECT_EQ(flattening->GetOutput()->GetNumberOfCells(), faces());
+  flattening->SetTime(2.0 * FinishedPipeline().flattening->GetFlatteningOutput()->Get().time);
+  flattening->Update();
+  EXPECT_EQ(flattening->GetOutput()->GetNumberOfCells(), faces());
 }
 
 TEST(ColonFilters, ErrorsAreExceptionsOfItk)

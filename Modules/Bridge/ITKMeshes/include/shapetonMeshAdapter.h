@@ -85,8 +85,8 @@ ValueOf(const itk::MetaDataDictionary & dictionary, const char * key)
 
 /** Fills an empty mesh.
  * \param pointArray, cellArray the arrays that pixels of a fixed number of components hold; empty for none.
- * Throws ParameterError where there is no such array; InputError as RequireSound(), and for a QuadEdgeMesh where the
- * surface is no oriented manifold. \ingroup ITKMeshes */
+ * Throws ParameterError where the mesh is not empty, or there is no such array; InputError as RequireSound(), and for a
+ * QuadEdgeMesh where the surface is no oriented manifold. \ingroup ITKMeshes */
 template <typename TMesh>
 void
 FillMesh(const SurfaceMesh & surface,
@@ -95,6 +95,8 @@ FillMesh(const SurfaceMesh & surface,
          const std::string & cellArray = "")
 {
   static_assert(TMesh::PointDimension == 3, "surfaces lie in space");
+  RequireParameter(mesh.GetNumberOfPoints() == 0 && mesh.GetNumberOfCells() == 0,
+                   "the mesh to be filled is not empty; call its Initialize() first");
   RequireSound(surface, "the surface");
   using PointPixel = typename TMesh::PixelType;
   using CellPixel = typename TMesh::CellPixelType;
@@ -165,13 +167,14 @@ TrianglesOf(const TMesh & mesh)
   std::vector<typename TMesh::CellIdentifier> triangles;
   for (auto cell = mesh.GetCells()->Begin(); cell != mesh.GetCells()->End(); ++cell)
   {
+    const auto dimension = cell.Value()->GetDimension();
     const auto corners = cell.Value()->GetNumberOfPoints();
-    if (corners > 3)
+    if (dimension > 2 || (dimension == 2 && corners != 3))
     {
       throw InputError("the cell " + std::to_string(cell.Index()) + " of the mesh has " + std::to_string(corners) +
                        " points; cut it into triangles");
     }
-    if (corners == 3)
+    if (dimension == 2)
     {
       triangles.push_back(cell.Index());
     }
@@ -194,7 +197,13 @@ TakeTriangles(const TMesh & mesh, const std::map<typename TMesh::PointIdentifier
     int        corner = 0;
     for (auto point = cell->PointIdsBegin(); point != cell->PointIdsEnd(); ++point)
     {
-      surface.F(face, corner++) = rows.at(*point);
+      const auto row = rows.find(*point);
+      if (row == rows.end())
+      {
+        throw InputError("the cell " + std::to_string(identifier) + " of the mesh names the point " +
+                         std::to_string(*point) + ", which the mesh does not have");
+      }
+      surface.F(face, corner++) = row->second;
     }
     if (mesh.GetCellData() && mesh.GetCellData()->IndexExists(identifier))
     {
@@ -205,9 +214,10 @@ TakeTriangles(const TMesh & mesh, const std::map<typename TMesh::PointIdentifier
 }
 } // namespace meshadapter
 
-/** The triangles of a mesh as a surface: points by ascending identifier, cells, too. Cells of one or two points are
+/** The triangles of a mesh as a surface: points by ascending identifier, cells, too. Vertices and lines are
  * left out. Values whose names are not known, or that a filter has replaced, make one array pointData or cellData.
- * Throws InputError for a cell of more than three points, and as RequireSound(). \ingroup ITKMeshes */
+ * Throws InputError for polygons of other than three points, solids, cells of missing points, and as RequireSound().
+ * \ingroup ITKMeshes */
 template <typename TMesh, typename = typename TMesh::MeshTraits>
 SurfaceMesh
 SurfaceOf(const TMesh & mesh)

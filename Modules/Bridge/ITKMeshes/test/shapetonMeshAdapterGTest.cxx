@@ -5,6 +5,8 @@
 #include "itkTransformMeshFilter.h"
 #include "itkTranslationTransform.h"
 
+#include "itkQuadraticEdgeCell.h"
+
 #include <gtest/gtest.h>
 
 using namespace shapeton;
@@ -174,5 +176,24 @@ TEST(MeshAdapterOfOthers, WhatIsNoTriangleIsRefused)
   thrice.F.resize(3, 3);
   thrice.F << 0, 1, 2, 0, 2, 3, 0, 2, 1; // the edge 0-2 has three faces
   EXPECT_THROW(FillMesh(thrice, *itk::QuadEdgeMesh<double, 3>::New()), InputError);
-  EXPECT_NO_THROW(FillMesh(thrice, *PipelineMesh::New()));
+  const auto filled = PipelineMesh::New();
+  EXPECT_NO_THROW(FillMesh(thrice, *filled));
+  EXPECT_THROW(FillMesh(thrice, *filled), ParameterError); // it is not empty any more
+}
+
+TEST(MeshAdapterOfOthers, LinesOfThreePointsAreNoTrianglesAndPointsMustBeThere)
+{
+  const auto mesh = PipelineMesh::New();
+  FillMesh(Square(), *mesh);
+  using Cell = PipelineMesh::CellType;
+  const auto add = [&](Cell * made, std::vector<PipelineMesh::PointIdentifier> corners) {
+    Cell::CellAutoPointer cell;
+    cell.TakeOwnership(made);
+    cell->SetPointIds(corners.data());
+    mesh->SetCell(mesh->GetNumberOfCells(), cell);
+  };
+  add(new itk::QuadraticEdgeCell<Cell>, { 0, 1, 2 });
+  EXPECT_EQ(SurfaceOf(*mesh).F, Square().F);
+  add(new itk::TriangleCell<Cell>, { 0, 1, 99 });
+  EXPECT_THROW(SurfaceOf(*mesh), InputError);
 }

@@ -5,6 +5,7 @@
 
 #include "itkDefaultConvertPixelTraits.h"
 #include "itkImage.h"
+#include "itkVariableLengthVector.h"
 
 #include <vtkAOSDataArrayTemplate.h>
 #include <vtkDataArray.h>
@@ -16,6 +17,7 @@
 #include <vtkSmartPointer.h>
 
 #include <cstring>
+#include <type_traits>
 
 namespace shapeton
 {
@@ -24,9 +26,9 @@ VTKData_EXPORT void
 RequireScalars(vtkImageData & data, unsigned int dimension, int components);
 
 /** \name Images as vtkImageData
- * Images of two or three dimensions with pixels of one or several components (RGBPixel, Vector). Spacing, origin and
- * direction cosines come along; SPACE in the field data says in which axes. Filters of VTK that are older than its 9.0
- * overlook directions: give them images along the axes. Pixels are copied. */
+ * Images of two or three dimensions with pixels of one or several components (RGBPixel, Vector; ImageDataOf() also
+ * VectorImage). Spacing, origin and direction cosines come along; SPACE in the field data says in which axes. Filters
+ * of VTK that are older than its 9.0 overlook directions: give them images along the axes. Pixels are copied. */
 ///@{
 
 /** An image in the given space. The buffered region alone, so that its first pixel lies at the origin.
@@ -38,6 +40,9 @@ ImageDataOf(const TImage * image, PatientSpace space = PatientSpace::LPS)
   constexpr unsigned int dimension = TImage::ImageDimension;
   using Traits = itk::DefaultConvertPixelTraits<typename TImage::PixelType>;
   using Component = typename Traits::ComponentType;
+  static_assert(!std::is_same_v<typename TImage::InternalPixelType, itk::VariableLengthVector<Component>>,
+                "pixels of variable length that each own their memory: use an itk::VectorImage");
+  const auto components = static_cast<int>(image->GetNumberOfComponentsPerPixel());
   const auto region = image->GetBufferedRegion();
   const auto origin = image->template TransformIndexToPhysicalPoint<double>(region.GetIndex());
   int        dimensions[3] = { 1, 1, 1 };
@@ -63,11 +68,10 @@ ImageDataOf(const TImage * image, PatientSpace space = PatientSpace::LPS)
   data->SetDirectionMatrix(direction);
   vtkNew<vtkAOSDataArrayTemplate<Component>> scalars;
   scalars->SetName("scalars");
-  scalars->SetNumberOfComponents(static_cast<int>(Traits::GetNumberOfComponents()));
+  scalars->SetNumberOfComponents(components);
   scalars->SetNumberOfTuples(static_cast<vtkIdType>(region.GetNumberOfPixels()));
-  std::memcpy(scalars->GetVoidPointer(0),
-              image->GetBufferPointer(),
-              sizeof(typename TImage::PixelType) * region.GetNumberOfPixels());
+  std::memcpy(
+    scalars->GetVoidPointer(0), image->GetBufferPointer(), sizeof(Component) * components * region.GetNumberOfPixels());
   data->GetPointData()->SetScalars(scalars);
   SetSpace(space, *data->GetFieldData());
   return data;
@@ -82,6 +86,8 @@ ImageOf(vtkImageData & data, PatientSpace space = PatientSpace::LPS)
 {
   constexpr unsigned int dimension = TImage::ImageDimension;
   using Traits = itk::DefaultConvertPixelTraits<typename TImage::PixelType>;
+  static_assert(!std::is_same_v<typename TImage::PixelType, itk::VariableLengthVector<typename Traits::ComponentType>>,
+                "an image whose pixels have a fixed number of components is needed");
   vtkDataArray * const scalars = data.GetPointData()->GetScalars();
   RequireScalars(data, dimension, static_cast<int>(Traits::GetNumberOfComponents()));
   space = SpaceOf(*data.GetFieldData(), space);

@@ -13,6 +13,9 @@
 #include <vtkStringArray.h>
 #include <vtkTriangleFilter.h>
 
+#include <cstdint>
+#include <limits>
+
 namespace shapeton
 {
 namespace
@@ -53,11 +56,14 @@ VerticesOf(vtkPolyData & data, PatientSpace space)
   return V;
 }
 
+/** Whether SurfaceArray::areIntegers holds, which are written with 32 bits. */
 bool
-HoldsIntegers(const vtkDataArray & array)
+HoldsIntegers(vtkDataArray & array, const SurfaceArray::ValueMatrix & values)
 {
-  const int type = const_cast<vtkDataArray &>(array).GetDataType();
-  return type != VTK_FLOAT && type != VTK_DOUBLE;
+  const int type = array.GetDataType();
+  return type != VTK_FLOAT && type != VTK_DOUBLE &&
+         (values.size() == 0 || (values.minCoeff() >= std::numeric_limits<std::int32_t>::min() &&
+                                 values.maxCoeff() <= std::numeric_limits<std::int32_t>::max()));
 }
 
 /** The numeric arrays; of each the tuples from `begin` to `end`. */
@@ -78,7 +84,8 @@ ArraysOf(vtkFieldData & data, vtkIdType begin, vtkIdType end)
     {
       array->GetTuple(row, values.row(row - begin).data());
     }
-    arrays.push_back({ name ? name : "array" + std::to_string(i), std::move(values), HoldsIntegers(*array) });
+    const bool areIntegers = HoldsIntegers(*array, values);
+    arrays.push_back({ name ? name : "array" + std::to_string(i), std::move(values), areIntegers });
   }
   return arrays;
 }
@@ -117,17 +124,49 @@ WithoutCells(vtkPolyData & data, PatientSpace space)
   return geometry;
 }
 
-void
-AppendCurves(vtkCellArray & cells, CurveSet & curves)
+/** Curves, and the cell of each. */
+class CurveReader
 {
-  for (vtkIdType i = 0; i < cells.GetNumberOfCells(); ++i)
+public:
+  explicit CurveReader(CurveSet & curves) : m_Curves(curves) {}
+
+  /** Cells of several points are one curve or, where they are loose, one for each point. */
+  void
+  Append(vtkCellArray & cells, bool areLoose)
   {
-    vtkIdType         number = 0;
-    const vtkIdType * ids = nullptr;
-    cells.GetCellAtId(i, number, ids);
-    curves.curves.emplace_back(ids, ids + number);
+    for (vtkIdType i = 0; i < cells.GetNumberOfCells(); ++i, ++m_Cells)
+    {
+      vtkIdType         number = 0;
+      const vtkIdType * ids = nullptr;
+      cells.GetCellAtId(i, number, ids);
+      const vtkIdType length = areLoose ? 1 : number;
+      for (vtkIdType first = 0; first < number; first += length)
+      {
+        m_Curves.curves.emplace_back(ids + first, ids + first + length);
+        m_CellOfCurve.push_back(m_Cells);
+      }
+    }
   }
-}
+
+  void
+  TakeCellData(vtkFieldData & data)
+  {
+    for (SurfaceArray & array : ArraysOf(data, 0, m_Cells))
+    {
+      SurfaceArray::ValueMatrix values(static_cast<Eigen::Index>(m_CellOfCurve.size()), array.values.cols());
+      for (Eigen::Index curve = 0; curve < values.rows(); ++curve)
+      {
+        values.row(curve) = array.values.row(m_CellOfCurve[static_cast<std::size_t>(curve)]);
+      }
+      m_Curves.cellArrays.push_back({ array.name, std::move(values), array.areIntegers });
+    }
+  }
+
+private:
+  CurveSet &             m_Curves;
+  vtkIdType              m_Cells{ 0 };
+  std::vector<vtkIdType> m_CellOfCurve;
+};
 } // namespace
 
 vtkSmartPointer<vtkPolyData>
@@ -178,10 +217,11 @@ SurfaceOf(vtkPolyData & data, PatientSpace space)
 CurveSet
 CurvesOf(vtkPolyData & data, PatientSpace space)
 {
-  auto curves = WithoutCells<CurveSet>(data, space);
-  AppendCurves(*data.GetVerts(), curves);
-  AppendCurves(*data.GetLines(), curves);
-  curves.cellArrays = ArraysOf(*data.GetCellData(), 0, static_cast<vtkIdType>(curves.curves.size()));
+  auto        curves = WithoutCells<CurveSet>(data, space);
+  CurveReader reader(curves);
+  reader.Append(*data.GetVerts(), true);
+  reader.Append(*data.GetLines(), false);
+  reader.TakeCellData(*data.GetCellData());
   RequireSound(curves, "the vtkPolyData");
   return curves;
 }

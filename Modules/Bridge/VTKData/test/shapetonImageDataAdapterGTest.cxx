@@ -1,6 +1,7 @@
 #include "shapetonImageDataAdapter.h"
 #include "shapetonExceptions.h"
 
+#include "itkVectorImage.h"
 #include "itkRGBPixel.h"
 
 #include <gtest/gtest.h>
@@ -108,6 +109,23 @@ TEST(ImageDataAdapter, ColoursKeepTheirComponents)
   EXPECT_EQ(data->GetNumberOfScalarComponents(), 3);
   EXPECT_EQ(data->GetScalarComponentAsDouble(2, 1, 0, 1), 7.0);
   EXPECT_EQ(ImageOf<Picture>(*data)->GetPixel({ { 2, 1 } }), color);
+}
+
+TEST(ImageDataAdapter, VectorImagesKeepTheirComponents)
+{
+  using Vectors = itk::VectorImage<float, 3>;
+  const auto vectors = Vectors::New();
+  vectors->SetRegions(Vectors::SizeType{ { 2, 3, 4 } });
+  vectors->SetNumberOfComponentsPerPixel(5);
+  vectors->Allocate();
+  for (int i = 0; i < 2 * 3 * 4 * 5; ++i)
+  {
+    vectors->GetBufferPointer()[i] = static_cast<float>(i);
+  }
+  const auto data = ImageDataOf(vectors.GetPointer());
+  ASSERT_EQ(data->GetNumberOfScalarComponents(), 5);
+  EXPECT_EQ(data->GetScalarComponentAsDouble(1, 2, 3, 4), 119.0);
+  EXPECT_EQ(data->GetScalarComponentAsDouble(1, 0, 0, 2), vectors->GetPixel({ { 1, 0, 0 } })[2]);
 }
 
 TEST(ImageDataAdapter, WhatIsNoSuchImageIsRefused)

@@ -4,6 +4,7 @@
 #include <vtkCellArray.h>
 #include <vtkCellData.h>
 #include <vtkFieldData.h>
+#include <vtkIdTypeArray.h>
 #include <vtkIntArray.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
@@ -140,6 +141,41 @@ TEST(PolyDataAdapter, CurvesComeBack)
     ExpectEqual(back.pointArrays, curves.pointArrays);
     ExpectEqual(back.cellArrays, curves.cellArrays);
   }
+}
+
+TEST(PolyDataAdapter, LooseVerticesAreACurveEach)
+{
+  CurveSet curves;
+  curves.V = Eigen::MatrixXd::Random(4, 3);
+  curves.curves = { { 0, 1, 2 } };
+  const auto           data = PolyDataOf(curves);
+  vtkIdType            loose[] = { 3, 1 };
+  vtkNew<vtkCellArray> verts;
+  data->SetVerts(verts);
+  data->GetVerts()->InsertNextCell(2, loose); // before the line, as VTK counts cells
+  vtkNew<vtkIntArray> labels;
+  labels->SetName("label");
+  labels->InsertNextValue(8);
+  labels->InsertNextValue(9);
+  data->GetCellData()->AddArray(labels);
+  const CurveSet back = CurvesOf(*data);
+  EXPECT_EQ(back.curves, (std::vector<std::vector<int>>{ { 3 }, { 1 }, { 0, 1, 2 } }));
+  EXPECT_EQ(back.cellArrays.at(0).values, Eigen::Vector3d(8, 8, 9));
+}
+
+TEST(PolyDataAdapter, NumbersBeyond32BitsStayWhatTheyAre)
+{
+  const auto             data = PolyDataOf(Tetrahedron());
+  vtkNew<vtkIdTypeArray> ids;
+  ids->SetName("id");
+  for (const vtkIdType id : { 0LL, 5000000000LL, -1LL, 4278190080LL })
+  {
+    ids->InsertNextValue(id);
+  }
+  data->GetPointData()->AddArray(ids);
+  const auto back = PolyDataOf(SurfaceOf(*data));
+  EXPECT_EQ(back->GetPointData()->GetArray("id")->GetComponent(1, 0), 5e9);
+  EXPECT_EQ(back->GetPointData()->GetArray("id")->GetComponent(3, 0), 4278190080.0);
 }
 
 TEST(PolyDataAdapter, WhatHoldsNoSurfaceIsRefused)
