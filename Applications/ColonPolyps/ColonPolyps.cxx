@@ -55,10 +55,18 @@ MapToOther(CommandLine & commandLine, Candidates & candidates)
       map = surface.mesh;
     }
   }
+  const double confidence = shapeton::ConfidenceOfRegistration(folder);
+  if (confidence < 0.5)
+  {
+    commandLine.Warn("the registration \"" + folder + "\" has a confidence of " +
+                     shapeton::CsvTable::Rounded(confidence, 2) +
+                     ", see its reasons there: the other position was not used");
+    return;
+  }
   shapeton::FindInOtherPosition(map, '"' + nearest + '"', others, candidates);
   if (commandLine.IsGiven("other"))
   {
-    shapeton::WeighByOtherPosition(shapeton::ConfidenceOfRegistration(folder), candidates);
+    shapeton::WeighByOtherPosition(confidence, candidates);
   }
 }
 

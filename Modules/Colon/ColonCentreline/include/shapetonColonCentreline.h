@@ -49,7 +49,8 @@ struct CentrelineGap
   itk::Point<double, 3> to;
   /** Straight distance of the ends of the lumen, mm. */
   double distance{ 0.0 };
-  /** Longer than a collapsed stretch is known to be (150 mm): the order of the pieces is in doubt. */
+  /** The order of the pieces is in doubt: longer than a collapsed stretch is known to be (150 mm), or, in a ColonModel,
+   * outside of the scan. */
   bool isDoubtful{ false };
 };
 

@@ -16,6 +16,7 @@ constexpr double analCanal = 40.0;
 constexpr double leastPool = 150.0; // mm^2
 constexpr double nearLevel = 3.0;   // mm
 constexpr double deepest = 120.0;   // mm from the line to a level
+constexpr double besideGap = 15.0;  // mm along the line: its ends taper
 
 const char * const arrayName = "notAssessable";
 const char * const lineName = "the centreline";
@@ -158,6 +159,31 @@ private:
 
   const ColonLumen & m_Lumen;
 };
+/** Gaps with the border of the scan at both ends: the colon goes on outside of it. */
+void
+MarkGapsOutsideScan(const Eigen::VectorXd & arc, std::vector<ColonHindrance> & hindrances)
+{
+  const auto isCut = [&](std::size_t from, std::size_t to) {
+    return std::any_of(hindrances.begin() + static_cast<std::ptrdiff_t>(from),
+                       hindrances.begin() + static_cast<std::ptrdiff_t>(to),
+                       [](ColonHindrance hindrance) { return hindrance == ColonHindrance::CutByScan; });
+  };
+  const auto indexAt = [&](double place) {
+    return static_cast<std::size_t>(std::lower_bound(arc.begin(), arc.end(), place) - arc.begin());
+  };
+  for (std::size_t begin = 0, end = 0; begin < hindrances.size(); begin = end)
+  {
+    end = EndOfRun(hindrances, begin);
+    if (hindrances[begin] == ColonHindrance::NoLumen && begin > 0 && end < hindrances.size() &&
+        isCut(indexAt(arc[static_cast<Eigen::Index>(begin)] - besideGap), begin) &&
+        isCut(end, indexAt(arc[static_cast<Eigen::Index>(end)] + besideGap)))
+    {
+      std::fill(hindrances.begin() + static_cast<std::ptrdiff_t>(begin),
+                hindrances.begin() + static_cast<std::ptrdiff_t>(end),
+                ColonHindrance::CutByScan);
+    }
+  }
+}
 } // namespace
 
 std::string
@@ -204,7 +230,6 @@ MarkHindrances(const ColonLumen & lumen, CurveSet & curve)
   std::vector<ColonHindrance> hindrances = HindrancesOfShape(curve);
   const Eigen::VectorXd       radius = PointValues(curve, "radius", lineName);
   const LumenAround           around(lumen);
-  SurfaceArray                array{ arrayName, SurfaceArray::ValueMatrix(curve.V.rows(), 1), true };
   for (Eigen::Index i = 0; i < curve.V.rows(); ++i)
   {
     ColonHindrance & hindrance = hindrances[static_cast<std::size_t>(i)];
@@ -215,7 +240,12 @@ MarkHindrances(const ColonLumen & lumen, CurveSet & curve)
                   : around.IsOverUntaggedFluid(point)  ? ColonHindrance::UntaggedFluid
                                                        : hindrance;
     }
-    array.values(i, 0) = static_cast<double>(hindrance);
+  }
+  MarkGapsOutsideScan(PointValues(curve, "arcLength", lineName), hindrances);
+  SurfaceArray array{ arrayName, SurfaceArray::ValueMatrix(curve.V.rows(), 1), true };
+  for (Eigen::Index i = 0; i < curve.V.rows(); ++i)
+  {
+    array.values(i, 0) = static_cast<double>(hindrances[static_cast<std::size_t>(i)]);
   }
   curve.pointArrays.push_back(std::move(array));
 }

@@ -176,6 +176,25 @@ TEST(ColonAssessability, WhatTheScanCutsIsNotSeen)
   EXPECT_NEAR(stretches[0].end, 8.5, 0.6); // as far from the border as the wall
 }
 
+TEST(ColonAssessability, AGapBetweenTwoPlacesThatTheScanCutsLiesOutsideOfIt)
+{
+  for (const int turn : { 3, 40 }) // mm from the border where the lumen ends
+  {
+    shapeton::CurveSet line = Tube().Line();
+    const auto         points = static_cast<int>(line.V.rows());
+    for (int i = 0; i < points; ++i)
+    {
+      const int  fromMiddle = std::abs(2 * i - points) / 2;
+      const bool isGap = fromMiddle < 10;
+      line.V(i, 0) = isGap ? turn - 5.0 : turn + fromMiddle - 10.0;
+      line.pointArrays[2].values(i, 0) = isGap ? 1.0 : 0.0;
+    }
+    const auto stretches = Tube().Stretches(line);
+    ASSERT_EQ(stretches.size(), 1U) << turn;
+    EXPECT_EQ(stretches[0].hindrance, turn == 3 ? ColonHindrance::CutByScan : ColonHindrance::NoLumen);
+  }
+}
+
 TEST(ColonAssessability, RefusesALineThatDoesNotTell)
 {
   shapeton::CurveSet line = Tube().Line();

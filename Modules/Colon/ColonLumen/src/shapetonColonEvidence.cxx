@@ -318,7 +318,9 @@ WarnOfGravity(const std::string & patientPosition, const LevelsOfDirection * con
     lumen.warnings.push_back(
       "the patient position \"" + patientPosition +
       "\" contradicts the fluid levels in the data: " + std::to_string(std::lround(contradiction->area)) +
-      " mm^2 of flat levels say " + NameOfGravity(contradiction->gravity) + "; the position given was used");
+      " mm^2 of flat levels say " + NameOfGravity(contradiction->gravity) +
+      "; the position given was used: where it is wrong, tagged fluid is missed; look at the slices, and give the "
+      "position that they show");
   }
   if (lumen.gravitySource == ColonGravitySource::Assumed)
   {

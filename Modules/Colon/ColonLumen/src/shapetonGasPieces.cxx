@@ -127,14 +127,25 @@ struct Section
   Eigen::Vector2d sum{ 0.0, 0.0 };
   Eigen::Matrix2d squares{ Eigen::Matrix2d::Zero() };
 
-  /** Of the standard deviations along and across. */
-  double
-  Elongation() const
+  using Axes = Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d>;
+
+  Axes
+  PrincipalAxes() const
   {
     const Eigen::Vector2d mean = sum / voxels;
-    const Eigen::Matrix2d covariance = squares / voxels - mean * mean.transpose();
-    const Eigen::Vector2d variances = Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d>(covariance).eigenvalues();
-    return std::sqrt(variances[1] / std::max(variances[0], 1e-9));
+    return Axes(squares / voxels - mean * mean.transpose());
+  }
+
+  /** Long, and rather from the front to the back than from side to side, as the natal cleft is: gas over a level of
+   * fluid is long, too, but lies across. */
+  bool
+  IsLikeCleft(const ColonGrid & grid) const
+  {
+    const Axes            axes = this->PrincipalAxes();
+    const Eigen::Vector2d along = axes.eigenvectors().col(1);
+    const Eigen::Vector3d inSpace = along[0] * grid.axes.col(0) + along[1] * grid.axes.col(1);
+    const double          elongation = std::sqrt(axes.eigenvalues()[1] / std::max(axes.eigenvalues()[0], 1e-9));
+    return elongation > CleftElongation && std::abs(inSpace[1]) > std::abs(inSpace[0]);
   }
 };
 
@@ -155,8 +166,9 @@ SectionsOfParts(const ColonGrid & grid, const VoxelRuns & set, const RunLabels &
   return sections;
 }
 
-/** Adds the natal cleft to the air outside. It is long and narrow where the caudal border of the image cuts it, which a
- * rectum is not, and goes on upwards as long as the next slice shows a quarter of it: the canal is much smaller. */
+/** Adds the natal cleft to the air outside. It is long and narrow, from front to back, where the caudal border of the
+ * image cuts it, which a rectum is not, and goes on upwards as long as the next slice shows a quarter of it: the canal
+ * is much smaller. */
 void
 AddCleft(const ColonGrid &                       grid,
          const VoxelRuns &                       set,
@@ -179,8 +191,8 @@ AddCleft(const ColonGrid &                       grid,
       for (auto r = set.firstOfRow[row]; r < set.firstOfRow[row + 1]; ++r)
       {
         const auto & section = sections[parts.ofRun[r]];
-        const bool   isStart = k == caudal && section.voxels * grid.spacing[0] * grid.spacing[1] > LeastCleft &&
-                             section.Elongation() > CleftElongation;
+        const bool   isStart =
+          k == caudal && section.voxels * grid.spacing[0] * grid.spacing[1] > LeastCleft && section.IsLikeCleft(grid);
         const bool goesOn = overlaps[parts.ofRun[r]] > ShareOfSection * std::max(1.0, below[parts.ofRun[r]]);
         isCleft[parts.ofRun[r]] = !isOutsideRun[r] && !isKept[parts.ofRun[r]] && (isStart || goesOn);
       }

@@ -245,7 +245,9 @@ JudgeLumen(const ColonEvidence & evidence, ColonLumen & lumen)
   }
   if (restMl < 1.0 && ml < 1.0)
   {
-    lumen.failure = "no colon found: there is no gas inside the body that a bowel could hold";
+    lumen.failure =
+      "no colon found: there is no gas inside the body that a bowel could hold; is this a CT of the abdomen, in "
+      "Hounsfield units (air is -1000)?";
     return;
   }
   lumen.failure = "the colon is not distended or tagged enough: " + Rounded(ml, 0) +

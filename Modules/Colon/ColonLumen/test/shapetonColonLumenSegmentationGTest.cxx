@@ -373,6 +373,24 @@ TEST(ColonLumenSegmentation, AirThatOnlyThinShellsCoverIsOutside)
   EXPECT_EQ(Segment(image).pieces.size(), 2U);
 }
 
+/** Gas over fluid that the caudal border cuts lies across; the natal cleft runs from front to back. */
+TEST(ColonLumenSegmentation, AFlatLumenThatTheCaudalBorderCutsIsNoCleft)
+{
+  const auto flat = [](double across, double deep) {
+    return [=](const Vec & x) { return std::min({ across - std::abs(x[0]), deep - std::abs(x[1] - 25.0), -x[2] }); };
+  };
+  const auto pieces = [&](double across, double deep) {
+    ColonTestScene scene;
+    scene.lumens.push_back({ Tube(At(0, -30, 20), 2, 30, 18), 1e9, 0.0 });
+    scene.lumens.push_back({ flat(across, deep), 1e9, 0.0 });
+    const auto image = shapeton::CentredImage({ 72, 72, 60 }, { 2.0, 2.0, 2.0 }, Identity());
+    scene.Sample(image);
+    return Segment(image).pieces.size();
+  };
+  EXPECT_EQ(pieces(30.0, 12.0), 2U);
+  EXPECT_EQ(pieces(12.0, 30.0), 1U);
+}
+
 /** In a small field of view the border in front cuts the body, while the one behind shows the room. */
 TEST(ColonLumenSegmentation, ABorderThatCutsTheBodyIsNoThinShell)
 {

@@ -32,6 +32,32 @@ LumenOptionsOf(const ColonModelOptions & options)
   return lumen;
 }
 
+/** Where the border of the scan cuts the colon, part of it is not there. */
+void
+JudgeCuts(ColonCentreline & line)
+{
+  constexpr double leastLength = 10.0; // mm
+  for (const HinderedStretch & stretch : FindHinderedStretches(line.curve))
+  {
+    if (stretch.hindrance != ColonHindrance::CutByScan || stretch.end - stretch.begin < leastLength)
+    {
+      continue;
+    }
+    bool isOutside = false;
+    for (CentrelineGap & gap : line.gaps)
+    {
+      const bool isIn = gap.begin < stretch.end && gap.end > stretch.begin;
+      gap.isDoubtful = gap.isDoubtful || isIn;
+      isOutside = isOutside || isIn;
+    }
+    line.warnings.push_back("the border of the scan cuts the colon from " + std::to_string(std::lround(stretch.begin)) +
+                            " to " + std::to_string(std::lround(stretch.end)) + " mm along the centreline: " +
+                            (isOutside ? "part of it is not in the scan, and what lies on both sides of the gap may be "
+                                         "in the wrong order"
+                                       : "the rest of it is not in the scan"));
+  }
+}
+
 void
 TraceLine(ColonModel & model, const ColonModelOptions & options)
 {
@@ -40,6 +66,7 @@ TraceLine(ColonModel & model, const ColonModelOptions & options)
   line.progress = options.progress.Part("Tracing the centreline", SegmentationEnd, CentrelineEnd);
   model.centreline = TraceColonCentreline(model.lumen.labels, line);
   MarkHindrances(model.lumen, model.centreline.curve);
+  JudgeCuts(model.centreline);
   model.distension = MeasureDistension(model.centreline.curve);
   model.wholeDistension = MeasureDistension(model.centreline.curve, { { "colon", model.centreline.length } }).front();
 }

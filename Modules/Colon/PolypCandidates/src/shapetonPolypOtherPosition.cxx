@@ -161,8 +161,9 @@ WeighByOtherPosition(double confidence, std::vector<PolypCandidate> & candidates
     const double ofTissue = candidate.score / candidate.shapeScore;
     const double weighed = ofTissue * ProbabilityInPair(candidate);
     candidate.score = confidence * weighed + (1.0 - confidence) * candidate.score;
-    const bool isTissue = ofTissue > 0.5; // of a valve or a bubble the remark says enough
-    AddRemark(isTissue && !other.isSeen ? "nothing alike is seen in the other position: most stool moves" : "",
+    // Of a valve or a bubble the remark says enough, and what does not fit says nothing.
+    const bool isTold = ofTissue > 0.5 && confidence >= 0.5;
+    AddRemark(isTold && !other.isSeen ? "nothing alike is seen in the other position: most stool moves" : "",
               candidate);
   }
   SortByScore(candidates);

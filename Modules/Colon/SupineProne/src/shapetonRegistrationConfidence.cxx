@@ -40,7 +40,7 @@ CountMatches(const ColonPosition & source, const ColonPosition & target, SupineP
   }
   const int  seen = std::min(SeenFolds(*registration.source, source), SeenFolds(*registration.target, target));
   const auto pairs = static_cast<double>(registration.matches.size());
-  confidence.matchedShare = seen > 0 ? followedPairs / static_cast<double>(seen) : 0.0;
+  confidence.matchedShare = seen > 0 ? std::min(1.0, followedPairs / static_cast<double>(seen)) : 0.0;
   confidence.contradictedShare = pairs > 0.0 ? 1.0 - followedPairs / pairs : 1.0;
   confidence.residual = std::sqrt(squares / std::max(1, followedPairs));
 }

@@ -174,7 +174,12 @@ WriteColonoscopyReport(const ColonoscopyReportContent & content,
   const ColonoscopyResults & results = *content.results;
   HtmlReport                 html("Virtual colonoscopy");
   PagePictures               pictures(html, scratchFolder);
-  html.AddHead(SummaryOf(content), content.warnings);
+  std::vector<std::string>   doubts = content.warnings;
+  if (!content.failure.empty())
+  {
+    doubts.insert(doubts.begin(), content.failure);
+  }
+  html.AddHead(SummaryOf(content), doubts);
   if (results.IsDone(colonoscopystage::viewer))
   {
     html.AddLink("viewer/viewer.html",

@@ -3,6 +3,10 @@
 #include "shapetonCommandLine.h"
 #include "shapetonExceptions.h"
 
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
 namespace shapeton
 {
 Volume
@@ -24,6 +28,25 @@ ReadVolume(CommandLine & commandLine, const std::string & parameter, bool allowS
   return volume;
 }
 
+namespace
+{
+/** A CT in place of its mask would be taken for lumen wherever it is not 0. */
+void
+RequireLabels(const Volume & volume, const std::string & path)
+{
+  const float * const begin = volume.image->GetBufferPointer();
+  const float * const end = begin + volume.image->GetLargestPossibleRegion().GetNumberOfPixels();
+  const auto odd = std::find_if(begin, end, [](float value) { return value < 0.0F || value != std::floor(value); });
+  if (odd != end)
+  {
+    std::ostringstream text;
+    text << path << ": this is no mask, it holds the value " << *odd
+         << "; give an image of whole numbers from 0 on, 0 outside";
+    throw InputError(text.str());
+  }
+}
+} // namespace
+
 itk::Image<unsigned char, 3>::Pointer
 ReadMask(CommandLine & commandLine, const std::string & parameter, const itk::ImageBase<3> * image)
 {
@@ -32,6 +55,7 @@ ReadMask(CommandLine & commandLine, const std::string & parameter, const itk::Im
   options.allowSingleSlice = true;
   const Volume volume = ReadVolume(path, options);
   commandLine.AddInput(parameter, volume.identity);
+  RequireLabels(volume, path);
   return MaskForImage(volume, path, image);
 }
 

@@ -189,13 +189,22 @@ void
 RequireCover(const FlatColonGrid & grid, const itk::Image<float, 3> * ct)
 {
   constexpr double greatestShare = 0.05;
+  constexpr double voxelsBeyond = 1.5; // where the border of the scan cuts the colon, its wall is closed outside
   const WallVolume volume = VolumeOf(ct);
   const auto &     points = grid.Points();
   int              outside = 0;
   for (Eigen::Index i = 0; i < points.rows(); ++i)
   {
     const Eigen::Vector3d point = points.row(i);
-    outside += !WallRayArithmetic::Holds(volume, WallRayArithmetic::IndexOf(volume, point.data()));
+    const auto            place = WallRayArithmetic::IndexOf(volume, point.data());
+    for (int k = 0; k < 3; ++k)
+    {
+      if (place.index[k] < -voxelsBeyond || place.index[k] > volume.size[k] - 1 + voxelsBeyond)
+      {
+        ++outside;
+        break;
+      }
+    }
   }
   const double share = static_cast<double>(outside) / points.rows();
   if (share > greatestShare)
