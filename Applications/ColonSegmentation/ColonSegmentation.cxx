@@ -50,7 +50,7 @@ ModelOf(CommandLine & commandLine, const shapeton::Volume & volume, const shapet
   }
   if (commandLine.IsGiven("lumen"))
   {
-    const auto mask = shapeton::ReadMask(commandLine, "lumen", volume.image);
+    const auto mask = shapeton::ReadLabelMask(commandLine, "lumen", volume.image);
     return shapeton::BuildColonModel(volume.image, mask.GetPointer(), options);
   }
   return shapeton::BuildColonModel(volume.image, options);

@@ -19,6 +19,11 @@ ReadVolume(CommandLine & commandLine, const std::string & parameter, bool allowS
 ToolInput_EXPORT itk::Image<unsigned char, 3>::Pointer
                  ReadMask(CommandLine & commandLine, const std::string & parameter, const itk::ImageBase<3> * image);
 
+/** The same of an image of labels: throws InputError where it holds a negative or broken number, as a CT does.
+ * \ingroup ToolInput */
+ToolInput_EXPORT itk::Image<unsigned char, 3>::Pointer
+ReadLabelMask(CommandLine & commandLine, const std::string & parameter, const itk::ImageBase<3> * image);
+
 /** Throws ParameterError unless the option intensityWindow, if given, holds two ascending numbers. \ingroup ToolInput
  */
 ToolInput_EXPORT void

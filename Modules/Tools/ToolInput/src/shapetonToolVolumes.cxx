@@ -30,6 +30,16 @@ ReadVolume(CommandLine & commandLine, const std::string & parameter, bool allowS
 
 namespace
 {
+Volume
+ReadWhole(CommandLine & commandLine, const std::string & parameter)
+{
+  VolumeReadOptions options;
+  options.allowSingleSlice = true;
+  Volume volume = ReadVolume(commandLine.GetString(parameter), options);
+  commandLine.AddInput(parameter, volume.identity);
+  return volume;
+}
+
 /** A CT in place of its mask would be taken for lumen wherever it is not 0. */
 void
 RequireLabels(const Volume & volume, const std::string & path)
@@ -50,13 +60,17 @@ RequireLabels(const Volume & volume, const std::string & path)
 itk::Image<unsigned char, 3>::Pointer
 ReadMask(CommandLine & commandLine, const std::string & parameter, const itk::ImageBase<3> * image)
 {
+  return MaskForImage(ReadWhole(commandLine, parameter), commandLine.GetString(parameter), image);
+}
+
+itk::Image<unsigned char, 3>::Pointer
+ReadLabelMask(CommandLine & commandLine, const std::string & parameter, const itk::ImageBase<3> * image)
+{
   const std::string path = commandLine.GetString(parameter);
-  VolumeReadOptions options;
-  options.allowSingleSlice = true;
-  const Volume volume = ReadVolume(path, options);
-  commandLine.AddInput(parameter, volume.identity);
+  const Volume      volume = ReadWhole(commandLine, parameter);
+  auto              mask = MaskForImage(volume, path, image);
   RequireLabels(volume, path);
-  return MaskForImage(volume, path, image);
+  return mask;
 }
 
 void
