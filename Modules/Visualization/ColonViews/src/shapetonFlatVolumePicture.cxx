@@ -196,15 +196,7 @@ RequireCover(const FlatColonGrid & grid, const itk::Image<float, 3> * ct)
   for (Eigen::Index i = 0; i < points.rows(); ++i)
   {
     const Eigen::Vector3d point = points.row(i);
-    const auto            place = WallRayArithmetic::IndexOf(volume, point.data());
-    for (int k = 0; k < 3; ++k)
-    {
-      if (place.index[k] < -voxelsBeyond || place.index[k] > volume.size[k] - 1 + voxelsBeyond)
-      {
-        ++outside;
-        break;
-      }
-    }
+    outside += !WallRayArithmetic::Holds(volume, WallRayArithmetic::IndexOf(volume, point.data()), voxelsBeyond);
   }
   const double share = static_cast<double>(outside) / points.rows();
   if (share > greatestShare)

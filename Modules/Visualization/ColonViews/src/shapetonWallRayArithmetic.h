@@ -86,14 +86,14 @@ IndexOf(const WallVolume & volume, const double point[3])
   return IndexOfVector(volume, fromFirst);
 }
 
-/** Whether a place lies in a voxel. */
+/** Whether a place lies within so many voxels of the middle of one. */
 SHAPETON_HOST_DEVICE bool
-Holds(const WallVolume & volume, const Place & place)
+Holds(const WallVolume & volume, const Place & place, double reach)
 {
   bool holds = true;
   for (int k = 0; k < 3; ++k)
   {
-    holds = holds && place.index[k] >= -0.5 && place.index[k] <= volume.size[k] - 0.5;
+    holds = holds && place.index[k] >= -reach && place.index[k] <= volume.size[k] - 1 + reach;
   }
   return holds;
 }
