@@ -82,8 +82,8 @@ END
 
 # reason LOG: the first line in which a tool says what was wrong; TLS speaks first.
 reason() {
-  { grep -hE 'LOG3|certificate verify failed|VERIFY ERROR' "$temporary/stunnel.txt" 2>/dev/null || true
-    grep -hE '^(F|E|W):|^curl: |rejected|Reason' "$1" || tail -1 "$1"; } |
+  { grep -ahE 'LOG3|certificate verify failed|VERIFY ERROR' "$temporary/stunnel.txt" 2>/dev/null || true
+    grep -ahE '^(F|E|W):|^curl: |rejected|Reason' "$1" || tail -1 "$1"; } |
     sed -E 's/^[FEWI]: +(\* )?//; s/^.*LOG[0-9][^:]*: //' | head -3 | paste -sd ' ' | cut -c1-300
 }
 
@@ -117,7 +117,7 @@ find_values() {
     return
   fi
   if ! dicom findscu -S -k "QueryRetrieveLevel=$level" "${keys[@]}" "${pacs[host]}" "${pacs[port]}" ||
-    ! grep -q "Received Final Find Response (Success)" "$temporary/findscu.txt"; then
+    ! grep -aq "Received Final Find Response (Success)" "$temporary/findscu.txt"; then
     fail "${pacs[called]}: no answer to a query: $(reason "$temporary/findscu.txt"); check ${pacs[name]}"
   fi
   tr -d '\0' <"$temporary/findscu.txt" | sed -n "/Find Response: /,\$s/^.*\[\([^]]*\)\] .* $keyword\$/\1/p" | sed 's/ *$//' | sort -u # \0 pads a UID
