@@ -220,17 +220,14 @@ IsVisible(const DistanceField & field, const Eigen::Vector3d & from, const Eigen
   return true;
 }
 
-/** Nodes of the pouch that a curve leads into beyond one of its points: as wide as a colon, or next to what is, so that
- * neither ileum nor appendix belongs to it. */
+/** Nodes of the pouch that a curve leads into beyond one of its points, given the nearest point of each: as wide as a
+ * colon, or next to what is, so that neither ileum nor appendix belongs to it. */
 std::vector<char>
-PouchBeyond(const LumenNetwork & network, const CurvePoints & points, int mouth, double step)
+PouchBeyond(const LumenNetwork & network, const std::vector<int> & nearest, int mouth)
 {
-  const LumenGrid &      grid = network.grid;
-  const int              first = std::max(0, mouth - static_cast<int>(farthestOfPouch / step));
-  const int              last = static_cast<int>(points.size()) - 1;
-  const std::vector<int> nearest = NearestPoints(network, points, first, last, farthestOfPouch).indices;
-  const double           besideWide = 1.5 * network.coreRadius;
-  std::vector<int>       wide;
+  const LumenGrid & grid = network.grid;
+  const double      besideWide = 1.5 * network.coreRadius;
+  std::vector<int>  wide;
   for (int node = 0; node < grid.NumberOfNodes(); ++node)
   {
     if (nearest[node] >= mouth && grid.Distance(node) >= network.coreRadius)
@@ -255,9 +252,11 @@ FindPole(const LumenNetwork & network, const DistanceField & field, const CurveP
   // Ways over 26 neighbours are longer than straight ones by 13 % at most, by 7 % on average.
   constexpr double        longestWay = 1.13, usualWay = 1.07;
   const LumenGrid &       grid = network.grid;
-  const std::vector<char> isPouch = PouchBeyond(network, points, mouth, step);
+  const int               first = std::max(0, mouth - static_cast<int>(farthestOfPouch / step));
+  const int               last = static_cast<int>(points.size()) - 1;
+  const std::vector<char> isPouch =
+    PouchBeyond(network, NearestPoints(network, points, first, last, farthestOfPouch).indices, mouth);
   // The end of the curve may have gone astray, and lie near to what is beside its beginning: the mouth decides.
-  const int           first = std::max(0, mouth - static_cast<int>(farthestOfPouch / step));
   const NearestPlaces ways = NearestPoints(network, points, first, mouth, 2.0 * farthestOfPouch);
   const int           beyond = ways.indices[grid.NodeOf(points[mouth])];
   const auto          isReached = [&](int node) { return isPouch[node] != 0 && ways.indices[node] == beyond; };
