@@ -376,6 +376,7 @@ SideBranches(const std::vector<double> & away)
   return branches;
 }
 
+/** Lumen lies beside the line where the straight way to it within the lumen is not longer than the calibre explains. */
 void
 AddCover(const LumenNetwork & network, const std::vector<Section> & sections, ColonCentreline & result)
 {
@@ -386,7 +387,7 @@ AddCover(const LumenNetwork & network, const std::vector<Section> & sections, Co
     for (std::size_t i = 0; i < section.points.size(); ++i)
     {
       path.push_back(section.isGap ? -1 : network.grid.NodeOf(section.points[i]));
-      reach.push_back(ReachAcross(section.radii[i]));
+      reach.push_back(10.0 + 2.0 * section.radii[i]);
     }
   }
   const NearestPlaces nearest = NearestOnPath(network.grid, network.cells, network.tree, path);

@@ -20,8 +20,6 @@ constexpr double straightness = 0.6;
 constexpr double leastClearance = 2.5;
 /** Share of lumen (DistanceField::Occupancy) that the line keeps. */
 constexpr double safelyInside = 0.7;
-/** What belongs to a point of the line is not farther on along its path than this, mm. */
-constexpr double reachOfMiddle = 40.0;
 /** The line ends so far from the pole of the caecum, mm. */
 constexpr double beforePole = 3.0;
 /** The caecum and what lies beside it is not farther from the line than this, mm. */
@@ -40,22 +38,17 @@ PositionsOf(const LumenGrid & grid, const std::vector<int> & nodes)
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
-/** Of each node the nearest of the points `first` to `last` of a curve within the lumen; -1 beyond `reach` mm. */
-NearestPlaces
-NearestPoints(const LumenNetwork & network, const CurvePoints & points, int first, int last, double reach)
+/** Of each node the nearest point of a curve within the lumen; -1 beyond `reach` mm. Points before the first one do not
+ * count. */
+std::vector<int>
+NearestPoints(const LumenNetwork & network, const CurvePoints & points, int first = 0, double reach = infinite)
 {
   std::vector<int> path(points.size(), -1);
-  for (int i = first; i <= last; ++i)
+  for (std::size_t i = first; i < points.size(); ++i)
   {
     path[i] = network.grid.NodeOf(points[i]);
   }
-  return NearestOnPath(network.grid, network.cells, network.tree, path, reach);
-}
-
-NearestPlaces
-NearestPoints(const LumenNetwork & network, const CurvePoints & points)
-{
-  return NearestPoints(network, points, 0, static_cast<int>(points.size()) - 1, infinite);
+  return NearestOnPath(network.grid, network.cells, network.tree, path, reach).indices;
 }
 
 /** The lumen across each point of a curve. */
@@ -66,22 +59,21 @@ struct Slabs
   std::vector<double> weights;
 };
 
-/** Nodes count by their distance to the wall, so that haustra weigh little; those of a side branch do not. */
+/** Nodes count by their distance to the wall, so that haustra weigh little. */
 Slabs
-SlabsAcross(const LumenNetwork & network, const CurvePoints & points, const std::vector<double> & radii)
+SlabsAcross(const LumenNetwork & network, const CurvePoints & points)
 {
-  const LumenGrid &   grid = network.grid;
-  const NearestPlaces nearest = NearestPoints(network, points);
-  Slabs               slabs;
+  const LumenGrid &      grid = network.grid;
+  const std::vector<int> nearest = NearestPoints(network, points);
+  Slabs                  slabs;
   slabs.sums.assign(points.size(), Eigen::Vector3d::Zero());
   slabs.weights.assign(points.size(), 0.0);
   for (int node = 0; node < grid.NumberOfNodes(); ++node)
   {
-    const int i = nearest.indices[node];
-    if (i >= 0 && nearest.distances[node] <= ReachAcross(radii[i]))
+    if (nearest[node] >= 0)
     {
-      slabs.sums[i] += grid.Distance(node) * grid.Position(node);
-      slabs.weights[i] += grid.Distance(node);
+      slabs.sums[nearest[node]] += grid.Distance(node) * grid.Position(node);
+      slabs.weights[nearest[node]] += grid.Distance(node);
     }
   }
   return slabs;
@@ -140,7 +132,7 @@ MoveToMiddle(const LumenNetwork & network, const DistanceField & field, const Cu
   {
     radii.push_back(field.At(point));
   }
-  const CurvePoints middle = SlabMeans(SlabsAcross(network, points, radii), points, radii, step);
+  const CurvePoints middle = SlabMeans(SlabsAcross(network, points), points, radii, step);
   CurvePoints       moved = points;
   for (std::size_t i = 1; i + 1 < points.size(); ++i)
   {
@@ -159,18 +151,14 @@ MoveToMiddle(const LumenNetwork & network, const DistanceField & field, const Cu
   return moved;
 }
 
-/** The nearest node to a point, of those from `begin` on along a path: farther on, it may touch itself. */
 std::size_t
-NearestFrom(const CurvePoints & nodes, std::size_t begin, const Eigen::Vector3d & point)
+NearestIndex(const CurvePoints & nodes, const Eigen::Vector3d & point)
 {
-  std::size_t nearest = begin;
-  double      passed = 0.0;
-  for (std::size_t i = begin + 1; i < nodes.size() && passed < reachOfMiddle; ++i)
-  {
-    passed += (nodes[i] - nodes[i - 1]).norm();
-    nearest = (nodes[i] - point).squaredNorm() < (nodes[nearest] - point).squaredNorm() ? i : nearest;
-  }
-  return nearest;
+  const auto nearest =
+    std::min_element(nodes.begin(), nodes.end(), [&point](const Eigen::Vector3d & a, const Eigen::Vector3d & b) {
+      return (a - point).squaredNorm() < (b - point).squaredNorm();
+    });
+  return nearest - nodes.begin();
 }
 
 /** Stretches outside the lumen become those of the path again, which may wind more than the line. */
@@ -182,24 +170,22 @@ KeepInside(const DistanceField & field, const CurvePoints & nodes, CurvePoints &
     return std::min(field.Occupancy(points[i]), field.Occupancy(halfway)) < safelyInside;
   };
   CurvePoints kept;
-  std::size_t at = 0;
   for (std::size_t i = 0; i < points.size(); ++i)
   {
-    const std::size_t from = at;
-    at = NearestFrom(nodes, at, points[i]);
     if (!isBad(i) || i == 0)
     {
       kept.push_back(points[i]);
       continue;
     }
+    const std::size_t from = NearestIndex(nodes, points[i - 1]);
     while (i + 1 < points.size() && isBad(i))
     {
       ++i;
-      at = NearestFrom(nodes, at, points[i]);
     }
-    if (from < at)
+    const std::size_t to = NearestIndex(nodes, points[i]);
+    if (from < to)
     {
-      kept.insert(kept.end(), nodes.begin() + from + 1, nodes.begin() + at);
+      kept.insert(kept.end(), nodes.begin() + from + 1, nodes.begin() + to);
     }
     kept.push_back(points[i]);
   }
@@ -220,14 +206,16 @@ IsVisible(const DistanceField & field, const Eigen::Vector3d & from, const Eigen
   return true;
 }
 
-/** Nodes of the pouch that a curve leads into beyond one of its points, given the nearest point of each: as wide as a
- * colon, or next to what is, so that neither ileum nor appendix belongs to it. */
+/** Nodes of the pouch that a curve leads into beyond one of its points: as wide as a colon, or next to what is, so that
+ * neither ileum nor appendix belongs to it. */
 std::vector<char>
-PouchBeyond(const LumenNetwork & network, const std::vector<int> & nearest, int mouth)
+PouchBeyond(const LumenNetwork & network, const CurvePoints & points, int mouth, double step)
 {
-  const LumenGrid & grid = network.grid;
-  const double      besideWide = 1.5 * network.coreRadius;
-  std::vector<int>  wide;
+  const LumenGrid &      grid = network.grid;
+  const int              first = std::max(0, mouth - static_cast<int>(farthestOfPouch / step));
+  const std::vector<int> nearest = NearestPoints(network, points, first, farthestOfPouch);
+  const double           besideWide = 1.5 * network.coreRadius;
+  std::vector<int>       wide;
   for (int node = 0; node < grid.NumberOfNodes(); ++node)
   {
     if (nearest[node] >= mouth && grid.Distance(node) >= network.coreRadius)
@@ -252,15 +240,11 @@ FindPole(const LumenNetwork & network, const DistanceField & field, const CurveP
   // Ways over 26 neighbours are longer than straight ones by 13 % at most, by 7 % on average.
   constexpr double        longestWay = 1.13, usualWay = 1.07;
   const LumenGrid &       grid = network.grid;
-  const int               first = std::max(0, mouth - static_cast<int>(farthestOfPouch / step));
-  const int               last = static_cast<int>(points.size()) - 1;
-  const std::vector<char> isPouch =
-    PouchBeyond(network, NearestPoints(network, points, first, last, farthestOfPouch).indices, mouth);
-  // The end of the curve may have gone astray, and lie near to what is beside its beginning: the mouth decides.
-  const NearestPlaces ways = NearestPoints(network, points, first, mouth, 2.0 * farthestOfPouch);
-  const int           beyond = ways.indices[grid.NodeOf(points[mouth])];
-  const auto          isReached = [&](int node) { return isPouch[node] != 0 && ways.indices[node] == beyond; };
-  float               longest = 0.0F;
+  const std::vector<char> isPouch = PouchBeyond(network, points, mouth, step);
+  const NearestPlaces     ways =
+    NearestOnPath(grid, network.cells, network.tree, { grid.NodeOf(points[mouth]) }, 2.0 * farthestOfPouch);
+  const auto isReached = [&](int node) { return isPouch[node] != 0 && ways.indices[node] >= 0; };
+  float      longest = 0.0F;
   for (int node = 0; node < grid.NumberOfNodes(); ++node)
   {
     longest = isReached(node) ? std::max(longest, ways.distances[node]) : longest;
@@ -319,12 +303,6 @@ WayTo(const LumenNetwork &           network,
                      &field);
 }
 } // namespace
-
-double
-ReachAcross(double radius)
-{
-  return 10.0 + 2.0 * radius;
-}
 
 CurvePoints
 ShapeLine(const LumenNetwork &           network,
@@ -394,7 +372,7 @@ TrimEnds(const DistanceField & field, double step, CurvePoints & points)
 std::vector<double>
 RadiiAlong(const LumenNetwork & network, const DistanceField & field, const CurvePoints & points, double step)
 {
-  const std::vector<int> nearest = NearestPoints(network, points).indices;
+  const std::vector<int> nearest = NearestPoints(network, points);
   std::vector<double>    widest;
   for (const Eigen::Vector3d & point : points)
   {

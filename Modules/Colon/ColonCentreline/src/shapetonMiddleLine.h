@@ -7,10 +7,6 @@
 
 namespace shapeton
 {
-/** Lumen of this radius (mm) lies across a line where its way to it is no longer than this, mm: else it is a branch. */
-double
-ReachAcross(double radius);
-
 /** A smooth curve in the middle of the lumen from a path of nodes. */
 CurvePoints
 ShapeLine(const LumenNetwork &           network,

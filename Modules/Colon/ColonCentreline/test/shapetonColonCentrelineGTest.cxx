@@ -469,37 +469,6 @@ TEST(ColonCentreline, ReachesThePoleOfAWideCaecum)
   EXPECT_LT((points.back() - pole).norm(), 9.0);
 }
 
-/** Straight points, 0.5 mm apart. */
-TubePoints
-Straight(const Eigen::Vector3d & from, const Eigen::Vector3d & to)
-{
-  const int  steps = static_cast<int>(std::ceil(2.0 * (to - from).norm()));
-  TubePoints points;
-  for (int i = 0; i <= steps; ++i)
-  {
-    points.emplace_back(from + (to - from) * i / steps);
-  }
-  return points;
-}
-
-TEST(ColonCentreline, StaysInTheMiddleBesideALargeBranch)
-{
-  const TubePoints truth = Serpentine(2, 260.0, 90.0);
-  TubeMask         mask(truth, 120.0, { 1.5, 1.5, 1.5 });
-  mask.Paint(truth, 14.0);
-  mask.Paint(Straight({ 130, 0, 90 }, { 130, 60, 90 }), 6.0);
-  mask.PaintBall({ 130, 82, 90 }, 32.0);
-  const ColonCentreline line = shapeton::TraceColonCentreline(mask.Get());
-  for (const Eigen::Vector3d & point : PointsOf(line))
-  {
-    if (std::abs(point.x() - 130.0) < 100.0)
-    {
-      ASSERT_LT(DistanceTo(truth, point), 4.0) << point.transpose();
-    }
-  }
-  EXPECT_TRUE(HasWarning(line, "side branch"));
-}
-
 TEST(ColonCentreline, StaysInsideUpToEachGap)
 {
   const TubePoints truth = Serpentine(3, 200.0, 60.0);
