@@ -124,6 +124,7 @@ OutsideRuns(const ColonGrid & grid, const VoxelRuns & set, const std::vector<std
 struct Section
 {
   double          voxels{ 0.0 };
+  bool            touchesSide{ false }; ///< of the slice
   Eigen::Vector2d sum{ 0.0, 0.0 };
   Eigen::Matrix2d squares{ Eigen::Matrix2d::Zero() };
 
@@ -136,8 +137,8 @@ struct Section
     return Axes(squares / voxels - mean * mean.transpose());
   }
 
-  /** Long, and rather from the front to the back than from side to side, as the natal cleft is: gas over a level of
-   * fluid is long, too, but lies across. */
+  /** Long, and rather from the front to the back than from side to side, as the natal cleft is, or open to the side as
+   * air beside the table is: gas over a level of fluid is long, too, but lies across within the body. */
   bool
   IsLikeCleft(const ColonGrid & grid) const
   {
@@ -145,7 +146,7 @@ struct Section
     const Eigen::Vector2d along = axes.eigenvectors().col(1);
     const Eigen::Vector3d inSpace = along[0] * grid.axes.col(0) + along[1] * grid.axes.col(1);
     const double          elongation = std::sqrt(axes.eigenvalues()[1] / std::max(axes.eigenvalues()[0], 1e-9));
-    return elongation > CleftElongation && std::abs(inSpace[1]) > std::abs(inSpace[0]);
+    return elongation > CleftElongation && (touchesSide || std::abs(inSpace[1]) > std::abs(inSpace[0]));
   }
 };
 
@@ -154,9 +155,12 @@ SectionsOfParts(const ColonGrid & grid, const VoxelRuns & set, const RunLabels &
 {
   std::vector<Section> sections(parts.number + 1);
   ForEachRun(set, [&](std::size_t r, int j, int k) {
-    auto & section = sections[parts.ofRun[r]];
-    section.voxels += set.runs[r].end - set.runs[r].begin;
-    for (int i = set.runs[r].begin; i < set.runs[r].end && k == slice; ++i)
+    auto &         section = sections[parts.ofRun[r]];
+    const VoxelRun run = set.runs[r];
+    section.voxels += run.end - run.begin;
+    section.touchesSide =
+      section.touchesSide || run.begin == 0 || run.end == grid.size[0] || j == 0 || j == grid.size[1] - 1;
+    for (int i = run.begin; i < run.end && k == slice; ++i)
     {
       const Eigen::Vector2d x(i * grid.spacing[0], j * grid.spacing[1]);
       section.sum += x;
@@ -166,9 +170,9 @@ SectionsOfParts(const ColonGrid & grid, const VoxelRuns & set, const RunLabels &
   return sections;
 }
 
-/** Adds the natal cleft to the air outside. It is long and narrow, from front to back, where the caudal border of the
- * image cuts it, which a rectum is not, and goes on upwards as long as the next slice shows a quarter of it: the canal
- * is much smaller. */
+/** Adds the natal cleft, and strips of air beside the table, to the air outside. They are long and narrow, from front
+ * to back or out to the side, where the caudal border of the image cuts them, which a rectum is not, and go on upwards
+ * as long as the next slice shows a quarter of them: the canal is much smaller. */
 void
 AddCleft(const ColonGrid &                       grid,
          const VoxelRuns &                       set,

@@ -373,22 +373,27 @@ TEST(ColonLumenSegmentation, AirThatOnlyThinShellsCoverIsOutside)
   EXPECT_EQ(Segment(image).pieces.size(), 2U);
 }
 
-/** Gas over fluid that the caudal border cuts lies across; the natal cleft runs from front to back. */
+/** Gas over fluid that the caudal border cuts lies across; the natal cleft runs from front to back, and a strip of air
+ * beside the table goes on to the side of the image. */
 TEST(ColonLumenSegmentation, AFlatLumenThatTheCaudalBorderCutsIsNoCleft)
 {
-  const auto flat = [](double across, double deep) {
-    return [=](const Vec & x) { return std::min({ across - std::abs(x[0]), deep - std::abs(x[1] - 25.0), -x[2] }); };
+  const auto flat = [](double across, double deep, double middle) {
+    return [=](const Vec & x) {
+      return std::min({ across - std::abs(x[0] - middle), deep - std::abs(x[1] - 25.0), -x[2] });
+    };
   };
-  const auto pieces = [&](double across, double deep) {
+  const auto pieces = [&](double across, double deep, double middle) {
     ColonTestScene scene;
+    scene.bodyRadius = 90.0; // only the corners of the image show the room
     scene.lumens.push_back({ Tube(At(0, -30, 20), 2, 30, 18), 1e9, 0.0 });
-    scene.lumens.push_back({ flat(across, deep), 1e9, 0.0 });
+    scene.lumens.push_back({ flat(across, deep, middle), 1e9, 0.0 });
     const auto image = shapeton::CentredImage({ 72, 72, 60 }, { 2.0, 2.0, 2.0 }, Identity());
     scene.Sample(image);
     return Segment(image).pieces.size();
   };
-  EXPECT_EQ(pieces(30.0, 12.0), 2U);
-  EXPECT_EQ(pieces(12.0, 30.0), 1U);
+  EXPECT_EQ(pieces(30.0, 12.0, 0.0), 2U);
+  EXPECT_EQ(pieces(12.0, 30.0, 0.0), 1U);
+  EXPECT_EQ(pieces(30.0, 12.0, 45.0), 1U);
 }
 
 /** In a small field of view the border in front cuts the body, while the one behind shows the room. */
