@@ -22,7 +22,7 @@ constexpr double leastClearance = 2.5;
 constexpr double safelyInside = 0.7;
 /** The line ends so far from the pole of the caecum, mm. */
 constexpr double beforePole = 3.0;
-/** The caecum and what lies beside it is not farther from the line than this, mm. */
+/** So far before the mouth of the caecum a line counts, and twice as far lumen beyond it, mm. */
 constexpr double farthestOfPouch = 150.0;
 
 CurvePoints
@@ -38,17 +38,22 @@ PositionsOf(const LumenGrid & grid, const std::vector<int> & nodes)
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
-/** Of each node the nearest point of a curve within the lumen; -1 beyond `reach` mm. Points before the first one do not
- * count. */
-std::vector<int>
-NearestPoints(const LumenNetwork & network, const CurvePoints & points, int first = 0, double reach = infinite)
+/** Of each node the nearest of the points `first` to `last` of a curve within the lumen; -1 beyond `reach` mm. */
+NearestPlaces
+NearestPoints(const LumenNetwork & network, const CurvePoints & points, int first, int last, double reach)
 {
   std::vector<int> path(points.size(), -1);
-  for (std::size_t i = first; i < points.size(); ++i)
+  for (int i = first; i <= last; ++i)
   {
     path[i] = network.grid.NodeOf(points[i]);
   }
-  return NearestOnPath(network.grid, network.cells, network.tree, path, reach).indices;
+  return NearestOnPath(network.grid, network.cells, network.tree, path, reach);
+}
+
+std::vector<int>
+NearestPoints(const LumenNetwork & network, const CurvePoints & points)
+{
+  return NearestPoints(network, points, 0, static_cast<int>(points.size()) - 1, infinite).indices;
 }
 
 /** The lumen across each point of a curve. */
@@ -206,62 +211,67 @@ IsVisible(const DistanceField & field, const Eigen::Vector3d & from, const Eigen
   return true;
 }
 
-/** Nodes of the pouch that a curve leads into beyond one of its points: as wide as a colon, or next to what is, so that
- * neither ileum nor appendix belongs to it. */
-std::vector<char>
+/** Nodes beyond the mouth of a pouch with their ways from it: nearer to no point of the curve before it, and as wide as
+ * a colon or next to what is, so that neither ileum nor appendix belongs to them. The index of others is -1. What the
+ * curve does beyond the mouth does not count: it may go astray there. */
+NearestPlaces
 PouchBeyond(const LumenNetwork & network, const CurvePoints & points, int mouth, double step)
 {
-  const LumenGrid &      grid = network.grid;
-  const int              first = std::max(0, mouth - static_cast<int>(farthestOfPouch / step));
-  const std::vector<int> nearest = NearestPoints(network, points, first, farthestOfPouch);
-  const double           besideWide = 1.5 * network.coreRadius;
-  std::vector<int>       wide;
+  const LumenGrid & grid = network.grid;
+  const int         first = std::max(0, mouth - static_cast<int>(farthestOfPouch / step));
+  NearestPlaces     beyond = NearestPoints(network, points, first, mouth, 2.0 * farthestOfPouch);
+  const int         ofMouth = beyond.indices[grid.NodeOf(points[mouth])];
+  const double      besideWide = 1.5 * network.coreRadius;
+  std::vector<int>  wide;
   for (int node = 0; node < grid.NumberOfNodes(); ++node)
   {
-    if (nearest[node] >= mouth && grid.Distance(node) >= network.coreRadius)
+    if (beyond.indices[node] == ofMouth && grid.Distance(node) >= network.coreRadius)
     {
       wide.push_back(node);
     }
   }
-  const auto        fromWide = NearestOnPath(grid, network.cells, network.tree, wide, besideWide);
-  std::vector<char> isPouch(grid.NumberOfNodes(), 0);
+  const auto fromWide = NearestOnPath(grid, network.cells, network.tree, wide, besideWide);
   for (int node = 0; node < grid.NumberOfNodes(); ++node)
   {
-    isPouch[node] = nearest[node] >= mouth && fromWide.indices[node] >= 0 && grid.Distance(node) >= beforePole;
+    const bool isPouch =
+      beyond.indices[node] == ofMouth && fromWide.indices[node] >= 0 && grid.Distance(node) >= beforePole;
+    beyond.indices[node] = isPouch ? ofMouth : -1;
   }
-  return isPouch;
+  return beyond;
 }
 
-/** The node of the pouch beyond a point of a curve that is farthest from it within the lumen; -1 where there is none.
- */
+/** The node of the pouch beyond a point of a curve that is farthest from it within the lumen, and of such that are
+ * about as far the most caudal one, since the caecum hangs down; -1 where there is none. */
 int
 FindPole(const LumenNetwork & network, const DistanceField & field, const CurvePoints & points, int mouth, double step)
 {
   // Ways over 26 neighbours are longer than straight ones by 13 % at most, by 7 % on average.
-  constexpr double        longestWay = 1.13, usualWay = 1.07;
-  const LumenGrid &       grid = network.grid;
-  const std::vector<char> isPouch = PouchBeyond(network, points, mouth, step);
-  const NearestPlaces     ways =
-    NearestOnPath(grid, network.cells, network.tree, { grid.NodeOf(points[mouth]) }, 2.0 * farthestOfPouch);
-  const auto isReached = [&](int node) { return isPouch[node] != 0 && ways.indices[node] >= 0; };
-  float      longest = 0.0F;
+  constexpr double    longestWay = 1.13, usualWay = 1.07;
+  constexpr double    caudal = 0.2; // mm of way that one mm downwards is worth
+  const LumenGrid &   grid = network.grid;
+  const NearestPlaces pouch = PouchBeyond(network, points, mouth, step);
+  const double        height = grid.ToPhysical(points[mouth])[2];
+  const auto          worth = [&](int node, double way) {
+    return way + caudal * (height - grid.ToPhysical(grid.Position(node))[2]);
+  };
+  double least = 0.0;
   for (int node = 0; node < grid.NumberOfNodes(); ++node)
   {
-    longest = isReached(node) ? std::max(longest, ways.distances[node]) : longest;
+    least = pouch.indices[node] >= 0 ? std::max(least, worth(node, pouch.distances[node] / longestWay)) : least;
   }
   int              pole = -1;
-  double           farthest = 0.0;
+  double           most = 0.0;
   RareInterruption interruption;
   for (int node = 0; node < grid.NumberOfNodes(); ++node)
   {
     interruption.Check();
-    if (isReached(node) && longestWay * ways.distances[node] >= longest)
+    if (pouch.indices[node] >= 0 && worth(node, pouch.distances[node]) >= least)
     {
       const Eigen::Vector3d place = grid.Position(node);
       const double          way =
-        IsVisible(field, points[mouth], place) ? (place - points[mouth]).norm() : ways.distances[node] / usualWay;
-      pole = way > farthest ? node : pole;
-      farthest = std::max(farthest, way);
+        IsVisible(field, points[mouth], place) ? (place - points[mouth]).norm() : pouch.distances[node] / usualWay;
+      pole = worth(node, way) > most ? node : pole;
+      most = std::max(most, worth(node, way));
     }
   }
   return pole;

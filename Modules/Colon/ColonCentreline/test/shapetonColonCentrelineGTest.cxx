@@ -469,6 +469,21 @@ TEST(ColonCentreline, ReachesThePoleOfAWideCaecum)
   EXPECT_LT((points.back() - pole).norm(), 9.0);
 }
 
+/** A pouch beside the caecum turns back up, and touches the ascending colon: the path ends in it. */
+TEST(ColonCentreline, ReachesThePoleBesideAPouchThatTurnsBack)
+{
+  const Eigen::Vector3d pole(-115, -75, -95);
+  const TubePoints      truth = ColonThrough({ { 0, 60, -160 }, { 10, 40, -120 }, { 60, 10, -90 } }, pole);
+  TubeMask              mask(truth, 60.0, { 1.7, 1.7, 2.0 });
+  mask.Paint(truth, 22.0);
+  const auto at = [&](double y, double z) { return Eigen::Vector3d(-115, y, z); };
+  mask.Paint(shapeton::CurveThrough({ at(0, -40), at(-40, -65), at(-65, -85) }), 32.0);
+  mask.Paint(shapeton::CurveThrough({ at(-50, -85), at(-15, -105), at(25, -85) }), 14.0);
+  mask.Paint(shapeton::CurveThrough({ at(25, -85), at(20, -20) }), 4.0);
+  const TubePoints points = PointsOf(shapeton::TraceColonCentreline(mask.Get()));
+  EXPECT_LT((points.back() - pole).norm(), 24.0); // the lumen around it has a radius of 22
+}
+
 TEST(ColonCentreline, StaysInsideUpToEachGap)
 {
   const TubePoints truth = Serpentine(3, 200.0, 60.0);
