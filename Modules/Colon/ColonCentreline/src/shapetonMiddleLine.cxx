@@ -20,6 +20,8 @@ constexpr double straightness = 0.6;
 constexpr double leastClearance = 2.5;
 /** Share of lumen (DistanceField::Occupancy) that the line keeps. */
 constexpr double safelyInside = 0.7;
+/** What belongs to a point of the line is not farther on along its path than this, mm. */
+constexpr double reachOfMiddle = 40.0;
 /** The line ends so far from the pole of the caecum, mm. */
 constexpr double beforePole = 3.0;
 /** So far before the mouth of the caecum a line counts, and twice as far lumen beyond it, mm. */
@@ -156,14 +158,18 @@ MoveToMiddle(const LumenNetwork & network, const DistanceField & field, const Cu
   return moved;
 }
 
+/** The nearest node to a point, of those from `begin` on along a path: farther on, it may touch itself. */
 std::size_t
-NearestIndex(const CurvePoints & nodes, const Eigen::Vector3d & point)
+NearestFrom(const CurvePoints & nodes, std::size_t begin, const Eigen::Vector3d & point)
 {
-  const auto nearest =
-    std::min_element(nodes.begin(), nodes.end(), [&point](const Eigen::Vector3d & a, const Eigen::Vector3d & b) {
-      return (a - point).squaredNorm() < (b - point).squaredNorm();
-    });
-  return nearest - nodes.begin();
+  std::size_t nearest = begin;
+  double      passed = 0.0;
+  for (std::size_t i = begin + 1; i < nodes.size() && passed < reachOfMiddle; ++i)
+  {
+    passed += (nodes[i] - nodes[i - 1]).norm();
+    nearest = (nodes[i] - point).squaredNorm() < (nodes[nearest] - point).squaredNorm() ? i : nearest;
+  }
+  return nearest;
 }
 
 /** Stretches outside the lumen become those of the path again, which may wind more than the line. */
@@ -175,22 +181,24 @@ KeepInside(const DistanceField & field, const CurvePoints & nodes, CurvePoints &
     return std::min(field.Occupancy(points[i]), field.Occupancy(halfway)) < safelyInside;
   };
   CurvePoints kept;
+  std::size_t at = 0;
   for (std::size_t i = 0; i < points.size(); ++i)
   {
+    const std::size_t from = at;
+    at = NearestFrom(nodes, at, points[i]);
     if (!isBad(i) || i == 0)
     {
       kept.push_back(points[i]);
       continue;
     }
-    const std::size_t from = NearestIndex(nodes, points[i - 1]);
     while (i + 1 < points.size() && isBad(i))
     {
       ++i;
+      at = NearestFrom(nodes, at, points[i]);
     }
-    const std::size_t to = NearestIndex(nodes, points[i]);
-    if (from < to)
+    if (from < at)
     {
-      kept.insert(kept.end(), nodes.begin() + from + 1, nodes.begin() + to);
+      kept.insert(kept.end(), nodes.begin() + from + 1, nodes.begin() + at);
     }
     kept.push_back(points[i]);
   }
