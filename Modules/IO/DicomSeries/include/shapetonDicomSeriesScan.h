@@ -39,7 +39,9 @@ enum class DicomDefectKind
   /** A file without a slice image: text, report, structure set, DICOMDIR, ... */
   notAnImage,
   /** The slices of one volume name several frames of reference, a flaw of some de-identifications: a remark. */
-  mixedFrameOfReference
+  mixedFrameOfReference,
+  /** The slices of one volume name several patients (Patient ID), another such flaw: a remark. */
+  mixedPatient
 };
 
 /** The fixed name, for example "duplicateIdentical".
@@ -173,12 +175,13 @@ struct DicomScan
 /** \brief Lists the DICOM series in a folder (searched recursively; each file and folder once, symbolic links followed)
  * or in one file. Reads headers only, except of slices at equal positions, whose pixels are compared.
  *
- * Grouping: by Series Instance UID, frame of reference, orientation, size and pixel spacing. Groups of one study that
- * differ in the frame of reference alone are one volume with the remark mixedFrameOfReference where their slices, three
- * or more, are equidistant together. Then by acquisition number, temporal position, echo, b-value, stack or image type,
- * where several such groups cover the same positions and each of them is regular on its own. Slices are ordered by
- * Image Position (Patient) along the normal of Image Orientation (Patient); Slice Thickness, Spacing Between Slices,
- * Slice Location and Instance Number are not used.
+ * Grouping: by Series Instance UID, Patient ID, Patient Position, frame of reference, orientation, size and pixel
+ * spacing. Groups of one study that differ in patient or frame of reference alone are one volume with the remark
+ * mixedPatient or mixedFrameOfReference where their slices, three or more, are equidistant together. Then by
+ * acquisition number, temporal position, echo, b-value, stack or image type, where several such groups cover the same
+ * positions and each of them is regular on its own. Slices are ordered by Image Position (Patient) along the normal of
+ * Image Orientation (Patient); Slice Thickness, Spacing Between Slices, Slice Location and Instance Number are not
+ * used.
  *
  * Tolerances. Direction cosines: 1e-4. Pixel spacing: relative 1e-4. Positions along the normal and within the plane:
  * 1 % of the slice distance (of the pixel spacing), at least 0.01 mm, where that is at most 10 % of the distance; real

@@ -7,6 +7,7 @@
 #include "dcmtk/dcmdata/dctk.h"
 #include "dcmtk/dcmdata/dcpixseq.h"
 #include "dcmtk/dcmdata/dcpxitem.h"
+#include "dcmtk/dcmdata/dcspchrs.h"
 
 #include <algorithm>
 #include <charconv>
@@ -48,6 +49,18 @@ GetText(DcmItem & item, const DcmTagKey & tag)
     return {};
   }
   return ShortLine(Trimmed(std::string(value.c_str(), value.size())));
+}
+
+/** The same in UTF-8, for what people write in other character sets. */
+std::string
+GetPersonsText(DcmItem & item, const DcmTagKey & tag)
+{
+  DcmSpecificCharacterSet set;
+  OFString                value;
+  OFString                converted;
+  const bool isConverted = item.findAndGetOFStringArray(tag, value).good() && set.selectCharacterSet(item).good() &&
+                           set.convertString(value, converted).good();
+  return isConverted ? ShortLine(Trimmed(std::string(converted.c_str(), converted.size()))) : GetText(item, tag);
 }
 
 /** The numbers of a value; empty when one of them is not a finite number. */
@@ -491,7 +504,8 @@ ReadIdentity(DcmFileFormat & format, DcmDataset & dataset, DicomFile & file)
   file.sopInstanceUID = GetText(dataset, DCM_SOPInstanceUID);
   file.seriesUID = GetText(dataset, DCM_SeriesInstanceUID);
   file.frameOfReferenceUID = GetText(dataset, DCM_FrameOfReferenceUID);
-  file.description = GetText(dataset, DCM_SeriesDescription);
+  file.patientID = GetText(dataset, DCM_PatientID);
+  file.description = GetPersonsText(dataset, DCM_SeriesDescription);
   file.modality = GetText(dataset, DCM_Modality);
   file.patientPosition = GetText(dataset, DCM_PatientPosition);
   file.seriesNumber = GetInteger(dataset, DCM_SeriesNumber, 0);

@@ -51,6 +51,8 @@ struct DicomFile
   std::string sopInstanceUID;
   std::string seriesUID;
   std::string frameOfReferenceUID;
+  /** Only compared: it names a person. */
+  std::string patientID;
   std::string description;
   std::string modality;
   std::string patientPosition;
@@ -86,9 +88,10 @@ void
 Transmit(TStream & stream, TFile & file)
 {
   stream & file.kind & file.what & file.studyUID & file.sopClassUID & file.sopInstanceUID & file.seriesUID & file
-    .frameOfReferenceUID & file.description & file.modality & file.patientPosition & file.transferSyntax & file
-    .seriesNumber & file.instanceNumber & file.rows & file.columns & file.isLossy & file.isInverted & file
-    .isMultiFrame & file.isUnsupportedTransferSyntax & file.truncation & file.refusal & file.isOtherObject;
+    .frameOfReferenceUID & file.patientID & file.description & file.modality & file.patientPosition & file
+    .transferSyntax & file.seriesNumber & file.instanceNumber & file.rows & file.columns & file.isLossy & file
+    .isInverted & file.isMultiFrame & file.isUnsupportedTransferSyntax & file.truncation & file.refusal & file
+    .isOtherObject;
   auto     count = static_cast<std::uint64_t>(file.frames.size());
   stream & count;
   if constexpr (!std::is_const<TFile>::value)

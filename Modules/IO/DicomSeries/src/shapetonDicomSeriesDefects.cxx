@@ -175,6 +175,8 @@ GetDicomDefectName(DicomDefectKind kind)
       return "unsupportedTransferSyntax";
     case DicomDefectKind::mixedFrameOfReference:
       return "mixedFrameOfReference";
+    case DicomDefectKind::mixedPatient:
+      return "mixedPatient";
     default:
       return "notAnImage";
   }
@@ -197,6 +199,8 @@ GetDicomDefectAdvice(DicomDefectKind kind)
       return "choose one part by the parameter \"seriesUID\" = UID#PART";
     case DicomDefectKind::mixedFrameOfReference:
       return "if the series was put together from several, check that no part is displaced";
+    case DicomDefectKind::mixedPatient:
+      return "check that all slices show one person";
     case DicomDefectKind::localizer:
       return "choose a series with a volume";
     case DicomDefectKind::unsupportedTransferSyntax:

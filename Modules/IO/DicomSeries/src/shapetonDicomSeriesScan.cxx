@@ -105,12 +105,19 @@ AreClose(const double * a, const double * b, int count, double tolerance)
   return true;
 }
 
-/** True for images of one kind, whatever frame of reference they name. */
+/** True unless both say how the patient lay, and differ. */
+bool
+AreOfOnePosition(const DicomFile & a, const DicomFile & b)
+{
+  return a.patientPosition == b.patientPosition || a.patientPosition.empty() || b.patientPosition.empty();
+}
+
+/** True for images of one kind, whatever patient and frame of reference they name. */
 bool
 AreOfOneKind(const Item & a, const Item & b)
 {
   if (a.file->rows != b.file->rows || a.file->columns != b.file->columns || a.file->refusal != b.file->refusal ||
-      !a.frame != !b.frame)
+      !a.frame != !b.frame || !AreOfOnePosition(*a.file, *b.file))
   {
     return false;
   }
@@ -228,7 +235,7 @@ Overlap(const Items & a, const Items & b, double spacing)
   return end - start > 0.5 * spacing;
 }
 
-// ---- frames of reference ----
+// ---- patients and frames of reference ----
 
 /** True for groups of which two are volumes on their own that cover the same stretch. */
 bool
@@ -249,14 +256,15 @@ HaveTwoVolumes(std::vector<Items> groups)
   return false;
 }
 
-/** Items of one kind by their frames of reference; one group where these are a flaw, and the slices of one volume. Two
- * slices are always equidistant, and tell nothing. */
+/** Items of one kind by their patients and frames of reference; one group where these are a flaw, and the slices of one
+ * volume. Two slices are always equidistant, and tell nothing. */
 std::vector<Items>
-SplitByFrameOfReference(Items items)
+SplitByIdentity(Items items)
 {
-  std::vector<Items> groups = GroupBy(
-    items, [](const Item & a, const Item & b) { return a.file->frameOfReferenceUID == b.file->frameOfReferenceUID; });
-  const bool isOneStudy = std::all_of(items.begin(), items.end(), [&items](const Item & item) {
+  std::vector<Items> groups = GroupBy(items, [](const Item & a, const Item & b) {
+    return a.file->frameOfReferenceUID == b.file->frameOfReferenceUID && a.file->patientID == b.file->patientID;
+  });
+  const bool         isOneStudy = std::all_of(items.begin(), items.end(), [&items](const Item & item) {
     return item.file->studyUID == items.front().file->studyUID;
   });
   if (groups.size() > 1 && items.size() > 2 && isOneStudy && IsPartOfVolume(items.front()) && !HaveTwoVolumes(groups))
@@ -276,7 +284,7 @@ SplitByGeometry(const Items & items)
   std::vector<Items> groups;
   for (const Items & kind : GroupBy(items, AreOfOneKind))
   {
-    for (Items & group : SplitByFrameOfReference(kind))
+    for (Items & group : SplitByIdentity(kind))
     {
       groups.push_back(std::move(group));
     }
@@ -372,20 +380,25 @@ AddFileDefects(DicomSeries & series, const Items & items)
   }
 }
 
+/** Tells where the slices of one volume do not agree in a member of their files; `names` says what it is. */
 void
-RemarkOnFrames(DicomSeries & series, const Items & items)
+RemarkOnIdentity(DicomSeries & series,
+                 const Items & items,
+                 std::string DicomFile::*member,
+                 DicomDefectKind         kind,
+                 const std::string &     names)
 {
-  std::set<std::string> frames;
+  std::set<std::string> values;
   for (const Item & item : items)
   {
-    frames.insert(item.file->frameOfReferenceUID);
+    values.insert(item.file->*member);
   }
-  if (frames.size() > 1)
+  if (values.size() > 1)
   {
     series.remarks.push_back(DefectOfSlices(series,
-                                            DicomDefectKind::mixedFrameOfReference,
-                                            "the slices name " + std::to_string(frames.size()) +
-                                              " frames of reference, but are equidistant and taken for one volume",
+                                            kind,
+                                            "the slices name " + std::to_string(values.size()) + " " + names +
+                                              ", but are equidistant and taken for one volume",
                                             AllIndices(series)));
   }
 }
@@ -493,7 +506,9 @@ MakeSeries(Items items)
   {
     series.slices[i].position = places[i].position;
   }
-  RemarkOnFrames(series, items);
+  RemarkOnIdentity(
+    series, items, &DicomFile::frameOfReferenceUID, DicomDefectKind::mixedFrameOfReference, "frames of reference");
+  RemarkOnIdentity(series, items, &DicomFile::patientID, DicomDefectKind::mixedPatient, "patients");
   if (frame.isLocalizer)
   {
     AddDefect(series, DicomDefectKind::localizer, "planning images (localizer), no volume", AllIndices(series));
@@ -544,8 +559,8 @@ MixtureOf(const std::vector<DicomSeries> & parts)
     std::all_of(parts.begin(), parts.end(), [](const DicomSeries & part) { return part.isSingleSlice; });
   return areSlices
            ? "one Series Instance UID holds " + number +
-               " slices that are no volume: they differ in frame of reference, orientation or size, and are not "
-               "equidistant"
+               " slices that are no volume: they differ in patient, frame of reference, orientation or size, and are "
+               "not equidistant"
            : "one Series Instance UID holds images of " + number +
                " kinds (columns x rows x slices): " + ListParts(parts);
 }

@@ -353,6 +353,12 @@ AddNotes(const DicomSeries & series, Volume & volume)
   {
     volume.notes.push_back("MONOCHROME1: low intensities are meant to be shown bright; the values are unchanged");
   }
+  if (series.modality == "CT" && !series.slices.front().pixels.hasRescale)
+  {
+    volume.notes.push_back(
+      "no Rescale Slope and Rescale Intercept: the values are those stored, perhaps not Hounsfield "
+      "units");
+  }
   if (series.isSingleSlice)
   {
     const double thickness = series.slices.front().thickness;

@@ -123,6 +123,75 @@ TEST_F(DicomSeriesScan, EquidistantSlicesOfSeveralFramesAreOneVolumeWithARemark)
   EXPECT_EQ(scan.series[0].remarks[0].slices.size(), 6u);
 }
 
+TEST_F(DicomSeriesScan, PatientsAndPositionsInOneSeriesStayApart)
+{
+  const auto scan = [](const DcmTagKey & tag, const std::string & first, const std::string & second) {
+    const std::string folder = shapeton::TestFolder() + "/" + first + second;
+    const auto        files = DicomFixture().MakeSeries();
+    const auto        others = DicomFixture().MakeSeries();
+    for (std::size_t i = 0; i < files.size(); ++i)
+    {
+      shapeton::SetText(*files[i], tag, first);
+      shapeton::SetText(*others[i], tag, second);
+    }
+    shapeton::SaveDicom(files, shapeton::MakeFolder(folder));
+    shapeton::SaveDicom(others, folder, EXS_LittleEndianExplicit, "other");
+    return shapeton::ScanDicom(folder);
+  };
+  for (const DicomScan & apart : { scan(DCM_PatientPosition, "HFS", "HFP"), scan(DCM_PatientID, "A", "B") })
+  {
+    ASSERT_EQ(apart.series.size(), 2U);
+    EXPECT_EQ(DefectNames(apart.series[0]), std::vector<std::string>{ "mixedSeries" });
+    EXPECT_EQ(apart.series[0].slices.size(), DicomFixture().slices);
+  }
+  const DicomScan together = scan(DCM_PatientPosition, "HFS", "");
+  ASSERT_EQ(together.series.size(), 1U);
+  EXPECT_TRUE(together.series[0].Has(DicomDefectKind::duplicateIdentical));
+}
+
+TEST_F(DicomSeriesScan, EquidistantSlicesOfSeveralPatientsAreOneVolumeWithARemark)
+{
+  const std::string folder = shapeton::TestFolder();
+  const auto        files = DicomFixture().MakeSeries();
+  for (std::size_t i = 0; i < files.size(); ++i)
+  {
+    shapeton::SetText(*files[i], DCM_PatientID, "ANON" + std::to_string(i / 2));
+  }
+  shapeton::SaveDicom(files, folder);
+  const DicomScan scan = shapeton::ScanDicom(folder);
+  ASSERT_EQ(scan.series.size(), 1U);
+  EXPECT_TRUE(scan.series[0].IsUsable());
+  ASSERT_EQ(scan.series[0].remarks.size(), 1U);
+  EXPECT_EQ(scan.series[0].remarks[0].kind, DicomDefectKind::mixedPatient);
+  EXPECT_NE(scan.series[0].remarks[0].message.find("3 patients"), std::string::npos);
+  EXPECT_EQ(scan.series[0].remarks[0].message.find("ANON"), std::string::npos);
+}
+
+TEST_F(DicomSeriesScan, DescriptionsAreUtf8)
+{
+  const auto description = [](const std::string & set, const std::string & text) {
+    const std::string folder = shapeton::TestFolder();
+    const auto        files = DicomFixture().MakeSeries();
+    for (const auto & file : files)
+    {
+      shapeton::SetText(*file, DCM_SpecificCharacterSet, set);
+      shapeton::SetText(*file, DCM_SeriesDescription, text);
+    }
+    shapeton::SaveDicom(files, shapeton::MakeFolder(folder));
+    return shapeton::ScanDicom(folder).series.at(0).description;
+  };
+  EXPECT_EQ(description("ISO_IR 100",
+                        "Bauchlage \xfc"
+                        "ber"),
+            "Bauchlage \xc3\xbc"
+            "ber");
+  EXPECT_EQ(description("ISO_IR 192",
+                        "Bauchlage \xc3\xbc"
+                        "ber"),
+            "Bauchlage \xc3\xbc"
+            "ber");
+}
+
 TEST_F(DicomSeriesScan, FramesStayApartWhereTheirSlicesAreNotEquidistantOrNotOfOneStudy)
 {
   EXPECT_EQ(shapeton::ScanDicom(Faults() + "/framesApart").series.size(), 5u);

@@ -188,6 +188,21 @@ TEST(VolumeReader, ASliceWithoutTheRescaleOfTheOthersMakesAMixedSeries)
   EXPECT_NE(RefusalOf(files).find("mixedSeries"), std::string::npos);
 }
 
+TEST(VolumeReader, ACtWithoutRescaleIsReadAsStoredWithANote)
+{
+  auto files = DicomFixture().MakeSeries();
+  for (const auto & file : files)
+  {
+    file->getDataset()->findAndDeleteElement(DCM_RescaleSlope);
+    file->getDataset()->findAndDeleteElement(DCM_RescaleIntercept);
+  }
+  const std::string folder = TestFolder();
+  SaveDicom(files, folder);
+  const Volume volume = ReadVolume(folder);
+  ASSERT_EQ(volume.notes.size(), 1U);
+  EXPECT_NE(volume.notes[0].find("perhaps not Hounsfield units"), std::string::npos);
+}
+
 TEST(VolumeReader, SlicesWithAFrameOfReferenceEachAreAVolumeWithANote)
 {
   auto files = DicomFixture().MakeSeries();
