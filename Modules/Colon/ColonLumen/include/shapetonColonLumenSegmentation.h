@@ -20,7 +20,9 @@ namespace shapeton
  * \ingroup ColonLumen */
 struct ColonLumenOptions
 {
-  /** DICOM Patient Position or a name, see GravityOfPatientPosition(); empty: gravity is inferred from the levels. */
+  /** DICOM Patient Position or a name, see GravityOfPatientPosition(). Empty: gravity is inferred from the levels. A
+   * name is taken as it is; the code of a header gives way, with a warning, to fluid levels of 50 cm^2 that are flat in
+   * another direction, and five times what is flat in its own. */
   std::string patientPosition;
   /** Points in LPS, mm. The pieces of gas or bright fluid that hold them are colon, whatever the automatic choice says.
    */

@@ -288,6 +288,9 @@ namespace
 {
 constexpr double ClearLevels = 500.0; // mm^2
 constexpr double ClearRatio = 3.0;
+// Against the header of a file. On a well-tagged examination the levels have 200 cm^2, other directions 3 cm^2 at most.
+constexpr double CertainLevels = 5000.0; // mm^2
+constexpr double CertainRatio = 5.0;
 
 /** What lies flat along one direction. */
 struct LevelsOfDirection
@@ -310,17 +313,25 @@ LevelsAlong(const ColonEvidence & e, const itk::Vector<double, 3> & gravity)
   return found;
 }
 
+bool
+Outweigh(const LevelsOfDirection & levels, double least, double ratio, double others)
+{
+  return levels.area >= least && levels.area > ratio * others;
+}
+
 void
 WarnOfGravity(const std::string & patientPosition, const LevelsOfDirection * contradiction, ColonLumen & lumen)
 {
   if (contradiction)
   {
-    lumen.warnings.push_back(
-      "the patient position \"" + patientPosition +
-      "\" contradicts the fluid levels in the data: " + std::to_string(std::lround(contradiction->area)) +
-      " mm^2 of flat levels say " + NameOfGravity(contradiction->gravity) +
-      "; the position given was used: where it is wrong, tagged fluid is missed; look at the slices, and give the "
-      "position that they show");
+    const std::string position = NameOfGravity(contradiction->gravity);
+    const std::string used = lumen.gravitySource == ColonGravitySource::PatientPosition
+                               ? "the position given was used: where it is wrong, tagged fluid is missed"
+                               : position + " was taken, for headers are often wrong";
+    lumen.warnings.push_back("the patient position \"" + patientPosition +
+                             "\" contradicts the fluid levels in the data: " +
+                             std::to_string(std::lround(contradiction->area)) + " mm^2 of flat levels say " + position +
+                             "; " + used + "; look at the slices, and give the position that they show");
   }
   if (lumen.gravitySource == ColonGravitySource::Assumed)
   {
@@ -350,12 +361,16 @@ FindGravity(const std::string & patientPosition, ColonEvidence & evidence, Colon
       clearest = std::move(found);
     }
   }
-  const bool isClear = clearest.area >= ClearLevels && clearest.area > ClearRatio * (given ? usual.area : 0.0);
-  lumen.gravitySource = given     ? ColonGravitySource::PatientPosition
-                        : isClear ? ColonGravitySource::Levels
-                                  : ColonGravitySource::Assumed;
-  WarnOfGravity(patientPosition, given && isClear && !(clearest.gravity == *given) ? &clearest : nullptr, lumen);
-  const LevelsOfDirection & taken = !given && isClear ? clearest : usual;
+  const bool isClear = Outweigh(clearest, ClearLevels, ClearRatio, given ? usual.area : 0.0);
+  const bool isContradiction = given && isClear && !(clearest.gravity == *given);
+  // A name is somebody's word.
+  const bool isOfHeader = given && patientPosition != NameOfGravity(*given);
+  const bool isOverruled = isContradiction && isOfHeader && Outweigh(clearest, CertainLevels, CertainRatio, usual.area);
+  lumen.gravitySource = given && !isOverruled ? ColonGravitySource::PatientPosition
+                        : isClear             ? ColonGravitySource::Levels
+                                              : ColonGravitySource::Assumed;
+  WarnOfGravity(patientPosition, isContradiction ? &clearest : nullptr, lumen);
+  const LevelsOfDirection & taken = lumen.gravitySource == ColonGravitySource::Levels ? clearest : usual;
   lumen.gravity = taken.gravity;
   evidence.levels = taken.levels;
   evidence.gravity = Eigen::Vector3d(taken.gravity[0], taken.gravity[1], taken.gravity[2]);

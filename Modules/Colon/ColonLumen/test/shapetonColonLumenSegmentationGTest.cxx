@@ -373,6 +373,25 @@ TEST(ColonLumenSegmentation, AirThatOnlyThinShellsCoverIsOutside)
   EXPECT_EQ(Segment(image).pieces.size(), 2U);
 }
 
+TEST(ColonLumenSegmentation, LargeLevelsOverruleTheCodeOfAHeader)
+{
+  ColonTestScene scene;
+  for (const double x : { -80.0, 0.0, 80.0 })
+  {
+    scene.lumens.push_back({ Tube(At(x, 0, 0), 2, 55, 32), 4.0, 500.0 });
+  }
+  scene.bodyRadius = 140.0;
+  const auto image = shapeton::CentredImage({ 150, 150, 72 }, { 2.0, 2.0, 2.0 }, Identity());
+  scene.Sample(image);
+  const auto lumen = Segment(image, "HFP");
+  EXPECT_EQ(lumen.gravity, At(0, 1, 0));
+  EXPECT_EQ(lumen.gravitySource, shapeton::ColonGravitySource::Levels);
+  ASSERT_EQ(lumen.warnings.size(), 1U);
+  EXPECT_NE(lumen.warnings[0].find("\"HFP\" contradicts"), std::string::npos);
+  EXPECT_NE(lumen.warnings[0].find("supine was taken"), std::string::npos);
+  EXPECT_EQ(Segment(image, "prone").gravity, At(0, -1, 0));
+}
+
 /** Gas over fluid that the caudal border cuts lies across; the natal cleft runs from front to back, and a strip of air
  * beside the table goes on to the side of the image. */
 TEST(ColonLumenSegmentation, AFlatLumenThatTheCaudalBorderCutsIsNoCleft)
