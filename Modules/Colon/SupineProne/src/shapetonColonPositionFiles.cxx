@@ -51,13 +51,13 @@ public:
     return "sha256:" + Sha256OfBytes(m_Identities);
   }
 
-private:
   std::string
   PathOf(const std::string & stage, const std::string & file) const
   {
     return (fs::path(m_Folder) / stage / file).string();
   }
 
+private:
   std::string m_Folder;
   std::string m_Name;
   std::string m_Identities;
@@ -101,6 +101,30 @@ ReadLandmarks(Examination & examination, ColonPositionFiles & files)
                              "(parameter \"markers\" of VirtualColonoscopy) for a surer result");
   }
 }
+
+/** The lumen, where it came from a CT, says how the patient lay: the two examinations may have changed places. */
+void
+WarnOfPosition(const Examination & examination, ColonPositionFiles & files)
+{
+  if (!examination.Has("segmentation", "quality.json"))
+  {
+    return;
+  }
+  const Json document = ReadJson(examination.PathOf("segmentation", "quality.json"));
+  const auto said = [&](const char * place) {
+    const Json::json_pointer pointer(place);
+    return document.contains(pointer) && document.at(pointer).is_string() ? document.at(pointer).get<std::string>()
+                                                                          : "";
+  };
+  const std::string position = said("/lumen/position");
+  const std::string name = files.position.name;
+  const bool        isOpposite = (name == "supine" && position == "prone") || (name == "prone" && position == "supine");
+  if (isOpposite && said("/lumen/gravitySource") != "assumed")
+  {
+    files.warnings.push_back(name + ": the patient of this examination lay " + position +
+                             "; have the two changed places?");
+  }
+}
 } // namespace
 
 ColonPositionFiles
@@ -120,6 +144,7 @@ ReadColonPosition(const std::string & folder, const std::string & name)
   position.curvature = CurvatureOf(ReadSurface(foldsPath).mesh, position.flat->Surface(), foldsPath);
   position.folds = ReadFoldTable(examination.Take("folds", "folds.csv", "ColonFolds"));
   position.isExcluded = FindExcludedColumns(*position.flat, position.centreline);
+  WarnOfPosition(examination, files);
   files.identity = examination.Identity();
   return files;
 }

@@ -138,6 +138,23 @@ TEST(ColonPositionFiles, WithoutTaeniaeThereIsAWarning)
   EXPECT_NE(files.warnings[0].find("no taeniae"), std::string::npos);
 }
 
+TEST(ColonPositionFiles, ExaminationsThatChangedPlacesAreTold)
+{
+  const auto warnings = [](const std::string & name, const std::string & lumen) {
+    const std::string folder = FreshFolder("places");
+    WriteExamination(MakeExamination(name, 1, {}), folder);
+    shapeton::WriteFileBytes(folder + "/segmentation/quality.json", "{\"lumen\": {" + lumen + "}}");
+    return shapeton::ReadColonPosition(folder, name).warnings;
+  };
+  const std::string prone = "\"position\": \"prone\", \"gravitySource\": \"levels\"";
+  EXPECT_TRUE(warnings("prone", prone).empty());
+  ASSERT_EQ(warnings("supine", prone).size(), 1U);
+  EXPECT_NE(warnings("supine", prone)[0].find("supine: the patient of this examination lay prone"), std::string::npos);
+  EXPECT_TRUE(warnings("prone", "\"position\": \"supine\", \"gravitySource\": \"assumed\"").empty());
+  EXPECT_TRUE(warnings("supine", "\"position\": \"leftDecubitus\", \"gravitySource\": \"levels\"").empty());
+  EXPECT_TRUE(warnings("supine", "\"position\": 1").empty());
+}
+
 TEST(ColonPositionFiles, MalformedFilesAreRefused)
 {
   const auto faultWith = [](const std::string & file, const std::string & bytes) {
