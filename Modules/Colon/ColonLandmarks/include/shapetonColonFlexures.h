@@ -47,7 +47,10 @@ struct ColonFlexures
   FlexureRule                 rule{ FlexureRule::Ordered };
   std::array<ColonFlexure, 4> flexures;
   /** The descending colon lies on the right: situs inversus, or an image with exchanged sides. Ordered alone looks. */
-  bool    isMirrored{ false };
+  bool isMirrored{ false };
+  /** The course of the line is likelier that from the caecum to the rectum; confidences are low then. Ordered alone
+   * looks. */
+  bool    isBackwards{ false };
   Remarks warnings;
 
   /** How many were found. */
@@ -75,7 +78,9 @@ ColonLandmarks_EXPORT std::string
  * towards the back counting half as much (they are fixed to the posterior wall), the rectosigmoid one to the sharpest
  * within 14 mm, the descending-sigmoid one, where the straight run begins, to the mean of its places within 60 mm by
  * their probability. The same is done for the mirror
- * image of the line; it counts where its likelihood, summed over all places, times .001 is the greater one.
+ * image of the line; it counts where its likelihood, summed over all places, times .001 is the greater one. A line that
+ * runs from the caecum to the rectum has the probability .01 before it is looked at; confidences are multiplied by the
+ * probability of the sense that counts.
  *
  * The prior states anatomy, no sample of centrelines and no phantom:
  * - lengths from the anal verge, cm: anal canal 4, rectum 12, sigmoid 40, descending 25, transverse 50, ascending 15,

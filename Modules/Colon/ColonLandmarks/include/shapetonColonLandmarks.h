@@ -70,10 +70,10 @@ SegmentSurface(const SurfaceMesh & flat, const ColonLandmarks & landmarks);
 /** The flat surface with the cell array fold and the point array meanCurvature (1/mm). \ingroup ColonLandmarks */
 ColonLandmarks_EXPORT SurfaceMesh
 FoldSurface(const SurfaceMesh & flat, const ColonLandmarks & landmarks);
-/** Keys, whose names stay: flexureRule, mirrored, flexures (a list of number, name, found, reason, position, arcLength,
- * uv, confidence, and notAssessable where the wall is not seen there: HindranceToJson()), caecum (the same, with
- * source: ileocaecalValve or estimated), ileocaecalValve (found, position, arcLength, uv, length, width, confidence),
- * segments (a list of number, name, begin, end, length, area, and where the centreline tells those of
+/** Keys, whose names stay: flexureRule, mirrored, backwards, flexures (a list of number, name, found, reason, position,
+ * arcLength, uv, confidence, and notAssessable where the wall is not seen there: HindranceToJson()), caecum (the same,
+ * with source: ileocaecalValve or estimated), ileocaecalValve (found, position, arcLength, uv, length, width,
+ * confidence), segments (a list of number, name, begin, end, length, area, and where the centreline tells those of
  * AssessabilityToJson()), segmentsNotFound (names), notAssessable (StretchesToJson()), surfaceFolds (number,
  * leastCurvature in 1/mm, area), taeniae. \ingroup ColonLandmarks */
 ColonLandmarks_EXPORT Json

@@ -66,6 +66,14 @@ CentrelineShape::Mirrored() const
   return mirrored;
 }
 
+CentrelineShape
+CentrelineShape::Reversed() const
+{
+  CentrelineShape reversed(*this);
+  reversed.m_Points = m_Points.colwise().reverse().eval();
+  return reversed;
+}
+
 VertexMatrix
 CentrelineShape::Smoothed(double deviation) const
 {

@@ -36,6 +36,9 @@ public:
   /** Of a patient whose left is right. */
   CentrelineShape
   Mirrored() const;
+  /** From its end to its beginning. */
+  CentrelineShape
+  Reversed() const;
   /** The nearest point. */
   int
   IndexAt(double arcLength) const

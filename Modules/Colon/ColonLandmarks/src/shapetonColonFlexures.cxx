@@ -56,6 +56,7 @@ FindOrdered(const CentrelineShape & shape, ColonFlexures & result)
 {
   const FlexurePlaces places = FindFlexurePlaces(shape);
   result.isMirrored = places.isMirrored;
+  result.isBackwards = places.isBackwards;
   const Eigen::VectorXd turning = 0.5 * (shape.Turning(35.0, 8.0) + shape.Turning(70.0, 8.0));
   const VertexMatrix    tangents = shape.Tangents(10.0);
   for (int k = 0; k < 4; ++k)
@@ -109,6 +110,12 @@ WarnOfFlexures(ColonFlexures & result)
   {
     result.warnings.push_back("the descending colon lies on the right side: situs inversus, or the image has left and "
                               "right exchanged; check its orientation");
+  }
+  if (result.isBackwards)
+  {
+    result.warnings.push_back(
+      "the course of the colon is likelier that from the caecum to the rectum: the line may run "
+      "backwards, or a part of the colon is missing; the flexures are in doubt");
   }
   const std::string & reason = result.flexures[0].reason;
   const bool          isOneReason = std::all_of(

@@ -235,6 +235,7 @@ ColonLandmarksToJson(const ColonLandmarks & landmarks)
   Json json;
   json["flexureRule"] = NameOf(landmarks.flexures.rule);
   json["mirrored"] = landmarks.flexures.isMirrored;
+  json["backwards"] = landmarks.flexures.isBackwards;
   json["flexures"] = FlexuresToJson(landmarks);
   json["caecum"] = CaecumToJson(landmarks);
   json["ileocaecalValve"] = ValveToJson(landmarks);

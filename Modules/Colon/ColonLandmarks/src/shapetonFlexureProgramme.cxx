@@ -25,6 +25,8 @@ constexpr double tolerance = 30.0; // mm
 constexpr double impossible = -1e30;
 /** Of situs inversus (about 1 in 10,000) and, more often, of images whose sides were exchanged on their way. */
 constexpr double probabilityOfMirrored = 1e-3;
+/** Of a line that begins at the caecum, as where the scan or the gas ends before the rectum. */
+constexpr double probabilityOfBackwards = 1e-2;
 
 using Scores = std::vector<double>;
 
@@ -313,13 +315,18 @@ FindFlexurePlaces(const CentrelineShape & shape)
 {
   const FlexureProgramme usual(shape);
   const FlexureProgramme mirrored(shape.Mirrored());
-  const double           logOdds =
-    mirrored.Evidence() - usual.Evidence() + std::log(probabilityOfMirrored / (1.0 - probabilityOfMirrored));
-  FlexurePlaces places = logOdds > 0.0 ? mirrored.Run() : usual.Run();
-  places.isMirrored = logOdds > 0.0;
+  const FlexureProgramme backwards(shape.Reversed());
+  const Scores           senses{ usual.Evidence() + std::log(1.0 - probabilityOfMirrored - probabilityOfBackwards),
+                       mirrored.Evidence() + std::log(probabilityOfMirrored),
+                       backwards.Evidence() + std::log(probabilityOfBackwards) };
+  const bool             isMirrored = senses[1] > senses[0];
+  const double           score = std::max(senses[0], senses[1]);
+  FlexurePlaces          places = isMirrored ? mirrored.Run() : usual.Run();
+  places.isMirrored = isMirrored;
+  places.isBackwards = senses[2] > score;
   for (double & confidence : places.confidence)
   {
-    confidence /= 1.0 + std::exp(-std::abs(logOdds)); // it takes the sense for granted
+    confidence *= std::exp(score - LogSum(senses)); // it takes the sense for granted
   }
   return places;
 }

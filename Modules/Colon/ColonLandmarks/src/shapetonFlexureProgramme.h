@@ -18,10 +18,13 @@ struct FlexurePlaces
   std::array<double, 4> meanDeviation{};
   /** The descending colon lies on the right. */
   bool isMirrored{ false };
+  /** The line is likelier to run from the caecum to the rectum. */
+  bool isBackwards{ false };
 };
 
 /** Likelihoods of flexures, of the sections between them and of their lengths, as shapetonColonFlexures.h describes;
- * the best places in their order, found exactly. Of the line as it is and its mirror image the likelier one counts. */
+ * the best places in their order, found exactly. Of the line as it is and its mirror image the likelier one counts;
+ * confidences allow for the other one and for the line run backwards. */
 FlexurePlaces
 FindFlexurePlaces(const CentrelineShape & shape);
 } // namespace shapeton

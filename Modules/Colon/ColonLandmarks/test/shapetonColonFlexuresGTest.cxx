@@ -67,6 +67,21 @@ TEST(ColonFlexures, OfAMirroredPatientAreTheSameAndItIsTold)
   EXPECT_NE(after.warnings[0].find("right side"), std::string::npos);
 }
 
+TEST(ColonFlexures, OfALineFromTheCaecumToTheRectumAreInDoubt)
+{
+  SchematicColon colon = MakeSchematicColon();
+  EXPECT_FALSE(FindColonFlexures(colon.centreline).isBackwards);
+  colon.centreline.V = colon.centreline.V.colwise().reverse().eval();
+  const ColonFlexures found = FindColonFlexures(colon.centreline);
+  EXPECT_TRUE(found.isBackwards);
+  ASSERT_FALSE(found.warnings.empty());
+  EXPECT_NE(found.warnings[0].find("from the caecum to the rectum"), std::string::npos);
+  for (const shapeton::ColonFlexure & flexure : found.flexures)
+  {
+    EXPECT_LT(flexure.confidence, 0.5);
+  }
+}
+
 TEST(ColonFlexures, OfThePublishedRuleIncludeTheTwoHighestBends)
 {
   const SchematicColon colon = MakeSchematicColon();
