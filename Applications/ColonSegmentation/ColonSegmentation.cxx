@@ -48,6 +48,7 @@ ModelOf(CommandLine & commandLine, const shapeton::Volume & volume, const shapet
     return shapeton::BuildColonModelOfLumen(shapeton::MaskOfVolume(volume, commandLine.GetString("inputVolume")),
                                             options);
   }
+  shapeton::WarnUnlessCT(commandLine, volume);
   if (commandLine.IsGiven("lumen"))
   {
     const auto mask = shapeton::ReadLabelMask(commandLine, "lumen", volume.image);

@@ -336,6 +336,9 @@ WriteSeriesFaults(const std::string & folder)
 {
   const DicomFixture fixture;
   SaveDicom(fixture.MakeSeries(), MakeFolder(folder + "/regular"));
+  DicomFixture resonance = fixture;
+  resonance.modality = "MR";
+  SaveDicom(resonance.MakeSeries(), MakeFolder(folder + "/magneticResonance"));
 
   auto files = fixture.MakeSeries();
   files.erase(files.begin() + 2, files.begin() + 4);

@@ -14,6 +14,11 @@ class CommandLine;
 ToolInput_EXPORT Volume
 ReadVolume(CommandLine & commandLine, const std::string & parameter, bool allowSingleSlice = false);
 
+/** Warns of a volume that says it is of another modality, for a tool that takes values for Hounsfield units.
+ * \ingroup ToolInput */
+ToolInput_EXPORT void
+WarnUnlessCT(CommandLine & commandLine, const Volume & volume);
+
 /** MaskForImage() for a tool, of the volume that the input `parameter` names. Adds its identity to the provenance.
  * \ingroup ToolInput */
 ToolInput_EXPORT itk::Image<unsigned char, 3>::Pointer

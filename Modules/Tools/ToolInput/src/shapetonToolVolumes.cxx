@@ -28,6 +28,16 @@ ReadVolume(CommandLine & commandLine, const std::string & parameter, bool allowS
   return volume;
 }
 
+void
+WarnUnlessCT(CommandLine & commandLine, const Volume & volume)
+{
+  if (!volume.modality.empty() && volume.modality != "CT")
+  {
+    commandLine.Warn("the series is of modality " + volume.modality +
+                     ", no CT: its values are taken for Hounsfield units all the same");
+  }
+}
+
 namespace
 {
 Volume
