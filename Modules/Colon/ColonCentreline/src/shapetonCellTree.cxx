@@ -13,6 +13,8 @@ namespace
 constexpr double widestHole = 7.0;
 /** An exchange must make the way through the colon longer by this, mm. */
 constexpr double leastGain = 40.0;
+/** Ways differ when their lengths differ by more, mm: sums of the same lengths in another order do not. */
+constexpr double sameLength = 1e-6;
 /** A ring is long when it is longer than this and some radii more, mm. The cost of paths keeps out of the narrow
  * passage of a shorter one, and around a fold both ways are right. */
 constexpr double shortRing = 60.0;
@@ -72,13 +74,13 @@ CellTree::RemoveLink(int passage)
   {
     auto & links = m_Links[cell];
     links.erase(
-      std::find_if(links.begin(), links.end(), [passage](const Link & link) { return link.passage == passage; }));
+      std::find_if(links.begin(), links.end(), [passage](const TreeLink & link) { return link.passage == passage; }));
   }
   m_IsInTree[passage] = 0;
 }
 
 void
-CellTree::Visit(int cell, Walk & walk) const
+CellTree::Visit(int cell, TreeWalk & walk) const
 {
   const std::size_t begin = walk.order.size();
   walk.order.push_back(cell);
@@ -87,7 +89,7 @@ CellTree::Visit(int cell, Walk & walk) const
   for (std::size_t i = begin; i < walk.order.size(); ++i)
   {
     const int at = walk.order[i];
-    for (const Link & link : m_Links[at])
+    for (const TreeLink & link : m_Links[at])
     {
       if (walk.depth[link.cell] < 0)
       {
@@ -101,10 +103,10 @@ CellTree::Visit(int cell, Walk & walk) const
   }
 }
 
-CellTree::Walk
+TreeWalk
 CellTree::WalkFrom(int cell) const
 {
-  Walk walk;
+  TreeWalk walk;
   walk.length.assign(m_Links.size(), -1.0);
   walk.depth.assign(m_Links.size(), -1);
   walk.parent.assign(m_Links.size(), -1);
@@ -116,10 +118,10 @@ CellTree::WalkFrom(int cell) const
   return walk;
 }
 
-CellTree::Walk
+TreeWalk
 CellTree::WalkAll() const
 {
-  Walk walk = this->WalkFrom(-1);
+  TreeWalk walk = this->WalkFrom(-1);
   for (int cell = 0; cell < static_cast<int>(m_Links.size()); ++cell)
   {
     if (walk.depth[cell] < 0)
@@ -131,7 +133,7 @@ CellTree::WalkAll() const
 }
 
 int
-CellTree::FarthestCore(const Walk & walk) const
+CellTree::FarthestCore(const TreeWalk & walk) const
 {
   int farthest = walk.order.front();
   for (const int cell : walk.order)
@@ -154,7 +156,7 @@ CellTree::Ends(int member) const
 std::vector<int>
 CellTree::Groups() const
 {
-  const Walk       walk = this->WalkAll();
+  const TreeWalk   walk = this->WalkAll();
   std::vector<int> groups(m_Links.size(), -1);
   for (const int cell : walk.order)
   {
@@ -166,7 +168,7 @@ CellTree::Groups() const
 std::vector<int>
 CellTree::Way(int from, int to) const
 {
-  const Walk       walk = this->WalkFrom(to);
+  const TreeWalk   walk = this->WalkFrom(to);
   std::vector<int> way;
   for (int cell = from; cell >= 0; cell = walk.parent[cell])
   {
@@ -183,7 +185,7 @@ CellTree::SideBranches(const std::vector<int> & way, double area) const
   {
     place[way[i]] = i;
   }
-  const Walk          walk = this->WalkFrom(way.front());
+  const TreeWalk      walk = this->WalkFrom(way.front());
   std::vector<double> longest(way.size(), 0.0);
   std::vector<double> volumes(way.size(), 0.0);
   for (const int cell : walk.order)
@@ -233,7 +235,7 @@ CellTree::Holes(const std::vector<int> & way) const
   {
     const auto & links = m_Links[way[i]];
     const auto   link =
-      std::find_if(links.begin(), links.end(), [&](const Link & found) { return found.cell == way[i - 1]; });
+      std::find_if(links.begin(), links.end(), [&](const TreeLink & found) { return found.cell == way[i - 1]; });
     const double width = std::min(this->WidestOnWay(way, i - 1, -1), this->WidestOnWay(way, i, 1));
     const double likeness = 1.0 - m_Cells.passages[link->passage].clearance / (leastOpening * width);
     // A hole is crossed by several passages, one after the other: it counts once.
@@ -246,7 +248,7 @@ CellTree::Holes(const std::vector<int> & way) const
 std::vector<CellTree::Neck>
 CellTree::Necks() const
 {
-  const Walk             walk = this->WalkAll();
+  const TreeWalk         walk = this->WalkAll();
   const std::vector<int> groups = this->Groups();
   std::vector<double>    beyond = m_Cells.volumes;
   for (auto cell = walk.order.rbegin(); cell != walk.order.rend(); ++cell)
@@ -268,111 +270,100 @@ CellTree::Necks() const
   return necks;
 }
 
-double
-CellTree::LongestWay(int member) const
+TreeRing
+CellTree::Ring(const TreeWalk & all, int passage) const
 {
-  const Walk walk = this->WalkFrom(this->FarthestCore(this->WalkFrom(member)));
-  return walk.length[this->FarthestCore(walk)];
-}
-
-std::vector<int>
-CellTree::Ring(const Walk & all, int passage) const
-{
-  int              a = m_Cells.passages[passage].a;
-  int              b = m_Cells.passages[passage].b;
-  std::vector<int> ring;
-  while (a != b)
+  TreeRing ring{ { m_Cells.passages[passage].a }, {}, {} };
+  TreeRing back{ { m_Cells.passages[passage].b }, {}, {} };
+  while (ring.cells.back() != back.cells.back())
   {
-    int & deeper = all.depth[a] >= all.depth[b] ? a : b;
-    if (all.parent[deeper] < 0)
+    TreeRing & deeper = all.depth[ring.cells.back()] >= all.depth[back.cells.back()] ? ring : back;
+    const int  cell = deeper.cells.back();
+    const int  parent = all.parent[cell];
+    if (parent < 0)
     {
       return {};
     }
-    ring.push_back(all.passage[deeper]);
-    deeper = all.parent[deeper];
+    deeper.cells.push_back(parent);
+    deeper.passages.push_back(all.passage[cell]);
+    deeper.lengths.push_back(this->Length(all.passage[cell]));
   }
+  ring.cells.insert(ring.cells.end(), back.cells.rbegin() + 1, back.cells.rend());
+  ring.passages.insert(ring.passages.end(), back.passages.rbegin(), back.passages.rend());
+  ring.lengths.insert(ring.lengths.end(), back.lengths.rbegin(), back.lengths.rend());
   return ring;
 }
 
-double
-CellTree::LengthOf(const std::vector<int> & passages) const
-{
-  double length = 0.0;
-  for (const int passage : passages)
-  {
-    length += this->Length(passage);
-  }
-  return length;
-}
-
 bool
-CellTree::IsLongRing(const std::vector<int> & ring, int passage) const
+CellTree::IsLongRing(const TreeRing & ring, int passage) const
 {
   double widest = 0.0;
-  for (const int p : ring)
+  for (const int cell : ring.cells)
   {
-    widest = std::max({ widest, m_Cells.radii[m_Cells.passages[p].a], m_Cells.radii[m_Cells.passages[p].b] });
+    widest = std::max(widest, m_Cells.radii[cell]);
   }
-  return this->LengthOf(ring) > shortRing + ringRadii * widest + this->Length(passage);
+  return ring.Length() > shortRing + ringRadii * widest + this->Length(passage);
 }
 
-void
-CellTree::TryExchanges(int in, double & bestGain, std::array<int, 2> & best)
+CellTree::Swap
+CellTree::BestSwap(int in, const TreeRing & ring, const TreeReach & reach) const
 {
-  const std::vector<int> ring = this->Ring(this->WalkAll(), in);
-  const int              member = m_Cells.passages[in].a;
-  const double           before = this->LongestWay(member);
-  for (const int out : ring)
+  const double              before = reach.LongestWay(m_Cells.passages[in].a);
+  const std::vector<double> ways = reach.LongestWaysWithout(ring, this->Length(in));
+  Swap                      best{ in, -1, 0.0 };
+  for (std::size_t i = 0; i < ways.size(); ++i)
   {
-    if (m_Cells.passages[out].clearance > widestHole)
+    const int    out = ring.passages[i];
+    const double gain = ways[i] - before;
+    const double clearance = m_Cells.passages[out].clearance;
+    // The hole between two branches is closed at its narrowest place.
+    const bool isNarrower = best.out >= 0 && clearance < m_Cells.passages[best.out].clearance;
+    if (clearance <= widestHole && gain > best.gain + (isNarrower ? -sameLength : sameLength))
     {
-      continue;
-    }
-    Interruption::Check();
-    this->RemoveLink(out);
-    this->AddLink(in);
-    const double gain = this->LongestWay(member) - before;
-    this->RemoveLink(in);
-    this->AddLink(out);
-    if (gain > bestGain)
-    {
-      bestGain = gain;
-      best = { in, out };
+      best = { in, out, gain };
     }
   }
+  return best;
 }
 
 bool
 CellTree::Exchange()
 {
-  const Walk       all = this->WalkAll();
-  std::vector<int> holes;
+  const TreeWalk    all = this->WalkAll();
+  std::vector<char> isCore;
+  for (const double radius : m_Cells.radii)
+  {
+    isCore.push_back(radius >= m_CoreRadius ? 1 : 0);
+  }
+  const TreeReach reach(m_Links, all, isCore);
+  Swap            best{ -1, -1, leastGain };
   for (int p = 0; p < static_cast<int>(m_Cells.passages.size()); ++p)
   {
-    if (!m_IsInTree[p] && m_Cells.passages[p].clearance <= widestHole && this->IsLongRing(this->Ring(all, p), p))
+    if (m_IsInTree[p] || m_Cells.passages[p].clearance > widestHole)
     {
-      holes.push_back(p);
+      continue;
+    }
+    Interruption::Check();
+    const TreeRing ring = this->Ring(all, p);
+    if (this->IsLongRing(ring, p))
+    {
+      const Swap swap = this->BestSwap(p, ring, reach);
+      best = swap.gain > best.gain + sameLength ? swap : best;
     }
   }
-  double             bestGain = leastGain;
-  std::array<int, 2> best = { -1, -1 };
-  for (const int hole : holes)
-  {
-    this->TryExchanges(hole, bestGain, best);
-  }
-  if (best[0] < 0)
+  if (best.out < 0)
   {
     return false;
   }
-  this->RemoveLink(best[1]);
-  this->AddLink(best[0]);
+  this->RemoveLink(best.out);
+  this->AddLink(best.in);
   return true;
 }
 
 void
 CellTree::SortOut()
 {
-  const Walk             all = this->WalkAll();
+  const TreeWalk         all = this->WalkAll();
   const std::vector<int> groups = this->Groups();
   m_Open.assign(m_Cells.NumberOfCells(), {});
   m_Merges.clear();
@@ -381,10 +372,10 @@ CellTree::SortOut()
     const CellPassage & passage = m_Cells.passages[p];
     if (!m_IsInTree[p])
     {
-      const std::vector<int> ring = this->Ring(all, p);
+      const TreeRing ring = this->Ring(all, p);
       if (groups[passage.a] != groups[passage.b] || this->IsLongRing(ring, p))
       {
-        m_Merges.push_back({ p, this->LengthOf(ring) });
+        m_Merges.push_back({ p, ring.Length() });
         continue;
       }
     }

@@ -2,6 +2,7 @@
 #define shapetonCellTree_h
 
 #include "shapetonLumenCells.h"
+#include "shapetonTreeReach.h"
 
 namespace shapeton
 {
@@ -88,63 +89,50 @@ public:
   }
 
 private:
-  struct Link
-  {
-    int    cell;
-    int    passage;
-    double length;
-  };
-  struct Walk
-  {
-    std::vector<int>    order;
-    std::vector<double> length;
-    /** Cells from the start. */
-    std::vector<int> depth;
-    std::vector<int> parent;
-    /** The passage to the parent. */
-    std::vector<int> passage;
-  };
-
   void
   SpanWidest();
+  /** A passage that is taken into the tree for another one, and by how much that makes the longest way longer, mm. */
+  struct Swap
+  {
+    int    in;
+    int    out;
+    double gain;
+  };
+  /** The best one of those that take in `in`, which closes a ring; without `out` where none makes the way longer. */
+  Swap
+  BestSwap(int in, const TreeRing & ring, const TreeReach & reach) const;
   bool
   Exchange();
-  void
-  TryExchanges(int in, double & bestGain, std::array<int, 2> & best);
   void
   AddLink(int passage);
   void
   RemoveLink(int passage);
-  Walk
+  TreeWalk
   WalkFrom(int cell) const;
   /** Of all trees, each from its first cell. */
-  Walk
+  TreeWalk
   WalkAll() const;
   void
-  Visit(int cell, Walk & walk) const;
+  Visit(int cell, TreeWalk & walk) const;
   int
-  FarthestCore(const Walk & walk) const;
-  double
-  LongestWay(int member) const;
-  /** The passages of the tree between two cells. */
-  std::vector<int>
-  Ring(const Walk & all, int passage) const;
-  double
-  LengthOf(const std::vector<int> & passages) const;
+  FarthestCore(const TreeWalk & walk) const;
+  /** The way through the tree between the two cells of a passage; empty where there is none. */
+  TreeRing
+  Ring(const TreeWalk & all, int passage) const;
   /** The widest cell of a way within the reach of a hole from the place i on, forth or back. */
   double
   WidestOnWay(const std::vector<int> & way, int i, int direction) const;
   double
   Length(int passage) const;
   bool
-  IsLongRing(const std::vector<int> & ring, int passage) const;
+  IsLongRing(const TreeRing & ring, int passage) const;
 
-  const LumenCells &             m_Cells;
-  double                         m_CoreRadius;
-  std::vector<std::vector<Link>> m_Links;
-  std::vector<char>              m_IsInTree;
-  std::vector<std::vector<int>>  m_Open;
-  std::vector<Merge>             m_Merges;
+  const LumenCells &            m_Cells;
+  double                        m_CoreRadius;
+  TreeLinks                     m_Links;
+  std::vector<char>             m_IsInTree;
+  std::vector<std::vector<int>> m_Open;
+  std::vector<Merge>            m_Merges;
 };
 } // namespace shapeton
 

@@ -277,6 +277,22 @@ Trace(const LumenDistanceImage *     distance,
   }
   return traced;
 }
+
+/** What has far more gaps and holes than any colon is something else. That is told before its faults. */
+void
+DoubtLumen(ColonCentreline & result)
+{
+  constexpr std::size_t mostFaults = 60;
+  const std::size_t     gaps = result.gaps.size();
+  const std::size_t     merges = result.merges.size();
+  if (gaps + merges > mostFaults)
+  {
+    result.warnings.insert(
+      result.warnings.begin(),
+      "the line has " + std::to_string(gaps) + " gaps, and loops touch at " + std::to_string(merges) +
+        " places, far more than in a colon: is the mask that of something else, such as the wall?");
+  }
+}
 } // namespace
 
 ColonCentreline
@@ -295,6 +311,7 @@ TraceColonCentreline(const LumenMask * lumen, const ColonCentrelineOptions & opt
   AddUnusedLines(*traced.network, traced.lines, traced.order, result);
   AddUnusedComponents(lumen, components, choice, result);
   AddMerges(*traced.network, result);
+  DoubtLumen(result);
   options.progress(1.0);
   return result;
 }

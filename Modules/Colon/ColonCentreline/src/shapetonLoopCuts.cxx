@@ -4,6 +4,7 @@
 #include "shapetonPieceOrder.h"
 
 #include <algorithm>
+#include <functional>
 
 namespace shapeton
 {
@@ -14,6 +15,8 @@ constexpr int mostCuts = 6;
 constexpr double leastSaving = 40.0;
 /** mm that a way through a hole in a septum seems to be longer; less than a cut must save. */
 constexpr double holeCost = 35.0;
+/** Colons have up to some 20 passages that may be cut; what has many more is no lumen, and shall not take long. */
+constexpr std::size_t mostTrials = 100;
 /** The best single cuts that are tried in pairs. */
 constexpr std::size_t pairedCuts = 10;
 /** mm^3; what is smaller does not matter to the layout. */
@@ -142,12 +145,10 @@ public:
   {
     const double       before = this->Cost();
     std::vector<Trial> singles;
-    for (const CellTree::Neck & neck : m_Tree.Necks())
+    for (const int passage : this->Passages())
     {
-      if (neck.volume >= smallestStretch)
-      {
-        singles.push_back(this->Try({ neck.passage }));
-      }
+      Interruption::Check();
+      singles.push_back(this->Try({ passage }));
     }
     std::stable_sort(singles.begin(), singles.end(), [](const Trial & a, const Trial & b) { return a.cost < b.cost; });
     Trial best{ before, {} };
@@ -165,6 +166,27 @@ public:
   }
 
 private:
+  /** Those that part two stretches of colon, at most the narrowest ones of them. */
+  std::vector<int>
+  Passages() const
+  {
+    std::vector<int> passages;
+    for (const CellTree::Neck & neck : m_Tree.Necks())
+    {
+      if (neck.volume >= smallestStretch)
+      {
+        passages.push_back(neck.passage);
+      }
+    }
+    if (passages.size() > mostTrials)
+    {
+      // The lower the index, the wider the passage.
+      std::sort(passages.begin(), passages.end(), std::greater<>());
+      passages.resize(mostTrials);
+    }
+    return passages;
+  }
+
   Trial
   Try(const std::vector<int> & passages)
   {

@@ -609,6 +609,20 @@ TEST(ColonCentreline, OfARealColonPassesAllOfItsParts)
   EXPECT_NEAR(line.length, 2700.0, 270.0);
 }
 
+TEST(ColonCentreline, DoubtsThatANetIsTheLumenOfAColon)
+{
+  TubeMask mask({ { 0.0, 0.0, 0.0 }, { 405.0, 0.0, 405.0 } }, 15.0, { 3.0, 3.0, 3.0 });
+  for (double at = 0.0; at <= 405.0; at += 45.0)
+  {
+    mask.Paint(shapeton::CurveThrough({ { at, 0.0, 0.0 }, { at, 0.0, 405.0 } }), 10.0);
+    mask.Paint(shapeton::CurveThrough({ { 0.0, 0.0, at }, { 405.0, 0.0, at } }), 10.0);
+  }
+  const ColonCentreline line = shapeton::TraceColonCentreline(mask.Get());
+  EXPECT_GT(line.merges.size(), 60u);
+  ASSERT_FALSE(line.warnings.empty());
+  EXPECT_NE(line.warnings.front().find("far more than in a colon"), std::string::npos) << line.warnings.front();
+}
+
 TEST(ColonCentreline, RefusesWhatHasNoColon)
 {
   const TubePoints tube = Serpentine(1, 40.0, 30.0);
