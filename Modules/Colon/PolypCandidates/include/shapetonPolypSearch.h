@@ -75,6 +75,9 @@ FindInOtherPosition(const SurfaceMesh &                      map,
                     const std::vector<OtherPolypCandidate> & others,
                     std::vector<PolypCandidate> &            candidates);
 
+/** A registration of a lower confidence tells nothing of a single candidate. \ingroup PolypCandidates */
+constexpr double LeastRegistrationConfidence = 0.5;
+
 /** What the other position says of candidates that FindInOtherPosition() has taken there: a polyp stays where it is,
  * and most stool moves. The score of the shape becomes the probability that a candidate is a polyp, given this score,
  * how flat it is, and the likeness of what is seen at its place (logistic regression on phantoms, see the notes), with

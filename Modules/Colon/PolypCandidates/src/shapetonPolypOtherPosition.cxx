@@ -162,7 +162,7 @@ WeighByOtherPosition(double confidence, std::vector<PolypCandidate> & candidates
     const double weighed = ofTissue * ProbabilityInPair(candidate);
     candidate.score = confidence * weighed + (1.0 - confidence) * candidate.score;
     // Of a valve or a bubble the remark says enough, and what does not fit says nothing.
-    const bool isTold = ofTissue > 0.5 && confidence >= 0.5;
+    const bool isTold = ofTissue > 0.5 && confidence >= LeastRegistrationConfidence;
     AddRemark(isTold && !other.isSeen ? "nothing alike is seen in the other position: most stool moves" : "",
               candidate);
   }
