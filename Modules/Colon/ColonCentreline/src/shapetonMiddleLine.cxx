@@ -249,10 +249,14 @@ PouchBeyond(const LumenNetwork & network, const CurvePoints & points, int mouth,
 }
 
 /** The node of the pouch beyond a point of a curve that is farthest from it within the lumen, and of such that are
- * about as far the most caudal one, since the caecum hangs down; -1 where there is none. */
+ * about as far the most caudal one, since the caecum hangs down; -1 where there is none, or hardly any curve before. */
 int
 FindPole(const LumenNetwork & network, const DistanceField & field, const CurvePoints & points, int mouth, double step)
 {
+  if (mouth * step < 20.0 || network.grid.NodeOf(points[mouth]) < 0)
+  {
+    return -1;
+  }
   // Ways over 26 neighbours are longer than straight ones by 13 % at most, by 7 % on average.
   constexpr double    longestWay = 1.13, usualWay = 1.07;
   constexpr double    caudal = 0.2; // mm of way that one mm downwards is worth
@@ -320,6 +324,33 @@ WayTo(const LumenNetwork &           network,
                      options.smoothing,
                      &field);
 }
+
+int
+BeforeEnd(const CurvePoints & points, double steps)
+{
+  const auto last = static_cast<int>(points.size()) - 1;
+  return last - std::min(static_cast<int>(steps), last / 2);
+}
+
+/** The line up to where it no longer comes nearer to the pole, sought from `from` on, and the way on from there. */
+CurvePoints
+LineToPole(const LumenNetwork &           network,
+           const DistanceField &          field,
+           const ColonCentrelineOptions & options,
+           const CurvePoints &            line,
+           int                            from,
+           int                            pole)
+{
+  const Eigen::Vector3d place = network.grid.Position(pole);
+  const int             turn = LastTowards(line, from, options.step, place);
+  const int             behind = std::max(0, turn - static_cast<int>(10.0 / options.step));
+  const Eigen::Vector3d along = (line[turn] - line[behind]).normalized();
+  const CurvePoints     way = WayTo(network, field, line[turn], along, pole, options);
+  CurvePoints           points(line.begin(), line.begin() + turn + 1);
+  points.insert(points.end(), way.begin(), way.end());
+  points.push_back(place);
+  return ResampleCurve(points, options.step);
+}
 } // namespace
 
 CurvePoints
@@ -338,35 +369,27 @@ ShapeLine(const LumenNetwork &           network,
   return ResampleCurve(points, options.step);
 }
 
-// The first end may lie on the side of the caecum, which is as wide as it is long, or back towards its mouth: the pole
-// is first sought from so far away that this does not matter, then from about the mouth.
+// The first end may lie on the side of the caecum, which is as wide as it is long, or back towards its mouth: a pole is
+// first sought from so far away that this does not matter, then from about the mouth, along a line that leads to the
+// first one.
 void
 LeadToPole(const LumenNetwork &           network,
            const DistanceField &          field,
            const ColonCentrelineOptions & options,
            CurvePoints &                  points)
 {
-  const double step = options.step;
-  for (const double beforeEnd : { 120.0, 80.0 }) // mm
+  constexpr double  farther = 120.0, nearer = 80.0; // mm before the end
+  const CurvePoints line = points;
+  const int         begin = BeforeEnd(line, farther / options.step);
+  for (const double beforeEnd : { farther, nearer })
   {
-    const auto last = static_cast<int>(points.size()) - 1;
-    const int  mouth = last - std::min(static_cast<int>(beforeEnd / step), last / 2);
-    const int  before = mouth - static_cast<int>(20.0 / step);
-    const int  pole =
-      before < 0 || network.grid.NodeOf(points[mouth]) < 0 ? -1 : FindPole(network, field, points, mouth, step);
+    const int mouth = BeforeEnd(points, beforeEnd / options.step);
+    const int pole = FindPole(network, field, points, mouth, options.step);
     if (pole < 0)
     {
       return;
     }
-    const Eigen::Vector3d place = network.grid.Position(pole);
-    const int             turn = LastTowards(points, mouth, step, place);
-    const int             behind = std::max(0, turn - static_cast<int>(10.0 / step));
-    const Eigen::Vector3d along = (points[turn] - points[behind]).normalized();
-    const CurvePoints     way = WayTo(network, field, points[turn], along, pole, options);
-    points.resize(turn + 1);
-    points.insert(points.end(), way.begin(), way.end());
-    points.push_back(place);
-    points = ResampleCurve(points, step);
+    points = LineToPole(network, field, options, line, begin, pole);
   }
 }
 
