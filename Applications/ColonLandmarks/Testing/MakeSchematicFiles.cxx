@@ -68,9 +68,10 @@ Markers(const shapeton::SurfaceMesh & flat, double u)
 int
 main(int, char * argv[])
 {
-  const std::string           folder = argv[1];
-  const SchematicColon        colon = MakeSchematicColon();
-  const shapeton::SurfaceMesh flat = landmarktubes::TubeAlong(colon.centreline, radius, Folds, 60, 2.0);
+  const std::string     folder = argv[1];
+  const SchematicColon  colon = MakeSchematicColon();
+  shapeton::SurfaceMesh flat = landmarktubes::TubeAlong(colon.centreline, radius, Folds, 60, 2.0);
+  flat.V = (1e6 * flat.V.array()).round() / 1e6; // versions of Eigen differ in the last bits
   shapeton::WriteSurface(flat, folder + "/flat.vtp");
   shapeton::WriteCurves(colon.centreline, folder + "/centreline.vtp");
   shapeton::WriteCurves(ReversedCurve(colon.centreline), folder + "/reversed.vtp");
