@@ -32,15 +32,6 @@ MapToOther(CommandLine & commandLine, Candidates & candidates)
   {
     return;
   }
-  const std::string folder = commandLine.GetString("registration");
-  const double      confidence = shapeton::ConfidenceOfRegistration(folder);
-  if (confidence < shapeton::LeastRegistrationConfidence)
-  {
-    commandLine.Warn("the registration \"" + folder + "\" has a confidence of " +
-                     shapeton::CsvTable::Rounded(confidence, 2) +
-                     ", see its reasons there: the other position was not used");
-    return;
-  }
   std::vector<shapeton::OtherPolypCandidate> others;
   if (commandLine.IsGiven("other"))
   {
@@ -48,6 +39,7 @@ MapToOther(CommandLine & commandLine, Candidates & candidates)
     commandLine.AddInput("other", "sha256:" + shapeton::Sha256OfFile(path));
     others = shapeton::ReadOtherPolypCandidates(path);
   }
+  const std::string     folder = commandLine.GetString("registration");
   std::string           nearest;
   shapeton::SurfaceMesh map;
   double                least = std::numeric_limits<double>::infinity();
@@ -62,6 +54,14 @@ MapToOther(CommandLine & commandLine, Candidates & candidates)
       nearest = folder + name;
       map = surface.mesh;
     }
+  }
+  const double confidence = shapeton::ConfidenceOfRegistration(folder);
+  if (confidence < shapeton::LeastRegistrationConfidence)
+  {
+    commandLine.Warn("the registration \"" + folder + "\" has a confidence of " +
+                     shapeton::CsvTable::Rounded(confidence, 2) +
+                     ", see its reasons there: the other position was not used");
+    return;
   }
   shapeton::FindInOtherPosition(map, '"' + nearest + '"', others, candidates);
   if (commandLine.IsGiven("other"))
