@@ -79,54 +79,23 @@ CellTree::RemoveLink(int passage)
   m_IsInTree[passage] = 0;
 }
 
-void
-CellTree::Visit(int cell, TreeWalk & walk) const
-{
-  const std::size_t begin = walk.order.size();
-  walk.order.push_back(cell);
-  walk.length[cell] = 0.0;
-  walk.depth[cell] = 0;
-  for (std::size_t i = begin; i < walk.order.size(); ++i)
-  {
-    const int at = walk.order[i];
-    for (const TreeLink & link : m_Links[at])
-    {
-      if (walk.depth[link.cell] < 0)
-      {
-        walk.length[link.cell] = walk.length[at] + link.length;
-        walk.depth[link.cell] = walk.depth[at] + 1;
-        walk.parent[link.cell] = at;
-        walk.passage[link.cell] = link.passage;
-        walk.order.push_back(link.cell);
-      }
-    }
-  }
-}
-
 TreeWalk
 CellTree::WalkFrom(int cell) const
 {
-  TreeWalk walk;
-  walk.length.assign(m_Links.size(), -1.0);
-  walk.depth.assign(m_Links.size(), -1);
-  walk.parent.assign(m_Links.size(), -1);
-  walk.passage.assign(m_Links.size(), -1);
-  if (cell >= 0)
-  {
-    this->Visit(cell, walk);
-  }
+  TreeWalk walk(m_Links.size());
+  walk.Visit(m_Links, cell);
   return walk;
 }
 
 TreeWalk
 CellTree::WalkAll() const
 {
-  TreeWalk walk = this->WalkFrom(-1);
+  TreeWalk walk(m_Links.size());
   for (int cell = 0; cell < static_cast<int>(m_Links.size()); ++cell)
   {
     if (walk.depth[cell] < 0)
     {
-      this->Visit(cell, walk);
+      walk.Visit(m_Links, cell);
     }
   }
   return walk;

@@ -112,8 +112,6 @@ private:
   /** Of all trees, each from its first cell. */
   TreeWalk
   WalkAll() const;
-  void
-  Visit(int cell, TreeWalk & walk) const;
   int
   FarthestCore(const TreeWalk & walk) const;
   /** The way through the tree between the two cells of a passage; empty where there is none. */

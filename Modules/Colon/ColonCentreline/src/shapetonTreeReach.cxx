@@ -4,6 +4,30 @@
 
 namespace shapeton
 {
+void
+TreeWalk::Visit(const TreeLinks & links, int cell)
+{
+  const std::size_t begin = order.size();
+  order.push_back(cell);
+  length[cell] = 0.0;
+  depth[cell] = 0;
+  for (std::size_t i = begin; i < order.size(); ++i)
+  {
+    const int at = order[i];
+    for (const TreeLink & link : links[at])
+    {
+      if (depth[link.cell] < 0)
+      {
+        length[link.cell] = length[at] + link.length;
+        depth[link.cell] = depth[at] + 1;
+        parent[link.cell] = at;
+        passage[link.cell] = link.passage;
+        order.push_back(link.cell);
+      }
+    }
+  }
+}
+
 TreeReach::TreeReach(const TreeLinks & links, const TreeWalk & all, const std::vector<char> & isCore)
   : m_Links(links), m_Walk(all), m_IsCore(isCore), m_Below(links.size()), m_Above(links.size())
 {

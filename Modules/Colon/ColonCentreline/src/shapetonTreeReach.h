@@ -20,9 +20,16 @@ using TreeLinks = std::vector<std::vector<TreeLink>>;
 /** The cells of one tree or of several in an order in which parents come first; of each cell the way from the start. */
 struct TreeWalk
 {
+  /** Of no tree. */
+  explicit TreeWalk(std::size_t cells) : length(cells, -1.0), depth(cells, -1), parent(cells, -1), passage(cells, -1) {}
+
+  /** Adds the tree of a cell, from there. */
+  void
+  Visit(const TreeLinks & links, int cell);
+
   std::vector<int>    order;
   std::vector<double> length;
-  /** Cells from the start. */
+  /** Cells from the start; -1 of cells that the walk has not come to. */
   std::vector<int> depth;
   /** -1 at the start. */
   std::vector<int> parent;

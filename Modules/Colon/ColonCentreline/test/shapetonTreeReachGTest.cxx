@@ -58,28 +58,8 @@ LinksOf(const Tree & tree)
 TreeWalk
 WalkFrom(const TreeLinks & links, int start)
 {
-  const std::size_t cells = links.size();
-  TreeWalk          walk{ { start },
-                 std::vector<double>(cells, 0.0),
-                 std::vector<int>(cells, -1),
-                 std::vector<int>(cells, -1),
-                 std::vector<int>(cells, -1) };
-  walk.depth[start] = 0;
-  for (std::size_t i = 0; i < walk.order.size(); ++i)
-  {
-    const int at = walk.order[i];
-    for (const TreeLink & link : links[at])
-    {
-      if (walk.depth[link.cell] < 0)
-      {
-        walk.length[link.cell] = walk.length[at] + link.length;
-        walk.depth[link.cell] = walk.depth[at] + 1;
-        walk.parent[link.cell] = at;
-        walk.passage[link.cell] = link.passage;
-        walk.order.push_back(link.cell);
-      }
-    }
-  }
+  TreeWalk walk(links.size());
+  walk.Visit(links, start);
   return walk;
 }
 
