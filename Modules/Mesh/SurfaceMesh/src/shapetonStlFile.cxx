@@ -4,6 +4,9 @@
 #include "shapetonTextScanner.h"
 #include "shapetonTriangleShape.h"
 
+#include <algorithm>
+#include <cctype>
+
 namespace shapeton
 {
 namespace
@@ -59,11 +62,20 @@ ReadBinary(const std::string & bytes, const std::string & path)
   return surface;
 }
 
+/** Some programs write keywords in capitals. */
+std::string
+Lower(std::string_view word)
+{
+  std::string lower(word);
+  std::transform(lower.begin(), lower.end(), lower.begin(), [](unsigned char c) { return std::tolower(c); });
+  return lower;
+}
+
 void
 Expect(TextScanner & scanner, const std::string & word)
 {
   const std::string found(scanner.Word());
-  if (found != word)
+  if (Lower(found) != word)
   {
     scanner.Refuse(found.empty() ? "truncated: the file ends where \"" + word + "\" should be"
                                  : "\"" + found.substr(0, 40) + "\" stands where \"" + word + "\" should be");
@@ -102,7 +114,7 @@ ReadText(const std::string & bytes, const std::string & path)
   bool        isInside = true; // of a solid: its first line is skipped with its name
   while (scanner.NextLine())
   {
-    const std::string word(scanner.WordOfLine());
+    const std::string word = Lower(scanner.WordOfLine());
     if (isInside && word == "facet")
     {
       ReadFacet(scanner, surface);
@@ -133,12 +145,13 @@ ReadStl(const std::string & bytes, const std::string & path)
     isLongEnough &&
     bytes.size() == FirstTriangle + TriangleSize * std::size_t{ ValueAt<std::uint32_t>(bytes, HeaderSize) };
   const std::size_t begin = bytes.find_first_not_of(" \t\r\n");
-  const bool        saysSolid = begin != std::string::npos && bytes.compare(begin, 5, "solid") == 0;
-  if (hasStatedSize || (!saysSolid && isLongEnough)) // some binary files begin with "solid"
+  const bool        saysSolid = begin != std::string::npos && Lower(bytes.substr(begin, 5)) == "solid";
+  const bool        isText = saysSolid && bytes.find('\0') == std::string::npos; // some binary files say "solid", too
+  if (isLongEnough && (hasStatedSize || !isText))
   {
     return ReadBinary(bytes, path);
   }
-  if (!saysSolid)
+  if (!isText)
   {
     RefuseSurface(path, "neither a text nor a binary STL file", "give a surface");
   }

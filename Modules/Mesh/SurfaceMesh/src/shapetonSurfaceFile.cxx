@@ -2,6 +2,7 @@
 #include "shapetonPolygonTriangulation.h"
 #include "shapetonSurfaceFormats.h"
 #include "shapetonExceptions.h"
+#include "shapetonPrintable.h"
 #include "shapetonVertexMerging.h"
 
 #include <algorithm>
@@ -122,7 +123,7 @@ CarryToTriangles(const PolygonSurface & polygons, const std::vector<int> & polyg
 void
 RefuseSurface(const std::string & path, const std::string & fault, const std::string & advice)
 {
-  throw InputError("\"" + path + "\": " + fault + "; " + advice);
+  throw InputError("\"" + path + "\": " + Printable(fault) + "; " + advice); // it may quote bytes of the file
 }
 
 std::string

@@ -226,6 +226,13 @@ TEST(SurfaceFormats, TextStl)
   EXPECT_EQ(mesh.NumberOfVertices(), 3);
 }
 
+TEST(SurfaceFormats, TextStlInCapitals)
+{
+  const std::string facet = " FACET NORMAL 0 0 1\n OUTER LOOP\n VERTEX 0 0 0\n VERTEX 1 0 0\n VERTEX 0 1E0 0\n"
+                            " ENDLOOP\n ENDFACET\n";
+  EXPECT_EQ(ReadBytes("stl", "SOLID A\n" + facet + "ENDSOLID A\n").mesh.NumberOfFaces(), 1);
+}
+
 TEST(SurfaceFormats, BinaryStlWhoseHeaderSaysSolid)
 {
   const Folder folder;

@@ -122,6 +122,7 @@ FaultyFiles()
     "element face 1\nproperty list uchar int vertex_indices\nend_header\n";
   const std::string triangle = "0 0 0\n1 0 0\n0 1 0\n";
   const std::string text = "This is a letter,\nno surface.\n";
+  const std::string solidStl = "solid" + std::string(75, ' ') + std::string("\1\0\0\0", 4); // states a triangle
   return { { "off", "", "the file is empty" },
            { "txt", text, "no format of a surface" },
            { "off", text, "line 1: the file does not begin with OFF" },
@@ -157,6 +158,8 @@ FaultyFiles()
            { "stl", std::string(84, '\0'), "there are no faces" },
            { "stl", "solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\n", "truncated" },
            { "stl", "solid a\nendsolid a\n", "there are no faces" },
+           { "stl", solidStl, "truncated, or no STL file: it states 1 triangles" },
+           { "stl", "solid a\nsph\1ere\n", "line 2: \"sph ere\" stands where \"facet\"" },
            { "stl", "solid a\nsphere\n", "line 2: \"sphere\" stands where \"facet\"" },
            { "gltf", text, "no valid glTF" },
            { "glb", "glTF\2", "truncated" },
