@@ -344,6 +344,35 @@ TEST(ImageFile, UnusableGeometryIsRefused)
     RefusalOf(WriteNrrd(head + "space directions: (nan,0,0) (0,1,0) (0,0,1)\nencoding: raw\n", Bytes8)).empty());
 }
 
+TEST(ImageFile, AMissingSpacingIsNoted)
+{
+  const std::string nrrd = "type: uchar\ndimension: 3\nsizes: 2 2 2\nencoding: raw\n";
+  const std::string meta = "ObjectType = Image\nNDims = 3\nDimSize = 2 2 2\nElementType = MET_UCHAR\n";
+  const std::string data = "ElementDataFile = LOCAL\n" + std::string(Bytes8);
+  const auto        notesOfMeta = [&](const std::string & spacing) {
+    const std::string path = TestFolder() + "/spacing.mha";
+    shapeton::WriteText(path, meta + spacing + data);
+    return ReadVolume(path).notes.size();
+  };
+  const auto notesOfNrrd = [&](const std::string & spacing) {
+    return ReadVolume(WriteNrrd(nrrd + spacing, Bytes8)).notes.size();
+  };
+  const auto notesOfNifti = [](float spacing) {
+    NiftiFile file;
+    file.Set<std::int16_t>(254, 0); // without a matrix
+    file.Set<float>(84, spacing);   // along y
+    return ReadVolume(file.Write()).notes.size();
+  };
+  EXPECT_EQ(notesOfNrrd(""), 1u);
+  EXPECT_EQ(notesOfNrrd("spacings: 1 nan 1\n"), 1u);
+  EXPECT_EQ(notesOfNrrd("spacings: 1 2 1\n"), 0u);
+  EXPECT_EQ(notesOfNrrd("space: left-posterior-superior\nspace directions: (1,0,0) (0,1,0) (0,0,1)\n"), 0u);
+  EXPECT_EQ(notesOfMeta(""), 1u);
+  EXPECT_EQ(notesOfMeta("ElementSpacing = 1 2 3\n"), 0u);
+  EXPECT_EQ(notesOfNifti(0.0F), 1u);
+  EXPECT_EQ(notesOfNifti(1.0F), 0u);
+}
+
 TEST(ImageFile, DetachedDataBelongToTheIdentity)
 {
   const std::string folder = TestFolder();

@@ -58,6 +58,7 @@ struct ImageHeader
   bool                       isScalar{ false };
   /** The axes of the NIfTI sform are not perpendicular. */
   bool isSheared{ false };
+  bool statesSpacing{ true };
 };
 
 template <typename TStream, typename THeader>
@@ -85,7 +86,8 @@ Transmit(TStream & stream, THeader & header)
   {
     stream & cosine;
   }
-  stream & header.componentType & header.componentBytes & header.components & header.isScalar & header.isSheared;
+  stream & header.componentType & header.componentBytes & header.components & header.isScalar;
+  stream & header.isSheared & header.statesSpacing;
 }
 
 /** ITK takes the qform when the sform is sheared; the file's author meant the sform. */
@@ -184,6 +186,7 @@ ReadHeader(const std::string & path, ImageFormat format)
   header.components = io->GetNumberOfComponents();
   header.isScalar = io->GetPixelType() == itk::IOPixelEnum::SCALAR && header.components == 1;
   header.isSheared = format == ImageFormat::nifti && HasShearedSform(io->GetMetaDataDictionary());
+  header.statesSpacing = StatesSpacing(path, format);
   return header;
 }
 
@@ -434,6 +437,16 @@ NoteRounding(const ImageHeader & header, Volume & volume)
   }
 }
 
+void
+NoteMissingSpacing(const ImageHeader & header, Volume & volume)
+{
+  if (!header.statesSpacing)
+  {
+    volume.notes.push_back("the header states no spacing, or none for some axis: 1 mm is taken, and what is told in mm "
+                           "is a guess; write the spacing into the header");
+  }
+}
+
 Volume::ImageType::Pointer
 MakeImage(const ImageHeader & header)
 {
@@ -534,6 +547,7 @@ ReadImageFile(const std::string & path)
   Volume       volume;
   volume.image = ReadImage(path, format, stored, header, bytes);
   CheckFinite(path, volume.image);
+  NoteMissingSpacing(header, volume);
   NoteRounding(header, volume);
   volume.identity = IdentityOf(path, stored);
   return volume;

@@ -107,10 +107,36 @@ DetachedFile(const std::string & path, const std::string & name)
   return file;
 }
 
+TextHeader
+ReadNrrdHeader(const std::string & path)
+{
+  return ReadTextHeader(path, [](const std::string & line) { return line.empty(); });
+}
+
+TextHeader
+ReadMetaHeader(const std::string & path)
+{
+  return ReadTextHeader(path, [](const std::string & line) { return line.compare(0, 15, "ElementDataFile") == 0; });
+}
+
+/** "nan" is how NRRD says that an axis has none. */
+bool
+NrrdStatesSpacing(const TextHeader & header)
+{
+  const std::string  directions = header.ValueOf("space directions", ':');
+  std::istringstream spacings(LowerCase(header.ValueOf("spacings", ':')));
+  std::ptrdiff_t     stated = std::count(directions.begin(), directions.end(), '(');
+  for (std::string word; spacings >> word;)
+  {
+    stated += word != "nan" ? 1 : 0;
+  }
+  return stated >= 3;
+}
+
 StoredVoxels
 LocateNrrdVoxels(const std::string & path)
 {
-  const TextHeader header = ReadTextHeader(path, [](const std::string & line) { return line.empty(); });
+  const TextHeader header = ReadNrrdHeader(path);
   if (header.lines.empty() || header.lines.front().compare(0, 4, "NRRD") != 0)
   {
     ThrowUnsuitable(path, "this is no NRRD file");
@@ -146,8 +172,7 @@ LocateNrrdVoxels(const std::string & path)
 StoredVoxels
 LocateMetaVoxels(const std::string & path)
 {
-  const TextHeader header =
-    ReadTextHeader(path, [](const std::string & line) { return line.compare(0, 15, "ElementDataFile") == 0; });
+  const TextHeader header = ReadMetaHeader(path);
   if (!header.isComplete)
   {
     ThrowUnsuitable(path, "this is no MetaImage file: it has no ElementDataFile");
@@ -371,6 +396,32 @@ NiftiBytes(const std::string & header)
   }
   return static_cast<std::uint64_t>(bytes);
 }
+
+/** The header of a NIfTI-1 file, compressed or not; as much of it as there is. */
+std::string
+ReadNiftiHeader(const std::string & path)
+{
+  std::string  header(NiftiHeaderBytes, '\0');
+  const gzFile file = gzopen(path.c_str(), "rb");
+  const int    read = file ? gzread(file, &header[0], static_cast<unsigned int>(header.size())) : 0;
+  if (file)
+  {
+    gzclose(file);
+  }
+  header.resize(static_cast<std::size_t>(std::max(0, read)));
+  return header;
+}
+
+bool
+NiftiStatesSpacing(const std::string & header)
+{
+  const bool isSwapped = IsSwapped(header);
+  const auto isStated = [&](std::size_t offset) {
+    return std::abs(NiftiNumber<float>(header, offset, isSwapped)) > 0.0F;
+  };
+  return isStated(80) && isStated(84) && isStated(88); // pixdim[1] to [3]
+}
+
 /** Whether ITK's reader takes some voxels for 0: real numbers that are not finite. */
 class NiftiNonFiniteCounter
 {
@@ -487,6 +538,21 @@ LocateVoxels(const std::string & path, ImageFormat format)
     default:
       return { path, 0, EndsWith(LowerCase(path), ".gz") ? StoredVoxels::Coding::deflated : StoredVoxels::Coding::raw };
   }
+}
+
+bool
+StatesSpacing(const std::string & path, ImageFormat format)
+{
+  if (format == ImageFormat::nrrd)
+  {
+    return NrrdStatesSpacing(ReadNrrdHeader(path));
+  }
+  if (format == ImageFormat::meta)
+  {
+    const TextHeader header = ReadMetaHeader(path);
+    return !(header.ValueOf("elementspacing", '=') + header.ValueOf("elementsize", '=')).empty();
+  }
+  return NiftiStatesSpacing(ReadNiftiHeader(path));
 }
 
 bool

@@ -45,6 +45,11 @@ struct StoredVoxels
 StoredVoxels
 LocateVoxels(const std::string & path, ImageFormat format);
 
+/** False where the header names no spacing, or none for some axis: ITK then takes 1 mm. To be called for a file that
+ * ITK has read. */
+bool
+StatesSpacing(const std::string & path, ImageFormat format);
+
 /** True when the file is long enough for `bytes` bytes of voxels in the worst case of its coding. Cheap: a claim that
  * fails here is not worth an allocation. */
 bool
