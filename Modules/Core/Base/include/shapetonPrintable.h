@@ -21,6 +21,10 @@ Base_EXPORT std::string
 Base_EXPORT std::string
             Trimmed(const std::string & text);
 
+/** With a to z for A to Z, whatever the locale; other characters stay. \ingroup Base */
+Base_EXPORT std::string
+            LowerCase(std::string text);
+
 /** A folder's name without slashes at its end, so that names can be made from it. \ingroup Base */
 Base_EXPORT std::string
             WithoutTrailingSlashes(std::string path);

@@ -1,5 +1,7 @@
 #include "shapetonPrintable.h"
 
+#include <algorithm>
+
 namespace shapeton
 {
 namespace
@@ -89,6 +91,15 @@ Trimmed(const std::string & text)
   const auto        first = text.find_first_not_of(blanks);
   const auto        last = text.find_last_not_of(blanks);
   return first == std::string::npos ? std::string() : text.substr(first, last - first + 1);
+}
+
+std::string
+LowerCase(std::string text)
+{
+  std::transform(text.begin(), text.end(), text.begin(), [](char c) {
+    return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+  });
+  return text;
 }
 
 std::string

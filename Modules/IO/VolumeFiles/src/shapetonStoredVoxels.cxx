@@ -30,15 +30,6 @@ constexpr std::size_t LongestTextHeader = 1u << 20;
 
 constexpr std::size_t NiftiHeaderBytes = 348;
 
-std::string
-LowerCase(std::string text)
-{
-  std::transform(text.begin(), text.end(), text.begin(), [](char c) {
-    return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-  });
-  return text;
-}
-
 bool
 EndsWith(const std::string & text, const std::string & end)
 {

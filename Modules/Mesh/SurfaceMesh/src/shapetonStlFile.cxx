@@ -1,11 +1,9 @@
 #include "shapetonBinaryValues.h"
 #include "shapetonFileBytes.h"
+#include "shapetonPrintable.h"
 #include "shapetonSurfaceFormats.h"
 #include "shapetonTextScanner.h"
 #include "shapetonTriangleShape.h"
-
-#include <algorithm>
-#include <cctype>
 
 namespace shapeton
 {
@@ -62,20 +60,11 @@ ReadBinary(const std::string & bytes, const std::string & path)
   return surface;
 }
 
-/** Some programs write keywords in capitals. */
-std::string
-Lower(std::string_view word)
-{
-  std::string lower(word);
-  std::transform(lower.begin(), lower.end(), lower.begin(), [](unsigned char c) { return std::tolower(c); });
-  return lower;
-}
-
 void
 Expect(TextScanner & scanner, const std::string & word)
 {
   const std::string found(scanner.Word());
-  if (Lower(found) != word)
+  if (LowerCase(found) != word) // some programs write keywords in capitals
   {
     scanner.Refuse(found.empty() ? "truncated: the file ends where \"" + word + "\" should be"
                                  : "\"" + found.substr(0, 40) + "\" stands where \"" + word + "\" should be");
@@ -114,12 +103,13 @@ ReadText(const std::string & bytes, const std::string & path)
   bool        isInside = true; // of a solid: its first line is skipped with its name
   while (scanner.NextLine())
   {
-    const std::string word = Lower(scanner.WordOfLine());
-    if (isInside && word == "facet")
+    const std::string word(scanner.WordOfLine());
+    const std::string keyword = LowerCase(word);
+    if (isInside && keyword == "facet")
     {
       ReadFacet(scanner, surface);
     }
-    else if (word == (isInside ? "endsolid" : "solid"))
+    else if (keyword == (isInside ? "endsolid" : "solid"))
     {
       isInside = !isInside;
     }
@@ -145,7 +135,7 @@ ReadStl(const std::string & bytes, const std::string & path)
     isLongEnough &&
     bytes.size() == FirstTriangle + TriangleSize * std::size_t{ ValueAt<std::uint32_t>(bytes, HeaderSize) };
   const std::size_t begin = bytes.find_first_not_of(" \t\r\n");
-  const bool        saysSolid = begin != std::string::npos && Lower(bytes.substr(begin, 5)) == "solid";
+  const bool        saysSolid = begin != std::string::npos && LowerCase(bytes.substr(begin, 5)) == "solid";
   const bool        isText = saysSolid && bytes.find('\0') == std::string::npos; // some binary files say "solid", too
   if (isLongEnough && (hasStatedSize || !isText))
   {

@@ -5,8 +5,6 @@
 #include "shapetonPrintable.h"
 #include "shapetonVertexMerging.h"
 
-#include <algorithm>
-#include <cctype>
 #include <climits>
 #include <filesystem>
 #include <map>
@@ -130,10 +128,7 @@ std::string
 SurfaceExtension(const std::string & path)
 {
   std::string extension = std::filesystem::path(path).extension().string();
-  extension.erase(0, 1);
-  std::transform(
-    extension.begin(), extension.end(), extension.begin(), [](unsigned char c) { return std::tolower(c); });
-  return extension;
+  return LowerCase(extension.erase(0, 1));
 }
 
 SurfaceFile

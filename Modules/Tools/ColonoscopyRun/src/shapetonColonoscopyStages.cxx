@@ -4,6 +4,7 @@
 #include "shapetonCommandLine.h"
 #include "shapetonCsvTable.h"
 #include "shapetonExceptions.h"
+#include "shapetonPrintable.h"
 #include "shapetonSha256.h"
 
 #include <algorithm>
@@ -100,9 +101,7 @@ bool
 IsDicom(const std::string & path)
 {
   const std::vector<std::string> others{ ".nrrd", ".nhdr", ".nii", ".gz", ".mha", ".mhd" };
-  std::string                    extension = fs::path(path).extension().string();
-  std::transform(
-    extension.begin(), extension.end(), extension.begin(), [](unsigned char c) { return std::tolower(c); });
+  const std::string              extension = LowerCase(fs::path(path).extension().string());
   return fs::is_directory(path) || std::count(others.begin(), others.end(), extension) == 0;
 }
 

@@ -1,7 +1,7 @@
 #include "shapetonTemporaryName.h"
 
-#include <algorithm>
-#include <cctype>
+#include "shapetonPrintable.h"
+
 #include <cerrno>
 #include <charconv>
 #include <csignal>
@@ -55,10 +55,8 @@ ExtensionStart(const std::string & name)
     return name.size();
   }
   const std::size_t before = name.rfind('.', last - 1);
-  std::string       extension = name.substr(before == std::string::npos ? last : before);
-  std::transform(
-    extension.begin(), extension.end(), extension.begin(), [](unsigned char c) { return std::tolower(c); });
-  const bool isDouble = extension == ".mrk.json" || extension.substr(extension.rfind('.')) == ".gz";
+  const std::string extension = LowerCase(name.substr(before == std::string::npos ? last : before));
+  const bool        isDouble = extension == ".mrk.json" || extension.substr(extension.rfind('.')) == ".gz";
   return isDouble && before != std::string::npos ? before : last;
 }
 
