@@ -1,5 +1,7 @@
 #include "shapetonContainedProcess.h"
 
+#include "shapetonForkMutex.h"
+
 #include <cerrno>
 #include <chrono>
 #include <csignal>
@@ -171,6 +173,14 @@ InMegabytes(std::size_t bytes)
 }
 } // namespace
 
+// Not in the header: all libraries must share it.
+std::mutex &
+ForkMutex()
+{
+  static std::mutex mutex;
+  return mutex;
+}
+
 ContainedProcess::ContainedProcess(Service service, std::size_t sharedBytes, const Limits & limits)
   : m_Service(std::move(service)), m_SharedBytes(sharedBytes), m_Limits(limits)
 {
@@ -209,6 +219,7 @@ ContainedProcess::~ContainedProcess()
 void
 ContainedProcess::Start()
 {
+  std::unique_lock lock(ForkMutex());
   int channels[2];
   if (socketpair(AF_UNIX, SOCK_STREAM, 0, channels) != 0)
   {
@@ -225,6 +236,7 @@ ContainedProcess::Start()
   }
   if (m_Child == 0)
   {
+    lock.unlock(); // a copy
     close(channels[0]);
 #ifdef __linux__
     prctl(PR_SET_PDEATHSIG, SIGKILL);

@@ -1,13 +1,16 @@
 #include "shapetonContainedProcess.h"
+#include "shapetonParallelFor.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <atomic>
 #include <csignal>
 #include <cstdlib>
 #include <cstring>
 #include <memory>
 #include <string>
+#include <thread>
 #include <unistd.h>
 #include <vector>
 
@@ -119,4 +122,29 @@ TEST(ContainedProcess, MemoryIsLimited)
   ContainedProcess process(Misbehave, 16, Limits);
   EXPECT_NE(FailureOf(process, "grow").find("64 MB of memory"), std::string::npos);
   EXPECT_EQ(process.Call("ok"), "okok");
+}
+
+/** ITK's threader stops its pool before each fork: two forks at a time have crashed and hung. */
+TEST(ContainedProcess, ThreadsStartProcessesBesideEachOther)
+{
+  const auto startSome = [] {
+    for (int i = 0; i < 40; ++i)
+    {
+      ContainedProcess process(Misbehave, 0, Limits);
+      EXPECT_EQ(process.Call("ok"), "okok");
+    }
+  };
+  std::atomic<int> done{ 0 };
+  shapeton::ParallelFor(64, [&](std::size_t) { ++done; }); // there is a pool
+  std::vector<std::thread> threads;
+  for (int i = 0; i < 4; ++i)
+  {
+    threads.emplace_back(startSome);
+  }
+  for (std::thread & thread : threads)
+  {
+    thread.join();
+  }
+  shapeton::ParallelFor(64, [&](std::size_t) { ++done; });
+  EXPECT_EQ(done, 128);
 }
