@@ -64,7 +64,11 @@ public:
     std::optional<ArcLengthField> arcLengths;
     SurfaceMesh                   repaired;
     // The repaired surface takes longest; the raw one needs nothing of it, nor does the field of arc lengths.
-    ParallelInvoke([this] { this->Repair(); }, [&, this] { remarksOnRaw = this->MakeRaw(); });
+    ParallelInvoke([this] { this->Repair(); },
+                   [&, this] {
+                     remarksOnRaw = this->MakeRaw();
+                     this->Inspect(m_Wall.raw, m_Wall.report.rawFaces, m_Wall.report.rawQuality);
+                   });
     std::packaged_task<void()> make([this] { this->MakeRepaired(); });
     std::shared_future<void>   isMade = make.get_future().share();
     ParallelInvoke(
@@ -74,19 +78,22 @@ public:
         this->Simplify();
       },
       [&, this] {
-        arcLengths.emplace(m_Mask, m_Centreline);
-        this->Finish(m_Wall.raw, *arcLengths, m_Wall.report.rawFaces, m_Wall.report.rawQuality);
         isMade.get();
+        arcLengths.emplace(m_Mask, m_Centreline);
+        this->ReleaseVolumes();
         repaired = m_Wall.repaired; // which the simplification reads
         m_Wall.report.bridgedFaces =
-          this->Finish(repaired, *arcLengths, m_Wall.report.repairedFaces, m_Wall.report.repairedQuality);
+          this->Inspect(repaired, m_Wall.report.repairedFaces, m_Wall.report.repairedQuality);
+        this->AddPlaces(m_Wall.raw, *arcLengths);
+        this->AddPlaces(repaired, *arcLengths);
         if (m_Options.besideSimplification)
         {
           m_Options.besideSimplification(m_Wall.raw, repaired);
         }
       });
     m_Wall.repaired = std::move(repaired);
-    this->Finish(m_Wall.simplified, *arcLengths, m_Wall.report.simplifiedFaces, m_Wall.report.simplifiedQuality);
+    this->Inspect(m_Wall.simplified, m_Wall.report.simplifiedFaces, m_Wall.report.simplifiedQuality);
+    this->AddPlaces(m_Wall.simplified, *arcLengths);
     AppendRemarks(m_Wall.report.warnings, remarksOnRaw);
     AppendRemarks(m_Wall.report.warnings, m_RemarksOnRepaired);
     this->Advance(Step::Done);
@@ -182,6 +189,15 @@ private:
     return remarks;
   }
 
+  /** Those that surfaces and arc lengths were made from: what follows needs the room. */
+  void
+  ReleaseVolumes()
+  {
+    m_Mask = nullptr;
+    m_RepairedField = nullptr;
+    m_Bridges.occupancy = nullptr;
+  }
+
   void
   WarnOfSmallEnd(const char * end, double radius)
   {
@@ -254,9 +270,9 @@ private:
     return m_Centreline.V.row(isRectum ? curve.front() : curve.back());
   }
 
-  /** `arcLength`, `bridged`, and `notAssessable` where the centreline has it. */
+  /** `arcLength`, and `notAssessable` where the centreline has it. */
   void
-  AddArrays(SurfaceMesh & mesh, const ArcLengthField & field) const
+  AddPlaces(SurfaceMesh & mesh, const ArcLengthField & field) const
   {
     SurfaceArray array{ "arcLength", SurfaceArray::ValueMatrix(mesh.NumberOfVertices(), 1), false };
     ParallelForBlocks(static_cast<std::size_t>(mesh.NumberOfVertices()), [&](std::size_t i) {
@@ -264,7 +280,6 @@ private:
       array.values(v, 0) = field.ArcLengthAt(mesh.V.row(v));
     });
     mesh.pointArrays.push_back(std::move(array));
-    mesh.cellArrays.push_back(BridgedFaces(mesh, m_Bridges, m_Occupancy));
     if (FindSurfaceArray(m_Centreline.pointArrays, "notAssessable") != nullptr)
     {
       mesh.cellArrays.push_back(this->HindrancesOfFaces(mesh));
@@ -290,15 +305,14 @@ private:
     return array;
   }
 
-  /** All that is left to do for a surface; its faces are counted with those of the tubes. Returns the number of these.
-   */
+  /** Adds `bridged` and counts the faces, with those of the tubes. Returns the number of these. */
   int
-  Finish(SurfaceMesh & mesh, const ArcLengthField & field, int & faces, SurfaceQuality & quality) const
+  Inspect(SurfaceMesh & mesh, int & faces, SurfaceQuality & quality) const
   {
-    this->AddArrays(mesh, field);
     mesh.facts = m_Options.facts;
+    mesh.cellArrays.push_back(BridgedFaces(mesh, m_Bridges, m_Occupancy));
     faces = mesh.NumberOfFaces();
-    const double bridged = FindSurfaceArray(mesh.cellArrays, "bridged")->values.sum();
+    const double bridged = mesh.cellArrays.back().values.sum();
     if (m_Options.keepPieces)
     {
       mesh = RemoveBridges(mesh);

@@ -6,9 +6,11 @@
 #include "shapetonExceptions.h"
 #include "shapetonToolDevice.h"
 #include "shapetonSceneFiles.h"
+#include "shapetonStartBeside.h"
 
 #include <algorithm>
 #include <filesystem>
+#include <utility>
 
 namespace fs = std::filesystem;
 
@@ -76,51 +78,57 @@ public:
   {
     for (const ColonoscopyStage & stage : stages)
     {
-      const std::string name = this->Prefix() + stage.name;
-      m_CommandLine.Progress(name, begin);
-      m_Results.push_back(m_Run.Run(stage.make(m_Run), [&](const std::string & step, double done) {
-        m_CommandLine.Progress(name + ": " + step, begin + done * stage.share * share);
-      }));
-      begin += stage.share * share;
-      for (const std::string & warning : m_Results.back().warnings)
-      {
-        m_Warnings.push_back(stage.name + ": " + warning);
-        m_CommandLine.Warn(name + ": " + warning);
-      }
-      if (m_Results.back().status != 0)
+      this->Record(stage.name, this->Compute(stage, begin, share));
+      if (this->Status() != 0)
       {
         return false;
       }
+      begin += stage.share * share;
     }
     return true;
+  }
+
+  /** Two stages, neither of which takes a result of the other, beside each other where threads allow it. Progress is
+   * that of the second one, which takes longer. */
+  bool
+  RunBoth(const ColonoscopyStage & shorter, const ColonoscopyStage & longer, double begin, double share)
+  {
+    StageResult       first;
+    std::future<void> beside = StartBeside([&] { first = m_Run.Run(shorter.make(m_Run)); });
+    m_CommandLine.Progress(this->Prefix() + shorter.name, begin);
+    StageResult second = this->Compute(longer, begin, share);
+    beside.get();
+    this->Record(shorter.name, std::move(first));
+    this->Record(longer.name, std::move(second));
+    return this->Status() == 0;
   }
 
   int
   Status() const
   {
-    return m_Results.empty() ? 0 : m_Results.back().status;
+    const StageResult * const failed = this->FirstFailed();
+    return failed ? failed->status : 0;
   }
 
   /** "" where all is well. */
   std::string
   Failure() const
   {
-    if (this->Status() == 0)
+    const StageResult * const failed = this->FirstFailed();
+    if (!failed)
     {
       return "";
     }
-    const StageResult &      last = m_Results.back();
     std::vector<std::string> kept;
     for (const StageResult & stage : m_Results)
     {
-      kept.push_back(stage.status == 0 ? stage.name : "a part of " + stage.name);
+      if (stage.status == 0 || !stage.files.empty())
+      {
+        kept.push_back(stage.status == 0 ? stage.name : "a part of " + stage.name);
+      }
     }
-    if (last.files.empty())
-    {
-      kept.pop_back();
-    }
-    return "the stage " + last.name + " (" + last.program + ")" +
-           (m_Series == ColonoscopySeries::Second ? " of the second series" : "") + " failed: " + last.message +
+    return "the stage " + failed->name + " (" + failed->program + ")" +
+           (m_Series == ColonoscopySeries::Second ? " of the second series" : "") + " failed: " + failed->message +
            "; kept: " + (kept.empty() ? "nothing" : Joined(kept)) + ", report.html";
   }
 
@@ -137,6 +145,36 @@ private:
     commandLine.MakeFolder(folder);
     commandLine.MakeFolder(folder + "/stages");
     return folder;
+  }
+
+  StageResult
+  Compute(const ColonoscopyStage & stage, double begin, double share)
+  {
+    const std::string name = this->Prefix() + stage.name;
+    m_CommandLine.Progress(name, begin);
+    return m_Run.Run(stage.make(m_Run), [&](const std::string & step, double done) {
+      m_CommandLine.Progress(name + ": " + step, begin + done * stage.share * share);
+    });
+  }
+
+  void
+  Record(const std::string & name, StageResult && result)
+  {
+    m_Results.push_back(std::move(result));
+    for (const std::string & warning : m_Results.back().warnings)
+    {
+      m_Warnings.push_back(name + ": " + warning);
+      m_CommandLine.Warn(this->Prefix() + name + ": " + warning);
+    }
+  }
+
+  /** Null where all is well. */
+  const StageResult *
+  FirstFailed() const
+  {
+    const auto failed = std::find_if(
+      m_Results.begin(), m_Results.end(), [](const StageResult & result) { return result.status != 0; });
+    return failed == m_Results.end() ? nullptr : &*failed;
   }
 
   std::string
@@ -197,8 +235,9 @@ ThrowFailure(int status, const std::string & failure)
 void
 RunOne(CommandLine & commandLine, SeriesRun & only)
 {
-  if (only.Run(StagesOfSeries(commandLine, ColonoscopySeries::First), 0.0, 0.9) &&
-      only.Run({ StageOfPolyps(commandLine, ColonoscopySeries::First) }, 0.86, 0.07))
+  constexpr ColonoscopySeries first = ColonoscopySeries::First;
+  if (only.Run(StagesOfSeries(commandLine, first), 0.0, 0.9) &&
+      only.RunBoth(StageOfFolds(commandLine, first), StageOfPolyps(commandLine, first), 0.79, 0.14))
   {
     only.Run(LastStages(commandLine, ColonoscopySeries::First), 0.93, 0.01);
   }
@@ -214,10 +253,14 @@ void
 RunTwo(CommandLine & commandLine, SeriesRun & first, SeriesRun & second)
 {
   constexpr double share = 0.4; // of the time, for each series
-  const bool       hasFirst = first.Run(StagesOfSeries(commandLine, ColonoscopySeries::First), 0.0, share);
-  if (hasFirst && second.Run(StagesOfSeries(commandLine, ColonoscopySeries::Second), share, share) &&
-      first.Run({ StageOfRegistration(commandLine) }, 2.0 * share, 0.06) &&
-      first.Run({ StageOfSearch(commandLine) }, 0.86, 0.01) &&
+  const auto       withFolds = [&](ColonoscopySeries series) {
+    std::vector<ColonoscopyStage> stages = StagesOfSeries(commandLine, series);
+    stages.push_back(StageOfFolds(commandLine, series));
+    return stages;
+  };
+  const bool hasFirst = first.Run(withFolds(ColonoscopySeries::First), 0.0, share);
+  if (hasFirst && second.Run(withFolds(ColonoscopySeries::Second), share, share) &&
+      first.RunBoth(StageOfRegistration(commandLine), StageOfSearch(commandLine), 2.0 * share, 0.07) &&
       second.Run({ StageOfPolyps(commandLine, ColonoscopySeries::Second) }, 0.87, 0.02) &&
       first.Run({ StageOfPolyps(commandLine, ColonoscopySeries::First) }, 0.89, 0.02) &&
       second.Run(LastStages(commandLine, ColonoscopySeries::Second), 0.91, 0.01))

@@ -275,8 +275,14 @@ StagesOfSeries(const CommandLine & commandLine, ColonoscopySeries series)
   stages.push_back({ names::segmentation, 0.5, [=](const StagedRun &) { return Segmentation(passer); } });
   stages.push_back({ names::flattening, 0.25, [=](const StagedRun & run) { return Flattening(passer, run); } });
   stages.push_back({ names::landmarks, 0.1, [=](const StagedRun & run) { return Landmarks(passer, run); } });
-  stages.push_back({ names::folds, 0.06, [=](const StagedRun & run) { return Folds(passer, run); } });
   return stages;
+}
+
+ColonoscopyStage
+StageOfFolds(const CommandLine & commandLine, ColonoscopySeries series)
+{
+  const OptionPasser passer(commandLine, series);
+  return { names::folds, 0.06, [=](const StagedRun & run) { return Folds(passer, run); } };
 }
 
 ColonoscopyStage

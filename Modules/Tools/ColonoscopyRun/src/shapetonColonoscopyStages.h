@@ -36,9 +36,13 @@ FolderOfSeries(const std::string & outputFolder, ColonoscopySeries series);
 std::string
 ParameterOfSeries(const std::string & option, ColonoscopySeries series);
 
-/** The stages of a series in their order, with the options that the command line gives them. */
+/** The stages of a series up to its landmarks, in their order, with the options that the command line gives them. */
 std::vector<ColonoscopyStage>
 StagesOfSeries(const CommandLine & commandLine, ColonoscopySeries series);
+
+/** The folds of a series, when its landmarks are there. */
+ColonoscopyStage
+StageOfFolds(const CommandLine & commandLine, ColonoscopySeries series);
 
 /** What looks at both series, when each has come to its end. */
 ColonoscopyStage

@@ -9,6 +9,7 @@
 
 #include <map>
 #include <memory>
+#include <mutex>
 #include <string>
 #include <utility>
 #include <vector>
@@ -66,7 +67,7 @@ public:
 
   /** Progress names the step of the tool and the share of the stage. A tool that fails, or is missing, is no exception
    * here: see StageResult::status. Throws OutputError where the folder cannot be written to, InputError for an input
-   * that cannot be read. */
+   * that cannot be read. Two threads may run two stages, neither of which takes a result of the other. */
   StageResult
   Run(const Stage & stage, const Progress & progress = {});
 
@@ -96,6 +97,7 @@ private:
   std::unique_ptr<Lock>              m_Lock;
   std::string                        m_Folder;
   std::string                        m_ToolFolder;
+  std::mutex                         m_Mutex;      ///< of m_Identities
   std::map<std::string, std::string> m_Identities; ///< of the files of stages, so that each is read once
 };
 

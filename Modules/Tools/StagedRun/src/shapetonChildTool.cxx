@@ -1,6 +1,7 @@
 #include "shapetonChildTool.h"
 
 #include "shapetonExceptions.h"
+#include "shapetonForkMutex.h"
 
 #include <cerrno>
 #include <charconv>
@@ -25,12 +26,10 @@ struct Pipe
 {
   Pipe()
   {
-    if (pipe(ends) != 0)
+    if (pipe2(ends, O_CLOEXEC) != 0) // at once: another thread may start a tool, too
     {
       throw OutputError(std::string("cannot open a pipe (") + std::strerror(errno) + "); close other programs");
     }
-    fcntl(ends[0], F_SETFD, FD_CLOEXEC);
-    fcntl(ends[1], F_SETFD, FD_CLOEXEC);
   }
   Pipe(const Pipe &) = delete;
   Pipe &
@@ -173,8 +172,9 @@ Start(const std::string & program, const std::vector<std::string> & arguments, c
     words.push_back(const_cast<char *>(argument.c_str()));
   }
   words.push_back(nullptr);
-  const pid_t parent = getpid();
-  const pid_t child = fork();
+  const pid_t           parent = getpid();
+  const std::lock_guard lock(ForkMutex());
+  const pid_t           child = fork();
   if (child < 0)
   {
     throw OutputError(std::string("cannot start another process (") + std::strerror(errno) + "); close other programs");

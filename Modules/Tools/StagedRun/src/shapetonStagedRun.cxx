@@ -150,9 +150,17 @@ StagedRun::ResultsReadBy(const Stage & stage)
 std::string
 StagedRun::Identify(const std::string & path)
 {
-  auto & identity = m_Identities[path];
-  identity = identity.empty() ? IdentityOf(path) : identity;
-  return identity;
+  {
+    const std::lock_guard lock(m_Mutex);
+    const auto            known = m_Identities.find(path);
+    if (known != m_Identities.end())
+    {
+      return known->second;
+    }
+  }
+  const std::string     identity = IdentityOf(path); // takes long
+  const std::lock_guard lock(m_Mutex);
+  return m_Identities[path] = identity;
 }
 
 std::string
@@ -231,6 +239,7 @@ StagedRun::Run(const Stage & stage, const Progress & progress)
   {
     WriteStageRecord({ signature, inputs, result }, recordPath);
   }
+  const std::lock_guard lock(m_Mutex);
   for (const auto & [name, hash] : result.files)
   {
     m_Identities[this->PathOf(stage.GetName(), name)] = "sha256:" + hash;
