@@ -220,7 +220,7 @@ void
 ContainedProcess::Start()
 {
   std::unique_lock lock(ForkMutex());
-  int channels[2];
+  int              channels[2];
   if (socketpair(AF_UNIX, SOCK_STREAM, 0, channels) != 0)
   {
     throw std::runtime_error(std::string("cannot start the process that reads files: ") + std::strerror(errno));

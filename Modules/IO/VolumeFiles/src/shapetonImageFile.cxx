@@ -9,6 +9,7 @@
 #include "itkNrrdImageIO.h"
 #include "shapetonPrintable.h"
 #include "shapetonSha256.h"
+#include "shapetonStartBeside.h"
 #include "shapetonStoredVoxels.h"
 #include "shapetonExceptions.h"
 
@@ -365,7 +366,7 @@ void
 CopyVoxels(const char * stored, std::size_t count, float * voxels)
 {
   const auto * const values = reinterpret_cast<const TStored *>(stored);
-  std::transform(values, values + count, voxels, [](TStored value) { return static_cast<float>(value); });
+  ParallelForBlocks(count, [&](std::size_t i) { voxels[i] = static_cast<float>(values[i]); });
 }
 
 void
@@ -403,8 +404,13 @@ ConvertVoxels(const std::string & path, ComponentEnum type, const char * stored,
 }
 
 void
-CheckFinite(const std::string & path, const Volume::ImageType * image)
+CheckFinite(const std::string & path, const ImageHeader & header, const Volume::ImageType * image)
 {
+  const auto type = static_cast<ComponentEnum>(header.componentType);
+  if (type != ComponentEnum::FLOAT && type != ComponentEnum::DOUBLE)
+  {
+    return;
+  }
   const float * const voxels = image->GetBufferPointer();
   const std::size_t   count = image->GetLargestPossibleRegion().GetNumberOfPixels();
   const auto          isBad = [](float value) { return !std::isfinite(value); };
@@ -469,16 +475,28 @@ MakeImage(const ImageHeader & header)
   image->SetSpacing(spacing);
   image->SetOrigin(origin);
   image->SetDirection(direction);
-  image->Allocate();
+  image->Allocate(true);
   return image;
 }
 
-Volume::ImageType::Pointer
+std::string
+IdentityOf(const std::string & path, const StoredVoxels & stored)
+{
+  if (stored.file == path)
+  {
+    return "sha256:" + Sha256OfFile(path);
+  }
+  return "sha256:" + Sha256OfBytes(Sha256OfFile(path) + Sha256OfFile(stored.file));
+}
+
+/** Sets image and identity. */
+void
 ReadImage(const std::string &  path,
           ImageFormat          format,
           const StoredVoxels & stored,
           const ImageHeader &  header,
-          double               bytes)
+          double               bytes,
+          Volume &             volume)
 {
   ContainedProcess process(
     [&](const std::string & request, char * shared) {
@@ -500,6 +518,10 @@ ReadImage(const std::string &  path,
     },
     static_cast<std::size_t>(bytes),
     LimitsFor(bytes));
+  std::future<void> beside = StartBeside([&] {
+    volume.image = MakeImage(header); // its memory is there, then, when it is needed
+    volume.identity = IdentityOf(path, stored);
+  });
   try
   {
     process.Call(path);
@@ -509,24 +531,14 @@ ReadImage(const std::string &  path,
     ThrowUnsuitable(path, failure.what());
   }
   process.Stop();
-  const auto image = MakeImage(header);
+  beside.get();
   ConvertVoxels(path,
                 static_cast<ComponentEnum>(header.componentType),
                 process.GetShared(),
-                image->GetLargestPossibleRegion().GetNumberOfPixels(),
-                image->GetBufferPointer());
-  return image;
+                volume.image->GetLargestPossibleRegion().GetNumberOfPixels(),
+                volume.image->GetBufferPointer());
 }
 
-std::string
-IdentityOf(const std::string & path, const StoredVoxels & stored)
-{
-  if (stored.file == path)
-  {
-    return "sha256:" + Sha256OfFile(path);
-  }
-  return "sha256:" + Sha256OfBytes(Sha256OfFile(path) + Sha256OfFile(stored.file));
-}
 } // namespace
 
 bool
@@ -545,11 +557,10 @@ ReadImageFile(const std::string & path)
   CheckGeometry(path, header);
   const double bytes = CheckSize(path, header, stored);
   Volume       volume;
-  volume.image = ReadImage(path, format, stored, header, bytes);
-  CheckFinite(path, volume.image);
+  ReadImage(path, format, stored, header, bytes, volume);
+  CheckFinite(path, header, volume.image);
   NoteMissingSpacing(header, volume);
   NoteRounding(header, volume);
-  volume.identity = IdentityOf(path, stored);
   return volume;
 }
 } // namespace shapeton

@@ -172,8 +172,8 @@ private:
   const StageResult *
   FirstFailed() const
   {
-    const auto failed = std::find_if(
-      m_Results.begin(), m_Results.end(), [](const StageResult & result) { return result.status != 0; });
+    const auto failed =
+      std::find_if(m_Results.begin(), m_Results.end(), [](const StageResult & result) { return result.status != 0; });
     return failed == m_Results.end() ? nullptr : &*failed;
   }
 

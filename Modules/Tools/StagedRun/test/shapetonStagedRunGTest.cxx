@@ -203,6 +203,28 @@ TEST(StagedRun, OneStageFeedsTheNext)
   EXPECT_EQ(shapeton::ReadFileBytes(bench / "run/again/copy"), "inputb\nz\n");
 }
 
+TEST(StagedRun, TwoThreadsRunTwoStages)
+{
+  const Bench alone;
+  const Bench beside;
+  const auto  suffixes = { "a", "b", "c", "d" };
+  {
+    StagedRun                run(beside / "run", beside / "tools");
+    std::vector<std::thread> threads;
+    for (const char * const suffix : suffixes)
+    {
+      RunOnce(alone, CopyStage(alone, suffix, suffix));
+      threads.emplace_back([&, suffix] { EXPECT_EQ(run.Run(CopyStage(beside, suffix, suffix)).status, 0); });
+    }
+    std::for_each(threads.begin(), threads.end(), [](std::thread & thread) { thread.join(); });
+  }
+  EXPECT_EQ(beside.Files(), alone.Files());
+  for (const char * const suffix : suffixes)
+  {
+    EXPECT_TRUE(RunOnce(beside, CopyStage(beside, suffix, suffix)).isResumed) << suffix;
+  }
+}
+
 TEST(StagedRun, TellsOfAFailure)
 {
   const Bench       bench;
