@@ -48,6 +48,12 @@ OptionsOf(CommandLine & commandLine)
   return options;
 }
 
+itk::Image<float, 3>::Pointer
+ReadCt(CommandLine & commandLine)
+{
+  return commandLine.IsGiven("volume") ? shapeton::ReadVolume(commandLine, "volume").image : nullptr;
+}
+
 void
 Flatten(CommandLine & commandLine)
 {
@@ -59,13 +65,12 @@ Flatten(CommandLine & commandLine)
   commandLine.RecordRun(commandLine.GetString("outputFlat") + ".run.json");
 
   commandLine.Progress("Reading", 0.0);
-  shapeton::VolumeBeside                 reading(commandLine, "volume"); // painted in the end
+  const itk::Image<float, 3>::Pointer    ct = ReadCt(commandLine);
   const shapeton::ColonFlatteningOptions options = OptionsOf(commandLine);
   shapeton::Surface                      surface = shapeton::ReadSurface(commandLine, "inputSurface");
   shapeton::ColonFlattening              flattening =
     shapeton::FlattenColon(std::move(surface.mesh), '"' + commandLine.GetString("inputSurface") + '"', options);
   commandLine.Warn(flattening.warnings);
-  const itk::Image<float, 3>::Pointer ct = reading.Get().image;
 
   commandLine.Progress("Writing", 0.92);
   flattening.map.flat.facts = commandLine.GetProvenance();

@@ -14,7 +14,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <future>
 #include <optional>
 #include <sstream>
 
@@ -63,34 +62,27 @@ public:
     Remarks                       remarksOnRaw;
     std::optional<ArcLengthField> arcLengths;
     SurfaceMesh                   repaired;
-    // The repaired surface takes longest; the raw one needs nothing of it, nor does the field of arc lengths.
+    // All waits for the repaired surface; the raw one needs nothing of it.
     ParallelInvoke([this] { this->Repair(); },
                    [&, this] {
                      remarksOnRaw = this->MakeRaw();
                      this->Inspect(m_Wall.raw, m_Wall.report.rawFaces, m_Wall.report.rawQuality);
                    });
-    std::packaged_task<void()> make([this] { this->MakeRepaired(); });
-    std::shared_future<void>   isMade = make.get_future().share();
-    ParallelInvoke(
-      [&, this] {
-        make();
-        isMade.get();
-        this->Simplify();
-      },
-      [&, this] {
-        isMade.get();
-        arcLengths.emplace(m_Mask, m_Centreline);
-        this->ReleaseVolumes();
-        repaired = m_Wall.repaired; // which the simplification reads
-        m_Wall.report.bridgedFaces =
-          this->Inspect(repaired, m_Wall.report.repairedFaces, m_Wall.report.repairedQuality);
-        this->AddPlaces(m_Wall.raw, *arcLengths);
-        this->AddPlaces(repaired, *arcLengths);
-        if (m_Options.besideSimplification)
-        {
-          m_Options.besideSimplification(m_Wall.raw, repaired);
-        }
-      });
+    this->MakeRepaired();
+    ParallelInvoke([this] { this->Simplify(); }, // works on one core
+                   [&, this] {
+                     arcLengths.emplace(m_Mask, m_Centreline);
+                     this->ReleaseVolumes();
+                     repaired = m_Wall.repaired; // which the simplification reads
+                     m_Wall.report.bridgedFaces =
+                       this->Inspect(repaired, m_Wall.report.repairedFaces, m_Wall.report.repairedQuality);
+                     this->AddPlaces(m_Wall.raw, *arcLengths);
+                     this->AddPlaces(repaired, *arcLengths);
+                     if (m_Options.besideSimplification)
+                     {
+                       m_Options.besideSimplification(m_Wall.raw, repaired);
+                     }
+                   });
     m_Wall.repaired = std::move(repaired);
     this->Inspect(m_Wall.simplified, m_Wall.report.simplifiedFaces, m_Wall.report.simplifiedQuality);
     this->AddPlaces(m_Wall.simplified, *arcLengths);

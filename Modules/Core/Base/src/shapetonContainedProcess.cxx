@@ -1,7 +1,5 @@
 #include "shapetonContainedProcess.h"
 
-#include "shapetonForkMutex.h"
-
 #include <cerrno>
 #include <chrono>
 #include <csignal>
@@ -11,6 +9,7 @@
 #include <exception>
 #include <fcntl.h>
 #include <fstream>
+#include <mutex>
 #include <new>
 #include <poll.h>
 #include <sys/mman.h>
@@ -34,6 +33,10 @@ using Clock = std::chrono::steady_clock;
 constexpr char Done = 'D';
 constexpr char Failed = 'F';
 constexpr char OutOfMemory = 'M';
+
+/** Held over each fork: ITK's threader joins the threads of its pool before one and starts them again after it; two at
+ * a time crash or hang. Also while ends of a channel are open that no other child should inherit. */
+std::mutex forkMutex;
 
 // A response is a header or a sentence; the pixels travel in shared memory.
 constexpr std::uint64_t MaximumMessageBytes = 256u << 20;
@@ -173,14 +176,6 @@ InMegabytes(std::size_t bytes)
 }
 } // namespace
 
-// Not in the header: all libraries must share it.
-std::mutex &
-ForkMutex()
-{
-  static std::mutex mutex;
-  return mutex;
-}
-
 ContainedProcess::ContainedProcess(Service service, std::size_t sharedBytes, const Limits & limits)
   : m_Service(std::move(service)), m_SharedBytes(sharedBytes), m_Limits(limits)
 {
@@ -219,7 +214,7 @@ ContainedProcess::~ContainedProcess()
 void
 ContainedProcess::Start()
 {
-  std::unique_lock lock(ForkMutex());
+  std::unique_lock lock(forkMutex);
   int              channels[2];
   if (socketpair(AF_UNIX, SOCK_STREAM, 0, channels) != 0)
   {
@@ -236,7 +231,7 @@ ContainedProcess::Start()
   }
   if (m_Child == 0)
   {
-    lock.unlock(); // a copy
+    lock.unlock(); // the child's copy
     close(channels[0]);
 #ifdef __linux__
     prctl(PR_SET_PDEATHSIG, SIGKILL);

@@ -84,6 +84,46 @@ LengthOfCentreline(const CurveSet & centreline)
   const SurfaceArray * const distance = FindSurfaceArray(centreline.pointArrays, "arcLength");
   return distance && distance->values.size() > 0 ? distance->values.maxCoeff() : 0.0;
 }
+
+void
+ReadAllButImages(const StageFiles & files, const std::string & folder, ColonoscopyResults & results)
+{
+  const auto surface = [](SurfaceMesh & mesh) {
+    return [&mesh](const std::string & path) { mesh = ReadSurface(path).mesh; };
+  };
+  const auto curves = [](CurveSet & set) { return [&set](const std::string & path) { set = ReadCurves(path); }; };
+  const auto json = [](Json & document) {
+    return [&document](const std::string & path) { document = ReadJson(path); };
+  };
+  files.Read(names::segmentation, "quality.json", json(results.quality));
+  files.Read(names::segmentation, "centreline.vtp", curves(results.centreline));
+  files.Read(names::segmentation, "wall-simplified.vtp", surface(results.wall));
+  files.Read(names::flattening, "flat.vtp", [&](const std::string & path) {
+    results.flat = std::make_shared<FlatColon>(ReadSurface(path).mesh);
+  });
+  files.Read(names::flattening, "flat.json", json(results.flatStatistics));
+  files.Read(names::landmarks, "landmarks.json", json(results.landmarks));
+  files.Read(names::landmarks, "taeniae.vtp", curves(results.taeniae));
+  files.Read(names::landmarks, "flexures.vtp", curves(results.flexures));
+  files.Read(names::landmarks, "segments.vtp", surface(results.labelled));
+  files.Read(names::folds, "features.vtp", curves(results.features));
+  if (!results.landmarks.is_null())
+  {
+    results.segments = SegmentsOf(results.landmarks, LengthOfCentreline(results.centreline));
+  }
+  results.folds = FoldsOf(results.features);
+  files.Read(
+    names::polyps, "candidates.csv", [&](const std::string & path) { results.polyps = ReadPolypCandidates(path); });
+  results.polypPictures = PicturesOfPolyps(files, results.polyps.size());
+  if (results.IsDone(names::registration))
+  {
+    const std::string second = folder + '/' + colonoscopySecondFolder;
+    results.pair = std::make_shared<const ColonoscopyPair>(
+      ColonoscopyPair{ ReadColonPosition(folder, "supine"),
+                       ReadColonPosition(second, "prone"),
+                       ReadRegistrationResults(folder + '/' + names::registration) });
+  }
+}
 } // namespace
 
 const StageResult *
@@ -106,48 +146,12 @@ ReadColonoscopyResults(const std::string & folder, const std::vector<StageResult
 {
   ColonoscopyResults results;
   results.stages = stages;
-  const StageFiles files(folder, results);
-  const auto       surface = [](SurfaceMesh & mesh) {
-    return [&mesh](const std::string & path) { mesh = ReadSurface(path).mesh; };
-  };
-  const auto curves = [](CurveSet & set) { return [&set](const std::string & path) { set = ReadCurves(path); }; };
-  const auto json = [](Json & document) {
-    return [&document](const std::string & path) { document = ReadJson(path); };
-  };
-  std::future<void> ct = StartBeside([&] { // takes longest
-    files.Read(
-      names::segmentation, "cleansed.nrrd", [&](const std::string & path) { results.ct = ReadImageFile(path).image; });
-  });
-  files.Read(names::segmentation, "quality.json", json(results.quality));
-  files.Read(names::segmentation, "centreline.vtp", curves(results.centreline));
-  files.Read(names::segmentation, "wall-simplified.vtp", surface(results.wall));
-  files.Read(names::flattening, "flat.vtp", [&](const std::string & path) {
-    results.flat = std::make_shared<FlatColon>(ReadSurface(path).mesh);
-  });
-  files.Read(names::flattening, "flat.json", json(results.flatStatistics));
-  files.Read(names::landmarks, "landmarks.json", json(results.landmarks));
-  files.Read(names::landmarks, "taeniae.vtp", curves(results.taeniae));
-  files.Read(names::landmarks, "flexures.vtp", curves(results.flexures));
-  files.Read(names::landmarks, "segments.vtp", surface(results.labelled));
-  files.Read(names::folds, "labels.nrrd", [&](const std::string & path) { results.foldLabels = ReadFoldLabels(path); });
-  files.Read(names::folds, "features.vtp", curves(results.features));
-  if (!results.landmarks.is_null())
-  {
-    results.segments = SegmentsOf(results.landmarks, LengthOfCentreline(results.centreline));
-  }
-  results.folds = FoldsOf(results.features);
+  const StageFiles  files(folder, results);
+  std::future<void> others = StartBeside([&] { ReadAllButImages(files, folder, results); });
   files.Read(
-    names::polyps, "candidates.csv", [&](const std::string & path) { results.polyps = ReadPolypCandidates(path); });
-  results.polypPictures = PicturesOfPolyps(files, results.polyps.size());
-  if (results.IsDone(names::registration))
-  {
-    const std::string second = folder + '/' + colonoscopySecondFolder;
-    results.pair = std::make_shared<const ColonoscopyPair>(
-      ColonoscopyPair{ ReadColonPosition(folder, "supine"),
-                       ReadColonPosition(second, "prone"),
-                       ReadRegistrationResults(folder + '/' + names::registration) });
-  }
-  ct.get();
+    names::segmentation, "cleansed.nrrd", [&](const std::string & path) { results.ct = ReadImageFile(path).image; });
+  files.Read(names::folds, "labels.nrrd", [&](const std::string & path) { results.foldLabels = ReadFoldLabels(path); });
+  others.get();
   return results;
 }
 } // namespace shapeton

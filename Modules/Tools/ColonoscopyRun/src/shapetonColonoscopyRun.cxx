@@ -88,34 +88,46 @@ public:
     return true;
   }
 
-  /** Two stages, neither of which takes a result of the other, beside each other where threads allow it. Progress is
-   * that of the second one, which takes longer. */
+  /** Two stages, neither of which takes a result of the other: beside each other where threads allow it, and both even
+   * if one fails. Progress is that of the second one then, which takes longer. */
   bool
   RunBoth(const ColonoscopyStage & shorter, const ColonoscopyStage & longer, double begin, double share)
   {
     StageResult       first;
-    std::future<void> beside = StartBeside([&] { first = m_Run.Run(shorter.make(m_Run)); });
-    m_CommandLine.Progress(this->Prefix() + shorter.name, begin);
-    StageResult second = this->Compute(longer, begin, share);
-    beside.get();
+    std::future<void> beside;
+    if (NumberOfThreads() > 1)
+    {
+      beside = StartBeside([&] { first = m_Run.Run(shorter.make(m_Run)); });
+      m_CommandLine.Progress(this->Prefix() + shorter.name, begin);
+    }
+    else
+    {
+      first = this->Compute(shorter, begin, share);
+    }
+    StageResult second = this->Compute(longer, begin + shorter.share * share, share);
+    if (beside.valid())
+    {
+      beside.get();
+    }
     this->Record(shorter.name, std::move(first));
     this->Record(longer.name, std::move(second));
     return this->Status() == 0;
   }
 
+  /** Of the first stage that failed; 0 where all is well. */
   int
   Status() const
   {
-    const StageResult * const failed = this->FirstFailed();
-    return failed ? failed->status : 0;
+    const auto failed =
+      std::find_if(m_Results.begin(), m_Results.end(), [](const StageResult & result) { return result.status != 0; });
+    return failed == m_Results.end() ? 0 : failed->status;
   }
 
   /** "" where all is well. */
   std::string
   Failure() const
   {
-    const StageResult * const failed = this->FirstFailed();
-    if (!failed)
+    if (this->Status() == 0)
     {
       return "";
     }
@@ -127,9 +139,17 @@ public:
         kept.push_back(stage.status == 0 ? stage.name : "a part of " + stage.name);
       }
     }
-    return "the stage " + failed->name + " (" + failed->program + ")" +
-           (m_Series == ColonoscopySeries::Second ? " of the second series" : "") + " failed: " + failed->message +
-           "; kept: " + (kept.empty() ? "nothing" : Joined(kept)) + ", report.html";
+    std::string text;
+    for (const StageResult & stage : m_Results)
+    {
+      if (stage.status != 0)
+      {
+        text += (text.empty() ? "the stage " : "; so did ") + stage.name + " (" + stage.program + ")" +
+                (m_Series == ColonoscopySeries::Second ? " of the second series" : "") +
+                (text.empty() ? " failed: " : ": ") + stage.message;
+      }
+    }
+    return text + "; kept: " + (kept.empty() ? "nothing" : Joined(kept)) + ", report.html";
   }
 
   ColonoscopyPresentation
@@ -166,15 +186,6 @@ private:
       m_Warnings.push_back(name + ": " + warning);
       m_CommandLine.Warn(this->Prefix() + name + ": " + warning);
     }
-  }
-
-  /** Null where all is well. */
-  const StageResult *
-  FirstFailed() const
-  {
-    const auto failed =
-      std::find_if(m_Results.begin(), m_Results.end(), [](const StageResult & result) { return result.status != 0; });
-    return failed == m_Results.end() ? nullptr : &*failed;
   }
 
   std::string
@@ -237,7 +248,7 @@ RunOne(CommandLine & commandLine, SeriesRun & only)
 {
   constexpr ColonoscopySeries first = ColonoscopySeries::First;
   if (only.Run(StagesOfSeries(commandLine, first), 0.0, 0.9) &&
-      only.RunBoth(StageOfFolds(commandLine, first), StageOfPolyps(commandLine, first), 0.79, 0.14))
+      only.RunBoth(StageOfFolds(commandLine, first), StageOfPolyps(commandLine, first), 0.79, 0.13))
   {
     only.Run(LastStages(commandLine, ColonoscopySeries::First), 0.93, 0.01);
   }
@@ -260,7 +271,7 @@ RunTwo(CommandLine & commandLine, SeriesRun & first, SeriesRun & second)
   };
   const bool hasFirst = first.Run(withFolds(ColonoscopySeries::First), 0.0, share);
   if (hasFirst && second.Run(withFolds(ColonoscopySeries::Second), share, share) &&
-      first.RunBoth(StageOfRegistration(commandLine), StageOfSearch(commandLine), 2.0 * share, 0.07) &&
+      first.RunBoth(StageOfSearch(commandLine), StageOfRegistration(commandLine), 2.0 * share, 0.035) &&
       second.Run({ StageOfPolyps(commandLine, ColonoscopySeries::Second) }, 0.87, 0.02) &&
       first.Run({ StageOfPolyps(commandLine, ColonoscopySeries::First) }, 0.89, 0.02) &&
       second.Run(LastStages(commandLine, ColonoscopySeries::Second), 0.91, 0.01))

@@ -4,7 +4,7 @@
 #include "shapetonCommandLine.h"
 #include "shapetonCsvTable.h"
 #include "shapetonExceptions.h"
-#include "shapetonPrintable.h"
+#include "shapetonImageFile.h"
 #include "shapetonSha256.h"
 
 #include <algorithm>
@@ -100,9 +100,7 @@ private:
 bool
 IsDicom(const std::string & path)
 {
-  const std::vector<std::string> others{ ".nrrd", ".nhdr", ".nii", ".gz", ".mha", ".mhd" };
-  const std::string              extension = LowerCase(fs::path(path).extension().string());
-  return fs::is_directory(path) || std::count(others.begin(), others.end(), extension) == 0;
+  return fs::is_directory(path) || !IsImageFile(path); // as ReadVolume() takes it
 }
 
 Stage

@@ -71,7 +71,7 @@ public:
   StageResult
   Run(const Stage & stage, const Progress & progress = {});
 
-  /** IdentityOf(), which is asked once for each path in a run. */
+  /** IdentityOf(), which a run asks once for each path, or once for each of two threads that ask at a time. */
   std::string
   Identify(const std::string & path);
 

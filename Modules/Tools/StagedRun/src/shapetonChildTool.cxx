@@ -1,7 +1,6 @@
 #include "shapetonChildTool.h"
 
 #include "shapetonExceptions.h"
-#include "shapetonForkMutex.h"
 
 #include <cerrno>
 #include <charconv>
@@ -140,7 +139,7 @@ private:
   bool             m_IsInBlock{ false };
 };
 
-/** In the child: what may be called between fork() and exec() is little. */
+/** In the child, which has the memory of the parent until exec(): system calls alone. */
 [[noreturn]] void
 BecomeTool(char * const * arguments, int out, int err, pid_t parent)
 {
@@ -172,16 +171,16 @@ Start(const std::string & program, const std::vector<std::string> & arguments, c
     words.push_back(const_cast<char *>(argument.c_str()));
   }
   words.push_back(nullptr);
-  const pid_t           parent = getpid();
-  const std::lock_guard lock(ForkMutex());
-  const pid_t           child = fork();
+  const pid_t parent = getpid();
+  // fork() would join the threads of ITK's pool, which another thread may be using.
+  const pid_t child = vfork();
   if (child < 0)
   {
     throw OutputError(std::string("cannot start another process (") + std::strerror(errno) + "); close other programs");
   }
   if (child == 0)
   {
-    BecomeTool(words.data(), out.ends[1], err.ends[1], parent);
+    BecomeTool(words.data(), out.ends[1], err.ends[1], parent); // NOLINT(clang-analyzer-unix.Vfork): see there
   }
   return child;
 }

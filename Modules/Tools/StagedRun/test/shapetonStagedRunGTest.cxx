@@ -203,25 +203,31 @@ TEST(StagedRun, OneStageFeedsTheNext)
   EXPECT_EQ(shapeton::ReadFileBytes(bench / "run/again/copy"), "inputb\nz\n");
 }
 
-TEST(StagedRun, TwoThreadsRunTwoStages)
+TEST(StagedRun, ThreadsRunStagesBesideEachOther)
 {
   const Bench alone;
   const Bench beside;
   const auto  suffixes = { "a", "b", "c", "d" };
+  const auto  slowStage = [](const Bench & bench, const char * suffix) {
+    return CopyStage(bench, suffix, suffix).Option("wait", "0.2");
+  };
+  for (const char * const suffix : suffixes)
+  {
+    RunOnce(alone, slowStage(alone, suffix));
+  }
   {
     StagedRun                run(beside / "run", beside / "tools");
     std::vector<std::thread> threads;
     for (const char * const suffix : suffixes)
     {
-      RunOnce(alone, CopyStage(alone, suffix, suffix));
-      threads.emplace_back([&, suffix] { EXPECT_EQ(run.Run(CopyStage(beside, suffix, suffix)).status, 0); });
+      threads.emplace_back([&, suffix] { EXPECT_EQ(run.Run(slowStage(beside, suffix)).status, 0); });
     }
     std::for_each(threads.begin(), threads.end(), [](std::thread & thread) { thread.join(); });
   }
   EXPECT_EQ(beside.Files(), alone.Files());
   for (const char * const suffix : suffixes)
   {
-    EXPECT_TRUE(RunOnce(beside, CopyStage(beside, suffix, suffix)).isResumed) << suffix;
+    EXPECT_TRUE(RunOnce(beside, slowStage(beside, suffix)).isResumed) << suffix;
   }
 }
 

@@ -4,8 +4,6 @@
 #include "ToolInputExport.h"
 #include "shapetonVolumeReader.h"
 
-#include <future>
-
 namespace shapeton
 {
 class CommandLine;
@@ -15,31 +13,6 @@ class CommandLine;
  * \ingroup ToolInput */
 ToolInput_EXPORT Volume
 ReadVolume(CommandLine & commandLine, const std::string & parameter, bool allowSingleSlice = false);
-
-/** \class VolumeBeside
- * \brief ReadVolume() of an input that may be left out, beside the work of a tool that needs the voxels later.
- *
- * \ingroup ToolInput */
-class ToolInput_EXPORT VolumeBeside
-{
-public:
-  /** Starts to read, if the input is given. */
-  VolumeBeside(CommandLine & commandLine, const std::string & parameter);
-  VolumeBeside(const VolumeBeside &) = delete;
-  VolumeBeside &
-  operator=(const VolumeBeside &) = delete;
-
-  /** Waits for the volume, once; without an image where the input is not given. Adds to provenance and warnings and
-   * throws as ReadVolume() does. */
-  Volume
-  Get();
-
-private:
-  CommandLine &     m_CommandLine;
-  std::string       m_Parameter;
-  Volume            m_Volume;
-  std::future<void> m_Reading; ///< the last member: goes first, which waits for the thread
-};
 
 /** Warns of a volume that says it is of another modality, for a tool that takes values for Hounsfield units.
  * \ingroup ToolInput */

@@ -2,70 +2,30 @@
 
 #include "shapetonCommandLine.h"
 #include "shapetonExceptions.h"
-#include "shapetonStartBeside.h"
 
 #include <algorithm>
 #include <cmath>
 #include <sstream>
-#include <utility>
 
 namespace shapeton
 {
-namespace
-{
-VolumeReadOptions
-ReadOptionsOf(const CommandLine & commandLine)
+Volume
+ReadVolume(CommandLine & commandLine, const std::string & parameter, bool allowSingleSlice)
 {
   VolumeReadOptions options;
   options.seriesUID = commandLine.GetString("seriesUID");
   options.resampleGaps = commandLine.GetFlag("resampleGaps");
   options.deshear = commandLine.GetFlag("deshear");
   options.dropDuplicates = commandLine.GetFlag("dropDuplicates");
-  return options;
-}
-
-void
-Tell(CommandLine & commandLine, const std::string & parameter, const Volume & volume)
-{
+  options.allowSingleSlice = allowSingleSlice;
+  Volume volume = ReadVolume(commandLine.GetString(parameter), options);
   commandLine.AddInput(parameter, volume.identity);
   for (const std::string & repair : volume.repairs)
   {
     commandLine.AddProvenance("repair", repair);
   }
   commandLine.Warn(volume.notes);
-}
-} // namespace
-
-Volume
-ReadVolume(CommandLine & commandLine, const std::string & parameter, bool allowSingleSlice)
-{
-  VolumeReadOptions options = ReadOptionsOf(commandLine);
-  options.allowSingleSlice = allowSingleSlice;
-  Volume volume = ReadVolume(commandLine.GetString(parameter), options);
-  Tell(commandLine, parameter, volume);
   return volume;
-}
-
-VolumeBeside::VolumeBeside(CommandLine & commandLine, const std::string & parameter)
-  : m_CommandLine(commandLine), m_Parameter(parameter)
-{
-  if (commandLine.IsGiven(parameter))
-  {
-    m_Reading = StartBeside([this, path = commandLine.GetString(parameter), options = ReadOptionsOf(commandLine)] {
-      m_Volume = ReadVolume(path, options);
-    });
-  }
-}
-
-Volume
-VolumeBeside::Get()
-{
-  if (m_Reading.valid())
-  {
-    m_Reading.get();
-    Tell(m_CommandLine, m_Parameter, m_Volume);
-  }
-  return std::move(m_Volume);
 }
 
 void
