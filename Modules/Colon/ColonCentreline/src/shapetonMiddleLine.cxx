@@ -259,7 +259,7 @@ FindPole(const LumenNetwork & network, const DistanceField & field, const CurveP
   }
   // Ways over 26 neighbours are longer than straight ones by 13 % at most, by 7 % on average.
   constexpr double    longestWay = 1.13, usualWay = 1.07;
-  constexpr double    caudal = 0.2; // mm of way that one mm downwards is worth
+  constexpr double    caudal = 0.05; // mm of way that one mm downwards is worth
   const LumenGrid &   grid = network.grid;
   const NearestPlaces pouch = PouchBeyond(network, points, mouth, step);
   const double        height = grid.ToPhysical(points[mouth])[2];
