@@ -20,8 +20,8 @@ namespace shapeton
  * A request and its response are byte strings over a socket; bulk data (pixels) come back in a memory block that both
  * processes see. The child has one thread, prints nothing, and dies with its parent.
  *
- * To be made, and called where its child may have died, while no other thread works on ITK's pool: before a fork ITK's
- * threader joins the threads of the pool, and a child that inherits the lock of the pool hangs.
+ * Make and call it while no other thread works on ITK's pool: both may fork. Before a fork ITK's threader joins the
+ * threads of the pool, and a child that inherits the locked pool hangs.
  *
  * \ingroup Base */
 class Base_EXPORT ContainedProcess

@@ -85,6 +85,7 @@ LengthOfCentreline(const CurveSet & centreline)
   return distance && distance->values.size() > 0 ? distance->values.maxCoeff() : 0.0;
 }
 
+/** On a thread of its own, which may not start the processes that read images. */
 void
 ReadAllButImages(const StageFiles & files, const std::string & folder, ColonoscopyResults & results)
 {

@@ -78,7 +78,7 @@ public:
   {
     for (const ColonoscopyStage & stage : stages)
     {
-      this->Record(stage.name, this->Compute(stage, begin, share));
+      this->Record(this->Compute(stage, begin, share));
       if (this->Status() != 0)
       {
         return false;
@@ -109,8 +109,8 @@ public:
     {
       beside.get();
     }
-    this->Record(shorter.name, std::move(first));
-    this->Record(longer.name, std::move(second));
+    this->Record(std::move(first));
+    this->Record(std::move(second));
     return this->Status() == 0;
   }
 
@@ -178,14 +178,14 @@ private:
   }
 
   void
-  Record(const std::string & name, StageResult && result)
+  Record(StageResult && result)
   {
-    m_Results.push_back(std::move(result));
-    for (const std::string & warning : m_Results.back().warnings)
+    for (const std::string & warning : result.warnings)
     {
-      m_Warnings.push_back(name + ": " + warning);
-      m_CommandLine.Warn(this->Prefix() + name + ": " + warning);
+      m_Warnings.push_back(result.name + ": " + warning);
+      m_CommandLine.Warn(this->Prefix() + m_Warnings.back());
     }
+    m_Results.push_back(std::move(result));
   }
 
   std::string
