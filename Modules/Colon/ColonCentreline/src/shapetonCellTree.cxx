@@ -9,10 +9,13 @@ namespace shapeton
 {
 namespace
 {
-/** A hole between two loops is not wider (radius, mm). */
-constexpr double widestHole = 7.0;
-/** An exchange must make the way through the colon longer by this, mm. */
+/** A hole between two loops is hardly wider (radius, mm), and never wider than this. */
+constexpr double usualHole = 7.0;
+constexpr double widestHole = 10.0;
+/** What is taken for a hole must make the way through the colon longer by this, mm, and by so many mm more for each mm
+ * that it is wider than usual: where loops lie side by side, thin septa are open as far as half the calibre. */
 constexpr double leastGain = 40.0;
+constexpr double gainOfWide = 100.0;
 /** Ways differ when their lengths differ by more, mm: sums of the same lengths in another order do not. */
 constexpr double sameLength = 1e-6;
 /** A ring is long when it is longer than this and some radii more, mm. The cost of paths keeps out of the narrow
@@ -77,6 +80,12 @@ CellTree::RemoveLink(int passage)
       std::find_if(links.begin(), links.end(), [passage](const TreeLink & link) { return link.passage == passage; }));
   }
   m_IsInTree[passage] = 0;
+}
+
+double
+CellTree::LeastGain(int passage) const
+{
+  return leastGain + gainOfWide * std::max(0.0, m_Cells.passages[passage].clearance - usualHole);
 }
 
 TreeWalk
@@ -283,13 +292,13 @@ CellTree::BestSwap(int in, const TreeRing & ring, const TreeReach & reach) const
   for (std::size_t i = 0; i < ways.size(); ++i)
   {
     const int    out = ring.passages[i];
-    const double gain = ways[i] - before;
+    const double surplus = ways[i] - before - this->LeastGain(out);
     const double clearance = m_Cells.passages[out].clearance;
     // The hole between two branches is closed at its narrowest place.
     const bool isNarrower = best.out >= 0 && clearance < m_Cells.passages[best.out].clearance;
-    if (clearance <= widestHole && gain > best.gain + (isNarrower ? -sameLength : sameLength))
+    if (clearance <= widestHole && surplus > best.surplus + (isNarrower ? -sameLength : sameLength))
     {
-      best = { in, out, gain };
+      best = { in, out, surplus };
     }
   }
   return best;
@@ -305,7 +314,7 @@ CellTree::Exchange()
     isCore.push_back(radius >= m_CoreRadius ? 1 : 0);
   }
   const TreeReach reach(m_Links, all, isCore);
-  Swap            best{ -1, -1, leastGain };
+  Swap            best{ -1, -1, 0.0 };
   for (int p = 0; p < static_cast<int>(m_Cells.passages.size()); ++p)
   {
     if (m_IsInTree[p] || m_Cells.passages[p].clearance > widestHole)
@@ -317,7 +326,7 @@ CellTree::Exchange()
     if (this->IsLongRing(ring, p))
     {
       const Swap swap = this->BestSwap(p, ring, reach);
-      best = swap.gain > best.gain + sameLength ? swap : best;
+      best = swap.surplus > best.surplus + sameLength ? swap : best;
     }
   }
   if (best.out < 0)

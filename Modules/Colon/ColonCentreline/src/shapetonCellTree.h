@@ -58,6 +58,10 @@ public:
   std::vector<Neck>
   Necks() const;
 
+  /** What taking a passage for a hole must gain at least, mm of the way through the colon. */
+  double
+  LeastGain(int passage) const;
+
   /** Takes a passage out of the tree, or puts it back. */
   void
   Cut(int passage)
@@ -91,14 +95,15 @@ public:
 private:
   void
   SpanWidest();
-  /** A passage that is taken into the tree for another one, and by how much that makes the longest way longer, mm. */
+  /** A passage that is taken into the tree for another one, and by how much more than the least gain that makes the
+   * longest way longer, mm. */
   struct Swap
   {
     int    in;
     int    out;
-    double gain;
+    double surplus;
   };
-  /** The best one of those that take in `in`, which closes a ring; without `out` where none makes the way longer. */
+  /** The best one of those that take in `in`, which closes a ring; without `out` where none gains enough. */
   Swap
   BestSwap(int in, const TreeRing & ring, const TreeReach & reach) const;
   bool

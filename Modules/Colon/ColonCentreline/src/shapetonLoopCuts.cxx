@@ -11,9 +11,7 @@ namespace shapeton
 namespace
 {
 constexpr int mostCuts = 6;
-/** mm that a cut must save. */
-constexpr double leastSaving = 40.0;
-/** mm that a way through a hole in a septum seems to be longer; less than a cut must save. */
+/** mm that a way through a hole in a septum seems to be longer; less than CellTree::LeastGain. */
 constexpr double holeCost = 35.0;
 /** Colons have up to some 20 passages that may be cut; what has many more is no lumen, and shall not take long. */
 constexpr std::size_t mostTrials = 100;
@@ -132,7 +130,7 @@ public:
     return joins + layout.faults + std::max(0.0, m_Extent.DistanceFromAnus(begin) - m_NearestToAnus);
   }
 
-  /** One cut or two, and the cost with them and with leastSaving for each. */
+  /** One cut or two, and the cost with them and with the least gain of each. */
   struct Trial
   {
     double           cost;
@@ -190,11 +188,13 @@ private:
   Trial
   Try(const std::vector<int> & passages)
   {
+    double least = 0.0;
     for (const int passage : passages)
     {
+      least += m_Tree.LeastGain(passage);
       m_Tree.Cut(passage);
     }
-    const double cost = this->Cost() + leastSaving * passages.size();
+    const double cost = this->Cost() + least;
     for (const int passage : passages)
     {
       m_Tree.Mend(passage);

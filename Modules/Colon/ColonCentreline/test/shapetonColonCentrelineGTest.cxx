@@ -306,17 +306,19 @@ TEST(ColonCentreline, GoesThroughANarrowPlaceRatherThanAWiderHole)
 {
   const double     pitch = 30.0;
   const TubePoints truth = Serpentine(3, 220.0, pitch);
-  TubeMask         mask(truth, 25.0, { 1.2, 1.0, 1.2 });
-  // The colon is 5 mm wide in the middle of its second limb, the hole between the limbs 8 mm.
-  mask.Paint(truth, [](double share) { return std::abs(share - 0.5) < 0.02 ? 2.5 : 14.4; });
-  const TubePoints around = shapeton::PartOf(truth, 0.46, 0.54);
-  mask.Paint(around, 14.4, 0);
-  mask.Paint(shapeton::PartOf(truth, 0.42, 0.58), 2.5);
-  mask.PaintBall({ 20.0, 0.0, 0.5 * pitch }, 4.0);
-  mask.PaintBall({ 200.0, 0.0, 1.5 * pitch }, 4.0);
-  const ColonCentreline line = shapeton::TraceColonCentreline(mask.Get());
-  EXPECT_NEAR(line.length, LengthOf(truth), 0.04 * LengthOf(truth));
-  EXPECT_GT(Covered(truth, PointsOf(line), 6.0), 0.97);
+  // The colon is 5 mm wide in the middle of its second limb, the holes between the limbs up to half as wide as they.
+  for (const double hole : { 4.0, 6.8, 7.5 })
+  {
+    TubeMask mask(truth, 25.0, { 1.2, 1.0, 1.2 });
+    mask.Paint(truth, [](double share) { return std::abs(share - 0.5) < 0.02 ? 2.5 : 14.4; });
+    mask.Paint(shapeton::PartOf(truth, 0.46, 0.54), 14.4, 0);
+    mask.Paint(shapeton::PartOf(truth, 0.42, 0.58), 2.5);
+    mask.PaintBall({ 20.0, 0.0, 0.5 * pitch }, hole);
+    mask.PaintBall({ 200.0, 0.0, 1.5 * pitch }, hole);
+    const ColonCentreline line = shapeton::TraceColonCentreline(mask.Get());
+    EXPECT_NEAR(line.length, LengthOf(truth), 0.04 * LengthOf(truth)) << hole;
+    EXPECT_GT(Covered(truth, PointsOf(line), 6.0), 0.97) << hole;
+  }
 }
 
 TEST(ColonCentreline, BridgesCollapsedStretchesInTheOrderOfTheColon)
