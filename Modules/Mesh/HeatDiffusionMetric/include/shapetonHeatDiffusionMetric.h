@@ -20,7 +20,9 @@ struct HeatDiffusionMetric
   /** A bound of |r(x) - exp(-x)| (1 + x)^2, r the rational function used for all x >= 0; 0 where none was used. */
   double rationalError{ 0.0 };
   /** Edges whose distance is below 1e-6 of the heat at their ends, as at the tip of a needle, so that rounding leaves
-   * none of its digits: they have that length, as the true one is not longer. */
+   * none of its digits: they have that length, as the true one is not longer. Also those that are too short for the
+   * triangles beside them by what errors leave of their digits, and are lengthened: see LengthenShortestSides(). An
+   * edge may count as both. */
   int drownedEdges{ 0 };
 };
 
@@ -80,7 +82,7 @@ ComputeHeatDiffusionMetric(const SurfaceMesh & mesh, double t, const Progress & 
 
 /** The metric of a surface with this Laplacian, in which all faces are triangles: deep within pouches distances may be
  * as small as the error of the default number of poles, which then breaks the triangle inequality, and mostPoles are
- * taken. \ingroup HeatDiffusionMetric */
+ * taken; what is still no triangle is made one by LengthenShortestSides(). \ingroup HeatDiffusionMetric */
 HeatDiffusionMetric_EXPORT HeatDiffusionMetric
 ComputeHeatDiffusionMetric(const SurfaceConnectivity & connectivity,
                            const SurfaceLaplacian &    laplacian,

@@ -7,6 +7,8 @@
 
 #include <Eigen/SparseCore>
 
+#include <set>
+
 namespace shapeton
 {
 /** How the area of a surface is shared among its vertices. \ingroup HeatDiffusionMetric */
@@ -78,6 +80,12 @@ MakeSurfaceLaplacian(const SurfaceConnectivity &     connectivity,
  * left to it. \ingroup HeatDiffusionMetric */
 HeatDiffusionMetric_EXPORT bool
 AreTriangles(const SurfaceConnectivity & connectivity, const Eigen::VectorXd & edgeLengths);
+
+/** For lengths that are known but for a small error, of which the shortest side of a face has least left: where it is
+ * too short for a triangle, it becomes as long as the difference of the other two. Gives the edges that were changed;
+ * faces may be left that are no triangles. Errors as those of MakeSurfaceLaplacian(). \ingroup HeatDiffusionMetric */
+HeatDiffusionMetric_EXPORT std::set<int>
+LengthenShortestSides(const SurfaceConnectivity & connectivity, Eigen::VectorXd & edgeLengths);
 
 /** The diagonal of L. \ingroup HeatDiffusionMetric */
 HeatDiffusionMetric_EXPORT Eigen::VectorXd

@@ -15,6 +15,18 @@ constexpr double rounding = 1e-12;
 /** Tips of needles have such edges on sound surfaces, too; where there are more, the time is too long. */
 constexpr double mostOfDrowned = 1e-3;
 
+void
+RequireFewDrowned(const HeatDiffusionMetric & metric)
+{
+  const Eigen::Index edges = metric.edgeLengths.size();
+  if (metric.drownedEdges > mostOfDrowned * static_cast<double>(edges))
+  {
+    throw InputError("the diffusion distances of " + std::to_string(metric.drownedEdges) + " of " +
+                     std::to_string(edges) +
+                     " edges drown in rounding; take a shorter time, eigenpairs, or remesh the surface");
+  }
+}
+
 /** The distances of the ends of all edges from elements of the heat kernel at twice the time. \equation{5.4} as the
  * square of the distance; the source gives it as the distance itself, at odds with (5.5). */
 HeatDiffusionMetric
@@ -31,12 +43,7 @@ MetricOf(const SurfaceLaplacian & laplacian, const Eigen::VectorXd & diagonal, c
     metric.drownedEdges += square > least ? 0 : 1;
     metric.edgeLengths[edge] = std::sqrt(std::max(square, least));
   }
-  if (metric.drownedEdges > mostOfDrowned * static_cast<double>(edges))
-  {
-    throw InputError("the diffusion distances of " + std::to_string(metric.drownedEdges) + " of " +
-                     std::to_string(edges) +
-                     " edges drown in rounding; take a shorter time, eigenpairs, or remesh the surface");
-  }
+  RequireFewDrowned(metric);
   return metric;
 }
 } // namespace
@@ -106,6 +113,8 @@ ComputeHeatDiffusionMetric(const SurfaceConnectivity & connectivity,
   if (!AreTriangles(connectivity, metric.edgeLengths))
   {
     metric = solver.Compute(t, Solver::mostPoles, atOnce, progress.Part("", 0.9, 1.0));
+    metric.drownedEdges += static_cast<int>(LengthenShortestSides(connectivity, metric.edgeLengths).size());
+    RequireFewDrowned(metric);
   }
   progress(1.0);
   return metric;

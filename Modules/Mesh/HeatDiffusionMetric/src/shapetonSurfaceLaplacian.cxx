@@ -186,6 +186,30 @@ AreTriangles(const SurfaceConnectivity & connectivity, const Eigen::VectorXd & e
   return true;
 }
 
+std::set<int>
+LengthenShortestSides(const SurfaceConnectivity & connectivity, Eigen::VectorXd & edgeLengths)
+{
+  constexpr int mostSweeps = 100; // a side that was lengthened may be too long for the face beside it
+  std::set<int> lengthened;
+  for (int sweep = 0; sweep < mostSweeps && !AreTriangles(connectivity, edgeLengths); ++sweep)
+  {
+    for (int face = 0; face < connectivity.NumberOfFaces(); ++face)
+    {
+      const auto            sides = SidesOfFace(connectivity, edgeLengths, face);
+      std::array<double, 3> sorted = sides;
+      std::sort(sorted.begin(), sorted.end());
+      if (!IsTriangle(sorted))
+      {
+        const auto k = std::min_element(sides.begin(), sides.end()) - sides.begin();
+        const int  shortest = connectivity.EdgeOfFace(face, static_cast<int>(k + 1) % 3);
+        edgeLengths[shortest] = sorted[2] - sorted[1];
+        lengthened.insert(shortest);
+      }
+    }
+  }
+  return lengthened;
+}
+
 /** \equation{5.2} on triangles, by cotangents (Definition 5.2.2). */
 SurfaceLaplacian
 MakeSurfaceLaplacian(const SurfaceConnectivity &     connectivity,

@@ -9,6 +9,7 @@
 
 #include <limits>
 #include <numeric>
+#include <set>
 
 namespace
 {
@@ -129,6 +130,46 @@ TEST(SurfaceLaplacian, LengthsThatMissATriangleByRoundingAreANeedle)
   EXPECT_EQ(MakeSurfaceLaplacian(connectivity, lengths).clampedFaces.size(), 2u);
   lengths[diagonal] = 2.1;
   EXPECT_THROW(MakeSurfaceLaplacian(connectivity, lengths), InputError);
+}
+
+TEST(SurfaceLaplacian, SidesTooShortForTheirTrianglesAreLengthened)
+{
+  const SurfaceMesh         mesh = Square(4, 1.0);
+  const SurfaceConnectivity connectivity(mesh);
+  const Eigen::VectorXd     straight = EdgeLengths(connectivity, mesh.V);
+  Eigen::VectorXd           lengths = straight;
+  EXPECT_TRUE(LengthenShortestSides(connectivity, lengths).empty());
+  EXPECT_EQ(straight, lengths);
+
+  // The edge from (0, 0) to (1, 0) is the side of one face; the others of it are 1 and sqrt(2) steps long.
+  const int edge = connectivity.FindEdge(0, 1);
+  lengths[edge] = 1e-3;
+  EXPECT_EQ(std::set<int>{ edge }, LengthenShortestSides(connectivity, lengths));
+  EXPECT_NEAR((std::sqrt(2.0) - 1.0) * straight[edge], lengths[edge], 1e-12);
+  lengths[edge] = straight[edge];
+  EXPECT_EQ(straight, lengths);
+
+  // Vertices nearer to each other than the errors of distances: only lengths as small as these change.
+  constexpr double error = 1e-3;
+  SurfaceMesh      dense = mesh;
+  dense.V *= 0.2 * error / straight[edge];
+  dense.V.row(0) << 10.0, 10.0, 0.0;
+  const Eigen::VectorXd right = EdgeLengths(connectivity, dense.V);
+  Eigen::VectorXd       measured = right;
+  for (int e = 0; e < connectivity.NumberOfEdges(); ++e)
+  {
+    measured[e] = std::max(1e-6, right[e] + error * ((5 * e) % 7 - 3) / 3.0);
+  }
+  const Eigen::VectorXd before = measured;
+  EXPECT_FALSE(AreTriangles(connectivity, measured));
+  const std::set<int> lengthened = LengthenShortestSides(connectivity, measured);
+  EXPECT_TRUE(AreTriangles(connectivity, measured));
+  for (int e = 0; e < connectivity.NumberOfEdges(); ++e)
+  {
+    EXPECT_NEAR(right[e], measured[e], 4.0 * error);
+    EXPECT_EQ(lengthened.count(e) == 0, before[e] == measured[e]);
+    EXPECT_EQ(0U, right[e] > 1.0 ? lengthened.count(e) : 0U);
+  }
 }
 
 TEST(SurfaceLaplacian, RefusesBadInput)
