@@ -125,9 +125,9 @@ It keeps the last solution, from which the next one starts: 4 bytes for each vox
     .def(py::init<const ImageType::Pointer &, std::optional<double>, const Window &, double, double>(),
          "image"_a,
          py::kw_only(),
-         "p"_a = 20.0,
+         "p"_a = 100.0,
          "window"_a = py::none(),
-         "least_weight"_a = 0.01,
+         "least_weight"_a = 0.2,
          "tolerance"_a = 1e-5)
     .def("segment",
          &SeededHeat::Segment,

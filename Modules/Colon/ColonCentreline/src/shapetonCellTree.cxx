@@ -9,7 +9,7 @@ namespace shapeton
 {
 namespace
 {
-/** A hole between two loops is hardly wider (radius, mm), and never wider than this. */
+/** A hole between two loops is seldom wider than the first, never than the second (radius, mm). */
 constexpr double usualHole = 7.0;
 constexpr double widestHole = 10.0;
 /** What is taken for a hole must make the way through the colon longer by this, mm, and by so many mm more for each mm

@@ -50,7 +50,7 @@ public:
   itkSetMacro(Tolerance, double);
   itkGetConstMacro(Tolerance, double);
 
-  /** VolumeGradientOperator::Parameters::leastWeight, positive, 0.01 by default: what an edge that insulates still lets
+  /** VolumeGradientOperator::Parameters::leastWeight, positive, 0.2 by default: what an edge that insulates still lets
    * through, so that parts without a seed take the label around them, and a voxel between two parts that of the more
    * alike. */
   itkSetMacro(LeastWeight, double);
@@ -119,7 +119,7 @@ private:
 
   bool                                          m_AutomaticP{ false };
   double                                        m_Tolerance{ 1e-5 };
-  double                                        m_LeastWeight{ 0.01 };
+  double                                        m_LeastWeight{ 0.2 };
   bool                                          m_KeepProbabilities{ true };
   unsigned int                                  m_Iterations{ 0 };
   std::vector<unsigned short>                   m_LabelValues;

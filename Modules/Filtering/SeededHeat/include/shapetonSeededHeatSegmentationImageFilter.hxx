@@ -11,7 +11,7 @@
 namespace shapeton
 {
 template <typename TInputImage>
-SeededHeatSegmentationImageFilter<TInputImage>::SeededHeatSegmentationImageFilter() : Superclass(20.0)
+SeededHeatSegmentationImageFilter<TInputImage>::SeededHeatSegmentationImageFilter() : Superclass(100.0)
 {
   this->AddRequiredInputName("Seeds");
   this->SetNumberOfRequiredOutputs(2);

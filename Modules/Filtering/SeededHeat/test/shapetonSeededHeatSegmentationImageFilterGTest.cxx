@@ -93,7 +93,7 @@ TEST(SeededHeatSegmentationImageFilter, LabelsBoxesFromMarkupsOnAnObliqueGrid)
   EXPECT_GE(Count(seeds, 2), 11u); // a stroke over eleven rows
   EXPECT_EQ(Count(seeds, 3), 2u);
   auto filter = FilterType::New();
-  EXPECT_EQ(filter->GetP(), 20.0);
+  EXPECT_EQ(filter->GetP(), 100.0);
   filter->SetInput(image);
   filter->SetSeeds(seeds);
   filter->Update();
