@@ -12,9 +12,8 @@ namespace shapeton
 {
 namespace
 {
-// An edge is strong when it has at least this share of the strongest one at both its ends: measured on CT, where with
-// 0.5 levels are so large that the whole takes two fifths longer, and with 0.05 iterations are so many that it takes a
-// third.
+// An edge is strong when it has at least this share of the strongest one at both its ends: measured on CT. With 0.5
+// levels are so large that the whole takes half as long again; with less than 0.15 iterations become too many.
 constexpr float strong = 0.15F;
 
 // Marks a node of the cell at hand, whose number in the cell is in the other bits.
