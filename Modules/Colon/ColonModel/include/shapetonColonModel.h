@@ -32,9 +32,10 @@ struct ColonModelOptions
   bool keepPartial{ false };
   /** Told the stage and the share of all that is done, from 0 to 1; from the calling thread. */
   Progress progress;
-  /** Called with the cleansed CT, HU, as soon as it is there, while the centreline is traced; again, after that, where
-   * gas that fills gaps of the line has made it another one. For what takes long, such as writing it. */
-  std::function<void(const itk::Image<float, 3> *)> besideCentreline;
+  /** Called on another thread with the cleansed CT, HU, as soon as it is there, beside all that follows; where there is
+   * one thread alone, after it. Again, when it has returned, where gas that fills gaps of the line has made it another
+   * CT. For what takes long, such as writing it. */
+  std::function<void(const itk::Image<float, 3> *)> onCleansed;
   /** Called on another thread while the wall is made, with all of the model but the wall; where there is one thread
    * alone, after it. For what takes long and needs no wall, such as writing the volumes. */
   std::function<void(const ColonModel &)> besideWall;

@@ -108,6 +108,33 @@ WallOptionsOf(const ColonModelOptions & options)
   return wall;
 }
 
+void
+WaitFor(std::future<void> & beside)
+{
+  if (beside.valid())
+  {
+    beside.get();
+  }
+}
+
+/** Does a work, and waits for what goes on beside it: after an InputError, too, which a partial model survives, so that
+ * a failure beside it is not lost. */
+template <typename TWork>
+void
+DoAndWaitFor(std::future<void> & beside, const TWork & work)
+{
+  try
+  {
+    work();
+  }
+  catch (const InputError &)
+  {
+    WaitFor(beside);
+    throw;
+  }
+  WaitFor(beside);
+}
+
 template <typename TMake>
 void
 AddWall(ColonModel & model, const ColonModelOptions & options, const TMake & make)
@@ -117,29 +144,40 @@ AddWall(ColonModel & model, const ColonModelOptions & options, const TMake & mak
   {
     beside = StartBeside([&] { options.besideWall(model); });
   }
-  ColonWall wall = make(WallOptionsOf(options));
-  if (beside.valid())
-  {
-    beside.get();
-  }
+  ColonWall wall;
+  DoAndWaitFor(beside, [&] { wall = make(WallOptionsOf(options)); });
   model.wall = std::move(wall);
   AppendRemarks(model.warnings, model.wall.report.warnings);
 }
 
-CleansedColon
-TraceAndCleanse(ColonModel & model, const itk::Image<float, 3> * ct, const ColonModelOptions & options)
+/** The cleansed colon, and what goes on with its CT beside all that follows. */
+struct CleansedWork
 {
-  CleansedColon cleansed;
+  CleansedColon     colon;
+  std::future<void> beside;
+
+  void
+  Start(const ColonModelOptions & options)
+  {
+    if (options.onCleansed)
+    {
+      beside = StartBeside([work = options.onCleansed, ct = colon.ct] { work(ct); });
+    }
+  }
+};
+
+void
+TraceAndCleanse(ColonModel &                 model,
+                CleansedWork &               cleansed,
+                const itk::Image<float, 3> * ct,
+                const ColonModelOptions &    options)
+{
   ParallelInvoke([&] { TraceLine(model, options); }, // needs no CT
                  [&] {
-                   cleansed = CleanseColon(ct, model.lumen);
-                   model.cleansed = cleansed.ct;
-                   if (options.besideCentreline)
-                   {
-                     options.besideCentreline(model.cleansed);
-                   }
+                   cleansed.colon = CleanseColon(ct, model.lumen);
+                   model.cleansed = cleansed.colon.ct;
+                   cleansed.Start(options);
                  });
-  return cleansed;
 }
 
 std::string
@@ -156,7 +194,7 @@ InWords(const GasInGap & one)
  * gaps: by half of those at least that it is to fill. The seed points are then those of `options`, too: the line may be
  * traced again. */
 void
-FillGaps(ColonModel & model, CleansedColon & cleansed, const itk::Image<float, 3> * ct, ColonModelOptions & options)
+FillGaps(ColonModel & model, CleansedWork & cleansed, const itk::Image<float, 3> * ct, ColonModelOptions & options)
 {
   const std::vector<GasInGap> found = FindGasInGaps(model.lumen, model.centreline);
   if (found.empty())
@@ -164,7 +202,7 @@ FillGaps(ColonModel & model, CleansedColon & cleansed, const itk::Image<float, 3
     return;
   }
   ColonModelOptions with = options;
-  with.besideCentreline = {}; // it may come to nothing
+  with.onCleansed = {}; // it may come to nothing
   with.progress = options.progress.Part("Filling gaps of the colon", CentrelineEnd, CentrelineEnd);
   double most = LengthOfGaps(model.centreline);
   for (const GasInGap & one : found)
@@ -178,15 +216,14 @@ FillGaps(ColonModel & model, CleansedColon & cleansed, const itk::Image<float, 3
   {
     return;
   }
-  CleansedColon again = TraceAndCleanse(filled, ct, with);
+  CleansedWork again;
+  TraceAndCleanse(filled, again, ct, with);
   if (LengthOfGaps(filled.centreline) <= most)
   {
+    WaitFor(cleansed.beside); // on the CT of the line before
     model = std::move(filled);
     cleansed = std::move(again);
-    if (options.besideCentreline)
-    {
-      options.besideCentreline(model.cleansed);
-    }
+    cleansed.Start(options);
     options.seedPoints = with.seedPoints;
     model.warnings = model.lumen.warnings;
     for (const GasInGap & one : found)
@@ -200,18 +237,21 @@ FillGaps(ColonModel & model, CleansedColon & cleansed, const itk::Image<float, 3
 void
 Complete(ColonModel & model, const itk::Image<float, 3> * ct, ColonModelOptions options, bool mayFillGaps)
 {
-  CleansedColon cleansed = TraceAndCleanse(model, ct, options);
-  if (mayFillGaps)
-  {
-    FillGaps(model, cleansed, ct, options);
-  }
-  AddValve(model, options);
-  if (model.terminalIleum)
-  {
-    TakeOut(*model.terminalIleum, cleansed.occupancy.GetPointer());
-  }
-  AddWall(model, options, [&](const ColonWallOptions & wall) {
-    return BuildColonWall(cleansed.occupancy, model.centreline.curve, wall);
+  CleansedWork cleansed;
+  DoAndWaitFor(cleansed.beside, [&] {
+    TraceAndCleanse(model, cleansed, ct, options);
+    if (mayFillGaps)
+    {
+      FillGaps(model, cleansed, ct, options);
+    }
+    AddValve(model, options);
+    if (model.terminalIleum)
+    {
+      TakeOut(*model.terminalIleum, cleansed.colon.occupancy.GetPointer());
+    }
+    AddWall(model, options, [&](const ColonWallOptions & wall) {
+      return BuildColonWall(cleansed.colon.occupancy, model.centreline.curve, wall);
+    });
   });
 }
 

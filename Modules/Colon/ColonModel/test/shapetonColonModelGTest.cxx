@@ -330,7 +330,7 @@ TEST(ColonModel, ThinGasThatFillsAGapIsColon)
 {
   std::vector<const itk::Image<float, 3> *> cleansed;
   auto                                      options = Options();
-  options.besideCentreline = [&cleansed](const itk::Image<float, 3> * ct) { cleansed.push_back(ct); };
+  options.onCleansed = [&cleansed](const itk::Image<float, 3> * ct) { cleansed.push_back(ct); };
   const shapeton::ColonModel model = shapeton::BuildColonModel(ColonInTwoParts(0.0), options);
   EXPECT_EQ(model.failure, "");
   EXPECT_TRUE(TellsOfAFilledGap(model));
@@ -347,7 +347,7 @@ TEST(ColonModel, ThinGasBesideAGapIsLeftOut)
 {
   std::vector<const itk::Image<float, 3> *> cleansed;
   auto                                      options = Options();
-  options.besideCentreline = [&cleansed](const itk::Image<float, 3> * ct) { cleansed.push_back(ct); };
+  options.onCleansed = [&cleansed](const itk::Image<float, 3> * ct) { cleansed.push_back(ct); };
   const shapeton::ColonModel model = shapeton::BuildColonModel(ColonInTwoParts(40.0), options);
   ASSERT_EQ(cleansed.size(), 1U);
   EXPECT_EQ(cleansed.front(), model.cleansed.GetPointer());
@@ -359,6 +359,16 @@ TEST(ColonModel, ThinGasBesideAGapIsLeftOut)
 }
 
 } // namespace
+
+TEST(ColonModel, AFailureBesideAnotherIsNotLost)
+{
+  auto options = Options();
+  options.besideSimplification = [](const auto &, const auto &) { throw shapeton::InputError("no such wall"); };
+  const auto ct = CtOf(MakePatient());
+  EXPECT_THROW(shapeton::BuildColonModel(ct.GetPointer(), options), shapeton::InputError);
+  options.onCleansed = [](const CtImage *) { throw shapeton::OutputError("the disk is full"); };
+  EXPECT_THROW(shapeton::BuildColonModel(ct.GetPointer(), options), shapeton::OutputError);
+}
 
 TEST(ColonModel, OfACoarseLumenIsMadeWhereTheLineLeavesOneOfItsFields)
 {

@@ -161,7 +161,7 @@ void
 ColonModelFiles::WriteBeside(ColonModelOptions & options)
 {
   options.facts = ProvenanceMetadata(m_CommandLine.GetProvenance()); // not added later, which would take a copy
-  options.besideCentreline = [this](const auto * cleansed) { this->WriteFiles({ this->CleansedFile(cleansed) }); };
+  options.onCleansed = [this](const auto * cleansed) { this->WriteFiles({ this->CleansedFile(cleansed) }); };
   options.besideWall = [this](const ColonModel & model) { this->WriteFiles({ this->LumenFile(model) }); };
   options.besideSimplification = [this](const SurfaceMesh & raw, const SurfaceMesh & repaired) {
     for (const File & file : WallsOf(raw, repaired)) // one after the other, which takes half of the memory
