@@ -56,6 +56,7 @@ public:
     progress(0.6);
     this->FindOccupancy();
     Release(m_LumenShares);
+    Release(m_ToLumen);
     progress(0.8);
     CleansedColon result;
     result.ct = this->MakeCleansed();
@@ -77,25 +78,24 @@ private:
   {
     m_ToGas = this->DistanceTo(1, Shell);
     m_ToFluid = this->DistanceTo(2, Shell);
-    m_FluidParts.resize(m_Grid.NumberOfVoxels());
-    this->ForAll([this](std::size_t p) { // each needs its own value alone, and takes its place
+    this->ForAll([this](std::size_t p) { // what a voxel gives needs its own values alone, and takes their place
       const Share share = this->DirectShare(p);
       m_Hu[p] = share.lumen;
-      m_FluidParts[p] = share.fluid;
+      m_ToGas[p] = std::min(m_ToGas[p], m_ToFluid[p]);
+      m_ToFluid[p] = share.fluid;
     });
     m_LumenShares = std::move(m_Hu);
+    m_ToLumen = std::move(m_ToGas);
+    m_FluidParts = std::move(m_ToFluid);
   }
 
   void
   FindOccupancy()
   {
-    this->ForAll([this](std::size_t p) { m_ToGas[p] = std::min(m_ToGas[p], m_ToFluid[p]); });
-    Release(m_ToFluid);
-    const VoxelValues toLumen = std::move(m_ToGas);
-    const double      allLumen = 0.5 * m_Grid.spacing.maxCoeff() + FullyInside * m_Blur;
-    m_Occupancy = this->DistanceTo(0, allLumen); // each distance to the wall gives place to the occupancy
+    const double allLumen = 0.5 * m_Grid.spacing.maxCoeff() + FullyInside * m_Blur;
+    m_Occupancy = this->DistanceWithin(m_Labels, allLumen); // to the wall, which gives place to the occupancy
     this->ForAll([&](std::size_t p) {
-      m_Occupancy[p] = this->Bounded(this->Continued(p), m_Labels[p] != 0, m_Occupancy[p], toLumen[p]);
+      m_Occupancy[p] = this->Bounded(this->Continued(p), m_Labels[p] != 0, m_Occupancy[p], m_ToLumen[p]);
     });
   }
 
@@ -138,6 +138,13 @@ private:
   {
     std::vector<unsigned char> mask(m_Labels.size());
     std::transform(m_Labels.begin(), m_Labels.end(), mask.begin(), [c](unsigned char l) { return l != c; });
+    return this->DistanceWithin(mask, farthest);
+  }
+
+  /** mm from the voxels of a mask to the nearest one outside it. */
+  VoxelValues
+  DistanceWithin(const std::vector<unsigned char> & mask, double farthest) const
+  {
     auto d = SquaredDistanceToBackground(m_Grid, mask, farthest);
     this->ForAll([&](std::size_t p) { d[p] = std::sqrt(d[p]); });
     return d;
@@ -366,6 +373,7 @@ private:
   double                     m_Blur;
   VoxelValues                m_ToGas;
   VoxelValues                m_ToFluid;
+  VoxelValues                m_ToLumen;
   VoxelValues                m_LumenShares;
   VoxelValues                m_FluidParts; ///< of the lumen's share
   VoxelValues                m_Occupancy;

@@ -250,7 +250,7 @@ Complete(ColonModel & model, const itk::Image<float, 3> * ct, ColonModelOptions 
       TakeOut(*model.terminalIleum, cleansed.colon.occupancy.GetPointer());
     }
     AddWall(model, options, [&](const ColonWallOptions & wall) {
-      return BuildColonWall(cleansed.colon.occupancy, model.centreline.curve, wall);
+      return BuildColonWall(std::move(cleansed.colon.occupancy), model.centreline.curve, wall);
     });
   });
 }

@@ -9,8 +9,8 @@ namespace shapeton
 OccupancyImage::ConstPointer
 DrawBridges(const OccupancyImage * occupancy, const BridgedOccupancy & bridges);
 
-/** For each face 1 where the tubes and not the given lumen make the wall. `lumen` is the field before the tubes came.
- */
+/** For each face 1 where the tubes and not the given lumen make the wall. `lumen` is the field before the tubes came;
+ * it may be null where there are none. */
 SurfaceArray
 BridgedFaces(const SurfaceMesh & mesh, const BridgedOccupancy & bridges, const OccupancyImage * lumen);
 } // namespace shapeton

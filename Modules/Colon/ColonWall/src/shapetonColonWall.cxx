@@ -45,12 +45,12 @@ ShareAfter(Step step)
 class Builder
 {
 public:
-  Builder(const OccupancyImage *   occupancy,
-          const CurveSet &         centreline,
-          const ColonWallOptions & options,
-          const OccupancyImage *   repairedOccupancy)
-    : m_Occupancy(occupancy)
-    , m_RepairedOccupancy(repairedOccupancy == nullptr ? occupancy : repairedOccupancy)
+  Builder(OccupancyImage::ConstPointer && occupancy,
+          const CurveSet &                centreline,
+          const ColonWallOptions &        options,
+          OccupancyImage::ConstPointer && repairedOccupancy)
+    : m_Occupancy(std::move(occupancy))
+    , m_RepairedOccupancy(repairedOccupancy ? std::move(repairedOccupancy) : m_Occupancy)
     , m_Centreline(centreline)
     , m_Options(options)
   {}
@@ -69,10 +69,11 @@ public:
                      this->Inspect(m_Wall.raw, m_Wall.report.rawFaces, m_Wall.report.rawQuality);
                    });
     this->MakeRepaired();
+    this->ReleaseOccupancy();
     ParallelInvoke([this] { this->Simplify(); }, // works on one core
                    [&, this] {
                      arcLengths.emplace(m_Mask, m_Centreline);
-                     this->ReleaseVolumes();
+                     m_Mask = nullptr;
                      repaired = m_Wall.repaired; // which the simplification reads
                      m_Wall.report.bridgedFaces =
                        this->Inspect(repaired, m_Wall.report.repairedFaces, m_Wall.report.repairedQuality);
@@ -181,13 +182,17 @@ private:
     return remarks;
   }
 
-  /** Those that surfaces and arc lengths were made from: what follows needs the room. */
+  /** The volumes that the surfaces were made from: what follows needs the room. */
   void
-  ReleaseVolumes()
+  ReleaseOccupancy()
   {
-    m_Mask = nullptr;
     m_RepairedField = nullptr;
+    m_RepairedOccupancy = nullptr;
     m_Bridges.occupancy = nullptr;
+    if (m_Bridges.axes.empty()) // else it tells faces of the tubes from others
+    {
+      m_Occupancy = nullptr;
+    }
   }
 
   void
@@ -313,8 +318,8 @@ private:
     return static_cast<int>(bridged);
   }
 
-  const OccupancyImage *       m_Occupancy;
-  const OccupancyImage *       m_RepairedOccupancy;
+  OccupancyImage::ConstPointer m_Occupancy;
+  OccupancyImage::ConstPointer m_RepairedOccupancy;
   const CurveSet &             m_Centreline;
   const ColonWallOptions &     m_Options;
   BridgedOccupancy             m_Bridges;
@@ -327,10 +332,10 @@ private:
 } // namespace
 
 ColonWall
-BuildColonWall(const OccupancyImage *   occupancy,
-               const CurveSet &         centreline,
-               const ColonWallOptions & options,
-               const OccupancyImage *   repairedOccupancy)
+BuildColonWall(OccupancyImage::ConstPointer occupancy,
+               const CurveSet &             centreline,
+               const ColonWallOptions &     options,
+               OccupancyImage::ConstPointer repairedOccupancy)
 {
   RequireParameter(options.faces == 0 || options.faces >= 100,
                    "the simplified wall needs at least 100 faces, or 0 for a number that suits it");
@@ -340,7 +345,7 @@ BuildColonWall(const OccupancyImage *   occupancy,
     throw InputError("the centreline must be one curve of at least two points; it has " +
                      std::to_string(centreline.curves.size()) + " curves");
   }
-  return Builder(occupancy, centreline, options, repairedOccupancy).Build();
+  return Builder(std::move(occupancy), centreline, options, std::move(repairedOccupancy)).Build();
 }
 
 ColonWall
@@ -349,8 +354,8 @@ BuildColonWallFromMask(const LumenMaskImage * mask, const CurveSet & centreline,
   RequireParameter(options.maskSmoothing >= 0.0, "the smoothing of a lumen mask must not be negative");
   const auto   spacing = mask->GetSpacing();
   const double meanSpacing = std::cbrt(spacing[0] * spacing[1] * spacing[2]);
-  const auto   sharp = OccupancyFromMask(mask);
-  const auto   smooth = OccupancyFromMask(mask, options.maskSmoothing * meanSpacing);
-  return BuildColonWall(sharp, centreline, options, smooth);
+  auto         sharp = OccupancyFromMask(mask);
+  auto         smooth = OccupancyFromMask(mask, options.maskSmoothing * meanSpacing);
+  return BuildColonWall(std::move(sharp), centreline, options, std::move(smooth));
 }
 } // namespace shapeton
