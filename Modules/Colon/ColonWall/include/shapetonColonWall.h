@@ -165,13 +165,11 @@ struct ColonWall
 
 /** Bridges, repairs, extracts, opens and simplifies the wall.
  *
- * \param occupancy lumen where at least 0.5, on a grid cropped to it; let go of when the surfaces have been extracted, so
- *        that a caller who moves his pointer here has the room back.
- * \param centreline one curve from rectum to caecum with point arrays `arcLength` and `gap`.
- * \param repairedOccupancy the field for the repaired surface where it is another one, for example a smoothed mask; on
- *        the same grid.
- * Throws InputError as its parts do, and when the simplified surface has another genus or other loops.
- * \ingroup ColonWall */
+ * \param occupancy lumen where at least 0.5, on a grid cropped to it; let go of when the surfaces have been extracted,
+ * so that a caller who moves his pointer here has the room back. \param centreline one curve from rectum to caecum with
+ * point arrays `arcLength` and `gap`. \param repairedOccupancy the field for the repaired surface where it is another
+ * one, for example a smoothed mask; on the same grid. Throws InputError as its parts do, and when the simplified
+ * surface has another genus or other loops. \ingroup ColonWall */
 ColonWall_EXPORT ColonWall
 BuildColonWall(OccupancyImage::ConstPointer occupancy,
                const CurveSet &             centreline,

@@ -2,6 +2,7 @@
 #define shapetonConductanceGraph_h
 
 #include "shapetonConductanceField.h"
+#include "shapetonVoxelValues.h"
 
 #include <array>
 #include <cstdint>
@@ -14,9 +15,12 @@ namespace shapeton
  * cells that they lie in; edges join nodes of the same or of neighbouring slices. */
 struct ConductanceGraph
 {
+  template <typename T>
+  using OfEdges = std::vector<T, UninitializedAllocator<T>>;
+
   std::vector<std::uint64_t>                firstEdge; ///< of each node, and the number of all
-  std::vector<std::uint32_t>                neighbours;
-  std::vector<float>                        conductances;
+  OfEdges<std::uint32_t>                    neighbours;
+  OfEdges<float>                            conductances;
   std::vector<float>                        leak;
   std::vector<float>                        inverse; ///< 1 / (leak + sum of conductances)
   std::vector<std::uint64_t>                firstOfSlice;

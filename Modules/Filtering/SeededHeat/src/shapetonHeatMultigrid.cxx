@@ -78,37 +78,70 @@ AddProducts(DoubleLanes<VLabels> & sums, const Lanes<VLabels> & a, const Lanes<V
   }
 }
 
+/** Calls body(first slice, end) for the slabs of `thickness` slices that are one of `stride`, from the `first` one on,
+ * in parallel. */
+template <typename TBody>
+void
+ForEachSlab(std::size_t slices, std::size_t thickness, std::size_t first, std::size_t stride, const TBody & body)
+{
+  const std::size_t slabs = (slices + thickness - 1) / thickness;
+  ParallelFor((slabs + stride - 1 - first) / stride, [&](std::size_t i) {
+    const FlushToZero flushToZero;
+    const std::size_t begin = (stride * i + first) * thickness;
+    body(begin, std::min(slices, begin + thickness));
+  });
+}
+
 /** Calls body(first slice, end) for slabs of `thickness` slices, every other one at first, then the rest; the other way
  * round unless `forward`. Slabs of one half do not touch each other. */
 template <typename TBody>
 void
-ForEachSlab(std::size_t slices, std::size_t thickness, bool forward, const TBody & body)
+SweepSlabs(std::size_t slices, std::size_t thickness, bool forward, const TBody & body)
 {
-  const std::size_t slabs = (slices + thickness - 1) / thickness;
   for (std::size_t half = 0; half < 2; ++half)
   {
-    const std::size_t first = forward ? half : 1 - half;
-    ParallelFor((slabs + 1 - first) / 2, [&](std::size_t i) {
-      const FlushToZero flushToZero;
-      const std::size_t begin = (2 * i + first) * thickness;
-      body(begin, std::min(slices, begin + thickness));
-    });
+    ForEachSlab(slices, thickness, forward ? half : 1 - half, 2, body);
   }
 }
 
-/** Calls body(place of the row's first voxel, slice) for all rows, in parallel over slices. */
+/** Calls body(place of the row's first voxel) for the rows of a slice. */
+template <typename TBody>
+void
+ForEachRowOfSlice(const PaddedGrid & grid, std::size_t slice, const TBody & body)
+{
+  for (std::size_t y = 0; y < grid.GetSize()[1]; ++y)
+  {
+    body(grid.GetRow(static_cast<std::ptrdiff_t>(y), static_cast<std::ptrdiff_t>(slice)));
+  }
+}
+
+/** The same for all rows, in parallel over slices. */
 template <typename TBody>
 void
 ForEachRow(const PaddedGrid & grid, const TBody & body)
 {
   ParallelFor(grid.GetSize()[2], [&](std::size_t z) {
     const FlushToZero flushToZero;
-    for (std::size_t y = 0; y < grid.GetSize()[1]; ++y)
-    {
-      body(grid.GetRow(static_cast<std::ptrdiff_t>(y), static_cast<std::ptrdiff_t>(z)), z);
-    }
+    ForEachRowOfSlice(grid, z, body);
   });
 }
+
+// Slices of a slab, of the sweeps over the finest level.
+constexpr std::size_t slabOfField = 4;
+
+/** Which neighbours of the voxels of a slice a forward sweep over the finest level changes before them, beside those to
+ * the west and south. */
+struct SweptBefore
+{
+  bool isBelow, isAbove;
+
+  explicit SweptBefore(std::size_t slice)
+  {
+    const bool isOfSecondHalf = slice / slabOfField % 2 == 1;
+    isBelow = isOfSecondHalf || slice % slabOfField != 0;
+    isAbove = isOfSecondHalf && slice % slabOfField == slabOfField - 1;
+  }
+};
 
 /** The six edges of a voxel, and its leak. */
 struct Star
@@ -128,10 +161,12 @@ struct Star
     , strideZ(field.grid.GetStride(2))
   {}
 
+  /** 1 / (sum of the conductances and the leak); 0 where there are none, as at a seed. */
   float
-  Diagonal() const
+  InverseDiagonal() const
   {
-    return ((west + east) + (south + north)) + ((below + above) + leak);
+    const float diagonal = ((west + east) + (south + north)) + ((below + above) + leak);
+    return diagonal > 0.0F ? 1.0F / diagonal : 0.0F;
   }
 
   /** The sum of the values of the neighbours of voxel i, times their conductances. */
@@ -142,6 +177,40 @@ struct Star
     return (west * Load<VLabels>(v, i - 1) + east * Load<VLabels>(v, i + 1)) +
            (south * Load<VLabels>(v, i - strideY) + north * Load<VLabels>(v, i + strideY)) +
            (below * Load<VLabels>(v, i - strideZ) + above * Load<VLabels>(v, i + strideZ));
+  }
+
+  /** The part of Gather() that a forward sweep has changed before voxel i. */
+  template <int VLabels>
+  Lanes<VLabels>
+  GatherBefore(const float * v, std::size_t i, const SweptBefore & before) const
+  {
+    Lanes<VLabels> sum = west * Load<VLabels>(v, i - 1) + south * Load<VLabels>(v, i - strideY);
+    if (before.isBelow)
+    {
+      sum += below * Load<VLabels>(v, i - strideZ);
+    }
+    if (before.isAbove)
+    {
+      sum += above * Load<VLabels>(v, i + strideZ);
+    }
+    return sum;
+  }
+
+  /** The other part. */
+  template <int VLabels>
+  Lanes<VLabels>
+  GatherAfter(const float * v, std::size_t i, const SweptBefore & before) const
+  {
+    Lanes<VLabels> sum = east * Load<VLabels>(v, i + 1) + north * Load<VLabels>(v, i + strideY);
+    if (!before.isBelow)
+    {
+      sum += below * Load<VLabels>(v, i - strideZ);
+    }
+    if (!before.isAbove)
+    {
+      sum += above * Load<VLabels>(v, i + strideZ);
+    }
+    return sum;
   }
 
   /** What flows out of voxel i: in differences, which lose no digits where values are alike. */
@@ -167,14 +236,14 @@ GreatestMagnitude(const float * values, std::size_t number, float greatest)
   return greatest;
 }
 
-template <typename TSums>
-TSums
-SumOf(const std::vector<TSums> & parts)
+template <std::size_t VLabels>
+std::array<double, VLabels>
+SumOf(const std::vector<std::array<double, VLabels>> & parts)
 {
-  TSums sum{};
-  for (const TSums & part : parts)
+  std::array<double, VLabels> sum{};
+  for (const auto & part : parts)
   {
-    for (std::size_t l = 0; l < sum.size(); ++l)
+    for (std::size_t l = 0; l < VLabels; ++l)
     {
       sum[l] += part[l];
     }
@@ -183,14 +252,14 @@ SumOf(const std::vector<TSums> & parts)
 }
 
 /** numerator / denominator of each label; 0 where the denominator is. */
-template <typename TSums>
-TSums
-Ratio(const TSums & numerator, const TSums & denominator)
+template <std::size_t VLabels>
+std::array<float, VLabels>
+Ratio(const std::array<double, VLabels> & numerator, const std::array<double, VLabels> & denominator)
 {
-  TSums ratio{};
-  for (std::size_t l = 0; l < ratio.size(); ++l)
+  std::array<float, VLabels> ratio{};
+  for (std::size_t l = 0; l < VLabels; ++l)
   {
-    ratio[l] = denominator[l] > 0.0 ? numerator[l] / denominator[l] : 0.0;
+    ratio[l] = denominator[l] > 0.0 ? static_cast<float>(numerator[l] / denominator[l]) : 0.0F;
   }
   return ratio;
 }
@@ -211,6 +280,8 @@ ConductanceHierarchy::ConductanceHierarchy(const VolumeGradientOperator & volume
     m_Graphs.push_back(std::move(next));
   }
 }
+
+LabelField::LabelField(std::size_t length) : m_Values(new float[length]), m_Length(length) { this->Clear(); }
 
 void
 LabelField::Clear()
@@ -233,27 +304,60 @@ HeatMultigrid<VLabels>::HeatMultigrid(const ConductanceHierarchy & hierarchy) : 
 
 template <int VLabels>
 void
-HeatMultigrid<VLabels>::SweepField(const float * residuals, float * values, bool forward) const
+HeatMultigrid<VLabels>::StepAndSweep(const Factors & step, float * residuals, float * corrections) const
 {
-  constexpr std::size_t    slab = 4;
   const ConductanceField & field = m_Hierarchy.GetFinest();
-  const auto               size = field.grid.GetSize();
-  ForEachSlab(size[2], slab, forward, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t n = 0; n < (end - begin) * size[1]; ++n)
+  const auto               steps = Load<VLabels>(step.data(), 0);
+  SweepSlabs(field.grid.GetSize()[2], slabOfField, true, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t z = begin; z < end; ++z)
     {
-      const std::size_t row = forward ? n : (end - begin) * size[1] - 1 - n;
-      const std::size_t first = field.grid.GetRow(static_cast<std::ptrdiff_t>(row % size[1]),
-                                                  static_cast<std::ptrdiff_t>(begin + row / size[1]));
-      for (std::size_t x = 0; x < size[0]; ++x)
-      {
-        const std::size_t i = first + (forward ? x : size[0] - 1 - x);
-        const Star        star(field, i);
-        const float       diagonal = star.Diagonal();
-        const float       inverse = diagonal > 0.0F ? 1.0F / diagonal : 0.0F;
-        Store<VLabels>(values, i, inverse * (Load<VLabels>(residuals, i) + star.template Gather<VLabels>(values, i)));
-      }
+      const SweptBefore before(z);
+      ForEachRowOfSlice(field.grid, z, [&](std::size_t row) {
+        for (std::size_t i = row; i < row + field.grid.GetSize()[0]; ++i)
+        {
+          const Lanes<VLabels> residual = Load<VLabels>(residuals, i) - steps * Load<VLabels>(corrections, i);
+          const Star           star(field, i);
+          Store<VLabels>(residuals, i, residual);
+          Store<VLabels>(corrections,
+                         i,
+                         star.InverseDiagonal() *
+                           (residual + star.template GatherBefore<VLabels>(corrections, i, before)));
+        }
+      });
     }
   });
+}
+
+template <int VLabels>
+typename HeatMultigrid<VLabels>::Measure
+HeatMultigrid<VLabels>::SweepBack(const float * residuals, float * corrections) const
+{
+  const ConductanceField & field = m_Hierarchy.GetFinest();
+  const auto               size = field.grid.GetSize();
+  std::vector<Sums>        products(size[2]);
+  std::vector<float>       greatest(size[2], 0.0F);
+  SweepSlabs(size[2], slabOfField, false, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t z = end; z-- > begin;)
+    {
+      DoubleLanes<VLabels> sums{};
+      for (std::size_t y = size[1]; y-- > 0;)
+      {
+        const std::size_t row = field.grid.GetRow(static_cast<std::ptrdiff_t>(y), static_cast<std::ptrdiff_t>(z));
+        for (std::size_t i = row + size[0]; i-- > row;)
+        {
+          const Lanes<VLabels> residual = Load<VLabels>(residuals, i);
+          const Star           star(field, i);
+          const Lanes<VLabels> value =
+            star.InverseDiagonal() * (residual + star.template Gather<VLabels>(corrections, i));
+          Store<VLabels>(corrections, i, value);
+          AddProducts<VLabels>(sums, value, residual);
+        }
+        greatest[z] = GreatestMagnitude(corrections + row * VLabels, size[0] * VLabels, greatest[z]);
+      }
+      std::memcpy(products[z].data(), &sums, sizeof(sums));
+    }
+  });
+  return { SumOf(products), *std::max_element(greatest.begin(), greatest.end()) };
 }
 
 template <int VLabels>
@@ -264,7 +368,7 @@ HeatMultigrid<VLabels>::SweepGraph(std::size_t level, bool forward)
   const ConductanceGraph & graph = m_Hierarchy.GetGraphs()[level];
   const float * const      residuals = m_Residuals[level].GetData();
   float * const            values = m_Values[level].GetData();
-  ForEachSlab(graph.cells[2], slab, forward, [&](std::size_t begin, std::size_t end) {
+  SweepSlabs(graph.cells[2], slab, forward, [&](std::size_t begin, std::size_t end) {
     const std::uint64_t first = graph.firstOfSlice[begin];
     const std::uint64_t last = graph.firstOfSlice[end];
     for (std::uint64_t n = first; n < last; ++n)
@@ -278,9 +382,10 @@ HeatMultigrid<VLabels>::SweepGraph(std::size_t level, bool forward)
   });
 }
 
+/** After a forward sweep from 0 a voxel's residual is what later neighbours have got since. */
 template <int VLabels>
 void
-HeatMultigrid<VLabels>::RestrictFromField(const float * residuals, const float * values)
+HeatMultigrid<VLabels>::RestrictFromField(const float * values)
 {
   const ConductanceField & field = m_Hierarchy.GetFinest();
   const auto &             aggregateOf = m_Hierarchy.GetAggregates()[0];
@@ -289,23 +394,21 @@ HeatMultigrid<VLabels>::RestrictFromField(const float * residuals, const float *
   const std::size_t        step = coarseSlices == slices ? 1 : 2;
   float * const            target = m_Residuals[0].GetData();
   m_Residuals[0].Clear();
-  ParallelFor(coarseSlices, [&](std::size_t slice) {
+  ParallelFor(coarseSlices, [&](std::size_t coarse) {
     const FlushToZero flushToZero;
-    for (std::size_t row = slice * step * field.grid.GetSize()[1];
-         row < std::min(slices, (slice + 1) * step) * field.grid.GetSize()[1];
-         ++row)
+    for (std::size_t z = coarse * step; z < std::min(slices, (coarse + 1) * step); ++z)
     {
-      const std::size_t first = field.grid.GetRow(static_cast<std::ptrdiff_t>(row % field.grid.GetSize()[1]),
-                                                  static_cast<std::ptrdiff_t>(row / field.grid.GetSize()[1]));
-      for (std::size_t i = first; i < first + field.grid.GetSize()[0]; ++i)
-      {
-        if (aggregateOf[i] == noAggregate)
+      const SweptBefore before(z);
+      ForEachRowOfSlice(field.grid, z, [&](std::size_t row) {
+        for (std::size_t i = row; i < row + field.grid.GetSize()[0]; ++i)
         {
-          continue;
+          if (aggregateOf[i] != noAggregate)
+          {
+            const Lanes<VLabels> rest = Star(field, i).template GatherAfter<VLabels>(values, i, before);
+            Store<VLabels>(target, aggregateOf[i], Load<VLabels>(target, aggregateOf[i]) + rest);
+          }
         }
-        const Lanes<VLabels> rest = Load<VLabels>(residuals, i) - Star(field, i).template Outflow<VLabels>(values, i);
-        Store<VLabels>(target, aggregateOf[i], Load<VLabels>(target, aggregateOf[i]) + rest);
-      }
+      });
     }
   });
 }
@@ -344,7 +447,7 @@ HeatMultigrid<VLabels>::ProlongToField(float * values) const
   const PaddedGrid &  grid = m_Hierarchy.GetFinest().grid;
   const auto &        aggregateOf = m_Hierarchy.GetAggregates()[0];
   const float * const source = m_Values[0].GetData();
-  ForEachRow(grid, [&](std::size_t row, std::size_t) {
+  ForEachRow(grid, [&](std::size_t row) {
     for (std::size_t i = row; i < row + grid.GetSize()[0]; ++i)
     {
       if (aggregateOf[i] != noAggregate)
@@ -394,15 +497,14 @@ HeatMultigrid<VLabels>::CycleGraph(std::size_t level)
 }
 
 template <int VLabels>
-void
-HeatMultigrid<VLabels>::Precondition(const LabelField & residuals, LabelField & corrections)
+typename HeatMultigrid<VLabels>::Measure
+HeatMultigrid<VLabels>::Precondition(const Factors & step, float * residuals, float * corrections)
 {
-  corrections.Clear();
-  this->SweepField(residuals.GetData(), corrections.GetData(), true);
-  this->RestrictFromField(residuals.GetData(), corrections.GetData());
+  this->StepAndSweep(step, residuals, corrections);
+  this->RestrictFromField(corrections);
   this->CycleGraph(0);
-  this->ProlongToField(corrections.GetData());
-  this->SweepField(residuals.GetData(), corrections.GetData(), false);
+  this->ProlongToField(corrections);
+  return this->SweepBack(residuals, corrections);
 }
 
 template <int VLabels>
@@ -410,7 +512,7 @@ void
 HeatMultigrid<VLabels>::SubtractImage(const LabelField & potentials, LabelField & residuals) const
 {
   const ConductanceField & field = m_Hierarchy.GetFinest();
-  ForEachRow(field.grid, [&](std::size_t row, std::size_t) {
+  ForEachRow(field.grid, [&](std::size_t row) {
     for (std::size_t i = row; i < row + field.grid.GetSize()[0]; ++i)
     {
       const Lanes<VLabels> flow = Star(field, i).template Outflow<VLabels>(potentials.GetData(), i);
@@ -420,85 +522,103 @@ HeatMultigrid<VLabels>::SubtractImage(const LabelField & potentials, LabelField 
 }
 
 template <int VLabels>
+typename HeatMultigrid<VLabels>::Sums
+HeatMultigrid<VLabels>::Advance(const Factors & step,
+                                const Factors & share,
+                                float *         potentials,
+                                float *         directions,
+                                float *         corrections) const
+{
+  constexpr std::size_t    thickness = 16;
+  const ConductanceField & field = m_Hierarchy.GetFinest();
+  const std::size_t        nx = field.grid.GetSize()[0];
+  const std::size_t        slices = field.grid.GetSize()[2];
+  const auto               steps = Load<VLabels>(step.data(), 0);
+  const auto               shares = Load<VLabels>(share.data(), 0);
+  const auto               turn = [&](std::size_t z) {
+    ForEachRowOfSlice(field.grid, z, [&](std::size_t row) {
+      for (std::size_t i = row; i < row + nx; ++i)
+      {
+        const Lanes<VLabels> direction = Load<VLabels>(directions, i);
+        Store<VLabels>(potentials, i, Load<VLabels>(potentials, i) + steps * direction);
+        Store<VLabels>(directions, i, Load<VLabels>(corrections, i) + shares * direction);
+      }
+    });
+  };
+  std::vector<Sums> energies(slices);
+  const auto        apply = [&](std::size_t z) {
+    DoubleLanes<VLabels> sums{};
+    ForEachRowOfSlice(field.grid, z, [&](std::size_t row) {
+      for (std::size_t i = row; i < row + nx; ++i)
+      {
+        const Lanes<VLabels> flow = Star(field, i).template Outflow<VLabels>(directions, i);
+        Store<VLabels>(corrections, i, flow);
+        AddProducts<VLabels>(sums, flow, Load<VLabels>(directions, i));
+      }
+    });
+    std::memcpy(energies[z].data(), &sums, sizeof(sums));
+  };
+  // Where slabs meet the directions are turned first, so that each slab may then go through memory once.
+  ForEachSlab(slices, thickness, 0, 1, [&](std::size_t begin, std::size_t end) {
+    turn(begin);
+    if (begin + 1 < end)
+    {
+      turn(end - 1);
+    }
+  });
+  ForEachSlab(slices, thickness, 0, 1, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t z = begin; z < end; ++z)
+    {
+      if (z + 2 < end)
+      {
+        turn(z + 1);
+      }
+      apply(z);
+    }
+  });
+  return SumOf(energies);
+}
+
+template <int VLabels>
 unsigned int
 HeatMultigrid<VLabels>::Solve(LabelField &     potentials,
                               LabelField &     residuals,
                               double           tolerance,
                               const Progress & progress)
 {
-  const ConductanceField & field = m_Hierarchy.GetFinest();
-  const std::size_t        nx = field.grid.GetSize()[0];
-  const std::size_t        slices = field.grid.GetSize()[2];
-  LabelField               directions(residuals.GetLength());
-  LabelField               corrections(residuals.GetLength());
-  float * const            x = potentials.GetData();
-  float * const            r = residuals.GetData();
-  float * const            p = directions.GetData();
-  float * const            z = corrections.GetData();
-  Sums                     before{};
-  double                   firstChange = 0.0;
-  double                   share = 0.0; // changes may grow now and then, what is reported does not
-  for (unsigned int iteration = 0; iteration < mostIterations; ++iteration)
+  LabelField   directions(residuals.GetLength());
+  LabelField   corrections(residuals.GetLength());
+  Sums         before{};
+  Factors      step{}; // along the directions; potentials and residuals take it when they are next passed through
+  double       firstChange = 0.0;
+  double       share = 0.0; // changes may grow now and then, what is reported does not
+  unsigned int iteration = 0;
+  for (; iteration < mostIterations; ++iteration)
   {
-    this->Precondition(residuals, corrections);
-    std::vector<Sums>  products(slices, Sums{});
-    std::vector<float> changes(slices, 0.0F);
-    ForEachRow(field.grid, [&](std::size_t row, std::size_t slice) {
-      DoubleLanes<VLabels> sums;
-      std::memcpy(&sums, products[slice].data(), sizeof(sums));
-      for (std::size_t i = row; i < row + nx; ++i)
-      {
-        AddProducts<VLabels>(sums, Load<VLabels>(z, i), Load<VLabels>(r, i));
-      }
-      std::memcpy(products[slice].data(), &sums, sizeof(sums));
-      changes[slice] = GreatestMagnitude(z + row * VLabels, nx * VLabels, changes[slice]);
-    });
-    const double change = *std::max_element(changes.begin(), changes.end());
-    firstChange = iteration == 0 ? change : firstChange;
-    if (change <= tolerance)
+    const Measure now = this->Precondition(step, residuals.GetData(), corrections.GetData());
+    firstChange = iteration == 0 ? now.greatest : firstChange;
+    if (now.greatest <= tolerance)
     {
-      progress(1.0);
-      return iteration;
+      break;
     }
-    share = std::clamp(std::log(firstChange / change) / std::log(firstChange / tolerance), share, 1.0);
+    share = std::clamp(std::log(firstChange / now.greatest) / std::log(firstChange / tolerance), share, 1.0);
     progress(share);
-    const Sums product = SumOf(products);
-    const Sums beta = Ratio(product, before);
-    before = product;
-    ForEachRow(field.grid, [&](std::size_t row, std::size_t) {
-      for (std::size_t i = row * VLabels; i < (row + nx) * VLabels; i += VLabels)
-      {
-        for (int l = 0; l < VLabels; ++l)
-        {
-          p[i + l] = z[i + l] + static_cast<float>(beta[l]) * p[i + l];
-        }
-      }
-    });
-    std::vector<Sums> energies(slices, Sums{});
-    ForEachRow(field.grid, [&](std::size_t row, std::size_t slice) {
-      DoubleLanes<VLabels> sums;
-      std::memcpy(&sums, energies[slice].data(), sizeof(sums));
-      for (std::size_t i = row; i < row + nx; ++i)
-      {
-        const Lanes<VLabels> flow = Star(field, i).template Outflow<VLabels>(p, i);
-        Store<VLabels>(z, i, flow);
-        AddProducts<VLabels>(sums, flow, Load<VLabels>(p, i));
-      }
-      std::memcpy(energies[slice].data(), &sums, sizeof(sums));
-    });
-    const Sums alpha = Ratio(product, SumOf(energies));
-    ForEachRow(field.grid, [&](std::size_t row, std::size_t) {
-      for (std::size_t i = row * VLabels; i < (row + nx) * VLabels; i += VLabels)
-      {
-        for (int l = 0; l < VLabels; ++l)
-        {
-          x[i + l] += static_cast<float>(alpha[l]) * p[i + l];
-          r[i + l] -= static_cast<float>(alpha[l]) * z[i + l];
-        }
-      }
-    });
+    const Sums energy = this->Advance(
+      step, Ratio(now.products, before), potentials.GetData(), directions.GetData(), corrections.GetData());
+    before = now.products;
+    step = Ratio(now.products, energy);
   }
-  return mostIterations;
+  const auto steps = Load<VLabels>(step.data(), 0);
+  ForEachRow(m_Hierarchy.GetFinest().grid, [&](std::size_t row) {
+    for (std::size_t i = row; i < row + m_Hierarchy.GetFinest().grid.GetSize()[0]; ++i)
+    {
+      Store<VLabels>(potentials.GetData(),
+                     i,
+                     Load<VLabels>(potentials.GetData(), i) + steps * Load<VLabels>(directions.GetData(), i));
+    }
+  });
+  progress(1.0);
+  return iteration;
 }
 
 template class HeatMultigrid<1>;

@@ -44,7 +44,8 @@ private:
 class LabelField
 {
 public:
-  explicit LabelField(std::size_t length) : m_Values(new float[length]()), m_Length(length) {}
+  /** All 0. */
+  explicit LabelField(std::size_t length);
 
   float *
   GetData()
@@ -90,17 +91,36 @@ public:
 
 private:
   using Sums = std::array<double, VLabels>;
+  using Factors = std::array<float, VLabels>;
+  struct Measure
+  {
+    Sums  products; ///< of residuals and corrections
+    float greatest; ///< correction
+  };
 
+  // Each passes through memory once: that takes most of the time where a volume is large.
+
+  /** Residuals lose `step` times the corrections, which are the image of the directions; corrections become those of
+   * the residuals. */
+  Measure
+  Precondition(const Factors & step, float * residuals, float * corrections);
+  /** The first part of that, with the forward sweep, which starts from 0. */
   void
-  Precondition(const LabelField & residuals, LabelField & corrections);
+  StepAndSweep(const Factors & step, float * residuals, float * corrections) const;
+  /** The last part of it. */
+  Measure
+  SweepBack(const float * residuals, float * corrections) const;
+  /** Potentials get `step` times the directions; directions become corrections and `share` times themselves;
+   * corrections become the image of the directions. Returns the products of directions and image. */
+  Sums
+  Advance(const Factors & step, const Factors & share, float * potentials, float * directions, float * corrections)
+    const;
   void
   CycleGraph(std::size_t level);
   void
-  SweepField(const float * residuals, float * values, bool forward) const;
-  void
   SweepGraph(std::size_t level, bool forward);
   void
-  RestrictFromField(const float * residuals, const float * values);
+  RestrictFromField(const float * values);
   void
   RestrictFromGraph(std::size_t level);
   void
