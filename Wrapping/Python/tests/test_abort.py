@@ -1,5 +1,6 @@
 """Each stage ends soon after a signal, told by the CPU time of the process, which other work on the machine hardly changes."""
 
+import os
 import signal
 import time
 import unittest
@@ -49,14 +50,31 @@ class AbortTest(TestCase):
             times.append(time.process_time())
         return min(after - before for before, after in zip(times, times[1:]))
 
-    def check(self, work):
-        """`work` takes a progress function. A signal after a quarter of it ends it within 0.2 s, or half of it."""
+    def check_progress(self, work):
+        """`work` takes a progress function, which is told rising shares and may end it."""
         shares = []
         work(progress=lambda share, stage: shares.append((share, stage)))
         self.assertEqual(shares, sorted(shares, key=lambda call: call[0]))
         self.assertTrue(all(0.0 <= share <= 1.0 and stage for share, stage in shares), shares)
         with self.assertRaises(shapeton.Aborted):
             work(progress=lambda *_: False)
+
+    def check_short(self, work):
+        """A signal when `work` first tells its progress ends it: for a few milliseconds, which no timer divides."""
+        self.check_progress(work)
+        sent = []
+
+        def signal_once(share, _):
+            if not sent:
+                sent.append(share)
+                os.kill(os.getpid(), signal.SIGPROF)
+
+        with self.assertRaises(KeyboardInterrupt):
+            work(progress=signal_once)
+
+    def check(self, work):
+        """A signal after a quarter of `work` ends it within 0.2 s, or half of it."""
+        self.check_progress(work)
         whole = self.seconds(work)
         begin = time.process_time()
         with self.assertRaises(KeyboardInterrupt):
@@ -147,7 +165,7 @@ class AbortTest(TestCase):
         folder = str(self.folder / "series")
         run_tool("ColonPhantom", folder, "--size", "256,256,160", "--spacing", "1.4,1.4,2.1")
         with self.subTest("list"):
-            self.check(lambda **options: shapeton.list_series(folder, **options))
+            self.check_short(lambda **options: shapeton.list_series(folder, **options))
         with self.subTest("read"):
             self.check(lambda **options: shapeton.read_volume(folder, **options))
 
