@@ -98,7 +98,8 @@ private:
     float greatest; ///< correction
   };
 
-  // Each passes through memory once: that takes most of the time where a volume is large.
+  // StepAndSweep(), SweepBack() and Advance() pass through memory once each: where a volume is large, that is what
+  // takes time.
 
   /** Residuals lose `step` times the corrections, which are the image of the directions; corrections become those of
    * the residuals. */
