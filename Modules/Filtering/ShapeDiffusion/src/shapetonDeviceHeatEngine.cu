@@ -54,27 +54,52 @@ struct Compensated
   }
 };
 
-/** A step of the recurrence, and what it adds to the nodes while its values are at hand. */
-struct Chebyshev
+/** Two steps of the recurrence, from T_k of even k to the next one, and what they add to the nodes while their values
+ * are at hand. What neighbours still read is not written over: all results have places of their own. */
+struct TwoChebyshevSteps
 {
+  using Neighbourhood = DiffusionArithmetic::Neighbourhood;
+
   Places         at;
   DiffusionEdges edges;
   const float *  f;
+  const float *  difference;
   float *        out;
-  float *        difference;
+  float *        nextDifference;
+  float          firstScale;
   float          scale;
   unsigned int   pairs;
   float *        nodes[HeatEngine::MostNodes];
   ChebyshevPair  terms[HeatEngine::MostNodes];
 
-  SHAPETON_HOST_DEVICE void
-  operator()(std::size_t x, std::size_t y, std::size_t z) const
+  /** T_k of odd k; `kept` is its difference. */
+  SHAPETON_HOST_DEVICE float
+  First(std::size_t x, std::size_t y, std::size_t z, float & kept) const
   {
     const std::size_t i = at(x, y, z);
-    DiffusionArithmetic::ChebyshevStep(edges, f, out, difference, i, scale);
-    for (unsigned int g = 0; g < pairs; ++g)
+    kept = DiffusionArithmetic::NextDifference(difference[i], firstScale, DiffusionArithmetic::Flow(edges, f, i));
+    return f[i] + kept;
+  }
+
+  SHAPETON_HOST_DEVICE void
+  Second(std::size_t x, std::size_t y, std::size_t z, const Neighbourhood & odd, float kept) const
+  {
+    const std::size_t i = at(x, y, z);
+    float             sums[HeatEngine::MostNodes]; // read at once: memory answers late
+    for (unsigned int g = 0; g < HeatEngine::MostNodes; ++g)
     {
-      DiffusionArithmetic::AddPair(nodes[g], out, f, i, terms[g].even, terms[g].odd);
+      sums[g] = g < pairs ? nodes[g][i] : 0.0F;
+    }
+    const float next = DiffusionArithmetic::NextDifference(kept, scale, DiffusionArithmetic::Flow(edges, odd, i));
+    const float even = odd.centre + next;
+    nextDifference[i] = next;
+    out[i] = even;
+    for (unsigned int g = 0; g < HeatEngine::MostNodes; ++g)
+    {
+      if (g < pairs)
+      {
+        nodes[g][i] = DiffusionArithmetic::WithPair(sums[g], even, odd.centre, terms[g].even, terms[g].odd);
+      }
     }
   }
 };
@@ -299,21 +324,29 @@ public:
   void
   StepChebyshev(std::size_t done, unsigned int steps, float scale, const Expansions & coefficients) override
   {
-    Chebyshev body{ m_Places, m_Edges, nullptr, nullptr, this->Get(Difference), scale, 0, {}, {} };
-    for (std::size_t k = done + 1; k <= done + steps; ++k)
+    for (std::size_t k = done + 2; k <= done + steps; k += 2)
     {
-      body.f = this->Get(k % 2 == 0 ? Odd : Even);
-      body.out = this->Get(k % 2 == 0 ? Even : Odd);
-      body.scale = k == 1 ? 0.5F * scale : scale;
-      body.pairs = 0;
-      for (std::size_t g = 0; k % 2 == 0 && g < coefficients.size(); ++g)
+      TwoChebyshevSteps body{ m_Places,
+                              m_Edges,
+                              this->Get(Even),
+                              this->Get(Difference),
+                              this->Get(Odd),
+                              this->Get(NextDifference),
+                              k == 2 ? 0.5F * scale : scale,
+                              scale,
+                              0,
+                              {},
+                              {} };
+      for (std::size_t g = 0; g < coefficients.size(); ++g)
       {
         if (FindPair(coefficients[g], k, body.terms[body.pairs]))
         {
           body.nodes[body.pairs++] = this->Get(FirstNode + static_cast<Field>(g));
         }
       }
-      DeviceRuntime::ForVoxels(m_Extent, body);
+      DeviceRuntime::ForVoxelsTwice(m_Extent, body);
+      this->Exchange(Even, Odd);
+      this->Exchange(Difference, NextDifference);
     }
     DeviceRuntime::Synchronize();
   }
@@ -365,6 +398,8 @@ public:
   }
 
 private:
+  static constexpr Field NextDifference = MostFields;
+
   float *
   Get(Field field)
   {
@@ -427,16 +462,16 @@ private:
     }
   }
 
-  PaddedGrid                            m_Grid;
-  float *                               m_Heat;
-  HeatSnapshots *                       m_Snapshots;
-  DeviceRuntime::Extent                 m_Extent;
-  Places                                m_Places;
-  Numbered                              m_Numbered;
-  std::array<Memory<float>, 3>          m_Conductances;
-  DiffusionEdges                        m_Edges{};
-  std::array<Memory<float>, MostFields> m_Fields;
-  Memory<std::uint32_t>                 m_Counts{ 2 * HeatHistogram::NumberOfBins }; // of two snapshots
+  PaddedGrid                                m_Grid;
+  float *                                   m_Heat;
+  HeatSnapshots *                           m_Snapshots;
+  DeviceRuntime::Extent                     m_Extent;
+  Places                                    m_Places;
+  Numbered                                  m_Numbered;
+  std::array<Memory<float>, 3>              m_Conductances;
+  DiffusionEdges                            m_Edges{};
+  std::array<Memory<float>, MostFields + 1> m_Fields;
+  Memory<std::uint32_t>                     m_Counts{ 2 * HeatHistogram::NumberOfBins }; // of two snapshots
 };
 } // namespace
 

@@ -25,15 +25,36 @@ namespace DiffusionArithmetic
 /** Values of a row that an interpolation in time combines. */
 constexpr std::size_t NumberOfNodes = 7;
 
+/** Values of a voxel and of its six neighbours. */
+struct Neighbourhood
+{
+  float centre;
+  float left;
+  float right;
+  float front;
+  float back;
+  float below;
+  float above;
+};
+
 /** What flows into a voxel from its six neighbours: sum_j c_ij (f_j - f_i). \equation{2.2} */
+SHAPETON_HOST_DEVICE float
+Flow(const DiffusionEdges & e, const Neighbourhood & f, std::size_t i)
+{
+  const float alongX = e.x[i] * (f.right - f.centre) + (e.x - 1)[i] * (f.left - f.centre);
+  const float alongY = e.y[i] * (f.back - f.centre) + (e.y - e.strideY)[i] * (f.front - f.centre);
+  const float alongZ = e.z[i] * (f.above - f.centre) + (e.z - e.strideZ)[i] * (f.below - f.centre);
+  return (alongX + alongY) + alongZ;
+}
+
 SHAPETON_HOST_DEVICE float
 Flow(const DiffusionEdges & e, const float * f, std::size_t i)
 {
-  const float heat = f[i];
-  const float alongX = e.x[i] * (f[i + 1] - heat) + (e.x - 1)[i] * ((f - 1)[i] - heat);
-  const float alongY = e.y[i] * ((f + e.strideY)[i] - heat) + (e.y - e.strideY)[i] * ((f - e.strideY)[i] - heat);
-  const float alongZ = e.z[i] * ((f + e.strideZ)[i] - heat) + (e.z - e.strideZ)[i] * ((f - e.strideZ)[i] - heat);
-  return (alongX + alongY) + alongZ;
+  return Flow(
+    e,
+    Neighbourhood{
+      f[i], (f - 1)[i], f[i + 1], (f - e.strideY)[i], (f + e.strideY)[i], (f - e.strideZ)[i], (f + e.strideZ)[i] },
+    i);
 }
 
 /** out = f + dt * sum_j c_ij (f_j - f_i): one explicit step. */
@@ -54,6 +75,12 @@ CompensatedStep(const DiffusionEdges & edges, const float * f, float * out, floa
 }
 
 /** The Chebyshev recurrence in difference form: difference += scale * sum_j c_ij (f_j - f_i); out = f + difference. */
+SHAPETON_HOST_DEVICE float
+NextDifference(float difference, float scale, float flow)
+{
+  return difference + scale * flow;
+}
+
 SHAPETON_HOST_DEVICE void
 ChebyshevStep(const DiffusionEdges & edges,
               const float *          f,
@@ -62,16 +89,22 @@ ChebyshevStep(const DiffusionEdges & edges,
               std::size_t            i,
               float                  scale)
 {
-  const float next = difference[i] + scale * Flow(edges, f, i);
+  const float next = NextDifference(difference[i], scale, Flow(edges, f, i));
   difference[i] = next;
   out[i] = f[i] + next;
 }
 
-/** sum += a * f + b * g. */
+/** sum + (a * f + b * g). */
+SHAPETON_HOST_DEVICE float
+WithPair(float sum, float f, float g, float a, float b)
+{
+  return sum + (a * f + b * g);
+}
+
 SHAPETON_HOST_DEVICE void
 AddPair(float * sum, const float * f, const float * g, std::size_t i, float a, float b)
 {
-  sum[i] += a * f[i] + b * g[i];
+  sum[i] = WithPair(sum[i], f[i], g[i], a, b);
 }
 
 /** f = max(f, 0): an expansion of a field that is nowhere negative may fall below 0 by its error. */

@@ -14,12 +14,13 @@ using Field = HeatEngine::Field;
  */
 constexpr unsigned int SlabSteps = 32;
 
-/** Bytes of all fields and conductances of so many slices, and some more for sums and counts. */
+/** Bytes of all fields, one more that the GPU writes steps to, and conductances of so many slices, and some more for
+ * sums and counts. */
 std::size_t
 BytesOfSlices(const PaddedGrid & grid, std::size_t slices)
 {
   const PaddedGrid part({ grid.GetSize()[0], grid.GetSize()[1], slices });
-  return part.GetLength() * sizeof(float) * (HeatEngine::MostFields + 3) + (std::size_t{ 16 } << 20);
+  return part.GetLength() * sizeof(float) * (HeatEngine::MostFields + 1 + 3) + (std::size_t{ 16 } << 20);
 }
 
 /** A slab with its overlap on both sides is at least so thick. */
