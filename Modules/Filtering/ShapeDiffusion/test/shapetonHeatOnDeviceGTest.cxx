@@ -94,7 +94,8 @@ TEST(HeatOnDevice, ExpansionAndHistogramAreTheSameBytes)
 TEST(HeatOnDevice, OddSizesAndAnisotropicVoxelsAreTheSameBytes)
 {
   SHAPETON_REQUIRE_DEVICE();
-  for (const Size & size : { Size{ 33, 17, 29 }, Size{ 1, 1, 1 }, Size{ 1, 40, 3 }, Size{ 65, 2, 7 } })
+  for (const Size & size :
+       { Size{ 33, 17, 29 }, Size{ 1, 1, 1 }, Size{ 1, 40, 3 }, Size{ 65, 2, 7 }, Size{ 5, 9, 131 } })
   {
     const Volume volume = MakeScene(size, 0.3);
     ExpectTheSame(volume, MakeSettings(volume, 700, { { 0.7, 0.9, 2.5 } }));
