@@ -64,7 +64,8 @@ RequireShapeDatabase(const SqliteFile & file)
   }
   if (const std::string fault = file.Text("PRAGMA quick_check(1)"); fault != "ok")
   {
-    throw InputError(file.Path() + ": the database is damaged (" + fault.substr(0, fault.find('\n')) +
+    // The lines before the last one name the database alone.
+    throw InputError(file.Path() + ": the database is damaged (" + fault.substr(fault.rfind('\n') + 1) +
                      "); restore a copy of it");
   }
 }

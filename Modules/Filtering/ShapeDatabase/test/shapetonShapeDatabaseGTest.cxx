@@ -168,6 +168,8 @@ TEST_F(ShapeDatabase, RefusesDamagedFiles)
   std::fill(bytes.begin() + 4096, bytes.begin() + 4196, '\x5a'); // the head of a page of the tree
   std::ofstream(path, std::ios::binary) << bytes;
   ExpectRefused(path, "the database is damaged");
+  const std::string message = basetest::MessageOf([&] { ReadShapeDatabase(path); });
+  EXPECT_EQ(message.find("***"), std::string::npos) << message; // SQLite's title above the fault
   std::ofstream(path, std::ios::binary) << bytes.substr(0, bytes.size() / 2);
   ExpectRefused(path, "the database is damaged");
 }
