@@ -61,8 +61,8 @@ Free(void * memory)
   cudaFree(memory);
 }
 
-/** Pages of the host that stay in place while the device copies them by itself, twice as fast. Where the system allows
- * none, copies are slower. */
+/** Pins memory of the host: the device then copies it by itself, twice as fast. What is small, of the device, or cannot
+ * be pinned is left as it is. */
 class PinnedPages
 {
 public:
@@ -71,7 +71,7 @@ public:
     cudaPointerAttributes attributes{};
     const bool            ofHost =
       cudaPointerGetAttributes(&attributes, memory) == cudaSuccess && attributes.type == cudaMemoryTypeUnregistered;
-    void * const pages = const_cast<void *>(memory); // they are not written to
+    void * const pages = const_cast<void *>(memory); // pinning writes nothing
     if (ofHost && bytes >= WorthPinning && cudaHostRegister(pages, bytes, cudaHostRegisterDefault) == cudaSuccess)
     {
       m_Pages = pages;
