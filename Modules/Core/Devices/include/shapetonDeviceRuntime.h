@@ -69,14 +69,20 @@ public:
   PinnedPages(const void * memory, std::size_t bytes)
   {
     cudaPointerAttributes attributes{};
-    const bool            ofHost =
-      cudaPointerGetAttributes(&attributes, memory) == cudaSuccess && attributes.type == cudaMemoryTypeUnregistered;
+    if (bytes < WorthPinning || cudaPointerGetAttributes(&attributes, memory) != cudaSuccess ||
+        attributes.type != cudaMemoryTypeUnregistered)
+    {
+      return;
+    }
     void * const pages = const_cast<void *>(memory); // pinning writes nothing
-    if (ofHost && bytes >= WorthPinning && cudaHostRegister(pages, bytes, cudaHostRegisterDefault) == cudaSuccess)
+    if (cudaHostRegister(pages, bytes, cudaHostRegisterDefault) == cudaSuccess)
     {
       m_Pages = pages;
     }
-    cudaGetLastError(); // no error of what follows
+    else
+    {
+      cudaGetLastError(); // no error of what follows
+    }
   }
   PinnedPages(const PinnedPages &) = delete;
   PinnedPages &

@@ -21,7 +21,7 @@ public:
   using Field = unsigned int;
   static constexpr Field Heat = 0;
   static constexpr Field Even = 1; ///< T_k of even k; the next step of explicit steps
-  static constexpr Field Odd = 2;  ///< T_k of odd k; the rest of compensated sums
+  static constexpr Field Odd = 2;  ///< for steps of the recurrence; the rest of compensated sums
   static constexpr Field Difference = 3;
   static constexpr Field FirstNode = 4;
   /** Those that the solver requests at most: as many as an interpolation has nodes. */
@@ -56,9 +56,9 @@ public:
   virtual void
   StepExplicitly(unsigned int steps, float dt, bool compensated) = 0;
 
-  /** Steps done + 1 .. done + steps, both even, of the recurrence from T_done in Even and its difference: T_k in Even
-   * and Odd in turn, and sum_k coefficients[g][k] T_k added to the nodes, by pairs of terms. The first step of all is
-   * half as long as `scale`. */
+  /** Steps done + 1 .. done + steps, both even, of the recurrence from T_done in Even and its difference: the last T_k
+   * is in Even, Odd is changed, and sum_k coefficients[g][k] T_k is added to the nodes, by pairs of terms. The first
+   * step of all is half as long as `scale`. */
   virtual void
   StepChebyshev(std::size_t done, unsigned int steps, float scale, const Expansions & coefficients) = 0;
 
