@@ -58,7 +58,7 @@ build() {
 
 # build_tools TOOLS...: installs what is missing and builds the tools into the folder "tools".
 build_tools() {
-  local testing=() # a tree that run-tests has made keeps its tests
+  local testing=() # a tree that run-tests made keeps its tests
   "$repository/Utilities/install-dependencies" demo
   step "Building (the first time takes minutes)"
   [ -e "$buildRoot/release/CMakeCache.txt" ] || testing=(-DBUILD_TESTING=OFF)

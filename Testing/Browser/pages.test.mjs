@@ -1,7 +1,7 @@
 // Every page that the tools write opens from file:// without errors and without a network, in the style that all share.
-// usage: FOLDERS=folder|folder... node --test pages.test.mjs
+// usage: PAGES=FOLDER|FILE.html|... node --test pages.test.mjs
 import assert from 'node:assert/strict';
-import { readdirSync } from 'node:fs';
+import { readdirSync, statSync } from 'node:fs';
 import { join } from 'node:path';
 import { after, before, test } from 'node:test';
 import { launch } from './browser.mjs';
@@ -10,14 +10,14 @@ let page;
 before(async () => { page = await launch({ width: 1280, height: 800 }); });
 after(() => page.close());
 
-const pagesIn = (folder) => readdirSync(folder, { withFileTypes: true }).flatMap((entry) => {
-  const path = join(folder, entry.name);
-  return entry.isDirectory() ? pagesIn(path) : entry.name.endsWith('.html') ? [path] : [];
-});
+const pagesIn = (path) => {
+  if (statSync(path).isDirectory()) return readdirSync(path).flatMap((name) => pagesIn(join(path, name)));
+  return path.endsWith('.html') ? [path] : [];
+};
 
-for (const folder of process.env.FOLDERS.split('|')) {
-  test(`pages in ${folder}`, async () => {
-    const files = pagesIn(folder);
+for (const path of process.env.PAGES.split('|')) {
+  test(`pages in ${path}`, async () => {
+    const files = pagesIn(path);
     assert.ok(files.length > 0, 'there are none');
     for (const file of files) {
       page.errors.length = page.requests.length = 0;

@@ -5,6 +5,7 @@
 
 #include "shapetonColonLandmarkDocument.h"
 #include "shapetonColonPositionFiles.h"
+#include "shapetonColonoscopyStageTools.h"
 #include "shapetonCurveSet.h"
 #include "shapetonDevice.h"
 #include "shapetonFlatColon.h"
@@ -22,21 +23,6 @@
 
 namespace shapeton
 {
-/** The names of stages, which are those of their folders. \ingroup ColonoscopyRun */
-namespace colonoscopystage
-{
-constexpr const char * inspection = "inspection";
-constexpr const char * segmentation = "segmentation";
-constexpr const char * flattening = "flattening";
-constexpr const char * landmarks = "landmarks";
-constexpr const char * folds = "folds";
-constexpr const char * registration = "registration";
-constexpr const char * search = "search";
-constexpr const char * polyps = "polyps";
-constexpr const char * viewer = "viewer";
-constexpr const char * dicom = "dicom";
-} // namespace colonoscopystage
-
 /** A fold by its centre. \ingroup ColonoscopyRun */
 struct ColonoscopyFold
 {

@@ -103,10 +103,17 @@ IsDicom(const std::string & path)
   return fs::is_directory(path) || !IsImageFile(path); // as ReadVolume() takes it
 }
 
+/** A stage with the tool that it runs. */
+Stage
+NewStage(const char * name)
+{
+  return { name, names::ToolOf(name) };
+}
+
 Stage
 Inspection(const OptionPasser & passer)
 {
-  Stage stage(names::inspection, "DicomSeriesInspector");
+  Stage stage = NewStage(names::inspection);
   stage.Input("", passer.Volume()).Output("json", "series.json");
   passer.PassThreads(stage);
   return stage;
@@ -115,7 +122,7 @@ Inspection(const OptionPasser & passer)
 Stage
 Segmentation(const OptionPasser & passer)
 {
-  Stage stage(names::segmentation, "ColonSegmentation");
+  Stage stage = NewStage(names::segmentation);
   stage.Input("", passer.Volume())
     .Output("", "")
     .Output("report", "report")
@@ -133,7 +140,7 @@ Segmentation(const OptionPasser & passer)
 Stage
 Flattening(const OptionPasser & passer, const StagedRun & run)
 {
-  Stage stage(names::flattening, "ColonFlattening");
+  Stage stage = NewStage(names::flattening);
   stage.Input("", run.PathOf(names::segmentation, "wall-simplified.vtp"))
     .Output("", "flat.vtp")
     .Input("centreline", run.PathOf(names::segmentation, "centreline.vtp"))
@@ -155,7 +162,7 @@ Flattening(const OptionPasser & passer, const StagedRun & run)
 Stage
 Landmarks(const OptionPasser & passer, const StagedRun & run)
 {
-  Stage stage(names::landmarks, "ColonLandmarks");
+  Stage stage = NewStage(names::landmarks);
   stage.Input("", run.PathOf(names::flattening, "flat.vtp"))
     .Input("", run.PathOf(names::segmentation, "centreline.vtp"))
     .Output("", "")
@@ -201,7 +208,7 @@ IdentityOfCurves(const std::string & path)
 Stage
 Folds(const OptionPasser & passer, const StagedRun & run)
 {
-  Stage stage(names::folds, "ColonFolds");
+  Stage stage = NewStage(names::folds);
   stage.Input("", run.PathOf(names::flattening, "flat.vtp"))
     .Output("", "labels.nrrd")
     .Output("features", "features.vtp")
@@ -222,7 +229,7 @@ Folds(const OptionPasser & passer, const StagedRun & run)
 Stage
 SearchForCandidates(const char * name, const OptionPasser & passer, const std::string & folder)
 {
-  Stage stage(name, "ColonPolyps");
+  Stage stage = NewStage(name);
   stage
     .InputFolder("",
                  folder,
@@ -289,7 +296,7 @@ StageOfRegistration(const CommandLine & commandLine)
   const OptionPasser passer(commandLine, ColonoscopySeries::First);
   const std::string  folder = commandLine.GetString("outputFolder");
   const auto         make = [=](const StagedRun &) {
-    Stage stage(names::registration, "ColonRegistration");
+    Stage stage = NewStage(names::registration);
     for (const ColonoscopySeries series : { ColonoscopySeries::First, ColonoscopySeries::Second })
     {
       stage.InputFolder("",
@@ -366,7 +373,7 @@ StageOfViewer(const CommandLine & commandLine)
         read.push_back(position + file);
       }
     }
-    Stage stage(names::viewer, "ColonViewer");
+    Stage stage = NewStage(names::viewer);
     stage.InputFolder("", folder, read).Output("", "").Expect({ "viewer.html" });
     passer.PassThreads(stage);
     return stage;
@@ -392,7 +399,7 @@ StageOfDicomResults(const CommandLine & commandLine, ColonoscopySeries series)
   const OptionPasser passer(commandLine, series);
   const std::string  folder = FolderOfSeries(commandLine.GetString("outputFolder"), series);
   const auto         make = [=](const StagedRun &) {
-    Stage stage(names::dicom, "ColonResultsToDicom");
+    Stage stage = NewStage(names::dicom);
     stage
       .InputFolder("",
                    folder,
