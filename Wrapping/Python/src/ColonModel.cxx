@@ -47,7 +47,12 @@ Trace(const MaskPointer &                          lumen,
   options.step = step;
   options.smoothing = smoothing;
   options.progress = progress.Part("Tracing the centreline", 0.0, 1.0);
-  return TraceColonCentreline(lumen, options);
+  ColonCentreline centreline = TraceColonCentreline(lumen, options);
+  if (!centreline.failure.empty())
+  {
+    throw InputError(centreline.failure);
+  }
+  return centreline;
 }
 
 ColonWallOptions

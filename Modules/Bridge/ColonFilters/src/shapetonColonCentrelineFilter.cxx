@@ -1,5 +1,7 @@
 #include "shapetonColonCentrelineFilter.h"
 
+#include "shapetonExceptions.h"
+
 namespace shapeton
 {
 ColonCentrelineFilter::ColonCentrelineFilter()
@@ -47,6 +49,10 @@ ColonCentrelineFilter::Compute()
   ColonCentrelineOptions options = m_Options;
   options.progress = this->Reporter();
   ColonCentreline centreline = TraceColonCentreline(FromIndexZero(this->GetInput()), options);
+  if (!centreline.failure.empty())
+  {
+    throw InputError(centreline.failure);
+  }
   this->SetResult(0, CurveSet(centreline.curve));
   this->SetResult(1, std::move(centreline));
 }

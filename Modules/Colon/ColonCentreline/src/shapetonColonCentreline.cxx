@@ -278,20 +278,33 @@ Trace(const LumenDistanceImage *     distance,
   return traced;
 }
 
-/** What has far more gaps and holes than any colon is something else. That is told before its faults. */
-void
-DoubtLumen(ColonCentreline & result)
+/** A mask with far more gaps and holes than a colon, or with far larger sections, is not a colon. */
+std::string
+FailureOfLine(const ColonCentreline & line)
 {
-  constexpr std::size_t mostFaults = 60;
-  const std::size_t     gaps = result.gaps.size();
-  const std::size_t     merges = result.merges.size();
+  // Real colons and phantoms: at most MAXMERGES together; lungs of three chests: 56 to 121 holes.
+  constexpr std::size_t mostFaults = 40;
+  constexpr double      largestSection = 50.0; // cm^2, on average: a tube of 80 mm
+  const std::size_t     gaps = line.gaps.size();
+  const std::size_t     merges = line.merges.size();
   if (gaps + merges > mostFaults)
   {
-    result.warnings.insert(
-      result.warnings.begin(),
-      "the line has " + std::to_string(gaps) + " gaps, and loops touch at " + std::to_string(merges) +
-        " places, far more than in a colon: is the mask that of something else, such as the wall?");
+    return "the lumen is not that of a colon: its line has " + std::to_string(gaps) + " gaps and touches itself at " +
+           std::to_string(merges) + " places, far more than in a colon; is it lung, or the wall in place of the lumen?";
   }
+  double ml = 0.0;
+  for (const CentrelinePiece & piece : line.pieces)
+  {
+    ml += piece.isUsed ? piece.volume : 0.0;
+  }
+  const double section = 10.0 * ml / line.length; // ml per mm are 10 cm^2
+  if (section > largestSection)
+  {
+    return "the lumen is not that of a colon: " + std::to_string(std::lround(ml)) + " ml along a line of " +
+           std::to_string(std::lround(line.length)) + " mm are " + std::to_string(std::lround(section)) +
+           " cm^2 on average, far more than in a colon; is it lung or stomach?";
+  }
+  return {};
 }
 } // namespace
 
@@ -311,7 +324,7 @@ TraceColonCentreline(const LumenMask * lumen, const ColonCentrelineOptions & opt
   AddUnusedLines(*traced.network, traced.lines, traced.order, result);
   AddUnusedComponents(lumen, components, choice, result);
   AddMerges(*traced.network, result);
-  DoubtLumen(result);
+  result.failure = FailureOfLine(result);
   options.progress(1.0);
   return result;
 }

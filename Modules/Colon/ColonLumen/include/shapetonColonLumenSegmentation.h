@@ -75,7 +75,8 @@ struct LumenPiece
 /** Gas or bright matter that is not colon. \ingroup ColonLumen */
 struct ColonLeftOut
 {
-  std::string what; ///< "lung", "stomach", "small bowel or undistended colon", "outside air", "other bright matter"
+  /** "lung", "airway or esophagus", "stomach", "small bowel or undistended colon", "outside air", "other bright matter" */
+  std::string what;
   std::string why;
   double      ml{ 0.0 };
   double      inscribedRadius{ 0.0 }; ///< mm; 0 where not measured
@@ -105,8 +106,8 @@ struct ColonLumen
   Remarks                   warnings;
   /** A tube in the rectum: a catheter, which is filled in, or what may be one; none of a mask. */
   std::optional<RectalCatheter> catheter;
-  /** Empty, or why this is no usable colon: "no colon found: ..." or "the colon is not distended or tagged enough:
-   * ..."; the labels then hold what was found. */
+  /** Empty, or why this is not a usable colon: "no colon found: ...", "no distended colon found: the largest gas is
+   * lung, ..." or "the colon is not distended or tagged enough: ..."; the labels then hold what was found. */
   std::string failure;
 };
 
@@ -119,6 +120,11 @@ struct ColonLumen
  * patient position is unknown; InputError when an extent of the image is below 8 voxels. \ingroup ColonLumen */
 ColonLumen_EXPORT ColonLumen
 SegmentColonLumen(const itk::Image<float, 3> * ct, const ColonLumenOptions & options = {});
+
+/** Why a mask on the grid of a CT in HU is not a colon's lumen: most of its gas is lung. Empty where it may be a colon.
+ * \ingroup ColonLumen */
+ColonLumen_EXPORT std::string
+FailureOfMask(const itk::Image<float, 3> * ct, const itk::Image<unsigned char, 3> * mask);
 } // namespace shapeton
 
 #endif

@@ -4,6 +4,7 @@
 #include "shapetonAirFluidLevels.h"
 #include "shapetonColonLumenSegmentation.h"
 #include "shapetonGasPieces.h"
+#include "shapetonLungEvidence.h"
 
 namespace shapeton
 {
@@ -21,6 +22,7 @@ struct ColonEvidence
   double                          smoothing{ 0.0 };
   double                          bodyMl{ 0.0 }; ///< of everything denser than -400 HU
   GasOfVolume                     gas;
+  std::vector<LungEvidence>       lung;        ///< of pieces of gas from 20 ml on; zero below
   std::vector<std::string>        kind;        ///< of pieces of gas: why not colon, empty for colon
   std::vector<char>               isCandidate; ///< pieces of gas that may lie in a bowel
   std::vector<char>               isColon;     ///< pieces of gas

@@ -7,6 +7,7 @@
 #include "shapetonLumenReport.h"
 #include "shapetonColonVolume.h"
 #include "shapetonLumenVoxels.h"
+#include "shapetonLungEvidence.h"
 #include "shapetonPlaceInWords.h"
 #include "shapetonExceptions.h"
 
@@ -154,7 +155,7 @@ private:
     m_Options.progress(0.45);
   }
 
-  /** The pieces at seed points are colon. */
+  /** The pieces at seed points are colon, unless they are lung. */
   void
   KeepSeeds()
   {
@@ -162,6 +163,10 @@ private:
     {
       const auto run = m_Evidence.gas.set.Find(seed[0], seed[1], seed[2]);
       const int  piece = m_Evidence.gas.labels.ofRun[run];
+      RequireParameter(!m_Evidence.lung[piece].IsLung(),
+                       "the seed point at " +
+                         PlaceInWords(m_Evidence.grid.Position(Eigen::Vector3d(seed[0], seed[1], seed[2]))) +
+                         " lies in lung; give a point inside the colon's lumen in LPS, mm");
       m_Evidence.isColon[piece] = m_Evidence.isCandidate[piece] = piece > 0;
     }
   }
@@ -231,5 +236,41 @@ ColonLumen
 SegmentColonLumen(const itk::Image<float, 3> * ct, const ColonLumenOptions & options)
 {
   return LumenSegmentation(ct, options).Run();
+}
+
+std::string
+FailureOfMask(const itk::Image<float, 3> * ct, const itk::Image<unsigned char, 3> * mask)
+{
+  constexpr float            lungBelow = -600.0F; // HU; keeps lung at quiet breathing in one piece
+  constexpr double           leastMl = 20.0;      // of a piece that can be judged
+  const ColonGrid            grid = GridOfImage(ct);
+  const VoxelValues          hu = LoadVoxels(ct, grid);
+  std::vector<unsigned char> isGas(grid.NumberOfVoxels());
+  ForEachVoxel(ct, grid, [&](std::size_t from, std::size_t to) {
+    isGas[to] = mask->GetBufferPointer()[from] != 0 && hu[to] < lungBelow;
+  });
+  GasOfVolume gas;
+  gas.set = CollectRuns(grid, [&](std::size_t p) { return isGas[p] != 0; });
+  gas.labels = LabelRuns(gas.set);
+  gas.isOutsideRun.assign(gas.set.runs.size(), 0);
+  for (const RunPiece & measured : PiecesOfRuns(gas.set, gas.labels))
+  {
+    gas.pieces.emplace_back();
+    gas.pieces.back().box = measured.box;
+    gas.pieces.back().ml = grid.VoxelVolume() * 1e-3 * static_cast<double>(measured.voxels);
+  }
+  const double     tissue = ModeOfTissue(hu);
+  const LungSearch lungs(grid, hu, gas, tissue, NoiseInTissue(grid, hu, tissue));
+  double           all = 0.0;
+  double           lung = 0.0;
+  for (int p = 1; p <= gas.labels.number; ++p)
+  {
+    all += gas.pieces[p].ml;
+    lung += gas.pieces[p].ml >= leastMl && lungs.Measure(p).IsLung() ? gas.pieces[p].ml : 0.0;
+  }
+  return lung <= 0.5 * all ? ""
+                           : "no distended colon found: the mask is lung, " + std::to_string(std::lround(lung)) +
+                               " of its " + std::to_string(std::lround(all)) +
+                               " ml of gas; give a mask of the colon's lumen";
 }
 } // namespace shapeton

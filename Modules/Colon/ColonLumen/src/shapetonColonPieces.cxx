@@ -90,23 +90,26 @@ constexpr double CutRadius = 7.0;      // mm; how much a piece holds that the im
 constexpr double CutMl = 2.0;          //
 constexpr double RectumRadius = 7.0;   // mm; of gas and fluid near the anus
 constexpr double LungShare = 0.1;      // of the way from gas to tissue
+constexpr double LungMl = 500.0;       // of lungs in view, from which airways are known by their height
+constexpr double LungHeight = 150.0;   // mm of lungs in view; a flexure may lie beside their lower half
 constexpr double FaintShare = 0.5;     // of the typical fluid's contrast
 constexpr double StomachShare = 0.25;  // of the colon's gas
 constexpr double LongestColumn = 60.0; // mm
 
 const char * const Stomach = "stomach";
 
-/** Why a piece of gas is no colon; empty for one that may be. */
+/** What a piece of gas is if it is not colon; empty if it may be colon. */
 std::string
-KindOfGas(const GasPiece & piece, const ColonThresholds & thresholds)
+KindOfGas(const GasPiece & piece, const LungEvidence & lung, const ColonThresholds & thresholds)
 {
   if (piece.isOutside)
   {
-    return "outside air";
+    return OutsideKind;
   }
-  if (piece.radius > 0.0 && piece.inside > thresholds.gas + LungShare * (thresholds.tissue - thresholds.gas))
+  const double densest = thresholds.gas + LungShare * (thresholds.tissue - thresholds.gas);
+  if ((piece.radius > 0.0 && piece.inside > densest) || lung.IsLung())
   {
-    return "lung";
+    return LungKind;
   }
   const bool isWide = (piece.radius >= CoreRadius && piece.ml >= CoreMl) ||
                       (piece.radius >= WideRadius && piece.ml >= WideMl) ||
@@ -247,20 +250,70 @@ TakeOverFluid(ColonEvidence &                 evidence,
   }
   return taken;
 }
+/** From the caudal to the cranial end of a piece, mm in LPS. */
+std::array<double, 2>
+HeightsOf(const ColonGrid & grid, const GasPiece & piece)
+{
+  const double low = grid.Position(Eigen::Vector3d(grid.size[0] / 2, grid.size[1] / 2, piece.box.low[2]))[2];
+  const double high = grid.Position(Eigen::Vector3d(grid.size[0] / 2, grid.size[1] / 2, piece.box.high[2] - 1))[2];
+  return { { std::min(low, high), std::max(low, high) } };
+}
+
+/** Gas that lies wholly beside the cranial half of the lungs is in airways or the esophagus. */
+void
+MarkAirways(ColonEvidence & evidence)
+{
+  const auto &          pieces = evidence.gas.pieces;
+  double                ml = 0.0;
+  std::array<double, 2> lungs{ { std::numeric_limits<double>::max(), std::numeric_limits<double>::lowest() } };
+  for (std::size_t p = 1; p < pieces.size(); ++p)
+  {
+    if (evidence.kind[p] == LungKind && pieces[p].ml >= CoreMl)
+    {
+      const auto heights = HeightsOf(evidence.grid, pieces[p]);
+      lungs = { { std::min(lungs[0], heights[0]), std::max(lungs[1], heights[1]) } };
+      ml += pieces[p].ml;
+    }
+  }
+  if (ml < LungMl || lungs[1] - lungs[0] < LungHeight)
+  {
+    return;
+  }
+  for (std::size_t p = 1; p < pieces.size(); ++p)
+  {
+    const bool isInside = evidence.kind[p] != LungKind && evidence.kind[p] != OutsideKind;
+    if (isInside && HeightsOf(evidence.grid, pieces[p])[0] > 0.5 * (lungs[0] + lungs[1]))
+    {
+      evidence.kind[p] = AirwayKind;
+    }
+  }
+}
 } // namespace
 
 void
 ChooseCore(ColonEvidence & evidence)
 {
-  const auto & pieces = evidence.gas.pieces;
+  const auto &     pieces = evidence.gas.pieces;
+  const LungSearch lungs(
+    evidence.grid, evidence.hu, evidence.gas, evidence.thresholds.tissue, evidence.remainingNoise);
   evidence.isCandidate.assign(pieces.size(), 0);
   evidence.isColon.assign(pieces.size(), 0);
-  evidence.kind.assign(pieces.size(), "outside air");
+  evidence.kind.assign(pieces.size(), OutsideKind);
+  evidence.lung.assign(pieces.size(), LungEvidence());
+  for (int p = 1; p < static_cast<int>(pieces.size()); ++p)
+  {
+    if (pieces[p].ml >= CoreMl && !pieces[p].isOutside)
+    {
+      evidence.lung[p] = lungs.Measure(p);
+    }
+    evidence.kind[p] = KindOfGas(pieces[p], evidence.lung[p], evidence.thresholds);
+  }
+  MarkAirways(evidence);
   for (std::size_t p = 1; p < pieces.size(); ++p)
   {
-    evidence.kind[p] = KindOfGas(pieces[p], evidence.thresholds);
-    evidence.isCandidate[p] = evidence.kind[p] != "outside air" && evidence.kind[p] != "lung" && pieces[p].ml >= 0.05;
-    evidence.isColon[p] = evidence.kind[p].empty();
+    const std::string & kind = evidence.kind[p];
+    evidence.isCandidate[p] = kind != OutsideKind && kind != LungKind && kind != AirwayKind && pieces[p].ml >= 0.05;
+    evidence.isColon[p] = kind.empty();
   }
 }
 

@@ -5,8 +5,11 @@
 
 namespace shapeton
 {
-/** The kind of gas that may be colon but for its width. */
+/** Kinds of gas that are not colon; SmallBowelKind may be colon but for its width. */
 inline const char * const SmallBowelKind = "small bowel or undistended colon";
+inline const char * const OutsideKind = "outside air";
+inline const char * const LungKind = "lung";
+inline const char * const AirwayKind = "airway or esophagus";
 
 /** Pieces of a set that come within 60 mm of the anus, and 30 mm nearer than all gas and fluid that is known as colon.
  * What lies there and may lie in a bowel is the rectum, or the sigmoid before it, though it is as thin as small bowel.

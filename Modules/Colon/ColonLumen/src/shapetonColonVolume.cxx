@@ -206,33 +206,48 @@ ModeOfTissue(const VoxelValues & hu)
   return best > 40 && best < bins - 41 ? best + low + 0.5 : 40.0;
 }
 
-double
-NoiseInTissue(const ColonGrid & grid, const VoxelValues & hu, double tissue)
+VoxelBlocks
+MeasureBlocks(const ColonGrid & grid, const VoxelValues & hu)
 {
-  std::array<int, 3> edge;
+  constexpr double   size = 5.0; // mm
+  VoxelBlocks        blocks;
+  std::array<int, 3> number;
   for (int a = 0; a < 3; ++a)
   {
-    edge[a] = std::min(grid.size[a], std::max(2, static_cast<int>(std::lround(5.0 / grid.spacing[a]))));
+    blocks.edge[a] = std::min(grid.size[a], std::max(2, static_cast<int>(std::lround(size / grid.spacing[a]))));
+    number[a] = grid.size[a] / blocks.edge[a];
   }
-  std::vector<std::vector<double>> ofLayer(grid.size[2] / edge[2]);
-  ParallelFor(ofLayer.size(), [&](std::size_t layer) {
+  blocks.grid.SetSize(number);
+  blocks.mean.resize(blocks.grid.NumberOfVoxels());
+  blocks.deviation.resize(blocks.mean.size());
+  const auto & edge = blocks.edge;
+  ParallelFor(number[2], [&](std::size_t layer) {
     const int k = static_cast<int>(layer) * edge[2];
-    for (int j = 0; j + edge[1] <= grid.size[1]; j += edge[1])
+    for (int j = 0; j < number[1] * edge[1]; j += edge[1])
     {
-      for (int i = 0; i + edge[0] <= grid.size[0]; i += edge[0])
+      for (int i = 0; i < number[0] * edge[0]; i += edge[0])
       {
         const auto m = MomentsOfBlock(grid, hu, { { { i, j, k } }, { { i + edge[0], j + edge[1], k + edge[2] } } });
-        if (std::abs(m[0] - tissue) < 60.0)
-        {
-          ofLayer[layer].push_back(m[1]);
-        }
+        const auto b = blocks.grid.Index(i / edge[0], j / edge[1], static_cast<int>(layer));
+        blocks.mean[b] = m[0];
+        blocks.deviation[b] = m[1];
       }
     }
   });
+  return blocks;
+}
+
+double
+NoiseInTissue(const ColonGrid & grid, const VoxelValues & hu, double tissue)
+{
+  const VoxelBlocks   blocks = MeasureBlocks(grid, hu);
   std::vector<double> deviations;
-  for (const auto & layer : ofLayer)
+  for (std::size_t b = 0; b < blocks.mean.size(); ++b)
   {
-    deviations.insert(deviations.end(), layer.begin(), layer.end());
+    if (std::abs(blocks.mean[b] - tissue) < 60.0)
+    {
+      deviations.push_back(blocks.deviation[b]);
+    }
   }
   if (deviations.size() < 20)
   {

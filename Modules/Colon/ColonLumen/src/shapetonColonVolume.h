@@ -108,6 +108,26 @@ ForEachVoxel(const itk::ImageBase<3> * image, const ColonGrid & grid, const TBod
 double
 ModeOfTissue(const VoxelValues & hu);
 
+/** Moments of blocks of about 5 mm, at least 2 voxels along each axis; what is left over at the upper ends belongs to no
+ * block. */
+struct VoxelBlocks
+{
+  std::array<int, 3>  edge{ { 1, 1, 1 } }; ///< voxels
+  VoxelGrid           grid;                ///< of blocks
+  std::vector<double> mean;                ///< HU
+  std::vector<double> deviation;           ///< standard deviation, HU
+
+  /** Whether the blocks hold voxels of a row. */
+  bool
+  HoldRow(int j, int k) const
+  {
+    return j < edge[1] * grid.size[1] && k < edge[2] * grid.size[2];
+  }
+};
+
+VoxelBlocks
+MeasureBlocks(const ColonGrid & grid, const VoxelValues & hu);
+
 /** Standard deviation of noise in soft tissue: the lower quartile of that in blocks of about 5 mm with a mean within 60
  * HU of `tissue`. 0 where fewer than 20 blocks are found. */
 double

@@ -189,6 +189,29 @@ PlacesOfThinGas(const ColonEvidence & evidence)
   return places;
 }
 
+/** Why a piece of gas is of its kind. */
+std::string
+ReasonOf(const ColonEvidence & evidence, std::size_t piece)
+{
+  const GasPiece &    gas = evidence.gas.pieces[piece];
+  const std::string & kind = evidence.kind[piece];
+  if (kind == LungKind)
+  {
+    return "its inside has " + Rounded(gas.inside, 0) + " HU, with " + Rounded(evidence.lung[piece].vessels, 1) +
+           " cross sections of vessels per 100 cm^2";
+  }
+  if (kind == OutsideKind)
+  {
+    return "it is open to the outside, or a thin shell parts it from there";
+  }
+  if (kind == AirwayKind)
+  {
+    return "it lies beside the cranial half of the lungs";
+  }
+  return "inscribed radius " + Rounded(gas.radius, 1) + " mm, " + Rounded(gas.ml, 1) +
+         " ml, no level on the colon's fluid";
+}
+
 void
 DescribeRest(const ColonEvidence & evidence, ColonLumen & lumen)
 {
@@ -206,10 +229,7 @@ DescribeRest(const ColonEvidence & evidence, ColonLumen & lumen)
     }
     ColonLeftOut rest;
     rest.what = evidence.kind[p];
-    rest.why = rest.what == "lung"          ? "its inside has " + Rounded(piece.inside, 0) + " HU"
-               : rest.what == "outside air" ? "it is open to the outside, or a thin shell parts it from there"
-                                            : "inscribed radius " + Rounded(piece.radius, 1) + " mm, " +
-                                                Rounded(piece.ml, 1) + " ml, no level on the colon's fluid";
+    rest.why = ReasonOf(evidence, p);
     rest.ml = piece.ml;
     rest.inscribedRadius = piece.radius;
     rest.meanHU = piece.mean;
@@ -221,6 +241,43 @@ DescribeRest(const ColonEvidence & evidence, ColonLumen & lumen)
     return p.ml > q.ml;
   });
 }
+
+namespace
+{
+/** The largest piece of lung, or 0. */
+std::size_t
+LargestLung(const ColonEvidence & evidence)
+{
+  std::size_t largest = 0;
+  for (std::size_t p = 1; p < evidence.kind.size(); ++p)
+  {
+    const bool isLarger = largest == 0 || evidence.gas.pieces[p].ml > evidence.gas.pieces[largest].ml;
+    largest = evidence.kind[p] == LungKind && isLarger ? p : largest;
+  }
+  return largest;
+}
+
+/** Gas inside the body that is not colon, ml. */
+struct GasLeftOut
+{
+  double thinBowel{ 0.0 };
+  double lung{ 0.0 };
+};
+
+GasLeftOut
+MeasureOtherGas(const ColonEvidence & evidence)
+{
+  GasLeftOut other;
+  for (std::size_t p = 1; p < evidence.gas.pieces.size(); ++p)
+  {
+    const auto & piece = evidence.gas.pieces[p];
+    const bool   isThin = evidence.isCandidate[p] && !evidence.isColon[p] && piece.radius >= 3.0;
+    other.thinBowel += isThin ? piece.ml : 0.0;
+    other.lung += evidence.kind[p] == LungKind ? piece.ml : 0.0;
+  }
+  return other;
+}
+} // namespace
 
 void
 JudgeLumen(const ColonEvidence & evidence, ColonLumen & lumen)
@@ -237,13 +294,17 @@ JudgeLumen(const ColonEvidence & evidence, ColonLumen & lumen)
   {
     return;
   }
-  double restMl = 0.0;
-  for (std::size_t p = 1; p < evidence.gas.pieces.size(); ++p)
+  const GasLeftOut other = MeasureOtherGas(evidence);
+  const auto     lung = LargestLung(evidence);
+  if (lung > 0 && other.lung > ml + other.thinBowel)
   {
-    const auto & piece = evidence.gas.pieces[p];
-    restMl += evidence.isCandidate[p] && !evidence.isColon[p] && piece.radius >= 3.0 ? piece.ml : 0.0;
+    lumen.failure = "no distended colon found: the largest gas is lung, " + Rounded(other.lung, 0) + " ml (" +
+                    ReasonOf(evidence, lung) + "); only " + Rounded(ml, 0) +
+                    " ml of other gas and fluid are as wide as a colon, at least " + Rounded(usable, 0) +
+                    " ml are needed; give a CT of abdomen and pelvis with a distended colon";
+    return;
   }
-  if (restMl < 1.0 && ml < 1.0)
+  if (other.thinBowel < 1.0 && ml < 1.0)
   {
     lumen.failure =
       "no colon found: there is no gas inside the body that a bowel could hold; is this a CT of the abdomen, in "
@@ -252,7 +313,7 @@ JudgeLumen(const ColonEvidence & evidence, ColonLumen & lumen)
   }
   lumen.failure = "the colon is not distended or tagged enough: " + Rounded(ml, 0) +
                   " ml of lumen with an inscribed radius of at most " + Rounded(radius, 1) + " mm were found, and " +
-                  Rounded(restMl, 0) + " ml of gas in thinner bowel; at least " + Rounded(usable, 0) +
+                  Rounded(other.thinBowel, 0) + " ml of gas in thinner bowel; at least " + Rounded(usable, 0) +
                   " ml of lumen and a radius of " + Rounded(UsableRadius, 0) + " mm are needed" +
                   (lumen.isTagged ? "" : "; no tagged fluid lies under the gas");
 }

@@ -466,6 +466,91 @@ TEST(ColonLumenSegmentation, ThinGasIsNoDistendedColon)
   EXPECT_NEAR(lumen.leftOut[0].inscribedRadius, 7.0, 2.0);
 }
 
+/** Two lungs: parenchyma of this HU and vessels of 2 mm radius, 15 mm apart. */
+ColonTestScene
+Lungs(double parenchyma, bool hasVessels)
+{
+  ColonTestScene scene;
+  scene.bodyRadius = 90.0;
+  for (const double side : { -40.0, 40.0 })
+  {
+    scene.lumens.push_back({ Tube(At(side, 0, 0), 2, 40, 32), 1e9, 0.0, parenchyma });
+  }
+  if (hasVessels)
+  {
+    scene.fold = [](const itk::Vector<double, 3> & x) {
+      const double u = std::remainder(x[0] + 0.3 * x[2], 15.0);
+      const double v = std::remainder(x[1] - 0.2 * x[2], 15.0);
+      return 2.0 - std::hypot(u, v);
+    };
+  }
+  return scene;
+}
+
+ImageType::Pointer
+Chest(const ColonTestScene & scene)
+{
+  const auto image = shapeton::CentredImage({ 100, 100, 60 }, { 2.0, 2.0, 2.5 }, Identity());
+  scene.Sample(image);
+  return image;
+}
+
+TEST(ColonLumenSegmentation, LungOfAnyDensityIsNotColon)
+{
+  for (const double parenchyma : { -720.0, -810.0, -870.0, -945.0 })
+  {
+    const auto lumen = Segment(Chest(Lungs(parenchyma, true)));
+    EXPECT_NE(lumen.failure, "") << parenchyma;
+    if (parenchyma < -790.0) // what is denser is not gas at all
+    {
+      EXPECT_EQ(lumen.failure.find("no distended colon found: the largest gas is lung"), 0U) << lumen.failure;
+    }
+  }
+}
+
+TEST(ColonLumenSegmentation, GasIsColonWhereItHasTheDensityOfAirAndHoldsNoVessels)
+{
+  EXPECT_EQ(Segment(Chest(Lungs(-1000.0, false))).failure, "");
+  EXPECT_EQ(Segment(Chest(Lungs(-960.0, false))).failure, ""); // as beam hardening makes it
+}
+
+TEST(ColonLumenSegmentation, ColonBesideLungIsFound)
+{
+  ColonTestScene scene = Lungs(-870.0, true);
+  scene.lumens[0].gas = -1000.0;
+  const auto vessels = scene.fold;
+  scene.fold = [vessels](const itk::Vector<double, 3> & x) { return x[0] > 0.0 ? vessels(x) : -1.0; };
+  const auto lumen = Segment(Chest(scene));
+  EXPECT_EQ(lumen.failure, "");
+  ASSERT_EQ(lumen.pieces.size(), 1U);
+  EXPECT_LT(lumen.pieces[0].centre[0], -35.0);
+  ASSERT_FALSE(lumen.leftOut.empty());
+  EXPECT_EQ(lumen.leftOut[0].what, "lung");
+}
+
+TEST(ColonLumenSegmentation, NoSeedPointAndNoMaskMakeLungColon)
+{
+  const auto                  image = Chest(Lungs(-870.0, true));
+  shapeton::ColonLumenOptions options;
+  options.seedPoints.emplace_back(At(-40, 7, 0).GetDataPointer());
+  EXPECT_THROW(shapeton::SegmentColonLumen(image, options), shapeton::ParameterError);
+  const auto mask = itk::Image<unsigned char, 3>::New();
+  mask->CopyInformation(image);
+  mask->SetRegions(image->GetBufferedRegion());
+  mask->Allocate(true);
+  const auto paint = [&](double below) {
+    for (std::size_t i = 0; i < image->GetBufferedRegion().GetNumberOfPixels(); ++i)
+    {
+      const float hu = image->GetBufferPointer()[i];
+      mask->GetBufferPointer()[i] = hu > -990.0F && hu < below;
+    }
+  };
+  paint(-500.0);
+  EXPECT_EQ(shapeton::FailureOfMask(image, mask).find("no distended colon found: the mask is lung"), 0U);
+  const auto colon = Chest(Lungs(-985.0, false));
+  EXPECT_EQ(shapeton::FailureOfMask(colon, mask), "");
+}
+
 TEST(ColonLumenSegmentation, FaultyOptionsAndImages)
 {
   const auto image = shapeton::CentredImage({ 72, 72, 7 }, { 2.0, 2.0, 2.0 }, Identity());

@@ -24,6 +24,7 @@ public:
     std::function<double(const Vec &)> depth;
     double                             level{ 1e9 };
     double                             fluid{ 700.0 };
+    double                             gas{ -1000.0 };
   };
 
   Vec                gravity{ 0.0 };
@@ -48,7 +49,7 @@ public:
       {
         if (lumen.depth(x) > 0.0)
         {
-          return x * gravity < lumen.level ? -1000.0 : lumen.fluid;
+          return x * gravity < lumen.level ? lumen.gas : lumen.fluid;
         }
       }
     }

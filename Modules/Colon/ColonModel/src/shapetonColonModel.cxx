@@ -36,10 +36,9 @@ LumenOptionsOf(const ColonModelOptions & options)
 void
 JudgeCuts(ColonCentreline & line)
 {
-  constexpr double leastLength = 10.0; // mm
   for (const HinderedStretch & stretch : FindHinderedStretches(line.curve))
   {
-    if (stretch.hindrance != ColonHindrance::CutByScan || stretch.end - stretch.begin < leastLength)
+    if (stretch.hindrance != ColonHindrance::CutByScan || stretch.end - stretch.begin < LeastCutByScan)
     {
       continue;
     }
@@ -233,6 +232,17 @@ FillGaps(ColonModel & model, CleansedWork & cleansed, const itk::Image<float, 3>
   }
 }
 
+/** Whether the model is to be completed: its lumen has the line of a colon, or partial results are wanted. */
+bool
+MayGoOn(ColonModel & model, const ColonModelOptions & options)
+{
+  if (model.failure.empty())
+  {
+    model.failure = model.centreline.failure;
+  }
+  return model.failure.empty() || options.keepPartial;
+}
+
 /** Cleansing, centreline and wall of a lumen that has been found. */
 void
 Complete(ColonModel & model, const itk::Image<float, 3> * ct, ColonModelOptions options, bool mayFillGaps)
@@ -240,7 +250,11 @@ Complete(ColonModel & model, const itk::Image<float, 3> * ct, ColonModelOptions 
   CleansedWork cleansed;
   DoAndWaitFor(cleansed.beside, [&] {
     TraceAndCleanse(model, cleansed, ct, options);
-    if (mayFillGaps)
+    if (!MayGoOn(model, options))
+    {
+      return;
+    }
+    if (mayFillGaps && model.failure.empty())
     {
       FillGaps(model, cleansed, ct, options);
     }
@@ -319,6 +333,10 @@ BuildColonModelOfLumen(const LumenMask * lumen, const ColonModelOptions & option
   model.hasIntensities = false;
   model.lumen = ColonLumenOfMask(lumen);
   TraceLine(model, options);
+  if (!MayGoOn(model, options))
+  {
+    return model;
+  }
   AddValve(model, options);
   AddWall(model, options, [&](const ColonWallOptions & wall) {
     return BuildColonWallFromMask(Cropped(model.lumen.labels), model.centreline.curve, wall);

@@ -1,6 +1,7 @@
 #include "shapetonColonQuality.h"
 
 #include "shapetonColonAssessability.h"
+#include "shapetonColonExtent.h"
 #include "shapetonColonGravity.h"
 #include "shapetonJson.h"
 #include "shapetonSurfaceQuality.h"
@@ -240,6 +241,63 @@ AssessabilityToJson(const ColonModel & model)
   return json;
 }
 
+/** Whether the line begins near the anus: caudal, in the middle and at the back of all that it passes. */
+bool
+BeginsInRectum(const CurveSet & curve)
+{
+  // Lines of real colons and phantoms begin at NEAREST to FARTHEST mm; those that begin in the descending colon above 130 mm.
+  constexpr double farthest = 120.0; // mm
+  ColonExtent      extent;
+  for (Eigen::Index n = 0; n < curve.V.rows(); ++n)
+  {
+    extent.Include(Eigen::Vector3d(curve.V.row(n)));
+  }
+  const Eigen::Vector3d begin = curve.V.row(curve.curves.front().front());
+  return extent.DistanceFromAnus(begin) <= farthest;
+}
+
+std::string
+InMillimetres(double begin, double end)
+{
+  return "from " + std::to_string(std::lround(begin)) + " to " + std::to_string(std::lround(end)) + " mm";
+}
+
+/** What keeps the line from running from the rectum to the cecum with all gaps explained. */
+std::vector<std::string>
+MissingParts(const ColonModel & model)
+{
+  if (!model.failure.empty() || model.centreline.curve.curves.empty())
+  {
+    return { "a usable colon" };
+  }
+  std::vector<std::string> missing;
+  if (!BeginsInRectum(model.centreline.curve))
+  {
+    missing.push_back("the rectum: the line begins elsewhere");
+  }
+  for (const HinderedStretch & stretch : FindHinderedStretches(model.centreline.curve))
+  {
+    if (stretch.hindrance == ColonHindrance::CutByScan && stretch.end - stretch.begin >= LeastCutByScan)
+    {
+      missing.push_back("what lies beyond the border of the scan, which cuts the colon " +
+                        InMillimetres(stretch.begin, stretch.end) + " along the line");
+    }
+  }
+  for (const CentrelineGap & gap : model.centreline.gaps)
+  {
+    if (gap.isDoubtful)
+    {
+      missing.push_back("the colon in the gap " + InMillimetres(gap.begin, gap.end) +
+                        " along the line, too long for a collapsed stretch");
+    }
+  }
+  if (!model.valve.valve)
+  {
+    missing.push_back("the ileocecal valve: whether the line ends in the cecum is not known");
+  }
+  return missing;
+}
+
 Json
 SurfacesToJson(const ColonWallReport & report)
 {
@@ -265,7 +323,9 @@ ColonQualityToJson(const ColonModel & model)
 {
   Json json;
   json["note"] = "For research use; not a diagnosis. Lengths in mm, volumes in ml, points in LPS.";
-  json["isComplete"] = model.failure.empty();
+  const std::vector<std::string> missing = MissingParts(model);
+  json["isComplete"] = missing.empty();
+  json["missing"] = missing;
   if (!model.failure.empty())
   {
     json["failure"] = model.failure;

@@ -1,0 +1,63 @@
+#ifndef shapetonLungEvidence_h
+#define shapetonLungEvidence_h
+
+#include "shapetonColonVolume.h"
+#include "shapetonGasPieces.h"
+
+#include <vector>
+
+namespace shapeton
+{
+/** \brief Evidence that tells lung from the gas of a bowel; each measure is absolute.
+ *
+ * Gas in a bowel has the HU of room air up to a thin wall. Lung is denser than air throughout, uniform over a few mm, and
+ * holds vessels, whose cross sections are islands of tissue in each axial slice. */
+struct LungEvidence
+{
+  double excess{ 0.0 };     ///< median of blocks of 5 mm inside the piece above room air, HU
+  double parenchyma{ 0.0 }; ///< share of parenchyma among the blocks in and within 10 mm of the piece, 0 to 1
+  double vessels{ 0.0 };    ///< cross sections of vessels per 100 cm^2 of the piece in axial slices
+
+  bool
+  IsLung() const;
+};
+
+/** The HU of air outside the body, at least -1000 (a scanner may cut off below) and at most -950; -1000 if the volume
+ * shows none. */
+double
+RoomAir(const ColonGrid & grid, const VoxelValues & hu, const GasOfVolume & gas);
+
+/** \class LungSearch
+ * \brief Measures LungEvidence of the pieces of gas of a volume. */
+class LungSearch
+{
+public:
+  /** `tissue` and `noise`: the mode of soft tissue and the standard deviation of noise in it, HU. The references must
+   * outlive this object. */
+  LungSearch(const ColonGrid & grid, const VoxelValues & hu, const GasOfVolume & gas, double tissue, double noise);
+
+  LungEvidence
+  Measure(int piece) const;
+
+private:
+  struct Shares;
+
+  Shares
+  SharesOf(int piece) const;
+  bool
+  IsParenchyma(std::size_t block) const;
+  double
+  VesselsIn(int piece) const;
+
+  const ColonGrid &   m_Grid;
+  const VoxelValues & m_HU;
+  const GasOfVolume & m_Gas;
+  double              m_Air;
+  double              m_Contrast; ///< of tissue above air, HU
+  double              m_Noise;
+  VoxelBlocks         m_Blocks;
+  std::vector<char>   m_IsOutside; ///< blocks that hold air outside the body
+};
+} // namespace shapeton
+
+#endif
