@@ -102,8 +102,8 @@ struct ColonCentreline
   double coverage{ 0.0 };
   /** In words, with places. */
   Remarks warnings;
-  /** Empty, or why the mask is not that of a colon: its line has far more gaps and holes, or its sections are far larger
-   * than those of any colon. */
+  /** Empty, or why the mask is not that of a colon: its line has far more gaps and holes, or its sections are far
+   * larger than those of any colon. */
   std::string failure;
 };
 

@@ -282,8 +282,8 @@ Trace(const LumenDistanceImage *     distance,
 std::string
 FailureOfLine(const ColonCentreline & line)
 {
-  // Real colons and phantoms: at most MAXMERGES together; lungs of three chests: 56 to 121 holes.
-  constexpr std::size_t mostFaults = 40;
+  // Real colons: at most 8; lungs of three chests: 56 to 121. The limit is the geometric mean of what lies next to it.
+  constexpr std::size_t mostFaults = 20;
   constexpr double      largestSection = 50.0; // cm^2, on average: a tube of 80 mm
   const std::size_t     gaps = line.gaps.size();
   const std::size_t     merges = line.merges.size();

@@ -621,8 +621,19 @@ TEST(ColonCentreline, DoubtsThatANetIsTheLumenOfAColon)
   }
   const ColonCentreline line = shapeton::TraceColonCentreline(mask.Get());
   EXPECT_GT(line.merges.size(), 60u);
-  ASSERT_FALSE(line.warnings.empty());
-  EXPECT_NE(line.warnings.front().find("far more than in a colon"), std::string::npos) << line.warnings.front();
+  EXPECT_NE(line.failure.find("far more than in a colon"), std::string::npos) << line.failure;
+}
+
+TEST(ColonCentreline, DoubtsThatALungIsTheLumenOfAColon)
+{
+  const TubePoints lobes = shapeton::CurveThrough({ { 0.0, 0.0, 0.0 }, { 0.0, 0.0, 150.0 } });
+  TubeMask         lung(lobes, 60.0, { 3.0, 3.0, 3.0 });
+  lung.Paint(lobes, 55.0);
+  const ColonCentreline line = shapeton::TraceColonCentreline(lung.Get());
+  EXPECT_NE(line.failure.find("cm^2 on average"), std::string::npos) << line.failure;
+  TubeMask megacolon(lobes, 60.0, { 3.0, 3.0, 3.0 });
+  megacolon.Paint(lobes, 35.0);
+  EXPECT_EQ(shapeton::TraceColonCentreline(megacolon.Get()).failure, "");
 }
 
 TEST(ColonCentreline, RefusesWhatHasNoColon)

@@ -75,12 +75,13 @@ struct LumenPiece
 /** Gas or bright matter that is not colon. \ingroup ColonLumen */
 struct ColonLeftOut
 {
-  /** "lung", "airway or esophagus", "stomach", "small bowel or undistended colon", "outside air", "other bright matter" */
-  std::string what;
-  std::string why;
-  double      ml{ 0.0 };
-  double      inscribedRadius{ 0.0 }; ///< mm; 0 where not measured
-  double      meanHU{ 0.0 };
+  /** "lung", "airway or esophagus", "stomach", "small bowel or undistended colon", "outside air", "other bright matter"
+   */
+  std::string           what;
+  std::string           why;
+  double                ml{ 0.0 };
+  double                inscribedRadius{ 0.0 }; ///< mm; 0 where not measured
+  double                meanHU{ 0.0 };
   itk::Point<double, 3> centre;
   /** Of gas too thin for colon: points in it, one for each cell of 5 mm. */
   std::vector<itk::Point<double, 3>> places;
@@ -124,7 +125,7 @@ SegmentColonLumen(const itk::Image<float, 3> * ct, const ColonLumenOptions & opt
 /** Why a mask on the grid of a CT in HU is not a colon's lumen: most of its gas is lung. Empty where it may be a colon.
  * \ingroup ColonLumen */
 ColonLumen_EXPORT std::string
-FailureOfMask(const itk::Image<float, 3> * ct, const itk::Image<unsigned char, 3> * mask);
+                  FailureOfMask(const itk::Image<float, 3> * ct, const itk::Image<unsigned char, 3> * mask);
 } // namespace shapeton
 
 #endif

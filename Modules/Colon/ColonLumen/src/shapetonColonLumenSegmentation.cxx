@@ -268,9 +268,9 @@ FailureOfMask(const itk::Image<float, 3> * ct, const itk::Image<unsigned char, 3
     all += gas.pieces[p].ml;
     lung += gas.pieces[p].ml >= leastMl && lungs.Measure(p).IsLung() ? gas.pieces[p].ml : 0.0;
   }
-  return lung <= 0.5 * all ? ""
-                           : "no distended colon found: the mask is lung, " + std::to_string(std::lround(lung)) +
-                               " of its " + std::to_string(std::lround(all)) +
-                               " ml of gas; give a mask of the colon's lumen";
+  return lung <= 0.5 * all
+           ? ""
+           : "no distended colon found: the mask is lung, " + std::to_string(std::lround(lung)) + " of its " +
+               std::to_string(std::lround(all)) + " ml of gas; give a mask of the colon's lumen";
 }
 } // namespace shapeton

@@ -294,8 +294,7 @@ void
 ChooseCore(ColonEvidence & evidence)
 {
   const auto &     pieces = evidence.gas.pieces;
-  const LungSearch lungs(
-    evidence.grid, evidence.hu, evidence.gas, evidence.thresholds.tissue, evidence.remainingNoise);
+  const LungSearch lungs(evidence.grid, evidence.hu, evidence.gas, evidence.thresholds.tissue, evidence.remainingNoise);
   evidence.isCandidate.assign(pieces.size(), 0);
   evidence.isColon.assign(pieces.size(), 0);
   evidence.kind.assign(pieces.size(), OutsideKind);

@@ -108,8 +108,8 @@ ForEachVoxel(const itk::ImageBase<3> * image, const ColonGrid & grid, const TBod
 double
 ModeOfTissue(const VoxelValues & hu);
 
-/** Moments of blocks of about 5 mm, at least 2 voxels along each axis; what is left over at the upper ends belongs to no
- * block. */
+/** Moments of blocks of about 5 mm, at least 2 voxels along each axis; what is left over at the upper ends belongs to
+ * no block. */
 struct VoxelBlocks
 {
   std::array<int, 3>  edge{ { 1, 1, 1 } }; ///< voxels

@@ -295,7 +295,7 @@ JudgeLumen(const ColonEvidence & evidence, ColonLumen & lumen)
     return;
   }
   const GasLeftOut other = MeasureOtherGas(evidence);
-  const auto     lung = LargestLung(evidence);
+  const auto       lung = LargestLung(evidence);
   if (lung > 0 && other.lung > ml + other.thinBowel)
   {
     lumen.failure = "no distended colon found: the largest gas is lung, " + Rounded(other.lung, 0) + " ml (" +

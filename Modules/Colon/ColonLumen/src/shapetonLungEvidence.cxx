@@ -9,8 +9,9 @@ namespace shapeton
 {
 namespace
 {
-// Real scans (mean HU above room air, parenchyma, vessels per 100 cm^2): lungs of a chest 108, .99, 9.5, lung bases 92, .91,
-// 11.7; gas of colons 3 to 38, .03 to .15 (.30 in one piece of 38 ml), 0 to 0.2. The limits lie in the middle of the gaps.
+// Real scans (mean HU above room air, parenchyma, vessels per 100 cm^2): lungs of a chest 108, .99, 9.5, lung bases 92,
+// .91, 11.7; gas of colons 3 to 38, .03 to .15 (.30 in one piece of 38 ml), 0 to 0.2. The limits lie in the middle of
+// the gaps.
 constexpr double LungExcess = 105.0;      // HU above air; denser gas is lung whatever else it shows
 constexpr double ParenchymaExcess = 60.0; // HU above air
 constexpr double DensestExcess = 500.0;   // HU above air; lung at full expiration
@@ -85,7 +86,8 @@ private:
         {
           const int p = place[0] + x;
           const int q = place[1] + y;
-          if (std::abs(x) + std::abs(y) <= reach && p >= 0 && q >= 0 && p < m_Width && q < m_Height && this->Close(p, q))
+          if (std::abs(x) + std::abs(y) <= reach && p >= 0 && q >= 0 && p < m_Width && q < m_Height &&
+              this->Close(p, q))
           {
             m_Stack.push_back({ { p, q } });
           }
@@ -214,9 +216,9 @@ LungSearch::IsParenchyma(std::size_t block) const
 LungSearch::Shares
 LungSearch::SharesOf(int piece) const
 {
-  const VoxelGrid &  grid = m_Blocks.grid;
-  std::vector<int>   voxels(grid.NumberOfVoxels(), 0);
-  const double       ofBlock = static_cast<double>(m_Blocks.edge[0]) * m_Blocks.edge[1] * m_Blocks.edge[2];
+  const VoxelGrid & grid = m_Blocks.grid;
+  std::vector<int>  voxels(grid.NumberOfVoxels(), 0);
+  const double      ofBlock = static_cast<double>(m_Blocks.edge[0]) * m_Blocks.edge[1] * m_Blocks.edge[2];
   ForEachRun(m_Gas.set, [&](std::size_t r, int j, int k) {
     if (m_Gas.labels.ofRun[r] == piece && m_Blocks.HoldRow(j, k))
     {

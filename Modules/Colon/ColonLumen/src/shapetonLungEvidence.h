@@ -10,8 +10,8 @@ namespace shapeton
 {
 /** \brief Evidence that tells lung from the gas of a bowel; each measure is absolute.
  *
- * Gas in a bowel has the HU of room air up to a thin wall. Lung is denser than air throughout, uniform over a few mm, and
- * holds vessels, whose cross sections are islands of tissue in each axial slice. */
+ * Gas in a bowel has the HU of room air up to a thin wall. Lung is denser than air throughout, uniform over a few mm,
+ * and holds vessels, whose cross sections are islands of tissue in each axial slice. */
 struct LungEvidence
 {
   double excess{ 0.0 };     ///< median of blocks of 5 mm inside the piece above room air, HU

@@ -87,8 +87,8 @@ BuildColonModel(const itk::Image<float, 3> * ct, const LumenMask * lumen, const 
 ColonModel_EXPORT ColonModel
 BuildColonModelOfLumen(const LumenMask * lumen, const ColonModelOptions & options);
 
-/** Length along the line, mm, from which the border of the scan is said to cut the colon; the lumen touches it on less at
- * the anal canal. \ingroup ColonModel */
+/** Length along the line, mm, from which the border of the scan is said to cut the colon; the lumen touches it on less
+ * at the anal canal. \ingroup ColonModel */
 constexpr double LeastCutByScan = 10.0;
 
 /** The axis of a catheter with the point arrays radius (outer; of the tip another one) and balloonRadius (0 where no

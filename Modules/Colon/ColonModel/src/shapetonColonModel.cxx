@@ -232,29 +232,68 @@ FillGaps(ColonModel & model, CleansedWork & cleansed, const itk::Image<float, 3>
   }
 }
 
-/** Whether the model is to be completed: its lumen has the line of a colon, or partial results are wanted. */
+enum class LumenOrigin
+{
+  Data, ///< found in a CT
+  Mask  ///< given
+};
+
+/** Whether the border of the scan cuts the colon anywhere. */
 bool
-MayGoOn(ColonModel & model, const ColonModelOptions & options)
+IsCutByScan(const CurveSet & line)
+{
+  const auto stretches = FindHinderedStretches(line);
+  return std::any_of(stretches.begin(), stretches.end(), [](const HinderedStretch & stretch) {
+    return stretch.hindrance == ColonHindrance::CutByScan;
+  });
+}
+
+/** Gas of a CT that ends within the scan on all sides and is shorter than any colon: a stomach, or a loop of bowel. */
+std::string
+FailureOfShortLine(const ColonModel & model)
+{
+  // The colon of an adult has 1000 to 2500 mm, what a hemicolectomy leaves 600 and more; a stomach has 200 to 300 mm.
+  constexpr double shortestColon = 400.0; // mm
+  if (model.centreline.length >= shortestColon || IsCutByScan(model.centreline.curve))
+  {
+    return {};
+  }
+  const auto rounded = [](double value) { return std::to_string(std::lround(value)); };
+  const auto largest = model.lumen.pieces.front();
+  return "no distended colon found: the only wide gas is " + rounded(largest.gasMl) + " ml around " +
+         PlaceInWords(largest.centre) + " along " + rounded(model.centreline.length) +
+         " mm, shorter than a colon, as a stomach or a loop of bowel is; if it is a colon, give a seed point in it, or "
+         "its "
+         "lumen as a mask";
+}
+
+/** Whether the model is to be completed: its line is that of a colon, or partial results are wanted. */
+bool
+MayGoOn(ColonModel & model, const ColonModelOptions & options, LumenOrigin origin)
 {
   if (model.failure.empty())
   {
     model.failure = model.centreline.failure;
   }
+  if (model.failure.empty() && origin == LumenOrigin::Data && options.seedPoints.empty())
+  {
+    model.failure = FailureOfShortLine(model);
+  }
   return model.failure.empty() || options.keepPartial;
 }
 
-/** Cleansing, centreline and wall of a lumen that has been found. */
+/** Cleansing, centreline and wall of a lumen that the data or a mask gave. */
 void
-Complete(ColonModel & model, const itk::Image<float, 3> * ct, ColonModelOptions options, bool mayFillGaps)
+Complete(ColonModel & model, const itk::Image<float, 3> * ct, ColonModelOptions options, LumenOrigin origin)
 {
   CleansedWork cleansed;
   DoAndWaitFor(cleansed.beside, [&] {
     TraceAndCleanse(model, cleansed, ct, options);
-    if (!MayGoOn(model, options))
+    if (!MayGoOn(model, options, origin))
     {
       return;
     }
-    if (mayFillGaps && model.failure.empty())
+    if (model.failure.empty() && origin == LumenOrigin::Data)
     {
       FillGaps(model, cleansed, ct, options);
     }
@@ -270,27 +309,27 @@ Complete(ColonModel & model, const itk::Image<float, 3> * ct, ColonModelOptions 
 }
 
 ColonModel
-ModelOf(const itk::Image<float, 3> * ct, ColonLumen && lumen, const ColonModelOptions & options, bool mayFillGaps)
+ModelOf(const itk::Image<float, 3> * ct, ColonLumen && lumen, const ColonModelOptions & options, LumenOrigin origin)
 {
   ColonModel model;
   model.lumen = std::move(lumen);
   model.warnings = model.lumen.warnings;
   model.failure = model.lumen.failure;
-  if (model.failure.empty())
+  if (!model.failure.empty() && (!options.keepPartial || model.lumen.pieces.empty()))
   {
-    Complete(model, ct, options, mayFillGaps);
     return model;
   }
-  if (options.keepPartial && !model.lumen.pieces.empty())
+  try
   {
-    try
+    Complete(model, ct, options, origin);
+  }
+  catch (const InputError & error)
+  {
+    if (model.failure.empty())
     {
-      Complete(model, ct, options, false);
+      throw;
     }
-    catch (const InputError & error)
-    {
-      model.warnings.push_back(error.what());
-    }
+    model.warnings.push_back(error.what());
   }
   return model;
 }
@@ -317,13 +356,13 @@ RadiusOfSection(const itk::Point<double, 3> & centre, double diameter, const itk
 ColonModel
 BuildColonModel(const itk::Image<float, 3> * ct, const ColonModelOptions & options)
 {
-  return ModelOf(ct, SegmentColonLumen(ct, LumenOptionsOf(options)), options, true);
+  return ModelOf(ct, SegmentColonLumen(ct, LumenOptionsOf(options)), options, LumenOrigin::Data);
 }
 
 ColonModel
 BuildColonModel(const itk::Image<float, 3> * ct, const LumenMask * lumen, const ColonModelOptions & options)
 {
-  return ModelOf(ct, ColonLumenOfMask(ct, lumen, LumenOptionsOf(options)), options, false);
+  return ModelOf(ct, ColonLumenOfMask(ct, lumen, LumenOptionsOf(options)), options, LumenOrigin::Mask);
 }
 
 ColonModel
@@ -333,7 +372,7 @@ BuildColonModelOfLumen(const LumenMask * lumen, const ColonModelOptions & option
   model.hasIntensities = false;
   model.lumen = ColonLumenOfMask(lumen);
   TraceLine(model, options);
-  if (!MayGoOn(model, options))
+  if (!MayGoOn(model, options, LumenOrigin::Mask))
   {
     return model;
   }

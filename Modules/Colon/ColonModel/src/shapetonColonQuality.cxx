@@ -245,7 +245,8 @@ AssessabilityToJson(const ColonModel & model)
 bool
 BeginsInRectum(const CurveSet & curve)
 {
-  // Lines of real colons and phantoms begin at NEAREST to FARTHEST mm; those that begin in the descending colon above 130 mm.
+  // Lines of real colons and phantoms begin at NEAREST to FARTHEST mm; those that begin in the descending colon above
+  // 130 mm.
   constexpr double farthest = 120.0; // mm
   ColonExtent      extent;
   for (Eigen::Index n = 0; n < curve.V.rows(); ++n)

@@ -263,6 +263,56 @@ TEST(ColonModel, WithoutAColonSaysSo)
   EXPECT_EQ(quality.at("failure").get<std::string>(), model.failure);
 }
 
+/** Soft tissue with a bag of gas, 100 mm long and 50 mm wide, as a stomach is; and a mask of the bag. */
+std::pair<CtImage::Pointer, shapeton::LumenMask::Pointer>
+BagOfGas()
+{
+  const auto ct = CtImage::New();
+  const auto mask = shapeton::LumenMask::New();
+  ct->SetRegions(CtImage::SizeType{ { 48, 48, 64 } });
+  ct->SetSpacing(2.5);
+  ct->Allocate();
+  mask->CopyInformation(ct);
+  mask->SetRegions(ct->GetLargestPossibleRegion());
+  mask->Allocate();
+  for (itk::ImageRegionIteratorWithIndex<CtImage> it(ct, ct->GetLargestPossibleRegion()); !it.IsAtEnd(); ++it)
+  {
+    const auto   v = it.GetIndex();
+    const double along = std::max(0.0, std::abs(2.5 * v[2] - 80.0) - 25.0);
+    const bool   isGas = std::hypot(2.5 * v[0] - 60.0, 2.5 * v[1] - 60.0, along) < 25.0;
+    it.Set(isGas ? -1000.0F : 40.0F);
+    mask->SetPixel(v, isGas);
+  }
+  return { ct, mask };
+}
+
+TEST(ColonModel, AShortBagOfGasWithinTheScanIsNotAColon)
+{
+  const auto [ct, mask] = BagOfGas();
+  const auto model = shapeton::BuildColonModel(ct.GetPointer(), Options());
+  EXPECT_NE(model.failure.find("shorter than a colon"), std::string::npos) << model.failure;
+  EXPECT_EQ(model.wall.raw.NumberOfFaces(), 0);
+  EXPECT_EQ(shapeton::ColonQualityToJson(model).at("missing").size(), 1U);
+  auto options = Options();
+  options.keepPartial = true;
+  EXPECT_GT(shapeton::BuildColonModel(ct.GetPointer(), options).wall.raw.NumberOfFaces(), 0);
+  options = Options();
+  options.seedPoints.emplace_back(std::array<double, 3>{ 60.0, 60.0, 80.0 }.data()); // as the message advises
+  EXPECT_EQ(shapeton::BuildColonModel(ct.GetPointer(), options).failure, "");
+  EXPECT_EQ(shapeton::BuildColonModel(ct.GetPointer(), mask.GetPointer(), Options()).failure, "");
+}
+
+TEST(ColonModel, APieceOfColonIsUsableAndNotComplete)
+{
+  const auto [ct, mask] = BagOfGas();
+  const auto model = shapeton::BuildColonModelOfLumen(mask.GetPointer(), Options());
+  const auto quality = shapeton::ColonQualityToJson(model);
+  EXPECT_EQ(model.failure, "");
+  EXPECT_FALSE(quality.at("isComplete").get<bool>());
+  ASSERT_FALSE(quality.at("missing").empty());
+  EXPECT_NE(quality.at("missing").dump().find("ileocecal valve"), std::string::npos) << quality.at("missing");
+}
+
 TEST(ColonModel, AMaskWithoutGasIsRefused)
 {
   const auto ct = CtImage::New();
