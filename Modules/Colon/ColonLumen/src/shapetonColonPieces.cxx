@@ -102,9 +102,9 @@ const char * const Stomach = "stomach";
 std::string
 KindOfGas(const GasPiece & piece, const LungEvidence & lung, const ColonThresholds & thresholds)
 {
-  if (piece.isOutside)
+  if (piece.isOutside) // under a thin shell, as lung in a thin chest wall may be, too
   {
-    return OutsideKind;
+    return lung.IsVascularLung() ? LungKind : OutsideKind;
   }
   const double densest = thresholds.gas + LungShare * (thresholds.tissue - thresholds.gas);
   if ((piece.radius > 0.0 && piece.inside > densest) || lung.IsLung())
@@ -301,7 +301,7 @@ ChooseCore(ColonEvidence & evidence)
   evidence.lung.assign(pieces.size(), LungEvidence());
   for (int p = 1; p < static_cast<int>(pieces.size()); ++p)
   {
-    if (pieces[p].ml >= CoreMl && !pieces[p].isOutside)
+    if (pieces[p].ml >= CoreMl)
     {
       evidence.lung[p] = lungs.Measure(p);
     }

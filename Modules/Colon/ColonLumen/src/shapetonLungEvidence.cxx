@@ -114,6 +114,12 @@ private:
 } // namespace
 
 bool
+LungEvidence::IsVascularLung() const
+{
+  return parenchyma > MostlyParenchyma && vessels > ManyVessels;
+}
+
+bool
 LungEvidence::IsLung() const
 {
   return excess > LungExcess || (parenchyma > MostlyParenchyma && vessels > FewVessels) ||
@@ -170,7 +176,7 @@ LungSearch::LungSearch(const ColonGrid &   grid,
 {
   ForEachRun(gas.set, [&](std::size_t r, int j, int k) {
     const VoxelRun run = gas.set.runs[r];
-    if (gas.pieces[gas.labels.ofRun[r]].isOutside && m_Blocks.HoldRow(j, k))
+    if (gas.isOutsideRun[r] && m_Blocks.HoldRow(j, k))
     {
       const int last = std::min((run.end - 1) / m_Blocks.edge[0], m_Blocks.grid.size[0] - 1);
       for (int i = run.begin / m_Blocks.edge[0]; i <= last; ++i)

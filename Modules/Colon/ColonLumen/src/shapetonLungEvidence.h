@@ -20,6 +20,9 @@ struct LungEvidence
 
   bool
   IsLung() const;
+  /** Lung beyond doubt, which not even a foam table or a blanket resembles. */
+  bool
+  IsVascularLung() const;
 };
 
 /** The HU of air outside the body, at least -1000 (a scanner may cut off below) and at most -950; -1000 if the volume
