@@ -38,7 +38,7 @@ main(int argc, char * argv[])
   const auto written =
     shapeton::WriteDicomSegmentation(source, { bright }, { "Example", "1.0", 300, "Research: bright" }, argv[2]);
 
-  const auto back = shapeton::ReadDicomSegments(shapeton::ReadDicomSegmentation(argv[2]), { 1 }, source.grid);
+  const auto back = shapeton::ReadDicomSegments(shapeton::ReadDicomSegmentation(argv[2]), { 1 }, source);
   const bool isSame = std::equal(labels->GetBufferPointer(),
                                  labels->GetBufferPointer() + labels->GetBufferedRegion().GetNumberOfPixels(),
                                  back.labels->GetBufferPointer());

@@ -48,6 +48,7 @@ WriteSegments(CommandLine & commandLine, const shapeton::DicomSource & source)
   const std::string table = commandLine.OutputOf("table");
   const auto        file = shapeton::ReadDicomSegmentation(commandLine.GetString("input"));
   const auto        chosen = commandLine.GetIntegers("segments");
+  commandLine.Warn(file.notes);
   if (!commandLine.GetFlag("anySeries"))
   {
     shapeton::RequireMadeOn(file, source);
@@ -56,13 +57,12 @@ WriteSegments(CommandLine & commandLine, const shapeton::DicomSource & source)
   if (!mask.empty())
   {
     const auto lumen = chosen.empty() ? shapeton::LumenSegmentsOf(file) : chosen;
-    shapeton::WriteVolume(
-      MaskOf(shapeton::ReadDicomSegments(file, lumen, source.grid).labels).GetPointer(), mask, metadata);
+    shapeton::WriteVolume(MaskOf(shapeton::ReadDicomSegments(file, lumen, source).labels).GetPointer(), mask, metadata);
   }
   if (!labels.empty() || !table.empty())
   {
     const auto numbers = chosen.empty() ? shapeton::AllSegmentsOf(file) : chosen;
-    const auto voxels = shapeton::ReadDicomSegments(file, numbers, source.grid);
+    const auto voxels = shapeton::ReadDicomSegments(file, numbers, source);
     if (!labels.empty())
     {
       shapeton::WriteVolume(voxels.labels.GetPointer(), labels, metadata);
@@ -74,15 +74,30 @@ WriteSegments(CommandLine & commandLine, const shapeton::DicomSource & source)
   }
 }
 
+shapeton::DicomSource
+ReadSource(const CommandLine & commandLine)
+{
+  shapeton::DicomSourceOptions options;
+  options.seriesUID = commandLine.GetString("seriesUID");
+  options.deshear = commandLine.GetFlag("deshear");
+  options.offersDeshear = true;
+  options.forPoints = commandLine.IsGiven("markers");
+  return shapeton::ReadDicomSource(commandLine.GetString("source"), options);
+}
+
 void
 Convert(CommandLine & commandLine)
 {
   CheckUsage(commandLine);
   const std::string input = commandLine.GetString("input");
   commandLine.Progress("Reading", 0.0);
-  const auto source = shapeton::ReadDicomSource(commandLine.GetString("source"), commandLine.GetString("seriesUID"));
+  const auto source = ReadSource(commandLine);
   commandLine.AddInput("input", "sha256:" + shapeton::Sha256OfFile(input));
   commandLine.AddInput("source", shapeton::IdentityOfSeries(source.series.GetSelector()));
+  if (source.series.Has(shapeton::DicomDefectKind::shear))
+  {
+    commandLine.AddProvenance("repair", "deshear: slices moved within their planes by whole pixels");
+  }
   if (!commandLine.IsGiven("markers"))
   {
     WriteSegments(commandLine, source);

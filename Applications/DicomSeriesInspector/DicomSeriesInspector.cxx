@@ -2,7 +2,7 @@
 
 #include "shapetonCommandLine.h"
 #include "shapetonDicomSeriesListing.h"
-#include "shapetonExceptions.h"
+#include "shapetonVolumeReader.h"
 
 #include <iostream>
 
@@ -13,12 +13,7 @@ main(int argc, char * argv[])
     const std::string         folder = commandLine.GetString("inputFolder");
     const std::string         json = commandLine.OutputOf("json");
     const shapeton::DicomScan scan = shapeton::ScanDicom(folder);
-    if (scan.series.empty())
-    {
-      throw shapeton::InputError(folder + ": notAnImage: none of its " + std::to_string(scan.files) +
-                                 " files is a DICOM image (" + scan.otherFiles.front().message +
-                                 "); name the folder that holds the series");
-    }
+    shapeton::RequireDicomImages(scan);
     if (!json.empty())
     {
       shapeton::WriteDicomScan(scan, json, shapeton::CommandLine::InOptions);

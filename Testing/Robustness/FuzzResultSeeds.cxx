@@ -61,6 +61,29 @@ MakeFractional(const std::string & path, const DicomSource & source)
   return ReadFileBytes(path);
 }
 
+/** As other programs write it: with VR UN, where asked for, and a label in another character set. */
+std::string
+MakeLabelMap(const std::string & path, unsigned int bits, bool isUnknown)
+{
+  const DicomFixture  fixture;
+  std::vector<Uint16> labels;
+  for (Uint16 i = 0; i < 7 * 9 * 2; ++i)
+  {
+    labels.push_back(i % 3);
+  }
+  const auto file = fixture.MakeLabelMap({ fixture.origin, fixture.SlicePosition(4.0) }, labels, bits, { 1, 2 });
+  DcmItem *  segment = nullptr;
+  file->getDataset()->findAndGetSequenceItem(DCM_SegmentSequence, segment);
+  SetText(*file, DCM_SpecificCharacterSet, "\\ISO 2022 IR 87");
+  segment->putAndInsertString(DCM_SegmentLabel, "\x1b$B;3ED\x1b(B");
+  if (isUnknown)
+  {
+    StoreAllAsUnknown(*file->getDataset());
+  }
+  SaveDicom(*file, path);
+  return ReadFileBytes(path);
+}
+
 std::string
 MakeReport(const std::string & path, const DicomSource & source, DicomReportKind kind)
 {
@@ -97,6 +120,9 @@ MakeResultSeeds(const std::string & folder, const DicomSource & source)
   return { { ResultExtension, MakeSegmentation(path, source, false) },
            { ResultExtension, MakeSegmentation(path, source, true) },
            { ResultExtension, MakeFractional(path, source) },
+           { ResultExtension, MakeLabelMap(path, 8, false) },
+           { ResultExtension, MakeLabelMap(path, 16, false) },
+           { ResultExtension, MakeLabelMap(path, 8, true) },
            { ResultExtension, MakeReport(path, source, DicomReportKind::Comprehensive3D) },
            { ResultExtension, MakeReport(path, source, DicomReportKind::ColonCAD) } };
 }
@@ -121,7 +147,7 @@ ReadAllOfResult(const std::string & path, const DicomSource & source)
     {
       numbers.push_back(segment.number);
     }
-    ReadDicomSegments(file, numbers, source.grid);
+    ReadDicomSegments(file, numbers, source);
   });
   attempt([&] { ReadDicomReportPoints(path, source); });
   return isRead;

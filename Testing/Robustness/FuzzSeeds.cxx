@@ -68,6 +68,40 @@ AddDicomSeeds(const std::string & folder, std::vector<FuzzSeed> & seeds)
   add();
 }
 
+/** Slices as other programs write them: VR UN, mosaics, code extensions of character sets, label maps. */
+void
+AddOtherDicomSeeds(const std::string & folder, std::vector<FuzzSeed> & seeds)
+{
+  const std::string            path = folder + "/seed.dcm";
+  const shapeton::DicomFixture fixture;
+  const auto                   add = [&](DcmFileFormat & file, E_TransferSyntax syntax = EXS_LittleEndianExplicit) {
+    shapeton::SaveDicom(file, path, syntax);
+    seeds.push_back({ ".dcm", BytesOf(path) });
+  };
+  for (const auto syntax : { EXS_LittleEndianExplicit, EXS_BigEndianExplicit })
+  {
+    const auto slice = fixture.MakeSlice(fixture.SlicePosition(4.0), 3);
+    const auto frames = fixture.MakeEnhanced({ 6, 0, 4, 2 });
+    for (DcmFileFormat * const file : { slice.get(), frames.get() })
+    {
+      shapeton::StoreAllAsUnknown(*file->getDataset());
+      add(*file, syntax);
+    }
+  }
+  auto mosaic = fixture.MakeSlice(fixture.SlicePosition(4.0), 3);
+  shapeton::AddPrivate(*mosaic->getDataset(), 0x19, "SIEMENS MR HEADER", 0x0A, std::string("\x23\0", 2));
+  shapeton::AddPrivate(*mosaic->getDataset(), 0x29, "SIEMENS CSA HEADER", 0x10, shapeton::CsaHeader("35"));
+  add(*mosaic);
+  auto slice = fixture.MakeSlice(fixture.SlicePosition(4.0), 3);
+  shapeton::SetText(*slice, DCM_SpecificCharacterSet, "ISO 2022 IR 13\\ISO 2022 IR 87\\ISO 2022 IR 159");
+  shapeton::SetText(*slice, DCM_SeriesDescription, "\xd4\xcf=\x1b$B;3ED\x1b(J\x1b$(D\x30\x21\x1b(J");
+  add(*slice);
+  shapeton::SetText(*slice, DCM_SpecificCharacterSet, "\\ISO 2022 IR 149");
+  shapeton::SetText(*slice, DCM_SeriesDescription, "Hong=\x1b$)C\xfb\xf3");
+  add(*slice);
+  add(*fixture.MakeLabelMap({ fixture.origin, fixture.SlicePosition(4.0) }, std::vector<Uint16>(126, 1), 8, { 1 }));
+}
+
 void
 AddImageSeeds(const std::string & folder, std::vector<FuzzSeed> & seeds)
 {
@@ -158,6 +192,7 @@ MakeFuzzSeeds(const std::string & folder)
 {
   std::vector<FuzzSeed> seeds;
   AddDicomSeeds(folder, seeds);
+  AddOtherDicomSeeds(folder, seeds);
   AddImageSeeds(folder, seeds);
   AddSurfaceSeeds(folder, seeds);
   return seeds;

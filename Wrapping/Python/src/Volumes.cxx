@@ -92,7 +92,7 @@ AddVolumes(py::module_ & module)
     .def_property_readonly(
       "name", [](const DicomDefect & defect) { return GetDicomDefectName(defect.kind); }, "For example \"gap\".")
     .def_property_readonly(
-      "advice", [](const DicomDefect & defect) { return GetDicomDefectAdvice(defect.kind); }, "What can be done.")
+      "advice", [](const DicomDefect & defect) { return GetDicomDefectAdvice(defect); }, "What can be done.")
     .def_readonly("message", &DicomDefect::message, "The defect in a sentence.")
     .def_readonly("files", &DicomDefect::files, "The files concerned.")
     .def_readonly("slices", &DicomDefect::slices, "The slices concerned, from 1 along the normal.");

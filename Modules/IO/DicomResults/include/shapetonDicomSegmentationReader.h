@@ -11,14 +11,17 @@ struct DicomSegmentInFile
 {
   int         number{ 0 };
   std::string name;
+  /** The name is what its bytes mean in their character set. */
+  bool        isNameDecoded{ true };
   DicomCode   category;
   DicomCode   type;
   std::string trackingUID;
 };
 
-/** A frame of a file: one segment in one plane. \ingroup DicomResults */
+/** A frame of a file: one segment in one plane, all of them in a label map. \ingroup DicomResults */
 struct DicomSegmentFrame
 {
+  /** 0 in a label map. */
   int                   segment{ 0 };
   itk::Point<double, 3> position{};
 };
@@ -36,14 +39,23 @@ struct DicomSegmentationFile
   double spacing[2]{ 0.0, 0.0 };
   /** Along a row, then along a column. */
   double orientation[6]{};
-  /** Of a fractional one, the value of a voxel that is wholly inside; 0 of a binary one. */
-  unsigned int                    wholeValue{ 0 };
+  /** Of a fractional one, the value of a voxel that is wholly inside; 0 of others. */
+  unsigned int wholeValue{ 0 };
+  /** Of a label map, the bytes of a pixel, 1 or 2, whose value is the number of its segment; 0 of others. */
+  unsigned int bytesPerLabel{ 0 };
+  /** Without those that a label map declares as background. */
   std::vector<DicomSegmentInFile> segments;
   std::vector<DicomSegmentFrame>  frames;
+  /** Values of pixels of a label map that belong to no segment: 0 unless it is declared, Pixel Padding Value, and the
+   * numbers of segments of the type Background (125040, DCM). */
+  std::vector<int> background;
+  /** What a user should know, one line each. */
+  std::vector<std::string> notes;
 };
 
-/** Reads the header of a DICOM Segmentation of any maker: binary or fractional, not compressed or deflated; all frames
- * in parallel planes. Throws InputError that names the file and the fault. \ingroup DicomResults */
+/** Reads the header of a DICOM Segmentation of any maker: binary, fractional or a label map (Supplement 243, 8 or 16
+ * bits, whatever its colors), not compressed or deflated; all frames in parallel planes; slices without a segment may
+ * be missing. Throws InputError that names the file and the fault. \ingroup DicomResults */
 DicomResults_EXPORT DicomSegmentationFile
 ReadDicomSegmentation(const std::string & path);
 
@@ -61,14 +73,15 @@ struct DicomSegmentVoxels
   std::vector<std::size_t> voxels;
 };
 
-/** The voxels of segments on a grid, as a rule that of the source series. A voxel of a fractional segment belongs to it
- * from a half on.
+/** The voxels of segments on the grid of the source series. A voxel of a fractional segment belongs to it from a half
+ * on. On the grid of a tilted series (DicomSourceOptions::deshear) each slice is moved by whole pixels, so that no
+ * voxel is lost or doubled.
  *
- * Throws InputError where a frame does not lie in a slice of the grid with the same pixels, two of a segment lie in
- * one, and for a file that is not whole; ParameterError for a number that is not there, or twice. \ingroup DicomResults
- */
+ * Throws InputError where a frame does not lie in a slice of the series with the same pixels, two of a segment lie in
+ * one, and for a file that is not whole; ParameterError for a number that is not there, or twice, or 0, which means no
+ * segment here. \ingroup DicomResults */
 DicomResults_EXPORT DicomSegmentVoxels
-ReadDicomSegments(const DicomSegmentationFile & file, const std::vector<int> & numbers, const itk::ImageBase<3> * grid);
+ReadDicomSegments(const DicomSegmentationFile & file, const std::vector<int> & numbers, const DicomSource & source);
 } // namespace shapeton
 
 #endif

@@ -22,10 +22,23 @@ struct DicomSource
   std::string header;
 };
 
+/** Which series a result belongs to, and what it must have. \ingroup DicomResults */
+struct DicomSourceOptions
+{
+  /** As VolumeReadOptions has it. */
+  std::string seriesUID;
+  /** Take a tilted series: the grid is then that of the repair `deshear`. For reading alone. */
+  bool deshear{ false };
+  /** A message on a tilted series may advise `deshear`. */
+  bool offersDeshear{ false };
+  /** A single slice, or one without a frame of reference, will do: points in pixels need no more. For reading alone. */
+  bool forPoints{ false };
+};
+
 /** Reads the headers of a series. It must be a regular one: a slice of a repaired volume would have nothing to refer
  * to. Throws InputError as ReadVolume() does, and where slices have no SOP Instance UID. \ingroup DicomResults */
 DicomResults_EXPORT DicomSource
-ReadDicomSource(const std::string & path, const std::string & seriesUID = {});
+ReadDicomSource(const std::string & path, const DicomSourceOptions & options = {});
 
 /** How a result names itself. \ingroup DicomResults */
 struct DicomResultHeader

@@ -1,11 +1,10 @@
 #include "shapetonDicomReading.h"
 
 #include "shapetonContainedProcess.h"
+#include "shapetonDicomAttributes.h"
 #include "shapetonExceptions.h"
-#include "shapetonPrintable.h"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <filesystem>
 #include <stdexcept>
@@ -16,48 +15,43 @@ namespace
 {
 /** Longer values stay on disk until they are asked for. */
 constexpr Uint32 MaximumEagerValue = 4096;
-
-/** Not a number for what is none. */
-double
-NumberIn(const std::string & text)
-{
-  const auto first = text.find_first_not_of(" +");
-  const auto last = text.find_last_not_of(std::string(" \0", 2));
-  double     number = std::nan("");
-  if (first != std::string::npos)
-  {
-    const char * const end = text.data() + last + 1;
-    const auto         result = std::from_chars(text.data() + first, end, number);
-    number = result.ec == std::errc() && result.ptr == end ? number : std::nan("");
-  }
-  return number;
-}
 } // namespace
 
 std::string
 TextOf(DcmItem & item, const DcmTagKey & tag)
 {
-  OFString text;
-  item.findAndGetOFStringArray(tag, text);
-  return Printable(std::string(text.c_str(), std::min<std::size_t>(text.size(), 256)));
+  return DicomTextOf(item, tag).text;
 }
 
 std::vector<double>
 NumbersOf(DcmItem & item, const DcmTagKey & tag, std::size_t count)
 {
   std::vector<double> numbers;
-  for (std::size_t i = 0; i < count; ++i)
+  try
   {
-    OFString text;
-    item.findAndGetOFString(tag, text, i);
-    numbers.push_back(NumberIn(text.c_str()));
-    if (!std::isfinite(numbers.back()))
-    {
-      throw std::runtime_error(std::string("its attribute ") + DcmTag(tag).getTagName() + " has not the " +
-                               std::to_string(count) + " numbers that it must have");
-    }
+    numbers = DicomNumbersOf(item, tag, count);
+  }
+  catch (const MalformedDicomValue & malformed)
+  {
+    throw std::runtime_error(std::string("cannot be read: its ") + malformed.what());
+  }
+  if (numbers.empty())
+  {
+    throw std::runtime_error(std::string("lacks its attribute ") + DcmTag(tag).getTagName());
   }
   return numbers;
+}
+
+int
+WordOf(DcmItem & item, const DcmTagKey & tag)
+{
+  const double number = NumbersOf(item, tag, 1).front();
+  if (!(number >= 0 && number <= 65535 && number == std::floor(number)))
+  {
+    throw std::runtime_error(std::string("cannot be read: its ") + DcmTag(tag).getTagName() +
+                             " is not a whole number from 0 to 65535");
+  }
+  return static_cast<int>(number);
 }
 
 DcmItem *
@@ -101,13 +95,17 @@ LoadDicomObject(DcmFileFormat & file, const std::string & path, const std::vecto
   {
     throw std::runtime_error(std::string("is no DICOM file, or ends too early (") + status.text() + ")");
   }
+  const DicomEncoding encoding = DicomEncodingOf(file);
+  if (encoding.isUnknown)
+  {
+    throw std::runtime_error("is encoded as " + encoding.name + ", which is not supported; decompress it");
+  }
   const std::string uid = TextOf(*file.getDataset(), DCM_SOPClassUID);
   if (std::find(sopClassUIDs.begin(), sopClassUIDs.end(), uid) == sopClassUIDs.end())
   {
     throw std::runtime_error(std::string("is of the kind ") + dcmFindNameOfUID(uid.c_str(), "unknown") + ", not " +
                              dcmFindNameOfUID(sopClassUIDs.front().c_str(), "the one that is read here"));
   }
-  file.getDataset()->convertToUTF8(); // what cannot be converted is printed as '?'
 }
 
 void
@@ -128,7 +126,7 @@ ReadContained(const std::string &                                               
   const ContainedProcess::Limits limits{ (std::size_t(1) << 30) + 2 * sharedBytes, 60, 600 };
   ContainedProcess               process(
     [&service](const std::string & bytes, char * shared) {
-      OFLog::configure(OFLogger::OFF_LOG_LEVEL);
+      PrepareDicomParsing();
       return service(bytes, shared);
     },
     sharedBytes,

@@ -14,13 +14,17 @@
 
 namespace shapeton
 {
-/** One line, at most 256 bytes; empty where there is none. */
+/** One line of UTF-8, at most 256 bytes; empty where there is none. */
 std::string
 TextOf(DcmItem & item, const DcmTagKey & tag);
 
-/** So many finite numbers; throws std::runtime_error that names the attribute. */
+/** So many finite numbers; throws std::runtime_error that names the attribute and its value. */
 std::vector<double>
 NumbersOf(DcmItem & item, const DcmTagKey & tag, std::size_t count);
+
+/** A whole number from 0 to 65535; throws std::runtime_error as NumbersOf() does. */
+int
+WordOf(DcmItem & item, const DcmTagKey & tag);
 
 /** Item number `number` of a sequence, from 0; null where there is none. */
 DcmItem *
@@ -34,7 +38,8 @@ ItemsOf(DcmItem & item, const DcmTagKey & sequence);
 DicomCode
 CodeOf(DcmItem & item, const DcmTagKey & sequence);
 
-/** Loads a file of one of these classes, long values left on disk; throws std::runtime_error. */
+/** Loads a file of one of these classes, long values left on disk; throws std::runtime_error, also for a transfer
+ * syntax that DCMTK does not know. */
 void
 LoadDicomObject(DcmFileFormat & file, const std::string & path, const std::vector<std::string> & sopClassUIDs);
 

@@ -248,6 +248,11 @@ private:
   Place
   InSpace(const Graphic & graphic, const float * values) const
   {
+    if (m_Source.series.frameOfReferenceUID.empty())
+    {
+      throw InputError('"' + m_Path + "\" has points in space, and the series " + m_Source.series.uid +
+                       " has no frame of reference to which they could belong; give the series that it was made on");
+    }
     if (graphic.frameOfReferenceUID != m_Source.series.frameOfReferenceUID)
     {
       throw InputError('"' + m_Path + "\" has points in " + (graphic.frameOfReferenceUID.empty() ? "no" : "another") +
@@ -281,11 +286,17 @@ private:
     {
       throw InputError('"' + m_Path + "\" has points of " + graphic.name + " outside of their image; write it again");
     }
-    itk::ContinuousIndex<double, 3> index;
-    index[0] = values[0] - 0.5; // 0 is the outer corner of the first pixel
-    index[1] = values[1] - 0.5;
-    index[2] = static_cast<double>(slice - slices.begin());
-    return m_Source.grid->TransformContinuousIndexToPhysicalPoint<double>(index);
+    const DicomSeries & series = m_Source.series;
+    Place               place = slice->imagePosition;
+    for (unsigned int axis = 0; axis < 2; ++axis)
+    {
+      const double pixels = values[axis] - 0.5; // 0 is the outer corner of the first pixel
+      for (unsigned int k = 0; k < 3; ++k)
+      {
+        place[k] += pixels * series.spacing[axis] * series.direction(k, axis);
+      }
+    }
+    return place;
   }
 
   /** A circle is given by its middle and a point of it, an ellipse by the ends of its axes. */

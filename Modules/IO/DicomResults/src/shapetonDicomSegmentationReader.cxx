@@ -1,6 +1,7 @@
 #include "shapetonDicomSegmentationReader.h"
 
 #include "shapetonByteStream.h"
+#include "shapetonDicomAttributes.h"
 #include "shapetonDicomReading.h"
 #include "shapetonExceptions.h"
 
@@ -16,6 +17,8 @@ namespace shapeton
 namespace
 {
 constexpr std::uint64_t MaximumDeflateRatio = 1032;
+
+const std::vector<std::string> segmentationClasses{ UID_SegmentationStorage, LabelMapSegmentationStorageUID };
 
 // ---- in the contained process ----
 
@@ -46,8 +49,9 @@ ReadSegments(DcmItem & dataset, DicomSegmentationFile & file)
   for (DcmItem * const item : ItemsOf(dataset, DCM_SegmentSequence))
   {
     DicomSegmentInFile segment;
-    segment.number = static_cast<int>(NumbersOf(*item, DCM_SegmentNumber, 1).front());
-    segment.name = TextOf(*item, DCM_SegmentLabel);
+    segment.number = WordOf(*item, DCM_SegmentNumber);
+    const DicomText name = DicomTextOf(*item, DCM_SegmentLabel);
+    segment.name = name.text;
     segment.category = CodeOf(*item, DCM_SegmentedPropertyCategoryCodeSequence);
     segment.type = CodeOf(*item, DCM_SegmentedPropertyTypeCodeSequence);
     segment.trackingUID = TextOf(*item, DCM_TrackingUID);
@@ -55,11 +59,39 @@ ReadSegments(DcmItem & dataset, DicomSegmentationFile & file)
     {
       throw std::runtime_error("declares segment " + std::to_string(segment.number) + " twice");
     }
+    segment.isNameDecoded = name.isDecoded;
     file.segments.push_back(segment);
   }
   if (file.segments.empty())
   {
     throw std::runtime_error("declares no segment");
+  }
+}
+
+/** Takes the background out of the segments of a label map. */
+void
+TakeBackground(DcmItem & dataset, DicomSegmentationFile & file)
+{
+  if (dataset.tagExistsWithValue(DCM_PixelPaddingValue))
+  {
+    file.background.push_back(WordOf(dataset, DCM_PixelPaddingValue));
+  }
+  const auto isBackground = [&](const DicomSegmentInFile & segment) {
+    return (!file.background.empty() && segment.number == file.background.front()) ||
+           (segment.type.value == "125040" && segment.type.scheme == "DCM");
+  };
+  const bool isZeroFree = !Declares(file, 0);
+  const auto end = std::stable_partition(
+    file.segments.begin(), file.segments.end(), [&](const auto & segment) { return !isBackground(segment); });
+  std::for_each(end, file.segments.end(), [&](const auto & segment) { file.background.push_back(segment.number); });
+  file.segments.erase(end, file.segments.end());
+  if (isZeroFree)
+  {
+    file.background.push_back(0);
+  }
+  if (file.segments.empty())
+  {
+    throw std::runtime_error("declares no segment besides the background");
   }
 }
 
@@ -99,12 +131,15 @@ ReadFrames(DcmItem & dataset, DicomSegmentationFile & file)
               GroupOf(item, shared, DCM_PixelMeasuresSequence),
               file.frames.empty(),
               file);
-    DcmItem &  identification = GroupOf(item, shared, DCM_SegmentIdentificationSequence);
     const auto position = NumbersOf(GroupOf(item, shared, DCM_PlanePositionSequence), DCM_ImagePositionPatient, 3);
     DicomSegmentFrame frame;
-    frame.segment = static_cast<int>(NumbersOf(identification, DCM_ReferencedSegmentNumber, 1).front());
     frame.position = itk::Point<double, 3>(position.data());
-    if (!Declares(file, frame.segment))
+    if (file.bytesPerLabel == 0)
+    {
+      DcmItem & identification = GroupOf(item, shared, DCM_SegmentIdentificationSequence);
+      frame.segment = WordOf(identification, DCM_ReferencedSegmentNumber);
+    }
+    if (file.bytesPerLabel == 0 && !Declares(file, frame.segment))
     {
       throw std::runtime_error("has frames of segment " + std::to_string(frame.segment) +
                                ", which it does not declare");
@@ -117,7 +152,8 @@ std::uint64_t
 BytesOfPixels(const DicomSegmentationFile & file)
 {
   const std::uint64_t pixels = std::uint64_t(file.columns) * file.rows * file.frames.size();
-  return file.wholeValue > 0 ? pixels : (pixels + 7) / 8;
+  const std::uint64_t bytes = file.wholeValue > 0 ? 1 : file.bytesPerLabel;
+  return bytes > 0 ? bytes * pixels : (pixels + 7) / 8;
 }
 
 /** The pixel data are as long as frames and format ask for: checked before memory is asked for. */
@@ -144,17 +180,22 @@ void
 ReadPixelFormat(DcmItem & dataset, DicomSegmentationFile & file)
 {
   const std::string type = TextOf(dataset, DCM_SegmentationType);
-  const double      bits = NumbersOf(dataset, DCM_BitsAllocated, 1).front();
-  file.columns = static_cast<unsigned int>(NumbersOf(dataset, DCM_Columns, 1).front());
-  file.rows = static_cast<unsigned int>(NumbersOf(dataset, DCM_Rows, 1).front());
+  const int         bits = WordOf(dataset, DCM_BitsAllocated);
+  file.columns = static_cast<unsigned int>(WordOf(dataset, DCM_Columns));
+  file.rows = static_cast<unsigned int>(WordOf(dataset, DCM_Rows));
   if (type == "FRACTIONAL" && bits == 8)
   {
-    file.wholeValue = static_cast<unsigned int>(NumbersOf(dataset, DCM_MaximumFractionalValue, 1).front());
+    file.wholeValue = static_cast<unsigned int>(WordOf(dataset, DCM_MaximumFractionalValue));
   }
-  if (file.columns == 0 || file.rows == 0 || (file.wholeValue == 0 && !(type == "BINARY" && bits == 1)))
+  if (type == "LABELMAP" && (bits == 8 || bits == 16))
   {
-    throw std::runtime_error("is a segmentation of the type " + type + " with " +
-                             std::to_string(static_cast<int>(bits)) + " bits, which is not read");
+    file.bytesPerLabel = static_cast<unsigned int>(bits) / 8;
+  }
+  const bool isBinary = type == "BINARY" && bits == 1;
+  if (file.columns == 0 || file.rows == 0 || (file.wholeValue == 0 && file.bytesPerLabel == 0 && !isBinary))
+  {
+    throw std::runtime_error("is a segmentation of the type " + type + " with " + std::to_string(bits) +
+                             " bits, which is not read");
   }
 }
 
@@ -164,20 +205,22 @@ Transmit(TStream & stream, TFile & file)
 {
   auto     segments = static_cast<std::uint64_t>(file.segments.size());
   auto     frames = static_cast<std::uint64_t>(file.frames.size());
+  auto     background = static_cast<std::uint64_t>(file.background.size());
   stream & file.frameOfReferenceUID & file.seriesUID & file.columns & file.rows & file.spacing & file.orientation & file
-    .wholeValue & segments & frames;
+    .wholeValue & file.bytesPerLabel & segments & frames & background;
   if constexpr (!std::is_const<TFile>::value)
   {
-    if (segments + frames > stream.GetLeft())
+    if (segments + frames + background > stream.GetLeft())
     {
       throw std::runtime_error("cannot be read: incomplete message");
     }
     file.segments.resize(segments);
     file.frames.resize(frames);
+    file.background.resize(background);
   }
   for (auto & segment : file.segments)
   {
-    stream & segment.number & segment.name & segment.trackingUID;
+    stream & segment.number & segment.name & segment.isNameDecoded & segment.trackingUID;
     for (auto * const code : { &segment.category, &segment.type })
     {
       stream & code->value & code->scheme & code->meaning;
@@ -187,13 +230,17 @@ Transmit(TStream & stream, TFile & file)
   {
     stream & frame.segment & frame.position[0] & frame.position[1] & frame.position[2];
   }
+  for (auto & value : file.background)
+  {
+    stream & value;
+  }
 }
 
 std::string
 ParseHeader(const std::string & path)
 {
   DcmFileFormat format;
-  LoadDicomObject(format, path, { UID_SegmentationStorage });
+  LoadDicomObject(format, path, segmentationClasses);
   DcmDataset &          dataset = *format.getDataset();
   DicomSegmentationFile file;
   file.path = path;
@@ -204,6 +251,10 @@ ParseHeader(const std::string & path)
   }
   ReadPixelFormat(dataset, file);
   ReadSegments(dataset, file);
+  if (file.bytesPerLabel > 0)
+  {
+    TakeBackground(dataset, file);
+  }
   ReadFrames(dataset, file);
   RequirePixels(dataset, file);
   ByteWriter                    writer;
@@ -216,37 +267,38 @@ std::string
 CopyPixels(const std::string & path, std::size_t bytes, char * shared)
 {
   DcmFileFormat format;
-  LoadDicomObject(format, path, { UID_SegmentationStorage });
-  const Uint8 * pixels = nullptr;
-  unsigned long count = 0;
-  DcmDataset &  dataset = *format.getDataset();
-  if (dataset.findAndGetUint8Array(DCM_PixelData, pixels, &count).bad() || !pixels || count < bytes)
+  LoadDicomObject(format, path, segmentationClasses);
+  DcmDataset & dataset = *format.getDataset();
+  DcmElement * pixels = nullptr;
+  // Whatever the VR: pixels of 8 bits and less are OW where the encoding does not tell it.
+  const bool isRead = dataset.findAndGetElement(DCM_PixelData, pixels).good() && pixels &&
+                      pixels->getLength(dataset.getOriginalXfer()) >= bytes &&
+                      pixels->getPartialValue(shared, 0, static_cast<Uint32>(bytes)).good();
+  if (!isRead)
   {
     throw std::runtime_error("ends within its pixels");
   }
-  std::copy(pixels, pixels + bytes, shared);
   return {};
 }
 
 // ---- in this process ----
 
-/** Where frames lie on a grid. */
-class GridPlanes
+/** Where frames lie in the slices of a series. */
+class SeriesPlanes
 {
 public:
-  GridPlanes(const DicomSegmentationFile & file, const itk::ImageBase<3> * grid) : m_File(file), m_Grid(grid)
+  SeriesPlanes(const DicomSegmentationFile & file, const DicomSeries & series) : m_File(file), m_Series(series)
   {
-    const auto size = grid->GetLargestPossibleRegion().GetSize();
-    bool       isSame = file.columns == size[0] && file.rows == size[1];
+    bool isSame = file.columns == series.size[0] && file.rows == series.size[1];
     for (unsigned int k = 0; k < 3; ++k)
     {
-      isSame = isSame && std::abs(grid->GetDirection()(k, 0) - file.orientation[k]) <= 1e-3 &&
-               std::abs(grid->GetDirection()(k, 1) - file.orientation[3 + k]) <= 1e-3;
+      isSame = isSame && std::abs(series.direction(k, 0) - file.orientation[k]) <= 1e-3 &&
+               std::abs(series.direction(k, 1) - file.orientation[3 + k]) <= 1e-3;
     }
     for (unsigned int axis = 0; axis < 2; ++axis)
     {
-      const double extent = static_cast<double>(size[axis]) * std::abs(grid->GetSpacing()[axis] - file.spacing[axis]);
-      isSame = isSame && extent <= Tolerance * grid->GetSpacing()[axis];
+      const double extent = series.size[axis] * std::abs(series.spacing[axis] - file.spacing[axis]);
+      isSame = isSame && extent <= Tolerance * series.spacing[axis];
     }
     if (!isSame)
     {
@@ -257,15 +309,23 @@ public:
   std::size_t
   SliceOf(const DicomSegmentFrame & frame) const
   {
-    const auto index = m_Grid->TransformPhysicalPointToContinuousIndex<double>(frame.position);
-    const auto slice = std::lround(index[2]);
-    const auto slices = static_cast<long>(m_Grid->GetLargestPossibleRegion().GetSize(2));
-    if (!(std::abs(index[0]) <= Tolerance && std::abs(index[1]) <= Tolerance &&
-          std::abs(index[2] - static_cast<double>(slice)) <= Tolerance && slice >= 0 && slice < slices))
+    const auto & slices = m_Series.slices;
+    const auto   distance = [&](const DicomSlice & slice) {
+      return frame.position.SquaredEuclideanDistanceTo(slice.imagePosition);
+    };
+    const auto nearest =
+      std::min_element(slices.begin(), slices.end(), [&](const DicomSlice & a, const DicomSlice & b) {
+        return distance(a) < distance(b);
+      });
+    const auto step = m_Series.direction.GetTranspose() * (frame.position - nearest->imagePosition).GetVnlVector();
+    for (unsigned int axis = 0; axis < 3; ++axis)
     {
-      this->Refuse();
+      if (!(std::abs(step[axis]) <= Tolerance * m_Series.spacing[axis]))
+      {
+        this->Refuse();
+      }
     }
-    return static_cast<std::size_t>(slice);
+    return static_cast<std::size_t>(nearest - slices.begin());
   }
 
 private:
@@ -280,8 +340,27 @@ private:
   }
 
   const DicomSegmentationFile & m_File;
-  const itk::ImageBase<3> *     m_Grid;
+  const DicomSeries &           m_Series;
 };
+
+/** The labels of a slice, on which frames are painted. */
+struct Canvas
+{
+  unsigned short * labels;
+  /** Pixels from one row to the next. */
+  std::size_t pitch;
+};
+
+/** The place of a slice on the grid of a source, to the nearest pixel. */
+Canvas
+CanvasOf(DicomLabelImage * labels, const DicomSlice & slice, std::size_t number)
+{
+  const auto size = labels->GetLargestPossibleRegion().GetSize();
+  const auto first = labels->TransformPhysicalPointToContinuousIndex<double>(slice.imagePosition);
+  const auto column = static_cast<std::size_t>(std::max(0L, std::lround(first[0])));
+  const auto row = static_cast<std::size_t>(std::max(0L, std::lround(first[1])));
+  return { labels->GetBufferPointer() + (number * size[1] + row) * size[0] + column, size[0] };
+}
 
 DicomLabelImage::Pointer
 EmptyLabels(const itk::ImageBase<3> * grid)
@@ -293,25 +372,79 @@ EmptyLabels(const itk::ImageBase<3> * grid)
   return labels;
 }
 
+/** The pixels of a file. */
+class FramePixels
+{
+public:
+  FramePixels(const DicomSegmentationFile & file, const char * data)
+    : m_File(file), m_Bytes(reinterpret_cast<const unsigned char *>(data))
+  {}
+
+  bool
+  IsIn(std::size_t pixel, int segment) const
+  {
+    if (m_File.bytesPerLabel > 0)
+    {
+      return this->LabelOf(pixel) == segment;
+    }
+    return m_File.wholeValue > 0 ? 2u * m_Bytes[pixel] >= m_File.wholeValue
+                                 : ((m_Bytes[pixel / 8] >> (pixel % 8)) & 1) != 0;
+  }
+
+  int
+  LabelOf(std::size_t pixel) const
+  {
+    return m_File.bytesPerLabel == 1 ? m_Bytes[pixel] : reinterpret_cast<const std::uint16_t *>(m_Bytes)[pixel];
+  }
+
+private:
+  const DicomSegmentationFile & m_File;
+  const unsigned char *         m_Bytes;
+};
+
 /** Returns how many voxels it has painted. */
 std::size_t
-PaintFrame(const DicomSegmentationFile & file, std::size_t frame, const char * data, int number, unsigned short * slice)
+PaintFrame(const DicomSegmentationFile & file, std::size_t frame, const char * data, int number, const Canvas & canvas)
 {
-  const auto * const bytes = reinterpret_cast<const unsigned char *>(data);
-  const std::size_t  pixels = std::size_t(file.columns) * file.rows;
-  const std::size_t  first = frame * pixels;
-  std::size_t        painted = 0;
-  for (std::size_t i = 0; i < pixels; ++i)
+  const FramePixels pixels(file, data);
+  std::size_t       next = frame * file.columns * file.rows;
+  std::size_t       painted = 0;
+  for (std::size_t row = 0; row < file.rows; ++row)
   {
-    const std::size_t at = first + i;
-    const bool isIn = file.wholeValue > 0 ? 2u * bytes[at] >= file.wholeValue : ((bytes[at / 8] >> (at % 8)) & 1) != 0;
-    if (isIn)
+    for (std::size_t column = 0; column < file.columns; ++column, ++next)
     {
-      slice[i] = static_cast<unsigned short>(number);
-      ++painted;
+      if (pixels.IsIn(next, number))
+      {
+        canvas.labels[row * canvas.pitch + column] = static_cast<unsigned short>(number);
+        ++painted;
+      }
     }
   }
   return painted;
+}
+
+/** Each pixel of a label map has the number of a segment, or belongs to the background. */
+void
+RequireDeclaredLabels(const DicomSegmentationFile & file, const char * data)
+{
+  std::vector<bool> isKnown(65536, false);
+  for (const int value : file.background)
+  {
+    isKnown[static_cast<std::uint16_t>(value)] = true;
+  }
+  for (const DicomSegmentInFile & segment : file.segments)
+  {
+    isKnown[static_cast<std::uint16_t>(segment.number)] = true;
+  }
+  const FramePixels pixels(file, data);
+  for (std::size_t i = 0; i < std::size_t(file.columns) * file.rows * file.frames.size(); ++i)
+  {
+    if (!isKnown[static_cast<std::uint16_t>(pixels.LabelOf(i))])
+    {
+      throw InputError('"' + file.path + "\" has pixels of segment " + std::to_string(pixels.LabelOf(i)) +
+                       ", which it does not declare; write it again");
+    }
+  }
 }
 
 void
@@ -320,6 +453,8 @@ RequireSegments(const DicomSegmentationFile & file, const std::vector<int> & num
   for (const int number : numbers)
   {
     RequireParameter(Declares(file, number), '"' + file.path + "\" has no segment " + std::to_string(number));
+    RequireParameter(number != 0,
+                     "segment 0 of \"" + file.path + "\" is not read, as 0 means no segment; choose others");
     RequireParameter(std::count(numbers.begin(), numbers.end(), number) == 1,
                      "segment " + std::to_string(number) + " is asked for twice");
   }
@@ -327,9 +462,9 @@ RequireSegments(const DicomSegmentationFile & file, const std::vector<int> & num
 
 /** The slice of each frame. */
 std::vector<std::size_t>
-SlicesOf(const DicomSegmentationFile & file, const itk::ImageBase<3> * grid)
+SlicesOf(const DicomSegmentationFile & file, const DicomSeries & series)
 {
-  const GridPlanes                      planes(file, grid);
+  const SeriesPlanes                    planes(file, series);
   std::vector<std::size_t>              slices;
   std::set<std::pair<int, std::size_t>> taken;
   for (const DicomSegmentFrame & frame : file.frames)
@@ -374,26 +509,37 @@ ReadDicomSegmentation(const std::string & path)
       Transmit(reader, file);
     });
   file.path = path;
+  for (const DicomSegmentInFile & segment : file.segments)
+  {
+    if (!segment.isNameDecoded)
+    {
+      file.notes.push_back("the label of segment " + std::to_string(segment.number) +
+                           " has bytes that do not belong to its character set, shown as '?'");
+    }
+  }
   return file;
 }
 
 DicomSegmentVoxels
-ReadDicomSegments(const DicomSegmentationFile & file, const std::vector<int> & numbers, const itk::ImageBase<3> * grid)
+ReadDicomSegments(const DicomSegmentationFile & file, const std::vector<int> & numbers, const DicomSource & source)
 {
   RequireSegments(file, numbers);
-  const auto         slices = SlicesOf(file, grid);
-  DicomSegmentVoxels read{ EmptyLabels(grid), std::vector<std::size_t>(numbers.size(), 0) };
-  const std::size_t  pixels = std::size_t(file.columns) * file.rows;
+  const auto         slices = SlicesOf(file, source.series);
+  DicomSegmentVoxels read{ EmptyLabels(source.grid), std::vector<std::size_t>(numbers.size(), 0) };
   const std::size_t  bytes = BytesOfPixels(file);
   const auto         paint = [&](const std::string &, const char * data) {
+    if (file.bytesPerLabel > 0)
+    {
+      RequireDeclaredLabels(file, data);
+    }
     for (std::size_t k = 0; k < numbers.size(); ++k)
     {
       for (std::size_t i = 0; i < file.frames.size(); ++i)
       {
-        if (file.frames[i].segment == numbers[k])
+        if (file.frames[i].segment == numbers[k] || file.bytesPerLabel > 0)
         {
-          auto * const slice = read.labels->GetBufferPointer() + slices[i] * pixels;
-          read.voxels[k] += PaintFrame(file, i, data, numbers[k], slice);
+          const Canvas canvas = CanvasOf(read.labels, source.series.slices[slices[i]], slices[i]);
+          read.voxels[k] += PaintFrame(file, i, data, numbers[k], canvas);
         }
       }
     }

@@ -1,6 +1,7 @@
 #include "shapetonDicomSource.h"
 
 #include "shapetonContainedProcess.h"
+#include "shapetonDicomAttributes.h"
 #include "shapetonExceptions.h"
 
 #include "dcmtk/config/osconfig.h"
@@ -96,7 +97,12 @@ std::string
 ReadHeader(const std::string & path)
 {
   ContainedProcess process(
-    [](const std::string & request, char *) { return HeaderOf(request); }, 0, { std::size_t(512) << 20, 15, 600 });
+    [](const std::string & request, char *) {
+      PrepareDicomParsing();
+      return HeaderOf(request);
+    },
+    0,
+    { std::size_t(512) << 20, 15, 600 });
   try
   {
     return process.Call(path);
@@ -107,19 +113,8 @@ ReadHeader(const std::string & path)
   }
 }
 
-itk::ImageBase<3>::Pointer
-GridOf(const DicomSeries & series)
-{
-  const auto grid = itk::ImageBase<3>::New();
-  grid->SetRegions(itk::Size<3>{ { series.size[0], series.size[1], series.size[2] } });
-  grid->SetSpacing(series.spacing);
-  grid->SetDirection(series.direction);
-  grid->SetOrigin(series.slices.front().imagePosition);
-  return grid;
-}
-
 void
-RequireReferable(const DicomSeries & series)
+RequireReferable(const DicomSeries & series, bool forPoints)
 {
   for (const DicomSlice & slice : series.slices)
   {
@@ -129,7 +124,8 @@ RequireReferable(const DicomSeries & series)
                                     "series from its source again");
     }
   }
-  if (series.uid.empty() || series.studyUID.empty() || series.frameOfReferenceUID.empty())
+  const bool hasIdentity = !series.uid.empty() && !series.studyUID.empty() && !series.frameOfReferenceUID.empty();
+  if (!hasIdentity && !forPoints)
   {
     throw InputError(series.slices.front().file +
                      ": has no Series or Study Instance UID or no frame of reference, so that no result can belong to "
@@ -139,16 +135,19 @@ RequireReferable(const DicomSeries & series)
 } // namespace
 
 DicomSource
-ReadDicomSource(const std::string & path, const std::string & seriesUID)
+ReadDicomSource(const std::string & path, const DicomSourceOptions & sourceOptions)
 {
+  using Advice = VolumeReadOptions::Advice;
   VolumeReadOptions options;
-  options.seriesUID = seriesUID;
-  options.adviseRepair = false;
+  options.seriesUID = sourceOptions.seriesUID;
+  options.deshear = sourceOptions.deshear;
+  options.allowSingleSlice = sourceOptions.forPoints;
+  options.advice = sourceOptions.offersDeshear ? Advice::deshear : Advice::none;
   const DicomScan scan = ScanDicom(path);
   DicomSource     source;
   source.series = SelectDicomSeries(scan, options);
-  RequireReferable(source.series);
-  source.grid = GridOf(source.series);
+  RequireReferable(source.series, sourceOptions.forPoints);
+  source.grid = GridOfDicomSeries(source.series, sourceOptions.deshear);
   source.header = ReadHeader(source.series.slices.front().file);
   return source;
 }

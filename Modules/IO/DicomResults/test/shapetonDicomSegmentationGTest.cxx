@@ -95,15 +95,15 @@ ExpectRoundTrip(const Written & written)
   ASSERT_EQ(file.segments.size(), 3u);
   EXPECT_EQ(file.segments[1].name, "two");
   EXPECT_EQ(file.segments[1].type.value, "71854001");
-  const auto back = ReadDicomSegments(file, { 1, 2 }, written.source.grid).labels;
+  const auto back = ReadDicomSegments(file, { 1, 2 }, written.source).labels;
   EXPECT_EQ(ValuesOf(back), ValuesOf(written.labels));
   EXPECT_TRUE(HaveSameGrid(back, written.source.grid));
-  const auto covered = ReadDicomSegments(file, { 1, 2, 3 }, written.source.grid); // 3 lies over the others
+  const auto covered = ReadDicomSegments(file, { 1, 2, 3 }, written.source); // 3 lies over the others
   EXPECT_EQ(covered.voxels[0], written.segmentation.voxels[0]);
   EXPECT_EQ(covered.voxels[2], written.segmentation.voxels[3]);
   std::vector<unsigned short> third = ValuesOf(written.others);
   std::transform(third.begin(), third.end(), third.begin(), [](unsigned short value) { return value == 2 ? 3 : 0; });
-  EXPECT_EQ(ValuesOf(ReadDicomSegments(file, { 3 }, written.source.grid).labels), third);
+  EXPECT_EQ(ValuesOf(ReadDicomSegments(file, { 3 }, written.source).labels), third);
 }
 } // namespace
 
@@ -129,7 +129,7 @@ TEST(DicomSegmentation, ComesBackFromFramesOfOneFile)
   WriteDicomSegmentation(source, { Segment("one", labels, 1) }, HeaderOfTest(), folder + "/seg.dcm");
   std::vector<unsigned short> expected = ValuesOf(labels);
   std::transform(expected.begin(), expected.end(), expected.begin(), [](unsigned short v) { return v == 1 ? 1 : 0; });
-  const auto back = ReadDicomSegments(ReadDicomSegmentation(folder + "/seg.dcm"), { 1 }, source.grid).labels;
+  const auto back = ReadDicomSegments(ReadDicomSegmentation(folder + "/seg.dcm"), { 1 }, source).labels;
   EXPECT_EQ(ValuesOf(back), expected);
   DcmFileFormat file = Loaded(folder + "/seg.dcm");
   EXPECT_EQ(ValueOf(file, DCM_ReferencedFrameNumber), "2"); // the first slice along the normal
@@ -185,7 +185,7 @@ TEST(DicomSegmentation, RefusesAnotherGrid)
   EXPECT_TRUE(
     Contains(InputErrorOf([&] { WriteDicomSegmentation(other, written.Segments(), HeaderOfTest(), written.path); }),
              "does not lie on the voxels of the series"));
-  EXPECT_TRUE(Contains(InputErrorOf([&] { ReadDicomSegments(ReadDicomSegmentation(written.path), { 1 }, other.grid); }),
+  EXPECT_TRUE(Contains(InputErrorOf([&] { ReadDicomSegments(ReadDicomSegmentation(written.path), { 1 }, other); }),
                        "no slices of the given series"));
 }
 
@@ -215,7 +215,7 @@ TEST(DicomSegmentation, ReadsFractionalOnesFromHalfOn)
   dataset.putAndInsertUint16(DCM_MaximumFractionalValue, 255);
   dataset.putAndInsertUint8Array(DCM_PixelData, values.data(), values.size());
   SaveDicom(file, written.path);
-  const auto labels = ReadDicomSegments(ReadDicomSegmentation(written.path), { 1 }, written.source.grid).labels;
+  const auto labels = ReadDicomSegments(ReadDicomSegmentation(written.path), { 1 }, written.source).labels;
   std::vector<unsigned short> expected(pixels * 6, 0);
   expected[4] = 1;
   EXPECT_EQ(ValuesOf(labels), expected);
@@ -245,7 +245,7 @@ TEST(DicomSegmentation, RefusesFramesAndSegmentsThatContradictEachOther)
     DcmFileFormat file = Loaded(written.path);
     change(*file.getDataset());
     SaveDicom(file, written.path);
-    return InputErrorOf([&] { ReadDicomSegments(ReadDicomSegmentation(written.path), { 1 }, written.source.grid); });
+    return InputErrorOf([&] { ReadDicomSegments(ReadDicomSegmentation(written.path), { 1 }, written.source); });
   };
   const auto numberOf = [](DcmDataset & dataset, signed long item, Uint16 number) {
     DcmItem * segment = nullptr;
@@ -270,7 +270,7 @@ TEST(DicomSegmentation, RefusesFramesAndSegmentsThatContradictEachOther)
 TEST(DicomSegmentation, ASegmentIsAskedForOnce)
 {
   const Written written(ObliqueFixture());
-  EXPECT_THROW(ReadDicomSegments(ReadDicomSegmentation(written.path), { 1, 1 }, written.source.grid), ParameterError);
+  EXPECT_THROW(ReadDicomSegments(ReadDicomSegmentation(written.path), { 1, 1 }, written.source), ParameterError);
 }
 
 TEST(DicomSegmentation, NamesInOtherCharacterSetsAreUtf8)

@@ -9,6 +9,7 @@
 #include "itkPoint.h"
 
 #include <cstdint>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -41,18 +42,17 @@ enum class DicomDefectKind
   /** The slices of one volume name several frames of reference, a flaw of some de-identifications: a remark. */
   mixedFrameOfReference,
   /** The slices of one volume name several patients (Patient ID), another such flaw: a remark. */
-  mixedPatient
+  mixedPatient,
+  /** A number of the geometry or the intensities cannot be read, for example for its decimal comma. */
+  malformedValue,
+  /** A text whose bytes do not fit its character set: a remark. */
+  undecodableText
 };
 
 /** The fixed name, for example "duplicateIdentical".
  * \ingroup DicomSeries */
 DicomSeries_EXPORT const char *
 GetDicomDefectName(DicomDefectKind kind);
-
-/** What a person can do about a defect, for example the option of the tools that repairs it.
- * \ingroup DicomSeries */
-DicomSeries_EXPORT const char *
-GetDicomDefectAdvice(DicomDefectKind kind);
 
 /** \brief One defect, in a sentence, with the files and slices concerned.
  * \ingroup DicomSeries */
@@ -64,7 +64,14 @@ struct DicomDefect
   std::vector<std::string> files;
   /** Slices concerned, numbered from 1 along the normal; empty for defects of files. */
   std::vector<unsigned int> slices;
+  /** False for gaps and shear beyond what ReadVolume() repairs: the grid would be several times the slices. */
+  bool isRepairable{ true };
 };
+
+/** What a person can do about a defect, for example the option of the tools that repairs it.
+ * \ingroup DicomSeries */
+DicomSeries_EXPORT const char *
+GetDicomDefectAdvice(const DicomDefect & defect);
 
 /** \brief How the stored pixels of a slice become intensities: value = slope * stored + intercept.
  * \ingroup DicomSeries */
@@ -121,8 +128,10 @@ struct DicomSeries
   unsigned int parts{ 1 };
   int          number{ 0 };
   std::string  description;
-  std::string  modality;
-  std::string  patientPosition;
+  /** What tells this part from the others, for example "ConvolutionKernel B70f"; empty where its geometry does. */
+  std::string distinction;
+  std::string modality;
+  std::string patientPosition;
   /** Names of the transfer syntaxes, joined by ", ". */
   std::string transferSyntax;
   /** Columns, rows, slices. */
@@ -170,6 +179,8 @@ struct DicomScan
   std::vector<DicomSeries> series;
   /** Files outside any series: not DICOM, DICOM without an image, too damaged to tell. */
   std::vector<DicomDefect> otherFiles;
+  /** How many DICOM objects without an image there are of each kind, for example "RTStructureSetStorage". */
+  std::map<std::string, unsigned int> otherObjects;
 };
 
 /** \brief Lists the DICOM series in a folder (searched recursively; each file and folder once, symbolic links followed)
@@ -178,10 +189,11 @@ struct DicomScan
  * Grouping: by Series Instance UID, Patient ID, Patient Position, frame of reference, orientation, size and pixel
  * spacing. Groups of one study that differ in patient or frame of reference alone are one volume with the remark
  * mixedPatient or mixedFrameOfReference where their slices, three or more, are equidistant together. Then by
- * acquisition number, temporal position, echo, b-value, stack or image type, where several such groups cover the same
- * positions and each of them is regular on its own. Slices are ordered by Image Position (Patient) along the normal of
- * Image Orientation (Patient); Slice Thickness, Spacing Between Slices, Slice Location and Instance Number are not
- * used.
+ * an attribute of acquisition or reconstruction (acquisition number, temporal position, echo, b-value, stack, image
+ * type, kernel, filter, diameter, thickness, kVp, series number and description), where several such groups, each a
+ * grid on its own, cover the same positions or interleave: then each is coarser than the whole. Slices are ordered by
+ * Image Position (Patient) along the normal of Image Orientation (Patient); Slice Thickness, Spacing Between Slices,
+ * Slice Location and Instance Number are not used.
  *
  * Tolerances. Direction cosines: 1e-4. Pixel spacing: relative 1e-4. Positions along the normal and within the plane:
  * 1 % of the slice distance (of the pixel spacing), at least 0.01 mm, where that is at most 10 % of the distance; real

@@ -20,6 +20,10 @@ DicomSeries_EXPORT std::string
 DicomSeries_EXPORT std::string
                    JoinDicomValues(const std::vector<std::string> & values);
 
+/** The values of "a\b\c" without blanks around them; none for a text without any. */
+DicomSeries_EXPORT std::vector<std::string>
+                   SplitDicomValues(const std::string & text);
+
 /** Texts in one, each with its length before it, so that no two lists give the same: for MakeDicomUID(). */
 DicomSeries_EXPORT std::string
                    ConcatenateTexts(const std::vector<std::string> & texts);

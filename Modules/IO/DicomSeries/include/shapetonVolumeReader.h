@@ -6,6 +6,8 @@
 #include "shapetonDicomSeriesScan.h"
 #include "shapetonVolume.h"
 
+#include "itkImageBase.h"
+
 #include <string>
 
 namespace shapeton
@@ -28,10 +30,14 @@ struct VolumeReadOptions
   /** Take one DICOM slice as a volume of one slice; its thickness is its Slice Thickness, 1 mm where that is missing.
    */
   bool allowSingleSlice{ false };
-  /** Whether a message advises to repair a series; not where it must be taken as it is, since others refer to its
-   * slices.
-   */
-  bool adviseRepair{ true };
+  /** The repairs that messages may advise; fewer where others refer to the slices as they are. */
+  enum class Advice
+  {
+    none,
+    deshear,
+    allRepairs
+  };
+  Advice advice{ Advice::allRepairs };
   /** Told of each file and of each slice of a DICOM series. It may throw in order to abort. */
   Progress progress;
 };
@@ -40,6 +46,16 @@ struct VolumeReadOptions
  * \ingroup DicomSeries */
 DicomSeries_EXPORT const DicomSeries &
 SelectDicomSeries(const DicomScan & scan, const VolumeReadOptions & options = {});
+
+/** The grid of the volume that ReadVolume() makes of a series without gaps and duplicates; with `isDesheared`, of the
+ * repair `deshear`. \ingroup DicomSeries */
+DicomSeries_EXPORT itk::ImageBase<3>::Pointer
+                   GridOfDicomSeries(const DicomSeries & series, bool isDesheared = false);
+
+/** Throws the InputError of ReadVolume() for a folder without an image: what it holds instead, and what to do.
+ * \ingroup DicomSeries */
+DicomSeries_EXPORT void
+RequireDicomImages(const DicomScan & scan);
 
 /** Reads a folder (searched recursively), one DICOM file, or one NRRD, NIfTI or MetaImage file.
  *

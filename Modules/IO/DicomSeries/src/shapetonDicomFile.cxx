@@ -1,16 +1,15 @@
 #include "shapetonDicomFile.h"
 
+#include "shapetonDicomAttributes.h"
+#include "shapetonDicomMosaic.h"
 #include "shapetonDicomTransferSyntax.h"
-#include "shapetonPrintable.h"
 
 #include "dcmtk/config/osconfig.h"
 #include "dcmtk/dcmdata/dctk.h"
 #include "dcmtk/dcmdata/dcpixseq.h"
 #include "dcmtk/dcmdata/dcpxitem.h"
-#include "dcmtk/dcmdata/dcspchrs.h"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
@@ -31,79 +30,25 @@ constexpr std::uint64_t MaximumDeflateRatio = 1032;
 // Cosines are written with six digits or so; more error than this is no rotation.
 constexpr double CosineTolerance = 1e-3;
 
-/** Text for tables and messages: no control characters, one line, not endless. */
-std::string
-ShortLine(std::string text)
-{
-  std::replace_if(
-    text.begin(), text.end(), [](char c) { return static_cast<unsigned char>(c) < ' ' || c == 127; }, ' ');
-  return text.substr(0, 256);
-}
-
 std::string
 GetText(DcmItem & item, const DcmTagKey & tag)
 {
-  OFString value;
-  if (item.findAndGetOFStringArray(tag, value).bad())
-  {
-    return {};
-  }
-  return ShortLine(Trimmed(std::string(value.c_str(), value.size())));
+  return DicomTextOf(item, tag).text;
 }
 
-/** The same in UTF-8, for what people write in other character sets. */
-std::string
-GetPersonsText(DcmItem & item, const DcmTagKey & tag)
-{
-  DcmSpecificCharacterSet set;
-  OFString                value;
-  OFString                converted;
-  const bool isConverted = item.findAndGetOFStringArray(tag, value).good() && set.selectCharacterSet(item).good() &&
-                           set.convertString(value, converted).good();
-  return isConverted ? ShortLine(Trimmed(std::string(converted.c_str(), converted.size()))) : GetText(item, tag);
-}
-
-/** The numbers of a value; empty when one of them is not a finite number. */
-std::vector<double>
-GetNumbers(DcmItem & item, const DcmTagKey & tag)
-{
-  OFString text;
-  if (item.findAndGetOFStringArray(tag, text).bad())
-  {
-    return {};
-  }
-  std::vector<double> numbers;
-  const char *        next = text.c_str();
-  const char * const  end = next + text.size();
-  while (next < end)
-  {
-    const char * const stop = std::find(next, end, '\\');
-    const std::string  token = Trimmed(std::string(next, stop));
-    const char *       first = token.data() + (!token.empty() && token.front() == '+' ? 1 : 0);
-    double             number = 0;
-    const auto         result = std::from_chars(first, token.data() + token.size(), number);
-    if (result.ec != std::errc() || result.ptr != token.data() + token.size() || !std::isfinite(number))
-    {
-      return {};
-    }
-    numbers.push_back(number);
-    next = stop + 1;
-  }
-  return numbers;
-}
-
-double
-GetNumber(DcmItem & item, const DcmTagKey & tag, double missing)
-{
-  const auto numbers = GetNumbers(item, tag);
-  return numbers.empty() ? missing : numbers.front();
-}
-
+/** A whole number; `missing` where there is none. */
 int
 GetInteger(DcmItem & item, const DcmTagKey & tag, int missing)
 {
-  const double number = GetNumber(item, tag, missing);
-  return std::abs(number) <= 2147483647.0 ? static_cast<int>(number) : missing;
+  try
+  {
+    const auto numbers = DicomNumbersOf(item, tag, 1);
+    return !numbers.empty() && std::abs(numbers[0]) <= 2147483647.0 ? static_cast<int>(numbers[0]) : missing;
+  }
+  catch (const MalformedDicomValue &)
+  {
+    return missing;
+  }
 }
 
 std::uint16_t
@@ -169,10 +114,10 @@ public:
   }
 
   std::vector<double>
-  Numbers(const DcmTagKey & group, const DcmTagKey & tag) const
+  Numbers(const DcmTagKey & group, const DcmTagKey & tag, std::size_t count) const
   {
     DcmItem * const item = this->Find(group);
-    return item ? GetNumbers(*item, tag) : std::vector<double>();
+    return item ? DicomNumbersOf(*item, tag, count) : std::vector<double>();
   }
 
   std::string
@@ -202,12 +147,12 @@ IsRotation(const double (&cosines)[6])
 void
 ReadGeometry(const FrameAttributes & attributes, DicomFrame & frame, std::string & refusal)
 {
-  const auto position = attributes.Numbers(DCM_PlanePositionSequence, DCM_ImagePositionPatient);
-  const auto orientation = attributes.Numbers(DCM_PlaneOrientationSequence, DCM_ImageOrientationPatient);
-  const auto spacing = attributes.Numbers(DCM_PixelMeasuresSequence, DCM_PixelSpacing);
-  const auto thickness = attributes.Numbers(DCM_PixelMeasuresSequence, DCM_SliceThickness);
+  const auto position = attributes.Numbers(DCM_PlanePositionSequence, DCM_ImagePositionPatient, 3);
+  const auto orientation = attributes.Numbers(DCM_PlaneOrientationSequence, DCM_ImageOrientationPatient, 6);
+  const auto spacing = attributes.Numbers(DCM_PixelMeasuresSequence, DCM_PixelSpacing, 2);
+  const auto thickness = attributes.Numbers(DCM_PixelMeasuresSequence, DCM_SliceThickness, 1);
   frame.thickness = !thickness.empty() && thickness[0] > 0 ? thickness[0] : 0.0;
-  if (position.size() != 3 || orientation.size() != 6)
+  if (position.empty() || orientation.empty())
   {
     refusal = "a 2-D image (no Image Position and Orientation (Patient))";
     return;
@@ -219,7 +164,7 @@ ReadGeometry(const FrameAttributes & attributes, DicomFrame & frame, std::string
     refusal = "Image Orientation (Patient) is no pair of perpendicular unit vectors";
     return;
   }
-  if (spacing.size() != 2 || !(spacing[0] > 0) || !(spacing[1] > 0))
+  if (spacing.empty() || !(spacing[0] > 0) || !(spacing[1] > 0))
   {
     refusal = "Pixel Spacing is missing or not positive";
     return;
@@ -236,46 +181,61 @@ ReadRescale(const FrameAttributes & attributes, DicomPixelFormat & pixels, std::
   {
     return;
   }
-  for (const auto & tag : { DCM_RescaleSlope, DCM_RescaleIntercept })
-  {
-    if (item->tagExistsWithValue(tag) && GetNumbers(*item, tag).size() != 1)
-    {
-      refusal = "Rescale Slope or Intercept is no number";
-    }
-  }
-  pixels.hasRescale = item->tagExistsWithValue(DCM_RescaleSlope) || item->tagExistsWithValue(DCM_RescaleIntercept);
-  pixels.slope = GetNumber(*item, DCM_RescaleSlope, 1.0);
-  pixels.intercept = GetNumber(*item, DCM_RescaleIntercept, 0.0);
+  const auto slope = DicomNumbersOf(*item, DCM_RescaleSlope, 1);
+  const auto intercept = DicomNumbersOf(*item, DCM_RescaleIntercept, 1);
+  pixels.hasRescale = !slope.empty() || !intercept.empty();
+  pixels.slope = slope.empty() ? 1.0 : slope[0];
+  pixels.intercept = intercept.empty() ? 0.0 : intercept[0];
   if (pixels.slope == 0)
   {
     refusal = "Rescale Slope is 0";
   }
 }
 
+/** An attribute that tells acquisitions and reconstructions apart: in a plain image, and in a functional group of an
+ * enhanced one; `noAttribute` where it does not exist. */
+struct AcquisitionKey
+{
+  DcmTagKey plain;
+  DcmTagKey group;
+  DcmTagKey enhanced;
+};
+
+const DcmTagKey noAttribute(0xFFFF, 0xFFFF);
+
+constexpr unsigned int ImageTypeKey = 5;
+
+const AcquisitionKey acquisitionKeys[DicomFrame::NumberOfAcquisitionKeys] = {
+  { DCM_AcquisitionNumber, DCM_FrameContentSequence, DCM_FrameAcquisitionNumber },
+  { DCM_TemporalPositionIdentifier, DCM_FrameContentSequence, DCM_TemporalPositionIndex },
+  { DCM_EchoNumbers, DCM_MREchoSequence, DCM_EffectiveEchoTime },
+  { DCM_DiffusionBValue, DCM_MRDiffusionSequence, DCM_DiffusionBValue },
+  { noAttribute, DCM_FrameContentSequence, DCM_StackID },
+  { DCM_ImageType, noAttribute, DCM_FrameType }, // the group depends on the modality
+  { DCM_ConvolutionKernel, DCM_CTReconstructionSequence, DCM_ConvolutionKernel },
+  { DCM_FilterType, DCM_CTReconstructionSequence, DCM_ReconstructionAlgorithm },
+  { DCM_ReconstructionDiameter, DCM_CTReconstructionSequence, DCM_ReconstructionDiameter },
+  { DCM_SliceThickness, DCM_PixelMeasuresSequence, DCM_SliceThickness },
+  { DCM_KVP, DCM_CTXRayDetailsSequence, DCM_KVP },
+  { DCM_EchoTime, noAttribute, noAttribute },
+  { DCM_SeriesNumber, noAttribute, noAttribute },
+  { DCM_SeriesDescription, noAttribute, noAttribute }
+};
+
 void
 ReadAcquisition(const FrameAttributes & attributes, bool isEnhanced, bool isMR, DicomFrame & frame)
 {
-  const DcmTagKey typeGroup = isMR ? DCM_MRImageFrameTypeSequence : DCM_CTImageFrameTypeSequence;
-  auto *          next = frame.acquisition;
+  for (unsigned int i = 0; i < DicomFrame::NumberOfAcquisitionKeys; ++i)
+  {
+    const AcquisitionKey & key = acquisitionKeys[i];
+    frame.acquisition[i] = isEnhanced ? attributes.Text(key.group, key.enhanced) : attributes.Text(DCM_Item, key.plain);
+  }
+  std::string & type = frame.acquisition[ImageTypeKey];
   if (isEnhanced)
   {
-    *next++ = attributes.Text(DCM_FrameContentSequence, DCM_FrameAcquisitionNumber);
-    *next++ = attributes.Text(DCM_FrameContentSequence, DCM_TemporalPositionIndex);
-    *next++ = attributes.Text(DCM_MREchoSequence, DCM_EffectiveEchoTime);
-    *next++ = attributes.Text(DCM_MRDiffusionSequence, DCM_DiffusionBValue);
-    *next++ = attributes.Text(DCM_FrameContentSequence, DCM_StackID);
-    *next = attributes.Text(typeGroup, DCM_FrameType);
+    type = attributes.Text(isMR ? DCM_MRImageFrameTypeSequence : DCM_CTImageFrameTypeSequence, DCM_FrameType);
   }
-  else
-  {
-    *next++ = attributes.Text(DCM_Item, DCM_AcquisitionNumber);
-    *next++ = attributes.Text(DCM_Item, DCM_TemporalPositionIdentifier);
-    *next++ = attributes.Text(DCM_Item, DCM_EchoNumbers);
-    *next++ = attributes.Text(DCM_Item, DCM_DiffusionBValue);
-    *next++ = std::string();
-    *next = attributes.Text(DCM_Item, DCM_ImageType);
-  }
-  frame.isLocalizer = next->find("LOCALIZER") != std::string::npos || next->find("SCOUT") != std::string::npos;
+  frame.isLocalizer = type.find("LOCALIZER") != std::string::npos || type.find("SCOUT") != std::string::npos;
 }
 
 // ---- pixels ----
@@ -291,23 +251,18 @@ SignExtended(std::int64_t value, unsigned int bits)
 void
 ReadPadding(DcmItem & dataset, DicomPixelFormat & pixels)
 {
-  const auto value = GetNumbers(dataset, DCM_PixelPaddingValue);
-  if (value.size() != 1 || std::abs(value[0]) > 65535)
+  const int value = GetInteger(dataset, DCM_PixelPaddingValue, 65536);
+  const int limit = GetInteger(dataset, DCM_PixelPaddingRangeLimit, value);
+  if (std::abs(value) > 65535 || std::abs(limit) > 65535)
   {
     return;
   }
-  const double limit = GetNumber(dataset, DCM_PixelPaddingRangeLimit, value[0]);
-  const auto   stored = [&pixels](double number) {
-    const auto integer = static_cast<std::int64_t>(number);
+  const auto stored = [&pixels](std::int64_t integer) {
     return pixels.isSigned ? SignExtended(integer, 16) : integer & 0xFFFF;
   };
-  if (std::abs(limit) > 65535)
-  {
-    return;
-  }
   pixels.hasPadding = true;
-  pixels.paddingLow = std::min(stored(value[0]), stored(limit));
-  pixels.paddingHigh = std::max(stored(value[0]), stored(limit));
+  pixels.paddingLow = std::min(stored(value), stored(limit));
+  pixels.paddingHigh = std::max(stored(value), stored(limit));
 }
 
 std::string
@@ -335,9 +290,19 @@ GetRefusal(DcmItem & dataset, bool & isOtherObject)
 {
   const std::string photometric = GetText(dataset, DCM_PhotometricInterpretation);
   isOtherObject = true;
-  if (GetText(dataset, DCM_SOPClassUID) == UID_SegmentationStorage)
+  const std::string sopClass = GetText(dataset, DCM_SOPClassUID);
+  if (sopClass == UID_SegmentationStorage || sopClass == LabelMapSegmentationStorageUID)
   {
-    return "a segmentation, no intensities";
+    return "a segmentation; read it with DicomResultsToColon";
+  }
+  if (dataset.tagExists(DCM_SegmentSequence))
+  {
+    return "a segmentation, not intensities";
+  }
+  if (IsSiemensMosaic(dataset))
+  {
+    return "a Siemens mosaic (the slices of a volume as tiles of one image); convert it to NIfTI, for example with "
+           "dcm2niix";
   }
   if (dataset.tagExists(DCM_DoseGridScaling))
   {
@@ -440,11 +405,17 @@ CheckPixelData(DcmDataset & dataset, const DicomFile & file, const DicomPixelFor
 
 // ---- the file ----
 
+/** True where the frames of an image are described by functional groups. Some scanners add such groups to plain slices
+ * (CT or MR Image Storage), whose own attributes say everything. */
 bool
 IsEnhanced(DcmDataset & dataset)
 {
-  return dataset.tagExists(DCM_PerFrameFunctionalGroupsSequence) ||
-         dataset.tagExists(DCM_SharedFunctionalGroupsSequence);
+  const std::string sopClass = GetText(dataset, DCM_SOPClassUID);
+  const bool        isPlain = sopClass == UID_CTImageStorage || sopClass == UID_MRImageStorage ||
+                       dataset.tagExistsWithValue(DCM_ImagePositionPatient);
+  return (dataset.tagExists(DCM_PerFrameFunctionalGroupsSequence) ||
+          dataset.tagExists(DCM_SharedFunctionalGroupsSequence)) &&
+         !(isPlain && GetInteger(dataset, DCM_NumberOfFrames, 1) <= 1);
 }
 
 void
@@ -505,19 +476,19 @@ ReadIdentity(DcmFileFormat & format, DcmDataset & dataset, DicomFile & file)
   file.seriesUID = GetText(dataset, DCM_SeriesInstanceUID);
   file.frameOfReferenceUID = GetText(dataset, DCM_FrameOfReferenceUID);
   file.patientID = GetText(dataset, DCM_PatientID);
-  file.description = GetPersonsText(dataset, DCM_SeriesDescription);
+  const DicomText description = DicomTextOf(dataset, DCM_SeriesDescription);
+  file.description = description.text;
+  file.isUndecodable = !description.isDecoded;
   file.modality = GetText(dataset, DCM_Modality);
   file.patientPosition = GetText(dataset, DCM_PatientPosition);
   file.seriesNumber = GetInteger(dataset, DCM_SeriesNumber, 0);
   file.instanceNumber = GetInteger(dataset, DCM_InstanceNumber, 0);
   file.isInverted = GetText(dataset, DCM_PhotometricInterpretation) == "MONOCHROME1";
 
-  const DcmXfer     syntax(dataset.getOriginalXfer());
-  const std::string stated = GetText(*format.getMetaInfo(), DCM_TransferSyntaxUID);
-  const bool        isKnown = stated.empty() || DcmXfer(stated.c_str()).getXfer() != EXS_Unknown;
-  file.transferSyntax = isKnown ? std::string(syntax.getXferName()) : stated;
-  file.isUnsupportedTransferSyntax = !isKnown || !IsSupported(syntax.getXfer());
-  file.isLossy = IsLossy(syntax.getXfer()) || GetText(dataset, DCM_LossyImageCompression) == "01";
+  const DicomEncoding encoding = DicomEncodingOf(format);
+  file.transferSyntax = encoding.name;
+  file.isUnsupportedTransferSyntax = !encoding.isSupported;
+  file.isLossy = IsLossy(dataset.getOriginalXfer()) || GetText(dataset, DCM_LossyImageCompression) == "01";
 }
 
 void
@@ -533,7 +504,15 @@ ReadImage(DcmDataset & dataset, DicomFile & file, bool isIncomplete)
     file.refusal = "it has no rows or no columns";
     file.isOtherObject = true;
   }
-  ReadFrames(dataset, CountFrames(dataset, file), file);
+  try
+  {
+    ReadFrames(dataset, CountFrames(dataset, file), file);
+  }
+  catch (const MalformedDicomValue & malformed)
+  {
+    file.malformedValue = file.refusal.empty() ? malformed.what() : "";
+    file.frames.clear();
+  }
   if (file.refusal.empty() && file.truncation.empty() && !file.isUnsupportedTransferSyntax && !file.frames.empty())
   {
     file.truncation = CheckPixelData(dataset, file, file.frames.front().pixels);
@@ -556,6 +535,13 @@ ObjectName(DcmFileFormat & format, DcmDataset & dataset)
   return uid.empty() ? std::string() : std::string(dcmFindNameOfUID(uid.c_str(), uid.c_str()));
 }
 } // namespace
+
+std::string
+DicomFrame::NameOfAcquisitionKey(unsigned int key)
+{
+  const DcmTagKey & plain = acquisitionKeys[key].plain;
+  return DcmTag(plain == noAttribute ? acquisitionKeys[key].enhanced : plain).getTagName();
+}
 
 DicomFile
 ParseDicomFile(const std::string & path)
@@ -581,7 +567,7 @@ ParseDicomFile(const std::string & path)
   else if (status.bad())
   {
     file.kind = DicomFile::Kind::damaged;
-    file.what = "the file ends within its header, or it is malformed (" + ShortLine(status.text()) + ")";
+    file.what = std::string("the file ends within its header, or it is malformed (") + status.text() + ")";
   }
   else if (!object.empty() || signature == Signature::file)
   {

@@ -23,10 +23,13 @@ struct DicomFrame
   bool             isLocalizer{ false };
   DicomPixelFormat pixels;
 
-  /** Attributes that may tell acquisitions at equal positions apart. */
-  static constexpr unsigned int NumberOfAcquisitionKeys = 6;
-  /** Acquisition number, temporal position, echo, b-value, stack, image type. */
+  /** Attributes of which one volume has one value each, as a rule: they tell acquisitions and reconstructions apart
+   * that interleave or lie at equal positions. */
+  static constexpr unsigned int NumberOfAcquisitionKeys = 14;
+  /** Their values, in the order of their names. */
   std::string acquisition[NumberOfAcquisitionKeys];
+  static std::string
+  NameOfAcquisitionKey(unsigned int key);
 };
 
 /** What the header of a file says. */
@@ -54,6 +57,8 @@ struct DicomFile
   /** Only compared: it names a person. */
   std::string patientID;
   std::string description;
+  /** The bytes of the description do not fit its character set. */
+  bool        isUndecodable{ false };
   std::string modality;
   std::string patientPosition;
   std::string transferSyntax;
@@ -70,6 +75,8 @@ struct DicomFile
   bool isUnsupportedTransferSyntax{ false };
   /** What is missing; empty for a whole file. */
   std::string truncation;
+  /** A number of its geometry or intensities that cannot be read: attribute and value. Then it has no frames. */
+  std::string malformedValue;
   /** Why its pixels are no slice of a volume: colour, 2-D, ... */
   std::string refusal;
   /** The refusal says that the image is of another kind, and no damaged part of a volume. */
@@ -88,12 +95,12 @@ void
 Transmit(TStream & stream, TFile & file)
 {
   stream & file.kind & file.what & file.studyUID & file.sopClassUID & file.sopInstanceUID & file.seriesUID & file
-    .frameOfReferenceUID & file.patientID & file.description & file.modality & file.patientPosition & file
-    .transferSyntax & file.seriesNumber & file.instanceNumber & file.rows & file.columns & file.isLossy & file
-    .isInverted & file.isMultiFrame & file.isUnsupportedTransferSyntax & file.truncation & file.refusal & file
-    .isOtherObject;
-  auto     count = static_cast<std::uint64_t>(file.frames.size());
-  stream & count;
+    .frameOfReferenceUID & file.patientID & file.description & file.isUndecodable & file.modality & file
+    .patientPosition & file.transferSyntax & file.seriesNumber & file.instanceNumber & file.rows & file.columns & file
+    .isLossy & file.isInverted & file.isMultiFrame & file.isUnsupportedTransferSyntax & file.truncation & file
+    .malformedValue & file.refusal & file.isOtherObject;
+  auto                               count = static_cast<std::uint64_t>(file.frames.size());
+  stream &                           count;
   if constexpr (!std::is_const<TFile>::value)
   {
     if (count > stream.GetLeft())

@@ -2,6 +2,7 @@
 
 #include "shapetonByteStream.h"
 #include "shapetonContainedProcess.h"
+#include "shapetonDicomAttributes.h"
 #include "shapetonDicomTransferSyntax.h"
 #include "shapetonExceptions.h"
 #include "shapetonParallelFor.h"
@@ -278,7 +279,7 @@ Serve(OpenFile & file, const std::string & request, char * shared)
 {
   gdcm::Trace::WarningOff();
   gdcm::Trace::ErrorOff();
-  OFLog::configure(OFLogger::OFF_LOG_LEVEL);
+  PrepareDicomParsing();
   std::string             path;
   unsigned int            frame = 0;
   std::size_t             bytes = 0;

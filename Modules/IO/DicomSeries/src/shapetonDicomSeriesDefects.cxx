@@ -1,6 +1,7 @@
 #include "shapetonDicomSeriesDefects.h"
 
 #include "shapetonDicomPixels.h"
+#include "shapetonDicomVolume.h"
 #include "shapetonNumberText.h"
 #include "shapetonExceptions.h"
 
@@ -86,6 +87,17 @@ AddDuplicates(DicomSeries & series, const SlicesGeometry & geometry)
   }
 }
 
+bool
+MayBeResampled(const DicomSeries & series, const SlicesGeometry & geometry)
+{
+  std::size_t positions = series.slices.size();
+  for (const auto & duplicate : geometry.duplicates)
+  {
+    positions -= duplicate.count - 1;
+  }
+  return CanBeResampled(positions, series.slices.back().position, geometry.spacing);
+}
+
 void
 AddGaps(DicomSeries & series, const SlicesGeometry & geometry)
 {
@@ -107,6 +119,7 @@ AddGaps(DicomSeries & series, const SlicesGeometry & geometry)
             DicomDefectKind::gap,
             message + " between " + NameOfSlice(series, indices[0]) + " and " + NameOfSlice(series, indices[1]),
             indices);
+  series.defects.back().isRepairable = MayBeResampled(series, geometry);
 }
 
 void
@@ -132,6 +145,7 @@ AddVariableSpacing(DicomSeries & series, const SlicesGeometry & geometry)
             "the distance of slices varies from " + Millimetres(lowest) + " to " + Millimetres(highest) +
               ", first at " + NameOfSlice(series, geometry.unusual.front()),
             geometry.unusual);
+  series.defects.back().isRepairable = MayBeResampled(series, geometry);
 }
 
 void
@@ -147,6 +161,7 @@ AddShear(DicomSeries & series, const SlicesGeometry & geometry)
                                        NumberText(geometry.tiltDegrees, 3) + " degrees (gantry tilt)"
                                    : std::string("the slices are displaced against one another within their planes"),
             AllIndices(series));
+  series.defects.back().isRepairable = PlaneOfSlices(series, series.slices).growth <= LargestGrowth;
 }
 } // namespace
 
@@ -177,15 +192,25 @@ GetDicomDefectName(DicomDefectKind kind)
       return "mixedFrameOfReference";
     case DicomDefectKind::mixedPatient:
       return "mixedPatient";
+    case DicomDefectKind::malformedValue:
+      return "malformedValue";
+    case DicomDefectKind::undecodableText:
+      return "undecodableText";
     default:
       return "notAnImage";
   }
 }
 
 const char *
-GetDicomDefectAdvice(DicomDefectKind kind)
+GetDicomDefectAdvice(const DicomDefect & defect)
 {
-  switch (kind)
+  if (!defect.isRepairable)
+  {
+    return defect.kind == DicomDefectKind::shear
+             ? "the slices are displaced too far to be resampled; choose another series"
+             : "the gaps are too wide to be interpolated; copy the missing files from their source";
+  }
+  switch (defect.kind)
   {
     case DicomDefectKind::duplicateIdentical:
     case DicomDefectKind::duplicateConflicting:
@@ -201,6 +226,10 @@ GetDicomDefectAdvice(DicomDefectKind kind)
       return "if the series was put together from several, check that no part is displaced";
     case DicomDefectKind::mixedPatient:
       return "check that all slices show one person";
+    case DicomDefectKind::malformedValue:
+      return "write the numbers of these files as DICOM Decimal Strings, with a point, or export the series again";
+    case DicomDefectKind::undecodableText:
+      return "the images are not affected";
     case DicomDefectKind::localizer:
       return "choose a series with a volume";
     case DicomDefectKind::unsupportedTransferSyntax:

@@ -170,6 +170,18 @@ PositionTolerance(double spacing)
   return std::max(RelativeTolerance * spacing, std::min(AbsoluteTolerance, LargestTolerance * spacing));
 }
 
+double
+ResampledSteps(double length, double spacing)
+{
+  return std::max(1.0, std::round(length / spacing));
+}
+
+bool
+CanBeResampled(std::size_t slices, double length, double spacing)
+{
+  return ResampledSteps(length, spacing) <= LargestGrowth * static_cast<double>(slices) + 1;
+}
+
 SlicesGeometry
 ExamineSlices(const std::vector<SlicePlace> & slices, const double (&pixelSpacing)[2])
 {

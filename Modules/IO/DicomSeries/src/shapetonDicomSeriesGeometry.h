@@ -1,6 +1,7 @@
 #ifndef shapetonDicomSeriesGeometry_h
 #define shapetonDicomSeriesGeometry_h
 
+#include <cstddef>
 #include <vector>
 
 namespace shapeton
@@ -40,16 +41,34 @@ struct SlicesGeometry
   bool   isLinearShear{ false };
   double tiltDegrees{ 0.0 };
 
+  /** All slices lie on one grid along the normal, each at a place of its own; some may be missing. */
+  bool
+  IsGrid() const
+  {
+    return duplicates.empty() && !isVariable;
+  }
   bool
   IsRegular() const
   {
-    return duplicates.empty() && gaps.empty() && !isVariable && !isSheared;
+    return IsGrid() && gaps.empty() && !isSheared;
   }
 };
 
 /** The distance that counts as none where slices or pixels are `spacing` apart; see ScanDicom. */
 double
 PositionTolerance(double spacing);
+
+/** A repair may give at most this many times the slices or pixels that were measured, else it would invent most of the
+ * volume. */
+constexpr double LargestGrowth = 4;
+
+/** Steps of the grid that covers slices `length` mm apart in distances of about `spacing`. */
+double
+ResampledSteps(double length, double spacing);
+
+/** True where that grid is no larger than LargestGrowth allows. */
+bool
+CanBeResampled(std::size_t slices, double length, double spacing);
 
 /** Examines slices; `pixelSpacing` is the distance of columns and of rows. */
 SlicesGeometry

@@ -154,7 +154,7 @@ FormatTable(const DicomScan & scan)
 std::string
 AdviceOn(const DicomDefect & defect, const AdviceInWords & inWords)
 {
-  const std::string advice = GetDicomDefectAdvice(defect.kind);
+  const std::string advice = GetDicomDefectAdvice(defect);
   return inWords ? inWords(advice) : advice;
 }
 

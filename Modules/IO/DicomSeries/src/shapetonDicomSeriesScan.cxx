@@ -1,18 +1,21 @@
 #include "shapetonDicomSeriesScan.h"
 
 #include "shapetonContainedProcess.h"
+#include "shapetonDicomAttributes.h"
 #include "shapetonDicomFile.h"
 #include "shapetonDicomSeriesDefects.h"
+#include "shapetonDicomText.h"
 #include "shapetonFileWalk.h"
 #include "shapetonExceptions.h"
 
 #include "dcmtk/config/osconfig.h"
 #include "dcmtk/dcmdata/dcdict.h"
-#include "dcmtk/oflog/oflog.h"
 
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <functional>
+#include <iterator>
 #include <map>
 #include <set>
 
@@ -37,7 +40,7 @@ using Items = std::vector<Item>;
 std::string
 ParseInChild(const std::string & path)
 {
-  OFLog::configure(OFLogger::OFF_LOG_LEVEL);
+  PrepareDicomParsing();
   ByteWriter      writer;
   const DicomFile file = ParseDicomFile(path);
   Transmit(writer, file);
@@ -294,73 +297,126 @@ SplitByGeometry(const Items & items)
 
 // ---- acquisitions ----
 
-/** Groups by one attribute; a single group when the attribute tells no two acquisitions apart that cover the same
- * positions: then it merely numbers the steps of one scan. */
-std::vector<Items>
-SplitByAcquisition(const Items & items, unsigned int key)
+/** Items of one volume, and what tells them from others of their kind. */
+struct Part
 {
-  std::map<std::string, Items> byValue;
-  for (const Item & item : items)
-  {
-    byValue[item.frame->acquisition[key]].push_back(item);
-  }
-  std::vector<Items> groups;
-  for (auto & entry : byValue)
-  {
-    SortAlongNormal(entry.second);
-    const SlicesGeometry geometry = ExamineItems(entry.second);
-    const bool           isVolume = entry.second.size() > 1 && geometry.IsRegular();
-    const bool overlaps = groups.empty() || std::any_of(groups.begin(), groups.end(), [&](const Items & other) {
-                            return Overlap(other, entry.second, geometry.spacing);
-                          });
-    if (!isVolume || !overlaps)
-    {
-      return { items };
-    }
-    groups.push_back(entry.second);
-  }
-  return groups;
+  Items       items;
+  std::string distinction;
+};
+
+/** Groups with more than this times the distance of all slices together interleave. */
+constexpr double CoarserGrid = 1.5;
+
+/** The value of an attribute; of all of them together behind the last one. */
+std::string
+ValueOf(const DicomFrame & frame, unsigned int key)
+{
+  return key < DicomFrame::NumberOfAcquisitionKeys
+           ? frame.acquisition[key]
+           : JoinDicomValues({ std::begin(frame.acquisition), std::end(frame.acquisition) });
 }
 
-std::vector<Items>
-SplitByAcquisition(Items items)
+bool
+HaveOneValue(const Items & items, unsigned int key)
 {
-  SortAlongNormal(items);
-  const SlicesGeometry geometry = ExamineItems(items);
-  if (geometry.duplicates.empty() && !geometry.isVariable)
-  {
-    return { items };
-  }
+  return std::all_of(items.begin(), items.end(), [&](const Item & item) {
+    return ValueOf(*item.frame, key) == ValueOf(*items.front().frame, key);
+  });
+}
+
+/** "ConvolutionKernel B30f, FilterType 0": what all of a group have in common, and not all others with them. */
+std::string
+DistinctionOf(const Items & group, const Part & whole)
+{
+  std::string text = whole.distinction;
   for (unsigned int key = 0; key < DicomFrame::NumberOfAcquisitionKeys; ++key)
   {
-    auto groups = SplitByAcquisition(items, key);
-    if (groups.size() > 1)
+    if (HaveOneValue(group, key) && !HaveOneValue(whole.items, key))
     {
-      return groups;
+      const std::string value = ValueOf(*group.front().frame, key);
+      text +=
+        (text.empty() ? "" : ", ") + DicomFrame::NameOfAcquisitionKey(key) + ' ' + (value.empty() ? "missing" : value);
     }
   }
-  return { items };
+  return text;
+}
+
+/** Groups by one attribute; none when it does not tell volumes apart: then it merely numbers the steps of one scan.
+ * Volumes apart are grids of their own, which cover the same positions, or interleave to a grid as a whole. */
+std::vector<Part>
+SplitByKey(const Part & whole, const SlicesGeometry & geometry, unsigned int key)
+{
+  std::map<std::string, Items> byValue;
+  for (const Item & item : whole.items)
+  {
+    byValue[ValueOf(*item.frame, key)].push_back(item);
+  }
+  std::vector<Part> parts;
+  for (auto & entry : byValue)
+  {
+    Items & items = entry.second;
+    SortAlongNormal(items);
+    const SlicesGeometry own = ExamineItems(items);
+    const auto           overlaps = [&](const Part & other) { return Overlap(other.items, items, own.spacing); };
+    const bool           isApart = geometry.IsGrid() ? own.spacing > CoarserGrid * geometry.spacing
+                                                     : parts.empty() || std::any_of(parts.begin(), parts.end(), overlaps);
+    if (byValue.size() < 2 || items.size() < 2 || !own.IsGrid() || !isApart)
+    {
+      return {};
+    }
+    parts.push_back({ items, DistinctionOf(items, whole) });
+  }
+  return parts;
+}
+
+/** The volumes of which items of one kind consist. */
+std::vector<Part>
+SplitByAcquisition(Part whole)
+{
+  SortAlongNormal(whole.items);
+  const SlicesGeometry geometry = ExamineItems(whole.items);
+  for (unsigned int key = 0; key <= DicomFrame::NumberOfAcquisitionKeys; ++key)
+  {
+    std::vector<Part> split;
+    for (const Part & part : SplitByKey(whole, geometry, key))
+    {
+      for (Part & smaller : SplitByAcquisition(part))
+      {
+        split.push_back(std::move(smaller));
+      }
+    }
+    if (!split.empty())
+    {
+      return split;
+    }
+  }
+  return { whole };
 }
 
 // ---- defects ----
 
-/** Defects that the headers of single files tell. */
+/** The indices of items of which this is true. */
+std::vector<unsigned int>
+Find(const Items & items, const std::function<bool(const DicomFile &)> & isWanted)
+{
+  std::vector<unsigned int> indices;
+  for (unsigned int i = 0; i < items.size(); ++i)
+  {
+    if (isWanted(*items[i].file))
+    {
+      indices.push_back(i);
+    }
+  }
+  return indices;
+}
+
+/** Defects that the headers of single files state. */
 void
 AddFileDefects(DicomSeries & series, const Items & items)
 {
-  std::vector<unsigned int> truncated;
-  std::vector<unsigned int> unsupported;
-  for (unsigned int i = 0; i < items.size(); ++i)
-  {
-    if (!items[i].file->truncation.empty())
-    {
-      truncated.push_back(i);
-    }
-    if (items[i].file->isUnsupportedTransferSyntax)
-    {
-      unsupported.push_back(i);
-    }
-  }
+  const auto truncated = Find(items, [](const DicomFile & file) { return !file.truncation.empty(); });
+  const auto malformed = Find(items, [](const DicomFile & file) { return !file.malformedValue.empty(); });
+  const auto unsupported = Find(items, [](const DicomFile & file) { return file.isUnsupportedTransferSyntax; });
   if (!truncated.empty())
   {
     const std::string & reason = items[truncated.front()].file->truncation;
@@ -369,6 +425,15 @@ AddFileDefects(DicomSeries & series, const Items & items)
               Count(truncated.size(), "slice") + (truncated.size() == 1 ? " is" : " are") +
                 " truncated: " + NameOfSlice(series, truncated.front()) + ": " + reason,
               truncated);
+  }
+  if (!malformed.empty())
+  {
+    const DicomFile & file = *items[malformed.front()].file;
+    AddDefect(series,
+              DicomDefectKind::malformedValue,
+              Count(malformed.size(), "file") + (malformed.size() == 1 ? " has" : " have") + " a malformed number: " +
+                std::filesystem::path(file.path).filename().string() + ": " + file.malformedValue,
+              malformed);
   }
   if (!unsupported.empty())
   {
@@ -480,17 +545,27 @@ DescribeSeries(DicomSeries & series, const Items & items)
     series.isInverted = series.isInverted || item.file->isInverted;
     series.slices.push_back(MakeSlice(item));
   }
+  if (file.isUndecodable)
+  {
+    series.remarks.push_back(
+      DefectOfSlices(series,
+                     DicomDefectKind::undecodableText,
+                     "the Series Description has bytes that do not belong to its character set, shown as '?'",
+                     AllIndices(series)));
+  }
 }
 
 DicomSeries
-MakeSeries(Items items)
+MakeSeries(const Part & part)
 {
+  Items      items = part.items;
   const bool hasGeometry = items.front().frame && items.front().frame->hasGeometry;
   if (hasGeometry)
   {
     SortAlongNormal(items);
   }
   DicomSeries series;
+  series.distinction = part.distinction;
   DescribeSeries(series, items);
   AddFileDefects(series, items);
   if (!hasGeometry)
@@ -545,7 +620,9 @@ ListParts(const std::vector<DicomSeries> & parts)
   std::string           list;
   for (std::size_t i = 0; i < parts.size() && i < longestList; ++i)
   {
-    list += (i > 0 ? ", #" : "#") + std::to_string(i + 1) + " " + Extent(parts[i]);
+    const std::string & distinction = parts[i].distinction;
+    list += (i > 0 ? ", #" : "#") + std::to_string(i + 1) + " " + Extent(parts[i]) +
+            (distinction.empty() ? "" : " (" + distinction + ")");
   }
   return parts.size() > longestList ? list + ", ..." : list;
 }
@@ -582,6 +659,29 @@ NumberParts(std::vector<DicomSeries> & parts, unsigned int volumes)
   }
 }
 
+/** A file whose place is not known may be a slice of any volume of its series: none of them is known to be whole. */
+void
+SpreadMalformedValues(std::vector<DicomSeries> & parts)
+{
+  std::vector<DicomDefect> found;
+  for (const DicomSeries & part : parts)
+  {
+    std::copy_if(part.defects.begin(), part.defects.end(), std::back_inserter(found), [](const DicomDefect & defect) {
+      return defect.kind == DicomDefectKind::malformedValue;
+    });
+  }
+  for (DicomSeries & part : parts)
+  {
+    for (const DicomDefect & defect : found)
+    {
+      if (!part.Has(DicomDefectKind::malformedValue) && !IsBesideTheVolume(part))
+      {
+        part.defects.push_back({ defect.kind, defect.message, defect.files, {} });
+      }
+    }
+  }
+}
+
 std::vector<DicomSeries>
 MakeSeriesOfUID(const Items & items)
 {
@@ -590,12 +690,13 @@ MakeSeriesOfUID(const Items & items)
   for (const Items & group : SplitByGeometry(items))
   {
     const bool isPart = IsPartOfVolume(group.front());
-    for (const Items & acquisition : isPart ? SplitByAcquisition(group) : std::vector<Items>{ group })
+    for (const Part & part : isPart ? SplitByAcquisition({ group, {} }) : std::vector<Part>{ { group, {} } })
     {
-      parts.push_back(MakeSeries(acquisition));
+      parts.push_back(MakeSeries(part));
       volumes += isPart ? 1 : 0;
     }
   }
+  SpreadMalformedValues(parts);
   NumberParts(parts, volumes);
   return parts;
 }
@@ -610,6 +711,7 @@ AddOtherFile(const DicomFile & file, DicomScan & scan)
       scan.otherFiles.push_back({ DicomDefectKind::truncated, name + ": " + file.what, { file.path }, {} });
       break;
     case DicomFile::Kind::notImage:
+      ++scan.otherObjects[file.what];
       scan.otherFiles.push_back(
         { DicomDefectKind::notAnImage, name + ": DICOM without a slice image (" + file.what + ")", { file.path }, {} });
       break;

@@ -21,7 +21,7 @@ namespace shapeton
 {
 namespace
 {
-using ImageType = itk::Image<short, 3>;
+using ShortImage = itk::Image<short, 3>;
 
 constexpr int rescaleIntercept = -1024;
 constexpr int largestValue = 31743;
@@ -69,7 +69,7 @@ CheckDescription(const DicomSeriesDescription & description)
 }
 
 void
-CheckDirection(const ImageType::DirectionType & direction)
+CheckDirection(const ShortImage::DirectionType & direction)
 {
   constexpr double                      tolerance = 1e-6;
   std::array<itk::Vector<double, 3>, 3> axes;
@@ -98,11 +98,11 @@ CheckDirection(const ImageType::DirectionType & direction)
 }
 
 void
-CheckValues(const ImageType * image)
+CheckValues(const ShortImage * image)
 {
   short lowest = std::numeric_limits<short>::max();
   short highest = std::numeric_limits<short>::min();
-  for (itk::ImageRegionConstIterator<ImageType> it(image, image->GetLargestPossibleRegion()); !it.IsAtEnd(); ++it)
+  for (itk::ImageRegionConstIterator<ShortImage> it(image, image->GetLargestPossibleRegion()); !it.IsAtEnd(); ++it)
   {
     lowest = std::min(lowest, it.Get());
     highest = std::max(highest, it.Get());
@@ -115,7 +115,7 @@ CheckValues(const ImageType * image)
 }
 
 void
-CheckImage(const ImageType * image)
+CheckImage(const ShortImage * image)
 {
   const auto & region = image->GetLargestPossibleRegion();
   if (image->GetBufferedRegion() != region)
@@ -150,12 +150,12 @@ struct SeriesHeader
 };
 
 std::string
-IdentityOfImage(const ImageType * image)
+IdentityOfImage(const ShortImage * image)
 {
   const auto &             size = image->GetLargestPossibleRegion().GetSize();
   const std::size_t        slicePixels = size[0] * size[1];
   std::vector<std::string> parts;
-  ImageType::PointType     origin;
+  ShortImage::PointType    origin;
   image->TransformIndexToPhysicalPoint(image->GetLargestPossibleRegion().GetIndex(), origin);
   for (unsigned int i = 0; i < 3; ++i)
   {
@@ -176,7 +176,7 @@ IdentityOfImage(const ImageType * image)
 }
 
 SeriesHeader
-MakeSeriesHeader(const ImageType * image, const DicomSeriesDescription & description)
+MakeSeriesHeader(const ShortImage * image, const DicomSeriesDescription & description)
 {
   const std::string study =
     ConcatenateTexts({ description.patientID, description.studyDescription, std::to_string(description.seed) });
@@ -284,13 +284,13 @@ void
 PutImage(DatasetWriter &                writer,
          const DicomSeriesDescription & description,
          const SeriesHeader &           header,
-         const ImageType *              image,
+         const ShortImage *             image,
          std::size_t                    slice)
 {
-  const auto &         region = image->GetLargestPossibleRegion();
-  ImageType::IndexType index = region.GetIndex();
+  const auto &          region = image->GetLargestPossibleRegion();
+  ShortImage::IndexType index = region.GetIndex();
   index[2] += static_cast<itk::IndexValueType>(slice);
-  ImageType::PointType position;
+  ShortImage::PointType position;
   image->TransformIndexToPhysicalPoint(index, position);
 
   const std::string number = std::to_string(slice + 1);
@@ -358,7 +358,7 @@ DicomSliceName(std::size_t number)
 }
 
 void
-WriteDicomSlices(const ImageType *              image,
+WriteDicomSlices(const ShortImage *             image,
                  const std::string &            folder,
                  const DicomSeriesDescription & description,
                  const std::function<void()> &  beforeSlice)
@@ -380,7 +380,7 @@ WriteDicomSlices(const ImageType *              image,
 }
 
 void
-WriteDicomSeries(const ImageType * image, const std::string & folder, const DicomSeriesDescription & description)
+WriteDicomSeries(const ShortImage * image, const std::string & folder, const DicomSeriesDescription & description)
 {
   WriteDicomSlices(image, folder, description, [] {});
 }

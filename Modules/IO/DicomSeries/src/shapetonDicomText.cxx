@@ -1,6 +1,7 @@
 #include "shapetonDicomText.h"
 
 #include "shapetonExceptions.h"
+#include "shapetonPrintable.h"
 #include "shapetonSha256.h"
 
 #include <algorithm>
@@ -41,6 +42,19 @@ JoinDicomValues(const std::vector<std::string> & values)
     joined += (joined.empty() ? "" : "\\") + value;
   }
   return joined;
+}
+
+std::vector<std::string>
+SplitDicomValues(const std::string & text)
+{
+  std::vector<std::string> values;
+  for (std::size_t start = 0; start <= text.size() && !text.empty();)
+  {
+    const std::size_t stop = std::min(text.find('\\', start), text.size());
+    values.push_back(Trimmed(text.substr(start, stop - start)));
+    start = stop + 1;
+  }
+  return values;
 }
 
 std::string

@@ -4,6 +4,9 @@
 #include "dcmtk/config/osconfig.h"
 #include "dcmtk/dcmdata/dcxfer.h"
 
+#include <map>
+#include <string>
+
 namespace shapeton
 {
 /** True for the encodings whose pixels can be read: native ones by DCMTK, compressed ones by GDCM. */
@@ -37,6 +40,23 @@ inline bool
 IsLossy(E_TransferSyntax syntax)
 {
   return syntax == EXS_JPEGProcess1 || syntax == EXS_JPEGProcess2_4 || syntax == EXS_JPEGLSLossy;
+}
+
+/** The name of a transfer syntax that is newer than DCMTK 3.6.7; its UID where it is not one of these. */
+inline std::string
+NameOfNewTransferSyntax(const std::string & uid)
+{
+  static const std::map<std::string, std::string> names{
+    { "1.2.840.10008.1.2.8.1", "Deflated Image Frame Compression" },
+    { "1.2.840.10008.1.2.4.110", "JPEG XL Lossless" },
+    { "1.2.840.10008.1.2.4.111", "JPEG XL JPEG Recompression" },
+    { "1.2.840.10008.1.2.4.112", "JPEG XL" },
+    { "1.2.840.10008.1.2.4.201", "High-Throughput JPEG 2000 (Lossless Only)" },
+    { "1.2.840.10008.1.2.4.202", "High-Throughput JPEG 2000 with RPCL Options (Lossless Only)" },
+    { "1.2.840.10008.1.2.4.203", "High-Throughput JPEG 2000" }
+  };
+  const auto name = names.find(uid);
+  return name != names.end() ? name->second + " (" + uid + ")" : uid;
 }
 } // namespace shapeton
 

@@ -1,6 +1,7 @@
 #include "shapetonDicomVolume.h"
 
 #include "shapetonDicomPixels.h"
+#include "shapetonDicomSeriesDefects.h"
 #include "shapetonDicomSeriesGeometry.h"
 #include "shapetonPhysicalMemory.h"
 #include "shapetonNumberText.h"
@@ -21,15 +22,6 @@ using Slices = std::vector<DicomSlice>;
 // Rounding of coordinates, in pixels.
 constexpr double IndexTolerance = 1e-6;
 
-// A grid this much larger than the slices themselves is no repair.
-constexpr double LargestGrowth = 4;
-
-std::string
-Count(std::size_t count, const std::string & noun)
-{
-  return std::to_string(count) + " " + noun + (count == 1 ? "" : "s");
-}
-
 [[noreturn]] void
 Refuse(const DicomSeries & series, const std::string & reason)
 {
@@ -45,30 +37,35 @@ CheckMemory(const DicomSeries & series, double voxels)
   }
 }
 
-/** A grid in the plane of the series' rows, columns and normal. */
-ImageType::Pointer
-MakeImage(const DicomSeries & series, const ImageType::SizeType & size, double sliceSpacing, const double (&start)[3])
+/** A grid along the series' rows, columns and normal; `start` is its first voxel, from the first pixel of the series.
+ */
+itk::ImageBase<3>::Pointer
+MakeGrid(const DicomSeries & series, const ImageType::SizeType & size, double sliceSpacing, const double (&start)[3])
 {
-  CheckMemory(series, static_cast<double>(size[0]) * static_cast<double>(size[1]) * static_cast<double>(size[2]));
-  const auto               image = ImageType::New();
-  ImageType::SpacingType   spacing;
-  ImageType::DirectionType direction;
-  ImageType::PointType     origin = series.slices.front().imagePosition;
-  spacing[0] = series.spacing[0];
-  spacing[1] = series.spacing[1];
-  spacing[2] = sliceSpacing;
+  const auto           grid = itk::ImageBase<3>::New();
+  ImageType::PointType origin = series.slices.front().imagePosition;
   for (unsigned int i = 0; i < 3; ++i)
   {
     for (unsigned int axis = 0; axis < 3; ++axis)
     {
-      direction(i, axis) = series.direction(i, axis);
       origin[i] += series.direction(i, axis) * start[axis];
     }
   }
+  const double spacing[3] = { series.spacing[0], series.spacing[1], sliceSpacing };
+  grid->SetRegions(size);
+  grid->SetSpacing(spacing);
+  grid->SetOrigin(origin);
+  grid->SetDirection(series.direction);
+  return grid;
+}
+
+ImageType::Pointer
+MakeImage(const DicomSeries & series, const ImageType::SizeType & size, double sliceSpacing, const double (&start)[3])
+{
+  CheckMemory(series, static_cast<double>(size[0]) * static_cast<double>(size[1]) * static_cast<double>(size[2]));
+  const auto image = ImageType::New();
+  image->CopyInformation(MakeGrid(series, size, sliceSpacing, start));
   image->SetRegions(size);
-  image->SetSpacing(spacing);
-  image->SetOrigin(origin);
-  image->SetDirection(direction);
   image->Allocate();
   return image;
 }
@@ -215,33 +212,24 @@ Deshear(const DicomSeries & series,
         const Progress &    progress,
         Volume &            volume)
 {
-  double                    lowest[3] = { 0, 0, slices.front().position };
-  ImageType::SizeType       size = stack->GetLargestPossibleRegion().GetSize();
-  const ImageType::SizeType oldSize = size;
-  double                    growth = 1;
-  for (int axis = 0; axis < 2; ++axis)
+  const ImageType::SizeType oldSize = stack->GetLargestPossibleRegion().GetSize();
+  const DeshearedPlane      plane = PlaneOfSlices(series, slices);
+  if (plane.growth > LargestGrowth)
   {
-    const auto less = [axis](const DicomSlice & a, const DicomSlice & b) { return a.offset[axis] < b.offset[axis]; };
-    const auto range = std::minmax_element(slices.begin(), slices.end(), less);
-    lowest[axis] = range.first->offset[axis];
-    const double extra = (range.second->offset[axis] - lowest[axis]) / series.spacing[axis];
-    growth *= 1 + extra / static_cast<double>(size[axis]);
-    if (growth > LargestGrowth)
-    {
-      Refuse(series, "the slices are displaced too far for deshear");
-    }
-    size[axis] += static_cast<std::size_t>(std::ceil(extra - IndexTolerance));
+    Refuse(series, "the slices are displaced too far for deshear");
   }
-  const auto    image = MakeImage(series, size, stack->GetSpacing()[2], lowest);
-  const float * pixels = stack->GetBufferPointer();
-  const float   outside = *std::min_element(pixels, pixels + stack->GetLargestPossibleRegion().GetNumberOfPixels());
-  float *       voxel = image->GetBufferPointer();
+  const double              start[3] = { plane.start[0], plane.start[1], slices.front().position };
+  const ImageType::SizeType size{ { plane.size[0], plane.size[1], oldSize[2] } };
+  const auto                image = MakeImage(series, size, stack->GetSpacing()[2], start);
+  const float *             pixels = stack->GetBufferPointer();
+  const float outside = *std::min_element(pixels, pixels + stack->GetLargestPossibleRegion().GetNumberOfPixels());
+  float *     voxel = image->GetBufferPointer();
   for (const DicomSlice & slice : slices)
   {
     const MovedSlice moved(pixels,
                            oldSize,
-                           (lowest[0] - slice.offset[0]) / series.spacing[0],
-                           (lowest[1] - slice.offset[1]) / series.spacing[1],
+                           (start[0] - slice.offset[0]) / series.spacing[0],
+                           (start[1] - slice.offset[1]) / series.spacing[1],
                            outside);
     for (std::size_t row = 0; row < size[1]; ++row)
     {
@@ -289,8 +277,8 @@ ResampleGaps(const DicomSeries & series,
              Volume &            volume)
 {
   const double length = slices.back().position - slices.front().position;
-  const double steps = std::max(1.0, std::round(length / series.spacing[2]));
-  if (steps > LargestGrowth * static_cast<double>(slices.size()) + 1)
+  const double steps = ResampledSteps(length, series.spacing[2]);
+  if (!CanBeResampled(slices.size(), length, series.spacing[2]))
   {
     Refuse(series,
            "the gaps are too wide: " + NumberText(steps + 1) + " slices would be made from " +
@@ -368,6 +356,33 @@ AddNotes(const DicomSeries & series, Volume & volume)
   }
 }
 } // namespace
+
+DeshearedPlane
+PlaneOfSlices(const DicomSeries & series, const std::vector<DicomSlice> & slices)
+{
+  DeshearedPlane plane{ { 0.0, 0.0 }, { series.size[0], series.size[1] }, 1.0 };
+  for (int axis = 0; axis < 2; ++axis)
+  {
+    const auto less = [axis](const DicomSlice & a, const DicomSlice & b) { return a.offset[axis] < b.offset[axis]; };
+    const auto range = std::minmax_element(slices.begin(), slices.end(), less);
+    plane.start[axis] = range.first->offset[axis];
+    const double extra = (range.second->offset[axis] - plane.start[axis]) / series.spacing[axis];
+    plane.growth *= 1 + extra / series.size[axis];
+    const double largest = LargestGrowth * series.size[axis]; // beyond it the plane is refused
+    plane.size[axis] += static_cast<std::size_t>(std::ceil(std::min(extra, largest) - IndexTolerance));
+  }
+  return plane;
+}
+
+itk::ImageBase<3>::Pointer
+GridOfDicomSeries(const DicomSeries & series, bool isDesheared)
+{
+  const DeshearedPlane plane = isDesheared ? PlaneOfSlices(series, series.slices)
+                                           : DeshearedPlane{ { 0.0, 0.0 }, { series.size[0], series.size[1] }, 1.0 };
+  const double         start[3] = { plane.start[0], plane.start[1], 0.0 };
+  return MakeGrid(
+    series, { { plane.size[0], plane.size[1], series.slices.size() } }, UniformSpacing(series.slices), start);
+}
 
 Volume
 ReadDicomVolume(const DicomSeries & series, const VolumeReadOptions & options)

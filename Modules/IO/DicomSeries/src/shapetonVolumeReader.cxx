@@ -22,23 +22,33 @@ using SeriesList = std::vector<const DicomSeries *>;
 constexpr std::size_t LongestList = 6;
 
 bool
-IsRepaired(DicomDefectKind kind, const VolumeReadOptions & options, bool isChosenPart)
+IsRepaired(const DicomDefect & defect, const VolumeReadOptions & options, bool isChosenPart)
 {
-  switch (kind)
+  switch (defect.kind)
   {
     case DicomDefectKind::duplicateIdentical:
     case DicomDefectKind::duplicateConflicting:
       return options.dropDuplicates;
     case DicomDefectKind::gap:
     case DicomDefectKind::variableSpacing:
-      return options.resampleGaps;
+      return options.resampleGaps && defect.isRepairable;
     case DicomDefectKind::shear:
-      return options.deshear;
+      return options.deshear && defect.isRepairable;
     case DicomDefectKind::mixedSeries:
       return isChosenPart;
     default:
       return false;
   }
+}
+
+/** False for the advice of a repair that the caller does not make. */
+bool
+MayAdvise(const DicomDefect & defect, const VolumeReadOptions & options)
+{
+  VolumeReadOptions repairs;
+  repairs.dropDuplicates = repairs.resampleGaps = options.advice != VolumeReadOptions::Advice::allRepairs;
+  repairs.deshear = options.advice == VolumeReadOptions::Advice::none;
+  return !IsRepaired(defect, repairs, false);
 }
 
 /** Why a series cannot be read with these options; empty when it can. */
@@ -53,14 +63,10 @@ RefusalOf(const DicomSeries & series, const VolumeReadOptions & options)
   });
   for (const DicomDefect & defect : defects)
   {
-    if (!IsRepaired(defect.kind, options, isChosenPart))
+    if (!IsRepaired(defect, options, isChosenPart))
     {
-      VolumeReadOptions all;
-      all.dropDuplicates = all.resampleGaps = all.deshear = true;
-      const bool isOption = IsRepaired(defect.kind, all, false);
       return std::string(GetDicomDefectName(defect.kind)) + ": " + defect.message + "; " +
-             (isOption && !options.adviseRepair ? "a series without this defect is needed"
-                                                : GetDicomDefectAdvice(defect.kind));
+             (MayAdvise(defect, options) ? GetDicomDefectAdvice(defect) : "a series without this defect is needed");
     }
   }
   if (series.isSingleSlice && !options.allowSingleSlice)
@@ -74,6 +80,7 @@ std::string
 Describe(const DicomSeries & series)
 {
   return series.GetSelector() + " (" + (series.description.empty() ? "no description" : series.description) + ", " +
+         (series.distinction.empty() ? "" : series.distinction + ", ") +
          (series.modality.empty() ? "" : series.modality + ", ") + std::to_string(series.slices.size()) +
          (series.slices.size() == 1 ? " slice)" : " slices)");
 }
@@ -114,25 +121,30 @@ Select(const DicomScan & scan, const std::function<bool(const DicomSeries &)> & 
   return list;
 }
 
-[[noreturn]] void
-RefuseFolderWithoutImage(const DicomScan & scan)
+/** "2 of RTStructureSetStorage, 1 of EncapsulatedPDFStorage". */
+std::string
+ListObjects(const DicomScan & scan)
 {
-  if (scan.files == 1)
+  std::string text;
+  for (const auto & kind : scan.otherObjects)
   {
-    const DicomDefect & defect = scan.otherFiles.front();
-    ThrowUnsuitable(scan.path,
-                    std::string(GetDicomDefectName(defect.kind)) + ": " + defect.message +
-                      (defect.kind == DicomDefectKind::truncated
-                         ? "; copy the file from its source again"
-                         : "; wanted is a folder with a DICOM series, a DICOM image, NRRD, NIfTI or MetaImage"));
+    text += (text.empty() ? "" : ", ") + std::to_string(kind.second) + " of " + kind.first;
   }
-  const auto truncated = std::find_if(scan.otherFiles.begin(), scan.otherFiles.end(), [](const DicomDefect & defect) {
-    return defect.kind == DicomDefectKind::truncated;
+  return text;
+}
+
+/** What a person can do with DICOM objects that are not images. */
+std::string
+AdviceOnObjects(const DicomScan & scan)
+{
+  const bool areContours = scan.otherObjects.count("RTStructureSetStorage") > 0;
+  const bool areReports = std::any_of(scan.otherObjects.begin(), scan.otherObjects.end(), [](const auto & kind) {
+    return kind.first.find("SRStorage") != std::string::npos;
   });
-  const std::string first = truncated != scan.otherFiles.end() ? truncated->message : scan.otherFiles.front().message;
-  ThrowUnsuitable(scan.path,
-                  "notAnImage: none of its " + std::to_string(scan.files) + " files is a DICOM image (" + first +
-                    "); name the folder that holds the series");
+  return std::string(areContours  ? "a structure set holds contours alone; "
+                     : areReports ? "the points of a report are read by DicomResultsToColon; "
+                                  : "") +
+         "name the folder that holds the image series to which they refer";
 }
 
 /** A damaged file whose series is not known may be the first or last slice of any. */
@@ -221,40 +233,58 @@ SelectOnlyOne(const DicomScan & scan, const VolumeReadOptions & options)
   ThrowUnsuitable(scan.path, List(volumes.empty() ? all : volumes, explain));
 }
 
-/** What else is in the folder, for the user to know that it was not taken. */
+/** One line on the rest of a folder, out of which the user has chosen. */
 void
-NoteOthers(const DicomScan & scan, const DicomSeries & taken, Volume & volume)
+CountOthers(const DicomScan & scan, Volume & volume)
 {
-  for (const DicomDefect & remark : taken.remarks)
+  const std::size_t others = scan.series.size() - 1;
+  if (others > 0)
   {
-    volume.notes.push_back(std::string(GetDicomDefectName(remark.kind)) + ": " + remark.message + "; " +
-                           GetDicomDefectAdvice(remark.kind));
+    volume.notes.push_back("left out: " + std::to_string(others) +
+                           " other series or parts of the folder; DicomSeriesInspector lists them");
   }
-  std::size_t              localizers = 0;
-  std::vector<std::string> others;
-  const std::string        uid = taken.GetSelector();
+}
+
+/** What was left out although nobody has said so. */
+void
+ListOthers(const DicomScan & scan, const DicomSeries & taken, Volume & volume)
+{
+  std::size_t localizers = 0;
   for (const DicomSeries & series : scan.series)
   {
-    if (&series == &taken)
-    {
-      continue;
-    }
-    if (series.Has(DicomDefectKind::localizer))
-    {
-      localizers += series.slices.size();
-      continue;
-    }
-    const std::string reason = series.defects.empty() ? series.refusal : GetDicomDefectName(series.defects[0].kind);
-    others.push_back(Describe(series) + (reason.empty() ? "" : ": " + reason));
+    localizers += series.Has(DicomDefectKind::localizer) && &series != &taken ? series.slices.size() : 0;
   }
   if (localizers > 0)
   {
     volume.notes.push_back(std::to_string(localizers) +
                            (localizers == 1 ? " localizer image was" : " localizer images were") + " left out");
   }
-  for (const std::string & other : others)
+  for (const DicomSeries & series : scan.series)
   {
-    volume.notes.push_back("left out: series " + other);
+    if (&series != &taken && !series.Has(DicomDefectKind::localizer))
+    {
+      const std::string reason = series.defects.empty() ? series.refusal : GetDicomDefectName(series.defects[0].kind);
+      volume.notes.push_back("left out: series " + Describe(series) + (reason.empty() ? "" : ": " + reason));
+    }
+  }
+}
+
+/** What is unusual about the series, and what else is in the folder. */
+void
+NoteOthers(const DicomScan & scan, const DicomSeries & taken, bool isChosen, Volume & volume)
+{
+  for (const DicomDefect & remark : taken.remarks)
+  {
+    volume.notes.push_back(std::string(GetDicomDefectName(remark.kind)) + ": " + remark.message + "; " +
+                           GetDicomDefectAdvice(remark));
+  }
+  if (isChosen)
+  {
+    CountOthers(scan, volume);
+  }
+  else
+  {
+    ListOthers(scan, taken, volume);
   }
   const auto damaged = std::count_if(scan.otherFiles.begin(), scan.otherFiles.end(), [](const DicomDefect & file) {
     return file.kind == DicomDefectKind::truncated;
@@ -281,7 +311,7 @@ ReadDicom(const std::string & path, const VolumeReadOptions & options)
     const std::string message = error.what();
     throw InputError(message.compare(0, path.size(), path) == 0 ? message : path + ": " + message);
   }
-  NoteOthers(scan, series, volume);
+  NoteOthers(scan, series, !options.seriesUID.empty(), volume);
   return volume;
 }
 
@@ -299,13 +329,36 @@ CheckExtent(const std::string & path, const Volume & volume, const VolumeReadOpt
 }
 } // namespace
 
+void
+RequireDicomImages(const DicomScan & scan)
+{
+  if (!scan.series.empty())
+  {
+    return;
+  }
+  const auto truncated = std::find_if(scan.otherFiles.begin(), scan.otherFiles.end(), [](const DicomDefect & defect) {
+    return defect.kind == DicomDefectKind::truncated;
+  });
+  const bool isDamaged = truncated != scan.otherFiles.end();
+  const std::string first = isDamaged ? truncated->message : scan.otherFiles.front().message;
+  if (isDamaged && scan.files == 1)
+  {
+    ThrowUnsuitable(scan.path, "truncated: " + first + "; copy the file from its source again");
+  }
+  const std::string which = scan.files == 1 ? "the file is not a DICOM image"
+                                            : "none of its " + std::to_string(scan.files) + " files is a DICOM image";
+  const std::string found = scan.otherObjects.empty() ? first : "DICOM objects: " + ListObjects(scan);
+  ThrowUnsuitable(scan.path,
+                  "notAnImage: " + which + " (" + found + (isDamaged && found != first ? "; " + first : "") + "); " +
+                    (scan.otherObjects.empty()
+                       ? "name a folder that holds a DICOM series, a DICOM image, NRRD, NIfTI or MetaImage file"
+                       : AdviceOnObjects(scan)));
+}
+
 const DicomSeries &
 SelectDicomSeries(const DicomScan & scan, const VolumeReadOptions & options)
 {
-  if (scan.series.empty())
-  {
-    RefuseFolderWithoutImage(scan);
-  }
+  RequireDicomImages(scan);
   return options.seriesUID.empty() ? SelectOnlyOne(scan, options) : SelectByUID(scan, options);
 }
 

@@ -1,5 +1,6 @@
 #include "shapetonDicomFixture.h"
 
+#include "dcmtk/dcmdata/dcostrmb.h"
 #include "dcmtk/dcmdata/dcrledrg.h"
 #include "dcmtk/dcmdata/dcrleerg.h"
 
@@ -41,6 +42,12 @@ AddItem(DcmItem & item, const DcmTagKey & sequence)
   DcmItem * added = nullptr;
   Check(item.findOrCreateSequenceItem(sequence, added, -2), "add item");
   return *added;
+}
+
+void
+PutNumber(std::string & bytes, std::uint32_t number)
+{
+  bytes.append(reinterpret_cast<const char *>(&number), sizeof(number));
 }
 
 void
@@ -241,6 +248,146 @@ DicomFixture::MakeEnhanced(const std::vector<double> & distances) const
   }
   Check(dataset.putAndInsertUint16Array(DCM_PixelData, pixels.data(), pixels.size()), "pixels");
   return file;
+}
+
+DicomFixture::File
+DicomFixture::MakeLabelMap(const std::vector<PointType> & frames,
+                           const std::vector<Uint16> &    labels,
+                           unsigned int                   bits,
+                           const std::vector<Uint16> &    segments) const
+{
+  auto         file = std::make_unique<DcmFileFormat>();
+  DcmDataset & dataset = *file->getDataset();
+  Put(dataset, DCM_SOPClassUID, "1.2.840.10008.5.1.4.1.1.66.7");
+  FillIdentity(dataset, 900);
+  Put(dataset, DCM_Modality, "SEG");
+  Put(dataset, DCM_SeriesInstanceUID, seriesUID + ".900");
+  Put(AddItem(dataset, DCM_ReferencedSeriesSequence), DCM_SeriesInstanceUID, seriesUID);
+  Put(dataset, DCM_SegmentationType, "LABELMAP");
+  Put(dataset, DCM_NumberOfFrames, std::to_string(frames.size()));
+  SetPixelAttributes(dataset, *this);
+  dataset.putAndInsertUint16(DCM_PixelRepresentation, 0);
+  dataset.putAndInsertUint16(DCM_HighBit, static_cast<Uint16>(bits - 1));
+  for (const DcmTagKey & tag : { DCM_BitsAllocated, DCM_BitsStored })
+  {
+    dataset.putAndInsertUint16(tag, static_cast<Uint16>(bits));
+  }
+  for (const Uint16 number : segments)
+  {
+    DcmItem & segment = AddItem(dataset, DCM_SegmentSequence);
+    segment.putAndInsertUint16(DCM_SegmentNumber, number);
+    Put(segment, DCM_SegmentLabel, "segment " + std::to_string(number));
+    DcmItem & type = AddItem(segment, DCM_SegmentedPropertyTypeCodeSequence);
+    Put(type, DCM_CodeValue, "71854001");
+    Put(type, DCM_CodingSchemeDesignator, "SCT");
+  }
+  DcmItem & shared = AddItem(dataset, DCM_SharedFunctionalGroupsSequence);
+  Put(AddItem(shared, DCM_PlaneOrientationSequence), DCM_ImageOrientationPatient, DicomOrientation(direction));
+  Put(AddItem(shared, DCM_PixelMeasuresSequence), DCM_PixelSpacing, DicomNumbers({ rowSpacing, columnSpacing }));
+  for (const PointType & position : frames)
+  {
+    DcmItem & own = AddItem(dataset, DCM_PerFrameFunctionalGroupsSequence);
+    Put(AddItem(own, DCM_PlanePositionSequence),
+        DCM_ImagePositionPatient,
+        DicomNumbers({ position[0], position[1], position[2] }));
+  }
+  const std::vector<Uint8> bytes(labels.begin(), labels.end());
+  Check(bits == 8 ? dataset.putAndInsertUint8Array(DCM_PixelData, bytes.data(), bytes.size())
+                  : dataset.putAndInsertUint16Array(DCM_PixelData, labels.data(), labels.size()),
+        "labels");
+  return file;
+}
+
+void
+StoreAsUnknown(DcmItem & item, const std::vector<DcmTagKey> & tags)
+{
+  for (const DcmTagKey & tag : tags)
+  {
+    DcmDataset alone;
+    Check(alone.insert(item.remove(tag)), "take");
+    std::vector<Uint8>    bytes(1 << 20);
+    DcmOutputBufferStream stream(bytes.data(), static_cast<offile_off_t>(bytes.size()));
+    alone.transferInit();
+    Check(alone.write(stream, EXS_LittleEndianImplicit, EET_ExplicitLength, nullptr), "encode");
+    alone.transferEnd();
+    void *       buffer = nullptr;
+    offile_off_t length = 0;
+    stream.flushBuffer(buffer, length);
+    constexpr offile_off_t header = 8; // tag and length
+    auto * const           unknown = new DcmOtherByteOtherWord(DcmTag(tag, EVR_UN));
+    unknown->putUint8Array(bytes.data() + header, static_cast<unsigned long>(length - header));
+    Check(item.insert(unknown), "store");
+  }
+}
+
+void
+StoreAllAsUnknown(DcmItem & item)
+{
+  std::vector<DcmTagKey> tags;
+  for (DcmObject * next = item.nextInContainer(nullptr); next; next = item.nextInContainer(next))
+  {
+    tags.emplace_back(next->getGTag(), next->getETag());
+  }
+  StoreAsUnknown(item, tags);
+}
+
+std::string
+CsaHeader(const std::string & count)
+{
+  std::string bytes("SV10\4\3\2\1", 8);
+  PutNumber(bytes, 1); // elements
+  PutNumber(bytes, 77);
+  std::string name = "NumberOfImagesInMosaic";
+  name.resize(64);
+  bytes += name;
+  PutNumber(bytes, 1); // multiplicity
+  bytes += std::string("US\0\0", 4);
+  PutNumber(bytes, 10); // type
+  PutNumber(bytes, count.empty() ? 0 : 1);
+  PutNumber(bytes, 77);
+  if (!count.empty())
+  {
+    const std::string value(count.c_str(), count.size() + 1);
+    for (const std::size_t number : { value.size(), value.size(), std::size_t(77), value.size() })
+    {
+      PutNumber(bytes, static_cast<std::uint32_t>(number));
+    }
+    bytes += value + std::string((4 - value.size() % 4) % 4, '\0');
+  }
+  return bytes + std::string(bytes.size() % 2, '\0');
+}
+
+void
+AddPrivate(DcmItem & item, Uint16 group, const std::string & creator, Uint16 element, const std::string & bytes)
+{
+  Uint16    block = 0x10;
+  DcmTagKey owner(group, block);
+  item.putAndInsertString(DcmTag(owner, EVR_LO), "ANOTHER OWNER");
+  owner.setElement(++block);
+  item.putAndInsertString(DcmTag(owner, EVR_LO), creator.c_str());
+  auto * const value = new DcmOtherByteOtherWord(DcmTag(group, static_cast<Uint16>(block << 8 | element), EVR_UN));
+  value->putUint8Array(reinterpret_cast<const Uint8 *>(bytes.data()), static_cast<unsigned long>(bytes.size()));
+  item.insert(value, OFTrue);
+}
+
+void
+StateTransferSyntax(const std::string & path, const std::string & uid)
+{
+  std::ifstream     stream(path, std::ios::binary);
+  std::string       bytes((std::istreambuf_iterator<char>(stream)), std::istreambuf_iterator<char>());
+  const std::string padded = uid.size() % 2 == 0 ? uid : uid + '\0';
+  const std::string stated("UI\x14\0"
+                           "1.2.840.10008.1.2.1\0",
+                           24);
+  const auto        place = bytes.find(stated);
+  if (place == std::string::npos || padded.size() > 100)
+  {
+    throw std::runtime_error("not an explicit little endian file: " + path);
+  }
+  bytes.replace(place, stated.size(), std::string("UI") + static_cast<char>(padded.size()) + '\0' + padded);
+  constexpr std::size_t groupLength = 140; // value of (0002,0000)
+  bytes[groupLength] = static_cast<char>(bytes[groupLength] + static_cast<char>(padded.size()) - 20);
+  WriteText(path, bytes);
 }
 
 void
@@ -458,6 +605,35 @@ WriteBadFiles(const std::string & folder)
   SaveDicom(*flat, MakeFolder(folder + "/twoDimensional") + "/flat.dcm");
 }
 
+/** Inputs as other programs write them. */
+void
+WriteOtherPrograms(const std::string & folder)
+{
+  const DicomFixture fixture;
+  auto               unknown = fixture.MakeSeries();
+  auto               mosaics = fixture.MakeSeries();
+  auto               commas = fixture.MakeSeries();
+  auto               interleaved = fixture.MakeSeries();
+  for (std::size_t i = 0; i < fixture.slices; ++i)
+  {
+    StoreAllAsUnknown(*unknown[i]->getDataset());
+    SetText(*mosaics[i], DCM_ImageType, "ORIGINAL\\PRIMARY\\M\\ND\\MOSAIC");
+    SetText(*commas[i], DCM_PixelSpacing, "1,25\\0,75");
+    SetText(*interleaved[i], DCM_ConvolutionKernel, i % 2 == 0 ? "B30f" : "B70f");
+  }
+  SaveDicom(unknown, MakeFolder(folder + "/unknownRepresentation"));
+  SaveDicom(mosaics, MakeFolder(folder + "/mosaic"));
+  SaveDicom(commas, MakeFolder(folder + "/comma"));
+  SaveDicom(interleaved, MakeFolder(folder + "/interleaved"));
+  const std::vector<Uint16> labels(std::size_t(fixture.columns) * fixture.rows, 1);
+  SaveDicom(*fixture.MakeLabelMap({ fixture.origin }, labels, 8, { 1 }), MakeFolder(folder + "/labelMap") + "/map.dcm");
+
+  DcmFileFormat contours;
+  SetText(contours, DCM_SOPClassUID, UID_RTStructureSetStorage);
+  SetText(contours, DCM_SOPInstanceUID, fixture.seriesUID + ".8");
+  SaveDicom(contours, MakeFolder(folder + "/structureSet") + "/contours.dcm");
+}
+
 void
 WriteImageFiles(const std::string & folder)
 {
@@ -482,6 +658,7 @@ WriteFaultyInputs(const std::string & folder)
   WriteSeriesFaults(folder);
   WriteGroups(folder);
   WriteBadFiles(folder);
+  WriteOtherPrograms(folder);
   WriteImageFiles(folder);
 }
 } // namespace shapeton

@@ -66,6 +66,14 @@ public:
   File
   MakeEnhanced(const std::vector<double> & distances) const;
 
+  /** A label map segmentation (Supplement 243) of 8 or 16 bits with segments of these numbers and a frame at each of
+   * these positions; `labels` are its pixels. */
+  File
+  MakeLabelMap(const std::vector<PointType> & frames,
+               const std::vector<Uint16> &    labels,
+               unsigned int                   bits,
+               const std::vector<Uint16> &    segments) const;
+
   /** `count` distances of slices, 0, spacing, 2 * spacing, ... */
   std::vector<double>
   RegularDistances() const;
@@ -95,6 +103,26 @@ DicomOrientation(const itk::Matrix<double, 3, 3> & direction);
 
 void
 SetText(DcmFileFormat & file, const DcmTagKey & tag, const std::string & value);
+
+/** Stores attributes of an item with VR UN: their values become implicit VR little endian (PS3.5 6.2.2). */
+void
+StoreAsUnknown(DcmItem & item, const std::vector<DcmTagKey> & tags);
+
+/** The same for all attributes of an item. */
+void
+StoreAllAsUnknown(DcmItem & item);
+
+/** A CSA header of Siemens with the element NumberOfImagesInMosaic alone; no value where `count` is empty. */
+std::string
+CsaHeader(const std::string & count);
+
+/** Adds a private attribute with VR UN, in the second block of its group. */
+void
+AddPrivate(DcmItem & item, Uint16 group, const std::string & creator, Uint16 element, const std::string & bytes);
+
+/** Replaces the transfer syntax that the meta header of an explicit little endian file states. */
+void
+StateTransferSyntax(const std::string & path, const std::string & uid);
 
 /** Saves a file; throws std::runtime_error. */
 void

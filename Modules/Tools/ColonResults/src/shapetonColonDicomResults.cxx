@@ -18,7 +18,7 @@ namespace
 DicomSource
 ReadSourceOf(const ColonExamination & exam, const std::string & path)
 {
-  const DicomSource source = ReadDicomSource(path, exam.seriesUID);
+  const DicomSource source = ReadDicomSource(path, { exam.seriesUID });
   if (IdentityOf(path) != exam.digest)
   {
     throw InputError("\"" + path + "\" is not what the examination \"" + exam.folder +

@@ -35,7 +35,7 @@ DicomMapOutput::DicomMapOutput(CommandLine & commandLine)
     RequireParameter(!IsImageFile(input),
                      "the parameter \"dicomMap\" needs a DICOM series, to which the map belongs: \"" + input +
                        "\" is none");
-    m_Source = std::make_unique<DicomSource>(ReadDicomSource(input, commandLine.GetString("seriesUID")));
+    m_Source = std::make_unique<DicomSource>(ReadDicomSource(input, { commandLine.GetString("seriesUID") }));
   }
 }
 

@@ -1,0 +1,322 @@
+// Results of other programs: label maps, tilted and single slices, encodings, values.
+#include "shapetonDicomReport.h"
+#include "shapetonDicomReportReader.h"
+#include "shapetonDicomResultsTesting.h"
+#include "shapetonDicomSegmentationReader.h"
+
+#include <cstdlib>
+#include <filesystem>
+#include <functional>
+#include <random>
+
+namespace
+{
+using namespace shapeton;
+
+constexpr std::size_t pixelsOfSlice = 63; // 7 x 9
+
+/** A label map on slices 0, 3 and 5 of a fixture, with random labels. */
+struct LabelMap
+{
+  LabelMap(const std::vector<Uint16> & values, unsigned int bits, const std::vector<Uint16> & segments)
+    : folder(TestFolder()), source(SourceOf(fixture, folder)), path(folder + "/map.dcm"), expected(pixelsOfSlice * 6, 0)
+  {
+    std::mt19937                         random(7);
+    std::vector<Uint16>                  labels;
+    std::vector<DicomFixture::PointType> frames;
+    for (const std::size_t slice : { 0, 3, 5 })
+    {
+      frames.push_back(fixture.SlicePosition(static_cast<double>(slice) * fixture.sliceSpacing));
+      for (std::size_t i = 0; i < pixelsOfSlice; ++i)
+      {
+        labels.push_back(values[random() % values.size()]);
+        const bool isSegment = std::count(segments.begin(), segments.end(), labels.back()) > 0;
+        expected[slice * pixelsOfSlice + i] = isSegment ? labels.back() : Uint16(0);
+      }
+    }
+    file = fixture.MakeLabelMap(frames, labels, bits, segments);
+  }
+
+  DcmDataset &
+  Dataset()
+  {
+    return *file->getDataset();
+  }
+
+  DicomSegmentationFile
+  Read(E_TransferSyntax syntax = EXS_LittleEndianExplicit)
+  {
+    SaveDicom(*file, path, syntax);
+    return ReadDicomSegmentation(path);
+  }
+
+  void
+  Expect(const DicomSegmentationFile & read, const std::vector<int> & numbers, const std::string & what)
+  {
+    const auto                  labels = ReadDicomSegments(read, numbers, source).labels;
+    std::vector<unsigned short> values(labels->GetBufferPointer(), labels->GetBufferPointer() + expected.size());
+    EXPECT_EQ(values, expected) << what;
+  }
+
+  DicomFixture                fixture{ ObliqueFixture() };
+  std::string                 folder;
+  DicomSource                 source;
+  std::string                 path;
+  std::vector<unsigned short> expected;
+  DicomFixture::File          file;
+};
+
+std::vector<int>
+NumbersIn(const DicomSegmentationFile & file)
+{
+  std::vector<int> numbers;
+  for (const DicomSegmentInFile & segment : file.segments)
+  {
+    numbers.push_back(segment.number);
+  }
+  return numbers;
+}
+
+std::string
+OddData(const std::string & name)
+{
+  const char * const data = std::getenv("SHAPETON_TEST_DATA_DIR");
+  const std::string  path = data ? std::string(data) + "/odd/seg/" + name : std::string();
+  return std::filesystem::exists(path) ? path : std::string();
+}
+
+std::size_t
+VoxelsOf(const std::string & path, const DicomSource & source)
+{
+  return ReadDicomSegments(ReadDicomSegmentation(path), { 1 }, source).voxels.at(0);
+}
+} // namespace
+
+TEST(DicomResultsOfOtherPrograms, ALabelMapIsReadInEachEncoding)
+{
+  for (const auto syntax :
+       { EXS_LittleEndianExplicit, EXS_LittleEndianImplicit, EXS_BigEndianExplicit, EXS_DeflatedLittleEndianExplicit })
+  {
+    const std::string what = DcmXfer(syntax).getXferName();
+    LabelMap          bytes({ 0, 2, 7 }, 8, { 2, 7 });
+    bytes.Expect(bytes.Read(syntax), { 2, 7 }, what);
+    LabelMap words({ 0, 2, 300, 65535 }, 16, { 2, 300, 65535 });
+    words.Expect(words.Read(syntax), { 65535, 300, 2 }, what);
+  }
+}
+
+TEST(DicomResultsOfOtherPrograms, ALabelMapHasABackgroundOrNone)
+{
+  LabelMap none({ 2, 7 }, 8, { 2, 7 }); // each pixel belongs to a segment
+  none.Expect(none.Read(), { 2, 7 }, "none");
+
+  LabelMap padded({ 2, 7, 9 }, 8, { 2, 7 });
+  padded.Dataset().putAndInsertUint16(DCM_PixelPaddingValue, 9);
+  padded.Expect(padded.Read(), { 2, 7 }, "padding");
+
+  for (const Uint16 number : { 0, 4 }) // declared, by its type
+  {
+    LabelMap  declared({ number, 2, 7 }, 8, { 2, number, 7 });
+    DcmItem * segment = nullptr;
+    DcmItem * type = nullptr;
+    ASSERT_TRUE(declared.Dataset().findAndGetSequenceItem(DCM_SegmentSequence, segment, 1).good());
+    ASSERT_TRUE(segment->findAndGetSequenceItem(DCM_SegmentedPropertyTypeCodeSequence, type).good());
+    type->putAndInsertString(DCM_CodeValue, "125040");
+    type->putAndInsertString(DCM_CodingSchemeDesignator, "DCM");
+    std::replace(declared.expected.begin(), declared.expected.end(), static_cast<unsigned short>(number), Uint16(0));
+    const auto file = declared.Read();
+    EXPECT_EQ(NumbersIn(file), (std::vector<int>{ 2, 7 }));
+    declared.Expect(file, { 2, 7 }, "declared");
+  }
+}
+
+TEST(DicomResultsOfOtherPrograms, ALabelMapMayBeInColor)
+{
+  LabelMap map({ 0, 2, 7 }, 8, { 2, 7 });
+  map.Dataset().putAndInsertString(DCM_PhotometricInterpretation, "PALETTE COLOR");
+  map.Expect(map.Read(), { 2, 7 }, "palette");
+}
+
+TEST(DicomResultsOfOtherPrograms, LabelsThatAreNotDeclaredAreRefused)
+{
+  LabelMap   map({ 0, 2, 8 }, 8, { 2, 7 });
+  const auto file = map.Read();
+  EXPECT_TRUE(Contains(InputErrorOf([&] { ReadDicomSegments(file, { 2 }, map.source); }),
+                       "has pixels of segment 8, which it does not declare"));
+  LabelMap zero({ 0, 2 }, 8, { 0, 2 }); // a structure of its own: 0 means none in what is made of it
+  EXPECT_THROW(ReadDicomSegments(zero.Read(), { 0, 2 }, zero.source), ParameterError);
+  EXPECT_NO_THROW(ReadDicomSegments(zero.Read(), { 2 }, zero.source));
+  LabelMap wide({ 0, 2 }, 8, { 2 });
+  wide.Dataset().putAndInsertUint16(DCM_BitsAllocated, 32);
+  EXPECT_TRUE(Contains(InputErrorOf([&] { wide.Read(); }), "LABELMAP with 32 bits"));
+}
+
+TEST(DicomResultsOfOtherPrograms, AttributesWithUnknownRepresentationAreDecoded)
+{
+  for (const auto syntax : { EXS_LittleEndianExplicit, EXS_BigEndianExplicit, EXS_DeflatedLittleEndianExplicit })
+  {
+    LabelMap map({ 0, 2, 7 }, 16, { 2, 7 });
+    StoreAllAsUnknown(map.Dataset());
+    map.Expect(map.Read(syntax), { 2, 7 }, DcmXfer(syntax).getXferName());
+  }
+}
+
+TEST(DicomResultsOfOtherPrograms, FaultsAreNamed)
+{
+  LabelMap  comma({ 0, 2 }, 8, { 2 });
+  DcmItem * shared = nullptr;
+  DcmItem * measures = nullptr;
+  ASSERT_TRUE(comma.Dataset().findAndGetSequenceItem(DCM_SharedFunctionalGroupsSequence, shared).good());
+  ASSERT_TRUE(shared->findAndGetSequenceItem(DCM_PixelMeasuresSequence, measures).good());
+  measures->putAndInsertString(DCM_PixelSpacing, "1,25\\0,75");
+  const std::string message = InputErrorOf([&] { comma.Read(); });
+  EXPECT_TRUE(
+    Contains(message, "map.dcm\" cannot be read: its PixelSpacing (0028,0030) is \"1,25\\0,75\", with a comma"));
+
+  LabelMap encoded({ 0, 2 }, 8, { 2 });
+  SaveDicom(*encoded.file, encoded.path);
+  StateTransferSyntax(encoded.path, "1.2.840.10008.1.2.8.1");
+  EXPECT_TRUE(
+    Contains(InputErrorOf([&] { ReadDicomSegmentation(encoded.path); }),
+             "is encoded as Deflated Image Frame Compression (1.2.840.10008.1.2.8.1), which is not supported"));
+}
+
+TEST(DicomResultsOfOtherPrograms, NamesOfSegmentsAreDecoded)
+{
+  const auto labelOf = [](const std::string & set, const std::string & label) {
+    LabelMap  map({ 0, 2 }, 8, { 2 });
+    DcmItem * segment = nullptr;
+    EXPECT_TRUE(map.Dataset().findAndGetSequenceItem(DCM_SegmentSequence, segment).good());
+    map.Dataset().putAndInsertString(DCM_SpecificCharacterSet, set.c_str());
+    segment->putAndInsertString(DCM_SegmentLabel, label.c_str());
+    return map.Read();
+  };
+  auto file = labelOf("\\ISO 2022 IR 87", "\x1b$B;3ED\x1b(B");
+  EXPECT_EQ(file.segments.at(0).name, "\u5c71\u7530");
+  EXPECT_TRUE(file.notes.empty());
+  file = labelOf("ISO_IR 6", "K\xf6rper");
+  EXPECT_EQ(file.segments.at(0).name, "K?rper");
+  ASSERT_EQ(file.notes.size(), 1U);
+  EXPECT_TRUE(Contains(file.notes[0], "segment 2"));
+}
+
+// ---- tilted series ----
+
+TEST(DicomResultsOfOtherPrograms, ASegmentationIsDeshearedWithItsSeries)
+{
+  const DicomFixture                   fixture = ObliqueFixture();
+  const std::string                    folder = TestFolder();
+  std::vector<DicomFixture::PointType> places;
+  DicomFixture::Files                  files;
+  for (int i = 0; i < 6; ++i)
+  {
+    places.push_back(fixture.SlicePosition(2.0 * i, -0.4 * i, 0.9 * i));
+    files.push_back(fixture.MakeSlice(places.back(), i + 1));
+  }
+  SaveDicom(files, folder);
+  const std::vector<Uint16> labels(6 * pixelsOfSlice, 3); // all pixels
+  SaveDicom(*fixture.MakeLabelMap(places, labels, 8, { 3 }), MakeFolder(folder + "/map") + "/map.dcm");
+
+  EXPECT_TRUE(Contains(InputErrorOf([&] { ReadDicomSource(folder + "/im0001.dcm"); }), "single slice"));
+  std::filesystem::rename(folder + "/map", folder + ".map");
+  DicomSourceOptions options;
+  EXPECT_FALSE(Contains(InputErrorOf([&] { ReadDicomSource(folder, options); }), "deshear"));
+  options.offersDeshear = true;
+  EXPECT_TRUE(Contains(InputErrorOf([&] { ReadDicomSource(folder, options); }), "the parameter \"deshear\""));
+  options.deshear = true;
+  const DicomSource source = ReadDicomSource(folder, options);
+  VolumeReadOptions volume;
+  volume.deshear = true;
+  EXPECT_TRUE(HaveSameGrid(ReadVolume(folder, volume).image.GetPointer(), source.grid));
+
+  const auto read = ReadDicomSegments(ReadDicomSegmentation(folder + ".map/map.dcm"), { 3 }, source);
+  EXPECT_EQ(read.voxels[0], labels.size());
+  const auto  region = read.labels->GetLargestPossibleRegion();
+  std::size_t painted = 0;
+  for (std::size_t i = 0; i < region.GetNumberOfPixels(); ++i)
+  {
+    const auto index = read.labels->ComputeIndex(static_cast<itk::OffsetValueType>(i));
+    if (read.labels->GetPixel(index) != 3)
+    {
+      continue;
+    }
+    ++painted; // each within half a pixel of a pixel of its slice
+    DicomFixture::PointType point;
+    read.labels->TransformIndexToPhysicalPoint(index, point);
+    const auto step = point - places[static_cast<std::size_t>(index[2])];
+    const auto along = [&](unsigned int axis, double spacing) {
+      double sum = 0;
+      for (unsigned int k = 0; k < 3; ++k)
+      {
+        sum += step[k] * fixture.direction(k, axis);
+      }
+      return sum / spacing;
+    };
+    EXPECT_TRUE(along(0, fixture.columnSpacing) >= -0.501 && along(0, fixture.columnSpacing) <= 6.501);
+    EXPECT_TRUE(along(1, fixture.rowSpacing) >= -0.501 && along(1, fixture.rowSpacing) <= 8.501);
+    EXPECT_NEAR(along(2, 1.0), 0.0, 1e-6);
+  }
+  EXPECT_EQ(painted, labels.size());
+  std::filesystem::remove_all(folder + ".map");
+}
+
+// ---- reports ----
+
+TEST(DicomResultsOfOtherPrograms, PointsInPixelsNeedNeitherAVolumeNorAFrameOfReference)
+{
+  const DicomFixture fixture = ObliqueFixture();
+  const std::string  folder = TestFolder();
+  const DicomSource  whole = SourceOf(fixture, folder);
+  const DicomCode    center{ "111010", "DCM", "Center" };
+  const auto         place = fixture.SlicePosition(4.0, 1.5, 2.5);
+  const auto         write = [&](const DicomContent & point, const std::string & name) {
+    const DicomContent root =
+      ContainerContent({}, { "126000", "DCM", "Imaging Measurement Report" }, { point }, "1500");
+    WriteDicomReport(whole, DicomReportKind::Comprehensive3D, root, {}, HeaderOfTest(), folder + name);
+    return folder + name;
+  };
+  const std::array<double, 3> point{ place[0], place[1], place[2] };
+  const std::string           inPixels = write(PixelPointContent("CONTAINS", center, point, whole), "/pixels.sr");
+  const std::string           inSpace = write(SpacePointContent("CONTAINS", center, point), "/space.sr");
+
+  DcmFileFormat slice = Loaded(folder + "/im0003.dcm");
+  slice.getDataset()->findAndDeleteElement(DCM_FrameOfReferenceUID);
+  SaveDicom(slice, MakeFolder(folder + ".one") + "/slice.dcm");
+  EXPECT_TRUE(Contains(InputErrorOf([&] { ReadDicomSource(folder + ".one"); }), "a single slice"));
+  DicomSourceOptions options;
+  options.forPoints = true;
+  const DicomSource one = ReadDicomSource(folder + ".one", options);
+  const auto        points = ReadDicomReportPoints(inPixels, one);
+  ASSERT_EQ(points.size(), 1U);
+  EXPECT_LT(points[0].places.at(0).EuclideanDistanceTo(place), 1e-4); // the report holds floats
+  EXPECT_TRUE(Contains(InputErrorOf([&] { ReadDicomReportPoints(inSpace, one); }), "has no frame of reference"));
+  std::filesystem::remove_all(folder + ".one");
+}
+
+// ---- real files ----
+
+TEST(DicomResultsOfOtherPrograms, RealFilesOfOtherPrograms)
+{
+  if (OddData("ct-tilted").empty() || OddData("sparse-labelmap-noppv.dcm").empty())
+  {
+    GTEST_SKIP() << "SHAPETON_TEST_DATA_DIR is not set, or lacks odd/seg";
+  }
+  DicomSourceOptions options;
+  options.deshear = true;
+  EXPECT_EQ(VoxelsOf(OddData("08-on-tilted-series.dcm"), ReadDicomSource(OddData("ct-tilted"), options)), 1600U);
+
+  DicomFixture liver; // a series with the grid of the label maps, which have every second slice
+  liver.columns = 24;
+  liver.rows = 38;
+  liver.slices = 3;
+  liver.columnSpacing = liver.rowSpacing = 0.7;
+  liver.sliceSpacing = 2.5;
+  const double origin[3] = { 46.464901, 5.0188098, -177.75 };
+  liver.origin = DicomFixture::PointType(origin);
+  const DicomSource source = SourceOf(liver, TestFolder());
+  for (const char * name : { "sparse-labelmap-noppv.dcm", "sparse-labelmap-ppv5.dcm" })
+  {
+    EXPECT_EQ(NumbersIn(ReadDicomSegmentation(OddData(name))), std::vector<int>{ 1 });
+    EXPECT_EQ(VoxelsOf(OddData(name), source), 630U) << name;
+  }
+}

@@ -1,0 +1,103 @@
+#include "shapetonDicomAttributes.h"
+
+#include "shapetonDicomCharacterSets.h"
+#include "shapetonDicomText.h"
+#include "shapetonDicomTransferSyntax.h"
+#include "shapetonPrintable.h"
+
+#include "dcmtk/config/osconfig.h"
+#include "dcmtk/dcmdata/dctk.h"
+#include "dcmtk/oflog/oflog.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+
+namespace shapeton
+{
+namespace
+{
+// Longer texts are cut: they are for tables and messages.
+constexpr std::size_t LongestText = 256;
+
+std::string
+BytesOf(DcmItem & item, const DcmTagKey & tag)
+{
+  OFString bytes;
+  return item.findAndGetOFStringArray(tag, bytes).good() ? std::string(bytes.c_str(), bytes.size()) : std::string();
+}
+
+[[noreturn]] void
+ThrowMalformed(const DcmTagKey & tag, const std::string & value, const std::string & rule)
+{
+  throw MalformedDicomValue(std::string(DcmTag(tag).getTagName()) + " " + tag.toString().c_str() + " is " +
+                            Quoted(Printable(value)) + ", " + rule);
+}
+
+double
+NumberIn(const DcmTagKey & tag, const std::string & value, const std::string & text)
+{
+  const char * const first = text.data() + (!text.empty() && text.front() == '+' ? 1 : 0);
+  const char * const end = text.data() + text.size();
+  double             number = 0;
+  const auto         result = std::from_chars(first, end, number);
+  if (result.ec != std::errc() || result.ptr != end || !std::isfinite(number))
+  {
+    ThrowMalformed(tag,
+                   value,
+                   text.find(',') != std::string::npos ? "with a comma in place of the decimal point"
+                                                       : "which is not a decimal number");
+  }
+  return number;
+}
+} // namespace
+
+void
+PrepareDicomParsing()
+{
+  OFLog::configure(OFLogger::OFF_LOG_LEVEL);
+  dcmEnableUnknownVRConversion.set(OFTrue);
+}
+
+std::vector<double>
+DicomNumbersOf(DcmItem & item, const DcmTagKey & tag, std::size_t count)
+{
+  const std::string   value = Trimmed(BytesOf(item, tag));
+  std::vector<double> numbers;
+  for (const std::string & text : SplitDicomValues(value))
+  {
+    numbers.push_back(NumberIn(tag, value, text));
+  }
+  if (!numbers.empty() && numbers.size() != count)
+  {
+    ThrowMalformed(tag, value, "which is not " + std::to_string(count) + (count == 1 ? " number" : " numbers"));
+  }
+  return numbers;
+}
+
+DicomEncoding
+DicomEncodingOf(DcmFileFormat & file)
+{
+  const std::string stated = Trimmed(BytesOf(*file.getMetaInfo(), DCM_TransferSyntaxUID));
+  DicomEncoding     encoding;
+  encoding.isUnknown = !stated.empty() && DcmXfer(stated.c_str()).getXfer() == EXS_Unknown;
+  const DcmXfer syntax(file.getDataset()->getOriginalXfer());
+  encoding.name = encoding.isUnknown ? NameOfNewTransferSyntax(stated) : std::string(syntax.getXferName());
+  encoding.isSupported = !encoding.isUnknown && IsSupported(syntax.getXfer());
+  return encoding;
+}
+
+DicomText
+DicomTextOf(DcmItem & item, const DcmTagKey & tag)
+{
+  const std::string bytes = BytesOf(item, tag);
+  std::string       text = bytes;
+  DicomText         result;
+  result.isDecoded = DecodeDicomText(CharacterSetsOf(item), text);
+  const std::string printable = Printable(text);
+  const bool isUtf8 = std::count(printable.begin(), printable.end(), '?') == std::count(text.begin(), text.end(), '?');
+  result.isDecoded = result.isDecoded && isUtf8;
+  result.text = Printable(printable.substr(0, LongestText));
+  return result;
+}
+} // namespace shapeton
