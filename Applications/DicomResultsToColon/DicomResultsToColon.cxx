@@ -53,6 +53,10 @@ WriteSegments(CommandLine & commandLine, const shapeton::DicomSource & source)
   {
     shapeton::RequireMadeOn(file, source);
   }
+  if (source.series.Has(shapeton::DicomDefectKind::shear))
+  {
+    commandLine.AddProvenance("repair", "deshear: slices moved within their planes by whole pixels");
+  }
   const auto metadata = shapeton::ProvenanceMetadata(commandLine.GetProvenance());
   if (!mask.empty())
   {
@@ -94,10 +98,6 @@ Convert(CommandLine & commandLine)
   const auto source = ReadSource(commandLine);
   commandLine.AddInput("input", "sha256:" + shapeton::Sha256OfFile(input));
   commandLine.AddInput("source", shapeton::IdentityOfSeries(source.series.GetSelector()));
-  if (source.series.Has(shapeton::DicomDefectKind::shear))
-  {
-    commandLine.AddProvenance("repair", "deshear: slices moved within their planes by whole pixels");
-  }
   if (!commandLine.IsGiven("markers"))
   {
     WriteSegments(commandLine, source);

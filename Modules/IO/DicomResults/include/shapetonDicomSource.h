@@ -31,7 +31,8 @@ struct DicomSourceOptions
   bool deshear{ false };
   /** A message on a tilted series may advise `deshear`. */
   bool offersDeshear{ false };
-  /** A single slice, or one without a frame of reference, will do: points in pixels need no more. For reading alone. */
+  /** An irregular series, a single slice, or one without a frame of reference is enough: points in pixels need the
+   * place of their slice alone. For reading alone. */
   bool forPoints{ false };
 };
 

@@ -91,14 +91,14 @@ void
 LoadDicomObject(DcmFileFormat & file, const std::string & path, const std::vector<std::string> & sopClassUIDs)
 {
   const OFCondition status = file.loadFile(path.c_str(), EXS_Unknown, EGL_noChange, MaximumEagerValue, ERM_autoDetect);
-  if (status.bad())
-  {
-    throw std::runtime_error(std::string("is no DICOM file, or ends too early (") + status.text() + ")");
-  }
   const DicomEncoding encoding = DicomEncodingOf(file);
   if (encoding.isUnknown)
   {
     throw std::runtime_error("is encoded as " + encoding.name + ", which is not supported; decompress it");
+  }
+  if (status.bad())
+  {
+    throw std::runtime_error(std::string("is no DICOM file, or ends too early (") + status.text() + ")");
   }
   const std::string uid = TextOf(*file.getDataset(), DCM_SOPClassUID);
   if (std::find(sopClassUIDs.begin(), sopClassUIDs.end(), uid) == sopClassUIDs.end())

@@ -140,8 +140,8 @@ ReadDicomSource(const std::string & path, const DicomSourceOptions & sourceOptio
   using Advice = VolumeReadOptions::Advice;
   VolumeReadOptions options;
   options.seriesUID = sourceOptions.seriesUID;
-  options.deshear = sourceOptions.deshear;
-  options.allowSingleSlice = sourceOptions.forPoints;
+  options.deshear = sourceOptions.deshear || sourceOptions.forPoints;
+  options.resampleGaps = options.dropDuplicates = options.allowSingleSlice = sourceOptions.forPoints;
   options.advice = sourceOptions.offersDeshear ? Advice::deshear : Advice::none;
   const DicomScan scan = ScanDicom(path);
   DicomSource     source;

@@ -173,12 +173,17 @@ TEST(DicomResultsOfOtherPrograms, FaultsAreNamed)
   EXPECT_TRUE(
     Contains(message, "map.dcm\" cannot be read: its PixelSpacing (0028,0030) is \"1,25\\0,75\", with a comma"));
 
-  LabelMap encoded({ 0, 2 }, 8, { 2 });
-  SaveDicom(*encoded.file, encoded.path);
-  StateTransferSyntax(encoded.path, "1.2.840.10008.1.2.8.1");
-  EXPECT_TRUE(
-    Contains(InputErrorOf([&] { ReadDicomSegmentation(encoded.path); }),
-             "is encoded as Deflated Image Frame Compression (1.2.840.10008.1.2.8.1), which is not supported"));
+  for (const auto syntax : { EXS_LittleEndianExplicit, EXS_RLELossless }) // native, and in fragments
+  {
+    LabelMap encoded({ 0, 2 }, 8, { 2 });
+    SaveDicom(*encoded.file, encoded.path, syntax);
+    StateTransferSyntax(encoded.path, "1.2.840.10008.1.2.8.1");
+    EXPECT_TRUE(
+      Contains(InputErrorOf([&] { ReadDicomSegmentation(encoded.path); }),
+               "is encoded as Deflated Image Frame Compression (1.2.840.10008.1.2.8.1), which is not supported"));
+  }
+  LabelMap packed({ 0, 2 }, 8, { 2 });
+  EXPECT_TRUE(Contains(InputErrorOf([&] { packed.Read(EXS_RLELossless); }), "is compressed as RLE Lossless"));
 }
 
 TEST(DicomResultsOfOtherPrograms, NamesOfSegmentsAreDecoded)
@@ -290,6 +295,11 @@ TEST(DicomResultsOfOtherPrograms, PointsInPixelsNeedNeitherAVolumeNorAFrameOfRef
   ASSERT_EQ(points.size(), 1U);
   EXPECT_LT(points[0].places.at(0).EuclideanDistanceTo(place), 1e-4); // the report holds floats
   EXPECT_TRUE(Contains(InputErrorOf([&] { ReadDicomReportPoints(inSpace, one); }), "has no frame of reference"));
+  std::filesystem::remove(folder + "/im0002.dcm"); // a gap
+  EXPECT_TRUE(Contains(InputErrorOf([&] { ReadDicomSource(folder); }), "gap"));
+  EXPECT_LT(
+    ReadDicomReportPoints(inPixels, ReadDicomSource(folder, options)).at(0).places.at(0).EuclideanDistanceTo(place),
+    1e-4);
   std::filesystem::remove_all(folder + ".one");
 }
 

@@ -52,10 +52,10 @@ SelectDicomSeries(const DicomScan & scan, const VolumeReadOptions & options = {}
 DicomSeries_EXPORT itk::ImageBase<3>::Pointer
                    GridOfDicomSeries(const DicomSeries & series, bool isDesheared = false);
 
-/** Throws the InputError of ReadVolume() for a folder without an image: what it holds instead, and what to do.
- * \ingroup DicomSeries */
+/** Throws InputError for a folder or file without an image: what it holds instead, and what to do. `wanted` is the
+ * advice where it holds nothing of DICOM. \ingroup DicomSeries */
 DicomSeries_EXPORT void
-RequireDicomImages(const DicomScan & scan);
+RequireDicomImages(const DicomScan & scan, const std::string & wanted = "name the folder that holds the series");
 
 /** Reads a folder (searched recursively), one DICOM file, or one NRRD, NIfTI or MetaImage file.
  *

@@ -50,6 +50,20 @@ NumberIn(const DcmTagKey & tag, const std::string & value, const std::string & t
   }
   return number;
 }
+/** Printable words with the blanks between them as they are. */
+std::string
+PrintableWords(const std::string & text)
+{
+  std::string printable;
+  for (std::size_t start = 0; start <= text.size();)
+  {
+    const std::size_t stop = std::min(text.find(' ', start), text.size());
+    printable += (start > 0 ? " " : "") + Printable(text.substr(start, stop - start));
+    start = stop + 1;
+  }
+  return Trimmed(printable);
+}
+
 } // namespace
 
 void
@@ -94,10 +108,10 @@ DicomTextOf(DcmItem & item, const DcmTagKey & tag)
   std::string       text = bytes;
   DicomText         result;
   result.isDecoded = DecodeDicomText(CharacterSetsOf(item), text);
-  const std::string printable = Printable(text);
+  const std::string printable = PrintableWords(text);
   const bool isUtf8 = std::count(printable.begin(), printable.end(), '?') == std::count(text.begin(), text.end(), '?');
   result.isDecoded = result.isDecoded && isUtf8;
-  result.text = Printable(printable.substr(0, LongestText));
+  result.text = PrintableWords(printable.substr(0, LongestText));
   return result;
 }
 } // namespace shapeton

@@ -217,6 +217,12 @@ const AcquisitionKey acquisitionKeys[DicomFrame::NumberOfAcquisitionKeys] = {
   { DCM_ReconstructionDiameter, DCM_CTReconstructionSequence, DCM_ReconstructionDiameter },
   { DCM_SliceThickness, DCM_PixelMeasuresSequence, DCM_SliceThickness },
   { DCM_KVP, DCM_CTXRayDetailsSequence, DCM_KVP },
+  { DCM_ReconstructionAlgorithm, noAttribute, noAttribute },
+  { DCM_ReconstructionTargetCenterPatient, DCM_CTReconstructionSequence, DCM_ReconstructionTargetCenterPatient },
+  { DCM_RescaleType, DCM_PixelValueTransformationSequence, DCM_RescaleType },
+  { DCM_DerivationDescription, DCM_DerivationImageSequence, DCM_DerivationDescription },
+  { DCM_ContrastBolusAgent, noAttribute, noAttribute },
+  { DCM_ProtocolName, noAttribute, noAttribute },
   { DCM_EchoTime, noAttribute, noAttribute },
   { DCM_SeriesNumber, noAttribute, noAttribute },
   { DCM_SeriesDescription, noAttribute, noAttribute }
@@ -517,7 +523,7 @@ ReadImage(DcmDataset & dataset, DicomFile & file, bool isIncomplete)
   {
     file.truncation = CheckPixelData(dataset, file, file.frames.front().pixels);
   }
-  if (file.truncation.empty() && isIncomplete)
+  if (file.truncation.empty() && isIncomplete && !file.isUnsupportedTransferSyntax)
   {
     file.truncation = "the file ends within its data, or they are malformed";
   }

@@ -25,7 +25,7 @@ struct DicomFrame
 
   /** Attributes of which one volume has one value each, as a rule: they tell acquisitions and reconstructions apart
    * that interleave or lie at equal positions. */
-  static constexpr unsigned int NumberOfAcquisitionKeys = 14;
+  static constexpr unsigned int NumberOfAcquisitionKeys = 20;
   /** Their values, in the order of their names. */
   std::string acquisition[NumberOfAcquisitionKeys];
   static std::string

@@ -94,7 +94,7 @@ DropDuplicates(const DicomSeries & series, Volume & volume)
 double
 UniformSpacing(const Slices & slices)
 {
-  if (slices.size() > 1)
+  if (slices.back().position > slices.front().position)
   {
     return (slices.back().position - slices.front().position) / static_cast<double>(slices.size() - 1);
   }

@@ -121,14 +121,14 @@ Select(const DicomScan & scan, const std::function<bool(const DicomSeries &)> & 
   return list;
 }
 
-/** "2 of RTStructureSetStorage, 1 of EncapsulatedPDFStorage". */
+/** "2 RTStructureSetStorage, 1 EncapsulatedPDFStorage". */
 std::string
 ListObjects(const DicomScan & scan)
 {
   std::string text;
   for (const auto & kind : scan.otherObjects)
   {
-    text += (text.empty() ? "" : ", ") + std::to_string(kind.second) + " of " + kind.first;
+    text += (text.empty() ? "" : ", ") + std::to_string(kind.second) + " " + kind.first;
   }
   return text;
 }
@@ -330,7 +330,7 @@ CheckExtent(const std::string & path, const Volume & volume, const VolumeReadOpt
 } // namespace
 
 void
-RequireDicomImages(const DicomScan & scan)
+RequireDicomImages(const DicomScan & scan, const std::string & wanted)
 {
   if (!scan.series.empty())
   {
@@ -347,18 +347,19 @@ RequireDicomImages(const DicomScan & scan)
   }
   const std::string which = scan.files == 1 ? "the file is not a DICOM image"
                                             : "none of its " + std::to_string(scan.files) + " files is a DICOM image";
-  const std::string found = scan.otherObjects.empty() ? first : "DICOM objects: " + ListObjects(scan);
+  const std::string found = scan.otherObjects.empty() ? first : "DICOM objects without one: " + ListObjects(scan);
   ThrowUnsuitable(scan.path,
                   "notAnImage: " + which + " (" + found + (isDamaged && found != first ? "; " + first : "") + "); " +
-                    (scan.otherObjects.empty()
-                       ? "name a folder that holds a DICOM series, a DICOM image, NRRD, NIfTI or MetaImage file"
-                       : AdviceOnObjects(scan)));
+                    (scan.otherObjects.empty() ? wanted : AdviceOnObjects(scan)));
 }
 
 const DicomSeries &
 SelectDicomSeries(const DicomScan & scan, const VolumeReadOptions & options)
 {
-  RequireDicomImages(scan);
+  const bool isFile = scan.files == 1 && !fs::is_directory(scan.path);
+  RequireDicomImages(scan,
+                     isFile ? "wanted is a folder with a DICOM series, a DICOM image, NRRD, NIfTI or MetaImage"
+                            : "name the folder that holds the series");
   return options.seriesUID.empty() ? SelectOnlyOne(scan, options) : SelectByUID(scan, options);
 }
 

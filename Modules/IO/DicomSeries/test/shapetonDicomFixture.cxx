@@ -377,14 +377,14 @@ StateTransferSyntax(const std::string & path, const std::string & uid)
   std::string       bytes((std::istreambuf_iterator<char>(stream)), std::istreambuf_iterator<char>());
   const std::string padded = uid.size() % 2 == 0 ? uid : uid + '\0';
   const std::string stated("UI\x14\0"
-                           "1.2.840.10008.1.2.1\0",
-                           24);
+                           "1.2.840.10008.1.2.",
+                           22);
   const auto        place = bytes.find(stated);
   if (place == std::string::npos || padded.size() > 100)
   {
-    throw std::runtime_error("not an explicit little endian file: " + path);
+    throw std::runtime_error("no transfer syntax UID of 19 characters in " + path);
   }
-  bytes.replace(place, stated.size(), std::string("UI") + static_cast<char>(padded.size()) + '\0' + padded);
+  bytes.replace(place, 24, std::string("UI") + static_cast<char>(padded.size()) + '\0' + padded);
   constexpr std::size_t groupLength = 140; // value of (0002,0000)
   bytes[groupLength] = static_cast<char>(bytes[groupLength] + static_cast<char>(padded.size()) - 20);
   WriteText(path, bytes);

@@ -120,7 +120,7 @@ CsaHeader(const std::string & count);
 void
 AddPrivate(DcmItem & item, Uint16 group, const std::string & creator, Uint16 element, const std::string & bytes);
 
-/** Replaces the transfer syntax that the meta header of an explicit little endian file states. */
+/** Replaces the transfer syntax that a file states, of 19 characters: explicit little endian, or RLE. */
 void
 StateTransferSyntax(const std::string & path, const std::string & uid);
 
