@@ -111,7 +111,7 @@ CheckThreads(const XMLElement & root, const Parameters & parameters, XMLFaults &
 }
 
 /** A tool that has an input of this kind, or one of these options, has all of them. One that refers to the slices of a
- * series chooses it by seriesUID, and cannot repair it. */
+ * series chooses it by seriesUID; it may move its slices by deshear, but not add or drop any. */
 void
 CheckInputOptions(const XMLElement &                         root,
                   const Parameters &                         parameters,
@@ -122,7 +122,7 @@ CheckInputOptions(const XMLElement &                         root,
 {
   const auto takesIt = [&](const XMLElement * parameter) {
     const std::string name = parameter->TextOf("name");
-    return (options.count(name) && name != "seriesUID") ||
+    return (options.count(name) && name != "seriesUID" && name != "deshear") ||
            (parameter->name == element && parameter->TextOf("channel") == "input");
   };
   if (std::none_of(parameters.begin(), parameters.end(), takesIt))

@@ -625,8 +625,12 @@ WriteOtherPrograms(const std::string & folder)
   SaveDicom(mosaics, MakeFolder(folder + "/mosaic"));
   SaveDicom(commas, MakeFolder(folder + "/comma"));
   SaveDicom(interleaved, MakeFolder(folder + "/interleaved"));
-  const std::vector<Uint16> labels(std::size_t(fixture.columns) * fixture.rows, 1);
-  SaveDicom(*fixture.MakeLabelMap({ fixture.origin }, labels, 8, { 1 }), MakeFolder(folder + "/labelMap") + "/map.dcm");
+  const std::size_t slice = std::size_t(fixture.columns) * fixture.rows;
+  SaveDicom(*fixture.MakeLabelMap({ fixture.origin }, std::vector<Uint16>(slice, 1), 8, { 1 }),
+            MakeFolder(folder + "/labelMap") + "/map.dcm");
+  const std::vector<DicomFixture::PointType> tilted{ fixture.origin, fixture.SlicePosition(2.0, 0.0, 0.5) };
+  SaveDicom(*fixture.MakeLabelMap(tilted, std::vector<Uint16>(2 * slice, 1), 8, { 1 }), // of the series "shear"
+            MakeFolder(folder + "/tiltedLabelMap") + "/map.dcm");
 
   DcmFileFormat contours;
   SetText(contours, DCM_SOPClassUID, UID_RTStructureSetStorage);
