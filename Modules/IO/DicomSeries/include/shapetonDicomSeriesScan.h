@@ -190,7 +190,7 @@ struct DicomScan
  * spacing. Groups of one study that differ in patient or frame of reference alone are one volume with the remark
  * mixedPatient or mixedFrameOfReference where their slices, three or more, are equidistant together. Then by
  * an attribute of acquisition or reconstruction (acquisition number, temporal position, echo, b-value, stack, image
- * type, kernel, filter, diameter, thickness, kVp, series number and description), where several such groups, each a
+ * type, kernel, filter, diameter, thickness, kVp, series description and others), where several such groups, each a
  * grid on its own, cover the same positions or interleave: then each is coarser than the whole. Slices are ordered by
  * Image Position (Patient) along the normal of Image Orientation (Patient); Slice Thickness, Spacing Between Slices,
  * Slice Location and Instance Number are not used.

@@ -304,7 +304,8 @@ struct Part
   std::string distinction;
 };
 
-/** Groups with more than this times the distance of all slices together interleave. */
+/** Groups whose slices are more than this times as far apart as all slices together interleave: two groups are twice as
+ * far apart, and jitter of positions is some hundredths. */
 constexpr double CoarserGrid = 1.5;
 
 /** The value of an attribute; of all of them together behind the last one. */
@@ -397,7 +398,7 @@ SplitByAcquisition(Part whole)
 
 /** The indices of items of which this is true. */
 std::vector<unsigned int>
-Find(const Items & items, const std::function<bool(const DicomFile &)> & isWanted)
+IndicesOf(const Items & items, const std::function<bool(const DicomFile &)> & isWanted)
 {
   std::vector<unsigned int> indices;
   for (unsigned int i = 0; i < items.size(); ++i)
@@ -414,9 +415,9 @@ Find(const Items & items, const std::function<bool(const DicomFile &)> & isWante
 void
 AddFileDefects(DicomSeries & series, const Items & items)
 {
-  const auto truncated = Find(items, [](const DicomFile & file) { return !file.truncation.empty(); });
-  const auto malformed = Find(items, [](const DicomFile & file) { return !file.malformedValue.empty(); });
-  const auto unsupported = Find(items, [](const DicomFile & file) { return file.isUnsupportedTransferSyntax; });
+  const auto truncated = IndicesOf(items, [](const DicomFile & file) { return !file.truncation.empty(); });
+  const auto malformed = IndicesOf(items, [](const DicomFile & file) { return !file.malformedValue.empty(); });
+  const auto unsupported = IndicesOf(items, [](const DicomFile & file) { return file.isUnsupportedTransferSyntax; });
   if (!truncated.empty())
   {
     const std::string & reason = items[truncated.front()].file->truncation;

@@ -358,7 +358,7 @@ SelectDicomSeries(const DicomScan & scan, const VolumeReadOptions & options)
 {
   const bool isFile = scan.files == 1 && !fs::is_directory(scan.path);
   RequireDicomImages(scan,
-                     isFile ? "wanted is a folder with a DICOM series, a DICOM image, NRRD, NIfTI or MetaImage"
+                     isFile ? "give a folder with a DICOM series, or a DICOM, NRRD, NIfTI or MetaImage file"
                             : "name the folder that holds the series");
   return options.seriesUID.empty() ? SelectOnlyOne(scan, options) : SelectByUID(scan, options);
 }
