@@ -14,5 +14,7 @@ itk_module(VolumeFiles
     ITKZLIB
   TEST_DEPENDS
     ITKGoogleTest
+    ITKIONIFTI
+    ITKZLIB
   DESCRIPTION "${DOCUMENTATION}"
 )

@@ -7,13 +7,14 @@
 
 namespace shapeton
 {
-/** True for the extensions of NRRD, NIfTI and MetaImage. \ingroup VolumeFiles */
+/** True for the extensions of NRRD, NIfTI and MetaImage; for .img, which may be anything, only beside an .hdr file.
+ * \ingroup VolumeFiles */
 VolumeFiles_EXPORT bool
 IsImageFile(const std::string & path);
 
-/** Reads a NRRD, NIfTI or MetaImage file; image and identity of the result are set. Three-dimensional scalar images
- * with positive finite spacing, perpendicular axes and finite voxels; a fourth dimension must have the size 1. Throws
- * InputError that names the file and the defect. \ingroup VolumeFiles */
+/** Reads a NRRD, NIfTI (1 or 2) or MetaImage file; image, identity and notes of the result are set. Three-dimensional
+ * scalar images with positive finite spacing, orthogonal axes and finite voxels; a fourth dimension must have the
+ * size 1. Throws InputError that names the file and the defect. \ingroup VolumeFiles */
 VolumeFiles_EXPORT Volume
 ReadImageFile(const std::string & path);
 } // namespace shapeton

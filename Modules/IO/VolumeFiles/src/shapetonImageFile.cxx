@@ -5,19 +5,17 @@
 #include "shapetonByteStream.h"
 #include "shapetonContainedProcess.h"
 #include "itkMetaImageIO.h"
-#include "itkNiftiImageIO.h"
 #include "itkNrrdImageIO.h"
 #include "shapetonPrintable.h"
 #include "shapetonSha256.h"
 #include "shapetonStartBeside.h"
 #include "shapetonStoredVoxels.h"
 #include "shapetonExceptions.h"
-
-#include "itkMetaDataObject.h"
+#include "shapetonNiftiHeader.h"
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
+#include <cstring>
 #include <functional>
 #include <sstream>
 #include <unistd.h>
@@ -28,21 +26,11 @@ namespace
 {
 using ComponentEnum = itk::ImageIOBase::IOComponentEnum;
 
-// Directions are stored as float or as short decimals.
-constexpr double OrthonormalTolerance = 1e-3;
-
 itk::ImageIOBase::Pointer
 MakeImageIO(ImageFormat format)
 {
-  switch (format)
-  {
-    case ImageFormat::nrrd:
-      return itk::NrrdImageIO::New().GetPointer();
-    case ImageFormat::nifti:
-      return itk::NiftiImageIO::New().GetPointer();
-    default:
-      return itk::MetaImageIO::New().GetPointer();
-  }
+  return format == ImageFormat::nrrd ? itk::ImageIOBase::Pointer(itk::NrrdImageIO::New())
+                                     : itk::ImageIOBase::Pointer(itk::MetaImageIO::New());
 }
 
 // ---- the header ----
@@ -57,9 +45,14 @@ struct ImageHeader
   std::uint32_t              componentBytes{ 0 };
   std::uint32_t              components{ 0 };
   bool                       isScalar{ false };
-  /** The axes of the NIfTI sform are not perpendicular. */
-  bool isSheared{ false };
-  bool statesSpacing{ true };
+  bool                       statesSpacing{ true };
+  /** \name NIfTI: what its voxels need, and the notes on its header */
+  ///@{
+  bool    isSwapped{ false };
+  double  slope{ 1.0 };
+  double  intercept{ 0.0 };
+  Remarks notes;
+  ///@}
 };
 
 template <typename TStream, typename THeader>
@@ -88,49 +81,7 @@ Transmit(TStream & stream, THeader & header)
     stream & cosine;
   }
   stream & header.componentType & header.componentBytes & header.components & header.isScalar;
-  stream & header.isSheared & header.statesSpacing;
-}
-
-/** ITK takes the qform when the sform is sheared; the file's author meant the sform. */
-bool
-HasShearedSform(const itk::MetaDataDictionary & dictionary)
-{
-  std::string code;
-  if (!itk::ExposeMetaData(dictionary, "sform_code", code) || std::strtol(code.c_str(), nullptr, 10) <= 0)
-  {
-    return false;
-  }
-  double       matrix[3][3];
-  const char * keys[] = { "srow_x", "srow_y", "srow_z" };
-  for (int row = 0; row < 3; ++row)
-  {
-    std::string text;
-    if (!itk::ExposeMetaData(dictionary, keys[row], text))
-    {
-      return false;
-    }
-    std::istringstream stream(text);
-    stream.imbue(std::locale::classic());
-    stream >> matrix[row][0] >> matrix[row][1] >> matrix[row][2];
-  }
-  for (int a = 0; a < 3; ++a)
-  {
-    const int b = (a + 1) % 3;
-    double    dot = 0;
-    double    lengthA = 0;
-    double    lengthB = 0;
-    for (const auto & row : matrix)
-    {
-      dot += row[a] * row[b];
-      lengthA += row[a] * row[a];
-      lengthB += row[b] * row[b];
-    }
-    if (std::abs(dot) > OrthonormalTolerance * std::sqrt(lengthA * lengthB))
-    {
-      return true;
-    }
-  }
-  return false;
+  stream &                                                                    header.statesSpacing;
 }
 
 /** The cause that an ITK exception states, without names of classes and functions. NrrdIO lists the functions from the
@@ -186,7 +137,6 @@ ReadHeader(const std::string & path, ImageFormat format)
   }
   header.components = io->GetNumberOfComponents();
   header.isScalar = io->GetPixelType() == itk::IOPixelEnum::SCALAR && header.components == 1;
-  header.isSheared = format == ImageFormat::nifti && HasShearedSform(io->GetMetaDataDictionary());
   header.statesSpacing = StatesSpacing(path, format);
   return header;
 }
@@ -258,6 +208,37 @@ ReadHeaderContained(const std::string & path, ImageFormat format)
   return header;
 }
 
+ImageHeader
+HeaderOfNifti(const std::string & path)
+{
+  const NiftiHeader nifti = ReadNiftiHeader(path);
+  const std::size_t dimension = nifti.size.size();
+  ImageHeader       header;
+  header.size = nifti.size;
+  header.spacing.assign(dimension, 1.0);
+  header.origin.assign(dimension, 0.0);
+  header.direction.assign(dimension * dimension, 0.0);
+  for (unsigned int i = 0; i < std::min<std::size_t>(3, dimension); ++i)
+  {
+    header.spacing[i] = nifti.spacing[i];
+    header.origin[i] = nifti.origin[i];
+    for (unsigned int j = 0; j < std::min<std::size_t>(3, dimension); ++j)
+    {
+      header.direction[i * dimension + j] = nifti.direction(i, j);
+    }
+  }
+  header.componentType = static_cast<int>(nifti.componentType);
+  header.componentBytes = nifti.componentBytes;
+  header.components = nifti.components;
+  header.isScalar = nifti.components == 1;
+  header.statesSpacing = nifti.statesSpacing;
+  header.isSwapped = nifti.isSwapped;
+  header.slope = nifti.slope;
+  header.intercept = nifti.intercept;
+  header.notes = nifti.notes;
+  return header;
+}
+
 // ---- checks ----
 
 bool
@@ -309,7 +290,7 @@ CheckGeometry(const std::string & path, const ImageHeader & header)
     }
   }
   const std::size_t n = header.size.size();
-  bool              isOrthonormal = !header.isSheared;
+  bool              isOrthonormal = true;
   for (int a = 0; a < 3; ++a)
   {
     for (int b = 0; b < 3; ++b)
@@ -324,8 +305,7 @@ CheckGeometry(const std::string & path, const ImageHeader & header)
   }
   if (!isOrthonormal)
   {
-    ThrowUnsuitable(path,
-                    "its axes are not perpendicular (sheared direction matrix); resample it onto a perpendicular grid");
+    ThrowUnsuitable(path, "its axes are not orthogonal (sheared direction matrix); resample it onto orthogonal axes");
   }
 }
 
@@ -343,9 +323,7 @@ CheckSize(const std::string & path, const ImageHeader & header, const StoredVoxe
     ThrowUnsuitable(path, "it has no voxels");
   }
   const double bytes = voxels * header.componentBytes;
-  // Integers that the header rescales are of one byte or more and become doubles in ITK's NIfTI reader.
-  const bool isNifti = ImageFormatOf(path) == ImageFormat::nifti;
-  if (!CanHold(stored, isNifti ? voxels : bytes, voxels))
+  if (!CanHold(stored, bytes, voxels))
   {
     std::ostringstream text;
     text << "truncated: the header claims " << header.size[0] << "x" << header.size[1] << "x" << header.size[2]
@@ -362,42 +340,62 @@ CheckSize(const std::string & path, const ImageHeader & header, const StoredVoxe
 // ---- voxels ----
 
 template <typename TStored>
+TStored
+Swapped(TStored value)
+{
+  char bytes[sizeof(TStored)];
+  std::memcpy(bytes, &value, sizeof(TStored));
+  std::reverse(bytes, bytes + sizeof(TStored));
+  std::memcpy(&value, bytes, sizeof(TStored));
+  return value;
+}
+
+template <typename TStored>
 void
-CopyVoxels(const char * stored, std::size_t count, float * voxels)
+CopyVoxels(const ImageHeader & header, const char * stored, std::size_t count, float * voxels)
 {
   const auto * const values = reinterpret_cast<const TStored *>(stored);
-  ParallelForBlocks(count, [&](std::size_t i) { voxels[i] = static_cast<float>(values[i]); });
+  const bool         isScaled = header.slope != 1.0 || header.intercept != 0.0;
+  ParallelForBlocks(count, [&](std::size_t i) {
+    const TStored value = header.isSwapped ? Swapped(values[i]) : values[i];
+    voxels[i] = isScaled ? static_cast<float>(header.slope * static_cast<double>(value) + header.intercept)
+                         : static_cast<float>(value);
+  });
 }
 
 void
-ConvertVoxels(const std::string & path, ComponentEnum type, const char * stored, std::size_t count, float * voxels)
+ConvertVoxels(const std::string & path,
+              const ImageHeader & header,
+              const char *        stored,
+              std::size_t         count,
+              float *             voxels)
 {
-  switch (type)
+  switch (static_cast<ComponentEnum>(header.componentType))
   {
     case ComponentEnum::UCHAR:
-      return CopyVoxels<unsigned char>(stored, count, voxels);
+      return CopyVoxels<unsigned char>(header, stored, count, voxels);
     case ComponentEnum::CHAR:
-      return CopyVoxels<signed char>(stored, count, voxels);
+      return CopyVoxels<signed char>(header, stored, count, voxels);
     case ComponentEnum::USHORT:
-      return CopyVoxels<unsigned short>(stored, count, voxels);
+      return CopyVoxels<unsigned short>(header, stored, count, voxels);
     case ComponentEnum::SHORT:
-      return CopyVoxels<short>(stored, count, voxels);
+      return CopyVoxels<short>(header, stored, count, voxels);
     case ComponentEnum::UINT:
-      return CopyVoxels<unsigned int>(stored, count, voxels);
+      return CopyVoxels<unsigned int>(header, stored, count, voxels);
     case ComponentEnum::INT:
-      return CopyVoxels<int>(stored, count, voxels);
+      return CopyVoxels<int>(header, stored, count, voxels);
     case ComponentEnum::ULONG:
-      return CopyVoxels<unsigned long>(stored, count, voxels);
+      return CopyVoxels<unsigned long>(header, stored, count, voxels);
     case ComponentEnum::LONG:
-      return CopyVoxels<long>(stored, count, voxels);
+      return CopyVoxels<long>(header, stored, count, voxels);
     case ComponentEnum::ULONGLONG:
-      return CopyVoxels<unsigned long long>(stored, count, voxels);
+      return CopyVoxels<unsigned long long>(header, stored, count, voxels);
     case ComponentEnum::LONGLONG:
-      return CopyVoxels<long long>(stored, count, voxels);
+      return CopyVoxels<long long>(header, stored, count, voxels);
     case ComponentEnum::FLOAT:
-      return CopyVoxels<float>(stored, count, voxels);
+      return CopyVoxels<float>(header, stored, count, voxels);
     case ComponentEnum::DOUBLE:
-      return CopyVoxels<double>(stored, count, voxels);
+      return CopyVoxels<double>(header, stored, count, voxels);
     default:
       ThrowUnsuitable(path, "its type of voxel is not supported");
   }
@@ -407,7 +405,8 @@ void
 CheckFinite(const std::string & path, const ImageHeader & header, const Volume::ImageType * image)
 {
   const auto type = static_cast<ComponentEnum>(header.componentType);
-  if (type != ComponentEnum::FLOAT && type != ComponentEnum::DOUBLE)
+  const bool isReal = type == ComponentEnum::FLOAT || type == ComponentEnum::DOUBLE || header.slope != 1.0;
+  if (!isReal && header.intercept == 0.0)
   {
     return;
   }
@@ -502,15 +501,15 @@ ReadImage(const std::string &  path,
     [&](const std::string & request, char * shared) {
       return Contained([&] {
         const auto size = static_cast<std::uint64_t>(bytes);
-        if (stored.areAsInMemory)
+        if (stored.canBeTaken)
         {
-          InflateVoxels(stored, size, [shared](std::uint64_t place, const char * piece, std::size_t length) {
+          TakeVoxels(stored, size, [shared](std::uint64_t place, const char * piece, std::size_t length) {
             std::copy_n(piece, length, shared + place);
           });
         }
         else
         {
-          VerifyVoxels(stored, format, size);
+          VerifyVoxels(stored, size);
           ReadVoxels(request, format, shared);
         }
         return std::string();
@@ -533,7 +532,7 @@ ReadImage(const std::string &  path,
   process.Stop();
   beside.get();
   ConvertVoxels(path,
-                static_cast<ComponentEnum>(header.componentType),
+                header,
                 process.GetShared(),
                 volume.image->GetLargestPossibleRegion().GetNumberOfPixels(),
                 volume.image->GetBufferPointer());
@@ -551,14 +550,17 @@ Volume
 ReadImageFile(const std::string & path)
 {
   const ImageFormat  format = ImageFormatOf(path);
-  const StoredVoxels stored = LocateVoxels(path, format);
-  const ImageHeader  header = ReadHeaderContained(path, format);
+  const bool         isNifti = format == ImageFormat::nifti;
+  const std::string  file = isNifti ? NiftiHeaderFile(path) : path; // that holds the header
+  const StoredVoxels stored = LocateVoxels(file, format);
+  const ImageHeader  header = isNifti ? HeaderOfNifti(file) : ReadHeaderContained(file, format);
   CheckKind(path, header);
   CheckGeometry(path, header);
   const double bytes = CheckSize(path, header, stored);
   Volume       volume;
-  ReadImage(path, format, stored, header, bytes, volume);
+  ReadImage(file, format, stored, header, bytes, volume);
   CheckFinite(path, header, volume.image);
+  AppendRemarks(volume.notes, header.notes);
   NoteMissingSpacing(header, volume);
   NoteRounding(header, volume);
   return volume;

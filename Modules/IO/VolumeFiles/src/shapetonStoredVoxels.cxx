@@ -2,13 +2,12 @@
 
 #include "shapetonExceptions.h"
 #include "shapetonFileErrors.h"
+#include "shapetonNiftiHeader.h"
 #include "shapetonPrintable.h"
 
 #include "itk_zlib.h"
 
 #include <algorithm>
-#include <cmath>
-#include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <functional>
@@ -27,8 +26,6 @@ constexpr double MaximumDeflateRatio = 1032;
 
 // Any real text header is shorter.
 constexpr std::size_t LongestTextHeader = 1u << 20;
-
-constexpr std::size_t NiftiHeaderBytes = 348;
 
 bool
 EndsWith(const std::string & text, const std::string & end)
@@ -154,9 +151,9 @@ LocateNrrdVoxels(const std::string & path)
   }
   const std::string endian = LowerCase(header.ValueOf("endian", ':'));
   const auto        isLeftOut = [&](const char * key) { return header.ValueOf(key, ':').empty(); };
-  voxels.areAsInMemory = voxels.coding == StoredVoxels::Coding::deflated && (endian.empty() || endian == "little") &&
-                         isLeftOut("byte skip") && isLeftOut("byteskip") && isLeftOut("line skip") &&
-                         isLeftOut("lineskip");
+  voxels.canBeTaken = voxels.coding == StoredVoxels::Coding::deflated && (endian.empty() || endian == "little") &&
+                      isLeftOut("byte skip") && isLeftOut("byteskip") && isLeftOut("line skip") &&
+                      isLeftOut("lineskip");
   return voxels;
 }
 
@@ -190,6 +187,25 @@ LocateMetaVoxels(const std::string & path)
   return voxels;
 }
 
+StoredVoxels
+LocateNiftiVoxels(const std::string & path)
+{
+  const NiftiHeader header = ReadNiftiHeader(NiftiHeaderFile(path));
+  StoredVoxels      voxels{ header.voxelFile };
+  voxels.canBeTaken = true;
+  std::ifstream file(header.voxelFile, std::ios::binary);
+  if (file.get() == 0x1F && file.get() == 0x8B) // gzip, whatever the file is called
+  {
+    voxels.coding = StoredVoxels::Coding::deflated;
+    voxels.inflatedOffset = header.voxelOffset;
+  }
+  else
+  {
+    voxels.offset = header.voxelOffset;
+  }
+  return voxels;
+}
+
 // ---- verification ----
 
 std::uint64_t
@@ -200,16 +216,9 @@ LengthOf(const StoredVoxels & voxels)
   return error || length < voxels.offset ? 0 : length - voxels.offset;
 }
 
-std::string
-Missing(std::uint64_t present, std::uint64_t needed)
-{
-  return "truncated: it holds " + std::to_string(present) + " of " + std::to_string(needed) + " bytes of voxels";
-}
-
-/** The first bytes of a stream of stored voxels, and its length. */
+/** The inflated bytes of a stream. */
 struct Stream
 {
-  std::string   head;
   std::uint64_t bytes{ 0 };
   TakeBytes     take; ///< if any, gets all of them
 };
@@ -275,10 +284,6 @@ private:
                                " bytes");
     }
     const std::size_t produced = sizeof(buffer) - m_State.avail_out;
-    if (stream.head.size() < NiftiHeaderBytes)
-    {
-      stream.head.append(buffer, std::min(produced, NiftiHeaderBytes - stream.head.size()));
-    }
     if (stream.take)
     {
       stream.take(stream.bytes, buffer, produced);
@@ -297,7 +302,7 @@ ReadDeflated(const StoredVoxels & voxels, const TakeBytes & take = {})
   std::ifstream file(voxels.file, std::ios::binary);
   file.seekg(static_cast<std::streamoff>(voxels.offset));
   Inflater          inflater;
-  Stream            stream{ {}, 0, take };
+  Stream            stream{ 0, take };
   std::vector<char> buffer(1u << 18);
   bool              goesOn = true;
   while (goesOn && file)
@@ -313,185 +318,26 @@ ReadDeflated(const StoredVoxels & voxels, const TakeBytes & take = {})
   return stream;
 }
 
-Stream
-ReadRaw(const StoredVoxels & voxels)
-{
-  Stream stream;
-  stream.bytes = LengthOf(voxels);
-  std::ifstream file(voxels.file, std::ios::binary);
-  stream.head.resize(NiftiHeaderBytes);
-  file.read(&stream.head[0], NiftiHeaderBytes);
-  stream.head.resize(static_cast<std::size_t>(file.gcount()));
-  return stream;
-}
-
 void
-TakeRaw(const StoredVoxels & voxels, const TakeBytes & take)
+TakeRaw(const StoredVoxels & voxels, std::uint64_t bytes, const TakeBytes & take)
 {
-  std::ifstream     file(voxels.file, std::ios::binary);
+  std::ifstream file(voxels.file, std::ios::binary);
+  file.seekg(static_cast<std::streamoff>(voxels.offset));
   std::vector<char> buffer(1u << 18);
-  for (std::uint64_t place = 0; file; place += static_cast<std::uint64_t>(file.gcount()))
+  for (std::uint64_t place = 0; file && place < bytes; place += static_cast<std::uint64_t>(file.gcount()))
   {
-    file.read(buffer.data(), static_cast<std::streamsize>(buffer.size()));
+    file.read(buffer.data(), static_cast<std::streamsize>(std::min<std::uint64_t>(buffer.size(), bytes - place)));
     take(place, buffer.data(), static_cast<std::size_t>(file.gcount()));
   }
 }
 
-/** A number of the NIfTI-1 header, in the byte order of the file. */
-template <typename TNumber>
-TNumber
-NiftiNumber(const std::string & header, std::size_t offset, bool isSwapped)
-{
-  char bytes[sizeof(TNumber)];
-  std::memcpy(bytes, &header[offset], sizeof(TNumber));
-  if (isSwapped)
-  {
-    std::reverse(bytes, bytes + sizeof(TNumber));
-  }
-  TNumber number;
-  std::memcpy(&number, bytes, sizeof(TNumber));
-  return number;
-}
-
-/** Whether numbers of a NIfTI-1 file have the other byte order. Throws std::runtime_error where it is none. */
-bool
-IsSwapped(const std::string & header)
-{
-  if (header.size() < NiftiHeaderBytes)
-  {
-    throw std::runtime_error("truncated: it ends within its header");
-  }
-  const bool isSwapped = NiftiNumber<std::int32_t>(header, 0, false) != static_cast<int>(NiftiHeaderBytes);
-  if (isSwapped && NiftiNumber<std::int32_t>(header, 0, true) != static_cast<int>(NiftiHeaderBytes))
-  {
-    throw std::runtime_error("this is no NIfTI-1 file");
-  }
-  return isSwapped;
-}
-
-/** The bytes up to the end of the voxels that a NIfTI-1 header announces. */
-std::uint64_t
-NiftiBytes(const std::string & header)
-{
-  const bool isSwapped = IsSwapped(header);
-  const int  dimensions = NiftiNumber<std::int16_t>(header, 40, isSwapped);
-  double     bytes = NiftiNumber<std::int16_t>(header, 72, isSwapped) / 8.0;
-  for (int i = 1; i <= std::min(dimensions, 7); ++i)
-  {
-    bytes *= std::max<int>(1, NiftiNumber<std::int16_t>(header, 40 + 2 * static_cast<std::size_t>(i), isSwapped));
-  }
-  bytes += NiftiNumber<float>(header, 108, isSwapped);
-  if (!(bytes >= 0 && bytes < 1e18))
-  {
-    throw std::runtime_error("its header is malformed");
-  }
-  return static_cast<std::uint64_t>(bytes);
-}
-
-/** The header of a NIfTI-1 file, compressed or not; as much of it as there is. */
-std::string
-ReadNiftiHeader(const std::string & path)
-{
-  std::string  header(NiftiHeaderBytes, '\0');
-  const gzFile file = gzopen(path.c_str(), "rb");
-  const int    read = file ? gzread(file, &header[0], static_cast<unsigned int>(header.size())) : 0;
-  if (file)
-  {
-    gzclose(file);
-  }
-  header.resize(static_cast<std::size_t>(std::max(0, read)));
-  return header;
-}
-
-bool
-NiftiStatesSpacing(const std::string & header)
-{
-  const bool isSwapped = IsSwapped(header);
-  const auto isStated = [&](std::size_t offset) {
-    return std::abs(NiftiNumber<float>(header, offset, isSwapped)) > 0.0F;
-  };
-  return isStated(80) && isStated(84) && isStated(88); // pixdim[1] to [3]
-}
-
-/** Whether ITK's reader takes some voxels for 0: real numbers that are not finite. */
-class NiftiNonFiniteCounter
-{
-public:
-  /** \param header of the file; where its voxels are integers there is nothing to count. */
-  explicit NiftiNonFiniteCounter(const std::string & header)
-    : m_IsSwapped(IsSwapped(header))
-    , m_Type(NiftiNumber<std::int16_t>(header, 70, m_IsSwapped))
-    , m_Begin(static_cast<std::uint64_t>(std::max(0.0F, NiftiNumber<float>(header, 108, m_IsSwapped))))
-    , m_End(NiftiBytes(header))
-  {}
-
-  bool
-  HasToCount() const
-  {
-    return m_Type == Float32 || m_Type == Float64;
-  }
-
-  /** Bytes of the file, in their order. */
-  void
-  operator()(std::uint64_t place, const char * piece, std::size_t size)
-  {
-    const std::uint64_t begin = std::clamp(m_Begin, place, place + size);
-    const std::uint64_t end = std::clamp(m_End, begin, place + size);
-    m_Pending.append(piece + (begin - place), end - begin);
-    m_Type == Float32 ? this->TakeNumbers<float>() : this->TakeNumbers<double>();
-  }
-
-  std::uint64_t
-  GetCount() const
-  {
-    return m_Count;
-  }
-
-private:
-  static constexpr int Float32 = 16;
-  static constexpr int Float64 = 64;
-
-  template <typename TNumber>
-  void
-  TakeNumbers()
-  {
-    const std::size_t whole = m_Pending.size() / sizeof(TNumber) * sizeof(TNumber);
-    for (std::size_t place = 0; place < whole; place += sizeof(TNumber))
-    {
-      m_Count += std::isfinite(NiftiNumber<TNumber>(m_Pending, place, m_IsSwapped)) ? 0 : 1;
-    }
-    m_Pending.erase(0, whole);
-  }
-
-  bool          m_IsSwapped;
-  int           m_Type;
-  std::uint64_t m_Begin; ///< of the voxels; behind their end there may be anything
-  std::uint64_t m_End;
-  std::string   m_Pending; ///< less than a number
-  std::uint64_t m_Count{ 0 };
-};
-
-/** Reads the file again: only what has real numbers, which few files of patients do. */
 void
-RequireFiniteNifti(const StoredVoxels & voxels, const std::string & header)
+RequireBytes(std::uint64_t present, std::uint64_t needed)
 {
-  NiftiNonFiniteCounter counter(header);
-  if (!counter.HasToCount())
+  if (present < needed)
   {
-    return;
-  }
-  if (voxels.coding == StoredVoxels::Coding::deflated)
-  {
-    ReadDeflated(voxels, std::ref(counter));
-  }
-  else
-  {
-    TakeRaw(voxels, std::ref(counter));
-  }
-  if (counter.GetCount() > 0)
-  {
-    throw std::runtime_error(std::to_string(counter.GetCount()) +
-                             " of its voxels are not finite numbers; replace NaN and infinity by numbers");
+    throw std::runtime_error("truncated: it holds " + std::to_string(present) + " of " + std::to_string(needed) +
+                             " bytes of voxels");
   }
 }
 } // namespace
@@ -504,7 +350,11 @@ ImageFormatOf(const std::string & path)
   {
     return ImageFormat::nrrd;
   }
-  if (EndsWith(name, ".nii") || EndsWith(name, ".nii.gz"))
+  const auto hasExtension = [&](const std::string & extension) {
+    return EndsWith(name, extension) || EndsWith(name, extension + ".gz");
+  };
+  // An .img without a header beside it may be anything, also DICOM.
+  if (hasExtension(".nii") || hasExtension(".hdr") || (hasExtension(".img") && !NiftiHeaderFile(path).empty()))
   {
     return ImageFormat::nifti;
   }
@@ -527,7 +377,7 @@ LocateVoxels(const std::string & path, ImageFormat format)
     case ImageFormat::meta:
       return LocateMetaVoxels(path);
     default:
-      return { path, 0, EndsWith(LowerCase(path), ".gz") ? StoredVoxels::Coding::deflated : StoredVoxels::Coding::raw };
+      return LocateNiftiVoxels(path);
   }
 }
 
@@ -538,12 +388,8 @@ StatesSpacing(const std::string & path, ImageFormat format)
   {
     return NrrdStatesSpacing(ReadNrrdHeader(path));
   }
-  if (format == ImageFormat::meta)
-  {
-    const TextHeader header = ReadMetaHeader(path);
-    return !(header.ValueOf("elementspacing", '=') + header.ValueOf("elementsize", '=')).empty();
-  }
-  return NiftiStatesSpacing(ReadNiftiHeader(path));
+  const TextHeader header = ReadMetaHeader(path);
+  return !(header.ValueOf("elementspacing", '=') + header.ValueOf("elementsize", '=')).empty();
 }
 
 bool
@@ -562,38 +408,33 @@ CanHold(const StoredVoxels & voxels, double bytes, double values)
 }
 
 void
-VerifyVoxels(const StoredVoxels & voxels, ImageFormat format, std::uint64_t bytes)
+VerifyVoxels(const StoredVoxels & voxels, std::uint64_t bytes)
 {
-  if (voxels.coding == StoredVoxels::Coding::text)
+  if (voxels.coding != StoredVoxels::Coding::text) // NRRD: its reader notices when the numbers end
   {
-    return; // NRRD: its reader notices when the numbers end
-  }
-  const bool          isDeflated = voxels.coding == StoredVoxels::Coding::deflated;
-  const bool          isNifti = format == ImageFormat::nifti;
-  const Stream        stream = isDeflated ? ReadDeflated(voxels) : ReadRaw(voxels);
-  const std::uint64_t needed = isNifti ? NiftiBytes(stream.head) : bytes;
-  if (stream.bytes < needed)
-  {
-    throw std::runtime_error(Missing(stream.bytes, needed));
-  }
-  if (isNifti)
-  {
-    RequireFiniteNifti(voxels, stream.head);
+    const bool isDeflated = voxels.coding == StoredVoxels::Coding::deflated;
+    RequireBytes(isDeflated ? ReadDeflated(voxels).bytes : LengthOf(voxels), bytes);
   }
 }
 
 void
-InflateVoxels(const StoredVoxels & voxels, std::uint64_t bytes, const TakeBytes & take)
+TakeVoxels(const StoredVoxels & voxels, std::uint64_t bytes, const TakeBytes & take)
 {
-  const Stream stream = ReadDeflated(voxels, [&](std::uint64_t place, const char * piece, std::size_t size) {
-    if (place < bytes)
+  if (voxels.coding == StoredVoxels::Coding::raw)
+  {
+    RequireBytes(LengthOf(voxels), bytes);
+    TakeRaw(voxels, bytes, take);
+    return;
+  }
+  const std::uint64_t begin = voxels.inflatedOffset;
+  const Stream        stream = ReadDeflated(voxels, [&](std::uint64_t place, const char * piece, std::size_t size) {
+    const std::uint64_t first = std::clamp(begin, place, place + size);
+    const std::uint64_t last = std::clamp(begin + bytes, place, place + size);
+    if (first < last)
     {
-      take(place, piece, static_cast<std::size_t>(std::min<std::uint64_t>(size, bytes - place)));
+      take(first - begin, piece + (first - place), static_cast<std::size_t>(last - first));
     }
   });
-  if (stream.bytes < bytes)
-  {
-    throw std::runtime_error(Missing(stream.bytes, bytes));
-  }
+  RequireBytes(stream.bytes - std::min(begin, stream.bytes), bytes);
 }
 } // namespace shapeton

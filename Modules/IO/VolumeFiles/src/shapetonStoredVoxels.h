@@ -37,16 +37,18 @@ struct StoredVoxels
   std::string   file;
   std::uint64_t offset{ 0 };
   Coding        coding{ Coding::raw };
-  /** Inflated, they are what lies in memory: neither turned around nor behind other bytes. */
-  bool areAsInMemory{ false };
+  /** TakeVoxels() gives them, so that no other reader is needed. */
+  bool canBeTaken{ false };
+  /** Bytes of the inflated stream before the voxels. */
+  std::uint64_t inflatedOffset{ 0 };
 };
 
-/** Finds the voxels by the text header of NRRD and MetaImage, or by the name of a NIfTI file. Throws InputError. */
+/** Finds the voxels by the header of a file. Throws InputError. */
 StoredVoxels
 LocateVoxels(const std::string & path, ImageFormat format);
 
-/** False where the header names no spacing, or none for some axis: ITK then takes 1 mm. To be called for a file that
- * ITK has read. */
+/** False where the header of NRRD or MetaImage names no spacing, or none for some axis: ITK then takes 1 mm. To be
+ * called for a file that ITK has read. */
 bool
 StatesSpacing(const std::string & path, ImageFormat format);
 
@@ -55,20 +57,18 @@ StatesSpacing(const std::string & path, ImageFormat format);
 bool
 CanHold(const StoredVoxels & voxels, double bytes, double values);
 
-/** Reads the stored bytes to their end and compares them with the need and with their checksum: ITK's readers of NIfTI
- * and MetaImage take truncated and damaged files for good ones, that of NIfTI numbers that are not finite for 0.
- * `bytes` is not used for NIfTI, whose header is in the stream. Runs in a contained process; throws std::runtime_error.
- */
+/** Reads the stored bytes to their end and compares them with the need and with their checksum: ITK's reader of
+ * MetaImage takes truncated and damaged files for good ones. Runs in a contained process; throws std::runtime_error. */
 void
-VerifyVoxels(const StoredVoxels & voxels, ImageFormat format, std::uint64_t bytes);
+VerifyVoxels(const StoredVoxels & voxels, std::uint64_t bytes);
 
 /** Gets a piece of the stored bytes, and its place among them. */
 using TakeBytes = std::function<void(std::uint64_t place, const char * piece, std::size_t size)>;
 
-/** Hands over the first `bytes` bytes of voxels that are as in memory, in their order, and verifies them: inflated once
- * they need no other reader. Throws std::runtime_error. */
+/** Hands over the first `bytes` bytes of voxels that can be taken, in their order and as they are stored, and verifies
+ * them as VerifyVoxels() does. Throws std::runtime_error. */
 void
-InflateVoxels(const StoredVoxels & voxels, std::uint64_t bytes, const TakeBytes & take);
+TakeVoxels(const StoredVoxels & voxels, std::uint64_t bytes, const TakeBytes & take);
 } // namespace shapeton
 
 #endif

@@ -195,20 +195,19 @@ template <typename TImage>
 bool
 HoldsVoxels(const TImage * image, const std::string & path, itk::ImageFileReader<TImage> * reader)
 {
-  const ImageFormat  format = ImageFormatOf(path);
-  const StoredVoxels stored = LocateVoxels(path, format);
+  const StoredVoxels stored = LocateVoxels(path, ImageFormatOf(path));
   const char * const voxels = reinterpret_cast<const char *>(image->GetBufferPointer());
   const std::size_t  bytes = image->GetLargestPossibleRegion().GetNumberOfPixels() * sizeof(typename TImage::PixelType);
-  if (stored.areAsInMemory)
+  if (stored.canBeTaken) // as it lies in memory: this machine has written it
   {
     bool isEqual = true;
-    InflateVoxels(stored, bytes, [&](std::uint64_t place, const char * piece, std::size_t size) {
+    TakeVoxels(stored, bytes, [&](std::uint64_t place, const char * piece, std::size_t size) {
       isEqual = isEqual && std::memcmp(voxels + place, piece, size) == 0;
     });
     return isEqual;
   }
   // ITK reads the missing end of a compressed file as zeros, which labels may end with.
-  VerifyVoxels(stored, format, bytes);
+  VerifyVoxels(stored, bytes);
   reader->Update();
   return std::memcmp(voxels, reader->GetOutput()->GetBufferPointer(), bytes) == 0;
 }
