@@ -92,8 +92,10 @@ Flatten(CommandLine & commandLine)
   const std::string picture = commandLine.OutputOf("picture");
   const std::string forms = commandLine.OutputOf("forms");
   commandLine.RecordRun(output + ".run.json");
-  const shapeton::Surface surface =
-    shapeton::ReadRepairedSurface(commandLine, "inputSurface", true); // angles have no unit
+  shapeton::SurfaceReadOptions options;
+  options.isAnyExtentPlausible = true; // angles have no unit
+  options.takesOneComponent = true;
+  const shapeton::Surface surface = shapeton::ReadRepairedSurface(commandLine, "inputSurface", options);
   commandLine.Progress("Mapping", 0.1);
   const shapeton::ConformalMap map = MapOf(commandLine, surface.mesh);
   commandLine.Warn(map.warnings);

@@ -12,7 +12,7 @@ main(int argc, char * argv[])
 {
   return shapeton::CommandLine::Run(ToolXML, argc, argv, [](shapeton::CommandLine & commandLine) {
     const std::string              json = commandLine.OutputOf("json");
-    const shapeton::Surface        surface = shapeton::ReadSurface(commandLine, "inputSurface", false);
+    const shapeton::Surface        surface = shapeton::ReadSurfaceToInspect(commandLine, "inputSurface");
     const shapeton::SurfaceQuality quality = shapeton::InspectSurface(surface.mesh);
     if (!json.empty())
     {

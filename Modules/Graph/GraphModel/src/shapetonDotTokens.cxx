@@ -46,10 +46,12 @@ LengthOfName(std::string_view text)
 void
 DotTokens::Skip(std::size_t length)
 {
-  length = std::min(length, m_Rest.size());
-  m_Line += static_cast<int>(std::count(m_Rest.begin(), m_Rest.begin() + length, '\n'));
-  m_IsLineStart = length > 0 && m_Rest[length - 1] == '\n';
-  m_Rest.remove_prefix(length);
+  const std::string_view skipped = m_Rest.substr(0, length);
+  const std::size_t      end = skipped.rfind('\n');
+  m_Line += static_cast<int>(std::count(skipped.begin(), skipped.end(), '\n'));
+  m_IsLineStart = (m_IsLineStart || end != std::string_view::npos) && // npos + 1 is 0
+                  skipped.find_first_not_of(" \t\r\v\f", end + 1) == std::string_view::npos;
+  m_Rest.remove_prefix(skipped.size());
 }
 
 void
@@ -122,13 +124,25 @@ DotTokens::QuotedText()
     std::size_t end = 1;
     for (; end < m_Rest.size() && m_Rest[end] != '"'; ++end)
     {
-      if (m_Rest[end] == '\\' && end + 1 < m_Rest.size() && (m_Rest[end + 1] == '"' || m_Rest[end + 1] == '\n'))
+      const std::string_view pair = m_Rest.substr(end, 2);
+      if (pair == "\\\"")
       {
+        token.text += '"';
         ++end;
-        token.text += m_Rest[end] == '"' ? "\"" : ""; // a line that goes on
-        continue;
       }
-      token.text += m_Rest[end];
+      else if (pair == "\\\\") // stays as it is, and does not escape a quote after it
+      {
+        token.text += pair;
+        ++end;
+      }
+      else if (pair == "\\\n" || m_Rest.substr(end, 3) == "\\\r\n") // a line that is continued
+      {
+        end += pair == "\\\n" ? 1 : 2;
+      }
+      else
+      {
+        token.text += m_Rest[end];
+      }
     }
     m_Text.Require(end < m_Rest.size(), token.line, "a text in quotes has no end");
     this->Skip(end + 1);

@@ -37,7 +37,8 @@ struct DotToken
   }
 };
 
-/** The tokens of a DOT file one after another; comments and lines of a preprocessor are passed over. */
+/** The tokens of a DOT file one after another. Comments are skipped: from two slashes to the end of the line, between
+ * slash and asterisk, and lines that begin with #, which a preprocessor writes. */
 class DotTokens
 {
 public:
@@ -61,7 +62,7 @@ private:
   const GraphText & m_Text;
   std::string_view  m_Rest;
   int               m_Line{ 1 };
-  bool              m_IsLineStart{ true };
+  bool              m_IsLineStart{ true }; ///< nothing but blanks before it in its line
 };
 } // namespace shapeton
 

@@ -87,14 +87,17 @@ public:
   Graph
   Read()
   {
-    bool hasGraph = false;
+    Entry graph;
     for (GmlToken key = m_Tokens.Next(); key.kind != GmlToken::Kind::End; key = m_Tokens.Next())
     {
       const GmlToken value = this->ValueOf(key);
       if (key.text == "graph" && value.kind == GmlToken::Kind::Open)
       {
-        m_Text.Require(!hasGraph, key.line, "the file holds a second graph", "give one graph in a file");
-        hasGraph = true;
+        m_Text.Require(graph.line == 0,
+                       key.line,
+                       "the file holds a second graph; the first one begins in line " + std::to_string(graph.line),
+                       "give one graph in a file");
+        graph.line = key.line;
         this->ReadGraph(key.line);
       }
       else
@@ -102,7 +105,7 @@ public:
         this->SkipValue(value);
       }
     }
-    m_Text.Require(hasGraph, 0, "the entry \"graph [ ... ]\" is missing", "give a file that holds a graph");
+    m_Text.Require(graph.line > 0, 0, "the entry \"graph [ ... ]\" is missing", "give a file that holds a graph");
     for (const Edge & edge : m_Edges)
     {
       const int first = m_Builder.DeclaredNode(edge.source, edge.line);
@@ -112,12 +115,32 @@ public:
   }
 
 private:
+  /** The value of a key that stands once in its list, and the line of the key; 0 before. */
+  struct Entry
+  {
+    std::string_view value;
+    int              line{ 0 };
+  };
+
   struct Edge
   {
     std::string_view source;
     std::string_view target;
     int              line;
   };
+
+  void
+  TakeOnce(const GmlToken & key, std::string_view value, const std::string & owner, Entry & entry) const
+  {
+    if (entry.line > 0)
+    {
+      m_Text.Refuse(key.line,
+                    owner + " has a second " + Quoted(key.text) + "; the first one stands in line " +
+                      std::to_string(entry.line),
+                    "remove one of them");
+    }
+    entry = { value, key.line };
+  }
 
   /** The token after a key, which must be one. */
   GmlToken
@@ -170,6 +193,7 @@ private:
   void
   ReadGraph(int line)
   {
+    Entry directed;
     this->ReadList(line, [&](const GmlToken & key, const GmlToken & value) {
       const bool isList = value.kind == GmlToken::Kind::Open;
       if (key.text == "node" && isList)
@@ -182,10 +206,14 @@ private:
       }
       else
       {
-        m_Text.Require(key.text != "directed" || value.text == "0",
-                       key.line,
-                       "the graph is directed",
-                       "write \"directed 0\" to have its edges without directions");
+        if (key.text == "directed")
+        {
+          m_Text.Require(value.text == "0",
+                         key.line,
+                         "the graph is directed",
+                         "write \"directed 0\" to have its edges without directions");
+          this->TakeOnce(key, value.text, "the graph", directed);
+        }
         this->SkipValue(value);
       }
     });
@@ -205,34 +233,34 @@ private:
   void
   ReadNode(int line)
   {
-    std::string_view id;
+    Entry id;
     this->ReadList(line, [&](const GmlToken & key, const GmlToken & value) {
       if (key.text == "id")
       {
-        m_Text.Require(id.empty(), key.line, "the node has two ids");
-        id = this->Id(value);
+        this->TakeOnce(key, this->Id(value), "the node", id);
         return;
       }
       this->SkipValue(value);
     });
-    m_Text.Require(!id.empty(), line, "the node has no id");
-    m_Builder.AddNode(id, line);
+    m_Text.Require(id.line > 0, line, "the node has no id");
+    m_Builder.AddNode(id.value, line);
   }
 
   void
   ReadEdge(int line)
   {
-    Edge edge{ {}, {}, line };
+    Entry source;
+    Entry target;
     this->ReadList(line, [&](const GmlToken & key, const GmlToken & value) {
       if (key.text == "source" || key.text == "target")
       {
-        (key.text == "source" ? edge.source : edge.target) = this->Id(value);
+        this->TakeOnce(key, this->Id(value), "the edge", key.text == "source" ? source : target);
         return;
       }
       this->SkipValue(value);
     });
-    m_Text.Require(!edge.source.empty() && !edge.target.empty(), line, "the edge has no source or no target");
-    m_Edges.push_back(edge);
+    m_Text.Require(source.line > 0 && target.line > 0, line, "the edge has no source or no target");
+    m_Edges.push_back({ source.value, target.value, line });
   }
 
   const GraphText & m_Text;

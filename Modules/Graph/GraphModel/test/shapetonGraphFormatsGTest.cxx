@@ -53,6 +53,34 @@ TEST(Dot, ChainsSubgraphsPortsAndQuotes)
   EXPECT_EQ("-1.5-<<b>x</b>> (-1.5 <<b>x</b>>)", AnswerTo("a.gv", "graph { -1.5 -- <<b>x</b>> /* c */ }"));
 }
 
+TEST(Dot, CommentsOfEachKind)
+{
+  EXPECT_EQ("a-b b-c (a b c)",
+            AnswerTo("a.dot",
+                     "# line 1 \"made.gv\"\n /* } */ graph { // }\n \t# }\r\n a -- b /* -- x\n # -- y */ -- c\n"
+                     "#}\n}\n  # end"));
+  EXPECT_NE(std::string::npos, AnswerTo("a.dot", "graph { a # b\n}").find("\"#\" does not belong there"));
+  EXPECT_EQ("a#b-c (a#b c)", AnswerTo("a.dot", "graph {\n\"a#b\" -- c }"));
+}
+
+// The one escape within quotes is that of a quote; two backslashes stay two and escape nothing.
+TEST(Dot, EscapesInQuotes)
+{
+  EXPECT_EQ("a\"b-c\\\\ (a\"b c\\\\)", AnswerTo("a.dot", "graph { \"a\\\"b\" -- \"c\\\\\" }"));
+  EXPECT_EQ("abc-d\\n (abc d\\n)", AnswerTo("a.dot", "graph { \"a\\\nb\\\r\nc\" -- \"d\\n\" }"));
+}
+
+TEST(Dot, StrictGraphsWithPortsClustersAndHtml)
+{
+  const shapeton::Graph graph =
+    ReadText("a.dot",
+             "strict graph \"x y\" { graph [rankdir=LR]; node [shape=box];\n /* c */ a -- b -- "
+             "c -- a; // chain\n # preprocessor\n a:n -- \"b\":s [label=<<b>\"q\"</b>>];\n"
+             "subgraph cluster_0 { d; e } -- f\n {g h} -- \"i\" + \"j\" ; }")
+      .graph;
+  EXPECT_EQ("a-b b-c c-a d-f e-f g-ij h-ij (a b c d e f g h ij)", graphtest::Shown(graph));
+}
+
 TEST(Dot, StrictGraphsHaveNoRepeatedEdges)
 {
   const shapeton::GraphFile strict = ReadText("a.dot", "strict graph { a -- b; b -- a; a -- a; a -- b }");

@@ -74,6 +74,29 @@ TEST(GraphRefusals, DuplicateAndMissingNodes)
       { "a.graph", "2 1\n3\n1\n", "line 2: there is no node \"3\"" } });
 }
 
+TEST(GraphRefusals, KeysOfGmlThatStandTwice)
+{
+  const std::string nodes = "graph [\n node [ id 1 ]\n node [ id 2 ]\n";
+  ExpectRefused({ { "a.gml",
+                    nodes + " edge [ source 1\n target 2\n source 2 ] ]",
+                    "line 6: the edge has a second \"source\"; the first one stands in line 4" },
+                  { "a.gml",
+                    nodes + " edge [ source 1\n target 2\n target 2 ] ]",
+                    "line 6: the edge has a second \"target\"; the first one stands in line 5" },
+                  { "a.gml",
+                    "graph [ node [ id 1\nid 1 ] ]",
+                    "line 2: the node has a second \"id\"; the first one stands in line 1" },
+                  { "a.gml", "graph [ directed 0\ndirected 0 ]", "line 2: the graph has a second \"directed\"" },
+                  { "a.gml",
+                    "graph [ node [ id 1 ] ]\ngraph [ ]",
+                    "line 2: the file holds a second graph; the first one begins in line 1" } });
+  // A key in a list of its own is another one.
+  EXPECT_EQ(
+    "1-2 (1 2)",
+    AnswerTo("a.gml",
+             nodes + "edge [ source 1 target 2 graphics [ source 7 target 8 ] label \"source\" label \"x\" ] ]"));
+}
+
 TEST(GraphRefusals, TruncatedFiles)
 {
   ExpectRefused({ { "a.graphml", "<graphml>\n<graph>\n<node id=\"a\"/>\n<no", "line 4: the XML is not well-formed" },

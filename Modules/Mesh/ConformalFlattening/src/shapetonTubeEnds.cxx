@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <array>
 #include <map>
+#include <set>
 #include <sstream>
 
 namespace shapeton
@@ -23,21 +24,26 @@ IsLoopArray(const SurfaceArray & array)
   return array.name == rectumName || array.name == caecumName;
 }
 
+/** Length, number of edges and center of each boundary. */
 std::string
-LoopLengths(const SurfaceMesh & mesh, const std::vector<std::vector<int>> & loops)
+ListOfLoops(const SurfaceMesh & mesh, const std::vector<std::vector<int>> & loops)
 {
-  std::ostringstream text;
+  constexpr std::size_t mostListed = 5;
+  std::ostringstream    text;
   text.precision(3);
-  for (std::size_t i = 0; i < std::min<std::size_t>(loops.size(), 5); ++i)
+  for (std::size_t i = 0; i < std::min(loops.size(), mostListed); ++i)
   {
-    double length = 0.0;
+    double             length = 0.0;
+    Eigen::RowVector3d center = Eigen::RowVector3d::Zero();
     for (std::size_t k = 0; k < loops[i].size(); ++k)
     {
       length += (mesh.V.row(loops[i][k]) - mesh.V.row(loops[i][(k + 1) % loops[i].size()])).norm();
+      center += mesh.V.row(loops[i][k]) / static_cast<double>(loops[i].size());
     }
-    text << (i > 0 ? ", " : "") << length << " mm";
+    text << (i > 0 ? ", " : "") << length << " mm (" << loops[i].size() << " edges around " << center[0] << ", "
+         << center[1] << ", " << center[2] << ")";
   }
-  text << (loops.size() > 5 ? ", ..." : "");
+  text << (loops.size() > mostListed ? ", ..." : "");
   return text.str();
 }
 
@@ -51,20 +57,36 @@ AdviceFor(const SurfaceMesh & mesh, const std::vector<std::vector<int>> & loops)
     case 0:
       return " has no boundary; " + needs + ": cut its ends open, as ColonSegmentation does";
     case 1:
-      return " has one boundary of " + LoopLengths(mesh, loops) + "; " + needs +
+      return " has one boundary of " + ListOfLoops(mesh, loops) + "; " + needs +
              ": open the other end, or map it as a disk with ConformalMap (the parameter \"domain\" = rectangle)";
     default:
-      return " has " + std::to_string(loops.size()) + " boundaries of " + LoopLengths(mesh, loops) + "; " + needs +
+      return " has " + std::to_string(loops.size()) + " boundaries of " + ListOfLoops(mesh, loops) + "; " + needs +
              ": close the holes, or map it with ConformalMap (the parameter \"domain\" = slit)";
   }
 }
 
+std::array<double, 3>
+PositionOf(const SurfaceMesh & mesh, int vertex)
+{
+  return { mesh.V(vertex, 0), mesh.V(vertex, 1), mesh.V(vertex, 2) };
+}
 bool
 IsSoundTube(const SurfaceMesh & mesh, const SurfaceConnectivity & connectivity)
 {
   if (!connectivity.IsManifold() || !connectivity.IsOriented() || connectivity.BoundaryLoops().size() != 2)
   {
     return false;
+  }
+  std::set<std::array<double, 3>> ends; // a seam is a boundary with vertices at one position
+  for (const std::vector<int> & loop : connectivity.BoundaryLoops())
+  {
+    for (const int v : loop)
+    {
+      if (!ends.insert(PositionOf(mesh, v)).second)
+      {
+        return false;
+      }
+    }
   }
   for (int v = 0; v < connectivity.NumberOfVertices(); ++v)
   {
@@ -115,11 +137,6 @@ SixfoldVolume(const SurfaceMesh & mesh, const SurfaceConnectivity & connectivity
   return volume;
 }
 
-std::array<double, 3>
-PositionOf(const SurfaceMesh & mesh, int vertex)
-{
-  return { mesh.V(vertex, 0), mesh.V(vertex, 1), mesh.V(vertex, 2) };
-}
 } // namespace
 
 std::vector<int>
@@ -136,13 +153,17 @@ FindTubeEnds(const SurfaceMesh & mesh, const SurfaceConnectivity & connectivity,
   if (connectivity.Components().size() != 1)
   {
     throw InputError(what + " has " + std::to_string(connectivity.Components().size()) +
-                     " components; choose one with the parameter \"component\" = N or, where the surface was one and "
-                     "fell apart where it was "
-                     "not manifold, a part of the file with the parameter \"part\" = NAME");
+                     " components once it is cut where it is not manifold or touches itself, and a tube is one; remesh "
+                     "the surface, or give one component");
   }
-  if (!connectivity.IsManifold() || !connectivity.Components().front().isOrientable)
+  if (!connectivity.IsManifold())
   {
-    throw InputError(what + " is not manifold, or has one side only; remesh it");
+    throw InputError(what + " is not manifold; repair it");
+  }
+  if (!connectivity.Components().front().isOrientable)
+  {
+    throw InputError(what + " is one-sided (not orientable), like a Moebius strip, and a tube has two sides; cut it "
+                            "open so that it has two sides");
   }
   if (!connectivity.IsOriented())
   {

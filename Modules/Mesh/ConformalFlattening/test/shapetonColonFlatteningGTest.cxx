@@ -42,6 +42,19 @@ Line(int points, bool isDownwards = false)
 }
 } // namespace
 
+TEST(ColonFlattening, ASeamChangesNothing)
+{
+  shapeton::ColonFlatteningOptions options;
+  options.metric = shapeton::FlatMetric::Euclidean;
+  const shapeton::SurfaceMesh     tube = Tube();
+  const shapeton::ColonFlattening whole = shapeton::FlattenColon(tube, "it", options);
+  const auto                      isBeyond = [&](int f) { return tube.V(tube.F(f, 0), 2) > 300.0; };
+  const shapeton::ColonFlattening seam = shapeton::FlattenColon(WithSeam(tube, isBeyond), "it", options);
+  EXPECT_EQ(whole.map.modulusU, seam.map.modulusU);
+  EXPECT_EQ(whole.map.modulusV, seam.map.modulusV);
+  EXPECT_EQ(whole.map.flat.V, seam.map.flat.V);
+}
+
 TEST(ColonFlattening, StatesItsMetricAndTime)
 {
   shapeton::ColonFlatteningOptions options;

@@ -6,6 +6,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
+#include <sstream>
 
 namespace
 {
@@ -88,9 +90,18 @@ TEST(TubeEnds, OtherSurfacesAreRefusedWithWhatTheyNeed)
   EXPECT_NE(std::string::npos, ErrorOf(Icosphere(1, 30.0)).find("has no boundary"));
   EXPECT_NE(std::string::npos, ErrorOf(Square(4, 30.0)).find("the parameter \"domain\" = rectangle"));
   const std::string three = ErrorOf(WithoutFaces(Tube(), 62, 1));
-  EXPECT_NE(std::string::npos, three.find("has 3 boundaries of 124 mm, ")) << three;
+  // Ends of ten edges, and the hole of face 62, a triangle of 11.25 mm, 12.36 mm and the diagonal.
+  EXPECT_NE(std::string::npos, three.find("has 3 boundaries of 124 mm (10 edges around ")) << three;
+  const shapeton::SurfaceMesh tube = Tube();
+  std::ostringstream          hole;
+  hole.precision(3);
+  const Eigen::RowVector3d center =
+    (tube.V.row(tube.F(62, 0)) + tube.V.row(tube.F(62, 1)) + tube.V.row(tube.F(62, 2))) / 3.0;
+  hole << 11.25 + 2 * 20 * std::sin(Pi / 10) + std::hypot(11.25, 2 * 20 * std::sin(Pi / 10)) << " mm (3 edges around "
+       << center[0] << ", " << center[1] << ", " << center[2] << ")";
+  EXPECT_NE(std::string::npos, three.find(hole.str())) << three << " lacks " << hole.str();
   EXPECT_NE(std::string::npos, three.find("the parameter \"domain\" = slit"));
-  EXPECT_NE(std::string::npos, ErrorOf(MoebiusStrip(20, 4)).find("one side only"));
+  EXPECT_NE(std::string::npos, ErrorOf(MoebiusStrip(20, 4)).find("is one-sided (not orientable)"));
   shapeton::SurfaceMesh two = Tube();
   const int             half = two.NumberOfVertices();
   two.V.conservativeResize(2 * half, Eigen::NoChange);
@@ -98,7 +109,7 @@ TEST(TubeEnds, OtherSurfacesAreRefusedWithWhatTheyNeed)
   const auto faces = two.F.rows();
   two.F.conservativeResize(2 * faces, Eigen::NoChange);
   two.F.bottomRows(faces) = two.F.topRows(faces).array() + half;
-  EXPECT_NE(std::string::npos, ErrorOf(two).find("2 components; choose one with the parameter \"component\" = N"));
+  EXPECT_NE(std::string::npos, ErrorOf(two).find("has 2 components once it is cut"));
   shapeton::SurfaceMesh broken = Tube();
   broken.V(7, 1) = std::nan("");
   EXPECT_NE(std::string::npos, ErrorOf(broken).find("vertex 7 has a coordinate that is not finite"));
@@ -154,6 +165,34 @@ TEST(TubeEnds, SeamsOfEqualPositionsAreClosed)
   const shapeton::PreparedTube tube = shapeton::PrepareTube(strip, "it");
   EXPECT_EQ(Tube().NumberOfVertices(), tube.mesh.NumberOfVertices());
   EXPECT_FALSE(tube.warnings.empty());
+}
+
+// From one end to the middle: there are two boundaries with and without it.
+TEST(TubeEnds, ASeamThatEndsInsideIsClosed)
+{
+  const shapeton::SurfaceMesh whole = Tube();
+  const int                   first = whole.F(0, 0);
+  shapeton::SurfaceMesh       torn = whole; // the faces on one side of the line of vertices above `first`
+  const int                   rows = 4;
+  const int                   copies = static_cast<int>(torn.V.rows());
+  torn.V.conservativeResize(copies + rows, Eigen::NoChange);
+  for (int row = 0; row < rows; ++row)
+  {
+    const int vertex = first + 10 * row;
+    torn.V.row(copies + row) = whole.V.row(vertex);
+    for (int f = 0; f < torn.NumberOfFaces(); ++f)
+    {
+      const bool isBeyond = (whole.V(whole.F(f, 0), 1) + whole.V(whole.F(f, 1), 1) + whole.V(whole.F(f, 2), 1)) > 0.0;
+      for (int k = 0; k < 3 && isBeyond; ++k)
+      {
+        torn.F(f, k) = whole.F(f, k) == vertex ? copies + row : torn.F(f, k);
+      }
+    }
+  }
+  ASSERT_EQ(2U, shapeton::SurfaceConnectivity(torn).BoundaryLoops().size());
+  const shapeton::PreparedTube tube = shapeton::PrepareTube(torn, "it");
+  EXPECT_EQ(whole.V, tube.mesh.V);
+  EXPECT_EQ(whole.F, tube.mesh.F);
 }
 
 TEST(TubeEnds, LoopArraysFollowTheirVertices)

@@ -331,7 +331,7 @@ RequireOneManifold(const SurfaceConnectivity & connectivity, const std::string &
   if (connectivity.Components().size() > 1)
   {
     throw InputError(what + " has " + std::to_string(connectivity.Components().size()) +
-                     " components; diffusion needs one: choose a component");
+                     " components where one is needed; choose a component");
   }
 }
 } // namespace shapeton

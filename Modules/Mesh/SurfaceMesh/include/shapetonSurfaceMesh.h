@@ -66,7 +66,8 @@ SurfaceMesh_EXPORT const SurfaceArray *
 FindSurfaceArray(const std::vector<SurfaceArray> & arrays, const std::string & name);
 
 /** Throws InputError that begins with `what` (a file, an argument) when there is no face, an index is out of range, a
- * coordinate is not finite, or an array has the wrong number of rows. \ingroup SurfaceMesh */
+ * coordinate of a vertex that a face uses is not finite, or an array has the wrong number of rows. Vertices that no
+ * face uses may be anywhere. \ingroup SurfaceMesh */
 SurfaceMesh_EXPORT void
 RequireSound(const SurfaceMesh & mesh, const std::string & what);
 

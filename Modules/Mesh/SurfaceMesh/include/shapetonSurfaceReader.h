@@ -56,13 +56,18 @@ struct SurfaceReadOptions
   /** The name of a part; empty for all of them. */
   std::string part;
   /** From 1: the component with this rank by number of faces (the one of the earlier face where equal); 0: the surface
-   * must have one component; -1: all together. */
+   * must have one component; -1: all together. Components are counted as RepairSurface() leaves them: pieces that meet
+   * along a seam, which is two boundaries of coincident vertices, are one; a surface is cut at edges of more than two
+   * faces. */
   int component{ 0 };
   /** "m", "mm" or "um" in place of the unit of the format; empty keeps that, and refuses a surface whose largest extent
    * is not between 5 mm and 5 m. */
   std::string unit;
   /** A surface of another extent is taken with a note, for what does not depend on its size. */
   bool isAnyExtentPlausible{ false };
+  /** One component must be left after repair; the advice in messages does not offer all of them. Without it
+   * ReadSurface() accepts a surface whose faces are all connected with a note where it is to be cut. */
+  bool takesOneComponent{ false };
 };
 
 /** A surface with what is to be told about it. \ingroup SurfaceMesh */
@@ -84,8 +89,8 @@ SurfaceMesh_EXPORT Surface
 ReadSurface(const std::string & path, const SurfaceReadOptions & options = {});
 
 /** ReadSurface() of what is to be computed on: what RepairSurface() mends is mended. Throws InputError, which names the
- * file, for what it cannot mend: no sound surface, faces without area, a part that is not orientable. Cutting a surface
- * where it is not manifold may leave several components. \ingroup SurfaceMesh */
+ * file, for what it cannot mend: no sound surface, faces without area, a part that is not orientable; and where several
+ * components are left and none was chosen. \ingroup SurfaceMesh */
 SurfaceMesh_EXPORT Surface
 ReadRepairedSurface(const std::string & path, const SurfaceReadOptions & options = {});
 } // namespace shapeton

@@ -59,7 +59,10 @@ RequireVtp(const std::string & path)
 void
 RequireConsistent(const CurveSet & curves, Eigen::Index faces, const std::string & what)
 {
-  RequireFinite(curves.V, what);
+  for (Eigen::Index vertex = 0; vertex < curves.V.rows(); ++vertex)
+  {
+    RequireFinite(curves.V, vertex, what);
+  }
   RequireVertices(curves, what);
   RequireRows(curves.pointArrays, curves.V.rows(), what);
   RequireRows(curves.cellArrays, static_cast<Eigen::Index>(curves.curves.size()) + faces, what);

@@ -13,13 +13,8 @@ class ObjReader
 {
 public:
   ObjReader(const std::string & bytes, const std::string & path)
-    : m_Text('\n' + bytes), m_Scanner(m_Text, path, '#', 0, 0)
+    : m_Text('\n' + bytes), m_Scanner(m_Text, path, '#', 0, 0, '\\')
   {
-    // A line that ends with a backslash goes on in the next one.
-    for (std::size_t i = m_Text.find("\\\n"); i != std::string::npos; i = m_Text.find("\\\n", i))
-    {
-      m_Text[i] = m_Text[i + 1] = ' ';
-    }
     for (std::size_t i = m_Text.find("SPACE=RAS"); i != std::string::npos; i = m_Text.find("SPACE=RAS", i + 1))
     {
       m_Surface.isRas = m_Surface.isRas || m_Text[m_Text.rfind('\n', i) + 1] == '#';

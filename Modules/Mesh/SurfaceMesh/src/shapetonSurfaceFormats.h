@@ -5,6 +5,7 @@
 #include "shapetonCurveSet.h"
 #include "shapetonSurfaceReader.h"
 
+#include <array>
 #include <cstdint>
 
 namespace shapeton
@@ -93,10 +94,14 @@ SurfaceExtension(const std::string & path);
 /** \name What soundness of surfaces and curves has in common; throw InputError with `what` in front. */
 ///@{
 void
-RequireFinite(const VertexMatrix & V, const std::string & what);
+RequireFinite(const VertexMatrix & V, Eigen::Index vertex, const std::string & what);
 void
 RequireRows(const std::vector<SurfaceArray> & arrays, Eigen::Index rows, const std::string & what);
 ///@}
+
+/** The lowest and the highest corner of the vertices that faces use; others may be anywhere. */
+std::array<Eigen::RowVector3d, 2>
+CornersOfFaces(const SurfaceMesh & mesh);
 
 /** The arrays with some of their rows, in that order. */
 std::vector<SurfaceArray>

@@ -39,14 +39,11 @@ RowsOfArrays(const Arrays & arrays, const std::vector<int> & rows)
 }
 
 void
-RequireFinite(const VertexMatrix & V, const std::string & what)
+RequireFinite(const VertexMatrix & V, Eigen::Index v, const std::string & what)
 {
-  for (Eigen::Index v = 0; v < V.rows(); ++v)
+  if (!V.row(v).allFinite())
   {
-    if (!V.row(v).allFinite())
-    {
-      throw InputError(what + ": vertex " + std::to_string(v) + " has a coordinate that is not finite; correct it");
-    }
+    throw InputError(what + ": vertex " + std::to_string(v) + " has a coordinate that is not finite; correct it");
   }
 }
 
@@ -64,7 +61,6 @@ RequireSound(const SurfaceMesh & mesh, const std::string & what)
   {
     throw InputError(what + ": there are no faces; give a surface of triangles or polygons");
   }
-  RequireFinite(mesh.V, what);
   for (int f = 0; f < mesh.NumberOfFaces(); ++f)
   {
     for (int k = 0; k < 3; ++k)
@@ -74,10 +70,24 @@ RequireSound(const SurfaceMesh & mesh, const std::string & what)
         throw InputError(what + ": face " + std::to_string(f) + " names vertex " + std::to_string(mesh.F(f, k)) +
                          ", but there are " + std::to_string(mesh.NumberOfVertices()) + "; correct it");
       }
+      RequireFinite(mesh.V, mesh.F(f, k), what);
     }
   }
   RequireRows(mesh.pointArrays, mesh.V.rows(), what);
   RequireRows(mesh.cellArrays, mesh.F.rows(), what);
+}
+
+std::array<Eigen::RowVector3d, 2>
+CornersOfFaces(const SurfaceMesh & mesh)
+{
+  std::array<Eigen::RowVector3d, 2> corners{ mesh.V.row(mesh.F(0, 0)), mesh.V.row(mesh.F(0, 0)) };
+  for (Eigen::Index i = 1; i < mesh.F.size(); ++i)
+  {
+    const Eigen::RowVector3d vertex = mesh.V.row(mesh.F.data()[i]);
+    corners[0] = corners[0].cwiseMin(vertex);
+    corners[1] = corners[1].cwiseMax(vertex);
+  }
+  return corners;
 }
 
 SurfaceMesh

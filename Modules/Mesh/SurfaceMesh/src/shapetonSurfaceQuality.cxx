@@ -1,5 +1,6 @@
 #include "shapetonSurfaceQuality.h"
 #include "shapetonParallelFor.h"
+#include "shapetonSurfaceFormats.h"
 #include "shapetonTriangleShape.h"
 
 #include <algorithm>
@@ -91,7 +92,10 @@ CoincidentVertices(const VertexMatrix & V)
   places.reserve(V.rows());
   for (int v = 0; v < V.rows(); ++v)
   {
-    places.emplace_back(std::array<double, 3>{ V(v, 0), V(v, 1), V(v, 2) }, v);
+    if (V.row(v).allFinite()) // others have no position
+    {
+      places.emplace_back(std::array<double, 3>{ V(v, 0), V(v, 1), V(v, 2) }, v);
+    }
   }
   std::sort(places.begin(), places.end());
   std::vector<int> coincident;
@@ -312,8 +316,9 @@ InspectSurface(const SurfaceMesh & mesh)
   {
     quality.volume = EnclosedVolume(mesh.V, mesh.F);
   }
-  quality.lowestCorner = mesh.V.colwise().minCoeff();
-  quality.highestCorner = mesh.V.colwise().maxCoeff();
+  const auto corners = CornersOfFaces(mesh);
+  quality.lowestCorner = corners[0];
+  quality.highestCorner = corners[1];
   MeasureEdges(mesh, connectivity, quality);
   MeasureFaces(mesh, quality);
   quality.defects = FindSurfaceDefects(mesh, connectivity);

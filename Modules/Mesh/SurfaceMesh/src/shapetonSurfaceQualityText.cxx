@@ -113,7 +113,7 @@ Text(const SurfaceComponent & component)
   {
     return text + ", not manifold";
   }
-  return text + (component.genus ? ", genus " + std::to_string(*component.genus) : ", not orientable");
+  return text + (component.genus ? ", genus " + std::to_string(*component.genus) : ", not orientable (one-sided)");
 }
 
 std::string

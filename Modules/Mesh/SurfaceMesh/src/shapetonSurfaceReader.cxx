@@ -1,5 +1,6 @@
 #include "shapetonSurfaceReader.h"
 #include "shapetonCsvTable.h"
+#include "shapetonDisjointSets.h"
 #include "shapetonSha256.h"
 #include "shapetonSurfaceConnectivity.h"
 #include "shapetonSurfaceFormats.h"
@@ -8,6 +9,7 @@
 #include "shapetonExceptions.h"
 
 #include <algorithm>
+#include <array>
 #include <map>
 #include <numeric>
 
@@ -38,7 +40,8 @@ TextOfExtent(const Eigen::Vector3d & extent)
 Eigen::Vector3d
 ExtentOf(const SurfaceMesh & mesh)
 {
-  return mesh.V.colwise().maxCoeff() - mesh.V.colwise().minCoeff();
+  const auto corners = CornersOfFaces(mesh);
+  return (corners[1] - corners[0]).transpose();
 }
 
 /** Items separated by semicolons, the rest of a long list as a number. */
@@ -106,18 +109,116 @@ TakePart(SurfaceFile & file, const std::string & name, const std::string & path)
   file.mesh = mesh;
 }
 
-/** The faces of each component, the one with most faces first. */
-std::vector<std::vector<int>>
-FacesOfComponents(const SurfaceMesh & mesh)
+std::string
+TextOfPlace(const SurfaceMesh & mesh, int vertex)
 {
-  const SurfaceConnectivity     connectivity(mesh);
-  std::vector<std::vector<int>> components(connectivity.Components().size());
+  return "(" + CsvTable::Rounded(mesh.V(vertex, 0), 4) + ", " + CsvTable::Rounded(mesh.V(vertex, 1), 4) + ", " +
+         CsvTable::Rounded(mesh.V(vertex, 2), 4) + ")";
+}
+
+std::string
+Counted(std::size_t number, const std::string & one, const std::string & many)
+{
+  return std::to_string(number) + ' ' + (number == 1 ? one : many);
+}
+
+/** Whether and where a surface is not manifold; empty for one that is. */
+std::string
+TextOfDefects(const SurfaceMesh & mesh, const SurfaceConnectivity & connectivity)
+{
+  const SurfaceDefects     defects = FindSurfaceDefects(mesh, connectivity);
+  const std::vector<int> & edges = defects.nonManifoldEdges;
+  const std::vector<int> & vertices = defects.nonManifoldVertices;
+  if (!edges.empty())
+  {
+    const auto & ends = connectivity.VerticesOfEdge(edges.front());
+    return "it is not manifold: " + Counted(edges.size(), "edge has", "edges have") +
+           " more than two faces, the first from " + TextOfPlace(mesh, ends[0]) + " to " + TextOfPlace(mesh, ends[1]) +
+           " mm";
+  }
+  if (!vertices.empty())
+  {
+    return "it is not manifold: " + Counted(vertices.size(), "vertex has", "vertices have") +
+           " several fans of faces, the first at " + TextOfPlace(mesh, vertices.front()) + " mm";
+  }
+  return {};
+}
+
+/** Joins faces along seams: pairs of boundary edges between the same positions, which have vertices of their own. */
+void
+JoinSeams(const SurfaceMesh & mesh, const SurfaceConnectivity & connectivity, DisjointSets<> & sets)
+{
+  using Position = std::array<double, 3>;
+  std::map<std::pair<Position, Position>, std::vector<int>> facesBetween;
+  for (int edge = 0; edge < connectivity.NumberOfEdges(); ++edge)
+  {
+    if (connectivity.IsBoundaryEdge(edge))
+    {
+      Position ends[2];
+      for (int i = 0; i < 2; ++i)
+      {
+        const int vertex = connectivity.VerticesOfEdge(edge)[i];
+        ends[i] = { mesh.V(vertex, 0), mesh.V(vertex, 1), mesh.V(vertex, 2) };
+      }
+      facesBetween[std::minmax(ends[0], ends[1])].push_back(connectivity.FacesOfEdge(edge)[0]);
+    }
+  }
+  for (const auto & between : facesBetween)
+  {
+    if (between.second.size() == 2)
+    {
+      sets.Join(between.second[0], between.second[1]);
+    }
+  }
+}
+
+/** The faces that RepairSurface() keeps where a surface is not manifold. */
+std::vector<int>
+FacesKept(const SurfaceMesh & mesh, const SurfaceConnectivity & connectivity)
+{
+  std::vector<int> dropped;
+  if (!connectivity.IsManifold())
+  {
+    dropped = FindSurfaceDefects(mesh, connectivity).duplicateFaces;
+  }
+  std::vector<int> kept;
   for (int f = 0; f < mesh.NumberOfFaces(); ++f)
   {
-    if (connectivity.ComponentOfFaces()[f] >= 0)
+    const bool isDegenerate = connectivity.ComponentOfFaces()[f] < 0;
+    if (!isDegenerate && !std::binary_search(dropped.begin(), dropped.end(), f))
     {
-      components[connectivity.ComponentOfFaces()[f]].push_back(f);
+      kept.push_back(f);
     }
+  }
+  return kept;
+}
+
+/** The faces of each component, the one with most faces first. Components are those that RepairSurface() leaves, as all
+ * tools count them: faces hang together along edges of two faces and along seams, and not where an edge has more. */
+std::vector<std::vector<int>>
+FacesOfComponents(const SurfaceMesh & mesh, const SurfaceConnectivity & connectivity)
+{
+  const std::vector<int>    kept = FacesKept(mesh, connectivity);
+  const SurfaceMesh         sound = FacesOfSurface(mesh, kept);
+  const SurfaceConnectivity edges(sound);
+  DisjointSets<>            sets(kept.size());
+  for (int edge = 0; edge < edges.NumberOfEdges(); ++edge)
+  {
+    const IndexRange faces = edges.FacesOfEdge(edge);
+    if (faces.size() == 2)
+    {
+      sets.Join(faces[0], faces[1]);
+    }
+  }
+  JoinSeams(sound, edges, sets);
+  std::vector<std::vector<int>> components;
+  std::vector<std::size_t>      componentOf(kept.size());
+  for (std::size_t f = 0; f < kept.size(); ++f)
+  {
+    const auto first = static_cast<std::size_t>(sets.Find(static_cast<int>(f))); // not greater than f
+    componentOf[f] = first == f ? components.size() : componentOf[first];
+    components.resize(std::max(components.size(), componentOf[f] + 1));
+    components[componentOf[f]].push_back(kept[f]);
   }
   std::stable_sort(
     components.begin(), components.end(), [](const auto & a, const auto & b) { return a.size() > b.size(); });
@@ -136,24 +237,44 @@ ListOfComponents(const SurfaceMesh & mesh, const std::vector<std::vector<int>> &
   return Join(items);
 }
 
+[[noreturn]] void
+RefuseSeveral(const SurfaceFile &                   file,
+              const SurfaceReadOptions &            options,
+              const SurfaceConnectivity &           connectivity,
+              const std::vector<std::vector<int>> & components,
+              const std::string &                   path)
+{
+  const std::string defects = TextOfDefects(file.mesh, connectivity);
+  const bool        isPartOpen = options.part.empty() && file.parts.size() > 1;
+  RefuseSurface(
+    path,
+    (defects.empty() ? "it" : defects + "; cut there it") + " has " + std::to_string(components.size()) +
+      " components: " + ListOfComponents(file.mesh, components) + (isPartOpen ? ". Parts: " + ListOfParts(file) : ""),
+    std::string("choose one with the parameter \"component\" = N") +
+      (isPartOpen ? " or the parameter \"part\" = NAME" : "") + (defects.empty() ? "" : ", or mend the surface there") +
+      (options.takesOneComponent ? "" : ", or all with the parameter \"component\" = -1"));
+}
+
+/** With `isCut` the components count that are left where the surface is cut, even where all faces are connected. */
 void
-TakeComponent(SurfaceFile & file, const SurfaceReadOptions & options, const std::string & path)
+TakeComponent(SurfaceFile & file, const SurfaceReadOptions & options, bool isCut, const std::string & path)
 {
   if (options.component < 0)
   {
     return; // all of them
   }
-  const auto components = FacesOfComponents(file.mesh);
-  const auto count = static_cast<int>(components.size());
-  if (options.component == 0 && count > 1)
+  const SurfaceConnectivity connectivity(file.mesh);
+  const std::size_t         connected = connectivity.Components().size(); // by edges of any number of faces
+  const bool                isManifold = connectivity.IsManifold();
+  if (options.component == 0 && connected <= 1 && isManifold)
   {
-    const bool isPartOpen = options.part.empty() && file.parts.size() > 1;
-    RefuseSurface(path,
-                  "it has " + std::to_string(count) + " components: " + ListOfComponents(file.mesh, components) +
-                    (isPartOpen ? ". Parts: " + ListOfParts(file) : ""),
-                  std::string("choose one with the parameter \"component\" = N") +
-                    (isPartOpen ? " or the parameter \"part\" = NAME" : "") +
-                    ", or all with the parameter \"component\" = -1");
+    return;
+  }
+  const auto components = FacesOfComponents(file.mesh, connectivity);
+  const auto count = static_cast<int>(components.size());
+  if (options.component == 0 && count > 1 && (connected > 1 || isCut))
+  {
+    RefuseSeveral(file, options, connectivity, components, path);
   }
   if (options.component > count)
   {
@@ -167,11 +288,19 @@ TakeComponent(SurfaceFile & file, const SurfaceReadOptions & options, const std:
     const SurfaceMesh mesh = FacesOfSurface(file.mesh, components[options.component - 1]);
     file.mesh = mesh;
   }
+  else if (count == 1 && connected > 1)
+  {
+    file.notes.push_back("its " + std::to_string(connected) +
+                         " pieces meet along seams of coincident vertices and are one component");
+  }
+  else if (count > 1)
+  {
+    file.notes.push_back(TextOfDefects(file.mesh, connectivity) + "; cut there it has " + std::to_string(count) +
+                         " components: " + ListOfComponents(file.mesh, components));
+  }
 }
-} // namespace
-
 Surface
-ReadSurface(const std::string & path, const SurfaceReadOptions & options)
+ReadChosen(const std::string & path, const SurfaceReadOptions & options, bool isCut)
 {
   RequireParameter(options.component >= -1, "the component must be -1, 0 or the number of one");
   if (!options.unit.empty())
@@ -184,21 +313,29 @@ ReadSurface(const std::string & path, const SurfaceReadOptions & options)
   {
     TakePart(file, options.part, path);
   }
-  TakeComponent(file, options, path);
+  TakeComponent(file, options, isCut, path);
   return { std::move(file.mesh), "sha256:" + Sha256OfFile(path), std::move(file.notes), {} };
+}
+} // namespace
+
+Surface
+ReadSurface(const std::string & path, const SurfaceReadOptions & options)
+{
+  return ReadChosen(path, options, options.takesOneComponent);
 }
 
 Surface
 ReadRepairedSurface(const std::string & path, const SurfaceReadOptions & options)
 {
-  Surface surface = ReadSurface(path, options);
+  Surface surface = ReadChosen(path, options, true);
   RequireSound(surface.mesh, path);
   SurfaceRepairReport report;
   surface.mesh = RepairSurface(surface.mesh, {}, &report);
   surface.repairs = report.Words();
   if (report.nonOrientableComponents > 0)
   {
-    RefuseSurface(path, "it is one-sided like a Moebius strip", "cut it open so that it has two sides");
+    RefuseSurface(
+      path, "it is one-sided (not orientable), like a Moebius strip", "cut it open so that it has two sides");
   }
   const std::vector<int> faces = FindSurfaceDefects(surface.mesh, SurfaceConnectivity(surface.mesh)).zeroAreaFaces;
   if (!faces.empty())

@@ -3,6 +3,7 @@
 #include "shapetonInterruption.h"
 #include "shapetonParallelFor.h"
 #include "shapetonQuadric.h"
+#include "shapetonSurfaceFormats.h"
 #include "shapetonSurfaceRepair.h"
 #include "shapetonExceptions.h"
 #include "shapetonTriangleShape.h"
@@ -161,7 +162,8 @@ Simplifier::Simplifier(const SurfaceMesh &                  mesh,
                        const SurfaceSimplificationOptions & options)
   : m_Options(options), m_Table(mesh.F, connectivity), m_Version(mesh.V.rows(), 0)
 {
-  m_Origin = 0.5 * (mesh.V.colwise().minCoeff() + mesh.V.colwise().maxCoeff()).transpose();
+  const auto corners = CornersOfFaces(mesh);
+  m_Origin = 0.5 * (corners[0] + corners[1]).transpose();
   m_Positions.resize(mesh.V.rows());
   for (int v = 0; v < mesh.NumberOfVertices(); ++v)
   {

@@ -17,23 +17,52 @@ IsBlank(char c)
 }
 } // namespace
 
-TextScanner::TextScanner(const std::string & text, const std::string & path, char comment, std::size_t begin, int line)
-  : m_Text(text), m_Path(path), m_Comment(comment), m_Place(begin), m_Line(line)
+TextScanner::TextScanner(const std::string & text,
+                         const std::string & path,
+                         char                comment,
+                         std::size_t         begin,
+                         int                 line,
+                         char                continuation)
+  : m_Text(text), m_Path(path), m_Comment(comment), m_Continuation(continuation), m_Place(begin), m_Line(line)
 {}
+
+/** Where the next line begins if a line is continued at `place`; 0 if it is not. */
+std::size_t
+TextScanner::EndOfContinuation(std::size_t place) const
+{
+  if (!m_Continuation || m_Text[place] != m_Continuation)
+  {
+    return 0;
+  }
+  std::size_t end = place + 1;
+  while (end < m_Text.size() && IsBlank(m_Text[end])) // also the CR of CR LF
+  {
+    ++end;
+  }
+  const bool isAtEnd = end == m_Text.size();
+  return isAtEnd || m_Text[end] == '\n' ? end + (isAtEnd ? 0 : 1) : 0;
+}
 
 std::string_view
 TextScanner::WordOfLine()
 {
-  while (m_Place < m_Text.size() && IsBlank(m_Text[m_Place]))
+  while (m_Place < m_Text.size())
   {
-    ++m_Place;
+    const std::size_t end = this->EndOfContinuation(m_Place);
+    if (end == 0 && !IsBlank(m_Text[m_Place]))
+    {
+      break;
+    }
+    m_Line += end > 0 ? 1 : 0;
+    m_Place = end > 0 ? end : m_Place + 1;
   }
   if (m_Comment && m_Place < m_Text.size() && m_Text[m_Place] == m_Comment)
   {
     m_Place = std::min(m_Text.find('\n', m_Place), m_Text.size());
   }
   const std::size_t begin = m_Place;
-  while (m_Place < m_Text.size() && !IsBlank(m_Text[m_Place]) && m_Text[m_Place] != '\n')
+  while (m_Place < m_Text.size() && !IsBlank(m_Text[m_Place]) && m_Text[m_Place] != '\n' &&
+         this->EndOfContinuation(m_Place) == 0)
   {
     ++m_Place;
   }
@@ -45,6 +74,8 @@ TextScanner::NextLine()
 {
   for (;;)
   {
+    while (m_Continuation && !this->WordOfLine().empty()) // the end of this line may be some lines below
+    {}
     m_Place = std::min(m_Text.find('\n', m_Place), m_Text.size());
     if (m_Place == m_Text.size())
     {
@@ -53,9 +84,11 @@ TextScanner::NextLine()
     ++m_Place;
     ++m_Line;
     const std::size_t begin = m_Place;
+    const int         line = m_Line;
     if (!this->WordOfLine().empty())
     {
       m_Place = begin;
+      m_Line = line;
       return true;
     }
   }

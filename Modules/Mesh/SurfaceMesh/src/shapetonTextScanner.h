@@ -12,12 +12,14 @@ class TextScanner
 {
 public:
   /** `comment` begins a comment that goes to the end of the line; 0 for none. Reading starts at `begin`, which lies in
-   * line number `line`. */
+   * line number `line`. `continuation` at the end of a line, outside of a comment, continues it in the next one; 0 for
+   * none. */
   TextScanner(const std::string & text,
               const std::string & path,
               char                comment = 0,
               std::size_t         begin = 0,
-              int                 line = 1);
+              int                 line = 1,
+              char                continuation = 0);
 
   /** Goes to the next line that holds a word; false at the end of the text. */
   bool
@@ -47,12 +49,15 @@ public:
   }
 
 private:
+  std::size_t
+  EndOfContinuation(std::size_t place) const;
   std::string_view
   WordFor(const char * what, bool onLaterLines);
 
   const std::string & m_Text;
   const std::string & m_Path;
   char                m_Comment;
+  char                m_Continuation;
   std::size_t         m_Place;
   int                 m_Line;
 };

@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 #include <unordered_map>
 
 namespace shapeton
@@ -55,10 +56,22 @@ JoinEqual(const VertexMatrix & V, DisjointSets<> & groups)
 void
 JoinNear(const VertexMatrix & V, double distance, DisjointSets<> & groups)
 {
-  const Eigen::RowVector3d                               corner = V.colwise().minCoeff();
+  const auto         isPosition = [&](int v) { return V.row(v).allFinite(); };
+  Eigen::RowVector3d corner = Eigen::RowVector3d::Constant(std::numeric_limits<double>::infinity());
+  for (int v = 0; v < V.rows(); ++v)
+  {
+    if (isPosition(v))
+    {
+      corner = corner.cwiseMin(V.row(v));
+    }
+  }
   std::unordered_map<Cell, std::vector<int>, HashOfCell> cells;
   for (int v = 0; v < V.rows(); ++v)
   {
+    if (!isPosition(v))
+    {
+      continue;
+    }
     Cell own;
     for (int axis = 0; axis < 3; ++axis)
     {

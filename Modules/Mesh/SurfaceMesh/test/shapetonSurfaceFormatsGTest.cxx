@@ -1,5 +1,6 @@
 #include "shapetonSurfaceQuality.h"
 #include "shapetonSurfaceReader.h"
+#include "shapetonSurfaceRepair.h"
 #include "shapetonGltfTestFiles.h"
 #include "shapetonSurfaceTestFiles.h"
 #include "shapetonSurfaceWriter.h"
@@ -7,6 +8,7 @@
 
 #include "gtest/gtest.h"
 
+#include <cmath>
 #include <cstring>
 
 namespace
@@ -179,6 +181,72 @@ TEST(SurfaceFormats, ObjWithGroupsNegativeIndicesAndContinuedLines)
   EXPECT_EQ(file.parts[1].name, "right");
   EXPECT_EQ(file.parts[1].firstFace, 1);
   EXPECT_EQ(file.notes, std::vector<std::string>({ "1 points, lines or curves were left out" }));
+}
+
+/** An octahedron in every dialect of OBJ that does not change the surface. */
+TEST(SurfaceFormats, ObjDialectsGiveTheSameSurface)
+{
+  const shapeton::SurfaceMesh plain = Octahedron();
+  const std::string           faces = "f 1 3 5\nf 3 2 5\nf 2 4 5\nf 4 1 5\nf 3 1 6\nf 2 3 6\nf 4 2 6\nf 1 4 6\n";
+  const std::string           weights = "v 1 0 0 1.0\nv -1 0 0 1.0\nv 0 1 0 1\nv 0 -1 0 1\nv 0 0 1 1\nv 0 0 -1 1\n";
+  std::string                 crlf = "# made in C:\\models\\\n" + weights + faces;
+  for (std::size_t i = crlf.find('\n'); i != std::string::npos; i = crlf.find('\n', i + 2))
+  {
+    crlf.insert(i, "\r");
+  }
+  const std::vector<std::string> dialects = {
+    weights + faces,
+    crlf,
+    "v 1 0 0 .8 .5 .4\nv -1 0 0 .8 .5 .4\nv 0 1 0 1 1 1\nv 0 -1 0 1 1 1\nv 0 0 1 0 0 0\nv 0 0 -1 0 0 0\n" + faces,
+    // continued lines: also twice, within a number's line, before CR LF, before blanks, in a line that is left out
+    "vn 0 \\\n0 1\nv 1 0 \\\n0\nv \\\n-1 0\\\n 0\nv 0 1 0\nv 0 -1 0\nv 0 0 1\nv 0 0 -1\nf 1 \\\r\n 3 \\  \n \\\n 5\n" +
+      faces.substr(8),
+    // counted back, with texture and normal, after the face, with a comment behind
+    weights + "f -6 -4 -2 # back\nf 3/1 2/2 5/3\nf 2//1 4//1 5//1\nf 4/1/1 1/2/1 5/3/1\n" + faces.substr(32) +
+      "# end \\",
+    "\tv\t1 0 0\n  v -1 0 0\nv 0 1 0\nv 0 -1 0\nv 0 0 1\nv 0 0 -1\n\n" + faces.substr(0, faces.size() - 1) + "\\"
+  };
+  for (const std::string & dialect : dialects)
+  {
+    const shapeton::SurfaceFile file = ReadBytes("obj", dialect);
+    EXPECT_EQ(file.mesh.V, plain.V) << dialect;
+    EXPECT_EQ(file.mesh.F, plain.F) << dialect;
+    EXPECT_TRUE(file.notes.empty()) << dialect;
+  }
+  EXPECT_NE(FaultOf("obj", "v 1 0 \\\n0\n# \\\nv 1 \\\n2 x\n").find("line 5: \"x\" is not a number"),
+            std::string::npos);
+}
+
+TEST(SurfaceFormats, VerticesThatNoFaceUsesDoNotMatter)
+{
+  const shapeton::SurfaceMesh sphere = Icosphere(1, 30);
+  shapeton::SurfaceMesh       mesh = sphere; // with vertices in front, that faces skip
+  mesh.V.resize(sphere.V.rows() + 4, 3);
+  mesh.V.topRows(4) << std::nan(""), 0, 0, 1e30, 0, 0, 0, HUGE_VAL, 0, -1e300, std::nan(""), std::nan("");
+  mesh.V.bottomRows(sphere.V.rows()) = sphere.V;
+  mesh.F.array() += 4;
+  const Folder folder;
+  for (const std::string extension : { "vtp", "ply", "obj" })
+  {
+    shapeton::WriteSurface(mesh, folder / ("a." + extension));
+    const shapeton::Surface        surface = shapeton::ReadSurface(folder / ("a." + extension));
+    const shapeton::SurfaceQuality quality = shapeton::InspectSurface(surface.mesh);
+    EXPECT_EQ(quality.defects.unreferencedVertices.size(), 4u) << extension;
+    EXPECT_TRUE(quality.defects.coincidentVertices.empty()) << extension;
+    EXPECT_EQ(quality.genus, 0) << extension;
+    EXPECT_EQ(quality.highestCorner, sphere.V.colwise().maxCoeff().transpose()) << extension;
+    EXPECT_EQ(quality.lowestCorner, sphere.V.colwise().minCoeff().transpose()) << extension;
+    const shapeton::Surface repaired = shapeton::ReadRepairedSurface(folder / ("a." + extension));
+    EXPECT_EQ(repaired.mesh.V, sphere.V) << extension;
+    EXPECT_EQ(repaired.mesh.F, sphere.F) << extension;
+    shapeton::SurfaceRepairOptions near;
+    near.mergeDistance = 1e-3;
+    EXPECT_EQ(shapeton::RepairSurface(surface.mesh, near).V, sphere.V) << extension;
+  }
+  EXPECT_EQ(ReadBytes("off", "OFF 4 1 0\n0 0 0\n9 0 0\n0 9 0\nnan inf 1e300\n3 0 1 2\n").mesh.NumberOfFaces(), 1);
+  EXPECT_NE(
+    FaultOf("off", "OFF 4 1 0\n0 0 0\n9 0 0\n0 9 0\nnan inf 1e300\n3 0 1 3\n").find("vertex 3 has a coordinate"),
+    std::string::npos);
 }
 
 TEST(SurfaceFormats, TextPlyAndBigEndianPly)

@@ -1,5 +1,6 @@
 #include "shapetonSurfaceReader.h"
 #include "shapetonSurfaceConnectivity.h"
+#include "shapetonSurfaceRepair.h"
 #include "shapetonSurfaceTestFiles.h"
 #include "shapetonSurfaceWriter.h"
 #include "shapetonTestSurfaces.h"
@@ -47,6 +48,85 @@ TEST(SurfaceReader, SeveralComponentsNeedAChoice)
   EXPECT_NE(FaultOfReading(path, options).find("no component 3 but 2"), std::string::npos);
   options.component = -2;
   EXPECT_THROW(shapeton::ReadSurface(path, options), shapeton::ParameterError);
+}
+
+// A tube with a seam around it, and one along it, in each format; STL has no vertices of its own.
+TEST(SurfaceReader, SeamsDoNotSplitASurface)
+{
+  const shapeton::SurfaceMesh tube = Cylinder(12, 10, 20, 90); // two faces a cell, twelve cells a row
+  const Folder                folder;
+  for (const std::string name : { "a.vtp", "a.ply", "a.obj", "a.stl" })
+  {
+    shapeton::WriteSurface(WithSeam(tube, [](int f) { return f >= 5 * 24; }), folder / name);
+    const shapeton::Surface around = shapeton::ReadSurface(folder / name);
+    EXPECT_EQ(around.notes.size(), name == "a.stl" ? 0u : 1u) << name;
+    shapeton::SurfaceReadOptions options;
+    options.component = 1;
+    EXPECT_EQ(shapeton::ReadSurface(folder / name, options).mesh.NumberOfFaces(), tube.NumberOfFaces()) << name;
+    options.component = 2;
+    EXPECT_NE(FaultOfReading(folder / name, options).find("no component 2 but 1"), std::string::npos) << name;
+    shapeton::WriteSurface(WithSeam(tube, [](int f) { return f % 24 < 12; }), folder / ("along" + name));
+    for (const std::string & file : { name, "along" + name })
+    {
+      const shapeton::Surface repaired = shapeton::ReadRepairedSurface(folder / file);
+      EXPECT_EQ(repaired.mesh.NumberOfVertices(), tube.NumberOfVertices()) << file;
+      EXPECT_EQ(shapeton::SurfaceConnectivity(repaired.mesh).BoundaryLoops().size(), 2u) << file;
+    }
+  }
+}
+
+TEST(SurfaceReader, ClosedSurfacesThatTouchAreTwo)
+{
+  shapeton::SurfaceMesh beside = CubeOfSixSquares(20);
+  beside.V.col(0).array() += 20;
+  const Folder folder;
+  // Each cube is closed by the seams between its sides; they have one side in common.
+  shapeton::SurfaceMesh one = shapeton::RepairSurface(CubeOfSixSquares(20));
+  shapeton::WriteSurface(Together({ one, shapeton::RepairSurface(beside) }), folder / "a.ply");
+  shapeton::SurfaceReadOptions options;
+  EXPECT_NE(FaultOfReading(folder / "a.ply", options).find("it has 2 components: 1: 12 faces"), std::string::npos);
+  options.component = 1;
+  EXPECT_EQ(shapeton::ReadRepairedSurface(folder / "a.ply", options).mesh.F, one.F);
+}
+
+/** Three rectangles of 9 x 5 mm that meet at one edge from (0, 0, 0) to (0, 0, 9), with a duplicate face. */
+TEST(SurfaceReader, ASurfaceThatIsNotManifoldIsCutIntoComponents)
+{
+  const Folder folder;
+  shapeton::WriteSurface(
+    FromLists(
+      { { 0, 0, 0 }, { 0, 0, 9 }, { 5, 0, 0 }, { 5, 0, 9 }, { -5, 0, 0 }, { -5, 0, 9 }, { 0, 5, 0 }, { 0, 5, 9 } },
+      { { 0, 2, 3 }, { 0, 3, 1 }, { 0, 4, 5 }, { 0, 5, 1 }, { 0, 6, 7 }, { 0, 7, 1 }, { 7, 0, 6 } }),
+    folder / "a.ply");
+  const std::string where =
+    "it is not manifold: 2 edges have more than two faces, the first from (0, 0, 0) to (0, 0, 9) mm; "
+    "cut there it has 3 components: 1: 2 faces";
+  // It is accepted for inspection, with the number of components that all tools count.
+  const shapeton::Surface asItIs = shapeton::ReadSurface(folder / "a.ply");
+  ASSERT_EQ(asItIs.notes.size(), 1u);
+  EXPECT_EQ(asItIs.notes[0].find(where), 0u) << asItIs.notes[0];
+  shapeton::SurfaceReadOptions options;
+  const auto                   faultOfRepairing = [&] {
+    return basetest::MessageOf([&] { shapeton::ReadRepairedSurface(folder / "a.ply", options); });
+  };
+  EXPECT_NE(faultOfRepairing().find(where), std::string::npos) << faultOfRepairing();
+  EXPECT_NE(faultOfRepairing().find("the parameter \"component\" = -1"), std::string::npos);
+  options.takesOneComponent = true;
+  EXPECT_NE(faultOfRepairing().find(where), std::string::npos);
+  EXPECT_EQ(faultOfRepairing().find("= -1"), std::string::npos);
+  EXPECT_NE(FaultOfReading(folder / "a.ply", options).find(where), std::string::npos);
+  for (options.component = 1; options.component <= 3; ++options.component) // as advised
+  {
+    const shapeton::Surface part = shapeton::ReadRepairedSurface(folder / "a.ply", options);
+    EXPECT_EQ(part.mesh.NumberOfFaces(), 2);
+    EXPECT_EQ(shapeton::SurfaceConnectivity(part.mesh).Components().size(), 1u);
+  }
+  EXPECT_NE(faultOfRepairing().find("no component 4 but 3"), std::string::npos);
+  options = {};
+  options.component = -1;
+  EXPECT_EQ(
+    shapeton::SurfaceConnectivity(shapeton::ReadRepairedSurface(folder / "a.ply", options).mesh).Components().size(),
+    3u);
 }
 
 TEST(SurfaceReader, AnImplausibleExtentNeedsAUnit)

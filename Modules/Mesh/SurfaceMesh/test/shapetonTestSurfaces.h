@@ -194,6 +194,38 @@ Together(const std::vector<shapeton::SurfaceMesh> & meshes)
   return together;
 }
 
+/** The surface with a seam between the faces beyond and the others: the vertices of both have a copy at the same place,
+ * which the faces beyond use. */
+inline shapeton::SurfaceMesh
+WithSeam(shapeton::SurfaceMesh mesh, const std::function<bool(int)> & isBeyond)
+{
+  std::vector<bool> isUsedBefore(mesh.V.rows(), false);
+  for (int f = 0; f < mesh.F.rows(); ++f)
+  {
+    for (int k = 0; k < 3 && !isBeyond(f); ++k)
+    {
+      isUsedBefore[mesh.F(f, k)] = true;
+    }
+  }
+  std::map<int, int> copies;
+  for (int f = 0; f < mesh.F.rows(); ++f)
+  {
+    for (int k = 0; k < 3 && isBeyond(f); ++k)
+    {
+      if (const int vertex = mesh.F(f, k); isUsedBefore[vertex])
+      {
+        mesh.F(f, k) = copies.emplace(vertex, static_cast<int>(mesh.V.rows() + copies.size())).first->second;
+      }
+    }
+  }
+  mesh.V.conservativeResize(mesh.V.rows() + static_cast<Eigen::Index>(copies.size()), Eigen::NoChange);
+  for (const auto & [vertex, copy] : copies)
+  {
+    mesh.V.row(copy) = mesh.V.row(vertex).eval();
+  }
+  return mesh;
+}
+
 /** Numbers that are the same everywhere. */
 class Random
 {

@@ -9,16 +9,22 @@ namespace shapeton
 {
 class CommandLine;
 
-/** ReadSurface() for a tool: `parameter` names the input in the tool's XML, which also declares the options part,
- * component and unit ("file" keeps that of the format). Adds the identity to the provenance and, unless `warns` is
- * false (a tool whose result is text prints nothing else), notes to the warnings. \ingroup ToolInput */
+/** ReadSurface() for a tool that takes one component: `parameter` names the input in the tool's XML, which also
+ * declares the options part, component and unit ("file" keeps that of the format). Adds the identity to the provenance
+ * and notes to the warnings. \ingroup ToolInput */
 ToolInput_EXPORT Surface
-ReadSurface(CommandLine & commandLine, const std::string & parameter, bool warns = true);
+ReadSurface(CommandLine & commandLine, const std::string & parameter);
+
+/** As ReadSurface(), but of any number of components and without warnings: for a tool whose result is text and prints
+ * nothing else. \ingroup ToolInput */
+ToolInput_EXPORT Surface
+ReadSurfaceToInspect(CommandLine & commandLine, const std::string & parameter);
 
 /** ReadRepairedSurface() for a tool: as ReadSurface() for a tool, with a warning for each kind of change and these
- * words in the provenance as `repairs`. With `isAnyExtentPlausible` another extent is a warning. \ingroup ToolInput */
+ * words in the provenance as `repairs`. The options of the tool replace part, component and unit of `options`.
+ * \ingroup ToolInput */
 ToolInput_EXPORT Surface
-ReadRepairedSurface(CommandLine & commandLine, const std::string & parameter, bool isAnyExtentPlausible = false);
+ReadRepairedSurface(CommandLine & commandLine, const std::string & parameter, const SurfaceReadOptions & options = {});
 
 /** ReadCurves() for a tool, of the parameter with this name; adds the identity of the file to the provenance.
  * \ingroup ToolInput */

@@ -8,9 +8,8 @@ namespace shapeton
 namespace
 {
 SurfaceReadOptions
-OptionsOf(const CommandLine & commandLine)
+OptionsOf(const CommandLine & commandLine, SurfaceReadOptions options)
 {
-  SurfaceReadOptions options;
   options.part = commandLine.GetString("part");
   options.component = commandLine.GetInteger("component");
   options.unit = commandLine.GetString("unit");
@@ -26,26 +25,36 @@ AddFile(CommandLine & commandLine, const std::string & parameter)
 {
   commandLine.AddInput(parameter, "sha256:" + Sha256OfFile(commandLine.GetString(parameter)));
 }
+
+Surface
+ReadFile(CommandLine & commandLine, const std::string & parameter, const SurfaceReadOptions & options)
+{
+  Surface surface = ReadSurface(commandLine.GetString(parameter), OptionsOf(commandLine, options));
+  commandLine.AddInput(parameter, surface.identity);
+  return surface;
+}
 } // namespace
 
 Surface
-ReadSurface(CommandLine & commandLine, const std::string & parameter, bool warns)
+ReadSurface(CommandLine & commandLine, const std::string & parameter)
 {
-  Surface surface = ReadSurface(commandLine.GetString(parameter), OptionsOf(commandLine));
-  commandLine.AddInput(parameter, surface.identity);
-  if (warns)
-  {
-    commandLine.Warn(surface.notes);
-  }
+  SurfaceReadOptions options;
+  options.takesOneComponent = true;
+  Surface surface = ReadFile(commandLine, parameter, options);
+  commandLine.Warn(surface.notes);
   return surface;
 }
 
 Surface
-ReadRepairedSurface(CommandLine & commandLine, const std::string & parameter, bool isAnyExtentPlausible)
+ReadSurfaceToInspect(CommandLine & commandLine, const std::string & parameter)
 {
-  SurfaceReadOptions options = OptionsOf(commandLine);
-  options.isAnyExtentPlausible = isAnyExtentPlausible;
-  Surface surface = ReadRepairedSurface(commandLine.GetString(parameter), options);
+  return ReadFile(commandLine, parameter, {});
+}
+
+Surface
+ReadRepairedSurface(CommandLine & commandLine, const std::string & parameter, const SurfaceReadOptions & options)
+{
+  Surface surface = ReadRepairedSurface(commandLine.GetString(parameter), OptionsOf(commandLine, options));
   commandLine.AddInput(parameter, surface.identity);
   commandLine.Warn(surface.notes);
   commandLine.Warn(surface.repairs);

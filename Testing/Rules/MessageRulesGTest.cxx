@@ -1,0 +1,78 @@
+#include "MadeUpTree.h"
+#include "MessageRules.h"
+
+namespace
+{
+using rules::CheckMessages;
+using rules::ToText;
+
+/** Two tools: Cutter, linked with Sheets through Knives, and Painter, linked with nothing. */
+class MessageRules : public rules::MadeUpTree
+{
+protected:
+  void
+  SetUp() override
+  {
+    MadeUpTree::SetUp();
+    this->Write("Modules/Core/Sheets/itk-module.cmake", "itk_module(Sheets DEPENDS ITKCommon)\n");
+    this->Write("Modules/Core/Knives/itk-module.cmake", "itk_module(Knives\n  DEPENDS Sheets)\n");
+    this->Write("Applications/Cutter/CMakeLists.txt", "shapeton_add_tool(Cutter MODULES Knives)\n");
+    this->Write("Applications/Painter/CMakeLists.txt", "shapeton_add_tool(Painter)\n");
+    this->Write(
+      "Applications/Cutter/Cutter.xml",
+      "<executable><parameters><integer><name>sheet</name><constraints><minimum>0</minimum><maximum>9</maximum>"
+      "</constraints></integer><string-enumeration><name>shape</name><element>round</element>"
+      "<element>square</element></string-enumeration></parameters></executable>");
+    this->Write("Applications/Painter/Painter.xml",
+                "<executable><parameters><string><name>color</name></string></parameters></executable>");
+  }
+
+  /** The faults of a text in the sources of a folder. */
+  std::string
+  FaultsOf(const std::string & folder, const std::string & text) const
+  {
+    this->Write(folder + "/a.cxx", "// --none\nconst char * text =\n  " + text + "; /* --none */ char c = '\"';\n");
+    return ToText(CheckMessages(m_Root));
+  }
+};
+
+TEST_F(MessageRules, AcceptAdviceThatIsTaken)
+{
+  EXPECT_EQ(FaultsOf("Applications/Cutter", "\"--sheet 3 or --shape\" \" round; --sheet takes one, --help more\""), "");
+  EXPECT_EQ(FaultsOf("Applications/Cutter", "\"use Painter (--color red), or \\\"--shape=square\\\"\""), "");
+  EXPECT_EQ(
+    FaultsOf("Modules/Core/Sheets/src", "\"the parameter \\\"sheet\\\" = N or the parameter \\\"shape\\\" = round\""),
+    "");
+  EXPECT_EQ(FaultsOf("Modules/Core/Sheets/src", "\"a -- b --color of a page\""), ""); // libraries name parameters
+  EXPECT_EQ(FaultsOf("Modules/Core/Sheets/test", "\"the parameter \\\"length\\\"\""), "");
+}
+
+TEST_F(MessageRules, RefuseOptionsThatNobodyDeclares)
+{
+  EXPECT_EQ(FaultsOf("Applications/Cutter", "\"a\"\n  \"b --color\""),
+            "Applications/Cutter/a.cxx:3: names the option --color, which no tool that may say so declares\n");
+  EXPECT_EQ(FaultsOf("Applications/Cutter", "\"Painter (--sheet 3)\""),
+            "Applications/Cutter/a.cxx:3: names the option --sheet, which Painter does not declare\n");
+}
+
+TEST_F(MessageRules, RefuseParametersOfOtherTools)
+{
+  EXPECT_EQ(FaultsOf("Modules/Core/Sheets/src", "\"the parameter \\\"color\\\"\""),
+            "Modules/Core/Sheets/src/a.cxx:3: names the option --color, which no tool that may say so declares\n");
+}
+
+TEST_F(MessageRules, RefuseValuesThatAreRefused)
+{
+  EXPECT_EQ(FaultsOf("Modules/Core/Sheets/src", "\"the parameter \\\"sheet\\\" = -1\""),
+            "Modules/Core/Sheets/src/a.cxx:3: names --sheet -1, which Cutter refuses\n");
+  EXPECT_EQ(FaultsOf("Applications/Cutter", "\"give --shape oval or --sheet 10\""),
+            "Applications/Cutter/a.cxx:3: names --shape oval, which Cutter refuses\n"
+            "Applications/Cutter/a.cxx:3: names --sheet 10, which Cutter refuses\n");
+}
+
+TEST(ThisRepository, GivesNoAdviceThatIsRefused)
+{
+  const rules::Faults faults = CheckMessages(SHAPETON_SOURCE_DIR);
+  EXPECT_TRUE(faults.empty()) << ToText(faults);
+}
+} // namespace
