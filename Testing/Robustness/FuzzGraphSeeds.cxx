@@ -40,6 +40,13 @@ MakeGraphSeeds()
       "/* comment */ strict graph \"G\" {\n rankdir=LR; node [shape=box, label=\"a\\\"b\"];\n a -- b:port:n -- c "
       "[w=1.5];\n"
       " subgraph cluster0 { d; e -- f } -- \"g\" + \" h\";\n { 1 -2.5 } -- <b<i>x</i>> // end\n}\n" },
+    { ".dot",
+      "# 1 \"made.gv\"\nSTRICT graph \"x \\\ny\" { graph [rankdir=LR];\n /* c */ a -- b -- c -- a; // chain\n # line "
+      "}\n"
+      " a:n -- \"b\\\\\":s [label=<<b>\"q\"</b>>];\n subgraph { d; e } -- f\n {g h} -- \"i\" + \"j\" ; }\n" },
+    { ".gml",
+      "graph [ node [ id 1\n label \"id 1\" ]\n node [ id 2 ]\n edge [ source 1\n target 2\n graphics [ source 3 ] "
+      "source 2 ] ]\n" },
     { ".edges", "# nodes\na b 0.5\nb,c\nc;c 1 2 3\nd\te {'weight': 2}\n" },
     { ".graph", "% comment\n5 5 011 1\n7 2 1 3 1\n8 1 1 3 1 4 2\n9 1 1 2 1 5 4\n1 2 2\n2 3 4\n" },
     { ".m",

@@ -1,13 +1,13 @@
-// FuzzInputs --files N --seed S [--kind all|volumes|graphs|results] [--folder DIR]
+// FuzzInputs --files N --seed S [--kind all|volumes|graphs|files|results] [--folder DIR]
 //
 // Spoils DICOM files, NRRD, NIfTI and MetaImage files, surfaces, graphs and certificates of embeddings, and gives them
 // to the readers (and what could be read of certificates to the verifier). --kind graphs: graphs and certificates
-// alone;
-// --kind volumes: volumes and surfaces alone; --kind results: DICOM segmentations and reports alone. A reader may read
-// such a file or refuse it by an InputError; it may not crash, hang, take memory without bound, or draw a report from a
-// sanitizer. A file that made it do so is kept and named, and the exit status is 1. The files are made in a new folder
-// inside DIR (default: the folder for temporary files), which goes when there was no fault. --self-test: checks that
-// each of these faults is noticed.
+// alone; --kind volumes: volumes and surfaces alone; --kind files: files of other programs that are not DICOM, which
+// are images, surfaces and graphs; --kind results: DICOM segmentations and reports alone. A reader may read such a file
+// or refuse it by an InputError; it may not crash, hang, take memory without bound, or draw a report from a sanitizer.
+// A file that made it do so is kept and named, and the exit status is 1. The files are made in a new folder inside DIR
+// (default: the folder for temporary files), which is removed when there was no fault. --self-test: checks that each of
+// these faults is noticed.
 
 #include "FuzzGraphSeeds.h"
 #include "FuzzMutation.h"
@@ -85,7 +85,8 @@ Parse(int argc, char * argv[], Options & options)
     {
       options.seed = number;
     }
-    else if (name == "--kind" && std::set<std::string>{ "all", "volumes", "graphs", "results" }.count(value) > 0)
+    else if (name == "--kind" &&
+             std::set<std::string>{ "all", "volumes", "graphs", "files", "results" }.count(value) > 0)
     {
       options.kind = value;
     }
@@ -128,6 +129,7 @@ ReadAllOfSurface(const std::string & path)
     shapeton::InspectSurface(mesh);
     shapeton::InspectSurface(shapeton::RepairSurface(mesh));
   });
+  attempt([&] { shapeton::ReadRepairedSurface(path, { {}, 0, "mm" }); });
   if (fs::path(path).extension() == ".vtp")
   {
     attempt([&] { shapeton::ReadCurves(path); });
@@ -300,11 +302,17 @@ std::vector<FuzzSeed>
 SeedsOf(const Options & options, const shapeton::DicomSource & source)
 {
   std::vector<FuzzSeed> seeds;
-  const auto            add = [&](const char * kind, const auto & make) {
-    if (options.kind == "all" || options.kind == kind)
+  const bool            areFiles = options.kind == "files";
+  const auto            add = [&](const std::string & kind, const auto & make) {
+    if (options.kind == "all" || options.kind == kind || (areFiles && kind != "results"))
     {
-      const std::vector<FuzzSeed> more = make();
-      seeds.insert(seeds.end(), more.begin(), more.end());
+      for (const FuzzSeed & seed : make())
+      {
+        if (!areFiles || (seed.extension != ".dcm" && seed.extension != ".json"))
+        {
+          seeds.push_back(seed);
+        }
+      }
     }
   };
   add("volumes", [&] { return MakeFuzzSeeds(options.folder); });
@@ -419,7 +427,7 @@ main(int argc, char * argv[])
   Options options;
   if (!Parse(argc, argv, options))
   {
-    std::cerr << "usage: FuzzInputs --files N --seed S [--kind all|volumes|graphs|results] [--folder DIR]\n";
+    std::cerr << "usage: FuzzInputs --files N --seed S [--kind all|volumes|graphs|files|results] [--folder DIR]\n";
     return 2;
   }
   try

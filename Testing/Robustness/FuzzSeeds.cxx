@@ -2,6 +2,7 @@
 
 #include "shapetonDicomFixture.h"
 #include "shapetonGltfTestFiles.h"
+#include "shapetonNiftiTestFile.h"
 #include "shapetonSurfaceWriter.h"
 #include "shapetonTestSurfaces.h"
 #include "shapetonVolumeWriter.h"
@@ -123,6 +124,15 @@ AddImageSeeds(const std::string & folder, std::vector<FuzzSeed> & seeds)
     seeds.push_back({ extension, BytesOf(path) });
   }
   seeds.push_back({ ".nii.gz", BytesOf(folder + "/seed.nii"), true });
+  niftitest::NiftiFile swapped(1, true); // a qform, in meters, rescaled
+  swapped.SetVoxels<std::int16_t>(4);
+  swapped.SetScale(2.0, -1000.0);
+  swapped.SetUnits(1);
+  swapped.SetCodes(1, 0);
+  swapped.SetQform({ 0.5, 0.5, 0.5, 1.0, 2.0, 3.0 });
+  seeds.push_back({ ".nii", swapped.Single() });
+  seeds.push_back({ ".nii", niftitest::NiftiFile(2).Single() });
+  seeds.push_back({ ".hdr.gz", niftitest::NiftiFile(2, true).Single(), true });
   seeds.push_back(
     { ".nrrd",
       "NRRD0005\ntype: int\ndimension: 3\nsizes: 2 2 2\nspacings: 1 2 3\nencoding: ascii\n\n1 2 3 4 5 6 7 8\n" });
@@ -150,6 +160,14 @@ AddSurfaceSeeds(const std::string & folder, std::vector<FuzzSeed> & seeds)
   seeds.push_back({ ".stl",
                     "solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nendloop\n"
                     "endfacet\nendsolid a\n" });
+  seeds.push_back(
+    { ".obj", // dialects, a seam, a vertex that no face uses
+      "# C:\\\r\no one two\r\nv 0 0 0 1 1 1\r\nv 10 0 \\\r\n 0 1 1 1\r\nv 0 10 0\nv nan nan 1e300\nv 10 0 0\n"
+      "v 0 10 0 1.0\nv 10 10 0\nvt 0 0\nvn 0 0 1\nf 1/1/1 2//1 \\\n3/1\ng b\nf -3 -1 -2 \\ \n" });
+  seeds.push_back({ ".ply", // three faces at one edge
+                    "ply\nformat ascii 1.0\nelement vertex 6\nproperty double x\nproperty double y\nproperty double z\n"
+                    "element face 3\nproperty list uchar int vertex_index\nend_header\n0 0 0\n0 0 9\n5 0 0\n-5 0 0\n"
+                    "0 5 0\nnan nan nan\n3 0 1 2\n3 0 1 3\n3 0 1 4\n" });
   seeds.push_back({ ".ply",
                     "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\nproperty float z\n"
                     "element face 2\nproperty list uchar int vertex_indices\nend_header\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n"
