@@ -92,7 +92,7 @@ std::vector<Mention>
 MentionsOf(const std::string & text)
 {
   static const std::regex mention(
-    R"re((?:(\w+) \()?(?:--([A-Za-z]\w*)(?:[ =]([^\s,;:)]+))?|the parameter "(\w+)"(?: = ([^\s,;)]+))?))re");
+    R"re((?:(\w+) \()?(?:--([A-Za-z]\w*)(?:[ =]([^\s,;:)"]+))?|the parameter "(\w+)"(?: = ([^\s,;)"]+))?))re");
   std::vector<Mention> mentions;
   for (std::sregex_iterator match(text.begin(), text.end(), mention), end; match != end; ++match)
   {

@@ -32,7 +32,9 @@ protected:
   FaultsOf(const std::string & folder, const std::string & text) const
   {
     this->Write(folder + "/a.cxx", "// --none\nconst char * text =\n  " + text + "; /* --none */ char c = '\"';\n");
-    return ToText(CheckMessages(m_Root));
+    const std::string faults = ToText(CheckMessages(m_Root));
+    std::filesystem::remove(m_Root / folder / "a.cxx");
+    return faults;
   }
 };
 
