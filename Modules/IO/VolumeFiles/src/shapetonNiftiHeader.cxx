@@ -271,7 +271,7 @@ SetVoxels(const Fields & fields, NiftiHeader & header)
 {
   const std::int64_t dimensions = fields.Dimension(0);
   fields.Require(dimensions >= 1 && dimensions <= 7,
-                 "dim[0], the number of dimensions, is " + std::to_string(dimensions) + " where 1 to 7 are possible");
+                 "dim[0], the number of dimensions, is " + std::to_string(dimensions) + "; it must be 1 to 7");
   for (int i = 1; i <= dimensions; ++i)
   {
     const std::int64_t size = fields.Dimension(i);
@@ -327,7 +327,7 @@ SetPlace(const std::string & path, const Fields & fields, NiftiHeader & header)
   const bool isSingle = fields.IsSingleFile();
   header.voxelFile = isSingle ? path : FileBeside(path, ".img", ".IMG");
   fields.Require(!header.voxelFile.empty(),
-                 "its magic says that its voxels lie in an .img file beside it, which is missing");
+                 "its voxels should be in an .img file beside it, which is missing (magic \"ni1\" or \"ni2\")");
   const double       offset = fields.VoxelOffset();
   const int          least = isSingle ? fields.Size() : 0;
   std::ostringstream text;
@@ -424,8 +424,8 @@ SformOf(const Fields & fields, NiftiHeader & header)
   }
   if (!agrees)
   {
-    header.notes.push_back("pixdim says that voxels are " + Text(stated, " x ") + " apart, the sform " +
-                           Text(taken, " x ") + ": the sform is taken");
+    header.notes.push_back("the voxel spacing of pixdim, " + Text(stated, " x ") +
+                           ", differs from that of the sform, " + Text(taken, " x ") + ", which is used");
   }
   return frame;
 }
@@ -492,7 +492,7 @@ SetGeometry(const Fields & fields, NiftiHeader & header)
       frame.axes[axis][axis] = (axis < 2 ? -1.0 : 1.0) * SpacingOf(fields, axis, header);
     }
     header.notes.emplace_back("sform_code and qform_code are 0: orientation and origin are unknown, and so are left "
-                              "and right; the axes are taken for left, posterior and superior");
+                              "and right; the axes are assumed to be left, posterior and superior");
   }
   const double scale = MillimetersPerUnit(fields, header);
   const double toLps[3] = { -1.0, -1.0, 1.0 };

@@ -227,7 +227,8 @@ TEST(Nifti, AnSformThatDisagreesWithPixdimIsTakenWithANote)
   EXPECT_TRUE(Read(file).notes.empty());
   file.SetPixdim({ 1, 0.9, 0.9, 1.2 });
   const Volume volume = Read(file);
-  EXPECT_TRUE(HasOnlyNote(volume, "pixdim says that voxels are 0.9 x 0.9 x 1.2 apart, the sform 1.2 x 0.8 x 3"));
+  EXPECT_TRUE(
+    HasOnlyNote(volume, "pixdim, 0.9 x 0.9 x 1.2, differs from that of the sform, 1.2 x 0.8 x 3, which is used"));
   const Point place = PlaceOf(volume, { { 1, 1, 1 } });
   EXPECT_NEAR(place[0], -(5 - 0.8), 1e-6);
   EXPECT_NEAR(place[1], -(6 + 1.2), 1e-6);

@@ -116,32 +116,27 @@ TextOfPlace(const SurfaceMesh & mesh, int vertex)
          CsvTable::Rounded(mesh.V(vertex, 2), 4) + ")";
 }
 
+/** How many edges have more than two faces, and where the first one is; empty where none has. */
 std::string
-Counted(std::size_t number, const std::string & one, const std::string & many)
+TextOfNonManifoldEdges(const SurfaceMesh & mesh, const SurfaceConnectivity & connectivity)
 {
-  return std::to_string(number) + ' ' + (number == 1 ? one : many);
-}
-
-/** Whether and where a surface is not manifold; empty for one that is. */
-std::string
-TextOfDefects(const SurfaceMesh & mesh, const SurfaceConnectivity & connectivity)
-{
-  const SurfaceDefects     defects = FindSurfaceDefects(mesh, connectivity);
-  const std::vector<int> & edges = defects.nonManifoldEdges;
-  const std::vector<int> & vertices = defects.nonManifoldVertices;
-  if (!edges.empty())
+  int count = 0;
+  int first = -1;
+  for (int edge = 0; edge < connectivity.NumberOfEdges(); ++edge)
   {
-    const auto & ends = connectivity.VerticesOfEdge(edges.front());
-    return "it is not manifold: " + Counted(edges.size(), "edge has", "edges have") +
-           " more than two faces, the first from " + TextOfPlace(mesh, ends[0]) + " to " + TextOfPlace(mesh, ends[1]) +
-           " mm";
+    if (connectivity.IsNonManifoldEdge(edge))
+    {
+      first = count++ == 0 ? edge : first;
+    }
   }
-  if (!vertices.empty())
+  if (count == 0)
   {
-    return "it is not manifold: " + Counted(vertices.size(), "vertex has", "vertices have") +
-           " several fans of faces, the first at " + TextOfPlace(mesh, vertices.front()) + " mm";
+    return {};
   }
-  return {};
+  const auto & ends = connectivity.VerticesOfEdge(first);
+  return "it is not manifold: " + std::to_string(count) + (count == 1 ? " edge has" : " edges have") +
+         " more than two faces, the first from " + TextOfPlace(mesh, ends[0]) + " to " + TextOfPlace(mesh, ends[1]) +
+         " mm";
 }
 
 /** Joins faces along seams: pairs of boundary edges between the same positions, which have vertices of their own. */
@@ -244,7 +239,7 @@ RefuseSeveral(const SurfaceFile &                   file,
               const std::vector<std::vector<int>> & components,
               const std::string &                   path)
 {
-  const std::string defects = TextOfDefects(file.mesh, connectivity);
+  const std::string defects = TextOfNonManifoldEdges(file.mesh, connectivity);
   const bool        isPartOpen = options.part.empty() && file.parts.size() > 1;
   RefuseSurface(
     path,
@@ -295,8 +290,8 @@ TakeComponent(SurfaceFile & file, const SurfaceReadOptions & options, bool isCut
   }
   else if (count > 1)
   {
-    file.notes.push_back(TextOfDefects(file.mesh, connectivity) + "; cut there it has " + std::to_string(count) +
-                         " components: " + ListOfComponents(file.mesh, components));
+    file.notes.push_back(TextOfNonManifoldEdges(file.mesh, connectivity) + "; cut there it has " +
+                         std::to_string(count) + " components: " + ListOfComponents(file.mesh, components));
   }
 }
 Surface
