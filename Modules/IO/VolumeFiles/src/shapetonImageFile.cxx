@@ -80,8 +80,7 @@ Transmit(TStream & stream, THeader & header)
   {
     stream & cosine;
   }
-  stream & header.componentType & header.componentBytes & header.components & header.isScalar;
-  stream &                                                                    header.statesSpacing;
+  stream & header.componentType & header.componentBytes & header.components & header.isScalar & header.statesSpacing;
 }
 
 /** The cause that an ITK exception states, without names of classes and functions. NrrdIO lists the functions from the

@@ -449,6 +449,41 @@ RequireOrthogonal(const Fields & fields, const Frame & frame)
   }
 }
 
+/** A note where the qform puts a corner of the volume more than half a voxel from where the sform puts it: programs
+ * differ in which of them they use. */
+void
+NoteOtherQform(const Fields & fields, const Frame & sform, double scale, NiftiHeader & header)
+{
+  if (fields.QformCode() <= 0 || !(fields.Quaternion().GetSquaredNorm() <= 1.0 + OrthonormalTolerance) ||
+      !AreFinite(fields.QformOffset()))
+  {
+    return;
+  }
+  NiftiHeader ignored; // its notes on pixdim, which is not used
+  const Frame qform = QformOf(fields, ignored);
+  double      distance = 0.0;
+  double      voxel = sform.axes[0].GetNorm();
+  for (unsigned int corner = 0; corner < 8; ++corner)
+  {
+    Vector difference = qform.origin - sform.origin;
+    for (std::size_t axis = 0; axis < std::min<std::size_t>(3, header.size.size()); ++axis)
+    {
+      const double steps = (corner >> axis) & 1U ? static_cast<double>(header.size[axis] - 1) : 0.0;
+      difference += (qform.axes[axis] - sform.axes[axis]) * steps;
+      voxel = std::min(voxel, sform.axes[axis].GetNorm());
+    }
+    distance = std::max(distance, difference.GetNorm());
+  }
+  if (distance > 0.5 * voxel)
+  {
+    std::ostringstream text;
+    text.precision(4);
+    text << "sform (code " << fields.SformCode() << ") and qform (code " << fields.QformCode()
+         << ") place the volume up to " << scale * distance << " mm apart: the sform is used";
+    header.notes.push_back(text.str());
+  }
+}
+
 double
 MillimetersPerUnit(const Fields & fields, NiftiHeader & header)
 {
@@ -474,12 +509,14 @@ MillimetersPerUnit(const Fields & fields, NiftiHeader & header)
 void
 SetGeometry(const Fields & fields, NiftiHeader & header)
 {
+  const double scale = MillimetersPerUnit(fields, header);
   // Neither known: the axes of ITK's space.
   Frame frame{ { Vector(0.0), Vector(0.0), Vector(0.0) }, Vector(0.0) };
   if (fields.SformCode() > 0)
   {
     frame = SformOf(fields, header);
     RequireOrthogonal(fields, frame);
+    NoteOtherQform(fields, frame, scale, header);
   }
   else if (fields.QformCode() > 0)
   {
@@ -494,7 +531,6 @@ SetGeometry(const Fields & fields, NiftiHeader & header)
     header.notes.emplace_back("sform_code and qform_code are 0: orientation and origin are unknown, and so are left "
                               "and right; the axes are assumed to be left, posterior and superior");
   }
-  const double scale = MillimetersPerUnit(fields, header);
   const double toLps[3] = { -1.0, -1.0, 1.0 };
   for (int axis = 0; axis < 3; ++axis)
   {

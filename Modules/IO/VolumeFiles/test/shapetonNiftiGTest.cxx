@@ -235,6 +235,20 @@ TEST(Nifti, AnSformThatDisagreesWithPixdimIsTakenWithANote)
   EXPECT_NEAR(place[2], 10, 1e-6);
 }
 
+// The qform is the identity; the sform is so, too, or turns x around, which moves the far corner by 2 mm.
+TEST(Nifti, AQformThatDisagreesWithTheSformIsNoted)
+{
+  NiftiFile file;
+  file.SetCodes(1, 4);
+  EXPECT_TRUE(Read(file).notes.empty());
+  file.SetSform({ -1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0 });
+  const Volume volume = Read(file);
+  EXPECT_TRUE(HasOnlyNote(volume, "sform (code 4) and qform (code 1) place the volume up to 2 mm apart"));
+  EXPECT_EQ(PlaceOf(volume, { { 1, 0, 0 } }), (Point{ 1, 0, 0 }));
+  file.SetQform({ NotANumber, 0, 0, 0, 0, 0 }); // cannot be compared
+  EXPECT_TRUE(Read(file).notes.empty());
+}
+
 TEST(Nifti, WithoutCodesOrientationIsUnknown)
 {
   NiftiFile file;
