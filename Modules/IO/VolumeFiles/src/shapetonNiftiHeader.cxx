@@ -10,6 +10,7 @@
 #include <cmath>
 #include <cstring>
 #include <filesystem>
+#include <limits>
 #include <memory>
 #include <sstream>
 
@@ -539,7 +540,10 @@ SetGeometry(const Fields & fields, NiftiHeader & header)
     header.origin[axis] = scale * toLps[axis] * frame.origin[axis] + 0.0; // 0, not -0
     for (int row = 0; row < 3; ++row)
     {
-      header.direction(row, axis) = toLps[row] * frame.axes[axis][row] / length + 0.0;
+      const double cosine = toLps[row] * frame.axes[axis][row] / length;
+      // Less is rounding, and the singular values of a matrix with denormal numbers do not converge in VNL.
+      const bool isNothing = std::abs(cosine) < std::numeric_limits<double>::epsilon();
+      header.direction(row, axis) = isNothing ? 0.0 : cosine;
     }
   }
 }

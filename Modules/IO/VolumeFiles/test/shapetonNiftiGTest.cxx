@@ -274,6 +274,17 @@ TEST(Nifti, SignsOfPixdim)
   EXPECT_EQ(PlaceOf(volume, { { 1, 0, 0 } }), (Point{ -1, 0, 0 }));
 }
 
+// VNL prints a warning for a matrix with denormal numbers, and standard error of a tool is for its one message.
+TEST(Nifti, DenormalCosinesAreZero)
+{
+  NiftiFile file(2);
+  file.SetSform({ -1, 1e-312, 0, 0, -1e-320, -1, 1e-308, 0, 0, 2e-314, 1, 0 });
+  testing::internal::CaptureStderr();
+  const Volume volume = Read(file);
+  EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
+  EXPECT_TRUE(volume.image->GetDirection().GetVnlMatrix().is_identity());
+}
+
 TEST(Nifti, NumbersThatAreNoGeometryAreRefused)
 {
   NiftiFile nan;
