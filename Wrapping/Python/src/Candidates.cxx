@@ -9,6 +9,8 @@ namespace
 {
 using Candidates = std::vector<PolypCandidate>;
 
+const Words<PolypPreset> presetWords{ { "default", PolypPreset::Default }, { "published", PolypPreset::Published } };
+
 Candidates
 Search(const SurfaceMesh &                                  wall,
        const PolypLumenImage::Pointer &                     lumen,
@@ -30,8 +32,7 @@ Search(const SurfaceMesh &                                  wall,
   colon.flat = flat;
   colon.segments = segments.value_or(SurfaceMesh());
   PolypSearchOptions options;
-  options.preset = Choice<PolypPreset>(
-    "preset", preset, { { "default", PolypPreset::Default }, { "published", PolypPreset::Published } });
+  options.preset = ValueOf(preset, "preset", presetWords);
   options.sensitivity = sensitivity;
   options.progress = progress;
   return SearchPolyps(colon, options);
@@ -103,8 +104,8 @@ AddCandidates(py::module_ & module)
              "flat"_a = py::none(),
              "segments"_a = py::none(),
              "catheter"_a = py::none(),
-             "preset"_a = "default",
-             "sensitivity"_a = defaultPolypSensitivity,
+             "preset"_a = WordOf(PolypSearchOptions().preset, presetWords),
+             "sensitivity"_a = PolypSearchOptions().sensitivity,
              "progress"_a = Progress(),
              ReleaseGil(),
              R"(Polyp candidates on the wall of a colon, by falling score. For research use; a candidate is no finding.

@@ -163,7 +163,7 @@ AddLumen(py::module_ & module)
              &Segment,
              "ct"_a,
              py::kw_only(),
-             "patient_position"_a = "",
+             "patient_position"_a = ColonLumenOptions().patientPosition,
              "seed_points"_a = Places(),
              "progress"_a = Progress(),
              ReleaseGil(),
@@ -274,14 +274,15 @@ AddWall(py::module_ & module)
     .def_property_readonly(
       "warnings", [](const ColonWall & wall) { return wall.report.warnings; }, "What is doubtful, a line for each.");
 
+  const ColonWallOptions defaults;
   module.def("build_wall",
              &Wall,
              "occupancy"_a,
              "centreline"_a,
              py::kw_only(),
-             "faces"_a = 0,
-             "bridge_radius"_a = ColonWallOptions().bridgeRadius,
-             "keep_pieces"_a = false,
+             "faces"_a = defaults.faces,
+             "bridge_radius"_a = defaults.bridgeRadius,
+             "keep_pieces"_a = defaults.keepPieces,
              "progress"_a = Progress(),
              ReleaseGil(),
              R"(The wall as surfaces, from the occupancy that `cleanse` gives.
@@ -293,9 +294,9 @@ bridge_radius: of tubes through gaps, mm. keep_pieces: leaves the pieces of a br
              "mask"_a,
              "centreline"_a,
              py::kw_only(),
-             "faces"_a = 0,
-             "bridge_radius"_a = ColonWallOptions().bridgeRadius,
-             "keep_pieces"_a = false,
+             "faces"_a = defaults.faces,
+             "bridge_radius"_a = defaults.bridgeRadius,
+             "keep_pieces"_a = defaults.keepPieces,
              "progress"_a = Progress(),
              ReleaseGil(),
              "The wall from a mask of the lumen (uint8, not 0); parameters as those of `build_wall`.");
@@ -321,16 +322,17 @@ AddModel(py::module_ & module)
       [](const ColonModel & model) { return FromJson(ColonQualityToJson(model)); },
       "A dictionary with the keys of quality.json that ColonSegmentation writes.");
 
+  const ColonModelOptions defaults;
   module.def("build_colon",
              &Model,
              "ct"_a,
              py::kw_only(),
              "lumen"_a = py::none(),
-             "patient_position"_a = "",
+             "patient_position"_a = defaults.patientPosition,
              "seed_points"_a = Places(),
-             "faces"_a = 0,
-             "keep_pieces"_a = false,
-             "keep_partial"_a = false,
+             "faces"_a = defaults.faces,
+             "keep_pieces"_a = defaults.keepPieces,
+             "keep_partial"_a = defaults.keepPartial,
              "progress"_a = Progress(),
              ReleaseGil(),
              R"(From a CT colonography in HU to lumen, cleansed CT, centreline, valve, distension and wall.
@@ -345,9 +347,9 @@ A colon that cannot be used is no exception: `failure` tells why.)");
              "lumen"_a,
              py::kw_only(),
              "seed_points"_a = Places(),
-             "faces"_a = 0,
-             "keep_pieces"_a = false,
-             "keep_partial"_a = false,
+             "faces"_a = defaults.faces,
+             "keep_pieces"_a = defaults.keepPieces,
+             "keep_partial"_a = defaults.keepPartial,
              "progress"_a = Progress(),
              ReleaseGil(),
              "From a mask of the lumen alone (uint8, not 0); parameters as those of `build_colon`.");

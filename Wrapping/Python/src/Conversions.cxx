@@ -27,23 +27,19 @@ public:
   itkFactorylessNewMacro(Self);
 
   void
-  SetArray(py::array array)
+  SetArray(const py::array & array)
   {
-    m_Array = std::move(array);
-    // The image is read alone, so an array that must not be written is taken, too.
-    this->SetImportPointer(static_cast<TPixel *>(const_cast<void *>(m_Array.data())), m_Array.size(), false);
+    m_Array = Share(array);
+    // The image is only read, so an array that must not be written is taken, too.
+    this->SetImportPointer(static_cast<TPixel *>(const_cast<void *>(array.data())), array.size(), false);
   }
 
 protected:
   ArrayContainer() = default;
-  ~ArrayContainer() override
-  {
-    const WithGil gil; // the library may let go of it while Python does something else
-    m_Array.release().dec_ref();
-  }
+  ~ArrayContainer() override = default;
 
 private:
-  py::array m_Array;
+  std::shared_ptr<PyObject> m_Array;
 };
 
 /** The array itself where type and layout agree, else a copy. */
@@ -166,7 +162,7 @@ Construct(const char * name, const TGeometry & geometry, const py::object & elem
 class Watch
 {
 public:
-  explicit Watch(py::object function) : m_Function(std::move(function)) {}
+  explicit Watch(const py::object & function) : m_Function(Share(function)) {}
 
   void
   operator()(const std::string & stage, double share)
@@ -176,8 +172,9 @@ public:
       return;
     }
     const WithGil                 gil;
+    const py::handle              function = m_Function.get();
     py::detail::make_caster<bool> answer; // also of numpy.bool_, but of nothing else
-    if (answer.load(m_Function(share, stage), false) && !static_cast<bool>(answer))
+    if (answer.load(function(share, stage), false) && !static_cast<bool>(answer))
     {
       PyErr_SetString(ClassOf("shapeton._shapeton", "Aborted").ptr(), "the progress function has returned False");
       throw py::error_already_set();
@@ -185,8 +182,8 @@ public:
   }
 
 private:
-  py::object m_Function;
-  Timer      m_Timer{ std::chrono::milliseconds(100) };
+  std::shared_ptr<PyObject> m_Function;
+  Timer                     m_Timer{ std::chrono::milliseconds(100) };
 };
 
 } // namespace
@@ -311,11 +308,9 @@ ProgressTo(const py::object & function)
   {
     return {};
   }
-  const std::shared_ptr<Watch> watch(new Watch(function), [](Watch * finished) {
-    const WithGil gil;
-    delete finished;
+  return Progress([watch = std::make_shared<Watch>(function)](const std::string & stage, double share) {
+    (*watch)(stage, share);
   });
-  return Progress([watch](const std::string & stage, double share) { (*watch)(stage, share); });
 }
 
 void

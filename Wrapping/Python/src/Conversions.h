@@ -16,7 +16,9 @@
 #include <pybind11/pybind11.h>
 #include <pybind11/stl.h>
 
+#include <algorithm>
 #include <memory>
+#include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
@@ -28,12 +30,19 @@ namespace shapeton::python
 namespace py = pybind11;
 using namespace pybind11::literals;
 
-/** Of a parameter with a list of words: what the word stands for. Throws ParameterError with all of them. */
+/** The words that a parameter takes and the values that they stand for. */
+template <typename TValue>
+using Words = std::vector<std::pair<const char *, TValue>>;
+
+/** The value that a word of a parameter stands for. Throws ParameterError, which lists all words. */
 template <typename TValue>
 TValue
-Choice(const std::string &                                  name,
-       const std::string &                                  word,
-       const std::vector<std::pair<const char *, TValue>> & choices);
+ValueOf(const std::string & word, const std::string & parameter, const Words<TValue> & words);
+
+/** The word for a value that has one: how a default of the library is stated in Python. */
+template <typename TValue>
+std::string
+WordOf(TValue value, const Words<TValue> & words);
 
 /** A class of the package, such as "Image" of the module "shapeton.image". Its module is imported once. */
 py::object
@@ -106,18 +115,30 @@ FromJson(const Json & document);
 
 template <typename TValue>
 TValue
-Choice(const std::string & name, const std::string & word, const std::vector<std::pair<const char *, TValue>> & choices)
+ValueOf(const std::string & word, const std::string & parameter, const Words<TValue> & words)
 {
-  std::string words;
-  for (const auto & [choice, value] : choices)
+  std::string list;
+  for (const auto & [choice, value] : words)
   {
     if (word == choice)
     {
       return value;
     }
-    words += (words.empty() ? "" : ", ") + std::string(choice);
+    list += (list.empty() ? "" : ", ") + std::string(choice);
   }
-  throw ParameterError("the parameter \"" + name + "\" = \"" + word + "\" is none of: " + words);
+  throw ParameterError("the parameter \"" + parameter + "\" = \"" + word + "\" is not one of: " + list);
+}
+
+template <typename TValue>
+std::string
+WordOf(TValue value, const Words<TValue> & words)
+{
+  const auto found = std::find_if(words.begin(), words.end(), [&](const auto & word) { return word.second == value; });
+  if (found == words.end())
+  {
+    throw std::logic_error("a value has no word");
+  }
+  return found->first;
 }
 } // namespace shapeton::python
 

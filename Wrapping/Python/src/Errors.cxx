@@ -3,6 +3,9 @@
 #include "shapetonExceptions.h"
 #include "shapetonShapetonDiffusionImageFilter.h"
 
+#include <algorithm>
+#include <cctype>
+#include <regex>
 #include <stdexcept>
 #include <string>
 
@@ -20,7 +23,41 @@ WordsOf(const itk::ExceptionObject & error)
   const auto        front = text.find("ERROR: ") == std::string::npos ? std::string::npos : text.find("): ");
   return front == std::string::npos ? text : text.substr(front + 3);
 }
+
+/** A class of exceptions that lives as long as the process: what holds it is static and must not be destroyed after the
+ * interpreter has ended. */
+py::handle
+AddError(py::module_ & module, const char * name, const py::handle & bases, const char * words)
+{
+  py::exception<Exception> error(module, name, bases);
+  error.attr("__doc__") = words;
+  return error.release();
+}
+
+/** The exception with the words of the library, in which parameters have their names in Python. */
+void
+Raise(const py::handle & kind, const Exception & error)
+{
+  PyErr_SetString(kind.ptr(), InPython(error.what()).c_str());
+}
 } // namespace
+
+std::string
+InPython(const std::string & message)
+{
+  static const std::regex parameter("the parameter \"\\w+\"");
+  static const std::regex border("([a-z0-9])([A-Z])"); // of two words of a name
+  std::string             text;
+  auto                    rest = message.begin();
+  for (std::sregex_iterator match(message.begin(), message.end(), parameter), end; match != end; ++match)
+  {
+    std::string name = std::regex_replace(match->str(), border, "$1_$2");
+    std::transform(name.begin(), name.end(), name.begin(), [](unsigned char c) { return std::tolower(c); });
+    text.append(rest, (*match)[0].first).append(name);
+    rest = (*match)[0].second;
+  }
+  return text.append(rest, message.end());
+}
 
 void
 Update(itk::ProcessObject * filter)
@@ -46,18 +83,26 @@ Update(itk::ProcessObject * filter)
 void
 AddErrors(py::module_ & module)
 {
-  static py::exception<Exception>      base(module, "Error");
-  static py::exception<ParameterError> parameterError(
-    module, "ParameterError", py::make_tuple(base, py::handle(PyExc_ValueError)));
-  static py::exception<InputError> inputError(module, "InputError", py::make_tuple(base, py::handle(PyExc_ValueError)));
-  static py::exception<OutputError> outputError(module, "OutputError", py::make_tuple(base, py::handle(PyExc_OSError)));
-  static py::exception<std::runtime_error> aborted(
-    module, "Aborted", py::make_tuple(base, py::handle(PyExc_RuntimeError)));
-  base.attr("__doc__") = "What all errors of Shapeton derive from.";
-  parameterError.attr("__doc__") = "A parameter is out of range or contradicts another one; also a ValueError.";
-  inputError.attr("__doc__") = "The input is missing, unreadable, malformed or unsuitable; also a ValueError.";
-  outputError.attr("__doc__") = "A result cannot be written; also an OSError.";
-  aborted.attr("__doc__") = "A progress function has returned False; also a RuntimeError.";
+  static py::handle parameterError;
+  static py::handle inputError;
+  static py::handle outputError;
+  const py::handle  base = AddError(module, "Error", PyExc_Exception, "What all errors of Shapeton derive from.");
+  parameterError = AddError(module,
+                            "ParameterError",
+                            py::make_tuple(base, py::handle(PyExc_ValueError)),
+                            "A parameter is out of range or contradicts another one; also a ValueError.");
+  inputError = AddError(module,
+                        "InputError",
+                        py::make_tuple(base, py::handle(PyExc_ValueError)),
+                        "The input is missing, unreadable, malformed or unsuitable; also a ValueError.");
+  outputError = AddError(module,
+                         "OutputError",
+                         py::make_tuple(base, py::handle(PyExc_OSError)),
+                         "A result cannot be written; also an OSError.");
+  AddError(module,
+           "Aborted",
+           py::make_tuple(base, py::handle(PyExc_RuntimeError)),
+           "A progress function has returned False; also a RuntimeError.");
 
   py::register_exception_translator([](std::exception_ptr thrown) {
     try
@@ -69,15 +114,15 @@ AddErrors(py::module_ & module)
     }
     catch (const ParameterError & error)
     {
-      parameterError(error.what());
+      Raise(parameterError, error);
     }
     catch (const InputError & error)
     {
-      inputError(error.what());
+      Raise(inputError, error);
     }
     catch (const OutputError & error)
     {
-      outputError(error.what());
+      Raise(outputError, error);
     }
     catch (const itk::ExceptionObject & error)
     {

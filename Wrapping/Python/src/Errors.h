@@ -5,8 +5,15 @@
 
 #include "itkProcessObject.h"
 
+#include <string>
+
 namespace shapeton::python
 {
+/** A message or a remark of the library with the names that parameters have in Python: `the parameter "seriesUID"`
+ * becomes `the parameter "series_uid"`. */
+std::string
+InPython(const std::string & message);
+
 /** The exceptions of the library as classes of Python, with the same words. */
 void
 AddErrors(pybind11::module_ & module);

@@ -12,6 +12,9 @@ namespace
 {
 using FlatPointer = std::shared_ptr<FlatColon>;
 
+const Words<HaustralFoldScheme> schemeWords{ { "graphCut", HaustralFoldScheme::GraphCut },
+                                             { "published", HaustralFoldScheme::Published } };
+
 /** A picture of the grid: `values` numbers for each pixel, which `paint` writes. */
 template <typename TValue, typename TPaint>
 py::array_t<TValue>
@@ -113,7 +116,7 @@ surface: as `flatten_tube` gives it. pixel_size: mm of the map, in which folds a
            return flat;
          }),
          "surface"_a,
-         "pixel_size"_a = 1.0,
+         "pixel_size"_a = FlatColonGridOptions().pixelSize,
          ReleaseGil())
     .def_property_readonly(
       "surface",
@@ -158,8 +161,7 @@ FindFolds(const FlatPointer &             flat,
           const Progress &                progress)
 {
   HaustralFoldOptions options;
-  options.scheme = Choice<HaustralFoldScheme>(
-    "scheme", scheme, { { "graphCut", HaustralFoldScheme::GraphCut }, { "published", HaustralFoldScheme::Published } });
+  options.scheme = ValueOf(scheme, "scheme", schemeWords);
   options.minimumLength = minimumLength;
   options.minimumArea = minimumArea;
   options.minimumElongation = minimumElongation;
@@ -216,7 +218,7 @@ AddFolds(py::module_ & module)
              &FindFolds,
              "flat"_a,
              py::kw_only(),
-             "scheme"_a = "graphCut",
+             "scheme"_a = WordOf(defaults.scheme, schemeWords),
              "minimum_length"_a = defaults.minimumLength,
              "minimum_area"_a = defaults.minimumArea,
              "minimum_elongation"_a = defaults.minimumElongation,

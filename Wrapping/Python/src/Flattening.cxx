@@ -10,6 +10,15 @@ namespace shapeton::python
 {
 namespace
 {
+const Words<ConformalDomain> domainWords{ { "rectangle", ConformalDomain::Rectangle },
+                                          { "annulus", ConformalDomain::Annulus },
+                                          { "slit", ConformalDomain::Slit } };
+const Words<FlatMetric>      metricWords{ { "heatDiffusion", FlatMetric::HeatDiffusion },
+                                     { "euclidean", FlatMetric::Euclidean },
+                                     { "truncatedHeatDiffusion", FlatMetric::TruncatedHeatDiffusion } };
+const Words<TubeConjugate>   conjugateWords{ { "conjugate", TubeConjugate::Laplacian },
+                                           { "published", TubeConjugate::Published } };
+
 ConformalMap
 MapOf(const SurfaceMesh &                    mesh,
       const std::string &                    domain,
@@ -20,11 +29,7 @@ MapOf(const SurfaceMesh &                    mesh,
       const Progress &                       progress)
 {
   ConformalMapOptions options;
-  options.domain = Choice<ConformalDomain>("domain",
-                                           domain,
-                                           { { "rectangle", ConformalDomain::Rectangle },
-                                             { "annulus", ConformalDomain::Annulus },
-                                             { "slit", ConformalDomain::Slit } });
+  options.domain = ValueOf(domain, "domain", domainWords);
   options.outerBoundary = outerBoundary;
   options.innerBoundary = innerBoundary;
   options.corners = corners;
@@ -45,16 +50,11 @@ Flatten(SurfaceMesh                     mesh,
         const Progress &                progress)
 {
   ColonFlatteningOptions options;
-  options.metric = Choice<FlatMetric>("metric",
-                                      metric,
-                                      { { "heatDiffusion", FlatMetric::HeatDiffusion },
-                                        { "euclidean", FlatMetric::Euclidean },
-                                        { "truncatedHeatDiffusion", FlatMetric::TruncatedHeatDiffusion } });
+  options.metric = ValueOf(metric, "metric", metricWords);
   options.time = time;
   options.eigenpairs = eigenpairs;
   options.removeHandles = removeHandles;
-  options.tube.conjugate = Choice<TubeConjugate>(
-    "method", method, { { "conjugate", TubeConjugate::Laplacian }, { "published", TubeConjugate::Published } });
+  options.tube.conjugate = ValueOf(method, "method", conjugateWords);
   if (cut)
   {
     options.tube.cutCurve = OnlyCurve(*cut, "the cut");
@@ -91,13 +91,14 @@ AddConformalMap(py::module_ & module)
                            Statistics<ConformalMap>(&ConformalMapToJson),
                            "A dictionary with the keys that ConformalMap writes.");
 
+  const ConformalMapOptions defaults;
   module.def("conformal_map",
              &MapOf,
              "mesh"_a,
              py::kw_only(),
-             "domain"_a = "slit",
-             "outer_boundary"_a = 0,
-             "inner_boundary"_a = 0,
+             "domain"_a = WordOf(defaults.domain, domainWords),
+             "outer_boundary"_a = defaults.outerBoundary,
+             "inner_boundary"_a = defaults.innerBoundary,
              "corners"_a = std::vector<int>(),
              "edge_lengths"_a = py::none(),
              "progress"_a = Progress(),
@@ -143,16 +144,17 @@ AddFlattening(py::module_ & module)
                            Statistics<ColonFlattening>(&ColonFlatteningToJson),
                            "A dictionary with the keys that ColonFlattening writes: flips, dilatation, moduli, ...");
 
+  const ColonFlatteningOptions defaults;
   module.def("flatten_tube",
              &Flatten,
              "mesh"_a,
              "centreline"_a = py::none(),
              py::kw_only(),
-             "metric"_a = "heatDiffusion",
-             "time"_a = 0.0,
-             "eigenpairs"_a = 50,
-             "remove_handles"_a = false,
-             "method"_a = "conjugate",
+             "metric"_a = WordOf(defaults.metric, metricWords),
+             "time"_a = defaults.time,
+             "eigenpairs"_a = defaults.eigenpairs,
+             "remove_handles"_a = defaults.removeHandles,
+             "method"_a = WordOf(defaults.tube.conjugate, conjugateWords),
              "cut"_a = py::none(),
              "progress"_a = Progress(),
              ReleaseGil(),

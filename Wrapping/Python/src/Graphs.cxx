@@ -15,6 +15,10 @@ namespace
 {
 using Certificate = EmbeddingCertificate;
 
+const Words<Augmentation>    augmentationWords{ { "ring", Augmentation::Ring }, { "none", Augmentation::None } };
+const Words<PointAtInfinity> infinityWords{ { "circle", PointAtInfinity::Circle },
+                                            { "edgeNode", PointAtInfinity::EdgeNode } };
+
 Graph
 MakeGraph(int nodes, const py::object & rows, const std::vector<std::string> & names)
 {
@@ -65,10 +69,8 @@ Embed(const Graph &                                        graph,
   RequireParameter(!genus || *genus >= 0,
                    "the parameter \"genus\" = " + std::to_string(genus.value_or(0)) + ": a genus is not negative");
   GraphEmbeddingOptions options;
-  options.augmentation = Choice<Augmentation>(
-    "augmentation", augmentation, { { "ring", Augmentation::Ring }, { "none", Augmentation::None } });
-  options.infinity = Choice<PointAtInfinity>(
-    "infinity", infinity, { { "circle", PointAtInfinity::Circle }, { "edgeNode", PointAtInfinity::EdgeNode } });
+  options.augmentation = ValueOf(augmentation, "augmentation", augmentationWords);
+  options.infinity = ValueOf(infinity, "infinity", infinityWords);
   options.isRotationFree = !rotation;
   if (rotation)
   {
@@ -251,15 +253,16 @@ AddGraphs(py::module_ & module)
       [](const GraphComparison & c) { return c.correspondence.by; },
       "\"isomorphism\", \"names\", \"neighbourhoods\" or \"none\".");
 
+  const GraphEmbeddingOptions defaults;
   module.def("embed_graph",
              &Embed,
              "graph"_a,
              py::kw_only(),
              "genus"_a = py::none(),
              "rotation"_a = py::none(),
-             "seed"_a = 1,
-             "augmentation"_a = "ring",
-             "infinity"_a = "circle",
+             "seed"_a = GenusOptions().seed,
+             "augmentation"_a = WordOf(defaults.augmentation, augmentationWords),
+             "infinity"_a = WordOf(defaults.infinity, infinityWords),
              "progress"_a = Progress(),
              ReleaseGil(),
              R"(Embeds a graph without crossings by a circle packing, found by discrete Ricci flow.
@@ -283,7 +286,7 @@ progress: called with (share, stage), share from 0 to 1; False, or an exception 
     },
     "a"_a,
     "b"_a,
-    "seed"_a = 1,
+    "seed"_a = GenusOptions().seed,
     py::kw_only(),
     "progress"_a = Progress(),
     ReleaseGil(),

@@ -15,6 +15,13 @@ namespace
 using ImageType = itk::Image<float, 3>;
 using FilterType = CumulativeHeatDiffusionImageFilter<ImageType>;
 
+const Words<FilterType::Method>      methodWords{ { "chebyshev", FilterType::Method::Chebyshev },
+                                                  { "explicit", FilterType::Method::Explicit } };
+const Words<FilterType::Conductance> conductanceWords{ { "physical", FilterType::Conductance::Physical },
+                                                       { "published", FilterType::Conductance::Published } };
+const Words<SnapshotSpacing>         spacingWords{ { "linear", SnapshotSpacing::Linear },
+                                           { "logarithmic", SnapshotSpacing::Logarithmic } };
+
 /** What diffuse_heat() gives. */
 struct Heat
 {
@@ -64,14 +71,8 @@ Diffuse(const ImageType::Pointer &         image,
   filter->SetTimeSteps(timeSteps);
   filter->SetTimeStepLength(timeStepLength);
   filter->SetTolerance(tolerance);
-  filter->SetMethod(Choice<FilterType::Method>(
-    "method",
-    method,
-    { { "chebyshev", FilterType::Method::Chebyshev }, { "explicit", FilterType::Method::Explicit } }));
-  filter->SetConductance(Choice<FilterType::Conductance>(
-    "conductance",
-    conductance,
-    { { "physical", FilterType::Conductance::Physical }, { "published", FilterType::Conductance::Published } }));
+  filter->SetMethod(ValueOf(method, "method", methodWords));
+  filter->SetConductance(ValueOf(conductance, "conductance", conductanceWords));
   filter->SetIgnoreSpacing(ignoreSpacing);
   filter->SetUntilSteady(untilSteady);
   filter->SetHistogramSteps(histogramSteps);
@@ -148,18 +149,13 @@ AddHistogram(py::module_ & module)
   module.def(
     "recorded_steps",
     [](std::uint64_t last, std::size_t number, const std::string & spacing) {
-      return MakeSnapshotSteps(last,
-                               number,
-                               Choice<SnapshotSpacing>("spacing",
-                                                       spacing,
-                                                       { { "logarithmic", SnapshotSpacing::Logarithmic },
-                                                         { "linear", SnapshotSpacing::Linear } }));
+      return MakeSnapshotSteps(last, number, ValueOf(spacing, "spacing", spacingWords));
     },
     "last"_a,
     "number"_a,
-    "spacing"_a = "logarithmic",
-    "At most `number` distinct time steps from 0 to `last`, for histogram_steps; spacing: \"logarithmic\" or "
-    "\"linear\".");
+    "spacing"_a = WordOf(SnapshotSpacing::Linear, spacingWords),
+    "At most `number` distinct time steps from 0 to `last`, for histogram_steps; spacing: \"linear\", as the tool "
+    "records them, or \"logarithmic\".");
 }
 
 void
@@ -259,20 +255,21 @@ AddHeat(py::module_ & module)
       [](const Heat & heat) { return heat.result.components; },
       "Largest first; empty unless they were asked for.");
 
+  const auto defaults = FilterType::New();
   module.def(
     "diffuse_heat",
     &Diffuse,
     "image"_a,
     py::kw_only(),
-    "p"_a = 7.0,
+    "p"_a = defaults->GetP(),
     "window"_a = py::none(),
-    "time_steps"_a = 100000,
-    "time_step_length"_a = HeatDiffusionSolver::MaximumTimeStepLength,
-    "tolerance"_a = 1e-5,
-    "method"_a = "chebyshev",
-    "conductance"_a = "physical",
-    "ignore_spacing"_a = false,
-    "until_steady"_a = false,
+    "time_steps"_a = defaults->GetTimeSteps(),
+    "time_step_length"_a = defaults->GetTimeStepLength(),
+    "tolerance"_a = defaults->GetTolerance(),
+    "method"_a = WordOf(defaults->GetMethod(), methodWords),
+    "conductance"_a = WordOf(defaults->GetConductance(), conductanceWords),
+    "ignore_spacing"_a = defaults->GetIgnoreSpacing(),
+    "until_steady"_a = defaults->GetUntilSteady(),
     "histogram_steps"_a = std::vector<std::uint64_t>(),
     "snapshot_steps"_a = std::vector<std::uint64_t>(),
     "snapshot"_a = py::none(),

@@ -8,6 +8,9 @@ namespace shapeton::python
 {
 namespace
 {
+const Words<FlexureRule> flexureWords{ { "ordered", FlexureRule::Ordered }, { "published", FlexureRule::Published } };
+const Words<TaeniaRule>  taeniaWords{ { "joint", TaeniaRule::Joint }, { "published", TaeniaRule::Published } };
+
 FoundLandmarks
 Find(const std::shared_ptr<FlatColon> & flat,
      const CurveSet &                   centreline,
@@ -17,10 +20,8 @@ Find(const std::shared_ptr<FlatColon> & flat,
      const Progress &                   progress)
 {
   ColonLandmarkOptions options;
-  options.flexureRule = Choice<FlexureRule>(
-    "flexure_rule", flexureRule, { { "ordered", FlexureRule::Ordered }, { "published", FlexureRule::Published } });
-  options.taeniaRule = Choice<TaeniaRule>(
-    "taenia_rule", taeniaRule, { { "joint", TaeniaRule::Joint }, { "published", TaeniaRule::Published } });
+  options.flexureRule = ValueOf(flexureRule, "flexure_rule", flexureWords);
+  options.taeniaRule = ValueOf(taeniaRule, "taenia_rule", taeniaWords);
   options.markers = markers.points;
   options.progress = progress;
   return { flat, FindColonLandmarks(*flat, centreline, options) };
@@ -118,8 +119,8 @@ AddLandmarks(py::module_ & module)
              "flat"_a,
              "centreline"_a,
              py::kw_only(),
-             "flexure_rule"_a = "ordered",
-             "taenia_rule"_a = "joint",
+             "flexure_rule"_a = WordOf(ColonLandmarkOptions().flexureRule, flexureWords),
+             "taenia_rule"_a = WordOf(ColonLandmarkOptions().taeniaRule, taeniaWords),
              "markers"_a = Places(),
              "progress"_a = Progress(),
              ReleaseGil(),

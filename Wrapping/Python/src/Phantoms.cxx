@@ -54,15 +54,19 @@ AddPhantoms(py::module_ & module)
     .def_readonly("segments", &ColonPhantom::segments, "uint8: 1 rectum to 6 caecum.")
     .def_readonly("centreline", &ColonPhantom::centreline, "The true one, from the anal verge to the caecum.");
 
+  const auto                   source = Source::New();
+  const ColonPhantomParameters defaults;
+  const auto                   size = source->GetSize();
+  const auto                   spacing = source->GetSpacing();
   module.def("colon_phantom",
              &MakePhantom,
              py::kw_only(),
-             "seed"_a = 1,
-             "position"_a = "supine",
-             "preset"_a = "standard",
-             "size"_a = std::array<unsigned int, 3>{ { 256, 256, 240 } },
-             "spacing"_a = std::array<double, 3>{ { 1.4, 1.4, 1.4 } },
-             "truth_only"_a = false,
+             "seed"_a = defaults.seed,
+             "position"_a = defaults.position,
+             "preset"_a = defaults.preset,
+             "size"_a = std::vector<itk::SizeValueType>(size.begin(), size.end()),
+             "spacing"_a = std::vector<double>(spacing.Begin(), spacing.End()),
+             "truth_only"_a = source->GetTruthOnly(),
              "progress"_a = Progress(),
              ReleaseGil(),
              R"(A synthetic patient for CT colonography.

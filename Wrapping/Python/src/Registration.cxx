@@ -12,6 +12,11 @@ namespace
 {
 using Position = ColonPositionFiles;
 
+const Words<SupineProneMap>     mapWords{ { "default", SupineProneMap::Default },
+                                      { "published", SupineProneMap::Published } };
+const Words<FoldMatchingMethod> matchingWords{ { "hungarian", FoldMatchingMethod::Hungarian },
+                                               { "dualDecomposition", FoldMatchingMethod::DualDecomposition } };
+
 /** Two positions and the map between them. */
 struct Registered
 {
@@ -58,12 +63,8 @@ Register(const std::shared_ptr<Position> & supine,
          const Progress &                  progress)
 {
   SupineProneOptions options;
-  options.map = Choice<SupineProneMap>(
-    "map", map, { { "default", SupineProneMap::Default }, { "published", SupineProneMap::Published } });
-  options.matching = Choice<FoldMatchingMethod>(
-    "matching",
-    matching,
-    { { "hungarian", FoldMatchingMethod::Hungarian }, { "dualDecomposition", FoldMatchingMethod::DualDecomposition } });
+  options.map = ValueOf(map, "map", mapWords);
+  options.matching = ValueOf(matching, "matching", matchingWords);
   options.refines = refine;
   options.isSegmentWise = segmentWise;
   options.progress = [&progress](const std::string & stage, double share) { progress(stage, 0.9 * share); };
@@ -181,15 +182,16 @@ AddRegistration(py::module_ & module)
 
 Returns (places, k x 3, LPS mm; confidence, k, 0 to 1; excluded, k: nothing is to be seen in one of the positions).)");
 
+  const SupineProneOptions defaults;
   module.def("register_positions",
              &Register,
              "supine"_a,
              "prone"_a,
              py::kw_only(),
-             "map"_a = "default",
-             "matching"_a = "hungarian",
-             "refine"_a = false,
-             "segment_wise"_a = false,
+             "map"_a = WordOf(defaults.map, mapWords),
+             "matching"_a = WordOf(defaults.matching, matchingWords),
+             "refine"_a = defaults.refines,
+             "segment_wise"_a = defaults.isSegmentWise,
              "progress"_a = Progress(),
              ReleaseGil(),
              R"(A one-to-one map between the walls of a colon in two positions.

@@ -111,6 +111,7 @@ AddSeeds(py::module_ & module)
                   "Label to image, float32 in [0, 1], which sum to 1; empty unless they were asked for.")
     .def_readonly("iterations", &SeededLabels::iterations, "Of the solver; few after a small change of the seeds.");
 
+  const auto defaults = SeedFilter::New();
   py::class_<SeededHeat>(module,
                          "SeededHeat",
                          R"(Labels from a few seeds: the steady state of heat that leaves the seeds of each label.
@@ -125,10 +126,10 @@ It keeps the last solution, from which the next one starts: 4 bytes for each vox
     .def(py::init<const ImageType::Pointer &, std::optional<double>, const Window &, double, double>(),
          "image"_a,
          py::kw_only(),
-         "p"_a = 100.0,
+         "p"_a = defaults->GetP(),
          "window"_a = py::none(),
-         "least_weight"_a = 0.2,
-         "tolerance"_a = 1e-5)
+         "least_weight"_a = defaults->GetLeastWeight(),
+         "tolerance"_a = defaults->GetTolerance())
     .def("segment",
          &SeededHeat::Segment,
          "seeds"_a,
@@ -147,7 +148,7 @@ progress: called with (share, stage), share from 0 to 1; False, or an exception 
              "classes"_a,
              py::kw_only(),
              "chosen"_a = std::vector<int>(),
-             "components"_a = 0,
+             "components"_a = ClassSeeds().components,
              ReleaseGil(),
              R"(Seeds from classes, such as those of `classify_heat`; one voxel off the borders of each.
 

@@ -14,6 +14,13 @@ using ImageType = itk::Image<float, 3>;
 using FilterType = ShapetonDiffusionImageFilter<ImageType>;
 using Visits = FilterType::VisitsImageType;
 
+const Words<DirectionSampling>  samplingWords{ { "solidAngle", DirectionSampling::SolidAngle },
+                                              { "sectorArea", DirectionSampling::SectorArea },
+                                              { "uniform", DirectionSampling::Uniform } };
+const Words<PathRule>           pathWords{ { "endpoint", PathRule::Endpoint }, { "traversal", PathRule::Traversal } };
+const Words<ShapetonPlacement> placementWords{ { "uniform", ShapetonPlacement::Uniform },
+                                               { "initialHeat", ShapetonPlacement::InitialHeat } };
+
 /** What diffuse_shapetons() gives. */
 struct Shapetons
 {
@@ -31,17 +38,9 @@ SetChoices(FilterType *        filter,
            const std::string & pathRule,
            const std::string & placement)
 {
-  filter->SetDirectionSampling(Choice<DirectionSampling>("direction_sampling",
-                                                         directionSampling,
-                                                         { { "solidAngle", DirectionSampling::SolidAngle },
-                                                           { "sectorArea", DirectionSampling::SectorArea },
-                                                           { "uniform", DirectionSampling::Uniform } }));
-  filter->SetPathRule(Choice<PathRule>(
-    "path_rule", pathRule, { { "endpoint", PathRule::Endpoint }, { "traversal", PathRule::Traversal } }));
-  filter->SetPlacement(Choice<ShapetonPlacement>(
-    "placement",
-    placement,
-    { { "uniform", ShapetonPlacement::Uniform }, { "initialHeat", ShapetonPlacement::InitialHeat } }));
+  filter->SetDirectionSampling(ValueOf(directionSampling, "direction_sampling", samplingWords));
+  filter->SetPathRule(ValueOf(pathRule, "path_rule", pathWords));
+  filter->SetPlacement(ValueOf(placement, "placement", placementWords));
 }
 
 void
@@ -139,23 +138,24 @@ void
 AddShapetons(py::module_ & module)
 {
   AddResult(module);
+  const auto defaults = FilterType::New();
   module.def("diffuse_shapetons",
              &Diffuse,
              "image"_a,
              py::kw_only(),
              "mask"_a = py::none(),
-             "p"_a = 7.0,
+             "p"_a = defaults->GetP(),
              "window"_a = py::none(),
              "shapetons"_a = py::none(),
-             "distance"_a = 0.01,
+             "distance"_a = defaults->GetDistance(),
              "feature_size"_a = py::none(),
-             "time_steps"_a = 2500,
-             "direction_sampling"_a = "solidAngle",
-             "path_rule"_a = "endpoint",
-             "placement"_a = "uniform",
-             "seed"_a = 1,
-             "until_steady"_a = false,
-             "epsilon"_a = 0.05,
+             "time_steps"_a = defaults->GetTimeSteps(),
+             "direction_sampling"_a = WordOf(defaults->GetDirectionSampling(), samplingWords),
+             "path_rule"_a = WordOf(defaults->GetPathRule(), pathWords),
+             "placement"_a = WordOf(defaults->GetPlacement(), placementWords),
+             "seed"_a = defaults->GetSeed(),
+             "until_steady"_a = defaults->GetUntilSteady(),
+             "epsilon"_a = defaults->GetEpsilon(),
              "histogram_steps"_a = std::vector<std::uint64_t>(),
              "progress"_a = Progress(),
              ReleaseGil(),

@@ -63,14 +63,15 @@ Remesh(const SurfaceMesh & mesh, double edgeLength, int iterations, const Progre
 void
 AddFiles(py::module_ & module)
 {
+  const SurfaceReadOptions defaults;
   module.def("read_surface",
              &Read,
              "path"_a,
              py::kw_only(),
-             "part"_a = "",
-             "component"_a = 0,
-             "unit"_a = "",
-             "any_extent"_a = false,
+             "part"_a = defaults.part,
+             "component"_a = defaults.component,
+             "unit"_a = defaults.unit,
+             "any_extent"_a = defaults.isAnyExtentPlausible,
              "repair"_a = false,
              R"(Reads VTP, STL, OBJ, PLY, OFF, glTF or GLB; LPS, mm.
 
@@ -117,10 +118,10 @@ vertices, edges, faces, eulerCharacteristic, genus (None: not defined), manifold
              &Repair,
              "mesh"_a,
              py::kw_only(),
-             "merge_distance"_a = 0.0,
-             "merge_vertices"_a = true,
-             "orient"_a = true,
-             "split"_a = true,
+             "merge_distance"_a = SurfaceRepairOptions().mergeDistance,
+             "merge_vertices"_a = SurfaceRepairOptions().mergeVertices,
+             "orient"_a = SurfaceRepairOptions().orient,
+             "split"_a = SurfaceRepairOptions().split,
              ReleaseGil(),
              R"(A manifold, consistently oriented surface of the same faces: (mesh, what was done in words).
 

@@ -28,11 +28,22 @@ struct StopFlag
 };
 thread_local std::shared_ptr<const StopFlag> stopFlag;
 
+/** Whether the interpreter ends or has ended: only the thread that ends it can have Python's lock. */
+bool
+IsEnding()
+{
+  return Py_IsInitialized() == 0;
+}
+
 /** Throws SystemExit in a thread that is to stop, and at the end in threads other than the one that ends the
  * interpreter, which may still compute. To be called with the GIL held. */
 void
 StopWhereAsked()
 {
+  if (IsEnding()) // this thread has the lock, so it is the one that ends the interpreter
+  {
+    endingThread = std::this_thread::get_id();
+  }
   const std::thread::id ending = endingThread;
   const bool            isAtTheEnd = ending != std::thread::id() && ending != std::this_thread::get_id();
   if (isAtTheEnd || (stopFlag != nullptr && stopFlag->isSet))
@@ -89,7 +100,7 @@ template <typename TTake>
 auto
 TakeGil(const TTake & take)
 {
-  if (_Py_IsFinalizing() != 0)
+  if (IsEnding() && endingThread != std::this_thread::get_id())
   {
     WaitForEver();
   }
@@ -107,6 +118,18 @@ TakeGil(const TTake & take)
 WithGil::WithGil() : m_State(TakeGil([] { return PyGILState_Ensure(); })) {}
 
 WithGil::~WithGil() { PyGILState_Release(m_State); }
+
+std::shared_ptr<PyObject>
+Share(py::object object)
+{
+  return { object.release().ptr(), [](PyObject * shared) {
+            if (!IsEnding())
+            {
+              const WithGil gil;
+              Py_DECREF(shared);
+            }
+          } };
+}
 
 WithoutGil::Call::Call()
 {

@@ -5,6 +5,8 @@
 
 #include <pybind11/pybind11.h>
 
+#include <memory>
+
 /** Python's lock (the GIL), which functions of the library release, and what stops them: signals, and the end of the
  * interpreter. */
 namespace shapeton::python
@@ -14,8 +16,9 @@ namespace py = pybind11;
 /** \class WithGil
  * \brief Holds Python's lock in a block.
  *
- * A thread that asks for the lock after the interpreter has ended waits for ever, as in Python 3.14. Older versions end
- * the thread by unwinding it, which libraries in C++ answer by aborting the process. */
+ * From the end of the interpreter on, only the thread that ends it gets the lock. Any other thread that asks for it
+ * waits for ever, as in Python 3.14. Older versions end the thread by unwinding it, which libraries in C++ answer by
+ * aborting the process. No destructor of an object that Python keeps may use this class: see Share(). */
 class WithGil
 {
 public:
@@ -28,6 +31,13 @@ public:
 private:
   PyGILState_STATE m_State;
 };
+
+/** Shares a Python object with C++ code, which may drop it in any thread and at any time. Objects that hold such a
+ * reference may live until the process ends, for example in a global of a module. So the reference is given back while
+ * the interpreter is alive, and kept for ever from its end on: then most threads would wait for Python's lock in vain,
+ * and the memory goes with the process. */
+std::shared_ptr<PyObject>
+Share(py::object object);
 
 /** \class WithoutGil
  * \brief Lets other threads of Python run while a function of the library does, and signals stop it.

@@ -1,5 +1,6 @@
 #include "Bindings.h"
 #include "Conversions.h"
+#include "Errors.h"
 
 #include "shapetonDicomSeriesScan.h"
 #include "shapetonExceptions.h"
@@ -92,7 +93,7 @@ AddVolumes(py::module_ & module)
     .def_property_readonly(
       "name", [](const DicomDefect & defect) { return GetDicomDefectName(defect.kind); }, "For example \"gap\".")
     .def_property_readonly(
-      "advice", [](const DicomDefect & defect) { return GetDicomDefectAdvice(defect); }, "What can be done.")
+      "advice", [](const DicomDefect & defect) { return InPython(GetDicomDefectAdvice(defect)); }, "What can be done.")
     .def_readonly("message", &DicomDefect::message, "The defect in a sentence.")
     .def_readonly("files", &DicomDefect::files, "The files concerned.")
     .def_readonly("slices", &DicomDefect::slices, "The slices concerned, from 1 along the normal.");
@@ -135,15 +136,16 @@ AddVolumes(py::module_ & module)
 
 progress: called with (share, stage), share from 0 to 1; False, or an exception such as that of Ctrl-C, aborts.)");
 
+  const VolumeReadOptions defaults;
   module.def("read_volume",
              &ReadWithFacts,
              "path"_a,
              py::kw_only(),
-             "series_uid"_a = "",
-             "resample_gaps"_a = false,
-             "deshear"_a = false,
-             "drop_duplicates"_a = false,
-             "allow_single_slice"_a = false,
+             "series_uid"_a = defaults.seriesUID,
+             "resample_gaps"_a = defaults.resampleGaps,
+             "deshear"_a = defaults.deshear,
+             "drop_duplicates"_a = defaults.dropDuplicates,
+             "allow_single_slice"_a = defaults.allowSingleSlice,
              "progress"_a = Progress(),
              R"(Reads a folder of DICOM slices, a DICOM file, or a NRRD, NIfTI or MetaImage file.
 
