@@ -1,10 +1,32 @@
 # Builds the project against the installation and runs it and every installed tool; see CMakeLists.txt.
 include(${CMAKE_CURRENT_LIST_DIR}/Consumers.cmake)
 
-configure(${SOURCE_DIR}/Testing/Consumer/Project "${WORK_DIR}/build" "-DCMAKE_PREFIX_PATH=${PREFIX}")
+# The last bytes of a file: the voxels of a NRRD file that is not compressed.
+function(voxels variable file bytes)
+  file(SIZE "${file}" size)
+  math(EXPR begin "${size} - ${bytes}")
+  file(READ "${file}" hex OFFSET ${begin} HEX)
+  set(${variable} ${hex} PARENT_SCOPE)
+endfunction()
+
+# A median of single voxels changes nothing, so the heat is that of the tool; a larger one changes it.
+file(REMOVE_RECURSE "${WORK_DIR}/build")
+configure(${SOURCE_DIR}/Examples/Project "${WORK_DIR}/build" "-DCMAKE_PREFIX_PATH=${PREFIX}")
 run(${CMAKE_COMMAND} --build "${WORK_DIR}/build")
-run("${WORK_DIR}/build/Consumer" "${WORK_DIR}/cube.nrrd")
-message("${out}")
+set(volume "${WORK_DIR}/volume.nrrd")
+run("${PREFIX}/bin/ShapePhantom" "${volume}" --shape figure2.7a --size 32,32,32 --noise 20)
+run("${PREFIX}/bin/CumulativeHeatDiffusion" "${volume}" "${WORK_DIR}/tool.nrrd" --timeSteps 1000)
+run("${WORK_DIR}/build/MedianHeat" "${volume}" "${WORK_DIR}/same.nrrd" 0)
+run("${WORK_DIR}/build/MedianHeat" "${volume}" "${WORK_DIR}/other.nrrd")
+foreach(file IN ITEMS tool same other)
+  voxels(${file} "${WORK_DIR}/${file}.nrrd" 131072) # 32^3 floats
+endforeach()
+if(NOT same STREQUAL tool)
+  message(FATAL_ERROR "Examples/Project and CumulativeHeatDiffusion give different heat of one volume")
+endif()
+if(other STREQUAL tool)
+  message(FATAL_ERROR "the median of Examples/Project changes nothing")
+endif()
 
 file(GLOB descriptions "${PREFIX}/${TOOLS_DIR}/*.xml")
 if(NOT descriptions)

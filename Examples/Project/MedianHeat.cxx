@@ -1,0 +1,54 @@
+// Reads a volume with ITK, removes noise with ITK's median filter, diffuses its heat with Shapeton, writes it with ITK.
+// Usage: MedianHeat INPUT OUTPUT [RADIUS], the radius of the median in voxels, 1 by default
+#include "shapetonCumulativeHeatDiffusionImageFilter.h"
+
+#include "itkImageFileReader.h"
+#include "itkImageFileWriter.h"
+#include "itkMedianImageFilter.h"
+
+#include <cstdlib>
+#include <exception>
+#include <iostream>
+#include <string>
+
+namespace
+{
+using ImageType = itk::Image<float, 3>;
+
+void
+Diffuse(const std::string & input, const std::string & output, unsigned long radius)
+{
+  const auto median = itk::MedianImageFilter<ImageType, ImageType>::New();
+  median->SetInput(itk::ReadImage<ImageType>(input));
+  median->SetRadius(radius);
+
+  const auto diffusion = shapeton::CumulativeHeatDiffusionImageFilter<ImageType>::New();
+  diffusion->SetInput(median->GetOutput());
+  diffusion->SetTimeSteps(1000);
+
+  const auto writer = itk::ImageFileWriter<ImageType>::New();
+  writer->SetInput(diffusion->GetOutput());
+  writer->SetFileName(output);
+  writer->Update();
+}
+} // namespace
+
+int
+main(int argc, char * argv[])
+{
+  if (argc < 3 || argc > 4)
+  {
+    std::cerr << "Usage: " << argv[0] << " INPUT OUTPUT [RADIUS]\n";
+    return 2;
+  }
+  try
+  {
+    Diffuse(argv[1], argv[2], argc == 4 ? std::stoul(argv[3]) : 1);
+  }
+  catch (const std::exception & error) // ITK's exceptions, too
+  {
+    std::cerr << error.what() << '\n';
+    return EXIT_FAILURE;
+  }
+  return EXIT_SUCCESS;
+}
