@@ -10,18 +10,24 @@ from setuptools import Extension, setup
 from setuptools.command.build_ext import build_ext
 
 SOURCE = Path(__file__).resolve().parent
+sys.path.insert(0, str(SOURCE / "Wrapping/Python/utilities"))
+
+from build_needs import pybind11_folder  # noqa: E402  (from the folder above)
 
 
 class BuildByCMake(build_ext):
     def build_extension(self, extension):
         build = Path(self.build_temp).resolve()
-        options = ["-DBUILD_TESTING=OFF", f"-DPython_EXECUTABLE={sys.executable}"]
+        options = ["-DBUILD_TESTING=OFF", f"-DPython_EXECUTABLE={sys.executable}", f"-Dpybind11_DIR={pybind11_folder()}"]
+        jobs = str(os.cpu_count() or 1)
         if "Shapeton_ROOT" in os.environ:
             options += ["-S", SOURCE / "Wrapping/Python"]
+            work, minutes = "the module against the installed libraries", "2"
         else:
             options += ["-S", SOURCE, "-DSHAPETON_PYTHON_ONLY=ON"]
+            work, minutes = "the libraries and the module", "8"
+        print(f"Building {work} with {jobs} processes; two take about {minutes} minutes", flush=True)
         subprocess.run(["cmake", "-B", build, *options], check=True)
-        jobs = str(os.cpu_count() or 1)
         subprocess.run(["cmake", "--build", build, "--parallel", jobs, "--target", "_shapeton"], check=True)
         (module,) = (build / "python/shapeton").glob("_shapeton*.so")
         self.copy_file(str(module), self.get_ext_fullpath(extension.name))
