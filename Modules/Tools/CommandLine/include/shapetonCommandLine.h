@@ -44,7 +44,8 @@ namespace shapeton
  * wrong usage, InputError unsuitable input; this class alone decides it. On failure stderr holds one line, on success
  * nothing. Where the message of an exception or a warning names a parameter as Exception says (`the parameter "p" =
  * 2`), it is told as the option (`--p 2`). stdout holds a progress bar on a terminal, Slicer's progress XML otherwise;
- * nothing with --quiet, or when the body reports neither progress nor warnings.
+ * nothing with --quiet, or when the body reports neither progress nor warnings. Progress never goes back, and reaches 1
+ * once: when the body has returned.
  *
  * Outputs are written to temporary names that Output() hands out and renamed after the body has returned: a failed or
  * killed run leaves neither a half-written file nor a damaged old one. What SIGKILL leaves is removed by the next run

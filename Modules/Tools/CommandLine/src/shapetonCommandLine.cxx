@@ -304,6 +304,7 @@ CommandLine::State::Prepare(const CommandLine & commandLine)
 void
 CommandLine::State::Finish()
 {
+  display.Complete();
   display.End();
   FlushStdout();
   for (const auto & record : runRecords)

@@ -173,10 +173,15 @@ ProgressDisplay::Update(const std::string & stage, double stageFraction, double 
   }
   m_Fraction = Forwards(fraction, m_Fraction);
   m_StageFraction = Forwards(stageFraction, m_StageFraction);
-  if (!this->IsNews())
+  if (m_Fraction < 1.0 && this->IsNews())
   {
-    return;
+    this->Show();
   }
+}
+
+void
+ProgressDisplay::Show()
+{
   m_ShownFraction = m_Fraction;
   m_ShownStageFraction = m_StageFraction;
   if (m_Mode == Mode::Bar)
@@ -187,6 +192,17 @@ ProgressDisplay::Update(const std::string & stage, double stageFraction, double 
   PrintElement("filter-progress", Decimal(m_Fraction));
   PrintElement("filter-stage-progress", Decimal(m_StageFraction));
   std::fflush(stdout);
+}
+
+void
+ProgressDisplay::Complete()
+{
+  const std::lock_guard<std::mutex> lock(m_Mutex);
+  if (m_Mode != Mode::Off && !m_Stage.empty())
+  {
+    m_Fraction = m_StageFraction = 1.0;
+    this->Show();
+  }
 }
 
 void

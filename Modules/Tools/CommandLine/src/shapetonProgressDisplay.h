@@ -31,9 +31,13 @@ public:
     m_Mode = mode;
   }
 
-  /** Fractions are forced into [0, 1] and never go back; a new stage name ends the previous stage. */
+  /** Fractions are forced into [0, 1] and never go back; a new stage name ends the previous stage. Complete() alone shows
+   * the end of the run. */
   void
   Update(const std::string & stage, double stageFraction, double fraction);
+  /** The run has succeeded: shows the fraction 1, once, unless nothing was reported. */
+  void
+  Complete();
   void
   Comment(const std::string & text);
   void
@@ -57,6 +61,8 @@ private:
   CountStage(double seconds);
   bool
   IsNews() const;
+  void
+  Show();
   void
   DrawBar();
   void

@@ -103,6 +103,7 @@ TEST(CommandLineProgress, IsWellFormedMonotoneAndShort)
   EXPECT_TRUE(std::is_sorted(progress.begin(), progress.end()));
   EXPECT_EQ(progress.front(), 0.0);
   EXPECT_EQ(progress.back(), 1.0);
+  EXPECT_EQ(std::count(progress.begin(), progress.end(), 1.0), 1);
   EXPECT_GE(progress.size(), 50u);
   EXPECT_LE(progress.size(), 110u);
   const Words stages = { "Diffusing <1> & \"more\"", "Classifying" };
@@ -144,6 +145,24 @@ TEST(CommandLineProgress, OfAFailedRunIsWellFormedToo)
   EXPECT_EQ(outcome.status, 3);
   EXPECT_EQ(outcome.err, "TestTool: no\n");
   EXPECT_EQ(TextsOf(ReadXml(outcome.out), "filter-end").size(), 1u);
+}
+
+TEST(CommandLineProgress, ReachesOneOnceAndWhenTheBodyHasReturned)
+{
+  const auto reported = [](const std::vector<double> & fractions, bool fails) {
+    const auto outcome = RunWithOptions({}, [&](shapeton::CommandLine & commandLine) {
+      for (std::size_t i = 0; i < fractions.size(); ++i)
+      {
+        commandLine.Progress("Stage " + std::to_string(i), fractions[i]);
+      }
+      shapeton::RequireParameter(!fails, "no");
+    });
+    return NumbersOf(ReadXml(outcome.out), "filter-progress");
+  };
+  EXPECT_EQ(reported({ 0.25 }, false), std::vector<double>({ 0.25, 1.0 }));
+  EXPECT_EQ(reported({ 0.25, 1.0, 1.0, 1.0 }, false), std::vector<double>({ 0.25, 1.0 }));
+  EXPECT_EQ(reported({ 1.0 }, false), std::vector<double>({ 1.0 }));
+  EXPECT_EQ(reported({ 0.25, 1.0 }, true), std::vector<double>({ 0.25 }));
 }
 
 TEST(CommandLineProgress, IsSilentWithQuietOrWithoutReports)
@@ -209,10 +228,10 @@ TEST(CommandLineProgress, OfAFilterIsItsShareOfTheRun)
   const auto elements = ReadXml(outcome.out);
   const auto progress = NumbersOf(elements, "filter-progress");
   const auto ofStage = NumbersOf(elements, "filter-stage-progress");
-  ASSERT_EQ(progress.size(), 5u) << outcome.out;
-  const double expected[] = { 0.2, 0.3, 0.4, 0.6, 0.8 };
+  const double expected[] = { 0.2, 0.3, 0.4, 0.6, 0.8, 1.0 };
   const double expectedOfStage[] = { 0.0, 0.25, 0.5, 1.0 };
-  for (int i = 0; i < 5; ++i)
+  ASSERT_EQ(progress.size(), 6u) << outcome.out;
+  for (int i = 0; i < 6; ++i)
   {
     EXPECT_NEAR(progress[i], expected[i], 1e-6);
   }
