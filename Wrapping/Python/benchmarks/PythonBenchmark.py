@@ -26,7 +26,7 @@ HEAT = """
 import sys, shapeton
 volume, heat, steps = sys.argv[1:4]
 image = shapeton.read_volume(volume)
-shapeton.write_volume(shapeton.diffuse_heat(image, time_steps=int(steps), time_step_length=0.08333333).heat, heat)
+shapeton.write_volume(shapeton.diffuse_heat(image, time_steps=int(steps)).heat, heat)
 """
 
 ABORT = """

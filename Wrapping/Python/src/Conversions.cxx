@@ -1,6 +1,8 @@
 #include "Conversions.h"
 #include "Timer.h"
 
+#include <atomic>
+#include <chrono>
 #include <cmath>
 #include <limits>
 
@@ -158,7 +160,9 @@ Construct(const char * name, const TGeometry & geometry, const py::object & elem
                                         geometry.facts);
 }
 
-/** What Progress calls: the user's function ten times a second. */
+std::atomic<std::chrono::milliseconds> progressPeriod{ std::chrono::milliseconds(100) };
+
+/** What Progress calls: the user's function ten times a second, and once with 1 at the end. */
 class Watch
 {
 public:
@@ -167,14 +171,17 @@ public:
   void
   operator()(const std::string & stage, double share)
   {
-    if (!m_Timer.IsOver())
+    constexpr double rounding = 1e-9; // of parts of parts, which end at 1
+    const bool       isDone = share > 1.0 - rounding;
+    if (m_IsDone || (!m_Timer.IsOver() && !isDone))
     {
       return;
     }
+    m_IsDone = isDone;
     const WithGil                 gil;
     const py::handle              function = m_Function.get();
     py::detail::make_caster<bool> answer; // also of numpy.bool_, but of nothing else
-    if (answer.load(function(share, stage), false) && !static_cast<bool>(answer))
+    if (answer.load(function(isDone ? 1.0 : share, stage), false) && !static_cast<bool>(answer))
     {
       PyErr_SetString(ClassOf("shapeton._shapeton", "Aborted").ptr(), "the progress function has returned False");
       throw py::error_already_set();
@@ -183,7 +190,8 @@ public:
 
 private:
   std::shared_ptr<PyObject> m_Function;
-  Timer                     m_Timer{ std::chrono::milliseconds(100) };
+  Timer                     m_Timer{ progressPeriod.load() };
+  bool                      m_IsDone{ false };
 };
 
 } // namespace
@@ -299,6 +307,12 @@ ToPython(const CurveSet & curves, const py::handle & owner)
     lists.append(py::array_t<int>(static_cast<py::ssize_t>(curve.size()), curve.data(), owner));
   }
   return Construct("Curves", curves, lists, owner);
+}
+
+void
+SetProgressPeriod(unsigned int milliseconds)
+{
+  progressPeriod = std::chrono::milliseconds(milliseconds);
 }
 
 Progress

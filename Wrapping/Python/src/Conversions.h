@@ -74,11 +74,16 @@ CurvesOf(const py::handle & curves);
 py::object
 ToPython(const CurveSet & curves, const py::handle & owner);
 
-/** Calls a function of Python, or None, at most ten times a second with the share and the stage. Aborts when it
+/** Calls a function of Python, or None, at most ten times a second with the share and the stage, and once with the share
+ * 1 when the work is done. Aborts when it
  * returns False (shapeton.Aborted) or throws, and when a signal such as Ctrl-C has come. To be made with the GIL held,
  * called from the thread that made it without. */
 Progress
 ProgressTo(const py::object & function);
+
+/** How long ProgressTo() waits between two calls; 0: tests see each report. */
+void
+SetProgressPeriod(unsigned int milliseconds);
 
 /** Places in space as a parameter: finite numbers. */
 struct Places

@@ -1,9 +1,11 @@
 #include "Bindings.h"
+#include "Conversions.h"
 #include "Errors.h"
 #include "Threads.h"
 
 PYBIND11_MODULE(_shapeton, module)
 {
+  using namespace pybind11::literals;
   module.doc() = "What the modules of the package are made of; see shapeton.";
   shapeton::python::AddErrors(module);
   shapeton::python::AddThreads(module);
@@ -21,4 +23,5 @@ PYBIND11_MODULE(_shapeton, module)
   shapeton::python::AddRegistration(module);
   shapeton::python::AddPhantoms(module);
   shapeton::python::AddGraphs(module);
+  module.def("_set_progress_period", &shapeton::python::SetProgressPeriod, "milliseconds"_a);
 }

@@ -7,6 +7,9 @@
 #include "shapetonVolumeReader.h"
 #include "shapetonVolumeWriter.h"
 
+#include <algorithm>
+#include <cmath>
+
 namespace shapeton::python
 {
 namespace
@@ -51,13 +54,28 @@ WriteAs(const py::object & image, const std::string & path, const VolumeMetadata
   WriteVolume(pixels.GetPointer(), path, metadata);
 }
 
+/** Throws ParameterError where single precision would round a voxel. */
+void
+RequireSinglePrecision(const py::array & array)
+{
+  const py::array_t<double, py::array::c_style | py::array::forcecast> voxels(array);
+  const auto isRounded = [](double value) { return std::isfinite(value) && static_cast<float>(value) != value; };
+  RequireParameter(std::none_of(voxels.data(), voxels.data() + voxels.size(), isRounded),
+                   "the parameter \"image\" holds float64, which is written as float32, and some voxels would be rounded; "
+                   "round them first: image.like(image.array.astype(\"float32\"))");
+}
+
 void
 Write(const py::object & image, const Path & file, const VolumeMetadata & metadata)
 {
   const std::string & path = file.text;
   RequireVolumeName(path);
-  const auto        type = image.attr("array").cast<py::array>().dtype();
-  const std::string name = py::str(type.attr("name"));
+  const auto        array = image.attr("array").cast<py::array>();
+  const std::string name = py::str(array.dtype().attr("name"));
+  if (name == "float64")
+  {
+    RequireSinglePrecision(array);
+  }
   if (name == "float32" || name == "float64")
   {
     WriteAs<float>(image, path, metadata);
@@ -168,7 +186,8 @@ identity, repairs, notes. A file of another format is read in one piece, which C
              "metadata"_a = VolumeMetadata(),
              R"(Writes NRRD (.nrrd), NIfTI (.nii, .nii.gz) or MetaImage (.mha), as the tools do.
 
-float32, int16, uint8, uint16 and uint32 are written as they are, float64 as float32, bool as uint8; ParameterError for
-other types. metadata: pairs of texts for the header of NRRD and MetaImage.)");
+float32, int16, uint8, uint16 and uint32 are written as they are, bool as uint8, float64 as float32 where that rounds no
+voxel; ParameterError otherwise and for other types, so that a file always holds the values of the image. metadata: pairs
+of texts for the header of NRRD and MetaImage.)");
 }
 } // namespace shapeton::python

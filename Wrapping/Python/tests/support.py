@@ -1,6 +1,7 @@
 """What the tests share: volumes, tools of the build, skipping."""
 
 import os
+import re
 import subprocess
 import sys
 import tempfile
@@ -18,11 +19,14 @@ needs_tools = unittest.skipUnless(TOOLS, "SHAPETON_TOOLS, the folder of the tool
 
 
 def run_tool(name, *arguments):
-    """Runs a tool of the build; fails with its message."""
+    """Runs a tool of the build; fails with its message, or where its progress does not end."""
     command = [os.path.join(TOOLS, name), *map(str, arguments)]
     done = subprocess.run(command, capture_output=True, text=True, check=False)
     if done.returncode != 0:
         raise AssertionError(done.stderr)
+    shares = [float(share) for share in re.findall("<filter-progress>(.*)</filter-progress>", done.stdout)]
+    if shares and (shares != sorted(shares) or shares.count(1.0) != 1):
+        raise AssertionError(f"the progress of {name} does not rise to 1, once: {shares}")
 
 
 def error_of_tool(name, *arguments):
@@ -34,13 +38,15 @@ def error_of_tool(name, *arguments):
     return done.stderr.strip()
 
 
-def run_python(code, **variables):
-    """Runs a program in another Python; returns what it prints."""
+def run_python(code, timeout=None, **variables):
+    """Runs a program in another Python; returns what it prints. It must end within the time (s), with status 0."""
     environment = {**os.environ, **variables}
     command = [sys.executable, "-c", code]  # which seeks modules in the working folder first
-    done = subprocess.run(command, capture_output=True, text=True, check=False, env=environment, cwd=os.sep)
-    if done.returncode != 0:
-        raise AssertionError(done.stderr)
+    done = subprocess.run(
+        command, capture_output=True, text=True, check=False, env=environment, cwd=os.sep, timeout=timeout
+    )
+    if done.returncode != 0 or done.stderr:
+        raise AssertionError(f"status {done.returncode}: {done.stderr}")
     return done.stdout.strip()
 
 
@@ -62,6 +68,19 @@ def balls(shape=(40, 36, 32), seed=1, noise=20.0):
         inside = (z - centre[0]) ** 2 + (y - centre[1]) ** 2 + (x - centre[2]) ** 2 < radius**2
         voxels[inside] += 500.0
     return shapeton.Image(voxels.astype(np.float32), (0.8, 0.9, 1.5), (-10.0, 20.0, 5.0), oblique())
+
+
+def cylinder(radius, height, around=40, along=30):
+    """An open tube about the z axis."""
+    angles = np.linspace(0.0, 2.0 * np.pi, around, endpoint=False)
+    levels = np.linspace(0.0, height, along + 1)
+    vertices = [(radius * np.cos(a), radius * np.sin(a), z) for z in levels for a in angles]
+    faces = []
+    for row in range(along):
+        for i in range(around):
+            a, b = row * around + i, row * around + (i + 1) % around
+            faces += [(a, b, b + around), (a, b + around, a + around)]
+    return shapeton.Mesh(vertices, faces)
 
 
 class TestCase(unittest.TestCase):

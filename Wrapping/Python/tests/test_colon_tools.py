@@ -1,7 +1,9 @@
-"""Each stage of the colon gives the bytes of its tool."""
+"""Each stage of the colon gives the bytes of its tool, both with their defaults."""
 
 import json
+import tempfile
 import unittest
+from pathlib import Path
 
 import numpy as np
 
@@ -11,94 +13,115 @@ from shapeton import colon, flattening, surfaces
 from support import TestCase, needs_tools, run_tool
 
 
+class Examination:
+    """One position of a synthetic patient, by the tools in the folders of VirtualColonoscopy, and by the package."""
+
+    def __init__(self, name, folder):
+        self.folder = folder / name
+        self.ct = colon.colon_phantom(position=name, size=(120, 120, 112), spacing=(3.0, 3.0, 3.0)).ct
+        self.run_tools(folder / (name + ".nrrd"))
+        self.model = colon.build_colon(self.ct)
+        line = self.model.centreline.curve
+        self.flattened = flattening.flatten_tube(self.model.wall.simplified, line)
+        self.flat = colon.FlatColon(self.flattened.flat)
+        self.folds = colon.find_folds(self.flat)
+        self.landmarks = colon.find_landmarks(self.flat, line)
+        self.position = colon.ColonPosition(name, self.landmarks, line, self.folds)
+
+    def run_tools(self, volume):
+        shapeton.write_volume(self.ct, volume)
+        segmentation, flat = self.folder / "segmentation", self.folder / "flattening/flat.vtp"
+        for name in ("flattening", "folds"):
+            (self.folder / name).mkdir(parents=True)
+        run_tool("ColonSegmentation", volume, segmentation)
+        run_tool("ColonFlattening", segmentation / "wall-simplified.vtp", flat, "--centreline", segmentation / "centreline.vtp")
+        run_tool("ColonLandmarks", flat, segmentation / "centreline.vtp", self.folder / "landmarks")
+        run_tool("ColonFolds", flat, self.folder / "folds/labels.nrrd", "--table", self.folder / "folds/folds.csv")
+
+
 @needs_tools
 class SameAsToolsTest(TestCase):
+    @classmethod
+    def setUpClass(cls):
+        folder = tempfile.TemporaryDirectory()
+        cls.addClassCleanup(folder.cleanup)
+        cls.supine, cls.prone = (Examination(name, Path(folder.name)) for name in ("supine", "prone"))
+
     def assertSameSurface(self, path, mesh, arrays=()):
-        written = surfaces.read_surface(str(path), component=-1)
+        written = surfaces.read_surface(path, component=-1)
         self.assertSame(written.vertices, mesh.vertices)
         self.assertSame(written.faces, mesh.faces)
         for name in arrays:
             self.assertSame(written.point_arrays[name], mesh.point_arrays[name])
 
-    def test_from_ct_to_candidates(self):
-        ct = colon.colon_phantom(size=(120, 120, 112), spacing=(3.0, 3.0, 3.0)).ct
-        volume = self.folder / "ct.nrrd"
-        shapeton.write_volume(ct, str(volume))
-        model = self.check_model(ct, volume, self.folder / "segmentation")
-        flat, found = self.check_flat(model)
-        self.check_candidates(model, flat, found)
+    def test_ColonPhantom(self):
+        run_tool("ColonPhantom", self.folder / "series")
+        ct, written = colon.colon_phantom().ct, shapeton.read_volume(self.folder / "series")
+        self.assertSame(written.array, ct.array.astype(np.float32))
+        np.testing.assert_allclose(written.affine, ct.affine, atol=1e-6)  # decimals in the header
 
-    def check_model(self, ct, volume, folder):
-        run_tool("ColonSegmentation", volume, folder, "--position", "supine", "--faces", 20000)
-        model = colon.build_colon(ct, patient_position="supine", faces=20000)
-        labels = shapeton.read_volume(str(folder / "lumen.nrrd")).array
-        self.assertSame(labels, model.lumen.labels.array.astype(np.float32))
-        cleansed = shapeton.read_volume(str(folder / "cleansed.nrrd")).array
-        self.assertLessEqual(np.abs(cleansed - model.cleansed.array).max(), 0.5)  # whole HU in the file
-        line = surfaces.read_curves(str(folder / "centreline.vtp"))
-        self.assertSame(line.vertices, model.centreline.curve.vertices)
-        for name, mesh in (("wall", model.wall.raw), ("wall-repaired", model.wall.repaired),
-                           ("wall-simplified", model.wall.simplified)):
-            self.assertSameSurface(folder / (name + ".vtp"), mesh, ["arcLength"])
-        quality = json.loads((folder / "quality.json").read_text())
-        quality.pop("provenance")
-        self.assertEqual(quality, model.statistics)
-        self.check_stages(ct, model)
-        return model
+    def test_ColonSegmentation(self):
+        for examination in (self.supine, self.prone):
+            folder, model = examination.folder / "segmentation", examination.model
+            labels = shapeton.read_volume(folder / "lumen.nrrd").array
+            self.assertSame(labels, model.lumen.labels.array.astype(np.float32))
+            cleansed = shapeton.read_volume(folder / "cleansed.nrrd").array
+            self.assertLessEqual(np.abs(cleansed - model.cleansed.array).max(), 0.5)  # whole HU in the file
+            line = surfaces.read_curves(folder / "centreline.vtp")
+            self.assertSame(line.vertices, model.centreline.curve.vertices)
+            for name, mesh in (("wall", model.wall.raw), ("wall-repaired", model.wall.repaired),
+                               ("wall-simplified", model.wall.simplified)):
+                self.assertSameSurface(folder / (name + ".vtp"), mesh, ["arcLength"])
+            quality = json.loads((folder / "quality.json").read_text())
+            quality.pop("provenance")
+            self.assertEqual(quality, model.statistics)
 
-    def check_stages(self, ct, model):
-        """The stages one by one give what they give together."""
-        lumen = colon.segment_lumen(ct, patient_position="supine")
+    def test_the_stages_of_a_segmentation(self):
+        """One by one they give what they give together."""
+        ct, model = self.supine.ct, self.supine.model
+        lumen = colon.segment_lumen(ct)
         cleansed = colon.cleanse(ct, lumen)
         line = colon.trace_centreline(lumen.labels)
         self.assertSame(lumen.labels.array, model.lumen.labels.array)
         self.assertSame(cleansed.ct.array, model.cleansed.array)
         self.assertSame(line.curve.vertices, model.centreline.curve.vertices)
-        wall = colon.build_wall(cleansed.occupancy, model.centreline.curve, faces=20000)
+        wall = colon.build_wall(cleansed.occupancy, model.centreline.curve)
         self.assertSame(wall.simplified.vertices, model.wall.simplified.vertices)
         valve, reason = colon.find_valve(lumen.labels, line.curve, cleansed.ct)
         self.assertEqual((reason, valve.arc_length), ("", model.valve.arc_length))
         self.assertEqual(len(colon.measure_distension(line.curve)), len(model.distension))
 
-    def check_flat(self, model):
-        wall, line = self.folder / "segmentation/wall-simplified.vtp", self.folder / "segmentation/centreline.vtp"
-        (self.folder / "flattening").mkdir()
-        path = self.folder / "flattening/flat.vtp"
-        run_tool("ColonFlattening", wall, path, "--centreline", line)
-        curve = model.centreline.curve
-        flattened = flattening.flatten_tube(model.wall.simplified, curve)
-        self.assertSameSurface(path, flattened.flat, ["uv", "arcLength"])
-        flat = colon.FlatColon(flattened.flat)
+    def test_ColonFlattening(self):
+        path = self.supine.folder / "flattening/flat.vtp"
+        self.assertSameSurface(path, self.supine.flattened.flat, ["uv", "arcLength"])
 
-        run_tool("ColonLandmarks", path, line, self.folder / "landmarks")
-        found = colon.find_landmarks(flat, curve)
-        taeniae = surfaces.read_curves(str(self.folder / "landmarks/taeniae.vtp"))
-        self.assertSame(taeniae.vertices, found.taeniae.vertices)
-        segments = surfaces.read_surface(str(self.folder / "landmarks/segments.vtp"))
+    def test_ColonLandmarks(self):
+        folder, found = self.supine.folder / "landmarks", self.supine.landmarks
+        self.assertSame(surfaces.read_curves(folder / "taeniae.vtp").vertices, found.taeniae.vertices)
+        segments = surfaces.read_surface(folder / "segments.vtp")
         self.assertSame(segments.cell_arrays["segment"], found.segments.cell_arrays["segment"])
-        document = json.loads((self.folder / "landmarks/landmarks.json").read_text())
+        document = json.loads((folder / "landmarks.json").read_text())
         self.assertEqual({name: document[name] for name in found.statistics}, found.statistics)
 
-        (self.folder / "folds").mkdir()
-        table = self.folder / "folds/folds.csv"
-        run_tool("ColonFolds", path, self.folder / "folds/labels.nrrd", "--table", table)
-        folds = colon.find_folds(flat)
-        rows = table.read_text().splitlines()
-        self.assertEqual(len(rows) - 1, len(folds.folds))
-        return flat, found
+    def test_ColonFolds(self):
+        labels = shapeton.read_volume(self.supine.folder / "folds/labels.nrrd", allow_single_slice=True).array
+        self.assertSame(labels[0], self.supine.folds.labels.astype(np.float32))
+        rows = (self.supine.folder / "folds/folds.csv").read_text().splitlines()
+        self.assertEqual(len(rows) - 1, len(self.supine.folds.folds))
 
-    def check_candidates(self, model, flat, found):
-        table = self.folder / "candidates.csv"
-        run_tool("ColonPolyps", self.folder, table)
+    def test_ColonPolyps(self):
+        supine, table = self.supine, self.folder / "candidates.csv"
+        run_tool("ColonPolyps", supine.folder, table)
         rows = [line.split(",") for line in table.read_text().splitlines()]
+        cleansed = supine.model.cleansed
         candidates = colon.find_candidates(
-            model.wall.repaired,
-            model.lumen.labels,
-            centreline=model.centreline.curve,
-            ct=model.cleansed.like(np.clip(np.rint(model.cleansed.array), -32768, 32767)),  # as the file holds it
-            flat=flat,
-            segments=found.segments,
-            catheter=model.lumen.catheter,
+            supine.model.wall.repaired,
+            supine.model.lumen.labels,
+            centreline=supine.model.centreline.curve,
+            ct=cleansed.like(np.clip(np.rint(cleansed.array), -32768, 32767)),  # as the file holds it
+            flat=supine.flat,
+            segments=supine.landmarks.segments,
+            catheter=supine.model.lumen.catheter,
         )
         self.assertEqual(len(rows) - 1, len(candidates))
         places = [[float(row[rows[0].index(axis)]) for axis in "xyz"] for row in rows[1:]]
@@ -106,11 +129,16 @@ class SameAsToolsTest(TestCase):
         diameters = [float(row[rows[0].index("diameter")]) for row in rows[1:]]
         np.testing.assert_allclose(diameters, [c.diameter for c in candidates], atol=0.06)
 
-        position = colon.read_position(str(self.folder), "supine")
-        made = colon.ColonPosition("supine", found, model.centreline.curve, colon.find_folds(flat))
-        one = colon.register_positions(position, position)
-        other = colon.register_positions(made, made)
-        self.assertSame(one.supine_to_prone.point_arrays["mapped"], other.supine_to_prone.point_arrays["mapped"])
+    def test_ColonRegistration(self):
+        out = self.folder / "registration"
+        run_tool("ColonRegistration", self.supine.folder, self.prone.folder, out)
+        made = colon.register_positions(self.supine.position, self.prone.position)
+        read = colon.register_positions(*(colon.read_position(e.folder, name) for e, name in
+                                          ((self.supine, "supine"), (self.prone, "prone"))))
+        for name, registered in (("supine-to-prone", made.supine_to_prone), ("prone-to-supine", made.prone_to_supine)):
+            written = surfaces.read_surface(out / f"map-{name}.vtp")
+            self.assertSame(written.point_arrays["mapped"], registered.point_arrays["mapped"])
+        self.assertSame(read.supine_to_prone.point_arrays["mapped"], made.supine_to_prone.point_arrays["mapped"])
 
 
 if __name__ == "__main__":

@@ -74,8 +74,8 @@ class HeatTest(TestCase):
             ("tolerance must lie between", {"tolerance": 2.0}),
             ("time step must be positive and at most 1/12", {"time_step_length": 0.2}),
             ("steps to record must ascend", {"histogram_steps": [5, 3]}),
-            ('"method" = "fast" is none of: chebyshev, explicit', {"method": "fast"}),
-            ('"conductance" = "" is none of: physical, published', {"conductance": ""}),
+            ('"method" = "fast" is not one of: chebyshev, explicit', {"method": "fast"}),
+            ('"conductance" = "" is not one of: physical, published', {"conductance": ""}),
         ):
             with self.assertRaisesRegex(ValueError, words) as caught:
                 shapeton.diffuse_heat(image, **wrong)

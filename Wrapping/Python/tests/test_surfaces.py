@@ -5,7 +5,7 @@ import numpy as np
 import shapeton
 from shapeton import Curves, Mesh, flattening, surfaces
 
-from support import DATA, TestCase, needs_tools, run_tool
+from support import DATA, TestCase, cylinder, needs_tools, run_tool
 
 TORUS = DATA / "Torus.off"
 
@@ -179,18 +179,6 @@ class MetricTest(TestCase):
         for time in (500.0, 2500.0):
             share = surfaces.diffuse_over_surface(mesh, height, time) @ height / (height @ height)
             self.assertAlmostEqual(share, (1.0 + time / 2500.0) ** -2, places=3)
-
-
-def cylinder(radius, height, around=40, along=30):
-    angles = np.linspace(0.0, 2.0 * np.pi, around, endpoint=False)
-    levels = np.linspace(0.0, height, along + 1)
-    vertices = [(radius * np.cos(a), radius * np.sin(a), z) for z in levels for a in angles]
-    faces = []
-    for row in range(along):
-        for i in range(around):
-            a, b = row * around + i, row * around + (i + 1) % around
-            faces += [(a, b, b + around), (a, b + around, a + around)]
-    return Mesh(vertices, faces)
 
 
 class FlatteningTest(TestCase):

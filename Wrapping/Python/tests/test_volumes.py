@@ -1,4 +1,7 @@
+import gzip
+import re
 import unittest
+import zlib
 
 import numpy as np
 
@@ -7,6 +10,26 @@ import shapeton
 from support import DATA, TestCase, balls, error_of_tool, needs_tools
 
 SERIES = DATA / "PhantomSeries"
+
+#: What NRRD and MetaImage call the types of voxels.
+TYPES = {"float": "<f4", "short": "<i2", "unsigned char": "u1", "unsigned short": "<u2", "unsigned int": "<u4",
+         "MET_FLOAT": "<f4", "MET_SHORT": "<i2", "MET_UCHAR": "u1", "MET_USHORT": "<u2", "MET_UINT": "<u4"}
+
+
+def stored(path, shape):
+    """The voxels of a file in the type that it holds, without the package."""
+    if ".nii" in path.suffixes:
+        import nibabel
+
+        return np.asarray(nibabel.load(path).dataobj).T
+    end = b"ElementDataFile = LOCAL\n" if path.suffix == ".mha" else b"\n\n"
+    header, _, voxels = path.read_bytes().partition(end)
+    fields = dict(re.split(r"\s*[:=]+\s*", line, maxsplit=1) for line in header.decode().splitlines() if re.search("[:=]", line))
+    if fields.get("encoding") == "gzip":
+        voxels = gzip.decompress(voxels)
+    elif fields.get("CompressedData") == "True":
+        voxels = zlib.decompress(voxels)
+    return np.frombuffer(voxels, TYPES[fields.get("type") or fields["ElementType"]]).reshape(shape)
 
 
 class FilesTest(TestCase):
@@ -20,6 +43,37 @@ class FilesTest(TestCase):
                 read = shapeton.read_volume(path)
                 np.testing.assert_array_equal(read.array, written.array)
                 np.testing.assert_allclose(read.affine, written.affine, atol=1e-4)
+
+    def test_a_file_holds_exactly_the_values_or_is_not_written(self):
+        kept = {"bool", "uint8", "int16", "uint16", "uint32", "float32"}
+        for code in np.typecodes["AllInteger"] + np.typecodes["Float"] + "?":
+            for order in "<>":
+                dtype = np.dtype(code).newbyteorder(order)
+                extremes = np.iinfo(dtype) if dtype.kind in "iu" else None
+                voxels = np.zeros((3, 4, 5), dtype)
+                voxels[0, 0, :3] = (extremes.min, extremes.max, 1) if extremes else (1.0, dtype.type(1) / 3, 0.0)
+                for extension in (".nrrd", ".nii", ".nii.gz", ".mha"):
+                    path = self.folder / ("volume" + extension)
+                    with self.subTest(dtype.str + extension):
+                        if dtype.name in kept:
+                            shapeton.write_volume(shapeton.Image(voxels), path)
+                            np.testing.assert_array_equal(stored(path, voxels.shape), voxels)
+                        else:
+                            with self.assertRaisesRegex(shapeton.ParameterError, dtype.name):
+                                shapeton.write_volume(shapeton.Image(voxels), path)
+        with self.assertRaisesRegex(shapeton.ParameterError, "complex"):
+            shapeton.Image(np.zeros((3, 4, 5), complex))
+
+    def test_double_precision_is_written_where_single_precision_holds_it(self):
+        path = self.folder / "volume.nrrd"
+        image = balls()
+        shapeton.write_volume(image.like(image.array.astype(np.float64)), path)
+        np.testing.assert_array_equal(stored(path, image.array.shape), image.array)
+        for value in (1.0 + 2.0**-24, 1e300, 1e-60):
+            with self.assertRaisesRegex(shapeton.ParameterError, "would be rounded"):
+                shapeton.write_volume(image.like(np.full((3, 4, 5), value)), path)
+        with self.assertRaisesRegex(shapeton.InputError, "not finite"):
+            shapeton.write_volume(image.like(np.full((3, 4, 5), np.nan)), path)
 
     def test_equal_images_give_equal_files(self):
         paths = [self.folder / name for name in ("a.nrrd", "b.nrrd")]
@@ -100,12 +154,31 @@ class DicomTest(TestCase):
         folder = self.series_with_a_gap()
         (defect,) = shapeton.list_series(folder)[0].defects
         self.assertEqual(defect.name, "gap")
-        with self.assertRaisesRegex(ValueError, "gap") as caught:
+        with self.assertRaisesRegex(ValueError, 'gap.*the parameter "resample_gaps"') as caught:
             shapeton.read_volume(folder)
         self.assertIsInstance(caught.exception, shapeton.InputError)
+        self.assertIn('the parameter "resample_gaps"', defect.advice)
         image = shapeton.read_volume(folder, resample_gaps=True)
         self.assertEqual(image.array.shape, shapeton.read_volume(str(SERIES)).array.shape)
         self.assertEqual(len(image.facts["repairs"]), 1)
+
+    def test_messages_name_parameters_as_python_does(self):
+        import pydicom
+
+        folder = self.folder / "two"
+        folder.mkdir()
+        for path in SERIES.glob("*.dcm"):
+            piece = pydicom.dcmread(path)
+            piece.save_as(folder / path.name)
+            piece.SeriesInstanceUID += ".2"
+            piece.SOPInstanceUID = piece.file_meta.MediaStorageSOPInstanceUID = piece.SOPInstanceUID + ".2"
+            piece.save_as(folder / ("other-" + path.name))
+        with self.assertRaisesRegex(shapeton.InputError, 'the parameter "series_uid"'):
+            shapeton.read_volume(folder)
+        path = self.folder / "volume.nrrd"
+        shapeton.write_volume(balls((8, 8, 8)), path)
+        with self.assertRaisesRegex(shapeton.ParameterError, 'the parameter "series_uid" chooses'):
+            shapeton.read_volume(path, series_uid="1.2.3")
 
     @needs_tools
     def test_errors_have_the_words_of_the_tools(self):

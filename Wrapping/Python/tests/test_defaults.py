@@ -1,0 +1,169 @@
+"""A tool, its functions in Python and the library have the same defaults."""
+
+import ast
+import inspect
+import re
+import unittest
+import xml.etree.ElementTree as ElementTree
+from pathlib import Path
+
+import shapeton
+from shapeton import colon, flattening, graphs, shapes, surfaces
+
+import test_colon_tools
+import test_same_as_tools
+from support import TestCase
+
+REPOSITORY = Path(__file__).parents[3]
+
+#: The functions that do what a tool does. An option is looked for among their parameters.
+TOOLS = {
+    "ColonFlattening": [flattening.flatten_tube, colon.FlatColon, surfaces.read_surface, shapeton.read_volume],
+    "ColonFolds": [colon.find_folds, colon.FlatColon, surfaces.read_surface],
+    "ColonLandmarks": [colon.find_landmarks, surfaces.read_surface],
+    "ColonPhantom": [colon.colon_phantom],
+    "ColonPolyps": [colon.find_candidates],
+    "ColonRegistration": [colon.register_positions],
+    "ColonSegmentation": [colon.build_colon, shapeton.read_volume],
+    "ConformalMap": [flattening.conformal_map, surfaces.heat_diffusion_metric, surfaces.read_surface],
+    "CumulativeHeatDiffusion": [shapeton.diffuse_heat, shapeton.recorded_steps, shapeton.read_volume],
+    "DicomSeriesInspector": [shapeton.list_series],
+    "DicomSeriesToImage": [shapeton.read_volume],
+    "GraphCompare": [graphs.compare_graphs],
+    "GraphEmbedding": [graphs.embed_graph],
+    "GraphEmbeddingVerifier": [graphs.verify_embedding],
+    "SeededHeatSegmentation": [shapes.SeededHeat, shapeton.read_volume],
+    "ShapeSearch": [shapes.find_shape],
+    "ShapeSignature": [shapes.describe_shapes, shapeton.read_volume],
+    "ShapetonDiffusion": [shapeton.diffuse_shapetons, shapeton.read_volume],
+    "SurfaceInspector": [surfaces.inspect_surface, surfaces.read_surface],
+    "SurfaceSpectrum": [surfaces.spectrum, surfaces.read_surface],
+}
+
+#: Tools that the package has no function for.
+TOOLS_ALONE = {"ColonResultsToDicom", "ColonViewer", "DicomResultsToColon", "DynamicGraph", "HeatTransferFunction",
+               "SensorNetworkSimulator", "ShapePhantom", "VirtualColonoscopy"}
+
+#: Options whose parameter is not their name in small letters.
+NAMES = {
+    ("ColonSegmentation", "position"): "patient_position",
+    ("ConformalMap", "metric"): "edge_lengths",
+    ("CumulativeHeatDiffusion", "snapshotSpacing"): "spacing",
+    ("CumulativeHeatDiffusion", "solver"): "method",
+    ("SurfaceSpectrum", "eigenpairs"): "pairs",
+}
+
+#: Words of a tool, and values that stand for a choice, and what Python has in their place.
+MEANINGS = {
+    "unit": {"file": ""},
+    ("ColonSegmentation", "position"): {"auto": ""},
+    ("ConformalMap", "metric"): {"euclidean": None},
+    ("ConformalMap", "time"): {0: None},
+    ("GraphEmbedding", "genus"): {"auto": None},
+    ("ShapetonDiffusion", "featureSize"): {0: None},
+    ("ShapetonDiffusion", "shapetons"): {65000: None},  # or as many as feature_size asks for
+}
+
+#: Options that have no parameter: a function of its own or a value of another parameter stands for them, or they are about
+#: files that the tool alone writes.
+OPTIONS_ALONE = {
+    "threads": "set_threads",
+    "device": "the same bytes on every device",
+    "autoParameters": "p=None",
+    "resume": "checkpoints of the tool",
+    ("ColonFlattening", "coloring"): "a picture",
+    ("ColonFolds", "publishedHigh"): "scheme \"published\" with its own values",
+    ("ColonFolds", "publishedLow"): "scheme \"published\" with its own values",
+    ("ColonLandmarks", "split"): "split_colon",
+    ("ColonPhantom", "direction"): "Image.from_affine",
+    ("ColonSegmentation", "inputIsLumen"): "build_colon_of_lumen",
+    ("CumulativeHeatDiffusion", "histogramScale"): "a picture",
+    ("CumulativeHeatDiffusion", "snapshots"): "the number of recorded_steps",
+    ("GraphCompare", "labels"): "a picture",
+    ("GraphEmbedding", "disk"): "a picture",
+    ("SeededHeatSegmentation", "automaticSeeds"): "seeds_of_classes",
+    ("SeededHeatSegmentation", "components"): "seeds_of_classes",
+    ("ShapetonDiffusion", "previewEvery"): "progress",
+}
+
+#: Defaults that the bindings state because the library leaves these values to the caller.
+STATED = {("spectrum", "pairs"), ("signature_times", "number"), ("find_shape", "nearest")}
+
+
+def options_of(tool):
+    """(name, default) of each option of a tool with a default: a number, a list of numbers, True, False or a word."""
+    for element in ElementTree.parse(REPOSITORY / f"Applications/{tool}/{tool}.xml").iterfind("parameters/*"):
+        text = element.findtext("default") or ""
+        if element.find("longflag") is None or not text:
+            continue
+        if element.tag == "boolean":
+            yield element.findtext("name"), text == "true"
+        elif element.tag.endswith("-vector"):
+            yield element.findtext("name"), [float(n) for n in text.split(",")]
+        else:
+            is_number = re.fullmatch(r"[-+0-9.eE]+", text)
+            yield element.findtext("name"), float(text) if is_number else text
+
+
+def defaults_of(function):
+    """The defaults of a function of the compiled module, as its docstring tells them."""
+    doc = function.__init__.__doc__ if inspect.isclass(function) else function.__doc__
+    (definition,) = ast.parse(f"def {doc.partition(chr(10))[0].strip()}: ...").body
+    arguments = definition.args
+    positional = arguments.posonlyargs + arguments.args
+    pairs = list(zip(positional[len(positional) - len(arguments.defaults):], arguments.defaults))
+    pairs += [(a, d) for a, d in zip(arguments.kwonlyargs, arguments.kw_defaults) if d is not None]
+    return {argument.arg: ast.literal_eval(default) for argument, default in pairs
+            if not isinstance(default, ast.Call)}
+
+
+def small(name):
+    """seriesUID: series_uid."""
+    return re.sub(r"(?<=[a-z0-9])(?=[A-Z])", "_", name).lower()
+
+
+def is_left_to_the_preset(tool, default):
+    return tool == "ColonPhantom" and default in (-1.0, "preset")
+
+
+class DefaultsTest(TestCase):
+    def test_each_tool_has_functions_or_none(self):
+        tools = {path.stem for path in (REPOSITORY / "Applications").glob("*/*.xml")}
+        self.assertEqual(set(TOOLS) | TOOLS_ALONE, tools)
+        self.assertFalse(set(TOOLS) & TOOLS_ALONE)
+
+    def test_each_option_of_a_tool_has_the_default_of_its_parameter(self):
+        for tool, functions in TOOLS.items():
+            defaults = {}
+            for function in reversed(functions):
+                defaults.update(defaults_of(function))
+            for option, default in options_of(tool):
+                key = (tool, option)
+                if is_left_to_the_preset(tool, default) or key in OPTIONS_ALONE or option in OPTIONS_ALONE:
+                    continue
+                with self.subTest(tool, option=option):
+                    parameter = NAMES.get(key, small(option))
+                    self.assertIn(parameter, defaults, "no function has it: add it to NAMES or OPTIONS_ALONE")
+                    meanings = MEANINGS.get(key, MEANINGS.get(option, {}))
+                    self.assertEqual(defaults[parameter], meanings.get(default, default))
+
+    def test_the_time_step_is_exactly_a_twelfth(self):
+        self.assertEqual(dict(options_of("CumulativeHeatDiffusion"))["timeStepLength"], 1.0 / 12.0)
+
+    def test_the_bindings_take_their_defaults_from_the_library(self):
+        for path in sorted((REPOSITORY / "Wrapping/Python/src").glob("*.cxx")):
+            function = ""
+            for line in path.read_text().splitlines():
+                name = re.fullmatch(r'\s*"(\w+)",', line) or re.search(r'def\("(\w+)"', line)
+                function = name[1] if name else function
+                stated = re.search(r'"(\w+)"_a = (-?[0-9][^,)]*|"[^"]+")', line)
+                if stated and (function, stated[1]) not in STATED:
+                    self.fail(f"{path.name}: {function} states the default {stated[0]}; take it from the library")
+
+    def test_the_bytes_of_each_tool_are_compared(self):
+        methods = [*vars(test_same_as_tools.SameAsToolsTest), *vars(test_colon_tools.SameAsToolsTest)]
+        self.assertLessEqual({f"test_{tool}" for tool in TOOLS}, set(methods))
+
+
+if __name__ == "__main__":
+    unittest.main()

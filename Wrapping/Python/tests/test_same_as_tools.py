@@ -1,0 +1,177 @@
+"""A function with its defaults gives the bytes of its tool with its defaults; for the stages of a colon see test_colon_tools."""
+
+import csv
+import json
+import unittest
+
+import numpy as np
+
+import shapeton
+from shapeton import flattening, graphs, shapes, surfaces
+
+from support import DATA, TestCase, balls, cylinder, needs_tools, run_tool
+
+TORUS = DATA / "Torus.off"
+SERIES = DATA / "PhantomSeries"
+
+
+@needs_tools
+class SameAsToolsTest(TestCase):
+    def setUp(self):
+        super().setUp()
+        self.image = balls()
+        self.volume = self.folder / "volume.nrrd"
+        shapeton.write_volume(self.image, self.volume)
+
+    def read(self, name):
+        return shapeton.read_volume(self.folder / name).array
+
+    def test_CumulativeHeatDiffusion(self):
+        run_tool("CumulativeHeatDiffusion", self.volume, self.folder / "heat.nrrd", "--labels", self.folder / "labels.nrrd")
+        result = shapeton.diffuse_heat(self.image, components=True)
+        self.assertSame(result.heat.array, self.read("heat.nrrd"))
+        labels, _ = shapeton.classify_heat(result.heat, result.components)
+        self.assertSame(labels.array.astype(np.float32), self.read("labels.nrrd"))
+
+    def test_rows_of_the_histogram(self):
+        table = self.folder / "histogram.csv"
+        run_tool("CumulativeHeatDiffusion", self.volume, self.folder / "heat.nrrd", "--timeSteps", 700,
+                 "--histogramTable", table)
+        with open(table, encoding="utf-8") as file:
+            rows = sorted({int(row[0]) for row in csv.reader(line for line in file if line[0].isdigit())})
+        self.assertEqual(rows, shapeton.recorded_steps(700, 512))
+
+    def test_ShapetonDiffusion(self):
+        run_tool("ShapetonDiffusion", self.volume, self.folder / "visits.nrrd")
+        self.assertSame(shapeton.diffuse_shapetons(self.image).visits.array.astype(np.float32), self.read("visits.nrrd"))
+
+    def test_SeededHeatSegmentation(self):
+        voxels = np.zeros(self.image.array.shape, np.uint16)
+        brightest = np.unravel_index(self.image.array.argmax(), voxels.shape)
+        voxels[0, :, 0], voxels[brightest] = 1, 2
+        seeds, labels, doubt = (self.folder / name for name in ("seeds.nrrd", "labels.nrrd", "doubt.nrrd"))
+        shapeton.write_volume(self.image.like(voxels), seeds)
+        run_tool("SeededHeatSegmentation", self.volume, seeds, labels, "--uncertainty", doubt)
+        found = shapes.SeededHeat(self.image).segment(self.image.like(voxels))
+        self.assertSame(found.labels.array.astype(np.float32), self.read("labels.nrrd"))
+        self.assertSame(found.uncertainty.array, self.read("doubt.nrrd"))
+
+    def test_DicomSeriesToImage(self):
+        run_tool("DicomSeriesToImage", SERIES, self.folder / "image.nrrd")
+        image, written = shapeton.read_volume(SERIES), shapeton.read_volume(self.folder / "image.nrrd")
+        self.assertSame(image.array, written.array)
+        np.testing.assert_array_equal(image.affine, written.affine)
+
+    def test_DicomSeriesInspector(self):
+        run_tool("DicomSeriesInspector", SERIES, "--json", self.folder / "series.json")
+        written = json.loads((self.folder / "series.json").read_text())["series"]
+        found = [
+            {
+                "selector": s.selector,
+                "seriesInstanceUID": s.uid,
+                "seriesNumber": s.number,
+                "description": s.description,
+                "modality": s.modality,
+                "patientPosition": s.patient_position,
+                "size": list(s.size),
+                "spacing": list(s.spacing),
+                "usable": s.is_usable,
+                "refusal": s.refusal,
+                "remarks": s.remarks,
+            }
+            for s in shapeton.list_series(SERIES)
+        ]
+        self.assertEqual([{name: one[name] for name in found[0]} for one in written], found)
+
+    def test_ShapeSignature_and_ShapeSearch(self):
+        image, labels, table, database, neighbours = (
+            self.folder / name for name in ("image.nrrd", "labels.nrrd", "table.csv", "shapes.sqlite", "neighbours.csv")
+        )
+        run_tool("ShapePhantom", image, "--shape", "figure3.4", "--size", "80,80,80", "--labels", labels)
+        run_tool("ShapeSignature", image, labels, table)
+        found = shapes.describe_shapes(shapeton.read_volume(image), shapeton.read_volume(labels))
+        shapes.write_shape_table(found, self.folder / "own.csv")
+        self.assertEqual((self.folder / "own.csv").read_bytes(), table.read_bytes())
+        run_tool("ShapeSearch", table, database, "--add", "figure")
+        run_tool("ShapeSearch", table, database, "--add", "copy")
+        run_tool("ShapeSearch", table, database, "--neighbours", neighbours)
+        entries = shapes.read_shape_database(database)
+        self.assertGreater(len(entries), 5)
+        with open(neighbours, encoding="utf-8") as file:
+            written = [row["name"] for row in csv.DictReader(line for line in file if not line.startswith("#"))]
+        expected = [
+            entries[neighbour.entry].name
+            for row in shapes.read_shape_table(table).rows
+            for neighbour in shapes.find_shape(row.signature, entries).neighbours
+        ]
+        self.assertEqual(written, expected)
+
+    test_ShapeSignature = test_ShapeSearch = test_ShapeSignature_and_ShapeSearch
+
+    def test_GraphEmbedding(self):
+        graph = graphs.complete_graph(8)
+        files = [self.folder / name for name in ("graph.graphml", "certificate.json", "verdict.json")]
+        graphs.write_graph(graph, files[0])
+        run_tool("GraphEmbedding", *files[:2])
+        expected, certificate = graphs.read_certificate(files[1]), graphs.embed_graph(graph)
+        self.assertSameCertificate(certificate, expected)
+
+    def test_GraphEmbeddingVerifier(self):
+        certificate, verdict = self.folder / "certificate.json", self.folder / "verdict.json"
+        graphs.write_certificate(graphs.embed_graph(graphs.hypercube_graph(3)), certificate)
+        run_tool("GraphEmbeddingVerifier", certificate, "--statistics", verdict)
+        written, found = json.loads(verdict.read_text()), graphs.verify_embedding(graphs.read_certificate(certificate))
+        self.assertEqual((written["valid"], written["measures"]), (found.is_valid, found.measures))
+
+    def test_GraphCompare(self):
+        one, other = graphs.grid_graph(4, 3), graphs.grid_graph(6, 2)
+        files = [self.folder / name for name in ("one.graphml", "other.graphml", "comparison")]
+        graphs.write_graph(one, files[0])
+        graphs.write_graph(other, files[1])
+        run_tool("GraphCompare", *files)
+        found = graphs.compare_graphs(one, other)
+        self.assertSameCertificate(found.a, graphs.read_certificate(files[2] / "a.json"))
+        self.assertSameCertificate(found.b, graphs.read_certificate(files[2] / "b.json"))
+
+    def assertSameCertificate(self, one, other):
+        for name in ("node_positions", "node_radii", "face_positions", "face_radii"):
+            self.assertSame(getattr(one, name), getattr(other, name))
+        self.assertEqual((one.rotation, one.genus), (other.rotation, other.genus))
+
+    def test_SurfaceInspector(self):
+        run_tool("SurfaceInspector", TORUS, "--json", self.folder / "torus.json")
+        written = json.loads((self.folder / "torus.json").read_text())
+        found = surfaces.inspect_surface(surfaces.read_surface(TORUS))
+        self.assertEqual({name: written[name] for name in found}, found)
+
+    def test_SurfaceSpectrum(self):
+        signature = self.folder / "signature.vtp"
+        run_tool("SurfaceSpectrum", TORUS, self.folder / "eigenvalues.csv", "--heatKernelSignature", signature)
+        spectrum = surfaces.spectrum(surfaces.read_surface(TORUS))
+        written = surfaces.read_surface(signature)
+        self.assertSame(written.field_arrays["eigenvalues"], spectrum.eigenvalues)
+        times = spectrum.signature_times()
+        self.assertEqual(list(written.field_arrays["times"]), times)
+        arrays = [a for n, a in written.point_arrays.items() if n.startswith("heatKernelSignature_")]
+        self.assertEqual(len(arrays), len(times))
+        for values, time in zip(arrays, times):
+            self.assertSame(values, spectrum.signature(time))
+
+    def test_ColonFlattening(self):
+        tube, path = cylinder(15.0, 80.0), self.folder / "tube.vtp"
+        surfaces.write_surface(tube, path)
+        run_tool("ColonFlattening", path, self.folder / "flat.vtp")
+        flat, written = flattening.flatten_tube(tube).flat, surfaces.read_surface(self.folder / "flat.vtp")
+        self.assertSame(written.vertices, flat.vertices)
+        self.assertSame(written.point_arrays["uv"], flat.point_arrays["uv"])
+
+    def test_ConformalMap(self):
+        tube, path = cylinder(15.0, 80.0), self.folder / "tube.vtp"
+        surfaces.write_surface(tube, path)
+        run_tool("ConformalMap", path, self.folder / "flat.vtp")
+        flat = flattening.conformal_map(tube).flat
+        self.assertSame(surfaces.read_surface(self.folder / "flat.vtp").point_arrays["uv"], flat.point_arrays["uv"])
+
+
+if __name__ == "__main__":
+    unittest.main()
