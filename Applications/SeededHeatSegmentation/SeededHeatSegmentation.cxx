@@ -102,6 +102,7 @@ Segment(CommandLine & commandLine)
   Configure(commandLine, filter);
   commandLine.Watch(filter, "Diffusing heat from the seeds", 0.0, 0.95);
   filter->Update();
+  commandLine.Warn(filter->GetRemarks());
   if (filter->GetChosenP())
   {
     commandLine.AddProvenance("option.p", "automatic");

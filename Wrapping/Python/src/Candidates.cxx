@@ -95,7 +95,7 @@ AddCandidates(py::module_ & module)
 {
   AddCandidate(module);
   module.def("find_candidates",
-             &Search,
+             Reporting(&Search),
              "wall"_a,
              "lumen"_a,
              py::kw_only(),
@@ -106,7 +106,7 @@ AddCandidates(py::module_ & module)
              "catheter"_a = py::none(),
              "preset"_a = WordOf(PolypSearchOptions().preset, presetWords),
              "sensitivity"_a = PolypSearchOptions().sensitivity,
-             "progress"_a = Progress(),
+             "progress"_a = py::none(),
              ReleaseGil(),
              R"(Polyp candidates on the wall of a colon, by falling score. For research use; a candidate is no finding.
 

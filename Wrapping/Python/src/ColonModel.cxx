@@ -160,12 +160,12 @@ AddLumen(py::module_ & module)
                   "float32, 0 to 1, cropped: share of lumen in each voxel; the wall is where it is 0.5.");
 
   module.def("segment_lumen",
-             &Segment,
+             Reporting(&Segment),
              "ct"_a,
              py::kw_only(),
              "patient_position"_a = ColonLumenOptions().patientPosition,
              "seed_points"_a = Places(),
-             "progress"_a = Progress(),
+             "progress"_a = py::none(),
              ReleaseGil(),
              R"(Finds gas and tagged fluid of the colon in a CT colonography, without seeds.
 
@@ -174,13 +174,13 @@ ct: Hounsfield units; any axes, spacing about 0.5 to 3 mm. patient_position: "HF
 seed_points: k x 3, LPS mm; the pieces of gas or fluid that hold them are colon.)");
   module.def(
     "cleanse",
-    [](const CtPointer & ct, const ColonLumen & lumen, const Progress & progress) {
+    Reporting(+[](const CtPointer & ct, const ColonLumen & lumen, const Progress & progress) {
       return CleanseColon(ct, lumen, progress.Part("Cleansing the CT", 0.0, 1.0));
-    },
+    }),
     "ct"_a,
     "lumen"_a,
     py::kw_only(),
-    "progress"_a = Progress(),
+    "progress"_a = py::none(),
     ReleaseGil(),
     "Removes the tagged fluid of a colon from the CT that `lumen` was found in.");
 }
@@ -211,7 +211,7 @@ AddCentreline(py::module_ & module)
     .def_readonly("warnings", &ColonCentreline::warnings, "What is doubtful, a line for each.");
 
   module.def("trace_centreline",
-             &Trace,
+             Reporting(&Trace),
              "lumen"_a,
              py::kw_only(),
              "start"_a = py::none(),
@@ -220,7 +220,7 @@ AddCentreline(py::module_ & module)
              "minimum_volume"_a = ColonCentrelineOptions().minimumVolume,
              "step"_a = ColonCentrelineOptions().step,
              "smoothing"_a = ColonCentrelineOptions().smoothing,
-             "progress"_a = Progress(),
+             "progress"_a = py::none(),
              ReleaseGil(),
              R"(The centreline of the colon from a mask of its lumen (uint8, not 0).
 
@@ -276,28 +276,28 @@ AddWall(py::module_ & module)
 
   const ColonWallOptions defaults;
   module.def("build_wall",
-             &Wall,
+             Reporting(&Wall),
              "occupancy"_a,
              "centreline"_a,
              py::kw_only(),
              "faces"_a = defaults.faces,
              "bridge_radius"_a = defaults.bridgeRadius,
              "keep_pieces"_a = defaults.keepPieces,
-             "progress"_a = Progress(),
+             "progress"_a = py::none(),
              ReleaseGil(),
              R"(The wall as surfaces, from the occupancy that `cleanse` gives.
 
 centreline: as `trace_centreline` gives it. faces: of the simplified wall; 0: a number that suits it.
 bridge_radius: of tubes through gaps, mm. keep_pieces: leaves the pieces of a broken lumen apart.)");
   module.def("build_wall_of_mask",
-             &WallOfMask,
+             Reporting(&WallOfMask),
              "mask"_a,
              "centreline"_a,
              py::kw_only(),
              "faces"_a = defaults.faces,
              "bridge_radius"_a = defaults.bridgeRadius,
              "keep_pieces"_a = defaults.keepPieces,
-             "progress"_a = Progress(),
+             "progress"_a = py::none(),
              ReleaseGil(),
              "The wall from a mask of the lumen (uint8, not 0); parameters as those of `build_wall`.");
 }
@@ -324,7 +324,7 @@ AddModel(py::module_ & module)
 
   const ColonModelOptions defaults;
   module.def("build_colon",
-             &Model,
+             Reporting(&Model),
              "ct"_a,
              py::kw_only(),
              "lumen"_a = py::none(),
@@ -333,7 +333,7 @@ AddModel(py::module_ & module)
              "faces"_a = defaults.faces,
              "keep_pieces"_a = defaults.keepPieces,
              "keep_partial"_a = defaults.keepPartial,
-             "progress"_a = Progress(),
+             "progress"_a = py::none(),
              ReleaseGil(),
              R"(From a CT colonography in HU to lumen, cleansed CT, centreline, valve, distension and wall.
 
@@ -343,14 +343,14 @@ goes on as far as that leads.
 
 A colon that cannot be used is no exception: `failure` tells why.)");
   module.def("build_colon_of_lumen",
-             &ModelOfLumen,
+             Reporting(&ModelOfLumen),
              "lumen"_a,
              py::kw_only(),
              "seed_points"_a = Places(),
              "faces"_a = defaults.faces,
              "keep_pieces"_a = defaults.keepPieces,
              "keep_partial"_a = defaults.keepPartial,
-             "progress"_a = Progress(),
+             "progress"_a = py::none(),
              ReleaseGil(),
              "From a mask of the lumen alone (uint8, not 0); parameters as those of `build_colon`.");
 }

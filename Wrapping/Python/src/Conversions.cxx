@@ -161,39 +161,6 @@ Construct(const char * name, const TGeometry & geometry, const py::object & elem
 }
 
 std::atomic<std::chrono::milliseconds> progressPeriod{ std::chrono::milliseconds(100) };
-
-/** What Progress calls: the user's function ten times a second, and once with 1 at the end. */
-class Watch
-{
-public:
-  explicit Watch(const py::object & function) : m_Function(Share(function)) {}
-
-  void
-  operator()(const std::string & stage, double share)
-  {
-    constexpr double rounding = 1e-9; // of parts of parts, which end at 1
-    const bool       isDone = share > 1.0 - rounding;
-    if (m_IsDone || (!m_Timer.IsOver() && !isDone))
-    {
-      return;
-    }
-    m_IsDone = isDone;
-    const WithGil                 gil;
-    const py::handle              function = m_Function.get();
-    py::detail::make_caster<bool> answer; // also of numpy.bool_, but of nothing else
-    if (answer.load(function(isDone ? 1.0 : share, stage), false) && !static_cast<bool>(answer))
-    {
-      PyErr_SetString(ClassOf("shapeton._shapeton", "Aborted").ptr(), "the progress function has returned False");
-      throw py::error_already_set();
-    }
-  }
-
-private:
-  std::shared_ptr<PyObject> m_Function;
-  Timer                     m_Timer{ progressPeriod.load() };
-  bool                      m_IsDone{ false };
-};
-
 } // namespace
 
 py::object
@@ -315,16 +282,67 @@ SetProgressPeriod(unsigned int milliseconds)
   progressPeriod = std::chrono::milliseconds(milliseconds);
 }
 
-Progress
-ProgressTo(const py::object & function)
+/** \class Watch
+ * \brief What Reports calls: a function of Python, when it is due. */
+class Watch
 {
-  if (function.is_none())
+public:
+  explicit Watch(const py::object & function) : m_Function(Share(function)) {}
+
+  /** Of the library. Only Complete() tells the end, since what reports 1 may have something to do still. */
+  void
+  Report(const std::string & stage, double share)
   {
-    return {};
+    constexpr double rounding = 1e-9; // of parts of parts
+    m_Stage = stage;
+    if (share < 1.0 - rounding && m_Timer.IsOver())
+    {
+      this->Call(share);
+    }
   }
-  return Progress([watch = std::make_shared<Watch>(function)](const std::string & stage, double share) {
-    (*watch)(stage, share);
-  });
+
+  void
+  Complete() const
+  {
+    this->Call(1.0);
+  }
+
+private:
+  void
+  Call(double share) const
+  {
+    const WithGil                 gil;
+    const py::handle              function = m_Function.get();
+    py::detail::make_caster<bool> answer; // also of numpy.bool_, but of nothing else
+    if (answer.load(function(share, m_Stage), false) && !static_cast<bool>(answer))
+    {
+      PyErr_SetString(ClassOf("shapeton._shapeton", "Aborted").ptr(), "the progress function has returned False");
+      throw py::error_already_set();
+    }
+  }
+
+  std::shared_ptr<PyObject> m_Function;
+  std::string               m_Stage{ "done" };
+  Timer                     m_Timer{ progressPeriod.load() };
+};
+
+Reports::Reports(const py::object & function)
+  : Reports(function.is_none() ? nullptr : std::make_shared<Watch>(function))
+{}
+
+Reports::Reports(std::shared_ptr<Watch> watch)
+  : Progress(watch ? Progress([watch](const std::string & stage, double share) { watch->Report(stage, share); })
+                   : Progress())
+  , m_Watch(std::move(watch))
+{}
+
+void
+Reports::Complete() const
+{
+  if (m_Watch)
+  {
+    m_Watch->Complete();
+  }
 }
 
 void

@@ -20,6 +20,8 @@
 #include <memory>
 #include <stdexcept>
 #include <string>
+#include <tuple>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -74,16 +76,48 @@ CurvesOf(const py::handle & curves);
 py::object
 ToPython(const CurveSet & curves, const py::handle & owner);
 
-/** Calls a function of Python, or None, at most ten times a second with the share and the stage, and once with the share
- * 1 when the work is done. Aborts when it
- * returns False (shapeton.Aborted) or throws, and when a signal such as Ctrl-C has come. To be made with the GIL held,
- * called from the thread that made it without. */
-Progress
-ProgressTo(const py::object & function);
+class Watch;
 
-/** How long ProgressTo() waits between two calls; 0: tests see each report. */
+/** \class Reports
+ * \brief Progress that calls a function of Python, or None, with the share and the stage.
+ *
+ * At most ten times a second, and once with the share 1, by Complete(). Aborts when the function returns False
+ * (shapeton.Aborted) or throws, and when a signal such as Ctrl-C has come. To be made with the GIL held, called from the
+ * thread that made it without. */
+class Reports : public Progress
+{
+public:
+  Reports() = default;
+  explicit Reports(const py::object & function);
+
+  /** The work is done. */
+  void
+  Complete() const;
+
+private:
+  explicit Reports(std::shared_ptr<Watch> watch);
+
+  std::shared_ptr<Watch> m_Watch; ///< null for None
+};
+
+/** How long Reports waits between two calls; 0: tests see each report. */
 void
 SetProgressPeriod(unsigned int milliseconds);
+
+template <typename TParameter>
+using InReports = std::conditional_t<std::is_same_v<TParameter, const Progress &>, const Reports &, TParameter>;
+
+/** A function whose last parameter is `const Progress &`, for Python: when it has returned, the share 1 is reported. */
+template <typename TResult, typename... TParameters>
+auto
+Reporting(TResult (*function)(TParameters...))
+{
+  return [function](InReports<TParameters>... parameters) -> TResult {
+    TResult result = function(std::forward<InReports<TParameters>>(parameters)...);
+    std::get<sizeof...(TParameters) - 1>(std::forward_as_tuple(parameters...)).Complete();
+    return result;
+  };
+}
 
 /** Places in space as a parameter: finite numbers. */
 struct Places
@@ -252,9 +286,9 @@ private:
 };
 
 template <>
-struct type_caster<shapeton::Progress>
+struct type_caster<shapeton::python::Reports>
 {
-  PYBIND11_TYPE_CASTER(shapeton::Progress, const_name("Optional[Callable[[float, str], object]]"));
+  PYBIND11_TYPE_CASTER(shapeton::python::Reports, const_name("Optional[Callable[[float, str], object]]"));
 
   bool
   load(handle source, bool)
@@ -263,13 +297,8 @@ struct type_caster<shapeton::Progress>
     {
       return false;
     }
-    value = shapeton::python::ProgressTo(reinterpret_borrow<object>(source));
+    value = shapeton::python::Reports(reinterpret_borrow<object>(source));
     return true;
-  }
-  static handle
-  cast(const shapeton::Progress &, return_value_policy, handle)
-  {
-    return none().release(); // the default of a parameter
   }
 };
 

@@ -215,7 +215,7 @@ AddFolds(py::module_ & module)
 
   const HaustralFoldOptions defaults;
   module.def("find_folds",
-             &FindFolds,
+             Reporting(&FindFolds),
              "flat"_a,
              py::kw_only(),
              "scheme"_a = WordOf(defaults.scheme, schemeWords),
@@ -226,7 +226,7 @@ AddFolds(py::module_ & module)
              "smoothing_time"_a = defaults.smoothingTime,
              "smoothness"_a = defaults.smoothness,
              "taeniae"_a = py::none(),
-             "progress"_a = Progress(),
+             "progress"_a = py::none(),
              ReleaseGil(),
              R"(Haustral folds on the flat wall of a colon.
 

@@ -93,7 +93,7 @@ AddConformalMap(py::module_ & module)
 
   const ConformalMapOptions defaults;
   module.def("conformal_map",
-             &MapOf,
+             Reporting(&MapOf),
              "mesh"_a,
              py::kw_only(),
              "domain"_a = WordOf(defaults.domain, domainWords),
@@ -101,7 +101,7 @@ AddConformalMap(py::module_ & module)
              "inner_boundary"_a = defaults.innerBoundary,
              "corners"_a = std::vector<int>(),
              "edge_lengths"_a = py::none(),
-             "progress"_a = Progress(),
+             "progress"_a = py::none(),
              ReleaseGil(),
              R"(Maps an open surface conformally to the plane.
 
@@ -146,7 +146,7 @@ AddFlattening(py::module_ & module)
 
   const ColonFlatteningOptions defaults;
   module.def("flatten_tube",
-             &Flatten,
+             Reporting(&Flatten),
              "mesh"_a,
              "centreline"_a = py::none(),
              py::kw_only(),
@@ -156,7 +156,7 @@ AddFlattening(py::module_ & module)
              "remove_handles"_a = defaults.removeHandles,
              "method"_a = WordOf(defaults.tube.conjugate, conjugateWords),
              "cut"_a = py::none(),
-             "progress"_a = Progress(),
+             "progress"_a = py::none(),
              ReleaseGil(),
              R"(Maps a tube, such as the wall of a colon, conformally to a rectangle.
 

@@ -255,7 +255,7 @@ AddGraphs(py::module_ & module)
 
   const GraphEmbeddingOptions defaults;
   module.def("embed_graph",
-             &Embed,
+             Reporting(&Embed),
              "graph"_a,
              py::kw_only(),
              "genus"_a = py::none(),
@@ -263,7 +263,7 @@ AddGraphs(py::module_ & module)
              "seed"_a = GenusOptions().seed,
              "augmentation"_a = WordOf(defaults.augmentation, augmentationWords),
              "infinity"_a = WordOf(defaults.infinity, infinityWords),
-             "progress"_a = Progress(),
+             "progress"_a = py::none(),
              ReleaseGil(),
              R"(Embeds a graph without crossings by a circle packing, found by discrete Ricci flow.
 
@@ -279,16 +279,16 @@ progress: called with (share, stage), share from 0 to 1; False, or an exception 
              "Proves from its numbers alone that no two edges of an embedding cross, or tells what fails.");
   module.def(
     "compare_graphs",
-    [](const Graph & a, const Graph & b, std::uint64_t seed, const Progress & progress) {
+    Reporting(+[](const Graph & a, const Graph & b, std::uint64_t seed, const Progress & progress) {
       GenusOptions genus;
       genus.seed = seed;
       return CompareGraphs(a, b, genus, {}, progress);
-    },
+    }),
     "a"_a,
     "b"_a,
     "seed"_a = GenusOptions().seed,
     py::kw_only(),
-    "progress"_a = Progress(),
+    "progress"_a = py::none(),
     ReleaseGil(),
     R"(Decides whether two graphs are isomorphic, embeds both and tells what differs.
 

@@ -258,7 +258,7 @@ AddHeat(py::module_ & module)
   const auto defaults = FilterType::New();
   module.def(
     "diffuse_heat",
-    &Diffuse,
+    Reporting(&Diffuse),
     "image"_a,
     py::kw_only(),
     "p"_a = defaults->GetP(),
@@ -275,7 +275,7 @@ AddHeat(py::module_ & module)
     "snapshot"_a = py::none(),
     "components"_a = false,
     "initial_heat"_a = false,
-    "progress"_a = Progress(),
+    "progress"_a = py::none(),
     ReleaseGil(),
     R"(Cumulative heat diffusion: describes each voxel by the heat it holds after diffusion from all voxels at once.
 

@@ -66,13 +66,13 @@ AddPieces(py::module_ & module)
 
   module.def(
     "split_colon",
-    [](const FoundLandmarks & found, const Progress & progress) {
+    Reporting(+[](const FoundLandmarks & found, const Progress & progress) {
       ColonPieces pieces = SplitColon(found.flat->Surface(), found.landmarks, progress);
       return std::make_pair(std::move(pieces.pieces), std::move(pieces.warnings));
-    },
+    }),
     "landmarks"_a,
     py::kw_only(),
-    "progress"_a = Progress(),
+    "progress"_a = py::none(),
     ReleaseGil(),
     R"(Cuts the wall into its segments and maps each to a rectangle: (list of ColonPiece, warnings).
 
@@ -115,14 +115,14 @@ AddLandmarks(py::module_ & module)
       "A dictionary with the keys of landmarks.json that ColonLandmarks writes.");
 
   module.def("find_landmarks",
-             &Find,
+             Reporting(&Find),
              "flat"_a,
              "centreline"_a,
              py::kw_only(),
              "flexure_rule"_a = WordOf(ColonLandmarkOptions().flexureRule, flexureWords),
              "taenia_rule"_a = WordOf(ColonLandmarkOptions().taeniaRule, taeniaWords),
              "markers"_a = Places(),
-             "progress"_a = Progress(),
+             "progress"_a = py::none(),
              ReleaseGil(),
              R"(Flexures, segments, folds on the surface and taeniae of a flat colon.
 

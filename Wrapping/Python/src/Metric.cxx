@@ -125,14 +125,14 @@ AddSpectrum(py::module_ & module)
 
   module.def(
     "spectrum",
-    [](const SurfaceMesh & mesh, int pairs, const Progress & progress) {
+    Reporting(+[](const SurfaceMesh & mesh, int pairs, const Progress & progress) {
       progress("Preparing", 0.0);
       return Spectrum(Manifold(mesh), pairs, progress);
-    },
+    }),
     "mesh"_a,
     "pairs"_a = 50,
     py::kw_only(),
-    "progress"_a = Progress(),
+    "progress"_a = py::none(),
     ReleaseGil(),
     R"(The `pairs` smallest eigenpairs of the Laplacian of a surface that is one manifold component.
 
@@ -165,12 +165,12 @@ AddMetric(py::module_ & module)
     ReleaseGil(),
     "The straight lengths of the edges in the order of `surface_edges`, e values; mm.");
   module.def("heat_diffusion_metric",
-             &Metric,
+             Reporting(&Metric),
              "mesh"_a,
              "time"_a = py::none(),
              py::kw_only(),
              "pairs"_a = py::none(),
-             "progress"_a = Progress(),
+             "progress"_a = py::none(),
              ReleaseGil(),
              R"(The heat diffusion distances of the ends of all edges, as new lengths of edges.
 
@@ -178,12 +178,12 @@ mesh: one manifold component. time: of diffusion, mm^2; None: 8 times the square
 pairs: takes so many eigenpairs alone, as published; None: all of them, without computing any.
 progress: called with (share, stage), share from 0 to 1; False, or an exception such as that of Ctrl-C, aborts.)");
   module.def("diffuse_over_surface",
-             &DiffuseOver,
+             Reporting(&DiffuseOver),
              "mesh"_a,
              "values"_a,
              "time"_a,
              py::kw_only(),
-             "progress"_a = Progress(),
+             "progress"_a = py::none(),
              R"(Smooths values over a surface by heat flow of `time` mm^2, from 0; a new array of the shape of `values`.
 
 values: n, or n x k in columns. Time goes in two implicit steps: what has the eigenvalue x of the surface is multiplied by

@@ -59,7 +59,7 @@ AddPhantoms(py::module_ & module)
   const auto                   size = source->GetSize();
   const auto                   spacing = source->GetSpacing();
   module.def("colon_phantom",
-             &MakePhantom,
+             Reporting(&MakePhantom),
              py::kw_only(),
              "seed"_a = defaults.seed,
              "position"_a = defaults.position,
@@ -67,7 +67,7 @@ AddPhantoms(py::module_ & module)
              "size"_a = std::vector<itk::SizeValueType>(size.begin(), size.end()),
              "spacing"_a = std::vector<double>(spacing.Begin(), spacing.End()),
              "truth_only"_a = source->GetTruthOnly(),
-             "progress"_a = Progress(),
+             "progress"_a = py::none(),
              ReleaseGil(),
              R"(A synthetic patient for CT colonography.
 

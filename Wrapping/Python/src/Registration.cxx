@@ -184,7 +184,7 @@ Returns (places, k x 3, LPS mm; confidence, k, 0 to 1; excluded, k: nothing is t
 
   const SupineProneOptions defaults;
   module.def("register_positions",
-             &Register,
+             Reporting(&Register),
              "supine"_a,
              "prone"_a,
              py::kw_only(),
@@ -192,7 +192,7 @@ Returns (places, k x 3, LPS mm; confidence, k, 0 to 1; excluded, k: nothing is t
              "matching"_a = WordOf(defaults.matching, matchingWords),
              "refine"_a = defaults.refines,
              "segment_wise"_a = defaults.isSegmentWise,
-             "progress"_a = Progress(),
+             "progress"_a = py::none(),
              ReleaseGil(),
              R"(A one-to-one map between the walls of a colon in two positions.
 

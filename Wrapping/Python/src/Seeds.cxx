@@ -25,6 +25,7 @@ struct SeededLabels
   ImageType::Pointer                           uncertainty;
   std::map<unsigned short, ImageType::Pointer> probabilities; ///< of each label, where they were asked for
   unsigned int                                 iterations;
+  Remarks                                      warnings;
 };
 
 /** A volume whose labels are found from seeds, any number of times. */
@@ -58,7 +59,9 @@ public:
     }
     m_Filter->SetSeeds(seeds);
     UpdateWithProgress(m_Filter.GetPointer(), "Diffusing heat from the seeds", progress);
-    SeededLabels result{ m_Filter->GetOutput(), m_Filter->GetUncertaintyOutput(), {}, m_Filter->GetIterations() };
+    SeededLabels result{
+      m_Filter->GetOutput(), m_Filter->GetUncertaintyOutput(), {}, m_Filter->GetIterations(), m_Filter->GetRemarks()
+    };
     if (wantsProbabilities)
     {
       for (const unsigned short label : m_Filter->GetLabelValues())
@@ -109,7 +112,8 @@ AddSeeds(py::module_ & module)
     .def_readonly("probabilities",
                   &SeededLabels::probabilities,
                   "Label to image, float32 in [0, 1], which sum to 1; empty unless they were asked for.")
-    .def_readonly("iterations", &SeededLabels::iterations, "Of the solver; few after a small change of the seeds.");
+    .def_readonly("iterations", &SeededLabels::iterations, "Of the solver; few after a small change of the seeds.")
+    .def_readonly("warnings", &SeededLabels::warnings, "Labels that hardly leave their seeds, a line for each.");
 
   const auto defaults = SeedFilter::New();
   py::class_<SeededHeat>(module,
@@ -131,11 +135,14 @@ It keeps the last solution, from which the next one starts: 4 bytes for each vox
          "least_weight"_a = defaults->GetLeastWeight(),
          "tolerance"_a = defaults->GetTolerance())
     .def("segment",
-         &SeededHeat::Segment,
+         Reporting(+[](SeededHeat &               heat,
+                       const SeedImage::Pointer & seeds,
+                       bool                       probabilities,
+                       const Progress &           progress) { return heat.Segment(seeds, probabilities, progress); }),
          "seeds"_a,
          py::kw_only(),
          "probabilities"_a = false,
-         "progress"_a = Progress(),
+         "progress"_a = py::none(),
          ReleaseGil(),
          R"(The label of each voxel.
 

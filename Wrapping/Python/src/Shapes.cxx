@@ -61,19 +61,22 @@ AddTables(py::module_ & module)
 {
   module.def(
     "describe_shapes",
-    [](const LabelMap::Pointer & image, const LabelMap::Pointer & labels, bool components, const Progress & progress) {
+    Reporting(+[](const LabelMap::Pointer & image,
+                  const LabelMap::Pointer & labels,
+                  bool                      components,
+                  const Progress &          progress) {
       if (!HaveSameGrid(image, labels))
       {
         throw InputError("the grids of the image and of the labels differ in size or place: give those that belong "
                          "together");
       }
       return DescribeShapes(image, labels, components, progress.Part("Describing shapes", 0.0, 1.0));
-    },
+    }),
     "image"_a,
     "labels"_a,
     py::kw_only(),
     "components"_a = false,
-    "progress"_a = Progress(),
+    "progress"_a = py::none(),
     ReleaseGil(),
     R"(The signature of each label, or of each connected component of each label.
 

@@ -140,7 +140,7 @@ AddShapetons(py::module_ & module)
   AddResult(module);
   const auto defaults = FilterType::New();
   module.def("diffuse_shapetons",
-             &Diffuse,
+             Reporting(&Diffuse),
              "image"_a,
              py::kw_only(),
              "mask"_a = py::none(),
@@ -157,7 +157,7 @@ AddShapetons(py::module_ & module)
              "until_steady"_a = defaults->GetUntilSteady(),
              "epsilon"_a = defaults->GetEpsilon(),
              "histogram_steps"_a = std::vector<std::uint64_t>(),
-             "progress"_a = Progress(),
+             "progress"_a = py::none(),
              ReleaseGil(),
              R"(Shapeton diffusion: counts the visits of particles that move at random through a volume.
 

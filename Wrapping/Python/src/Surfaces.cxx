@@ -128,24 +128,24 @@ vertices, edges, faces, eulerCharacteristic, genus (None: not defined), manifold
 merge_vertices: merges vertices nearer than merge_distance (mm; 0: at one position). orient: turns faces so that
 neighbours agree. split: cuts where the surface is not manifold.)");
   module.def("simplify_surface",
-             &Simplify,
+             Reporting(&Simplify),
              "mesh"_a,
              "faces"_a,
              py::kw_only(),
              "smallest_angle"_a = SurfaceSimplificationOptions().smallestAngle,
              "boundary_weight"_a = SurfaceSimplificationOptions().boundaryWeight,
-             "progress"_a = Progress(),
+             "progress"_a = py::none(),
              ReleaseGil(),
              R"(A surface of at most so many faces with the same topology, by edge collapses. Its arrays are left out.
 
 smallest_angle: degrees, 0 to 30; no collapse makes a smaller one. boundary_weight: of boundary edges against faces.)");
   module.def("remesh_surface",
-             &Remesh,
+             Reporting(&Remesh),
              "mesh"_a,
              "edge_length"_a,
              py::kw_only(),
              "iterations"_a = SurfaceRemeshingOptions().iterations,
-             "progress"_a = Progress(),
+             "progress"_a = py::none(),
              ReleaseGil(),
              "A surface of nearly equilateral triangles with edges of this length (mm). Its arrays are left out.");
   module.def(

@@ -143,12 +143,12 @@ AddVolumes(py::module_ & module)
 
   module.def(
     "list_series",
-    [](const Path & path, const Progress & progress) {
+    Reporting(+[](const Path & path, const Progress & progress) {
       return ScanDicom(path.text, progress.Part("Reading headers", 0.0, 1.0)).series;
-    },
+    }),
     "path"_a,
     py::kw_only(),
-    "progress"_a = Progress(),
+    "progress"_a = py::none(),
     ReleaseGil(),
     R"(The DICOM series in a folder, searched recursively, or in a file. Reads headers.
 
@@ -156,7 +156,7 @@ progress: called with (share, stage), share from 0 to 1; False, or an exception 
 
   const VolumeReadOptions defaults;
   module.def("read_volume",
-             &ReadWithFacts,
+             Reporting(&ReadWithFacts),
              "path"_a,
              py::kw_only(),
              "series_uid"_a = defaults.seriesUID,
@@ -164,7 +164,7 @@ progress: called with (share, stage), share from 0 to 1; False, or an exception 
              "deshear"_a = defaults.deshear,
              "drop_duplicates"_a = defaults.dropDuplicates,
              "allow_single_slice"_a = defaults.allowSingleSlice,
-             "progress"_a = Progress(),
+             "progress"_a = py::none(),
              R"(Reads a folder of DICOM slices, a DICOM file, or a NRRD, NIfTI or MetaImage file.
 
 An irregular series is refused with InputError that names the defect, unless its repair is allowed:

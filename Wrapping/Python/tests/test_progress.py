@@ -78,7 +78,6 @@ class ProgressTest(TestCase):
         labels = image.like((image.array > 250.0).astype(np.uint8))
         for components in (False, True):
             self.check(shapes.describe_shapes, labels, labels, components=components)
-        self.check(shapes.describe_shapes, labels, image.like(np.zeros_like(labels.array)))
 
     def test_graphs(self):
         grid, rotation = graphs.torus_grid(6, 5)

@@ -39,6 +39,14 @@ class SeedsTest(TestCase):
         np.testing.assert_array_equal(one > other, expected == 4)
         self.assertLess(np.abs(found.uncertainty.array - (1.0 - np.abs(one - other))).max(), 2e-5)
 
+    def test_a_label_that_hardly_leaves_its_seeds_is_warned_of(self):
+        image, seeds = two_halves()
+        self.assertEqual(shapes.SeededHeat(image).segment(seeds).warnings, [])
+        voxels = np.zeros(seeds.array.shape, np.uint16)
+        voxels[:, :, -1], voxels[10, 12, 3] = 9, 4  # a plane against a point
+        (warning,) = shapes.SeededHeat(image, p=0.0).segment(image.like(voxels)).warnings  # no edges
+        self.assertRegex(warning, "^label 4 has 1 seed and gets only [0-9] voxels more; ")
+
     def test_a_changed_seed_starts_from_the_last_solution(self):
         image, seeds = two_halves()
         heat = shapes.SeededHeat(image, p=15.0)

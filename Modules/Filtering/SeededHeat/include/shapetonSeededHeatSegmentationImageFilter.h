@@ -89,6 +89,13 @@ public:
   /** Iterations of the last solution. */
   itkGetConstMacro(Iterations, unsigned int);
 
+  /** SeededHeatResult::remarks; after Update(). */
+  const Remarks &
+  GetRemarks() const
+  {
+    return m_Remarks;
+  }
+
 protected:
   SeededHeatSegmentationImageFilter();
   ~SeededHeatSegmentationImageFilter() override = default;
@@ -123,6 +130,7 @@ private:
   bool                                          m_KeepProbabilities{ true };
   unsigned int                                  m_Iterations{ 0 };
   std::vector<unsigned short>                   m_LabelValues;
+  Remarks                                       m_Remarks;
   std::optional<AutomaticP>                     m_ChosenP;
   std::optional<Origin>                         m_Origin;
   std::unique_ptr<const VolumeGradientOperator> m_Operator;

@@ -103,6 +103,7 @@ SeededHeatSegmentationImageFilter<TInputImage>::GenerateData()
   m_Grid->SetRegions(this->GetOutput()->GetBufferedRegion());
   m_LabelValues = result.labelValues;
   m_Iterations = result.iterations;
+  m_Remarks = result.remarks;
   if (!m_KeepProbabilities)
   {
     m_Solver.reset();

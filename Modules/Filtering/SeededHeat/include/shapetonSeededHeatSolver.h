@@ -3,6 +3,7 @@
 
 #include "SeededHeatExport.h"
 #include "shapetonProgress.h"
+#include "shapetonRemarks.h"
 #include "shapetonVolumeGradientOperator.h"
 
 #include <memory>
@@ -35,6 +36,12 @@ struct SeededHeatResult
   std::vector<unsigned short> labelValues;
   /** Of the conjugate gradients, at most. */
   unsigned int iterations{ 0 };
+  /** Labels that hardly leave their seeds: where half of the voxels or more have no seed, those that get fewer than
+   * FewestVoxels of them. A point alone is such a seed where nothing holds its heat back. */
+  Remarks remarks;
+
+  /** 5^3: a part of this size takes fewer strokes to paint than to seed. */
+  static constexpr std::size_t FewestVoxels = 125;
 };
 
 /** \class SeededHeatSolver
@@ -93,6 +100,8 @@ private:
   Compare(const Batch & batch);
   void
   Finish();
+  void
+  RemarkOnFewVoxels(const unsigned short * seeds);
 
   const VolumeGradientOperator & m_VolumeGradient;
   SeededHeatSettings             m_Settings;

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <bitset>
+#include <numeric>
 
 namespace shapeton
 {
@@ -150,6 +151,33 @@ SeededHeatSolver::Finish()
   });
 }
 
+void
+SeededHeatSolver::RemarkOnFewVoxels(const unsigned short * seeds)
+{
+  constexpr std::size_t    numberOfLabels = 65536;
+  std::vector<std::size_t> own(numberOfLabels, 0);
+  std::vector<std::size_t> gained(numberOfLabels, 0);
+  for (std::size_t i = 0; i < m_Result.labels.size(); ++i)
+  {
+    ++(seeds[i] != 0 ? own[seeds[i]] : gained[m_Result.labels[i]]);
+  }
+  const std::size_t withoutSeed = std::accumulate(gained.begin(), gained.end(), std::size_t{ 0 });
+  if (2 * withoutSeed < m_Result.labels.size())
+  {
+    return;
+  }
+  for (const unsigned short label : m_Result.labelValues)
+  {
+    if (gained[label] < SeededHeatResult::FewestVoxels)
+    {
+      m_Result.remarks.push_back("label " + std::to_string(label) + " has " + std::to_string(own[label]) +
+                                 (own[label] == 1 ? " seed" : " seeds") + " and gets only " +
+                                 std::to_string(gained[label]) +
+                                 " voxels more; where its part is larger, draw strokes as long as the part");
+    }
+  }
+}
+
 const SeededHeatResult &
 SeededHeatSolver::Solve(const unsigned short * seeds, const Progress & progress)
 {
@@ -206,6 +234,7 @@ SeededHeatSolver::Solve(const unsigned short * seeds, const Progress & progress)
     first = end;
   }
   this->Finish();
+  this->RemarkOnFewVoxels(seeds);
   if (m_Settings.keepProbabilities)
   {
     m_Batches = std::move(batches);

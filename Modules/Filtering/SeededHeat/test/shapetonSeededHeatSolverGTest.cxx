@@ -9,6 +9,7 @@
 
 #include <Eigen/SparseCholesky>
 
+#include <algorithm>
 #include <cmath>
 #include <numeric>
 #include <random>
@@ -314,6 +315,49 @@ TEST(SeededHeatSolver, LabelsStopAtAnEdgeThatInsulates)
   {
     ASSERT_EQ(result.labels[i], i % size[0] < 12 ? 1 : 2);
   }
+}
+
+// A walker in an even volume who starts beside a point meets it with the probability 0.3405 (Polya), so that a point against
+// seeds all around gets no voxel; a ball of seeds gets those up to about twice its radius.
+TEST(SeededHeatSolver, APointInAnEvenVolumeGetsNoVoxelAndIsRemarkedOn)
+{
+  const std::size_t        side = 41;
+  const Size               size{ { side, side, side } };
+  const std::vector<float> volume(NumberOf(size), 0.5F);
+  const auto               volumeGradient = MakeOperator(volume, size, 7.0, { { 1.0, 1.0, 1.0 } });
+  SeededHeatSolver         solver(volumeGradient);
+  const auto               solve = [&](double radius) {
+    Seeds seeds(NumberOf(size), 0);
+    for (std::size_t i = 0; i < seeds.size(); ++i)
+    {
+      double square = 0.0;
+      for (const std::size_t x : { i % side, i / side % side, i / side / side })
+      {
+        seeds[i] = x == 0 || x == side - 1 ? 1 : seeds[i];
+        square += (static_cast<double>(x) - 20.0) * (static_cast<double>(x) - 20.0);
+      }
+      seeds[i] = square <= radius * radius ? 2 : seeds[i];
+    }
+    const auto & result = solver.Solve(seeds.data());
+    return std::count(result.labels.begin(), result.labels.end(), 2) - std::count(seeds.begin(), seeds.end(), 2);
+  };
+  EXPECT_EQ(solve(0.0), 0);
+  EXPECT_NEAR(ProbabilitiesOf(solver, 2)[(20 * side + 20) * side + 21], 0.3405, 0.02) << "the faces are 20 voxels away";
+  ASSERT_EQ(solver.GetResult().remarks.size(), 1u);
+  EXPECT_EQ(solver.GetResult().remarks.front().find("label 2 has 1 seed and gets only 0 voxels more; "), 0u);
+  EXPECT_GT(solve(4.0), 1000);
+  EXPECT_TRUE(solver.GetResult().remarks.empty());
+}
+
+TEST(SeededHeatSolver, WhereNearlyAllVoxelsHaveSeedsThereIsNothingToRemarkOn)
+{
+  const Size size{ { 13, 11, 9 } };
+  const auto volume = MakeNoisyHalves(size);
+  const auto volumeGradient = MakeOperator(volume, size, 7.0, { { 1.0, 1.0, 1.0 } });
+  Seeds      seeds(NumberOf(size), 1);
+  seeds[0] = 2;
+  std::fill(seeds.begin() + 100, seeds.begin() + 200, 0);
+  EXPECT_TRUE(SeededHeatSolver(volumeGradient).Solve(seeds.data()).remarks.empty());
 }
 
 TEST(SeededHeatSolver, SameBytesForAnyNumberOfThreads)
