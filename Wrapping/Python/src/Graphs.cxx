@@ -218,13 +218,19 @@ Places are unit vectors on the sphere (radius: the angle of a cap), else (x, y) 
              std::to_string(c.genus) + ", " + NameOf(c.geometry) + ">";
     });
 
-  module.def("read_certificate", &ReadEmbeddingCertificate, "path"_a, ReleaseGil(), "Reads a certificate (JSON).");
-  module.def("write_certificate",
-             &WriteEmbeddingCertificate,
-             "certificate"_a,
-             "path"_a,
-             ReleaseGil(),
-             "Writes a certificate as JSON; numbers read back as they were.");
+  module.def(
+    "read_certificate",
+    [](const Path & path) { return ReadEmbeddingCertificate(path.text); },
+    "path"_a,
+    ReleaseGil(),
+    "Reads a certificate (JSON).");
+  module.def(
+    "write_certificate",
+    [](const Certificate & certificate, const Path & path) { WriteEmbeddingCertificate(certificate, path.text); },
+    "certificate"_a,
+    "path"_a,
+    ReleaseGil(),
+    "Writes a certificate as JSON; numbers read back as they were.");
 }
 } // namespace
 

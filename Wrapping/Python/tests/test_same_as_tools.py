@@ -140,7 +140,7 @@ class SameAsToolsTest(TestCase):
 
     def test_SurfaceInspector(self):
         run_tool("SurfaceInspector", TORUS, "--json", self.folder / "torus.json")
-        written = json.loads((self.folder / "torus.json").read_text())
+        written = json.loads((self.folder / "torus.json").read_text())["surface"]
         found = surfaces.inspect_surface(surfaces.read_surface(TORUS))
         self.assertEqual({name: written[name] for name in found}, found)
 

@@ -162,7 +162,8 @@ void
 ProgressDisplay::Update(const std::string & stage, double stageFraction, double fraction)
 {
   const std::lock_guard<std::mutex> lock(m_Mutex);
-  if (stage != m_Stage)
+  m_HasReports = true;
+  if (!stage.empty() && stage != m_Stage)
   {
     this->EndStage();
     this->StartStage(stage);
@@ -198,7 +199,7 @@ void
 ProgressDisplay::Complete()
 {
   const std::lock_guard<std::mutex> lock(m_Mutex);
-  if (m_Mode != Mode::Off && !m_Stage.empty())
+  if (m_Mode != Mode::Off && m_HasReports)
   {
     m_Fraction = m_StageFraction = 1.0;
     this->Show();

@@ -31,8 +31,8 @@ public:
     m_Mode = mode;
   }
 
-  /** Fractions are forced into [0, 1] and never go back; a new stage name ends the previous stage. Complete() alone shows
-   * the end of the run. */
+  /** Fractions are forced into [0, 1] and never go back; a new stage name ends the previous stage, an empty
+   * one continues it. Complete() alone shows the end of the run. */
   void
   Update(const std::string & stage, double stageFraction, double fraction);
   /** The run has succeeded: shows the fraction 1, once, unless nothing was reported. */
@@ -75,6 +75,7 @@ private:
   double                                      m_StageFraction{ 0.0 };
   double                                      m_ShownFraction{ -1.0 }; // negative: nothing of this stage yet
   double                                      m_ShownStageFraction{ -1.0 };
+  bool                                        m_HasReports{ false };
   std::size_t                                 m_BarWidth{ 0 }; // of what stands on the terminal
   std::vector<std::pair<std::string, double>> m_StageSeconds;
   Clock::time_point                           m_Start{ Clock::now() };

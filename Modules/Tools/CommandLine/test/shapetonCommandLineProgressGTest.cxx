@@ -165,6 +165,17 @@ TEST(CommandLineProgress, ReachesOneOnceAndWhenTheBodyHasReturned)
   EXPECT_EQ(reported({ 0.25, 1.0 }, true), std::vector<double>({ 0.25 }));
 }
 
+TEST(CommandLineProgress, WithoutAStageContinuesTheLastOne)
+{
+  const auto outcome = RunWithOptions({}, [](shapeton::CommandLine & commandLine) {
+    commandLine.Progress("Work", 0.25);
+    commandLine.Progress("", 0.5);
+  });
+  const auto elements = ReadXml(outcome.out);
+  EXPECT_EQ(NumbersOf(elements, "filter-progress"), std::vector<double>({ 0.25, 0.5, 1.0 }));
+  EXPECT_EQ(TextsOf(elements, "filter-name"), Words({ "Work", "Work" }));
+}
+
 TEST(CommandLineProgress, IsSilentWithQuietOrWithoutReports)
 {
   const Body talkative = [](shapeton::CommandLine & commandLine) {
