@@ -29,8 +29,10 @@ Describe(CommandLine & commandLine, const shapeton::Volume & volume, const shape
 {
   try
   {
-    return shapeton::DescribeShapes(
-      volume.image, labels, commandLine.GetFlag("components"), commandLine.PartOfProgress(0.1, 0.95).Part("Describing shapes", 0.0, 1.0));
+    return shapeton::DescribeShapes(volume.image,
+                                    labels,
+                                    commandLine.GetFlag("components"),
+                                    commandLine.PartOfProgress(0.1, 0.95).Part("Describing shapes", 0.0, 1.0));
   }
   catch (const shapeton::InputError & error)
   {

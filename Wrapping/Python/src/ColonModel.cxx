@@ -172,17 +172,16 @@ AddLumen(py::module_ & module)
 ct: Hounsfield units; any axes, spacing about 0.5 to 3 mm. patient_position: "HFS", "HFP", ..., "supine", "prone",
 "leftDecubitus", "rightDecubitus"; "": gravity is inferred from fluid levels.
 seed_points: k x 3, LPS mm; the pieces of gas or fluid that hold them are colon.)");
-  module.def(
-    "cleanse",
-    Reporting(+[](const CtPointer & ct, const ColonLumen & lumen, const Progress & progress) {
-      return CleanseColon(ct, lumen, progress.Part("Cleansing the CT", 0.0, 1.0));
-    }),
-    "ct"_a,
-    "lumen"_a,
-    py::kw_only(),
-    "progress"_a = py::none(),
-    ReleaseGil(),
-    "Removes the tagged fluid of a colon from the CT that `lumen` was found in.");
+  module.def("cleanse",
+             Reporting(+[](const CtPointer & ct, const ColonLumen & lumen, const Progress & progress) {
+               return CleanseColon(ct, lumen, progress.Part("Cleansing the CT", 0.0, 1.0));
+             }),
+             "ct"_a,
+             "lumen"_a,
+             py::kw_only(),
+             "progress"_a = py::none(),
+             ReleaseGil(),
+             "Removes the tagged fluid of a colon from the CT that `lumen` was found in.");
 }
 
 void

@@ -82,8 +82,8 @@ class Watch;
  * \brief Progress that calls a function of Python, or None, with the share and the stage.
  *
  * At most ten times a second, and once with the share 1, by Complete(). Aborts when the function returns False
- * (shapeton.Aborted) or throws, and when a signal such as Ctrl-C has come. To be made with the GIL held, called from the
- * thread that made it without. */
+ * (shapeton.Aborted) or throws, and when a signal such as Ctrl-C has come. To be made with the GIL held, called from
+ * the thread that made it without. */
 class Reports : public Progress
 {
 public:

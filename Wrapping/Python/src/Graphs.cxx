@@ -283,20 +283,19 @@ progress: called with (share, stage), share from 0 to 1; False, or an exception 
              "certificate"_a,
              ReleaseGil(),
              "Proves from its numbers alone that no two edges of an embedding cross, or tells what fails.");
-  module.def(
-    "compare_graphs",
-    Reporting(+[](const Graph & a, const Graph & b, std::uint64_t seed, const Progress & progress) {
-      GenusOptions genus;
-      genus.seed = seed;
-      return CompareGraphs(a, b, genus, {}, progress);
-    }),
-    "a"_a,
-    "b"_a,
-    "seed"_a = GenusOptions().seed,
-    py::kw_only(),
-    "progress"_a = py::none(),
-    ReleaseGil(),
-    R"(Decides whether two graphs are isomorphic, embeds both and tells what differs.
+  module.def("compare_graphs",
+             Reporting(+[](const Graph & a, const Graph & b, std::uint64_t seed, const Progress & progress) {
+               GenusOptions genus;
+               genus.seed = seed;
+               return CompareGraphs(a, b, genus, {}, progress);
+             }),
+             "a"_a,
+             "b"_a,
+             "seed"_a = GenusOptions().seed,
+             py::kw_only(),
+             "progress"_a = py::none(),
+             ReleaseGil(),
+             R"(Decides whether two graphs are isomorphic, embeds both and tells what differs.
 
 progress: called with (share, stage), share from 0 to 1; False, or an exception such as that of Ctrl-C, aborts.)");
 }

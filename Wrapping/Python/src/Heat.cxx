@@ -16,7 +16,7 @@ using ImageType = itk::Image<float, 3>;
 using FilterType = CumulativeHeatDiffusionImageFilter<ImageType>;
 
 const Words<FilterType::Method>      methodWords{ { "chebyshev", FilterType::Method::Chebyshev },
-                                                  { "explicit", FilterType::Method::Explicit } };
+                                             { "explicit", FilterType::Method::Explicit } };
 const Words<FilterType::Conductance> conductanceWords{ { "physical", FilterType::Conductance::Physical },
                                                        { "published", FilterType::Conductance::Published } };
 const Words<SnapshotSpacing>         spacingWords{ { "linear", SnapshotSpacing::Linear },

@@ -64,17 +64,16 @@ AddPieces(py::module_ & module)
     .def_readonly("modulus_v", &ColonPiece::modulusV, "The same: not greater.")
     .def_readonly("area", &ColonPiece::area, "mm^2.");
 
-  module.def(
-    "split_colon",
-    Reporting(+[](const FoundLandmarks & found, const Progress & progress) {
-      ColonPieces pieces = SplitColon(found.flat->Surface(), found.landmarks, progress);
-      return std::make_pair(std::move(pieces.pieces), std::move(pieces.warnings));
-    }),
-    "landmarks"_a,
-    py::kw_only(),
-    "progress"_a = py::none(),
-    ReleaseGil(),
-    R"(Cuts the wall into its segments and maps each to a rectangle: (list of ColonPiece, warnings).
+  module.def("split_colon",
+             Reporting(+[](const FoundLandmarks & found, const Progress & progress) {
+               ColonPieces pieces = SplitColon(found.flat->Surface(), found.landmarks, progress);
+               return std::make_pair(std::move(pieces.pieces), std::move(pieces.warnings));
+             }),
+             "landmarks"_a,
+             py::kw_only(),
+             "progress"_a = py::none(),
+             ReleaseGil(),
+             R"(Cuts the wall into its segments and maps each to a rectangle: (list of ColonPiece, warnings).
 
 progress: called with (share, stage), share from 0 to 1; False, or an exception such as that of Ctrl-C, aborts.)");
 }

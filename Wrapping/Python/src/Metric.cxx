@@ -123,18 +123,17 @@ AddSpectrum(py::module_ & module)
       return "<shapeton.SurfaceSpectrum of " + std::to_string(spectrum.NumberOfPairs()) + " eigenpairs>";
     });
 
-  module.def(
-    "spectrum",
-    Reporting(+[](const SurfaceMesh & mesh, int pairs, const Progress & progress) {
-      progress("Preparing", 0.0);
-      return Spectrum(Manifold(mesh), pairs, progress);
-    }),
-    "mesh"_a,
-    "pairs"_a = 50,
-    py::kw_only(),
-    "progress"_a = py::none(),
-    ReleaseGil(),
-    R"(The `pairs` smallest eigenpairs of the Laplacian of a surface that is one manifold component.
+  module.def("spectrum",
+             Reporting(+[](const SurfaceMesh & mesh, int pairs, const Progress & progress) {
+               progress("Preparing", 0.0);
+               return Spectrum(Manifold(mesh), pairs, progress);
+             }),
+             "mesh"_a,
+             "pairs"_a = 50,
+             py::kw_only(),
+             "progress"_a = py::none(),
+             ReleaseGil(),
+             R"(The `pairs` smallest eigenpairs of the Laplacian of a surface that is one manifold component.
 
 progress: called with (share, stage), share from 0 to 1; False, or an exception such as that of Ctrl-C, aborts.)");
 }

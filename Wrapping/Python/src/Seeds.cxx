@@ -136,10 +136,10 @@ It keeps the last solution, from which the next one starts: 4 bytes for each vox
          "least_weight"_a = defaults->GetLeastWeight(),
          "tolerance"_a = defaults->GetTolerance())
     .def("segment",
-         Reporting(+[](SeededHeat &               heat,
-                       const SeedImage::Pointer & seeds,
-                       bool                       probabilities,
-                       const Progress &           progress) { return heat.Segment(seeds, probabilities, progress); }),
+         Reporting(
+           +[](SeededHeat & heat, const SeedImage::Pointer & seeds, bool probabilities, const Progress & progress) {
+             return heat.Segment(seeds, probabilities, progress);
+           }),
          "seeds"_a,
          py::kw_only(),
          "probabilities"_a = false,

@@ -59,26 +59,26 @@ AddSignature(py::module_ & module)
 void
 AddTables(py::module_ & module)
 {
-  module.def(
-    "describe_shapes",
-    Reporting(+[](const LabelMap::Pointer & image,
-                  const LabelMap::Pointer & labels,
-                  bool                      components,
-                  const Progress &          progress) {
-      if (!HaveSameGrid(image, labels))
-      {
-        throw InputError("the grids of the image and of the labels differ in size or place: give those that belong "
-                         "together");
-      }
-      return DescribeShapes(image, labels, components, progress.Part("Describing shapes", 0.0, 1.0));
-    }),
-    "image"_a,
-    "labels"_a,
-    py::kw_only(),
-    "components"_a = false,
-    "progress"_a = py::none(),
-    ReleaseGil(),
-    R"(The signature of each label, or of each connected component of each label.
+  module.def("describe_shapes",
+             Reporting(+[](const LabelMap::Pointer & image,
+                           const LabelMap::Pointer & labels,
+                           bool                      components,
+                           const Progress &          progress) {
+               if (!HaveSameGrid(image, labels))
+               {
+                 throw InputError(
+                   "the grids of the image and of the labels differ in size or place: give those that belong "
+                   "together");
+               }
+               return DescribeShapes(image, labels, components, progress.Part("Describing shapes", 0.0, 1.0));
+             }),
+             "image"_a,
+             "labels"_a,
+             py::kw_only(),
+             "components"_a = false,
+             "progress"_a = py::none(),
+             ReleaseGil(),
+             R"(The signature of each label, or of each connected component of each label.
 
 image: intensities, for mean_intensity alone. labels: whole numbers from 0 (background) to 65535, on the same grid.
 progress: called with (share, stage), share from 0 to 1; False, or an exception such as that of Ctrl-C, aborts.

@@ -14,10 +14,10 @@ using ImageType = itk::Image<float, 3>;
 using FilterType = ShapetonDiffusionImageFilter<ImageType>;
 using Visits = FilterType::VisitsImageType;
 
-const Words<DirectionSampling>  samplingWords{ { "solidAngle", DirectionSampling::SolidAngle },
+const Words<DirectionSampling> samplingWords{ { "solidAngle", DirectionSampling::SolidAngle },
                                               { "sectorArea", DirectionSampling::SectorArea },
                                               { "uniform", DirectionSampling::Uniform } };
-const Words<PathRule>           pathWords{ { "endpoint", PathRule::Endpoint }, { "traversal", PathRule::Traversal } };
+const Words<PathRule>          pathWords{ { "endpoint", PathRule::Endpoint }, { "traversal", PathRule::Traversal } };
 const Words<ShapetonPlacement> placementWords{ { "uniform", ShapetonPlacement::Uniform },
                                                { "initialHeat", ShapetonPlacement::InitialHeat } };
 

@@ -60,9 +60,10 @@ RequireSinglePrecision(const py::array & array)
 {
   const py::array_t<double, py::array::c_style | py::array::forcecast> voxels(array);
   const auto isRounded = [](double value) { return std::isfinite(value) && static_cast<float>(value) != value; };
-  RequireParameter(std::none_of(voxels.data(), voxels.data() + voxels.size(), isRounded),
-                   "the parameter \"image\" holds float64, which is written as float32, and some voxels would be rounded; "
-                   "round them first: image.like(image.array.astype(\"float32\"))");
+  RequireParameter(
+    std::none_of(voxels.data(), voxels.data() + voxels.size(), isRounded),
+    "the parameter \"image\" holds float64, which is written as float32, and some voxels would be rounded; "
+    "round them first: image.like(image.array.astype(\"float32\"))");
 }
 
 void
@@ -141,16 +142,15 @@ AddVolumes(py::module_ & module)
       return "<shapeton.DicomSeries " + s.modality + " \"" + s.description + "\", " + s.GetSelector() + ">";
     });
 
-  module.def(
-    "list_series",
-    Reporting(+[](const Path & path, const Progress & progress) {
-      return ScanDicom(path.text, progress.Part("Reading headers", 0.0, 1.0)).series;
-    }),
-    "path"_a,
-    py::kw_only(),
-    "progress"_a = py::none(),
-    ReleaseGil(),
-    R"(The DICOM series in a folder, searched recursively, or in a file. Reads headers.
+  module.def("list_series",
+             Reporting(+[](const Path & path, const Progress & progress) {
+               return ScanDicom(path.text, progress.Part("Reading headers", 0.0, 1.0)).series;
+             }),
+             "path"_a,
+             py::kw_only(),
+             "progress"_a = py::none(),
+             ReleaseGil(),
+             R"(The DICOM series in a folder, searched recursively, or in a file. Reads headers.
 
 progress: called with (share, stage), share from 0 to 1; False, or an exception such as that of Ctrl-C, aborts.)");
 

@@ -317,8 +317,8 @@ TEST(SeededHeatSolver, LabelsStopAtAnEdgeThatInsulates)
   }
 }
 
-// A walker in an even volume who starts beside a point meets it with the probability 0.3405 (Polya), so that a point against
-// seeds all around gets no voxel; a ball of seeds gets those up to about twice its radius.
+// A walker in an even volume who starts beside a point meets it with the probability 0.3405 (Polya), so that a point
+// against seeds all around gets no voxel; a ball of seeds gets those up to about twice its radius.
 TEST(SeededHeatSolver, APointInAnEvenVolumeGetsNoVoxelAndIsRemarkedOn)
 {
   const std::size_t        side = 41;

@@ -230,15 +230,15 @@ protected:
 
 TEST(CommandLineProgress, OfAFilterIsItsShareOfTheRun)
 {
-  const auto outcome = RunWithOptions({}, [](shapeton::CommandLine & commandLine) {
+  const auto   outcome = RunWithOptions({}, [](shapeton::CommandLine & commandLine) {
     auto source = SlowSource::New();
     commandLine.Watch(source, "Diffusing", 0.2, 0.4);
     source->Update();
     commandLine.Progress("Writing", 0.8);
   });
-  const auto elements = ReadXml(outcome.out);
-  const auto progress = NumbersOf(elements, "filter-progress");
-  const auto ofStage = NumbersOf(elements, "filter-stage-progress");
+  const auto   elements = ReadXml(outcome.out);
+  const auto   progress = NumbersOf(elements, "filter-progress");
+  const auto   ofStage = NumbersOf(elements, "filter-stage-progress");
   const double expected[] = { 0.2, 0.3, 0.4, 0.6, 0.8, 1.0 };
   const double expectedOfStage[] = { 0.0, 0.25, 0.5, 1.0 };
   ASSERT_EQ(progress.size(), 6u) << outcome.out;
