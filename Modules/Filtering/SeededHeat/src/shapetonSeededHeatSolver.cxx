@@ -173,7 +173,7 @@ SeededHeatSolver::RemarkOnFewVoxels(const unsigned short * seeds)
       m_Result.remarks.push_back("label " + std::to_string(label) + " has " + std::to_string(own[label]) +
                                  (own[label] == 1 ? " seed" : " seeds") + " and gets only " +
                                  std::to_string(gained[label]) +
-                                 " voxels more; where its part is larger, draw strokes as long as the part");
+                                 " voxels more; where its part is larger, draw strokes through all of it");
     }
   }
 }
