@@ -25,7 +25,7 @@ class BuildByCMake(build_ext):
             work, minutes = "the module against the installed libraries", "2"
         else:
             options += ["-S", SOURCE, "-DSHAPETON_PYTHON_ONLY=ON"]
-            work, minutes = "the libraries and the module", "8"
+            work, minutes = "the libraries and the module", "10"
         print(f"Building {work} with {jobs} processes; two take about {minutes} minutes", flush=True)
         subprocess.run(["cmake", "-B", build, *options], check=True)
         subprocess.run(["cmake", "--build", build, "--parallel", jobs, "--target", "_shapeton"], check=True)
