@@ -1309,6 +1309,7 @@ class SeededHeat:
     least_weight: positive; what an edge that insulates still lets through.
     tolerance: greatest error of a probability, 1e-6 to 0.1.
 
+    Draw strokes as long as the parts, for the background, too: a point is too little (`SeededLabels.warnings`).
     It keeps the last solution, from which the next one starts: 4 bytes for each voxel and label.
     """
     def __init__(self, image: Image, *, p: Optional[float]=..., window: Optional[Tuple[float, float]]=..., least_weight: float=..., tolerance: float=...) -> None: ...
@@ -1343,6 +1344,11 @@ class SeededLabels:
     @property
     def uncertainty(self) -> Image:
         """float32: 1 minus the difference of the two greatest probabilities; 0 where one label is sure."""
+        ...
+
+    @property
+    def warnings(self) -> List[str]:
+        """Labels that hardly leave their seeds, a line for each."""
         ...
 
 
@@ -1937,7 +1943,7 @@ def measure_distension(centreline: Union[Curves, NDArray[Any]]) -> List[SegmentD
     """How far each segment is distended, by customary shares of the length."""
     ...
 
-def read_certificate(path: str) -> EmbeddingCertificate:
+def read_certificate(path: Union[str, os.PathLike[str]]) -> EmbeddingCertificate:
     """Reads a certificate (JSON)."""
     ...
 
@@ -1990,7 +1996,7 @@ def read_volume(path: Union[str, os.PathLike[str]], *, series_uid: str=..., resa
     ...
 
 def recorded_steps(last: int, number: int, spacing: str=...) -> List[int]:
-    """At most `number` distinct time steps from 0 to `last`, for histogram_steps; spacing: "logarithmic" or "linear"."""
+    """At most `number` distinct time steps from 0 to `last`, for histogram_steps; spacing: "linear", as the tool records them, or "logarithmic"."""
     ...
 
 def register_positions(supine: ColonPosition, prone: ColonPosition, *, map: str=..., matching: str=..., refine: bool=..., segment_wise: bool=..., progress: Optional[Callable[[float, str], object]]=...) -> Registration:
@@ -2093,7 +2099,7 @@ def visit_density(visits: Image) -> Image:
     """Visits over the greatest number of visits: float32 in [0, 1]."""
     ...
 
-def write_certificate(certificate: EmbeddingCertificate, path: str) -> None:
+def write_certificate(certificate: EmbeddingCertificate, path: Union[str, os.PathLike[str]]) -> None:
     """Writes a certificate as JSON; numbers read back as they were."""
     ...
 
@@ -2116,7 +2122,8 @@ def write_surface(mesh: Mesh, path: Union[str, os.PathLike[str]]) -> None:
 def write_volume(image: Image, path: Union[str, os.PathLike[str]], metadata: Sequence[Tuple[str, str]]=...) -> None:
     """Writes NRRD (.nrrd), NIfTI (.nii, .nii.gz) or MetaImage (.mha), as the tools do.
 
-    float32, int16, uint8, uint16 and uint32 are written as they are, float64 as float32, bool as uint8; ParameterError for
-    other types. metadata: pairs of texts for the header of NRRD and MetaImage.
+    float32, int16, uint8, uint16 and uint32 are written as they are, bool as uint8, float64 as float32 where that rounds no
+    voxel; ParameterError otherwise and for other types, so that a file always holds the values of the image. metadata: pairs
+    of texts for the header of NRRD and MetaImage.
     """
     ...
