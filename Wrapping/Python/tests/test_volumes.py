@@ -1,35 +1,12 @@
-import gzip
-import re
 import unittest
-import zlib
 
 import numpy as np
 
 import shapeton
 
-from support import DATA, TestCase, balls, error_of_tool, needs_tools
+from support import DATA, TestCase, balls, error_of_tool, needs_tools, stored
 
 SERIES = DATA / "PhantomSeries"
-
-#: What NRRD and MetaImage call the types of voxels.
-TYPES = {"float": "<f4", "short": "<i2", "unsigned char": "u1", "unsigned short": "<u2", "unsigned int": "<u4",
-         "MET_FLOAT": "<f4", "MET_SHORT": "<i2", "MET_UCHAR": "u1", "MET_USHORT": "<u2", "MET_UINT": "<u4"}
-
-
-def stored(path, shape):
-    """The voxels of a file in the type that it holds, without the package."""
-    if ".nii" in path.suffixes:
-        import nibabel
-
-        return np.asarray(nibabel.load(path).dataobj).T
-    end = b"ElementDataFile = LOCAL\n" if path.suffix == ".mha" else b"\n\n"
-    header, _, voxels = path.read_bytes().partition(end)
-    fields = dict(re.split(r"\s*[:=]+\s*", line, maxsplit=1) for line in header.decode().splitlines() if re.search("[:=]", line))
-    if fields.get("encoding") == "gzip":
-        voxels = gzip.decompress(voxels)
-    elif fields.get("CompressedData") == "True":
-        voxels = zlib.decompress(voxels)
-    return np.frombuffer(voxels, TYPES[fields.get("type") or fields["ElementType"]]).reshape(shape)
 
 
 class FilesTest(TestCase):
