@@ -32,7 +32,7 @@ MakeSource(shapeton::CommandLine & commandLine)
   source->SetSize(grid.size);
   source->SetSpacing(grid.spacing);
   source->SetDirection(grid.direction);
-  source->CenterOutput();
+  source->CenterOutput(shapeton::ReadPhantomCenter(commandLine));
   source->SetParameters(shapeton::ReadColonPhantomParameters(commandLine));
   return source;
 }
@@ -91,6 +91,8 @@ MakePhantom(shapeton::CommandLine & commandLine)
   commandLine.LeaveOutOfProvenance("truth");
   const shapeton::CurveSet other = ReadOtherPosition(commandLine);
   const auto               source = MakeSource(commandLine);
+  shapeton::RequireParameter(other.curves.empty() || shapeton::Contains(source->GetParameters(), "colon"),
+                             "--pairWith needs the colon; add colon to --contents");
   shapeton::CheckDicomSeriesFolder(folder);
   commandLine.Watch(source, "Scanning the phantom", 0.0, 0.9);
   source->Update();

@@ -77,9 +77,10 @@ public:
   itkGetConstMacro(TruthOnly, bool);
   itkBooleanMacro(TruthOnly);
 
-  /** Sets the origin from size, spacing and direction such that the centre of the volume is at (0, 0, 0). */
+  /** Sets the origin from size, spacing and direction such that the center of the volume is at `center` (LPS, mm). The
+   * middle of the abdomen is (0, 0, 0), the diaphragm rises to about z = 160, the lungs reach up to about z = 345. */
   void
-  CenterOutput();
+  CenterOutput(const PointType & center = PointType(0.0));
 
   /** The truth; made when it is first asked for. Valid until the parameters change. */
   const ColonAnatomy &

@@ -5,11 +5,20 @@
 
 #include <array>
 #include <string>
+#include <vector>
 
 namespace shapeton
 {
 /** Of a parameter: its value is drawn from the seed. \ingroup ColonPhantom */
 constexpr double drawnBySeed = -1.0;
+
+/** Value of `lungDensity`: the mean of the state of the lungs. \ingroup ColonPhantom */
+constexpr double lungDensityOfState = -1.0;
+
+/** Names of the organs that can be left out. Everything else (skin, fat, muscles, bones) always belongs to the patient.
+ * \ingroup ColonPhantom */
+ColonPhantom_EXPORT const std::vector<std::string> &
+PhantomOrgans();
 
 /** A value for each segment of the colon, rectum to caecum. \ingroup ColonPhantom */
 using SegmentValues = std::array<double, 6>;
@@ -116,7 +125,27 @@ struct ColonPhantomParameters
   double ileumLength{ drawnBySeed };
   /** collapsed, gas, fluid (tagged) or drawn, which may differ between positions. */
   std::string ileumContent{ "drawn" };
+  /** The chest: plain (lung bases of -850 HU without detail, no shoulders, the only one of older versions), or a whole
+   * chest with the lungs in inspiration (mean -865 HU), quietBreathing (-765 HU) or emphysema (-940 HU, with holes). */
+  std::string lungs{ "plain" };
+  /** Mean HU of the parenchyma (holes included; vessels, airways and fissures not) of a whole chest, -980 to -500, or
+   * lungDensityOfState. */
+  double lungDensity{ lungDensityOfState };
+  /** The organs that are scanned, of PhantomOrgans(). Fat takes the place of the others, soft tissue that of lungs; no
+   * other organ changes its shape. */
+  std::vector<std::string> contents{ PhantomOrgans() };
 };
+
+/** Whether an organ is among the contents. \ingroup ColonPhantom */
+ColonPhantom_EXPORT bool
+Contains(const ColonPhantomParameters & parameters, const std::string & organ);
+
+/** Whether there is a whole chest, not a plain one. \ingroup ColonPhantom */
+inline bool
+HasWholeChest(const ColonPhantomParameters & parameters)
+{
+  return parameters.lungs != "plain";
+}
 
 /** The presets standard and hard keep the voxels that older tables were made of: what was improved since is in the
  * preset realistic alone. \ingroup ColonPhantom */

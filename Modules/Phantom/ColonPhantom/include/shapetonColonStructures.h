@@ -27,7 +27,16 @@ enum class ColonStructure : unsigned char
   Foam,        ///< bubbles and the films between them
   SmallBowel,  ///< the lumen of its other loops
   Stomach,     ///< its lumen
-  Diverticulum ///< its neck and sac, with what they hold
+  Diverticulum, ///< its neck and sac, with what they hold
+  RightUpperLobe, ///< of the lung: its parenchyma; this and what follows in a whole chest alone
+  RightMiddleLobe,
+  RightLowerLobe,
+  LeftUpperLobe,
+  LeftLowerLobe,
+  Airway,     ///< the lumen of trachea and bronchi
+  AirwayWall, ///< and all of a bronchus that is thinner than its wall
+  LungVessel, ///< pulmonary arteries and veins from the heart on
+  Heart       ///< without its fat
 };
 
 /** Stool, a bubble or a patch of foam in the lumen. LPS, mm. \ingroup ColonPhantom */
@@ -66,8 +75,8 @@ struct ColonCatheter
 };
 
 /** \class ColonStructures
- * \brief What else belongs to the examination of a colon, with its truth: small bowel, stomach, valve, terminal ileum,
- * residue in the lumen, rectal catheter.
+ * \brief What else belongs to the examination of a colon, with its truth: lungs, heart, small bowel, stomach, valve,
+ * terminal ileum, residue in the lumen, rectal catheter.
  *
  * A voxel's label depends on its position alone.
  *
@@ -119,6 +128,10 @@ public:
   GetParts() const;
 
 private:
+  void
+  AddChest(const ColonAnatomy & anatomy, const ColonFluid & fluid);
+  void
+  AddColon(const ColonAnatomy & anatomy, const ColonFluid & fluid);
   void
   AddBowel(const ColonAnatomy & anatomy, const ColonFluid & fluid);
   void

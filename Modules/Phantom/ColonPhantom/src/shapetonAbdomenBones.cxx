@@ -1,5 +1,7 @@
 #include "shapetonAbdomenParts.h"
 
+#include "shapetonThoraxParts.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -95,14 +97,15 @@ AddPelvis(PhantomBodies & bodies)
   }
 }
 
+constexpr double ribDescent = 105.0; // mm from the spine to the sternum, were the rib to reach it
+
 // A rib descends from the spine towards the front, along the wall of the chest.
 PhantomSolid
-Rib(double height)
+Rib(double height, const PhantomSolid & wall, double descent = ribDescent)
 {
-  const auto wall = ColumnSolid(0.0, 11.0, 154.0, 112.0, 2.5);
-  const auto distance = [wall, height](const PointType & p) {
+  const auto distance = [wall, height, descent](const PointType & p) {
     const double     turn = std::atan2(std::abs(p[0]), p[1] - 11.0) / 3.14159265358979;
-    const double     along = 0.75 * (p[2] - (height - 105.0 * std::min(turn, 0.75)));
+    const double     along = 0.75 * (p[2] - (height - descent * std::min(turn, 0.75)));
     constexpr double far = 40.0;
     if (std::abs(along) > far)
     {
@@ -117,16 +120,62 @@ Rib(double height)
 void
 AddRibs(PhantomBodies & bodies)
 {
+  const auto wall = ColumnSolid(0.0, 11.0, 154.0, 112.0, 2.5);
   for (int i = 0; i < 6; ++i)
   {
     const double height = 95.0 + 27.0 * i;
     // The lowest ribs are short; the others end in cartilage.
     const double end = i == 0 ? 60.0 : (i == 1 ? 0.0 : -55.0);
-    bodies.push_back(MakeSolidBody(Both(Rib(height), Behind(i < 2 ? end : -80.0)), 110.0));
-    AddBone(bodies, Both(Rib(height), Behind(end)), 1.4, 250.0);
+    bodies.push_back(MakeSolidBody(Both(Rib(height, wall), Behind(i < 2 ? end : -80.0)), 110.0));
+    AddBone(bodies, Both(Rib(height, wall), Behind(end)), 1.4, 250.0);
   }
 }
+// The upper five ribs on each side; the last two descend less.
+void
+AddUpperRibs(PhantomBodies & bodies)
+{
+  const auto       wall = Grown(ThoracicCage(), 4.5);
+  constexpr double heights[] = { 257.0, 284.0, 309.0, 331.0, 345.0 };
+  constexpr double descents[] = { ribDescent, ribDescent, 98.0, 80.0, 52.0 };
+  const auto       beside = Without(wall, BoxSolid(MakePoint(0, -80, 250), MakeVector(14, 60, 200)));
+  for (int i = 0; i < 5; ++i)
+  {
+    const auto rib = Both(Rib(heights[i], wall, descents[i]), Grown(beside, 20.0));
+    bodies.push_back(MakeSolidBody(rib, 110.0));
+    AddBone(bodies, Both(rib, Behind(-58.0 + 6.0 * i)), 1.4, 250.0);
+  }
+}
+
+void
+AddSternum(PhantomBodies & bodies)
+{
+  const auto plate = ShellOf(Grown(ThoracicCage(), 5.0), 10.0);
+  const auto front = HalfSpaceSolid(MakeVector(0, 1, 0), -20.0);
+  AddBone(bodies, Both(BoxSolid(MakePoint(0, -100, 226), MakeVector(17, 100, 64)), Both(plate, front)), 1.5, 220.0);
+  AddBone(bodies, Both(BoxSolid(MakePoint(0, -80, 306), MakeVector(27, 80, 16)), Both(plate, front)), 1.5, 220.0);
+}
 } // namespace
+
+void
+AddThoraxBones(PhantomBodies & bodies)
+{
+  AddUpperRibs(bodies);
+  AddSternum(bodies);
+  for (const double side : { -1.0, 1.0 })
+  {
+    const std::vector<PointType> clavicle{ MakePoint(side * 24, -64, 322),
+                                           MakePoint(side * 62, -66, 334),
+                                           MakePoint(side * 100, -38, 344),
+                                           MakePoint(side * 132, -14, 338) };
+    AddBone(bodies, TubeSolid(clavicle, 5.5), 1.8, 250.0);
+    // The scapula: a plate outside the ribs, and its spine.
+    const auto plate = ShellOf(Grown(ThoracicCage(), 16.0), 5.0);
+    const auto outline = BoxSolid(MakePoint(side * 104, 62, 268), MakeVector(46, 44, 62));
+    const auto edge = HalfSpaceSolid(MakeVector(side * 0.78, 0.0, -0.6258), -58.0);
+    AddBone(bodies, Both(Both(outline, edge), plate), 1.5, 250.0);
+    AddBone(bodies, CapsuleSolid(MakePoint(side * 72, 98, 296), MakePoint(side * 138, 62, 330), 5.0), 1.5, 250.0);
+  }
+}
 
 void
 AddBones(PhantomBodies & bodies)

@@ -36,14 +36,13 @@ MuscularWall()
 {
   return ColumnSolid(0.0, 12.0, 158.0, 116.0, 2.5);
 }
+} // namespace
 
-// The top of the abdominal cavity; the diaphragm lies on it.
 PhantomSolid
 DiaphragmDome()
 {
   return EllipsoidSolid(MakePoint(0, 8, 45), MakeVector(146, 104, 112), 2.5);
 }
-} // namespace
 
 PhantomSolid
 BodyOutline()
@@ -82,6 +81,8 @@ AddBodyWall(PhantomBodies & bodies)
   Add(bodies, CapsuleSolid(MakePoint(0, 52, -190), MakePoint(0, 46, -128), 15.0), muscle);
 }
 
+constexpr double plainLungIntensity = -850.0; // HU
+
 void
 AddChest(PhantomBodies & bodies, const ColonAnatomy & anatomy)
 {
@@ -90,9 +91,16 @@ AddChest(PhantomBodies & bodies, const ColonAnatomy & anatomy)
   Add(bodies, Without(chest, DiaphragmDome()), softTissueIntensity);
   const auto lungs =
     Without(Without(Grown(chest, -3.0), Grown(DiaphragmDome(), 4.0)), ColumnSolid(0.0, 40.0, 38.0, 90.0));
-  Add(bodies, AwayFromColon(lungs, anatomy, 8.0), -850.0);
+  const auto & p = anatomy.GetParameters();
+  if (Contains(p, "lungs"))
+  {
+    Add(bodies, AwayFromColon(lungs, anatomy, 8.0), plainLungIntensity);
+  }
   const auto heart = EllipsoidSolid(MakePoint(28, -40, 195), MakeVector(62, 50, 48));
-  Add(bodies, Both(Without(heart, DiaphragmDome()), Grown(thorax, -3.0)), 45.0);
+  if (Contains(p, "heart"))
+  {
+    Add(bodies, Both(Without(heart, DiaphragmDome()), Grown(thorax, -3.0)), 45.0);
+  }
 }
 
 namespace
@@ -135,33 +143,40 @@ void
 AddOrgans(PhantomBodies & bodies, const ColonAnatomy & anatomy, const itk::Vector<double, 3> & down)
 {
   const auto cavity = Both(Grown(AbdominalCavity(), -2.0), DiaphragmDome());
-  const auto add = [&](const PhantomSolid & solid, double gap, double intensity) {
-    Add(bodies, AwayFromColon(Both(solid, cavity), anatomy, gap), intensity);
+  const auto & p = anatomy.GetParameters();
+  const auto   addOf = [&](const char * organ, const PhantomSolid & solid, double gap, double intensity) {
+    if (Contains(p, organ))
+    {
+      Add(bodies, AwayFromColon(Both(solid, cavity), anatomy, gap), intensity);
+    }
   };
-  add(EllipsoidSolid(MakePoint(-66, -2, 112), MakeVector(82, 92, 66), 2.5), 5.0, 62.0);
-  add(EllipsoidSolid(MakePoint(-86, 20, 78), MakeVector(52, 60, 70), 2.5), 5.0, 62.0);
-  add(EllipsoidSolid(MakePoint(112, 42, 112), MakeVector(30, 46, 40)), 5.0, 56.0);
-  add(EllipsoidSolid(MakePoint(-22, -46, 70), MakeVector(16, 18, 24)), 4.0, 15.0);
+  addOf("liver", EllipsoidSolid(MakePoint(-66, -2, 112), MakeVector(82, 92, 66), 2.5), 5.0, 62.0);
+  addOf("liver", EllipsoidSolid(MakePoint(-86, 20, 78), MakeVector(52, 60, 70), 2.5), 5.0, 62.0);
+  addOf("spleen", EllipsoidSolid(MakePoint(112, 42, 112), MakeVector(30, 46, 40)), 5.0, 56.0);
+  addOf("liver", EllipsoidSolid(MakePoint(-22, -46, 70), MakeVector(16, 18, 24)), 4.0, 15.0);
   for (const double side : { -1.0, 1.0 })
   {
     const double z = side < 0.0 ? 32.0 : 46.0;
-    add(EllipsoidSolid(MakePoint(side * 66, 66, z), MakeVector(26, 24, 54)), 6.0, 60.0);
-    add(EllipsoidSolid(MakePoint(side * 53, 60, z), MakeVector(11, 11, 24)), 6.0, -90.0);
+    addOf("kidneys", EllipsoidSolid(MakePoint(side * 66, 66, z), MakeVector(26, 24, 54)), 6.0, 60.0);
+    addOf("kidneys", EllipsoidSolid(MakePoint(side * 53, 60, z), MakeVector(11, 11, 24)), 6.0, -90.0);
   }
   const std::vector<PointType> aorta{ MakePoint(12, 44, 200), MakePoint(12, 44, -40) };
   const std::vector<PointType> cava{ MakePoint(-16, 46, 200), MakePoint(-16, 46, -40) };
-  add(TubeSolid(aorta, 10.0), 4.0, 45.0);
-  add(TubeSolid(cava, 11.0), 4.0, 45.0);
+  addOf("vessels", TubeSolid(aorta, 10.0), 4.0, 45.0);
+  addOf("vessels", TubeSolid(cava, 11.0), 4.0, 45.0);
   for (const double side : { -1.0, 1.0 })
   {
-    add(TubeSolid({ MakePoint(0, 45, -38), MakePoint(side * 36, 42, -85), MakePoint(side * 62, -20, -160) }, 8.0),
+    addOf("vessels", TubeSolid({ MakePoint(0, 45, -38), MakePoint(side * 36, 42, -85), MakePoint(side * 62, -20, -160) }, 8.0),
         3.0,
         45.0);
   }
-  add(EllipsoidSolid(MakePoint(0, -40, -138), MakeVector(40, 32, 30)), 4.0, 35.0);
-  add(EllipsoidSolid(MakePoint(0, -40, -138), MakeVector(37, 29, 27)), 7.0, 6.0);
-  add(EllipsoidSolid(MakePoint(0, 2, -140), MakeVector(25, 17, 22)), 4.0, 50.0);
-  AddStomach(bodies, anatomy, down);
+  addOf("bladder", EllipsoidSolid(MakePoint(0, -40, -138), MakeVector(40, 32, 30)), 4.0, 35.0);
+  addOf("bladder", EllipsoidSolid(MakePoint(0, -40, -138), MakeVector(37, 29, 27)), 7.0, 6.0);
+  addOf("bladder", EllipsoidSolid(MakePoint(0, 2, -140), MakeVector(25, 17, 22)), 4.0, 50.0);
+  if (Contains(p, "stomach"))
+  {
+    AddStomach(bodies, anatomy, down);
+  }
 }
 
 // They fan out from the aorta.

@@ -12,6 +12,10 @@ BodyOutline();
 PhantomSolid
 AbdominalCavity();
 
+/** The top of the abdominal cavity; the diaphragm lies on it. */
+PhantomSolid
+DiaphragmDome();
+
 /** Skin, subcutaneous fat, the muscular wall, the fat inside it, muscles of the back, buttocks and pelvic floor. */
 void
 AddBodyWall(PhantomBodies & bodies);
@@ -19,6 +23,10 @@ AddBodyWall(PhantomBodies & bodies);
 /** Spine, sacrum, pelvis, hips and ribs. */
 void
 AddBones(PhantomBodies & bodies);
+
+/** The upper ribs, sternum, clavicles and scapulae, above those of AddBones(). */
+void
+AddThoraxBones(PhantomBodies & bodies);
 
 /** Liver, spleen, kidneys, great vessels, bladder, and the stomach with fluid and a small gas bubble. */
 void
@@ -32,7 +40,7 @@ StomachLumen(const ColonAnatomy & anatomy);
 void
 AddMesentery(PhantomBodies & bodies, unsigned seed);
 
-/** Lung bases over the diaphragm, and the heart between them. */
+/** The plain chest: lung bases of one intensity over the diaphragm, and the heart between them. */
 void
 AddChest(PhantomBodies & bodies, const ColonAnatomy & anatomy);
 

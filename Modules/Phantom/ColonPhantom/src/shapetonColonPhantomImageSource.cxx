@@ -166,14 +166,14 @@ ColonPhantomImageSource::GetStructures()
 }
 
 void
-ColonPhantomImageSource::CenterOutput()
+ColonPhantomImageSource::CenterOutput(const PointType & center)
 {
   itk::Vector<double, 3> toCenter;
   for (unsigned int i = 0; i < 3; ++i)
   {
     toCenter[i] = 0.5 * (static_cast<double>(this->GetSize()[i]) - 1.0) * this->GetSpacing()[i];
   }
-  this->SetOrigin(PointType(0.0) - this->GetDirection() * toCenter);
+  this->SetOrigin(center - this->GetDirection() * toCenter);
 }
 
 void
@@ -220,15 +220,19 @@ ColonPhantomImageSource::GenerateData()
   for (LabelImageType * const output : { lumen, segments, structures })
   {
     output->SetBufferedRegion(output->GetRequestedRegion());
-    output->Allocate();
+    output->Allocate(true);
   }
+  const bool                    hasColon = Contains(m_Parameters, "colon");
   const LumenLabels             labels(this->GetAnatomy(), this->GetFluid(), lumen, segments);
   const ColonStructures &       known = this->GetStructures();
   const std::vector<RegionType> tiles = TilesOf(lumen->GetLargestPossibleRegion());
   ParallelFor(
     tiles.size(),
     [&](std::size_t i) {
-      labels.Fill(tiles[i]);
+      if (hasColon)
+      {
+        labels.Fill(tiles[i]);
+      }
       known.Fill(structures, tiles[i]);
     },
     m_TruthOnly ? this->Reporter() : Progress());
@@ -282,6 +286,7 @@ ColonPhantomImageSource::PrintSelf(std::ostream & os, itk::Indent indent) const
   os << indent << "Seed: " << m_Parameters.seed << '\n';
   os << indent << "Position: " << m_Parameters.position << '\n';
   os << indent << "Preset: " << m_Parameters.preset << '\n';
+  os << indent << "Lungs: " << m_Parameters.lungs << '\n';
   os << indent << "Blur: " << m_Blur << '\n';
   os << indent << "TruthOnly: " << m_TruthOnly << '\n';
 }

@@ -239,7 +239,34 @@ DrawScanner(ColonPhantomParameters & p)
   draw(p.noise, 15, 60);
   draw(p.sliceThickness, 0.6, 2.5);
 }
+
+void
+RequireValidChest(const ColonPhantomParameters & p)
+{
+  RequireOneOf("lungs", p.lungs, { "plain", "inspiration", "quietBreathing", "emphysema" });
+  if (p.lungDensity != lungDensityOfState)
+  {
+    RequireRange("lungDensity", p.lungDensity, -980, -500);
+    RequireParameter(HasWholeChest(p),
+                     "the parameter \"lungDensity\" is for a whole chest; set the parameter \"lungs\" to inspiration, "
+                     "quietBreathing or emphysema");
+  }
+}
 } // namespace
+
+const std::vector<std::string> &
+PhantomOrgans()
+{
+  static const std::vector<std::string> organs{ "table", "lungs",   "heart",   "liver",      "spleen", "kidneys",
+                                                "vessels", "bladder", "stomach", "smallBowel", "colon" };
+  return organs;
+}
+
+bool
+Contains(const ColonPhantomParameters & parameters, const std::string & organ)
+{
+  return std::find(parameters.contents.begin(), parameters.contents.end(), organ) != parameters.contents.end();
+}
 
 ColonPhantomParameters
 Drawn(const ColonPhantomParameters & parameters)
@@ -338,5 +365,10 @@ RequireValid(const ColonPhantomParameters & p)
   RequireRangeOrDrawn("diverticula", p.diverticula, 0, 60);
   RequireValidCatheter(p);
   RequireValidValve(p);
+  RequireValidChest(p);
+  for (const std::string & organ : p.contents)
+  {
+    RequireOneOf("contents", organ, PhantomOrgans());
+  }
 }
 } // namespace shapeton

@@ -15,6 +15,7 @@ struct ColonStructures::Part
   PhantomSolid                       solid;
   std::shared_ptr<const PhantomBody> body;                   ///< null: nothing to see
   bool                               isBehindColon{ false }; ///< painted before the colon
+  bool                               isInChest{ false };     ///< painted before the organs of the abdomen
 };
 } // namespace shapeton
 

@@ -6,8 +6,10 @@
 #include "shapetonDiverticulumBody.h"
 #include "shapetonCatheterTube.h"
 #include "shapetonLumenResidue.h"
+#include "shapetonLungs.h"
 #include "shapetonSmallBowel.h"
 #include "shapetonPhantomIleum.h"
+#include "shapetonThoraxParts.h"
 #include "shapetonValveLips.h"
 
 #include <Eigen/Geometry>
@@ -90,7 +92,22 @@ CurvesOf(const std::vector<std::vector<Vector3d>> & lines, const std::vector<Col
 
 ColonStructures::ColonStructures(const ColonAnatomy & anatomy, const ColonFluid & fluid)
 {
+  if (HasWholeChest(anatomy.GetParameters()))
+  {
+    this->AddChest(anatomy, fluid);
+  }
   this->AddBowel(anatomy, fluid);
+  if (Contains(anatomy.GetParameters(), "colon"))
+  {
+    this->AddColon(anatomy, fluid);
+  }
+}
+
+ColonStructures::~ColonStructures() = default;
+
+void
+ColonStructures::AddColon(const ColonAnatomy & anatomy, const ColonFluid & fluid)
+{
   if (anatomy.GetParameters().valve == "lips")
   {
     this->AddValve(anatomy);
@@ -106,7 +123,20 @@ ColonStructures::ColonStructures(const ColonAnatomy & anatomy, const ColonFluid 
   }
 }
 
-ColonStructures::~ColonStructures() = default;
+void
+ColonStructures::AddChest(const ColonAnatomy & anatomy, const ColonFluid & fluid)
+{
+  if (Contains(anatomy.GetParameters(), "heart"))
+  {
+    const auto heart = Without(Heart(), Grown(DiaphragmDome(), 3.0));
+    m_Parts.push_back({ ColonStructure::Heart, heart, nullptr, false, true });
+  }
+  if (Contains(anatomy.GetParameters(), "lungs"))
+  {
+    const auto parts = MakeLungParts(anatomy, MakeVector(fluid.Down()[0], fluid.Down()[1], fluid.Down()[2]));
+    m_Parts.insert(m_Parts.end(), parts.begin(), parts.end());
+  }
+}
 
 // They are painted with the abdomen.
 void
@@ -114,9 +144,15 @@ ColonStructures::AddBowel(const ColonAnatomy & anatomy, const ColonFluid & fluid
 {
   const auto & p = anatomy.GetParameters();
   const auto   down = MakeVector(fluid.Down()[0], fluid.Down()[1], fluid.Down()[2]);
-  const auto   loops = MakeSmallBowel(p.seed, down, p.smallBowelTagged);
-  m_Parts.push_back({ ColonStructure::Stomach, StomachLumen(anatomy), nullptr, false });
-  m_Parts.push_back({ ColonStructure::SmallBowel, AwayFromColon(loops.lumen, anatomy, bowelWall), nullptr, false });
+  if (Contains(p, "stomach"))
+  {
+    m_Parts.push_back({ ColonStructure::Stomach, StomachLumen(anatomy), nullptr, false });
+  }
+  if (Contains(p, "smallBowel"))
+  {
+    const auto lumen = MakeSmallBowel(p.seed, down, p.smallBowelTagged).lumen;
+    m_Parts.push_back({ ColonStructure::SmallBowel, AwayFromColon(lumen, anatomy, bowelWall), nullptr, false });
+  }
 }
 
 // What fat there is lies under the mucosa, which the colon's wall of 2 mm is.

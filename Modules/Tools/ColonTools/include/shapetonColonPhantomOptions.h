@@ -3,6 +3,8 @@
 
 #include "ColonToolsExport.h"
 
+#include "itkPoint.h"
+
 namespace shapeton
 {
 struct ColonPhantomParameters;
@@ -13,6 +15,12 @@ class CommandLine;
  * presets stay as they were. Throws ParameterError. \ingroup ColonTools */
 ColonTools_EXPORT ColonPhantomParameters
 ReadColonPhantomParameters(CommandLine & commandLine);
+
+/** The option `center` of ColonPhantom: where the center of the volume lies in the patient (LPS, mm). It enters the
+ * provenance only when it is given. Throws ParameterError unless it has three numbers within 1000 mm. \ingroup ColonTools
+ */
+ColonTools_EXPORT itk::Point<double, 3>
+                  ReadPhantomCenter(CommandLine & commandLine);
 } // namespace shapeton
 
 #endif

@@ -5,6 +5,7 @@
 #include "shapetonExceptions.h"
 
 #include <algorithm>
+#include <cmath>
 #include <string>
 #include <vector>
 
@@ -43,6 +44,15 @@ Override(const CommandLine & commandLine, const char * name, SegmentValues & val
   RequireParameter(numbers.size() == values.size(),
                    "the parameter \"" + std::string(name) + "\" needs six numbers, one for each segment");
   std::copy(numbers.begin(), numbers.end(), values.begin());
+}
+
+void
+Override(const CommandLine & commandLine, const char * name, std::vector<std::string> & values)
+{
+  if (commandLine.IsGiven(name))
+  {
+    values = commandLine.GetStrings(name);
+  }
 }
 
 // Of a part that `standard` and `hard` do not have.
@@ -87,6 +97,9 @@ ReadParts(CommandLine & commandLine, ColonPhantomParameters & parameters)
   OverridePart(commandLine, "ileumBore", parameters.ileumBore);
   OverridePart(commandLine, "ileumLength", parameters.ileumLength);
   OverridePart(commandLine, "ileumContent", parameters.ileumContent);
+  OverridePart(commandLine, "lungs", parameters.lungs);
+  OverridePart(commandLine, "lungDensity", parameters.lungDensity);
+  OverridePart(commandLine, "contents", parameters.contents);
 }
 } // namespace
 
@@ -109,5 +122,21 @@ ReadColonPhantomParameters(CommandLine & commandLine)
   ReadParts(commandLine, parameters);
   RequireValid(parameters);
   return parameters;
+}
+
+itk::Point<double, 3>
+ReadPhantomCenter(CommandLine & commandLine)
+{
+  if (!commandLine.IsGiven("center"))
+  {
+    commandLine.LeaveOutOfProvenance("center");
+  }
+  constexpr double          farthest = 1000.0; // mm; nothing of the patient is farther away
+  const std::vector<double> numbers = commandLine.GetDoubles("center");
+  RequireParameter(numbers.size() == 3,
+                   "the parameter \"center\" needs 3 numbers, not " + std::to_string(numbers.size()));
+  RequireParameter(std::all_of(numbers.begin(), numbers.end(), [](double x) { return std::abs(x) <= farthest; }),
+                   "the parameter \"center\" has a coordinate outside -1000 to 1000 mm; the patient's trunk lies within");
+  return itk::Point<double, 3>(numbers.data());
 }
 } // namespace shapeton

@@ -164,6 +164,21 @@ DiverticulaToJson(const std::vector<ColonDiverticulum> & diverticula)
   return list;
 }
 
+void
+AddChestLabels(Json & labels)
+{
+  const auto add = [&](const char * name, ColonStructure structure) { labels[name] = static_cast<int>(structure); };
+  add("rightUpperLobe", ColonStructure::RightUpperLobe);
+  add("rightMiddleLobe", ColonStructure::RightMiddleLobe);
+  add("rightLowerLobe", ColonStructure::RightLowerLobe);
+  add("leftUpperLobe", ColonStructure::LeftUpperLobe);
+  add("leftLowerLobe", ColonStructure::LeftLowerLobe);
+  add("airway", ColonStructure::Airway);
+  add("airwayWall", ColonStructure::AirwayWall);
+  add("lungVessel", ColonStructure::LungVessel);
+  add("heart", ColonStructure::Heart);
+}
+
 Json
 StructuresToJson(const Provenance & provenance, const ColonAnatomy & anatomy, const ColonStructures & structures)
 {
@@ -177,6 +192,14 @@ StructuresToJson(const Provenance & provenance, const ColonAnatomy & anatomy, co
     json["labels"]["diverticulum"] = static_cast<int>(ColonStructure::Diverticulum);
     json["diverticula"] = DiverticulaToJson(structures.GetDiverticula());
   }
+  if (HasWholeChest(anatomy.GetParameters()))
+  {
+    AddChestLabels(json["labels"]);
+  }
+  if (!Contains(anatomy.GetParameters(), "colon"))
+  {
+    return json;
+  }
   json["valve"] = ValveToJson(anatomy);
   json["caecum"] = { { "pole", ToJson(anatomy.CaecalPole()) } };
   json["ileum"] = structures.GetIleum() ? IleumToJson(*structures.GetIleum()) : Json();
@@ -184,21 +207,15 @@ StructuresToJson(const Provenance & provenance, const ColonAnatomy & anatomy, co
   json["residue"] = ResidueToJson(structures.GetResidue());
   return json;
 }
-} // namespace
 
 void
-WriteColonTruth(CommandLine &             commandLine,
-                ColonPhantomImageSource & source,
-                const std::string &       folder,
-                const CurveSet *          other)
+WriteTruthOfColon(CommandLine &             commandLine,
+                  ColonPhantomImageSource & source,
+                  const std::string &       folder,
+                  const CurveSet *          other)
 {
-  commandLine.MakeFolder(folder);
   const auto file = [&](const char * name) { return commandLine.Output(folder + '/' + name); };
   const auto facts = ProvenanceMetadata(commandLine.GetProvenance());
-  WriteVolume(source.GetLumenOutput(), file("lumen.nrrd"), facts);
-  WriteVolume(source.GetSegmentOutput(), file("segments.nrrd"), facts);
-  WriteVolume(source.GetStructureOutput(), file("structures.nrrd"), facts);
-
   const ColonAnatomy & anatomy = source.GetAnatomy();
   const auto           write = [&](CurveSet curves, const char * name) {
     curves.facts.insert(curves.facts.end(), facts.begin(), facts.end());
@@ -217,7 +234,27 @@ WriteColonTruth(CommandLine &             commandLine,
   wall.facts.insert(wall.facts.end(), facts.begin(), facts.end());
   WriteSurface(wall, file("wall.vtp"));
   write(source.GetStructures().Axes(), "structures.vtp");
-  WriteJson(StructuresToJson(commandLine.GetProvenance(), anatomy, source.GetStructures()), file("structures.json"));
   PolypTable(source.GetFluid(), anatomy).Write(file("polyps.csv"));
+}
+} // namespace
+
+void
+WriteColonTruth(CommandLine &             commandLine,
+                ColonPhantomImageSource & source,
+                const std::string &       folder,
+                const CurveSet *          other)
+{
+  commandLine.MakeFolder(folder);
+  const auto file = [&](const char * name) { return commandLine.Output(folder + '/' + name); };
+  const auto facts = ProvenanceMetadata(commandLine.GetProvenance());
+  WriteVolume(source.GetLumenOutput(), file("lumen.nrrd"), facts);
+  WriteVolume(source.GetSegmentOutput(), file("segments.nrrd"), facts);
+  WriteVolume(source.GetStructureOutput(), file("structures.nrrd"), facts);
+  WriteJson(StructuresToJson(commandLine.GetProvenance(), source.GetAnatomy(), source.GetStructures()),
+            file("structures.json"));
+  if (Contains(source.GetParameters(), "colon"))
+  {
+    WriteTruthOfColon(commandLine, source, folder, other);
+  }
 }
 } // namespace shapeton

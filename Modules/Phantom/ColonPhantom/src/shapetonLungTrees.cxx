@@ -1,0 +1,121 @@
+#include "shapetonLungTrees.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace shapeton
+{
+namespace
+{
+using PointType = PhantomBody::PointType;
+using VectorType = itk::Vector<double, 3>;
+using Iterator = std::vector<PointType>::iterator;
+
+constexpr double branchingExponent = 2.8;
+constexpr double taper = 0.92;   // of a branch's mean radius at its end; what is left of it at its beginning is 1 / taper
+constexpr double tipTaper = 0.6; // the last branches end thinner
+
+PointType
+CenterOf(Iterator first, Iterator last)
+{
+  VectorType sum(0.0);
+  std::for_each(first, last, [&](const PointType & p) { sum += p.GetVectorFromOrigin(); });
+  return PointType(0.0) + sum / static_cast<double>(last - first);
+}
+
+// The first principal axis by power iteration; a few steps find a direction that is good enough to divide at.
+VectorType
+LongestExtent(Iterator first, Iterator last, const PointType & center)
+{
+  constexpr int steps = 6;
+  VectorType    axis = MakeVector(0.5, 0.6, 0.62);
+  for (int i = 0; i < steps; ++i)
+  {
+    VectorType next(0.0);
+    std::for_each(first, last, [&](const PointType & p) { next += (p - center) * ((p - center) * axis); });
+    const double norm = next.GetNorm();
+    axis = norm > 0.0 ? next / norm : axis;
+  }
+  return axis;
+}
+
+class Growth
+{
+public:
+  Growth(double tipRadius, PhantomRandom & random, std::vector<TaperedTube> & tree)
+    : m_TipRadius(tipRadius), m_Random(random), m_Tree(tree)
+  {}
+
+  void
+  Branch(const PointType & from, Iterator first, Iterator last)
+  {
+    const auto      count = last - first;
+    const double    radius = m_TipRadius * std::pow(static_cast<double>(count), 1.0 / branchingExponent);
+    const PointType center = CenterOf(first, last);
+    const double    share = m_Random.Uniform(0.28, 0.48);
+    const PointType to = count == 1 ? center : from + (center - from) * share;
+    m_Tree.push_back({ from, to, radius / taper, radius * (count == 1 ? tipTaper : taper) });
+    if (count == 1)
+    {
+      return;
+    }
+    const VectorType axis = LongestExtent(first, last, center);
+    std::sort(first, last, [&](const PointType & a, const PointType & b) {
+      return a.GetVectorFromOrigin() * axis < b.GetVectorFromOrigin() * axis;
+    });
+    const auto     lower = static_cast<std::ptrdiff_t>(static_cast<double>(count) * m_Random.Uniform(0.3, 0.7));
+    const Iterator middle = first + std::clamp<std::ptrdiff_t>(lower, 1, count - 1);
+    this->Branch(to, first, middle);
+    this->Branch(to, middle, last);
+  }
+
+private:
+  double                     m_TipRadius;
+  PhantomRandom &            m_Random;
+  std::vector<TaperedTube> & m_Tree;
+};
+} // namespace
+
+std::vector<PointType>
+ScatteredPoints(const PhantomSolid & solid,
+                const PointType &    low,
+                const PointType &    high,
+                double               spacing,
+                double               depth,
+                PhantomRandom &      random)
+{
+  std::vector<PointType> points;
+  const double           shift = spacing / 3.0;
+  for (double z = low[2]; z < high[2]; z += spacing)
+  {
+    for (double y = low[1]; y < high[1]; y += spacing)
+    {
+      for (double x = low[0]; x < high[0]; x += spacing)
+      {
+        const double    dx = random.Uniform(-shift, shift);
+        const double    dy = random.Uniform(-shift, shift);
+        const double    dz = random.Uniform(-shift, shift);
+        const PointType p = MakePoint(x + dx, y + dy, z + dz);
+        if (solid.distance(p) < -depth)
+        {
+          points.push_back(p);
+        }
+      }
+    }
+  }
+  return points;
+}
+
+void
+GrowTree(const PointType &          root,
+         std::vector<PointType>     targets,
+         double                     tipRadius,
+         PhantomRandom &            random,
+         std::vector<TaperedTube> & tree)
+{
+  if (!targets.empty())
+  {
+    Growth(tipRadius, random, tree).Branch(root, targets.begin(), targets.end());
+  }
+}
+} // namespace shapeton

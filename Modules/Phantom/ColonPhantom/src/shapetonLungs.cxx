@@ -1,0 +1,468 @@
+#include "shapetonLungs.h"
+
+#include "shapetonAbdomenParts.h"
+#include "shapetonColonAbdomen.h"
+#include "shapetonColonBody.h"
+#include "shapetonLungTrees.h"
+#include "shapetonThoraxParts.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+
+namespace shapeton
+{
+namespace
+{
+using PointType = PhantomBody::PointType;
+using VectorType = itk::Vector<double, 3>;
+
+constexpr double tissue = 42.0;          // HU of vessels and walls of airways
+constexpr double pleura = 3.0;           // mm between ribs and lung, and of the diaphragm
+constexpr double fissure = 0.4;          // thickness, mm; a scanner's blur lowers its contrast to that of a thin line
+constexpr double forestReach = 6.0;      // mm
+
+const PointType lowCorner = MakePoint(-150.0, -102.0, 60.0);
+const PointType highCorner = MakePoint(150.0, 120.0, 352.0);
+
+enum class Stream : std::uint32_t
+{
+  Texture = 0x1c01,
+  Holes,
+  Bullae,
+  Trees = 0x1d00 // and the number of the tree
+};
+
+PhantomRandom
+RandomOf(unsigned seed, Stream stream, unsigned number = 0)
+{
+  return PhantomRandom(seed, static_cast<std::uint32_t>(stream) + number);
+}
+
+// AwayFromColon() for a solid much larger than ColonAnatomy::Reach: away from the colon's box, its inner distances stay.
+PhantomSolid
+AwayFromColonsBox(const PhantomSolid & solid, const ColonAnatomy & anatomy, double gap)
+{
+  Eigen::Vector3d low;
+  Eigen::Vector3d high;
+  anatomy.BoundingBox(0.0, low, high);
+  const Eigen::Vector3d middle = 0.5 * (low + high);
+  const Eigen::Vector3d half = 0.5 * (high - low);
+  const auto box = BoxSolid(MakePoint(middle[0], middle[1], middle[2]), MakeVector(half[0], half[1], half[2]));
+  const auto near = AwayFromColon(solid, anatomy, gap);
+  return { [box, near, whole = solid.distance, gap](const PointType & p) {
+            const double toBox = box.distance(p);
+            return toBox > ColonAnatomy::Reach ? std::max(whole(p), gap - toBox) : near.distance(p);
+          },
+           near.slope };
+}
+
+PhantomSolid
+LungSpace(const ColonAnatomy & anatomy, double lift)
+{
+  const auto cage = Both(Grown(ThoracicCage(), -pleura), HalfSpaceSolid(MakeVector(0, 0, -1), -60.0));
+  const auto above = Without(cage, Grown(DiaphragmDome(), pleura + 1.0));
+  const auto right = Without(above, RightHemidiaphragm(lift));
+  const auto left = Without(right, LeftHemidiaphragm(lift));
+  return AwayFromColonsBox(Without(left, Mediastinum()), anatomy, 8.0);
+}
+
+/** The fissures divide the lungs into lobes. */
+class Lobes
+{
+public:
+  static constexpr double slope = 1.25; // the gradient of the waves adds to that of the planes
+
+  static constexpr int count = 5;
+
+  // mm above (before) the oblique fissure of the side.
+  static double
+  AboveOblique(const PointType & p)
+  {
+    const double wave = 3.0 * std::sin(p[0] / 28.0 + 0.7) * std::cos(p[2] / 40.0);
+    return p[0] < 0.0 ? -0.676 * p[1] + 0.737 * p[2] - 146.1 + wave : -0.707 * p[1] + 0.707 * p[2] - 143.0 - wave;
+  }
+
+  // mm above the horizontal fissure of the right lung.
+  static double
+  AboveHorizontal(const PointType & p)
+  {
+    const double wave = 2.5 * std::sin(p[0] / 24.0) * std::cos(p[1] / 30.0);
+    return 0.05 * p[0] - 0.05 * p[1] + 0.9975 * p[2] - 219.4 + wave;
+  }
+
+  // mm to the nearest fissure, positive.
+  static double
+  ToFissure(const PointType & p)
+  {
+    const double oblique = AboveOblique(p);
+    const bool   hasHorizontal = p[0] < 0.0 && oblique > 0.0;
+    return hasHorizontal ? std::min(oblique, std::abs(AboveHorizontal(p))) : std::abs(oblique);
+  }
+
+  // 0 to 4: right upper, right middle, right lower, left upper, left lower.
+  static int
+  At(const PointType & p)
+  {
+    if (p[0] < 0.0)
+    {
+      return AboveOblique(p) < 0.0 ? 2 : (AboveHorizontal(p) < 0.0 ? 1 : 0);
+    }
+    return AboveOblique(p) < 0.0 ? 4 : 3;
+  }
+
+  static PhantomSolid
+  Lobe(const PhantomSolid & lungs, int number)
+  {
+    const auto outline = [number](const PointType & p) {
+      const double side = number < 3 ? p[0] : -p[0];
+      const double oblique = AboveOblique(p);
+      if (number == 2 || number == 4)
+      {
+        return std::max(side, oblique + 0.5 * fissure);
+      }
+      const double above = std::max(side, 0.5 * fissure - oblique);
+      if (number == 3)
+      {
+        return above;
+      }
+      const double horizontal = AboveHorizontal(p);
+      return std::max(above, 0.5 * fissure + (number == 0 ? -horizontal : horizontal));
+    };
+    return Both(lungs, { outline, slope });
+  }
+};
+
+/** Smooth noise of about [-1, 1] with the mean 0: a periodic lattice of random numbers. */
+class Texture
+{
+public:
+  explicit Texture(unsigned seed) : m_Values(side * side * side)
+  {
+    PhantomRandom random = RandomOf(seed, Stream::Texture);
+    for (float & value : m_Values)
+    {
+      value = static_cast<float>(random.Uniform(-1.0, 1.0));
+    }
+  }
+
+  // Lobules of a few mm upon regions of a few cm.
+  double
+  operator()(const PointType & p) const
+  {
+    return this->Octave(p, 4.5) + 0.8 * this->Octave(p, 17.0);
+  }
+
+private:
+  static constexpr int side = 32;
+
+  double
+  At(int x, int y, int z) const
+  {
+    const auto wrap = [](int i) { return static_cast<std::size_t>(i & (side - 1)); };
+    return m_Values[(wrap(z) * side + wrap(y)) * side + wrap(x)];
+  }
+
+  double
+  Octave(const PointType & p, double knotDistance) const
+  {
+    int    first[3];
+    double t[3];
+    for (unsigned int i = 0; i < 3; ++i)
+    {
+      const double x = p[i] / knotDistance;
+      first[i] = static_cast<int>(std::floor(x));
+      t[i] = x - first[i];
+      t[i] = t[i] * t[i] * (3.0 - 2.0 * t[i]);
+    }
+    const auto mix = [](double a, double b, double share) { return a + share * (b - a); };
+    const auto line = [&](int y, int z) {
+      return mix(this->At(first[0], first[1] + y, first[2] + z), this->At(first[0] + 1, first[1] + y, first[2] + z), t[0]);
+    };
+    return mix(mix(line(0, 0), line(1, 0), t[1]), mix(line(0, 1), line(1, 1), t[1]), t[2]);
+  }
+
+  std::vector<float> m_Values;
+};
+
+/** The parenchyma of both lungs with its fissures. What takes tissue away from it counts for its mean. */
+class LungBody : public PhantomBody
+{
+public:
+  LungBody(PhantomSolid         lungs,
+           const PhantomSolid & holes,
+           const PhantomSolid & others,
+           const LungState &    state,
+           unsigned             seed,
+           const VectorType &   down)
+    : m_Lungs(std::move(lungs)), m_State(state), m_Down(down), m_Texture(seed)
+  {
+    this->SetMean(holes, others);
+  }
+
+  BodyProbe
+  Probe(const PointType & p) const override
+  {
+    const double distance = m_Lungs.distance(p) / m_Lungs.slope;
+    if (distance >= 0.0)
+    {
+      return { distance, distance, true };
+    }
+    return { distance, std::min(-distance, (Lobes::ToFissure(p) - 0.5 * fissure) / Lobes::slope), true };
+  }
+
+  // The share of tissue is what gravity and texture change, so that no value is below that of air.
+  double
+  Intensity(const PointType & p) const override
+  {
+    return airIntensity + m_Tissue * this->Relative(p);
+  }
+
+  void
+  Paint(const PointType & p, double width, double & value) const override
+  {
+    const double share = ShareInside(m_Lungs.distance(p), width);
+    if (share > 0.0)
+    {
+      const double toFissure = Lobes::ToFissure(p);
+      const double between =
+        ShareInside(toFissure - 0.5 * fissure, width) - ShareInside(toFissure + 0.5 * fissure, width);
+      value += share * (1.0 - between) * (this->Intensity(p) - value);
+    }
+  }
+
+private:
+  double
+  Relative(const PointType & p) const
+  {
+    const double depth = m_Down * (p - m_Middle);
+    return std::max(0.1, 1.0 + m_State.gravityGradient * depth + m_State.texture * m_Texture(p));
+  }
+
+  // On a lattice: the mean over all of the lungs but what else is in them, holes included, is that of the state.
+  void
+  SetMean(const PhantomSolid & holes, const PhantomSolid & others)
+  {
+    constexpr double       step = 5.0; // mm
+    std::vector<PointType> points;
+    VectorType             sum(0.0);
+    double                 inHoles = 0.0;
+    for (double z = lowCorner[2]; z < highCorner[2]; z += step)
+    {
+      for (double y = lowCorner[1]; y < highCorner[1]; y += step)
+      {
+        for (double x = lowCorner[0]; x < highCorner[0]; x += step)
+        {
+          const PointType p = MakePoint(x, y, z);
+          if (m_Lungs.distance(p) >= 0.0 || others.distance(p) < 0.0)
+          {
+            continue;
+          }
+          if (holes.distance(p) < 0.0)
+          {
+            inHoles += 1.0;
+            continue;
+          }
+          points.push_back(p);
+          sum += p.GetVectorFromOrigin();
+        }
+      }
+    }
+    const auto count = static_cast<double>(points.size());
+    m_Middle = PointType(0.0) + sum / count;
+    double relative = 0.0;
+    for (const PointType & p : points)
+    {
+      relative += this->Relative(p);
+    }
+    const double wanted = (count + inHoles) * (m_State.density - airIntensity) - inHoles * (gasIntensity - airIntensity);
+    m_Tissue = std::max(0.0, wanted / relative);
+  }
+
+  PhantomSolid m_Lungs;
+  LungState    m_State;
+  VectorType   m_Down;
+  Texture      m_Texture;
+  PointType    m_Middle{ 0.0 };
+  double       m_Tissue{ 0.0 }; // HU above air where nothing changes it
+};
+
+/** Trees of one kind: trunks, then a tree for each lobe from the end of a trunk. */
+struct TreePlan
+{
+  std::vector<TaperedTube>         trunks;
+  std::array<PointType, Lobes::count> roots;
+  double                           spacing;   ///< of the tips, mm
+  double                           tipRadius; ///< mm
+};
+
+TaperedTube
+Trunk(const PointType & from, const PointType & to, double fromRadius, double toRadius)
+{
+  return { from, to, fromRadius, toRadius };
+}
+
+TreePlan
+Arteries()
+{
+  const PointType fork = MakePoint(16, -8, 250);
+  const PointType right = MakePoint(-38, 8, 242);
+  const PointType left = MakePoint(40, 16, 257);
+  return { { Trunk(MakePoint(22, -42, 222), fork, 13.5, 12.5),
+             Trunk(fork, right, 11.0, 9.5),
+             Trunk(fork, left, 11.0, 9.5),
+             Trunk(right, MakePoint(-44, 12, 252), 7.0, 6.0),
+             Trunk(right, MakePoint(-48, 4, 230), 7.5, 5.0),
+             Trunk(right, MakePoint(-50, 20, 226), 8.5, 7.0),
+             Trunk(left, MakePoint(46, 8, 258), 8.0, 6.5),
+             Trunk(left, MakePoint(52, 32, 240), 9.0, 7.5) },
+           { { MakePoint(-44, 12, 252),
+               MakePoint(-48, 4, 230),
+               MakePoint(-50, 20, 226),
+               MakePoint(46, 8, 258),
+               MakePoint(52, 32, 240) } },
+           14.0,
+           0.8 };
+}
+
+TreePlan
+Veins()
+{
+  return { { Trunk(MakePoint(-20, 12, 226), MakePoint(-46, -2, 238), 8.0, 6.0),
+             Trunk(MakePoint(-20, 12, 222), MakePoint(-46, -6, 216), 7.0, 5.0),
+             Trunk(MakePoint(-20, 22, 216), MakePoint(-46, 30, 204), 8.0, 6.5),
+             Trunk(MakePoint(28, 14, 228), MakePoint(50, -4, 240), 8.0, 6.0),
+             Trunk(MakePoint(28, 24, 218), MakePoint(50, 36, 206), 8.0, 6.5) },
+           { { MakePoint(-46, -2, 238),
+               MakePoint(-46, -6, 216),
+               MakePoint(-46, 30, 204),
+               MakePoint(50, -4, 240),
+               MakePoint(50, 36, 206) } },
+           15.0,
+           0.8 };
+}
+
+TreePlan
+Airways()
+{
+  const PointType carina = MakePoint(0, 24, 262);
+  const PointType right = MakePoint(-34, 30, 240);
+  const PointType left = MakePoint(44, 34, 232);
+  return { { Trunk(MakePoint(0, 22, 420), carina, 8.5, 8.5),
+             Trunk(carina, right, 7.0, 6.5),
+             Trunk(carina, left, 6.5, 6.0),
+             Trunk(right, MakePoint(-48, 28, 248), 5.0, 4.0),
+             Trunk(right, MakePoint(-44, 26, 224), 5.5, 5.0),
+             Trunk(MakePoint(-44, 26, 224), MakePoint(-52, 14, 212), 4.0, 3.2),
+             Trunk(MakePoint(-44, 26, 224), MakePoint(-50, 38, 212), 4.5, 4.0),
+             Trunk(left, MakePoint(52, 24, 238), 5.0, 4.0),
+             Trunk(left, MakePoint(50, 46, 220), 5.0, 4.0) },
+           { { MakePoint(-48, 28, 248),
+               MakePoint(-52, 14, 212),
+               MakePoint(-50, 38, 212),
+               MakePoint(52, 24, 238),
+               MakePoint(50, 46, 220) } },
+           30.0,
+           0.9 };
+}
+
+std::vector<TaperedTube>
+GrowTrees(const PhantomSolid & lungs, const TreePlan & plan, unsigned seed, unsigned kind)
+{
+  constexpr double         toSurface = 4.0; // mm that the tips keep from pleura and fissures
+  std::vector<TaperedTube> tubes = plan.trunks;
+  for (int lobe = 0; lobe < Lobes::count; ++lobe)
+  {
+    PhantomRandom random = RandomOf(seed, Stream::Trees, 8 * kind + static_cast<unsigned>(lobe));
+    const auto targets = ScatteredPoints(Lobes::Lobe(lungs, lobe), lowCorner, highCorner, plan.spacing, toSurface, random);
+    GrowTree(plan.roots[static_cast<std::size_t>(lobe)], targets, plan.tipRadius, random, tubes);
+  }
+  return tubes;
+}
+
+std::vector<TaperedTube>
+WithWalls(std::vector<TaperedTube> tubes)
+{
+  for (auto & tube : tubes)
+  {
+    tube.fromRadius += 0.4 + 0.13 * tube.fromRadius;
+    tube.toRadius += 0.4 + 0.13 * tube.toRadius;
+  }
+  return tubes;
+}
+
+// Holes of emphysema: most of them in the upper lobes, and a few bullae under the pleura.
+PhantomSolid
+Holes(const PhantomSolid & lungs, unsigned seed)
+{
+  std::vector<TaperedTube> balls;
+  const auto               add = [&](const PointType & p, double radius) { balls.push_back({ p, p, radius, radius }); };
+  PhantomRandom            random = RandomOf(seed, Stream::Holes);
+  for (const PointType & p : ScatteredPoints(lungs, lowCorner, highCorner, 9.0, 1.0, random))
+  {
+    const double size = random.Uniform(0.0, 1.0);
+    const double height = std::clamp((p[2] - 120.0) / 160.0, 0.25, 1.0);
+    add(p, 0.8 + 5.2 * height * size * size);
+  }
+  PhantomRandom bullae = RandomOf(seed, Stream::Bullae);
+  for (const PointType & p : ScatteredPoints(lungs, lowCorner, highCorner, 42.0, 0.0, bullae))
+  {
+    const double radius = bullae.Uniform(7.0, 16.0);
+    if (p[2] > 240.0 && lungs.distance(p) > -radius)
+    {
+      add(p, radius);
+    }
+  }
+  return Both(ForestSolid(balls, 3.0), Grown(lungs, -0.8));
+}
+} // namespace
+
+LungState
+LungStateOf(const ColonPhantomParameters & parameters)
+{
+  static const std::map<std::string, LungState> states{ { "inspiration", { -865.0, 0.0025, 0.22, 0.0, false } },
+                                                        { "quietBreathing", { -765.0, 0.0038, 0.16, 20.0, false } },
+                                                        { "emphysema", { -940.0, 0.0015, 0.3, -8.0, true } } };
+  LungState                                     state = states.at(parameters.lungs);
+  if (parameters.lungDensity != lungDensityOfState)
+  {
+    state.density = parameters.lungDensity;
+  }
+  return state;
+}
+
+std::vector<ColonStructures::Part>
+MakeLungParts(const ColonAnatomy & anatomy, const VectorType & down)
+{
+  const auto &    p = anatomy.GetParameters();
+  const LungState state = LungStateOf(p);
+  const auto      lungs = LungSpace(anatomy, state.lift);
+  const auto      airwayTubes = GrowTrees(lungs, Airways(), p.seed, 0);
+  auto            vesselTubes = GrowTrees(lungs, Arteries(), p.seed, 1);
+  const auto      veins = GrowTrees(lungs, Veins(), p.seed, 2);
+  vesselTubes.insert(vesselTubes.end(), veins.begin(), veins.end());
+  const auto airways = ForestSolid(airwayTubes, forestReach);
+  const auto walls = ForestSolid(WithWalls(airwayTubes), forestReach);
+  const auto vessels = ForestSolid(vesselTubes, forestReach);
+  const auto holes = state.isEmphysema ? Holes(lungs, p.seed) : ForestSolid({}, forestReach);
+
+  std::vector<ColonStructures::Part> parts;
+  const auto add = [&](ColonStructure label, const PhantomSolid & solid, std::shared_ptr<const PhantomBody> body) {
+    parts.push_back({ label, solid, std::move(body), false, true });
+  };
+  add(ColonStructure::None,
+      lungs,
+      std::make_shared<LungBody>(lungs, holes, Either(walls, vessels), state, p.seed, down));
+  const auto first = static_cast<int>(ColonStructure::RightUpperLobe);
+  for (int lobe = 0; lobe < Lobes::count; ++lobe)
+  {
+    add(static_cast<ColonStructure>(first + lobe), Lobes::Lobe(lungs, lobe), nullptr);
+  }
+  add(ColonStructure::None, holes, MakeSolidBody(holes, gasIntensity));
+  add(ColonStructure::AirwayWall, walls, MakeSolidBody(walls, tissue));
+  add(ColonStructure::Airway, airways, MakeSolidBody(airways, gasIntensity));
+  add(ColonStructure::LungVessel, vessels, MakeSolidBody(vessels, tissue));
+  return parts;
+}
+} // namespace shapeton

@@ -1,0 +1,25 @@
+#ifndef shapetonTubeForest_h
+#define shapetonTubeForest_h
+
+#include "shapetonPhantomSolid.h"
+
+#include <vector>
+
+namespace shapeton
+{
+/** A tapered tube with round ends; a ball where both ends are one point. LPS, mm. */
+struct TaperedTube
+{
+  using PointType = PhantomBody::PointType;
+  PointType from;
+  PointType to;
+  double    fromRadius;
+  double    toRadius;
+};
+
+/** The union of many tubes, with a spatial index. Distances larger than `reach` mm are reported as `reach`. */
+PhantomSolid
+ForestSolid(const std::vector<TaperedTube> & tubes, double reach);
+} // namespace shapeton
+
+#endif
