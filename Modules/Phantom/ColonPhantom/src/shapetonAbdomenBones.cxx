@@ -137,10 +137,9 @@ AddUpperRibs(PhantomBodies & bodies)
   const auto       wall = Grown(ThoracicCage(), 4.5);
   constexpr double heights[] = { 257.0, 284.0, 309.0, 331.0, 345.0 };
   constexpr double descents[] = { ribDescent, ribDescent, 98.0, 80.0, 52.0 };
-  const auto       beside = Without(wall, BoxSolid(MakePoint(0, -80, 250), MakeVector(14, 60, 200)));
   for (int i = 0; i < 5; ++i)
   {
-    const auto rib = Both(Rib(heights[i], wall, descents[i]), Grown(beside, 20.0));
+    const auto rib = Rib(heights[i], wall, descents[i]);
     bodies.push_back(MakeSolidBody(rib, 110.0));
     AddBone(bodies, Both(rib, Behind(-58.0 + 6.0 * i)), 1.4, 250.0);
   }

@@ -18,7 +18,7 @@ namespace
 using PointType = PhantomBody::PointType;
 using VectorType = itk::Vector<double, 3>;
 
-constexpr double tissue = 42.0;          // HU of vessels and walls of airways
+constexpr double tissue = 42.0;          // HU of vessels, walls of airways and fissures
 constexpr double pleura = 3.0;           // mm between ribs and lung, and of the diaphragm
 constexpr double fissure = 0.4;          // thickness, mm; a scanner's blur lowers its contrast to that of a thin line
 constexpr double forestReach = 6.0;      // mm
@@ -228,7 +228,8 @@ public:
       const double toFissure = Lobes::ToFissure(p);
       const double between =
         ShareInside(toFissure - 0.5 * fissure, width) - ShareInside(toFissure + 0.5 * fissure, width);
-      value += share * (1.0 - between) * (this->Intensity(p) - value);
+      const double parenchyma = this->Intensity(p);
+      value += share * (parenchyma + between * (tissue - parenchyma) - value);
     }
   }
 

@@ -122,7 +122,7 @@ Heart()
 PhantomSolid
 Mediastinum()
 {
-  const auto spine = ColumnSolid(0, 84, 33, 35);
+  const auto spine = Either(ColumnSolid(0, 74, 31, 26), ColumnSolid(0, 100, 44, 26));
   const auto airways = TubeSolid({ MakePoint(0, 30, 290), MakePoint(0, 30, 420) }, 19.0);
   const auto hila = TubeSolid({ MakePoint(-24, 22, 236), MakePoint(0, 26, 250), MakePoint(28, 26, 236) }, 20.0);
   const auto below = TubeSolid({ MakePoint(4, 40, 60), MakePoint(2, 34, 240), MakePoint(0, 30, 290) }, 24.0);
