@@ -18,7 +18,7 @@ constexpr double lungDensityOfState = -1.0;
 /** Names of the organs that can be left out. Everything else (skin, fat, muscles, bones) always belongs to the patient.
  * \ingroup ColonPhantom */
 ColonPhantom_EXPORT const std::vector<std::string> &
-PhantomOrgans();
+                          PhantomOrgans();
 
 /** A value for each segment of the colon, rectum to caecum. \ingroup ColonPhantom */
 using SegmentValues = std::array<double, 6>;

@@ -17,17 +17,17 @@ namespace shapeton
 enum class ColonStructure : unsigned char
 {
   None,
-  Valve,       ///< the tissue of its lips, or the bump
-  Ileum,       ///< the lumen of the terminal ileum, up to the mouth of the valve
-  IleumWall,   ///< and all of an ileum that is collapsed
-  Catheter,    ///< its wall and its bore
-  Balloon,     ///< its wall and what it holds
-  Stool,       ///< with the gas in it
-  Bubble,      ///< of gas, in fluid
-  Foam,        ///< bubbles and the films between them
-  SmallBowel,  ///< the lumen of its other loops
-  Stomach,     ///< its lumen
-  Diverticulum, ///< its neck and sac, with what they hold
+  Valve,          ///< the tissue of its lips, or the bump
+  Ileum,          ///< the lumen of the terminal ileum, up to the mouth of the valve
+  IleumWall,      ///< and all of an ileum that is collapsed
+  Catheter,       ///< its wall and its bore
+  Balloon,        ///< its wall and what it holds
+  Stool,          ///< with the gas in it
+  Bubble,         ///< of gas, in fluid
+  Foam,           ///< bubbles and the films between them
+  SmallBowel,     ///< the lumen of its other loops
+  Stomach,        ///< its lumen
+  Diverticulum,   ///< its neck and sac, with what they hold
   RightUpperLobe, ///< of the lung: its parenchyma; this and what follows in a whole chest alone
   RightMiddleLobe,
   RightLowerLobe,

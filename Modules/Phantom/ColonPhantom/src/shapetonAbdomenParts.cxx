@@ -142,7 +142,7 @@ StomachLumen(const ColonAnatomy & anatomy)
 void
 AddOrgans(PhantomBodies & bodies, const ColonAnatomy & anatomy, const itk::Vector<double, 3> & down)
 {
-  const auto cavity = Both(Grown(AbdominalCavity(), -2.0), DiaphragmDome());
+  const auto   cavity = Both(Grown(AbdominalCavity(), -2.0), DiaphragmDome());
   const auto & p = anatomy.GetParameters();
   const auto   addOf = [&](const char * organ, const PhantomSolid & solid, double gap, double intensity) {
     if (Contains(p, organ))
@@ -166,9 +166,10 @@ AddOrgans(PhantomBodies & bodies, const ColonAnatomy & anatomy, const itk::Vecto
   addOf("vessels", TubeSolid(cava, 11.0), 4.0, 45.0);
   for (const double side : { -1.0, 1.0 })
   {
-    addOf("vessels", TubeSolid({ MakePoint(0, 45, -38), MakePoint(side * 36, 42, -85), MakePoint(side * 62, -20, -160) }, 8.0),
-        3.0,
-        45.0);
+    addOf("vessels",
+          TubeSolid({ MakePoint(0, 45, -38), MakePoint(side * 36, 42, -85), MakePoint(side * 62, -20, -160) }, 8.0),
+          3.0,
+          45.0);
   }
   addOf("bladder", EllipsoidSolid(MakePoint(0, -40, -138), MakeVector(40, 32, 30)), 4.0, 35.0);
   addOf("bladder", EllipsoidSolid(MakePoint(0, -40, -138), MakeVector(37, 29, 27)), 7.0, 6.0);

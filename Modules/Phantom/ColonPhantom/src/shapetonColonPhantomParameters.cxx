@@ -257,7 +257,7 @@ RequireValidChest(const ColonPhantomParameters & p)
 const std::vector<std::string> &
 PhantomOrgans()
 {
-  static const std::vector<std::string> organs{ "table", "lungs",   "heart",   "liver",      "spleen", "kidneys",
+  static const std::vector<std::string> organs{ "table",   "lungs",   "heart",   "liver",      "spleen", "kidneys",
                                                 "vessels", "bladder", "stomach", "smallBowel", "colon" };
   return organs;
 }

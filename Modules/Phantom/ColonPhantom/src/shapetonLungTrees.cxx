@@ -12,7 +12,7 @@ using VectorType = itk::Vector<double, 3>;
 using Iterator = std::vector<PointType>::iterator;
 
 constexpr double branchingExponent = 2.8;
-constexpr double taper = 0.92;   // of a branch's mean radius at its end; what is left of it at its beginning is 1 / taper
+constexpr double taper = 0.92; // of a branch's mean radius at its end; what is left of it at its beginning is 1 / taper
 constexpr double tipTaper = 0.6; // the last branches end thinner
 
 PointType

@@ -18,10 +18,10 @@ namespace
 using PointType = PhantomBody::PointType;
 using VectorType = itk::Vector<double, 3>;
 
-constexpr double tissue = 42.0;          // HU of vessels, walls of airways and fissures
-constexpr double pleura = 3.0;           // mm between ribs and lung, and of the diaphragm
-constexpr double fissure = 0.4;          // thickness, mm; a scanner's blur lowers its contrast to that of a thin line
-constexpr double forestReach = 6.0;      // mm
+constexpr double tissue = 42.0;     // HU of vessels, walls of airways and fissures
+constexpr double pleura = 3.0;      // mm between ribs and lung, and of the diaphragm
+constexpr double fissure = 0.4;     // thickness, mm; a scanner's blur lowers its contrast to that of a thin line
+constexpr double forestReach = 6.0; // mm
 
 const PointType lowCorner = MakePoint(-150.0, -102.0, 60.0);
 const PointType highCorner = MakePoint(150.0, 120.0, 352.0);
@@ -40,7 +40,8 @@ RandomOf(unsigned seed, Stream stream, unsigned number = 0)
   return PhantomRandom(seed, static_cast<std::uint32_t>(stream) + number);
 }
 
-// AwayFromColon() for a solid much larger than ColonAnatomy::Reach: away from the colon's box, its inner distances stay.
+// AwayFromColon() for a solid much larger than ColonAnatomy::Reach: away from the colon's box, its inner distances
+// stay.
 PhantomSolid
 AwayFromColonsBox(const PhantomSolid & solid, const ColonAnatomy & anatomy, double gap)
 {
@@ -178,7 +179,8 @@ private:
     }
     const auto mix = [](double a, double b, double share) { return a + share * (b - a); };
     const auto line = [&](int y, int z) {
-      return mix(this->At(first[0], first[1] + y, first[2] + z), this->At(first[0] + 1, first[1] + y, first[2] + z), t[0]);
+      return mix(
+        this->At(first[0], first[1] + y, first[2] + z), this->At(first[0] + 1, first[1] + y, first[2] + z), t[0]);
     };
     return mix(mix(line(0, 0), line(1, 0), t[1]), mix(line(0, 1), line(1, 1), t[1]), t[2]);
   }
@@ -277,7 +279,8 @@ private:
     {
       relative += this->Relative(p);
     }
-    const double wanted = (count + inHoles) * (m_State.density - airIntensity) - inHoles * (gasIntensity - airIntensity);
+    const double wanted =
+      (count + inHoles) * (m_State.density - airIntensity) - inHoles * (gasIntensity - airIntensity);
     m_Tissue = std::max(0.0, wanted / relative);
   }
 
@@ -292,10 +295,10 @@ private:
 /** Trees of one kind: trunks, then a tree for each lobe from the end of a trunk. */
 struct TreePlan
 {
-  std::vector<TaperedTube>         trunks;
+  std::vector<TaperedTube>            trunks;
   std::array<PointType, Lobes::count> roots;
-  double                           spacing;   ///< of the tips, mm
-  double                           tipRadius; ///< mm
+  double                              spacing;   ///< of the tips, mm
+  double                              tipRadius; ///< mm
 };
 
 TaperedTube
@@ -376,7 +379,8 @@ GrowTrees(const PhantomSolid & lungs, const TreePlan & plan, unsigned seed, unsi
   for (int lobe = 0; lobe < Lobes::count; ++lobe)
   {
     PhantomRandom random = RandomOf(seed, Stream::Trees, 8 * kind + static_cast<unsigned>(lobe));
-    const auto targets = ScatteredPoints(Lobes::Lobe(lungs, lobe), lowCorner, highCorner, plan.spacing, toSurface, random);
+    const auto    targets =
+      ScatteredPoints(Lobes::Lobe(lungs, lobe), lowCorner, highCorner, plan.spacing, toSurface, random);
     GrowTree(plan.roots[static_cast<std::size_t>(lobe)], targets, plan.tipRadius, random, tubes);
   }
   return tubes;
@@ -452,9 +456,8 @@ MakeLungParts(const ColonAnatomy & anatomy, const VectorType & down)
   const auto add = [&](ColonStructure label, const PhantomSolid & solid, std::shared_ptr<const PhantomBody> body) {
     parts.push_back({ label, solid, std::move(body), false, true });
   };
-  add(ColonStructure::None,
-      lungs,
-      std::make_shared<LungBody>(lungs, holes, Either(walls, vessels), state, p.seed, down));
+  add(
+    ColonStructure::None, lungs, std::make_shared<LungBody>(lungs, holes, Either(walls, vessels), state, p.seed, down));
   const auto first = static_cast<int>(ColonStructure::RightUpperLobe);
   for (int lobe = 0; lobe < Lobes::count; ++lobe)
   {

@@ -83,21 +83,23 @@ AddShoulders(PhantomBodies & bodies)
 PhantomSolid
 GreatVessels()
 {
-  const auto aorta = Either(TubeSolid({ MakePoint(6, -18, 212), MakePoint(-8, -26, 258), MakePoint(2, -10, 280) }, 14.0),
-                            TubeSolid({ MakePoint(2, -10, 280),
-                                        MakePoint(14, 14, 286),
-                                        MakePoint(20, 38, 274),
-                                        MakePoint(20, 48, 250),
-                                        MakePoint(13, 48, 145) },
-                                      11.5));
+  const auto aorta =
+    Either(TubeSolid({ MakePoint(6, -18, 212), MakePoint(-8, -26, 258), MakePoint(2, -10, 280) }, 14.0),
+           TubeSolid({ MakePoint(2, -10, 280),
+                       MakePoint(14, 14, 286),
+                       MakePoint(20, 38, 274),
+                       MakePoint(20, 48, 250),
+                       MakePoint(13, 48, 145) },
+                     11.5));
   const auto branches =
     Union({ TubeSolid({ MakePoint(-2, -12, 285), MakePoint(-20, 2, 335), MakePoint(-30, 22, 420) }, 5.5),
             TubeSolid({ MakePoint(10, 6, 288), MakePoint(16, 12, 335), MakePoint(30, 22, 420) }, 4.0),
             TubeSolid({ MakePoint(17, 22, 284), MakePoint(24, 20, 330), MakePoint(62, 4, 352) }, 4.5) });
-  const auto veins = Union({ TubeSolid({ MakePoint(-26, -10, 205), MakePoint(-25, -14, 300) }, 9.0),
-                             TubeSolid({ MakePoint(-25, -14, 300), MakePoint(-38, -8, 345), MakePoint(-40, 22, 420) }, 6.5),
-                             TubeSolid({ MakePoint(-25, -14, 298), MakePoint(14, -26, 312), MakePoint(40, -8, 346) }, 6.0),
-                             TubeSolid({ MakePoint(-18, 20, 150), MakePoint(-24, -6, 190) }, 11.0) });
+  const auto veins =
+    Union({ TubeSolid({ MakePoint(-26, -10, 205), MakePoint(-25, -14, 300) }, 9.0),
+            TubeSolid({ MakePoint(-25, -14, 300), MakePoint(-38, -8, 345), MakePoint(-40, 22, 420) }, 6.5),
+            TubeSolid({ MakePoint(-25, -14, 298), MakePoint(14, -26, 312), MakePoint(40, -8, 346) }, 6.0),
+            TubeSolid({ MakePoint(-18, 20, 150), MakePoint(-24, -6, 190) }, 11.0) });
   return Union({ aorta, branches, veins });
 }
 } // namespace
@@ -126,8 +128,8 @@ Mediastinum()
   const auto airways = TubeSolid({ MakePoint(0, 30, 290), MakePoint(0, 30, 420) }, 19.0);
   const auto hila = TubeSolid({ MakePoint(-24, 22, 236), MakePoint(0, 26, 250), MakePoint(28, 26, 236) }, 20.0);
   const auto below = TubeSolid({ MakePoint(4, 40, 60), MakePoint(2, 34, 240), MakePoint(0, 30, 290) }, 24.0);
-  const auto underHeart =
-    TubeSolid({ MakePoint(-22, 10, 168), MakePoint(0, -44, 168), MakePoint(46, -42, 164), MakePoint(4, 20, 168) }, 24.0);
+  const auto underHeart = TubeSolid(
+    { MakePoint(-22, 10, 168), MakePoint(0, -44, 168), MakePoint(46, -42, 164), MakePoint(4, 20, 168) }, 24.0);
   const auto front = BoxSolid(MakePoint(0, -60, 250), MakeVector(2.5, 60, 150));
   return Union(
     { Grown(Heart(), heartFat), underHeart, below, spine, Grown(GreatVessels(), vesselFat), airways, hila, front });

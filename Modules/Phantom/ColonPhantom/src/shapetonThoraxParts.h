@@ -6,7 +6,8 @@
 
 namespace shapeton
 {
-/** The inner surface of the ribs: the column of the abdomen's chest wall, closed by a cap whose top is at z = 350 mm. */
+/** The inner surface of the ribs: the column of the abdomen's chest wall, closed by a cap whose top is at z = 350 mm.
+ */
 PhantomSolid
 ThoracicCage();
 

@@ -208,8 +208,8 @@ TEST(ColonChest, FissuresDivideTheLobes)
             kinds.insert(std::to_string(static_cast<int>(lobe)) + '-' + std::to_string(static_cast<int>(label)));
             EXPECT_GT(z - left, 0.3);
             const double inside = patient.IntensityAt({ x, y, 0.5 * (left + z) }, true);
-            const double beside = std::max(patient.IntensityAt({ x, y, left - 4.0 }, true),
-                                           patient.IntensityAt({ x, y, z + 4.0 }, true));
+            const double beside =
+              std::max(patient.IntensityAt({ x, y, left - 4.0 }, true), patient.IntensityAt({ x, y, z + 4.0 }, true));
             faint += inside < beside + 60.0;
           }
           lobe = label;
@@ -230,16 +230,17 @@ TEST(ColonChest, FissuresDivideTheLobes)
 // Voxels of 0.9 mm of both lungs: vessels whose voxels touch are one piece, and the large pieces begin at the hila.
 TEST(ColonChest, VesselsAreTreesFromTheHila)
 {
-  const auto source = MakeChest(ChestParameters("inspiration"), { { 320, 240, 310 } }, { 0.9, 0.9, 0.9 }, { 0, 5, 210 });
+  const auto source =
+    MakeChest(ChestParameters("inspiration"), { { 320, 240, 310 } }, { 0.9, 0.9, 0.9 }, { 0, 5, 210 });
   source->TruthOnlyOn();
   source->Update();
-  const auto * const        labels = source->GetStructureOutput();
-  const auto                size = labels->GetLargestPossibleRegion().GetSize();
-  const auto * const        pixels = labels->GetBufferPointer();
-  const auto                isVessel = [&](std::size_t i) { return pixels[i] == static_cast<int>(ColonStructure::LungVessel); };
-  const std::size_t         strides[3] = { 1, size[0], size[0] * size[1] };
-  const std::size_t         count = strides[2] * size[2];
-  shapeton::DisjointSets<std::size_t> pieces(count);
+  const auto * const labels = source->GetStructureOutput();
+  const auto         size = labels->GetLargestPossibleRegion().GetSize();
+  const auto * const pixels = labels->GetBufferPointer();
+  const auto        isVessel = [&](std::size_t i) { return pixels[i] == static_cast<int>(ColonStructure::LungVessel); };
+  const std::size_t strides[3] = { 1, size[0], size[0] * size[1] };
+  const std::size_t count = strides[2] * size[2];
+  shapeton::DisjointSets<std::size_t>                 pieces(count);
   itk::ImageRegionConstIteratorWithIndex<ChestLabels> it(labels, labels->GetLargestPossibleRegion());
   for (std::size_t i = 0; i < count; ++i, ++it)
   {
@@ -309,14 +310,14 @@ TEST(ColonChest, LeavingAnOrganOutChangesNothingElse)
     const auto without = MakeChest(Without(whole, one.organ), { { 36, 36, 36 } }, { 2.4, 2.4, 2.4 }, one.center);
     with->Update();
     without->Update();
-    const bool  isColon = one.organ == std::string("colon");
-    const auto  isPart = [&](const itk::Index<3> & index) {
+    const bool isColon = one.organ == std::string("colon");
+    const auto isPart = [&](const itk::Index<3> & index) {
       return (isColon && with->GetLumenOutput()->GetPixel(index) != 0) ||
              one.labels.count(static_cast<ColonStructure>(with->GetStructureOutput()->GetPixel(index))) > 0;
     };
-    std::size_t changed = 0;
-    std::size_t outside = 0;
-    std::size_t left = 0;
+    std::size_t                                                    changed = 0;
+    std::size_t                                                    outside = 0;
+    std::size_t                                                    left = 0;
     itk::ImageRegionConstIteratorWithIndex<ChestSource::ImageType> it(with->GetOutput(),
                                                                       with->GetOutput()->GetLargestPossibleRegion());
     for (; !it.IsAtEnd(); ++it)
@@ -334,7 +335,7 @@ TEST(ColonChest, LeavingAnOrganOutChangesNothingElse)
       for (int k = 0; k < 1331 && !isNear; ++k)
       {
         const itk::Offset<3> offset{ { k % 11 - 5, k / 11 % 11 - 5, k / 121 - 5 } };
-        const double         distance = 2.4 * std::sqrt(offset[0] * offset[0] + offset[1] * offset[1] + offset[2] * offset[2]);
+        const double distance = 2.4 * std::sqrt(offset[0] * offset[0] + offset[1] * offset[1] + offset[2] * offset[2]);
         isNear = distance < 11.0 && isPart(index + offset);
       }
       outside += !isNear;
@@ -357,9 +358,9 @@ TEST(ColonChest, TheTableIsUnderThePatient)
 // Axes z, -x, -y of the first grid, three different spacings: both have the same voxels in space.
 TEST(ColonChest, GridsWithOtherAxesShowTheSameChest)
 {
-  const auto            parameters = ChestParameters("emphysema");
-  const auto            straight = MakeChest(parameters, { { 24, 20, 28 } }, { 9, 8, 7 }, { 10, 0, 240 });
-  const auto            turned = MakeChest(parameters, { { 28, 24, 20 } }, { 7, 9, 8 }, { 10, 0, 240 });
+  const auto                 parameters = ChestParameters("emphysema");
+  const auto                 straight = MakeChest(parameters, { { 24, 20, 28 } }, { 9, 8, 7 }, { 10, 0, 240 });
+  const auto                 turned = MakeChest(parameters, { { 28, 24, 20 } }, { 7, 9, 8 }, { 10, 0, 240 });
   ChestSource::DirectionType direction;
   direction.Fill(0.0);
   direction(2, 0) = 1.0;
@@ -387,9 +388,36 @@ TEST(ColonChest, GridsWithOtherAxesShowTheSameChest)
   EXPECT_LE(largest, 2.0);
 }
 
+// Moved by two voxels along x and three along z.
+TEST(ColonChest, AMovedVolumeShowsTheSamePatient)
+{
+  const auto parameters = ChestParameters("inspiration");
+  const auto here = MakeChest(parameters, { { 20, 16, 18 } }, { 8, 8, 8 }, { 0, 0, 200 });
+  const auto there = MakeChest(parameters, { { 20, 16, 18 } }, { 8, 8, 8 }, { 16, 0, 224 });
+  here->Update();
+  there->Update();
+  double                                              largest = 0.0;
+  std::size_t                                         otherLabels = 0;
+  itk::ImageRegionConstIteratorWithIndex<ChestLabels> it(there->GetStructureOutput(),
+                                                         there->GetStructureOutput()->GetLargestPossibleRegion());
+  for (; !it.IsAtEnd(); ++it)
+  {
+    const auto index = it.GetIndex();
+    const auto same = index + itk::Offset<3>{ { 2, 0, 3 } };
+    if (here->GetStructureOutput()->GetLargestPossibleRegion().IsInside(same))
+    {
+      otherLabels += it.Get() != here->GetStructureOutput()->GetPixel(same);
+      largest =
+        std::max(largest, std::abs(1.0 * there->GetOutput()->GetPixel(index) - here->GetOutput()->GetPixel(same)));
+    }
+  }
+  EXPECT_EQ(otherLabels, 0U);
+  EXPECT_LE(largest, 1.0);
+}
+
 TEST(ColonChest, AnObliqueGridSamplesTheSameChest)
 {
-  const auto                 source = MakeChest(ChestParameters("inspiration"), { { 30, 30, 30 } }, { 3, 4, 5 }, { 0, 0, 0 });
+  const auto source = MakeChest(ChestParameters("inspiration"), { { 30, 30, 30 } }, { 3, 4, 5 }, { 0, 0, 0 });
   ChestSource::DirectionType direction;
   direction.SetIdentity();
   direction(0, 0) = direction(2, 2) = 0.8;
@@ -402,7 +430,7 @@ TEST(ColonChest, AnObliqueGridSamplesTheSameChest)
   source->Update();
   itk::ImageRegionConstIteratorWithIndex<ChestLabels> it(source->GetStructureOutput(),
                                                          source->GetStructureOutput()->GetLargestPossibleRegion());
-  std::set<int> seen;
+  std::set<int>                                       seen;
   for (; !it.IsAtEnd(); ++it)
   {
     itk::Point<double, 3> p;

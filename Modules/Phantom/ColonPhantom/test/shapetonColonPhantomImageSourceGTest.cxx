@@ -273,8 +273,8 @@ IndexAt(const itk::ImageBase<3> * image, const Eigen::Vector3d & point)
 void
 ExpectThatSkippingChangesNothing(Source * source, const std::vector<itk::Index<3>> & indices)
 {
-  const auto & structures = source->GetStructures();
-  const auto   bodies = shapeton::MakeColonAbdomen(source->GetAnatomy(), source->GetFluid(), structures);
+  const auto &            structures = source->GetStructures();
+  const auto              bodies = shapeton::MakeColonAbdomen(source->GetAnatomy(), source->GetFluid(), structures);
   shapeton::PhantomBodies all;
   for (const auto & body : bodies)
   {
@@ -325,7 +325,7 @@ TEST(ColonPhantomImageSource, SkippingBlocksChangesNothingInTheChest)
   {
     auto parameters = Standard("supine", 0.25);
     parameters.lungs = lungs;
-    const auto source = MakeSource(parameters, 256);
+    const auto   source = MakeSource(parameters, 256);
     const double center[3] = { 0.0, 0.0, 240.0 };
     source->CenterOutput(Source::PointType(center));
     source->UpdateOutputInformation();

@@ -135,8 +135,9 @@ ReadPhantomCenter(CommandLine & commandLine)
   const std::vector<double> numbers = commandLine.GetDoubles("center");
   RequireParameter(numbers.size() == 3,
                    "the parameter \"center\" needs 3 numbers, not " + std::to_string(numbers.size()));
-  RequireParameter(std::all_of(numbers.begin(), numbers.end(), [](double x) { return std::abs(x) <= farthest; }),
-                   "the parameter \"center\" has a coordinate outside -1000 to 1000 mm; the patient's trunk lies within");
+  RequireParameter(
+    std::all_of(numbers.begin(), numbers.end(), [](double x) { return std::abs(x) <= farthest; }),
+    "the parameter \"center\" has a coordinate outside -1000 to 1000 mm; the patient's trunk lies within");
   return itk::Point<double, 3>(numbers.data());
 }
 } // namespace shapeton

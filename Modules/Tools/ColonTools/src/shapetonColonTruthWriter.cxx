@@ -214,8 +214,8 @@ WriteTruthOfColon(CommandLine &             commandLine,
                   const std::string &       folder,
                   const CurveSet *          other)
 {
-  const auto file = [&](const char * name) { return commandLine.Output(folder + '/' + name); };
-  const auto facts = ProvenanceMetadata(commandLine.GetProvenance());
+  const auto           file = [&](const char * name) { return commandLine.Output(folder + '/' + name); };
+  const auto           facts = ProvenanceMetadata(commandLine.GetProvenance());
   const ColonAnatomy & anatomy = source.GetAnatomy();
   const auto           write = [&](CurveSet curves, const char * name) {
     curves.facts.insert(curves.facts.end(), facts.begin(), facts.end());
