@@ -250,6 +250,7 @@ TakeOverFluid(ColonEvidence &                 evidence,
   }
   return taken;
 }
+
 /** From the caudal to the cranial end of a piece, mm in LPS. */
 std::array<double, 2>
 HeightsOf(const ColonGrid & grid, const GasPiece & piece)

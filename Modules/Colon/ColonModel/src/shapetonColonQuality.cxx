@@ -245,9 +245,8 @@ AssessabilityToJson(const ColonModel & model)
 bool
 BeginsInRectum(const CurveSet & curve)
 {
-  // Lines of real colons and phantoms begin at NEAREST to FARTHEST mm; those that begin in the descending colon above
-  // 130 mm.
-  constexpr double farthest = 120.0; // mm
+  // The lines of four real colons begin at 10 to 50 mm; one that begins in the descending colon would at about 80 mm.
+  constexpr double farthest = 65.0; // mm, see ColonExtent::DistanceFromAnus()
   ColonExtent      extent;
   for (Eigen::Index n = 0; n < curve.V.rows(); ++n)
   {
