@@ -39,8 +39,14 @@ ReadWithFacts(const Path &        path,
   Volume volume;
   {
     const WithoutGil withoutGil;
-    volume =
-      ReadVolume(path.text, { seriesUID, resampleGaps, deshear, dropDuplicates, allowSingleSlice, true, progress });
+    volume = ReadVolume(path.text,
+                        { seriesUID,
+                          resampleGaps,
+                          deshear,
+                          dropDuplicates,
+                          allowSingleSlice,
+                          VolumeReadOptions::Advice::allRepairs,
+                          progress });
   }
   return ImageWithFacts(volume);
 }
