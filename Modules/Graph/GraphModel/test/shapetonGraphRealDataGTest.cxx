@@ -35,7 +35,7 @@ TEST(GraphRealData, AllFilesAreRead)
     EXPECT_EQ(static_cast<std::size_t>(file.graph.nodes), file.graph.names.size()) << entry.path();
     ++files;
   }
-  EXPECT_EQ(187, files);
+  EXPECT_GE(files, 187); // the folder may grow
 }
 
 /** Numbers that the files state, or that are known of the graphs. */
