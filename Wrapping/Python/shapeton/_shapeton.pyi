@@ -1309,7 +1309,7 @@ class SeededHeat:
     least_weight: positive; what an edge that insulates still lets through.
     tolerance: greatest error of a probability, 1e-6 to 0.1.
 
-    Draw strokes as long as the parts, for the background, too: a point is too little (`SeededLabels.warnings`).
+    Draw strokes through all of each part, and of the background: a point is too little (`SeededLabels.warnings`).
     It keeps the last solution, from which the next one starts: 4 bytes for each voxel and label.
     """
     def __init__(self, image: Image, *, p: Optional[float]=..., window: Optional[Tuple[float, float]]=..., least_weight: float=..., tolerance: float=...) -> None: ...

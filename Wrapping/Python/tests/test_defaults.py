@@ -75,7 +75,10 @@ OPTIONS_ALONE = {
     ("ColonFolds", "publishedHigh"): "scheme \"published\" with its own values",
     ("ColonFolds", "publishedLow"): "scheme \"published\" with its own values",
     ("ColonLandmarks", "split"): "split_colon",
+    ("ColonPhantom", "center"): "the field of view of the tool",
+    ("ColonPhantom", "contents"): "organs of the tool",
     ("ColonPhantom", "direction"): "Image.from_affine",
+    ("ColonPhantom", "lungs"): "organs of the tool",
     ("ColonSegmentation", "inputIsLumen"): "build_colon_of_lumen",
     ("CumulativeHeatDiffusion", "histogramScale"): "a picture",
     ("CumulativeHeatDiffusion", "snapshots"): "the number of recorded_steps",
@@ -99,7 +102,8 @@ def options_of(tool):
         if element.tag == "boolean":
             yield element.findtext("name"), text == "true"
         elif element.tag.endswith("-vector"):
-            yield element.findtext("name"), [float(n) for n in text.split(",")]
+            read = str if element.tag == "string-vector" else float
+            yield element.findtext("name"), [read(n) for n in text.split(",")]
         else:
             is_number = re.fullmatch(r"[-+0-9.eE]+", text)
             yield element.findtext("name"), float(text) if is_number else text

@@ -17,9 +17,8 @@ ColonTools_EXPORT ColonPhantomParameters
 ReadColonPhantomParameters(CommandLine & commandLine);
 
 /** The option `center` of ColonPhantom: where the center of the volume lies in the patient (LPS, mm). It enters the
- * provenance only when it is given. Throws ParameterError unless it has three numbers within 1000 mm. \ingroup
- * ColonTools
- */
+ * provenance only when it is given. Throws ParameterError unless it has three numbers within 1000 mm.
+ * \ingroup ColonTools */
 ColonTools_EXPORT itk::Point<double, 3>
                   ReadPhantomCenter(CommandLine & commandLine);
 } // namespace shapeton
