@@ -34,7 +34,7 @@ function(itk_module_add_library name)
   generate_export_header(${name} EXPORT_FILE_NAME ${PROJECT_BINARY_DIR}/include/${name}Export.h
     EXPORT_MACRO_NAME ${name}_EXPORT NO_EXPORT_MACRO_NAME ${name}_HIDDEN STATIC_DEFINE ITK_STATIC)
   set_target_properties(${name} PROPERTIES
-    UNITY_BUILD_BATCH_SIZE 8 CXX_VISIBILITY_PRESET hidden VISIBILITY_INLINES_HIDDEN ON
+    UNITY_BUILD_BATCH_SIZE 32 CXX_VISIBILITY_PRESET hidden VISIBILITY_INLINES_HIDDEN ON
     OUTPUT_NAME Shapeton${name}-${Shapeton_SERIES} VERSION ${Shapeton_VERSION} SOVERSION ${Shapeton_VERSION_MAJOR}
     INSTALL_RPATH "$ORIGIN") # modules find each other where they are installed
   target_include_directories(${name} PUBLIC

@@ -22,7 +22,7 @@ constexpr double tempering = 0.6;
 /** Points of a section depend on each other over so many mm. */
 constexpr double sectionCorrelation = 40.0;
 constexpr double tolerance = 30.0; // mm
-constexpr double impossible = -1e30;
+constexpr double impossibleTerms = -1e30;
 /** Of situs inversus (about 1 in 10,000) and, more often, of images whose sides were exchanged on their way. */
 constexpr double probabilityOfMirrored = 1e-3;
 /** Of a line that begins at the caecum, as where the scan or the gas ends before the rectum. */
@@ -33,7 +33,7 @@ using Scores = std::vector<double>;
 double
 LogSum(const Scores & terms)
 {
-  const double most = terms.empty() ? impossible : *std::max_element(terms.begin(), terms.end());
+  const double most = terms.empty() ? impossibleTerms : *std::max_element(terms.begin(), terms.end());
   double       sum = 0.0;
   for (const double term : terms)
   {
@@ -183,7 +183,7 @@ private:
     const double share = m_Features[to][0] - m_Features[from][0];
     if (share < leastGap)
     {
-      return impossible;
+      return impossibleTerms;
     }
     constexpr int splenic = 2;
     const double  section = k == splenic ? MixedWithRedundant(m_Descending[to] - m_Descending[from]) : 0.0;
@@ -197,7 +197,7 @@ private:
     std::array<std::vector<int>, 4> from;
     for (int k = 1; k < 4; ++k)
     {
-      Scores next(this->Size(), impossible);
+      Scores next(this->Size(), impossibleTerms);
       from[k].assign(this->Size(), 0);
       for (int i = 0; i < this->Size(); ++i)
       {
@@ -251,7 +251,7 @@ private:
       for (int j = fromBefore ? 0 : i + 1; j < (fromBefore ? i : this->Size()); ++j)
       {
         const double score = fromBefore ? this->PairScore(k, j, i) : this->PairScore(k, i, j);
-        if (score > impossible)
+        if (score > impossibleTerms)
         {
           terms.push_back(from[j] + tempering * score);
         }

@@ -7,7 +7,7 @@ namespace shapeton
 namespace
 {
 /** Standard deviation of the mean along the tube, rows: folds make the wall longer where they stand. */
-constexpr double smoothing = 6.0;
+constexpr double smoothingOfTurns = 6.0;
 
 /** The length of wall in each pixel around, the mean over the columns of a row; that of the row's mean where there is
  * no wall. */
@@ -53,7 +53,7 @@ WallTurns::WallTurns(int rows, int pixels)
 
 WallTurns::WallTurns(const FlatColonGrid & grid, int rows, int columnsPerRow) : WallTurns(rows, grid.Rows())
 {
-  const std::vector<double> lengths = SmoothedRows(LengthsOfWall(grid, rows, columnsPerRow), rows, smoothing);
+  const std::vector<double> lengths = SmoothedRows(LengthsOfWall(grid, rows, columnsPerRow), rows, smoothingOfTurns);
   for (int row = 0; row < rows; ++row)
   {
     const double * const ofRow = &lengths[static_cast<std::size_t>(row) * m_Pixels];

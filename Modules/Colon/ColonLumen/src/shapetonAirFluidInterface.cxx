@@ -139,12 +139,6 @@ namespace
 constexpr double Reach = 5.0;     // mm across gravity
 constexpr double Thickness = 4.0; // mm along gravity
 constexpr double Sigma = 2.5;     // mm, of the weights across
-
-double
-NormalDistribution(double x)
-{
-  return 0.5 * std::erfc(-x / std::sqrt(2.0));
-}
 } // namespace
 
 LevelSurface::LevelSurface(const ColonGrid &                  grid,

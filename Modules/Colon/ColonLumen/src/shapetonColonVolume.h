@@ -11,6 +11,7 @@
 #include <Eigen/LU>
 
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <functional>
 #include <unordered_map>
@@ -132,6 +133,13 @@ MeasureBlocks(const ColonGrid & grid, const VoxelValues & hu);
  * HU of `tissue`. 0 where fewer than 20 blocks are found. */
 double
 NoiseInTissue(const ColonGrid & grid, const VoxelValues & hu, double tissue);
+
+/** The share of a normal distribution below x standard deviations. */
+inline double
+NormalDistribution(double x)
+{
+  return 0.5 * std::erfc(-x / std::sqrt(2.0));
+}
 
 /** Gaussian smoothing in place, sigma in mm, the border value going on beyond the border. */
 void

@@ -19,12 +19,6 @@ constexpr double ScannerBlur = 0.75;  // mm, standard deviation
 constexpr double GreatestRate = 0.15; // of one step back; beyond it noise grows
 constexpr double ContinuedOver = 1.2; // mm, of the weights along gravity
 
-double
-NormalDistribution(double x)
-{
-  return 0.5 * std::erfc(-x / std::sqrt(2.0));
-}
-
 /** How much lumen one voxel holds, and how much of that is fluid. */
 struct Share
 {

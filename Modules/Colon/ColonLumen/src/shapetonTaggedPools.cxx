@@ -156,9 +156,9 @@ SplitAtNecks(LumenField & field)
 
 namespace
 {
-constexpr double LeastContrast = 100.0; // HU above tissue
-constexpr double Plateau = 0.75;        // of a core's contrast: a wall in between goes below it
-constexpr double GreatestDepth = 15.0;  // mm, a core's volume by its open contact with the fluid
+constexpr double LeastPoolContrast = 100.0; // HU above tissue
+constexpr double Plateau = 0.75;            // of a core's contrast: a wall in between goes below it
+constexpr double GreatestDepth = 15.0;      // mm, a core's volume by its open contact with the fluid
 constexpr double LeastCoreMl = 0.05;
 constexpr double NeckRadius = 2.5; // mm; what is connected more narrowly is judged alone
 
@@ -188,7 +188,7 @@ public:
     , m_Hu(hu)
     , m_Sharp(sharp)
     , m_Least(thresholds.tissue +
-              std::max(LeastContrast, ShareInWall(grid, smoothing) * (thresholds.fluid - thresholds.tissue)))
+              std::max(LeastPoolContrast, ShareInWall(grid, smoothing) * (thresholds.fluid - thresholds.tissue)))
     , m_Tissue(thresholds.tissue)
     , m_Tolerance(10.0 + 0.5 * noise)
     , m_Voxel(std::max(1.0, std::cbrt(grid.VoxelVolume())))
@@ -425,10 +425,10 @@ namespace
 constexpr double LeastMl = 50.0;
 constexpr double LeastRadius = 14.0; // mm; small bowel is 25 mm wide, and voxels add to it
 constexpr double RectumMl = 20.0;
-constexpr double RectumRadius = 10.0; // mm
-constexpr double LeastLength = 2.5;   // volumes of the inscribed ball
-constexpr double WellTagged = 300.0;  // HU above tissue
-constexpr double SimilarShare = 0.25; // of the fluid's contrast
+constexpr double PoolRectumRadius = 10.0; // mm
+constexpr double LeastLength = 2.5;       // volumes of the inscribed ball
+constexpr double WellTagged = 300.0;      // HU above tissue
+constexpr double SimilarShare = 0.25;     // of the fluid's contrast
 
 /** In the middle of the largest ball, mean of up to 27 voxels: a ball that the border of the image cuts may have its
  * middle there. */
@@ -472,7 +472,7 @@ TakeFluidWithoutGas(ColonEvidence & evidence)
     const auto & v = deepest.voxel;
     const double ballMl = 4.18879e-3 * deepest.radius * deepest.radius * deepest.radius;
     const bool   isWide = ml >= LeastMl && deepest.radius >= LeastRadius;
-    if ((isWide || (areNearer[p] && deepest.radius >= RectumRadius)) && ml >= LeastLength * ballMl &&
+    if ((isWide || (areNearer[p] && deepest.radius >= PoolRectumRadius)) && ml >= LeastLength * ballMl &&
         IsAsBright(evidence, v))
     {
       evidence.isColonBright[p] = 1;

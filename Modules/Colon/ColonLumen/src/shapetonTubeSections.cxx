@@ -17,7 +17,7 @@ namespace
 constexpr double RayStep = 0.2;                          // mm
 constexpr int    CentringTurns = 2;                      // the second across the direction that the first one gives
 constexpr double CentringSmooth = 2.0;                   // sections, standard deviation
-constexpr double LeastClosed = 0.9;                      // of the rays, of a section whose middle is known
+constexpr double LeastClosedRays = 0.9;                  // of the rays, of a section whose middle is known
 constexpr double LargestReach = LargestBoreRadius + 1.0; // mm, of the rays within a bore
 
 /** Where between two samples the value passes the boundary of gas. */
@@ -100,7 +100,7 @@ ToMiddle(const CatheterRegion & region, const TubeSection & section)
       ++closed;
     }
   }
-  if (closed < LeastClosed * TubeSection::NumberOfRays)
+  if (closed < LeastClosedRays * TubeSection::NumberOfRays)
   {
     return std::nullopt;
   }

@@ -11,7 +11,7 @@ namespace shapeton
 {
 namespace
 {
-constexpr float WallLevel = 0.5F;
+constexpr float LevelOfWall = 0.5F;
 /** Values keep so far from the level: several edges that cross it at one voxel would give faces without area. */
 constexpr float LeastStep = 0.001F;
 
@@ -19,8 +19,8 @@ constexpr float LeastStep = 0.001F;
 float
 ClampedValue(float value, bool isLumen)
 {
-  const float mirrored = isLumen == (value >= WallLevel) ? value : 1.0F - value;
-  return isLumen ? std::max(mirrored, WallLevel + LeastStep) : std::min(mirrored, WallLevel - LeastStep);
+  const float mirrored = isLumen == (value >= LevelOfWall) ? value : 1.0F - value;
+  return isLumen ? std::max(mirrored, LevelOfWall + LeastStep) : std::min(mirrored, LevelOfWall - LeastStep);
 }
 
 /** The size of the field with a layer around. */
@@ -46,7 +46,7 @@ PaddedField(const OccupancyImage * occupancy, const LumenMaskImage * mask)
       std::size_t   i = (z * size[1] + y) * size[0];
       for (std::size_t x = 0; x < size[0]; ++x, ++i)
       {
-        row[x] = ClampedValue(from[i], isIn == nullptr ? from[i] >= WallLevel : isIn[i] != 0);
+        row[x] = ClampedValue(from[i], isIn == nullptr ? from[i] >= LevelOfWall : isIn[i] != 0);
       }
     }
   });
@@ -58,7 +58,7 @@ SurfaceMesh
 ContourOf(const OccupancyImage * occupancy, const LumenMaskImage * mask)
 {
   std::vector<float> values = PaddedField(occupancy, mask);
-  SurfaceMesh        mesh = LevelSurface(values, PaddedSize(occupancy), WallLevel, -1.0);
+  SurfaceMesh        mesh = LevelSurface(values, PaddedSize(occupancy), LevelOfWall, -1.0);
   const GridGeometry grid(occupancy);
   for (Eigen::Index i = 0; i < mesh.V.rows(); ++i)
   {

@@ -201,7 +201,7 @@ GreatestDifference(const Coefficients & a, const Coefficients & b)
   return greatest;
 }
 double
-GreatestOf(const Coefficients & mu)
+GreatestCoefficient(const Coefficients & mu)
 {
   return GreatestDifference(mu, Coefficients(mu.size()));
 }
@@ -264,7 +264,7 @@ FindQuasiConformalMap(const BeltramiEquations &                                 
     mu = next;
   }
   SettleConditions(solver, mu, conditionsOf, map, options.progress.Part("", 0.8, 1.0));
-  map.greatest = GreatestOf(equations.CoefficientsOf(map.values, map.flips));
+  map.greatest = GreatestCoefficient(equations.CoefficientsOf(map.values, map.flips));
   return map;
 }
 } // namespace shapeton

@@ -9,7 +9,7 @@ namespace shapeton
 {
 namespace
 {
-constexpr double infinite = std::numeric_limits<double>::infinity();
+constexpr double unreached = std::numeric_limits<double>::infinity();
 
 /** Columns from number `columns` on are the dustbins of the rows. */
 class AugmentingPaths
@@ -29,7 +29,7 @@ public:
   void
   Augment(int row)
   {
-    m_Distance.assign(m_RowOfColumn.size(), infinite);
+    m_Distance.assign(m_RowOfColumn.size(), unreached);
     m_From.assign(m_RowOfColumn.size(), -1);
     m_Through.assign(m_RowOfColumn.size(), -1);
     m_IsDone.assign(m_RowOfColumn.size(), 0);
@@ -99,7 +99,7 @@ private:
   double
   LeastReducedCost(int row) const
   {
-    double least = infinite;
+    double least = unreached;
     for (int choice = -1; choice < static_cast<int>(m_Problem.candidates[row].size()); ++choice)
     {
       least = std::min(least, this->CostOf(row, choice) - m_ColumnPotential[this->ColumnOf(row, choice)]);

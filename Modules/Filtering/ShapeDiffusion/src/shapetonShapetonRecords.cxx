@@ -58,9 +58,9 @@ FillRow(const VolumeGradientOperator & volumeGradient, std::size_t y, std::size_
 }
 
 /** Some slices with a slice more on either side, where the volume has one: their weights are those of the volume. */
-struct Slab
+struct RecordSlab
 {
-  Slab(std::size_t begin, std::size_t number, std::size_t slices)
+  RecordSlab(std::size_t begin, std::size_t number, std::size_t slices)
     : first(begin)
     , end(std::min(begin + number, slices))
     , outerFirst(begin == 0 ? 0 : begin - 1)
@@ -94,7 +94,7 @@ ShapetonRecords::ShapetonRecords(const float *                              inte
   const std::size_t      depth = std::max<std::size_t>(1, SlabVoxels / sliceLength);
   for (std::size_t first = 0; first < size[2]; first += depth)
   {
-    const Slab                   slab(first, depth, size[2]);
+    const RecordSlab             slab(first, depth, size[2]);
     const VolumeGradientOperator volumeGradient(
       intensities + slab.outerFirst * sliceLength, { size[0], size[1], slab.outerEnd - slab.outerFirst }, parameters);
     ParallelFor(slab.end - slab.first, [&](std::size_t slice) {

@@ -31,7 +31,7 @@ struct Graphic
 
 template <typename TStream, typename TGraphic>
 void
-Transmit(TStream & stream, TGraphic & graphic)
+TransmitGraphic(TStream & stream, TGraphic & graphic)
 {
   auto     count = static_cast<std::uint64_t>(graphic.values.size());
   stream & graphic.name & graphic.type & graphic.frameOfReferenceUID & graphic.isInPixels & graphic
@@ -171,7 +171,7 @@ ParseReport(const std::string & path)
   writer & static_cast<std::uint64_t>(finder.Found().size());
   for (const Graphic & graphic : finder.Found())
   {
-    Transmit(writer, graphic);
+    TransmitGraphic(writer, graphic);
   }
   return writer.GetBytes();
 }
@@ -194,7 +194,7 @@ ReadGraphics(const std::string & path)
       for (std::uint64_t i = 0; i < count; ++i)
       {
         graphics.emplace_back();
-        Transmit(reader, graphics.back());
+        TransmitGraphic(reader, graphics.back());
       }
     });
   return graphics;

@@ -23,7 +23,7 @@ const std::pair<DcmTagKey, DcmTagKey> dates[] = { { DCM_AcquisitionDate, DCM_Acq
                                                   { DCM_StudyDate, DCM_StudyTime } };
 
 std::string
-TextOf(DcmItem & item, const DcmTagKey & tag)
+StoredTextOf(DcmItem & item, const DcmTagKey & tag)
 {
   OFString text;
   item.findAndGetOFStringArray(tag, text);
@@ -100,10 +100,10 @@ DicomResultObject::PutDates()
   std::string  time = "000000";
   for (const auto & [dateTag, timeTag] : dates)
   {
-    if (const std::string found = TextOf(dataset, dateTag); !found.empty())
+    if (const std::string found = StoredTextOf(dataset, dateTag); !found.empty())
     {
       date = found;
-      time = TextOf(dataset, timeTag).empty() ? time : TextOf(dataset, timeTag);
+      time = StoredTextOf(dataset, timeTag).empty() ? time : StoredTextOf(dataset, timeTag);
       break;
     }
   }
@@ -123,7 +123,7 @@ DicomResultObject::PutDates()
 std::string
 DicomResultObject::Take(const DcmTagKey & tag)
 {
-  const std::string value = TextOf(*m_File.getDataset(), tag);
+  const std::string value = StoredTextOf(*m_File.getDataset(), tag);
   m_File.getDataset()->findAndDeleteElement(tag);
   return value;
 }

@@ -201,7 +201,7 @@ ReadPixelFormat(DcmItem & dataset, DicomSegmentationFile & file)
 
 template <typename TStream, typename TFile>
 void
-Transmit(TStream & stream, TFile & file)
+TransmitSegments(TStream & stream, TFile & file)
 {
   auto     segments = static_cast<std::uint64_t>(file.segments.size());
   auto     frames = static_cast<std::uint64_t>(file.frames.size());
@@ -259,7 +259,7 @@ ParseHeader(const std::string & path)
   RequirePixels(dataset, file);
   ByteWriter                    writer;
   const DicomSegmentationFile & whole = file;
-  Transmit(writer, whole);
+  TransmitSegments(writer, whole);
   return writer.GetBytes();
 }
 
@@ -506,7 +506,7 @@ ReadDicomSegmentation(const std::string & path)
     [](const std::string & request, char *) { return ParseHeader(request); },
     [&](const std::string & response, const char *) {
       ByteReader reader(response);
-      Transmit(reader, file);
+      TransmitSegments(reader, file);
     });
   file.path = path;
   for (const DicomSegmentInFile & segment : file.segments)

@@ -12,7 +12,7 @@ namespace shapeton
 namespace
 {
 constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr int    mostRounds = 20;
+constexpr int    mostFlipRounds = 20;
 constexpr double root2 = 1.41421356237309504880;
 
 double
@@ -200,7 +200,7 @@ void
 HolePatch::FlipAll()
 {
   bool hasFlipped = true;
-  for (int round = 0; hasFlipped && round < mostRounds; ++round)
+  for (int round = 0; hasFlipped && round < mostFlipRounds; ++round)
   {
     hasFlipped = false;
     for (int f = 0; f < static_cast<int>(m_Faces.size()); ++f)
@@ -216,7 +216,7 @@ HolePatch::FlipAll()
 void
 HolePatch::Refine()
 {
-  for (int round = 0; round < mostRounds; ++round)
+  for (int round = 0; round < mostFlipRounds; ++round)
   {
     const int number = static_cast<int>(m_Faces.size());
     for (int f = 0; f < number; ++f)

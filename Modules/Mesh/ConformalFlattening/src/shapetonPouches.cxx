@@ -20,8 +20,6 @@ constexpr double invisibleScale = 1e-6;
 constexpr double smallScale = 1e-3;
 ///@}
 
-constexpr const char * capName = "cap";
-
 using FaceMarks = std::vector<char>;
 
 /** For each face the number of its cap, 0 on the wall. */

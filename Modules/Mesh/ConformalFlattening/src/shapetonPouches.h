@@ -5,6 +5,9 @@
 
 namespace shapeton
 {
+/** The cell array that holds the number of the cap of a face, 0 on the wall. */
+constexpr const char * capName = "cap";
+
 /** Marks the faces, caps left out, around all of whose corners the area scale is below 1e-6 of the mean: nobody sees
  * them on the map, and their places drown in rounding. Scale: area in the plane over area in space. \param flat the map
  * of the surface, with its faces in their order. */

@@ -11,7 +11,7 @@ namespace shapeton
 {
 namespace
 {
-constexpr double leastDefect = 1e-6; // radians
+constexpr double leastAngularDefect = 1e-6; // radians
 
 /** For each vertex of the source one of its vertices on the flat surface. */
 FaceMatrix
@@ -108,7 +108,7 @@ DetectHandles(const SurfaceConnectivity & connectivity, const SurfaceMesh & flat
   std::vector<char>     isMarked(connectivity.NumberOfVertices(), 0);
   for (Eigen::Index v = 0; v < defects.size(); ++v)
   {
-    isMarked[v] = std::abs(defects[v]) > leastDefect;
+    isMarked[v] = std::abs(defects[v]) > leastAngularDefect;
   }
   Dilate(graph, isMarked, 1);
   HandleDetection detection;

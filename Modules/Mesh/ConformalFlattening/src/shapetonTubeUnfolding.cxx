@@ -15,10 +15,9 @@ namespace shapeton
 {
 namespace
 {
-constexpr int          mostRounds = 5; // of cutting off
-constexpr int          ringsOfHandle = 3;
+constexpr int          mostCuts = 5; // of cutting off
+constexpr int          ringsAroundHandle = 3;
 constexpr const char * wallPointName = "wallPointId";
-constexpr const char * capName = "cap";
 
 using FaceMarks = std::vector<char>;
 
@@ -68,7 +67,7 @@ public:
   Run()
   {
     bool isDone = this->MapUntilUnfolded(0) || m_Options.conjugate == TubeConjugate::Published;
-    for (int round = 0; !isDone && this->FindPouches() && round < mostRounds; ++round)
+    for (int round = 0; !isDone && this->FindPouches() && round < mostCuts; ++round)
     {
       this->CutOffPouches();
       isDone = this->MapUntilUnfolded(0);
@@ -140,7 +139,7 @@ private:
     if (!m_IsTube && NumberOf(m_IsFlipped) > 0)
     {
       const HandleDetection found = DetectHandles(*m_Connectivity, flat);
-      const FaceMarks       isNear = FacesNearHandles(*m_Connectivity, found.handles, ringsOfHandle);
+      const FaceMarks       isNear = FacesNearHandles(*m_Connectivity, found.handles, ringsAroundHandle);
       std::transform(m_IsFlipped.begin(), m_IsFlipped.end(), isNear.begin(), m_IsFlipped.begin(), std::greater<>());
     }
   }

@@ -28,13 +28,13 @@ using Eigen::Vector3d;
 using PointType = PhantomBody::PointType;
 
 constexpr double fatIntensity = -110.0;
-constexpr double behindBase = 3.0; // mm; so far the lips reach behind the wall
-constexpr double flaskSlope = 1.5; // where neck and sac join
-constexpr double intoWall = 0.35;  // mm; half a cell, so that no gas is seen between stool and wall
-constexpr double lipsSlope = 4.0;  // the distance to half ellipsoids may be too large by this factor
+constexpr double behindBase = 3.0;     // mm; so far the lips reach behind the wall
+constexpr double flaskSlope = 1.5;     // where neck and sac join
+constexpr double stoolIntoWall = 0.35; // mm; half a cell, so that no gas is seen between stool and wall
+constexpr double lipsSlope = 4.0;      // the distance to half ellipsoids may be too large by this factor
 
 Vector3d
-ToEigen(const PointType & p)
+PlaceOf(const PointType & p)
 {
   return { p[0], p[1], p[2] };
 }
@@ -45,7 +45,7 @@ LipsSolid(const ColonValve & valve)
 {
   const Vector3d  across = valve.direction.cross(valve.slit);
   const ValveLips lips{ valve.base, valve.direction, valve.slit, across, valve.length, valve.height, valve.thickness };
-  const auto      distance = [lips](const PointType & p) { return lips.Distance(ToEigen(p)).value; };
+  const auto      distance = [lips](const PointType & p) { return lips.Distance(PlaceOf(p)).value; };
   const Vector3d  back = -valve.direction;
   const auto      above = HalfSpaceSolid(MakeVector(back[0], back[1], back[2]), back.dot(valve.base) + behindBase);
   return Both({ distance, lipsSlope }, above);
@@ -56,7 +56,7 @@ PhantomSolid
 FlaskSolid(const ColonDiverticulum & diverticulum, double margin)
 {
   const DiverticulumBody body = BodyOf(diverticulum);
-  const auto             distance = [body](const PointType & p) { return body.Distance(ToEigen(p)).value; };
+  const auto             distance = [body](const PointType & p) { return body.Distance(PlaceOf(p)).value; };
   const Vector3d         back = (diverticulum.mouth - diverticulum.position).normalized();
   const auto             above = HalfSpaceSolid(MakeVector(back[0], back[1], back[2]), back.dot(diverticulum.mouth));
   return Both(Grown({ distance, flaskSlope }, margin), above);
@@ -193,7 +193,7 @@ ColonStructures::AddDiverticula(const ColonAnatomy & anatomy, const ColonFluid &
     const bool holdsStool = one.content == "stool";
     const bool isWet = fluid.DepthBelowLevel(one.position, one.arcLength) > 0.0;
     one.content = holdsStool ? "stool" : (isWet ? "fluid" : "gas");
-    const auto stool = WithinColon(FlaskSolid(one, intoWall), anatomy, intoWall);
+    const auto stool = WithinColon(FlaskSolid(one, stoolIntoWall), anatomy, stoolIntoWall);
     m_Parts.push_back({ ColonStructure::Diverticulum,
                         WithinColon(FlaskSolid(one, 0.0), anatomy, 0.0),
                         holdsStool ? MakeSolidBody(stool, one.intensity) : nullptr,

@@ -17,7 +17,7 @@ using VectorType = itk::Vector<double, 3>;
 constexpr int    numberOfLoops = 90;
 constexpr double stepLength = 11.0; // mm
 constexpr double cellSide = 4.0;    // mm
-constexpr int    blockSide = 4;     // cells
+constexpr int    cellsOfBlock = 4;  // cells
 constexpr double reach = 6.0;       // mm around the loops within which distances are known
 
 struct Loop
@@ -200,17 +200,18 @@ private:
     for (unsigned int i = 0; i < 3; ++i)
     {
       m_Corner[i] = regionCenter[i] - regionRadii[i] - 26.0;
-      m_Size[i] = blockSide * static_cast<int>(std::ceil(2.0 * (regionRadii[i] + 26.0) / (blockSide * cellSide)));
+      m_Size[i] = cellsOfBlock * static_cast<int>(std::ceil(2.0 * (regionRadii[i] + 26.0) / (cellsOfBlock * cellSide)));
     }
     m_Cells.resize(static_cast<std::size_t>(m_Size[0]) * m_Size[1] * m_Size[2]);
     const Segments all = this->AllSegments();
-    for (int z = 0; z < m_Size[2]; z += blockSide)
+    for (int z = 0; z < m_Size[2]; z += cellsOfBlock)
     {
-      for (int y = 0; y < m_Size[1]; y += blockSide)
+      for (int y = 0; y < m_Size[1]; y += cellsOfBlock)
       {
-        for (int x = 0; x < m_Size[0]; x += blockSide)
+        for (int x = 0; x < m_Size[0]; x += cellsOfBlock)
         {
-          this->FillBlock(x, y, z, this->SegmentsNear(this->PointOf(x, y, z, blockSide), blockSide * cellSide, all));
+          this->FillBlock(
+            x, y, z, this->SegmentsNear(this->PointOf(x, y, z, cellsOfBlock), cellsOfBlock * cellSide, all));
         }
       }
     }
@@ -219,11 +220,11 @@ private:
   void
   FillBlock(int x, int y, int z, const Segments & near)
   {
-    for (int k = 0; k < blockSide * blockSide * blockSide; ++k)
+    for (int k = 0; k < cellsOfBlock * cellsOfBlock * cellsOfBlock; ++k)
     {
-      const int u = x + k % blockSide;
-      const int v = y + k / blockSide % blockSide;
-      const int w = z + k / (blockSide * blockSide);
+      const int u = x + k % cellsOfBlock;
+      const int v = y + k / cellsOfBlock % cellsOfBlock;
+      const int w = z + k / (cellsOfBlock * cellsOfBlock);
       m_Cells[(static_cast<std::size_t>(w) * m_Size[1] + v) * m_Size[0] + u] =
         this->SegmentsNear(this->PointOf(u, v, w, 1), cellSide, near);
     }

@@ -22,13 +22,13 @@ constexpr double heartFat = 5.0;  // thickness of the fat around the heart, mm
 constexpr double capBase = 170.0; // z of the plane where the cage begins to narrow, mm; above the default field of view
 
 void
-Add(PhantomBodies & bodies, const PhantomSolid & solid, double intensity)
+AddPart(PhantomBodies & bodies, const PhantomSolid & solid, double intensity)
 {
   bodies.push_back(MakeSolidBody(solid, intensity));
 }
 
 PhantomSolid
-Above(double z)
+CranialTo(double z)
 {
   return HalfSpaceSolid(MakeVector(0, 0, -1), -z);
 }
@@ -63,21 +63,21 @@ void
 AddShoulders(PhantomBodies & bodies)
 {
   const auto trunk = ShouldersAndNeck();
-  const auto upper = Both(BodyOutline(), Above(230.0));
-  const auto chest = Both(Both(Grown(BodyOutline(), -14.0), Grown(trunk, -12.0)), Above(215.0));
-  Add(bodies, chest, muscle);
+  const auto upper = Both(BodyOutline(), CranialTo(230.0));
+  const auto chest = Both(Both(Grown(BodyOutline(), -14.0), Grown(trunk, -12.0)), CranialTo(215.0));
+  AddPart(bodies, chest, muscle);
   // Fat between the muscles: armpits, and under the pectoral muscles.
   for (const double side : { -1.0, 1.0 })
   {
     const auto armpit = EllipsoidSolid(MakePoint(side * 136, 0, 290), MakeVector(22, 46, 62));
-    Add(bodies, Both(armpit, chest), fat);
-    Add(bodies, Both(EllipsoidSolid(MakePoint(side * 66, 10, 362), MakeVector(34, 40, 14)), chest), fat);
+    AddPart(bodies, Both(armpit, chest), fat);
+    AddPart(bodies, Both(EllipsoidSolid(MakePoint(side * 66, 10, 362), MakeVector(34, 40, 14)), chest), fat);
   }
-  const auto front = Both(HalfSpaceSolid(MakeVector(0, 1, 0), 0.0), Above(215.0));
-  Add(bodies, Both(Both(ShellOf(Grown(ThoracicCage(), 12.0), 2.5), front), chest), fat);
-  Add(bodies, Both(Without(upper, Grown(trunk, -12.0)), Above(300.0)), fat);
-  Add(bodies, Without(upper, Grown(trunk, -2.0)), 10.0);
-  Add(bodies, Without(upper, trunk), airIntensity);
+  const auto front = Both(HalfSpaceSolid(MakeVector(0, 1, 0), 0.0), CranialTo(215.0));
+  AddPart(bodies, Both(Both(ShellOf(Grown(ThoracicCage(), 12.0), 2.5), front), chest), fat);
+  AddPart(bodies, Both(Without(upper, Grown(trunk, -12.0)), CranialTo(300.0)), fat);
+  AddPart(bodies, Without(upper, Grown(trunk, -2.0)), 10.0);
+  AddPart(bodies, Without(upper, trunk), airIntensity);
 }
 
 PhantomSolid
@@ -152,28 +152,28 @@ AddThorax(PhantomBodies & bodies, const ColonAnatomy & anatomy, double lift)
 {
   const auto & p = anatomy.GetParameters();
   AddShoulders(bodies);
-  Add(bodies, Both(Grown(ThoracicCage(), 8.0), Above(215.0)), muscle);
-  const auto chest = Without(Both(ThoracicCage(), Above(60.0)), DiaphragmDome());
-  Add(bodies, chest, softTissueIntensity);
-  const auto inside = Both(Grown(chest, -3.0), Above(60.0));
-  Add(bodies, Both(Without(inside, Grown(DiaphragmDome(), diaphragm)), Mediastinum()), fat);
+  AddPart(bodies, Both(Grown(ThoracicCage(), 8.0), CranialTo(215.0)), muscle);
+  const auto chest = Without(Both(ThoracicCage(), CranialTo(60.0)), DiaphragmDome());
+  AddPart(bodies, chest, softTissueIntensity);
+  const auto inside = Both(Grown(chest, -3.0), CranialTo(60.0));
+  AddPart(bodies, Both(Without(inside, Grown(DiaphragmDome(), diaphragm)), Mediastinum()), fat);
   const auto dome = [&](const PhantomSolid & solid, const char * organ, double intensity) {
     const auto part = Both(Grown(solid, -diaphragm), inside);
-    Add(bodies, Both(solid, inside), softTissueIntensity);
-    Add(bodies, AwayFromColon(part, anatomy, 5.0), Contains(p, organ) ? intensity : fat);
+    AddPart(bodies, Both(solid, inside), softTissueIntensity);
+    AddPart(bodies, AwayFromColon(part, anatomy, 5.0), Contains(p, organ) ? intensity : fat);
   };
   dome(RightHemidiaphragm(lift), "liver", 62.0);
   dome(LeftHemidiaphragm(lift), "spleen", 56.0);
   if (Contains(p, "vessels"))
   {
-    Add(bodies, Both(GreatVessels(), Without(Above(150.0), DiaphragmDome())), blood);
+    AddPart(bodies, Both(GreatVessels(), Without(CranialTo(150.0), DiaphragmDome())), blood);
   }
   if (Contains(p, "heart"))
   {
-    Add(bodies, Both(Heart(), inside), blood);
+    AddPart(bodies, Both(Heart(), inside), blood);
   }
   const auto esophagus =
     TubeSolid({ MakePoint(6, 36, 150), MakePoint(-3, 43, 200), MakePoint(0, 44, 290), MakePoint(2, 44, 420) }, 6.5);
-  Add(bodies, Both(esophagus, Without(Above(150.0), DiaphragmDome())), 35.0);
+  AddPart(bodies, Both(esophagus, Without(CranialTo(150.0), DiaphragmDome())), 35.0);
 }
 } // namespace shapeton

@@ -14,7 +14,7 @@ const RGBColor colorOfEnds = MakeColor(40, 220, 70);
 const RGBColor colorOfTaeniae = MakeColor(255, 214, 0);
 
 FlatColonGridOptions
-OptionsFor(double pixelSize)
+GridOptionsFor(double pixelSize)
 {
   FlatColonGridOptions options;
   options.pixelSize = pixelSize;
@@ -81,8 +81,8 @@ DrawHaustralFolds(const HaustralFoldPictureContent & content,
                   const std::string &                title,
                   int                                greatestColumns)
 {
-  const FlatColonGrid &  grid = content.flat->Grid(OptionsFor(pixelSize));
-  const Picture::Pointer strip = PaintFlatRelief(grid, content.flat->Axis(OptionsFor(pixelSize)));
+  const FlatColonGrid &  grid = content.flat->Grid(GridOptionsFor(pixelSize));
+  const Picture::Pointer strip = PaintFlatRelief(grid, content.flat->Axis(GridOptionsFor(pixelSize)));
   if (content.taeniae)
   {
     DrawTaeniae(strip, grid, *content.taeniae);

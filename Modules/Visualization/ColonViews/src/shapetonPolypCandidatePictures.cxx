@@ -23,7 +23,7 @@ using Eigen::Vector3d;
 
 constexpr unsigned int viewWidth = 400;
 constexpr unsigned int viewHeight = 300;
-constexpr int          titleHeight = 34;
+constexpr int          heightOfTitle = 34;
 /** The close-up over the flat colon. */
 constexpr double magnification = 4.0;
 /** mm of wall across a close-up at most. */
@@ -217,7 +217,7 @@ Picture::Pointer
 PolypCandidatePictures::DrawCandidate(const PolypCandidate & candidate) const
 {
   constexpr int gap = 8;
-  const auto    page = NewPicture(2 * viewWidth + gap, viewHeight + titleHeight, ground);
+  const auto    page = NewPicture(2 * viewWidth + gap, viewHeight + heightOfTitle, ground);
   TextStyle     style;
   style.size = 18;
   style.bold = true;
@@ -226,8 +226,8 @@ PolypCandidatePictures::DrawCandidate(const PolypCandidate & candidate) const
                             CsvTable::Rounded(candidate.diameter, 3) + " mm, score " +
                             CsvTable::Rounded(candidate.score, 2) + " (research use)";
   DrawText(page, title, 10, 7, FitText(title, style, 2 * viewWidth - 20));
-  PastePicture(page, this->DrawCloseUp(candidate), 0, titleHeight);
-  PastePicture(page, this->DrawFromWithin(candidate), viewWidth + gap, titleHeight);
+  PastePicture(page, this->DrawCloseUp(candidate), 0, heightOfTitle);
+  PastePicture(page, this->DrawFromWithin(candidate), viewWidth + gap, heightOfTitle);
   return page;
 }
 } // namespace shapeton

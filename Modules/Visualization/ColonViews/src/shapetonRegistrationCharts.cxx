@@ -15,7 +15,7 @@ namespace
 const RGBColor shade = MakeColor(206, 208, 214);
 const RGBColor blue = MakeColor(22, 74, 116);
 const RGBColor paleBlue = MakeColor(120, 170, 210);
-const RGBColor limitColor = MakeColor(196, 44, 44);
+const RGBColor colorOfLimit = MakeColor(196, 44, 44);
 
 constexpr int width = 1000;
 constexpr int height = 380;
@@ -38,7 +38,7 @@ struct Chart
     const int line = static_cast<int>(std::lround(frame.PixelOfY(limit)));
     for (int x = 0; x < frame.width; x += 16)
     {
-      FillRectangle(picture, frame.left + x, line, std::min(8, frame.width - x), 2, limitColor);
+      FillRectangle(picture, frame.left + x, line, std::min(8, frame.width - x), 2, colorOfLimit);
     }
     this->NameSegments(parts.supine->segments);
   }
