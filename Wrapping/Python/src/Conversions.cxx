@@ -289,7 +289,8 @@ class Watch
 public:
   explicit Watch(const py::object & function) : m_Function(Share(function)) {}
 
-  /** Of the library. Only Complete() tells the end, since what reports 1 may have something to do still. */
+  /** Receives the progress of the library. Only Complete() reports 1, because a step that reports 1 may not be the
+   * last. */
   void
   Report(const std::string & stage, double share)
   {

@@ -15,7 +15,7 @@ SYSTEM_PREFIXES = ("/usr/local", "/usr")  # where CMake looks always
 
 
 def _module(name):
-    """A module of this Python, or None: one that cannot be imported is of no use for the build either."""
+    """A module of this Python, or None if it cannot be imported, because the build cannot use it then."""
     try:
         return importlib.import_module(name)
     except Exception:  # pylint: disable=broad-except

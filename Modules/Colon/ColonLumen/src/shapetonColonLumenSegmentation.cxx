@@ -243,6 +243,7 @@ FailureOfMask(const itk::Image<float, 3> * ct, const itk::Image<unsigned char, 3
 {
   constexpr float            lungBelow = -600.0F; // HU; keeps lung at quiet breathing in one piece
   constexpr double           leastMl = 20.0;      // of a piece that can be judged
+  constexpr double           mostly = 0.5;        // share of lung in the gas of a mask of lungs
   const ColonGrid            grid = GridOfImage(ct);
   const VoxelValues          hu = LoadVoxels(ct, grid);
   std::vector<unsigned char> isGas(grid.NumberOfVoxels());
@@ -268,7 +269,7 @@ FailureOfMask(const itk::Image<float, 3> * ct, const itk::Image<unsigned char, 3
     all += gas.pieces[p].ml;
     lung += gas.pieces[p].ml >= leastMl && lungs.Measure(p).IsLung() ? gas.pieces[p].ml : 0.0;
   }
-  return lung <= 0.5 * all
+  return lung <= mostly * all
            ? ""
            : "no distended colon found: the mask is lung, " + std::to_string(std::lround(lung)) + " of its " +
                std::to_string(std::lround(all)) + " ml of gas; give a mask of the colon's lumen";

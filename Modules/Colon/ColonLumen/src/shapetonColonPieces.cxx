@@ -90,6 +90,7 @@ constexpr double CutRadius = 7.0;      // mm; how much a piece holds that the im
 constexpr double CutMl = 2.0;          //
 constexpr double RectumRadius = 7.0;   // mm; of gas and fluid near the anus
 constexpr double LungShare = 0.1;      // of the way from gas to tissue
+constexpr double CandidateMl = 0.05;   // smaller gas is noise
 constexpr double LungMl = 500.0;       // of lungs in view, from which airways are known by their height
 constexpr double LungHeight = 150.0;   // mm of lungs in view; a flexure may lie beside their lower half
 constexpr double FaintShare = 0.5;     // of the typical fluid's contrast
@@ -312,7 +313,8 @@ ChooseCore(ColonEvidence & evidence)
   for (std::size_t p = 1; p < pieces.size(); ++p)
   {
     const std::string & kind = evidence.kind[p];
-    evidence.isCandidate[p] = kind != OutsideKind && kind != LungKind && kind != AirwayKind && pieces[p].ml >= 0.05;
+    evidence.isCandidate[p] =
+      kind != OutsideKind && kind != LungKind && kind != AirwayKind && pieces[p].ml >= CandidateMl;
     evidence.isColon[p] = kind.empty();
   }
 }

@@ -263,8 +263,7 @@ FailureOfShortLine(const ColonModel & model)
   return "no distended colon found: the only wide gas is " + rounded(largest.gasMl) + " ml around " +
          PlaceInWords(largest.centre) + " along " + rounded(model.centreline.length) +
          " mm, shorter than a colon, as a stomach or a loop of bowel is; if it is a colon, give a seed point in it, or "
-         "its "
-         "lumen as a mask";
+         "its lumen as a mask";
 }
 
 /** Whether the model is to be completed: its line is that of a colon, or partial results are wanted. */

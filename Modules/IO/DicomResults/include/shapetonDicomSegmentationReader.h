@@ -39,9 +39,9 @@ struct DicomSegmentationFile
   double spacing[2]{ 0.0, 0.0 };
   /** Along a row, then along a column. */
   double orientation[6]{};
-  /** Of a fractional one, the value of a voxel that is wholly inside; 0 of others. */
+  /** Value of a voxel that is wholly inside a fractional segment; 0 if the segmentation is not fractional. */
   unsigned int wholeValue{ 0 };
-  /** Of a label map, the bytes of a pixel, 1 or 2, whose value is the number of its segment; 0 of others. */
+  /** Bytes of a pixel of a label map, 1 or 2; 0 if the segmentation is not a label map. */
   unsigned int bytesPerLabel{ 0 };
   /** Without those that a label map declares as background. */
   std::vector<DicomSegmentInFile> segments;

@@ -66,7 +66,7 @@ constexpr double LargestGrowth = 4;
 double
 ResampledSteps(double length, double spacing);
 
-/** True where that grid is no larger than LargestGrowth allows. */
+/** Whether that grid stays within LargestGrowth. */
 bool
 CanBeResampled(std::size_t slices, double length, double spacing);
 

@@ -212,7 +212,7 @@ TEST(Nifti, AShearedSformIsRefusedWithItsAngle)
   EXPECT_TRUE(Contains(fault, "not orthogonal: the angle between axis 1 and axis 2 is 87.14 degrees; resample"))
     << fault;
   EXPECT_FALSE(Contains(fault, "ITK ERROR"));
-  EXPECT_FALSE(Contains(fault, "sform_code")); // there is no qform to use
+  EXPECT_FALSE(Contains(fault, "sform_code")); // without a qform that advice would not help
   file.SetCodes(1, 1);
   EXPECT_TRUE(Contains(FaultOf(file), "set sform_code to 0 to use its qform"));
   file.SetCodes(1, 0); // as advised

@@ -9,12 +9,8 @@
 
 namespace shapeton
 {
-namespace
-{
-using PointType = PhantomBody::PointType;
-
 void
-Add(PhantomBodies & bodies, const PhantomSolid & solid, double intensity)
+AddPart(PhantomBodies & bodies, const PhantomSolid & solid, double intensity)
 {
   bodies.push_back(MakeSolidBody(solid, intensity));
 }
@@ -24,6 +20,10 @@ Above(double z)
 {
   return HalfSpaceSolid(MakeVector(0, 0, -1), -z);
 }
+
+namespace
+{
+using PointType = PhantomBody::PointType;
 
 PhantomSolid
 Below(double z)
@@ -61,24 +61,24 @@ AddBodyWall(PhantomBodies & bodies)
 {
   constexpr double fat = -112.0;
   constexpr double muscle = 55.0;
-  Add(bodies, BodyOutline(), 10.0);
-  Add(bodies, Grown(BodyOutline(), -2.0), fat);
-  Add(bodies, MuscularWall(), muscle);
-  Add(bodies, AbdominalCavity(), fat);
+  AddPart(bodies, BodyOutline(), 10.0);
+  AddPart(bodies, Grown(BodyOutline(), -2.0), fat);
+  AddPart(bodies, MuscularWall(), muscle);
+  AddPart(bodies, AbdominalCavity(), fat);
   for (const double side : { -1.0, 1.0 })
   {
-    Add(bodies, ColumnSolid(side * 40.0, 112.0, 34.0, 19.0, 2.5), muscle);
-    Add(bodies, Both(ColumnSolid(side * 66.0, 96.0, 22.0, 12.0), Both(Above(-60.0), Below(70.0))), muscle);
+    AddPart(bodies, ColumnSolid(side * 40.0, 112.0, 34.0, 19.0, 2.5), muscle);
+    AddPart(bodies, Both(ColumnSolid(side * 66.0, 96.0, 22.0, 12.0), Both(Above(-60.0), Below(70.0))), muscle);
     const std::vector<PointType> psoas{ MakePoint(side * 26.0, 74.0, 70.0),
                                         MakePoint(side * 38.0, 70.0, 0.0),
                                         MakePoint(side * 52.0, 48.0, -70.0),
                                         MakePoint(side * 74.0, 0.0, -125.0),
                                         MakePoint(side * 84.0, -20.0, -175.0) };
-    Add(bodies, TubeSolid(psoas, 17.0), muscle);
+    AddPart(bodies, TubeSolid(psoas, 17.0), muscle);
     const auto gluteus = EllipsoidSolid(MakePoint(side * 82.0, 92.0, -135.0), MakeVector(66, 38, 85), 2.5);
-    Add(bodies, Both(gluteus, Grown(BodyOutline(), -14.0)), muscle);
+    AddPart(bodies, Both(gluteus, Grown(BodyOutline(), -14.0)), muscle);
   }
-  Add(bodies, CapsuleSolid(MakePoint(0, 52, -190), MakePoint(0, 46, -128), 15.0), muscle);
+  AddPart(bodies, CapsuleSolid(MakePoint(0, 52, -190), MakePoint(0, 46, -128), 15.0), muscle);
 }
 
 constexpr double plainLungIntensity = -850.0; // HU
@@ -88,18 +88,18 @@ AddChest(PhantomBodies & bodies, const ColonAnatomy & anatomy)
 {
   const auto thorax = ColumnSolid(0.0, 9.0, 149.0, 106.0, 2.5);
   const auto chest = Both(thorax, Above(60.0));
-  Add(bodies, Without(chest, DiaphragmDome()), softTissueIntensity);
+  AddPart(bodies, Without(chest, DiaphragmDome()), softTissueIntensity);
   const auto lungs =
     Without(Without(Grown(chest, -3.0), Grown(DiaphragmDome(), 4.0)), ColumnSolid(0.0, 40.0, 38.0, 90.0));
   const auto & p = anatomy.GetParameters();
   if (Contains(p, "lungs"))
   {
-    Add(bodies, AwayFromColon(lungs, anatomy, 8.0), plainLungIntensity);
+    AddPart(bodies, AwayFromColon(lungs, anatomy, 8.0), plainLungIntensity);
   }
   const auto heart = EllipsoidSolid(MakePoint(28, -40, 195), MakeVector(62, 50, 48));
   if (Contains(p, "heart"))
   {
-    Add(bodies, Both(Without(heart, DiaphragmDome()), Grown(thorax, -3.0)), 45.0);
+    AddPart(bodies, Both(Without(heart, DiaphragmDome()), Grown(thorax, -3.0)), 45.0);
   }
 }
 
@@ -127,9 +127,9 @@ AddStomach(PhantomBodies & bodies, const ColonAnatomy & anatomy, const itk::Vect
     reach += (stomachRadii[i] - stomachWall) * (stomachRadii[i] - stomachWall) * down[i] * down[i];
   }
   const double level = down * stomachCenter.GetVectorFromOrigin() - std::sqrt(reach) + 14.0;
-  Add(bodies, Stomach(anatomy), 60.0);
-  Add(bodies, lumen, anatomy.GetParameters().stomachIntensity);
-  Add(bodies, Both(lumen, HalfSpaceSolid(down, level)), gasIntensity);
+  AddPart(bodies, Stomach(anatomy), 60.0);
+  AddPart(bodies, lumen, anatomy.GetParameters().stomachIntensity);
+  AddPart(bodies, Both(lumen, HalfSpaceSolid(down, level)), gasIntensity);
 }
 } // namespace
 
@@ -147,7 +147,7 @@ AddOrgans(PhantomBodies & bodies, const ColonAnatomy & anatomy, const itk::Vecto
   const auto   addOf = [&](const char * organ, const PhantomSolid & solid, double gap, double intensity) {
     if (Contains(p, organ))
     {
-      Add(bodies, AwayFromColon(Both(solid, cavity), anatomy, gap), intensity);
+      AddPart(bodies, AwayFromColon(Both(solid, cavity), anatomy, gap), intensity);
     }
   };
   addOf("liver", EllipsoidSolid(MakePoint(-66, -2, 112), MakeVector(82, 92, 66), 2.5), 5.0, 62.0);
@@ -192,7 +192,7 @@ AddMesentery(PhantomBodies & bodies, unsigned seed)
     const auto   bend = MakeVector(random.Uniform(-15, 15), random.Uniform(-15, 15), random.Uniform(-15, 15));
     const auto   middle = root + (end - root) * 0.5 + bend;
     const double radius = random.Uniform(1.3, 3.2);
-    Add(bodies, Either(CapsuleSolid(root, middle, radius), CapsuleSolid(middle, end, 0.75 * radius)), 48.0);
+    AddPart(bodies, Either(CapsuleSolid(root, middle, radius), CapsuleSolid(middle, end, 0.75 * radius)), 48.0);
   }
 }
 
@@ -207,7 +207,7 @@ AddTable(PhantomBodies & bodies, const std::string & position)
     { "rightDecubitus", BoxSolid(MakePoint(-182.5, 12, 0), MakeVector(9, 205, 1000)) }
   };
   const auto & table = tables.at(position);
-  Add(bodies, table, -350.0);
-  Add(bodies, Grown(table, -2.0), -920.0);
+  AddPart(bodies, table, -350.0);
+  AddPart(bodies, Grown(table, -2.0), -920.0);
 }
 } // namespace shapeton

@@ -6,6 +6,14 @@
 
 namespace shapeton
 {
+/** Adds a solid of one intensity, HU. */
+void
+AddPart(PhantomBodies & bodies, const PhantomSolid & solid, double intensity);
+
+/** The half space above a height, mm. */
+PhantomSolid
+Above(double z);
+
 /** The outline of the body, and the inside of its muscular wall. */
 PhantomSolid
 BodyOutline();

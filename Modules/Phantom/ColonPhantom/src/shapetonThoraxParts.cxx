@@ -21,18 +21,6 @@ constexpr double vesselFat = 3.5; // thickness of the fat around the great vesse
 constexpr double heartFat = 5.0;  // thickness of the fat around the heart, mm
 constexpr double capBase = 170.0; // z of the plane where the cage begins to narrow, mm; above the default field of view
 
-void
-AddPart(PhantomBodies & bodies, const PhantomSolid & solid, double intensity)
-{
-  bodies.push_back(MakeSolidBody(solid, intensity));
-}
-
-PhantomSolid
-CranialTo(double z)
-{
-  return HalfSpaceSolid(MakeVector(0, 0, -1), -z);
-}
-
 PhantomSolid
 Union(const std::vector<PhantomSolid> & solids)
 {
@@ -63,8 +51,8 @@ void
 AddShoulders(PhantomBodies & bodies)
 {
   const auto trunk = ShouldersAndNeck();
-  const auto upper = Both(BodyOutline(), CranialTo(230.0));
-  const auto chest = Both(Both(Grown(BodyOutline(), -14.0), Grown(trunk, -12.0)), CranialTo(215.0));
+  const auto upper = Both(BodyOutline(), Above(230.0));
+  const auto chest = Both(Both(Grown(BodyOutline(), -14.0), Grown(trunk, -12.0)), Above(215.0));
   AddPart(bodies, chest, muscle);
   // Fat between the muscles: armpits, and under the pectoral muscles.
   for (const double side : { -1.0, 1.0 })
@@ -73,9 +61,9 @@ AddShoulders(PhantomBodies & bodies)
     AddPart(bodies, Both(armpit, chest), fat);
     AddPart(bodies, Both(EllipsoidSolid(MakePoint(side * 66, 10, 362), MakeVector(34, 40, 14)), chest), fat);
   }
-  const auto front = Both(HalfSpaceSolid(MakeVector(0, 1, 0), 0.0), CranialTo(215.0));
+  const auto front = Both(HalfSpaceSolid(MakeVector(0, 1, 0), 0.0), Above(215.0));
   AddPart(bodies, Both(Both(ShellOf(Grown(ThoracicCage(), 12.0), 2.5), front), chest), fat);
-  AddPart(bodies, Both(Without(upper, Grown(trunk, -12.0)), CranialTo(300.0)), fat);
+  AddPart(bodies, Both(Without(upper, Grown(trunk, -12.0)), Above(300.0)), fat);
   AddPart(bodies, Without(upper, Grown(trunk, -2.0)), 10.0);
   AddPart(bodies, Without(upper, trunk), airIntensity);
 }
@@ -152,10 +140,10 @@ AddThorax(PhantomBodies & bodies, const ColonAnatomy & anatomy, double lift)
 {
   const auto & p = anatomy.GetParameters();
   AddShoulders(bodies);
-  AddPart(bodies, Both(Grown(ThoracicCage(), 8.0), CranialTo(215.0)), muscle);
-  const auto chest = Without(Both(ThoracicCage(), CranialTo(60.0)), DiaphragmDome());
+  AddPart(bodies, Both(Grown(ThoracicCage(), 8.0), Above(215.0)), muscle);
+  const auto chest = Without(Both(ThoracicCage(), Above(60.0)), DiaphragmDome());
   AddPart(bodies, chest, softTissueIntensity);
-  const auto inside = Both(Grown(chest, -3.0), CranialTo(60.0));
+  const auto inside = Both(Grown(chest, -3.0), Above(60.0));
   AddPart(bodies, Both(Without(inside, Grown(DiaphragmDome(), diaphragm)), Mediastinum()), fat);
   const auto dome = [&](const PhantomSolid & solid, const char * organ, double intensity) {
     const auto part = Both(Grown(solid, -diaphragm), inside);
@@ -166,7 +154,7 @@ AddThorax(PhantomBodies & bodies, const ColonAnatomy & anatomy, double lift)
   dome(LeftHemidiaphragm(lift), "spleen", 56.0);
   if (Contains(p, "vessels"))
   {
-    AddPart(bodies, Both(GreatVessels(), Without(CranialTo(150.0), DiaphragmDome())), blood);
+    AddPart(bodies, Both(GreatVessels(), Without(Above(150.0), DiaphragmDome())), blood);
   }
   if (Contains(p, "heart"))
   {
@@ -174,6 +162,6 @@ AddThorax(PhantomBodies & bodies, const ColonAnatomy & anatomy, double lift)
   }
   const auto esophagus =
     TubeSolid({ MakePoint(6, 36, 150), MakePoint(-3, 43, 200), MakePoint(0, 44, 290), MakePoint(2, 44, 420) }, 6.5);
-  AddPart(bodies, Both(esophagus, Without(CranialTo(150.0), DiaphragmDome())), 35.0);
+  AddPart(bodies, Both(esophagus, Without(Above(150.0), DiaphragmDome())), 35.0);
 }
 } // namespace shapeton

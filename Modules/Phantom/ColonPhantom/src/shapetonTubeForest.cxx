@@ -90,7 +90,7 @@ private:
     return (p - (tube.from + along * t)).GetNorm() - radius;
   }
 
-  // Of a cell's points none is nearer to the tube than its middle less half its diagonal.
+  // A point of a cell is at most half the diagonal nearer to the tube than the middle of the cell.
   void
   Insert(int number)
   {
