@@ -4,6 +4,7 @@
 #include "ColonModelExport.h"
 #include "shapetonRemarks.h"
 #include "shapetonProgress.h"
+#include "shapetonColonAssessability.h"
 #include "shapetonColonCentreline.h"
 #include "shapetonColonDistension.h"
 #include "shapetonColonLumenSegmentation.h"
@@ -87,9 +88,10 @@ BuildColonModel(const itk::Image<float, 3> * ct, const LumenMask * lumen, const 
 ColonModel_EXPORT ColonModel
 BuildColonModelOfLumen(const LumenMask * lumen, const ColonModelOptions & options);
 
-/** Length along the line, mm, from which the border of the scan is said to cut the colon; the lumen touches it on less
- * at the anal canal. \ingroup ColonModel */
-constexpr double LeastCutByScan = 10.0;
+/** The stretches of at least 10 mm where the border of the scan cuts the colon; shorter ones are the anal canal.
+ * \ingroup ColonModel */
+ColonModel_EXPORT std::vector<HinderedStretch>
+                  CutsByScan(const CurveSet & line);
 
 /** The axis of a catheter with the point arrays radius (outer; of the tip another one) and balloonRadius (0 where no
  * balloon is around it), mm, as RankCatheterLast() takes it. \ingroup ColonModel */

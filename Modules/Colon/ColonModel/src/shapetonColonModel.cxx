@@ -36,12 +36,8 @@ LumenOptionsOf(const ColonModelOptions & options)
 void
 JudgeCuts(ColonCentreline & line)
 {
-  for (const HinderedStretch & stretch : FindHinderedStretches(line.curve))
+  for (const HinderedStretch & stretch : CutsByScan(line.curve))
   {
-    if (stretch.hindrance != ColonHindrance::CutByScan || stretch.end - stretch.begin < LeastCutByScan)
-    {
-      continue;
-    }
     bool isOutside = false;
     for (CentrelineGap & gap : line.gaps)
     {
@@ -380,6 +376,21 @@ BuildColonModelOfLumen(const LumenMask * lumen, const ColonModelOptions & option
     return BuildColonWallFromMask(Cropped(model.lumen.labels), model.centreline.curve, wall);
   });
   return model;
+}
+
+std::vector<HinderedStretch>
+CutsByScan(const CurveSet & line)
+{
+  constexpr double             leastLength = 10.0; // mm
+  std::vector<HinderedStretch> cuts;
+  for (const HinderedStretch & stretch : FindHinderedStretches(line))
+  {
+    if (stretch.hindrance == ColonHindrance::CutByScan && stretch.end - stretch.begin >= leastLength)
+    {
+      cuts.push_back(stretch);
+    }
+  }
+  return cuts;
 }
 
 CurveSet

@@ -275,13 +275,10 @@ MissingParts(const ColonModel & model)
   {
     missing.push_back("the rectum: the line begins elsewhere");
   }
-  for (const HinderedStretch & stretch : FindHinderedStretches(model.centreline.curve))
+  for (const HinderedStretch & cut : CutsByScan(model.centreline.curve))
   {
-    if (stretch.hindrance == ColonHindrance::CutByScan && stretch.end - stretch.begin >= LeastCutByScan)
-    {
-      missing.push_back("what lies beyond the border of the scan, which cuts the colon " +
-                        InMillimetres(stretch.begin, stretch.end) + " along the line");
-    }
+    missing.push_back("what lies beyond the border of the scan, which cuts the colon " +
+                      InMillimetres(cut.begin, cut.end) + " along the line");
   }
   for (const CentrelineGap & gap : model.centreline.gaps)
   {
