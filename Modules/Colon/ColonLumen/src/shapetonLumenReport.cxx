@@ -197,8 +197,9 @@ ReasonOf(const ColonEvidence & evidence, std::size_t piece)
   const std::string & kind = evidence.kind[piece];
   if (kind == LungKind)
   {
-    return "it has " + Rounded(gas.radius > 0.0 ? gas.inside : gas.mean, 0) + " HU, with " +
-           Rounded(evidence.lung[piece].vessels, 1) + " cross sections of vessels per 100 cm^2";
+    const double vessels = evidence.lung[piece].vessels; // 0 in pieces too small to be measured
+    return "it has " + Rounded(gas.radius > 0.0 ? gas.inside : gas.mean, 0) + " HU" +
+           (vessels > 0.0 ? ", with " + Rounded(vessels, 1) + " cross sections of vessels per 100 cm^2" : "");
   }
   if (kind == OutsideKind)
   {
