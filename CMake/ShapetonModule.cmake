@@ -41,6 +41,7 @@ function(itk_module_add_library name)
     $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/include> $<BUILD_INTERFACE:${PROJECT_BINARY_DIR}/include>)
   shapeton_link_modules(${name} PUBLIC ${itk-module_DEPENDS} ${itk-module_COMPILE_DEPENDS})
   shapeton_link_modules(${name} PRIVATE ${itk-module_PRIVATE_DEPENDS})
+  shapeton_precompile(${name})
   install(FILES ${PROJECT_BINARY_DIR}/include/${name}Export.h DESTINATION ${Shapeton_INSTALL_INCLUDE_DIR}
     COMPONENT Development)
 endfunction()

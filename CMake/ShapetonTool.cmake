@@ -14,6 +14,7 @@ function(shapeton_add_tool name)
   target_include_directories(${target} PRIVATE ${CMAKE_CURRENT_BINARY_DIR})
   shapeton_link_modules(${target} PRIVATE CommandLine ${tool_MODULES})
   target_link_libraries(${target} PRIVATE ${tool_LIBRARIES})
+  shapeton_precompile(${target})
   # The libraries are two folders above the tools; one above in an extension of 3D Slicer.
   set_target_properties(${target} PROPERTIES OUTPUT_NAME ${name} INSTALL_RPATH "$ORIGIN/../..;$ORIGIN/..")
   install(TARGETS ${target} RUNTIME DESTINATION ${Shapeton_INSTALL_TOOLS_DIR} COMPONENT Tools)

@@ -9,6 +9,8 @@
 #include "shapetonShapetonKernels.h"
 #include "shapetonShapetonRecords.h"
 
+#include "itkMultiThreaderBase.h"
+
 #include <benchmark/benchmark.h>
 
 #include <algorithm>

@@ -13,6 +13,7 @@ itk_module(HaustralFolds
     ColonCentreline
     ITKCommon
   PRIVATE_DEPENDS
+    ColonLumen
     ITKIOImageBase
     ITKIONRRD
   TEST_DEPENDS

@@ -12,6 +12,7 @@ itk_module(PolypCandidates
     IleocaecalValve
     ITKCommon
   PRIVATE_DEPENDS
+    ColonLumen
     ColonCentreline
     HeatDiffusionMetric
     VolumeFiles

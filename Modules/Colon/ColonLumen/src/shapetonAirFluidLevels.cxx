@@ -1,9 +1,9 @@
 #include "shapetonAirFluidLevels.h"
 
 #include "shapetonDisjointSets.h"
+#include "shapetonPrincipalAxes.h"
 
 #include <Eigen/Cholesky>
-#include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 
 #include <algorithm>
@@ -468,7 +468,7 @@ private:
     level.centre = mean;
     level.gas = m_Floors[level.floors[0]].gas;
     level.area = level.floors.size() * m_Fall.ColumnArea(m_Grid);
-    level.width = std::sqrt(Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d>(covariance).eigenvalues()[0]);
+    level.width = std::sqrt(PrincipalAxes(covariance).values[0]);
     return level.width >= MinimumWidth;
   }
 

@@ -1,8 +1,7 @@
 #include "shapetonGasPieces.h"
 
 #include "shapetonColonVolume.h"
-
-#include <Eigen/Eigenvalues>
+#include "shapetonPrincipalAxes.h"
 
 #include <algorithm>
 #include <cmath>
@@ -128,13 +127,11 @@ struct Section
   Eigen::Vector2d sum{ 0.0, 0.0 };
   Eigen::Matrix2d squares{ Eigen::Matrix2d::Zero() };
 
-  using Axes = Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d>;
-
-  Axes
-  PrincipalAxes() const
+  PrincipalAxes
+  Axes() const
   {
     const Eigen::Vector2d mean = sum / voxels;
-    return Axes(squares / voxels - mean * mean.transpose());
+    return PrincipalAxes(squares / voxels - mean * mean.transpose());
   }
 
   /** Long, and rather from the front to the back than from side to side, as the natal cleft is, or open to the side as
@@ -142,10 +139,10 @@ struct Section
   bool
   IsLikeCleft(const ColonGrid & grid) const
   {
-    const Axes            axes = this->PrincipalAxes();
-    const Eigen::Vector2d along = axes.eigenvectors().col(1);
+    const PrincipalAxes   axes = this->Axes();
+    const Eigen::Vector2d along = axes.vectors.col(1);
     const Eigen::Vector3d inSpace = along[0] * grid.axes.col(0) + along[1] * grid.axes.col(1);
-    const double          elongation = std::sqrt(axes.eigenvalues()[1] / std::max(axes.eigenvalues()[0], 1e-9));
+    const double          elongation = std::sqrt(axes.values[1] / std::max(axes.values[0], 1e-9));
     return elongation > CleftElongation && (touchesSide || std::abs(inSpace[1]) > std::abs(inSpace[0]));
   }
 };

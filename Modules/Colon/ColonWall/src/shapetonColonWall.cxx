@@ -5,6 +5,7 @@
 #include "shapetonConformalTube.h"
 #include "shapetonCutDisc.h"
 #include "shapetonDiffusionTime.h"
+#include "shapetonParallelFor.h"
 #include "shapetonParallelInvoke.h"
 #include "shapetonRemoveBridges.h"
 #include "shapetonSurfaceConnectivity.h"

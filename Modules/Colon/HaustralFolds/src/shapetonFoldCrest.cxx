@@ -1,5 +1,7 @@
 #include "shapetonFoldCrest.h"
 
+#include "shapetonPrincipalAxes.h"
+
 #include <Eigen/Dense>
 
 #include <algorithm>
@@ -269,11 +271,11 @@ FoldEllipse::FoldEllipse(const FoldPlaces & places) : centre(Vector2d::Zero())
   {
     covariance += (place - centre) * (place - centre).transpose() / number;
   }
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> solver(covariance);
-  axis = solver.eigenvectors().col(1);
+  const PrincipalAxes axes(covariance);
+  axis = axes.vectors.col(1);
   axis = axis.y() < 0.0 || (axis.y() == 0.0 && axis.x() < 0.0) ? Vector2d(-axis) : axis;
-  elongation = std::sqrt(solver.eigenvalues()[1] / solver.eigenvalues()[0]);
-  longHalf = 2.0 * std::sqrt(solver.eigenvalues()[1]);
+  elongation = std::sqrt(axes.values[1] / axes.values[0]);
+  longHalf = 2.0 * std::sqrt(axes.values[1]);
 }
 
 double

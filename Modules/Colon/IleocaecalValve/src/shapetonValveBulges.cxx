@@ -1,8 +1,8 @@
 #include "shapetonValveBulges.h"
 
+#include "shapetonPrincipalAxes.h"
 #include "shapetonSmoothedField.h"
 
-#include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 
 #include <algorithm>
@@ -87,8 +87,7 @@ MeasureSurface(const CaecalRegion & region, const FieldShape & shape, double val
   tangents << right, one.inward.cross(right);
   // The field falls from the lumen into the tissue: over a ball of tissue it rises outwards.
   const Eigen::Matrix2d curvature = tangents.transpose() * shape.Hessian(one.voxel) * tangents / steepness;
-  const auto            curvatures =
-    Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d>(curvature, Eigen::EigenvaluesOnly).eigenvalues();
+  const Eigen::Vector2d curvatures = PrincipalAxes(curvature).values;
   one.lesser = curvatures[0] / CaecalRegion::Step;
   one.greater = curvatures[1] / CaecalRegion::Step;
   one.area = CaecalRegion::Step * CaecalRegion::Step * (1.0 + std::cos(M_PI * distance / reach)) / (2.0 * reach);

@@ -1,8 +1,7 @@
 #include "shapetonWallBulges.h"
 
+#include "shapetonPrincipalAxes.h"
 #include "shapetonWallPolygon.h"
-
-#include <Eigen/Eigenvalues>
 
 #include <algorithm>
 #include <cmath>
@@ -213,7 +212,7 @@ private:
       const Eigen::Vector2d place((point - mean).dot(right), (point - mean).dot(up));
       second += place * place.transpose();
     }
-    const Eigen::Vector2d widest = Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d>(second).eigenvectors().col(1);
+    const Eigen::Vector2d widest = PrincipalAxes(second).vectors.col(1);
     return widest[0] * right + widest[1] * up;
   }
 

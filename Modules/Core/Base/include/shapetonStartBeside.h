@@ -1,10 +1,10 @@
 #ifndef shapetonStartBeside_h
 #define shapetonStartBeside_h
 
-#include "shapetonParallelFor.h"
+#include "BaseExport.h"
 
+#include <functional>
 #include <future>
-#include <utility>
 
 namespace shapeton
 {
@@ -13,18 +13,8 @@ namespace shapeton
  * Such a thread is none of ITK's pool, and loops of the pool never wait for it; it must not start a ContainedProcess,
  * see there. It asks the Interruption of the thread that started it, which must outlive the work.
  * \ingroup Base */
-template <typename TWork>
-std::future<void>
-StartBeside(TWork work)
-{
-  const auto policy = NumberOfThreads() > 1 ? std::launch::async : std::launch::deferred;
-  itk::MultiThreaderBase::New(); // the first object of ITK sets up its factories and its pool, unlocked
-  return std::async(policy, [work = std::move(work), interruption = Interruption::OfThread()] {
-    const LoopDepth               inside(1); // as one of two workers
-    const Interruption::Inherited inherited(interruption);
-    work();
-  });
-}
+Base_EXPORT std::future<void>
+StartBeside(std::function<void()> work);
 } // namespace shapeton
 
 #endif

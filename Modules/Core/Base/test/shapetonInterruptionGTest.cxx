@@ -1,4 +1,5 @@
 #include "shapetonInterruption.h"
+#include "shapetonParallelFor.h"
 #include "shapetonParallelInvoke.h"
 #include "shapetonStartBeside.h"
 

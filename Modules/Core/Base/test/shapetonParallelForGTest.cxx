@@ -1,5 +1,8 @@
+#include "shapetonParallelFor.h"
 #include "shapetonParallelInvoke.h"
 #include "shapetonStartBeside.h"
+
+#include "itkMultiThreaderBase.h"
 
 #include "gtest/gtest.h"
 

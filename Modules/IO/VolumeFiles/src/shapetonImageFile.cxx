@@ -8,6 +8,7 @@
 #include "itkNrrdImageIO.h"
 #include "shapetonPrintable.h"
 #include "shapetonSha256.h"
+#include "shapetonParallelFor.h"
 #include "shapetonStartBeside.h"
 #include "shapetonStoredVoxels.h"
 #include "shapetonExceptions.h"

@@ -6,6 +6,7 @@
 #include "shapetonExceptions.h"
 #include "shapetonToolDevice.h"
 #include "shapetonSceneFiles.h"
+#include "shapetonParallelFor.h"
 #include "shapetonStartBeside.h"
 
 #include <algorithm>

@@ -1,0 +1,27 @@
+#ifndef shapetonPrincipalAxes_h
+#define shapetonPrincipalAxes_h
+
+#include "ColonLumenExport.h"
+
+#include <Eigen/Core>
+
+namespace shapeton
+{
+/** \class PrincipalAxes
+ * \brief Eigenvalues and unit eigenvectors of a symmetric 2 x 2 matrix, such as a covariance, smallest first.
+ *
+ * Compiled once, as Eigen's solver is expensive to compile.
+ *
+ * \ingroup ColonLumen */
+class ColonLumen_EXPORT PrincipalAxes
+{
+public:
+  /** Reads the lower triangle alone. */
+  explicit PrincipalAxes(const Eigen::Matrix2d & symmetric);
+
+  Eigen::Vector2d values;  ///< ascending
+  Eigen::Matrix2d vectors; ///< one in each column
+};
+} // namespace shapeton
+
+#endif

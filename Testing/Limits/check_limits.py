@@ -1,0 +1,150 @@
+"""Runs tools on a full disk or with too little memory: they must say so in one sentence, end with status 1, and lose nothing.
+
+usage: check_limits.py disk|memory TOOL_FOLDER WORK_FOLDER [--colonoscopy]
+
+disk mounts a small file system in a namespace of its own, needs the right to do so and ends with status 77 (skipped) without it.
+--colonoscopy takes VirtualColonoscopy, whose finished stages a second run has to take up; otherwise the fast tools are taken."""
+
+import os
+import re
+import resource
+import shutil
+import subprocess
+import sys
+import time
+from pathlib import Path
+
+SKIPPED = 77
+MEMORY = re.compile(r"[^\n]*not enough memory[^\n]*\n")
+DISK = re.compile(r"[^\n]*No space left on device; free some space[^\n]*\n")
+EARLIER = b"an earlier result"
+
+
+def inputs(tools, work):
+    run = lambda *command: subprocess.run([tools / command[0], *command[1:]], check=True, capture_output=True)
+    run("ColonPhantom", work / "colon", "--size", "96,96,90", "--seed", "7")
+    run("ShapePhantom", work / "shapes.nrrd", "--shape", "figure2.7a", "--size", "64,64,64")
+    run("SensorNetworkSimulator", work / "network", "--nodes", "150", "--steps", "1")
+
+
+def fast_commands(work):
+    """Of each tool: its arguments; those that start with OUT/ are outputs."""
+    shapes, data = work / "shapes.nrrd", Path(__file__).parents[2] / "Data"
+    return [
+        ["ColonPhantom", "OUT/series", "--size", "96,96,90"],
+        ["DicomSeriesToImage", work / "colon", "OUT/image.nrrd"],
+        ["DicomSeriesToImage", work / "colon", "OUT/image.nii.gz"],
+        ["DicomSeriesInspector", work / "colon", "--json", "OUT/series.json"],
+        ["CumulativeHeatDiffusion", shapes, "OUT/heat.nrrd", "--timeSteps", "30", "--report", "OUT/report"],
+        ["ShapetonDiffusion", shapes, "OUT/density.nrrd", "--shapetons", "2000", "--timeSteps", "50", "--report", "OUT/report"],
+        ["SensorNetworkSimulator", "OUT/steps", "--nodes", "150", "--steps", "2"],
+        ["GraphEmbedding", work / "network/step-0000.graphml", "OUT/certificate.json", "--svg", "OUT/graph.svg", "--report", "OUT/report"],
+        ["SurfaceSpectrum", data / "Torus.off", "OUT/spectrum.csv", "--eigenpairs", "20", "--heatKernelSignature", "OUT/hks.vtp"],
+    ]
+
+
+def run(tools, command, out, memory=None):
+    """The status, the messages, and the peak of the address space in bytes."""
+    limit = (lambda: resource.setrlimit(resource.RLIMIT_AS, (memory, memory))) if memory else None
+    arguments = [str(tools / command[0]), *(str(word).replace("OUT/", f"{out}/") for word in command[1:]), "--quiet"]
+    with open(out.parent / "messages.txt", "w+", encoding="utf-8") as messages:
+        process = subprocess.Popen(arguments, stdout=subprocess.DEVNULL, stderr=messages, preexec_fn=limit)
+        peak = 0
+        while process.poll() is None:
+            status = Path(f"/proc/{process.pid}/status").read_text(encoding="utf-8")
+            peak = max([peak] + [1024 * int(size) for size in re.findall(r"VmPeak:\s+(\d+)", status)])
+            time.sleep(0.002)
+        messages.seek(0)
+        return process.returncode, messages.read(), peak
+
+
+def content(folder):
+    return {str(path.relative_to(folder)): path.read_bytes() for path in folder.rglob("*") if path.is_file()}
+
+
+def size_on_disk(folder):
+    return sum((path.stat().st_blocks * 512 if path.is_file() else 0) + 4096 for path in folder.rglob("*"))
+
+
+def earlier_results(command, folder):
+    """What an earlier run has left where the command writes files."""
+    shutil.rmtree(folder, ignore_errors=True)
+    folder.mkdir()
+    for word in map(str, command):
+        if word.startswith("OUT/") and "." in word:
+            (folder / word[4:]).write_bytes(EARLIER)
+
+
+def judge(status, messages, pattern, before, after):
+    if status != 1:
+        return f"status {status}: {messages.strip() or 'no message'}"
+    if not pattern.fullmatch(messages):
+        return f"message: {messages.strip() or 'none'}"
+    if before != after:
+        return f"files changed: {sorted(set(before.items()) ^ set(after.items()), key=lambda item: item[0])!r:.300}"
+    return None
+
+
+def mounted(folder, size):
+    subprocess.run(["umount", folder], check=False, capture_output=True)
+    folder.mkdir(exist_ok=True)
+    subprocess.run(["mount", "-t", "tmpfs", "-o", f"size={size}", "shapeton", folder], check=True)
+
+
+def disk_faults(tools, work, command):
+    full = work / "full"
+    free = work / "free"
+    earlier_results(command, free)
+    status, messages, _ = run(tools, command, free)
+    if status != 0:
+        return [f"{command[0]} fails without a limit: {messages}"]
+    needed = size_on_disk(free)
+    faults = []
+    for share in (0.1, 0.4, 0.7, 0.95):
+        mounted(full, max(4096 * 8, int(share * needed)))
+        earlier_results(command, full / "out")
+        before = content(full / "out")
+        status, messages, _ = run(tools, command, full / "out")
+        fault = judge(status, messages, DISK, before, content(full / "out"))
+        faults += [f"{command[0]} with {share} of {needed} bytes of disk: {fault}"] if fault else []
+    return faults
+
+
+def memory_faults(tools, work, command):
+    out = work / "out"
+    command = command + ["--threads", "2"] if "Inspector" not in command[0] else command
+    earlier_results(command, out)
+    status, messages, peak = run(tools, command, out)
+    if status != 0:
+        return [f"{command[0]} fails without a limit: {messages}"]
+    faults = []
+    for share in (0.98, 0.95, 0.9, 0.85, 0.8, 0.75, 0.7, 0.65, 0.6):
+        earlier_results(command, out)
+        before = content(out)
+        status, messages, _ = run(tools, command, out, int(share * peak))
+        if status == 127:  # the loader itself
+            break
+        fault = judge(status, messages, MEMORY, before, content(out)) if status != 0 else None
+        faults += [f"{command[0]} with {share} of {peak} bytes of memory: {fault}"] if fault else []
+    return faults
+
+
+def main(kind, tools, work, is_colonoscopy):
+    if kind == "disk" and "SHAPETON_NAMESPACE" not in os.environ:
+        unshare = ["unshare", "--mount"] + ([] if os.geteuid() == 0 else ["--map-root-user"])
+        if subprocess.run([*unshare, "mount", "-t", "tmpfs", "none", "/mnt"], check=False, capture_output=True).returncode != 0:
+            print("no right to mount a file system here")
+            sys.exit(SKIPPED)
+        os.environ["SHAPETON_NAMESPACE"] = "1"
+        os.execvp("unshare", [*unshare, sys.executable, *sys.argv])
+    shutil.rmtree(work, ignore_errors=True)
+    work.mkdir(parents=True)
+    inputs(tools, work)
+    check = disk_faults if kind == "disk" else memory_faults
+    faults = [fault for command in fast_commands(work) for fault in check(tools, work, command)]
+    if faults:
+        sys.exit("\n".join(faults))
+
+
+if __name__ == "__main__":
+    main(sys.argv[1], Path(sys.argv[2]).resolve(), Path(sys.argv[3]).resolve(), "--colonoscopy" in sys.argv[4:])
