@@ -3,11 +3,13 @@
 #include "shapetonCsvTable.h"
 #include "shapetonParallelFor.h"
 #include "shapetonExceptions.h"
+#include "shapetonFileErrors.h"
 
 #include "itkImageFileWriter.h"
 #include "itkMetaDataObject.h"
 #include "itkNrrdImageIO.h"
 
+#include <cerrno>
 #include <filesystem>
 
 namespace shapeton
@@ -95,11 +97,12 @@ WriteFlatCoordinateMap(const FlatColonGrid & grid, const std::string & path, con
   writer->SetUseCompression(false);
   try
   {
+    errno = 0;
     writer->Update();
   }
   catch (const itk::ExceptionObject & failure)
   {
-    throw OutputError(path + ": cannot be written: " + failure.GetDescription());
+    ThrowCannotWrite(path, errno, failure.GetDescription());
   }
   const double bytes = 3.0 * sizeof(float) * grid.Columns() * grid.Rows();
   if (!(std::filesystem::file_size(path) > bytes))

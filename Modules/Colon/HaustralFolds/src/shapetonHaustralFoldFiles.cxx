@@ -1,6 +1,7 @@
 #include "shapetonHaustralFoldFiles.h"
 
 #include "shapetonExceptions.h"
+#include "shapetonFileErrors.h"
 #include "shapetonReadImage.h"
 
 #include "itkImageFileReader.h"
@@ -9,6 +10,7 @@
 #include "itkNrrdImageIO.h"
 
 #include <algorithm>
+#include <cerrno>
 #include <cmath>
 
 namespace shapeton
@@ -181,12 +183,13 @@ WriteFoldLabels(const HaustralFolds &  folds,
   reader->SetImageIO(itk::NrrdImageIO::New());
   try
   {
+    errno = 0;
     writer->Update();
     reader->Update(); // a full disk is noticed
   }
   catch (const itk::ExceptionObject & failure)
   {
-    throw OutputError(path + ": cannot be written: " + failure.GetDescription());
+    ThrowCannotWrite(path, errno, failure.GetDescription());
   }
 }
 

@@ -19,6 +19,11 @@ ThrowUnsuitable(const std::string & path, const std::string & reason);
 [[noreturn]] Base_EXPORT void
 ThrowCannotWrite(const std::string & path, int error);
 
+/** For a library that does not report why it failed: `error` is errno since before the attempt; where that is 0,
+ * `otherwise` is the reason. */
+[[noreturn]] Base_EXPORT void
+ThrowCannotWrite(const std::string & path, int error, const std::string & otherwise);
+
 /** Throws OutputError. \ingroup Base */
 [[noreturn]] Base_EXPORT void
 ThrowCannotWrite(const std::string & path, const std::string & reason, const std::string & advice);

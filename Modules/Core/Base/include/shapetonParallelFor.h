@@ -80,17 +80,17 @@ private:
   const std::thread::id m_Reporter{ std::this_thread::get_id() };
 };
 
-/** Calls `body(i, worker)` once for each i with 0 <= i < number, in unspecified order. Progress is reported after each i
- * that the calling thread has taken. After an exception, of a body or of progress, no further i is started.
+/** Calls `body(i, worker)` once for each i with 0 <= i < number, in unspecified order. Progress is reported after each
+ * i that the calling thread has taken. After an exception, of a body or of progress, no further i is started.
  *
  * \ingroup Base */
 Base_EXPORT void
-ParallelForWorkers(std::size_t                                                   number,
+ParallelForWorkers(std::size_t                                                     number,
                    const std::function<void(std::size_t i, unsigned int worker)> & body,
-                   const Progress &                                              progress = {});
+                   const Progress &                                                progress = {});
 
-/** Calls `body(i)` once for each i with 0 <= i < number, in unspecified order; for bodies that take a microsecond or more.
- * Progress as of ParallelForWorkers(). \ingroup Base */
+/** Calls `body(i)` once for each i with 0 <= i < number, in unspecified order; for bodies that take a microsecond or
+ * more. Progress as of ParallelForWorkers(). \ingroup Base */
 Base_EXPORT void
 ParallelFor(std::size_t number, const std::function<void(std::size_t i)> & body, const Progress & progress = {});
 

@@ -14,7 +14,7 @@ namespace shapeton
  * see there. It asks the Interruption of the thread that started it, which must outlive the work.
  * \ingroup Base */
 Base_EXPORT std::future<void>
-StartBeside(std::function<void()> work);
+            StartBeside(std::function<void()> work);
 } // namespace shapeton
 
 #endif

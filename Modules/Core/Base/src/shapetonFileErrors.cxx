@@ -66,6 +66,12 @@ ThrowCannotWrite(const std::string & path, int error)
 }
 
 void
+ThrowCannotWrite(const std::string & path, int error, const std::string & otherwise)
+{
+  ThrowCannotWrite(path, error != 0 ? ReasonOf(error) : otherwise, AdviceForWriting(error));
+}
+
+void
 ThrowCannotWrite(const std::string & path, const std::string & reason, const std::string & advice)
 {
   throw OutputError("cannot write \"" + path + "\": " + reason + "; " + advice);

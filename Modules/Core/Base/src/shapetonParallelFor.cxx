@@ -15,8 +15,8 @@ namespace shapeton
 {
 namespace
 {
-// Calls work(worker) once for each of `workers` workers: the calling thread takes the first one, threads of their own the
-// others. `work` must not throw.
+// Calls work(worker) once for each of `workers` workers: the calling thread takes the first one, threads of their own
+// the others. `work` must not throw.
 void
 OnOwnThreads(unsigned int workers, const std::function<void(unsigned int)> & work)
 {
@@ -80,7 +80,8 @@ ParallelWorkers(unsigned int workers, const std::function<void(unsigned int work
   {
     const auto threader = itk::MultiThreaderBase::New();
     threader->SetNumberOfWorkUnits(workers);
-    threader->ParallelizeArray(0, workers, [&work](itk::SizeValueType i) { work(static_cast<unsigned int>(i)); }, nullptr);
+    threader->ParallelizeArray(
+      0, workers, [&work](itk::SizeValueType i) { work(static_cast<unsigned int>(i)); }, nullptr);
   }
   if (failure)
   {
@@ -89,9 +90,9 @@ ParallelWorkers(unsigned int workers, const std::function<void(unsigned int work
 }
 
 void
-ParallelForWorkers(std::size_t                                                   number,
+ParallelForWorkers(std::size_t                                                     number,
                    const std::function<void(std::size_t i, unsigned int worker)> & body,
-                   const Progress &                                              progress)
+                   const Progress &                                                progress)
 {
   std::atomic<std::size_t> next{ 0 };
   const ProgressOfWorkers  report(progress);
@@ -116,7 +117,8 @@ ParallelForWorkers(std::size_t                                                  
 void
 ParallelFor(std::size_t number, const std::function<void(std::size_t i)> & body, const Progress & progress)
 {
-  ParallelForWorkers(number, [&body](std::size_t i, unsigned int) { body(i); }, progress);
+  ParallelForWorkers(
+    number, [&body](std::size_t i, unsigned int) { body(i); }, progress);
 }
 
 void

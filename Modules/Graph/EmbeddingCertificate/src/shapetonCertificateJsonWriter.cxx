@@ -1,12 +1,11 @@
 #include "shapetonEmbeddingCertificate.h"
 #include "shapetonJson.h"
-#include "shapetonExceptions.h"
+#include "shapetonFileErrors.h"
 
 #include <cerrno>
 #include <charconv>
 #include <cmath>
 #include <cstdio>
-#include <cstring>
 #include <stdexcept>
 
 namespace shapeton
@@ -74,8 +73,7 @@ private:
   [[noreturn]] void
   Fail() const
   {
-    throw OutputError("cannot write \"" + m_Path + "\": " + std::strerror(errno) +
-                      "; check the folder, its permissions and the space on the disk");
+    ThrowCannotWrite(m_Path, errno);
   }
 
   std::string m_Path;

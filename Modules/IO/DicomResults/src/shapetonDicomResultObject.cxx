@@ -2,6 +2,7 @@
 
 #include "shapetonDicomText.h"
 #include "shapetonExceptions.h"
+#include "shapetonFileErrors.h"
 #include "shapetonSha256.h"
 
 #include "dcmtk/dcmdata/dcistrmb.h"
@@ -33,11 +34,11 @@ StoredTextOf(DcmItem & item, const DcmTagKey & tag)
 void
 SaveFile(DcmFileFormat & file, const std::string & path, E_TransferSyntax syntax)
 {
+  errno = 0;
   const OFCondition condition = file.saveFile(path.c_str(), syntax);
   if (condition.bad())
   {
-    throw OutputError("\"" + path + "\" cannot be written: " + condition.text() +
-                      "; free some space or choose another folder");
+    ThrowCannotWrite(path, errno, condition.text());
   }
 }
 } // namespace

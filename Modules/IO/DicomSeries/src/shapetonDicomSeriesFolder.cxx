@@ -26,7 +26,7 @@ namespace shapeton
 namespace
 {
 [[noreturn]] void
-ThrowCannotWrite(const fs::path & folder, const std::string & reason, const std::string & advice)
+ThrowCannotWriteSeries(const fs::path & folder, const std::string & reason, const std::string & advice)
 {
   throw OutputError("cannot write a series to \"" + folder.string() + "\": " + reason + "; " + advice);
 }
@@ -73,7 +73,7 @@ TargetOf(const std::string & folder)
   fs::path        target = fs::weakly_canonical(fs::absolute(folder), error).lexically_normal();
   if (error)
   {
-    ThrowCannotWrite(folder, error.message(), "give another name");
+    ThrowCannotWriteSeries(folder, error.message(), "give another name");
   }
   return target.has_filename() ? target : target.parent_path();
 }
@@ -87,21 +87,21 @@ CheckContents(const fs::path & target)
   }
   if (!fs::is_directory(target))
   {
-    ThrowCannotWrite(target, "it is not a folder", "give another name");
+    ThrowCannotWriteSeries(target, "it is not a folder", "give another name");
   }
   std::error_code error;
   if (fs::equivalent(target, fs::current_path(), error))
   {
-    ThrowCannotWrite(target, "it is the current folder", "give the name of a folder inside it");
+    ThrowCannotWriteSeries(target, "it is the current folder", "give the name of a folder inside it");
   }
   for (const auto & entry : fs::directory_iterator(target))
   {
     if (!IsOurSlice(entry))
     {
-      ThrowCannotWrite(target,
-                       "it holds \"" + entry.path().filename().string() +
-                         "\", which is no slice of a series that this program wrote",
-                       "give a new or an empty folder");
+      ThrowCannotWriteSeries(target,
+                             "it holds \"" + entry.path().filename().string() +
+                               "\", which is no slice of a series that this program wrote",
+                             "give a new or an empty folder");
     }
   }
 }
@@ -115,11 +115,11 @@ CheckTarget(const fs::path & target)
   }
   catch (const fs::filesystem_error & failure)
   {
-    ThrowCannotWrite(target, failure.code().message(), "choose a folder that can be read and written");
+    ThrowCannotWriteSeries(target, failure.code().message(), "choose a folder that can be read and written");
   }
   if (access(target.parent_path().c_str(), W_OK | X_OK) != 0)
   {
-    ThrowCannotWrite(target, std::strerror(errno), "choose a place that exists and can be written");
+    ThrowCannotWriteSeries(target, std::strerror(errno), "choose a place that exists and can be written");
   }
 }
 
@@ -250,7 +250,7 @@ public:
     std::error_code error;
     if (!fs::create_directory(m_Path, error))
     {
-      ThrowCannotWrite(target, error ? error.message() : "another run writes it", "choose another place");
+      ThrowCannotWriteSeries(target, error ? error.message() : "another run writes it", "choose another place");
     }
   }
   TemporaryFolder(const TemporaryFolder &) = delete;
@@ -291,7 +291,7 @@ private:
     }
     if (!durable)
     {
-      ThrowCannotWrite(m_Target, std::strerror(reason), "free some space or choose another place");
+      ThrowCannotWriteSeries(m_Target, std::strerror(reason), "free some space or choose another place");
     }
   }
 
@@ -302,7 +302,7 @@ private:
     fs::rename(from, to, error);
     if (error)
     {
-      ThrowCannotWrite(m_Target, error.message(), "choose another place");
+      ThrowCannotWriteSeries(m_Target, error.message(), "choose another place");
     }
   }
 
@@ -317,7 +317,7 @@ private:
     if (error)
     {
       this->Rename(old, m_Target);
-      ThrowCannotWrite(m_Target, error.message(), "choose another place");
+      ThrowCannotWriteSeries(m_Target, error.message(), "choose another place");
     }
     RemoveSeries(old);
   }

@@ -4,6 +4,7 @@
 
 #include "shapetonSha256.h"
 #include "shapetonExceptions.h"
+#include "shapetonFileErrors.h"
 
 #include "itkImageRegionConstIterator.h"
 
@@ -12,6 +13,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cerrno>
 #include <cmath>
 #include <cstdint>
 #include <limits>
@@ -341,11 +343,12 @@ PutImage(DatasetWriter &                writer,
 void
 SaveSlice(DcmFileFormat & file, const std::string & folder, const std::string & name)
 {
-  const OFCondition condition = file.saveFile((folder + '/' + name).c_str(), EXS_LittleEndianExplicit);
+  const std::string path = folder + '/' + name;
+  errno = 0;
+  const OFCondition condition = file.saveFile(path.c_str(), EXS_LittleEndianExplicit);
   if (condition.bad())
   {
-    throw OutputError("cannot write the slice " + name + " of the series: " + condition.text() +
-                      "; free some space or choose another folder");
+    ThrowCannotWrite(path, errno, condition.text());
   }
 }
 } // namespace

@@ -2,6 +2,7 @@
 
 #include "shapetonStoredVoxels.h"
 #include "shapetonExceptions.h"
+#include "shapetonFileErrors.h"
 
 #include "itkImageFileReader.h"
 #include "itkImageFileWriter.h"
@@ -112,7 +113,7 @@ Flush(const std::string & path)
   }
   if (reason != 0)
   {
-    throw OutputError(path + ": cannot be written: " + std::strerror(reason));
+    ThrowCannotWrite(path, reason);
   }
 }
 
@@ -259,6 +260,7 @@ WriteVolume(const itk::Image<TPixel, 3> * image, const std::string & path, const
   try
   {
     const QuietStandardError quiet;
+    errno = 0;
     writer->Update();
     Flush(path);
     Verify(image, path);
@@ -273,7 +275,7 @@ WriteVolume(const itk::Image<TPixel, 3> * image, const std::string & path, const
   }
   catch (const std::exception &)
   {
-    throw OutputError(path + ": cannot be written; is the folder writable and the disk not full?");
+    ThrowCannotWrite(path, errno, "ITK failed to write it");
   }
 }
 

@@ -119,6 +119,13 @@ DescribeException()
   {
     return { 1, noMemory };
   }
+  catch (const std::system_error & error)
+  {
+    const bool isThread = error.code() == std::errc::resource_unavailable_try_again; // no memory for its stack
+    return { 1,
+             isThread ? "not enough memory for another thread; use a smaller volume or fewer --threads"
+                      : error.what() };
+  }
   catch (const itk::ExceptionObject & error)
   {
     return { 1, WithoutItkPrefix(error.GetDescription()) };
