@@ -10,6 +10,7 @@ function(creategoogletestdriver kit libraries sources)
   target_link_libraries(${kit}GTestDriver PRIVATE ${libraries} GTest::gtest_main)
   # What is tested is in the libraries; of the time of a test most is its compilation, and -O3 makes it a fifth longer.
   target_compile_options(${kit}GTestDriver PRIVATE $<$<CONFIG:Release>:-O1>)
+  shapeton_precompile(${kit}GTestDriver)
   set_source_files_properties(${driver_ALONE} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
   target_compile_definitions(${kit}GTestDriver PRIVATE
     SHAPETON_BASELINE_DIR="${Shapeton_SOURCE_DIR}/Testing/Baseline"

@@ -3,6 +3,8 @@
 #include "shapetonParallelInvoke.h"
 #include "shapetonStartBeside.h"
 
+#include "itkMultiThreaderBase.h"
+
 #include <gtest/gtest.h>
 
 #include <atomic>
