@@ -66,7 +66,7 @@ public:
   {
     m_Report.AddText("## Without handles, Euclidean\n\nAsked: no flips, the gap in brackets, the modulus by Newton's "
                      "method between ours, dilatation at most 1.04 and 1.10.");
-    m_Report.AddTable(m_Table);
+    m_Report.AddRows("tubes", m_Table);
   }
 
 private:
@@ -130,11 +130,11 @@ public:
       "in the same metric. Asked at t = 8 h^2: at most 0.3 / 1.0 % with 43 handles, 0.5 / 4 % with 100; the Euclidean "
       "change at least "
       "4 times as large.");
-    m_Report.AddTable(m_Table);
+    m_Report.AddRows("handles", m_Table);
     m_Report.AddText(
       "## Handles found and removed\n\nFlips: farther than 3 rings from a handle. Located: places within "
       "3 edges of a true one, each of which serves once.");
-    m_Report.AddTable(m_Places);
+    m_Report.AddRows("places", m_Places);
   }
 
 private:

@@ -235,7 +235,7 @@ WriteExams(const std::vector<CatheterTrial> & trials, ValidationReport & report)
                    t.seesBalloon ? "yes" : "",
                    FindsBalloon(t) ? Rounded(t.balloonError) : "" });
   }
-  report.AddTable(table);
+  report.AddRows("exams", table);
 }
 } // namespace
 

@@ -143,17 +143,6 @@ AddReported(const FoldScores & ours, const FoldScores & published, BoundTable & 
   table.AddFact("published scheme: end points, mean error, mm", Rounded(MeanOf(published.all.ends)));
 }
 
-std::string
-ListOf(const std::vector<std::string> & lines)
-{
-  std::string text;
-  for (const std::string & line : lines)
-  {
-    text += "- " + line + '\n';
-  }
-  return text.empty() ? "None." : text;
-}
-
 void
 TryColumn(const Column & column, ValidationReport & report)
 {
@@ -162,7 +151,7 @@ TryColumn(const Column & column, ValidationReport & report)
   FoldScores               published;
   LandmarkScores           landmarks;
   StructureScores          structures;
-  std::vector<std::string> faults;
+  CsvTable                 faults({ "exam", "fault" });
   CsvTable                 exams({ "exam", "folds found", "labels right", "ends, mm", "published: found", "right" });
   for (const LandmarkCase & one : column.cases)
   {
@@ -189,7 +178,7 @@ TryColumn(const Column & column, ValidationReport & report)
     {
       for (const std::string & fault : some)
       {
-        faults.push_back(NameOfCase(one) + ": " + fault);
+        faults.AddRow({ NameOfCase(one), fault });
       }
     }
   }
@@ -202,10 +191,9 @@ TryColumn(const Column & column, ValidationReport & report)
   table.Write();
   landmarks.WriteReliability(report);
   structures.WriteReliability(report);
-  report.AddText("Each exam:");
-  report.AddTable(exams);
-  report.AddText("What was not found, or is none:");
-  report.AddText(ListOf(faults));
+  report.AddRows("exams", exams);
+  report.AddText("Structures not found, and found ones that do not exist:");
+  report.AddRows("faults", faults);
 }
 
 void

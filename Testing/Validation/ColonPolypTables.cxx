@@ -226,23 +226,26 @@ AddCurve(const std::vector<PolypExam> & exams, ValidationReport & report)
   report.AddTable(table);
 }
 
-std::string
-ListOfMissed(const std::vector<PolypExam> & exams)
+CsvTable
+TableOfMissed(const std::vector<PolypExam> & exams)
 {
-  std::string text;
+  CsvTable table({ "exam", "kind", "diameter, mm", "height, mm", "on a fold", "score" });
   for (const PolypExam & exam : exams)
   {
     for (const PolypTruth & truth : exam.truths)
     {
       if (truth.polyp.diameter >= 6.0 && truth.score < defaultScore)
       {
-        text += "- " + exam.name + ": " + truth.polyp.kind + ", " + Rounded(truth.polyp.diameter) + " mm, " +
-                Rounded(truth.polyp.height) + " mm high" + (truth.polyp.onFold ? ", on a fold" : "") +
-                (truth.score > 0.0 ? ", score " + Rounded(truth.score) : "") + '\n';
+        table.AddRow({ exam.name,
+                       truth.polyp.kind,
+                       Rounded(truth.polyp.diameter),
+                       Rounded(truth.polyp.height),
+                       truth.polyp.onFold ? "yes" : "",
+                       truth.score > 0.0 ? Rounded(truth.score) : "" });
       }
     }
   }
-  return text.empty() ? "None." : text;
+  return table;
 }
 
 /** The published preset at full sensitivity: what it finds among how many. */
@@ -342,8 +345,8 @@ TryColumn(const Column & column, ValidationReport & report)
   TryPublished(results.published, table);
   table.Write();
   AddCurve(results.alone, report);
-  report.AddText("Polyps of 6 mm and more that are no candidates:");
-  report.AddText(ListOfMissed(results.delivered));
+  report.AddText("Polyps of 6 mm and more without a candidate:");
+  report.AddRows("missed", TableOfMissed(results.delivered));
   return CountFound(results.delivered, large, defaultScore);
 }
 

@@ -10,6 +10,7 @@
 
 #include <cstdio>
 #include <exception>
+#include <filesystem>
 #include <sstream>
 #include <stdexcept>
 
@@ -128,7 +129,9 @@ try
   {
     AddTable(measure, columns, report);
   }
-  report.Write(argv[1]);
+  const std::filesystem::path page(argv[1]);
+  const std::string           folder = page.has_parent_path() ? page.parent_path().string() : ".";
+  report.Write(folder, folder, page.stem().string());
   return 0;
 }
 catch (const std::exception & error)

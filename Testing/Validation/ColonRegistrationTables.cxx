@@ -231,7 +231,7 @@ WritePatients(const PatientScores & patients, ValidationReport & report)
                    Rounded(s.confidence),
                    s.isFlagged ? "yes" : "" });
   }
-  report.AddTable(table);
+  report.AddRows("patients", table);
 }
 
 /** Table 4.1 of the dissertation, which has border points only and counts unmatched ones as incorrect. */

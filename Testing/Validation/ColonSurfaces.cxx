@@ -231,8 +231,7 @@ TryGroup(const Group & group, int faces, ValidationReport & report)
     bounds.Add(errors);
   }
   bounds.Report(report);
-  report.AddText("Each patient:");
-  report.AddTable(table);
+  report.AddRows("patients", table);
 }
 
 constexpr int Faces = 55000;

@@ -90,7 +90,7 @@ ValidateOrgansOfAbdomen(const ValidationSettings & settings, ValidationReport & 
                        CsvTable::Rounded(organ.second.dice, 2) });
       }
     }
-    report.AddTable(table);
+    report.AddRows("organs", table);
     report.AddText("Mean Dice over " + std::to_string(dice.size()) + " organs: " + MeanWithInterval(dice) + ".");
   }
   report.AddText(

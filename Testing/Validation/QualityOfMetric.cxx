@@ -155,7 +155,7 @@ ValidateQualityOfMetric(const ValidationSettings & settings, ValidationReport & 
     }
     quality.AddExact(table);
   }
-  report.AddTable(table);
+  report.AddRows("eigenpairs", table);
   report.AddText(
     "Most pairs against exact at t = 32 h^2: rms " + CsvTable::Rounded(last, 2) +
     ", bound 1e-5: " + report.Check(last <= 1e-5) +

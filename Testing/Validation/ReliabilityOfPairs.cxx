@@ -181,7 +181,7 @@ WritePairs(const std::vector<JudgedPair> & pairs, ValidationReport & report)
                    Rounded(c.senseMargin),
                    pair.isOnePatient ? Rounded(pair.error) : "" });
   }
-  report.AddTable(table);
+  report.AddRows("pairs", table);
 }
 } // namespace
 

@@ -298,7 +298,7 @@ ReportLabels(const LabelledVolume & volume, const std::vector<MethodScores> & me
     table.AddRow(cells);
   }
   report.AddText("Dice of each label with " + std::to_string(judgedNumber) + " seeds, mean over the draws:");
-  report.AddTable(table);
+  report.AddRows("labels", table);
 }
 
 /** Which numbers of seeds had to be taken at the border of thin labels. */

@@ -75,6 +75,7 @@ struct Request
 {
   ValidationSettings settings;
   std::string        output{ "." };
+  std::string        rows; ///< for CSV files; empty for the output folder
   std::string        wanted;  ///< empty for all parts
   std::string        options; ///< that change what a page holds
 };
@@ -86,6 +87,11 @@ const std::map<std::string, Taker> takers = {
   { "--output",
     [](const std::string & value, Request & request) {
       request.output = value;
+      return !value.empty();
+    } },
+  { "--rows",
+    [](const std::string & value, Request & request) {
+      request.rows = value;
       return !value.empty();
     } },
   { "--patients",
@@ -130,7 +136,7 @@ Parse(const std::vector<std::string> & arguments, Request & request)
         return false;
       }
       ++i;
-      request.options += argument == "--output" ? "" : argument + ' ' + arguments[i] + ' ';
+      request.options += argument == "--output" || argument == "--rows" ? "" : argument + ' ' + arguments[i] + ' ';
     }
     else if (argument == "--quick")
     {
@@ -170,7 +176,7 @@ Run(const Request & request)
     ValidationReport report(part.title);
     report.AddText("Made by `Utilities/run-validation " + request.options + part.name + "`.");
     part.run(request.settings, report);
-    report.Write(request.output + '/' + part.name + ".md");
+    report.Write(request.output, request.rows.empty() ? request.output : request.rows, part.name);
     std::printf("%-16s %s\n", part.name.c_str(), report.GetNumberOfFailures() == 0 ? "pass" : "FAIL");
     std::fflush(stdout);
     failures += report.GetNumberOfFailures();
@@ -190,7 +196,7 @@ main(int argc, char * argv[])
   if (!Parse({ argv + 1, argv + argc }, request))
   {
     return Fail("usage: Validation [--quick] [--patients N] [--firstSeed N] [--preset NAME] [--draws N] "
-                "[--seedsOfLabel N] [--output FOLDER] "
+                "[--seedsOfLabel N] [--output FOLDER] [--rows FOLDER] "
                 "[PART], PART one of " +
                 PartNames());
   }
@@ -203,6 +209,10 @@ main(int argc, char * argv[])
   try
   {
     std::filesystem::create_directories(request.output);
+    if (!request.rows.empty())
+    {
+      std::filesystem::create_directories(request.rows);
+    }
     std::filesystem::create_directories(request.settings.pictureFolder);
     return Run(request);
   }

@@ -1,22 +1,46 @@
 #include "ValidationReport.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <filesystem>
 #include <fstream>
 #include <iostream>
 #include <numeric>
 #include <stdexcept>
+
+namespace
+{
+bool
+HasFailed(const std::vector<std::string> & row)
+{
+  return std::any_of(
+    row.begin(), row.end(), [](const std::string & cell) { return cell.find("FAIL") != std::string::npos; });
+}
+
+// Stands in the page for the link to a file of rows, until it is known where both are.
+std::string
+LinkTo(const std::string & name)
+{
+  return "{rows " + name + '}';
+}
+} // namespace
 
 ValidationReport::ValidationReport(const std::string & title) : m_Page("# " + title + "\n\n") {}
 
 void
 ValidationReport::AddText(const std::string & text)
 {
+  const std::string mark = "## ";
+  if (text.rfind(mark, 0) == 0)
+  {
+    m_Section = text.substr(mark.size(), text.find('\n') - mark.size());
+  }
   m_Page += text + "\n\n";
 }
 
 void
-ValidationReport::AddTable(const shapeton::CsvTable & table)
+ValidationReport::AddRowsOfMarkdown(const shapeton::CsvTable & table, bool failedOnly)
 {
   const auto line = [this](const std::vector<std::string> & cells) {
     for (const auto & cell : cells)
@@ -29,9 +53,38 @@ ValidationReport::AddTable(const shapeton::CsvTable & table)
   line(std::vector<std::string>(table.GetColumns().size(), "---"));
   for (const auto & row : table.GetRows())
   {
-    line(row);
+    if (!failedOnly || HasFailed(row))
+    {
+      line(row);
+    }
   }
   m_Page += '\n';
+}
+
+void
+ValidationReport::AddTable(const shapeton::CsvTable & table)
+{
+  this->AddRowsOfMarkdown(table, false);
+}
+
+void
+ValidationReport::AddRows(const std::string & name, const shapeton::CsvTable & table)
+{
+  std::vector<std::string> columns = table.GetColumns();
+  columns.insert(columns.begin(), "section");
+  shapeton::CsvTable & all = m_Rows.try_emplace(name, columns).first->second;
+  for (std::vector<std::string> row : table.GetRows())
+  {
+    row.insert(row.begin(), m_Section);
+    all.AddRow(row);
+  }
+  const auto failed = std::count_if(table.GetRows().begin(), table.GetRows().end(), HasFailed);
+  this->AddText(std::to_string(table.GetRows().size()) + " rows" +
+                (failed > 0 ? ", " + std::to_string(failed) + " failed: " : ": ") + LinkTo(name) + '.');
+  if (failed > 0)
+  {
+    this->AddRowsOfMarkdown(table, true);
+  }
 }
 
 std::string
@@ -43,10 +96,22 @@ ValidationReport::Check(bool passed)
 }
 
 void
-ValidationReport::Write(const std::string & path) const
+ValidationReport::Write(const std::string & folder, const std::string & rowsFolder, const std::string & page) const
 {
-  std::ofstream os(path);
-  os << m_Page << m_Checks - m_Failures << " of " << m_Checks << " checks passed.\n";
+  std::string text = m_Page;
+  for (const auto & [name, table] : m_Rows)
+  {
+    const std::string path = rowsFolder + '/' + page + '-' + name + ".csv";
+    table.Write(path);
+    const std::string link = std::filesystem::proximate(path, folder).generic_string();
+    for (std::size_t at = text.find(LinkTo(name)); at != std::string::npos; at = text.find(LinkTo(name)))
+    {
+      text.replace(at, LinkTo(name).size(), '[' + name + "](" + link + ')');
+    }
+  }
+  const std::string path = folder + '/' + page + ".md";
+  std::ofstream     os(path);
+  os << text << m_Checks - m_Failures << " of " << m_Checks << " checks passed.\n";
   os.close();
   if (!os)
   {

@@ -3,6 +3,7 @@
 
 #include "shapetonCsvTable.h"
 
+#include <map>
 #include <string>
 #include <vector>
 
@@ -17,6 +18,11 @@ public:
   void
   AddTable(const shapeton::CsvTable & table);
 
+  /** A table with a row per seed, exam or label: it becomes a CSV file named after the page and `name`, whose first column is
+   * the page's current section; the page holds a link, the number of rows, and the rows that have failed. */
+  void
+  AddRows(const std::string & name, const shapeton::CsvTable & table);
+
   /** Notes the check and returns "pass" or "FAIL" for a table; failures are counted. */
   std::string
   Check(bool passed);
@@ -26,15 +32,21 @@ public:
   {
     return m_Failures;
   }
+  /** Writes the page to `folder`/`page`.md and the rows to `rowsFolder`/`page`-`name`.csv. */
   void
-  Write(const std::string & path) const;
+  Write(const std::string & folder, const std::string & rowsFolder, const std::string & page) const;
 
   /** Tells on the standard error what a long part is at; the page does not change. */
   static void
   Progress(const std::string & what);
 
 private:
+  void
+  AddRowsOfMarkdown(const shapeton::CsvTable & table, bool failedOnly);
+
   std::string  m_Page;
+  std::string  m_Section;
+  std::map<std::string, shapeton::CsvTable> m_Rows;
   unsigned int m_Checks{ 0 };
   unsigned int m_Failures{ 0 };
 };
