@@ -306,7 +306,58 @@ private:
   std::map<std::string, Tool>                     m_Tools;
   Faults                                          m_Faults;
 };
+
+void
+FindPattern(const std::string & text,
+            const std::regex &  pattern,
+            int                 line,
+            const std::string & file,
+            const std::string & fault,
+            Faults &            faults)
+{
+  std::smatch match;
+  if (std::regex_search(text, match, pattern))
+  {
+    faults.push_back({ file, line, fault + match.str() });
+  }
+}
 } // namespace
+
+Faults
+CheckWording(const fs::path & root)
+{
+  const std::regex genitive(R"((/\*\*|//[/!]?<?|^ *\*) Of [a-z])");
+  const std::regex negation(R"(\b(is|are) (no|none)\b)");
+  const std::regex metaphor(R"(\b(told|wanders?|hangs? on|belongs? beside)\b)");
+  Faults           faults;
+  for (const fs::path & file : RepositoryFiles(root))
+  {
+    const bool isPage = file.extension() == ".md" || file.extension() == ".xml";
+    if ((!IsSource(file) && !isPage) || file.stem().string().rfind("MessageRules", 0) == 0)
+    {
+      continue;
+    }
+    const std::string text = ReadText(file);
+    const std::string shown = Shown(file, root);
+    int               line = 0;
+    for (const std::string & one : Lines(text))
+    {
+      FindPattern(one, metaphor, ++line, shown, "is not plain English: ", faults);
+      if (!isPage)
+      {
+        FindPattern(one, genitive, line, shown, "begins a comment with a bare genitive: ", faults);
+      }
+    }
+    if (!isPage)
+    {
+      for (const Literal & literal : LiteralsOf(text))
+      {
+        FindPattern(literal.text, negation, literal.line, shown, "says what is not by: ", faults);
+      }
+    }
+  }
+  return faults;
+}
 
 Faults
 CheckMessages(const fs::path & root)

@@ -72,6 +72,24 @@ TEST_F(MessageRules, RefuseValuesThatAreRefused)
             "Applications/Cutter/a.cxx:3: names --sheet 10, which Cutter refuses\n");
 }
 
+TEST_F(MessageRules, RefuseWordingThatReadsAsTranslated)
+{
+  const auto faultsOf = [this](const std::string & text) {
+    this->Write("a.cxx", text);
+    return ToText(rules::CheckWording(m_Root));
+  };
+  EXPECT_EQ(faultsOf("/** Radius of the piece (mm). */\nthrow Error(\"no piece was found\"); // none is left\n"), "");
+  EXPECT_EQ(faultsOf("int r; ///< Of the piece\n"), "a.cxx:1: begins a comment with a bare genitive: ///< Of t\n");
+  EXPECT_EQ(faultsOf("f(\"x is \"\n  \"no number\");\n"), "a.cxx:1: says what is not by: is no\n");
+  EXPECT_EQ(faultsOf("// Failures are told.\n"), "a.cxx:1: is not plain English: told\n");
+}
+
+TEST(ThisRepository, IsWrittenInPlainEnglish)
+{
+  const rules::Faults faults = rules::CheckWording(SHAPETON_SOURCE_DIR);
+  EXPECT_TRUE(faults.empty()) << ToText(faults);
+}
+
 TEST(ThisRepository, GivesNoAdviceThatIsRefused)
 {
   const rules::Faults faults = CheckMessages(SHAPETON_SOURCE_DIR);
