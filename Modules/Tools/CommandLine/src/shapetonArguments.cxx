@@ -4,6 +4,7 @@
 #include "shapetonExceptions.h"
 
 #include <algorithm>
+#include <numeric>
 
 namespace shapeton
 {
@@ -53,6 +54,25 @@ IsDefault(const Parameter & parameter, const std::string & value)
   CheckValue(parameter, value);
   return !parameter.defaultValue.empty() &&
          CanonicalValue(parameter, value) == CanonicalValue(parameter, parameter.defaultValue);
+}
+
+/** How many letters must be inserted, removed or replaced to turn one text into the other (Levenshtein). */
+std::size_t
+EditDistance(const std::string & a, const std::string & b)
+{
+  std::vector<std::size_t> row(b.size() + 1);
+  std::iota(row.begin(), row.end(), 0);
+  for (std::size_t i = 0; i < a.size(); ++i)
+  {
+    std::size_t diagonal = row[0]++;
+    for (std::size_t j = 0; j < b.size(); ++j)
+    {
+      const std::size_t replaced = diagonal + (a[i] == b[j] ? 0 : 1);
+      diagonal = row[j + 1];
+      row[j + 1] = std::min({ replaced, row[j] + 1, row[j + 1] + 1 });
+    }
+  }
+  return row.back();
 }
 
 /** Walks once through the arguments. */
@@ -188,9 +208,29 @@ private:
     });
     if (parameter == parameters.end())
     {
-      throw ParameterError("unknown option " + Quoted(m_Option) + "; --help lists the options");
+      throw ParameterError("unknown option " + Quoted(m_Option) + this->SimilarOption() + "; --help lists the options");
     }
     return *parameter;
+  }
+
+  /** A hint at the option that differs by at most two letters, as one in British spelling or with a typing error does. */
+  std::string
+  SimilarOption() const
+  {
+    constexpr std::size_t shortest = 6; // "--gama": shorter options resemble each other by chance
+    std::size_t           least = 3;
+    std::string           hint;
+    for (const Parameter & parameter : m_Module.parameters)
+    {
+      const std::string option = "--" + parameter.longflag;
+      const std::size_t letters = std::min(option.size(), m_Option.size());
+      if (letters >= shortest && letters < 40 && EditDistance(option, m_Option) < least)
+      {
+        least = EditDistance(option, m_Option);
+        hint = "; did you mean " + option + '?';
+      }
+    }
+    return hint;
   }
 
   void

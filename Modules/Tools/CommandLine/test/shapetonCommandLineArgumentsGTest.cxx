@@ -262,12 +262,15 @@ TEST(CommandLineArguments, AForgottenValueIsNotTakenFromTheNextOption)
 
 TEST(CommandLineArguments, UnknownOptions)
 {
-  for (const std::string option :
-       { "--gama", "--Gamma", "--g", "-gamma", "-x", "-g2", "-g=2", "--meanHeat", "---gamma" })
+  for (const std::string option : { "--g", "-x", "-g2", "-g=2", "--meanHeat" })
   {
     ExpectBadOption({ option }, "unknown option \"" + option + "\"; --help lists the options");
   }
-  ExpectBadOption({ "--gama=3" }, "unknown option \"--gama\"; --help lists the options");
+  for (const std::string option : { "--gama", "--Gamma", "-gamma", "---gamma", "--gam", "--ggamma" })
+  {
+    ExpectBadOption({ option }, "unknown option \"" + option + "\"; did you mean --gamma? --help lists the options");
+  }
+  ExpectBadOption({ "--gama=3" }, "unknown option \"--gama\"; did you mean --gamma? --help lists the options");
   ExpectBadOption({ "--=3" }, "unknown option \"--\"; --help lists the options");
   ExpectBadOption({ "--help=now" }, "unknown option \"--help\"; --help lists the options");
 }
