@@ -52,6 +52,15 @@ ValveInWords(const Json & valve)
 void
 AddModelFacts(const Json & quality, ColonoscopyFacts & facts)
 {
+  if (quality.contains("missing"))
+  {
+    std::string missing;
+    for (const Json & part : quality["missing"])
+    {
+      missing += (missing.empty() ? "incomplete: " : "; ") + part.get<std::string>();
+    }
+    facts.emplace_back("Colon", missing.empty() ? "complete" : missing);
+  }
   const double gas = NumberAt(quality, "/lumen/gasVolume");
   const double fluid = NumberAt(quality, "/lumen/fluidVolume");
   if (std::isfinite(gas))
@@ -187,7 +196,7 @@ ColonoscopyFacts
 SummaryOf(const ColonoscopyReportContent & content)
 {
   const ColonoscopyResults & results = *content.results;
-  ColonoscopyFacts facts{ { "Result", content.failure.empty() ? "complete" : "partial: " + content.failure } };
+  ColonoscopyFacts facts{ { "Run", content.failure.empty() ? "all stages finished" : "partial: " + content.failure } };
   for (const auto & [key, value] : content.provenance)
   {
     if (key == "input.inputVolume")
