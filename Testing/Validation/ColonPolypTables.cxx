@@ -223,7 +223,7 @@ AddCurve(const std::vector<PolypExam> & exams, ValidationReport & report)
     table.AddRow(std::move(cells));
   }
   report.AddText("Free-response ROC by each position alone: recall and false candidates as the sensitivity grows.");
-  report.AddTable(table);
+  report.AddRows("curve", table);
 }
 
 CsvTable

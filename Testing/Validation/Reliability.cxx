@@ -42,5 +42,5 @@ Reliability::Write(const std::string & what, ValidationReport & report) const
                    one.Number() > 0 ? Rounded(MeanOf(one.confidences)) : "",
                    one.Number() > 0 ? RatioOf(one.right, one.Number()) : "" });
   }
-  report.AddTable(table);
+  report.AddRows("reliability-" + what, table);
 }
