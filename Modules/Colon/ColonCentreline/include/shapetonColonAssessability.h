@@ -13,21 +13,21 @@
 
 namespace shapeton
 {
-/** \defgroup ColonAssessability Where a colon can be assessed
+/** \defgroup ColonAssessability Assessable parts of a colon
  *
- * A stretch of the colon cannot be assessed where its wall is not seen. C-RADS (Zalis et al., Radiology 2005) has the
- * category C0 for this: preparation that hides lesions of 10 mm, or segments that are collapsed. The rules, point by
- * point of the centreline, the first that holds:
+ * A part of the colon cannot be assessed where its wall is not visible. C-RADS (Zalis et al., Radiology 2005) calls
+ * this category C0: preparation that hides lesions of 10 mm, or collapsed segments. The first rule that holds at a
+ * point of the centerline decides:
  *
- * - no lumen: the line is bridged: there is neither gas nor tagged fluid
- * - cut by the scan: the lumen goes on beyond the border of the image
- * - untagged fluid: straight below the line the lumen ends at a level of 150 mm^2 and more that is not tagged: what
- * lies under it is not seen. Flat walls passed for levels of up to 80 mm^2 in the examinations that were looked at
- * - narrow: the calibre is below 10 mm along 5 mm and more, as distension is counted; the lip of a single fold is
+ * - no lumen: the line is a bridge, without gas or tagged fluid
+ * - cut by the scan: the lumen extends beyond the border of the image
+ * - untagged fluid: straight below the line the lumen ends at an untagged level of 150 mm^2 or more, which hides the
+ *   wall below it. Flat walls were mistaken for levels of up to 80 mm^2 in the examinations inspected
+ * - narrow: the caliber is below 10 mm over 5 mm or more, as counted for distension; the lip of a single fold is
  *   thinner. Up to 40 mm at the beginning, the anal canal, are narrow by nature
  *
- * The border of 10 mm is that of MeasureDistension(); 150 mm^2, 5 mm and the shares of the verdicts are ours. Of a mask
- * without a CT fluid is not known, and that rule does not apply.
+ * The limit of 10 mm is that of MeasureDistension(); 150 mm^2, 5 mm and the shares of the verdicts are our choice. The
+ * fluid rule does not apply to a mask without a CT.
  * \ingroup ColonCentreline */
 ///@{
 
@@ -45,63 +45,63 @@ constexpr int numberOfColonHindrances = 5;
 /** "none", "noLumen", "cutByScan", "untaggedFluid", "narrow". */
 ColonCentreline_EXPORT std::string
                        NameOf(ColonHindrance hindrance);
-/** The hindrance of such a name; None for an empty one. Throws InputError for another. */
+/** The hindrance with this name; None for an empty name. Throws InputError for any other text. */
 ColonCentreline_EXPORT ColonHindrance
 HindranceOfName(const std::string & name);
-/** The hindrance of a value of the array notAssessable; of one out of range the nearest. */
+/** The hindrance with this value in the array notAssessable; the nearest one for values out of range. */
 ColonCentreline_EXPORT ColonHindrance
 HindranceOfValue(double value);
 /** For example "calibre below 10 mm"; empty for None. */
 ColonCentreline_EXPORT std::string
                        InWords(ColonHindrance hindrance);
 
-/** Gives the centreline the point array notAssessable, a ColonHindrance for each point. `curve` needs the arrays of
- * TraceColonCentreline(). Throws InputError where one is missing. */
+/** Adds the point array notAssessable, a ColonHindrance for each point, to the centerline. `curve` needs the arrays of
+ * TraceColonCentreline(). Throws InputError when one is missing. */
 ColonCentreline_EXPORT void
 MarkHindrances(const ColonLumen & lumen, CurveSet & curve);
 
 /** A part of the centreline with one hindrance. */
 struct HinderedStretch
 {
-  /** arcLength, mm, halfway between points. */
+  /** First and last arcLength (mm), halfway between points. */
   double         begin{ 0.0 };
   double         end{ 0.0 };
   ColonHindrance hindrance{ ColonHindrance::None };
 };
 
-/** Whether a line has what FindHinderedStretches() needs. */
+/** Whether a line has the arrays that FindHinderedStretches() needs. */
 ColonCentreline_EXPORT bool
 TellsHindrances(const CurveSet & curve);
 
-/** In order along the line, by arcLength and notAssessable; of a line without the latter those by gap and radius.
- * Throws InputError where these are missing, too. */
+/** The hindered stretches in order along the line, from arcLength and notAssessable; without the latter from gap and
+ * radius. Throws InputError when these are missing, too. */
 ColonCentreline_EXPORT std::vector<HinderedStretch>
                        FindHinderedStretches(const CurveSet & curve);
 
 ColonCentreline_EXPORT ColonHindrance
 HindranceAt(const std::vector<HinderedStretch> & stretches, double arcLength);
 
-/** Gives curves with the point array arcLength, such as taeniae, the point array notAssessable. */
+/** Adds the point array notAssessable to curves with the point array arcLength, such as taeniae coli. */
 ColonCentreline_EXPORT void
 MarkHindrances(const std::vector<HinderedStretch> & stretches, CurveSet & curves);
 
 /** How much of a part of the colon can be assessed. */
 struct ColonAssessability
 {
-  /** Of its length, 0 to 1; 0 for no length. */
+  /** Assessable share of the length, 0 to 1; 0 for an empty part. */
   double share{ 0.0 };
-  /** mm, by ColonHindrance. */
+  /** Hindered lengths (mm), indexed by ColonHindrance. */
   std::array<double, numberOfColonHindrances> lengths{};
 
-  /** "assessable" from 0.9 of its length, "notAssessable" below 0.5, else "partly". */
+  /** "assessable" if the share is at least 0.9, "notAssessable" below 0.5, else "partly". */
   ColonCentreline_EXPORT std::string
                          Verdict() const;
-  /** Those that have a length, the longest first. */
+  /** The hindrances with a length above zero, longest first. */
   ColonCentreline_EXPORT std::vector<ColonHindrance>
                          Hindrances() const;
 };
 
-/** Between two arcLengths. */
+/** Assessability of the part between two arcLengths. */
 ColonCentreline_EXPORT ColonAssessability
 Assess(const std::vector<HinderedStretch> & stretches, double begin, double end);
 

@@ -10,23 +10,23 @@
 
 namespace shapeton
 {
-/** Narrower lumen is not distended, mm. \ingroup ColonCentreline */
+/** Smallest caliber of distended lumen, mm. \ingroup ColonCentreline */
 constexpr double LeastDistendedCalibre = 10.0;
 
 /** A segment of the colon along its centreline. \ingroup ColonCentreline */
 struct ColonSegmentBorder
 {
   std::string name;
-  /** arcLength where it ends towards the caecum, mm. */
+  /** arcLength of its end toward the cecum, mm. */
   double end{ 0.0 };
 };
 
-/** How far a stretch of the colon is filled: length, calibre, collapsed part. See MeasureDistension().
+/** Distension of a part of the colon: length, caliber, collapsed part. See MeasureDistension().
  * \ingroup ColonCentreline */
 struct SegmentDistension
 {
   std::string name;
-  /** arcLength, mm. */
+  /** First and last arcLength, mm. */
   double begin{ 0.0 };
   double end{ 0.0 };
   /** Share of its length with a calibre of at least 10 mm, 0 to 1. */
@@ -37,7 +37,7 @@ struct SegmentDistension
   double collapsedLength{ 0.0 };
 };
 
-/** Borders by customary shares of the length from the anal verge, for as long as no landmarks are known:
+/** Segment borders at customary shares of the length from the anal verge, for use without landmarks:
  *
  * | segment | share | from | to |
  * |---|---|---|---|
@@ -48,24 +48,24 @@ struct SegmentDistension
  * | ascending | 0.13 | 0.83 | 0.96 |
  * | caecum | 0.04 | 0.96 | 1 |
  *
- * Round figures for orientation, not measured here. Single patients differ from them by several per cent of the length.
+ * Round figures for orientation, not measured here. Individual patients differ by several percent of the length.
  * \ingroup ColonCentreline */
 ColonCentreline_EXPORT std::vector<ColonSegmentBorder>
                        CustomarySegments(double length);
 
-/** How well each segment is distended, as reports of CT colonography and barium enema state it: the share of the
- * centreline with a calibre of at least 1 cm.
+/** Measures the distension of each segment as reports of CT colonography and barium enema state it: the share of the
+ * centerline with a caliber of at least 1 cm.
  *
- * Calibre is the diameter of the largest ball inside the lumen across the line, 2 * radius: the inner diameter between
- * folds, not between haustra. A gap counts as 0 mm. Each step of the line counts by its length.
+ * The caliber is the diameter of the largest ball inside the lumen across the line, 2 * radius: the inner diameter
+ * between folds, not between haustra. A gap counts as 0 mm. Each step of the line is weighted by its length.
  *
  * `curve` needs the point arrays arcLength, radius and gap of TraceColonCentreline(). The borders must ascend; the last
- * segment goes to the end of the line. Throws InputError where an array is missing or the line has no length,
+ * segment ends with the line. Throws InputError when an array is missing or the line has zero length,
  * ParameterError for borders that do not ascend or are missing. \ingroup ColonCentreline */
 ColonCentreline_EXPORT std::vector<SegmentDistension>
                        MeasureDistension(const CurveSet & curve, const std::vector<ColonSegmentBorder> & borders);
 
-/** The same with CustomarySegments(). \ingroup ColonCentreline */
+/** Measures the distension of CustomarySegments(). \ingroup ColonCentreline */
 ColonCentreline_EXPORT std::vector<SegmentDistension>
                        MeasureDistension(const CurveSet & curve);
 } // namespace shapeton

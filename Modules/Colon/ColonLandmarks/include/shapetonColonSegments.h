@@ -8,16 +8,17 @@
 
 namespace shapeton
 {
-/** Where one segment of the colon ends and the next begins. \ingroup ColonLandmarks */
+/** Border between two consecutive segments of the colon. \ingroup ColonLandmarks */
 struct SegmentBorder
 {
-  /** 1 to 4 as ColonFlexure, 5 between ascending colon and caecum. The segment before it has this number. */
+  /** 1 to 4 as in ColonFlexure, 5 between ascending colon and cecum; also the number of the segment before the
+   * border. */
   int number{ 0 };
-  /** On the centreline, LPS, mm. */
+  /** Position on the centerline, LPS, mm. */
   Eigen::Vector3d point{ Eigen::Vector3d::Zero() };
   double          arcLength{ 0.0 };
   double          confidence{ 0.0 };
-  /** Once around the tube, along edges. */
+  /** Loop once around the tube, along edges. */
   SurfaceWalk loop;
 };
 
@@ -25,28 +26,28 @@ struct SegmentBorder
  * \ingroup ColonLandmarks */
 struct ColonSegments
 {
-  /** In ascending order; those that were not found are left out. */
+  /** In ascending order; missing borders are left out. */
   std::vector<SegmentBorder> borders;
-  /** For each face: 1 rectum (with the anal canal), 2 sigmoid, 3 descending, 4 transverse, 5 ascending, 6 caecum; 0
-   * where a border is missing, so that it cannot be said. */
+  /** For each face: 1 rectum (with the anal canal), 2 sigmoid, 3 descending, 4 transverse, 5 ascending, 6 cecum; 0 if
+   * unknown because a border is missing. */
   std::vector<int> segmentOfFace;
-  /** Whether the caecum ends at the ileocaecal valve, not after its average length. */
+  /** Whether the cecum ends at the ileocecal valve rather than after its average length. */
   bool    isCaecumAtValve{ false };
   Remarks warnings;
 };
 
-/** Rectum to caecum. \ingroup ColonLandmarks */
+/** Number of segments, rectum to cecum. \ingroup ColonLandmarks */
 constexpr int NumberOfColonSegments = 6;
 
-/** "rectum", "sigmoid", ... as radiologists name them; "unknown" for 0, empty for other numbers.
+/** "rectum", "sigmoid", ... in radiological terms; "unknown" for 0, empty for other numbers.
  * \ingroup ColonLandmarks */
 ColonLandmarks_EXPORT std::string
                       NameOfSegment(int segment);
 
-/** A closed walk once around the tube, near a plane through `point` with this normal (dissertation 4.2.2: the plane is
- * orthogonal to the centreline, Dijkstra's shortest path joins its points). A mm of edge costs 1 + (d / 5 mm)^2, d the
- * distance from the plane; walks stay within 70 mm along the centreline of `arcLength`, or 140 mm where there is none.
- * Empty where there is none there either. \ingroup ColonLandmarks */
+/** A closed walk once around the tube, near the plane through `point` with this normal (dissertation 4.2.2: the plane
+ * is orthogonal to the centerline, Dijkstra's shortest path joins its points). One mm of edge costs 1 + (d / 5 mm)^2, d
+ * the distance from the plane. Walks stay within 70 mm along the centerline of `arcLength`, or 140 mm if none is found.
+ * Empty if none is found there either. \ingroup ColonLandmarks */
 ColonLandmarks_EXPORT SurfaceWalk
 FindLoop(const ColonWallTube &   tube,
          const Eigen::Vector3d & point,
@@ -54,9 +55,9 @@ FindLoop(const ColonWallTube &   tube,
          double                  arcLength,
          const Progress &        progress = {});
 
-/** The six segments between loops at the flexures that were found. The caecum has no flexure: it begins at the
- * ileocaecal valve, where the centreline knows of one (see IleocaecalValveOf()), else where the centreline is 6 cm from
- * its end, straight, its length in anatomy (Gray's Anatomy, 41st ed.). \ingroup ColonLandmarks */
+/** Finds the six segments between loops at the flexures. The cecum has no flexure: it begins at the ileocecal valve if
+ * the centerline has one (see IleocaecalValveOf()), otherwise 6 cm, straight, from the end of the centerline, its
+ * length in anatomy (Gray's Anatomy, 41st ed.). \ingroup ColonLandmarks */
 ColonLandmarks_EXPORT ColonSegments
 FindColonSegments(const ColonWallTube & tube,
                   const CurveSet &      centreline,

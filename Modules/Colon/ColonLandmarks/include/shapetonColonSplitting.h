@@ -6,28 +6,28 @@
 
 namespace shapeton
 {
-/** A segment of the colon, cut open along a taenia and flattened on its own. \ingroup ColonLandmarks */
+/** A segment of the colon, cut open along a taenia and flattened separately. \ingroup ColonLandmarks */
 struct ColonPiece
 {
-  /** As ColonSegments. */
+  /** Segment number as in ColonSegments. */
   int         segment{ 0 };
   std::string name;
-  /** In space, with `uv` (mm): a rectangle from (0, 0) on, u from the rectal end on, both sides along v = const are the
-   * taenia. As ConformalMap::flat. */
+  /** Surface with `uv` (mm): a rectangle from (0, 0), u from the rectal end; both sides along v = const are the taenia.
+   * See ConformalMap::flat. */
   SurfaceMesh flat;
-  /** Height over width of the rectangle (dissertation 4.3, Figure 4.6): not less and not greater than the true one. */
+  /** Lower and upper bound of height over width of the rectangle (dissertation 4.3, Figure 4.6). */
   double modulusU{ 0.0 };
   double modulusV{ 0.0 };
-  /** mm of the rectangle, which has the area of the surface. */
+  /** Size of the rectangle, mm; it has the area of the surface. */
   double width{ 0.0 };
   double height{ 0.0 };
-  /** mm^2. */
+  /** Wall area, mm^2. */
   double area{ 0.0 };
-  /** Faces that the map turns over. */
+  /** Number of faces that the map flips. */
   int flips{ 0 };
 };
 
-/** The segments of a colon as surfaces of their own, cut along a taenia and mapped to rectangles. See SplitColon().
+/** The segments of a colon as separate surfaces, cut along a taenia and mapped to rectangles. See SplitColon().
  * \ingroup ColonLandmarks */
 struct ColonPieces
 {
@@ -35,9 +35,9 @@ struct ColonPieces
   Remarks                 warnings;
 };
 
-/** Cuts the wall at the borders of its segments and each segment along the first taenia, and maps each to a rectangle
- * with MapConformally(). A segment that is not known, or is no tube between its borders, is left out with a warning, as
- * all are where there is no taenia. \ingroup ColonLandmarks */
+/** Cuts the wall at the segment borders and each segment along the first taenia, and maps each to a rectangle with
+ * MapConformally(). A segment that is unknown or not a tube between its borders is left out with a warning. Without
+ * taeniae all are left out. \ingroup ColonLandmarks */
 ColonLandmarks_EXPORT ColonPieces
 SplitColon(const SurfaceMesh & flat, const ColonLandmarks & landmarks, const Progress & progress = {});
 

@@ -14,18 +14,18 @@
 namespace shapeton
 {
 /** \class ColonWallTube
- * \brief The wall of a flat colon without its cut: what walks over the wall are made on.
+ * \brief The wall of a flat colon without its cut, on which walks are computed.
  *
  * Vertices of the flat surface at one place (sourcePointId) are one vertex here; faces keep their order. A walk may
- * cross the cut: Turns() counts how often an edge does, so that a walk around the tube is told from one that is not.
+ * cross the cut; Turns() counts the crossings of an edge and so identifies walks around the tube.
  *
  * \ingroup ColonLandmarks */
 class ColonLandmarks_EXPORT ColonWallTube
 {
 public:
-  /** \param centreline one curve with arcLength, from the rectum to the caecum of this surface.
-   * Throws InputError, with the reason, where an array is missing, or the centreline belongs to another colon or runs
-   * the other way. One that covers a part of the surface is taken, with a warning. */
+  /** \param centreline one curve with arcLength, from the rectum to the cecum of this surface.
+   * Throws InputError, with the reason, when an array is missing, or the centerline belongs to another colon or runs in
+   * the opposite direction. A centerline that covers only part of the surface gives a warning. */
   ColonWallTube(const FlatColon & colon, const CurveSet & centreline);
   ~ColonWallTube();
 
@@ -49,7 +49,7 @@ public:
   {
     return static_cast<int>(m_V.rows());
   }
-  /** Of a vertex of the flat surface. */
+  /** The tube vertex of a vertex of the flat surface. */
   int
   VertexOfFlat(int flatVertex) const
   {
@@ -67,19 +67,19 @@ public:
   {
     return m_IsOnCut[vertex] != 0;
   }
-  /** mm; v is that of FlatOfVertex(). */
+  /** Position on the map, mm; v is that of FlatOfVertex(). */
   Eigen::Vector2d
   Uv(int vertex) const
   {
     return m_Uv.row(vertex).transpose();
   }
-  /** mm along the centreline. */
+  /** Distance along the centerline, mm. */
   double
   ArcLength(int vertex) const
   {
     return m_ArcLength[vertex];
   }
-  /** mm along the centreline of the middle of the tube at this u (mm of the map). Never falling. */
+  /** Distance along the centerline (mm) of the middle of the tube at this u (mm of the map); nondecreasing. */
   double
   ArcLengthOfU(double u) const;
   double
@@ -87,8 +87,8 @@ public:
   {
     return m_Circumference;
   }
-  /** By how many turns, towards larger v, one has gone around the tube from vertex a to its neighbour b, over and above
-   * the difference of their v. */
+  /** Number of turns around the tube, positive toward larger v, from vertex a to its neighbor b, in addition to the
+   * difference of their v. */
   int
   Turns(int a, int b) const;
 
@@ -112,7 +112,7 @@ private:
   std::vector<int>                     m_VertexOfFlat;
   std::vector<int>                     m_FlatOfVertex;
   std::vector<char>                    m_IsOnCut;
-  std::vector<int>                     m_TurnsOfEdge; ///< from the lesser to the greater vertex
+  std::vector<int>                     m_TurnsOfEdge; ///< from the lower to the higher vertex index
   Eigen::MatrixX2d                     m_Uv;
   Eigen::VectorXd                      m_ArcLength;
   std::vector<double>                  m_ArcLengthOfColumn;
@@ -122,12 +122,12 @@ private:
 };
 
 /** \class SurfaceWalk
- * \brief A list of neighbouring vertices of a tube. \ingroup ColonLandmarks */
+ * \brief A sequence of neighboring vertices of a tube. \ingroup ColonLandmarks */
 struct SurfaceWalk
 {
-  /** Of the tube. A closed walk does not repeat its first vertex. */
+  /** Vertices of the tube. A closed walk does not repeat its first vertex. */
   std::vector<int> vertices;
-  /** mm. */
+  /** Length, mm. */
   double length{ 0.0 };
 };
 } // namespace shapeton

@@ -10,10 +10,10 @@
 
 namespace shapeton
 {
-/** The direction in which things fall, a unit vector in LPS, for a DICOM Patient Position (0018,5100): HFS, HFP, HFDR,
- * HFDL, FFS, FFP, FFDR, FFDL, or one of the names supine, prone, leftDecubitus, rightDecubitus (DL: lying on the left
- * side). Head or feet first makes no difference, for LPS is bound to the patient. Nothing for any other text, such as a
- * sitting position.
+/** The direction of gravity, a unit vector in LPS, for a DICOM Patient Position (0018,5100): HFS, HFP, HFDR, HFDL, FFS,
+ * FFP, FFDR, FFDL, or one of the names supine, prone, leftDecubitus, rightDecubitus (DL: lying on the left side). Head
+ * or feet first makes no difference, since LPS is fixed to the patient. Empty for any other text, such as a sitting
+ * position.
  * \ingroup ColonLumen */
 ColonLumen_EXPORT std::optional<itk::Vector<double, 3>>
                   GravityOfPatientPosition(const std::string & code);

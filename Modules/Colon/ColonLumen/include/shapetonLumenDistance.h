@@ -10,29 +10,29 @@
 
 namespace shapeton
 {
-/** A lumen: voxels other than 0. \ingroup ColonLumen */
+/** Lumen mask; nonzero voxels are lumen. \ingroup ColonLumen */
 using LumenMask = itk::Image<unsigned char, 3>;
-/** Millimetres. \ingroup ColonLumen */
+/** Distances in mm. \ingroup ColonLumen */
 using LumenDistanceImage = itk::Image<float, 3>;
-/** Numbers of components, 0 outside. \ingroup ColonLumen */
+/** Component labels, 0 outside. \ingroup ColonLumen */
 using LumenLabelImage = itk::Image<std::int32_t, 3>;
 
-/** The bounding box of the lumen, `margin` voxels wider on each side as far as the image goes. Throws InputError when
+/** The bounding box of the lumen, padded by `margin` voxels within the image. Throws InputError when
  * the lumen is empty. \ingroup ColonLumen */
 ColonLumen_EXPORT itk::ImageRegion<3>
                   LumenRegion(const LumenMask * lumen, unsigned int margin = 1);
 
-/** The distance of each lumen voxel of `region` to the wall, mm; 0 outside the lumen. The image covers `region` alone
- * and has the geometry of `lumen`.
+/** Distance of each lumen voxel of `region` to the wall, mm; 0 outside the lumen. The image covers only `region` and
+ * has the geometry of `lumen`.
  *
- * It is the exact Euclidean distance between the centres of the voxel and of the nearest voxel outside the lumen, less
- * a quarter of the smallest spacing: a flat wall lies half a voxel nearer than that centre, the wall of a round lumen
- * seen from its axis hardly nearer, because the nearest of many centres counts. So a tube of radius r measures r on its
- * axis, to about half a voxel. What lies beyond the region is not known and counts as lumen, so a lumen that the image
- * cuts keeps its calibre up to the cut; take a region with a margin where the image goes on. Time is linear
- * in voxels; threads do not change the values.
+ * It is the exact Euclidean distance between the centers of the voxel and of the nearest voxel outside the lumen, minus
+ * a quarter of the smallest spacing. A flat wall is half a voxel nearer than that center. The wall of a round lumen is
+ * hardly nearer to its axis, because the nearest of many centers counts. So a tube of radius r measures r on its axis,
+ * to about half a voxel. Voxels beyond the region count as lumen, so a lumen cut by the image keeps its caliber up to
+ * the cut; use a region with a margin where the image continues. Linear time in voxels; the result is independent of
+ * the number of threads.
  *
- * Throws InputError when no voxel of the region lies outside the lumen.
+ * Throws InputError when the region contains no voxel outside the lumen.
  * \ingroup ColonLumen */
 ColonLumen_EXPORT LumenDistanceImage::Pointer
                   LumenDistance(const LumenMask * lumen, const itk::ImageRegion<3> & region);
@@ -41,9 +41,9 @@ ColonLumen_EXPORT LumenDistanceImage::Pointer
 struct LumenComponent
 {
   std::int64_t voxels{ 0 };
-  /** ml. */
+  /** Volume, ml. */
   double volume{ 0.0 };
-  /** Its bounding box. */
+  /** Bounding box. */
   itk::Index<3> first{};
   itk::Index<3> last{};
 };
@@ -51,13 +51,13 @@ struct LumenComponent
 /** The connected components of a mask, labelled and measured. See FindLumenComponents(). \ingroup ColonLumen */
 struct LumenComponents
 {
-  /** 1 for the first of `components`, and so on. Covers the region alone. */
+  /** Label 1 for the first of `components`, and so on. Covers only the region. */
   LumenLabelImage::Pointer labels;
-  /** The largest one first; of equal ones that with the earlier voxel. */
+  /** Largest first; of equal ones the one with the earlier voxel. */
   std::vector<LumenComponent> components;
 };
 
-/** The components of the lumen within `region`. Linear in voxels. \ingroup ColonLumen */
+/** Finds the components of the lumen within `region`. Linear time in voxels. \ingroup ColonLumen */
 ColonLumen_EXPORT LumenComponents
 FindLumenComponents(const LumenMask * lumen, const itk::ImageRegion<3> & region);
 } // namespace shapeton

@@ -16,11 +16,11 @@ namespace shapeton
 class ColonLumen_EXPORT PrincipalAxes
 {
 public:
-  /** Reads the lower triangle alone. */
+  /** Reads only the lower triangle. */
   explicit PrincipalAxes(const Eigen::Matrix2d & symmetric);
 
   Eigen::Vector2d values;  ///< ascending
-  Eigen::Matrix2d vectors; ///< one in each column
+  Eigen::Matrix2d vectors; ///< one per column
 };
 } // namespace shapeton
 

@@ -19,28 +19,28 @@ namespace shapeton
 {
 struct ColonModel;
 
-/** What the chain from CT colonography to the wall is to use. See BuildColonModel(). \ingroup ColonModel */
+/** Options of the pipeline from CT colonography to the wall. See BuildColonModel(). \ingroup ColonModel */
 struct ColonModelOptions
 {
-  /** See ColonLumenOptions. Of a mask without a CT only the seed points count. */
+  /** See ColonLumenOptions. For a mask without a CT only the seed points are used. */
   std::string                        patientPosition;
   std::vector<itk::Point<double, 3>> seedPoints;
-  /** Of the simplified wall; 0: a number that suits it, as in ColonWallOptions. */
+  /** Number of faces of the simplified wall; 0 chooses it automatically, see ColonWallOptions. */
   int faces{ 0 };
-  /** Leave the pieces of a broken lumen apart: no tubes through collapsed stretches. */
+  /** Keep the pieces of a broken lumen separate: no tubes through collapsed stretches. */
   bool keepPieces{ false };
-  /** Where the colon is not distended or tagged enough, go on with what was found as far as that leads. */
+  /** Continue as far as possible when the colon is not distended or tagged enough. */
   bool keepPartial{ false };
-  /** Told the stage and the share of all that is done, from 0 to 1; from the calling thread. */
+  /** Called from the calling thread with the stage and the completed fraction, 0 to 1. */
   Progress progress;
-  /** Called on another thread with the cleansed CT, HU, as soon as it is there, beside all that follows; where there is
-   * one thread alone, after it. Again, when it has returned, where gas that fills gaps of the line has made it another
-   * CT. For what takes long, such as writing it. */
+  /** Called with the cleansed CT (HU) on another thread, in parallel with the remaining steps; with a single thread,
+   * after them. Called again after it returned if gas that fills gaps of the line changes the CT. Use it for slow work
+   * such as writing. */
   std::function<void(const itk::Image<float, 3> *)> onCleansed;
-  /** Called on another thread while the wall is made, with all of the model but the wall; where there is one thread
-   * alone, after it. For what takes long and needs no wall, such as writing the volumes. */
+  /** Called on another thread with the model except the wall, while the wall is built; with a single thread,
+   * afterwards. Use it for slow work that needs no wall, such as writing the volumes. */
   std::function<void(const ColonModel &)> besideWall;
-  /** Of the surfaces, see ColonWallOptions. */
+  /** Facts stored with the surfaces, see ColonWallOptions. */
   std::vector<std::pair<std::string, std::string>> facts;
   /** See ColonWallOptions. */
   std::function<void(const SurfaceMesh & raw, const SurfaceMesh & repaired)> besideSimplification;
@@ -52,49 +52,49 @@ struct ColonModelOptions
  */
 struct ColonModel
 {
-  /** Labels on the grid of the input. Of a mask without a CT only the labels and pieces are known. */
+  /** Labels on the grid of the input. For a mask without a CT only the labels and pieces are set. */
   ColonLumen lumen;
-  /** False where the input was a mask alone. */
+  /** False if the input was only a mask. */
   bool hasIntensities{ true };
-  /** HU; null where there are no intensities. */
+  /** Cleansed CT (HU); null without intensities. */
   itk::Image<float, 3>::Pointer cleansed;
-  /** With the valve, see SetIleocaecalValve(). */
+  /** Centerline with the valve, see SetIleocaecalValve(). */
   ColonCentreline centreline;
   ValveSearch     valve;
-  /** What was lumen and is not colon: labels, line and wall do not hold it. */
+  /** Terminal ileum removed from the lumen: not part of labels, line and wall. */
   std::optional<TerminalIleum> terminalIleum;
-  /** Of the segments, and of the whole line. */
+  /** Distension of the segments, and of the whole line. */
   std::vector<SegmentDistension> distension;
   SegmentDistension              wholeDistension;
   ColonWall                      wall;
-  /** What is missing or doubtful, of all stages. */
+  /** Missing or doubtful results of all stages. */
   Remarks warnings;
-  /** Empty, or why this is no usable colon; then only the first parts are there. With keepPartial those that could be
-   * made. */
+  /** Empty, or why the colon is not usable; then only the first parts are set. With keepPartial all parts that could be
+   * computed. */
   std::string failure;
 };
 
-/** The chain from a CT colonography in HU: lumen, cleansing, centreline, distension, wall.
- * Throws as its parts do. \ingroup ColonModel */
+/** Runs the pipeline on a CT colonography in HU: lumen, cleansing, centerline, distension, wall.
+ * Throws the exceptions of its parts. \ingroup ColonModel */
 ColonModel_EXPORT ColonModel
 BuildColonModel(const itk::Image<float, 3> * ct, const ColonModelOptions & options);
 
-/** The chain with a mask on the grid of the CT in place of the automatic lumen. \ingroup ColonModel */
+/** Runs the pipeline with a mask on the grid of the CT instead of the automatic lumen. \ingroup ColonModel */
 ColonModel_EXPORT ColonModel
 BuildColonModel(const itk::Image<float, 3> * ct, const LumenMask * lumen, const ColonModelOptions & options);
 
-/** The chain from a mask of the lumen alone: no cleansing. The raw wall is the 0.5 level of the mask as it is, with its
- * stairs and handles; the repaired one that of the mask smoothed. \ingroup ColonModel */
+/** Runs the pipeline on a mask of the lumen, without cleansing. The raw wall is the 0.5 isosurface of the mask, with
+ * stairs and handles; the repaired wall is that of the smoothed mask. \ingroup ColonModel */
 ColonModel_EXPORT ColonModel
 BuildColonModelOfLumen(const LumenMask * lumen, const ColonModelOptions & options);
 
-/** The stretches of at least 10 mm where the border of the scan cuts the colon; shorter ones are the anal canal.
+/** Stretches of at least 10 mm where the border of the scan cuts the colon; shorter ones are the anal canal.
  * \ingroup ColonModel */
 ColonModel_EXPORT std::vector<HinderedStretch>
                   CutsByScan(const CurveSet & line);
 
-/** The axis of a catheter with the point arrays radius (outer; of the tip another one) and balloonRadius (0 where no
- * balloon is around it), mm, as RankCatheterLast() takes it. \ingroup ColonModel */
+/** Axis of a catheter with the point arrays radius (outer; a different one at the tip) and balloonRadius (0 without a
+ * balloon), mm, as input of RankCatheterLast(). \ingroup ColonModel */
 ColonModel_EXPORT CurveSet
 CurveOfCatheter(const RectalCatheter & catheter);
 } // namespace shapeton

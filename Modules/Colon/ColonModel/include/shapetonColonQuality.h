@@ -6,7 +6,7 @@
 
 namespace shapeton
 {
-/** What was measured of a model, for programs: lumen, centreline, distension, surfaces, warnings. Lengths in mm,
+/** Machine-readable measurements of a model: lumen, centerline, distension, surfaces, warnings. Lengths in mm,
  * volumes in ml, intensities in HU, points in LPS. \ingroup ColonModel */
 ColonModel_EXPORT Json
 ColonQualityToJson(const ColonModel & model);

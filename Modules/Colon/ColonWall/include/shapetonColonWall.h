@@ -13,121 +13,120 @@ namespace shapeton
 /** An occupancy whose pieces are joined by tubes. \ingroup ColonWall */
 struct BridgedOccupancy
 {
-  /** The given field itself where there is no tube; else a copy, on a larger grid where a tube needs it. */
+  /** The input field itself if no tube was added; otherwise a copy, on a larger grid if a tube requires it. */
   OccupancyImage::ConstPointer occupancy;
-  /** Axes of the tubes: pairs of points in LPS mm. */
+  /** Tube axes: pairs of points in LPS mm. */
   std::vector<std::pair<Eigen::Vector3d, Eigen::Vector3d>> axes;
   double                                                   radius{ 2.0 };
-  /** Stretches of the centreline that run outside the lumen although they are no gap; they got a tube, too. */
+  /** Stretches of the centerline outside the lumen that are not marked as gaps; they also get a tube. */
   Remarks warnings;
 };
 
-/** Joins the pieces of a lumen by tubes around the centreline wherever its point array `gap` is 1, and wherever it
- * runs outside the lumen.
+/** Joins the pieces of a lumen by tubes around the centerline where its point array `gap` is 1 or it runs outside the
+ * lumen.
  *
  * \param centreline LPS mm, with point arrays `gap` and `arcLength`.
- * \param radius of the tubes, mm, greater than 0; at least one voxel is needed for a tube that holds together.
- * Throws InputError as RequireSound() does and when an array is missing, ParameterError for a radius out of range.
+ * \param radius of the tubes, mm, greater than 0; a connected tube needs at least one voxel.
+ * Throws InputError when RequireSound() does or an array is missing, ParameterError for a radius out of range.
  * \ingroup ColonWall */
 ColonWall_EXPORT BridgedOccupancy
 AddBridges(const OccupancyImage * occupancy, const CurveSet & centreline, double radius = 2.0);
 
-/** The wall as a closed surface: the 0.5 level by marching cubes.
+/** Extracts the wall as a closed surface: the 0.5 isosurface by marching cubes.
  *
- * vtkFlyingEdges3D; beyond the image there is nothing. Of several pieces the one that encloses the greatest volume is
- * kept. Faces look outwards from the lumen (counterclockwise where seen from outside it), on left-handed grids, too.
- * Vertices lie where the field passes 0.5 between two voxels; values nearer than 0.001 to 0.5 are moved that far, so
- * that no face is without area.
+ * Uses vtkFlyingEdges3D; values beyond the image are 0. Of several pieces, the one that encloses the greatest volume is
+ * kept. Faces are oriented outward from the lumen (counterclockwise seen from outside), on left-handed grids, too.
+ * Vertices are where the field crosses 0.5 between two voxels; values nearer than 0.001 to 0.5 are shifted to that
+ * distance, to avoid degenerate faces.
  *
- * \param mask nullptr, or the repaired topology on the same grid: a voxel on the wrong side of 0.5 gets one minus its
- *        value, so the surface has the topology of the mask and all other vertices stay where they are.
+ * \param mask nullptr, or the repaired topology on the same grid: the value of a voxel on the wrong side of 0.5 is
+ *        replaced by one minus the value, so the surface has the topology of the mask and other vertices do not move.
  * Throws InputError when no voxel reaches 0.5; std::invalid_argument when the sizes differ.
  * \ingroup ColonWall */
 ColonWall_EXPORT SurfaceMesh
 ExtractWall(const OccupancyImage * occupancy, const LumenMaskImage * mask = nullptr);
 
-/** How far the vertices of a wall may move when it is smoothed. See SmoothWall(). \ingroup ColonWall */
+/** Limits on the motion of vertices during smoothing. See SmoothWall(). \ingroup ColonWall */
 struct WallSmoothingOptions
 {
-  /** Pairs of a shrinking and a growing step (Taubin: A signal processing approach to fair surface design, 1995), from
-   * 0.
-   */
+  /** Number of pairs of a shrinking and a growing step (Taubin: A signal processing approach to fair surface design,
+   * 1995), from 0. */
   int iterations{ 10 };
-  /** No vertex moves further than this along its normal, mm, from 0. */
+  /** Maximum displacement of a vertex along its normal, mm, from 0. */
   double normalLimit{ 0.15 };
-  /** Nor further than this along the surface, mm, from 0. */
+  /** Maximum displacement along the surface, mm, from 0. */
   double tangentialLimit{ 0.5 };
 };
 
-/** Moves vertices so that triangles become well shaped and stairs flat; same faces and arrays. Any number of threads
- * gives the same bytes. Vertices of a boundary stay. \ingroup ColonWall */
+/** Moves vertices to get well-shaped triangles and flat stairs; faces and arrays stay. The result is identical for any
+ * number of threads. Boundary vertices stay. \ingroup ColonWall */
 ColonWall_EXPORT SurfaceMesh
 SmoothWall(const SurfaceMesh & mesh, const WallSmoothingOptions & options);
 
-/** The discs that are cut out of a closed wall at rectum and caecum. See OpenColonEnds(). \ingroup ColonWall */
+/** The discs to cut out of a closed wall at rectum and cecum. See OpenColonEnds(). \ingroup ColonWall */
 struct OpenEndsOptions
 {
-  /** Of the disc to cut out at each end, measured along the edges of the surface, mm; straight paths on it are about a
-   * tenth shorter. */
+  /** Radius of the disc to cut out at each end, measured along the edges of the surface, mm; straight paths on it are
+   * about a tenth shorter. */
   double radius{ 20.0 };
-  /** The disc is made smaller by steps of 1 mm, down to this, until it is one. */
+  /** The radius is reduced by steps of 1 mm, down to this, until the region is a disc. */
   double leastRadius{ 2.0 };
-  /** Whether vertices of the rims move, within their neighbourhood, so that the rims are smooth. */
+  /** Whether to smooth the rims by moving their vertices within their neighborhood. */
   bool smoothRims{ true };
 };
 
-/** A wall that is open at rectum and caecum: a tube. See OpenColonEnds(). \ingroup ColonWall */
+/** A wall that is open at rectum and cecum: a tube. See OpenColonEnds(). \ingroup ColonWall */
 struct OpenWall
 {
   /** One component with two boundary loops and the genus of the closed surface. Field arrays `rectumLoop` and
    * `caecumLoop`: indices of the vertices of the loops in order. */
   SurfaceMesh mesh;
-  /** Of the discs, mm. */
+  /** Radii of the discs, mm. */
   double rectumRadius{ 0.0 };
   double caecumRadius{ 0.0 };
   int    genus{ 0 };
 };
 
-/** Opens a closed surface at both ends of the centreline.
+/** Opens a closed surface at both ends of the centerline.
  *
- * The pole is where the outward tangent at the end leaves the surface. The greatest geodesic disc around it is cut out
- * that is a disc also by its topology: connected, Euler number 1, one simple boundary.
+ * The pole is where the outward tangent at the end intersects the surface. The largest geodesic disc around it that is
+ * also a topological disc is cut out: connected, Euler number 1, one simple boundary.
  *
- * \param centreline one curve, from the rectum to the caecum, LPS mm.
- * Throws InputError when the surface is not closed, the centreline has no two points, or even the smallest disc is
- * none. \ingroup ColonWall */
+ * \param centreline one curve, from the rectum to the cecum, LPS mm.
+ * Throws InputError when the surface is not closed, the centerline has fewer than two points, or even the smallest
+ * region is not a disc. \ingroup ColonWall */
 ColonWall_EXPORT OpenWall
 OpenColonEnds(const SurfaceMesh & closed, const CurveSet & centreline, const OpenEndsOptions & options = {});
 
-/** Size, bridges, ends and smoothing of the walls that BuildColonWall() gives. \ingroup ColonWall */
+/** Options of BuildColonWall(): size, bridges, ends and smoothing. \ingroup ColonWall */
 struct ColonWallOptions
 {
-  /** Of the simplified surface; 0: FacesForDiffusion() by the area and the narrowest radius of that with 55,000. */
+  /** Number of faces of the simplified surface; 0: FacesForDiffusion() of its area and narrowest radius with 55,000. */
   int faces{ 0 };
-  /** Of the tubes through gaps, mm. */
+  /** Radius of the tubes through gaps, mm. */
   double          bridgeRadius{ 2.0 };
   OpenEndsOptions ends;
-  /** How far smoothing moves vertices of the repaired surface along their normals, as a share of the smallest spacing.
-   */
+  /** Maximum displacement of vertices of the repaired surface along their normals, as a share of the smallest
+   * spacing. */
   double normalLimit{ 0.2 };
-  /** And along the surface, so that no triangle is a needle. Vertices of the raw surface move along the surface only.
-   */
+  /** Maximum displacement along the surface, which avoids needle triangles. Vertices of the raw surface move only along
+   * the surface. */
   double tangentialLimit{ 0.7 };
-  /** Leave the pieces of a broken lumen apart: the faces of the tubes are taken out again, so each piece is a component
-   * that is open where they were, and there are more than two loops. */
+  /** Keep the pieces of a broken lumen separate: the faces of the tubes are removed again, so each piece is a component
+   * that is open there, and there are more than two loops. */
   bool keepPieces{ false };
   /** Standard deviation of the smoothing of a mask, as a share of the mean spacing, from 0. */
   double maskSmoothing{ 0.7 };
-  /** Of all three surfaces, see SurfaceMesh::facts. */
+  /** Facts stored with all three surfaces, see SurfaceMesh::facts. */
   std::vector<std::pair<std::string, std::string>> facts;
-  /** Told the share that is done, from 0 to 1. */
+  /** Called with the completed fraction, 0 to 1. */
   Progress progress;
-  /** Called on another thread with the raw and the repaired surface while the simplified one is made; where there is
-   * one thread alone, after it. For what takes long, such as writing them. */
+  /** Called on another thread with the raw and the repaired surface during simplification; with a single thread, after
+   * it. Use it for slow work such as writing them. */
   std::function<void(const SurfaceMesh & raw, const SurfaceMesh & repaired)> besideSimplification;
 };
 
-/** What BuildColonWall() changed and counted on the way from the occupancy to the walls. \ingroup ColonWall */
+/** Changes and counts of BuildColonWall(). \ingroup ColonWall */
 struct ColonWallReport
 {
   LumenTopologyReport topology;
@@ -136,11 +135,11 @@ struct ColonWallReport
   int                 rawFaces{ 0 };
   int                 repairedFaces{ 0 };
   int                 simplifiedFaces{ 0 };
-  /** Of the discs that were cut out, mm. */
+  /** Radii of the discs cut out, mm. */
   double rectumRadius{ 0.0 };
   double caecumRadius{ 0.0 };
   int    bridgedFaces{ 0 };
-  /** Of the surfaces as they are given. */
+  /** Quality of the final surfaces. */
   SurfaceQuality rawQuality;
   SurfaceQuality repairedQuality;
   SurfaceQuality simplifiedQuality;
@@ -148,35 +147,35 @@ struct ColonWallReport
 };
 
 /** The wall in three forms, each with two boundary loops (the raw one may stay closed, with a warning), point array
- * `arcLength` (of the closest point of the centreline within the lumen, mm), cell array `bridged` (1 on the tubes) and
- * field arrays `rectumLoop`, `caecumLoop`; where the centreline has the array `notAssessable`, a cell array of it, too.
+ * `arcLength` (mm, of the closest point of the centerline within the lumen), cell array `bridged` (1 on the tubes) and
+ * field arrays `rectumLoop`, `caecumLoop`; if the centerline has the array `notAssessable`, also a cell array of it.
  * \ingroup ColonWall
  */
 struct ColonWall
 {
-  /** The 0.5 level with all its handles; its vertices have been moved along the surface only. */
+  /** The 0.5 isosurface with all its handles; its vertices were moved only along the surface. */
   SurfaceMesh raw;
   /** Without handles, smoothed within the limits. */
   SurfaceMesh repaired;
-  /** The repaired one with fewer faces. */
+  /** The repaired surface with fewer faces. */
   SurfaceMesh     simplified;
   ColonWallReport report;
 };
 
 /** Bridges, repairs, extracts, opens and simplifies the wall.
  *
- * \param occupancy lumen where at least 0.5, on a grid cropped to it; let go of when the surfaces have been extracted,
- * so that a caller who moves his pointer here has the room back. \param centreline one curve from rectum to caecum with
- * point arrays `arcLength` and `gap`. \param repairedOccupancy the field for the repaired surface where it is another
- * one, for example a smoothed mask; on the same grid. Throws InputError as its parts do, and when the simplified
- * surface has another genus or other loops. \ingroup ColonWall */
+ * \param occupancy lumen where at least 0.5, on a grid cropped to it; released after the surfaces are extracted, so a
+ * caller who moves the pointer here frees its memory. \param centreline one curve from rectum to cecum with point
+ * arrays `arcLength` and `gap`. \param repairedOccupancy a separate field for the repaired surface, for example a
+ * smoothed mask; on the same grid. Throws the InputError of its parts, and InputError when the genus or the loops of
+ * the simplified surface differ. \ingroup ColonWall */
 ColonWall_EXPORT ColonWall
 BuildColonWall(OccupancyImage::ConstPointer occupancy,
                const CurveSet &             centreline,
                const ColonWallOptions &     options = {},
                OccupancyImage::ConstPointer repairedOccupancy = nullptr);
 
-/** The same from a mask: the raw surface is that of 0 and 1, the repaired one that of the smoothed mask.
+/** Builds the wall from a mask: the raw surface from 0 and 1, the repaired one from the smoothed mask.
  * \ingroup ColonWall */
 ColonWall_EXPORT ColonWall
 BuildColonWallFromMask(const LumenMaskImage * mask, const CurveSet & centreline, const ColonWallOptions & options = {});

@@ -9,11 +9,11 @@
 
 namespace shapeton
 {
-/** Labels of the voxels of a lumen by their place along the colon: that of the point of the centreline which is closest
- * within the lumen, so that loops that touch do not get each other's.
+/** Labels the voxels of a lumen by their place along the colon: that of the closest point of the centerline within the
+ * lumen, so touching loops do not exchange labels. 0 outside the lumen.
  * \param centreline one curve with the point array `arcLength`.
- * \param labelOf gives the label for mm along the centreline; called from several threads.
- * 0 outside of the lumen. \ingroup ColonWall */
+ * \param labelOf returns the label for mm along the centerline; called from several threads.
+ * \ingroup ColonWall */
 ColonWall_EXPORT itk::Image<unsigned short, 3>::Pointer
                  LabelLumenAlong(const LumenMaskImage *                        lumen,
                                  const CurveSet &                              centreline,

@@ -9,31 +9,31 @@
 
 namespace shapeton
 {
-/** Non-zero voxels belong to the object. \ingroup ColonWall */
+/** Nonzero voxels belong to the object. \ingroup ColonWall */
 using LumenMaskImage = itk::Image<unsigned char, 3>;
-/** Which voxels are taken first. \ingroup ColonWall */
+/** Growth priority of each voxel. \ingroup ColonWall */
 using GrowthRankImage = itk::Image<std::uint16_t, 3>;
 
-/** Whether a voxel can change sides without any change of topology.
+/** Whether changing a voxel preserves the topology.
  *
- * Object voxels are connected by faces (6+), background voxels by faces and edges (18). That pair, and no other one, is
- * the topology of the surface that marching cubes of VTK (vtkFlyingEdges3D, vtkMarchingCubes) makes of a binary volume:
- * where four voxels of a square alternate, its table keeps the inner ones apart. So the surface of a mask has exactly
- * the components, cavities and handles of the mask.
+ * Object voxels are connected by faces (6+), background voxels by faces and edges (18). Only this pair matches the
+ * surface that VTK's marching cubes (vtkFlyingEdges3D, vtkMarchingCubes) extracts from a binary volume: where the four
+ * voxels of a square alternate, its table keeps the inner ones apart. So the surface of a mask has exactly the
+ * components, cavities and handles of the mask.
  *
  * Bertrand, Malandain: A new characterization of three-dimensional simple points (1994): the topological numbers
  * T6+ of the object and T18 of the background are both 1.
  *
- * \param neighbourhood the 27 voxels around it, bit x + 3 y + 9 z for x, y, z in 0..2; bit 13, itself, does not matter.
+ * \param neighbourhood the 27 voxels around it, bit x + 3 y + 9 z for x, y, z in 0..2; bit 13, the center, is ignored.
  * \ingroup ColonWall */
 ColonWall_EXPORT bool
 IsSimplePoint(std::uint32_t neighbourhood);
 
-/** Numbers of an object of voxels; beyond the image there is background. \ingroup ColonWall */
+/** Topological numbers of a voxel object; voxels beyond the image are background. \ingroup ColonWall */
 struct MaskTopology
 {
   std::int64_t voxels{ 0 };
-  /** Connected by faces. */
+  /** Face-connected components. */
   std::int64_t components{ 0 };
   /** Enclosed components of the background, which is connected by faces and edges. */
   std::int64_t cavities{ 0 };
@@ -47,17 +47,17 @@ struct MaskTopology
 ColonWall_EXPORT MaskTopology
 TopologyOfMask(const LumenMaskImage * mask);
 
-/** Grows an object inside a limit without any change of its topology.
+/** Grows an object within a limit without changing its topology.
  *
- * Only simple points are added, those of the greatest rank first, of equal ones the one that was met first; a voxel
- * that was refused is asked again whenever a neighbour has been added. So the result is the same for equal input, and
- * at its end no voxel of the limit can be added. Where two fronts meet without being able to join, a membrane one voxel
- * thick is left, where the ranks are lowest.
+ * Only simple points are added, those of the greatest rank first; ties are added in the order they were met. A rejected
+ * voxel is tested again whenever a neighbor has been added. So equal input gives equal output, and at the end no voxel
+ * of the limit can be added. Where two fronts meet without being able to join, a membrane one voxel thick remains,
+ * where the ranks are lowest.
  *
  * \param grown the seed, in and out; voxels of the seed stay even outside the limit.
  * \param limit voxels that may be added.
  * \param ranks 0 to 65535.
- * \return how many voxels were added. One thread; about 0.2 microseconds for each voxel that is added.
+ * \return the number of voxels added. One thread; about 0.2 microseconds per added voxel.
  * Throws std::invalid_argument when the sizes differ.
  * \ingroup ColonWall */
 ColonWall_EXPORT std::int64_t
