@@ -11,19 +11,20 @@
 namespace shapeton
 {
 /** \class FlatColon
- * \brief The flat wall of a colon and what is derived from it: made once in a run and handed on.
+ * \brief The flat wall of a colon with its derived data, computed on demand and cached.
  *
- * The surface is a flat tube as FlattenTube() gives it (see FlatColonGrid). Grids, their axes and curvatures are made
- * when they are first asked for, and kept as long as the flat colon, so that whoever asks for the same gets the same
- * object. Several threads may ask at once; results do not depend on who was first.
+ * The surface is a flat tube from FlattenTube() (see FlatColonGrid). Grids, their axes and curvatures are computed on
+ * first use and cached for the lifetime of the object, so equal requests return the same object. Thread-safe; results
+ * do not depend on the order of the calls.
  *
- * Grid(), Axis() and Curvature() throw what FlatColonGrid, MakeFlatColonAxis() and SmoothedMeanCurvature() throw.
+ * Grid(), Axis() and Curvature() throw the exceptions of FlatColonGrid, MakeFlatColonAxis() and
+ * SmoothedMeanCurvature().
  *
  * \ingroup FlatColon */
 class FlatColon_EXPORT FlatColon
 {
 public:
-  /** \param options of the grid in which folds, taeniae and registration work.
+  /** \param options of the grid used by folds, taeniae and registration.
    * \param what names the surface in messages. */
   explicit FlatColon(SurfaceMesh                  surface,
                      const FlatColonGridOptions & options = {},
@@ -35,16 +36,16 @@ public:
   {
     return m_Surface;
   }
-  /** The grid in which folds, taeniae and registration work. */
+  /** The grid used by folds, taeniae and registration. */
   const FlatColonGrid &
   Grid() const
   {
     return this->Grid(m_Options);
   }
-  /** Another one, such as for a picture. */
+  /** A grid with other options, such as for a picture. */
   const FlatColonGrid &
   Grid(const FlatColonGridOptions & options) const;
-  /** Of Grid(), or of the other grid, smoothed over a fifth of the circumference. */
+  /** Axis of Grid(), or of the grid with other options, smoothed over a fifth of the circumference. */
   const FlatColonAxis &
   Axis() const
   {
@@ -52,8 +53,8 @@ public:
   }
   const FlatColonAxis &
   Axis(const FlatColonGridOptions & options) const;
-  /** Of the tube without its cut, after diffusion of heat for `time` mm^2, by the numbers of
-   * FlatColonGrid::SourceOfPoints(); whatever the orientation of the faces, folds are positive PerArea. */
+  /** Curvature of the tube without its cut, after heat diffusion for `time` mm^2, indexed by
+   * FlatColonGrid::SourceOfPoints(); folds are positive PerArea for either orientation of the faces. */
   const Eigen::VectorXd &
   Curvature(double time, CurvatureUnit unit = CurvatureUnit::PerArea) const;
 

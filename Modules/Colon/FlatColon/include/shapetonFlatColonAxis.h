@@ -7,20 +7,20 @@
 namespace shapeton
 {
 /** \class FlatColonAxis
- * \brief The tube without its folds, column by column of the grid: what relief is measured against.
+ * \brief The tube without its folds, for each column of the grid: the reference for relief.
  * \ingroup FlatColon */
 struct FlatColonAxis
 {
-  /** The middle of the wall, smoothed along the tube; LPS, mm. */
+  /** Centers of the wall, smoothed along the tube; LPS, mm. */
   VertexMatrix centres;
-  /** Unit vectors towards larger u. */
+  /** Unit vectors toward larger u. */
   VertexMatrix tangents;
-  /** Mean distance of the wall from the middle, smoothed, mm. */
+  /** Smoothed mean distance of the wall from the center, mm. */
   Eigen::VectorXd radii;
 };
 
-/** Right (along u), down (around) and towards the axis: the frame of the smooth tube at a point of the wall. Right,
- * down and towards are perpendicular unit vectors. \ingroup FlatColon */
+/** Frame of the smooth tube at a point of the wall: right (along u), down (around) and toward the axis, perpendicular
+ * unit vectors. \ingroup FlatColon */
 struct FlatColonFrame
 {
   Eigen::Vector3d right;
@@ -28,25 +28,26 @@ struct FlatColonFrame
   Eigen::Vector3d towards;
 };
 
-/** `smoothing` is a standard deviation in mm of the map; 0 takes a fifth of the circumference. Columns without a face
- * take what their neighbours have; throws InputError where there is none. \ingroup FlatColon */
+/** Computes the axis. `smoothing` is a standard deviation in mm of the map; 0 uses a fifth of the circumference.
+ * Columns without faces are filled from their neighbors; throws InputError when no column has a face. \ingroup
+ * FlatColon */
 FlatColon_EXPORT FlatColonAxis
 MakeFlatColonAxis(const FlatColonGrid & grid, double smoothing = 0.0);
 
-/** Direction and turn at a point of the wall in a column of the grid, with respect to the axis of the tube.
+/** Frame at a point of the wall in a column of the grid, relative to the axis of the tube.
  * \ingroup FlatColon */
 FlatColon_EXPORT FlatColonFrame
 FrameAt(const FlatColonAxis & axis, int column, const Eigen::Vector3d & point);
 
-/** The distance along the centreline of each column, mm, never falling: the mean of arcLength over the column, of which
- * the best fit that does not fall is taken. Empty where the surface has no arcLength. \ingroup FlatColon */
+/** Distance along the centerline of each column, mm, nondecreasing: the isotonic fit to the mean arcLength of the
+ * columns. Empty if the surface has no arcLength. \ingroup FlatColon */
 FlatColon_EXPORT std::vector<double>
                  DistanceOfColumns(const FlatColonGrid & grid);
 
-/** The same from a centreline with the point array arcLength (mm): the columns' middles are assigned to its vertices in
- * their order, so that the squared distances are least and no column lies before the one to its left. Loops of the
- * colon that touch do not mislead it. Throws InputError where the centreline has no arcLength. \ingroup FlatColon
- */
+/** Distance of each column from a centerline with the point array arcLength (mm): the centers of the columns are
+ * assigned to its vertices in order, with the least squared distances and no column before the one to its left.
+ * Touching loops of the colon do not mislead it. Throws InputError when the centerline has no arcLength. \ingroup
+ * FlatColon */
 FlatColon_EXPORT std::vector<double>
                  DistanceOfColumns(const FlatColonAxis & axis, const CurveSet & centreline);
 } // namespace shapeton

@@ -6,23 +6,23 @@
 
 namespace shapeton
 {
-/** Where a point in space lies on the flat map. \ingroup FlatColon */
+/** A point in space projected to the flat map. \ingroup FlatColon */
 struct FlatPlace
 {
   FlatPixel pixel;
-  /** mm; v in [0, circumference). */
+  /** Position on the map, mm; v in [0, circumference). */
   Eigen::Vector2d uv{ Eigen::Vector2d::Zero() };
-  /** The nearest point of the surface, LPS, mm. */
+  /** Nearest point of the surface, LPS, mm. */
   Eigen::Vector3d surfacePoint{ Eigen::Vector3d::Zero() };
-  /** From the point to the surface, mm. */
+  /** Distance from the point to the surface, mm. */
   double distance{ 0.0 };
   int    face{ -1 };
 };
 
 /** \class FlatColonLocator
- * \brief From points in space to the flat map, by the nearest point of the surface.
+ * \brief Maps points in space to the flat map, by the nearest point of the surface.
  *
- * The grid must outlive the locator. May be asked from any number of threads at once.
+ * The grid must outlive the locator. Thread-safe.
  * \ingroup FlatColon */
 class FlatColon_EXPORT FlatColonLocator
 {

@@ -14,47 +14,47 @@ struct FlatColonCut
   int columns{ 0 };
 };
 
-/** A part of the flat map that is one row of a picture. \ingroup FlatColon */
+/** A part of the flat map shown as one row of a picture. \ingroup FlatColon */
 struct FlatColon_EXPORT FlatColonRow
 {
-  /** Of the grid; `columns` counts those left out, too. */
+  /** Columns of the grid; `columns` includes those left out. */
   int firstColumn{ 0 };
   int columns{ 0 };
-  /** Within the row, in order: the middle of long bridges. */
+  /** Columns left out of the row, in order: the middle of long bridges. */
   std::vector<FlatColonCut> cuts;
-  /** mm on the surface for each mm of the map: the median over the row, and the values that 10 % and 90 % of its pixels
-   * do not exceed. Bridged pixels are left aside where there are others. */
+  /** mm on the surface per mm of the map: median, 10th and 90th percentile over the row. Bridged pixels are excluded if
+   * there are others. */
   double scale{ 1.0 };
   double lowScale{ 1.0 };
   double highScale{ 1.0 };
 
-  /** Pixels of the row. */
+  /** Number of pixels in the row. */
   int
   ShownColumns() const;
-  /** The place in the row, in pixels from its left border, of a place in columns of the grid; what is left out lies at
+  /** Position in the row, in pixels from its left border, of a position in columns of the grid; columns left out map to
    * the cut. */
   double
   PlaceOf(double column) const;
-  /** The column of the grid that a pixel of the row shows. */
+  /** The grid column shown by a pixel of the row. */
   int
   ColumnAt(int place) const;
-  /** Whether a place in columns of the grid is in the row and shown. */
+  /** Whether a position in columns of the grid is in the row and visible. */
   bool
   Shows(double column) const;
 };
 
-/** Rows of nearly equal length, as few as have at most `greatestColumns` pixels each, in order, without overlap. Of a
- * stretch that is bridged all around and longer than `longestBridge` pixels only that many are shown, half at each end;
- * 0 shows all. \ingroup FlatColon */
+/** Splits the grid into rows of nearly equal length, in order, without overlap: the fewest with at most
+ * `greatestColumns` pixels each. A stretch bridged all around and longer than `longestBridge` pixels is shortened to
+ * that, half at each end; 0 shows all. \ingroup FlatColon */
 FlatColon_EXPORT std::vector<FlatColonRow>
                  BreakIntoRows(const FlatColonGrid & grid, int greatestColumns, int longestBridge = 0);
 
-/** A mark of a ruler. \ingroup FlatColon */
+/** A tick of a ruler. \ingroup FlatColon */
 struct FlatColonTick
 {
-  /** Where it lies, in columns; 0 is the left border of the first one. */
+  /** Position in columns; 0 is the left border of the first one. */
   double column{ 0.0 };
-  /** mm; a multiple of the step. */
+  /** Distance in mm; a multiple of the step. */
   double distance{ 0.0 };
 };
 

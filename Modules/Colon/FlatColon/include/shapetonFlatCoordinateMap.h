@@ -9,24 +9,24 @@
 
 namespace shapeton
 {
-/** For each pixel of the flat map its point in space, LPS, mm. Index (0, 0) is the first column and row; the physical
- * space of the image is the map: the physical point of an index is its (u, v) in mm. \ingroup FlatColon */
+/** Point in space (LPS, mm) of each pixel of the flat map. Index (0, 0) is the first column and row; the physical space
+ * of the image is the map: the physical point of an index is its (u, v) in mm. \ingroup FlatColon */
 using FlatCoordinateMap = itk::Image<itk::Vector<float, 3>, 2>;
 
-/** Gives a picture the size and the physical space of the grid: the physical point of an index is its (u, v) in mm.
+/** Sets size and physical space of a picture to those of the grid: the physical point of an index is its (u, v) in mm.
  * \ingroup FlatColon */
 FlatColon_EXPORT void
 SetFlatSpace(const FlatColonGrid & grid, itk::ImageBase<2> * picture);
 
-/** Not a number where no face lies. \ingroup FlatColon */
+/** Builds the coordinate map; NaN outside all faces. \ingroup FlatColon */
 FlatColon_EXPORT FlatCoordinateMap::Pointer
                  MakeFlatCoordinateMap(const FlatColonGrid & grid);
 
-/** Throws ParameterError unless the name is empty (not wanted) or ends with .nrrd. \ingroup FlatColon */
+/** Throws ParameterError unless the name is empty (not requested) or ends with .nrrd. \ingroup FlatColon */
 FlatColon_EXPORT const std::string &
                        RequireCoordinateMapName(const std::string & path);
 
-/** Writes NRRD; the space of the vectors, pixel size and circumference stand beside `metadata` in its header. Throws
+/** Writes NRRD; its header contains the space of the vectors, pixel size, circumference and `metadata`. Throws
  * OutputError when the file cannot be written, ParameterError for another extension. \ingroup FlatColon */
 FlatColon_EXPORT void
 WriteFlatCoordinateMap(const FlatColonGrid & grid, const std::string & path, const VolumeMetadata & metadata = {});

@@ -7,21 +7,21 @@
 
 namespace shapeton
 {
-/** What the mean curvature of a vertex is divided by. \ingroup FlatColon */
+/** Normalization of the mean curvature of a vertex. \ingroup FlatColon */
 enum class CurvatureUnit
 {
-  /** Half the sum of the principal curvatures, 1/mm: does not depend on the mesh. */
+  /** Half the sum of the principal curvatures, 1/mm: independent of the mesh. */
   PerArea,
-  /** Not divided by the area of the vertex, with the sign turned (dissertation 4.3.1, sum of cotangent weights times
-   * the edges along the normal), mm: grows with the faces. */
+  /** Not divided by the area of the vertex and with the opposite sign (dissertation 4.3.1, sum of cotangent weights
+   * times the edges along the normal), mm: increases with the size of the faces. */
   Published
 };
 
-/** Mean curvature of each vertex after diffusion of heat over the surface for `time` mm^2 (two implicit steps; Neumann
- * boundaries). A surface whose faces are counterclockwise from outside has positive values PerArea, and negative
- * Published ones, where it bulges inwards, as at folds. 0 at boundary vertices before smoothing, where curvature is
- * not defined; cut to +-1/mm, so that needles do no harm. Throws InputError as MakeSurfaceLaplacian() with lengths
- * does, ParameterError for a negative time. \ingroup FlatColon */
+/** Mean curvature of each vertex after heat diffusion over the surface for `time` mm^2 (two implicit steps; Neumann
+ * boundaries). If faces are counterclockwise from outside, inward bulges such as folds are positive PerArea and
+ * negative Published. Before smoothing it is 0 at boundary vertices, where curvature is undefined, and clamped to
+ * +-1/mm against needle triangles. Throws the InputError of MakeSurfaceLaplacian() with lengths, and ParameterError for
+ * a negative time. \ingroup FlatColon */
 FlatColon_EXPORT Eigen::VectorXd
                  SmoothedMeanCurvature(const VertexMatrix & V,
                                        const FaceMatrix &   F,

@@ -9,45 +9,45 @@
 
 namespace shapeton
 {
-/** \defgroup HaustralFoldFiles What is written about folds
+/** \defgroup HaustralFoldFiles Output files of folds
  * \ingroup HaustralFolds */
 ///@{
 
-/** The feature points as curves of one vertex, LPS mm: three for each fold, with the cell arrays fold (its label), kind
- * (0 centre, 1 and 2 ends), reliability (0 to 1), uv (mm of the map), and arcLength (mm along the centreline, of the
- * fold; only where all are known). */
+/** Feature points as curves of one vertex, LPS mm: three for each fold, with the cell arrays fold (its label), kind (0
+ * center, 1 and 2 ends), reliability (0 to 1), uv (mm of the map), and arcLength (mm along the centerline, of the fold;
+ * only if known for all). */
 HaustralFolds_EXPORT CurveSet
 FeaturesOfFolds(const HaustralFolds & folds);
 
-/** Writes them with these facts as VTP; no points where there are no folds. Throws OutputError. */
+/** Writes the feature points with these facts as VTP; without folds the file has no points. Throws OutputError. */
 HaustralFolds_EXPORT void
 WriteFoldFeatures(const HaustralFolds &                                    folds,
                   const std::vector<std::pair<std::string, std::string>> & facts,
                   const std::string &                                      path);
 
-/** A row for each fold, of the numbers of HaustralFold, in the shortest text that reads back to the same number; empty
- * cells for what is not known, and in the column notAssessable the name of the hindrance, or nothing. */
+/** One row per fold with the values of HaustralFold, in the shortest text that reads back exactly; unknown values are
+ * empty, and the column notAssessable has the name of the hindrance, or is empty. */
 HaustralFolds_EXPORT CsvTable
 TableOfFolds(const HaustralFolds & folds);
 
-/** The folds of such a table as a file: exactly those that were written. Throws InputError that names the file and the
+/** Reads the folds of such a table from a file, exactly as written. Throws InputError with the file and the
  * line. */
 HaustralFolds_EXPORT std::vector<HaustralFold>
                      ReadFoldTable(const std::string & path);
 
-/** The centres and the ends as two lists of points for 3D Slicer, named by label. Lists without points are left out. */
+/** Centers and ends as two lists of points for 3D Slicer, named by label. Empty lists are left out. */
 HaustralFolds_EXPORT std::vector<Markup>
                      MarkupsOfFolds(const HaustralFolds & folds);
 
-/** A colour for each label; neighbours along the colon differ. */
+/** A color for each label; neighbors along the colon differ. */
 HaustralFolds_EXPORT std::vector<LabelColor>
                      ColorsOfFolds(const HaustralFolds & folds);
 
-/** Throws ParameterError unless the name is empty (not wanted) or ends with .nrrd. */
+/** Throws ParameterError unless the name is empty (not requested) or ends with .nrrd. */
 HaustralFolds_EXPORT const std::string &
                            RequireFoldLabelsName(const std::string & path);
 
-/** Writes NRRD, compressed; pixel size and circumference of the grid stand beside `metadata` in its header. Throws
+/** Writes compressed NRRD; its header contains pixel size and circumference of the grid and `metadata`. Throws
  * OutputError when the file cannot be written, ParameterError for another extension. */
 HaustralFolds_EXPORT void
 WriteFoldLabels(const HaustralFolds &  folds,
@@ -55,12 +55,12 @@ WriteFoldLabels(const HaustralFolds &  folds,
                 const std::string &    path,
                 const VolumeMetadata & metadata = {});
 
-/** Reads what WriteFoldLabels() has written. Throws InputError that names the file and the fault.
+/** Reads a file of WriteFoldLabels(). Throws InputError with the file and the error.
  * \ingroup HaustralFolds */
 HaustralFolds_EXPORT itk::Image<unsigned short, 2>::Pointer
                      ReadFoldLabels(const std::string & path);
 
-/** The fold of each face of a flat surface, by such labels at its middle; 0 for none. Throws InputError where the
+/** The fold of each face of a flat surface, from the label at its center; 0 for none. Throws InputError when the
  * surface has no point array uv. */
 HaustralFolds_EXPORT std::vector<unsigned short>
                      FoldsOfFaces(const SurfaceMesh & flat, const itk::Image<unsigned short, 2> & labels);

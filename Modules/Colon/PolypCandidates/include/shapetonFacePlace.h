@@ -7,7 +7,7 @@
 
 namespace shapeton
 {
-/** Weights of the corners of a face, sum 1, at a point in its plane. \pre The face has an area.
+/** Barycentric coordinates of a point in the plane of a face. \pre The face has a nonzero area.
  * \ingroup PolypCandidates */
 PolypCandidates_EXPORT Eigen::Vector3d
                        BarycentricOf(const SurfaceMesh & mesh, int face, const Eigen::Vector3d & point);

@@ -10,21 +10,22 @@ namespace shapeton
 {
 struct WallBulge;
 
-/** What tells a polyp from the rest of the wall. \ingroup PolypCandidates */
+/** Features that distinguish a polyp from the rest of the wall. \ingroup PolypCandidates */
 struct PolypFeatures
 {
-  /** Mean shape index of the head, weighted by the lesser curvature: 1 a cap, 0.5 a ridge (Koenderink and van Doorn
+  /** Mean shape index of the head, weighted by the smaller curvature: 1 a cap, 0.5 a ridge (Koenderink and van Doorn
    * 1992; Yoshida and Nappi 2001). */
   double shapeIndex{ 0.0 };
-  /** Least over greatest width across the axis. */
+  /** Smallest over largest width across the axis. */
   double roundness{ 0.0 };
-  /** How hollow the wall is around the head: the lesser principal curvature of its foot (WallBulge::footCurvature),
-   * its sign turned, times the greatest width. 0.4 to 2.5 for polyps of phantoms, below 0.3 for three quarters of the
-   * bumps of folds and wall. */
+  /** Concavity of the wall around the head: the negated smaller principal curvature of its foot
+   * (WallBulge::footCurvature) times the largest width. 0.4 to 2.5 for polyps of phantoms, below 0.3 for three quarters
+   * of the bumps of folds and wall. */
   double hollowness{ 0.0 };
-  /** Mean curvedness of the head, 1/mm (Koenderink and van Doorn 1992): 2 / diameter of a ball, so 0.33 for one of 6
-   * mm; 0.06 to 0.28 for polyps of 5.5 mm and more of phantoms. What is sharper is smaller, or no smooth head at all:
-   * crumbs that are left of fluid or of a catheter, edges of cut walls. */
+  /** Mean curvedness of the head, 1/mm (Koenderink and van Doorn 1992): 2 / diameter for a ball, so 0.33 for one of 6
+   * mm;
+   * 0.06 to 0.28 for polyps of 5.5 mm and more of phantoms. Sharper bulges are smaller, or not smooth heads: residue of
+   * fluid or of a catheter, edges of cut walls. */
   double curvedness{ 0.0 };
   /** \name Reported, not in the score */
   ///@{
@@ -33,29 +34,29 @@ struct PolypFeatures
   /** Height over greatest width. */
   double prominence{ 0.0 };
   ///@}
-  /** \name Reported, not in the score: not numbers unless MeasureShapeDiffusion() was run */
+  /** \name Reported, not in the score: NaN unless MeasureShapeDiffusion() was run */
   ///@{
   /** Cumulative heat of the tissue of the head, 0 to 1. */
   double heat{ std::numeric_limits<double>::quiet_NaN() };
-  /** Visits of shapetons there over their mean in the tissue around. */
+  /** Shapeton visits there relative to their mean in the surrounding tissue. */
   double shapetonDensity{ std::numeric_limits<double>::quiet_NaN() };
   ///@}
 };
 
-/** The numbers of a bulge from which its score is computed. \ingroup PolypCandidates */
+/** Features of a bulge. \ingroup PolypCandidates */
 PolypCandidates_EXPORT PolypFeatures
 FeaturesOf(const WallBulge & bulge);
 
-/** The terms of the score: shape index, the natural logarithms of roundness and hollowness (at least 0.05), and
- * that of curvedness / 0.25 per mm where it is greater than 0, else 0. \ingroup PolypCandidates */
+/** Terms of the score: shape index, natural logarithms of roundness and hollowness (at least 0.05), and the logarithm
+ * of curvedness / 0.25 per mm, at least 0. \ingroup PolypCandidates */
 constexpr int          numberOfPolypTerms = 4;
 PolypCandidates_EXPORT std::array<double, numberOfPolypTerms>
                        TermsOf(const PolypFeatures & features);
 
-/** Weights of the terms and a constant, last: logistic regression. \ingroup PolypCandidates */
+/** Logistic regression weights: terms, then the constant. \ingroup PolypCandidates */
 using PolypWeights = std::array<double, numberOfPolypTerms + 1>;
 
-/** The weights that are in use; the README tells what they were fitted to. \ingroup PolypCandidates */
+/** The weights in use; the README describes the data they were fitted to. \ingroup PolypCandidates */
 PolypCandidates_EXPORT const PolypWeights &
 FittedPolypWeights();
 

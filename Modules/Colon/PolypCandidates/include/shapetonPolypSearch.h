@@ -14,101 +14,101 @@
 
 namespace shapeton
 {
-/** What is known of a colon in one position; only wall and lumen are needed. \ingroup PolypCandidates */
+/** Data of a colon in one position; only wall and lumen are required. \ingroup PolypCandidates */
 struct PolypColon
 {
-  /** Of full resolution, without handles. */
+  /** Wall at full resolution, without handles. */
   SurfaceMesh wall;
-  /** One curve with the point array arcLength (mm); empty where there is none. */
+  /** One curve with the point array arcLength (mm); may be empty. */
   CurveSet centreline;
-  /** The axis of a rectal catheter as RankCatheterLast() takes it; empty where there is none. */
+  /** Axis of a rectal catheter for RankCatheterLast(); may be empty. */
   CurveSet                 catheter;
   PolypLumenImage::Pointer lumen;
-  /** HU, cleansed; null of a mask. */
+  /** Cleansed CT, HU; null for a mask. */
   itk::Image<float, 3>::Pointer ct;
-  /** Null where there is none. */
+  /** Null if not available. */
   std::shared_ptr<const FlatColon> flat;
-  /** With the cell array segment; empty where there is none. */
+  /** Surface with the cell array segment; may be empty. */
   SurfaceMesh segments;
-  /** What is missing, and what that costs. */
+  /** Missing data and the consequences. */
   Remarks warnings;
   /** Identities of the files. */
   std::vector<std::pair<std::string, std::string>> facts;
 };
 
-/** Reads a folder that VirtualColonoscopy wrote: segmentation/wall-repaired.vtp and lumen.nrrd, and, as far as they are
- * there, centreline.vtp, catheter.vtp, cleansed.nrrd, ../flattening/flat.vtp, ../landmarks/segments.vtp. Throws
- * InputError that names the file. \ingroup PolypCandidates */
+/** Reads a folder written by VirtualColonoscopy: segmentation/wall-repaired.vtp and lumen.nrrd, and, if present,
+ * centreline.vtp, catheter.vtp, cleansed.nrrd, ../flattening/flat.vtp, ../landmarks/segments.vtp. Throws InputError
+ * with the file name. \ingroup PolypCandidates */
 PolypCandidates_EXPORT PolypColon
 ReadPolypColon(const std::string & folder);
 
-/** Preset and sensitivity for SearchPolyps(). \ingroup PolypCandidates */
+/** Options of SearchPolyps(). \ingroup PolypCandidates */
 struct PolypSearchOptions
 {
   PolypPreset preset{ PolypPreset::Default };
-  /** 0 to 1: candidates with a score of the shape of at least 1 - sensitivity. */
+  /** 0 to 1: keeps candidates with a shape score of at least 1 - sensitivity. */
   double sensitivity{ defaultPolypSensitivity };
-  /** Told the stage and the share that is done, from 0 to 1. */
+  /** Called with the stage and the completed fraction, 0 to 1. */
   Progress progress;
 };
 
-/** Candidates with all that the colon tells about them: attenuation, shape diffusion, place on the flat map, segment,
- * remark. Throws as its parts do. \ingroup PolypCandidates */
+/** Finds candidates and adds all available data: attenuation, shape diffusion, place on the flat map, segment, remark.
+ * Throws the exceptions of its parts. \ingroup PolypCandidates */
 PolypCandidates_EXPORT std::vector<PolypCandidate>
                        SearchPolyps(const PolypColon & colon, const PolypSearchOptions & options = {});
 
-/** From the middles of the candidates to a wall, mm, on average; 0 where there are none. Walls of two positions may lie
- * on each other here and there, so all candidates tell on which one they are. \ingroup PolypCandidates */
+/** Mean distance of the candidates to a wall, mm; 0 without candidates. The walls of two positions may coincide in
+ * places, so the wall is identified by all candidates together. \ingroup PolypCandidates */
 PolypCandidates_EXPORT double
 MeanDistanceToWall(const SurfaceMesh & wall, const std::vector<PolypCandidate> & candidates);
 
-/** Candidates as the other position sees them: by their own scores. \ingroup PolypCandidates */
+/** Converts candidates for FindInOtherPosition(), with their own scores. \ingroup PolypCandidates */
 PolypCandidates_EXPORT std::vector<OtherPolypCandidate>
                        AsOthers(const std::vector<PolypCandidate> & candidates);
 
-/** Takes candidates to the other position by a map of ColonRegistration: a flat surface with the point arrays mapped
- * (LPS, mm), excluded and confidence. Throws InputError, with `what` in front, where an array is missing or candidates
- * lie more than 10 mm from the surface on average. \ingroup PolypCandidates */
+/** Maps candidates to the other position by a map of ColonRegistration: a flat surface with the point arrays mapped
+ * (LPS, mm), excluded and confidence. Throws InputError, prefixed with `what`, when an array is missing or candidates
+ * are on average more than 10 mm from the surface. \ingroup PolypCandidates */
 PolypCandidates_EXPORT void
 FindInOtherPosition(const SurfaceMesh &                      map,
                     const std::string &                      what,
                     const std::vector<OtherPolypCandidate> & others,
                     std::vector<PolypCandidate> &            candidates);
 
-/** A registration of a lower confidence tells nothing of a single candidate. \ingroup PolypCandidates */
+/** Registrations of lower confidence provide no evidence on single candidates. \ingroup PolypCandidates */
 constexpr double LeastRegistrationConfidence = 0.5;
 
-/** What the other position says of candidates that FindInOtherPosition() has taken there: a polyp stays where it is,
- * and most stool moves. The score of the shape becomes the probability that a candidate is a polyp, given this score,
- * how flat it is, and the likeness of what is seen at its place (logistic regression on phantoms, see the notes), with
- * the share of its tissue kept; it stays as it is as far as the registration may be wrong, where the place cannot be
- * seen, and at the valve. Candidates are sorted by their new scores, keep their numbers, and get a remark where nothing
- * like them is seen. \param confidence of the registration, 0 to 1. \ingroup PolypCandidates */
+/** Updates candidates after FindInOtherPosition() with the evidence of the other position: a polyp stays in place, and
+ * most stool moves. The shape score becomes the probability of a polyp given this score, the flatness, and the likeness
+ * at its place (logistic regression on phantoms, see the notes); the tissue factor is kept. The score is unchanged to
+ * the extent that the registration may be wrong, where the place is not visible, and at the valve. Candidates are
+ * sorted by their new scores, keep their numbers, and get a remark if nothing similar is visible. \param confidence of
+ * the registration, 0 to 1. \ingroup PolypCandidates */
 PolypCandidates_EXPORT void
 WeighByOtherPosition(double confidence, std::vector<PolypCandidate> & candidates);
 
-/** "C0" to "C4"-like categories are a reader's to give; this is what the sizes of the candidates alone would imply by
+/** Category implied by the sizes of the candidates alone; the category itself ("C0" to "C4") is the reader's decision.
  * C-RADS (Zalis et al., Radiology 2005): C1 no candidate of 6 mm, C2 fewer than three of 6 to 9 mm, C3 one of 10 mm or
- * three of 6 to 9 mm; C4 takes a reader. In words, with the remark that it is implied. \ingroup PolypCandidates */
+ * three of 6 to 9 mm; C4 requires a reader. A text that states that it is implied. \ingroup PolypCandidates */
 PolypCandidates_EXPORT std::string
                        CategoryImplied(const std::vector<PolypCandidate> & candidates);
 
-/** A row for each candidate; empty cells are not known. \ingroup PolypCandidates */
+/** One row per candidate; unknown values are empty. \ingroup PolypCandidates */
 PolypCandidates_EXPORT CsvTable
 TableOfPolypCandidates(const std::vector<PolypCandidate> & candidates);
 
-/** What such a table tells of its candidates, to its digits: not the vertices, the apex and the axis, nor the features
- * that the score is made of. Throws InputError for what is no such table. \ingroup PolypCandidates */
+/** Reads candidates from such a table, with its precision: without vertices, apex, axis, and the features of the score.
+ * Throws InputError for any other file. \ingroup PolypCandidates */
 PolypCandidates_EXPORT std::vector<PolypCandidate>
                        ReadPolypCandidates(const std::string & path);
 
-/** The candidates of a table for FindInOtherPosition(), with their scores by their own position alone: any table with
- * the columns x, y, z (LPS, mm), numbered by its rows where there is no column `candidate`. Throws InputError for what
- * is none. \ingroup PolypCandidates */
+/** Reads candidates for FindInOtherPosition() with the scores of their own position from a table with the columns x, y,
+ * z (LPS, mm); without a column `candidate` they are numbered by row. Throws InputError for any other file.
+ * \ingroup PolypCandidates */
 PolypCandidates_EXPORT std::vector<OtherPolypCandidate>
                        ReadOtherPolypCandidates(const std::string & path);
 
-/** Points of 3D Slicer, labelled by number and diameter; none without candidates. \ingroup PolypCandidates */
+/** Points for 3D Slicer, labeled by number and diameter; empty without candidates. \ingroup PolypCandidates */
 PolypCandidates_EXPORT std::vector<Markup>
                        MarkupsOfPolypCandidates(const std::vector<PolypCandidate> & candidates);
 } // namespace shapeton

@@ -9,40 +9,40 @@
 
 namespace shapeton
 {
-/** Where there is gas or fluid (not 0) in the colon; any grid. \ingroup PolypCandidates */
+/** Lumen mask: nonzero voxels are gas or fluid in the colon; any grid. \ingroup PolypCandidates */
 using PolypLumenImage = itk::Image<unsigned char, 3>;
 
-/** Fills in heat and shapetonDensity of the features of candidates: cumulative heat diffusion (10 mm^2) and 4,000
- * shapetons (steps of 1.8 mm, 200 of them) in a box 12 mm around each head, where tissue is 1 and lumen 0, both with p
- * =
- * 15. Taken from points below the surface as for the attenuation. \ingroup PolypCandidates */
+/** Sets heat and shapetonDensity of the features of candidates: cumulative heat diffusion (10 mm^2) and 4,000 shapetons
+ * (steps of 1.8 mm, 200 of them) in a box 12 mm around each head, where tissue is 1 and lumen 0, both with p = 15.
+ * Sampled at points below the surface as for the attenuation. \ingroup PolypCandidates */
 PolypCandidates_EXPORT void
 MeasureShapeDiffusion(const SurfaceMesh &           wall,
                       const PolypLumenImage *       lumen,
                       std::vector<PolypCandidate> & candidates,
                       const Progress &              progress = {});
 
-/** The setting of dissertation 3.5.2. \ingroup PolypCandidates */
+/** Settings of dissertation 3.5.2. \ingroup PolypCandidates */
 struct PublishedPolypOptions
 {
   std::uint32_t shapetons{ 65000 };
   double        distance{ 0.005 };
   double        p{ 15.0 };
   std::uint64_t steps{ 4000 };
-  /** 0 to 1: candidates with a score of the shape of at least 1 - sensitivity. */
+  /** 0 to 1: keeps candidates with a shape score of at least 1 - sensitivity. */
   double sensitivity{ defaultPolypSensitivity };
-  /** It may throw in order to abort. */
+  /** May throw to abort. */
   Progress progress;
 };
 
-/** Candidates by shapeton diffusion (dissertation 3.5.2). Shapetons start in the tissue within 8 mm of the lumen and
- * move at random through the volume; their density in the tissue below each vertex of the wall, smoothed, is ranked.
- * Polyps are parts of the wall that are among the 4 % with the most visits, 3 to 40 mm wide; the score is the mean
- * share of the wall with fewer visits, scaled from (0.96, 1) to (0, 1), times the roundness.
+/** Finds candidates by shapeton diffusion (dissertation 3.5.2). Shapetons start in the tissue within 8 mm of the lumen
+ * and move at random through the volume. Their smoothed density in the tissue below each vertex of the wall is ranked.
+ * Polyps are parts of the wall among the 4 % with the most visits, 3 to 40 mm wide; the score is the mean share of the
+ * wall with fewer visits, scaled from (0.96, 1) to (0, 1), times the roundness.
  *
- * The source shows its density by a transfer function that a person chooses, and gives no rule for a candidate: ranks
- * and limits are ours. \param ct HU, cleansed, or null: then tissue is 1 and lumen 0.
- * Throws as FindPolypCandidates(). The same bytes for any number of threads. \ingroup PolypCandidates */
+ * The source shows the density by a transfer function chosen by hand and gives no rule for candidates; ranks and limits
+ * are ours. \param ct HU, cleansed, or null: then tissue is 1 and lumen 0.
+ * Throws the exceptions of FindPolypCandidates(). The result is identical for any number of threads.
+ * \ingroup PolypCandidates */
 PolypCandidates_EXPORT std::vector<PolypCandidate>
                        FindPublishedPolypCandidates(const SurfaceMesh &           wall,
                                                     const PolypLumenImage *       lumen,

@@ -9,28 +9,28 @@
 namespace shapeton
 {
 /** \class SurfaceShape
- * \brief How a wall is curved at each vertex.
+ * \brief Curvature of a wall at each vertex.
  *
- * The normals of the vertices are diffused over the surface and made unit vectors again; the surface itself is not
- * moved. So balls and cylinders keep their curvature whatever the time of the diffusion, while steps of voxels and
- * noise go. The shape operator of each face is the least squares fit to the differences of its normals (Rusinkiewicz,
- * Estimating curvatures and their derivatives on triangle meshes, 2004), that of a vertex the mean over its faces.
+ * The vertex normals are diffused over the surface and renormalized; the surface itself does not move. So balls and
+ * cylinders keep their curvature for any diffusion time, while voxel steps and noise vanish. The shape operator of each
+ * face is the least squares fit to the differences of its normals (Rusinkiewicz, Estimating curvatures and their
+ * derivatives on triangle meshes, 2004), that of a vertex the mean over its faces.
  * \ingroup PolypCandidates */
 struct SurfaceShape
 {
   /** Unit vectors into the lumen. */
   VertexMatrix inwardNormals;
-  /** The greater and the lesser principal curvature, 1/mm: positive where the wall bulges into the lumen. A ball of
-   * radius r that lies in the lumen has 1/r for both, a straight fold 0 for the lesser one. */
+  /** The larger and the smaller principal curvature, 1/mm: positive where the wall bulges into the lumen. A ball of
+   * radius r in the lumen has 1/r for both; the smaller one of a straight fold is 0. */
   Eigen::VectorXd greater;
   Eigen::VectorXd lesser;
-  /** mm^2; a third of each face. */
+  /** Vertex areas, mm^2; a third of each face. */
   Eigen::VectorXd areas;
 };
 
-/** \param F counterclockwise where seen from outside of the lumen.
+/** \param F counterclockwise as seen from outside the lumen.
  * \param time of the diffusion, mm^2, from 0: features of radius below sqrt(2 time) mm are lost.
- * Throws InputError as MakeSurfaceLaplacian() does. The same bytes for any number of threads.
+ * Throws the InputError of MakeSurfaceLaplacian(). The result is identical for any number of threads.
  * \ingroup PolypCandidates */
 PolypCandidates_EXPORT SurfaceShape
 MeasureSurfaceShape(const VertexMatrix &        V,

@@ -7,50 +7,50 @@
 
 namespace shapeton
 {
-/** A part of the wall that bulges into the lumen in all directions, as the head of a polyp does and the crest of a fold
- * does not. \ingroup PolypCandidates */
+/** A part of the wall that bulges into the lumen in all directions, like the head of a polyp and unlike the crest of a
+ * fold. \ingroup PolypCandidates */
 struct WallBulge
 {
-  /** Its vertices, ascending. */
+  /** Vertices, ascending. */
   std::vector<int> vertices;
-  /** The middle of its surface, LPS, mm. */
+  /** Center of its surface, LPS, mm. */
   Eigen::Vector3d centre{ Eigen::Vector3d::Zero() };
-  /** The vertex that stands out farthest, LPS, mm. */
+  /** The most prominent vertex, LPS, mm. */
   Eigen::Vector3d apex{ Eigen::Vector3d::Zero() };
   /** Mean normal, a unit vector into the lumen. */
   Eigen::Vector3d axis{ Eigen::Vector3d::UnitZ() };
-  /** mm^2. */
+  /** Area, mm^2. */
   double area{ 0.0 };
   /** Integral of the Gaussian curvature: the solid angle of its normals, sr. 2 pi for half an ellipsoid of any
-   * flatness, up to 4 pi for a ball on a thin stalk; little for a dent, whatever its size. */
+   * flatness, up to 4 pi for a ball on a thin stalk; small for a dent of any size. */
   double solidAngle{ 0.0 };
-  /** Mean weighted by the lesser curvature: towards the rim any bulge is a ridge, and there the weight falls to 0. */
+  /** Mean weighted by the smaller curvature: any bulge is a ridge near its rim, where the weight falls to 0. */
   double shapeIndex{ 0.0 };
-  /** Mean by area. */
+  /** Area-weighted mean. */
   double curvedness{ 0.0 };
-  /** Greatest and least width across the axis, mm. */
+  /** Largest and smallest width across the axis, mm. */
   double greatestWidth{ 0.0 };
   double leastWidth{ 0.0 };
-  /** How far the apex stands above the plane of the foot, mm: the plane across the axis through the middle of the ring
-   * 1 to 2 mm around the bulge. */
+  /** Height of the apex above the plane of the foot, mm: the plane across the axis through the center of the ring 1 to
+   * 2 mm around the bulge. */
   double height{ 0.0 };
-  /** Mean of the lesser principal curvature, by area, of the wall within 2 mm around the bulge, 1/mm. Negative: there
-   * the wall turns up into the bulge. A head has it on all sides; a bump on the crest of a fold, which goes on along
-   * the crest, and a ripple have little of it. */
+  /** Area-weighted mean of the smaller principal curvature of the wall within 2 mm around the bulge, 1/mm. Negative
+   * where the wall turns up into the bulge: on all sides of a head, hardly for a bump on the crest of a fold, which
+   * continues along the crest, or for a ripple. */
   double footCurvature{ 0.0 };
 };
 
-/** What is left out of the parts of a wall. \ingroup PolypCandidates */
+/** Parts of a wall below these limits are left out. \ingroup PolypCandidates */
 struct WallPartLimits
 {
-  /** sr. */
+  /** Minimum solid angle, sr. */
   double leastSolidAngle{ 0.08 };
-  /** mm. */
+  /** Minimum width, mm. */
   double leastWidth{ 2.0 };
 };
 
-/** The connected parts of a wall where `level`, given at its vertices and linear within faces, is positive, measured,
- * in the order of their first vertices. Rims cross faces; areas, means and widths are those within the rims.
+/** Measures the connected parts of a wall where `level`, given at its vertices and linear within faces, is positive, in
+ * the order of their first vertices. Rims cross faces; areas, means and widths are those within the rims.
  * \ingroup PolypCandidates */
 PolypCandidates_EXPORT std::vector<WallBulge>
                        MeasureWallParts(const SurfaceMesh &         wall,
@@ -59,8 +59,8 @@ PolypCandidates_EXPORT std::vector<WallBulge>
                                         const Eigen::VectorXd &     level,
                                         const WallPartLimits &      limits = {});
 
-/** The parts of the wall where the lesser principal curvature, and so both, is above `leastCurvature` (1/mm).
- * `isLeftOut`, one for each vertex, tells what is no wall (bridges, rims). \ingroup PolypCandidates */
+/** Finds the parts of the wall where the smaller principal curvature, and so both, is above `leastCurvature` (1/mm).
+ * `isLeftOut`, one for each vertex, excludes bridges and rims. \ingroup PolypCandidates */
 PolypCandidates_EXPORT std::vector<WallBulge>
                        FindWallBulges(const SurfaceMesh &         wall,
                                       const SurfaceConnectivity & connectivity,

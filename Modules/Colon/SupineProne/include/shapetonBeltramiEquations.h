@@ -11,8 +11,8 @@
 
 namespace shapeton
 {
-/** Where the nodes of one cylinder lie on another one, node by node along each row, row by row: mm along and around.
- * Around there are no jumps; the node after the last one of a row is the first one, a whole turn farther.
+/** Positions of the nodes of one cylinder on another, along each row, row by row: mm along and around. The coordinate
+ * around is continuous; the node after the last one of a row is the first one, a whole turn farther.
  * \ingroup SupineProne */
 struct CylinderValues
 {
@@ -24,40 +24,40 @@ struct CylinderValues
  * \brief Maps between cylinders and their Beltrami coefficients, by linear finite elements.
  *
  * A map f of z = x + iy, x mm along the source and y mm around it, has the Beltrami coefficient mu with
- * df/dz* = mu df/dz; |mu| < 1 where it keeps the orientation, 0 where it is conformal. Of the map with a given mu both
- * coordinates solve div(A grad f) = 0, with A of determinant 1:
+ * df/dz* = mu df/dz; |mu| < 1 where it preserves the orientation, 0 where it is conformal. Both coordinates of the map
+ * with a given mu solve div(A grad f) = 0, with A of determinant 1:
  *
  *   (1 - |mu|^2) A = [ |1 - mu|^2, -2 Im mu; -2 Im mu, |1 + mu|^2 ].
  *
- * Nodes stand in rows of any distance, at even angles; each cell is cut along the diagonal from (row, angle) to
- * (row + 1, angle + 1), as CylinderMap cuts it. \ingroup SupineProne */
+ * Nodes are in rows at any distance, at equal angles; each cell is cut along the diagonal from (row, angle) to
+ * (row + 1, angle + 1), as in CylinderMap. \ingroup SupineProne */
 class SupineProne_EXPORT BeltramiEquations
 {
 public:
   using Coefficients = std::vector<std::complex<double>>;
 
-  /** Corners of a triangle, and for each the whole turns (0 or 1) to add to its place around. */
+  /** Corners of a triangle, and for each the whole turns (0 or 1) to add to its coordinate around. */
   struct Triangle
   {
     std::array<int, 3> node;
     std::array<int, 3> turns;
   };
 
-  /** A place in a triangle: shares of its corners, which add up to 1. */
+  /** A point in a triangle: barycentric coordinates, with sum 1. */
   struct Place
   {
     int                   triangle;
     std::array<double, 3> share;
   };
 
-  /** The stiffness matrix of both coordinates, and the right side that the turn adds for that around the cylinder. */
+  /** Stiffness matrix of both coordinates, and the right-hand side of one turn for the coordinate around. */
   struct System
   {
     Eigen::SparseMatrix<double> stiffness;
     Eigen::VectorXd             turn;
   };
 
-  /** \param heights mm between each row of nodes and the next one, along the source.
+  /** \param heights mm between consecutive rows of nodes, along the source.
    * \param angles number of nodes of a row, at least three.
    * \param sourceAround,targetAround circumferences, mm. */
   BeltramiEquations(std::vector<double> heights, int angles, double sourceAround, double targetAround);
@@ -82,40 +82,40 @@ public:
   {
     return 2 * static_cast<int>(m_Heights.size()) * m_Angles;
   }
-  /** Of a turn on the target, mm. */
+  /** Circumference of the target, mm. */
   double
   TargetAround() const
   {
     return m_TargetAround;
   }
-  /** Even ones have the corners (row, angle), (row + 1, angle), (row + 1, angle + 1), odd ones (row, angle),
+  /** Even triangles have the corners (row, angle), (row + 1, angle), (row + 1, angle + 1), odd ones (row, angle),
    * (row + 1, angle + 1), (row, angle + 1). */
   Triangle
   TriangleOf(int triangle) const;
-  /** Of a place between nodes, in rows and angles: row in [0, Rows() - 1], angle in [0, Angles()). */
+  /** The triangle and coordinates of a place between nodes: row in [0, Rows() - 1], angle in [0, Angles()). */
   Place
   PlaceOf(double row, double angle) const;
-  /** mm^2. */
+  /** Area, mm^2. */
   double
   AreaOf(int triangle) const;
-  /** Of each triangle; of absolute value above 1 where the map turns it over. `flips` counts those that are turned over
-   * or have no area. */
+  /** Beltrami coefficient of each triangle; its absolute value is above 1 where the map flips it. `flips` counts
+   * flipped and degenerate triangles. */
   Coefficients
   CoefficientsOf(const CylinderValues & values, int & flips) const;
-  /** Absolute values of the coefficients must be below 1. */
+  /** Assembles the system. Absolute values of the coefficients must be below 1. */
   System
   SystemOf(const Coefficients & mu) const;
 
 private:
   using Gradients = Eigen::Matrix<double, 2, 3>;
 
-  /** Of the functions of the corners, which are 1 there and 0 at the other corners. */
+  /** Gradients of the hat functions of the corners. */
   Gradients
   GradientsOf(int triangle) const;
 
   std::vector<double> m_Heights;
   int                 m_Angles;
-  double              m_Width; ///< mm from node to node of a row
+  double              m_Width; ///< mm between nodes of a row
   double              m_TargetAround;
 };
 } // namespace shapeton

@@ -11,10 +11,10 @@ namespace shapeton
 /** A place on the wall of a colon, unrolled. \ingroup SupineProne */
 struct CylinderPlace
 {
-  /** Distance along the centreline, mm. */
+  /** Distance along the centerline, mm. */
   double s{ 0.0 };
-  /** Around the tube in whole turns, growing downwards in the picture that an eye inside of the lumen sees; values that
-   * differ by a whole number are the same place. */
+  /** Angle around the tube in turns, increasing downward in the picture seen from inside the lumen; values that differ
+   * by an integer are the same place. */
   double turn{ 0.0 };
 };
 
@@ -23,17 +23,17 @@ SupineProne_EXPORT double
 TurnDifference(double turn, double from);
 
 /** \class ColonCylinder
- * \brief The wall of a colon as a cylinder: distance along the centreline and angle on the flat map.
+ * \brief The wall of a colon as a cylinder: distance along the centerline and angle on the flat map.
  *
- * The flat map is conformal, so its length measures folds and calibre; two positions of one colon agree much better in
- * the length of the centreline. The place along it is that of the column of the grid (DistanceOfColumns()), made
+ * The flat map is conformal, so its length depends on folds and caliber; two positions of one colon agree much better
+ * in the length of the centerline. The distance along it is that of the grid column (DistanceOfColumns()), made
  * strictly ascending. Both directions are exact inverses of each other. The flat colon must outlive this object.
  * \ingroup SupineProne */
 class SupineProne_EXPORT ColonCylinder
 {
 public:
-  /** \param centreline with the point array arcLength, mm; needed where the grid has none.
-   * Throws InputError where neither tells the distance along the centreline. */
+  /** \param centreline with the point array arcLength, mm; required if the grid has none.
+   * Throws InputError when neither has the distance along the centerline. */
   ColonCylinder(const FlatColon & flat, const CurveSet & centreline);
 
   double
@@ -46,13 +46,14 @@ public:
   {
     return m_Arc.back();
   }
-  /** Mean circumference of the tube without folds, mm: what a turn counts for. */
+  /** Mean circumference of the tube without folds, mm: the length of a turn. */
   double
   Around() const
   {
     return m_Around;
   }
-  /** mm along the centreline of a place in columns (0.5 is the middle of the first one); goes on beyond the ends. */
+  /** mm along the centerline at a position in columns (0.5 is the center of the first one); extrapolated beyond the
+   * ends. */
   double
   ArcOfColumn(double column) const;
   double
@@ -62,7 +63,7 @@ public:
   /** v in [0, circumference). */
   Eigen::Vector2d
   UvOfPlace(const CylinderPlace & place) const;
-  /** On the wall, LPS, mm, between the middles of pixels; beyond the ends that of the nearest column. Not a number
+  /** Point on the wall, LPS, mm, interpolated between pixel centers; beyond the ends that of the nearest column. NaN
    * where the grid has no face. */
   Eigen::Vector3d
   PointOfPlace(const CylinderPlace & place) const;
@@ -71,7 +72,7 @@ public:
   {
     return *m_Grid;
   }
-  /** Mean distance of the wall from its middle, of each column, mm. */
+  /** Mean distance of the wall from its center in each column, mm. */
   const Eigen::VectorXd &
   Radii() const
   {
@@ -80,7 +81,7 @@ public:
 
 private:
   const FlatColonGrid * m_Grid;
-  /** Of the middles of the columns. */
+  /** Distances of the column centers. */
   std::vector<double> m_Arc;
   Eigen::VectorXd     m_Radii;
   double              m_Around{ 1.0 };

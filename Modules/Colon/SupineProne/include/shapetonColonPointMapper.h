@@ -6,39 +6,39 @@
 
 namespace shapeton
 {
-/** Where the registration takes a place of the wall. \ingroup SupineProne */
+/** A place of the wall mapped by the registration. \ingroup SupineProne */
 struct MappedPoint
 {
   /** Place on the flat map of the other position, mm; v in [0, circumference). */
   Eigen::Vector2d uv{ Eigen::Vector2d::Zero() };
-  /** The same on the wall in space, LPS, mm. */
+  /** The place on the wall in space, LPS, mm. */
   Eigen::Vector3d point{ Eigen::Vector3d::Zero() };
-  /** 0 to 1, of the registration there. */
+  /** Local confidence of the registration, 0 to 1. */
   double confidence{ 0.0 };
-  /** Nothing is to be seen there in one of the positions: the map is carried on from both sides. */
+  /** Whether the wall is not visible there in one of the positions: the map is interpolated from both sides. */
   bool isExcluded{ true };
-  /** Of the point asked for from its own wall, mm; 0 for a place on the map. */
+  /** Distance of the input point from its own wall, mm; 0 for a place on the map. */
   double distance{ 0.0 };
 };
 
 /** \class ColonPointMapper
- * \brief Takes points in space and places on the map from one position to the other, both ways.
+ * \brief Maps points in space and places on the map from one position to the other, in both directions.
  *
- * For what was found in one position: points, polyps, labels vertex by vertex. The registration must outlive the
- * object, which may be asked by many threads at once. Uv and point are not numbers where the map misses the place,
- * which a registration without flips (RegistrationFigures::flips) never does, or where the wall has a hole.
+ * For findings of one position: points, polyps, vertex labels. The registration must outlive the object. Thread-safe.
+ * Uv and point are NaN where the map misses the place, which a registration without flips (RegistrationFigures::flips)
+ * never does, or where the wall has a hole.
  * \ingroup SupineProne */
 class SupineProne_EXPORT ColonPointMapper
 {
 public:
   explicit ColonPointMapper(const SupineProneRegistration & registration);
 
-  /** From source to target, of the nearest point of the wall. */
+  /** Maps the nearest point of the wall from source to target. */
   MappedPoint
   Forward(const Eigen::Vector3d & point) const;
   MappedPoint
   Inverse(const Eigen::Vector3d & point) const;
-  /** The same of places on the map. */
+  /** Maps places on the map. */
   MappedPoint
   ForwardUv(const Eigen::Vector2d & sourceUv) const;
   MappedPoint

@@ -11,19 +11,19 @@ namespace shapeton
 struct ColonPositionFiles
 {
   ColonPosition position;
-  /** Those that are known. */
+  /** The known segments. */
   std::vector<ColonSegmentExtent> segments;
-  /** "sha256:..." of all that was read; equal for equal examinations wherever they lie. */
+  /** "sha256:..." of all files read; independent of their location. */
   std::string identity;
-  /** What is missing that registration can do without. */
+  /** Missing optional data. */
   Remarks warnings;
 };
 
-/** Reads what VirtualColonoscopy has written into a folder: segmentation/centreline.vtp, flattening/flat.vtp,
- * landmarks/landmarks.json, landmarks/taeniae.vtp (may be missing where none were found), landmarks/folds-surface.vtp
- * (curvature) and folds/folds.csv.
+/** Reads a folder written by VirtualColonoscopy: segmentation/centreline.vtp, flattening/flat.vtp,
+ * landmarks/landmarks.json, landmarks/taeniae.vtp (absent if none were found), landmarks/folds-surface.vtp (curvature)
+ * and folds/folds.csv.
  * \param name for messages, "supine" or "prone".
- * Throws InputError that names the file that is missing or malformed, and the tool that writes it.
+ * Throws InputError with the name of the missing or malformed file and of the tool that writes it.
  * \ingroup SupineProne */
 SupineProne_EXPORT ColonPositionFiles
 ReadColonPosition(const std::string & folder, const std::string & name);

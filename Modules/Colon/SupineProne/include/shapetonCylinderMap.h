@@ -7,14 +7,14 @@
 
 namespace shapeton
 {
-/** Nodes of a map between cylinders: rows are even steps along the source, columns are even angles from turn 0 on.
+/** Nodes of a map between cylinders: rows are equal steps along the source, columns are equal angles from turn 0.
  * \ingroup SupineProne */
 struct CylinderNodes
 {
   double begin{ 0.0 };
   double step{ 1.0 };
-  /** Where each node goes: mm along the target, and turns, without jumps along rows and columns (the last column and
-   * the first one differ by the turn that is missing). */
+  /** Image of each node: mm along the target, and turns, continuous along rows and columns (the last column and the
+   * first one differ by the missing part of the turn). */
   Eigen::MatrixXd s;
   Eigen::MatrixXd turn;
 
@@ -28,7 +28,7 @@ struct CylinderNodes
   {
     return static_cast<int>(s.cols());
   }
-  /** Of a node; the turn of column Angles() is 1 more than that of column 0. */
+  /** Image of a node; the turn of column Angles() is 1 more than that of column 0. */
   CylinderPlace
   At(int row, int angle) const
   {
@@ -38,27 +38,27 @@ struct CylinderNodes
 };
 
 /** \class CylinderMap
- * \brief A map between two cylinders that is linear on triangles, and its inverse.
+ * \brief A piecewise linear map between two cylinders, and its inverse.
  *
- * Each cell of the nodes is cut along its diagonal. Beyond the ends the map goes on as a shift along the colon. It is
- * one-to-one where no triangle is turned over, which Flips() counts. May be asked by many threads at once.
+ * Each cell of the nodes is cut along its diagonal. Beyond the ends the map continues as a shift along the colon. It is
+ * one-to-one if no triangle is flipped; see Flips(). Thread-safe.
  * \ingroup SupineProne */
 class SupineProne_EXPORT CylinderMap
 {
 public:
   CylinderMap() = default;
-  /** At least two rows and three angles. */
+  /** Requires at least two rows and three angles. */
   explicit CylinderMap(CylinderNodes nodes);
 
   CylinderPlace
   Forward(const CylinderPlace & place) const;
-  /** Nothing where the map is no bijection and misses the place. The turn is in [0, 1). */
+  /** Empty where the map is not a bijection and misses the place. The turn is in [0, 1). */
   std::optional<CylinderPlace>
   Inverse(const CylinderPlace & place) const;
-  /** Triangles that are turned over or have no area. */
+  /** Number of flipped or degenerate triangles. */
   int
   Flips() const;
-  /** The same nodes without those added beyond the ends. */
+  /** The nodes, without those added beyond the ends. */
   const CylinderNodes &
   Nodes() const
   {

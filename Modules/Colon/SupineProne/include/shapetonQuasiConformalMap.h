@@ -8,8 +8,8 @@
 
 namespace shapeton
 {
-/** One coordinate of a map is known at a place within a triangle: shares times what it is at the corners add up to
- * `value`, mm. \ingroup SupineProne */
+/** Linear condition on one coordinate of a map at a point of a triangle: the weighted sum of its values at the corners
+ * equals `value`, mm. \ingroup SupineProne */
 struct MapCondition
 {
   std::array<int, 3>    node{};
@@ -17,60 +17,60 @@ struct MapCondition
   double                value{ 0.0 };
 };
 
-/** All that is known of a map. For each coordinate there must be something. \ingroup SupineProne */
+/** Conditions on a map. Each coordinate needs at least one. \ingroup SupineProne */
 struct MapConditions
 {
   std::vector<MapCondition> along;
   std::vector<MapCondition> around;
 };
 
-/** The map with the Beltrami coefficient mu of each triangle, |mu| < 1, that keeps the conditions: each coordinate has
- * the least energy of all that do (linear Beltrami solver, Lui, Lam, Yau, Gu 2014). With mu = 0 it is harmonic. Where
- * conditions are more than the ends of the cylinder and its rotation, the coefficient of the map is another one.
- * Conditions hold to rounding; those that contradict each other are missed as little as can be.
+/** The map with the Beltrami coefficient mu of each triangle, |mu| < 1, under the conditions: each coordinate minimizes
+ * the energy (linear Beltrami solver, Lui, Lam, Yau, Gu 2014). With mu = 0 it is harmonic. If more than the ends of the
+ * cylinder and its rotation is prescribed, the coefficient of the map differs from mu. Conditions hold to rounding
+ * error; contradictory ones are violated as little as possible.
  * \ingroup SupineProne */
 SupineProne_EXPORT CylinderValues
 SolveBeltrami(const BeltramiEquations &               equations,
               const BeltramiEquations::Coefficients & mu,
               const MapConditions &                   conditions);
 
-/** For FindQuasiConformalMap(). \ingroup SupineProne */
+/** Options of FindQuasiConformalMap(). \ingroup SupineProne */
 struct QuasiConformalOptions
 {
-  /** Coefficients are cut to this absolute value, below 1. */
+  /** Maximum absolute value of the coefficients, below 1. */
   double greatest{ 0.8 };
-  /** mm of the source over which they are smoothed. */
+  /** Smoothing length of the coefficients, mm of the source. */
   double smoothing{ 8.0 };
-  /** Rounds at most. */
+  /** Maximum number of iterations. */
   int iterations{ 30 };
-  /** The rounds end when no coefficient changes by more. */
+  /** Iteration stops when no coefficient changes by more. */
   double tolerance{ 0.01 };
-  /** After each map that is solved for. */
+  /** Called after each solve. */
   Progress progress;
 };
 
-/** See FindQuasiConformalMap(). \ingroup SupineProne */
+/** Result of FindQuasiConformalMap(). \ingroup SupineProne */
 struct QuasiConformalMap
 {
   CylinderValues values;
-  /** Triangles turned over, and the greatest absolute value of a coefficient where none is; above 1 elsewhere. */
+  /** Number of flipped triangles, and greatest absolute value of a coefficient; above 1 if a triangle is flipped. */
   int    flips{ 0 };
   double greatest{ 0.0 };
-  /** Maps that were solved for. */
+  /** Number of solves. */
   int solves{ 0 };
-  /** By how much a condition is missed at most, mm: not at all, but where some contradict each other. */
+  /** Largest violation of a condition, mm: nonzero only if conditions contradict each other. */
   double greatestMiss{ 0.0 };
 };
 
-/** A quasi-conformal map through landmarks, after Lam and Lui 2014: beginning with the harmonic map through them (mu =
- * 0), the Beltrami coefficient of each map is cut to `greatest`, smoothed (the field nu that minimises the integral of
- * smoothing^2 |grad nu|^2 + |nu - mu|^2), and prescribed to the next one. Landmarks are hard conditions in every
- * round, so that a triangle may stay turned over where they leave no room; it is counted.
+/** Finds a quasi-conformal map through landmarks, after Lam and Lui 2014. It starts with the harmonic map through them
+ * (mu = 0). The Beltrami coefficient of each map is clamped to `greatest`, smoothed (the field nu that minimizes the
+ * integral of smoothing^2 |grad nu|^2 + |nu - mu|^2), and prescribed to the next one. Landmarks are hard conditions in
+ * every iteration, so a triangle may stay flipped where they leave no room; it is counted.
  *
- * \param start where the nodes lie at first; decides nothing but the first `conditionsOf`.
- * \param conditionsOf all that is known, as seen from a map: what is known in another coordinate than mm along and
- * around, or on a curve, gives linear conditions about it. Maps that keep them must keep what is known; they are asked
- * for again about each map, and at last about maps with the same coefficient, until they stay. \ingroup SupineProne */
+ * \param start initial positions of the nodes; used only for the first `conditionsOf`.
+ * \param conditionsOf returns the conditions linearized about a map, for data given in other coordinates than mm along
+ * and around, or on a curve. Maps that satisfy them must satisfy the original conditions. It is called again for each
+ * map, and finally for maps with the same coefficient until the conditions no longer change. \ingroup SupineProne */
 SupineProne_EXPORT QuasiConformalMap
 FindQuasiConformalMap(const BeltramiEquations &                                        equations,
                       CylinderValues                                                   start,

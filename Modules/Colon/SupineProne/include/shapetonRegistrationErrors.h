@@ -14,7 +14,7 @@ struct PointPair
   Eigen::Vector3d target;
 };
 
-/** How far the map takes one point from where it should go. \ingroup SupineProne */
+/** Registration error at one point. \ingroup SupineProne */
 struct PointError
 {
   enum class Kind
@@ -22,24 +22,23 @@ struct PointError
     Counted,
     /** In an excluded stretch. */
     Excluded,
-    /** More than 10 mm from one of the surfaces; there are no distances. */
+    /** More than 10 mm from one of the surfaces; distances are undefined. */
     OffSurface
   };
   Kind kind{ Kind::OffSurface };
-  /** Distance in space, mm, and on the flat map of the target, of which the circumference is 1. */
+  /** Distance in space (mm), and on the flat map of the target relative to its circumference. */
   double inSpace{ std::numeric_limits<double>::quiet_NaN() };
   double onMap{ std::numeric_limits<double>::quiet_NaN() };
 };
 
-/** Distances between mapped points and the points they belong to. See MeasureRegistrationErrors().
+/** Distances between mapped points and their true correspondences. See MeasureRegistrationErrors().
  * \ingroup SupineProne */
 struct RegistrationErrors
 {
-  /** Of each pair that counts: distance in space, mm, and on the flat map of the target, of which the circumference is
-   * 1. */
+  /** For each counted pair: distance in space (mm), and on the flat map of the target relative to its circumference. */
   std::vector<double> inSpace;
   std::vector<double> onMap;
-  /** Pairs left aside: more than 10 mm from one of the surfaces, in an excluded stretch. */
+  /** Pairs that are not counted: more than 10 mm from one of the surfaces, in an excluded stretch. */
   int offSurface{ 0 };
   int excluded{ 0 };
 
@@ -49,29 +48,29 @@ struct RegistrationErrors
   Median() const;
   SupineProne_EXPORT double
   Percentile95() const;
-  /** Of the distances in space that are below 10 mm. */
+  /** Share of the distances in space below 10 mm. */
   SupineProne_EXPORT double
   ShareWithin10() const;
   SupineProne_EXPORT double
   MeanOnMap() const;
-  /** 95 % confidence interval of the mean over stretches of neighbouring points (blocks in the order given), as errors
-   * of neighbours depend on each other: mean +- this, mm. */
+  /** Half width (mm) of the 95 % confidence interval of the mean, over blocks of neighboring points in the given order,
+   * since errors of neighbors are correlated. */
   SupineProne_EXPORT double
   HalfInterval() const;
 };
 
-/** How far a map between the positions of a registration takes each of the points from where it should go.
+/** Registration error at each point for a map between the positions of a registration.
  * \ingroup SupineProne */
 SupineProne_EXPORT std::vector<PointError>
                    ErrorsOfPoints(const SupineProneRegistration & registration,
                                   const CylinderMap &             map,
                                   const std::vector<PointPair> &  pairs);
 
-/** Those that count, and how many do not. \ingroup SupineProne */
+/** Collects the counted errors, and the numbers of the others. \ingroup SupineProne */
 SupineProne_EXPORT RegistrationErrors
 SummaryOf(const std::vector<PointError> & errors);
 
-/** SummaryOf() ErrorsOfPoints() by the map of the registration, or by its `frame` with `measuresFrame`.
+/** SummaryOf() of ErrorsOfPoints() for the map of the registration, or for its `frame` with `measuresFrame`.
  * \ingroup SupineProne */
 SupineProne_EXPORT RegistrationErrors
 MeasureRegistrationErrors(const SupineProneRegistration & registration,

@@ -10,18 +10,18 @@
 
 namespace shapeton
 {
-/** \defgroup RegistrationResults What is reported about a registration of two examinations
+/** \defgroup RegistrationResults Results of a registration of two examinations
  * \ingroup SupineProne */
 ///@{
 
-/** What points with known correspondence say about a pair of folds, or a fold of the supine position. */
+/** Ground truth from points with known correspondence for a pair of folds, or for a fold of the supine position. */
 enum class FoldVerdict
 {
-  /** No point is near, or the other fold was not found. */
+  /** No point is nearby, or the other fold was not found. */
   Unknown,
   Correct,
   Wrong,
-  /** The fold has no partner though its true one was found and is free. */
+  /** The fold is unmatched although its true partner was found and is free. */
   Unmatched
 };
 
@@ -29,27 +29,27 @@ enum class FoldVerdict
 SupineProne_EXPORT std::string
                    NameOf(FoldVerdict verdict);
 
-/** Two folds that are taken for one, as a table tells it. */
+/** A matched pair of folds, as in the table. */
 struct MatchedFolds
 {
   /** HaustralFold::label. */
   int             supineFold{ 0 };
   int             proneFold{ 0 };
-  Eigen::Vector3d supinePoint{ Eigen::Vector3d::Zero() }; ///< their middles, LPS, mm
+  Eigen::Vector3d supinePoint{ Eigen::Vector3d::Zero() }; ///< fold centers, LPS, mm
   Eigen::Vector3d pronePoint{ Eigen::Vector3d::Zero() };
-  /** mm along the centrelines. */
+  /** mm along the centerlines. */
   double supineArcLength{ 0.0 };
   double proneArcLength{ 0.0 };
-  /** Of the supine position; "" where it is not known. */
+  /** Segment in the supine position; "" if unknown. */
   std::string segment;
   /** See FoldMatch. */
   double cost{ 0.0 };
   double residual{ 0.0 };
   double weight{ 0.0 };
-  /** Correct or Wrong, where points tell. */
+  /** Correct or Wrong if points are available. */
   FoldVerdict verdict{ FoldVerdict::Unknown };
 
-  /** Whether the map follows it; else it contradicts its neighbours. */
+  /** Whether the map follows the pair; otherwise the pair contradicts its neighbors. */
   bool
   IsFollowed() const
   {
@@ -57,22 +57,22 @@ struct MatchedFolds
   }
 };
 
-/** Folds and their matches in a segment of the colon, as Table 4.1 of the dissertation counts them, but with folds
- * that stay alone apart from wrong pairs. Prone folds count where the prone landmarks put them. */
+/** Folds and their matches in a segment of the colon, counted as in Table 4.1 of the dissertation, but with unmatched
+ * folds separate from wrong pairs. Prone folds are assigned to segments by the prone landmarks. */
 struct SegmentMatches
 {
   std::string segment;
   int         supineFolds{ 0 };
   int         proneFolds{ 0 };
-  /** Pairs by the segment of their supine fold. */
+  /** Pairs, by the segment of their supine fold. */
   int followed{ 0 };
   int contradicted{ 0 };
   int supineAlone{ 0 };
   int proneAlone{ 0 };
-  /** Mean of the confidence where something is to be seen, 0 to 1; not a number where nothing is. */
+  /** Mean confidence of the visible part, 0 to 1; NaN if no part is visible. */
   double confidence{ 0.0 };
-  /** \name Where points tell the truth: pairs that are correct or wrong, and supine folds alone whose true partner was
-   * found and is in no correct pair */
+  /** \name With ground truth: correct and wrong pairs, and unmatched supine folds whose true partner was found and is
+   * in no correct pair */
   ///@{
   int correct{ 0 };
   int wrong{ 0 };
@@ -80,25 +80,25 @@ struct SegmentMatches
   ///@}
 };
 
-/** All that files and pictures hold. */
+/** Contents of the result files and pictures. */
 struct RegistrationResults
 {
-  /** The flat surface of one position with what the other one has there: point arrays mapped (LPS, mm, on the other
-   * wall), mappedUv (mm of the other flat map), displacement (mapped less the point, mm), confidence (0 to 1) and
-   * excluded (1 where nothing is to be seen in one of them). */
+  /** The flat surface of one position with its map to the other: point arrays mapped (LPS, mm, on the other wall),
+   * mappedUv (mm of the other flat map), displacement (mapped minus the point, mm), confidence (0 to 1) and excluded (1
+   * where the wall is not visible in one of them). */
   SurfaceMesh supineToProne;
   SurfaceMesh proneToSupine;
   /** In the order of the supine folds. */
   std::vector<MatchedFolds>   matches;
   std::vector<SegmentMatches> segments;
-  /** With known points: these, and the error of each. */
+  /** Ground-truth points, and the error of each. */
   std::vector<PointPair>  points;
   std::vector<PointError> errors;
   /** registration.json without provenance and warnings. */
   Json document;
 };
 
-/** \param truth points whose correspondence is known, for errors; may be empty. */
+/** \param truth points with known correspondence, for errors; may be empty. */
 SupineProne_EXPORT RegistrationResults
 MakeRegistrationResults(const ColonPositionFiles &      supine,
                         const ColonPositionFiles &      prone,

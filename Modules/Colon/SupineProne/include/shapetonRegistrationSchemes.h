@@ -5,26 +5,26 @@
 
 namespace shapeton
 {
-/** Simpler ways to register, for comparison. \ingroup SupineProne */
+/** Simpler registration methods, for comparison. \ingroup SupineProne */
 enum class RegistrationScheme
 {
-  /** The flat maps, stretched to the same length, with the one rotation in which their pictures of folds agree best. */
+  /** Flat maps stretched to the same length, with the single rotation in which their fold pictures agree best. */
   Rectangles,
-  /** The same with proportional distances along the centrelines. */
+  /** As Rectangles, with proportional distances along the centerlines. */
   Centreline,
   /** Flexures and taeniae: SupineProneRegistration::frame. */
   Landmarks,
-  /** The warping without matched folds: SupineProneRegistration::warp. */
+  /** The warping before fold matching: SupineProneRegistration::warp. */
   Warping,
   /** SupineProneMap::Published. */
   Published,
-  /** The quasi-conformal map of Published, but through the folds that the registration has matched and the map follows,
-   * and the ends of the colon alone. */
+  /** The quasi-conformal map of Published, but only through the ends of the colon and the folds that the registration
+   * has matched and the map follows. */
   QuasiConformal
 };
 
-/** The map that a scheme gives for a pair that RegisterColonPositions() has registered; frame and warp are taken from
- * `registration`. \ingroup SupineProne */
+/** The map of a scheme for a pair registered by RegisterColonPositions(); frame and warp are taken from `registration`.
+ * \ingroup SupineProne */
 SupineProne_EXPORT CylinderMap
 MapOfScheme(RegistrationScheme              scheme,
             const ColonPosition &           source,

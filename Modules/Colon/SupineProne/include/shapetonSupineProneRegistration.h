@@ -10,92 +10,89 @@
 
 namespace shapeton
 {
-/** How RegisterColonPositions() makes its map of what corresponds. \ingroup SupineProne */
+/** Method by which RegisterColonPositions() builds its map from correspondences. \ingroup SupineProne */
 enum class SupineProneMap
 {
-  /** Warped, corrected by folds and taeniae as far as they agree, projected to a bijection. */
+  /** Warped, corrected by consistent folds and taeniae, projected to a bijection. */
   Default,
   /** As in the dissertation (4.3, 5.4.2; Zeng, Marino, Gurijala, Gu, Kaufman 2010): folds are matched once, segment by
-   * segment, about a conformal map between flexures and along the main taenia; the final map is quasi-conformal and is
-   * forced through flexures, this taenia and the ends of all matched folds, right or wrong. Triangles may be turned
-   * over. See FindQuasiConformalMap(). */
+   * segment, about a conformal map between flexures and along the main taenia. The final map is quasi-conformal and is
+   * forced through flexures, this taenia and the ends of all matched folds, right or wrong. Triangles may be flipped.
+   * See FindQuasiConformalMap(). */
   Published
 };
 
-/** What RegisterColonPositions() is to use. \ingroup SupineProne */
+/** Options of RegisterColonPositions(). \ingroup SupineProne */
 struct SupineProneOptions
 {
   SupineProneMap     map{ SupineProneMap::Default };
   FoldMatchingMethod matching{ FoldMatchingMethod::Hungarian };
-  /** Folds and rows keep to their segment of the colon, between flexures that both positions have; of the default map.
-   */
+  /** Default map only: folds and rows stay in their segment of the colon, between flexures found in both positions. */
   bool isSegmentWise{ false };
-  /** Refine by the curvature of the wall itself: of use where folds do not slide against the wall; of the default map.
-   */
+  /** Default map only: refine by the curvature of the wall itself. Useful if folds do not slide on the wall. */
   bool refines{ false };
   /** Greatest absolute Beltrami coefficient of the map. */
   double greatestDilatation{ 0.8 };
-  /** It may throw in order to abort. */
+  /** May throw to abort. */
   Progress progress;
 };
 
-/** Two folds that are taken for one. \ingroup SupineProne */
+/** A matched pair of folds. \ingroup SupineProne */
 struct FoldMatch
 {
-  /** Indices of ColonPosition::folds. */
+  /** Indices into ColonPosition::folds. */
   int    source{ 0 };
   int    target{ 0 };
   double cost{ 0.0 };
-  /** Of the final map, mm: from where it takes the middle of the fold to the middle of the other one. */
+  /** Distance (mm) between the center of the source fold under the final map and the center of the target fold. */
   double residual{ 0.0 };
-  /** How much the map follows it, 0 to 1; below 0.5 it contradicts its neighbours. */
+  /** How much the map follows the pair, 0 to 1; below 0.5 the pair contradicts its neighbors. */
   double weight{ 0.0 };
-  /** 0 before the first flexure that both positions have, 1 behind it, ... */
+  /** 0 before the first flexure found in both positions, 1 after it, ... */
   int segment{ 0 };
 };
 
-/** How far the registration can be trusted. \ingroup SupineProne */
+/** Confidence of the registration. \ingroup SupineProne */
 struct RegistrationConfidence
 {
   /** 0 to 1; below 0.5 the registration is flagged. */
   double whole{ 0.0 };
   bool   isFlagged{ true };
-  /** In words, why it is flagged. */
+  /** Reasons for the flag, in words. */
   std::vector<std::string> reasons;
-  /** Pairs of folds that the map follows, over the smaller number of folds. */
+  /** Number of pairs that the map follows, relative to the smaller number of folds. */
   double matchedShare{ 0.0 };
-  /** Of pairs that it does not follow, among all pairs. */
+  /** Share of the pairs that the map does not follow. */
   double contradictedShare{ 0.0 };
-  /** Least mean cost of a row near the warp, about 0 and below where folds agree. */
+  /** Least mean cost of a row near the warp; about 0 or below where folds agree. */
   double energy{ 0.0 };
-  /** The same, and that near the warp turned by one and by two thirds, which is how taeniae may be confused. */
+  /** That energy, and the energies near the warp rotated by one and two thirds, to detect confused taeniae. */
   std::vector<double> energies;
-  /** Lesser energy of the turned ones less that of the warp. */
+  /** Smaller energy of the rotated warps minus that of the warp. */
   double margin{ 0.0 };
-  /** Energy of the best of the three other ways to lay one picture on the other (mirrored, turned back, both) less that
-   * of the right way, without landmarks. About 0 for two patients. */
+  /** Energy of the best of the three other orientations of the picture (mirrored, reversed, both) minus that of the
+   * right one, without landmarks. About 0 for two patients. */
   double senseMargin{ 0.0 };
   /** Root mean square of the residuals of the pairs that the map follows, mm. */
   double residual{ 0.0 };
-  /** 0 to 1, of each node of the map. */
+  /** Confidence of each node of the map, 0 to 1. */
   Eigen::MatrixXd ofNodes;
 
-  /** The probability that both positions are of one patient: log odds of matchedShare, energy, margin and senseMargin,
-   * each at most 4, added up from even odds, but not more than those of senseMargin alone, as few folds can be alike in
-   * two patients. Each is 0 midway between what was measured of one patient and of two, so that folds that only one
-   * position shows do not outweigh a picture that fits in one way alone. */
+  /** Probability that both positions are of one patient: log odds of matchedShare, energy, margin and senseMargin, each
+   * at most 4, added to even odds, but at most those of senseMargin alone, since a few folds can be similar in two
+   * patients. Each is 0 midway between values measured on one patient and on two, so folds visible in only one position
+   * do not outweigh a picture that fits in only one orientation. */
   SupineProne_EXPORT double
   ProbabilityOfOnePatient() const;
 };
 
-/** What was measured on the way. \ingroup SupineProne */
+/** Figures measured during registration. \ingroup SupineProne */
 struct RegistrationFigures
 {
   int    flips{ 0 };
   int    flipsBeforeProjection{ 0 };
   double greatestDilatation{ 0.0 };
-  /** \name The published map, see QuasiConformalMap: maps that were solved for, and by how much a landmark is missed at
-   * most, mm */
+  /** \name Published map, see QuasiConformalMap: number of solves, and largest landmark violation, mm */
   ///@{
   int    solves{ 0 };
   double greatestMiss{ 0.0 };
@@ -106,53 +103,53 @@ struct RegistrationFigures
  * RegisterColonPositions(). \ingroup SupineProne */
 struct SupineProneRegistration
 {
-  /** The flat walls that it refers to. */
+  /** The registered flat walls. */
   std::shared_ptr<const FlatColon>     sourceFlat;
   std::shared_ptr<const FlatColon>     targetFlat;
   std::shared_ptr<const ColonCylinder> source;
   std::shared_ptr<const ColonCylinder> target;
   /** From source to target. */
   CylinderMap map;
-  /** The frame of flexures and taeniae that it began with, for comparison. */
+  /** Initial frame of flexures and taeniae, for comparison. */
   CylinderMap frame;
-  /** The warping, before folds were matched. */
+  /** The warping, before fold matching. */
   CylinderMap            warp;
   std::vector<FoldMatch> matches;
   FoldMatching           matching;
   RegistrationConfidence confidence;
   RegistrationFigures    figures;
-  /** Distances along source and target of the flexures that were used, mm. */
+  /** Distances along source and target of the flexures used, mm. */
   std::vector<std::pair<double, double>> flexures;
-  /** Of each node of the map: nothing is to be seen there in one of the positions. */
+  /** Whether the wall at each node of the map is not visible in one of the positions. */
   Eigen::Matrix<char, Eigen::Dynamic, Eigen::Dynamic> isExcluded;
   Remarks                                             warnings;
 };
 
-/** One-to-one map between the walls of a colon in two positions.
+/** Computes a one-to-one map between the walls of a colon in two positions.
  *
- * 1. Frame: the distance along the centreline straight between flexures; rotation from the three taeniae.
- * 2. Cylindrical dynamic time warping of pictures of folds and taeniae about several frames, free in rotation; the warp
- *    wins about which most folds find a partner that a smooth map can follow.
+ * 1. Frame: distance along the centerline, piecewise linear between flexures; rotation from the three taeniae.
+ * 2. Cylindrical dynamic time warping of pictures of folds and taeniae about several frames, free in rotation. The warp
+ *    with the most folds that find a partner under a smooth map wins.
  * 3. Matching of folds about the warp (MatchFolds()), and twice again about the corrected warp.
- * 4. A thin plate through middles and ends of matched folds, robust against wrong pairs.
- * 5. Projection to a bijection: no triangle is turned over.
+ * 4. A thin plate through centers and ends of matched folds, robust against wrong pairs.
+ * 5. Projection to a bijection: no triangle is flipped.
  *
- * 3 to 5 are another thing for SupineProneMap::Published.
+ * SupineProneMap::Published replaces steps 3 to 5.
  *
- * Where a stretch is excluded the map is carried on from both sides; it is marked. Equal input gives equal results for
- * any number of threads. Throws InputError where a position has no folds, or neither flexures nor taeniae, or
- * seems to run the wrong way or to be a mirror image. Source: dissertation 4.3; warping after Nain et al. 2002; the
- * measured figures are in the README. \ingroup SupineProne */
+ * In excluded stretches the map is interpolated from both sides and marked. Equal input gives equal results for any
+ * number of threads. Throws InputError when a position has no folds, or neither flexures nor taeniae, or appears
+ * reversed or mirrored. Source: dissertation 4.3; warping after Nain et al. 2002; see the README for the measured
+ * figures. \ingroup SupineProne */
 SupineProne_EXPORT SupineProneRegistration
 RegisterColonPositions(const ColonPosition &      source,
                        const ColonPosition &      target,
                        const SupineProneOptions & options = {});
 
-/** Where a place of the map goes, mm of the flat map. \ingroup SupineProne */
+/** Maps a place of the flat map, mm. \ingroup SupineProne */
 SupineProne_EXPORT Eigen::Vector2d
                    MapUv(const SupineProneRegistration & registration, const Eigen::Vector2d & sourceUv);
 
-/** The other way; not numbers where the map is no bijection there. \ingroup SupineProne */
+/** Inverse of MapUv(); NaN where the map is not a bijection. \ingroup SupineProne */
 SupineProne_EXPORT Eigen::Vector2d
                    InverseMapUv(const SupineProneRegistration & registration, const Eigen::Vector2d & targetUv);
 
@@ -160,7 +157,7 @@ SupineProne_EXPORT Eigen::Vector2d
 SupineProne_EXPORT double
 ConfidenceAt(const SupineProneRegistration & registration, const CylinderPlace & place);
 
-/** Whether a place of the source, or the one it goes to, is excluded. \ingroup SupineProne */
+/** Whether a place of the source, or its image, is excluded. \ingroup SupineProne */
 SupineProne_EXPORT bool
 IsExcludedAt(const SupineProneRegistration & registration, const CylinderPlace & place);
 } // namespace shapeton
