@@ -244,7 +244,7 @@ AddGaps(const LumenGrid &            grid,
     result.gaps.push_back(gap);
     result.warnings.push_back("no lumen over " + InTenths(gap.distance) + " mm from " + PlaceInWords(gap.from) +
                               " to " + PlaceInWords(gap.to) + ": the centreline is bridged there" +
-                              (gap.isDoubtful ? "; so long a gap puts the order of the pieces in doubt" : ""));
+                              (gap.isDoubtful ? "; after such a long gap the order of the pieces is in doubt" : ""));
   }
 }
 
@@ -270,7 +270,7 @@ WarnOfNarrowPlaces(const LumenGrid & grid, const std::vector<Section> & sections
       {
         result.warnings.push_back("the lumen is only " + InTenths(2.0 * grid.Distance(nodes[narrowest])) +
                                   " mm wide at " + PlaceInWords(ToPoint(grid, grid.Position(nodes[narrowest]))) +
-                                  ": a collapsed place, or two loops have merged");
+                                  ": the colon is collapsed there, or two loops have merged");
         i = end;
       }
     }
@@ -292,7 +292,7 @@ WarnOfUnlikelyRectum(ColonCentreline & result)
   if (std::abs(extent.ShareAlong(0, place) - 0.5) > fromMiddle || extent.ShareAlong(1, place) < leastBack)
   {
     result.warnings.push_back("the line begins at " + PlaceInWords(place) +
-                              ", which is no likely place of the anus: it may run from the caecum to the rectum, or "
+                              ", which is unlikely for the anus: it may run from the caecum to the rectum, or "
                               "the rectum is missing");
   }
 }
@@ -342,7 +342,7 @@ AddLengths(const std::vector<std::array<double, 3>> & ofPieces, ColonCentreline 
   const auto [least, most] = std::minmax_element(result.lengths.begin(), result.lengths.end());
   if (*most - *least > 0.03 * result.length)
   {
-    result.warnings.push_back("the length of the centreline depends on the cost of paths, " +
+    result.warnings.push_back("the length of the centreline depends on the path cost: " +
                               InTenths(result.lengths[0]) + ", " + InTenths(result.lengths[1]) + " and " +
                               InTenths(result.lengths[2]) + " mm for the exponents 2, 3 and 4: loops may have merged");
   }
@@ -414,7 +414,7 @@ AddCover(const LumenNetwork & network, const std::vector<Section> & sections, Co
     {
       const auto place = ToPoint(network.grid, network.grid.Position(path[branch.place]));
       result.warnings.push_back("a side branch of " + InTenths(1e-3 * branch.volume) + " ml leaves the line at " +
-                                PlaceInWords(place) + ": other bowel, or a loop that the line leaves out");
+                                PlaceInWords(place) + ": other bowel, or a loop that the line skips");
     }
   }
 }
@@ -461,7 +461,7 @@ AddUnusedLines(const LumenNetwork &             network,
     piece.component = lines[i].component;
     piece.volume = 1e-3 * lines[i].volume;
     piece.place = ToPoint(network.grid, network.grid.Position(lines[i].core[lines[i].core.size() / 2]));
-    piece.reason = "it lies too far from the ends of the other pieces";
+    piece.reason = "it is too far from the ends of the other pieces";
     result.pieces.push_back(piece);
     result.warnings.push_back("a piece of lumen of " + InTenths(piece.volume) + " ml at " + PlaceInWords(piece.place) +
                               " is not used: " + piece.reason);
@@ -513,7 +513,8 @@ AddMerges(const LumenNetwork & network, ColonCentreline & result)
       result.merges.push_back(merge);
       const std::string loop = merge.loop > 0.0 ? " that would cut off " + InTenths(merge.loop) + " mm" : "";
       result.warnings.push_back("loops of the colon touch at " + PlaceInWords(merge.place) + " through a hole of " +
-                                InTenths(2.0 * merge.clearance) + " mm" + loop + ": the centreline does not pass it");
+                                InTenths(2.0 * merge.clearance) + " mm" + loop +
+                                ": the centreline does not pass through it");
     }
   }
   std::vector<double> gaps, merges;

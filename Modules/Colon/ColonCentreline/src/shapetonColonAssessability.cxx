@@ -204,7 +204,7 @@ HindranceOfName(const std::string & name)
       return hindrance;
     }
   }
-  throw InputError('"' + name + "\" is no reason why a colon cannot be assessed");
+  throw InputError('"' + name + "\" is not the name of a hindrance");
 }
 
 ColonHindrance
@@ -217,9 +217,9 @@ std::string
 InWords(ColonHindrance hindrance)
 {
   static const char * const reasons[] = { "",
-                                          "no gas or tagged fluid: collapsed, or filled with what is not tagged",
+                                          "no gas or tagged fluid: collapsed, or filled with untagged matter",
                                           "cut by the border of the scan",
-                                          "wall under fluid that is not tagged",
+                                          "wall under untagged fluid",
                                           "calibre below 10 mm" };
   return reasons[static_cast<int>(hindrance)];
 }

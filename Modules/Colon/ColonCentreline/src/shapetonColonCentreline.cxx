@@ -20,10 +20,11 @@ void
 RequireOptions(const ColonCentrelineOptions & options)
 {
   RequireParameter(options.exponent >= 1 && options.exponent <= 8,
-                   "the exponent of the centreline must be from 1 to 8");
-  RequireParameter(options.step >= 0.2 && options.step <= 10.0, "the step of the centreline must be from 0.2 to 10 mm");
+                   "the exponent of the centreline must be between 1 and 8");
+  RequireParameter(options.step >= 0.2 && options.step <= 10.0,
+                   "the step of the centreline must be between 0.2 and 10 mm");
   RequireParameter(options.smoothing >= 0.0 && options.smoothing <= 20.0,
-                   "the smoothing of the centreline must be from 0 to 20 mm");
+                   "the smoothing of the centreline must be between 0 and 20 mm");
   RequireParameter(options.minimumVolume >= 0.0 && options.minimumExtent >= 0.0 && options.gapRadius >= 0.0,
                    "volumes, extents and radii of the centreline must not be negative");
 }
@@ -289,8 +290,8 @@ FailureOfLine(const ColonCentreline & line)
   const std::size_t     merges = line.merges.size();
   if (gaps + merges > mostFaults)
   {
-    return "the lumen is not that of a colon: its line has " + std::to_string(gaps) + " gaps and touches itself at " +
-           std::to_string(merges) + " places, far more than in a colon; is it lung, or the wall in place of the lumen?";
+    return "the lumen is not a colon: its line has " + std::to_string(gaps) + " gaps and touches itself at " +
+           std::to_string(merges) + " places, far more than in a colon; is it lung, or the wall instead of the lumen?";
   }
   double ml = 0.0;
   for (const CentrelinePiece & piece : line.pieces)
@@ -300,7 +301,7 @@ FailureOfLine(const ColonCentreline & line)
   const double section = 10.0 * ml / line.length; // ml per mm are 10 cm^2
   if (section > largestSection)
   {
-    return "the lumen is not that of a colon: " + std::to_string(std::lround(ml)) + " ml along a line of " +
+    return "the lumen is not a colon: " + std::to_string(std::lround(ml)) + " ml along a line of " +
            std::to_string(std::lround(line.length)) + " mm are " + std::to_string(std::lround(section)) +
            " cm^2 on average, far more than in a colon; is it lung or stomach?";
   }

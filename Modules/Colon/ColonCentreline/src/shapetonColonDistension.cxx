@@ -16,7 +16,7 @@ RequireBorders(const std::vector<ColonSegmentBorder> & borders)
   {
     RequireParameter(borders[i].end >= borders[i - 1].end,
                      "the border of the segment \"" + borders[i].name +
-                       "\" lies before that of the segment ahead of it");
+                       "\" must not be before that of the previous segment");
   }
 }
 
@@ -52,7 +52,7 @@ MeasureDistension(const CurveSet & curve, const std::vector<ColonSegmentBorder> 
   const Eigen::Index    last = arc.size() - 1;
   if (last < 1 || !(arc[last] > arc[0]))
   {
-    throw InputError("the centreline has no length: distension cannot be measured. Give a line of several points.");
+    throw InputError("the centreline has zero length: distension cannot be measured. Give a line of several points.");
   }
   std::vector<SegmentDistension> segments;
   double                         begin = arc[0];

@@ -74,9 +74,9 @@ Want(const LumenComponents &       components,
   const NearComponent near = FindNear(components.labels, point);
   if (near.distance > farthestSeed)
   {
-    throw InputError("the " + name + " " + PlaceInWords(point) + " lies more than " +
+    throw InputError("the " + name + " " + PlaceInWords(point) + " is more than " +
                      std::to_string(std::lround(farthestSeed)) +
-                     " mm from all lumen. Give a point in the colon, in LPS mm.");
+                     " mm from the lumen. Give a point in the colon, in LPS mm.");
   }
   choice.isUsed[near.component] = 1;
   choice.isWanted[near.component] = 1;
@@ -116,7 +116,7 @@ LimitNumber(LumenChoice & choice)
   }
   if (used > mostJoinPieces)
   {
-    throw InputError("the seeds lie in more than " + std::to_string(mostJoinPieces) +
+    throw InputError("the seeds are in more than " + std::to_string(mostJoinPieces) +
                      " pieces of lumen. Give fewer seeds.");
   }
 }

@@ -101,7 +101,7 @@ ExplainMismatch(const FlatColonGrid & grid,
 {
   if (QualityOf(axis, Assign(grid, axis, Reversed(match))).shareOutside <= greatestShareOutside)
   {
-    throw InputError("the centreline runs from the caecum to the rectum of the flat surface. Turn its points round, or "
+    throw InputError("the centreline runs from the caecum to the rectum of the flat surface. Reverse its points, or "
                      "flatten the surface with this centreline.");
   }
   const double lengthOfLine = match.arcLength[match.arcLength.size() - 1] - match.arcLength[0];
@@ -113,9 +113,9 @@ ExplainMismatch(const FlatColonGrid & grid,
   const double near = MedianDistanceOfLine(axis, match.points);
   if (lengthOfLine > 0.6 * lengthOfAxis || near > leastRadius)
   {
-    throw InputError("the centreline runs outside of the flat surface along " +
+    throw InputError("the centreline runs outside the flat surface along " +
                      std::to_string(static_cast<int>(std::lround(100.0 * quality.shareOutside))) +
-                     " % of its length (median distance from the middle " +
+                     " % of its length (median distance from the middle: " +
                      std::to_string(static_cast<int>(std::lround(quality.medianDistance))) +
                      " mm): they belong to different colons or positions. Give the centreline that was made with this "
                      "surface.");

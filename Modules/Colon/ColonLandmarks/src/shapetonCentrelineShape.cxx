@@ -25,13 +25,13 @@ OrderedCentreline(const CurveSet & centreline, VertexMatrix & points, Eigen::Vec
     arcLength[i] = arc[order[i]];
     if (i > 0 && !(arcLength[i] >= arcLength[i - 1]))
     {
-      throw InputError("the array arcLength of the centreline falls along the line. Give a line from the rectum to the "
-                       "caecum, as ColonSegmentation writes it.");
+      throw InputError("the array arcLength of the centreline decreases along the line. Give a line from the rectum to "
+                       "the caecum, as written by ColonSegmentation.");
     }
   }
   if (!(arcLength[arcLength.size() - 1] > arcLength[0]))
   {
-    throw InputError("the centreline has no length");
+    throw InputError("the centreline has zero length");
   }
 }
 

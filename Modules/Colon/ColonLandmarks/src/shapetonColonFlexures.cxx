@@ -67,7 +67,7 @@ FindOrdered(const CentrelineShape & shape, ColonFlexures & result)
     flexure.confidence = flexure.isFound ? places.confidence[k] : 0.0;
     if (!flexure.isFound)
     {
-      flexure.reason = "no bend where anatomy has this flexure";
+      flexure.reason = "no bend at the anatomical place of this flexure";
     }
   }
 }
@@ -83,11 +83,11 @@ FindPublished(const CentrelineShape & shape, ColonFlexures & result)
     ColonFlexure & flexure = result.flexures[k];
     if (places[k] < 0)
     {
-      flexure.reason = "the published rule has no bend for it";
+      flexure.reason = "the published rule found no bend for it";
     }
     else if (places[k] <= previous)
     {
-      flexure.reason = "the bend that the published rule takes lies out of anatomical order";
+      flexure.reason = "the bend chosen by the published rule is out of anatomical order";
     }
     else
     {
@@ -108,13 +108,13 @@ WarnOfFlexures(ColonFlexures & result)
 {
   if (result.isMirrored)
   {
-    result.warnings.push_back("the descending colon lies on the right side: situs inversus, or the image has left and "
-                              "right exchanged; check its orientation");
+    result.warnings.push_back("the descending colon is on the right side: situs inversus, or the image has left and "
+                              "right swapped; check its orientation");
   }
   if (result.isBackwards)
   {
     result.warnings.push_back(
-      "the course of the colon is likelier that from the caecum to the rectum: the line may run "
+      "the line more likely runs from the caecum to the rectum: it may run "
       "backwards, or a part of the colon is missing; the flexures are in doubt");
   }
   const std::string & reason = result.flexures[0].reason;

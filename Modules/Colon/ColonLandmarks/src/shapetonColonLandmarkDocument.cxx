@@ -12,7 +12,7 @@ namespace
 [[noreturn]] void
 RefuseDocument(const Json::exception & error)
 {
-  throw InputError(std::string("landmarks.json is not what ColonLandmarks writes (") + error.what() +
+  throw InputError(std::string("landmarks.json was not written by ColonLandmarks (") + error.what() +
                    "); remove it and run again");
 }
 } // namespace

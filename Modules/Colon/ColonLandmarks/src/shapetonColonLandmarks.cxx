@@ -47,7 +47,7 @@ WarnOfHindrances(ColonLandmarks & landmarks)
     }
     landmarks.warnings.push_back(
       "the " + NameOfSegment(segment) + " is " +
-      (assessability->Verdict() == "partly" ? "assessable in part only, " : "not assessable: assessable along ") +
+      (assessability->Verdict() == "partly" ? "partly assessable, " : "not assessable: assessable along ") +
       std::to_string(std::lround(100.0 * assessability->share)) + " % of its length; " + why);
   }
 }

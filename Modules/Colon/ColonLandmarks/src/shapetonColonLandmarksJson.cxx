@@ -101,7 +101,7 @@ CaecumToJson(const ColonLandmarks & landmarks)
   }
   const bool atValve = landmarks.segments.isCaecumAtValve;
   json["source"] = atValve ? "ileocaecalValve" : "estimated";
-  json["reason"] = border == nullptr ? "it is placed where the hepatic flexure is known and leaves room"
+  json["reason"] = border == nullptr ? "the hepatic flexure is unknown, or leaves no room"
                    : atValve         ? "at the ileocaecal valve"
                                      : "6 cm from the end of the centreline, the length of a caecum; no valve is known";
   return json;

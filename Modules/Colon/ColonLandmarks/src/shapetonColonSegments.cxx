@@ -195,7 +195,7 @@ FindColonSegments(const ColonWallTube & tube,
   {
     result.warnings.push_back(
       "the segment of " + std::to_string(static_cast<int>(std::lround(100.0 * unknown / result.segmentOfFace.size()))) +
-      " % of the faces cannot be said, as a border is missing");
+      " % of the faces is unknown, as a border is missing");
   }
   return result;
 }

@@ -164,12 +164,12 @@ MakePiece(const SurfaceMesh & tube, const ColonTaenia & taenia, int segment, con
   const std::vector<BoundaryLoop> loops = BoundaryLoopsByLength(connectivity, tube.V);
   if (connectivity.Components().size() != 1 || loops.size() != 2)
   {
-    throw InputError(name + " is no tube between its borders");
+    throw InputError(name + " is not a tube between its borders");
   }
   const std::vector<int> path = CutBetween(tube, connectivity, RectalLoop(tube, loops), taenia);
   if (path.size() < 2)
   {
-    throw InputError("no path along the taenia leads through " + name);
+    throw InputError("no path along the taenia was found through " + name);
   }
   const CutSurface    cut = CutAlongPaths(tube, connectivity, { path });
   ConformalMapOptions options;
@@ -178,7 +178,7 @@ MakePiece(const SurfaceMesh & tube, const ColonTaenia & taenia, int segment, con
   options.corners = CornersOf(cut, path);
   if (options.corners.empty())
   {
-    throw InputError(name + " has no four corners once it is cut along the taenia");
+    throw InputError(name + " does not have four corners after the cut along the taenia");
   }
   ConformalMap map = MapConformally(cut.mesh, options, name);
   ColonPiece   piece;
@@ -201,7 +201,7 @@ SplitColon(const SurfaceMesh & flat, const ColonLandmarks & landmarks, const Pro
   ColonPieces result;
   if (landmarks.taeniae.taeniae.empty())
   {
-    result.warnings.push_back("the colon was not split: there is no taenia to cut along");
+    result.warnings.push_back("the colon was not split: no taenia was found to cut along");
     return result;
   }
   const SurfaceMesh welded = WeldedSurface(flat, *landmarks.tube);

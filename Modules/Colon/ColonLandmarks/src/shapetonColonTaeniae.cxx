@@ -83,7 +83,7 @@ ChooseTracks(const TaeniaEvidence & evidence,
   result.jointEnergy = EnergyOfTaeniae(evidence, joint);
   if (fuzzy.empty())
   {
-    result.warnings.push_back("no window of the wall holds enough fold ends for fuzzy C-means");
+    result.warnings.push_back("no window of the wall has enough fold ends for fuzzy C-means");
     result.fuzzyEnergy = std::numeric_limits<double>::quiet_NaN();
     distances.assign(evidence.rows, 0.0);
     result.kept = "joint";
@@ -112,7 +112,7 @@ ReportDisagreement(const std::vector<double> & distances, ColonTaeniae & result)
   {
     result.warnings.push_back("the two methods for taeniae disagree by more than 10 mm along " +
                               std::to_string(static_cast<int>(std::lround(100.0 * result.disagreeingShare))) +
-                              " % of the colon: look at them, or set markers");
+                              " % of the colon: check them, or set markers");
   }
 }
 
@@ -127,7 +127,7 @@ WarnOfMarkersThatDisagree(ColonTaeniae & result)
       result.warnings.push_back("marker " + std::to_string(m + 1) + " lies " +
                                 std::to_string(static_cast<int>(std::lround(result.markers[m].distanceOfTaenia))) +
                                 " mm beside another marker of taenia " + std::to_string(result.markers[m].taenia) +
-                                ", which passes through that one: remove one of them");
+                                ", which passes through the other marker: remove one of them");
     }
   }
 }
@@ -230,7 +230,7 @@ FindColonTaeniae(const FlatColon & flat, const ColonWallTube & tube, const Colon
   if (static_cast<int>(evidence.ends.size()) < leastEnds && passes.size() < 3)
   {
     result.reason = "the wall has only " + std::to_string(folds.folds.size()) +
-                    " folds, too few to tell where taeniae run; three markers or more would do";
+                    " folds, too few to locate taeniae; set at least three markers";
     result.warnings.push_back("no taenia was found: " + result.reason);
     return result;
   }
@@ -238,7 +238,7 @@ FindColonTaeniae(const FlatColon & flat, const ColonWallTube & tube, const Colon
   TaeniaTracks        tracks = ChooseTracks(evidence, options.progress.Part("", 0.4, 0.9), result, distances);
   if (tracks.empty())
   {
-    result.reason = "fuzzy C-means, which the published rule stands on, found too few fold ends";
+    result.reason = "the published rule uses fuzzy C-means, which found too few fold ends";
     result.warnings.push_back("no taenia was found: " + result.reason);
     return result;
   }

@@ -70,7 +70,7 @@ LocateMarkers(const std::vector<Eigen::Vector3d> & markers,
     {
       throw InputError("marker " + std::to_string(passes.size() + 1) + " lies " +
                        std::to_string(static_cast<int>(std::lround(pass.place.distance))) +
-                       " mm from the wall; markers of taeniae lie on it (LPS, mm). Set it on this surface.");
+                       " mm from the wall; markers of taeniae must be on it (LPS, mm). Set it on this surface.");
     }
     pass.mark.row = std::min(pass.place.pixel.column / evidence.columnsPerRow, evidence.rows - 1);
     pass.mark.angle = evidence.turns.FromMap(pass.mark.row, (pass.place.pixel.row + 0.5) / grid.Rows());

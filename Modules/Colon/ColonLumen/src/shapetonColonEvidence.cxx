@@ -241,7 +241,7 @@ VoxelOf(const ColonGrid & grid, const itk::Point<double, 3> & point)
   const std::array<int, 3> v{
     { static_cast<int>(std::lround(x[0])), static_cast<int>(std::lround(x[1])), static_cast<int>(std::lround(x[2])) }
   };
-  RequireParameter(x.allFinite() && grid.Holds(v[0], v[1], v[2]), NameOf(point) + " lies outside the image");
+  RequireParameter(x.allFinite() && grid.Holds(v[0], v[1], v[2]), NameOf(point) + " is outside the image");
   return grid.Index(v[0], v[1], v[2]);
 }
 
@@ -278,7 +278,7 @@ FindSeedVoxels(const ColonEvidence & evidence, const std::vector<itk::Point<doub
     const auto bright = MostExtreme(evidence, voxel, 1.0, evidence.thresholds.tissue + LeastContrast);
     RequireParameter(bright.has_value(),
                      NameOf(point) +
-                       " lies in neither gas nor bright fluid; give a point inside the colon's lumen in LPS, mm");
+                       " is in neither gas nor bright fluid; give a point inside the lumen of the colon, in LPS, mm");
     seeds.bright.push_back(evidence.grid.Voxel(*bright));
   }
   return seeds;
@@ -326,12 +326,12 @@ WarnOfGravity(const std::string & patientPosition, const LevelsOfDirection * con
   {
     const std::string position = NameOfGravity(contradiction->gravity);
     const std::string used = lumen.gravitySource == ColonGravitySource::PatientPosition
-                               ? "the position given was used: where it is wrong, tagged fluid is missed"
-                               : position + " was taken, for headers are often wrong";
+                               ? "the given position was used; if it is wrong, tagged fluid is missed"
+                               : position + " was taken, since headers are often wrong";
     lumen.warnings.push_back("the patient position \"" + patientPosition +
                              "\" contradicts the fluid levels in the data: " +
                              std::to_string(std::lround(contradiction->area)) + " mm^2 of flat levels say " + position +
-                             "; " + used + "; look at the slices, and give the position that they show");
+                             "; " + used + "; look at the slices and give the position they show");
   }
   if (lumen.gravitySource == ColonGravitySource::Assumed)
   {

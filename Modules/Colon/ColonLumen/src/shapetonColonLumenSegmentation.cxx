@@ -21,10 +21,10 @@ namespace
 {
 constexpr double   GasByDefinition = -1000.0; // HU
 constexpr double   SeedShareOfGas = 0.2;      // of the way from gas to tissue
-const char * const asColon = " are taken for colon, as no small bowel is so wide";
-const char * const asRectum = " are taken for rectum or sigmoid, as no other colon comes near the anus";
+const char * const asColon = " are taken for colon: no small bowel is that wide";
+const char * const asRectum = " are taken for rectum or sigmoid: no other colon is near the anus";
 const char * const asCatheter = ": a rectal catheter, which is filled in";
-const char * const asTube = ": it may be a catheter, but that cannot be told";
+const char * const asTube = ": it may be a catheter; the evidence is inconclusive";
 constexpr double   TolerableNoise = 50.0; // a quarter of the way from gas to its seed threshold
 
 class LumenSegmentation
@@ -61,12 +61,12 @@ private:
     {
       if (size[a] < 8)
       {
-        throw InputError("the image has " + std::to_string(size[a]) + " voxels along an axis; at least 8 are needed");
+        throw InputError("the image has " + std::to_string(size[a]) + " voxels along an axis; at least 8 are required");
       }
     }
     RequireParameter(m_Options.patientPosition.empty() || GravityOfPatientPosition(m_Options.patientPosition),
                      "the patient position \"" + m_Options.patientPosition +
-                       "\" is not known; give supine, prone, leftDecubitus or rightDecubitus");
+                       "\" is unknown; give supine, prone, leftDecubitus or rightDecubitus");
   }
 
   void
@@ -103,9 +103,9 @@ private:
       e.remainingNoise = NoiseInTissue(e.grid, e.hu, e.thresholds.tissue);
     }
     std::ostringstream text;
-    text << "the noise is high (standard deviation " << std::lround(e.noise)
-         << " HU); the volume was smoothed with a sigma of " << std::lround(10.0 * e.smoothing) / 10.0
-         << " mm before it was segmented";
+    text << "the image noise is high (standard deviation " << std::lround(e.noise)
+         << " HU); the volume was smoothed with sigma " << std::lround(10.0 * e.smoothing) / 10.0
+         << " mm before segmentation";
     m_Result.warnings.push_back(text.str());
   }
 
@@ -166,7 +166,7 @@ private:
       RequireParameter(!m_Evidence.lung[piece].IsLung(),
                        "the seed point at " +
                          PlaceInWords(m_Evidence.grid.Position(Eigen::Vector3d(seed[0], seed[1], seed[2]))) +
-                         " lies in lung; give a point inside the colon's lumen in LPS, mm");
+                         " is in lung; give a point inside the lumen of the colon, in LPS, mm");
       m_Evidence.isColon[piece] = m_Evidence.isCandidate[piece] = piece > 0;
     }
   }
@@ -218,7 +218,8 @@ private:
     if (catheter)
     {
       const auto & axis = catheter->axis;
-      m_Result.warnings.push_back("a tube of " + InTenths(catheter->outerDiameter) + " mm lies in the rectum from " +
+      m_Result.warnings.push_back("a tube of " + InTenths(catheter->outerDiameter) + 
+                                  " mm was found in the rectum from " +
                                   PlaceInWords(axis.front()) + " to " + PlaceInWords(axis.back()) +
                                   (catheter->isSure ? asCatheter : asTube));
     }
@@ -272,6 +273,6 @@ FailureOfMask(const itk::Image<float, 3> * ct, const itk::Image<unsigned char, 3
   return lung <= mostly * all
            ? ""
            : "no distended colon found: the mask is lung, " + std::to_string(std::lround(lung)) + " of its " +
-               std::to_string(std::lround(all)) + " ml of gas; give a mask of the colon's lumen";
+               std::to_string(std::lround(all)) + " ml of gas; give a mask of the lumen of the colon";
 }
 } // namespace shapeton

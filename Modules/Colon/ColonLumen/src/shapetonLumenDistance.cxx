@@ -79,7 +79,7 @@ LumenRegion(const LumenMask * lumen, unsigned int margin)
   }
   if (box[0] == size[0])
   {
-    throw InputError("the lumen mask is empty: no voxel differs from 0. Give a mask whose lumen is not 0.");
+    throw InputError("the lumen mask is empty: all voxels are 0. Give a mask whose lumen is nonzero.");
   }
   itk::ImageRegion<3> region = whole;
   for (unsigned int a = 0; a < 3; ++a)
@@ -117,7 +117,7 @@ LumenDistance(const LumenMask * lumen, const itk::ImageRegion<3> & region)
   });
   if (std::find(isUnknown.begin(), isUnknown.end(), 1) != isUnknown.end())
   {
-    throw InputError("the lumen mask fills its whole box: there is no wall. Give a mask whose background is 0.");
+    throw InputError("the lumen mask fills its whole box and has no wall. Give a mask whose background is 0.");
   }
   return image;
 }

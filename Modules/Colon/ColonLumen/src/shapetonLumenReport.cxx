@@ -155,7 +155,7 @@ DescribeOtherBright(const LumenVoxels & voxels, ColonLumen & lumen)
     rest.what = "other bright matter";
     rest.why =
       "as bright as tagged fluid, inscribed radius " + Rounded(deepest.radius, 1) +
-      " mm, no level of the colon above it: small bowel, bone, or colon full of fluid, which a seed point takes";
+      " mm, no level of the colon above it: small bowel, bone, or fluid-filled colon, which a seed point includes";
     rest.ml = ml;
     rest.inscribedRadius = deepest.radius;
     rest.meanHU = voxels.hu[middle];
@@ -203,14 +203,14 @@ ReasonOf(const ColonEvidence & evidence, std::size_t piece)
   }
   if (kind == OutsideKind)
   {
-    return "it is open to the outside, or a thin shell parts it from there";
+    return "it is open to the outside, or separated from it by a thin shell";
   }
   if (kind == AirwayKind)
   {
-    return "it lies beside the cranial half of the lungs";
+    return "it is next to the cranial half of the lungs";
   }
   return "inscribed radius " + Rounded(gas.radius, 1) + " mm, " + Rounded(gas.ml, 1) +
-         " ml, no level on the colon's fluid";
+         " ml, no level on fluid of the colon";
 }
 
 void
@@ -301,21 +301,21 @@ JudgeLumen(const ColonEvidence & evidence, ColonLumen & lumen)
   {
     lumen.failure = "no distended colon found: the largest gas is lung, " + Rounded(other.lung, 0) + " ml (" +
                     ReasonOf(evidence, lung) + "); only " + Rounded(ml, 0) +
-                    " ml of other gas and fluid are as wide as a colon, at least " + Rounded(usable, 0) +
-                    " ml are needed; give a CT of abdomen and pelvis with a distended colon";
+                    " ml of other gas and fluid are as wide as a colon; at least " + Rounded(usable, 0) +
+                    " ml are required; give a CT of abdomen and pelvis with a distended colon";
     return;
   }
   if (other.thinBowel < 1.0 && ml < 1.0)
   {
     lumen.failure =
-      "no colon found: there is no gas inside the body that a bowel could hold; is this a CT of the abdomen, in "
+      "no colon found: no gas inside the body could be bowel; is this a CT of the abdomen, in "
       "Hounsfield units (air is -1000)?";
     return;
   }
   lumen.failure = "the colon is not distended or tagged enough: " + Rounded(ml, 0) +
                   " ml of lumen with an inscribed radius of at most " + Rounded(radius, 1) + " mm were found, and " +
                   Rounded(other.thinBowel, 0) + " ml of gas in thinner bowel; at least " + Rounded(usable, 0) +
-                  " ml of lumen and a radius of " + Rounded(UsableRadius, 0) + " mm are needed" +
-                  (lumen.isTagged ? "" : "; no tagged fluid lies under the gas");
+                  " ml of lumen and a radius of " + Rounded(UsableRadius, 0) + " mm are required" +
+                  (lumen.isTagged ? "" : "; no tagged fluid was found under the gas");
 }
 } // namespace shapeton

@@ -47,7 +47,7 @@ JudgeCuts(ColonCentreline & line)
     }
     line.warnings.push_back("the border of the scan cuts the colon from " + std::to_string(std::lround(stretch.begin)) +
                             " to " + std::to_string(std::lround(stretch.end)) + " mm along the centreline: " +
-                            (isOutside ? "part of it is not in the scan, and what lies on both sides of the gap may be "
+                            (isOutside ? "part of it is not in the scan, and the parts on both sides of the gap may be "
                                          "in the wrong order"
                                        : "the rest of it is not in the scan"));
   }
@@ -182,7 +182,7 @@ InWords(const GasInGap & one)
   return rounded(one.gas.ml) + " ml of gas around " + PlaceInWords(one.gas.centre) +
          ", as thin as small bowel, join the ends of a gap of " + rounded(one.gap.distance) +
          " mm in the centreline, from " + PlaceInWords(one.gap.from) + " to " + PlaceInWords(one.gap.to) +
-         ": they are taken for colon; look at them, or give the lumen as a mask";
+         ": they are taken for colon; check them, or give the lumen as a mask";
 }
 
 /** Takes gas that fills gaps of the line as seed points give it, once more from the CT on, where that leaves shorter
@@ -258,7 +258,7 @@ FailureOfShortLine(const ColonModel & model)
   const auto largest = model.lumen.pieces.front();
   return "no distended colon found: the only wide gas is " + rounded(largest.gasMl) + " ml around " +
          PlaceInWords(largest.centre) + " along " + rounded(model.centreline.length) +
-         " mm, shorter than a colon, as a stomach or a loop of bowel is; if it is a colon, give a seed point in it, or "
+         " mm, shorter than a colon: a stomach or a loop of bowel; if it is a colon, give a seed point in it, or "
          "its lumen as a mask";
 }
 

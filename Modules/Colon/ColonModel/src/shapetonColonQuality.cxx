@@ -145,7 +145,7 @@ IleumToJson(const std::optional<TerminalIleum> & ileum)
 {
   if (!ileum)
   {
-    return { { "found", false }, { "reason", "no part of the lumen leaves the colon at a valve that was found" } };
+    return { { "found", false }, { "reason", "no part of the lumen leaves the colon at a detected valve" } };
   }
   return { { "found", true },
            { "mouth", { ileum->mouth[0], ileum->mouth[1], ileum->mouth[2] } },
@@ -233,9 +233,9 @@ AssessabilityToJson(const ColonModel & model)
 {
   const std::vector<HinderedStretch> stretches = FindHinderedStretches(model.centreline.curve);
   Json                               json;
-  json["note"] = "where the wall is seen: a lumen of gas or tagged fluid with a calibre of at least 10 mm, no untagged "
-                 "fluid, within the scan";
-  json["tagging"] = !model.hasIntensities ? "not known: a mask" : model.lumen.isTagged ? "tagged" : "no tagged fluid";
+  json["note"] = "where the wall is visible: a lumen of gas or tagged fluid with a calibre of at least 10 mm, no "
+                 "untagged fluid, within the scan";
+  json["tagging"] = !model.hasIntensities ? "unknown: a mask" : model.lumen.isTagged ? "tagged" : "no tagged fluid";
   json["whole"] = AssessabilityToJson(Assess(stretches, 0.0, model.centreline.length));
   json["stretches"] = StretchesToJson(stretches);
   return json;
@@ -277,7 +277,7 @@ MissingParts(const ColonModel & model)
   }
   for (const HinderedStretch & cut : CutsByScan(model.centreline.curve))
   {
-    missing.push_back("what lies beyond the border of the scan, which cuts the colon " +
+    missing.push_back("the part beyond the border of the scan, which cuts the colon " +
                       InMillimetres(cut.begin, cut.end) + " along the line");
   }
   for (const CentrelineGap & gap : model.centreline.gaps)
@@ -290,7 +290,7 @@ MissingParts(const ColonModel & model)
   }
   if (!model.valve.valve)
   {
-    missing.push_back("the ileocecal valve: whether the line ends in the cecum is not known");
+    missing.push_back("the ileocecal valve: it is unknown whether the line ends in the cecum");
   }
   return missing;
 }

@@ -90,7 +90,7 @@ ChooseGravity(const std::vector<PieceSums> & sums, const std::string & patientPo
     lumen.gravitySource = ColonGravitySource::PatientPosition;
     return;
   }
-  RequireParameter(patientPosition.empty(), "the patient position \"" + patientPosition + "\" is not known");
+  RequireParameter(patientPosition.empty(), "the patient position \"" + patientPosition + "\" is unknown");
   itk::Vector<double, 3> down(0.0);
   for (const PieceSums & sum : sums)
   {
@@ -106,7 +106,7 @@ ChooseGravity(const std::vector<PieceSums> & sums, const std::string & patientPo
     return;
   }
   lumen.gravity = *GravityOfPatientPosition("supine");
-  lumen.warnings.push_back("no patient position is given and the lumen holds no fluid; supine is assumed");
+  lumen.warnings.push_back("no patient position is given and the lumen contains no fluid; supine is assumed");
 }
 
 /** \pre There are some. */
@@ -139,8 +139,8 @@ MeasureThresholds(const itk::Image<float, 3> * ct, const LumenDistanceImage * di
   if (gas.empty())
   {
     throw InputError(
-      "the lumen given holds no gas: none of its voxels away from the wall lies below -600 HU; give the CT in HU "
-      "that it belongs to");
+      "the given lumen contains no gas: all its voxels away from the wall are above -600 HU; give its CT, "
+      "in HU");
   }
   ColonThresholds & thresholds = lumen.thresholds;
   thresholds.tissue = TypicalTissue;

@@ -63,7 +63,7 @@ FindAxes(const OccupancyImage * occupancy, const CurveSet & centreline, BridgedO
         std::ostringstream text;
         text.precision(5);
         text << "the centreline runs outside the lumen from " << leftAt << " to " << backAt
-             << " mm, where no gap is stated; it was bridged there";
+             << " mm, where no gap is marked; it was bridged there";
         result.warnings.push_back(text.str());
         leftAt = -1.0;
       }

@@ -122,7 +122,7 @@ private:
       std::ostringstream text;
       text.precision(4);
       text << topology.report.droppedPieces << " pieces of the lumen with " << topology.report.droppedVolume
-           << " ml in all are connected to nothing and are left out of the wall";
+           << " ml in total are connected to nothing and are left out of the wall";
       m_Wall.report.warnings.push_back(text.str());
     }
     this->Advance(Step::Repaired);
@@ -203,7 +203,7 @@ private:
     {
       std::ostringstream text;
       text << "the opening at the " << end << " has a radius of " << radius << " mm instead of "
-           << m_Options.ends.radius << " mm: a larger disc is none";
+           << m_Options.ends.radius << " mm: a larger region is not a disc";
       m_RemarksOnRepaired.push_back(text.str());
     }
   }
@@ -339,7 +339,7 @@ BuildColonWall(OccupancyImage::ConstPointer occupancy,
                OccupancyImage::ConstPointer repairedOccupancy)
 {
   RequireParameter(options.faces == 0 || options.faces >= 100,
-                   "the simplified wall needs at least 100 faces, or 0 for a number that suits it");
+                   "the simplified wall needs at least 100 faces, or 0 for automatic choice");
   RequireSound(centreline, "the centreline");
   if (centreline.curves.size() != 1 || centreline.curves.front().size() < 2)
   {

@@ -42,7 +42,7 @@ RayAtEnd(const CurveSet & centreline, bool isRectum)
   }
   if (way.norm() == 0.0)
   {
-    throw InputError("the centreline has no length: its points lie at one place");
+    throw InputError("the centreline has zero length: all its points coincide");
   }
   return { end, way.normalized() };
 }
@@ -185,7 +185,7 @@ OpenWall
 OpenColonEnds(const SurfaceMesh & closed, const CurveSet & centreline, const OpenEndsOptions & options)
 {
   RequireParameter(options.leastRadius > 0.0 && options.radius >= options.leastRadius,
-                   "the radius of open ends must be at least the least one, and that greater than 0 mm");
+                   "the radius of open ends must be at least the minimum radius, which must be greater than 0 mm");
   RequireSound(centreline, "the centreline");
   RequireSound(closed, "the wall");
   const Ray rectum = RayAtEnd(centreline, true);

@@ -121,11 +121,11 @@ FlatColonGrid::ReadArrays(const SurfaceMesh & flat, const std::string & what)
   const double tolerance = 1e-3 * (m_Length + m_Circumference);
   if (m_Uv.col(0).minCoeff() < -tolerance || m_Uv.col(0).maxCoeff() > m_Length + tolerance)
   {
-    throw InputError(what + ": u leaves the range from 0 to length");
+    throw InputError(what + ": u is out of the range from 0 to length");
   }
   if (m_Uv.col(1).array().abs().maxCoeff() > 100.0 * m_Circumference)
   {
-    throw InputError(what + ": v lies more than 100 turns from the range from 0 to circumference");
+    throw InputError(what + ": v is more than 100 turns out of the range from 0 to circumference");
   }
   m_V = flat.V;
   m_F = flat.F;
@@ -146,17 +146,17 @@ void
 FlatColonGrid::ChooseSize(const FlatColonGridOptions & options)
 {
   const double size = options.pixelSize;
-  RequireParameter(size > 0.0 && std::isfinite(size), "a pixel must be greater than 0 mm");
+  RequireParameter(size > 0.0 && std::isfinite(size), "the pixel size must be greater than 0 mm");
   for (const double length : { options.curvatureLength, options.normalLength })
   {
     RequireParameter(length >= 0.0 && std::isfinite(length),
-                     "the length over which curvature or normals are averaged must not be negative");
+                     "the smoothing length of curvature and normals must not be negative");
   }
   const double rows = std::round(m_Circumference / size);
   const double columns = std::round(m_Length / size);
-  RequireParameter(rows >= leastRows, "a pixel must be smaller than a fourth of the circumference");
+  RequireParameter(rows >= leastRows, "the pixel size must be smaller than a fourth of the circumference");
   RequireParameter(rows <= mostPixelsAcross && columns <= mostPixelsAcross && rows * columns <= mostPixels,
-                   "the pixels are too small: at most 65536 in a direction and 2^27 in all");
+                   "the pixels are too small: the grid may have at most 65536 in a direction and 2^27 in total");
   m_Rows = static_cast<int>(rows);
   m_PixelSize = m_Circumference / m_Rows;
   m_Columns = std::max(1, static_cast<int>(std::round(m_Length / m_PixelSize)));

@@ -131,7 +131,7 @@ FlatColonRow::Shows(double column) const
 std::vector<FlatColonRow>
 BreakIntoRows(const FlatColonGrid & grid, int greatestColumns, int longestBridge)
 {
-  RequireParameter(greatestColumns > 0, "a row of the flat picture needs a column at least");
+  RequireParameter(greatestColumns > 0, "a row of the flat picture needs at least one column");
   RequireParameter(longestBridge >= 0, "the longest bridge must not be negative");
   FlatColonRow whole;
   whole.columns = grid.Columns();

@@ -52,7 +52,7 @@ Eigen::VectorXd
 SmoothedMeanCurvature(const VertexMatrix & V, const FaceMatrix & F, double time, CurvatureUnit unit)
 {
   RequireParameter(time >= 0.0 && std::isfinite(time),
-                   "the time over which curvature is smoothed must not be negative");
+                   "the smoothing time of the curvature must not be negative");
   const SurfaceConnectivity         connectivity(F, static_cast<int>(V.rows()));
   const SurfaceLaplacian            laplacian = MakeSurfaceLaplacian(connectivity, EdgeLengths(connectivity, V));
   const Eigen::SparseMatrix<double> stiffness = StiffnessMatrix(laplacian);

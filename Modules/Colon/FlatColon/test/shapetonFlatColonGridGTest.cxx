@@ -397,12 +397,12 @@ TEST(FlatColonGrid, RefusesWhatIsNoFlatTube)
   EXPECT_TRUE(refuses(bad, "not finite"));
   bad = good;
   bad.fieldArrays[1].values(0, 0) = 100.0;
-  EXPECT_TRUE(refuses(bad, "u leaves the range"));
+  EXPECT_TRUE(refuses(bad, "u is out of the range"));
   bad.fieldArrays[1].values(0, 0) = 1000.0;
   EXPECT_TRUE(refuses(bad, "less than half"));
   bad = good;
   bad.pointArrays[0].values.col(1) *= 1000.0;
-  EXPECT_TRUE(refuses(bad, "v lies"));
+  EXPECT_TRUE(refuses(bad, "v is more than"));
 }
 
 TEST(FlatColonGrid, RefusesPixelsTooLargeOrTooSmall)

@@ -212,7 +212,7 @@ MaskOfTaeniae(const FlatColonGrid & grid, const CurveSet & taeniae, double dista
   }
   if (2 * far > points)
   {
-    throw InputError("most of the taeniae lie more than 15 mm from the surface; are they those of another one?");
+    throw InputError("most of the taeniae are more than 15 mm from the surface; do they belong to another surface?");
   }
   return mask;
 }

@@ -23,14 +23,14 @@ RequireValid(const HaustralFoldOptions & options)
   for (const double value : { options.minimumLength, options.minimumArea, options.smoothness, options.smoothingTime })
   {
     RequireParameter(value >= 0.0 && std::isfinite(value),
-                     "the least length and area of a fold, smoothness and time of smoothing must not be negative");
+                     "minimum length, minimum area, smoothness and smoothing time of folds must not be negative");
   }
-  RequireParameter(options.minimumElongation >= 1.0, "the least elongation of a fold must be at least 1");
+  RequireParameter(options.minimumElongation >= 1.0, "the minimum elongation of a fold must be at least 1");
   RequireParameter(options.minimumAngle >= 0.0 && options.minimumAngle <= 90.0,
-                   "the least angle of a fold against the tube must be from 0 to 90 degrees");
+                   "the minimum angle between a fold and the tube must be between 0 and 90 degrees");
   RequireParameter(options.contrast > 0.0, "the contrast of the outline must be greater than 0");
   RequireParameter(options.publishedLow < options.publishedHigh && options.publishedHigh <= 0.0,
-                   "the published interval must not be empty, and lie below 0");
+                   "the published interval must not be empty, and must be below 0");
 }
 
 bool
@@ -145,7 +145,7 @@ private:
     }
     if (m_Found.empty())
     {
-      folds.warnings.push_back("no haustral folds were found: the wall is smooth, or what bulges from it is too small");
+      folds.warnings.push_back("no haustral folds were found: the wall is smooth, or its bulges are too small");
     }
     return folds;
   }

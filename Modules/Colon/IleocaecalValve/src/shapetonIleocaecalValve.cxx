@@ -48,7 +48,7 @@ FindIleocaecalValve(const LumenMask * labels, const itk::Image<float, 3> * ct, c
   ValveSearch                      search;
   if (places.empty())
   {
-    search.reason = "no part of the wall bulges near the end of the centreline";
+    search.reason = "no bulge of the wall was found near the end of the centreline";
     return search;
   }
   std::vector<double> odds;
@@ -63,7 +63,7 @@ FindIleocaecalValve(const LumenMask * labels, const itk::Image<float, 3> * ct, c
   valve.confidence = ProbabilityNear(best, places, odds);
   if (valve.confidence < leastConfidence)
   {
-    search.reason = "no place is likely enough: the likeliest, at " + PlaceInWords(valve.position) + ", has " +
+    search.reason = "no place is likely enough: the most likely one, at " + PlaceInWords(valve.position) + ", has " +
                     PerCent(valve.confidence);
     return search;
   }
@@ -96,7 +96,7 @@ IleocaecalValveOf(const CurveSet & centreline)
   }
   if (array->values.rows() != 1 || array->values.cols() != valuesInArray)
   {
-    throw InputError("the field array ileocaecalValve of the centreline does not hold 1 x 7 numbers; run "
+    throw InputError("the field array ileocaecalValve of the centreline must have 1 x 7 numbers; run "
                      "ColonSegmentation again");
   }
   const auto      values = array->values.row(0);

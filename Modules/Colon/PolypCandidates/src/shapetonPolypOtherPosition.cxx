@@ -20,7 +20,7 @@ ArrayOf(const SurfaceMesh & map, const char * name, int components, const std::s
   const SurfaceArray * const array = FindSurfaceArray(map.pointArrays, name);
   if (array == nullptr || array->values.cols() != components)
   {
-    throw InputError(what + ": no point array " + name + "; give a folder that ColonRegistration has written");
+    throw InputError(what + ": the point array " + name + " is missing; give a folder written by ColonRegistration");
   }
   return *array;
 }
@@ -125,7 +125,7 @@ FindInOtherPosition(const SurfaceMesh &                      map,
   const SurfaceArray & excluded = ArrayOf(map, "excluded", 1, what);
   if (MeanDistanceToWall(map, candidates) > farthestFromMap)
   {
-    throw InputError(what + ": candidates lie more than 10 mm from the wall that was registered; give the "
+    throw InputError(what + ": candidates are more than 10 mm from the registered wall; give the "
                             "registration of this colon");
   }
   const SurfaceLocator locator(map.V, map.F);
@@ -149,7 +149,7 @@ FindInOtherPosition(const SurfaceMesh &                      map,
 void
 WeighByOtherPosition(double confidence, std::vector<PolypCandidate> & candidates)
 {
-  RequireParameter(confidence >= 0.0 && confidence <= 1.0, "the confidence of a registration must be from 0 to 1");
+  RequireParameter(confidence >= 0.0 && confidence <= 1.0, "the confidence of a registration must be between 0 and 1");
   for (PolypCandidate & candidate : candidates)
   {
     if (!candidate.other || candidate.other->isExcluded || candidate.isAtValve || candidate.shapeScore <= 0.0)

@@ -31,7 +31,7 @@ RequireThere(const std::string & path)
 {
   if (!IsThere(path))
   {
-    throw InputError("\"" + path + "\" is not there; give a folder that VirtualColonoscopy has written");
+    throw InputError("\"" + path + "\" was not found; give a folder written by VirtualColonoscopy");
   }
 }
 
@@ -40,7 +40,7 @@ ReadPart(const std::string & path, const std::string & name, const std::string &
 {
   if (!IsThere(path))
   {
-    colon.warnings.push_back("\"" + path + "\" is not there: " + cost);
+    colon.warnings.push_back("\"" + path + "\" was not found: " + cost);
     return {};
   }
   SurfaceReadOptions any;

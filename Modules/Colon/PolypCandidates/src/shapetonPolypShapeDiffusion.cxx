@@ -136,7 +136,7 @@ FindPublishedPolypCandidates(const SurfaceMesh &           wall,
   constexpr double depth = 8.0;  // mm of tissue that shapetons start in
   constexpr double least = 0.96; // rank
   constexpr double narrowest = 3.0, widest = 40.0;
-  RequireParameter(options.sensitivity >= 0.0 && options.sensitivity <= 1.0, "the sensitivity must be from 0 to 1");
+  RequireParameter(options.sensitivity >= 0.0 && options.sensitivity <= 1.0, "the sensitivity must be between 0 and 1");
   const SurfaceConnectivity connectivity(wall);
   const SurfaceShape        shape =
     MeasureSurfaceShape(wall.V, connectivity, wall.F, 1.0, options.progress.Part("", 0.0, 0.3));

@@ -32,7 +32,7 @@ TissueBox::TissueBox(const PolypLumenImage * lumen, const std::vector<Eigen::Vec
     const itk::IndexValueType last = std::min(high[axis], region.GetUpperIndex()[axis]);
     if (last < m_First[axis])
     {
-      throw InputError("the lumen and the wall do not lie at the same place; take both from one folder");
+      throw InputError("the lumen and the wall do not overlap; take both from one folder");
     }
     size[axis] = static_cast<itk::SizeValueType>(last - m_First[axis] + 1);
     m_Size[axis] = size[axis];

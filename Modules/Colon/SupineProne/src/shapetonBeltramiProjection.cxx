@@ -92,7 +92,7 @@ SolveWithFixed(const Eigen::SparseMatrix<double> & stiffness, Eigen::VectorXd ri
   right -= stiffness * fixed;
   if (!SolvePositiveDefinite(stiffness.block(first, first, inner, inner), right.segment(first, inner)))
   {
-    throw std::runtime_error("the equations of the Beltrami solver cannot be solved");
+    throw std::runtime_error("the linear system of the Beltrami solver is singular");
   }
   values.segment(first, inner) = right.segment(first, inner);
 }

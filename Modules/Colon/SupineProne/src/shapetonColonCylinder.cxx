@@ -48,7 +48,7 @@ ColonCylinder::ColonCylinder(const FlatColon & flat, const CurveSet & centreline
   std::vector<double>   distance = grid.HasArcLength() ? DistanceOfColumns(grid) : DistanceOfColumns(axis, centreline);
   if (distance.size() < 2 || !(distance.back() > distance.front()))
   {
-    throw InputError("the flat surface and its centreline do not tell the distance along the colon; make them with "
+    throw InputError("the flat surface and its centreline have no array arcLength; create them with "
                      "ColonSegmentation and ColonFlattening (the parameter \"centreline\")");
   }
   constexpr double smoothing = 5.0; // mm

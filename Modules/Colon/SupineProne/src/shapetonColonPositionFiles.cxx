@@ -22,7 +22,7 @@ public:
   {
     if (!fs::is_directory(folder))
     {
-      throw InputError(name + ": there is no folder \"" + folder + "\"; give one that VirtualColonoscopy has written");
+      throw InputError(name + ": the folder \"" + folder + "\" was not found; give one written by VirtualColonoscopy");
     }
   }
 
@@ -69,11 +69,11 @@ CurvatureOf(const SurfaceMesh & surface, const SurfaceMesh & flat, const std::st
   const SurfaceArray * const curvature = FindSurfaceArray(surface.pointArrays, "meanCurvature");
   if (!curvature || curvature->values.cols() != 1)
   {
-    throw InputError('"' + path + "\" has no point array meanCurvature; it must be the one that ColonLandmarks writes");
+    throw InputError('"' + path + "\" has no point array meanCurvature; give the file written by ColonLandmarks");
   }
   if (surface.V.rows() != flat.V.rows() || surface.F.rows() != flat.F.rows())
   {
-    throw InputError('"' + path + "\" is not of the flat surface beside it; run VirtualColonoscopy again");
+    throw InputError('"' + path + "\" does not match the flat surface; run VirtualColonoscopy again");
   }
   return curvature->values.col(0);
 }
@@ -97,8 +97,8 @@ ReadLandmarks(Examination & examination, ColonPositionFiles & files)
   else
   {
     files.warnings.push_back(files.position.name +
-                             ": no taeniae were found there, so that any rotation is tried; mark some points of them "
-                             "(parameter \"markers\" of VirtualColonoscopy) for a surer result");
+                             ": no taeniae were found there, so all rotations are tried; mark some points on them "
+                             "(parameter \"markers\" of VirtualColonoscopy) for a more reliable result");
   }
 }
 
@@ -122,7 +122,7 @@ WarnOfPosition(const Examination & examination, ColonPositionFiles & files)
   if (isOpposite && said("/lumen/gravitySource") != "assumed")
   {
     files.warnings.push_back(name + ": the patient of this examination lay " + position +
-                             "; have the two changed places?");
+                             "; are the two swapped?");
   }
 }
 } // namespace

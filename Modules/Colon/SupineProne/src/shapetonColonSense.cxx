@@ -72,7 +72,7 @@ RequireSameSense(const ColonWithFolds & source, const ColonWithFolds & target, c
   {
     throw InputError(target.position.name + " " + textOfWay[best - energies.begin()] + " against " +
                      source.position.name +
-                     ", as its folds tell: head and feet or left and right are swapped in one of them; check the "
+                     " according to its folds: head and feet or left and right are swapped in one of them; check the "
                      "orientation of the series, and that both are of one patient");
   }
   return margin;

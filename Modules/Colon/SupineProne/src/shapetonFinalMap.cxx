@@ -129,8 +129,8 @@ MapAsPublished(const ColonPair &         pair,
   FillIn(pair, published.map, published.pairWeights, registration);
   if (registration.figures.flips > 0)
   {
-    registration.warnings.push_back("the published map turns " + std::to_string(registration.figures.flips) +
-                                    " triangles over: it is not one-to-one there");
+    registration.warnings.push_back("the published map flips " + std::to_string(registration.figures.flips) +
+                                    " triangles: it is not one-to-one there");
   }
 }
 } // namespace shapeton

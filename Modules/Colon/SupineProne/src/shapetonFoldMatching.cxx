@@ -36,11 +36,11 @@ RequireValid(const FoldMatchingOptions & options, double turn)
                               options.deviationArea,
                               options.pairDeviation })
   {
-    RequireParameter(value > 0.0, "reach and deviations of the matching of folds must be greater than 0");
+    RequireParameter(value > 0.0, "reach and deviations of the fold matching must be greater than 0");
   }
   RequireParameter(options.alone >= 0.0 && options.pairWeight >= 0.0 && options.truncation >= 0.0 &&
                      options.iterations >= 1 && options.neighbours >= 0,
-                   "costs of the matching of folds must not be negative, and it needs an iteration");
+                   "costs of the fold matching must not be negative, and iterations must be at least 1");
 }
 
 AssignmentProblem

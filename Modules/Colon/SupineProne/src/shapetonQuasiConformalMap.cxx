@@ -82,12 +82,12 @@ private:
     constexpr int    rounds = 20;
     if (conditions.empty())
     {
-      throw std::invalid_argument("a map needs something known of both coordinates");
+      throw std::invalid_argument("a map needs at least one condition for each coordinate");
     }
     AddConditions(conditions, weight, stiffness);
     if (!m_Solver.Factorise(stiffness))
     {
-      throw std::runtime_error("the equations of a quasi-conformal map cannot be solved");
+      throw std::runtime_error("the linear system of a quasi-conformal map is singular");
     }
     std::vector<double> pull(conditions.size());
     std::transform(conditions.begin(), conditions.end(), pull.begin(), [](const MapCondition & condition) {
@@ -170,7 +170,7 @@ private:
     SparseCholesky solver(SymbolicFactorisation(matrix, EliminationOrder::MinimumDegree));
     if (!solver.Factorise(matrix))
     {
-      throw std::runtime_error("the equations that smooth Beltrami coefficients cannot be solved");
+      throw std::runtime_error("the linear system that smooths Beltrami coefficients is singular");
     }
     return solver;
   }

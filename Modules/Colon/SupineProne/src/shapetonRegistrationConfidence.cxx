@@ -138,7 +138,7 @@ JudgeRegistration(const ColonPosition & source, const ColonPosition & target, Su
   if (byMargin < 0.5)
   {
     confidence.reasons.push_back(
-      "it is in doubt which taenia is which: turned by a third, the folds fit nearly as well");
+      "the taeniae may be confused: rotated by a third, the folds fit nearly as well");
   }
   confidence.isFlagged = !confidence.reasons.empty();
 }

@@ -134,7 +134,7 @@ SmoothCorrection::Solve(const std::vector<DisplacementConstraint> & constraints,
   system.setFromTriplets(entries.begin(), entries.end());
   if (!SolvePositiveDefinite(system, right, progress))
   {
-    throw std::runtime_error("the equations of the smooth correction cannot be solved");
+    throw std::runtime_error("the linear system of the smooth correction is singular");
   }
   m_Values = right;
 }

@@ -174,7 +174,8 @@ FlexureFrame(const ColonPosition &      source,
     if (!IsPlausible(FrameOf(source, sourceCylinder, target, targetCylinder, used)))
     {
       used.pop_back();
-      warnings.push_back(std::string("the ") + names[flexure] + " flexure lies at places too different to be used");
+      warnings.push_back(std::string("the ") + names[flexure] + 
+                         " flexure is ignored: its places in the two positions differ too much");
     }
   }
   return FrameOf(source, sourceCylinder, target, targetCylinder, used);
@@ -220,7 +221,7 @@ AnglesOfTaeniae(const ColonPosition & position, const ColonCylinder & cylinder, 
   const int number = std::max(2, static_cast<int>((cylinder.End() - cylinder.Begin()) / angles.step) + 1);
   if (position.taeniae.curves.size() != 3)
   {
-    warnings.push_back(position.name + ": three taeniae are needed, there are " +
+    warnings.push_back(position.name + ": three taeniae are required, found " +
                        std::to_string(position.taeniae.curves.size()));
     return angles;
   }
@@ -231,7 +232,7 @@ AnglesOfTaeniae(const ColonPosition & position, const ColonCylinder & cylinder, 
     const std::vector<AngleSample> samples = SamplesOfTaenia(position.taeniae, curve, cylinder, locator);
     if (samples.size() < 2)
     {
-      warnings.push_back(position.name + ": a taenia does not lie on the wall");
+      warnings.push_back(position.name + ": a taenia is not on the wall");
       return angles;
     }
     turns.push_back(Resampled(samples, angles.begin, angles.step, number));

@@ -28,15 +28,15 @@ RequireUsable(const ColonPosition & position)
 {
   if (!position.flat)
   {
-    throw InputError(position.name + ": there is no flat map");
+    throw InputError(position.name + ": the flat map is missing");
   }
   if (position.folds.empty())
   {
-    throw InputError(position.name + ": there are no haustral folds to register; see ColonFolds");
+    throw InputError(position.name + ": no haustral folds to register; find them with ColonFolds");
   }
   RequireParameter(position.isExcluded.empty() ||
                      position.isExcluded.size() == static_cast<std::size_t>(position.flat->Grid().Columns()),
-                   position.name + ": excluded columns are not those of the grid");
+                   position.name + ": the number of excluded columns must be that of the grid");
 }
 
 /** The node that is nearest to a place. */
@@ -55,12 +55,12 @@ RegisterColonPositions(const ColonPosition & source, const ColonPosition & targe
   RequireUsable(source);
   RequireUsable(target);
   RequireParameter(options.greatestDilatation > 0.0 && options.greatestDilatation < 1.0,
-                   "the greatest dilatation must lie between 0 and 1");
+                   "the greatest dilatation must be between 0 and 1");
   const bool isPublished = options.map == SupineProneMap::Published;
   RequireParameter(
     !isPublished || !(options.refines || options.isSegmentWise),
     "the published map takes neither the parameter \"refine\" nor the parameter \"segmentWise\": it is always "
-    "made by segments, and never refined");
+    "segment-wise and never refined");
   options.progress("Describing folds", 0.0);
   ColonPair               pair(source, target);
   SupineProneRegistration result;
@@ -70,7 +70,7 @@ RegisterColonPositions(const ColonPosition & source, const ColonPosition & targe
   result.target = pair.targetCylinder;
   result.confidence.senseMargin = RequireSameSense({ source, *pair.sourceCylinder, pair.sourceFolds },
                                                    { target, *pair.targetCylinder, pair.targetFolds },
-                                                   options.progress.Part("Comparing the sense", 0.02, 0.15));
+                                                   options.progress.Part("Comparing the orientation", 0.02, 0.15));
   FindFrame(pair, options.isSegmentWise, result.warnings);
   for (std::size_t i = 1; i + 1 < pair.frame.from.size(); ++i)
   {

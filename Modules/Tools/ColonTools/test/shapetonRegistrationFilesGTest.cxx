@@ -163,7 +163,7 @@ TEST(ColonPositionFiles, MalformedFilesAreRefused)
     shapeton::WriteFileBytes(folder + '/' + file, bytes);
     return FaultOf([&] { shapeton::ReadColonPosition(folder, "prone"); });
   };
-  EXPECT_NE(faultWith("landmarks/landmarks.json", "{}").find("not what ColonLandmarks writes"), std::string::npos);
+  EXPECT_NE(faultWith("landmarks/landmarks.json", "{}").find("not written by ColonLandmarks"), std::string::npos);
   EXPECT_NE(faultWith("folds/folds.csv", "fold,u\n1,2\n").find("folds.csv\", line 1"), std::string::npos);
   EXPECT_NE(faultWith("flattening/flat.vtp", "").find("flat.vtp"), std::string::npos);
 }
