@@ -9,25 +9,25 @@ namespace shapeton
 {
 namespace
 {
-/** A hole between two loops is seldom wider than the first, never than the second (radius, mm). */
+/** Radius (mm) of holes between two loops: seldom above the first, never above the second. */
 constexpr double usualHole = 7.0;
 constexpr double widestHole = 10.0;
-/** What is taken for a hole must make the way through the colon longer by this, mm, and by so many mm more for each mm
- * that it is wider than usual: where loops lie side by side, thin septa are open as far as half the calibre. */
+/** Minimum gain (mm) in path length for treating a passage as a hole, and additional gain per mm of width above the
+ * usual one: where loops are adjacent, thin septa are open up to half the caliber. */
 constexpr double leastGain = 40.0;
 constexpr double gainOfWide = 100.0;
-/** Ways differ when their lengths differ by more, mm: sums of the same lengths in another order do not. */
+/** Tolerance for equal lengths, mm: sums of the same lengths in another order differ by less. */
 constexpr double sameLength = 1e-6;
-/** A ring is long when it is longer than this and some radii more, mm. The cost of paths keeps out of the narrow
- * passage of a shorter one, and around a fold both ways are right. */
+/** A ring is long if it exceeds this plus some radii, mm. In a shorter one the path cost avoids the narrow passage, and
+ * around a fold both ways are right. */
 constexpr double shortRing = 60.0;
 constexpr double ringRadii = 4.0;
-/** Side branches of this length (mm) and more are no haustra; nor those of this volume (mm^3) that lie so far (mm, and
- * 1.5 radii) from the middle of the way. */
+/** Side branches of at least this length (mm) are not haustra, nor are those of this volume (mm^3) at this distance
+ * (mm, and 1.5 radii) from the middle of the path. */
 constexpr double shortestBranch = 40.0;
 constexpr double smallestBranch = 20e3;
 constexpr double besideWay = 10.0;
-/** A passage is a likely hole where its radius is below this share of the calibre within so many mm on both sides. */
+/** A passage may be a hole if its radius is below this share of the caliber within this distance (mm) on both sides. */
 constexpr double leastOpening = 0.4;
 constexpr double holeReach = 30.0;
 } // namespace
@@ -36,7 +36,7 @@ CellTree::CellTree(const LumenCells & cells, double coreRadius)
   : m_Cells(cells), m_CoreRadius(coreRadius), m_Links(cells.NumberOfCells()), m_IsInTree(cells.passages.size(), 0)
 {
   this->SpanWidest();
-  // Each exchange makes some way longer, so this ends; the bound keeps a strange lumen from taking long.
+  // Each swap makes a path longer, so the loop terminates; the bound limits the time for odd input.
   for (int exchanges = 0; exchanges < 30 && this->Exchange(); ++exchanges)
   {}
 }
@@ -216,7 +216,7 @@ CellTree::Holes(const std::vector<int> & way) const
       std::find_if(links.begin(), links.end(), [&](const TreeLink & found) { return found.cell == way[i - 1]; });
     const double width = std::min(this->WidestOnWay(way, i - 1, -1), this->WidestOnWay(way, i, 1));
     const double likeness = 1.0 - m_Cells.passages[link->passage].clearance / (leastOpening * width);
-    // A hole is crossed by several passages, one after the other: it counts once.
+    // A hole may be crossed by several consecutive passages: count it once.
     sum += std::max(0.0, likeness - most);
     most = likeness > 0.0 ? std::max(most, likeness) : 0.0;
   }
@@ -294,7 +294,7 @@ CellTree::BestSwap(int in, const TreeRing & ring, const TreeReach & reach) const
     const int    out = ring.passages[i];
     const double surplus = ways[i] - before - this->LeastGain(out);
     const double clearance = m_Cells.passages[out].clearance;
-    // The hole between two branches is closed at its narrowest place.
+    // Close the hole between two branches at its narrowest place.
     const bool isNarrower = best.out >= 0 && clearance < m_Cells.passages[best.out].clearance;
     if (clearance <= widestHole && surplus > best.surplus + (isNarrower ? -sameLength : sameLength))
     {

@@ -7,48 +7,47 @@
 namespace shapeton
 {
 /** \class CellTree
- * \brief Which passages between cells belong to the colon, and which join loops that only touch.
+ * \brief Decides which passages between cells belong to the colon, and which join touching loops.
  *
  * Loops of the colon touch, and thin septa leak, so the cells form a graph with handles. The maximum spanning tree
- * takes the widest passages first and so leaves out each hole between parts that wider passages connect. Where the
- * colon itself is narrower than a hole, the tree would go through the hole and leave two dead ends; therefore a hole is
- * exchanged for a narrower passage wherever that makes the longest way through the tree clearly longer. Passages
- * outside the tree that close a short ring (around a fold, within a wide place) are allowed; those that close a long
- * ring are merges.
+ * takes the widest passages first and so leaves out each hole between parts connected by wider passages. Where the
+ * colon itself is narrower than a hole, the tree would contain the hole and leave two dead ends. Therefore a hole is
+ * swapped for a narrower passage if that makes the longest path of the tree clearly longer. Passages outside the tree
+ * that close a short ring (around a fold, within a wide place) are open; those that close a long ring are merges.
  */
 class CellTree
 {
 public:
-  /** Cells narrower than `coreRadius` (mm) are no ends of the longest way. */
+  /** The longest path does not end in cells narrower than `coreRadius` (mm). */
   CellTree(const LumenCells & cells, double coreRadius);
 
-  /** Whether a path may go from a cell into the next one. */
+  /** Whether a path may enter the next cell. */
   bool
   IsOpen(int a, int b) const;
 
-  /** The cells at both ends of the longest way through the tree of `member`; equal where it has no second core cell. */
+  /** The cells at both ends of the longest path through the tree of `member`; equal without a second core cell. */
   std::array<int, 2>
   Ends(int member) const;
 
-  /** Of each cell the first cell that it is connected to. */
+  /** For each cell the first cell connected to it. */
   std::vector<int>
   Groups() const;
 
-  /** The cells of the way between two of them. */
+  /** The cells on the path between two cells. */
   std::vector<int>
   Way(int from, int to) const;
 
-  /** What a way leaves out, mm: of each side branch the length of its core beyond the lumen around the way, or its
-   * volume over `area` (mm^2) where that is more, such as that of a wide pouch. Small ones do not count. */
+  /** Length (mm) missed by a path: for each side branch the length of its core beyond the lumen around the path, or its
+   * volume over `area` (mm^2) if that is more, as for a wide pouch. Small branches are ignored. */
   double
   SideBranches(const std::vector<int> & way, double area) const;
 
-  /** How much the passages of a way look like holes in septa: the sum over its narrow places of 1 - clearance / least
-   * that is expected between lumen as wide as there is on both sides; 0 for a way through colon. */
+  /** Likelihood that the passages of a path are holes in septa: the sum over its narrow places of 1 - clearance / least
+   * clearance expected from the lumen on both sides; 0 for a path through colon. */
   double
   Holes(const std::vector<int> & way) const;
 
-  /** A passage of the tree, and the smaller of the volumes that it joins, mm^3. */
+  /** A passage of the tree, and the smaller of the two volumes it joins, mm^3. */
   struct Neck
   {
     int    passage;
@@ -58,11 +57,11 @@ public:
   std::vector<Neck>
   Necks() const;
 
-  /** What taking a passage for a hole must gain at least, mm of the way through the colon. */
+  /** Minimum gain in path length (mm) for treating a passage as a hole. */
   double
   LeastGain(int passage) const;
 
-  /** Takes a passage out of the tree, or puts it back. */
+  /** Removes a passage from the tree, or restores it. */
   void
   Cut(int passage)
   {
@@ -74,7 +73,7 @@ public:
     this->AddLink(passage);
   }
 
-  /** Sorts the passages outside the tree into open ones and merges; to be called when the tree is final. */
+  /** Classifies the passages outside the tree as open or merge; call it when the tree is final. */
   void
   SortOut();
 
@@ -82,10 +81,10 @@ public:
   {
     /** Index into LumenCells::passages. */
     int passage;
-    /** Length of the way through the tree that the passage would cut short, mm; 0 where no other way leads. */
+    /** Length of the tree path that the passage would shortcut, mm; 0 without another path. */
     double loop;
   };
-  /** The widest first. */
+  /** Widest first. */
   const std::vector<Merge> &
   Merges() const
   {
@@ -103,7 +102,7 @@ private:
     int    out;
     double surplus;
   };
-  /** The best one of those that take in `in`, which closes a ring; without `out` where none gains enough. */
+  /** The best swap that adds `in`, which closes a ring; without `out` if none gains enough. */
   Swap
   BestSwap(int in, const TreeRing & ring, const TreeReach & reach) const;
   bool
@@ -114,15 +113,15 @@ private:
   RemoveLink(int passage);
   TreeWalk
   WalkFrom(int cell) const;
-  /** Of all trees, each from its first cell. */
+  /** Walk over all trees, each from its first cell. */
   TreeWalk
   WalkAll() const;
   int
   FarthestCore(const TreeWalk & walk) const;
-  /** The way through the tree between the two cells of a passage; empty where there is none. */
+  /** The tree path between the two cells of a passage; empty if there is none. */
   TreeRing
   Ring(const TreeWalk & all, int passage) const;
-  /** The widest cell of a way within the reach of a hole from the place i on, forth or back. */
+  /** The widest cell of a path within the reach of a hole from index i, forward or backward. */
   double
   WidestOnWay(const std::vector<int> & way, int i, int direction) const;
   double

@@ -12,12 +12,12 @@ namespace shapeton
 {
 namespace
 {
-/** Narrower places (radius, mm) are told. */
+/** Places narrower than this radius (mm) are reported. */
 constexpr double narrow = 2.5;
 /** Share of lumen (DistanceField::Occupancy) below which the line is outside. */
 constexpr double leastInside = 0.55;
 
-/** A side branch of more than this volume (mm^3) is told. */
+/** Side branches larger than this volume (mm^3) are reported. */
 constexpr double largeBranch = 20e3;
 
 /** A stretch of the curve, in the frame of the grid. */
@@ -25,10 +25,10 @@ struct Section
 {
   CurvePoints         points;
   std::vector<double> radii;
-  /** What the curve comes from. */
+  /** Nodes from which the curve was made. */
   std::vector<int> nodes;
   bool             isGap{ false };
-  /** Index into the order of pieces; of the piece before a gap. */
+  /** Index into the order of pieces; for a gap that of the piece before it. */
   int piece{ 0 };
 };
 
@@ -55,7 +55,7 @@ EndDirection(const CurvePoints & points, bool atBegin)
   return direction.norm() > 0.0 ? Eigen::Vector3d(direction.normalized()) : Eigen::Vector3d(Eigen::Vector3d::UnitZ());
 }
 
-/** Of each point of a section whether it or the way to the next one lies outside the lumen. */
+/** For each point of a section whether it or the segment to the next one is outside the lumen. */
 std::vector<char>
 FindOutside(const DistanceField & field, const CurvePoints & points)
 {
@@ -68,7 +68,7 @@ FindOutside(const DistanceField & field, const CurvePoints & points)
   return isOutside;
 }
 
-/** A section as itself where all of it lies inside the lumen; else cut where it leaves the lumen, with gaps between. */
+/** The section itself if all of it is inside the lumen; otherwise cut where it leaves the lumen, with gaps between. */
 void
 AddInside(const DistanceField & field, const Section & section, std::vector<Section> & sections)
 {
@@ -104,7 +104,7 @@ MakeSections(const LumenNetwork &             network,
   std::vector<Section> sections;
   for (std::size_t i = 0; i < order.size(); ++i)
   {
-    // The last end is the caecum, whose pole is wide: what is narrow there is the ileum or the appendix.
+    // The last end is the cecum, whose pole is wide: narrow lumen there is the ileum or the appendix.
     const bool isLast = i + 1 == order.size();
     Section    section;
     section.nodes = lines[order[i].piece].Nodes(true, !isLast);
@@ -146,7 +146,7 @@ MakeArray(const std::string & name, const std::vector<double> & values, int colu
   return array;
 }
 
-/** The curve with its arrays; sets begin and end of each section by the arcLength. */
+/** Builds the curve with its arrays; sets begin and end of each section by arcLength. */
 void
 FillCurve(const LumenGrid &            grid,
           const std::vector<Section> & sections,
@@ -248,7 +248,7 @@ AddGaps(const LumenGrid &            grid,
   }
 }
 
-/** Tells stretches inside the lumen that are hardly open. */
+/** Reports stretches inside the lumen that are hardly open. */
 void
 WarnOfNarrowPlaces(const LumenGrid & grid, const std::vector<Section> & sections, ColonCentreline & result)
 {
@@ -277,11 +277,11 @@ WarnOfNarrowPlaces(const LumenGrid & grid, const std::vector<Section> & sections
   }
 }
 
-/** The anus lies near the middle plane and not in front; of a line that begins elsewhere the direction is in doubt. */
+/** The anus is near the midplane and posterior; the direction of a line that begins elsewhere is uncertain. */
 void
 WarnOfUnlikelyRectum(ColonCentreline & result)
 {
-  constexpr double fromMiddle = 0.2; // of the extent of the line; LPS: y grows towards the back
+  constexpr double fromMiddle = 0.2; // of the extent of the line; LPS: y increases toward the back
   constexpr double leastBack = 0.3;
   ColonExtent      extent;
   for (Eigen::Index i = 0; i < result.curve.V.rows(); ++i)
@@ -297,11 +297,11 @@ WarnOfUnlikelyRectum(ColonCentreline & result)
   }
 }
 
-/** What takes long, each for itself. */
+/** Expensive intermediate results, computed separately. */
 struct ShapedLines
 {
   std::vector<Section> sections;
-  /** Of each piece the lengths of the lines along its paths for the exponents 2, of the options, and 4, mm. */
+  /** For each piece the lengths of the lines along its paths for the exponents 2, of the options, and 4, mm. */
   std::vector<std::array<double, 3>> lengths;
 };
 
@@ -329,7 +329,7 @@ ShapeLines(const LumenNetwork &             network,
   return shaped;
 }
 
-/** Lengths for the exponents 2, 3, 4: the line itself, changed by how much the other paths differ from its core. */
+/** Lengths for the exponents 2, 3, 4: that of the line, corrected by the difference of the other paths to its core. */
 void
 AddLengths(const std::vector<std::array<double, 3>> & ofPieces, ColonCentreline & result)
 {
@@ -348,14 +348,14 @@ AddLengths(const std::vector<std::array<double, 3>> & ofPieces, ColonCentreline 
   }
 }
 
-/** Lumen that is connected to the line, but lies away from it. */
+/** Lumen that is connected to the line, but away from it. */
 struct SideBranch
 {
   int    place;  ///< index of the line's point where most of it is connected
   double volume; ///< mm^3
 };
 
-/** A branch is connected to neighbouring points of the line; `away` has mm^3 for each point. */
+/** Finds branches, which are connected to consecutive points of the line; `away` has mm^3 for each point. */
 std::vector<SideBranch>
 SideBranches(const std::vector<double> & away)
 {
@@ -376,7 +376,7 @@ SideBranches(const std::vector<double> & away)
   return branches;
 }
 
-/** Lumen lies beside the line where the straight way to it within the lumen is not longer than the calibre explains. */
+/** Lumen is near the line if the straight way to it within the lumen is explained by the caliber. */
 void
 AddCover(const LumenNetwork & network, const std::vector<Section> & sections, ColonCentreline & result)
 {

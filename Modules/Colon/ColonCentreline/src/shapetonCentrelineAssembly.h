@@ -9,7 +9,7 @@
 
 namespace shapeton
 {
-/** One curve from the lines of the pieces in their order, each directed from the rectum to the caecum, with its arrays,
+/** Assembles one curve from the lines of the pieces in order, each directed from the rectum to the cecum, with arrays,
  * gaps, pieces, lengths and warnings. */
 ColonCentreline
 AssembleCentreline(const LumenNetwork &             network,
@@ -18,14 +18,14 @@ AssembleCentreline(const LumenNetwork &             network,
                    const std::vector<PlacedPiece> & order,
                    const ColonCentrelineOptions &   options);
 
-/** Lists the lines that are not used, with a warning for each. */
+/** Lists the unused lines, with a warning for each. */
 void
 AddUnusedLines(const LumenNetwork &             network,
                const std::vector<PieceLine> &   lines,
                const std::vector<PlacedPiece> & order,
                ColonCentreline &                result);
 
-/** Lists the components that are not used, with a warning for each large one. */
+/** Lists the unused components, with a warning for each large one. */
 void
 AddUnusedComponents(const LumenMask *       lumen,
                     const LumenComponents & components,

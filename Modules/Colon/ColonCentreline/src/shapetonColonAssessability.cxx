@@ -21,7 +21,7 @@ constexpr double besideGap = 15.0;  // mm along the line: its ends taper
 const char * const arrayName = "notAssessable";
 const char * const lineName = "the centreline";
 
-/** The number of the point where a run of equal values that begins at `begin` is over. */
+/** Index one past a run of equal values that begins at `begin`. */
 template <typename TValues>
 std::size_t
 EndOfRun(const TValues & values, std::size_t begin)
@@ -34,7 +34,7 @@ EndOfRun(const TValues & values, std::size_t begin)
   return end;
 }
 
-/** Where a point's share of the line begins: halfway to the one before. */
+/** Start of the share of a point on the line: halfway to the previous point. */
 double
 BeginOf(const Eigen::VectorXd & arc, std::size_t point)
 {
@@ -64,7 +64,7 @@ NarrowPoints(const Eigen::VectorXd & arc, const Eigen::VectorXd & radius)
   return isNarrow;
 }
 
-/** By gap and radius. */
+/** Hindrances from gap and radius. */
 std::vector<ColonHindrance>
 HindrancesOfShape(const CurveSet & curve)
 {
@@ -86,7 +86,7 @@ class LumenAround
 public:
   explicit LumenAround(const ColonLumen & lumen) : m_Lumen(lumen) {}
 
-  /** The border of the image is as near as the wall, and the lumen goes on there. */
+  /** The border of the image is as near as the wall, and the lumen continues there. */
   bool
   IsCutByScan(const Eigen::Vector3d & point, double radius) const
   {
@@ -113,7 +113,7 @@ public:
     return false;
   }
 
-  /** Below the point the lumen ends at a large level that is not tagged. */
+  /** Below the point the lumen ends at a large untagged level. */
   bool
   IsOverUntaggedFluid(const Eigen::Vector3d & point) const
   {
@@ -138,7 +138,7 @@ private:
     const Eigen::Vector3d way = Eigen::Vector3d(level.centre.GetDataPointer()) - point;
     const double          depth = way.dot(down);
     const double          aside = (way - depth * down).norm();
-    // A pool is at least as wide as a lumen that is distended.
+    // A pool is at least as wide as a distended lumen.
     return depth >= 0.0 && depth <= deepest && aside <= level.area / LeastDistendedCalibre &&
            std::abs(this->DepthOfLumen(point, down) - depth) <= nearLevel;
   }
@@ -159,7 +159,7 @@ private:
 
   const ColonLumen & m_Lumen;
 };
-/** Gaps with the border of the scan at both ends: the colon goes on outside of it. */
+/** Gaps with the border of the scan at both ends: the colon continues outside the scan. */
 void
 MarkGapsOutsideScan(const Eigen::VectorXd & arc, std::vector<ColonHindrance> & hindrances)
 {

@@ -35,8 +35,8 @@ ToVector(const itk::Point<double, 3> & point)
   return { point[0], point[1], point[2] };
 }
 
-/** A node of each piece, the widest; a piece is what open passages connect. Crumbs that the grid tears off a
- * component, smaller than the smallest piece, are left out. */
+/** The widest node of each piece; a piece is a set connected by open passages. Fragments split off a component by the
+ * grid and smaller than the smallest piece are left out. */
 std::vector<int>
 WidestNodes(const LumenNetwork & network, double minimumVolume)
 {
@@ -68,8 +68,8 @@ WidestNodes(const LumenNetwork & network, double minimumVolume)
   return nodes;
 }
 
-/** Paths take memory for each node of the whole lumen: only the largest piece keeps them, which most often holds the
- * rectum. */
+/** Path trees need memory for each node of the whole lumen, so only the largest piece keeps them; it usually contains
+ * the rectum. */
 void
 KeepPathsOfLargest(std::vector<PieceLine> & lines)
 {
@@ -81,7 +81,7 @@ KeepPathsOfLargest(std::vector<PieceLine> & lines)
   }
 }
 
-/** The lines of all pieces; the one of the rectum's given start comes first. */
+/** The lines of all pieces; the one with the given start in the rectum comes first. */
 std::vector<PieceLine>
 TracePieces(const LumenNetwork & network, const ColonCentrelineOptions & options)
 {
@@ -118,8 +118,8 @@ PhysicalPoints(const LumenGrid & grid, const std::vector<int> & nodes)
   return points;
 }
 
-/** The end 1 of a line, or the end 0 of one that is reversed. Its direction is that of the last 40 mm of the core to
- * the middle of the tips: paths turn to the wall in a blunt end. */
+/** End 1 of a line, or end 0 of a reversed one. Its direction is from the last 40 mm of the core to the center of the
+ * tips, since paths turn to the wall in a blunt end. */
 JoinEnd
 MakeJoinEnd(const LumenGrid & grid, const PieceLine & line, bool isReversed, bool prolongs)
 {
@@ -166,7 +166,7 @@ MakeJoinPiece(const LumenGrid & grid, const PieceLine & line, bool prolongs)
   return piece;
 }
 
-/** The pieces in their order from the rectum on; the ends of `lines` become those that are joined. */
+/** The pieces in order from the rectum; the ends of `lines` become the joined ones. */
 std::vector<PlacedPiece>
 ChooseOrder(const LumenNetwork &           network,
             const LumenChoice &            choice,
@@ -203,7 +203,7 @@ ChooseOrder(const LumenNetwork &           network,
   return order;
 }
 
-/** The lines of a lumen in their order. The grid comes first, since the network refers to it. */
+/** The ordered lines of a lumen. The grid is the first member, since the network refers to it. */
 struct Traced
 {
   std::unique_ptr<LumenGrid>    grid;
@@ -234,8 +234,8 @@ TraceOn(const std::array<int, 3> &     blocks,
   return traced;
 }
 
-/** Blocks of voxels can tear a narrow lumen that the voxels themselves hold together: it shows as a short gap between
- * two lines of one component. */
+/** Blocks of voxels can disconnect a narrow lumen whose voxels are connected: this shows as a short gap between two
+ * lines of one component. */
 bool
 IsTorn(const Traced & traced)
 {
@@ -283,7 +283,7 @@ Trace(const LumenDistanceImage *     distance,
 std::string
 FailureOfLine(const ColonCentreline & line)
 {
-  // Real colons: at most 8; lungs of three chests: 56 to 121. The limit is the geometric mean of what lies next to it.
+  // Real colons: at most 8; lungs of three chests: 56 to 121. The limit is the geometric mean of the two nearest.
   constexpr std::size_t mostFaults = 20;
   constexpr double      largestSection = 50.0; // cm^2, on average: a tube of 80 mm
   const std::size_t     gaps = line.gaps.size();

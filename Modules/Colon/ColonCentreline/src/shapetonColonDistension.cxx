@@ -20,7 +20,7 @@ RequireBorders(const std::vector<ColonSegmentBorder> & borders)
   }
 }
 
-/** Adds the part of one step of the line that lies in the segment. */
+/** Adds the part of one step of the line within the segment. */
 void
 AddStep(double from, double to, double calibre, bool isGap, SegmentDistension & segment)
 {

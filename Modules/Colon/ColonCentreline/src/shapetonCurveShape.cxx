@@ -132,7 +132,7 @@ BridgeGap(const Eigen::Vector3d & a,
 {
   const double          distance = (b - a).norm();
   const Eigen::Vector3d straight = distance > 0.0 ? Eigen::Vector3d((b - a) / distance) : out;
-  // An end that looks the wrong way must not throw the bridge far to the side.
+  // Prevents a badly oriented end from deflecting the bridge far to the side.
   const auto tangent = [&](const Eigen::Vector3d & direction) {
     const double forward = std::max(0.0, direction.dot(straight));
     return Eigen::Vector3d(distance * (0.25 + 0.75 * forward) * direction);

@@ -12,7 +12,7 @@ namespace shapeton
 /** Points of a curve in the frame of a LumenGrid, mm. */
 using CurvePoints = std::vector<Eigen::Vector3d>;
 
-/** Distances to the wall between the voxels, 0 outside. */
+/** Interpolated distances to the wall, 0 outside. */
 class DistanceField
 {
 public:
@@ -22,7 +22,7 @@ public:
   double
   At(const Eigen::Vector3d & position) const;
 
-  /** The share of lumen at a position, trilinear between 1 for a lumen voxel and 0; the wall lies where it is 0.5. */
+  /** Share of lumen at a position, trilinear between 1 for a lumen voxel and 0; the wall is at 0.5. */
   double
   Occupancy(const Eigen::Vector3d & position) const;
 
@@ -40,12 +40,12 @@ private:
 double
 CurveLength(const CurvePoints & points);
 
-/** Equal steps of about `step` mm; both ends are kept. */
+/** Resamples with equal steps of about `step` mm; both ends are kept. */
 CurvePoints
 ResampleCurve(const CurvePoints & points, double step);
 
-/** Binomial smoothing, which is near a Gaussian of `sigma` mm for points `step` mm apart; both ends are kept. A point
- * that would leave the lumen stays. */
+/** Binomial smoothing, close to a Gaussian of `sigma` mm for points `step` mm apart; both ends are kept. A point that
+ * would leave the lumen does not move. */
 CurvePoints
 SmoothCurve(const CurvePoints & points, double step, double sigma, const DistanceField * field = nullptr);
 

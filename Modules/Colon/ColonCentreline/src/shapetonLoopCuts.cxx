@@ -11,15 +11,15 @@ namespace shapeton
 namespace
 {
 constexpr int mostCuts = 6;
-/** mm that a way through a hole in a septum seems to be longer; less than CellTree::LeastGain. */
+/** Penalty (mm) of a path through a hole in a septum; less than CellTree::LeastGain. */
 constexpr double holeCost = 35.0;
-/** Colons have up to some 20 passages that may be cut; what has many more is no lumen, and shall not take long. */
+/** Colons have up to about 20 passages to cut; input with many more is not a lumen, and the bound limits its time. */
 constexpr std::size_t mostTrials = 100;
-/** The best single cuts that are tried in pairs. */
+/** Number of the best single cuts that are tried in pairs. */
 constexpr std::size_t pairedCuts = 10;
-/** mm^3; what is smaller does not matter to the layout. */
+/** mm^3; smaller pieces do not affect the layout. */
 constexpr double smallestPiece = 5e3;
-/** mm^3 of a stretch of colon. */
+/** Minimum volume of a stretch of colon, mm^3. */
 constexpr double smallestStretch = 20e3;
 
 Eigen::Vector3d
@@ -31,7 +31,7 @@ EndDirection(const LumenGrid & grid, const LumenCells & cells, const std::vector
   return out.norm() > 0.0 ? Eigen::Vector3d(out.normalized()) : Eigen::Vector3d(Eigen::Vector3d::UnitZ());
 }
 
-/** The end of a way, moved from the centre of its last ball to the wall. */
+/** The end of a path, moved from the center of its last ball to the wall. */
 JoinEnd
 EndOf(const LumenGrid & grid, const LumenCells & cells, const std::vector<int> & way)
 {
@@ -53,7 +53,7 @@ EndOf(const LumenGrid & grid, const LumenCells & cells, const std::vector<int> &
 struct Layout
 {
   std::vector<JoinPiece> pieces;
-  /** mm of side branches and for holes. */
+  /** Penalties for side branches and holes, mm. */
   double faults{ 0.0 };
 };
 
@@ -89,8 +89,8 @@ LayOut(const LumenGrid & grid, const LumenCells & cells, const CellTree & tree, 
   return layout;
 }
 
-/** Tries cuts: what a colon of the pieces that they leave would cost, mm of joins, of what is left out, of side
- * branches, for holes, and for a beginning away from the rectum. */
+/** Tries cuts. The cost (mm) of the resulting colon is that of joins, omitted pieces, side branches, holes, and a
+ * beginning away from the rectum. */
 class CutSearch
 {
 public:
@@ -130,14 +130,14 @@ public:
     return joins + layout.faults + std::max(0.0, m_Extent.DistanceFromAnus(begin) - m_NearestToAnus);
   }
 
-  /** One cut or two, and the cost with them and with the least gain of each. */
+  /** One or two cuts, the cost with them, and the cost including their minimum gain. */
   struct Trial
   {
     double           cost;
     std::vector<int> passages;
   };
 
-  /** The best cut; where no single one saves enough, the best pair. Empty where none does. */
+  /** The best cut, or the best pair if no single cut saves enough. Empty if none does. */
   Trial
   Best()
   {
@@ -164,7 +164,7 @@ public:
   }
 
 private:
-  /** Those that part two stretches of colon, at most the narrowest ones of them. */
+  /** Passages that separate two stretches of colon; at most the narrowest ones. */
   std::vector<int>
   Passages() const
   {
@@ -178,7 +178,7 @@ private:
     }
     if (passages.size() > mostTrials)
     {
-      // The lower the index, the wider the passage.
+      // A lower index means a wider passage.
       std::sort(passages.begin(), passages.end(), std::greater<>());
       passages.resize(mostTrials);
     }
@@ -207,7 +207,7 @@ private:
   CellTree &         m_Tree;
   double             m_UsualRadius;
   ColonExtent        m_Extent;
-  /** Of all lumen. */
+  /** Minimum over all lumen. */
   double m_NearestToAnus{ 1e30 };
 };
 } // namespace

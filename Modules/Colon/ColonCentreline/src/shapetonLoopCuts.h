@@ -5,11 +5,11 @@
 
 namespace shapeton
 {
-/** Cuts holes that hang a stretch of colon on the side of another one.
+/** Cuts holes that connect an end of one stretch of colon to the side of another.
  *
- * Where the colon is collapsed and its parts touch elsewhere, the hole is the only way between them, and no ring
- * betrays it. It shows as a long side branch. Such a hole is cut when the parts, joined end to end over gaps, make a
- * clearly better colon: shorter joins than side branches. Returns the passages; the tree is changed. */
+ * Where the colon is collapsed and its parts touch elsewhere, the hole is their only connection, and no ring reveals
+ * it. It shows as a long side branch. Such a hole is cut if joining the parts end to end over gaps gives a clearly
+ * better colon: joins shorter than the side branches. Returns the passages; modifies the tree. */
 std::vector<int>
 CutLoops(const LumenGrid & grid, const LumenCells & cells, CellTree & tree);
 } // namespace shapeton

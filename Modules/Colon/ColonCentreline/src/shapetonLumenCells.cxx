@@ -10,7 +10,7 @@ namespace shapeton
 {
 namespace
 {
-/** How far from its centre a cell may reach, in radii of its inscribed ball. */
+/** Maximum distance of a cell from its center, in radii of its inscribed ball. */
 constexpr double reach = 1.5;
 
 std::vector<int>
@@ -104,10 +104,10 @@ LumenCells::Claim(const LumenGrid & grid, int centre)
   const double radius = grid.Distance(centre);
   centres.push_back(centre);
   positions.push_back(grid.Position(centre));
-  // A little more than nothing, so that a cell of the narrowest place still takes its neighbours.
+  // Slightly above zero, so a cell at the narrowest place still includes its neighbors.
   radii.push_back(std::max(radius, 0.7 * grid.Spacing().maxCoeff()));
   cellOf[centre] = cell;
-  // Distances hold to half a voxel; the ball must not reach through a thin wall.
+  // Distances are accurate to half a voxel; the ball must not extend through a thin wall.
   const double       ball = radius - 0.5 * grid.Spacing().maxCoeff();
   const auto         at = grid.Voxel(centre);
   std::array<int, 3> from, to;

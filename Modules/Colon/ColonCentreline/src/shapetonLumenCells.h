@@ -5,22 +5,22 @@
 
 namespace shapeton
 {
-/** A place where two cells touch, at its widest. */
+/** The widest place where two cells touch. */
 struct CellPassage
 {
   int a, b;
   /** Distance to the wall of the widest pair of voxels, mm. */
   float clearance;
-  /** The narrower one of that pair. */
+  /** The narrower voxel of that pair. */
   int node;
 };
 
 /** \class LumenCells
  * \brief The lumen cut into compact cells, each about one inscribed ball.
  *
- * Voxels are taken from the widest to the narrowest: one that no cell has claimed joins the cell of a neighbour, or
- * where that is far for its radius becomes the centre of a new cell and claims its inscribed ball. So cells never reach
- * through a hole into another loop, whose wider voxels are taken before those of the hole.
+ * Voxels are visited from the widest to the narrowest. An unclaimed voxel joins the cell of a neighbor, or, if that is
+ * far for its radius, becomes the center of a new cell and claims its inscribed ball. So cells never extend through a
+ * hole into another loop, whose wider voxels are visited before those of the hole.
  */
 struct LumenCells
 {
@@ -32,20 +32,20 @@ struct LumenCells
     return static_cast<int>(centres.size());
   }
 
-  /** Radius (mm) of the cell in the middle of the volume. */
+  /** Volume-weighted median radius of the cells, mm. */
   double
   UsualRadius() const;
 
-  /** Of each node. */
+  /** Cell of each node. */
   std::vector<int> cellOf;
-  /** Nodes. */
+  /** Nodes at the cell centers. */
   std::vector<int>             centres;
   std::vector<Eigen::Vector3d> positions;
-  /** mm. */
+  /** Cell radii, mm. */
   std::vector<double> radii;
-  /** mm^3. */
+  /** Cell volumes, mm^3. */
   std::vector<double> volumes;
-  /** The widest first. */
+  /** Widest first. */
   std::vector<CellPassage> passages;
 
 private:

@@ -12,7 +12,7 @@ namespace shapeton
 {
 namespace
 {
-/** A seed or start farther from the lumen than this is an error of the one who gave it, mm. */
+/** Maximum distance (mm) of a seed or start from the lumen; a greater one is a user error. */
 constexpr double farthestSeed = 30.0;
 
 struct NearComponent
@@ -83,7 +83,7 @@ Want(const LumenComponents &       components,
   choice.reasons[near.component].clear();
 }
 
-/** mm. */
+/** Diagonal of the bounding box, mm. */
 double
 ExtentOf(const LumenMask * lumen, const LumenComponent & component)
 {
@@ -96,7 +96,7 @@ ExtentOf(const LumenMask * lumen, const LumenComponent & component)
   return std::sqrt(squared);
 }
 
-/** Leaves out the smallest pieces when there are too many to order. */
+/** Drops the smallest pieces if there are too many to order. */
 void
 LimitNumber(LumenChoice & choice)
 {

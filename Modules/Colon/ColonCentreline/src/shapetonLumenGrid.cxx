@@ -11,7 +11,7 @@ namespace shapeton
 {
 namespace
 {
-/** The mean distance within a block of voxels of one component; `component` 0 where one of them is not lumen. */
+/** Mean distance within a block of voxels of one component; `component` is 0 if one of them is not lumen. */
 struct BlockContent
 {
   float distance{ 0.0F };
@@ -69,7 +69,7 @@ LumenGrid::LumenGrid(const LumenDistanceImage * distance,
   std::array<int, 3> size;
   for (int a = 0; a < 3; ++a)
   {
-    // One empty voxel all around, so that every node has 26 neighbours to ask.
+    // One empty layer all around, so every node has 26 neighbors.
     size[a] = static_cast<int>(region.GetSize(a)) / block[a] + 2;
     m_Spacing[a] = block[a] * distance->GetSpacing()[a];
     m_First[a] = 0.5 * (block[a] - 1) * distance->GetSpacing()[a] - m_Spacing[a];

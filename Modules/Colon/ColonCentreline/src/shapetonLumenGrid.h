@@ -15,21 +15,20 @@ namespace shapeton
 /** \class LumenGrid
  * \brief The voxels of the lumen as nodes 0, 1, ..., in the order of the image, on voxels of at most about 1.7 mm.
  *
- * Finer images are joined to blocks, and a block is lumen only where all of its voxels are: walls never vanish.
- * Positions are in a frame of the image's own axes, in mm from the first voxel of the region; LPS comes back by
- * ToPhysical().
+ * Finer voxels are merged to blocks; a block is lumen only if all of its voxels are, so walls never vanish. Positions
+ * are in the frame of the image axes, in mm from the first voxel of the region; ToPhysical() converts to LPS.
  */
 class LumenGrid
 {
 public:
-  /** Nodes are the voxels whose component has a true entry in `isUsed` (from 1); `block` voxels make a node along each
-   * axis. */
+  /** Nodes are the voxels whose component has a true entry in `isUsed` (from 1); `block` is the number of voxels per
+   * node along each axis. */
   LumenGrid(const LumenDistanceImage * distance,
             const LumenLabelImage *    labels,
             const std::vector<char> &  isUsed,
             const std::array<int, 3> & block);
 
-  /** The number of voxels along each axis that make one of at most 1.75 mm. */
+  /** Block size along each axis for voxels of at most 1.75 mm. */
   static std::array<int, 3>
   Blocks(const itk::SpacePrecisionType * spacing);
 
@@ -38,7 +37,7 @@ public:
   {
     return static_cast<int>(m_Voxels.size());
   }
-  /** mm from the wall. */
+  /** Distance to the wall, mm. */
   float
   Distance(int node) const
   {
@@ -50,7 +49,7 @@ public:
   {
     return m_Components[node];
   }
-  /** -1 where there is none. `offset` is one of Strides(), or its negative. */
+  /** Neighboring node, or -1. `offset` is one of Strides(), or its negative. */
   int
   Neighbour(int node, int offset) const
   {
@@ -62,7 +61,7 @@ public:
   {
     return m_Grid.Voxel(m_Voxels[node]);
   }
-  /** -1 where there is none. */
+  /** Node of a voxel, or -1. */
   int
   NodeAt(int x, int y, int z) const
   {
@@ -90,8 +89,7 @@ public:
     return m_Spacing;
   }
 
-  /** Calls `body(neighbour, length)` for the nodes among the 26 neighbours, in their order; length of the step in mm.
-   */
+  /** Calls `body(neighbour, length)` for the nodes among the 26 neighbors, in order, with the step length in mm. */
   template <typename TBody>
   void
   ForEachNeighbour(int node, const TBody & body) const
@@ -114,7 +112,7 @@ public:
       }
     }
   }
-  /** To the next voxel along x, y, z. */
+  /** Strides to the next voxel along x, y, z. */
   std::array<int, 3>
   Strides() const
   {
@@ -131,10 +129,10 @@ public:
   {
     return m_Direction.transpose() * (point - m_Origin);
   }
-  /** The node whose voxel holds a position; -1 where that is not lumen. */
+  /** The node whose voxel contains a position; -1 outside the lumen. */
   int
   NodeOf(const Eigen::Vector3d & position) const;
-  /** The node nearest to a position; -1 where there is no node at all. */
+  /** The node nearest to a position; -1 without nodes. */
   int
   NearestNode(const Eigen::Vector3d & position) const;
 
@@ -144,8 +142,8 @@ private:
   void
   FindNeighbours();
 
-  /** A node and its neighbours, together in memory, as paths come to nodes in no order that a cache could follow. Those
-   * of a row have consecutive numbers, so one is stored for each of the nine rows. */
+  /** A node and its neighbors, stored together since paths visit nodes in a cache-unfriendly order. The neighbors of a
+   * row have consecutive numbers, so one is stored for each of the nine rows. */
   struct Neighbours
   {
     std::uint32_t      present{ 0 }; ///< bit x + 3 y + 9 z for the voxel x - 1, y - 1, z - 1 steps away

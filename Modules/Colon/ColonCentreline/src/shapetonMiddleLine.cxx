@@ -10,21 +10,21 @@ namespace shapeton
 {
 namespace
 {
-/** The middle of the lumen is taken over so many mm of it to both sides, so that single haustra do not bend the line.
- */
+/** Half length of the averaging window in lumen radii, so single haustra do not bend the line. */
 constexpr double slabRadii = 2.5;
-/** Chord over arc of that stretch, at least. */
+/** Minimum ratio of chord to arc of that stretch. */
 constexpr double straightness = 0.6;
 
-/** The middle is no nearer to the wall (mm), where the path is not. */
+/** Minimum distance of the center to the wall (mm), unless the path is closer. */
 constexpr double leastClearance = 2.5;
-/** Share of lumen (DistanceField::Occupancy) that the line keeps. */
+/** Minimum share of lumen (DistanceField::Occupancy) on the line. */
 constexpr double safelyInside = 0.7;
-/** What belongs to a point of the line is not farther on along its path than this, mm. */
+/** Voxels assigned to a point of the line are at most this far along its path, mm. */
 constexpr double reachOfMiddle = 40.0;
-/** The line ends so far from the pole of the caecum, mm. */
+/** Distance of the end of the line from the pole of the cecum, mm. */
 constexpr double beforePole = 3.0;
-/** So far before the mouth of the caecum a line counts, and twice as far lumen beyond it, mm. */
+/** Considered length of the line before the mouth of the cecum, and half the considered reach of lumen beyond it,
+ * mm. */
 constexpr double farthestOfPouch = 150.0;
 
 CurvePoints
@@ -40,7 +40,7 @@ PositionsOf(const LumenGrid & grid, const std::vector<int> & nodes)
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
-/** Of each node the nearest of the points `first` to `last` of a curve within the lumen; -1 beyond `reach` mm. */
+/** For each node the nearest of the points `first` to `last` of a curve within the lumen; -1 beyond `reach` mm. */
 NearestPlaces
 NearestPoints(const LumenNetwork & network, const CurvePoints & points, int first, int last, double reach)
 {
@@ -66,7 +66,7 @@ struct Slabs
   std::vector<double> weights;
 };
 
-/** Nodes count by their distance to the wall, so that haustra weigh little. */
+/** Nodes are weighted by their distance to the wall, so haustra have little weight. */
 Slabs
 SlabsAcross(const LumenNetwork & network, const CurvePoints & points)
 {
@@ -86,7 +86,7 @@ SlabsAcross(const LumenNetwork & network, const CurvePoints & points)
   return slabs;
 }
 
-/** The mean of numbers over so many neighbours to both sides. */
+/** Mean over this many neighbors on both sides. */
 double
 MeanAround(const std::vector<double> & values, int i, int number)
 {
@@ -100,7 +100,7 @@ MeanAround(const std::vector<double> & values, int i, int number)
   return sum / (to - from + 1);
 }
 
-/** The mean of the slabs around each point, over a stretch of some radii of the lumen; both ends stay. */
+/** Mean of the slabs around each point, over a stretch of some radii of the lumen; both ends stay. */
 CurvePoints
 SlabMeans(const Slabs & slabs, const CurvePoints & points, const std::vector<double> & radii, double step)
 {
@@ -108,10 +108,10 @@ SlabMeans(const Slabs & slabs, const CurvePoints & points, const std::vector<dou
   CurvePoints means = points;
   for (int i = 1; i < last; ++i)
   {
-    // As far on both sides, or the end would pull.
+    // Symmetric window, otherwise the end would attract the mean.
     const double reach = slabRadii * MeanAround(radii, i, static_cast<int>(20.0 / step));
     int          number = std::min({ static_cast<int>(reach / step), i, last - i });
-    // Less in a sharp bend, which the mean would cut.
+    // Shorter in a sharp bend, where the mean would cut the corner.
     while (number > 1 && (points[i + number] - points[i - number]).norm() < straightness * 2.0 * number * step)
     {
       --number;
@@ -129,7 +129,7 @@ SlabMeans(const Slabs & slabs, const CurvePoints & points, const std::vector<dou
   return means;
 }
 
-/** Each point moved to the middle of the lumen across the curve, both ends kept. The mean goes over a stretch, so that
+/** Moves each point to the middle of the lumen across the curve; both ends stay. The mean is taken over a stretch, so
  * single haustra do not bend the line. */
 CurvePoints
 MoveToMiddle(const LumenNetwork & network, const DistanceField & field, const CurvePoints & points, double step)
@@ -143,7 +143,7 @@ MoveToMiddle(const LumenNetwork & network, const DistanceField & field, const Cu
   CurvePoints       moved = points;
   for (std::size_t i = 1; i + 1 < points.size(); ++i)
   {
-    // The mean of a bent slab may lie in a wall: back towards the path, as far as needed.
+    // The mean of a bent slab may be in the wall: move back toward the path as far as needed.
     const double least = std::min(leastClearance, 0.5 * radii[i]);
     for (double share = 1.0; share > 0.0; share -= 0.125)
     {
@@ -158,7 +158,7 @@ MoveToMiddle(const LumenNetwork & network, const DistanceField & field, const Cu
   return moved;
 }
 
-/** The nearest node to a point, of those from `begin` on along a path: farther on, it may touch itself. */
+/** The nearest node to a point, among those from `begin` along a path, which may touch itself farther on. */
 std::size_t
 NearestFrom(const CurvePoints & nodes, std::size_t begin, const Eigen::Vector3d & point)
 {
@@ -172,7 +172,7 @@ NearestFrom(const CurvePoints & nodes, std::size_t begin, const Eigen::Vector3d 
   return nearest;
 }
 
-/** Stretches outside the lumen become those of the path again, which may wind more than the line. */
+/** Replaces stretches outside the lumen by those of the path, which may wind more than the line. */
 void
 KeepInside(const DistanceField & field, const CurvePoints & nodes, CurvePoints & points)
 {
@@ -219,9 +219,9 @@ IsVisible(const DistanceField & field, const Eigen::Vector3d & from, const Eigen
   return true;
 }
 
-/** Nodes beyond the mouth of a pouch with their ways from it: nearer to no point of the curve before it, and as wide as
- * a colon or next to what is, so that neither ileum nor appendix belongs to them. The index of others is -1. What the
- * curve does beyond the mouth does not count: it may go astray there. */
+/** Nodes beyond the mouth of a pouch with their distances from it: not nearer to a point of the curve before the mouth,
+ * and as wide as a colon or next to such lumen, which excludes ileum and appendix. The index of others is -1. The curve
+ * beyond the mouth is ignored, since it may be wrong there. */
 NearestPlaces
 PouchBeyond(const LumenNetwork & network, const CurvePoints & points, int mouth, double step)
 {
@@ -248,8 +248,8 @@ PouchBeyond(const LumenNetwork & network, const CurvePoints & points, int mouth,
   return beyond;
 }
 
-/** The node of the pouch beyond a point of a curve that is farthest from it within the lumen, and of such that are
- * about as far the most caudal one, since the caecum hangs down; -1 where there is none, or hardly any curve before. */
+/** The farthest node of the pouch within the lumen beyond a point of a curve. Among those about equally far it is the
+ * most caudal one, since the cecum hangs down. -1 if there is none, or hardly any curve before it. */
 int
 FindPole(const LumenNetwork & network, const DistanceField & field, const CurvePoints & points, int mouth, double step)
 {
@@ -257,9 +257,9 @@ FindPole(const LumenNetwork & network, const DistanceField & field, const CurveP
   {
     return -1;
   }
-  // Ways over 26 neighbours are longer than straight ones by 13 % at most, by 7 % on average.
+  // Paths over 26 neighbors are longer than straight ones by at most 13 %, by 7 % on average.
   constexpr double    longestWay = 1.13, usualWay = 1.07;
-  constexpr double    caudal = 0.05; // mm of way that one mm downwards is worth
+  constexpr double    caudal = 0.05; // mm of path equivalent to one mm downward
   const LumenGrid &   grid = network.grid;
   const NearestPlaces pouch = PouchBeyond(network, points, mouth, step);
   const double        height = grid.ToPhysical(points[mouth])[2];
@@ -289,7 +289,7 @@ FindPole(const LumenNetwork & network, const DistanceField & field, const CurveP
   return pole;
 }
 
-/** How far from `from` on a curve comes nearer to a place by at least 0.7 mm for each mm. */
+/** Index up to which a curve from `from` approaches a place by at least 0.7 mm per mm. */
 int
 LastTowards(const CurvePoints & points, int from, double step, const Eigen::Vector3d & place)
 {
@@ -303,7 +303,7 @@ LastTowards(const CurvePoints & points, int from, double step, const Eigen::Vect
   return last;
 }
 
-/** A curve to a place within the lumen: straight on where it is in sight, else along a path. */
+/** A curve to a place within the lumen: straight if visible, otherwise along a path. */
 CurvePoints
 WayTo(const LumenNetwork &           network,
       const DistanceField &          field,
@@ -332,7 +332,7 @@ BeforeEnd(const CurvePoints & points, double steps)
   return last - std::min(static_cast<int>(steps), last / 2);
 }
 
-/** The line up to where it no longer comes nearer to the pole, sought from `from` on, and the way on from there. */
+/** The line up to where it stops approaching the pole, searched from `from`, and the path from there. */
 CurvePoints
 LineToPole(const LumenNetwork &           network,
            const DistanceField &          field,
@@ -369,9 +369,9 @@ ShapeLine(const LumenNetwork &           network,
   return ResampleCurve(points, options.step);
 }
 
-// The first end may lie on the side of the caecum, which is as wide as it is long, or back towards its mouth: a pole is
-// first sought from so far away that this does not matter, then from about the mouth, along a line that leads to the
-// first one.
+// The first end may be on the side of the cecum, which is as wide as it is long, or back toward its mouth. So a pole is
+// first searched from a distance where this does not matter, then from about the mouth, along a line that leads to the
+// first pole.
 void
 LeadToPole(const LumenNetwork &           network,
            const DistanceField &          field,

@@ -14,19 +14,18 @@ ShapeLine(const LumenNetwork &           network,
           const std::vector<int> &       nodes,
           const ColonCentrelineOptions & options);
 
-/** Leads the end of a curve on to the pole of a wide end: the last node of its path lies on the side of the pole as
- * well as at it. */
+/** Extends the end of a curve to the pole of a wide end: the last node of its path may be anywhere near the pole. */
 void
 LeadToPole(const LumenNetwork &           network,
            const DistanceField &          field,
            const ColonCentrelineOptions & options,
            CurvePoints &                  points);
 
-/** Ends a curve where all of it is safely inside over 10 mm: a path goes on into what is only half a voxel wide. */
+/** Cuts the end of a curve where 10 mm of it are safely inside: a path continues into places half a voxel wide. */
 void
 TrimEnds(const DistanceField & field, double step, CurvePoints & points);
 
-/** At each point the radius of the largest ball inside the lumen whose centre lies across the curve within 2 mm. */
+/** At each point the radius of the largest ball inside the lumen with its center across the curve within 2 mm. */
 std::vector<double>
 RadiiAlong(const LumenNetwork & network, const DistanceField & field, const CurvePoints & points, double step);
 } // namespace shapeton

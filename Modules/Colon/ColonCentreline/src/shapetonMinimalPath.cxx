@@ -9,11 +9,11 @@ namespace shapeton
 {
 namespace
 {
-/** What a step looks at, side by side in memory. */
+/** Data of one step, adjacent in memory. */
 struct Record
 {
   double reached;
-  /** Of half a mm. */
+  /** Cost of half a mm. */
   float cost;
   int   cell;
 };

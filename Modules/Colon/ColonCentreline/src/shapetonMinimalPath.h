@@ -7,14 +7,14 @@
 
 namespace shapeton
 {
-/** Minimal paths from one node to all that can be reached. */
+/** Minimal paths from one node to all reachable ones. */
 struct PathTree
 {
-  /** The nodes by growing cost; the start is the first. */
+  /** Nodes by increasing cost, from the start. */
   std::vector<int> order;
-  /** Of each node; -1 for the start and where nothing leads. */
+  /** Parent of each node; -1 for the start and unreachable nodes. */
   std::vector<int> parents;
-  /** Of the path to each node, mm; -1 where nothing leads. */
+  /** Path length to each node, mm; -1 if unreachable. */
   std::vector<float> lengths;
 
   /** The nodes from the start to this one. */
@@ -22,9 +22,9 @@ struct PathTree
   PathTo(int node) const;
 };
 
-/** Dijkstra's algorithm on 26 neighbours; one mm costs 1 / (d + 0.1 mm)^exponent, d the distance to the wall. Paths go
- * from cell to cell only where the tree allows it. Equal costs are told apart by the order of the nodes. With `last`
- * the tree ends when it has come to that node. */
+/** Dijkstra's algorithm on 26 neighbors; one mm costs 1 / (d + 0.1 mm)^exponent, d the distance to the wall. Paths
+ * change cells only where the tree allows it. Ties are broken by the order of the nodes. With `last` the search stops
+ * at that node. */
 PathTree
 GrowPathTree(const LumenGrid &  grid,
              const LumenCells & cells,
@@ -33,15 +33,14 @@ GrowPathTree(const LumenGrid &  grid,
              int                exponent,
              int                last = -1);
 
-/** Of each node the index of the path's node that is nearest within the lumen, -1 where nothing leads, and how far away
- * that is, mm. */
+/** For each node the index of the nearest path node within the lumen, -1 if unreachable, and its distance, mm. */
 struct NearestPlaces
 {
   std::vector<int>   indices;
   std::vector<float> distances;
 };
 
-/** Nodes of the path that are -1 are passed over. Nothing leads farther than `reach` mm. */
+/** Skips path nodes that are -1. The search stops at `reach` mm. */
 NearestPlaces
 NearestOnPath(const LumenGrid &        grid,
               const LumenCells &       cells,

@@ -8,19 +8,19 @@ namespace shapeton
 {
 namespace
 {
-/** A lumen of this radius (mm) or less is no end of a piece but a side branch, the terminal ileum, a taper. */
+/** A lumen of at most this radius (mm) is a side branch, the terminal ileum or a taper, not an end of a piece. */
 constexpr double widestCore = 8.0;
-/** But in a piece that is itself no wider, its core has this share of its greatest radius. */
+/** In a narrower piece, the core has at least this share of the greatest radius. */
 constexpr double coreShare = 0.75;
-/** Rectum and anal canal, mm. */
+/** Length of rectum and anal canal, mm. */
 constexpr double rectumLength = 120.0;
 /** Tapers are followed down to this radius, mm. */
 constexpr double narrowestTaper = 1.0;
-/** Nodes so near the wall (mm) may be tips, and so many of them are looked at. */
+/** Nodes this near to the wall (mm) may be tips, and the number of them to test. */
 constexpr double      atWall = 3.5;
 constexpr std::size_t mostTips = 60;
 
-/** The node with at least this distance to the wall whose path is longest; the start where there is none. */
+/** The node with at least this distance to the wall whose path is longest; the start if there is none. */
 int
 FarthestNode(const LumenGrid & grid, const PathTree & paths, double leastDistance)
 {
@@ -35,7 +35,7 @@ FarthestNode(const LumenGrid & grid, const PathTree & paths, double leastDistanc
   return farthest;
 }
 
-/** Of each node the last one of the core on its path; the core's indices, -1 where none. */
+/** For each node the last core node on its path, as an index into the core; -1 if there is none. */
 std::vector<int>
 BranchIndices(const LumenGrid & grid, const PathTree & paths, const std::vector<int> & core)
 {
@@ -54,7 +54,7 @@ BranchIndices(const LumenGrid & grid, const PathTree & paths, const std::vector<
   return branch;
 }
 
-/** The way from the core to a node. */
+/** The path from the core to a node. */
 PieceEnd
 EndAt(const PathTree & paths, const std::vector<int> & core, const std::vector<int> & branch, int tip)
 {
@@ -68,7 +68,7 @@ EndAt(const PathTree & paths, const std::vector<int> & core, const std::vector<i
   return end;
 }
 
-/** The nodes at the wall whose paths are nearly as long as that to the farthest one: within the calibre of the end. */
+/** The nodes at the wall whose paths are within the caliber of the end as long as that to the farthest one. */
 std::vector<int>
 NodesAtEnd(const LumenGrid &        grid,
            const PathTree &         paths,
@@ -94,8 +94,8 @@ NodesAtEnd(const LumenGrid &        grid,
   return nodes;
 }
 
-/** Prolongs the core at its last node into a taper, or to places on the wall of a blunt end, the farthest one first;
- * `paths` comes from the other end. */
+/** Extends the core at its last node into a taper, or to places on the wall of a blunt end, farthest first; `paths`
+ * starts at the other end. */
 std::vector<PieceEnd>
 Prolong(const LumenGrid & grid, const PathTree & paths, const std::vector<int> & core)
 {
@@ -123,7 +123,7 @@ Prolong(const LumenGrid & grid, const PathTree & paths, const std::vector<int> &
   return tips;
 }
 
-/** Of the piece that the paths reach. */
+/** Core radius of the piece reached by the paths, mm. */
 double
 CoreRadiusOf(const LumenNetwork & network, const PathTree & piece)
 {
@@ -165,14 +165,14 @@ TraceBetween(const LumenNetwork & network, int first, bool isFixed, int exponent
   return line;
 }
 
-/** The tip of the rectum: of the nodes whose path joins the core near its last node, the one that is far along its path
+/** The tip of the rectum: among nodes whose path joins the core near its last node, the one that is far along its path
  * and caudal, in the middle of the lumen. */
 int
 FindTip(const LumenGrid & grid, const PathTree & paths, const std::vector<int> & core)
 {
   const std::vector<int> branch = BranchIndices(grid, paths, core);
   const double           earliest = paths.lengths[core.back()] - rectumLength;
-  // LPS: z grows towards the head.
+  // LPS: z increases toward the head.
   const auto tipness = [&](int node) { return paths.lengths[node] - grid.ToPhysical(grid.Position(node))[2]; };
   const auto isRectum = [&](int node) {
     return branch[node] >= 0 && paths.lengths[core[branch[node]]] >= earliest && grid.Distance(node) >= narrowestTaper;
@@ -182,7 +182,7 @@ FindTip(const LumenGrid & grid, const PathTree & paths, const std::vector<int> &
   {
     most = isRectum(node) ? std::max(most, tipness(node)) : most;
   }
-  // A rectum that the image cuts is wide there; its middle counts.
+  // A rectum cut by the image is wide there; use its center.
   constexpr double slab = 5.0;
   int              tip = core.back();
   double           widest = -1.0;
@@ -268,7 +268,7 @@ BeginAtAnus(const LumenNetwork & network, const PieceLine & line, int exponent)
   moved.ends[0] = {};
   moved.tips = {};
   moved.paths = nullptr;
-  // The prolongation leaves the core at the same distance from its other end.
+  // The extension leaves the core at the same distance from its other end.
   moved.ends[1].branch += static_cast<int>(moved.core.size()) - static_cast<int>(line.core.size());
   return moved;
 }

@@ -7,13 +7,13 @@
 
 namespace shapeton
 {
-/** How the path of a piece goes on from its core into a tapering end. */
+/** Extension of the path of a piece from its core into a tapering end. */
 struct PieceEnd
 {
-  /** The last node of the core that it shares. */
+  /** The last node shared with the core. */
   int              branch{ 0 };
   std::vector<int> nodes;
-  /** How much shorter than the way to the farthest tip, mm. */
+  /** Length missing to the path to the farthest tip, mm. */
   double shortfall{ 0.0 };
 };
 
@@ -24,39 +24,39 @@ struct PieceLine
   /** Nodes between the wide ends. */
   std::vector<int>        core;
   std::array<PieceEnd, 2> ends;
-  /** Other tips of the ends; the lumen may go on behind any of them. The first is that of `ends`. */
+  /** Alternative tips of the ends, behind which the lumen may continue. The first is that of `ends`. */
   std::array<std::vector<PieceEnd>, 2> tips;
-  /** mm^3 of the piece. */
+  /** Volume of the piece, mm^3. */
   double volume{ 0.0 };
-  /** The paths from one end of the core, which the line was found by; may be null. */
+  /** The path tree from one end of the core that gave the line; may be null. */
   std::shared_ptr<const PathTree> paths;
 
-  /** All nodes, from end 0 to end 1, the ends prolonged where asked for. */
+  /** All nodes, from end 0 to end 1, with the ends extended if requested. */
   std::vector<int>
   Nodes(bool prolongs0, bool prolongs1) const;
   void
   Reverse();
 };
 
-/** What the paths of a lumen are found in. */
+/** Data for the path search in a lumen. */
 struct LumenNetwork
 {
   explicit LumenNetwork(const LumenGrid & lumenGrid);
 
   const LumenGrid & grid;
   LumenCells        cells;
-  /** Ends are where the lumen is as wide as this, mm: 8, or half the usual radius of a narrow lumen. */
+  /** Minimum radius of the lumen at ends, mm: 8, or half the usual radius of a narrow lumen. */
   double   coreRadius;
   CellTree tree;
-  /** Indices into LumenCells::passages of holes that would hang a stretch of colon on the side of another one. */
+  /** Indices into LumenCells::passages of holes that connect an end of colon to the side of another stretch. */
   std::vector<int> cuts;
 };
 
-/** The path between the two ends of the piece that `node` belongs to. */
+/** The path between the two ends of the piece that contains `node`. */
 PieceLine
 TracePiece(const LumenNetwork & network, int node, int exponent);
 
-/** The same line with end 0 at the caudal tip of the rectum, down the anal canal. */
+/** The same line with end 0 moved to the caudal tip of the rectum, down the anal canal. */
 PieceLine
 BeginAtAnus(const LumenNetwork & network, const PieceLine & line, int exponent);
 

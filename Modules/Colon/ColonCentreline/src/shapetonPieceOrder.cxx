@@ -8,13 +8,13 @@ namespace shapeton
 {
 namespace
 {
-/** mm that the worst place of a caecum costs. */
+/** Penalty of the least likely place of a cecum, mm. */
 constexpr double caecumWeight = 60.0;
-/** mm that it costs when the caecum is a taper, and calibres of both, in usual ones. */
+/** Penalty of a tapering cecum (mm), and the calibers of taper and cecum relative to the usual one. */
 constexpr double taperWeight = 80.0;
 constexpr double caecumCalibre = 1.25;
 constexpr double taperCalibre = 0.75;
-/** mm of a join that a mm of shortfall is worth. */
+/** Equivalent length of a join per mm of shortfall. */
 constexpr double shortfallShare = 0.3;
 constexpr double never = std::numeric_limits<double>::infinity();
 
@@ -24,7 +24,7 @@ TipOf(const JoinEnd & end, int tip)
   return end.tips.empty() ? end.position : end.tips[tip];
 }
 
-/** mm that a join seems to be long: ends that look away from each other are farther apart. */
+/** Effective length of a join, mm: ends that face away from each other count as farther apart. */
 double
 JoinCost(const JoinEnd & a, const JoinEnd & b)
 {
@@ -36,14 +36,14 @@ JoinCost(const JoinEnd & a, const JoinEnd & b)
   return 5.0 + distance * (1.0 + 0.35 * turns) + 2.0 * std::max(0.0, distance - longestJoin);
 }
 
-/** mm of joins that a piece is worth. */
+/** Worth of a piece, in mm of joins. */
 double
 LeavingCost(const JoinPiece & piece)
 {
   return piece.isWanted ? 1e6 : 60.0 + piece.length;
 }
 
-/** Of the joins of each state (see Table::Extend) with each next one. */
+/** Costs of the joins of each state (see Table::Extend) with each next one. */
 std::vector<double>
 JoinCosts(const std::vector<JoinPiece> & pieces)
 {
@@ -84,7 +84,7 @@ public:
     return m_Entries[set * m_States + state];
   }
 
-  /** State 2 p + r: the piece p is the last one, r where it is reversed. */
+  /** State 2 p + r: the last piece is p, and r is 1 if it is reversed. */
   void
   Extend(std::size_t set, std::size_t state)
   {
@@ -166,12 +166,12 @@ RadiusNearEnd(const std::vector<Eigen::Vector3d> & points, const std::vector<dou
 void
 PreferCaecum(const ColonExtent & extent, double usualRadius, std::vector<JoinPiece> & pieces)
 {
-  // Of the extent of the colon, since the caecum is mobile: a tendency, not a rule.
+  // Relative to the extent of the colon, since the cecum is mobile: a tendency, not a rule.
   for (JoinPiece & piece : pieces)
   {
     for (JoinEnd & end : piece.ends)
     {
-      // LPS: x grows towards the left, z towards the head.
+      // LPS: x increases to the left, z toward the head.
       const double high = extent.ShareAlong(2, end.position);
       const double left = extent.ShareAlong(0, end.position);
       const double calibre = end.radius / usualRadius;

@@ -16,61 +16,61 @@ struct JoinEnd
   Eigen::Vector3d position;
   /** Unit vector out of the piece along its line. */
   Eigen::Vector3d out;
-  /** Points of the wall at the end, where a join may begin; the position where there are none. */
+  /** Points of the wall at the end, where a join may begin; the position if there are none. */
   std::vector<Eigen::Vector3d> tips;
-  /** Of each tip what the piece is shorter to it than to its farthest tip, mm. */
+  /** For each tip the length missing to the farthest tip, mm. */
   std::vector<double> shortfalls;
-  /** Of the widest ball within `endReach` of the end, mm. */
+  /** Radius of the widest ball within `endReach` of the end, mm. */
   double radius{ 0.0 };
-  /** What it costs when the colon ends here, mm. */
+  /** Cost of ending the colon here, mm. */
   double asCaecum{ 0.0 };
 };
 
 struct JoinPiece
 {
   std::array<JoinEnd, 2> ends;
-  /** mm. */
+  /** Length, mm. */
   double length{ 0.0 };
-  /** It must be used. */
+  /** Whether the piece must be used. */
   bool isWanted{ false };
 };
 
-/** A piece of the colon, passed from end 0 to end 1 or the other way. */
+/** A piece of the colon, traversed from end 0 to end 1 or in reverse. */
 struct PlacedPiece
 {
   int  piece{ 0 };
   bool isReversed{ false };
 };
 
-/** mm along the line within which the caecum and the rectum are wide. */
+/** Length of the wide part of cecum and rectum along the line, mm. */
 constexpr double endReach = 30.0;
 
-/** Of the widest ball within `endReach` of the end of a way, mm; `radii` at its points. */
+/** Radius of the widest ball within `endReach` of the end of a path, mm; `radii` at its points. */
 double
 RadiusNearEnd(const std::vector<Eigen::Vector3d> & points, const std::vector<double> & radii);
 
-/** The most pieces that can be ordered: time doubles with each. */
+/** Maximum number of pieces that can be ordered: time doubles with each. */
 constexpr int mostJoinPieces = 14;
 
 /** Joins longer than this (mm) are longer than a collapsed stretch. */
 constexpr double longestJoin = 150.0;
 
-/** The tips of two ends that lie closest together; a tip far back on the side of its end seems farther. */
+/** The closest tips of two ends; a tip far back on the side of its end counts as farther. */
 std::array<int, 2>
 ClosestTips(const JoinEnd & a, const JoinEnd & b);
 
-/** The caecum lies caudal and on the right, and is wide, while the colon tapers where it collapses: fills in what other
- * ends cost as the last one. `usualRadius` is LumenCells::UsualRadius. */
+/** Sets the cost of each end as the last one. The cecum is caudal, on the right and wide, while the colon tapers where
+ * it collapses. `usualRadius` is LumenCells::UsualRadius. */
 void
 PreferCaecum(const ColonExtent & extent, double usualRadius, std::vector<JoinPiece> & pieces);
 
-/** The order with the least sum of joins and of what leaving pieces out costs; the first piece and its direction are
- * given. Exact: dynamic programming over subsets (Held, Karp 1962). Pieces that would cost more than they bring are
- * left out. `cost` gets the sum, mm. */
+/** The order with the least sum of joins and of penalties for omitted pieces, with the first piece and its direction
+ * given. Exact: dynamic programming over subsets (Held, Karp 1962). Pieces that cost more than they contribute are left
+ * out. `cost` returns the sum, mm. */
 std::vector<PlacedPiece>
 OrderPieces(const std::vector<JoinPiece> & pieces, const PlacedPiece & first, double * cost = nullptr);
 
-/** The end nearest to the anus: the piece, and whether it is its end 1. */
+/** The end nearest to the anus: its piece, and whether it is end 1. */
 PlacedPiece
 FindRectum(const std::vector<JoinPiece> & pieces, const ColonExtent & extent);
 } // namespace shapeton

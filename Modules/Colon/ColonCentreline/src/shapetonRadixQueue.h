@@ -12,8 +12,8 @@
 
 namespace shapeton
 {
-/** A monotone priority queue (Ahuja, Mehlhorn, Orlin, Tarjan 1990): an entry lies in the bucket of the highest bit in
- * which its key differs from the last key taken. Non-negative doubles are ordered as their bits are. */
+/** A monotone priority queue (Ahuja, Mehlhorn, Orlin, Tarjan 1990): the bucket of an entry is the highest bit in which
+ * its key differs from the last key popped. Non-negative doubles are ordered by their bit patterns. */
 class RadixQueue
 {
 public:
@@ -80,7 +80,7 @@ private:
     {
       m_Buckets[BucketOf(entry.key ^ m_Last)].push_back(entry);
     }
-    // The memory serves the next entries of this bucket.
+    // Reuse the memory for the next entries of this bucket.
     entries.clear();
     entries.swap(m_Buckets[full]);
   }

@@ -6,7 +6,7 @@
 
 namespace shapeton
 {
-/** A passage of a tree of cells, seen from one of the two cells. */
+/** A passage of a tree of cells, seen from one of its two cells. */
 struct TreeLink
 {
   int    cell;
@@ -14,34 +14,34 @@ struct TreeLink
   double length;
 };
 
-/** Of each cell. */
+/** Links of each cell. */
 using TreeLinks = std::vector<std::vector<TreeLink>>;
 
-/** The cells of one tree or of several in an order in which parents come first; of each cell the way from the start. */
+/** The cells of one or more trees with parents first, and the path length from the start to each cell. */
 struct TreeWalk
 {
-  /** Of no tree. */
+  /** An empty walk. */
   explicit TreeWalk(std::size_t cells) : length(cells, -1.0), depth(cells, -1), parent(cells, -1), passage(cells, -1) {}
 
-  /** Adds the tree of a cell, from there. */
+  /** Adds the tree of a cell, starting there. */
   void
   Visit(const TreeLinks & links, int cell);
 
   std::vector<int>    order;
   std::vector<double> length;
-  /** Cells from the start; -1 of cells that the walk has not come to. */
+  /** Number of cells from the start; -1 for unvisited cells. */
   std::vector<int> depth;
-  /** -1 at the start. */
+  /** Parent cell; -1 at the start. */
   std::vector<int> parent;
-  /** The passage to the parent. */
+  /** Passage to the parent. */
   std::vector<int> passage;
 };
 
-/** The way through a tree from its cell `cells.front()` to `cells.back()`. */
+/** The path through a tree from `cells.front()` to `cells.back()`. */
 struct TreeRing
 {
   std::vector<int> cells;
-  /** From each cell to the next one. */
+  /** Passages from each cell to the next one. */
   std::vector<int>    passages;
   std::vector<double> lengths;
 
@@ -53,36 +53,36 @@ struct TreeRing
 };
 
 /** \class TreeReach
- * \brief How far the core cells of a tree lie from each other, with and without some of its passages.
+ * \brief Longest paths between core cells of a tree, with and without some of its passages.
  *
- * What lies beyond each passage is gathered once, from the leaves and back, so a question about a cell takes as long as
- * the cell has links.
+ * The part beyond each passage is summarized once, from the leaves and back, so a query about a cell takes time linear
+ * in its number of links.
  */
 class TreeReach
 {
 public:
-  /** A walk over all trees, and which cells are core. */
+  /** A walk over all trees, and a flag for core cells. */
   TreeReach(const TreeLinks & links, const TreeWalk & all, const std::vector<char> & isCore);
 
-  /** The longest way between two core cells of the tree of `cell`; 0 where it has fewer. */
+  /** Length of the longest path between two core cells of the tree of `cell`; 0 with fewer. */
   double
   LongestWay(int cell) const
   {
     return this->Around(cell).longest;
   }
 
-  /** Of each passage of a ring the longest way between two core cells of the tree in which that passage is exchanged
-   * for one of `length` between the two ends of the ring. */
+  /** For each passage of a ring the longest path between two core cells of the tree in which that passage is replaced
+   * by one of `length` between the two ends of the ring. */
   std::vector<double>
   LongestWaysWithout(const TreeRing & ring, double length) const;
 
 private:
-  /** What a part of a tree has, seen from one of its cells. */
+  /** Summary of a part of a tree, seen from one of its cells. */
   struct Part
   {
-    /** The way to the farthest core cell; where there is none, far below 0. */
+    /** Length to the farthest core cell; far below 0 without one. */
     double deepest{ -1e300 };
-    /** The longest way between two core cells. */
+    /** Longest path between two core cells. */
     double longest{ 0.0 };
   };
 
@@ -94,20 +94,20 @@ private:
   static Part
   Join(const Part & a, const Part & b);
 
-  /** The tree around a cell but for what lies beyond two of its passages. */
+  /** The tree around a cell without the parts beyond two of its passages. */
   Part
   Around(int cell, int passage = -1, int other = -1) const;
 
-  /** Of the first cell of a ring, of the first two and so on, with what hangs on them: seen from the first. */
+  /** Cumulative parts of the first cells of a ring with their branches, seen from the first cell. */
   static std::vector<Part>
   FromTheFirst(const std::vector<Part> & hanging, const std::vector<double> & lengths);
 
   const TreeLinks &         m_Links;
   const TreeWalk &          m_Walk;
   const std::vector<char> & m_IsCore;
-  /** Of each cell what lies beyond it, seen from it as one comes from its parent. */
+  /** For each cell the subtree below it, seen from the cell. */
   std::vector<Part> m_Below;
-  /** The rest of its tree, seen from its parent. */
+  /** The rest of the tree, seen from the parent. */
   std::vector<Part> m_Above;
 };
 } // namespace shapeton

@@ -18,7 +18,7 @@ namespace shapeton
 {
 namespace
 {
-/** Shares of the time of the stages, about. */
+/** Approximate fraction of the run time completed after each stage. */
 constexpr double SegmentationEnd = 0.35;
 constexpr double CentrelineEnd = 0.65;
 
@@ -32,7 +32,7 @@ LumenOptionsOf(const ColonModelOptions & options)
   return lumen;
 }
 
-/** Where the border of the scan cuts the colon, part of it is not there. */
+/** Warns where the border of the scan cuts the colon. */
 void
 JudgeCuts(ColonCentreline & line)
 {
@@ -73,7 +73,7 @@ FindValve(ColonModel & model)
   SetIleocaecalValve(model.valve.valve, model.centreline.curve);
 }
 
-/** The valve on the line; where ileum hangs on it, it is cut off, and both are sought again. */
+/** Finds the valve on the line; attached ileum is cut off, and line and valve are computed again. */
 void
 AddValve(ColonModel & model, const ColonModelOptions & options)
 {
@@ -112,8 +112,8 @@ WaitFor(std::future<void> & beside)
   }
 }
 
-/** Does a work, and waits for what goes on beside it: after an InputError, too, which a partial model survives, so that
- * a failure beside it is not lost. */
+/** Runs a task and waits for the parallel one, also after an InputError, which a partial model survives, so that a
+ * failure of the parallel task is not lost. */
 template <typename TWork>
 void
 DoAndWaitFor(std::future<void> & beside, const TWork & work)
@@ -145,7 +145,7 @@ AddWall(ColonModel & model, const ColonModelOptions & options, const TMake & mak
   AppendRemarks(model.warnings, model.wall.report.warnings);
 }
 
-/** The cleansed colon, and what goes on with its CT beside all that follows. */
+/** The cleansed colon, and the task that uses its CT in parallel with the remaining steps. */
 struct CleansedWork
 {
   CleansedColon     colon;
@@ -185,9 +185,8 @@ InWords(const GasInGap & one)
          ": they are taken for colon; check them, or give the lumen as a mask";
 }
 
-/** Takes gas that fills gaps of the line as seed points give it, once more from the CT on, where that leaves shorter
- * gaps: by half of those at least that it is to fill. The seed points are then those of `options`, too: the line may be
- * traced again. */
+/** Adds gas that fills gaps of the line as seed points and recomputes from the CT, if that shortens the gaps by at
+ * least half of the filled length. The seed points are then added to `options`, since the line may be traced again. */
 void
 FillGaps(ColonModel & model, CleansedWork & cleansed, const itk::Image<float, 3> * ct, ColonModelOptions & options)
 {
@@ -197,7 +196,7 @@ FillGaps(ColonModel & model, CleansedWork & cleansed, const itk::Image<float, 3>
     return;
   }
   ColonModelOptions with = options;
-  with.onCleansed = {}; // it may come to nothing
+  with.onCleansed = {}; // the result may be discarded
   with.progress = options.progress.Part("Filling gaps of the colon", CentrelineEnd, CentrelineEnd);
   double most = LengthOfGaps(model.centreline);
   for (const GasInGap & one : found)
@@ -215,7 +214,7 @@ FillGaps(ColonModel & model, CleansedWork & cleansed, const itk::Image<float, 3>
   TraceAndCleanse(filled, again, ct, with);
   if (LengthOfGaps(filled.centreline) <= most)
   {
-    WaitFor(cleansed.beside); // on the CT of the line before
+    WaitFor(cleansed.beside); // uses the CT of the previous line
     model = std::move(filled);
     cleansed = std::move(again);
     cleansed.Start(options);
@@ -248,7 +247,7 @@ IsCutByScan(const CurveSet & line)
 std::string
 FailureOfShortLine(const ColonModel & model)
 {
-  // The colon of an adult has 1000 to 2500 mm, what a hemicolectomy leaves 600 and more; a stomach has 200 to 300 mm.
+  // An adult colon is 1000 to 2500 mm long, 600 or more after a hemicolectomy; a stomach 200 to 300 mm.
   constexpr double shortestColon = 400.0; // mm
   if (model.centreline.length >= shortestColon || IsCutByScan(model.centreline.curve))
   {
@@ -262,7 +261,7 @@ FailureOfShortLine(const ColonModel & model)
          "its lumen as a mask";
 }
 
-/** Whether the model is to be completed: its line is that of a colon, or partial results are wanted. */
+/** Whether to complete the model: its line is a colon, or partial results are requested. */
 bool
 MayGoOn(ColonModel & model, const ColonModelOptions & options, LumenOrigin origin)
 {
@@ -277,7 +276,7 @@ MayGoOn(ColonModel & model, const ColonModelOptions & options, LumenOrigin origi
   return model.failure.empty() || options.keepPartial;
 }
 
-/** Cleansing, centreline and wall of a lumen that the data or a mask gave. */
+/** Cleansing, centerline and wall of a lumen from the data or a mask. */
 void
 Complete(ColonModel & model, const itk::Image<float, 3> * ct, ColonModelOptions options, LumenOrigin origin)
 {
@@ -340,7 +339,7 @@ Cropped(const LumenMask * lumen)
   return filter->GetOutput();
 }
 
-/** Of the section of a ball through a point, mm; 0 outside of it. */
+/** Radius of the section of a ball through a point, mm; 0 outside it. */
 double
 RadiusOfSection(const itk::Point<double, 3> & centre, double diameter, const itk::Point<double, 3> & point)
 {

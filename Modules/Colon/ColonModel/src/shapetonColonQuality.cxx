@@ -241,7 +241,7 @@ AssessabilityToJson(const ColonModel & model)
   return json;
 }
 
-/** Whether the line begins near the anus: caudal, in the middle and at the back of all that it passes. */
+/** Whether the line begins near the anus: caudal, medial and posterior relative to its extent. */
 bool
 BeginsInRectum(const CurveSet & curve)
 {
@@ -262,7 +262,7 @@ InMillimetres(double begin, double end)
   return "from " + std::to_string(std::lround(begin)) + " to " + std::to_string(std::lround(end)) + " mm";
 }
 
-/** What keeps the line from running from the rectum to the cecum with all gaps explained. */
+/** Reasons why the line does not run from the rectum to the cecum with all gaps explained. */
 std::vector<std::string>
 MissingParts(const ColonModel & model)
 {

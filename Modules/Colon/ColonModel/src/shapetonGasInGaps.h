@@ -8,16 +8,16 @@
 
 namespace shapeton
 {
-/** Gas that was left out of the lumen as too thin, and that reaches from one end of a gap of the centreline to the
- * other: what joins two ends of a tube is that tube. */
+/** Gas excluded from the lumen as too thin that extends from one end of a gap of the centerline to the other: a
+ * connection between two ends of a tube is that tube. */
 struct GasInGap
 {
   CentrelineGap gap;
   ColonLeftOut  gas;
 };
 
-/** Of gaps of at least 30 mm, gas of at least 10 ml that holds a ball of 7 mm radius and comes within a quarter of the
- * gap's length, at most 20 mm, of both of its ends. */
+/** Finds, for gaps of at least 30 mm, gas of at least 10 ml that contains a ball of 7 mm radius and comes within a
+ * quarter of the length of the gap, at most 20 mm, of both its ends. */
 std::vector<GasInGap>
 FindGasInGaps(const ColonLumen & lumen, const ColonCentreline & line);
 

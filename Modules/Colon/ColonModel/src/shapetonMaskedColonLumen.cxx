@@ -25,7 +25,7 @@ VoxelMl(const itk::ImageBase<3> * image)
   return 1e-3 * spacing[0] * spacing[1] * spacing[2];
 }
 
-/** What is summed over the voxels of a piece. */
+/** Sums over the voxels of a piece. */
 struct PieceSums
 {
   double                 gas{ 0.0 };
@@ -80,7 +80,7 @@ DescribePieces(const std::vector<PieceSums> & sums, double voxelMl, ColonLumen &
   }
 }
 
-/** Fluid lies below the gas of its piece. */
+/** Fluid is below the gas of its piece. */
 void
 ChooseGravity(const std::vector<PieceSums> & sums, const std::string & patientPosition, ColonLumen & lumen)
 {
@@ -109,7 +109,7 @@ ChooseGravity(const std::vector<PieceSums> & sums, const std::string & patientPo
   lumen.warnings.push_back("no patient position is given and the lumen contains no fluid; supine is assumed");
 }
 
-/** \pre There are some. */
+/** \pre `values` is not empty. */
 double
 MedianOf(std::vector<float> & values)
 {
@@ -118,7 +118,7 @@ MedianOf(std::vector<float> & values)
   return *middle;
 }
 
-/** From what lies at least 2 mm and one and a half voxels deep: clear gas and clear fluid. */
+/** Intensities of voxels at least 2 mm and one and a half voxels deep: clear gas and clear fluid. */
 void
 MeasureThresholds(const itk::Image<float, 3> * ct, const LumenDistanceImage * distance, ColonLumen & lumen)
 {

@@ -9,12 +9,12 @@ namespace shapeton
 {
 namespace
 {
-/** Steps of the queue, mm. */
+/** Bucket size of the queue, mm. */
 constexpr double QueueStep = 0.1;
-/** So many points of the curve around a site are looked at for the closest place. */
+/** Number of curve points around a site to search for the closest place. */
 constexpr std::int32_t Reach = 8;
 
-/** Voxels in the order of their distances, up to a queue step. */
+/** Voxels ordered by distance, up to a queue step. */
 class DistanceQueue
 {
 public:
@@ -26,7 +26,7 @@ public:
     m_Buckets[bucket].push_back(voxel);
   }
 
-  /** Calls `body(voxel)`, which may push, until nothing is left. */
+  /** Calls `body(voxel)`, which may push, until the queue is empty. */
   template <typename TBody>
   void
   Drain(const TBody & body)
@@ -72,7 +72,7 @@ ArcLengthField::PointOfVoxel(std::int64_t voxel) const
     { static_cast<double>(voxel % nx), static_cast<double>(voxel / nx % ny), static_cast<double>(voxel / nx / ny) });
 }
 
-/** Each voxel takes over the site of a neighbour by a face where that is closer than its own. */
+/** Each voxel takes the site of a face neighbor if that is closer than its own. */
 void
 ArcLengthField::Spread(const LumenMaskImage * lumen)
 {

@@ -7,19 +7,19 @@
 
 namespace shapeton
 {
-/** Which place of the centreline belongs to a place of the wall: the closest one that can be reached within the lumen,
- * so that loops that touch do not get each other's. */
+/** Maps a place of the wall to the closest place of the centerline within the lumen, so touching loops do not exchange
+ * values. */
 class ArcLengthField
 {
 public:
   /** One curve with the point array `arcLength`. */
   ArcLengthField(const LumenMaskImage * lumen, const CurveSet & centreline);
 
-  /** In mm; may be asked by several threads. */
+  /** Distance along the centerline, mm; thread-safe. */
   double
   ArcLengthAt(const Eigen::Vector3d & point) const;
 
-  /** That of the closest point of the curve, for the middle of a voxel of the lumen, by its number in the buffer. */
+  /** Value at the closest point of the curve for the center of a lumen voxel, by its buffer index. */
   double
   ArcLengthOfVoxel(std::int64_t voxel) const;
 

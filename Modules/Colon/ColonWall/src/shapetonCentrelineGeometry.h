@@ -8,7 +8,7 @@
 
 namespace shapeton
 {
-/** Positions of a grid: p = origin + matrix * index, index of the buffer (from 0 on). */
+/** Positions of a grid: p = origin + matrix * index, index into the buffer (from 0). */
 struct GridGeometry
 {
   Eigen::Matrix3d matrix;
@@ -29,8 +29,8 @@ struct GridGeometry
   }
 };
 
-/** Calls `body(x, y, z)` for the voxels of the image that a polyline from a to b passes, in order, each next one a
- * neighbour by a face. */
+/** Calls `body(x, y, z)` for the voxels of the image on a polyline from a to b, in order, each face-adjacent to the
+ * previous one. */
 void
 ForVoxelsOfSegment(const GridGeometry &                             grid,
                    const itk::Size<3> &                             size,

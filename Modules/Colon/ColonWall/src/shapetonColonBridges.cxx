@@ -23,7 +23,7 @@ DistanceToAxis(const Eigen::Vector3d & p, const Axis & axis)
   return (p - axis.first - share * way).norm();
 }
 
-/** Falls from 1 to 0 within the width, 0.5 on the wall of the tube. */
+/** Decreases from 1 to 0 over the width; 0.5 on the wall of the tube. */
 double
 TubeOccupancy(double distance, double radius, double width)
 {
@@ -71,7 +71,7 @@ FindAxes(const OccupancyImage * occupancy, const CurveSet & centreline, BridgedO
   }
 }
 
-/** A copy on a grid that also holds all tubes with a margin. */
+/** A copy on a grid that contains all tubes with a margin. */
 OccupancyImage::Pointer
 EnlargedCopy(const OccupancyImage * occupancy, const std::vector<Axis> & axes, double reach)
 {
@@ -113,7 +113,7 @@ EnlargedCopy(const OccupancyImage * occupancy, const std::vector<Axis> & axes, d
   return copy;
 }
 
-/** The greater of the field and the tube around one axis. */
+/** Maximum of the field and the tube around one axis. */
 void
 DrawTube(OccupancyImage * image, const GridGeometry & grid, const Axis & axis, double radius)
 {

@@ -5,12 +5,12 @@
 
 namespace shapeton
 {
-/** The same bridges in another field on the grid of the one that they were found for. */
+/** Adds the same bridges to another field on the same grid. */
 OccupancyImage::ConstPointer
 DrawBridges(const OccupancyImage * occupancy, const BridgedOccupancy & bridges);
 
-/** For each face 1 where the tubes and not the given lumen make the wall. `lumen` is the field before the tubes came;
- * it may be null where there are none. */
+/** For each face 1 where a tube rather than the given lumen forms the wall. `lumen` is the field without tubes; it may
+ * be null without tubes. */
 SurfaceArray
 BridgedFaces(const SurfaceMesh & mesh, const BridgedOccupancy & bridges, const OccupancyImage * lumen);
 } // namespace shapeton

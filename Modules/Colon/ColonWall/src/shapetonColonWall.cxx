@@ -22,7 +22,7 @@ namespace shapeton
 {
 namespace
 {
-/** Of FacesForDiffusion(). */
+/** Face count for the first estimate of FacesForDiffusion(). */
 constexpr int leastChosenFaces = 55000;
 
 enum class Step
@@ -35,7 +35,7 @@ enum class Step
   Done
 };
 
-/** Of the time, roughly. */
+/** Approximate fraction of the run time completed after each step. */
 double
 ShareAfter(Step step)
 {
@@ -63,7 +63,7 @@ public:
     Remarks                       remarksOnRaw;
     std::optional<ArcLengthField> arcLengths;
     SurfaceMesh                   repaired;
-    // All waits for the repaired surface; the raw one needs nothing of it.
+    // All other steps depend on the repaired surface; the raw one is independent of it.
     ParallelInvoke([this] { this->Repair(); },
                    [&, this] {
                      remarksOnRaw = this->MakeRaw();
@@ -71,7 +71,7 @@ public:
                    });
     this->MakeRepaired();
     this->ReleaseOccupancy();
-    ParallelInvoke([this] { this->Simplify(); }, // works on one core
+    ParallelInvoke([this] { this->Simplify(); }, // runs on one core
                    [&, this] {
                      arcLengths.emplace(m_Mask, m_Centreline);
                      m_Mask = nullptr;
@@ -162,7 +162,7 @@ private:
     this->Advance(Step::Opened);
   }
 
-  /** Handles next to an end may leave no disc to cut out; then the raw surface stays closed. */
+  /** Handles next to an end may leave no disc to cut out; the raw surface then stays closed. */
   Remarks
   OpenRaw()
   {
@@ -183,14 +183,14 @@ private:
     return remarks;
   }
 
-  /** The volumes that the surfaces were made from: what follows needs the room. */
+  /** Releases the input volumes: the next steps need the memory. */
   void
   ReleaseOccupancy()
   {
     m_RepairedField = nullptr;
     m_RepairedOccupancy = nullptr;
     m_Bridges.occupancy = nullptr;
-    if (m_Bridges.axes.empty()) // else it tells faces of the tubes from others
+    if (m_Bridges.axes.empty()) // else needed to identify faces of the tubes
     {
       m_Occupancy = nullptr;
     }
@@ -239,7 +239,7 @@ private:
     this->Advance(Step::Simplified);
   }
 
-  /** Between these shares of the whole. */
+  /** Progress between these shares of the whole. */
   void
   SimplifyTo(int faces, double begin, double end)
   {
@@ -249,7 +249,7 @@ private:
     m_Wall.simplified = SimplifySurface(m_Wall.repaired, options, &m_Simplification);
   }
 
-  /** By area and narrowest radius of the simplified wall. */
+  /** Face count from area and narrowest radius of the simplified wall. */
   int
   FacesForFlatMap() const
   {
@@ -284,7 +284,7 @@ private:
     }
   }
 
-  /** Of the points of the centreline whose arcLength is nearest to that of the faces. */
+  /** `notAssessable` of the centerline point whose arcLength is nearest to that of each face. */
   SurfaceArray
   HindrancesOfFaces(const SurfaceMesh & mesh) const
   {
@@ -303,7 +303,7 @@ private:
     return array;
   }
 
-  /** Adds `bridged` and counts the faces, with those of the tubes. Returns the number of these. */
+  /** Adds `bridged`, counts the faces and returns the number of tube faces. */
   int
   Inspect(SurfaceMesh & mesh, int & faces, SurfaceQuality & quality) const
   {
@@ -326,7 +326,7 @@ private:
   BridgedOccupancy             m_Bridges;
   OccupancyImage::ConstPointer m_RepairedField;
   LumenMaskImage::Pointer      m_Mask;
-  SurfaceSimplificationReport  m_Simplification; ///< of the last one
+  SurfaceSimplificationReport  m_Simplification; ///< of the last simplification
   ColonWall                    m_Wall;
   Remarks                      m_RemarksOnRepaired;
 };

@@ -11,7 +11,7 @@ namespace shapeton
 {
 namespace
 {
-/** An enclosed island has at most so many times the faces of the disc around it. */
+/** Maximum ratio of the faces of an enclosed island to those of the disc around it. */
 constexpr std::size_t GreatestIsland = 4;
 } // namespace
 
@@ -138,7 +138,7 @@ DiscCutter::FillIslands(std::vector<int> & faces, int outsideVertex) const
   }
 }
 
-/** Takes the faces outside that have two edges on the disc: they would stand out into the opening. */
+/** Adds outside faces with two edges on the disc, which would protrude into the opening. */
 void
 DiscCutter::FillTeeth(std::vector<int> & faces) const
 {

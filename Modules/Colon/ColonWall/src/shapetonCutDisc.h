@@ -19,13 +19,13 @@ public:
     return m_Connectivity;
   }
 
-  /** The faces whose vertices all lie within `radius` of the pole, measured along edges, with the islands they enclose
-   * and without teeth on their boundary; in ascending order. Empty where they are no disc by their topology, or touch
-   * what is forbidden. The vertex `outside` lies on no island. */
+  /** The faces whose vertices are all within `radius` of the pole, measured along edges, with enclosed islands and
+   * without teeth on their boundary; in ascending order. Empty if they do not form a topological disc or touch excluded
+   * faces. The vertex `outside` is not on an island. */
   std::vector<int>
   FindDisc(int pole, double radius, int outside) const;
 
-  /** Later discs keep away from these faces and their neighbours. */
+  /** Excludes these faces and their neighbors from later discs. */
   void
   Forbid(const std::vector<int> & faces);
 
@@ -40,7 +40,7 @@ private:
   FillTeeth(std::vector<int> & faces) const;
   bool
   IsDisc(const std::vector<int> & faces) const;
-  /** The face at the other side of an edge of a face. */
+  /** The face on the other side of an edge of a face. */
   int
   FaceAcross(int face, int k) const;
 
@@ -49,16 +49,15 @@ private:
   std::vector<char>   m_IsForbidden;
 };
 
-/** Writes field arrays `rectumLoop` and `caecumLoop` by the distance of the loops to the ends of the centreline, and
- * gives the genus. Throws InputError unless the surface is one manifold component with two loops. */
+/** Writes field arrays `rectumLoop` and `caecumLoop` by the distance of the loops to the ends of the centerline, and
+ * returns the genus. Throws InputError unless the surface is one manifold component with two loops. */
 int
 SetLoops(SurfaceMesh &               mesh,
          const SurfaceConnectivity & connectivity,
          const Eigen::Vector3d &     rectum,
          const Eigen::Vector3d &     caecum);
 
-/** Moves the vertices of the boundary along, so that the rims are smooth, as far as no face next to them gets
- * needle-shaped or turns over. */
+/** Smooths the rims by moving boundary vertices, as long as no adjacent face becomes a needle or flips. */
 void
 SmoothRims(SurfaceMesh & mesh, const SurfaceConnectivity & connectivity);
 } // namespace shapeton

@@ -35,7 +35,7 @@ CopyFlagsToMask(const PaddedVoxels & voxels, LumenMaskImage * mask)
   voxels.ForEachVoxel([&](std::int64_t padded, std::int64_t inner) { values[inner] = voxels.flags[padded] & Lumen; });
 }
 
-/** Gives all voxels of all components but one the same flags; their number. */
+/** Gives all voxels of all components but one the same flags; returns their number. */
 std::int64_t
 SetFlagsOfOthers(PaddedVoxels & voxels, const VoxelComponents & components, int kept, unsigned char flags)
 {
@@ -78,7 +78,7 @@ KeepSolidPiece(LumenMaskImage * mask, double voxelVolume, LumenTopologyReport & 
   report.lumenVolume = static_cast<double>(pieces.sizes[largest]) * voxelVolume;
 }
 
-/** Keeps what has both neighbours along an axis; what is beyond the grid counts as kept. */
+/** Keeps voxels with both neighbors along an axis; voxels outside the grid count as kept. */
 std::vector<unsigned char>
 Eroded(const VoxelGrid & grid, const std::vector<unsigned char> & mask, int axis)
 {
@@ -100,8 +100,7 @@ Eroded(const VoxelGrid & grid, const std::vector<unsigned char> & mask, int axis
   return eroded;
 }
 
-/** Squares of the distances to the nearest voxel of the lumen that touches the background, by a corner suffices, mm^2.
- */
+/** Squared distances to the nearest lumen voxel that touches the background, also by a corner, mm^2. */
 VoxelValues
 SquaredDistancesToRim(const LumenMaskImage * lumen)
 {
@@ -116,8 +115,8 @@ SquaredDistancesToRim(const LumenMaskImage * lumen)
   return SquaredDistances(grid, { spacing[0], spacing[1], spacing[2] }, inside);
 }
 
-/** The distance to the wall, as ranks. Next to the wall voxels have one and the same distance; there the occupancy
- * decides, so that a membrane comes to lie where the septum shows best. */
+/** Distance to the wall as ranks. Voxels next to the wall have equal distances; there the occupancy breaks ties, so a
+ * membrane follows the septum. */
 GrowthRankImage::Pointer
 RanksOfLumen(const LumenMaskImage * lumen, const OccupancyImage * occupancy)
 {
@@ -139,7 +138,7 @@ RanksOfLumen(const LumenMaskImage * lumen, const OccupancyImage * occupancy)
   return ranks;
 }
 
-/** Raises the voxels along the centreline above all others. */
+/** Ranks the voxels along the centerline above all others. */
 void
 RaiseCentreline(GrowthRankImage * ranks, const CurveSet & centreline)
 {
@@ -158,7 +157,7 @@ RaiseCentreline(GrowthRankImage * ranks, const CurveSet & centreline)
   }
 }
 
-/** One voxel of the lumen, of the greatest rank. */
+/** A lumen voxel of the greatest rank. */
 void
 PlantSeed(LumenMaskImage * grown, const LumenMaskImage * limit, const GrowthRankImage * ranks)
 {

@@ -11,7 +11,8 @@ namespace
 {
 constexpr float HighestLevel = 0.95F;
 
-/** The value that as many voxels reach as the mask has. It lies near 0.5: the others are only counted. */
+/** The threshold that keeps the number of voxels of the mask. It is near 0.5, so voxels far from it are only
+ * counted. */
 float
 LevelOfEqualVolume(const OccupancyImage * image, std::size_t voxels)
 {

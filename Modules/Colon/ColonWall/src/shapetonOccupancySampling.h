@@ -7,7 +7,7 @@
 
 namespace shapeton
 {
-/** Trilinear values of an occupancy; 0 beyond the image. */
+/** Trilinear interpolation of an occupancy; 0 outside the image. */
 class OccupancySampler
 {
 public:

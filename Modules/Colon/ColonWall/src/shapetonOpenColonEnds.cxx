@@ -13,7 +13,7 @@ namespace shapeton
 {
 namespace
 {
-/** The outward direction at an end is taken over this length of the centreline, mm. */
+/** Length of the centerline used for the outward direction at an end, mm. */
 constexpr double TangentLength = 10.0;
 
 struct Ray
@@ -47,7 +47,7 @@ RayAtEnd(const CurveSet & centreline, bool isRectum)
   return { end, way.normalized() };
 }
 
-/** Where along the ray a triangle is hit, infinity where not (Moeller, Trumbore 1997). */
+/** Ray parameter of the intersection with a triangle, infinity without one (Moeller, Trumbore 1997). */
 double
 HitOfRay(const Ray & ray, const Eigen::Vector3d & a, const Eigen::Vector3d & b, const Eigen::Vector3d & c)
 {
@@ -74,7 +74,7 @@ ClosestVertex(const SurfaceMesh & mesh, const Eigen::Vector3d & point)
   return static_cast<int>(closest);
 }
 
-/** The vertex next to where the ray first leaves the surface; where it never does, the one closest to its origin. */
+/** The vertex closest to where the ray first leaves the surface, or to its origin if it never does. */
 int
 PoleVertex(const SurfaceMesh & mesh, const Ray & ray)
 {
@@ -86,7 +86,7 @@ PoleVertex(const SurfaceMesh & mesh, const Ray & ray)
   return ClosestVertex(mesh, std::isfinite(best) ? ray.origin + best * ray.direction : ray.origin);
 }
 
-/** The greatest disc around the pole that can be cut out. */
+/** The largest disc around the pole that can be cut out. */
 std::vector<int>
 DiscAtEnd(const DiscCutter &      cutter,
           int                     pole,

@@ -8,10 +8,10 @@
 
 namespace shapeton
 {
-/** Flags of voxels with a layer of zeros around, so that each voxel has 26 neighbours. */
+/** Voxel flags with a layer of zeros around, so each voxel has 26 neighbors. */
 struct PaddedVoxels
 {
-  VoxelGrid                  grid; ///< with the layer
+  VoxelGrid                  grid; ///< including the layer
   std::vector<unsigned char> flags;
 
   explicit PaddedVoxels(const itk::ImageRegion<3> & region)
@@ -56,11 +56,11 @@ struct VoxelComponents
 {
   VoxelRuns                 runs;
   RunLabels                 labels;
-  std::vector<std::int64_t> sizes; ///< voxels of each label; 0 for the label 0, which no run has
+  std::vector<std::int64_t> sizes; ///< number of voxels per label; 0 for the unused label 0
 };
 
-/** The components of the voxels where (flags & flag) != 0 equals `isSet`. The layer of padding takes part: with `isSet`
- * false, the label 1 is the outside. */
+/** The components of the voxels where (flags & flag) != 0 equals `isSet`. The padding is included: with `isSet` false,
+ * label 1 is the outside. */
 VoxelComponents
 FindComponents(const PaddedVoxels & voxels, unsigned char flag, bool isSet, VoxelContact contact);
 } // namespace shapeton

@@ -18,7 +18,7 @@ PositionOf(const SurfaceMesh & mesh, Eigen::Index vertex)
   return { mesh.V(vertex, 0), mesh.V(vertex, 1), mesh.V(vertex, 2) };
 }
 
-/** The loops name vertices, whose numbers have changed. */
+/** Renumbers the vertices of the loops. */
 void
 RenumberLoops(const SurfaceMesh & before, SurfaceMesh & after)
 {
@@ -74,7 +74,7 @@ RemoveBridges(const SurfaceMesh & mesh)
   {
     return mesh;
   }
-  SurfaceRepairOptions repair; // faces that a vertex alone connects are cut apart
+  SurfaceRepairOptions repair; // separates faces connected only by a vertex
   repair.mergeVertices = false;
   repair.orient = false;
   SurfaceMesh pieces = RepairSurface(FacesOfSurface(mesh, lumen), repair);

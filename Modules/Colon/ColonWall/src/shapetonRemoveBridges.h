@@ -5,9 +5,8 @@
 
 namespace shapeton
 {
-/** The surface without its faces with `bridged` = 1: each piece of the lumen is a component, open where the tubes were.
- * Crumbs of less than a thousandth of the faces go, too. `rectumLoop` and `caecumLoop` name the same points as before.
- */
+/** Removes the faces with `bridged` = 1: each piece of the lumen becomes a component, open at the tubes. Fragments of
+ * less than a thousandth of the faces are removed, too. `rectumLoop` and `caecumLoop` keep their points. */
 SurfaceMesh
 RemoveBridges(const SurfaceMesh & mesh);
 } // namespace shapeton

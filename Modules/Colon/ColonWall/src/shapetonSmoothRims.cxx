@@ -13,7 +13,7 @@ namespace
 constexpr int    Rounds = 10;
 constexpr double SoundAngle = 0.4; // radians, about 23 degrees
 
-/** What faces around a vertex are like. */
+/** Quality of the faces around a vertex. */
 struct Fan
 {
   double                       smallestAngle{ 4.0 };

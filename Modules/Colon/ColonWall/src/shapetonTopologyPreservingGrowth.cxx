@@ -40,14 +40,14 @@ SpreadZ(Bits bits)
   return (bits | bits << 9 | bits >> 9) & All;
 }
 
-/** With the neighbours by faces. */
+/** Adds the face neighbors. */
 Bits
 Spread6(Bits bits)
 {
   return SpreadX(bits) | SpreadY(bits) | SpreadZ(bits);
 }
 
-/** With the neighbours by faces and edges. */
+/** Adds the face and edge neighbors. */
 Bits
 Spread18(Bits bits)
 {
@@ -55,12 +55,12 @@ Spread18(Bits bits)
   return SpreadY(x) | SpreadZ(x) | SpreadZ(SpreadY(bits));
 }
 
-/** Whether the voxels `wanted` lie in one component of `set`; not when there is none. */
+/** Whether the voxels `wanted` are in one component of `set`; false if `wanted` is empty. */
 template <typename TSpread>
 bool
 IsOneComponent(Bits wanted, Bits set, const TSpread & spread)
 {
-  Bits reached = wanted & (~wanted + 1); // the lowest one
+  Bits reached = wanted & (~wanted + 1); // the lowest bit
   for (Bits last = 0; reached != last;)
   {
     last = reached;
@@ -69,7 +69,7 @@ IsOneComponent(Bits wanted, Bits set, const TSpread & spread)
   return wanted != 0 && (wanted & ~reached) == 0;
 }
 
-/** Voxels in the order of their ranks, of equal ranks in that of their arrival. */
+/** Voxels ordered by rank, ties in the order of arrival. */
 class RankQueue
 {
 public:
@@ -80,7 +80,7 @@ public:
     m_Top = std::max<int>(m_Top, rank);
   }
 
-  /** False where there is none. */
+  /** False if the queue is empty. */
   bool
   Pop(std::uint32_t & voxel)
   {
@@ -131,7 +131,7 @@ public:
   std::int64_t
   Run()
   {
-    for (std::size_t voxel = 0; voxel < m_Flags.size(); ++voxel) // none in the layer around
+    for (std::size_t voxel = 0; voxel < m_Flags.size(); ++voxel) // the padding has no candidates
     {
       if ((m_Flags[voxel] & Object) != 0)
       {
@@ -164,7 +164,7 @@ private:
     return bits;
   }
 
-  /** Candidates around a voxel of the object. Neighbours by corners count: their topological numbers may change. */
+  /** Adds candidates around an object voxel, including corner neighbors, whose topological numbers may change. */
   void
   PushNeighbours(std::int64_t voxel)
   {
@@ -188,7 +188,7 @@ private:
 
   PaddedVoxels &               m_Voxels;
   std::vector<unsigned char> & m_Flags;
-  VoxelGrid                    m_Inner; ///< without the layer
+  VoxelGrid                    m_Inner; ///< without the padding
   const std::uint16_t *        m_Ranks;
   std::array<std::int64_t, 27> m_Offsets;
   RankQueue                    m_Queue;
@@ -198,7 +198,7 @@ private:
 bool
 IsSimplePoint(std::uint32_t neighbourhood)
 {
-  // Geodesic neighbourhoods: an edge counts where a face leads to it, a corner where an edge does.
+  // Geodesic neighborhoods: an edge counts if a face leads to it, a corner if an edge does.
   const Bits object = neighbourhood & All & ~Centre;
   const Bits faces = object & Faces;
   const Bits edges = object & Edges & Spread6(faces);

@@ -5,8 +5,8 @@
 
 namespace shapeton
 {
-/** The vertices at the other ends of the edges that leave each vertex: all neighbours where the surface is closed and
- * oriented. Far less memory and time than a SurfaceConnectivity. */
+/** End vertices of the edges that leave each vertex: all neighbors if the surface is closed and oriented. Needs far
+ * less memory and time than a SurfaceConnectivity. */
 class VertexNeighbours
 {
 public:

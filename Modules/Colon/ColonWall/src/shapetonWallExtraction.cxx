@@ -12,10 +12,10 @@ namespace shapeton
 namespace
 {
 constexpr float LevelOfWall = 0.5F;
-/** Values keep so far from the level: several edges that cross it at one voxel would give faces without area. */
+/** Minimum distance of values from the level: several crossing edges at one voxel would give degenerate faces. */
 constexpr float LeastStep = 0.001F;
 
-/** Mirrored at the level where it is on the wrong side. */
+/** Mirrors a value at the level if it is on the wrong side. */
 float
 ClampedValue(float value, bool isLumen)
 {
@@ -23,7 +23,7 @@ ClampedValue(float value, bool isLumen)
   return isLumen ? std::max(mirrored, LevelOfWall + LeastStep) : std::min(mirrored, LevelOfWall - LeastStep);
 }
 
-/** The size of the field with a layer around. */
+/** Size of the padded field. */
 std::array<int, 3>
 PaddedSize(const OccupancyImage * occupancy)
 {
@@ -31,7 +31,7 @@ PaddedSize(const OccupancyImage * occupancy)
   return { static_cast<int>(size[0]) + 2, static_cast<int>(size[1]) + 2, static_cast<int>(size[2]) + 2 };
 }
 
-/** The field with a layer of zeros around, clamped to the mask. */
+/** The field padded with zeros, clamped to the mask. */
 std::vector<float>
 PaddedField(const OccupancyImage * occupancy, const LumenMaskImage * mask)
 {

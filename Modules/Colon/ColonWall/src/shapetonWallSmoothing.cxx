@@ -39,11 +39,11 @@ VertexNormals(const SurfaceMesh & mesh)
   return normals;
 }
 
-/** Vertices whose neighbours do not form a ring: those of boundaries, and those without faces. */
+/** Vertices whose neighbors do not form a ring: boundary vertices, and those without faces. */
 std::vector<char>
 FixedVertices(const SurfaceMesh & mesh)
 {
-  // Around a vertex inside, each neighbour is once the end and once the begin of an edge.
+  // Around an interior vertex, each neighbor is once the end and once the begin of an edge.
   std::vector<std::int64_t> balance(static_cast<std::size_t>(mesh.NumberOfVertices()), 0);
   std::vector<char>         isFixed(static_cast<std::size_t>(mesh.NumberOfVertices()), 1);
   for (Eigen::Index f = 0; f < mesh.F.rows(); ++f)
